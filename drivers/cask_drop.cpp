@@ -1,0 +1,158 @@
+// A lead cylinder in a steel skin drops on a rigid floor: the scene of Kulak & Fiala, chapter 5.
+//
+//        | |         | |
+//        | |  lead   | |   v        The skin is a tube of plates without end caps. Lead and skin touch
+//        | |         | |   |        without friction; both stay on the floor after first touch and
+//        | |_________| |   V        slide on it freely.
+//      ===================== floor
+//
+// Question  How far does the top of the lead settle, and when?
+// Answer    docs/cask_drop.md
+// Run       cask_drop cases/cask_drop/neptune.yaml --out out/cask_drop
+
+#include <algorithm>
+#include <memory>
+
+#include "drivers/driver.hpp"
+#include "mesh/cylinder.hpp"
+
+using namespace nereid;
+
+struct Case {
+  bool quarter;
+  int level;
+  double radius, length;  // [m]
+  element::AnyLaw lead, steel;
+  element::Hexahedron::Options lead_element;
+  element::Plate::Options cladding_element;
+  dynamics::InterfaceOptions interface;
+  double speed;           // [m/s]
+  dynamics::Time time;
+  input::Recording recording;
+};
+
+Case read(const input::Section& root) {
+  const auto model = root.section("model"), mesh = root.section("mesh"), cylinder = root.section("cylinder");
+  const auto lead = root.section("lead"), cladding = root.section("cladding"), interface = root.section_or_empty("interface");
+  Case c{.quarter = model.choice("kind", {"full", "quarter"}) == "quarter",
+         .level = mesh.count("level", 1, 64),
+         .radius = cylinder.quantity("radius", dim::length, input::positive),
+         .length = cylinder.quantity("length", dim::length, input::positive),
+         .lead = input::read_law(lead),
+         .steel = input::read_law(cladding),
+         .lead_element = input::read_hexahedron_options(lead),
+         .cladding_element = input::read_plate_options(cladding),
+         .interface = input::read_interface(interface),
+         .speed = root.section("initial").quantity("speed", dim::speed, input::positive),
+         .time = input::read_time(root.section("time")),
+         .recording = {}};
+  c.recording = input::read_recording(root.section_or_empty("output"), c.time.end);
+  return c;
+}
+
+/// Nodes of lead and cladding with that ending, ascending.
+Subset both(const mesh::Mesh& mesh, const std::string& ending) {
+  Subset nodes = mesh::node_set(mesh, "lead" + ending);
+  const Subset& more = mesh::node_set(mesh, "cladding" + ending);
+  nodes.insert(nodes.end(), more.begin(), more.end());
+  return nodes;
+}
+
+void constrain(const Case& c, dynamics::Model& model) {
+  auto& planes = model.constraints.planes;
+  planes.push_back({.name = "floor", .kind = load::PlaneKind::floor, .point = Vec3::Zero(), .normal = Vec3::UnitZ(),
+                    .nodes = both(model.mesh, "")});
+  if (!c.quarter) return;
+  for (const auto& [name, normal] : {std::pair{"x_plane", Vec3(Vec3::UnitX())}, {"y_plane", Vec3(Vec3::UnitY())}})
+    planes.push_back({.name = name, .kind = load::PlaneKind::symmetry, .point = Vec3::Zero(), .normal = normal,
+                      .nodes = both(model.mesh, std::string(".") + name)});
+}
+
+/// Settlement of the lead's top: its area mean, and that of its centre. [m]
+struct Top {
+  Subset nodes;
+  Scalars share;  // of the area, [nodes]
+  Index centre;
+  double mean(const Vectors& X, const Vectors& x) const {
+    double sum = 0;
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      sum += share(static_cast<Eigen::Index>(i)) * (X(2, nodes[i]) - x(2, nodes[i]));
+    return sum;
+  }
+};
+
+Top top_of_lead(const mesh::Mesh& mesh) {
+  Top top{mesh::node_set(mesh, "lead.top"), {}, -1};
+  top.share = mesh::tributary_areas(mesh, mesh::surface(mesh, "lead.top"), top.nodes);
+  top.share /= top.share.sum();
+  const auto off_axis = [&mesh](Index node) { return mesh.X.col(node).head<2>().squaredNorm(); };
+  top.centre = *std::min_element(top.nodes.begin(), top.nodes.end(), [&](Index a, Index b) { return off_axis(a) < off_axis(b); });
+  return top;
+}
+
+/// Largest outward displacement of the cladding. [m]
+double bulge(const dynamics::View& view, const Subset& cladding) {
+  double most = 0;
+  for (const Index node : cladding)
+    most = std::max(most, view.now.x.col(node).head<2>().norm() - view.model.mesh.X.col(node).head<2>().norm());
+  return most;
+}
+
+driver::Scene build(const input::CaseFile& file) {
+  const Case c = read(file.root());
+  file.finish();
+  driver::Scene scene{.model = {}, .state = {}, .forces = {}, .gaps = {}, .time = c.time, .recording = c.recording,
+                      .probes = {}, .watchers = {}, .results = {}};
+  dynamics::Model& model = scene.model;
+  const auto turn = c.quarter ? mesh::Turn::quarter : mesh::Turn::full;
+  const int n = c.level, along = 12 * n;  // cells as long as they are wide at every level
+  const double skin = c.radius + c.cladding_element.thickness / 2;  // the plates' mid-surface
+  model.mesh = mesh::join(mesh::cylinder("lead", {c.radius, c.length, turn, n, n, along}),
+                          mesh::tube("cladding", {skin, c.length, turn, n, along}));
+  model.blocks.push_back(element::hexahedra(model.mesh, "lead", c.lead, c.lead_element));
+  model.blocks.push_back(element::plates(model.mesh, "cladding", c.steel, c.cladding_element));
+  constrain(c, model);
+  dynamics::finish(model);
+  std::vector<dynamics::Connected> connected;
+  connected.push_back(dynamics::connect(model, "interface", "lead.side", "cladding.inside", c.interface));
+  input::refuse_penetration(file.root().section_or_empty("interface"), c.interface, connected[0].gaps);
+  file.finish();
+  driver::make_ready(scene, std::move(connected));
+  scene.state.v.row(2).setConstant(-c.speed);
+
+  const Top top = top_of_lead(model.mesh);
+  const Subset cladding = mesh::node_set(model.mesh, "cladding");
+  const auto mean = [top](const dynamics::View& view) { return top.mean(view.model.mesh.X, view.now.x); };
+  const auto centre = [top](const dynamics::View& view) {
+    return view.model.mesh.X(2, top.centre) - view.now.x(2, top.centre);
+  };
+  struct Seen {
+    driver::Peak mean, centre, bulge;
+    double impulse = 0, time = 0;  // of the floor at the last sample
+  };
+  const auto seen = std::make_shared<Seen>();
+  const auto floor_force = [seen](const dynamics::View& view) {  // mean since the last sample
+    const double impulse = view.now.constraints.account[0].impulse.z(), elapsed = view.now.t - seen->time;
+    const double force = elapsed > 0 ? (impulse - seen->impulse) / elapsed : 0;
+    seen->impulse = impulse, seen->time = view.now.t;
+    return force;
+  };
+  scene.probes = {{"settlement_mean", "m", mean}, {"settlement_centre", "m", centre}, {"floor_force", "N", floor_force},
+                  {"floor_impulse", "N s", [](const auto& view) { return view.now.constraints.account[0].impulse.z(); }},
+                  {"cladding_bulge", "m", [cladding](const auto& view) { return bulge(view, cladding); }}};
+  scene.watchers.emplace_back([=](const dynamics::View& view) {
+    seen->mean.see(mean(view), view.now.t);
+    seen->centre.see(centre(view), view.now.t);
+    if (view.settled) seen->bulge.see(bulge(view, cladding), view.now.t);
+  });
+  scene.results = [seen] {
+    return std::vector<output::Result>{{"settlement_mean", seen->mean.value, "m"},
+                                       {"time_of_settlement_mean", seen->mean.time, "s"},
+                                       {"settlement_centre", seen->centre.value, "m"},
+                                       {"time_of_settlement_centre", seen->centre.time, "s"},
+                                       {"cladding_bulge", seen->bulge.value, "m"}};
+  };
+  return scene;
+}
+
+int main(int argc, char** argv) { return driver::drive(argc, argv, "cask_drop", build); }

@@ -1,0 +1,254 @@
+#include "drivers/driver.hpp"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+
+#include "base/check.hpp"
+#include "base/parallel.hpp"
+#include "output/frames.hpp"
+#include "output/history.hpp"
+#include "output/progress.hpp"
+
+namespace nereid::driver {
+
+namespace {
+
+enum Status { done = 0, bad_case = 2, stopped = 3, our_fault = 4, machine = 5 };
+
+struct CommandLine {
+  std::string case_path, out;
+  std::vector<std::string> overrides;
+  int threads = 0;
+  bool dry_run = false, quiet = false;
+};
+
+std::int64_t count_elements(const dynamics::Model& model) {
+  std::int64_t sum = 0;
+  for (const auto& block : model.blocks) sum += element::tiling(block).elements;
+  return sum;
+}
+
+std::string row(const char* format, auto... values) {
+  char buffer[300];
+  std::snprintf(buffer, sizeof buffer, format, values...);
+  return buffer;
+}
+
+/// The table of initial gaps, one interface a line.
+std::vector<std::string> gap_table(const Scene& scene) {
+  std::vector<std::string> table;
+  if (scene.gaps.empty()) return table;
+  table.push_back("initial gaps   apexes  on facet  on edge  on vertex  no base  penetrating  least [m]    mean [m]     largest [m]");
+  for (std::size_t c = 0; c < scene.gaps.size(); ++c) {
+    const contact::InitialGaps& g = scene.gaps[c];
+    table.push_back(row("%-14s %6d  %8d  %7d  %9d  %7d  %11d  %-11.4g  %-11.4g  %-11.4g", scene.model.interfaces[c].name.c_str(),
+                        g.apexes, g.by_kind[3], g.by_kind[2], g.by_kind[1], g.without_base, g.penetrating, g.least, g.mean, g.largest));
+    table.push_back(row("%-14s penalty %.4g Pa/m", "", scene.model.interfaces[c].penalty));
+  }
+  return table;
+}
+
+/// Columns of history.csv that every run has: the ledger.
+std::vector<Probe> ledger_probes(const Scene& scene) {
+  std::vector<Probe> probes;
+  const auto add = [&probes](const std::string& name, std::function<double(const dynamics::Ledger&)> value) {
+    probes.push_back({name, "J", [value](const dynamics::View& view) { return value(view.now.ledger); }});
+  };
+  add("energy_kinetic", [](const auto& ledger) { return ledger.kinetic; });
+  const auto& accounts = scene.state.ledger.accounts;
+  for (std::size_t a = 0; a < accounts.size(); ++a) {
+    for (std::size_t s = 0; s < accounts[a].stored.size(); ++s)
+      add("energy_" + accounts[a].name + "_" + accounts[a].stored[s].name,
+          [a, s](const auto& ledger) { return ledger.accounts[a].stored[s].value; });
+    for (std::size_t s = 0; s < accounts[a].dissipated.size(); ++s)
+      add("energy_" + accounts[a].name + "_" + accounts[a].dissipated[s].name,
+          [a, s](const auto& ledger) { return ledger.accounts[a].dissipated[s].value; });
+  }
+  for (std::size_t a = 0; a < accounts.size(); ++a)
+    add("energy_created_" + accounts[a].name, [a](const auto& ledger) { return dynamics::created(ledger.accounts[a]); });
+  add("energy_integration", [](const auto& ledger) { return ledger.integration; });
+  add("energy_residual", [](const auto& ledger) { return dynamics::energy_residual(ledger); });
+  return probes;
+}
+
+/// Writes histories, frames and the progress line while a run goes on.
+class Recorder {
+ public:
+  Recorder(const Scene& scene, const CommandLine& line)
+      : out_(line.out), frames_every_(scene.recording.frames), probes_(scene.probes), progress_(scene.time.end, line.quiet) {
+    for (Probe& probe : ledger_probes(scene)) probes_.push_back(std::move(probe));
+    std::vector<output::Column> columns;
+    for (const Probe& probe : probes_) columns.push_back({probe.name, probe.unit});
+    history_ = std::make_unique<output::History>(out_ / "history.csv", columns);
+    row_.resize(probes_.size());
+    const auto precision = scene.recording.full_precision ? output::Precision::full : output::Precision::single;
+    body_ = std::make_unique<output::Collection>(out_, "body", output::GridKind::volume, precision);
+    contact_ = std::make_unique<output::Collection>(out_, "contact", output::GridKind::surface, precision);
+    walls_ = std::make_unique<output::Collection>(out_, "walls", output::GridKind::surface, precision);
+  }
+
+  void operator()(const dynamics::View& view) {
+    progress_.show(view.now.t, view.now.step, view.now.dt);
+    if (!view.settled) return;
+    for (std::size_t p = 0; p < probes_.size(); ++p) row_[p] = probes_[p].value(view);
+    history_->add(view.now.t, row_);
+    const auto due = static_cast<std::int64_t>(view.now.t / frames_every_ + 1e-9);
+    if (view.now.step > 0 && due <= frame_) return;
+    frame_ = due;
+    add_frame(view);
+    if (view.now.step == 0) walls_->add(output::walls_grid(view));
+  }
+
+  /// The last state, whatever the run ended with.
+  void finish(const dynamics::View& view) {
+    progress_.done();
+    add_frame(view);
+    history_->flush();
+  }
+
+  std::int64_t not_finite() const { return body_->not_finite() + contact_->not_finite(); }
+
+ private:
+  void add_frame(const dynamics::View& view) {
+    body_->add(output::body_grid(view));
+    contact_->add(output::contact_grid(view));
+    history_->flush();
+  }
+
+  std::filesystem::path out_;
+  double frames_every_;
+  std::vector<Probe> probes_;
+  output::Progress progress_;
+  std::unique_ptr<output::History> history_;
+  std::unique_ptr<output::Collection> body_, contact_, walls_;
+  std::vector<double> row_;
+  std::int64_t frame_ = 0;
+};
+
+output::Summary summarise(const std::string& name, const CommandLine& line, const input::CaseFile& file, const Scene& scene,
+                          const dynamics::Outcome& outcome, std::vector<std::string> notes) {
+  output::Summary summary;
+  summary.driver = name;
+  summary.case_path = line.case_path;
+  summary.case_hash = file.hash();
+  summary.ending = {std::string(dynamics::word(outcome.ending)), outcome.reason, scene.state.t, outcome.block, outcome.element};
+  summary.results = scene.results();
+  for (std::size_t c = 0; c < scene.model.interfaces.size(); ++c) {
+    const auto& interface = scene.model.interfaces[c];
+    const auto& memory = scene.state.interfaces[c];
+    summary.results.push_back({interface.name + "_penalty", interface.penalty, "Pa/m"});
+    summary.results.push_back({interface.name + "_walks", static_cast<double>(memory.walks), "1"});
+    summary.results.push_back({interface.name + "_lost", static_cast<double>(memory.lost), "1"});
+    summary.results.push_back({interface.name + "_recovered", static_cast<double>(memory.recovered), "1"});
+  }
+  summary.results.push_back({"smallest_step", outcome.smallest_step, "s"});
+  summary.results.push_back({"largest_step", outcome.largest_step, "s"});
+  summary.ledger = scene.state.ledger;
+  const auto updates = static_cast<double>(outcome.element_updates);
+  summary.cost = {count_elements(scene.model), scene.state.step, outcome.element_updates, outcome.wall_seconds,
+                  updates > 0 ? outcome.wall_seconds * 1e9 / updates : 0, threads()};
+  summary.resolved = file.resolved();
+  summary.not_used = file.not_used();
+  notes.push_back("the smallest step was asked for by " + outcome.limited_by);
+  summary.notes = notes;
+  return summary;
+}
+
+void print(const std::vector<std::string>& lines) {
+  for (const std::string& text : lines) std::printf("%s\n", text.c_str());
+}
+
+/// What would be run, and what limits its step.
+int dry_run(Scene& scene) {
+  const dynamics::Votes votes = dynamics::start(scene.model, scene.state, scene.forces);
+  const double dt = std::min(scene.time.safety * votes.element_step, votes.contact_step);
+  std::printf("%ld nodes, %ld elements, mass %.6g kg\n", static_cast<long>(scene.model.mesh.X.cols()),
+              static_cast<long>(count_elements(scene.model)), scene.model.mass.sum());
+  std::printf("first step %.4g s, asked for by %s (elements %.4g s, contact %.4g s); about %.0f steps\n", dt,
+              std::string(votes.by).c_str(), votes.element_step, votes.contact_step, scene.time.end / dt);
+  return done;
+}
+
+int run_case(const std::string& name, const CommandLine& line, const Build& build) {
+  if (line.threads > 0) use_threads(line.threads);
+  const input::CaseFile file = input::CaseFile::read(line.case_path, line.overrides);
+  Scene scene = build(file);
+  const std::vector<std::string> table = gap_table(scene);
+  if (!line.quiet) {
+    for (const std::string& key : file.not_used()) std::printf("not used: %s\n", key.c_str());
+    print(table);
+  }
+  if (line.dry_run) return dry_run(scene);
+
+  Recorder recorder(scene, line);
+  std::vector<dynamics::Observer> observers = scene.watchers;
+  observers.emplace_back([&recorder](const dynamics::View& view) { recorder(view); });
+  const dynamics::Outcome outcome =
+      dynamics::run(scene.model, scene.state, scene.forces, scene.time, scene.recording.history, observers);
+  const dynamics::Votes votes;
+  recorder.finish({scene.model, scene.state, scene.forces, votes, true});
+
+  std::vector<std::string> notes = table;
+  if (recorder.not_finite() > 0) notes.push_back(row("%ld values that were no number stand as 0 in the ParaView files", static_cast<long>(recorder.not_finite())));
+  const output::Summary summary = summarise(name, line, file, scene, outcome, notes);
+  output::write_summary(line.out, summary);
+  if (!line.quiet) {
+    for (const output::Result& result : summary.results) std::printf("%-28s %.8g %s\n", result.name.c_str(), result.value, result.unit.c_str());
+    std::printf("%ld steps in %.2f s, %.1f ns per element update; results in %s\n", static_cast<long>(summary.cost.steps),
+                outcome.wall_seconds, summary.cost.nanoseconds_per_element_update, line.out.c_str());
+  }
+  if (outcome.ending == dynamics::Ending::reached_end) return done;
+  std::fprintf(stderr, "%s: stopped at %.6g s: %s%s%s: %s\n", name.c_str(), scene.state.t, summary.ending.word.c_str(),
+               outcome.block.empty() ? "" : (" in " + outcome.block).c_str(),
+               outcome.element < 0 ? "" : (", element " + std::to_string(outcome.element)).c_str(), outcome.reason.c_str());
+  return stopped;
+}
+
+}  // namespace
+
+void make_ready(Scene& scene, std::vector<dynamics::Connected> connected) {
+  std::vector<contact::Memory> memories;
+  std::vector<contact::Workspace> workspaces;
+  for (dynamics::Connected& one : connected) {
+    scene.gaps.push_back(one.gaps);
+    memories.push_back(std::move(one.memory));
+    workspaces.push_back(std::move(one.workspace));
+  }
+  scene.state = dynamics::initial_state(scene.model, std::move(memories));
+  scene.forces = dynamics::make_forces(scene.model, std::move(workspaces));
+}
+
+int drive(int argc, char** argv, const std::string& name, const Build& build) {
+  CommandLine line;
+  CLI::App app("Nereid " + name, name);
+  app.add_option("case", line.case_path, "case file, YAML with units")->required();
+  app.add_option("--out", line.out, "folder for results; made if it is not there");
+  app.add_option("--set", line.overrides, "key.path=value, in place of what the case says; may be repeated")
+      ->expected(1)
+      ->take_all();
+  app.add_option("--threads", line.threads, "threads; results do not depend on them")->check(CLI::PositiveNumber);
+  app.add_flag("--dry-run", line.dry_run, "check the case, show initial gaps and the first step, and stop");
+  app.add_flag("--quiet", line.quiet, "print faults only");
+  try {
+    app.parse(argc, argv);
+    if (line.out.empty() && !line.dry_run) throw CLI::RequiredError("--out");
+  } catch (const CLI::ParseError& error) {
+    const int status = app.exit(error);
+    return status == 0 ? done : bad_case;
+  }
+  try {
+    return run_case(name, line, build);
+  } catch (const input::CaseError& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return bad_case;
+  } catch (const InternalError& error) {
+    std::fprintf(stderr, "%s: this is a fault of the program, not of the case: %s\n", name.c_str(), error.what());
+    return our_fault;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s: %s\n", name.c_str(), error.what());
+    return machine;
+  }
+}
+
+}  // namespace nereid::driver

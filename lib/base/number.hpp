@@ -1,0 +1,62 @@
+#pragma once
+// One formula, three number types.
+//
+// Kernels are templates on their number type T and are written once. They run on
+//     double     to be read and tested,
+//     Dual<n>    to have their gradients checked (base/dual.hpp),
+//     Pack       to be fast: a row of doubles that one instruction treats at once.
+// A kernel therefore has no `if` on a number: it selects. The functions below are all it needs.
+
+#include <cmath>
+#include <experimental/simd>
+
+/// Kernels are made of small functions on packs; left to itself the compiler calls them one by one.
+#define NEREID_HOT [[gnu::always_inline]] inline
+
+namespace nereid {
+
+namespace stdx = std::experimental;
+using Pack = stdx::native_simd<double>;
+constexpr int lanes = static_cast<int>(Pack::size());
+
+/// What a comparison of two T gives.
+template <class T>
+struct MaskOf {
+  using type = bool;
+};
+template <>
+struct MaskOf<Pack> {
+  using type = Pack::mask_type;
+};
+template <class T>
+using Mask = typename MaskOf<T>::type;
+
+NEREID_HOT double select(bool condition, double yes, double no) { return condition ? yes : no; }
+NEREID_HOT Pack select(Pack::mask_type condition, Pack yes, Pack no) {
+  stdx::where(!condition, yes) = no;
+  return yes;
+}
+
+NEREID_HOT bool any(bool condition) { return condition; }
+NEREID_HOT bool any(Pack::mask_type condition) { return stdx::any_of(condition); }
+
+NEREID_HOT double root(double a) { return std::sqrt(a); }
+NEREID_HOT Pack root(Pack a) { return stdx::sqrt(a); }
+
+/// The larger and the smaller of two, by select, so that every number type has them.
+template <class T>
+NEREID_HOT T larger(T a, T b) {
+  return select(a > b, a, b);
+}
+template <class T>
+NEREID_HOT T smaller(T a, T b) {
+  return select(a < b, a, b);
+}
+
+/// Reads a T from, and writes it to, the first of `lanes` adjacent doubles (one for double).
+NEREID_HOT void read_lanes(const double* from, double& to) { to = *from; }
+NEREID_HOT void read_lanes(const double* from, Pack& to) { to.copy_from(from, stdx::element_aligned); }
+NEREID_HOT void write_lanes(double from, double* to) { *to = from; }
+NEREID_HOT void write_lanes(Pack from, double* to) { from.copy_to(to, stdx::element_aligned); }
+
+}  // namespace nereid

@@ -1,0 +1,564 @@
+#include "contact/contact.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/parallel.hpp"
+#include "contact/push.hpp"
+#include "geometry/height.hpp"
+
+namespace nereid::contact {
+
+namespace {
+
+using geometry::Closest;
+using geometry::Kind;
+
+constexpr double border_tolerance = 1e-6;  // of a facet's size: an apex on the border still has a base
+constexpr double near_contact = 1.25;      // of h_c: from here on all claims on an apex are weighed
+constexpr double really_closer = 1e-6;     // relative distance by which a search must beat the walk
+
+Vec3 eigen(const Vector<double>& a) { return {a.x, a.y, a.z}; }
+
+/// The nodes of a feature.
+struct FeatureNodes {
+  int count;
+  std::array<Index, 3> node;
+};
+FeatureNodes nodes_of(const BaseSurface& base, const Feature& f) {
+  const auto at = [&](int local) { return base.facets(local % 3, f.facet); };
+  if (f.kind == Kind::facet) return {3, {at(0), at(1), at(2)}};
+  if (f.kind == Kind::edge) return {2, {at(f.local), at(f.local + 1), -1}};
+  return {1, {at(f.local), -1, -1}};
+}
+
+/// Height of a point over a feature, signed by the facet's side, with the weights of its nodes.
+struct FeatureHeight {
+  double height;
+  Vec3 normal;
+  std::array<double, 3> weight;
+};
+FeatureHeight height_over(const BaseSurface& base, const Vectors& x, const Feature& f, const Vector<double>& p) {
+  const auto c = corners(base, x, f.facet);
+  if (f.kind == Kind::facet) {
+    const auto at = geometry::facet_height(c, p);
+    return {at.height, eigen(at.normal), at.weight};
+  }
+  double height = 0;
+  Vec3 normal;
+  std::array<double, 3> weight{};
+  if (f.kind == Kind::edge) {
+    const auto at = geometry::edge_height(std::array{c[f.local], c[(f.local + 1) % 3]}, p);
+    height = at.height, normal = eigen(at.normal), weight = {at.weight[0], at.weight[1], 0};
+  } else {
+    const auto at = geometry::vertex_height(std::array{c[f.local]}, p);
+    height = at.height, normal = eigen(at.normal), weight = {1, 0, 0};
+  }
+  // Behind the surface the way back leads through the edge to the other side. The side is that of
+  // the mean normal of the facets that meet there, weighted by their angles (Baerentzen & Aanaes 2005).
+  Vec3 mean = Vec3::Zero();
+  const auto add = [&](Index facet, double angle) {
+    const auto d = corners(base, x, facet);
+    mean += angle * eigen(cross(d[1] - d[0], d[2] - d[0])).normalized();
+  };
+  if (f.kind == Kind::edge) {
+    add(f.facet, 1);
+    const Index other = base.neighbour(f.local, f.facet);
+    if (other >= 0) add(other, 1);
+  } else {
+    const Index node = base.facets(f.local, f.facet);
+    for (Index r = base.ring_begin[node]; r < base.ring_begin[node + 1]; ++r) {
+      const Index facet = base.ring[r];
+      int a = 0;
+      while (base.facets(a, facet) != node) ++a;
+      const Vec3 side = x.col(base.facets((a + 1) % 3, facet)) - x.col(node);
+      const Vec3 other = x.col(base.facets((a + 2) % 3, facet)) - x.col(node);
+      add(facet, std::acos(std::clamp(side.normalized().dot(other.normalized()), -1.0, 1.0)));
+    }
+  }
+  if (normal.dot(mean) < 0) height = -height, normal = -normal;
+  return {height, normal, weight};
+}
+
+/// Whether a closest point on the border of the surface belongs to an apex that has left it; if not,
+/// the apex is on the border to within the tolerance and its facet is its base.
+bool past_border(const BaseSurface& base, const Vectors& x, Index facet, const Closest& closest, const Vector<double>& p) {
+  const auto c = corners(base, x, facet);
+  const Vector<double> foot = closest.weight[0] * c[0] + closest.weight[1] * c[1] + closest.weight[2] * c[2];
+  const Vector<double> n = cross(c[1] - c[0], c[2] - c[0]);
+  const double size = std::sqrt(norm(n));
+  const Vector<double> away = p - foot, unit = (1.0 / norm(n)) * n;
+  const Vector<double> sideways = away - dot(away, unit) * unit;
+  return norm(sideways) > border_tolerance * size;
+}
+
+bool on_border(const BaseSurface& base, Index facet, const Closest& closest) {
+  if (closest.kind == Kind::edge) return base.neighbour(closest.local, facet) < 0;
+  // a vertex is on the border if an edge of its ring is
+  const Index node = base.facets(closest.local, facet);
+  for (Index r = base.ring_begin[node]; r < base.ring_begin[node + 1]; ++r) {
+    for (int e = 0; e < 3; ++e) {
+      const bool touches = base.facets(e, base.ring[r]) == node || base.facets((e + 1) % 3, base.ring[r]) == node;
+      if (touches && base.neighbour(e, base.ring[r]) < 0) return true;
+    }
+  }
+  return false;
+}
+
+/// The facets around an apex and where it stands over them: one local closest feature on a plain or a
+/// ridge, one for each flank in a valley.
+struct Neighbourhood {
+  static constexpr int most_facets = 32;
+  int facets = 0;
+  std::array<Index, most_facets> facet;
+  std::array<Closest, most_facets> closest;
+  std::array<FeatureHeight, most_facets> height;  ///< over the facet, where the facet owns the apex
+
+  /// The place of a facet in the list, looked at now if it was not before; -1 if the list is full.
+  int look(const BaseSurface& base, const Vectors& x, const Vector<double>& p, Index f) {
+    for (int i = 0; i < facets; ++i)
+      if (facet[i] == f) return i;
+    if (facets == most_facets) return -1;
+    const auto c = corners(base, x, f);
+    const auto at = geometry::facet_height(c, p);
+    facet[facets] = f;
+    // Eq. 14 with room for round-off: over the common border of two facets an apex belongs to both
+    if (std::min({at.weight[0], at.weight[1], at.weight[2]}) >= -border_tolerance) {
+      closest[facets] = {Kind::facet, 0, at.weight, at.height * at.height};
+      height[facets] = {at.height, eigen(at.normal), at.weight};
+    } else {
+      closest[facets] = geometry::closest_on_triangle(c, p);
+    }
+    return facets++;
+  }
+};
+
+struct Claims {
+  int count = 0;
+  std::array<Feature, most_candidates> feature;
+  std::array<FeatureHeight, most_candidates> at;
+
+  void add(const Feature& f, const FeatureHeight& height) {
+    if (count == most_candidates) return;
+    feature[count] = f;
+    at[count++] = height;
+  }
+};
+
+/// Whether the same vertex or edge is the closest feature of every facet around it.
+bool all_agree(const BaseSurface& base, const Vectors& x, const Vector<double>& p, Neighbourhood& near, int i) {
+  const Closest mine = near.closest[i];
+  const Index facet = near.facet[i];
+  if (mine.kind == Kind::edge) {
+    const Index other = base.neighbour(mine.local, facet);
+    if (other < 0) return true;
+    const int j = near.look(base, x, p, other);
+    if (j < 0) return true;
+    const Closest& theirs = near.closest[j];
+    return theirs.kind == Kind::edge && base.neighbour(theirs.local, other) == facet;
+  }
+  const Index node = base.facets(mine.local, facet);
+  for (Index r = base.ring_begin[node]; r < base.ring_begin[node + 1]; ++r) {
+    const int j = near.look(base, x, p, base.ring[r]);
+    if (j < 0) continue;
+    const Closest& theirs = near.closest[j];
+    if (theirs.kind != Kind::vertex || base.facets(theirs.local, near.facet[j]) != node) return false;
+  }
+  return true;
+}
+
+/// Collects the features that claim an apex, starting from where the walk ended.
+Claims claims_on(const BaseSurface& base, const Vectors& x, const Vector<double>& p, const WalkEnd& from, double height) {
+  Claims claims;
+  Neighbourhood near;
+  near.look(base, x, p, from.feature.facet);
+  // Another flank can claim the apex only within the height (valleys up to a right angle), so only
+  // facets behind borders that near have to be looked at.
+  const auto c = corners(base, x, from.feature.facet);
+  const double twice_area = norm(cross(c[1] - c[0], c[2] - c[0]));
+  const double within = 1.5 * std::abs(height) + 1e-9 * std::sqrt(twice_area);
+  std::array<bool, 3> near_edge{};
+  for (int e = 0; e < 3; ++e) {
+    const double altitude = twice_area / norm(c[(e + 1) % 3] - c[e]);
+    near_edge[e] = from.closest.weight[(e + 2) % 3] * altitude < within;
+    const Index other = base.neighbour(e, from.feature.facet);
+    if (near_edge[e] && other >= 0) near.look(base, x, p, other);
+  }
+  for (int a = 0; a < 3; ++a) {
+    if (!near_edge[a] || !near_edge[(a + 2) % 3]) continue;
+    const Index node = base.facets(a, from.feature.facet);
+    for (Index r = base.ring_begin[node]; r < base.ring_begin[node + 1]; ++r) near.look(base, x, p, base.ring[r]);
+  }
+
+  for (int i = 0; i < near.facets; ++i) {  // all_agree may lengthen the list
+    const Closest at = near.closest[i];
+    const Feature feature{near.facet[i], at.kind, at.local};
+    if (at.kind == Kind::facet) {
+      claims.add(feature, near.height[i]);
+    } else if (on_border(base, near.facet[i], at)) {
+      if (past_border(base, x, near.facet[i], at, p)) continue;
+      const Feature facet{near.facet[i], Kind::facet, 0};
+      claims.add(facet, height_over(base, x, facet, p));
+    } else if (all_agree(base, x, p, near, i)) {
+      bool known = false;  // the same edge or vertex, seen from another facet
+      const FeatureNodes mine = nodes_of(base, feature);
+      for (int k = 0; k < claims.count && !known; ++k) {
+        const FeatureNodes other = nodes_of(base, claims.feature[k]);
+        known = other.count == mine.count && (mine.count == 1 ? other.node[0] == mine.node[0]
+                                                              : other.node[0] == mine.node[1] && other.node[1] == mine.node[0]);
+      }
+      if (!known) claims.add(feature, height_over(base, x, feature, p));
+    }
+  }
+  return claims;
+}
+
+bool same(const Feature& a, const Feature& b) {
+  return a.facet == b.facet && a.kind == b.kind && (a.kind == Kind::facet || a.local == b.local);
+}
+
+/// Pushes an apex out of the features that claim it, and shares the force out over their nodes.
+///
+/// returns  the energy stored [J]; gap becomes minus the length of the way out
+double push_out(const Interface& interface, const Vectors& x, Index a, Claims& claims, ElementForces& forces, double& gap) {
+  const Vector<double> p = position(x, interface.apexes[a]);
+  const double contact_height = interface.contact_height(a);
+  Contacts contacts;
+  contacts.count = claims.count;
+  const auto set = [&](int i, const Vec3& way) {  // contact i, seen from the end of the way so far
+    contacts.normal[i] = claims.at[i].normal;
+    if (!interface.allowed.empty()) contacts.normal[i] = interface.allowed[a] * contacts.normal[i];
+    contacts.depth[i] = contact_height - claims.at[i].height + contacts.normal[i].dot(way);
+  };
+  bool curved = false;  // heights over edges and vertices are not linear in the way
+  for (int i = 0; i < claims.count; ++i) {
+    set(i, Vec3::Zero());
+    curved = curved || claims.feature[i].kind != Kind::facet;
+  }
+  auto lambda = shortest_way_out(contacts);
+  const auto way_out = [&] {
+    Vec3 way = Vec3::Zero();
+    for (int i = 0; i < claims.count; ++i) way += lambda[i] * contacts.normal[i];
+    return way;
+  };
+  Vec3 d = way_out();
+  if (d.isZero(0)) return 0;
+  // The foot of every force is that of the point at the end of the way, so that the potential has
+  // the forces as its gradient and their moments cancel. For one contact that foot is the apex's own;
+  // for facets one look is exact.
+  for (int round = 0; claims.count > 1 && round < 6; ++round) {
+    const Vector<double> end{p.x + d.x(), p.y + d.y(), p.z + d.z()};
+    for (int i = 0; i < claims.count; ++i) {
+      if (!curved && !(lambda[i] > 0)) continue;
+      claims.at[i] = height_over(interface.base, x, claims.feature[i], end);
+      if (curved) set(i, d);
+    }
+    if (!curved) break;
+    lambda = shortest_way_out(contacts);
+    const Vec3 next = way_out();
+    const bool converged = (next - d).squaredNorm() <= 1e-28 * d.squaredNorm();
+    d = next;
+    if (converged) break;
+  }
+  int strongest = 0;
+  for (int i = 1; i < claims.count; ++i)
+    if (lambda[i] > lambda[strongest]) strongest = i;
+  const double k = stiffness(interface, a, claims.feature[strongest]);
+  const double length = d.norm();
+  forces.closed = true;
+  for (int i = 0; i < claims.count; ++i) {
+    if (!(lambda[i] > 0)) continue;
+    const Vec3 push = k * lambda[i] * claims.at[i].normal;
+    forces.apex += push;
+    const FeatureNodes base = nodes_of(interface.base, claims.feature[i]);
+    for (int b = 0; b < base.count; ++b) {
+      const double weight = interface.weights == Weights::paper ? 1.0 / base.count : claims.at[i].weight[b];
+      forces.node[forces.count] = base.node[b];
+      forces.share[forces.count] = weight * lambda[i] / length;
+      forces.force[forces.count++] = -weight * push;
+    }
+  }
+  gap = -length;
+  return 0.5 * k * length * length;
+}
+
+/// Shares of the bases of an apex that is not in contact: all that claim it, alike.
+void share_evenly(const Interface& interface, const Claims& claims, ElementForces& forces) {
+  for (int i = 0; i < claims.count; ++i) {
+    const FeatureNodes base = nodes_of(interface.base, claims.feature[i]);
+    for (int b = 0; b < base.count; ++b) {
+      forces.node[forces.count] = base.node[b];
+      forces.share[forces.count++] = claims.at[i].weight[b] / claims.count;
+    }
+  }
+}
+
+double power(const Interface& interface, const Vectors& v, Index a, const ElementForces& forces) {
+  if (!forces.closed) return 0;
+  double p = forces.apex.dot(v.col(interface.apexes[a]));
+  for (int i = 0; i < forces.count; ++i) p += forces.force[i].dot(v.col(forces.node[i]));
+  return p;
+}
+
+/// Moment about the origin of the forces of one apex, at the positions `later` [s] after x. Consistent
+/// weights without planes leave none, so it is not computed for them.
+Vec3 moment(const Interface& interface, const Vectors& x, const Vectors& v, double later, Index a,
+            const ElementForces& forces) {
+  Vec3 sum = Vec3::Zero();
+  if (!forces.closed || (interface.weights == Weights::consistent && interface.allowed.empty())) return sum;
+  const auto add = [&](Index node, const Vec3& force) {
+    const Vec3 at = x.col(node) + later * v.col(node);
+    sum += at.cross(force);
+  };
+  add(interface.apexes[a], forces.apex);
+  for (int i = 0; i < forces.count; ++i) add(forces.node[i], forces.force[i]);
+  return sum;
+}
+
+/// Finds the element of an apex at the new positions and its force; false if the apex is lost.
+bool update_element(const Interface& interface, const Vectors& x, Index a, const Feature& before, Memory& memory,
+                    ElementForces& forces) {
+  const Vector<double> p = position(x, interface.apexes[a]);
+  const WalkEnd end = walk(interface.base, x, p, before.facet);
+  if (end.feature.facet < 0 || end.closest.distance_squared > interface.reach * interface.reach) return false;
+  const double distance = std::sqrt(end.closest.distance_squared);
+  const double contact_height = interface.contact_height(a);
+  memory.feature[a] = end.feature;
+  memory.gap[a] = distance - contact_height;
+  Claims claims;
+  // behind the surface the distance is no height; there and near contact, ask who claims the apex
+  const auto height = [&] { return height_over(interface.base, x, {end.feature.facet, Kind::facet, 0}, p).height; };
+  if (distance < near_contact * contact_height || height() < contact_height) {
+    claims = claims_on(interface.base, x, p, end, std::max(distance, contact_height));
+    if (claims.count == 0) {
+      memory.status[a] = Status::beyond;
+      return true;
+    }
+    // as long as Eq. 14 holds for the element in use it stays in use; else the closest takes over
+    double least = std::numeric_limits<double>::infinity();
+    bool stays = false;
+    for (int i = 0; i < claims.count; ++i) {
+      const double h = claims.at[i].height;
+      stays = stays || same(claims.feature[i], before);
+      if (h < least) least = h, memory.feature[a] = claims.feature[i];
+    }
+    if (stays) memory.feature[a] = before;
+    memory.gap[a] = least - contact_height;
+    memory.stored[a] = push_out(interface, x, a, claims, forces, memory.gap[a]);
+  } else {
+    const bool left = end.closest.kind != Kind::facet && on_border(interface.base, end.feature.facet, end.closest) &&
+                      past_border(interface.base, x, end.feature.facet, end.closest, p);
+    memory.status[a] = left ? Status::beyond : Status::open;
+    if (left) return true;
+    claims.add(end.feature, height_over(interface.base, x, end.feature, p));
+  }
+  memory.status[a] = forces.closed ? Status::closed : Status::open;
+  if (!forces.closed) share_evenly(interface, claims, forces);
+  return true;
+}
+
+/// Moves one apex and computes its force.
+void advance_apex(const Interface& interface, const Vectors& x, const Vectors& v, double dt, Index a, Memory& memory,
+                  ElementForces& forces) {
+  const double power_before = power(interface, v, a, forces);
+  forces.angular_impulse = 0.5 * dt * moment(interface, x, v, -dt, a, forces);
+  const double stored_before = memory.stored[a];
+  const Feature before = memory.feature[a];
+  forces.closed = false;
+  forces.apex.setZero();
+  forces.count = 0;
+  forces.moved = false;
+  memory.stored[a] = 0;
+  if (before.facet >= 0) {
+    if (update_element(interface, x, a, before, memory, forces)) {
+      forces.moved = !same(memory.feature[a], before);
+      } else {
+      forces.moved = true;
+      memory.feature[a].facet = -1;
+      memory.status[a] = Status::lost;
+      memory.gap[a] = std::numeric_limits<double>::quiet_NaN();
+    }
+  }
+  const double power_after = power(interface, v, a, forces);
+  forces.angular_impulse += 0.5 * dt * moment(interface, x, v, 0, a, forces);
+  forces.work = 0.5 * dt * (power_before + power_after);
+  forces.created = forces.work + memory.stored[a] - stored_before;
+}
+
+bool share_a_node(const BaseSurface& base, Index f, Index g) {
+  for (int a = 0; a < 3; ++a)
+    if ((base.facets.col(g).array() == base.facets(a, f)).any()) return true;
+  return false;
+}
+
+/// Looks everywhere for a base of the apexes that have none or a farther one than they could have.
+void search(const Interface& interface, const Vectors& x, Memory& memory, Workspace& workspace) {
+  workspace.broad.sort(interface.base, x);
+  const auto count = static_cast<Index>(interface.apexes.size());
+  Subset& found = workspace.found;
+  parallel_for(count, 64, [&](Index a) {
+    found[a] = -1;
+    const Vector<double> p = position(x, interface.apexes[a]);
+    const Index facet = workspace.broad.nearest(interface.base, x, p, interface.reach);
+    if (facet < 0) return;
+    if (memory.feature[a].facet >= 0) {
+      if (share_a_node(interface.base, facet, memory.feature[a].facet)) return;  // the walk knows of it
+      const auto mine = geometry::closest_on_triangle(corners(interface.base, x, memory.feature[a].facet), p);
+      const auto theirs = geometry::closest_on_triangle(corners(interface.base, x, facet), p);
+      if (std::sqrt(theirs.distance_squared) > (1 - really_closer) * std::sqrt(mine.distance_squared)) return;
+    }
+    found[a] = facet;
+  });
+  for (Index a = 0; a < count; ++a) {
+    if (found[a] < 0) continue;
+    memory.feature[a] = {found[a], Kind::facet, 0};
+    if (memory.status[a] == Status::lost) memory.status[a] = Status::open;
+    ++memory.recovered;
+  }
+}
+
+}  // namespace
+
+Workspace::Workspace(const Interface& interface)
+    : elements(interface.apexes.size()),
+      broad(static_cast<Index>(interface.base.facets.cols())),
+      found(interface.apexes.size(), -1),
+      spring_sum(Scalars::Zero(static_cast<Eigen::Index>(interface.base.ring_begin.size()) - 1)) {}
+
+double stored(const Memory& memory) {
+  double sum = 0;
+  for (const double energy : memory.stored) sum += energy;
+  return sum;
+}
+
+double stiffness(const Interface& interface, Index apex, const Feature& feature) {
+  if (interface.area_kind == Area::apex) return interface.penalty * interface.area(apex);
+  if (feature.kind == Kind::facet) return interface.penalty * interface.facet_area(feature.facet);
+  double sum = 0;
+  int count = 0;
+  const auto add = [&](Index facet) {
+    if (facet >= 0) sum += interface.facet_area(facet), ++count;
+  };
+  if (feature.kind == Kind::edge) {
+    add(feature.facet);
+    add(interface.base.neighbour(feature.local, feature.facet));
+  } else {
+    const Index node = interface.base.facets(feature.local, feature.facet);
+    for (Index r = interface.base.ring_begin[node]; r < interface.base.ring_begin[node + 1]; ++r) add(interface.base.ring[r]);
+  }
+  return interface.penalty * sum / count;
+}
+
+InitialGaps connect(Interface& interface, const Vectors& x, const ContactHeight& height, InitialPenetration penetration,
+                    Memory& memory, Workspace& workspace) {
+  const auto count = static_cast<Index>(interface.apexes.size());
+  memory = {};
+  memory.feature.resize(count);
+  memory.status.assign(count, Status::lost);
+  memory.gap.assign(count, std::numeric_limits<double>::quiet_NaN());
+  memory.stored.assign(count, 0.0);
+  memory.reconnections.assign(count, 0);
+  interface.contact_height = Scalars::Constant(count, height.given);
+  search(interface, x, memory, workspace);
+  memory.recovered = 0;
+
+  InitialGaps gaps;
+  gaps.apexes = count;
+  gaps.least = std::numeric_limits<double>::infinity();
+  gaps.largest = -gaps.least;
+  for (Index a = 0; a < count; ++a) {
+    if (memory.feature[a].facet < 0) {
+      ++gaps.without_base;
+      continue;
+    }
+    const Vector<double> p = position(x, interface.apexes[a]);
+    const WalkEnd end = walk(interface.base, x, p, memory.feature[a].facet);
+    double h = std::sqrt(end.closest.distance_squared);
+    const Claims claims = claims_on(interface.base, x, p, end, h);
+    memory.status[a] = claims.count > 0 ? Status::open : Status::beyond;
+    memory.feature[a] = end.feature;
+    for (int i = 0; i < claims.count; ++i) {
+      const double here = claims.at[i].height;
+      if (i == 0 || here < h) h = here, memory.feature[a] = claims.feature[i];
+    }
+    double& contact_height = interface.contact_height(a);
+    if (height.from_initial_height) contact_height = h - height.clearance;
+    const double round_off = 1e-12 * (std::abs(h) + std::abs(contact_height));
+    if (h - contact_height < -round_off && memory.status[a] == Status::open) {
+      ++gaps.penetrating;
+      gaps.deepest = std::max(gaps.deepest, contact_height - h);
+      if (penetration == InitialPenetration::accept) contact_height = h;
+    }
+    memory.gap[a] = h - contact_height;
+    gaps.least = std::min(gaps.least, memory.gap[a]);
+    gaps.largest = std::max(gaps.largest, memory.gap[a]);
+    gaps.mean += memory.gap[a];
+    ++gaps.by_kind[static_cast<int>(memory.feature[a].kind)];
+  }
+  const Index connected = gaps.apexes - gaps.without_base;
+  if (connected == 0) gaps.least = gaps.largest = 0;
+  else gaps.mean /= connected;
+  return gaps;
+}
+
+void advance(const Interface& interface, const Vectors& x, const Vectors& v, double dt, Memory& memory,
+             Workspace& workspace) {
+  std::vector<ElementForces>& forces = workspace.elements;
+  if (memory.updates % interface.search_every == 0 && memory.updates > 0) search(interface, x, memory, workspace);
+  ++memory.updates;
+  parallel_for(static_cast<Index>(interface.apexes.size()), 64,
+               [&](Index a) { advance_apex(interface, x, v, dt, a, memory, forces[a]); });
+  for (std::size_t a = 0; a < forces.size(); ++a) {
+    memory.work += forces[a].work;
+    memory.angular_impulse += forces[a].angular_impulse;
+    if (!forces[a].moved) continue;
+    memory.created_by_reconnection += forces[a].created;
+    ++(memory.status[a] == Status::lost ? memory.lost : memory.walks);
+    if (memory.status[a] != Status::lost) ++memory.reconnections[a];
+  }
+}
+
+void add_forces(const Interface& interface, const Workspace& workspace, Vectors& force) {
+  const std::vector<ElementForces>& forces = workspace.elements;
+  for (std::size_t a = 0; a < forces.size(); ++a) {
+    if (!forces[a].closed) continue;
+    force.col(interface.apexes[a]) += forces[a].apex;
+    for (int i = 0; i < forces[a].count; ++i) force.col(forces[a].node[i]) += forces[a].force[i];
+  }
+}
+
+double stable_step(const Interface& interface, const Memory& memory, const Scalars& mass, Workspace& workspace) {
+  const auto count = static_cast<Index>(interface.apexes.size());
+  Scalars& sum = workspace.spring_sum;
+  const std::vector<ElementForces>& elements = workspace.elements;
+  for (const ElementForces& e : elements)
+    for (int b = 0; b < e.count; ++b) sum(e.node[b]) = 0;
+  for (Index a = 0; a < count; ++a) {
+    if (elements[a].count == 0) continue;
+    const double k = stiffness(interface, a, memory.feature[a]);
+    for (int b = 0; b < elements[a].count; ++b) sum(elements[a].node[b]) += k * elements[a].share[b];
+  }
+  double most = 0;
+  for (Index a = 0; a < count; ++a) {
+    if (elements[a].count == 0) continue;
+    double omega_squared = stiffness(interface, a, memory.feature[a]) / mass(interface.apexes[a]);
+    for (int b = 0; b < elements[a].count; ++b)
+      omega_squared += elements[a].share[b] * sum(elements[a].node[b]) / mass(elements[a].node[b]);
+    most = std::max(most, omega_squared);
+  }
+  return most > 0 ? interface.bounce_step / std::sqrt(most) : 1e300;
+}
+
+ElementView view(const Interface& interface, const Vectors& x, const Memory& memory, Index apex) {
+  ElementView v{interface.apexes[apex], memory.feature[apex], {0, 0, 0}, memory.gap[apex], 0, memory.status[apex], memory.reconnections[apex]};
+  if (v.feature.facet >= 0) {
+    const auto c = corners(interface.base, x, v.feature.facet);
+    v.weight = geometry::closest_on_triangle(c, position(x, v.apex)).weight;
+  }
+  if (v.status == Status::closed) v.traction = -interface.penalty * v.gap;
+  return v;
+}
+
+}  // namespace nereid::contact

@@ -1,0 +1,159 @@
+#pragma once
+// Contact: apexes over a base surface, with the adaptive connectivity of Kulak & Fiala.
+//
+//            apex  *                An apex interacts with the closest feature of the base surface:
+//                  |  h             a facet (tetrahedral element), an edge (triangular) or a vertex
+//        1 --------+------- 2       (line). It walks from feature to feature as it slides. With the
+//          \     foot     /         gap g = h - h_c open for g > 0, a closed element pushes its apex
+//             \       /             out with the traction -g / delta on its area.
+//                 3
+//
+// One idea covers ridges, valleys and plains: the apex is pushed the shortest way d to where every
+// height around it is at least h_c, with the potential  1/2 (area/delta) |d|^2.  On a plain and on a
+// ridge that is the paper's element; in a valley both flanks push, and as the valley flattens the two
+// become one, so a tributary area counts exactly once: docs/theory/contact.md.
+
+#include <string>
+
+#include "contact/base_surface.hpp"
+
+namespace nereid::contact {
+
+/// How the force on an apex is shared out over the nodes of its base.
+enum class Weights {
+  consistent,  ///< by the foot of the apex: the gradient of the height, keeps angular momentum
+  paper,       ///< equally, as the paper's Eq. 10 does for sliding: loses angular momentum
+};
+
+/// What a traction is multiplied by to become the force on an apex.
+enum class Area {
+  apex,  ///< the tributary area of the apex: the sum over the apexes is the surface's area
+  base,  ///< the mean area of the facets of the base, as in the paper's Eqs. 6 and 12
+};
+
+/// Which penetrations of the initial geometry are accepted.
+enum class InitialPenetration {
+  refuse,   ///< the scene is not built
+  accept,   ///< h_c of such an apex is lowered to its initial height: no force at the start
+};
+
+/// Apexes over a base surface. Constant in time.
+struct Interface {
+  std::string name;
+  BaseSurface base;
+  Subset apexes;                 ///< nodes, ascending
+  Scalars area;                  ///< [m2] tributary area, [apexes]; zero where Area::base is asked for
+  Scalars facet_area;            ///< [m2] of the reference, [facets]
+  Scalars contact_height;        ///< [m] h_c, [apexes]
+  double penalty = 0;            ///< [Pa/m] 1/delta
+  double bounce_step = 0.1410;   ///< [-] dt sqrt(k/m) of the vote: step_for_a_bounce(0.005)
+  Weights weights = Weights::consistent;
+  Area area_kind = Area::apex;
+  /// An apex on a symmetry plane meets the mirror images of its bases too: [apexes] projector onto
+  /// the directions the plane allows; empty where there are no planes.
+  std::vector<Mat3> allowed;
+  double reach = 0;              ///< [m] apexes farther away than this have no base
+  int search_every = 100;        ///< [steps] between two looks for apexes that the walk has lost
+};
+
+enum class Status : int {
+  lost = -1,   ///< no base within reach
+  open = 0,    ///< a base, no contact
+  closed = 1,  ///< in contact
+  beyond = 2,  ///< past the border of the base surface
+};
+
+/// What an interface remembers.
+struct Memory {
+  std::vector<Feature> feature;         ///< [apexes] the element in use
+  std::vector<Status> status;           ///< [apexes]
+  std::vector<double> gap;              ///< [m] [apexes], open for positive; NaN where lost
+  std::vector<double> stored;           ///< [J] [apexes]
+  std::vector<std::int64_t> reconnections;  ///< [apexes] walks to another feature
+  double work = 0;                      ///< [J] done on the nodes
+  double created_by_reconnection = 0;   ///< [J] created in steps in which the apex changed its base
+  /// [N m s] about the origin: what weights of the paper lose, and what the mirror images of bases at
+  /// a symmetry plane give; zero with consistent weights and no planes.
+  Vec3 angular_impulse = Vec3::Zero();
+  std::int64_t walks = 0, lost = 0, recovered = 0;  ///< counts since the start
+  std::int64_t updates = 0;             ///< calls of advance
+};
+
+double stored(const Memory&);  ///< [J]
+
+/// Forces of one apex and its bases, and what its last step did; thrown away at will.
+struct ElementForces {
+  static constexpr int most_nodes = 24;  ///< eight features of up to three nodes
+  bool closed = false;
+  Vec3 apex = Vec3::Zero();              ///< [N]
+  int count = 0;
+  std::array<Index, most_nodes> node{};
+  std::array<double, most_nodes> share{};  ///< of each base node in the stiffness; they sum to about one
+  std::array<Vec3, most_nodes> force;    ///< [N] on the base nodes, where closed
+  double work = 0, created = 0;          ///< [J] in the last step
+  Vec3 angular_impulse = Vec3::Zero();   ///< [N m s] about the origin in the last step, see Memory
+  bool moved = false;                    ///< to another feature in the last step
+};
+
+/// What an interface works with and may throw away between steps.
+struct Workspace {
+  explicit Workspace(const Interface&);
+  std::vector<ElementForces> elements;  ///< [apexes]
+  BroadSearch broad;
+  Subset found;                         ///< [apexes] facet found by a search, or -1
+  Scalars spring_sum;                   ///< [N/m] [nodes of the mesh] stiffness of all springs at a base node
+};
+
+/// What the broad search found before the first step.
+struct InitialGaps {
+  double least = 0, mean = 0, largest = 0;  ///< [m] over the apexes that have a base
+  Index apexes = 0, without_base = 0;
+  Index penetrating = 0;                    ///< apexes nearer than h_c at the start
+  double deepest = 0;                       ///< [m] penetration, positive
+  std::array<Index, 4> by_kind{};           ///< apexes by Kind of feature
+};
+
+/// How h_c is chosen: from the initial heights so that the initial gap is the clearance, or given.
+struct ContactHeight {
+  bool from_initial_height = true;
+  double clearance = 0;  ///< [m]
+  double given = 0;      ///< [m]
+};
+
+/// Finds the first feature of every apex, sets h_c and reports the initial gaps.
+///
+/// Penetrations are reported and, where InitialPenetration::accept is not asked for, left for the
+/// caller to refuse: nothing is pushed.
+InitialGaps connect(Interface&, const Vectors& x, const ContactHeight&, InitialPenetration, Memory&,
+                    Workspace&);
+
+/// Moves the apexes of an interface to the closest features at x, and computes their forces.
+///
+/// v  [m/s] constant over the step that led to x;  dt  [s], zero at the start
+/// Work is posted by the trapezoid rule, with the forces found in the workspace and the new ones.
+void advance(const Interface&, const Vectors& x, const Vectors& v, double dt, Memory&, Workspace&);
+
+/// Adds the forces of all elements to the nodes, apex by apex.
+void add_forces(const Interface&, const Workspace&, Vectors& force);
+
+/// The largest step at which a bounce creates no more energy than the interface's bound. [s]
+///
+/// An apex and its base are a spring,  omega^2 = k (1/m_apex + sum of w_I S_I / (k m_I)),  where S_I
+/// sums the stiffness of all springs at base node I: springs that share nodes add up.
+double stable_step(const Interface&, const Memory&, const Scalars& mass, Workspace&);
+
+/// One potential contact element as it stands, for output and tests.
+struct ElementView {
+  Index apex;                ///< node
+  Feature feature;           ///< facet -1 where lost
+  std::array<double, 3> weight;  ///< of the foot on the facet's nodes
+  double gap, traction;      ///< [m], [Pa] compression positive
+  Status status;
+  std::int64_t reconnections;
+};
+ElementView view(const Interface&, const Vectors& x, const Memory&, Index apex);
+
+/// Stiffness of an apex over a feature: penalty times the chosen area, once. [N/m]
+double stiffness(const Interface&, Index apex, const Feature&);
+
+}  // namespace nereid::contact

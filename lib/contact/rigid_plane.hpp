@@ -1,0 +1,37 @@
+#pragma once
+// A rigid plane that pushes nodes back by a unilateral penalty and lets them leave again.
+
+#include <string>
+#include <vector>
+
+#include "mesh/mesh.hpp"
+
+namespace nereid::contact {
+
+struct RigidPlane {
+  std::string name;
+  Vec3 point, normal;  ///< [m] on the plane, unit vector to the side of the nodes
+  Subset nodes;
+  Scalars area;        ///< [m2] tributary area, [nodes]
+  double penalty = 0;  ///< [Pa/m]
+  double bounce_step = 0.1410;  ///< [-] dt sqrt(k/m) of the vote, see contact/bounce.hpp
+};
+
+struct PlaneMemory {
+  std::vector<double> force;            ///< [N] along the normal, [nodes]
+  double work = 0, stored = 0;          ///< [J]
+  Vec3 impulse = Vec3::Zero();          ///< [N s] given to the nodes
+  Vec3 angular_impulse = Vec3::Zero();  ///< [N m s] about the origin
+};
+
+PlaneMemory initial_memory(const RigidPlane&);
+
+/// Forces at x, with the gap g = (x - point) . n and the force -penalty area g for g < 0; work and
+/// impulses are posted by the trapezoid rule over the step v dt that led to x.
+void advance(const RigidPlane&, const Vectors& x, const Vectors& v, double dt, PlaneMemory&);
+void add_forces(const RigidPlane&, const PlaneMemory&, Vectors& force);
+
+/// The largest step at which a bounce creates no more energy than the plane's bound. [s]
+double stable_step(const RigidPlane&, const Scalars& mass);
+
+}  // namespace nereid::contact

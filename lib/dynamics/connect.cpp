@@ -1,0 +1,114 @@
+#include "dynamics/connect.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+
+#include "base/check.hpp"
+#include "contact/bounce.hpp"
+
+namespace nereid::dynamics {
+
+namespace {
+
+/// Area of a surface's facets that belong to each element of a block, and the block's stiffness there.
+struct Face {
+  double area = 0;
+  Index facets = 0;
+};
+
+/// Facets by element: a facet belongs to the element that has all its nodes.
+std::vector<Face> faces(const element::Connectivity& nodes, const mesh::Surface& surface, const Scalars& facet_area, Index node_count) {
+  std::vector<std::vector<Index>> elements_of(node_count);
+  for (Index e = 0; e < nodes.cols(); ++e)
+    for (Index a = 0; a < nodes.rows(); ++a) elements_of[nodes(a, e)].push_back(e);
+  std::vector<Face> list(nodes.cols());
+  for (Index f = 0; f < surface.facets.cols(); ++f) {
+    for (const Index e : elements_of[surface.facets(0, f)]) {
+      const auto has = [&](Index node) { return (nodes.col(e).array() == node).any(); };
+      if (!has(surface.facets(1, f)) || !has(surface.facets(2, f))) continue;
+      list[e].area += facet_area(f);
+      ++list[e].facets;
+    }
+  }
+  return list;
+}
+
+double block_stiffness(const element::AnyBlock& any, const mesh::Mesh& mesh, const mesh::Surface& surface, const Scalars& facet_area) {
+  const auto here = faces(element::nodes(any), surface, facet_area, static_cast<Index>(mesh.X.cols()));
+  return std::visit(
+      [&]<class Kind, class Law>(const element::Block<Kind, Law>& block) {
+        const auto lame = material::lame(block.law);
+        double most = 0;
+        for (Index e = 0; e < static_cast<Index>(here.size()); ++e) {
+          if (here[e].facets == 0) continue;
+          double depth = 0;
+          if constexpr (std::is_same_v<Kind, element::Plate>) {
+            depth = block.options.thickness;
+          } else {
+            std::array<Vector<double>, 8> X;
+            for (int a = 0; a < 8; ++a) X[a] = contact::position(mesh.X, block.nodes(a, e));
+            depth = element::constants(block.law, block.options, X).mass / block.law.density / here[e].area;
+          }
+          most = std::max(most, (lame.lambda + 2 * lame.mu) / depth);
+        }
+        return most;
+      },
+      any);
+}
+
+/// For each apex on a symmetry plane the directions the plane allows; empty without such planes.
+std::vector<Mat3> allowed_directions(const Model& model, const Subset& apexes) {
+  const auto& planes = model.constraints.planes;
+  const bool any = std::any_of(planes.begin(), planes.end(), [](const auto& p) { return p.kind == load::PlaneKind::symmetry; });
+  if (!any) return {};
+  load::Constraints symmetry;
+  for (const auto& plane : planes)
+    if (plane.kind == load::PlaneKind::symmetry) symmetry.planes.push_back(plane);
+  const std::vector<Index> no_turns(model.mesh.X.cols(), -1);
+  const load::Memory memory = load::prepare(symmetry, static_cast<Index>(model.mesh.X.cols()), no_turns);
+  std::vector<Mat3> allowed(apexes.size(), Mat3::Identity());
+  for (std::size_t a = 0; a < apexes.size(); ++a) {
+    const Index place = memory.held_of_node[apexes[a]];
+    if (place >= 0) allowed[a] = memory.held[place].allowed;
+  }
+  return allowed;
+}
+
+}  // namespace
+
+double surface_stiffness(const Model& model, const mesh::Surface& surface) {
+  const Scalars area = mesh::facet_areas(model.mesh, surface);
+  double most = 0;
+  for (const auto& block : model.blocks) most = std::max(most, block_stiffness(block, model.mesh, surface, area));
+  return most;
+}
+
+Connected connect(Model& model, const std::string& name, const std::string& apex_surface, const std::string& base_surface,
+                  const InterfaceOptions& options) {
+  const mesh::Surface& apexes = mesh::surface(model.mesh, apex_surface);
+  const mesh::Surface& base = mesh::surface(model.mesh, base_surface);
+  contact::Interface interface;
+  interface.name = name;
+  interface.base = contact::base_surface(base, static_cast<Index>(model.mesh.X.cols()));
+  interface.apexes = mesh::surface_nodes(apexes);
+  interface.area = mesh::tributary_areas(model.mesh, apexes, interface.apexes);
+  interface.facet_area = mesh::facet_areas(model.mesh, base);
+  interface.penalty = options.penalty.value_or(
+      options.hardness * std::min(surface_stiffness(model, apexes), surface_stiffness(model, base)));
+  check(interface.penalty > 0, "an interface needs a penalty or elements on both sides");
+  interface.bounce_step = contact::step_for_a_bounce(options.created_in_a_bounce);
+  interface.weights = options.weights;
+  interface.area_kind = options.area;
+  interface.allowed = allowed_directions(model, interface.apexes);
+  // the whole scene: an apex may start far from its base, and no farther
+  const Vec3 extent = model.mesh.X.rowwise().maxCoeff() - model.mesh.X.rowwise().minCoeff();
+  interface.reach = extent.norm();
+
+  Connected connected{{}, {}, contact::Workspace(interface)};
+  connected.gaps = contact::connect(interface, model.mesh.X, options.height, options.initial_penetration, connected.memory,
+                                    connected.workspace);
+  model.interfaces.push_back(std::move(interface));
+  return connected;
+}
+
+}  // namespace nereid::dynamics

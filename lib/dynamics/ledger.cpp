@@ -1,0 +1,35 @@
+#include "dynamics/ledger.hpp"
+
+namespace nereid::dynamics {
+
+namespace {
+double sum(const std::vector<Share>& shares) {
+  double total = 0;
+  for (const Share& share : shares) total += share.value;
+  return total;
+}
+}  // namespace
+
+double stored(const Account& a) { return sum(a.stored); }
+double dissipated(const Account& a) { return sum(a.dissipated); }
+double created(const Account& a) { return a.work + stored(a) + dissipated(a); }
+
+double energy_residual(const Ledger& ledger) {
+  double explained = ledger.initial_kinetic + ledger.integration;
+  for (const Account& a : ledger.accounts) explained += a.work;
+  return ledger.kinetic - explained;
+}
+
+Vec3 momentum_residual(const Ledger& ledger) {
+  Vec3 explained = ledger.initial_momentum;
+  for (const Account& a : ledger.accounts) explained += a.impulse;
+  return ledger.momentum - explained;
+}
+
+Vec3 angular_momentum_residual(const Ledger& ledger) {
+  Vec3 explained = ledger.initial_angular_momentum;
+  for (const Account& a : ledger.accounts) explained += a.angular_impulse;
+  return ledger.angular_momentum - explained;
+}
+
+}  // namespace nereid::dynamics

@@ -1,0 +1,52 @@
+#pragma once
+// What a run owes an account of: energy by source, momentum and angular momentum.
+
+#include <string>
+#include <vector>
+
+#include "base/types.hpp"
+
+namespace nereid::dynamics {
+
+/// A named share of energy, such as "elastic" or "plastic". [J]
+struct Share {
+  std::string name;
+  double value = 0;
+};
+
+/// One source of force: what it did to the nodes and where that work came from or went.
+struct Account {
+  std::string name;               ///< of the block, interface, plane or floor
+  std::string kind;               ///< "block", "interface", "rigid_plane", "floor", "symmetry", "held"
+  double work = 0;                ///< [J] done on the nodes since the start
+  std::vector<Share> stored;      ///< [J] what the source holds now, less what it held at the start
+  std::vector<Share> dissipated;  ///< [J] lost since the start
+  double created_by_reconnection = 0;  ///< [J] the part of created() that fell in steps of a walk
+  Vec3 impulse = Vec3::Zero();         ///< [N s] given to the nodes since the start
+  Vec3 angular_impulse = Vec3::Zero(); ///< [N m s] about the origin
+};
+
+double stored(const Account&);      ///< [J] sum of the shares
+double dissipated(const Account&);  ///< [J] sum of the shares
+/// Work that the source can neither take from its store nor has dissipated: nobody can explain it.
+double created(const Account&);     ///< [J] work + stored + dissipated
+
+struct Ledger {
+  double initial_kinetic = 0;  ///< [J]
+  double kinetic = 0;          ///< [J] now
+  /// [J] what the two half kicks of central differences add to the kinetic energy beyond the work of
+  /// the trapezoid rule: the sum over steps of dt^2/8 (f'.f'/m - f.f/m).
+  double integration = 0;
+  Vec3 initial_momentum = Vec3::Zero(), momentum = Vec3::Zero();                  ///< [kg m/s]
+  Vec3 initial_angular_momentum = Vec3::Zero(), angular_momentum = Vec3::Zero();  ///< [kg m2/s]
+  std::vector<Account> accounts;
+};
+
+/// Energy that stands in no account: kinetic - initial - integration - sum of work; round-off. [J]
+double energy_residual(const Ledger&);
+/// Momentum that no impulse explains; round-off. [kg m/s]
+Vec3 momentum_residual(const Ledger&);
+/// Angular momentum that no impulse explains; round-off. [kg m2/s]
+Vec3 angular_momentum_residual(const Ledger&);
+
+}  // namespace nereid::dynamics

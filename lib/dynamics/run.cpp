@@ -1,0 +1,115 @@
+#include "dynamics/run.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+namespace nereid::dynamics {
+
+namespace {
+
+constexpr double smallest_fraction = 1e-6;  // of the first step: the run would not end in a lifetime
+
+std::string text(const char* format, double a, double b) {
+  char buffer[200];
+  std::snprintf(buffer, sizeof buffer, format, a, b);
+  return buffer;
+}
+
+/// Stops the run with a place if an element is lost, a number is no number or the step collapsed.
+bool stop(const Votes& votes, double first_step, Outcome& outcome) {
+  if (!(votes.size > 0)) {
+    outcome.ending = std::isnan(votes.size) ? Ending::not_finite : Ending::inverted_element;
+    outcome.reason = std::isnan(votes.size) ? "positions are not finite"
+                                            : text("its volume or area is %.3g of the reference", votes.size, 0);
+    outcome.block = votes.smallest_block;
+    outcome.element = votes.smallest_element;
+    return true;
+  }
+  if (!(votes.step > smallest_fraction * first_step)) {
+    outcome.ending = Ending::step_too_small;
+    outcome.reason = text("the step fell from %.3g s to %.3g s", first_step, votes.step);
+    outcome.block = votes.by;
+    outcome.element = votes.element;
+    return true;
+  }
+  return false;
+}
+
+bool created_too_much(const Ledger& ledger, double limit, Outcome& outcome) {
+  for (const Account& account : ledger.accounts) {
+    if (ledger.initial_kinetic > 0 && !(created(account) <= limit * ledger.initial_kinetic)) {
+      outcome.ending = Ending::energy_created;
+      outcome.reason = text("created %.3g of the initial kinetic energy; the limit is %.3g",
+                            created(account) / ledger.initial_kinetic, limit);
+      outcome.block = account.name;
+      return true;
+    }
+  }
+  return false;
+}
+
+std::int64_t elements(const Model& model) {
+  std::int64_t sum = 0;
+  for (const auto& block : model.blocks) sum += element::tiling(block).elements;
+  return sum;
+}
+
+}  // namespace
+
+std::string_view word(Ending ending) {
+  switch (ending) {
+    case Ending::reached_end: return "reached_end";
+    case Ending::inverted_element: return "inverted_element";
+    case Ending::not_finite: return "not_finite";
+    case Ending::step_too_small: return "step_too_small";
+    case Ending::energy_created: return "energy_created";
+  }
+  return "";
+}
+
+Outcome run(const Model& model, State& now, Forces& forces, const Time& time, double settle_every,
+            std::span<const Observer> observers) {
+  Outcome outcome;
+  const auto clock = [] { return std::chrono::steady_clock::now(); };
+  const auto began = clock();
+  Votes votes = start(model, now, forces);
+  const auto show = [&](bool settled) {
+    const View view{model, now, forces, votes, settled};
+    for (const Observer& observer : observers) observer(view);
+  };
+  const double first_step = votes.step;
+  std::int64_t samples = 0;  // multiples of settle_every that have passed
+  bool settled = true;
+  outcome.smallest_step = std::numeric_limits<double>::infinity();
+  show(settled);
+  while (!stop(votes, first_step, outcome) && now.t < time.end) {  // also the last step is looked at
+    double dt = std::min(time.safety * votes.element_step, votes.contact_step);
+    if (dt < outcome.smallest_step) outcome.smallest_step = dt, outcome.limited_by = votes.by;
+    outcome.largest_step = std::max(outcome.largest_step, dt);
+    // the last two steps share what is left, so that none is vanishingly short
+    const double left = time.end - now.t;
+    const bool last = left <= dt;
+    if (left < 2 * dt) dt = last ? left : 0.5 * left;
+    votes = step(model, dt, now, forces);
+    if (last) now.t = time.end;
+    settled = last || now.t >= static_cast<double>(samples + 1) * settle_every;
+    if (settled) {
+      samples = static_cast<std::int64_t>(now.t / settle_every);
+      settle(model, now);
+    }
+    show(settled);
+    if (settled && votes.size > 0 && created_too_much(now.ledger, time.created_limit, outcome)) break;
+  }
+  if (!settled) {
+    settle(model, now);
+    show(true);
+  }
+  outcome.wall_seconds = std::chrono::duration<double>(clock() - began).count();
+  outcome.element_updates = elements(model) * (now.step + 1);
+  return outcome;
+}
+
+}  // namespace nereid::dynamics

@@ -1,0 +1,51 @@
+#pragma once
+// A run: steps from the start to the end, with observers who look and never touch.
+
+#include <functional>
+#include <span>
+#include <string>
+
+#include "dynamics/step.hpp"
+
+namespace nereid::dynamics {
+
+/// When a run ends, how long its steps are and how much energy it may create.
+struct Time {
+  double end = 0;              ///< [s]
+  double safety = 0.9;         ///< [-] fraction of the elements' stable step; interfaces vote by their bound
+  double created_limit = 0.05; ///< [-] created energy of any one source over the initial kinetic energy
+};
+
+enum class Ending { reached_end, inverted_element, not_finite, step_too_small, energy_created };
+std::string_view word(Ending);
+
+/// How a run ended. A run that stopped early is a value, with its place; the state is the last one.
+struct Outcome {
+  Ending ending = Ending::reached_end;
+  std::string reason;            ///< empty if the end was reached
+  std::string block;             ///< where it happened, if anywhere
+  Index element = -1;
+  std::int64_t element_updates = 0;
+  double wall_seconds = 0;       ///< of the step loop with everything in it
+  std::string limited_by;        ///< what voted for the smallest step
+  double smallest_step = 0, largest_step = 0;  ///< [s]
+};
+
+struct View {
+  const Model& model;
+  const State& now;
+  const Forces& forces;
+  const Votes& votes;
+  bool settled;  ///< whether the ledger is that of this very state
+};
+
+/// Looks at the state at the start, after every step, and at the end.
+using Observer = std::function<void(const View&)>;
+
+/// Runs from the state as it is (velocities set, not started) to the end or to what stops it.
+///
+/// The ledger is settled at the start, at the first step past every multiple of `settle_every` [s], and
+/// at the end; View::settled tells observers when.
+Outcome run(const Model&, State&, Forces&, const Time&, double settle_every, std::span<const Observer>);
+
+}  // namespace nereid::dynamics

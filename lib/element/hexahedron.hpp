@@ -1,0 +1,285 @@
+#pragma once
+// The 8-node hexahedron with uniform strain and stiffness hourglass control
+// (Flanagan & Belytschko, Int. J. Num. Meth. Engng 17, 1981), worked out in modes.
+//
+// Eight nodal vectors are eight modes: the mean, three linear ones (xi, eta, zeta) and four hourglass
+// ones (eta zeta, zeta xi, xi eta, xi eta zeta). In modes, volume, gradient, velocity gradient and
+// hourglass rate are a few cross products each, without any 3 x 8 matrix: docs/theory/hexahedron.md.
+
+#include <array>
+
+#include "base/tensor.hpp"
+#include "element/report.hpp"
+#include "element/viscosity.hpp"
+#include "material/law.hpp"
+
+namespace nereid::element {
+
+/// Nodal vectors by modes, without the mean.
+template <class T>
+struct Modes {
+  Vector<T> xi, eta, zeta;                // linear
+  std::array<Vector<T>, 4> hourglass;     // eta zeta, zeta xi, xi eta, xi eta zeta
+};
+
+/// Sums the nodal values with the signs of each mode: the amplitude is this sum / 8.
+template <class T>
+NEREID_HOT Modes<T> sums_by_mode(const std::array<Vector<T>, 8>& a) {
+  // differences and sums along xi, then eta, then zeta; nodes in the order of VTK
+  const auto s01 = a[1] + a[0], d01 = a[1] - a[0], s32 = a[2] + a[3], d32 = a[2] - a[3];
+  const auto s45 = a[5] + a[4], d45 = a[5] - a[4], s76 = a[6] + a[7], d76 = a[6] - a[7];
+  const auto ss_low = s32 + s01, sd_low = s32 - s01, ds_low = d32 + d01, dd_low = d32 - d01;
+  const auto ss_high = s76 + s45, sd_high = s76 - s45, ds_high = d76 + d45, dd_high = d76 - d45;
+  return {.xi = ds_high + ds_low,
+          .eta = sd_high + sd_low,
+          .zeta = ss_high - ss_low,
+          .hourglass = {sd_high - sd_low, ds_high - ds_low, dd_high + dd_low, dd_high - dd_low}};
+}
+
+/// Nodal values from amplitudes by mode, without the mean: the transpose of sums_by_mode.
+template <class T>
+NEREID_HOT std::array<Vector<T>, 8> nodal_values(const Modes<T>& m) {
+  const auto& h = m.hourglass;
+  const auto ss_high = m.zeta, ss_low = -m.zeta;
+  const auto sd_high = m.eta + h[0], sd_low = m.eta - h[0];
+  const auto ds_high = m.xi + h[1], ds_low = m.xi - h[1];
+  const auto dd_high = h[2] + h[3], dd_low = h[2] - h[3];
+  const auto s01 = ss_low - sd_low, s32 = ss_low + sd_low, d01 = ds_low - dd_low, d32 = ds_low + dd_low;
+  const auto s45 = ss_high - sd_high, s76 = ss_high + sd_high;
+  const auto d45 = ds_high - dd_high, d76 = ds_high + dd_high;
+  return {s01 - d01, s01 + d01, s32 + d32, s32 - d32, s45 - d45, s45 + d45, s76 + d76, s76 - d76};
+}
+
+/// Volume of the hexahedron and its gradient by the modal amplitudes.
+///
+/// With amplitudes X (xi, eta, zeta, h1..h3), exact for every trilinear shape:
+///     V/8 = [xi, eta, zeta] + ([h2, h1, zeta] + [h3, eta, h1] + [xi, h3, h2]) / 3
+/// where [a, b, c] = a . (b x c). The mean gradient of the shape function of node I times V is the
+/// sum over modes of (sign of the mode at I) * (d(V/8) / d amplitude): Flanagan & Belytschko's B.
+template <class T>
+struct Gradient {
+  T volume;                            // [m3]
+  Vector<T> xi, eta, zeta;             // [m2] by the linear amplitudes
+  std::array<Vector<T>, 3> hourglass;  // [m2] by the first three hourglass amplitudes
+};
+
+template <class T>
+NEREID_HOT Gradient<T> volume_gradient(const Modes<T>& X) {
+  const T third(1.0 / 3.0);
+  const auto& [h1, h2, h3, h4] = X.hourglass;
+  (void)h4;  // xi eta zeta moves no volume
+  Gradient<T> g;
+  g.xi = cross(X.eta, X.zeta) + third * cross(h3, h2);
+  g.eta = cross(X.zeta, X.xi) + third * cross(h1, h3);
+  g.zeta = cross(X.xi, X.eta) + third * cross(h2, h1);
+  g.hourglass[0] = third * (cross(X.zeta, h2) + cross(h3, X.eta));
+  g.hourglass[1] = third * (cross(h1, X.zeta) + cross(X.xi, h3));
+  g.hourglass[2] = third * (cross(X.eta, h1) + cross(h2, X.xi));
+  // V/8 is linear in (xi, h1..h3 products): Euler's theorem on a form of degree three
+  g.volume = T(8.0 / 3.0) * (dot(X.xi, g.xi) + dot(X.eta, g.eta) + dot(X.zeta, g.zeta) +
+                             dot(h1, g.hourglass[0]) + dot(h2, g.hourglass[1]) + dot(h3, g.hourglass[2]));
+  return g;
+}
+
+/// Adds u (x) c to a matrix.
+template <class T>
+NEREID_HOT void add_outer(const Vector<T>& u, const Vector<T>& c, Matrix<T>& to) {
+  to.x = to.x + u.x * c;
+  to.y = to.y + u.y * c;
+  to.z = to.z + u.z * c;
+}
+
+/// Mean gradient of a field with modal amplitudes U: (8/V) sum of U (x) g over the modes.
+template <class T>
+NEREID_HOT Matrix<T> mean_gradient(const Modes<T>& U, const Gradient<T>& g) {
+  Matrix<T> L{U.xi.x * g.xi, U.xi.y * g.xi, U.xi.z * g.xi};
+  add_outer(U.eta, g.eta, L);
+  add_outer(U.zeta, g.zeta, L);
+  for (int m = 0; m < 3; ++m) add_outer(U.hourglass[m], g.hourglass[m], L);
+  const T s = T(8.0) / g.volume;
+  return {s * L.x, s * L.y, s * L.z};
+}
+
+/// Sums over the nodes of the products of the mean gradients' components, times V^2: V^2 B B^T. [m4]
+template <class T>
+NEREID_HOT Symmetric<T> gradient_products(const Gradient<T>& g) {
+  Symmetric<T> G{};
+  const auto add = [&G](const Vector<T>& c) {
+    G.xx = G.xx + c.x * c.x, G.yy = G.yy + c.y * c.y, G.zz = G.zz + c.z * c.z;
+    G.xy = G.xy + c.x * c.y, G.yz = G.yz + c.y * c.z, G.xz = G.xz + c.x * c.z;
+  };
+  G = {T(0.0), T(0.0), T(0.0), T(0.0), T(0.0), T(0.0)};
+  add(g.xi), add(g.eta), add(g.zeta);
+  for (const auto& c : g.hourglass) add(c);
+  return T(8.0) * G;
+}
+
+/// Upper bound on the largest eigenvalue of a symmetric positive tensor, exact if the two smaller
+/// eigenvalues are equal; it does not depend on the frame.
+///     mean + 2 sqrt(tr(dev^2) / 6)
+template <class T>
+NEREID_HOT T largest_eigenvalue_bound(const Symmetric<T>& G) {
+  const T mean = T(1.0 / 3.0) * trace(G);
+  const Symmetric<T> d{G.xx - mean, G.yy - mean, G.zz - mean, G.xy, G.yz, G.xz};
+  return mean + T(2.0) * root(T(1.0 / 6.0) * contract(d, d));
+}
+
+/// Upper bound on the squared frequencies of one element, an eighth of its mass at each node:
+///     omega^2 <= 8/(m V) (lambda tr G + 2 mu g_max),     G = V^2 B B^T
+/// Exact for a cube, where it is (2 c/h)^2 (1 + nu)/(1 - nu). [1/s2]
+template <class T>
+NEREID_HOT T largest_frequency_squared(const Symmetric<T>& G, T volume, T mass, const material::Lame& lame) {
+  return T(8.0) / (mass * volume) *
+         (T(lame.lambda) * trace(G) + T(2.0 * lame.mu) * largest_eigenvalue_bound(G));
+}
+
+/// The hexahedron as a kind of element: what it is made of and what it remembers.
+struct Hexahedron {
+  static constexpr int nodes = 8;
+  static constexpr std::array<const char*, 2> stored{"elastic", "hourglass"};
+
+  struct Options {
+    double hourglass = 0.1;  ///< [-] 1 would give a cube with poisson = 0 its full bending stiffness
+    Viscosity viscosity;
+  };
+
+  /// Constants of one element.
+  template <class T>
+  struct Constants {
+    T mass;       ///< [kg]
+    T hourglass;  ///< [N/m] stiffness against the hourglass rate gamma . v dt
+    template <class F>
+    void each_row(F&& f) { f(mass), f(hourglass); }
+    static constexpr int rows = 2;
+  };
+
+  /// What one element remembers from step to step; in the global frame, turned with the element.
+  template <class T, class Law>
+  struct Memory {
+    Symmetric<T> stress;                            ///< [Pa] Cauchy
+    std::array<T, Law::internal.size()> internal;   ///< of the law
+    std::array<Vector<T>, 4> hourglass;             ///< [N]
+    T viscous;                                      ///< [Pa] viscous pressure, positive in compression
+    template <class F>
+    void each_row(F&& f) {
+      f(stress.xx), f(stress.yy), f(stress.zz), f(stress.xy), f(stress.yz), f(stress.xz);
+      for (T& row : internal) f(row);
+      for (auto& q : hourglass) f(q.x), f(q.y), f(q.z);
+      f(viscous);
+    }
+    static constexpr int rows = 6 + static_cast<int>(Law::internal.size()) + 12 + 1;
+  };
+};
+
+/// A small tensor turned by a small angle:  e + W e - e W,  W v = w x v; the trace stays.
+///
+/// w  [rad] axial vector of the rotation; what is left out is of order |w|^2 e
+template <class T>
+NEREID_HOT Symmetric<T> turned_on(const Vector<T>& w, const Symmetric<T>& e) {
+  const T xy_z = w.z * e.xy, xz_y = w.y * e.xz, yz_x = w.x * e.yz, two(2.0);
+  return {e.xx + two * (xz_y - xy_z), e.yy + two * (xy_z - yz_x), e.zz + two * (yz_x - xz_y),
+          e.xy + w.z * (e.xx - e.yy) + w.y * e.yz - w.x * e.xz,
+          e.yz + w.x * (e.yy - e.zz) + w.z * e.xz - w.y * e.xy,
+          e.xz + w.y * (e.zz - e.xx) + w.x * e.xy - w.z * e.yz};
+}
+
+/// Brings one hexahedron from the old to the new positions and gives its nodal forces.
+///
+/// Strain and spin come from the gradient in the middle of the step, where a rigid rotation gives
+/// no strain at all; stress and hourglass forces are turned by Hughes & Winget's rotation; forces
+/// are taken with the gradient at the end. The strain of the middle turns on by half the rotation to
+/// meet the stress of the end; without that, large shear and the energy are off in the first order.
+///
+/// x  [m] at the end of the step;  v  [m/s] constant over the step;  dt  [s], zero at the start
+/// force  [N] by which the element pulls its nodes
+template <class T, class Law>
+NEREID_HOT Report<T> advance(const Law& law, const Hexahedron::Options& options,
+                  const Hexahedron::Constants<T>& constants, const std::array<Vector<T>, 8>& x,
+                  const std::array<Vector<T>, 8>& v, T dt, Hexahedron::Memory<T, Law>& memory,
+                  std::array<Vector<T>, 8>& force) {
+  const T eighth(0.125), eight(8.0), half(0.5);
+  const auto scaled = [](T s, Modes<T> m) {
+    m.xi = s * m.xi, m.eta = s * m.eta, m.zeta = s * m.zeta;
+    for (auto& h : m.hourglass) h = s * h;
+    return m;
+  };
+  const auto behind = [](const Modes<T>& a, T s, const Modes<T>& b) {
+    Modes<T> m{a.xi - s * b.xi, a.eta - s * b.eta, a.zeta - s * b.zeta, {}};
+    for (int i = 0; i < 4; ++i) m.hourglass[i] = a.hourglass[i] - s * b.hourglass[i];
+    return m;
+  };
+  const Modes<T> X = scaled(eighth, sums_by_mode(x)), V = scaled(eighth, sums_by_mode(v));
+  const Modes<T> middle = behind(X, half * dt, V);
+
+  // in the middle of the step: strain, spin, hourglass rate
+  const Gradient<T> at_middle = volume_gradient(middle);
+  const Matrix<T> L = mean_gradient(V, at_middle);
+  const Symmetric<T> strain = dt * Symmetric<T>{L.x.x, L.y.y, L.z.z, half * (L.x.y + L.y.x),
+                                                half * (L.y.z + L.z.y), half * (L.x.z + L.z.x)};
+  const Vector<T> spin = (half * dt) * Vector<T>{L.z.y - L.y.z, L.x.z - L.z.x, L.y.x - L.x.y};
+  const Matrix<T> Q = cayley_rotation(spin);
+
+  memory.stress = rotate(Q, memory.stress);
+  const material::Work<T> work =
+      update_stress(law, turned_on(half * spin, strain), memory.stress, memory.internal);
+
+  T hourglass_change(0.0);
+  const T compliance = half / constants.hourglass;
+  for (int a = 0; a < 4; ++a) {
+    const Vector<T> rate_there = eight * (V.hourglass[a] - L * middle.hourglass[a]);
+    const Vector<T> rate = rate_there + cross(half * spin, rate_there);
+    const Vector<T> old = memory.hourglass[a];
+    const Vector<T> now = Q * old + (constants.hourglass * dt) * rate;
+    hourglass_change = hourglass_change + compliance * (dot(now, now) - dot(old, old));
+    memory.hourglass[a] = now;
+  }
+
+  // at the end of the step: stable step, viscous pressure, forces
+  const Gradient<T> at_end = volume_gradient(X);
+  const auto lame = material::lame(law);
+  const double speed = material::wave_speed(law);
+  const Symmetric<T> G = gradient_products(at_end);
+  const T omega_squared = largest_frequency_squared(G, at_end.volume, constants.mass, lame);
+  const T density = constants.mass / at_end.volume;
+  const T length = T(2.0 * speed) / root(omega_squared);
+  const T rate = L.x.x + L.y.y + L.z.z;
+  const T eta = bulk_viscosity(options.viscosity, density, length, speed, rate);
+  const T viscous = -eta * rate;
+  const T viscous_work = half * (memory.viscous + viscous) * rate * dt * at_middle.volume;
+  memory.viscous = viscous;
+
+  // S turns a gradient into a force: stress, and what the hourglass forces owe to the linear field
+  const Symmetric<T>& s = memory.stress;
+  Matrix<T> S{{s.xx - viscous, s.xy, s.xz}, {s.xy, s.yy - viscous, s.yz}, {s.xz, s.yz, s.zz - viscous}};
+  const T share = -(eight / at_end.volume);
+  for (int a = 0; a < 4; ++a) add_outer(share * memory.hourglass[a], X.hourglass[a], S);
+  Modes<T> F{S * at_end.xi, S * at_end.eta, S * at_end.zeta, memory.hourglass};
+  for (int a = 0; a < 3; ++a) F.hourglass[a] = F.hourglass[a] + S * at_end.hourglass[a];
+  force = nodal_values(scaled(T(-1.0), F));
+
+  const T damping = half * eta * trace(G) * T(8.0) / (constants.mass * at_end.volume);
+  return {.stored = {work.stored * at_middle.volume, hourglass_change},
+          .plastic = work.dissipated * at_middle.volume,
+          .viscous = -viscous_work,
+          .step = stable_step(omega_squared, damping),
+          .size = at_end.volume * T(law.density) / constants.mass};
+}
+
+/// Constants of a hexahedron in its reference positions.
+///
+/// The hourglass stiffness k = kappa 2 mu (V^2 B:B) / (72 V): for a cube with poisson = 0 and
+/// kappa = 1, the stiffness of the exact element in bending.
+template <class T, class Law>
+NEREID_HOT Hexahedron::Constants<T> constants(const Law& law, const Hexahedron::Options& options,
+                                   const std::array<Vector<T>, 8>& X) {
+  Modes<T> modes = sums_by_mode(X);
+  const T eighth(0.125);
+  modes.xi = eighth * modes.xi, modes.eta = eighth * modes.eta, modes.zeta = eighth * modes.zeta;
+  for (auto& h : modes.hourglass) h = eighth * h;
+  const Gradient<T> g = volume_gradient(modes);
+  const double mu = material::lame(law).mu;
+  return {.mass = T(law.density) * g.volume,
+          .hourglass = T(options.hourglass * 2.0 * mu / 72.0) * trace(gradient_products(g)) / g.volume};
+}
+
+}  // namespace nereid::element

@@ -1,0 +1,331 @@
+#pragma once
+// The 3-node C0 plate (Belytschko, Stolarski & Carpenter, Int. J. Num. Meth. Engng 20, 1984):
+// linear displacements and rotations, one point in the plane, layers through the thickness,
+// co-rotational, with transverse shear taken from the edges: docs/theory/plate.md.
+
+#include <array>
+
+#include "base/tensor.hpp"
+#include "element/report.hpp"
+#include "element/viscosity.hpp"
+#include "material/law.hpp"
+
+namespace nereid::element {
+
+/// Orthonormal axes of a triangle: e1 along side 1-2, e3 along its normal.
+template <class T>
+struct PlateFrame {
+  Vector<T> e1, e2, e3;
+};
+
+/// A triangle in its own plane, node 1 at the origin, node 2 at (x2, 0), node 3 at (x3, y3).
+template <class T>
+struct PlateShape {
+  PlateFrame<T> frame;
+  T area;                            // [m2]
+  T x2, x3, y3;                      // [m]
+  std::array<T, 3> gradient_x, gradient_y;  // [1/m] of the linear shape functions
+};
+
+template <class T>
+NEREID_HOT PlateShape<T> plate_shape(const std::array<Vector<T>, 3>& x) {
+  const Vector<T> side = x[1] - x[0], other = x[2] - x[0];
+  const Vector<T> normal = cross(side, other);
+  PlateShape<T> s;
+  s.x2 = norm(side);
+  const T twice_area = norm(normal);
+  s.frame.e1 = (T(1.0) / s.x2) * side;
+  s.frame.e3 = (T(1.0) / twice_area) * normal;
+  s.frame.e2 = cross(s.frame.e3, s.frame.e1);
+  s.x3 = dot(other, s.frame.e1);
+  s.y3 = dot(other, s.frame.e2);
+  s.area = T(0.5) * twice_area;
+  const T scale = T(1.0) / twice_area;
+  s.gradient_x = {-(scale * s.y3), scale * s.y3, T(0.0)};
+  s.gradient_y = {scale * (s.x3 - s.x2), -(scale * s.x3), scale * s.x2};
+  return s;
+}
+
+/// A vector in the plane of the triangle.
+template <class T>
+struct InPlane {
+  T x, y;
+};
+
+/// How the transverse shear strain follows from the edges.
+///
+/// Along an edge from I to J, with beta = (theta_y, -theta_x) the rotation of the normal,
+///     g_IJ = (w_J - w_I) + (beta_I + beta_J)/2 . (x_J - x_I)
+/// is the edge's mean shear times its length. Each corner has one shear vector that agrees with its
+/// two edges; the element takes the mean of the three:
+///     gamma = sum over edges of  by_edge[IJ] g_IJ,     by_edge[IJ] = (grad N_J - grad N_I) / 3
+/// Pure bending then gives no shear along any edge, which is what a plain one-point rule lacks.
+template <class T>
+NEREID_HOT std::array<InPlane<T>, 3> shear_by_edge(const PlateShape<T>& s) {
+  const T third(1.0 / 3.0);
+  const auto& [x1, x2, x3] = s.gradient_x;
+  const auto& [y1, y2, y3] = s.gradient_y;
+  return {InPlane<T>{third * (x2 - x1), third * (y2 - y1)}, {third * (x3 - x2), third * (y3 - y2)},
+          {third * (x1 - x3), third * (y1 - y3)}};
+}
+
+/// The edges 1-2, 2-3, 3-1 as vectors in the plane. [m]
+template <class T>
+NEREID_HOT std::array<InPlane<T>, 3> edges(const PlateShape<T>& s) {
+  return {InPlane<T>{s.x2, T(0.0)}, {s.x3 - s.x2, s.y3}, {-s.x3, -s.y3}};
+}
+
+/// Largest eigenvalue of [[xx, xy], [xy, yy]].
+template <class T>
+NEREID_HOT T largest_eigenvalue(const Plane<T>& a) {
+  const T half(0.5);
+  const T mean = half * (a.xx + a.yy), difference = half * (a.xx - a.yy);
+  return mean + root(difference * difference + a.xy * a.xy);
+}
+
+/// Points and weights of Gauss's rule on [-1/2, 1/2], for 1 to 9 layers; the weights sum to one.
+struct Layers {
+  int count = 0;
+  std::array<double, 9> z{}, weight{};
+};
+Layers gauss_layers(int count);
+
+/// The plate as a kind of element: what it is made of and what it remembers.
+struct Plate {
+  static constexpr int nodes = 3;
+  static constexpr std::array<const char*, 2> stored{"elastic", "transverse_shear"};
+  static constexpr int most_layers = 9;
+  static constexpr double shear_factor = 5.0 / 6.0;  ///< [-] of a homogeneous section
+
+  enum class RotaryInertia {
+    physical,  ///< thickness^2 / 12 per mass
+    scaled,    ///< raised until bending and transverse shear need no smaller step than the membrane
+  };
+
+  struct Options {
+    double thickness = 0;  ///< [m] constant in time
+    int layers = 5;
+    RotaryInertia rotary_inertia = RotaryInertia::scaled;
+    Viscosity viscosity;
+  };
+
+  template <class T>
+  struct Constants {
+    T mass;      ///< [kg]
+    T gyration;  ///< [m2] rotary inertia per mass
+    template <class F>
+    void each_row(F&& f) { f(mass), f(gyration); }
+    static constexpr int rows = 2;
+  };
+
+  template <class T, class Law>
+  struct Layer {
+    Plane<T> stress;                               ///< [Pa] in the element's own axes
+    std::array<T, Law::internal.size()> internal;
+  };
+
+  /// What one element remembers, in its own axes. Layers beyond Options::layers are not stored.
+  template <class T, class Law>
+  struct Memory {
+    std::array<Layer<T, Law>, most_layers> layers;
+    InPlane<T> shear;  ///< [N/m] transverse shear resultant
+    T viscous;         ///< [Pa] viscous pressure in the plane, positive in compression
+    template <class F>
+    void each_row(F&& f, int count) {
+      for (int l = 0; l < count; ++l) {
+        auto& layer = layers[l];
+        f(layer.stress.xx), f(layer.stress.yy), f(layer.stress.xy);
+        for (T& row : layer.internal) f(row);
+      }
+      f(shear.x), f(shear.y), f(viscous);
+    }
+    static constexpr int rows(int count) {
+      return count * (3 + static_cast<int>(Law::internal.size())) + 3;
+    }
+  };
+};
+
+/// Bounds on the squared frequencies of one plate, a third of its mass at each node. [1/s2]
+template <class T>
+struct PlateFrequencies {
+  T membrane, bending_and_shear;
+};
+
+/// membrane  3/rho (lambda' tr G + 2 mu g_max), G = sum of grad N (x) grad N, plane stress
+/// bending   the same times (thickness^2/12) / gyration
+/// shear     3 kappa mu / rho times the largest eigenvalue of G + C / gyration, where C collects how
+///           the edges' shear follows the rotations; bending and shear share the rotations, so their
+///           bounds are added.
+template <class T, class Law>
+NEREID_HOT PlateFrequencies<T> largest_frequencies_squared(const Law& law, double thickness, T gyration,
+                                                const PlateShape<T>& s) {
+  const double mu = material::shear_modulus(law);
+  const double lambda = law.young * law.poisson / (1.0 - law.poisson * law.poisson);
+  Plane<T> G{T(0.0), T(0.0), T(0.0)}, C = G;
+  const auto add = [](Plane<T>& to, const InPlane<T>& a) {
+    to.xx = to.xx + a.x * a.x, to.yy = to.yy + a.y * a.y, to.xy = to.xy + a.x * a.y;
+  };
+  for (int a = 0; a < 3; ++a) add(G, {s.gradient_x[a], s.gradient_y[a]});
+  const auto by_edge = shear_by_edge(s);
+  const auto edge = edges(s);
+  const T half(0.5);
+  for (int a = 0; a < 3; ++a) {  // node a ends edge a - 1 and begins edge a
+    const auto& [p, e] = std::pair{by_edge[a], edge[a]};
+    const auto& [q, d] = std::pair{by_edge[(a + 2) % 3], edge[(a + 2) % 3]};
+    add(C, {half * (p.x * e.x + q.x * d.x), half * (p.y * e.x + q.y * d.x)});  // by beta_x
+    add(C, {half * (p.x * e.y + q.x * d.y), half * (p.y * e.y + q.y * d.y)});  // by beta_y
+  }
+  const T three_by_density(3.0 / law.density);
+  const T membrane = three_by_density * (T(lambda) * (G.xx + G.yy) + T(2.0 * mu) * largest_eigenvalue(G));
+  const T per_gyration = T(1.0) / gyration;
+  const T shear = three_by_density * T(Plate::shear_factor * mu) *
+                  (largest_eigenvalue(G) + per_gyration * largest_eigenvalue(C));
+  return {.membrane = membrane,
+          .bending_and_shear = T(thickness * thickness / 12.0) * per_gyration * membrane + shear};
+}
+
+/// Brings one plate from the old to the new positions and gives its nodal forces and moments.
+///
+/// Strains come from the triangle in the middle of the step. The element's axes follow side 1-2; the
+/// material spins by -D_xy against them, and the stress with it, so that the numbering of the nodes
+/// does not matter.
+///
+/// x  [m] at the end of the step;  v  [m/s] and w [rad/s] constant over the step;  dt  [s]
+/// force [N] and moment [N m] that the element exerts on its nodes
+template <class T, class Law>
+NEREID_HOT Report<T> advance(const Law& law, const Plate::Options& options, const Layers& layers,
+                  const Plate::Constants<T>& constants, const std::array<Vector<T>, 3>& x,
+                  const std::array<Vector<T>, 3>& v, const std::array<Vector<T>, 3>& w, T dt,
+                  Plate::Memory<T, Law>& memory, std::array<Vector<T>, 3>& force,
+                  std::array<Vector<T>, 3>& moment) {
+  const T half(0.5), zero(0.0);
+  const double thickness = options.thickness;
+
+  // in the middle of the step: rates of membrane strain, curvature and transverse shear
+  std::array<Vector<T>, 3> x_middle;
+  for (int a = 0; a < 3; ++a) x_middle[a] = x[a] - (half * dt) * v[a];
+  const PlateShape<T> middle = plate_shape(x_middle);
+  Plane<T> strain{zero, zero, zero}, curvature = strain;
+  std::array<T, 3> deflection;
+  std::array<InPlane<T>, 3> beta;
+  for (int a = 0; a < 3; ++a) {
+    const auto& [e1, e2, e3] = middle.frame;
+    const T vx = dot(v[a], e1), vy = dot(v[a], e2);
+    const T bx = middle.gradient_x[a], by = middle.gradient_y[a];
+    deflection[a] = dot(v[a], e3);
+    beta[a] = {dot(w[a], e2), -dot(w[a], e1)};
+    strain = strain + Plane<T>{bx * vx, by * vy, half * (bx * vy + by * vx)};
+    curvature = curvature + Plane<T>{bx * beta[a].x, by * beta[a].y, half * (bx * beta[a].y + by * beta[a].x)};
+  }
+  InPlane<T> shear{zero, zero};
+  {
+    const auto by_edge = shear_by_edge(middle);
+    const auto edge = edges(middle);
+    for (int a = 0; a < 3; ++a) {
+      const int b = (a + 1) % 3;
+      const T g = deflection[b] - deflection[a] +
+                  half * ((beta[a].x + beta[b].x) * edge[a].x + (beta[a].y + beta[b].y) * edge[a].y);
+      shear = {shear.x + by_edge[a].x * g, shear.y + by_edge[a].y * g};
+    }
+  }
+
+  // the material turns by -D_xy dt against the element's axes
+  const T turn = -(dt * strain.xy), quarter = T(0.25) * turn * turn;
+  const T cosine = (T(1.0) - quarter) / (T(1.0) + quarter), sine = turn / (T(1.0) + quarter);
+  const T cc = cosine * cosine, ss = sine * sine, cs = cosine * sine;
+
+  // and by half of it from the middle of the step, where strains were taken, to its end
+  const auto turned_on = [&](const Plane<T>& e) {
+    return Plane<T>{e.xx - turn * e.xy, e.yy + turn * e.xy, e.xy + half * turn * (e.xx - e.yy)};
+  };
+  const Plane<T> stretch = dt * turned_on(strain), bend = dt * turned_on(curvature);
+  const InPlane<T> slide{dt * (shear.x - half * turn * shear.y), dt * (shear.y + half * turn * shear.x)};
+
+  T stored(0.0), dissipated(0.0);
+  Plane<T> membrane{zero, zero, zero}, bending = membrane;  // [Pa] resultants per thickness, [Pa m]
+  for (int l = 0; l < layers.count; ++l) {
+    auto& layer = memory.layers[l];
+    const Plane<T> s = layer.stress;
+    const T shear_twice = T(2.0) * cs * s.xy;
+    layer.stress = {cc * s.xx + ss * s.yy - shear_twice, ss * s.xx + cc * s.yy + shear_twice,
+                    cs * (s.xx - s.yy) + (cc - ss) * s.xy};
+    const T z(layers.z[l] * thickness), weight(layers.weight[l]);
+    const material::Work<T> work =
+        update_stress(law, stretch + z * bend, layer.stress, layer.internal);
+    stored = stored + weight * work.stored;
+    dissipated = dissipated + weight * work.dissipated;
+    membrane = membrane + weight * layer.stress;
+    bending = bending + (weight * z) * layer.stress;
+  }
+
+  const double shear_stiffness = Plate::shear_factor * material::shear_modulus(law) * thickness;
+  const InPlane<T> old{cosine * memory.shear.x - sine * memory.shear.y,
+                       sine * memory.shear.x + cosine * memory.shear.y};
+  const InPlane<T> now{old.x + T(shear_stiffness) * slide.x, old.y + T(shear_stiffness) * slide.y};
+  const T shear_stored = half * ((old.x + now.x) * slide.x + (old.y + now.y) * slide.y);
+  memory.shear = now;
+
+  // at the end of the step: stable step, viscous pressure, forces and moments
+  const PlateShape<T> end = plate_shape(x);
+  const auto omega_squared = largest_frequencies_squared(law, thickness, constants.gyration, end);
+  const double speed = material::plate_wave_speed(law);
+  const T volume = end.area * T(thickness), middle_volume = middle.area * T(thickness);
+  const T density = constants.mass / volume;
+  const T length = T(2.0 * speed) / root(omega_squared.membrane);
+  const T rate = strain.xx + strain.yy;
+  const T eta = bulk_viscosity(options.viscosity, density, length, speed, rate);
+  const T viscous = -eta * rate;
+  const T viscous_work = half * (memory.viscous + viscous) * rate * dt * middle_volume;
+  memory.viscous = viscous;
+
+  const T nx = volume * (membrane.xx - viscous), ny = volume * (membrane.yy - viscous), nxy = volume * membrane.xy;
+  const T mx = volume * bending.xx, my = volume * bending.yy, mxy = volume * bending.xy;
+  const auto by_edge = shear_by_edge(end);
+  const auto edge = edges(end);
+  std::array<T, 3> q;  // [N m / m] work of the shear resultant per edge shear g
+  for (int a = 0; a < 3; ++a) q[a] = end.area * (now.x * by_edge[a].x + now.y * by_edge[a].y);
+  for (int a = 0; a < 3; ++a) {
+    const int before = (a + 2) % 3;
+    const auto& [e1, e2, e3] = end.frame;
+    const T bx = end.gradient_x[a], by = end.gradient_y[a];
+    const T fx = nx * bx + nxy * by, fy = nxy * bx + ny * by, fz = q[before] - q[a];
+    const T bend_x = mx * bx + mxy * by + half * (q[a] * edge[a].x + q[before] * edge[before].x);
+    const T bend_y = mxy * bx + my * by + half * (q[a] * edge[a].y + q[before] * edge[before].y);
+    force[a] = -(fx * e1 + fy * e2 + fz * e3);
+    moment[a] = bend_y * e1 - bend_x * e2;  // beta = (theta_y, -theta_x)
+  }
+
+  T squares = zero;
+  for (int a = 0; a < 3; ++a)
+    squares = squares + end.gradient_x[a] * end.gradient_x[a] + end.gradient_y[a] * end.gradient_y[a];
+  const T damping = T(1.5) * eta * squares / density;
+  return {.stored = {stored * middle_volume, shear_stored * middle.area},
+          .plastic = dissipated * middle_volume,
+          .viscous = -viscous_work,
+          .step = stable_step(larger(omega_squared.membrane, omega_squared.bending_and_shear), damping),
+          .size = volume * T(law.density) / constants.mass};
+}
+
+/// Constants of a plate in its reference positions.
+///
+/// Scaled rotary inertia is the gyration at which the bound of bending and shear meets that of the
+/// membrane; never less than the physical one.
+template <class T, class Law>
+NEREID_HOT Plate::Constants<T> constants(const Law& law, const Plate::Options& options,
+                              const std::array<Vector<T>, 3>& X) {
+  const PlateShape<T> s = plate_shape(X);
+  const double physical = options.thickness * options.thickness / 12.0;
+  Plate::Constants<T> c{.mass = T(law.density * options.thickness) * s.area, .gyration = T(physical)};
+  if (options.rotary_inertia == Plate::RotaryInertia::scaled) {
+    // bending_and_shear = a/gyration + b, by two samples
+    const T one(1.0), two(2.0);
+    const auto at_one = largest_frequencies_squared(law, options.thickness, one, s);
+    const auto at_two = largest_frequencies_squared(law, options.thickness, two, s);
+    const T a = two * (at_one.bending_and_shear - at_two.bending_and_shear);
+    const T b = at_one.bending_and_shear - a;
+    c.gyration = larger(c.gyration, a / (at_one.membrane - b));
+  }
+  return c;
+}
+
+}  // namespace nereid::element

@@ -1,0 +1,98 @@
+#include "input/readers.hpp"
+
+#include <cstdio>
+
+namespace nereid::input {
+
+element::AnyLaw read_law(const Section& section) {
+  const bool plastic = section.choice_or("kind", "elastic", {"elastic", "j2_bilinear"}) == "j2_bilinear";
+  const double density = section.quantity("density", dim::density, positive);
+  const double young = section.quantity("young", dim::stress, positive);
+  const double poisson = section.number("poisson", above(-1).below(0.5));
+  const Section if_plastic = section.when(plastic);
+  const double yield = if_plastic.quantity("yield", dim::stress, positive);
+  const double tangent = if_plastic.quantity("tangent", dim::stress, not_negative);
+  if (!plastic) return material::Elastic{density, young, poisson};
+  if (section.sound() && !(tangent < young))
+    section.fault("tangent", "'tangent' must be below 'young': it is the slope of the stress-strain curve beyond yield");
+  return material::J2Bilinear{density, young, poisson, yield, tangent};
+}
+
+element::Viscosity read_viscosity(const Section& section) {
+  const Section viscosity = section.section_or_empty("viscosity");
+  const element::Viscosity usual;
+  return {.linear = viscosity.number_or("linear", usual.linear, within(0, 1)),
+          .quadratic = viscosity.number_or("quadratic", usual.quadratic, within(0, 10))};
+}
+
+element::Hexahedron::Options read_hexahedron_options(const Section& section) {
+  const element::Hexahedron::Options usual;
+  return {.hourglass = section.number_or("hourglass", usual.hourglass, above(0).up_to(1)),
+          .viscosity = read_viscosity(section)};
+}
+
+element::Plate::Options read_plate_options(const Section& section) {
+  using Inertia = element::Plate::RotaryInertia;
+  element::Plate::Options options;
+  options.thickness = section.quantity("thickness", dim::length, positive);
+  options.layers = section.count_or("layers", options.layers, 1, element::Plate::most_layers);
+  options.rotary_inertia = section.choice_or("rotary_inertia", "scaled", {"scaled", "physical"}) == "scaled"
+                               ? Inertia::scaled
+                               : Inertia::physical;
+  options.viscosity = read_viscosity(section);
+  return options;
+}
+
+dynamics::InterfaceOptions read_interface(const Section& section) {
+  dynamics::InterfaceOptions options;
+  const bool given = section.has("penalty");
+  const double penalty = section.when(given).quantity("penalty", dim::penalty, positive);
+  if (given) options.penalty = penalty;
+  options.hardness = section.when(!given).number_or("hardness", options.hardness, positive);
+  options.weights = section.choice_or("weights", "consistent", {"consistent", "paper"}) == "paper"
+                        ? contact::Weights::paper
+                        : contact::Weights::consistent;
+  options.area = section.choice_or("area", "apex", {"apex", "base"}) == "base" ? contact::Area::base : contact::Area::apex;
+  options.created_in_a_bounce = section.number_or("created_in_a_bounce", options.created_in_a_bounce, within(1e-5, 0.04));
+  const bool initial = section.choice_or("contact_height", "initial", {"initial", "given"}) == "initial";
+  options.height.from_initial_height = initial;
+  options.height.clearance = section.when(initial).quantity_or("clearance", 0, dim::length, not_negative);
+  options.height.given = section.when(!initial).quantity("height", dim::length, not_negative);
+  options.initial_penetration = section.choice_or("initial_penetration", "refuse", {"refuse", "accept"}) == "accept"
+                                    ? contact::InitialPenetration::accept
+                                    : contact::InitialPenetration::refuse;
+  return options;
+}
+
+void refuse_penetration(const Section& section, const dynamics::InterfaceOptions& options, const contact::InitialGaps& gaps) {
+  if (gaps.penetrating == 0 || options.initial_penetration == contact::InitialPenetration::accept) return;
+  char text[200];
+  std::snprintf(text, sizeof text,
+                "%d of %d apexes start penetrated, by %.4g m at most: move the bodies apart, or say "
+                "'initial_penetration: accept'",
+                static_cast<int>(gaps.penetrating), static_cast<int>(gaps.apexes), gaps.deepest);
+  section.fault("height", text);
+}
+
+dynamics::Time read_time(const Section& section) {
+  dynamics::Time time;
+  time.end = section.quantity("end", dim::time, positive);
+  time.safety = section.number_or("safety", time.safety, above(0).up_to(1));
+  time.created_limit = section.number_or("created_limit", time.created_limit, positive);
+  return time;
+}
+
+Recording read_recording(const Section& section, double end) {
+  Recording recording;
+  recording.history = section.quantity_or("history_every", end / 400, dim::time, positive);
+  recording.frames = section.quantity_or("frames_every", end / 40, dim::time, positive);
+  recording.full_precision = section.choice_or("precision", "single", {"single", "double"}) == "double";
+  return recording;
+}
+
+Vec3 read_vector(const Section& section, std::string_view key, Dimension dimension) {
+  const auto v = section.vector(key, dimension);
+  return {v[0], v[1], v[2]};
+}
+
+}  // namespace nereid::input

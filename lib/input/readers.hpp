@@ -1,0 +1,52 @@
+#pragma once
+// Readers of what every scene has: materials, element options, interfaces, floors, time, output.
+//
+// One syntax for all drivers; a driver composes these and reads only what is its own.
+
+#include "dynamics/connect.hpp"
+#include "dynamics/run.hpp"
+#include "input/section.hpp"
+
+namespace nereid::input {
+
+/// `kind: elastic | j2_bilinear`, `density`, `young`, `poisson`; the latter also `yield` and `tangent`,
+/// the slope of the uniaxial stress-strain curve beyond the yield stress, below young.
+element::AnyLaw read_law(const Section&);
+
+/// Optional `viscosity: {linear, quadratic}` of a body.
+element::Viscosity read_viscosity(const Section&);
+
+/// Optional `hourglass` stiffness coefficient in (0, 1], and the viscosity.
+element::Hexahedron::Options read_hexahedron_options(const Section&);
+
+/// `thickness`, optional `layers` (1 to 9), `rotary_inertia: scaled | physical`, and the viscosity.
+element::Plate::Options read_plate_options(const Section&);
+
+/// `penalty` (without it the code chooses: `hardness` times the stiffness of the softer side),
+/// `weights: consistent | paper`, `area: apex | base`, `created_in_a_bounce`,
+/// `contact_height: {kind: initial, clearance} | {kind: given, height}`,
+/// `initial_penetration: refuse | accept`. All optional.
+dynamics::InterfaceOptions read_interface(const Section&);
+
+/// Refuses a scene whose interface starts penetrated and does not accept it; the fault stands at the
+/// interface's section. Call finish() of the case file afterwards.
+void refuse_penetration(const Section& interface, const dynamics::InterfaceOptions&, const contact::InitialGaps&);
+
+/// `end`, and optional `safety` in (0, 1] and `created_limit`.
+dynamics::Time read_time(const Section&);
+
+/// How often a run is recorded. [s]
+struct Recording {
+  double history = 0;  ///< between rows of history.csv
+  double frames = 0;   ///< between ParaView frames
+  bool full_precision = false;
+};
+
+/// `history_every`, `frames_every`, `precision: single | double`; all optional, by default 400 rows
+/// and 40 frames over the time to `end`.
+Recording read_recording(const Section&, double end);
+
+/// Three quantities as a vector.
+Vec3 read_vector(const Section&, std::string_view key, Dimension);
+
+}  // namespace nereid::input

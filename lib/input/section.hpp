@@ -1,0 +1,245 @@
+#pragma once
+// Reads a case file: every value is checked where it is asked for, and all faults are told at once.
+//
+// A reader takes a Section and asks for what it needs:
+//
+//     Contact read_contact(input::Section root) {
+//       auto penalty = root.section("contact").section("penalty");
+//       const bool given = penalty.choice("kind", {"given", "automatic"}) == "given";
+//       return {
+//           .penalty = penalty.when(given).quantity("value", dim::penalty, input::positive),
+//           .hardness = penalty.when(!given).number_or("hardness", 10, input::positive),
+//       };
+//     }
+//
+//     auto file = input::CaseFile::read("cases/bars.yaml", {"contact.penalty.kind=automatic"});
+//     const Contact contact = read_contact(file.root());
+//     file.finish();  // throws all faults at once; only now are the values to be trusted
+//
+// A reader never stops at a fault and never throws: it notes the fault and gets a harmless value.
+// What no reader has asked for is a fault too, so a reader asks for exactly what it uses.
+
+#include <array>
+#include <exception>
+#include <limits>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/resolved.hpp"
+#include "input/units.hpp"
+
+namespace nereid::input {
+
+/// Which values are allowed, in SI units. Combine as in `above(-1).below(0.5)`.
+struct Range {
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+  bool with_low = false, with_high = false;  ///< whether the ends belong to the range
+
+  constexpr Range below(double end) const { return {low, end, with_low, false}; }
+  constexpr Range up_to(double end) const { return {low, end, with_low, true}; }
+  constexpr bool contains(double value) const {
+    return (with_low ? value >= low : value > low) && (with_high ? value <= high : value < high);
+  }
+};
+
+constexpr Range above(double end) { return Range{.low = end}; }
+constexpr Range at_least(double end) { return Range{.low = end, .with_low = true}; }
+constexpr Range below(double end) { return Range{.high = end}; }
+constexpr Range up_to(double end) { return Range{.high = end, .with_high = true}; }
+/// low < value < high
+constexpr Range between(double low, double high) { return above(low).below(high); }
+/// low <= value <= high
+constexpr Range within(double low, double high) { return at_least(low).up_to(high); }
+
+inline constexpr Range any{};  ///< every finite number; nan and infinity are never read
+inline constexpr Range positive = above(0);
+inline constexpr Range not_negative = at_least(0);
+
+/// One thing that is wrong with a case, and its place.
+struct Fault {
+  std::string source;   ///< path of the case file, or "--set key=value"
+  int line, column;     ///< 1-based, in characters; line 0: on the command line; column 0: no place
+  std::string message;  ///< one line
+  std::string hint;     ///< as in "did you mean 'penalty'?", or empty
+  std::string text;     ///< the whole report: place, message, source line, underline, hint
+};
+
+/// The case is wrong. Exit status 2.
+class CaseError : public std::exception {
+ public:
+  CaseError(std::string case_path, std::vector<Fault> all);
+  const char* what() const noexcept override { return text_.c_str(); }
+
+  std::string path;
+  std::vector<Fault> faults;  ///< by place: down the file, then along the command line
+
+ private:
+  std::string text_;
+};
+
+class Document;
+struct Place;
+struct Node;
+struct Entry;
+
+/// A map of keys in a case, as its reader sees it. A light handle: pass it by value.
+///
+/// Every reading function marks its key as known, so that finish() does not report it. In a Section
+/// that is itself missing or wrong, reading returns harmless values without further faults.
+///
+/// Harmless values lie inside the range asked for, or are the default; the value of a key which is
+/// absent because the chosen kind does not use it is NaN, or the default.
+class Section {
+ public:
+  /// A required section; a section without keys is a fault.
+  Section section(std::string_view key) const;
+
+  /// An optional section: if it is absent, everything in it is.
+  Section section_or_empty(std::string_view key) const;
+
+  /// A list of sections, `[]` for none. An absent list is a fault only if `fewest` > 0.
+  std::vector<Section> list(std::string_view key, int fewest = 0) const;
+
+  /// The same section, of which this reader uses keys only if `used` holds.
+  ///
+  /// In `when(true)` all is as usual. In `when(false)` no key is required; keys that are present
+  /// are checked as usual and listed as not used, unless someone else reads them. So the reader of
+  /// an alternative reads the keys of all kinds, each through the condition of its kind. Where the
+  /// `kind` itself is missing or unknown, no kind's keys are missing and none counts as unused.
+  Section when(bool used) const;
+
+  /// Whether the case has the key, with whatever value. A key only asked for by has() and never
+  /// read is listed as not used.
+  bool has(std::string_view key) const;
+
+  /// The keys as written, in the order of the file, for sections whose keys are names that the
+  /// user gives. Does not mark them as known.
+  std::vector<std::string> keys() const;
+
+  /// A number with a unit, in SI units. With dim::none: a number, which must not have a unit.
+  double quantity(std::string_view key, Dimension, Range = any) const;
+  double quantity_or(std::string_view key, double default_si, Dimension, Range = any) const;
+
+  /// A number without unit.
+  double number(std::string_view key, Range = any) const;
+  double number_or(std::string_view key, double otherwise, Range = any) const;
+
+  /// A whole number, low <= count <= high.
+  int count(std::string_view key, int low = 1, int high = std::numeric_limits<int>::max()) const;
+  int count_or(std::string_view key, int otherwise, int low = 1,
+               int high = std::numeric_limits<int>::max()) const;
+
+  /// `true` or `false`, and no other spelling.
+  bool flag(std::string_view key) const;
+  bool flag_or(std::string_view key, bool otherwise) const;
+
+  /// Any text that is not empty.
+  std::string word(std::string_view key) const;
+  std::string word_or(std::string_view key, std::string_view otherwise) const;
+
+  /// One of the words in `options`; the first of them after a fault.
+  std::string choice(std::string_view key, const std::vector<std::string>& options) const;
+  std::string choice_or(std::string_view key, std::string_view otherwise,
+                        const std::vector<std::string>& options) const;
+
+  /// Three quantities, as in `[1 m, 2 m, 3 m]`; with dim::none three numbers.
+  std::array<double, 3> vector(std::string_view key, Dimension) const;
+  std::array<double, 3> vector_or(std::string_view key, const std::array<double, 3>& default_si,
+                                  Dimension) const;
+
+  /// Three whole numbers, as in `cells: [20, 4, 4]`.
+  std::array<int, 3> counts(std::string_view key, int low = 1,
+                            int high = std::numeric_limits<int>::max()) const;
+
+  /// Any number of quantities, at least `fewest`. An absent list is a fault only if `fewest` > 0.
+  std::vector<double> quantities(std::string_view key, Dimension, Range = any,
+                                 int fewest = 1) const;
+
+  /// Any number of words, at least `fewest`. An absent list is a fault only if `fewest` > 0.
+  std::vector<std::string> words(std::string_view key, int fewest = 1) const;
+
+  /// The reader's own check has failed: `message` at the key's value, or at the section if the key
+  /// is absent. Ignored if the value of this key is already at fault.
+  void fault(std::string_view key, std::string message) const;
+
+  /// No fault has been found in the case so far. Checks that combine values ask this first, so
+  /// that one wrong value does not make two faults.
+  bool sound() const;
+
+  /// Where the section is, as in "bodies[0].material"; empty for the root.
+  const std::string& path() const { return path_; }
+
+ private:
+  friend class CaseFile;
+  enum class Use { used, not_used, undecided };
+
+  Section(std::shared_ptr<Document> document, Node* node, std::string path, Use use);
+  Section descend(Node* node, std::string path) const;
+  std::string path_of(std::string_view key) const;
+
+  Entry* ask(std::string_view key) const;
+  Entry* get(std::string_view key, bool required, const std::string& what) const;
+  void wrong(Entry&, const Place& at, std::string message, std::string hint = "") const;
+  void accept(Entry&, std::string_view key, Resolved::Value, std::string unit) const;
+  void record(std::string_view key, Resolved::Value, std::string unit, bool is_default) const;
+
+  bool is_scalar(Entry&, const Node&, const std::string& name) const;
+  bool is_list(Entry&, std::string_view key, const std::string& expected) const;
+  bool read(Entry&, const Node&, const std::string& name, Dimension, const Range&, double&) const;
+  bool read(Entry&, const Node&, const std::string& name, int low, int high, int&) const;
+  bool read(Entry&, const Node&, const std::string& name, std::string&) const;
+
+  double quantity(std::string_view key, const double* otherwise, Dimension, const Range&) const;
+  int count(std::string_view key, const int* otherwise, int low, int high) const;
+  bool flag(std::string_view key, const bool* otherwise) const;
+  std::string word(std::string_view key, const std::string_view* otherwise,
+                   const std::vector<std::string>* options) const;
+  std::array<double, 3> vector(std::string_view key, const std::array<double, 3>* otherwise,
+                               Dimension) const;
+
+  std::shared_ptr<Document> document_;
+  Node* node_;  // null: missing or wrong, and that has been said
+  std::string path_;
+  Use use_;
+};
+
+/// A case file with the values set on the command line, and the record of what was asked of it.
+class CaseFile {
+ public:
+  /// Reads a file. Each override is `key.path=value`, where `bodies[0].length` names an item of a
+  /// list; it replaces a value of the file or adds one, and goes through the same checks.
+  ///
+  /// Throws CaseError if nothing can be read at all: no such file, no YAML, not a map of keys.
+  static CaseFile read(const std::string& path, const std::vector<std::string>& overrides = {});
+
+  /// The same from a text; `path` is what faults call it.
+  static CaseFile parse(const std::string& text, const std::string& path,
+                        const std::vector<std::string>& overrides = {});
+
+  Section root() const;
+
+  /// Throws CaseError with all faults, by place, if there are any. Reports the keys that nobody has
+  /// asked for; call it after all reading.
+  void finish() const;
+
+  /// Keys that the chosen kinds do not use, as in "contact.hardness (cases/bars.yaml:12:5)".
+  std::vector<std::string> not_used() const;
+
+  /// Every value that is used, defaults included, in the order of reading.
+  const std::vector<Resolved>& resolved() const;
+
+  /// Fingerprint of the resolved values, 16 hexadecimal digits (FNV-1a, 64 bit).
+  ///
+  /// Invariants  it does not change with units, comments, order in the file, or by writing out a
+  ///             default; it changes with every value.
+  std::string hash() const;
+
+ private:
+  explicit CaseFile(std::shared_ptr<Document> document) : document_(std::move(document)) {}
+  std::shared_ptr<Document> document_;
+};
+
+}  // namespace nereid::input

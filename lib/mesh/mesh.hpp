@@ -1,0 +1,66 @@
+#pragma once
+// A mesh: positions, elements by region, and the named node sets and surfaces that scenes speak of.
+// It knows no physics.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/types.hpp"
+
+namespace nereid::mesh {
+
+/// Hexahedra of one body, nodes in the order of VTK: 0-3 around one face, 4-7 the face opposite to
+/// it, positive volume.
+struct Hexahedra {
+  std::string name;
+  Table<8> nodes;
+};
+
+/// Triangles of one body; the normal follows from the order of the nodes by the right-hand rule.
+struct Triangles {
+  std::string name;
+  Table<3> nodes;
+};
+
+/// A surface cut into triangles; normals point away from the body (for a plate: to the side named).
+struct Surface {
+  std::string name;
+  Table<3> facets;
+};
+
+struct NodeSet {
+  std::string name;
+  Subset nodes;
+};
+
+struct Mesh {
+  Vectors X;  ///< [m] reference positions, [3 x nodes]
+  std::vector<Hexahedra> hexahedra;
+  std::vector<Triangles> triangles;
+  std::vector<Surface> surfaces;
+  std::vector<NodeSet> node_sets;
+};
+
+/// The region, surface or node set of that name; throws InternalError if there is none.
+const Hexahedra& hexahedra(const Mesh&, std::string_view name);
+const Triangles& triangles(const Mesh&, std::string_view name);
+const Surface& surface(const Mesh&, std::string_view name);
+const Subset& node_set(const Mesh&, std::string_view name);
+
+/// Both meshes as one; nodes of b are numbered after those of a and none are merged. Throws
+/// InternalError if two regions, two surfaces or two node sets have the same name.
+Mesh join(const Mesh& a, const Mesh& b);
+
+/// The nodes of a surface, ascending, each once.
+Subset surface_nodes(const Surface&);
+
+/// Area of each facet in the reference positions. [m2] [facets]
+Scalars facet_areas(const Mesh&, const Surface&);
+
+/// Tributary area of each node of `nodes`: a third of every facet of the surface at that node,
+/// zero where there is none. [m2] [nodes]
+/// The sum over the nodes of the surface is its area.
+Scalars tributary_areas(const Mesh&, const Surface&, const Subset& nodes);
+
+}  // namespace nereid::mesh

@@ -1,0 +1,364 @@
+#include "output/fields.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+#include <limits>
+#include <system_error>
+#include <type_traits>
+#include <utility>
+
+#include "base/check.hpp"
+#include "output/replace_file.hpp"
+
+#ifdef NEREID_WITH_VTK
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkCellType.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkFloatArray.h>
+#include <vtkIdTypeArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkStringArray.h>
+#include <vtkTypeInt32Array.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLPolyDataWriter.h>
+#include <vtkXMLUnstructuredGridWriter.h>
+#endif
+
+namespace nereid::output {
+
+namespace {
+
+[[noreturn]] void wrong(const std::string& collection, const std::string& what) {
+  throw InternalError("results '" + collection + "': " + what);
+}
+
+bool plain(const std::string& name) {
+  const auto allowed = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+  };
+  return !name.empty() && std::all_of(name.begin(), name.end(), allowed);
+}
+
+Index nodes_per_cell(CellKind kind) {
+  switch (kind) {
+    case CellKind::vertex:
+      return 1;
+    case CellKind::line:
+      return 2;
+    case CellKind::triangle:
+      return 3;
+    case CellKind::hexahedron:
+      return 8;
+  }
+  throw InternalError("a kind of cell that results do not know");
+}
+
+Eigen::Index count_cells(const Grid& grid) {
+  Eigen::Index count = 0;
+  for (const Cells& cells : grid.cells) count += cells.nodes.cols();
+  return count;
+}
+
+void check_cells(const std::string& collection, GridKind kind, const Grid& grid) {
+  const auto points = grid.reference.cols();
+  CellKind last = CellKind::vertex;
+  for (const Cells& cells : grid.cells) {
+    const auto& nodes = cells.nodes;
+    // An empty table may come without its rows.
+    if (nodes.size() > 0 && nodes.rows() != nodes_per_cell(cells.kind))
+      wrong(collection, "cells with " + std::to_string(nodes.rows()) + " nodes");
+    if (nodes.size() > 0 && (nodes.minCoeff() < 0 || nodes.maxCoeff() >= points))
+      wrong(collection, "a cell with a node that is none of the points");
+    if (kind == GridKind::surface) {
+      if (cells.kind == CellKind::hexahedron) wrong(collection, "hexahedra in a surface");
+      // vtkPolyData counts cells so, whatever order they were given in: fields would be shuffled.
+      if (cells.kind < last) wrong(collection, "cells not ordered vertices, lines, triangles");
+      last = cells.kind;
+    }
+  }
+}
+
+void check_fields(const std::string& collection, const std::vector<Field>& fields,
+                  Eigen::Index things) {
+  std::set<std::string> names;
+  for (const Field& field : fields) {
+    const std::string named = "field '" + field.name + "' ";
+    if (!plain(field.name)) wrong(collection, named + "is not letters, digits and underscores");
+    if (!names.insert(field.name).second) wrong(collection, named + "comes twice");
+    if (field.values.cols() != things)
+      wrong(collection, named + "has " + std::to_string(field.values.cols()) + " values for " +
+                            std::to_string(things) + " things");
+    const auto components = static_cast<Eigen::Index>(field.components.size());
+    // No things, no shape: a table of no columns may have lost its rows.
+    if (things > 0 && field.values.rows() != std::max<Eigen::Index>(components, 1))
+      wrong(collection, named + "has " + std::to_string(field.values.rows()) + " components and " +
+                            std::to_string(components) + " names for them");
+    // ParaView labels any six numbers in VTK's order, so any other order would carry wrong labels.
+    if (components == 6 && field.components != tensor_components &&
+        std::is_permutation(field.components.begin(), field.components.end(),
+                            tensor_components.begin()))
+      wrong(collection, named + "is a tensor not in the order XX YY ZZ XY YZ XZ");
+  }
+}
+
+/// The arrays of a frame in words, to tell whether two frames hold the same ones.
+std::string arrays_of(const Grid& grid) {
+  std::string text;
+  const auto add = [&](const char* place, const std::vector<Field>& fields) {
+    for (const Field& field : fields) {
+      text += std::string(place) + " " + field.name + " [" + field.unit + "]";
+      for (const std::string& component : field.components) text += " " + component;
+      text += field.integer ? " integer\n" : "\n";
+    }
+  };
+  add("point", grid.point_fields);
+  add("cell", grid.cell_fields);
+  return text;
+}
+
+const char* extension(GridKind kind) { return kind == GridKind::volume ? ".vtu" : ".vtp"; }
+
+/// The frames of an earlier run would stand beside ours, and who opens the folder would see both.
+void remove_frames(const std::filesystem::path& folder, const std::string& name) {
+  std::error_code error;
+  std::vector<std::filesystem::path> old;
+  for (std::filesystem::directory_iterator at(folder, error), end; !error && at != end;
+       at.increment(error)) {
+    const std::string stem = at->path().stem().string(), kind = at->path().extension().string();
+    const std::string number = stem.substr(std::min(stem.size(), name.size() + 1));
+    if (stem.rfind(name + "_", 0) == 0 && number.size() >= 6 &&
+        (kind == ".vtu" || kind == ".vtp") &&
+        number.find_first_not_of("0123456789") == std::string::npos)
+      old.push_back(at->path());
+  }
+  for (const auto& path : old) std::filesystem::remove(path, error);
+  if (error) throw MachineError("cannot clear " + folder.string() + ": " + error.message());
+}
+
+#ifdef NEREID_WITH_VTK
+
+/// A VTK array of the numbers of one field; counts the values that are no number and writes 0.
+template <class Array, class Values>
+vtkSmartPointer<Array> array_of(const std::string& name, const std::vector<std::string>& components,
+                                const Values& values, std::int64_t& not_finite) {
+  using Number = typename Array::ValueType;
+  const auto rows = static_cast<Eigen::Index>(std::max<std::size_t>(components.size(), 1));
+  auto array = vtkSmartPointer<Array>::New();
+  array->SetName(name.c_str());
+  array->SetNumberOfComponents(static_cast<int>(rows));
+  for (std::size_t c = 0; c < components.size(); ++c)
+    array->SetComponentName(static_cast<vtkIdType>(c), components[c].c_str());
+  array->SetNumberOfTuples(values.cols());
+  for (Eigen::Index thing = 0; thing < values.cols(); ++thing)
+    for (Eigen::Index c = 0; c < rows; ++c) {
+      double value = values(c, thing);
+      // Also what only Float32 cannot hold: ParaView would show infinity as a hole.
+      if (!std::isfinite(value) ||
+          std::abs(value) > static_cast<double>(std::numeric_limits<Number>::max())) {
+        if (std::is_integral_v<Number> && std::isfinite(value))
+          throw InternalError("field '" + name + "': an integer beyond 32 bits");
+        ++not_finite;
+        value = 0;
+      }
+      array->SetValue(thing * rows + c, static_cast<Number>(value));
+    }
+  return array;
+}
+
+vtkSmartPointer<vtkDataArray> array_of(const Field& field, Precision precision,
+                                       std::int64_t& not_finite) {
+  if (field.integer)
+    return array_of<vtkTypeInt32Array>(field.name, field.components, field.values, not_finite);
+  if (precision == Precision::full)
+    return array_of<vtkDoubleArray>(field.name, field.components, field.values, not_finite);
+  return array_of<vtkFloatArray>(field.name, field.components, field.values, not_finite);
+}
+
+int cell_type(CellKind kind) {
+  switch (kind) {
+    case CellKind::vertex:
+      return VTK_VERTEX;
+    case CellKind::line:
+      return VTK_LINE;
+    case CellKind::triangle:
+      return VTK_TRIANGLE;
+    case CellKind::hexahedron:
+      return VTK_HEXAHEDRON;
+  }
+  throw InternalError("a kind of cell that results do not know");
+}
+
+void add_cells(const Cells& cells, vtkCellArray& array) {
+  for (Eigen::Index cell = 0; cell < cells.nodes.cols(); ++cell) {
+    array.InsertNextCell(static_cast<int>(cells.nodes.rows()));
+    for (Eigen::Index a = 0; a < cells.nodes.rows(); ++a)
+      array.InsertCellPoint(cells.nodes(a, cell));
+  }
+}
+
+vtkSmartPointer<vtkPointSet> volume_of(const Grid& grid) {
+  vtkNew<vtkCellArray> array;
+  vtkNew<vtkUnsignedCharArray> types;
+  types->SetNumberOfValues(count_cells(grid));
+  vtkIdType next = 0;
+  for (const Cells& cells : grid.cells) {
+    add_cells(cells, *array);
+    for (Eigen::Index cell = 0; cell < cells.nodes.cols(); ++cell)
+      types->SetValue(next++, static_cast<unsigned char>(cell_type(cells.kind)));
+  }
+  auto data = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  data->SetCells(types, array);
+  return data;
+}
+
+vtkSmartPointer<vtkPointSet> surface_of(const Grid& grid) {
+  vtkNew<vtkCellArray> vertices, lines, triangles;
+  for (const Cells& cells : grid.cells)
+    add_cells(cells, cells.kind == CellKind::vertex ? *vertices
+                     : cells.kind == CellKind::line ? *lines
+                                                    : *triangles);
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetVerts(vertices);
+  data->SetLines(lines);
+  data->SetPolys(triangles);
+  return data;
+}
+
+template <class Writer>
+void write_file(vtkPointSet& data, const std::filesystem::path& file) {
+  vtkNew<Writer> writer;
+  writer->SetFileName(file.c_str());
+  writer->SetInputData(&data);
+  // Never appended: ParaView 5.11 of Debian 12 cannot read that, in any encoding.
+  writer->SetDataModeToBinary();
+  writer->SetCompressorTypeToZLib();
+  writer->SetHeaderTypeToUInt64();
+  if (writer->Write() != 1 || writer->GetErrorCode() != 0)
+    throw MachineError("cannot write " + file.string());
+}
+
+/// Writes one frame; returns by field, in the order written, how many values were no number.
+std::vector<std::pair<std::string, std::int64_t>> write_frame(const Grid& grid, GridKind kind,
+                                                              Precision precision,
+                                                              const std::filesystem::path& file) {
+  std::vector<std::pair<std::string, std::int64_t>> counts;
+  const auto data = kind == GridKind::volume ? volume_of(grid) : surface_of(grid);
+  vtkNew<vtkStringArray> units;
+  units->SetName("units");
+  const auto counted = [&](const std::string& name) -> std::int64_t& {
+    return counts.emplace_back(name, 0).second;
+  };
+  const auto noted = [&](const std::string& name, const std::string& unit) {
+    units->InsertNextValue(name + " [" + unit + "]");
+  };
+
+  vtkNew<vtkPoints> points;
+  points->SetData(
+      array_of<vtkDoubleArray>("points", vector_components, grid.reference, counted("points")));
+  data->SetPoints(points);
+  data->GetPointData()->AddArray(array_of<vtkDoubleArray>(
+      "displacement", vector_components, grid.displacement, counted("displacement")));
+  data->GetPointData()->SetActiveVectors("displacement");  // what Warp By Vector picks
+  noted("displacement", "m");
+
+  const auto add = [&](const std::vector<Field>& fields, vtkDataSetAttributes& attributes) {
+    for (const Field& field : fields) {
+      attributes.AddArray(array_of(field, precision, counted(field.name)));
+      noted(field.name, field.unit);
+    }
+  };
+  add(grid.point_fields, *data->GetPointData());
+  add(grid.cell_fields, *data->GetCellData());
+
+  vtkNew<vtkDoubleArray> time;  // so that a file is useful without its .pvd
+  time->SetName("TimeValue");
+  time->InsertNextValue(grid.time);
+  data->GetFieldData()->AddArray(time);
+  data->GetFieldData()->AddArray(units);
+
+  if (kind == GridKind::volume)
+    write_file<vtkXMLUnstructuredGridWriter>(*data, file);
+  else
+    write_file<vtkXMLPolyDataWriter>(*data, file);
+  return counts;
+}
+
+#endif
+
+}  // namespace
+
+bool vtk_available() {
+#ifdef NEREID_WITH_VTK
+  return true;
+#else
+  return false;
+#endif
+}
+
+Collection::Collection(std::filesystem::path directory, std::string name, GridKind kind,
+                       Precision precision)
+    : directory_(std::move(directory)), name_(std::move(name)), kind_(kind), precision_(precision) {
+  if (!plain(name_)) wrong(name_, "the name is not letters, digits and underscores");
+  if (!vtk_available()) return;
+  make_folder(directory_ / name_);
+  remove_frames(directory_ / name_, name_);
+  write_index();
+}
+
+void Collection::add(const Grid& grid) {
+  if (!std::isfinite(grid.time)) wrong(name_, "a frame whose time is no number");
+  if (!times_.empty() && grid.time < times_.back()) wrong(name_, "a frame before the last one");
+  if (grid.displacement.cols() != grid.reference.cols())
+    wrong(name_, "not one displacement for each point");
+  check_cells(name_, kind_, grid);
+  check_fields(name_, grid.point_fields, grid.reference.cols());
+  check_fields(name_, grid.cell_fields, count_cells(grid));
+  for (const Field& field : grid.point_fields)
+    if (field.name == "displacement") wrong(name_, "field 'displacement' comes twice");
+  const std::string arrays = arrays_of(grid) + "end";  // so that no arrays differ from no frame
+  if (arrays_.empty()) arrays_ = arrays;
+  if (arrays_ != arrays) wrong(name_, "other arrays than in the first frame");
+
+#ifdef NEREID_WITH_VTK
+  const bool again = !times_.empty() && grid.time == times_.back();
+  const int frame = again ? frames() - 1 : frames();
+  for (const auto& [field, count] :
+       write_frame(grid, kind_, precision_, directory_ / frame_name(frame))) {
+    not_finite_ += count;
+    if (count > 0 && warned_.insert(field).second)
+      std::cerr << "warning: results '" << name_ << "': field '" << field << "' holds " << count
+                << " values that are no number at " << grid.time << " s; written as 0\n";
+  }
+  if (!again) times_.push_back(grid.time);
+  write_index();
+#endif
+}
+
+std::string Collection::frame_name(int frame) const {
+  char number[16];
+  std::snprintf(number, sizeof number, "%06d", frame);
+  return name_ + "/" + name_ + "_" + number + extension(kind_);
+}
+
+void Collection::write_index() const {
+  std::string text =
+      "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n";
+  for (int frame = 0; frame < frames(); ++frame) {
+    char time[32];
+    std::snprintf(time, sizeof time, "%.17g", times_[static_cast<std::size_t>(frame)]);
+    text += std::string("    <DataSet timestep=\"") + time + "\" part=\"0\" file=\"" +
+            frame_name(frame) + "\"/>\n";
+  }
+  replace_file(directory_ / (name_ + ".pvd"), text + "  </Collection>\n</VTKFile>\n");
+}
+
+}  // namespace nereid::output

@@ -1,0 +1,84 @@
+#pragma once
+// ParaView files: the one door to VTK. Built without VTK, a Collection checks and writes nothing.
+
+#include <cstdint>
+#include <filesystem>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "base/field.hpp"
+#include "base/types.hpp"
+
+namespace nereid::output {
+
+/// Whether this build writes ParaView files at all (NEREID_WITH_VTK).
+bool vtk_available();
+
+/// Component names in the order in which ParaView labels every array of three or six components.
+inline const std::vector<std::string> vector_components{"X", "Y", "Z"};
+inline const std::vector<std::string> tensor_components{"XX", "YY", "ZZ", "XY", "YZ", "XZ"};
+
+enum class CellKind { vertex, line, triangle, hexahedron };
+
+/// Cells of one kind, nodes counted as the points of the grid are.
+struct Cells {
+  CellKind kind;
+  Eigen::Matrix<Index, Eigen::Dynamic, Eigen::Dynamic> nodes;  ///< [nodes per cell x cells]
+};
+
+/// What one frame shows. Points stand where they were at the start; ParaView moves them.
+struct Grid {
+  double time = 0;           ///< [s]
+  Vectors reference;         ///< [m] points
+  Vectors displacement;      ///< [m]
+  std::vector<Cells> cells;  ///< cell fields are counted in this order
+  std::vector<Field> point_fields, cell_fields;
+};
+
+enum class GridKind {
+  volume,  ///< .vtu, any cells in any order
+  surface  ///< .vtp: vertices before lines before triangles, the order in which VTK counts them
+};
+
+enum class Precision {
+  single,  ///< derived fields as Float32; points and displacement are always Float64
+  full     ///< everything as Float64, for verification
+};
+
+/// One data set over time: DIRECTORY/NAME.pvd with its frames in DIRECTORY/NAME/NAME_000000.vtu.
+///
+/// The .pvd is complete after every frame, and frames of an earlier run of the same name are
+/// removed first. A value that is no number is written as 0 and counted, with one warning per
+/// field.
+///
+/// Invariants  equal grids give equal bytes, in any run.
+class Collection {
+ public:
+  Collection(std::filesystem::path directory, std::string name, GridKind kind,
+             Precision precision = Precision::single);
+
+  /// Writes one frame; one at the time of the last frame replaces it.
+  ///
+  /// Needs  times that do not fall and the same arrays in the same order in every frame, else
+  ///        InternalError; a disk that takes it, else MachineError.
+  void add(const Grid& grid);
+
+  int frames() const { return static_cast<int>(times_.size()); }  ///< written so far; 0 without VTK
+  std::int64_t not_finite() const { return not_finite_; }         ///< values replaced by 0 so far
+
+ private:
+  std::string frame_name(int frame) const;  ///< relative to the directory
+  void write_index() const;
+
+  std::filesystem::path directory_;
+  std::string name_;
+  GridKind kind_;
+  Precision precision_;
+  std::string arrays_;  ///< what the first frame held; every frame must hold the same
+  std::vector<double> times_;
+  std::int64_t not_finite_ = 0;
+  std::set<std::string> warned_;  ///< fields whose warning has been given
+};
+
+}  // namespace nereid::output

@@ -1,0 +1,167 @@
+#include "output/frames.hpp"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+namespace nereid::output {
+
+namespace {
+
+Field scalar(const std::string& name, const std::string& unit, Eigen::Index count, bool integer = false) {
+  return {name, unit, {}, Eigen::MatrixXd::Zero(1, count), integer};
+}
+
+Field vector(const std::string& name, const std::string& unit, const Vectors& values) {
+  return {name, unit, vector_components, values};
+}
+
+/// Contact forces on the nodes, of all interfaces and rigid planes. [N]
+Vectors contact_forces(const dynamics::View& view) {
+  Vectors force = Vectors::Zero(3, view.now.x.cols());
+  for (std::size_t c = 0; c < view.model.interfaces.size(); ++c)
+    contact::add_forces(view.model.interfaces[c], view.forces.interfaces[c], force);
+  for (std::size_t p = 0; p < view.model.rigid_planes.size(); ++p)
+    contact::add_forces(view.model.rigid_planes[p], view.now.rigid_planes[p], force);
+  return force;
+}
+
+/// Fields of all blocks under one another, zero where a block has no such field.
+std::vector<Field> element_fields(const dynamics::View& view, Eigen::Index total) {
+  std::vector<Field> all;
+  Eigen::Index first = 0;
+  for (std::size_t b = 0; b < view.model.blocks.size(); ++b) {
+    const auto fields = element::fields(view.model.blocks[b], view.now.x, view.now.blocks[b]);
+    const Eigen::Index count = fields[0].values.cols();
+    for (const Field& field : fields) {
+      auto here = std::find_if(all.begin(), all.end(), [&](const Field& f) { return f.name == field.name; });
+      if (here == all.end()) {
+        Field whole = field;
+        whole.values = Eigen::MatrixXd::Zero(field.values.rows(), total);
+        all.push_back(whole);
+        here = std::prev(all.end());
+      }
+      here->values.middleCols(first, count) = field.values;
+    }
+    first += count;
+  }
+  return all;
+}
+
+}  // namespace
+
+Grid body_grid(const dynamics::View& view) {
+  const dynamics::Model& model = view.model;
+  Grid grid;
+  grid.time = view.now.t;
+  grid.reference = model.mesh.X;
+  grid.displacement = view.now.x - model.mesh.X;
+  Eigen::Index total = 0;
+  for (const auto& block : model.blocks) total += element::tiling(block).elements;
+  Field part = scalar("part_id", "1", total, true), number = scalar("element_id", "1", total, true);
+  Eigen::Index first = 0;
+  for (std::size_t b = 0; b < model.blocks.size(); ++b) {
+    const auto& block = model.blocks[b];
+    grid.cells.push_back({element::is_plate(block) ? CellKind::triangle : CellKind::hexahedron, element::nodes(block)});
+    for (Eigen::Index e = 0; e < element::tiling(block).elements; ++e) {
+      part.values(0, first + e) = static_cast<double>(b);
+      number.values(0, first + e) = static_cast<double>(e);
+    }
+    first += element::tiling(block).elements;
+  }
+  Field node = scalar("node_id", "1", model.mesh.X.cols(), true);
+  for (Eigen::Index n = 0; n < model.mesh.X.cols(); ++n) node.values(0, n) = static_cast<double>(n);
+  grid.point_fields = {vector("velocity", "m/s", view.now.v), vector("contact_force", "N", contact_forces(view)), node};
+  grid.cell_fields = element_fields(view, total);
+  grid.cell_fields.push_back(part);
+  grid.cell_fields.push_back(number);
+  return grid;
+}
+
+Grid contact_grid(const dynamics::View& view) {
+  const dynamics::Model& model = view.model;
+  Eigen::Index count = 0;
+  for (const auto& interface : model.interfaces) count += static_cast<Eigen::Index>(interface.apexes.size());
+  // five points for each element: foot, apex and the corners of the facet
+  Grid grid;
+  grid.time = view.now.t;
+  grid.reference = Vectors::Zero(3, 5 * count);
+  grid.displacement = Vectors::Zero(3, 5 * count);
+  Cells lines{CellKind::line, {}}, facets{CellKind::triangle, {}};
+  lines.nodes.resize(2, count);
+  facets.nodes.resize(3, count);
+  std::vector<Field> cells = {scalar("part", "1", 2 * count, true),          scalar("interface_id", "1", 2 * count, true),
+                              scalar("kind", "1", 2 * count, true),          scalar("base_id", "1", 2 * count, true),
+                              scalar("apex_node", "1", 2 * count, true),     scalar("gap", "m", 2 * count),
+                              scalar("contact_pressure", "Pa", 2 * count),   scalar("contact_status", "1", 2 * count, true),
+                              scalar("reconnect_count", "1", 2 * count, true)};
+  Eigen::Index e = 0;
+  for (std::size_t c = 0; c < model.interfaces.size(); ++c) {
+    const auto& interface = model.interfaces[c];
+    for (Index a = 0; a < static_cast<Index>(interface.apexes.size()); ++a, ++e) {
+      const auto element = contact::view(interface, view.now.x, view.now.interfaces[c], a);
+      const bool lost = element.feature.facet < 0;
+      const Index apex = element.apex;
+      const auto put = [&](Eigen::Index point, const Vec3& reference, const Vec3& now) {
+        grid.reference.col(5 * e + point) = reference;
+        grid.displacement.col(5 * e + point) = now - reference;
+      };
+      Vec3 foot = Vec3::Zero(), foot_reference = Vec3::Zero();
+      for (int k = 0; k < 3; ++k) {
+        const Index node = lost ? apex : interface.base.facets(k, element.feature.facet);
+        const double weight = lost ? 1.0 / 3.0 : element.weight[k];
+        put(2 + k, model.mesh.X.col(node), view.now.x.col(node));
+        foot += weight * view.now.x.col(node);
+        foot_reference += weight * model.mesh.X.col(node);
+      }
+      put(0, foot_reference, foot);
+      put(1, model.mesh.X.col(apex), view.now.x.col(apex));
+      const auto first = static_cast<Index>(5 * e);
+      lines.nodes.col(e) << first, first + 1;
+      facets.nodes.col(e) << first + 2, first + 3, first + 4;
+      const double values[] = {0.0, static_cast<double>(c), lost ? 0.0 : static_cast<double>(element.feature.kind),
+                               static_cast<double>(element.feature.facet), static_cast<double>(apex),
+                               lost ? interface.reach : element.gap, element.traction,
+                               static_cast<double>(element.status), static_cast<double>(element.reconnections)};
+      for (std::size_t f = 0; f < cells.size(); ++f) {
+        cells[f].values(0, e) = values[f];
+        cells[f].values(0, count + e) = f == 0 ? 1.0 : values[f];
+      }
+    }
+  }
+  grid.cells = {lines, facets};
+  grid.cell_fields = cells;
+  return grid;
+}
+
+Grid walls_grid(const dynamics::View& view) {
+  std::vector<std::pair<Vec3, Vec3>> walls;
+  for (const auto& plane : view.model.rigid_planes) walls.emplace_back(plane.point, plane.normal);
+  for (const auto& plane : view.model.constraints.planes)
+    if (plane.kind == load::PlaneKind::floor) walls.emplace_back(plane.point, plane.normal);
+  const Vectors& X = view.model.mesh.X;
+  const Vec3 low = X.rowwise().minCoeff(), high = X.rowwise().maxCoeff(), centre = 0.5 * (low + high);
+  const double half = 0.5 * (high - low).norm();
+  Grid grid;
+  grid.reference = Vectors::Zero(3, static_cast<Eigen::Index>(4 * walls.size()));
+  Cells triangles{CellKind::triangle, {}};
+  triangles.nodes.resize(3, static_cast<Eigen::Index>(2 * walls.size()));
+  for (std::size_t w = 0; w < walls.size(); ++w) {
+    const auto& [point, normal] = walls[w];
+    const Vec3 middle = centre - normal * normal.dot(centre - point);
+    const Vec3 along = normal.unitOrthogonal(), across = normal.cross(along);
+    const auto first = static_cast<Index>(4 * w);
+    for (int corner = 0; corner < 4; ++corner) {
+      const double s = corner == 0 || corner == 3 ? -half : half, t = corner < 2 ? -half : half;
+      grid.reference.col(first + corner) = middle + s * along + t * across;
+    }
+    triangles.nodes.col(first / 2) << first, first + 1, first + 2;
+    triangles.nodes.col(first / 2 + 1) << first, first + 2, first + 3;
+  }
+  grid.displacement = Vectors::Zero(3, grid.reference.cols());
+  grid.cells = {triangles};
+  grid.cell_fields = {scalar("wall_id", "1", triangles.nodes.cols(), true)};
+  for (Eigen::Index t = 0; t < triangles.nodes.cols(); ++t) grid.cell_fields[0].values(0, t) = static_cast<double>(t / 2);
+  return grid;
+}
+
+}  // namespace nereid::output

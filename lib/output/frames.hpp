@@ -1,0 +1,20 @@
+#pragma once
+// What ParaView sees of a run: bodies, contact elements and walls as grids.
+
+#include "dynamics/run.hpp"
+#include "output/fields.hpp"
+
+namespace nereid::output {
+
+/// All elements of all blocks with displacement, velocity, contact force and the elements' fields.
+Grid body_grid(const dynamics::View&);
+
+/// Every potential contact element: a line from the foot to the apex (part 0), then the facet that
+/// owns its base (part 1), each with kind (3 tetrahedral, 2 triangular, 1 line element), base, apex,
+/// gap, traction, status and reconnections. Elements that lost their base are points at the apex.
+Grid contact_grid(const dynamics::View&);
+
+/// Rigid planes and floors as rectangles around the scene, at time zero.
+Grid walls_grid(const dynamics::View&);
+
+}  // namespace nereid::output

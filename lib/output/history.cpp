@@ -1,0 +1,84 @@
+#include "output/history.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "base/check.hpp"
+#include "output/replace_file.hpp"
+
+namespace nereid::output {
+
+namespace {
+
+constexpr std::size_t enough = 1 << 16;  // [bytes] one write to the disk for some hundred rows
+
+/// As printf's %.17g, but in every locale.
+void append_number(double value, std::string& text) {
+  if (std::isnan(value)) {
+    text += "nan";  // never "-nan": the sign of a NaN differs between compilers
+    return;
+  }
+  char digits[32];
+  const auto end =
+      std::to_chars(digits, digits + sizeof digits, value, std::chars_format::general, 17);
+  text.append(digits, end.ptr);
+}
+
+void check_columns(const std::vector<Column>& columns) {
+  std::set<std::string> names{"time"};
+  for (const Column& column : columns) {
+    if (column.name.empty() ||
+        (column.name + column.unit).find_first_of(",\"\n\r[]") != std::string::npos)
+      throw InternalError("history: '" + column.name + " [" + column.unit + "]' is no column name");
+    if (!names.insert(column.name).second)
+      throw InternalError("history: column '" + column.name + "' comes twice");
+  }
+}
+
+}  // namespace
+
+History::History(std::filesystem::path file, std::vector<Column> columns)
+    : file_(std::move(file)), columns_(columns.size()) {
+  check_columns(columns);
+  if (file_.has_parent_path()) make_folder(file_.parent_path());
+  stream_.open(file_, std::ios::binary | std::ios::trunc);
+  if (!stream_) throw MachineError("cannot write " + file_.string());
+  lines_ = "time [s]";
+  for (const Column& column : columns) lines_ += "," + column.name + " [" + column.unit + "]";
+  lines_ += "\n";
+  flush();
+}
+
+History::~History() {
+  // A destructor must not throw; who needs to know has called flush().
+  stream_ << lines_;
+}
+
+void History::add(double time, std::span<const double> row) {
+  if (row.size() != columns_)
+    throw InternalError("history: a row of " + std::to_string(row.size()) + " values for " +
+                        std::to_string(columns_) + " columns");
+  append_number(time, lines_);
+  for (const double value : row) {
+    lines_ += ',';
+    append_number(value, lines_);
+  }
+  lines_ += '\n';
+  if (lines_.size() > enough) write_lines();
+}
+
+void History::flush() {
+  write_lines();
+  stream_.flush();
+  if (!stream_) throw MachineError("cannot write " + file_.string());
+}
+
+void History::write_lines() {
+  stream_ << lines_;
+  lines_.clear();
+  if (!stream_) throw MachineError("cannot write " + file_.string());
+}
+
+}  // namespace nereid::output

@@ -1,0 +1,44 @@
+#pragma once
+#include <filesystem>
+#include <fstream>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace nereid::output {
+
+/// One column of a history.
+struct Column {
+  std::string name;  ///< letters, digits, underscore, points
+  std::string unit;  ///< "Pa", "m", "1" for a pure number
+};
+
+/// A table over time as CSV: `time [s],settlement_mean [m],...`, one row per add().
+///
+/// Numbers have 17 digits, so that reading them gives the same bits; what is no number is `nan`.
+/// Rows reach the disk at flush(), which belongs beside the frames, and when the history goes.
+///
+/// Invariants  equal rows give equal bytes.
+class History {
+ public:
+  /// columns  those after the time
+  History(std::filesystem::path file, std::vector<Column> columns);
+  ~History();
+  History(const History&) = delete;
+  History& operator=(const History&) = delete;
+
+  /// time [s]; row in the order of the columns. MachineError where writing fails.
+  void add(double time, std::span<const double> row);
+  /// Puts all rows on the disk. MachineError where that fails.
+  void flush();
+
+ private:
+  void write_lines();
+
+  std::filesystem::path file_;
+  std::size_t columns_;
+  std::string lines_;  ///< not yet given to the stream
+  std::ofstream stream_;
+};
+
+}  // namespace nereid::output

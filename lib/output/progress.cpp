@@ -1,0 +1,63 @@
+#include "output/progress.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace nereid::output {
+
+namespace {
+constexpr std::chrono::milliseconds pause{200};  // five lines a second: people read no faster
+}  // namespace
+
+std::string spoken(double seconds) {
+  constexpr double longest = 1e9;  // [s] 30 years: nobody waits, and the numbers below stay small
+  if (!(seconds >= 0 && seconds < longest)) return "?";
+  const auto s = static_cast<long>(std::lround(seconds));
+  char text[64];
+  if (s < 60)
+    std::snprintf(text, sizeof text, "%ld s", s);
+  else if (s < 3600)
+    std::snprintf(text, sizeof text, "%ld min %02ld s", s / 60, s % 60);
+  else
+    std::snprintf(text, sizeof text, "%ld h %02ld min", s / 3600, s % 3600 / 60);
+  return text;
+}
+
+std::string progress_line(double time, double end_time, std::int64_t step, double dt,
+                          double elapsed) {
+  const double share = end_time > 0 ? std::clamp(time / end_time, 0.0, 1.0) : 0;
+  const double rest = share > 0 ? elapsed * (1 - share) / share : NAN;
+  char text[192];
+  std::snprintf(text, sizeof text, "%5.1f %%  %.4g of %.4g s  step %lld  dt %.3g s  %s to go",
+                100 * share, time, end_time, static_cast<long long>(step), dt,
+                spoken(rest).c_str());
+  return text;
+}
+
+Progress::Progress(double end_time, bool quiet)
+    : end_time_(end_time),
+      silent_(quiet || isatty(STDERR_FILENO) == 0),
+      start_(Clock::now()),
+      last_(start_ - pause) {}
+
+void Progress::show(double time, std::int64_t step, double dt) {
+  if (silent_) return;
+  const auto now = Clock::now();
+  if (now - last_ < pause) return;
+  last_ = now;
+  const double elapsed = std::chrono::duration<double>(now - start_).count();
+  // Back to the start of the line, write, clear what a longer line left behind.
+  std::fprintf(stderr, "\r%s\033[K", progress_line(time, end_time_, step, dt, elapsed).c_str());
+  std::fflush(stderr);
+  open_ = true;
+}
+
+void Progress::done() {
+  if (open_) std::fputc('\n', stderr);
+  open_ = false;
+}
+
+}  // namespace nereid::output

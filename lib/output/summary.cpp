@@ -1,0 +1,203 @@
+#include "output/summary.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "base/check.hpp"
+#include "output/replace_file.hpp"
+
+#if __has_include("nereid_commit.hpp")
+#include "nereid_commit.hpp"  // written at build time by lib/output/commit.cmake
+#endif
+#ifndef NEREID_COMMIT
+#define NEREID_COMMIT "unknown"
+#endif
+#ifndef NEREID_VERSION
+#define NEREID_VERSION "unknown"
+#endif
+#ifndef NEREID_COMPILER
+#define NEREID_COMPILER "unknown"
+#endif
+#ifndef NEREID_FLAGS
+#define NEREID_FLAGS "unknown"
+#endif
+#ifndef NEREID_BUILD_TYPE
+#define NEREID_BUILD_TYPE "unknown"
+#endif
+
+namespace nereid::output {
+
+namespace {
+
+using Json = nlohmann::ordered_json;  // keys stay in the order in which a reader wants them
+
+Json quantity(double value, const char* unit) { return {{"value", value}, {"unit", unit}}; }
+
+Json quantity(const Vec3& value, const char* unit) {
+  return {{"value", {value.x(), value.y(), value.z()}}, {"unit", unit}};
+}
+
+/// Adds a member whose name must be new.
+void add_once(Json& object, const std::string& name, Json value) {
+  if (object.contains(name)) throw InternalError("summary: '" + name + "' comes twice");
+  object[name] = std::move(value);
+}
+
+Json ending_of(const Ending& ending) {
+  return {{"word", ending.word},
+          {"reason", ending.reason},
+          {"time", quantity(ending.time, "s")},
+          {"block", ending.block.empty() ? Json() : Json(ending.block)},
+          {"element", ending.element < 0 ? Json() : Json(ending.element)}};
+}
+
+Json results_of(const std::vector<Result>& results) {
+  Json object = Json::object();
+  for (const Result& result : results)
+    add_once(object, result.name, quantity(result.value, result.unit.c_str()));
+  return object;
+}
+
+Json shares_of(const std::vector<dynamics::Share>& shares) {
+  Json object = Json::object();
+  for (const dynamics::Share& share : shares)
+    add_once(object, share.name, quantity(share.value, "J"));
+  return object;
+}
+
+Json account_of(const dynamics::Account& account, double initial_kinetic) {
+  const double created = dynamics::created(account);
+  Json relative = quantity(created / initial_kinetic, "1");
+  if (initial_kinetic == 0) relative["value"] = nullptr;
+  return {{"kind", account.kind},
+          {"work", quantity(account.work, "J")},
+          {"stored", shares_of(account.stored)},
+          {"dissipated", shares_of(account.dissipated)},
+          {"created", quantity(created, "J")},
+          {"created_relative", relative},
+          {"created_by_reconnection", quantity(account.created_by_reconnection, "J")},
+          {"impulse", quantity(account.impulse, "N s")},
+          {"angular_impulse", quantity(account.angular_impulse, "N m s")}};
+}
+
+Json ledger_of(const dynamics::Ledger& ledger) {
+  Json accounts = Json::object();
+  for (const dynamics::Account& account : ledger.accounts)
+    add_once(accounts, account.name, account_of(account, ledger.initial_kinetic));
+  return {{"initial_kinetic", quantity(ledger.initial_kinetic, "J")},
+          {"kinetic", quantity(ledger.kinetic, "J")},
+          {"integration", quantity(ledger.integration, "J")},
+          {"energy_residual", quantity(dynamics::energy_residual(ledger), "J")},
+          {"initial_momentum", quantity(ledger.initial_momentum, "kg m/s")},
+          {"momentum", quantity(ledger.momentum, "kg m/s")},
+          {"momentum_residual", quantity(dynamics::momentum_residual(ledger), "kg m/s")},
+          {"initial_angular_momentum", quantity(ledger.initial_angular_momentum, "kg m2/s")},
+          {"angular_momentum", quantity(ledger.angular_momentum, "kg m2/s")},
+          {"angular_momentum_residual",
+           quantity(dynamics::angular_momentum_residual(ledger), "kg m2/s")},
+          {"accounts", accounts}};
+}
+
+Json cost_of(const Cost& cost) {
+  return {{"elements", cost.elements},
+          {"steps", cost.steps},
+          {"element_updates", cost.element_updates},
+          {"wall_seconds", cost.wall_seconds},
+          {"nanoseconds_per_element_update", cost.nanoseconds_per_element_update},
+          {"threads", cost.threads}};
+}
+
+/// The place of a path such as "planes[0].normal" in a tree of objects and arrays.
+Json& place(Json& root, const std::string& path) {
+  Json* at = &root;
+  std::size_t start = 0;
+  while (start < path.size()) {
+    if (path[start] == '.') ++start;
+    if (start < path.size() && path[start] == '[') {
+      const std::size_t end = path.find(']', start);
+      const std::string digits = path.substr(start + 1, end - start - 1);
+      const bool number = !digits.empty() && digits.size() < 7 &&
+                          digits.find_first_not_of("0123456789") == std::string::npos;
+      if (end == std::string::npos || !number || !(at->is_null() || at->is_array()))
+        throw InternalError("summary: no place for '" + path + "'");
+      at = &(*at)[std::stoul(digits)];
+      start = end + 1;
+      continue;
+    }
+    const std::size_t end = std::min(path.find_first_of(".[", start), path.size());
+    if (end == start || !(at->is_null() || at->is_object()))
+      throw InternalError("summary: no place for '" + path + "'");
+    at = &(*at)[path.substr(start, end - start)];
+    start = end;
+  }
+  return *at;
+}
+
+Json resolved_of(const std::vector<Resolved>& values) {
+  Json tree = Json::object();
+  for (const Resolved& resolved : values) {
+    Json& leaf = place(tree, resolved.path);
+    // A word may stand above other values: `material: steel` and `material.density`.
+    if (!(leaf.is_null() || leaf.is_object()))
+      throw InternalError("summary: no place for '" + resolved.path + "'");
+    add_once(leaf, "value",
+             std::visit([](const auto& value) { return Json(value); }, resolved.value));
+    add_once(leaf, "unit", resolved.unit.empty() ? Json() : Json(resolved.unit));
+    add_once(leaf, "default", resolved.is_default);
+  }
+  return tree;
+}
+
+Json provenance_of(const Summary& summary) {
+  const Provenance from = provenance();
+  return {{"version", from.version},        {"commit", from.commit},
+          {"compiler", from.compiler},      {"flags", from.flags},
+          {"build_type", from.build_type},  {"native", from.native},
+          {"processor", from.processor},    {"case_path", summary.case_path},
+          {"case_hash", summary.case_hash}, {"resolved", resolved_of(summary.resolved)}};
+}
+
+std::string processor_model() {
+  std::ifstream stream("/proc/cpuinfo");
+  std::string line;
+  while (std::getline(stream, line))
+    if (line.rfind("model name", 0) == 0) {
+      const std::size_t at = line.find_first_not_of(" \t:", line.find(':'));
+      if (at != std::string::npos) return line.substr(at);
+    }
+  return "unknown";
+}
+
+}  // namespace
+
+Provenance provenance() {
+  Provenance from;
+  from.version = NEREID_VERSION;
+  from.commit = NEREID_COMMIT;
+  from.compiler = NEREID_COMPILER;
+  from.flags = NEREID_FLAGS;
+  from.build_type = NEREID_BUILD_TYPE;
+#ifdef NEREID_NATIVE
+  from.native = true;
+#endif
+  from.processor = processor_model();
+  return from;
+}
+
+void write_summary(const std::filesystem::path& directory, const Summary& summary) {
+  const Json json = {{"driver", summary.driver},
+                     {"ending", ending_of(summary.ending)},
+                     {"results", results_of(summary.results)},
+                     {"ledger", ledger_of(summary.ledger)},
+                     {"cost", cost_of(summary.cost)},
+                     {"provenance", provenance_of(summary)},
+                     {"not_used", summary.not_used},
+                     {"notes", summary.notes}};
+  make_folder(directory);
+  // Bytes that are no UTF-8, say in a file name, must not cost the summary of a whole run.
+  replace_file(directory / "summary.json",
+               json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+}  // namespace nereid::output

@@ -1,0 +1,264 @@
+#!/usr/bin/python3
+"""The one door to matplotlib: how every figure of Nereid looks, and the figures drawn from a run.
+
+    scripts/figure.py settlement RUN [RUN ...] --out figure5.svg
+    scripts/figure.py energy RUN --out energy.svg
+
+RUN is the folder a driver wrote (history.csv, summary.json). Besides the SVG a PNG of the same name
+is written. The same data give the same bytes.
+"""
+import argparse
+import json
+import re
+import sys
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402  (after the choice of backend)
+import numpy as np  # noqa: E402
+from matplotlib.patches import Rectangle  # noqa: E402
+
+# Maximum head settlement of the cask: three of the four codes of the round robin, and NEPTUNE; both
+# as Kulak & Fiala report them with their Fig. 5. Millimetres and milliseconds.
+ROUND_ROBIN = {"settlement": (58.0, 72.5), "time": (4.3, 6.25)}
+NEPTUNE = {"settlement": 65.0, "time": 5.5}
+
+SINGLE_COLUMN, DOUBLE_COLUMN = 88.0, 180.0  # [mm]
+
+# A curve is known by its dashes and its marker; its colour only helps. The colours are those of Okabe
+# and Ito, of which readers who see colours differently can tell any two apart.
+CURVES = [
+    {"color": "#000000", "linestyle": "-", "marker": "o"},
+    {"color": "#0072B2", "linestyle": (0, (6, 2)), "marker": "s"},
+    {"color": "#D55E00", "linestyle": (0, (6, 1.5, 1, 1.5)), "marker": "^"},
+    {"color": "#009E73", "linestyle": (0, (2, 1.5)), "marker": "D"},
+    {"color": "#CC79A7", "linestyle": (0, (6, 1.5, 1, 1.5, 1, 1.5)), "marker": "v"},
+    {"color": "#56B4E9", "linestyle": (0, (3, 3)), "marker": "X"},
+    {"color": "#E69F00", "linestyle": (0, (1, 1.2)), "marker": "P"},
+    {"color": "#666666", "linestyle": (0, (4, 1, 1, 1)), "marker": "*"},
+]
+
+STYLE = {
+    "font.family": "STIXGeneral", "mathtext.fontset": "stix", "font.size": 9,
+    "axes.labelsize": 9, "axes.titlesize": 9, "legend.fontsize": 8,
+    "xtick.labelsize": 8, "ytick.labelsize": 8,
+    "axes.linewidth": 0.6, "xtick.direction": "in", "ytick.direction": "in",
+    "xtick.top": True, "ytick.right": True, "xtick.minor.visible": True, "ytick.minor.visible": True,
+    "xtick.major.width": 0.6, "ytick.major.width": 0.6, "xtick.minor.width": 0.4, "ytick.minor.width": 0.4,
+    "xtick.major.size": 3.5, "ytick.major.size": 3.5, "xtick.minor.size": 2, "ytick.minor.size": 2,
+    "lines.linewidth": 1.1, "lines.markersize": 4, "hatch.linewidth": 0.4,
+    "legend.frameon": False, "legend.handlelength": 3.2, "legend.borderaxespad": 0.8,
+    "axes.unicode_minus": True, "savefig.dpi": 300, "figure.dpi": 100,
+    "svg.hashsalt": "nereid",  # else the names inside an SVG differ from run to run
+}
+
+
+class Unreadable(Exception):
+    """A run's file is missing or is not what a driver writes; says which and what was expected."""
+
+
+# ------------------------------------------------------------------------------------------------
+# Reading a run
+
+def read_history(folder):
+    """The columns of history.csv as {name: values} and their units as {name: unit}."""
+    path = Path(folder) / "history.csv"
+    try:
+        with path.open(encoding="utf-8") as file:
+            header = file.readline().rstrip("\n").split(",")
+            rows = [line.split(",") for line in file if line.strip()]
+    except OSError as error:
+        raise Unreadable(f"{path}: {error.strerror}") from error
+    names, units = [], {}
+    for entry in header:
+        found = re.fullmatch(r"\s*(\w+)\s*\[([^\]]*)\]\s*", entry)
+        if not found:
+            raise Unreadable(f"{path}:1: '{entry}' is no column header; expected is 'name [unit]'")
+        names.append(found.group(1))
+        units[found.group(1)] = found.group(2)
+    values = np.empty((len(rows), len(names)))
+    for i, row in enumerate(rows):
+        try:
+            values[i] = [float(entry) for entry in row]
+        except ValueError as error:
+            raise Unreadable(f"{path}:{i + 2}: {len(names)} numbers expected") from error
+    if not rows:
+        raise Unreadable(f"{path}: holds no rows yet")
+    return dict(zip(names, values.T)), units
+
+
+def read_summary(folder):
+    """summary.json as it stands; all quantities are in SI."""
+    path = Path(folder) / "summary.json"
+    try:
+        return json.loads(path.read_text(encoding="utf-8"))
+    except OSError as error:
+        raise Unreadable(f"{path}: {error.strerror}") from error
+    except json.JSONDecodeError as error:
+        raise Unreadable(f"{path}:{error.lineno}: {error.msg}") from error
+
+
+def column(history, name, unit, folder):
+    """One column, whose unit must be the one the figure converts from."""
+    columns, units = history
+    if name not in columns:
+        raise Unreadable(f"{folder}/history.csv: has no column '{name}'; there are {', '.join(columns)}")
+    if units[name] != unit:
+        raise Unreadable(f"{folder}/history.csv: '{name}' is in {units[name]}, expected is {unit}")
+    return columns[name]
+
+
+# ------------------------------------------------------------------------------------------------
+# Primitives
+
+def new_figure(width=SINGLE_COLUMN, height=66.0, rows=1, ratios=None):
+    """A figure of width x height [mm] and its axes, one above the other, sharing the lowest abscissa."""
+    plt.rcParams.update(plt.rcParamsDefault)
+    plt.rcParams.update(STYLE)
+    figure, axes = plt.subplots(rows, 1, sharex=True, squeeze=False, figsize=(width / 25.4, height / 25.4),
+                                gridspec_kw={"height_ratios": ratios or [1] * rows}, constrained_layout=True)
+    figure.get_layout_engine().set(hspace=0.02, h_pad=0.03, w_pad=0.03)
+    return figure, (axes[0, 0] if rows == 1 else axes[:, 0])
+
+
+def save(figure, path):
+    """Writes the figure as SVG and as PNG, `path` with either ending; no date, so the same bytes."""
+    path = Path(path)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    figure.savefig(path.with_suffix(".svg"), metadata={"Date": None, "Creator": None})
+    figure.savefig(path.with_suffix(".png"), metadata={"Software": None})
+    plt.close(figure)
+
+
+def draw_curve(axes, x, y, number, label=None, marks=9):
+    """A curve in the style of its number, with markers spread along it, shifted from curve to curve."""
+    style = CURVES[number % len(CURVES)]
+    every = max(1, len(x) // marks)
+    return axes.plot(x, y, label=label, **style, markevery=((number * every) // 3 % every, every), markersize=3.2,
+                     markerfacecolor="white", markeredgewidth=0.7, zorder=3)[0]
+
+
+def round_robin(axes):
+    """The range of the round robin and NEPTUNE's point, in axes of ms and mm."""
+    (early, late), (low, high) = ROUND_ROBIN["time"], ROUND_ROBIN["settlement"]
+    axes.add_patch(Rectangle((early, low), late - early, high - low, facecolor="#f0f0f0", edgecolor="#8c8c8c",
+                             hatch="////", linewidth=0.7, zorder=1,
+                             label="round robin, three of four codes"))
+    axes.plot(NEPTUNE["time"], NEPTUNE["settlement"], linestyle="none", marker="*", markersize=11, color="white",
+              markeredgecolor="black", markeredgewidth=0.8, zorder=5,
+              label=f"NEPTUNE, {NEPTUNE['settlement']:g} mm at {NEPTUNE['time']:g} ms")
+
+
+# ------------------------------------------------------------------------------------------------
+# Figures
+
+def names_of(folders):
+    """What each run is called: its case, or its folder where runs share a case."""
+    folder_names = [Path(folder).resolve().name for folder in folders]
+    cases = [Path(read_summary(folder).get("provenance", {}).get("case_path") or name).stem
+             for folder, name in zip(folders, folder_names)]
+    return cases if len(set(cases)) == len(cases) else folder_names
+
+
+def settlement_figure(folders):
+    """Fig. 5 of Kulak & Fiala: settlement of the lead's head over time after impact."""
+    figure, axes = new_figure(width=120, height=84)
+    round_robin(axes)
+    number, last, largest = 0, ROUND_ROBIN["time"][1] + 0.25, ROUND_ROBIN["settlement"][1]
+    for folder, name in zip(folders, names_of(folders)):
+        history = read_history(folder)
+        who = "Nereid" if len(folders) == 1 else f"Nereid ({name})"
+        time = column(history, "time", "s", folder) * 1e3
+        for quantity, where in [("settlement_mean", "mean of the head"), ("settlement_centre", "centre of the head")]:
+            settlement = column(history, quantity, "m", folder) * 1e3
+            draw_curve(axes, time, settlement, number, f"{who}, {where}")
+            if quantity == "settlement_mean":
+                peak = int(np.nanargmax(settlement))
+                axes.plot(time[peak], settlement[peak], color=CURVES[number % len(CURVES)]["color"], marker="o",
+                          markersize=4.5, linestyle="none", zorder=6,
+                          label=f"its maximum, {settlement[peak]:.1f} mm at {time[peak]:.2f} ms")
+            number, last, largest = number + 1, max(last, time[-1]), max(largest, np.nanmax(settlement))
+    axes.set_xlim(0, last)
+    axes.set_ylim(0, 1.08 * largest)
+    axes.set_xlabel("time after impact [ms]")
+    axes.set_ylabel("head settlement, downwards [mm]")
+    axes.legend(loc="lower right")
+    return figure
+
+
+CREATED = ("energy_created", "energy_integration", "energy_residual")
+
+
+def energy_figure(folder, curves=7):
+    """Where the energy of a run is, and what was created out of nothing, over time."""
+    history = read_history(folder)
+    columns, _ = history
+    initial = read_summary(folder)["ledger"]["initial_kinetic"]["value"]  # [J]
+    if not initial > 0:
+        raise Unreadable(f"{folder}/summary.json: the initial kinetic energy is {initial} J; nothing to compare with")
+    time = column(history, "time", "s", folder) * 1e3
+    per_cent = {name: 100 * column(history, name, "J", folder) / initial
+                for name in columns if name.startswith("energy_")}
+    made = {name: values for name, values in per_cent.items() if name.startswith(CREATED)}
+    held = {name: values for name, values in per_cent.items() if name not in made}
+    if not held:
+        raise Unreadable(f"{folder}/history.csv: has no column that starts with 'energy_'")
+
+    figure, (upper, lower) = new_figure(width=DOUBLE_COLUMN, height=120, rows=2, ratios=[2, 1])
+    plain = {name: re.sub("^energy_(created_)?", "", name).replace("_", " ") for name in per_cent}
+
+    # The largest shares are drawn one by one; the others, and those under 1 %, as their sum.
+    size = {name: np.nanmax(np.abs(values)) for name, values in held.items()}
+    order = sorted(held, key=lambda name: -size[name])
+    shown = [name for name in order[:curves - 1] if size[name] >= 1]
+    if len(order) == len(shown) + 1:
+        shown = order  # one alone is not worth calling "others"
+    for number, name in enumerate(shown):
+        draw_curve(upper, time, held[name], number, plain[name], marks=12)
+    if len(shown) < len(order):
+        rest = order[len(shown):]
+        draw_curve(upper, time, sum(held[name] for name in rest), len(shown), f"{len(rest)} others together", marks=12)
+    upper.plot(time, sum(held.values()), color="black", linewidth=0.6, label="sum of all", zorder=2)
+    upper.set_ylabel("energy [% of initial kinetic]")
+    upper.set_ylim(bottom=min(0.0, 1.05 * min(np.nanmin(values) for values in held.values())))
+    upper.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+
+    if any(np.any(values) for values in made.values()):
+        for number, name in enumerate(made):
+            draw_curve(lower, time, np.where(made[name] == 0, np.nan, np.abs(made[name])), number,
+                       plain[name] if np.any(made[name]) else f"{plain[name]} (none)", marks=12)
+        lower.set_yscale("log")
+        lower.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+    else:
+        lower.text(0.5, 0.5, "none", transform=lower.transAxes, ha="center", va="center")
+        lower.set_yticks([])
+    lower.set_ylabel("created, magnitude [%]")
+    lower.set_xlabel("time [ms]")
+    lower.set_xlim(time[0], time[-1])
+    figure.align_ylabels()
+    return figure
+
+
+def main(arguments=None):
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    figures = parser.add_subparsers(dest="figure", required=True)
+    settlement = figures.add_parser("settlement", help="head settlement of the cask over time, with its references")
+    settlement.add_argument("runs", nargs="+", metavar="RUN")
+    energy = figures.add_parser("energy", help="where the energy of a run is, and what was created")
+    energy.add_argument("run", metavar="RUN")
+    for figure in (settlement, energy):
+        figure.add_argument("--out", required=True, metavar="FILE", help="the SVG; a PNG is written beside it")
+    options = parser.parse_args(arguments)
+    try:
+        drawn = settlement_figure(options.runs) if options.figure == "settlement" else energy_figure(options.run)
+    except Unreadable as error:
+        print(error, file=sys.stderr)
+        return 1
+    save(drawn, options.out)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,258 @@
+#!/usr/bin/env python3
+"""Holds the tree against its own rules; needs nothing but Python.
+
+    scripts/house.py floors   modules include only what they rest on (the table in CMakeLists.txt)
+    scripts/house.py doors    each dependency enters through one file
+    scripts/house.py words    words, paths and open ends that must not stand in the tree
+    scripts/house.py mirror   tests mirror lib/ file for file
+    scripts/house.py all      all of them
+
+Every fault is one line, `file:line: what is wrong and what is expected`; the exit status is 1 if
+there is one. `--root FOLDER` looks at another tree.
+"""
+import argparse
+import re
+import sys
+from pathlib import Path
+
+CODE = {".hpp", ".cpp"}
+
+# ------------------------------------------------------------------------------------------------
+# The tables
+
+# Includes of a dependency, and the files that may have them. Folders not named are not looked at.
+DOORS = [
+    # dependency, what gives it away, looked for in, its doors
+    ("yaml-cpp", r"#\s*include\s*<yaml-cpp/", "lib drivers tests", ["lib/input/section.cpp"]),
+    ("VTK", r"#\s*include\s*<vtk\w*", "lib drivers tests", ["lib/output/fields.cpp"]),
+    ("nlohmann-json", r"#\s*include\s*<nlohmann/", "lib drivers tests", ["lib/output/summary.cpp"]),
+    ("CLI11", r"#\s*include\s*<CLI/", "lib drivers tests", ["drivers/driver.cpp"]),
+    ("OpenMP", r"#\s*include\s*<omp\.h>|#\s*pragma\s+omp\b|\b_Pragma\s*\(\s*\"omp\b",
+     "lib drivers tests", ["lib/base/parallel.hpp"]),
+    ("std::experimental::simd", r"#\s*include\s*<experimental/simd>", "lib drivers tests",
+     ["lib/base/number.hpp"]),
+    ("a test framework", r"#\s*include\s*<(gtest|gmock|catch2|doctest)/", "lib drivers", []),
+    ("matplotlib", r"^\s*(import|from)\s+(matplotlib|pylab|mpl_toolkits)\b",
+     "scripts verification tests drivers cases docs", ["scripts/figure.py"]),
+]
+
+# Eigen's names are used everywhere but come from one header; a source that needs a cross product or a
+# decomposition may name that part, because it is slow to compile and nobody's vocabulary.
+EIGEN_DOOR = "lib/base/types.hpp"
+EIGEN_IN_SOURCES = {"Dense", "Eigenvalues", "Geometry", "LU", "Cholesky", "QR", "SVD"}
+
+# Headers that the build writes; they belong to no module.
+GENERATED = {"nereid_commit.hpp"}
+
+# Headers without a test of their own, and why.
+NEEDS_NO_TEST = {
+    "lib/base/types.hpp": "names only",
+    "lib/base/check.hpp": "two exception types and one line, used by every test of a fault",
+    "lib/base/field.hpp": "data only",
+}
+
+WORDS_IN = "lib drivers cases tests verification scripts docs cmake .ci"
+WORDS = [
+    # pattern, what is wrong and what is expected
+    (r"master|slave", "'{}': the words are apex and facet, or base surface"),
+    (r"(?<![\w./-])/(work|farm|home|root|Users|mnt|media|scratch)/[\w.-]*",
+     "'{}' is a path of one machine; paths start at the root of the tree"),
+    (r"\b(deb\.debian\.org|archive\.ubuntu\.com|registry\.npmjs\.org|pypi\.org)\b",
+     "'{}' is the host of a registry; the system's own settings choose it"),
+    (r"\b(TODO|FIXME|XXX)\b(?!\s*\(?#\d+)", "'{}' without an issue; write it as TODO(#12), or do it"),
+]
+SAYS_THE_WORDS = {"scripts/house.py"}   # this table
+
+
+# ------------------------------------------------------------------------------------------------
+# Reading the tree
+
+class Tree:
+    """The files below a root, and the faults found in them."""
+
+    def __init__(self, root):
+        self.root = Path(root)
+        self.faults = []
+
+    def fault(self, path, line, what):
+        self.faults.append(f"{path}:{line}: {what}")
+
+    def files(self, folders):
+        """Paths below the folders, relative to the root, in a fixed order."""
+        for folder in folders.split():
+            for path in sorted((self.root / folder).rglob("*")):
+                if path.is_file() and "__pycache__" not in path.parts:
+                    yield path.relative_to(self.root).as_posix()
+
+    def lines(self, path):
+        """(number, text) of each line; none if the file is not text."""
+        try:
+            text = (self.root / path).read_text(encoding="utf-8")
+        except UnicodeDecodeError:
+            return []
+        return list(enumerate(text.splitlines(), start=1))
+
+    def has(self, path):
+        return (self.root / path).is_file()
+
+
+def is_code(path):
+    return Path(path).suffix in CODE
+
+
+def is_python(tree, path):
+    first = tree.lines(path)[:1]
+    return path.endswith(".py") or (Path(path).suffix == "" and bool(first) and
+                                    re.match(r"#!.*python", first[0][1]) is not None)
+
+
+def module_table(tree):
+    """Module -> (line, modules it rests on), from the nereid_module() lines of CMakeLists.txt."""
+    table = {}
+    for number, text in tree.lines("CMakeLists.txt"):
+        found = re.match(r"\s*nereid_module\(\s*([^)#]*)\)", text)
+        if found:
+            name, *rest = found.group(1).split()
+            below = rest[:rest.index("PRIVATE")] if "PRIVATE" in rest else rest
+            table[name] = (number, below)
+    return table
+
+
+def everything_below(module, table):
+    """The modules a module rests on, directly or through others."""
+    reached, open_ends = set(), [module]
+    while open_ends:
+        _, below = table.get(open_ends.pop(), (0, []))
+        open_ends += [name for name in below if name not in reached]
+        reached |= set(below)
+    return reached
+
+
+# ------------------------------------------------------------------------------------------------
+# The checks
+
+def floors(tree):
+    """Modules include only themselves and what they rest on."""
+    if not tree.has("CMakeLists.txt"):
+        tree.fault("CMakeLists.txt", 1, "is missing; it holds the table of modules")
+        return
+    table = module_table(tree)
+    if not table:
+        tree.fault("CMakeLists.txt", 1, "no nereid_module(...) line was found; they are the floors")
+        return
+    defined = set()
+    for name, (number, below) in table.items():
+        for other in below:
+            if other not in defined:
+                tree.fault("CMakeLists.txt", number, f"'{name}' rests on '{other}', which is not defined"
+                           " above it; dependencies only go down")
+        defined.add(name)
+
+    for path in tree.files("lib"):
+        if not is_code(path):
+            continue
+        module = path.split("/")[1]
+        if module not in table or path.count("/") < 2:
+            tree.fault(path, 1, f"stands in no module; expected is lib/<module>/, one of {', '.join(table)}")
+            continue
+        allowed = everything_below(module, table) | {module}
+        for number, text in tree.lines(path):
+            found = re.match(r'\s*#\s*include\s*(["<])([^">]+)[">]', text)
+            if not found or found.group(2) in GENERATED:
+                continue
+            quoted, target = found.group(1) == '"', found.group(2)
+            floor = target.split("/")[0] if "/" in target else ""
+            if floor not in table:
+                if quoted:
+                    tree.fault(path, number, f'"{target}" names no module; expected is "<module>/<file>"')
+            elif floor not in allowed:
+                tree.fault(path, number, f"'{module}' includes \"{target}\" but does not rest on '{floor}'; it "
+                           f"rests on {', '.join(sorted(allowed - {module})) or 'nothing'}")
+            elif not tree.has(f"lib/{target}"):
+                tree.fault(path, number, f'"{target}" does not exist below lib/')
+
+
+def doors(tree):
+    """Each dependency enters through one file."""
+    for name, pattern, folders, allowed in DOORS:
+        of_python = name == "matplotlib"
+        for path in tree.files(folders):
+            if path in allowed or not (is_python(tree, path) if of_python else is_code(path)):
+                continue
+            for number, text in tree.lines(path):
+                if re.search(pattern, text):
+                    expected = f"its door is {allowed[0]}" if allowed else "it belongs in tests/"
+                    tree.fault(path, number, f"{name} enters here; {expected}")
+    for path in tree.files("lib"):
+        if path == EIGEN_DOOR or not is_code(path):
+            continue
+        for number, text in tree.lines(path):
+            found = re.match(r'\s*#\s*include\s*[<"](?:unsupported/)?Eigen/([^>"]*)[>"]', text)
+            if found and not (path.endswith(".cpp") and found.group(1) in EIGEN_IN_SOURCES):
+                tree.fault(path, number, f"<Eigen/{found.group(1)}> enters here; its door is {EIGEN_DOOR}, and a "
+                           f".cpp may name parts of it ({', '.join(sorted(EIGEN_IN_SOURCES))})")
+
+
+def words(tree):
+    """Words, paths and open ends that must not stand in the tree."""
+    top = sorted(path.name for path in tree.root.iterdir() if path.is_file())
+    for path in [*top, *tree.files(WORDS_IN)]:
+        if path in SAYS_THE_WORDS:
+            continue
+        for number, text in tree.lines(path):
+            for pattern, message in WORDS:
+                found = re.search(pattern, text, flags=re.IGNORECASE if "slave" in pattern else 0)
+                if found:
+                    tree.fault(path, number, message.format(found.group(0)))
+
+
+def tested_file(test):
+    """What a test stands for: (folder, stem, endings it may have)."""
+    folder, stem = str(Path(test).parent)[len("tests/"):], re.sub(r"_test\.(cpp|py)$", "", Path(test).name)
+    if folder == "scripts":
+        return "scripts", stem, [".py", ""]
+    if folder == "drivers":
+        return "drivers", stem, [".cpp", ".hpp"]
+    return f"lib/{folder}", stem, [".hpp", ".cpp"]
+
+
+def mirror(tree):
+    """Tests mirror lib/ file for file."""
+    for test in tree.files("tests"):
+        if re.search(r"_test\.(cpp|py)$", test):
+            folder, stem, endings = tested_file(test)
+            if not any(tree.has(f"{folder}/{stem}{ending}") for ending in endings):
+                tree.fault(test, 1, f"tests nothing; expected is {folder}/{stem} with "
+                           f"{' or '.join(ending or 'no ending' for ending in endings)}")
+    for header in tree.files("lib"):
+        if not header.endswith(".hpp"):
+            continue
+        test = re.sub(r"^lib/(.*)\.hpp$", r"tests/\1_test.cpp", header)
+        if not tree.has(test) and header not in NEEDS_NO_TEST:
+            tree.fault(header, 1, f"has no test; expected is {test}, or a reason in NEEDS_NO_TEST of scripts/house.py")
+        if tree.has(test) and header in NEEDS_NO_TEST:
+            tree.fault(header, 1, f"is excused from having a test but has {test}; take it off NEEDS_NO_TEST")
+    for header in NEEDS_NO_TEST:
+        if not tree.has(header):
+            tree.fault(header, 1, "does not exist; take it off NEEDS_NO_TEST of scripts/house.py")
+
+
+CHECKS = {"floors": floors, "doors": doors, "words": words, "mirror": mirror}
+
+
+def main(arguments=None):
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("check", choices=[*CHECKS, "all"])
+    parser.add_argument("--root", type=Path, default=Path(__file__).resolve().parent.parent)
+    options = parser.parse_args(arguments)
+    if not options.root.is_dir():
+        parser.error(f"{options.root} is no folder")
+    tree = Tree(options.root)
+    for name in CHECKS if options.check == "all" else [options.check]:
+        CHECKS[name](tree)
+    print(*tree.faults, sep="\n", end="\n" if tree.faults else "")
+    return 1 if tree.faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

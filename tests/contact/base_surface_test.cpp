@@ -1,0 +1,206 @@
+#include "contact/base_surface.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "base/check.hpp"
+#include "geometry/height.hpp"
+#include "mesh/box.hpp"
+#include "mesh/cylinder.hpp"
+#include "tests/contact/surfaces.hpp"
+
+namespace nereid::contact {
+namespace {
+
+using geometry::Kind;
+using namespace surfaces;
+
+TEST(BaseSurface, KnowsTheNeighbourAcrossEachEdge) {
+  const Shape shape = sheet(4, 3, [](double, double) { return 0.0; });
+  const BaseSurface base = base_of(shape);
+  int border = 0;
+  for (Index f = 0; f < base.facets.cols(); ++f) {
+    for (int e = 0; e < 3; ++e) {
+      const Index other = base.neighbour(e, f);
+      border += other < 0;
+      if (other < 0) continue;
+      int shared = 0;
+      for (int g = 0; g < 3; ++g)
+        shared += base.facets(g, other) == base.facets((e + 1) % 3, f) && base.facets((g + 1) % 3, other) == base.facets(e, f);
+      EXPECT_EQ(shared, 1);
+    }
+  }
+  EXPECT_EQ(border, 2 * (4 + 3));
+}
+
+TEST(BaseSurface, ListsTheFacetsAroundEachNodeInOrder) {
+  const Shape shape = ball(2);
+  const BaseSurface base = base_of(shape);
+  EXPECT_EQ(static_cast<Index>(base.ring.size()), 3 * base.facets.cols());
+  for (Index n = 0; n + 1 < static_cast<Index>(base.ring_begin.size()); ++n) {
+    EXPECT_TRUE(std::is_sorted(base.ring.begin() + base.ring_begin[n], base.ring.begin() + base.ring_begin[n + 1]));
+    for (Index r = base.ring_begin[n]; r < base.ring_begin[n + 1]; ++r)
+      EXPECT_TRUE((base.facets.col(base.ring[r]).array() == n).any());
+  }
+}
+
+TEST(BaseSurface, OfAClosedBodyHasNoBorder) {
+  EXPECT_GE(base_of(ball(2)).neighbour.minCoeff(), 0);
+}
+
+TEST(BaseSurface, OfOneFacetIsAllBorder) {
+  const BaseSurface base = base_surface({"one", Table<3>(Eigen::Vector3i(0, 1, 2))}, 3);
+  EXPECT_EQ(base.neighbour.maxCoeff(), -1);
+}
+
+TEST(BaseSurface, RefusesAnEdgeWithThreeFacets) {
+  Table<3> facets(3, 3);
+  facets << 0, 1, 0,
+            1, 0, 1,
+            2, 3, 4;
+  EXPECT_THROW(base_surface({"book", facets}, 5), InternalError);
+}
+
+TEST(BaseSurface, RefusesNeighboursThatDisagreeAboutTheirSide) {
+  Table<3> facets(3, 2);
+  facets << 0, 0,
+            1, 1,
+            2, 3;
+  EXPECT_THROW(base_surface({"fold", facets}, 4), InternalError);
+}
+
+/// Distance to the nearest facet, by looking at all.
+double nearest_of_all(const BaseSurface& base, const Vectors& x, const Vector<double>& p) {
+  double least = 1e300;
+  for (Index f = 0; f < base.facets.cols(); ++f)
+    least = std::min(least, geometry::closest_on_triangle(corners(base, x, f), p).distance_squared);
+  return std::sqrt(least);
+}
+
+/// From every facet that faces the point, for points about `off` away from random places of the
+/// surface. On the back of a faceted ball a walk may end: seen from there the facet opposite is the
+/// nearest around, as it is no sphere.
+void walks_to_the_closest(const Shape& shape, double off, double low_side) {
+  const BaseSurface base = base_of(shape);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> unit(0, 1);
+  int hops = 0;
+  for (int trial = 0; trial < 60; ++trial) {
+    const auto c = corners(base, shape.x, static_cast<Index>(unit(random) * base.facets.cols()));
+    const double a = unit(random), b = (1 - a) * unit(random);
+    const Vector<double> n = cross(c[1] - c[0], c[2] - c[0]);
+    const double h = off * (low_side + (1 - low_side) * unit(random));
+    const Vector<double> p = (1 - a - b) * c[0] + a * c[1] + b * c[2] + (h / norm(n)) * n;
+    const double least = nearest_of_all(base, shape.x, p);
+    for (Index from = 0; from < base.facets.cols(); ++from) {
+      if (geometry::facet_height(corners(base, shape.x, from), p).height < 0 && low_side == 0) continue;
+      const WalkEnd end = walk(base, shape.x, p, from);
+      ASSERT_GE(end.feature.facet, 0);
+      EXPECT_NEAR(std::sqrt(end.closest.distance_squared), least, 1e-9);
+      hops = std::max(hops, end.hops);
+    }
+  }
+  EXPECT_GT(hops, 2);
+}
+
+TEST(Walk, EndsAtTheClosestFeatureOfAPlain) {
+  walks_to_the_closest(sheet(8, 6, [](double, double) { return 0.0; }), 0.3, -1);
+}
+TEST(Walk, EndsAtTheClosestFeatureOfARidge) {
+  walks_to_the_closest(sheet(8, 6, [](double x, double) { return -std::abs(x - 4); }), 0.5, 0);
+}
+TEST(Walk, EndsAtTheClosestFeatureOfAShallowValley) {
+  walks_to_the_closest(sheet(8, 6, [](double x, double) { return 0.2 * std::abs(x - 4); }), 0.3, 0);
+}
+TEST(Walk, EndsAtTheClosestFeatureOutsideABall) { walks_to_the_closest(ball(3), 1.0, 0); }
+TEST(Walk, EndsAtTheClosestFeatureInsideATube) {
+  const mesh::Mesh tube = mesh::tube("tube", {1, 1, mesh::Turn::quarter, 4, 5});
+  walks_to_the_closest({tube.X, mesh::surface(tube, "tube.inside").facets}, 0.02, 0);
+}
+TEST(Walk, EndsAtTheClosestFeatureOutsideATube) {
+  const mesh::Mesh tube = mesh::tube("tube", {1, 1, mesh::Turn::full, 3, 5});
+  walks_to_the_closest({tube.X, mesh::surface(tube, "tube.outside").facets}, 0.5, 0);
+}
+TEST(Walk, EndsAtTheClosestFeatureOfABoxWithSharpEdges) {
+  const mesh::Mesh box = mesh::box("box", {Vec3::Zero(), Vec3(1, 1, 1), {3, 3, 3}});
+  walks_to_the_closest({box.X, mesh::surface(box, "box.z_high").facets}, 0.5, 0);
+}
+
+TEST(Walk, StopsInADeepValleyWhereTheDistanceFallsNoMore) {
+  // Two walls face each other: from the far one the walk cannot see the near one. The search can.
+  const Shape shape = sheet(8, 2, [](double x, double) { return 4 * std::abs(x - 4); });
+  const BaseSurface base = base_of(shape);
+  const Vector<double> p{4.6, 1, 12};
+  Index far = 0;
+  for (Index f = 0; f < base.facets.cols(); ++f)
+    if (shape.x(0, base.facets(0, f)) < shape.x(0, base.facets(0, far)) + 0.01 && shape.x(2, base.facets(0, f)) > 11) far = f;
+  const WalkEnd end = walk(base, shape.x, p, far);
+  EXPECT_GT(std::sqrt(end.closest.distance_squared), nearest_of_all(base, shape.x, p) + 0.1);
+}
+
+TEST(Walk, EndsWhereItStandsForAnApexOnAVertex) {
+  const Shape shape = sheet(4, 4, [](double, double) { return 0.0; });
+  const BaseSurface base = base_of(shape);
+  const Index node = 12;
+  for (Index f = 0; f < base.facets.cols(); ++f) {
+    const WalkEnd end = walk(base, shape.x, position(shape.x, node), f);
+    EXPECT_EQ(end.feature.kind, Kind::vertex);
+    EXPECT_EQ(base.facets(end.feature.local, end.feature.facet), node);
+  }
+}
+
+void agrees_with_trying_all(const Shape& shape, double size) {
+  const BaseSurface base = base_of(shape);
+  BroadSearch broad(static_cast<Index>(base.facets.cols()));
+  broad.sort(base, shape.x);
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  int none = 0;
+  for (int trial = 0; trial < 500; ++trial) {
+    const Vector<double> p{size * unit(random), size * unit(random), size * unit(random)};
+    const double reach = size * std::pow(10.0, unit(random)), least = nearest_of_all(base, shape.x, p);
+    const Index found = broad.nearest(base, shape.x, p, reach);
+    if (least >= reach) {
+      EXPECT_EQ(found, -1);
+      ++none;
+      continue;
+    }
+    ASSERT_GE(found, 0);
+    EXPECT_NEAR(std::sqrt(geometry::closest_on_triangle(corners(base, shape.x, found), p).distance_squared), least, 1e-12);
+  }
+  EXPECT_GT(none, 10);
+}
+
+TEST(BroadSearch, AgreesWithTryingAllOnAPlain) {
+  agrees_with_trying_all(sheet(12, 9, [](double, double) { return 0.0; }), 20);
+}
+TEST(BroadSearch, AgreesWithTryingAllAroundABall) { agrees_with_trying_all(ball(4), 2); }
+TEST(BroadSearch, AgreesWithTryingAllInATube) {
+  const mesh::Mesh tube = mesh::tube("tube", {1, 6, mesh::Turn::full, 4, 20});
+  agrees_with_trying_all({tube.X, mesh::surface(tube, "tube.inside").facets}, 8);
+}
+TEST(BroadSearch, AgreesWithTryingAllOverOneFacet) {
+  Shape one{Vectors(3, 3), Table<3>(Eigen::Vector3i(0, 1, 2))};
+  one.x << 0, 1, 0,
+           0, 0, 1,
+           0, 0, 0;
+  agrees_with_trying_all(one, 3);
+}
+
+TEST(BroadSearch, SeesNewPositionsOnlyAfterSorting) {
+  Shape shape = sheet(4, 4, [](double, double) { return 0.0; });
+  const BaseSurface base = base_of(shape);
+  BroadSearch broad(static_cast<Index>(base.facets.cols()));
+  broad.sort(base, shape.x);
+  EXPECT_GE(broad.nearest(base, shape.x, {2, 2, 0.1}, 1), 0);
+  shape.x.row(2).array() += 100;
+  broad.sort(base, shape.x);
+  EXPECT_EQ(broad.nearest(base, shape.x, {2, 2, 0.1}, 1), -1);
+  EXPECT_GE(broad.nearest(base, shape.x, {2, 2, 100.1}, 1), 0);
+}
+
+}  // namespace
+}  // namespace nereid::contact

@@ -1,0 +1,185 @@
+#include "dynamics/connect.hpp"
+
+#include <gtest/gtest.h>
+
+#include "base/check.hpp"
+#include "contact/bounce.hpp"
+#include "mesh/box.hpp"
+#include "mesh/cylinder.hpp"
+
+namespace nereid::dynamics {
+namespace {
+
+const material::Elastic soft{1000, 1e8, 0.3}, hard{8000, 2e11, 0.25};
+double modulus(const material::Elastic& law) {  // of uniaxial strain
+  return law.young * (1 - law.poisson) / ((1 + law.poisson) * (1 - 2 * law.poisson));
+}
+
+/// A soft box of height 0.4 in 4 layers below a hard one in 2 layers of 0.3, with a gap.
+Model two_boxes(double gap) {
+  Model model;
+  model.mesh = mesh::join(mesh::box("below", {{0, 0, 0}, {1, 1, 0.4}, {4, 4, 4}}),
+                          mesh::box("above", {{0.1, 0.1, 0.4 + gap}, {0.9, 0.9, 1 + gap}, {3, 3, 2}}));
+  model.blocks.push_back(element::hexahedra(model.mesh, "below", soft, {}));
+  model.blocks.push_back(element::hexahedra(model.mesh, "above", hard, {}));
+  finish(model);
+  return model;
+}
+
+TEST(SurfaceStiffness, OfHexahedraIsTheModulusOverTheirDepth) {
+  const Model model = two_boxes(0.01);
+  const auto of = [&](const char* name) { return surface_stiffness(model, mesh::surface(model.mesh, name)); };
+  EXPECT_NEAR(of("below.z_high") / (modulus(soft) / 0.1), 1, 1e-12);
+  EXPECT_NEAR(of("below.x_low") / (modulus(soft) / 0.25), 1, 1e-12);
+  EXPECT_NEAR(of("above.z_low") / (modulus(hard) / 0.3), 1, 1e-12);
+}
+
+TEST(SurfaceStiffness, IsThatOfTheStiffestElement) {
+  Model model = two_boxes(0.01);
+  const Index layer = 5 * 5;
+  for (Index node = 4 * layer; node < 4 * layer + 5; ++node) model.mesh.X(2, node) = 0.36;  // one edge lower
+  model.blocks[0] = element::hexahedra(model.mesh, "below", soft, {});
+  finish(model);
+  const double lowest = modulus(soft) / 0.08;  // mean depth of the row at the lowered edge, nearly
+  const double k = surface_stiffness(model, mesh::surface(model.mesh, "below.z_high"));
+  EXPECT_NEAR(k / lowest, 1, 0.03);
+  EXPECT_GT(k, 1.1 * modulus(soft) / 0.1);
+}
+
+TEST(SurfaceStiffness, OfPlatesIsTheModulusOverTheThickness) {
+  Model model;
+  model.mesh = mesh::tube("tube", {0.5, 2, mesh::Turn::full, 2, 6});
+  element::Plate::Options plate;
+  plate.thickness = 0.02;
+  model.blocks.push_back(element::plates(model.mesh, "tube", hard, plate));
+  finish(model);
+  EXPECT_NEAR(surface_stiffness(model, mesh::surface(model.mesh, "tube.inside")) / (modulus(hard) / 0.02), 1, 1e-12);
+}
+
+TEST(SurfaceStiffness, OfASurfaceWithoutElementsIsZero) {
+  Model model = two_boxes(0.01);
+  model.blocks.pop_back();
+  EXPECT_EQ(surface_stiffness(model, mesh::surface(model.mesh, "above.z_low")), 0);
+}
+
+TEST(Connect, ThePenaltyChosenIsHardnessTimesTheSofterSide) {
+  for (const bool swapped : {false, true}) {
+    Model model = two_boxes(0.01);
+    InterfaceOptions options;
+    options.hardness = 7;
+    const char* names[] = {"above.z_low", "below.z_high"};
+    connect(model, "joint", names[swapped], names[!swapped], options);
+    EXPECT_NEAR(model.interfaces[0].penalty / (7 * modulus(soft) / 0.1), 1, 1e-12);
+    EXPECT_EQ(model.interfaces[0].name, "joint");
+  }
+}
+
+TEST(Connect, AGivenPenaltyIsTaken) {
+  Model model = two_boxes(0.01);
+  InterfaceOptions options;
+  options.penalty = 3e9;
+  options.created_in_a_bounce = 1e-3;
+  connect(model, "joint", "above.z_low", "below.z_high", options);
+  EXPECT_EQ(model.interfaces[0].penalty, 3e9);
+  EXPECT_EQ(model.interfaces[0].bounce_step, contact::step_for_a_bounce(1e-3));
+}
+
+TEST(Connect, WithoutElementsOnOneSideAPenaltyIsNeeded) {
+  Model model = two_boxes(0.01);
+  model.blocks.pop_back();
+  EXPECT_THROW(connect(model, "joint", "above.z_low", "below.z_high", {}), InternalError);
+}
+
+TEST(Connect, ApexesCarryTheAreaOfTheirSurface) {
+  Model model = two_boxes(0.01);
+  connect(model, "joint", "above.z_low", "below.z_high", {});
+  const contact::Interface& joint = model.interfaces[0];
+  EXPECT_EQ(joint.apexes, mesh::node_set(model.mesh, "above.z_low"));
+  EXPECT_NEAR(joint.area.sum(), 0.64, 1e-14);
+  EXPECT_NEAR(joint.facet_area.sum(), 1, 1e-14);
+}
+
+TEST(Connect, ContactHeightFromTheInitialHeightLeavesTheClearance) {
+  Model model = two_boxes(0.01);
+  InterfaceOptions options;
+  options.height.clearance = 0.002;
+  const Connected joint = connect(model, "joint", "above.z_low", "below.z_high", options);
+  EXPECT_EQ(joint.gaps.apexes, 16);
+  EXPECT_EQ(joint.gaps.without_base, 0);
+  EXPECT_EQ(joint.gaps.penetrating, 0);
+  EXPECT_NEAR(joint.gaps.least, 0.002, 1e-15);
+  EXPECT_NEAR(joint.gaps.mean, 0.002, 1e-15);
+  EXPECT_NEAR(joint.gaps.largest, 0.002, 1e-15);
+}
+
+TEST(Connect, AGivenContactHeightLeavesTheGapOfTheGeometry) {
+  Model model = two_boxes(0.01);
+  InterfaceOptions options;
+  options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
+  const Connected joint = connect(model, "joint", "above.z_low", "below.z_high", options);
+  EXPECT_NEAR(joint.gaps.least, 0.01, 1e-15);
+  EXPECT_NEAR(joint.gaps.largest, 0.01, 1e-15);
+}
+
+TEST(Connect, PenetrationsAreReportedAndWhereAcceptedRemoved) {
+  for (const auto wanted : {contact::InitialPenetration::refuse, contact::InitialPenetration::accept}) {
+    Model model = two_boxes(0.01);
+    InterfaceOptions options;
+    options.height = {.from_initial_height = false, .clearance = 0, .given = 0.015};
+    options.initial_penetration = wanted;
+    const Connected joint = connect(model, "joint", "above.z_low", "below.z_high", options);
+    EXPECT_EQ(joint.gaps.penetrating, 16);
+    EXPECT_NEAR(joint.gaps.deepest, 0.005, 1e-15);
+    EXPECT_NEAR(joint.gaps.least, wanted == contact::InitialPenetration::accept ? 0 : -0.005, 1e-15);
+  }
+}
+
+TEST(Connect, ApexesOnSymmetryPlanesKnowTheDirectionsTheseAllow) {
+  Model model;
+  model.mesh = mesh::join(mesh::cylinder("core", {0.5, 1, mesh::Turn::quarter, 2, 2, 3}),
+                          mesh::tube("skin", {0.51, 1, mesh::Turn::quarter, 2, 3}));
+  element::Plate::Options plate;
+  plate.thickness = 0.01;
+  model.blocks.push_back(element::hexahedra(model.mesh, "core", soft, {}));
+  model.blocks.push_back(element::plates(model.mesh, "skin", hard, plate));
+  for (int axis = 0; axis < 2; ++axis) {
+    load::Plane p;
+    p.kind = load::PlaneKind::symmetry;
+    p.normal = Vec3::Unit(axis);
+    for (const std::string body : {"core", "skin"}) {
+      const Subset& nodes = mesh::node_set(model.mesh, body + (axis == 0 ? ".x_plane" : ".y_plane"));
+      p.nodes.insert(p.nodes.end(), nodes.begin(), nodes.end());
+    }
+    model.constraints.planes.push_back(p);
+  }
+  load::Plane clamp;  // no mirror, so contact does not know of it
+  clamp.normal = Vec3::UnitZ();
+  clamp.nodes = mesh::node_set(model.mesh, "core.side");
+  model.constraints.planes.push_back(clamp);
+  finish(model);
+  const Connected joint = connect(model, "joint", "core.side", "skin.inside", {});
+  const contact::Interface& interface = model.interfaces[0];
+  ASSERT_EQ(interface.allowed.size(), interface.apexes.size());
+  int on_planes = 0;
+  for (std::size_t a = 0; a < interface.apexes.size(); ++a) {
+    const Vec3 at = model.mesh.X.col(interface.apexes[a]);
+    Mat3 expected = Mat3::Identity();
+    for (int axis = 0; axis < 2; ++axis)
+      if (at(axis) == 0) expected(axis, axis) = 0, ++on_planes;
+    EXPECT_EQ(interface.allowed[a], expected);
+  }
+  EXPECT_EQ(on_planes, 8);
+  EXPECT_EQ(joint.gaps.without_base, 0);
+}
+
+TEST(Connect, WithoutSymmetryPlanesEveryDirectionIsAllowed) {
+  Model model = two_boxes(0.01);
+  load::Plane clamp;
+  clamp.nodes = mesh::node_set(model.mesh, "above.z_low");
+  model.constraints.planes.push_back(clamp);
+  connect(model, "joint", "above.z_low", "below.z_high", {});
+  EXPECT_TRUE(model.interfaces[0].allowed.empty());
+}
+
+}  // namespace
+}  // namespace nereid::dynamics

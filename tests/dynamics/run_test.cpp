@@ -1,0 +1,328 @@
+#include "dynamics/run.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "dynamics/connect.hpp"
+#include "mesh/box.hpp"
+
+namespace nereid::dynamics {
+namespace {
+
+/// A model with everything that a run of it needs.
+struct Scene {
+  Model model;
+  std::vector<contact::Memory> memories;
+  std::vector<contact::Workspace> workspaces;
+  State state;
+  Forces forces;
+
+  void joined(const std::string& name, const std::string& apexes, const std::string& bases, const InterfaceOptions& options) {
+    Connected connected = connect(model, name, apexes, bases, options);
+    memories.push_back(std::move(connected.memory));
+    workspaces.push_back(std::move(connected.workspace));
+  }
+  void ready() {
+    state = initial_state(model, memories);
+    forces = make_forces(model, workspaces);
+  }
+  void move(const std::string& body, const Vec3& velocity) {
+    for (const Index node : mesh::node_set(model.mesh, body)) state.v.col(node) = velocity;
+  }
+  Outcome run_to(double end, double settle_every = 1e300, std::span<const Observer> observers = {}, double created_limit = 0.05) {
+    Time time;
+    time.end = end;
+    time.created_limit = created_limit;
+    return run(model, state, forces, time, settle_every, observers);
+  }
+};
+
+const material::Elastic rubber{1000, 1e6, 0.3};
+const element::Hexahedron::Options inviscid{.hourglass = 0.1, .viscosity = {0, 0}};
+
+Scene box(const Eigen::Vector3i& cells = {2, 2, 2}) {
+  Scene s;
+  s.model.mesh = mesh::box("box", {Vec3::Zero(), 0.1 * cells.cast<double>(), cells});
+  s.model.blocks.push_back(element::hexahedra(s.model.mesh, "box", rubber, inviscid));
+  finish(s.model);
+  s.ready();
+  return s;
+}
+
+// --- two bars ------------------------------------------------------------------------------------
+
+struct Bars {
+  static constexpr double length = 0.1, width = 0.01, density = 7850, young = 2.1e11, speed = 10, gap = 1e-5;
+  static constexpr int cells = 40;
+  double wave = std::sqrt(young / density), area = width * width;
+  double force = density * wave * speed / 2 * area, duration = 2 * length / wave;
+};
+
+struct Collision {
+  double plateau, duration, velocity_a, velocity_b, created, residual, momentum;
+};
+
+/// Bar A runs into bar B at rest; all that the catalogue asks (I-3), from the motion of B alone.
+Collision collide(bool swapped, int across) {
+  const Bars bars;
+  Scene s;
+  const double from = bars.length + bars.gap;
+  s.model.mesh = mesh::join(mesh::box("A", {{0, 0, 0}, {bars.length, bars.width, bars.width}, {bars.cells, 1, 1}}),
+                            mesh::box("B", {{from, 0, 0}, {from + bars.length, bars.width, bars.width}, {bars.cells, across, across}}));
+  const material::Elastic steel{bars.density, bars.young, 0};
+  s.model.blocks.push_back(element::hexahedra(s.model.mesh, "A", steel, {}));
+  s.model.blocks.push_back(element::hexahedra(s.model.mesh, "B", steel, {}));
+  finish(s.model);
+  InterfaceOptions options;
+  options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
+  if (swapped) s.joined("joint", "B.x_low", "A.x_high", options);
+  else s.joined("joint", "A.x_high", "B.x_low", options);
+  s.ready();
+  s.move("A", {bars.speed, 0, 0});
+
+  const Subset A = mesh::node_set(s.model.mesh, "A"), B = mesh::node_set(s.model.mesh, "B");
+  const auto momentum = [&](const Subset& nodes) {
+    double sum = 0;
+    for (const Index n : nodes) sum += s.model.mass(n) * s.state.v(0, n);
+    return sum;
+  };
+  const double touch = bars.gap / bars.speed;
+  double first = -1, last = -1;
+  std::array<std::pair<double, double>, 2> at{{{-1, 0}, {-1, 0}}};  // time and momentum of B at 20 % and 80 %
+  const Observer look = [&](const View& view) {
+    bool closed = false;
+    for (const auto status : view.now.interfaces[0].status) closed = closed || status == contact::Status::closed;
+    if (closed) last = view.now.t;
+    if (closed && first < 0) first = view.now.t;
+    for (int i = 0; i < 2; ++i)
+      if (at[i].first < 0 && view.now.t >= touch + (i == 0 ? 0.2 : 0.8) * bars.duration) at[i] = {view.now.t, momentum(B)};
+  };
+  const Outcome outcome = s.run_to(touch + 1.5 * bars.duration, 1e-6, {&look, 1});
+  EXPECT_EQ(outcome.ending, Ending::reached_end) << outcome.reason;
+  const double mass = bars.density * bars.area * bars.length;
+  return {.plateau = (at[1].second - at[0].second) / (at[1].first - at[0].first) / bars.force - 1,
+          .duration = (last - first) / bars.duration - 1,
+          .velocity_a = momentum(A) / mass / bars.speed,
+          .velocity_b = momentum(B) / mass / bars.speed - 1,
+          .created = created(s.state.ledger.accounts[2]) / s.state.ledger.initial_kinetic,
+          .residual = energy_residual(s.state.ledger) / s.state.ledger.initial_kinetic,
+          .momentum = momentum_residual(s.state.ledger).norm() / s.state.ledger.initial_momentum.norm()};
+}
+
+void expect_exchange(const Collision& c, const char* name) {
+  std::printf("%s: plateau %+.2f %%, duration %+.2f %%, velocities %.4f %+.4f, created %.2e, residual %.1e, momentum %.1e\n", name,
+              100 * c.plateau, 100 * c.duration, c.velocity_a, c.velocity_b, c.created, c.residual, c.momentum);
+  EXPECT_LT(std::abs(c.plateau), 0.01);
+  EXPECT_LT(std::abs(c.duration), 0.03);
+  EXPECT_LT(std::abs(c.velocity_a), 0.01);
+  EXPECT_LT(std::abs(c.velocity_b), 0.01);
+  EXPECT_LT(std::abs(c.created), 0.01);
+  EXPECT_LT(std::abs(c.residual), 1e-12);
+  EXPECT_LT(c.momentum, 1e-12);
+}
+
+TEST(TwoBars, CarryHalfTheImpedanceForOneRoundTripAndExchangeVelocities) {
+  expect_exchange(collide(false, 1), "bars");
+}
+
+TEST(TwoBars, DoSoWithApexesAndBasesSwapped) { expect_exchange(collide(true, 1), "bars swapped"); }
+
+TEST(TwoBars, DoSoWithMeshesThatDoNotMatch) {
+  expect_exchange(collide(false, 2), "bars 1:2");
+  expect_exchange(collide(true, 2), "bars 1:2 swapped");
+}
+
+// --- how a run ends ------------------------------------------------------------------------------
+
+TEST(Run, EndsAtTheEndWithoutAVanishingStep) {
+  for (const double end : {1e-3, 3.3333e-3, 5e-3, 1e-5}) {
+    Scene s = box();
+    s.state.v(0, 0) = 0.1;
+    double shortest = 1e300, before = 0, longest = 0;
+    const Observer look = [&](const View& view) {
+      if (view.now.step > 0) shortest = std::min(shortest, view.now.t - before), longest = std::max(longest, view.now.t - before);
+      before = view.now.t;
+    };
+    const Outcome outcome = s.run_to(end, 1e300, {&look, 1});
+    EXPECT_EQ(outcome.ending, Ending::reached_end);
+    EXPECT_EQ(outcome.reason, "");
+    EXPECT_EQ(s.state.t, end);
+    EXPECT_GT(shortest, 0.45 * longest);
+    EXPECT_EQ(outcome.limited_by, "box");
+    EXPECT_EQ(outcome.element_updates, 8 * (s.state.step + 1));
+  }
+}
+
+TEST(Run, StaysBelowTheVotesBySafety) {
+  Scene s = box();
+  s.state.v(0, 0) = 0.1;
+  double vote = 0;
+  const Observer look = [&](const View& view) {
+    if (view.now.step > 0) EXPECT_LE(view.now.dt, 0.9 * vote * (1 + 1e-12));
+    vote = view.votes.element_step;
+  };
+  const Outcome outcome = s.run_to(0.01, 1e300, {&look, 1});
+  EXPECT_LE(outcome.smallest_step, outcome.largest_step);
+  EXPECT_NEAR(outcome.largest_step / (0.9 * vote), 1, 0.01);
+}
+
+TEST(Run, StopsAtAnInvertedElementWithItsPlace) {
+  Scene s = box({3, 2, 2});
+  Index element = 7;  // of the second layer
+  const Index node = element::nodes(s.model.blocks[0])(6, element);
+  s.state.v(0, node) = -1e5;
+  const Outcome outcome = s.run_to(1, 1e300, {}, 1e300);
+  EXPECT_EQ(outcome.ending, Ending::inverted_element);
+  EXPECT_EQ(outcome.block, "box");
+  EXPECT_GE(outcome.element, 0);
+  EXPECT_LT(outcome.element, 12);
+  EXPECT_TRUE((element::nodes(s.model.blocks[0]).col(outcome.element).array() == node).any());
+  EXPECT_NE(outcome.reason.find("of the reference"), std::string::npos) << outcome.reason;
+  EXPECT_LT(s.state.t, 1);
+}
+
+TEST(Run, LooksAtTheLastStepToo) {
+  Scene s = box();
+  s.state.v(0, 13) = -1e5;
+  const Outcome outcome = s.run_to(1e-5, 1e300, {}, 1e300);  // one step or two
+  EXPECT_LE(s.state.step, 2);
+  EXPECT_EQ(outcome.ending, Ending::inverted_element);
+}
+
+TEST(Run, StopsAtTheFirstStepThatIsNoNumber) {
+  for (const bool first : {true, false}) {
+    Scene s;
+    s.model.mesh = mesh::join(mesh::box("one", {{0, 0, 0}, {1, 1, 1}, {6, 6, 6}}), mesh::box("two", {{2, 0, 0}, {3, 1, 1}, {6, 6, 6}}));
+    for (const char* name : {"one", "two"}) s.model.blocks.push_back(element::hexahedra(s.model.mesh, name, rubber, inviscid));
+    finish(s.model);
+    s.ready();
+    s.move("one", {0.1, 0, 0});
+    const Index node = mesh::node_set(s.model.mesh, first ? "one" : "two").front();
+    s.state.v(1, node) = std::numeric_limits<double>::quiet_NaN();
+    const Outcome outcome = s.run_to(0.1);
+    EXPECT_EQ(outcome.ending, Ending::not_finite) << word(outcome.ending);
+    EXPECT_EQ(outcome.block, first ? "one" : "two");
+    EXPECT_EQ(s.state.step, 1);
+  }
+}
+
+TEST(Run, SaysThatANumberIsMissingAndNotThatEnergyWasCreated) {
+  Scene s = box();
+  s.move("box", {1, 0, 0});
+  const Observer spoil = [&](const View& view) {  // an observer should not, but a machine might
+    if (view.now.step == 3) s.state.v(0, 0) = std::numeric_limits<double>::infinity();
+  };
+  const Outcome outcome = s.run_to(0.1, 1e-9, {&spoil, 1});
+  EXPECT_EQ(outcome.ending, Ending::not_finite) << word(outcome.ending) << ": " << outcome.reason;
+}
+
+/// A small box that slides over the border onto a large one.
+Scene sliding() {
+  Scene s;
+  s.model.mesh = mesh::join(mesh::box("below", {{0, 0, 0}, {0.4, 0.4, 0.2}, {4, 4, 2}}),
+                            mesh::box("above", {{-0.21, 0.15, 0.201}, {-0.01, 0.25, 0.3}, {2, 1, 1}}));
+  s.model.blocks.push_back(element::hexahedra(s.model.mesh, "below", rubber, inviscid));
+  s.model.blocks.push_back(element::hexahedra(s.model.mesh, "above", rubber, inviscid));
+  finish(s.model);
+  return s;
+}
+
+TEST(Run, StopsWhenTheStepCollapsesAndSaysWhoAskedForIt) {
+  Scene s = sliding();
+  InterfaceOptions options;
+  options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
+  options.penalty = 1e25;
+  s.joined("joint", "above.z_low", "below.z_high", options);
+  s.ready();
+  s.move("above", {1, 0, 0});
+  const Outcome outcome = s.run_to(1);
+  EXPECT_EQ(outcome.ending, Ending::step_too_small) << word(outcome.ending);
+  EXPECT_EQ(outcome.block, "joint");
+  EXPECT_NE(outcome.reason.find("the step fell from"), std::string::npos);
+  EXPECT_GT(s.state.t, 0.005);
+  EXPECT_LT(s.state.t, 0.02);
+}
+
+/// A box falls on another whose interface asks for steps far too long.
+Scene careless() {
+  Scene s;
+  s.model.mesh = mesh::join(mesh::box("below", {{0, 0, 0}, {0.4, 0.4, 0.2}, {4, 4, 2}}),
+                            mesh::box("above", {{0.05, 0.05, 0.201}, {0.35, 0.35, 0.4}, {3, 3, 2}}));
+  s.model.blocks.push_back(element::hexahedra(s.model.mesh, "below", rubber, inviscid));
+  s.model.blocks.push_back(element::hexahedra(s.model.mesh, "above", rubber, inviscid));
+  finish(s.model);
+  InterfaceOptions options;
+  options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
+  options.hardness = 30;
+  s.joined("joint", "above.z_low", "below.z_high", options);
+  s.model.interfaces[0].bounce_step = 1.9;  // the linear bound, nearly
+  s.ready();
+  s.move("above", {0, 0, -3});
+  return s;
+}
+
+TEST(Run, StopsWhenASourceCreatesEnergyAndNamesIt) {
+  Scene s = careless();
+  const Outcome outcome = s.run_to(0.05, 1e-4);
+  EXPECT_EQ(outcome.ending, Ending::energy_created) << word(outcome.ending);
+  EXPECT_EQ(outcome.block, "joint");
+  EXPECT_NE(outcome.reason.find("the limit is 0.05"), std::string::npos) << outcome.reason;
+  EXPECT_GT(created(s.state.ledger.accounts[2]), 0.05 * s.state.ledger.initial_kinetic);
+  EXPECT_LT(std::abs(energy_residual(s.state.ledger)), 1e-11 * s.state.ledger.initial_kinetic);  // closes all the same
+}
+
+TEST(Run, GoesOnWithinTheLimitOfCreatedEnergyThatItIsGiven) {
+  Scene s = careless();
+  EXPECT_EQ(s.run_to(0.01, 1e-4, {}, 1e9).ending, Ending::reached_end);
+}
+
+TEST(Run, HasAWordForEveryEnding) {
+  EXPECT_EQ(word(Ending::reached_end), "reached_end");
+  EXPECT_EQ(word(Ending::inverted_element), "inverted_element");
+  EXPECT_EQ(word(Ending::not_finite), "not_finite");
+  EXPECT_EQ(word(Ending::step_too_small), "step_too_small");
+  EXPECT_EQ(word(Ending::energy_created), "energy_created");
+}
+
+// --- observers -----------------------------------------------------------------------------------
+
+TEST(Observers, LookAtTheStartAndAfterEveryStepAndChangeNothing) {
+  Scene with = box(), without = box();
+  with.state.v(0, 0) = without.state.v(0, 0) = 0.1;
+  std::vector<double> times;
+  int settled = 0;
+  const Observer look = [&](const View& view) {
+    times.push_back(view.now.t);
+    settled += view.settled;
+    if (!view.settled) return;
+    double kinetic = 0;
+    for (Eigen::Index n = 0; n < view.now.v.cols(); ++n) kinetic += 0.5 * view.model.mass(n) * view.now.v.col(n).squaredNorm();
+    EXPECT_NEAR(view.now.ledger.kinetic / kinetic, 1, 1e-14);
+  };
+  const Observer observers[] = {look};
+  with.run_to(0.01, 0.001, observers);
+  without.run_to(0.01);  // nor does settling
+  ASSERT_EQ(static_cast<std::int64_t>(times.size()), with.state.step + 1);
+  EXPECT_EQ(times.front(), 0);
+  EXPECT_EQ(times.back(), 0.01);
+  EXPECT_TRUE(std::is_sorted(times.begin(), times.end()));
+  EXPECT_EQ(settled, 11);
+  EXPECT_EQ(with.state.step, without.state.step);
+  EXPECT_EQ(std::memcmp(with.state.x.data(), without.state.x.data(), sizeof(double) * static_cast<std::size_t>(with.state.x.size())), 0);
+  EXPECT_EQ(std::memcmp(with.state.v.data(), without.state.v.data(), sizeof(double) * static_cast<std::size_t>(with.state.v.size())), 0);
+}
+
+TEST(Observers, SeeTheLedgerOfTheLastStateOfARunThatStopped) {
+  Scene s = box();
+  s.state.v(0, 13) = -1e5;
+  bool last = false;
+  const Observer look = [&](const View& view) { last = view.settled; };
+  s.run_to(1, 1e300, {&look, 1}, 1e300);
+  EXPECT_TRUE(last);
+}
+
+}  // namespace
+}  // namespace nereid::dynamics

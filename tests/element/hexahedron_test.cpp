@@ -1,0 +1,648 @@
+#include "element/hexahedron.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "base/dual.hpp"
+#include "base/types.hpp"
+#include "material/elastic.hpp"
+#include "material/j2_bilinear.hpp"
+
+namespace nereid::element {
+namespace {
+
+using material::Elastic;
+using material::J2Bilinear;
+using Point = Vector<double>;
+using Corners = std::array<Point, 8>;
+using Matrix24 = Eigen::Matrix<double, 24, 24>;
+
+constexpr int sign[8][3] = {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1},
+                            {-1, -1, 1},  {1, -1, 1},  {1, 1, 1},  {-1, 1, 1}};
+
+// ------------------------------------------------------------------------------------------------
+// Shapes, motions, and one element that remembers
+
+std::mt19937 chance(7);
+double random(double low = -1.0, double high = 1.0) {
+  return std::uniform_real_distribution<double>(low, high)(chance);
+}
+Point random_point(double size) { return {size * random(), size * random(), size * random()}; }
+Corners random_field(double size) {
+  Corners field;
+  for (Point& p : field) p = random_point(size);
+  return field;
+}
+
+Corners brick(double hx, double hy, double hz) {
+  Corners x;
+  for (int i = 0; i < 8; ++i) x[i] = {0.5 * hx * sign[i][0], 0.5 * hy * sign[i][1], 0.5 * hz * sign[i][2]};
+  return x;
+}
+Corners sum(const Corners& a, const Corners& b, double factor = 1.0) {
+  Corners c;
+  for (int i = 0; i < 8; ++i) c[i] = a[i] + factor * b[i];
+  return c;
+}
+Corners distorted(double amount) { return sum(brick(1.0, 1.1, 0.9), random_field(amount)); }
+
+Mat3 random_rotation() {
+  return Eigen::AngleAxisd(random(-3.0, 3.0), Vec3(random(), random(), random()).normalized()).toRotationMatrix();
+}
+Point times(const Mat3& A, const Point& p) {
+  const Vec3 q = A * Vec3(p.x, p.y, p.z);
+  return {q.x(), q.y(), q.z()};
+}
+Corners times(const Mat3& A, const Corners& x) {
+  Corners y;
+  for (int i = 0; i < 8; ++i) y[i] = times(A, x[i]);
+  return y;
+}
+Mat3 full(const Symmetric<double>& s) {
+  Mat3 m;
+  m << s.xx, s.xy, s.xz, s.xy, s.yy, s.yz, s.xz, s.yz, s.zz;
+  return m;
+}
+Symmetric<double> symmetric(const Mat3& m) { return {m(0, 0), m(1, 1), m(2, 2), m(0, 1), m(1, 2), m(0, 2)}; }
+
+double product(const Corners& a, const Corners& b) {
+  double s = 0;
+  for (int i = 0; i < 8; ++i) s += dot(a[i], b[i]);
+  return s;
+}
+double largest(const Corners& a) {
+  double s = 0;
+  for (const Point& p : a) s = std::max({s, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  return s;
+}
+
+template <class Law>
+Law metal(double poisson = 0.3);
+template <>
+Elastic metal<Elastic>(double poisson) { return {2.0, 3.0, poisson}; }
+template <>
+J2Bilinear metal<J2Bilinear>(double poisson) { return {2.0, 3.0, poisson, 0.03, 0.3}; }
+
+const Viscosity no_viscosity{.linear = 0, .quadratic = 0};
+
+Modes<double> amplitudes(const Corners& x) {
+  Corners eighth;
+  for (int i = 0; i < 8; ++i) eighth[i] = 0.125 * x[i];
+  return sums_by_mode(eighth);
+}
+
+template <class Law>
+struct Element {
+  Law law;
+  Hexahedron::Options options;
+  Corners X;
+  Hexahedron::Constants<double> constants = element::constants(law, options, X);
+  Hexahedron::Memory<double, Law> memory{};
+  Corners x = X, force{};
+
+  Report<double> move(const Corners& to, double dt = 1.0) { return step(to, sum(to, x, -1.0), dt); }
+  /// the increment du is v dt
+  Report<double> step(const Corners& to, const Corners& du, double dt) {
+    Corners v;
+    for (int i = 0; i < 8; ++i) v[i] = (1.0 / dt) * du[i];
+    x = to;
+    return advance(law, options, constants, to, v, dt, memory, force);
+  }
+  /// forces of the present state
+  void rest() { advance(law, options, constants, x, Corners{}, 0.0, memory, force); }
+
+  void randomise(double stress) {
+    memory.stress = {stress * random(), stress * random(), stress * random(),
+                     stress * random(), stress * random(), stress * random()};
+    for (Point& q : memory.hourglass) q = random_point(stress);
+  }
+};
+
+/// The stiffness of an unstressed element. Forces are proportional to the increment, so nothing
+/// cancels; taking both directions leaves an error of second order in the increment.
+template <class Law>
+Matrix24 stiffness(const Law& law, const Hexahedron::Options& options, const Corners& X) {
+  constexpr double small = 1e-6;
+  Matrix24 K;
+  for (int j = 0; j < 24; ++j) {
+    Corners u{};
+    u[j / 3][j % 3] = small;
+    Element<Law> there{law, options, X}, back{law, options, X};
+    there.step(X, u, 1.0);
+    back.step(X, sum(Corners{}, u, -1.0), 1.0);
+    for (int i = 0; i < 24; ++i)
+      K(i, j) = -(there.force[i / 3][i % 3] - back.force[i / 3][i % 3]) / (2.0 * small);
+  }
+  return K;
+}
+
+template <class Law>
+double largest_eigenvalue_of(const Element<Law>& e) {
+  const Matrix24 K = stiffness(e.law, e.options, e.X);
+  const Matrix24 symmetrised = 0.5 * (K + K.transpose());
+  return 8.0 / e.constants.mass *
+         Eigen::SelfAdjointEigenSolver<Matrix24>(symmetrised, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
+}
+
+template <class Law>
+double hot_bound(Element<Law> e) {
+  const double step = e.step(e.X, Corners{}, 1.0).step;
+  return 4.0 / (step * step);
+}
+
+/// Integrates f(J^-T grad N, det J) by the 2 x 2 x 2 rule of Gauss, exact for what is asked here.
+template <class F>
+void integrate(const Corners& x, F&& f) {
+  const double g = 1.0 / std::sqrt(3.0);
+  for (const auto& at : sign) {
+    const double r[3] = {g * at[0], g * at[1], g * at[2]};
+    Eigen::Matrix<double, 3, 8> by;
+    Mat3 J = Mat3::Zero();
+    for (int i = 0; i < 8; ++i) {
+      const double a = 1 + sign[i][0] * r[0], b = 1 + sign[i][1] * r[1], c = 1 + sign[i][2] * r[2];
+      by.col(i) << 0.125 * sign[i][0] * b * c, 0.125 * sign[i][1] * a * c, 0.125 * sign[i][2] * a * b;
+      J += Vec3(x[i].x, x[i].y, x[i].z) * by.col(i).transpose();
+    }
+    const Eigen::Matrix<double, 3, 8> gradients = J.inverse().transpose() * by;
+    f(gradients, J.determinant());
+  }
+}
+
+// ------------------------------------------------------------------------------------------------
+// Modes, volume and gradient
+
+TEST(Hexahedron, SumsByModeAndNodalValuesAreTransposes) {
+  for (int trial = 0; trial < 20; ++trial) {
+    const Corners a = random_field(1.0);
+    Modes<double> m{random_point(1), random_point(1), random_point(1), {}};
+    for (auto& h : m.hourglass) h = random_point(1);
+    const Modes<double> s = sums_by_mode(a);
+    double by_mode = dot(s.xi, m.xi) + dot(s.eta, m.eta) + dot(s.zeta, m.zeta);
+    for (int h = 0; h < 4; ++h) by_mode += dot(s.hourglass[h], m.hourglass[h]);
+    EXPECT_NEAR(product(a, nodal_values(m)), by_mode, 1e-13);
+  }
+}
+
+TEST(Hexahedron, ModesAreOrthogonal) {
+  Modes<double> m{random_point(1), random_point(1), random_point(1), {}};
+  for (auto& h : m.hourglass) h = random_point(1);
+  const Modes<double> back = sums_by_mode(nodal_values(m));
+  EXPECT_NEAR(norm(back.xi - 8.0 * m.xi), 0, 1e-14);
+  EXPECT_NEAR(norm(back.eta - 8.0 * m.eta), 0, 1e-14);
+  EXPECT_NEAR(norm(back.zeta - 8.0 * m.zeta), 0, 1e-14);
+  for (int h = 0; h < 4; ++h) EXPECT_NEAR(norm(back.hourglass[h] - 8.0 * m.hourglass[h]), 0, 1e-14);
+}
+
+TEST(Hexahedron, VolumeIsThatOfTheTrilinearShape) {
+  for (int trial = 0; trial < 100; ++trial) {
+    const Corners x = distorted(0.4);
+    double exact = 0;
+    integrate(x, [&](const auto&, double det) { exact += det; });
+    EXPECT_NEAR(volume_gradient(amplitudes(x)).volume, exact, 1e-14 * 10);
+  }
+}
+
+TEST(Hexahedron, GradientMatchesDualNumbers) {
+  using D = Dual<24>;
+  for (int trial = 0; trial < 20; ++trial) {
+    const Corners x = distorted(0.4);
+    std::array<Vector<D>, 8> variable;
+    for (int i = 0; i < 24; ++i) variable[i / 3][i % 3] = D(0.125) * D::variable(x[i / 3][i % 3], i);
+    const D volume = volume_gradient(sums_by_mode(variable)).volume;
+    const auto g = volume_gradient(amplitudes(x));
+    const Corners by_node =
+        nodal_values(Modes<double>{g.xi, g.eta, g.zeta, {g.hourglass[0], g.hourglass[1], g.hourglass[2], Point{}}});
+    for (int i = 0; i < 24; ++i) EXPECT_NEAR(by_node[i / 3][i % 3], volume.by[i], 1e-14);
+  }
+}
+
+TEST(Hexahedron, GradientMatchesDifferences) {
+  const Corners x = distorted(0.4), direction = random_field(1.0);
+  const double h = 1e-4;
+  const auto g = volume_gradient(amplitudes(x));
+  const Corners by_node =
+      nodal_values(Modes<double>{g.xi, g.eta, g.zeta, {g.hourglass[0], g.hourglass[1], g.hourglass[2], Point{}}});
+  const double difference = volume_gradient(amplitudes(sum(x, direction, h))).volume -
+                            volume_gradient(amplitudes(sum(x, direction, -h))).volume;
+  EXPECT_NEAR(product(by_node, direction), difference / (2 * h), 1e-7);
+}
+
+TEST(Hexahedron, MeanGradientIsTheMeanOfTheTrilinearField) {
+  for (int trial = 0; trial < 20; ++trial) {
+    const Corners x = distorted(0.3), u = random_field(1.0);
+    Mat3 exact = Mat3::Zero();
+    double volume = 0;
+    integrate(x, [&](const auto& gradients, double det) {
+      volume += det;
+      for (int i = 0; i < 8; ++i) exact += det * Vec3(u[i].x, u[i].y, u[i].z) * gradients.col(i).transpose();
+    });
+    exact /= volume;
+    const Matrix<double> L = mean_gradient(amplitudes(u), volume_gradient(amplitudes(x)));
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) EXPECT_NEAR(L[i][j], exact(i, j), 1e-13);
+  }
+}
+
+TEST(Hexahedron, LargestEigenvalueBoundIsNeverBelowAndExactIfTheSmallerOnesAreEqual) {
+  for (int trial = 0; trial < 200; ++trial) {
+    const Mat3 A = Mat3::Random(), Q = random_rotation();
+    const Mat3 G = A * A.transpose();
+    const double exact = Eigen::SelfAdjointEigenSolver<Mat3>(G).eigenvalues().maxCoeff();
+    EXPECT_GE(largest_eigenvalue_bound(symmetric(G)), exact * (1 - 1e-14));
+    EXPECT_NEAR(largest_eigenvalue_bound(symmetric(Q * G * Q.transpose())),
+                largest_eigenvalue_bound(symmetric(G)), 1e-13);
+    const Mat3 two_equal = Q * Vec3(0.3, 2.0, 0.3).asDiagonal() * Q.transpose();
+    EXPECT_NEAR(largest_eigenvalue_bound(symmetric(two_equal)), 2.0, 1e-14);
+  }
+}
+
+// ------------------------------------------------------------------------------------------------
+// Motions, over both laws
+
+template <class Law>
+class HexahedronOf : public ::testing::Test {};
+using Laws = ::testing::Types<Elastic, J2Bilinear>;
+TYPED_TEST_SUITE(HexahedronOf, Laws);
+
+TYPED_TEST(HexahedronOf, RigidRotationByAFiniteAngleTurnsStressAndNothingElse) {
+  for (int trial = 0; trial < 20; ++trial) {
+    Element<TypeParam> e{metal<TypeParam>(), {}, distorted(0.2)};
+    e.randomise(0.005);
+    const auto before = e.memory;
+    const Mat3 Q = random_rotation();
+    Corners to = times(Q, e.X);
+    for (Point& p : to) p = p + Point{0.3, -0.2, 0.1};
+    const Report<double> report = e.move(to);
+    const Mat3 turned = Q * full(before.stress) * Q.transpose();
+    EXPECT_LT((full(e.memory.stress) - turned).norm(), 1e-13);
+    for (int h = 0; h < 4; ++h)
+      EXPECT_LT(norm(e.memory.hourglass[h] - times(Q, before.hourglass[h])), 1e-13);
+    EXPECT_NEAR(report.stored[0], 0, 1e-16);
+    EXPECT_NEAR(report.stored[1], 0, 1e-15);
+    EXPECT_EQ(report.plastic, 0);
+    EXPECT_NEAR(report.viscous, 0, 1e-16);
+    EXPECT_NEAR(report.size, 1, 1e-14);
+  }
+}
+
+TYPED_TEST(HexahedronOf, TenTurnsKeepStressInTheBodyFrameAndTheStoredEnergy) {
+  for (const int steps_per_turn : {100, 1000}) {
+    Element<TypeParam> e{metal<TypeParam>(), {}, distorted(0.2)};
+    e.move(sum(e.X, random_field(1e-3)));  // prestress and hourglass
+    const auto start = e.memory;
+    const Corners at_start = e.x, force = (e.rest(), e.force);
+    const Vec3 axis = Vec3(0.3, -0.5, 0.8).normalized();
+    double stored = 0;
+    Mat3 R;
+    for (int step = 1; step <= 10 * steps_per_turn; ++step) {
+      R = Eigen::AngleAxisd(2 * pi * (step % steps_per_turn) / steps_per_turn, axis).toRotationMatrix();
+      const Report<double> report = e.move(times(R, at_start));
+      stored += std::abs(report.stored[0]) + std::abs(report.stored[1]);
+    }
+    const double size = full(start.stress).norm();
+    const double drift = (full(e.memory.stress) - R * full(start.stress) * R.transpose()).norm() / size;
+    ::testing::Test::RecordProperty("drift_of_stress_" + std::to_string(steps_per_turn), std::to_string(drift * 1e12) + "e-12");
+    EXPECT_LT(drift, 1e-10 * 10);
+    EXPECT_LT(largest(sum(e.force, times(R, force), -1.0)), 1e-10 * largest(force));
+    // 1/2 s : C^-1 : s is about size^2 / E
+    EXPECT_LT(stored, 1e-8 * size * size / e.law.young);
+  }
+}
+
+TYPED_TEST(HexahedronOf, ForcesHaveNoNetForceAndNoNetMoment) {
+  for (int trial = 0; trial < 50; ++trial) {
+    Element<TypeParam> e{metal<TypeParam>(), {}, distorted(0.2)};
+    e.randomise(0.01);
+    e.step(distorted(0.3), random_field(1e-2), 0.05);
+    Point force{}, moment{};
+    for (int i = 0; i < 8; ++i) force = force + e.force[i], moment = moment + cross(e.x[i], e.force[i]);
+    EXPECT_LT(norm(force), 1e-14 * 10 * largest(e.force));
+    EXPECT_LT(norm(moment), 1e-14 * 10 * largest(e.force));
+  }
+}
+
+TYPED_TEST(HexahedronOf, ForceIsTheGradientOfTheStoredEnergy) {
+  for (int trial = 0; trial < 10; ++trial) {
+    const Hexahedron::Options options{.hourglass = 0.4, .viscosity = no_viscosity};
+    const Corners X = distorted(0.2), u = random_field(1e-5), direction = random_field(1e-6);
+    const auto stored = [&](const Corners& displacement) {
+      Element<TypeParam> e{metal<TypeParam>(), options, X};
+      const Report<double> report = e.move(sum(X, displacement));
+      EXPECT_GT(report.stored[0], 0);
+      EXPECT_GT(report.stored[1], 0);
+      return report.stored[0] + report.stored[1];
+    };
+    Element<TypeParam> e{metal<TypeParam>(), options, X};
+    e.move(sum(X, u));
+    const double change = stored(sum(u, direction)) - stored(sum(u, direction, -1.0));
+    EXPECT_NEAR(-2.0 * product(e.force, direction), change, 1e-4 * 2 * std::sqrt(product(e.force, e.force) * product(direction, direction)));
+  }
+}
+
+TYPED_TEST(HexahedronOf, AdvanceIsFrameIndifferent) {
+  for (int trial = 0; trial < 20; ++trial) {
+    Element<TypeParam> e{metal<TypeParam>(), {}, distorted(0.2)};
+    e.randomise(0.02);
+    const Mat3 R = random_rotation();
+    Element<TypeParam> turned = e;
+    turned.X = times(R, e.X);
+    turned.memory.stress = symmetric(R * full(e.memory.stress) * R.transpose());
+    for (Point& q : turned.memory.hourglass) q = times(R, q);
+    const Corners to = sum(e.X, random_field(0.1)), du = random_field(0.05);
+    const Report<double> report = e.step(to, du, 0.1), same = turned.step(times(R, to), times(R, du), 0.1);
+    const double size = full(e.memory.stress).norm();
+    EXPECT_LT((full(turned.memory.stress) - R * full(e.memory.stress) * R.transpose()).norm(), 1e-12 * size);
+    EXPECT_LT(largest(sum(turned.force, times(R, e.force), -1.0)), 1e-12 * largest(e.force));
+    for (int h = 0; h < 4; ++h)
+      EXPECT_LT(norm(turned.memory.hourglass[h] - times(R, e.memory.hourglass[h])), 1e-12 * size);
+    EXPECT_NEAR(same.stored[0], report.stored[0], 1e-13);
+    EXPECT_NEAR(same.stored[1], report.stored[1], 1e-13);
+    EXPECT_NEAR(same.plastic, report.plastic, 1e-13);
+    EXPECT_NEAR(same.viscous, report.viscous, 1e-13);
+    EXPECT_NEAR(same.step, report.step, 1e-12 * report.step);
+    EXPECT_NEAR(same.size, report.size, 1e-13);
+  }
+}
+
+TYPED_TEST(HexahedronOf, PacksAndDoublesAgree) {
+  std::array<Element<TypeParam>, lanes> one;
+  std::array<Corners, lanes> to, v;
+  std::array<Vector<Pack>, 8> xs, vs, fs;
+  Hexahedron::Constants<Pack> constants;
+  Hexahedron::Memory<Pack, TypeParam> memory;
+  for (int l = 0; l < lanes; ++l) {
+    one[l] = Element<TypeParam>{metal<TypeParam>(), {}, distorted(0.2)};
+    one[l].randomise(0.02);
+    to[l] = sum(one[l].X, random_field(0.1)), v[l] = random_field(0.5);
+    for (int i = 0; i < 24; ++i) {
+      (&xs[i / 3].x)[i % 3][l] = to[l][i / 3][i % 3];
+      (&vs[i / 3].x)[i % 3][l] = v[l][i / 3][i % 3];
+    }
+    constants.mass[l] = one[l].constants.mass, constants.hourglass[l] = one[l].constants.hourglass;
+    std::vector<double> rows;
+    one[l].memory.each_row([&](double& row) { rows.push_back(row); });
+    std::size_t r = 0;
+    memory.each_row([&](Pack& row) { row[l] = rows[r++]; });
+    EXPECT_EQ(r, (Hexahedron::Memory<double, TypeParam>::rows));
+  }
+  const Report<Pack> all = advance(one[0].law, one[0].options, constants, xs, vs, Pack(0.1), memory, fs);
+  for (int l = 0; l < lanes; ++l) {
+    Element<TypeParam>& e = one[l];
+    const Report<double> report = advance(e.law, e.options, e.constants, to[l], v[l], 0.1, e.memory, e.force);
+    for (int i = 0; i < 24; ++i)
+      EXPECT_NEAR((&fs[i / 3].x)[i % 3][l], e.force[i / 3][i % 3], 1e-13 * largest(e.force));
+    EXPECT_NEAR(all.step[l], report.step, 1e-13 * report.step);
+    EXPECT_NEAR(all.stored[0][l], report.stored[0], 1e-13);
+    EXPECT_NEAR(all.stored[1][l], report.stored[1], 1e-13);
+    EXPECT_NEAR(all.plastic[l], report.plastic, 1e-13);
+    EXPECT_NEAR(all.viscous[l], report.viscous, 1e-13);
+  }
+}
+
+TYPED_TEST(HexahedronOf, WorkAndStoredEnergyDifferInTheThirdOrderOfTheStep) {
+  Element<TypeParam> start{metal<TypeParam>(), {.hourglass = 0.4, .viscosity = no_viscosity}, distorted(0.2)};
+  start.randomise(0.003);
+  start.rest();
+  const Corners direction = random_field(1.0);
+  const auto error = [&](double s) {
+    Element<TypeParam> e = start;
+    Corners du;
+    for (int i = 0; i < 8; ++i) du[i] = s * direction[i];
+    const Report<double> report = e.move(sum(e.x, du));
+    const double work = 0.5 * (product(start.force, du) + product(e.force, du));
+    return work + report.stored[0] + report.stored[1] + report.plastic;
+  };
+  EXPECT_NEAR(error(2e-3) / error(1e-3), 8.0, 0.2);
+}
+
+TYPED_TEST(HexahedronOf, MassIsDensityTimesVolume) {
+  for (int trial = 0; trial < 20; ++trial) {
+    const Corners X = distorted(0.3);
+    double volume = 0;
+    integrate(X, [&](const auto&, double det) { volume += det; });
+    EXPECT_NEAR((Element<TypeParam>{metal<TypeParam>(), {}, X}).constants.mass, 2.0 * volume, 1e-13);
+  }
+}
+
+// ------------------------------------------------------------------------------------------------
+// Hourglass modes, patch test, large shear
+
+TEST(Hexahedron, HourglassModesStoreEnergyInTheHourglassAccountOnly) {
+  for (int mode = 0; mode < 12; ++mode) {
+    Element<Elastic> e{metal<Elastic>(), {}, brick(1.0, 0.7, 1.6)};
+    Modes<double> m{};
+    m.hourglass[mode / 3][mode % 3] = 1e-2;
+    const Report<double> report = e.move(sum(e.X, nodal_values(m)));
+    EXPECT_NEAR(report.stored[0], 0, 1e-30);
+    EXPECT_NEAR(full(e.memory.stress).norm(), 0, 1e-17);
+    // k/2 (gamma . u)^2 with gamma . u = 8 amplitude
+    EXPECT_NEAR(report.stored[1], 0.5 * e.constants.hourglass * 64 * 1e-4, 1e-16);
+  }
+}
+
+TEST(Hexahedron, HourglassFieldsOfADistortedElementAreBlindToAffineFields) {
+  for (int trial = 0; trial < 20; ++trial) {
+    Element<Elastic> e{metal<Elastic>(), {}, distorted(0.3)};
+    const Mat3 F = Mat3::Identity() + 0.1 * Mat3::Random();
+    const Report<double> report = e.move(times(F, e.X));
+    for (const Point& q : e.memory.hourglass) EXPECT_LT(norm(q), 1e-16);
+    EXPECT_LT(report.stored[1], 1e-30);
+  }
+}
+
+TEST(Hexahedron, HourglassStiffnessOneIsTheExactBendingStiffnessOfACubeWithoutPoissonEffect) {
+  Element<Elastic> e{metal<Elastic>(0.0), {.hourglass = 1.0, .viscosity = no_viscosity}, brick(1, 1, 1)};
+  // u_x = a xi eta: strain du_x/dx = 2 a eta of the trilinear field; energy mu times its square
+  const double a = 1e-3, h = 1.0, mu = material::shear_modulus(e.law);
+  Modes<double> m{};
+  m.hourglass[2].x = a;
+  const Report<double> report = e.move(sum(e.X, nodal_values(m)));
+  const double stretch = mu * 4 * a * a / 3 * h;  // of (2 a eta / h)^2, mean of eta^2 = 1/3
+  EXPECT_NEAR(report.stored[1], stretch, 1e-10 * stretch);
+}
+
+TEST(Hexahedron, PatchOfSevenDistortedElementsHasConstantStress) {
+  // MacNeal & Harder, Finite Elements in Analysis and Design 1 (1985) 3: inner nodes of a unit cube
+  const Corners inner{{{0.249, 0.342, 0.192}, {0.826, 0.288, 0.288}, {0.850, 0.649, 0.263}, {0.273, 0.750, 0.230},
+                       {0.320, 0.186, 0.643}, {0.677, 0.305, 0.683}, {0.788, 0.693, 0.644}, {0.165, 0.745, 0.702}}};
+  std::array<Point, 16> X;
+  for (int i = 0; i < 8; ++i) {
+    X[i] = inner[i];
+    X[8 + i] = {0.5 + 0.5 * sign[i][0], 0.5 + 0.5 * sign[i][1], 0.5 + 0.5 * sign[i][2]};
+  }
+  const int face[6][4] = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+  std::vector<std::array<int, 8>> nodes{{0, 1, 2, 3, 4, 5, 6, 7}};
+  for (const auto& f : face) nodes.push_back({f[0], f[1], f[2], f[3], 8 + f[0], 8 + f[1], 8 + f[2], 8 + f[3]});
+
+  for (const double size : {1e-3, 0.2}) {
+    const Mat3 F = Mat3::Identity() + size * (Mat3() << 0.9, -0.3, 0.2, 0.4, -0.7, 0.1, -0.5, 0.6, 0.3).finished();
+    std::array<Point, 16> force{};
+    Mat3 stress;
+    double volume = 0, largest_force = 0;
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
+      Corners corners;
+      for (int i = 0; i < 8; ++i) corners[i] = X[nodes[n][i]];
+      Element<Elastic> e{metal<Elastic>(), {.hourglass = 0.1, .viscosity = no_viscosity}, corners};
+      EXPECT_GT(e.constants.mass, 0);
+      volume += e.constants.mass / e.law.density;
+      e.move(times(F, corners));
+      if (n == 0) stress = full(e.memory.stress);
+      EXPECT_LT((full(e.memory.stress) - stress).norm(), 1e-12 * stress.norm());
+      for (int i = 0; i < 8; ++i) force[nodes[n][i]] = force[nodes[n][i]] + e.force[i];
+      largest_force = std::max(largest_force, largest(e.force));
+    }
+    EXPECT_NEAR(volume, 1.0, 1e-14);
+    for (int i = 0; i < 8; ++i) EXPECT_LT(norm(force[i]), 1e-12 * largest_force);
+  }
+}
+
+TEST(Hexahedron, LargeSimpleShearFollowsTheRateOfJaumann) {
+  Element<Elastic> e{metal<Elastic>(), {}, brick(1, 1, 1)};
+  const double mu = material::shear_modulus(e.law), increment = 1e-3;
+  for (int step = 1; step <= 4000; ++step) {
+    Mat3 F = Mat3::Identity();
+    const double gamma = F(0, 1) = increment * step;
+    e.move(times(F, e.X));
+    if (step % 1000 == 0) {
+      EXPECT_NEAR(e.memory.stress.xy / mu, std::sin(gamma), 1e-4);
+      EXPECT_NEAR(e.memory.stress.xx / mu, 1 - std::cos(gamma), 1e-4);
+    }
+  }
+}
+
+// ------------------------------------------------------------------------------------------------
+// Frequencies
+
+const Point shapes[] = {{1, 1, 1}, {1, 2, 3}, {1, 1, 0.2}, {1, 0.3, 0.5}};
+
+TEST(Hexahedron, LargestFrequencyOfABrickIsTheClosedForm) {
+  for (const double poisson : {0.3, 0.42, 0.49}) {
+    for (const Point& h : shapes) {
+      const Element<Elastic> e{metal<Elastic>(poisson), {.hourglass = 0.1, .viscosity = no_viscosity},
+                               brick(h.x, h.y, h.z)};
+      const auto [lambda, mu] = material::lame(e.law);
+      Mat3 M;
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) M(i, j) = 4 * (lambda + (i == j ? 2 * mu : 0)) / (e.law.density * h[i] * h[j]);
+      const double closed = Eigen::SelfAdjointEigenSolver<Mat3>(M).eigenvalues().maxCoeff();
+      const double exact = largest_eigenvalue_of(e), bound = hot_bound(e);
+      EXPECT_NEAR(exact, closed, 1e-10 * closed);
+      EXPECT_GE(bound, closed * (1 - 1e-13));
+      ::testing::Test::RecordProperty("bound_over_exact_nu" + std::to_string(poisson) + "_h" + std::to_string(h.x + 10 * h.y + 100 * h.z),
+                                      std::to_string(std::sqrt(bound / exact)));
+    }
+  }
+}
+
+TEST(Hexahedron, FrequencyBoundIsExactForACube) {
+  for (const double poisson : {0.3, 0.42, 0.49}) {
+    const Element<Elastic> e{metal<Elastic>(poisson), {.hourglass = 0.1, .viscosity = no_viscosity}, brick(0.7, 0.7, 0.7)};
+    const double omega = 2 * material::wave_speed(e.law) / 0.7 * std::sqrt((1 + poisson) / (1 - poisson));
+    EXPECT_NEAR(hot_bound(e), omega * omega, 1e-13 * omega * omega);
+  }
+}
+
+/// Bound over exact frequency of random distorted elements: the smallest and the largest ratio.
+std::array<double, 2> bound_over_exact(double hourglass) {
+  std::array<double, 2> ratios{1e300, 0};
+  for (int trial = 0; trial < 1000; ++trial) {
+    const Point h{random(0.3, 2.0), random(0.3, 2.0), random(0.3, 2.0)};
+    const double amount = 0.3 * std::min({h.x, h.y, h.z});
+    const Element<Elastic> e{metal<Elastic>(random(0.0, 0.49)),
+                             {.hourglass = hourglass, .viscosity = no_viscosity},
+                             sum(brick(h.x, h.y, h.z), random_field(amount))};
+    const double ratio = std::sqrt(hot_bound(e) / largest_eigenvalue_of(e));
+    ratios = {std::min(ratios[0], ratio), std::max(ratios[1], ratio)};
+  }
+  ::testing::Test::RecordProperty("smallest_" + std::to_string(hourglass), std::to_string(ratios[0]));
+  ::testing::Test::RecordProperty("largest_" + std::to_string(hourglass), std::to_string(ratios[1]));
+  return ratios;
+}
+
+TEST(Hexahedron, FrequencyBoundIsNeverBelowTheExactOne) {
+  const auto [smallest, largest_ratio] = bound_over_exact(0.0);
+  EXPECT_GE(smallest, 1 - 1e-9);
+  EXPECT_LT(largest_ratio, 1.2);
+}
+
+TEST(Hexahedron, HourglassStiffnessRaisesFrequenciesOfDistortedElementsByLessThanAThousandth) {
+  EXPECT_GE(bound_over_exact(0.1)[0], 0.999);
+}
+
+/// Kinetic energy of a free element after some steps, over that at the start.
+double growth(double factor) {
+  Element<Elastic> e{metal<Elastic>(), {.hourglass = 0.1, .viscosity = no_viscosity}, brick(1.0, 0.7, 1.3)};
+  const double dt = factor * 2 / std::sqrt(largest_eigenvalue_of(e));
+  std::mt19937 same(3);
+  std::uniform_real_distribution<double> speed(-1e-12, 1e-12);
+  Corners v;
+  for (Point& p : v) p = {speed(same), speed(same), speed(same)};
+  const double start = product(v, v);
+  double most = 0;
+  for (int step = 0; step < 60; ++step) {
+    Corners du;
+    for (int i = 0; i < 8; ++i) {
+      v[i] = v[i] + (8 * dt / e.constants.mass) * e.force[i];
+      du[i] = dt * v[i];
+    }
+    e.move(sum(e.x, du), dt);
+    most = std::max(most, product(v, v));
+  }
+  return most / start;
+}
+
+TEST(Hexahedron, IsStableBelowItsExactLimitAndBlowsUpBeyond) {
+  EXPECT_LT(growth(0.99), 100.0);
+  EXPECT_GT(growth(1.02), 1e12);
+}
+
+// ------------------------------------------------------------------------------------------------
+// Viscosity
+
+TEST(Hexahedron, ViscosityDissipatesAndExplainsTheLossOfEnergy) {
+  Element<Elastic> e{metal<Elastic>(), {.hourglass = 0.1, .viscosity = {.linear = 0.2, .quadratic = 1.2}}, brick(1, 1, 1)};
+  const double dt = 0.05 * 2 / std::sqrt(largest_eigenvalue_of(
+      Element<Elastic>{e.law, {.hourglass = 0.1, .viscosity = no_viscosity}, e.X}));
+  Corners v{};
+  for (int i = 0; i < 8; ++i) v[i] = -1e-3 * e.X[i];
+  const double mass = e.constants.mass / 8;
+  const double start = 0.5 * mass * product(v, v);
+  double stored = 0, viscous = 0;
+  for (int step = 0; step < 400; ++step) {
+    Corners du;
+    for (int i = 0; i < 8; ++i) v[i] = v[i] + (dt / mass) * e.force[i], du[i] = dt * v[i];
+    const Report<double> report = e.move(sum(e.x, du), dt);
+    if (step < 10) { EXPECT_GT(report.viscous, 0) << "still compressing"; }
+    stored += report.stored[0] + report.stored[1];
+    viscous += report.viscous;
+  }
+  EXPECT_GT(viscous, 0.5 * start);
+  // kinetic energy now lies half a step behind: close it with the present forces
+  for (int i = 0; i < 8; ++i) v[i] = v[i] + (0.5 * dt / mass) * e.force[i];
+  EXPECT_NEAR(0.5 * mass * product(v, v) + stored + viscous, start, 0.01 * start);
+}
+
+TEST(Hexahedron, ViscosityShortensTheStableStep) {
+  Element<Elastic> e{metal<Elastic>(), {}, brick(1, 1, 1)}, dry{metal<Elastic>(), {.hourglass = 0.1, .viscosity = no_viscosity}, brick(1, 1, 1)};
+  // zeta of a cube's breathing mode, whose bound is exact: b1 for slow motion
+  const double step = e.step(e.X, Corners{}, 1.0).step, undamped = dry.step(dry.X, Corners{}, 1.0).step;
+  const double speed = material::wave_speed(e.law), length = undamped * speed;
+  const double damping = 0.5 * e.law.density * length * 0.06 * speed * 12.0 / e.law.density;
+  EXPECT_NEAR(step, stable_step(4 / (undamped * undamped), damping), 1e-12);
+  EXPECT_LT(step, undamped);
+}
+
+TEST(Hexahedron, InvertedElementHasNegativeSize) {
+  Element<Elastic> e{metal<Elastic>(), {}, brick(1, 1, 1)};
+  Corners inside_out = e.X;
+  for (Point& p : inside_out) p.z = -p.z;
+  EXPECT_LT(e.step(inside_out, Corners{}, 1.0).size, 0);
+}
+
+}  // namespace
+}  // namespace nereid::element

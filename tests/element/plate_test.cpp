@@ -1,0 +1,621 @@
+#include "element/plate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "base/types.hpp"
+#include "material/elastic.hpp"
+#include "material/j2_bilinear.hpp"
+
+namespace nereid::element {
+namespace {
+
+using material::Elastic;
+using material::J2Bilinear;
+using Point = Vector<double>;
+using Corners = std::array<Point, 3>;
+using Matrix18 = Eigen::Matrix<double, 18, 18>;
+
+// ------------------------------------------------------------------------------------------------
+// Shapes, motions, and one element that remembers
+
+std::mt19937 chance(11);
+double random(double low = -1.0, double high = 1.0) {
+  return std::uniform_real_distribution<double>(low, high)(chance);
+}
+Point random_point(double size) { return {size * random(), size * random(), size * random()}; }
+Corners random_field(double size) { return {random_point(size), random_point(size), random_point(size)}; }
+
+Corners sum(const Corners& a, const Corners& b, double factor = 1.0) {
+  return {a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2]};
+}
+double product(const Corners& a, const Corners& b) { return dot(a[0], b[0]) + dot(a[1], b[1]) + dot(a[2], b[2]); }
+double largest(const Corners& a) { return std::sqrt(product(a, a)); }
+
+Mat3 random_rotation() {
+  return Eigen::AngleAxisd(random(-3.0, 3.0), Vec3(random(), random(), random()).normalized()).toRotationMatrix();
+}
+Point times(const Mat3& A, const Point& p) {
+  const Vec3 q = A * Vec3(p.x, p.y, p.z);
+  return {q.x(), q.y(), q.z()};
+}
+Corners times(const Mat3& A, const Corners& x) { return {times(A, x[0]), times(A, x[1]), times(A, x[2])}; }
+
+/// A triangle of any tilt, with sides about 1 and no angle near zero.
+Corners triangle() {
+  const Corners flat{{{0, 0, 0}, {1 + random(-0.2, 0.2), random(-0.2, 0.2), 0}, {random(0.1, 0.7), random(0.6, 1.1), 0}}};
+  return times(random_rotation(), flat);
+}
+Corners flat_triangle(double x2, double x3, double y3) { return {{{0, 0, 0}, {x2, 0, 0}, {x3, y3, 0}}}; }
+
+template <class Law>
+Law metal(double poisson = 0.3);
+template <>
+Elastic metal<Elastic>(double poisson) { return {2.0, 3.0, poisson}; }
+template <>
+J2Bilinear metal<J2Bilinear>(double poisson) { return {2.0, 3.0, poisson, 0.03, 0.3}; }
+
+Plate::Options thick(double thickness, Plate::RotaryInertia inertia = Plate::RotaryInertia::physical) {
+  return {.thickness = thickness, .layers = 5, .rotary_inertia = inertia, .viscosity = {.linear = 0, .quadratic = 0}};
+}
+
+template <class Law>
+struct Element {
+  Law law;
+  Plate::Options options;
+  Corners X;
+  Layers layers = gauss_layers(options.layers);
+  Plate::Constants<double> constants = element::constants(law, options, X);
+  Plate::Memory<double, Law> memory{};
+  Corners x = X, force{}, moment{};
+
+  /// displacements du and rotations turn in one step that ends at `to`
+  Report<double> step(const Corners& to, const Corners& du, const Corners& turn, double dt = 1.0) {
+    Corners v, w;
+    for (int a = 0; a < 3; ++a) v[a] = (1.0 / dt) * du[a], w[a] = (1.0 / dt) * turn[a];
+    x = to;
+    return advance(law, options, layers, constants, to, v, w, dt, memory, force, moment);
+  }
+  Report<double> move(const Corners& du, const Corners& turn) { return step(sum(x, du), du, turn); }
+  void rest() { step(x, Corners{}, Corners{}, 1.0); }
+  void randomise(double stress) {
+    for (int l = 0; l < options.layers; ++l) memory.layers[l].stress = {stress * random(), stress * random(), stress * random()};
+    memory.shear = {stress * random() * options.thickness, stress * random() * options.thickness};
+  }
+  double work(const Corners& du, const Corners& turn) const { return product(force, du) + product(moment, turn); }
+};
+
+/// What an unstressed element answers to a small motion, on the reference shape. Forces are
+/// proportional to the increment, so nothing cancels; of motion and counter-motion half the
+/// difference is taken, which leaves an error of the third order.
+template <class Law>
+Element<Law> answer(const Law& law, const Plate::Options& options, const Corners& X, const Corners& du, const Corners& turn) {
+  Element<Law> there{law, options, X}, back{law, options, X};
+  there.step(X, du, turn);
+  back.step(X, sum(Corners{}, du, -1.0), sum(Corners{}, turn, -1.0));
+  there.force = sum(there.force, back.force, -1.0), there.moment = sum(there.moment, back.moment, -1.0);
+  for (int a = 0; a < 3; ++a) there.force[a] = 0.5 * there.force[a], there.moment[a] = 0.5 * there.moment[a];
+  for (int l = 0; l < options.layers; ++l)
+    there.memory.layers[l].stress = 0.5 * (there.memory.layers[l].stress - back.memory.layers[l].stress);
+  there.memory.shear = {0.5 * (there.memory.shear.x - back.memory.shear.x), 0.5 * (there.memory.shear.y - back.memory.shear.y)};
+  return there;
+}
+
+/// Stiffness by node: three displacements, three rotations.
+template <class Law>
+Matrix18 stiffness(const Law& law, const Plate::Options& options, const Corners& X) {
+  constexpr double small = 1e-6;
+  Matrix18 K;
+  for (int j = 0; j < 18; ++j) {
+    Corners du{}, turn{};
+    (j % 6 < 3 ? du : turn)[j / 6][j % 3] = small;
+    const auto e = answer(law, options, X, du, turn);
+    for (int i = 0; i < 18; ++i) K(i, j) = -(i % 6 < 3 ? e.force : e.moment)[i / 6][i % 3] / small;
+  }
+  return 0.5 * (K + K.transpose());
+}
+
+Eigen::Matrix2d full(const Plane<double>& p) { return (Eigen::Matrix2d() << p.xx, p.xy, p.xy, p.yy).finished(); }
+
+/// Resultants in the global frame.
+struct Resultants {
+  Mat3 membrane = Mat3::Zero(), bending = Mat3::Zero();  // [Pa] [Pa m]
+  Vec3 shear = Vec3::Zero();                             // [N/m]
+};
+template <class Law>
+Resultants resultants(const Element<Law>& e) {
+  const auto [e1, e2, e3] = plate_shape(e.x).frame;
+  Eigen::Matrix<double, 3, 2> Q;
+  Q << e1.x, e2.x, e1.y, e2.y, e1.z, e2.z;
+  Resultants r;
+  for (int l = 0; l < e.options.layers; ++l) {
+    const Mat3 s = Q * full(e.memory.layers[l].stress) * Q.transpose();
+    r.membrane += e.layers.weight[l] * s;
+    r.bending += e.layers.weight[l] * e.layers.z[l] * e.options.thickness * s;
+  }
+  r.shear = Q * Eigen::Vector2d(e.memory.shear.x, e.memory.shear.y);
+  return r;
+}
+
+/// The step of a rigid rotation: the increment of position, and Cayley's vector at every node.
+struct Turn {
+  Corners du, turn;
+};
+Turn rigid(const Corners& x, const Vec3& axis, double angle) {
+  const Mat3 Q = Eigen::AngleAxisd(angle, axis).toRotationMatrix();
+  const Vec3 w = 2 * std::tan(angle / 2) * axis;
+  const Point p{w.x(), w.y(), w.z()};
+  return {sum(times(Q, x), x, -1.0), {p, p, p}};
+}
+
+// ------------------------------------------------------------------------------------------------
+// Motions, over both laws
+
+template <class Law>
+class PlateOf : public ::testing::Test {};
+using Laws = ::testing::Types<Elastic, J2Bilinear>;
+TYPED_TEST_SUITE(PlateOf, Laws);
+
+TYPED_TEST(PlateOf, RigidRotationByAFiniteAngleTurnsResultantsAndNothingElse) {
+  for (int trial = 0; trial < 20; ++trial) {
+    Element<TypeParam> e{metal<TypeParam>(), {.thickness = 0.1, .viscosity = {}}, triangle()};
+    e.randomise(0.005);
+    const auto before = e.memory;
+    const auto [du, turn] = rigid(e.x, Vec3(random(), random(), random()).normalized(), random(-2.5, 2.5));
+    const Report<double> report = e.move(du, turn);
+    for (int l = 0; l < e.options.layers; ++l)
+      EXPECT_LT((full(e.memory.layers[l].stress) - full(before.layers[l].stress)).norm(), 1e-13);
+    EXPECT_NEAR(e.memory.shear.x, before.shear.x, 1e-14);
+    EXPECT_NEAR(e.memory.shear.y, before.shear.y, 1e-14);
+    EXPECT_NEAR(report.stored[0], 0, 1e-16);
+    EXPECT_NEAR(report.stored[1], 0, 1e-16);
+    EXPECT_EQ(report.plastic, 0);
+    EXPECT_NEAR(report.viscous, 0, 1e-16);
+    EXPECT_NEAR(report.size, 1, 1e-13);
+  }
+}
+
+TYPED_TEST(PlateOf, TenTurnsAboutAnyAxisKeepResultantsAndTheStoredEnergy) {
+  for (const Vec3& axis : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1), Vec3(0.36, -0.48, 0.8)}) {
+    Element<TypeParam> e{metal<TypeParam>(), thick(0.1), triangle()};
+    e.move(random_field(1e-3), random_field(1e-3));
+    const auto start = e.memory;
+    double size = 0, stored = 0, drift = 0;
+    for (int l = 0; l < 5; ++l) size = std::max(size, full(start.layers[l].stress).norm());
+    for (int step = 0; step < 1000; ++step) {
+      const auto [du, turn] = rigid(e.x, axis, 2 * pi / 100);
+      const Report<double> report = e.move(du, turn);
+      stored += std::abs(report.stored[0]) + std::abs(report.stored[1]);
+    }
+    for (int l = 0; l < 5; ++l)
+      drift = std::max(drift, (full(e.memory.layers[l].stress) - full(start.layers[l].stress)).norm() / size);
+    drift = std::max(drift, std::hypot(e.memory.shear.x - start.shear.x, e.memory.shear.y - start.shear.y) / (0.1 * size));
+    ::testing::Test::RecordProperty("drift", std::to_string(drift * 1e12) + "e-12");
+    EXPECT_LT(drift, 1e-9);
+    EXPECT_LT(stored, 1e-8 * size * size / e.law.young * 0.1);
+  }
+}
+
+TYPED_TEST(PlateOf, ForcesAndMomentsHaveNoNetForceAndNoNetMoment) {
+  for (int trial = 0; trial < 50; ++trial) {
+    Element<TypeParam> e{metal<TypeParam>(), {.thickness = 0.1, .viscosity = {}}, triangle()};
+    e.randomise(0.01);
+    e.step(sum(e.X, random_field(0.1)), random_field(1e-2), random_field(1e-2), 0.1);
+    Point force{}, moment{};
+    for (int a = 0; a < 3; ++a) force = force + e.force[a], moment = moment + e.moment[a] + cross(e.x[a], e.force[a]);
+    EXPECT_LT(norm(force), 1e-14 * 10 * largest(e.force));
+    EXPECT_LT(norm(moment), 1e-14 * 10 * largest(e.force));
+  }
+}
+
+TYPED_TEST(PlateOf, ForceAndMomentAreTheGradientOfTheStoredEnergy) {
+  for (int trial = 0; trial < 10; ++trial) {
+    const Corners X = triangle(), u = random_field(1e-5), t = random_field(1e-5);
+    const Corners du = random_field(1e-6), turn = random_field(1e-6);
+    const auto stored = [&](double s) {
+      Element<TypeParam> e{metal<TypeParam>(), thick(0.3), X};
+      const Report<double> report = e.move(sum(u, du, s), sum(t, turn, s));
+      EXPECT_GT(report.stored[0], 0);
+      EXPECT_GT(report.stored[1], 0);
+      return report.stored[0] + report.stored[1];
+    };
+    Element<TypeParam> e{metal<TypeParam>(), thick(0.3), X};
+    e.move(u, t);
+    EXPECT_NEAR(-2 * e.work(du, turn), stored(1) - stored(-1), 1e-4 * 2 * largest(e.force) * largest(du));
+  }
+}
+
+TYPED_TEST(PlateOf, WorkAndStoredEnergyDifferInTheThirdOrderOfTheStep) {
+  Element<TypeParam> start{metal<TypeParam>(), thick(0.2), triangle()};
+  start.randomise(0.003);
+  start.rest();
+  const Corners u = random_field(1.0), t = random_field(1.0);
+  const auto error = [&](double s) {
+    Element<TypeParam> e = start;
+    const Corners du = sum(Corners{}, u, s), turn = sum(Corners{}, t, s);
+    const Report<double> report = e.move(du, turn);
+    return 0.5 * (start.work(du, turn) + e.work(du, turn)) + report.stored[0] + report.stored[1] + report.plastic;
+  };
+  EXPECT_NEAR(error(2e-3) / error(1e-3), 8.0, 0.3);
+}
+
+TYPED_TEST(PlateOf, AdvanceIsFrameIndifferent) {
+  for (int trial = 0; trial < 20; ++trial) {
+    Element<TypeParam> e{metal<TypeParam>(), {.thickness = 0.1, .viscosity = {}}, triangle()};
+    e.randomise(0.02);
+    const Mat3 R = random_rotation();
+    Element<TypeParam> turned = e;  // memory is in the element's own axes
+    const Corners to = sum(e.X, random_field(0.05)), du = random_field(0.05), turn = random_field(0.05);
+    const Report<double> report = e.step(to, du, turn, 0.1);
+    const Report<double> same = turned.step(times(R, to), times(R, du), times(R, turn), 0.1);
+    EXPECT_LT(largest(sum(turned.force, times(R, e.force), -1.0)), 1e-12 * largest(e.force));
+    EXPECT_LT(largest(sum(turned.moment, times(R, e.moment), -1.0)), 1e-12 * largest(e.force));
+    for (int l = 0; l < e.options.layers; ++l)
+      EXPECT_LT((full(turned.memory.layers[l].stress) - full(e.memory.layers[l].stress)).norm(), 1e-13);
+    EXPECT_NEAR(same.stored[0], report.stored[0], 1e-14);
+    EXPECT_NEAR(same.stored[1], report.stored[1], 1e-14);
+    EXPECT_NEAR(same.plastic, report.plastic, 1e-14);
+    EXPECT_NEAR(same.viscous, report.viscous, 1e-14);
+    EXPECT_NEAR(same.step, report.step, 1e-12 * report.step);
+  }
+}
+
+TYPED_TEST(PlateOf, NumberingOfTheNodesChangesResultsInTheThirdOrderOfTheStepOnly) {
+  const Corners X = triangle(), u = random_field(1.0), t = random_field(1.0);
+  const auto shifted = [](const Corners& a) { return Corners{a[1], a[2], a[0]}; };
+  const auto difference = [&](double s) {
+    Element<TypeParam> e{metal<TypeParam>(), thick(0.2), X}, other{metal<TypeParam>(), thick(0.2), shifted(X)};
+    for (int step = 0; step < 3; ++step) {
+      const Corners du = sum(Corners{}, u, s), turn = sum(Corners{}, t, s);
+      e.move(du, turn);
+      other.move(shifted(du), shifted(turn));
+    }
+    return largest(sum(other.force, shifted(e.force), -1.0)) + largest(sum(other.moment, shifted(e.moment), -1.0));
+  };
+  EXPECT_LT(difference(1e-5), 1e-12);
+  EXPECT_NEAR(difference(2e-3) / difference(1e-3), 8.0, 0.5);
+}
+
+TYPED_TEST(PlateOf, PacksAndDoublesAgree) {
+  std::array<Element<TypeParam>, lanes> one;
+  std::array<Corners, lanes> to, v, w;
+  std::array<Vector<Pack>, 3> xs, vs, ws, fs, ms;
+  Plate::Constants<Pack> constants;
+  Plate::Memory<Pack, TypeParam> memory;
+  for (int l = 0; l < lanes; ++l) {
+    one[l] = Element<TypeParam>{metal<TypeParam>(), {.thickness = 0.1, .viscosity = {}}, triangle()};
+    one[l].randomise(0.02);
+    to[l] = sum(one[l].X, random_field(0.05)), v[l] = random_field(0.3), w[l] = random_field(0.3);
+    for (int i = 0; i < 9; ++i) {
+      (&xs[i / 3].x)[i % 3][l] = to[l][i / 3][i % 3];
+      (&vs[i / 3].x)[i % 3][l] = v[l][i / 3][i % 3];
+      (&ws[i / 3].x)[i % 3][l] = w[l][i / 3][i % 3];
+    }
+    constants.mass[l] = one[l].constants.mass, constants.gyration[l] = one[l].constants.gyration;
+    std::vector<double> rows;
+    one[l].memory.each_row([&](double& row) { rows.push_back(row); }, 5);
+    std::size_t r = 0;
+    memory.each_row([&](Pack& row) { row[l] = rows[r++]; }, 5);
+    EXPECT_EQ(static_cast<int>(r), (Plate::Memory<double, TypeParam>::rows(5)));
+  }
+  const Report<Pack> all = advance(one[0].law, one[0].options, one[0].layers, constants, xs, vs, ws, Pack(0.1), memory, fs, ms);
+  for (int l = 0; l < lanes; ++l) {
+    Element<TypeParam>& e = one[l];
+    const Report<double> report =
+        advance(e.law, e.options, e.layers, e.constants, to[l], v[l], w[l], 0.1, e.memory, e.force, e.moment);
+    for (int i = 0; i < 9; ++i) {
+      EXPECT_NEAR((&fs[i / 3].x)[i % 3][l], e.force[i / 3][i % 3], 1e-13 * largest(e.force));
+      EXPECT_NEAR((&ms[i / 3].x)[i % 3][l], e.moment[i / 3][i % 3], 1e-13 * largest(e.force));
+    }
+    EXPECT_NEAR(all.step[l], report.step, 1e-13 * report.step);
+    EXPECT_NEAR(all.stored[0][l], report.stored[0], 1e-15);
+    EXPECT_NEAR(all.stored[1][l], report.stored[1], 1e-15);
+    EXPECT_NEAR(all.plastic[l], report.plastic, 1e-15);
+    EXPECT_NEAR(all.viscous[l], report.viscous, 1e-15);
+  }
+}
+
+TYPED_TEST(PlateOf, MassIsDensityTimesVolumeAndRotaryInertiaIsPositive) {
+  for (int trial = 0; trial < 20; ++trial) {
+    const Corners X = triangle();
+    for (const auto inertia : {Plate::RotaryInertia::physical, Plate::RotaryInertia::scaled}) {
+      const Element<TypeParam> e{metal<TypeParam>(), thick(0.1, inertia), X};
+      const double area = 0.5 * norm(cross(X[1] - X[0], X[2] - X[0]));
+      EXPECT_NEAR(e.constants.mass, 2.0 * 0.1 * area, 1e-15);
+      EXPECT_GE(e.constants.gyration, 0.01 / 12);  // one number for all axes: isotropic
+    }
+  }
+}
+
+TYPED_TEST(PlateOf, InPlaneCompressionIsDampedByViscosity) {
+  Element<TypeParam> e{metal<TypeParam>(), {.thickness = 0.1, .viscosity = {}}, triangle()};
+  const Point centre = (1.0 / 3.0) * (e.X[0] + e.X[1] + e.X[2]);
+  Corners du;
+  for (int a = 0; a < 3; ++a) du[a] = -1e-3 * (e.X[a] - centre);
+  for (int step = 0; step < 5; ++step) EXPECT_GT(e.step(sum(e.x, du), du, Corners{}, 0.01).viscous, 0);
+}
+
+// ------------------------------------------------------------------------------------------------
+// Patch tests on an irregular patch
+
+struct Patch {
+  std::vector<Point> X;
+  std::vector<std::array<int, 3>> triangles;
+  std::vector<bool> inside;
+};
+
+/// A square of 4 x 4 cells with jittered inner nodes and diagonals that alternate.
+Patch irregular_patch() {
+  Patch p;
+  constexpr int n = 4;
+  for (int j = 0; j <= n; ++j) {
+    for (int i = 0; i <= n; ++i) {
+      const bool inside = i > 0 && i < n && j > 0 && j < n;
+      const double jitter = inside ? 0.3 : 0.0;
+      p.X.push_back({(i + jitter * random()) / n, (j + jitter * random()) / n, 0});
+      p.inside.push_back(inside);
+    }
+  }
+  for (int j = 0; j < n; ++j) {
+    for (int i = 0; i < n; ++i) {
+      const int a = j * (n + 1) + i, b = a + 1, c = b + n + 1, d = c - 1;
+      if ((i + j) % 2 == 0) p.triangles.insert(p.triangles.end(), {{a, b, c}, {c, d, a}});
+      else p.triangles.insert(p.triangles.end(), {{b, c, d}, {d, a, b}});
+    }
+  }
+  return p;
+}
+
+struct PatchAnswer {
+  std::vector<Resultants> elements;
+  double force_inside = 0, moment_inside = 0, largest_force = 0, largest_moment = 0;
+  Point moment{};
+};
+
+/// Gives the patch, turned in space, the fields displacement(x, y) and rotation(x, y); results in
+/// the frame of the flat patch.
+template <class Field, class Rotation>
+PatchAnswer put_on_patch(Field&& displacement, Rotation&& rotation) {
+  const Patch patch = irregular_patch();
+  const Mat3 R = random_rotation();
+  std::vector<Point> force(patch.X.size()), moment(patch.X.size());
+  PatchAnswer result;
+  for (const auto& nodes : patch.triangles) {
+    Corners X, du, turn;
+    for (int a = 0; a < 3; ++a) {
+      const Point& at = patch.X[nodes[a]];
+      X[a] = times(R, at), du[a] = times(R, 1e-7 * displacement(at.x, at.y)), turn[a] = times(R, 1e-7 * rotation(at.x, at.y));
+    }
+    const auto e = answer(metal<Elastic>(), thick(0.05), X, du, turn);
+    Resultants r = resultants(e);
+    r.membrane = 1e7 * R.transpose() * r.membrane * R, r.bending = 1e7 * R.transpose() * r.bending * R;
+    r.shear = 1e7 * R.transpose() * r.shear;
+    result.elements.push_back(r);
+    for (int a = 0; a < 3; ++a) {
+      const Point f = times(1e7 * R.transpose(), e.force[a]), m = times(1e7 * R.transpose(), e.moment[a]);
+      force[nodes[a]] = force[nodes[a]] + f, moment[nodes[a]] = moment[nodes[a]] + m;
+      result.largest_force = std::max(result.largest_force, norm(f));
+      result.largest_moment = std::max(result.largest_moment, norm(m));
+      result.moment = result.moment + m;
+    }
+  }
+  for (std::size_t n = 0; n < force.size(); ++n) {
+    if (!patch.inside[n]) continue;
+    result.force_inside = std::max(result.force_inside, norm(force[n]));
+    result.moment_inside = std::max(result.moment_inside, norm(moment[n]));
+  }
+  return result;
+}
+
+TEST(Plate, PatchOfConstantMembraneStrainIsPassed) {
+  const auto answered = put_on_patch([](double x, double y) { return Point{0.3 * x - 0.2 * y, 0.5 * x + 0.7 * y, 0}; },
+                                     [](double, double) { return Point{0, 0, 0}; });
+  const Plane<double> s = material::hooke(metal<Elastic>(), Plane<double>{0.3, 0.7, 0.15});
+  Mat3 exact = Mat3::Zero();
+  exact.topLeftCorner<2, 2>() = full(s);
+  for (const Resultants& r : answered.elements) {
+    EXPECT_LT((r.membrane - exact).norm(), 1e-12 * exact.norm());
+    EXPECT_LT(r.bending.norm(), 1e-12);
+    EXPECT_LT(r.shear.norm(), 1e-12);
+  }
+  EXPECT_LT(answered.force_inside, 1e-12 * answered.largest_force);
+}
+
+TEST(Plate, PatchOfConstantCurvatureIsPassedWithoutAnyShear) {
+  // w = (a x^2 + 2 b x y + c y^2)/2 with normals that stay normal: theta = (dw/dy, -dw/dx, 0)
+  const double a = 0.4, b = -0.3, c = 0.7, t = 0.05;
+  const auto answered = put_on_patch(
+      [&](double x, double y) { return Point{0, 0, 0.5 * (a * x * x + 2 * b * x * y + c * y * y)}; },
+      [&](double x, double y) { return Point{b * x + c * y, -a * x - b * y, 0}; });
+  // curvature is -w''; the five layers integrate z^2 exactly: t^2/12 per thickness
+  const Plane<double> s = material::hooke(metal<Elastic>(), Plane<double>{-a, -c, -b});
+  Mat3 exact = Mat3::Zero();
+  exact.topLeftCorner<2, 2>() = t * t / 12 * full(s);
+  for (const Resultants& r : answered.elements) {
+    EXPECT_LT((r.bending - exact).norm(), 1e-12 * exact.norm());
+    EXPECT_LT(r.membrane.norm(), 1e-12);
+    EXPECT_LT(r.shear.norm(), 1e-12);
+  }
+  EXPECT_LT(answered.force_inside, 1e-12);
+  EXPECT_LT(answered.moment_inside, 1e-12 * answered.largest_moment);
+}
+
+TEST(Plate, PatchOfConstantTransverseShearIsPassed) {
+  // normals stand still: the moments of the nodes add up to resultant times area
+  const auto answered = put_on_patch([](double x, double y) { return Point{0, 0, 0.3 * x - 0.8 * y}; },
+                                     [](double, double) { return Point{0, 0, 0}; });
+  const Vec3 exact = Plate::shear_factor * material::shear_modulus(metal<Elastic>()) * 0.05 * Vec3(0.3, -0.8, 0);
+  for (const Resultants& r : answered.elements) {
+    EXPECT_LT((r.shear - exact).norm(), 1e-12 * exact.norm());
+    EXPECT_LT(r.membrane.norm(), 1e-12);
+    EXPECT_LT(r.bending.norm(), 1e-12);
+  }
+  EXPECT_LT(answered.force_inside, 1e-12 * answered.largest_force);
+  EXPECT_NEAR(answered.moment.x, exact.y(), 1e-12);
+  EXPECT_NEAR(answered.moment.y, -exact.x(), 1e-12);
+}
+
+TEST(Plate, BendingStiffnessOfFiveLayersIsExact) {
+  // dtheta_y/dx = 1 makes M_xx = E t^3 / 12 (1 - nu^2)
+  for (const double poisson : {0.0, 0.3}) {
+    const Elastic law = metal<Elastic>(poisson);
+    const Corners X = flat_triangle(1.0, 0.3, 0.8);
+    Corners turn;
+    for (int a = 0; a < 3; ++a) turn[a] = {0, 1e-7 * X[a].x, 0};
+    const auto e = answer(law, thick(0.2), X, Corners{}, turn);
+    const double stiffness = law.young * 0.008 / (12 * (1 - poisson * poisson));
+    EXPECT_NEAR(0.2 * resultants(e).bending(0, 0), 1e-7 * stiffness, 1e-13 * 1e-7);
+    EXPECT_NEAR(0.2 * resultants(e).bending(1, 1), 1e-7 * poisson * stiffness, 1e-13 * 1e-7);
+  }
+}
+
+TEST(Plate, HasSixRigidMotionsAndNoStiffnessAgainstDrilling) {
+  // three strains, three curvatures, two shears: rank 8
+  const Eigen::SelfAdjointEigenSolver<Matrix18> solver(stiffness(metal<Elastic>(), thick(0.3), flat_triangle(1.0, 0.3, 0.8)));
+  const auto values = solver.eigenvalues();
+  EXPECT_LT(std::abs(values(9)), 1e-10);
+  EXPECT_GT(values(10), 1e-4);
+}
+
+// ------------------------------------------------------------------------------------------------
+// Shear locking
+
+/// Shear stiffness of a flat triangle over (w, theta_x, theta_y) by node, from a 2 x 9 operator.
+Eigen::Matrix<double, 9, 9> shear_stiffness(const PlateShape<double>& s, double thickness, double mu, bool plain) {
+  Eigen::Matrix<double, 2, 9> B = Eigen::Matrix<double, 2, 9>::Zero();
+  const auto by_edge = shear_by_edge(s);
+  const auto edge = edges(s);
+  for (int a = 0; a < 3; ++a) {
+    if (plain) {  // gradient of the deflection and mean rotation
+      B(0, 3 * a) = s.gradient_x[a], B(1, 3 * a) = s.gradient_y[a];
+      B(0, 3 * a + 2) = 1.0 / 3.0, B(1, 3 * a + 1) = -1.0 / 3.0;
+      continue;
+    }
+    const int b = (a + 1) % 3;
+    const Eigen::Vector2d p(by_edge[a].x, by_edge[a].y);
+    B.col(3 * a) -= p, B.col(3 * b) += p;
+    for (const int n : {a, b}) B.col(3 * n + 2) += 0.5 * edge[a].x * p, B.col(3 * n + 1) -= 0.5 * edge[a].y * p;
+  }
+  return Plate::shear_factor * mu * thickness * s.area * B.transpose() * B;
+}
+
+/// Deflection of the end of a cantilever strip 1 x 0.1 under an end force, over that of a beam.
+double tip_deflection(double thickness, int along, bool plain) {
+  const Elastic law = metal<Elastic>(0.0);
+  const int across = 2, nodes = (along + 1) * (across + 1);
+  const double width = 0.1, mu = material::shear_modulus(law);
+  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(3 * nodes, 3 * nodes);
+  const auto add = [&](const std::array<int, 3>& n) {
+    Corners X;
+    for (int a = 0; a < 3; ++a) X[a] = {static_cast<double>(n[a] / (across + 1)) / along, width * (n[a] % (across + 1)) / across, 0};
+    Matrix18 all = stiffness(law, thick(thickness), X);
+    // the element's own axes: e1 along side 1-2, about the same normal
+    const PlateShape<double> s = plate_shape(X);
+    Eigen::Matrix<double, 9, 9> T = Eigen::Matrix<double, 9, 9>::Identity();
+    for (int a = 0; a < 3; ++a)
+      T.block<2, 2>(3 * a + 1, 3 * a + 1) << s.frame.e1.x, s.frame.e1.y, s.frame.e2.x, s.frame.e2.y;
+    Eigen::Matrix<double, 9, 9> k;
+    const auto dof = [](int i) { return 6 * (i / 3) + 2 + i % 3; };  // w, theta_x, theta_y
+    for (int i = 0; i < 9; ++i)
+      for (int j = 0; j < 9; ++j) k(i, j) = all(dof(i), dof(j));
+    if (plain) k += T.transpose() * (shear_stiffness(s, thickness, mu, true) - shear_stiffness(s, thickness, mu, false)) * T;
+    for (int i = 0; i < 9; ++i)
+      for (int j = 0; j < 9; ++j) K(3 * n[i / 3] + i % 3, 3 * n[j / 3] + j % 3) += k(i, j);
+  };
+  for (int i = 0; i < along; ++i) {
+    for (int j = 0; j < across; ++j) {
+      const int a = i * (across + 1) + j, b = a + across + 1, c = b + 1, d = a + 1;
+      add({a, b, c}), add({c, d, a});
+    }
+  }
+  const int clamped = 3 * (across + 1), freedoms = 3 * nodes - clamped;
+  Eigen::VectorXd load = Eigen::VectorXd::Zero(freedoms);
+  for (int j = 0; j <= across; ++j) load(freedoms - 3 * (j + 1)) = (j % across == 0 ? 0.5 : 1.0) / across;
+  const Eigen::VectorXd u = K.bottomRightCorner(freedoms, freedoms).ldlt().solve(load);
+  const double tip = u(freedoms - 6);
+  return tip / (4.0 / (law.young * width * thickness * thickness * thickness) + 1.0 / (Plate::shear_factor * mu * width * thickness));
+}
+
+TEST(Plate, ShearOperatorOfThisTestIsThatOfTheElement) {
+  const Corners X = flat_triangle(1.0, 0.3, 0.8);
+  const double t = 1e-4;  // shear dwarfs bending
+  const Matrix18 all = stiffness(metal<Elastic>(), thick(t), X);
+  const auto k = shear_stiffness(plate_shape(X), t, material::shear_modulus(metal<Elastic>()), false);
+  for (int i = 0; i < 9; ++i)
+    for (int j = 0; j < 9; ++j) EXPECT_NEAR(all(6 * (i / 3) + 2 + i % 3, 6 * (j / 3) + 2 + j % 3), k(i, j), 1e-7 * t);
+}
+
+TEST(Plate, ThinCantileverBendsFreelyWhereAPlainOnePointRuleLocks) {
+  const double thick_plate = tip_deflection(0.1, 20, false), thin = tip_deflection(1e-3, 20, false);
+  const double plain = tip_deflection(1e-3, 20, true);
+  ::testing::Test::RecordProperty("thick", std::to_string(thick_plate));
+  ::testing::Test::RecordProperty("thin", std::to_string(thin));
+  ::testing::Test::RecordProperty("plain", std::to_string(plain * 1e6) + "e-6");
+  EXPECT_NEAR(thick_plate, 1.0, 0.03);
+  EXPECT_NEAR(thin, 1.0, 0.05);
+  EXPECT_LT(plain, 0.01);
+}
+
+// ------------------------------------------------------------------------------------------------
+// Frequencies
+
+Corners any_triangle() {
+  const double scale = random(0.5, 2.0);
+  return flat_triangle(scale, scale * random(-0.3, 1.3), scale * random(0.15, 1.2));
+}
+
+TEST(Plate, FrequencyBoundsAreNeverBelowTheExactOnes) {
+  double closest[2] = {1e300, 1e300}, farthest[2] = {0, 0};
+  for (int trial = 0; trial < 400; ++trial) {
+    const auto inertia = trial % 2 == 0 ? Plate::RotaryInertia::physical : Plate::RotaryInertia::scaled;
+    const double thickness = std::pow(10.0, random(-3.0, -0.5));
+    const Element<Elastic> e{metal<Elastic>(random(0.0, 0.49)), thick(thickness, inertia), any_triangle()};
+    const Matrix18 K = stiffness(e.law, e.options, e.X);
+    Eigen::Matrix<double, 18, 1> per_root;
+    for (int i = 0; i < 18; ++i)
+      per_root(i) = 1 / std::sqrt(e.constants.mass / 3 * (i % 6 < 3 ? 1.0 : e.constants.gyration));
+    Matrix18 membrane = per_root.asDiagonal() * K * per_root.asDiagonal(), bending = membrane;
+    for (int i = 0; i < 18; ++i) {
+      auto& other = i % 6 < 2 ? bending : membrane;  // u and v against w and the rotations
+      other.row(i).setZero(), other.col(i).setZero();
+    }
+    const auto bound = largest_frequencies_squared(e.law, thickness, e.constants.gyration, plate_shape(e.X));
+    const double exact[2] = {Eigen::SelfAdjointEigenSolver<Matrix18>(membrane).eigenvalues().maxCoeff(),
+                             Eigen::SelfAdjointEigenSolver<Matrix18>(bending).eigenvalues().maxCoeff()};
+    const double ratio[2] = {std::sqrt(bound.membrane / exact[0]), std::sqrt(bound.bending_and_shear / exact[1])};
+    for (int m = 0; m < 2; ++m) closest[m] = std::min(closest[m], ratio[m]), farthest[m] = std::max(farthest[m], ratio[m]);
+  }
+  ::testing::Test::RecordProperty("membrane", std::to_string(closest[0]) + " to " + std::to_string(farthest[0]));
+  ::testing::Test::RecordProperty("bending_and_shear", std::to_string(closest[1]) + " to " + std::to_string(farthest[1]));
+  for (int m = 0; m < 2; ++m) {
+    EXPECT_GE(closest[m], 1 - 1e-9);
+    EXPECT_LT(farthest[m], 1.6);
+  }
+}
+
+TEST(Plate, WithScaledRotaryInertiaBendingNeverSetsTheStep) {
+  for (int trial = 0; trial < 400; ++trial) {
+    const double thickness = std::pow(10.0, random(-3.0, 0.5));
+    Element<Elastic> e{metal<Elastic>(random(0.0, 0.49)), thick(thickness, Plate::RotaryInertia::scaled), any_triangle()};
+    const auto bound = largest_frequencies_squared(e.law, thickness, e.constants.gyration, plate_shape(e.X));
+    EXPECT_LE(bound.bending_and_shear, bound.membrane * (1 + 1e-9));
+    EXPECT_GE(e.constants.gyration, thickness * thickness / 12);
+    EXPECT_NEAR(e.step(e.X, Corners{}, Corners{}).step, 2 / std::sqrt(bound.membrane), 1e-9 * 2 / std::sqrt(bound.membrane));
+  }
+}
+
+TEST(Plate, LargestEigenvalueIsExact) {
+  for (int trial = 0; trial < 20; ++trial) {
+    const Plane<double> p{random(), random(), random()};
+    EXPECT_NEAR(largest_eigenvalue(p), Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(full(p)).eigenvalues().maxCoeff(), 1e-14);
+  }
+}
+
+}  // namespace
+}  // namespace nereid::element

@@ -1,0 +1,225 @@
+#include "load/constraints.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <random>
+
+#include "base/check.hpp"
+
+namespace nereid::load {
+namespace {
+
+/// The same vectors in every run.
+class Vectors3 {
+ public:
+  Vec3 any() { return {number_(engine_), number_(engine_), number_(engine_)}; }
+  Vec3 unit() { return any().normalized(); }
+
+ private:
+  std::mt19937 engine_{7};
+  std::uniform_real_distribution<double> number_{-1, 1};
+};
+
+Plane plane(PlaneKind kind, const Vec3& normal) {
+  Plane p;
+  p.kind = kind;
+  p.normal = normal;
+  p.nodes = {0};
+  return p;
+}
+
+/// One node, with a plate's turn, on planes of one kind.
+struct OneNode {
+  explicit OneNode(const std::vector<Vec3>& normals, PlaneKind kind = PlaneKind::symmetry) {
+    for (const Vec3& normal : normals) constraints.planes.push_back(plane(kind, normal));
+    memory = prepare(constraints, 1, {0});
+  }
+  Vec3 restrained(Vec3 v, const Vec3& x = Vec3::Zero(), double mass = 1) {
+    restrain(constraints, memory.held[0], x, mass, v, memory.account);
+    return v;
+  }
+  Vec3 restrained_turn(Vec3 w, double inertia = 1) {
+    restrain_turn(memory.held[0], inertia, w, memory.account);
+    return w;
+  }
+  Constraints constraints;
+  Memory memory;
+};
+
+TEST(Constraints, ANodeOnOnePlaneMovesInIt) {
+  Vectors3 random;
+  for (int i = 0; i < 100; ++i) {
+    const Vec3 n = random.unit(), v = random.any();
+    EXPECT_NEAR((OneNode({n}).restrained(v) - (v - v.dot(n) * n)).norm(), 0, 1e-15);
+  }
+}
+
+TEST(Constraints, ANodeOnTwoPlanesMovesAlongTheirIntersection) {
+  Vectors3 random;
+  for (int i = 0; i < 100; ++i) {
+    const Vec3 a = random.unit(), b = random.unit(), v = random.any();
+    const Vec3 line = a.cross(b).normalized();
+    // the angle between the planes amplifies round-off
+    EXPECT_NEAR((OneNode({a, b}).restrained(v) - v.dot(line) * line).norm(), 0, 1e-14 / a.cross(b).norm());
+  }
+}
+
+TEST(Constraints, ANodeOnThreePlanesIsFixed) {
+  Vectors3 random;
+  for (int i = 0; i < 100; ++i) {
+    const Vec3 a = random.unit(), b = random.unit(), c = random.unit();
+    const double volume = std::abs(a.dot(b.cross(c)));
+    EXPECT_NEAR(OneNode({a, b, c}).restrained(random.any()).norm(), 0, 1e-14 / volume);
+  }
+}
+
+TEST(Constraints, WhatPlanesAllowIsAnOrthogonalProjection) {
+  Vectors3 random;
+  for (int i = 0; i < 100; ++i) {
+    const Mat3 allowed = OneNode({random.unit(), random.unit()}).memory.held[0].allowed;
+    EXPECT_NEAR((allowed - allowed.transpose()).norm(), 0, 1e-12);
+    EXPECT_NEAR((allowed * allowed - allowed).norm(), 0, 1e-12);
+  }
+}
+
+TEST(Constraints, APlaneGivenTwiceOrFromTheOtherSideHoldsOnce) {
+  Vectors3 random;
+  for (int i = 0; i < 100; ++i) {
+    const Vec3 n = random.unit(), v = random.any(), in_plane = v - v.dot(n) * n;
+    EXPECT_NEAR((OneNode({n, n}).restrained(v) - in_plane).norm(), 0, 1e-15);
+    EXPECT_NEAR((OneNode({n, -n, n}).restrained(v) - in_plane).norm(), 0, 1e-15);
+  }
+}
+
+TEST(Constraints, ThreePlanesThroughALineLeaveTheLineFree) {
+  Vectors3 random;
+  for (int i = 0; i < 100; ++i) {
+    const Vec3 line = random.unit(), a = line.cross(random.unit()).normalized(), v = random.any();
+    const Eigen::AngleAxisd third(pi / 3, line), other(1.0, line);
+    const Vec3 along = v.dot(line) * line;
+    EXPECT_NEAR((OneNode({a, third * a, other * a}).restrained(v) - along).norm(), 0, 1e-14);
+  }
+}
+
+TEST(Constraints, PlanesThatDifferByTheirLastDigitsAreOne) {
+  const Vec3 n = Vec3(std::cos(pi / 6), 0.5, 0), typed = Vec3(0.8660254, 0.5, 0).normalized();
+  const Vec3 v(0.3, -0.4, 0.5), in_plane = v - v.dot(n) * n;
+  EXPECT_NEAR((OneNode({n, typed}).restrained(v) - in_plane).norm(), 0, 1e-15);
+  EXPECT_NEAR((OneNode({n, Vec3::UnitZ(), typed}).restrained(v) - Vec3(in_plane.x(), in_plane.y(), 0)).norm(), 0, 1e-15);
+  // the turn about the normal survives as well
+  EXPECT_NEAR((OneNode({n, typed}).restrained_turn(n) - n).norm(), 0, 1e-6);
+}
+
+TEST(Constraints, PlanesAtASmallAngleHoldAcrossTheirLine) {
+  const double angle = 1e-4;  // a wedge of a body of revolution may be that thin
+  OneNode wedge({Vec3::UnitX(), Vec3(-std::cos(angle), std::sin(angle), 0)});
+  const Vec3 v = wedge.restrained({0.3, -0.4, 0.5});
+  EXPECT_NEAR((v - Vec3(0, 0, 0.5)).norm(), 0, 1e-11);
+}
+
+TEST(Constraints, AlongAxesHeldComponentsAreZeroAndOthersUntouchedToTheLastBit) {
+  const Vec3 v(0.1, -1.0 / 3, 1e17 / 7);
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double sign : {1.0, -1.0}) {
+      const Vec3 r = OneNode({sign * Vec3::Unit(axis)}).restrained(v);
+      for (int i = 0; i < 3; ++i) EXPECT_EQ(r(i), i == axis ? 0.0 : v(i));
+      const Vec3 two = OneNode({sign * Vec3::Unit(axis), Vec3::Unit((axis + 1) % 3)}).restrained(v);
+      for (int i = 0; i < 3; ++i) EXPECT_EQ(two(i), i == (axis + 2) % 3 ? v(i) : 0.0);
+    }
+  }
+  EXPECT_EQ(OneNode({Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()}).restrained(v), Vec3(0, 0, 0));
+}
+
+TEST(Constraints, PlatesOnASymmetryPlaneTurnOnlyAboutItsNormal) {
+  Vectors3 random;
+  for (int i = 0; i < 100; ++i) {
+    const Vec3 n = random.unit(), w = random.any();
+    EXPECT_NEAR((OneNode({n}).restrained_turn(w) - w.dot(n) * n).norm(), 0, 1e-15);
+    EXPECT_NEAR((OneNode({n, -n}).restrained_turn(w) - w.dot(n) * n).norm(), 0, 1e-15);
+  }
+}
+
+TEST(Constraints, PlatesOnTwoSymmetryPlanesDoNotTurn) {
+  Vectors3 random;
+  for (int i = 0; i < 100; ++i) {
+    const Vec3 w = random.any();
+    EXPECT_EQ(OneNode({random.unit(), random.unit()}).restrained_turn(w), Vec3(0, 0, 0));
+  }
+}
+
+TEST(Constraints, PlatesOnHeldPlanesTurnFreely) {
+  const Vec3 w(1, 2, 3);
+  EXPECT_EQ(OneNode({Vec3::UnitX(), Vec3::UnitY()}, PlaneKind::held).restrained_turn(w), w);
+}
+
+TEST(Constraints, PlanesShareTheImpulseAlongTheirNormals) {
+  Vectors3 random;
+  for (int i = 0; i < 100; ++i) {
+    const Vec3 a = random.unit(), b = random.unit(), v = random.any(), x = random.any();
+    const double mass = 2.5;
+    OneNode one({a, b, a});  // the third is redundant
+    const Vec3 impulse = mass * (one.restrained(v, x, mass) - v);
+    Vec3 sum = Vec3::Zero(), moment = Vec3::Zero();
+    for (std::size_t p = 0; p < one.memory.account.size(); ++p) {
+      const PlaneAccount& account = one.memory.account[p];
+      sum += account.impulse;
+      moment += account.angular_impulse;
+      EXPECT_NEAR(account.impulse.cross(one.constraints.planes[p].normal).norm(), 0, 1e-15 * (1 + account.impulse.norm()));
+      EXPECT_NEAR((account.angular_impulse - x.cross(account.impulse)).norm(), 0, 1e-14 * (1 + account.impulse.norm()));
+    }
+    const double amplified = 1e-14 / a.cross(b).norm();
+    EXPECT_NEAR((sum - impulse).norm(), 0, amplified);
+    EXPECT_NEAR((moment - x.cross(impulse)).norm(), 0, amplified);
+    EXPECT_EQ(one.memory.account[2].impulse, Vec3(0, 0, 0));
+  }
+}
+
+TEST(Constraints, ImpulsesAddUpOverTime) {
+  OneNode one({Vec3::UnitZ()});
+  for (int i = 0; i < 3; ++i) one.restrained({1, 2, 3}, {0, 1, 0}, 2);
+  EXPECT_EQ(one.memory.account[0].impulse, Vec3(0, 0, -18));
+  EXPECT_EQ(one.memory.account[0].angular_impulse, Vec3(-18, 0, 0));
+}
+
+TEST(Constraints, ATurnThatIsTakenAwayIsBookedAsAngularImpulse) {
+  OneNode one({Vec3::UnitZ()});
+  EXPECT_EQ(one.restrained_turn({1, 2, 3}, 0.5), Vec3(0, 0, 3));
+  EXPECT_EQ(one.memory.account[0].angular_impulse, Vec3(-0.5, -1, 0));
+}
+
+TEST(Constraints, AFloorHoldsNobodyAtTheStart) {
+  OneNode one({Vec3::UnitZ()}, PlaneKind::floor);
+  const Vec3 v(1, 2, -3);
+  EXPECT_EQ(one.restrained(v), v);
+  EXPECT_EQ(one.restrained_turn(v), v);
+  hold(one.constraints, one.memory.held[0], 0);
+  EXPECT_EQ(one.restrained(v), Vec3(1, 2, 0));
+  EXPECT_EQ(one.restrained_turn(v), v);  // a floor holds no turn
+}
+
+TEST(Constraints, NodesOfNoPlaneAreNotRemembered) {
+  Constraints constraints;
+  constraints.planes.push_back(plane(PlaneKind::held, Vec3::UnitX()));
+  constraints.planes[0].nodes = {1, 4};
+  const Memory memory = prepare(constraints, 6, std::vector<Index>(6, -1));
+  EXPECT_EQ(memory.held.size(), 2u);
+  EXPECT_EQ(memory.held_of_node, (std::vector<Index>{-1, 0, -1, -1, 1, -1}));
+}
+
+TEST(Constraints, MoreThanFourPlanesAtANodeAreRefusedBeforeTheStart) {
+  Vectors3 random;
+  std::vector<Vec3> normals;
+  for (int i = 0; i < 4; ++i) normals.push_back(random.unit());
+  EXPECT_NO_THROW(OneNode{normals});
+  normals.push_back(random.unit());
+  EXPECT_THROW(OneNode{normals}, InternalError);
+  normals.pop_back();
+  Constraints with_floor = OneNode(normals).constraints;
+  with_floor.planes.push_back(plane(PlaneKind::floor, Vec3::UnitZ()));
+  EXPECT_THROW(prepare(with_floor, 1, {-1}), InternalError);
+}
+
+}  // namespace
+}  // namespace nereid::load

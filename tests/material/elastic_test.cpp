@@ -1,0 +1,80 @@
+#include "material/elastic.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/dual.hpp"
+
+namespace nereid::material {
+namespace {
+
+const Elastic steel{7800.0, 2.0e11, 0.3};
+std::array<double, 0> nothing;
+
+TEST(Elastic, ModuliSatisfyTheirIdentities) {
+  const auto [lambda, mu] = lame(steel);
+  EXPECT_DOUBLE_EQ(mu, 2.0e11 / 2.6);
+  EXPECT_DOUBLE_EQ(shear_modulus(steel), mu);
+  EXPECT_NEAR(bulk_modulus(steel), lambda + 2.0 / 3.0 * mu, 1e-4);
+  EXPECT_NEAR(mu * (3.0 * lambda + 2.0 * mu) / (lambda + mu), steel.young, 1e-3);
+  EXPECT_NEAR(lambda / (2.0 * (lambda + mu)), steel.poisson, 1e-15);
+}
+
+TEST(Elastic, WaveSpeedsAreThoseOfSpaceAndOfAThinPlate) {
+  EXPECT_NEAR(wave_speed(steel), std::sqrt(2.0e11 * 0.7 / (1.3 * 0.4 * 7800.0)), 1e-9);
+  EXPECT_NEAR(plate_wave_speed(steel), std::sqrt(2.0e11 / (0.91 * 7800.0)), 1e-9);
+}
+
+TEST(Elastic, StressOfUniaxialStrainIsTheConstrainedModulusTimesStrain) {
+  Symmetric<double> stress{};
+  update_stress(steel, Symmetric<double>{1e-3, 0, 0, 0, 0, 0}, stress, nothing);
+  const auto [lambda, mu] = lame(steel);
+  EXPECT_DOUBLE_EQ(stress.xx, 1e-3 * lambda + 1e-3 * (2.0 * mu));
+  EXPECT_DOUBLE_EQ(stress.yy, 1e-3 * lambda);
+  EXPECT_DOUBLE_EQ(stress.zz, 1e-3 * lambda);
+  EXPECT_EQ(stress.xy, 0.0);
+}
+
+TEST(Elastic, ShearComponentsAreTensorComponents) {
+  Symmetric<double> space{};
+  Plane<double> plane{};
+  update_stress(steel, Symmetric<double>{0, 0, 0, 1e-3, 2e-3, 3e-3}, space, nothing);
+  update_stress(steel, Plane<double>{0, 0, 1e-3}, plane, nothing);
+  const double twice_mu = 2.0 * shear_modulus(steel);
+  EXPECT_DOUBLE_EQ(space.xy, 1e-3 * twice_mu);
+  EXPECT_DOUBLE_EQ(space.yz, 2e-3 * twice_mu);
+  EXPECT_DOUBLE_EQ(space.xz, 3e-3 * twice_mu);
+  EXPECT_DOUBLE_EQ(plane.xy, 1e-3 * twice_mu);
+}
+
+TEST(Elastic, EqualStrainInAPlateGivesTheBiaxialModulus) {
+  Plane<double> stress{};
+  update_stress(steel, Plane<double>{1e-3, 1e-3, 0}, stress, nothing);
+  EXPECT_NEAR(stress.xx, 1e-3 * steel.young / 0.7, 1e-7);
+  EXPECT_EQ(stress.xx, stress.yy);
+}
+
+TEST(Elastic, StoredWorkIsTheChangeOfHalfStressOverYoungSquared) {
+  Plane<double> stress{};
+  const Plane<double> stretch{1e-3, -0.3e-3, 0};  // uniaxial stress
+  const Work<double> first = update_stress(steel, stretch, stress, nothing);
+  EXPECT_NEAR(first.stored, 0.5 * 1e-6 * steel.young, 1e-9);
+  const Work<double> second = update_stress(steel, stretch, stress, nothing);
+  EXPECT_NEAR(first.stored + second.stored, 0.5 * 4e-6 * steel.young, 1e-9);
+  EXPECT_EQ(first.dissipated, 0.0);
+}
+
+TEST(Elastic, VonMisesStressIsUniaxialStressAndRootThreeTimesShear) {
+  EXPECT_DOUBLE_EQ(von_mises(Symmetric<double>{-7, 0, 0, 0, 0, 0}), 7.0);
+  EXPECT_DOUBLE_EQ(von_mises(Plane<double>{0, -7, 0}), 7.0);
+  EXPECT_DOUBLE_EQ(von_mises(Symmetric<double>{5, 5, 5, 0, 2, 0}), 2.0 * std::sqrt(3.0));
+  EXPECT_DOUBLE_EQ(von_mises(Plane<double>{0, 0, 2}), 2.0 * std::sqrt(3.0));
+}
+
+TEST(Elastic, PressureIsPositiveInCompression) {
+  EXPECT_DOUBLE_EQ(pressure(Symmetric<double>{-1, -2, -6, 4, 5, 6}), 3.0);
+}
+
+}  // namespace
+}  // namespace nereid::material

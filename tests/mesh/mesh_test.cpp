@@ -1,0 +1,88 @@
+#include "mesh/mesh.hpp"
+
+#include <gtest/gtest.h>
+
+#include "base/check.hpp"
+#include "mesh/box.hpp"
+
+namespace nereid::mesh {
+namespace {
+
+Mesh block(const std::string& name) { return box(name, {{0, 0, 0}, {1, 2, 3}, {2, 1, 3}}); }
+
+/// Two triangles over the unit square, cut from node 0 to node 2, and a node beside them.
+Mesh square() {
+  Mesh mesh;
+  mesh.X.resize(3, 5);
+  mesh.X << 0, 1, 1, 0, 9,  //
+      0, 0, 1, 1, 9,        //
+      0, 0, 0, 0, 9;
+  Table<3> facets(3, 2);
+  facets << 0, 2,  //
+      1, 3,        //
+      2, 0;
+  mesh.surfaces = {{"square", facets}};
+  mesh.triangles = {{"plate", facets}};
+  return mesh;
+}
+
+template <int rows>
+Table<rows> moved(const Table<rows>& nodes, Index by) {
+  return (nodes.array() + by).matrix();
+}
+
+TEST(Mesh, FindsWhatItHoldsByName) {
+  const Mesh mesh = block("A");
+  EXPECT_EQ(hexahedra(mesh, "A").nodes.cols(), 6);
+  EXPECT_EQ(surface(mesh, "A.z_high").facets.cols(), 4);
+  EXPECT_EQ(node_set(mesh, "A.z_high").size(), 6u);
+  EXPECT_EQ(triangles(square(), "plate").nodes.cols(), 2);
+}
+
+TEST(Mesh, RefusesUnknownNames) {
+  const Mesh mesh = block("A");
+  EXPECT_THROW(hexahedra(mesh, "B"), InternalError);
+  EXPECT_THROW(triangles(mesh, "A"), InternalError);
+  EXPECT_THROW(surface(mesh, "A"), InternalError);
+  EXPECT_THROW(node_set(mesh, "A.front"), InternalError);
+}
+
+TEST(Mesh, JoinsWithTheNodesOfTheSecondAfterTheFirst) {
+  const Mesh a = block("A"), b = join(block("B"), square());
+  const Mesh both = join(a, b);
+  const Index first = static_cast<Index>(a.X.cols());
+  EXPECT_EQ(both.X.leftCols(first), a.X);
+  EXPECT_EQ(both.X.rightCols(b.X.cols()), b.X);
+  EXPECT_EQ(hexahedra(both, "A").nodes, hexahedra(a, "A").nodes);
+  EXPECT_EQ(moved(hexahedra(b, "B").nodes, first), hexahedra(both, "B").nodes);
+  EXPECT_EQ(moved(triangles(b, "plate").nodes, first), triangles(both, "plate").nodes);
+  EXPECT_EQ(moved(surface(b, "B.x_low").facets, first), surface(both, "B.x_low").facets);
+  EXPECT_EQ(surface_nodes(surface(both, "B.x_low")), node_set(both, "B.x_low"));
+  EXPECT_EQ(node_set(both, "B").front(), first);
+}
+
+TEST(Mesh, RefusesToJoinEqualNames) { EXPECT_THROW(join(block("A"), block("A")), InternalError); }
+
+TEST(Mesh, RefusesToJoinRegionsOfDifferentKindsWithEqualNames) {
+  EXPECT_THROW(join(block("plate"), square()), InternalError);
+}
+
+TEST(SurfaceNodes, AreAscendingAndEachOnce) {
+  EXPECT_EQ(surface_nodes(surface(square(), "square")), (Subset{0, 1, 2, 3}));
+}
+
+TEST(FacetAreas, AreHalfOfTheSquareEach) {
+  const Mesh mesh = square();
+  EXPECT_EQ(facet_areas(mesh, surface(mesh, "square")), Eigen::Vector2d(0.5, 0.5));
+}
+
+TEST(TributaryAreas, AreAThirdOfTheFacetsAtTheNode) {
+  const Mesh mesh = square();
+  const Scalars areas = tributary_areas(mesh, surface(mesh, "square"), {0, 1, 4});
+  EXPECT_DOUBLE_EQ(areas(0), 1.0 / 3);
+  EXPECT_DOUBLE_EQ(areas(1), 1.0 / 6);
+  EXPECT_EQ(areas(2), 0);
+}
+
+}  // namespace
+}  // namespace nereid::mesh

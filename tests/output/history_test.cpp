@@ -1,0 +1,104 @@
+#include "output/history.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <sstream>
+
+#include "base/check.hpp"
+
+namespace nereid::output {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path fresh_file(const std::string& name) {
+  const fs::path folder = fs::path(testing::TempDir()) / ("nereid_history_" + name);
+  fs::remove_all(folder);
+  return folder / "history.csv";
+}
+
+std::string text_of(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::stringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+const std::vector<Column> two{{"settlement_mean", "m"}, {"interface_stress", "Pa"}};
+
+TEST(History, HeaderCarriesUnitsAndNumbersCarryAllDigits) {
+  const fs::path file = fresh_file("header");
+  History history(file, two);
+  history.add(0, std::vector<double>{0.1, -203e6});
+  history.add(1e-3, std::vector<double>{1.0 / 3, std::numeric_limits<double>::infinity()});
+  history.flush();
+  EXPECT_EQ(text_of(file),
+            "time [s],settlement_mean [m],interface_stress [Pa]\n"
+            "0,0.10000000000000001,-203000000\n"
+            "0.001,0.33333333333333331,inf\n");
+}
+
+TEST(History, NotANumberHasNoSign) {
+  const fs::path file = fresh_file("nan");
+  History history(file, two);
+  history.add(0, std::vector<double>{std::nan(""), -std::nan("")});
+  history.flush();
+  EXPECT_NE(text_of(file).find("\n0,nan,nan\n"), std::string::npos);
+}
+
+TEST(History, ColumnsStandOnTheDiskBeforeTheFirstRow) {
+  const fs::path file = fresh_file("early");
+  const History history(file, two);
+  EXPECT_EQ(text_of(file), "time [s],settlement_mean [m],interface_stress [Pa]\n");
+}
+
+TEST(History, EveryRowReachesTheDiskWhenTheHistoryGoes) {
+  const fs::path file = fresh_file("end");
+  {
+    History history(file, two);
+    for (int i = 0; i < 10000; ++i) history.add(i, std::vector<double>{i / 7.0, i / 11.0});
+  }
+  const std::string text = text_of(file);
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 10001);
+}
+
+TEST(History, NumbersReadBackAreTheSameBits) {
+  const fs::path file = fresh_file("bits");
+  const std::vector<double> row{std::pow(3.3, 40), -4.9406564584124654e-324};
+  History history(file, two);
+  history.add(0.1, row);
+  history.flush();
+  std::stringstream lines(text_of(file));
+  std::string header, word;
+  std::getline(lines, header);
+  std::getline(lines, word, ',');
+  EXPECT_EQ(std::strtod(word.c_str(), nullptr), 0.1);
+  for (const double value : row) {
+    std::getline(lines, word, ',');
+    EXPECT_EQ(std::strtod(word.c_str(), nullptr), value);
+  }
+}
+
+TEST(History, RowOfAnotherLengthIsRefused) {
+  History history(fresh_file("length"), two);
+  EXPECT_THROW(history.add(0, std::vector<double>{1}), InternalError);
+}
+
+TEST(History, NameThatBreaksTheTableIsRefused) {
+  EXPECT_THROW(History(fresh_file("name"), {{"a,b", "m"}}), InternalError);
+  EXPECT_THROW(History(fresh_file("name"), {{"a", "m"}, {"a", "m"}}), InternalError);
+  EXPECT_THROW(History(fresh_file("name"), {{"time", "s"}}), InternalError);
+}
+
+TEST(History, FullDiskIsTheMachinesFault) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP();
+  EXPECT_THROW(History("/dev/full", two), MachineError);
+  EXPECT_THROW(History("/proc/nowhere/history.csv", two), MachineError);
+}
+
+}  // namespace
+}  // namespace nereid::output

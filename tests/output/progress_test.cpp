@@ -1,0 +1,76 @@
+#include "output/progress.hpp"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace nereid::output {
+namespace {
+
+TEST(Progress, SpansOfTimeAreSpokenAsPeopleDo) {
+  EXPECT_EQ(spoken(0.2), "0 s");
+  EXPECT_EQ(spoken(59.4), "59 s");
+  EXPECT_EQ(spoken(200), "3 min 20 s");
+  EXPECT_EQ(spoken(7500), "2 h 05 min");
+  EXPECT_EQ(spoken(std::nan("")), "?");
+  EXPECT_EQ(spoken(INFINITY), "?");
+}
+
+TEST(Progress, LineGuessesTheRestAtTheSameSpeed) {
+  EXPECT_EQ(progress_line(1.5e-3, 6e-3, 12345, 1.2345e-7, 100),
+            " 25.0 %  0.0015 of 0.006 s  step 12345  dt 1.23e-07 s  5 min 00 s to go");
+  EXPECT_NE(progress_line(0, 6e-3, 0, 1e-7, 0).find("? to go"), std::string::npos);
+  EXPECT_NE(progress_line(7e-3, 6e-3, 0, 1e-7, 9).find("100.0 %"), std::string::npos);
+}
+
+TEST(Progress, IsSilentWhereNobodyLooks) {
+  testing::internal::CaptureStderr();
+  Progress progress(1, false);  // a file takes the place of the terminal
+  progress.show(0.5, 1, 0.1);
+  progress.done();
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+/// What Progress writes when stderr is a terminal.
+std::string on_a_terminal(bool quiet) {
+  const int terminal = posix_openpt(O_RDWR | O_NOCTTY);
+  if (terminal < 0 || grantpt(terminal) != 0 || unlockpt(terminal) != 0) return "no terminal";
+  const int screen = open(ptsname(terminal), O_RDWR | O_NOCTTY);
+  const int before = dup(STDERR_FILENO);
+  fflush(stderr);
+  dup2(screen, STDERR_FILENO);
+  {
+    Progress progress(1, quiet);
+    for (int step = 0; step < 1000; ++step) progress.show(1e-3 * step, step, 1e-3);
+  }
+  fflush(stderr);
+  dup2(before, STDERR_FILENO);
+  fcntl(terminal, F_SETFL, O_NONBLOCK);
+  char text[4096];
+  const auto size = read(terminal, text, sizeof text);
+  close(before), close(screen), close(terminal);
+  return {text, text + std::max<decltype(size)>(size, 0)};
+}
+
+TEST(Progress, WritesOneLineAtATimeAndEndsIt) {
+  const std::string text = on_a_terminal(false);
+  if (text == "no terminal") GTEST_SKIP();
+  EXPECT_EQ(text.rfind("\r  0.0 %", 0), 0u) << text;
+  EXPECT_EQ(text.back(), '\n');
+  // A thousand steps in a moment, yet the screen is written hardly more than once.
+  EXPECT_LE(std::count(text.begin(), text.end(), '%'), 3);
+}
+
+TEST(Progress, IsSilentWhenAskedToBe) {
+  const std::string text = on_a_terminal(true);
+  if (text == "no terminal") GTEST_SKIP();
+  EXPECT_EQ(text, "");
+}
+
+}  // namespace
+}  // namespace nereid::output
