@@ -47,7 +47,6 @@ WalkEnd walk(const BaseSurface& base, const Vectors& x, const Vector<double>& ap
   while (end.hops < most_hops) {
     end.feature.kind = end.closest.kind;
     end.feature.local = end.closest.local;
-    if (end.closest.kind == geometry::Kind::facet) return end;
     Index best = -1;
     geometry::Closest best_closest = end.closest;
     const auto consider = [&](Index facet) {
@@ -55,11 +54,25 @@ WalkEnd walk(const BaseSurface& base, const Vectors& x, const Vector<double>& ap
       const auto there = geometry::closest_on_triangle(corners(base, x, facet), apex);
       if (there.distance_squared < closer * best_closest.distance_squared) best = facet, best_closest = there;
     };
-    if (end.closest.kind == geometry::Kind::edge) {
+    const auto consider_ring = [&](Index node) {
+      for (Index r = base.ring_begin[node]; r < base.ring_begin[node + 1]; ++r) consider(base.ring[r]);
+    };
+    if (end.closest.kind == geometry::Kind::facet) {
+      // Eq. 14 may hold for both flanks of a valley: what lies behind a near border may be nearer still
+      const auto c = corners(base, x, end.feature.facet);
+      const double twice_area = norm(cross(c[1] - c[0], c[2] - c[0]));
+      const double within = look_around * std::sqrt(end.closest.distance_squared);
+      std::array<bool, 3> near{};
+      for (int e = 0; e < 3; ++e) {
+        near[e] = end.closest.weight[(e + 2) % 3] * twice_area < within * norm(c[(e + 1) % 3] - c[e]);
+        if (near[e]) consider(base.neighbour(e, end.feature.facet));
+      }
+      for (int a = 0; a < 3; ++a)
+        if (near[a] && near[(a + 2) % 3]) consider_ring(base.facets(a, end.feature.facet));
+    } else if (end.closest.kind == geometry::Kind::edge) {
       consider(base.neighbour(end.closest.local, end.feature.facet));
     } else {
-      const Index node = base.facets(end.closest.local, end.feature.facet);
-      for (Index r = base.ring_begin[node]; r < base.ring_begin[node + 1]; ++r) consider(base.ring[r]);
+      consider_ring(base.facets(end.closest.local, end.feature.facet));
     }
     if (best < 0) return end;
     end.feature.facet = best;

@@ -37,11 +37,15 @@ inline std::array<Vector<double>, 3> corners(const BaseSurface& base, const Vect
           position(x, base.facets(2, facet))};
 }
 
+/// A border nearer to the foot of an apex than this many times its height may hide a nearer facet: the
+/// other flank of a valley or the other side of a ridge, of 53 degrees or more between them.
+constexpr double look_around = 2.0;
+
 /// The feature closest to a point, by walking downhill from facet to facet (Kulak & Fiala, chapter 4).
 ///
 /// Eq. 14 tells which edge or vertex of a facet was crossed and the adjacency table what lies behind;
 /// the walk goes on while the distance falls. On a convex ridge, where Eq. 14 fails on both sides,
-/// it ends on the edge or vertex itself.
+/// it ends on the edge or vertex itself; in a valley, where it holds on both, on the nearer flank.
 ///
 /// from     facet to start from
 /// hops     facets passed on the way

@@ -18,6 +18,7 @@ using geometry::Kind;
 
 constexpr double border_tolerance = 1e-6;  // of a facet's size: an apex on the border still has a base
 constexpr double near_contact = 1.25;      // of h_c: from here on all claims on an apex are weighed
+constexpr double tie = 1e-9;               // heights that differ by less are the same
 constexpr double really_closer = 1e-6;     // relative distance by which a search must beat the walk
 
 Vec3 eigen(const Vector<double>& a) { return {a.x, a.y, a.z}; }
@@ -82,16 +83,26 @@ FeatureHeight height_over(const BaseSurface& base, const Vectors& x, const Featu
   return {height, normal, weight};
 }
 
+/// Directions that an apex on a symmetry plane may go; null for the others.
+const Mat3* allowed_of(const Interface& interface, Index a) {
+  return interface.allowed.empty() || interface.allowed[a].isIdentity(0) ? nullptr : &interface.allowed[a];
+}
+
 /// Whether a closest point on the border of the surface belongs to an apex that has left it; if not,
 /// the apex is on the border to within the tolerance and its facet is its base.
-bool past_border(const BaseSurface& base, const Vectors& x, Index facet, const Closest& closest, const Vector<double>& p) {
+///
+/// allowed  directions of an apex on a symmetry plane, or null: where the foot lies in the plane too,
+///          the surface goes on behind it, and its normal there lies in the plane
+bool past_border(const BaseSurface& base, const Vectors& x, Index facet, const Closest& closest, const Vector<double>& p,
+                 const Mat3* allowed) {
   const auto c = corners(base, x, facet);
   const Vector<double> foot = closest.weight[0] * c[0] + closest.weight[1] * c[1] + closest.weight[2] * c[2];
   const Vector<double> n = cross(c[1] - c[0], c[2] - c[0]);
   const double size = std::sqrt(norm(n));
-  const Vector<double> away = p - foot, unit = (1.0 / norm(n)) * n;
-  const Vector<double> sideways = away - dot(away, unit) * unit;
-  return norm(sideways) > border_tolerance * size;
+  const Vec3 away = eigen(p - foot);
+  Vec3 unit = eigen(n).normalized();
+  if (allowed != nullptr && (away - *allowed * away).norm() <= border_tolerance * size) unit = (*allowed * unit).normalized();
+  return (away - away.dot(unit) * unit).norm() > border_tolerance * size;
 }
 
 bool on_border(const BaseSurface& base, Index facet, const Closest& closest) {
@@ -140,10 +151,19 @@ struct Claims {
   std::array<Feature, most_candidates> feature;
   std::array<FeatureHeight, most_candidates> at;
 
+  /// Once the list is full the lowest are kept: they push hardest.
   void add(const Feature& f, const FeatureHeight& height) {
-    if (count == most_candidates) return;
-    feature[count] = f;
-    at[count++] = height;
+    int place = count;
+    if (count == most_candidates) {
+      place = 0;
+      for (int i = 1; i < count; ++i)
+        if (at[i].height > at[place].height) place = i;
+      if (!(height.height < at[place].height)) return;
+    } else {
+      ++count;
+    }
+    feature[place] = f;
+    at[place] = height;
   }
 };
 
@@ -169,16 +189,39 @@ bool all_agree(const BaseSurface& base, const Vectors& x, const Vector<double>& 
   return true;
 }
 
+/// Of two facets that meet in a ridge the higher one has the apex: who is outside of one is outside,
+/// and from inside the shorter way leads out. In a valley both claims stand.
+///
+///     n_i . (foot_j - foot_i) = h_i - h_j n_i . n_j,  negative where the foot of j lies behind i
+void settle_ridges(Claims& claims) {
+  std::array<bool, most_candidates> drop{};
+  for (int i = 0; i < claims.count; ++i) {
+    for (int j = 0; j < i; ++j) {
+      if (claims.feature[i].kind != Kind::facet || claims.feature[j].kind != Kind::facet) continue;
+      const double cosine = claims.at[i].normal.dot(claims.at[j].normal);
+      const double hi = claims.at[i].height, hj = claims.at[j].height;
+      if (hi - cosine * hj < 0 && hj - cosine * hi < 0) drop[hi < hj ? i : j] = true;
+    }
+  }
+  int kept = 0;
+  for (int i = 0; i < claims.count; ++i) {
+    if (drop[i]) continue;
+    claims.feature[kept] = claims.feature[i];
+    claims.at[kept++] = claims.at[i];
+  }
+  claims.count = kept;
+}
+
 /// Collects the features that claim an apex, starting from where the walk ended.
-Claims claims_on(const BaseSurface& base, const Vectors& x, const Vector<double>& p, const WalkEnd& from, double height) {
+Claims claims_on(const BaseSurface& base, const Vectors& x, const Vector<double>& p, const WalkEnd& from, double height,
+                 const Mat3* allowed) {
   Claims claims;
   Neighbourhood near;
   near.look(base, x, p, from.feature.facet);
-  // Another flank can claim the apex only within the height (valleys up to a right angle), so only
-  // facets behind borders that near have to be looked at.
+  // Another flank can claim the apex only near a border: only facets behind those have to be looked at.
   const auto c = corners(base, x, from.feature.facet);
   const double twice_area = norm(cross(c[1] - c[0], c[2] - c[0]));
-  const double within = 1.5 * std::abs(height) + 1e-9 * std::sqrt(twice_area);
+  const double within = look_around * std::abs(height) + 1e-9 * std::sqrt(twice_area);
   std::array<bool, 3> near_edge{};
   for (int e = 0; e < 3; ++e) {
     const double altitude = twice_area / norm(c[(e + 1) % 3] - c[e]);
@@ -197,11 +240,18 @@ Claims claims_on(const BaseSurface& base, const Vectors& x, const Vector<double>
     const Feature feature{near.facet[i], at.kind, at.local};
     if (at.kind == Kind::facet) {
       claims.add(feature, near.height[i]);
-    } else if (on_border(base, near.facet[i], at)) {
-      if (past_border(base, x, near.facet[i], at, p)) continue;
-      const Feature facet{near.facet[i], Kind::facet, 0};
-      claims.add(facet, height_over(base, x, facet, p));
-    } else if (all_agree(base, x, p, near, i)) {
+      continue;
+    }
+    if (on_border(base, near.facet[i], at)) {
+      if (!past_border(base, x, near.facet[i], at, p, nullptr)) {
+        const Feature facet{near.facet[i], Kind::facet, 0};
+        claims.add(facet, height_over(base, x, facet, p));
+        continue;
+      }
+      // at a symmetry plane a border is a ridge between a facet and its image
+      if (allowed == nullptr || past_border(base, x, near.facet[i], at, p, allowed)) continue;
+    }
+    if (all_agree(base, x, p, near, i)) {
       bool known = false;  // the same edge or vertex, seen from another facet
       const FeatureNodes mine = nodes_of(base, feature);
       for (int k = 0; k < claims.count && !known; ++k) {
@@ -212,6 +262,7 @@ Claims claims_on(const BaseSurface& base, const Vectors& x, const Vector<double>
       if (!known) claims.add(feature, height_over(base, x, feature, p));
     }
   }
+  if (claims.count > 1) settle_ridges(claims);
   return claims;
 }
 
@@ -246,13 +297,17 @@ double push_out(const Interface& interface, const Vectors& x, Index a, Claims& c
   Vec3 d = way_out();
   if (d.isZero(0)) return 0;
   // The foot of every force is that of the point at the end of the way, so that the potential has
-  // the forces as its gradient and their moments cancel. For one contact that foot is the apex's own;
-  // for facets one look is exact.
-  for (int round = 0; claims.count > 1 && round < 6; ++round) {
+  // the forces as its gradient and their moments cancel. For one contact that foot is the apex's own,
+  // unless a symmetry plane turns the way; for facets one look is exact.
+  const bool foot_moves = claims.count > 1 || !interface.allowed.empty();
+  for (int round = 0; foot_moves && round < 6; ++round) {
     const Vector<double> end{p.x + d.x(), p.y + d.y(), p.z + d.z()};
     for (int i = 0; i < claims.count; ++i) {
       if (!curved && !(lambda[i] > 0)) continue;
-      claims.at[i] = height_over(interface.base, x, claims.feature[i], end);
+      const FeatureHeight there = height_over(interface.base, x, claims.feature[i], end);
+      // with h_c = 0 the way ends on the edge or vertex itself, which has no normal
+      if (!(std::abs(there.height) > 1e-6 * d.norm()) && claims.feature[i].kind != Kind::facet) continue;
+      claims.at[i] = there;
       if (curved) set(i, d);
     }
     if (!curved) break;
@@ -268,6 +323,7 @@ double push_out(const Interface& interface, const Vectors& x, Index a, Claims& c
   const double k = stiffness(interface, a, claims.feature[strongest]);
   const double length = d.norm();
   forces.closed = true;
+  forces.stiffness = k;
   for (int i = 0; i < claims.count; ++i) {
     if (!(lambda[i] > 0)) continue;
     const Vec3 push = k * lambda[i] * claims.at[i].normal;
@@ -276,7 +332,7 @@ double push_out(const Interface& interface, const Vectors& x, Index a, Claims& c
     for (int b = 0; b < base.count; ++b) {
       const double weight = interface.weights == Weights::paper ? 1.0 / base.count : claims.at[i].weight[b];
       forces.node[forces.count] = base.node[b];
-      forces.share[forces.count] = weight * lambda[i] / length;
+      forces.share[forces.count] = std::abs(weight);
       forces.force[forces.count++] = -weight * push;
     }
   }
@@ -284,13 +340,27 @@ double push_out(const Interface& interface, const Vectors& x, Index a, Claims& c
   return 0.5 * k * length * length;
 }
 
-/// Shares of the bases of an apex that is not in contact: all that claim it, alike.
-void share_evenly(const Interface& interface, const Claims& claims, ElementForces& forces) {
+/// Shares of the bases of an apex that is not in contact: all that claim it.
+void share_out(const Interface& interface, Index a, const Feature& feature, const Claims& claims, ElementForces& forces) {
+  forces.stiffness = stiffness(interface, a, feature);
   for (int i = 0; i < claims.count; ++i) {
     const FeatureNodes base = nodes_of(interface.base, claims.feature[i]);
     for (int b = 0; b < base.count; ++b) {
       forces.node[forces.count] = base.node[b];
-      forces.share[forces.count++] = claims.at[i].weight[b] / claims.count;
+      forces.share[forces.count++] = std::abs(claims.at[i].weight[b]);
+    }
+  }
+}
+
+/// Power of the forces of one apex at scale 1. [W]
+/// A node that several claims name counts once, by its largest share: its facets push as one.
+void share_once(ElementForces& forces) {
+  for (int i = 0; i < forces.count; ++i) {
+    for (int j = 0; j < i; ++j) {
+      if (forces.node[j] != forces.node[i]) continue;
+      forces.share[j] = std::max(forces.share[j], forces.share[i]);
+      forces.share[i] = 0;
+      break;
     }
   }
 }
@@ -314,7 +384,7 @@ Vec3 moment(const Interface& interface, const Vectors& x, const Vectors& v, doub
   };
   add(interface.apexes[a], forces.apex);
   for (int i = 0; i < forces.count; ++i) add(forces.node[i], forces.force[i]);
-  return sum;
+  return forces.scale * sum;
 }
 
 /// Finds the element of an apex at the new positions and its force; false if the apex is lost.
@@ -331,38 +401,38 @@ bool update_element(const Interface& interface, const Vectors& x, Index a, const
   // behind the surface the distance is no height; there and near contact, ask who claims the apex
   const auto height = [&] { return height_over(interface.base, x, {end.feature.facet, Kind::facet, 0}, p).height; };
   if (distance < near_contact * contact_height || height() < contact_height) {
-    claims = claims_on(interface.base, x, p, end, std::max(distance, contact_height));
+    claims = claims_on(interface.base, x, p, end, std::max(distance, contact_height), allowed_of(interface, a));
     if (claims.count == 0) {
       memory.status[a] = Status::beyond;
       return true;
     }
-    // as long as Eq. 14 holds for the element in use it stays in use; else the closest takes over
-    double least = std::numeric_limits<double>::infinity();
-    bool stays = false;
+    // the lowest takes over; over the common border of two facets the element in use stays
+    double least = std::numeric_limits<double>::infinity(), in_use = least;
     for (int i = 0; i < claims.count; ++i) {
       const double h = claims.at[i].height;
-      stays = stays || same(claims.feature[i], before);
+      if (same(claims.feature[i], before)) in_use = h;
       if (h < least) least = h, memory.feature[a] = claims.feature[i];
     }
-    if (stays) memory.feature[a] = before;
+    if (in_use <= least + tie * (std::abs(least) + contact_height)) memory.feature[a] = before;
     memory.gap[a] = least - contact_height;
     memory.stored[a] = push_out(interface, x, a, claims, forces, memory.gap[a]);
   } else {
     const bool left = end.closest.kind != Kind::facet && on_border(interface.base, end.feature.facet, end.closest) &&
-                      past_border(interface.base, x, end.feature.facet, end.closest, p);
+                      past_border(interface.base, x, end.feature.facet, end.closest, p, allowed_of(interface, a));
     memory.status[a] = left ? Status::beyond : Status::open;
     if (left) return true;
     claims.add(end.feature, height_over(interface.base, x, end.feature, p));
   }
   memory.status[a] = forces.closed ? Status::closed : Status::open;
-  if (!forces.closed) share_evenly(interface, claims, forces);
+  if (!forces.closed) share_out(interface, a, memory.feature[a], claims, forces);
+  share_once(forces);
   return true;
 }
 
 /// Moves one apex and computes its force.
 void advance_apex(const Interface& interface, const Vectors& x, const Vectors& v, double dt, Index a, Memory& memory,
                   ElementForces& forces) {
-  const double power_before = power(interface, v, a, forces);
+  const double power_before = power(interface, v, a, forces), scale_before = forces.scale;
   forces.angular_impulse = 0.5 * dt * moment(interface, x, v, -dt, a, forces);
   const double stored_before = memory.stored[a];
   const Feature before = memory.feature[a];
@@ -373,8 +443,8 @@ void advance_apex(const Interface& interface, const Vectors& x, const Vectors& v
   memory.stored[a] = 0;
   if (before.facet >= 0) {
     if (update_element(interface, x, a, before, memory, forces)) {
-      forces.moved = !same(memory.feature[a], before);
-      } else {
+      forces.moved = forces.found_anew || !same(memory.feature[a], before);
+    } else {
       forces.moved = true;
       memory.feature[a].facet = -1;
       memory.status[a] = Status::lost;
@@ -382,9 +452,13 @@ void advance_apex(const Interface& interface, const Vectors& x, const Vectors& v
     }
   }
   const double power_after = power(interface, v, a, forces);
+  // the power of the elastic force is  -k |d| d|d|/dt = -2 stored d|d|/dt / |d|
+  forces.scale = 1;
+  if (memory.stored[a] > 0) forces.scale = std::max(0.0, 1 - 0.5 * interface.retardation * power_after / memory.stored[a]);
   forces.angular_impulse += 0.5 * dt * moment(interface, x, v, 0, a, forces);
-  forces.work = 0.5 * dt * (power_before + power_after);
-  forces.created = forces.work + memory.stored[a] - stored_before;
+  forces.work = 0.5 * dt * (scale_before * power_before + forces.scale * power_after);
+  forces.dissipated = 0.5 * dt * ((1 - scale_before) * power_before + (1 - forces.scale) * power_after);
+  forces.created = forces.work + forces.dissipated + memory.stored[a] - stored_before;
 }
 
 bool share_a_node(const BaseSurface& base, Index f, Index g) {
@@ -415,6 +489,7 @@ void search(const Interface& interface, const Vectors& x, Memory& memory, Worksp
     if (found[a] < 0) continue;
     memory.feature[a] = {found[a], Kind::facet, 0};
     if (memory.status[a] == Status::lost) memory.status[a] = Status::open;
+    workspace.elements[a].found_anew = true;
     ++memory.recovered;
   }
 }
@@ -463,6 +538,7 @@ InitialGaps connect(Interface& interface, const Vectors& x, const ContactHeight&
   interface.contact_height = Scalars::Constant(count, height.given);
   search(interface, x, memory, workspace);
   memory.recovered = 0;
+  for (ElementForces& element : workspace.elements) element.found_anew = false;
 
   InitialGaps gaps;
   gaps.apexes = count;
@@ -476,7 +552,7 @@ InitialGaps connect(Interface& interface, const Vectors& x, const ContactHeight&
     const Vector<double> p = position(x, interface.apexes[a]);
     const WalkEnd end = walk(interface.base, x, p, memory.feature[a].facet);
     double h = std::sqrt(end.closest.distance_squared);
-    const Claims claims = claims_on(interface.base, x, p, end, h);
+    const Claims claims = claims_on(interface.base, x, p, end, h, allowed_of(interface, a));
     memory.status[a] = claims.count > 0 ? Status::open : Status::beyond;
     memory.feature[a] = end.feature;
     for (int i = 0; i < claims.count; ++i) {
@@ -512,6 +588,7 @@ void advance(const Interface& interface, const Vectors& x, const Vectors& v, dou
                [&](Index a) { advance_apex(interface, x, v, dt, a, memory, forces[a]); });
   for (std::size_t a = 0; a < forces.size(); ++a) {
     memory.work += forces[a].work;
+    memory.dissipated += forces[a].dissipated;
     memory.angular_impulse += forces[a].angular_impulse;
     if (!forces[a].moved) continue;
     memory.created_by_reconnection += forces[a].created;
@@ -524,12 +601,12 @@ void add_forces(const Interface& interface, const Workspace& workspace, Vectors&
   const std::vector<ElementForces>& forces = workspace.elements;
   for (std::size_t a = 0; a < forces.size(); ++a) {
     if (!forces[a].closed) continue;
-    force.col(interface.apexes[a]) += forces[a].apex;
-    for (int i = 0; i < forces[a].count; ++i) force.col(forces[a].node[i]) += forces[a].force[i];
+    force.col(interface.apexes[a]) += forces[a].scale * forces[a].apex;
+    for (int i = 0; i < forces[a].count; ++i) force.col(forces[a].node[i]) += forces[a].scale * forces[a].force[i];
   }
 }
 
-double stable_step(const Interface& interface, const Memory& memory, const Scalars& mass, Workspace& workspace) {
+double stable_step(const Interface& interface, const Memory&, const Scalars& mass, Workspace& workspace) {
   const auto count = static_cast<Index>(interface.apexes.size());
   Scalars& sum = workspace.spring_sum;
   const std::vector<ElementForces>& elements = workspace.elements;
@@ -537,13 +614,13 @@ double stable_step(const Interface& interface, const Memory& memory, const Scala
     for (int b = 0; b < e.count; ++b) sum(e.node[b]) = 0;
   for (Index a = 0; a < count; ++a) {
     if (elements[a].count == 0) continue;
-    const double k = stiffness(interface, a, memory.feature[a]);
+    const double k = elements[a].stiffness;
     for (int b = 0; b < elements[a].count; ++b) sum(elements[a].node[b]) += k * elements[a].share[b];
   }
   double most = 0;
   for (Index a = 0; a < count; ++a) {
     if (elements[a].count == 0) continue;
-    double omega_squared = stiffness(interface, a, memory.feature[a]) / mass(interface.apexes[a]);
+    double omega_squared = elements[a].stiffness / mass(interface.apexes[a]);
     for (int b = 0; b < elements[a].count; ++b)
       omega_squared += elements[a].share[b] * sum(elements[a].node[b]) / mass(elements[a].node[b]);
     most = std::max(most, omega_squared);

@@ -47,6 +47,9 @@ struct Interface {
   Scalars contact_height;        ///< [m] h_c, [apexes]
   double penalty = 0;            ///< [Pa/m] 1/delta
   double bounce_step = 0.1410;   ///< [-] dt sqrt(k/m) of the vote: step_for_a_bounce(0.005)
+  /// [s] retardation: a closed element pushes with k (|d| + retardation d|d|/dt), never pulls. It takes
+  /// the chatter out of an interface; what it dissipates is booked.
+  double retardation = 0;
   Weights weights = Weights::consistent;
   Area area_kind = Area::apex;
   /// An apex on a symmetry plane meets the mirror images of its bases too: [apexes] projector onto
@@ -71,6 +74,7 @@ struct Memory {
   std::vector<double> stored;           ///< [J] [apexes]
   std::vector<std::int64_t> reconnections;  ///< [apexes] walks to another feature
   double work = 0;                      ///< [J] done on the nodes
+  double dissipated = 0;                ///< [J] by retardation
   double created_by_reconnection = 0;   ///< [J] created in steps in which the apex changed its base
   /// [N m s] about the origin: what weights of the paper lose, and what the mirror images of bases at
   /// a symmetry plane give; zero with consistent weights and no planes.
@@ -88,11 +92,15 @@ struct ElementForces {
   Vec3 apex = Vec3::Zero();              ///< [N]
   int count = 0;
   std::array<Index, most_nodes> node{};
-  std::array<double, most_nodes> share{};  ///< of each base node in the stiffness; they sum to about one
+  double stiffness = 0;                  ///< [N/m] of the spring between the apex and its bases
+  std::array<double, most_nodes> share{};  ///< of each base node in it; a node named again has none
   std::array<Vec3, most_nodes> force;    ///< [N] on the base nodes, where closed
+  double scale = 1;                      ///< of all these forces: 1 + retardation d|d|/dt / |d|, not negative
+  double dissipated = 0;                 ///< [J] in the last step
   double work = 0, created = 0;          ///< [J] in the last step
   Vec3 angular_impulse = Vec3::Zero();   ///< [N m s] about the origin in the last step, see Memory
   bool moved = false;                    ///< to another feature in the last step
+  bool found_anew = false;               ///< by the search before this step
 };
 
 /// What an interface works with and may throw away between steps.

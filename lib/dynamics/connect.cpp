@@ -107,6 +107,14 @@ Connected connect(Model& model, const std::string& name, const std::string& apex
   Connected connected{{}, {}, contact::Workspace(interface)};
   connected.gaps = contact::connect(interface, model.mesh.X, options.height, options.initial_penetration, connected.memory,
                                     connected.workspace);
+  if (options.damping > 0) {
+    check(model.mass.size() == model.mesh.X.cols(), "finish() a model before it gets a damped interface");
+    contact::Memory trial = connected.memory;
+    const Vectors rest = Vectors::Zero(3, model.mesh.X.cols());
+    contact::advance(interface, model.mesh.X, rest, 0, trial, connected.workspace);
+    const double step = contact::stable_step(interface, trial, model.mass, connected.workspace);
+    interface.retardation = 2 * options.damping * step / interface.bounce_step;  // 2 zeta / omega
+  }
   model.interfaces.push_back(std::move(interface));
   return connected;
 }

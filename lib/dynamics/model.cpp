@@ -48,7 +48,7 @@ std::vector<Account> accounts(const Model& model) {
     const auto names = element::stored_names(block);
     list.push_back(account(element::name(block), "block", {names[0], names[1]}, {"plastic", "viscous"}));
   }
-  for (const auto& interface : model.interfaces) list.push_back(account(interface.name, "interface", {"penalty"}, {}));
+  for (const auto& interface : model.interfaces) list.push_back(account(interface.name, "interface", {"penalty"}, {"damping"}));
   for (const auto& plane : model.rigid_planes) list.push_back(account(plane.name, "rigid_plane", {"penalty"}, {}));
   for (const auto& plane : model.constraints.planes) {
     const bool is_floor = plane.kind == load::PlaneKind::floor;

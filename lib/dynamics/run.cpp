@@ -40,7 +40,13 @@ bool stop(const Votes& votes, double first_step, Outcome& outcome) {
 
 bool created_too_much(const Ledger& ledger, double limit, Outcome& outcome) {
   for (const Account& account : ledger.accounts) {
-    if (ledger.initial_kinetic > 0 && !(created(account) <= limit * ledger.initial_kinetic)) {
+    if (std::isnan(created(account))) {
+      outcome.ending = Ending::not_finite;
+      outcome.reason = "its energy is not finite";
+      outcome.block = account.name;
+      return true;
+    }
+    if (ledger.initial_kinetic > 0 && created(account) > limit * ledger.initial_kinetic) {
       outcome.ending = Ending::energy_created;
       outcome.reason = text("created %.3g of the initial kinetic energy; the limit is %.3g",
                             created(account) / ledger.initial_kinetic, limit);

@@ -280,6 +280,7 @@ void settle(const Model& model, State& now) {
     Account& account = ledger.accounts[a++];
     account.work = interface.work;
     account.stored[0].value = contact::stored(interface);
+    account.dissipated[0].value = interface.dissipated;
     account.created_by_reconnection = interface.created_by_reconnection;
     account.angular_impulse = interface.angular_impulse;
   }

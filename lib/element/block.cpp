@@ -1,6 +1,7 @@
 #include "element/block.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/check.hpp"
 #include "base/parallel.hpp"
@@ -133,7 +134,7 @@ void advance_tile(const Block<Kind, Law>& block, const Tile& tile, const Vectors
     viscous += select(own, here.viscous, zero);
     step_at = select(here.step < step, number, step_at);
     step = smaller(step, here.step);
-    const auto worse = !(here.size >= size);  // true for NaN as well
+    const auto worse = here.size < size || here.size != here.size;  // NaN is worst, and stays
     size_at = select(worse, number, size_at);
     size = select(worse, here.size, size);
   }
@@ -150,7 +151,7 @@ void advance_tile(const Block<Kind, Law>& block, const Tile& tile, const Vectors
       report.step = step[l];
       report.step_element = block.tiling.element[static_cast<std::size_t>(step_at[l])];
     }
-    if (!(size[l] >= report.size)) {
+    if (size[l] < report.size || std::isnan(size[l])) {
       report.size = size[l];
       report.size_element = block.tiling.element[static_cast<std::size_t>(size_at[l])];
     }
@@ -170,7 +171,9 @@ Vote advance_block(const Block<Kind, Law>& block, const Vectors& x, const Vector
     memory.plastic += report.plastic;
     memory.viscous += report.viscous;
     if (report.step < vote.step) vote.step = report.step, vote.step_element = report.step_element;
-    if (!(report.size >= vote.size)) vote.size = report.size, vote.size_element = report.size_element;
+    if (report.size < vote.size || std::isnan(report.size)) {
+      vote.size = report.size, vote.size_element = report.size_element;
+    }
   }
   return vote;
 }

@@ -59,7 +59,7 @@ struct TileForces {
 struct Vote {
   double step = 1e300;       ///< [s] largest stable step
   Index step_element = -1;
-  double size = 1e300;       ///< [-] smallest volume or area over that of the reference
+  double size = 1e300;       ///< [-] smallest volume or area over that of the reference; NaN if one is
   Index size_element = -1;
 };
 

@@ -126,7 +126,8 @@ NEREID_HOT T largest_eigenvalue_bound(const Symmetric<T>& G) {
 
 /// Upper bound on the squared frequencies of one element, an eighth of its mass at each node:
 ///     omega^2 <= 8/(m V) (lambda tr G + 2 mu g_max),     G = V^2 B B^T
-/// Exact for a cube, where it is (2 c/h)^2 (1 + nu)/(1 - nu). [1/s2]
+/// Exact for a cube, where it is (2 c/h)^2 (1 + nu)/(1 - nu). The hourglass stiffness is not in it; with
+/// its default it adds less than 0.2 % to the frequencies of distorted elements. [1/s2]
 template <class T>
 NEREID_HOT T largest_frequency_squared(const Symmetric<T>& G, T volume, T mass, const material::Lame& lame) {
   return T(8.0) / (mass * volume) *

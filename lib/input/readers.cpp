@@ -49,6 +49,7 @@ dynamics::InterfaceOptions read_interface(const Section& section) {
   const double penalty = section.when(given).quantity("penalty", dim::penalty, positive);
   if (given) options.penalty = penalty;
   options.hardness = section.when(!given).number_or("hardness", options.hardness, positive);
+  options.damping = section.number_or("damping", options.damping, within(0, 1));
   options.weights = section.choice_or("weights", "consistent", {"consistent", "paper"}) == "paper"
                         ? contact::Weights::paper
                         : contact::Weights::consistent;

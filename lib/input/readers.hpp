@@ -23,7 +23,7 @@ element::Hexahedron::Options read_hexahedron_options(const Section&);
 element::Plate::Options read_plate_options(const Section&);
 
 /// `penalty` (without it the code chooses: `hardness` times the stiffness of the softer side),
-/// `weights: consistent | paper`, `area: apex | base`, `created_in_a_bounce`,
+/// `damping` (fraction of critical), `weights: consistent | paper`, `area: apex | base`, `created_in_a_bounce`,
 /// `contact_height: {kind: initial, clearance} | {kind: given, height}`,
 /// `initial_penetration: refuse | accept`. All optional.
 dynamics::InterfaceOptions read_interface(const Section&);

@@ -18,8 +18,9 @@ double modulus(const material::Elastic& law) {  // of uniaxial strain
 /// A soft box of height 0.4 in 4 layers below a hard one in 2 layers of 0.3, with a gap.
 Model two_boxes(double gap) {
   Model model;
-  model.mesh = mesh::join(mesh::box("below", {{0, 0, 0}, {1, 1, 0.4}, {4, 4, 4}}),
-                          mesh::box("above", {{0.1, 0.1, 0.4 + gap}, {0.9, 0.9, 1 + gap}, {3, 3, 2}}));
+  model.mesh =
+      mesh::join(mesh::box("below", {{0, 0, 0}, {1, 1, 0.4}, {4, 4, 4}}),
+                 mesh::box("above", {{0.1, 0.1, 0.4 + gap}, {0.9, 0.9, 1 + gap}, {3, 3, 2}}));
   model.blocks.push_back(element::hexahedra(model.mesh, "below", soft, {}));
   model.blocks.push_back(element::hexahedra(model.mesh, "above", hard, {}));
   finish(model);
@@ -28,7 +29,9 @@ Model two_boxes(double gap) {
 
 TEST(SurfaceStiffness, OfHexahedraIsTheModulusOverTheirDepth) {
   const Model model = two_boxes(0.01);
-  const auto of = [&](const char* name) { return surface_stiffness(model, mesh::surface(model.mesh, name)); };
+  const auto of = [&](const char* name) {
+    return surface_stiffness(model, mesh::surface(model.mesh, name));
+  };
   EXPECT_NEAR(of("below.z_high") / (modulus(soft) / 0.1), 1, 1e-12);
   EXPECT_NEAR(of("below.x_low") / (modulus(soft) / 0.25), 1, 1e-12);
   EXPECT_NEAR(of("above.z_low") / (modulus(hard) / 0.3), 1, 1e-12);
@@ -37,7 +40,8 @@ TEST(SurfaceStiffness, OfHexahedraIsTheModulusOverTheirDepth) {
 TEST(SurfaceStiffness, IsThatOfTheStiffestElement) {
   Model model = two_boxes(0.01);
   const Index layer = 5 * 5;
-  for (Index node = 4 * layer; node < 4 * layer + 5; ++node) model.mesh.X(2, node) = 0.36;  // one edge lower
+  for (Index node = 4 * layer; node < 4 * layer + 5; ++node)
+    model.mesh.X(2, node) = 0.36;  // one edge lower
   model.blocks[0] = element::hexahedra(model.mesh, "below", soft, {});
   finish(model);
   const double lowest = modulus(soft) / 0.08;  // mean depth of the row at the lowered edge, nearly
@@ -53,7 +57,9 @@ TEST(SurfaceStiffness, OfPlatesIsTheModulusOverTheThickness) {
   plate.thickness = 0.02;
   model.blocks.push_back(element::plates(model.mesh, "tube", hard, plate));
   finish(model);
-  EXPECT_NEAR(surface_stiffness(model, mesh::surface(model.mesh, "tube.inside")) / (modulus(hard) / 0.02), 1, 1e-12);
+  EXPECT_NEAR(
+      surface_stiffness(model, mesh::surface(model.mesh, "tube.inside")) / (modulus(hard) / 0.02),
+      1, 1e-12);
 }
 
 TEST(SurfaceStiffness, OfASurfaceWithoutElementsIsZero) {
@@ -122,7 +128,8 @@ TEST(Connect, AGivenContactHeightLeavesTheGapOfTheGeometry) {
 }
 
 TEST(Connect, PenetrationsAreReportedAndWhereAcceptedRemoved) {
-  for (const auto wanted : {contact::InitialPenetration::refuse, contact::InitialPenetration::accept}) {
+  for (const auto wanted :
+       {contact::InitialPenetration::refuse, contact::InitialPenetration::accept}) {
     Model model = two_boxes(0.01);
     InterfaceOptions options;
     options.height = {.from_initial_height = false, .clearance = 0, .given = 0.015};
@@ -130,7 +137,8 @@ TEST(Connect, PenetrationsAreReportedAndWhereAcceptedRemoved) {
     const Connected joint = connect(model, "joint", "above.z_low", "below.z_high", options);
     EXPECT_EQ(joint.gaps.penetrating, 16);
     EXPECT_NEAR(joint.gaps.deepest, 0.005, 1e-15);
-    EXPECT_NEAR(joint.gaps.least, wanted == contact::InitialPenetration::accept ? 0 : -0.005, 1e-15);
+    EXPECT_NEAR(joint.gaps.least, wanted == contact::InitialPenetration::accept ? 0 : -0.005,
+                1e-15);
   }
 }
 
@@ -147,7 +155,8 @@ TEST(Connect, ApexesOnSymmetryPlanesKnowTheDirectionsTheseAllow) {
     p.kind = load::PlaneKind::symmetry;
     p.normal = Vec3::Unit(axis);
     for (const std::string body : {"core", "skin"}) {
-      const Subset& nodes = mesh::node_set(model.mesh, body + (axis == 0 ? ".x_plane" : ".y_plane"));
+      const Subset& nodes =
+          mesh::node_set(model.mesh, body + (axis == 0 ? ".x_plane" : ".y_plane"));
       p.nodes.insert(p.nodes.end(), nodes.begin(), nodes.end());
     }
     model.constraints.planes.push_back(p);

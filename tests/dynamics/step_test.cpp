@@ -53,7 +53,8 @@ struct Scene {
   State state;
   Forces forces;
 
-  void joined(const std::string& name, const std::string& apexes, const std::string& bases, const InterfaceOptions& options) {
+  void joined(const std::string& name, const std::string& apexes, const std::string& bases,
+              const InterfaceOptions& options) {
     Connected connected = connect(model, name, apexes, bases, options);
     memories.push_back(std::move(connected.memory));
     workspaces.push_back(std::move(connected.workspace));
@@ -64,7 +65,8 @@ struct Scene {
   }
 };
 
-load::Plane plane(const std::string& name, PlaneKind kind, const Vec3& normal, const Subset& nodes, const Vec3& point = Vec3::Zero()) {
+load::Plane plane(const std::string& name, PlaneKind kind, const Vec3& normal, const Subset& nodes,
+                  const Vec3& point = Vec3::Zero()) {
   load::Plane p;
   p.name = name, p.kind = kind, p.normal = normal, p.nodes = nodes, p.point = point;
   return p;
@@ -82,23 +84,29 @@ Subset both(Subset a, const Subset& b) {
 }
 
 /// The cask of the paper, coarse: lead in a steel tube, falling on a floor.
-Scene cask(mesh::Turn turn, int n, Vec3 normal_of_floor = Vec3::UnitZ()) {
+Scene cask(mesh::Turn turn, int n, const element::Viscosity& viscosity = {}) {
   const double radius = 0.1525, length = 0.914, thickness = 0.00635;
-  const material::J2Bilinear lead{11082, 1.912e8, 0.42, 2.96e7, 1.814e7}, steel{7845, 1.922e11, 0.33, 3.1e8, 1.912e9};
+  const material::J2Bilinear lead{11082, 1.912e8, 0.42, 2.96e7, 1.814e7},
+      steel{7845, 1.922e11, 0.33, 3.1e8, 1.912e9};
   Scene s;
-  s.model.mesh = mesh::join(mesh::cylinder("lead", {radius, length, turn, n, n, 12 * n}),
-                            mesh::tube("cladding", {radius + thickness / 2, length, turn, n, 12 * n}));
+  s.model.mesh =
+      mesh::join(mesh::cylinder("lead", {radius, length, turn, n, n, 12 * n}),
+                 mesh::tube("cladding", {radius + thickness / 2, length, turn, n, 12 * n}));
   element::Plate::Options plate;
   plate.thickness = thickness;
-  s.model.blocks.push_back(element::hexahedra(s.model.mesh, "lead", lead, {}));
+  plate.viscosity = viscosity;
+  s.model.blocks.push_back(
+      element::hexahedra(s.model.mesh, "lead", lead, {.hourglass = 0.1, .viscosity = viscosity}));
   s.model.blocks.push_back(element::plates(s.model.mesh, "cladding", steel, plate));
-  s.model.constraints.planes.push_back(plane("floor", PlaneKind::floor, normal_of_floor, all_nodes(s.model.mesh)));
+  s.model.constraints.planes.push_back(
+      plane("floor", PlaneKind::floor, Vec3::UnitZ(), all_nodes(s.model.mesh)));
   if (turn == mesh::Turn::quarter) {
     for (int axis = 0; axis < 2; ++axis) {
       const std::string set = axis == 0 ? ".x_plane" : ".y_plane";
       s.model.constraints.planes.push_back(
           plane("mirror" + set, PlaneKind::symmetry, Vec3::Unit(axis),
-                both(mesh::node_set(s.model.mesh, "lead" + set), mesh::node_set(s.model.mesh, "cladding" + set))));
+                both(mesh::node_set(s.model.mesh, "lead" + set),
+                     mesh::node_set(s.model.mesh, "cladding" + set))));
     }
   }
   finish(s.model);
@@ -109,7 +117,8 @@ Scene cask(mesh::Turn turn, int n, Vec3 normal_of_floor = Vec3::UnitZ()) {
 }
 
 /// A box of hexahedra with the inner nodes displaced, alone in space.
-Scene box(const Eigen::Vector3i& cells, const element::AnyLaw& law, const element::Hexahedron::Options& options, double distortion = 0) {
+Scene box(const Eigen::Vector3i& cells, const element::AnyLaw& law,
+          const element::Hexahedron::Options& options, double distortion = 0) {
   Scene s;
   s.model.mesh = mesh::box("box", {Vec3::Zero(), 0.1 * cells.cast<double>(), cells});
   std::mt19937 engine(3);
@@ -123,16 +132,19 @@ Scene box(const Eigen::Vector3i& cells, const element::AnyLaw& law, const elemen
 const element::Hexahedron::Options inviscid{.hourglass = 0.1, .viscosity = {0, 0}};
 const material::Elastic rubber{1000, 1e6, 0.3};
 /// So soft that it feels no force at all.
-const material::Elastic dust{1000, 1e-200, 0.3};
+const material::Elastic dust{1000, 1e-60, 0.3};
 
 /// Steps with lengths that change from step to step, at most `safety` of what is voted.
 Votes go(Scene& s, int steps, double safety = 0.9, bool begin = true) {
   std::mt19937 engine(5);
   std::uniform_real_distribution<double> part(0.3, 1);
   Votes votes;
-  if (begin) votes = start(s.model, s.state, s.forces);
-  else votes.step = s.state.dt / safety;
-  for (int i = 0; i < steps; ++i) votes = step(s.model, part(engine) * safety * votes.step, s.state, s.forces);
+  if (begin)
+    votes = start(s.model, s.state, s.forces);
+  else
+    votes.step = s.state.dt / safety;
+  for (int i = 0; i < steps; ++i)
+    votes = step(s.model, part(engine) * safety * votes.step, s.state, s.forces);
   settle(s.model, s.state);
   return votes;
 }
@@ -152,20 +164,20 @@ const Account& account(const State& state, const std::string& name) {
 /// Everything that happened stands in some account, to round-off of the largest quantities.
 void expect_closed(const Scene& s, double tolerance = 1e-12) {
   const Ledger& l = s.state.ledger;
-  double energy = l.initial_kinetic, momentum = l.initial_momentum.norm(), angular = l.initial_angular_momentum.norm();
-  for (const Account& a : l.accounts) {
-    momentum = std::max(momentum, a.impulse.norm());
-    angular = std::max(angular, a.angular_impulse.norm());
-    if (energy == 0) energy = std::abs(a.work);
-  }
+  double energy = std::max(l.initial_kinetic, l.kinetic);
+  for (const Account& a : l.accounts) energy = std::max(energy, a.work);
+  if (l.initial_kinetic > 0) energy = l.initial_kinetic;
+  const double momentum = std::sqrt(2 * s.model.mass.sum() * energy),
+               size = s.model.mesh.X.cwiseAbs().maxCoeff();
   EXPECT_LT(std::abs(energy_residual(l)), tolerance * energy);
   EXPECT_LT(momentum_residual(l).norm(), tolerance * momentum);
-  EXPECT_LT(angular_momentum_residual(l).norm(), tolerance * angular);
+  EXPECT_LT(angular_momentum_residual(l).norm(), tolerance * momentum * size);
 }
 
 double kinetic(const Scene& s) {
   double sum = 0;
-  for (Eigen::Index n = 0; n < s.state.v.cols(); ++n) sum += 0.5 * s.model.mass(n) * s.state.v.col(n).squaredNorm();
+  for (Eigen::Index n = 0; n < s.state.v.cols(); ++n)
+    sum += 0.5 * s.model.mass(n) * s.state.v.col(n).squaredNorm();
   return sum;
 }
 
@@ -229,8 +241,9 @@ TEST(Residual, IsRoundOffWithPlanesAtAnyAngle) {
 
 TEST(Residual, IsRoundOffWithWeightsOfThePaper) {
   Scene s;
-  s.model.mesh = mesh::join(mesh::box("below", {{0, 0, 0}, {0.4, 0.4, 0.2}, {4, 4, 2}}),
-                            mesh::box("above", {{0.05, 0.05, 0.201}, {0.35, 0.35, 0.4}, {2, 2, 2}}));
+  s.model.mesh =
+      mesh::join(mesh::box("below", {{0, 0, 0}, {0.4, 0.4, 0.2}, {4, 4, 2}}),
+                 mesh::box("above", {{0.05, 0.05, 0.201}, {0.35, 0.35, 0.4}, {2, 2, 2}}));
   s.model.blocks.push_back(element::hexahedra(s.model.mesh, "below", rubber, {}));
   s.model.blocks.push_back(element::hexahedra(s.model.mesh, "above", rubber, {}));
   finish(s.model);
@@ -239,7 +252,8 @@ TEST(Residual, IsRoundOffWithWeightsOfThePaper) {
   options.weights = contact::Weights::paper;
   s.joined("joint", "above.z_low", "below.z_high", options);
   s.ready();
-  for (const Index node : mesh::node_set(s.model.mesh, "above")) s.state.v.col(node) = Vec3(1, 0.5, -3);
+  for (const Index node : mesh::node_set(s.model.mesh, "above"))
+    s.state.v.col(node) = Vec3(1, 0.5, -3);
   go(s, 300);
   expect_closed(s);
   EXPECT_GT(account(s.state, "joint").angular_impulse.norm(), 0);
@@ -251,10 +265,12 @@ TEST(Residual, IsRoundOffForPlatesThatTurn) {
   s.model.mesh = mesh::tube("tube", {0.5, 0.8, mesh::Turn::quarter, 2, 5});
   element::Plate::Options options;
   options.thickness = 0.01;
-  s.model.blocks.push_back(element::plates(s.model.mesh, "tube", material::J2Bilinear{7800, 2e11, 0.3, 1e8, 2e9}, options));
+  s.model.blocks.push_back(element::plates(
+      s.model.mesh, "tube", material::J2Bilinear{7800, 2e11, 0.3, 1e8, 2e9}, options));
   for (int axis = 0; axis < 2; ++axis)
-    s.model.constraints.planes.push_back(plane(axis ? "y" : "x", PlaneKind::symmetry, Vec3::Unit(axis),
-                                               mesh::node_set(s.model.mesh, axis ? "tube.y_plane" : "tube.x_plane")));
+    s.model.constraints.planes.push_back(
+        plane(axis ? "y" : "x", PlaneKind::symmetry, Vec3::Unit(axis),
+              mesh::node_set(s.model.mesh, axis ? "tube.y_plane" : "tube.x_plane")));
   finish(s.model);
   s.ready();
   add_random_velocities(s.state.v, 20);
@@ -285,10 +301,11 @@ TEST(Residual, ClosesOnAnAbsurdResultWhichTheIntegrationAndCreatedEnergyGiveAway
   }
   settle(s.model, s.state);
   const Ledger& l = s.state.ledger;
-  EXPECT_GT(largest, 100 * before);                                        // absurd
-  EXPECT_LT(std::abs(energy_residual(l)), 1e-12 * largest);                // and yet it closes
-  std::printf("absurd: %d steps, kinetic %g, integration %g, created %g of the initial kinetic energy\n", steps, largest / before,
-              l.integration / before, created(l.accounts[0]) / before);
+  EXPECT_GT(largest, 100 * before);                          // absurd
+  EXPECT_LT(std::abs(energy_residual(l)), 1e-12 * largest);  // and yet it closes
+  std::printf(
+      "absurd: %d steps, kinetic %g, integration %g, created %g of the initial kinetic energy\n",
+      steps, largest / before, l.integration / before, created(l.accounts[0]) / before);
   EXPECT_GT(std::abs(created(l.accounts[0])), 0.05 * before);
 }
 
@@ -311,15 +328,18 @@ TEST(DynamicPatch, UniformAccelerationIsExactInADistortedMeshWithStepsOfAnyLengt
 }
 
 TEST(DynamicPatch, AffineMotionIsExactWhereTheBoundaryIsNotYetFelt) {
-  // a node k elements inside hears of the boundary after k + 1 steps; until then uniform stress moves nothing
-  for (const element::AnyLaw& law : {element::AnyLaw(rubber), element::AnyLaw(material::J2Bilinear{1000, 1e6, 0.3, 1e3, 1e5})}) {
+  // a node k elements inside hears of the boundary after k + 1 steps; until then uniform stress
+  // moves nothing
+  for (const element::AnyLaw& law :
+       {element::AnyLaw(rubber), element::AnyLaw(material::J2Bilinear{1000, 1e6, 0.3, 1e3, 1e5})}) {
     Scene s = box({9, 9, 9}, law, inviscid, 0.02);
     s.model.gravity = {3, -5, 7};
     finish(s.model);
     s.ready();
     Mat3 G;
     G << 1, 2, -1, 0.5, -2, 1, -1, 0.3, 1.5;
-    for (Eigen::Index n = 0; n < s.state.v.cols(); ++n) s.state.v.col(n) = Vec3(2, 1, -3) + G * s.model.mesh.X.col(n);
+    for (Eigen::Index n = 0; n < s.state.v.cols(); ++n)
+      s.state.v.col(n) = Vec3(2, 1, -3) + G * s.model.mesh.X.col(n);
     const Vectors v = s.state.v;
     go(s, 4);
     const double t = s.state.t;
@@ -344,7 +364,8 @@ TEST(FreeFall, OfOneHexahedronIsWithGravityAndFillsTheKineticEnergy) {
   finish(s.model);
   s.ready();
   go(s, 200);
-  for (Eigen::Index n = 0; n < 8; ++n) EXPECT_NEAR(s.state.v(2, n) / (-9.80665 * s.state.t), 1, 1e-12);
+  for (Eigen::Index n = 0; n < 8; ++n)
+    EXPECT_NEAR(s.state.v(2, n) / (-9.80665 * s.state.t), 1, 1e-12);
   EXPECT_NEAR(kinetic(s) / account(s.state, "gravity").work, 1, 1e-12);
   EXPECT_NEAR(created(account(s.state, "gravity")), 0, 1e-30);
   const double fallen = s.model.mesh.X(2, 0) - s.state.x(2, 0);
@@ -365,7 +386,8 @@ TEST(FreeFall, OfOnePlateIsWithGravityAndFillsTheKineticEnergy) {
   finish(s.model);
   s.ready();
   go(s, 200);
-  for (Eigen::Index n = 0; n < 3; ++n) EXPECT_NEAR((s.state.v.col(n) / s.state.t - s.model.gravity).norm() / 9.80665, 0, 1e-12);
+  for (Eigen::Index n = 0; n < 3; ++n)
+    EXPECT_NEAR((s.state.v.col(n) / s.state.t - s.model.gravity).norm() / 9.80665, 0, 1e-12);
   EXPECT_LT(s.state.w.norm(), 1e-10);
   EXPECT_NEAR(kinetic(s) / account(s.state, "gravity").work, 1, 1e-12);
 }
@@ -386,7 +408,8 @@ double assembled_frequency(const Scene& s) {
     element::advance(s.model.blocks[0], x, v, s.state.w, 1.0, memory, tiles);
     Vectors force = Vectors::Zero(3, x.cols());
     for (std::size_t p = 0; p < element::tiling(s.model.blocks[0]).node.size(); ++p)
-      force.col(element::tiling(s.model.blocks[0]).node[p]) += tiles.force.col(static_cast<Eigen::Index>(p));
+      force.col(element::tiling(s.model.blocks[0]).node[p]) +=
+          tiles.force.col(static_cast<Eigen::Index>(p));
     return force;
   };
   Scalars inverse_root(size);
@@ -397,7 +420,9 @@ double assembled_frequency(const Scene& s) {
   }
   K = inverse_root.asDiagonal() * K * inverse_root.asDiagonal();
   EXPECT_LT((K - K.transpose()).norm(), 1e-8 * K.norm());
-  return std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(K, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff());
+  return std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(K, Eigen::EigenvaluesOnly)
+                       .eigenvalues()
+                       .maxCoeff());
 }
 
 TEST(StableStep, IsThatOfTheLargestAssembledFrequency) {
@@ -412,12 +437,22 @@ TEST(StableStep, IsThatOfTheLargestAssembledFrequency) {
       EXPECT_LE(votes.step, limit * (1 + 1e-12));  // the elements' vote is safe
       EXPECT_GT(votes.step, 0.5 * limit);
       double largest = 0;
-      for (int i = 0; i < (part < 1 ? 20000 : 60); ++i) {
+      const double blown_up = 1e8 * kinetic(s);  // and still linear
+      for (int i = 0; i < (part < 1 ? 20000 : 60) && largest < blown_up; ++i) {
         step(s.model, part * limit, s.state, s.forces);
         largest = std::max(largest, kinetic(s));
       }
-      if (part < 1) EXPECT_LT(largest, 10 * s.state.ledger.initial_kinetic) << distortion;
-      else EXPECT_GT(largest, 1e6 * s.state.ledger.initial_kinetic) << distortion;
+      settle(s.model, s.state);
+      const Ledger& l = s.state.ledger;
+      if (part < 1) {
+        EXPECT_LT(largest, 10 * l.initial_kinetic) << distortion;
+        EXPECT_LT(std::abs(l.integration), 10 * l.initial_kinetic);
+      } else {
+        EXPECT_GT(largest, 1e6 * l.initial_kinetic) << distortion;
+        // a linear instability hides from the block's account; the integration term shows it
+        EXPECT_LT(std::abs(created(l.accounts[0])), 1e-3 * largest);
+        EXPECT_GT(l.integration, 0.1 * largest);
+      }
     }
   }
 }
@@ -450,9 +485,12 @@ TEST(Spin, OfAVibratingBlockKeepsEnergyAndAngularMomentumOverTenTurns) {
     created_most = std::max(created_most, std::abs(created(s.state.ledger.accounts[0])));
   }
   const Ledger& l = s.state.ledger;
-  std::printf("spin: %ld steps, total energy %.2e .. %.2e, created %.2e of the initial kinetic, angular momentum %.1e\n",
-              static_cast<long>(s.state.step), least / l.initial_kinetic - 1, most / l.initial_kinetic - 1, created_most / l.initial_kinetic,
-              angular_momentum_residual(l).norm() / l.initial_angular_momentum.norm());
+  std::printf(
+      "spin: %ld steps, total energy %.2e .. %.2e, created %.2e of the initial kinetic, angular "
+      "momentum %.1e\n",
+      static_cast<long>(s.state.step), least / l.initial_kinetic - 1, most / l.initial_kinetic - 1,
+      created_most / l.initial_kinetic,
+      angular_momentum_residual(l).norm() / l.initial_angular_momentum.norm());
   EXPECT_LT(most / l.initial_kinetic - 1, 0.01);
   EXPECT_GT(least / l.initial_kinetic - 1, -0.01);
   EXPECT_LT(angular_momentum_residual(l).norm(), 1e-12 * l.initial_angular_momentum.norm());
@@ -463,7 +501,8 @@ TEST(Spin, OfAVibratingBlockKeepsEnergyAndAngularMomentumOverTenTurns) {
 
 TEST(Floor, NodesLandExactlyOnItAndStay) {
   Scene s = box({3, 3, 3}, rubber, {}, 0.03);
-  s.model.constraints.planes = {plane("floor", PlaneKind::floor, Vec3::UnitZ(), all_nodes(s.model.mesh), {0, 0, -0.1 / 3})};
+  s.model.constraints.planes = {
+      plane("floor", PlaneKind::floor, Vec3::UnitZ(), all_nodes(s.model.mesh), {0, 0, -0.1 / 3})};
   finish(s.model);
   s.ready();
   s.state.v.row(2).setConstant(-8);
@@ -490,13 +529,14 @@ TEST(Floor, NodesLandExactlyOnItAndStay) {
 TEST(Floor, BooksTheKineticEnergyAndTheMomentumOfTheNodesItCatches) {
   for (const Vec3& normal : {Vec3(0, 0, 1), Vec3(0.6, 0, 0.8), Vec3(1, 2, 3).normalized().eval()}) {
     Scene s = box({2, 2, 2}, dust, inviscid);
-    s.model.constraints.planes = {plane("floor", PlaneKind::floor, normal, all_nodes(s.model.mesh), Vec3(0, 0, -0.01))};
+    s.model.constraints.planes = {
+        plane("floor", PlaneKind::floor, normal, all_nodes(s.model.mesh), Vec3(0, 0, -0.01))};
     finish(s.model);
     s.ready();
     const Vec3 v(1, -0.5, -2);
     s.state.v.colwise() = v;
     start(s.model, s.state, s.forces);
-    for (int i = 0; i < 40; ++i) step(s.model, 0.001 * (1 + i % 3), s.state, s.forces);
+    for (int i = 0; i < 20; ++i) step(s.model, 0.001 * (1 + i % 3), s.state, s.forces);
     settle(s.model, s.state);
     double expected = 0, mass = 0, energy = 0;
     for (Index n = 0; n < s.state.x.cols(); ++n) {
@@ -514,8 +554,12 @@ TEST(Floor, BooksTheKineticEnergyAndTheMomentumOfTheNodesItCatches) {
     EXPECT_NEAR(dissipated(floor) / expected, 1, 1e-12);
     EXPECT_NEAR(dissipated(floor) / (s.state.ledger.initial_kinetic - energy), 1, 1e-12);
     EXPECT_EQ(created(floor), 0);
-    EXPECT_NEAR((floor.impulse + mass * v.dot(normal) * normal).norm() / floor.impulse.norm(), 0, 1e-12);
-    EXPECT_NEAR((floor.impulse - (s.state.ledger.momentum - s.state.ledger.initial_momentum)).norm() / floor.impulse.norm(), 0, 1e-12);
+    EXPECT_NEAR((floor.impulse + mass * v.dot(normal) * normal).norm() / floor.impulse.norm(), 0,
+                1e-12);
+    EXPECT_NEAR(
+        (floor.impulse - (s.state.ledger.momentum - s.state.ledger.initial_momentum)).norm() /
+            floor.impulse.norm(),
+        0, 1e-12);
     expect_closed(s);
   }
 }
@@ -523,9 +567,10 @@ TEST(Floor, BooksTheKineticEnergyAndTheMomentumOfTheNodesItCatches) {
 TEST(Floor, ObliqueToASymmetryPlaneCatchesAlongThePlane) {
   const Vec3 normal(std::sin(0.4), 0.1, std::cos(0.4));
   Scene s = box({3, 3, 3}, rubber, {});
-  s.model.constraints.planes = {
-      plane("floor", PlaneKind::floor, normal.normalized(), all_nodes(s.model.mesh), {-0.02, 0, -0.02}),
-      plane("mirror", PlaneKind::symmetry, Vec3::UnitX(), mesh::node_set(s.model.mesh, "box.x_low"))};
+  s.model.constraints.planes = {plane("floor", PlaneKind::floor, normal.normalized(),
+                                      all_nodes(s.model.mesh), {-0.02, 0, -0.02}),
+                                plane("mirror", PlaneKind::symmetry, Vec3::UnitX(),
+                                      mesh::node_set(s.model.mesh, "box.x_low"))};
   finish(s.model);
   s.ready();
   s.state.v.row(2).setConstant(-8);
@@ -545,8 +590,9 @@ TEST(Floor, ObliqueToASymmetryPlaneCatchesAlongThePlane) {
 
 TEST(Floor, ACornerOfTwoFloorsCatchesInBoth) {
   Scene s = box({2, 2, 2}, rubber, {});
-  s.model.constraints.planes = {plane("floor", PlaneKind::floor, Vec3::UnitZ(), all_nodes(s.model.mesh), {0, 0, -0.01}),
-                                plane("wall", PlaneKind::floor, Vec3::UnitX(), all_nodes(s.model.mesh), {-0.01, 0, 0})};
+  s.model.constraints.planes = {
+      plane("floor", PlaneKind::floor, Vec3::UnitZ(), all_nodes(s.model.mesh), {0, 0, -0.01}),
+      plane("wall", PlaneKind::floor, Vec3::UnitX(), all_nodes(s.model.mesh), {-0.01, 0, 0})};
   finish(s.model);
   s.ready();
   s.state.v.row(2).setConstant(-5);
@@ -559,7 +605,8 @@ TEST(Floor, ACornerOfTwoFloorsCatchesInBoth) {
 
 TEST(Floor, NodesThatStartOnItMovingAwayAreNotCaught) {
   Scene s = box({1, 1, 1}, rubber, {});
-  s.model.constraints.planes = {plane("floor", PlaneKind::floor, Vec3::UnitZ(), all_nodes(s.model.mesh))};
+  s.model.constraints.planes = {
+      plane("floor", PlaneKind::floor, Vec3::UnitZ(), all_nodes(s.model.mesh))};
   finish(s.model);
   s.ready();
   s.state.v.row(2).setConstant(2);
@@ -570,7 +617,8 @@ TEST(Floor, NodesThatStartOnItMovingAwayAreNotCaught) {
 
 TEST(Floor, NodesThatStartOnItMovingInAreCaughtAtOnceAndBooked) {
   Scene s = box({1, 1, 1}, rubber, {});
-  s.model.constraints.planes = {plane("floor", PlaneKind::floor, Vec3::UnitZ(), all_nodes(s.model.mesh))};
+  s.model.constraints.planes = {
+      plane("floor", PlaneKind::floor, Vec3::UnitZ(), all_nodes(s.model.mesh))};
   finish(s.model);
   s.ready();
   s.state.v.row(2).setConstant(-2);
@@ -585,7 +633,8 @@ TEST(RigidPlane, ThrowsABlockBackAndBooksItsEnergy) {
   contact::RigidPlane wall;
   wall.name = "wall", wall.point = Vec3(0, 0, -0.01), wall.normal = Vec3::UnitZ();
   wall.nodes = mesh::node_set(s.model.mesh, "box.z_low");
-  wall.area = mesh::tributary_areas(s.model.mesh, mesh::surface(s.model.mesh, "box.z_low"), wall.nodes);
+  wall.area =
+      mesh::tributary_areas(s.model.mesh, mesh::surface(s.model.mesh, "box.z_low"), wall.nodes);
   wall.penalty = 1e8;
   s.model.rigid_planes.push_back(wall);
   finish(s.model);
@@ -605,17 +654,23 @@ TEST(RigidPlane, ThrowsABlockBackAndBooksItsEnergy) {
   EXPECT_GT(s.state.x.row(2).minCoeff(), -0.01);
   EXPECT_GT(s.state.ledger.momentum.z(), 0);
   EXPECT_LT(std::abs(created(a)), 0.01 * s.state.ledger.initial_kinetic);
-  EXPECT_NEAR((a.impulse - (s.state.ledger.momentum - s.state.ledger.initial_momentum)).norm() / a.impulse.norm(), 0, 1e-12);
+  EXPECT_NEAR((a.impulse - (s.state.ledger.momentum - s.state.ledger.initial_momentum)).norm() /
+                  a.impulse.norm(),
+              0, 1e-12);
 }
 
 // --- the same bits, no allocation, restart -------------------------------------------------------
 
 template <class Array>
 bool same_bits(const Array& a, const Array& b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), sizeof(*a.data()) * static_cast<std::size_t>(a.size())) == 0;
+  return a.size() == b.size() &&
+         std::memcmp(a.data(), b.data(), sizeof(*a.data()) * static_cast<std::size_t>(a.size())) ==
+             0;
 }
 bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
-bool same_bits(const Vec3& a, const Vec3& b) { return std::memcmp(a.data(), b.data(), sizeof(double) * 3) == 0; }
+bool same_bits(const Vec3& a, const Vec3& b) {
+  return std::memcmp(a.data(), b.data(), sizeof(double) * 3) == 0;
+}
 
 /// Compares all that a state remembers, name by name.
 void expect_same_bits(const State& a, const State& b) {
@@ -626,8 +681,8 @@ void expect_same_bits(const State& a, const State& b) {
   for (std::size_t i = 0; i < a.blocks.size(); ++i) {
     const element::Memory &p = a.blocks[i], &q = b.blocks[i];
     EXPECT_TRUE(same_bits(p.rows, q.rows)) << "memory of block " << i;
-    EXPECT_TRUE(same_bits(p.work, q.work) && same_bits(p.stored, q.stored) && same_bits(p.plastic, q.plastic) &&
-                same_bits(p.viscous, q.viscous))
+    EXPECT_TRUE(same_bits(p.work, q.work) && same_bits(p.stored, q.stored) &&
+                same_bits(p.plastic, q.plastic) && same_bits(p.viscous, q.viscous))
         << "energies of block " << i;
   }
   for (std::size_t i = 0; i < a.interfaces.size(); ++i) {
@@ -637,19 +692,23 @@ void expect_same_bits(const State& a, const State& b) {
       EXPECT_EQ(p.feature[apex].kind, q.feature[apex].kind);
       EXPECT_EQ(p.feature[apex].local, q.feature[apex].local);
     }
-    EXPECT_TRUE(same_bits(p.status, q.status) && same_bits(p.gap, q.gap) && same_bits(p.stored, q.stored) &&
-                same_bits(p.reconnections, q.reconnections))
+    EXPECT_TRUE(same_bits(p.status, q.status) && same_bits(p.gap, q.gap) &&
+                same_bits(p.stored, q.stored) && same_bits(p.reconnections, q.reconnections))
         << "interface " << i;
-    EXPECT_TRUE(same_bits(p.work, q.work) && same_bits(p.created_by_reconnection, q.created_by_reconnection) &&
+    EXPECT_TRUE(same_bits(p.work, q.work) &&
+                same_bits(p.created_by_reconnection, q.created_by_reconnection) &&
                 same_bits(p.angular_impulse, q.angular_impulse));
-    EXPECT_TRUE(p.walks == q.walks && p.lost == q.lost && p.recovered == q.recovered && p.updates == q.updates);
+    EXPECT_TRUE(p.walks == q.walks && p.lost == q.lost && p.recovered == q.recovered &&
+                p.updates == q.updates);
   }
   for (std::size_t i = 0; i < a.constraints.account.size(); ++i) {
     const load::PlaneAccount &p = a.constraints.account[i], &q = b.constraints.account[i];
-    EXPECT_TRUE(same_bits(p.impulse, q.impulse) && same_bits(p.angular_impulse, q.angular_impulse) && same_bits(p.caught, q.caught));
+    EXPECT_TRUE(same_bits(p.impulse, q.impulse) &&
+                same_bits(p.angular_impulse, q.angular_impulse) && same_bits(p.caught, q.caught));
     EXPECT_EQ(a.constraints.caught[i], b.constraints.caught[i]);
   }
-  EXPECT_TRUE(same_bits(a.ledger.integration, b.ledger.integration) && same_bits(a.ledger.kinetic, b.ledger.kinetic));
+  EXPECT_TRUE(same_bits(a.ledger.integration, b.ledger.integration) &&
+              same_bits(a.ledger.kinetic, b.ledger.kinetic));
   for (std::size_t i = 0; i < a.ledger.accounts.size(); ++i)
     EXPECT_TRUE(same_bits(a.ledger.accounts[i].work, b.ledger.accounts[i].work));
 }
@@ -669,7 +728,7 @@ TEST(Threads, OneTwoAndFourGiveTheSameBits) {
     use_threads(1);
     expect_same_bits(states[0], states[1]);
     expect_same_bits(states[0], states[2]);
-    EXPECT_GT(states[0].ledger.accounts[2].work + stored(states[0].ledger.accounts[2]), -1e300);
+    EXPECT_NE(states[0].interfaces[0].work, 0);
   }
 }
 
@@ -687,9 +746,11 @@ TEST(Step, AllocatesNothing) {
   s.ready();
   s.state.v.row(2).setConstant(-13.33);
   Votes votes = start(s.model, s.state, s.forces);
-  for (int i = 0; i < 10; ++i) votes = step(s.model, 0.9 * votes.step, s.state, s.forces);  // threads are there
+  for (int i = 0; i < 10; ++i)
+    votes = step(s.model, 0.9 * votes.step, s.state, s.forces);  // threads are there
   const long before = allocations;
-  for (int i = 0; i < 100; ++i) votes = step(s.model, 0.9 * votes.step, s.state, s.forces);  // with one broad search
+  for (int i = 0; i < 100; ++i)
+    votes = step(s.model, 0.9 * votes.step, s.state, s.forces);  // with one broad search
   settle(s.model, s.state);
   const long after = allocations;
   use_threads(1);
@@ -700,7 +761,8 @@ TEST(Step, AllocatesNothing) {
 }
 #endif
 
-/// Goes on from a copy of the state with new forces, as a program that has read it from a file must.
+/// Goes on from a copy of the state with new forces, as a program that has read it from a file
+/// must.
 Scene restarted(const Scene& from) {
   Scene s = from;
   s.workspaces.clear();
@@ -712,10 +774,11 @@ Scene restarted(const Scene& from) {
   return s;
 }
 
-TEST(Restart, RepeatsTheBitsOfElasticBlocksInContactWithoutViscosity) {
+TEST(Restart, RepeatsTheBitsOfBlocksInContactWithoutViscosity) {
   Scene s;
-  s.model.mesh = mesh::join(mesh::box("below", {{0, 0, 0}, {0.4, 0.4, 0.2}, {4, 4, 2}}),
-                            mesh::box("above", {{0.05, 0.05, 0.201}, {0.35, 0.35, 0.4}, {2, 2, 2}}));
+  s.model.mesh =
+      mesh::join(mesh::box("below", {{0, 0, 0}, {0.4, 0.4, 0.2}, {4, 4, 2}}),
+                 mesh::box("above", {{0.05, 0.05, 0.201}, {0.35, 0.35, 0.4}, {2, 2, 2}}));
   s.model.blocks.push_back(element::hexahedra(s.model.mesh, "below", rubber, inviscid));
   s.model.blocks.push_back(element::hexahedra(s.model.mesh, "above", rubber, inviscid));
   finish(s.model);
@@ -723,8 +786,9 @@ TEST(Restart, RepeatsTheBitsOfElasticBlocksInContactWithoutViscosity) {
   options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
   s.joined("joint", "above.z_low", "below.z_high", options);
   s.ready();
-  for (const Index node : mesh::node_set(s.model.mesh, "above")) s.state.v.col(node) = Vec3(1, 0.5, -3);
-  go(s, 150);
+  for (const Index node : mesh::node_set(s.model.mesh, "above"))
+    s.state.v.col(node) = Vec3(1, 0.5, -3);
+  go(s, 80);
   EXPECT_GT(stored(s.state.interfaces[0]), 0);
   Scene again = restarted(s);
   EXPECT_TRUE(same_bits(s.forces.force, again.forces.force));
@@ -733,22 +797,29 @@ TEST(Restart, RepeatsTheBitsOfElasticBlocksInContactWithoutViscosity) {
   expect_same_bits(s.state, again.state);
 }
 
-TEST(Restart, WithViscosityOrPlasticityIsOnlyNearlyTheSame) {
-  Scene s = cask(mesh::Turn::quarter, 1);
-  go(s, 300);
-  Scene again = restarted(s);
-  const double off = (s.forces.force - again.forces.force).norm() / s.forces.force.norm();
-  std::printf("restart: forces differ by %.2e\n", off);
-  EXPECT_LT(off, 0.05);
+TEST(Restart, OfTheCaskNeedsTheViscousPressureThatTheStateKeepsButForcesDoNotAskFor) {
+  for (const bool viscous : {false, true}) {
+    Scene s =
+        cask(mesh::Turn::quarter, 1, viscous ? element::Viscosity{} : element::Viscosity{0, 0});
+    go(s, 300);
+    Scene again = restarted(s);
+    const double off = (s.forces.force - again.forces.force).norm() / s.forces.force.norm();
+    std::printf("restart %s viscosity: forces differ by %.2e\n", viscous ? "with" : "without", off);
+    // the pressure belongs to the velocity of the last half step; a new advance takes that of its
+    // end
+    EXPECT_LT(off, viscous ? 0.01 : 1e-14);
+  }
 }
 
 // --- symmetry ------------------------------------------------------------------------------------
 
 double mean_settlement(const Scene& s, double length) {
   const Subset& top = mesh::node_set(s.model.mesh, "lead.top");
-  const Scalars area = mesh::tributary_areas(s.model.mesh, mesh::surface(s.model.mesh, "lead.top"), top);
+  const Scalars area =
+      mesh::tributary_areas(s.model.mesh, mesh::surface(s.model.mesh, "lead.top"), top);
   double sum = 0;
-  for (std::size_t i = 0; i < top.size(); ++i) sum += area(static_cast<Eigen::Index>(i)) * (length - s.state.x(2, top[i]));
+  for (std::size_t i = 0; i < top.size(); ++i)
+    sum += area(static_cast<Eigen::Index>(i)) * (length - s.state.x(2, top[i]));
   return sum / area.sum();
 }
 
@@ -758,12 +829,15 @@ TEST(Symmetry, AQuarterOfTheCaskSettlesLikeTheWhole) {
   for (const auto turn : {mesh::Turn::full, mesh::Turn::quarter}) {
     Scene s = cask(turn, 2);
     Votes votes = start(s.model, s.state, s.forces);
-    // the quarter votes for other steps, by round-off; both take those of the clock
-    const double dt = 0.8 * votes.step;
-    while (s.state.t < 2e-3) votes = step(s.model, std::min(dt, 0.95 * votes.step), s.state, s.forces);
+    const double end = 2e-3, dt = 0.8 * votes.step;
+    while (s.state.t < end) {
+      const double left = end - s.state.t;
+      votes = step(s.model, std::min({dt, 0.95 * votes.step, left}), s.state, s.forces);
+      if (left <= dt && left <= 0.95 * votes.step) s.state.t = end;
+    }
     settle(s.model, s.state);
     expect_closed(s);
-    settlement[turn == mesh::Turn::quarter] = mean_settlement(s, 0.914) / s.state.t;
+    settlement[turn == mesh::Turn::quarter] = mean_settlement(s, 0.914);
   }
   use_threads(1);
   std::printf("quarter / full - 1 = %.2e\n", settlement[1] / settlement[0] - 1);

@@ -15,10 +15,12 @@ TEST(GaussLayers, IntegratePolynomialsOfDegreeTwiceTheirNumberLessOne) {
     for (int degree = 0; degree <= 2 * count - 1; ++degree) {
       double sum = 0;
       for (int l = 0; l < count; ++l) sum += layers.weight[l] * std::pow(2 * layers.z[l], degree);
-      EXPECT_NEAR(sum, degree % 2 == 0 ? 1.0 / (degree + 1) : 0.0, 1e-15) << count << " layers, degree " << degree;
+      EXPECT_NEAR(sum, degree % 2 == 0 ? 1.0 / (degree + 1) : 0.0, 1e-15)
+          << count << " layers, degree " << degree;
     }
     double beyond = 0;
-    for (int l = 0; l < count; ++l) beyond += layers.weight[l] * std::pow(2 * layers.z[l], 2 * count);
+    for (int l = 0; l < count; ++l)
+      beyond += layers.weight[l] * std::pow(2 * layers.z[l], 2 * count);
     EXPECT_GT(std::abs(beyond - 1.0 / (2 * count + 1)), 1e-9) << "no rule of n points does better";
   }
 }
@@ -31,7 +33,9 @@ TEST(GaussLayers, LieInsideAscendingAndSymmetricWithPositiveWeights) {
       EXPECT_LT(std::abs(layers.z[l]), 0.5);
       EXPECT_NEAR(layers.z[l], -layers.z[count - 1 - l], 1e-16);
       EXPECT_NEAR(layers.weight[l], layers.weight[count - 1 - l], 1e-15);
-      if (l > 0) { EXPECT_GT(layers.z[l], layers.z[l - 1]); }
+      if (l > 0) {
+        EXPECT_GT(layers.z[l], layers.z[l - 1]);
+      }
     }
   }
 }

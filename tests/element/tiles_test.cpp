@@ -22,14 +22,16 @@ Cut cut(int nx, int ny, int nz, Index size = 128) {
   return c;
 }
 
-const std::array<std::array<int, 4>, 4> cases{{{1, 1, 1, 128}, {7, 5, 3, 20}, {8, 8, 8, 128}, {5, 5, 6, 128}}};
+const std::array<std::array<int, 4>, 4> cases{
+    {{1, 1, 1, 128}, {7, 5, 3, 20}, {8, 8, 8, 128}, {5, 5, 6, 128}}};
 
 TEST(Tiles, HoldEachElementOnce) {
   for (const auto& [nx, ny, nz, size] : cases) {
     const Cut c = cut(nx, ny, nz, size);
     std::multiset<Index> seen;
     for (std::size_t pack = 0; pack < c.tiling.filled.size(); ++pack)
-      for (int lane = 0; lane < c.tiling.filled[pack]; ++lane) seen.insert(c.tiling.element[pack * lanes + lane]);
+      for (int lane = 0; lane < c.tiling.filled[pack]; ++lane)
+        seen.insert(c.tiling.element[pack * lanes + lane]);
     EXPECT_EQ(seen.size(), static_cast<std::size_t>(nx * ny * nz));
     EXPECT_EQ((std::set<Index>(seen.begin(), seen.end()).size()), seen.size());
     EXPECT_EQ(c.tiling.elements, nx * ny * nz);
@@ -46,7 +48,8 @@ TEST(Tiles, AreNumberedWithoutGaps) {
       EXPECT_EQ(tile.first_node, node);
       pack += tile.packs, node += tile.nodes;
       Index elements = 0;
-      for (Index p = tile.first_pack; p < tile.first_pack + tile.packs; ++p) elements += t.filled[p];
+      for (Index p = tile.first_pack; p < tile.first_pack + tile.packs; ++p)
+        elements += t.filled[p];
       EXPECT_LE(elements, size);
     }
     EXPECT_EQ(pack, static_cast<Index>(t.filled.size()));
@@ -62,13 +65,15 @@ TEST(Tiles, PlacesLeadToTheNodesOfTheElements) {
     for (const Tile& tile : c.tiling.tiles) {
       std::set<Index> nodes(c.tiling.node.begin() + tile.first_node,
                             c.tiling.node.begin() + tile.first_node + tile.nodes);
-      EXPECT_EQ(nodes.size(), static_cast<std::size_t>(tile.nodes)) << "a node has one place in a tile";
+      EXPECT_EQ(nodes.size(), static_cast<std::size_t>(tile.nodes))
+          << "a node has one place in a tile";
       for (Index pack = tile.first_pack; pack < tile.first_pack + tile.packs; ++pack) {
         for (int a = 0; a < 8; ++a) {
           for (int lane = 0; lane < lanes; ++lane) {
             const Index place = c.tiling.place[(pack * 8 + a) * lanes + lane];
             ASSERT_LT(place, tile.nodes);
-            EXPECT_EQ(c.tiling.node[tile.first_node + place], c.nodes(a, c.tiling.element[pack * lanes + lane]));
+            EXPECT_EQ(c.tiling.node[tile.first_node + place],
+                      c.nodes(a, c.tiling.element[pack * lanes + lane]));
           }
         }
       }

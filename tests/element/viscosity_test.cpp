@@ -30,11 +30,14 @@ TEST(StableStep, IsTheFamiliarFormula) {
   }
 }
 
-TEST(StableStep, OfAnUndampedOscillatorIsTwoOverOmega) { EXPECT_DOUBLE_EQ(stable_step(9.0, 0.0), 2.0 / 3.0); }
+TEST(StableStep, OfAnUndampedOscillatorIsTwoOverOmega) {
+  EXPECT_DOUBLE_EQ(stable_step(9.0, 0.0), 2.0 / 3.0);
+}
 
 TEST(StableStep, OfPureDampingIsOneOverItsRate) { EXPECT_DOUBLE_EQ(stable_step(0.0, 4.0), 0.25); }
 
-/// Largest amplification of one step of  x'' = -2 s x' - omega^2 x  with the damping force half a step old.
+/// Largest amplification of one step of  x'' = -2 s x' - omega^2 x  with the damping force half a
+/// step old.
 double amplification(double omega, double s, double dt) {
   // v' = (1 - 2 s dt) v - omega^2 dt x,  x' = x + dt v'
   const double trace = 2 - 2 * s * dt - omega * omega * dt * dt, determinant = 1 - 2 * s * dt;

@@ -62,7 +62,8 @@ TEST(Constraints, ANodeOnTwoPlanesMovesAlongTheirIntersection) {
     const Vec3 a = random.unit(), b = random.unit(), v = random.any();
     const Vec3 line = a.cross(b).normalized();
     // the angle between the planes amplifies round-off
-    EXPECT_NEAR((OneNode({a, b}).restrained(v) - v.dot(line) * line).norm(), 0, 1e-14 / a.cross(b).norm());
+    EXPECT_NEAR((OneNode({a, b}).restrained(v) - v.dot(line) * line).norm(), 0,
+                1e-14 / a.cross(b).norm());
   }
 }
 
@@ -107,7 +108,10 @@ TEST(Constraints, PlanesThatDifferByTheirLastDigitsAreOne) {
   const Vec3 n = Vec3(std::cos(pi / 6), 0.5, 0), typed = Vec3(0.8660254, 0.5, 0).normalized();
   const Vec3 v(0.3, -0.4, 0.5), in_plane = v - v.dot(n) * n;
   EXPECT_NEAR((OneNode({n, typed}).restrained(v) - in_plane).norm(), 0, 1e-15);
-  EXPECT_NEAR((OneNode({n, Vec3::UnitZ(), typed}).restrained(v) - Vec3(in_plane.x(), in_plane.y(), 0)).norm(), 0, 1e-15);
+  EXPECT_NEAR(
+      (OneNode({n, Vec3::UnitZ(), typed}).restrained(v) - Vec3(in_plane.x(), in_plane.y(), 0))
+          .norm(),
+      0, 1e-15);
   // the turn about the normal survives as well
   EXPECT_NEAR((OneNode({n, typed}).restrained_turn(n) - n).norm(), 0, 1e-6);
 }
@@ -166,8 +170,10 @@ TEST(Constraints, PlanesShareTheImpulseAlongTheirNormals) {
       const PlaneAccount& account = one.memory.account[p];
       sum += account.impulse;
       moment += account.angular_impulse;
-      EXPECT_NEAR(account.impulse.cross(one.constraints.planes[p].normal).norm(), 0, 1e-15 * (1 + account.impulse.norm()));
-      EXPECT_NEAR((account.angular_impulse - x.cross(account.impulse)).norm(), 0, 1e-14 * (1 + account.impulse.norm()));
+      EXPECT_NEAR(account.impulse.cross(one.constraints.planes[p].normal).norm(), 0,
+                  1e-15 * (1 + account.impulse.norm()));
+      EXPECT_NEAR((account.angular_impulse - x.cross(account.impulse)).norm(), 0,
+                  1e-14 * (1 + account.impulse.norm()));
     }
     const double amplified = 1e-14 / a.cross(b).norm();
     EXPECT_NEAR((sum - impulse).norm(), 0, amplified);

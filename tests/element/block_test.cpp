@@ -1,0 +1,365 @@
+#include "element/block.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "base/parallel.hpp"
+#include "mesh/box.hpp"
+
+namespace nereid::element {
+namespace {
+
+using material::Elastic;
+using material::J2Bilinear;
+using Point = Vector<double>;
+
+const Elastic elastic{2.0, 3.0, 0.3};
+const J2Bilinear plastic{2.0, 3.0, 0.3, 0.01, 0.3};
+
+/// A distorted block of hexahedra, or of the triangles of its upper face; two tiles and some
+/// fillers.
+struct Scene {
+  mesh::Mesh mesh;
+  AnyBlock block;
+  Vectors x, v, w;
+  Memory memory;
+  TileForces forces;
+
+  Vote move(double dt) {
+    x += dt * v;
+    return advance(block, x, v, w, dt, memory, forces);
+  }
+};
+
+mesh::Mesh distorted_box() {
+  std::srand(5);
+  mesh::Mesh mesh = mesh::box("box", {Vec3(0, 0, 0), Vec3(9, 7, 3), {9, 7, 3}});
+  mesh.X += 0.1 * Vectors::Random(3, mesh.X.cols());
+  mesh.triangles.push_back({"skin", mesh::surface(mesh, "box.z_high").facets});
+  return mesh;
+}
+
+Scene finish(mesh::Mesh mesh, AnyBlock block) {
+  const auto count = mesh.X.cols();
+  std::vector<Index> turning;
+  for (Index n = 0; n < count; ++n) turning.push_back(n);
+  if (is_plate(block)) set_turning(block, turning);
+  Scene scene{mesh,
+              block,
+              mesh.X,
+              0.1 * Vectors::Random(3, count),
+              0.1 * Vectors::Random(3, count),
+              initial_memory(block),
+              tile_forces(block)};
+  return scene;
+}
+Scene solids(const AnyLaw& law) {
+  mesh::Mesh mesh = distorted_box();
+  AnyBlock block = hexahedra(mesh, "box", law, {});
+  return finish(std::move(mesh), std::move(block));
+}
+Scene skin(const AnyLaw& law) {
+  mesh::Mesh mesh = distorted_box();
+  AnyBlock block = plates(mesh, "skin", law, {.thickness = 0.1, .viscosity = {}});
+  return finish(std::move(mesh), std::move(block));
+}
+
+/// What the tiles exert, summed by node.
+Vectors by_node(const Scene& s, const Vectors& places) {
+  Vectors sum = Vectors::Zero(3, s.x.cols());
+  for (std::size_t p = 0; p < tiling(s.block).node.size(); ++p)
+    sum.col(tiling(s.block).node[p]) += places.col(p);
+  return sum;
+}
+
+Point column(const Vectors& x, Index n) { return {x(0, n), x(1, n), x(2, n)}; }
+
+TEST(Block, OfHexahedraIsTheSumOfItsElements) {
+  Scene s = solids(plastic);
+  const auto& block = std::get<Block<Hexahedron, J2Bilinear>>(s.block);
+  ASSERT_GT(block.tiling.tiles.size(), 1u);
+  std::vector<Hexahedron::Memory<double, J2Bilinear>> one(block.nodes.cols());
+  for (int step = 0; step < 3; ++step) {
+    const Vote vote = s.move(0.1);
+    Vectors force = Vectors::Zero(3, s.x.cols());
+    double least_step = 1e300, least_size = 1e300, stored = 0;
+    Index step_at = -1, size_at = -1;
+    for (Index e = 0; e < block.nodes.cols(); ++e) {
+      std::array<Point, 8> X, x, v, f;
+      for (int a = 0; a < 8; ++a) {
+        const Index n = block.nodes(a, e);
+        X[a] = column(s.mesh.X, n), x[a] = column(s.x, n), v[a] = column(s.v, n);
+      }
+      const auto report = advance(plastic, block.options, constants(plastic, block.options, X), x,
+                                  v, 0.1, one[e], f);
+      for (int a = 0; a < 8; ++a) force.col(block.nodes(a, e)) += Vec3(f[a].x, f[a].y, f[a].z);
+      if (report.step < least_step) least_step = report.step, step_at = e;
+      if (report.size < least_size) least_size = report.size, size_at = e;
+      stored += report.stored[0] + report.stored[1];
+    }
+    EXPECT_LT((by_node(s, s.forces.force) - force).norm(), 1e-12 * force.norm());
+    EXPECT_NEAR(vote.step, least_step, 1e-12 * least_step);
+    EXPECT_NEAR(vote.size, least_size, 1e-12);
+    EXPECT_EQ(vote.step_element, step_at);
+    EXPECT_EQ(vote.size_element, size_at);
+    double reported = 0;
+    for (const auto& report : s.forces.reports) reported += report.stored[0] + report.stored[1];
+    EXPECT_NEAR(reported, stored, 1e-12 * std::abs(stored)) << "fillers contribute nothing";
+  }
+}
+
+TEST(Block, OfPlatesIsTheSumOfItsElements) {
+  Scene s = skin(plastic);
+  const auto& block = std::get<Block<Plate, J2Bilinear>>(s.block);
+  std::vector<Plate::Memory<double, J2Bilinear>> one(block.nodes.cols());
+  for (int step = 0; step < 3; ++step) {
+    const Vote vote = s.move(0.1);
+    Vectors force = Vectors::Zero(3, s.x.cols()), moment = force;
+    double least_step = 1e300, least_size = 1e300;
+    for (Index e = 0; e < block.nodes.cols(); ++e) {
+      std::array<Point, 3> X, x, v, w, f, m;
+      for (int a = 0; a < 3; ++a) {
+        const Index n = block.nodes(a, e);
+        X[a] = column(s.mesh.X, n), x[a] = column(s.x, n), v[a] = column(s.v, n),
+        w[a] = column(s.w, n);
+      }
+      const auto report = advance(plastic, block.options, block.layers,
+                                  constants(plastic, block.options, X), x, v, w, 0.1, one[e], f, m);
+      for (int a = 0; a < 3; ++a) {
+        force.col(block.nodes(a, e)) += Vec3(f[a].x, f[a].y, f[a].z);
+        moment.col(block.nodes(a, e)) += Vec3(m[a].x, m[a].y, m[a].z);
+      }
+      least_step = std::min(least_step, report.step),
+      least_size = std::min(least_size, report.size);
+    }
+    EXPECT_LT((by_node(s, s.forces.force) - force).norm(), 1e-12 * force.norm());
+    EXPECT_LT((by_node(s, s.forces.moment) - moment).norm(), 1e-12 * moment.norm());
+    EXPECT_NEAR(vote.step, least_step, 1e-12 * least_step);
+    EXPECT_NEAR(vote.size, least_size, 1e-12);
+  }
+}
+
+TEST(Block, WorkIsStoredOrDissipatedUpToTheSecondOrderOfTheStep) {
+  for (Scene start : {solids(elastic), solids(plastic), skin(elastic), skin(plastic)}) {
+    const auto left_over = [&](int steps) {
+      Scene s = start;
+      for (int step = 0; step < steps; ++step) s.move(0.2 / steps);
+      EXPECT_LT(s.memory.work, 0);
+      EXPECT_GE(s.memory.plastic, 0);
+      EXPECT_GT(s.memory.viscous, 0);
+      return (s.memory.work + s.memory.stored[0] + s.memory.stored[1] + s.memory.plastic +
+              s.memory.viscous) /
+             s.memory.work;
+    };
+    EXPECT_LT(std::abs(left_over(20)), 1e-2);
+    EXPECT_LT(std::abs(left_over(160)), 2e-4);
+  }
+}
+
+TEST(Block, ElasticCycleGivesItsWorkBack) {
+  mesh::Mesh mesh = distorted_box();
+  AnyBlock block = hexahedra(mesh, "box", elastic,
+                             {.hourglass = 0.1, .viscosity = {.linear = 0, .quadratic = 0}});
+  Scene s = finish(std::move(mesh), std::move(block));
+  double most = 0;
+  constexpr int steps = 400;
+  for (int step = 0; step < steps; ++step) {  // out along half a cosine, and back
+    const Vectors to = s.mesh.X + 0.01 * (1 - std::cos(2 * pi * (step + 1) / steps)) * Vectors(s.w);
+    s.v = to - s.x;
+    s.move(1.0);
+    most = std::max(most, -s.memory.work);
+  }
+  EXPECT_LT(std::abs(s.memory.work), 1e-6 * most);
+  EXPECT_LT(std::abs(s.memory.stored[0] + s.memory.stored[1]), 1e-6 * most);
+}
+
+TEST(Block, GivesTheSameBitsForAnyNumberOfThreads) {
+  for (const bool plate : {false, true}) {
+    std::vector<double> rows;
+    Vectors force;
+    for (const int count : {1, 2, 4}) {
+      use_threads(count);
+      Scene s = plate ? skin(plastic) : solids(plastic);
+      for (int step = 0; step < 3; ++step) s.move(0.1);
+      if (count == 1) {
+        rows = s.memory.rows, force = s.forces.force;
+        rows.push_back(s.memory.work);
+        continue;
+      }
+      s.memory.rows.push_back(s.memory.work);
+      EXPECT_EQ(rows, s.memory.rows);
+      EXPECT_TRUE(force == s.forces.force);
+    }
+  }
+  use_threads(1);
+}
+
+TEST(Block, NamesAnInvertedElement) {
+  Scene s = solids(elastic);
+  const Index element = 100;
+  const Connectivity& corners = nodes(s.block);
+  // swap lower and upper face of this one element; its neighbours are torn, but less
+  Vectors x = s.x;
+  for (int a = 0; a < 4; ++a) {
+    x.col(corners(a, element)) = s.x.col(corners(a + 4, element));
+    x.col(corners(a + 4, element)) = s.x.col(corners(a, element));
+  }
+  const Vote vote = advance(s.block, x, Vectors::Zero(3, x.cols()), s.w, 0.0, s.memory, s.forces);
+  EXPECT_LT(vote.size, 0);
+  EXPECT_EQ(vote.size_element, element);
+}
+
+TEST(Block, ReportsPositionsThatAreNoNumbersWhereverTheyAre) {
+  for (const bool plate : {false, true}) {
+    const Scene start = plate ? skin(elastic) : solids(elastic);
+    const Connectivity& corners = nodes(start.block);
+    for (Index element = 0; element < corners.cols(); element += 7) {
+      Scene s = start;
+      s.x(1, corners(0, element)) = std::numeric_limits<double>::quiet_NaN();
+      const Vote vote = s.move(0.0);
+      EXPECT_TRUE(std::isnan(vote.size)) << "element " << element;
+      ASSERT_GE(vote.size_element, 0);
+      bool touches = false;
+      for (Index a = 0; a < corners.rows(); ++a)
+        touches |= corners(a, vote.size_element) == corners(0, element);
+      EXPECT_TRUE(touches);
+    }
+  }
+}
+
+TEST(Block, MassIsThatOfTheBodyInEqualPositiveShares) {
+  Scene s = solids(elastic);
+  Scalars mass = Scalars::Zero(s.x.cols());
+  add_mass(s.block, mass);
+  EXPECT_GT(mass.minCoeff(), 0);
+  const auto& block = std::get<Block<Hexahedron, Elastic>>(s.block);
+  Scalars shares = Scalars::Zero(s.x.cols());
+  for (Index e = 0; e < block.nodes.cols(); ++e) {
+    std::array<Point, 8> X;
+    for (int a = 0; a < 8; ++a) X[a] = column(s.mesh.X, block.nodes(a, e));
+    for (int a = 0; a < 8; ++a)
+      shares(block.nodes(a, e)) += constants(elastic, block.options, X).mass / 8;
+  }
+  EXPECT_LT((mass - shares).norm(), 1e-13);
+
+  mesh::Mesh plain = mesh::box("box", {Vec3(0, 0, 0), Vec3(9, 7, 3), {9, 7, 3}});
+  Scalars whole = Scalars::Zero(plain.X.cols());
+  add_mass(hexahedra(plain, "box", elastic, {}), whole);
+  EXPECT_NEAR(whole.sum(), 2.0 * 9 * 7 * 3, 1e-11);
+}
+
+TEST(Block, OfPlatesHasMassAndRotaryInertiaOfTheSkin) {
+  mesh::Mesh plain = mesh::box("box", {Vec3(0, 0, 0), Vec3(9, 7, 3), {9, 7, 3}});
+  plain.triangles.push_back({"skin", mesh::surface(plain, "box.z_high").facets});
+  AnyBlock block =
+      plates(plain, "skin", elastic,
+             {.thickness = 0.1, .rotary_inertia = Plate::RotaryInertia::physical, .viscosity = {}});
+  // only the nodes of the skin have columns of angular velocity
+  std::vector<Index> turning(plain.X.cols(), -1);
+  Index columns = 0;
+  for (const Index n : mesh::surface_nodes(mesh::surface(plain, "box.z_high")))
+    turning[n] = columns++;
+  set_turning(block, turning);
+  Scalars mass = Scalars::Zero(plain.X.cols()), inertia = Scalars::Zero(columns);
+  add_mass(block, mass);
+  add_rotary_inertia(block, inertia);
+  EXPECT_NEAR(mass.sum(), 2.0 * 9 * 7 * 0.1, 1e-12);
+  EXPECT_GT(inertia.minCoeff(), 0);
+  for (Index n = 0; n < plain.X.cols(); ++n) {
+    if (turning[n] < 0) {
+      EXPECT_EQ(mass(n), 0);
+    } else {
+      EXPECT_NEAR(inertia(turning[n]), mass(n) * 0.01 / 12, 1e-16);
+    }
+  }
+}
+
+/// Stress whose six components differ, from a strain that is uniform in space.
+const Mat3 gradient = 1e-4 * (Mat3() << 1, 8, 4, 2, -3, 1, 2, 9, 5).finished();
+
+TEST(Block, FieldsShowStressAsXxYyZzXyYzXz) {
+  Scene s = solids(plastic);
+  s.v = gradient * s.x;
+  s.move(1.0);
+  const std::vector<Field> shown = fields(s.block, s.x, s.memory);
+  ASSERT_EQ(shown.size(), 4u);
+  EXPECT_EQ(shown[0].name, "stress");
+  EXPECT_EQ(shown[0].components, (std::vector<std::string>{"XX", "YY", "ZZ", "XY", "YZ", "XZ"}));
+  const Symmetric<double> hooke =
+      material::hooke(plastic, Symmetric<double>{1e-4, -3e-4, 5e-4, 5e-4, 5e-4, 3e-4});
+  Eigen::Matrix<double, 6, 1> expected;
+  expected << hooke.xx, hooke.yy, hooke.zz, 2 * 3 / 2.6 * 5e-4, 2 * 3 / 2.6 * 5e-4,
+      2 * 3 / 2.6 * 3e-4;
+  for (Index e = 0; e < nodes(s.block).cols(); ++e) {
+    const auto stress = shown[0].values.col(e);
+    EXPECT_LT((stress - expected).norm(), 5e-3 * expected.norm());
+    const Symmetric<double> t{stress(0), stress(1), stress(2), stress(3), stress(4), stress(5)};
+    EXPECT_NEAR(shown[1].values(0, e), material::von_mises(t), 1e-15);
+    EXPECT_NEAR(shown[2].values(0, e), material::pressure(t), 1e-17);
+    EXPECT_EQ(shown[3].values(0, e), 0) << "elastic so far";
+  }
+  EXPECT_EQ(shown[1].name, "von_mises");
+  EXPECT_EQ(shown[2].name, "pressure");
+  EXPECT_EQ(shown[3].name, "plastic_strain");
+}
+
+TEST(Block, FieldsTellSixDistinctValuesApart) {
+  // each component by itself: where it is put in, there it comes out
+  const int at[6][2] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {0, 2}};
+  for (int c = 0; c < 6; ++c) {
+    Scene s = solids(elastic);
+    Mat3 strain = Mat3::Zero();
+    strain(at[c][0], at[c][1]) = strain(at[c][1], at[c][0]) = 1e-5;
+    s.v = strain * s.x;
+    s.move(1.0);
+    const Eigen::MatrixXd stress = fields(s.block, s.x, s.memory)[0].values;
+    for (Index e = 0; e < stress.cols(); e += 11) {
+      Eigen::Index largest_row = -1;
+      stress.col(e).cwiseAbs().maxCoeff(&largest_row);
+      EXPECT_EQ(largest_row, c);
+    }
+  }
+}
+
+TEST(Block, FieldsOfPlatesAreMeansInTheGlobalFrame) {
+  mesh::Mesh mesh = mesh::box("box", {Vec3(0, 0, 0), Vec3(3, 2, 1), {3, 2, 1}});
+  mesh.triangles.push_back({"skin", mesh::surface(mesh, "box.z_high").facets});
+  const Mat3 R = Eigen::AngleAxisd(0.8, Vec3(1, -2, 0.5).normalized()).toRotationMatrix();
+  mesh.X = R * mesh.X;
+  AnyBlock block = plates(mesh, "skin", elastic, {.thickness = 0.1, .viscosity = {}});
+  Scene s = finish(std::move(mesh), std::move(block));
+  Mat3 strain = Mat3::Zero();
+  strain.topLeftCorner<2, 2>() << 1e-6, 3e-6, 3e-6, -4e-6;
+  s.v = R * strain * R.transpose() * s.x, s.w.setZero();
+  s.move(1.0);
+  const Plane<double> p = material::hooke(elastic, Plane<double>{1e-6, -4e-6, 3e-6});
+  Mat3 stress = Mat3::Zero();
+  stress.topLeftCorner<2, 2>() << p.xx, p.xy, p.xy, p.yy;
+  stress = R * stress * R.transpose();
+  Eigen::Matrix<double, 6, 1> expected;
+  expected << stress(0, 0), stress(1, 1), stress(2, 2), stress(0, 1), stress(1, 2), stress(0, 2);
+  std::set<double> distinct(expected.data(), expected.data() + 6);
+  EXPECT_EQ(distinct.size(), 6u);
+  const auto shown = fields(s.block, s.x, s.memory);
+  for (Index e = 0; e < nodes(s.block).cols(); ++e) {
+    EXPECT_LT((shown[0].values.col(e) - expected).norm(), 1e-4 * expected.norm());
+    EXPECT_NEAR(shown[1].values(0, e), material::von_mises(p), 1e-4 * material::von_mises(p));
+  }
+}
+
+TEST(Block, KnowsItsNameAndItsStores) {
+  const Scene solid = solids(elastic), plate = skin(elastic);
+  EXPECT_EQ(name(solid.block), "box");
+  EXPECT_EQ(name(plate.block), "skin");
+  EXPECT_FALSE(is_plate(solid.block));
+  EXPECT_TRUE(is_plate(plate.block));
+  EXPECT_STREQ(stored_names(solid.block)[1], "hourglass");
+  EXPECT_STREQ(stored_names(plate.block)[1], "transverse_shear");
+}
+
+}  // namespace
+}  // namespace nereid::element
