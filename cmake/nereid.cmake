@@ -10,7 +10,7 @@ find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(yaml-cpp REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)
-find_package(OpenMP REQUIRED COMPONENTS CXX)
+find_package(Threads REQUIRED)
 
 set(NEREID_VTK "")
 if(NEREID_WITH_VTK)
@@ -36,7 +36,7 @@ if(NEREID_SANITIZE OR CMAKE_BUILD_TYPE STREQUAL "Debug")
   target_compile_definitions(nereid_settings INTERFACE NEREID_CHECKED)
 endif()
 target_include_directories(nereid_settings INTERFACE ${PROJECT_SOURCE_DIR}/lib ${PROJECT_SOURCE_DIR})
-target_link_libraries(nereid_settings INTERFACE Eigen3::Eigen OpenMP::OpenMP_CXX)
+target_link_libraries(nereid_settings INTERFACE Eigen3::Eigen Threads::Threads)
 
 # One module: every source in lib/<name>, resting on other modules.
 function(nereid_module name)

@@ -2,7 +2,9 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
+#include <new>
 
 #include "base/check.hpp"
 #include "base/parallel.hpp"
@@ -13,6 +15,8 @@
 namespace nereid::driver {
 
 namespace {
+
+constexpr int most_threads = 1024;  // beyond it the system may refuse, in words of its own
 
 enum Status { done = 0, bad_case = 2, stopped = 3, our_fault = 4, machine = 5 };
 
@@ -160,7 +164,8 @@ void print(const std::vector<std::string>& lines) {
 }
 
 /// What would be run, and what limits its step.
-int dry_run(Scene& scene) {
+int dry_run(Scene& scene, bool quiet) {
+  if (quiet) return done;
   const dynamics::Votes votes = dynamics::start(scene.model, scene.state, scene.forces);
   const double dt = std::min(scene.time.safety * votes.element_step, votes.contact_step);
   std::printf("%ld nodes, %ld elements, mass %.6g kg\n", static_cast<long>(scene.model.mesh.X.cols()),
@@ -179,8 +184,10 @@ int run_case(const std::string& name, const CommandLine& line, const Build& buil
     for (const std::string& key : file.not_used()) std::printf("not used: %s\n", key.c_str());
     print(table);
   }
-  if (line.dry_run) return dry_run(scene);
+  if (line.dry_run) return dry_run(scene, line.quiet);
 
+  std::error_code none_there;
+  std::filesystem::remove(std::filesystem::path(line.out) / "summary.json", none_there);  // not to be taken for this run's
   Recorder recorder(scene, line);
   std::vector<dynamics::Observer> observers = scene.watchers;
   observers.emplace_back([&recorder](const dynamics::View& view) { recorder(view); });
@@ -222,12 +229,16 @@ void make_ready(Scene& scene, std::vector<dynamics::Connected> connected) {
 int drive(int argc, char** argv, const std::string& name, const Build& build) {
   CommandLine line;
   CLI::App app("Nereid " + name, name);
+  app.failure_message([&name](const CLI::App*, const CLI::Error& error) {
+    return name + ": " + error.what() + "; '" + name + " --help' lists what may be given\n";
+  });
   app.add_option("case", line.case_path, "case file, YAML with units")->required();
   app.add_option("--out", line.out, "folder for results; made if it is not there");
   app.add_option("--set", line.overrides, "key.path=value, in place of what the case says; may be repeated")
       ->expected(1)
+      ->allow_extra_args(false)  // else it would swallow the case that follows it
       ->take_all();
-  app.add_option("--threads", line.threads, "threads; results do not depend on them")->check(CLI::PositiveNumber);
+  app.add_option("--threads", line.threads, "threads; results do not depend on them")->check(CLI::Range(1, most_threads));
   app.add_flag("--dry-run", line.dry_run, "check the case, show initial gaps and the first step, and stop");
   app.add_flag("--quiet", line.quiet, "print faults only");
   try {
@@ -245,6 +256,9 @@ int drive(int argc, char** argv, const std::string& name, const Build& build) {
   } catch (const InternalError& error) {
     std::fprintf(stderr, "%s: this is a fault of the program, not of the case: %s\n", name.c_str(), error.what());
     return our_fault;
+  } catch (const std::bad_alloc&) {
+    std::fprintf(stderr, "%s: memory does not suffice for a case of this size\n", name.c_str());
+    return machine;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s: %s\n", name.c_str(), error.what());
     return machine;

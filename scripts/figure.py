@@ -18,6 +18,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (after the choice of backend)
 import numpy as np  # noqa: E402
+from matplotlib.collections import LineCollection, PolyCollection  # noqa: E402
 from matplotlib.patches import Rectangle  # noqa: E402
 
 # Maximum head settlement of the cask: three of the four codes of the round robin, and NEPTUNE; both
@@ -113,22 +114,28 @@ def column(history, name, unit, folder):
 # ------------------------------------------------------------------------------------------------
 # Primitives
 
-def new_figure(width=SINGLE_COLUMN, height=66.0, rows=1, ratios=None):
-    """A figure of width x height [mm] and its axes, one above the other, sharing the lowest abscissa."""
+def use_style():
+    """Every figure starts from the same settings, whatever was drawn before."""
     plt.rcParams.update(plt.rcParamsDefault)
     plt.rcParams.update(STYLE)
+
+
+def new_figure(width=SINGLE_COLUMN, height=66.0, rows=1, ratios=None):
+    """A figure of width x height [mm] and its axes, one above the other, sharing the lowest abscissa."""
+    use_style()
     figure, axes = plt.subplots(rows, 1, sharex=True, squeeze=False, figsize=(width / 25.4, height / 25.4),
                                 gridspec_kw={"height_ratios": ratios or [1] * rows}, constrained_layout=True)
     figure.get_layout_engine().set(hspace=0.02, h_pad=0.03, w_pad=0.03)
     return figure, (axes[0, 0] if rows == 1 else axes[:, 0])
 
 
-def save(figure, path):
-    """Writes the figure as SVG and as PNG, `path` with either ending; no date, so the same bytes."""
+def save(figure, path, png=True):
+    """Writes the figure as SVG and, if wanted, as PNG, `path` with either ending; no date, so the same bytes."""
     path = Path(path)
     path.parent.mkdir(parents=True, exist_ok=True)
     figure.savefig(path.with_suffix(".svg"), metadata={"Date": None, "Creator": None})
-    figure.savefig(path.with_suffix(".png"), metadata={"Software": None})
+    if png:
+        figure.savefig(path.with_suffix(".png"), metadata={"Software": None})
     plt.close(figure)
 
 
@@ -149,6 +156,20 @@ def round_robin(axes):
     axes.plot(NEPTUNE["time"], NEPTUNE["settlement"], linestyle="none", marker="*", markersize=11, color="white",
               markeredgecolor="black", markeredgewidth=0.8, zorder=5,
               label=f"NEPTUNE, {NEPTUNE['settlement']:g} mm at {NEPTUNE['time']:g} ms")
+
+
+def reference_range(axes, quantity, neptune=True):
+    """The range of the round robin and NEPTUNE's value of one quantity, across all abscissae."""
+    low, high = ROUND_ROBIN[quantity]
+    axes.axhspan(low, high, facecolor="#f0f0f0", edgecolor="#8c8c8c", hatch="////", linewidth=0.7, zorder=0,
+                 label="round robin, three of four codes")
+    if neptune:
+        axes.axhline(NEPTUNE[quantity], color="black", linewidth=0.7, linestyle=(0, (1, 2)), zorder=1, label="NEPTUNE")
+
+
+def draw_faces(axes, polygons, face, edge="#333333", width=0.35):
+    """Polygons [[(across, up), ...], ...] in mm with their edges."""
+    axes.add_collection(PolyCollection(polygons, facecolor=face, edgecolor=edge, linewidth=width, zorder=2))
 
 
 # ------------------------------------------------------------------------------------------------
@@ -238,6 +259,73 @@ def energy_figure(folder, curves=7):
     lower.set_xlabel("time [ms]")
     lower.set_xlim(time[0], time[-1])
     figure.align_ylabels()
+    return figure
+
+
+def study_figure(points, abscissa, logarithmic=False, near=False, beyond=None):
+    """Settlement and its time over one parameter of a study, with the references of both.
+
+    points  (parameter, settlement [mm], time [ms]) by name of the quantity: {name: [...]}
+    near    shows the curves large, and of the references only the edge of the range beside them
+    beyond  {name: (settlement [mm], uncertainty [mm])} at parameter zero: what a sequence tends to
+    """
+    figure, (upper, lower) = new_figure(width=120, height=110, rows=2, ratios=[3, 2])
+    reference_range(upper, "settlement", neptune=not near)
+    reference_range(lower, "time", neptune=not near)
+    for number, (name, rows) in enumerate(points.items()):
+        rows = sorted(rows)
+        style = {**CURVES[number % len(CURVES)], "markersize": 4, "markerfacecolor": "white", "markeredgewidth": 0.8}
+        upper.plot([row[0] for row in rows], [row[1] for row in rows], label=name, zorder=3, **style)
+        lower.plot([row[0] for row in rows], [row[2] for row in rows], zorder=3, **style)
+        if beyond and name in beyond:
+            value, uncertainty = beyond[name]
+            upper.errorbar(0, value, yerr=uncertainty, color=style["color"], marker=style["marker"], markersize=4,
+                           capsize=3, linewidth=0.9, clip_on=False, zorder=4, label="what it tends to, and its uncertainty")
+    if logarithmic:
+        upper.set_xscale("log")
+    else:
+        upper.set_xlim(left=0)
+    if near:
+        for axes, place, quantity in ((upper, 1, "settlement"), (lower, 2, "time")):
+            seen = [row[place] for rows in points.values() for row in rows]
+            if axes is upper and beyond:
+                seen += [value + sign * uncertainty for value, uncertainty in beyond.values() for sign in (-1, 1)]
+            edge = min(ROUND_ROBIN[quantity], key=lambda value: min(abs(value - one) for one in seen))
+            low, high = min([*seen, edge]), max([*seen, edge])
+            axes.set_ylim(low - 0.15 * (high - low), high + 0.4 * (high - low))  # room for the legend
+    upper.set_ylabel("head settlement [mm]")
+    lower.set_ylabel("its time [ms]")
+    lower.set_xlabel(abscissa)
+    upper.legend(loc="upper right", frameon=True, facecolor="white", edgecolor="none", framealpha=0.9)
+    figure.align_ylabels()
+    return figure
+
+
+def elevation_figure(panels, floor=0.0):
+    """The mesh in elevation: skin from outside on the left of the axis, section on the right.
+
+    panels  (title, skin, section, plates): polygons [mm] of the skin's and of the section's faces,
+            and the line [mm] of the skin's mid-surface in the section
+    """
+    use_style()
+    figure, all_axes = plt.subplots(1, len(panels), sharey=True, squeeze=False, figsize=(120 / 25.4, 136 / 25.4),
+                                    constrained_layout=True)
+    corners = [corner for _, skin, section, _ in panels for polygon in skin + section for corner in polygon]
+    most, top = (max(abs(corner[axis]) for corner in corners) for axis in (0, 1))
+    for axes, (title, skin, section, plates) in zip(all_axes[0], panels):
+        draw_faces(axes, skin, "#dce6ee")
+        draw_faces(axes, section, "#e9e9e9")
+        axes.add_collection(LineCollection([plates], colors="#0072B2", linewidths=1.6, zorder=4))
+        axes.axvline(0, color="black", linewidth=0.6, linestyle=(0, (8, 2, 1, 2)), zorder=5)
+        axes.plot([-1.3 * most, 1.3 * most], [floor, floor], color="black", linewidth=1.2, zorder=5)
+        axes.add_patch(Rectangle((-1.3 * most, floor - 0.03 * top), 2.6 * most, 0.03 * top, facecolor="none",
+                                 edgecolor="black", hatch="/////", linewidth=0, zorder=1))
+        axes.set_xlim(-1.35 * most, 1.35 * most)
+        axes.set_ylim(floor - 0.035 * top, 1.03 * top)
+        axes.set_aspect("equal")
+        axes.set_title(title)
+        axes.set_xlabel("x [mm]")
+    all_axes[0, 0].set_ylabel("z above the floor [mm]")
     return figure
 
 

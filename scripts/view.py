@@ -15,7 +15,7 @@ import sys
 import xml.etree.ElementTree as xml
 from math import cos, radians, sin
 
-STATUS = [("open", (0.55, 0.55, 0.55)), ("stick", (0.13, 0.35, 0.80)), ("slip", (0.85, 0.10, 0.10))]
+STATUS = [("lost", (0.75, 0.55, 0.10)), ("open", (0.55, 0.55, 0.55)), ("closed", (0.85, 0.10, 0.10)), ("beyond", (0.13, 0.35, 0.80))]
 DARK = (0.1, 0.1, 0.1)
 
 
@@ -256,11 +256,11 @@ def triangles_of(data):
 def status_colours():
     table = vtk.vtkLookupTable()
     table.SetNumberOfTableValues(len(STATUS))
-    table.SetRange(-0.5, len(STATUS) - 0.5)
+    table.SetRange(-1.5, len(STATUS) - 1.5)
     table.IndexedLookupOn()  # a bar of words, not of numbers
     for i, (word, rgb) in enumerate(STATUS):
         table.SetTableValue(i, *rgb, 1)
-        table.SetAnnotation(i, word)
+        table.SetAnnotation(i - 1, word)  # statuses count from -1, lost
     return table
 
 
@@ -286,7 +286,7 @@ def add_contact(renderer, data, asked):
         actor.GetProperty().SetPointSize(1 if thin else 6)
         if thin:
             actor.GetProperty().SetRepresentationToWireframe()
-            actor.GetProperty().SetColor(*STATUS[0][1])
+            actor.GetProperty().SetColor(*STATUS[1][1])
         else:
             mapper.ScalarVisibilityOn()
             if field != "contact_status":

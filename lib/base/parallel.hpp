@@ -1,23 +1,31 @@
 #pragma once
-// The one door to OpenMP. Results never depend on the number of threads: every loop below writes
-// to places of its own, and sums over things are taken in the order of the things.
-
-#include <omp.h>
+// The one door to threads. Results never depend on their number: every loop below writes to places
+// of its own, and sums over things are taken in the order of the things.
 
 #include "base/types.hpp"
 
 namespace nereid {
 
-inline void use_threads(int count) { omp_set_num_threads(count); }
-inline int threads() { return omp_get_max_threads(); }
+/// Uses that many threads from now on, the caller's own among them. At first it is one for each core.
+///
+/// Needs  that no parallel_for is running
+void use_threads(int count);
+int threads();
+
+/// Calls range(context, first, last) on every thread, with its contiguous share of [0, count).
+void share_loop(Index count, void (*range)(void*, Index, Index), void* context);
 
 /// Calls body(i) for i in [0, count), shared out among the threads in contiguous ranges.
 ///
 /// grain  calls that are worth a thread of their own; fewer than two grains run on the caller's
+/// Needs  a body that does not throw and does not call parallel_for
 template <class Body>
 void parallel_for(Index count, Index grain, Body&& body) {
-#pragma omp parallel for schedule(static) if (count >= 2 * grain)
-  for (Index i = 0; i < count; ++i) body(i);
+  auto range = [&body](Index first, Index last) {
+    for (Index i = first; i < last; ++i) body(i);
+  };
+  if (count < 2 * grain) return range(0, count);
+  share_loop(count, [](void* context, Index first, Index last) { (*static_cast<decltype(range)*>(context))(first, last); }, &range);
 }
 
 }  // namespace nereid

@@ -16,7 +16,8 @@ namespace {
 using geometry::Closest;
 using geometry::Kind;
 
-constexpr double border_tolerance = 1e-6;  // of a facet's size: an apex on the border still has a base
+constexpr double border_tolerance = 1e-6;  // of a facet's size: on a common border both facets have the apex
+constexpr double border_margin = 0.05;     // of a facet's size: half of what a border apex stands for lies inside
 constexpr double near_contact = 1.25;      // of h_c: from here on all claims on an apex are weighed
 constexpr double tie = 1e-9;               // heights that differ by less are the same
 constexpr double really_closer = 1e-6;     // relative distance by which a search must beat the walk
@@ -89,20 +90,22 @@ const Mat3* allowed_of(const Interface& interface, Index a) {
 }
 
 /// Whether a closest point on the border of the surface belongs to an apex that has left it; if not,
-/// the apex is on the border to within the tolerance and its facet is its base.
+/// the apex is on the border to within the margin and the plane of its facet is its base.
 ///
 /// allowed  directions of an apex on a symmetry plane, or null: where the foot lies in the plane too,
-///          the surface goes on behind it, and its normal there lies in the plane
+///          the surface goes on behind it
+/// image    count the image of the facet behind the plane: the normal between them lies in the plane
 bool past_border(const BaseSurface& base, const Vectors& x, Index facet, const Closest& closest, const Vector<double>& p,
-                 const Mat3* allowed) {
+                 const Mat3* allowed, bool image) {
   const auto c = corners(base, x, facet);
   const Vector<double> foot = closest.weight[0] * c[0] + closest.weight[1] * c[1] + closest.weight[2] * c[2];
   const Vector<double> n = cross(c[1] - c[0], c[2] - c[0]);
   const double size = std::sqrt(norm(n));
   const Vec3 away = eigen(p - foot);
   Vec3 unit = eigen(n).normalized();
-  if (allowed != nullptr && (away - *allowed * away).norm() <= border_tolerance * size) unit = (*allowed * unit).normalized();
-  return (away - away.dot(unit) * unit).norm() > border_tolerance * size;
+  const bool in_plane = allowed != nullptr && (away - *allowed * away).norm() <= border_tolerance * size;
+  if (in_plane && image) unit = (*allowed * unit).normalized();
+  return (away - away.dot(unit) * unit).norm() > (in_plane ? border_tolerance : border_margin) * size;
 }
 
 bool on_border(const BaseSurface& base, Index facet, const Closest& closest) {
@@ -243,13 +246,13 @@ Claims claims_on(const BaseSurface& base, const Vectors& x, const Vector<double>
       continue;
     }
     if (on_border(base, near.facet[i], at)) {
-      if (!past_border(base, x, near.facet[i], at, p, nullptr)) {
+      if (!past_border(base, x, near.facet[i], at, p, allowed, false)) {
         const Feature facet{near.facet[i], Kind::facet, 0};
         claims.add(facet, height_over(base, x, facet, p));
         continue;
       }
       // at a symmetry plane a border is a ridge between a facet and its image
-      if (allowed == nullptr || past_border(base, x, near.facet[i], at, p, allowed)) continue;
+      if (allowed == nullptr || past_border(base, x, near.facet[i], at, p, allowed, true)) continue;
     }
     if (all_agree(base, x, p, near, i)) {
       bool known = false;  // the same edge or vertex, seen from another facet
@@ -352,9 +355,15 @@ void share_out(const Interface& interface, Index a, const Feature& feature, cons
   }
 }
 
-/// Power of the forces of one apex at scale 1. [W]
-/// A node that several claims name counts once, by its largest share: its facets push as one.
-void share_once(ElementForces& forces) {
+/// A node that several claims name counts once, by its largest share: its facets push as one. To a node
+/// off the symmetry plane of the apex comes the same from the image of its facet.
+void share_once(const Interface& interface, const Vectors& x, Index a, ElementForces& forces) {
+  if (const Mat3* allowed = allowed_of(interface, a)) {
+    for (int i = 0; i < forces.count; ++i) {
+      const Vec3 away = x.col(forces.node[i]) - x.col(interface.apexes[a]);
+      if ((away - *allowed * away).norm() > border_tolerance * away.norm()) forces.share[i] *= 2;
+    }
+  }
   for (int i = 0; i < forces.count; ++i) {
     for (int j = 0; j < i; ++j) {
       if (forces.node[j] != forces.node[i]) continue;
@@ -365,6 +374,7 @@ void share_once(ElementForces& forces) {
   }
 }
 
+/// Power of the forces of one apex at scale 1. [W]
 double power(const Interface& interface, const Vectors& v, Index a, const ElementForces& forces) {
   if (!forces.closed) return 0;
   double p = forces.apex.dot(v.col(interface.apexes[a]));
@@ -418,14 +428,14 @@ bool update_element(const Interface& interface, const Vectors& x, Index a, const
     memory.stored[a] = push_out(interface, x, a, claims, forces, memory.gap[a]);
   } else {
     const bool left = end.closest.kind != Kind::facet && on_border(interface.base, end.feature.facet, end.closest) &&
-                      past_border(interface.base, x, end.feature.facet, end.closest, p, allowed_of(interface, a));
+                      past_border(interface.base, x, end.feature.facet, end.closest, p, allowed_of(interface, a), true);
     memory.status[a] = left ? Status::beyond : Status::open;
     if (left) return true;
     claims.add(end.feature, height_over(interface.base, x, end.feature, p));
   }
   memory.status[a] = forces.closed ? Status::closed : Status::open;
   if (!forces.closed) share_out(interface, a, memory.feature[a], claims, forces);
-  share_once(forces);
+  share_once(interface, x, a, forces);
   return true;
 }
 
@@ -606,7 +616,7 @@ void add_forces(const Interface& interface, const Workspace& workspace, Vectors&
   }
 }
 
-double stable_step(const Interface& interface, const Memory&, const Scalars& mass, Workspace& workspace) {
+double stable_step(const Interface& interface, const Scalars& mass, Workspace& workspace) {
   const auto count = static_cast<Index>(interface.apexes.size());
   Scalars& sum = workspace.spring_sum;
   const std::vector<ElementForces>& elements = workspace.elements;

@@ -148,7 +148,7 @@ void add_forces(const Interface&, const Workspace&, Vectors& force);
 ///
 /// An apex and its base are a spring,  omega^2 = k (1/m_apex + sum of w_I S_I / (k m_I)),  where S_I
 /// sums the stiffness of all springs at base node I: springs that share nodes add up.
-double stable_step(const Interface&, const Memory&, const Scalars& mass, Workspace&);
+double stable_step(const Interface&, const Scalars& mass, Workspace&);
 
 /// One potential contact element as it stands, for output and tests.
 struct ElementView {

@@ -112,7 +112,7 @@ Connected connect(Model& model, const std::string& name, const std::string& apex
     contact::Memory trial = connected.memory;
     const Vectors rest = Vectors::Zero(3, model.mesh.X.cols());
     contact::advance(interface, model.mesh.X, rest, 0, trial, connected.workspace);
-    const double step = contact::stable_step(interface, trial, model.mass, connected.workspace);
+    const double step = contact::stable_step(interface, model.mass, connected.workspace);
     interface.retardation = 2 * options.damping * step / interface.bounce_step;  // 2 zeta / omega
   }
   model.interfaces.push_back(std::move(interface));

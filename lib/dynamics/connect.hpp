@@ -11,7 +11,7 @@ namespace nereid::dynamics {
 /// How an interface is wanted.
 struct InterfaceOptions {
   std::optional<double> penalty;   ///< [Pa/m]; without it the code chooses, see hardness
-  double hardness = 10;            ///< [-] chosen penalty over the stiffness of the softer side
+  double hardness = 20;            ///< [-] chosen penalty over the stiffness of the softer side
   double damping = 0;              ///< [-] of an apex on its base, over the critical damping of the stiffest pair
   contact::Weights weights = contact::Weights::consistent;
   contact::Area area = contact::Area::apex;

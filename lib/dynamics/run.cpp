@@ -10,7 +10,8 @@ namespace nereid::dynamics {
 
 namespace {
 
-constexpr double smallest_fraction = 1e-6;  // of the first step: the run would not end in a lifetime
+constexpr double smallest_fraction = 1e-4;  // of the first step: something has collapsed
+constexpr double most_steps = 1e9;           // a run that would take more does not end in a lifetime
 
 std::string text(const char* format, double a, double b) {
   char buffer[200];
@@ -19,7 +20,7 @@ std::string text(const char* format, double a, double b) {
 }
 
 /// Stops the run with a place if an element is lost, a number is no number or the step collapsed.
-bool stop(const Votes& votes, double first_step, Outcome& outcome) {
+bool stop(const Votes& votes, double first_step, double end, Outcome& outcome) {
   if (!(votes.size > 0)) {
     outcome.ending = std::isnan(votes.size) ? Ending::not_finite : Ending::inverted_element;
     outcome.reason = std::isnan(votes.size) ? "positions are not finite"
@@ -28,9 +29,11 @@ bool stop(const Votes& votes, double first_step, Outcome& outcome) {
     outcome.element = votes.smallest_element;
     return true;
   }
-  if (!(votes.step > smallest_fraction * first_step)) {
+  const bool fell = !(votes.step > smallest_fraction * first_step);
+  if (fell || !(votes.step * most_steps > end)) {
     outcome.ending = Ending::step_too_small;
-    outcome.reason = text("the step fell from %.3g s to %.3g s", first_step, votes.step);
+    outcome.reason = fell ? text("the step fell from %.3g s to %.3g s", first_step, votes.step)
+                          : text("with a step of %.3g s the end at %.3g s is out of reach", votes.step, end);
     outcome.block = votes.by;
     outcome.element = votes.element;
     return true;
@@ -91,7 +94,7 @@ Outcome run(const Model& model, State& now, Forces& forces, const Time& time, do
   bool settled = true;
   outcome.smallest_step = std::numeric_limits<double>::infinity();
   show(settled);
-  while (!stop(votes, first_step, outcome) && now.t < time.end) {  // also the last step is looked at
+  while (!stop(votes, first_step, time.end, outcome) && now.t < time.end) {  // also the last step is looked at
     double dt = std::min(time.safety * votes.element_step, votes.contact_step);
     if (dt < outcome.smallest_step) outcome.smallest_step = dt, outcome.limited_by = votes.by;
     outcome.largest_step = std::max(outcome.largest_step, dt);

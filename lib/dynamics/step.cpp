@@ -159,7 +159,7 @@ Votes update(const Model& model, double dt, State& now, Forces& f) {
   }
   for (std::size_t c = 0; c < model.interfaces.size(); ++c) {
     contact::advance(model.interfaces[c], now.x, now.v, dt, now.interfaces[c], f.interfaces[c]);
-    const double step = contact::stable_step(model.interfaces[c], now.interfaces[c], model.mass, f.interfaces[c]);
+    const double step = contact::stable_step(model.interfaces[c], model.mass, f.interfaces[c]);
     limit(step, model.interfaces[c].name, -1);
     votes.contact_step = std::min(votes.contact_step, step);
   }

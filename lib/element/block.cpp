@@ -36,16 +36,13 @@ void each_row(const Block<Kind, Law>& block, Memory& memory, double* at, Visit&&
   }
 }
 
-/// One nodal vector for each lane, gathered from the tile's places.
-inline Vector<Pack> gather(const double* local, const Index* place) {
-  alignas(64) double lane[3][lanes];
-  for (int l = 0; l < lanes; ++l) {
-    const double* from = local + 3 * place[l];
-    for (int axis = 0; axis < 3; ++axis) lane[axis][l] = from[axis];
-  }
-  Vector<Pack> v;
-  read_lanes(lane[0], v.x), read_lanes(lane[1], v.y), read_lanes(lane[2], v.z);
-  return v;
+/// One nodal vector for each lane, gathered from the tile's places. Built in registers: a detour over
+/// memory would read a pack that was just written in pieces, and wait for it.
+NEREID_HOT Vector<Pack> gather(const double* local, const Index* place) {
+  const auto component = [&](int axis) {
+    return Pack([&](auto lane) { return local[3 * place[static_cast<int>(lane)] + axis]; });
+  };
+  return {component(0), component(1), component(2)};
 }
 
 inline void scatter(const Vector<Pack>& v, const Index* place, int filled, double* local) {
@@ -58,8 +55,17 @@ inline void scatter(const Vector<Pack>& v, const Index* place, int filled, doubl
 }
 
 double sum_of_products(const double* a, const double* b, Index count) {
+  Pack sums[4] = {Pack(0.0), Pack(0.0), Pack(0.0), Pack(0.0)};  // additions that need not wait for one another
+  Index i = 0;
+  for (int turn = 0; i + lanes <= count; i += lanes, turn = (turn + 1) % 4) {
+    Pack x, y;
+    read_lanes(a + i, x), read_lanes(b + i, y);
+    sums[turn] += x * y;
+  }
+  const Pack packed = (sums[0] + sums[1]) + (sums[2] + sums[3]);
   double sum = 0;
-  for (Index i = 0; i < count; ++i) sum += a[i] * b[i];
+  for (int lane = 0; lane < lanes; ++lane) sum += packed[lane];
+  for (; i < count; ++i) sum += a[i] * b[i];
   return sum;
 }
 

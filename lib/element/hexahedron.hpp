@@ -58,7 +58,7 @@ NEREID_HOT std::array<Vector<T>, 8> nodal_values(const Modes<T>& m) {
 /// sum over modes of (sign of the mode at I) * (d(V/8) / d amplitude): Flanagan & Belytschko's B.
 template <class T>
 struct Gradient {
-  T volume;                            // [m3]
+  T volume, per_volume;                // [m3] and its inverse
   Vector<T> xi, eta, zeta;             // [m2] by the linear amplitudes
   std::array<Vector<T>, 3> hourglass;  // [m2] by the first three hourglass amplitudes
 };
@@ -78,6 +78,7 @@ NEREID_HOT Gradient<T> volume_gradient(const Modes<T>& X) {
   // V/8 is linear in (xi, h1..h3 products): Euler's theorem on a form of degree three
   g.volume = T(8.0 / 3.0) * (dot(X.xi, g.xi) + dot(X.eta, g.eta) + dot(X.zeta, g.zeta) +
                              dot(h1, g.hourglass[0]) + dot(h2, g.hourglass[1]) + dot(h3, g.hourglass[2]));
+  g.per_volume = T(1.0) / g.volume;
   return g;
 }
 
@@ -96,7 +97,7 @@ NEREID_HOT Matrix<T> mean_gradient(const Modes<T>& U, const Gradient<T>& g) {
   add_outer(U.eta, g.eta, L);
   add_outer(U.zeta, g.zeta, L);
   for (int m = 0; m < 3; ++m) add_outer(U.hourglass[m], g.hourglass[m], L);
-  const T s = T(8.0) / g.volume;
+  const T s = T(8.0) * g.per_volume;
   return {s * L.x, s * L.y, s * L.z};
 }
 
@@ -129,8 +130,8 @@ NEREID_HOT T largest_eigenvalue_bound(const Symmetric<T>& G) {
 /// Exact for a cube, where it is (2 c/h)^2 (1 + nu)/(1 - nu). The hourglass stiffness is not in it; with
 /// its default it adds less than 0.2 % to the frequencies of distorted elements. [1/s2]
 template <class T>
-NEREID_HOT T largest_frequency_squared(const Symmetric<T>& G, T volume, T mass, const material::Lame& lame) {
-  return T(8.0) / (mass * volume) *
+NEREID_HOT T largest_frequency_squared(const Symmetric<T>& G, T per_volume, T per_mass, const material::Lame& lame) {
+  return T(8.0) * per_mass * per_volume *
          (T(lame.lambda) * trace(G) + T(2.0 * lame.mu) * largest_eigenvalue_bound(G));
 }
 
@@ -147,11 +148,11 @@ struct Hexahedron {
   /// Constants of one element.
   template <class T>
   struct Constants {
-    T mass;       ///< [kg]
-    T hourglass;  ///< [N/m] stiffness against the hourglass rate gamma . v dt
+    T mass, per_mass;  ///< [kg] and its inverse
+    T hourglass;       ///< [N/m] stiffness against the hourglass rate gamma . v dt
     template <class F>
-    void each_row(F&& f) { f(mass), f(hourglass); }
-    static constexpr int rows = 2;
+    void each_row(F&& f) { f(mass), f(per_mass), f(hourglass); }
+    static constexpr int rows = 3;
   };
 
   /// What one element remembers from step to step; in the global frame, turned with the element.
@@ -225,13 +226,12 @@ NEREID_HOT Report<T> advance(const Law& law, const Hexahedron::Options& options,
       update_stress(law, turned_on(half * spin, strain), memory.stress, memory.internal);
 
   T hourglass_change(0.0);
-  const T compliance = half / constants.hourglass;
   for (int a = 0; a < 4; ++a) {
     const Vector<T> rate_there = eight * (V.hourglass[a] - L * middle.hourglass[a]);
     const Vector<T> rate = rate_there + cross(half * spin, rate_there);
-    const Vector<T> old = memory.hourglass[a];
-    const Vector<T> now = Q * old + (constants.hourglass * dt) * rate;
-    hourglass_change = hourglass_change + compliance * (dot(now, now) - dot(old, old));
+    const Vector<T> old = Q * memory.hourglass[a];
+    const Vector<T> now = old + (constants.hourglass * dt) * rate;
+    hourglass_change = hourglass_change + half * dt * dot(old + now, rate);
     memory.hourglass[a] = now;
   }
 
@@ -240,8 +240,8 @@ NEREID_HOT Report<T> advance(const Law& law, const Hexahedron::Options& options,
   const auto lame = material::lame(law);
   const double speed = material::wave_speed(law);
   const Symmetric<T> G = gradient_products(at_end);
-  const T omega_squared = largest_frequency_squared(G, at_end.volume, constants.mass, lame);
-  const T density = constants.mass / at_end.volume;
+  const T omega_squared = largest_frequency_squared(G, at_end.per_volume, constants.per_mass, lame);
+  const T density = constants.mass * at_end.per_volume;
   const T length = T(2.0 * speed) / root(omega_squared);
   const T rate = L.x.x + L.y.y + L.z.z;
   const T eta = bulk_viscosity(options.viscosity, density, length, speed, rate);
@@ -252,18 +252,18 @@ NEREID_HOT Report<T> advance(const Law& law, const Hexahedron::Options& options,
   // S turns a gradient into a force: stress, and what the hourglass forces owe to the linear field
   const Symmetric<T>& s = memory.stress;
   Matrix<T> S{{s.xx - viscous, s.xy, s.xz}, {s.xy, s.yy - viscous, s.yz}, {s.xz, s.yz, s.zz - viscous}};
-  const T share = -(eight / at_end.volume);
+  const T share = -(eight * at_end.per_volume);
   for (int a = 0; a < 4; ++a) add_outer(share * memory.hourglass[a], X.hourglass[a], S);
   Modes<T> F{S * at_end.xi, S * at_end.eta, S * at_end.zeta, memory.hourglass};
   for (int a = 0; a < 3; ++a) F.hourglass[a] = F.hourglass[a] + S * at_end.hourglass[a];
   force = nodal_values(scaled(T(-1.0), F));
 
-  const T damping = half * eta * trace(G) * T(8.0) / (constants.mass * at_end.volume);
+  const T damping = T(4.0) * eta * trace(G) * constants.per_mass * at_end.per_volume;
   return {.stored = {work.stored * at_middle.volume, hourglass_change},
           .plastic = work.dissipated * at_middle.volume,
           .viscous = -viscous_work,
           .step = stable_step(omega_squared, damping),
-          .size = at_end.volume * T(law.density) / constants.mass};
+          .size = at_end.volume * T(law.density) * constants.per_mass};
 }
 
 /// Constants of a hexahedron in its reference positions.
@@ -279,8 +279,10 @@ NEREID_HOT Hexahedron::Constants<T> constants(const Law& law, const Hexahedron::
   for (auto& h : modes.hourglass) h = eighth * h;
   const Gradient<T> g = volume_gradient(modes);
   const double mu = material::lame(law).mu;
-  return {.mass = T(law.density) * g.volume,
-          .hourglass = T(options.hourglass * 2.0 * mu / 72.0) * trace(gradient_products(g)) / g.volume};
+  const T mass = T(law.density) * g.volume;
+  return {.mass = mass,
+          .per_mass = T(1.0) / mass,
+          .hourglass = T(options.hourglass * 2.0 * mu / 72.0) * trace(gradient_products(g)) * g.per_volume};
 }
 
 }  // namespace nereid::element

@@ -2,7 +2,7 @@
 // Tiles: elements that are neighbours in space, cut from a block once.
 //
 // A tile gathers its nodes, works pack by pack on its elements, and sums into a force array of its
-// own; nodes shared between tiles are summed afterwards in a fixed order (dynamics/gather.hpp).
+// own; nodes shared between tiles are summed afterwards in a fixed order (gather in dynamics/step.cpp).
 // So the working set stays in cache and any number of threads gives the same bits.
 
 #include "base/number.hpp"

@@ -6,7 +6,7 @@
 //     triangular element    apex over edge 1-2       h the distance to the edge's line
 //     line element          apex over vertex 1       h the distance to the vertex
 // In all three  h_dot = n . (v_apex - sum of w_I v_I)  with n from the foot towards the apex and w_I
-// the weights of the foot, so one gradient serves the family: contact.md's table, docs/theory/height.md.
+// the weights of the foot, so one gradient serves the family: docs/theory/height.md.
 
 #include <array>
 

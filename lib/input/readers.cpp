@@ -5,7 +5,7 @@
 namespace nereid::input {
 
 element::AnyLaw read_law(const Section& section) {
-  const bool plastic = section.choice_or("kind", "elastic", {"elastic", "j2_bilinear"}) == "j2_bilinear";
+  const bool plastic = section.choice("kind", {"elastic", "j2_bilinear"}) == "j2_bilinear";
   const double density = section.quantity("density", dim::density, positive);
   const double young = section.quantity("young", dim::stress, positive);
   const double poisson = section.number("poisson", above(-1).below(0.5));
@@ -43,7 +43,7 @@ element::Plate::Options read_plate_options(const Section& section) {
   return options;
 }
 
-dynamics::InterfaceOptions read_interface(const Section& section) {
+dynamics::InterfaceOptions read_solid_interface(const Section& section) {
   dynamics::InterfaceOptions options;
   const bool given = section.has("penalty");
   const double penalty = section.when(given).quantity("penalty", dim::penalty, positive);
@@ -55,6 +55,12 @@ dynamics::InterfaceOptions read_interface(const Section& section) {
                         : contact::Weights::consistent;
   options.area = section.choice_or("area", "apex", {"apex", "base"}) == "base" ? contact::Area::base : contact::Area::apex;
   options.created_in_a_bounce = section.number_or("created_in_a_bounce", options.created_in_a_bounce, within(1e-5, 0.04));
+  options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
+  return options;
+}
+
+dynamics::InterfaceOptions read_interface(const Section& section) {
+  dynamics::InterfaceOptions options = read_solid_interface(section);
   const bool initial = section.choice_or("contact_height", "initial", {"initial", "given"}) == "initial";
   options.height.from_initial_height = initial;
   options.height.clearance = section.when(initial).quantity_or("clearance", 0, dim::length, not_negative);
@@ -69,10 +75,11 @@ void refuse_penetration(const Section& section, const dynamics::InterfaceOptions
   if (gaps.penetrating == 0 || options.initial_penetration == contact::InitialPenetration::accept) return;
   char text[200];
   std::snprintf(text, sizeof text,
-                "%d of %d apexes start penetrated, by %.4g m at most: move the bodies apart, or say "
+                "%d of %d apexes start penetrated, by %.4g m at most: %smove the bodies apart, or say "
                 "'initial_penetration: accept'",
-                static_cast<int>(gaps.penetrating), static_cast<int>(gaps.apexes), gaps.deepest);
-  section.fault("height", text);
+                static_cast<int>(gaps.penetrating), static_cast<int>(gaps.apexes), gaps.deepest,
+                options.height.from_initial_height ? "" : "lower 'height', ");
+  section.fault("initial_penetration", text);
 }
 
 dynamics::Time read_time(const Section& section) {

@@ -23,9 +23,13 @@ element::Hexahedron::Options read_hexahedron_options(const Section&);
 element::Plate::Options read_plate_options(const Section&);
 
 /// `penalty` (without it the code chooses: `hardness` times the stiffness of the softer side),
-/// `damping` (fraction of critical), `weights: consistent | paper`, `area: apex | base`, `created_in_a_bounce`,
-/// `contact_height: {kind: initial, clearance} | {kind: given, height}`,
-/// `initial_penetration: refuse | accept`. All optional.
+/// `damping` (fraction of critical), `weights: consistent | paper`, `area: apex | base`, `created_in_a_bounce`.
+/// All optional. For solid bodies, which touch at h = 0.
+dynamics::InterfaceOptions read_solid_interface(const Section&);
+
+/// The same, and for plates, whose mid-surface stands off:
+/// `contact_height: initial | given`, `clearance` (with initial), `height` (with given),
+/// `initial_penetration: refuse | accept`. All optional but `height`.
 dynamics::InterfaceOptions read_interface(const Section&);
 
 /// Refuses a scene whose interface starts penetrated and does not accept it; the fault stands at the

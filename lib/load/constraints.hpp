@@ -60,7 +60,7 @@ struct Memory {
   std::vector<Index> landing;           ///< places in `held` of nodes about to be caught; scratch
 };
 
-/// Prepares the constraints; a floor's nodes are free until catch_touching finds them.
+/// Prepares the constraints; a floor's nodes are free until they touch it.
 ///
 /// Throws InternalError if a node lies on more than HeldNode::most_planes planes.
 Memory prepare(const Constraints&, Index nodes, const std::vector<Index>& turn_of_node);

@@ -468,12 +468,15 @@ TEST(Border, AnApexThatLeavesIsBeyondWithoutForceAndComesBack) {
   scene.update();
   EXPECT_EQ(scene.memory.status[0], Status::closed);
   EXPECT_NEAR(scene.forces()(2, scene.apex()), penalty * 0.03, 1e-9);
-  scene.move({4.05, 2.2, 0.07});
+  scene.move({4.04, 2.2, 0.07});  // within the margin: half of what a border apex stands for lies inside
+  scene.update();
+  EXPECT_EQ(scene.memory.status[0], Status::closed);
+  scene.move({4.15, 2.2, 0.07});
   scene.update();
   EXPECT_EQ(scene.memory.status[0], Status::beyond);
   EXPECT_TRUE(scene.forces().isZero(0));
   EXPECT_EQ(stored(scene.memory), 0);
-  scene.move({4.05, 4.05, 0.07});  // beyond a corner
+  scene.move({4.15, 4.15, 0.07});  // beyond a corner
   scene.update();
   EXPECT_EQ(scene.memory.status[0], Status::beyond);
   scene.move({3.9, 3.95, 0.07});
@@ -484,7 +487,7 @@ TEST(Border, AnApexThatLeavesIsBeyondWithoutForceAndComesBack) {
 TEST(Border, EnergyOfAnApexThatLeavesIsBooked) {
   Scene scene = press(sheet(4, 4, flat), {{3.9, 2.2, 0.07}}, 0.1);
   const double energy = stored(scene.memory);
-  scene.move({4.05, 2.2, 0.07});
+  scene.move({4.15, 2.2, 0.07});
   scene.update();
   EXPECT_NEAR(scene.memory.created_by_reconnection, -energy, 1e-15);
 }
@@ -534,7 +537,7 @@ TEST(OddSurface, OfOneFacetPushesOverAllItsInterior) {
   one.x << 0, 1, 0, 0, 0, 1, 0, 0, 0;
   for (const Vec3& at : {Vec3(0.3, 0.3, 0.07), Vec3(0.5, 0.5, 0.07), Vec3(0, 0, 0.07), Vec3(0.2, 0, 0.07)})
     EXPECT_NEAR(press(one, {at}, 0.1).forces()(2, 3), penalty * 0.03, 1e-9);
-  EXPECT_TRUE(press(one, {Vec3(-0.01, 0.3, 0.07)}, 0.1).forces().isZero(0));
+  EXPECT_TRUE(press(one, {Vec3(-0.1, 0.3, 0.07)}, 0.1).forces().isZero(0));
 }
 
 /// `count` facets around the origin that rise like a cone by `slope`; the pit's axis is z.
@@ -769,7 +772,7 @@ TEST(StableStep, OfAnApexOverAVertexIsThatOfTwoMassesOnASpring) {
   Scalars mass = Scalars::Constant(5, 1e9);
   mass(0) = 3, mass(4) = 2;
   const double expected = scene.interface.bounce_step / std::sqrt(penalty * (1.0 / 2 + 1.0 / 3));
-  EXPECT_NEAR(stable_step(scene.interface, scene.memory, mass, scene.workspace), expected, 1e-12);
+  EXPECT_NEAR(stable_step(scene.interface, mass, scene.workspace), expected, 1e-12);
 }
 
 TEST(StableStep, AddsUpSpringsThatShareANode) {
@@ -777,12 +780,12 @@ TEST(StableStep, AddsUpSpringsThatShareANode) {
   Scalars mass = Scalars::Constant(6, 1e9);
   mass(0) = 3, mass(4) = 2, mass(5) = 2;
   const double expected = scene.interface.bounce_step / std::sqrt(penalty * (1.0 / 2 + 2.0 / 3));
-  EXPECT_NEAR(stable_step(scene.interface, scene.memory, mass, scene.workspace), expected, 1e-12);
+  EXPECT_NEAR(stable_step(scene.interface, mass, scene.workspace), expected, 1e-12);
 }
 
 TEST(StableStep, WithoutBasesVotesForNothing) {
   Scene scene = press(sheet(2, 2, flat), {{50, 50, 50}}, 0.1);
-  EXPECT_GT(stable_step(scene.interface, scene.memory, Scalars::Ones(10), scene.workspace), 1e200);
+  EXPECT_GT(stable_step(scene.interface, Scalars::Ones(10), scene.workspace), 1e200);
 }
 
 /// Exact largest frequency squared of the contact springs, by differences of the forces.
@@ -818,7 +821,7 @@ std::array<double, 2> vote_over_exact(const std::function<double(double, double)
     Scene scene = press(sheet(4, 4, ground, 0), apexes, 0.1);
     Scalars mass(scene.x.cols());
     for (Index i = 0; i < mass.size(); ++i) mass(i) = even ? 1 : std::pow(10.0, 2 * unit(random));
-    const double vote = scene.interface.bounce_step / stable_step(scene.interface, scene.memory, mass, scene.workspace);
+    const double vote = scene.interface.bounce_step / stable_step(scene.interface, mass, scene.workspace);
     const double ratio = vote / std::sqrt(omega_squared(scene, mass));
     least = std::min(least, ratio), most = std::max(most, ratio);
   }
@@ -886,7 +889,7 @@ TEST(Memory, IsNotTakenInAStep) {
       scene.x += 0.05 * v;
       advance(scene.interface, scene.x, v, 0.05, scene.memory, scene.workspace);
       add_forces(scene.interface, scene.workspace, f);
-      stable_step(scene.interface, scene.memory, mass, scene.workspace);
+      stable_step(scene.interface, mass, scene.workspace);
     }
     EXPECT_EQ(allocations - before, 0);
   }

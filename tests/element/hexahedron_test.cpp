@@ -403,6 +403,7 @@ TYPED_TEST(HexahedronOf, PacksAndDoublesAgree) {
       (&xs[i / 3].x)[i % 3][l] = to[l][i / 3][i % 3];
       (&vs[i / 3].x)[i % 3][l] = v[l][i / 3][i % 3];
     }
+    constants.per_mass[l] = one[l].constants.per_mass;
     constants.mass[l] = one[l].constants.mass, constants.hourglass[l] = one[l].constants.hourglass;
     std::vector<double> rows;
     one[l].memory.each_row([&](double& row) { rows.push_back(row); });

@@ -19,7 +19,8 @@ SOUND = {
                       "nereid_module(output   element PRIVATE nlohmann_json ${NEREID_VTK})\n",
     "lib/base/types.hpp": "#include <Eigen/Core>\n",
     "lib/base/number.hpp": "#include <experimental/simd>\n",
-    "lib/base/parallel.hpp": "#include <omp.h>\n#pragma omp parallel for\n",
+    "lib/base/parallel.hpp": "#include <vector>\n",
+    "lib/base/parallel.cpp": "#include <atomic>\n#include <thread>\n",
     "lib/mesh/box.hpp": '#include <vector>\n#include "base/types.hpp"\n',
     "lib/mesh/box.cpp": '#include "mesh/box.hpp"\n#include <Eigen/Eigenvalues>\n',
     "lib/element/hex8.hpp": '#include "base/number.hpp"\n#include "mesh/box.hpp"\n',
@@ -66,10 +67,10 @@ class HouseTest(unittest.TestCase):
 
     def test_all_finds_the_faults_of_every_check(self):
         status, said = self.look("all", {
-            "lib/mesh/box.cpp": '#include "element/hex8.hpp"\n#include <omp.h>\n',
+            "lib/mesh/box.cpp": '#include "element/hex8.hpp"\n#include <thread>\n',
             "docs/page.md": "FIX" + "ME\n", "tests/mesh/ball_test.cpp": ""})
         self.assertEqual(status, 1)
-        for part in ("does not rest on", "OpenMP enters here", "without an issue", "tests nothing"):
+        for part in ("does not rest on", "a thread enters here", "without an issue", "tests nothing"):
             self.assertIn(part, said)
 
 
@@ -125,9 +126,8 @@ class Doors(HouseTest):
             ("lib/output/history.cpp", "#include <vtkPoints.h>\n", "VTK enters here; its door is lib/output/fields.cpp"),
             ("lib/output/history.cpp", "#include <nlohmann/json.hpp>\n", "its door is lib/output/summary.cpp"),
             ("drivers/cask_drop.cpp", "#include <CLI/CLI.hpp>\n", "CLI11 enters here; its door is drivers/driver.cpp"),
-            ("lib/mesh/box.cpp", "#include <omp.h>\n", "OpenMP enters here; its door is lib/base/parallel.hpp"),
-            ("lib/mesh/box.cpp", "  #pragma omp simd\n", "OpenMP enters here"),
-            ("lib/mesh/box.cpp", '  _Pragma("omp simd")\n', "OpenMP enters here"),
+            ("lib/mesh/box.cpp", "#include <thread>\n", "a thread enters here; its door is lib/base/parallel.cpp"),
+            ("lib/mesh/box.cpp", "  #pragma omp simd\n", "a thread enters here"),
             ("lib/mesh/box.cpp", "#include <experimental/simd>\n", "its door is lib/base/number.hpp"),
             ("lib/mesh/box.cpp", "#include <gtest/gtest.h>\n", "a test framework enters here; it belongs in tests/"),
             ("drivers/driver.cpp", "#include <gmock/gmock.h>\n", "a test framework enters here"),

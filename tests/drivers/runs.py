@@ -1,0 +1,330 @@
+"""What a run of a driver leaves behind: the same bits on any number of threads, books that balance, and
+the whole story where it stopped.
+
+    python3 tests/drivers/runs.py DRIVERS                       DRIVERS: the folder with the programs
+    python3 tests/drivers/runs.py DRIVERS Stops.test_inverted_element
+"""
+import csv
+import json
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+import xml.etree.ElementTree as xml
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+CASES = {"cask_drop": "cases/cask_drop/neptune.yaml", "two_blocks": "cases/two_blocks/bars.yaml"}
+PATIENCE = 120  # [s] each run takes less than a second
+
+# Small; the finer ones have so many tiles and apexes that every loop is shared among four threads.
+CASK = ["mesh.level=1", "time.end=2 ms", "output.history_every=0.02 ms", "output.frames_every=0.5 ms"]
+QUARTER = [*CASK, "model.kind=quarter"]
+FINER_CASK = [*CASK, "mesh.level=3", "time.end=0.3 ms", "output.frames_every=0.1 ms"]
+BARS = ["blocks.cells_along=20", "time.end=50 us", "output.frames_every=10 us"]
+THICKER_BARS = [*BARS, "blocks.cells_across=12", "time.end=10 us", "output.frames_every=5 us"]
+NO_VISCOSITY = [f"{body}.viscosity.{term}=0" for body in ("lead", "cladding") for term in ("linear", "quadratic")]
+
+
+class Run:
+    """One run of a driver: what it said, and what stands in its folder."""
+
+    drivers = None  # folder of the programs, from the command line
+
+    def __init__(self, driver, values, out, *flags):
+        by_key = dict(value.split("=", 1) for value in values)  # the last one counts
+        words = [Run.drivers / driver, CASES[driver], "--out", out, *flags]
+        for key, value in by_key.items():
+            words += ["--set", f"{key}={value}"]
+        done = subprocess.run(words, cwd=ROOT, capture_output=True, text=True, timeout=PATIENCE)
+        self.status, self.stdout, self.stderr, self.out = done.returncode, done.stdout, done.stderr, Path(out)
+
+    def summary(self):
+        return json.loads((self.out / "summary.json").read_text(encoding="utf-8"))
+
+    def history(self):
+        """Column -> values, as numbers."""
+        with open(self.out / "history.csv", newline="", encoding="utf-8") as stream:
+            head, *rows = csv.reader(stream)
+        return {name: [float(row[column]) for row in rows] for column, name in enumerate(head)}
+
+    def frames(self, collection):
+        """(time, file) of the frames that a .pvd lists."""
+        listed = xml.parse(self.out / f"{collection}.pvd").getroot().iter("DataSet")
+        return [(float(one.get("timestep")), self.out / one.get("file")) for one in listed]
+
+    def files(self):
+        """Path -> bytes of all results but the summary, which tells the time it took."""
+        return {path.relative_to(self.out).as_posix(): path.read_bytes() for path in sorted(self.out.rglob("*"))
+                if path.is_file() and path.name != "summary.json"}
+
+
+class InATemporaryFolder(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def run_to_end(self, driver, values, *flags, out="out"):
+        run = Run(driver, values, self.folder / out, "--quiet", *flags)
+        self.assertEqual((run.status, run.stderr), (0, ""))
+        return run
+
+
+class SameBits(InATemporaryFolder):
+    """history.csv and every ParaView file, byte for byte, on 1, 2 and 4 threads and once again."""
+
+    def compare(self, driver, values):
+        first = self.run_to_end(driver, values, "--threads", "1", out="first")
+        files = first.files()
+        self.assertIn("history.csv", files)
+        self.assertTrue(any(name.endswith(".vtu") for name in files), "no .vtu file")
+        self.assertTrue(any(name.endswith(".vtp") for name in files), "no .vtp file")
+        for threads, out in (("1", "again"), ("2", "two"), ("4", "four")):
+            with self.subTest(threads=threads, run=out):
+                other = self.run_to_end(driver, values, "--threads", threads, out=out)
+                self.assertEqual(other.summary()["cost"]["threads"], int(threads))
+                self.assertEqual(other.summary()["results"], first.summary()["results"])
+                self.assertEqual(other.summary()["ledger"], first.summary()["ledger"])
+                self.assertEqual([*other.files()], [*files])
+                differ = [name for name, data in other.files().items() if data != files[name]]
+                self.assertEqual(differ, [], f"not the same bytes on {threads} threads")
+
+    def test_full_cask(self):
+        self.compare("cask_drop", CASK)
+
+    def test_quarter_cask(self):
+        self.compare("cask_drop", QUARTER)
+
+    def test_finer_cask(self):
+        self.compare("cask_drop", FINER_CASK)
+
+    def test_two_blocks(self):
+        self.compare("two_blocks", BARS)
+
+    def test_thicker_blocks(self):
+        self.compare("two_blocks", THICKER_BARS)
+
+
+class Stops(InATemporaryFolder):
+    """A run that the physics stops: status 3, the place, and everything up to then."""
+
+    def stop(self, driver, values, word):
+        run = Run(driver, values, self.folder / "out", "--quiet")
+        self.assertEqual((run.status, run.stdout), (3, ""))
+        ending = run.summary()["ending"]
+        self.assertEqual(ending["word"], word)
+        self.assertTrue(ending["reason"])
+        last = run.stderr.splitlines()[-1]
+        self.assertTrue(last.startswith(f"{driver}: stopped at "), last)
+        for told in (word, f" in {ending['block']}", ending["reason"]):
+            self.assertIn(told, last)
+        self.check_that_all_is_there(run, ending["time"]["value"])
+        return ending
+
+    def check_that_all_is_there(self, run, end):
+        times = run.history()["time [s]"]
+        self.assertEqual(times[0], 0)
+        self.assertEqual(times[-1], end)
+        self.assertEqual(times, sorted(set(times)))
+        self.assertGreater(len(times), 5)
+        for collection in ("body", "contact"):
+            frames = run.frames(collection)
+            self.assertEqual(frames[-1][0], end, f"the last state is not in {collection}.pvd")
+            for _, file in frames:
+                self.assertTrue(file.is_file(), file)
+
+    def test_inverted_element(self):
+        ending = self.stop("cask_drop", [*CASK, *NO_VISCOSITY, "initial.speed=2000 m/s", "output.history_every=2 us"],
+                           "inverted_element")
+        self.assertIn(ending["block"], ("lead", "cladding"))
+        self.assertGreaterEqual(ending["element"], 0)
+        self.assertIn("volume or area", ending["reason"])
+
+    def test_inverted_element_of_a_block(self):
+        ending = self.stop("two_blocks", [*BARS, "closing_speed=20 km/s", "time.created_limit=1e6"], "inverted_element")
+        self.assertIn(ending["block"], ("A", "B"))
+        self.assertTrue(0 <= ending["element"] < 20, ending["element"])
+
+    def test_energy_created(self):
+        ending = self.stop("two_blocks", [*BARS, "closing_speed=5 km/s"], "energy_created")
+        self.assertEqual((ending["block"], ending["element"]), ("contact", None))
+        self.assertIn("the limit is 0.05", ending["reason"])
+
+
+class Summary(InATemporaryFolder):
+    """summary.json: the documented keys, the case in SI, results, and books that balance."""
+
+    KEYS = ["driver", "ending", "results", "ledger", "cost", "provenance", "not_used", "notes"]
+
+    def check_form(self, run, driver, results):
+        summary = run.summary()
+        self.assertEqual([*summary], self.KEYS)
+        self.assertEqual(summary["driver"], driver)
+        self.assertEqual((summary["ending"]["word"], summary["ending"]["reason"]), ("reached_end", ""))
+        self.assertEqual(summary["ending"]["time"]["value"], run.history()["time [s]"][-1])
+        for name, unit in results.items():
+            self.assertEqual(summary["results"][name]["unit"], unit, name)
+            self.assertIsInstance(summary["results"][name]["value"], float, name)
+        self.assertGreater(summary["cost"]["steps"], 100)
+        self.assertEqual(summary["cost"]["element_updates"],
+                         summary["cost"]["elements"] * (summary["cost"]["steps"] + 1))
+        provenance = summary["provenance"]
+        self.assertEqual(provenance["case_path"], CASES[driver])
+        self.assertRegex(provenance["case_hash"], r"^[0-9a-f]{16}$")
+        for key in ("version", "commit", "compiler", "flags", "build_type", "processor"):
+            self.assertTrue(provenance[key], key)
+        return summary
+
+    def check_ledger(self, ledger):
+        """Recomputed from the accounts: the residuals that stand there are not believed."""
+        initial, accounts = ledger["initial_kinetic"]["value"], ledger["accounts"]
+        work = sum(account["work"]["value"] for account in accounts.values())
+        residual = ledger["kinetic"]["value"] - initial - ledger["integration"]["value"] - work
+        self.assertLess(abs(residual), 1e-10 * initial)
+        self.assertLess(abs(ledger["energy_residual"]["value"]), 1e-10 * initial)
+        before, after = ledger["initial_momentum"]["value"], ledger["momentum"]["value"]
+        for axis in range(3):
+            impulse = sum(account["impulse"]["value"][axis] for account in accounts.values())
+            self.assertLess(abs(after[axis] - before[axis] - impulse), 1e-10 * self.momentum_scale(ledger), "xyz"[axis])
+        for name, account in accounts.items():
+            self.assertLess(abs(account["created_relative"]["value"]), 0.01, f"energy created by {name}")
+            sources = sum(share["value"] for kind in ("stored", "dissipated") for share in account[kind].values())
+            self.assertAlmostEqual((account["work"]["value"] + sources) / initial, account["created_relative"]["value"],
+                                   delta=1e-12)
+
+    @staticmethod
+    def momentum_scale(ledger):
+        """Of the initial motion; two blocks have momenta that cancel, so that of half the energy each."""
+        size = sum(component**2 for component in ledger["initial_momentum"]["value"]) ** 0.5
+        return max(size, ledger["initial_kinetic"]["value"] / 10)  # [kg m/s] 10 m/s is the speed in both cases
+
+    def check_cask(self, values, planes):
+        run = self.run_to_end("cask_drop", values)
+        summary = self.check_form(run, "cask_drop", {
+            "settlement_mean": "m", "time_of_settlement_mean": "s", "settlement_centre": "m", "cladding_bulge": "m",
+            "interface_penalty": "Pa/m", "interface_lost": "1", "smallest_step": "s", "largest_step": "s"})
+        self.assertEqual([*summary["ledger"]["accounts"]], ["lead", "cladding", "interface", *planes])
+        self.check_ledger(summary["ledger"])
+        results = summary["results"]
+        self.assertGreater(results["settlement_mean"]["value"], 0.01)
+        self.assertAlmostEqual(results["settlement_mean"]["value"], max(run.history()["settlement_mean [m]"]), delta=1e-4)
+        floor = summary["ledger"]["accounts"]["floor"]["impulse"]["value"][2]
+        gained = summary["ledger"]["momentum"]["value"][2] - summary["ledger"]["initial_momentum"]["value"][2]
+        self.assertGreater(floor, 0)
+        self.assertLess(abs(gained - floor), 1e-10 * gained, "nothing but the floor changes the vertical momentum")
+        return summary
+
+    def test_full_cask(self):
+        self.check_cask(CASK, ["floor"])
+
+    def test_quarter_cask(self):
+        self.check_cask(QUARTER, ["floor", "x_plane", "y_plane"])
+
+    def test_quarter_is_a_quarter(self):
+        full = self.run_to_end("cask_drop", CASK, out="full").summary()["ledger"]["initial_kinetic"]["value"]
+        quarter = self.run_to_end("cask_drop", QUARTER, out="quarter").summary()["ledger"]["initial_kinetic"]["value"]
+        self.assertAlmostEqual(4 * quarter / full, 1, delta=1e-12)
+
+    def test_two_blocks(self):
+        run = self.run_to_end("two_blocks", BARS)
+        summary = self.check_form(run, "two_blocks", {
+            "interface_stress_mean": "Pa", "interface_stress_peak": "Pa", "contact_time": "s", "impulse": "N s",
+            "velocity_A": "m/s", "velocity_B": "m/s", "contact_penalty": "Pa/m", "smallest_step": "s"})
+        self.assertEqual([*summary["ledger"]["accounts"]], ["A", "B", "contact"])
+        self.check_ledger(summary["ledger"])
+
+    def test_resolved_case_is_in_si(self):
+        resolved = self.run_to_end("cask_drop", CASK).summary()["provenance"]["resolved"]
+        for path, value, unit in (("initial.speed", 13.33, "m/s"), ("cylinder.radius", 0.1525, "m"),
+                                  ("lead.young", 19.5e6 * 9.80665, "Pa"),
+                                  ("lead.density", 1.13e-9 * 9.80665e12, "kg/m^3"), ("lead.poisson", 0.42, "1"),
+                                  ("time.end", 2e-3, "s"), ("mesh.level", 1, "1")):
+            with self.subTest(path):
+                section, key = path.split(".")
+                found = resolved[section][key]
+                self.assertAlmostEqual(found["value"] / value, 1, delta=1e-14)
+                self.assertEqual((found["unit"], found["default"]), (unit, False))
+
+    def test_resolved_case_tells_defaults(self):
+        resolved = self.run_to_end("two_blocks", BARS).summary()["provenance"]["resolved"]
+        self.assertEqual(resolved["time"]["safety"], {"value": 0.9, "unit": "1", "default": True})
+        self.assertEqual(resolved["contact"]["weights"], {"value": "consistent", "unit": None, "default": True})
+
+    def test_history_has_units(self):
+        history = self.run_to_end("cask_drop", CASK).history()
+        for column in history:
+            self.assertRegex(column, r"^[a-z_A-Z]+ \[[^\]]+\]$")
+        self.assertGreater(len(history["time [s]"]), 90)
+        self.assertEqual(history["time [s]"][-1], 2e-3)
+
+
+class NotUsed(InATemporaryFolder):
+    """Keys that the chosen kinds do not use are told."""
+
+    def test_keys_of_another_kind(self):
+        values = [*CASK, "time.end=0.1 ms", "cladding.kind=elastic"]
+        summary = self.run_to_end("cask_drop", values).summary()
+        told = [re.sub(r" \(.*", "", entry) for entry in summary["not_used"]]
+        self.assertEqual(told, ["cladding.yield", "cladding.tangent"])
+        for entry in summary["not_used"]:
+            self.assertRegex(entry, rf" \({re.escape(CASES['cask_drop'])}:\d+:\d+\)$")
+        self.assertNotIn("yield", summary["provenance"]["resolved"]["cladding"])
+
+    def test_hardness_beside_a_given_penalty(self):
+        values = [*BARS, "time.end=1 us", "contact.hardness=2", "contact.penalty=5e13 Pa/m"]
+        run = Run("two_blocks", values, self.folder / "out")
+        self.assertEqual(run.status, 0)
+        self.assertIn("not used: contact.hardness (--set contact.hardness=2:9)\n", run.stdout)
+        self.assertEqual(run.summary()["results"]["contact_penalty"], {"value": 5e13, "unit": "Pa/m"})
+
+    def test_nothing_is_listed_where_all_is_used(self):
+        self.assertEqual(self.run_to_end("cask_drop", [*CASK, "time.end=0.1 ms"]).summary()["not_used"], [])
+
+
+class Folders(InATemporaryFolder):
+    """What is written, where, and what is said."""
+
+    def test_dry_run_makes_no_folder(self):
+        run = Run("cask_drop", CASK, self.folder / "out", "--dry-run")
+        self.assertEqual((run.status, run.stderr), (0, ""))
+        self.assertRegex(run.stdout, r"\d+ nodes, \d+ elements, mass .* kg\nfirst step .* s, asked for by ")
+        self.assertEqual([*self.folder.iterdir()], [])
+
+    def test_dry_run_leaves_a_folder_alone(self):
+        self.run_to_end("two_blocks", [*BARS, "time.end=1 us"])
+        before = {path: (path.stat().st_mtime_ns, path.stat().st_size) for path in self.folder.rglob("*")}
+        Run("two_blocks", BARS, self.folder / "out", "--dry-run")
+        after = {path: (path.stat().st_mtime_ns, path.stat().st_size) for path in self.folder.rglob("*")}
+        self.assertEqual(before, after)
+
+    def test_bad_case_makes_no_folder(self):
+        run = Run("cask_drop", [*CASK, "lead.poisson=0.5"], self.folder / "out")
+        self.assertEqual((run.status, run.stdout), (2, ""))
+        self.assertEqual([*self.folder.iterdir()], [])
+
+    def test_quiet_says_nothing(self):
+        run = Run("two_blocks", [*BARS, "contact.hardness=2", "contact.penalty=5e13 Pa/m"], self.folder / "out", "--quiet")
+        self.assertEqual((run.status, run.stdout, run.stderr), (0, "", ""))
+        self.assertEqual(len(run.summary()["not_used"]), 1)  # told there all the same
+
+    def test_quiet_dry_run_says_nothing(self):
+        run = Run("two_blocks", BARS, self.folder / "out", "--quiet", "--dry-run")
+        self.assertEqual((run.status, run.stdout, run.stderr), (0, "", ""))
+
+    def test_results_are_told(self):
+        run = Run("two_blocks", BARS, self.folder / "out")
+        for name, result in run.summary()["results"].items():
+            self.assertRegex(run.stdout, rf"(?m)^{name} +\S+ {re.escape(result['unit'])}$")
+
+    def test_a_folder_within_folders_is_made(self):
+        self.run_to_end("two_blocks", [*BARS, "time.end=1 us"], out="a/b/c")
+        self.assertTrue((self.folder / "a/b/c/summary.json").is_file())
+
+
+if __name__ == "__main__":
+    if len(sys.argv) < 2 or sys.argv[1].startswith("-"):
+        sys.exit(__doc__)
+    Run.drivers = Path(sys.argv.pop(1)).resolve()
+    unittest.main()

@@ -1,0 +1,74 @@
+#include "input/readers.hpp"
+
+#include <gtest/gtest.h>
+
+namespace nereid::input {
+namespace {
+
+/// What a reader makes of a text, with all faults.
+template <class Read>
+auto read(const std::string& text, Read&& reader, bool finish = true) {
+  const CaseFile file = CaseFile::parse(text, "case.yaml");
+  auto result = reader(file.root());
+  if (finish) file.finish();
+  return result;
+}
+
+TEST(ReadLaw, TakesTableTwoAsPrintedIntoSI) {
+  const auto law = read("kind: j2_bilinear\ndensity: 1.13e-9 kgf*s^2/mm^4\nyoung: 19.5 kgf/mm^2\npoisson: 0.42\n"
+                        "yield: 3.02 kgf/mm^2\ntangent: 1.85 kgf/mm^2\n", read_law);
+  const auto& lead = std::get<material::J2Bilinear>(law);
+  EXPECT_NEAR(lead.density, 11081.5, 0.1);
+  EXPECT_NEAR(lead.young, 191.2297e6, 1e2);
+  EXPECT_NEAR(lead.tangent, 18.1423e6, 1e2);
+}
+
+TEST(ReadLaw, ListsWhatAnElasticLawDoesNotUse) {
+  const CaseFile file = CaseFile::parse("kind: elastic\ndensity: 1 kg/m^3\nyoung: 1 Pa\npoisson: 0\nyield: 2 Pa\n", "case.yaml");
+  EXPECT_TRUE(std::holds_alternative<material::Elastic>(read_law(file.root())));
+  file.finish();
+  ASSERT_EQ(file.not_used().size(), 1U);
+  EXPECT_EQ(file.not_used()[0].rfind("yield", 0), 0U);
+}
+
+TEST(ReadLaw, RefusesATangentAboveYoung) {
+  EXPECT_THROW(read("kind: j2_bilinear\ndensity: 1 kg/m^3\nyoung: 1 Pa\npoisson: 0\nyield: 2 Pa\ntangent: 2 Pa\n", read_law), CaseError);
+}
+
+TEST(ReadInterface, LetsTheCodeChooseUnlessAPenaltyIsGiven) {
+  EXPECT_FALSE(read("hardness: 5\n", read_interface).penalty.has_value());
+  EXPECT_EQ(read("hardness: 5\n", read_interface).hardness, 5);
+  EXPECT_EQ(read("penalty: 5e13 Pa/m\n", read_interface).penalty.value(), 5e13);
+}
+
+TEST(ReadInterface, DefaultsToTheBetterForms) {
+  const auto options = read("clearance: 0.5 mm\n", read_interface);
+  EXPECT_EQ(options.weights, contact::Weights::consistent);
+  EXPECT_EQ(options.area, contact::Area::apex);
+  EXPECT_EQ(options.damping, 0);
+  EXPECT_TRUE(options.height.from_initial_height);
+  EXPECT_DOUBLE_EQ(options.height.clearance, 5e-4);
+}
+
+TEST(RefusePenetration, IsAFaultUnlessAccepted) {
+  contact::InitialGaps gaps;
+  gaps.apexes = 4, gaps.penetrating = 2, gaps.deepest = 1e-3;
+  const CaseFile file = CaseFile::parse("a: 1\n", "case.yaml");
+  dynamics::InterfaceOptions options;
+  options.initial_penetration = contact::InitialPenetration::accept;
+  refuse_penetration(file.root(), options, gaps);
+  EXPECT_TRUE(file.root().sound());
+  options.initial_penetration = contact::InitialPenetration::refuse;
+  refuse_penetration(file.root(), options, gaps);
+  EXPECT_FALSE(file.root().sound());
+}
+
+TEST(ReadRecording, GivesFourHundredRowsAndFortyFramesByDefault) {
+  const Recording recording = read("precision: double\n", [](const Section& s) { return read_recording(s, 8e-3); });
+  EXPECT_DOUBLE_EQ(recording.history, 2e-5);
+  EXPECT_DOUBLE_EQ(recording.frames, 2e-4);
+  EXPECT_TRUE(recording.full_precision);
+}
+
+}  // namespace
+}  // namespace nereid::input

@@ -1,0 +1,90 @@
+#include "output/frames.hpp"
+
+#include <gtest/gtest.h>
+
+#include "dynamics/connect.hpp"
+#include "mesh/box.hpp"
+
+namespace nereid::output {
+namespace {
+
+/// Two cubes of two by two elements, face to face, with a floor; one step done.
+struct Scene {
+  dynamics::Model model;
+  dynamics::State state;
+  dynamics::Forces forces;
+  dynamics::Votes votes;
+
+  Scene() {
+    model.mesh = mesh::join(mesh::box("A", {Vec3::Zero(), Vec3::Ones(), {2, 2, 2}}),
+                            mesh::box("B", {Vec3(1, 0, 0), Vec3(2, 1, 1), {2, 2, 2}}));
+    for (const char* name : {"A", "B"}) model.blocks.push_back(element::hexahedra(model.mesh, name, material::Elastic{1, 1, 0}, {}));
+    model.constraints.planes.push_back({"floor", load::PlaneKind::floor, Vec3::Zero(), Vec3::UnitZ(), mesh::node_set(model.mesh, "A")});
+    dynamics::finish(model);
+    auto connected = dynamics::connect(model, "contact", "A.x_high", "B.x_low", {});
+    std::vector<contact::Memory> memories{connected.memory};
+    std::vector<contact::Workspace> workspaces{connected.workspace};
+    state = dynamics::initial_state(model, memories);
+    forces = dynamics::make_forces(model, workspaces);
+    for (const Index node : mesh::node_set(model.mesh, "A")) state.v(0, node) = 0.1;
+    votes = dynamics::start(model, state, forces);
+    for (int i = 0; i < 20; ++i) votes = dynamics::step(model, 0.9 * votes.contact_step, state, forces);
+  }
+  dynamics::View view() const { return {model, state, forces, votes, true}; }
+};
+
+const Field& field(const std::vector<Field>& fields, const std::string& name) {
+  for (const Field& f : fields)
+    if (f.name == name) return f;
+  throw std::runtime_error("no field " + name);
+}
+
+TEST(BodyGrid, ShowsEveryElementWithStressAndDisplacement) {
+  const Scene scene;
+  const Grid grid = body_grid(scene.view());
+  EXPECT_EQ(grid.cells.size(), 2U);
+  EXPECT_EQ(field(grid.cell_fields, "stress").values.cols(), 16);
+  EXPECT_EQ(field(grid.cell_fields, "part_id").values.sum(), 8);
+  EXPECT_TRUE(grid.displacement.isApprox(scene.state.x - scene.model.mesh.X));
+}
+
+TEST(BodyGrid, ShowsContactForcesThatCancel) {
+  const Scene scene;
+  const Eigen::MatrixXd force = field(body_grid(scene.view()).point_fields, "contact_force").values;
+  EXPECT_GT(force.norm(), 0);
+  EXPECT_LT(force.rowwise().sum().norm(), 1e-12 * force.norm());
+}
+
+TEST(ContactGrid, ShowsEveryPotentialElementOnceAsLineAndOnceAsFacet) {
+  const Scene scene;
+  const Grid grid = contact_grid(scene.view());
+  const auto apexes = static_cast<Eigen::Index>(scene.model.interfaces[0].apexes.size());
+  EXPECT_EQ(grid.cells[0].nodes.cols(), apexes);
+  EXPECT_EQ(grid.cells[1].nodes.cols(), apexes);
+  const Eigen::MatrixXd gap = field(grid.cell_fields, "gap").values, status = field(grid.cell_fields, "contact_status").values;
+  for (Eigen::Index e = 0; e < apexes; ++e) EXPECT_EQ(status(0, e) == 1, gap(0, e) < 0);
+  EXPECT_GT(status.sum(), 0);
+}
+
+TEST(ContactGrid, PutsTheFootOnTheBaseAndTheApexWhereItIs) {
+  const Scene scene;
+  const Grid grid = contact_grid(scene.view());
+  const auto& interface = scene.model.interfaces[0];
+  for (std::size_t a = 0; a < interface.apexes.size(); ++a) {
+    const auto first = static_cast<Eigen::Index>(5 * a);
+    const Vec3 apex = grid.reference.col(first + 1) + grid.displacement.col(first + 1);
+    EXPECT_LT((apex - scene.state.x.col(interface.apexes[a])).norm(), 1e-15);
+    const Vec3 foot = grid.reference.col(first) + grid.displacement.col(first);
+    EXPECT_NEAR((apex - foot).norm(), std::abs(scene.state.interfaces[0].gap[a]), 1e-4 * (apex - foot).norm());  // the foot stays on its facet
+  }
+}
+
+TEST(WallsGrid, ShowsEachFloorAsARectangleInItsPlane) {
+  const Scene scene;
+  const Grid grid = walls_grid(scene.view());
+  EXPECT_EQ(grid.cells[0].nodes.cols(), 2);
+  EXPECT_LT(grid.reference.row(2).norm(), 1e-15);
+}
+
+}  // namespace
+}  // namespace nereid::output
