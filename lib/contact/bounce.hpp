@@ -7,7 +7,7 @@ namespace nereid::contact {
 /// over the kinetic energy of the impact, for all phases of the first sampled penetration.
 ///
 /// Also the linearly stable steps below 2 create energy, because the spring is switched on and off
-/// at samples and not at the instant of touch: catalogue C-1, docs/theory/contact_energy.md.
+/// at samples and not at the instant of touch: docs/theory/contact_energy.md.
 ///
 /// step     [-] dt sqrt(k/m)
 /// returns  [-] (rebound speed / impact speed)^2 - 1, not negative

@@ -13,7 +13,7 @@ namespace nereid::contact {
 namespace {
 
 TEST(Bounce, ReproducesTheTableOfRebounds) {
-  // catalogue C-1: rebound over impact speed of central differences on an on/off spring
+  // The penalty oscillator: rebound over impact speed of central differences on an on/off spring
   const auto rebound = [](double step) { return std::sqrt(1 + energy_created_in_a_bounce(step)); };
   EXPECT_NEAR(rebound(0.05), 1.0002, 1.01e-4);
   EXPECT_NEAR(rebound(0.1), 1.0012, 1.01e-4);

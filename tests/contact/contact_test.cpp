@@ -896,7 +896,7 @@ TEST(Memory, IsNotTakenInAStep) {
   use_threads(1);
 }
 
-// ------------------------------------------------------------------ catalogue C-1
+// ------------------------------------------------------------------ the penalty oscillator
 
 struct Impact {
   double duration = 0, peak = 0, deepest = 0, created = 0, momentum = 0, booked = 0;

@@ -68,7 +68,7 @@ struct Collision {
   double plateau, duration, velocity_a, velocity_b, created, residual, momentum;
 };
 
-/// Bar A runs into bar B at rest; all that the catalogue asks (I-3), from the motion of B alone.
+/// Bar A runs into bar B at rest; stress, duration and velocities, from the motion of B alone.
 Collision collide(bool swapped, const element::Hexahedron::Options& element, double hardness) {
   const Bars bars;
   Scene s;

@@ -41,7 +41,7 @@ TYPED_TEST_SUITE(J2BilinearIn, Tensors);
 
 TEST(J2Bilinear, HardeningModulusFollowsFromTheSlopeOfTheUniaxialCurve) {
   EXPECT_NEAR(hardening_modulus(lead) / kgf_per_mm2, 2.04391, 5e-6);
-  // The catalogue (M-1) prints 196.9596, which is this number rounded twice.
+  // Rounded twice it is often given as 196.9596.
   EXPECT_NEAR(hardening_modulus(steel) / kgf_per_mm2, 196.95955, 5e-6);
   EXPECT_EQ(hardening_modulus(perfect), 0.0);
 }

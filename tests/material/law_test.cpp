@@ -240,7 +240,7 @@ TEST(LawOfTableII, HasTheShearYieldAndShearTangentOfTheCatalogue) {
 
 TYPED_TEST(EveryLaw, FlowsInReverseAtTheLargestStressSoFar) {
   // Isotropic hardening. Each half cycle: up to a stress just below the last maximum the answer is
-  // elastic, and beyond it the law flows again (catalogue M-3, +-3 yield strains).
+  // elastic, and beyond it the law flows again (+-3 yield strains).
   const auto run = [](const TypeParam& law, auto stress) {
     Memory<TypeParam, double> internal{};
     double at = 0.0;
