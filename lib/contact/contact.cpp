@@ -19,7 +19,7 @@ using geometry::Kind;
 constexpr double border_tolerance = 1e-6;  // of a facet's size: on a common border both facets have the apex
 constexpr double border_margin = 0.05;     // of a facet's size: half of what a border apex stands for lies inside
 constexpr double near_contact = 1.25;      // of h_c: from here on all claims on an apex are weighed
-constexpr double tie = 1e-9;               // heights that differ by less are the same
+constexpr double tie = 1e-3;               // of the height: on the flanks of a valley the element in use stays so long
 constexpr double really_closer = 1e-6;     // relative distance by which a search must beat the walk
 
 Vec3 eigen(const Vector<double>& a) { return {a.x, a.y, a.z}; }
@@ -416,7 +416,7 @@ bool update_element(const Interface& interface, const Vectors& x, Index a, const
       memory.status[a] = Status::beyond;
       return true;
     }
-    // the lowest takes over; over the common border of two facets the element in use stays
+    // the lowest takes over; of flanks as near as each other the one in use stays
     double least = std::numeric_limits<double>::infinity(), in_use = least;
     for (int i = 0; i < claims.count; ++i) {
       const double h = claims.at[i].height;
