@@ -1,0 +1,58 @@
+#pragma once
+// Who claims an apex: the features of a base surface to which it is closest locally.
+//
+// On a plain or a ridge that is one feature, the paper's contact element. In a valley each flank claims
+// the apex, and contact.cpp pushes it out of all of them at once.
+
+#include "contact/base_surface.hpp"
+#include "contact/push.hpp"
+
+namespace nereid::contact {
+
+constexpr double border_tolerance = 1e-6;  // of a facet's size: on a common border both facets have the apex
+
+/// The nodes of a feature.
+struct FeatureNodes {
+  int count;
+  std::array<Index, 3> node;
+};
+FeatureNodes nodes_of(const BaseSurface&, const Feature&);
+
+/// Height of a point over a feature, signed by the facet's side, with the weights of its nodes.
+struct FeatureHeight {
+  double height;  ///< [m]
+  Vec3 normal;
+  std::array<double, 3> weight;
+};
+FeatureHeight height_over(const BaseSurface&, const Vectors& x, const Feature&, const Vector<double>& point);
+
+/// Whether a closest point lies on the border of the surface.
+bool on_border(const BaseSurface&, Index facet, const geometry::Closest&);
+
+/// Whether a closest point on the border of the surface belongs to an apex that has left it; if not,
+/// the apex is on the border to within a margin and the plane of its facet is its base.
+///
+/// allowed  directions of an apex on a symmetry plane, or null: where the foot lies in the plane too,
+///          the surface goes on behind it
+/// image    count the image of the facet behind the plane: the normal between them lies in the plane
+bool past_border(const BaseSurface&, const Vectors& x, Index facet, const geometry::Closest&,
+                 const Vector<double>& apex, const Mat3* allowed, bool image);
+
+/// The features that claim an apex.
+struct Claims {
+  int count = 0;
+  std::array<Feature, most_candidates> feature;
+  std::array<FeatureHeight, most_candidates> at;
+
+  /// Once the list is full the lowest are kept: they push hardest.
+  void add(const Feature&, const FeatureHeight&);
+};
+
+/// Collects the features that claim an apex, starting from where the walk ended.
+///
+/// height   [m] of the apex or h_c, whichever is larger: how far around it is worth looking
+/// allowed  directions of an apex on a symmetry plane, or null
+Claims claims_on(const BaseSurface&, const Vectors& x, const Vector<double>& apex, const WalkEnd& from,
+                 double height, const Mat3* allowed);
+
+}  // namespace nereid::contact
