@@ -310,7 +310,9 @@ const Connectivity& nodes(const AnyBlock& any) {
 const Tiling& tiling(const AnyBlock& any) {
   return std::visit([](const auto& block) -> const Tiling& { return block.tiling; }, any);
 }
-bool is_plate(const AnyBlock& any) { return tiling(any).nodes_per_element == Plate::nodes; }
+bool is_plate(const AnyBlock& any) {
+  return std::visit([]<class Kind, class Law>(const Block<Kind, Law>&) { return std::is_same_v<Kind, Plate>; }, any);
+}
 std::array<const char*, 2> stored_names(const AnyBlock& any) {
   return is_plate(any) ? Plate::stored : Hexahedron::stored;
 }

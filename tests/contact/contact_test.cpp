@@ -459,6 +459,61 @@ TEST(Ridge, WithoutContactHeightPushesTheShallowWayOut) {
   }
 }
 
+// ------------------------------------------------------------------ retardation
+
+/// A mass that falls on a fixed plain at unit speed and leaves it again, by central differences.
+struct Bounce {
+  double speed = 0;        ///< after the bounce
+  double least_force = 0;  ///< on the apex, upwards
+  Memory memory;
+};
+Bounce bounce(double retardation) {
+  Scene scene = press(sheet(4, 4, flat), {{1.3, 2.6, 0.11}}, 0.1);
+  scene.interface.retardation = retardation;
+  const double mass = 1, dt = 0.02 / std::sqrt(penalty / mass);
+  Vectors v = Vectors::Zero(3, scene.x.cols());
+  v(2, scene.apex()) = -1;
+  Bounce seen;
+  bool touched = false;
+  for (int step = 0; step < 100000; ++step) {
+    scene.x += dt * v;
+    advance(scene.interface, scene.x, v, dt, scene.memory, scene.workspace);
+    const double force = scene.forces()(2, scene.apex());
+    seen.least_force = std::min(seen.least_force, force);
+    touched = touched || scene.memory.status[0] == Status::closed;
+    if (touched && scene.memory.status[0] == Status::open) break;
+    v(2, scene.apex()) += dt / mass * force;
+  }
+  seen.speed = v(2, scene.apex());
+  seen.memory = scene.memory;
+  return seen;
+}
+
+TEST(Retardation, TakesEnergyThatItBooksAndNeverPulls) {
+  const double omega = std::sqrt(penalty);
+  double speed = 1.001;
+  for (const double zeta : {0.0, 0.1, 0.3, 0.7}) {
+    const Bounce seen = bounce(2 * zeta / omega);
+    EXPECT_LT(seen.speed, speed) << zeta;  // the more it is damped, the slower it leaves
+    EXPECT_GE(seen.least_force, 0);
+    EXPECT_NEAR(seen.memory.dissipated, 0.5 * (1 - seen.speed * seen.speed), 0.02) << zeta;
+    // on and off at samples: dt^2 k / (4 m) of the impact's energy at most
+    EXPECT_LT(std::abs(seen.memory.work + seen.memory.dissipated + stored(seen.memory)), 0.5 * 0.02 * 0.02 / 4 * 1.01);
+    speed = seen.speed;
+  }
+}
+
+TEST(Retardation, ScalesAllForcesOfAnElementSoThatNoneIsLeftOver) {
+  Scene scene = press(sheet(4, 4, fold(0.4)), {{2.01, 2.4, 0.07}}, 0.1);
+  scene.interface.retardation = 1e-3;
+  Vectors v = Vectors::Zero(3, scene.x.cols());
+  v.col(scene.apex()) = Vec3(3, -2, -7);
+  advance(scene.interface, scene.x, v, 1e-6, scene.memory, scene.workspace);
+  EXPECT_GT(scene.workspace.elements[0].scale, 1);
+  const Vectors f = scene.forces();
+  EXPECT_LT(f.rowwise().sum().norm(), 1e-12 * f.norm());
+}
+
 // ------------------------------------------------------------------ the border, and being lost
 
 TEST(Border, AnApexThatLeavesIsBeyondWithoutForceAndComesBack) {
