@@ -663,9 +663,8 @@ TEST(RigidPlane, ThrowsABlockBackAndBooksItsEnergy) {
 
 template <class Array>
 bool same_bits(const Array& a, const Array& b) {
-  return a.size() == b.size() &&
-         std::memcmp(a.data(), b.data(), sizeof(*a.data()) * static_cast<std::size_t>(a.size())) ==
-             0;
+  if (a.size() != b.size() || a.size() == 0) return a.size() == b.size();
+  return std::memcmp(a.data(), b.data(), sizeof(*a.data()) * static_cast<std::size_t>(a.size())) == 0;
 }
 bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 bool same_bits(const Vec3& a, const Vec3& b) {
