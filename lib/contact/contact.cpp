@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "base/parallel.hpp"
 #include "contact/claims.hpp"
@@ -207,9 +208,10 @@ void advance_apex(const Interface& interface, const Vectors& x, const Vectors& v
   forces.count = 0;
   forces.moved = false;
   memory.stored[a] = 0;
+  const bool found_anew = std::exchange(forces.found_anew, false);
   if (before.facet >= 0) {
     if (update_element(interface, x, a, before, memory, forces)) {
-      forces.moved = forces.found_anew || !same(memory.feature[a], before);
+      forces.moved = found_anew || !same(memory.feature[a], before);
     } else {
       forces.moved = true;
       memory.feature[a].facet = -1;

@@ -155,7 +155,7 @@ struct ElementView {
   Index apex;                ///< node
   Feature feature;           ///< facet -1 where lost
   std::array<double, 3> weight;  ///< of the foot on the facet's nodes
-  double gap, traction;      ///< [m], [Pa] compression positive
+  double gap, traction;      ///< [m], [Pa] compression positive, without what retardation adds
   Status status;
   std::int64_t reconnections;
 };

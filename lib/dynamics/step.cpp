@@ -36,12 +36,9 @@ double kick(const Model& model, double dt, State& now, Forces& f) {
     const double mass = model.mass(node);
     const Vec3 force = f.force.col(node);
     const Index held = constraints.held_of_node[node];
-    if (held >= 0 && constraints.held[held].count > 0) {
-      now.v.col(node) += dt / mass * force;  // restrained below, in order
-      return (constraints.held[held].allowed * force).squaredNorm() / mass;
-    }
-    now.v.col(node) += dt / mass * force;
-    return force.squaredNorm() / mass;
+    now.v.col(node) += dt / mass * force;  // held nodes are restrained below, in order
+    if (held < 0 || constraints.held[held].count == 0) return force.squaredNorm() / mass;
+    return (constraints.held[held].allowed * force).squaredNorm() / mass;
   });
   const double turns = ordered_sum(static_cast<Index>(now.w.cols()), f.partial, [&](Index turn) {
     const double inertia = model.inertia(turn);

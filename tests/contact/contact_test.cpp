@@ -563,6 +563,9 @@ TEST(Lost, AnApexOutOfReachIsFoundAgainByTheSearch) {
   EXPECT_LE(steps, 10);
   EXPECT_EQ(scene.memory.recovered, 1);
   EXPECT_EQ(scene.memory.status[0], Status::closed);
+  const std::int64_t walks = scene.memory.walks;
+  scene.update();
+  EXPECT_EQ(scene.memory.walks, walks);  // an apex that rests is not found anew at every step
   EXPECT_NEAR(scene.forces()(2, scene.apex()), penalty * 0.04, 1e-9);
 }
 
