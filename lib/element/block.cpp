@@ -338,6 +338,18 @@ void add_mass(const AnyBlock& any, Scalars& mass) {
       any);
 }
 
+Scalars element_masses(const AnyBlock& any) {
+  Scalars mass(tiling(any).elements);
+  std::visit(
+      [&](const auto& block) {
+        each_element(block, [&](std::size_t pack, int lane, const auto& constants) {
+          mass(block.tiling.element[pack * lanes + lane]) = constants.mass;
+        });
+      },
+      any);
+  return mass;
+}
+
 void add_rotary_inertia(const AnyBlock& any, Scalars& inertia) {
   std::visit(
       [&]<class Kind, class Law>(const Block<Kind, Law>& block) {
