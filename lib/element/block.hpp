@@ -93,7 +93,7 @@ Vote advance(const AnyBlock&, const Vectors& x, const Vectors& v, const Vectors&
              Memory&, TileForces& forces);
 
 /// What the elements show: stress in the global frame (plates: mean through the thickness),
-/// von_mises and the law's internal variables (plates: largest through the thickness), pressure
+/// von_mises and the law's internal scalars (plates: largest through the thickness), pressure
 /// (positive in compression).
 std::vector<Field> fields(const AnyBlock&, const Vectors& x, const Memory&);
 
