@@ -87,7 +87,7 @@ void Seen::see(double now, double t) {
 }
 
 Measure measure(const input::ProbeOptions& probe, const Scene& scene) {
-  const input::Quantity& quantity = probe.quantity;
+  const input::Measurable& quantity = probe.quantity;
   const auto& names = quantity.components;
   switch (quantity.of) {
     case input::Of::body: return of_body(probe, scene);

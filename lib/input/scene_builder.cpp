@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "contact/bounce.hpp"
+#include "mesh/placement.hpp"
 
 namespace nereid::input {
 
@@ -126,7 +127,9 @@ void refuse_too_many(const SceneOptions& scene, const mesh::Mesh& mesh) {
 mesh::Mesh make_mesh(const SceneOptions& scene) {
   mesh::Mesh all;
   for (const BodyOptions& body : scene.bodies) {
-    const mesh::Mesh here = mesh::placed(make_mesh(body.name, body.mesh), body.place);
+    mesh::Mesh here = make_mesh(body.name, body.mesh);
+    if (body.place.angle != 0) here = mesh::turned_about(std::move(here), body.place.axis, body.place.angle, body.place.about);
+    if (!body.place.move.isZero(0)) here = mesh::moved(std::move(here), body.place.move);
     all = all.X.cols() == 0 ? here : mesh::join(all, here);
   }
   return all;

@@ -36,8 +36,8 @@ Vec3 read_direction(const Section& section, std::string_view key) {
   return Vec3::UnitZ();
 }
 
-mesh::Placement read_placement(const Section& body) {
-  mesh::Placement place;
+Placement read_placement(const Section& body) {
+  Placement place;
   const Section turn = body.when(body.has("turn")).section("turn");
   place.axis = read_direction(turn, "axis");
   place.angle = turn.quantity("angle", dim::angle);
@@ -128,9 +128,9 @@ ProbeOptions read_probe(const Section& section, Names& taken) {
   if (probe.name == "time" || probe.name.rfind("energy_", 0) == 0)
     section.fault("name", "'name' = " + probe.name + " is a column of every history: choose another");
   Names words;
-  for (const Quantity& one : quantities()) words.push_back(one.name);
+  for (const Measurable& one : measurables()) words.push_back(one.name);
   const std::string word = section.choice("quantity", words);
-  probe.quantity = *std::find_if(quantities().begin(), quantities().end(), [&](const Quantity& one) { return one.name == word; });
+  probe.quantity = *std::find_if(measurables().begin(), measurables().end(), [&](const Measurable& one) { return one.name == word; });
   const auto& components = probe.quantity.components;
   if (!components.empty()) {
     const Section chosen = section.when(true);
@@ -166,9 +166,9 @@ StopOptions read_stop(const Section& section, const std::vector<ProbeOptions>& p
 
 }  // namespace
 
-const std::vector<Quantity>& quantities() {
-  static const std::vector<Quantity> all = [] {
-    std::vector<Quantity> list{
+const std::vector<Measurable>& measurables() {
+  static const std::vector<Measurable> all = [] {
+    std::vector<Measurable> list{
         {"displacement", dim::length, Of::nodes, of_vectors},
         {"velocity", dim::speed, Of::nodes, of_vectors},
         {"position", dim::length, Of::nodes, axes, true},

@@ -6,16 +6,23 @@
 
 #include "input/mesh_readers.hpp"
 #include "input/readers.hpp"
-#include "mesh/place.hpp"
 
 namespace nereid::input {
+
+/// A rigid motion of a mesh before anything else happens: a turn, then a shift.
+struct Placement {
+  Vec3 axis = Vec3::UnitZ();   ///< unit vector
+  double angle = 0;            ///< [rad]
+  Vec3 about = Vec3::Zero();   ///< [m] a point on the axis
+  Vec3 move = Vec3::Zero();    ///< [m]
+};
 
 /// One body: its mesh, where it stands, and what it is made of.
 struct BodyOptions {
   Section at;
   std::string name;
   MeshOptions mesh;
-  mesh::Placement place;
+  Placement place;
   element::AnyLaw law;
   bool plates;  ///< else solid
   element::Hexahedron::Options solid;
@@ -52,11 +59,11 @@ struct InitialOptions {
   Vec3 velocity;  ///< [m/s]
 };
 
-/// Of what a quantity is.
+/// Of what something is measured.
 enum class Of { nodes, body, contact, source };
 
-/// A quantity that probes measure.
-struct Quantity {
+/// What a probe can measure.
+struct Measurable {
   std::string name;
   Dimension dimension;
   Of of;
@@ -64,15 +71,15 @@ struct Quantity {
   bool required = false;                ///< the case must say which component
 };
 
-/// All quantities: those of motion, of force and contact, of stress, and the internal variables of all laws.
-const std::vector<Quantity>& quantities();
+/// All that probes can measure: quantities of motion, of force and contact, of stress, and the internal variables of all laws.
+const std::vector<Measurable>& measurables();
 
 struct ProbeOptions {
   Section at;
   std::string name;
-  Quantity quantity;
+  Measurable quantity;
   std::string of;
-  int component = 0;     ///< in Quantity::components
+  int component = 0;     ///< in Measurable::components
   bool largest = false;  ///< of a body: the largest of its elements, else the mean
 };
 
