@@ -1,0 +1,8 @@
+#include "element/kernels_body.hpp"
+
+namespace nereid::element {
+
+template struct Kernels<FullHexahedron, material::Elastic>;
+template struct Kernels<FullHexahedron, material::J2Bilinear>;
+
+}  // namespace nereid::element
