@@ -12,6 +12,7 @@
 #include "element/tiles.hpp"
 #include "material/elastic.hpp"
 #include "material/j2_bilinear.hpp"
+#include "material/j2_mixed.hpp"
 #include "mesh/mesh.hpp"
 
 namespace nereid::element {
@@ -34,8 +35,10 @@ struct Block {
 /// Every combination that exists. One that is not on this list does not compile.
 using AnyBlock = std::variant<Block<Hexahedron, material::Elastic>, Block<Hexahedron, material::J2Bilinear>,
                               Block<FullHexahedron, material::Elastic>, Block<FullHexahedron, material::J2Bilinear>,
-                              Block<Plate, material::Elastic>, Block<Plate, material::J2Bilinear>>;
-using AnyLaw = std::variant<material::Elastic, material::J2Bilinear>;
+                              Block<Plate, material::Elastic>, Block<Plate, material::J2Bilinear>,
+                              Block<Hexahedron, material::J2Mixed>, Block<FullHexahedron, material::J2Mixed>,
+                              Block<Plate, material::J2Mixed>>;
+using AnyLaw = std::variant<material::Elastic, material::J2Bilinear, material::J2Mixed>;
 
 /// What the elements of one block remember; one type for all blocks. Rows lie pack by pack.
 struct Memory {

@@ -4,5 +4,6 @@ namespace nereid::element {
 
 template struct Kernels<FullHexahedron, material::Elastic>;
 template struct Kernels<FullHexahedron, material::J2Bilinear>;
+template struct Kernels<FullHexahedron, material::J2Mixed>;
 
 }  // namespace nereid::element

@@ -4,5 +4,6 @@ namespace nereid::element {
 
 template struct Kernels<Plate, material::Elastic>;
 template struct Kernels<Plate, material::J2Bilinear>;
+template struct Kernels<Plate, material::J2Mixed>;
 
 }  // namespace nereid::element
