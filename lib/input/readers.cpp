@@ -81,7 +81,7 @@ void refuse_penetration(const Section& section, const dynamics::InterfaceOptions
                 "%d of %d apexes start penetrated, by %.4g m at most: %smove the bodies apart, or say "
                 "'initial_penetration: accept'",
                 static_cast<int>(gaps.penetrating), static_cast<int>(gaps.apexes), gaps.deepest,
-                options.height.from_initial_height ? "" : "lower 'height', ");
+                section.has("height") ? "lower 'height', " : "");
   section.fault("initial_penetration", text);
 }
 
