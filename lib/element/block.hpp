@@ -11,6 +11,7 @@
 #include "element/tiles.hpp"
 #include "material/elastic.hpp"
 #include "material/j2_bilinear.hpp"
+#include "material/j2_mixed.hpp"
 #include "mesh/mesh.hpp"
 
 namespace nereid::element {
@@ -32,8 +33,9 @@ struct Block {
 
 /// Every combination that exists. One that is not on this list does not compile.
 using AnyBlock = std::variant<Block<Hexahedron, material::Elastic>, Block<Hexahedron, material::J2Bilinear>,
-                              Block<Plate, material::Elastic>, Block<Plate, material::J2Bilinear>>;
-using AnyLaw = std::variant<material::Elastic, material::J2Bilinear>;
+                              Block<Plate, material::Elastic>, Block<Plate, material::J2Bilinear>,
+                              Block<Hexahedron, material::J2Mixed>, Block<Plate, material::J2Mixed>>;
+using AnyLaw = std::variant<material::Elastic, material::J2Bilinear, material::J2Mixed>;
 
 /// What the elements of one block remember; one type for all blocks. Rows lie pack by pack.
 struct Memory {
@@ -91,7 +93,7 @@ Vote advance(const AnyBlock&, const Vectors& x, const Vectors& v, const Vectors&
              Memory&, TileForces& forces);
 
 /// What the elements show: stress in the global frame (plates: mean through the thickness),
-/// von_mises and the law's internal variables (plates: largest through the thickness), pressure
+/// von_mises and the law's internal scalars (plates: largest through the thickness), pressure
 /// (positive in compression).
 std::vector<Field> fields(const AnyBlock&, const Vectors& x, const Memory&);
 
