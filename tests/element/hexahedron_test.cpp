@@ -134,8 +134,8 @@ struct Element {
     memory.stress = {stress * random(), stress * random(), stress * random(),
                      stress * random(), stress * random(), stress * random()};
     for (auto& tensor : memory.internal.tensor)
-      tensor = material::deviator(Symmetric<double>{stress * random(), stress * random(), stress * random(),
-                                                    stress * random(), stress * random(), stress * random()});
+      tensor = 0.3 * material::deviator(Symmetric<double>{stress * random(), stress * random(), stress * random(),
+                                                          stress * random(), stress * random(), stress * random()});
     for (Point& q : memory.hourglass) q = random_point(stress);
   }
 };
