@@ -77,7 +77,7 @@ TEST(ReadMesh, SectorsThatCannotBeAreRefused) {
   EXPECT_TRUE(says(refusal(sector + "angle: 200 deg\ncells_around: 1\n"), "less than half a turn"));
   EXPECT_TRUE(says(refusal(sector + "angle: 20 deg\ncells_around: 1\ninner_radius: 1 m\n"), "'inner_radius' must be below"));
   EXPECT_TRUE(says(refusal("kind: cylinder\nradius: 1 m\nlength: 2 m\nturn: sector\ncells_core: 1\ncells_ring: 1\ncells_along: 1\n"),
-                   "expected full or quarter"));
+                   "sector is unknown"));
   EXPECT_TRUE(says(refusal("kind: tube\nradius: 1 m\nlength: 2 m\nturn: sector\ncells_along: 1\n"), "missing 'angle'"));
 }
 
