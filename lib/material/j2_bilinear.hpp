@@ -9,6 +9,7 @@ namespace nereid::material {
 /// Isotropic elasticity up to a von Mises stress that grows linearly with the plastic strain.
 struct J2Bilinear {
   static constexpr std::array<std::string_view, 1> internal{"plastic_strain"};
+  static constexpr std::array<std::string_view, 0> tensors{};
   double density, young, poisson, yield, tangent;  // [kg/m3] [Pa] [-] [Pa] [Pa]
 };
 
@@ -67,13 +68,13 @@ NEREID_HOT Work<T> split_work(const S<T>& old, const S<T>& now, const S<T>& stra
 /// returns   work per current volume [J/m3]
 ///
 /// Invariants  stored + dissipated = 1/2 (old + new) : strain;  dissipated >= 0;
-///             von_mises(stress) <= yield_stress(law, internal[0]), equal after flow;
+///             von_mises(stress) <= yield_stress(law, internal.scalar[0]), equal after flow;
 ///             a step without flow is that of Elastic, to the last bit;
 ///             a rotation of strain and stress rotates the result.
 /// Needs       yield > 0, 0 <= tangent < young, -1 < poisson < 1/2
 template <class T>
 NEREID_HOT Work<T> update_stress(const J2Bilinear& law, const Symmetric<T>& strain, Symmetric<T>& stress,
-                      std::array<T, 1>& internal) {
+                      Internal<T, J2Bilinear, Symmetric>& internal) {
   const double mu = shear_modulus(law);
   const Symmetric<T> old = stress;
   const Symmetric<T> trial = old + hooke(law, strain);
@@ -81,52 +82,40 @@ NEREID_HOT Work<T> update_stress(const J2Bilinear& law, const Symmetric<T>& stra
 
   // The larger of q^2 and Y^2 stands in for `if it yields`: sqrt(Y^2) is Y to the last bit, so
   // flow is exactly zero in elastic lanes, and none of them divides by zero.
-  const T yield = yield_stress(law, internal[0]);
+  const T yield = yield_stress(law, internal.scalar[0]);
   const T q = root(larger(T(1.5) * contract(shape, shape), yield * yield));
   const T flow = T(1.0 / (3.0 * mu + hardening_modulus(law))) * (q - yield);
   const Symmetric<T> plastic = (T(1.5) * flow / q) * shape;
 
   stress = trial - T(2.0 * mu) * plastic;
-  internal[0] = internal[0] + flow;
+  internal.scalar[0] = internal.scalar[0] + flow;
   return split_work(old, stress, strain, plastic);
 }
 
-/// Return in plane stress: the plate thins plastically and its zz stress stays zero.
+/// The multiplier g >= 0 of the flow in a plate: zero, or the root of
+///     q(g) (1 - slope g) = yield,     q(g)^2 = sum / (1 + sum_rate g)^2 + shear / (1 + shear_rate g)^2.
 ///
-/// With s = xx + yy, d = xx - yy, t = xy of the trial stress, the multiplier g >= 0 of the flow
-/// rule  plastic = g dev s_new  shrinks s by 1 / (1 + E g / (3 (1 - nu))) and d, t by
-/// 1 / (1 + 2 mu g). It is the root of
-///     q(g) (1 - 2/3 H g) = Y,     q(g)^2 = s(g)^2 / 4 + 3/4 d(g)^2 + 3 t(g)^2,
-/// and the equivalent plastic strain grows by 2/3 g q(g). Simo & Taylor, Int. J. Numer. Meth. Engng
-/// 22 (1986) 649; docs/theory/bilinear_plasticity.md.
-///
-/// Newton runs on  1/q(g) - (1 - 2/3 H g) / Y,  which has the same root. This function is
+/// Newton runs on  1/q(g) - (1 - slope g) / yield,  which has the same root. This function is
 /// increasing and concave for g >= 0, so from g = 0 the iterates climb to the root and never pass
 /// it; and it is nearly straight, so about four suffice even for a trial a hundred times beyond
 /// yield.
 ///
-/// strain, stress, internal, returns  as in space, with the components of the plane
+/// sum, shear             [Pa2] the two parts of the squared von Mises stress of the trial
+/// yield                  [Pa] von Mises stress at which flow begins
+/// sum_rate, shear_rate   [Pa] how fast the flow takes them back
+/// slope                  [Pa] two thirds of the modulus by which the yield stress grows
+/// returns                [1/Pa] exactly zero where sum + shear <= yield^2
 ///
-/// Invariants  as in space
-/// Needs       as in space
+/// Needs  yield, sum_rate, shear_rate > 0, slope >= 0
 template <class T>
-NEREID_HOT Work<T> update_stress(const J2Bilinear& law, const Plane<T>& strain, Plane<T>& stress,
-                      std::array<T, 1>& internal) {
-  const double mu = shear_modulus(law), hardening = hardening_modulus(law);
-  const T sum_rate(law.young / (3.0 * (1.0 - law.poisson))), shear_rate(2.0 * mu);
-  const T one(1.0), slope(2.0 / 3.0 * hardening);
-
-  const Plane<T> old = stress;
-  const Plane<T> trial = old + hooke(law, strain);
-  const T sum = trial.xx + trial.yy, difference = trial.xx - trial.yy;
-  const T yield = yield_stress(law, internal[0]);
-  const T trial_sum = T(0.25) * sum * sum;
-  const T trial_shear = T(0.75) * difference * difference + T(3.0) * trial.xy * trial.xy;
-  Mask<T> moving = trial_sum + trial_shear > yield * yield;
+NEREID_HOT T flow_multiplier(const T& sum, const T& shear, const T& yield, const T& sum_rate, const T& shear_rate,
+                             const T& slope) {
+  const T one(1.0);
+  Mask<T> moving = sum + shear > yield * yield;
 
   // Elastic lanes run along on the yield surface, where nothing divides by zero, and stay at g = 0.
-  const T q2_sum = select(moving, trial_sum, yield * yield);
-  const T q2_shear = select(moving, trial_shear, T(0.0));
+  const T q2_sum = select(moving, sum, yield * yield);
+  const T q2_shear = select(moving, shear, T(0.0));
 
   T g(0.0);
   constexpr int most = 30;          // four are usual; the bound only keeps a NaN from hanging
@@ -141,6 +130,36 @@ NEREID_HOT Work<T> update_stress(const J2Bilinear& law, const Plane<T>& strain, 
     // A lane that has come to rest is left alone, so its bits do not depend on its neighbours.
     moving = moving && step * shear_rate > T(at_rest) * (one + shear_rate * g);
   }
+  return g;
+}
+
+/// Return in plane stress: the plate thins plastically and its zz stress stays zero.
+///
+/// With s = xx + yy, d = xx - yy, t = xy of the trial stress, the multiplier g >= 0 of the flow
+/// rule  plastic = g dev s_new  shrinks s by 1 / (1 + E g / (3 (1 - nu))) and d, t by
+/// 1 / (1 + 2 mu g). It is the root of
+///     q(g) (1 - 2/3 H g) = Y,     q(g)^2 = s(g)^2 / 4 + 3/4 d(g)^2 + 3 t(g)^2,
+/// and the equivalent plastic strain grows by 2/3 g q(g). Simo & Taylor, Int. J. Numer. Meth. Engng
+/// 22 (1986) 649; docs/theory/bilinear_plasticity.md.
+///
+/// strain, stress, internal, returns  as in space, with the components of the plane
+///
+/// Invariants  as in space
+/// Needs       as in space
+template <class T>
+NEREID_HOT Work<T> update_stress(const J2Bilinear& law, const Plane<T>& strain, Plane<T>& stress,
+                      Internal<T, J2Bilinear, Plane>& internal) {
+  const double mu = shear_modulus(law), hardening = hardening_modulus(law);
+  const T sum_rate(law.young / (3.0 * (1.0 - law.poisson))), shear_rate(2.0 * mu);
+  const T one(1.0), slope(2.0 / 3.0 * hardening);
+
+  const Plane<T> old = stress;
+  const Plane<T> trial = old + hooke(law, strain);
+  const T sum = trial.xx + trial.yy, difference = trial.xx - trial.yy;
+  const T yield = yield_stress(law, internal.scalar[0]);
+  const T trial_sum = T(0.25) * sum * sum;
+  const T trial_shear = T(0.75) * difference * difference + T(3.0) * trial.xy * trial.xy;
+  const T g = flow_multiplier(trial_sum, trial_shear, yield, sum_rate, shear_rate, slope);
 
   // Differences of the trial, not new values, so that g = 0 leaves every bit of it.
   const T a = one / (one + sum_rate * g), b = one / (one + shear_rate * g);
@@ -149,7 +168,7 @@ NEREID_HOT Work<T> update_stress(const J2Bilinear& law, const Plane<T>& strain, 
   stress = {trial.xx - less_sum - less_difference, trial.yy - less_sum + less_difference,
             trial.xy - trial.xy * (shear_rate * g * b)};
   // 2/3 g q, with q the new yield stress
-  internal[0] = internal[0] + T(2.0 / 3.0) * g * yield / (one - slope * g);
+  internal.scalar[0] = internal.scalar[0] + T(2.0 / 3.0) * g * yield / (one - slope * g);
   return split_work(old, stress, strain, g * deviator(stress));
 }
 
