@@ -40,7 +40,7 @@ Case read(const input::Section& root) {
          .length = cylinder.quantity("length", dim::length, input::positive),
          .lead = input::read_law(lead),
          .steel = input::read_law(cladding),
-         .lead_element = input::read_hexahedron_options(lead),
+         .lead_element = input::read_one_point_options(lead),
          .cladding_element = input::read_plate_options(cladding),
          .interface = input::read_interface(interface),
          .speed = root.section("initial").quantity("speed", dim::speed, input::positive),

@@ -342,7 +342,7 @@ TEST(FullHexahedron, StiffnessHasSixZeroEigenvaluesAndNoOther) {
     const auto values = eigenvalues(e);
     const double most = values.maxCoeff();
     for (int i = 0; i < 6; ++i) EXPECT_LT(std::abs(values(i)), 1e-9 * most);  // differences leave 1e-10
-    EXPECT_GT(values(6), 1e-3 * most);  // a mode without stiffness would be at round-off
+    EXPECT_GT(values(6), 1e-4 * most);  // sides 1:7 bring the softest to some 1e-3, round-off is at 1e-10
     const Matrix24 K = stiffness(e);
     EXPECT_LT((K - K.transpose()).norm(), 1e-8 * K.norm());
   }

@@ -428,6 +428,13 @@ TEST(Hexahedron, FrequencyBoundIsExactForACube) {
   }
 }
 
+TEST(Hexahedron, FrequencyBoundHoldsForANegativePoissonRatio) {
+  for (int trial = 0; trial < 100; ++trial) {
+    const Element<Elastic> e{metal<Elastic>(random(-0.9, 0.0)), {.hourglass = 0, .viscosity = no_viscosity}, random_shape(0.3)};
+    EXPECT_GE(hot_bound(e), largest_eigenvalue_of(e) * (1 - 1e-9));
+  }
+}
+
 /// Bound over exact frequency of random distorted elements: the smallest and the largest ratio.
 std::array<double, 2> bound_over_exact(double hourglass) {
   std::array<double, 2> ratios{1e300, 0};
@@ -459,6 +466,120 @@ TEST(Hexahedron, IsStableBelowItsExactLimitAndBlowsUpBeyond) {
       metal<Elastic>(), {.hourglass = 0.1, .viscosity = no_viscosity}, brick(1.0, 0.7, 1.3)};
   EXPECT_LT(growth(e, 0.99), 100.0);
   EXPECT_GT(growth(e, 1.02), 1e12);
+}
+
+// ------------------------------------------------------------------------------------------------
+// Hourglass control by dashpots
+
+constexpr auto dashpots = Hexahedron::Hourglass::viscous;
+
+TEST(ViscousHourglass, OfACubeDiesAsItsFractionOfCriticalSaysAndBooksWhatItLoses) {
+  const double fraction = 0.08, h = 0.7;
+  Element<Elastic> e{metal<Elastic>(), {.hourglass = fraction, .viscosity = no_viscosity, .hourglass_kind = dashpots}, brick(h, h, h)};
+  const double omega = 2 * material::wave_speed(e.law) / h, mass = e.constants.mass / 8, dt = 1e-4 / omega;
+  Modes<double> m{};
+  m.hourglass[0] = {1e-8, 2e-8, 3e-8}, m.hourglass[3] = {-1e-8, 2e-8, 1e-8};
+  Corners v = nodal_values(m);
+  const double start = product(v, v);
+  double dissipated = 0, stored = 0;
+  const int steps = 20000;
+  for (int step = 0; step < steps; ++step) {
+    Corners du;
+    for (int i = 0; i < 8; ++i) v[i] = v[i] + (dt / mass) * e.force[i], du[i] = dt * v[i];
+    const Report<double> report = e.move(sum(e.x, du), dt);
+    dissipated += report.hourglass, stored += report.stored[0] + report.stored[1];
+  }
+  const double left = product(v, v) / start;
+  EXPECT_NEAR(left, std::exp(-4 * fraction * omega * dt * steps), 1e-4);  // velocities as exp(-2 ...), first order in dt
+  EXPECT_NEAR(dissipated, 0.5 * mass * start * (1 - left), 1e-4 * 0.5 * mass * start);
+  EXPECT_NEAR(stored, 0, 1e-12 * mass * start);
+}
+
+TEST(ViscousHourglass, HoldsNothingAtRest) {
+  Element<Elastic> e{metal<Elastic>(), {.hourglass = 0.1, .viscosity = no_viscosity, .hourglass_kind = dashpots}, brick(1.0, 0.7, 1.6)};
+  Modes<double> m{};
+  for (auto& h : m.hourglass) h = random_point(1e-3);
+  const Report<double> report = e.move(sum(e.X, nodal_values(m)));
+  EXPECT_GT(report.hourglass, 0);
+  EXPECT_EQ(report.stored[1], 0);
+  const double moving = largest(e.force);
+  e.rest();
+  EXPECT_LT(largest(e.force), 1e-2 * moving);  // what is left: strain of second order in the hourglass
+}
+
+TEST(ViscousHourglass, LayersOfOnePointCarryBendingAsOneMinusOneOverTheirNumberSquared) {
+  const double length = 0.3, depth = 1.0, curvature = 1e-6;
+  for (const int n : {1, 2, 4, 8}) {
+    double stored = 0, moment = 0;
+    for (int layer = 0; layer < n; ++layer) {
+      const double h = depth / n, middle = (layer + 0.5) * h - 0.5 * depth;
+      Corners X = brick(length, h, 1.0), u;
+      for (int i = 0; i < 8; ++i) {
+        X[i].y += middle;
+        u[i] = {curvature * X[i].x * X[i].y, -0.5 * curvature * X[i].x * X[i].x, 0};
+      }
+      Element<Elastic> e{metal<Elastic>(0.0), {.hourglass = 0.05, .viscosity = no_viscosity, .hourglass_kind = dashpots}, X};
+      stored += e.move(sum(X, u)).stored[0];
+      e.rest();
+      for (int i = 0; i < 8; ++i)
+        if (X[i].x > 0) moment -= e.force[i].x * X[i].y;
+    }
+    const double EI = 3.0 / 12.0, expected = 1 - 1.0 / (n * n);
+    EXPECT_NEAR(stored / (0.5 * EI * curvature * curvature * length), expected, 1e-5);  // finite curvature: 1e-6
+    EXPECT_NEAR(moment / (EI * curvature), expected, 1e-5);
+  }
+}
+
+TEST(ViscousHourglass, StepIsNeverBeyondTheExactOneOfTheDampedElement) {
+  double smallest = 1e300, highest = 0;
+  for (int trial = 0; trial < 400; ++trial) {
+    const Corners X = random_shape(0.3);
+    const Elastic law = metal<Elastic>(random(0.0, 0.49));
+    const Viscosity viscosity{.linear = trial % 2 ? 0.06 : 0.0, .quadratic = 0};
+    const Element<Elastic> soft{law, {.hourglass = 0, .viscosity = no_viscosity}, X};
+    Element<Elastic> damped{law, {.hourglass = random(0.01, 0.5), .viscosity = viscosity, .hourglass_kind = dashpots}, X};
+    const double per_mass = 8 / damped.constants.mass;
+    const Matrix24 K = per_mass * stiffness(soft), C = per_mass * stiffness(damped) - K;  // steps of 1 s
+    double low = 0, high = 2 / std::sqrt(hot_bound(soft)) * 1.5;
+    for (int halving = 0; halving < 40; ++halving) {  // dt^2 K + 2 dt C reaches 4
+      const double dt = 0.5 * (low + high);
+      const Matrix24 A = dt * dt * K + 2 * dt * C, symmetrised = 0.5 * (A + A.transpose());
+      const double most = Eigen::SelfAdjointEigenSolver<Matrix24>(symmetrised, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
+      (most < 4 ? low : high) = dt;
+    }
+    const double ratio = damped.step(X, Corners{}, 1.0).step / low;
+    smallest = std::min(smallest, ratio), highest = std::max(highest, ratio);
+  }
+  std::printf("dashpots: step voted over exact %.3f to %.3f\n", smallest, highest);
+  EXPECT_LE(highest, 1);
+}
+
+TEST(ViscousHourglass, IsBlindToAffineMotionAndToRigidRotation) {
+  for (int trial = 0; trial < 20; ++trial) {
+    Element<Elastic> e{metal<Elastic>(), {.hourglass = 0.1, .viscosity = {}, .hourglass_kind = dashpots}, distorted(0.3)};
+    e.move(times(Mat3(Mat3::Identity() + 0.1 * Mat3::Random()), e.X));
+    for (const Point& q : e.memory.hourglass) EXPECT_LT(norm(q), 1e-15);
+    Element<Elastic> spun{e.law, e.options, e.X};
+    EXPECT_NEAR(spun.move(times(random_rotation(2.0), e.X)).hourglass, 0, 1e-28);
+  }
+}
+
+TYPED_TEST(HexahedronOf, WithDashpotsWorkAndEnergyDifferInTheThirdOrderOfTheStep) {
+  Element<TypeParam> start{
+      metal<TypeParam>(), {.hourglass = 0.1, .viscosity = no_viscosity, .hourglass_kind = dashpots}, distorted(0.2)};
+  start.randomise(0.003);
+  const Corners velocity = random_field(1.0);
+  advance(start.law, start.options, start.constants, start.x, velocity, 0.0, start.memory, start.force);
+  const auto error = [&](double dt) {
+    Element<TypeParam> e = start;
+    Corners du;
+    for (int i = 0; i < 8; ++i) du[i] = dt * velocity[i];
+    const Report<double> report = e.move(sum(e.x, du), dt);
+    EXPECT_GT(report.hourglass, 0);
+    const double work = 0.5 * (product(start.force, du) + product(e.force, du));
+    return work + report.stored[0] + report.plastic + report.hourglass;
+  };
+  EXPECT_NEAR(error(2e-4) / error(1e-4), 8.0, 0.3);
 }
 
 // ------------------------------------------------------------------------------------------------
