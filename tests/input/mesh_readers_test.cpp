@@ -1,0 +1,113 @@
+#include "input/mesh_readers.hpp"
+
+#include <gtest/gtest.h>
+
+namespace nereid::input {
+namespace {
+
+MeshOptions read(const std::string& text) {
+  const CaseFile file = CaseFile::parse(text, "case.yaml");
+  const MeshOptions options = read_mesh_options(file.root());
+  file.finish();
+  return options;
+}
+
+/// What is said of a mesh that is refused; empty if it is not.
+std::string refusal(const std::string& text) {
+  try {
+    read(text);
+  } catch (const CaseError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+bool says(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+const std::string box = "kind: box\nlow: [0 m, 0 m, 0 m]\nhigh: [1 m, 10 cm, 100 mm]\ncells: [10, 2, 2]\n";
+const std::string cylinder = "kind: cylinder\nradius: 1 m\nlength: 2 m\nturn: quarter\ncells_core: 3\ncells_ring: 2\ncells_along: 4\n";
+const std::string tube = "kind: tube\nradius: 1 m\nlength: 2 m\nturn: full\ncells_core: 3\ncells_along: 4\n";
+
+TEST(ReadMesh, ABoxIsBuiltAsItIsWritten) {
+  const mesh::Mesh bar = make_mesh("bar", read(box));
+  EXPECT_EQ(bar.X.cols(), 11 * 3 * 3);
+  EXPECT_EQ(mesh::hexahedra(bar, "bar").nodes.cols(), 40);
+  EXPECT_EQ(bar.X.rowwise().maxCoeff(), Vec3(1, 0.1, 0.1));
+  EXPECT_EQ(mesh::node_set(bar, "bar.x_high").size(), 9U);
+}
+
+TEST(ReadMesh, CylinderAndTubeHaveTheirCells) {
+  EXPECT_EQ(mesh::hexahedra(make_mesh("c", read(cylinder)), "c").nodes.cols(), (9 + 12) * 4);
+  EXPECT_EQ(mesh::triangles(make_mesh("t", read(tube)), "t").nodes.cols(), 2 * 24 * 4);
+}
+
+TEST(ReadMesh, SectorsAreSolidOrOfPlates) {
+  const mesh::Mesh solid = make_mesh("a", read("kind: sector\nradius: 1 m\nlength: 2 m\nangle: 5 deg\ncells_around: 1\n"
+                                               "cells_radial: 4\ncells_along: 3\n"));
+  EXPECT_EQ(mesh::hexahedra(solid, "a").nodes.cols(), 12);
+  EXPECT_EQ(mesh::node_set(solid, "a.axis").size(), 4U);
+  const mesh::Mesh ring = make_mesh("a", read("kind: sector\nradius: 1 m\nlength: 2 m\nangle: 5 deg\ncells_around: 1\n"
+                                              "cells_radial: 4\ncells_along: 3\ninner_radius: 50 cm\n"));
+  EXPECT_EQ(mesh::node_set(ring, "a.inside").size(), 8U);
+  const mesh::Mesh skin = make_mesh("a", read("kind: tube\nradius: 1 m\nlength: 2 m\nturn: sector\nangle: 5 deg\n"
+                                              "cells_around: 1\ncells_along: 3\n"));
+  EXPECT_EQ(mesh::triangles(skin, "a").nodes.cols(), 6);
+  const mesh::Mesh plate = make_mesh("a", read("kind: disc\nradius: 1 m\nturn: sector\nangle: 5 deg\ncells_around: 1\n"
+                                               "cells_radial: 3\n"));
+  EXPECT_EQ(mesh::triangles(plate, "a").nodes.cols(), 5);
+}
+
+TEST(ReadMesh, SpheresDiscsAndSheetsHaveTheirCells) {
+  const auto sphere = [](const std::string& turn) {
+    return make_mesh("a", read("kind: sphere\nradius: 1 m\nturn: " + turn + "\ncells_core: 2\ncells_ring: 1\n"));
+  };
+  for (const auto& [turn, parts] : {std::pair("full", 8), {"half", 4}, {"quarter", 2}, {"eighth", 1}})
+    EXPECT_EQ(mesh::hexahedra(sphere(turn), "a").nodes.cols(), parts * (8 + 12));
+  const mesh::Mesh disc = make_mesh("a", read("kind: disc\nradius: 1 m\nturn: full\ncells_core: 2\ncells_ring: 1\n"));
+  EXPECT_EQ(mesh::triangles(disc, "a").nodes.cols(), 2 * 4 * (4 + 4));
+  const std::string sheet = "kind: sheet\nlength: 1 m\nwidth: 2 m\ncells_along: 3\ncells_across: 2\n";
+  EXPECT_EQ(std::get<mesh::Sheet>(read(sheet)).cuts, mesh::Cuts::columns);
+  EXPECT_EQ(std::get<mesh::Sheet>(read(sheet + "cuts: crossed\n")).cuts, mesh::Cuts::crossed);
+  EXPECT_EQ(mesh::triangles(make_mesh("a", read(sheet)), "a").nodes.cols(), 12);
+}
+
+TEST(ReadMesh, SectorsThatCannotBeAreRefused) {
+  const std::string sector = "kind: sector\nradius: 1 m\nlength: 2 m\ncells_radial: 4\ncells_along: 3\n";
+  EXPECT_TRUE(says(refusal(sector + "angle: 360 deg\ncells_around: 9\n"), "'angle' = 360 deg is out of range"));
+  EXPECT_TRUE(says(refusal(sector + "angle: 200 deg\ncells_around: 1\n"), "less than half a turn"));
+  EXPECT_TRUE(says(refusal(sector + "angle: 20 deg\ncells_around: 1\ninner_radius: 1 m\n"), "'inner_radius' must be below"));
+  EXPECT_TRUE(says(refusal("kind: cylinder\nradius: 1 m\nlength: 2 m\nturn: sector\ncells_core: 1\ncells_ring: 1\ncells_along: 1\n"),
+                   "sector is unknown"));
+  EXPECT_TRUE(says(refusal("kind: tube\nradius: 1 m\nlength: 2 m\nturn: sector\ncells_along: 1\n"), "missing 'angle'"));
+}
+
+TEST(ReadMesh, KeysOfAnotherKindAreListedAsNotUsed) {
+  const CaseFile file = CaseFile::parse(tube + "cells_ring: 4\nlow: [0 m, 0 m, 0 m]\n", "case.yaml");
+  read_mesh_options(file.root());
+  file.finish();
+  EXPECT_EQ(file.not_used().size(), 2U);
+}
+
+TEST(ReadMesh, EveryKeyOfAKindIsAskedForAndNoOther) {
+  const std::string all = refusal("kind: cylinder\n");
+  for (const char* key : {"radius", "length", "turn", "cells_core", "cells_ring", "cells_along"})
+    EXPECT_TRUE(says(all, "missing '" + std::string(key) + "'")) << all;
+  EXPECT_FALSE(says(all, "missing 'low'"));
+  EXPECT_TRUE(says(refusal(box + "colour: 3\n"), "unknown key 'colour'"));
+}
+
+TEST(ReadMesh, CornersInTheWrongOrderAreRefusedWithTheirPlace) {
+  const std::string said = refusal("kind: box\nlow: [0 m, 0 m, 0 m]\nhigh: [1 m, 0 m, 1 m]\ncells: [1, 1, 1]\n");
+  EXPECT_TRUE(says(said, "case.yaml:3:7: 'high' must lie beyond 'low'")) << said;
+}
+
+TEST(ReadMesh, AHundredMillionElementsAreTheMost) {
+  EXPECT_EQ(refusal("kind: box\nlow: [0 m, 0 m, 0 m]\nhigh: [1 m, 1 m, 1 m]\ncells: [1000, 1000, 100]\n"), "");
+  EXPECT_TRUE(says(refusal("kind: box\nlow: [0 m, 0 m, 0 m]\nhigh: [1 m, 1 m, 1 m]\ncells: [1000, 1000, 101]\n"),
+                   "101000000 elements"));
+  EXPECT_TRUE(says(refusal("kind: tube\nradius: 1 m\nlength: 2 m\nturn: full\ncells_core: 2000000000\ncells_along: 2000000000\n"),
+                   "at most a hundred million"));
+}
+
+}  // namespace
+}  // namespace nereid::input
