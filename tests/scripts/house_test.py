@@ -13,10 +13,11 @@ import house  # noqa: E402  (after the path)
 SOUND = {
     "CMakeLists.txt": "nereid_module(base      )\n"
                       "nereid_module(mesh     base)\n"
+                      "nereid_module(grid     mesh PRIVATE ${NEREID_VTK})\n"
                       "nereid_module(element  mesh)\n"
                       "nereid_module(contact  mesh)\n"
                       "nereid_module(input    element PRIVATE yaml-cpp)\n"
-                      "nereid_module(output   element PRIVATE nlohmann_json ${NEREID_VTK})\n",
+                      "nereid_module(output   element grid PRIVATE nlohmann_json)\n",
     "lib/base/types.hpp": "#include <Eigen/Core>\n",
     "lib/base/number.hpp": "#include <experimental/simd>\n",
     "lib/base/parallel.hpp": "#include <vector>\n",
