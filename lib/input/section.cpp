@@ -1381,6 +1381,10 @@ void Section::fault(std::string_view key, std::string message, std::string hint)
   }
 }
 
+std::string Section::beside_case(std::string_view path) const {
+  return (std::filesystem::path(document_->source(0).name).parent_path() / path).string();
+}
+
 bool Section::sound() const { return document_->sound(); }
 
 CaseError::CaseError(std::string case_path, std::vector<Fault> all)
