@@ -1402,6 +1402,10 @@ void Section::unknown_name(std::string_view key, const std::string& name, const 
                                  nearest(name, names)});
 }
 
+std::string Section::beside_case(std::string_view path) const {
+  return (std::filesystem::path(document_->source(0).name).parent_path() / path).string();
+}
+
 bool Section::sound() const { return document_->sound(); }
 
 CaseError::CaseError(std::string case_path, std::vector<Fault> all)

@@ -188,6 +188,9 @@ class Section {
   /// that one wrong value does not make two faults.
   bool sound() const;
 
+  /// A path that the case names: relative ones start at the folder of the case file.
+  std::string beside_case(std::string_view path) const;
+
   /// Where the section is, as in "bodies[0].material"; empty for the root.
   const std::string& path() const { return path_; }
 
