@@ -144,9 +144,11 @@ void check_names(const SceneOptions& scene, const mesh::Mesh& mesh) {
     if (load.kind == Kind::body_force) expect(load.section, "body", load.on, "bodies", bodies);
     if (load.kind == Kind::force || load.kind == Kind::moment) expect(load.section, "nodes", load.on, "node sets", sets);
   }
+  Names ends{"ground"};
+  ends.insert(ends.end(), sets.begin(), sets.end());
   for (const SpringRequest& spring : actions.springs) {
     expect(spring.section, "from", spring.from, "node sets", sets);
-    if (spring.to != "ground") expect(spring.section, "to", spring.to, "node sets", sets);
+    expect(spring.section, "to", spring.to, "node sets and ground", ends);
   }
   for (const PointMassRequest& mass : actions.point_masses) expect(mass.section, "nodes", mass.nodes, "node sets", sets);
   for (const InitialRequest& initial : actions.initial) expect(initial.section, "body", initial.body, "bodies", bodies);

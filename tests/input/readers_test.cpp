@@ -57,10 +57,11 @@ TEST(ReadLaw, WantsTheShareOfMixedHardeningAndOfNoOther) {
   EXPECT_EQ(file.not_used()[0].rfind("isotropic_share", 0), 0U);
 }
 
+element::AnyHexahedronOptions hexahedron(const Section& section) { return read_hexahedron_options(section); }
+
 TEST(ReadHexahedron, HasOnePointAndSpringsUnlessToldOtherwise) {
   using element::FullHexahedron;
   using element::Hexahedron;
-  const auto hexahedron = [](const Section& section) { return read_hexahedron_options(section); };
   const auto usual = std::get<Hexahedron::Options>(read("{}\n", hexahedron));
   EXPECT_EQ(usual.hourglass_kind, Hexahedron::Hourglass::stiffness);
   EXPECT_EQ(usual.hourglass, Hexahedron::usual_stiffness);
