@@ -59,7 +59,7 @@ struct RelaxationMemory {
   Vec3 impulse = Vec3::Zero();          ///< [N s] given to the nodes
   Vec3 angular_impulse = Vec3::Zero();  ///< [N m s] about the origin
   double residual = 1;                  ///< [-] unbalanced over all forces, at the last sample
-  double most_force = 0, most_kinetic = 0;  ///< largest of all samples: [N/kg^(1/2)], [J]
+  double most_force = 0, most_kinetic = 0;  ///< largest so far: [N/kg^(1/2)], [J]
   int balanced = 0;                     ///< samples in a row
   double since = 0;                     ///< [s] when the state was that of Forces::Before
 };

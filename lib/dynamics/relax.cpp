@@ -31,25 +31,25 @@ void find_resistance(const Model& model, const State& now, Forces& f) {
   moment = f.moment - moment;
 }
 
-/// Frequency of what has moved since the reference in `f.before`. [1/s]
+/// Frequency of what has moved since the reference in `f.before`, weighted by its energy. [1/s]
 double frequency(const Model& model, const State& now, const Forces& f) {
-  double stiffness = 0, inertia = 0;
+  double energy = 0, force = 0;
   for (Index n = 0; n < now.x.cols(); ++n) {
-    const Vec3 way = allowed(now, n) * (now.x.col(n) - f.before.x.col(n));
-    stiffness -= way.dot(f.before.source_force.col(n) - f.before.force.col(n));
-    inertia += model.mass(n) * way.squaredNorm();
+    const Vec3 change = allowed(now, n) * (f.before.source_force.col(n) - f.before.force.col(n));
+    energy -= change.dot(now.x.col(n) - f.before.x.col(n));
+    force += change.squaredNorm() / model.mass(n);
   }
   for (Index turn = 0; turn < now.w.cols(); ++turn) {
-    const Vec3 way = f.before.turned.col(turn);
-    stiffness -= way.dot(f.before.source_moment.col(turn) - f.before.moment.col(turn));
-    inertia += model.inertia(turn) * way.squaredNorm();
+    const Vec3 change = allowed_turn(now, model.node_of_turn[turn]) * (f.before.source_moment.col(turn) - f.before.moment.col(turn));
+    energy -= change.dot(f.before.turned.col(turn));
+    force += change.squaredNorm() / model.inertia(turn);
   }
-  return stiffness > 0 && inertia > 0 ? std::sqrt(stiffness / inertia) : 0;
+  return energy > 0 ? std::sqrt(force / energy) : 0;
 }
 
 /// Scales the velocities that planes leave free and books what is lost.
 ///
-/// returns  the kinetic energy that is left [J]
+/// returns  the kinetic energy that is left, without that of turns [J]
 double damp(const Model& model, double factor, State& now) {
   RelaxationMemory& memory = now.relaxation;
   double left = 0;
@@ -68,7 +68,6 @@ double damp(const Model& model, double factor, State& now) {
     memory.removed -= 0.5 * impulse.dot((1 + factor) * before);
     memory.angular_impulse += impulse;
     now.w.col(turn) = factor * before;
-    left += 0.5 * model.inertia(turn) * factor * factor * before.squaredNorm();
   }
   return left;
 }
