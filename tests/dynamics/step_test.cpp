@@ -959,7 +959,8 @@ TEST(Residual, IsRoundOffWithEveryLoadAtOnce) {
     std::printf("%s: work %.3g, stored %.3g, dissipated %.3g, created %.2g of the initial kinetic energy\n", name,
                 account(s.state, name).work / scale, stored(account(s.state, name)) / scale,
                 dissipated(account(s.state, name)) / scale, created(account(s.state, name)) / scale);
-    EXPECT_LT(std::abs(created(account(s.state, name))), 0.01 * scale) << name;  // a rule of the second order
+    // rules of the second order: the turning line, and the dashpot's force of half a step ago
+    EXPECT_LT(std::abs(created(account(s.state, name))), 0.02 * (0.1 * scale + dissipated(account(s.state, name)))) << name;
   }
   EXPECT_NEAR(account(s.state, "spring").impulse.norm(), 0, 0);
   EXPECT_GT(account(s.state, "ground").impulse.norm(), 0);
