@@ -111,7 +111,7 @@ TEST(Connect, SurfacesNeedNotMatch) {
         EXPECT_NEAR(a.cross(b).normalized().z(), up, 1e-14);
       }
     }
-    const Connected joined = connect(model, "joint", "above.z_low", "below.z_high", {});
+    const Connected joined = connect(model, "joint", "above.z_low", "below.z_high", {})[0];
     EXPECT_EQ(joined.gaps.apexes, 16);
     EXPECT_EQ(joined.gaps.without_base, 0);
     EXPECT_NEAR(joined.gaps.least, 0, 1e-15);
