@@ -31,7 +31,8 @@ Model two_boxes(double gap) {
 }
 
 TEST(SurfaceStiffness, OfHexahedraIsTheModulusOverTheirDepth) {
-  const Model model = two_boxes(0.01);
+  Model model = two_boxes(0.01);
+  model.blocks[1] = element::solids(model.mesh, "above", hard, element::FullHexahedron::Options{});
   const auto of = [&](const char* name) {
     return surface_stiffness(model, mesh::surface(model.mesh, name));
   };
