@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
 #include "base/check.hpp"
 #include "contact/bounce.hpp"
 #include "dynamics/step.hpp"
