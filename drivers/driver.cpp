@@ -192,7 +192,7 @@ int run_case(const std::string& name, const CommandLine& line, const Build& buil
   std::vector<dynamics::Observer> observers = scene.watchers;
   observers.emplace_back([&recorder](const dynamics::View& view) { recorder(view); });
   const dynamics::Outcome outcome =
-      dynamics::run(scene.model, scene.state, scene.forces, scene.time, scene.recording.history, observers);
+      dynamics::run(scene.model, scene.state, scene.forces, scene.time, scene.recording.history, observers, scene.until);
   const dynamics::Votes votes;
   recorder.finish({scene.model, scene.state, scene.forces, votes, true});
 
@@ -205,7 +205,7 @@ int run_case(const std::string& name, const CommandLine& line, const Build& buil
     std::printf("%ld steps in %.2f s, %.1f ns per element update; results in %s\n", static_cast<long>(summary.cost.steps),
                 outcome.wall_seconds, summary.cost.nanoseconds_per_element_update, line.out.c_str());
   }
-  if (outcome.ending == dynamics::Ending::reached_end) return done;
+  if (dynamics::as_wanted(outcome.ending)) return done;
   std::fprintf(stderr, "%s: stopped at %.6g s: %s%s%s: %s\n", name.c_str(), scene.state.t, summary.ending.word.c_str(),
                outcome.block.empty() ? "" : (" in " + outcome.block).c_str(),
                outcome.element < 0 ? "" : (", element " + std::to_string(outcome.element)).c_str(), outcome.reason.c_str());

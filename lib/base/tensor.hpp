@@ -47,6 +47,9 @@ NEREID_HOT Vector<T> operator*(const Matrix<T>& a, const Vector<T>& v) { return 
 template <class T>
 struct Symmetric {
   T xx, yy, zz, xy, yz, xz;
+  template <class F>
+  void each_row(F&& f) { f(xx), f(yy), f(zz), f(xy), f(yz), f(xz); }
+  static constexpr int rows = 6;
 };
 
 template <class T>
@@ -78,6 +81,9 @@ NEREID_HOT Vector<T> operator*(const Symmetric<T>& a, const Vector<T>& v) {
 template <class T>
 struct Plane {
   T xx, yy, xy;
+  template <class F>
+  void each_row(F&& f) { f(xx), f(yy), f(xy); }
+  static constexpr int rows = 3;
 };
 
 template <class T>

@@ -71,6 +71,7 @@ std::int64_t elements(const Model& model) {
 std::string_view word(Ending ending) {
   switch (ending) {
     case Ending::reached_end: return "reached_end";
+    case Ending::stopped_by_condition: return "stopped_by_condition";
     case Ending::inverted_element: return "inverted_element";
     case Ending::not_finite: return "not_finite";
     case Ending::step_too_small: return "step_too_small";
@@ -80,7 +81,7 @@ std::string_view word(Ending ending) {
 }
 
 Outcome run(const Model& model, State& now, Forces& forces, const Time& time, double settle_every,
-            std::span<const Observer> observers) {
+            std::span<const Observer> observers, const Until& until) {
   Outcome outcome;
   const auto clock = [] { return std::chrono::steady_clock::now(); };
   const auto began = clock();
@@ -89,12 +90,18 @@ Outcome run(const Model& model, State& now, Forces& forces, const Time& time, do
     const View view{model, now, forces, votes, settled};
     for (const Observer& observer : observers) observer(view);
   };
+  const auto enough = [&] {  // as the case has it
+    if (until) outcome.reason = until({model, now, forces, votes, true});
+    if (!outcome.reason.empty()) outcome.ending = Ending::stopped_by_condition;
+    return outcome.ending == Ending::stopped_by_condition;
+  };
   const double first_step = votes.step;
   std::int64_t samples = 0;  // multiples of settle_every that have passed
   bool settled = true;
   outcome.smallest_step = std::numeric_limits<double>::infinity();
   show(settled);
-  while (!stop(votes, first_step, time.end, outcome) && now.t < time.end) {  // also the last step is looked at
+  bool wanted = enough();
+  while (!stop(votes, first_step, time.end, outcome) && !wanted && now.t < time.end) {  // also the last step is looked at
     double dt = std::min(time.safety * votes.element_step, votes.contact_step);
     if (dt < outcome.smallest_step) outcome.smallest_step = dt, outcome.limited_by = votes.by;
     outcome.largest_step = std::max(outcome.largest_step, dt);
@@ -111,6 +118,7 @@ Outcome run(const Model& model, State& now, Forces& forces, const Time& time, do
     }
     show(settled);
     if (settled && votes.size > 0 && created_too_much(now.ledger, time.created_limit, outcome)) break;
+    wanted = settled && enough();
   }
   if (!settled) {
     settle(model, now);

@@ -234,12 +234,12 @@ typename Kind::template Memory<double, Law> read_memory(const Block<Kind, Law>& 
 
 Vector<double> column(const Vectors& x, Index node) { return {x(0, node), x(1, node), x(2, node)}; }
 
-/// Stress in the global frame, largest von Mises stress and internal variables of one element.
+/// Stress in the global frame, largest von Mises stress and internal scalars of one element.
 template <class Law>
 Symmetric<double> shown(const Hexahedron::Memory<double, Law>& memory, const Block<Hexahedron, Law>&,
                         const Vectors&, Index, double& mises, std::array<double, Law::internal.size()>& internal) {
   mises = material::von_mises(memory.stress);
-  internal = memory.internal;
+  internal = memory.internal.scalar;
   return memory.stress;
 }
 template <class Law>
@@ -254,7 +254,7 @@ Symmetric<double> shown(const Plate::Memory<double, Law>& memory, const Block<Pl
     const auto& layer = memory.layers[l];
     mean = mean + block.layers.weight[l] * layer.stress;
     mises = std::max(mises, material::von_mises(layer.stress));
-    for (std::size_t i = 0; i < internal.size(); ++i) internal[i] = std::max(internal[i], layer.internal[i]);
+    for (std::size_t i = 0; i < internal.size(); ++i) internal[i] = std::max(internal[i], layer.internal.scalar[i]);
   }
   const auto [e1, e2, e3] = plate_shape(corners).frame;
   const Matrix<double> Q{{e1.x, e2.x, e3.x}, {e1.y, e2.y, e3.y}, {e1.z, e2.z, e3.z}};
@@ -336,6 +336,18 @@ void add_mass(const AnyBlock& any, Scalars& mass) {
         });
       },
       any);
+}
+
+Scalars element_masses(const AnyBlock& any) {
+  Scalars mass(tiling(any).elements);
+  std::visit(
+      [&](const auto& block) {
+        each_element(block, [&](std::size_t pack, int lane, const auto& constants) {
+          mass(block.tiling.element[pack * lanes + lane]) = constants.mass;
+        });
+      },
+      any);
+  return mass;
 }
 
 void add_rotary_inertia(const AnyBlock& any, Scalars& inertia) {

@@ -77,6 +77,8 @@ void set_turning(AnyBlock&, const std::vector<Index>& column_of_node);
 
 /// Adds the mass of the block to its nodes. [kg]
 void add_mass(const AnyBlock&, Scalars& mass);
+/// Mass of each element. [kg] [elements]
+Scalars element_masses(const AnyBlock&);
 /// Adds the rotary inertia of a block of plates to its columns of angular velocities. [kg m2]
 void add_rotary_inertia(const AnyBlock&, Scalars& inertia);
 
@@ -91,7 +93,7 @@ Vote advance(const AnyBlock&, const Vectors& x, const Vectors& v, const Vectors&
              Memory&, TileForces& forces);
 
 /// What the elements show: stress in the global frame (plates: mean through the thickness),
-/// von_mises and the law's internal variables (plates: largest through the thickness), pressure
+/// von_mises and the law's internal scalars (plates: largest through the thickness), pressure
 /// (positive in compression).
 std::vector<Field> fields(const AnyBlock&, const Vectors& x, const Memory&);
 

@@ -159,17 +159,17 @@ struct Hexahedron {
   template <class T, class Law>
   struct Memory {
     Symmetric<T> stress;                            ///< [Pa] Cauchy
-    std::array<T, Law::internal.size()> internal;   ///< of the law
+    material::Internal<T, Law, Symmetric> internal;  ///< of the law
     std::array<Vector<T>, 4> hourglass;             ///< [N]
     T viscous;                                      ///< [Pa] viscous pressure, positive in compression
     template <class F>
     void each_row(F&& f) {
-      f(stress.xx), f(stress.yy), f(stress.zz), f(stress.xy), f(stress.yz), f(stress.xz);
-      for (T& row : internal) f(row);
+      stress.each_row(f);
+      internal.each_row(f);
       for (auto& q : hourglass) f(q.x), f(q.y), f(q.z);
       f(viscous);
     }
-    static constexpr int rows = 6 + static_cast<int>(Law::internal.size()) + 12 + 1;
+    static constexpr int rows = 6 + material::Internal<T, Law, Symmetric>::rows + 12 + 1;
   };
 };
 
@@ -188,7 +188,7 @@ NEREID_HOT Symmetric<T> turned_on(const Vector<T>& w, const Symmetric<T>& e) {
 /// Brings one hexahedron from the old to the new positions and gives its nodal forces.
 ///
 /// Strain and spin come from the gradient in the middle of the step, where a rigid rotation gives
-/// no strain at all; stress and hourglass forces are turned by Hughes & Winget's rotation; forces
+/// no strain at all; stress, tensors of the law and hourglass forces are turned by Hughes & Winget's rotation; forces
 /// are taken with the gradient at the end. The strain of the middle turns on by half the rotation to
 /// meet the stress of the end; without that, large shear and the energy are off in the first order.
 ///
@@ -222,6 +222,7 @@ NEREID_HOT Report<T> advance(const Law& law, const Hexahedron::Options& options,
   const Matrix<T> Q = cayley_rotation(spin);
 
   memory.stress = rotate(Q, memory.stress);
+  for (Symmetric<T>& tensor : memory.internal.tensor) tensor = rotate(Q, tensor);
   const material::Work<T> work =
       update_stress(law, turned_on(half * spin, strain), memory.stress, memory.internal);
 

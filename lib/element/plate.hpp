@@ -120,8 +120,8 @@ struct Plate {
 
   template <class T, class Law>
   struct Layer {
-    Plane<T> stress;                               ///< [Pa] in the element's own axes
-    std::array<T, Law::internal.size()> internal;
+    Plane<T> stress;  ///< [Pa] in the element's own axes
+    material::Internal<T, Law, Plane> internal;
   };
 
   /// What one element remembers, in its own axes. Layers beyond Options::layers are not stored.
@@ -134,13 +134,13 @@ struct Plate {
     void each_row(F&& f, int count) {
       for (int l = 0; l < count; ++l) {
         auto& layer = layers[l];
-        f(layer.stress.xx), f(layer.stress.yy), f(layer.stress.xy);
-        for (T& row : layer.internal) f(row);
+        layer.stress.each_row(f);
+        layer.internal.each_row(f);
       }
       f(shear.x), f(shear.y), f(viscous);
     }
     static constexpr int rows(int count) {
-      return count * (3 + static_cast<int>(Law::internal.size())) + 3;
+      return count * (3 + material::Internal<T, Law, Plane>::rows) + 3;
     }
   };
 };
@@ -187,8 +187,8 @@ NEREID_HOT PlateFrequencies<T> largest_frequencies_squared(const Law& law, doubl
 /// Brings one plate from the old to the new positions and gives its nodal forces and moments.
 ///
 /// Strains come from the triangle in the middle of the step. The element's axes follow side 1-2; the
-/// material spins by -D_xy against them, and the stress with it, so that the numbering of the nodes
-/// does not matter.
+/// material spins by -D_xy against them, and the stress and the tensors of the law with it, so that
+/// the numbering of the nodes does not matter.
 ///
 /// x  [m] at the end of the step;  v  [m/s] and w [rad/s] constant over the step;  dt  [s]
 /// force [N] and moment [N m] that the element exerts on its nodes
@@ -234,6 +234,12 @@ NEREID_HOT Report<T> advance(const Law& law, const Plate::Options& options, cons
   const T cosine = (T(1.0) - quarter) / (T(1.0) + quarter), sine = turn / (T(1.0) + quarter);
   const T cc = cosine * cosine, ss = sine * sine, cs = cosine * sine;
 
+  const auto turned = [&](const Plane<T>& s) {
+    const T shear_twice = T(2.0) * cs * s.xy;
+    return Plane<T>{cc * s.xx + ss * s.yy - shear_twice, ss * s.xx + cc * s.yy + shear_twice,
+                    cs * (s.xx - s.yy) + (cc - ss) * s.xy};
+  };
+
   // and by half of it from the middle of the step, where strains were taken, to its end
   const auto turned_on = [&](const Plane<T>& e) {
     return Plane<T>{e.xx - turn * e.xy, e.yy + turn * e.xy, e.xy + half * turn * (e.xx - e.yy)};
@@ -245,10 +251,8 @@ NEREID_HOT Report<T> advance(const Law& law, const Plate::Options& options, cons
   Plane<T> membrane{zero, zero, zero}, bending = membrane;  // [Pa] resultants per thickness, [Pa m]
   for (int l = 0; l < layers.count; ++l) {
     auto& layer = memory.layers[l];
-    const Plane<T> s = layer.stress;
-    const T shear_twice = T(2.0) * cs * s.xy;
-    layer.stress = {cc * s.xx + ss * s.yy - shear_twice, ss * s.xx + cc * s.yy + shear_twice,
-                    cs * (s.xx - s.yy) + (cc - ss) * s.xy};
+    layer.stress = turned(layer.stress);
+    for (Plane<T>& tensor : layer.internal.tensor) tensor = turned(tensor);
     const T z(layers.z[l] * thickness), weight(layers.weight[l]);
     const material::Work<T> work =
         update_stress(law, stretch + z * bend, layer.stress, layer.internal);

@@ -7,7 +7,7 @@ namespace nereid::material {
 
 /// Isotropic elasticity: the increment of stress is Hooke's of the increment of strain.
 struct Elastic {
-  static constexpr std::array<std::string_view, 0> internal{};
+  static constexpr std::array<std::string_view, 0> internal{}, tensors{};
   double density, young, poisson;  // [kg/m3] [Pa] [-]
 };
 
@@ -27,7 +27,7 @@ struct Elastic {
 /// Needs       -1 < poisson < 1/2
 template <class T>
 NEREID_HOT Work<T> update_stress(const Elastic& law, const Symmetric<T>& strain, Symmetric<T>& stress,
-                      std::array<T, 0>& /*internal*/) {
+                      Internal<T, Elastic, Symmetric>& /*internal*/) {
   const Symmetric<T> old = stress;
   stress = old + hooke(law, strain);
   return {T(0.5) * contract(old + stress, strain), T(0.0)};
@@ -36,7 +36,7 @@ NEREID_HOT Work<T> update_stress(const Elastic& law, const Symmetric<T>& strain,
 /// The same in a plate, which thins so that its zz stress stays zero and does no work.
 template <class T>
 NEREID_HOT Work<T> update_stress(const Elastic& law, const Plane<T>& strain, Plane<T>& stress,
-                      std::array<T, 0>& /*internal*/) {
+                      Internal<T, Elastic, Plane>& /*internal*/) {
   const Plane<T> old = stress;
   stress = old + hooke(law, strain);
   return {T(0.5) * contract(old + stress, strain), T(0.0)};

@@ -9,6 +9,7 @@ namespace nereid::material {
 /// Isotropic elasticity up to a von Mises stress that grows linearly with the plastic strain.
 struct J2Bilinear {
   static constexpr std::array<std::string_view, 1> internal{"plastic_strain"};
+  static constexpr std::array<std::string_view, 0> tensors{};
   double density, young, poisson, yield, tangent;  // [kg/m3] [Pa] [-] [Pa] [Pa]
 };
 
@@ -67,13 +68,13 @@ NEREID_HOT Work<T> split_work(const S<T>& old, const S<T>& now, const S<T>& stra
 /// returns   work per current volume [J/m3]
 ///
 /// Invariants  stored + dissipated = 1/2 (old + new) : strain;  dissipated >= 0;
-///             von_mises(stress) <= yield_stress(law, internal[0]), equal after flow;
+///             von_mises(stress) <= yield_stress(law, internal.scalar[0]), equal after flow;
 ///             a step without flow is that of Elastic, to the last bit;
 ///             a rotation of strain and stress rotates the result.
 /// Needs       yield > 0, 0 <= tangent < young, -1 < poisson < 1/2
 template <class T>
 NEREID_HOT Work<T> update_stress(const J2Bilinear& law, const Symmetric<T>& strain, Symmetric<T>& stress,
-                      std::array<T, 1>& internal) {
+                      Internal<T, J2Bilinear, Symmetric>& internal) {
   const double mu = shear_modulus(law);
   const Symmetric<T> old = stress;
   const Symmetric<T> trial = old + hooke(law, strain);
@@ -81,13 +82,13 @@ NEREID_HOT Work<T> update_stress(const J2Bilinear& law, const Symmetric<T>& stra
 
   // The larger of q^2 and Y^2 stands in for `if it yields`: sqrt(Y^2) is Y to the last bit, so
   // flow is exactly zero in elastic lanes, and none of them divides by zero.
-  const T yield = yield_stress(law, internal[0]);
+  const T yield = yield_stress(law, internal.scalar[0]);
   const T q = root(larger(T(1.5) * contract(shape, shape), yield * yield));
   const T flow = T(1.0 / (3.0 * mu + hardening_modulus(law))) * (q - yield);
   const Symmetric<T> plastic = (T(1.5) * flow / q) * shape;
 
   stress = trial - T(2.0 * mu) * plastic;
-  internal[0] = internal[0] + flow;
+  internal.scalar[0] = internal.scalar[0] + flow;
   return split_work(old, stress, strain, plastic);
 }
 
@@ -111,7 +112,7 @@ NEREID_HOT Work<T> update_stress(const J2Bilinear& law, const Symmetric<T>& stra
 /// Needs       as in space
 template <class T>
 NEREID_HOT Work<T> update_stress(const J2Bilinear& law, const Plane<T>& strain, Plane<T>& stress,
-                      std::array<T, 1>& internal) {
+                      Internal<T, J2Bilinear, Plane>& internal) {
   const double mu = shear_modulus(law), hardening = hardening_modulus(law);
   const T sum_rate(law.young / (3.0 * (1.0 - law.poisson))), shear_rate(2.0 * mu);
   const T one(1.0), slope(2.0 / 3.0 * hardening);
@@ -119,7 +120,7 @@ NEREID_HOT Work<T> update_stress(const J2Bilinear& law, const Plane<T>& strain, 
   const Plane<T> old = stress;
   const Plane<T> trial = old + hooke(law, strain);
   const T sum = trial.xx + trial.yy, difference = trial.xx - trial.yy;
-  const T yield = yield_stress(law, internal[0]);
+  const T yield = yield_stress(law, internal.scalar[0]);
   const T trial_sum = T(0.25) * sum * sum;
   const T trial_shear = T(0.75) * difference * difference + T(3.0) * trial.xy * trial.xy;
   Mask<T> moving = trial_sum + trial_shear > yield * yield;
@@ -149,7 +150,7 @@ NEREID_HOT Work<T> update_stress(const J2Bilinear& law, const Plane<T>& strain, 
   stress = {trial.xx - less_sum - less_difference, trial.yy - less_sum + less_difference,
             trial.xy - trial.xy * (shear_rate * g * b)};
   // 2/3 g q, with q the new yield stress
-  internal[0] = internal[0] + T(2.0 / 3.0) * g * yield / (one - slope * g);
+  internal.scalar[0] = internal.scalar[0] + T(2.0 / 3.0) * g * yield / (one - slope * g);
   return split_work(old, stress, strain, g * deviator(stress));
 }
 

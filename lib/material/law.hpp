@@ -30,18 +30,35 @@ concept Isotropic = requires(const L& law) {
   { law.poisson } -> std::convertible_to<double>;  // [-] above -1 and below 1/2
 };
 
-/// A law: isotropic data, the names of its internal variables, and the two updates of stress.
+/// What one point remembers for a law besides its stress: a number for each name in `internal` and a
+/// tensor for each name in `tensors`.
+///
+/// S  Symmetric in space, Plane in a plate; elements turn these tensors with the stress
+template <class T, class L, template <class> class S>
+struct Internal {
+  std::array<T, L::internal.size()> scalar;
+  std::array<S<T>, L::tensors.size()> tensor;
+  template <class F>
+  void each_row(F&& f) {
+    for (T& row : scalar) f(row);
+    for (S<T>& each : tensor) each.each_row(f);
+  }
+  static constexpr int rows = static_cast<int>(L::internal.size() + L::tensors.size() * S<T>::rows);
+};
+
+/// A law: isotropic data, the names of its internal scalars and tensors, and the two updates of stress.
 ///
 /// The updates are templates on the number type; the concept asks for `double`, and
 /// tests/material/law_test.cpp runs every law on packs and dual numbers too.
 template <class L>
 concept Law = Isotropic<L> &&
-    requires(const L& law, std::array<double, L::internal.size()>& internal,
+    requires(const L& law, Internal<double, L, Symmetric>& internal, Internal<double, L, Plane>& plane_internal,
              const Symmetric<double>& strain, Symmetric<double>& stress,
              const Plane<double>& plane_strain, Plane<double>& plane_stress) {
   { L::internal[0] } -> std::convertible_to<std::string_view>;
+  { L::tensors[0] } -> std::convertible_to<std::string_view>;
   { update_stress(law, strain, stress, internal) } -> std::same_as<Work<double>>;
-  { update_stress(law, plane_strain, plane_stress, internal) } -> std::same_as<Work<double>>;
+  { update_stress(law, plane_strain, plane_stress, plane_internal) } -> std::same_as<Work<double>>;
 };
 
 /// Lame's constants. [Pa]

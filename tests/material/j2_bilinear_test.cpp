@@ -8,6 +8,7 @@
 
 #include "base/dual.hpp"
 #include "material/elastic.hpp"
+#include "tests/material/memory.hpp"
 
 namespace nereid::material {
 namespace {
@@ -56,14 +57,14 @@ TYPED_TEST(J2BilinearIn, StressStaysOnTheYieldSurfaceForIncrementsOfAnySize) {
   for (const J2Bilinear& law : {lead, steel, perfect})
     for (int history = 0; history < 300; ++history) {
       TypeParam stress{}, strain{};
-      std::array<double, 1> internal{};
+      auto internal = fresh<J2Bilinear>(stress);
       for (int step = 0; step < 30; ++step) {
         draw(std::pow(10.0, draw(-8.0, 1.0)) * law.yield / law.young, strain);
-        const double before = internal[0];
+        const double before = internal.scalar[0];
         update_stress(law, strain, stress, internal);
-        const double now = yield_stress(law, internal[0]), error = von_mises(stress) / now - 1.0;
-        ASSERT_GE(internal[0], before);
-        if (internal[0] > before)
+        const double now = yield_stress(law, internal.scalar[0]), error = von_mises(stress) / now - 1.0;
+        ASSERT_GE(internal.scalar[0], before);
+        if (internal.scalar[0] > before)
           worst = std::max(worst, std::abs(error));
         else
           worst = std::max(worst, error);
@@ -79,29 +80,30 @@ TYPED_TEST(J2BilinearIn, AStepBeyondYieldOfAnySizeSatisfiesTheYieldFunction) {
     for (double size = 1e-8; size < 11.0; size *= 10.0)
       for (int sample = 0; sample < 100; ++sample) {
         TypeParam stress{}, strain{};
-        std::array<double, 1> internal{};
+        auto internal = fresh<J2Bilinear>(stress);
         draw(1.0, strain);
         update_stress(law, (100.0 * law.yield / law.young) * strain, stress, internal);
-        const double before = internal[0];
+        const double before = internal.scalar[0];
         update_stress(law, (size * law.yield / law.young) * strain, stress, internal);
-        ASSERT_GT(internal[0], before);
-        worst = std::max(worst, std::abs(von_mises(stress) / yield_stress(law, internal[0]) - 1.0));
+        ASSERT_GT(internal.scalar[0], before);
+        worst = std::max(worst, std::abs(von_mises(stress) / yield_stress(law, internal.scalar[0]) - 1.0));
       }
   EXPECT_LT(worst, 1e-13);
 }
 
 TYPED_TEST(J2BilinearIn, AStepWithoutFlowIsThatOfElasticToTheLastBit) {
   const Elastic elastic{steel.density, steel.young, steel.poisson};
-  std::array<double, 0> nothing;
+  auto nothing = fresh<Elastic>(TypeParam{});
   for (int sample = 0; sample < 1000; ++sample) {
     TypeParam strain{}, stress{}, reference{};
-    std::array<double, 1> internal{draw(0.0, 1.0)};
-    const double before = internal[0];
+    auto internal = fresh<J2Bilinear>(stress);
+    internal.scalar[0] = draw(0.0, 1.0);
+    const double before = internal.scalar[0];
     for (int step = 0; step < 3; ++step) {
       draw(0.05 * steel.yield / steel.young, strain);
       const Work<double> work = update_stress(steel, strain, stress, internal);
       const Work<double> expected = update_stress(elastic, strain, reference, nothing);
-      ASSERT_EQ(internal[0], before);
+      ASSERT_EQ(internal.scalar[0], before);
       ASSERT_EQ(work.dissipated, 0.0);
       ASSERT_EQ(work.stored, expected.stored);
       ASSERT_EQ(stress.xx, reference.xx);
@@ -113,30 +115,31 @@ TYPED_TEST(J2BilinearIn, AStepWithoutFlowIsThatOfElasticToTheLastBit) {
 
 TYPED_TEST(J2BilinearIn, NoStrainAtNoStressGivesNoStressAndNoNaN) {
   TypeParam stress{};
-  std::array<double, 1> internal{};
+  auto internal = fresh<J2Bilinear>(stress);
   const Work<double> work = update_stress(perfect, TypeParam{}, stress, internal);
   EXPECT_EQ(von_mises(stress), 0.0);
-  EXPECT_EQ(internal[0], 0.0);
+  EXPECT_EQ(internal.scalar[0], 0.0);
   EXPECT_EQ(work.stored, 0.0);
   EXPECT_EQ(work.dissipated, 0.0);
 }
 
 TEST(J2Bilinear, DerivativeAtNoStressIsHookes) {
   const auto e = Dual<1>::variable(0.0, 0);
-  std::array<Dual<1>, 1> internal{};
   Symmetric<Dual<1>> space{};
+  auto internal = fresh<J2Bilinear>(space);
   update_stress(steel, Symmetric<Dual<1>>{e, 0, 0, 0, 0, 0}, space, internal);
   const auto [lambda, mu] = lame(steel);
   EXPECT_DOUBLE_EQ(space.xx.by[0], lambda + 2.0 * mu);
   EXPECT_DOUBLE_EQ(space.zz.by[0], lambda);
   Plane<Dual<1>> plane{};
-  update_stress(steel, Plane<Dual<1>>{e, 0, 0}, plane, internal);
+  auto internal_in_plane = fresh<J2Bilinear>(plane);
+  update_stress(steel, Plane<Dual<1>>{e, 0, 0}, plane, internal_in_plane);
   EXPECT_DOUBLE_EQ(plane.xx.by[0], steel.young / (1.0 - steel.poisson * steel.poisson));
 }
 
 TYPED_TEST(J2BilinearIn, NaNStrainReturnsNaNStressInsteadOfHanging) {
   TypeParam stress{}, strain{};
-  std::array<double, 1> internal{};
+  auto internal = fresh<J2Bilinear>(stress);
   strain.xx = std::numeric_limits<double>::quiet_NaN();
   update_stress(steel, strain, stress, internal);
   EXPECT_TRUE(std::isnan(stress.xx));
@@ -147,7 +150,7 @@ TEST(J2Bilinear, LanesAtRestAndLanesThatFlowDoNotDisturbEachOther) {
   const double unit = steel.yield / steel.young;
   for (int turn = 0; turn < lanes; ++turn) {
     Plane<Pack> strain{}, stress{};
-    std::array<Pack, 1> internal{Pack(0.0)};
+    auto internal = fresh<J2Bilinear>(stress);
     for (int lane = 0; lane < lanes; ++lane) {
       const double size = lane == turn ? 0.0 : std::pow(10.0, -1.0 + 2.0 * lane / (lanes - 1));
       strain.xx[lane] = size * unit;
@@ -156,7 +159,7 @@ TEST(J2Bilinear, LanesAtRestAndLanesThatFlowDoNotDisturbEachOther) {
     }
     update_stress(steel, strain, stress, internal);
     EXPECT_EQ(stress.xx[turn], 0.0);
-    EXPECT_EQ(internal[0][turn], 0.0);
+    EXPECT_EQ(internal.scalar[0][turn], 0.0);
     for (int lane = 0; lane < lanes; ++lane) EXPECT_TRUE(std::isfinite(stress.xy[lane]));
   }
 }
@@ -166,7 +169,7 @@ TYPED_TEST(J2BilinearIn, RadialPathsDoNotDependOnTheSizeOfTheStep) {
   // in space. Both ways of the path, 20 steps against 1 and 1000.
   const auto run = [](const J2Bilinear& law, int steps) {
     TypeParam stress{}, strain{};
-    std::array<double, 1> internal{};
+    auto internal = fresh<J2Bilinear>(stress);
     double dissipated = 0.0;
     const double unit = law.yield / law.young;
     for (const double amplitude : {5.0 * unit, -8.0 * unit}) {
@@ -176,7 +179,7 @@ TYPED_TEST(J2BilinearIn, RadialPathsDoNotDependOnTheSizeOfTheStep) {
       for (int step = 0; step < steps; ++step)
         dissipated += update_stress(law, strain, stress, internal).dissipated;
     }
-    return std::array<double, 4>{stress.xx / law.yield, stress.xy / law.yield, internal[0] / unit,
+    return std::array<double, 4>{stress.xx / law.yield, stress.xy / law.yield, internal.scalar[0] / unit,
                                  dissipated};
   };
   for (const J2Bilinear& law : {lead, steel, perfect}) {
@@ -189,25 +192,25 @@ TYPED_TEST(J2BilinearIn, RadialPathsDoNotDependOnTheSizeOfTheStep) {
 TEST(J2Bilinear, UniaxialStrainKeepsVolumeElasticInASingleStepOrMany) {
   for (const int steps : {1, 7, 500}) {
     Symmetric<double> stress{};
-    std::array<double, 1> internal{};
+    auto internal = fresh<J2Bilinear>(stress);
     const double total = -6.0 * steel.yield / steel.young;
     for (int step = 0; step < steps; ++step)
       update_stress(steel, Symmetric<double>{total / steps, 0, 0, 0, 0, 0}, stress, internal);
     EXPECT_NEAR(pressure(stress) / (-bulk_modulus(steel) * total), 1.0, 1e-13);
-    EXPECT_NEAR((stress.zz - stress.xx) / yield_stress(steel, internal[0]), 1.0, 1e-13);
+    EXPECT_NEAR((stress.zz - stress.xx) / yield_stress(steel, internal.scalar[0]), 1.0, 1e-13);
   }
 }
 
 TEST(J2Bilinear, DissipationOfMonotonicShearIsTheAreaUnderTheYieldCurve) {
   // Steps within flow only: dissipated = integral of Y d(plastic strain), whatever the step.
   Symmetric<double> stress{};
-  std::array<double, 1> internal{};
+  auto internal = fresh<J2Bilinear>(stress);
   const double at_yield = lead.yield / std::sqrt(3.0) / (2.0 * shear_modulus(lead));
   double dissipated = 0.0;
   for (int step = 0; step < 5; ++step)
     dissipated += update_stress(lead, Symmetric<double>{0, 0, 0, at_yield, 0, 0}, stress, internal)
                       .dissipated;
-  const double p = internal[0];
+  const double p = internal.scalar[0];
   const double expected = lead.yield * p + 0.5 * hardening_modulus(lead) * p * p;
   EXPECT_NEAR(dissipated / expected, 1.0, 1e-12);
 }

@@ -12,6 +12,7 @@
 #include "base/dual.hpp"
 #include "material/elastic.hpp"
 #include "material/j2_bilinear.hpp"
+#include "tests/material/memory.hpp"
 
 namespace nereid::material {
 namespace {
@@ -62,9 +63,13 @@ double shear(const J2Bilinear& law, double angle) {
 double unit(const Elastic&) { return 1e-3; }
 double unit(const J2Bilinear& law) { return law.yield / law.young; }
 /// Stress at which the law flows next, for a point with this memory; without flow, more than any.
-double flow_stress(const Elastic& law, const std::array<double, 0>&) { return law.young; }
-double flow_stress(const J2Bilinear& law, const std::array<double, 1>& internal) {
-  return yield_stress(law, internal[0]);
+template <template <class> class S>
+double flow_stress(const Elastic& law, const Internal<double, Elastic, S>&) {
+  return law.young;
+}
+template <template <class> class S>
+double flow_stress(const J2Bilinear& law, const Internal<double, J2Bilinear, S>& internal) {
+  return yield_stress(law, internal.scalar[0]);
 }
 
 // -- Tensors as rows of numbers -------------------------------------------------------------------
@@ -97,21 +102,34 @@ S draw_strain(double size) {
 /// From far below yield to far beyond.
 double draw_size() { return std::pow(10.0, draw(-8.0, 1.0)); }
 
-template <class L, class T>
-using Memory = std::array<T, L::internal.size()>;
+/// Everything a point remembers for its law, in one order.
+template <class T, class L, template <class> class S>
+std::vector<T> rows(Internal<T, L, S> internal) {
+  std::vector<T> all;
+  internal.each_row([&all](const T& row) { all.push_back(row); });
+  return all;
+}
+/// The same memory in dual numbers, without derivatives.
+template <int n, class L, template <class> class S>
+Internal<Dual<n>, L, S> as_dual(const Internal<double, L, S>& internal) {
+  Internal<Dual<n>, L, S> dual{};
+  std::size_t next = 0;
+  const auto all = rows(internal);
+  dual.each_row([&](Dual<n>& row) { row = Dual<n>(all[next++]); });
+  return dual;
+}
 
 // -- Drivers of one material point ----------------------------------------------------------------
 
 /// Stretches along x and finds by Newton the free strains that keep the other normal stresses zero.
 template <Law L>
 Work<double> stretch(const L& law, double axial, Symmetric<double>& stress,
-                     Memory<L, double>& internal) {
+                     Internal<double, L, Symmetric>& internal) {
   double lateral = -law.poisson * axial;
   for (int iteration = 0; iteration < 50; ++iteration) {
     const auto free = Dual<1>::variable(lateral, 0);
     Symmetric<Dual<1>> s{stress.xx, stress.yy, stress.zz, stress.xy, stress.yz, stress.xz};
-    Memory<L, Dual<1>> memory;
-    std::copy(internal.begin(), internal.end(), memory.begin());
+    auto memory = as_dual<1>(internal);
     update_stress(law, Symmetric<Dual<1>>{axial, free, free, 0, 0, 0}, s, memory);
     const double change = -s.yy.value / s.yy.by[0];
     lateral += change;
@@ -121,13 +139,12 @@ Work<double> stretch(const L& law, double axial, Symmetric<double>& stress,
 }
 template <Law L>
 Work<double> stretch(const L& law, double axial, Plane<double>& stress,
-                     Memory<L, double>& internal) {
+                     Internal<double, L, Plane>& internal) {
   double lateral = -law.poisson * axial;
   for (int iteration = 0; iteration < 50; ++iteration) {
     const auto free = Dual<1>::variable(lateral, 0);
     Plane<Dual<1>> s{stress.xx, stress.yy, stress.xy};
-    Memory<L, Dual<1>> memory;
-    std::copy(internal.begin(), internal.end(), memory.begin());
+    auto memory = as_dual<1>(internal);
     update_stress(law, Plane<Dual<1>>{axial, free, 0}, s, memory);
     const double change = -s.yy.value / s.yy.by[0];
     lateral += change;
@@ -139,13 +156,12 @@ Work<double> stretch(const L& law, double axial, Plane<double>& stress,
 /// Strains a point of space in the plane xy and finds by Newton the zz strain that keeps zz free.
 template <Law L>
 Work<double> strain_as_plate(const L& law, const Plane<double>& e, Symmetric<double>& stress,
-                             Memory<L, double>& internal) {
+                             Internal<double, L, Symmetric>& internal) {
   double thinning = -law.poisson / (1.0 - law.poisson) * (e.xx + e.yy);
   for (int iteration = 0; iteration < 50; ++iteration) {
     const auto free = Dual<1>::variable(thinning, 0);
     Symmetric<Dual<1>> s{stress.xx, stress.yy, stress.zz, stress.xy, stress.yz, stress.xz};
-    Memory<L, Dual<1>> memory;
-    std::copy(internal.begin(), internal.end(), memory.begin());
+    auto memory = as_dual<1>(internal);
     update_stress(law, Symmetric<Dual<1>>{e.xx, e.yy, free, e.xy, 0, 0}, s, memory);
     const double change = -s.zz.value / s.zz.by[0];
     thinning += change;
@@ -170,7 +186,7 @@ TYPED_TEST_SUITE(EveryLaw, Laws);
 
 TYPED_TEST(EveryLaw, FollowsTheTableInUniaxialStress) {
   const auto run = [](const TypeParam& law, auto stress, int steps) {
-    Memory<TypeParam, double> internal{};
+    auto internal = fresh<TypeParam>(stress);
     const double step = 5.0 * unit(law) / steps;
     for (int i = 1; i <= steps; ++i) {
       stretch(law, step, stress, internal);
@@ -190,7 +206,7 @@ TYPED_TEST(EveryLaw, FollowsTheExactCurveInUniaxialStrain) {
   for (const auto& law : this->laws)
     for (const int steps : {1, 3, 200}) {
       Symmetric<double> stress{};
-      Memory<TypeParam, double> internal{};
+      auto internal = fresh<TypeParam>(stress);
       const double step = 5.0 * unit(law) / steps;
       for (int i = 1; i <= steps; ++i) {
         update_stress(law, Symmetric<double>{step, 0, 0, 0, 0, 0}, stress, internal);
@@ -201,7 +217,7 @@ TYPED_TEST(EveryLaw, FollowsTheExactCurveInUniaxialStrain) {
 
 TYPED_TEST(EveryLaw, FollowsTheExactCurveInShear) {
   const auto run = [](const TypeParam& law, auto stress, int steps) {
-    Memory<TypeParam, double> internal{};
+    auto internal = fresh<TypeParam>(stress);
     decltype(stress) strain{};
     strain.xy = 0.5 * 5.0 * unit(law) / steps;  // half the angle
     for (int i = 1; i <= steps; ++i) {
@@ -221,8 +237,8 @@ TEST(LawOfTableII, HasTheShearYieldAndShearTangentOfTheCatalogue) {
   const auto slope = [](const Row& row, double& at_yield) {
     J2Bilinear law{};
     make(row, law);
-    std::array<double, 1> internal{};
     Symmetric<double> stress{};
+    auto internal = fresh<J2Bilinear>(stress);
     const double angle = 10.0 * unit(law);
     update_stress(law, Symmetric<double>{0, 0, 0, 0.5 * angle, 0, 0}, stress, internal);
     const double first = stress.xy;
@@ -242,7 +258,7 @@ TYPED_TEST(EveryLaw, FlowsInReverseAtTheLargestStressSoFar) {
   // Isotropic hardening. Each half cycle: up to a stress just below the last maximum the answer is
   // elastic, and beyond it the law flows again (+-3 yield strains).
   const auto run = [](const TypeParam& law, auto stress) {
-    Memory<TypeParam, double> internal{};
+    auto internal = fresh<TypeParam>(stress);
     double at = 0.0;
     for (const double target : {3.0, -3.0, 3.0, -3.0}) {
       const double largest_yet = flow_stress(law, internal);
@@ -275,7 +291,7 @@ TYPED_TEST(EveryLaw, FlowsInReverseAtTheLargestStressSoFar) {
 TYPED_TEST(EveryLaw, GivesBackAllWorkOfAClosedElasticCycle) {
   const auto run = [](const TypeParam& law, auto stress) {
     using S = decltype(stress);
-    Memory<TypeParam, double> internal{};
+    auto internal = fresh<TypeParam>(stress);
     S sum{};
     double stored = 0.0, most = 0.0, dissipated = 0.0;
     for (int i = 0; i < 20; ++i) {
@@ -301,7 +317,7 @@ TYPED_TEST(EveryLaw, GivesBackAllWorkOfAClosedElasticCycle) {
 TYPED_TEST(EveryLaw, SplitsTheWorkOfRandomHistoriesAndNeverDissipatesLessThanNothing) {
   const auto run = [](const TypeParam& law, auto stress) {
     using S = decltype(stress);
-    Memory<TypeParam, double> internal{};
+    auto internal = fresh<TypeParam>(stress);
     for (int i = 0; i < 100; ++i) {
       const S strain = draw_strain<S>(draw_size() * unit(law));
       const S old = stress;
@@ -326,9 +342,10 @@ TYPED_TEST(EveryLaw, StoresTheElasticEnergyOfTheStress) {
   };
   for (const auto& law : this->laws)
     for (int history = 0; history < 50; ++history) {
-      Memory<TypeParam, double> in_space{}, in_plane{};
       Symmetric<double> space{};
       Plane<double> plane{};
+      auto in_space = fresh<TypeParam>(space);
+      auto in_plane = fresh<TypeParam>(plane);
       double space_stored = 0.0, plane_stored = 0.0, turned_over = 0.0;
       for (int i = 0; i < 50; ++i) {
         const double size = draw_size() * unit(law);
@@ -356,8 +373,8 @@ TYPED_TEST(EveryLaw, DoesNotCareHowTheFrameIsTurned) {
     for (int sample = 0; sample < 300; ++sample) {
       const Matrix<double> Q =
           cayley_rotation(Vector<double>{draw(-3, 3), draw(-3, 3), draw(-3, 3)});
-      Memory<TypeParam, double> internal{}, turned_internal{};
       Symmetric<double> stress{}, turned{};
+      auto internal = fresh<TypeParam>(stress), turned_internal = internal;
       for (int i = 0; i < 5; ++i) {
         const auto strain = draw_strain<Symmetric<double>>(draw_size() * unit(law));
         const Work<double> work = update_stress(law, strain, stress, internal);
@@ -366,8 +383,10 @@ TYPED_TEST(EveryLaw, DoesNotCareHowTheFrameIsTurned) {
         const double size = largest(stress) * unit(law);
         EXPECT_NEAR(work.dissipated, again.dissipated, 1e-12 * std::max(work.dissipated, size));
       }
-      for (std::size_t i = 0; i < internal.size(); ++i)
-        worst = std::max(worst, std::abs(internal[i] - turned_internal[i]) / unit(law));
+      for (std::size_t i = 0; i < internal.scalar.size(); ++i)
+        worst = std::max(worst, std::abs(internal.scalar[i] - turned_internal.scalar[i]) / unit(law));
+      for (std::size_t i = 0; i < internal.tensor.size(); ++i)
+        worst = std::max(worst, largest(rotate(Q, internal.tensor[i]) - turned_internal.tensor[i]) / largest(stress));
     }
   EXPECT_LT(worst, 1e-12);
 }
@@ -383,16 +402,18 @@ TYPED_TEST(EveryLaw, DoesNotCareHowThePlateIsTurnedInItsPlane) {
   for (const auto& law : this->laws)
     for (int sample = 0; sample < 300; ++sample) {
       const double angle = draw(-3, 3);
-      Memory<TypeParam, double> internal{}, turned_internal{};
       Plane<double> stress{}, turned{};
+      auto internal = fresh<TypeParam>(stress), turned_internal = internal;
       for (int i = 0; i < 5; ++i) {
         const auto strain = draw_strain<Plane<double>>(draw_size() * unit(law));
         update_stress(law, strain, stress, internal);
         update_stress(law, turn(angle, strain), turned, turned_internal);
         worst = std::max(worst, largest(turn(angle, stress) - turned) / largest(stress));
       }
-      for (std::size_t i = 0; i < internal.size(); ++i)
-        worst = std::max(worst, std::abs(internal[i] - turned_internal[i]) / unit(law));
+      for (std::size_t i = 0; i < internal.scalar.size(); ++i)
+        worst = std::max(worst, std::abs(internal.scalar[i] - turned_internal.scalar[i]) / unit(law));
+      for (std::size_t i = 0; i < internal.tensor.size(); ++i)
+        worst = std::max(worst, largest(turn(angle, internal.tensor[i]) - turned_internal.tensor[i]) / largest(stress));
     }
   EXPECT_LT(worst, 1e-12);
 }
@@ -403,9 +424,10 @@ TYPED_TEST(EveryLaw, GivesAPlateTheStressOfSpaceWithoutStressAcross) {
   for (const auto& law : this->laws)
     for (const double size : {0.05, 1.0, 10.0})
       for (int history = 0; history < 20; ++history) {
-        Memory<TypeParam, double> in_space{}, in_plane{};
         Symmetric<double> space{};
         Plane<double> plane{};
+        auto in_space = fresh<TypeParam>(space);
+        auto in_plane = fresh<TypeParam>(plane);
         for (int i = 0; i < 100; ++i) {
           const auto strain = draw_strain<Plane<double>>(size * unit(law));
           const Work<double> a = strain_as_plate(law, strain, space, in_space);
@@ -418,9 +440,14 @@ TYPED_TEST(EveryLaw, GivesAPlateTheStressOfSpaceWithoutStressAcross) {
           worst_work = std::max(worst_work, std::abs(a.dissipated - b.dissipated) / scale / size);
           worst_work = std::max(worst_work, std::abs(a.stored - b.stored) / scale / size);
         }
-        for (std::size_t i = 0; i < in_space.size(); ++i)
-          worst_internal =
-              std::max(worst_internal, std::abs(in_space[i] - in_plane[i]) / in_plane[i]);
+        for (std::size_t i = 0; i < in_space.scalar.size(); ++i)
+          worst_internal = std::max(worst_internal, std::abs(in_space.scalar[i] - in_plane.scalar[i]) /
+                                                        in_plane.scalar[i]);
+        for (std::size_t i = 0; i < in_space.tensor.size(); ++i) {
+          const Symmetric<double>& a = in_space.tensor[i];
+          worst_internal = std::max(worst_internal, largest(Plane<double>{a.xx, a.yy, a.xy} - in_plane.tensor[i]) /
+                                                        (law.young * unit(law)));
+        }
       }
   EXPECT_LT(worst, 1e-12);
   EXPECT_LT(worst_internal, 1e-12);
@@ -437,10 +464,10 @@ TYPED_TEST(EveryLaw, GivesAPackWhatItGivesEachOfItsLanes) {
     using P = decltype(pack_stress);
     for (int sample = 0; sample < 200; ++sample) {
       std::array<S, lanes> stress{}, strain{};
-      std::array<Memory<TypeParam, double>, lanes> internal{};
+      std::array<decltype(fresh<TypeParam>(S{})), lanes> internal{};
       for (int i = 0; i < 4; ++i) {
         P pack_strain{};
-        Memory<TypeParam, Pack> pack_internal{};
+        auto pack_internal = fresh<TypeParam>(pack_stress);
         std::array<double, lanes> trial{};  // size of what the update subtracts from
         for (int lane = 0; lane < lanes; ++lane) {
           strain[lane] = draw_strain<S>(draw_size() * unit(law));
@@ -449,8 +476,9 @@ TYPED_TEST(EveryLaw, GivesAPackWhatItGivesEachOfItsLanes) {
             (*components(pack_strain)[c])[lane] = *components(strain[lane])[c];
             (*components(pack_stress)[c])[lane] = *components(stress[lane])[c];
           }
-          for (std::size_t c = 0; c < pack_internal.size(); ++c)
-            pack_internal[c][lane] = internal[lane][c];
+          const auto remembered = rows(internal[lane]);
+          std::size_t next = 0;
+          pack_internal.each_row([&](Pack& row) { row[lane] = remembered[next++]; });
         }
         const Work<Pack> pack_work = update_stress(law, pack_strain, pack_stress, pack_internal);
         for (int lane = 0; lane < lanes; ++lane) {
@@ -459,9 +487,14 @@ TYPED_TEST(EveryLaw, GivesAPackWhatItGivesEachOfItsLanes) {
             worst = std::max(worst, std::abs((*components(pack_stress)[c])[lane] -
                                              *components(stress[lane])[c]) /
                                         trial[lane]);
-          for (std::size_t c = 0; c < pack_internal.size(); ++c)
-            worst = std::max(worst, std::abs(pack_internal[c][lane] - internal[lane][c]) /
-                                        std::max(internal[lane][c], trial[lane] / law.young));
+          for (std::size_t c = 0; c < pack_internal.scalar.size(); ++c)
+            worst = std::max(worst, std::abs(pack_internal.scalar[c][lane] - internal[lane].scalar[c]) /
+                                        std::max(internal[lane].scalar[c], trial[lane] / law.young));
+          for (std::size_t t = 0; t < pack_internal.tensor.size(); ++t)
+            for (std::size_t c = 0; c < components(pack_strain).size(); ++c)
+              worst = std::max(worst, std::abs((*components(pack_internal.tensor[t])[c])[lane] -
+                                               *components(internal[lane].tensor[t])[c]) /
+                                          trial[lane]);
           // What stress and plastic strain lose to round-off, times the nine terms of a
           // contraction.
           const double size = 9.0 * trial[lane] * (largest(strain[lane]) + trial[lane] / law.young);
@@ -489,29 +522,28 @@ TYPED_TEST(EveryLaw, HasTheTangentOfItsFiniteDifferences) {
     for (const double size : {0.05, 2.0, 10.0})
       for (int sample = 0; sample < 50; ++sample) {
         S before{};
-        Memory<TypeParam, double> memory{};
+        auto memory = fresh<TypeParam>(before);
         update_stress(law, draw_strain<S>(size * unit(law)), before, memory);
         S strain = draw_strain<S>(size * unit(law));
 
         D dual_strain{};
-        Memory<TypeParam, Dual<n>> dual_memory;
         for (int i = 0; i < n; ++i) {
           *components(dual_strain)[i] = Dual<n>::variable(*components(strain)[i], i);
           *components(dual_stress)[i] = Dual<n>(*components(before)[i]);
         }
-        std::copy(memory.begin(), memory.end(), dual_memory.begin());
+        auto dual_memory = as_dual<n>(memory);
         update_stress(law, dual_strain, dual_stress, dual_memory);
 
         const double h = 1e-5 * unit(law);
         for (int by = 0; by < n; ++by) {
           S high = strain, low = strain, high_stress = before, low_stress = before;
-          Memory<TypeParam, double> high_memory = memory, low_memory = memory;
+          auto high_memory = memory, low_memory = memory;
           *components(high)[by] += h;
           *components(low)[by] -= h;
           update_stress(law, high, high_stress, high_memory);
           update_stress(law, low, low_stress, low_memory);
           // A difference across the kink of first flow says nothing.
-          if ((high_memory == memory) != (low_memory == memory)) continue;
+          if ((rows(high_memory) == rows(memory)) != (rows(low_memory) == rows(memory))) continue;
           for (int i = 0; i < n; ++i) {
             const double slope =
                 (*components(high_stress)[i] - *components(low_stress)[i]) / (2 * h);

@@ -1,0 +1,26 @@
+#pragma once
+// Readers of meshes: what a body is made of, read first and built only when the whole case is sound.
+
+#include <string>
+#include <variant>
+
+#include "input/section.hpp"
+#include "mesh/box.hpp"
+#include "mesh/cylinder.hpp"
+
+namespace nereid::input {
+
+/// What a body's mesh is made from: the options of one generator.
+using MeshOptions = std::variant<mesh::Box, mesh::Cylinder, mesh::Tube>;
+
+/// Reads a body's `mesh` section, `kind: box | cylinder | tube` and the keys of that kind: docs/meshes.md.
+///
+/// More than a hundred million elements are a fault, as are corners in the wrong order.
+MeshOptions read_mesh_options(const Section& mesh);
+
+/// Builds the mesh of a body; its regions, surfaces and node sets are called `name` and `name.…`.
+///
+/// Needs  options of a sound case, so call it after finish() of the case file
+mesh::Mesh make_mesh(const std::string& name, const MeshOptions&);
+
+}  // namespace nereid::input
