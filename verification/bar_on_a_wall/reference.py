@@ -10,13 +10,14 @@ follow from the formulas below and agree with an independent one-dimensional mod
 from math import sqrt
 
 INCH, LBF = 0.0254, 4.4482216152605  # [m], [N]
+VM265 = {"density": 0.73e-3 * LBF / INCH**4, "young": 3e7 * LBF / INCH**2, "length": 10 * INCH, "area": INCH**2,
+         "gap": 0.01 * INCH, "speed": 202.2 * INCH}  # SI
 
 
 def reference(density, young, length, area, gap, speed):
     """Exact values in SI units.
 
-    >>> per_area = LBF / INCH**2
-    >>> vm265 = reference(0.73e-3 * LBF / INCH**4, 3e7 * per_area, 10 * INCH, INCH**2, 0.01 * INCH, 202.2 * INCH)
+    >>> vm265 = reference(**VM265)
     >>> round(vm265["wave_speed"] / INCH), round(vm265["impact"] * 1e6, 3), round(vm265["force"] / LBF)
     (202721, 49.456, 29923)
     >>> round(vm265["release"] * 1e6, 3)

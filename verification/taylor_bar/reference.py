@@ -24,16 +24,25 @@ def tangent(young, hardening):
     return young * hardening / (young + hardening)
 
 
-def grid_convergence(fine, middle, coarse, ratio):
-    """Roache's index of three meshes: (order, extrapolated value, index of the fine mesh [-]).
+def grid_convergence(fine, middle, coarse, middle_over_fine, coarse_over_middle):
+    """Order, extrapolated value and index [-] of the fine of three meshes, by Roache's method in the form of Celik et al.
+    (J. Fluids Eng. 130 (2008) 078001), whose ratios of sizes may differ.
 
-    >>> order, limit, index = grid_convergence(1 + 0.01, 1 + 0.04, 1 + 0.16, 2)
+    Where the values do not run one way there is no order, and the index is that of two meshes with the safety of 3.
+
+    >>> order, limit, index = grid_convergence(1.01, 1.04, 1.16, 2, 2)
     >>> round(order, 6), round(limit, 6), round(index, 6)
     (2.0, 1.0, 0.012376)
+    >>> order, limit, index = grid_convergence(1 + 4.0**-2, 1 + 3.0**-2, 1 + 2.0**-2, 4 / 3, 3 / 2)
+    >>> round(order, 6), round(limit, 6)
+    (2.0, 1.0)
     """
     first, second = middle - fine, coarse - middle
-    if first == 0 or second / first <= 0:  # not monotonic: two-grid index with the safety of 3
+    if first == 0 or second / first <= 0:
         return float("nan"), fine, 3 * abs(first / fine)
-    order = log(second / first) / log(ratio)
-    step = ratio**order - 1
-    return order, fine - first / step, 1.25 * abs(first / fine) / abs(step)
+    order = 1.0
+    for _ in range(200):  # a fixed point: e32/e21 = (r32^p - 1) r21^p / (r21^p - 1)
+        correction = log((middle_over_fine**order - 1) / (coarse_over_middle**order - 1))
+        order = max(1e-3, 0.5 * order + 0.5 * (log(second / first) + correction) / log(middle_over_fine))
+    step = middle_over_fine**order - 1
+    return order, fine - first / step, 1.25 * abs(first / fine) / step
