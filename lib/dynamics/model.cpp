@@ -45,8 +45,7 @@ Account account(const std::string& name, const std::string& kind, const std::vec
 std::vector<Account> accounts(const Model& model) {
   std::vector<Account> list;
   for (const auto& block : model.blocks) {
-    const auto names = element::stored_names(block);
-    list.push_back(account(element::name(block), "block", {names[0], names[1]}, {"plastic", "viscous"}));
+    list.push_back(account(element::name(block), "block", element::stored_names(block), element::dissipated_names(block)));
   }
   for (const auto& interface : model.interfaces) list.push_back(account(interface.name, "interface", {"penalty"}, {"damping"}));
   for (const auto& plane : model.rigid_planes) list.push_back(account(plane.name, "rigid_plane", {"penalty"}, {}));

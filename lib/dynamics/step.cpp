@@ -269,9 +269,9 @@ void settle(const Model& model, State& now) {
   for (const element::Memory& block : now.blocks) {
     Account& account = ledger.accounts[a++];
     account.work = block.work;
-    for (int s = 0; s < 2; ++s) account.stored[s].value = block.stored[s];
-    account.dissipated[0].value = block.plastic;
-    account.dissipated[1].value = block.viscous;
+    const double dissipated[] = {block.plastic, block.viscous, block.hourglass};
+    for (std::size_t s = 0; s < account.stored.size(); ++s) account.stored[s].value = block.stored[s];
+    for (std::size_t s = 0; s < account.dissipated.size(); ++s) account.dissipated[s].value = dissipated[s];
   }
   for (const contact::Memory& interface : now.interfaces) {
     Account& account = ledger.accounts[a++];

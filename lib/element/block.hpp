@@ -6,11 +6,13 @@
 #include <vector>
 
 #include "base/field.hpp"
+#include "element/full_hexahedron.hpp"
 #include "element/hexahedron.hpp"
 #include "element/plate.hpp"
 #include "element/tiles.hpp"
 #include "material/elastic.hpp"
 #include "material/j2_bilinear.hpp"
+#include "material/j2_mixed.hpp"
 #include "mesh/mesh.hpp"
 
 namespace nereid::element {
@@ -32,15 +34,18 @@ struct Block {
 
 /// Every combination that exists. One that is not on this list does not compile.
 using AnyBlock = std::variant<Block<Hexahedron, material::Elastic>, Block<Hexahedron, material::J2Bilinear>,
-                              Block<Plate, material::Elastic>, Block<Plate, material::J2Bilinear>>;
-using AnyLaw = std::variant<material::Elastic, material::J2Bilinear>;
+                              Block<FullHexahedron, material::Elastic>, Block<FullHexahedron, material::J2Bilinear>,
+                              Block<Plate, material::Elastic>, Block<Plate, material::J2Bilinear>,
+                              Block<Hexahedron, material::J2Mixed>, Block<FullHexahedron, material::J2Mixed>,
+                              Block<Plate, material::J2Mixed>>;
+using AnyLaw = std::variant<material::Elastic, material::J2Bilinear, material::J2Mixed>;
 
 /// What the elements of one block remember; one type for all blocks. Rows lie pack by pack.
 struct Memory {
   std::vector<double> rows;      ///< [packs x rows x lanes]
   double work = 0;               ///< [J] done on the nodes
   std::array<double, 2> stored{};  ///< [J] in the order of Kind::stored
-  double plastic = 0, viscous = 0;  ///< [J] dissipated
+  double plastic = 0, viscous = 0, hourglass = 0;  ///< [J] dissipated, in the order of Kind::dissipated
 };
 
 /// Forces that a block's tiles exert on their places; a function of the state, thrown away at will.
@@ -49,7 +54,7 @@ struct TileForces {
   Vectors moment;  ///< [N m] [3 x places], plates only
   /// One column per tile: sums in the order of Memory, the step vote and the smallest size.
   struct Report {
-    double work, stored[2], plastic, viscous, step, size;
+    double work, stored[2], plastic, viscous, hourglass, step, size;
     Index step_element, size_element;
   };
   std::vector<Report> reports;  ///< [tiles]
@@ -63,6 +68,10 @@ struct Vote {
   Index size_element = -1;
 };
 
+/// Options of hexahedra, and by their type which hexahedron is meant: one point or eight.
+using AnyHexahedronOptions = std::variant<Hexahedron::Options, FullHexahedron::Options>;
+
+AnyBlock solids(const mesh::Mesh&, const std::string& region, const AnyLaw&, const AnyHexahedronOptions&);
 AnyBlock hexahedra(const mesh::Mesh&, const std::string& region, const AnyLaw&, const Hexahedron::Options&);
 AnyBlock plates(const mesh::Mesh&, const std::string& region, const AnyLaw&, const Plate::Options&);
 
@@ -70,7 +79,9 @@ const std::string& name(const AnyBlock&);
 const Connectivity& nodes(const AnyBlock&);
 const Tiling& tiling(const AnyBlock&);
 bool is_plate(const AnyBlock&);
-std::array<const char*, 2> stored_names(const AnyBlock&);
+/// Names of the shares of Memory that a block with these options has, in order.
+std::vector<std::string> stored_names(const AnyBlock&);
+std::vector<std::string> dissipated_names(const AnyBlock&);
 
 /// Tells a block of plates which column of the angular velocities belongs to which node.
 void set_turning(AnyBlock&, const std::vector<Index>& column_of_node);
@@ -92,8 +103,8 @@ TileForces tile_forces(const AnyBlock&);
 Vote advance(const AnyBlock&, const Vectors& x, const Vectors& v, const Vectors& w, double dt,
              Memory&, TileForces& forces);
 
-/// What the elements show: stress in the global frame (plates: mean through the thickness),
-/// von_mises and the law's internal scalars (plates: largest through the thickness), pressure
+/// What the elements show: stress in the global frame (mean over points or through the thickness),
+/// von_mises and the law's internal scalars (largest over points or through the thickness), pressure
 /// (positive in compression).
 std::vector<Field> fields(const AnyBlock&, const Vectors& x, const Memory&);
 

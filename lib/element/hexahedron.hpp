@@ -1,12 +1,14 @@
 #pragma once
-// The 8-node hexahedron with uniform strain and stiffness hourglass control
+// The 8-node hexahedron with uniform strain and hourglass control by springs or dashpots
 // (Flanagan & Belytschko, Int. J. Num. Meth. Engng 17, 1981), worked out in modes.
 //
 // Eight nodal vectors are eight modes: the mean, three linear ones (xi, eta, zeta) and four hourglass
 // ones (eta zeta, zeta xi, xi eta, xi eta zeta). In modes, volume, gradient, velocity gradient and
 // hourglass rate are a few cross products each, without any 3 x 8 matrix: docs/theory/hexahedron.md.
 
+#include <algorithm>
 #include <array>
+#include <vector>
 
 #include "base/tensor.hpp"
 #include "element/report.hpp"
@@ -48,6 +50,21 @@ NEREID_HOT std::array<Vector<T>, 8> nodal_values(const Modes<T>& m) {
   const auto s45 = ss_high - sd_high, s76 = ss_high + sd_high;
   const auto d45 = ds_high - dd_high, d76 = ds_high + dd_high;
   return {s01 - d01, s01 + d01, s32 + d32, s32 - d32, s45 - d45, s45 + d45, s76 + d76, s76 - d76};
+}
+
+template <class T>
+NEREID_HOT Modes<T> scaled(T s, Modes<T> m) {
+  m.xi = s * m.xi, m.eta = s * m.eta, m.zeta = s * m.zeta;
+  for (auto& h : m.hourglass) h = s * h;
+  return m;
+}
+
+/// a - s b
+template <class T>
+NEREID_HOT Modes<T> behind(const Modes<T>& a, T s, const Modes<T>& b) {
+  Modes<T> m{a.xi - s * b.xi, a.eta - s * b.eta, a.zeta - s * b.zeta, {}};
+  for (int i = 0; i < 4; ++i) m.hourglass[i] = a.hourglass[i] - s * b.hourglass[i];
+  return m;
 }
 
 /// Volume of the hexahedron and its gradient by the modal amplitudes.
@@ -101,6 +118,16 @@ NEREID_HOT Matrix<T> mean_gradient(const Modes<T>& U, const Gradient<T>& g) {
   return {s * L.x, s * L.y, s * L.z};
 }
 
+/// Mean divergence of a field with modal amplitudes U, the trace of its mean gradient; of velocities the
+/// rate of the volume over the volume, exactly.
+template <class T>
+NEREID_HOT T mean_divergence(const Modes<T>& U, const Gradient<T>& g) {
+  const auto& h = U.hourglass;
+  return T(8.0) * g.per_volume *
+         (dot(U.xi, g.xi) + dot(U.eta, g.eta) + dot(U.zeta, g.zeta) + dot(h[0], g.hourglass[0]) +
+          dot(h[1], g.hourglass[1]) + dot(h[2], g.hourglass[2]));
+}
+
 /// Sums over the nodes of the products of the mean gradients' components, times V^2: V^2 B B^T. [m4]
 template <class T>
 NEREID_HOT Symmetric<T> gradient_products(const Gradient<T>& g) {
@@ -126,30 +153,62 @@ NEREID_HOT T largest_eigenvalue_bound(const Symmetric<T>& G) {
 }
 
 /// Upper bound on the squared frequencies of one element, an eighth of its mass at each node:
-///     omega^2 <= 8/(m V) (lambda tr G + 2 mu g_max),     G = V^2 B B^T
+///     omega^2 <= 8/(m V) (max(lambda, 0) tr G + 2 mu g_max),     G = V^2 B B^T
 /// Exact for a cube, where it is (2 c/h)^2 (1 + nu)/(1 - nu). The hourglass stiffness is not in it; with
 /// its default it adds less than 0.2 % to the frequencies of distorted elements. [1/s2]
 template <class T>
 NEREID_HOT T largest_frequency_squared(const Symmetric<T>& G, T per_volume, T per_mass, const material::Lame& lame) {
   return T(8.0) * per_mass * per_volume *
-         (T(lame.lambda) * trace(G) + T(2.0 * lame.mu) * largest_eigenvalue_bound(G));
+         (T(std::max(lame.lambda, 0.0)) * trace(G) + T(2.0 * lame.mu) * largest_eigenvalue_bound(G));
+}
+
+/// A pressure against the rate of volume change of a hexahedron, and what it asks of the step.
+template <class T>
+struct ViscousPressure {
+  T pressure;  // [Pa] positive in compression
+  T damping;   // [1/s] half the rate at which it damps, s of stable_step
+};
+
+/// omega_squared  [1/s2] bound on the squared frequencies, for the element's length 2 c/omega
+/// products       [m4] tr G, G = V^2 B B^T;  rate  [1/s] of volume change
+template <class T>
+NEREID_HOT ViscousPressure<T> viscous_pressure(const Viscosity& viscosity, double speed, T rate, T omega_squared, T products,
+                                               T mass, T per_mass, T per_volume) {
+  const T length = T(2.0 * speed) / root(omega_squared);
+  const T eta = bulk_viscosity(viscosity, mass * per_volume, length, speed, rate);
+  return {.pressure = -eta * rate, .damping = T(4.0) * eta * products * per_mass * per_volume};
 }
 
 /// The hexahedron as a kind of element: what it is made of and what it remembers.
 struct Hexahedron {
   static constexpr int nodes = 8;
-  static constexpr std::array<const char*, 2> stored{"elastic", "hourglass"};
+
+  enum class Hourglass {
+    stiffness,  ///< springs: they hold under load, and store what they take
+    viscous,    ///< dashpots: they add no stiffness, and dissipate what they take
+  };
 
   struct Options {
-    double hourglass = 0.1;  ///< [-] 1 would give a cube with poisson = 0 its full bending stiffness
+    double hourglass = usual_stiffness;  ///< [-] coefficient of springs, or of dashpots
     Viscosity viscosity;
+    Hourglass hourglass_kind = Hourglass::stiffness;
   };
+  static constexpr double usual_stiffness = 0.1;  ///< 1 would give a cube with poisson = 0 its full bending stiffness
+  static constexpr double usual_viscous = 0.05;   ///< fraction of critical at the bound of the frequencies
+
+  static std::vector<const char*> stored(const Options& options) {
+    return options.hourglass_kind == Hourglass::stiffness ? std::vector{"elastic", "hourglass"} : std::vector{"elastic"};
+  }
+  static std::vector<const char*> dissipated(const Options& options) {
+    return options.hourglass_kind == Hourglass::stiffness ? std::vector{"plastic", "viscous"}
+                                                          : std::vector{"plastic", "viscous", "hourglass"};
+  }
 
   /// Constants of one element.
   template <class T>
   struct Constants {
     T mass, per_mass;  ///< [kg] and its inverse
-    T hourglass;       ///< [N/m] stiffness against the hourglass rate gamma . v dt
+    T hourglass;       ///< [N/m] against gamma . v dt; viscous: [N s/m] against the hourglass rate gamma . v
     template <class F>
     void each_row(F&& f) { f(mass), f(per_mass), f(hourglass); }
     static constexpr int rows = 3;
@@ -200,16 +259,6 @@ NEREID_HOT Report<T> advance(const Law& law, const Hexahedron::Options& options,
                   const std::array<Vector<T>, 8>& v, T dt, Hexahedron::Memory<T, Law>& memory,
                   std::array<Vector<T>, 8>& force) {
   const T eighth(0.125), eight(8.0), half(0.5);
-  const auto scaled = [](T s, Modes<T> m) {
-    m.xi = s * m.xi, m.eta = s * m.eta, m.zeta = s * m.zeta;
-    for (auto& h : m.hourglass) h = s * h;
-    return m;
-  };
-  const auto behind = [](const Modes<T>& a, T s, const Modes<T>& b) {
-    Modes<T> m{a.xi - s * b.xi, a.eta - s * b.eta, a.zeta - s * b.zeta, {}};
-    for (int i = 0; i < 4; ++i) m.hourglass[i] = a.hourglass[i] - s * b.hourglass[i];
-    return m;
-  };
   const Modes<T> X = scaled(eighth, sums_by_mode(x)), V = scaled(eighth, sums_by_mode(v));
   const Modes<T> middle = behind(X, half * dt, V);
 
@@ -226,27 +275,27 @@ NEREID_HOT Report<T> advance(const Law& law, const Hexahedron::Options& options,
   const material::Work<T> work =
       update_stress(law, turned_on(half * spin, strain), memory.stress, memory.internal);
 
-  T hourglass_change(0.0);
+  const bool springs = options.hourglass_kind == Hexahedron::Hourglass::stiffness;
+  const T keeps(springs ? 1.0 : 0.0), grows = constants.hourglass * (springs ? dt : T(1.0));
+  T hourglass_work(0.0);
   for (int a = 0; a < 4; ++a) {
     const Vector<T> rate_there = eight * (V.hourglass[a] - L * middle.hourglass[a]);
     const Vector<T> rate = rate_there + cross(half * spin, rate_there);
     const Vector<T> old = Q * memory.hourglass[a];
-    const Vector<T> now = old + (constants.hourglass * dt) * rate;
-    hourglass_change = hourglass_change + half * dt * dot(old + now, rate);
+    const Vector<T> now = keeps * old + grows * rate;
+    hourglass_work = hourglass_work + half * dt * dot(old + now, rate);
     memory.hourglass[a] = now;
   }
 
   // at the end of the step: stable step, viscous pressure, forces
   const Gradient<T> at_end = volume_gradient(X);
   const auto lame = material::lame(law);
-  const double speed = material::wave_speed(law);
   const Symmetric<T> G = gradient_products(at_end);
   const T omega_squared = largest_frequency_squared(G, at_end.per_volume, constants.per_mass, lame);
-  const T density = constants.mass * at_end.per_volume;
-  const T length = T(2.0 * speed) / root(omega_squared);
   const T rate = L.x.x + L.y.y + L.z.z;
-  const T eta = bulk_viscosity(options.viscosity, density, length, speed, rate);
-  const T viscous = -eta * rate;
+  const auto bulk = viscous_pressure(options.viscosity, material::wave_speed(law), rate, omega_squared, trace(G),
+                                     constants.mass, constants.per_mass, at_end.per_volume);
+  const T viscous = bulk.pressure;
   const T viscous_work = half * (memory.viscous + viscous) * rate * dt * at_middle.volume;
   memory.viscous = viscous;
 
@@ -259,31 +308,32 @@ NEREID_HOT Report<T> advance(const Law& law, const Hexahedron::Options& options,
   for (int a = 0; a < 3; ++a) F.hourglass[a] = F.hourglass[a] + S * at_end.hourglass[a];
   force = nodal_values(scaled(T(-1.0), F));
 
-  const T damping = T(4.0) * eta * trace(G) * constants.per_mass * at_end.per_volume;
-  return {.stored = {work.stored * at_middle.volume, hourglass_change},
+  const T zero(0.0), damping = springs ? bulk.damping : bulk.damping + T(32.0) * constants.hourglass * constants.per_mass;
+  return {.stored = {work.stored * at_middle.volume, springs ? hourglass_work : zero},
           .plastic = work.dissipated * at_middle.volume,
           .viscous = -viscous_work,
+          .hourglass = springs ? zero : hourglass_work,
           .step = stable_step(omega_squared, damping),
           .size = at_end.volume * T(law.density) * constants.per_mass};
 }
 
 /// Constants of a hexahedron in its reference positions.
 ///
-/// The hourglass stiffness k = kappa 2 mu (V^2 B:B) / (72 V): for a cube with poisson = 0 and
-/// kappa = 1, the stiffness of the exact element in bending.
+/// Springs      k = kappa 2 mu (V^2 B:B) / (72 V): for a cube with poisson = 0 and kappa = 1, the stiffness
+///              of the exact element in bending.
+/// Dashpots     c = epsilon m omega/32,  omega^2 = 8/(3 m V) (lambda + 2 mu) V^2 B:B; for a cube omega is 2 c/h
+///              of its wave speed c, and an hourglass velocity falls as exp(-2 epsilon omega t).
 template <class T, class Law>
 NEREID_HOT Hexahedron::Constants<T> constants(const Law& law, const Hexahedron::Options& options,
                                    const std::array<Vector<T>, 8>& X) {
-  Modes<T> modes = sums_by_mode(X);
-  const T eighth(0.125);
-  modes.xi = eighth * modes.xi, modes.eta = eighth * modes.eta, modes.zeta = eighth * modes.zeta;
-  for (auto& h : modes.hourglass) h = eighth * h;
-  const Gradient<T> g = volume_gradient(modes);
-  const double mu = material::lame(law).mu;
-  const T mass = T(law.density) * g.volume;
+  const Gradient<T> g = volume_gradient(scaled(T(0.125), sums_by_mode(X)));
+  const auto [lambda, mu] = material::lame(law);
+  const T mass = T(law.density) * g.volume, products = trace(gradient_products(g)) * g.per_volume;
+  const bool springs = options.hourglass_kind == Hexahedron::Hourglass::stiffness;
   return {.mass = mass,
           .per_mass = T(1.0) / mass,
-          .hourglass = T(options.hourglass * 2.0 * mu / 72.0) * trace(gradient_products(g)) * g.per_volume};
+          .hourglass = springs ? T(options.hourglass * 2.0 * mu / 72.0) * products
+                               : T(options.hourglass / 32.0) * root(T(8.0 / 3.0 * (lambda + 2.0 * mu)) * products * mass)};
 }
 
 }  // namespace nereid::element

@@ -4,6 +4,7 @@
 // co-rotational, with transverse shear taken from the edges: docs/theory/plate.md.
 
 #include <array>
+#include <vector>
 
 #include "base/tensor.hpp"
 #include "element/report.hpp"
@@ -93,7 +94,6 @@ Layers gauss_layers(int count);
 /// The plate as a kind of element: what it is made of and what it remembers.
 struct Plate {
   static constexpr int nodes = 3;
-  static constexpr std::array<const char*, 2> stored{"elastic", "transverse_shear"};
   static constexpr int most_layers = 9;
   static constexpr double shear_factor = 5.0 / 6.0;  ///< [-] of a homogeneous section
 
@@ -108,6 +108,9 @@ struct Plate {
     RotaryInertia rotary_inertia = RotaryInertia::scaled;
     Viscosity viscosity;
   };
+
+  static std::vector<const char*> stored(const Options&) { return {"elastic", "transverse_shear"}; }
+  static std::vector<const char*> dissipated(const Options&) { return {"plastic", "viscous"}; }
 
   template <class T>
   struct Constants {
@@ -306,6 +309,7 @@ NEREID_HOT Report<T> advance(const Law& law, const Plate::Options& options, cons
   return {.stored = {stored * middle_volume, shear_stored * middle.area},
           .plastic = dissipated * middle_volume,
           .viscous = -viscous_work,
+          .hourglass = zero,
           .step = stable_step(larger(omega_squared.membrane, omega_squared.bending_and_shear), damping),
           .size = volume * T(law.density) / constants.mass};
 }

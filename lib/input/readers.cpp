@@ -12,10 +12,13 @@ element::AnyLaw read_law(const Section& section) {
   const Section if_plastic = section.when(plastic);
   const double yield = if_plastic.quantity("yield", dim::stress, positive);
   const double tangent = if_plastic.quantity("tangent", dim::stress, not_negative);
+  const std::string hardening = if_plastic.choice_or("hardening", "isotropic", {"isotropic", "kinematic", "mixed"});
+  const double share = if_plastic.when(hardening == "mixed").number("isotropic_share", within(0, 1));
   if (!plastic) return material::Elastic{density, young, poisson};
   if (section.sound() && !(tangent < young))
     section.fault("tangent", "'tangent' must be below 'young': it is the slope of the stress-strain curve beyond yield");
-  return material::J2Bilinear{density, young, poisson, yield, tangent};
+  if (hardening == "isotropic") return material::J2Bilinear{density, young, poisson, yield, tangent};
+  return material::J2Mixed{density, young, poisson, yield, tangent, hardening == "mixed" ? share : 0.0};
 }
 
 element::Viscosity read_viscosity(const Section& section) {

@@ -10,7 +10,8 @@
 namespace nereid::input {
 
 /// `kind: elastic | j2_bilinear`, `density`, `young`, `poisson`; the latter also `yield` and `tangent`,
-/// the slope of the uniaxial stress-strain curve beyond the yield stress, below young.
+/// the slope of the uniaxial stress-strain curve beyond the yield stress, below young; and optionally
+/// `hardening: isotropic | kinematic | mixed`, where `mixed` needs `isotropic_share`, 0 (kinematic) to 1 (isotropic).
 element::AnyLaw read_law(const Section&);
 
 /// Optional `viscosity: {linear, quadratic}` of a body.

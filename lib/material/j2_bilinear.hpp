@@ -92,6 +92,47 @@ NEREID_HOT Work<T> update_stress(const J2Bilinear& law, const Symmetric<T>& stra
   return split_work(old, stress, strain, plastic);
 }
 
+/// The multiplier g >= 0 of the flow in a plate: zero, or the root of
+///     q(g) (1 - slope g) = yield,     q(g)^2 = sum / (1 + sum_rate g)^2 + shear / (1 + shear_rate g)^2.
+///
+/// Newton runs on  1/q(g) - (1 - slope g) / yield,  which has the same root. This function is
+/// increasing and concave for g >= 0, so from g = 0 the iterates climb to the root and never pass
+/// it; and it is nearly straight, so about four suffice even for a trial a hundred times beyond
+/// yield.
+///
+/// sum, shear             [Pa2] the two parts of the squared von Mises stress of the trial
+/// yield                  [Pa] von Mises stress at which flow begins
+/// sum_rate, shear_rate   [Pa] how fast the flow takes them back
+/// slope                  [Pa] two thirds of the modulus by which the yield stress grows
+/// returns                [1/Pa] exactly zero where sum + shear <= yield^2
+///
+/// Needs  yield, sum_rate, shear_rate > 0, slope >= 0
+template <class T>
+NEREID_HOT T flow_multiplier(const T& sum, const T& shear, const T& yield, const T& sum_rate, const T& shear_rate,
+                             const T& slope) {
+  const T one(1.0);
+  Mask<T> moving = sum + shear > yield * yield;
+
+  // Elastic lanes run along on the yield surface, where nothing divides by zero, and stay at g = 0.
+  const T q2_sum = select(moving, sum, yield * yield);
+  const T q2_shear = select(moving, shear, T(0.0));
+
+  T g(0.0);
+  constexpr int most = 30;          // four are usual; the bound only keeps a NaN from hanging
+  constexpr double at_rest = 1e-9;  // relative; Newton squares it, so round-off alone is left
+  for (int iteration = 0; iteration < most && any(moving); ++iteration) {
+    const T a = one / (one + sum_rate * g), b = one / (one + shear_rate * g);
+    const T part_sum = q2_sum * a * a, part_shear = q2_shear * b * b;
+    const T q2 = part_sum + part_shear, q = root(q2);
+    const T decay = (part_sum * sum_rate * a + part_shear * shear_rate * b) / q2;  // -(dq/dg) / q
+    const T step = ((one - slope * g) * q - yield) / (yield * decay + slope * q);
+    g = select(moving, larger(g + step, T(0.0)), g);  // round-off must not undo a tiny flow
+    // A lane that has come to rest is left alone, so its bits do not depend on its neighbours.
+    moving = moving && step * shear_rate > T(at_rest) * (one + shear_rate * g);
+  }
+  return g;
+}
+
 /// Return in plane stress: the plate thins plastically and its zz stress stays zero.
 ///
 /// With s = xx + yy, d = xx - yy, t = xy of the trial stress, the multiplier g >= 0 of the flow
@@ -100,11 +141,6 @@ NEREID_HOT Work<T> update_stress(const J2Bilinear& law, const Symmetric<T>& stra
 ///     q(g) (1 - 2/3 H g) = Y,     q(g)^2 = s(g)^2 / 4 + 3/4 d(g)^2 + 3 t(g)^2,
 /// and the equivalent plastic strain grows by 2/3 g q(g). Simo & Taylor, Int. J. Numer. Meth. Engng
 /// 22 (1986) 649; docs/theory/bilinear_plasticity.md.
-///
-/// Newton runs on  1/q(g) - (1 - 2/3 H g) / Y,  which has the same root. This function is
-/// increasing and concave for g >= 0, so from g = 0 the iterates climb to the root and never pass
-/// it; and it is nearly straight, so about four suffice even for a trial a hundred times beyond
-/// yield.
 ///
 /// strain, stress, internal, returns  as in space, with the components of the plane
 ///
@@ -123,25 +159,7 @@ NEREID_HOT Work<T> update_stress(const J2Bilinear& law, const Plane<T>& strain, 
   const T yield = yield_stress(law, internal.scalar[0]);
   const T trial_sum = T(0.25) * sum * sum;
   const T trial_shear = T(0.75) * difference * difference + T(3.0) * trial.xy * trial.xy;
-  Mask<T> moving = trial_sum + trial_shear > yield * yield;
-
-  // Elastic lanes run along on the yield surface, where nothing divides by zero, and stay at g = 0.
-  const T q2_sum = select(moving, trial_sum, yield * yield);
-  const T q2_shear = select(moving, trial_shear, T(0.0));
-
-  T g(0.0);
-  constexpr int most = 30;          // four are usual; the bound only keeps a NaN from hanging
-  constexpr double at_rest = 1e-9;  // relative; Newton squares it, so round-off alone is left
-  for (int iteration = 0; iteration < most && any(moving); ++iteration) {
-    const T a = one / (one + sum_rate * g), b = one / (one + shear_rate * g);
-    const T part_sum = q2_sum * a * a, part_shear = q2_shear * b * b;
-    const T q2 = part_sum + part_shear, q = root(q2);
-    const T decay = (part_sum * sum_rate * a + part_shear * shear_rate * b) / q2;  // -(dq/dg) / q
-    const T step = ((one - slope * g) * q - yield) / (yield * decay + slope * q);
-    g = select(moving, larger(g + step, T(0.0)), g);  // round-off must not undo a tiny flow
-    // A lane that has come to rest is left alone, so its bits do not depend on its neighbours.
-    moving = moving && step * shear_rate > T(at_rest) * (one + shear_rate * g);
-  }
+  const T g = flow_multiplier(trial_sum, trial_shear, yield, sum_rate, shear_rate, slope);
 
   // Differences of the trial, not new values, so that g = 0 leaves every bit of it.
   const T a = one / (one + sum_rate * g), b = one / (one + shear_rate * g);

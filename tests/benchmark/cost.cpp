@@ -1,8 +1,8 @@
 // What one update of an element costs in Nereid, to be put beside tests/benchmark/floor.cpp.
 //
-//     cost hexahedra|plates N STEPS
+//     cost hexahedra|viscous|full|plates N STEPS
 //
-// A block of N^3 hexahedra, or a sheet of about 2 N^2 plates, plastic, on one thread. Prints the
+// A block of N^3 hexahedra (one point with springs or dashpots, or eight points), or a sheet of about 2 N^2 plates, plastic, on one thread. Prints the
 // nanoseconds per element update of the element kernels alone and of the whole step with its ledger.
 
 #include <chrono>
@@ -22,10 +22,10 @@ double seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-dynamics::Model hexahedra(int n, const material::J2Bilinear& law) {
+dynamics::Model hexahedra(int n, const material::J2Bilinear& law, const element::AnyHexahedronOptions& options) {
   dynamics::Model model;
   model.mesh = mesh::box("block", {Vec3::Zero(), Vec3::Ones(), {n, n, n}});
-  model.blocks.push_back(element::hexahedra(model.mesh, "block", law, {}));
+  model.blocks.push_back(element::solids(model.mesh, "block", law, options));
   dynamics::finish(model);
   return model;
 }
@@ -59,7 +59,12 @@ int main(int argc, char** argv) {
   const int n = argc > 2 ? std::atoi(argv[2]) : 20, steps = argc > 3 ? std::atoi(argv[3]) : 400;
   use_threads(1);
   const material::J2Bilinear law{1.0, 1.0, 0.3, 1e-3, 0.1};
-  const dynamics::Model model = kind == "plates" ? plates(n, law) : hexahedra(n, law);
+  using element::Hexahedron;
+  const auto control = kind == "viscous" ? Hexahedron::Hourglass::viscous : Hexahedron::Hourglass::stiffness;
+  const Hexahedron::Options one_point{.viscosity = {}, .hourglass_kind = control};
+  const dynamics::Model model = kind == "plates" ? plates(n, law)
+                                : kind == "full" ? hexahedra(n, law, element::FullHexahedron::Options{})
+                                                 : hexahedra(n, law, one_point);
   dynamics::State state = dynamics::initial_state(model, {});
   dynamics::Forces forces = dynamics::make_forces(model, {});
   for (Eigen::Index node = 0; node < state.v.cols(); ++node)  // stretched and sheared, so that it flows

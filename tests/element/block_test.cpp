@@ -15,10 +15,12 @@ namespace {
 
 using material::Elastic;
 using material::J2Bilinear;
+using material::J2Mixed;
 using Point = Vector<double>;
 
 const Elastic elastic{2.0, 3.0, 0.3};
 const J2Bilinear plastic{2.0, 3.0, 0.3, 0.01, 0.3};
+const J2Mixed mixed{2.0, 3.0, 0.3, 0.01, 0.3, 0.25};  // remembers a tensor too
 
 /// A distorted block of hexahedra, or of the triangles of its upper face; two tiles and some
 /// fillers.
@@ -78,11 +80,12 @@ Vectors by_node(const Scene& s, const Vectors& places) {
 
 Point column(const Vectors& x, Index n) { return {x(0, n), x(1, n), x(2, n)}; }
 
-TEST(Block, OfHexahedraIsTheSumOfItsElements) {
-  Scene s = solids(plastic);
-  const auto& block = std::get<Block<Hexahedron, J2Bilinear>>(s.block);
+template <class Law>
+void solids_are_the_sum_of_their_elements(const Law& law) {
+  Scene s = solids(law);
+  const auto& block = std::get<Block<Hexahedron, Law>>(s.block);
   ASSERT_GT(block.tiling.tiles.size(), 1u);
-  std::vector<Hexahedron::Memory<double, J2Bilinear>> one(block.nodes.cols());
+  std::vector<Hexahedron::Memory<double, Law>> one(block.nodes.cols());
   for (int step = 0; step < 3; ++step) {
     const Vote vote = s.move(0.1);
     Vectors force = Vectors::Zero(3, s.x.cols());
@@ -94,8 +97,8 @@ TEST(Block, OfHexahedraIsTheSumOfItsElements) {
         const Index n = block.nodes(a, e);
         X[a] = column(s.mesh.X, n), x[a] = column(s.x, n), v[a] = column(s.v, n);
       }
-      const auto report = advance(plastic, block.options, constants(plastic, block.options, X), x,
-                                  v, 0.1, one[e], f);
+      const auto report = advance(law, block.options, constants(law, block.options, X), x, v, 0.1,
+                                  one[e], f);
       for (int a = 0; a < 8; ++a) force.col(block.nodes(a, e)) += Vec3(f[a].x, f[a].y, f[a].z);
       if (report.step < least_step) least_step = report.step, step_at = e;
       if (report.size < least_size) least_size = report.size, size_at = e;
@@ -112,10 +115,16 @@ TEST(Block, OfHexahedraIsTheSumOfItsElements) {
   }
 }
 
-TEST(Block, OfPlatesIsTheSumOfItsElements) {
-  Scene s = skin(plastic);
-  const auto& block = std::get<Block<Plate, J2Bilinear>>(s.block);
-  std::vector<Plate::Memory<double, J2Bilinear>> one(block.nodes.cols());
+TEST(Block, OfHexahedraIsTheSumOfItsElements) {
+  solids_are_the_sum_of_their_elements(plastic);
+  solids_are_the_sum_of_their_elements(mixed);
+}
+
+template <class Law>
+void plates_are_the_sum_of_their_elements(const Law& law) {
+  Scene s = skin(law);
+  const auto& block = std::get<Block<Plate, Law>>(s.block);
+  std::vector<Plate::Memory<double, Law>> one(block.nodes.cols());
   for (int step = 0; step < 3; ++step) {
     const Vote vote = s.move(0.1);
     Vectors force = Vectors::Zero(3, s.x.cols()), moment = force;
@@ -127,8 +136,8 @@ TEST(Block, OfPlatesIsTheSumOfItsElements) {
         X[a] = column(s.mesh.X, n), x[a] = column(s.x, n), v[a] = column(s.v, n),
         w[a] = column(s.w, n);
       }
-      const auto report = advance(plastic, block.options, block.layers,
-                                  constants(plastic, block.options, X), x, v, w, 0.1, one[e], f, m);
+      const auto report = advance(law, block.options, block.layers,
+                                  constants(law, block.options, X), x, v, w, 0.1, one[e], f, m);
       for (int a = 0; a < 3; ++a) {
         force.col(block.nodes(a, e)) += Vec3(f[a].x, f[a].y, f[a].z);
         moment.col(block.nodes(a, e)) += Vec3(m[a].x, m[a].y, m[a].z);
@@ -143,8 +152,14 @@ TEST(Block, OfPlatesIsTheSumOfItsElements) {
   }
 }
 
+TEST(Block, OfPlatesIsTheSumOfItsElements) {
+  plates_are_the_sum_of_their_elements(plastic);
+  plates_are_the_sum_of_their_elements(mixed);
+}
+
 TEST(Block, WorkIsStoredOrDissipatedUpToTheSecondOrderOfTheStep) {
-  for (Scene start : {solids(elastic), solids(plastic), skin(elastic), skin(plastic)}) {
+  for (Scene start : {solids(elastic), solids(plastic), solids(mixed), skin(elastic), skin(plastic),
+                      skin(mixed)}) {
     const auto left_over = [&](int steps) {
       Scene s = start;
       for (int step = 0; step < steps; ++step) s.move(0.2 / steps);

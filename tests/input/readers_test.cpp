@@ -35,6 +35,28 @@ TEST(ReadLaw, RefusesATangentAboveYoung) {
   EXPECT_THROW(read("kind: j2_bilinear\ndensity: 1 kg/m^3\nyoung: 1 Pa\npoisson: 0\nyield: 2 Pa\ntangent: 2 Pa\n", read_law), CaseError);
 }
 
+const std::string steel = "kind: j2_bilinear\ndensity: 1 kg/m^3\nyoung: 4 Pa\npoisson: 0\nyield: 1 Pa\ntangent: 2 Pa\n";
+
+TEST(ReadLaw, HardensIsotropicallyUnlessToldOtherwise) {
+  EXPECT_TRUE(std::holds_alternative<material::J2Bilinear>(read(steel, read_law)));
+  EXPECT_TRUE(std::holds_alternative<material::J2Bilinear>(read(steel + "hardening: isotropic\n", read_law)));
+  const auto kinematic = read(steel + "hardening: kinematic\n", read_law);
+  EXPECT_EQ(std::get<material::J2Mixed>(kinematic).isotropic, 0.0);
+  EXPECT_EQ(std::get<material::J2Mixed>(kinematic).tangent, 2.0);
+  const auto mixed = read(steel + "hardening: mixed\nisotropic_share: 0.25\n", read_law);
+  EXPECT_EQ(std::get<material::J2Mixed>(mixed).isotropic, 0.25);
+}
+
+TEST(ReadLaw, WantsTheShareOfMixedHardeningAndOfNoOther) {
+  EXPECT_THROW(read(steel + "hardening: mixed\n", read_law), CaseError);
+  EXPECT_THROW(read(steel + "hardening: mixed\nisotropic_share: 1.5\n", read_law), CaseError);
+  const CaseFile file = CaseFile::parse(steel + "hardening: kinematic\nisotropic_share: 0.5\n", "case.yaml");
+  EXPECT_EQ(std::get<material::J2Mixed>(read_law(file.root())).isotropic, 0.0);
+  file.finish();
+  ASSERT_EQ(file.not_used().size(), 1U);
+  EXPECT_EQ(file.not_used()[0].rfind("isotropic_share", 0), 0U);
+}
+
 TEST(ReadInterface, LetsTheCodeChooseUnlessAPenaltyIsGiven) {
   EXPECT_FALSE(read("hardness: 5\n", read_interface).penalty.has_value());
   EXPECT_EQ(read("hardness: 5\n", read_interface).hardness, 5);

@@ -8,7 +8,7 @@
 
 #include "base/dual.hpp"
 #include "material/elastic.hpp"
-#include "tests/material/memory.hpp"
+#include "tests/material/point.hpp"
 
 namespace nereid::material {
 namespace {

@@ -1,0 +1,22 @@
+#pragma once
+// What blocks of one kind and law can do, behind the functions of block.hpp. Each kind is compiled in a
+// source of its own, because packs are slow to compile: kernels_hexahedron.cpp and its companions.
+
+#include "element/block.hpp"
+
+namespace nereid::element {
+
+/// The functions of block.hpp that need the element itself; bodies in kernels_body.hpp.
+template <class Kind, class Law>
+struct Kernels {
+  static Block<Kind, Law> make(const mesh::Mesh&, const std::string& name, const Connectivity& nodes, const Law&,
+                               const typename Kind::Options&);
+  static void add_mass(const Block<Kind, Law>&, Scalars& mass);
+  static void add_rotary_inertia(const Block<Kind, Law>&, Scalars& inertia);
+  static Memory initial_memory(const Block<Kind, Law>&);
+  static Vote advance(const Block<Kind, Law>&, const Vectors& x, const Vectors& v, const Vectors& w, double dt, Memory&,
+                      TileForces&);
+  static std::vector<Field> fields(const Block<Kind, Law>&, const Vectors& x, const Memory&);
+};
+
+}  // namespace nereid::element

@@ -1,0 +1,335 @@
+#pragma once
+// Bodies of Kernels, for the sources that instantiate them: one per kind of element.
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/parallel.hpp"
+#include "element/kernels.hpp"
+
+namespace nereid::element {
+
+constexpr Index most_places = 128 * 8;  // of a tile: 128 elements that share no node
+
+/// Rows that one element of a block remembers.
+template <class Kind, class Law>
+int memory_rows(const Block<Kind, Law>& block) {
+  if constexpr (std::is_same_v<Kind, Plate>) {
+    return Plate::Memory<double, Law>::rows(block.layers.count);
+  } else {
+    return Kind::template Memory<double, Law>::rows;
+  }
+}
+
+/// Calls visit(row, address) for the rows of a pack's memory, in order.
+template <class Kind, class Law, class Memory, class Visit>
+void each_row(const Block<Kind, Law>& block, Memory& memory, double* at, Visit&& visit) {
+  const auto next = [&](auto& row) {
+    visit(row, at);
+    at += lanes;
+  };
+  if constexpr (std::is_same_v<Kind, Plate>) {
+    memory.each_row(next, block.layers.count);
+  } else {
+    memory.each_row(next);
+  }
+}
+
+/// One nodal vector for each lane, gathered from the tile's places. Built in registers: a detour over
+/// memory would read a pack that was just written in pieces, and wait for it.
+NEREID_HOT Vector<Pack> gather(const double* local, const Index* place) {
+  const auto component = [&](int axis) {
+    return Pack([&](auto lane) { return local[3 * place[static_cast<int>(lane)] + axis]; });
+  };
+  return {component(0), component(1), component(2)};
+}
+
+inline void scatter(const Vector<Pack>& v, const Index* place, int filled, double* local) {
+  alignas(64) double lane[3][lanes];
+  write_lanes(v.x, lane[0]), write_lanes(v.y, lane[1]), write_lanes(v.z, lane[2]);
+  for (int l = 0; l < filled; ++l) {
+    double* to = local + 3 * place[l];
+    for (int axis = 0; axis < 3; ++axis) to[axis] += lane[axis][l];
+  }
+}
+
+inline double sum_of_products(const double* a, const double* b, Index count) {
+  Pack sums[4] = {Pack(0.0), Pack(0.0), Pack(0.0), Pack(0.0)};  // additions that need not wait for one another
+  Index i = 0;
+  for (int turn = 0; i + lanes <= count; i += lanes, turn = (turn + 1) % 4) {
+    Pack x, y;
+    read_lanes(a + i, x), read_lanes(b + i, y);
+    sums[turn] += x * y;
+  }
+  const Pack packed = (sums[0] + sums[1]) + (sums[2] + sums[3]);
+  double sum = 0;
+  for (int lane = 0; lane < lanes; ++lane) sum += packed[lane];
+  for (; i < count; ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+/// Lane numbers as a pack, to tell filled lanes from fillers.
+inline Pack lane_numbers() {
+  return Pack([](auto lane) { return static_cast<double>(static_cast<int>(lane)); });
+}
+
+template <class Kind, class Law>
+void advance_tile(const Block<Kind, Law>& block, const Tile& tile, const Vectors& x, const Vectors& v,
+                  const Vectors& w, double dt, double* rows, TileForces& forces,
+                  TileForces::Report& report) {
+  constexpr int corners = Kind::nodes;
+  constexpr bool turns = std::is_same_v<Kind, Plate>;
+  alignas(64) double x_here[3 * most_places], v_here[3 * most_places];
+  alignas(64) double w_here[turns ? 3 * most_places : 1];
+  for (Index p = 0; p < tile.nodes; ++p) {
+    const Index node = block.tiling.node[tile.first_node + p];
+    for (int axis = 0; axis < 3; ++axis) {
+      x_here[3 * p + axis] = x(axis, node);
+      v_here[3 * p + axis] = v(axis, node);
+      if constexpr (turns) w_here[3 * p + axis] = w(axis, block.turning[tile.first_node + p]);
+    }
+  }
+  double* force_here = forces.force.data() + 3 * static_cast<std::size_t>(tile.first_node);
+  double* moment_here = turns ? forces.moment.data() + 3 * static_cast<std::size_t>(tile.first_node) : nullptr;
+  const auto power = [&] {
+    double p = sum_of_products(force_here, v_here, 3 * tile.nodes);
+    if constexpr (turns) p += sum_of_products(moment_here, w_here, 3 * tile.nodes);
+    return p;
+  };
+  double work = power();
+  std::fill_n(force_here, 3 * tile.nodes, 0.0);
+  if constexpr (turns) std::fill_n(moment_here, 3 * tile.nodes, 0.0);
+
+  const int memory_size = memory_rows(block) * lanes;
+  constexpr int constants_size = Kind::template Constants<double>::rows * lanes;
+  const Pack lane = lane_numbers();
+  Pack stored0(0.0), stored1(0.0), plastic(0.0), viscous(0.0), hourglass(0.0);
+  Pack step(1e300), size(1e300), step_at(-1.0), size_at(-1.0);
+  for (Index pack = tile.first_pack; pack < tile.first_pack + tile.packs; ++pack) {
+    const Index* place = block.tiling.place.data() + static_cast<std::size_t>(pack) * corners * lanes;
+    std::array<Vector<Pack>, corners> xs, vs, fs;
+    for (int a = 0; a < corners; ++a) {
+      xs[a] = gather(x_here, place + a * lanes);
+      vs[a] = gather(v_here, place + a * lanes);
+    }
+    typename Kind::template Constants<Pack> constants;
+    const double* constant = block.constants.data() + static_cast<std::size_t>(pack) * constants_size;
+    constants.each_row([&](Pack& row) { read_lanes(constant, row), constant += lanes; });
+    typename Kind::template Memory<Pack, Law> memory;
+    double* at = rows + static_cast<std::size_t>(pack) * memory_size;
+    each_row(block, memory, at, [](Pack& row, const double* from) { read_lanes(from, row); });
+
+    Report<Pack> here;
+    const int filled = block.tiling.filled[pack];
+    if constexpr (turns) {
+      std::array<Vector<Pack>, corners> ws, ms;
+      for (int a = 0; a < corners; ++a) ws[a] = gather(w_here, place + a * lanes);
+      here = advance(block.law, block.options, block.layers, constants, xs, vs, ws, Pack(dt), memory, fs, ms);
+      for (int a = 0; a < corners; ++a) scatter(ms[a], place + a * lanes, filled, moment_here);
+    } else {
+      here = advance(block.law, block.options, constants, xs, vs, Pack(dt), memory, fs);
+    }
+    for (int a = 0; a < corners; ++a) scatter(fs[a], place + a * lanes, filled, force_here);
+    each_row(block, memory, at, [](const Pack& row, double* to) { write_lanes(row, to); });
+
+    const auto own = lane < Pack(static_cast<double>(filled));
+    const Pack zero(0.0), number = Pack(static_cast<double>(pack) * lanes) + lane;
+    stored0 += select(own, here.stored[0], zero);
+    stored1 += select(own, here.stored[1], zero);
+    plastic += select(own, here.plastic, zero);
+    viscous += select(own, here.viscous, zero);
+    hourglass += select(own, here.hourglass, zero);
+    step_at = select(here.step < step, number, step_at);
+    step = smaller(step, here.step);
+    const auto worse = here.size < size || here.size != here.size;  // NaN is worst, and stays
+    size_at = select(worse, number, size_at);
+    size = select(worse, here.size, size);
+  }
+  work = 0.5 * dt * (work + power());
+
+  report = {.work = work, .stored = {0, 0}, .plastic = 0, .viscous = 0, .hourglass = 0, .step = 1e300,
+            .size = 1e300, .step_element = -1, .size_element = -1};
+  for (int l = 0; l < lanes; ++l) {
+    report.stored[0] += stored0[l];
+    report.stored[1] += stored1[l];
+    report.plastic += plastic[l];
+    report.viscous += viscous[l];
+    report.hourglass += hourglass[l];
+    if (step[l] < report.step) {
+      report.step = step[l];
+      report.step_element = block.tiling.element[static_cast<std::size_t>(step_at[l])];
+    }
+    if (size[l] < report.size || std::isnan(size[l])) {
+      report.size = size[l];
+      report.size_element = block.tiling.element[static_cast<std::size_t>(size_at[l])];
+    }
+  }
+}
+
+/// Calls visit(element, constants) for each element of a block, in the order of its lanes.
+template <class Kind, class Law, class Visit>
+void each_element(const Block<Kind, Law>& block, Visit&& visit) {
+  constexpr int rows = Kind::template Constants<double>::rows;
+  for (std::size_t pack = 0; pack < block.tiling.filled.size(); ++pack) {
+    for (int lane = 0; lane < block.tiling.filled[pack]; ++lane) {
+      typename Kind::template Constants<double> constants;
+      const double* from = block.constants.data() + pack * rows * lanes + lane;
+      constants.each_row([&](double& row) { row = *from, from += lanes; });
+      visit(pack, lane, constants);
+    }
+  }
+}
+
+template <class Kind, class Law>
+typename Kind::template Memory<double, Law> read_memory(const Block<Kind, Law>& block, const Memory& memory,
+                                                        std::size_t pack, int lane) {
+  typename Kind::template Memory<double, Law> here{};
+  auto* at = const_cast<double*>(memory.rows.data()) + pack * memory_rows(block) * lanes + lane;
+  each_row(block, here, at, [](double& row, const double* from) { row = *from; });
+  return here;
+}
+
+inline Vector<double> column(const Vectors& x, Index node) { return {x(0, node), x(1, node), x(2, node)}; }
+
+/// Stress in the global frame, largest von Mises stress and internal scalars of one element.
+template <class Law>
+Symmetric<double> shown(const Hexahedron::Memory<double, Law>& memory, const Block<Hexahedron, Law>&,
+                        const Vectors&, Index, double& mises, std::array<double, Law::internal.size()>& internal) {
+  mises = material::von_mises(memory.stress);
+  internal = memory.internal.scalar;
+  return memory.stress;
+}
+template <class Law>
+Symmetric<double> shown(const FullHexahedron::Memory<double, Law>& memory, const Block<FullHexahedron, Law>&,
+                        const Vectors&, Index, double& mises, std::array<double, Law::internal.size()>& internal) {
+  Symmetric<double> sum{0, 0, 0, 0, 0, 0};
+  mises = 0;
+  internal.fill(0);
+  for (const auto& point : memory.points) {
+    sum = sum + point.stress;
+    mises = std::max(mises, material::von_mises(point.stress));
+    for (std::size_t i = 0; i < internal.size(); ++i) internal[i] = std::max(internal[i], point.internal.scalar[i]);
+  }
+  return (1.0 / FullHexahedron::gauss_points) * sum;
+}
+template <class Law>
+Symmetric<double> shown(const Plate::Memory<double, Law>& memory, const Block<Plate, Law>& block, const Vectors& x,
+                        Index element, double& mises, std::array<double, Law::internal.size()>& internal) {
+  std::array<Vector<double>, 3> corners;
+  for (int a = 0; a < 3; ++a) corners[a] = column(x, block.nodes(a, element));
+  Plane<double> mean{0, 0, 0};
+  mises = 0;
+  internal.fill(0);
+  for (int l = 0; l < block.layers.count; ++l) {
+    const auto& layer = memory.layers[l];
+    mean = mean + block.layers.weight[l] * layer.stress;
+    mises = std::max(mises, material::von_mises(layer.stress));
+    for (std::size_t i = 0; i < internal.size(); ++i) internal[i] = std::max(internal[i], layer.internal.scalar[i]);
+  }
+  const auto [e1, e2, e3] = plate_shape(corners).frame;
+  const Matrix<double> Q{{e1.x, e2.x, e3.x}, {e1.y, e2.y, e3.y}, {e1.z, e2.z, e3.z}};
+  return rotate(Q, Symmetric<double>{mean.xx, mean.yy, 0, mean.xy, 0, 0});
+}
+
+template <class Kind, class Law>
+Vote Kernels<Kind, Law>::advance(const Block<Kind, Law>& block, const Vectors& x, const Vectors& v, const Vectors& w,
+                                 double dt, Memory& memory, TileForces& forces) {
+  parallel_for(static_cast<Index>(block.tiling.tiles.size()), 2, [&](Index t) {
+    advance_tile(block, block.tiling.tiles[t], x, v, w, dt, memory.rows.data(), forces, forces.reports[t]);
+  });
+  Vote vote;
+  for (const TileForces::Report& report : forces.reports) {
+    memory.work += report.work;
+    for (int s = 0; s < 2; ++s) memory.stored[s] += report.stored[s];
+    memory.plastic += report.plastic;
+    memory.viscous += report.viscous;
+    memory.hourglass += report.hourglass;
+    if (report.step < vote.step) vote.step = report.step, vote.step_element = report.step_element;
+    if (report.size < vote.size || std::isnan(report.size)) {
+      vote.size = report.size, vote.size_element = report.size_element;
+    }
+  }
+  return vote;
+}
+
+template <class Kind, class Law>
+Block<Kind, Law> Kernels<Kind, Law>::make(const mesh::Mesh& mesh, const std::string& name, const Connectivity& nodes,
+                                          const Law& law, const typename Kind::Options& options) {
+  Block<Kind, Law> block{.name = name, .law = law, .options = options, .nodes = nodes,
+                         .tiling = cut_into_tiles(nodes, mesh.X), .constants = {}, .layers = {}, .turning = {}};
+  if constexpr (std::is_same_v<Kind, Plate>) block.layers = gauss_layers(options.layers);
+  const std::size_t packs = block.tiling.filled.size();
+  constexpr int rows = Kind::template Constants<double>::rows;
+  block.constants.resize(packs * rows * lanes);
+  for (std::size_t pack = 0; pack < packs; ++pack) {
+    for (int lane = 0; lane < lanes; ++lane) {
+      const Index element = block.tiling.element[pack * lanes + lane];
+      std::array<Vector<double>, Kind::nodes> X;
+      for (int a = 0; a < Kind::nodes; ++a) {
+        const auto column = mesh.X.col(nodes(a, element));
+        X[a] = {column.x(), column.y(), column.z()};
+      }
+      auto values = constants(law, options, X);
+      double* to = block.constants.data() + pack * rows * lanes + lane;
+      values.each_row([&](double& row) { *to = row, to += lanes; });
+    }
+  }
+  return block;
+}
+
+template <class Kind, class Law>
+Memory Kernels<Kind, Law>::initial_memory(const Block<Kind, Law>& block) {
+  Memory memory;
+  memory.rows.assign(block.tiling.filled.size() * memory_rows(block) * lanes, 0.0);
+  return memory;
+}
+
+template <class Kind, class Law>
+void Kernels<Kind, Law>::add_mass(const Block<Kind, Law>& block, Scalars& mass) {
+  each_element(block, [&](std::size_t pack, int lane, const auto& constants) {
+    const Index element = block.tiling.element[pack * lanes + lane];
+    for (Index a = 0; a < block.nodes.rows(); ++a)
+      mass(block.nodes(a, element)) += constants.mass / static_cast<double>(block.nodes.rows());
+  });
+}
+
+template <class Kind, class Law>
+void Kernels<Kind, Law>::add_rotary_inertia([[maybe_unused]] const Block<Kind, Law>& block,
+                                            [[maybe_unused]] Scalars& inertia) {
+  if constexpr (std::is_same_v<Kind, Plate>) {
+    each_element(block, [&](std::size_t pack, int lane, const auto& constants) {
+      for (int a = 0; a < Plate::nodes; ++a) {
+        const std::size_t place = (pack * Plate::nodes + a) * lanes + lane;
+        // the tile of this pack starts at the largest first_pack not beyond it
+        const auto after = std::upper_bound(
+            block.tiling.tiles.begin(), block.tiling.tiles.end(), static_cast<Index>(pack),
+            [](Index p, const Tile& tile) { return p < tile.first_pack; });
+        const Index at = std::prev(after)->first_node + block.tiling.place[place];
+        inertia(block.turning[at]) += constants.mass * constants.gyration / Plate::nodes;
+      }
+    });
+  }
+}
+
+template <class Kind, class Law>
+std::vector<Field> Kernels<Kind, Law>::fields(const Block<Kind, Law>& block, const Vectors& x, const Memory& memory) {
+  const Index count = block.tiling.elements;
+  std::vector<Field> list;
+  list.push_back({"stress", "Pa", {"XX", "YY", "ZZ", "XY", "YZ", "XZ"}, Eigen::MatrixXd(6, count)});
+  list.push_back({"von_mises", "Pa", {}, Eigen::MatrixXd(1, count)});
+  list.push_back({"pressure", "Pa", {}, Eigen::MatrixXd(1, count)});
+  for (const auto& name : Law::internal) list.push_back({std::string(name), "1", {}, Eigen::MatrixXd(1, count)});
+  each_element(block, [&](std::size_t pack, int lane, const auto&) {
+    const Index element = block.tiling.element[pack * lanes + lane];
+    double mises = 0;
+    std::array<double, Law::internal.size()> internal{};
+    const Symmetric<double> s = shown(read_memory(block, memory, pack, lane), block, x, element, mises, internal);
+    list[0].values.col(element) << s.xx, s.yy, s.zz, s.xy, s.yz, s.xz;
+    list[1].values(0, element) = mises;
+    list[2].values(0, element) = -(s.xx + s.yy + s.zz) / 3.0;
+    for (std::size_t i = 0; i < internal.size(); ++i) list[3 + i].values(0, element) = internal[i];
+  });
+  return list;
+}
+
+}  // namespace nereid::element

@@ -1,0 +1,100 @@
+#pragma once
+// One material point: its tensors and memory as rows of numbers, and strains that keep some stresses zero.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "base/dual.hpp"
+#include "material/law.hpp"
+
+namespace nereid::material {
+
+template <class T>
+std::array<T*, 6> components(Symmetric<T>& a) {
+  return {&a.xx, &a.yy, &a.zz, &a.xy, &a.yz, &a.xz};
+}
+template <class T>
+std::array<T*, 3> components(Plane<T>& a) {
+  return {&a.xx, &a.yy, &a.xy};
+}
+template <class S>
+double largest(S a) {
+  double size = 0.0;
+  for (double* c : components(a)) size = std::max(size, std::abs(*c));
+  return size;
+}
+
+/// What a point remembers before anything has happened to it, for the law L and this kind of stress.
+template <class L, template <class> class S, class T>
+Internal<T, L, S> fresh(const S<T>&) {
+  return {};
+}
+/// Everything a point remembers for its law, in one order.
+template <class T, class L, template <class> class S>
+std::vector<T> rows(Internal<T, L, S> internal) {
+  std::vector<T> all;
+  internal.each_row([&all](const T& row) { all.push_back(row); });
+  return all;
+}
+/// The same memory in dual numbers, without derivatives.
+template <int n, class L, template <class> class S>
+Internal<Dual<n>, L, S> as_dual(const Internal<double, L, S>& internal) {
+  Internal<Dual<n>, L, S> dual{};
+  std::size_t next = 0;
+  const auto all = rows(internal);
+  dual.each_row([&](Dual<n>& row) { row = Dual<n>(all[next++]); });
+  return dual;
+}
+
+/// Stretches along x and finds by Newton the free strains that keep the other normal stresses zero.
+template <Law L>
+Work<double> stretch(const L& law, double axial, Symmetric<double>& stress,
+                     Internal<double, L, Symmetric>& internal) {
+  double lateral = -law.poisson * axial;
+  for (int iteration = 0; iteration < 50; ++iteration) {
+    const auto free = Dual<1>::variable(lateral, 0);
+    Symmetric<Dual<1>> s{stress.xx, stress.yy, stress.zz, stress.xy, stress.yz, stress.xz};
+    auto memory = as_dual<1>(internal);
+    update_stress(law, Symmetric<Dual<1>>{axial, free, free, 0, 0, 0}, s, memory);
+    const double change = -s.yy.value / s.yy.by[0];
+    lateral += change;
+    if (std::abs(change) < 1e-16 * std::abs(axial)) break;
+  }
+  return update_stress(law, Symmetric<double>{axial, lateral, lateral, 0, 0, 0}, stress, internal);
+}
+template <Law L>
+Work<double> stretch(const L& law, double axial, Plane<double>& stress,
+                     Internal<double, L, Plane>& internal) {
+  double lateral = -law.poisson * axial;
+  for (int iteration = 0; iteration < 50; ++iteration) {
+    const auto free = Dual<1>::variable(lateral, 0);
+    Plane<Dual<1>> s{stress.xx, stress.yy, stress.xy};
+    auto memory = as_dual<1>(internal);
+    update_stress(law, Plane<Dual<1>>{axial, free, 0}, s, memory);
+    const double change = -s.yy.value / s.yy.by[0];
+    lateral += change;
+    if (std::abs(change) < 1e-16 * std::abs(axial)) break;
+  }
+  return update_stress(law, Plane<double>{axial, lateral, 0}, stress, internal);
+}
+
+/// Strains a point of space in the plane xy and finds by Newton the zz strain that keeps zz free.
+template <Law L>
+Work<double> strain_as_plate(const L& law, const Plane<double>& e, Symmetric<double>& stress,
+                             Internal<double, L, Symmetric>& internal) {
+  double thinning = -law.poisson / (1.0 - law.poisson) * (e.xx + e.yy);
+  for (int iteration = 0; iteration < 50; ++iteration) {
+    const auto free = Dual<1>::variable(thinning, 0);
+    Symmetric<Dual<1>> s{stress.xx, stress.yy, stress.zz, stress.xy, stress.yz, stress.xz};
+    auto memory = as_dual<1>(internal);
+    update_stress(law, Symmetric<Dual<1>>{e.xx, e.yy, free, e.xy, 0, 0}, s, memory);
+    const double change = -s.zz.value / s.zz.by[0];
+    thinning += change;
+    if (std::abs(change) < 1e-16 * largest(e)) break;
+  }
+  return update_stress(law, Symmetric<double>{e.xx, e.yy, thinning, e.xy, 0, 0}, stress, internal);
+}
+
+}  // namespace nereid::material
