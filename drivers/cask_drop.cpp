@@ -113,9 +113,8 @@ driver::Scene build(const input::CaseFile& file) {
   model.blocks.push_back(element::plates(model.mesh, "cladding", c.steel, c.cladding_element));
   constrain(c, model);
   dynamics::finish(model);
-  std::vector<dynamics::Connected> connected;
-  connected.push_back(dynamics::connect(model, "interface", "lead.side", "cladding.inside", c.interface));
-  input::refuse_penetration(file.root().section_or_empty("interface"), c.interface, connected[0].gaps);
+  std::vector<dynamics::Connected> connected = dynamics::connect(model, "interface", "lead.side", "cladding.inside", c.interface);
+  for (const auto& pass : connected) input::refuse_penetration(file.root().section_or_empty("interface"), c.interface, pass.gaps);
   file.finish();
   driver::make_ready(scene, std::move(connected));
   scene.state.v.row(2).setConstant(-c.speed);

@@ -71,8 +71,7 @@ driver::Scene build(const input::CaseFile& file) {
   model.mesh = mesh::join(mesh::box("A", {Vec3::Zero(), size, cells}), mesh::box("B", {right, right + size, cells}));
   for (const char* name : {"A", "B"}) model.blocks.push_back(element::hexahedra(model.mesh, name, c.material, c.element));
   dynamics::finish(model);
-  std::vector<dynamics::Connected> connected;
-  connected.push_back(dynamics::connect(model, "contact", "A.x_high", "B.x_low", c.contact));
+  std::vector<dynamics::Connected> connected = dynamics::connect(model, "contact", "A.x_high", "B.x_low", c.contact);
   driver::make_ready(scene, std::move(connected));
 
   const Subset A = mesh::node_set(model.mesh, "A"), B = mesh::node_set(model.mesh, "B");

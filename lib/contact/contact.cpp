@@ -90,7 +90,7 @@ double push_out(const Interface& interface, const Vectors& x, Index a, Claims& c
     forces.apex += push;
     const FeatureNodes base = nodes_of(interface.base, claims.feature[i]);
     for (int b = 0; b < base.count; ++b) {
-      const double weight = interface.weights == Weights::paper ? 1.0 / base.count : claims.at[i].weight[b];
+      const double weight = claims.at[i].weight[b];
       forces.node[forces.count] = base.node[b];
       forces.share[forces.count] = std::abs(weight);
       forces.force[forces.count++] = -weight * push;
@@ -139,12 +139,12 @@ double power(const Interface& interface, const Vectors& v, Index a, const Elemen
   return p;
 }
 
-/// Moment about the origin of the forces of one apex, at the positions `later` [s] after x. Consistent
-/// weights without planes leave none, so it is not computed for them.
+/// Moment about the origin of the normal forces of one apex, at the positions `later` [s] after x. Without
+/// symmetry planes there is none, and it is not computed.
 Vec3 moment(const Interface& interface, const Vectors& x, const Vectors& v, double later, Index a,
             const ElementForces& forces) {
   Vec3 sum = Vec3::Zero();
-  if (!forces.closed || (interface.weights == Weights::consistent && interface.allowed.empty())) return sum;
+  if (!forces.closed || interface.allowed.empty()) return sum;
   const auto add = [&](Index node, const Vec3& force) {
     const Vec3 at = x.col(node) + later * v.col(node);
     sum += at.cross(force);
@@ -196,6 +196,120 @@ bool update_element(const Interface& interface, const Vectors& x, Index a, const
   return true;
 }
 
+/// Pulls or pushes a bonded apex back over its point of the base.
+///
+/// With d = x_apex - sum of w_I x_I - h n the potential is 1/2 k d.d, and with G_I the gradients of the
+/// facet's shape functions  dn = - sum of (n . dx_I) G_I,  so the forces are exactly its gradient:
+///     apex  -k d,     base nodes  k (w_I d - h (d . G_I) n)
+bool hold_bond(const Interface& interface, const Vectors& x, Index a, Memory& memory, ElementForces& forces) {
+  const Bond& bond = interface.bonds[a];
+  if (bond.facet < 0) return false;
+  const Vec3 corner[3] = {x.col(interface.base.facets(0, bond.facet)), x.col(interface.base.facets(1, bond.facet)),
+                          x.col(interface.base.facets(2, bond.facet))};
+  const Vec3 area = (corner[1] - corner[0]).cross(corner[2] - corner[0]);  // twice, along the normal
+  const double twice_area = area.norm();
+  const Vec3 n = area / twice_area;
+  Vec3 d = x.col(interface.apexes[a]) - bond.height * n;
+  for (int I = 0; I < 3; ++I) d -= bond.weight[I] * corner[I];
+  const double k = stiffness(interface, a, memory.feature[a]);
+  forces.closed = true;
+  forces.stiffness = k;
+  forces.apex = -k * d;
+  forces.count = 3;
+  for (int I = 0; I < 3; ++I) {
+    const Vec3 gradient = n.cross(corner[(I + 2) % 3] - corner[(I + 1) % 3]) / twice_area;
+    forces.node[I] = interface.base.facets(I, bond.facet);
+    forces.force[I] = k * (bond.weight[I] * d - bond.height * d.dot(gradient) * n);
+    forces.share[I] = std::abs(bond.weight[I]) + std::abs(bond.height) * gradient.norm();
+  }
+  memory.status[a] = Status::closed;
+  memory.gap[a] = d.dot(n);
+  memory.stored[a] = 0.5 * k * d.squaredNorm();
+  return true;
+}
+
+/// Where the apex stands on its base, for friction.
+Touch touch_of(const Interface& interface, const Vectors& x, Index a, const Feature& feature, const Vec3& normal) {
+  Touch touch;
+  touch.normal = normal;
+  touch.apex = interface.apexes[a];
+  const auto c = corners(interface.base, x, feature.facet);
+  const Vec3 at = x.col(touch.apex);
+  std::array<Vec3, 3> corner;
+  for (int I = 0; I < 3; ++I) {
+    touch.node[I] = interface.base.facets(I, feature.facet);
+    corner[I] = {c[I].x, c[I].y, c[I].z};
+  }
+  measure_base(corner, touch);
+  if (interface.weights == Weights::paper) {
+    const FeatureNodes base = nodes_of(interface.base, feature);
+    for (int I = 0; I < 3; ++I)
+      for (int b = 0; b < base.count; ++b)
+        if (base.node[b] == touch.node[I]) touch.weight[I] = 1.0 / base.count;
+    return touch;
+  }
+  touch.weight = geometry::closest_on_triangle(c, {at.x(), at.y(), at.z()}).weight;
+  touch.arm = at;
+  for (int I = 0; I < 3; ++I) touch.arm -= touch.weight[I] * corner[I];
+  touch.apex_arm = interface.arm_of_apex * touch.arm;
+  touch.base_arm = touch.arm - touch.apex_arm;
+  touch.base_turns = !interface.turn_of_node.empty() && interface.turn_of_node[touch.node[0]] >= 0;
+  return touch;
+}
+
+/// Rotation of the base over the step that led to x, from its positions in the middle, where a rigid
+/// rotation is met exactly. [rad]
+Vec3 rotation_of_base(const Touch& touch, const Vectors& x, const Vectors& v, double dt) {
+  Touch middle = touch;
+  std::array<Vec3, 3> corner;
+  for (int I = 0; I < 3; ++I) corner[I] = x.col(touch.node[I]) - 0.5 * dt * v.col(touch.node[I]);
+  measure_base(corner, middle);
+  return dt * spin_of_base(middle, v);
+}
+
+/// Friction on one apex whose normal force is known: slip carried on, stuck or slid.
+void advance_friction(const Interface& interface, const Vectors& x, const Vectors& v, const Vectors& w, double dt, Index a,
+                      const ElementForces& element, Memory& memory, FrictionForces& friction, Vec3& angular_impulse) {
+  const bool turns = interface.weights == Weights::paper || !interface.allowed.empty();
+  const double stored_before = memory.stick_stored[a];
+  Vec3 rate_before = Vec3::Zero();
+  double work = 0;
+  if (friction.acts) {
+    rate_before = slip_rate(friction.touch, v, w, interface.turn_of_node);
+    work = 0.5 * dt * friction.force.dot(rate_before);
+    if (turns) angular_impulse += 0.5 * dt * moment_of_friction(friction.touch, friction.force, x, v, -dt);
+  }
+  const double push = element.scale * element.apex.norm();
+  if (!element.closed || !(push > 0)) {
+    friction.acts = false;
+    friction.force.setZero();
+    memory.slip[a].setZero();
+    memory.stick_stored[a] = 0;
+    friction.work = work;
+    friction.dissipated = std::max(0.0, stored_before - work);  // the stick lets go
+    friction.created = friction.work + friction.dissipated - stored_before;
+    return;
+  }
+  const Touch touch = touch_of(interface, x, a, memory.feature[a], element.apex.normalized());
+  const Vec3 rotation = rotation_of_base(touch, x, v, dt);
+  const Vec3 rate = slip_rate(touch, v, w, interface.turn_of_node);
+  const Vec3 held = carried(memory.slip[a], rotation, touch.normal);
+  Vec3 trial = held;
+  if (friction.acts) trial += 0.5 * dt * (carried(rate_before, rotation, touch.normal) + rate);
+  if (!interface.allowed.empty()) trial = interface.allowed[a] * trial;
+  friction.stiffness = interface.friction.stick * element.stiffness;
+  const Slip slip = stick_or_slide(trial, friction.stiffness, interface.friction.coefficient * push);
+  friction.acts = true;
+  friction.touch = touch;
+  friction.force = -friction.stiffness * slip.elastic;
+  memory.slip[a] = slip.elastic;
+  memory.stick_stored[a] = 0.5 * friction.stiffness * slip.elastic.squaredNorm();
+  friction.work = work + 0.5 * dt * friction.force.dot(rate);
+  friction.dissipated = std::max(0.0, 0.5 * friction.stiffness * (held + slip.elastic).dot(slip.slid));
+  friction.created = friction.work + friction.dissipated + memory.stick_stored[a] - stored_before;
+  if (turns) angular_impulse += 0.5 * dt * moment_of_friction(touch, friction.force, x, v, 0);
+}
+
 /// Moves one apex and computes its force.
 void advance_apex(const Interface& interface, const Vectors& x, const Vectors& v, double dt, Index a, Memory& memory,
                   ElementForces& forces) {
@@ -210,7 +324,9 @@ void advance_apex(const Interface& interface, const Vectors& x, const Vectors& v
   memory.stored[a] = 0;
   const bool found_anew = std::exchange(forces.found_anew, false);
   if (before.facet >= 0) {
-    if (update_element(interface, x, a, before, memory, forces)) {
+    const bool found = interface.kind == InterfaceKind::bonded ? hold_bond(interface, x, a, memory, forces)
+                                                               : update_element(interface, x, a, before, memory, forces);
+    if (found) {
       forces.moved = found_anew || !same(memory.feature[a], before);
     } else {
       forces.moved = true;
@@ -222,7 +338,7 @@ void advance_apex(const Interface& interface, const Vectors& x, const Vectors& v
   const double power_after = power(interface, v, a, forces);
   // the power of the elastic force is  -k |d| d|d|/dt = -2 stored d|d|/dt / |d|
   forces.scale = 1;
-  if (memory.stored[a] > 0) forces.scale = std::max(0.0, 1 - 0.5 * interface.retardation * power_after / memory.stored[a]);
+  if (memory.stored[a] > 0 && interface.retardation > 0) forces.scale = std::max(0.0, 1 - 0.5 * interface.retardation * power_after / memory.stored[a]);
   forces.angular_impulse += 0.5 * dt * moment(interface, x, v, 0, a, forces);
   forces.work = 0.5 * dt * (scale_before * power_before + forces.scale * power_after);
   forces.dissipated = 0.5 * dt * ((1 - scale_before) * power_before + (1 - forces.scale) * power_after);
@@ -266,9 +382,11 @@ void search(const Interface& interface, const Vectors& x, Memory& memory, Worksp
 
 Workspace::Workspace(const Interface& interface)
     : elements(interface.apexes.size()),
+      friction(interface.friction.coefficient > 0 ? interface.apexes.size() : 0),
       broad(static_cast<Index>(interface.base.facets.cols())),
       found(interface.apexes.size(), -1),
-      spring_sum(Scalars::Zero(static_cast<Eigen::Index>(interface.base.ring_begin.size()) - 1)) {}
+      spring_sum(Scalars::Zero(static_cast<Eigen::Index>(interface.base.ring_begin.size()) - 1)),
+      turn_sum(Scalars::Zero(interface.friction.coefficient > 0 && !interface.turn_of_node.empty() ? spring_sum.size() : 0)) {}
 
 double stored(const Memory& memory) {
   double sum = 0;
@@ -276,7 +394,14 @@ double stored(const Memory& memory) {
   return sum;
 }
 
+double stick_stored(const Memory& memory) {
+  double sum = 0;
+  for (const double energy : memory.stick_stored) sum += energy;
+  return sum;
+}
+
 double stiffness(const Interface& interface, Index apex, const Feature& feature) {
+  if (interface.spring.size() > 0) return interface.spring(apex);
   if (interface.area_kind == Area::apex) return interface.penalty * interface.area(apex);
   if (feature.kind == Kind::facet) return interface.penalty * interface.facet_area(feature.facet);
   double sum = 0;
@@ -302,6 +427,11 @@ InitialGaps connect(Interface& interface, const Vectors& x, const ContactHeight&
   memory.status.assign(count, Status::lost);
   memory.gap.assign(count, std::numeric_limits<double>::quiet_NaN());
   memory.stored.assign(count, 0.0);
+  if (interface.friction.coefficient > 0) {
+    memory.slip.assign(count, Vec3::Zero());
+    memory.stick_stored.assign(count, 0.0);
+  }
+  interface.bonds.assign(interface.kind == InterfaceKind::bonded ? count : 0, Bond{});
   memory.reconnections.assign(count, 0);
   interface.contact_height = Scalars::Constant(count, height.given);
   search(interface, x, memory, workspace);
@@ -330,7 +460,8 @@ InitialGaps connect(Interface& interface, const Vectors& x, const ContactHeight&
     double& contact_height = interface.contact_height(a);
     if (height.from_initial_height) contact_height = h - height.clearance;
     const double round_off = 1e-12 * (std::abs(h) + std::abs(contact_height));
-    if (h - contact_height < -round_off && memory.status[a] == Status::open) {
+    const bool bonded = interface.kind == InterfaceKind::bonded;
+    if (!bonded && h - contact_height < -round_off && memory.status[a] == Status::open) {
       ++gaps.penetrating;
       gaps.deepest = std::max(gaps.deepest, contact_height - h);
       if (penetration == InitialPenetration::accept) contact_height = h;
@@ -338,6 +469,10 @@ InitialGaps connect(Interface& interface, const Vectors& x, const ContactHeight&
     memory.gap[a] = h - contact_height;
     gaps.least = std::min(gaps.least, memory.gap[a]);
     gaps.largest = std::max(gaps.largest, memory.gap[a]);
+    if (bonded && memory.status[a] == Status::open) {
+      const FeatureHeight over = height_over(interface.base, x, {memory.feature[a].facet, Kind::facet, 0}, p);
+      interface.bonds[a] = {memory.feature[a].facet, over.weight, over.height};
+    }
     gaps.mean += memory.gap[a];
     ++gaps.by_kind[static_cast<int>(memory.feature[a].kind)];
   }
@@ -347,34 +482,73 @@ InitialGaps connect(Interface& interface, const Vectors& x, const ContactHeight&
   return gaps;
 }
 
-void advance(const Interface& interface, const Vectors& x, const Vectors& v, double dt, Memory& memory,
+void advance(const Interface& interface, const Vectors& x, const Vectors& v, const Vectors& w, double dt, Memory& memory,
              Workspace& workspace) {
   std::vector<ElementForces>& forces = workspace.elements;
-  if (memory.updates % interface.search_every == 0 && memory.updates > 0) search(interface, x, memory, workspace);
+  const bool walks = interface.kind == InterfaceKind::contact;
+  if (walks && memory.updates % interface.search_every == 0 && memory.updates > 0) search(interface, x, memory, workspace);
   ++memory.updates;
-  parallel_for(static_cast<Index>(interface.apexes.size()), 64,
-               [&](Index a) { advance_apex(interface, x, v, dt, a, memory, forces[a]); });
+  parallel_for(static_cast<Index>(interface.apexes.size()), 64, [&](Index a) {
+    advance_apex(interface, x, v, dt, a, memory, forces[a]);
+    if (!workspace.friction.empty())
+      advance_friction(interface, x, v, w, dt, a, forces[a], memory, workspace.friction[a], forces[a].angular_impulse);
+  });
   for (std::size_t a = 0; a < forces.size(); ++a) {
     memory.work += forces[a].work;
-    memory.dissipated += forces[a].dissipated;
+    memory.damped += forces[a].dissipated;
     memory.angular_impulse += forces[a].angular_impulse;
+    double created = forces[a].created;
+    if (!workspace.friction.empty()) {
+      memory.work += workspace.friction[a].work;
+      memory.rubbed += workspace.friction[a].dissipated;
+      created += workspace.friction[a].created;
+    }
     if (!forces[a].moved) continue;
-    memory.created_by_reconnection += forces[a].created;
+    memory.created_by_reconnection += created;
     ++(memory.status[a] == Status::lost ? memory.lost : memory.walks);
     if (memory.status[a] != Status::lost) ++memory.reconnections[a];
   }
 }
 
-void add_forces(const Interface& interface, const Workspace& workspace, Vectors& force) {
+void add_forces(const Interface& interface, const Workspace& workspace, Vectors& force, Vectors& moment) {
   const std::vector<ElementForces>& forces = workspace.elements;
   for (std::size_t a = 0; a < forces.size(); ++a) {
     if (!forces[a].closed) continue;
     force.col(interface.apexes[a]) += forces[a].scale * forces[a].apex;
     for (int i = 0; i < forces[a].count; ++i) force.col(forces[a].node[i]) += forces[a].scale * forces[a].force[i];
   }
+  for (const FrictionForces& friction : workspace.friction)
+    if (friction.acts) add_friction(friction.touch, friction.force, interface.turn_of_node, force, moment);
 }
 
-double stable_step(const Interface& interface, const Scalars& mass, Workspace& workspace) {
+namespace {
+
+/// Largest squared frequency of sticking friction, whose moments turn plate nodes too; `translation` is
+/// that of the normal springs, sticks being parallel to them. [1/s2]
+double stick_frequency_squared(const Interface& interface, const Scalars& inertia, double translation, Workspace& workspace) {
+  double most = 0;
+  if (!interface.turn_of_node.empty()) {
+    Scalars& sum = workspace.turn_sum;
+    const auto arms = [](const FrictionForces& friction, auto&& visit) {  // shares of the turning nodes [m]
+      if (!friction.acts) return;
+      const Touch& touch = friction.touch;
+      if (!touch.apex_arm.isZero(0)) visit(touch.apex, touch.apex_arm.norm());
+      for (int I = 0; touch.base_turns && I < 3; ++I) visit(touch.node[I], touch.weight[I] * touch.base_arm.norm());
+    };
+    for (const FrictionForces& f : workspace.friction) arms(f, [&](Index node, double) { sum(node) = 0; });
+    for (const FrictionForces& f : workspace.friction) arms(f, [&](Index node, double share) { sum(node) += f.stiffness * share; });
+    for (const FrictionForces& f : workspace.friction) {
+      double omega_squared = 0;
+      arms(f, [&](Index node, double share) { omega_squared += share * sum(node) / inertia(interface.turn_of_node[node]); });
+      most = std::max(most, omega_squared);
+    }
+  }
+  return interface.friction.stick * translation + most;
+}
+
+}  // namespace
+
+double stable_step(const Interface& interface, const Scalars& mass, const Scalars& inertia, Workspace& workspace) {
   const auto count = static_cast<Index>(interface.apexes.size());
   Scalars& sum = workspace.spring_sum;
   const std::vector<ElementForces>& elements = workspace.elements;
@@ -393,16 +567,32 @@ double stable_step(const Interface& interface, const Scalars& mass, Workspace& w
       omega_squared += elements[a].share[b] * sum(elements[a].node[b]) / mass(elements[a].node[b]);
     most = std::max(most, omega_squared);
   }
-  return most > 0 ? interface.bounce_step / std::sqrt(most) : 1e300;
+  if (!(most > 0)) return 1e300;
+  if (interface.kind == InterfaceKind::bonded) return linear_step / std::sqrt(most);
+  const double bounce = interface.bounce_step / std::sqrt(most);
+  if (workspace.friction.empty()) return bounce;
+  return std::min(bounce, linear_step / std::sqrt(stick_frequency_squared(interface, inertia, most, workspace)));
 }
 
 ElementView view(const Interface& interface, const Vectors& x, const Memory& memory, Index apex) {
-  ElementView v{interface.apexes[apex], memory.feature[apex], {0, 0, 0}, memory.gap[apex], 0, memory.status[apex], memory.reconnections[apex]};
+  ElementView v{.apex = interface.apexes[apex], .feature = memory.feature[apex], .weight = {0, 0, 0}, .gap = memory.gap[apex],
+                .traction = 0, .shear_traction = 0, .slides = false, .status = memory.status[apex],
+                .reconnections = memory.reconnections[apex]};
   if (v.feature.facet >= 0) {
     const auto c = corners(interface.base, x, v.feature.facet);
     v.weight = geometry::closest_on_triangle(c, position(x, v.apex)).weight;
   }
-  if (v.status == Status::closed) v.traction = -interface.penalty * v.gap;
+  if (v.status != Status::closed) return v;
+  const double per_area = interface.spring.size() > 0 ? interface.spring(apex) / interface.area(apex) : interface.penalty;
+  v.traction = -per_area * v.gap;
+  if (interface.kind == InterfaceKind::bonded) {
+    const double k = stiffness(interface, apex, v.feature), along = k * v.gap;
+    const double all = 2 * k * memory.stored[apex];  // |k d|^2
+    v.shear_traction = per_area / k * std::sqrt(std::max(0.0, all - along * along));
+  } else if (!memory.slip.empty()) {
+    v.shear_traction = interface.friction.stick * per_area * memory.slip[apex].norm();
+    v.slides = v.shear_traction >= (1 - 1e-9) * interface.friction.coefficient * v.traction;  // round-off
+  }
   return v;
 }
 

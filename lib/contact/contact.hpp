@@ -16,13 +16,20 @@
 #include <string>
 
 #include "contact/base_surface.hpp"
+#include "contact/friction.hpp"
 
 namespace nereid::contact {
 
-/// How the force on an apex is shared out over the nodes of its base.
+/// Whether an apex may leave its base.
+enum class InterfaceKind {
+  contact,  ///< unilateral: pushes only, and the apex slides from base to base
+  bonded,   ///< the apex stays over the point of its base where it began, pulled as well as pushed
+};
+
+/// How friction on an apex is shared out over its base, and against what its sliding is measured.
 enum class Weights {
-  consistent,  ///< by the foot of the apex: the gradient of the height, keeps angular momentum
-  paper,       ///< equally, as the paper's Eq. 10 does for sliding: loses angular momentum
+  consistent,  ///< by the foot of the apex, with the moments of Touch: keeps angular momentum
+  paper,       ///< equally over the nodes of the base, Kulak & Fiala Eqs. 9 and 10: loses angular momentum
 };
 
 /// What a traction is multiplied by to become the force on an apex.
@@ -37,15 +44,29 @@ enum class InitialPenetration {
   accept,   ///< h_c of such an apex is lowered to its initial height: no force at the start
 };
 
+/// Where a bonded apex belongs: over fixed weights of a facet's nodes, at a fixed height.
+struct Bond {
+  Index facet = -1;                ///< -1: the apex found no base and is free
+  std::array<double, 3> weight{};
+  double height = 0;               ///< [m] along the facet's normal
+};
+
 /// Apexes over a base surface. Constant in time.
 struct Interface {
   std::string name;
+  InterfaceKind kind = InterfaceKind::contact;
   BaseSurface base;
   Subset apexes;                 ///< nodes, ascending
-  Scalars area;                  ///< [m2] tributary area, [apexes]; zero where Area::base is asked for
+  Scalars area;                  ///< [m2] tributary area, [apexes]
   Scalars facet_area;            ///< [m2] of the reference, [facets]
   Scalars contact_height;        ///< [m] h_c, [apexes]
-  double penalty = 0;            ///< [Pa/m] 1/delta
+  double penalty = 0;            ///< [Pa/m] 1/delta; the mean over the area where `spring` is given
+  Scalars spring;                ///< [N/m] stiffness of each apex where it was taken from masses; else empty
+  Coulomb friction;
+  /// [nodes] column of a plate node's angular velocity, or -1; empty where no node of the interface turns
+  std::vector<Index> turn_of_node;
+  double arm_of_apex = 0;        ///< [-] share of the apex, a plate, in the arm of friction; the base has the rest
+  std::vector<Bond> bonds;       ///< [apexes] of a bonded interface; set by connect()
   double bounce_step = 0.1410;   ///< [-] dt sqrt(k/m) of the vote: step_for_a_bounce(0.005)
   /// [s] retardation: a closed element pushes with k (|d| + retardation d|d|/dt), never pulls. It takes
   /// the chatter out of an interface; what it dissipates is booked.
@@ -71,10 +92,13 @@ struct Memory {
   std::vector<Feature> feature;         ///< [apexes] the element in use
   std::vector<Status> status;           ///< [apexes]
   std::vector<double> gap;              ///< [m] [apexes], open for positive; NaN where lost
-  std::vector<double> stored;           ///< [J] [apexes]
+  std::vector<double> stored;           ///< [J] by the penalty, [apexes]
+  std::vector<Vec3> slip;               ///< [m] elastic part of the slip, [apexes]; empty without friction
+  std::vector<double> stick_stored;     ///< [J] by the elastic stick, [apexes]; empty without friction
   std::vector<std::int64_t> reconnections;  ///< [apexes] walks to another feature
   double work = 0;                      ///< [J] done on the nodes
-  double dissipated = 0;                ///< [J] by retardation
+  double damped = 0;                    ///< [J] dissipated by retardation
+  double rubbed = 0;                    ///< [J] dissipated by friction
   double created_by_reconnection = 0;   ///< [J] created in steps in which the apex changed its base
   /// [N m s] about the origin: what weights of the paper lose, and what the mirror images of bases at
   /// a symmetry plane give; zero with consistent weights and no planes.
@@ -83,7 +107,8 @@ struct Memory {
   std::int64_t updates = 0;             ///< calls of advance
 };
 
-double stored(const Memory&);  ///< [J]
+double stored(const Memory&);        ///< [J] by the penalty
+double stick_stored(const Memory&);  ///< [J] by the elastic stick of friction
 
 /// Forces of one apex and its bases, and what its last step did; thrown away at will.
 struct ElementForces {
@@ -103,13 +128,24 @@ struct ElementForces {
   bool found_anew = false;               ///< by the search before this step
 };
 
+/// Friction on one apex; thrown away at will.
+struct FrictionForces {
+  bool acts = false;
+  Touch touch;
+  Vec3 force = Vec3::Zero();         ///< [N] on the apex
+  double stiffness = 0;              ///< [N/m] of the stick
+  double work = 0, dissipated = 0, created = 0;  ///< [J] in the last step
+};
+
 /// What an interface works with and may throw away between steps.
 struct Workspace {
   explicit Workspace(const Interface&);
   std::vector<ElementForces> elements;  ///< [apexes]
+  std::vector<FrictionForces> friction; ///< [apexes]; empty without friction
   BroadSearch broad;
   Subset found;                         ///< [apexes] facet found by a search, or -1
   Scalars spring_sum;                   ///< [N/m] [nodes of the mesh] stiffness of all springs at a base node
+  Scalars turn_sum;                     ///< [N] [nodes of the mesh] the same for the moments of friction
 };
 
 /// What the broad search found before the first step.
@@ -137,18 +173,26 @@ InitialGaps connect(Interface&, const Vectors& x, const ContactHeight&, InitialP
 
 /// Moves the apexes of an interface to the closest features at x, and computes their forces.
 ///
-/// v  [m/s] constant over the step that led to x;  dt  [s], zero at the start
+/// v  [m/s] and w [rad/s] (of plate nodes) constant over the step that led to x;  dt  [s], zero at the start
 /// Work is posted by the trapezoid rule, with the forces found in the workspace and the new ones.
-void advance(const Interface&, const Vectors& x, const Vectors& v, double dt, Memory&, Workspace&);
+void advance(const Interface&, const Vectors& x, const Vectors& v, const Vectors& w, double dt, Memory&, Workspace&);
 
-/// Adds the forces of all elements to the nodes, apex by apex.
-void add_forces(const Interface&, const Workspace&, Vectors& force);
+/// Adds the forces of all elements to the nodes [N], and their moments to plate nodes [N m], apex by apex.
+void add_forces(const Interface&, const Workspace&, Vectors& force, Vectors& moment);
 
 /// The largest step at which a bounce creates no more energy than the interface's bound. [s]
 ///
 /// An apex and its base are a spring,  omega^2 = k (1/m_apex + sum of w_I S_I / (k m_I)),  where S_I
-/// sums the stiffness of all springs at base node I: springs that share nodes add up.
-double stable_step(const Interface&, const Scalars& mass, Workspace&);
+/// sums the stiffness of all springs at base node I: springs that share nodes add up. What never opens
+/// (a bond, a stick) creates nothing at any stable step: dt = `linear_step` / omega, with the moments of
+/// friction on plate nodes in omega.
+///
+/// mass [kg] of the nodes;  inertia [kg m2] of the columns of w
+double stable_step(const Interface&, const Scalars& mass, const Scalars& inertia, Workspace&);
+
+/// [-] dt omega of a spring that never opens. The linear bound is 2; a quarter of it lowers the bound of
+/// the elements that share its nodes by 3 % at most, which the run's safety of 0.9 covers.
+constexpr double linear_step = 0.5;
 
 /// One potential contact element as it stands, for output and tests.
 struct ElementView {
@@ -156,12 +200,14 @@ struct ElementView {
   Feature feature;           ///< facet -1 where lost
   std::array<double, 3> weight;  ///< of the foot on the facet's nodes
   double gap, traction;      ///< [m], [Pa] compression positive, without what retardation adds
+  double shear_traction;     ///< [Pa] of friction, not negative
+  bool slides;               ///< friction is at its limit
   Status status;
   std::int64_t reconnections;
 };
 ElementView view(const Interface&, const Vectors& x, const Memory&, Index apex);
 
-/// Stiffness of an apex over a feature: penalty times the chosen area, once. [N/m]
+/// Stiffness of an apex over a feature: penalty times the chosen area, once, or the spring of the apex. [N/m]
 double stiffness(const Interface&, Index apex, const Feature&);
 
 }  // namespace nereid::contact

@@ -9,11 +9,36 @@ namespace nereid::contact {
 PlaneMemory initial_memory(const RigidPlane& plane) {
   PlaneMemory memory;
   memory.force.assign(plane.nodes.size(), 0.0);
+  if (plane.friction.coefficient > 0) memory.slip.assign(plane.nodes.size(), Vec3::Zero());
   return memory;
 }
 
+namespace {
+
+/// Friction on one node over the step `moved` [m] that led to `at`; returns its mean force. [N]
+Vec3 advance_friction(const RigidPlane& plane, double k, double push_before, double push, const Vec3& moved, Vec3& slip,
+                      PlaneMemory& memory) {
+  const double stiffness = plane.friction.stick * k;
+  const Vec3 held = slip, slid_by = moved - moved.dot(plane.normal) * plane.normal;
+  if (push > 0) {
+    const Vec3 trial = push_before > 0 ? Vec3(held + slid_by) : held;  // a node that has just come down has not slid yet
+    const Slip now = stick_or_slide(trial, stiffness, plane.friction.coefficient * push);
+    slip = now.elastic;
+    memory.rubbed += std::max(0.0, 0.5 * stiffness * (held + slip).dot(now.slid));
+  } else {
+    slip.setZero();
+    memory.rubbed += std::max(0.0, 0.5 * stiffness * (held.squaredNorm() + held.dot(slid_by)));  // the stick lets go
+  }
+  memory.stick_stored += 0.5 * stiffness * slip.squaredNorm();
+  const Vec3 mean = -0.5 * stiffness * (held + slip);
+  memory.work += mean.dot(slid_by);
+  return mean;
+}
+
+}  // namespace
+
 void advance(const RigidPlane& plane, const Vectors& x, const Vectors& v, double dt, PlaneMemory& memory) {
-  memory.stored = 0;
+  memory.stored = memory.stick_stored = 0;
   for (std::size_t i = 0; i < plane.nodes.size(); ++i) {
     const Vec3 at = x.col(plane.nodes[i]), moved = dt * v.col(plane.nodes[i]);
     const double gap = std::min(0.0, (at - plane.point).dot(plane.normal));
@@ -25,18 +50,28 @@ void advance(const RigidPlane& plane, const Vectors& x, const Vectors& v, double
     memory.work += 0.5 * (before + after) * moved.dot(plane.normal);
     memory.impulse += 0.5 * dt * (before + after) * plane.normal;
     memory.angular_impulse += 0.5 * dt * (before * (at - moved) + after * at).cross(plane.normal);
+    if (memory.slip.empty()) continue;
+    const Vec3 held = memory.slip[i];
+    const Vec3 mean = advance_friction(plane, k, before, after, moved, memory.slip[i], memory);
+    memory.impulse += dt * mean;
+    memory.angular_impulse -= 0.5 * dt * plane.friction.stick * k * ((at - moved).cross(held) + at.cross(memory.slip[i]));
   }
 }
 
 void add_forces(const RigidPlane& plane, const PlaneMemory& memory, Vectors& force) {
-  for (std::size_t i = 0; i < plane.nodes.size(); ++i) force.col(plane.nodes[i]) += memory.force[i] * plane.normal;
+  for (std::size_t i = 0; i < plane.nodes.size(); ++i) {
+    force.col(plane.nodes[i]) += memory.force[i] * plane.normal;
+    if (memory.slip.empty()) continue;
+    const double k = plane.penalty * plane.area(static_cast<Eigen::Index>(i));
+    force.col(plane.nodes[i]) -= plane.friction.stick * k * memory.slip[i];
+  }
 }
 
 double stable_step(const RigidPlane& plane, const Scalars& mass) {
   double most = 0;
   for (std::size_t i = 0; i < plane.nodes.size(); ++i)
     most = std::max(most, plane.penalty * plane.area(static_cast<Eigen::Index>(i)) / mass(plane.nodes[i]));
-  return most > 0 ? plane.bounce_step / std::sqrt(most) : 1e300;
+  return most > 0 ? plane.bounce_step / std::sqrt(most * std::max(1.0, plane.friction.stick)) : 1e300;
 }
 
 }  // namespace nereid::contact

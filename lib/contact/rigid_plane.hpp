@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "contact/friction.hpp"
 #include "mesh/mesh.hpp"
 
 namespace nereid::contact {
@@ -15,11 +16,14 @@ struct RigidPlane {
   Scalars area;        ///< [m2] tributary area, [nodes]
   double penalty = 0;  ///< [Pa/m]
   double bounce_step = 0.1410;  ///< [-] dt sqrt(k/m) of the vote, see contact/bounce.hpp
+  Coulomb friction;
 };
 
 struct PlaneMemory {
   std::vector<double> force;            ///< [N] along the normal, [nodes]
-  double work = 0, stored = 0;          ///< [J]
+  std::vector<Vec3> slip;               ///< [m] elastic part of the slip, [nodes]; empty without friction
+  double work = 0, stored = 0;          ///< [J] stored by the penalty
+  double stick_stored = 0, rubbed = 0;  ///< [J] stored by the elastic stick, dissipated by friction
   Vec3 impulse = Vec3::Zero();          ///< [N s] given to the nodes
   Vec3 angular_impulse = Vec3::Zero();  ///< [N m s] about the origin
 };
@@ -27,7 +31,7 @@ struct PlaneMemory {
 PlaneMemory initial_memory(const RigidPlane&);
 
 /// Forces at x, with the gap g = (x - point) . n and the force -penalty area g for g < 0; work and
-/// impulses are posted by the trapezoid rule over the step v dt that led to x.
+/// impulses are posted by the trapezoid rule over the step v dt that led to x. Friction acts at the nodes.
 void advance(const RigidPlane&, const Vectors& x, const Vectors& v, double dt, PlaneMemory&);
 void add_forces(const RigidPlane&, const PlaneMemory&, Vectors& force);
 

@@ -74,6 +74,116 @@ std::vector<Mat3> allowed_directions(const Model& model, const Subset& apexes) {
   return allowed;
 }
 
+/// Whether all nodes of a surface are plate nodes.
+bool turns(const Model& model, const mesh::Surface& surface) {
+  const Index node = surface.facets.size() > 0 ? surface.facets(0, 0) : -1;
+  return node >= 0 && model.turn_of_node[node] >= 0;
+}
+
+/// Half the thickness of the plates of a surface. [m]
+double half_thickness(const Model& model, const mesh::Surface& surface) {
+  for (const auto& block : model.blocks) {
+    const double half = std::visit(
+        [&]<class Kind, class Law>(const element::Block<Kind, Law>& b) {
+          if constexpr (std::is_same_v<Kind, element::Plate>) {
+            if ((b.nodes.array() == surface.facets(0, 0)).any()) return b.options.thickness / 2;
+          }
+          return 0.0;
+        },
+        block);
+    if (half > 0) return half;
+  }
+  return 0;
+}
+
+/// The stable step of the elements as they stand, without safety. [s]
+double element_step(const Model& model) {
+  const Vectors rest = Vectors::Zero(3, model.mesh.X.cols()), no_turn = Vectors::Zero(3, model.inertia.size());
+  double step = 1e300;
+  for (const auto& block : model.blocks) {
+    element::Memory memory = element::initial_memory(block);
+    element::TileForces forces = element::tile_forces(block);
+    step = std::min(step, element::advance(block, model.mesh.X, rest, no_turn, 0, memory, forces).step);
+  }
+  return step;
+}
+
+/// Springs that the nodes' masses allow at a given step: 1/2 omega^2 m at each apex, and no more than that
+/// in sum at each base node. [N/m] [apexes]
+Scalars springs_from_masses(const contact::Interface& interface, const Scalars& mass, double step, contact::Workspace& workspace) {
+  const double rate = interface.bounce_step / step, half = 0.5 * rate * rate;
+  const auto count = static_cast<Index>(interface.apexes.size());
+  Scalars spring(count), sum = Scalars::Zero(mass.size());
+  const auto& elements = workspace.elements;
+  for (Index a = 0; a < count; ++a) {
+    spring(a) = half * mass(interface.apexes[a]);
+    for (int b = 0; b < elements[a].count; ++b) sum(elements[a].node[b]) += elements[a].share[b] * spring(a);
+  }
+  for (Index a = 0; a < count; ++a) {
+    double share = 1;
+    for (int b = 0; b < elements[a].count; ++b) {
+      const Index node = elements[a].node[b];
+      if (elements[a].share[b] > 0) share = std::min(share, half * mass(node) / sum(node));
+    }
+    spring(a) *= share;
+  }
+  return spring;
+}
+
+/// Puts an apex on every base, at rest, and leaves what that gives in the workspace.
+void try_out(const contact::Interface& interface, const Model& model, const contact::Memory& memory, contact::Workspace& workspace) {
+  contact::Memory trial = memory;
+  const Vectors rest = Vectors::Zero(3, model.mesh.X.cols()), no_turn = Vectors::Zero(3, model.inertia.size());
+  contact::advance(interface, model.mesh.X, rest, no_turn, 0, trial, workspace);
+}
+
+Connected connect_one_pass(Model& model, const std::string& name, const std::string& apex_surface, const std::string& base_surface,
+                           const InterfaceOptions& options, double share) {
+  check(model.mass.size() == model.mesh.X.cols(), "finish() a model before it gets an interface");
+  const mesh::Surface& apexes = mesh::surface(model.mesh, apex_surface);
+  const mesh::Surface& base = mesh::surface(model.mesh, base_surface);
+  contact::Interface interface;
+  interface.name = name;
+  interface.kind = options.kind;
+  interface.base = contact::base_surface(base, static_cast<Index>(model.mesh.X.cols()));
+  interface.apexes = mesh::surface_nodes(apexes);
+  interface.area = mesh::tributary_areas(model.mesh, apexes, interface.apexes);
+  interface.facet_area = mesh::facet_areas(model.mesh, base);
+  interface.penalty = share * (options.penalty_from == PenaltyFrom::value
+                                   ? options.penalty
+                                   : options.hardness * std::min(surface_stiffness(model, apexes), surface_stiffness(model, base)));
+  check(interface.penalty > 0, "an interface needs a penalty or elements on both sides");
+  interface.bounce_step = contact::step_for_a_bounce(options.created_in_a_bounce);
+  interface.friction = options.friction;
+  interface.weights = options.weights;
+  interface.area_kind = options.area;
+  interface.allowed = allowed_directions(model, interface.apexes);
+  if (turns(model, apexes) || turns(model, base)) {
+    interface.turn_of_node = model.turn_of_node;
+    const double apex_half = half_thickness(model, apexes), base_half = half_thickness(model, base);
+    interface.arm_of_apex = apex_half / (apex_half + base_half);
+  }
+  // the whole scene: an apex may start far from its base, and no farther
+  const Vec3 extent = model.mesh.X.rowwise().maxCoeff() - model.mesh.X.rowwise().minCoeff();
+  interface.reach = extent.norm();
+
+  Connected connected{{}, {}, contact::Workspace(interface)};
+  connected.gaps = contact::connect(interface, model.mesh.X, options.height, options.initial_penetration, connected.memory,
+                                    connected.workspace);
+  if (options.penalty_from == PenaltyFrom::masses) {
+    try_out(interface, model, connected.memory, connected.workspace);
+    interface.spring = share * springs_from_masses(interface, model.mass, options.step_share * element_step(model), connected.workspace);
+    interface.penalty = interface.spring.sum() / interface.area.sum();
+  }
+  if (options.damping > 0) {
+    try_out(interface, model, connected.memory, connected.workspace);
+    const double step = contact::stable_step(interface, model.mass, model.inertia, connected.workspace);
+    interface.retardation = 2 * options.damping * step / interface.bounce_step;  // 2 zeta / omega
+  }
+  model.interfaces.push_back(std::move(interface));
+  return connected;
+}
+
 }  // namespace
 
 double surface_stiffness(const Model& model, const mesh::Surface& surface) {
@@ -83,40 +193,16 @@ double surface_stiffness(const Model& model, const mesh::Surface& surface) {
   return most;
 }
 
-Connected connect(Model& model, const std::string& name, const std::string& apex_surface, const std::string& base_surface,
-                  const InterfaceOptions& options) {
-  const mesh::Surface& apexes = mesh::surface(model.mesh, apex_surface);
-  const mesh::Surface& base = mesh::surface(model.mesh, base_surface);
-  contact::Interface interface;
-  interface.name = name;
-  interface.base = contact::base_surface(base, static_cast<Index>(model.mesh.X.cols()));
-  interface.apexes = mesh::surface_nodes(apexes);
-  interface.area = mesh::tributary_areas(model.mesh, apexes, interface.apexes);
-  interface.facet_area = mesh::facet_areas(model.mesh, base);
-  interface.penalty = options.penalty.value_or(
-      options.hardness * std::min(surface_stiffness(model, apexes), surface_stiffness(model, base)));
-  check(interface.penalty > 0, "an interface needs a penalty or elements on both sides");
-  interface.bounce_step = contact::step_for_a_bounce(options.created_in_a_bounce);
-  interface.weights = options.weights;
-  interface.area_kind = options.area;
-  interface.allowed = allowed_directions(model, interface.apexes);
-  // the whole scene: an apex may start far from its base, and no farther
-  const Vec3 extent = model.mesh.X.rowwise().maxCoeff() - model.mesh.X.rowwise().minCoeff();
-  interface.reach = extent.norm();
-
-  Connected connected{{}, {}, contact::Workspace(interface)};
-  connected.gaps = contact::connect(interface, model.mesh.X, options.height, options.initial_penetration, connected.memory,
-                                    connected.workspace);
-  if (options.damping > 0) {
-    check(model.mass.size() == model.mesh.X.cols(), "finish() a model before it gets a damped interface");
-    contact::Memory trial = connected.memory;
-    const Vectors rest = Vectors::Zero(3, model.mesh.X.cols());
-    contact::advance(interface, model.mesh.X, rest, 0, trial, connected.workspace);
-    const double step = contact::stable_step(interface, model.mass, connected.workspace);
-    interface.retardation = 2 * options.damping * step / interface.bounce_step;  // 2 zeta / omega
+std::vector<Connected> connect(Model& model, const std::string& name, const std::string& apex_surface, const std::string& base_surface,
+                               const InterfaceOptions& options) {
+  std::vector<Connected> passes;
+  if (!options.two_passes) {
+    passes.push_back(connect_one_pass(model, name, apex_surface, base_surface, options, 1));
+    return passes;
   }
-  model.interfaces.push_back(std::move(interface));
-  return connected;
+  passes.push_back(connect_one_pass(model, name, apex_surface, base_surface, options, 0.5));
+  passes.push_back(connect_one_pass(model, name + "_back", base_surface, apex_surface, options, 0.5));
+  return passes;
 }
 
 }  // namespace nereid::dynamics

@@ -8,10 +8,22 @@
 
 namespace nereid::dynamics {
 
+/// Where an interface takes its stiffness from.
+enum class PenaltyFrom {
+  value,     ///< given
+  stiffness, ///< hardness times the stiffness of the softer side: hard against what it presses on
+  masses,    ///< of the nodes and the elements' first step: the interface does not ask for a smaller one
+};
+
 /// How an interface is wanted.
 struct InterfaceOptions {
-  std::optional<double> penalty;   ///< [Pa/m]; without it the code chooses, see hardness
+  contact::InterfaceKind kind = contact::InterfaceKind::contact;
+  PenaltyFrom penalty_from = PenaltyFrom::stiffness;
+  double penalty = 0;              ///< [Pa/m] where it is given
   double hardness = 20;            ///< [-] chosen penalty over the stiffness of the softer side
+  double step_share = 1;           ///< [-] of the elements' first step, to which a penalty from masses is made
+  contact::Coulomb friction;
+  bool two_passes = false;         ///< each surface has apexes over the other, with half the penalty each
   double damping = 0;              ///< [-] of an apex on its base, over the critical damping of the stiffest pair
   contact::Weights weights = contact::Weights::consistent;
   contact::Area area = contact::Area::apex;
@@ -37,12 +49,16 @@ double surface_stiffness(const Model&, const mesh::Surface&);
 
 /// Adds an interface between the apexes of one surface and the bases of another.
 ///
-/// The penalty chosen by the code is hardness times the stiffness of the softer side: hard against
-/// what it presses on, and refined with the mesh. Symmetry planes of the model must stand already.
+/// PenaltyFrom::stiffness  hardness times the stiffness of the softer side: refined with the mesh.
+/// PenaltyFrom::masses     with omega the frequency at which the vote is step_share of the elements' step,
+///                         a spring of at most 1/2 omega^2 m at each apex and in sum at each base node.
+/// Either is fixed from here on: smaller steps later do not stiffen it.
 ///
+/// Needs    a model after finish(), with its symmetry planes
+/// returns  one interface, or two passes: `name`, and `name`_back with the sides exchanged
 /// Penetrations are reported in Connected::gaps; where InitialPenetration::refuse is asked for, the
 /// caller refuses the scene.
-Connected connect(Model&, const std::string& name, const std::string& apex_surface,
-                  const std::string& base_surface, const InterfaceOptions&);
+std::vector<Connected> connect(Model&, const std::string& name, const std::string& apex_surface,
+                               const std::string& base_surface, const InterfaceOptions&);
 
 }  // namespace nereid::dynamics

@@ -47,8 +47,16 @@ std::vector<Account> accounts(const Model& model) {
   for (const auto& block : model.blocks) {
     list.push_back(account(element::name(block), "block", element::stored_names(block), element::dissipated_names(block)));
   }
-  for (const auto& interface : model.interfaces) list.push_back(account(interface.name, "interface", {"penalty"}, {"damping"}));
-  for (const auto& plane : model.rigid_planes) list.push_back(account(plane.name, "rigid_plane", {"penalty"}, {}));
+  using Names = std::vector<std::string>;
+  for (const auto& interface : model.interfaces) {
+    const bool rubs = interface.friction.coefficient > 0;
+    list.push_back(account(interface.name, "interface", rubs ? Names{"penalty", "stick"} : Names{"penalty"},
+                           rubs ? Names{"damping", "friction"} : Names{"damping"}));
+  }
+  for (const auto& plane : model.rigid_planes) {
+    const bool rubs = plane.friction.coefficient > 0;
+    list.push_back(account(plane.name, "rigid_plane", rubs ? Names{"penalty", "stick"} : Names{"penalty"}, rubs ? Names{"friction"} : Names{}));
+  }
   for (const auto& plane : model.constraints.planes) {
     const bool is_floor = plane.kind == load::PlaneKind::floor;
     const char* kind = is_floor ? "floor" : plane.kind == load::PlaneKind::held ? "held" : "symmetry";

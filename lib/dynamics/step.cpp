@@ -155,8 +155,8 @@ Votes update(const Model& model, double dt, State& now, Forces& f) {
     }
   }
   for (std::size_t c = 0; c < model.interfaces.size(); ++c) {
-    contact::advance(model.interfaces[c], now.x, now.v, dt, now.interfaces[c], f.interfaces[c]);
-    const double step = contact::stable_step(model.interfaces[c], model.mass, f.interfaces[c]);
+    contact::advance(model.interfaces[c], now.x, now.v, now.w, dt, now.interfaces[c], f.interfaces[c]);
+    const double step = contact::stable_step(model.interfaces[c], model.mass, model.inertia, f.interfaces[c]);
     limit(step, model.interfaces[c].name, -1);
     votes.contact_step = std::min(votes.contact_step, step);
   }
@@ -188,7 +188,7 @@ void gather(const Model& model, const State& now, Forces& f) {
       if (turns) f.moment.col(model.turn_of_node[node]) += moment;
     });
   }
-  for (std::size_t c = 0; c < model.interfaces.size(); ++c) contact::add_forces(model.interfaces[c], f.interfaces[c], f.force);
+  for (std::size_t c = 0; c < model.interfaces.size(); ++c) contact::add_forces(model.interfaces[c], f.interfaces[c], f.force, f.moment);
   for (std::size_t p = 0; p < model.rigid_planes.size(); ++p)
     contact::add_forces(model.rigid_planes[p], now.rigid_planes[p], f.force);
 }
@@ -277,7 +277,11 @@ void settle(const Model& model, State& now) {
     Account& account = ledger.accounts[a++];
     account.work = interface.work;
     account.stored[0].value = contact::stored(interface);
-    account.dissipated[0].value = interface.dissipated;
+    account.dissipated[0].value = interface.damped;
+    if (!interface.slip.empty()) {
+      account.stored[1].value = contact::stick_stored(interface);
+      account.dissipated[1].value = interface.rubbed;
+    }
     account.created_by_reconnection = interface.created_by_reconnection;
     account.angular_impulse = interface.angular_impulse;
   }
@@ -285,6 +289,10 @@ void settle(const Model& model, State& now) {
     Account& account = ledger.accounts[a++];
     account.work = plane.work;
     account.stored[0].value = plane.stored;
+    if (!plane.slip.empty()) {
+      account.stored[1].value = plane.stick_stored;
+      account.dissipated[0].value = plane.rubbed;
+    }
     account.impulse = plane.impulse;
     account.angular_impulse = plane.angular_impulse;
   }

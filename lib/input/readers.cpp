@@ -46,29 +46,48 @@ element::Plate::Options read_plate_options(const Section& section) {
   return options;
 }
 
+contact::Coulomb read_friction(const Section& section) {
+  contact::Coulomb friction;
+  friction.coefficient = section.number_or("friction", friction.coefficient, within(0, 10));
+  friction.stick = section.when(friction.coefficient > 0).number_or("stick", friction.stick, above(0).up_to(1));
+  return friction;
+}
+
 dynamics::InterfaceOptions read_solid_interface(const Section& section) {
+  using dynamics::PenaltyFrom;
   dynamics::InterfaceOptions options;
+  const bool bonded = section.choice_or("kind", "contact", {"contact", "bonded"}) == "bonded";
+  options.kind = bonded ? contact::InterfaceKind::bonded : contact::InterfaceKind::contact;
   const bool given = section.has("penalty");
-  const double penalty = section.when(given).quantity("penalty", dim::penalty, positive);
-  if (given) options.penalty = penalty;
-  options.hardness = section.when(!given).number_or("hardness", options.hardness, positive);
-  options.damping = section.number_or("damping", options.damping, within(0, 1));
-  options.weights = section.choice_or("weights", "consistent", {"consistent", "paper"}) == "paper"
-                        ? contact::Weights::paper
-                        : contact::Weights::consistent;
-  options.area = section.choice_or("area", "apex", {"apex", "base"}) == "base" ? contact::Area::base : contact::Area::apex;
-  options.created_in_a_bounce = section.number_or("created_in_a_bounce", options.created_in_a_bounce, within(1e-5, 0.04));
+  options.penalty = section.when(given).quantity("penalty", dim::penalty, positive);
+  const Section chosen = section.when(!given);
+  const bool masses = chosen.choice_or("penalty_from", "stiffness", {"stiffness", "mass_and_step"}) == "mass_and_step" && !given;
+  options.penalty_from = given ? PenaltyFrom::value : masses ? PenaltyFrom::masses : PenaltyFrom::stiffness;
+  options.hardness = chosen.when(!masses).number_or("hardness", options.hardness, positive);
+  options.step_share = chosen.when(masses).number_or("step_share", options.step_share, positive);
+  options.two_passes = section.choice_or("passes", "one", {"one", "two"}) == "two";
+  const bool base_area = section.when(!masses).choice_or("area", "apex", {"apex", "base"}) == "base" && !masses;
+  options.area = base_area ? contact::Area::base : contact::Area::apex;
+  const Section unilateral = section.when(!bonded);
+  options.friction = read_friction(unilateral);
+  if (bonded) options.friction = {};
+  const Section rubbing = unilateral.when(options.friction.coefficient > 0);
+  if (rubbing.choice_or("weights", "consistent", {"consistent", "paper"}) == "paper") options.weights = contact::Weights::paper;
+  options.damping = unilateral.number_or("damping", options.damping, within(0, 1));
+  if (bonded) options.damping = 0;
+  options.created_in_a_bounce = unilateral.number_or("created_in_a_bounce", options.created_in_a_bounce, within(1e-5, 0.04));
   options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
   return options;
 }
 
 dynamics::InterfaceOptions read_interface(const Section& section) {
   dynamics::InterfaceOptions options = read_solid_interface(section);
-  const bool initial = section.choice_or("contact_height", "initial", {"initial", "given"}) == "initial";
+  const Section unilateral = section.when(options.kind == contact::InterfaceKind::contact);
+  const bool initial = unilateral.choice_or("contact_height", "initial", {"initial", "given"}) == "initial";
   options.height.from_initial_height = initial;
-  options.height.clearance = section.when(initial).quantity_or("clearance", 0, dim::length, not_negative);
-  options.height.given = section.when(!initial).quantity("height", dim::length, not_negative);
-  options.initial_penetration = section.choice_or("initial_penetration", "refuse", {"refuse", "accept"}) == "accept"
+  options.height.clearance = unilateral.when(initial).quantity_or("clearance", 0, dim::length, not_negative);
+  options.height.given = unilateral.when(!initial).quantity("height", dim::length, not_negative);
+  options.initial_penetration = unilateral.choice_or("initial_penetration", "refuse", {"refuse", "accept"}) == "accept"
                                     ? contact::InitialPenetration::accept
                                     : contact::InitialPenetration::refuse;
   return options;

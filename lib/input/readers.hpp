@@ -23,9 +23,13 @@ element::Hexahedron::Options read_hexahedron_options(const Section&);
 /// `thickness`, optional `layers` (1 to 9), `rotary_inertia: scaled | physical`, and the viscosity.
 element::Plate::Options read_plate_options(const Section&);
 
-/// `penalty` (without it the code chooses: `hardness` times the stiffness of the softer side),
-/// `damping` (fraction of critical), `weights: consistent | paper`, `area: apex | base`, `created_in_a_bounce`.
-/// All optional. For solid bodies, which touch at h = 0.
+/// `friction` [-] and, where it is not zero, `stick` in (0, 1]; both optional.
+contact::Coulomb read_friction(const Section&);
+
+/// `kind: contact | bonded`; `penalty`, or `penalty_from: stiffness` with `hardness`, or `mass_and_step` with
+/// `step_share`; `passes: one | two`; `area: apex | base`. Of a contact also `friction`, `stick`, `weights:
+/// consistent | paper`, `damping` (fraction of critical), `created_in_a_bounce`. All optional. For solid
+/// bodies, which touch at h = 0.
 dynamics::InterfaceOptions read_solid_interface(const Section&);
 
 /// The same, and for plates, whose mid-surface stands off:

@@ -17,9 +17,9 @@ Field vector(const std::string& name, const std::string& unit, const Vectors& va
 
 /// Contact forces on the nodes, of all interfaces and rigid planes. [N]
 Vectors contact_forces(const dynamics::View& view) {
-  Vectors force = Vectors::Zero(3, view.now.x.cols());
+  Vectors force = Vectors::Zero(3, view.now.x.cols()), moment = Vectors::Zero(3, view.now.w.cols());
   for (std::size_t c = 0; c < view.model.interfaces.size(); ++c)
-    contact::add_forces(view.model.interfaces[c], view.forces.interfaces[c], force);
+    contact::add_forces(view.model.interfaces[c], view.forces.interfaces[c], force, moment);
   for (std::size_t p = 0; p < view.model.rigid_planes.size(); ++p)
     contact::add_forces(view.model.rigid_planes[p], view.now.rigid_planes[p], force);
   return force;
@@ -92,7 +92,8 @@ Grid contact_grid(const dynamics::View& view) {
   std::vector<Field> cells = {scalar("part", "1", 2 * count, true),          scalar("interface_id", "1", 2 * count, true),
                               scalar("kind", "1", 2 * count, true),          scalar("base_id", "1", 2 * count, true),
                               scalar("apex_node", "1", 2 * count, true),     scalar("gap", "m", 2 * count),
-                              scalar("contact_pressure", "Pa", 2 * count),   scalar("contact_status", "1", 2 * count, true),
+                              scalar("contact_pressure", "Pa", 2 * count),   scalar("shear_traction", "Pa", 2 * count),
+                              scalar("slides", "1", 2 * count, true),        scalar("contact_status", "1", 2 * count, true),
                               scalar("reconnect_count", "1", 2 * count, true)};
   Eigen::Index e = 0;
   for (std::size_t c = 0; c < model.interfaces.size(); ++c) {
@@ -120,8 +121,8 @@ Grid contact_grid(const dynamics::View& view) {
       facets.nodes.col(e) << first + 2, first + 3, first + 4;
       const double values[] = {0.0, static_cast<double>(c), lost ? 0.0 : static_cast<double>(element.feature.kind),
                                static_cast<double>(element.feature.facet), static_cast<double>(apex),
-                               lost ? interface.reach : element.gap, element.traction,
-                               static_cast<double>(element.status), static_cast<double>(element.reconnections)};
+                               lost ? interface.reach : element.gap, element.traction, element.shear_traction,
+                               element.slides ? 1.0 : 0.0, static_cast<double>(element.status), static_cast<double>(element.reconnections)};
       for (std::size_t f = 0; f < cells.size(); ++f) {
         cells[f].values(0, e) = values[f];
         cells[f].values(0, count + e) = f == 0 ? 1.0 : values[f];

@@ -4,6 +4,7 @@
 
 #include "base/check.hpp"
 #include "contact/bounce.hpp"
+#include "dynamics/step.hpp"
 #include "mesh/box.hpp"
 #include "mesh/cylinder.hpp"
 
@@ -83,6 +84,7 @@ TEST(Connect, ThePenaltyChosenIsHardnessTimesTheSofterSide) {
 TEST(Connect, AGivenPenaltyIsTaken) {
   Model model = two_boxes(0.01);
   InterfaceOptions options;
+  options.penalty_from = PenaltyFrom::value;
   options.penalty = 3e9;
   options.created_in_a_bounce = 1e-3;
   connect(model, "joint", "above.z_low", "below.z_high", options);
@@ -109,7 +111,7 @@ TEST(Connect, ContactHeightFromTheInitialHeightLeavesTheClearance) {
   Model model = two_boxes(0.01);
   InterfaceOptions options;
   options.height.clearance = 0.002;
-  const Connected joint = connect(model, "joint", "above.z_low", "below.z_high", options);
+  const Connected joint = connect(model, "joint", "above.z_low", "below.z_high", options).front();
   EXPECT_EQ(joint.gaps.apexes, 16);
   EXPECT_EQ(joint.gaps.without_base, 0);
   EXPECT_EQ(joint.gaps.penetrating, 0);
@@ -122,7 +124,7 @@ TEST(Connect, AGivenContactHeightLeavesTheGapOfTheGeometry) {
   Model model = two_boxes(0.01);
   InterfaceOptions options;
   options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
-  const Connected joint = connect(model, "joint", "above.z_low", "below.z_high", options);
+  const Connected joint = connect(model, "joint", "above.z_low", "below.z_high", options).front();
   EXPECT_NEAR(joint.gaps.least, 0.01, 1e-15);
   EXPECT_NEAR(joint.gaps.largest, 0.01, 1e-15);
 }
@@ -134,7 +136,7 @@ TEST(Connect, PenetrationsAreReportedAndWhereAcceptedRemoved) {
     InterfaceOptions options;
     options.height = {.from_initial_height = false, .clearance = 0, .given = 0.015};
     options.initial_penetration = wanted;
-    const Connected joint = connect(model, "joint", "above.z_low", "below.z_high", options);
+    const Connected joint = connect(model, "joint", "above.z_low", "below.z_high", options).front();
     EXPECT_EQ(joint.gaps.penetrating, 16);
     EXPECT_NEAR(joint.gaps.deepest, 0.005, 1e-15);
     EXPECT_NEAR(joint.gaps.least, wanted == contact::InitialPenetration::accept ? 0 : -0.005,
@@ -166,7 +168,7 @@ TEST(Connect, ApexesOnSymmetryPlanesKnowTheDirectionsTheseAllow) {
   clamp.nodes = mesh::node_set(model.mesh, "core.side");
   model.constraints.planes.push_back(clamp);
   finish(model);
-  const Connected joint = connect(model, "joint", "core.side", "skin.inside", {});
+  const Connected joint = connect(model, "joint", "core.side", "skin.inside", {}).front();
   const contact::Interface& interface = model.interfaces[0];
   ASSERT_EQ(interface.allowed.size(), interface.apexes.size());
   int on_planes = 0;
@@ -179,6 +181,37 @@ TEST(Connect, ApexesOnSymmetryPlanesKnowTheDirectionsTheseAllow) {
   }
   EXPECT_EQ(on_planes, 8);
   EXPECT_EQ(joint.gaps.without_base, 0);
+}
+
+TEST(Connect, TwoPassesAreTwoInterfacesOfHalfThePenalty) {
+  Model model = two_boxes(0.01);
+  InterfaceOptions options;
+  options.two_passes = true;
+  const std::vector<Connected> passes = connect(model, "joint", "above.z_low", "below.z_high", options);
+  ASSERT_EQ(passes.size(), 2U);
+  EXPECT_EQ(model.interfaces[1].name, "joint_back");
+  EXPECT_EQ(model.interfaces[1].apexes, mesh::node_set(model.mesh, "below.z_high"));
+  for (const auto& pass : model.interfaces) EXPECT_NEAR(pass.penalty / (0.5 * 20 * modulus(soft) / 0.1), 1, 1e-12);
+}
+
+TEST(Connect, APenaltyFromMassesNeverAsksForLessThanItsShareOfTheElementsStep) {
+  for (const double share : {1.0, 0.5}) {
+    for (const bool swapped : {false, true}) {
+      Model model = two_boxes(1e-6);
+      InterfaceOptions options;
+      options.penalty_from = PenaltyFrom::masses;
+      options.step_share = share;
+      options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
+      const char* names[] = {"above.z_low", "below.z_high"};
+      std::vector<Connected> joint = connect(model, "joint", names[swapped], names[!swapped], options);
+      ASSERT_EQ(model.interfaces[0].spring.size(), static_cast<Eigen::Index>(model.interfaces[0].apexes.size()));
+      State state = initial_state(model, {joint[0].memory});
+      Forces forces = make_forces(model, {joint[0].workspace});
+      const Votes votes = start(model, state, forces);
+      EXPECT_GE(votes.contact_step, share * votes.element_step * (1 - 1e-12));
+      EXPECT_LT(votes.contact_step, 2 * share * votes.element_step);
+    }
+  }
 }
 
 TEST(Connect, WithoutSymmetryPlanesEveryDirectionIsAllowed) {

@@ -22,9 +22,10 @@ struct Scene {
 
   void joined(const std::string& name, const std::string& apexes, const std::string& bases,
               const InterfaceOptions& options) {
-    Connected connected = connect(model, name, apexes, bases, options);
-    memories.push_back(std::move(connected.memory));
-    workspaces.push_back(std::move(connected.workspace));
+    for (Connected& connected : connect(model, name, apexes, bases, options)) {
+      memories.push_back(std::move(connected.memory));
+      workspaces.push_back(std::move(connected.workspace));
+    }
   }
   void ready() {
     state = initial_state(model, memories);
@@ -265,6 +266,7 @@ TEST(Run, StopsWhenTheStepCollapsesAndSaysWhoAskedForIt) {
   Scene s = sliding();
   InterfaceOptions options;
   options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
+  options.penalty_from = PenaltyFrom::value;
   options.penalty = 1e25;
   s.joined("joint", "above.z_low", "below.z_high", options);
   s.ready();

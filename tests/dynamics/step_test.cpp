@@ -55,9 +55,10 @@ struct Scene {
 
   void joined(const std::string& name, const std::string& apexes, const std::string& bases,
               const InterfaceOptions& options) {
-    Connected connected = connect(model, name, apexes, bases, options);
-    memories.push_back(std::move(connected.memory));
-    workspaces.push_back(std::move(connected.workspace));
+    for (Connected& connected : connect(model, name, apexes, bases, options)) {
+      memories.push_back(std::move(connected.memory));
+      workspaces.push_back(std::move(connected.workspace));
+    }
   }
   void ready() {
     state = initial_state(model, memories);
@@ -250,6 +251,7 @@ TEST(Residual, IsRoundOffWithWeightsOfThePaper) {
   InterfaceOptions options;
   options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
   options.weights = contact::Weights::paper;
+  options.friction.coefficient = 0.3;
   s.joined("joint", "above.z_low", "below.z_high", options);
   s.ready();
   for (const Index node : mesh::node_set(s.model.mesh, "above"))
@@ -258,6 +260,106 @@ TEST(Residual, IsRoundOffWithWeightsOfThePaper) {
   expect_closed(s);
   EXPECT_GT(account(s.state, "joint").angular_impulse.norm(), 0);
   EXPECT_EQ(account(s.state, "joint").impulse, Vec3(0, 0, 0));
+}
+
+/// Two blocks that collide askew, with friction between them.
+Scene askew(const InterfaceOptions& options) {
+  Scene s;
+  s.model.mesh = mesh::join(mesh::box("below", {{0, 0, 0}, {0.4, 0.4, 0.2}, {4, 4, 2}}),
+                            mesh::box("above", {{0.05, 0.05, 0.201}, {0.35, 0.35, 0.4}, {2, 2, 2}}));
+  for (const char* name : {"below", "above"}) s.model.blocks.push_back(element::hexahedra(s.model.mesh, name, rubber, inviscid));
+  finish(s.model);
+  s.joined("joint", "above.z_low", "below.z_high", options);
+  s.ready();
+  for (const Index node : mesh::node_set(s.model.mesh, "above")) s.state.v.col(node) = Vec3(1, 0.5, -3);
+  return s;
+}
+
+InterfaceOptions solid_contact(double friction) {
+  InterfaceOptions options;
+  options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
+  options.friction.coefficient = friction;
+  return options;
+}
+
+TEST(Friction, BetweenBodiesKeepsMomentaAndDissipates) {
+  for (const bool two_passes : {false, true}) {
+    InterfaceOptions options = solid_contact(0.4);
+    options.two_passes = two_passes;
+    Scene s = askew(options);
+    go(s, 400);
+    expect_closed(s);
+    const double scale = s.state.ledger.initial_momentum.norm();
+    EXPECT_LT((s.state.ledger.momentum - s.state.ledger.initial_momentum).norm(), 1e-12 * scale);
+    EXPECT_LT((s.state.ledger.angular_momentum - s.state.ledger.initial_angular_momentum).norm(), 1e-12 * scale);
+    EXPECT_GT(account(s.state, "joint").dissipated[1].value, 0.001 * s.state.ledger.initial_kinetic);
+    EXPECT_LT(std::abs(created(account(s.state, "joint"))), 0.002 * s.state.ledger.initial_kinetic);
+    if (!two_passes) continue;
+    EXPECT_GT(account(s.state, "joint_back").dissipated[1].value, 0);
+  }
+}
+
+TEST(Bonded, BodiesMoveAsOneAndTheBondCreatesNothing) {
+  InterfaceOptions options = solid_contact(0);
+  options.kind = contact::InterfaceKind::bonded;
+  Scene s = askew(options);
+  go(s, 400);
+  expect_closed(s);
+  const double scale = s.state.ledger.initial_momentum.norm();
+  EXPECT_LT((s.state.ledger.angular_momentum - s.state.ledger.initial_angular_momentum).norm(), 1e-12 * scale);
+  EXPECT_GT(account(s.state, "joint").stored[0].value, 0);
+  EXPECT_LT(std::abs(created(account(s.state, "joint"))), 1e-3 * s.state.ledger.initial_kinetic);
+}
+
+TEST(Friction, OnAPlateTurnsItsNodesByTheMomentOfHalfTheThickness) {
+  // a block slides on a plate: without the moments the angular momentum would be off by h_c n x f
+  Scene s;
+  s.model.mesh = mesh::join(mesh::tube("tube", {0.5, 0.8, mesh::Turn::full, 3, 6}),
+                            mesh::cylinder("core", {0.48, 0.8, mesh::Turn::full, 3, 2, 6}));
+  element::Plate::Options plate;
+  plate.thickness = 0.02;
+  plate.viscosity = {0, 0};
+  s.model.blocks.push_back(element::plates(s.model.mesh, "tube", rubber, plate));
+  s.model.blocks.push_back(element::hexahedra(s.model.mesh, "core", rubber, inviscid));
+  finish(s.model);
+  for (const bool swapped : {false, true}) {
+    Scene here = s;
+    InterfaceOptions options;
+    options.friction.coefficient = 0.5;
+    if (swapped) here.joined("joint", "tube.inside", "core.side", options);
+    else here.joined("joint", "core.side", "tube.inside", options);
+    here.ready();
+    for (const Index node : mesh::node_set(here.model.mesh, "core")) here.state.v.col(node) = Vec3(2, 0.3, 1);
+    go(here, 300);
+    expect_closed(here);
+    const Ledger& ledger = here.state.ledger;
+    const double scale = ledger.initial_momentum.norm();
+    EXPECT_LT((ledger.angular_momentum - ledger.initial_angular_momentum).norm(), 1e-12 * scale);
+    EXPECT_GT(account(here.state, "joint").dissipated[1].value, 0.001 * ledger.initial_kinetic);
+    EXPECT_LT(std::abs(created(account(here.state, "joint"))), 0.01 * ledger.initial_kinetic);
+    EXPECT_GT(here.state.w.norm(), 0);
+  }
+}
+
+TEST(Friction, OnARigidPlaneStopsABlockByItsCoefficient) {
+  Scene s = box({3, 2, 2}, rubber, inviscid);
+  contact::RigidPlane floor;
+  floor.name = "floor";
+  floor.point = Vec3(0, 0, 0), floor.normal = Vec3::UnitZ();
+  floor.nodes = mesh::node_set(s.model.mesh, "box.z_low");
+  floor.area = mesh::tributary_areas(s.model.mesh, mesh::surface(s.model.mesh, "box.z_low"), floor.nodes);
+  floor.penalty = 1e7;
+  floor.friction = {0.3, 1};
+  s.model.rigid_planes.push_back(floor);
+  s.model.gravity = Vec3(0, 0, -9.81);
+  finish(s.model);
+  s.ready();
+  s.state.v.row(0).setConstant(0.5);
+  go(s, 400);
+  expect_closed(s);
+  EXPECT_GT(account(s.state, "floor").dissipated[0].value, 0);
+  EXPECT_LT(account(s.state, "floor").impulse.x(), 0);
+  EXPECT_LT(std::abs(created(account(s.state, "floor"))), 0.001 * s.state.ledger.initial_kinetic);
 }
 
 TEST(Residual, IsRoundOffForPlatesThatTurn) {

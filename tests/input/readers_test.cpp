@@ -58,9 +58,13 @@ TEST(ReadLaw, WantsTheShareOfMixedHardeningAndOfNoOther) {
 }
 
 TEST(ReadInterface, LetsTheCodeChooseUnlessAPenaltyIsGiven) {
-  EXPECT_FALSE(read("hardness: 5\n", read_interface).penalty.has_value());
+  using dynamics::PenaltyFrom;
+  EXPECT_EQ(read("hardness: 5\n", read_interface).penalty_from, PenaltyFrom::stiffness);
   EXPECT_EQ(read("hardness: 5\n", read_interface).hardness, 5);
-  EXPECT_EQ(read("penalty: 5e13 Pa/m\n", read_interface).penalty.value(), 5e13);
+  EXPECT_EQ(read("penalty: 5e13 Pa/m\n", read_interface).penalty_from, PenaltyFrom::value);
+  EXPECT_EQ(read("penalty: 5e13 Pa/m\n", read_interface).penalty, 5e13);
+  EXPECT_EQ(read("penalty_from: mass_and_step\nstep_share: 0.5\n", read_interface).penalty_from, PenaltyFrom::masses);
+  EXPECT_EQ(read("penalty_from: mass_and_step\nstep_share: 0.5\n", read_interface).step_share, 0.5);
 }
 
 TEST(ReadInterface, DefaultsToTheBetterForms) {
@@ -68,6 +72,9 @@ TEST(ReadInterface, DefaultsToTheBetterForms) {
   EXPECT_EQ(options.weights, contact::Weights::consistent);
   EXPECT_EQ(options.area, contact::Area::apex);
   EXPECT_EQ(options.damping, 0);
+  EXPECT_EQ(options.kind, contact::InterfaceKind::contact);
+  EXPECT_EQ(options.friction.coefficient, 0);
+  EXPECT_FALSE(options.two_passes);
   EXPECT_TRUE(options.height.from_initial_height);
   EXPECT_DOUBLE_EQ(options.height.clearance, 5e-4);
 }

@@ -21,7 +21,7 @@ struct Scene {
     for (const char* name : {"A", "B"}) model.blocks.push_back(element::hexahedra(model.mesh, name, material::Elastic{1, 1, 0}, {}));
     model.constraints.planes.push_back({"floor", load::PlaneKind::floor, Vec3::Zero(), Vec3::UnitZ(), mesh::node_set(model.mesh, "A")});
     dynamics::finish(model);
-    auto connected = dynamics::connect(model, "contact", "A.x_high", "B.x_low", {});
+    const auto connected = dynamics::connect(model, "contact", "A.x_high", "B.x_low", {}).front();
     std::vector<contact::Memory> memories{connected.memory};
     std::vector<contact::Workspace> workspaces{connected.workspace};
     state = dynamics::initial_state(model, memories);

@@ -1,0 +1,81 @@
+#pragma once
+// Coulomb's friction with an elastic stick, and where it acts on a base.
+
+#include <array>
+
+#include "base/types.hpp"
+
+namespace nereid::contact {
+
+/// Coulomb's friction: sticks elastically up to coefficient times the normal force, then slides.
+struct Coulomb {
+  double coefficient = 0;  ///< [-] zero: frictionless
+  double stick = 1;        ///< [-] stiffness of the elastic stick over that of the penalty
+};
+
+/// The elastic part of a slip and the part that slid.
+struct Slip {
+  Vec3 elastic;  ///< [m]
+  Vec3 slid;     ///< [m]
+};
+
+/// Splits a slip into what the stick can hold and what has to slide: radial return.
+///
+///     elastic = trial min(1, limit / (stiffness |trial|)),   slid = trial - elastic
+///
+/// stiffness  [N/m] of the stick;  limit  [N] coefficient times the normal force, not negative
+inline Slip stick_or_slide(const Vec3& trial, double stiffness, double limit) {
+  const double force = stiffness * trial.norm();
+  if (!(force > limit)) return {trial, Vec3::Zero()};
+  const Vec3 elastic = (limit / force) * trial;
+  return {elastic, trial - elastic};
+}
+
+/// A point of contact between an apex and three nodes of its base.
+///
+/// Friction f acts on the apex and -f on the base at one point between them. Forces at nodes alone would
+/// turn the pair by arm x f, so each side gets the moment of its part of the arm: plates as moments on
+/// their nodes, solids as forces q x r_I on the facet that make that moment and no net force.
+struct Touch {
+  Vec3 normal = Vec3::UnitZ();     ///< unit vector from the base to the side of the apex
+  Vec3 arm = Vec3::Zero();         ///< [m] from the foot to the apex
+  Index apex = -1;                 ///< node
+  std::array<Index, 3> node{};     ///< of the base
+  std::array<double, 3> weight{};  ///< of the foot; they sum to one
+  Vec3 base_arm = Vec3::Zero();    ///< [m] part of the arm whose moment the base takes
+  Vec3 apex_arm = Vec3::Zero();    ///< [m] part whose moment the apex takes, a plate
+  bool base_turns = false;         ///< the base is a plate, whose nodes have angular velocities
+  std::array<Vec3, 3> offset;      ///< [m] of the base nodes from their mean
+  Mat3 per_inertia = Mat3::Zero(); ///< [1/m2] inverse of the sum of |offset|^2 1 - offset offset^T
+};
+
+/// Sets Touch::offset and per_inertia from the positions of the base nodes.
+void measure_base(const std::array<Vec3, 3>& corner, Touch&);
+
+/// The angular velocity that fits the velocities of the base nodes best. [rad/s]
+///
+///     per_inertia . sum of offset_I x v_I;  exact for a rigid motion
+Vec3 spin_of_base(const Touch&, const Vectors& v);
+
+/// Velocity with which the apex slides on its base, in the plane across the normal. [m/s]
+///
+///     (1 - n n^T) (v_apex - w_apex x apex_arm - sum of weight_I v_I - spin x base_arm)
+///
+/// turn_of_node  [nodes of the mesh] column of w, or -1; read where a side is a plate
+/// Invariants    zero in a rigid motion of both sides, where the arm parts add up to the arm
+Vec3 slip_rate(const Touch&, const Vectors& v, const Vectors& w, const std::vector<Index>& turn_of_node);
+
+/// Adds a friction force on the apex [N], and what balances it, to forces [N] and moments [N m].
+///
+/// Its power is friction . slip_rate() for every motion.
+/// Invariants  no net force; no net moment where the arm parts add up to the arm.
+void add_friction(const Touch&, const Vec3& friction, const std::vector<Index>& turn_of_node, Vectors& force, Vectors& moment);
+
+/// Moment about the origin of the same forces and moments, at the positions `later` [s] after x. [N m]
+Vec3 moment_of_friction(const Touch&, const Vec3& friction, const Vectors& x, const Vectors& v, double later);
+
+/// A vector carried along with the base: turned by its rotation [rad], laid into the plane across the
+/// new normal, its length kept.
+Vec3 carried(const Vec3& vector, const Vec3& rotation, const Vec3& normal);
+
+}  // namespace nereid::contact
