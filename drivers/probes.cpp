@@ -35,10 +35,32 @@ Measure of_nodes(const std::string& quantity, const std::string& along, const Su
   return [nodes, axis](const View& view) { return dynamics::radius(view, nodes, axis); };
 }
 
-Measure of_contact(const std::string& quantity, std::size_t interface) {
-  if (quantity == "gap") return [interface](const View& view) { return dynamics::touch(view, interface).least_gap; };
-  if (quantity == "contact_area") return [interface](const View& view) { return dynamics::touch(view, interface).area; };
-  return [interface](const View& view) { return dynamics::touch(view, interface).largest_pressure; };
+/// Places of the interfaces of a contact: one, or two passes with the sides exchanged.
+std::vector<std::size_t> passes(const dynamics::Model& model, const std::string& contact) {
+  std::vector<std::size_t> found;
+  for (std::size_t c = 0; c < model.interfaces.size(); ++c)
+    if (model.interfaces[c].name == contact || model.interfaces[c].name == contact + "_back") found.push_back(c);
+  return found;
+}
+
+/// Gap and area of the surface with the apexes; pressures of two passes act together.
+Measure of_contact(const std::string& quantity, const std::vector<std::size_t>& passes) {
+  if (quantity == "gap")
+    return [passes](const View& view) { return dynamics::contact_state(view, passes[0]).least_gap; };
+  if (quantity == "contact_area")
+    return [passes](const View& view) { return dynamics::contact_state(view, passes[0]).area; };
+  return [passes](const View& view) {
+    double sum = 0;
+    for (const std::size_t pass : passes) sum += dynamics::contact_state(view, pass).largest_pressure;
+    return sum;
+  };
+}
+
+/// On the surface with the apexes: of a second pass it is what pushes back.
+Vec3 force_on_apexes(const View& view, const std::vector<std::size_t>& passes) {
+  Vec3 sum = dynamics::contact_force(view, passes[0]);
+  for (std::size_t p = 1; p < passes.size(); ++p) sum -= dynamics::contact_force(view, passes[p]);
+  return sum;
 }
 
 Measure of_body(const input::ProbeOptions& probe, const Scene& scene) {
@@ -56,7 +78,7 @@ Measure of_source(const input::ProbeOptions& probe, const Scene& scene) {
   const std::string& along = probe.quantity.components[static_cast<std::size_t>(probe.component)];
   const auto here = [&](const auto& one) { return one.name == probe.of; };
   const dynamics::Model& model = scene.model;
-  const auto interface = std::find_if(model.interfaces.begin(), model.interfaces.end(), here);
+  const auto interfaces = passes(model, probe.of);
   const auto rigid = std::find_if(model.rigid_planes.begin(), model.rigid_planes.end(), here);
   const auto plane = std::find_if(model.constraints.planes.begin(), model.constraints.planes.end(), here);
   Vec3 normal = Vec3::Zero();
@@ -64,10 +86,8 @@ Measure of_source(const input::ProbeOptions& probe, const Scene& scene) {
   if (plane != model.constraints.planes.end()) normal = plane->normal;
   if (along == "normal" && normal.isZero(0))
     probe.at.fault("component", "'component' = normal: " + probe.of + " is no plane and has no normal");
-  if (interface != model.interfaces.end()) {
-    const auto c = static_cast<std::size_t>(interface - model.interfaces.begin());
-    return component(along, normal, [c](const View& view) { return dynamics::contact_force(view, c); });
-  }
+  if (!interfaces.empty())
+    return component(along, normal, [interfaces](const View& view) { return force_on_apexes(view, interfaces); });
   return component(along, normal, dynamics::MeanForce(dynamics::account_of(scene.state.ledger, probe.of)));
 }
 
@@ -92,11 +112,7 @@ Measure measure(const input::ProbeOptions& probe, const Scene& scene) {
   switch (quantity.of) {
     case input::Of::body: return of_body(probe, scene);
     case input::Of::source: return of_source(probe, scene);
-    case input::Of::contact: {
-      std::size_t c = 0;
-      while (scene.model.interfaces[c].name != probe.of) ++c;
-      return of_contact(quantity.name, c);
-    }
+    case input::Of::contact: return of_contact(quantity.name, passes(scene.model, probe.of));
     case input::Of::nodes: break;
   }
   return of_nodes(quantity.name, names.empty() ? "x" : names[static_cast<std::size_t>(probe.component)],

@@ -75,21 +75,23 @@ double of_body(const View& view, std::size_t b, std::string_view name, int compo
 Vec3 contact_force(const View& view, std::size_t interface) {
   Vec3 sum = Vec3::Zero();
   for (const auto& element : view.forces.interfaces[interface].elements)
-    if (element.closed) sum += element.apex;
+    if (element.closed) sum += element.scale * element.apex;
+  for (const auto& friction : view.forces.interfaces[interface].friction)
+    if (friction.acts) sum += friction.force;
   return sum;
 }
 
-Touch touch(const View& view, std::size_t c) {
+ContactState contact_state(const View& view, std::size_t c) {
   const contact::Interface& interface = view.model.interfaces[c];
-  Touch touch{.least_gap = std::numeric_limits<double>::quiet_NaN(), .largest_pressure = 0, .area = 0};
+  ContactState state{.least_gap = std::numeric_limits<double>::quiet_NaN(), .largest_pressure = 0, .area = 0};
   for (Index apex = 0; apex < static_cast<Index>(interface.apexes.size()); ++apex) {
     const auto element = contact::view(interface, view.now.x, view.now.interfaces[c], apex);
     if (element.feature.facet < 0) continue;
-    if (!(touch.least_gap <= element.gap)) touch.least_gap = element.gap;
-    touch.largest_pressure = std::max(touch.largest_pressure, element.traction);
-    if (element.status == contact::Status::closed) touch.area += interface.area(apex);
+    if (!(state.least_gap <= element.gap)) state.least_gap = element.gap;
+    state.largest_pressure = std::max(state.largest_pressure, element.traction);
+    if (element.status == contact::Status::closed) state.area += interface.area(apex);
   }
-  return touch;
+  return state;
 }
 
 Vec3 MeanForce::operator()(const View& view) {

@@ -35,16 +35,16 @@ enum class Take {
 /// Throws InternalError if the body has no such field.
 double of_body(const View&, std::size_t block, std::string_view field, int component, Take);
 
-/// Force of an interface on all its apexes, at this moment; on the bases it is the opposite. [N]
+/// Force of an interface on all its apexes, at this moment, with friction; on the bases it is the opposite. [N]
 Vec3 contact_force(const View&, std::size_t interface);
 
 /// An interface as a whole.
-struct Touch {
+struct ContactState {
   double least_gap = 0;         ///< [m] negative in contact; NaN where no apex has a base
   double largest_pressure = 0;  ///< [Pa] compression positive
   double area = 0;              ///< [m2] tributary areas of the apexes in contact
 };
-Touch touch(const View&, std::size_t interface);
+ContactState contact_state(const View&, std::size_t interface);
 
 /// Force of a source with an account, as a mean over the time between two calls: what its impulse grew by. [N]
 ///

@@ -77,15 +77,7 @@ void add_mass(const AnyBlock& any, Scalars& mass) {
 }
 
 Scalars element_masses(const AnyBlock& any) {
-  Scalars mass(tiling(any).elements);
-  std::visit(
-      [&](const auto& block) {
-        each_element(block, [&](std::size_t pack, int lane, const auto& constants) {
-          mass(block.tiling.element[pack * lanes + lane]) = constants.mass;
-        });
-      },
-      any);
-  return mass;
+  return with_kernels(any, [](const auto& block, auto kernels) { return kernels.element_masses(block); });
 }
 
 void add_rotary_inertia(const AnyBlock& any, Scalars& inertia) {

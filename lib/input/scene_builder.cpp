@@ -87,7 +87,8 @@ contact::RigidPlane rigid_plane(const PlaneOptions& plane, const dynamics::Model
           .nodes = nodes,
           .area = mesh::tributary_areas(model.mesh, surface, nodes),
           .penalty = plane.penalty.value_or(plane.hardness * dynamics::surface_stiffness(model, surface)),
-          .bounce_step = contact::step_for_a_bounce(plane.created_in_a_bounce)};
+          .bounce_step = contact::step_for_a_bounce(plane.created_in_a_bounce),
+          .friction = plane.friction};
 }
 
 /// The constraints that a plane of the case stands for: three for a fixed one, else one.
@@ -163,7 +164,7 @@ void add_bodies_and_planes(const SceneOptions& scene, dynamics::Model& model) {
   model.gravity = scene.gravity;
   for (const BodyOptions& body : scene.bodies)
     model.blocks.push_back(body.plates ? element::plates(model.mesh, body.name, body.law, body.plate)
-                                       : element::hexahedra(model.mesh, body.name, body.law, body.solid));
+                                       : element::solids(model.mesh, body.name, body.law, body.solid));
   refuse_too_many(scene, model.mesh);
   for (const PlaneOptions& plane : scene.planes) {
     const bool rigid = plane.kind == ScenePlane::rigid;
@@ -190,8 +191,10 @@ std::vector<dynamics::Connected> add_contacts(const SceneOptions& scene, dynamic
     dynamics::InterfaceOptions options = contact.interface;
     if (contact.height_from_thickness)
       options.height.given = stand_off(scene.bodies, contact.apexes) + stand_off(scene.bodies, contact.base);
-    connected.push_back(dynamics::connect(model, contact.name, contact.apexes, contact.base, options));
-    refuse_penetration(contact.at, options, connected.back().gaps);
+    for (dynamics::Connected& pass : dynamics::connect(model, contact.name, contact.apexes, contact.base, options)) {
+      refuse_penetration(contact.at, options, pass.gaps);
+      connected.push_back(std::move(pass));
+    }
   }
   return connected;
 }

@@ -72,15 +72,8 @@ ContactOptions read_contact(const Section& section, Names& taken) {
                          .base = section.word("base"),
                          .height_from_thickness = false,
                          .interface = read_solid_interface(section)};
-  const std::string height = section.choice_or("contact_height", "thickness", {"thickness", "initial", "given"});
-  contact.height_from_thickness = height == "thickness";
-  contact.interface.height = {.from_initial_height = height == "initial",
-                              .clearance = section.when(height == "initial").quantity_or("clearance", 0, dim::length, not_negative),
-                              .given = section.when(height == "given").quantity("height", dim::length, not_negative)};
-  if (height != "given") contact.interface.height.given = 0;
-  contact.interface.initial_penetration = section.choice_or("initial_penetration", "refuse", {"refuse", "accept"}) == "accept"
-                                              ? contact::InitialPenetration::accept
-                                              : contact::InitialPenetration::refuse;
+  contact.height_from_thickness = read_contact_height(section, HeightFrom::thickness, contact.interface) == HeightFrom::thickness;
+  if (contact.interface.two_passes) taken.push_back(contact.name + "_back");
   return contact;
 }
 
@@ -101,6 +94,7 @@ PlaneOptions read_plane(const Section& section, Names& taken) {
                      .normal = read_direction(if_plane, "normal"),
                      .penalty = std::nullopt,
                      .hardness = if_rigid.when(!given).number_or("hardness", usual.hardness, positive),
+                     .friction = read_friction(if_rigid),
                      .created_in_a_bounce = if_rigid.number_or("created_in_a_bounce", usual.created_in_a_bounce, within(1e-5, 0.04))};
   const double penalty = if_rigid.when(given).quantity("penalty", dim::penalty, positive);
   if (given) plane.penalty = penalty;

@@ -25,7 +25,7 @@ struct BodyOptions {
   Placement place;
   element::AnyLaw law;
   bool plates;  ///< else solid
-  element::Hexahedron::Options solid;
+  element::AnyHexahedronOptions solid;
   element::Plate::Options plate;
 };
 
@@ -49,6 +49,7 @@ struct PlaneOptions {
   Vec3 point, normal;              ///< [m] of floor and rigid; unit vector, of all but fixed
   std::optional<double> penalty;   ///< [Pa/m] of rigid; without it hardness counts
   double hardness;                 ///< [-] penalty over the stiffness of the surface
+  contact::Coulomb friction;       ///< of rigid
   double created_in_a_bounce;      ///< [-]
 };
 

@@ -92,16 +92,17 @@ TEST(OfBody, IsTheMeanOverTheVolumeOrTheLargestElement) {
 TEST(ContactForce, IsPenaltyTimesAreaTimesDepthOnTheApexes) {
   Scene scene({{"left", 0}, {"right", 2}});
   InterfaceOptions options;
+  options.penalty_from = PenaltyFrom::value;
   options.penalty = 1e6;
   options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
-  Connected connected = connect(scene.model, "touch", "left.x_high", "right.x_low", options);
+  Connected connected = std::move(connect(scene.model, "touch", "left.x_high", "right.x_low", options)[0]);
   scene.state = initial_state(scene.model, {connected.memory});
   scene.forces = make_forces(scene.model, {connected.workspace});
   constexpr double depth = 1e-3;
   for (const Index node : mesh::node_set(scene.model.mesh, "left")) scene.state.x(0, node) += depth;
   start(scene.model, scene.state, scene.forces);
   EXPECT_LT((contact_force(scene.view(), 0) - Vec3(-1e6 * depth, 0, 0)).norm(), 1e-9);  // round-off of coordinates of 2 m
-  const Touch all_of_it = touch(scene.view(), 0);
+  const ContactState all_of_it = contact_state(scene.view(), 0);
   EXPECT_NEAR(all_of_it.least_gap, -depth, 1e-15);
   EXPECT_NEAR(all_of_it.largest_pressure, 1e6 * depth, 1e-9);
   EXPECT_NEAR(all_of_it.area, 1, 1e-15);
@@ -110,16 +111,17 @@ TEST(ContactForce, IsPenaltyTimesAreaTimesDepthOnTheApexes) {
 TEST(ContactForce, IsZeroWhereSurfacesAreApart) {
   Scene scene({{"left", 0}, {"right", 2.5}});
   InterfaceOptions options;
+  options.penalty_from = PenaltyFrom::value;
   options.penalty = 1e6;
   options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
-  Connected connected = connect(scene.model, "touch", "left.x_high", "right.x_low", options);
+  Connected connected = std::move(connect(scene.model, "touch", "left.x_high", "right.x_low", options)[0]);
   scene.state = initial_state(scene.model, {connected.memory});
   scene.forces = make_forces(scene.model, {connected.workspace});
   start(scene.model, scene.state, scene.forces);
   EXPECT_EQ(contact_force(scene.view(), 0), Vec3::Zero());
-  EXPECT_DOUBLE_EQ(touch(scene.view(), 0).least_gap, 0.5);
-  EXPECT_EQ(touch(scene.view(), 0).area, 0);
-  EXPECT_EQ(touch(scene.view(), 0).largest_pressure, 0);
+  EXPECT_DOUBLE_EQ(contact_state(scene.view(), 0).least_gap, 0.5);
+  EXPECT_EQ(contact_state(scene.view(), 0).area, 0);
+  EXPECT_EQ(contact_state(scene.view(), 0).largest_pressure, 0);
 }
 
 TEST(MeanForce, OfGravityIsTheWeight) {
