@@ -19,7 +19,7 @@
 using namespace nereid;
 
 struct Case {
-  bool quarter;
+  bool quarter, clad;
   int level;
   double radius, length;  // [m]
   element::AnyLaw lead, steel;
@@ -33,16 +33,18 @@ struct Case {
 
 Case read(const input::Section& root) {
   const auto model = root.section("model"), mesh = root.section("mesh"), cylinder = root.section("cylinder");
-  const auto lead = root.section("lead"), cladding = root.section("cladding"), interface = root.section_or_empty("interface");
+  const auto cladding = root.section("cladding");
+  const bool clad = cladding.choice("kind", {"plates", "none"}) == "plates";
   Case c{.quarter = model.choice("kind", {"full", "quarter"}) == "quarter",
+         .clad = clad,
          .level = mesh.count("level", 1, 64),
          .radius = cylinder.quantity("radius", dim::length, input::positive),
          .length = cylinder.quantity("length", dim::length, input::positive),
-         .lead = input::read_law(lead),
-         .steel = input::read_law(cladding),
-         .lead_element = input::read_hexahedron_options(lead),
-         .cladding_element = input::read_plate_options(cladding),
-         .interface = input::read_interface(interface),
+         .lead = input::read_law(root.section("lead")),
+         .steel = input::read_law(root.when(clad).section("steel")),
+         .lead_element = input::read_hexahedron_options(root.section_or_empty("element")),
+         .cladding_element = input::read_plate_options(cladding.when(clad)),
+         .interface = input::read_interface(root.when(clad).section_or_empty("interface")),
          .speed = root.section("initial").quantity("speed", dim::speed, input::positive),
          .time = input::read_time(root.section("time")),
          .recording = {}};
@@ -51,21 +53,33 @@ Case read(const input::Section& root) {
 }
 
 /// Nodes of lead and cladding with that ending, ascending.
-Subset both(const mesh::Mesh& mesh, const std::string& ending) {
+Subset both(const Case& c, const mesh::Mesh& mesh, const std::string& ending) {
   Subset nodes = mesh::node_set(mesh, "lead" + ending);
+  if (!c.clad) return nodes;
   const Subset& more = mesh::node_set(mesh, "cladding" + ending);
   nodes.insert(nodes.end(), more.begin(), more.end());
   return nodes;
 }
 
+void add_bodies(const Case& c, dynamics::Model& model) {
+  const auto turn = c.quarter ? mesh::Turn::quarter : mesh::Turn::full;
+  const int n = c.level, along = 12 * n;  // cells as long as they are wide at every level
+  model.mesh = mesh::cylinder("lead", {c.radius, c.length, turn, n, n, along});
+  model.blocks.push_back(element::hexahedra(model.mesh, "lead", c.lead, c.lead_element));
+  if (!c.clad) return;
+  const double skin = c.radius + c.cladding_element.thickness / 2;  // the plates' mid-surface
+  model.mesh = mesh::join(model.mesh, mesh::tube("cladding", {skin, c.length, turn, n, along}));
+  model.blocks.push_back(element::plates(model.mesh, "cladding", c.steel, c.cladding_element));
+}
+
 void constrain(const Case& c, dynamics::Model& model) {
   auto& planes = model.constraints.planes;
   planes.push_back({.name = "floor", .kind = load::PlaneKind::floor, .point = Vec3::Zero(), .normal = Vec3::UnitZ(),
-                    .nodes = both(model.mesh, "")});
+                    .nodes = both(c, model.mesh, "")});
   if (!c.quarter) return;
   for (const auto& [name, normal] : {std::pair{"x_plane", Vec3(Vec3::UnitX())}, {"y_plane", Vec3(Vec3::UnitY())}})
     planes.push_back({.name = name, .kind = load::PlaneKind::symmetry, .point = Vec3::Zero(), .normal = normal,
-                      .nodes = both(model.mesh, std::string(".") + name)});
+                      .nodes = both(c, model.mesh, std::string(".") + name)});
 }
 
 /// Settlement of the lead's top: its area mean, and that of its centre. [m]
@@ -90,10 +104,10 @@ Top top_of_lead(const mesh::Mesh& mesh) {
   return top;
 }
 
-/// Largest outward displacement of the cladding. [m]
-double bulge(const dynamics::View& view, const Subset& cladding) {
+/// Largest outward displacement of the outermost nodes: of the cladding or, without it, of the lead's side. [m]
+double bulge(const dynamics::View& view, const Subset& outside) {
   double most = 0;
-  for (const Index node : cladding)
+  for (const Index node : outside)
     most = std::max(most, view.now.x.col(node).head<2>().norm() - view.model.mesh.X.col(node).head<2>().norm());
   return most;
 }
@@ -104,23 +118,18 @@ driver::Scene build(const input::CaseFile& file) {
   driver::Scene scene{.model = {}, .state = {}, .forces = {}, .gaps = {}, .time = c.time, .recording = c.recording,
                       .probes = {}, .watchers = {}, .results = {}};
   dynamics::Model& model = scene.model;
-  const auto turn = c.quarter ? mesh::Turn::quarter : mesh::Turn::full;
-  const int n = c.level, along = 12 * n;  // cells as long as they are wide at every level
-  const double skin = c.radius + c.cladding_element.thickness / 2;  // the plates' mid-surface
-  model.mesh = mesh::join(mesh::cylinder("lead", {c.radius, c.length, turn, n, n, along}),
-                          mesh::tube("cladding", {skin, c.length, turn, n, along}));
-  model.blocks.push_back(element::hexahedra(model.mesh, "lead", c.lead, c.lead_element));
-  model.blocks.push_back(element::plates(model.mesh, "cladding", c.steel, c.cladding_element));
+  add_bodies(c, model);
   constrain(c, model);
   dynamics::finish(model);
-  std::vector<dynamics::Connected> connected = dynamics::connect(model, "interface", "lead.side", "cladding.inside", c.interface);
+  std::vector<dynamics::Connected> connected;
+  if (c.clad) connected = dynamics::connect(model, "interface", "lead.side", "cladding.inside", c.interface);
   for (const auto& pass : connected) input::refuse_penetration(file.root().section_or_empty("interface"), c.interface, pass.gaps);
   file.finish();
   driver::make_ready(scene, std::move(connected));
   scene.state.v.row(2).setConstant(-c.speed);
 
   const Top top = top_of_lead(model.mesh);
-  const Subset cladding = mesh::node_set(model.mesh, "cladding");
+  const Subset outside = mesh::node_set(model.mesh, c.clad ? "cladding" : "lead.side");
   const auto mean = [top](const dynamics::View& view) { return top.mean(view.model.mesh.X, view.now.x); };
   const auto centre = [top](const dynamics::View& view) {
     return view.model.mesh.X(2, top.centre) - view.now.x(2, top.centre);
@@ -138,18 +147,18 @@ driver::Scene build(const input::CaseFile& file) {
   };
   scene.probes = {{"settlement_mean", "m", mean}, {"settlement_centre", "m", centre}, {"floor_force", "N", floor_force},
                   {"floor_impulse", "N s", [](const auto& view) { return view.now.constraints.account[0].impulse.z(); }},
-                  {"cladding_bulge", "m", [cladding](const auto& view) { return bulge(view, cladding); }}};
+                  {"bulge", "m", [outside](const auto& view) { return bulge(view, outside); }}};
   scene.watchers.emplace_back([=](const dynamics::View& view) {
     seen->mean.see(mean(view), view.now.t);
     seen->centre.see(centre(view), view.now.t);
-    if (view.settled) seen->bulge.see(bulge(view, cladding), view.now.t);
+    if (view.settled) seen->bulge.see(bulge(view, outside), view.now.t);
   });
   scene.results = [seen] {
     return std::vector<output::Result>{{"settlement_mean", seen->mean.value, "m"},
                                        {"time_of_settlement_mean", seen->mean.time, "s"},
                                        {"settlement_centre", seen->centre.value, "m"},
                                        {"time_of_settlement_centre", seen->centre.time, "s"},
-                                       {"cladding_bulge", seen->bulge.value, "m"}};
+                                       {"bulge", seen->bulge.value, "m"}};
   };
   return scene;
 }

@@ -8,6 +8,7 @@
 
 #include "base/check.hpp"
 #include "base/parallel.hpp"
+#include "element/width.hpp"
 #include "output/frames.hpp"
 #include "output/history.hpp"
 #include "output/progress.hpp"
@@ -51,6 +52,21 @@ std::vector<std::string> gap_table(const Scene& scene) {
     table.push_back(row("%-14s penalty %.4g Pa/m", "", scene.model.interfaces[c].penalty));
   }
   return table;
+}
+
+/// Says of each block whose step a narrow element sets what that width costs, one block a line.
+std::vector<std::string> width_notes(const Scene& scene) {
+  constexpr double worth_saying = 2;  // [-] a brick twice as long as wide and high stays unmentioned
+  std::vector<std::string> notes;
+  for (const auto& block : scene.model.blocks) {
+    const element::Narrowest at = element::narrowest(block, scene.state.x);
+    if (at.gain < worth_saying) continue;
+    notes.push_back(row("%s: its step is that of element %d at (%.4g, %.4g, %.4g) m, only %.3g m wide along "
+                        "(%.3g, %.3g, %.3g) and %.3g m across; that width makes its step %.3g times smaller",
+                        element::name(block).c_str(), at.element, at.centre.x(), at.centre.y(), at.centre.z(), at.width(0),
+                        at.direction.x(), at.direction.y(), at.direction.z(), at.width(1), at.gain));
+  }
+  return notes;
 }
 
 /// Columns of history.csv that every run has: the ledger.
@@ -179,7 +195,8 @@ int run_case(const std::string& name, const CommandLine& line, const Build& buil
   if (line.threads > 0) use_threads(line.threads);
   const input::CaseFile file = input::CaseFile::read(line.case_path, line.overrides);
   Scene scene = build(file);
-  const std::vector<std::string> table = gap_table(scene);
+  std::vector<std::string> table = gap_table(scene);
+  for (const std::string& note : width_notes(scene)) table.push_back(note);
   if (!line.quiet) {
     for (const std::string& key : file.not_used()) std::printf("not used: %s\n", key.c_str());
     print(table);
@@ -205,7 +222,7 @@ int run_case(const std::string& name, const CommandLine& line, const Build& buil
     std::printf("%ld steps in %.2f s, %.1f ns per element update; results in %s\n", static_cast<long>(summary.cost.steps),
                 outcome.wall_seconds, summary.cost.nanoseconds_per_element_update, line.out.c_str());
   }
-  if (dynamics::as_wanted(outcome.ending)) return done;
+  if (dynamics::good(outcome.ending)) return done;
   std::fprintf(stderr, "%s: stopped at %.6g s: %s%s%s: %s\n", name.c_str(), scene.state.t, summary.ending.word.c_str(),
                outcome.block.empty() ? "" : (" in " + outcome.block).c_str(),
                outcome.element < 0 ? "" : (", element " + std::to_string(outcome.element)).c_str(), outcome.reason.c_str());

@@ -20,7 +20,10 @@ struct Face {
 std::vector<Face> faces(const element::Connectivity& nodes, const mesh::Surface& surface, const Scalars& facet_area, Index node_count) {
   std::vector<std::vector<Index>> elements_of(node_count);
   for (Index e = 0; e < nodes.cols(); ++e)
-    for (Index a = 0; a < nodes.rows(); ++a) elements_of[nodes(a, e)].push_back(e);
+    for (Index a = 0; a < nodes.rows(); ++a) {
+      std::vector<Index>& there = elements_of[nodes(a, e)];
+      if (there.empty() || there.back() != e) there.push_back(e);  // a wedge has some of its nodes twice
+    }
   std::vector<Face> list(nodes.cols());
   for (Index f = 0; f < surface.facets.cols(); ++f) {
     for (const Index e : elements_of[surface.facets(0, f)]) {

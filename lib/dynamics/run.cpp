@@ -80,6 +80,8 @@ std::string_view word(Ending ending) {
   return "";
 }
 
+bool good(Ending ending) { return ending == Ending::reached_end || ending == Ending::stopped_by_condition; }
+
 Outcome run(const Model& model, State& now, Forces& forces, const Time& time, double settle_every,
             std::span<const Observer> observers, const Until& until) {
   Outcome outcome;

@@ -18,8 +18,8 @@ struct Time {
 
 enum class Ending { reached_end, stopped_by_condition, inverted_element, not_finite, step_too_small, energy_created };
 std::string_view word(Ending);
-/// Whether a run ended as it was asked to; all other endings are faults of the physics.
-inline bool as_wanted(Ending e) { return e == Ending::reached_end || e == Ending::stopped_by_condition; }
+/// Whether the run did what it was asked for: it reached its end, or a condition of the case.
+bool good(Ending);
 
 /// How a run ended. A run that stopped early is a value, with its place; the state is the last one.
 struct Outcome {

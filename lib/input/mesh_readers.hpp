@@ -7,13 +7,18 @@
 #include "input/section.hpp"
 #include "mesh/box.hpp"
 #include "mesh/cylinder.hpp"
+#include "mesh/disc.hpp"
+#include "mesh/sphere.hpp"
+#include "mesh/wedge.hpp"
 
 namespace nereid::input {
 
 /// What a body's mesh is made from: the options of one generator.
-using MeshOptions = std::variant<mesh::Box, mesh::Cylinder, mesh::Tube>;
+using MeshOptions = std::variant<mesh::Box, mesh::Cylinder, mesh::Tube, mesh::Wedge, mesh::WedgeTube, mesh::Sphere,
+                                 mesh::Disc, mesh::WedgeDisc, mesh::Sheet>;
 
-/// Reads a body's `mesh` section, `kind: box | cylinder | tube` and the keys of that kind: docs/meshes.md.
+/// Reads a body's `mesh` section, `kind: box | cylinder | tube | sector | sphere | disc | sheet` and the
+/// keys of that kind: docs/meshes.md.
 ///
 /// More than a hundred million elements are a fault, as are corners in the wrong order.
 MeshOptions read_mesh_options(const Section& mesh);

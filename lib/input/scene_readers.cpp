@@ -49,6 +49,20 @@ Placement read_placement(const Section& body) {
   return place;
 }
 
+template <class... Kinds>
+bool is_one_of(const MeshOptions& mesh) {
+  return (std::holds_alternative<Kinds>(mesh) || ...);
+}
+
+/// One-point hexahedra, or full ones of eight points. `kind: one_point | full`, `hourglass` of the former, and the viscosity.
+element::AnyHexahedronOptions read_solid_options(const Section& section) {
+  const bool one_point = section.choice_or("kind", "one_point", {"one_point", "full"}) == "one_point";
+  const element::Hexahedron::Options options = read_hexahedron_options(section.when(one_point));
+  const element::Viscosity viscosity = read_viscosity(section);
+  if (one_point) return options;
+  return element::FullHexahedron::Options{.viscosity = viscosity};
+}
+
 BodyOptions read_body(const Section& section, Names& taken) {
   BodyOptions body{.at = section,
                    .name = read_name(section, taken, "bodies, contacts, planes and loads"),
@@ -58,9 +72,9 @@ BodyOptions read_body(const Section& section, Names& taken) {
                    .plates = false,
                    .solid = {},
                    .plate = {}};
-  body.plates = std::holds_alternative<mesh::Tube>(body.mesh);
+  body.plates = is_one_of<mesh::Tube, mesh::WedgeTube, mesh::Disc, mesh::WedgeDisc, mesh::Sheet>(body.mesh);
   const Section element = section.section_or_empty("element");
-  body.solid = read_hexahedron_options(element.when(!body.plates));
+  body.solid = read_solid_options(element.when(!body.plates));
   body.plate = read_plate_options(element.when(body.plates));
   return body;
 }

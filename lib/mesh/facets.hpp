@@ -24,6 +24,9 @@ class Facets {
     triangles_.push_back({corner[2], corner[3], third ? corner[0] : corner[1]});
   }
 
+  /// A facet that was never a quadrilateral.
+  void add(Index first, Index second, Index third) { triangles_.push_back({first, second, third}); }
+
   Table<3> table() const {
     return Eigen::Map<const Table<3>>(triangles_.empty() ? nullptr : triangles_[0].data(), 3,
                                       static_cast<Eigen::Index>(triangles_.size()));

@@ -63,14 +63,6 @@ Table<rows> in_layers(const Table<rows>& columns, const Vectors& X,
   return sorted;
 }
 
-void add_plane(Mesh& mesh, const std::string& name, int axis) {
-  Subset nodes;
-  for (Index node = 0; node < mesh.X.cols(); ++node) {
-    if (mesh.X(axis, node) == 0) nodes.push_back(node);  // exact by construction
-  }
-  mesh.node_sets.push_back({name, nodes});
-}
-
 }  // namespace
 
 Eigen::Vector2d direction(int around, int cells_core) {
@@ -119,6 +111,14 @@ Mesh in_layers(const Mesh& mesh) {
   for (auto& [name, nodes] : sorted.triangles) nodes = in_layers(nodes, mesh.X, new_number);
   for (auto& [name, facets] : sorted.surfaces) facets = in_layers(facets, mesh.X, new_number);
   return sorted;
+}
+
+void add_plane(Mesh& mesh, const std::string& name, int axis) {
+  Subset nodes;
+  for (Index node = 0; node < mesh.X.cols(); ++node) {
+    if (mesh.X(axis, node) == 0) nodes.push_back(node);  // exact by construction
+  }
+  mesh.node_sets.push_back({name, nodes});
 }
 
 Mesh turned(const Mesh& quarter, Turn turn, const std::string& name) {

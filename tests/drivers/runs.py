@@ -27,7 +27,7 @@ FINER_CASK = [*CASK, "mesh.level=3", "time.end=0.3 ms", "output.frames_every=0.1
 BARS = ["blocks.cells_along=20", "time.end=50 us", "output.frames_every=10 us"]
 THICKER_BARS = [*BARS, "blocks.cells_across=12", "time.end=10 us", "output.frames_every=5 us"]
 TAYLOR = ["time.end=10 us", "output.frames_every=5 us"]
-NO_VISCOSITY = [f"{body}.viscosity.{term}=0" for body in ("lead", "cladding") for term in ("linear", "quadratic")]
+NO_VISCOSITY = [f"{body}.viscosity.{term}=0" for body in ("element", "cladding") for term in ("linear", "quadratic")]
 
 
 def program(driver):
@@ -218,7 +218,7 @@ class Summary(InATemporaryFolder):
     def check_cask(self, values, planes):
         run = self.run_to_end("cask_drop", values)
         summary = self.check_form(run, "cask_drop", {
-            "settlement_mean": "m", "time_of_settlement_mean": "s", "settlement_centre": "m", "cladding_bulge": "m",
+            "settlement_mean": "m", "time_of_settlement_mean": "s", "settlement_centre": "m", "bulge": "m",
             "interface_penalty": "Pa/m", "interface_lost": "1", "smallest_step": "s", "largest_step": "s"})
         self.assertEqual([*summary["ledger"]["accounts"]], ["lead", "cladding", "interface", *planes])
         self.check_ledger(summary["ledger"])
@@ -309,7 +309,7 @@ class Summary(InATemporaryFolder):
     def test_resolved_case_tells_defaults(self):
         resolved = self.run_to_end("two_blocks", BARS).summary()["provenance"]["resolved"]
         self.assertEqual(resolved["time"]["safety"], {"value": 0.9, "unit": "1", "default": True})
-        self.assertEqual(resolved["contact"]["weights"], {"value": "consistent", "unit": None, "default": True})
+        self.assertEqual(resolved["contact"]["area"], {"value": "apex", "unit": None, "default": True})
 
     def test_history_has_units(self):
         history = self.run_to_end("cask_drop", CASK).history()
@@ -323,13 +323,13 @@ class NotUsed(InATemporaryFolder):
     """Keys that the chosen kinds do not use are told."""
 
     def test_keys_of_another_kind(self):
-        values = [*CASK, "time.end=0.1 ms", "cladding.kind=elastic"]
+        values = [*CASK, "time.end=0.1 ms", "steel.kind=elastic"]
         summary = self.run_to_end("cask_drop", values).summary()
         told = [re.sub(r" \(.*", "", entry) for entry in summary["not_used"]]
-        self.assertEqual(told, ["cladding.yield", "cladding.tangent"])
+        self.assertEqual(told, ["steel.yield", "steel.tangent"])
         for entry in summary["not_used"]:
             self.assertRegex(entry, rf" \({re.escape(CASES['cask_drop'])}:\d+:\d+\)$")
-        self.assertNotIn("yield", summary["provenance"]["resolved"]["cladding"])
+        self.assertNotIn("yield", summary["provenance"]["resolved"]["steel"])
 
     def test_hardness_beside_a_given_penalty(self):
         values = [*BARS, "time.end=1 us", "contact.hardness=2", "contact.penalty=5e13 Pa/m"]

@@ -7,6 +7,7 @@
 #include "dynamics/step.hpp"
 #include "mesh/box.hpp"
 #include "mesh/cylinder.hpp"
+#include "mesh/wedge.hpp"
 
 namespace nereid::dynamics {
 namespace {
@@ -61,6 +62,15 @@ TEST(SurfaceStiffness, OfPlatesIsTheModulusOverTheThickness) {
   EXPECT_NEAR(
       surface_stiffness(model, mesh::surface(model.mesh, "tube.inside")) / (modulus(hard) / 0.02),
       1, 1e-12);
+}
+
+TEST(SurfaceStiffness, CountsAWedgeAtTheAxisOnce) {
+  Model model;
+  model.mesh = mesh::wedge("core", {0.5, 0.4, 0.3, 1, 3, 4});
+  model.blocks.push_back(element::hexahedra(model.mesh, "core", hard, {}));
+  finish(model);
+  for (const char* name : {"core.top", "core.bottom"})
+    EXPECT_NEAR(surface_stiffness(model, mesh::surface(model.mesh, name)) / (modulus(hard) / 0.1), 1, 1e-12);  // round-off
 }
 
 TEST(SurfaceStiffness, OfASurfaceWithoutElementsIsZero) {

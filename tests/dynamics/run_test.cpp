@@ -380,7 +380,7 @@ TEST(Until, EndsARunAtTheFirstSampleThatSaysWhy) {
   time.end = 1;
   const Outcome outcome = run(s.model, s.state, s.forces, time, 1e-2, {}, until);
   EXPECT_EQ(outcome.ending, Ending::stopped_by_condition);
-  EXPECT_TRUE(as_wanted(outcome.ending));
+  EXPECT_TRUE(good(outcome.ending));
   EXPECT_EQ(outcome.reason, "far enough");
   ASSERT_EQ(asked.size(), 6U);  // at 0, 10, ... 50 ms
   EXPECT_EQ(asked[0], 0);

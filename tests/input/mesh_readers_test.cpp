@@ -41,6 +41,46 @@ TEST(ReadMesh, CylinderAndTubeHaveTheirCells) {
   EXPECT_EQ(mesh::triangles(make_mesh("t", read(tube)), "t").nodes.cols(), 2 * 24 * 4);
 }
 
+TEST(ReadMesh, SectorsAreSolidOrOfPlates) {
+  const mesh::Mesh solid = make_mesh("a", read("kind: sector\nradius: 1 m\nlength: 2 m\nangle: 5 deg\ncells_around: 1\n"
+                                               "cells_radial: 4\ncells_along: 3\n"));
+  EXPECT_EQ(mesh::hexahedra(solid, "a").nodes.cols(), 12);
+  EXPECT_EQ(mesh::node_set(solid, "a.axis").size(), 4U);
+  const mesh::Mesh ring = make_mesh("a", read("kind: sector\nradius: 1 m\nlength: 2 m\nangle: 5 deg\ncells_around: 1\n"
+                                              "cells_radial: 4\ncells_along: 3\ninner_radius: 50 cm\n"));
+  EXPECT_EQ(mesh::node_set(ring, "a.inside").size(), 8U);
+  const mesh::Mesh skin = make_mesh("a", read("kind: tube\nradius: 1 m\nlength: 2 m\nturn: sector\nangle: 5 deg\n"
+                                              "cells_around: 1\ncells_along: 3\n"));
+  EXPECT_EQ(mesh::triangles(skin, "a").nodes.cols(), 6);
+  const mesh::Mesh plate = make_mesh("a", read("kind: disc\nradius: 1 m\nturn: sector\nangle: 5 deg\ncells_around: 1\n"
+                                               "cells_radial: 3\n"));
+  EXPECT_EQ(mesh::triangles(plate, "a").nodes.cols(), 5);
+}
+
+TEST(ReadMesh, SpheresDiscsAndSheetsHaveTheirCells) {
+  const auto sphere = [](const std::string& turn) {
+    return make_mesh("a", read("kind: sphere\nradius: 1 m\nturn: " + turn + "\ncells_core: 2\ncells_ring: 1\n"));
+  };
+  for (const auto& [turn, parts] : {std::pair("full", 8), {"half", 4}, {"quarter", 2}, {"eighth", 1}})
+    EXPECT_EQ(mesh::hexahedra(sphere(turn), "a").nodes.cols(), parts * (8 + 12));
+  const mesh::Mesh disc = make_mesh("a", read("kind: disc\nradius: 1 m\nturn: full\ncells_core: 2\ncells_ring: 1\n"));
+  EXPECT_EQ(mesh::triangles(disc, "a").nodes.cols(), 2 * 4 * (4 + 4));
+  const std::string sheet = "kind: sheet\nlength: 1 m\nwidth: 2 m\ncells_along: 3\ncells_across: 2\n";
+  EXPECT_EQ(std::get<mesh::Sheet>(read(sheet)).cuts, mesh::Cuts::columns);
+  EXPECT_EQ(std::get<mesh::Sheet>(read(sheet + "cuts: crossed\n")).cuts, mesh::Cuts::crossed);
+  EXPECT_EQ(mesh::triangles(make_mesh("a", read(sheet)), "a").nodes.cols(), 12);
+}
+
+TEST(ReadMesh, SectorsThatCannotBeAreRefused) {
+  const std::string sector = "kind: sector\nradius: 1 m\nlength: 2 m\ncells_radial: 4\ncells_along: 3\n";
+  EXPECT_TRUE(says(refusal(sector + "angle: 360 deg\ncells_around: 9\n"), "'angle' = 360 deg is out of range"));
+  EXPECT_TRUE(says(refusal(sector + "angle: 200 deg\ncells_around: 1\n"), "less than half a turn"));
+  EXPECT_TRUE(says(refusal(sector + "angle: 20 deg\ncells_around: 1\ninner_radius: 1 m\n"), "'inner_radius' must be below"));
+  EXPECT_TRUE(says(refusal("kind: cylinder\nradius: 1 m\nlength: 2 m\nturn: sector\ncells_core: 1\ncells_ring: 1\ncells_along: 1\n"),
+                   "sector is unknown"));
+  EXPECT_TRUE(says(refusal("kind: tube\nradius: 1 m\nlength: 2 m\nturn: sector\ncells_along: 1\n"), "missing 'angle'"));
+}
+
 TEST(ReadMesh, KeysOfAnotherKindAreListedAsNotUsed) {
   const CaseFile file = CaseFile::parse(tube + "cells_ring: 4\nlow: [0 m, 0 m, 0 m]\n", "case.yaml");
   read_mesh_options(file.root());

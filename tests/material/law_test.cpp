@@ -433,6 +433,7 @@ TYPED_TEST(EveryLaw, GivesAPackWhatItGivesEachOfItsLanes) {
         for (int lane = 0; lane < lanes; ++lane) {
           strain[lane] = draw_strain<S>(draw_size() * unit(law));
           trial[lane] = largest(stress[lane]) + largest(hooke(law, strain[lane]));
+          for (const S& tensor : internal[lane].tensor) trial[lane] += largest(tensor);
           for (std::size_t c = 0; c < components(pack_strain).size(); ++c) {
             (*components(pack_strain)[c])[lane] = *components(strain[lane])[c];
             (*components(pack_stress)[c])[lane] = *components(stress[lane])[c];

@@ -41,6 +41,26 @@ inline double volume(const Mesh& mesh, const Table<8>& nodes) {
   return sum;
 }
 
+/// Volume of trilinear hexahedra, exact by two points of Gauss along each axis: the Jacobian is of second degree in each.
+inline double trilinear_volume(const Mesh& mesh, const Table<8>& nodes) {
+  constexpr int sign[8][3] = {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1},
+                              {-1, -1, 1},  {1, -1, 1},  {1, 1, 1},  {-1, 1, 1}};
+  double sum = 0;
+  for (Index element = 0; element < nodes.cols(); ++element) {
+    for (const auto& at : sign) {
+      Mat3 jacobian = Mat3::Zero();
+      for (int a = 0; a < 8; ++a) {
+        double factor[3];
+        for (int i = 0; i < 3; ++i) factor[i] = 0.5 * (1 + sign[a][i] * at[i] / std::sqrt(3.0));
+        for (int i = 0; i < 3; ++i)
+          jacobian.col(i) += 0.5 * sign[a][i] * factor[(i + 1) % 3] * factor[(i + 2) % 3] * mesh.X.col(nodes(a, element));
+      }
+      sum += jacobian.determinant();
+    }
+  }
+  return sum;
+}
+
 inline double smallest_volume(const Mesh& mesh, const Table<8>& nodes) {
   double smallest = volume(mesh, nodes, 0);
   for (Index element = 1; element < nodes.cols(); ++element) {
