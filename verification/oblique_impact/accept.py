@@ -89,5 +89,5 @@ STUDIES = [
 BREAKS = [
     Breaks("change of angular momentum", "equal weights for friction, as the paper has them", {"contacts[0].weights": "paper"}),
     Breaks("change of momentum", "gravity left on", {"gravity": "[0 m/s^2, 0 m/s^2, -9.81 m/s^2]"}),
-    Breaks("force at the end", "stopped early", {"time.end": "15 us"}),
+    Breaks("force at the end", "stopped early", {"time.end": "8 us"}),
 ]
