@@ -23,7 +23,7 @@ struct Case {
   int level;
   double radius, length;  // [m]
   element::AnyLaw lead, steel;
-  element::Hexahedron::Options lead_element;
+  element::AnyHexahedronOptions lead_element;
   element::Plate::Options cladding_element;
   dynamics::InterfaceOptions interface;
   double speed;           // [m/s]
@@ -42,7 +42,7 @@ Case read(const input::Section& root) {
          .length = cylinder.quantity("length", dim::length, input::positive),
          .lead = input::read_law(root.section("lead")),
          .steel = input::read_law(root.when(clad).section("steel")),
-         .lead_element = input::read_hexahedron_options(root.section_or_empty("element")),
+         .lead_element = input::read_hexahedron_options(root.section_or_empty("element"), "lead"),
          .cladding_element = input::read_plate_options(cladding.when(clad)),
          .interface = input::read_interface(root.when(clad).section_or_empty("interface")),
          .speed = root.section("initial").quantity("speed", dim::speed, input::positive),
@@ -65,7 +65,7 @@ void add_bodies(const Case& c, dynamics::Model& model) {
   const auto turn = c.quarter ? mesh::Turn::quarter : mesh::Turn::full;
   const int n = c.level, along = 12 * n;  // cells as long as they are wide at every level
   model.mesh = mesh::cylinder("lead", {c.radius, c.length, turn, n, n, along});
-  model.blocks.push_back(element::hexahedra(model.mesh, "lead", c.lead, c.lead_element));
+  model.blocks.push_back(element::solids(model.mesh, "lead", c.lead, c.lead_element));
   if (!c.clad) return;
   const double skin = c.radius + c.cladding_element.thickness / 2;  // the plates' mid-surface
   model.mesh = mesh::join(model.mesh, mesh::tube("cladding", {skin, c.length, turn, n, along}));

@@ -22,7 +22,7 @@ struct Case {
   double length, width, gap;  // [m]
   int cells_along, cells_across;
   element::AnyLaw material;
-  element::Hexahedron::Options element;
+  element::AnyHexahedronOptions element;
   double closing_speed;       // [m/s]
   dynamics::InterfaceOptions contact;
   dynamics::Time time;
@@ -69,7 +69,7 @@ driver::Scene build(const input::CaseFile& file) {
   const Eigen::Vector3i cells{c.cells_along, c.cells_across, c.cells_across};
   const Vec3 size{c.length, c.width, c.width}, right{c.length + c.gap, 0, 0};
   model.mesh = mesh::join(mesh::box("A", {Vec3::Zero(), size, cells}), mesh::box("B", {right, right + size, cells}));
-  for (const char* name : {"A", "B"}) model.blocks.push_back(element::hexahedra(model.mesh, name, c.material, c.element));
+  for (const char* name : {"A", "B"}) model.blocks.push_back(element::solids(model.mesh, name, c.material, c.element));
   dynamics::finish(model);
   std::vector<dynamics::Connected> connected = dynamics::connect(model, "contact", "A.x_high", "B.x_low", c.contact);
   driver::make_ready(scene, std::move(connected));

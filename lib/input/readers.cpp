@@ -28,10 +28,20 @@ element::Viscosity read_viscosity(const Section& section) {
           .quadratic = viscosity.number_or("quadratic", usual.quadratic, within(0, 10))};
 }
 
-element::Hexahedron::Options read_hexahedron_options(const Section& section) {
-  const element::Hexahedron::Options usual;
-  return {.hourglass = section.number_or("hourglass", usual.hourglass, above(0).up_to(1)),
-          .viscosity = read_viscosity(section)};
+element::Hexahedron::Options read_one_point_options(const Section& section) {
+  using element::Hexahedron;
+  const bool springs = section.choice_or("hourglass_kind", "stiffness", {"stiffness", "viscous"}) == "stiffness";
+  const double usual = springs ? Hexahedron::usual_stiffness : Hexahedron::usual_viscous;
+  return {.hourglass = section.number_or("hourglass", usual, above(0).up_to(1)),
+          .viscosity = read_viscosity(section),
+          .hourglass_kind = springs ? Hexahedron::Hourglass::stiffness : Hexahedron::Hourglass::viscous};
+}
+
+element::AnyHexahedronOptions read_hexahedron_options(const Section& section, std::string_view kind_key) {
+  const bool full = section.choice_or(kind_key, "one_point", {"one_point", "full"}) == "full";
+  const element::Hexahedron::Options one_point = read_one_point_options(section.when(!full));
+  if (!full) return one_point;
+  return element::FullHexahedron::Options{.viscosity = read_viscosity(section)};
 }
 
 element::Plate::Options read_plate_options(const Section& section) {

@@ -17,8 +17,13 @@ element::AnyLaw read_law(const Section&);
 /// Optional `viscosity: {linear, quadratic}` of a body.
 element::Viscosity read_viscosity(const Section&);
 
-/// Optional `hourglass` stiffness coefficient in (0, 1], and the viscosity.
-element::Hexahedron::Options read_hexahedron_options(const Section&);
+/// Optional `hourglass_kind: stiffness | viscous`, its coefficient `hourglass` in (0, 1], and the viscosity.
+element::Hexahedron::Options read_one_point_options(const Section&);
+
+/// Optional `kind: one_point | full`; options of the former as above, of the latter the viscosity alone.
+///
+/// kind_key  a driver may call the kind by the name of the body
+element::AnyHexahedronOptions read_hexahedron_options(const Section&, std::string_view kind_key = "kind");
 
 /// `thickness`, optional `layers` (1 to 9), `rotary_inertia: scaled | physical`, and the viscosity.
 element::Plate::Options read_plate_options(const Section&);

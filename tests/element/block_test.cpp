@@ -59,9 +59,11 @@ Scene finish(mesh::Mesh mesh, AnyBlock block) {
               tile_forces(block)};
   return scene;
 }
-Scene solids(const AnyLaw& law) {
+const Hexahedron::Options dashpots{.hourglass = 0.05, .viscosity = {}, .hourglass_kind = Hexahedron::Hourglass::viscous};
+const FullHexahedron::Options eight_points{};
+Scene solids(const AnyLaw& law, const AnyHexahedronOptions& options = {}) {
   mesh::Mesh mesh = distorted_box();
-  AnyBlock block = hexahedra(mesh, "box", law, {});
+  AnyBlock block = element::solids(mesh, "box", law, options);
   return finish(std::move(mesh), std::move(block));
 }
 Scene skin(const AnyLaw& law) {
@@ -80,16 +82,16 @@ Vectors by_node(const Scene& s, const Vectors& places) {
 
 Point column(const Vectors& x, Index n) { return {x(0, n), x(1, n), x(2, n)}; }
 
-template <class Law>
-void solids_are_the_sum_of_their_elements(const Law& law) {
-  Scene s = solids(law);
-  const auto& block = std::get<Block<Hexahedron, Law>>(s.block);
+template <class Kind, class Law>
+void solids_are_the_sum_of_their_elements(const Law& law, const typename Kind::Options& options) {
+  Scene s = solids(law, options);
+  const auto& block = std::get<Block<Kind, Law>>(s.block);
   ASSERT_GT(block.tiling.tiles.size(), 1u);
-  std::vector<Hexahedron::Memory<double, Law>> one(block.nodes.cols());
+  std::vector<typename Kind::template Memory<double, Law>> one(block.nodes.cols());
   for (int step = 0; step < 3; ++step) {
     const Vote vote = s.move(0.1);
     Vectors force = Vectors::Zero(3, s.x.cols());
-    double least_step = 1e300, least_size = 1e300, stored = 0;
+    double least_step = 1e300, least_size = 1e300, stored = 0, dissipated = 0;
     Index step_at = -1, size_at = -1;
     for (Index e = 0; e < block.nodes.cols(); ++e) {
       std::array<Point, 8> X, x, v, f;
@@ -103,21 +105,31 @@ void solids_are_the_sum_of_their_elements(const Law& law) {
       if (report.step < least_step) least_step = report.step, step_at = e;
       if (report.size < least_size) least_size = report.size, size_at = e;
       stored += report.stored[0] + report.stored[1];
+      dissipated += report.plastic + report.viscous + report.hourglass;
     }
     EXPECT_LT((by_node(s, s.forces.force) - force).norm(), 1e-12 * force.norm());
     EXPECT_NEAR(vote.step, least_step, 1e-12 * least_step);
     EXPECT_NEAR(vote.size, least_size, 1e-12);
     EXPECT_EQ(vote.step_element, step_at);
     EXPECT_EQ(vote.size_element, size_at);
-    double reported = 0;
-    for (const auto& report : s.forces.reports) reported += report.stored[0] + report.stored[1];
+    double reported = 0, lost = 0;
+    for (const auto& report : s.forces.reports) {
+      reported += report.stored[0] + report.stored[1];
+      lost += report.plastic + report.viscous + report.hourglass;
+    }
     EXPECT_NEAR(reported, stored, 1e-12 * std::abs(stored)) << "fillers contribute nothing";
+    EXPECT_NEAR(lost, dissipated, 1e-12 * dissipated);
   }
 }
 
 TEST(Block, OfHexahedraIsTheSumOfItsElements) {
-  solids_are_the_sum_of_their_elements(plastic);
-  solids_are_the_sum_of_their_elements(mixed);
+  for (const auto& options : {Hexahedron::Options{}, dashpots}) {
+    solids_are_the_sum_of_their_elements<Hexahedron>(plastic, options);
+    solids_are_the_sum_of_their_elements<Hexahedron>(mixed, options);
+  }
+  solids_are_the_sum_of_their_elements<FullHexahedron>(elastic, eight_points);
+  solids_are_the_sum_of_their_elements<FullHexahedron>(plastic, eight_points);
+  solids_are_the_sum_of_their_elements<FullHexahedron>(mixed, eight_points);
 }
 
 template <class Law>
@@ -158,8 +170,9 @@ TEST(Block, OfPlatesIsTheSumOfItsElements) {
 }
 
 TEST(Block, WorkIsStoredOrDissipatedUpToTheSecondOrderOfTheStep) {
-  for (Scene start : {solids(elastic), solids(plastic), solids(mixed), skin(elastic), skin(plastic),
-                      skin(mixed)}) {
+  for (Scene start : {solids(elastic), solids(plastic), solids(mixed), solids(plastic, dashpots),
+                      solids(elastic, eight_points), solids(plastic, eight_points), solids(mixed, eight_points),
+                      skin(elastic), skin(plastic), skin(mixed)}) {
     const auto left_over = [&](int steps) {
       Scene s = start;
       for (int step = 0; step < steps; ++step) s.move(0.2 / steps);
@@ -167,7 +180,7 @@ TEST(Block, WorkIsStoredOrDissipatedUpToTheSecondOrderOfTheStep) {
       EXPECT_GE(s.memory.plastic, 0);
       EXPECT_GT(s.memory.viscous, 0);
       return (s.memory.work + s.memory.stored[0] + s.memory.stored[1] + s.memory.plastic +
-              s.memory.viscous) /
+              s.memory.viscous + s.memory.hourglass) /
              s.memory.work;
     };
     EXPECT_LT(std::abs(left_over(20)), 1e-2);
@@ -176,29 +189,31 @@ TEST(Block, WorkIsStoredOrDissipatedUpToTheSecondOrderOfTheStep) {
 }
 
 TEST(Block, ElasticCycleGivesItsWorkBack) {
-  mesh::Mesh mesh = distorted_box();
-  AnyBlock block = hexahedra(mesh, "box", elastic,
-                             {.hourglass = 0.1, .viscosity = {.linear = 0, .quadratic = 0}});
-  Scene s = finish(std::move(mesh), std::move(block));
-  double most = 0;
-  constexpr int steps = 400;
-  for (int step = 0; step < steps; ++step) {  // out along half a cosine, and back
-    const Vectors to = s.mesh.X + 0.01 * (1 - std::cos(2 * pi * (step + 1) / steps)) * Vectors(s.w);
-    s.v = to - s.x;
-    s.move(1.0);
-    most = std::max(most, -s.memory.work);
+  const Viscosity none{.linear = 0, .quadratic = 0};
+  for (const AnyHexahedronOptions& options :
+       {AnyHexahedronOptions(Hexahedron::Options{.hourglass = 0.1, .viscosity = none}),
+        AnyHexahedronOptions(FullHexahedron::Options{.viscosity = none})}) {
+    Scene s = solids(elastic, options);
+    double most = 0;
+    constexpr int steps = 400;
+    for (int step = 0; step < steps; ++step) {  // out along half a cosine, and back
+      const Vectors to = s.mesh.X + 0.01 * (1 - std::cos(2 * pi * (step + 1) / steps)) * Vectors(s.w);
+      s.v = to - s.x;
+      s.move(1.0);
+      most = std::max(most, -s.memory.work);
+    }
+    EXPECT_LT(std::abs(s.memory.work), 1e-6 * most);
+    EXPECT_LT(std::abs(s.memory.stored[0] + s.memory.stored[1]), 1e-6 * most);
   }
-  EXPECT_LT(std::abs(s.memory.work), 1e-6 * most);
-  EXPECT_LT(std::abs(s.memory.stored[0] + s.memory.stored[1]), 1e-6 * most);
 }
 
 TEST(Block, GivesTheSameBitsForAnyNumberOfThreads) {
-  for (const bool plate : {false, true}) {
+  for (const Scene& start : {solids(plastic), solids(plastic, dashpots), solids(plastic, eight_points), skin(plastic)}) {
     std::vector<double> rows;
     Vectors force;
     for (const int count : {1, 2, 4}) {
       use_threads(count);
-      Scene s = plate ? skin(plastic) : solids(plastic);
+      Scene s = start;
       for (int step = 0; step < 3; ++step) s.move(0.1);
       if (count == 1) {
         rows = s.memory.rows, force = s.forces.force;
@@ -214,23 +229,23 @@ TEST(Block, GivesTheSameBitsForAnyNumberOfThreads) {
 }
 
 TEST(Block, NamesAnInvertedElement) {
-  Scene s = solids(elastic);
-  const Index element = 100;
-  const Connectivity& corners = nodes(s.block);
-  // swap lower and upper face of this one element; its neighbours are torn, but less
-  Vectors x = s.x;
-  for (int a = 0; a < 4; ++a) {
-    x.col(corners(a, element)) = s.x.col(corners(a + 4, element));
-    x.col(corners(a + 4, element)) = s.x.col(corners(a, element));
+  for (Scene s : {solids(elastic), solids(elastic, eight_points)}) {
+    const Index element = 100;
+    const Connectivity& corners = nodes(s.block);
+    // swap lower and upper face of this one element; its neighbours are torn, but less
+    Vectors x = s.x;
+    for (int a = 0; a < 4; ++a) {
+      x.col(corners(a, element)) = s.x.col(corners(a + 4, element));
+      x.col(corners(a + 4, element)) = s.x.col(corners(a, element));
+    }
+    const Vote vote = advance(s.block, x, Vectors::Zero(3, x.cols()), s.w, 0.0, s.memory, s.forces);
+    EXPECT_LT(vote.size, 0);
+    EXPECT_EQ(vote.size_element, element);
   }
-  const Vote vote = advance(s.block, x, Vectors::Zero(3, x.cols()), s.w, 0.0, s.memory, s.forces);
-  EXPECT_LT(vote.size, 0);
-  EXPECT_EQ(vote.size_element, element);
 }
 
 TEST(Block, ReportsPositionsThatAreNoNumbersWhereverTheyAre) {
-  for (const bool plate : {false, true}) {
-    const Scene start = plate ? skin(elastic) : solids(elastic);
+  for (const Scene& start : {solids(elastic), solids(elastic, eight_points), skin(elastic)}) {
     const Connectivity& corners = nodes(start.block);
     for (Index element = 0; element < corners.cols(); element += 7) {
       Scene s = start;
@@ -297,29 +312,60 @@ TEST(Block, OfPlatesHasMassAndRotaryInertiaOfTheSkin) {
 const Mat3 gradient = 1e-4 * (Mat3() << 1, 8, 4, 2, -3, 1, 2, 9, 5).finished();
 
 TEST(Block, FieldsShowStressAsXxYyZzXyYzXz) {
-  Scene s = solids(plastic);
-  s.v = gradient * s.x;
-  s.move(1.0);
-  const std::vector<Field> shown = fields(s.block, s.x, s.memory);
-  ASSERT_EQ(shown.size(), 4u);
-  EXPECT_EQ(shown[0].name, "stress");
-  EXPECT_EQ(shown[0].components, (std::vector<std::string>{"XX", "YY", "ZZ", "XY", "YZ", "XZ"}));
-  const Symmetric<double> hooke =
-      material::hooke(plastic, Symmetric<double>{1e-4, -3e-4, 5e-4, 5e-4, 5e-4, 3e-4});
-  Eigen::Matrix<double, 6, 1> expected;
-  expected << hooke.xx, hooke.yy, hooke.zz, 2 * 3 / 2.6 * 5e-4, 2 * 3 / 2.6 * 5e-4,
-      2 * 3 / 2.6 * 3e-4;
-  for (Index e = 0; e < nodes(s.block).cols(); ++e) {
-    const auto stress = shown[0].values.col(e);
-    EXPECT_LT((stress - expected).norm(), 5e-3 * expected.norm());
-    const Symmetric<double> t{stress(0), stress(1), stress(2), stress(3), stress(4), stress(5)};
-    EXPECT_NEAR(shown[1].values(0, e), material::von_mises(t), 1e-15);
-    EXPECT_NEAR(shown[2].values(0, e), material::pressure(t), 1e-17);
-    EXPECT_EQ(shown[3].values(0, e), 0) << "elastic so far";
+  for (Scene s : {solids(plastic), solids(plastic, eight_points)}) {
+    s.v = gradient * s.x;
+    s.move(1.0);
+    const std::vector<Field> shown = fields(s.block, s.x, s.memory);
+    ASSERT_EQ(shown.size(), 4u);
+    EXPECT_EQ(shown[0].name, "stress");
+    EXPECT_EQ(shown[0].components, (std::vector<std::string>{"XX", "YY", "ZZ", "XY", "YZ", "XZ"}));
+    const Symmetric<double> hooke =
+        material::hooke(plastic, Symmetric<double>{1e-4, -3e-4, 5e-4, 5e-4, 5e-4, 3e-4});
+    Eigen::Matrix<double, 6, 1> expected;
+    expected << hooke.xx, hooke.yy, hooke.zz, 2 * 3 / 2.6 * 5e-4, 2 * 3 / 2.6 * 5e-4,
+        2 * 3 / 2.6 * 3e-4;
+    for (Index e = 0; e < nodes(s.block).cols(); ++e) {
+      const auto stress = shown[0].values.col(e);
+      EXPECT_LT((stress - expected).norm(), 5e-3 * expected.norm());
+      const Symmetric<double> t{stress(0), stress(1), stress(2), stress(3), stress(4), stress(5)};
+      EXPECT_NEAR(shown[1].values(0, e), material::von_mises(t), 1e-15);
+      EXPECT_NEAR(shown[2].values(0, e), material::pressure(t), 1e-17);
+      EXPECT_EQ(shown[3].values(0, e), 0) << "elastic so far";
+    }
+    EXPECT_EQ(shown[1].name, "von_mises");
+    EXPECT_EQ(shown[2].name, "pressure");
+    EXPECT_EQ(shown[3].name, "plastic_strain");
   }
-  EXPECT_EQ(shown[1].name, "von_mises");
-  EXPECT_EQ(shown[2].name, "pressure");
-  EXPECT_EQ(shown[3].name, "plastic_strain");
+}
+
+TEST(Block, FieldsOfEightPointsAreMeansAndLargestValues) {
+  Scene s = solids(plastic, eight_points);
+  for (int step = 0; step < 3; ++step) s.move(0.1);
+  const auto& block = std::get<Block<FullHexahedron, J2Bilinear>>(s.block);
+  const auto shown = fields(s.block, s.x, s.memory);
+  for (Index e = 0; e < block.nodes.cols(); e += 17) {
+    FullHexahedron::Memory<double, J2Bilinear> one{};
+    Vectors x = s.mesh.X;
+    for (int step = 0; step < 3; ++step) {
+      x += 0.1 * s.v;
+      std::array<Point, 8> X, at, v, f;
+      for (int a = 0; a < 8; ++a) {
+        const Index n = block.nodes(a, e);
+        X[a] = column(s.mesh.X, n), at[a] = column(x, n), v[a] = column(s.v, n);
+      }
+      advance(plastic, block.options, constants(plastic, block.options, X), at, v, 0.1, one, f);
+    }
+    double xy = 0, mises = 0, strain = 0;
+    for (const auto& point : one.points) {
+      xy += point.stress.xy / 8;
+      mises = std::max(mises, material::von_mises(point.stress));
+      strain = std::max(strain, point.internal.scalar[0]);
+    }
+    EXPECT_GT(strain, 0);
+    EXPECT_NEAR(shown[0].values(3, e), xy, 1e-13);
+    EXPECT_NEAR(shown[1].values(0, e), mises, 1e-13);
+    EXPECT_NEAR(shown[3].values(0, e), strain, 1e-13);
+  }
 }
 
 TEST(Block, FieldsTellSixDistinctValuesApart) {
@@ -372,8 +418,15 @@ TEST(Block, KnowsItsNameAndItsStores) {
   EXPECT_EQ(name(plate.block), "skin");
   EXPECT_FALSE(is_plate(solid.block));
   EXPECT_TRUE(is_plate(plate.block));
-  EXPECT_STREQ(stored_names(solid.block)[1], "hourglass");
-  EXPECT_STREQ(stored_names(plate.block)[1], "transverse_shear");
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(stored_names(solid.block), (Names{"elastic", "hourglass"}));
+  EXPECT_EQ(dissipated_names(solid.block), (Names{"plastic", "viscous"}));
+  EXPECT_EQ(stored_names(plate.block), (Names{"elastic", "transverse_shear"}));
+  EXPECT_EQ(dissipated_names(plate.block), (Names{"plastic", "viscous"}));
+  EXPECT_EQ(stored_names(solids(elastic, dashpots).block), Names{"elastic"});
+  EXPECT_EQ(dissipated_names(solids(elastic, dashpots).block), (Names{"plastic", "viscous", "hourglass"}));
+  EXPECT_EQ(stored_names(solids(elastic, eight_points).block), Names{"elastic"});
+  EXPECT_EQ(dissipated_names(solids(elastic, eight_points).block), (Names{"plastic", "viscous"}));
 }
 
 }  // namespace

@@ -6,192 +6,15 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 #include "base/dual.hpp"
-#include "base/types.hpp"
-#include "material/elastic.hpp"
-#include "material/j2_bilinear.hpp"
-#include "material/j2_mixed.hpp"
+#include "tests/element/corners.hpp"
 
 namespace nereid::element {
 namespace {
 
-using material::Elastic;
-using material::J2Bilinear;
-using material::J2Mixed;
-using Point = Vector<double>;
-using Corners = std::array<Point, 8>;
-using Matrix24 = Eigen::Matrix<double, 24, 24>;
-
-constexpr int sign[8][3] = {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1},
-                            {-1, -1, 1},  {1, -1, 1},  {1, 1, 1},  {-1, 1, 1}};
-
-// ------------------------------------------------------------------------------------------------
-// Shapes, motions, and one element that remembers
-
-std::mt19937 chance(7);
-double random(double low = -1.0, double high = 1.0) {
-  return std::uniform_real_distribution<double>(low, high)(chance);
-}
-Point random_point(double size) { return {size * random(), size * random(), size * random()}; }
-Corners random_field(double size) {
-  Corners field;
-  for (Point& p : field) p = random_point(size);
-  return field;
-}
-
-Corners brick(double hx, double hy, double hz) {
-  Corners x;
-  for (int i = 0; i < 8; ++i)
-    x[i] = {0.5 * hx * sign[i][0], 0.5 * hy * sign[i][1], 0.5 * hz * sign[i][2]};
-  return x;
-}
-Corners sum(const Corners& a, const Corners& b, double factor = 1.0) {
-  Corners c;
-  for (int i = 0; i < 8; ++i) c[i] = a[i] + factor * b[i];
-  return c;
-}
-Corners distorted(double amount) { return sum(brick(1.0, 1.1, 0.9), random_field(amount)); }
-
-Mat3 random_rotation(double most = 3.0) {
-  return Eigen::AngleAxisd(random(-most, most), Vec3(random(), random(), random()).normalized())
-      .toRotationMatrix();
-}
-Point times(const Mat3& A, const Point& p) {
-  const Vec3 q = A * Vec3(p.x, p.y, p.z);
-  return {q.x(), q.y(), q.z()};
-}
-Corners times(const Mat3& A, const Corners& x) {
-  Corners y;
-  for (int i = 0; i < 8; ++i) y[i] = times(A, x[i]);
-  return y;
-}
-Mat3 full(const Symmetric<double>& s) {
-  Mat3 m;
-  m << s.xx, s.xy, s.xz, s.xy, s.yy, s.yz, s.xz, s.yz, s.zz;
-  return m;
-}
-Symmetric<double> symmetric(const Mat3& m) {
-  return {m(0, 0), m(1, 1), m(2, 2), m(0, 1), m(1, 2), m(0, 2)};
-}
-
-double product(const Corners& a, const Corners& b) {
-  double s = 0;
-  for (int i = 0; i < 8; ++i) s += dot(a[i], b[i]);
-  return s;
-}
-double largest(const Corners& a) {
-  double s = 0;
-  for (const Point& p : a) s = std::max({s, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  return s;
-}
-
 template <class Law>
-Law metal(double poisson = 0.3);
-template <>
-Elastic metal<Elastic>(double poisson) {
-  return {2.0, 3.0, poisson};
-}
-template <>
-J2Bilinear metal<J2Bilinear>(double poisson) {
-  return {2.0, 3.0, poisson, 0.03, 0.3};
-}
-template <>
-J2Mixed metal<J2Mixed>(double poisson) {
-  return {2.0, 3.0, poisson, 0.03, 0.3, 0.25};
-}
-
-const Viscosity no_viscosity{.linear = 0, .quadratic = 0};
-
-Modes<double> amplitudes(const Corners& x) {
-  Corners eighth;
-  for (int i = 0; i < 8; ++i) eighth[i] = 0.125 * x[i];
-  return sums_by_mode(eighth);
-}
-
-template <class Law>
-struct Element {
-  Law law;
-  Hexahedron::Options options;
-  Corners X;
-  Hexahedron::Constants<double> constants = element::constants(law, options, X);
-  Hexahedron::Memory<double, Law> memory{};
-  Corners x = X, force{};
-
-  Report<double> move(const Corners& to, double dt = 1.0) { return step(to, sum(to, x, -1.0), dt); }
-  /// the increment du is v dt
-  Report<double> step(const Corners& to, const Corners& du, double dt) {
-    Corners v;
-    for (int i = 0; i < 8; ++i) v[i] = (1.0 / dt) * du[i];
-    x = to;
-    return advance(law, options, constants, to, v, dt, memory, force);
-  }
-  /// forces of the present state
-  void rest() { advance(law, options, constants, x, Corners{}, 0.0, memory, force); }
-
-  void randomise(double stress) {
-    memory.stress = {stress * random(), stress * random(), stress * random(),
-                     stress * random(), stress * random(), stress * random()};
-    for (auto& tensor : memory.internal.tensor)
-      tensor = 0.3 * material::deviator(Symmetric<double>{stress * random(), stress * random(), stress * random(),
-                                                          stress * random(), stress * random(), stress * random()});
-    for (Point& q : memory.hourglass) q = random_point(stress);
-  }
-};
-
-/// The stiffness of an unstressed element. Forces are proportional to the increment, so nothing
-/// cancels; taking both directions leaves an error of second order in the increment.
-template <class Law>
-Matrix24 stiffness(const Law& law, const Hexahedron::Options& options, const Corners& X) {
-  constexpr double small = 1e-6;
-  Matrix24 K;
-  for (int j = 0; j < 24; ++j) {
-    Corners u{};
-    u[j / 3][j % 3] = small;
-    Element<Law> there{law, options, X}, back{law, options, X};
-    there.step(X, u, 1.0);
-    back.step(X, sum(Corners{}, u, -1.0), 1.0);
-    for (int i = 0; i < 24; ++i)
-      K(i, j) = -(there.force[i / 3][i % 3] - back.force[i / 3][i % 3]) / (2.0 * small);
-  }
-  return K;
-}
-
-template <class Law>
-double largest_eigenvalue_of(const Element<Law>& e) {
-  const Matrix24 K = stiffness(e.law, e.options, e.X);
-  const Matrix24 symmetrised = 0.5 * (K + K.transpose());
-  return 8.0 / e.constants.mass *
-         Eigen::SelfAdjointEigenSolver<Matrix24>(symmetrised, Eigen::EigenvaluesOnly)
-             .eigenvalues()
-             .maxCoeff();
-}
-
-template <class Law>
-double hot_bound(Element<Law> e) {
-  const double step = e.step(e.X, Corners{}, 1.0).step;
-  return 4.0 / (step * step);
-}
-
-/// Integrates f(J^-T grad N, det J) by the 2 x 2 x 2 rule of Gauss, exact for what is asked here.
-template <class F>
-void integrate(const Corners& x, F&& f) {
-  const double g = 1.0 / std::sqrt(3.0);
-  for (const auto& at : sign) {
-    const double r[3] = {g * at[0], g * at[1], g * at[2]};
-    Eigen::Matrix<double, 3, 8> by;
-    Mat3 J = Mat3::Zero();
-    for (int i = 0; i < 8; ++i) {
-      const double a = 1 + sign[i][0] * r[0], b = 1 + sign[i][1] * r[1], c = 1 + sign[i][2] * r[2];
-      by.col(i) << 0.125 * sign[i][0] * b * c, 0.125 * sign[i][1] * a * c,
-          0.125 * sign[i][2] * a * b;
-      J += Vec3(x[i].x, x[i].y, x[i].z) * by.col(i).transpose();
-    }
-    const Eigen::Matrix<double, 3, 8> gradients = J.inverse().transpose() * by;
-    f(gradients, J.determinant());
-  }
-}
+using Element = OneElement<Hexahedron, Law>;
 
 // ------------------------------------------------------------------------------------------------
 // Modes, volume and gradient
@@ -288,7 +111,6 @@ TEST(Hexahedron, LargestEigenvalueBoundIsNeverBelowAndExactIfTheSmallerOnesAreEq
 
 template <class Law>
 class HexahedronOf : public ::testing::Test {};
-using Laws = ::testing::Types<Elastic, J2Bilinear, J2Mixed>;
 TYPED_TEST_SUITE(HexahedronOf, Laws);
 
 TYPED_TEST(HexahedronOf, RigidRotationByAFiniteAngleTurnsStressAndNothingElse) {
@@ -533,42 +355,22 @@ TEST(Hexahedron, HourglassStiffnessOneIsTheExactBendingStiffnessOfACubeWithoutPo
 }
 
 TEST(Hexahedron, PatchOfSevenDistortedElementsHasConstantStress) {
-  // MacNeal & Harder, Finite Elements in Analysis and Design 1 (1985) 3: inner nodes of a unit cube
-  const Corners inner{{{0.249, 0.342, 0.192},
-                       {0.826, 0.288, 0.288},
-                       {0.850, 0.649, 0.263},
-                       {0.273, 0.750, 0.230},
-                       {0.320, 0.186, 0.643},
-                       {0.677, 0.305, 0.683},
-                       {0.788, 0.693, 0.644},
-                       {0.165, 0.745, 0.702}}};
-  std::array<Point, 16> X;
-  for (int i = 0; i < 8; ++i) {
-    X[i] = inner[i];
-    X[8 + i] = {0.5 + 0.5 * sign[i][0], 0.5 + 0.5 * sign[i][1], 0.5 + 0.5 * sign[i][2]};
-  }
-  const int face[6][4] = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4},
-                          {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
-  std::vector<std::array<int, 8>> nodes{{0, 1, 2, 3, 4, 5, 6, 7}};
-  for (const auto& f : face)
-    nodes.push_back({f[0], f[1], f[2], f[3], 8 + f[0], 8 + f[1], 8 + f[2], 8 + f[3]});
-
+  const SevenElements patch = seven_elements();
   for (const double size : {1e-3, 0.2}) {
     const Mat3 F = Mat3::Identity() +
                    size * (Mat3() << 0.9, -0.3, 0.2, 0.4, -0.7, 0.1, -0.5, 0.6, 0.3).finished();
     std::array<Point, 16> force{};
     Mat3 stress;
     double volume = 0, largest_force = 0;
-    for (std::size_t n = 0; n < nodes.size(); ++n) {
-      Corners corners;
-      for (int i = 0; i < 8; ++i) corners[i] = X[nodes[n][i]];
+    for (std::size_t n = 0; n < patch.nodes.size(); ++n) {
+      const Corners corners = patch.corners(n);
       Element<Elastic> e{metal<Elastic>(), {.hourglass = 0.1, .viscosity = no_viscosity}, corners};
       EXPECT_GT(e.constants.mass, 0);
       volume += e.constants.mass / e.law.density;
       e.move(times(F, corners));
       if (n == 0) stress = full(e.memory.stress);
       EXPECT_LT((full(e.memory.stress) - stress).norm(), 1e-12 * stress.norm());
-      for (int i = 0; i < 8; ++i) force[nodes[n][i]] = force[nodes[n][i]] + e.force[i];
+      for (int i = 0; i < 8; ++i) force[patch.nodes[n][i]] = force[patch.nodes[n][i]] + e.force[i];
       largest_force = std::max(largest_force, largest(e.force));
     }
     EXPECT_NEAR(volume, 1.0, 1e-14);
@@ -628,15 +430,19 @@ TEST(Hexahedron, FrequencyBoundIsExactForACube) {
   }
 }
 
+TEST(Hexahedron, FrequencyBoundHoldsForANegativePoissonRatio) {
+  for (int trial = 0; trial < 100; ++trial) {
+    const Element<Elastic> e{metal<Elastic>(random(-0.9, 0.0)), {.hourglass = 0, .viscosity = no_viscosity}, random_shape(0.3)};
+    EXPECT_GE(hot_bound(e), largest_eigenvalue_of(e) * (1 - 1e-9));
+  }
+}
+
 /// Bound over exact frequency of random distorted elements: the smallest and the largest ratio.
 std::array<double, 2> bound_over_exact(double hourglass) {
   std::array<double, 2> ratios{1e300, 0};
   for (int trial = 0; trial < 1000; ++trial) {
-    const Point h{random(0.3, 2.0), random(0.3, 2.0), random(0.3, 2.0)};
-    const double amount = 0.3 * std::min({h.x, h.y, h.z});
-    const Element<Elastic> e{metal<Elastic>(random(0.0, 0.49)),
-                             {.hourglass = hourglass, .viscosity = no_viscosity},
-                             sum(brick(h.x, h.y, h.z), random_field(amount))};
+    const Corners shape = random_shape(0.3);
+    const Element<Elastic> e{metal<Elastic>(random(0.0, 0.49)), {.hourglass = hourglass, .viscosity = no_viscosity}, shape};
     const double ratio = std::sqrt(hot_bound(e) / largest_eigenvalue_of(e));
     ratios = {std::min(ratios[0], ratio), std::max(ratios[1], ratio)};
   }
@@ -657,32 +463,125 @@ TEST(Hexahedron, HourglassStiffnessRaisesFrequenciesOfDistortedElementsByLessTha
   EXPECT_GE(bound_over_exact(0.1)[0], 0.998);
 }
 
-/// Kinetic energy of a free element after some steps, over that at the start.
-double growth(double factor) {
-  Element<Elastic> e{
+TEST(Hexahedron, IsStableBelowItsExactLimitAndBlowsUpBeyond) {
+  const Element<Elastic> e{
       metal<Elastic>(), {.hourglass = 0.1, .viscosity = no_viscosity}, brick(1.0, 0.7, 1.3)};
-  const double dt = factor * 2 / std::sqrt(largest_eigenvalue_of(e));
-  std::mt19937 same(3);
-  std::uniform_real_distribution<double> speed(-1e-12, 1e-12);
-  Corners v;
-  for (Point& p : v) p = {speed(same), speed(same), speed(same)};
-  const double start = product(v, v);
-  double most = 0;
-  for (int step = 0; step < 60; ++step) {
-    Corners du;
-    for (int i = 0; i < 8; ++i) {
-      v[i] = v[i] + (8 * dt / e.constants.mass) * e.force[i];
-      du[i] = dt * v[i];
-    }
-    e.move(sum(e.x, du), dt);
-    most = std::max(most, product(v, v));
-  }
-  return most / start;
+  EXPECT_LT(growth(e, 0.99), 100.0);
+  EXPECT_GT(growth(e, 1.02), 1e12);
 }
 
-TEST(Hexahedron, IsStableBelowItsExactLimitAndBlowsUpBeyond) {
-  EXPECT_LT(growth(0.99), 100.0);
-  EXPECT_GT(growth(1.02), 1e12);
+// ------------------------------------------------------------------------------------------------
+// Hourglass control by dashpots
+
+constexpr auto dashpots = Hexahedron::Hourglass::viscous;
+
+TEST(ViscousHourglass, OfACubeDiesAsItsFractionOfCriticalSaysAndBooksWhatItLoses) {
+  const double fraction = 0.08, h = 0.7;
+  Element<Elastic> e{metal<Elastic>(), {.hourglass = fraction, .viscosity = no_viscosity, .hourglass_kind = dashpots}, brick(h, h, h)};
+  const double omega = 2 * material::wave_speed(e.law) / h, mass = e.constants.mass / 8, dt = 1e-4 / omega;
+  Modes<double> m{};
+  m.hourglass[0] = {1e-8, 2e-8, 3e-8}, m.hourglass[3] = {-1e-8, 2e-8, 1e-8};
+  Corners v = nodal_values(m);
+  const double start = product(v, v);
+  double dissipated = 0, stored = 0;
+  const int steps = 20000;
+  for (int step = 0; step < steps; ++step) {
+    Corners du;
+    for (int i = 0; i < 8; ++i) v[i] = v[i] + (dt / mass) * e.force[i], du[i] = dt * v[i];
+    const Report<double> report = e.move(sum(e.x, du), dt);
+    dissipated += report.hourglass, stored += report.stored[0] + report.stored[1];
+  }
+  const double left = product(v, v) / start;
+  EXPECT_NEAR(left, std::exp(-4 * fraction * omega * dt * steps), 1e-4);  // velocities as exp(-2 ...), first order in dt
+  EXPECT_NEAR(dissipated, 0.5 * mass * start * (1 - left), 1e-4 * 0.5 * mass * start);
+  EXPECT_NEAR(stored, 0, 1e-12 * mass * start);
+}
+
+TEST(ViscousHourglass, HoldsNothingAtRest) {
+  Element<Elastic> e{metal<Elastic>(), {.hourglass = 0.1, .viscosity = no_viscosity, .hourglass_kind = dashpots}, brick(1.0, 0.7, 1.6)};
+  Modes<double> m{};
+  for (auto& h : m.hourglass) h = random_point(1e-3);
+  const Report<double> report = e.move(sum(e.X, nodal_values(m)));
+  EXPECT_GT(report.hourglass, 0);
+  EXPECT_EQ(report.stored[1], 0);
+  const double moving = largest(e.force);
+  e.rest();
+  EXPECT_LT(largest(e.force), 1e-2 * moving);  // what is left: strain of second order in the hourglass
+}
+
+TEST(ViscousHourglass, LayersOfOnePointCarryBendingAsOneMinusOneOverTheirNumberSquared) {
+  const double length = 0.3, depth = 1.0, curvature = 1e-6;
+  for (const int n : {1, 2, 4, 8}) {
+    double stored = 0, moment = 0;
+    for (int layer = 0; layer < n; ++layer) {
+      const double h = depth / n, middle = (layer + 0.5) * h - 0.5 * depth;
+      Corners X = brick(length, h, 1.0), u;
+      for (int i = 0; i < 8; ++i) {
+        X[i].y += middle;
+        u[i] = {curvature * X[i].x * X[i].y, -0.5 * curvature * X[i].x * X[i].x, 0};
+      }
+      Element<Elastic> e{metal<Elastic>(0.0), {.hourglass = 0.05, .viscosity = no_viscosity, .hourglass_kind = dashpots}, X};
+      stored += e.move(sum(X, u)).stored[0];
+      e.rest();
+      for (int i = 0; i < 8; ++i)
+        if (X[i].x > 0) moment -= e.force[i].x * X[i].y;
+    }
+    const double EI = 3.0 / 12.0, expected = 1 - 1.0 / (n * n);
+    EXPECT_NEAR(stored / (0.5 * EI * curvature * curvature * length), expected, 1e-5);  // finite curvature: 1e-6
+    EXPECT_NEAR(moment / (EI * curvature), expected, 1e-5);
+  }
+}
+
+TEST(ViscousHourglass, StepIsNeverBeyondTheExactOneOfTheDampedElement) {
+  double smallest = 1e300, highest = 0;
+  for (int trial = 0; trial < 400; ++trial) {
+    const Corners X = random_shape(0.3);
+    const Elastic law = metal<Elastic>(random(0.0, 0.49));
+    const Viscosity viscosity{.linear = trial % 2 ? 0.06 : 0.0, .quadratic = 0};
+    const Element<Elastic> soft{law, {.hourglass = 0, .viscosity = no_viscosity}, X};
+    Element<Elastic> damped{law, {.hourglass = random(0.01, 0.5), .viscosity = viscosity, .hourglass_kind = dashpots}, X};
+    const double per_mass = 8 / damped.constants.mass;
+    const Matrix24 K = per_mass * stiffness(soft), C = per_mass * stiffness(damped) - K;  // steps of 1 s
+    double low = 0, high = 2 / std::sqrt(hot_bound(soft)) * 1.5;
+    for (int halving = 0; halving < 40; ++halving) {  // dt^2 K + 2 dt C reaches 4
+      const double dt = 0.5 * (low + high);
+      const Matrix24 A = dt * dt * K + 2 * dt * C, symmetrised = 0.5 * (A + A.transpose());
+      const double most = Eigen::SelfAdjointEigenSolver<Matrix24>(symmetrised, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
+      (most < 4 ? low : high) = dt;
+    }
+    const double ratio = damped.step(X, Corners{}, 1.0).step / low;
+    smallest = std::min(smallest, ratio), highest = std::max(highest, ratio);
+  }
+  std::printf("dashpots: step voted over exact %.3f to %.3f\n", smallest, highest);
+  EXPECT_LE(highest, 1);
+}
+
+TEST(ViscousHourglass, IsBlindToAffineMotionAndToRigidRotation) {
+  for (int trial = 0; trial < 20; ++trial) {
+    Element<Elastic> e{metal<Elastic>(), {.hourglass = 0.1, .viscosity = {}, .hourglass_kind = dashpots}, distorted(0.3)};
+    e.move(times(Mat3(Mat3::Identity() + 0.1 * Mat3::Random()), e.X));
+    for (const Point& q : e.memory.hourglass) EXPECT_LT(norm(q), 1e-15);
+    Element<Elastic> spun{e.law, e.options, e.X};
+    EXPECT_NEAR(spun.move(times(random_rotation(2.0), e.X)).hourglass, 0, 1e-28);
+  }
+}
+
+TYPED_TEST(HexahedronOf, WithDashpotsWorkAndEnergyDifferInTheThirdOrderOfTheStep) {
+  Element<TypeParam> start{
+      metal<TypeParam>(), {.hourglass = 0.1, .viscosity = no_viscosity, .hourglass_kind = dashpots}, distorted(0.2)};
+  start.randomise(0.003);
+  const Corners velocity = random_field(1.0);
+  advance(start.law, start.options, start.constants, start.x, velocity, 0.0, start.memory, start.force);
+  const auto error = [&](double dt) {
+    Element<TypeParam> e = start;
+    Corners du;
+    for (int i = 0; i < 8; ++i) du[i] = dt * velocity[i];
+    const Report<double> report = e.move(sum(e.x, du), dt);
+    EXPECT_GT(report.hourglass, 0);
+    const double work = 0.5 * (product(start.force, du) + product(e.force, du));
+    return work + report.stored[0] + report.plastic + report.hourglass;
+  };
+  EXPECT_NEAR(error(2e-4) / error(1e-4), 8.0, 0.3);
 }
 
 // ------------------------------------------------------------------------------------------------

@@ -525,6 +525,25 @@ PatchAnswer put_on_patch(Field&& displacement, Rotation&& rotation) {
   return result;
 }
 
+TEST(Plate, LargeSimpleShearFollowsTheRateOfJaumann) {
+  const double increment = 1e-3;
+  for (const double angle : {0.0, 0.7, 2.5}) {  // of the element in its plane: its axes follow one side
+    const Mat3 R = Eigen::AngleAxisd(angle, Vec3::UnitZ()).toRotationMatrix();
+    Element<Elastic> e{metal<Elastic>(), thick(0.1), times(R, flat_triangle(1, 0.3, 0.8))};
+    const double mu = material::shear_modulus(e.law);
+    double worst = 0;
+    for (int step = 1; step <= 4000; ++step) {
+      Corners du;
+      for (int a = 0; a < 3; ++a) du[a] = {increment * e.x[a].y, 0, 0};
+      e.move(du, Corners{});
+      const double gamma = increment * step;
+      const Mat3 stress = resultants(e).membrane;
+      worst = std::max({worst, std::abs(stress(0, 1) / mu - std::sin(gamma)), std::abs(stress(0, 0) / mu - (1 - std::cos(gamma)))});
+    }
+    EXPECT_LT(worst, 1e-4);  // of catalogues of hypoelastic shear, at this increment
+  }
+}
+
 TEST(Plate, PatchOfConstantMembraneStrainIsPassed) {
   const auto answered = put_on_patch(
       [](double x, double y) {

@@ -57,6 +57,31 @@ TEST(ReadLaw, WantsTheShareOfMixedHardeningAndOfNoOther) {
   EXPECT_EQ(file.not_used()[0].rfind("isotropic_share", 0), 0U);
 }
 
+TEST(ReadHexahedron, HasOnePointAndSpringsUnlessToldOtherwise) {
+  using element::FullHexahedron;
+  using element::Hexahedron;
+  const auto usual = std::get<Hexahedron::Options>(read("{}\n", read_hexahedron_options));
+  EXPECT_EQ(usual.hourglass_kind, Hexahedron::Hourglass::stiffness);
+  EXPECT_EQ(usual.hourglass, Hexahedron::usual_stiffness);
+  const auto viscous = std::get<Hexahedron::Options>(read("kind: one_point\nhourglass_kind: viscous\n", read_hexahedron_options));
+  EXPECT_EQ(viscous.hourglass_kind, Hexahedron::Hourglass::viscous);
+  EXPECT_EQ(viscous.hourglass, Hexahedron::usual_viscous);
+  EXPECT_EQ(std::get<Hexahedron::Options>(read("hourglass_kind: viscous\nhourglass: 0.2\n", read_hexahedron_options)).hourglass, 0.2);
+  EXPECT_EQ(read("hourglass_kind: viscous\n", read_one_point_options).hourglass_kind, Hexahedron::Hourglass::viscous);
+  const auto full = std::get<FullHexahedron::Options>(read("kind: full\nviscosity: {linear: 0.1}\n", read_hexahedron_options));
+  EXPECT_EQ(full.viscosity.linear, 0.1);
+  EXPECT_THROW(read("kind: eight\n", read_hexahedron_options), CaseError);
+  EXPECT_THROW(read("hourglass_kind: none\n", read_hexahedron_options), CaseError);
+}
+
+TEST(ReadHexahedron, WithEightPointsListsWhatOnePointWouldUse) {
+  const CaseFile file = CaseFile::parse("kind: full\nhourglass: 0.1\nhourglass_kind: viscous\nviscosity: {linear: 0.1}\n", "case.yaml");
+  read_hexahedron_options(file.root());
+  file.finish();
+  EXPECT_EQ(file.not_used().size(), 2U);
+  EXPECT_THROW(read("kind: full\nhourglass: 2\n", read_hexahedron_options), CaseError);
+}
+
 TEST(ReadInterface, LetsTheCodeChooseUnlessAPenaltyIsGiven) {
   using dynamics::PenaltyFrom;
   EXPECT_EQ(read("hardness: 5\n", read_interface).penalty_from, PenaltyFrom::stiffness);
