@@ -374,6 +374,12 @@ def study_row(one, checks, run):
                falls and enough)
 
 
+def row_of(one, checks, run):
+    if isinstance(one, Falls):
+        return study_row(one, checks, run)
+    return break_row(one, checks, run) if isinstance(one, Breaks) else check_row(one, run)
+
+
 GOOD_ENDINGS = ("reached_end", "relaxed", "stopped_by_probe")
 
 
@@ -430,15 +436,17 @@ class Case:
             rows.append(Row("the run reaches its end", "", run.ending, "", "", "FAIL", False, run.summary["ending"]["reason"]))
             return rows, tables
         checks = {one.name: one for one in self.accept.CHECKS}
-        rows += [check_row(one, run) for one in self.accept.CHECKS]
-        for one in getattr(self.accept, "STUDIES", []):
-            if one.full and not full:
+        for one in [*self.accept.CHECKS, *getattr(self.accept, "STUDIES", []), *self.accept.BREAKS]:
+            if getattr(one, "full", False) and not full:
                 continue
-            if isinstance(one, Table):
-                tables.append((one, one.rows(run)))
-            else:
-                rows.append(study_row(one, checks, run))
-        rows += [break_row(one, checks, run) for one in self.accept.BREAKS if full or not one.full]
+            try:
+                if isinstance(one, Table):
+                    tables.append((one, one.rows(run)))
+                else:
+                    rows.append(row_of(one, checks, run))
+            except CannotRun as error:
+                name = getattr(one, "title", None) or getattr(one, "mistake", None) or getattr(one, "name", None) or one.check
+                rows.append(Row(name, "", "", "", "", "FAIL: cannot run", False, str(error)))
         return rows, tables
 
 

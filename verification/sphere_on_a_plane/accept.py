@@ -78,5 +78,5 @@ BREAKS = [
     Breaks("largest force", "a plane two hundred times too soft", {"planes[2].hardness": 0.01}),
     Breaks("contact time", "a plane two hundred times too soft", {"planes[2].hardness": 0.01}),
     Breaks("contact time", "Young's modulus for E*: no Poisson effect", {"bodies[0].material.poisson": 0}),
-    Breaks("speed after over before", "viscosity that swallows waves", {"bodies[0].element.viscosity.linear": 2}),
+    Breaks("speed after over before", "viscosity that swallows waves", {"bodies[0].element.viscosity.linear": 1}),
 ]
