@@ -8,6 +8,11 @@ set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")   # never -ffast-math: NaN checks an
 
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(yaml-cpp REQUIRED)
+find_path(MUPARSER_FOLDER muParser.h REQUIRED)
+find_library(MUPARSER_LIBRARY muparser REQUIRED)
+add_library(muparser UNKNOWN IMPORTED)
+set_target_properties(muparser PROPERTIES IMPORTED_LOCATION ${MUPARSER_LIBRARY}
+                      INTERFACE_INCLUDE_DIRECTORIES ${MUPARSER_FOLDER})
 find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(Threads REQUIRED)

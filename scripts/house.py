@@ -24,6 +24,7 @@ CODE = {".hpp", ".cpp"}
 DOORS = [
     # dependency, what gives it away, looked for in, its doors
     ("yaml-cpp", r"#\s*include\s*<yaml-cpp/", "lib drivers tests", ["lib/input/section.cpp"]),
+    ("muParser", r"#\s*include\s*<muParser\w*", "lib drivers tests", ["lib/input/expression.cpp"]),
     ("VTK", r"#\s*include\s*<vtk\w*", "lib drivers tests", ["lib/output/fields.cpp"]),
     ("nlohmann-json", r"#\s*include\s*<nlohmann/", "lib drivers tests", ["lib/output/summary.cpp"]),
     ("CLI11", r"#\s*include\s*<CLI/", "lib drivers tests", ["drivers/driver.cpp"]),
