@@ -88,6 +88,9 @@ Measure of_source(const input::ProbeOptions& probe, const Scene& scene) {
     probe.at.fault("component", "'component' = normal: " + probe.of + " is no plane and has no normal");
   if (!interfaces.empty())
     return component(along, normal, [interfaces](const View& view) { return force_on_apexes(view, interfaces); });
+  for (std::size_t l = 0; l < model.loads.size(); ++l)
+    if (load::name(model.loads[l]) == probe.of && load::is_spring(model.loads[l]))
+      return component(along, normal, [l](const View& view) -> Vec3 { return view.now.loads[l].force.col(0); });
   return component(along, normal, dynamics::MeanForce(dynamics::account_of(scene.state.ledger, probe.of)));
 }
 

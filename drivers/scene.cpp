@@ -1,4 +1,4 @@
-// A whole scene from its case alone: bodies, contacts, planes, probes and conditions, in any number.
+// A whole scene from its case alone: bodies, contacts, loads, probes and conditions, in any number.
 //
 // Question  What the case asks with its probes.
 // Answer    history.csv and summary.json; the syntax is in docs/scene.md
@@ -18,9 +18,9 @@ driver::Scene build(const input::CaseFile& file) {
   model.mesh = input::make_mesh(c);
   input::check_names(c, model.mesh);
   file.finish();
-  input::add_bodies_and_planes(c, model);
+  input::add_bodies_and_actions(c, model);
   driver::make_ready(scene, input::add_contacts(c, model));
-  input::set_initial(c, model, scene.state);
+  input::set_initial(c.actions, model, scene.state, scene.forces);
   driver::add_probes(c.probes, c.stops, scene);
   file.finish();
   return scene;

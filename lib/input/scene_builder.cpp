@@ -29,18 +29,6 @@ constexpr double round_off = 1e-9;  // of a mesh that was turned, over the size 
 
 double diagonal(const mesh::Mesh& mesh) { return (mesh.X.rowwise().maxCoeff() - mesh.X.rowwise().minCoeff()).norm(); }
 
-/// Nodes of several sets, ascending, each once.
-Subset union_of(const mesh::Mesh& mesh, const std::vector<std::string>& sets) {
-  Subset nodes;
-  for (const std::string& set : sets) {
-    const Subset& more = mesh::node_set(mesh, set);
-    nodes.insert(nodes.end(), more.begin(), more.end());
-  }
-  std::sort(nodes.begin(), nodes.end());
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-  return nodes;
-}
-
 /// Half the thickness of the plates on a surface, if it is one of plates. [m]
 double stand_off(const std::vector<BodyOptions>& bodies, const std::string& surface) {
   for (const BodyOptions& body : bodies)
@@ -49,7 +37,9 @@ double stand_off(const std::vector<BodyOptions>& bodies, const std::string& surf
 }
 
 /// A floor or wall has its nodes on its side; else the start would throw them out.
-void refuse_nodes_behind(const PlaneOptions& plane, const Subset& nodes, const mesh::Mesh& mesh) {
+template <class Plane>
+void refuse_nodes_behind(const Section& at, const Plane& plane, const mesh::Mesh& mesh) {
+  const Subset& nodes = plane.nodes;
   double deepest = 0;
   std::size_t count = 0;
   for (const Index node : nodes) {
@@ -61,24 +51,24 @@ void refuse_nodes_behind(const PlaneOptions& plane, const Subset& nodes, const m
   char text[200];
   std::snprintf(text, sizeof text, "%zu of %zu nodes start behind '%s', by %.4g m at most: move the body, or turn 'normal' to its side",
                 count, nodes.size(), plane.name.c_str(), -deepest);
-  plane.at.fault("point", text);
+  at.fault("point", text);
 }
 
 /// Nodes of a symmetry plane lie on one.
-void refuse_nodes_beside(const PlaneOptions& plane, const Subset& nodes, const mesh::Mesh& mesh) {
+void refuse_nodes_beside(const Section& at, const load::Plane& plane, const mesh::Mesh& mesh) {
   double low = 1e300, high = -1e300;
-  for (const Index node : nodes) {
+  for (const Index node : plane.nodes) {
     const double height = mesh.X.col(node).dot(plane.normal);
     low = std::min(low, height), high = std::max(high, height);
   }
   if (!(high - low > 1e-6 * diagonal(mesh))) return;
   char text[200];
   std::snprintf(text, sizeof text, "the nodes of '%s' lie on no plane: they are %.4g m apart along 'normal'", plane.name.c_str(), high - low);
-  plane.at.fault("nodes", text);
+  at.fault("nodes", text);
 }
 
 /// A rigid plane pushes the nodes of a surface by a penalty on their tributary areas.
-contact::RigidPlane rigid_plane(const PlaneOptions& plane, const dynamics::Model& model) {
+contact::RigidPlane rigid_plane(const RigidOptions& plane, const dynamics::Model& model) {
   const mesh::Surface& surface = mesh::surface(model.mesh, plane.surface);
   const Subset nodes = mesh::surface_nodes(surface);
   return {.name = plane.name,
@@ -91,35 +81,22 @@ contact::RigidPlane rigid_plane(const PlaneOptions& plane, const dynamics::Model
           .friction = plane.friction};
 }
 
-/// The constraints that a plane of the case stands for: three for a fixed one, else one.
-std::vector<load::Plane> constraints(const PlaneOptions& plane, const Subset& nodes) {
-  if (plane.kind == ScenePlane::fixed) {
-    std::vector<load::Plane> three;
-    for (int axis = 0; axis < 3; ++axis)
-      three.push_back({.name = plane.name + "_" + "xyz"[axis], .kind = load::PlaneKind::held, .point = Vec3::Zero(),
-                       .normal = Vec3::Unit(axis), .nodes = nodes});
-    return three;
-  }
-  const auto kind = plane.kind == ScenePlane::symmetry ? load::PlaneKind::symmetry
-                    : plane.kind == ScenePlane::floor  ? load::PlaneKind::floor
-                                                       : load::PlaneKind::held;
-  const Vec3 point = plane.kind == ScenePlane::floor ? plane.point : Vec3(Vec3::Zero());
-  return {{.name = plane.name, .kind = kind, .point = point, .normal = plane.normal, .nodes = nodes}};
-}
-
-/// A node has room for a few planes only.
-void refuse_too_many(const SceneOptions& scene, const mesh::Mesh& mesh) {
-  std::vector<int> count(static_cast<std::size_t>(mesh.X.cols()), 0);
-  for (const PlaneOptions& plane : scene.planes) {
-    if (plane.kind == ScenePlane::rigid) continue;
-    for (const Index node : union_of(mesh, plane.nodes)) {
-      int& planes = count[static_cast<std::size_t>(node)];
-      planes += plane.kind == ScenePlane::fixed ? 3 : 1;
-      if (planes <= load::HeldNode::most_planes) continue;
-      plane.at.fault("nodes", "'" + plane.name + "' has nodes that other planes hold already: a node may lie on " +
-                                  std::to_string(load::HeldNode::most_planes) + " planes, where 'fixed' counts as three");
-      break;
+/// Gives names to the nodes nearest to the points of a body.
+void name_points(const BodyOptions& body, mesh::Mesh& mesh) {
+  const Vec3 low = mesh.X.rowwise().minCoeff(), high = mesh.X.rowwise().maxCoeff();
+  for (const PointOptions& point : body.points) {
+    Eigen::Index nearest = 0;
+    (mesh.X.colwise() - point.near).colwise().squaredNorm().minCoeff(&nearest);
+    const double away = (point.near - point.near.cwiseMax(low).cwiseMin(high)).norm();
+    if (away > 1e-3 * diagonal(mesh)) {
+      char text[200];
+      std::snprintf(text, sizeof text, "'near' lies %.4g m beside '%s'", away, body.name.c_str());
+      point.at.fault("near", text);
     }
+    const std::string name = body.name + "." + point.name;
+    for (const mesh::NodeSet& set : mesh.node_sets)
+      if (set.name == name) point.at.fault("name", "'name' = " + point.name + " is that of a node set of the mesh already");
+    mesh.node_sets.push_back({name, {static_cast<Index>(nearest)}});
   }
 }
 
@@ -131,6 +108,7 @@ mesh::Mesh make_mesh(const SceneOptions& scene) {
     mesh::Mesh here = make_mesh(body.name, body.mesh);
     if (body.place.angle != 0) here = mesh::turned_about(std::move(here), body.place.axis, body.place.angle, body.place.about);
     if (!body.place.move.isZero(0)) here = mesh::moved(std::move(here), body.place.move);
+    name_points(body, here);
     all = all.X.cols() == 0 ? here : mesh::join(all, here);
   }
   return all;
@@ -142,41 +120,53 @@ void check_names(const SceneOptions& scene, const mesh::Mesh& mesh) {
     expect(contact.at, "apexes", contact.apexes, "surfaces", surfaces);
     expect(contact.at, "base", contact.base, "surfaces", surfaces);
   }
-  for (const PlaneOptions& plane : scene.planes) {
-    for (const std::string& set : plane.nodes) expect(plane.at, "nodes", set, "node sets", sets);
-    if (plane.kind == ScenePlane::rigid) expect(plane.at, "surface", plane.surface, "surfaces", surfaces);
+  const Actions& actions = scene.actions;
+  for (const PlaneRequest& plane : actions.planes)
+    for (const std::string& set : plane.nodes) expect(plane.section, "nodes", set, "node sets", sets);
+  for (const RigidOptions& plane : scene.rigid_planes) expect(plane.at, "surface", plane.surface, "surfaces", surfaces);
+  for (const LoadRequest& load : actions.loads) {
+    using Kind = LoadRequest::Kind;
+    if (load.kind == Kind::pressure) expect(load.section, "surface", load.on, "surfaces", surfaces);
+    if (load.kind == Kind::body_force) expect(load.section, "body", load.on, "bodies", bodies);
+    if (load.kind == Kind::force || load.kind == Kind::moment) expect(load.section, "nodes", load.on, "node sets", sets);
   }
-  for (const InitialOptions& initial : scene.initial) expect(initial.at, "body", initial.body, "bodies", bodies);
-  const Names contacts = names_of(scene.contacts), planes = names_of(scene.planes);
+  for (const SpringRequest& spring : actions.springs) {
+    expect(spring.section, "from", spring.from, "node sets", sets);
+    if (spring.to != "ground") expect(spring.section, "to", spring.to, "node sets", sets);
+  }
+  for (const PointMassRequest& mass : actions.point_masses) expect(mass.section, "nodes", mass.nodes, "node sets", sets);
+  for (const InitialRequest& initial : actions.initial) expect(initial.section, "body", initial.body, "bodies", bodies);
+  const Names contacts = names_of(scene.contacts);
   Names sources = contacts;
-  sources.insert(sources.end(), planes.begin(), planes.end());
+  for (const Names& more : {names_of(actions.planes), names_of(actions.loads), names_of(actions.springs)})
+    sources.insert(sources.end(), more.begin(), more.end());
   for (const ProbeOptions& probe : scene.probes) {
     switch (probe.quantity.of) {
       case Of::nodes: expect(probe.at, "of", probe.of, "node sets", sets); break;
       case Of::body: expect(probe.at, "of", probe.of, "bodies", bodies); break;
       case Of::contact: expect(probe.at, "of", probe.of, "contacts", contacts); break;
-      case Of::source: expect(probe.at, "of", probe.of, "contacts and planes", sources); break;
+      case Of::source: expect(probe.at, "of", probe.of, "contacts, planes, loads and springs", sources); break;
     }
   }
 }
 
-void add_bodies_and_planes(const SceneOptions& scene, dynamics::Model& model) {
-  model.gravity = scene.gravity;
+void add_bodies_and_actions(const SceneOptions& scene, dynamics::Model& model) {
   for (const BodyOptions& body : scene.bodies)
     model.blocks.push_back(body.plates ? element::plates(model.mesh, body.name, body.law, body.plate)
                                        : element::solids(model.mesh, body.name, body.law, body.solid));
-  refuse_too_many(scene, model.mesh);
-  for (const PlaneOptions& plane : scene.planes) {
-    const bool rigid = plane.kind == ScenePlane::rigid;
-    const Subset nodes = rigid ? mesh::surface_nodes(mesh::surface(model.mesh, plane.surface)) : union_of(model.mesh, plane.nodes);
-    if (rigid || plane.kind == ScenePlane::floor) refuse_nodes_behind(plane, nodes, model.mesh);
-    if (plane.kind == ScenePlane::symmetry) refuse_nodes_beside(plane, nodes, model.mesh);
-    if (rigid)
-      model.rigid_planes.push_back(rigid_plane(plane, model));
-    else
-      for (load::Plane& one : constraints(plane, nodes)) model.constraints.planes.push_back(std::move(one));
+  constrain(scene.actions, model);
+  for (const load::Plane& plane : model.constraints.planes) {
+    const auto& planes = scene.actions.planes;
+    const Section& at = std::find_if(planes.begin(), planes.end(), [&](const auto& one) { return one.name == plane.name; })->section;
+    if (plane.kind == load::PlaneKind::floor) refuse_nodes_behind(at, plane, model.mesh);
+    if (plane.kind == load::PlaneKind::symmetry) refuse_nodes_beside(at, plane, model.mesh);
   }
   dynamics::finish(model);
+  for (const RigidOptions& plane : scene.rigid_planes) {
+    model.rigid_planes.push_back(rigid_plane(plane, model));
+    refuse_nodes_behind(plane.at, model.rigid_planes.back(), model.mesh);
+  }
+  add_loads(scene.actions, model);
 }
 
 std::vector<dynamics::Connected> add_contacts(const SceneOptions& scene, dynamics::Model& model) {
@@ -197,11 +187,6 @@ std::vector<dynamics::Connected> add_contacts(const SceneOptions& scene, dynamic
     }
   }
   return connected;
-}
-
-void set_initial(const SceneOptions& scene, const dynamics::Model& model, dynamics::State& state) {
-  for (const InitialOptions& initial : scene.initial)
-    for (const Index node : mesh::node_set(model.mesh, initial.body)) state.v.col(node) = initial.velocity;
 }
 
 }  // namespace nereid::input

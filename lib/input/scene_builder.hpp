@@ -8,21 +8,19 @@
 
 namespace nereid::input {
 
-/// The meshes of all bodies, each where it stands.
+/// The meshes of all bodies, each where it stands. Faults: points beside their body, points named like a node set.
 mesh::Mesh make_mesh(const SceneOptions&);
 
 /// Faults: node sets, surfaces, bodies and sources that are named and do not exist.
 void check_names(const SceneOptions&, const mesh::Mesh&);
 
-/// Adds blocks, gravity and planes to a model that has its mesh, and finishes it.
+/// Adds blocks, planes, loads and springs to a model that has its mesh, and finishes it.
 ///
-/// Faults: nodes behind a floor or wall, nodes of a symmetry plane that lie on none, a node on too many planes.
-void add_bodies_and_planes(const SceneOptions&, dynamics::Model&);
+/// Faults: nodes behind a floor or wall, nodes of a symmetry plane that lie on none, and those of constrain() and
+/// add_loads().
+void add_bodies_and_actions(const SceneOptions&, dynamics::Model&);
 
 /// Adds the contacts to a model that is finished. Faults: penetrations, surfaces that share nodes.
 std::vector<dynamics::Connected> add_contacts(const SceneOptions&, dynamics::Model&);
-
-/// Gives the bodies the velocities they start with.
-void set_initial(const SceneOptions&, const dynamics::Model&, dynamics::State&);
 
 }  // namespace nereid::input

@@ -15,15 +15,26 @@ using Names = std::vector<std::string>;
 
 bool has(const Names& names, const std::string& name) { return std::find(names.begin(), names.end(), name) != names.end(); }
 
-/// A name that is not taken yet. Points are kept for what belongs to a body, as in `bar.x_low`.
-std::string read_name(const Section& section, Names& taken, const std::string& whose) {
-  const std::string name = section.word("name");
-  if (name.empty()) return name;
+constexpr const char* sources = "bodies, contacts, planes, loads and springs";
+
+/// Points are kept for what belongs to a body, as in `bar.x_low`.
+bool is_plain(const std::string& name) {
   const auto plain = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
-  if (!std::all_of(name.begin(), name.end(), plain) || std::isdigit(static_cast<unsigned char>(name[0])) != 0)
+  return std::all_of(name.begin(), name.end(), plain) && std::isdigit(static_cast<unsigned char>(name[0])) == 0;
+}
+
+/// Refuses a name that is none, or taken.
+void check_name(const Section& section, const std::string& name, const Names& taken, const std::string& whose) {
+  if (name.empty()) return;  // that has been said
+  if (!is_plain(name))
     section.fault("name", "'name' = " + name + " is no name: expected letters, digits and '_', a letter first");
   else if (has(taken, name))
     section.fault("name", "'name' = " + name + " is given twice: names of " + whose + " differ");
+}
+
+std::string read_name(const Section& section, Names& taken, const std::string& whose) {
+  const std::string name = section.word("name");
+  check_name(section, name, taken, whose);
   taken.push_back(name);
   return name;
 }
@@ -54,34 +65,29 @@ bool is_one_of(const MeshOptions& mesh) {
   return (std::holds_alternative<Kinds>(mesh) || ...);
 }
 
-/// One-point hexahedra, or full ones of eight points. `kind: one_point | full`, `hourglass` of the former, and the viscosity.
-element::AnyHexahedronOptions read_solid_options(const Section& section) {
-  const bool one_point = section.choice_or("kind", "one_point", {"one_point", "full"}) == "one_point";
-  const element::Hexahedron::Options options = read_hexahedron_options(section.when(one_point));
-  const element::Viscosity viscosity = read_viscosity(section);
-  if (one_point) return options;
-  return element::FullHexahedron::Options{.viscosity = viscosity};
-}
-
 BodyOptions read_body(const Section& section, Names& taken) {
   BodyOptions body{.at = section,
-                   .name = read_name(section, taken, "bodies, contacts, planes and loads"),
+                   .name = read_name(section, taken, sources),
                    .mesh = read_mesh_options(section.section("mesh")),
                    .place = read_placement(section),
+                   .points = {},
                    .law = read_law(section.section("material")),
                    .plates = false,
                    .solid = {},
                    .plate = {}};
   body.plates = is_one_of<mesh::Tube, mesh::WedgeTube, mesh::Disc, mesh::WedgeDisc, mesh::Sheet>(body.mesh);
   const Section element = section.section_or_empty("element");
-  body.solid = read_solid_options(element.when(!body.plates));
+  body.solid = read_hexahedron_options(element.when(!body.plates));
   body.plate = read_plate_options(element.when(body.plates));
+  Names points;
+  for (const Section& point : section.list("points"))
+    body.points.push_back({.at = point, .name = read_name(point, points, "points of a body"), .near = read_vector(point, "near", dim::length)});
   return body;
 }
 
 ContactOptions read_contact(const Section& section, Names& taken) {
   ContactOptions contact{.at = section,
-                         .name = read_name(section, taken, "bodies, contacts, planes and loads"),
+                         .name = read_name(section, taken, sources),
                          .apexes = section.word("apexes"),
                          .base = section.word("base"),
                          .height_from_thickness = false,
@@ -91,32 +97,23 @@ ContactOptions read_contact(const Section& section, Names& taken) {
   return contact;
 }
 
-PlaneOptions read_plane(const Section& section, Names& taken) {
-  const std::string name = read_name(section, taken, "bodies, contacts, planes and loads");
-  const Names kinds{"symmetry", "held", "fixed", "floor", "rigid"};
-  const std::string kind = section.choice("kind", kinds);
-  const bool rigid = kind == "rigid", fixed = kind == "fixed";
-  const Section if_rigid = section.when(rigid), if_plane = section.when(!fixed), if_sets = section.when(!rigid);
+RigidOptions read_rigid(const PlaneRequest& plane) {
+  const Section& section = plane.section;
+  const Section if_rigid = section.when(plane.rigid);
   const bool given = section.has("penalty");
   const dynamics::InterfaceOptions usual;
-  PlaneOptions plane{.at = section,
-                     .name = name,
-                     .kind = static_cast<ScenePlane>(std::find(kinds.begin(), kinds.end(), kind) - kinds.begin()),
-                     .nodes = if_sets.words("nodes"),
+  RigidOptions rigid{.at = section,
+                     .name = plane.name,
                      .surface = if_rigid.word("surface"),
-                     .point = read_vector(section.when(rigid || kind == "floor"), "point", dim::length),
-                     .normal = read_direction(if_plane, "normal"),
+                     .point = plane.point,
+                     .normal = plane.normal,
                      .penalty = std::nullopt,
                      .hardness = if_rigid.when(!given).number_or("hardness", usual.hardness, positive),
                      .friction = read_friction(if_rigid),
                      .created_in_a_bounce = if_rigid.number_or("created_in_a_bounce", usual.created_in_a_bounce, within(1e-5, 0.04))};
   const double penalty = if_rigid.when(given).quantity("penalty", dim::penalty, positive);
-  if (given) plane.penalty = penalty;
-  return plane;
-}
-
-InitialOptions read_initial(const Section& section) {
-  return {.at = section, .body = section.word("body"), .velocity = read_vector(section, "velocity", dim::speed)};
+  if (given) rigid.penalty = penalty;
+  return rigid;
 }
 
 /// Names of the internal variables of all laws, each once.
@@ -200,15 +197,20 @@ const std::vector<Measurable>& measurables() {
 }
 
 SceneOptions read_scene(const Section& root) {
-  SceneOptions scene{.bodies = {}, .contacts = {}, .planes = {}, .gravity = Vec3::Zero(), .initial = {}, .probes = {},
-                     .stops = {}, .time = read_time(root.section("time")), .recording = {}};
-  Names sources{"gravity"}, probes;
-  for (const Section& body : root.list("bodies", 1)) scene.bodies.push_back(read_body(body, sources));
-  for (const Section& contact : root.list("contacts")) scene.contacts.push_back(read_contact(contact, sources));
-  for (const Section& plane : root.list("planes")) scene.planes.push_back(read_plane(plane, sources));
-  const auto gravity = root.vector_or("gravity", {0, 0, 0}, dim::acceleration);
-  scene.gravity = Vec3(gravity.data());
-  for (const Section& initial : root.list("initial")) scene.initial.push_back(read_initial(initial));
+  SceneOptions scene{.bodies = {}, .contacts = {}, .rigid_planes = {}, .actions = {}, .probes = {}, .stops = {},
+                     .time = read_time(root.section("time")), .recording = {}};
+  Names taken{"gravity", "relaxation"}, probes;
+  for (const Section& body : root.list("bodies", 1)) scene.bodies.push_back(read_body(body, taken));
+  for (const Section& contact : root.list("contacts")) scene.contacts.push_back(read_contact(contact, taken));
+  scene.actions = read_actions(root);
+  for (const PlaneRequest& plane : scene.actions.planes) {
+    check_name(plane.section, plane.name, taken, sources);
+    RigidOptions rigid = read_rigid(plane);
+    if (plane.rigid) scene.rigid_planes.push_back(std::move(rigid));
+  }
+  for (const LoadRequest& load : scene.actions.loads) check_name(load.section, load.name, taken, sources);
+  for (const SpringRequest& spring : scene.actions.springs) check_name(spring.section, spring.name, taken, sources);
+  for (const PointMassRequest& mass : scene.actions.point_masses) check_name(mass.section, mass.name, taken, sources);
   for (const Section& probe : root.list("probes")) scene.probes.push_back(read_probe(probe, probes));
   for (const Section& stop : root.list("stop")) scene.stops.push_back(read_stop(stop, scene.probes));
   scene.recording = read_recording(root.section_or_empty("output"), scene.time.end);

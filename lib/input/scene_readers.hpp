@@ -4,6 +4,7 @@
 // What a scene names (node sets, surfaces) exists only when the meshes do. So each part keeps the Section
 // it was read from, where a name that names nothing is then a fault: Section::unknown_name.
 
+#include "input/load_readers.hpp"
 #include "input/mesh_readers.hpp"
 #include "input/readers.hpp"
 
@@ -17,12 +18,20 @@ struct Placement {
   Vec3 move = Vec3::Zero();    ///< [m]
 };
 
+/// A name for the node of a body that is nearest to a point.
+struct PointOptions {
+  Section at;
+  std::string name;
+  Vec3 near;  ///< [m] where the body stands
+};
+
 /// One body: its mesh, where it stands, and what it is made of.
 struct BodyOptions {
   Section at;
   std::string name;
   MeshOptions mesh;
   Placement place;
+  std::vector<PointOptions> points;
   element::AnyLaw law;
   bool plates;  ///< else solid
   element::AnyHexahedronOptions solid;
@@ -37,27 +46,15 @@ struct ContactOptions {
   dynamics::InterfaceOptions interface;
 };
 
-/// What a plane of the scene does to its nodes.
-enum class ScenePlane { symmetry, held, fixed, floor, rigid };
-
-struct PlaneOptions {
+/// What a rigid plane has beside its point and normal.
+struct RigidOptions {
   Section at;
-  std::string name;
-  ScenePlane kind;
-  std::vector<std::string> nodes;  ///< node sets; of all but rigid
-  std::string surface;             ///< of rigid
-  Vec3 point, normal;              ///< [m] of floor and rigid; unit vector, of all but fixed
-  std::optional<double> penalty;   ///< [Pa/m] of rigid; without it hardness counts
+  std::string name, surface;
+  Vec3 point, normal;              ///< [m], unit vector
+  std::optional<double> penalty;   ///< [Pa/m] without it hardness counts
   double hardness;                 ///< [-] penalty over the stiffness of the surface
-  contact::Coulomb friction;       ///< of rigid
+  contact::Coulomb friction;
   double created_in_a_bounce;      ///< [-]
-};
-
-/// A velocity that a body starts with.
-struct InitialOptions {
-  Section at;
-  std::string body;
-  Vec3 velocity;  ///< [m/s]
 };
 
 /// Of what something is measured.
@@ -95,9 +92,8 @@ struct StopOptions {
 struct SceneOptions {
   std::vector<BodyOptions> bodies;
   std::vector<ContactOptions> contacts;
-  std::vector<PlaneOptions> planes;
-  Vec3 gravity;  ///< [m/s2]
-  std::vector<InitialOptions> initial;
+  std::vector<RigidOptions> rigid_planes;  ///< those of Actions::planes, with what is theirs alone
+  Actions actions;
   std::vector<ProbeOptions> probes;
   std::vector<StopOptions> stops;
   dynamics::Time time;

@@ -32,7 +32,7 @@ Built build(const std::string& text) {
   built.model.mesh = make_mesh(scene);
   check_names(scene, built.model.mesh);
   file.finish();
-  add_bodies_and_planes(scene, built.model);
+  add_bodies_and_actions(scene, built.model);
   built.connected = add_contacts(scene, built.model);
   file.finish();
   return built;
