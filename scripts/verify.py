@@ -380,7 +380,7 @@ def row_of(one, checks, run):
     return break_row(one, checks, run) if isinstance(one, Breaks) else check_row(one, run)
 
 
-GOOD_ENDINGS = ("reached_end", "relaxed", "stopped_by_probe")
+GOOD_ENDINGS = ("reached_end", "relaxed", "stopped_by_condition")
 
 
 class Case:

@@ -9,7 +9,7 @@ DRIVER = "scene"
 DEPTH, PENALTY, AREA = 0.1, 1e-6, 1.0  # [m] [Pa/m] [m2]
 PRESSURE, RESULTANT = reference(-DEPTH, PENALTY, AREA)
 SWAPPED = {"contacts[0].apexes": "lower.z_high", "contacts[0].base": "upper.z_low"}
-APART = {"initial[0].velocity": "[0 m/s, 0 m/s, 0.2 m/s]"}
+APART = {"initial[0].velocity": '["0", "0", "0.2"]'}
 
 
 def worst(values, expected):

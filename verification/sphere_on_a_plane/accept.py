@@ -1,6 +1,6 @@
 """How close is close enough, why, and what must break."""
 from reference import LEAST_REBOUND, finite_sphere, hertz, mass_of, speed_for
-from verify import Breaks, Check, Falls, Pair, Report, Table
+from verify import Breaks, Check, Miss, Pair, Report, Table
 
 CLAIM = "A sphere that strikes a rigid plane pushes it as hard and as long as a finite sphere does beside Hertz's, and flies back."
 EVIDENCE = "exact"
@@ -14,8 +14,15 @@ HERTZ = hertz(speed=SPEED, **STEEL)
 PART = 4  # a quarter is meshed
 
 
+def smoothed_peak(run):
+    """The largest mean of the force over a twentieth of Hertz's time, for the whole ball; Hertz's own loses 0.15 % so. [N]"""
+    t, force = run.column("time"), run.column("ground_force")
+    width = max(1, round(0.05 * HERTZ["duration"] / (t[-1] / (len(t) - 1))))
+    return PART * max(sum(force[i:i + width]) / width for i in range(len(force) - width))
+
+
 def peak_force(run):
-    return Pair(PART * max(run.column("ground_force")), FORCE * HERTZ["force"], "N")
+    return Pair(smoothed_peak(run), FORCE * HERTZ["force"], "N")
 
 
 def duration(run):
@@ -41,7 +48,7 @@ def created(run):
 
 
 def against_half_space(run):
-    return Pair(PART * max(run.column("ground_force")), HERTZ["force"], "N")
+    return Pair(smoothed_peak(run), HERTZ["force"], "N")
 
 
 def cells(n):
@@ -50,7 +57,7 @@ def cells(n):
 
 def meshes(run):
     rows = []
-    for n, hardness in ((4, 2), (8, 2), (8, 8), (16, 2)):
+    for n, hardness in ((4, 8), (8, 2), (8, 8), (12, 8), (16, 8)):
         one = run.again({**cells(n), "planes[2].hardness": hardness})
         rows.append([f"{2 * n}", f"{hardness}", f"{peak_force(one).got / HERTZ['force']:.4f}", f"{duration(one).got / HERTZ['duration']:.4f}",
                      f"{rebound(one).got:.4f}"])
@@ -63,8 +70,9 @@ CHECKS = [
     Check("momentum at the start over the ball's mass", speed, 0.01, "the mesh lies inside the ball: 0.4 % of the mass is missing"),
     Check("largest force", peak_force, 0.02, "the catalogue's bound about the finite sphere"),
     Check("contact time", duration, 0.02, "the catalogue's bound about the finite sphere"),
-    Check("speed after over before", rebound, 1 - LEAST_REBOUND, "the catalogue's: 0.998 or more is left"),
-    Check("impulse", impulse, 0.01, "as the momentum and the rebound"),
+    Miss("speed after over before", rebound, 1 - LEAST_REBOUND, "the catalogue's: 0.998 or more is left",
+         "a coarse contact leaves more ringing in the ball: 0.9978 with 32 cells across the radius, and still rising"),
+    Check("impulse", impulse, 0.0075, "as the momentum and the rebound"),
     Check("created energy", created, 0.005, "one long push: far below the bound of a bounce"),
     Report("largest force against Hertz's half-space", against_half_space, "how far a finite sphere is from Hertz"),
 ]
@@ -78,5 +86,5 @@ BREAKS = [
     Breaks("largest force", "a plane two hundred times too soft", {"planes[2].hardness": 0.01}),
     Breaks("contact time", "a plane two hundred times too soft", {"planes[2].hardness": 0.01}),
     Breaks("contact time", "Young's modulus for E*: no Poisson effect", {"bodies[0].material.poisson": 0}),
-    Breaks("speed after over before", "viscosity that swallows waves", {"bodies[0].element.viscosity.linear": 1}),
+    Breaks("impulse", "viscosity that swallows waves", {"bodies[0].element.viscosity.linear": 1}),
 ]
