@@ -10,7 +10,7 @@ DRIVER = "scene"
 
 PENALTY, FRICTION, AREA = 1e-5, 0.25, 0.04           # [Pa/m] [-] [m2]
 CLEARANCE, SINKING, ACROSS, ASIDE = 1e-4, 1e-3, 0.5, 0.1  # [m] [m/s]
-SLIDES = 0.3             # [s] when the block has sunk by twice its clearance and slides for long
+SLIDES, END = 0.2, 0.6   # [s] when the block has sunk by its clearance and slides; when the run ends
 FRAMES = 2.5e-3          # [s]
 NODES_OF_BLOCK = 32      # behind those of the disc
 
@@ -52,7 +52,7 @@ def jump(component):
     """Measures the largest change of a base node's force between two frames, over the mean force of an inner apex then."""
     def measure(run):
         worst, before = 0.0, None
-        for number in range(round(SLIDES / FRAMES), round(1 / FRAMES)):
+        for number in range(round(SLIDES / FRAMES), round(END / FRAMES)):
             t, fields = run.frame("body", number)
             push, rub = reference(PENALTY, SINKING * t - CLEARANCE, AREA, FRICTION)
             scale = (push if component == 2 else rub) / 9  # nine cells: an inner apex carries a ninth
