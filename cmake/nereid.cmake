@@ -64,11 +64,11 @@ function(nereid_module name)
         NEREID_COMPILER="${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}"
         NEREID_BUILD_TYPE="${CMAKE_BUILD_TYPE}"
         NEREID_FLAGS="${flags}" NEREID_VERSION="${PROJECT_VERSION}"
-        $<$<BOOL:${NEREID_NATIVE}>:NEREID_NATIVE>
-        $<$<BOOL:${NEREID_WITH_VTK}>:NEREID_WITH_VTK>)
-      if(NEREID_WITH_VTK)
-        vtk_module_autoinit(TARGETS nereid_output MODULES ${VTK_LIBRARIES})
-      endif()
+        $<$<BOOL:${NEREID_NATIVE}>:NEREID_NATIVE>)
+    endif()
+    if(name STREQUAL "grid" AND NEREID_WITH_VTK)
+      target_compile_definitions(nereid_grid PRIVATE NEREID_WITH_VTK)
+      vtk_module_autoinit(TARGETS nereid_grid MODULES ${VTK_LIBRARIES})
     endif()
   else()
     add_library(nereid_${name} INTERFACE)

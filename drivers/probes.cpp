@@ -64,14 +64,19 @@ Vec3 force_on_apexes(const View& view, const std::vector<std::size_t>& passes) {
 }
 
 Measure of_body(const input::ProbeOptions& probe, const Scene& scene) {
-  std::size_t b = 0;
-  while (element::name(scene.model.blocks[b]) != probe.of) ++b;
+  std::vector<std::size_t> blocks;  // a body from a file may have several regions
+  bool measured = true;
   const std::string& name = probe.quantity.name;
-  const auto fields = element::fields(scene.model.blocks[b], scene.state.x, scene.state.blocks[b]);
-  if (std::none_of(fields.begin(), fields.end(), [&](const Field& field) { return field.name == name; }))
-    probe.at.fault("quantity", "'quantity' = " + name + ": the material of " + probe.of + " has no such variable");
+  for (std::size_t b = 0; b < scene.model.blocks.size(); ++b) {
+    const std::string& region = element::name(scene.model.blocks[b]);
+    if (region != probe.of && region.rfind(probe.of + ".", 0) != 0) continue;
+    blocks.push_back(b);
+    const auto fields = element::fields(scene.model.blocks[b], scene.state.x, scene.state.blocks[b]);
+    measured = measured && std::any_of(fields.begin(), fields.end(), [&](const Field& field) { return field.name == name; });
+  }
+  if (!measured) probe.at.fault("quantity", "'quantity' = " + name + ": the material of " + probe.of + " has no such variable");
   const auto take = probe.largest ? dynamics::Take::largest : dynamics::Take::mean;
-  return [=, row = probe.component](const View& view) { return dynamics::of_body(view, b, name, row, take); };
+  return [=, row = probe.component](const View& view) { return dynamics::of_body(view, blocks, name, row, take); };
 }
 
 Measure of_source(const input::ProbeOptions& probe, const Scene& scene) {

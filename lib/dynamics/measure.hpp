@@ -29,11 +29,11 @@ enum class Take {
 
 /// One number of a field of a body as element::fields has it.
 ///
-/// block      of Model::blocks
+/// blocks     places in Model::blocks, at least one
 /// component  row of the field
 /// returns    in the unit of the field
 /// Throws InternalError if the body has no such field.
-double of_body(const View&, std::size_t block, std::string_view field, int component, Take);
+double of_body(const View&, const std::vector<std::size_t>& blocks, std::string_view field, int component, Take);
 
 /// Force of an interface on all its apexes, at this moment, with friction; on the bases it is the opposite. [N]
 Vec3 contact_force(const View&, std::size_t interface);

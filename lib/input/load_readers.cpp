@@ -7,6 +7,7 @@
 #include <map>
 
 #include "dynamics/displace.hpp"
+#include "input/words.hpp"
 
 namespace nereid::input {
 

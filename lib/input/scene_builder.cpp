@@ -29,10 +29,24 @@ constexpr double round_off = 1e-9;  // of a mesh that was turned, over the size 
 
 double diagonal(const mesh::Mesh& mesh) { return (mesh.X.rowwise().maxCoeff() - mesh.X.rowwise().minCoeff()).norm(); }
 
+/// Whether a node set, surface or region is one of this body.
+bool belongs(const std::string& name, const BodyOptions& body) { return name.substr(0, name.find('.')) == body.name; }
+
+std::array<Index, 3> sorted(const Table<3>& corners, Index facet) {
+  std::array<Index, 3> nodes{corners(0, facet), corners(1, facet), corners(2, facet)};
+  std::sort(nodes.begin(), nodes.end());
+  return nodes;
+}
+
 /// Half the thickness of the plates on a surface, if it is one of plates. [m]
-double stand_off(const std::vector<BodyOptions>& bodies, const std::string& surface) {
-  for (const BodyOptions& body : bodies)
-    if (body.plates && body.name == surface.substr(0, surface.find('.'))) return body.plate.thickness / 2;
+double stand_off(const std::vector<BodyOptions>& bodies, const mesh::Mesh& mesh, const std::string& surface) {
+  const BodyOptions& body = *std::find_if(bodies.begin(), bodies.end(), [&](const auto& one) { return belongs(surface, one); });
+  if (!body.plates) return 0;
+  if (!body.solids) return body.plate.thickness / 2;
+  const auto facet = sorted(mesh::surface(mesh, surface).facets, 0);
+  for (const mesh::Triangles& region : mesh.triangles)
+    for (Index t = 0; t < region.nodes.cols(); ++t)
+      if (sorted(region.nodes, t) == facet) return body.plate.thickness / 2;
   return 0;
 }
 
@@ -130,12 +144,18 @@ void check_names(const SceneOptions& scene, const mesh::Mesh& mesh) {
     if (load.kind == Kind::body_force) expect(load.section, "body", load.on, "bodies", bodies);
     if (load.kind == Kind::force || load.kind == Kind::moment) expect(load.section, "nodes", load.on, "node sets", sets);
   }
+  Names ends{"ground"};
+  ends.insert(ends.end(), sets.begin(), sets.end());
   for (const SpringRequest& spring : actions.springs) {
     expect(spring.section, "from", spring.from, "node sets", sets);
-    if (spring.to != "ground") expect(spring.section, "to", spring.to, "node sets", sets);
+    expect(spring.section, "to", spring.to, "node sets and ground", ends);
   }
   for (const PointMassRequest& mass : actions.point_masses) expect(mass.section, "nodes", mass.nodes, "node sets", sets);
   for (const InitialRequest& initial : actions.initial) expect(initial.section, "body", initial.body, "bodies", bodies);
+  Names regions = bodies;
+  for (const Names& more : {names_of(mesh.hexahedra), names_of(mesh.triangles)})
+    for (const std::string& name : more)
+      if (name.find('.') != std::string::npos) regions.push_back(name);
   const Names contacts = names_of(scene.contacts);
   Names sources = contacts;
   for (const Names& more : {names_of(actions.planes), names_of(actions.loads), names_of(actions.springs)})
@@ -143,7 +163,7 @@ void check_names(const SceneOptions& scene, const mesh::Mesh& mesh) {
   for (const ProbeOptions& probe : scene.probes) {
     switch (probe.quantity.of) {
       case Of::nodes: expect(probe.at, "of", probe.of, "node sets", sets); break;
-      case Of::body: expect(probe.at, "of", probe.of, "bodies", bodies); break;
+      case Of::body: expect(probe.at, "of", probe.of, "bodies and regions", regions); break;
       case Of::contact: expect(probe.at, "of", probe.of, "contacts", contacts); break;
       case Of::source: expect(probe.at, "of", probe.of, "contacts, planes, loads and springs", sources); break;
     }
@@ -151,9 +171,12 @@ void check_names(const SceneOptions& scene, const mesh::Mesh& mesh) {
 }
 
 void add_bodies_and_actions(const SceneOptions& scene, dynamics::Model& model) {
-  for (const BodyOptions& body : scene.bodies)
-    model.blocks.push_back(body.plates ? element::plates(model.mesh, body.name, body.law, body.plate)
-                                       : element::solids(model.mesh, body.name, body.law, body.solid));
+  for (const BodyOptions& body : scene.bodies) {  // a mesh from a file may have several regions
+    for (const mesh::Hexahedra& region : model.mesh.hexahedra)
+      if (belongs(region.name, body)) model.blocks.push_back(element::solids(model.mesh, region.name, body.law, body.solid));
+    for (const mesh::Triangles& region : model.mesh.triangles)
+      if (belongs(region.name, body)) model.blocks.push_back(element::plates(model.mesh, region.name, body.law, body.plate));
+  }
   constrain(scene.actions, model);
   for (const load::Plane& plane : model.constraints.planes) {
     const auto& planes = scene.actions.planes;
@@ -180,7 +203,7 @@ std::vector<dynamics::Connected> add_contacts(const SceneOptions& scene, dynamic
     }
     dynamics::InterfaceOptions options = contact.interface;
     if (contact.height_from_thickness)
-      options.height.given = stand_off(scene.bodies, contact.apexes) + stand_off(scene.bodies, contact.base);
+      options.height.given = stand_off(scene.bodies, model.mesh, contact.apexes) + stand_off(scene.bodies, model.mesh, contact.base);
     for (dynamics::Connected& pass : dynamics::connect(model, contact.name, contact.apexes, contact.base, options)) {
       refuse_penetration(contact.at, options, pass.gaps);
       connected.push_back(std::move(pass));

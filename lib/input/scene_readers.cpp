@@ -72,12 +72,18 @@ BodyOptions read_body(const Section& section, Names& taken) {
                    .place = read_placement(section),
                    .points = {},
                    .law = read_law(section.section("material")),
+                   .solids = true,
                    .plates = false,
                    .solid = {},
                    .plate = {}};
   body.plates = is_one_of<mesh::Tube, mesh::WedgeTube, mesh::Disc, mesh::WedgeDisc, mesh::Sheet>(body.mesh);
+  body.solids = !body.plates;
+  if (const auto* file = std::get_if<mesh::Mesh>(&body.mesh)) {
+    body.solids = !file->hexahedra.empty();
+    body.plates = !file->triangles.empty();
+  }
   const Section element = section.section_or_empty("element");
-  body.solid = read_hexahedron_options(element.when(!body.plates));
+  body.solid = read_hexahedron_options(element.when(body.solids));
   body.plate = read_plate_options(element.when(body.plates));
   Names points;
   for (const Section& point : section.list("points"))

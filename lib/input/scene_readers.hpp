@@ -33,7 +33,7 @@ struct BodyOptions {
   Placement place;
   std::vector<PointOptions> points;
   element::AnyLaw law;
-  bool plates;  ///< else solid
+  bool solids, plates;  ///< which of them the mesh has; a file may have both
   element::AnyHexahedronOptions solid;
   element::Plate::Options plate;
 };

@@ -82,9 +82,6 @@ class CaseError : public std::exception {
   std::string text_;
 };
 
-/// "did you mean 'penalty'?", or nothing if none of the words is near.
-std::string nearest(std::string_view word, const std::vector<std::string>& words);
-
 class Document;
 struct Place;
 struct Node;
@@ -187,6 +184,9 @@ class Section {
   /// No fault has been found in the case so far. Checks that combine values ask this first, so
   /// that one wrong value does not make two faults.
   bool sound() const;
+
+  /// A path that the case names: relative ones start at the folder of the case file.
+  std::string beside_case(std::string_view path) const;
 
   /// Where the section is, as in "bodies[0].material"; empty for the root.
   const std::string& path() const { return path_; }

@@ -93,7 +93,7 @@ TEST(Displace, BeyondYieldLeavesPlasticStrainAndBooksNoDissipationToTheRun) {
   EXPECT_NEAR(fields[1].values(0, 0) / yield, 1, 1e-9);
   EXPECT_GT(fields[3].values(0, 0), 0.001);
   start(s.model, s.state, s.forces);
-  EXPECT_EQ(dissipated(s.state.ledger.accounts[0]), 0);
+  EXPECT_NEAR(dissipated(s.state.ledger.accounts[0]), 0, 1e-12 * yield * 0.01 * 0.012);  // round-off of a return to the yield surface
 }
 
 TEST(Displace, SaysThatAnElementIsTurnedInsideOut) {

@@ -27,7 +27,7 @@ struct Scene {
   }
 };
 
-const element::Hexahedron::Options stiff_hourglass{.hourglass = 0.1, .viscosity = {}};
+const element::Hexahedron::Options usual{.hourglass = 0.1, .viscosity = {}};
 
 load::Plane plane(const std::string& name, PlaneKind kind, const Vec3& normal, const Subset& nodes, const Vec3& point = Vec3::Zero()) {
   load::Plane p;
@@ -49,18 +49,22 @@ void expect_closed(const Scene& s) {
   const double momentum = std::sqrt(2 * s.model.mass.sum() * energy);
   double impulse = momentum, angular = momentum;
   for (const Account& a : l.accounts) impulse = std::max(impulse, a.impulse.norm()), angular = std::max(angular, a.angular_impulse.norm());
-  EXPECT_LT(std::abs(energy_residual(l)), 1e-12 * energy);
-  EXPECT_LT(momentum_residual(l).norm(), 1e-11 * impulse);          // sums of some ten thousand steps
-  EXPECT_LT(angular_momentum_residual(l).norm(), 1e-11 * angular);
+  // round-off: of sums over the steps, and of gravity's work, which is a difference of positions
+  const double round_off = 1e-12 + 1e-16 * static_cast<double>(s.state.step), size = s.model.mesh.X.cwiseAbs().maxCoeff();
+  EXPECT_LT(std::abs(energy_residual(l)), round_off * energy + 1e-15 * s.model.mass.sum() * s.model.gravity.norm() * size);
+  EXPECT_LT(momentum_residual(l).norm(), round_off * impulse);
+  EXPECT_LT(angular_momentum_residual(l).norm(), round_off * angular);
   EXPECT_EQ(created(account(s.state, "relaxation")), 0);
 }
 
-/// A bar along z that hangs from its top, poisson = 0.
-Scene hanging(const element::AnyLaw& law, double gravity, int cells) {
+/// A bar along z that hangs from its top and may become thinner, poisson = 0.
+Scene hanging(const element::AnyLaw& law, double gravity, int cells, const element::Hexahedron::Options& options = usual) {
   Scene s;
   s.model.mesh = mesh::box("bar", {Vec3::Zero(), Vec3(0.1, 0.1, 1), {1, 1, cells}});
-  s.model.blocks.push_back(element::hexahedra(s.model.mesh, "bar", law, stiff_hourglass));
-  s.model.constraints.planes = {plane("top", PlaneKind::fixed, Vec3::UnitZ(), mesh::node_set(s.model.mesh, "bar.z_high"))};
+  s.model.blocks.push_back(element::hexahedra(s.model.mesh, "bar", law, options));
+  s.model.constraints.planes = {plane("top", PlaneKind::held, Vec3::UnitZ(), mesh::node_set(s.model.mesh, "bar.z_high")),
+                                plane("x", PlaneKind::symmetry, Vec3::UnitX(), mesh::node_set(s.model.mesh, "bar.x_low")),
+                                plane("y", PlaneKind::symmetry, Vec3::UnitY(), mesh::node_set(s.model.mesh, "bar.y_low"))};
   s.model.gravity = {0, 0, -gravity};
   s.model.relaxation = Relaxation{};
   finish(s.model);
@@ -92,7 +96,8 @@ TEST(Relaxation, AHangingBarComesToTheDisplacementOfTheClosedForm) {
 TEST(Relaxation, APlasticBarStretchesByTheBilinearLaw) {
   // sigma(z) = rho g z from the free end, strain beyond yield (sigma - yield)/tangent + yield/young
   const double rho = 1000, g = 100, young = 1e8, yield = 5e4, tangent = 1e7;
-  Scene s = hanging(material::J2Bilinear{rho, young, 0, yield, tangent}, g, 40);
+  // hourglass stiffness would resist a width that changes along the bar
+  Scene s = hanging(material::J2Bilinear{rho, young, 0, yield, tangent}, g, 40, {.hourglass = 1e-3, .viscosity = {}});
   const Outcome outcome = s.run_to(20);
   EXPECT_EQ(outcome.ending, Ending::relaxed) << outcome.reason;
   double exact = 0;  // element by element: stress at its middle
@@ -145,29 +150,49 @@ TEST(Relaxation, AStripOfPlatesBendsAsABeamUnderAnEndForce) {
   expect_closed(s);
 }
 
-TEST(Relaxation, ABlockPressedOnAFloorIsCompressedByItsLoad) {
-  // rigid plane below, pressure above: sigma = -p everywhere, u = -p L / E, and the penalty's depth
+/// A block that a pressure of 1 kPa pushes down.
+Scene pressed() {
   Scene s;
   s.model.mesh = mesh::box("bar", {Vec3::Zero(), Vec3(0.2, 0.2, 0.2), {2, 2, 2}});
-  s.model.blocks.push_back(element::hexahedra(s.model.mesh, "bar", material::Elastic{1000, 1e7, 0.3}, stiff_hourglass));
+  s.model.blocks.push_back(element::hexahedra(s.model.mesh, "bar", material::Elastic{1000, 1e7, 0.3}, usual));
+  s.model.relaxation = Relaxation{};
+  finish(s.model);
+  s.model.loads.emplace_back(load::pressure_on("pressure", mesh::surface(s.model.mesh, "bar.z_high"), [](double) { return 1e3; }));
+  return s;
+}
+
+TEST(Relaxation, ABlockPressedOnAFloorIsCompressedByItsLoad) {
+  Scene s = pressed();
+  s.model.constraints.planes = {plane("floor", PlaneKind::floor, Vec3::UnitZ(), mesh::node_set(s.model.mesh, "bar"), Vec3(0, 0, -1e-4))};
+  s.ready();
+  const Outcome outcome = s.run_to(20);
+  EXPECT_EQ(outcome.ending, Ending::relaxed) << outcome.reason;
+  for (const Index n : mesh::node_set(s.model.mesh, "bar.z_low")) EXPECT_EQ(s.state.x(2, n), -1e-4);
+  // halves of quadrilaterals load their corners unevenly, but (Betti) the mean with even weights is that of even loads
+  double mean = 0;
+  for (Index i = 0; i < 3; ++i)
+    for (Index j = 0; j < 3; ++j) mean += (i == 1 ? 0.5 : 0.25) * (j == 1 ? 0.5 : 0.25) * s.state.x(2, 18 + 3 * j + i);
+  const double compression = (0.2 - 1e-4 - mean) / (0.2 * 1e3 / 1e7);
+  std::printf("pressed block: %ld steps, compression / exact - 1 = %.1e\n", static_cast<long>(s.state.step), compression - 1);
+  EXPECT_NEAR(compression, 1, 1e-3);  // strain of 1e-4, uneven by as much
+  expect_closed(s);
+}
+
+TEST(Relaxation, OnARigidPlaneEndsWhereItsPenaltyCarriesTheLoad) {
+  Scene s = pressed();
   contact::RigidPlane floor;
   floor.name = "floor", floor.point = Vec3(0, 0, -1e-4), floor.normal = Vec3::UnitZ();
   floor.nodes = mesh::node_set(s.model.mesh, "bar.z_low");
   floor.area = mesh::tributary_areas(s.model.mesh, mesh::surface(s.model.mesh, "bar.z_low"), floor.nodes);
   floor.penalty = 1e9;
   s.model.rigid_planes.push_back(floor);
-  s.model.relaxation = Relaxation{};
-  finish(s.model);
-  const double p = 1e3;
-  s.model.loads.emplace_back(load::pressure_on("pressure", mesh::surface(s.model.mesh, "bar.z_high"), [=](double) { return p; }));
   s.ready();
   const Outcome outcome = s.run_to(20);
   EXPECT_EQ(outcome.ending, Ending::relaxed) << outcome.reason;
-  const double bottom = -1e-4 - p / 1e9, top = bottom + 0.2 * (1 - p / 1e7);
-  std::printf("pressed block: %ld steps, top off by %.1e of its compression\n", static_cast<long>(s.state.step),
-              (s.state.x(2, 26) - top) / (0.2 * p / 1e7));
-  for (const Index n : mesh::node_set(s.model.mesh, "bar.z_low")) EXPECT_NEAR(s.state.x(2, n), bottom, 1e-3 * 2e-5);
-  for (const Index n : mesh::node_set(s.model.mesh, "bar.z_high")) EXPECT_NEAR(s.state.x(2, n), top, 1e-3 * 2e-5);
+  double force = 0;
+  for (const double f : s.state.rigid_planes[0].force) force += f;
+  std::printf("block on a penalty: %ld steps, force / load - 1 = %.1e\n", static_cast<long>(s.state.step), force / 40 - 1);
+  EXPECT_NEAR(force / 40, 1, 1e-3);  // the pressure follows an area that grows by 2 nu sigma / E
   expect_closed(s);
 }
 

@@ -365,6 +365,32 @@ TEST(Friction, OnAPlateTurnsItsNodesByTheMomentOfHalfTheThickness) {
   }
 }
 
+TEST(Residual, IsRoundOffWithFrictionOnSymmetryPlanes) {
+  Scene s;
+  s.model.mesh = mesh::join(mesh::cylinder("core", {0.48, 0.8, mesh::Turn::quarter, 3, 2, 6}),
+                            mesh::tube("tube", {0.49, 0.8, mesh::Turn::quarter, 3, 6}));
+  element::Plate::Options plate;
+  plate.thickness = 0.02;
+  s.model.blocks.push_back(element::hexahedra(s.model.mesh, "core", rubber, {}));
+  s.model.blocks.push_back(element::plates(s.model.mesh, "tube", rubber, plate));
+  for (int axis = 0; axis < 2; ++axis) {
+    Subset nodes = mesh::node_set(s.model.mesh, axis ? "core.y_plane" : "core.x_plane");
+    for (const Index node : mesh::node_set(s.model.mesh, axis ? "tube.y_plane" : "tube.x_plane")) nodes.push_back(node);
+    s.model.constraints.planes.push_back(plane(axis ? "y" : "x", PlaneKind::symmetry, Vec3::Unit(axis), nodes));
+  }
+  finish(s.model);
+  InterfaceOptions options;
+  options.friction.coefficient = 0.4;
+  s.joined("joint", "core.side", "tube.inside", options);
+  s.ready();
+  for (Eigen::Index n = 0; n < s.state.v.cols(); ++n)  // the core swells and slides through the tube
+    if (n < static_cast<Eigen::Index>(mesh::node_set(s.model.mesh, "core").size()))
+      s.state.v.col(n) = Vec3(2 * s.state.x(0, n), 2 * s.state.x(1, n), 1);
+  go(s, 300);
+  expect_closed(s);
+  EXPECT_GT(account(s.state, "joint").dissipated[1].value, 1e-3 * s.state.ledger.initial_kinetic);
+}
+
 TEST(Friction, OnARigidPlaneStopsABlockByItsCoefficient) {
   Scene s = box({3, 2, 2}, rubber, inviscid);
   contact::RigidPlane floor;
@@ -933,7 +959,8 @@ TEST(Residual, IsRoundOffWithEveryLoadAtOnce) {
     std::printf("%s: work %.3g, stored %.3g, dissipated %.3g, created %.2g of the initial kinetic energy\n", name,
                 account(s.state, name).work / scale, stored(account(s.state, name)) / scale,
                 dissipated(account(s.state, name)) / scale, created(account(s.state, name)) / scale);
-    EXPECT_LT(std::abs(created(account(s.state, name))), 0.01 * scale) << name;  // a rule of the second order
+    // rules of the second order: the turning line, and the dashpot's force of half a step ago
+    EXPECT_LT(std::abs(created(account(s.state, name))), 0.02 * (0.1 * scale + dissipated(account(s.state, name)))) << name;
   }
   EXPECT_NEAR(account(s.state, "spring").impulse.norm(), 0, 0);
   EXPECT_GT(account(s.state, "ground").impulse.norm(), 0);

@@ -37,6 +37,7 @@ TEST(Expression, IsAFunctionOfPlaceAndTime) {
   EXPECT_DOUBLE_EQ(value("t < 1 ? sin(pi*t) : 0", 0, 0, 0, 0.25), std::sin(pi * 0.25));
   EXPECT_DOUBLE_EQ(value("2^3^1"), 8);
   EXPECT_DOUBLE_EQ(value("-x^2", 3), -9);
+  EXPECT_DOUBLE_EQ(value("log(x)", 3), std::log(3));
 }
 
 TEST(Expression, CopiesOfOneGiveWhatTheOriginalGives) {
@@ -58,7 +59,7 @@ TEST(Expression, FaultsSayWhereAndWhatIsExpected) {
   EXPECT_EQ(fault("2*u").message, "'u' is unknown: expected x, y, z, t, pi, or a function such as sin, min, exp");
   EXPECT_EQ(fault("1 + x", of_time).message, "'x' is unknown: expected t, pi, or a function such as sin, min, exp");
   EXPECT_EQ(fault("t", of_place).message, "'t' is unknown: expected x, y, z, pi, or a function such as sin, min, exp");
-  EXPECT_EQ(fault("1 +").message, "unexpected end of expression found at position 3");
+  EXPECT_EQ(fault("1 +").message, "unexpected end of expression at position 4");
   EXPECT_EQ(fault("sin(t").message, "missing parenthesis");
   EXPECT_EQ(fault("1, 2").message, "these are 2 values: expected one");
   EXPECT_EQ(fault("t = 3").message, "an expression assigns nothing: '==' compares");
