@@ -14,6 +14,7 @@ A case is a folder with `accept.py`, which has
     CHECKS             Check, Report and Miss: a function of the run that gives a Pair, and the limit of its error
     STUDIES            Falls: the error of a check along one key; Table: rows of a function of the run
     BREAKS             Breaks: a plausible mistake and the check that must notice it; at least one
+    FIGURES            Figure: curves of the run over the exact ones; optional
 
 and imports what it needs from `reference.py` beside it, which imports nothing of ours. Needs nothing but Python.
 """
@@ -255,6 +256,15 @@ class Table:
 
 
 @dataclasses.dataclass
+class Figure:
+    """Curves over the reference, drawn by `--write`: curves(run) gives [(label, abscissae, ordinates), ...]."""
+    name: str  # of the files, without ending
+    across: str
+    up: str
+    curves: object
+
+
+@dataclasses.dataclass
 class Breaks:
     """A plausible mistake that the named check must notice: keys set, or another way to measure.
 
@@ -328,6 +338,8 @@ def share(value):
         return str(value)
     if value == 0:
         return "0"
+    if value >= 1:
+        return f"{100 * value:.0f} %"
     return f"{100 * value:.2g} %" if value >= 1e-5 else f"{value:.1e}"
 
 
@@ -450,6 +462,28 @@ class Case:
         return rows, tables
 
 
+def draw(case, runner):
+    """Writes the figures of a case into its folder; returns their names, none where matplotlib is missing."""
+    wanted = getattr(case.accept, "FIGURES", [])
+    if not wanted:
+        return []
+    try:
+        import figure as drawing
+    except ImportError:
+        print(f"      {case.name}: no matplotlib, figures stay as they are")
+        return [one.name for one in wanted]
+    run = runner.run(case.accept.DRIVER, case.case_file(), {})
+    for one in wanted:
+        picture, axes = drawing.new_figure(width=120, height=66)
+        for number, (label, across, up) in enumerate(one.curves(run)):
+            drawing.draw_curve(axes, across, up, number, label)
+        axes.set_xlabel(one.across)
+        axes.set_ylabel(one.up)
+        axes.legend(loc="best")
+        drawing.save(picture, case.folder / f"{one.name}.svg", png=False)
+    return [one.name for one in wanted]
+
+
 def print_rows(name, rows, tables, seconds):
     for row in rows:
         numbers = f"expected {row.expected or '-'}, got {row.got or '-'}, error {row.error or '-'}, limit {row.limit or '-'}"
@@ -465,9 +499,9 @@ def cell(entry):
     return f"{entry:.3g}" if isinstance(entry, float) else str(entry)
 
 
-def markdown(rows, tables, seconds):
+def markdown(rows, tables, seconds, figures=()):
     """The generated block of a README."""
-    lines = [BEGIN, "", "| check | expected | got | error | limit | |", "|---|---|---|---|---|---|"]
+    lines = [BEGIN, "", *(f"![{name.replace('_', ' ')}]({name}.svg)\n" for name in figures), "| check | expected | got | error | limit | |", "|---|---|---|---|---|---|"]
     lines += [f"| {row.name} | {row.expected} | {row.got} | {row.error} | {row.limit} | {row.word} |" for row in rows]
     reasons = [row for row in rows if row.because]
     if reasons:
@@ -511,13 +545,14 @@ def main(arguments=None):
                     raise CannotRun(case.fault)
                 runner = Runner(options.drivers, options.keep / name if options.keep else scratch, options.threads)
                 rows, tables = case.run(runner, options.full)
+                figures = draw(case, runner) if options.write else []
         except CannotRun as error:
             print(f"FAIL  {name}: {error}", flush=True)
             good = False
             continue
         print_rows(name, rows, tables, runner.seconds)
         if options.write:
-            write_readme(case.folder / "README.md", markdown(rows, tables, runner.seconds))
+            write_readme(case.folder / "README.md", markdown(rows, tables, runner.seconds, figures))
         good = good and all(row.good for row in rows)
     return 0 if good else 1
 

@@ -1,6 +1,6 @@
 """How close is close enough, why, and what must break."""
 from reference import VM265, reference
-from verify import Breaks, Check, Falls, Pair
+from verify import Breaks, Check, Falls, Figure, Pair
 
 CLAIM = "A bar that strikes a rigid wall pushes it with rho c V A for 2L/c and leaves with the speed it came with."
 EVIDENCE = "exact"
@@ -67,3 +67,12 @@ BREAKS = [
     Breaks("impulse of the wall", "a wall that keeps what it catches",
            {"planes[0].kind": "floor", "planes[0].nodes": "[bar.x_high]"}),
 ]
+
+def force_over_time(run):
+    start, end = EXACT["impact"], EXACT["release"]
+    exact = ([0, start, start, end, end, run.column("time")[-1]], [0, 0, EXACT["force"], EXACT["force"], 0, 0])
+    return [("Nereid", [1e6 * t for t in run.column("time")], [1e-3 * f for f in run.column("wall_force")]),
+            ("exact", [1e6 * t for t in exact[0]], [1e-3 * f for f in exact[1]])]
+
+
+FIGURES = [Figure("force", "time [us]", "force of the wall [kN]", force_over_time)]

@@ -1,6 +1,6 @@
 """How close is close enough, why, and what must break."""
 from reference import reference
-from verify import Breaks, Check, Pair, Table, crossings, interpolate
+from verify import Breaks, Check, Figure, Pair, Table, crossings, interpolate
 
 CLAIM = "A block with 5 m/s on a level plane with friction 0.3 stops after 4.247 m and 1.699 s, and its energy is heat."
 EVIDENCE = "exact"
@@ -69,8 +69,16 @@ def options(run):
 STUDIES = [Table("Distance in metres, time in seconds, heat in joules.", ["", "distance", "time", "heat"], options)]
 
 BREAKS = [
-    Breaks("distance", "gravity forgotten to be standard", {"gravity": "[0 m/s^2, 0 m/s^2, -9.0 m/s^2]"}),
+    Breaks("distance", "gravity of 9.0 m/s2", {"gravity": "[0 m/s^2, 0 m/s^2, -9.0 m/s^2]"}),
     Breaks("time to stop", "a coefficient of 0.31", {"planes[0].friction": 0.31}),
     Breaks("distance", "a stick ten thousand times too soft", {"planes[0].stick": 1e-4}),
     Breaks("creep after the stop", "looked at before the stop", {"time.end": "1.6 s"}),
 ]
+
+def speed_over_time(run):
+    exact = [(0, 5), (EXACT["time"], 0), (run.column("time")[-1], 0)]
+    return [("Nereid", run.column("time"), run.column("speed")),
+            ("exact", [t for t, _ in exact], [v for _, v in exact])]
+
+
+FIGURES = [Figure("speed", "time [s]", "speed [m/s]", speed_over_time)]

@@ -1,6 +1,8 @@
 """How close is close enough, why, and what must break."""
+from math import pi, sin
+
 from reference import LEAST_REBOUND, finite_sphere, hertz, mass_of, speed_for
-from verify import Breaks, Check, Miss, Pair, Report, Table
+from verify import Breaks, Check, Figure, Miss, Pair, Report, Table
 
 CLAIM = "A sphere that strikes a rigid plane pushes it as hard and as long as a finite sphere does beside Hertz's, and flies back."
 EVIDENCE = "exact"
@@ -88,3 +90,13 @@ BREAKS = [
     Breaks("contact time", "Young's modulus for E*: no Poisson effect", {"bodies[0].material.poisson": 0}),
     Breaks("impulse", "viscosity that swallows waves", {"bodies[0].element.viscosity.linear": 1}),
 ]
+
+def force_over_time(run):
+    times = [i / 200 * TIME * HERTZ["duration"] for i in range(201)]
+    shape = [sin(pi * i / 200)**1.5 for i in range(201)]  # Hertz's pulse to within 1 %
+    start = next(t for t, force in zip(run.column("time"), run.column("ground_force")) if force > 0)
+    return [("Nereid", [1e6 * (t - start) for t in run.column("time")], [1e-3 * PART * f for f in run.column("ground_force")]),
+            ("finite sphere, as the sine to 3/2", [1e6 * t for t in times], [1e-3 * FORCE * HERTZ["force"] * s for s in shape])]
+
+
+FIGURES = [Figure("force", "time after touch [us]", "force of the plane [kN]", force_over_time)]

@@ -1,6 +1,6 @@
 """How close is close enough, why, and what must break."""
 from reference import green_naghdi, jaumann
-from verify import Breaks, Check, Pair, Report, Table
+from verify import Breaks, Check, Figure, Pair, Report, Table
 
 CLAIM = "Stress in simple shear up to 4 follows the rate of Jaumann."
 EVIDENCE = "exact"
@@ -53,3 +53,11 @@ BREAKS = [
     Breaks("shear stress", "Green and Naghdi's rate taken for Jaumann's", measure=against_green_naghdi),
     Breaks("shear stress", "Poisson's ratio forgotten in the shear modulus", {"bodies[0].material.poisson": 0}),
 ]
+
+def stress_over_shear(run):
+    shears = [i / 100 for i in range(401)]
+    return [("Nereid", run.column("shear"), run.column("stress_xz")),
+            ("Jaumann, exact", shears, [jaumann(g)[0] for g in shears]), ("Green and Naghdi, exact", shears, [green_naghdi(g)[0] for g in shears])]
+
+
+FIGURES = [Figure("shear", "shear", "shear stress over shear modulus", stress_over_shear)]
