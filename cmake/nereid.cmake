@@ -8,6 +8,11 @@ set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")   # never -ffast-math: NaN checks an
 
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(yaml-cpp REQUIRED)
+find_path(MUPARSER_FOLDER muParser.h REQUIRED)
+find_library(MUPARSER_LIBRARY muparser REQUIRED)
+add_library(muparser UNKNOWN IMPORTED)
+set_target_properties(muparser PROPERTIES IMPORTED_LOCATION ${MUPARSER_LIBRARY}
+                      INTERFACE_INCLUDE_DIRECTORIES ${MUPARSER_FOLDER})
 find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(Threads REQUIRED)
@@ -59,11 +64,11 @@ function(nereid_module name)
         NEREID_COMPILER="${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}"
         NEREID_BUILD_TYPE="${CMAKE_BUILD_TYPE}"
         NEREID_FLAGS="${flags}" NEREID_VERSION="${PROJECT_VERSION}"
-        $<$<BOOL:${NEREID_NATIVE}>:NEREID_NATIVE>
-        $<$<BOOL:${NEREID_WITH_VTK}>:NEREID_WITH_VTK>)
-      if(NEREID_WITH_VTK)
-        vtk_module_autoinit(TARGETS nereid_output MODULES ${VTK_LIBRARIES})
-      endif()
+        $<$<BOOL:${NEREID_NATIVE}>:NEREID_NATIVE>)
+    endif()
+    if(name STREQUAL "grid" AND NEREID_WITH_VTK)
+      target_compile_definitions(nereid_grid PRIVATE NEREID_WITH_VTK)
+      vtk_module_autoinit(TARGETS nereid_grid MODULES ${VTK_LIBRARIES})
     endif()
   else()
     add_library(nereid_${name} INTERFACE)

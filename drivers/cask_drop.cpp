@@ -15,11 +15,16 @@
 
 #include "drivers/driver.hpp"
 #include "mesh/cylinder.hpp"
+#include "mesh/wedge.hpp"
 
 using namespace nereid;
 
+enum class Kind { full, quarter, sector };
+
 struct Case {
-  bool quarter, clad;
+  Kind kind;
+  int cells_around;       // of a sector
+  bool clad;
   int level;
   double radius, length;  // [m]
   element::AnyLaw lead, steel;
@@ -35,7 +40,9 @@ Case read(const input::Section& root) {
   const auto model = root.section("model"), mesh = root.section("mesh"), cylinder = root.section("cylinder");
   const auto cladding = root.section("cladding");
   const bool clad = cladding.choice("kind", {"plates", "none"}) == "plates";
-  Case c{.quarter = model.choice("kind", {"full", "quarter"}) == "quarter",
+  const std::string kind = model.choice("kind", {"full", "quarter", "sector"});
+  Case c{.kind = kind == "full" ? Kind::full : kind == "quarter" ? Kind::quarter : Kind::sector,
+         .cells_around = model.when(kind == "sector").count_or("cells_around", 1, 1, 128),
          .clad = clad,
          .level = mesh.count("level", 1, 64),
          .radius = cylinder.quantity("radius", dim::length, input::positive),
@@ -61,14 +68,27 @@ Subset both(const Case& c, const mesh::Mesh& mesh, const std::string& ending) {
   return nodes;
 }
 
-void add_bodies(const Case& c, dynamics::Model& model) {
-  const auto turn = c.quarter ? mesh::Turn::quarter : mesh::Turn::full;
+/// Angle of a sector: its cells are as wide as those of the quarter of the same level. [rad]
+double angle(const Case& c) { return c.cells_around * pi / (4 * c.level); }
+
+mesh::Mesh lead(const Case& c) {
   const int n = c.level, along = 12 * n;  // cells as long as they are wide at every level
-  model.mesh = mesh::cylinder("lead", {c.radius, c.length, turn, n, n, along});
+  if (c.kind == Kind::sector) return mesh::wedge("lead", {c.radius, c.length, angle(c), c.cells_around, 2 * n, along});
+  return mesh::cylinder("lead", {c.radius, c.length, c.kind == Kind::quarter ? mesh::Turn::quarter : mesh::Turn::full, n, n, along});
+}
+
+mesh::Mesh cladding(const Case& c) {
+  const double skin = c.radius + c.cladding_element.thickness / 2;  // the plates' mid-surface
+  const int n = c.level, along = 12 * n;
+  if (c.kind == Kind::sector) return mesh::wedge_tube("cladding", {skin, c.length, angle(c), c.cells_around, along});
+  return mesh::tube("cladding", {skin, c.length, c.kind == Kind::quarter ? mesh::Turn::quarter : mesh::Turn::full, n, along});
+}
+
+void add_bodies(const Case& c, dynamics::Model& model) {
+  model.mesh = lead(c);
   model.blocks.push_back(element::solids(model.mesh, "lead", c.lead, c.lead_element));
   if (!c.clad) return;
-  const double skin = c.radius + c.cladding_element.thickness / 2;  // the plates' mid-surface
-  model.mesh = mesh::join(model.mesh, mesh::tube("cladding", {skin, c.length, turn, n, along}));
+  model.mesh = mesh::join(model.mesh, cladding(c));
   model.blocks.push_back(element::plates(model.mesh, "cladding", c.steel, c.cladding_element));
 }
 
@@ -76,8 +96,10 @@ void constrain(const Case& c, dynamics::Model& model) {
   auto& planes = model.constraints.planes;
   planes.push_back({.name = "floor", .kind = load::PlaneKind::floor, .point = Vec3::Zero(), .normal = Vec3::UnitZ(),
                     .nodes = both(c, model.mesh, "")});
-  if (!c.quarter) return;
-  for (const auto& [name, normal] : {std::pair{"x_plane", Vec3(Vec3::UnitX())}, {"y_plane", Vec3(Vec3::UnitY())}})
+  if (c.kind == Kind::full) return;
+  const bool quarter = c.kind == Kind::quarter;
+  for (const auto& [name, normal] : {quarter ? std::pair{"x_plane", Vec3(Vec3::UnitX())} : std::pair{"first_plane", mesh::first_plane_normal()},
+                                     quarter ? std::pair{"y_plane", Vec3(Vec3::UnitY())} : std::pair{"second_plane", mesh::second_plane_normal(angle(c))}})
     planes.push_back({.name = name, .kind = load::PlaneKind::symmetry, .point = Vec3::Zero(), .normal = normal,
                       .nodes = both(c, model.mesh, std::string(".") + name)});
 }

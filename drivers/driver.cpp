@@ -222,7 +222,7 @@ int run_case(const std::string& name, const CommandLine& line, const Build& buil
     std::printf("%ld steps in %.2f s, %.1f ns per element update; results in %s\n", static_cast<long>(summary.cost.steps),
                 outcome.wall_seconds, summary.cost.nanoseconds_per_element_update, line.out.c_str());
   }
-  if (outcome.ending == dynamics::Ending::reached_end) return done;
+  if (dynamics::good(outcome.ending)) return done;
   std::fprintf(stderr, "%s: stopped at %.6g s: %s%s%s: %s\n", name.c_str(), scene.state.t, summary.ending.word.c_str(),
                outcome.block.empty() ? "" : (" in " + outcome.block).c_str(),
                outcome.element < 0 ? "" : (", element " + std::to_string(outcome.element)).c_str(), outcome.reason.c_str());

@@ -279,9 +279,9 @@ void advance_friction(const Interface& interface, const Vectors& x, const Vector
     work = 0.5 * dt * friction.force.dot(rate_before);
     if (turns) angular_impulse += 0.5 * dt * moment_of_friction(friction.touch, friction.force, x, v, -dt);
   }
-  Vec3 pressed = element.scale * element.apex;
-  if (!interface.allowed.empty()) pressed = interface.allowed[a] * pressed;  // with the images of its bases
-  const double push = pressed.norm();
+  // on a symmetry plane the images of the bases take what leads out of it
+  const Vec3 pushed = interface.allowed.empty() ? element.apex : Vec3(interface.allowed[a] * element.apex);
+  const double push = element.scale * pushed.norm();
   if (!element.closed || !(push > 0)) {
     friction.acts = false;
     friction.force.setZero();
@@ -292,7 +292,7 @@ void advance_friction(const Interface& interface, const Vectors& x, const Vector
     friction.created = friction.work + friction.dissipated - stored_before;
     return;
   }
-  const Touch touch = touch_of(interface, x, a, memory.feature[a], pressed / push);
+  const Touch touch = touch_of(interface, x, a, memory.feature[a], pushed.normalized());
   const Vec3 rotation = rotation_of_base(touch, x, v, dt);
   const Vec3 rate = slip_rate(touch, v, w, interface.turn_of_node);
   const Vec3 held = carried(memory.slip[a], rotation, touch.normal);

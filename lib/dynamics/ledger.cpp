@@ -14,6 +14,13 @@ double stored(const Account& a) { return sum(a.stored); }
 double dissipated(const Account& a) { return sum(a.dissipated); }
 double created(const Account& a) { return a.work + stored(a) + dissipated(a); }
 
+double initial_stored(const Ledger& ledger) {
+  double total = 0;
+  for (const Account& a : ledger.accounts)
+    for (const Share& share : a.stored) total += share.at_start;
+  return total;
+}
+
 double energy_residual(const Ledger& ledger) {
   double explained = ledger.initial_kinetic + ledger.integration;
   for (const Account& a : ledger.accounts) explained += a.work;

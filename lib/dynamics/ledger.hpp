@@ -11,15 +11,18 @@ namespace nereid::dynamics {
 /// A named share of energy, such as "elastic" or "plastic". [J]
 struct Share {
   std::string name;
-  double value = 0;
+  double value = 0;     ///< since the start
+  double at_start = 0;  ///< what a store held then: an initial displacement, a spring that starts loaded
 };
 
 /// One source of force: what it did to the nodes and where that work came from or went.
 struct Account {
   std::string name;               ///< of the block, interface, plane or floor
-  std::string kind;               ///< "block", "interface", "rigid_plane", "floor", "symmetry", "held"
+  /// "block", "interface", "rigid_plane", "floor", "symmetry", "held", "fixed", a load's kind, "relaxation", "gravity"
+  std::string kind;
   double work = 0;                ///< [J] done on the nodes since the start
-  std::vector<Share> stored;      ///< [J] what the source holds now, less what it held at the start
+  /// [J] what the source holds now, less what it held at the start; "outside": where a load takes its work from
+  std::vector<Share> stored;
   std::vector<Share> dissipated;  ///< [J] lost since the start
   double created_by_reconnection = 0;  ///< [J] the part of created() that fell in steps of a walk
   Vec3 impulse = Vec3::Zero();         ///< [N s] given to the nodes since the start
@@ -41,6 +44,9 @@ struct Ledger {
   Vec3 initial_angular_momentum = Vec3::Zero(), angular_momentum = Vec3::Zero();  ///< [kg m2/s]
   std::vector<Account> accounts;
 };
+
+/// What all stores held at the start together. [J]
+double initial_stored(const Ledger&);
 
 /// Energy that stands in no account: kinetic - initial - integration - sum of work; round-off. [J]
 double energy_residual(const Ledger&);

@@ -58,10 +58,16 @@ std::vector<Account> accounts(const Model& model) {
     list.push_back(account(plane.name, "rigid_plane", rubs ? Names{"penalty", "stick"} : Names{"penalty"}, rubs ? Names{"friction"} : Names{}));
   }
   for (const auto& plane : model.constraints.planes) {
-    const bool is_floor = plane.kind == load::PlaneKind::floor;
-    const char* kind = is_floor ? "floor" : plane.kind == load::PlaneKind::held ? "held" : "symmetry";
-    list.push_back(account(plane.name, kind, {}, {"caught"}));
+    constexpr std::array<const char*, 4> kinds{"held", "fixed", "symmetry", "floor"};
+    const auto stored = plane.velocity ? std::vector<std::string>{"outside"} : std::vector<std::string>{};
+    list.push_back(account(plane.name, kinds[static_cast<std::size_t>(plane.kind)], stored, {"caught"}));
   }
+  for (const auto& any : model.loads) {
+    const bool spring = load::is_spring(any);
+    const auto dissipated = spring ? std::vector<std::string>{"damping"} : std::vector<std::string>{};
+    list.push_back(account(load::name(any), load::kind(any), {spring ? "elastic" : "outside"}, dissipated));
+  }
+  if (model.relaxation) list.push_back(account("relaxation", "relaxation", {}, {"removed"}));
   if (!model.gravity.isZero(0)) list.push_back(account("gravity", "gravity", {"potential"}, {}));
   return list;
 }
@@ -85,6 +91,8 @@ void finish(Model& model) {
     }
   }
   check((model.mass.array() > 0).all(), "a node belongs to no element");
+  for (const load::PointMass& point : model.point_masses)
+    for (const Index node : point.nodes) model.mass(node) += point.mass / static_cast<double>(point.nodes.size());
   model.inertia = Scalars::Zero(static_cast<Eigen::Index>(model.node_of_turn.size()));
   for (auto& block : model.blocks) {
     if (!element::is_plate(block)) continue;
@@ -103,6 +111,7 @@ State initial_state(const Model& model, std::vector<contact::Memory> interfaces)
   state.interfaces = std::move(interfaces);
   for (const auto& plane : model.rigid_planes) state.rigid_planes.push_back(contact::initial_memory(plane));
   state.constraints = load::prepare(model.constraints, static_cast<Index>(model.mesh.X.cols()), model.turn_of_node);
+  for (const auto& any : model.loads) state.loads.push_back(load::initial_memory(any));
   state.ledger.accounts = accounts(model);
   return state;
 }
@@ -114,6 +123,10 @@ Forces make_forces(const Model& model, std::vector<contact::Workspace> interface
   forces.force = Vectors::Zero(3, model.mesh.X.cols());
   forces.moment = Vectors::Zero(3, model.inertia.size());
   forces.partial.reserve(static_cast<std::size_t>(model.mesh.X.cols()));
+  forces.springs = load::spring_rates(model.loads, model.mass);
+  if (model.relaxation) {
+    forces.before = {model.mesh.X, forces.moment, forces.force, forces.moment, forces.force, forces.moment};
+  }
   return forces;
 }
 

@@ -2,6 +2,7 @@
 // Three lifetimes, three types: Model is constant, State is what a restart needs, Forces can be
 // thrown away.
 
+#include <optional>
 #include <vector>
 
 #include "contact/contact.hpp"
@@ -9,6 +10,7 @@
 #include "dynamics/ledger.hpp"
 #include "element/block.hpp"
 #include "load/constraints.hpp"
+#include "load/loads.hpp"
 
 namespace nereid::dynamics {
 
@@ -19,6 +21,13 @@ struct PlacesOfNodes {
   std::vector<Index> place;
 };
 
+/// How a run looks for the static equilibrium, see dynamics/relax.hpp.
+struct Relaxation {
+  double residual = 1e-6;  ///< [-] unbalanced over all forces at which a state counts as balanced
+  double after = 0;        ///< [s] not before: loads that grow must have grown
+  int samples = 5;         ///< samples in a row that must be balanced
+};
+
 /// What is simulated. Built once, then only ever passed as const.
 struct Model {
   mesh::Mesh mesh;
@@ -26,7 +35,10 @@ struct Model {
   std::vector<contact::Interface> interfaces;
   std::vector<contact::RigidPlane> rigid_planes;
   load::Constraints constraints;
+  std::vector<load::AnyLoad> loads;
+  std::vector<load::PointMass> point_masses;
   Vec3 gravity = Vec3::Zero();      ///< [m/s2]
+  std::optional<Relaxation> relaxation;
 
   // set by finish()
   Scalars mass;                     ///< [kg] lumped, [nodes]
@@ -36,10 +48,20 @@ struct Model {
   std::vector<PlacesOfNodes> places;  ///< beside blocks
 };
 
-/// Computes what follows from the blocks: masses, columns of angular velocities, orders of summing.
+/// Computes what follows from blocks and point masses: masses, columns of angular velocities, orders of summing.
 ///
 /// Throws InternalError if a node belongs to no element.
 void finish(Model&);
+
+/// What a search for the static equilibrium took away, and how near it is.
+struct RelaxationMemory {
+  double removed = 0;                   ///< [J] kinetic energy
+  Vec3 impulse = Vec3::Zero();          ///< [N s] given to the nodes
+  Vec3 angular_impulse = Vec3::Zero();  ///< [N m s] about the origin
+  double residual = 1;                  ///< [-] unbalanced over all forces, at the last sample
+  double most_force = 0, most_kinetic = 0;  ///< largest of all samples: [N/kg^(1/2)], [J]
+  int balanced = 0;                     ///< samples in a row
+};
 
 /// Where the simulation stands: exactly what a restart needs.
 struct State {
@@ -53,6 +75,8 @@ struct State {
   std::vector<contact::Memory> interfaces;         ///< beside Model::interfaces
   std::vector<contact::PlaneMemory> rigid_planes;  ///< beside Model::rigid_planes
   load::Memory constraints;
+  std::vector<load::LoadMemory> loads;             ///< beside Model::loads
+  RelaxationMemory relaxation;
   Ledger ledger;
 };
 
@@ -63,6 +87,12 @@ struct Forces {
   Vectors force;                                   ///< [N] on the nodes
   Vectors moment;                                  ///< [N m] on the plate nodes
   std::vector<double> partial;                     ///< sums of node ranges, in order
+  load::SpringRates springs;                       ///< of the model: for the vote
+  /// Of the step before: positions, angular velocities, forces and moments; only while a model relaxes.
+  struct Before {
+    Vectors x, w, force, moment;
+    Vectors source_force, source_moment;           ///< of one source
+  } before;
 };
 
 /// Who asks for which step, and whether any element is lost.

@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <limits>
 
+#include "dynamics/relax.hpp"
+
 namespace nereid::dynamics {
 
 namespace {
@@ -75,9 +77,13 @@ std::string_view word(Ending ending) {
     case Ending::not_finite: return "not_finite";
     case Ending::step_too_small: return "step_too_small";
     case Ending::energy_created: return "energy_created";
+    case Ending::relaxed: return "relaxed";
+    case Ending::not_relaxed: return "not_relaxed";
   }
   return "";
 }
+
+bool good(Ending ending) { return ending == Ending::reached_end || ending == Ending::relaxed; }
 
 Outcome run(const Model& model, State& now, Forces& forces, const Time& time, double settle_every,
             std::span<const Observer> observers) {
@@ -104,13 +110,22 @@ Outcome run(const Model& model, State& now, Forces& forces, const Time& time, do
     if (left < 2 * dt) dt = last ? left : 0.5 * left;
     votes = step(model, dt, now, forces);
     if (last) now.t = time.end;
-    settled = last || now.t >= static_cast<double>(samples + 1) * settle_every;
+    const bool rests = model.relaxation && relax(model, now, forces);
+    settled = last || rests || now.t >= static_cast<double>(samples + 1) * settle_every;
     if (settled) {
       samples = static_cast<std::int64_t>(now.t / settle_every);
       settle(model, now);
     }
     show(settled);
     if (settled && votes.size > 0 && created_too_much(now.ledger, time.created_limit, outcome)) break;
+    if (rests && votes.size > 0) {
+      outcome.ending = Ending::relaxed;
+      break;
+    }
+  }
+  if (model.relaxation && outcome.ending == Ending::reached_end) {
+    outcome.ending = Ending::not_relaxed;
+    outcome.reason = text("not relaxed: residual %.3g, the limit is %.3g", now.relaxation.residual, model.relaxation->residual);
   }
   if (!settled) {
     settle(model, now);

@@ -16,8 +16,10 @@ struct Time {
   double created_limit = 0.05; ///< [-] created energy of any one source over the initial kinetic energy
 };
 
-enum class Ending { reached_end, inverted_element, not_finite, step_too_small, energy_created };
+enum class Ending { reached_end, inverted_element, not_finite, step_too_small, energy_created, relaxed, not_relaxed };
 std::string_view word(Ending);
+/// Whether the run did what it was asked for: it reached its end, or its equilibrium.
+bool good(Ending);
 
 /// How a run ended. A run that stopped early is a value, with its place; the state is the last one.
 struct Outcome {
@@ -42,7 +44,8 @@ struct View {
 /// Looks at the state at the start, after every step, and at the end.
 using Observer = std::function<void(const View&)>;
 
-/// Runs from the state as it is (velocities set, not started) to the end or to what stops it.
+/// Runs from the state as it is (velocities set, not started) to the end, to the static equilibrium of a
+/// model with `relaxation`, or to what stops it.
 ///
 /// The ledger is settled at the start, at the first step past every multiple of `settle_every` [s], and
 /// at the end; View::settled tells observers when.

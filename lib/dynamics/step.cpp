@@ -27,11 +27,16 @@ double ordered_sum(Index count, std::vector<double>& partial, Term&& term) {
   return sum;
 }
 
+/// Which half of a step a kick is.
+enum class Half { first, second };
+
 /// Changes velocities by the impulses of the forces over dt, within the constraints.
 ///
+/// t  [s] to which the new velocities belong
 /// returns  sum of f.f/m over what the constraints let through: the ledger's integration term
-double kick(const Model& model, double dt, State& now, Forces& f) {
+double kick(const Model& model, double dt, double t, Half half, State& now, Forces& f) {
   auto& constraints = now.constraints;
+  load::set_speeds(model.constraints, t, constraints);
   const double nodes = ordered_sum(static_cast<Index>(now.v.cols()), f.partial, [&](Index node) {
     const double mass = model.mass(node);
     const Vec3 force = f.force.col(node);
@@ -50,8 +55,16 @@ double kick(const Model& model, double dt, State& now, Forces& f) {
   });
   for (const Index place : constraints.active) {
     const load::HeldNode& held = constraints.held[place];
+    const double mass = model.mass(held.node);
     Vec3 v = now.v.col(held.node);
-    load::restrain(model.constraints, held, now.x.col(held.node), model.mass(held.node), v, constraints.account);
+    if (held.moves) {
+      const Vec3 force = f.force.col(held.node), before = v - dt / mass * force;
+      const double quarter_step = half == Half::first ? -dt / 2 : dt / 2;
+      load::drive(model.constraints, constraints.speed, held, now.x.col(held.node), mass, before, force, quarter_step, v,
+                  constraints.account);
+    } else {
+      load::restrain(model.constraints, held, now.x.col(held.node), mass, v, constraints.account);
+    }
     now.v.col(held.node) = v;
     if (held.turn < 0) continue;
     Vec3 w = now.w.col(held.turn);
@@ -166,6 +179,18 @@ Votes update(const Model& model, double dt, State& now, Forces& f) {
     limit(step, model.rigid_planes[p].name, -1);
     votes.contact_step = std::min(votes.contact_step, step);
   }
+  for (std::size_t l = 0; l < model.loads.size(); ++l)
+    load::advance(model.loads[l], model.mesh.X, now.x, now.v, now.w, now.t, dt, now.loads[l]);
+  if (f.springs.stiffest >= 0) {
+    const double step = load::step_with_springs(votes.element_step, f.springs);
+    // the name of the spring stands for the elements too, where it is what makes the difference
+    if (step < 0.5 * votes.element_step) {
+      limit(step, load::name(model.loads[f.springs.stiffest]), -1);
+    } else {
+      limit(step, votes.by, votes.element);
+    }
+    votes.element_step = step;
+  }
   return votes;
 }
 
@@ -191,6 +216,7 @@ void gather(const Model& model, const State& now, Forces& f) {
   for (std::size_t c = 0; c < model.interfaces.size(); ++c) contact::add_forces(model.interfaces[c], f.interfaces[c], f.force, f.moment);
   for (std::size_t p = 0; p < model.rigid_planes.size(); ++p)
     contact::add_forces(model.rigid_planes[p], now.rigid_planes[p], f.force);
+  for (std::size_t l = 0; l < model.loads.size(); ++l) load::add_forces(model.loads[l], now.loads[l], f.force, f.moment);
 }
 
 /// Angular impulse of gravity over a step, by the trapezoid rule: the centre of mass in its middle.
@@ -199,6 +225,12 @@ void post_moment_of_gravity(const Model& model, double dt, State& now) {
   Vec3 middle = Vec3::Zero();
   for (Eigen::Index n = 0; n < now.x.cols(); ++n) middle += model.mass(n) * (now.x.col(n) - 0.5 * dt * now.v.col(n));
   now.ledger.accounts.back().angular_impulse += dt * middle.cross(model.gravity);
+}
+
+/// Books what a store holds now, less what it held at the start.
+void hold(Account& account, int share, double now) {
+  Share& store = account.stored[static_cast<std::size_t>(share)];
+  store.value = now - store.at_start;
 }
 
 double kinetic_energy(const Model& model, const State& now) {
@@ -222,7 +254,7 @@ void momenta(const Model& model, const State& now, Vec3& linear, Vec3& angular) 
 }  // namespace
 
 Votes step(const Model& model, double dt, State& now, Forces& f) {
-  const double before = kick(model, dt / 2, now, f);   // v at the half step
+  const double before = kick(model, dt / 2, now.t + dt / 2, Half::first, now, f);  // v at the half step
   find_landings(model, dt, now, f);
   now.x += dt * now.v;
   now.t += dt;
@@ -231,7 +263,7 @@ Votes step(const Model& model, double dt, State& now, Forces& f) {
   const Votes votes = update(model, dt, now, f);        // memory: stress, connectivity; forces by source
   gather(model, now, f);
   finish_landings(model, dt, now, f);
-  const double after = kick(model, dt / 2, now, f);    // v at t + dt
+  const double after = kick(model, dt / 2, now.t, Half::second, now, f);  // v at t + dt
   now.ledger.integration += dt * dt / 8 * (after - before);
   now.dt = dt;
   ++now.step;
@@ -244,8 +276,9 @@ Votes start(const Model& model, State& now, Forces& f) {
   f.force.setZero();
   f.moment.setZero();
   const double unrestrained = now.ledger.initial_kinetic;
-  kick(model, 0, now, f);  // nodes start as their planes allow
+  kick(model, 0, now.t, Half::second, now, f);  // nodes start as their planes allow
   double lost = unrestrained - kinetic_energy(model, now);
+  for (const load::PlaneAccount& plane : now.constraints.account) lost += plane.driven - plane.caught;  // booked already
   if (lost != 0) {
     for (std::size_t p = 0; p < model.constraints.planes.size(); ++p) {
       if (now.constraints.account[p].impulse.isZero(0) && now.constraints.account[p].angular_impulse.isZero(0)) continue;
@@ -257,6 +290,11 @@ Votes start(const Model& model, State& now, Forces& f) {
   finish_landings(model, 0, now, f);
   const Votes votes = update(model, 0, now, f);
   gather(model, now, f);
+  for (Account& account : now.ledger.accounts)
+    for (Share& share : account.stored) share.at_start = 0;
+  settle(model, now);
+  for (Account& account : now.ledger.accounts)
+    for (Share& share : account.stored) share.at_start = share.name == "outside" ? 0 : share.value;
   settle(model, now);
   return votes;
 }
@@ -270,16 +308,16 @@ void settle(const Model& model, State& now) {
     Account& account = ledger.accounts[a++];
     account.work = block.work;
     const double dissipated[] = {block.plastic, block.viscous, block.hourglass};
-    for (std::size_t s = 0; s < account.stored.size(); ++s) account.stored[s].value = block.stored[s];
+    for (std::size_t s = 0; s < account.stored.size(); ++s) hold(account, static_cast<int>(s), block.stored[s]);
     for (std::size_t s = 0; s < account.dissipated.size(); ++s) account.dissipated[s].value = dissipated[s];
   }
   for (const contact::Memory& interface : now.interfaces) {
     Account& account = ledger.accounts[a++];
     account.work = interface.work;
-    account.stored[0].value = contact::stored(interface);
+    hold(account, 0, contact::stored(interface));
     account.dissipated[0].value = interface.damped;
     if (!interface.slip.empty()) {
-      account.stored[1].value = contact::stick_stored(interface);
+      hold(account, 1, contact::stick_stored(interface));
       account.dissipated[1].value = interface.rubbed;
     }
     account.created_by_reconnection = interface.created_by_reconnection;
@@ -288,9 +326,9 @@ void settle(const Model& model, State& now) {
   for (const contact::PlaneMemory& plane : now.rigid_planes) {
     Account& account = ledger.accounts[a++];
     account.work = plane.work;
-    account.stored[0].value = plane.stored;
+    hold(account, 0, plane.stored);
     if (!plane.slip.empty()) {
-      account.stored[1].value = plane.stick_stored;
+      hold(account, 1, plane.stick_stored);
       account.dissipated[0].value = plane.rubbed;
     }
     account.impulse = plane.impulse;
@@ -298,18 +336,39 @@ void settle(const Model& model, State& now) {
   }
   for (const load::PlaneAccount& plane : now.constraints.account) {
     Account& account = ledger.accounts[a++];
-    account.work = -plane.caught;
+    account.work = plane.driven - plane.caught;
+    if (!account.stored.empty()) account.stored[0].value = -plane.driven;
     account.dissipated[0].value = plane.caught;
     account.impulse = plane.impulse;
     account.angular_impulse = plane.angular_impulse;
+  }
+  for (std::size_t l = 0; l < model.loads.size(); ++l) {
+    const load::LoadMemory& memory = now.loads[l];
+    Account& account = ledger.accounts[a++];
+    account.work = memory.work;
+    if (load::is_spring(model.loads[l])) {
+      hold(account, 0, memory.stored);
+      account.dissipated[0].value = memory.dissipated;
+    } else {
+      account.stored[0].value = -memory.work;  // what a load does, it takes from outside
+    }
+    account.impulse = memory.impulse;
+    account.angular_impulse = memory.angular_impulse;
+  }
+  if (model.relaxation) {
+    Account& account = ledger.accounts[a++];
+    account.work = -now.relaxation.removed;
+    account.dissipated[0].value = now.relaxation.removed;
+    account.impulse = now.relaxation.impulse;
+    account.angular_impulse = now.relaxation.angular_impulse;
   }
   if (model.gravity.isZero(0)) return;
   Account& account = ledger.accounts[a];
   const double mass = model.mass.sum();
   Vec3 fallen = Vec3::Zero();
   for (Eigen::Index n = 0; n < now.x.cols(); ++n) fallen += model.mass(n) * (now.x.col(n) - model.mesh.X.col(n));
-  account.work = fallen.dot(model.gravity);
-  account.stored[0].value = -account.work;
+  hold(account, 0, -fallen.dot(model.gravity));
+  account.work = -account.stored[0].value;
   account.impulse = mass * now.t * model.gravity;
 }
 

@@ -32,9 +32,9 @@ template <class T>
 Height<T, 3> facet_height(const std::array<Vector<T>, 3>& base, const Vector<T>& apex) {
   const Vector<T> a = base[1] - base[0], b = base[2] - base[0], p = apex - base[0];
   const Vector<T> N = cross(a, b);
-  const T NN = dot(N, N);
-  const Vector<T> n = (T(1.0) / root(NN)) * N;
-  const T w2 = dot(cross(p, b), N) / NN, w3 = dot(cross(a, p), N) / NN;
+  const T per_length = T(1.0) / root(dot(N, N));  // one division: walks ask for many heights
+  const Vector<T> n = per_length * N;
+  const T w2 = per_length * dot(cross(p, b), n), w3 = per_length * dot(cross(a, p), n);
   return {dot(n, p), n, {T(1.0) - w2 - w3, w2, w3}};
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "grid/file_mesh.hpp"
 #include "input/readers.hpp"
 
 namespace nereid::input {
@@ -32,6 +33,35 @@ double elements(const mesh::Sphere& s) {
 double elements(const mesh::Disc& d) { return 2 * parts(d.turn) * cells_of_quarter(d.cells_core, d.cells_ring); }
 double elements(const mesh::WedgeDisc& d) { return 2.0 * d.cells_around * d.cells_radial; }
 double elements(const mesh::Sheet& s) { return 2.0 * s.cells_along * s.cells_across; }
+double elements(const mesh::Mesh& m) {
+  double sum = 0;
+  for (const auto& region : m.hexahedra) sum += static_cast<double>(region.nodes.cols());
+  for (const auto& region : m.triangles) sum += static_cast<double>(region.nodes.cols());
+  return sum;
+}
+
+/// A mesh without its body's name, with all its faults told at `path`.
+mesh::Mesh read_file(const Section& section, const std::string& path, const std::string& region_array) {
+  std::string fault;
+  const grid::Contents contents = grid::read_vtu(section.beside_case(path), fault);
+  if (!fault.empty()) {
+    section.fault("path", "'path' = " + path + ": " + fault);
+    return {};
+  }
+  grid::FileMesh read = grid::file_mesh("", contents, region_array);
+  std::string all;
+  for (const std::string& one : read.faults) all += (all.empty() ? "" : "; ") + one;
+  if (!all.empty()) section.fault("path", "'path' = " + path + ": " + all);
+  return std::move(read.mesh);
+}
+
+mesh::Mesh with_names(const std::string& name, mesh::Mesh mesh) {
+  const auto prefix = [&name](auto& all) {
+    for (auto& one : all) one.name = name + one.name;
+  };
+  prefix(mesh.hexahedra), prefix(mesh.triangles), prefix(mesh.surfaces), prefix(mesh.node_sets);
+  return mesh;
+}
 
 mesh::SpherePart part(const std::string& word) {
   return word == "full"      ? mesh::SpherePart::full
@@ -43,7 +73,7 @@ mesh::SpherePart part(const std::string& word) {
 }  // namespace
 
 MeshOptions read_mesh_options(const Section& section) {
-  const std::string kind = section.choice("kind", {"box", "cylinder", "tube", "sector", "sphere", "disc", "sheet"});
+  const std::string kind = section.choice("kind", {"box", "cylinder", "tube", "sector", "sphere", "disc", "sheet", "file"});
   const auto is = [&kind](auto... kinds) { return ((kind == kinds) || ...); };
 
   const Section if_box = section.when(is("box"));
@@ -53,7 +83,7 @@ MeshOptions read_mesh_options(const Section& section) {
   if (is("box") && section.sound() && !(box.low.array() < box.high.array()).all())
     section.fault("high", "'high' must lie beyond 'low' along x, y and z");
 
-  const double radius = section.when(!is("box", "sheet")).quantity("radius", dim::length, positive);
+  const double radius = section.when(!is("box", "sheet", "file")).quantity("radius", dim::length, positive);
   const double length = section.when(is("cylinder", "tube", "sector", "sheet")).quantity("length", dim::length, positive);
   const Section if_sheet = section.when(is("sheet"));
   const double width = if_sheet.quantity("width", dim::length, positive);
@@ -82,7 +112,11 @@ MeshOptions read_mesh_options(const Section& section) {
   if (sector && !is("tube") && section.sound() && !(inner_radius < radius))
     section.fault("inner_radius", "'inner_radius' must be below 'radius'");
 
+  const Section if_file = section.when(is("file"));
+  const std::string path = if_file.word("path"), region_array = if_file.word_or("region_array", "region");
+
   MeshOptions options = box;
+  if (is("file") && !path.empty()) options = read_file(section, path, region_array);
   if (is("cylinder")) options = mesh::Cylinder{radius, length, turn, cells_core, cells_ring, cells_along};
   if (is("tube")) options = mesh::Tube{radius, length, turn, cells_core, cells_along};
   if (is("tube") && sector) options = mesh::WedgeTube{radius, length, angle, cells_around, cells_along};
@@ -95,7 +129,7 @@ MeshOptions read_mesh_options(const Section& section) {
 
   const double count = std::visit([](const auto& one) { return elements(one); }, options);
   if (section.sound() && count > most_elements)
-    section.fault(is("box") ? "cells" : sector ? "cells_around" : is("sheet") ? "cells_along" : "cells_core",
+    section.fault(is("box") ? "cells" : is("file") ? "path" : sector ? "cells_around" : is("sheet") ? "cells_along" : "cells_core",
                   "the mesh would have " + std::to_string(std::llround(std::min(count, 1e18))) +
                       " elements: expected at most a hundred million");
   return options;
@@ -113,6 +147,7 @@ mesh::Mesh make_mesh(const std::string& name, const MeshOptions& options) {
     mesh::Mesh operator()(const mesh::Disc& one) const { return mesh::disc(name, one); }
     mesh::Mesh operator()(const mesh::WedgeDisc& one) const { return mesh::wedge_disc(name, one); }
     mesh::Mesh operator()(const mesh::Sheet& one) const { return mesh::sheet(name, one); }
+    mesh::Mesh operator()(const mesh::Mesh& one) const { return with_names(name, one); }
   };
   return std::visit(Make{name}, options);
 }

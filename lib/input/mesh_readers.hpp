@@ -13,14 +13,15 @@
 
 namespace nereid::input {
 
-/// What a body's mesh is made from: the options of one generator.
+/// What a body's mesh is made from: the options of one generator, or a mesh from a file, its names yet without the body's.
 using MeshOptions = std::variant<mesh::Box, mesh::Cylinder, mesh::Tube, mesh::Wedge, mesh::WedgeTube, mesh::Sphere,
-                                 mesh::Disc, mesh::WedgeDisc, mesh::Sheet>;
+                                 mesh::Disc, mesh::WedgeDisc, mesh::Sheet, mesh::Mesh>;
 
-/// Reads a body's `mesh` section, `kind: box | cylinder | tube | sector | sphere | disc | sheet` and the
-/// keys of that kind: docs/meshes.md.
+/// Reads a body's `mesh` section, `kind: box | cylinder | tube | sector | sphere | disc | sheet |
+/// file` and the keys of that kind: docs/meshes.md.
 ///
-/// More than a hundred million elements are a fault, as are corners in the wrong order.
+/// More than a hundred million elements are a fault, as are corners in the wrong order. A file is read at once, so
+/// that what is wrong with it is told with all else.
 MeshOptions read_mesh_options(const Section& mesh);
 
 /// Builds the mesh of a body; its regions, surfaces and node sets are called `name` and `name.…`.

@@ -144,7 +144,8 @@ std::size_t distance(std::string_view a, std::string_view b) {
   return steps[a.size()][b.size()];
 }
 
-/// "did you mean 'penalty'?", or nothing if no word is near.
+}  // namespace
+
 std::string nearest(std::string_view word, const std::vector<std::string>& words) {
   constexpr std::size_t longest = 100;  // a longer one is no key, and the table of steps would grow
   if (word.size() > longest) return {};
@@ -158,6 +159,8 @@ std::string nearest(std::string_view word, const std::vector<std::string>& words
   }
   return best == nullptr ? std::string{} : "did you mean " + quote(*best) + "?";
 }
+
+namespace {
 
 /// Position of the first byte that is neither UTF-8 nor printable, or npos.
 std::size_t find_unprintable(std::string_view text) {
@@ -1033,6 +1036,25 @@ bool Section::read(Entry& entry, const Node& node, const std::string& name,
   return true;
 }
 
+bool Section::read(Entry& entry, const Node& node, const std::string& name, const TextCheck& check,
+                   std::string& value) const {
+  std::string said;
+  if (!read(entry, node, name, said)) return false;
+  if (const auto fault = check(said)) {
+    Place at = node.place;
+    const auto line = document_->source(at.source).line(at.line);
+    const std::size_t from = line.find(said, std::min(static_cast<std::size_t>(at.byte), line.size()));
+    if (from != std::string_view::npos) {
+      at.byte = static_cast<int>(from) + fault->column - 1;
+      at.length = fault->length;
+    }
+    wrong(entry, at, "cannot read " + quote(name) + " = " + shown(node) + ": " + fault->message);
+    return false;
+  }
+  value = said;
+  return true;
+}
+
 Section Section::section(std::string_view key) const {
   std::string path = path_of(key);
   Entry* entry = get(key, true, "section " + quote(key));
@@ -1223,6 +1245,30 @@ std::string Section::choice_or(std::string_view key, std::string_view otherwise,
   return word(key, &otherwise, &options);
 }
 
+std::string Section::text(std::string_view key, const TextCheck& check) const {
+  Entry* entry = get(key, true, quote(key));
+  std::string value = "0";
+  if (entry != nullptr && read(*entry, *entry->value, std::string(key), check, value)) accept(*entry, key, value, "");
+  return value;
+}
+
+std::array<std::string, 3> Section::texts(std::string_view key, const TextCheck& check) const {
+  std::array<std::string, 3> value{"0", "0", "0"};
+  Entry* entry = get(key, true, quote(key));
+  if (entry == nullptr || !is_list(*entry, key, "three texts as in '[\"0\", \"0\", \"1\"]'")) return value;
+  const auto& items = entry->value->items;
+  if (items.size() != value.size()) {
+    wrong(*entry, place_of(*entry, *entry->value), quote(key) + " has " + counted(items.size(), "value") + ": expected 3");
+    return value;
+  }
+  std::array<std::string, 3> said = value;
+  bool good = true;
+  for (std::size_t axis = 0; axis < said.size(); ++axis) good &= read(*entry, *items[axis], name_of(key, axis), check, said[axis]);
+  if (!good) return value;
+  accept(*entry, key, std::vector<std::string>(said.begin(), said.end()), "");
+  return said;
+}
+
 std::array<double, 3> Section::vector(std::string_view key, const std::array<double, 3>* otherwise,
                                       Dimension dimension) const {
   Entry* entry = get(key, otherwise == nullptr, missing_quantity(key, dimension));
@@ -1326,13 +1372,17 @@ std::vector<std::string> Section::words(std::string_view key, int fewest) const 
   return result;
 }
 
-void Section::fault(std::string_view key, std::string message) const {
+void Section::fault(std::string_view key, std::string message, std::string hint) const {
   Entry* entry = ask(key);
   if (entry != nullptr && !entry->faulty) {
-    wrong(*entry, place_of(*entry, *entry->value), std::move(message));
+    wrong(*entry, place_of(*entry, *entry->value), std::move(message), std::move(hint));
   } else if (entry == nullptr && node_ != nullptr && use_ == Use::used) {
-    document_->findings.push_back({node_->place, std::move(message), ""});
+    document_->findings.push_back({node_->place, std::move(message), std::move(hint)});
   }
+}
+
+std::string Section::beside_case(std::string_view path) const {
+  return (std::filesystem::path(document_->source(0).name).parent_path() / path).string();
 }
 
 bool Section::sound() const { return document_->sound(); }

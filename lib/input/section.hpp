@@ -21,7 +21,9 @@
 
 #include <array>
 #include <exception>
+#include <functional>
 #include <limits>
+#include <optional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -79,6 +81,9 @@ class CaseError : public std::exception {
  private:
   std::string text_;
 };
+
+/// "did you mean 'penalty'?", or nothing if none of the words is near.
+std::string nearest(std::string_view word, const std::vector<std::string>& words);
 
 class Document;
 struct Place;
@@ -140,6 +145,15 @@ class Section {
   std::string word(std::string_view key) const;
   std::string word_or(std::string_view key, std::string_view otherwise) const;
 
+  /// What is wrong with a text and where in it, or nothing.
+  using TextCheck = std::function<std::optional<TextFault>(const std::string&)>;
+
+  /// A text in a language of its own, quoted or not, which `check` reads; "0" after a fault.
+  std::string text(std::string_view key, const TextCheck& check) const;
+
+  /// Three such texts, as in `["0", "0", "-9.81*t"]`.
+  std::array<std::string, 3> texts(std::string_view key, const TextCheck& check) const;
+
   /// One of the words in `options`; the first of them after a fault.
   std::string choice(std::string_view key, const std::vector<std::string>& options) const;
   std::string choice_or(std::string_view key, std::string_view otherwise,
@@ -163,11 +177,14 @@ class Section {
 
   /// The reader's own check has failed: `message` at the key's value, or at the section if the key
   /// is absent. Ignored if the value of this key is already at fault.
-  void fault(std::string_view key, std::string message) const;
+  void fault(std::string_view key, std::string message, std::string hint = "") const;
 
   /// No fault has been found in the case so far. Checks that combine values ask this first, so
   /// that one wrong value does not make two faults.
   bool sound() const;
+
+  /// A path that the case names: relative ones start at the folder of the case file.
+  std::string beside_case(std::string_view path) const;
 
   /// Where the section is, as in "bodies[0].material"; empty for the root.
   const std::string& path() const { return path_; }
@@ -191,6 +208,7 @@ class Section {
   bool read(Entry&, const Node&, const std::string& name, Dimension, const Range&, double&) const;
   bool read(Entry&, const Node&, const std::string& name, int low, int high, int&) const;
   bool read(Entry&, const Node&, const std::string& name, std::string&) const;
+  bool read(Entry&, const Node&, const std::string& name, const TextCheck&, std::string&) const;
 
   double quantity(std::string_view key, const double* otherwise, Dimension, const Range&) const;
   int count(std::string_view key, const int* otherwise, int low, int high) const;

@@ -8,18 +8,31 @@
 
 namespace nereid::load {
 
+namespace {
+
+constexpr double same_plane = 1e-6;  // [rad]: normals typed with eight digits agree to less
+
+int rows_of(const Plane& plane) { return plane.kind == PlaneKind::fixed ? 3 : 1; }
+
+}  // namespace
+
 void hold(const Constraints& constraints, HeldNode& held, int plane) {
-  check(held.count < HeldNode::most_planes, "a node lies on more than four planes");
-  held.plane[held.count++] = plane;
-  constexpr double same_plane = 1e-6;  // [rad]: normals typed with eight digits agree to less
-  Eigen::Matrix<double, 3, HeldNode::most_planes> normals = Eigen::Matrix<double, 3, HeldNode::most_planes>::Zero();
+  const Plane& added = constraints.planes[plane];
+  check(held.count + rows_of(added) <= HeldNode::most_rows, "too many planes hold one node");
+  for (int row = 0; row < rows_of(added); ++row) {
+    held.plane[held.count] = plane;
+    held.normal[held.count++] = added.kind == PlaneKind::fixed ? Vec3(Vec3::Unit(row)) : added.normal;
+  }
+  held.moves = held.moves || added.velocity;
+  held.turns_held = held.turns_held || added.kind == PlaneKind::fixed;
+  Eigen::Matrix<double, 3, HeldNode::most_rows> normals = Eigen::Matrix<double, 3, HeldNode::most_rows>::Zero();
   Mat3 turn = Mat3::Identity(), free = Mat3::Identity();
   for (int p = 0; p < held.count; ++p) {
     const Plane& here = constraints.planes[held.plane[p]];
     // a plane that allows what those before it allow anyway takes no part and no reaction
-    const Vec3 rest = free * here.normal;
+    const Vec3 rest = free * held.normal[p];
     if (rest.norm() > same_plane) {
-      normals.col(p) = here.normal;
+      normals.col(p) = held.normal[p];
       free -= rest.normalized() * rest.normalized().transpose();
     }
     if (here.kind != PlaneKind::symmetry) continue;
@@ -28,10 +41,11 @@ void hold(const Constraints& constraints, HeldNode& held, int plane) {
     turn = about * turn;
     if (turn.norm() < 1 - 1e-9) turn.setZero();
   }
+  if (held.turns_held) turn.setZero();
   held.allowed_turn = turn;
   // A reaction R = sum of c_p n_p has c = pseudo-inverse of the normals times R
-  const Eigen::CompleteOrthogonalDecomposition<Eigen::Matrix<double, 3, HeldNode::most_planes>> decomposition(normals);
-  const Eigen::Matrix<double, HeldNode::most_planes, 3> inverse = decomposition.pseudoInverse();
+  const Eigen::CompleteOrthogonalDecomposition<Eigen::Matrix<double, 3, HeldNode::most_rows>> decomposition(normals);
+  const Eigen::Matrix<double, HeldNode::most_rows, 3> inverse = decomposition.pseudoInverse();
   held.allowed = Mat3::Identity() - normals * inverse;
   for (int p = 0; p < held.count; ++p) held.share[p] = inverse.row(p).transpose();
   // along an axis the projector is exact, so that a held node stays on its plane to the last bit
@@ -46,6 +60,7 @@ Memory prepare(const Constraints& constraints, Index nodes, const std::vector<In
   Memory memory;
   memory.held_of_node.assign(nodes, -1);
   memory.account.resize(constraints.planes.size());
+  memory.speed.assign(constraints.planes.size(), 0);
   Subset all;
   for (const Plane& plane : constraints.planes) all.insert(all.end(), plane.nodes.begin(), plane.nodes.end());
   std::sort(all.begin(), all.end());
@@ -64,10 +79,10 @@ Memory prepare(const Constraints& constraints, Index nodes, const std::vector<In
     if (is_floor) continue;
     for (const Index node : plane.nodes) hold(constraints, memory.held[memory.held_of_node[node]], static_cast<int>(p));
   }
-  std::vector<int> planes_of(memory.held.size(), 0);  // floors too: no exception may cross a step
+  std::vector<int> rows_of_node(memory.held.size(), 0);  // floors too: no exception may cross a step
   for (const Plane& plane : constraints.planes)
     for (const Index node : plane.nodes)
-      check(++planes_of[memory.held_of_node[node]] <= HeldNode::most_planes, "a node lies on more than four planes");
+      check((rows_of_node[memory.held_of_node[node]] += rows_of(plane)) <= HeldNode::most_rows, "too many planes hold one node");
   memory.active.reserve(memory.held.size());
   for (std::size_t place = 0; place < memory.held.size(); ++place)
     if (memory.held[place].count > 0) memory.active.push_back(static_cast<Index>(place));
@@ -75,16 +90,42 @@ Memory prepare(const Constraints& constraints, Index nodes, const std::vector<In
   return memory;
 }
 
-void restrain(const Constraints& constraints, const HeldNode& held, const Vec3& x, double mass, Vec3& v,
+void restrain(const Constraints&, const HeldNode& held, const Vec3& x, double mass, Vec3& v,
               std::vector<PlaneAccount>& accounts) {
   if (held.count == 0) return;
   const Vec3 wanted = v;
   v = held.allowed * wanted;
   const Vec3 impulse = mass * (v - wanted);
   for (int p = 0; p < held.count; ++p) {
-    const Vec3 share = held.share[p].dot(impulse) * constraints.planes[held.plane[p]].normal;
+    const Vec3 share = held.share[p].dot(impulse) * held.normal[p];
     accounts[held.plane[p]].impulse += share;
     accounts[held.plane[p]].angular_impulse += x.cross(share);
+  }
+}
+
+void set_speeds(const Constraints& constraints, double t, Memory& memory) {
+  for (std::size_t p = 0; p < constraints.planes.size(); ++p)
+    if (constraints.planes[p].velocity) memory.speed[p] = constraints.planes[p].velocity(t);
+}
+
+void drive(const Constraints& constraints, const std::vector<double>& speed, const HeldNode& held, const Vec3& x, double mass,
+           const Vec3& before, const Vec3& force, double quarter_step, Vec3& v, std::vector<PlaneAccount>& accounts) {
+  const Vec3 wanted = v;
+  v = held.allowed * wanted;
+  for (int p = 0; p < held.count; ++p) v += speed[held.plane[p]] * held.share[p];
+  const Vec3 impulse = mass * (v - wanted), change = v - before, twice_mean = v + before;
+  for (int p = 0; p < held.count; ++p) {
+    const Vec3& normal = held.normal[p];
+    const Vec3 share = held.share[p].dot(impulse) * normal;
+    PlaneAccount& account = accounts[held.plane[p]];
+    account.impulse += share;
+    account.angular_impulse += x.cross(share);
+    const double work = 0.5 * share.dot(twice_mean) + quarter_step * held.share[p].dot(force) * normal.dot(change);
+    if (constraints.planes[held.plane[p]].velocity) {
+      account.driven += work;
+    } else {
+      account.caught -= work;  // of a plane at rest: only at the start
+    }
   }
 }
 
@@ -93,6 +134,42 @@ void restrain_turn(const HeldNode& held, double inertia, Vec3& w, std::vector<Pl
   const Vec3 wanted = w;
   w = held.allowed_turn * wanted;
   accounts[held.plane[0]].angular_impulse += inertia * (w - wanted);
+}
+
+Conflict find_conflict(const Constraints& constraints) {
+  const auto& planes = constraints.planes;
+  for (std::size_t p = 0; p < planes.size(); ++p) {
+    if (!planes[p].velocity) continue;
+    for (const Index node : planes[p].nodes) {
+      // the plane must add a direction to what all others of this node hold
+      Mat3 free = Mat3::Identity();
+      int last = -1;
+      for (std::size_t q = 0; q < planes.size(); ++q) {
+        if (q == p || planes[q].kind == PlaneKind::floor || !std::binary_search(planes[q].nodes.begin(), planes[q].nodes.end(), node))
+          continue;
+        for (int row = 0; row < rows_of(planes[q]); ++row) {
+          const Vec3 rest = free * (planes[q].kind == PlaneKind::fixed ? Vec3(Vec3::Unit(row)) : planes[q].normal);
+          if (rest.norm() > same_plane) free -= rest.normalized() * rest.normalized().transpose();
+        }
+        if ((free * planes[p].normal).norm() <= same_plane) {
+          last = static_cast<int>(q);
+          break;
+        }
+      }
+      if (last >= 0) return {static_cast<int>(p), last, node};
+    }
+  }
+  return {};
+}
+
+Index find_overheld(const Constraints& constraints) {
+  Subset all;
+  for (const Plane& plane : constraints.planes)
+    for (int row = 0; row < rows_of(plane); ++row) all.insert(all.end(), plane.nodes.begin(), plane.nodes.end());
+  std::sort(all.begin(), all.end());
+  for (std::size_t i = HeldNode::most_rows; i < all.size(); ++i)
+    if (all[i] == all[i - HeldNode::most_rows]) return all[i];
+  return -1;
 }
 
 }  // namespace nereid::load

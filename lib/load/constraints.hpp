@@ -1,11 +1,12 @@
 #pragma once
-// Constraints: planes in whose normal direction nodes do not move.
+// Constraints: planes in whose normal direction nodes do not move, or move as prescribed.
 //
 // A plane holds its nodes from the start (held components, symmetry planes) or from first touch on
 // (the paper's floor). A node on several planes moves along what all of them allow. Constraints act
 // on velocities by impulses, which are booked to the planes.
 
 #include <array>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,8 @@
 namespace nereid::load {
 
 enum class PlaneKind {
-  held,      ///< displacement along the normal is held
+  held,      ///< velocity along the normal is zero, or as prescribed
+  fixed,     ///< held in all directions, and plates do not turn; the normal does not matter
   symmetry,  ///< held, and plates turn only about the normal
   floor,     ///< free above the plane, held in the normal direction after first touch
 };
@@ -25,6 +27,8 @@ struct Plane {
   Vec3 point = Vec3::Zero();    ///< [m] on the plane; of a floor only
   Vec3 normal = Vec3::UnitZ();  ///< unit vector; of a floor, to the side where the nodes are
   Subset nodes;                 ///< ascending
+  /// [m/s] along the normal, of time [s]; of held nodes only. Empty: at rest.
+  std::function<double(double)> velocity = {};
 };
 
 /// What a plane gave to the nodes since the start.
@@ -32,16 +36,20 @@ struct PlaneAccount {
   Vec3 impulse = Vec3::Zero();          ///< [N s]
   Vec3 angular_impulse = Vec3::Zero();  ///< [N m s] about the origin
   double caught = 0;                    ///< [J] kinetic energy of nodes that the plane caught
+  double driven = 0;                    ///< [J] work of a plane that moves, done on its nodes
 };
 
-/// A node with the planes that hold it now.
+/// A node with the planes that hold it now. A fixed node has three rows of one plane.
 struct HeldNode {
-  static constexpr int most_planes = 4;
+  static constexpr int most_rows = 8;
   Index node = -1;
   int turn = -1;                        ///< column of its angular velocity, or -1
-  int count = 0;
-  std::array<int, most_planes> plane{};
-  std::array<Vec3, most_planes> share;  ///< component of a reaction that belongs to each plane
+  int count = 0;                        ///< rows
+  bool moves = false;                   ///< one of the planes has a velocity
+  bool turns_held = false;              ///< one of the planes is fixed
+  std::array<int, most_rows> plane{};
+  std::array<Vec3, most_rows> normal;
+  std::array<Vec3, most_rows> share;    ///< component of a reaction that belongs to each row
   Mat3 allowed = Mat3::Identity();      ///< projector onto the velocities all planes allow
   Mat3 allowed_turn = Mat3::Identity(); ///< projector onto the angular velocities they allow
 };
@@ -58,11 +66,12 @@ struct Memory {
   std::vector<std::vector<char>> caught;  ///< [planes][nodes of the plane] whether a floor holds it
   std::vector<Index> active;            ///< places in `held` of nodes that a plane holds now
   std::vector<Index> landing;           ///< places in `held` of nodes about to be caught; scratch
+  std::vector<double> speed;            ///< [m/s] of each plane along its normal, set before each kick
 };
 
 /// Prepares the constraints; a floor's nodes are free until they touch it.
 ///
-/// Throws InternalError if a node lies on more than HeldNode::most_planes planes.
+/// Throws InternalError if a node needs more than HeldNode::most_rows rows (a fixed one takes three).
 Memory prepare(const Constraints&, Index nodes, const std::vector<Index>& turn_of_node);
 
 /// Lets `plane` hold this node from now on.
@@ -73,7 +82,30 @@ void hold(const Constraints&, HeldNode&, int plane);
 /// x [m], v [m/s], mass [kg] of the node
 void restrain(const Constraints&, const HeldNode&, const Vec3& x, double mass, Vec3& v, std::vector<PlaneAccount>&);
 
-/// The same for the angular velocity of a plate node; the impulse goes to the node's first plane.
+/// Sets the planes' speeds to those at time t [s].
+void set_speeds(const Constraints&, double t, Memory&);
+
+/// The same for a node that planes move: along their normals it gets their speeds, and the work of the
+/// impulses goes to the accounts.
+///
+///     W = 1/2 (before + after) . R  +  quarter_step force . (what changed along the normals)
+///
+/// before [m/s] the kick;  v after it, as the forces would have it;  force [N] of all sources
+/// quarter_step  [s] a quarter of the step's length, negative in the first kick of a step
+void drive(const Constraints&, const std::vector<double>& speed, const HeldNode&, const Vec3& x, double mass,
+           const Vec3& before, const Vec3& force, double quarter_step, Vec3& v, std::vector<PlaneAccount>&);
+
+/// Like restrain for the angular velocity of a plate node; the impulse goes to the node's first plane.
 void restrain_turn(const HeldNode&, double inertia, Vec3& w, std::vector<PlaneAccount>&);
+
+/// Two planes of one node of which one moves it in a direction that the other holds.
+struct Conflict {
+  int moving = -1, other = -1;  ///< places in Constraints::planes; -1: there is none
+  Index node = -1;
+};
+Conflict find_conflict(const Constraints&);
+
+/// The first node that needs more than HeldNode::most_rows rows, or -1.
+Index find_overheld(const Constraints&);
 
 }  // namespace nereid::load

@@ -2,9 +2,13 @@
 // What ParaView sees of a run: bodies, contact elements and walls as grids.
 
 #include "dynamics/run.hpp"
-#include "output/fields.hpp"
+#include "grid/grid.hpp"
 
 namespace nereid::output {
+
+// What frames are made of, and the files they go to.
+using grid::CellKind, grid::Cells, grid::Collection, grid::Grid, grid::GridKind, grid::Precision;
+using grid::vector_components;
 
 /// All elements of all blocks with displacement, velocity, contact force and the elements' fields.
 Grid body_grid(const dynamics::View&);

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "base/check.hpp"
-#include "output/replace_file.hpp"
+#include "base/replace_file.hpp"
 
 namespace nereid::output {
 

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/check.hpp"
-#include "output/replace_file.hpp"
+#include "base/replace_file.hpp"
 
 #if __has_include("nereid_commit.hpp")
 #include "nereid_commit.hpp"  // written at build time by lib/output/commit.cmake

@@ -7,6 +7,7 @@
 #include "dynamics/step.hpp"
 #include "mesh/box.hpp"
 #include "mesh/cylinder.hpp"
+#include "mesh/placement.hpp"
 #include "mesh/wedge.hpp"
 
 namespace nereid::dynamics {
@@ -88,6 +89,33 @@ TEST(Connect, ThePenaltyChosenIsHardnessTimesTheSofterSide) {
     connect(model, "joint", names[swapped], names[!swapped], options);
     EXPECT_NEAR(model.interfaces[0].penalty / (7 * modulus(soft) / 0.1), 1, 1e-12);
     EXPECT_EQ(model.interfaces[0].name, "joint");
+  }
+}
+
+TEST(Connect, SurfacesNeedNotMatch) {
+  for (const double angle : {0.0, 0.3, pi / 4}) {
+    Model model;
+    const Vec3 middle(0.5, 0.5, 0);
+    const mesh::Mesh below = mesh::box("below", {{0, 0, 0}, {1, 1, 0.4}, {4, 4, 2}});
+    const mesh::Mesh above = mesh::moved(
+        mesh::turned_about(mesh::box("above", {{0.2, 0.2, 0}, {0.8, 0.8, 0.3}, {3, 3, 1}}), Vec3::UnitZ(), angle, middle), {0, 0, 0.4});
+    model.mesh = mesh::join(below, above);
+    for (const char* name : {"below", "above"}) model.blocks.push_back(element::hexahedra(model.mesh, name, soft, {}));
+    finish(model);
+    const mesh::Surface &top = mesh::surface(model.mesh, "below.z_high"), &bottom = mesh::surface(model.mesh, "above.z_low");
+    EXPECT_NEAR(mesh::facet_areas(model.mesh, top).sum(), 1, 1e-14);       // round-off
+    EXPECT_NEAR(mesh::facet_areas(model.mesh, bottom).sum(), 0.36, 1e-14);
+    for (const auto& [surface, up] : {std::pair(&top, 1.0), std::pair(&bottom, -1.0)}) {
+      for (const auto& facet : surface->facets.colwise()) {
+        const Vec3 a = model.mesh.X.col(facet(1)) - model.mesh.X.col(facet(0)), b = model.mesh.X.col(facet(2)) - model.mesh.X.col(facet(0));
+        EXPECT_NEAR(a.cross(b).normalized().z(), up, 1e-14);
+      }
+    }
+    const Connected joined = connect(model, "joint", "above.z_low", "below.z_high", {});
+    EXPECT_EQ(joined.gaps.apexes, 16);
+    EXPECT_EQ(joined.gaps.without_base, 0);
+    EXPECT_NEAR(joined.gaps.least, 0, 1e-15);
+    EXPECT_NEAR(joined.gaps.largest, 0, 1e-15);
   }
 }
 

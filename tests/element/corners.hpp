@@ -173,7 +173,7 @@ struct OneElement {
 
   void randomise(double stress) {
     for (auto* s : stresses(memory)) *s = random_tensor(stress);
-    for (auto* tensor : tensors(memory)) *tensor = material::deviator(random_tensor(stress));
+    for (auto* tensor : tensors(memory)) *tensor = 0.3 * material::deviator(random_tensor(stress));
     for (Point* q : hourglasses(memory)) *q = random_point(stress);
   }
   /// turns all that the memory holds

@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+
+#include "grid/grid.hpp"
+
 namespace nereid::input {
 namespace {
 
@@ -79,6 +84,67 @@ TEST(ReadMesh, SectorsThatCannotBeAreRefused) {
   EXPECT_TRUE(says(refusal("kind: cylinder\nradius: 1 m\nlength: 2 m\nturn: sector\ncells_core: 1\ncells_ring: 1\ncells_along: 1\n"),
                    "sector is unknown"));
   EXPECT_TRUE(says(refusal("kind: tube\nradius: 1 m\nlength: 2 m\nturn: sector\ncells_along: 1\n"), "missing 'angle'"));
+}
+
+/// A folder with a case and, beside it, a file of one hexahedron or of one tetrahedron.
+std::filesystem::path folder_with_files() {
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "nereid_mesh_readers";
+  std::filesystem::create_directories(folder);
+  const auto write = [&](const std::string& name, const std::string& nodes, int count, int kind) {
+    std::ofstream(folder / name) << "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\"><UnstructuredGrid>"
+        "<Piece NumberOfPoints=\"8\" NumberOfCells=\"1\"><CellData><DataArray type=\"Int32\" Name=\"grain\" format=\"ascii\">5"
+        "</DataArray></CellData><Points><DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">"
+        "0 0 0 1 0 0 1 1 0 0 1 0 0 0 1 1 0 1 1 1 1 0 1 1</DataArray></Points>"
+        "<Cells><DataArray type=\"Int32\" Name=\"connectivity\" format=\"ascii\">" << nodes << "</DataArray>"
+        "<DataArray type=\"Int32\" Name=\"offsets\" format=\"ascii\">" << count << "</DataArray>"
+        "<DataArray type=\"UInt8\" Name=\"types\" format=\"ascii\">" << kind << "</DataArray></Cells>"
+        "</Piece></UnstructuredGrid></VTKFile>";
+  };
+  write("cube.vtu", "0 1 2 3 4 5 6 7", 8, 12);
+  write("tetrahedron.vtu", "0 1 2 4", 4, 10);
+  return folder;
+}
+
+MeshOptions read_beside(const std::filesystem::path& folder, const std::string& text) {
+  std::ofstream(folder / "case.yaml") << text;
+  const CaseFile file = CaseFile::read((folder / "case.yaml").string());
+  const MeshOptions options = read_mesh_options(file.root());
+  file.finish();
+  return options;
+}
+
+TEST(ReadMesh, AFileIsFoundBesideTheCaseAndNamedAfterItsBody) {
+  if (!grid::vtk_available()) GTEST_SKIP() << "built without VTK";
+  const auto folder = folder_with_files();
+  const mesh::Mesh plain = make_mesh("bar", read_beside(folder, "kind: file\npath: cube.vtu\n"));
+  EXPECT_EQ(mesh::hexahedra(plain, "bar").nodes.cols(), 1);
+  EXPECT_EQ(mesh::surface(plain, "bar.skin").facets.cols(), 12);
+  EXPECT_EQ(mesh::node_set(plain, "bar").size(), 8U);
+  const mesh::Mesh grains = make_mesh("bar", read_beside(folder, "kind: file\npath: ./cube.vtu\nregion_array: grain\n"));
+  EXPECT_EQ(mesh::hexahedra(grains, "bar.region_5").nodes.cols(), 1);
+  const std::string whole = (folder / "cube.vtu").string();
+  EXPECT_EQ(make_mesh("bar", read_beside(testing::TempDir(), "kind: file\npath: " + whole + "\n")).X.cols(), 8);
+}
+
+TEST(ReadMesh, AFileThatIsNoMeshIsAFaultOfTheCaseWithItsPlace) {
+  const auto folder = folder_with_files();
+  const auto refusal_beside = [&](const std::string& text) -> std::string {
+    try {
+      read_beside(folder, text);
+    } catch (const CaseError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  if (!grid::vtk_available()) {
+    EXPECT_TRUE(says(refusal_beside("kind: file\npath: cube.vtu\n"), "NEREID_WITH_VTK=OFF"));
+    return;
+  }
+  EXPECT_TRUE(says(refusal_beside("kind: file\npath: none.vtu\n"), "case.yaml:2:7: 'path' = none.vtu: there is no such file"));
+  EXPECT_TRUE(says(refusal_beside("kind: file\npath: tetrahedron.vtu\n"), "it has 1 tetrahedra; expected hexahedra"));
+  EXPECT_TRUE(says(refusal_beside("kind: file\n"), "missing 'path'"));
+  const std::string both = refusal_beside("kind: file\npath: none.vtu\nradius: 1 m\ncolour: red\n");
+  EXPECT_TRUE(says(both, "there is no such file") && says(both, "unknown key 'colour'")) << both;
 }
 
 TEST(ReadMesh, KeysOfAnotherKindAreListedAsNotUsed) {

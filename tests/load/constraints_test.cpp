@@ -214,10 +214,10 @@ TEST(Constraints, NodesOfNoPlaneAreNotRemembered) {
   EXPECT_EQ(memory.held_of_node, (std::vector<Index>{-1, 0, -1, -1, 1, -1}));
 }
 
-TEST(Constraints, MoreThanFourPlanesAtANodeAreRefusedBeforeTheStart) {
+TEST(Constraints, MoreThanEightDirectionsAtANodeAreRefusedBeforeTheStart) {
   Vectors3 random;
   std::vector<Vec3> normals;
-  for (int i = 0; i < 4; ++i) normals.push_back(random.unit());
+  for (int i = 0; i < HeldNode::most_rows; ++i) normals.push_back(random.unit());
   EXPECT_NO_THROW(OneNode{normals});
   normals.push_back(random.unit());
   EXPECT_THROW(OneNode{normals}, InternalError);

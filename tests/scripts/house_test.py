@@ -13,10 +13,11 @@ import house  # noqa: E402  (after the path)
 SOUND = {
     "CMakeLists.txt": "nereid_module(base      )\n"
                       "nereid_module(mesh     base)\n"
+                      "nereid_module(grid     mesh PRIVATE ${NEREID_VTK})\n"
                       "nereid_module(element  mesh)\n"
                       "nereid_module(contact  mesh)\n"
                       "nereid_module(input    element PRIVATE yaml-cpp)\n"
-                      "nereid_module(output   element PRIVATE nlohmann_json ${NEREID_VTK})\n",
+                      "nereid_module(output   element grid PRIVATE nlohmann_json)\n",
     "lib/base/types.hpp": "#include <Eigen/Core>\n",
     "lib/base/number.hpp": "#include <experimental/simd>\n",
     "lib/base/parallel.hpp": "#include <vector>\n",
@@ -26,7 +27,7 @@ SOUND = {
     "lib/element/hex8.hpp": '#include "base/number.hpp"\n#include "mesh/box.hpp"\n',
     "lib/contact/apex.hpp": '#include "mesh/box.hpp"\n',
     "lib/input/section.cpp": "#include <yaml-cpp/yaml.h>\n",
-    "lib/output/fields.cpp": "#include <vtkPoints.h>\n",
+    "lib/grid/grid.cpp": "#include <vtkPoints.h>\n",
     "lib/output/summary.cpp": "#include <nlohmann/json.hpp>\n",
     "drivers/driver.cpp": "#include <CLI/CLI.hpp>\n",
     "scripts/figure.py": "import matplotlib\n",
@@ -123,7 +124,7 @@ class Doors(HouseTest):
         for path, text, fault in [
             ("lib/input/case.cpp", "#include <yaml-cpp/yaml.h>\n", "yaml-cpp enters here; its door is lib/input/section.cpp"),
             ("tests/input/case.cpp", "#include <yaml-cpp/node/node.h>\n", "yaml-cpp enters here"),
-            ("lib/output/history.cpp", "#include <vtkPoints.h>\n", "VTK enters here; its door is lib/output/fields.cpp"),
+            ("lib/output/history.cpp", "#include <vtkPoints.h>\n", "VTK enters here; its door is lib/grid/grid.cpp"),
             ("lib/output/history.cpp", "#include <nlohmann/json.hpp>\n", "its door is lib/output/summary.cpp"),
             ("drivers/cask_drop.cpp", "#include <CLI/CLI.hpp>\n", "CLI11 enters here; its door is drivers/driver.cpp"),
             ("lib/mesh/box.cpp", "#include <thread>\n", "a thread enters here; its door is lib/base/parallel.cpp"),

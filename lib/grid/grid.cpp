@@ -1,4 +1,4 @@
-#include "output/fields.hpp"
+#include "grid/grid.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "base/check.hpp"
-#include "output/replace_file.hpp"
+#include "base/replace_file.hpp"
 
 #ifdef NEREID_WITH_VTK
 #include <vtkCellArray.h>
@@ -19,8 +19,11 @@
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
+#include <vtkIdList.h>
 #include <vtkIdTypeArray.h>
+#include <vtkLogger.h>
 #include <vtkNew.h>
+#include <vtkOutputWindow.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -30,10 +33,11 @@
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLPolyDataWriter.h>
+#include <vtkXMLUnstructuredGridReader.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 #endif
 
-namespace nereid::output {
+namespace nereid::grid {
 
 namespace {
 
@@ -292,9 +296,115 @@ std::vector<std::pair<std::string, std::int64_t>> write_frame(const Grid& grid, 
   return counts;
 }
 
+/// Arrays of numbers, in the order of the file.
+std::vector<Field> fields_of(vtkDataSetAttributes& attributes) {
+  std::vector<Field> fields;
+  for (int a = 0; a < attributes.GetNumberOfArrays(); ++a) {
+    vtkDataArray* array = attributes.GetArray(a);
+    if (array == nullptr || array->GetName() == nullptr) continue;  // texts
+    Field field{array->GetName(), "", {}, Eigen::MatrixXd(array->GetNumberOfComponents(), array->GetNumberOfTuples()), false};
+    const int type = array->GetDataType();
+    field.integer = type != VTK_FLOAT && type != VTK_DOUBLE;
+    for (vtkIdType thing = 0; thing < array->GetNumberOfTuples(); ++thing)
+      for (int c = 0; c < array->GetNumberOfComponents(); ++c) field.values(c, thing) = array->GetComponent(thing, c);
+    fields.push_back(std::move(field));
+  }
+  return fields;
+}
+
+/// Hears what VTK would tell the terminal; the case's report is the place for it.
+class Listener : public vtkOutputWindow {
+ public:
+  static Listener* New() { return new Listener; }
+  void DisplayText(const char*) override {}
+  void DisplayErrorText(const char*) override { heard_an_error = true; }
+  void DisplayWarningText(const char*) override {}
+  void DisplayGenericWarningText(const char*) override {}
+  void DisplayDebugText(const char*) override {}
+  bool heard_an_error = false;
+};
+
+/// Lets a listener stand in for the terminal while it lives.
+class Listening {
+ public:
+  Listening() : before_(vtkOutputWindow::GetInstance()), log_(vtkLogger::GetCurrentVerbosityCutoff()) {
+    vtkOutputWindow::SetInstance(listener);
+    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);  // VTK's log has a way of its own
+  }
+  ~Listening() {
+    vtkLogger::SetStderrVerbosity(log_);
+    vtkOutputWindow::SetInstance(before_);
+  }
+  Listening(const Listening&) = delete;
+  Listening& operator=(const Listening&) = delete;
+  vtkNew<Listener> listener;
+
+ private:
+  vtkSmartPointer<vtkOutputWindow> before_;
+  vtkLogger::Verbosity log_;
+};
+
 #endif
 
 }  // namespace
+
+#ifdef NEREID_WITH_VTK
+Contents read_vtu(const std::filesystem::path& file, std::string& fault) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) {
+    fault = "there is no such file";
+    return {};
+  }
+  const Listening here;
+  vtkNew<vtkXMLUnstructuredGridReader> reader;
+  if (reader->CanReadFile(file.c_str()) == 0) {
+    fault = "it is no .vtu file";
+    return {};
+  }
+  reader->SetFileName(file.c_str());
+  reader->Update();
+  vtkUnstructuredGrid* data = reader->GetOutput();
+  // an error code does not tell everything, as a file that ends too early
+  if (here.listener->heard_an_error || reader->GetErrorCode() != 0 || data == nullptr) {
+    fault = "VTK cannot read it: it is damaged, or written in a form that this VTK does not know";
+    return {};
+  }
+  if (data->GetNumberOfPoints() > std::numeric_limits<Index>::max()) {
+    fault = "it has more points than can be numbered";
+    return {};
+  }
+  Contents contents;
+  vtkIdType lost = 0;  // cells with points that are none
+  contents.points.resize(3, data->GetNumberOfPoints());
+  for (vtkIdType point = 0; point < data->GetNumberOfPoints(); ++point)
+    data->GetPoint(point, contents.points.col(point).data());
+  contents.begin.push_back(0);
+  vtkNew<vtkIdList> nodes;
+  for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell) {
+    contents.kind.push_back(data->GetCellType(cell));
+    data->GetCellPoints(cell, nodes);
+    bool all_there = true;
+    for (vtkIdType a = 0; a < nodes->GetNumberOfIds(); ++a) {
+      all_there = all_there && nodes->GetId(a) >= 0 && nodes->GetId(a) < data->GetNumberOfPoints();
+      contents.nodes.push_back(static_cast<Index>(nodes->GetId(a)));
+    }
+    if (!all_there) ++lost;
+    contents.begin.push_back(static_cast<std::int64_t>(contents.nodes.size()));
+  }
+  if (lost > 0) {
+    fault = std::to_string(lost) + " of its cells have a point that is none of its " + std::to_string(contents.points.cols());
+    return {};
+  }
+  contents.point_fields = fields_of(*data->GetPointData());
+  contents.cell_fields = fields_of(*data->GetCellData());
+  return contents;
+}
+#else
+Contents read_vtu(const std::filesystem::path&, std::string& fault) {
+  fault = "this program was built without VTK (NEREID_WITH_VTK=OFF) and reads no files of meshes";
+  return {};
+}
+#endif
 
 bool vtk_available() {
 #ifdef NEREID_WITH_VTK
@@ -361,4 +471,4 @@ void Collection::write_index() const {
   replace_file(directory_ / (name_ + ".pvd"), text + "  </Collection>\n</VTKFile>\n");
 }
 
-}  // namespace nereid::output
+}  // namespace nereid::grid

@@ -1,11 +1,11 @@
-#include "output/replace_file.hpp"
+#include "base/replace_file.hpp"
 
 #include <fstream>
 #include <system_error>
 
 #include "base/check.hpp"
 
-namespace nereid::output {
+namespace nereid {
 
 void make_folder(const std::filesystem::path& folder) {
   std::error_code error;
@@ -28,4 +28,4 @@ void replace_file(const std::filesystem::path& file, std::string_view text) {
   if (error) throw MachineError("cannot write " + file.string() + ": " + error.message());
 }
 
-}  // namespace nereid::output
+}  // namespace nereid

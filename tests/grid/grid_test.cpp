@@ -1,4 +1,4 @@
-#include "output/fields.hpp"
+#include "grid/grid.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 
 #include "base/check.hpp"
 
-namespace nereid::output {
+namespace nereid::grid {
 namespace {
 
 namespace fs = std::filesystem;
@@ -279,4 +279,4 @@ TEST_F(Fields, WriteTheExampleThatReadBackReads) {
 }
 
 }  // namespace
-}  // namespace nereid::output
+}  // namespace nereid::grid

@@ -1,5 +1,5 @@
 #pragma once
-// ParaView files: the one door to VTK. Built without VTK, a Collection checks and writes nothing.
+// ParaView files, written and read: the one door to VTK. Built without VTK, a Collection checks and writes nothing.
 
 #include <cstdint>
 #include <filesystem>
@@ -10,9 +10,9 @@
 #include "base/field.hpp"
 #include "base/types.hpp"
 
-namespace nereid::output {
+namespace nereid::grid {
 
-/// Whether this build writes ParaView files at all (NEREID_WITH_VTK).
+/// Whether this build writes and reads ParaView files at all (NEREID_WITH_VTK).
 bool vtk_available();
 
 /// Component names in the order in which ParaView labels every array of three or six components.
@@ -81,4 +81,18 @@ class Collection {
   std::set<std::string> warned_;  ///< fields whose warning has been given
 };
 
-}  // namespace nereid::output
+/// What a file of ParaView's holds, as it stands there.
+struct Contents {
+  Vectors points;                   ///< [m]
+  std::vector<int> kind;            ///< VTK's number of each cell's kind, as 12 for a hexahedron
+  std::vector<std::int64_t> begin;  ///< [cells + 1] where the points of each cell begin
+  std::vector<Index> nodes;         ///< points of the cells
+  std::vector<Field> point_fields, cell_fields;  ///< arrays of numbers; unit and components are left empty
+};
+
+/// Reads a .vtu file.
+///
+/// fault  left as it is if the file could be read, else why it could not, as part of a sentence
+Contents read_vtu(const std::filesystem::path& file, std::string& fault);
+
+}  // namespace nereid::grid

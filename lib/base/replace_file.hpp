@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <string_view>
 
-namespace nereid::output {
+namespace nereid {
 
 /// Makes the folder and those above it; MachineError where that fails.
 void make_folder(const std::filesystem::path& folder);
@@ -12,4 +12,4 @@ void make_folder(const std::filesystem::path& folder);
 /// fails.
 void replace_file(const std::filesystem::path& file, std::string_view text);
 
-}  // namespace nereid::output
+}  // namespace nereid

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
-"""Reads back through VTK itself what output/fields.cpp wrote.
+"""Reads back through VTK itself what grid/grid.cpp wrote.
 
-    read_back.py OUTPUT_TEST_PROGRAM
+    read_back.py GRID_TEST_PROGRAM
 
 The program writes its example into a temporary folder; every number is then checked by name and
 component.  Ends with 77, "skipped", where Python has no VTK or the program was built without it.

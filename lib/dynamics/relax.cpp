@@ -1,0 +1,126 @@
+#include "dynamics/relax.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace nereid::dynamics {
+
+namespace {
+
+constexpr int steps_per_sample = 10;
+
+/// Projector onto what the planes of a node leave free.
+Mat3 allowed(const State& now, Index node) {
+  const Index place = now.constraints.held_of_node[node];
+  return place < 0 || now.constraints.held[place].count == 0 ? Mat3(Mat3::Identity()) : now.constraints.held[place].allowed;
+}
+Mat3 allowed_turn(const State& now, Index node) {
+  const Index place = now.constraints.held_of_node[node];
+  return place < 0 || now.constraints.held[place].count == 0 ? Mat3(Mat3::Identity()) : now.constraints.held[place].allowed_turn;
+}
+
+/// Frequency of what moved in the last step. [1/s]
+double frequency(const Model& model, const State& now, const Forces& f) {
+  double stiffness = 0, inertia = 0;
+  for (Index n = 0; n < now.x.cols(); ++n) {
+    const Vec3 way = allowed(now, n) * (now.x.col(n) - f.before.x.col(n));
+    stiffness -= way.dot(f.force.col(n) - f.before.force.col(n));
+    inertia += model.mass(n) * way.squaredNorm();
+  }
+  for (Index turn = 0; turn < now.w.cols(); ++turn) {
+    const Vec3 way = 0.5 * now.dt * (now.w.col(turn) + f.before.w.col(turn));
+    stiffness -= way.dot(f.moment.col(turn) - f.before.moment.col(turn));
+    inertia += model.inertia(turn) * way.squaredNorm();
+  }
+  return stiffness > 0 && inertia > 0 ? std::sqrt(stiffness / inertia) : 0;
+}
+
+/// Scales the velocities that planes leave free and books what is lost.
+///
+/// returns  the kinetic energy that is left [J]
+double damp(const Model& model, double factor, State& now) {
+  RelaxationMemory& memory = now.relaxation;
+  double left = 0;
+  for (Index n = 0; n < now.v.cols(); ++n) {
+    const Vec3 before = now.v.col(n), after = before - (1 - factor) * (allowed(now, n) * before);
+    const Vec3 impulse = model.mass(n) * (after - before);
+    memory.removed -= 0.5 * impulse.dot(after + before);
+    memory.impulse += impulse;
+    memory.angular_impulse += now.x.col(n).cross(impulse);
+    left += 0.5 * model.mass(n) * after.squaredNorm();
+    now.v.col(n) = after;
+  }
+  for (Index turn = 0; turn < now.w.cols(); ++turn) {
+    const Vec3 before = now.w.col(turn);
+    const Vec3 impulse = model.inertia(turn) * (factor - 1) * before;
+    memory.removed -= 0.5 * impulse.dot((1 + factor) * before);
+    memory.angular_impulse += impulse;
+    now.w.col(turn) = factor * before;
+    left += 0.5 * model.inertia(turn) * factor * factor * before.squaredNorm();
+  }
+  return left;
+}
+
+double square(const Model& model, const Vectors& force, const Vectors& moment) {
+  double sum = 0;
+  for (Eigen::Index n = 0; n < force.cols(); ++n) sum += force.col(n).squaredNorm() / model.mass(n);
+  for (Eigen::Index turn = 0; turn < moment.cols(); ++turn) sum += moment.col(turn).squaredNorm() / model.inertia(turn);
+  return sum;
+}
+
+/// Squared norms of each source's forces, summed. [N2/kg]
+double forces_by_source(const Model& model, const State& now, Forces& f) {
+  Vectors &force = f.before.source_force, &moment = f.before.source_moment;
+  double sum = model.mass.sum() * model.gravity.squaredNorm();
+  const auto clear = [&] { force.setZero(), moment.setZero(); };
+  for (std::size_t b = 0; b < model.blocks.size(); ++b) {
+    clear();
+    const PlacesOfNodes& places = model.places[b];
+    const element::TileForces& tiles = f.blocks[b];
+    const bool turns = tiles.moment.cols() > 0;
+    for (std::size_t i = 0; i < places.node.size(); ++i) {
+      for (Index p = places.begin[i]; p < places.begin[i + 1]; ++p) {
+        force.col(places.node[i]) += tiles.force.col(places.place[p]);
+        if (turns) moment.col(model.turn_of_node[places.node[i]]) += tiles.moment.col(places.place[p]);
+      }
+    }
+    sum += square(model, force, moment);
+  }
+  for (std::size_t l = 0; l < model.loads.size(); ++l) {
+    clear();
+    load::add_forces(model.loads[l], now.loads[l], force, moment);
+    sum += square(model, force, moment);
+  }
+  return sum;
+}
+
+/// Squared norm of what no plane and no other source balances. [N2/kg]
+double unbalanced(const Model& model, const State& now, const Forces& f) {
+  double sum = 0;
+  for (Index n = 0; n < now.x.cols(); ++n) sum += (allowed(now, n) * f.force.col(n)).squaredNorm() / model.mass(n);
+  for (Index turn = 0; turn < now.w.cols(); ++turn)
+    sum += (allowed_turn(now, model.node_of_turn[turn]) * f.moment.col(turn)).squaredNorm() / model.inertia(turn);
+  return sum;
+}
+
+}  // namespace
+
+bool relax(const Model& model, State& now, Forces& f) {
+  RelaxationMemory& memory = now.relaxation;
+  // the first step has nothing before it
+  const double omega = now.step > 1 ? frequency(model, now, f) : 0;
+  const double kinetic = damp(model, std::exp(-2 * omega * now.dt), now);
+  f.before.x = now.x, f.before.w = now.w, f.before.force = f.force, f.before.moment = f.moment;
+  memory.most_kinetic = std::max(memory.most_kinetic, kinetic);
+  if (now.step % steps_per_sample != 0) return false;
+  memory.most_force = std::max(memory.most_force, std::sqrt(forces_by_source(model, now, f)));
+  const double rest = std::sqrt(unbalanced(model, now, f));
+  memory.residual = memory.most_force > 0 ? rest / memory.most_force : 0;
+  const Relaxation& wanted = *model.relaxation;
+  const bool balanced = now.t >= wanted.after && memory.residual <= wanted.residual && kinetic <= wanted.residual * memory.most_kinetic;
+  memory.balanced = balanced ? memory.balanced + 1 : 0;
+  return memory.balanced >= wanted.samples;
+}
+
+}  // namespace nereid::dynamics

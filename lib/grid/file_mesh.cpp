@@ -1,0 +1,245 @@
+#include "grid/file_mesh.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "mesh/facets.hpp"
+#include "mesh/skin.hpp"
+
+namespace nereid::grid {
+namespace {
+
+using mesh::Facets;
+
+constexpr int triangle = 5, quadrilateral = 9, hexahedron = 12;  // VTK's numbers
+constexpr std::size_t most_named = 8;  // of the cells at fault: enough to find them, few enough for a line
+
+std::string kind_name(int kind) {
+  static const std::map<int, std::string> names{
+      {0, "empty cells"}, {1, "vertices"}, {2, "groups of vertices"}, {3, "lines"}, {4, "polylines"}, {6, "triangle strips"},
+      {7, "polygons"}, {8, "pixels"}, {10, "tetrahedra"}, {11, "voxels"}, {13, "wedges"}, {14, "pyramids"},
+      {15, "pentagonal prisms"}, {16, "hexagonal prisms"}, {21, "quadratic edges"}, {22, "quadratic triangles"},
+      {23, "quadratic quadrilaterals"}, {24, "quadratic tetrahedra"}, {25, "quadratic hexahedra"}, {26, "quadratic wedges"},
+      {27, "quadratic pyramids"}, {28, "biquadratic quadrilaterals"}, {29, "triquadratic hexahedra"}, {42, "polyhedra"}};
+  const auto found = names.find(kind);
+  return found == names.end() ? "cells of VTK's kind " + std::to_string(kind) : found->second;
+}
+
+std::string listed(const std::vector<std::string>& parts) {
+  std::string text;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == parts.size() ? " and " : ", ") + parts[i];
+  return text;
+}
+
+std::string numbers(const std::vector<std::int64_t>& cells) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(cells.size(), most_named); ++i) text += (i == 0 ? "" : ", ") + std::to_string(cells[i]);
+  return text + (cells.size() > most_named ? ", …" : "");
+}
+
+/// Cells at fault, by their numbers in the file.
+struct Wrong {
+  std::vector<std::int64_t> cells;
+  void tell(const std::string& what, std::vector<std::string>& faults) const {
+    if (!cells.empty()) faults.push_back(std::to_string(cells.size()) + what + numbers(cells));
+  }
+};
+
+/// Elements of one region, in the order of the file, and the cells they are.
+struct Part {
+  std::vector<std::array<Index, 8>> hexahedra;
+  Facets triangles;
+  std::vector<std::int64_t> cell_of_hexahedron, cell_of_triangle;
+};
+
+Table<8> table(const std::vector<std::array<Index, 8>>& columns) {
+  return Eigen::Map<const Table<8>>(columns.empty() ? nullptr : columns[0].data(), 8, static_cast<Eigen::Index>(columns.size()));
+}
+
+const Field* array_called(const std::vector<Field>& fields, const std::string& name) {
+  const auto at = std::find_if(fields.begin(), fields.end(), [&](const Field& field) { return field.name == name; });
+  return at == fields.end() ? nullptr : &*at;
+}
+
+bool whole(const Field& field) {
+  return field.values.rows() == 1 && field.values.allFinite() && (field.values.array() == field.values.array().round()).all();
+}
+
+/// Whether a point array says of each point if it belongs to a set. VTK's own arrays, as of ghosts, do not.
+bool is_set(const Field& field) {
+  return field.integer && field.values.rows() == 1 && field.name.rfind("vtk", 0) != 0 &&
+         (field.values.array() == 0 || field.values.array() == 1).all() && (field.values.array() == 1).any();
+}
+
+/// Cells by region and kind; -1 stands for the one region of a file without regions.
+std::map<int, Part> parts(const Contents& file, const std::string& region_array, std::vector<std::string>& faults) {
+  const Field* region = array_called(file.cell_fields, region_array);
+  if (region != nullptr && !(whole(*region) && region->values.cwiseAbs().maxCoeff() <= 1e9)) {
+    faults.push_back("its cell array '" + region_array + "' does not hold one whole number a cell");
+    region = nullptr;
+  }
+  std::map<int, Part> found;
+  std::map<int, std::int64_t> others;
+  Wrong torn;
+  for (std::size_t c = 0; c < file.kind.size(); ++c) {
+    const auto cell = static_cast<std::int64_t>(c);
+    const Index* nodes = file.nodes.data() + file.begin[c];
+    const int kind = file.kind[c];
+    if (kind != triangle && kind != quadrilateral && kind != hexahedron) {
+      ++others[kind];
+      continue;
+    }
+    if (file.begin[c + 1] - file.begin[c] != (kind == hexahedron ? 8 : kind == quadrilateral ? 4 : 3)) {
+      torn.cells.push_back(cell);
+      continue;
+    }
+    Part& part = found[region == nullptr ? -1 : static_cast<int>(region->values(0, cell))];
+    if (kind == hexahedron) {
+      auto& to = part.hexahedra.emplace_back();
+      std::copy_n(nodes, 8, to.begin());
+      part.cell_of_hexahedron.push_back(cell);
+    } else if (kind == triangle) {
+      part.triangles.add(nodes[0], nodes[1], nodes[2]);
+      part.cell_of_triangle.push_back(cell);
+    } else {
+      part.triangles.add({nodes[0], nodes[1], nodes[2], nodes[3]}, mesh::Cut::first_to_third);
+      part.cell_of_triangle.insert(part.cell_of_triangle.end(), 2, cell);
+    }
+  }
+  torn.tell(" of its cells have another number of points than their kind: cells ", faults);
+  if (!others.empty()) {
+    std::vector<std::string> said;
+    for (const auto& [kind, count] : others) said.push_back(std::to_string(count) + " " + kind_name(kind));
+    faults.push_back("it has " + listed(said) + "; expected hexahedra, triangles and quadrilaterals");
+  } else if (file.kind.empty()) {
+    faults.push_back("it has no cells");
+  }
+  return found;
+}
+
+/// Adds the regions to a mesh that has its points, and says which cells are no elements.
+void add_regions(const std::string& name, const std::map<int, Part>& parts, mesh::Mesh& mesh, std::vector<std::string>& faults) {
+  Wrong inside_out, flat;
+  for (const auto& [number, part] : parts) {
+    const Table<3> triangles = part.triangles.table();
+    const bool solid = !part.hexahedra.empty(), plates = triangles.cols() > 0;
+    if (solid && plates && number >= 0)
+      faults.push_back("its region " + std::to_string(number) + " holds solids and plates; give them different numbers");
+    const std::string region = number < 0 ? name : name + ".region_" + std::to_string(number);
+    if (solid) {
+      mesh.hexahedra.push_back({plates ? name + ".hexahedra" : region, table(part.hexahedra)});
+      const Scalars volume = mesh::volumes(mesh, mesh.hexahedra.back());
+      for (Index e = 0; e < volume.size(); ++e)
+        if (!(volume(e) > 0)) inside_out.cells.push_back(part.cell_of_hexahedron[static_cast<std::size_t>(e)]);
+    }
+    if (plates) {
+      mesh.triangles.push_back({solid ? name + ".triangles" : region, triangles});
+      const Scalars area = mesh::facet_areas(mesh, {"", triangles});
+      for (Index e = 0; e < area.size(); ++e)
+        if (!(area(e) > 0)) flat.cells.push_back(part.cell_of_triangle[static_cast<std::size_t>(e)]);
+    }
+  }
+  std::sort(inside_out.cells.begin(), inside_out.cells.end());
+  std::sort(flat.cells.begin(), flat.cells.end());
+  inside_out.tell(" of its hexahedra have no positive volume, so their corners are in the wrong order or their shape is: cells ", faults);
+  flat.tell(" of its triangles have no area: cells ", faults);
+}
+
+/// New number of each point, or -1 for one of no cell; they keep their order.
+std::vector<Index> drop_lonely_points(mesh::Mesh& mesh) {
+  std::vector<Index> number(static_cast<std::size_t>(mesh.X.cols()), -1);
+  const auto mark = [&](const auto& nodes) {
+    for (const Index node : nodes.reshaped()) number[static_cast<std::size_t>(node)] = 0;
+  };
+  for (const auto& region : mesh.hexahedra) mark(region.nodes);
+  for (const auto& region : mesh.triangles) mark(region.nodes);
+  Index next = 0;
+  for (Index& one : number) one = one < 0 ? -1 : next++;
+  for (std::size_t point = 0; point < number.size(); ++point)
+    if (number[point] >= 0) mesh.X.col(number[point]) = mesh.X.col(static_cast<Index>(point));  // never behind itself
+  mesh.X.conservativeResize(3, next);
+  const auto renumber = [&](auto& nodes) {
+    for (Index& node : nodes.reshaped()) node = number[static_cast<std::size_t>(node)];
+  };
+  for (auto& region : mesh.hexahedra) renumber(region.nodes);
+  for (auto& region : mesh.triangles) renumber(region.nodes);
+  return number;
+}
+
+/// The facets all of whose corners are in the set.
+Table<3> facets_within(const Table<3>& facets, const std::vector<char>& in_set) {
+  Facets inside;
+  for (Index f = 0; f < facets.cols(); ++f) {
+    const auto has = [&](int a) { return in_set[static_cast<std::size_t>(facets(a, f))] != 0; };
+    if (has(0) && has(1) && has(2)) inside.add(facets(0, f), facets(1, f), facets(2, f));
+  }
+  return inside.table();
+}
+
+void add_surface(mesh::Mesh& mesh, const std::string& name, const Table<3>& facets) {
+  if (facets.cols() > 0) mesh.surfaces.push_back({name, facets});
+}
+
+void add_names(const std::string& name, const Contents& file, const std::vector<Index>& number, mesh::Mesh& mesh,
+               std::vector<std::string>& faults) {
+  const mesh::Skin skin = mesh::skin(mesh.hexahedra);
+  if (skin.crowded > 0) faults.push_back(std::to_string(skin.crowded) + " of its faces belong to more than two hexahedra");
+  Table<3> plates(3, 0);
+  for (const auto& region : mesh.triangles) {
+    const Eigen::Index before = plates.cols();
+    plates.conservativeResize(3, before + region.nodes.cols());
+    plates.rightCols(region.nodes.cols()) = region.nodes;
+  }
+  add_set_of_all(mesh, name);
+  add_surface(mesh, name + ".skin", skin.facets);
+  if (skin.facets.cols() > 0) mesh.node_sets.push_back({name + ".skin", mesh::surface_nodes(mesh.surfaces.back())});
+  add_surface(mesh, name + ".top", plates);
+  add_surface(mesh, name + ".bottom", mesh::reversed(plates));
+  for (const Field& field : file.point_fields) {
+    if (!is_set(field)) continue;
+    std::vector<char> in_set(static_cast<std::size_t>(mesh.X.cols()), 0);
+    Subset nodes;
+    for (std::size_t point = 0; point < number.size(); ++point) {
+      if (number[point] < 0 || field.values(0, static_cast<Eigen::Index>(point)) == 0) continue;
+      in_set[static_cast<std::size_t>(number[point])] = 1;
+      nodes.push_back(number[point]);
+    }
+    if (nodes.empty()) continue;  // only points of no cell
+    const std::string set = name + "." + field.name;
+    mesh.node_sets.push_back({set, nodes});
+    add_surface(mesh, set, facets_within(skin.facets, in_set));
+    const Table<3> top = facets_within(plates, in_set);
+    add_surface(mesh, set + "_top", top);
+    add_surface(mesh, set + "_bottom", mesh::reversed(top));
+  }
+  const auto twice = [&](const auto& all, const char* kind) {
+    std::set<std::string> names;
+    for (const auto& one : all)
+      if (!names.insert(one.name).second)
+        faults.push_back(std::string("it makes two ") + kind + " called '" + one.name.substr(name.size()) + "'; call that point array something else");
+  };
+  twice(mesh.node_sets, "node sets");
+  twice(mesh.surfaces, "surfaces");
+}
+
+}  // namespace
+
+FileMesh file_mesh(const std::string& name, const Contents& file, const std::string& region_array) {
+  FileMesh result;
+  result.mesh.X = file.points;
+  if (!file.points.allFinite()) result.faults.push_back("some of its points are no numbers");
+  const std::map<int, Part> found = parts(file, region_array, result.faults);
+  if (file.points.allFinite()) add_regions(name, found, result.mesh, result.faults);
+  if (result.faults.empty()) {
+    const std::vector<Index> number = drop_lonely_points(result.mesh);
+    add_names(name, file, number, result.mesh, result.faults);
+  }
+  if (!result.faults.empty()) result.mesh = {};
+  return result;
+}
+
+}  // namespace nereid::grid

@@ -1,0 +1,33 @@
+#pragma once
+// A mesh out of a file that some other program wrote.
+
+#include <string>
+#include <vector>
+
+#include "grid/grid.hpp"
+#include "mesh/mesh.hpp"
+
+namespace nereid::grid {
+
+/// A mesh, or all that is wrong with what was to become one.
+struct FileMesh {
+  mesh::Mesh mesh;                  ///< names start with the body's
+  std::vector<std::string> faults;  ///< each part of a sentence about the file; the mesh is empty if there are any
+};
+
+/// Makes a mesh of what a file holds: hexahedra, triangles, and quadrilaterals cut in two from first to third corner.
+///
+/// Regions   by the cell array `region_array`, whole numbers n: `name.region_n`. Without that array all cells are
+///           region `name`; where there are solids and plates these are `name.hexahedra` and `name.triangles`.
+/// Node sets `name` (all), and `name.<array>` for each point array of whole numbers that are 0 or 1, not all 0.
+/// Surfaces  of solids `name.skin`, the outer faces with normals outwards and its node set, and for each node set the
+///           part `name.<array>` of the skin all of whose corners are in the set, if any. Of plates `name.top` (normals as
+///           those of the triangles) and `name.bottom`, and for each node set `name.<array>_top`, `name.<array>_bottom`.
+///
+/// Points of no cell are dropped; those that stay keep their order. Faces of hexahedra are cut through their corner
+/// with the lowest number. Faults are other kinds of cells, by name and number; hexahedra whose volume and
+/// triangles whose area is not positive; points that are no numbers; regions that are no whole numbers or hold
+/// both solids and plates; faces of more than two hexahedra; names that are given twice.
+FileMesh file_mesh(const std::string& name, const Contents&, const std::string& region_array = "region");
+
+}  // namespace nereid::grid

@@ -1,0 +1,225 @@
+#include "load/loads.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+#include "base/check.hpp"
+
+namespace nereid::load {
+
+namespace {
+
+/// The nodes of a load, in the order of its forces.
+template <class Load>
+struct Nodes {
+  const Load& load;
+  Index size() const { return static_cast<Index>(load.nodes.size()); }
+  Index operator[](Index i) const { return load.nodes[i]; }
+};
+template <>
+struct Nodes<Spring> {
+  const Spring& load;
+  Index size() const { return load.to < 0 ? 1 : 2; }
+  Index operator[](Index i) const { return i == 0 ? load.from : load.to; }
+};
+template <class Load>
+Nodes<Load> nodes_of(const Load& load) {
+  return {load};
+}
+
+Vec3 at(const std::array<OverTime, 3>& vector, double t) { return {vector[0](t), vector[1](t), vector[2](t)}; }
+
+void set_forces(const BodyForce& load, const Vectors& X, const Vectors&, const Vectors&, double t, double, LoadMemory& memory) {
+  for (std::size_t i = 0; i < load.nodes.size(); ++i) {
+    const Vec3 at_node = X.col(load.nodes[i]);
+    for (int axis = 0; axis < 3; ++axis)
+      memory.force(axis, static_cast<Eigen::Index>(i)) = load.mass(static_cast<Eigen::Index>(i)) *
+                                                         load.acceleration[axis](at_node.x(), at_node.y(), at_node.z(), t);
+  }
+}
+
+void set_forces(const Pressure& load, const Vectors&, const Vectors& x, const Vectors&, double t, double, LoadMemory& memory) {
+  const double pressure = load.pressure(t);
+  memory.force.setZero();
+  for (Eigen::Index facet = 0; facet < load.corners.cols(); ++facet) {
+    const auto corner = load.corners.col(facet);
+    const Vec3 first = x.col(load.nodes[corner(0)]);
+    const Vec3 to_second = x.col(load.nodes[corner(1)]) - first, to_third = x.col(load.nodes[corner(2)]) - first;
+    const Vec3 third = -pressure / 6 * to_second.cross(to_third);  // a third of p times half the cross product
+    for (int a = 0; a < 3; ++a) memory.force.col(corner(a)) += third;
+  }
+}
+
+void set_forces(const NodalForce& load, const Vectors&, const Vectors&, const Vectors&, double t, double, LoadMemory& memory) {
+  memory.force.colwise() = at(load.force, t) / static_cast<double>(load.nodes.size());
+}
+
+void set_forces(const NodalMoment& load, const Vectors&, const Vectors&, const Vectors&, double t, double, LoadMemory& memory) {
+  memory.moment.colwise() = at(load.moment, t) / static_cast<double>(load.nodes.size());
+}
+
+void set_forces(const Spring& load, const Vectors&, const Vectors& x, const Vectors& v, double, double dt, LoadMemory& memory) {
+  const bool grounded = load.to < 0;
+  // from `from` to the other end, at the end and at the start of the step
+  const Vec3 line = (grounded ? load.ground : Vec3(x.col(load.to))) - x.col(load.from);
+  const Vec3 rate = (grounded ? Vec3::Zero() : Vec3(v.col(load.to))) - v.col(load.from);
+  const double length = line.norm();
+  Vec3 pull = Vec3::Zero();  // on `from`
+  double lost = 0;           // per time
+  if (grounded && load.length == 0) {
+    pull = load.stiffness * line + load.damping * rate;
+    lost = load.damping * rate.squaredNorm();
+  } else if (length > 0) {
+    // the length's own difference: a rigid turn has none, whatever the step
+    const double lengthening = dt > 0 ? (length - (line - dt * rate).norm()) / dt : 0;
+    pull = (load.stiffness * (length - load.length) + load.damping * lengthening) / length * line;
+    lost = load.damping * lengthening * lengthening;
+  }
+  memory.force.col(0) = pull;
+  if (!grounded) memory.force.col(1) = -pull;
+  memory.stored = 0.5 * load.stiffness * (length - load.length) * (length - load.length);
+  memory.dissipated += dt * lost;
+}
+
+/// Posts half a step's work and impulses with the forces as they are; x where they act.
+template <class Load>
+void post(const Load& load, const Vectors& x, const Vectors& v, const Vectors& w, double back, double half, LoadMemory& memory) {
+  const auto nodes = nodes_of(load);
+  double power = 0;
+  Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
+  for (Index i = 0; i < nodes.size(); ++i) {
+    if constexpr (std::is_same_v<Load, NodalMoment>) {
+      const Vec3 here = memory.moment.col(i);
+      power += here.dot(w.col(load.turns[i]));
+      moment += here;
+    } else {
+      const Vec3 here = memory.force.col(i), speed = v.col(nodes[i]), place = x.col(nodes[i]) - back * speed;
+      power += here.dot(speed);
+      force += here;
+      moment += place.cross(here);
+    }
+  }
+  memory.work += half * power;
+  memory.impulse += half * force;
+  memory.angular_impulse += half * moment;
+}
+
+Spring make_spring(const std::string& name, const Vectors& X, Index from, Index to, const Vec3& ground, double stiffness,
+                   double damping, const double* length) {
+  const auto count = static_cast<Index>(X.cols());
+  check(from >= 0 && from < count && to < count && from != to, "a spring joins two nodes of the mesh");
+  Spring spring{.name = name, .from = from, .to = to, .ground = ground, .stiffness = stiffness, .damping = damping, .length = 0};
+  const Vec3 end = to < 0 ? ground : Vec3(X.col(to));
+  spring.length = length != nullptr ? *length : (end - X.col(from)).norm();
+  return spring;
+}
+
+}  // namespace
+
+Pressure pressure_on(const std::string& name, const mesh::Surface& surface, OverTime pressure) {
+  Pressure load{.name = name, .nodes = mesh::surface_nodes(surface), .corners = surface.facets, .pressure = std::move(pressure)};
+  for (Eigen::Index i = 0; i < load.corners.size(); ++i) {
+    Index& corner = load.corners.data()[i];
+    corner = static_cast<Index>(std::lower_bound(load.nodes.begin(), load.nodes.end(), corner) - load.nodes.begin());
+  }
+  return load;
+}
+
+Spring spring_between(const std::string& name, const Vectors& X, Index from, Index to, double stiffness, double damping,
+                      const double* length) {
+  check(to >= 0, "a spring joins two nodes of the mesh");
+  return make_spring(name, X, from, to, Vec3::Zero(), stiffness, damping, length);
+}
+
+Spring spring_to_point(const std::string& name, const Vectors& X, Index from, const Vec3& ground, double stiffness,
+                       double damping, const double* length) {
+  return make_spring(name, X, from, -1, ground, stiffness, damping, length);
+}
+
+const std::string& name(const AnyLoad& any) {
+  return std::visit([](const auto& load) -> const std::string& { return load.name; }, any);
+}
+
+const char* kind(const AnyLoad& any) {
+  constexpr std::array<const char*, 5> names{"body_force", "pressure", "force", "moment", "spring"};
+  static_assert(std::variant_size_v<AnyLoad> == names.size());
+  return names[any.index()];
+}
+
+bool is_spring(const AnyLoad& any) { return std::holds_alternative<Spring>(any); }
+
+LoadMemory initial_memory(const AnyLoad& any) {
+  return std::visit(
+      [](const auto& load) {
+        LoadMemory memory;
+        const Index count = nodes_of(load).size();
+        constexpr bool turns = std::is_same_v<std::decay_t<decltype(load)>, NodalMoment>;
+        memory.force = Vectors::Zero(3, turns ? 0 : count);
+        memory.moment = Vectors::Zero(3, turns ? count : 0);
+        return memory;
+      },
+      any);
+}
+
+void advance(const AnyLoad& any, const Vectors& X, const Vectors& x, const Vectors& v, const Vectors& w, double t, double dt,
+             LoadMemory& memory) {
+  std::visit(
+      [&](const auto& load) {
+        post(load, x, v, w, dt, 0.5 * dt, memory);
+        set_forces(load, X, x, v, t, dt, memory);
+        post(load, x, v, w, 0, 0.5 * dt, memory);
+      },
+      any);
+}
+
+void add_forces(const AnyLoad& any, const LoadMemory& memory, Vectors& force, Vectors& moment) {
+  std::visit(
+      [&](const auto& load) {
+        const auto nodes = nodes_of(load);
+        for (Index i = 0; i < nodes.size(); ++i) {
+          if constexpr (std::is_same_v<std::decay_t<decltype(load)>, NodalMoment>) {
+            moment.col(load.turns[i]) += memory.moment.col(i);
+          } else {
+            force.col(nodes[i]) += memory.force.col(i);
+          }
+        }
+      },
+      any);
+}
+
+Vec3 resultant(const LoadMemory& memory) { return memory.force.rowwise().sum(); }
+Vec3 resultant_moment(const LoadMemory& memory) { return memory.moment.rowwise().sum(); }
+
+SpringRates spring_rates(const std::vector<AnyLoad>& loads, const Scalars& mass) {
+  std::unordered_map<Index, std::array<double, 2>> at_node;  // stiffness and damping over mass
+  for (const AnyLoad& any : loads) {
+    if (!is_spring(any)) continue;
+    const auto& spring = std::get<Spring>(any);
+    for (const Index node : {spring.from, spring.to}) {
+      if (node < 0) continue;
+      at_node[node][0] += spring.stiffness / mass(node);
+      at_node[node][1] += spring.damping / mass(node);
+    }
+  }
+  SpringRates rates;
+  for (std::size_t i = 0; i < loads.size(); ++i) {
+    if (!is_spring(loads[i])) continue;
+    const auto& spring = std::get<Spring>(loads[i]);
+    std::array<double, 2> both = at_node[spring.from];
+    if (spring.to >= 0)
+      for (int s = 0; s < 2; ++s) both[s] += at_node[spring.to][s];
+    if (both[0] > rates.omega_squared || rates.stiffest < 0) rates.stiffest = static_cast<int>(i);
+    rates.omega_squared = std::max(rates.omega_squared, both[0]);
+    rates.damping = std::max(rates.damping, 0.5 * both[1]);
+  }
+  return rates;
+}
+
+double step_with_springs(double step, const SpringRates& rates) {
+  const double s = rates.damping + 1 / step;
+  return 2 / (s + std::sqrt(s * s + rates.omega_squared));
+}
+
+}  // namespace nereid::load

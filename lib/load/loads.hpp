@@ -1,0 +1,129 @@
+#pragma once
+// Loads: forces that come from outside or from springs, as functions of position and time.
+//
+// A load computes forces on its own nodes and books what they do: work by the trapezoid rule over the
+// step that led here, impulse and angular impulse. It knows no time loop. See docs/theory/loads.md.
+
+#include <array>
+#include <functional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "mesh/mesh.hpp"
+
+namespace nereid::load {
+
+/// A number over time [s]; asked for once per load and step.
+using OverTime = std::function<double(double t)>;
+/// A number over the reference positions [m] and time [s].
+using OverSpace = std::function<double(double x, double y, double z, double t)>;
+
+/// Force per mass on a body, f = m a(X, t).
+struct BodyForce {
+  std::string name;
+  Subset nodes;
+  Scalars mass;                             ///< [kg] of the body at each node, [nodes]
+  std::array<OverSpace, 3> acceleration;    ///< [m/s2]
+};
+
+/// Pressure on a surface that follows it: f = -p A n, A n the facet's current area and normal, a third
+/// of it on each node of the facet. Positive pressure presses against the outward normal.
+struct Pressure {
+  std::string name;
+  Subset nodes;      ///< of the surface, ascending
+  Table<3> corners;  ///< [3 x facets] places in `nodes`
+  OverTime pressure; ///< [Pa]
+};
+
+/// A force shared equally among nodes.
+struct NodalForce {
+  std::string name;
+  Subset nodes;
+  std::array<OverTime, 3> force;  ///< [N] on all nodes together
+};
+
+/// A moment shared equally among plate nodes.
+struct NodalMoment {
+  std::string name;
+  Subset nodes;
+  Subset turns;                    ///< [nodes] columns of their angular velocities
+  std::array<OverTime, 3> moment;  ///< [N m] on all nodes together
+};
+
+/// A spring with a dashpot along the line between two nodes, or between a node and a fixed point.
+///
+/// Tension k (l - l0) + c dl/dt with the length's rate in the step that led here. To a fixed point
+/// with l0 = 0 the force is -k u - c v, whichever way the node moves.
+struct Spring {
+  std::string name;
+  Index from = -1, to = -1;      ///< nodes; no `to`: the other end is `ground`
+  Vec3 ground = Vec3::Zero();    ///< [m]
+  double stiffness = 0;          ///< [N/m]
+  double damping = 0;            ///< [N s/m]
+  double length = 0;             ///< [m] without force
+};
+
+/// Every load that exists.
+using AnyLoad = std::variant<BodyForce, Pressure, NodalForce, NodalMoment, Spring>;
+
+/// Mass that belongs to no element, shared equally among nodes.
+struct PointMass {
+  std::string name;
+  Subset nodes;
+  double mass = 0;  ///< [kg] of all nodes together
+};
+
+/// What a load remembers.
+struct LoadMemory {
+  Vectors force;   ///< [N] now, [3 x nodes of the load]; of a spring at its two ends
+  Vectors moment;  ///< [N m] now, [3 x nodes of the load]; of a NodalMoment only
+  double work = 0;                      ///< [J] done on the nodes
+  double stored = 0, dissipated = 0;    ///< [J] of a spring: 1/2 k (l - l0)^2 now; by its dashpot so far
+  Vec3 impulse = Vec3::Zero();          ///< [N s] given to the nodes
+  Vec3 angular_impulse = Vec3::Zero();  ///< [N m s] about the origin
+};
+
+/// Builders; the nodes of a pressure are those of its surface.
+Pressure pressure_on(const std::string& name, const mesh::Surface&, OverTime);
+/// Without a length the spring starts without force. Throws InternalError for a node that is not in X.
+Spring spring_between(const std::string& name, const Vectors& X, Index from, Index to, double stiffness, double damping,
+                      const double* length = nullptr);
+Spring spring_to_point(const std::string& name, const Vectors& X, Index from, const Vec3& ground, double stiffness,
+                       double damping, const double* length = nullptr);
+
+const std::string& name(const AnyLoad&);
+/// "body_force", "pressure", "force", "moment" or "spring".
+const char* kind(const AnyLoad&);
+bool is_spring(const AnyLoad&);
+LoadMemory initial_memory(const AnyLoad&);
+
+/// Forces at x and t; work and impulses are posted by the trapezoid rule over the step v dt, w dt that
+/// led to x, half with the forces found in the memory.
+///
+/// X reference positions, x [m];  v [m/s], w [rad/s] of the step;  t [s] now;  dt [s], zero at the start
+void advance(const AnyLoad&, const Vectors& X, const Vectors& x, const Vectors& v, const Vectors& w, double t, double dt,
+             LoadMemory&);
+void add_forces(const AnyLoad&, const LoadMemory&, Vectors& force, Vectors& moment);
+
+/// The sum of the load's forces on the nodes. [N]
+Vec3 resultant(const LoadMemory&);
+/// The sum of the load's moments on the nodes, without those of its forces. [N m]
+Vec3 resultant_moment(const LoadMemory&);
+
+/// How hard springs pull on the masses of their nodes: bounds over all springs together.
+struct SpringRates {
+  double omega_squared = 0;  ///< [1/s2] of K relative to M: largest of K1/m1 + K2/m2
+  double damping = 0;        ///< [1/s] of C relative to 2 M: largest of (C1/m1 + C2/m2)/2
+  int stiffest = -1;         ///< place among the loads, or -1
+};
+
+/// K1, K2 (C1, C2) are sums over all springs (dashpots) at the two nodes of a spring.
+SpringRates spring_rates(const std::vector<AnyLoad>&, const Scalars& mass);
+
+/// The step y at which elements with the bound `step` and springs are stable together,
+///
+///     y/step + y damping + y^2 omega^2/4 = 1.
+double step_with_springs(double step, const SpringRates&);
+
+}  // namespace nereid::load

@@ -1,0 +1,84 @@
+#include "mesh/skin.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+
+#include "mesh/facets.hpp"
+
+namespace nereid::mesh {
+namespace {
+
+/// Corners of each face of a hexahedron, counter-clockwise seen from outside.
+constexpr int face_corners[6][4] = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+
+/// A face with its different corners in order, and in ascending order to find it again.
+struct Face {
+  std::array<Index, 4> corner{-1, -1, -1, -1}, key{-1, -1, -1, -1};
+  int corners = 0;
+};
+
+Face face(const Table<8>& nodes, Index element, const int (&at)[4]) {
+  Face found;
+  for (const int a : at) {
+    const Index node = nodes(a, element);
+    if (std::count(found.corner.begin(), found.corner.end(), node) == 0) found.corner[found.corners++] = node;
+  }
+  found.key = found.corner;
+  std::sort(found.key.begin(), found.key.end());
+  return found;
+}
+
+}  // namespace
+
+Scalars volumes(const Mesh& mesh, const Hexahedra& region) {
+  Scalars all(region.nodes.cols());
+  for (Index e = 0; e < all.size(); ++e) {
+    const Vec3 origin = mesh.X.col(region.nodes(0, e));  // differences keep their digits far from the origin
+    double sum = 0;
+    for (const auto& at : face_corners) {
+      Vec3 x[4];
+      for (int a = 0; a < 4; ++a) x[a] = mesh.X.col(region.nodes(at[a], e)) - origin;
+      // both ways to cut a bilinear patch, and their mean: six times the volume under it, exactly
+      for (const auto& [a, b, c] : {std::array{0, 1, 2}, {0, 2, 3}, {0, 1, 3}, {1, 2, 3}}) sum += x[a].dot(x[b].cross(x[c])) / 2;
+    }
+    all(e) = sum / 6;
+  }
+  return all;
+}
+
+Skin skin(const std::vector<Hexahedra>& regions) {
+  std::vector<Face> faces;
+  for (const Hexahedra& region : regions)
+    for (Index e = 0; e < region.nodes.cols(); ++e)
+      for (const auto& at : face_corners) {
+        const Face one = face(region.nodes, e, at);
+        if (one.corners > 2) faces.push_back(one);
+      }
+  std::vector<std::size_t> order(faces.size());
+  for (std::size_t f = 0; f < order.size(); ++f) order[f] = f;
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return faces[a].key < faces[b].key; });
+  std::vector<char> outer(faces.size(), 0);
+  Skin result;
+  for (std::size_t begin = 0; begin < order.size();) {
+    std::size_t end = begin + 1;
+    while (end < order.size() && faces[order[end]].key == faces[order[begin]].key) ++end;
+    if (end - begin == 1) outer[order[begin]] = 1;
+    if (end - begin > 2) ++result.crowded;
+    begin = end;
+  }
+  Facets facets;
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    if (!outer[f]) continue;
+    const auto& c = faces[f].corner;
+    const auto lowest = std::min_element(c.begin(), c.begin() + faces[f].corners) - c.begin();
+    if (faces[f].corners == 3)
+      facets.add(c[0], c[1], c[2]);
+    else
+      facets.add(c, lowest % 2 == 0 ? Cut::first_to_third : Cut::second_to_fourth);
+  }
+  result.facets = facets.table();
+  return result;
+}
+
+}  // namespace nereid::mesh

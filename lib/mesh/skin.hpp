@@ -1,0 +1,22 @@
+#pragma once
+// What can be said of hexahedra from wherever they come: their volumes and their outer faces.
+
+#include "mesh/mesh.hpp"
+
+namespace nereid::mesh {
+
+/// Volume of each hexahedron, exact for every trilinear shape, negative if it is turned inside out. [m3] [elements]
+///
+///     V = sum over the faces of the flux of x/3 through the bilinear patch of each
+Scalars volumes(const Mesh&, const Hexahedra&);
+
+/// Outer faces: those that one hexahedron of all regions has and no other.
+struct Skin {
+  Table<3> facets;      ///< each quadrilateral cut through its corner with the lowest number, normals outwards
+  std::int64_t crowded = 0;  ///< faces that more than two hexahedra have; they are not in the skin
+};
+
+/// Finds the skin of hexahedra, in their order. Faces with two corners in one are triangles, those with less nothing.
+Skin skin(const std::vector<Hexahedra>&);
+
+}  // namespace nereid::mesh

@@ -1,0 +1,267 @@
+#include "grid/file_mesh.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "mesh/box.hpp"
+#include "mesh/cylinder.hpp"
+#include "mesh/skin.hpp"
+#include "mesh/wedge.hpp"
+
+namespace nereid::grid {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path fresh_folder(const std::string& name) {
+  const fs::path folder = fs::path(testing::TempDir()) / ("nereid_file_mesh_" + name);
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  return folder;
+}
+
+void add_cell(Contents& file, int kind, const std::vector<Index>& nodes) {
+  if (file.begin.empty()) file.begin.push_back(0);
+  file.kind.push_back(kind);
+  file.nodes.insert(file.nodes.end(), nodes.begin(), nodes.end());
+  file.begin.push_back(static_cast<std::int64_t>(file.nodes.size()));
+}
+
+/// The contents of a file that holds the regions of a mesh.
+Contents contents_of(const mesh::Mesh& mesh) {
+  Contents file;
+  file.points = mesh.X;
+  for (const auto& region : mesh.hexahedra)
+    for (const auto& nodes : region.nodes.colwise()) add_cell(file, 12, {nodes.begin(), nodes.end()});
+  for (const auto& region : mesh.triangles)
+    for (const auto& nodes : region.nodes.colwise()) add_cell(file, 5, {nodes.begin(), nodes.end()});
+  return file;
+}
+
+mesh::Mesh brick() { return mesh::box("a", {Vec3::Zero(), Vec3(2, 2, 2), {2, 2, 2}}); }
+
+Field set_of(const std::string& name, const Subset& nodes, Eigen::Index points) {
+  Field field{name, "", {}, Eigen::MatrixXd::Zero(1, points), true};
+  for (const Index node : nodes) field.values(0, node) = 1;
+  return field;
+}
+
+std::string only_fault(const FileMesh& read) {
+  EXPECT_EQ(read.faults.size(), 1U);
+  EXPECT_EQ(read.mesh.X.cols(), 0);
+  return read.faults.empty() ? "" : read.faults[0];
+}
+
+TEST(FileMesh, TakesHexahedraWithTheirSkin) {
+  const mesh::Mesh expected = brick();
+  const FileMesh read = file_mesh("b", contents_of(expected));
+  ASSERT_TRUE(read.faults.empty());
+  EXPECT_EQ(read.mesh.X, expected.X);
+  EXPECT_EQ(mesh::hexahedra(read.mesh, "b").nodes, expected.hexahedra[0].nodes);
+  EXPECT_EQ(mesh::surface(read.mesh, "b.skin").facets.cols(), 6 * 4 * 2);
+  EXPECT_EQ(mesh::node_set(read.mesh, "b.skin").size(), 26U);
+  EXPECT_EQ(mesh::node_set(read.mesh, "b").size(), 27U);
+  EXPECT_NEAR(mesh::facet_areas(read.mesh, mesh::surface(read.mesh, "b.skin")).sum(), 24, 1e-13);  // round-off
+}
+
+TEST(FileMesh, TakesWedgesThatAreHexahedraWithSharedNodes) {
+  const mesh::Mesh sector = mesh::wedge("a", {0.3, 0.5, 0.2, 1, 3, 2});
+  const FileMesh read = file_mesh("b", contents_of(sector));
+  ASSERT_TRUE(read.faults.empty());
+  EXPECT_EQ(mesh::hexahedra(read.mesh, "b").nodes, sector.hexahedra[0].nodes);
+}
+
+TEST(FileMesh, CutsAQuadrilateralFromItsFirstCornerToItsThird) {
+  Contents file;
+  file.points.resize(3, 4);
+  file.points << 0, 1, 1, 0, 0, 0, 1, 1, 0, 0, 0, 0;
+  add_cell(file, 9, {0, 1, 2, 3});
+  const FileMesh read = file_mesh("b", file);
+  ASSERT_TRUE(read.faults.empty());
+  Table<3> expected(3, 2);
+  expected << 0, 2, 1, 3, 2, 0;
+  EXPECT_EQ(mesh::triangles(read.mesh, "b").nodes, expected);
+  EXPECT_EQ(mesh::surface(read.mesh, "b.top").facets, expected);
+  EXPECT_EQ(mesh::surface(read.mesh, "b.bottom").facets.row(0), expected.row(1));
+}
+
+TEST(FileMesh, MakesARegionOfEachNumberAndOneOfEachKindWithoutNumbers) {
+  mesh::Mesh both = mesh::join(brick(), mesh::tube("t", {1, 1, mesh::Turn::quarter, 2, 2}));
+  Contents file = contents_of(both);
+  const FileMesh plain = file_mesh("b", file);
+  ASSERT_TRUE(plain.faults.empty());
+  EXPECT_EQ(mesh::hexahedra(plain.mesh, "b.hexahedra").nodes.cols(), 8);
+  EXPECT_EQ(mesh::triangles(plain.mesh, "b.triangles").nodes.cols(), 16);
+
+  Field region{"part", "", {}, Eigen::MatrixXd::Zero(1, 24), false};
+  region.values.rightCols(16).setConstant(7);
+  region.values(0, 0) = 3;
+  file.cell_fields = {region};
+  const FileMesh read = file_mesh("b", file, "part");
+  ASSERT_TRUE(read.faults.empty());
+  EXPECT_EQ(mesh::hexahedra(read.mesh, "b.region_0").nodes.cols(), 7);
+  EXPECT_EQ(mesh::hexahedra(read.mesh, "b.region_3").nodes.cols(), 1);
+  EXPECT_EQ(mesh::triangles(read.mesh, "b.region_7").nodes.cols(), 16);
+  EXPECT_EQ(mesh::surface(read.mesh, "b.skin").facets.cols(), 48);  // regions that share nodes have no skin between them
+
+  file.cell_fields[0].values(0, 20) = 3;
+  EXPECT_EQ(only_fault(file_mesh("b", file, "part")), "its region 3 holds solids and plates; give them different numbers");
+  file.cell_fields[0].values(0, 20) = 3.5;
+  EXPECT_EQ(only_fault(file_mesh("b", file, "part")), "its cell array 'part' does not hold one whole number a cell");
+}
+
+TEST(FileMesh, NamesNodeSetsAndTheirPartOfTheSkin) {
+  const mesh::Mesh expected = brick();
+  Contents file = contents_of(expected);
+  file.point_fields = {set_of("low", mesh::node_set(expected, "a.z_low"), 27), set_of("tip", {26}, 27), set_of("none", {}, 27)};
+  file.point_fields.push_back({"node_id", "", {}, Eigen::VectorXd::LinSpaced(27, 0, 26).transpose(), true});
+  file.point_fields.push_back({"temperature", "", {}, Eigen::MatrixXd::Ones(1, 27), false});
+  file.point_fields.push_back(set_of("vtkGhostType", {1}, 27));
+  const FileMesh read = file_mesh("b", file);
+  ASSERT_TRUE(read.faults.empty());
+  EXPECT_EQ(mesh::node_set(read.mesh, "b.low"), mesh::node_set(expected, "a.z_low"));
+  EXPECT_EQ(mesh::surface(read.mesh, "b.low").facets.cols(), 8);
+  EXPECT_NEAR(mesh::facet_areas(read.mesh, mesh::surface(read.mesh, "b.low")).sum(), 4, 1e-14);
+  EXPECT_EQ(mesh::node_set(read.mesh, "b.tip"), Subset{26});
+  EXPECT_EQ(read.mesh.node_sets.size(), 4U);  // all, skin, low, tip
+  EXPECT_EQ(read.mesh.surfaces.size(), 2U);   // skin, low
+  file.point_fields[0].name = "skin";
+  const FileMesh twice = file_mesh("b", file);
+  ASSERT_EQ(twice.faults.size(), 2U);
+  EXPECT_NE(twice.faults[0].find("two node sets called '.skin'"), std::string::npos);
+  EXPECT_NE(twice.faults[1].find("two surfaces called '.skin'"), std::string::npos);
+}
+
+TEST(FileMesh, DropsPointsOfNoCellAndKeepsTheOrderOfTheOthers) {
+  const mesh::Mesh expected = brick();
+  Contents file = contents_of(expected);
+  Vectors points(3, 29);
+  points << Vec3(9, 9, 9), expected.X.leftCols(13), Vec3(8, 8, 8), expected.X.rightCols(14);
+  file.points = points;
+  for (Index& node : file.nodes) node += node < 13 ? 1 : 2;
+  file.point_fields = {set_of("tip", {0, 28}, 29), set_of("lonely", {0}, 29)};
+  const FileMesh read = file_mesh("b", file);
+  ASSERT_TRUE(read.faults.empty());
+  EXPECT_EQ(read.mesh.X, expected.X);
+  EXPECT_EQ(mesh::hexahedra(read.mesh, "b").nodes, expected.hexahedra[0].nodes);
+  EXPECT_EQ(mesh::node_set(read.mesh, "b.tip"), Subset{26});
+  EXPECT_EQ(read.mesh.node_sets.size(), 3U);
+}
+
+TEST(FileMesh, RefusesOtherCellsByNameAndNumberAndTellsAllFaultsAtOnce) {
+  Contents file = contents_of(brick());
+  for (int i = 0; i < 12; ++i) add_cell(file, 10, {0, 1, 2, 9});
+  for (int i = 0; i < 3; ++i) add_cell(file, 13, {0, 1, 2, 9, 10, 11});
+  add_cell(file, 99, {0});
+  EXPECT_EQ(only_fault(file_mesh("b", file)),
+            "it has 12 tetrahedra, 3 wedges and 1 cells of VTK's kind 99; expected hexahedra, triangles and quadrilaterals");
+  std::swap(file.nodes[8], file.nodes[9]);  // twists the second hexahedron
+  for (const int e : {3, 4})
+    for (int a = 0; a < 4; ++a) std::swap(file.nodes[8 * e + a], file.nodes[8 * e + a + 4]);
+  add_cell(file, 5, {0, 1, 2});  // in line
+  add_cell(file, 12, {0, 1, 2});
+  const FileMesh read = file_mesh("b", file);
+  ASSERT_EQ(read.faults.size(), 4U);
+  EXPECT_NE(read.faults[0].find("1 of its cells have another number of points than their kind: cells 25"), std::string::npos);
+  EXPECT_NE(read.faults[2].find("2 of its hexahedra have no positive volume"), std::string::npos) << read.faults[2];
+  EXPECT_NE(read.faults[2].find("cells 3, 4"), std::string::npos) << read.faults[2];
+  EXPECT_NE(read.faults[3].find("1 of its triangles have no area: cells 24"), std::string::npos) << read.faults[3];
+  EXPECT_EQ(only_fault(file_mesh("b", {})), "it has no cells");
+}
+
+// ------------------------------------------------------------------------------------------------
+// Files
+
+class Vtu : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!vtk_available()) GTEST_SKIP() << "built without VTK";
+  }
+};
+
+TEST_F(Vtu, ReadsWhatWasWrittenBitForBit) {
+  const mesh::Mesh both = mesh::join(mesh::cylinder("a", {0.3, 0.7, mesh::Turn::quarter, 2, 2, 3}),
+                                     mesh::wedge_tube("t", {0.4, 0.7, 0.3, 2, 3}));
+  const Eigen::Index solids = both.hexahedra[0].nodes.cols(), all = solids + both.triangles[0].nodes.cols();
+  Grid grid;
+  grid.reference = both.X;
+  grid.displacement = Vectors::Constant(3, both.X.cols(), 0.1);
+  grid.cells = {{CellKind::hexahedron, both.hexahedra[0].nodes}, {CellKind::triangle, both.triangles[0].nodes}};
+  grid.point_fields = {set_of("axis_plane", mesh::node_set(both, "a.x_plane"), both.X.cols())};
+  Field region{"region", "1", {}, Eigen::MatrixXd::Ones(1, all), true};
+  region.values.leftCols(solids).setConstant(4);
+  grid.cell_fields = {region};
+  const fs::path folder = fresh_folder("round_trip");
+  Collection(folder, "body", GridKind::volume).add(grid);
+
+  std::string fault;
+  const FileMesh read = file_mesh("b", read_vtu(folder / "body/body_000000.vtu", fault));
+  EXPECT_EQ(fault, "");
+  ASSERT_TRUE(read.faults.empty()) << read.faults[0];
+  EXPECT_EQ(read.mesh.X, both.X);
+  EXPECT_EQ(mesh::hexahedra(read.mesh, "b.region_4").nodes, both.hexahedra[0].nodes);
+  EXPECT_EQ(mesh::triangles(read.mesh, "b.region_1").nodes, both.triangles[0].nodes);
+  EXPECT_EQ(mesh::node_set(read.mesh, "b.axis_plane"), mesh::node_set(both, "a.x_plane"));
+  const double plane = mesh::facet_areas(read.mesh, mesh::surface(read.mesh, "b.axis_plane")).sum();
+  EXPECT_NEAR(plane, 0.3 * 0.7, 1e-15);  // of the quarter's plane, a rectangle
+}
+
+TEST_F(Vtu, ReadsAFileWrittenByHand) {
+  const fs::path file = fresh_folder("by_hand") / "one.vtu";
+  std::ofstream(file) << R"(<?xml version="1.0"?>
+<VTKFile type="UnstructuredGrid" version="0.1" byte_order="LittleEndian"><UnstructuredGrid>
+<Piece NumberOfPoints="5" NumberOfCells="2">
+<PointData><DataArray type="UInt8" Name="tip" format="ascii">0 0 1 0 0</DataArray>
+<DataArray type="String" Name="words" format="ascii">65 0 66 0 67 0 68 0 69 0</DataArray></PointData>
+<CellData><DataArray type="Int64" Name="region" format="ascii">1 2</DataArray></CellData>
+<Points><DataArray type="Float32" NumberOfComponents="3" format="ascii">0 0 0 1 0 0 1 1 0 0 1 0 2 0.5 0</DataArray></Points>
+<Cells><DataArray type="Int32" Name="connectivity" format="ascii">0 1 2 3 1 4 2</DataArray>
+<DataArray type="Int32" Name="offsets" format="ascii">4 7</DataArray>
+<DataArray type="UInt8" Name="types" format="ascii">9 5</DataArray></Cells>
+</Piece></UnstructuredGrid></VTKFile>)";
+  std::string fault;
+  const FileMesh read = file_mesh("b", read_vtu(file, fault));
+  EXPECT_EQ(fault, "");
+  ASSERT_TRUE(read.faults.empty()) << read.faults[0];
+  EXPECT_EQ(mesh::triangles(read.mesh, "b.region_1").nodes.cols(), 2);
+  EXPECT_EQ(mesh::triangles(read.mesh, "b.region_2").nodes.cols(), 1);
+  EXPECT_EQ(mesh::node_set(read.mesh, "b.tip"), Subset{2});
+  EXPECT_EQ(read.mesh.X(0, 4), 2);
+}
+
+TEST_F(Vtu, SaysWhyAFileCannotBeReadAndSaysItOnce) {
+  const fs::path folder = fresh_folder("bad");
+  const auto fault_of = [&](const std::string& name, const std::string& text) {
+    if (!text.empty()) std::ofstream(folder / name) << text;
+    std::string fault;
+    testing::internal::CaptureStderr();
+    const Contents contents = read_vtu(folder / name, fault);
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << name;
+    EXPECT_EQ(contents.points.cols(), 0);
+    return fault;
+  };
+  EXPECT_EQ(fault_of("missing.vtu", ""), "there is no such file");
+  EXPECT_EQ(fault_of("words.vtu", "not a mesh"), "it is no .vtu file");
+  EXPECT_EQ(fault_of("surface.vtu", "<VTKFile type=\"PolyData\" version=\"0.1\"><PolyData/></VTKFile>"), "it is no .vtu file");
+  const std::string head = "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\"><UnstructuredGrid>"
+                           "<Piece NumberOfPoints=\"5\" NumberOfCells=\"1\">";
+  EXPECT_NE(fault_of("cut_short.vtu", head), "");
+  EXPECT_NE(fault_of("no_points.vtu", head + "</Piece></UnstructuredGrid></VTKFile>"), "");
+  EXPECT_NE(fault_of("far_node.vtu",
+                     head + "<Points><DataArray type=\"Float32\" NumberOfComponents=\"3\" format=\"ascii\">0 0 0 1 0 0 1 1 0 0 1 0 2 0 0</DataArray></Points>"
+                     "<Cells><DataArray type=\"Int32\" Name=\"connectivity\" format=\"ascii\">0 1 77</DataArray>"
+                     "<DataArray type=\"Int32\" Name=\"offsets\" format=\"ascii\">3</DataArray>"
+                     "<DataArray type=\"UInt8\" Name=\"types\" format=\"ascii\">5</DataArray></Cells></Piece></UnstructuredGrid></VTKFile>"), "");
+}
+
+TEST(WithoutVtk, AFileIsAFaultThatNamesTheSwitch) {
+  if (vtk_available()) GTEST_SKIP() << "built with VTK";
+  std::string fault;
+  read_vtu("any.vtu", fault);
+  EXPECT_NE(fault.find("NEREID_WITH_VTK=OFF"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace nereid::grid
