@@ -77,9 +77,10 @@ function(nereid_module name)
   add_library(nereid::${name} ALIAS nereid_${name})
 endfunction()
 
-# One program per question, drivers/<name>.cpp; what they share stands in drivers/driver.cpp.
+# One program per question, drivers/<name>.cpp; what they share stands in drivers/driver.cpp and probes.cpp.
 function(nereid_drivers)
-  add_library(nereid_driver STATIC ${PROJECT_SOURCE_DIR}/drivers/driver.cpp)
+  add_library(nereid_driver STATIC ${PROJECT_SOURCE_DIR}/drivers/driver.cpp
+              ${PROJECT_SOURCE_DIR}/drivers/probes.cpp)
   target_link_libraries(nereid_driver PUBLIC nereid::input nereid::output PRIVATE CLI11::CLI11)
   foreach(name ${ARGN})
     add_executable(${name} ${PROJECT_SOURCE_DIR}/drivers/${name}.cpp)

@@ -209,7 +209,7 @@ int run_case(const std::string& name, const CommandLine& line, const Build& buil
   std::vector<dynamics::Observer> observers = scene.watchers;
   observers.emplace_back([&recorder](const dynamics::View& view) { recorder(view); });
   const dynamics::Outcome outcome =
-      dynamics::run(scene.model, scene.state, scene.forces, scene.time, scene.recording.history, observers);
+      dynamics::run(scene.model, scene.state, scene.forces, scene.time, scene.recording.history, observers, scene.until);
   const dynamics::Votes votes;
   recorder.finish({scene.model, scene.state, scene.forces, votes, true});
 

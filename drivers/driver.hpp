@@ -31,6 +31,7 @@ struct Scene {
   std::vector<Probe> probes;                           ///< sampled
   std::vector<dynamics::Observer> watchers;            ///< called at every step
   std::function<std::vector<output::Result>()> results;  ///< asked after the run
+  dynamics::Until until = {};                          ///< asked at every sample why to stop; may be empty
 };
 
 /// Adds what follows from the model once all blocks, constraints and interfaces are there.

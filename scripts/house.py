@@ -51,6 +51,8 @@ NEEDS_NO_TEST = {
     "lib/base/check.hpp": "two exception types and one line, used by every test of a fault",
     "lib/base/field.hpp": "data only",
     "lib/base/resolved.hpp": "data only",
+    "lib/element/kernels.hpp": "tested through block.hpp, whose functions it stands behind",
+    "lib/element/kernels_body.hpp": "the same",
     "lib/element/report.hpp": "data only",
     "lib/mesh/facets.hpp": "tested through the generators that use it",
     "lib/mesh/turn.hpp": "tested through cylinder, tube and sphere",

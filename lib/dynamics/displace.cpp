@@ -13,6 +13,9 @@ namespace {
 /// [s] of the whole path: so slow that viscosity has no part in it, whatever the material.
 constexpr double duration = 1e9;
 
+/// Half the curl of a velocity field with gradient L.
+Vec3 half_curl(const Mat3& L) { return 0.5 * Vec3(L(2, 1) - L(1, 2), L(0, 2) - L(2, 0), L(1, 0) - L(0, 1)); }
+
 /// Normals of the plates at their nodes in the reference, weighted by area. [3 x plate nodes]
 Vectors normals(const Model& model) {
   Vectors normal = Vectors::Zero(3, model.inertia.size());
@@ -37,14 +40,17 @@ element::Vote displace(const Model& model, State& now, Forces& f, const Vectors&
   const Vectors v = u / duration, normal = normals(model);
   Vectors w = Vectors::Zero(3, now.w.cols());
   element::Vote smallest;
-  const auto material_normal = [&](Index turn, int step) {
-    const Mat3 F = Mat3::Identity() + (static_cast<double>(step) / steps) * gradient[turn];
-    return Vec3((F.inverse().transpose() * normal.col(turn)).normalized());
+  const auto deformation = [&](Index turn, double step) { return Mat3(Mat3::Identity() + step / steps * gradient[turn]); };
+  const auto material_normal = [&](Index turn, double step) {
+    return Vec3((deformation(turn, step).inverse().transpose() * normal.col(turn)).normalized());
   };
   for (int s = 0; s < steps; ++s) {
     for (Index turn = 0; turn < now.w.cols(); ++turn) {
       const Vec3 before = material_normal(turn, s), after = material_normal(turn, s + 1);
-      w.col(turn) = 2 / dt / (1 + before.dot(after)) * before.cross(after);  // Cayley's vector of the turn
+      const Vec3 between = material_normal(turn, s + 0.5);
+      const Mat3 L = gradient[turn] / duration * deformation(turn, s + 0.5).inverse();
+      // Cayley's vector of the normal's turn; about the normal, which differs from that of the facets, the material's
+      w.col(turn) = 2 / dt / (1 + before.dot(after)) * before.cross(after) + half_curl(L).dot(between) * between;
       const Index place = now.constraints.held_of_node[model.node_of_turn[turn]];
       if (place >= 0) w.col(turn) = now.constraints.held[place].allowed_turn * w.col(turn);
     }
@@ -65,8 +71,7 @@ Vectors turns_of(const Model& model, const std::vector<Mat3>& gradient) {
   for (Eigen::Index turn = 0; turn < w.cols(); ++turn) {
     const Vec3 n = normal.col(turn).normalized();
     const Mat3& L = gradient[static_cast<std::size_t>(turn)];
-    const Vec3 half_curl = 0.5 * Vec3(L(2, 1) - L(1, 2), L(0, 2) - L(2, 0), L(1, 0) - L(0, 1));
-    w.col(turn) = half_curl.dot(n) * n - n.cross(L.transpose() * n);
+    w.col(turn) = half_curl(L).dot(n) * n - n.cross(L.transpose() * n);
   }
   return w;
 }

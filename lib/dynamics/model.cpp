@@ -125,7 +125,8 @@ Forces make_forces(const Model& model, std::vector<contact::Workspace> interface
   forces.partial.reserve(static_cast<std::size_t>(model.mesh.X.cols()));
   forces.springs = load::spring_rates(model.loads, model.mass);
   if (model.relaxation) {
-    forces.before = {model.mesh.X, forces.moment, forces.force, forces.moment, forces.force, forces.moment};
+    forces.before = {.x = model.mesh.X, .turned = forces.moment, .force = forces.force, .moment = forces.moment,
+                     .w = forces.moment, .source_force = forces.force, .source_moment = forces.moment};
   }
   return forces;
 }

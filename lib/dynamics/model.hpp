@@ -59,8 +59,9 @@ struct RelaxationMemory {
   Vec3 impulse = Vec3::Zero();          ///< [N s] given to the nodes
   Vec3 angular_impulse = Vec3::Zero();  ///< [N m s] about the origin
   double residual = 1;                  ///< [-] unbalanced over all forces, at the last sample
-  double most_force = 0, most_kinetic = 0;  ///< largest of all samples: [N/kg^(1/2)], [J]
+  double most_force = 0, most_kinetic = 0;  ///< largest so far: [N/kg^(1/2)], [J]
   int balanced = 0;                     ///< samples in a row
+  double since = 0;                     ///< [s] when the state was that of Forces::Before
 };
 
 /// Where the simulation stands: exactly what a restart needs.
@@ -88,10 +89,11 @@ struct Forces {
   Vectors moment;                                  ///< [N m] on the plate nodes
   std::vector<double> partial;                     ///< sums of node ranges, in order
   load::SpringRates springs;                       ///< of the model: for the vote
-  /// Of the step before: positions, angular velocities, forces and moments; only while a model relaxes.
+  /// Only while a model relaxes: positions, turns since then, forces and moments that resist at an earlier time.
   struct Before {
-    Vectors x, w, force, moment;
-    Vectors source_force, source_moment;           ///< of one source
+    Vectors x, turned, force, moment;
+    Vectors w;                                     ///< [rad/s] at the step before
+    Vectors source_force, source_moment;           ///< of one source, or all that resist
   } before;
 };
 

@@ -20,25 +20,36 @@ Mat3 allowed_turn(const State& now, Index node) {
   return place < 0 || now.constraints.held[place].count == 0 ? Mat3(Mat3::Identity()) : now.constraints.held[place].allowed_turn;
 }
 
-/// Frequency of what moved in the last step. [1/s]
+/// Leaves in `f.before.source_*` the forces that depend on the state: blocks, contact, springs, and nothing that
+/// is given as a function of time.
+void find_resistance(const Model& model, const State& now, Forces& f) {
+  Vectors &force = f.before.source_force, &moment = f.before.source_moment;
+  force.setZero(), moment.setZero();
+  for (std::size_t l = 0; l < model.loads.size(); ++l)
+    if (!load::is_spring(model.loads[l])) load::add_forces(model.loads[l], now.loads[l], force, moment);
+  force = f.force - force;
+  moment = f.moment - moment;
+}
+
+/// Frequency of what has moved since the reference in `f.before`, weighted by its energy. [1/s]
 double frequency(const Model& model, const State& now, const Forces& f) {
-  double stiffness = 0, inertia = 0;
+  double energy = 0, force = 0;
   for (Index n = 0; n < now.x.cols(); ++n) {
-    const Vec3 way = allowed(now, n) * (now.x.col(n) - f.before.x.col(n));
-    stiffness -= way.dot(f.force.col(n) - f.before.force.col(n));
-    inertia += model.mass(n) * way.squaredNorm();
+    const Vec3 change = allowed(now, n) * (f.before.source_force.col(n) - f.before.force.col(n));
+    energy -= change.dot(now.x.col(n) - f.before.x.col(n));
+    force += change.squaredNorm() / model.mass(n);
   }
   for (Index turn = 0; turn < now.w.cols(); ++turn) {
-    const Vec3 way = 0.5 * now.dt * (now.w.col(turn) + f.before.w.col(turn));
-    stiffness -= way.dot(f.moment.col(turn) - f.before.moment.col(turn));
-    inertia += model.inertia(turn) * way.squaredNorm();
+    const Vec3 change = allowed_turn(now, model.node_of_turn[turn]) * (f.before.source_moment.col(turn) - f.before.moment.col(turn));
+    energy -= change.dot(f.before.turned.col(turn));
+    force += change.squaredNorm() / model.inertia(turn);
   }
-  return stiffness > 0 && inertia > 0 ? std::sqrt(stiffness / inertia) : 0;
+  return energy > 0 ? std::sqrt(force / energy) : 0;
 }
 
 /// Scales the velocities that planes leave free and books what is lost.
 ///
-/// returns  the kinetic energy that is left [J]
+/// returns  the kinetic energy that is left, without that of turns [J]
 double damp(const Model& model, double factor, State& now) {
   RelaxationMemory& memory = now.relaxation;
   double left = 0;
@@ -57,7 +68,6 @@ double damp(const Model& model, double factor, State& now) {
     memory.removed -= 0.5 * impulse.dot((1 + factor) * before);
     memory.angular_impulse += impulse;
     now.w.col(turn) = factor * before;
-    left += 0.5 * model.inertia(turn) * factor * factor * before.squaredNorm();
   }
   return left;
 }
@@ -108,10 +118,16 @@ double unbalanced(const Model& model, const State& now, const Forces& f) {
 
 bool relax(const Model& model, State& now, Forces& f) {
   RelaxationMemory& memory = now.relaxation;
-  // the first step has nothing before it
-  const double omega = now.step > 1 ? frequency(model, now, f) : 0;
+  find_resistance(model, now, f);
+  f.before.turned += 0.5 * now.dt * (f.before.w + now.w);
+  const double omega = now.step > 1 ? frequency(model, now, f) : 0;  // the first step has nothing before it
   const double kinetic = damp(model, std::exp(-2 * omega * now.dt), now);
-  f.before.x = now.x, f.before.w = now.w, f.before.force = f.force, f.before.moment = f.moment;
+  f.before.w = now.w;
+  if (omega * (now.t - memory.since) >= 1 || omega == 0) {  // a radian of what moves is enough to know its frequency
+    f.before.x = now.x, f.before.turned.setZero();
+    f.before.force = f.before.source_force, f.before.moment = f.before.source_moment;
+    memory.since = now.t;
+  }
   memory.most_kinetic = std::max(memory.most_kinetic, kinetic);
   if (now.step % steps_per_sample != 0) return false;
   memory.most_force = std::max(memory.most_force, std::sqrt(forces_by_source(model, now, f)));

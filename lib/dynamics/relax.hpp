@@ -2,7 +2,7 @@
 // Dynamic relaxation: a run that is damped until it stands still finds the static equilibrium.
 //
 // Between two steps velocities are scaled by exp(-2 omega dt), critical for a mode of frequency omega,
-// the Rayleigh quotient of what moved in the step before (Underwood 1983). The kinetic energy that this
+// a Rayleigh quotient of what has moved lately (after Underwood 1983). The kinetic energy that this
 // takes is booked. See docs/theory/loads.md.
 
 #include "dynamics/model.hpp"
@@ -11,14 +11,14 @@ namespace nereid::dynamics {
 
 /// Damps the state after a step and samples its balance every tenth step.
 ///
-///     omega^2 = - sum dx . df / sum m dx . dx                 over the step before, plates' turns too
+///     omega^2 = sum df . df / m / (- sum dx . df)             over the last 1/omega, plates' turns too
 ///     residual = |sum of all forces| / |forces by source|,    |f|^2 = sum f.f/m + sum M.M/I
 ///
-/// The sum of all forces is taken in the directions that planes allow; the forces by source are those of each
+/// df leaves out loads that are functions of time. The sum of all forces is taken in the directions that planes allow; the forces by source are those of each
 /// block, of each load and of gravity, the largest sample so far.
 ///
-/// returns  whether the last `samples` samples were balanced and the kinetic energy is below residual
-///          times its largest sample
+/// returns  whether the last `samples` samples were balanced and the kinetic energy of displacements is below
+///          residual times its largest sample
 bool relax(const Model&, State&, Forces&);
 
 }  // namespace nereid::dynamics

@@ -73,6 +73,7 @@ std::int64_t elements(const Model& model) {
 std::string_view word(Ending ending) {
   switch (ending) {
     case Ending::reached_end: return "reached_end";
+    case Ending::stopped_by_condition: return "stopped_by_condition";
     case Ending::inverted_element: return "inverted_element";
     case Ending::not_finite: return "not_finite";
     case Ending::step_too_small: return "step_too_small";
@@ -83,10 +84,12 @@ std::string_view word(Ending ending) {
   return "";
 }
 
-bool good(Ending ending) { return ending == Ending::reached_end || ending == Ending::relaxed; }
+bool good(Ending ending) {
+  return ending == Ending::reached_end || ending == Ending::stopped_by_condition || ending == Ending::relaxed;
+}
 
 Outcome run(const Model& model, State& now, Forces& forces, const Time& time, double settle_every,
-            std::span<const Observer> observers) {
+            std::span<const Observer> observers, const Until& until) {
   Outcome outcome;
   const auto clock = [] { return std::chrono::steady_clock::now(); };
   const auto began = clock();
@@ -95,12 +98,18 @@ Outcome run(const Model& model, State& now, Forces& forces, const Time& time, do
     const View view{model, now, forces, votes, settled};
     for (const Observer& observer : observers) observer(view);
   };
+  const auto enough = [&] {  // as the case has it
+    if (until) outcome.reason = until({model, now, forces, votes, true});
+    if (!outcome.reason.empty()) outcome.ending = Ending::stopped_by_condition;
+    return outcome.ending == Ending::stopped_by_condition;
+  };
   const double first_step = votes.step;
   std::int64_t samples = 0;  // multiples of settle_every that have passed
   bool settled = true;
   outcome.smallest_step = std::numeric_limits<double>::infinity();
   show(settled);
-  while (!stop(votes, first_step, time.end, outcome) && now.t < time.end) {  // also the last step is looked at
+  bool wanted = enough();
+  while (!stop(votes, first_step, time.end, outcome) && !wanted && now.t < time.end) {  // also the last step is looked at
     double dt = std::min(time.safety * votes.element_step, votes.contact_step);
     if (dt < outcome.smallest_step) outcome.smallest_step = dt, outcome.limited_by = votes.by;
     outcome.largest_step = std::max(outcome.largest_step, dt);
@@ -122,6 +131,7 @@ Outcome run(const Model& model, State& now, Forces& forces, const Time& time, do
       outcome.ending = Ending::relaxed;
       break;
     }
+    wanted = settled && enough();
   }
   if (model.relaxation && outcome.ending == Ending::reached_end) {
     outcome.ending = Ending::not_relaxed;

@@ -16,9 +16,12 @@ struct Time {
   double created_limit = 0.05; ///< [-] created energy of any one source over the initial kinetic energy
 };
 
-enum class Ending { reached_end, inverted_element, not_finite, step_too_small, energy_created, relaxed, not_relaxed };
+enum class Ending {
+  reached_end, stopped_by_condition, relaxed,
+  inverted_element, not_finite, step_too_small, energy_created, not_relaxed
+};
 std::string_view word(Ending);
-/// Whether the run did what it was asked for: it reached its end, or its equilibrium.
+/// Whether the run did what it was asked for: it reached its end, a condition of the case or its equilibrium.
 bool good(Ending);
 
 /// How a run ended. A run that stopped early is a value, with its place; the state is the last one.
@@ -44,11 +47,15 @@ struct View {
 /// Looks at the state at the start, after every step, and at the end.
 using Observer = std::function<void(const View&)>;
 
+/// Asked wherever the ledger is settled, after the observers: why the run should stop there, empty to go on.
+using Until = std::function<std::string(const View&)>;
+
 /// Runs from the state as it is (velocities set, not started) to the end, to the static equilibrium of a
 /// model with `relaxation`, or to what stops it.
 ///
 /// The ledger is settled at the start, at the first step past every multiple of `settle_every` [s], and
 /// at the end; View::settled tells observers when.
-Outcome run(const Model&, State&, Forces&, const Time&, double settle_every, std::span<const Observer>);
+Outcome run(const Model&, State&, Forces&, const Time&, double settle_every, std::span<const Observer>,
+            const Until& = {});
 
 }  // namespace nereid::dynamics

@@ -76,6 +76,10 @@ void add_mass(const AnyBlock& any, Scalars& mass) {
   with_kernels(any, [&](const auto& block, auto kernels) { kernels.add_mass(block, mass); });
 }
 
+Scalars element_masses(const AnyBlock& any) {
+  return with_kernels(any, [](const auto& block, auto kernels) { return kernels.element_masses(block); });
+}
+
 void add_rotary_inertia(const AnyBlock& any, Scalars& inertia) {
   with_kernels(any, [&](const auto& block, auto kernels) { kernels.add_rotary_inertia(block, inertia); });
 }

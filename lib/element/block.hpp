@@ -88,6 +88,8 @@ void set_turning(AnyBlock&, const std::vector<Index>& column_of_node);
 
 /// Adds the mass of the block to its nodes. [kg]
 void add_mass(const AnyBlock&, Scalars& mass);
+/// Mass of each element. [kg] [elements]
+Scalars element_masses(const AnyBlock&);
 /// Adds the rotary inertia of a block of plates to its columns of angular velocities. [kg m2]
 void add_rotary_inertia(const AnyBlock&, Scalars& inertia);
 

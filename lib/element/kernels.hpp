@@ -12,6 +12,7 @@ struct Kernels {
   static Block<Kind, Law> make(const mesh::Mesh&, const std::string& name, const Connectivity& nodes, const Law&,
                                const typename Kind::Options&);
   static void add_mass(const Block<Kind, Law>&, Scalars& mass);
+  static Scalars element_masses(const Block<Kind, Law>&);
   static void add_rotary_inertia(const Block<Kind, Law>&, Scalars& inertia);
   static Memory initial_memory(const Block<Kind, Law>&);
   static Vote advance(const Block<Kind, Law>&, const Vectors& x, const Vectors& v, const Vectors& w, double dt, Memory&,

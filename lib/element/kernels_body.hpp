@@ -294,6 +294,15 @@ void Kernels<Kind, Law>::add_mass(const Block<Kind, Law>& block, Scalars& mass) 
 }
 
 template <class Kind, class Law>
+Scalars Kernels<Kind, Law>::element_masses(const Block<Kind, Law>& block) {
+  Scalars mass(block.tiling.elements);
+  each_element(block, [&](std::size_t pack, int lane, const auto& constants) {
+    mass(block.tiling.element[pack * lanes + lane]) = constants.mass;
+  });
+  return mass;
+}
+
+template <class Kind, class Law>
 void Kernels<Kind, Law>::add_rotary_inertia([[maybe_unused]] const Block<Kind, Law>& block,
                                             [[maybe_unused]] Scalars& inertia) {
   if constexpr (std::is_same_v<Kind, Plate>) {

@@ -92,15 +92,25 @@ dynamics::InterfaceOptions read_solid_interface(const Section& section) {
 
 dynamics::InterfaceOptions read_interface(const Section& section) {
   dynamics::InterfaceOptions options = read_solid_interface(section);
+  read_contact_height(section, HeightFrom::initial, options);
+  return options;
+}
+
+HeightFrom read_contact_height(const Section& section, HeightFrom usual, dynamics::InterfaceOptions& options) {
   const Section unilateral = section.when(options.kind == contact::InterfaceKind::contact);
-  const bool initial = unilateral.choice_or("contact_height", "initial", {"initial", "given"}) == "initial";
+  const bool has_thickness = usual == HeightFrom::thickness;
+  std::vector<std::string> words{"initial", "given"};
+  if (has_thickness) words.insert(words.begin(), "thickness");
+  const std::string word = unilateral.choice_or("contact_height", words.front(), words);
+  const bool initial = word == "initial", given = word == "given";
   options.height.from_initial_height = initial;
   options.height.clearance = unilateral.when(initial).quantity_or("clearance", 0, dim::length, not_negative);
-  options.height.given = unilateral.when(!initial).quantity("height", dim::length, not_negative);
+  const double height = unilateral.when(given).quantity("height", dim::length, not_negative);
+  options.height.given = given ? height : 0;
   options.initial_penetration = unilateral.choice_or("initial_penetration", "refuse", {"refuse", "accept"}) == "accept"
                                     ? contact::InitialPenetration::accept
                                     : contact::InitialPenetration::refuse;
-  return options;
+  return initial ? HeightFrom::initial : given ? HeightFrom::given : HeightFrom::thickness;
 }
 
 void refuse_penetration(const Section& section, const dynamics::InterfaceOptions& options, const contact::InitialGaps& gaps) {
@@ -110,7 +120,7 @@ void refuse_penetration(const Section& section, const dynamics::InterfaceOptions
                 "%d of %d apexes start penetrated, by %.4g m at most: %smove the bodies apart, or say "
                 "'initial_penetration: accept'",
                 static_cast<int>(gaps.penetrating), static_cast<int>(gaps.apexes), gaps.deepest,
-                options.height.from_initial_height ? "" : "lower 'height', ");
+                section.has("height") ? "lower 'height', " : "");
   section.fault("initial_penetration", text);
 }
 

@@ -42,6 +42,17 @@ dynamics::InterfaceOptions read_solid_interface(const Section&);
 /// `initial_penetration: refuse | accept`. All optional but `height`.
 dynamics::InterfaceOptions read_interface(const Section&);
 
+/// Where the height comes from at which an interface touches.
+enum class HeightFrom {
+  initial,    ///< where the apexes start, less a clearance
+  given,
+  thickness,  ///< half of that of the plates on each side; the caller knows it
+};
+
+/// `contact_height: initial | given`, `clearance` (with initial), `height` (with given), `initial_penetration:
+/// refuse | accept`, all optional but `height`. Where thickness is the usual one, `thickness` is a word too.
+HeightFrom read_contact_height(const Section&, HeightFrom usual, dynamics::InterfaceOptions&);
+
 /// Refuses a scene whose interface starts penetrated and does not accept it; the fault stands at the
 /// interface's section. Call finish() of the case file afterwards.
 void refuse_penetration(const Section& interface, const dynamics::InterfaceOptions&, const contact::InitialGaps&);

@@ -97,6 +97,13 @@ std::string joined(const std::vector<std::string>& words) {
   return result;
 }
 
+/// As joined, but no more than one still reads.
+std::string listed(const std::vector<std::string>& words) {
+  constexpr std::size_t most = 24;
+  if (words.size() <= most) return joined(words);
+  return joined({words.begin(), words.begin() + most}) + " and " + std::to_string(words.size() - most) + " more";
+}
+
 std::string inside(const std::string& path) {
   return path.empty() ? std::string{} : " in " + quote(path);
 }
@@ -1379,6 +1386,20 @@ void Section::fault(std::string_view key, std::string message, std::string hint)
   } else if (entry == nullptr && node_ != nullptr && use_ == Use::used) {
     document_->findings.push_back({node_->place, std::move(message), std::move(hint)});
   }
+}
+
+void Section::unknown_name(std::string_view key, const std::string& name, const std::string& what,
+                           const std::vector<std::string>& names) const {
+  Entry* entry = ask(key);
+  if (entry == nullptr || entry->faulty) return;
+  const Node* at = entry->value.get();
+  for (const auto& item : entry->value->items) {
+    if (item->text == name) at = item.get();
+  }
+  document_->findings.push_back({place_of(*entry, *at),
+                                 quote(key) + " = " + shown(*at) + " is unknown: " +
+                                     (names.empty() ? "there are no " + what : what + " are " + listed(names)),
+                                 nearest(name, names)});
 }
 
 std::string Section::beside_case(std::string_view path) const {

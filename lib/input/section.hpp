@@ -179,6 +179,11 @@ class Section {
   /// is absent. Ignored if the value of this key is already at fault.
   void fault(std::string_view key, std::string message, std::string hint = "") const;
 
+  /// The word `name` at this key, or in its list, names nothing: the fault says what there is (`what`, in the
+  /// plural, and `names`) and which of it is near. For names of things that are known only after reading.
+  void unknown_name(std::string_view key, const std::string& name, const std::string& what,
+                    const std::vector<std::string>& names) const;
+
   /// No fault has been found in the case so far. Checks that combine values ask this first, so
   /// that one wrong value does not make two faults.
   bool sound() const;

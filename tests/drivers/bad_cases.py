@@ -7,7 +7,7 @@
 To add a case, put it below bad_cases/ and run with --update:
 
     cask_drop/NAME.yaml      a whole small case, run as `cask_drop cask_drop/NAME.yaml --dry-run`
-    two_blocks/NAME.yaml     the same for two_blocks
+    two_blocks/NAME.yaml     the same for two_blocks, and scene/NAME.yaml for scene
     command_line/NAME.args   a whole command line, as one types it within bad_cases/
     .../NAME.expected        what must stand on stderr, and the exit status
 
@@ -22,7 +22,7 @@ import sys
 from pathlib import Path
 
 CASES = Path(__file__).resolve().parent / "bad_cases"
-SOUND = ["command_line/cask_drop.yaml", "command_line/two_blocks.yaml"]  # what .args files make bad
+SOUND = ["command_line/cask_drop.yaml", "command_line/scene.yaml", "command_line/two_blocks.yaml"]  # what .args files make bad
 PATIENCE = 20  # [s] a case that is refused takes some milliseconds
 
 

@@ -15,7 +15,9 @@ import xml.etree.ElementTree as xml
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-CASES = {"cask_drop": "cases/cask_drop/neptune.yaml", "two_blocks": "cases/two_blocks/bars.yaml"}
+CASES = {  # by driver, and the name of a scene behind it
+    "cask_drop": "cases/cask_drop/neptune.yaml", "two_blocks": "cases/two_blocks/bars.yaml",
+    "scene.taylor_bar": "cases/scene/taylor_bar.yaml", "scene.oblique": "cases/scene/oblique.yaml"}
 PATIENCE = 120  # [s] each run takes less than a second
 
 # Small; the finer ones have so many tiles and apexes that every loop is shared among four threads.
@@ -24,7 +26,13 @@ QUARTER = [*CASK, "model.kind=quarter"]
 FINER_CASK = [*CASK, "mesh.level=3", "time.end=0.3 ms", "output.frames_every=0.1 ms"]
 BARS = ["blocks.cells_along=20", "time.end=50 us", "output.frames_every=10 us"]
 THICKER_BARS = [*BARS, "blocks.cells_across=12", "time.end=10 us", "output.frames_every=5 us"]
+TAYLOR = ["time.end=10 us", "output.frames_every=5 us"]
 NO_VISCOSITY = [f"{body}.viscosity.{term}=0" for body in ("element", "cladding") for term in ("linear", "quadratic")]
+
+
+def program(driver):
+    """The program behind a key of CASES."""
+    return driver.split(".")[0]
 
 
 class Run:
@@ -34,7 +42,7 @@ class Run:
 
     def __init__(self, driver, values, out, *flags):
         by_key = dict(value.split("=", 1) for value in values)  # the last one counts
-        words = [Run.drivers / driver, CASES[driver], "--out", out, *flags]
+        words = [Run.drivers / program(driver), CASES[driver], "--out", out, *flags]
         for key, value in by_key.items():
             words += ["--set", f"{key}={value}"]
         done = subprocess.run(words, cwd=ROOT, capture_output=True, text=True, timeout=PATIENCE)
@@ -107,6 +115,13 @@ class SameBits(InATemporaryFolder):
         self.compare("two_blocks", THICKER_BARS)
 
 
+    def test_scene_with_a_wall(self):
+        self.compare("scene.taylor_bar", TAYLOR)
+
+    def test_scene_with_a_contact(self):
+        self.compare("scene.oblique", [])
+
+
 class Stops(InATemporaryFolder):
     """A run that the physics stops: status 3, the place, and everything up to then."""
 
@@ -158,11 +173,11 @@ class Summary(InATemporaryFolder):
 
     KEYS = ["driver", "ending", "results", "ledger", "cost", "provenance", "not_used", "notes"]
 
-    def check_form(self, run, driver, results):
+    def check_form(self, run, driver, results, ending=("reached_end", "")):
         summary = run.summary()
         self.assertEqual([*summary], self.KEYS)
-        self.assertEqual(summary["driver"], driver)
-        self.assertEqual((summary["ending"]["word"], summary["ending"]["reason"]), ("reached_end", ""))
+        self.assertEqual(summary["driver"], program(driver))
+        self.assertEqual((summary["ending"]["word"], summary["ending"]["reason"]), ending)
         self.assertEqual(summary["ending"]["time"]["value"], run.history()["time [s]"][-1])
         for name, unit in results.items():
             self.assertEqual(summary["results"][name]["unit"], unit, name)
@@ -252,6 +267,50 @@ class Summary(InATemporaryFolder):
             "velocity_A": "m/s", "velocity_B": "m/s", "contact_penalty": "Pa/m", "smallest_step": "s"})
         self.assertEqual([*summary["ledger"]["accounts"]], ["A", "B", "contact"])
         self.check_ledger(summary["ledger"])
+
+    def check_extremes(self, run, probes):
+        """Results of probes are those of their columns, at the times that stand there."""
+        history, results = run.history(), run.summary()["results"]
+        times = history["time [s]"]
+        for name, unit in probes.items():
+            column = history[f"{name} [{unit}]"]
+            self.assertEqual(results[f"{name}_last"], {"value": column[-1], "unit": unit})
+            for word, value in (("largest", max(column)), ("smallest", min(column))):
+                self.assertEqual(results[f"{name}_{word}"], {"value": value, "unit": unit}, name)
+                self.assertEqual(results[f"{name}_{word}_at"], {"value": times[column.index(value)], "unit": "s"}, name)
+
+    def test_taylor_bar(self):
+        run = self.run_to_end("scene.taylor_bar", [])
+        speed = run.history()["speed [m/s]"]
+        self.assertGreater(speed[-1], 0)
+        self.assertLessEqual(max(speed[:-1]), 0, "it did not stop at the first sample above")
+        summary = self.check_form(run, "scene.taylor_bar", {"foot_last": "m", "wall_force_largest": "N", "plastic_strain_last": "1"},
+                                  ending=("stopped_by_condition", f"speed is {speed[-1]:.6g} m/s, above 0 m/s"))
+        self.check_extremes(run, {"length": "m", "foot": "m", "wall_force": "N", "speed": "m/s", "plastic_strain": "1",
+                                  "kinetic_energy": "J"})
+        self.assertEqual([*summary["ledger"]["accounts"]], ["bar", "wall", "x_plane", "y_plane"])
+        self.check_ledger(summary["ledger"])
+        # codes end at 21.1 to 21.5 mm (benchmarks of Taylor's bar); this mesh is a coarse one of them
+        self.assertAlmostEqual(summary["results"]["length_last"]["value"], 21.4e-3, delta=0.4e-3)
+        # all that the wall gave is the mean force times the time
+        wall = summary["ledger"]["accounts"]["wall"]["impulse"]["value"][2]
+        history = run.history()
+        times, force = history["time [s]"], history["wall_force [N]"]
+        given = sum(f * (b - a) for f, a, b in zip(force[1:], times, times[1:]))
+        self.assertAlmostEqual(given / wall, 1, delta=1e-12)
+
+    def test_oblique_impact(self):
+        run = self.run_to_end("scene.oblique", [])
+        gap = run.history()["gap [m]"][-1]
+        summary = self.check_form(run, "scene.oblique", {"normal_force_largest": "N", "area_largest": "m^2", "sole_penalty": "Pa/m"},
+                                  ending=("stopped_by_condition", f"gap is {gap:.6g} m, above 0.0002 m"))
+        self.check_extremes(run, {"normal_force": "N", "speed": "m/s", "gap": "m", "area": "m^2", "stress": "Pa"})
+        self.check_ledger(summary["ledger"])
+
+    def test_conditions_are_not_looked_at_before_their_time(self):
+        summary = self.run_to_end("scene.oblique", ["stop[0].above=-1 m", "stop[0].after=30 us"]).summary()
+        self.assertEqual(summary["ending"]["word"], "stopped_by_condition")
+        self.assertTrue(30e-6 <= summary["ending"]["time"]["value"] < 31e-6, summary["ending"])
 
     def test_resolved_case_is_in_si(self):
         resolved = self.run_to_end("cask_drop", CASK).summary()["provenance"]["resolved"]

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
 #include "base/check.hpp"
 #include "contact/bounce.hpp"
 #include "dynamics/step.hpp"
@@ -31,7 +33,8 @@ Model two_boxes(double gap) {
 }
 
 TEST(SurfaceStiffness, OfHexahedraIsTheModulusOverTheirDepth) {
-  const Model model = two_boxes(0.01);
+  Model model = two_boxes(0.01);
+  model.blocks[1] = element::solids(model.mesh, "above", hard, element::FullHexahedron::Options{});
   const auto of = [&](const char* name) {
     return surface_stiffness(model, mesh::surface(model.mesh, name));
   };
@@ -111,7 +114,7 @@ TEST(Connect, SurfacesNeedNotMatch) {
         EXPECT_NEAR(a.cross(b).normalized().z(), up, 1e-14);
       }
     }
-    const Connected joined = connect(model, "joint", "above.z_low", "below.z_high", {});
+    const Connected joined = connect(model, "joint", "above.z_low", "below.z_high", {})[0];
     EXPECT_EQ(joined.gaps.apexes, 16);
     EXPECT_EQ(joined.gaps.without_base, 0);
     EXPECT_NEAR(joined.gaps.least, 0, 1e-15);

@@ -364,5 +364,48 @@ TEST(Observers, SeeTheLedgerOfTheLastStateOfARunThatStopped) {
   EXPECT_TRUE(last);
 }
 
+// --- conditions ----------------------------------------------------------------------------------
+
+TEST(Until, EndsARunAtTheFirstSampleThatSaysWhy) {
+  Scene s = box();
+  s.move("box", {1, 0, 0});
+  const auto moved = [](const View& view) { return view.now.x(0, 0) - view.model.mesh.X(0, 0); };
+  std::vector<double> asked;
+  const Until until = [&](const View& view) -> std::string {
+    asked.push_back(view.now.t);
+    EXPECT_TRUE(view.settled);
+    return moved(view) > 0.045 ? "far enough" : "";
+  };
+  Time time;
+  time.end = 1;
+  const Outcome outcome = run(s.model, s.state, s.forces, time, 1e-2, {}, until);
+  EXPECT_EQ(outcome.ending, Ending::stopped_by_condition);
+  EXPECT_TRUE(good(outcome.ending));
+  EXPECT_EQ(outcome.reason, "far enough");
+  ASSERT_EQ(asked.size(), 6U);  // at 0, 10, ... 50 ms
+  EXPECT_EQ(asked[0], 0);
+  EXPECT_EQ(asked.back(), s.state.t);
+  EXPECT_NEAR(s.state.t, 5e-2, s.state.dt);  // the first step past the sample
+}
+
+TEST(Until, MayEndARunBeforeItsFirstStep) {
+  Scene s = box();
+  Time time;
+  time.end = 1;
+  const Outcome outcome = run(s.model, s.state, s.forces, time, 1e-3, {}, [](const View&) { return "at once"; });
+  EXPECT_EQ(outcome.ending, Ending::stopped_by_condition);
+  EXPECT_EQ(s.state.step, 0);
+}
+
+TEST(Until, LeavesARunAloneThatNeverMeetsIt) {
+  Scene s = box(), alone = box();
+  s.move("box", {1, 0, 0}), alone.move("box", {1, 0, 0});
+  Time time;
+  time.end = 0.01;
+  EXPECT_EQ(run(s.model, s.state, s.forces, time, 1e-3, {}, [](const View&) { return ""; }).ending, Ending::reached_end);
+  run(alone.model, alone.state, alone.forces, time, 1e-3, {});
+  EXPECT_EQ(s.state.x, alone.state.x);
+}
+
 }  // namespace
 }  // namespace nereid::dynamics

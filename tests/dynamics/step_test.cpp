@@ -821,6 +821,307 @@ TEST(RigidPlane, ThrowsABlockBackAndBooksItsEnergy) {
               0, 1e-12);
 }
 
+// --- planes that move ----------------------------------------------------------------------------
+
+TEST(Residual, IsRoundOffWithPlanesThatMoveAtAnyAngle) {
+  for (const bool with_floor : {false, true}) {
+    Scene s = box({3, 2, 2}, rubber, {});
+    const Vec3 a = Vec3(1, 2, 3).normalized(), b = Vec3(-2, 1, 0.5).normalized();
+    load::Plane moving = plane("moving", PlaneKind::held, a, mesh::node_set(s.model.mesh, "box.x_low"));
+    moving.velocity = [](double t) { return 3 * std::cos(200 * t) + 1; };
+    load::Plane second = plane("second", PlaneKind::held, b, mesh::node_set(s.model.mesh, "box.y_low"));
+    second.velocity = [](double t) { return 100 * t; };
+    s.model.constraints.planes = {
+        moving, plane("mirror", PlaneKind::symmetry, Vec3::UnitY(), mesh::node_set(s.model.mesh, "box.z_low")), second,
+        plane("fixed", PlaneKind::fixed, Vec3::UnitY(), {mesh::node_set(s.model.mesh, "box.x_high").back()})};
+    if (with_floor)
+      s.model.constraints.planes.push_back(plane("floor", PlaneKind::floor, Vec3(0.3, 0, 1).normalized(),
+                                                 mesh::node_set(s.model.mesh, "box"), {-0.01, 0, -0.01}));
+    s.model.gravity = {3, -5, -70};
+    finish(s.model);
+    s.ready();
+    add_random_velocities(s.state.v, 1);
+    go(s, 200);
+    expect_closed(s);
+    for (const char* name : {"moving", "second"}) {
+      EXPECT_GT(std::abs(stored(account(s.state, name))), 0.1 * s.state.ledger.initial_kinetic) << name;
+      EXPECT_NEAR(created(account(s.state, name)), 0, 1e-12 * s.state.ledger.initial_kinetic) << name;
+    }
+    if (with_floor) {
+      EXPECT_GT(dissipated(account(s.state, "floor")), 0);
+    }
+    EXPECT_EQ(s.state.v.col(mesh::node_set(s.model.mesh, "box.x_high").back()).norm(), 0);
+  }
+}
+
+TEST(MovingPlane, NodesGoWhereTheMidpointRuleTakesItsVelocity) {
+  Scene s = box({2, 2, 2}, rubber, inviscid);
+  const Vec3 normal = Vec3(1, 2, 2) / 3;
+  load::Plane driver = plane("driver", PlaneKind::held, normal, all_nodes(s.model.mesh));
+  const auto speed = [](double t) { return std::sin(300 * t) + 2; };
+  driver.velocity = speed;
+  s.model.constraints.planes = {driver};
+  finish(s.model);
+  s.ready();
+  Votes votes = start(s.model, s.state, s.forces);
+  EXPECT_NEAR(account(s.state, "driver").work, 0.5 * s.model.mass.sum() * 4, 1e-12);  // a start from rest in no time
+  double way = 0;
+  for (int i = 0; i < 200; ++i) {
+    const double dt = 0.9 * votes.step, t = s.state.t;
+    way += dt * speed(t + dt / 2);
+    votes = step(s.model, dt, s.state, s.forces);
+  }
+  settle(s.model, s.state);
+  const double end = s.state.t, exact = (1 - std::cos(300 * end)) / 300 + 2 * end, v = speed(end);
+  for (Index n = 0; n < s.state.x.cols(); ++n)
+    EXPECT_NEAR((s.state.x.col(n) - s.model.mesh.X.col(n) - way * normal).norm(), 0, 1e-13);
+  EXPECT_NEAR(way / exact, 1, 1e-3);  // second order in a step of a twentieth of the period
+  const Account& a = account(s.state, "driver");
+  const double mass = s.model.mass.sum();
+  EXPECT_NEAR(a.work / (0.5 * mass * v * v), 1, 1e-12);  // a rigid motion: all work is kinetic energy
+  EXPECT_NEAR((a.impulse - mass * v * normal).norm() / (mass * v), 0, 1e-12);
+  EXPECT_NEAR(stored(a), -a.work, 1e-15 * a.work);
+  expect_closed(s);
+}
+
+TEST(MovingPlane, DoesTheWorkThatABarStores) {
+  // one element drawn out slowly against its elasticity: work = E A u^2 / (2 L), poisson = 0
+  Scene s = box({1, 1, 1}, material::Elastic{1000, 1e6, 0}, inviscid);
+  load::Plane puller = plane("puller", PlaneKind::held, Vec3::UnitX(), mesh::node_set(s.model.mesh, "box.x_high"));
+  const double end = 2, u = 1e-6;
+  puller.velocity = [=](double t) { return u * pi / (2 * end) * std::sin(pi * t / end); };  // from rest to rest
+  s.model.constraints.planes = {puller, plane("held", PlaneKind::held, Vec3::UnitX(), mesh::node_set(s.model.mesh, "box.x_low"))};
+  finish(s.model);
+  s.ready();
+  const Votes votes = start(s.model, s.state, s.forces);
+  const int steps = static_cast<int>(std::ceil(end / (0.5 * votes.step)));
+  for (int i = 0; i < steps; ++i) step(s.model, end / steps, s.state, s.forces);
+  settle(s.model, s.state);
+  EXPECT_NEAR((s.state.x(0, 1) - s.model.mesh.X(0, 1)) / u, 1, 1e-6);      // the midpoint rule
+  const double exact = 0.5 * 1e6 * 0.01 / 0.1 * u * u;
+  EXPECT_NEAR(account(s.state, "puller").work / exact, 1, 1e-4);           // strain of 1e-5
+  EXPECT_NEAR(account(s.state, "box").stored[0].value / exact, 1, 1e-4);
+  EXPECT_NEAR(account(s.state, "held").work, 0, 1e-20);
+}
+
+// --- loads, springs, point masses ----------------------------------------------------------------
+
+load::OverTime constant(double value) {
+  return [value](double) { return value; };
+}
+
+/// A plate over a box with every kind of load, springs and point masses.
+Scene loaded() {
+  Scene s;
+  s.model.mesh = mesh::join(mesh::box("box", {Vec3::Zero(), Vec3(0.3, 0.2, 0.2), {3, 2, 2}}),
+                            mesh::tube("tube", {0.5, 0.8, mesh::Turn::full, 1, 4}));
+  s.model.blocks.push_back(element::hexahedra(s.model.mesh, "box", rubber, {}));
+  element::Plate::Options options;
+  options.thickness = 0.05;
+  s.model.blocks.push_back(element::plates(s.model.mesh, "tube", rubber, options));
+  s.model.gravity = {1, 2, -9};
+  s.model.point_masses.push_back({"weight", mesh::node_set(s.model.mesh, "box.x_high"), 4});
+  finish(s.model);
+  const auto wave = [](double size) { return [size](double t) { return size * (1 + std::sin(300 * t)); }; };
+  const Subset corner = {mesh::node_set(s.model.mesh, "box.x_low").front()};
+  s.model.loads.emplace_back(load::pressure_on("pressure", mesh::surface(s.model.mesh, "tube.inside"), wave(3e4)));
+  s.model.loads.emplace_back(load::pressure_on("push", mesh::surface(s.model.mesh, "box.z_high"), wave(5e3)));
+  s.model.loads.emplace_back(
+      load::NodalForce{"force", mesh::node_set(s.model.mesh, "box.x_high"), {wave(-30), wave(20), wave(50)}});
+  load::NodalMoment moment{"moment", mesh::node_set(s.model.mesh, "tube.top"), {}, {wave(30), wave(-20), wave(50)}};
+  for (const Index node : moment.nodes) moment.turns.push_back(s.model.turn_of_node[node]);
+  s.model.loads.emplace_back(moment);
+  const auto field = [](double x, double y, double z, double t) { return 100 * (x - 2 * y + z) * std::cos(200 * t); };
+  const Subset& box_nodes = mesh::node_set(s.model.mesh, "box");
+  Scalars mass(static_cast<Eigen::Index>(box_nodes.size()));
+  for (std::size_t i = 0; i < box_nodes.size(); ++i) mass(static_cast<Eigen::Index>(i)) = s.model.mass(box_nodes[i]);
+  s.model.loads.emplace_back(load::BodyForce{"field", box_nodes, mass, {field, field, field}});
+  const Index far = mesh::node_set(s.model.mesh, "tube.top").front();
+  const double length = 0.1;
+  s.model.loads.emplace_back(load::spring_between("spring", s.model.mesh.X, corner[0], far, 2000, 3));
+  s.model.loads.emplace_back(load::spring_between("taut", s.model.mesh.X, corner[0], far - 1, 500, 0, &length));
+  s.model.loads.emplace_back(load::spring_to_point("ground", s.model.mesh.X, far, s.model.mesh.X.col(far), 4000, 5));
+  s.ready();
+  add_random_velocities(s.state.v, 1);
+  return s;
+}
+
+TEST(Residual, IsRoundOffWithEveryLoadAtOnce) {
+  Scene s = loaded();
+  go(s, 400);
+  expect_closed(s);
+  const double scale = s.state.ledger.initial_kinetic;
+  for (const char* name : {"pressure", "push", "force", "moment", "field", "spring", "taut", "ground"})
+    EXPECT_GT(std::abs(account(s.state, name).work), 1e-4 * scale) << name;
+  for (const char* name : {"pressure", "push", "force", "moment", "field"})
+    EXPECT_EQ(created(account(s.state, name)), 0) << name;
+  for (const char* name : {"spring", "taut", "ground"}) {
+    std::printf("%s: work %.3g, stored %.3g, dissipated %.3g, created %.2g of the initial kinetic energy\n", name,
+                account(s.state, name).work / scale, stored(account(s.state, name)) / scale,
+                dissipated(account(s.state, name)) / scale, created(account(s.state, name)) / scale);
+    // rules of the second order: the turning line, and the dashpot's force of half a step ago
+    EXPECT_LT(std::abs(created(account(s.state, name))), 0.02 * (0.1 * scale + dissipated(account(s.state, name)))) << name;
+  }
+  EXPECT_NEAR(account(s.state, "spring").impulse.norm(), 0, 0);
+  EXPECT_GT(account(s.state, "ground").impulse.norm(), 0);
+  EXPECT_LT(account(s.state, "spring").angular_impulse.norm(), 1e-12 * s.state.ledger.angular_momentum.norm());
+  EXPECT_GT(initial_stored(s.state.ledger), 0);  // the taut one
+}
+
+TEST(Load, AConstantForceMovesABodyByHalfOfForceOverMassTimesTimeSquared) {
+  Scene s = box({2, 2, 2}, dust, inviscid);
+  finish(s.model);
+  s.model.loads.emplace_back(load::NodalForce{"force", mesh::node_set(s.model.mesh, "box.x_high"), {constant(9), constant(0), constant(-18)}});
+  s.ready();
+  Votes votes = start(s.model, s.state, s.forces);
+  for (int i = 0; i < 100; ++i) votes = step(s.model, 1e-3 * (1 + i % 3), s.state, s.forces);
+  settle(s.model, s.state);
+  const double t = s.state.t;
+  for (const Index n : mesh::node_set(s.model.mesh, "box.x_high")) {
+    const Vec3 exact = 0.5 * t * t / s.model.mass(n) * Vec3(1, 0, -2);
+    EXPECT_NEAR((s.state.x.col(n) - s.model.mesh.X.col(n) - exact).norm() / exact.norm(), 0, 1e-12);
+  }
+  EXPECT_NEAR((account(s.state, "force").impulse - t * Vec3(9, 0, -18)).norm(), 0, 1e-12);
+  EXPECT_NEAR(account(s.state, "force").work / s.state.ledger.kinetic, 1, 1e-12);
+}
+
+TEST(Load, AUniformBodyForceIsGravity) {
+  Scene with_gravity = box({2, 2, 2}, rubber, {}, 0.01), with_field = with_gravity;
+  const Vec3 g(1, 2, -9);
+  with_gravity.model.gravity = g;
+  with_gravity.model.constraints.planes = with_field.model.constraints.planes = {
+      plane("clamp", PlaneKind::fixed, Vec3::UnitX(), mesh::node_set(with_field.model.mesh, "box.x_low"))};
+  finish(with_gravity.model), finish(with_field.model);
+  load::BodyForce field{"field", all_nodes(with_field.model.mesh), with_field.model.mass, {}};
+  for (int axis = 0; axis < 3; ++axis) field.acceleration[axis] = [=](double, double, double, double) { return g(axis); };
+  with_field.model.loads.emplace_back(field);
+  for (Scene* s : {&with_gravity, &with_field}) {
+    s->ready();
+    go(*s, 100);
+    expect_closed(*s);
+  }
+  EXPECT_LT((with_gravity.state.x - with_field.state.x).norm(), 1e-13);
+  const Account &a = account(with_gravity.state, "gravity"), &b = account(with_field.state, "field");
+  EXPECT_NEAR(a.work / b.work, 1, 1e-11);
+  EXPECT_NEAR((a.impulse - b.impulse).norm() / a.impulse.norm(), 0, 1e-12);
+  EXPECT_NEAR((a.angular_impulse - b.angular_impulse).norm() / a.angular_impulse.norm(), 0, 1e-12);
+}
+
+TEST(Load, ConstantPressureInAClosedTubeDoesPressureTimesVolume) {
+  // a box squeezed on all sides: the work is that of the volume it loses
+  Scene s = box({2, 2, 2}, rubber, {});
+  finish(s.model);
+  mesh::Surface all{"all", {}};
+  for (const auto& side : s.model.mesh.surfaces) {
+    Table<3> joined(3, all.facets.cols() + side.facets.cols());
+    joined << all.facets, side.facets;
+    all.facets = joined;
+  }
+  s.model.loads.emplace_back(load::pressure_on("pressure", all, constant(2e4)));
+  s.ready();
+  const auto volume = [&] {
+    double sum = 0;
+    for (Index f = 0; f < all.facets.cols(); ++f)
+      sum += Vec3(s.state.x.col(all.facets(0, f))).dot(Vec3(s.state.x.col(all.facets(1, f))).cross(Vec3(s.state.x.col(all.facets(2, f))))) / 6;
+    return sum;
+  };
+  const double before = volume();
+  go(s, 300);
+  expect_closed(s);
+  const Account& a = account(s.state, "pressure");
+  const double exact = 2e4 * (before - volume());
+  std::printf("pressure: volume lost %.3g, work over p dV - 1 = %.1e\n", 1 - volume() / before, a.work / exact - 1);
+  EXPECT_GT(exact, 0);
+  EXPECT_NEAR(a.work / exact, 1, 1e-4);  // trapezoid rule of areas that change by some per cent
+  EXPECT_NEAR(a.impulse.norm(), 0, 1e-12);
+}
+
+TEST(Spring, OfTwoMassesSwingsWithTheFrequencyOfItsDifferenceEquation) {
+  Scene s;
+  s.model.mesh = mesh::join(mesh::box("a", {Vec3::Zero(), Vec3::Constant(0.1), {1, 1, 1}}),
+                            mesh::box("b", {Vec3(1, 0, 0), Vec3(1.1, 0.1, 0.1), {1, 1, 1}}));
+  for (const char* name : {"a", "b"}) s.model.blocks.push_back(element::hexahedra(s.model.mesh, name, dust, inviscid));
+  const Index left = 0, right = 8;
+  s.model.point_masses = {{"m1", {left}, 1}, {"m2", {right}, 3}};
+  finish(s.model);
+  const double k = 100, m1 = s.model.mass(left), m2 = s.model.mass(right), omega = std::sqrt(k * (1 / m1 + 1 / m2));
+  EXPECT_NEAR(m1, 1.125, 1e-12);
+  s.model.loads.emplace_back(load::spring_between("spring", s.model.mesh.X, left, right, k, 0));
+  s.ready();
+  const double v = 0.3;
+  s.state.v(0, left) = v, s.state.v(0, right) = -v * m1 / m2;
+  const Votes votes = start(s.model, s.state, s.forces);
+  EXPECT_NEAR(votes.step * omega / 2, 1, 1e-12);
+  EXPECT_EQ(votes.by, "spring");
+  const double dt = 0.3 / omega, phase = std::acos(1 - 0.5 * 0.09);
+  const double amplitude = v * dt / std::sin(phase);  // x_1 = dt v at the first step
+  double worst = 0;
+  for (int i = 1; i <= 200; ++i) {
+    step(s.model, dt, s.state, s.forces);
+    worst = std::max(worst, std::abs(s.state.x(0, left) - s.model.mesh.X(0, left) - amplitude * std::sin(i * phase)));
+  }
+  settle(s.model, s.state);
+  EXPECT_LT(worst, 1e-12 * amplitude * 200);
+  EXPECT_NEAR(created(account(s.state, "spring")), 0, 1e-13);  // along its line the trapezoid rule is exact
+  expect_closed(s);
+}
+
+TEST(Spring, WithADashpotDissipatesWhatItTakesAndIsStableAtItsVote) {
+  Scene s = box({1, 1, 1}, dust, inviscid);
+  finish(s.model);
+  const Index node = 3;
+  const double k = 10, m = s.model.mass(node), c = 0.5 * 2 * std::sqrt(k * m);  // half critical
+  s.model.loads.emplace_back(load::spring_to_point("spring", s.model.mesh.X, node, s.model.mesh.X.col(node), k, c));
+  s.ready();
+  s.state.v.col(node) = Vec3(1, -2, 0.5);
+  Votes votes = start(s.model, s.state, s.forces);
+  const double omega = std::sqrt(k / m);
+  EXPECT_NEAR(votes.step, 2 / (omega * (0.5 + std::sqrt(1.25))), 1e-12);
+  for (int i = 0; i < 2000; ++i) votes = step(s.model, 0.01 * votes.step, s.state, s.forces);
+  settle(s.model, s.state);
+  const double t = s.state.t, decay = 0.5 * omega, swing = std::sqrt(0.75) * omega;
+  const Vec3 exact = std::exp(-decay * t) * std::sin(swing * t) / swing * Vec3(1, -2, 0.5);
+  EXPECT_LT((s.state.x.col(node) - s.model.mesh.X.col(node) - exact).norm(), 0.01 * 2.3 / omega);  // first order in c dt
+  const Account& a = account(s.state, "spring");
+  std::printf("dashpot: created %.1e of what it dissipated\n", created(a) / dissipated(a));
+  EXPECT_NEAR(dissipated(a) / s.state.ledger.initial_kinetic, 1, 0.01);
+  EXPECT_LT(std::abs(created(a)), 0.01 * dissipated(a));
+  expect_closed(s);
+}
+
+TEST(Spring, OnAnElementVotesSoThatBothTogetherAreStable) {
+  for (const double part : {0.99, 1.5}) {
+    Scene s = box({1, 1, 1}, rubber, inviscid);
+    finish(s.model);
+    for (Index node = 0; node < 8; ++node)
+      s.model.loads.emplace_back(load::spring_to_point("spring", s.model.mesh.X, node, s.model.mesh.X.col(node), 1e5, 0));
+    s.ready();
+    add_random_velocities(s.state.v, 1e-9);
+    const Votes votes = start(s.model, s.state, s.forces);
+    double largest = 0;
+    const double blown_up = 1e6 * kinetic(s);
+    for (int i = 0; i < 5000 && largest < blown_up; ++i) {
+      step(s.model, part * votes.step, s.state, s.forces);
+      largest = std::max(largest, kinetic(s));
+    }
+    EXPECT_EQ(largest < blown_up, part < 1) << part;
+  }
+}
+
+TEST(PointMass, FallsWithItsBody) {
+  Scene s = box({2, 2, 2}, rubber, {});
+  const double mass = 8;
+  s.model.point_masses = {{"weight", mesh::node_set(s.model.mesh, "box.x_high"), mass}};
+  s.model.gravity = {0, 0, -9};
+  finish(s.model);
+  EXPECT_NEAR(s.model.mass.sum(), 8 + mass, 1e-12);
+  s.ready();
+  go(s, 200);
+  expect_closed(s);
+  EXPECT_NEAR(s.state.ledger.momentum.z() / (-9 * (8 + mass) * s.state.t), 1, 1e-12);
+  for (Index n = 0; n < s.state.x.cols(); ++n) EXPECT_NEAR(s.state.v(2, n) / (-9 * s.state.t), 1, 1e-11);
+}
+
 // --- the same bits, no allocation, restart -------------------------------------------------------
 
 template <class Array>
@@ -919,6 +1220,17 @@ TEST(Step, AllocatesNothing) {
   EXPECT_GT(s.state.interfaces[0].updates, s.model.interfaces[0].search_every);
   Vectors grown(3, 1000);  // the counter counts
   EXPECT_GT(allocations, after);
+}
+#endif
+
+#ifdef NEREID_COUNTS_ALLOCATIONS
+TEST(Step, AllocatesNothingForLoadsEither) {
+  Scene s = loaded();
+  Votes votes = start(s.model, s.state, s.forces);
+  const long before = allocations;
+  for (int i = 0; i < 20; ++i) votes = step(s.model, 0.9 * votes.step, s.state, s.forces);
+  settle(s.model, s.state);
+  EXPECT_EQ(allocations - before, 0);
 }
 #endif
 

@@ -57,21 +57,23 @@ TEST(ReadLaw, WantsTheShareOfMixedHardeningAndOfNoOther) {
   EXPECT_EQ(file.not_used()[0].rfind("isotropic_share", 0), 0U);
 }
 
+element::AnyHexahedronOptions hexahedron(const Section& section) { return read_hexahedron_options(section); }
+
 TEST(ReadHexahedron, HasOnePointAndSpringsUnlessToldOtherwise) {
   using element::FullHexahedron;
   using element::Hexahedron;
-  const auto usual = std::get<Hexahedron::Options>(read("{}\n", read_hexahedron_options));
+  const auto usual = std::get<Hexahedron::Options>(read("{}\n", hexahedron));
   EXPECT_EQ(usual.hourglass_kind, Hexahedron::Hourglass::stiffness);
   EXPECT_EQ(usual.hourglass, Hexahedron::usual_stiffness);
-  const auto viscous = std::get<Hexahedron::Options>(read("kind: one_point\nhourglass_kind: viscous\n", read_hexahedron_options));
+  const auto viscous = std::get<Hexahedron::Options>(read("kind: one_point\nhourglass_kind: viscous\n", hexahedron));
   EXPECT_EQ(viscous.hourglass_kind, Hexahedron::Hourglass::viscous);
   EXPECT_EQ(viscous.hourglass, Hexahedron::usual_viscous);
-  EXPECT_EQ(std::get<Hexahedron::Options>(read("hourglass_kind: viscous\nhourglass: 0.2\n", read_hexahedron_options)).hourglass, 0.2);
+  EXPECT_EQ(std::get<Hexahedron::Options>(read("hourglass_kind: viscous\nhourglass: 0.2\n", hexahedron)).hourglass, 0.2);
   EXPECT_EQ(read("hourglass_kind: viscous\n", read_one_point_options).hourglass_kind, Hexahedron::Hourglass::viscous);
-  const auto full = std::get<FullHexahedron::Options>(read("kind: full\nviscosity: {linear: 0.1}\n", read_hexahedron_options));
+  const auto full = std::get<FullHexahedron::Options>(read("kind: full\nviscosity: {linear: 0.1}\n", hexahedron));
   EXPECT_EQ(full.viscosity.linear, 0.1);
-  EXPECT_THROW(read("kind: eight\n", read_hexahedron_options), CaseError);
-  EXPECT_THROW(read("hourglass_kind: none\n", read_hexahedron_options), CaseError);
+  EXPECT_THROW(read("kind: eight\n", hexahedron), CaseError);
+  EXPECT_THROW(read("hourglass_kind: none\n", hexahedron), CaseError);
 }
 
 TEST(ReadHexahedron, WithEightPointsListsWhatOnePointWouldUse) {
@@ -79,7 +81,7 @@ TEST(ReadHexahedron, WithEightPointsListsWhatOnePointWouldUse) {
   read_hexahedron_options(file.root());
   file.finish();
   EXPECT_EQ(file.not_used().size(), 2U);
-  EXPECT_THROW(read("kind: full\nhourglass: 2\n", read_hexahedron_options), CaseError);
+  EXPECT_THROW(read("kind: full\nhourglass: 2\n", hexahedron), CaseError);
 }
 
 TEST(ReadInterface, LetsTheCodeChooseUnlessAPenaltyIsGiven) {

@@ -8,7 +8,7 @@
 namespace nereid::output {
 namespace {
 
-/// Two cubes of two by two elements, face to face, with a floor; one step done.
+/// Two cubes of two by two elements, face to face, one with a point per element and one with eight, with a floor; some steps done.
 struct Scene {
   dynamics::Model model;
   dynamics::State state;
@@ -18,7 +18,9 @@ struct Scene {
   Scene() {
     model.mesh = mesh::join(mesh::box("A", {Vec3::Zero(), Vec3::Ones(), {2, 2, 2}}),
                             mesh::box("B", {Vec3(1, 0, 0), Vec3(2, 1, 1), {2, 2, 2}}));
-    for (const char* name : {"A", "B"}) model.blocks.push_back(element::hexahedra(model.mesh, name, material::Elastic{1, 1, 0}, {}));
+    const material::Elastic law{1, 1, 0};
+    model.blocks.push_back(element::hexahedra(model.mesh, "A", law, {}));
+    model.blocks.push_back(element::solids(model.mesh, "B", law, element::FullHexahedron::Options{}));
     model.constraints.planes.push_back({"floor", load::PlaneKind::floor, Vec3::Zero(), Vec3::UnitZ(), mesh::node_set(model.mesh, "A")});
     dynamics::finish(model);
     const auto connected = dynamics::connect(model, "contact", "A.x_high", "B.x_low", {}).front();
@@ -43,6 +45,7 @@ TEST(BodyGrid, ShowsEveryElementWithStressAndDisplacement) {
   const Scene scene;
   const Grid grid = body_grid(scene.view());
   EXPECT_EQ(grid.cells.size(), 2U);
+  for (const auto& cells : grid.cells) EXPECT_EQ(cells.kind, CellKind::hexahedron);
   EXPECT_EQ(field(grid.cell_fields, "stress").values.cols(), 16);
   EXPECT_EQ(field(grid.cell_fields, "part_id").values.sum(), 8);
   EXPECT_TRUE(grid.displacement.isApprox(scene.state.x - scene.model.mesh.X));

@@ -1,0 +1,116 @@
+#include "dynamics/measure.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/check.hpp"
+
+namespace nereid::dynamics {
+
+namespace {
+
+template <class Value>
+Vec3 mean(const Subset& nodes, Value&& value) {
+  Vec3 sum = Vec3::Zero();
+  for (const Index node : nodes) sum += value(node);
+  return sum / static_cast<double>(nodes.size());
+}
+
+}  // namespace
+
+Vec3 mean_position(const View& view, const Subset& nodes) {
+  return mean(nodes, [&](Index node) -> Vec3 { return view.now.x.col(node); });
+}
+
+Vec3 mean_displacement(const View& view, const Subset& nodes) {
+  return mean(nodes, [&](Index node) -> Vec3 { return view.now.x.col(node) - view.model.mesh.X.col(node); });
+}
+
+Vec3 mean_velocity(const View& view, const Subset& nodes) {
+  return mean(nodes, [&](Index node) -> Vec3 { return view.now.v.col(node); });
+}
+
+Vec3 momentum(const View& view, const Subset& nodes) {
+  Vec3 sum = Vec3::Zero();
+  for (const Index node : nodes) sum += view.model.mass(node) * view.now.v.col(node);
+  return sum;
+}
+
+double kinetic_energy(const View& view, const Subset& nodes) {
+  double sum = 0;
+  for (const Index node : nodes) {
+    sum += 0.5 * view.model.mass(node) * view.now.v.col(node).squaredNorm();
+    const Index turn = view.model.turn_of_node[node];
+    if (turn >= 0) sum += 0.5 * view.model.inertia(turn) * view.now.w.col(turn).squaredNorm();
+  }
+  return sum;
+}
+
+double extent(const View& view, const Subset& nodes, int axis) {
+  const auto [low, high] = std::minmax_element(nodes.begin(), nodes.end(), [&](Index a, Index b) {
+    return view.now.x(axis, a) < view.now.x(axis, b);
+  });
+  return view.now.x(axis, *high) - view.now.x(axis, *low);
+}
+
+double radius(const View& view, const Subset& nodes, int axis) {
+  double most = 0;
+  for (const Index node : nodes)
+    most = std::max(most, std::hypot(view.now.x((axis + 1) % 3, node), view.now.x((axis + 2) % 3, node)));
+  return most;
+}
+
+double of_body(const View& view, const std::vector<std::size_t>& blocks, std::string_view name, int component, Take take) {
+  double largest = -std::numeric_limits<double>::infinity(), sum = 0, all = 0;
+  for (const std::size_t b : blocks) {
+    const auto& block = view.model.blocks[b];
+    const auto fields = element::fields(block, view.now.x, view.now.blocks[b]);
+    const auto field = std::find_if(fields.begin(), fields.end(), [&](const Field& one) { return one.name == name; });
+    check(field != fields.end(), "a body has no such field");
+    const auto values = field->values.row(component).transpose();
+    largest = std::max(largest, values.maxCoeff());
+    if (take == Take::largest) continue;
+    const Scalars mass = element::element_masses(block);
+    sum += mass.dot(values), all += mass.sum();
+  }
+  return take == Take::largest ? largest : sum / all;
+}
+
+Vec3 contact_force(const View& view, std::size_t interface) {
+  Vec3 sum = Vec3::Zero();
+  for (const auto& element : view.forces.interfaces[interface].elements)
+    if (element.closed) sum += element.scale * element.apex;
+  for (const auto& friction : view.forces.interfaces[interface].friction)
+    if (friction.acts) sum += friction.force;
+  return sum;
+}
+
+ContactState contact_state(const View& view, std::size_t c) {
+  const contact::Interface& interface = view.model.interfaces[c];
+  ContactState state{.least_gap = std::numeric_limits<double>::quiet_NaN(), .largest_pressure = 0, .area = 0};
+  for (Index apex = 0; apex < static_cast<Index>(interface.apexes.size()); ++apex) {
+    const auto element = contact::view(interface, view.now.x, view.now.interfaces[c], apex);
+    if (element.feature.facet < 0) continue;
+    if (!(state.least_gap <= element.gap)) state.least_gap = element.gap;
+    state.largest_pressure = std::max(state.largest_pressure, element.traction);
+    if (element.status == contact::Status::closed) state.area += interface.area(apex);
+  }
+  return state;
+}
+
+Vec3 MeanForce::operator()(const View& view) {
+  const Vec3& impulse = view.now.ledger.accounts[account_].impulse;
+  const double elapsed = view.now.t - time_;
+  if (!begun_) impulse_ = impulse, time_ = view.now.t, begun_ = true;
+  if (elapsed > 0) force_ = (impulse - impulse_) / elapsed, impulse_ = impulse, time_ = view.now.t;
+  return force_;
+}
+
+std::size_t account_of(const Ledger& ledger, std::string_view name) {
+  for (std::size_t a = 0; a < ledger.accounts.size(); ++a)
+    if (ledger.accounts[a].name == name) return a;
+  throw InternalError("the ledger has no account '" + std::string(name) + "'");
+}
+
+}  // namespace nereid::dynamics

@@ -1,0 +1,67 @@
+#pragma once
+// What one measures of a state: of node sets, of bodies, of contacts and of all other sources of force.
+
+#include <string_view>
+
+#include "dynamics/run.hpp"
+
+namespace nereid::dynamics {
+
+// Means over a node set, each node with the same weight.
+Vec3 mean_position(const View&, const Subset& nodes);      ///< [m]
+Vec3 mean_displacement(const View&, const Subset& nodes);  ///< [m] from the reference
+Vec3 mean_velocity(const View&, const Subset& nodes);      ///< [m/s]
+
+// Sums over a node set.
+Vec3 momentum(const View&, const Subset& nodes);          ///< [kg m/s]
+double kinetic_energy(const View&, const Subset& nodes);  ///< [J] with that of turning
+
+/// Length of a node set along a coordinate axis (0: x, 1: y, 2: z), from its lowest to its highest node. [m]
+double extent(const View&, const Subset& nodes, int axis);
+/// Largest distance of a node set from a coordinate axis. [m]
+double radius(const View&, const Subset& nodes, int axis);
+
+/// How the values of a body's elements become one number.
+enum class Take {
+  mean,     ///< with the masses of the elements as weights: the mean over the reference volume
+  largest,  ///< of all elements, with its sign
+};
+
+/// One number of a field of a body as element::fields has it.
+///
+/// blocks     places in Model::blocks, at least one
+/// component  row of the field
+/// returns    in the unit of the field
+/// Throws InternalError if the body has no such field.
+double of_body(const View&, const std::vector<std::size_t>& blocks, std::string_view field, int component, Take);
+
+/// Force of an interface on all its apexes, at this moment, with friction; on the bases it is the opposite. [N]
+Vec3 contact_force(const View&, std::size_t interface);
+
+/// An interface as a whole.
+struct ContactState {
+  double least_gap = 0;         ///< [m] negative in contact; NaN where no apex has a base
+  double largest_pressure = 0;  ///< [Pa] compression positive
+  double area = 0;              ///< [m2] tributary areas of the apexes in contact
+};
+ContactState contact_state(const View&, std::size_t interface);
+
+/// Force of a source with an account, as a mean over the time between two calls: what its impulse grew by. [N]
+///
+/// Needs  views whose ledger is settled; zero at the first call and where no time has passed
+class MeanForce {
+ public:
+  explicit MeanForce(std::size_t account) : account_(account) {}
+  Vec3 operator()(const View&);
+
+ private:
+  std::size_t account_;
+  Vec3 impulse_ = Vec3::Zero(), force_ = Vec3::Zero();
+  double time_ = 0;
+  bool begun_ = false;
+};
+
+/// Place of the account of that name in the ledger. Throws InternalError if there is none.
+std::size_t account_of(const Ledger&, std::string_view name);
+
+}  // namespace nereid::dynamics

@@ -1,0 +1,144 @@
+#include "dynamics/measure.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "base/check.hpp"
+#include "dynamics/connect.hpp"
+#include "mesh/box.hpp"
+
+namespace nereid::dynamics {
+namespace {
+
+const material::Elastic rubber{1000, 1e6, 0.25};
+const element::Hexahedron::Options inviscid{.hourglass = 0.1, .viscosity = {0, 0}};
+
+/// Boxes of unit section along x, two cells each, with what a view needs.
+struct Scene {
+  Model model;
+  State state;
+  Forces forces;
+  Votes votes;
+
+  explicit Scene(const std::vector<std::pair<std::string, double>>& from) {
+    for (const auto& [name, x] : from) {
+      const mesh::Mesh here = mesh::box(name, {Vec3(x, 0, 0), Vec3(x + 2, 1, 1), Eigen::Vector3i(2, 1, 1)});
+      model.mesh = model.mesh.X.cols() == 0 ? here : mesh::join(model.mesh, here);
+    }
+    for (const auto& [name, x] : from) model.blocks.push_back(element::hexahedra(model.mesh, name, rubber, inviscid));
+    finish(model);
+  }
+  void ready() { state = initial_state(model, {}), forces = make_forces(model, {}); }
+  View view() const { return {model, state, forces, votes, true}; }
+};
+
+Scene one_box() {
+  Scene scene({{"box", 0}});
+  scene.ready();
+  return scene;
+}
+
+const Subset& all(const Scene& scene) { return mesh::node_set(scene.model.mesh, "box"); }
+
+TEST(Mean, OfARigidTranslationIsTheTranslation) {
+  Scene scene = one_box();
+  const Vec3 moved(1, 2, 3), velocity(4, 5, 6);
+  scene.state.x.colwise() += moved;
+  scene.state.v.colwise() = velocity;
+  EXPECT_LT((mean_displacement(scene.view(), all(scene)) - moved).norm(), 1e-14);  // round-off of sums of ten numbers
+  EXPECT_LT((mean_velocity(scene.view(), all(scene)) - velocity).norm(), 1e-14);
+  EXPECT_LT((mean_position(scene.view(), all(scene)) - (Vec3(1, 0.5, 0.5) + moved)).norm(), 1e-14);
+}
+
+TEST(Momentum, OfABodyIsItsMassTimesItsVelocity) {
+  Scene scene = one_box();
+  const Vec3 velocity(4, 5, 6);
+  scene.state.v.colwise() = velocity;
+  EXPECT_LT((momentum(scene.view(), all(scene)) - 2000 * velocity).norm(), 1e-10);  // 2 m3 of 1000 kg/m3; round-off
+  EXPECT_NEAR(kinetic_energy(scene.view(), all(scene)), 0.5 * 2000 * velocity.squaredNorm(), 1e-9);
+}
+
+TEST(Extent, IsFromTheLowestToTheHighestNode) {
+  Scene scene = one_box();
+  scene.state.x.row(0) *= 1.5;
+  EXPECT_EQ(extent(scene.view(), all(scene), 0), 3);
+  EXPECT_EQ(extent(scene.view(), all(scene), 1), 1);
+  EXPECT_EQ(extent(scene.view(), mesh::node_set(scene.model.mesh, "box.x_low"), 0), 0);
+}
+
+TEST(Radius, IsTheDistanceFromACoordinateAxis) {
+  const Scene scene = one_box();
+  EXPECT_DOUBLE_EQ(radius(scene.view(), all(scene), 0), std::sqrt(2.0));
+  EXPECT_DOUBLE_EQ(radius(scene.view(), all(scene), 1), std::sqrt(5.0));
+  EXPECT_DOUBLE_EQ(radius(scene.view(), all(scene), 2), std::sqrt(5.0));
+}
+
+TEST(OfBody, IsTheMeanOverTheVolumeOrTheLargestElement) {
+  Scene scene = one_box();
+  constexpr double rate = 1e-3, dt = 1e-3;
+  for (const Index node : mesh::node_set(scene.model.mesh, "box.x_high")) scene.state.v(0, node) = rate;  // only the second cell stretches
+  const Vectors start = scene.state.x;
+  scene.state.x += dt * scene.state.v;
+  element::advance(scene.model.blocks[0], scene.state.x, scene.state.v, scene.state.w, dt, scene.state.blocks[0], scene.forces.blocks[0]);
+  const double largest = of_body(scene.view(), {0}, "stress", 0, Take::largest), mean = of_body(scene.view(), {0}, "stress", 0, Take::mean);
+  EXPECT_NEAR(largest / (1.2e6 * rate * dt), 1, 1e-5);  // lambda + 2 mu; strains of the middle of a step of 1e-6
+  EXPECT_NEAR(mean, largest / 2, 1e-12 * largest);      // the other cell has half of the volume and no stress
+  EXPECT_NEAR(of_body(scene.view(), {0}, "pressure", 0, Take::largest), 0, 1e-12 * largest);
+  EXPECT_THROW(of_body(scene.view(), {0}, "plastic_strain", 0, Take::mean), InternalError);
+}
+
+TEST(ContactForce, IsPenaltyTimesAreaTimesDepthOnTheApexes) {
+  Scene scene({{"left", 0}, {"right", 2}});
+  InterfaceOptions options;
+  options.penalty_from = PenaltyFrom::value;
+  options.penalty = 1e6;
+  options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
+  Connected connected = std::move(connect(scene.model, "touch", "left.x_high", "right.x_low", options)[0]);
+  scene.state = initial_state(scene.model, {connected.memory});
+  scene.forces = make_forces(scene.model, {connected.workspace});
+  constexpr double depth = 1e-3;
+  for (const Index node : mesh::node_set(scene.model.mesh, "left")) scene.state.x(0, node) += depth;
+  start(scene.model, scene.state, scene.forces);
+  EXPECT_LT((contact_force(scene.view(), 0) - Vec3(-1e6 * depth, 0, 0)).norm(), 1e-9);  // round-off of coordinates of 2 m
+  const ContactState all_of_it = contact_state(scene.view(), 0);
+  EXPECT_NEAR(all_of_it.least_gap, -depth, 1e-15);
+  EXPECT_NEAR(all_of_it.largest_pressure, 1e6 * depth, 1e-9);
+  EXPECT_NEAR(all_of_it.area, 1, 1e-15);
+}
+
+TEST(ContactForce, IsZeroWhereSurfacesAreApart) {
+  Scene scene({{"left", 0}, {"right", 2.5}});
+  InterfaceOptions options;
+  options.penalty_from = PenaltyFrom::value;
+  options.penalty = 1e6;
+  options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
+  Connected connected = std::move(connect(scene.model, "touch", "left.x_high", "right.x_low", options)[0]);
+  scene.state = initial_state(scene.model, {connected.memory});
+  scene.forces = make_forces(scene.model, {connected.workspace});
+  start(scene.model, scene.state, scene.forces);
+  EXPECT_EQ(contact_force(scene.view(), 0), Vec3::Zero());
+  EXPECT_DOUBLE_EQ(contact_state(scene.view(), 0).least_gap, 0.5);
+  EXPECT_EQ(contact_state(scene.view(), 0).area, 0);
+  EXPECT_EQ(contact_state(scene.view(), 0).largest_pressure, 0);
+}
+
+TEST(MeanForce, OfGravityIsTheWeight) {
+  Scene scene({{"box", 0}});
+  scene.model.gravity = Vec3(0, 0, -10);
+  scene.ready();
+  MeanForce weight(account_of(scene.state.ledger, "gravity"));
+  start(scene.model, scene.state, scene.forces);
+  EXPECT_EQ(weight(scene.view()), Vec3::Zero());  // nothing has passed yet
+  for (int sample = 0; sample < 3; ++sample) {
+    for (int i = 0; i < 5; ++i) step(scene.model, 1e-3, scene.state, scene.forces);
+    settle(scene.model, scene.state);
+    EXPECT_NEAR(weight(scene.view()).z(), -20000, 1e-8);  // 2000 kg; round-off of differences of times
+    EXPECT_NEAR(weight(scene.view()).z(), -20000, 1e-8);  // asked again at the same time
+  }
+  EXPECT_THROW(account_of(scene.state.ledger, "levity"), InternalError);
+}
+
+}  // namespace
+}  // namespace nereid::dynamics

@@ -1,0 +1,133 @@
+#include "input/scene_readers.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <set>
+
+namespace nereid::input {
+namespace {
+
+const std::string steel = "{kind: elastic, density: 7850 kg/m^3, young: 210 GPa, poisson: 0.3}";
+const std::string bar =
+    "bodies:\n  - name: bar\n    mesh: {kind: box, low: [0 m, 0 m, 0 m], high: [1 m, 1 m, 1 m], cells: [2, 2, 2]}\n"
+    "    material: " + steel + "\n";
+const std::string skin =
+    "  - name: skin\n    mesh: {kind: tube, radius: 1 m, length: 1 m, turn: full, cells_core: 2, cells_along: 2}\n"
+    "    material: " + steel + "\n    element: {thickness: 2 mm, layers: 3}\n";
+const std::string time = "time: {end: 1 ms}\n";
+
+SceneOptions read(const std::string& text) {
+  const CaseFile file = CaseFile::parse(text, "case.yaml");
+  SceneOptions scene = read_scene(file.root());
+  file.finish();
+  return scene;
+}
+
+/// What is said of a scene that is refused; empty if it is not.
+std::string refusal(const std::string& text) {
+  try {
+    read(text);
+  } catch (const CaseError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+bool says(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+TEST(ReadBody, TakesMeshMaterialAndElement) {
+  const SceneOptions scene = read(bar + skin + time);
+  ASSERT_EQ(scene.bodies.size(), 2U);
+  EXPECT_EQ(scene.bodies[0].name, "bar");
+  EXPECT_FALSE(scene.bodies[0].plates);
+  EXPECT_TRUE(std::holds_alternative<element::Hexahedron::Options>(scene.bodies[0].solid));
+  EXPECT_TRUE(scene.bodies[1].plates);
+  EXPECT_EQ(scene.bodies[1].plate.thickness, 2e-3);
+  EXPECT_EQ(scene.bodies[1].plate.layers, 3);
+}
+
+TEST(ReadBody, StandsWhereItIsTurnedAndMoved) {
+  const SceneOptions scene = read(bar + "    turn: {axis: [0, 0, 2], angle: 90 deg, about: [1 m, 0 m, 0 m]}\n    move: [0 m, 0 m, 1 mm]\n" + time);
+  const Placement& place = scene.bodies[0].place;
+  EXPECT_EQ(place.axis, Vec3(0, 0, 1));
+  EXPECT_DOUBLE_EQ(place.angle, std::numbers::pi / 2);
+  EXPECT_EQ(place.about, Vec3(1, 0, 0));
+  EXPECT_EQ(place.move, Vec3(0, 0, 1e-3));
+  const Placement still = read(bar + time).bodies[0].place;
+  EXPECT_EQ(still.angle, 0);
+  EXPECT_EQ(still.move, Vec3::Zero());
+}
+
+TEST(ReadBody, MayHaveFullHexahedra) {
+  const SceneOptions scene = read(bar + "    element: {kind: full}\n" + time);
+  EXPECT_TRUE(std::holds_alternative<element::FullHexahedron::Options>(scene.bodies[0].solid));
+}
+
+TEST(ReadBody, ListsWhatItsElementsDoNotUse) {
+  const CaseFile file = CaseFile::parse(bar + "    element: {thickness: 1 mm}\n" + time, "case.yaml");
+  read_scene(file.root());
+  file.finish();
+  ASSERT_EQ(file.not_used().size(), 1U);
+  EXPECT_EQ(file.not_used()[0].rfind("bodies[0].element.thickness", 0), 0U);
+}
+
+TEST(ReadContact, ReachesHalfTheThicknessOfPlatesUnlessTold) {
+  const std::string contact = "contacts:\n  - {name: touch, apexes: bar.x_high, base: skin.inside";
+  const SceneOptions usual = read(bar + skin + contact + "}\n" + time), given = read(bar + skin + contact + ", contact_height: given, height: 3 mm}\n" + time),
+                     initial = read(bar + skin + contact + ", contact_height: initial, clearance: 1 mm}\n" + time);
+  EXPECT_TRUE(usual.contacts[0].height_from_thickness);
+  EXPECT_FALSE(given.contacts[0].height_from_thickness);
+  EXPECT_EQ(given.contacts[0].interface.height.given, 3e-3);
+  EXPECT_FALSE(initial.contacts[0].height_from_thickness);
+  EXPECT_TRUE(initial.contacts[0].interface.height.from_initial_height);
+  EXPECT_EQ(initial.contacts[0].interface.height.clearance, 1e-3);
+}
+
+TEST(Names, AreGivenOnceAmongAllThatTheLedgerHas) {
+  const std::string contact = "contacts:\n  - {name: touch, apexes: bar.x_high, base: skin.inside, passes: two}\n";
+  EXPECT_EQ(refusal(bar + skin + contact + time), "");
+  EXPECT_TRUE(says(refusal(bar + bar.substr(8) + time), "'name' = bar is given twice"));
+  EXPECT_TRUE(says(refusal(bar + skin + contact + "planes:\n  - {name: touch_back, kind: fixed, nodes: [bar]}\n" + time),
+                   "'name' = touch_back is given twice"));  // the account of the second pass
+  EXPECT_TRUE(says(refusal(bar + "planes:\n  - {name: gravity, kind: fixed, nodes: [bar]}\n" + time), "given twice"));
+}
+
+TEST(Names, HaveNoPointsBlanksOrFirstDigits) {
+  for (const char* name : {"a.b", "a b", "1a", "a-b"})
+    EXPECT_TRUE(says(refusal(bar + "planes:\n  - {name: " + name + ", kind: fixed, nodes: [bar]}\n" + time), "is no name")) << name;
+}
+
+TEST(ReadProbe, HasAComponentOnlyWhereItsQuantityHas) {
+  const SceneOptions scene = read(bar + "probes:\n  - {name: u, quantity: displacement, of: bar}\n  - {name: v, quantity: velocity, of: bar, component: y}\n"
+                                  "  - {name: s, quantity: stress, of: bar, component: xz, take: largest}\n  - {name: p, quantity: pressure, of: bar}\n" + time);
+  ASSERT_EQ(scene.probes.size(), 4U);
+  const auto component = [&](int p) { return scene.probes[p].quantity.components[static_cast<std::size_t>(scene.probes[p].component)]; };
+  EXPECT_EQ(component(0), "magnitude");
+  EXPECT_EQ(component(1), "y");
+  EXPECT_EQ(component(2), "xz");
+  EXPECT_TRUE(scene.probes[2].largest);
+  EXPECT_TRUE(scene.probes[3].quantity.components.empty());
+  EXPECT_FALSE(scene.probes[3].largest);
+}
+
+TEST(ReadStop, IsInTheDimensionOfItsProbe) {
+  const std::string probes = bar + "probes:\n  - {name: u, quantity: displacement, of: bar, component: x}\n";
+  const SceneOptions scene = read(probes + "stop:\n  - {probe: u, below: -2 mm, after: 1 us}\n" + time);
+  ASSERT_EQ(scene.stops.size(), 1U);
+  EXPECT_EQ(scene.stops[0].probe, "u");
+  EXPECT_FALSE(scene.stops[0].above);
+  EXPECT_EQ(scene.stops[0].value, -2e-3);
+  EXPECT_EQ(scene.stops[0].after, 1e-6);
+  EXPECT_TRUE(says(refusal(probes + "stop:\n  - {probe: u, below: 1 N}\n" + time), "has the dimension"));
+  EXPECT_TRUE(says(refusal(probes + "stop:\n  - {probe: w, below: 1 N}\n" + time), "'probe' = w is unknown: probes are u"));
+}
+
+TEST(Measurables, HaveTheInternalVariablesOfAllLawsAndNoNameTwice) {
+  std::set<std::string> names;
+  for (const Measurable& one : measurables()) EXPECT_TRUE(names.insert(one.name).second) << one.name;
+  EXPECT_TRUE(names.contains("plastic_strain"));
+}
+
+}  // namespace
+}  // namespace nereid::input
