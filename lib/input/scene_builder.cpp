@@ -148,7 +148,7 @@ void check_names(const SceneOptions& scene, const mesh::Mesh& mesh) {
   ends.insert(ends.end(), sets.begin(), sets.end());
   for (const SpringRequest& spring : actions.springs) {
     expect(spring.section, "from", spring.from, "node sets", sets);
-    expect(spring.section, "to", spring.to, "node sets and ground", ends);
+    expect(spring.section, "to", spring.to, "the ends of springs", ends);
   }
   for (const PointMassRequest& mass : actions.point_masses) expect(mass.section, "nodes", mass.nodes, "node sets", sets);
   for (const InitialRequest& initial : actions.initial) expect(initial.section, "body", initial.body, "bodies", bodies);
