@@ -186,8 +186,9 @@ int dry_run(Scene& scene, bool quiet) {
   const double dt = std::min(scene.time.safety * votes.element_step, votes.contact_step);
   std::printf("%ld nodes, %ld elements, mass %.6g kg\n", static_cast<long>(scene.model.mesh.X.cols()),
               static_cast<long>(count_elements(scene.model)), scene.model.mass.sum());
-  std::printf("first step %.4g s, asked for by %s (elements %.4g s, contact %.4g s); about %.0f steps\n", dt,
-              std::string(votes.by).c_str(), votes.element_step, votes.contact_step, scene.time.end / dt);
+  const std::string contact = votes.contact_step < 1e299 ? row(", contact %.4g s", votes.contact_step) : "";
+  std::printf("first step %.4g s, asked for by %s (elements %.4g s%s); about %.0f steps\n", dt, std::string(votes.by).c_str(),
+              votes.element_step, contact.c_str(), scene.time.end / dt);
   return done;
 }
 

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "dynamics/displace.hpp"
+#include "input/words.hpp"
 
 namespace nereid::input {
 
@@ -141,7 +142,7 @@ void add_load(const LoadRequest& request, dynamics::Model& model) {
   const std::array<load::OverTime, 3> values{over_time(request.value[0]), over_time(request.value[1]), over_time(request.value[2])};
   if (request.kind == LoadRequest::Kind::pressure) {
     const mesh::Surface* surface = find_surface(model.mesh, section, "surface", request.on);
-    if (surface != nullptr) model.loads.emplace_back(load::pressure_on(request.name, *surface, values[0]));
+    if (surface != nullptr) model.loads.emplace_back(load::pressure_on(request.name, model.mesh, *surface, values[0]));
     return;
   }
   const bool body = request.kind == LoadRequest::Kind::body_force;

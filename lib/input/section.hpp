@@ -82,9 +82,6 @@ class CaseError : public std::exception {
   std::string text_;
 };
 
-/// "did you mean 'penalty'?", or nothing if none of the words is near.
-std::string nearest(std::string_view word, const std::vector<std::string>& words);
-
 class Document;
 struct Place;
 struct Node;

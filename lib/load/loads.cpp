@@ -43,12 +43,19 @@ void set_forces(const BodyForce& load, const Vectors& X, const Vectors&, const V
 void set_forces(const Pressure& load, const Vectors&, const Vectors& x, const Vectors&, double t, double, LoadMemory& memory) {
   const double pressure = load.pressure(t);
   memory.force.setZero();
-  for (Eigen::Index facet = 0; facet < load.corners.cols(); ++facet) {
-    const auto corner = load.corners.col(facet);
-    const Vec3 first = x.col(load.nodes[corner(0)]);
-    const Vec3 to_second = x.col(load.nodes[corner(1)]) - first, to_third = x.col(load.nodes[corner(2)]) - first;
-    const Vec3 third = -pressure / 6 * to_second.cross(to_third);  // a third of p times half the cross product
-    for (int a = 0; a < 3; ++a) memory.force.col(corner(a)) += third;
+  for (Eigen::Index face = 0; face < load.corners.cols(); ++face) {
+    const auto corner = load.corners.col(face);
+    const int corners = corner(3) < 0 ? 3 : 4;
+    std::array<Vec3, 4> twice;  // areas of the triangles at the corners, along their normals
+    Vec3 sum = Vec3::Zero();
+    for (int a = 0; a < corners; ++a) {
+      const Vec3 here = x.col(load.nodes[corner(a)]);
+      const Vec3 to_next = x.col(load.nodes[corner((a + 1) % corners)]) - here;
+      const Vec3 to_last = x.col(load.nodes[corner((a + corners - 1) % corners)]) - here;
+      sum += twice[a] = to_next.cross(to_last);
+    }
+    for (int a = 0; a < corners; ++a)
+      memory.force.col(corner(a)) -= corners == 3 ? Vec3(pressure / 18 * sum) : Vec3(pressure / 12 * (sum / 2 + twice[a]));
   }
 }
 
@@ -118,10 +125,11 @@ Spring make_spring(const std::string& name, const Vectors& X, Index from, Index 
 
 }  // namespace
 
-Pressure pressure_on(const std::string& name, const mesh::Surface& surface, OverTime pressure) {
-  Pressure load{.name = name, .nodes = mesh::surface_nodes(surface), .corners = surface.facets, .pressure = std::move(pressure)};
+Pressure pressure_on(const std::string& name, const mesh::Mesh& mesh, const mesh::Surface& surface, OverTime pressure) {
+  Pressure load{.name = name, .nodes = mesh::surface_nodes(surface), .corners = mesh::faces(mesh, surface), .pressure = std::move(pressure)};
   for (Eigen::Index i = 0; i < load.corners.size(); ++i) {
     Index& corner = load.corners.data()[i];
+    if (corner < 0) continue;
     corner = static_cast<Index>(std::lower_bound(load.nodes.begin(), load.nodes.end(), corner) - load.nodes.begin());
   }
   return load;

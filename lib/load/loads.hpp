@@ -27,12 +27,16 @@ struct BodyForce {
   std::array<OverSpace, 3> acceleration;    ///< [m/s2]
 };
 
-/// Pressure on a surface that follows it: f = -p A n, A n the facet's current area and normal, a third
-/// of it on each node of the facet. Positive pressure presses against the outward normal.
+/// Pressure on a surface that follows it. Positive pressure presses against the outward normal.
+///
+///     facet  f_I = -p A n / 3,      face of a hexahedron  f_I = -p (A n + T_I n_I) / 6
+///
+/// with current areas and normals, T_I of the triangle at the corner. On hexahedra that is -p times the gradient
+/// of the enclosed volume, so a uniform pressure meets a uniform stress without remainder.
 struct Pressure {
   std::string name;
   Subset nodes;      ///< of the surface, ascending
-  Table<3> corners;  ///< [3 x facets] places in `nodes`
+  Table<4> corners;  ///< [4 x faces] places in `nodes`; the fourth is -1 on a facet of its own
   OverTime pressure; ///< [Pa]
 };
 
@@ -85,7 +89,7 @@ struct LoadMemory {
 };
 
 /// Builders; the nodes of a pressure are those of its surface.
-Pressure pressure_on(const std::string& name, const mesh::Surface&, OverTime);
+Pressure pressure_on(const std::string& name, const mesh::Mesh&, const mesh::Surface&, OverTime);
 /// Without a length the spring starts without force. Throws InternalError for a node that is not in X.
 Spring spring_between(const std::string& name, const Vectors& X, Index from, Index to, double stiffness, double damping,
                       const double* length = nullptr);

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "base/check.hpp"
@@ -98,11 +99,76 @@ Scalars facet_areas(const Mesh& mesh, const Surface& surface) {
   return areas;
 }
 
+namespace {
+
+/// Corners of a hexahedron's six faces, in the order of VTK.
+constexpr int face_corners[6][4] = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 4, 7, 3}, {1, 2, 6, 5}};
+
+/// A number for the hexahedron and face that a facet lies in, or -1: the first that has all its nodes.
+std::int64_t face_of(const Mesh& mesh, const std::vector<std::vector<std::int64_t>>& elements_of, const Eigen::Matrix<Index, 3, 1>& facet) {
+  for (const std::int64_t at : elements_of[facet(0)]) {
+    const auto region = static_cast<std::size_t>(at >> 32);
+    const auto corners = mesh.hexahedra[region].nodes.col(static_cast<Eigen::Index>(at & 0xffffffff));
+    for (int f = 0; f < 6; ++f) {
+      const auto has = [&](Index node) {
+        return std::any_of(face_corners[f], face_corners[f] + 4, [&](int a) { return corners(a) == node; });
+      };
+      if (has(facet(0)) && has(facet(1)) && has(facet(2))) return 6 * at + f;
+    }
+  }
+  return -1;
+}
+
+}  // namespace
+
+Table<4> faces(const Mesh& mesh, const Surface& surface) {
+  std::vector<std::vector<std::int64_t>> elements_of(static_cast<std::size_t>(mesh.X.cols()));
+  for (std::size_t region = 0; region < mesh.hexahedra.size(); ++region) {
+    const auto& nodes = mesh.hexahedra[region].nodes;
+    for (Index element = 0; element < nodes.cols(); ++element)
+      for (const Index node : nodes.col(element)) elements_of[node].push_back(static_cast<std::int64_t>(region) << 32 | element);
+  }
+  std::vector<Eigen::Matrix<Index, 4, 1>> all;
+  std::map<std::int64_t, std::size_t> half;  // faces of which one facet has been seen
+  for (Index f = 0; f < surface.facets.cols(); ++f) {
+    const Eigen::Matrix<Index, 3, 1> facet = surface.facets.col(f);
+    const std::int64_t face = face_of(mesh, elements_of, facet);
+    const auto other = face < 0 ? half.end() : half.find(face);
+    if (other == half.end()) {
+      if (face >= 0) half[face] = all.size();
+      all.push_back({facet(0), facet(1), facet(2), -1});
+      continue;
+    }
+    Eigen::Matrix<Index, 4, 1>& first = all[other->second];
+    const auto in_facet = [&](Index node) { return (facet.array() == node).any(); };
+    Index fourth = -1;
+    for (const Index node : facet)
+      if ((first.head<3>().array() != node).all()) fourth = node;
+    // it goes between the two nodes of the cut
+    if (in_facet(first(0)) && in_facet(first(1))) first = {first(0), fourth, first(1), first(2)};
+    else if (in_facet(first(1)) && in_facet(first(2))) first = {first(0), first(1), fourth, first(2)};
+    else first(3) = fourth;
+    half.erase(other);
+  }
+  return Eigen::Map<const Table<4>>(all.empty() ? nullptr : all[0].data(), 4, static_cast<Eigen::Index>(all.size()));
+}
+
 Scalars tributary_areas(const Mesh& mesh, const Surface& surface, const Subset& nodes) {
-  const Scalars areas = facet_areas(mesh, surface);
+  const Table<4> all = faces(mesh, surface);
   Scalars at_node = Scalars::Zero(mesh.X.cols());
-  for (Index facet = 0; facet < areas.size(); ++facet) {
-    for (const Index node : surface.facets.col(facet)) at_node(node) += areas(facet) / 3;
+  for (Index f = 0; f < all.cols(); ++f) {
+    const auto corner = [&](int a) { return Vec3(mesh.X.col(all(a, f))); };
+    const int corners = all(3, f) < 0 ? 3 : 4;
+    double at_corner[4], sum = 0;  // areas of the triangles at the corners
+    for (int a = 0; a < corners; ++a) {
+      const Vec3 here = corner(a), to_next = corner((a + 1) % corners) - here, to_last = corner((a + corners - 1) % corners) - here;
+      sum += at_corner[a] = to_next.cross(to_last).norm() / 2;
+    }
+    if (corners == 3) {
+      for (int a = 0; a < 3; ++a) at_node(all(a, f)) += at_corner[0] / 3;
+      continue;
+    }
+    for (int a = 0; a < 4; ++a) at_node(all(a, f)) += (sum / 2 + at_corner[a]) / 6;
   }
   Scalars wanted(nodes.size());
   std::transform(nodes.begin(), nodes.end(), wanted.begin(),

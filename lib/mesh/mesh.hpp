@@ -58,9 +58,19 @@ Subset surface_nodes(const Surface&);
 /// Area of each facet in the reference positions. [m2] [facets]
 Scalars facet_areas(const Mesh&, const Surface&);
 
-/// Tributary area of each node of `nodes`: a third of every facet of the surface at that node,
-/// zero where there is none. [m2] [nodes]
-/// The sum over the nodes of the surface is its area.
+/// The faces a surface is made of: two facets that cut one face of a hexahedron are that face again.
+///
+/// returns  nodes around each face, seen as its facets are; the fourth is -1 where a facet is a face of its own
+Table<4> faces(const Mesh&, const Surface&);
+
+/// Tributary area of each node of `nodes`: what a uniform pressure on the surface gives to it, zero where there
+/// is none. [m2] [nodes]
+///
+///     facet  A/3,      face of a hexahedron  (A + T)/6,  T the area of the triangle at that corner
+///
+/// The latter is the integral of the node's bilinear shape function over a flat face: a quarter on a
+/// parallelogram, and it does not know along which diagonal the face was cut.
+/// The sum over the nodes of the surface is its area; of a warped face, the mean of its two cuts.
 Scalars tributary_areas(const Mesh&, const Surface&, const Subset& nodes);
 
 }  // namespace nereid::mesh

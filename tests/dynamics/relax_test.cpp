@@ -157,7 +157,7 @@ Scene pressed() {
   s.model.blocks.push_back(element::hexahedra(s.model.mesh, "bar", material::Elastic{1000, 1e7, 0.3}, usual));
   s.model.relaxation = Relaxation{};
   finish(s.model);
-  s.model.loads.emplace_back(load::pressure_on("pressure", mesh::surface(s.model.mesh, "bar.z_high"), [](double) { return 1e3; }));
+  s.model.loads.emplace_back(load::pressure_on("pressure", s.model.mesh, mesh::surface(s.model.mesh, "bar.z_high"), [](double) { return 1e3; }));
   return s;
 }
 

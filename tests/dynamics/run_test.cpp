@@ -320,6 +320,8 @@ TEST(Run, HasAWordForEveryEnding) {
   EXPECT_EQ(word(Ending::not_finite), "not_finite");
   EXPECT_EQ(word(Ending::step_too_small), "step_too_small");
   EXPECT_EQ(word(Ending::energy_created), "energy_created");
+  EXPECT_EQ(word(Ending::relaxed), "relaxed");
+  EXPECT_EQ(word(Ending::not_relaxed), "not_relaxed");
 }
 
 // --- observers -----------------------------------------------------------------------------------

@@ -227,5 +227,54 @@ TEST(Constraints, MoreThanEightDirectionsAtANodeAreRefusedBeforeTheStart) {
   EXPECT_THROW(prepare(with_floor, 1, {-1}), InternalError);
 }
 
+TEST(Constraints, AFixedNodeNeitherMovesNorTurnsAndItsReactionIsOnePlanes) {
+  OneNode one({Vec3::UnitZ()}, PlaneKind::fixed);
+  EXPECT_EQ(one.restrained({1, 2, 3}, Vec3::Zero(), 2), Vec3(0, 0, 0));
+  EXPECT_EQ(one.restrained_turn({1, 2, 3}), Vec3(0, 0, 0));
+  EXPECT_EQ(one.memory.account[0].impulse, Vec3(-2, -4, -6));
+}
+
+TEST(Drive, GivesANodeTheSpeedsOfItsPlanesAndBooksItsKineticEnergy) {
+  Vectors3 random;
+  for (int i = 0; i < 100; ++i) {
+    OneNode one({random.unit(), random.unit()}, PlaneKind::held);
+    for (Plane& plane : one.constraints.planes) plane.velocity = [](double t) { return 2 + t; };
+    one.memory = prepare(one.constraints, 1, {-1});
+    set_speeds(one.constraints, 1, one.memory);
+    EXPECT_TRUE(one.memory.held[0].moves);
+    const Vec3 before = random.any();
+    Vec3 v = before;
+    drive(one.constraints, one.memory.speed, one.memory.held[0], random.any(), 3, before, Vec3::Zero(), 0, v, one.memory.account);
+    double work = 0;
+    for (int p = 0; p < 2; ++p) {
+      EXPECT_NEAR(v.dot(one.constraints.planes[p].normal), 3, 1e-9);  // planes at a small angle amplify round-off
+      work += one.memory.account[p].driven;
+    }
+    EXPECT_NEAR(work / (1.5 * (v.squaredNorm() - before.squaredNorm())), 1, 1e-9);
+  }
+}
+
+TEST(FindConflict, IsAPlaneThatMovesANodeWhereOthersHoldIt) {
+  Constraints both;
+  both.planes = {plane(PlaneKind::held, Vec3::UnitX()), plane(PlaneKind::held, Vec3(1, 1, 0).normalized())};
+  EXPECT_EQ(find_conflict(both).moving, -1);
+  both.planes[0].velocity = [](double) { return 1.0; };
+  EXPECT_EQ(find_conflict(both).moving, -1);
+  both.planes.push_back(plane(PlaneKind::symmetry, Vec3::UnitY()));  // two planes hold x between them
+  EXPECT_EQ(find_conflict(both).moving, 0);
+  EXPECT_EQ(find_conflict(both).other, 2);
+  both.planes.back().nodes = {5};
+  EXPECT_EQ(find_conflict(both).moving, -1);
+}
+
+TEST(FindOverheld, CountsAFixedPlaneThreeTimes) {
+  Constraints many;
+  for (int i = 0; i < 2; ++i) many.planes.push_back(plane(PlaneKind::fixed, Vec3::UnitX()));
+  for (int i = 0; i < 2; ++i) many.planes.push_back(plane(PlaneKind::held, Vec3::UnitX()));
+  EXPECT_EQ(find_overheld(many), -1);
+  many.planes.push_back(plane(PlaneKind::floor, Vec3::UnitX()));
+  EXPECT_EQ(find_overheld(many), 0);
+}
+
 }  // namespace
 }  // namespace nereid::load

@@ -8,6 +8,7 @@
 
 #include "base/check.hpp"
 #include "mesh/box.hpp"
+#include "mesh/skin.hpp"
 
 namespace nereid::load {
 namespace {
@@ -30,13 +31,10 @@ mesh::Mesh closed_box() {
   return mesh;
 }
 
-double volume(const mesh::Surface& surface, const Vectors& x) {
-  double sum = 0;
-  for (Index f = 0; f < surface.facets.cols(); ++f) {
-    const Vec3 a = x.col(surface.facets(0, f)), b = x.col(surface.facets(1, f)), c = x.col(surface.facets(2, f));
-    sum += a.dot(b.cross(c)) / 6;
-  }
-  return sum;
+/// Volume of the hexahedra, whose faces are bilinear.
+double volume(mesh::Mesh mesh, const Vectors& x) {
+  mesh.X = x;
+  return mesh::volumes(mesh, mesh.hexahedra[0]).sum();
 }
 
 Vectors random_vectors(Eigen::Index count, double amplitude, int seed) {
@@ -51,7 +49,7 @@ const Vectors no_turns(3, 0);
 
 TEST(Pressure, OnAFlatSideIsAreaTimesPressureAgainstItsNormal) {
   const mesh::Mesh mesh = mesh::box("box", {Vec3::Zero(), Vec3(0.3, 0.2, 0.1), {3, 2, 1}});
-  const AnyLoad load = pressure_on("p", mesh::surface(mesh, "box.x_high"), constant(1e3));
+  const AnyLoad load = pressure_on("p", mesh, mesh::surface(mesh, "box.x_high"), constant(1e3));
   LoadMemory memory = initial_memory(load);
   advance(load, mesh.X, mesh.X, Vectors::Zero(3, mesh.X.cols()), no_turns, 0, 0, memory);
   EXPECT_NEAR((resultant(memory) - Vec3(-1e3 * 0.02, 0, 0)).norm(), 0, 1e-13);  // round-off of a sum of tens
@@ -59,7 +57,7 @@ TEST(Pressure, OnAFlatSideIsAreaTimesPressureAgainstItsNormal) {
 
 TEST(Pressure, OnAClosedSurfaceHasNoResultantAndNoMomentHoweverItIsDeformed) {
   const mesh::Mesh mesh = closed_box();
-  const AnyLoad load = pressure_on("p", mesh::surface(mesh, "all"), constant(1e3));
+  const AnyLoad load = pressure_on("p", mesh, mesh::surface(mesh, "all"), constant(1e3));
   const Vectors x = mesh.X + random_vectors(mesh.X.cols(), 0.03, 1);
   LoadMemory memory = initial_memory(load);
   advance(load, mesh.X, x, Vectors::Zero(3, x.cols()), no_turns, 0, 0, memory);
@@ -74,8 +72,7 @@ TEST(Pressure, OnAClosedSurfaceHasNoResultantAndNoMomentHoweverItIsDeformed) {
 
 TEST(Pressure, ForceOnAClosedSurfaceIsTheGradientOfPressureTimesVolume) {
   const mesh::Mesh mesh = closed_box();
-  const mesh::Surface& surface = mesh::surface(mesh, "all");
-  const AnyLoad load = pressure_on("p", surface, constant(1e3));
+  const AnyLoad load = pressure_on("p", mesh, mesh::surface(mesh, "all"), constant(1e3));
   const Vectors x = mesh.X + random_vectors(mesh.X.cols(), 0.03, 2);
   LoadMemory memory = initial_memory(load);
   advance(load, mesh.X, x, Vectors::Zero(3, x.cols()), no_turns, 0, 0, memory);
@@ -85,14 +82,14 @@ TEST(Pressure, ForceOnAClosedSurfaceIsTheGradientOfPressureTimesVolume) {
   for (Eigen::Index i = 0; i < x.size(); i += 5) {
     Vectors ahead = x, behind = x;
     ahead.data()[i] += 1e-2, behind.data()[i] -= 1e-2;
-    const double slope = (volume(surface, ahead) - volume(surface, behind)) / 2e-2;
+    const double slope = (volume(mesh, ahead) - volume(mesh, behind)) / 2e-2;
     EXPECT_NEAR(force.data()[i], -1e3 * slope, 1e-11);
   }
 }
 
 TEST(Pressure, TurnsWithItsSurface) {
   const mesh::Mesh mesh = closed_box();
-  const AnyLoad load = pressure_on("p", mesh::surface(mesh, "box.z_high"), constant(1e3));
+  const AnyLoad load = pressure_on("p", mesh, mesh::surface(mesh, "box.z_high"), constant(1e3));
   const Vectors x = mesh.X + random_vectors(mesh.X.cols(), 0.03, 3);
   const Mat3 Q = Eigen::AngleAxisd(1.1, Vec3(1, 2, 3).normalized()).toRotationMatrix();
   LoadMemory here = initial_memory(load), turned = here;

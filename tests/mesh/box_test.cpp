@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "base/check.hpp"
 #include "tests/mesh/measures.hpp"
 
@@ -71,6 +73,12 @@ TEST(Box, HasTributaryAreasThatAreEqualWithinAFaceAndSumToItsArea) {
   });
   EXPECT_EQ(inside.size(), 2u * 4u);
   EXPECT_LT(unevenness(tributary_areas(mesh, face, inside), cell), 1e-13);
+  // a quarter of a cell at each corner, a half along the rims: cuts do not show
+  const auto count = [&](double part) {
+    return std::count_if(areas.begin(), areas.end(), [&](double area) { return std::abs(area / (part * cell) - 1) < 1e-12; });
+  };
+  EXPECT_EQ(count(0.25), 4);
+  EXPECT_EQ(count(0.5), 2 * (2 + 4));
 }
 
 TEST(Box, RefusesEmptyShapes) {

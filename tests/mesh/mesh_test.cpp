@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+#include <cmath>
+#include <random>
+
 #include "base/check.hpp"
 #include "mesh/box.hpp"
 
@@ -74,6 +78,56 @@ TEST(SurfaceNodes, AreAscendingAndEachOnce) {
 TEST(FacetAreas, AreHalfOfTheSquareEach) {
   const Mesh mesh = square();
   EXPECT_EQ(facet_areas(mesh, surface(mesh, "square")), Eigen::Vector2d(0.5, 0.5));
+}
+
+TEST(Faces, AreThoseOfHexahedraWhereBothFacetsAreThereAndElseTheFacets) {
+  const Mesh mesh = block("A");
+  Surface side = surface(mesh, "A.x_low");
+  const auto facets = side.facets.cols();
+  const Table<4> whole = faces(mesh, side);
+  EXPECT_EQ(whole.cols(), facets / 2);
+  EXPECT_GE(whole.minCoeff(), 0);
+  for (Index f = 0; f < whole.cols(); ++f) {  // around the face, as its facets are
+    const auto at = [&](int a) { return Vec3(mesh.X.col(whole(a, f))); };
+    for (int a = 0; a < 4; ++a) {
+      const Vec3 turn = (at((a + 1) % 4) - at(a)).cross(at((a + 2) % 4) - at((a + 1) % 4));
+      EXPECT_LT(turn.x(), 0);
+    }
+  }
+  side.facets = Table<3>(side.facets.leftCols(facets - 1));
+  const Table<4> part = faces(mesh, side);
+  EXPECT_EQ(part.cols(), facets / 2);
+  EXPECT_EQ((part.row(3).array() < 0).count(), 1);
+  EXPECT_EQ((faces(square(), surface(square(), "square")).row(3).array() < 0).count(), 2);  // plates
+}
+
+TEST(TributaryAreas, OfAFaceAreWhatAUniformPressureGivesItsBilinearCorners) {
+  Mesh mesh = block("A");
+  const Surface& side = surface(mesh, "A.x_low");
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> unit(-0.1, 0.1);
+  for (const Index node : surface_nodes(side)) mesh.X(1, node) += unit(random), mesh.X(2, node) += unit(random);
+  const Subset nodes = surface_nodes(side);
+  Scalars exact = Scalars::Zero(mesh.X.cols());
+  const Table<4> all = faces(mesh, side);
+  const double gauss = std::sqrt(1.0 / 3);
+  for (Index f = 0; f < all.cols(); ++f) {
+    for (const double xi : {-gauss, gauss}) {
+      for (const double eta : {-gauss, gauss}) {
+        const double sign[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+        Vec3 by_xi = Vec3::Zero(), by_eta = by_xi;
+        for (int a = 0; a < 4; ++a) {
+          by_xi += 0.25 * sign[a][0] * (1 + sign[a][1] * eta) * mesh.X.col(all(a, f));
+          by_eta += 0.25 * sign[a][1] * (1 + sign[a][0] * xi) * mesh.X.col(all(a, f));
+        }
+        for (int a = 0; a < 4; ++a)
+          exact(all(a, f)) += 0.25 * (1 + sign[a][0] * xi) * (1 + sign[a][1] * eta) * by_xi.cross(by_eta).norm();
+      }
+    }
+  }
+  const Scalars areas = tributary_areas(mesh, side, nodes);
+  for (std::size_t i = 0; i < nodes.size(); ++i) EXPECT_NEAR(areas(static_cast<Eigen::Index>(i)), exact(nodes[i]), 1e-14);
+  EXPECT_NEAR(areas.sum(), facet_areas(mesh, side).sum(), 1e-14);
 }
 
 TEST(TributaryAreas, AreAThirdOfTheFacetsAtTheNode) {

@@ -26,7 +26,7 @@ SOUND = {
     "lib/mesh/box.cpp": '#include "mesh/box.hpp"\n#include <Eigen/Eigenvalues>\n',
     "lib/element/hex8.hpp": '#include "base/number.hpp"\n#include "mesh/box.hpp"\n',
     "lib/contact/apex.hpp": '#include "mesh/box.hpp"\n',
-    "lib/input/section.cpp": "#include <yaml-cpp/yaml.h>\n",
+    "lib/input/yaml.cpp": "#include <yaml-cpp/yaml.h>\n",
     "lib/grid/grid.cpp": "#include <vtkPoints.h>\n",
     "lib/output/summary.cpp": "#include <nlohmann/json.hpp>\n",
     "drivers/driver.cpp": "#include <CLI/CLI.hpp>\n",
@@ -88,7 +88,7 @@ class Floors(HouseTest):
         self.expect("floors", {"lib/mesh/box.hpp": "#  include <element/hex8.hpp>\n"}, "lib/mesh/box.hpp:1:")
 
     def test_private_libraries_are_no_modules(self):
-        self.expect("floors", {"lib/input/section.cpp": '#include "yaml-cpp/yaml.h"\n'}, "names no module")
+        self.expect("floors", {"lib/input/yaml.cpp": '#include "yaml-cpp/yaml.h"\n'}, "names no module")
 
     def test_include_without_module(self):
         self.expect("floors", {"lib/mesh/box.cpp": '#include "box.hpp"\n'}, "lib/mesh/box.cpp:1: \"box.hpp\" names no module")
@@ -122,7 +122,7 @@ class Floors(HouseTest):
 class Doors(HouseTest):
     def test_each_dependency_behind_its_door(self):
         for path, text, fault in [
-            ("lib/input/case.cpp", "#include <yaml-cpp/yaml.h>\n", "yaml-cpp enters here; its door is lib/input/section.cpp"),
+            ("lib/input/case.cpp", "#include <yaml-cpp/yaml.h>\n", "yaml-cpp enters here; its door is lib/input/yaml.cpp"),
             ("tests/input/case.cpp", "#include <yaml-cpp/node/node.h>\n", "yaml-cpp enters here"),
             ("lib/output/history.cpp", "#include <vtkPoints.h>\n", "VTK enters here; its door is lib/grid/grid.cpp"),
             ("lib/output/history.cpp", "#include <nlohmann/json.hpp>\n", "its door is lib/output/summary.cpp"),

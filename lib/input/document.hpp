@@ -1,0 +1,57 @@
+#pragma once
+// All that is known about one case: its tree, what is set on the command line, what was asked and what was found.
+
+#include <deque>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/resolved.hpp"
+#include "input/section.hpp"
+#include "input/yaml.hpp"
+
+namespace nereid::input {
+
+/// Sections and CaseFile share it.
+class Document {
+ public:
+  /// Throws CaseError if nothing can be read at all.
+  Document(std::string path, std::string text, const std::vector<std::string>& overrides);
+
+  Node* root() { return root_.get(); }
+  /// A section that the case does not have, for readers of optional ones.
+  Node* empty_section(const Place& place);
+
+  bool sound() const;
+  /// Throws CaseError with all faults by place, unknown keys among them, if there are any.
+  void throw_if_any() const;
+  std::vector<std::string> not_used() const;
+
+  /// A value that looks like 'key:value' was meant to be a key.
+  static std::string colon_hint(const Node& node);
+
+  const Source& source(int number) const { return sources_[static_cast<std::size_t>(number)]; }
+
+  std::vector<Finding> findings;
+  std::vector<Resolved> resolved;
+  std::set<std::string> recorded;
+
+ private:
+  void check_text(const std::string& text) const;
+  void apply(const std::string& text, int number);
+  void find_unknown(const Node& node, const std::string& path, std::vector<Finding>& all) const;
+  void find_not_used(const Node& node, const std::string& path, std::vector<std::string>& result) const;
+  int column(const Place& place) const;
+  std::string text_of(const Place& place) const;
+  Fault report(const Finding& finding) const;
+
+  std::deque<Source> sources_;
+  std::unique_ptr<Node> root_;
+  std::deque<Node> extra_;
+  std::map<std::string, int> set_;  // path: number of the override
+};
+
+}  // namespace nereid::input

@@ -1,0 +1,49 @@
+#include "input/words.hpp"
+
+#include <gtest/gtest.h>
+
+namespace nereid::input {
+namespace {
+
+TEST(Nearest, IsTheWordWithTheFewestWrongLetters) {
+  EXPECT_EQ(nearest("penalyt", {"hardness", "penalty", "penal"}), "did you mean 'penalty'?");
+  EXPECT_EQ(nearest("Penalty", {"penalty"}), "did you mean 'penalty'?");  // capitals cost nothing
+  EXPECT_EQ(nearest("x_hihg", {"x_low", "x_high"}), "did you mean 'x_high'?");
+}
+
+TEST(Nearest, IsSilentWhereMoreThanAThirdIsWrong) {
+  EXPECT_EQ(nearest("abc", {"xyz"}), "");
+  EXPECT_EQ(nearest("tip", {}), "");
+  EXPECT_EQ(nearest(std::string(1000, 'a'), {std::string(1000, 'a')}), "");  // too long to be a key
+}
+
+TEST(Listed, EndsWhereNobodyReadsOn) {
+  EXPECT_EQ(listed({"a", "b"}), "a, b");
+  EXPECT_EQ(listed({}), "");
+  const std::string long_list = listed(std::vector<std::string>(30, "a"));
+  EXPECT_EQ(long_list.substr(long_list.size() - 11), " and 6 more");
+}
+
+TEST(Counted, KnowsOneFromMany) {
+  EXPECT_EQ(counted(0, "item"), "0 items");
+  EXPECT_EQ(counted(1, "item"), "1 item");
+}
+
+TEST(Shortest, ReadsBackToTheSameNumber) {
+  EXPECT_EQ(shortest(0.1), "0.1");
+  EXPECT_EQ(std::stod(shortest(1.0 / 3.0)), 1.0 / 3.0);
+}
+
+TEST(Characters, CountsWhatOneSees) {
+  EXPECT_EQ(characters("a\xC3\xA4z"), 3);
+  EXPECT_EQ(characters(""), 0);
+}
+
+TEST(FindUnprintable, FindsControlBytesAndBrokenUtf8) {
+  EXPECT_EQ(find_unprintable("a\tb\n\xC3\xA4"), std::string_view::npos);
+  EXPECT_EQ(find_unprintable("ab\x01"), 2U);
+  EXPECT_EQ(find_unprintable("a\xC3"), 1U);
+}
+
+}  // namespace
+}  // namespace nereid::input

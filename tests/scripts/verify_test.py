@@ -1,0 +1,203 @@
+"""scripts/verify.py tells right from wrong: rows, studies and breaks on runs that are made up here."""
+import base64
+import contextlib
+import io
+import math
+import struct
+import sys
+import tempfile
+import unittest
+import zlib
+from pathlib import Path
+
+SCRIPTS = Path(__file__).resolve().parents[2] / "scripts"
+sys.path.insert(0, str(SCRIPTS))
+import verify  # noqa: E402  (after the path)
+from verify import Breaks, Check, Falls, Miss, Pair, Report  # noqa: E402
+
+
+class MadeUp:
+    """A run whose answer is off by `error`, and depends on the keys that are set."""
+
+    def __init__(self, error=0.001, ending="reached_end"):
+        self.keys, self.error, self.ending = {}, error, ending
+        self.summary = {"ending": {"reason": "made up"}}
+
+    def again(self, change):
+        keys = {**self.keys, **change}
+        error = 0.001 if "size" not in keys else float(keys["size"]) ** 2
+        made = MadeUp(0.5 if keys.get("mistake") == "made" else error, keys.get("ending", "reached_end"))
+        made.keys = keys
+        return made
+
+
+def answer(run):
+    return Pair(2 * (1 + run.error), 2, "m")
+
+
+CHECK = Check("answer", answer, 0.01, "made up")
+CHECKS = {"answer": CHECK}
+
+
+class PairTest(unittest.TestCase):
+    def test_the_error_is_relative_to_what_is_expected(self):
+        self.assertAlmostEqual(Pair(2.02, 2).error(), 0.01)
+        self.assertAlmostEqual(Pair(-1.98, -2).error(), 0.01)
+
+    def test_a_scale_of_its_own_serves_where_zero_is_expected(self):
+        self.assertAlmostEqual(Pair(0.5, 0, "J", scale=50).error(), 0.01)
+        self.assertEqual(Pair(0.5, 0).error(), math.inf)
+        self.assertEqual(Pair(0, 0).error(), 0)
+
+
+class RowsTest(unittest.TestCase):
+    def test_a_check_passes_within_its_limit_and_fails_outside(self):
+        self.assertTrue(verify.check_row(CHECK, MadeUp(0.009)).good)
+        self.assertFalse(verify.check_row(CHECK, MadeUp(0.011)).good)
+
+    def test_what_is_no_number_fails(self):
+        self.assertFalse(verify.check_row(CHECK, MadeUp(math.nan)).good)
+
+    def test_a_report_gates_nothing(self):
+        row = verify.check_row(Report("answer", answer, "made up"), MadeUp(5))
+        self.assertTrue(row.good)
+        self.assertEqual(row.word, "report")
+
+    def test_a_miss_must_miss(self):
+        miss = Miss("answer", answer, 0.01, "made up", "a reason")
+        self.assertTrue(verify.check_row(miss, MadeUp(0.02)).good)
+        self.assertEqual(verify.check_row(miss, MadeUp(0.02)).word, "MISS")
+        self.assertFalse(verify.check_row(miss, MadeUp(0.001)).good)
+
+    def test_a_break_must_be_noticed(self):
+        self.assertTrue(verify.break_row(Breaks("answer", "a mistake", {"mistake": "made"}), CHECKS, MadeUp()).good)
+        self.assertFalse(verify.break_row(Breaks("answer", "none", {"mistake": "not made"}), CHECKS, MadeUp()).good)
+
+    def test_a_break_may_lie_in_the_measure(self):
+        wrong = Breaks("answer", "half the answer", measure=lambda run: Pair(1, 2, "m"))
+        self.assertTrue(verify.break_row(wrong, CHECKS, MadeUp()).good)
+
+    def test_a_break_that_stops_must_say_so(self):
+        stop = {"ending": "energy_created"}
+        self.assertFalse(verify.break_row(Breaks("answer", "a mistake", stop), CHECKS, MadeUp()).good)
+        self.assertTrue(verify.break_row(Breaks("answer", "a mistake", stop, stops="energy_created"), CHECKS, MadeUp()).good)
+        self.assertFalse(verify.break_row(Breaks("answer", "none", {}, stops="energy_created"), CHECKS, MadeUp()).good)
+
+    def test_a_study_needs_the_fall_and_the_order(self):
+        falling = dict(along="size", values=[0.4, 0.2, 0.1])
+        self.assertTrue(verify.study_row(Falls("answer", order=1.9, **falling), CHECKS, MadeUp()).good)
+        self.assertFalse(verify.study_row(Falls("answer", order=2.1, **falling), CHECKS, MadeUp()).good)
+        self.assertFalse(verify.study_row(Falls("answer", along="size", values=[0.1, 0.2]), CHECKS, MadeUp()).good)
+
+
+class HistoryTest(unittest.TestCase):
+    def test_means_are_over_the_span_and_not_over_the_samples(self):
+        self.assertAlmostEqual(verify.mean_over([0, 1, 1.5, 4], [0, 1, 1.5, 4], 0.5, 3.5), 2.0)
+
+    def test_crossings_are_found_between_samples(self):
+        self.assertEqual(verify.crossings([0, 1, 2, 3], [-1, 1, 1, -3]), [0.5, 2.25])
+        self.assertEqual(verify.crossings([0, 1, 2, 3], [-1, 1, 1, -3], rising=True), [0.5])
+
+    def test_packed_arrays_are_read_back(self):
+        data = struct.pack("<6d", *range(6))
+        packed = [zlib.compress(data[:32]), zlib.compress(data[32:])]
+        head = struct.pack("<5Q", 2, 32, 16, *(len(block) for block in packed))
+        text = base64.b64encode(head).decode() + base64.b64encode(b"".join(packed)).decode()
+        self.assertEqual(verify.unpacked(text), data)
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "one.vtu"
+            file.write_text(f'<VTKFile><DataArray type="Float64" Name="x" NumberOfComponents="3" format="binary">{text}'
+                            "</DataArray></VTKFile>")
+            self.assertEqual(verify.read_fields(file), {"x": [(0.0, 1.0, 2.0), (3.0, 4.0, 5.0)]})
+
+
+GOOD = {"accept.py": "from verify import Breaks, Check, Pair\nfrom reference import truth\n"
+                     "CLAIM, EVIDENCE, DRIVER = 'it holds', 'exact', 'two_blocks'\n"
+                     "CHECKS = [Check('answer', lambda run: Pair(1, truth), 0.01, 'made up')]\n"
+                     "BREAKS = [Breaks('answer', 'a mistake', {'key': 1})]\n",
+        "reference.py": "truth = 1\n"}
+
+
+class CaseTest(unittest.TestCase):
+    def case(self, **changes):
+        with tempfile.TemporaryDirectory() as root:
+            folder = Path(root) / "verification" / "made_up"
+            folder.mkdir(parents=True)
+            for name, text in GOOD.items():
+                (folder / name).write_text(text)
+            for old, new in changes.items():
+                text = (folder / "accept.py").read_text()
+                (folder / "accept.py").write_text(text + f"\n{old} = {new}\n")
+            return verify.Case("made_up", Path(root))
+
+    def test_a_sound_case_has_no_fault(self):
+        self.assertEqual(self.case().fault, "")
+
+    def test_every_rule_of_a_case_can_be_broken(self):
+        self.assertIn("BREAKS is empty", self.case(BREAKS="[]").fault)
+        self.assertIn("EVIDENCE is", self.case(EVIDENCE="'trust'").fault)
+        self.assertIn("no check is called", self.case(BREAKS="[Breaks('other', 'a mistake')]").fault)
+        self.assertIn("same name", self.case(CHECKS="CHECKS * 2").fault)
+        self.assertIn("no reason", self.case(CHECKS="[Check('answer', None, 1, '')]").fault)
+
+    def test_every_case_of_the_tree_is_sound(self):
+        for name in verify.names_of_all():
+            with self.subTest(name):
+                self.assertEqual(verify.Case(name).fault, "")
+                readme = (verify.ROOT / "verification" / name / "README.md").read_text(encoding="utf-8")
+                self.assertIn("**Claim**", readme)
+
+    def test_tables_in_the_tree_name_the_checks_and_limits_of_today(self):
+        """A README whose table is older than its accept.py is found without running anything."""
+        for name in verify.names_of_all():
+            readme = (verify.ROOT / "verification" / name / "README.md").read_text(encoding="utf-8")
+            for check in verify.Case(name).accept.CHECKS:
+                with self.subTest(f"{name}: {check.name}"):
+                    lines = [line for line in readme.splitlines() if line.startswith(f"| {check.name} |")]
+                    self.assertEqual(len(lines), 1, "scripts/verify.py --write brings the table up to date")
+                    if not isinstance(check, Report):
+                        self.assertIn(f"| {verify.share(check.within)} |", lines[0])
+
+
+class ReadmeTest(unittest.TestCase):
+    def test_only_the_block_is_written_anew(self):
+        with tempfile.TemporaryDirectory() as folder:
+            readme = Path(folder) / "README.md"
+            readme.write_text("# Authored\n")
+            row = verify.Row("answer", "1", "2", "100 %", "1 %", "FAIL", False, "made up")
+            for got in ("2", "3"):
+                row.got = got
+                verify.write_readme(readme, verify.markdown([row], [], 1.0))
+            text = readme.read_text()
+            self.assertTrue(text.startswith("# Authored\n"))
+            self.assertEqual(text.count(verify.BEGIN), 1)
+            self.assertIn("| 3 |", text)
+            self.assertNotIn("| 2 |", text)
+
+
+class ReferencesTest(unittest.TestCase):
+    def test_references_give_the_numbers_of_the_catalogue(self):
+        """Each reference.py has doctests; they run here."""
+        import doctest
+        import importlib.util
+        for name in verify.names_of_all():
+            path = verify.ROOT / "verification" / name / "reference.py"
+            spec = importlib.util.spec_from_file_location(f"reference_of_{name}", path)
+            module = importlib.util.module_from_spec(spec)
+            spec.loader.exec_module(module)
+            with self.subTest(name), contextlib.redirect_stdout(io.StringIO()) as said:
+                result = doctest.testmod(module)
+                self.assertEqual(result.failed, 0, said.getvalue())
+                self.assertGreater(result.attempted, 0, "no doctest")
+
+    def test_references_import_nothing_of_ours(self):
+        allowed = {"math", "cmath", "fractions", "dataclasses"}
+        for name in verify.names_of_all():
+            text = (verify.ROOT / "verification" / name / "reference.py").read_text(encoding="utf-8")
+            imported = [line.split()[1].split(".")[0] for line in text.splitlines() if line.startswith(("import ", "from "))]
+            with self.subTest(name):
+                self.assertLessEqual(set(imported), allowed)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,78 @@
+"""How close is close enough, why, and what must break."""
+from reference import VM265, reference
+from verify import Breaks, Check, Falls, Figure, Pair
+
+CLAIM = "A bar that strikes a rigid wall pushes it with rho c V A for 2L/c and leaves with the speed it came with."
+EVIDENCE = "exact"
+DRIVER = "scene"
+
+
+EXACT = reference(**VM265)  # of the source, not of the case: a slip in the case shows
+
+
+def touching(run):
+    """First and last time at which the wall is pushed. [s]"""
+    pushed = [t for t, force in zip(run.column("time"), run.column("wall_force")) if force > 0]
+    return pushed[0], pushed[-1]
+
+
+def impact_time(run):
+    return Pair(touching(run)[0], EXACT["impact"], "s")
+
+
+def plateau_force(run):
+    return Pair(run.mean("wall_force", *EXACT["plateau"]), EXACT["force"], "N")
+
+
+def duration(run):
+    first, last = touching(run)
+    return Pair(last - first, EXACT["duration"], "s")
+
+
+def rebound(run):
+    """Mean velocity after the impact."""
+    momentum = EXACT["momentum"]
+    return Pair(-run.column("momentum")[-1] / momentum * EXACT["rebound"], EXACT["rebound"], "m/s")
+
+
+def impulse(run):
+    """Of the wall: twice the momentum, as no force acts at the end."""
+    return Pair(-run.account("wall")["impulse"]["value"][0], 2 * EXACT["momentum"], "N s")
+
+
+def created(run):
+    return Pair(run.created(), 0, "", scale=1)
+
+
+CHECKS = [
+    Check("impact time", impact_time, 0.005, "the time between two samples is 0.2 % of it"),
+    Check("plateau force", plateau_force, 0.01, "ringing averages out over the middle 80 % of the contact"),
+    Check("duration", duration, 0.02, "the wall's penalty is compliant and the end of the pulse is not sharp"),
+    Check("rebound speed", rebound, 0.005, "what stays behind as ringing is energy of the second order in its amplitude"),
+    Check("impulse of the wall", impulse, 0.005, "as the rebound"),
+    Check("created energy", created, 0.005, "the vote for the step lets a bounce create no more"),
+]
+
+STUDIES = [
+    Falls("rebound speed", along="bodies[0].mesh.cells[0]", values=[100, 200, 400]),
+    Falls("duration", along="planes[0].hardness", values=[0.125, 0.25, 0.5, 1]),
+]
+
+BREAKS = [
+    Breaks("impact time", "the gap in millimetres", {"planes[0].point": "[254.01 mm, 0 mm, 0 mm]"}),
+    Breaks("plateau force", "weight per volume taken for density", {"bodies[0].material.density": "0.282 lbf*s^2/in^4"}),
+    Breaks("plateau force", "a wall two hundred times too soft", {"planes[0].hardness": 0.005}),
+    Breaks("duration", "a wall two hundred times too soft", {"planes[0].hardness": 0.005}),
+    Breaks("rebound speed", "viscosity that swallows the wave", {"bodies[0].element.viscosity.linear": 1}),
+    Breaks("impulse of the wall", "a wall that keeps what it catches",
+           {"planes[0].kind": "floor", "planes[0].nodes": "[bar.x_high]"}),
+]
+
+def force_over_time(run):
+    start, end = EXACT["impact"], EXACT["release"]
+    exact = ([0, start, start, end, end, run.column("time")[-1]], [0, 0, EXACT["force"], EXACT["force"], 0, 0])
+    return [("Nereid", [1e6 * t for t in run.column("time")], [1e-3 * f for f in run.column("wall_force")]),
+            ("exact", [1e6 * t for t in exact[0]], [1e-3 * f for f in exact[1]])]
+
+
+FIGURES = [Figure("force", "time [us]", "force of the wall [kN]", force_over_time)]

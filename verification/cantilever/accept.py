@@ -1,0 +1,85 @@
+"""How close is close enough, why, and what must break."""
+from reference import deflection, first_frequency, layers_factor
+from verify import Breaks, Check, Pair, Report, Table, crossings
+
+CLAIM = "n layers of one-point elements with dashpots against hourglassing carry 1 - 1/n^2 of the bending stiffness, at rest and swinging."
+EVIDENCE = "exact"
+DRIVER = "scene"
+
+BEAM = {"young": 210e9, "poisson": 0, "length": 1, "width": 0.1, "height": 0.1}
+LOAD, DENSITY = 1000, 7850  # [N] [kg/m3]
+FREE = "verification/cantilever/free.yaml"
+
+
+def cells(layers):
+    return {"bodies[0].mesh.cells": f"[{10 * layers}, 1, {layers}]"}
+
+
+def stiff(layers, coefficient=0.1):
+    return {**cells(layers), "bodies[0].element.hourglass_kind": "stiffness", "bodies[0].element.hourglass": coefficient}
+
+
+def full(layers):
+    return {**cells(layers), "bodies[0].element.kind": "full"}
+
+
+def tip(run):
+    return -run.column("tip")[-1]
+
+
+def frequency(run):
+    """From the first and the last time the tip passes its rest downwards. [Hz]"""
+    times = crossings(run.column("time"), run.column("tip"), rising=False)
+    return (len(times) - 1) / (times[-1] - times[0]) if len(times) > 1 else float("nan")
+
+
+def against_layers(layers):
+    return lambda run: Pair(tip(run.again(cells(layers))), deflection(load=LOAD, bending=layers_factor(layers), **BEAM), "m")
+
+
+def against_beam(run):
+    return Pair(tip(run.again(cells(8))), deflection(load=LOAD, **BEAM), "m")
+
+
+def swing(layers):
+    exact = first_frequency(density=DENSITY, bending=layers_factor(layers), **BEAM)
+    return lambda run: Pair(frequency(run.other("scene", FREE, {**cells(layers), **slower(run)})), exact, "Hz")
+
+
+def slower(run):
+    """Changes of a break that hold for the free beam as well."""
+    return {key: value for key, value in run.overrides.items() if key.startswith("bodies") and "cells" not in key}
+
+
+def formulations(run):
+    beam = deflection(load=LOAD, **BEAM)
+    rows = []
+    kinds = [("one point, dashpots", cells), ("one point, springs 0.01", lambda n: stiff(n, 0.01)), ("one point, springs 0.1", stiff),
+             ("one point, springs 1", lambda n: stiff(n, 1)), ("eight points, mean dilatation", full)]
+    for name, change in kinds:
+        row = [name]
+        for layers in (1, 2, 4, 8):
+            row.append("a mechanism" if name.endswith("dashpots") and layers == 1 else f"{tip(run.again(change(layers))) / beam:.4f}")
+        rows.append(row)
+    rows.append(["1/(1 - 1/n^2), with shear", "infinite", *(f"{deflection(load=LOAD, bending=layers_factor(n), **BEAM) / beam:.4f}" for n in (2, 4, 8))])
+    return rows
+
+
+CHECKS = [
+    Check("deflection, 2 layers", against_layers(2), 0.02, "the catalogue's bound for 1 - 1/n^2"),
+    Check("deflection, 4 layers", against_layers(4), 0.02, "the catalogue's bound for 1 - 1/n^2"),
+    Check("deflection, 8 layers", against_layers(8), 0.02, "the catalogue's bound for 1 - 1/n^2"),
+    Check("deflection, 8 layers against the beam", against_beam, 0.02, "the catalogue's bound: 1/64 of it is the layers' own bending"),
+    Check("first frequency, 4 layers", swing(4), 0.02, "Timoshenko's, with 1 - 1/n^2 of the stiffness"),
+    Check("first frequency, 8 layers", swing(8), 0.02, "Timoshenko's, with 1 - 1/n^2 of the stiffness"),
+]
+
+STUDIES = [Table("Deflection over the beam's, n layers.", ["element", "n = 1", "n = 2", "n = 4", "n = 8"], formulations, full=True)]
+
+BREAKS = [
+    Breaks("deflection, 2 layers", "the layers' own bending counted: the whole of E I",
+           measure=lambda run: Pair(tip(run.again(cells(2))), deflection(load=LOAD, **BEAM), "m")),
+    Breaks("deflection, 4 layers", "a plate's stiffness E/(1 - nu^2) in a beam", {"bodies[0].material.young": "230.77 GPa"}),
+    Breaks("deflection, 4 layers", "hourglass springs in place of dashpots", {"bodies[0].element.hourglass_kind": "stiffness", "bodies[0].element.hourglass": 1}),
+    Breaks("first frequency, 4 layers", "half the density", {"bodies[0].material.density": "3925 kg/m^3"}),
+]

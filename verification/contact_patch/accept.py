@@ -1,0 +1,150 @@
+"""How close is close enough, why, and what must break."""
+from math import sqrt
+
+from reference import reference
+from verify import Breaks, Check, Miss, Pair, Report, Table
+
+CLAIM = "How uniformly a uniform pressure passes through two meshes that do not match, for every formulation of contact."
+EVIDENCE = "exact"
+DRIVER = "scene"
+
+PRESSURE = 1.0                            # [Pa]
+PENALTY = 4 * 1e6 * 0.7 / (1.3 * 0.4) / 0.25  # [Pa/m] hardness times (lambda + 2 mu) over the depth of a cell
+EXACT = reference(PRESSURE, 1e6, 0.5, PENALTY)
+CYLINDERS = "verification/contact_patch/cylinders.yaml"
+MATCHING = {"bodies[1].mesh.cells": "[4, 4, 2]"}
+EXCHANGED = {"contacts[0].apexes": "lower.z_high", "contacts[0].base": "upper.z_low"}
+EXCHANGED_CYLINDERS = {"contacts[0].apexes": "lower.top", "contacts[0].base": "upper.bottom"}
+
+
+def norms(values, exact):
+    """(root of the mean square, largest) error over what is exact."""
+    errors = [abs(v / exact - 1) for v in values]
+    return sqrt(sum(e * e for e in errors) / len(errors)), max(errors)
+
+
+def stresses(run):
+    """Axial stress of every solid element. [Pa]"""
+    fields = run.frame("body")[1]
+    return [s[2] for s, kind in zip(fields["stress"], fields["types"]) if kind == 12]
+
+
+def pressures(run):
+    """Of every apex; ParaView files have each element twice, as facet and as line. [Pa]"""
+    fields = run.frame("contact")[1]
+    return [p for p, part in zip(fields["contact_pressure"], fields["part"]) if part == 0]
+
+
+def overlap(run):
+    """The apex whose overlap is farthest from exact."""
+    fields = run.frame("contact")[1]
+    return Pair(-max(fields["gap"], key=lambda gap: abs(-gap - EXACT["overlap"])), EXACT["overlap"], "m")
+
+
+def inner_overlap(run):
+    """The same of the apexes off the corners of the face."""
+    fields = run.frame("contact")[1]
+    corner = corners(fields)
+    gaps = [gap for gap, apex in zip(fields["gap"], fields["apex_node"]) if apex not in corner]
+    return Pair(-max(gaps, key=lambda gap: abs(-gap - EXACT["overlap"])), EXACT["overlap"], "m")
+
+
+def corners(fields):
+    """Nodes of the four apexes on the corners of the unit square; point 1 of five is the apex of an element."""
+    found = set()
+    for element, apex in enumerate(fields["apex_node"][: len(fields["apex_node"]) // 2]):
+        x, y, _ = fields["points"][5 * element + 1]
+        if min(abs(x), abs(x - 1)) < 1e-3 and min(abs(y), abs(y - 1)) < 1e-3:
+            found.add(apex)
+    return found
+
+
+def resultant(run):
+    return Pair(abs(run.column("resultant")[-1]), PRESSURE, "N")
+
+
+def balance(run):
+    """Force of the interface over the force in the blocks, and of the blocks over one another: the larger error."""
+    lower, upper, force = (abs(run.column(name)[-1]) for name in ("stress_lower", "stress_upper", "resultant"))
+    return Pair(max((lower / force, upper / force), key=lambda ratio: abs(ratio - 1)), 1)
+
+
+def stress_error(which):
+    return lambda run: Pair(norms(stresses(run), EXACT["stress"])[which], 0, "", scale=1)
+
+
+def matching(measure):
+    return lambda run: measure(run.again(MATCHING))
+
+
+FORMULATIONS = [
+    ("as it is: consistent weights, area of the apex", {}), ("sides exchanged", EXCHANGED), ("two passes", {"contacts[0].passes": "two"}),
+    ("area of the base", {"contacts[0].area": "base"}), ("weights of the paper", {"contacts[0].weights": "paper"}),
+    ("area and weights of the paper", {"contacts[0].area": "base", "contacts[0].weights": "paper"}),
+    ("friction 0.3", {"contacts[0].friction": 0.3}), ("bonded", {"contacts[0].kind": "bonded"}),
+    ("hardness 40", {"contacts[0].hardness": 40}), ("hardness 0.4", {"contacts[0].hardness": 0.4}),
+    ("penalty from mass and step", {"contacts[0].penalty_from": "mass_and_step"}),
+    ("eight points in each element", {"bodies[0].element.kind": "full", "bodies[1].element.kind": "full"}),
+]
+
+
+def row(name, run):
+    """Errors against the pressure that the resultant stands for, so that a harder penalty is compared with itself."""
+    return [name, *(f"{100 * n:.2g} %" for n in (*norms(stresses(run), -mean_pressure(run)), *norms(closed(run), mean_pressure(run)))),
+            f"{len(closed(run))} of {len(pressures(run))}"]
+
+
+def passes(run):
+    """Two passes share the pressure."""
+    return 2 if run.overrides.get("contacts[0].passes") == "two" else 1
+
+
+def mean_pressure(run):
+    return -0.5 * (run.column("stress_lower")[-1] + run.column("stress_upper")[-1])
+
+
+def closed(run):
+    return [passes(run) * p for p in pressures(run) if p > 0]
+
+
+def grids(run):
+    rows = [row("4 x 4 on 4 x 4, matching", run.again(MATCHING)), row("3 x 3 on 4 x 4", run), row("3 x 3 on 4 x 4, sides exchanged", run.again(EXCHANGED))]
+    rows.append(row("6 x 6 on 8 x 8", run.again({"bodies[0].mesh.cells": "[8, 8, 4]", "bodies[1].mesh.cells": "[6, 6, 4]"})))
+    cylinders = run.other("scene", CYLINDERS)
+    rows.append(row("cylinders, matching", cylinders.again({"bodies[1].turn.angle": "0 deg"})))
+    rows.append(row("cylinders turned by 45 degrees", cylinders))
+    rows.append(row("the same, sides exchanged", cylinders.again(EXCHANGED_CYLINDERS)))
+    return rows
+
+
+def formulations(run):
+    return [row(name, run.again(change)) for name, change in FORMULATIONS]
+
+
+COLUMNS = ["", "stress, root mean square", "stress, largest", "pressure, root mean square", "pressure, largest", "apexes closed"]
+
+CORNERS = ("an apex has a third of each facet around it, so the corners of a box have 1/6 or 1/3 of a cell's face and not 1/4: "
+           "two corners sink half as deep again, two a quarter less")
+
+CHECKS = [
+    Check("resultant, matching grids", matching(resultant), 1e-3, "the corners are a little more compliant"),
+    Check("force through blocks over interface, matching grids", matching(balance), 1e-4, "equilibrium, to the residual of the relaxation"),
+    Check("force through blocks over interface, 3 x 3 on 4 x 4", balance, 1e-4, "equilibrium, to the residual of the relaxation"),
+    Check("overlap off the corners, matching grids", matching(inner_overlap), 0.05, "the corners' neighbours take part of what the corners miss"),
+    Miss("overlap of every apex, matching grids", matching(overlap), 1e-3, "pressure over penalty at each apex", CORNERS),
+    Miss("stress of every element, matching grids", matching(stress_error(1)), 1e-3, "uniform", CORNERS),
+    Report("resultant, 3 x 3 on 4 x 4", resultant, "nodes between apexes stand off, so the interface is more compliant than its penalty"),
+    Report("stress of every element, 3 x 3 on 4 x 4", stress_error(1), "an apex pushes one facet: no contact on nodes in one pass passes"),
+]
+
+STUDIES = [
+    Table("Errors of axial stress and contact pressure over their mean, by grid.", ["grid", *COLUMNS[1:]], grids),
+    Table("The same on 3 x 3 on 4 x 4, by formulation.", ["formulation", *COLUMNS[1:]], formulations),
+]
+
+BREAKS = [
+    Breaks("overlap off the corners, matching grids", "a penalty twice as hard", {"contacts[0].hardness": 8}),
+    Breaks("overlap off the corners, matching grids", "the area of the base in place of the apex's own", {"contacts[0].area": "base"}),
+    Breaks("resultant, matching grids", "a penalty ten times too soft", {"contacts[0].hardness": 0.4}),
+    Breaks("force through blocks over interface, 3 x 3 on 4 x 4", "rest not waited for", {"relaxation.residual": 0.02}),
+]

@@ -1,0 +1,98 @@
+"""How close is close enough, why, and what must break."""
+from math import hypot
+
+from reference import reference
+from verify import Breaks, Check, Pair, Table
+
+CLAIM = "A block dragged over irregular facets of a flat plane feels a steady push and a steady friction, and so does every base node."
+EVIDENCE = "exact"
+DRIVER = "scene"
+
+PENALTY, FRICTION, AREA = 1e-5, 0.25, 0.04           # [Pa/m] [-] [m2]
+CLEARANCE, SINKING, ACROSS, ASIDE = 1e-4, 1e-3, 0.5, 0.1  # [m] [m/s]
+SLIDES, END = 0.2, 0.6   # [s] when the block has sunk by its clearance and slides; when the run ends
+FRAMES = 2.5e-3          # [s]
+NODES_OF_BLOCK = 32      # behind those of the disc
+
+
+def per_force(run, name):
+    """A force over the push that the depth asks for, at each sample while the block slides."""
+    ratios = []
+    for t, force in zip(run.column("time"), run.column(name)):
+        if t >= SLIDES:
+            ratios.append(force / reference(PENALTY, SINKING * t - CLEARANCE, AREA, FRICTION)[0])
+    return ratios
+
+
+def normal(run):
+    ratios = per_force(run, "normal")
+    return Pair(max(ratios, key=lambda r: abs(r - 1)), 1)
+
+
+def ripple(run):
+    ratios = per_force(run, "normal")
+    return Pair(max(ratios) - min(ratios), 0, "", scale=1)
+
+
+def friction(run):
+    """Friction over push, at the sample where it is farthest from the coefficient."""
+    ratios = [hypot(a, b) / n for a, b, n in zip(per_force(run, "across"), per_force(run, "aside"), per_force(run, "normal"))]
+    return Pair(max(ratios, key=lambda r: abs(r - FRICTION)), FRICTION)
+
+
+def direction(run):
+    """Friction across the way over friction along it: it opposes the motion."""
+    length = hypot(ACROSS, ASIDE)
+    sideways = [(a * ASIDE - b * ACROSS) / length for a, b in zip(per_force(run, "across"), per_force(run, "aside"))]
+    against = [-(a * ACROSS + b * ASIDE) / length for a, b in zip(per_force(run, "across"), per_force(run, "aside"))]
+    return Pair(max(abs(s / a) for s, a in zip(sideways, against)), 0, "", scale=1)
+
+
+def jump(component):
+    """Measures the largest change of a base node's force between two frames, over the mean force of an inner apex then."""
+    def measure(run):
+        worst, before = 0.0, None
+        for number in range(round(SLIDES / FRAMES), round(END / FRAMES)):
+            t, fields = run.frame("body", number)
+            push, rub = reference(PENALTY, SINKING * t - CLEARANCE, AREA, FRICTION)
+            scale = (push if component == 2 else rub) / 9  # nine cells: an inner apex carries a ninth
+            now = [force[component] / scale for force in fields["contact_force"][:-NODES_OF_BLOCK]]
+            if before is not None:
+                worst = max(worst, max(abs(a - b) for a, b in zip(now, before)))
+            before = now
+        return Pair(worst, 0, "", scale=1)
+    return measure
+
+
+OPTIONS = [("as it is", {}), ("weights of the paper", {"contacts[0].weights": "paper"}), ("area of the base", {"contacts[0].area": "base"}),
+           ("both", {"contacts[0].weights": "paper", "contacts[0].area": "base"}), ("two passes", {"contacts[0].passes": "two"})]
+
+
+def options(run):
+    return [[name, f"{ripple(one).got:.1e}", f"{friction(one).error():.1e}", f"{jump(2)(one).got:.3f}", f"{jump(0)(one).got:.3f}"]
+            for name, one in ((name, run.again(change)) for name, change in OPTIONS)]
+
+
+CHECKS = [
+    Check("push over what the depth asks for", normal, 1e-6, "the block turns by some 1e-8 of its depth under its own weak push"),
+    Check("ripple of the push", ripple, 1e-6, "as the push; the catalogue allows 1 %, a flat plane with areas of the apexes has none"),
+    Check("friction over push", friction, 1e-6, "Coulomb's law holds at each apex, so it holds in the sum"),
+    Check("friction across the way", direction, 1e-6, "as friction"),
+    Check("jump of a base node's push", jump(2), 0.06, "between two frames an apex moves by 4 % of a facet's side"),
+    Check("jump of a base node's friction", jump(0), 0.06, "as above"),
+]
+
+STUDIES = [
+    Table("What options do: ripple of the resultant push; friction over push against the coefficient; the largest jump of a base "
+          "node's push and friction from frame to frame, over the force of one apex.",
+          ["option", "ripple", "friction error", "jump of push", "jump of friction"], options, full=True),
+]
+
+FEW = {"output.frames_every": "1 s"}
+BREAKS = [
+    Breaks("ripple of the push", "the area of the facet in place of the apex's own", {**FEW, "contacts[0].area": "base"}),
+    Breaks("jump of a base node's friction", "equal weights for friction, as the paper has them", {"contacts[0].weights": "paper"}),
+    Breaks("friction over push", "a stick a million times too soft", {**FEW, "contacts[0].stick": 1e-6}),
+    Breaks("push over what the depth asks for", "a contact height nobody asked for",
+           {**FEW, "contacts[0].contact_height": "given", "contacts[0].height": "0.01 mm"}),
+]

@@ -1,0 +1,93 @@
+"""How close is close enough, why, and what must break."""
+from math import sqrt
+
+from reference import of_a_box
+from verify import Breaks, Check, Pair, Report, Table
+
+CLAIM = "An oblique impact of two free blocks that rub changes neither momentum nor angular momentum."
+EVIDENCE = "invariant"
+DRIVER = "scene"
+
+MASS = 7850 * 0.03**3  # [kg] of the upper block
+MOMENTUM, SPIN = of_a_box(MASS, (0.03, 0.03, 0.03), (0.006, -0.004, 0.0169), (8, 3, -20))
+P0 = sqrt(sum(p * p for p in MOMENTUM))  # [kg m/s]
+L0 = P0 * 0.03                           # [kg m2/s] momentum times the size of the block
+
+
+def change(run, name):
+    """The largest change of a component of a vector of the ledger."""
+    return max(abs(a - b) for a, b in zip(run.ledger(name), run.ledger(f"initial_{name}")))
+
+
+def momentum(run):
+    return Pair(change(run, "momentum"), 0, "kg m/s", scale=P0)
+
+
+def angular_momentum(run):
+    return Pair(change(run, "angular_momentum"), 0, "kg m2/s", scale=L0)
+
+
+def start(run):
+    """The momentum the scene starts with is the one meant."""
+    return Pair(run.ledger("initial_momentum")[2], MOMENTUM[2], "kg m/s")
+
+
+def residual(run):
+    return Pair(run.ledger("energy_residual"), 0, "J", scale=run.ledger("initial_kinetic"))
+
+
+def created(run):
+    return Pair(run.created(), 0, "", scale=1)
+
+
+def heat(run):
+    """Energy that friction took, over the initial one: the impact did rub."""
+    return Pair(run.account("interface")["dissipated"]["friction"]["value"] / run.ledger("initial_kinetic"), 0, "", scale=1)
+
+
+def parted(run):
+    """Force at the end over the largest: the blocks have parted, so the impact is whole."""
+    force = run.column("normal_force")
+    return Pair(force[-1] / max(force), 0, "", scale=1)
+
+
+OPTIONS = [("as it is", {}), ("sides exchanged", {"contacts[0].apexes": "lower.z_high", "contacts[0].base": "upper.z_low"}),
+           ("two passes", {"contacts[0].passes": "two"}), ("weights of the paper", {"contacts[0].weights": "paper"}),
+           ("area of the base", {"contacts[0].area": "base"}), ("penalty from mass and step", {"contacts[0].penalty_from": "mass_and_step"}),
+           ("no friction", {"contacts[0].friction": 0})]
+
+
+def options(run):
+    rows = []
+    for name, change_of in OPTIONS:
+        one = run.again(change_of)
+        sources = [a for n, a in one.summary["ledger"]["accounts"].items() if n.startswith("interface")]
+        rubbed = sum(a["dissipated"].get("friction", {"value": 0.0})["value"] for a in sources)
+        booked = [sum(a["angular_impulse"]["value"][i] for a in sources) for i in range(3)]
+        rows.append([name, f"{momentum(one).error():.1e}", f"{angular_momentum(one).error():.1e}",
+                     f"{sqrt(sum(b * b for b in booked)) / L0:.1e}", f"{100 * rubbed / one.ledger('initial_kinetic'):.2f} %",
+                     f"{100 * one.created():.3f} %"])
+    return rows
+
+
+CHECKS = [
+    Check("momentum at the start", start, 1e-12, "round-off: the scene is the one meant"),
+    Check("change of momentum", momentum, 1e-12, "the catalogue's bound: contact gives what it takes"),
+    Check("change of angular momentum", angular_momentum, 1e-12, "the catalogue's bound, with consistent weights"),
+    Check("energy in no account", residual, 1e-11, "round-off of some thousand steps"),
+    Check("created energy", created, 0.005, "the vote for the step lets a bounce create no more"),
+    Check("force at the end", parted, 0, "an impact that is over"),
+    Report("heat of friction", heat, "it must be there for the audit to mean something"),
+]
+
+STUDIES = [
+    Table("Changes over the momentum of the upper block, and over that times its side; what the interface books as angular "
+          "impulse; heat and created energy over the initial kinetic energy.",
+          ["option", "momentum", "angular momentum", "angular impulse booked", "heat", "created"], options),
+]
+
+BREAKS = [
+    Breaks("change of angular momentum", "equal weights for friction, as the paper has them", {"contacts[0].weights": "paper"}),
+    Breaks("change of momentum", "gravity left on", {"gravity": "[0 m/s^2, 0 m/s^2, -9.81 m/s^2]"}),
+    Breaks("force at the end", "stopped early", {"time.end": "8 us"}),
+]

@@ -1,0 +1,71 @@
+"""How close is close enough, why, and what must break."""
+from reference import reference
+from verify import Breaks, Check, Pair
+
+CLAIM = "Every apex of an overlap feels its depth, is pushed by penalty times depth and never pulled, whatever the meshes."
+EVIDENCE = "exact"
+DRIVER = "scene"
+
+DEPTH, PENALTY, AREA = 0.1, 1e-6, 1.0  # [m] [Pa/m] [m2]
+PRESSURE, RESULTANT = reference(-DEPTH, PENALTY, AREA)
+SWAPPED = {"contacts[0].apexes": "lower.z_high", "contacts[0].base": "upper.z_low"}
+APART = {"initial[0].velocity": '["0", "0", "0.2"]'}
+
+
+def worst(values, expected):
+    """The value farthest from what is expected."""
+    return max(values, key=lambda value: abs(value - expected))
+
+
+def gap(run):
+    return Pair(worst(run.frame("contact")[1]["gap"], -DEPTH), -DEPTH, "m")
+
+
+def pressure(run):
+    return Pair(worst(run.frame("contact")[1]["contact_pressure"], PRESSURE), PRESSURE, "Pa")
+
+
+def resultant(run):
+    return Pair(abs(run.column("resultant")[-1]), RESULTANT, "N")
+
+
+def gap_at_the_start(run):
+    return Pair(worst(run.frame("contact", 0)[1]["gap"], DEPTH), DEPTH, "m")
+
+
+def pull(run):
+    """The strongest pull on any apex of both runs, one into the other and one apart, over the push of the overlap."""
+    pressures = [p for one in (run, run.again(APART)) for number in range(5) for p in one.frame("contact", number)[1]["contact_pressure"]]
+    return Pair(min(0.0, min(pressures)), 0, "Pa", scale=PRESSURE)
+
+
+def force_while_open(run):
+    """The largest force before the faces meet, over that of the overlap."""
+    early = [abs(force) for t, force in zip(run.column("time"), run.column("resultant")) if t < 0.499]
+    return Pair(max(early), 0, "N", scale=RESULTANT)
+
+
+def swapped(measure):
+    return lambda run: measure(run.again(SWAPPED))
+
+
+CHECKS = [
+    Check("gap of every apex", gap, 1e-8, "round-off of some hundred steps; the catalogue's bound"),
+    Check("pressure of every apex", pressure, 1e-8, "as the gap"),
+    Check("resultant", resultant, 1e-8, "as the gap: the areas of the apexes sum up to the face"),
+    Check("gap at the start", gap_at_the_start, 1e-8, "round-off"),
+    Check("pull", pull, 0, "contact pushes or does nothing"),
+    Check("force while open", force_while_open, 0, "no gap, no force"),
+    Check("gap of every apex, sides exchanged", swapped(gap), 1e-8, "as above, 4 cells over 5"),
+    Check("pressure of every apex, sides exchanged", swapped(pressure), 1e-8, "as above"),
+    Check("resultant, sides exchanged", swapped(resultant), 1e-8, "as above"),
+]
+
+BREAKS = [
+    Breaks("gap of every apex", "a contact height nobody asked for", {"contacts[0].contact_height": "given", "contacts[0].height": "1 mm"}),
+    Breaks("pressure of every apex", "half the penalty", {"contacts[0].penalty": "5e-7 Pa/m"}),
+    Breaks("resultant", "the area of the base in place of the apex's own", {"contacts[0].area": "base"}),
+    Breaks("pull", "a bond where contact is meant", {"contacts[0].kind": "bonded"}),
+    Breaks("gap of every apex", "a push that is not weak", {"contacts[0].penalty": "1e4 Pa/m"}),
+    Breaks("force while open", "a contact height of half the gap", {"contacts[0].contact_height": "given", "contacts[0].height": "50 mm"}),
+]

@@ -1,0 +1,84 @@
+"""How close is close enough, why, and what must break."""
+from reference import reference
+from verify import Breaks, Check, Figure, Pair, Table, crossings, interpolate
+
+CLAIM = "A block with 5 m/s on a level plane with friction 0.3 stops after 4.247 m and 1.699 s, and its energy is heat."
+EVIDENCE = "exact"
+DRIVER = "scene"
+
+EXACT = reference(speed=5, friction=0.3, gravity=9.81)
+
+
+def stop_time(run):
+    """When the mean speed first falls to zero; the block springs back a little then."""
+    return Pair((crossings(run.column("time"), run.column("speed"), rising=False) or [float("nan")])[0], EXACT["time"], "s")
+
+
+def distance(run):
+    return Pair(run.column("way")[-1], EXACT["distance"], "m")
+
+
+def heat(run):
+    return Pair(run.account("ground")["dissipated"]["friction"]["value"], run.ledger("initial_kinetic"), "J")
+
+
+def half_way(run):
+    """At half the time three quarters of the way are done: the deceleration is constant."""
+    return Pair(interpolate(run.column("time"), run.column("way"), EXACT["time"] / 2), 0.75 * EXACT["distance"], "m")
+
+
+def drift(run):
+    """Way in the last 0.2 s: it stands."""
+    return Pair(run.column("way")[-1] - run.at("way", run.column("time")[-1] - 0.2), 0, "m", scale=0.1)
+
+
+def ratio(run):
+    """Mean friction over mean push while it slides."""
+    first, last = 0.1, 1.6
+    return Pair(-run.mean("friction", first, last) / run.mean("normal_force", first, last), 0.3)
+
+
+def created(run):
+    return Pair(run.created(), 0, "", scale=1)
+
+
+CHECKS = [
+    Check("distance", distance, 0.01, "the catalogue's bound; the stick is elastic, the block too"),
+    Check("time to stop", stop_time, 0.01, "the catalogue's bound"),
+    Check("way at half the time", half_way, 0.01, "as the distance"),
+    Check("heat of friction", heat, 0.01, "what the block keeps as vibration of its own is far smaller"),
+    Check("friction over push", ratio, 0.01, "Coulomb's law holds at every node while it slides"),
+    Check("creep after the stop", drift, 1e-4, "in heights of the block; a stick holds and only the block trembles"),
+    Check("created energy", created, 0.005, "the vote for the step lets a bounce create no more"),
+]
+
+# the plane that keeps the way straight becomes a wall far away
+FREE = {"planes[1].kind": "rigid", "planes[1].surface": "block.y_high", "planes[1].point": "[0 m, 9 m, 0 m]", "planes[1].normal": "[0, -1, 0]"}
+
+
+def options(run):
+    rows = []
+    for name, change in (("as it is", {}), ("free to turn about the vertical", FREE), ("stick 0.1", {"planes[0].stick": 0.1}),
+                         ("penalty 1e7 Pa/m", {"planes[0].penalty": "1e7 Pa/m"})):
+        one = run.again(change)
+        rows.append([name, f"{distance(one).got:.5f}", f"{stop_time(one).got:.5f}", f"{heat(one).got:.3f}"])
+    rows.append(["exact", f"{EXACT['distance']:.5f}", f"{EXACT['time']:.5f}", "200"])
+    return rows
+
+
+STUDIES = [Table("Distance in metres, time in seconds, heat in joules.", ["", "distance", "time", "heat"], options)]
+
+BREAKS = [
+    Breaks("distance", "gravity of 9.0 m/s2", {"gravity": "[0 m/s^2, 0 m/s^2, -9.0 m/s^2]"}),
+    Breaks("time to stop", "a coefficient of 0.31", {"planes[0].friction": 0.31}),
+    Breaks("distance", "a stick ten thousand times too soft", {"planes[0].stick": 1e-4}),
+    Breaks("creep after the stop", "looked at before the stop", {"time.end": "1.6 s"}),
+]
+
+def speed_over_time(run):
+    exact = [(0, 5), (EXACT["time"], 0), (run.column("time")[-1], 0)]
+    return [("Nereid", run.column("time"), run.column("speed")),
+            ("exact", [t for t, _ in exact], [v for _, v in exact])]
+
+
+FIGURES = [Figure("speed", "time [s]", "speed [m/s]", speed_over_time)]

@@ -1,0 +1,63 @@
+"""How close is close enough, why, and what must break."""
+from reference import green_naghdi, jaumann
+from verify import Breaks, Check, Figure, Pair, Report, Table
+
+CLAIM = "Stress in simple shear up to 4 follows the rate of Jaumann."
+EVIDENCE = "exact"
+DRIVER = "scene"
+
+SHEAR_MODULUS = 1.0  # [Pa]
+SHEAR = 4.0          # [-] at the end
+
+
+def worst(component, sign, which):
+    """The sample that is farthest from the exact curve, over the shear modulus."""
+    def measure(run):
+        rows = [(sign * got, SHEAR_MODULUS * jaumann(shear)[which]) for got, shear in zip(run.column(component), run.column("shear"))]
+        got, exact = max(rows, key=lambda row: abs(row[0] - row[1]))
+        return Pair(got, exact, "Pa", scale=SHEAR_MODULUS)
+    return measure
+
+
+def shear(run):
+    return Pair(run.column("shear")[-1], SHEAR, "m")
+
+
+def against_green_naghdi(run):
+    return Pair(run.column("stress_xz")[-1], SHEAR_MODULUS * green_naghdi(SHEAR)[0], "Pa", scale=SHEAR_MODULUS)
+
+
+def curve(run):
+    rows = []
+    for target in (0.5, 1.0, 2.0, 3.0, 4.0):
+        t = target / SHEAR * run.column("time")[-1]
+        rows.append([f"{target:g}", f"{run.at('stress_xz', t):.6f}", f"{jaumann(target)[0]:.6f}", f"{green_naghdi(target)[0]:.6f}",
+                     f"{run.at('stress_xx', t):.6f}", f"{jaumann(target)[1]:.6f}", f"{green_naghdi(target)[1]:.6f}"])
+    return rows
+
+
+CHECKS = [
+    Check("shear at the end", shear, 1e-9, "held nodes move as they are told; sums of some thousand steps"),
+    Check("shear stress", worst("stress_xz", 1, 0), 1e-4, "the catalogue's bound at increments of the shear of 0.001"),
+    Check("normal stress along", worst("stress_xx", 1, 1), 1e-4, "as the shear stress"),
+    Check("normal stress across", worst("stress_zz", -1, 1), 1e-4, "as the shear stress; its sign is the other"),
+    Report("Green and Naghdi's shear stress at the end", against_green_naghdi, "another rate, which this is not"),
+]
+
+STUDIES = [Table("Over the shear: stresses over the shear modulus.",
+                 ["shear", "shear stress", "Jaumann", "Green-Naghdi", "normal stress", "Jaumann", "Green-Naghdi"], curve)]
+
+FAST = {"planes[3].velocity.value": '"0.2"', "time.end": "20 s", "output.history_every": "0.05 s", "output.frames_every": "20 s"}
+BREAKS = [
+    Breaks("shear stress", "increments of the shear a hundred times too large", FAST),
+    Breaks("shear stress", "Green and Naghdi's rate taken for Jaumann's", measure=against_green_naghdi),
+    Breaks("shear stress", "Poisson's ratio forgotten in the shear modulus", {"bodies[0].material.poisson": 0}),
+]
+
+def stress_over_shear(run):
+    shears = [i / 100 for i in range(401)]
+    return [("Nereid", run.column("shear"), run.column("stress_xz")),
+            ("Jaumann, exact", shears, [jaumann(g)[0] for g in shears]), ("Green and Naghdi, exact", shears, [green_naghdi(g)[0] for g in shears])]
+
+
+FIGURES = [Figure("shear", "shear", "shear stress over shear modulus", stress_over_shear)]

@@ -1,0 +1,84 @@
+"""How close is close enough, why, and what must break."""
+from reference import OWN_CODE, OWN_CODE_UNILATERAL, PUBLISHED, grid_convergence
+from verify import Breaks, Check, Pair, Report, Table
+
+CLAIM = "A bar of copper that strikes a wall at 227 m/s ends as short and as wide as in the catalogue's own code."
+EVIDENCE = "benchmark"
+DRIVER = "scene"
+
+LENGTH, RADIUS = OWN_CODE_UNILATERAL
+LEAST_STRAIN, MOST_STRAIN = OWN_CODE["10 x 50"][2], OWN_CODE["40 x 200"][2]
+LEVELS = [(2, 40), (3, 60), (4, 80)]  # cells of core and ring; along. Twice the first are across the radius
+
+
+def last(column, expected, unit):
+    return lambda run: Pair(run.column(column)[-1], expected, unit)
+
+
+def rest(run):
+    """Kinetic energy that is left, over that at the start."""
+    return Pair(run.column("kinetic")[-1] / run.ledger("initial_kinetic"), 0, "", scale=1)
+
+
+def hourglass(run):
+    """Energy in hourglass springs over the initial kinetic energy."""
+    return Pair(run.account("bar")["stored"]["hourglass"]["value"] / run.ledger("initial_kinetic"), 0, "", scale=1)
+
+
+def created(run):
+    return Pair(run.created(), 0, "", scale=1)
+
+
+def of_level(run, level):
+    cells, along = level
+    return run.again({"bodies[0].mesh.cells_core": cells, "bodies[0].mesh.cells_ring": cells, "bodies[0].mesh.cells_along": along})
+
+
+def meshes(run):
+    rows = []
+    for level in LEVELS:
+        one = of_level(run, level)
+        rows.append([f"{2 * level[0]} across, {level[1]} along", f"{1e3 * one.column('length')[-1]:.3f}",
+                     f"{1e3 * one.column('foot_radius')[-1]:.3f}", f"{one.column('plastic_strain')[-1]:.2f}",
+                     f"{100 * hourglass(one).got:.2f} %"])
+    sizes = [level[0] for level in LEVELS]
+    for name, factor, digits in (("length", 1e3, 3), ("foot_radius", 1e3, 3), ("plastic_strain", 1, 2)):
+        coarse, middle, fine = (of_level(run, level).column(name)[-1] * factor for level in LEVELS)
+        order, limit, index = grid_convergence(fine, middle, coarse, sizes[2] / sizes[1], sizes[1] / sizes[0])
+        rows.append([f"extrapolated {name.replace('_', ' ')}", f"{limit:.{digits}f}", f"order {order:.2f}",
+                     f"index {100 * index:.2f} %", ""])
+    return rows
+
+
+def codes(_):
+    rows = [[f"own axisymmetric code, {mesh}", f"{1e3 * length:.2f}", f"{1e3 * radius:.2f}", f"{strain:.2f}"]
+            for mesh, (length, radius, strain) in OWN_CODE.items()]
+    rows.append(["the same, a wall that lets go", f"{1e3 * LENGTH:.2f}", f"{1e3 * RADIUS:.2f}", ""])
+    span = {name: [1e3 * v if name != "plastic_strain" else v for v in limits] for name, limits in PUBLISHED.items()}
+    rows.append(["published, from memory: no gate", *("{:.2f} to {:.2f}".format(*span[name]) for name in ("length", "radius", "plastic_strain"))])
+    return rows
+
+
+CHECKS = [
+    Check("final length", last("length", LENGTH, "m"), 0.01, "the catalogue's bound; its own code moves by 0.3 % over three meshes"),
+    Check("final radius of the foot", last("foot_radius", RADIUS, "m"), 0.04,
+          "the catalogue's bound; its own code still moves by 2 % between its finest meshes"),
+    Check("kinetic energy left", rest, 1e-3, "the catalogue's bound: the bar is done at 80 us"),
+    Check("energy in hourglass springs", hourglass, 0.05, "the catalogue's gate for one-point elements"),
+    Check("created energy", created, 0.005, "the vote for the step lets a bounce create no more"),
+    Report("largest plastic strain", last("plastic_strain", MOST_STRAIN, ""),
+           f"a value of one element, {LEAST_STRAIN} to {MOST_STRAIN} in the catalogue's own code from 10 x 50 on"),
+]
+
+STUDIES = [
+    Table("Three meshes, with Roache's index. Millimetres.", ["mesh", "length", "radius", "plastic strain", "hourglass energy"], meshes, full=True),
+    Table("Other codes. Millimetres.", ["code", "length", "radius", "plastic strain"], codes),
+]
+
+COARSE = {"bodies[0].mesh.cells_core": 2, "bodies[0].mesh.cells_ring": 2, "bodies[0].mesh.cells_along": 40}
+BREAKS = [
+    Breaks("final length", "hardening forgotten", {**COARSE, "bodies[0].material.tangent": "0.01 MPa"}),
+    Breaks("final radius of the foot", "ten times the hardening", {**COARSE, "bodies[0].material.tangent": "1 GPa"}),
+    Breaks("final length", "a yield stress of 314 MPa, of another source", {**COARSE, "bodies[0].material.yield": "314 MPa"}),
+    Breaks("kinetic energy left", "stopped early", {**COARSE, "time.end": "40 us"}),
+]
