@@ -196,10 +196,10 @@ def settlement_figure(folders):
             settlement = column(history, quantity, "m", folder) * 1e3
             draw_curve(axes, time, settlement, number, f"{who}, {where}")
             if quantity == "settlement_mean":
-                peak = int(np.nanargmax(settlement))
-                axes.plot(time[peak], settlement[peak], color=CURVES[number % len(CURVES)]["color"], marker="o",
-                          markersize=4.5, linestyle="none", zorder=6,
-                          label=f"its maximum, {settlement[peak]:.1f} mm at {time[peak]:.2f} ms")
+                results = read_summary(folder)["results"]  # of every step; the history has some of them
+                most, at = (1e3 * results[key]["value"] for key in ("settlement_mean", "time_of_settlement_mean"))
+                axes.plot(at, most, color=CURVES[number % len(CURVES)]["color"], marker="o", markersize=4.5, linestyle="none",
+                          zorder=6, label=f"its maximum, {most:.1f} mm at {at:.2f} ms")
             number, last, largest = number + 1, max(last, time[-1]), max(largest, np.nanmax(settlement))
     axes.set_xlim(0, last)
     axes.set_ylim(0, 1.08 * largest)
@@ -506,28 +506,28 @@ def schematic_figure(radius, length, thickness, speed):
 def confinement_figure(curves, ends):
     """Settlement over its time as the confinement of the lead varies, with the round robin and NEPTUNE.
 
-    curves  {name: (rows, labels)}: rows (settlement [mm], time [ms], first and last time within 1 % of it [ms]) in order,
-            labels {row: words} at some of them
+    curves  {name: (rows, labels)}: rows (settlement [mm], time [ms] and, if wanted, first and last time within 1 % of it)
+            in order, labels {row: words} at some of them
     ends    {words: (settlement, time)}: single runs
     """
     figure, axes = new_figure(width=140, height=112)
     round_robin(axes)
     for number, (name, (rows, labels)) in enumerate(curves.items()):
         style = {**CURVES[number], "markersize": 4, "markerfacecolor": "white", "markeredgewidth": 0.8}
-        for settlement, _, first, last in rows:
-            axes.plot([first, last], [settlement] * 2, color=style["color"], linewidth=0.5, alpha=0.45, zorder=2)
+        for settlement, _, *span in rows:
+            if span:
+                axes.plot(span, [settlement] * 2, color=style["color"], linewidth=0.5, alpha=0.45, zorder=2)
         axes.plot([row[1] for row in rows], [row[0] for row in rows], label=name, zorder=4, **style)
         for place, words in labels.items():
-            side = -1 if number == 0 else 1
-            axes.annotate(words, (rows[place][1], rows[place][0]), xytext=(6 * side, -5 * side if number == 0 else -4),
-                          textcoords="offset points", fontsize=7, color=style["color"], zorder=7,
-                          ha="right" if side < 0 else "left", va="center")
+            right = number == 0  # the first curve runs below the others
+            axes.annotate(words, (rows[place][1], rows[place][0]), xytext=(7, -6) if right else (-7, 5), zorder=7,
+                          textcoords="offset points", fontsize=7.5, color=style["color"], ha="left" if right else "right", va="center")
     for words, (settlement, time) in ends.items():
         axes.plot(time, settlement, color="black", marker="s", markersize=4.5, linestyle="none", zorder=6)
-        axes.annotate(words, (time, settlement), xytext=(-6, 6), textcoords="offset points", fontsize=8, ha="right")
+        axes.annotate(words, (time, settlement), xytext=(-7, 3), textcoords="offset points", fontsize=8, ha="right")
     axes.set_xlabel("time of the largest settlement [ms]")
     axes.set_ylabel("largest settlement of the head [mm]")
-    axes.legend(loc="lower right")
+    axes.legend(loc="upper left")
     return figure
 
 

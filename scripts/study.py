@@ -1,7 +1,6 @@
 """What studies of runs share: starting a driver or finding what it left, and what a sequence of meshes tends to."""
 import hashlib
 import json
-import math
 import shutil
 import subprocess
 import sys
@@ -10,7 +9,9 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 STOPPED_EARLY = 3       # exit status of a driver whose physics stopped: a result, not a fault
 FORMAL_ORDER = 2.0      # linear elements cannot do better, so no estimate of error may assume it
+LEAST_ORDER, MOST_ORDER = 0.5, 3.0  # an order outside is no order: these meshes are not fine enough to tell
 SAFETY_FACTOR = 1.25    # of the grid convergence index on three meshes (Roache 1994)
+NO_ORDER_FACTOR = 3.0   # his factor where no order is shown; here on the spread of the three
 
 
 # ------------------------------------------------------------------------------------------------
@@ -90,21 +91,21 @@ def tendency(levels, values):
     if len(levels) < 3:
         return "fewer than three meshes: no statement", None, None
     (h1, f1), (h2, f2), (h3, f3) = sorted((1 / level, value) for level, value in zip(levels, values))[:3]
-    spread = max(f1, f2, f3) - min(f1, f2, f3)
+    no_order = NO_ORDER_FACTOR * (max(f1, f2, f3) - min(f1, f2, f3))
+    said = f"the uncertainty is {NO_ORDER_FACTOR:g} times their spread"
     if f2 == f1:
-        return "the two finest agree to the last digit", f1, spread
+        return f"the finest two agree to the last digit, so no order can be told; {said}", None, no_order
     ratio = (f3 - f2) / (f2 - f1)
     if ratio <= 0:
-        return "not monotone on the finest three; the uncertainty is their spread", None, spread
-    if ratio <= math.log(h3 / h2) / math.log(h2 / h1):
-        return "monotone, but no positive order fits the finest three; the uncertainty is their spread", None, spread
+        return f"not monotone on the finest three; {said}", None, no_order
 
     def right(p):
         return (h3 ** p - h2 ** p) / (h2 ** p - h1 ** p)
 
-    low, high = 1e-6, 30.0
-    if right(high) < ratio:
-        return "the finest two all but agree, so no order can be told; the uncertainty is the spread", None, spread
+    low, high = LEAST_ORDER, MOST_ORDER
+    if not right(low) <= ratio <= right(high):
+        side = f"below {LEAST_ORDER:g}" if ratio < right(low) else f"above {MOST_ORDER:g}"
+        return f"monotone, but of an order {side} on the finest three, which is none; {said}", None, no_order
     for _ in range(200):
         middle = 0.5 * (low + high)
         low, high = (middle, high) if right(middle) < ratio else (low, middle)

@@ -15,7 +15,7 @@ def sequence(levels, limit, factor, order):
 class Tendency(unittest.TestCase):
     def test_recovers_limit_and_order_whatever_the_ratios(self):
         for levels in ([1, 2, 4], [2, 3, 4], [3, 4, 6], [1, 3, 4], [4, 6, 7]):
-            for order in (0.5, 1.0, 1.7, 2.0):
+            for order in (0.6, 1.0, 1.7, 2.0):
                 for factor in (-3.0, 0.2):
                     with self.subTest(levels=levels, order=order, factor=factor):
                         note, limit, _ = study.tendency(levels, sequence(levels, 58.0, factor, order))
@@ -37,7 +37,7 @@ class Tendency(unittest.TestCase):
         self.assertAlmostEqual(limit, 5.0, delta=1e-10)
 
     def test_an_order_above_two_extrapolates_but_claims_no_more_than_two(self):
-        levels, order = [2, 3, 4], 4.0
+        levels, order = [2, 3, 4], 2.8
         values = sequence(levels, 7.0, 1.0, order)
         note, limit, uncertainty = study.tendency(levels, values)
         self.assertAlmostEqual(limit, 7.0, delta=1e-10)
@@ -46,39 +46,42 @@ class Tendency(unittest.TestCase):
         self.assertAlmostEqual(uncertainty, 1.25 * abs(values[2] - values[1]) / (r ** 2 - 1), delta=1e-12)
         self.assertGreater(uncertainty, 1.25 * abs(values[2] - 7.0))
 
-    def test_not_monotone_gives_the_spread_and_no_limit(self):
+    def test_not_monotone_gives_three_times_the_spread_and_no_limit(self):
         note, limit, uncertainty = study.tendency([1, 2, 4], [10.0, 12.0, 11.5])
         self.assertIn("not monotone", note)
         self.assertIsNone(limit)
-        self.assertEqual(uncertainty, 2.0)
+        self.assertEqual(uncertainty, 3 * 2.0)
 
     def test_steps_that_do_not_shrink_have_no_order(self):
-        # with ratios of two, equal steps are the logarithm of h: order zero
-        note, limit, uncertainty = study.tendency([1, 2, 4], [1.0, 2.0, 3.0])
-        self.assertIn("no positive order", note)
-        self.assertIsNone(limit)
-        self.assertEqual(uncertainty, 2.0)
-        note, limit, _ = study.tendency([1, 2, 4], [1.0, 1.9, 3.0])  # and growing ones
-        self.assertIn("no positive order", note)
-        self.assertIsNone(limit)
+        # with ratios of two, equal steps are the logarithm of h: order zero; the last ones grow
+        for values in ([1.0, 2.0, 3.0], [1.0, 1.9, 3.0]):
+            note, limit, uncertainty = study.tendency([1, 2, 4], values)
+            self.assertIn("below 0.5", note)
+            self.assertIsNone(limit)
+            self.assertEqual(uncertainty, 3 * 2.0)
 
-    def test_between_unequal_ratios_the_border_of_order_zero_is_that_of_logarithms(self):
-        # levels 3, 4, 6: equal steps shrink faster than logarithms would from 4 to 6, but not from 3 to 4
-        note, limit, _ = study.tendency([3, 4, 6], [3.0, 2.0, 1.0])
-        self.assertIsNotNone(limit, note)
-        note, limit, _ = study.tendency([3, 4, 6], [2.5, 2.0, 1.0])
-        self.assertIsNone(limit, note)
+    def test_an_order_below_a_half_or_above_three_is_not_extrapolated(self):
+        for levels in ([1, 2, 4], [6, 8, 12]):
+            for order, is_one in ((0.49, False), (0.51, True), (2.99, True), (3.01, False)):
+                values = sequence(levels, 58.0, 1.0, order)
+                note, limit, uncertainty = study.tendency(levels, values)
+                if is_one:
+                    self.assertAlmostEqual(limit, 58.0, delta=1e-9, msg=note)
+                else:
+                    self.assertIsNone(limit, note)
+                    self.assertAlmostEqual(uncertainty, 3 * (values[0] - values[-1]), delta=1e-12)
 
-    def test_finest_two_equal(self):
-        note, limit, uncertainty = study.tendency([1, 2, 4], [5.0, 4.0, 4.0])
-        self.assertIn("last digit", note)
-        self.assertEqual((limit, uncertainty), (4.0, 1.0))
+    def test_unequal_ratios_count(self):
+        # equal steps are of order one where h falls by equal amounts, and of none where it is halved
+        self.assertAlmostEqual(study.tendency([2, 3, 6], [3.0, 2.0, 1.0])[1], 0.0, delta=1e-12)
+        self.assertIsNone(study.tendency([1, 2, 4], [3.0, 2.0, 1.0])[1])
 
-    def test_finest_two_all_but_equal_tell_no_order(self):
-        note, limit, uncertainty = study.tendency([1, 2, 4], [5.0, 4.0, 4.0 - 1e-12])
-        self.assertIn("no order can be told", note)
-        self.assertIsNone(limit)
-        self.assertAlmostEqual(uncertainty, 1.0)
+    def test_finest_two_equal_or_all_but_equal_tell_no_order(self):
+        for finest, word in ((4.0, "last digit"), (4.0 - 1e-12, "above 3")):
+            note, limit, uncertainty = study.tendency([1, 2, 4], [5.0, 4.0, finest])
+            self.assertIn(word, note)
+            self.assertIsNone(limit)
+            self.assertAlmostEqual(uncertainty, 3.0)
 
     def test_two_meshes_say_nothing(self):
         self.assertEqual(study.tendency([1, 2], [1.0, 2.0])[1:], (None, None))
