@@ -53,6 +53,6 @@ BREAKS = [
     Breaks("contact time", "a penalty a hundred times too soft", {"contact.penalty": "5e11 Pa/m"}),
     Breaks("velocity of A", "viscosity that swallows the wave", {"element.viscosity.linear": 1}),
     Breaks("velocity of B", "viscosity that swallows the wave", {"element.viscosity.linear": 1}),
-    Breaks("created energy", "two cells, and a step beyond the bound of a bounce",
-           {"contact.created_in_a_bounce": 0.04, "contact.hardness": 20, "blocks.cells_along": 2}),
+    Breaks("created energy", "five cells, and a step beyond the bound of a bounce",
+           {"contact.created_in_a_bounce": 0.04, "contact.hardness": 20, "blocks.cells_along": 5}),
 ]
