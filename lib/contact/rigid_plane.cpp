@@ -58,13 +58,22 @@ void advance(const RigidPlane& plane, const Vectors& x, const Vectors& v, double
   }
 }
 
+namespace {
+Vec3 force_on(const RigidPlane& plane, const PlaneMemory& memory, std::size_t i) {
+  Vec3 force = memory.force[i] * plane.normal;
+  if (!memory.slip.empty()) force -= plane.friction.stick * plane.penalty * plane.area(static_cast<Eigen::Index>(i)) * memory.slip[i];
+  return force;
+}
+}  // namespace
+
 void add_forces(const RigidPlane& plane, const PlaneMemory& memory, Vectors& force) {
-  for (std::size_t i = 0; i < plane.nodes.size(); ++i) {
-    force.col(plane.nodes[i]) += memory.force[i] * plane.normal;
-    if (memory.slip.empty()) continue;
-    const double k = plane.penalty * plane.area(static_cast<Eigen::Index>(i));
-    force.col(plane.nodes[i]) -= plane.friction.stick * k * memory.slip[i];
-  }
+  for (std::size_t i = 0; i < plane.nodes.size(); ++i) force.col(plane.nodes[i]) += force_on(plane, memory, i);
+}
+
+Vec3 force(const RigidPlane& plane, const PlaneMemory& memory) {
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t i = 0; i < plane.nodes.size(); ++i) sum += force_on(plane, memory, i);
+  return sum;
 }
 
 double stable_step(const RigidPlane& plane, const Scalars& mass) {

@@ -34,6 +34,8 @@ PlaneMemory initial_memory(const RigidPlane&);
 /// impulses are posted by the trapezoid rule over the step v dt that led to x. Friction acts at the nodes.
 void advance(const RigidPlane&, const Vectors& x, const Vectors& v, double dt, PlaneMemory&);
 void add_forces(const RigidPlane&, const PlaneMemory&, Vectors& force);
+/// Sum of the forces on all nodes, with friction. [N]
+Vec3 force(const RigidPlane&, const PlaneMemory&);
 
 /// The largest step at which a bounce creates no more energy than the plane's bound. [s]
 double stable_step(const RigidPlane&, const Scalars& mass);

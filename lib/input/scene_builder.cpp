@@ -148,7 +148,7 @@ void check_names(const SceneOptions& scene, const mesh::Mesh& mesh) {
   ends.insert(ends.end(), sets.begin(), sets.end());
   for (const SpringRequest& spring : actions.springs) {
     expect(spring.section, "from", spring.from, "node sets", sets);
-    expect(spring.section, "to", spring.to, "node sets and ground", ends);
+    expect(spring.section, "to", spring.to, "the ends of springs", ends);
   }
   for (const PointMassRequest& mass : actions.point_masses) expect(mass.section, "nodes", mass.nodes, "node sets", sets);
   for (const InitialRequest& initial : actions.initial) expect(initial.section, "body", initial.body, "bodies", bodies);
@@ -162,7 +162,11 @@ void check_names(const SceneOptions& scene, const mesh::Mesh& mesh) {
     sources.insert(sources.end(), more.begin(), more.end());
   for (const ProbeOptions& probe : scene.probes) {
     switch (probe.quantity.of) {
-      case Of::nodes: expect(probe.at, "of", probe.of, "node sets", sets); break;
+      case Of::nodes:
+        expect(probe.at, "of", probe.of, "node sets", sets);
+        for (const mesh::NodeSet& set : mesh.node_sets)
+          if (set.name == probe.of && set.nodes.empty()) probe.at.fault("of", "'of' = " + probe.of + " has no nodes");
+        break;
       case Of::body: expect(probe.at, "of", probe.of, "bodies and regions", regions); break;
       case Of::contact: expect(probe.at, "of", probe.of, "contacts", contacts); break;
       case Of::source: expect(probe.at, "of", probe.of, "contacts, planes, loads and springs", sources); break;

@@ -17,7 +17,8 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 CASES = {  # by driver, and the name of a scene behind it
     "cask_drop": "cases/cask_drop/neptune.yaml", "two_blocks": "cases/two_blocks/bars.yaml",
-    "scene.taylor_bar": "cases/scene/taylor_bar.yaml", "scene.oblique": "cases/scene/oblique.yaml"}
+    "patch_test": "cases/patch_test/three_on_four.yaml", "sliding": "cases/sliding/stop.yaml",
+    "sliding.over_facets": "cases/sliding/over_facets.yaml", "scene.taylor_bar": "cases/scene/taylor_bar.yaml", "scene.oblique": "cases/scene/oblique.yaml"}
 PATIENCE = 120  # [s] each run takes less than a second
 
 # Small; the finer ones have so many tiles and apexes that every loop is shared among four threads.
@@ -311,6 +312,40 @@ class Summary(InATemporaryFolder):
         summary = self.run_to_end("scene.oblique", ["stop[0].above=-1 m", "stop[0].after=30 us"]).summary()
         self.assertEqual(summary["ending"]["word"], "stopped_by_condition")
         self.assertTrue(30e-6 <= summary["ending"]["time"]["value"] < 31e-6, summary["ending"])
+
+    def test_patch_test(self):
+        matching = self.run_to_end("patch_test", ["blocks.cells_upper=[4, 4, 2]", "relaxation.residual=1e-6"]).summary()
+        self.assertEqual(matching["ending"]["word"], "relaxed")
+        for name in ("stress_error_largest", "pressure_error_largest"):
+            self.assertLess(matching["results"][name]["value"], 2e-5)  # ten times the residual of the relaxation
+        unlike = self.run_to_end("patch_test", [], out="unlike").summary()
+        self.assertGreater(unlike["results"]["stress_error_largest"]["value"], 0.1)  # nodes on facets cannot do better
+        two = self.run_to_end("patch_test", ["contact.passes=two"], out="two").summary()
+        self.assertLess(two["results"]["stress_error_mean"]["value"], 0.3 * unlike["results"]["stress_error_mean"]["value"])
+
+    def test_sliding_block_stops(self):
+        summary = self.run_to_end("sliding", ["speed=1 m/s", "time.end=0.5 s"]).summary()
+        self.check_ledger(summary["ledger"])
+        results, exact = summary["results"], {"way": 1 / (2 * 0.3 * 9.81), "stop_time": 1 / (0.3 * 9.81)}
+        self.assertAlmostEqual(results["way"]["value"] / exact["way"], 1, delta=0.01)
+        self.assertAlmostEqual(results["stop_time"]["value"] / exact["stop_time"], 1, delta=0.02)  # and half a swing of the stick
+        heat = summary["ledger"]["accounts"]["contact"]["dissipated"]["friction"]["value"]
+        self.assertAlmostEqual(heat / summary["ledger"]["initial_kinetic"]["value"], 1, delta=0.01)
+
+    def test_block_on_an_incline(self):
+        incline = ["speed=0 m/s", "base.slope=30 deg", "base.ease=0.2 s", "time.end=1 s"]
+        stays = self.run_to_end("sliding", [*incline, "contact.friction=0.6"])
+        results = stays.summary()["results"]
+        self.assertLess(abs(results["way_in_second_half"]["value"]), 1e-7)  # it stays: a millionth of its height
+        self.assertLess(abs(results["way"]["value"]), 1e-4)  # its sticks have stretched and its rims slid while the pull grew
+        goes = self.run_to_end("sliding", [*incline, "contact.friction=0.2"], out="goes")
+        self.assertAlmostEqual(goes.summary()["results"]["acceleration"]["value"] / 3.20586, 1, delta=0.01)
+
+    def test_block_over_facets(self):
+        summary = self.run_to_end("sliding.over_facets", ["time.end=0.2 s"]).summary()
+        self.check_ledger(summary["ledger"])
+        self.assertGreater(summary["results"]["contact_walks"]["value"], 50)
+        self.assertLess(summary["results"]["normal_force_ripple"]["value"], 0.06)
 
     def test_resolved_case_is_in_si(self):
         resolved = self.run_to_end("cask_drop", CASK).summary()["provenance"]["resolved"]

@@ -90,6 +90,12 @@ class RowsTest(unittest.TestCase):
         self.assertFalse(verify.study_row(Falls("answer", along="size", values=[0.1, 0.2]), CHECKS, MadeUp()).good)
 
 
+class WordsTest(unittest.TestCase):
+    def test_errors_are_shown_in_per_cent_or_as_powers_of_ten(self):
+        self.assertEqual([verify.share(e) for e in (0, 3e-9, 0.0123, 1.234)], ["0", "3.0e-09", "1.2 %", "123 %"])
+        self.assertEqual(verify.share(math.nan), "nan")
+
+
 class HistoryTest(unittest.TestCase):
     def test_means_are_over_the_span_and_not_over_the_samples(self):
         self.assertAlmostEqual(verify.mean_over([0, 1, 1.5, 4], [0, 1, 1.5, 4], 0.5, 3.5), 2.0)

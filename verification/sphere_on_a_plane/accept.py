@@ -91,9 +91,10 @@ BREAKS = [
     Breaks("impulse", "viscosity that swallows waves", {"bodies[0].element.viscosity.linear": 1}),
 ]
 
+
 def force_over_time(run):
     times = [i / 200 * TIME * HERTZ["duration"] for i in range(201)]
-    shape = [sin(pi * i / 200)**1.5 for i in range(201)]  # Hertz's pulse to within 1 %
+    shape = [sin(pi * i / 200)**1.5 for i in range(201)]  # close to Hertz's pulse
     start = next(t for t, force in zip(run.column("time"), run.column("ground_force")) if force > 0)
     return [("Nereid", [1e6 * (t - start) for t in run.column("time")], [1e-3 * PART * f for f in run.column("ground_force")]),
             ("finite sphere, as the sine to 3/2", [1e6 * t for t in times], [1e-3 * FORCE * HERTZ["force"] * s for s in shape])]

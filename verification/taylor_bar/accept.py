@@ -45,7 +45,7 @@ def meshes(run):
     for name, factor, digits in (("length", 1e3, 3), ("foot_radius", 1e3, 3), ("plastic_strain", 1, 2)):
         coarse, middle, fine = (of_level(run, level).column(name)[-1] * factor for level in LEVELS)
         order, limit, index = grid_convergence(fine, middle, coarse, sizes[2] / sizes[1], sizes[1] / sizes[0])
-        rows.append([f"extrapolated {name.replace('_', ' ')}", f"{limit:.{digits}f}", f"order {order:.2f}",
+        rows.append([f"extrapolated {name.replace('_', ' ')}", f"{limit:.{digits}f}", f"order {order:.2f}" if order == order else "no order",
                      f"index {100 * index:.2f} %", ""])
     return rows
 

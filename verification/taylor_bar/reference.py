@@ -28,7 +28,8 @@ def grid_convergence(fine, middle, coarse, middle_over_fine, coarse_over_middle)
     """Order, extrapolated value and index [-] of the fine of three meshes, by Roache's method in the form of Celik et al.
     (J. Fluids Eng. 130 (2008) 078001), whose ratios of sizes may differ.
 
-    Where the values do not run one way there is no order, and the index is that of two meshes with the safety of 3.
+    Where the values do not run one way, or the order is out of reason (below 1/2 or above 3), there is none, and the index is
+    that of two meshes with Roache's safety of 3, without an extrapolation.
 
     >>> order, limit, index = grid_convergence(1.01, 1.04, 1.16, 2, 2)
     >>> round(order, 6), round(limit, 6), round(index, 6)
@@ -44,5 +45,7 @@ def grid_convergence(fine, middle, coarse, middle_over_fine, coarse_over_middle)
     for _ in range(200):  # a fixed point: e32/e21 = (r32^p - 1) r21^p / (r21^p - 1)
         correction = log((middle_over_fine**order - 1) / (coarse_over_middle**order - 1))
         order = max(1e-3, 0.5 * order + 0.5 * (log(second / first) + correction) / log(middle_over_fine))
+    if not 0.5 <= order <= 3:
+        return float("nan"), fine, 3 * abs(first / fine)
     step = middle_over_fine**order - 1
     return order, fine - first / step, 1.25 * abs(first / fine) / step
