@@ -407,7 +407,7 @@ def element_figure(element, skins):
     drawing.text(apex, "4", -9, 3)
     drawing.point(foot, color=NORMAL, markersize=3)
     drawing.text(foot + 0.52 * (apex - foot), "$h$", -7, 0, color=NORMAL)
-    drawing.text(foot + 0.12 * size * normal, "$n$", -8, 0, color=NORMAL)
+    drawing.text(foot + 0.12 * size * normal, "$n$", -7, -6, color=NORMAL)
     return drawing.figure
 
 
