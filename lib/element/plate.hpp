@@ -3,6 +3,7 @@
 // linear displacements and rotations, one point in the plane, layers through the thickness,
 // co-rotational, with transverse shear taken from the edges: docs/theory/plate.md.
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -163,7 +164,8 @@ template <class T, class Law>
 NEREID_HOT PlateFrequencies<T> largest_frequencies_squared(const Law& law, double thickness, T gyration,
                                                 const PlateShape<T>& s) {
   const double mu = material::shear_modulus(law);
-  const double lambda = law.young * law.poisson / (1.0 - law.poisson * law.poisson);
+  // a trace is no smaller than its largest eigenvalue, so for poisson < 0 the first term is left out
+  const double lambda = std::max(law.young * law.poisson / (1.0 - law.poisson * law.poisson), 0.0);
   Plane<T> G{T(0.0), T(0.0), T(0.0)}, C = G;
   const auto add = [](Plane<T>& to, const InPlane<T>& a) {
     to.xx = to.xx + a.x * a.x, to.yy = to.yy + a.y * a.y, to.xy = to.xy + a.x * a.y;
