@@ -11,7 +11,8 @@
 // One idea covers ridges, valleys and plains: the apex is pushed the shortest way d to where every
 // height around it is at least h_c, with the potential  1/2 (area/delta) |d|^2.  On a plain and on a
 // ridge that is the paper's element; in a valley both flanks push, and as the valley flattens the two
-// become one, so a tributary area counts exactly once: docs/theory/contact.md.
+// become one, so a tributary area counts exactly once: docs/theory/contact.md. A closed element may also
+// rub, and a bonded one neither opens nor slides: docs/theory/friction.md.
 
 #include <string>
 
