@@ -164,9 +164,9 @@ class Stops(InATemporaryFolder):
         self.assertTrue(0 <= ending["element"] < 20, ending["element"])
 
     def test_energy_created(self):
-        ending = self.stop("two_blocks", [*BARS, "closing_speed=5 km/s"], "energy_created")
+        ending = self.stop("two_blocks", [*BARS, "closing_speed=5 km/s", "time.created_limit=1e-6"], "energy_created")
         self.assertEqual((ending["block"], ending["element"]), ("contact", None))
-        self.assertIn("the limit is 0.05", ending["reason"])
+        self.assertIn("the limit is 1e-06", ending["reason"])
 
 
 class Summary(InATemporaryFolder):

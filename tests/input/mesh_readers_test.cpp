@@ -88,7 +88,9 @@ TEST(ReadMesh, SectorsThatCannotBeAreRefused) {
 
 /// A folder with a case and, beside it, a file of one hexahedron or of one tetrahedron.
 std::filesystem::path folder_with_files() {
-  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "nereid_mesh_readers";
+  // one for each test: they may run side by side
+  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / (std::string("nereid_mesh_readers_") + test->name());
   std::filesystem::create_directories(folder);
   const auto write = [&](const std::string& name, const std::string& nodes, int count, int kind) {
     std::ofstream(folder / name) << "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\"><UnstructuredGrid>"

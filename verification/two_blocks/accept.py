@@ -34,6 +34,12 @@ def momentum(run):
     return Pair(max(abs(p) for p in run.ledger("momentum")), 0, "kg m/s", scale=one_bar)
 
 
+def careless(run):
+    """The worst of four stiff interfaces at the longest step that a case can ask for; what a bounce creates depends on where steps fall."""
+    changes = [{"contact.created_in_a_bounce": 0.04, "blocks.cells_along": 2, "contact.hardness": h} for h in (10, 20, 30, 50)]
+    return Pair(max(run.again(change).created() for change in changes), 0, "", scale=1)
+
+
 CHECKS = [
     Check("plateau stress", plateau_stress, 0.01, "ringing averages out over the middle 80 % of the contact"),
     Check("contact time", contact_time, 0.03, "the penalty itself is compliant; the error falls with it, see the study"),
@@ -53,6 +59,5 @@ BREAKS = [
     Breaks("contact time", "a penalty a hundred times too soft", {"contact.penalty": "5e11 Pa/m"}),
     Breaks("velocity of A", "viscosity that swallows the wave", {"element.viscosity.linear": 1}),
     Breaks("velocity of B", "viscosity that swallows the wave", {"element.viscosity.linear": 1}),
-    Breaks("created energy", "two cells, and a step beyond the bound of a bounce",
-           {"contact.created_in_a_bounce": 0.04, "contact.hardness": 20, "blocks.cells_along": 2}),
+    Breaks("created energy", "two cells, and a step beyond the bound of a bounce", measure=careless),
 ]
