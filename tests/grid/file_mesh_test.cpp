@@ -16,7 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 
 fs::path fresh_folder(const std::string& name) {
-  const fs::path folder = fs::path(testing::TempDir()) / ("nereid_file_mesh_" + name);
+  const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();  // tests run side by side
+  const fs::path folder = fs::path(testing::TempDir()) / ("nereid_file_mesh_" + test + "_" + name);
   fs::remove_all(folder);
   fs::create_directories(folder);
   return folder;

@@ -17,7 +17,8 @@ namespace {
 namespace fs = std::filesystem;
 
 fs::path fresh_folder(const std::string& name) {
-  const fs::path folder = fs::path(testing::TempDir()) / ("nereid_fields_" + name);
+  const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();  // tests run side by side
+  const fs::path folder = fs::path(testing::TempDir()) / ("nereid_fields_" + test + "_" + name);
   fs::remove_all(folder);
   return folder;
 }
