@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <poll.h>
 #include <stdlib.h>
 #include <unistd.h>
 
@@ -53,11 +54,16 @@ std::string on_a_terminal(bool quiet, double* seconds = nullptr) {
   if (seconds != nullptr) *seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   fflush(stderr);
   dup2(before, STDERR_FILENO);
-  fcntl(terminal, F_SETFL, O_NONBLOCK);
-  char text[4096];
-  const auto size = read(terminal, text, sizeof text);
+  std::string text;
+  pollfd there{terminal, POLLIN, 0};
+  while (poll(&there, 1, 100) > 0) {  // [ms] what has been written comes in pieces
+    char piece[4096];
+    const auto size = read(terminal, piece, sizeof piece);
+    if (size <= 0) break;
+    text.append(piece, piece + size);
+  }
   close(before), close(screen), close(terminal);
-  return {text, text + std::max<decltype(size)>(size, 0)};
+  return text;
 }
 
 TEST(Progress, WritesOneLineAtATimeAndEndsIt) {
