@@ -4,7 +4,7 @@
     scripts/verify.py DRIVERS CASE [CASE ...] [--full] [--write] [--keep FOLDER]
 
 DRIVERS is the folder of the programs, CASE the name of a folder of verification/, or `all`. `--full` runs the
-long studies too, `--write` puts the table into the README of the case, `--keep` leaves the runs in FOLDER.
+long studies too, `--write` does so and puts the table into the README of the case, `--keep` leaves the runs in FOLDER.
 The exit status is 1 if a check fails, if a break breaks nothing, or if a known miss misses no more.
 
 A case is a folder with `accept.py`, which has
@@ -544,7 +544,7 @@ def main(arguments=None):
                 if case.fault:
                     raise CannotRun(case.fault)
                 runner = Runner(options.drivers, options.keep / name if options.keep else scratch, options.threads)
-                rows, tables = case.run(runner, options.full)
+                rows, tables = case.run(runner, options.full or options.write)  # a README shows everything
                 figures = draw(case, runner) if options.write else []
         except CannotRun as error:
             print(f"FAIL  {name}: {error}", flush=True)
