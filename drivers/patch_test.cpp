@@ -8,7 +8,7 @@
 //     +---+---+---+---+
 //
 // Question  How uniform are stress and contact pressure, for a formulation of contact and a pair of meshes?
-// Answer    verification/contact_patch/README.md
+// Answer    the same question as a scene: verification/contact_patch/README.md
 // Run       patch_test cases/patch_test/three_on_four.yaml --out out/patch_test
 
 #include <algorithm>

@@ -7,7 +7,7 @@
 //
 // Question  How far does a block with a speed slide and when does it stop; does it stay on an incline, or how fast
 //           does it go; and what does it feel as its apexes walk over facets?
-// Answer    verification/sliding_block, block_on_an_incline, dragged_over_facets
+// Answer    the same questions as scenes: verification/sliding_block, block_on_an_incline, dragged_over_facets
 // Run       sliding cases/sliding/stop.yaml --out out/sliding
 
 #include <algorithm>

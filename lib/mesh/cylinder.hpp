@@ -23,8 +23,7 @@ struct Cylinder {
 /// quarter, `name.x_plane` (nodes with x = 0) and `name.y_plane` (nodes with y = 0), exactly on the
 /// planes. Nodes and elements are numbered layer by layer along z, around the turn within a layer.
 ///
-/// Facets are cut so that six meet at each node inside the side, which makes its tributary areas
-/// equal.
+/// Facets are cut so that six meet at each node inside the side, as those of the tube around it do.
 ///
 /// Invariants  scaled Jacobian of each element > 0.8 and edges of a section within a factor of two,
 ///             for cells_core = cells_ring; nodes of `full` are exact images of each other, with
