@@ -4,6 +4,7 @@ set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+add_link_options(-Wl,--build-id=none)         # so that programs differ only if their code does: runs are found again by that
 set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")   # never -ffast-math: NaN checks and sums rely on IEEE rules
 
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
@@ -82,6 +83,7 @@ function(nereid_drivers)
   add_library(nereid_driver STATIC ${PROJECT_SOURCE_DIR}/drivers/driver.cpp
               ${PROJECT_SOURCE_DIR}/drivers/probes.cpp)
   target_link_libraries(nereid_driver PUBLIC nereid::input nereid::output PRIVATE CLI11::CLI11)
+  add_custom_target(drivers DEPENDS ${ARGN})
   foreach(name ${ARGN})
     add_executable(${name} ${PROJECT_SOURCE_DIR}/drivers/${name}.cpp)
     target_link_libraries(${name} PRIVATE nereid_driver)

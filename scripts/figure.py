@@ -8,6 +8,8 @@ RUN is the folder a driver wrote (history.csv, summary.json). Besides the SVG a 
 is written. The same data give the same bytes.
 """
 import argparse
+import functools
+import io
 import json
 import re
 import sys
@@ -18,6 +20,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (after the choice of backend)
 import numpy as np  # noqa: E402
+from matplotlib import font_manager, mathtext  # noqa: E402
 from matplotlib.collections import LineCollection, PolyCollection  # noqa: E402
 from matplotlib.patches import Rectangle  # noqa: E402
 
@@ -139,6 +142,61 @@ def save(figure, path, png=True):
     plt.close(figure)
 
 
+def write_svg(figure, stream):
+    """Writes the figure to an open text, without a date, and forgets it."""
+    figure.savefig(stream, format="svg", metadata={"Date": None, "Creator": None})
+    plt.close(figure)
+
+
+@functools.lru_cache(maxsize=None)
+def formula_svg(tex):
+    """A formula as (SVG, height, depth below the line), both in em; none where mathtext does not know it."""
+    use_style()
+    size = 10.0  # [pt], one em
+    try:
+        width, height, depth, *_ = mathtext.MathTextParser("path").parse(f"${tex}$", dpi=72, prop=font_manager.FontProperties(size=size))
+    except ValueError:
+        return None
+    figure = plt.figure(figsize=(max(width, 1) / 72, max(height + depth, 1) / 72))
+    figure.text(0, depth / max(height + depth, 1), f"${tex}$", fontsize=size)
+    stream = io.StringIO()
+    figure.savefig(stream, format="svg", transparent=True, metadata={"Date": None, "Creator": None})
+    plt.close(figure)
+    return stream.getvalue(), (height + depth) / size, depth / size
+
+
+def draw_reference(axes, x, y, number, label=None):
+    """An exact curve: thin, black, without markers, broken where there are several."""
+    dashes = ["-", (0, (8, 2)), (0, (8, 2, 1, 2)), (0, (1, 1.5))]
+    return axes.plot(x, y, label=label, color="black", linewidth=0.8, linestyle=dashes[number % len(dashes)], zorder=2)[0]
+
+
+def draw_range(axes, left, right, low, high, label=None):
+    """What others found: a hatched box."""
+    axes.add_patch(Rectangle((left, low), right - left, high - low, facecolor="#f0f0f0", edgecolor="#8c8c8c", hatch="////",
+                             linewidth=0.7, zorder=1, label=label))
+    axes.autoscale_view()
+
+
+def draw_orders(axes, sizes, errors):
+    """Slopes of first and second order through the finest point of a study, on logarithmic axes where it can have them."""
+    positive = all(size > 0 for size in sizes) and all(error > 0 for error in errors)
+    if not positive:
+        return
+    axes.set_xscale("log")
+    axes.set_yscale("log")
+    grows = -1.0 if (errors[-1] < errors[0]) == (sizes[-1] > sizes[0]) else 1.0
+    ends = [min(sizes), max(sizes)]
+    for order, dashes in ((1, (0, (1, 1.5))), (2, (0, (4, 2)))):
+        axes.plot(ends, [errors[-1] * (size / sizes[-1]) ** (grows * order) for size in ends], color="#8c8c8c", linewidth=0.7,
+                  linestyle=dashes, label=f"order {order}", zorder=1)
+
+
+def interpolated(x, xs, ys):
+    """The values at x of the straight lines through (xs, ys)."""
+    return np.interp(x, xs, ys)
+
+
 def draw_curve(axes, x, y, number, label=None, marks=9):
     """A curve in the style of its number, with markers spread along it, shifted from curve to curve."""
     style = CURVES[number % len(CURVES)]
@@ -149,10 +207,7 @@ def draw_curve(axes, x, y, number, label=None, marks=9):
 
 def round_robin(axes):
     """The range of the round robin and NEPTUNE's point, in axes of ms and mm."""
-    (early, late), (low, high) = ROUND_ROBIN["time"], ROUND_ROBIN["settlement"]
-    axes.add_patch(Rectangle((early, low), late - early, high - low, facecolor="#f0f0f0", edgecolor="#8c8c8c",
-                             hatch="////", linewidth=0.7, zorder=1,
-                             label="round robin, three of four codes"))
+    draw_range(axes, *ROUND_ROBIN["time"], *ROUND_ROBIN["settlement"], "round robin, three of four codes")
     axes.plot(NEPTUNE["time"], NEPTUNE["settlement"], linestyle="none", marker="*", markersize=11, color="white",
               markeredgecolor="black", markeredgewidth=0.8, zorder=5,
               label=f"NEPTUNE, {NEPTUNE['settlement']:g} mm at {NEPTUNE['time']:g} ms")

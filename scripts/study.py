@@ -82,22 +82,17 @@ class Study:
 # ------------------------------------------------------------------------------------------------
 # What a sequence of meshes tends to
 
-def tendency(levels, values):
-    """Richardson's extrapolation f(h) = f0 + C h^p through the three finest meshes, h = 1/level.
+def observed_order(sizes, values):
+    """Order p of f(h) = f0 + C h^p through three meshes of sizes h, finest first; (None, why) where they show none.
 
     The ratios of h need not be equal: p solves  (f3 - f2)/(f2 - f1) = (h3^p - h2^p)/(h2^p - h1^p).
-    Returns (sentence, f0 or None, uncertainty of the finest value or None).
     """
-    if len(levels) < 3:
-        return "fewer than three meshes: no statement", None, None
-    (h1, f1), (h2, f2), (h3, f3) = sorted((1 / level, value) for level, value in zip(levels, values))[:3]
-    no_order = NO_ORDER_FACTOR * (max(f1, f2, f3) - min(f1, f2, f3))
-    said = f"the uncertainty is {NO_ORDER_FACTOR:g} times their spread"
+    (h1, h2, h3), (f1, f2, f3) = sizes, values
     if f2 == f1:
-        return f"the finest two agree to the last digit, so no order can be told; {said}", None, no_order
+        return None, "the finest two agree to the last digit, so no order can be told"
     ratio = (f3 - f2) / (f2 - f1)
     if ratio <= 0:
-        return f"not monotone on the finest three; {said}", None, no_order
+        return None, "not monotone on the finest three"
 
     def right(p):
         return (h3 ** p - h2 ** p) / (h2 ** p - h1 ** p)
@@ -105,11 +100,25 @@ def tendency(levels, values):
     low, high = LEAST_ORDER, MOST_ORDER
     if not right(low) <= ratio <= right(high):
         side = f"below {LEAST_ORDER:g}" if ratio < right(low) else f"above {MOST_ORDER:g}"
-        return f"monotone, but of an order {side} on the finest three, which is none; {said}", None, no_order
+        return None, f"monotone, but of an order {side} on the finest three, which is none"
     for _ in range(200):
         middle = 0.5 * (low + high)
         low, high = (middle, high) if right(middle) < ratio else (low, middle)
-    order = 0.5 * (low + high)
+    return 0.5 * (low + high), ""
+
+
+def tendency(levels, values):
+    """What a sequence of meshes h = 1/level tends to: Richardson's extrapolation through the three finest.
+
+    Returns (sentence, f0 or None, uncertainty of the finest value or None).
+    """
+    if len(levels) < 3:
+        return "fewer than three meshes: no statement", None, None
+    (h1, f1), (h2, f2), (h3, f3) = sorted((1 / level, value) for level, value in zip(levels, values))[:3]
+    order, why = observed_order((h1, h2, h3), (f1, f2, f3))
+    if order is None:
+        spread = NO_ORDER_FACTOR * (max(f1, f2, f3) - min(f1, f2, f3))
+        return f"{why}; the uncertainty is {NO_ORDER_FACTOR:g} times their spread", None, spread
     used = min(order, FORMAL_ORDER)
     limit = f1 - (f2 - f1) / ((h2 / h1) ** order - 1)
     uncertainty = SAFETY_FACTOR * abs(f2 - f1) / ((h2 / h1) ** used - 1)

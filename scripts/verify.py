@@ -1,190 +1,48 @@
 #!/usr/bin/env python3
-"""Runs verification cases, compares them with their references, and writes their tables.
+"""Runs verification cases, holds them against their references, and writes tables and the report.
 
-    scripts/verify.py DRIVERS CASE [CASE ...] [--full] [--write] [--keep FOLDER]
+    scripts/verify [NAME ...] [--quick | --full] [--jobs N]     installs and builds what is missing, then this
+    scripts/verify.py [NAME ...] [--quick | --full] [--jobs N] [--drivers FOLDER] [--out FOLDER] [--write]
+    scripts/verify.py --stale [--out FOLDER]
 
-DRIVERS is the folder of the programs, CASE the name of a folder of verification/, or `all`. `--full` runs the
-long studies too, `--write` does so and puts the table into the README of the case, `--keep` leaves the runs in FOLDER.
-The exit status is 1 if a check fails, if a break breaks nothing, or if a known miss misses no more.
+NAME is a folder of verification/; without one, all. `--quick` (the default) leaves out what a case marks as long, `--full` runs
+everything. Runs are kept in FOLDER (out/verify) and made anew only when program, case or settings change, so
+an interrupted suite goes on where it stopped. The report is FOLDER/report.html, for each level (quick, full) the newest
+outcome of every case is in FOLDER/quick or FOLDER/full. `--write` puts table and figures into the folders of the cases
+and the table of all into the README; `--stale` runs nothing and says where these differ from the quick outcomes in FOLDER.
+The exit status is 1 if a check fails, if a break breaks nothing, if a known miss misses no more, or if something is stale.
 
 A case is a folder with `accept.py`, which has
 
     CLAIM, EVIDENCE    one sentence; exact, order, invariant or benchmark
+    CATALOGUE          numbers of the catalogue that it answers; may be empty
     DRIVER, CASE       the program, and its case file seen from the root of the tree (default: case.yaml beside it)
+    CHANGE             keys that are set in every run of that file; optional
     CHECKS             Check, Report and Miss: a function of the run that gives a Pair, and the limit of its error
     STUDIES            Falls: the error of a check along one key; Table: rows of a function of the run
     BREAKS             Breaks: a plausible mistake and the check that must notice it; at least one
-    FIGURES            Figure: curves of the run over the exact ones; optional
+    FIGURES            Figure: curves of the run over the exact ones; at least one
 
-and imports what it needs from `reference.py` beside it, which imports nothing of ours. Needs nothing but Python.
+and imports what it needs from `reference.py` beside it, which imports nothing of ours. Needs nothing but Python;
+figures need matplotlib.
 """
 import argparse
-import base64
-import csv
+import concurrent.futures
 import dataclasses
 import importlib
 import json
 import math
+import os
 import re
-import struct
-import subprocess
 import sys
-import tempfile
 import time
-import xml.etree.ElementTree as xml
+import traceback
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent
+from runs import ROOT, CannotRun, Run, Store, crossings, interpolate, mean_over, read_fields  # noqa: F401  (for cases)
+
 EVIDENCE = ("exact", "order", "invariant", "benchmark")
-BEGIN, END = "<!-- written by scripts/verify.py -->", "<!-- end of what scripts/verify.py writes -->"
-
-
-class CannotRun(Exception):
-    """A program is missing or refuses its case; says which and what it said."""
-
-
-# ------------------------------------------------------------------------------------------------
-# One run of a driver
-
-class Run:
-    """What one run of a driver left behind."""
-
-    def __init__(self, runner, driver, case, overrides):
-        self.runner, self.driver, self.case_file, self.overrides = runner, driver, case, dict(overrides)
-        self.folder = runner.folder(driver)
-        words = [str(runner.drivers / driver), str(ROOT / case), "--out", str(self.folder), "--quiet", "--threads", str(runner.threads)]
-        for key, value in self.overrides.items():
-            words += ["--set", f"{key}={value}"]
-        started = time.perf_counter()
-        try:
-            done = subprocess.run(words, capture_output=True, text=True, timeout=runner.patience)
-        except FileNotFoundError as error:
-            raise CannotRun(f"{words[0]} is not built") from error
-        except subprocess.TimeoutExpired as error:
-            raise CannotRun(f"took longer than {runner.patience} s: {' '.join(words)}") from error
-        self.seconds = time.perf_counter() - started
-        if done.returncode not in (0, 3):  # 3: the physics stopped the run, which summary.json tells
-            raise CannotRun(f"status {done.returncode} of {' '.join(words)}\n{done.stderr}")
-        self.summary = json.loads((self.folder / "summary.json").read_text(encoding="utf-8"))
-        self.ending = self.summary["ending"]["word"]
-        with (self.folder / "history.csv").open(newline="", encoding="utf-8") as stream:
-            head, *rows = csv.reader(stream)
-        self.columns = {name.split(" [")[0]: [float(row[i]) for row in rows] for i, name in enumerate(head)}
-
-    def again(self, overrides):
-        """The same case with these keys set as well; each combination runs once."""
-        return self.runner.run(self.driver, self.case_file, {**self.overrides, **overrides})
-
-    def other(self, driver, case, overrides=None):
-        """Another case, seen from the root of the tree."""
-        return self.runner.run(driver, case, overrides or {})
-
-    def result(self, name):
-        """A number of summary.json."""
-        return self.summary["results"][name]["value"]
-
-    def case(self, path):
-        """A value of the case as the driver resolved it, in SI: case("bodies[0].material.young")."""
-        at = self.summary["provenance"]["resolved"]
-        for name in re.findall(r"[^.\[\]]+", path):
-            at = at[int(name)] if isinstance(at, list) else at[name]
-        return at["value"] if isinstance(at, dict) and "value" in at else at
-
-    def ledger(self, name):
-        """A number or vector of the ledger."""
-        return self.summary["ledger"][name]["value"]
-
-    def account(self, source):
-        """The account of one source in the ledger."""
-        return self.summary["ledger"]["accounts"][source]
-
-    def created(self):
-        """The largest created energy of any source over the scale of the ledger. [-]"""
-        return max(abs(account["created_relative"]["value"]) for account in self.summary["ledger"]["accounts"].values())
-
-    def column(self, name):
-        """A column of history.csv."""
-        if name not in self.columns:
-            raise CannotRun(f"history.csv has no column '{name}'; there are {', '.join(self.columns)}")
-        return self.columns[name]
-
-    def at(self, name, t):
-        """A column at a time, between the samples around it."""
-        return interpolate(self.column("time"), self.column(name), t)
-
-    def mean(self, name, first, last):
-        """The mean of a column over a span of time, by the trapezoid rule."""
-        return mean_over(self.column("time"), self.column(name), first, last)
-
-    def frame(self, collection, number=-1):
-        """Time and fields of one ParaView file: {name: [tuple or number per point or cell]}."""
-        listed = list(xml.parse(self.folder / f"{collection}.pvd").getroot().iter("DataSet"))
-        one = listed[number]
-        return float(one.get("timestep")), read_fields(self.folder / one.get("file"))
-
-
-def interpolate(times, values, t):
-    """The value at t between the samples around it."""
-    for i in range(1, len(times)):
-        if times[i] >= t:
-            part = (t - times[i - 1]) / (times[i] - times[i - 1])
-            return values[i - 1] + part * (values[i] - values[i - 1])
-    return values[-1]
-
-
-def mean_over(times, values, first, last):
-    """The mean over [first, last] by the trapezoid rule."""
-    inner = [(t, v) for t, v in zip(times, values) if first < t < last]
-    points = [(first, interpolate(times, values, first)), *inner, (last, interpolate(times, values, last))]
-    area = sum((b[0] - a[0]) * (a[1] + b[1]) / 2 for a, b in zip(points, points[1:]))
-    return area / (last - first)
-
-
-def crossings(times, values, level=0.0, rising=None):
-    """Times at which the samples cross the level; upwards only, downwards only, or both."""
-    found = []
-    for (t0, v0), (t1, v1) in zip(zip(times, values), zip(times[1:], values[1:])):
-        up = v0 < level <= v1
-        down = v0 > level >= v1
-        if (up and rising is not False) or (down and rising is not True):
-            found.append(t0 + (level - v0) / (v1 - v0) * (t1 - t0))
-    return found
-
-
-NUMBERS = {"Float64": "d", "Float32": "f", "Int32": "i", "Int64": "q", "UInt8": "B", "UInt32": "I", "UInt64": "Q"}
-
-
-def read_fields(path):
-    """All numeric arrays of a ParaView file as the drivers write them: {name: list of numbers or tuples}."""
-    fields = {}
-    for array in xml.parse(path).getroot().iter("DataArray"):
-        kind, name = NUMBERS.get(array.get("type")), array.get("Name")
-        text = "".join((array.text or "").split())
-        if kind is None or array.get("format") != "binary":
-            continue
-        data = unpacked(text)
-        values = [v[0] for v in struct.iter_unpack("<" + kind, data)]
-        width = int(array.get("NumberOfComponents", "1"))
-        fields[name] = values if width == 1 else [tuple(values[i:i + width]) for i in range(0, len(values), width)]
-    return fields
-
-
-def unpacked(text):
-    """The bytes of one inline array of VTK: base64 of a head of sizes, then base64 of blocks packed by zlib."""
-    import zlib
-    if not text:
-        return b""
-    (blocks,) = struct.unpack_from("<Q", base64.b64decode(text[:12]))
-    if blocks == 0:
-        return b""
-    head_bytes = 8 * (3 + blocks)
-    head_text = 4 * math.ceil(head_bytes / 3)
-    sizes = struct.unpack_from(f"<{3 + blocks}Q", base64.b64decode(text[:head_text]))[3:]
-    body, out, at = base64.b64decode(text[head_text:]), b"", 0
-    for size in sizes:
-        out += zlib.decompress(body[at:at + size])
-        at += size
-    return out
+GOOD_ENDINGS = ("reached_end", "relaxed", "stopped_by_condition")
 
 
 # ------------------------------------------------------------------------------------------------
@@ -211,6 +69,7 @@ class Check:
     measure: object
     within: float
     because: str
+    full: bool = False
 
 
 @dataclasses.dataclass
@@ -219,6 +78,7 @@ class Report:
     name: str
     measure: object
     because: str
+    full: bool = False
 
 
 @dataclasses.dataclass
@@ -229,6 +89,7 @@ class Miss:
     within: float
     because: str
     why: str
+    full: bool = False
 
 
 @dataclasses.dataclass
@@ -257,25 +118,45 @@ class Table:
 
 @dataclasses.dataclass
 class Figure:
-    """Curves over the reference, drawn by `--write`: curves(run) gives [(label, abscissae, ordinates), ...]."""
-    name: str  # of the files, without ending
+    """Curves of the run over exact ones: functions of the run that give [(label, abscissae, ordinates), ...].
+
+    Below them stands the error: result less exact over the largest exact value, each result beside the exact curve of
+    the same place, or all beside a single one. `ranges(run)` gives [(label, left, right, low, high), ...], drawn as
+    hatched boxes. `log` takes both axes logarithmic and shows no error.
+    """
+    name: str  # of the file, without ending
     across: str
     up: str
     curves: object
+    exact: object = None
+    ranges: object = None
+    caption: str = ""
+    log: bool = False
+    error: bool = True
+    full: bool = False
+
+
+@dataclasses.dataclass
+class Curves:
+    """What a Figure shows of a run: results and references [(label, abscissae, ordinates)], ranges as boxes."""
+    results: list
+    exact: list
+    ranges: list
 
 
 @dataclasses.dataclass
 class Breaks:
-    """A plausible mistake that the named check must notice: keys set, or another way to measure.
+    """A plausible mistake in physics or numerics that the named check must notice: keys set, or another case file.
 
     `stops`: the word of the ending, where the run rightly stops before the check is reached.
     """
     check: str
     mistake: str
     change: dict = dataclasses.field(default_factory=dict)
-    measure: object = None
+    case: str | None = None
     stops: str | None = None
     full: bool = False
+    measure: object = None
 
 
 def order_between(size_0, error_0, size_1, error_1):
@@ -291,29 +172,12 @@ def number_in(text):
 
 
 # ------------------------------------------------------------------------------------------------
-# Running a case
-
-class Runner:
-    """Runs each combination of driver, case and overrides once."""
-
-    def __init__(self, drivers, out, threads=1, patience=3600):
-        self.drivers, self.out, self.threads, self.patience = Path(drivers).resolve(), Path(out).resolve(), threads, patience
-        self.done, self.seconds = {}, 0.0
-
-    def folder(self, driver):
-        return self.out / f"{driver}_{len(self.done):03d}"
-
-    def run(self, driver, case, overrides):
-        key = (driver, case, tuple(sorted((k, str(v)) for k, v in overrides.items())))
-        if key not in self.done:
-            self.done[key] = Run(self, driver, case, overrides)
-            self.seconds += self.done[key].seconds
-        return self.done[key]
-
+# What comes out of a case
 
 @dataclasses.dataclass
 class Row:
-    """One line of the table, and whether all is as it should be."""
+    """One line of the table, and whether all is as it should be; kind is check, report, miss, study, break or fault."""
+    kind: str
     name: str
     expected: str
     got: str
@@ -322,6 +186,54 @@ class Row:
     word: str
     good: bool
     because: str = ""
+    size: float | None = None    # the error as a number
+    within: float | None = None  # its limit
+    full: bool = False           # not in the quick suite
+
+
+@dataclasses.dataclass
+class Outcome:
+    """All that tables and report need of a case; goes to JSON and back."""
+    name: str
+    level: str
+    program: str = ""
+    case: str = ""
+    claim: str = ""
+    evidence: str = ""
+    catalogue: list = dataclasses.field(default_factory=list)
+    rows: list = dataclasses.field(default_factory=list)
+    tables: list = dataclasses.field(default_factory=list)   # (title, columns, rows of texts)
+    studies: list = dataclasses.field(default_factory=list)  # (title, along, sizes, errors)
+    figures: list = dataclasses.field(default_factory=list)  # (name, caption, SVG)
+    ledger: dict = dataclasses.field(default_factory=dict)
+    provenance: dict = dataclasses.field(default_factory=dict)
+    cost: dict = dataclasses.field(default_factory=dict)
+    runs: int = 0
+    made: int = 0
+    seconds: float = 0.0  # of all runs, when they were made
+
+    def good(self):
+        return bool(self.rows) and all(row.good for row in self.rows)
+
+    def misses(self):
+        return [row for row in self.rows if row.kind == "miss"]
+
+    def closest(self):
+        """The check whose error is the largest part of its limit."""
+        gates = [row for row in self.rows if row.kind == "check" and row.size is not None]
+        return max(gates, key=lambda row: row.size / row.within if row.within else row.size, default=None)
+
+    def save(self, folder):
+        folder.mkdir(parents=True, exist_ok=True)
+        unfinished = folder / f"{self.name}.{os.getpid()}"
+        unfinished.write_text(json.dumps(dataclasses.asdict(self), indent=1), encoding="utf-8")
+        unfinished.replace(folder / f"{self.name}.json")
+
+    @staticmethod
+    def load(path):
+        read = json.loads(path.read_text(encoding="utf-8"))
+        read["rows"] = [Row(**row) for row in read["rows"]]
+        return Outcome(**read)
 
 
 def shown(value, unit=""):
@@ -343,56 +255,71 @@ def share(value):
     return f"{100 * value:.2g} %" if value >= 1e-5 else f"{value:.1e}"
 
 
+def cell(entry):
+    return f"{entry:.3g}" if isinstance(entry, float) else str(entry)
+
+
+# ------------------------------------------------------------------------------------------------
+# Checks, studies, breaks
+
 def check_row(one, run):
     """The line of a Check, Report or Miss."""
     pair = one.measure(run)
     error = pair.error()
-    said = (shown(pair.expected, pair.unit), shown(pair.got, pair.unit), share(error))
+    said = (one.name, shown(pair.expected, pair.unit), shown(pair.got, pair.unit), share(error))
     if isinstance(one, Report):
-        return Row(one.name, *said, "", "report", True, one.because)
+        return Row("report", *said, "", "report", True, one.because, error)
     inside = error <= one.within  # false for a NaN
     if isinstance(one, Miss):
-        return Row(one.name, *said, share(one.within), "passes, is no miss" if inside else "MISS", not inside,
-                   f"{one.because}; misses: {one.why}")
-    return Row(one.name, *said, share(one.within), "pass" if inside else "FAIL", inside, one.because)
+        return Row("miss", *said, share(one.within), "passes, is no miss" if inside else "MISS", not inside,
+                   f"{one.because}; misses: {one.why}", error, one.within)
+    return Row("check", *said, share(one.within), "pass" if inside else "FAIL", inside, one.because, error, one.within)
+
+
+UNEXPLAINED = 1e-10  # [-] sums of some 1e5 steps round off by 1e-12; a source that is missing shows as a whole number
+
+
+def ledger_rows(run):
+    """What every run must keep, whatever its case asks: no energy and no momentum without a source."""
+    ledger = run.summary["ledger"]
+    works = [abs(account["work"]["value"]) for account in ledger.get("accounts", {}).values()]
+    if not works:
+        return []
+    scale = max(ledger["initial_kinetic"]["value"], ledger["kinetic"]["value"], *works)
+    error = abs(ledger["energy_residual"]["value"]) / scale if scale > 0 else 0.0
+    inside = error <= UNEXPLAINED
+    return [Row("ledger", "unexplained energy over the largest that passed", "0", shown(error), share(error), share(UNEXPLAINED),
+                "pass" if inside else "FAIL", inside, "", error, UNEXPLAINED)]
 
 
 def break_row(one, checks, run):
     """The line of a break: the run with the mistake in it, and the check that must notice."""
-    check, broken = checks[one.check], run.again(one.change) if one.change else run
+    check = checks[one.check]
+    broken = run.other(run.driver, one.case, one.change) if one.case else run.again(one.change)
     name = f"*must fail:* {one.mistake} → {one.check}"
     if broken.ending not in GOOD_ENDINGS:
         good = one.stops is not None and broken.ending == one.stops
-        return Row(name, "", f"stops: {broken.ending}", "", "", "stops, as it must" if good else "FAIL", good)
+        return Row("break", name, "", f"stops: {broken.ending}", "", "", "stops, as it must" if good else "FAIL", good)
     if one.stops is not None:
-        return Row(name, "", "does not stop", "", "", "FAIL", False)
+        return Row("break", name, "", "does not stop", "", "", "FAIL", False)
     pair = (one.measure or check.measure)(broken)
     noticed = not pair.error() <= check.within
-    return Row(name, shown(pair.expected, pair.unit), shown(pair.got, pair.unit), share(pair.error()), share(check.within),
-               "fails, as it must" if noticed else "FAIL: not noticed", noticed)
+    return Row("break", name, shown(pair.expected, pair.unit), shown(pair.got, pair.unit), share(pair.error()), share(check.within),
+               "fails, as it must" if noticed else "FAIL: not noticed", noticed, "", pair.error(), check.within)
 
 
 def study_row(one, checks, run):
-    """The line of a study: errors along a key."""
+    """The line of a study, and (sizes, errors) along its key."""
     check = checks[one.check]
     errors = [check.measure(run.again({**one.fixed, one.along: value})).error() for value in one.values]
     sizes = one.sizes or [number_in(value) for value in one.values]
     order = order_between(sizes[-2], errors[-2], sizes[-1], errors[-1])
     falls = all(b < a for a, b in zip(errors, errors[1:]))
-    enough = one.order is None or abs(order) >= one.order
+    good = falls and (one.order is None or abs(order) >= one.order)
     values = ", ".join(str(v) for v in one.values)
-    return Row(f"*study:* {one.check} along `{one.along}` {values}", "falls" + (f", order ≥ {one.order:g}" if one.order else ""),
-               ", ".join(share(e) for e in errors), f"order {abs(order):.2f}", "", "pass" if falls and enough else "FAIL",
-               falls and enough)
-
-
-def row_of(one, checks, run):
-    if isinstance(one, Falls):
-        return study_row(one, checks, run)
-    return break_row(one, checks, run) if isinstance(one, Breaks) else check_row(one, run)
-
-
-GOOD_ENDINGS = ("reached_end", "relaxed", "stopped_by_condition")
+    row = Row("study", f"*study:* {one.check} along `{one.along}` {values}", "falls" + (f", order ≥ {one.order:g}" if one.order else ""),
+              ", ".join(share(e) for e in errors), f"order {abs(order):.2f}", "", "pass" if good else "FAIL", good)
+    return row, sizes, errors
 
 
 class Case:
@@ -404,7 +331,7 @@ class Case:
             raise CannotRun(f"verification/{name}/accept.py is missing")
         for module in [m for m, loaded in sys.modules.items()  # another case's, of the same name
                        if m in ("accept", "reference") or getattr(loaded, "__file__", None) and
-                       Path(loaded.__file__).parent.parent == root / "verification"]:
+                       (root / "verification") in Path(loaded.__file__).parents]:
             del sys.modules[module]
         sys.path.insert(0, str(self.folder))
         try:
@@ -415,145 +342,233 @@ class Case:
 
     def what_is_wrong(self):
         """The first rule of a case that this one does not keep, or nothing."""
-        for needed in ("CLAIM", "EVIDENCE", "DRIVER", "CHECKS", "BREAKS"):
+        for needed in ("CLAIM", "EVIDENCE", "CATALOGUE", "DRIVER", "CHECKS", "BREAKS", "FIGURES"):
             if not hasattr(self.accept, needed):
                 return f"accept.py has no {needed}"
         if self.accept.EVIDENCE not in EVIDENCE:
             return f"EVIDENCE is '{self.accept.EVIDENCE}', expected is one of {', '.join(EVIDENCE)}"
         if not self.accept.BREAKS:
             return "BREAKS is empty: a check that nothing breaks shows nothing"
+        if not self.accept.FIGURES:
+            return "FIGURES is empty"
         names = [one.name for one in self.accept.CHECKS]
         if len(set(names)) != len(names):
             return "two checks have the same name"
-        for one in [*self.accept.BREAKS, *getattr(self.accept, "STUDIES", [])]:
+        for one in [*self.accept.BREAKS, *self.studies()]:
             if not isinstance(one, Table) and one.check not in names:
                 return f"no check is called '{one.check}'"
-        gates = {one.name for one in self.accept.CHECKS if isinstance(one, Check)}
+        gates = {one.name: one for one in self.accept.CHECKS if isinstance(one, Check)}
+        if not gates:
+            return "CHECKS has no Check: nothing is gated"
         for one in self.accept.BREAKS:
             if one.check not in gates:
                 return f"a break names '{one.check}', which gates nothing"
+            if not one.change and not one.case and not one.measure:
+                return f"the break '{one.mistake}' changes nothing"
+        if all(one.full for one in self.accept.BREAKS):
+            return "all BREAKS are full: the quick suite would show a case that nothing breaks"
         for one in self.accept.CHECKS:
             if not one.because:
                 return f"'{one.name}' has no reason"
         return ""
 
+    def studies(self):
+        return getattr(self.accept, "STUDIES", [])
+
     def case_file(self):
         return getattr(self.accept, "CASE", f"verification/{self.name}/case.yaml")
 
-    def run(self, runner, full=False):
-        """Rows and tables of all checks, studies and breaks."""
-        run = runner.run(self.accept.DRIVER, self.case_file(), getattr(self.accept, "CHANGE", {}))
-        rows, tables = [], []
+    def base_run(self, store):
+        return store.run(self.accept.DRIVER, self.case_file(), getattr(self.accept, "CHANGE", {}))
+
+    def outcome(self, store, full=False, with_figures=False):
+        """Runs all checks, studies and breaks of the level; a fault of one of them is a row that fails."""
+        out = Outcome(self.name, "full" if full else "quick", self.accept.DRIVER, self.case_file(), self.accept.CLAIM, self.accept.EVIDENCE, list(self.accept.CATALOGUE))
+        try:
+            self.judge(out, store, full, with_figures)
+        except CannotRun as error:
+            out.rows.append(fault_row("the run", error))
+        out.runs, out.made = len(store.done), sum(run.made for run in store.done.values())
+        out.seconds = store.seconds()
+        return out
+
+    def judge(self, out, store, full, with_figures):
+        run = self.base_run(store)
+        out.ledger, out.cost = run.summary["ledger"], run.summary["cost"]
+        out.provenance = {key: value for key, value in run.summary["provenance"].items() if key != "resolved"}
         if run.ending not in GOOD_ENDINGS:
-            rows.append(Row("the run reaches its end", "", run.ending, "", "", "FAIL", False, run.summary["ending"]["reason"]))
-            return rows, tables
+            out.rows.append(Row("fault", "the run reaches its end", "", run.ending, "", "", "FAIL", False, run.summary["ending"]["reason"]))
+            return
+        out.rows += ledger_rows(run)
         checks = {one.name: one for one in self.accept.CHECKS}
-        for one in [*self.accept.CHECKS, *getattr(self.accept, "STUDIES", []), *self.accept.BREAKS]:
-            if getattr(one, "full", False) and not full:
+        for one in [*self.accept.CHECKS, *self.studies(), *self.accept.BREAKS]:
+            if one.full and not full:
                 continue
+            seen = len(out.rows)
             try:
                 if isinstance(one, Table):
-                    tables.append((one, one.rows(run)))
+                    out.tables.append((one.title, one.columns, [[cell(entry) for entry in line] for line in one.rows(run)]))
+                elif isinstance(one, Falls):
+                    row, sizes, errors = study_row(one, checks, run)
+                    out.rows.append(row)
+                    out.studies.append((one.check, one.along, sizes, errors))
                 else:
-                    rows.append(row_of(one, checks, run))
-            except CannotRun as error:
+                    out.rows.append(break_row(one, checks, run) if isinstance(one, Breaks) else check_row(one, run))
+            except Exception as error:  # whatever a case does wrong is a check that fails, and the others still run
                 name = getattr(one, "title", None) or getattr(one, "mistake", None) or getattr(one, "name", None) or one.check
-                rows.append(Row(name, "", "", "", "", "FAIL: cannot run", False, str(error)))
-        return rows, tables
+                out.rows.append(fault_row(name, error))
+            for row in out.rows[seen:]:
+                row.full = one.full
+        self.draw(out, run, full, with_figures)
+
+    def draw(self, out, run, full, with_figures):
+        """The figures of the case and of its studies; without figures their curves are computed all the same."""
+        for one in self.accept.FIGURES:
+            if one.full and not full:
+                continue
+            try:
+                curves = Curves(one.curves(run), one.exact(run) if one.exact else [], one.ranges(run) if one.ranges else [])
+            except Exception as error:
+                out.rows.append(fault_row(f"figure {one.name}", error))
+                continue
+            if with_figures:
+                import verification_figures as drawing  # needs matplotlib, which judging does not
+                out.figures.append((one.name, one.caption, drawing.case_figure(one, curves)))
+        if with_figures:
+            out.figures += [("", f"The error of “{check}” along {along}.", drawing.study_figure(check, along, sizes, errors))
+                            for check, along, sizes, errors in out.studies]
 
 
-def draw(case, runner):
-    """Writes the figures of a case into its folder; returns their names, none where matplotlib is missing."""
-    wanted = getattr(case.accept, "FIGURES", [])
-    if not wanted:
-        return []
-    try:
-        import figure as drawing
-    except ImportError:
-        print(f"      {case.name}: no matplotlib, figures stay as they are")
-        return [one.name for one in wanted]
-    run = runner.run(case.accept.DRIVER, case.case_file(), {})
-    for one in wanted:
-        picture, axes = drawing.new_figure(width=120, height=66)
-        for number, (label, across, up) in enumerate(one.curves(run)):
-            drawing.draw_curve(axes, across, up, number, label)
-        axes.set_xlabel(one.across)
-        axes.set_ylabel(one.up)
-        axes.legend(loc="best")
-        drawing.save(picture, case.folder / f"{one.name}.svg", png=False)
-    return [one.name for one in wanted]
-
-
-def print_rows(name, rows, tables, seconds):
-    for row in rows:
-        numbers = f"expected {row.expected or '-'}, got {row.got or '-'}, error {row.error or '-'}, limit {row.limit or '-'}"
-        print(f"{'ok  ' if row.good else 'FAIL'}  {row.word:18} {row.name}: {numbers}" + (f"  ({row.because})" if row.because else ""))
-    for table, lines in tables:
-        print(f"      {table.title}")
-        for line in [table.columns, *lines]:
-            print("      " + " | ".join(cell(entry) for entry in line))
-    print(f"{'pass' if all(row.good for row in rows) else 'FAIL'}  {name}: {len(rows)} rows, {seconds:.1f} s of runs", flush=True)
-
-
-def cell(entry):
-    return f"{entry:.3g}" if isinstance(entry, float) else str(entry)
-
-
-def markdown(rows, tables, seconds, figures=()):
-    """The generated block of a README."""
-    lines = [BEGIN, "", *(f"![{name.replace('_', ' ')}]({name}.svg)\n" for name in figures), "| check | expected | got | error | limit | |", "|---|---|---|---|---|---|"]
-    lines += [f"| {row.name} | {row.expected} | {row.got} | {row.error} | {row.limit} | {row.word} |" for row in rows]
-    reasons = [row for row in rows if row.because]
-    if reasons:
-        lines += ["", "Reasons of the limits:", ""]
-        lines += [f"- {row.name}: {row.because}." for row in reasons]
-    for table, body in tables:
-        lines += ["", table.title, "", "| " + " | ".join(table.columns) + " |", "|" + "---|" * len(table.columns)]
-        lines += ["| " + " | ".join(cell(entry) for entry in line) + " |" for line in body]
-    lines += ["", f"All runs together took {max(1, round(seconds))} s on one core.", "", END]
-    return "\n".join(lines)
-
-
-def write_readme(path, block):
-    """Puts the block in place of the old one, or behind the text where there is none."""
-    text = path.read_text(encoding="utf-8") if path.is_file() else ""
-    pattern = re.compile(re.escape(BEGIN) + ".*?" + re.escape(END), re.DOTALL)
-    text = pattern.sub(lambda _: block, text) if pattern.search(text) else text.rstrip("\n") + "\n\n" + block + "\n"
-    path.write_text(text, encoding="utf-8")
+def fault_row(name, error):
+    said = str(error) if isinstance(error, CannotRun) else "".join(traceback.format_exception(error)[-2:]).strip()
+    return Row("fault", name, "", "", "", "", "FAIL: cannot run", False, said)
 
 
 def names_of_all(root=ROOT):
     return sorted(path.parent.name for path in (root / "verification").glob("*/accept.py"))
 
 
-def main(arguments=None):
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("drivers", type=Path, help="folder of the programs")
-    parser.add_argument("cases", nargs="+", metavar="case", help="folder of verification/, or all")
-    parser.add_argument("--full", action="store_true", help="run the long studies too")
-    parser.add_argument("--write", action="store_true", help="write the table into the README of the case")
-    parser.add_argument("--keep", type=Path, help="leave the runs in this folder")
-    parser.add_argument("--threads", type=int, default=1, help="of each run; results do not depend on them")
-    options = parser.parse_args(arguments)
-    names = names_of_all() if options.cases == ["all"] else options.cases
-    good = True
-    for name in names:
+# ------------------------------------------------------------------------------------------------
+# The suite
+
+def judge_case(name, options):
+    """Runs one case and keeps its outcome; in a process of its own where several run at once."""
+    level = "full" if options.full else "quick"
+    try:
+        case = Case(name)
+        if case.fault:
+            raise CannotRun(case.fault)
+        store = Store(options.drivers, options.out / "runs", options.out / "scratch" / name, options.threads)
+        out = case.outcome(store, options.full, options.figures)
+        used = [run.folder.name for run in store.done.values()]
+    except Exception as error:  # an accept.py may hold any mistake; the other cases go on
+        out, used = Outcome(name, level, rows=[fault_row("the case", error)]), []
+    out.save(options.out / level)
+    return out, used
+
+
+def slowest_first(names, folder):
+    """So that no long case is left for the end, where it would keep one core busy alone."""
+    def seconds(name):
         try:
-            with tempfile.TemporaryDirectory() as scratch:
-                case = Case(name)
-                if case.fault:
-                    raise CannotRun(case.fault)
-                runner = Runner(options.drivers, options.keep / name if options.keep else scratch, options.threads)
-                rows, tables = case.run(runner, options.full or options.write)  # a README shows everything
-                figures = draw(case, runner) if options.write else []
-        except CannotRun as error:
-            print(f"FAIL  {name}: {error}", flush=True)
-            good = False
-            continue
-        print_rows(name, rows, tables, runner.seconds)
-        if options.write:
-            write_readme(case.folder / "README.md", markdown(rows, tables, runner.seconds, figures))
-        good = good and all(row.good for row in rows)
+            return Outcome.load(folder / f"{name}.json").seconds
+        except (OSError, ValueError, TypeError, KeyError):
+            return math.inf  # never seen: may be long
+    return sorted(names, key=lambda name: (-seconds(name), name))
+
+
+def judge_all(names, options):
+    """Outcomes by name, printed as they come."""
+    outcomes, used = {}, set()
+    names = slowest_first(names, options.out / ("full" if options.full else "quick"))
+
+    def keep(out, folders):
+        outcomes[out.name] = out
+        used.update(folders)
+        print_outcome(out, options.verbose or len(names) == 1)
+
+    if options.jobs == 1:
+        for name in names:
+            keep(*judge_case(name, options))
+    else:
+        with concurrent.futures.ProcessPoolExecutor(options.jobs, max_tasks_per_child=1) as pool:
+            for done in concurrent.futures.as_completed([pool.submit(judge_case, name, options) for name in names]):
+                keep(*done.result())
+    return outcomes, used
+
+
+def print_outcome(out, whole):
+    for row in out.rows:
+        if whole or not row.good or row.kind == "miss":
+            numbers = f"expected {row.expected or '-'}, got {row.got or '-'}, error {row.error or '-'}, limit {row.limit or '-'}"
+            because = f"  ({row.because})" if row.because else ""
+            print(f"{'ok  ' if row.good else 'FAIL'}  {row.word:18} {row.name}: {numbers}{because}")
+    for title, columns, lines in out.tables if whole else []:
+        print(f"      {title}")
+        for line in [columns, *lines]:
+            print("      " + " | ".join(line))
+    missing = f", {len(out.misses())} MISS" if out.misses() else ""
+    print(f"{'pass' if out.good() else 'FAIL'}  {out.name}: {len(out.rows)} rows{missing}, {out.runs} runs of {out.seconds:.1f} s, "
+          f"{out.made} of them new", flush=True)
+
+
+def remove_unused(folder, used):
+    """Runs that no case asked for any more; called when all cases have run in full."""
+    import shutil
+    for run in folder.iterdir():
+        if run.name not in used:
+            shutil.rmtree(run, ignore_errors=True)
+
+
+def options_of(arguments):
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("names", nargs="*", metavar="NAME", help="folder of verification/; without one, all")
+    level = parser.add_mutually_exclusive_group()
+    level.add_argument("--quick", action="store_true", help="leave out what is marked as long (default)")
+    level.add_argument("--full", action="store_true", help="run everything")
+    level.add_argument("--stale", action="store_true", help="only compare tables in the tree with the quick outcomes of FOLDER")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="cases at once (default: all cores)")
+    parser.add_argument("--threads", type=int, default=1, help="of each run; results do not depend on them")
+    parser.add_argument("--drivers", type=Path, default=ROOT / "build/release/drivers", help="folder of the programs")
+    parser.add_argument("--out", type=Path, default=ROOT / "out/verify", help="folder of runs, outcomes and report")
+    parser.add_argument("--write", action="store_true", help="write tables and figures into the tree; needs --full for what is long")
+    parser.add_argument("--no-figures", dest="figures", action="store_false", help="judge only: no figures and no report")
+    parser.add_argument("--verbose", action="store_true", help="print every row of every case")
+    options = parser.parse_args(arguments)
+    unknown = [name for name in options.names if name not in names_of_all()]
+    if unknown:
+        parser.error(f"no folder of verification/ is called {', '.join(unknown)}; there are {', '.join(names_of_all())}")
+    if options.write and not options.figures:
+        parser.error("--write draws figures; leave --no-figures away")
+    return options
+
+
+def main(arguments=None):
+    options = options_of(arguments)
+    if options.stale:
+        import verification_tables as tables
+        faults = tables.stale(ROOT, names_of_all(), options.out / "quick")
+        print("\n".join(faults) or "the tables in the tree are those of the runs")
+        return 1 if faults else 0
+    started = time.perf_counter()
+    names = options.names or names_of_all()
+    outcomes, used = judge_all(names, options)
+    good = all(out.good() for out in outcomes.values())
+    if options.write:
+        import verification_tables as tables
+        tables.write(ROOT, outcomes)
+    if options.figures:
+        import verification_report as report
+        path = report.write(options.out, "full" if options.full else "quick", names_of_all())
+        print(f"report: {path}")
+    if options.full and not options.names:
+        remove_unused(options.out / "runs", used)
+    checks = sum(row.kind == "check" for out in outcomes.values() for row in out.rows)
+    breaks = sum(row.kind == "break" for out in outcomes.values() for row in out.rows)
+    misses = sum(len(out.misses()) for out in outcomes.values())
+    failed = sorted(name for name, out in outcomes.items() if not out.good())
+    print(f"{len(outcomes)} cases, {checks} checks, {breaks} breaks, {misses} known misses; {time.perf_counter() - started:.0f} s; "
+          + (f"FAIL: {', '.join(failed)}" if failed else "pass"))
     return 0 if good else 1
 
 

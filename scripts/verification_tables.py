@@ -1,0 +1,176 @@
+"""What the runs write into the tree: the table of a case in its README, the table of all in the README at the top.
+
+`stale` says where the tree differs from the runs. An error counts as the same within a twentieth of itself or a
+hundredth of its limit: another processor rounds otherwise; and below 1e-8, where it is rounding, within its limit.
+"""
+import re
+
+import verify
+
+BEGIN, END = "<!-- written by scripts/verify.py -->", "<!-- end of what scripts/verify.py writes -->"
+SECTIONS = {"E": "Elements", "P": "Plates", "M": "Materials", "I": "Impact", "C": "Contact", "W": "Whole problems", "": "Invariants"}
+ROUNDING = 1e-8
+
+
+# ------------------------------------------------------------------------------------------------
+# A case
+
+def case_block(out):
+    """The generated part of the README of a case."""
+    pictures = [f"![{caption or name.replace('_', ' ')}]({name}.svg)\n" for name, caption, _ in out.figures if name]
+    lines = [BEGIN, "", *pictures, "| check | expected | got | error | limit | |", "|---|---|---|---|---|---|"]
+    lines += [case_line(row) for row in out.rows]
+    reasons = [row for row in out.rows if row.because]
+    if reasons:
+        lines += ["", "Reasons of the limits:", ""]
+        lines += [f"- {row.name}: {row.because}." for row in reasons]
+    for title, columns, body in out.tables:
+        lines += ["", title, "", "| " + " | ".join(columns) + " |", "|" + "---|" * len(columns)]
+        lines += ["| " + " | ".join(line) + " |" for line in body]
+    lines += ["", f"All {out.runs} runs together take about {rough(out.seconds)} s on one core.", "", END]
+    return "\n".join(lines)
+
+
+def case_line(row):
+    return f"| {row.name} | {row.expected} | {row.got} | {row.error} | {row.limit} | {row.word} |"
+
+
+def rough(seconds):
+    """To one digit: timings are not what the page is about, and should not change at every run."""
+    if seconds < 1:
+        return 1
+    power = 10 ** (len(str(int(seconds))) - 1)
+    return round(seconds / power) * power
+
+
+# ------------------------------------------------------------------------------------------------
+# All cases
+
+def section_of(catalogue):
+    """The letter of the first number of the catalogue; nothing for what it has no number for."""
+    return catalogue[0][0] if catalogue and catalogue[0][0] in SECTIONS else ""
+
+
+def quick_part(out):
+    """The rows that the quick suite has too."""
+    return verify.Outcome(out.name, out.level, rows=[row for row in out.rows if not row.full])
+
+
+def suite_line(out):
+    """One case in the table of all: its closest check, of those that the quick suite runs."""
+    quick = quick_part(out)
+    closest, missed = quick.closest(), len(quick.misses())
+    error, limit, name = (closest.error, closest.limit, closest.name) if closest else ("", "", "")
+    status = "FAIL" if not out.good() else f"{missed} MISS" if missed else "pass"
+    return f"| [{out.name}](verification/{out.name}/README.md) | {out.claim} | {out.evidence} | {name} | {error} | {limit} | {status} |"
+
+
+def suite_block(lines, catalogues):
+    """The generated part of the README at the top: lines by name of the case, a table for each section."""
+    text = [BEGIN, ""]
+    for letter, title in SECTIONS.items():
+        of_section = [lines[name] for name in sorted(lines) if section_of(catalogues[name]) == letter]
+        if of_section:
+            text += [f"**{title}**", "", "| case | claim | evidence | closest check | error | limit | |", "|---|---|---|---|---|---|---|",
+                     *of_section, ""]
+    return "\n".join([*text, END])
+
+
+def lines_of(text):
+    """The lines of the table of all that stand in a README, by name of the case."""
+    block = text[text.find(BEGIN):text.find(END)] if BEGIN in text else ""
+    return {found.group(1): line for line in block.splitlines() if (found := re.match(r"\| \[(\w+)\]\(verification/", line))}
+
+
+def put_block(path, block):
+    """Puts the block in place of the old one, or behind the text where there is none."""
+    text = path.read_text(encoding="utf-8") if path.is_file() else ""
+    pattern = re.compile(re.escape(BEGIN) + ".*?" + re.escape(END), re.DOTALL)
+    text = pattern.sub(lambda _: block, text) if pattern.search(text) else text.rstrip("\n") + "\n\n" + block + "\n"
+    path.write_text(text, encoding="utf-8")
+
+
+def write(root, outcomes):
+    """Writes tables and figures of these outcomes into the tree; lines of other cases stay as they are."""
+    for name, out in outcomes.items():
+        folder = root / "verification" / name
+        for picture, _, svg in out.figures:
+            if picture:
+                (folder / f"{picture}.svg").write_text(svg, encoding="utf-8")
+        put_block(folder / "README.md", case_block(out))
+    readme = root / "README.md"
+    names = verify.names_of_all(root)
+    old = lines_of(readme.read_text(encoding="utf-8"))
+    lines = {name: suite_line(outcomes[name]) if name in outcomes else old[name] for name in names if name in outcomes or name in old}
+    catalogues = {name: getattr(verify.Case(name, root).accept, "CATALOGUE", ()) for name in lines}
+    put_block(readme, suite_block(lines, catalogues))
+
+
+# ------------------------------------------------------------------------------------------------
+# Is the tree what the runs say?
+
+def stale(root, names, folder):
+    """Where tables in the tree differ from the quick outcomes in `folder`: one sentence each."""
+    faults = []
+    suite = lines_of((root / "README.md").read_text(encoding="utf-8"))
+    faults += [f"README.md: has a line of {name}, which is no case" for name in suite if name not in names]
+    for name in names:
+        try:
+            out = verify.Outcome.load(folder / f"{name}.json")
+        except OSError:
+            faults.append(f"{name}: has no quick outcome in {folder}; run scripts/verify {name} first")
+            continue
+        faults += stale_case(root / "verification" / name, out)
+        if name not in suite:
+            faults.append(f"README.md: has no line of {name}; scripts/verify --full --write makes it")
+        elif not same_line(suite[name], suite_line(out), quick_part(out).closest()):
+            faults.append(f"README.md: the line of {name} is stale:\n  {suite[name]}\n  {suite_line(out)}")
+    return faults
+
+
+def stale_case(folder, out):
+    path = folder / "README.md"
+    if not path.is_file():
+        return [f"{path}: is missing"]
+    text = path.read_text(encoding="utf-8")
+    written = {line.split(" | ")[0][2:]: line for line in text[text.find(BEGIN):].splitlines() if line.startswith("| ")}
+    faults = []
+    for row in out.rows:
+        if row.name not in written:
+            faults.append(f"{path}: has no row '{row.name}'; scripts/verify {out.name} --full --write makes it")
+        elif not same_row(written[row.name], row):
+            faults.append(f"{path}: is stale:\n  {written[row.name]}\n  {case_line(row)}")
+    faults += [f"{folder / one}.svg: is missing" for one, _, _ in out.figures if one and not (folder / f"{one}.svg").is_file()]
+    return faults
+
+
+def same_row(line, row):
+    old = [entry.strip() for entry in line.strip().strip("|").split(" | ")]
+    if len(old) != 6 or old[4] != row.limit or old[5] != row.word:
+        return False
+    return row.kind in ("study", "break", "report") or same_error(old[3], row.error, row.within)
+
+
+def same_line(old, new, closest):
+    """Lines of the table of all: the same claim, evidence and status; the closest check may be another of the same size."""
+    before, after = ([entry.strip() for entry in line.strip().strip("|").split(" | ")] for line in (old, new))
+    if len(before) != len(after) or before[:3] != after[:3] or before[6:] != after[6:]:
+        return False
+    if before[3] != after[3] or before[5] != after[5]:  # rounding decides which of several is closest
+        return number(after[4]) < ROUNDING
+    return same_error(before[4], after[4], closest.within if closest else None)
+
+
+def same_error(old, new, within):
+    a, b = number(old), number(new)
+    if a is None or b is None:
+        return old == new
+    if within and max(a, b) <= min(ROUNDING, within):
+        return True
+    return abs(a - b) <= 0.05 * max(a, b) + 0.01 * (within or 0)
+
+
+def number(text):
+    """The number of an error as `share` writes it."""
+    found = re.fullmatch(r"([-+0-9.e]+)( %)?", text.strip())
+    return float(found.group(1)) * (0.01 if found.group(2) else 1) if found else None

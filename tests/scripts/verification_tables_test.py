@@ -1,0 +1,81 @@
+"""Tables in the tree: written, found fresh, and found stale when a number, a limit or a case is another."""
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
+import verification_tables as tables  # noqa: E402  (after the path)
+import verify  # noqa: E402
+
+ACCEPT = "CATALOGUE = ('I-3',)\n"
+
+
+def outcome(error=0.005, limit=0.01, name="bar", full_error=0.3):
+    rows = [verify.Row("check", "speed", "1 m/s", "0.995 m/s", verify.share(error), verify.share(limit), "pass", True, "seen", error, limit),
+            verify.Row("check", "fine speed", "1 m/s", "1 m/s", "30 %", "40 %", "pass", True, "seen", full_error, 0.4, full=True),
+            verify.Row("break", "*must fail:* slow → speed", "1", "2", "100 %", "1 %", "fails, as it must", True)]
+    return verify.Outcome(name, "quick", claim="it moves", evidence="exact", catalogue=["I-3"], rows=rows,
+                          figures=[("speed", "Speed over time.", "<svg/>")], runs=2, seconds=3.4)
+
+
+class TablesTest(unittest.TestCase):
+    def setUp(self):
+        holder = tempfile.TemporaryDirectory()
+        self.addCleanup(holder.cleanup)
+        self.root = Path(holder.name)
+        folder = self.root / "verification" / "bar"
+        folder.mkdir(parents=True)
+        (folder / "accept.py").write_text(ACCEPT)
+        (folder / "README.md").write_text("# A bar\n\nauthored\n")
+        (self.root / "README.md").write_text("# All\n\nauthored\n")
+        tables.write(self.root, {"bar": outcome()})
+
+    def stale(self, out):
+        out.save(self.root / "quick")
+        return tables.stale(self.root, ["bar"], self.root / "quick")
+
+    def test_what_was_written_is_fresh(self):
+        self.assertEqual(self.stale(outcome()), [])
+
+    def test_only_the_block_is_written_anew(self):
+        tables.write(self.root, {"bar": outcome(error=0.007)})
+        for readme in (self.root / "README.md", self.root / "verification" / "bar" / "README.md"):
+            text = readme.read_text()
+            self.assertIn("authored", text)
+            self.assertEqual(text.count(tables.BEGIN), 1)
+            self.assertIn("0.7 %", text)
+            self.assertNotIn("0.5 %", text)
+
+    def test_another_error_is_stale_and_its_rounding_is_not(self):
+        self.assertEqual(self.stale(outcome(error=0.0051)), [])
+        self.assertEqual(len(self.stale(outcome(error=0.006))), 2)  # in the README of the case and in that of all
+
+    def test_another_limit_is_stale(self):
+        self.assertEqual(len(self.stale(outcome(limit=0.02))), 2)
+
+    def test_a_missing_row_line_figure_or_outcome_is_stale(self):
+        more = outcome()
+        more.rows.append(verify.Row("check", "time", "1 s", "1 s", "0", "1 %", "pass", True, "seen", 0.0, 0.01))
+        self.assertIn("has no row 'time'", self.stale(more)[0])
+        (self.root / "verification" / "bar" / "speed.svg").unlink()
+        self.assertIn("speed.svg: is missing", self.stale(outcome())[0])
+        (self.root / "README.md").write_text("# All\n")
+        self.assertIn("has no line of bar", self.stale(outcome())[-1])
+        self.assertIn("no quick outcome", tables.stale(self.root, ["bar"], self.root / "nowhere")[0])
+
+    def test_a_line_of_a_case_that_is_gone_is_stale(self):
+        self.assertIn("which is no case", tables.stale(self.root, [], self.root / "quick")[0])
+
+    def test_the_table_of_all_shows_what_the_quick_suite_can_see(self):
+        line = tables.lines_of((self.root / "README.md").read_text())["bar"]
+        self.assertIn("| speed | 0.5 % | 1 % | pass |", line)
+
+    def test_errors_at_rounding_need_only_stay_within_their_limit(self):
+        self.assertTrue(tables.same_error("2.0e-13", "9.0e-12", 1e-10))
+        self.assertFalse(tables.same_error("2.0e-13", "9.0e-09", 1e-10))
+        self.assertTrue(tables.same_error("0", "0", None))
+
+
+if __name__ == "__main__":
+    unittest.main()
