@@ -32,6 +32,7 @@ import dataclasses
 import importlib
 import json
 import math
+import multiprocessing
 import os
 import re
 import sys
@@ -167,8 +168,11 @@ def order_between(size_0, error_0, size_1, error_1):
 
 
 def number_in(text):
-    """The first number of a value such as '5e13 Pa/m'."""
-    return float(re.match(r"\s*([-+0-9.eE]+)", str(text)).group(1))
+    """The first number of a value such as '5e13 Pa/m' or '[20, 1, 1]'."""
+    found = re.match(r"[\s\[]*([-+]?[0-9.]+(?:[eE][-+]?[0-9]+)?)", str(text))
+    if not found:
+        raise CannotRun(f"'{text}' has no number to take as a size: give `sizes`")
+    return float(found.group(1))
 
 
 # ------------------------------------------------------------------------------------------------
@@ -491,7 +495,7 @@ def judge_all(names, options):
         for name in names:
             keep(*judge_case(name, options))
     else:
-        with concurrent.futures.ProcessPoolExecutor(options.jobs, max_tasks_per_child=1) as pool:
+        with concurrent.futures.ProcessPoolExecutor(options.jobs, multiprocessing.get_context("fork")) as pool:
             for done in concurrent.futures.as_completed([pool.submit(judge_case, name, options) for name in names]):
                 keep(*done.result())
     return outcomes, used
