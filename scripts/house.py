@@ -35,6 +35,8 @@ DOORS = [
     ("a test framework", r"#\s*include\s*<(gtest|gmock|catch2|doctest)/", "lib drivers", []),
     ("matplotlib", r"^\s*(import|from)\s+(matplotlib|pylab|mpl_toolkits)\b",
      "scripts verification tests drivers cases docs", ["scripts/figure.py"]),
+    ("Python-Markdown", r"^\s*(import|from)\s+markdown\b", "scripts verification tests drivers cases docs",
+     ["scripts/verification_report.py"]),
 ]
 
 # Eigen's names are used everywhere but come from one header; a source that needs a cross product or a
