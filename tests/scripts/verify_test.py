@@ -2,6 +2,7 @@
 import contextlib
 import io
 import math
+import re
 import sys
 import tempfile
 import unittest
@@ -178,6 +179,16 @@ class ReferencesTest(unittest.TestCase):
             imported = [line.split()[1].split(".")[0] for line in text.splitlines() if line.startswith(("import ", "from "))]
             with self.subTest(name):
                 self.assertLessEqual(set(imported), allowed)
+
+
+class AddingTest(unittest.TestCase):
+    def test_files_of_the_example_are_quoted_as_they_are(self):
+        page = (verify.ROOT / "docs" / "adding.md").read_text(encoding="utf-8")
+        quoted = re.findall(r"^```\w+\n(.*?)^```$", page, re.DOTALL | re.MULTILINE)
+        for name in ("case.yaml", "reference.py", "accept.py", "README.md"):
+            with self.subTest(name):
+                text = (verify.ROOT / "verification" / "suddenly_pulled_bar" / name).read_text(encoding="utf-8").split("<!-- written by")[0].rstrip() + "\n"
+                self.assertTrue(text in quoted, f"docs/adding.md quotes another {name}")
 
 
 if __name__ == "__main__":
