@@ -199,8 +199,8 @@ TEST(MapMesh, BendsABoxIntoARingAndASheetIntoACylinder) {
   // chords: the area between two circles falls by sin(a)/a
   const double chord = 1.5 / 40;
   EXPECT_NEAR(mesh::volumes(sector, mesh::hexahedra(sector, "a")).sum(), 1.5 * 1.5 * std::sin(chord) / chord, 1e-13);
-  const mesh::Mesh tube = mapped_mesh("kind: sheet\nlength: 1 m\nwidth: 2 m\ncells_along: 8\ncells_across: 2\nmap: [cos(x), sin(x), y]\n");
-  for (Index node = 0; node < tube.X.cols(); ++node) EXPECT_NEAR(tube.X.col(node).head<2>().norm(), 1, 1e-15);
+  const mesh::Mesh panel = mapped_mesh("kind: sheet\nlength: 1 m\nwidth: 2 m\ncells_along: 8\ncells_across: 2\nmap: [cos(x), sin(x), y]\n");
+  for (Index node = 0; node < panel.X.cols(); ++node) EXPECT_NEAR(panel.X.col(node).head<2>().norm(), 1, 1e-15);
 }
 
 TEST(MapMesh, IsOptionalAndIdentityIsExact) {
