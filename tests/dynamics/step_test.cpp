@@ -13,6 +13,7 @@
 
 #include "base/parallel.hpp"
 #include "dynamics/connect.hpp"
+#include "dynamics/relax.hpp"
 #include "mesh/box.hpp"
 #include "mesh/skin.hpp"
 #include "mesh/cylinder.hpp"
