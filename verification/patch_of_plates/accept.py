@@ -126,7 +126,7 @@ def paths(run):
 
 
 def exact_paths(run):
-    points, times = frames(run)[0][1]["points"], [i / 10000 for i in range(101)]
+    points, times = frames(run)[0][1]["points"], [t for t, _ in frames(run)]
     return [(f"node {n}, exact", [1e3 * t for t in times], [1e3 * displacement(points[n], t)[0] for t in times]) for n in (4, 5, 6, 7)]
 
 
