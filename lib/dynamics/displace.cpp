@@ -52,7 +52,8 @@ element::Vote displace(const Model& model, State& now, Forces& f, const Vectors&
       // Cayley's vector of the normal's turn; about the normal, which differs from that of the facets, the material's
       w.col(turn) = 2 / dt / (1 + before.dot(after)) * before.cross(after) + half_curl(L).dot(between) * between;
       const Index place = now.constraints.held_of_node[model.node_of_turn[turn]];
-      if (place >= 0) w.col(turn) = now.constraints.held[place].allowed_turn * w.col(turn);
+      // driven nodes go from where the displacement puts them
+      if (place >= 0 && now.constraints.held[place].driver < 0) w.col(turn) = now.constraints.held[place].allowed_turn * w.col(turn);
     }
     now.x = model.mesh.X + (static_cast<double>(s + 1) / steps) * u;
     for (std::size_t b = 0; b < model.blocks.size(); ++b) {

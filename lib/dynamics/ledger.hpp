@@ -18,7 +18,7 @@ struct Share {
 /// One source of force: what it did to the nodes and where that work came from or went.
 struct Account {
   std::string name;               ///< of the block, interface, plane or floor
-  /// "block", "interface", "rigid_plane", "floor", "symmetry", "held", "fixed", a load's kind, "relaxation", "gravity"
+  /// "block", "interface", "rigid_plane", "floor", "symmetry", "held", "fixed", "driven", a load's kind, "relaxation", "gravity"
   std::string kind;
   double work = 0;                ///< [J] done on the nodes since the start
   /// [J] what the source holds now, less what it held at the start; "outside": where a load takes its work from

@@ -58,8 +58,8 @@ std::vector<Account> accounts(const Model& model) {
     list.push_back(account(plane.name, "rigid_plane", rubs ? Names{"penalty", "stick"} : Names{"penalty"}, rubs ? Names{"friction"} : Names{}));
   }
   for (const auto& plane : model.constraints.planes) {
-    constexpr std::array<const char*, 4> kinds{"held", "fixed", "symmetry", "floor"};
-    const auto stored = plane.velocity ? std::vector<std::string>{"outside"} : std::vector<std::string>{};
+    constexpr std::array<const char*, 5> kinds{"held", "fixed", "symmetry", "floor", "driven"};
+    const auto stored = load::moves(plane) ? std::vector<std::string>{"outside"} : std::vector<std::string>{};
     list.push_back(account(plane.name, kinds[static_cast<std::size_t>(plane.kind)], stored, {"caught"}));
   }
   for (const auto& any : model.loads) {

@@ -63,6 +63,8 @@ double damp(const Model& model, double factor, State& now) {
     now.v.col(n) = after;
   }
   for (Index turn = 0; turn < now.w.cols(); ++turn) {
+    const Index place = now.constraints.held_of_node[model.node_of_turn[turn]];
+    if (place >= 0 && now.constraints.held[place].driver >= 0) continue;  // the plane sets it anyway
     const Vec3 before = now.w.col(turn);
     const Vec3 impulse = model.inertia(turn) * (factor - 1) * before;
     memory.removed -= 0.5 * impulse.dot((1 + factor) * before);

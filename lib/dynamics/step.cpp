@@ -36,7 +36,7 @@ enum class Half { first, second };
 /// returns  sum of f.f/m over what the constraints let through: the ledger's integration term
 double kick(const Model& model, double dt, double t, Half half, State& now, Forces& f) {
   auto& constraints = now.constraints;
-  load::set_speeds(model.constraints, t, constraints);
+  load::set_speeds(model.constraints, model.mesh.X, t, constraints);
   const double nodes = ordered_sum(static_cast<Index>(now.v.cols()), f.partial, [&](Index node) {
     const double mass = model.mass(node);
     const Vec3 force = f.force.col(node);
@@ -56,19 +56,24 @@ double kick(const Model& model, double dt, double t, Half half, State& now, Forc
   for (const Index place : constraints.active) {
     const load::HeldNode& held = constraints.held[place];
     const double mass = model.mass(held.node);
+    const double quarter_step = half == Half::first ? -dt / 2 : dt / 2;
     Vec3 v = now.v.col(held.node);
     if (held.moves) {
       const Vec3 force = f.force.col(held.node), before = v - dt / mass * force;
-      const double quarter_step = half == Half::first ? -dt / 2 : dt / 2;
-      load::drive(model.constraints, constraints.speed, held, now.x.col(held.node), mass, before, force, quarter_step, v,
-                  constraints.account);
+      load::drive(model.constraints, held, now.x.col(held.node), mass, before, force, quarter_step, v, constraints.account);
     } else {
       load::restrain(model.constraints, held, now.x.col(held.node), mass, v, constraints.account);
     }
     now.v.col(held.node) = v;
     if (held.turn < 0) continue;
     Vec3 w = now.w.col(held.turn);
-    load::restrain_turn(held, model.inertia(held.turn), w, constraints.account);
+    const double inertia = model.inertia(held.turn);
+    if (held.driver >= 0) {
+      const Vec3 moment = f.moment.col(held.turn), before = w - dt / inertia * moment;
+      load::drive_turn(held, inertia, before, moment, quarter_step, w, constraints.account);
+    } else {
+      load::restrain_turn(held, inertia, w, constraints.account);
+    }
     now.w.col(held.turn) = w;
   }
   return nodes + turns;

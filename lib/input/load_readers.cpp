@@ -173,6 +173,18 @@ void add_load(const LoadRequest& request, dynamics::Model& model) {
   }
 }
 
+/// What drives nodes is a number at the start.
+void refuse_infinite_start(const PlaneRequest& request, const Subset& nodes, const Vectors& X) {
+  for (const auto& [key, field] : {std::pair("velocity", &request.field), std::pair("turning", &request.turning)}) {
+    if (!(*field)[0]) continue;
+    const Section section = request.section.section(key);
+    for (const Index node : nodes) {
+      const Vec3 at = X.col(node);
+      for (const Expression& value : *field) refuse_infinite(section, "value", value(at.x(), at.y(), at.z(), 0), at_place(at) + ", t = 0");
+    }
+  }
+}
+
 /// The gradient of a field at X, by differences over a hundred-thousandth of the scene's size.
 Mat3 gradient_at(const std::array<Expression, 3>& field, const Vec3& X, double size) {
   Mat3 gradient;
@@ -207,16 +219,20 @@ double read_unit(const Section& section, Dimension dimension) {
 PlaneRequest read_plane(const Section& section) {
   using load::PlaneKind;
   PlaneRequest plane{.section = section, .name = section.word("name"), .rigid = false, .kind = PlaneKind::held, .nodes = {},
-                     .point = Vec3::Zero(), .normal = Vec3::UnitZ(), .velocity = {}};
-  const std::string kind = section.choice("kind", {"symmetry", "held", "fixed", "floor", "rigid"});
+                     .point = Vec3::Zero(), .normal = Vec3::UnitZ(), .velocity = {}, .field = {}, .turning = {}};
+  const std::string kind = section.choice("kind", {"symmetry", "held", "fixed", "floor", "rigid", "driven"});
   plane.rigid = kind == "rigid";
-  plane.kind = kind == "symmetry" ? PlaneKind::symmetry : kind == "fixed" ? PlaneKind::fixed : kind == "floor" ? PlaneKind::floor : PlaneKind::held;
+  plane.kind = kind == "symmetry" ? PlaneKind::symmetry
+               : kind == "fixed"  ? PlaneKind::fixed
+               : kind == "floor"  ? PlaneKind::floor
+               : kind == "driven" ? PlaneKind::driven
+                                  : PlaneKind::held;
   plane.nodes = section.when(!plane.rigid).words("nodes");
-  const bool floor = kind == "floor", fixed = kind == "fixed";
+  const bool floor = kind == "floor", driven = kind == "driven", no_normal = driven || kind == "fixed";
   const auto point = section.when(floor || plane.rigid).vector("point", dim::length);
-  const auto normal = section.when(!fixed).vector("normal", dim::none);
+  const auto normal = section.when(!no_normal).vector("normal", dim::none);
   if (floor || plane.rigid) plane.point = Vec3(point[0], point[1], point[2]);
-  if (!fixed) {
+  if (!no_normal) {
     const Vec3 given(normal[0], normal[1], normal[2]);
     if (given.norm() > 0) {
       plane.normal = given.normalized();
@@ -224,8 +240,16 @@ PlaneRequest read_plane(const Section& section) {
       section.fault("normal", "'normal' has no length");
     }
   }
+  if (section.has("turning")) {
+    const Section turning = section.when(driven).section("turning");
+    const auto value = read_expressions(turning, "value", of_both, read_unit(turning, dim::angular_speed));
+    if (driven) plane.turning = value;
+  }
   const bool held = kind == "held";
-  if (section.has("velocity")) {
+  if (driven) {
+    const Section velocity = section.section("velocity");
+    plane.field = read_expressions(velocity, "value", of_both, read_unit(velocity, dim::speed));
+  } else if (section.has("velocity")) {
     const Section velocity = section.when(held).section("velocity");
     const double unit = read_unit(velocity, dim::speed);
     const Expression value = read_expression(velocity, "value", of_time, unit);
@@ -288,27 +312,28 @@ void constrain(const Actions& actions, dynamics::Model& model) {
   for (const PlaneRequest& request : actions.planes) {
     if (request.rigid) continue;
     load::Plane plane{.name = request.name, .kind = request.kind, .point = request.point, .normal = request.normal, .nodes = {},
-                      .velocity = request.velocity};
+                      .velocity = request.velocity, .field = request.field, .turning = request.turning};
     for (const std::string& name : request.nodes) {
       const Subset* nodes = find_nodes(model.mesh, request.section, "nodes", name);
       if (nodes != nullptr) plane.nodes.insert(plane.nodes.end(), nodes->begin(), nodes->end());
     }
     std::sort(plane.nodes.begin(), plane.nodes.end());
     plane.nodes.erase(std::unique(plane.nodes.begin(), plane.nodes.end()), plane.nodes.end());
+    refuse_infinite_start(request, plane.nodes, model.mesh.X);
     requests.push_back(&request);
     added.planes.push_back(std::move(plane));
   }
   const load::Conflict conflict = load::find_conflict(added);
   if (conflict.moving >= 0) {
     const PlaneRequest& moving = *requests[conflict.moving];
-    moving.section.fault("velocity", in_quotes(moving.name) + " moves nodes that " + in_quotes(requests[conflict.other]->name) +
-                                         " holds in the same direction");
+    moving.section.fault("velocity", in_quotes(moving.name) + (moving.kind == load::PlaneKind::driven ? " drives" : " moves") + " nodes that " +
+                                         in_quotes(requests[conflict.other]->name) + " holds in the same direction");
   }
   const Index overheld = load::find_overheld(added);
   for (std::size_t p = added.planes.size(); overheld >= 0 && p-- > 0;) {
     if (!std::binary_search(added.planes[p].nodes.begin(), added.planes[p].nodes.end(), overheld)) continue;
     requests[p]->section.fault("nodes", "too many planes hold one node: there is room for " +
-                                            std::to_string(load::HeldNode::most_rows) + " directions, and a fixed one takes three");
+                                            std::to_string(load::HeldNode::most_rows) + " directions, and a fixed or driven one takes three");
     break;
   }
   if (conflict.moving < 0 && overheld < 0)
@@ -324,6 +349,13 @@ void add_loads(const Actions& actions, dynamics::Model& model) {
   for (const LoadRequest& request : actions.loads) add_load(request, model);
   for (const SpringRequest& request : actions.springs) add_spring(request, model);
   model.relaxation = actions.relaxation;
+  for (const PlaneRequest& request : actions.planes) {
+    if (!request.turning[0]) continue;
+    const auto turns = [&](Index node) { return model.turn_of_node[node] >= 0; };
+    for (const load::Plane& plane : model.constraints.planes)
+      if (plane.name == request.name && std::none_of(plane.nodes.begin(), plane.nodes.end(), turns))
+        request.section.fault("turning", "'turning' is of nodes of plates: " + in_quotes(request.name) + " has none");
+  }
 }
 
 void set_initial(const Actions& actions, const dynamics::Model& model, dynamics::State& state, dynamics::Forces& forces) {

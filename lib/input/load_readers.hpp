@@ -29,6 +29,7 @@ struct PlaneRequest {
   std::vector<std::string> nodes; ///< node sets
   Vec3 point = Vec3::Zero(), normal = Vec3::UnitZ();
   load::OverTime velocity;        ///< [m/s] along the normal, of `held` only; empty: held at rest
+  std::array<Expression, 3> field, turning;  ///< [m/s], [rad/s] over x, y, z, t, of `driven` only; turning may be empty
 };
 
 /// One item of `loads`.
@@ -80,8 +81,8 @@ Actions read_actions(const Section& root);
 /// `relaxation: {residual, after, samples}`; nothing if the case has no such section.
 std::optional<dynamics::Relaxation> read_relaxation(const Section& root);
 
-/// `kind: symmetry | held | fixed | floor | rigid`, `name`, `nodes`, `normal`, of a floor `point`, of held nodes
-/// optionally `velocity: {value, unit}`.
+/// `kind: symmetry | held | fixed | floor | rigid | driven`, `name`, `nodes`, `normal`, of a floor `point`, of held nodes
+/// optionally `velocity: {value, unit}`, of driven ones `velocity` and optionally `turning` with three values.
 PlaneRequest read_plane(const Section&);
 
 /// The unit of a text's value as a factor to SI; a fault if it has another dimension.

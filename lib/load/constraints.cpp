@@ -12,7 +12,11 @@ namespace {
 
 constexpr double same_plane = 1e-6;  // [rad]: normals typed with eight digits agree to less
 
-int rows_of(const Plane& plane) { return plane.kind == PlaneKind::fixed ? 3 : 1; }
+bool holds_all(const Plane& plane) { return plane.kind == PlaneKind::fixed || plane.kind == PlaneKind::driven; }
+int rows_of(const Plane& plane) { return holds_all(plane) ? 3 : 1; }
+Vec3 normal_of(const Plane& plane, int row) { return holds_all(plane) ? Vec3(Vec3::Unit(row)) : plane.normal; }
+
+double at(const OverSpace& value, const Vec3& X, double t) { return value ? value(X.x(), X.y(), X.z(), t) : 0; }
 
 }  // namespace
 
@@ -21,10 +25,11 @@ void hold(const Constraints& constraints, HeldNode& held, int plane) {
   check(held.count + rows_of(added) <= HeldNode::most_rows, "too many planes hold one node");
   for (int row = 0; row < rows_of(added); ++row) {
     held.plane[held.count] = plane;
-    held.normal[held.count++] = added.kind == PlaneKind::fixed ? Vec3(Vec3::Unit(row)) : added.normal;
+    held.normal[held.count++] = normal_of(added, row);
   }
-  held.moves = held.moves || added.velocity;
-  held.turns_held = held.turns_held || added.kind == PlaneKind::fixed;
+  held.moves = held.moves || moves(added);
+  held.turns_held = held.turns_held || holds_all(added);
+  if (added.kind == PlaneKind::driven) held.driver = plane;
   Eigen::Matrix<double, 3, HeldNode::most_rows> normals = Eigen::Matrix<double, 3, HeldNode::most_rows>::Zero();
   Mat3 turn = Mat3::Identity(), free = Mat3::Identity();
   for (int p = 0; p < held.count; ++p) {
@@ -103,16 +108,27 @@ void restrain(const Constraints&, const HeldNode& held, const Vec3& x, double ma
   }
 }
 
-void set_speeds(const Constraints& constraints, double t, Memory& memory) {
+void set_speeds(const Constraints& constraints, const Vectors& X, double t, Memory& memory) {
   for (std::size_t p = 0; p < constraints.planes.size(); ++p)
     if (constraints.planes[p].velocity) memory.speed[p] = constraints.planes[p].velocity(t);
+  for (const Index place : memory.active) {
+    HeldNode& held = memory.held[place];
+    if (!held.moves) continue;
+    for (int p = 0, row = 0; p < held.count; ++p) {
+      const Plane& plane = constraints.planes[held.plane[p]];
+      const bool driven = plane.kind == PlaneKind::driven;
+      held.speed[p] = driven ? at(plane.field[row++ % 3], X.col(held.node), t) : memory.speed[held.plane[p]];
+    }
+    if (held.driver < 0 || held.turn < 0) continue;
+    for (int axis = 0; axis < 3; ++axis) held.turning(axis) = at(constraints.planes[held.driver].turning[axis], X.col(held.node), t);
+  }
 }
 
-void drive(const Constraints& constraints, const std::vector<double>& speed, const HeldNode& held, const Vec3& x, double mass,
-           const Vec3& before, const Vec3& force, double quarter_step, Vec3& v, std::vector<PlaneAccount>& accounts) {
+void drive(const Constraints& constraints, const HeldNode& held, const Vec3& x, double mass, const Vec3& before, const Vec3& force,
+           double quarter_step, Vec3& v, std::vector<PlaneAccount>& accounts) {
   const Vec3 wanted = v;
   v = held.allowed * wanted;
-  for (int p = 0; p < held.count; ++p) v += speed[held.plane[p]] * held.share[p];
+  for (int p = 0; p < held.count; ++p) v += held.speed[p] * held.share[p];
   const Vec3 impulse = mass * (v - wanted), change = v - before, twice_mean = v + before;
   for (int p = 0; p < held.count; ++p) {
     const Vec3& normal = held.normal[p];
@@ -121,7 +137,7 @@ void drive(const Constraints& constraints, const std::vector<double>& speed, con
     account.impulse += share;
     account.angular_impulse += x.cross(share);
     const double work = 0.5 * share.dot(twice_mean) + quarter_step * held.share[p].dot(force) * normal.dot(change);
-    if (constraints.planes[held.plane[p]].velocity) {
+    if (moves(constraints.planes[held.plane[p]])) {
       account.driven += work;
     } else {
       account.caught -= work;  // of a plane at rest: only at the start
@@ -136,10 +152,19 @@ void restrain_turn(const HeldNode& held, double inertia, Vec3& w, std::vector<Pl
   accounts[held.plane[0]].angular_impulse += inertia * (w - wanted);
 }
 
+void drive_turn(const HeldNode& held, double inertia, const Vec3& before, const Vec3& moment, double quarter_step, Vec3& w,
+                std::vector<PlaneAccount>& accounts) {
+  const Vec3 impulse = inertia * (held.turning - w);
+  w = held.turning;
+  PlaneAccount& account = accounts[held.driver];
+  account.angular_impulse += impulse;
+  account.driven += 0.5 * impulse.dot(w + before) + quarter_step * moment.dot(w - before);
+}
+
 Conflict find_conflict(const Constraints& constraints) {
   const auto& planes = constraints.planes;
   for (std::size_t p = 0; p < planes.size(); ++p) {
-    if (!planes[p].velocity) continue;
+    if (!moves(planes[p])) continue;
     for (const Index node : planes[p].nodes) {
       // the plane must add a direction to what all others of this node hold
       Mat3 free = Mat3::Identity();
@@ -148,10 +173,11 @@ Conflict find_conflict(const Constraints& constraints) {
         if (q == p || planes[q].kind == PlaneKind::floor || !std::binary_search(planes[q].nodes.begin(), planes[q].nodes.end(), node))
           continue;
         for (int row = 0; row < rows_of(planes[q]); ++row) {
-          const Vec3 rest = free * (planes[q].kind == PlaneKind::fixed ? Vec3(Vec3::Unit(row)) : planes[q].normal);
+          const Vec3 rest = free * normal_of(planes[q], row);
           if (rest.norm() > same_plane) free -= rest.normalized() * rest.normalized().transpose();
         }
-        if ((free * planes[p].normal).norm() <= same_plane) {
+        const bool adds = planes[p].kind != PlaneKind::driven && (free * planes[p].normal).norm() > same_plane;
+        if (!adds) {
           last = static_cast<int>(q);
           break;
         }

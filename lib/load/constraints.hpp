@@ -1,15 +1,15 @@
 #pragma once
-// Constraints: planes in whose normal direction nodes do not move, or move as prescribed.
+// Constraints: planes in whose normal direction nodes do not move, or move as prescribed; nodes that are driven.
 //
 // A plane holds its nodes from the start (held components, symmetry planes) or from first touch on
 // (the paper's floor). A node on several planes moves along what all of them allow. Constraints act
 // on velocities by impulses, which are booked to the planes.
 
 #include <array>
-#include <functional>
 #include <string>
 #include <vector>
 
+#include "load/given.hpp"
 #include "mesh/mesh.hpp"
 
 namespace nereid::load {
@@ -19,6 +19,7 @@ enum class PlaneKind {
   fixed,     ///< held in all directions, and plates do not turn; the normal does not matter
   symmetry,  ///< held, and plates turn only about the normal
   floor,     ///< free above the plane, held in the normal direction after first touch
+  driven,    ///< velocity and angular velocity are prescribed in all directions; the normal does not matter
 };
 
 struct Plane {
@@ -28,7 +29,9 @@ struct Plane {
   Vec3 normal = Vec3::UnitZ();  ///< unit vector; of a floor, to the side where the nodes are
   Subset nodes;                 ///< ascending
   /// [m/s] along the normal, of time [s]; of held nodes only. Empty: at rest.
-  std::function<double(double)> velocity = {};
+  OverTime velocity = {};
+  std::array<OverSpace, 3> field = {};    ///< [m/s] over reference position and time; of driven nodes, which need it
+  std::array<OverSpace, 3> turning = {};  ///< [rad/s] the same, of plate nodes among them; empty: they do not turn
 };
 
 /// What a plane gave to the nodes since the start.
@@ -39,17 +42,23 @@ struct PlaneAccount {
   double driven = 0;                    ///< [J] work of a plane that moves, done on its nodes
 };
 
-/// A node with the planes that hold it now. A fixed node has three rows of one plane.
+/// Whether the plane prescribes velocities that are not zero.
+inline bool moves(const Plane& plane) { return plane.velocity || plane.kind == PlaneKind::driven; }
+
+/// A node with the planes that hold it now. A fixed node, and a driven one, has three rows of one plane.
 struct HeldNode {
   static constexpr int most_rows = 8;
   Index node = -1;
   int turn = -1;                        ///< column of its angular velocity, or -1
   int count = 0;                        ///< rows
   bool moves = false;                   ///< one of the planes has a velocity
-  bool turns_held = false;              ///< one of the planes is fixed
+  bool turns_held = false;              ///< one of the planes is fixed or drives
+  int driver = -1;                      ///< plane that drives the node, or -1
   std::array<int, most_rows> plane{};
   std::array<Vec3, most_rows> normal;
   std::array<Vec3, most_rows> share;    ///< component of a reaction that belongs to each row
+  std::array<double, most_rows> speed{};  ///< [m/s] of each row along its normal, set before each kick
+  Vec3 turning = Vec3::Zero();          ///< [rad/s] of a driven node, set with the speeds
   Mat3 allowed = Mat3::Identity();      ///< projector onto the velocities all planes allow
   Mat3 allowed_turn = Mat3::Identity(); ///< projector onto the angular velocities they allow
 };
@@ -66,12 +75,12 @@ struct Memory {
   std::vector<std::vector<char>> caught;  ///< [planes][nodes of the plane] whether a floor holds it
   std::vector<Index> active;            ///< places in `held` of nodes that a plane holds now
   std::vector<Index> landing;           ///< places in `held` of nodes about to be caught; scratch
-  std::vector<double> speed;            ///< [m/s] of each plane along its normal, set before each kick
+  std::vector<double> speed;            ///< [m/s] of each plane along its normal; scratch
 };
 
 /// Prepares the constraints; a floor's nodes are free until they touch it.
 ///
-/// Throws InternalError if a node needs more than HeldNode::most_rows rows (a fixed one takes three).
+/// Throws InternalError if a node needs more than HeldNode::most_rows rows (a fixed or driven one takes three).
 Memory prepare(const Constraints&, Index nodes, const std::vector<Index>& turn_of_node);
 
 /// Lets `plane` hold this node from now on.
@@ -82,8 +91,8 @@ void hold(const Constraints&, HeldNode&, int plane);
 /// x [m], v [m/s], mass [kg] of the node
 void restrain(const Constraints&, const HeldNode&, const Vec3& x, double mass, Vec3& v, std::vector<PlaneAccount>&);
 
-/// Sets the planes' speeds to those at time t [s].
-void set_speeds(const Constraints&, double t, Memory&);
+/// Sets the speeds of moving planes and driven nodes to those at time t [s]; X [m] reference positions.
+void set_speeds(const Constraints&, const Vectors& X, double t, Memory&);
 
 /// The same for a node that planes move: along their normals it gets their speeds, and the work of the
 /// impulses goes to the accounts.
@@ -92,13 +101,17 @@ void set_speeds(const Constraints&, double t, Memory&);
 ///
 /// before [m/s] the kick;  v after it, as the forces would have it;  force [N] of all sources
 /// quarter_step  [s] a quarter of the step's length, negative in the first kick of a step
-void drive(const Constraints&, const std::vector<double>& speed, const HeldNode&, const Vec3& x, double mass,
-           const Vec3& before, const Vec3& force, double quarter_step, Vec3& v, std::vector<PlaneAccount>&);
+void drive(const Constraints&, const HeldNode&, const Vec3& x, double mass, const Vec3& before, const Vec3& force, double quarter_step, Vec3& v, std::vector<PlaneAccount>&);
 
 /// Like restrain for the angular velocity of a plate node; the impulse goes to the node's first plane.
 void restrain_turn(const HeldNode&, double inertia, Vec3& w, std::vector<PlaneAccount>&);
 
-/// Two planes of one node of which one moves it in a direction that the other holds.
+/// Like drive for the angular velocity of a driven plate node, with the moment [N m] of all sources; impulse and work
+/// go to the plane that drives it.
+void drive_turn(const HeldNode&, double inertia, const Vec3& before, const Vec3& moment, double quarter_step, Vec3& w,
+                std::vector<PlaneAccount>&);
+
+/// Two planes of one node of which one moves it in a direction that the other holds. Driven nodes are on no other plane but floors.
 struct Conflict {
   int moving = -1, other = -1;  ///< places in Constraints::planes; -1: there is none
   Index node = -1;

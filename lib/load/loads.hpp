@@ -5,19 +5,14 @@
 // step that led here, impulse and angular impulse. It knows no time loop. See docs/theory/loads.md.
 
 #include <array>
-#include <functional>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "load/given.hpp"
 #include "mesh/mesh.hpp"
 
 namespace nereid::load {
-
-/// A number over time [s]; asked for once per load and step.
-using OverTime = std::function<double(double t)>;
-/// A number over the reference positions [m] and time [s].
-using OverSpace = std::function<double(double x, double y, double z, double t)>;
 
 /// Force per mass on a body, f = m a(X, t).
 struct BodyForce {

@@ -13,6 +13,7 @@
 
 #include "base/parallel.hpp"
 #include "dynamics/connect.hpp"
+#include "dynamics/relax.hpp"
 #include "mesh/box.hpp"
 #include "mesh/skin.hpp"
 #include "mesh/cylinder.hpp"
@@ -906,14 +907,49 @@ TEST(MovingPlane, DoesTheWorkThatABarStores) {
   EXPECT_NEAR(account(s.state, "held").work, 0, 1e-20);
 }
 
+TEST(DrivenNodes, GoWhereTheMidpointRuleTakesTheirField) {
+  Scene s;
+  s.model.mesh = mesh::tube("tube", {0.5, 0.8, mesh::Turn::full, 1, 2});
+  element::Plate::Options options;
+  options.thickness = 0.05;
+  s.model.blocks.push_back(element::plates(s.model.mesh, "tube", rubber, options));
+  load::Plane driver = plane("driver", PlaneKind::driven, Vec3::UnitZ(), all_nodes(s.model.mesh));
+  const auto speed = [](double t) { return std::sin(300 * t) + 2; };
+  driver.field = {[=](double x, double, double, double t) { return x * speed(t); }, [](double, double y, double, double t) { return y * t; },
+                  [](double, double, double z, double) { return z; }};
+  driver.turning[1] = [=](double, double, double z, double t) { return z * speed(t); };
+  s.model.constraints.planes = {driver};
+  finish(s.model);
+  s.ready();
+  add_random_velocities(s.state.v, 1);  // taken away at the start, and booked
+  Votes votes = start(s.model, s.state, s.forces);
+  double x = 0, y = 0;
+  for (int i = 0; i < 100; ++i) {
+    const double dt = 0.5 * votes.step, middle = s.state.t + dt / 2;
+    x += dt * speed(middle), y += dt * middle;
+    votes = step(s.model, dt, s.state, s.forces);
+  }
+  settle(s.model, s.state);
+  for (Index n = 0; n < s.state.x.cols(); ++n) {
+    const Vec3 X = s.model.mesh.X.col(n), moved = s.state.x.col(n) - X;
+    EXPECT_NEAR((moved - Vec3(x * X.x(), y * X.y(), s.state.t * X.z())).norm(), 0, 1e-13);
+    EXPECT_EQ(s.state.v.col(n), Vec3(X.x() * speed(s.state.t), X.y() * s.state.t, X.z()));
+    EXPECT_EQ(s.state.w.col(s.model.turn_of_node[n]), Vec3(0, X.z() * speed(s.state.t), 0));
+  }
+  const Account& a = account(s.state, "driver");
+  EXPECT_EQ(created(a), 0);
+  EXPECT_EQ(a.kind, "driven");
+  expect_closed(s);
+}
+
 // --- loads, springs, point masses ----------------------------------------------------------------
 
 load::OverTime constant(double value) {
   return [value](double) { return value; };
 }
 
-/// A plate over a box with every kind of load, springs and point masses.
-Scene loaded() {
+/// A plate over a box with every kind of load, springs and point masses, and driven nodes of both if wanted.
+Scene loaded(bool driven = false) {
   Scene s;
   s.model.mesh = mesh::join(mesh::box("box", {Vec3::Zero(), Vec3(0.3, 0.2, 0.2), {3, 2, 2}}),
                             mesh::tube("tube", {0.5, 0.8, mesh::Turn::full, 1, 4}));
@@ -943,9 +979,47 @@ Scene loaded() {
   s.model.loads.emplace_back(load::spring_between("spring", s.model.mesh.X, corner[0], far, 2000, 3));
   s.model.loads.emplace_back(load::spring_between("taut", s.model.mesh.X, corner[0], far - 1, 500, 0, &length));
   s.model.loads.emplace_back(load::spring_to_point("ground", s.model.mesh.X, far, s.model.mesh.X.col(far), 4000, 5));
+  if (driven) {
+    load::Plane grip = plane("grip", PlaneKind::driven, Vec3::UnitZ(), mesh::node_set(s.model.mesh, "box.x_high")),
+                turner = plane("turner", PlaneKind::driven, Vec3::UnitZ(), mesh::node_set(s.model.mesh, "tube.top")),
+                still = plane("still", PlaneKind::driven, Vec3::UnitZ(), {mesh::node_set(s.model.mesh, "tube.bottom").front()});
+    const auto wind = [](double x, double y, double z, double t) { return (x + 2 * y - z) * std::cos(300 * t); };
+    grip.field = turner.field = still.field = {wind, field, wind};
+    turner.turning = {field, wind, wind};  // those of `still` do not turn
+    s.model.constraints.planes = {grip, turner, still,
+                                  plane("floor", PlaneKind::floor, Vec3(0.3, 0, 1).normalized(), mesh::node_set(s.model.mesh, "box"), {-0.01, 0, -0.01})};
+  }
   s.ready();
   add_random_velocities(s.state.v, 1);
   return s;
+}
+
+TEST(Residual, IsRoundOffWithDrivenNodesAndEveryLoad) {
+  Scene s = loaded(true);
+  go(s, 400);
+  expect_closed(s);
+  for (const char* name : {"grip", "turner", "still"}) {
+    EXPECT_GT(std::abs(account(s.state, name).work), 1e-4 * s.state.ledger.initial_kinetic) << name;
+    EXPECT_EQ(created(account(s.state, name)), 0) << name;
+  }
+  EXPECT_GT(dissipated(account(s.state, "floor")), 0);
+}
+
+TEST(Residual, IsRoundOffWithDrivenNodesWhileRelaxing) {
+  Scene s = loaded(true);
+  s.model.relaxation = Relaxation{};
+  s.ready();
+  add_random_velocities(s.state.v, 1);
+  Votes votes = start(s.model, s.state, s.forces);
+  for (int i = 0; i < 200; ++i) {
+    votes = step(s.model, 0.9 * votes.step, s.state, s.forces);
+    relax(s.model, s.state, s.forces);
+  }
+  settle(s.model, s.state);
+  expect_closed(s);
+  const Index turn = s.model.turn_of_node[mesh::node_set(s.model.mesh, "tube.top").back()];
+  const Vec3 X = s.model.mesh.X.col(mesh::node_set(s.model.mesh, "tube.top").back());
+  EXPECT_EQ(s.state.w(0, turn), 100 * (X.x() - 2 * X.y() + X.z()) * std::cos(200 * s.state.t));  // not damped
 }
 
 TEST(Residual, IsRoundOffWithEveryLoadAtOnce) {

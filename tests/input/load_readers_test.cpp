@@ -160,6 +160,30 @@ TEST(ReadActions, RefusePlanesThatMoveNodesAgainstOneAnother) {
             "");
 }
 
+TEST(ReadActions, DrivenNodesHaveFieldsOverPlaceAndTime) {
+  Case c("planes:\n  - {name: a, kind: driven, nodes: [tube.top], velocity: {value: [x*t, y, \"1\"], unit: mm/s}, turning: {value: [0, z, t], unit: rad/s}}\n"
+         "  - {name: b, kind: driven, nodes: [box.x_low, box.z_low], velocity: {value: [0, 0, x], unit: m/s}}\n");
+  c.start();
+  EXPECT_TRUE(c.faults().empty()) << c.faults()[0].text;
+  const load::Plane &a = c.model.constraints.planes[0], &b = c.model.constraints.planes[1];
+  EXPECT_DOUBLE_EQ(a.field[0](2, 3, 4, 5), 0.01);
+  EXPECT_DOUBLE_EQ(a.turning[1](2, 3, 4, 5), 4);
+  EXPECT_FALSE(b.turning[0]);
+  EXPECT_EQ(b.nodes.size(), 15U);
+}
+
+TEST(ReadActions, RefuseDrivenNodesThatCannotBe) {
+  const std::string a = "planes:\n  - {name: a, kind: driven, nodes: [box.x_low], ";
+  EXPECT_EQ(faults_of(a + "velocity: {value: [1, 0, 0], unit: m/s}}\n  - {name: b, kind: held, nodes: [box.tip], normal: [0, 1, 0]}\n"),
+            "2:60: 'a' drives nodes that 'b' holds in the same direction\n");
+  EXPECT_EQ(faults_of(a + "velocity: {value: [1/x, 0, 0], unit: m/s}}\n"), "2:68: 'value' is infinite at x = 0, y = 0, z = 0, t = 0\n");
+  EXPECT_EQ(faults_of(a + "velocity: {value: 1, unit: m/s}}\n").substr(0, 5), "2:68:");
+  EXPECT_EQ(faults_of(a + "velocity: {value: [1, 0, 0], unit: m/s}, turning: {value: [1, 0, 0], unit: rad/s}}\n"),
+            "2:100: 'turning' is of nodes of plates: 'a' has none\n");
+  EXPECT_EQ(faults_of(a + "velocity: {value: [1, 0, 0], unit: m}}\n").substr(0, 24), "2:84: 'unit' = m has the");
+  EXPECT_NE(faults_of(a + "}\n").find("missing 'velocity'"), std::string::npos);
+}
+
 TEST(ReadActions, RefuseANameGivenTwice) {
   EXPECT_EQ(faults_of("planes:\n  - {name: a, kind: fixed, nodes: [box.tip]}\nsprings:\n  - {name: a, from: box.tip, to: ground, stiffness: 1 N/m}\n"),
             "4:12: the name 'a' is given twice: 'planes[0]' has it too\n");

@@ -240,17 +240,54 @@ TEST(Drive, GivesANodeTheSpeedsOfItsPlanesAndBooksItsKineticEnergy) {
     OneNode one({random.unit(), random.unit()}, PlaneKind::held);
     for (Plane& plane : one.constraints.planes) plane.velocity = [](double t) { return 2 + t; };
     one.memory = prepare(one.constraints, 1, {-1});
-    set_speeds(one.constraints, 1, one.memory);
+    set_speeds(one.constraints, Vectors::Zero(3, 1), 1, one.memory);
     EXPECT_TRUE(one.memory.held[0].moves);
     const Vec3 before = random.any();
     Vec3 v = before;
-    drive(one.constraints, one.memory.speed, one.memory.held[0], random.any(), 3, before, Vec3::Zero(), 0, v, one.memory.account);
+    drive(one.constraints, one.memory.held[0], random.any(), 3, before, Vec3::Zero(), 0, v, one.memory.account);
     double work = 0;
     for (int p = 0; p < 2; ++p) {
       EXPECT_NEAR(v.dot(one.constraints.planes[p].normal), 3, 1e-9);  // planes at a small angle amplify round-off
       work += one.memory.account[p].driven;
     }
     EXPECT_NEAR(work / (1.5 * (v.squaredNorm() - before.squaredNorm())), 1, 1e-9);
+  }
+}
+
+Constraints one_driven_node() {
+  Constraints one;
+  one.planes = {plane(PlaneKind::driven, Vec3::UnitZ())};
+  one.planes[0].field = {[](double x, double, double, double t) { return x * t; }, [](double, double y, double, double t) { return y * t; },
+                         [](double, double, double z, double t) { return z * t; }};
+  return one;
+}
+
+TEST(Drive, GivesADrivenNodeItsFieldAndItsTurnAndBooksTheWork) {
+  Constraints one = one_driven_node();
+  one.planes[0].turning[2] = [](double x, double, double, double t) { return x + t; };
+  Memory memory = prepare(one, 1, {0});
+  const Vec3 X(1, 2, -3), before(0.3, -0.2, 0.7), w_before(1, 2, 3);
+  set_speeds(one, X, 2, memory);
+  Vec3 v = before, w = w_before;
+  drive(one, memory.held[0], X, 3, before, Vec3::Zero(), 0, v, memory.account);
+  drive_turn(memory.held[0], 0.5, w_before, Vec3::Zero(), 0, w, memory.account);
+  EXPECT_EQ(v, 2 * X);
+  EXPECT_EQ(w, Vec3(0, 0, 3));
+  EXPECT_NEAR(memory.account[0].driven, 1.5 * (v.squaredNorm() - before.squaredNorm()) + 0.25 * (9 - 14), 1e-13);
+  EXPECT_NEAR((memory.account[0].impulse - 3 * (v - before)).norm(), 0, 1e-14);
+  EXPECT_NEAR((memory.account[0].angular_impulse - 3 * X.cross(v - before) - Vec3(-0.5, -1, 0)).norm(), 0, 1e-14);
+}
+
+TEST(FindConflict, IsADrivenNodeOnAnyOtherPlaneButAFloor) {
+  Constraints two = one_driven_node();
+  EXPECT_EQ(find_conflict(two).moving, -1);
+  two.planes.push_back(plane(PlaneKind::floor, Vec3::UnitZ()));
+  EXPECT_EQ(find_conflict(two).moving, -1);
+  for (const PlaneKind kind : {PlaneKind::held, PlaneKind::symmetry, PlaneKind::fixed, PlaneKind::driven}) {
+    two.planes.push_back(plane(kind, Vec3::UnitX()));
+    EXPECT_EQ(find_conflict(two).moving, 0);
+    EXPECT_EQ(find_conflict(two).other, 2);
+    two.planes.pop_back();
   }
 }
 

@@ -1,0 +1,134 @@
+"""How close is close enough, why, and what must break."""
+from reference import OUTERMOST, bending, bending_energy, displacement, membrane, shear_energy, shear_resultant, von_mises
+from verify import Breaks, Check, Figure, Pair
+
+CATALOGUE = ("E-1",)
+CLAIM = "Distorted triangles of plates carry constant membrane strain, curvature and transverse shear, and move affinely as they should."
+EVIDENCE = "exact"
+DRIVER = "scene"
+
+HERE = "verification/patch_of_plates/"
+SIZE, CURVATURE = 1e-12, 1e-15  # [-] of strain and of shear, [1/m]: in the cases
+
+
+def case(run, name):
+    """The run of another case of this folder; in a break of that case the run itself."""
+    return run if str(run.case_file).endswith(name) else run.other("scene", HERE + name)
+
+
+def norm(values):
+    return sum(v * v for v in values)**0.5
+
+
+def farthest(got, exact):
+    return max(norm([a - b for a, b in zip(one, there)]) for one, there in zip(got, exact))
+
+
+def membrane_stress(run):
+    xx, yy, xy = membrane(SIZE)
+    stresses = run.frame("body")[1]["stress"]
+    exact = (xx, yy, 0, xy, 0, 0)
+    return Pair(farthest(stresses, [exact] * len(stresses)), 0, "Pa", scale=norm(exact))
+
+
+def outermost_stress(run):
+    exact = von_mises(*bending(CURVATURE, OUTERMOST))
+    values = case(run, "bending.yaml").frame("body")[1]["von_mises"]
+    return Pair(max(values, key=lambda value: abs(value - exact)), exact, "Pa")
+
+
+def membrane_of_bending(run):
+    stresses = case(run, "bending.yaml").frame("body")[1]["stress"]
+    return Pair(max(map(norm, stresses)), 0, "Pa", scale=norm(bending(CURVATURE)))
+
+
+def stored(run, name):
+    return run.account("patch")["stored"][name]["value"]
+
+
+def energy_of_bending(run):
+    return Pair(stored(case(run, "bending.yaml"), "elastic"), bending_energy(CURVATURE), "J")
+
+
+def shear_in_bending(run):
+    return Pair(stored(case(run, "bending.yaml"), "transverse_shear"), 0, "J", scale=bending_energy(CURVATURE))
+
+
+def energy_of_shear(run):
+    return Pair(stored(case(run, "shear.yaml"), "transverse_shear"), shear_energy(SIZE), "J")
+
+
+def force_inside(run):
+    forces = [case(run, "shear.yaml").column(f"force_{n}")[-1] for n in (4, 5, 6, 7)]
+    return Pair(max(forces), 0, "N", scale=0.12 * norm(shear_resultant(SIZE)))
+
+
+def frames(run):
+    moving = case(run, "moving.yaml")
+    return [moving.frame("body", number) for number in range(1, 11)]
+
+
+def place(run):
+    worst = 0
+    for t, fields in frames(run):
+        exact = [displacement(at, t) for at in fields["points"]]
+        worst = max(worst, farthest(fields["displacement"], exact) / max(map(norm, exact)))
+    return Pair(worst, 0, "", scale=1)
+
+
+def unevenness(run):
+    stresses = frames(run)[-1][1]["stress"]
+    return Pair(farthest(stresses, [stresses[0]] * len(stresses)) / norm(stresses[0]), 0, "", scale=1)
+
+
+BOUND = "the catalogue's bound; "
+CHECKS = [
+    Check("membrane stress", membrane_stress, 1e-12, BOUND + "seen is the strain of 1e-12, which is what stresses of finite strains differ by"),
+    Check("stress at the outermost points in bending", outermost_stress, 1e-12, BOUND + "of the element that is farthest off"),
+    Check("membrane stress in bending", membrane_of_bending, 1e-12, BOUND + "over the stress at the surface"),
+    Check("energy of bending", energy_of_bending, 1e-12, BOUND + "moments times curvatures"),
+    Check("energy of shear in bending", shear_in_bending, 1e-12, BOUND + "an element that locks stores here"),
+    Check("energy of transverse shear", energy_of_shear, 1e-12, BOUND + "resultant times shear"),
+    Check("force inside in transverse shear", force_inside, 1e-12, BOUND + "over what goes through the patch"),
+    Check("place in motion", place, 1e-12, BOUND + "sums of a thousand steps"),
+    Check("unevenness of the stress in motion", unevenness, 1e-10,
+          "stress turns against sides of triangles to the second order of the step (docs/theory/plate.md): 1.8e-13, 1.8e-11, 4.3e-9 at stretches of 0.001, 0.01, 0.2"),
+]
+
+
+def ramp(text, size=SIZE):
+    return f'"t < 0.02 ? ({text}) * {50 * size} * 128/35 * sin(50*pi*t)^8 : 0"'
+
+
+BENDING, SHEAR, MOVING = HERE + "bending.yaml", HERE + "shear.yaml", HERE + "moving.yaml"
+TURNED_TOO_FAR = f"[{ramp('1.001*(x/2 + y)', CURVATURE)}, {ramp('-1.001*(x + y/2)', CURVATURE)}, 0]"
+BREAKS = [
+    Breaks("membrane stress", "corners that do not move affinely", {"planes[0].velocity.value": f"[{ramp('x + y/2 + 0.01*x*y')}, {ramp('x/2 + y')}, 0]"}),
+    Breaks("membrane stress", "come to rest to a part in a hundred thousand only", {"relaxation.residual": 1e-5}),
+    Breaks("stress at the outermost points in bending", "three layers for five", {"bodies[0].element.layers": 3}, case=BENDING),
+    Breaks("energy of bending", "turns that follow the slope to a part in a thousand only",
+           {"planes[0].turning.value": TURNED_TOO_FAR}, case=BENDING),
+    Breaks("energy of shear in bending", "turns that follow the slope to a part in a thousand only", {"planes[0].turning.value": TURNED_TOO_FAR}, case=BENDING),
+    Breaks("membrane stress in bending", "corners that are pulled a little as well",
+           {"planes[0].velocity.value": f"[{ramp('1e-9*x', CURVATURE)}, 0, {ramp('(x^2 + x*y + y^2)/2', CURVATURE)}]"}, case=BENDING),
+    Breaks("energy of transverse shear", "Poisson's ratio forgotten in the shear modulus", {"bodies[0].material.poisson": 0}, case=SHEAR),
+    Breaks("force inside in transverse shear", "one node a part in a million beside the plane",
+           {"planes[1].velocity.value": f"[0, 0, {ramp('1.000001*(0.3*x - 0.8*y)')}]"}, case=SHEAR),
+    Breaks("place in motion", "a body force two per mille too small", {"loads[0].value": '["99.8*(x + y/2)", "99.8*(x/2 + 0.75*y)", "0"]'}, case=MOVING),
+    Breaks("unevenness of the stress in motion", "nodes inside that start from rest", {"initial[0].velocity": '["0", "0", "0"]'}, case=MOVING),
+]
+
+
+def paths(run):
+    """Of the four inner nodes, along x."""
+    rows = frames(run)
+    return [(f"node {n}", [1e3 * t for t, _ in rows], [1e3 * fields["displacement"][n][0] for _, fields in rows]) for n in (4, 5, 6, 7)]
+
+
+def exact_paths(run):
+    points, times = frames(run)[0][1]["points"], [t for t, _ in frames(run)]
+    return [(f"node {n}, exact", [1e3 * t for t in times], [1e3 * displacement(points[n], t)[0] for t in times]) for n in (4, 5, 6, 7)]
+
+
+FIGURES = [Figure("inner_nodes", "time [ms]", "displacement along x [mm]", paths, exact=exact_paths,
+                  caption="The four inner nodes of the patch in an affine motion with constant acceleration.")]

@@ -1,0 +1,84 @@
+"""Constant membrane strain, constant curvature and constant transverse shear in a patch of plates.
+
+The patch is that of R. H. MacNeal and R. L. Harder (Finite Elements in Analysis and Design 1 (1985) 3), 0.24 m x 0.12 m, 1 mm thick,
+E = 1 MPa, Poisson's ratio 1/4:
+
+    membrane   u = strain (x + y/2, x/2 + y)
+    bending    w = curvature (x^2 + x y + y^2)/2,  turns (dw/dy, -dw/dx)
+    shear      w = shear (0.3 x - 0.8 y), normals at rest; shear correction 5/6
+
+In motion: x = (1 + s G) X with a symmetric G and s = t/2 + 50 t^2, body force per mass 100 G X: see patch_of_solids.
+"""
+from math import sqrt
+
+YOUNG, POISSON, THICKNESS, AREA = 1e6, 0.25, 1e-3, 0.24 * 0.12  # [Pa] [-] [m] [m2]
+OUTERMOST = sqrt(5 + 2 * sqrt(10 / 7)) / 3  # [-] of five points of Gauss between -1 and 1
+G = ((1, 0.5), (0.5, 0.75))  # tension in all directions
+
+
+def plane_stress(xx, yy, xy):
+    """Stress of strains: xx, yy, xy. [Pa]
+
+    >>> [round(s, 2) for s in plane_stress(1e-3, 1e-3, 5e-4)]
+    [1333.33, 1333.33, 400.0]
+    """
+    factor = YOUNG / (1 - POISSON**2)
+    return factor * (xx + POISSON * yy), factor * (yy + POISSON * xx), YOUNG / (1 + POISSON) * xy
+
+
+def von_mises(xx, yy, xy):
+    """Of plane stress. [Pa]
+
+    >>> von_mises(2, 0, 0), von_mises(0, 0, 1)**2
+    (2.0, 2.9999999999999996)
+    """
+    return sqrt(xx * xx - xx * yy + yy * yy + 3 * xy * xy)
+
+
+def membrane(strain):
+    """Stress: xx, yy, xy. [Pa]"""
+    return plane_stress(strain, strain, strain / 2)
+
+
+def bending(curvature, height=1.0):
+    """Stress at a height, over half the thickness; curvature [1/m]. [Pa]
+
+    MacNeal and Harder's at the surface:
+
+    >>> [round(s, 4) for s in bending(1e-3, -1)]
+    [0.6667, 0.6667, 0.2]
+    """
+    z = height * THICKNESS / 2
+    return plane_stress(-z * curvature, -z * curvature, -z * curvature / 2)
+
+
+def bending_energy(curvature):
+    """Of the patch: moments times curvatures. [J]
+
+    >>> round(bending_energy(1e-3) * 1e12, 6)
+    3.68
+    """
+    m_xx, m_yy, m_xy = (s * THICKNESS**2 / 6 for s in bending(curvature, -1))
+    return AREA / 2 * (m_xx * curvature + m_yy * curvature + m_xy * curvature)
+
+
+def shear_resultant(shear):
+    """Along x and y. [N/m]"""
+    factor = 5 / 6 * YOUNG / (2 * (1 + POISSON)) * THICKNESS * shear
+    return 0.3 * factor, -0.8 * factor
+
+
+def shear_energy(shear):
+    """Of the patch. [J]"""
+    q = shear_resultant(shear)
+    return AREA / 2 * shear * (0.3 * q[0] - 0.8 * q[1])
+
+
+def displacement(X, t):
+    """In motion. [m]
+
+    >>> displacement((1, 0), 0.01)
+    (0.01, 0.005, 0)
+    """
+    s = 0.5 * t + 50 * t * t
+    return s * (G[0][0] * X[0] + G[0][1] * X[1]), s * (G[1][0] * X[0] + G[1][1] * X[1]), 0
