@@ -1,0 +1,132 @@
+"""How close is close enough, why, and what must break."""
+from reference import GRAVITY, ONE, bounce, energy_of_stack
+from verify import Breaks, Check, Figure, Pair, Table
+
+CATALOGUE = ("I-8",)
+CLAIM = "Blocks that bounce on a plane and on each other keep their energy, and a stiff one returns to its height twenty times."
+EVIDENCE = "invariant"
+DRIVER = "scene"
+
+SINGLE = "verification/bouncing_stack/one.yaml"
+EXACT = bounce(**ONE)
+BOUNCES = 20
+
+
+def total(run):
+    """Kinetic energy and all stores at each row of the history, less those at the start. [J]"""
+    stores = [values for name, values in run.columns.items() if name == "energy_kinetic" or
+              name.startswith("energy_") and name.split("_")[-1] in ("elastic", "hourglass", "penalty", "potential")]
+    sums = [sum(row) for row in zip(*stores)]
+    return [value - sums[0] for value in sums]
+
+
+def drift(run):
+    """Largest change of the total energy over what can move."""
+    return Pair(max(abs(value) for value in total(run)), 0, "J", scale=energy_of_stack())
+
+
+def bounces(run):
+    """How often the lowest block leaves the plane."""
+    foot = run.column("foot")
+    return sum(1 for a, b in zip(foot, foot[1:]) if a < 0 <= b)
+
+
+def alone(run):
+    """The single block, with the changes of a break that hold for it as well."""
+    return run.other("scene", SINGLE, {key: value for key, value in run.overrides.items()
+                                       if key.startswith(("bodies[0]", "planes[0]", "gravity"))})
+
+
+def tops(run):
+    """Times and heights of the tops, by a parabola of gravity through the highest row: [(s, m), ...]."""
+    times, heights, speeds = run.column("time"), run.column("centre"), run.column("speed")
+    found = []
+    for i in range(1, len(times)):
+        if speeds[i - 1] > 0 >= speeds[i] and heights[i] > 0.06:
+            found.append((times[i - 1] + speeds[i - 1] / GRAVITY, heights[i - 1] + speeds[i - 1]**2 / (2 * GRAVITY) - 0.05))
+    return found
+
+
+def worst_top(run):
+    """The top farthest from the height of the fall."""
+    heights = [height for _, height in tops(alone(run))[:BOUNCES]]
+    return Pair(max(heights, key=lambda height: abs(height - ONE["height"])), ONE["height"], "m")
+
+
+def last_top(run):
+    """Time of the twentieth top."""
+    found = tops(alone(run))
+    return Pair(found[BOUNCES - 1][0] if len(found) >= BOUNCES else float("nan"), BOUNCES * EXACT["period"], "s")
+
+
+def drift_alone(run):
+    return Pair(max(abs(value) for value in total(alone(run))), 0, "J", scale=ONE["mass"] * GRAVITY * ONE["height"])
+
+
+def enough(run):
+    """A missing bounce of the twenty, if any."""
+    return Pair(max(0, BOUNCES - bounces(run)), 0, "", scale=1)
+
+
+def penalties(run):
+    rows = []
+    for penalty in ("1e7 Pa/m", "1e8 Pa/m", "1e9 Pa/m"):
+        for bound in (0.04, 0.005, 0.0005):
+            one = run.again({**{f"contacts[{c}].{key}": value for c in (0, 1) for key, value in (("penalty", penalty), ("created_in_a_bounce", bound))},
+                             "planes[0].penalty": penalty, "planes[0].created_in_a_bounce": bound})
+            rows.append([penalty, f"{bound:g}", str(one.summary["cost"]["steps"]), str(bounces(one)), f"{100 * drift(one).error():.2f} %"])
+    return rows
+
+
+CHECKS = [
+    Check("stack: drift of the total energy", drift, 0.01, "the catalogue's bound; a bounce on a sampled spring may create 0.5 % of its own energy, of either sign"),
+    Check("stack: bounces that are missing of twenty", enough, 0.5, "the lowest block leaves the plane at least twenty times"),
+    Check("one block: height of the worst of twenty tops", worst_top, 0.01, "the block is a hundred times as stiff as the plane and takes a little to ring"),
+    Check("one block: time of the twentieth top", last_top, 0.001, "as the heights: the period goes with their root"),
+    Check("one block: drift of the total energy", drift_alone, 0.01, "the catalogue's bound"),
+]
+
+STUDIES = [Table("The stack: drift over penalties and the bound on what a bounce creates.",
+                 ["penalty", "created_in_a_bounce", "steps", "bounces", "drift"], penalties, full=True)]
+
+BREAKS = [
+    Breaks("stack: drift of the total energy", "the longest step that a case can ask for: a bounce may create 4 %",
+           {"contacts[0].created_in_a_bounce": 0.04, "contacts[1].created_in_a_bounce": 0.04, "planes[0].created_in_a_bounce": 0.04}),
+    Breaks("stack: drift of the total energy", "viscosity that was not turned off", {"bodies[0].element.viscosity.linear": 0.06}),
+    Breaks("stack: bounces that are missing of twenty", "a floor that keeps what it catches",
+           {"planes[0].kind": "floor", "planes[0].nodes": "[low.z_low]"}),
+    Breaks("one block: height of the worst of twenty tops", "a block only five times stiffer than the plane", {"bodies[0].material.young": "1 MPa"}),
+    Breaks("one block: time of the twentieth top", "a penalty three quarters as stiff", {"planes[0].penalty": "1.5e6 Pa/m"}),
+    Breaks("one block: drift of the total energy", "viscosity in a block only five times stiffer than the plane",
+           {"bodies[0].material.young": "1 MPa", "bodies[0].element.viscosity.linear": 0.6}),
+]
+
+
+def heights_over_time(run):
+    one = alone(run)
+    return [("Nereid", one.column("time"), [1e3 * z for z in one.column("height")])]
+
+
+def exact_tops(run):
+    return [("height of the fall", [0, run.other("scene", SINGLE).column("time")[-1]], [1e3 * ONE["height"]] * 2)]
+
+
+def stack_over_time(run):
+    return [(f"{name} block", run.column("time"), [1e3 * z for z in run.column(name)]) for name in ("low", "middle", "high")]
+
+
+def energy_over_time(run):
+    scale = energy_of_stack()
+    return [("stack", run.column("time"), [value / scale for value in total(run)])]
+
+
+def no_drift(run):
+    return [("conserved", [0, run.column("time")[-1]], [0, 0])]
+
+
+FIGURES = [
+    Figure("heights", "time [s]", "height of the block [mm]", heights_over_time, exact=exact_tops, caption="One block: twenty bounces."),
+    Figure("stack", "time [s]", "height of the centre [mm]", stack_over_time, caption="The stack: three blocks on a plane."),
+    Figure("energy", "time [s]", "drift of the energy over the initial one [-]", energy_over_time, exact=no_drift,
+           caption="The stack: all energies together, less the initial ones."),
+]

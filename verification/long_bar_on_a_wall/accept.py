@@ -1,0 +1,76 @@
+"""How close is close enough, why, and what must break."""
+from reference import INCH, VM85, reference, shortening
+from verify import Breaks, Check, Falls, Figure, Pair
+
+CATALOGUE = ("I-1b",)
+CLAIM = "A long bar stopped by a wall is shortest, by V L/c, when the front reaches its free end, and then it holds all its energy as strain."
+EVIDENCE = "exact"
+DRIVER = "scene"
+
+EXACT = reference(**VM85)  # of the source, not of the case: a slip in the case shows
+
+
+def shorter(run):
+    """Shortening at each row of the history. [m]"""
+    return [VM85["length"] - length for length in run.column("length")]
+
+
+def impact_time(run):
+    return Pair(next(t for t, force in zip(run.column("time"), run.column("wall_force")) if force > 0), EXACT["impact"], "s")
+
+
+def largest(run):
+    return Pair(max(shorter(run)), EXACT["shortening"], "m")
+
+
+def when(run):
+    """From the impact to the largest shortening."""
+    times, values = run.column("time"), shorter(run)
+    return Pair(times[values.index(max(values))] - impact_time(run).got, EXACT["rise"], "s")
+
+
+def at_rest(run):
+    """Kinetic energy that is left when the bar is shortest, over the initial one."""
+    values, kinetic = shorter(run), run.column("energy_kinetic")
+    return Pair(kinetic[values.index(max(values))] / kinetic[0], 0, "", scale=1)
+
+
+def created(run):
+    return Pair(run.created(), 0, "", scale=1)
+
+
+CHECKS = [
+    Check("impact time", impact_time, 0.005, "the time between two samples is 0.3 % of it"),
+    Check("largest shortening", largest, 0.01, "the catalogue's bound; the front is some elements wide"),
+    Check("time of the largest shortening", when, 0.01, "the catalogue's bound; the wall's penalty delays the front by less than an element"),
+    Check("kinetic energy at the largest shortening", at_rest, 0.01,
+          "exact: none; what is left is the ringing behind the front, which falls with the mesh"),
+    Check("created energy", created, 0.005, "the vote for the step lets a bounce create no more"),
+]
+
+STUDIES = [
+    Falls("largest shortening", along="bodies[0].mesh.cells[0]", values=[50, 100, 200], fixed={"planes[0].hardness": 1}),
+    Falls("kinetic energy at the largest shortening", along="bodies[0].mesh.cells[0]", values=[50, 100, 200], fixed={"planes[0].hardness": 1}),
+    Falls("time of the largest shortening", along="planes[0].hardness", values=[0.5, 1, 2]),
+]
+
+BREAKS = [
+    Breaks("impact time", "the gap in millimetres", {"planes[0].point": "[254000.64 mm, 0 mm, 0 mm]"}),
+    Breaks("largest shortening", "weight per volume taken for density", {"bodies[0].material.density": "0.282 lbf*s^2/in^4"}),
+    Breaks("time of the largest shortening", "29e6 psi for 30e6 psi, as some tables have it", {"bodies[0].material.young": "29e6 psi"}),
+    Breaks("kinetic energy at the largest shortening", "a wall a hundred times too soft", {"planes[0].hardness": 0.01}),
+    Breaks("kinetic energy at the largest shortening", "five elements for the whole bar", {"bodies[0].mesh.cells": "[5, 1, 1]"}),
+]
+
+
+def over_time(run):
+    return [("Nereid", [1e3 * t for t in run.column("time")], [1e3 * s for s in shorter(run)])]
+
+
+def exact_over_time(run):
+    times = [0.0, EXACT["impact"], EXACT["impact"] + EXACT["rise"], run.column("time")[-1]]
+    return [("exact", [1e3 * t for t in times], [1e3 * shortening(EXACT, t) for t in times])]
+
+
+FIGURES = [Figure("shortening", "time [ms]", "shortening of the bar [mm]", over_time, exact=exact_over_time,
+                  caption="Shortening of the bar over time: it grows at the speed of impact until the front has reached the free end.")]

@@ -1,0 +1,73 @@
+"""How close is close enough, why, and what must break."""
+from reference import speed_ratio
+from verify import Breaks, Check, Figure, Pair, Table, crossings
+
+CATALOGUE = ("E-5",)
+CLAIM = "Waves in a column of hexahedra are as slow as lumped masses and central differences make them, at any step."
+EVIDENCE = "exact"
+DRIVER = "scene"
+
+LENGTH, CELLS, WAVE_SPEED = 30, 30, 1.0  # [m] [-] [m/s]
+STEPS = (0.05, 0.5, 0.9, 1.0)            # shares of the stable step: Courant numbers, as the elements are cubes without Poisson effect
+WAVES = {10: 3, 6: 5}                    # elements for a wave: waves in the column
+
+
+def of(elements, courant, **more):
+    """Keys that ask for so many elements in a wave and this share of the stable step."""
+    waves = WAVES[elements]
+    return {"initial[0].velocity": f'["1e-6 * cos(2*pi*{waves}*x/30)", "0", "0"]', "time.safety": courant, **more}
+
+
+def ratio(run):
+    """Wave speed from zero crossings of the free end, over the exact one."""
+    elements = next(n for n, waves in WAVES.items() if f"pi*{waves}*" in str(run.overrides.get("initial[0].velocity", "pi*3*")))
+    times = crossings(run.column("time"), run.column("end"), rising=False)
+    frequency = (len(times) - 1) / (times[-1] - times[0]) if len(times) > 1 else float("nan")
+    return frequency * LENGTH / WAVES[elements] / WAVE_SPEED
+
+
+def speed(elements, courant):
+    return lambda run: Pair(ratio(run.again(of(elements, courant))), speed_ratio(elements, courant), "1")
+
+
+def kinds(run):
+    rows = []
+    for elements in WAVES:
+        for courant in STEPS:
+            row = [str(elements), f"{courant:g}", f"{speed_ratio(elements, courant):.5f}"]
+            for kind in ("one_point", "full"):
+                row.append(f"{ratio(run.again(of(elements, courant, **{'bodies[0].element.kind': kind}))):.5f}")
+            rows.append(row)
+    return rows
+
+
+BECAUSE = "the catalogue's bound; the formula is exact, and a crossing between two steps is known to a hundredth of a step"
+CHECKS = [Check(f"wave speed, {elements} elements for a wave, Courant {courant:g}", speed(elements, courant), 1e-3, BECAUSE)
+          for elements in WAVES for courant in STEPS]
+
+STUDIES = [Table("Numerical over exact wave speed, for hexahedra of one point and of eight.",
+                 ["elements for a wave", "Courant", "exact", "one point", "eight points"], kinds, full=True)]
+
+BREAKS = [
+    Breaks("wave speed, 10 elements for a wave, Courant 0.5", "a third of the elements missing", {"bodies[0].mesh.cells": "[20, 1, 1]"}),
+    Breaks("wave speed, 6 elements for a wave, Courant 0.9", "a step set by a width half as large: Courant 0.45",
+           {"bodies[0].mesh.cells": "[30, 2, 2]"}),
+    Breaks("wave speed, 10 elements for a wave, Courant 1", "a step set by a width half as large: Courant 0.5", {"bodies[0].mesh.cells": "[30, 2, 2]"}),
+    Breaks("wave speed, 6 elements for a wave, Courant 0.05", "bulk viscosity that was not turned off, and far too large", {"bodies[0].element.viscosity.linear": 1}),
+]
+
+
+def measured(run):
+    curves = []
+    for elements in WAVES:
+        curves.append((f"{elements} elements", list(STEPS), [ratio(run.again(of(elements, courant))) for courant in STEPS]))
+    return curves
+
+
+def exact(run):
+    steps = [i / 50 for i in range(51)]
+    return [(f"exact, {elements} elements", steps, [speed_ratio(elements, courant) for courant in steps]) for elements in WAVES]
+
+
+FIGURES = [Figure("speed", "Courant number [-]", "numerical over exact wave speed [-]", measured, exact=exact,
+                  caption="Wave speed over the Courant number, with ten and with six elements for a wave.")]
