@@ -93,14 +93,14 @@ CHECKS = [
 ]
 
 STUDIES = [
-    Falls("first yield, one point, as meshed", "bodies[0].mesh.cells_radial", [8, 16, 32, 64], order=0.9),
+    Falls("first yield, one point, as meshed", "bodies[0].mesh.cells_radial", [8, 16, 32], order=0.9),
     Table("Pressures over the yield stress.", ["element", "Poisson", "limit", "error", "first yield", "exact"], kinds, full=True),
 ]
 
 BREAKS = [
     Breaks("limit pressure", "hardening where there is none", {"bodies[0].material.tangent": "10 GPa"}),
     Breaks("limit pressure", "Tresca's yield stress, sqrt(3)/2 of it", {"bodies[0].material.yield": "8.66 MPa"}),
-    Breaks("limit pressure", "pushed no further than half-way through the wall", {"time.end": "5 ms"}),
+    Breaks("limit pressure", "pushed no further than half-way through the wall", {"time.end": "2.6 ms"}),
     Breaks("limit pressure, one point", "Tresca's yield stress, sqrt(3)/2 of it", {"bodies[0].material.yield": "8.66 MPa"}),
     Breaks("limit pressure, one point, Poisson 0.49", "an outer radius of 198 mm", {"bodies[0].mesh.radius": "198 mm"}),
     Breaks("pressure while the bore widens twofold", "hardening where there is none", {"bodies[0].material.tangent": "10 GPa"}),
