@@ -475,7 +475,8 @@ ROUND_OFF = {"strike": 1e-10, "plates": 1e-9, "stack": 1e-9, "press": 2e-9, "bal
 
 
 def because(scene):
-    return f"round-off alone; a disturbance of 1e-12 at the start of this scene grows to {GROWN[scene]:.0e}, and no twin has shown more than a tenth of the limit"
+    return (f"round-off alone; a disturbance of 1e-12 at the start of this scene grows to {GROWN[scene]:.0e}, "
+            "and no twin has shown more than a tenth of the limit")
 
 
 def twins(run, scene, make):

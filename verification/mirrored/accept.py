@@ -42,10 +42,13 @@ BREAKS = [
 ]
 
 
+LABELS = (("strike", "a block strikes a slab"), ("plates", "a sheet drops on a dish"), ("stack", "a hammer on a stack"))
+
+
 def speeds(ours):
     """Speeds of what falls, by the base or by the twin."""
     return lambda run: [(label, *scenes.curve(run, scene, mirrored, "speed", ours))
-                        for scene, label in (("strike", "a block strikes a slab"), ("plates", "a sheet drops on a dish"), ("stack", "a hammer on a stack"))]
+                        for scene, label in LABELS]
 
 
 FIGURES = [Figure("speed", "time [us]", "speed of what strikes [m/s]", speeds(ours=False), exact=speeds(ours=True),

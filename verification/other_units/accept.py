@@ -44,8 +44,10 @@ CHECKS = [
     *(Check(f"{scene}: sizes, masses and times by powers of two", same(scene, "twos"), 0,
             "the same bits: such factors are exact, so any length, mass or time that is written into the code shows")
       for scene in scenes.SCENES),
-    *(Check(f"{scene}: in kgf, mm, s", same(scene, "kgf"), scenes.ROUND_OFF[scene], scenes.because(scene)) for scene in ("strike", "plates")),
-    *(Check(f"{scene}: in lbf, in, s", same(scene, "lbf"), scenes.ROUND_OFF[scene], scenes.because(scene)) for scene in ("stack", "ball")),
+    *(Check(f"{scene}: in kgf, mm, s", same(scene, "kgf"), scenes.ROUND_OFF[scene], scenes.because(scene))
+      for scene in ("strike", "plates")),
+    *(Check(f"{scene}: in lbf, in, s", same(scene, "lbf"), scenes.ROUND_OFF[scene], scenes.because(scene))
+      for scene in ("stack", "ball")),
     Check("press: 0.137 as large, 31.7 as heavy, 2.71 as slow", same("press", "any"), scenes.ROUND_OFF["press"], scenes.because("press")),
 ]
 
@@ -62,19 +64,27 @@ BREAKS = [
            {"bodies[0].material.density": "0.0975437 lbf*s^2*in^-4"}),
     Breaks("ball: in lbf, in, s", "a speed in in/s that is divided by twelve once more",
            {"initial[0].velocity": '["5/0.0254/12", "2/0.0254/12", "-20/0.0254/12"]'}),
-    Breaks("press: 0.137 as large, 31.7 as heavy, 2.71 as slow", "a clearance that keeps its size", {"contacts[0].clearance": "0.02 mm"}),
-    Breaks("strike: sizes, masses and times by powers of two", "a yield stress that keeps its number", {"bodies[1].material.yield": "60 MPa"}),
-    Breaks("plates: sizes, masses and times by powers of two", "a penalty that keeps its number", {"contacts[0].penalty": "2e13 Pa/m"}),
-    Breaks("stack: sizes, masses and times by powers of two", "a gravity that keeps its number", {"gravity": "[0 m/s^2, 0 m/s^2, -30000 m/s^2]"}),
-    Breaks("press: sizes, masses and times by powers of two", "a clearance that keeps its size", {"contacts[0].clearance": "0.02 mm"}),
-    Breaks("ball: sizes, masses and times by powers of two", "a gravity that keeps its number", {"gravity": "[0 m/s^2, 0 m/s^2, -9.81 m/s^2]"}),
+    Breaks("press: 0.137 as large, 31.7 as heavy, 2.71 as slow", "a clearance that keeps its size",
+           {"contacts[0].clearance": "0.02 mm"}),
+    Breaks("strike: sizes, masses and times by powers of two", "a yield stress that keeps its number",
+           {"bodies[1].material.yield": "60 MPa"}),
+    Breaks("plates: sizes, masses and times by powers of two", "a penalty that keeps its number",
+           {"contacts[0].penalty": "2e13 Pa/m"}),
+    Breaks("stack: sizes, masses and times by powers of two", "a gravity that keeps its number",
+           {"gravity": "[0 m/s^2, 0 m/s^2, -30000 m/s^2]"}),
+    Breaks("press: sizes, masses and times by powers of two", "a clearance that keeps its size",
+           {"contacts[0].clearance": "0.02 mm"}),
+    Breaks("ball: sizes, masses and times by powers of two", "a gravity that keeps its number",
+           {"gravity": "[0 m/s^2, 0 m/s^2, -9.81 m/s^2]"}),
 ]
 
 
 def forces(ours):
     """Of both scenes, by the base or by the twin."""
-    return lambda run: [(label, *scenes.curve(run, scene, MAKE["any"], "force", ours)) for scene, label in (("strike", "a block strikes a slab"), ("press", "a block is pressed on a slab"))]
+    return lambda run: [(label, *scenes.curve(run, scene, MAKE["any"], "force", ours))
+                        for scene, label in (("strike", "a block strikes a slab"), ("press", "a block is pressed on a slab"))]
 
 
 FIGURES = [Figure("force", "time [us]", "contact force [N]", forces(ours=False), exact=forces(ours=True),
-                  caption="Contact forces of two scenes 0.137 as large, 31.7 as heavy and 2.71 as slow, carried back, over those of the scenes themselves.")]
+                  caption="Contact forces of two scenes 0.137 as large, 31.7 as heavy and 2.71 as slow, carried back, "
+                          "over those of the scenes themselves.")]

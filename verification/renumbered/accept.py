@@ -53,11 +53,13 @@ FROM_OTHER_CORNERS = "plates: triangles counted from another corner"
 CHECKS = [
     *(Check(f"{scene}: other numbers", same(scene), scenes.ROUND_OFF[scene], scenes.because(scene)) for scene in scenes.FROM_FILES),
     Check(FROM_OTHER_CORNERS, nearly_same, 1e-7,
-          "an element turns its stress against side 1-2 to the second order of the step (theory/plate.md); seen: 4e-9, falling with the step's square"),
+          "an element turns its stress against side 1-2 to the second order of the step (theory/plate.md); seen: 4e-9, "
+          "falling with the square of the step"),
 ]
 
 STUDIES = [
-    Falls(FROM_OTHER_CORNERS, along="contacts[0].created_in_a_bounce", values=[0.005, 0.00125, 0.0003125], order=1.5, sizes=[4, 2, 1], full=True),
+    Falls(FROM_OTHER_CORNERS, along="contacts[0].created_in_a_bounce", values=[0.005, 0.00125, 0.0003125], order=1.5,
+          sizes=[4, 2, 1], full=True),
     Table("Other numbers: the largest relative differences.", scenes.COLUMNS,
           lambda run: [scenes.summary_rows(run, scene, ORDERS) for scene in scenes.FROM_FILES], full=True),
 ]
@@ -74,8 +76,10 @@ BREAKS = [
 
 def mises(ours):
     """The largest stress of the dish over time, by the base or by the twin."""
-    return lambda run: [(label, *scenes.curve(run, "plates", make, "mises", ours)) for make, label in ((ORDERS, "other orders"), (CORNERS, "other corners too"))]
+    return lambda run: [(label, *scenes.curve(run, "plates", make, "mises", ours))
+                        for make, label in ((ORDERS, "other orders"), (CORNERS, "other corners too"))]
 
 
 FIGURES = [Figure("mises", "time [us]", "largest stress of von Mises in the dish [Pa]", mises(ours=False), exact=mises(ours=True),
-                  caption="A sheet drops on a dish, with nodes and elements in another order, and with triangles counted from another corner too.")]
+                  caption="A sheet drops on a dish, with nodes and elements in another order, and with triangles counted from "
+                          "another corner too.")]

@@ -72,9 +72,12 @@ def table(run):
 CHECKS = [
     *(Check(f"{scene}, two passes: sides changed", in_two_passes(scene), 1e-12,
             "the same forces, of which two are added in the other order at most") for scene in IN_TWO_PASSES),
-    Check("one pass: push", momentum("push"), 0.03, "other points of other meshes are asked; seen: 0.4 % here, 1.3 % on meshes twice as fine"),
-    Check("one pass: drag", momentum("drag"), 0.1, "as the push, times friction over patches that stick and slide; seen: 3 % here, 4 % twice as fine"),
-    Check("one pass: momentum and angular momentum are kept, both ways", kept, 1e-12, "force and counterforce have one line of action: round-off"),
+    Check("one pass: push", momentum("push"), 0.03,
+          "other points of other meshes are asked; seen: 0.4 % here, 1.3 % on meshes twice as fine"),
+    Check("one pass: drag", momentum("drag"), 0.1,
+          "as the push, times friction over patches that stick and slide; seen: 3 % here, 4 % twice as fine"),
+    Check("one pass: momentum and angular momentum are kept, both ways", kept, 1e-12,
+          "force and counterforce have one line of action: round-off"),
 ]
 
 STUDIES = [Table("Momentum [N s] that the large block has in the end; sides as in the case, and changed.",
@@ -85,8 +88,8 @@ BREAKS = [
       for scene in IN_TWO_PASSES),
     Breaks("one pass: push", "a penalty a hundred times too soft in one of both runs", {"contacts[0].hardness": 0.04}),
     Breaks("one pass: drag", "friction halved in one of both runs", {"contacts[0].friction": 0.1}),
-    Breaks("one pass: momentum and angular momentum are kept, both ways", "friction shared out by the thirds of the paper, which make a moment",
-           {"contacts[0].weights": "paper"}),
+    Breaks("one pass: momentum and angular momentum are kept, both ways",
+           "friction shared out by the thirds of the paper, which make a moment", {"contacts[0].weights": "paper"}),
 ]
 
 
@@ -102,4 +105,5 @@ def pushes(which):
 
 
 FIGURES = [Figure("push", "time [us]", "momentum of the large block [N s]", pushes(1), exact=pushes(0),
-                  caption="The momentum that a small block gives to a large one, apexes on the large one, over that with apexes on the small one.")]
+                  caption="The momentum that a small block gives to a large one, apexes on the large one, "
+                          "over that with apexes on the small one.")]

@@ -37,7 +37,8 @@ SMALL = (("plates", 2), ("ball", 4))
 
 CHECKS = [
     *(Check(f"{threads} threads: files that differ from those of one", of_the_case(threads), 0, WHY) for threads in (2, 4)),
-    *(Check(f"{scene}, {threads} threads: files that differ from those of one", of_a_scene(scene, threads), 0, WHY) for scene, threads in SMALL),
+    *(Check(f"{scene}, {threads} threads: files that differ from those of one", of_a_scene(scene, threads), 0, WHY)
+      for scene, threads in SMALL),
 ]
 
 
@@ -60,7 +61,8 @@ BREAKS = [
            longer_steps("contacts[0]", "contacts[1]", "planes[0]")),
     Breaks("4 threads: files that differ from those of one", "a penalty that is one bit larger on four threads",
            {"contacts[0].penalty": "10000000000000.002 Pa/m"}),
-    Breaks("plates, 2 threads: files that differ from those of one", "steps that are 1 % longer on two threads", longer_steps("contacts[0]")),
+    Breaks("plates, 2 threads: files that differ from those of one", "steps that are 1 % longer on two threads",
+           longer_steps("contacts[0]")),
     Breaks("ball, 4 threads: files that differ from those of one", "steps that are 1 % shorter on four threads", {"time.safety": 0.89}),
 ]
 
