@@ -8,7 +8,6 @@ import csv
 import itertools
 import math
 import re
-import shutil
 from pathlib import Path
 
 import meshes
@@ -354,14 +353,13 @@ def base_of(run, scene):
 
 
 def scratch_of(run):
-    return Path(getattr(run.runner, "scratch", run.runner.out))
+    return run.runner.scratch
 
 
 def put_down(tree, scratch, label, system=SI, change=lambda mesh, body: mesh):
     """Writes a twin and its meshes; returns the path of its case."""
     root = Path(__file__).resolve().parent
     scratch.mkdir(parents=True, exist_ok=True)
-    shutil.copy(root / "block_cut_otherwise.vtu", scratch)  # what a break asks for
     for body in tree["bodies"]:
         if "path" in body["mesh"]:
             name = f"{label}_{body['name'].value}.vtu"

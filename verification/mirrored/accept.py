@@ -10,6 +10,7 @@ import scenes  # noqa: E402
 
 CLAIM = "A scene in a mirror gives the results in the mirror."
 EVIDENCE = "invariant"
+CATALOGUE = ()
 DRIVER = "scene"
 CASE = f"{scenes.FOLDER}/plates.yaml"
 
@@ -47,7 +48,7 @@ LABELS = (("strike", "a block strikes a slab"), ("plates", "a sheet drops on a d
 
 def speeds(ours):
     """Speeds of what falls, by the base or by the twin."""
-    return lambda run: [(label, *scenes.curve(run, scene, mirrored, "speed", ours))
+    return lambda run: [(label if ours else "mirrored", *scenes.curve(run, scene, mirrored, "speed", ours))
                         for scene, label in LABELS]
 
 

@@ -10,6 +10,7 @@ import scenes  # noqa: E402
 
 CLAIM = "Two passes do not care which side has the apexes; with one pass both ways exchange nearly the same momentum, and none is lost."
 EVIDENCE = "invariant"
+CATALOGUE = ()
 DRIVER = "scene"
 CASE = "verification/swapped/case.yaml"
 
@@ -99,7 +100,7 @@ def pushes(which):
         found = []
         for label, more in (("one pass", {}), ("two passes", TWO)):
             one = both_ways(run, more)[which]
-            found.append((label, [1e6 * t for t in one.column("time")], one.column("push")))
+            found.append((label if which == 0 else f"{label}, sides changed", [1e6 * t for t in one.column("time")], one.column("push")))
         return found
     return curves
 
