@@ -327,13 +327,12 @@ NEREID_HOT Plate::Constants<T> constants(const Law& law, const Plate::Options& o
   const double physical = options.thickness * options.thickness / 12.0;
   Plate::Constants<T> c{.mass = T(law.density * options.thickness) * s.area, .gyration = T(physical)};
   if (options.rotary_inertia == Plate::RotaryInertia::scaled) {
-    // bending_and_shear = a/gyration + b, by two samples
-    const T one(1.0), two(2.0);
-    const auto at_one = largest_frequencies_squared(law, options.thickness, one, s);
-    const auto at_two = largest_frequencies_squared(law, options.thickness, two, s);
-    const T a = two * (at_one.bending_and_shear - at_two.bending_and_shear);
-    const T b = at_one.bending_and_shear - a;
-    c.gyration = larger(c.gyration, a / (at_one.membrane - b));
+    // bending_and_shear = a/gyration + b, by two samples; at the size of the element, where both terms are alike
+    const auto at_one = largest_frequencies_squared(law, options.thickness, s.area, s);
+    const auto at_two = largest_frequencies_squared(law, options.thickness, T(2.0) * s.area, s);
+    const T a_by_area = T(2.0) * (at_one.bending_and_shear - at_two.bending_and_shear);
+    const T b = at_one.bending_and_shear - a_by_area;
+    c.gyration = larger(c.gyration, s.area * a_by_area / (at_one.membrane - b));
   }
   return c;
 }

@@ -806,6 +806,19 @@ TEST(Plate, WithScaledRotaryInertiaBendingNeverSetsTheStep) {
   }
 }
 
+/// Powers of two scale a number without rounding, so that any length written into the code would show.
+TEST(Plate, ScaledRotaryInertiaScalesWithTheMeshToTheLastBit) {
+  for (int trial = 0; trial < 20; ++trial) {
+    const Corners X = triangle();
+    const double thickness = std::pow(10.0, random(-3.0, -0.5));
+    const auto of_scale = [&](double scale) {
+      const Corners small{scale * X[0], scale * X[1], scale * X[2]};
+      return constants(metal<Elastic>(), thick(scale * thickness, Plate::RotaryInertia::scaled), small).gyration / (scale * scale);
+    };
+    for (const double scale : {0x1p-10, 0x1p-17, 0x1p12}) EXPECT_EQ(of_scale(scale), of_scale(1));
+  }
+}
+
 TEST(Plate, LargestEigenvalueIsExact) {
   for (int trial = 0; trial < 20; ++trial) {
     const Plane<double> p{random(), random(), random()};
