@@ -1,6 +1,7 @@
 #include "drivers/driver.hpp"
 
 #include <CLI/CLI.hpp>
+#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -146,12 +147,30 @@ class Recorder {
   std::int64_t frame_ = 0;
 };
 
-output::Summary summarise(const std::string& name, const CommandLine& line, const input::CaseFile& file, const Scene& scene,
-                          const dynamics::Outcome& outcome, std::vector<std::string> notes) {
+/// The part of a summary that does not depend on what was computed.
+output::Summary summary_of(const std::string& name, const CommandLine& line, const input::CaseFile& file) {
   output::Summary summary;
   summary.driver = name;
   summary.case_path = line.case_path;
   summary.case_hash = file.hash();
+  summary.resolved = file.resolved();
+  summary.not_used = file.not_used();
+  return summary;
+}
+
+void print_results(const output::Summary& summary) {
+  for (const output::Result& result : summary.results) std::printf("%-28s %.8g %s\n", result.name.c_str(), result.value, result.unit.c_str());
+}
+
+/// An older summary must not be taken for this run's.
+void remove_summary(const CommandLine& line) {
+  std::error_code none_there;
+  std::filesystem::remove(std::filesystem::path(line.out) / "summary.json", none_there);
+}
+
+output::Summary summarise(const std::string& name, const CommandLine& line, const input::CaseFile& file, const Scene& scene,
+                          const dynamics::Outcome& outcome, std::vector<std::string> notes) {
+  output::Summary summary = summary_of(name, line, file);
   summary.ending = {std::string(dynamics::word(outcome.ending)), outcome.reason, scene.state.t, outcome.block, outcome.element};
   summary.results = scene.results();
   for (std::size_t c = 0; c < scene.model.interfaces.size(); ++c) {
@@ -168,8 +187,6 @@ output::Summary summarise(const std::string& name, const CommandLine& line, cons
   const auto updates = static_cast<double>(outcome.element_updates);
   summary.cost = {count_elements(scene.model), scene.state.step, outcome.element_updates, outcome.wall_seconds,
                   updates > 0 ? outcome.wall_seconds * 1e9 / updates : 0, threads()};
-  summary.resolved = file.resolved();
-  summary.not_used = file.not_used();
   notes.push_back("the smallest step was asked for by " + outcome.limited_by);
   summary.notes = notes;
   return summary;
@@ -204,8 +221,7 @@ int run_case(const std::string& name, const CommandLine& line, const Build& buil
   }
   if (line.dry_run) return dry_run(scene, line.quiet);
 
-  std::error_code none_there;
-  std::filesystem::remove(std::filesystem::path(line.out) / "summary.json", none_there);  // not to be taken for this run's
+  remove_summary(line);
   Recorder recorder(scene, line);
   std::vector<dynamics::Observer> observers = scene.watchers;
   observers.emplace_back([&recorder](const dynamics::View& view) { recorder(view); });
@@ -219,7 +235,7 @@ int run_case(const std::string& name, const CommandLine& line, const Build& buil
   const output::Summary summary = summarise(name, line, file, scene, outcome, notes);
   output::write_summary(line.out, summary);
   if (!line.quiet) {
-    for (const output::Result& result : summary.results) std::printf("%-28s %.8g %s\n", result.name.c_str(), result.value, result.unit.c_str());
+    print_results(summary);
     std::printf("%ld steps in %.2f s, %.1f ns per element update; results in %s\n", static_cast<long>(summary.cost.steps),
                 outcome.wall_seconds, summary.cost.nanoseconds_per_element_update, line.out.c_str());
   }
@@ -230,21 +246,37 @@ int run_case(const std::string& name, const CommandLine& line, const Build& buil
   return stopped;
 }
 
-}  // namespace
+int answer_case(const std::string& name, const CommandLine& line, const Plan& plan) {
+  const input::CaseFile file = input::CaseFile::read(line.case_path, line.overrides);
+  const std::function<Answer()> compute = plan(file);
+  if (!line.quiet)
+    for (const std::string& key : file.not_used()) std::printf("not used: %s\n", key.c_str());
+  if (line.dry_run) return done;
+  remove_summary(line);
+  const auto began = std::chrono::steady_clock::now();
+  const Answer found = compute();
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
 
-void make_ready(Scene& scene, std::vector<dynamics::Connected> connected) {
-  std::vector<contact::Memory> memories;
-  std::vector<contact::Workspace> workspaces;
-  for (dynamics::Connected& one : connected) {
-    scene.gaps.push_back(one.gaps);
-    memories.push_back(std::move(one.memory));
-    workspaces.push_back(std::move(one.workspace));
+  output::History history(std::filesystem::path(line.out) / "history.csv", found.columns);
+  for (std::size_t r = 0; r < found.rows.size(); ++r) history.add(found.time[r], found.rows[r]);
+  history.flush();
+  output::Summary summary = summary_of(name, line, file);
+  summary.ending = {found.stopped.empty() ? "reached_end" : found.stopped, found.reason, found.time.empty() ? 0 : found.time.back(), "", -1};
+  summary.results = found.results;
+  summary.ledger = found.ledger;
+  summary.cost.wall_seconds = seconds;
+  output::write_summary(line.out, summary);
+  if (!line.quiet) {
+    print_results(summary);
+    std::printf("%.2f s; results in %s\n", seconds, line.out.c_str());
   }
-  scene.state = dynamics::initial_state(scene.model, std::move(memories));
-  scene.forces = dynamics::make_forces(scene.model, std::move(workspaces));
+  if (found.stopped.empty()) return done;
+  std::fprintf(stderr, "%s: stopped: %s: %s\n", name.c_str(), found.stopped.c_str(), found.reason.c_str());
+  return stopped;
 }
 
-int drive(int argc, char** argv, const std::string& name, const Build& build) {
+/// Reads the command line, and turns what `work` throws into words and an exit status.
+int from_command_line(int argc, char** argv, const std::string& name, const std::function<int(const CommandLine&)>& work) {
   CommandLine line;
   CLI::App app("Nereid " + name, name);
   app.failure_message([&name](const CLI::App*, const CLI::Error& error) {
@@ -267,7 +299,7 @@ int drive(int argc, char** argv, const std::string& name, const Build& build) {
     return status == 0 ? done : bad_case;
   }
   try {
-    return run_case(name, line, build);
+    return work(line);
   } catch (const input::CaseError& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return bad_case;
@@ -281,6 +313,28 @@ int drive(int argc, char** argv, const std::string& name, const Build& build) {
     std::fprintf(stderr, "%s: %s\n", name.c_str(), error.what());
     return machine;
   }
+}
+
+}  // namespace
+
+void make_ready(Scene& scene, std::vector<dynamics::Connected> connected) {
+  std::vector<contact::Memory> memories;
+  std::vector<contact::Workspace> workspaces;
+  for (dynamics::Connected& one : connected) {
+    scene.gaps.push_back(one.gaps);
+    memories.push_back(std::move(one.memory));
+    workspaces.push_back(std::move(one.workspace));
+  }
+  scene.state = dynamics::initial_state(scene.model, std::move(memories));
+  scene.forces = dynamics::make_forces(scene.model, std::move(workspaces));
+}
+
+int drive(int argc, char** argv, const std::string& name, const Build& build) {
+  return from_command_line(argc, argv, name, [&](const CommandLine& line) { return run_case(name, line, build); });
+}
+
+int answer(int argc, char** argv, const std::string& name, const Plan& plan) {
+  return from_command_line(argc, argv, name, [&](const CommandLine& line) { return answer_case(name, line, plan); });
 }
 
 }  // namespace nereid::driver

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "input/readers.hpp"
+#include "output/history.hpp"
 #include "output/summary.hpp"
 
 namespace nereid::driver {
@@ -42,6 +43,22 @@ using Build = std::function<Scene(const input::CaseFile&)>;
 
 /// Runs a driver from its command line to its exit status.
 int drive(int argc, char** argv, const std::string& name, const Build&);
+
+/// What a question without bodies in motion answers with.
+struct Answer {
+  std::vector<output::Column> columns;     ///< of history.csv, behind its first, which is called time
+  std::vector<double> time;                ///< [rows]
+  std::vector<std::vector<double>> rows;   ///< [rows][columns]
+  std::vector<output::Result> results;
+  dynamics::Ledger ledger = {};            ///< empty where nothing moves
+  std::string stopped = {}, reason = {};   ///< the word of an ending before the end, and its sentence
+};
+
+/// Reads a case, with finish() of the file, and returns what is to be computed of it.
+using Plan = std::function<std::function<Answer()>(const input::CaseFile&)>;
+
+/// Runs a driver that computes without a Scene; command line, files and exit status are those of drive().
+int answer(int argc, char** argv, const std::string& name, const Plan&);
 
 /// The largest value that a number takes over all steps, and when.
 struct Peak {

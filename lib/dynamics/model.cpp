@@ -90,9 +90,9 @@ void finish(Model& model) {
       model.node_of_turn.push_back(node);
     }
   }
-  check((model.mass.array() > 0).all(), "a node belongs to no element");
   for (const load::PointMass& point : model.point_masses)
     for (const Index node : point.nodes) model.mass(node) += point.mass / static_cast<double>(point.nodes.size());
+  check((model.mass.array() > 0).all(), "a node has neither an element nor a point mass");
   model.inertia = Scalars::Zero(static_cast<Eigen::Index>(model.node_of_turn.size()));
   for (auto& block : model.blocks) {
     if (!element::is_plate(block)) continue;

@@ -50,7 +50,7 @@ struct Model {
 
 /// Computes what follows from blocks and point masses: masses, columns of angular velocities, orders of summing.
 ///
-/// Throws InternalError if a node belongs to no element.
+/// Throws InternalError if a node has no mass, neither of an element nor of a point mass.
 void finish(Model&);
 
 /// What a search for the static equilibrium took away, and how near it is.

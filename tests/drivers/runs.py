@@ -18,7 +18,9 @@ ROOT = Path(__file__).resolve().parents[2]
 CASES = {  # by driver, and the name of a scene behind it
     "cask_drop": "cases/cask_drop/neptune.yaml", "two_blocks": "cases/two_blocks/bars.yaml",
     "patch_test": "cases/patch_test/three_on_four.yaml", "sliding": "cases/sliding/stop.yaml",
-    "sliding.over_facets": "cases/sliding/over_facets.yaml", "scene.taylor_bar": "cases/scene/taylor_bar.yaml", "scene.oblique": "cases/scene/oblique.yaml"}
+    "sliding.over_facets": "cases/sliding/over_facets.yaml", "scene.taylor_bar": "cases/scene/taylor_bar.yaml", "scene.oblique": "cases/scene/oblique.yaml",
+    "material_point": "cases/material_point/cycle.yaml", "contact_elements": "cases/contact_elements/random.yaml",
+    "penalty_oscillator": "cases/penalty_oscillator/bounce.yaml"}
 PATIENCE = 120  # [s] each run takes less than a second
 
 # Small; the finer ones have so many tiles and apexes that every loop is shared among four threads.
@@ -322,6 +324,43 @@ class Summary(InATemporaryFolder):
         self.assertGreater(unlike["results"]["stress_error_largest"]["value"], 0.1)  # nodes on facets cannot do better
         two = self.run_to_end("patch_test", ["contact.passes=two"], out="two").summary()
         self.assertLess(two["results"]["stress_error_mean"]["value"], 0.3 * unlike["results"]["stress_error_mean"]["value"])
+
+    def check_answer(self, run, driver, results):
+        """Of a driver that has no bodies: the same keys, and a case in SI."""
+        summary = run.summary()
+        self.assertEqual([*summary], self.KEYS)
+        self.assertEqual((summary["driver"], summary["ending"]["word"]), (driver, "reached_end"))
+        self.assertEqual(summary["ending"]["time"]["value"], run.history()["time [s]"][-1])
+        for name, unit in results.items():
+            self.assertEqual(summary["results"][name]["unit"], unit, name)
+        self.assertEqual(summary["provenance"]["case_path"], CASES[driver])
+        return summary
+
+    def test_material_point(self):
+        run = self.run_to_end("material_point", [])
+        summary = self.check_answer(run, "material_point", {"stress_xx": "Pa", "strain_yy": "1", "plastic_strain": "1", "back_stress_xx": "Pa",
+                                                            "work_stored": "J/m^3", "work_dissipated": "J/m^3"})
+        self.assertEqual(summary["ledger"]["accounts"], {})
+        self.assertEqual(len(run.history()["stress_xx [Pa]"]), 501)
+
+    def test_stress_that_no_strain_gives(self):
+        run = Run("material_point", ["material.tangent=0 Pa", "path[0].strain.xx=0", "path[0].stress.xy=1 GPa"], self.folder / "out")
+        self.assertEqual(run.status, 3)
+        self.assertEqual(run.summary()["ending"]["word"], "not_converged")
+        self.assertIn("path[0]", run.stderr)
+
+    def test_contact_elements(self):
+        run = self.run_to_end("contact_elements", ["elements=20"])
+        summary = self.check_answer(run, "contact_elements", {"tetrahedral_gradient": "1", "line_moment": "1"})
+        self.assertEqual(len(run.history()["gradient [1]"]), 60)
+        self.assertLess(summary["results"]["tetrahedral_moment"]["value"], 1e-9)
+
+    def test_penalty_oscillator(self):
+        for kind in ("tetrahedral", "triangular", "line"):
+            run = self.run_to_end("penalty_oscillator", [f"element={kind}", "phases=2"], out=kind)
+            summary = self.check_answer(run, "penalty_oscillator", {"contact_time": "s", "peak_force": "N", "rebound_largest": "1"})
+            self.assertEqual([*summary["ledger"]["accounts"]], ["contact"])
+            self.check_ledger(summary["ledger"])
 
     def test_sliding_block_stops(self):
         summary = self.run_to_end("sliding", ["speed=1 m/s", "time.end=0.5 s"]).summary()

@@ -40,6 +40,17 @@ TEST(Model, NodesCarryTheMassOfTheBodies) {
   EXPECT_NEAR(model.mass.head(in_box).maxCoeff(), element, 1e-10);
 }
 
+TEST(Model, ANodeWithoutElementNeedsAPointMass) {
+  Model model;
+  model.mesh.X = Vectors::Zero(3, 2);
+  model.point_masses.push_back({"first", {0}, 2.0});
+  EXPECT_THROW(finish(model), InternalError);
+  model.point_masses.push_back({"both", {0, 1}, 3.0});
+  finish(model);
+  EXPECT_EQ(model.mass(0), 3.5);
+  EXPECT_EQ(model.mass(1), 1.5);
+}
+
 TEST(Model, OnlyPlatesTurnAndEachOfTheirNodesHasOneColumn) {
   Model model = box_and_tube();
   finish(model);
