@@ -1,10 +1,13 @@
 #include "input/mesh_readers.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 
 #include "grid/file_mesh.hpp"
 #include "input/readers.hpp"
+#include "mesh/skin.hpp"
 
 namespace nereid::input {
 
@@ -150,6 +153,44 @@ mesh::Mesh make_mesh(const std::string& name, const MeshOptions& options) {
     mesh::Mesh operator()(const mesh::Mesh& one) const { return with_names(name, one); }
   };
   return std::visit(Make{name}, options);
+}
+
+std::optional<MeshMap> read_map(const Section& mesh) {
+  if (!mesh.has("map")) return std::nullopt;
+  return MeshMap{.at = mesh, .to = read_expressions(mesh, "map", of_place)};
+}
+
+mesh::Mesh mapped(const MeshMap& map, mesh::Mesh mesh) {
+  std::array<char, 300> text{};
+  Vectors X(3, mesh.X.cols());
+  for (Eigen::Index node = 0; node < X.cols(); ++node) {
+    const Vec3 from = mesh.X.col(node);
+    for (int axis = 0; axis < 3; ++axis) X(axis, node) = map.to[axis](from.x(), from.y(), from.z(), 0);
+    if (X.col(node).allFinite()) continue;
+    std::snprintf(text.data(), text.size(), "'map' is no finite number at x = %.6g, y = %.6g, z = %.6g", from.x(), from.y(), from.z());
+    map.at.fault("map", text.data());
+    return mesh;
+  }
+  const Vectors built = mesh.X;
+  mesh.X = X;
+  int wrong = 0;
+  const auto look_at = [&](const auto& region, const Scalars& size, const char* what) {
+    for (Eigen::Index element = 0; element < size.size(); ++element) {
+      if (size(element) > 0 || wrong++ > 0) continue;
+      Vec3 from = Vec3::Zero(), to = Vec3::Zero();
+      for (const Index node : region.nodes.col(element)) from += built.col(node), to += X.col(node);
+      from /= region.nodes.rows(), to /= region.nodes.rows();
+      std::snprintf(text.data(), text.size(),
+                    "'map' leaves element %lld of '%s' no positive %s: %.4g. Its middle goes from (%.6g, %.6g, %.6g) to (%.6g, %.6g, %.6g) m",
+                    static_cast<long long>(element), region.name.c_str(), what, size(element), from.x(), from.y(), from.z(), to.x(), to.y(), to.z());
+    }
+  };
+  for (const mesh::Hexahedra& region : mesh.hexahedra) look_at(region, mesh::volumes(mesh, region), "volume");
+  for (const mesh::Triangles& region : mesh.triangles) look_at(region, mesh::facet_areas(mesh, {"", region.nodes}), "area");
+  if (wrong == 0) return mesh;
+  map.at.fault("map", text.data() + (wrong > 1 ? ", and " + std::to_string(wrong - 1) + " more" : std::string()));
+  mesh.X = built;
+  return mesh;
 }
 
 }  // namespace nereid::input

@@ -1,10 +1,11 @@
 #pragma once
 // Readers of meshes: what a body is made of, read first and built only when the whole case is sound.
 
+#include <optional>
 #include <string>
 #include <variant>
 
-#include "input/section.hpp"
+#include "input/expression.hpp"
 #include "mesh/box.hpp"
 #include "mesh/cylinder.hpp"
 #include "mesh/disc.hpp"
@@ -28,5 +29,19 @@ MeshOptions read_mesh_options(const Section& mesh);
 ///
 /// Needs  options of a sound case, so call it after finish() of the case file
 mesh::Mesh make_mesh(const std::string& name, const MeshOptions&);
+
+/// Where the nodes of a mesh go, x' = f(x): its position [m] over x, y, z [m] of the mesh as it is built.
+struct MeshMap {
+  Section at;  ///< the `mesh` section
+  std::array<Expression, 3> to;
+};
+
+/// `map` of a body's `mesh` section: three texts over x, y, z; nothing if there is none.
+std::optional<MeshMap> read_map(const Section& mesh);
+
+/// The mesh with its nodes moved; names and elements stay, and nodes that meet stay two.
+///
+/// Faults, with the mesh as it was: places that are no number, elements whose volume or area is not positive
+mesh::Mesh mapped(const MeshMap&, mesh::Mesh);
 
 }  // namespace nereid::input

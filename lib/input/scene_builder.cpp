@@ -120,6 +120,7 @@ mesh::Mesh make_mesh(const SceneOptions& scene) {
   mesh::Mesh all;
   for (const BodyOptions& body : scene.bodies) {
     mesh::Mesh here = make_mesh(body.name, body.mesh);
+    if (body.map) here = mapped(*body.map, std::move(here));
     if (body.place.angle != 0) here = mesh::turned_about(std::move(here), body.place.axis, body.place.angle, body.place.about);
     if (!body.place.move.isZero(0)) here = mesh::moved(std::move(here), body.place.move);
     name_points(body, here);

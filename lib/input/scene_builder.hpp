@@ -8,7 +8,8 @@
 
 namespace nereid::input {
 
-/// The meshes of all bodies, each where it stands. Faults: points beside their body, points named like a node set.
+/// The meshes of all bodies, each where it stands. Faults: maps that turn elements inside out,
+/// points beside their body, points named like a node set.
 mesh::Mesh make_mesh(const SceneOptions&);
 
 /// Faults: node sets, surfaces, bodies and sources that are named and do not exist.

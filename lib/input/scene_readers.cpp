@@ -66,9 +66,11 @@ bool is_one_of(const MeshOptions& mesh) {
 }
 
 BodyOptions read_body(const Section& section, Names& taken) {
+  const Section mesh = section.section("mesh");
   BodyOptions body{.at = section,
                    .name = read_name(section, taken, sources),
-                   .mesh = read_mesh_options(section.section("mesh")),
+                   .mesh = read_mesh_options(mesh),
+                   .map = read_map(mesh),
                    .place = read_placement(section),
                    .points = {},
                    .law = read_law(section.section("material")),

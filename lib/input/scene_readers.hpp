@@ -30,6 +30,7 @@ struct BodyOptions {
   Section at;
   std::string name;
   MeshOptions mesh;
+  std::optional<MeshMap> map;  ///< of the mesh as built, before it is placed
   Placement place;
   std::vector<PointOptions> points;
   element::AnyLaw law;

@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
 #include "grid/grid.hpp"
+#include "mesh/skin.hpp"
 
 namespace nereid::input {
 namespace {
@@ -167,6 +169,57 @@ TEST(ReadMesh, EveryKeyOfAKindIsAskedForAndNoOther) {
 TEST(ReadMesh, CornersInTheWrongOrderAreRefusedWithTheirPlace) {
   const std::string said = refusal("kind: box\nlow: [0 m, 0 m, 0 m]\nhigh: [1 m, 0 m, 1 m]\ncells: [1, 1, 1]\n");
   EXPECT_TRUE(says(said, "case.yaml:3:7: 'high' must lie beyond 'low'")) << said;
+}
+
+mesh::Mesh mapped_mesh(const std::string& text) {
+  const CaseFile file = CaseFile::parse(text, "case.yaml");
+  const MeshOptions options = read_mesh_options(file.root());
+  const auto map = read_map(file.root());
+  file.finish();
+  const mesh::Mesh mesh = mapped(map.value(), make_mesh("a", options));
+  file.finish();
+  return mesh;
+}
+
+std::string map_refusal(const std::string& text) {
+  try {
+    mapped_mesh(text);
+  } catch (const CaseError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(MapMesh, BendsABoxIntoARingAndASheetIntoACylinder) {
+  const std::string ring = "kind: box\nlow: [1 m, 0 m, 0 m]\nhigh: [2 m, 1.5 m, 1 m]\ncells: [2, 40, 1]\n";
+  const mesh::Mesh sector = mapped_mesh(ring + "map: [x*cos(y), x*sin(y), z]\n");
+  EXPECT_EQ(sector.surfaces.size(), 6U);
+  for (const Index node : mesh::node_set(sector, "a.x_low")) EXPECT_NEAR(sector.X.col(node).head<2>().norm(), 1, 1e-15);
+  for (const Index node : mesh::node_set(sector, "a.y_high")) EXPECT_NEAR(std::atan2(sector.X(1, node), sector.X(0, node)), 1.5, 1e-15);
+  // chords: the area between two circles falls by sin(a)/a
+  const double chord = 1.5 / 40;
+  EXPECT_NEAR(mesh::volumes(sector, mesh::hexahedra(sector, "a")).sum(), 1.5 * 1.5 * std::sin(chord) / chord, 1e-13);
+  const mesh::Mesh tube = mapped_mesh("kind: sheet\nlength: 1 m\nwidth: 2 m\ncells_along: 8\ncells_across: 2\nmap: [cos(x), sin(x), y]\n");
+  for (Index node = 0; node < tube.X.cols(); ++node) EXPECT_NEAR(tube.X.col(node).head<2>().norm(), 1, 1e-15);
+}
+
+TEST(MapMesh, IsOptionalAndIdentityIsExact) {
+  const CaseFile file = CaseFile::parse(box, "case.yaml");
+  EXPECT_FALSE(read_map(file.root()).has_value());
+  EXPECT_EQ(mapped_mesh(box + "map: [x, y, z]\n").X, make_mesh("a", read(box)).X);
+}
+
+TEST(MapMesh, ElementsWithoutVolumeOrAreaAreToldWithPlaceAndNumber) {
+  const std::string mirrored = map_refusal(box + "map: [-x, y, z]\n");
+  EXPECT_TRUE(says(mirrored, "case.yaml:5:6: 'map' leaves element 0 of 'a' no positive volume: -0.00025.")) << mirrored;
+  EXPECT_TRUE(says(mirrored, "and 39 more")) << mirrored;
+  const std::string folded = map_refusal(box + "map: [\"x < 0.95 ? x : 0.85\", y, z]\n");
+  EXPECT_TRUE(says(folded, "element 9 of 'a'") && says(folded, "and 3 more")) << folded;
+  const std::string flat = map_refusal("kind: sheet\nlength: 1 m\nwidth: 2 m\ncells_along: 1\ncells_across: 1\nmap: [x, 0, 0]\n");
+  EXPECT_TRUE(says(flat, "element 0 of 'a' no positive area: 0.")) << flat;
+  const std::string infinite = map_refusal(box + "map: [1/x, y, z]\n");
+  EXPECT_TRUE(says(infinite, "'map' is no finite number at x = 0, y = 0, z = 0")) << infinite;
+  EXPECT_TRUE(says(map_refusal(box + "map: [x, y, t]\n"), "'t' is unknown"));
 }
 
 TEST(ReadMesh, AHundredMillionElementsAreTheMost) {

@@ -55,6 +55,15 @@ TEST(MakeMesh, TurnsBeforeItMoves) {
   EXPECT_LT((model.mesh.X.rowwise().maxCoeff() - Vec3(0, 7, 1)).norm(), 1e-15);
 }
 
+TEST(MakeMesh, MapsBeforeItTurnsAndMoves) {
+  const std::string mapped = "bodies:\n  - name: bar\n    mesh: {kind: box, low: [0 m, 0 m, 0 m], high: [1 m, 1 m, 1 m], cells: [1, 1, 1],"
+                             " map: [2*x, y, z + x]}\n    material: {kind: elastic, density: 1 kg/m^3, young: 1 Pa, poisson: 0}\n";
+  const auto model = build(mapped + "    turn: {axis: [0, 0, 1], angle: 90 deg}\n    move: [0 m, 5 m, 0 m]\n" + time).model;
+  EXPECT_LT((model.mesh.X.rowwise().minCoeff() - Vec3(-1, 5, 0)).norm(), 1e-15);
+  EXPECT_LT((model.mesh.X.rowwise().maxCoeff() - Vec3(0, 7, 2)).norm(), 1e-15);
+  EXPECT_NEAR(model.mass.sum(), 2, 1e-15);
+}
+
 TEST(AddBodies, HaveTheirMassAndKind) {
   const auto model = build(bar + sheet + time).model;
   ASSERT_EQ(model.blocks.size(), 2U);
