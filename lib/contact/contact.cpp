@@ -545,7 +545,7 @@ double stick_frequency_squared(const Interface& interface, const Scalars& inerti
       most = std::max(most, omega_squared);
     }
   }
-  return interface.friction.stick * translation + most;
+  return interface.friction.stick * translation + most / interface.pass_share;
 }
 
 }  // namespace
@@ -570,6 +570,7 @@ double stable_step(const Interface& interface, const Scalars& mass, const Scalar
     most = std::max(most, omega_squared);
   }
   if (!(most > 0)) return 1e300;
+  most /= interface.pass_share;
   if (interface.kind == InterfaceKind::bonded) return linear_step / std::sqrt(most);
   const double bounce = interface.bounce_step / std::sqrt(most);
   if (workspace.friction.empty()) return bounce;

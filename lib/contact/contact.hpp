@@ -69,6 +69,7 @@ struct Interface {
   double arm_of_apex = 0;        ///< [-] share of the apex, a plate, in the arm of friction; the base has the rest
   std::vector<Bond> bonds;       ///< [apexes] of a bonded interface; set by connect()
   double bounce_step = 0.1410;   ///< [-] dt sqrt(k/m) of the vote: step_for_a_bounce(0.005)
+  double pass_share = 1;         ///< [-] part of the stiffness between its nodes: 1/2 in each of two passes
   /// [s] retardation: a closed element pushes with k (|d| + retardation d|d|/dt), never pulls. It takes
   /// the chatter out of an interface; what it dissipates is booked.
   double retardation = 0;
@@ -187,6 +188,9 @@ void add_forces(const Interface&, const Workspace&, Vectors& force, Vectors& mom
 /// sums the stiffness of all springs at base node I: springs that share nodes add up. What never opens
 /// (a bond, a stick) creates nothing at any stable step: dt = `linear_step` / omega, with the moments of
 /// friction on plate nodes in omega.
+///
+/// Each of two passes has its `pass_share` s of the stiffness between the same nodes and votes as if for all of it: omega^2 is divided
+/// by it. With omega_1^2 <= s omega^2 and omega_2^2 <= (1 - s) omega^2 both together are within omega^2.
 ///
 /// mass [kg] of the nodes;  inertia [kg m2] of the columns of w
 double stable_step(const Interface&, const Scalars& mass, const Scalars& inertia, Workspace&);

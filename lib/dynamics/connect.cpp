@@ -157,6 +157,7 @@ Connected connect_one_pass(Model& model, const std::string& name, const std::str
                                    : options.hardness * std::min(surface_stiffness(model, apexes), surface_stiffness(model, base)));
   check(interface.penalty > 0, "an interface needs a penalty or elements on both sides");
   interface.bounce_step = contact::step_for_a_bounce(options.created_in_a_bounce);
+  interface.pass_share = share;
   interface.friction = options.friction;
   interface.weights = options.weights;
   interface.area_kind = options.area;

@@ -255,6 +255,45 @@ TEST(Connect, APenaltyFromMassesNeverAsksForLessThanItsShareOfTheElementsStep) {
   }
 }
 
+/// The vote of an interface, with one pass or two, between boxes whose grids match.
+Votes votes_of_matching_boxes(InterfaceOptions options, bool two_passes) {
+  Model model;
+  model.mesh = mesh::join(mesh::box("below", {{0, 0, 0}, {1, 1, 0.4}, {3, 3, 2}}), mesh::box("above", {{0, 0, 0.4}, {1, 1, 0.8}, {3, 3, 2}}));
+  model.blocks.push_back(element::hexahedra(model.mesh, "below", soft, {}));
+  model.blocks.push_back(element::hexahedra(model.mesh, "above", soft, {}));
+  finish(model);
+  options.two_passes = two_passes;
+  options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
+  std::vector<contact::Memory> memories;
+  std::vector<contact::Workspace> workspaces;
+  for (const Connected& pass : connect(model, "joint", "above.z_low", "below.z_high", options)) {
+    memories.push_back(pass.memory);
+    workspaces.push_back(pass.workspace);
+  }
+  State state = initial_state(model, memories);
+  Forces forces = make_forces(model, workspaces);
+  return start(model, state, forces);
+}
+
+TEST(Connect, TwoPassesOverTheSameNodesKeepTheBoundTogether) {
+  // Where the grids match, two passes are one: half the springs from either side between the same pairs of nodes.
+  for (const auto kind : {contact::InterfaceKind::contact, contact::InterfaceKind::bonded}) {
+    InterfaceOptions options;
+    options.kind = kind;
+    const double one = votes_of_matching_boxes(options, false).contact_step, two = votes_of_matching_boxes(options, true).contact_step;
+    EXPECT_NEAR(two / one, 1, 1e-12);  // round-off
+  }
+}
+
+TEST(Connect, TwoPassesWithAPenaltyFromMassesUseTheWholeStep) {
+  InterfaceOptions options;
+  options.penalty_from = PenaltyFrom::masses;
+  for (const bool two_passes : {false, true}) {
+    const Votes votes = votes_of_matching_boxes(options, two_passes);
+    EXPECT_NEAR(votes.contact_step / votes.element_step, 1, 1e-12) << two_passes;  // pairs of equal masses: the bound is met exactly
+  }
+}
+
 TEST(Connect, WithoutSymmetryPlanesEveryDirectionIsAllowed) {
   Model model = two_boxes(0.01);
   load::Plane clamp;

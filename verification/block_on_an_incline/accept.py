@@ -2,8 +2,9 @@
 from math import cos, radians, sin
 
 from reference import acceleration
-from verify import Breaks, Check, Pair, Report, Table
+from verify import Breaks, Check, Figure, Pair, Report, Table
 
+CATALOGUE = ("C-6",)
 CLAIM = "On an incline of 30 degrees a block with friction 0.6 stays, and one with 0.2 slides with 3.206 m/s2."
 EVIDENCE = "exact"
 DRIVER = "scene"
@@ -79,3 +80,18 @@ BREAKS = [
     Breaks("sag of the stick, friction 10", "half the penalty", {"planes[0].penalty": "5e8 Pa/m"}),
     Breaks("acceleration of the block that slides", "a coefficient of 0.21", {"planes[0].friction": 0.21}),
 ]
+
+
+def speeds(run):
+    return [(f"friction {mu}", one.column("time"), one.column("speed")) for mu, one in ((0.2, run.again(SLIDES)), (0.6, run))]
+
+
+def exact_speeds(_):
+    """Gravity comes in as 3 u^2 - 2 u^3 of u = t/0.2 s, whose integral is u^3 - u^4/2."""
+    times = [0.01 * i for i in range(101)]
+    eased = [0.2 * (u**3 - u**4 / 2) if u < 1 else t - 0.1 for t, u in ((t, t / 0.2) for t in times)]
+    return [(f"exact, friction {mu}", times, [acceleration(30, mu, GRAVITY) * e for e in eased]) for mu in (0.2, 0.6)]
+
+
+FIGURES = [Figure("speed", "time [s]", "speed down the incline [m/s]", speeds, exact=exact_speeds,
+                  caption="Speed of a block on an incline of 30 degrees; gravity comes in over 0.2 s.")]

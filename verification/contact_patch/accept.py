@@ -4,6 +4,7 @@ from math import sqrt
 from reference import reference
 from verify import Breaks, Check, Pair, Report, Table
 
+CATALOGUE = ("C-2",)
 CLAIM = "How uniformly a uniform pressure passes through two meshes that do not match, for every formulation of contact."
 EVIDENCE = "exact"
 DRIVER = "scene"

@@ -2,8 +2,9 @@
 from math import hypot
 
 from reference import reference
-from verify import Breaks, Check, Pair, Table
+from verify import Breaks, Check, Figure, Pair, Table
 
+CATALOGUE = ("C-8",)
 CLAIM = "A block dragged over irregular facets of a flat plane feels a steady push and a steady friction, and so does every base node."
 EVIDENCE = "exact"
 DRIVER = "scene"
@@ -96,3 +97,19 @@ BREAKS = [
     Breaks("push over what the depth asks for", "a contact height nobody asked for",
            {**FEW, "contacts[0].contact_height": "given", "contacts[0].height": "0.01 mm"}),
 ]
+
+
+def push_over_time(run):
+    base = run.again({**FEW, "contacts[0].area": "base"})
+    return [("area of the apex", run.column("time"), [1e9 * f for f in run.column("normal")]),
+            ("area of the base", base.column("time"), [1e9 * f for f in base.column("normal")])]
+
+
+def exact_push(run):
+    times = [CLEARANCE / SINKING, run.column("time")[-1]]
+    return [("exact", times, [1e9 * reference(PENALTY, SINKING * t - CLEARANCE, AREA, FRICTION)[0] for t in times])]
+
+
+FIGURES = [Figure("push", "time [s]", "push [nN]", push_over_time, exact=exact_push,
+                  caption="Push of the disc on a block that sinks slowly while it is dragged over irregular facets. With the area of the facet "
+                          "under each apex the push follows the facets.")]

@@ -2,8 +2,9 @@
 from math import sqrt
 
 from reference import of_a_box
-from verify import Breaks, Check, Pair, Report, Table
+from verify import Breaks, Check, Figure, Pair, Report, Table
 
+CATALOGUE = ("C-4",)
 CLAIM = "An oblique impact of two free blocks that rub changes neither momentum nor angular momentum."
 EVIDENCE = "invariant"
 DRIVER = "scene"
@@ -91,3 +92,19 @@ BREAKS = [
     Breaks("change of momentum", "gravity left on", {"gravity": "[0 m/s^2, 0 m/s^2, -9.81 m/s^2]"}),
     Breaks("force at the end", "stopped early", {"time.end": "8 us"}),
 ]
+
+
+def momenta(run):
+    times = [1e6 * t for t in run.column("time")]
+    both = [[a + b for a, b in zip(run.column(f"upper_{c}"), run.column(f"lower_{c}"))] for c in "xz"]
+    return [("upper, z", times, run.column("upper_z")), ("lower, z", times, run.column("lower_z")), ("both, z", times, both[1]),
+            ("upper, x", times, run.column("upper_x")), ("lower, x", times, run.column("lower_x")), ("both, x", times, both[0])]
+
+
+def kept(run):
+    end = 1e6 * run.column("time")[-1]
+    return [(f"kept, {'xyz'[i]}", [0, end], [MOMENTUM[i]] * 2) for i in (2, 0)]
+
+
+FIGURES = [Figure("momentum", "time [us]", "momentum [N s]", momenta, exact=kept,
+                  caption="Momentum of the two blocks down (z) and along (x): the impact takes it from one, friction too, and gives it to the other.")]

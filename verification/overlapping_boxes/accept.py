@@ -1,7 +1,8 @@
 """How close is close enough, why, and what must break."""
 from reference import reference
-from verify import Breaks, Check, Pair
+from verify import Breaks, Check, Figure, Pair
 
+CATALOGUE = ("C-3",)
 CLAIM = "Every apex of an overlap feels its depth, is pushed by penalty times depth and never pulled, whatever the meshes."
 EVIDENCE = "exact"
 DRIVER = "scene"
@@ -69,3 +70,18 @@ BREAKS = [
     Breaks("gap of every apex", "a push that is not weak", {"contacts[0].penalty": "1e4 Pa/m"}),
     Breaks("force while open", "a contact height of half the gap", {"contacts[0].contact_height": "given", "contacts[0].height": "50 mm"}),
 ]
+
+
+def resultants(run):
+    times = run.column("time")
+    return [("5 cells over 4", times, [1e6 * abs(f) for f in run.column("resultant")]),
+            ("4 cells over 5", times, [1e6 * abs(f) for f in run.again(SWAPPED).column("resultant")])]
+
+
+def exact_resultant(_):
+    times = [0.0, 0.5, 1.0]
+    return [("exact", times, [1e6 * reference(DEPTH - 0.2 * t, PENALTY, AREA)[1] for t in times])]
+
+
+FIGURES = [Figure("resultant", "time [s]", "force [uN]", resultants, exact=exact_resultant,
+                  caption="Force between the boxes as one sinks into the other at 0.2 m/s: nothing until they meet, then penalty, depth and area.")]

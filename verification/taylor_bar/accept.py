@@ -1,7 +1,8 @@
 """How close is close enough, why, and what must break."""
 from reference import OWN_CODE, OWN_CODE_UNILATERAL, PUBLISHED, grid_convergence
-from verify import Breaks, Check, Pair, Report, Table
+from verify import Breaks, Check, Figure, Pair, Report, Table
 
+CATALOGUE = ("I-6",)
 CLAIM = "A bar of copper that strikes a wall at 227 m/s ends as short and as wide as in the catalogue's own code."
 EVIDENCE = "benchmark"
 DRIVER = "scene"
@@ -81,4 +82,28 @@ BREAKS = [
     Breaks("final radius of the foot", "ten times the hardening", {**COARSE, "bodies[0].material.tangent": "1 GPa"}),
     Breaks("final length", "a yield stress of 314 MPa, of another source", {**COARSE, "bodies[0].material.yield": "314 MPa"}),
     Breaks("kinetic energy left", "stopped early", {**COARSE, "time.end": "40 us"}),
+]
+
+
+def length_over_time(run):
+    return [("Nereid", [1e6 * t for t in run.column("time")], [1e3 * x for x in run.column("length")])]
+
+
+def final_length(run):
+    return [("another code, at the end", [0, 1e6 * run.column("time")[-1]], [1e3 * LENGTH] * 2)]
+
+
+def radius_over_time(run):
+    return [("Nereid", [1e6 * t for t in run.column("time")], [1e3 * x for x in run.column("foot_radius")])]
+
+
+def final_radius(run):
+    return [("another code, at the end", [0, 1e6 * run.column("time")[-1]], [1e3 * RADIUS] * 2)]
+
+
+FIGURES = [
+    Figure("length", "time [us]", "length [mm]", length_over_time, exact=final_length,
+           caption="Length of the bar; the line is where another code ends, which has no curve to show."),
+    Figure("radius", "time [us]", "radius of the foot [mm]", radius_over_time, exact=final_radius,
+           caption="Radius of the foot, and where another code ends."),
 ]
