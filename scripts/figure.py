@@ -205,6 +205,11 @@ def draw_curve(axes, x, y, number, label=None, marks=9):
                      markerfacecolor="white", markeredgewidth=0.7, zorder=3)[0]
 
 
+def draw_band(axes, x, y, number, label=None):
+    """A curve that rings, in the colour of its number: thin, without dashes and markers, below the others."""
+    return axes.plot(x, y, label=label, color=CURVES[number % len(CURVES)]["color"], linewidth=0.4, alpha=0.8, zorder=1)[0]
+
+
 def round_robin(axes):
     """The range of the round robin and NEPTUNE's point, in axes of ms and mm."""
     draw_range(axes, *ROUND_ROBIN["time"], *ROUND_ROBIN["settlement"], "round robin, three of four codes")

@@ -24,20 +24,29 @@ def case_figure(one, curves):
     for number, (label, across, up) in enumerate(exact):
         drawing.draw_reference(upper, across, up, number, label)
     for number, (label, across, up) in enumerate(results):
-        drawing.draw_curve(upper, across, up, number + bool(exact), label)
+        draw_result(upper, across, up, number + bool(exact), label)
     if one.log:
         upper.set_xscale("log")
         upper.set_yscale("log")
     upper.set_ylabel(one.up)
     upper.legend(loc="best")
     for number, across, error in errors:
-        drawing.draw_curve(lower, across, error, number + 1)
+        draw_result(lower, across, error, number + 1)
     if errors:
         lower.axhline(0, color="black", linewidth=0.6)
         lower.set_ylabel("error [%]")
         picture.align_ylabels()
     lower.set_xlabel(one.across)
     return svg_of(picture)
+
+
+RINGS = 60  # turning points from which a curve is a band: dashes would only blur it
+
+
+def draw_result(axes, across, up, number, label=None):
+    """A curve in the style of its number; one that rings is a thin line below all others."""
+    turns = sum((b - a) * (c - b) < 0 for a, b, c in zip(up, up[1:], up[2:]))
+    (drawing.draw_band if turns > RINGS else drawing.draw_curve)(axes, across, up, number, label)
 
 
 def errors_of(results, exact):
