@@ -326,14 +326,16 @@ void constrain(const Actions& actions, dynamics::Model& model) {
   const load::Conflict conflict = load::find_conflict(added);
   if (conflict.moving >= 0) {
     const PlaneRequest& moving = *requests[conflict.moving];
-    moving.section.fault("velocity", in_quotes(moving.name) + (moving.kind == load::PlaneKind::driven ? " drives" : " moves") + " nodes that " +
-                                         in_quotes(requests[conflict.other]->name) + " holds in the same direction");
+    const std::string does = moving.kind == load::PlaneKind::driven ? " drives" : " moves";
+    moving.section.fault("velocity", in_quotes(moving.name) + does + " nodes that " + in_quotes(requests[conflict.other]->name) +
+                                         " holds in the same direction");
   }
   const Index overheld = load::find_overheld(added);
   for (std::size_t p = added.planes.size(); overheld >= 0 && p-- > 0;) {
     if (!std::binary_search(added.planes[p].nodes.begin(), added.planes[p].nodes.end(), overheld)) continue;
     requests[p]->section.fault("nodes", "too many planes hold one node: there is room for " +
-                                            std::to_string(load::HeldNode::most_rows) + " directions, and a fixed or driven one takes three");
+                                            std::to_string(load::HeldNode::most_rows) +
+                                            " directions, and a fixed or driven one takes three");
     break;
   }
   if (conflict.moving < 0 && overheld < 0)

@@ -181,8 +181,10 @@ mesh::Mesh mapped(const MeshMap& map, mesh::Mesh mesh) {
       for (const Index node : region.nodes.col(element)) from += built.col(node), to += X.col(node);
       from /= region.nodes.rows(), to /= region.nodes.rows();
       std::snprintf(text.data(), text.size(),
-                    "'map' leaves element %lld of '%s' no positive %s: %.4g. Its middle goes from (%.6g, %.6g, %.6g) to (%.6g, %.6g, %.6g) m",
-                    static_cast<long long>(element), region.name.c_str(), what, size(element), from.x(), from.y(), from.z(), to.x(), to.y(), to.z());
+                    "'map' leaves element %lld of '%s' no positive %s: %.4g. "
+                    "Its middle goes from (%.6g, %.6g, %.6g) to (%.6g, %.6g, %.6g) m",
+                    static_cast<long long>(element), region.name.c_str(), what, size(element), from.x(), from.y(), from.z(), to.x(),
+                    to.y(), to.z());
     }
   };
   for (const mesh::Hexahedra& region : mesh.hexahedra) look_at(region, mesh::volumes(mesh, region), "volume");

@@ -101,7 +101,8 @@ void set_speeds(const Constraints&, const Vectors& X, double t, Memory&);
 ///
 /// before [m/s] the kick;  v after it, as the forces would have it;  force [N] of all sources
 /// quarter_step  [s] a quarter of the step's length, negative in the first kick of a step
-void drive(const Constraints&, const HeldNode&, const Vec3& x, double mass, const Vec3& before, const Vec3& force, double quarter_step, Vec3& v, std::vector<PlaneAccount>&);
+void drive(const Constraints&, const HeldNode&, const Vec3& x, double mass, const Vec3& before, const Vec3& force,
+           double quarter_step, Vec3& v, std::vector<PlaneAccount>&);
 
 /// Like restrain for the angular velocity of a plate node; the impulse goes to the node's first plane.
 void restrain_turn(const HeldNode&, double inertia, Vec3& w, std::vector<PlaneAccount>&);

@@ -175,13 +175,13 @@ TEST(ReadActions, DrivenNodesHaveFieldsOverPlaceAndTime) {
 TEST(ReadActions, RefuseDrivenNodesThatCannotBe) {
   const std::string a = "planes:\n  - {name: a, kind: driven, nodes: [box.x_low], ";
   EXPECT_EQ(faults_of(a + "velocity: {value: [1, 0, 0], unit: m/s}}\n  - {name: b, kind: held, nodes: [box.tip], normal: [0, 1, 0]}\n"),
-            "2:60: 'a' drives nodes that 'b' holds in the same direction\n");
-  EXPECT_EQ(faults_of(a + "velocity: {value: [1/x, 0, 0], unit: m/s}}\n"), "2:68: 'value' is infinite at x = 0, y = 0, z = 0, t = 0\n");
-  EXPECT_EQ(faults_of(a + "velocity: {value: 1, unit: m/s}}\n").substr(0, 5), "2:68:");
+            "2:59: 'a' drives nodes that 'b' holds in the same direction\n");
+  EXPECT_EQ(faults_of(a + "velocity: {value: [1/x, 0, 0], unit: m/s}}\n"), "2:67: 'value' is infinite at x = 0, y = 0, z = 0, t = 0\n");
+  EXPECT_EQ(faults_of(a + "velocity: {value: 1, unit: m/s}}\n").substr(0, 5), "2:67:");
   EXPECT_EQ(faults_of(a + "velocity: {value: [1, 0, 0], unit: m/s}, turning: {value: [1, 0, 0], unit: rad/s}}\n"),
-            "2:100: 'turning' is of nodes of plates: 'a' has none\n");
+            "2:99: 'turning' is of nodes of plates: 'a' has none\n");
   EXPECT_EQ(faults_of(a + "velocity: {value: [1, 0, 0], unit: m}}\n").substr(0, 24), "2:84: 'unit' = m has the");
-  EXPECT_NE(faults_of(a + "}\n").find("missing 'velocity'"), std::string::npos);
+  EXPECT_NE(faults_of(a + "}\n").find("missing section 'velocity'"), std::string::npos);
 }
 
 TEST(ReadActions, RefuseANameGivenTwice) {
