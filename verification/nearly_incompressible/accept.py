@@ -1,13 +1,15 @@
 """How close is close enough, why, and what must break."""
-from reference import cylinder, sphere
+from reference import bent, cylinder, layers_stiffness, lumped_couple, sphere
 from verify import Breaks, Check, Falls, Figure, Pair, Table
 
 CATALOGUE = ("E-10",)
-CLAIM = "Thick walls that keep their volume, but for a few thousandths, widen as Lame says: hexahedra of one point and of eight do not lock."
+CLAIM = "Thick walls that keep their volume, but for a few thousandths, widen as Lame says, and bars bend: hexahedra of one point and of eight do not lock."
 EVIDENCE = "exact"
 DRIVER = "scene"
 
 CYLINDER = "verification/nearly_incompressible/cylinder.yaml"
+BENDING = "verification/nearly_incompressible/bending.yaml"
+BAR = {"length": 1, "height": 0.2, "young": 200e9, "density": 7850, "slope": 1000}
 WALL = {"inner": 1, "outer": 2, "young": 200e9, "pressure": 10e6}
 BOUND = "the catalogue's bound"
 KINDS = (("full", "eight points"), ("one_point", "one point"))
@@ -40,6 +42,28 @@ def tension(wall, poisson):
     return -WALL["pressure"] * share
 
 
+def bending(layers, kind, poisson=0.49):
+    """Mean of the end's section, which stays where its middle is. One point: with the layers' own bending left out."""
+    def measure(run):
+        material = {key: value for key, value in run.overrides.items() if "material" in key}
+        one = run.other("scene", BENDING, {**of(kind, poisson), "bodies[0].mesh.cells": f"[{5 * layers}, 1, {layers}]", **material})
+        stiffness = layers_stiffness(layers) if kind == "one_point" else 1
+        return Pair(-one.column("tip")[-1], bent(poisson=poisson, couple=lumped_couple(layers), stiffness=stiffness, **BAR), "m")
+    return measure
+
+
+def bars(run):
+    rows = []
+    for kind, name in KINDS:
+        for layers in (4, 8):
+            row = [name, f"{layers}"]
+            for poisson in (0, 0.3, 0.49, *((0.499,) if layers == 4 else ())):
+                pair = bending(layers, kind, poisson)(run)
+                row.append(f"{100 * (pair.got / pair.expected - 1):+.2f} %")
+            rows.append(row + [""] * (6 - len(row)))
+    return rows
+
+
 def unevenness(wall, kind, poisson=0.4999):
     """The largest difference of an element's pressure from the exact one, over the pressure inside."""
     def measure(run):
@@ -66,6 +90,8 @@ CHECKS = [
       for wall in WALLS for kind, name in KINDS for poisson in (0.49, 0.4999)),
     *(Check(f"pressure in the {wall}, {name}", unevenness(wall, kind), 0.02,
             f"{BOUND}, of the pressure inside; elements that lock show it first as a pressure that jumps from one to the next") for wall in WALLS for kind, name in KINDS),
+    Check("bending, one point, Poisson 0.49", bending(4, "one_point"), 0.02, f"{BOUND}; 4 layers, against 1 - 1/16 of the stiffness"),
+    Check("bending, eight points, Poisson 0.49", bending(6, "full"), 0.02, f"{BOUND}; 6 layers, 4 are 2.6 % too soft"),
 ]
 
 STUDIES = [
@@ -73,6 +99,8 @@ STUDIES = [
           sizes=[1 / 4, 1 / 8, 1 / 16], full=True),
     Table("Error of the widening over Poisson's ratio, and the largest error of an element's pressure at 0.4999, of the pressure inside.",
           ["wall", "element", "0.3", "0.49", "0.499", "0.4999", "pressure"], all_of_them, full=True),
+    Table("Error of the bar's deflection over Poisson's ratio; of one point against 1 - 1/n^2 of the stiffness.",
+          ["element", "layers", "0", "0.3", "0.49", "0.499"], bars, full=True),
 ]
 
 STEEL = {"bodies[0].material.poisson": 0.3}
@@ -84,6 +112,8 @@ BREAKS = [
     Breaks("widening of the cylinder, one point, Poisson 0.4999", "Poisson's ratio of steel", STEEL),
     Breaks("pressure in the sphere, eight points", "a wall that is thinner by a tenth", {"bodies[0].mesh.high": "[0.4 m, 0.4 m, 1.9 m]"}),
     Breaks("pressure in the cylinder, one point", "Poisson's ratio of steel", STEEL),
+    Breaks("bending, one point, Poisson 0.49", "Poisson's ratio of steel", STEEL),
+    Breaks("bending, eight points, Poisson 0.49", "Poisson's ratio of steel", STEEL),
 ]
 
 RATIOS = (0.3, 0.4, 0.45, 0.49, 0.499, 0.4999)
