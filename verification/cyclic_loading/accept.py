@@ -111,15 +111,15 @@ CHECKS = [
     *[Check(f"law, lead, {kind}: plastic strain", plastic_strain_of_law(kind), 1e-12, ALONE) for kind in SHARES],
     Check("law, lead, kinematic: dissipated work", heat_of_law("kinematic"), 1e-12,
           "flow begins after a third of each segment, where an increment ends; the trapezoid rule is exact on lines"),
-    *[Check(f"law, lead, {kind}: dissipated work", heat_of_law(kind), 1e-3,
+    *[Check(f"law, lead, {kind}: dissipated work", heat_of_law(kind), 1e-4,
             "where flow begins inside an increment the trapezoid rule cuts the corner of the curve; the table has how that goes with the increments")
       for kind in ("isotropic", "mixed")],
     *[Check(f"hexahedron of one point, {kind}: turning points", turns_of_element(kind), 1e-8, AT_REST) for kind in SHARES],
     Check("hexahedron of eight points, kinematic: turning points", turns_of_element("kinematic", FULL), 1e-8, AT_REST),
     *[Check(f"plate, {kind}: turning points", turns_of_element(kind, case="plate.yaml"), 1e-8, AT_REST) for kind in SHARES],
-    Check("hexahedron of one point, kinematic: plastic strain", plastic_strain_of_element, 1e-4,
-          "sides ring where flow begins, and part of that is plastic"),
-    Check("hexahedron of one point, kinematic: the cycle on the way", cycle_of_element, 1e-4,
+    Check("hexahedron of one point, kinematic: plastic strain", plastic_strain_of_element, 1e-8,
+          "as the stress; what the ringing of the sides adds is of second order"),
+    Check("hexahedron of one point, kinematic: the cycle on the way", cycle_of_element, 3e-5,
           "sides have mass and ring where flow begins; uniaxial_stress has how that goes with the mass"),
 ]
 
