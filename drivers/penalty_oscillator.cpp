@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/bounce.hpp"
 #include "drivers/driver.hpp"
 
 using namespace nereid;
@@ -97,6 +98,7 @@ Pair pair_of(const Case& c, double height) {
   interface.penalty = c.stiffness;  // over an area of 1 m2
   interface.area_kind = c.area;
   interface.reach = 10;
+  interface.bounce_step = contact::step_for_a_bounce(0.005);
   Pair pair{std::move(model), {}, contact::Workspace(interface), apex};
   contact::connect(interface, pair.model.mesh.X, {.from_initial_height = false, .clearance = 0, .given = contact_height},
                    contact::InitialPenetration::refuse, pair.memory, pair.workspace);
@@ -165,9 +167,10 @@ Bounce bounce(const Case& c, double phase, driver::Answer* record) {
   return seen;
 }
 
-/// Whether the pair, pressed together so that it never opens, swings without growing.
+/// Whether the pair, pressed together so that it never opens, swings without growing. Pressed so gently that
+/// the apex, which stands on its base like a pole, has no time to fall over.
 bool stays_bounded(const Case& c, double step) {
-  const double dt = step * std::sqrt(reduced_mass(c) / c.stiffness), depth = 1e-3, press = c.stiffness * depth;
+  const double dt = step * std::sqrt(reduced_mass(c) / c.stiffness), depth = 1e-6, press = c.stiffness * depth;
   Pair pair = pair_of(c, contact_height - depth);
   const auto constant = [](double z) {
     const load::OverTime none = [](double) { return 0.0; };
