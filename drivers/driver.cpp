@@ -159,7 +159,8 @@ output::Summary summary_of(const std::string& name, const CommandLine& line, con
 }
 
 void print_results(const output::Summary& summary) {
-  for (const output::Result& result : summary.results) std::printf("%-28s %.8g %s\n", result.name.c_str(), result.value, result.unit.c_str());
+  for (const output::Result& result : summary.results)
+    std::printf("%-28s %.8g %s\n", result.name.c_str(), result.value, result.unit.c_str());
 }
 
 /// An older summary must not be taken for this run's.
@@ -261,7 +262,8 @@ int answer_case(const std::string& name, const CommandLine& line, const Plan& pl
   for (std::size_t r = 0; r < found.rows.size(); ++r) history.add(found.time[r], found.rows[r]);
   history.flush();
   output::Summary summary = summary_of(name, line, file);
-  summary.ending = {found.stopped.empty() ? "reached_end" : found.stopped, found.reason, found.time.empty() ? 0 : found.time.back(), "", -1};
+  const double last = found.time.empty() ? 0 : found.time.back();
+  summary.ending = {found.stopped.empty() ? "reached_end" : found.stopped, found.reason, last, "", -1};
   summary.results = found.results;
   summary.ledger = found.ledger;
   summary.cost.wall_seconds = seconds;

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/bounce.hpp"
 #include "drivers/driver.hpp"
 
 using namespace nereid;
@@ -97,6 +98,7 @@ Pair pair_of(const Case& c, double height) {
   interface.penalty = c.stiffness;  // over an area of 1 m2
   interface.area_kind = c.area;
   interface.reach = 10;
+  interface.bounce_step = contact::step_for_a_bounce(0.005);
   Pair pair{std::move(model), {}, contact::Workspace(interface), apex};
   contact::connect(interface, pair.model.mesh.X, {.from_initial_height = false, .clearance = 0, .given = contact_height},
                    contact::InitialPenetration::refuse, pair.memory, pair.workspace);
@@ -115,7 +117,7 @@ struct Bounce {
   double contact_time = 0, peak_force = 0, penetration = 0;  // [s] [N] [m]
   double rebound = 0;                                        // [-] speed apart over speed of approach
   double voted_step = 0;                                     // [s]
-  double booked = 0;                                         // [-] created energy of the ledger less what was gained, over the impact's
+  double booked = 0;                                         // [-] energy created by the ledger less that gained, over the impact's
   dynamics::Ledger ledger;
 };
 
@@ -165,11 +167,15 @@ Bounce bounce(const Case& c, double phase, driver::Answer* record) {
   return seen;
 }
 
-/// Whether the pair, pressed together so that it never opens, swings without growing.
+/// Whether the pair, pressed together so that it never opens, swings without growing. Pressed so gently that
+/// the apex, which stands on its base like a pole, has no time to fall over.
 bool stays_bounded(const Case& c, double step) {
-  const double dt = step * std::sqrt(reduced_mass(c) / c.stiffness), depth = 1e-3, press = c.stiffness * depth;
+  const double dt = step * std::sqrt(reduced_mass(c) / c.stiffness), depth = 1e-6, press = c.stiffness * depth;
   Pair pair = pair_of(c, contact_height - depth);
-  const auto constant = [](double z) { return std::array<load::OverTime, 3>{[](double) { return 0.0; }, [](double) { return 0.0; }, [z](double) { return z; }}; };
+  const auto constant = [](double z) {
+    const load::OverTime none = [](double) { return 0.0; };
+    return std::array<load::OverTime, 3>{none, none, [z](double) { return z; }};
+  };
   Subset base;
   for (Index node = 0; node < c.base_nodes; ++node) base.push_back(node);
   pair.model.loads.push_back(load::NodalForce{"on_apex", {pair.apex}, constant(-press)});
@@ -182,7 +188,7 @@ bool stays_bounded(const Case& c, double step) {
   dynamics::Forces forces = dynamics::make_forces(pair.model, std::move(workspaces));
   state.v(2, pair.apex) = 1e-6 * depth / dt;
   dynamics::start(pair.model, state, forces);
-  constexpr int steps = 4000;
+  constexpr int steps = 2000;
   for (int s = 0; s < steps; ++s) {
     dynamics::step(pair.model, dt, state, forces);
     if (!(std::abs(state.interfaces[0].gap[0] + depth) < 0.1 * depth)) return false;
@@ -193,7 +199,7 @@ bool stays_bounded(const Case& c, double step) {
 /// The largest stable step of the closed pair by halving. [s]
 double critical_step(const Case& c) {
   double stable = 1, unstable = 3;  // [-] over sqrt(m/k)
-  while (unstable - stable > 1e-7) {
+  while (unstable - stable > 1e-6) {
     const double middle = 0.5 * (stable + unstable);
     (stays_bounded(c, middle) ? stable : unstable) = middle;
   }
@@ -207,14 +213,13 @@ std::function<driver::Answer()> plan(const input::CaseFile& file) {
     driver::Answer answer{.columns = {{"gap", "m"}, {"force", "N"}, {"velocity_apex", "m/s"}, {"velocity_base", "m/s"}},
                           .time = {}, .rows = {}, .results = {}};
     double least = 1e300, most = 0, booked = 0, momentum = 0;
-    Bounce middle;
-    const auto see = [&](const Bounce& one) {
+    const Bounce middle = bounce(c, 0.5, &answer);
+    for (int p = 0; p < c.phases; ++p) {
+      const Bounce one = bounce(c, (p + 0.5) / c.phases, nullptr);
       least = std::min(least, one.rebound), most = std::max(most, one.rebound);
       booked = std::max(booked, std::abs(one.booked));
       momentum = std::max(momentum, std::abs(one.ledger.momentum.z() / (c.apex_mass * c.speed) + 1));
-    };
-    see(middle = bounce(c, 0.5, &answer));
-    for (int p = 0; p < c.phases; ++p) see(bounce(c, (p + 0.5) / c.phases, nullptr));
+    }
     answer.ledger = middle.ledger;
     answer.results = {{"contact_time", middle.contact_time, "s"},
                       {"peak_force", middle.peak_force, "N"},

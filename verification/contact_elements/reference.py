@@ -6,8 +6,9 @@ displacement u and every turn w
     sum of B_I . u = 0        sum of B_I . (w x x_I) = w . (sum of x_I x B_I) = 0 :
 
 no net force, no net moment. B turns with the element, and belongs to nodes and not to their order. All errors are zero, held against
-round-off: with the sharpness s, the longest edge over the smallest length the height divides by, about s times 1e-16 for a sum and,
-by central differences of the fourth order at a step of 1e-3 of that length, 1e-12 + 1e-13 s for the gradient.
+round-off: with the sharpness s, the longest edge over the smallest length the height divides by, about s times 1e-16 for a sum. Central
+differences of the fourth order at a step of 3e-4 of that length have a round-off of some 1e-12 of their own; theirs is the largest where
+an apex stands far out almost on the line of a short edge.
 
 The unit tetrahedron below has h = 1 and, with its apex over the centroid, B = -n/3 at each base node. Eq. 8a of Kulak & Fiala as
 printed has another: a wrong sign of its middle term, and 1.5 V/A for 1.5 V/A^3.

@@ -131,10 +131,10 @@ def first_area(run):
     return run.column("stress_xx")[-1] / KGF * volume / 2.718281828459045**e
 
 
-TANGENT_OF_LEAD, TANGENT_OF_STEEL = "1.68969 kgf/mm^2", "193.0791 kgf/mm^2"  # whose plastic moduli are the table's tangents
+TANGENT_OF_LEAD = "1.68969 kgf/mm^2"  # whose plastic modulus is the table's tangent
 BREAKS = [
     Breaks("law, lead: plastic modulus", "the tangent taken for the plastic modulus", {MATERIAL + "tangent": TANGENT_OF_LEAD}),
-    Breaks("law, steel: plastic modulus", "the tangent taken for the plastic modulus", {MATERIAL + "tangent": TANGENT_OF_STEEL}),
+    Breaks("law, steel: plastic modulus", "the tangent of lead", {MATERIAL + "tangent": "1.85 kgf/mm^2"}),
     Breaks("law, lead", "the tangent taken for the plastic modulus", {MATERIAL + "tangent": TANGENT_OF_LEAD}),
     Breaks("law of a plate, lead", "a plate's stiffness E/(1 - nu^2) in uniaxial stress", {MATERIAL + "young": "23.676 kgf/mm^2"}),
     Breaks("law, lead: dissipated work", "no hardening", {MATERIAL + "tangent": "0 kgf/mm^2"}),
@@ -142,7 +142,7 @@ BREAKS = [
     Breaks("hexahedron of one point, lead", "the tangent taken for the plastic modulus", {MATERIAL + "tangent": TANGENT_OF_LEAD}),
     Breaks("hexahedron of eight points, lead", "sides held: uniaxial strain", {"planes[1].nodes": "[cube.y_low, cube.y_high]"}),
     Breaks("plate, lead", "1 kgf taken for 10 N", {MATERIAL + "yield": "30.2 MPa"}),
-    Breaks("plate, steel", "the tangent taken for the plastic modulus", {MATERIAL + "tangent": TANGENT_OF_STEEL}),
+    Breaks("plate, steel", "the tangent of lead", {MATERIAL + "tangent": "1.85 kgf/mm^2"}),
     Breaks("hexahedron of one point, lead", "pulled without a smooth stop",
            {"planes[3].velocity.value": '"0.5914/100"'}),
     Breaks("hexahedron, lead: stress on its free sides", "pulled without a smooth stop",
