@@ -125,7 +125,7 @@ def no_drift(run):
 
 
 FIGURES = [
-    Figure("heights", "time [s]", "height of the block [mm]", heights_over_time, exact=exact_tops, caption="One block: twenty bounces."),
+    Figure("heights", "time [s]", "height of the block [mm]", heights_over_time, exact=exact_tops, error=False, caption="One block: twenty bounces."),
     Figure("stack", "time [s]", "height of the centre [mm]", stack_over_time, caption="The stack: three blocks on a plane."),
     Figure("energy", "time [s]", "drift of the energy over the initial one [-]", energy_over_time, exact=no_drift,
            caption="The stack: all energies together, less the initial ones."),
