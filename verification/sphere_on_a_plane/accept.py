@@ -93,7 +93,7 @@ def struck_at(a_over_r):
 def meshes(run):
     rows = []
     for a_over_r, core, ring, b, hardness in ((0.2, 4, 4, 0.5, 8), (0.2, 6, 6, 0.5, 2), (0.2, 6, 6, 0.5, 8), (0.2, 8, 6, 0.5, 8), (0.1, 4, 4, 0.6, 8), (0.1, 6, 6, 0.6, 8),
-                                              (0.05, 4, 4, 0.7, 8), (0.05, 6, 6, 0.7, 8)):
+                                              (0.05, 4, 4, 0.7, 8), (0.05, 6, 6, 0.7, 8), (0.05, 8, 5, 0.72, 8)):
         one = run.again({**graded(core, ring, b), **struck_at(a_over_r), "planes[2].hardness": hardness})
         force, time = finite_sphere(a_over_r)
         rows.append([f"{a_over_r:g}", f"{2 * core} around a quarter, b = {b:g}", f"{hardness}", f"{mass(one) / mass_of(STEEL['radius'], STEEL['density']):.4f}",
