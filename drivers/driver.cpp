@@ -70,6 +70,22 @@ std::vector<std::string> width_notes(const Scene& scene) {
   return notes;
 }
 
+/// Says of each interface and rigid plane that was penetrated by more than half an element that it was, one a line.
+std::vector<std::string> depth_notes(const Scene& scene) {
+  std::vector<std::string> notes;
+  const auto look = [&notes](const std::string& name, double deepest, double depth) {
+    if (depth > 0 && deepest > (0.5 + 1e-6) * depth)  // more than round-off beyond
+      notes.push_back(row("%s: an apex went %.3g m deep, %.3g of the depth of an element: too soft a penalty or too fast an approach",
+                          name.c_str(), deepest, deepest / depth));
+  };
+  const dynamics::Model& model = scene.model;
+  for (std::size_t c = 0; c < model.interfaces.size(); ++c)
+    look(model.interfaces[c].name, scene.state.interfaces[c].deepest, model.interfaces[c].depth);
+  for (std::size_t p = 0; p < model.rigid_planes.size(); ++p)
+    look(model.rigid_planes[p].name, scene.state.rigid_planes[p].deepest, model.rigid_planes[p].depth);
+  return notes;
+}
+
 /// Columns of history.csv that every run has: the ledger.
 std::vector<Probe> ledger_probes(const Scene& scene) {
   std::vector<Probe> probes;
@@ -178,10 +194,13 @@ output::Summary summarise(const std::string& name, const CommandLine& line, cons
     const auto& interface = scene.model.interfaces[c];
     const auto& memory = scene.state.interfaces[c];
     summary.results.push_back({interface.name + "_penalty", interface.penalty, "Pa/m"});
+    summary.results.push_back({interface.name + "_deepest", memory.deepest, "m"});
     summary.results.push_back({interface.name + "_walks", static_cast<double>(memory.walks), "1"});
     summary.results.push_back({interface.name + "_lost", static_cast<double>(memory.lost), "1"});
     summary.results.push_back({interface.name + "_recovered", static_cast<double>(memory.recovered), "1"});
   }
+  for (std::size_t p = 0; p < scene.model.rigid_planes.size(); ++p)
+    summary.results.push_back({scene.model.rigid_planes[p].name + "_deepest", scene.state.rigid_planes[p].deepest, "m"});
   summary.results.push_back({"smallest_step", outcome.smallest_step, "s"});
   summary.results.push_back({"largest_step", outcome.largest_step, "s"});
   summary.ledger = scene.state.ledger;
@@ -233,6 +252,10 @@ int run_case(const std::string& name, const CommandLine& line, const Build& buil
 
   std::vector<std::string> notes = table;
   if (recorder.not_finite() > 0) notes.push_back(row("%ld values that were no number stand as 0 in the ParaView files", static_cast<long>(recorder.not_finite())));
+  for (const std::string& note : depth_notes(scene)) {
+    notes.push_back(note);
+    std::fprintf(stderr, "warning: %s\n", note.c_str());
+  }
   const output::Summary summary = summarise(name, line, file, scene, outcome, notes);
   output::write_summary(line.out, summary);
   if (!line.quiet) {

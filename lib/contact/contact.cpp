@@ -461,7 +461,10 @@ InitialGaps connect(Interface& interface, const Vectors& x, const ContactHeight&
     }
     double& contact_height = interface.contact_height(a);
     if (height.from_initial_height) contact_height = h - height.clearance;
-    const double round_off = 1e-12 * (std::abs(h) + std::abs(contact_height));
+    // places are no more exact than their distance from the origin allows, and differences no more than the facet's size
+    const auto facet = interface.base.facets.col(memory.feature[a].facet);
+    const double size = (x.col(facet(1)) - x.col(facet(0))).norm();
+    const double round_off = 1e-12 * (std::abs(h) + std::abs(contact_height) + size);
     const bool bonded = interface.kind == InterfaceKind::bonded;
     if (!bonded && h - contact_height < -round_off && memory.status[a] == Status::open) {
       ++gaps.penetrating;
@@ -496,6 +499,7 @@ void advance(const Interface& interface, const Vectors& x, const Vectors& v, con
       advance_friction(interface, x, v, w, dt, a, forces[a], memory, workspace.friction[a], forces[a].angular_impulse);
   });
   for (std::size_t a = 0; a < forces.size(); ++a) {
+    if (memory.status[a] == Status::closed) memory.deepest = std::max(memory.deepest, -memory.gap[a]);
     memory.work += forces[a].work;
     memory.damped += forces[a].dissipated;
     memory.angular_impulse += forces[a].angular_impulse;

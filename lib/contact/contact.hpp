@@ -78,6 +78,7 @@ struct Interface {
   /// An apex on a symmetry plane meets the mirror images of its bases too: [apexes] projector onto
   /// the directions the plane allows; empty where there are no planes.
   std::vector<Mat3> allowed;
+  double depth = 0;              ///< [m] of the flattest element behind either surface: what a penetration is held against
   double reach = 0;              ///< [m] apexes farther away than this have no base
   int search_every = 100;        ///< [steps] between two looks for apexes that the walk has lost
 };
@@ -105,6 +106,7 @@ struct Memory {
   /// [N m s] about the origin: what weights of the paper lose, and what the mirror images of bases at
   /// a symmetry plane give; zero with consistent weights and no planes.
   Vec3 angular_impulse = Vec3::Zero();
+  double deepest = 0;                   ///< [m] penetration of any apex since the start, not negative
   std::int64_t walks = 0, lost = 0, recovered = 0;  ///< counts since the start
   std::int64_t updates = 0;             ///< calls of advance
 };

@@ -36,12 +36,18 @@ std::vector<Face> faces(const element::Connectivity& nodes, const mesh::Surface&
   return list;
 }
 
-double block_stiffness(const element::AnyBlock& any, const mesh::Mesh& mesh, const mesh::Surface& surface, const Scalars& facet_area) {
+/// Depth and stiffness per area of each element of a block that has a face on a surface.
+struct Behind {
+  double depth, stiffness;  // [m] [Pa/m]
+};
+
+std::vector<Behind> elements_behind(const element::AnyBlock& any, const mesh::Mesh& mesh, const mesh::Surface& surface,
+                                    const Scalars& facet_area) {
   const auto here = faces(element::nodes(any), surface, facet_area, static_cast<Index>(mesh.X.cols()));
   return std::visit(
       [&]<class Kind, class Law>(const element::Block<Kind, Law>& block) {
         const auto lame = material::lame(block.law);
-        double most = 0;
+        std::vector<Behind> list;
         for (Index e = 0; e < static_cast<Index>(here.size()); ++e) {
           if (here[e].facets == 0) continue;
           double depth = 0;
@@ -52,9 +58,9 @@ double block_stiffness(const element::AnyBlock& any, const mesh::Mesh& mesh, con
             for (int a = 0; a < 8; ++a) X[a] = contact::position(mesh.X, block.nodes(a, e));
             depth = element::constants(block.law, block.options, X).mass / block.law.density / here[e].area;
           }
-          most = std::max(most, (lame.lambda + 2 * lame.mu) / depth);
+          list.push_back({depth, (lame.lambda + 2 * lame.mu) / depth});
         }
-        return most;
+        return list;
       },
       any);
 }
@@ -158,6 +164,8 @@ Connected connect_one_pass(Model& model, const std::string& name, const std::str
   check(interface.penalty > 0, "an interface needs a penalty or elements on both sides");
   interface.bounce_step = contact::step_for_a_bounce(options.created_in_a_bounce);
   interface.pass_share = share;
+  const double depths[] = {surface_depth(model, apexes), surface_depth(model, base)};
+  interface.depth = depths[0] > 0 && depths[1] > 0 ? std::min(depths[0], depths[1]) : std::max(depths[0], depths[1]);
   interface.friction = options.friction;
   interface.weights = options.weights;
   interface.area_kind = options.area;
@@ -193,8 +201,18 @@ Connected connect_one_pass(Model& model, const std::string& name, const std::str
 double surface_stiffness(const Model& model, const mesh::Surface& surface) {
   const Scalars area = mesh::facet_areas(model.mesh, surface);
   double most = 0;
-  for (const auto& block : model.blocks) most = std::max(most, block_stiffness(block, model.mesh, surface, area));
+  for (const auto& block : model.blocks)
+    for (const Behind& element : elements_behind(block, model.mesh, surface, area)) most = std::max(most, element.stiffness);
   return most;
+}
+
+double surface_depth(const Model& model, const mesh::Surface& surface) {
+  const Scalars area = mesh::facet_areas(model.mesh, surface);
+  double least = 0;
+  for (const auto& block : model.blocks)
+    for (const Behind& element : elements_behind(block, model.mesh, surface, area))
+      least = least > 0 ? std::min(least, element.depth) : element.depth;
+  return least;
 }
 
 std::vector<Connected> connect(Model& model, const std::string& name, const std::string& apex_surface, const std::string& base_surface,

@@ -47,6 +47,11 @@ struct Connected {
 /// returns  [Pa/m]; zero if no element has a face on the surface
 double surface_stiffness(const Model&, const mesh::Surface&);
 
+/// Depth of the flattest element behind a surface: of hexahedra V/A, of plates the thickness.
+///
+/// returns  [m]; zero if no element has a face on the surface
+double surface_depth(const Model&, const mesh::Surface&);
+
 /// Adds an interface between the apexes of one surface and the bases of another.
 ///
 /// PenaltyFrom::stiffness  hardness times the stiffness of the softer side: refined with the mesh.

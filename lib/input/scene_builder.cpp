@@ -92,7 +92,8 @@ contact::RigidPlane rigid_plane(const RigidOptions& plane, const dynamics::Model
           .area = mesh::tributary_areas(model.mesh, surface, nodes),
           .penalty = plane.penalty.value_or(plane.hardness * dynamics::surface_stiffness(model, surface)),
           .bounce_step = contact::step_for_a_bounce(plane.created_in_a_bounce),
-          .friction = plane.friction};
+          .friction = plane.friction,
+          .depth = dynamics::surface_depth(model, surface)};
 }
 
 /// Gives names to the nodes nearest to the points of a body.

@@ -1155,6 +1155,7 @@ Impact impact(double step_over_limit, double phase) {
     }
     for (Index n = 0; n < 5; ++n) v.col(n) += dt / mass(n) * f.col(n);
   }
+  EXPECT_EQ(scene.memory.deepest, seen.deepest);
   seen.momentum = (3 * v.col(0) + v.col(4)).dot(out);
   seen.created = (0.5 * (3 * v.col(0).squaredNorm() + v.col(4).squaredNorm()) - 2.0) / (0.5 * reduced * 4);
   seen.booked = scene.memory.work / (0.5 * reduced * 4);

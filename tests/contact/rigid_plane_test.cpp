@@ -110,6 +110,7 @@ TEST(RigidPlane, BooksTheAngularImpulseOfItsForces) {
   PlaneMemory memory;
   bounce(plane, 1e-3, 1e-3, memory);
   EXPECT_LT((memory.angular_impulse - plane.point.cross(memory.impulse)).norm(), 1e-12);
+  EXPECT_GT(memory.deepest, 0);
 }
 
 TEST(RigidPlane, WithoutNodesVotesForNothing) {

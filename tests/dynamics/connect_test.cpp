@@ -77,6 +77,16 @@ TEST(SurfaceStiffness, CountsAWedgeAtTheAxisOnce) {
     EXPECT_NEAR(surface_stiffness(model, mesh::surface(model.mesh, name)) / (modulus(hard) / 0.1), 1, 1e-12);  // round-off
 }
 
+TEST(SurfaceDepth, IsThatOfTheFlattestElement) {
+  Model model = two_boxes(0.01);
+  EXPECT_NEAR(surface_depth(model, mesh::surface(model.mesh, "below.z_high")), 0.1, 1e-12);
+  EXPECT_NEAR(surface_depth(model, mesh::surface(model.mesh, "below.x_low")), 0.25, 1e-12);
+  connect(model, "joint", "above.z_low", "below.z_high", {});
+  EXPECT_NEAR(model.interfaces[0].depth, 0.1, 1e-12);  // the other side has 0.3
+  model.blocks.pop_back();
+  EXPECT_EQ(surface_depth(model, mesh::surface(model.mesh, "above.z_low")), 0);
+}
+
 TEST(SurfaceStiffness, OfASurfaceWithoutElementsIsZero) {
   Model model = two_boxes(0.01);
   model.blocks.pop_back();
@@ -185,6 +195,21 @@ TEST(Connect, PenetrationsAreReportedAndWhereAcceptedRemoved) {
   }
 }
 
+TEST(Connect, RoundOffIsNoPenetration) {
+  // where surfaces meet at z = 0 the round-off of a map or a turn is larger than any part of the height itself
+  for (const double depth : {1e-22, 1e-9}) {
+    Model model;
+    model.mesh = mesh::join(mesh::box("below", {{0, 0, -0.4}, {1, 1, 0}, {4, 4, 2}}),
+                            mesh::box("above", {{0, 0, -depth}, {1, 1, 0.4}, {3, 3, 2}}));
+    for (const char* name : {"below", "above"}) model.blocks.push_back(element::hexahedra(model.mesh, name, soft, {}));
+    finish(model);
+    InterfaceOptions options;
+    options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
+    const Connected joint = connect(model, "joint", "above.z_low", "below.z_high", options)[0];
+    EXPECT_EQ(joint.gaps.penetrating, depth > 1e-12 ? 16 : 0);
+  }
+}
+
 TEST(Connect, ApexesOnSymmetryPlanesKnowTheDirectionsTheseAllow) {
   Model model;
   model.mesh = mesh::join(mesh::cylinder("core", {0.5, 1, mesh::Turn::quarter, 2, 2, 3}),
@@ -258,7 +283,8 @@ TEST(Connect, APenaltyFromMassesNeverAsksForLessThanItsShareOfTheElementsStep) {
 /// The vote of an interface, with one pass or two, between boxes whose grids match.
 Votes votes_of_matching_boxes(InterfaceOptions options, bool two_passes) {
   Model model;
-  model.mesh = mesh::join(mesh::box("below", {{0, 0, 0}, {1, 1, 0.4}, {3, 3, 2}}), mesh::box("above", {{0, 0, 0.4}, {1, 1, 0.8}, {3, 3, 2}}));
+  model.mesh = mesh::join(mesh::box("below", {{0, 0, 0}, {1, 1, 0.4}, {3, 3, 2}}),
+                          mesh::box("above", {{0, 0, 0.4}, {1, 1, 0.8}, {3, 3, 2}}));
   model.blocks.push_back(element::hexahedra(model.mesh, "below", soft, {}));
   model.blocks.push_back(element::hexahedra(model.mesh, "above", soft, {}));
   finish(model);

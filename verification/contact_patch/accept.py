@@ -2,7 +2,7 @@
 from math import sqrt
 
 from reference import reference
-from verify import Breaks, Check, Pair, Report, Table
+from verify import Breaks, Check, Figure, Pair, Report, Table
 
 CATALOGUE = ("C-2",)
 CLAIM = "How uniformly a uniform pressure passes through two meshes that do not match, for every formulation of contact."
@@ -62,11 +62,17 @@ def matching(measure):
 
 FORMULATIONS = [
     ("as it is: consistent weights, area of the apex", {}), ("sides exchanged", EXCHANGED), ("two passes", {"contacts[0].passes": "two"}),
-    ("area of the base", {"contacts[0].area": "base"}), ("weights of the paper", {"contacts[0].weights": "paper"}),
-    ("area and weights of the paper", {"contacts[0].area": "base", "contacts[0].weights": "paper"}),
-    ("friction 0.3", {"contacts[0].friction": 0.3}), ("bonded", {"contacts[0].kind": "bonded"}),
+    ("two passes, sides exchanged", {"contacts[0].passes": "two", **EXCHANGED}), ("two passes, bonded", {"contacts[0].passes": "two", "contacts[0].kind": "bonded"}),
+    ("area of the base", {"contacts[0].area": "base"}), ("area of the base, two passes", {"contacts[0].area": "base", "contacts[0].passes": "two"}),
+    ("weights of the paper, friction 0.3", {"contacts[0].weights": "paper", "contacts[0].friction": 0.3}),
+    ("area and weights of the paper, friction 0.3", {"contacts[0].area": "base", "contacts[0].weights": "paper", "contacts[0].friction": 0.3}),
+    ("friction 0.3", {"contacts[0].friction": 0.3}), ("friction 0.3, stick 0.1", {"contacts[0].friction": 0.3, "contacts[0].stick": 0.1}),
+    ("friction 0.3, two passes", {"contacts[0].friction": 0.3, "contacts[0].passes": "two"}), ("bonded", {"contacts[0].kind": "bonded"}),
+    ("damping 0.1", {"contacts[0].damping": 0.1}),
     ("hardness 40", {"contacts[0].hardness": 40}), ("hardness 0.4", {"contacts[0].hardness": 0.4}),
-    ("penalty from mass and step", {"contacts[0].penalty_from": "mass_and_step"}),
+    ("a penalty given, 2e7 Pa/m", {"contacts[0].penalty": "2e7 Pa/m"}), ("penalty from mass and step", {"contacts[0].penalty_from": "mass_and_step"}),
+    ("the same, half the step", {"contacts[0].penalty_from": "mass_and_step", "contacts[0].step_share": 0.5}),
+    ("the same, two passes", {"contacts[0].penalty_from": "mass_and_step", "contacts[0].passes": "two"}),
     ("eight points in each element", {"bodies[0].element.kind": "full", "bodies[1].element.kind": "full"}),
 ]
 
@@ -94,9 +100,13 @@ def grids(run):
     rows = [row("4 x 4 on 4 x 4, matching", run.again(MATCHING)), row("3 x 3 on 4 x 4", run), row("3 x 3 on 4 x 4, sides exchanged", run.again(EXCHANGED))]
     rows.append(row("6 x 6 on 8 x 8", run.again({"bodies[0].mesh.cells": "[8, 8, 4]", "bodies[1].mesh.cells": "[6, 6, 4]"})))
     cylinders = run.other("scene", CYLINDERS)
+    rows.append(row("4 x 4 on 4 x 4, matching, two passes", run.again({**MATCHING, "contacts[0].passes": "two"})))
+    rows.append(row("4 x 4 on 4 x 4, matching, bonded", run.again({**MATCHING, "contacts[0].kind": "bonded"})))
+    rows.append(row("6 x 6 on 8 x 8, two passes", run.again({"bodies[0].mesh.cells": "[8, 8, 4]", "bodies[1].mesh.cells": "[6, 6, 4]", "contacts[0].passes": "two"})))
     rows.append(row("cylinders, matching", cylinders.again({"bodies[1].turn.angle": "0 deg"})))
     rows.append(row("cylinders turned by 45 degrees", cylinders))
     rows.append(row("the same, sides exchanged", cylinders.again(EXCHANGED_CYLINDERS)))
+    rows.append(row("cylinders turned by 45 degrees, two passes", cylinders.again({"contacts[0].passes": "two"})))
     return rows
 
 
@@ -116,8 +126,8 @@ CHECKS = [
 ]
 
 STUDIES = [
-    Table("Errors of axial stress and contact pressure over their mean, by grid.", ["grid", *COLUMNS[1:]], grids),
-    Table("The same on 3 x 3 on 4 x 4, by formulation.", ["formulation", *COLUMNS[1:]], formulations),
+    Table("Errors of axial stress and contact pressure over their mean, by grid.", ["grid", *COLUMNS[1:]], grids, full=True),
+    Table("The same on 3 x 3 on 4 x 4, by formulation.", ["formulation", *COLUMNS[1:]], formulations, full=True),
 ]
 
 BREAKS = [
@@ -127,3 +137,21 @@ BREAKS = [
     Breaks("resultant, matching grids", "a penalty ten times too soft", {"contacts[0].hardness": 0.4}),
     Breaks("force through blocks over interface, 3 x 3 on 4 x 4", "rest not waited for", {"relaxation.residual": 0.02}),
 ]
+
+
+def sorted_stresses(run):
+    """Axial stress of every element over the mean, from the least to the largest, over its place in that order."""
+    curves = []
+    for name, keys in (("one pass", {}), ("sides exchanged", EXCHANGED), ("two passes", {"contacts[0].passes": "two"}), ("area of the base", {"contacts[0].area": "base"})):
+        one = run.again(keys)
+        values = sorted(-s / mean_pressure(one) for s in stresses(one))
+        curves.append((name, [(i + 0.5) / len(values) for i in range(len(values))], values))
+    return curves
+
+
+def uniform(_):
+    return [("uniform", [0, 1], [1, 1])]
+
+
+FIGURES = [Figure("stresses", "share of the elements [-]", "axial stress over its mean [-]", sorted_stresses, exact=uniform,
+                  caption="Axial stress of the elements of two blocks, 3 x 3 on 4 x 4 cells, from the least to the largest: it should be one and the same.")]

@@ -19,8 +19,8 @@ def mass_of(radius, density):
     return 4 / 3 * pi * radius**3 * density
 
 
-def hertz(radius, density, young, poisson, speed):
-    """Hertz's values in SI units.
+def hertz(radius, density, young, poisson, speed, mass=None):
+    """Hertz's values in SI units; of a ball that lacks some of its mass, with this mass [kg].
 
     >>> steel = hertz(0.01, 7850, 210e9, 0.3, 1)
     >>> round(steel["approach"] * 1e6, 3), round(steel["force"], 1), round(steel["duration"] * 1e6, 3)
@@ -29,7 +29,7 @@ def hertz(radius, density, young, poisson, speed):
     (0.4218, 6.197)
     """
     modulus = young / (1 - poisson**2)
-    mass = mass_of(radius, density)
+    mass = mass or mass_of(radius, density)
     approach = (15 * mass * speed**2 / (16 * modulus * sqrt(radius)))**0.4
     force = 4 / 3 * modulus * sqrt(radius) * approach**1.5
     contact_radius = sqrt(radius * approach)

@@ -1,0 +1,132 @@
+"""How close is close enough, why, and what must break."""
+from reference import crossed, silent, sound
+from verify import GOOD_ENDINGS, Breaks, CannotRun, Check, Figure, Pair, Report, Table
+
+CATALOGUE = ("C-16",)
+CLAIM = "However fast two bodies meet, however they overlap at the start, and where nodes coincide: what goes wrong is refused, stopped or warned of."
+EVIDENCE = "invariant"
+DRIVER = "scene"
+
+PLATE = "verification/fast_approach/plate.yaml"
+SOUND, DEPTH, THICKNESS = sound(1e6, 1000), 0.25, 0.005  # [m/s] [m] of an element, of the plate
+
+
+def at(speed):
+    """Keys of an approach with this many times the speed of sound."""
+    return {"initial[0].velocity": f'["0", "0", "-{speed * SOUND:.8g}"]'}
+
+
+def moved(by):
+    return {"bodies[1].move": f"[0 m, 0 m, {by}]"}
+
+
+MATCHING = {"bodies[1].mesh.cells": "[4, 4, 2]"}
+OVERLAP = moved("-10 mm")
+SPEEDS = (0.1, 0.3, 0.4, 0.5, 1, 10, 100)
+ROWS = [*((f"{v:g} c", "case", at(v), DEPTH) for v in SPEEDS),
+        *((f"{v:g} c, a penalty of {h:g} of the stiffness", "case", {**at(v), "contacts[0].hardness": h}, DEPTH) for v, h in ((0.1, 0.1), (0.1, 0.01), (0.3, 0.1))),
+        *((f"{v:g} c, plate of 5 mm", "plate", at(v), THICKNESS) for v in (0.1, 1, 3)),
+        ("overlap of 9 mm", "case", OVERLAP, DEPTH), ("overlap of 9 mm, accepted", "case", {**OVERLAP, "contacts[0].initial_penetration": "accept"}, DEPTH),
+        ("nodes on nodes", "case", {**moved("-1 mm"), **MATCHING}, DEPTH)]
+
+
+def tell(run, case, keys, depth):
+    """(word, part of an element crossed in the first step, created, deepest over depth, silent) of one row."""
+    try:
+        one = run.again(keys) if case == "case" else run.other("scene", PLATE, {**carried(run), **keys})
+    except CannotRun as refusal:
+        said = "start penetrated" in str(refusal)
+        return "refused" if said else "refused, without a reason", None, None, None, not said
+    created = [account["created_relative"]["value"] for account in one.summary["ledger"]["accounts"].values()]
+    created = max((abs(c) for c in created if c is not None), default=float("nan"))
+    deepest = -min(one.column("gap"))
+    warned = any("m deep" in note for note in one.summary["notes"])
+    quiet = silent(one.ending in GOOD_ENDINGS, warned, created, deepest, depth)
+    step = crossed(speed_of(one), one.result("largest_step"), depth)
+    return one.ending + (", warned" if warned else ""), step, created, deepest / depth, quiet
+
+
+def carried(run):
+    """Keys of a break that hold for the plate as well."""
+    return {key: value for key, value in run.overrides.items() if key.startswith("time")}
+
+
+def speed_of(run):
+    return -float(run.case("initial[0].velocity")[2])
+
+
+def in_silence(run):
+    """Rows that end as if all were well and are not."""
+    return Pair(sum(1 for _, *row in ROWS if tell(run, *row)[-1]), 0, "", scale=1)
+
+
+def supersonic(run):
+    """Of the approaches at the speed of sound and faster, those that are stopped."""
+    fast = [v for v in SPEEDS if v >= 1]
+    return Pair(sum(1 for v in fast if run.again(at(v)).ending not in GOOD_ENDINGS), len(fast))
+
+
+def refused(run):
+    return Pair(float(tell(run, "case", OVERLAP, DEPTH)[0] == "refused"), 1)
+
+
+def accepted_force(run):
+    """Force at the start of an overlap that was accepted, over the largest later."""
+    force = run.again({**OVERLAP, "contacts[0].initial_penetration": "accept"}).column("force")
+    return Pair(force[0], 0, "N", scale=max(force))
+
+
+def coincident(run):
+    """Momentum after an impact of nodes that stand exactly on nodes, against a gap of 1 nm."""
+    on, off = (run.again({**moved(by), **MATCHING}).column("upper")[-1] for by in ("-1 mm", "-0.999999 mm"))
+    return Pair(on, off, "N s")
+
+
+def momentum(run):
+    first, last = (run.column("upper")[i] + run.column("lower")[i] for i in (0, -1))
+    return Pair(last, first, "N s")
+
+
+def deepest(run):
+    return Pair(-min(run.column("gap")) / DEPTH, 0, "", scale=1)
+
+
+def table(run):
+    def shown(value):
+        return "" if value is None else f"{value:.2g}"
+    return [[name, word, shown(step), shown(created), shown(depth)] for name, (word, step, created, depth, _) in
+            ((name, tell(run, *row)) for name, *row in ROWS)]
+
+
+CHECKS = [
+    Check("runs that go wrong in silence", in_silence, 0, "the catalogue's: never silent. Wrong is energy from nowhere, 5 % or more, or an apex deeper than half an element"),
+    Check("approaches faster than sound that are stopped", supersonic, 0, "strains beyond one: nothing here is meant for them"),
+    Check("an overlap at the start is refused", refused, 0, "with the number of apexes and the depth, and what to do"),
+    Check("force at the start of an accepted overlap", accepted_force, 1e-12, "h_c of each apex is lowered to where it starts"),
+    Check("momentum after nodes met nodes", coincident, 1e-3, "an apex on a vertex has no direction of its own and takes that of the facets: as a nanometre above"),
+    Check("momentum of both", momentum, 1e-12, "contact gives what it takes: round-off"),
+    Report("deepest apex at a tenth of c, over the depth of an element", deepest, "the vote knows no speed: with the penalty the program chooses an apex goes about v/c over 5 deep"),
+]
+
+STUDIES = [Table("What the program does. Part of an element crossed in the largest step, energy created over the initial, deepest apex over the depth of an element.",
+                 ["approach", "ending", "crossed in a step", "created", "deepest"], table)]
+
+BREAKS = [
+    Breaks("runs that go wrong in silence", "no limit on created energy worth the name", {"time.created_limit": 0.9}),
+    Breaks("an overlap at the start is refused", "overlaps taken as they are", {"contacts[0].initial_penetration": "accept"}),
+    Breaks("momentum of both", "gravity left on", {"gravity": "[0 m/s^2, 0 m/s^2, -9.81 m/s^2]"}),
+]
+
+
+def energy_over_speed(run):
+    rows = [(v, tell(run, "case", at(v), DEPTH)) for v in SPEEDS if v <= 1]
+    return [("deepest apex over the depth of an element", [v for v, _ in rows], [row[3] for _, row in rows]),
+            ("energy created over the initial", [v for v, _ in rows], [row[2] for _, row in rows])]
+
+
+def bounds(_):
+    return [("half an element", [0.1, 1], [0.5, 0.5]), ("created energy that stops a run", [0.1, 1], [0.05, 0.05])]
+
+
+FIGURES = [Figure("speed", "speed over that of sound [-]", "depth, created energy [-]", energy_over_speed, exact=bounds, log=True,
+                  caption="How deep apexes go and what energy contact creates as two blocks meet faster; above 0.3 of the speed of sound the run is stopped.")]

@@ -1,0 +1,117 @@
+"""How close is close enough, why, and what must break."""
+from math import hypot
+
+from reference import rolling, speed_at
+from verify import Breaks, Check, Figure, Pair, Report, Table
+
+CATALOGUE = ("C-12",)
+CLAIM = "A sphere that slides at 3 m/s on a plane with friction 0.2 rolls after 0.437 s and 1.123 m, at 5/7 of its speed."
+EVIDENCE = "exact"
+DRIVER = "scene"
+
+SPEED, FRICTION, GRAVITY, BLOW = 3.0, 0.2, 9.81, 0.11  # [m/s] [-] [m/s2] [s]
+TIME, LATER, WAY = rolling(SPEED, FRICTION, GRAVITY)
+WEIGHT = 1000 * 4 / 3 * 3.141592653589793 * GRAVITY    # [N]
+PART = 2
+
+
+def later(run):
+    """Mean speed over the last 0.15 s, some swings of the sphere on its soft foot."""
+    end = run.column("time")[-1]
+    return run.mean("speed", end - 0.15, end)
+
+
+def line(run):
+    """(speed at the blow, deceleration) of the straight line that fits the speed while the sphere slides."""
+    rows = [(t - BLOW, v) for t, v in zip(run.column("time"), run.column("speed")) if BLOW + 0.02 <= t <= BLOW + 0.42]
+    mean_t, mean_v = sum(t for t, _ in rows) / len(rows), sum(v for _, v in rows) / len(rows)
+    slope = sum((t - mean_t) * (v - mean_v) for t, v in rows) / sum((t - mean_t)**2 for t, _ in rows)
+    return mean_v - slope * mean_t, -slope
+
+
+def begins(run):
+    """When it begins to roll: where the line of sliding meets the later speed. [s] after the blow"""
+    start, deceleration = line(run)
+    return (start - later(run)) / deceleration
+
+
+def rolling_speed(run):
+    return Pair(later(run), LATER, "m/s")
+
+
+def rolling_time(run):
+    return Pair(begins(run), TIME, "s")
+
+
+def way(run):
+    return Pair(run.at("way", BLOW + begins(run)), WAY, "m")
+
+
+def deceleration(run):
+    return Pair(line(run)[1], FRICTION * GRAVITY, "m/s2")
+
+
+def spin(run):
+    """Speed of the crown against the centre over its height above it: that of a sphere that rolls on what is left of its radius."""
+    end = run.column("time")[-1]
+    rows = [(hypot(x - v, z), v, h) for t, x, z, v, h in zip(run.column("time"), run.column("crown_x"), run.column("crown_z"), run.column("speed"),
+                                                            run.column("height")) if t > end - 0.15]
+    return Pair(sum(c for c, *_ in rows) / len(rows), sum(v for _, v, _ in rows) / len(rows), "m/s")
+
+
+def push(run):
+    """Mean force of the plane since the blow over the weight."""
+    return Pair(PART * run.mean("normal_force", BLOW, run.column("time")[-1]), WEIGHT, "N")
+
+
+def friction_when_it_rolls(run):
+    end = run.column("time")[-1]
+    return Pair(PART * run.mean("friction", end - 0.15, end), 0, "N", scale=FRICTION * WEIGHT)
+
+
+def cells(core, ring):
+    return {"bodies[0].mesh.cells_core": core, "bodies[0].mesh.cells_ring": ring}
+
+
+def meshes(run):
+    rows = []
+    for core, ring in ((3, 3), (4, 3), (6, 4)):
+        one = run.again(cells(core, ring))
+        rows.append([f"{4 * core} around a half", f"{begins(one):.4f}", f"{way(one).got:.4f}", f"{later(one):.4f}"])
+    rows.append(["exact", f"{TIME:.4f}", f"{WAY:.4f}", f"{LATER:.4f}"])
+    return rows
+
+
+CHECKS = [
+    Check("time at which it rolls", rolling_time, 0.02, "the catalogue's bound"),
+    Check("speed when it rolls", rolling_speed, 0.02, "the catalogue's bound"),
+    Check("way at which it rolls", way, 0.02, "the catalogue's bound"),
+    Check("deceleration while it slides", deceleration, 0.02, "as the time: friction is 0.2 of the push at every node, and the push is the weight in the mean"),
+    Check("friction when it rolls", friction_when_it_rolls, 0.05, "none in the mean; the sphere swings on its elastic foot, and rumbles from node to node"),
+    Report("speed of the crown about the centre", spin, "one node of a body that trembles"),
+    Report("mean push since the blow", push, "the weight, but for the mass that facets lack and the swing that is cut off"),
+]
+
+STUDIES = [Table("Time in seconds, way in metres, speed in metres a second, when it rolls.", ["elements", "time", "way", "speed"], meshes, full=True)]
+
+COARSE = cells(3, 3)
+BREAKS = [
+    Breaks("time at which it rolls", "a coefficient of 0.21", {**COARSE, "planes[1].friction": 0.21}),
+    Breaks("speed when it rolls", "a plane without friction", {**COARSE, "planes[1].friction": 0.001}),
+    Breaks("deceleration while it slides", "a coefficient of 0.18", {**COARSE, "planes[1].friction": 0.18}),
+    Breaks("friction when it rolls", "looked at before it rolls", {**COARSE, "time.end": "0.5 s"}),
+]
+
+
+def speed_over_time(run):
+    rows = [(t, v) for t, v in zip(run.column("time"), run.column("speed")) if t > BLOW]
+    return [("Nereid", [t - BLOW for t, _ in rows], [v for _, v in rows])]
+
+
+def exact_speed(run):
+    times = [0.0, TIME, run.column("time")[-1] - BLOW]
+    return [("exact", times, [speed_at(t, SPEED, FRICTION, GRAVITY) for t in times])]
+
+
+FIGURES = [Figure("speed", "time after the blow [s]", "speed [m/s]", speed_over_time, exact=exact_speed,
+                  caption="A soft sphere slides and begins to roll. It swings about the straight lines, as it bounces a little on its foot.")]
