@@ -1,6 +1,7 @@
 #include "drivers/driver.hpp"
 
 #include <CLI/CLI.hpp>
+#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -9,8 +10,6 @@
 #include "base/check.hpp"
 #include "base/parallel.hpp"
 #include "element/width.hpp"
-#include "output/frames.hpp"
-#include "output/history.hpp"
 #include "output/progress.hpp"
 
 namespace nereid::driver {
@@ -179,13 +178,31 @@ void print(const std::vector<std::string>& lines) {
   for (const std::string& text : lines) std::printf("%s\n", text.c_str());
 }
 
+void print(const std::vector<output::Result>& results) {
+  for (const output::Result& result : results) std::printf("%-28s %.8g %s\n", result.name.c_str(), result.value, result.unit.c_str());
+}
+
+void print_size(const dynamics::Model& model) {
+  std::printf("%ld nodes, %ld elements, mass %.6g kg\n", static_cast<long>(model.mesh.X.cols()), static_cast<long>(count_elements(model)),
+              model.mass.sum());
+}
+
+void print_not_used(const input::CaseFile& file) {
+  for (const std::string& key : file.not_used()) std::printf("not used: %s\n", key.c_str());
+}
+
+/// So that the summary of an earlier run is not taken for this one's.
+void remove_summary(const std::string& folder) {
+  std::error_code none_there;
+  std::filesystem::remove(std::filesystem::path(folder) / "summary.json", none_there);
+}
+
 /// What would be run, and what limits its step.
 int dry_run(Scene& scene, bool quiet) {
   if (quiet) return done;
   const dynamics::Votes votes = dynamics::start(scene.model, scene.state, scene.forces);
   const double dt = std::min(scene.time.safety * votes.element_step, votes.contact_step);
-  std::printf("%ld nodes, %ld elements, mass %.6g kg\n", static_cast<long>(scene.model.mesh.X.cols()),
-              static_cast<long>(count_elements(scene.model)), scene.model.mass.sum());
+  print_size(scene.model);
   const std::string contact = votes.contact_step < 1e299 ? row(", contact %.4g s", votes.contact_step) : "";
   std::printf("first step %.4g s, asked for by %s (elements %.4g s%s); about %.0f steps\n", dt, std::string(votes.by).c_str(),
               votes.element_step, contact.c_str(), scene.time.end / dt);
@@ -199,13 +216,12 @@ int run_case(const std::string& name, const CommandLine& line, const Build& buil
   std::vector<std::string> table = gap_table(scene);
   for (const std::string& note : width_notes(scene)) table.push_back(note);
   if (!line.quiet) {
-    for (const std::string& key : file.not_used()) std::printf("not used: %s\n", key.c_str());
+    print_not_used(file);
     print(table);
   }
   if (line.dry_run) return dry_run(scene, line.quiet);
 
-  std::error_code none_there;
-  std::filesystem::remove(std::filesystem::path(line.out) / "summary.json", none_there);  // not to be taken for this run's
+  remove_summary(line.out);
   Recorder recorder(scene, line);
   std::vector<dynamics::Observer> observers = scene.watchers;
   observers.emplace_back([&recorder](const dynamics::View& view) { recorder(view); });
@@ -219,7 +235,7 @@ int run_case(const std::string& name, const CommandLine& line, const Build& buil
   const output::Summary summary = summarise(name, line, file, scene, outcome, notes);
   output::write_summary(line.out, summary);
   if (!line.quiet) {
-    for (const output::Result& result : summary.results) std::printf("%-28s %.8g %s\n", result.name.c_str(), result.value, result.unit.c_str());
+    print(summary.results);
     std::printf("%ld steps in %.2f s, %.1f ns per element update; results in %s\n", static_cast<long>(summary.cost.steps),
                 outcome.wall_seconds, summary.cost.nanoseconds_per_element_update, line.out.c_str());
   }
@@ -230,21 +246,49 @@ int run_case(const std::string& name, const CommandLine& line, const Build& buil
   return stopped;
 }
 
-}  // namespace
-
-void make_ready(Scene& scene, std::vector<dynamics::Connected> connected) {
-  std::vector<contact::Memory> memories;
-  std::vector<contact::Workspace> workspaces;
-  for (dynamics::Connected& one : connected) {
-    scene.gaps.push_back(one.gaps);
-    memories.push_back(std::move(one.memory));
-    workspaces.push_back(std::move(one.workspace));
+int answer_case(const std::string& name, const CommandLine& line, const Prepare& prepare) {
+  if (line.threads > 0) use_threads(line.threads);
+  const input::CaseFile file = input::CaseFile::read(line.case_path, line.overrides);
+  const Inquiry inquiry = prepare(file);
+  if (!line.quiet) print_not_used(file);
+  if (line.dry_run) {
+    if (!line.quiet) print_size(inquiry.model);
+    return done;
   }
-  scene.state = dynamics::initial_state(scene.model, std::move(memories));
-  scene.forces = dynamics::make_forces(scene.model, std::move(workspaces));
+  remove_summary(line.out);
+  const auto began = std::chrono::steady_clock::now();
+  const Findings found = inquiry.ask(inquiry.model);
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
+
+  const std::filesystem::path out(line.out);
+  output::History history(out / "history.csv", found.columns, found.counted);
+  for (const auto& numbers : found.rows) history.add(numbers[0], std::span(numbers).subspan(1));
+  history.flush();
+  output::Collection bodies(out, "body", output::GridKind::volume, output::Precision::single);
+  for (const output::Grid& frame : found.frames) bodies.add(frame);
+  output::Summary summary;
+  summary.driver = name;
+  summary.case_path = line.case_path;
+  summary.case_hash = file.hash();
+  summary.ending = {found.missing.empty() ? "reached_end" : "not_converged", found.missing, 0, "", -1};
+  summary.results = found.results;
+  summary.cost = {count_elements(inquiry.model), 0, 0, took.count(), 0, threads()};
+  summary.resolved = file.resolved();
+  summary.not_used = file.not_used();
+  summary.notes = found.notes;
+  output::write_summary(line.out, summary);
+  if (!line.quiet) {
+    print(found.results);
+    print(found.notes);
+    std::printf("%.2f s; results in %s\n", took.count(), line.out.c_str());
+  }
+  if (found.missing.empty()) return done;
+  std::fprintf(stderr, "%s: %s\n", name.c_str(), found.missing.c_str());
+  return stopped;
 }
 
-int drive(int argc, char** argv, const std::string& name, const Build& build) {
+/// From the command line to an exit status, whatever `work` throws on the way.
+int guarded(int argc, char** argv, const std::string& name, const std::function<int(const CommandLine&)>& work) {
   CommandLine line;
   CLI::App app("Nereid " + name, name);
   app.failure_message([&name](const CLI::App*, const CLI::Error& error) {
@@ -267,7 +311,7 @@ int drive(int argc, char** argv, const std::string& name, const Build& build) {
     return status == 0 ? done : bad_case;
   }
   try {
-    return run_case(name, line, build);
+    return work(line);
   } catch (const input::CaseError& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return bad_case;
@@ -281,6 +325,28 @@ int drive(int argc, char** argv, const std::string& name, const Build& build) {
     std::fprintf(stderr, "%s: %s\n", name.c_str(), error.what());
     return machine;
   }
+}
+
+}  // namespace
+
+void make_ready(Scene& scene, std::vector<dynamics::Connected> connected) {
+  std::vector<contact::Memory> memories;
+  std::vector<contact::Workspace> workspaces;
+  for (dynamics::Connected& one : connected) {
+    scene.gaps.push_back(one.gaps);
+    memories.push_back(std::move(one.memory));
+    workspaces.push_back(std::move(one.workspace));
+  }
+  scene.state = dynamics::initial_state(scene.model, std::move(memories));
+  scene.forces = dynamics::make_forces(scene.model, std::move(workspaces));
+}
+
+int drive(int argc, char** argv, const std::string& name, const Build& build) {
+  return guarded(argc, argv, name, [&](const CommandLine& line) { return run_case(name, line, build); });
+}
+
+int inquire(int argc, char** argv, const std::string& name, const Prepare& prepare) {
+  return guarded(argc, argv, name, [&](const CommandLine& line) { return answer_case(name, line, prepare); });
 }
 
 }  // namespace nereid::driver

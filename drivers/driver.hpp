@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "input/readers.hpp"
+#include "output/frames.hpp"
+#include "output/history.hpp"
 #include "output/summary.hpp"
 
 namespace nereid::driver {
@@ -42,6 +44,29 @@ using Build = std::function<Scene(const input::CaseFile&)>;
 
 /// Runs a driver from its command line to its exit status.
 int drive(int argc, char** argv, const std::string& name, const Build&);
+
+/// What a program found that runs nothing over time.
+struct Findings {
+  std::vector<output::Result> results;
+  output::Column counted;                 ///< first column of history.csv
+  std::vector<output::Column> columns;    ///< those after it
+  std::vector<std::vector<double>> rows;  ///< of history.csv, as long as all columns together
+  std::vector<output::Grid> frames;       ///< of body.pvd
+  std::vector<std::string> notes;
+  std::string missing = {};               ///< why the answer is not the whole one; empty if it is
+};
+
+/// A model, and the question that is asked of it as it stands.
+struct Inquiry {
+  dynamics::Model model;
+  std::function<Findings(const dynamics::Model&)> ask;
+};
+
+/// Reads a case and builds its model; must call finish() of the file before it trusts a value.
+using Prepare = std::function<Inquiry(const input::CaseFile&)>;
+
+/// The same as drive() for a question that takes no run: one row of history.csv and one frame for each thing found.
+int inquire(int argc, char** argv, const std::string& name, const Prepare&);
 
 /// The largest value that a number takes over all steps, and when.
 struct Peak {
