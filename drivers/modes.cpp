@@ -48,17 +48,19 @@ driver::Findings ask(const dynamics::Model& model, int lowest, int highest) {
                                              {"asymmetry", modes.asymmetry, "1"},
                                              {"freedoms", static_cast<double>(modes.freedoms), "1"},
                                              {"drilling_freedoms", static_cast<double>(modes.drilling), "1"}});
-  const double apart = modes.lowest.empty() ? 0 : 1e-9 * modes.lowest.back().frequency;  // a frame at the time of another would replace it
+  // a frame at the time of another would replace it
+  const double apart = modes.lowest.empty() ? 0 : 1e-9 * modes.lowest.back().frequency;
   for (std::size_t i = 0; i < modes.lowest.size(); ++i) {
     found.rows.push_back({static_cast<double>(i + 1), modes.lowest[i].frequency, modes.lowest[i].residual});
     found.frames.push_back(frame(model, modes.lowest[i]));
     if (i > 0) found.frames[i].time = std::max(found.frames[i].time, found.frames[i - 1].time + apart);
   }
   if (modes.without_stiffness > 0)
-    found.notes.push_back(std::to_string(modes.without_stiffness) + " of the lowest modes meet no stiffness: rigid motions or mechanisms, whose "
-                                                                    "frequencies are round-off");
+    found.notes.push_back(std::to_string(modes.without_stiffness) +
+                          " of the lowest modes meet no stiffness: rigid motions or mechanisms, whose frequencies are round-off");
   if (modes.drilling > 0)
-    found.notes.push_back(std::to_string(modes.drilling) + " turns of plate nodes about their normal, which no element resists, are left out");
+    found.notes.push_back(std::to_string(modes.drilling) +
+                          " turns of plate nodes about their normal, which no element resists, are left out");
   if (!modes.complete) found.missing = "some of the modes asked for were not found, or one was passed over";
   return found;
 }

@@ -244,10 +244,12 @@ struct Pairs {
   bool complete = true;
 };
 
+using Operator = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;
+
 /// An operator without what has been found of it, as Spectra wants it.
 struct Remainder {
   using Scalar = double;
-  std::function<Eigen::VectorXd(const Eigen::VectorXd&)> apply;
+  Operator apply;
   Eigen::Index size;
   Dense found;
 
@@ -275,7 +277,7 @@ Eigen::Index below(const Sparse& A, double bound) {
 /// A single vector is blind for all but one of several equal eigenvalues. So the count of Sturm looks for what was
 /// passed over, and the operator without what was found is asked for it.
 /// sign  1 for the lowest of A, -1 for the highest
-Pairs outermost(const Sparse& A, double scale, int sign, Eigen::Index wanted, std::function<Eigen::VectorXd(const Eigen::VectorXd&)> apply) {
+Pairs outermost(const Sparse& A, double scale, int sign, Eigen::Index wanted, Operator apply) {
   constexpr int passes = 8;
   Remainder remainder{.apply = std::move(apply), .size = A.rows(), .found = {}};
   Pairs pairs;
@@ -329,7 +331,8 @@ Pairs all_of(const Sparse& A, bool descending) {
 Pairs highest_of(const Sparse& A, int wanted) {
   if (A.rows() <= few) return all_of(A, true);
   const double scale = A.diagonal().maxCoeff();
-  return outermost(A, scale, -1, std::min<Eigen::Index>(wanted, A.rows() - 1), [&A](const Eigen::VectorXd& x) -> Eigen::VectorXd { return A * x; });
+  return outermost(A, scale, -1, std::min<Eigen::Index>(wanted, A.rows() - 1),
+                   [&A](const Eigen::VectorXd& x) -> Eigen::VectorXd { return A * x; });
 }
 
 /// highest  [1/s2] the largest eigenvalue
@@ -344,7 +347,8 @@ Pairs lowest_of(const Sparse& A, double highest, int wanted) {
 }
 
 /// The first modes of some pairs.
-std::vector<Mode> modes_of(const Model& model, const Rows& rows, const Sparse& A, const Sparse& B, const Pairs& pairs, int wanted, double highest) {
+std::vector<Mode> modes_of(const Model& model, const Rows& rows, const Sparse& A, const Sparse& B, const Pairs& pairs, int wanted,
+                           double highest) {
   std::vector<Mode> modes;
   for (Eigen::Index i = 0; i < std::min<Eigen::Index>(wanted, pairs.values.size()); ++i) {
     const Eigen::VectorXd& q = pairs.vectors.col(i);

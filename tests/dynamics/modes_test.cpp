@@ -36,7 +36,8 @@ Model sheet(double side, int cells, double thickness, double angle = 0) {
   Model model;
   model.mesh = mesh::sheet("a", {.length = side, .width = side, .cells_along = cells, .cells_across = cells, .cuts = mesh::Cuts::crossed});
   if (angle != 0) model.mesh = mesh::turned_about(std::move(model.mesh), Vec3(1, 2, 3).normalized(), angle, Vec3::Zero());
-  element::Plate::Options options{.thickness = thickness, .layers = 2, .rotary_inertia = element::Plate::RotaryInertia::physical, .viscosity = none};
+  const element::Plate::Options options{.thickness = thickness, .layers = 2, .rotary_inertia = element::Plate::RotaryInertia::physical,
+                                        .viscosity = none};
   model.blocks.push_back(element::plates(model.mesh, "a", steel, options));
   return model;
 }
@@ -162,7 +163,8 @@ TEST(Modes, SeeSpringsAndPointMasses) {
   hold(model, "a", PlaneKind::held, Vec3::UnitX()), hold(model, "a", PlaneKind::held, Vec3::UnitY());
   const double k = 1000;
   for (Index node = 0; node < 8; ++node)
-    model.loads.emplace_back(load::spring_to_point("s" + std::to_string(node), model.mesh.X, node, model.mesh.X.col(node) + Vec3(0, 0, 1), k / 8, 0));
+    model.loads.emplace_back(load::spring_to_point("s" + std::to_string(node), model.mesh.X, node,
+                                                   model.mesh.X.col(node) + Vec3(0, 0, 1), k / 8, 0));
   const Modes modes = find_modes(model, 1, 1);
   EXPECT_NEAR(omega(modes.lowest[0]) / std::sqrt(k / (20 + 7.850)), 1, 1e-6);
 }
