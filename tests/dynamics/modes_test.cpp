@@ -136,11 +136,10 @@ TEST(Modes, ComeInPairsWhereTheShapeIsSymmetric) {
   for (const char* edge : {"a.x_low", "a.x_high", "a.y_low", "a.y_high"}) hold(model, edge, PlaneKind::held, Vec3::UnitZ());
   hold(model, "a", PlaneKind::held, Vec3::UnitX()), hold(model, "a", PlaneKind::held, Vec3::UnitY());
   finish(model);
-  const Modes modes = find_modes(model, 6, 2);
+  const Modes modes = find_modes(model, 6, 2);  // waves 1 and 2; 1 and 3 are of one symmetry and may part
   EXPECT_TRUE(modes.complete);
   EXPECT_EQ(modes.without_stiffness, 0);
   EXPECT_NEAR(modes.lowest[2].frequency / modes.lowest[1].frequency, 1, 1e-9);
-  EXPECT_NEAR(modes.lowest[5].frequency / modes.lowest[4].frequency, 1, 1e-9);
   EXPECT_GT(modes.lowest[3].frequency / modes.lowest[2].frequency, 1.1);
   EXPECT_GE(modes.highest[0].frequency, modes.highest[1].frequency);
 }

@@ -74,9 +74,9 @@ def stays(run):
 
 
 def grows(run):
-    """Amplitude over that of a step before, in the last ten of the growing steps."""
+    """Amplitude over that of a step before, in steps 41 to 50: the highest mode has left all others behind, and strains are still tiny."""
     energy = ball_at(run, 1.02, GROWING).column("kinetic")
-    return Pair((energy[-1] / energy[-11])**(1 / 20), growth(1.02))
+    return Pair((energy[50] / energy[40])**(1 / 20), growth(1.02))
 
 
 def assembly(run):
@@ -107,7 +107,7 @@ CHECKS = [
     Check("step that a cube votes for", vote, 1e-10, "its bound is exact for a cube"),
     Check("rigid motions of a brick", rigid, 0, "three shifts and three turns"),
     Check("kinetic energy at 0.99, largest of 4000 steps over the first", stays, 1e-6, "no mode may have more than it started with, and it starts without strain"),
-    Check("growth per step at 1.02", grows, 0.01, "the root of the characteristic equation; modes beside the highest grow a little slower"),
+    Check("growth per step at 1.02", grows, 1e-6, "the root of the characteristic equation; other modes have 1e-11 of the energy by then"),
     Report("largest vote over the exact step, free bricks", votes, "a vote above 1 would be unstable"),
     Report("exact step of the ball over the vote of its elements", assembly, "what the elements' bounds give away in this mesh"),
 ]
@@ -119,7 +119,7 @@ BREAKS = [
     Breaks("highest frequency of bricks of one point: worst of 12", "half of the mass on the nodes", {"bodies[0].material.density": "3925 kg/m^3"}),
     Breaks("step that a cube votes for", "a viscous vote taken for the elastic one", {"bodies[0].element.viscosity.linear": 0.06}),
     Breaks("kinetic energy at 0.99, largest of 4000 steps over the first", "steps 3 % too long", {"time.safety": 1.03}),
-    Breaks("growth per step at 1.02", "the ball damped by viscosity, which the limit knows nothing of", {"bodies[0].element.viscosity.linear": 0.06}),
+    Breaks("growth per step at 1.02", "steps 1 % too long", {"time.safety": 1.01}),
 ]
 
 FIGURES = [Figure("growth", "step [-]", "kinetic energy over that of the start [-]", histories, log=True, error=False,
