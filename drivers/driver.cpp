@@ -10,8 +10,6 @@
 #include "base/check.hpp"
 #include "base/parallel.hpp"
 #include "element/width.hpp"
-#include "output/frames.hpp"
-#include "output/history.hpp"
 #include "output/progress.hpp"
 
 namespace nereid::driver {
@@ -174,17 +172,6 @@ output::Summary summary_of(const std::string& name, const CommandLine& line, con
   return summary;
 }
 
-void print_results(const output::Summary& summary) {
-  for (const output::Result& result : summary.results)
-    std::printf("%-28s %.8g %s\n", result.name.c_str(), result.value, result.unit.c_str());
-}
-
-/// An older summary must not be taken for this run's.
-void remove_summary(const CommandLine& line) {
-  std::error_code none_there;
-  std::filesystem::remove(std::filesystem::path(line.out) / "summary.json", none_there);
-}
-
 output::Summary summarise(const std::string& name, const CommandLine& line, const input::CaseFile& file, const Scene& scene,
                           const dynamics::Outcome& outcome, std::vector<std::string> notes) {
   output::Summary summary = summary_of(name, line, file);
@@ -216,13 +203,31 @@ void print(const std::vector<std::string>& lines) {
   for (const std::string& text : lines) std::printf("%s\n", text.c_str());
 }
 
+void print(const std::vector<output::Result>& results) {
+  for (const output::Result& result : results) std::printf("%-28s %.8g %s\n", result.name.c_str(), result.value, result.unit.c_str());
+}
+
+void print_size(const dynamics::Model& model) {
+  std::printf("%ld nodes, %ld elements, mass %.6g kg\n", static_cast<long>(model.mesh.X.cols()), static_cast<long>(count_elements(model)),
+              model.mass.sum());
+}
+
+void print_not_used(const input::CaseFile& file) {
+  for (const std::string& key : file.not_used()) std::printf("not used: %s\n", key.c_str());
+}
+
+/// So that the summary of an earlier run is not taken for this one's.
+void remove_summary(const std::string& folder) {
+  std::error_code none_there;
+  std::filesystem::remove(std::filesystem::path(folder) / "summary.json", none_there);
+}
+
 /// What would be run, and what limits its step.
 int dry_run(Scene& scene, bool quiet) {
   if (quiet) return done;
   const dynamics::Votes votes = dynamics::start(scene.model, scene.state, scene.forces);
   const double dt = std::min(scene.time.safety * votes.element_step, votes.contact_step);
-  std::printf("%ld nodes, %ld elements, mass %.6g kg\n", static_cast<long>(scene.model.mesh.X.cols()),
-              static_cast<long>(count_elements(scene.model)), scene.model.mass.sum());
+  print_size(scene.model);
   const std::string contact = votes.contact_step < 1e299 ? row(", contact %.4g s", votes.contact_step) : "";
   std::printf("first step %.4g s, asked for by %s (elements %.4g s%s); about %.0f steps\n", dt, std::string(votes.by).c_str(),
               votes.element_step, contact.c_str(), scene.time.end / dt);
@@ -236,12 +241,12 @@ int run_case(const std::string& name, const CommandLine& line, const Build& buil
   std::vector<std::string> table = gap_table(scene);
   for (const std::string& note : width_notes(scene)) table.push_back(note);
   if (!line.quiet) {
-    for (const std::string& key : file.not_used()) std::printf("not used: %s\n", key.c_str());
+    print_not_used(file);
     print(table);
   }
   if (line.dry_run) return dry_run(scene, line.quiet);
 
-  remove_summary(line);
+  remove_summary(line.out);
   Recorder recorder(scene, line);
   std::vector<dynamics::Observer> observers = scene.watchers;
   observers.emplace_back([&recorder](const dynamics::View& view) { recorder(view); });
@@ -259,7 +264,7 @@ int run_case(const std::string& name, const CommandLine& line, const Build& buil
   const output::Summary summary = summarise(name, line, file, scene, outcome, notes);
   output::write_summary(line.out, summary);
   if (!line.quiet) {
-    print_results(summary);
+    print(summary.results);
     std::printf("%ld steps in %.2f s, %.1f ns per element update; results in %s\n", static_cast<long>(summary.cost.steps),
                 outcome.wall_seconds, summary.cost.nanoseconds_per_element_update, line.out.c_str());
   }
@@ -271,28 +276,34 @@ int run_case(const std::string& name, const CommandLine& line, const Build& buil
 }
 
 int answer_case(const std::string& name, const CommandLine& line, const Plan& plan) {
+  if (line.threads > 0) use_threads(line.threads);
   const input::CaseFile file = input::CaseFile::read(line.case_path, line.overrides);
   const std::function<Answer()> compute = plan(file);
-  if (!line.quiet)
-    for (const std::string& key : file.not_used()) std::printf("not used: %s\n", key.c_str());
+  if (!line.quiet) print_not_used(file);
   if (line.dry_run) return done;
-  remove_summary(line);
+  remove_summary(line.out);
   const auto began = std::chrono::steady_clock::now();
   const Answer found = compute();
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
 
-  output::History history(std::filesystem::path(line.out) / "history.csv", found.columns);
+  output::History history(std::filesystem::path(line.out) / "history.csv", found.columns, found.counted);
   for (std::size_t r = 0; r < found.rows.size(); ++r) history.add(found.time[r], found.rows[r]);
   history.flush();
+  if (!found.frames.empty()) {
+    output::Collection bodies(line.out, "body", output::GridKind::volume, output::Precision::single);
+    for (const output::Grid& frame : found.frames) bodies.add(frame);
+  }
   output::Summary summary = summary_of(name, line, file);
   const double last = found.time.empty() ? 0 : found.time.back();
   summary.ending = {found.stopped.empty() ? "reached_end" : found.stopped, found.reason, last, "", -1};
   summary.results = found.results;
   summary.ledger = found.ledger;
-  summary.cost.wall_seconds = seconds;
+  summary.notes = found.notes;
+  summary.cost = {found.elements, 0, 0, seconds, 0, threads()};
   output::write_summary(line.out, summary);
   if (!line.quiet) {
-    print_results(summary);
+    print(found.results);
+    print(found.notes);
     std::printf("%.2f s; results in %s\n", seconds, line.out.c_str());
   }
   if (found.stopped.empty()) return done;

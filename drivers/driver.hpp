@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "input/readers.hpp"
+#include "output/frames.hpp"
 #include "output/history.hpp"
 #include "output/summary.hpp"
 
@@ -44,14 +45,18 @@ using Build = std::function<Scene(const input::CaseFile&)>;
 /// Runs a driver from its command line to its exit status.
 int drive(int argc, char** argv, const std::string& name, const Build&);
 
-/// What a question without bodies in motion answers with.
+/// What a question that takes no run answers with.
 struct Answer {
-  std::vector<output::Column> columns;     ///< of history.csv, behind its first, which is called time
-  std::vector<double> time;                ///< [rows]
+  std::vector<output::Column> columns;     ///< of history.csv, behind its first
+  std::vector<double> time;                ///< [rows] of the first, which is `counted`
   std::vector<std::vector<double>> rows;   ///< [rows][columns]
   std::vector<output::Result> results;
   dynamics::Ledger ledger = {};            ///< empty where nothing moves
   std::string stopped = {}, reason = {};   ///< the word of an ending before the end, and its sentence
+  output::Column counted = {"time", "s"};  ///< the first column
+  std::vector<output::Grid> frames = {};   ///< of body.pvd, which is not written without them
+  std::vector<std::string> notes = {};
+  std::int64_t elements = 0;
 };
 
 /// Reads a case, with finish() of the file, and returns what is to be computed of it.

@@ -25,6 +25,7 @@ DOORS = [
     # dependency, what gives it away, looked for in, its doors
     ("yaml-cpp", r"#\s*include\s*<yaml-cpp/", "lib drivers tests", ["lib/input/yaml.cpp"]),
     ("muParser", r"#\s*include\s*<muParser\w*", "lib drivers tests", ["lib/input/expression.cpp"]),
+    ("Spectra", r"#\s*include\s*<Spectra/", "lib drivers tests", ["lib/dynamics/modes.cpp"]),
     ("VTK", r"#\s*include\s*<vtk\w*", "lib drivers tests", ["lib/grid/grid.cpp"]),
     ("nlohmann-json", r"#\s*include\s*<nlohmann/", "lib drivers tests", ["lib/output/summary.cpp"]),
     ("CLI11", r"#\s*include\s*<CLI/", "lib drivers tests", ["drivers/driver.cpp"]),
@@ -42,7 +43,7 @@ DOORS = [
 # Eigen's names are used everywhere but come from one header; a source that needs a cross product or a
 # decomposition may name that part, because it is slow to compile and nobody's vocabulary.
 EIGEN_DOOR = "lib/base/types.hpp"
-EIGEN_IN_SOURCES = {"Dense", "Eigenvalues", "Geometry", "LU", "Cholesky", "QR", "SVD"}
+EIGEN_IN_SOURCES = {"Dense", "Eigenvalues", "Geometry", "LU", "Cholesky", "QR", "SVD", "SparseCore", "SparseCholesky"}
 
 # Headers that the build writes; they belong to no module.
 GENERATED = {"nereid_commit.hpp"}

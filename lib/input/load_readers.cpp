@@ -271,16 +271,17 @@ std::optional<dynamics::Relaxation> read_relaxation(const Section& root) {
   return relaxation;
 }
 
-Actions read_actions(const Section& root) {
+Actions read_actions(const Section& root, bool runs) {
   Actions actions;
-  const auto gravity = root.vector_or("gravity", {0, 0, 0}, dim::acceleration);
+  const Section run = root.when(runs);
+  const auto gravity = run.vector_or("gravity", {0, 0, 0}, dim::acceleration);
   actions.gravity = Vec3(gravity[0], gravity[1], gravity[2]);
   std::map<std::string, std::string> seen;
   for (const Section& section : root.list("planes")) {
     actions.planes.push_back(read_plane(section));
     refuse_repeated(section, actions.planes.back().name, seen);
   }
-  for (const Section& section : root.list("loads")) {
+  for (const Section& section : run.list("loads")) {
     actions.loads.push_back(read_load(section));
     refuse_repeated(section, actions.loads.back().name, seen);
   }
@@ -292,8 +293,9 @@ Actions read_actions(const Section& root) {
     actions.point_masses.push_back(read_point_mass(section));
     refuse_repeated(section, actions.point_masses.back().name, seen);
   }
-  for (const Section& section : root.list("initial")) actions.initial.push_back(read_initial(section));
-  actions.relaxation = read_relaxation(root);
+  for (const Section& section : run.list("initial")) actions.initial.push_back(read_initial(section));
+  actions.relaxation = read_relaxation(run);
+  if (!runs) actions.gravity.setZero(), actions.loads.clear(), actions.initial.clear(), actions.relaxation.reset();
   return actions;
 }
 

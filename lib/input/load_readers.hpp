@@ -76,7 +76,9 @@ struct Actions {
 };
 
 /// All of these sections of a case; each is optional. Names of planes, loads and springs must differ.
-Actions read_actions(const Section& root);
+///
+/// runs  whether time passes; else only planes, springs and point masses count, and the rest is listed as not used
+Actions read_actions(const Section& root, bool runs = true);
 
 /// `relaxation: {residual, after, samples}`; nothing if the case has no such section.
 std::optional<dynamics::Relaxation> read_relaxation(const Section& root);

@@ -127,7 +127,7 @@ void refuse_penetration(const Section& section, const dynamics::InterfaceOptions
 dynamics::Time read_time(const Section& section) {
   dynamics::Time time;
   time.end = section.quantity("end", dim::time, positive);
-  time.safety = section.number_or("safety", time.safety, above(0).up_to(1));
+  time.safety = section.number_or("safety", time.safety, above(0).up_to(10));
   time.created_limit = section.number_or("created_limit", time.created_limit, positive);
   return time;
 }

@@ -57,7 +57,7 @@ HeightFrom read_contact_height(const Section&, HeightFrom usual, dynamics::Inter
 /// interface's section. Call finish() of the case file afterwards.
 void refuse_penetration(const Section& interface, const dynamics::InterfaceOptions&, const contact::InitialGaps&);
 
-/// `end`, and optional `safety` in (0, 1] and `created_limit`.
+/// `end`, and optional `safety` in (0, 10] and `created_limit`.
 dynamics::Time read_time(const Section&);
 
 /// How often a run is recorded. [s]

@@ -177,6 +177,29 @@ StopOptions read_stop(const Section& section, const std::vector<ProbeOptions>& p
   return stop;
 }
 
+/// runs  whether time passes
+SceneOptions read_scene(const Section& root, bool runs) {
+  const Section run = root.when(runs);
+  SceneOptions scene{.bodies = {}, .contacts = {}, .rigid_planes = {}, .actions = {}, .probes = {}, .stops = {},
+                     .time = read_time(run.section("time")), .recording = {}};
+  Names taken{"gravity", "relaxation"}, probes;
+  for (const Section& body : root.list("bodies", 1)) scene.bodies.push_back(read_body(body, taken));
+  for (const Section& contact : root.list("contacts")) scene.contacts.push_back(read_contact(contact, taken));
+  scene.actions = read_actions(root, runs);
+  for (const PlaneRequest& plane : scene.actions.planes) {
+    check_name(plane.section, plane.name, taken, sources);
+    RigidOptions rigid = read_rigid(plane);
+    if (plane.rigid) scene.rigid_planes.push_back(std::move(rigid));
+  }
+  for (const LoadRequest& load : scene.actions.loads) check_name(load.section, load.name, taken, sources);
+  for (const SpringRequest& spring : scene.actions.springs) check_name(spring.section, spring.name, taken, sources);
+  for (const PointMassRequest& mass : scene.actions.point_masses) check_name(mass.section, mass.name, taken, sources);
+  for (const Section& probe : run.list("probes")) scene.probes.push_back(read_probe(probe, probes));
+  for (const Section& stop : run.list("stop")) scene.stops.push_back(read_stop(stop, scene.probes));
+  scene.recording = read_recording(run.section_or_empty("output"), scene.time.end);
+  return scene;
+}
+
 }  // namespace
 
 const std::vector<Measurable>& measurables() {
@@ -204,24 +227,16 @@ const std::vector<Measurable>& measurables() {
   return all;
 }
 
-SceneOptions read_scene(const Section& root) {
-  SceneOptions scene{.bodies = {}, .contacts = {}, .rigid_planes = {}, .actions = {}, .probes = {}, .stops = {},
-                     .time = read_time(root.section("time")), .recording = {}};
-  Names taken{"gravity", "relaxation"}, probes;
-  for (const Section& body : root.list("bodies", 1)) scene.bodies.push_back(read_body(body, taken));
-  for (const Section& contact : root.list("contacts")) scene.contacts.push_back(read_contact(contact, taken));
-  scene.actions = read_actions(root);
-  for (const PlaneRequest& plane : scene.actions.planes) {
-    check_name(plane.section, plane.name, taken, sources);
-    RigidOptions rigid = read_rigid(plane);
-    if (plane.rigid) scene.rigid_planes.push_back(std::move(rigid));
-  }
-  for (const LoadRequest& load : scene.actions.loads) check_name(load.section, load.name, taken, sources);
-  for (const SpringRequest& spring : scene.actions.springs) check_name(spring.section, spring.name, taken, sources);
-  for (const PointMassRequest& mass : scene.actions.point_masses) check_name(mass.section, mass.name, taken, sources);
-  for (const Section& probe : root.list("probes")) scene.probes.push_back(read_probe(probe, probes));
-  for (const Section& stop : root.list("stop")) scene.stops.push_back(read_stop(stop, scene.probes));
-  scene.recording = read_recording(root.section_or_empty("output"), scene.time.end);
+SceneOptions read_scene(const Section& root) { return read_scene(root, true); }
+
+SceneOptions read_scene_at_rest(const Section& root) {
+  SceneOptions scene = read_scene(root, false);
+  scene.probes.clear(), scene.stops.clear();
+  if (!scene.contacts.empty())
+    root.fault("contacts", "'contacts' open and close, which no small motion about rest keeps: take them out");
+  for (const PlaneRequest& plane : scene.actions.planes)
+    if (plane.rigid || plane.kind == load::PlaneKind::floor)
+      plane.section.fault("kind", "a floor or rigid plane lets go, which no small motion about rest keeps: take it out, or say 'held'");
   return scene;
 }
 

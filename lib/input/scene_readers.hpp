@@ -104,4 +104,9 @@ struct SceneOptions {
 /// Reads a scene, with all faults that can be found without meshes: names given twice, conditions on no probe.
 SceneOptions read_scene(const Section& root);
 
+/// Reads of a scene what it is at rest: bodies, planes, springs and point masses. The rest is listed as not used.
+///
+/// Faults: contacts, floors and rigid planes, which are nothing that small motions about rest could keep.
+SceneOptions read_scene_at_rest(const Section& root);
+
 }  // namespace nereid::input

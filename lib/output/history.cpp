@@ -26,8 +26,8 @@ void append_number(double value, std::string& text) {
   text.append(digits, end.ptr);
 }
 
-void check_columns(const std::vector<Column>& columns) {
-  std::set<std::string> names{"time"};
+void check_columns(const std::vector<Column>& columns, const std::string& first) {
+  std::set<std::string> names{first};
   for (const Column& column : columns) {
     if (column.name.empty() ||
         (column.name + column.unit).find_first_of(",\"\n\r[]") != std::string::npos)
@@ -39,13 +39,13 @@ void check_columns(const std::vector<Column>& columns) {
 
 }  // namespace
 
-History::History(std::filesystem::path file, std::vector<Column> columns)
+History::History(std::filesystem::path file, std::vector<Column> columns, const Column& first)
     : file_(std::move(file)), columns_(columns.size()) {
-  check_columns(columns);
+  check_columns(columns, first.name);
   if (file_.has_parent_path()) make_folder(file_.parent_path());
   stream_.open(file_, std::ios::binary | std::ios::trunc);
   if (!stream_) throw MachineError("cannot write " + file_.string());
-  lines_ = "time [s]";
+  lines_ = first.name + " [" + first.unit + "]";
   for (const Column& column : columns) lines_ += "," + column.name + " [" + column.unit + "]";
   lines_ += "\n";
   flush();
@@ -56,11 +56,11 @@ History::~History() {
   stream_ << lines_;
 }
 
-void History::add(double time, std::span<const double> row) {
+void History::add(double first, std::span<const double> row) {
   if (row.size() != columns_)
     throw InternalError("history: a row of " + std::to_string(row.size()) + " values for " +
                         std::to_string(columns_) + " columns");
-  append_number(time, lines_);
+  append_number(first, lines_);
   for (const double value : row) {
     lines_ += ',';
     append_number(value, lines_);

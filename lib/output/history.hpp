@@ -13,7 +13,7 @@ struct Column {
   std::string unit;  ///< "Pa", "m", "1" for a pure number
 };
 
-/// A table over time as CSV: `time [s],settlement_mean [m],...`, one row per add().
+/// A table over time as CSV: `time [s],settlement_mean [m],...`, one row per add(); or over another number.
 ///
 /// Numbers have 17 digits, so that reading them gives the same bits; what is no number is `nan`.
 /// Rows reach the disk at flush(), which belongs beside the frames, and when the history goes.
@@ -21,14 +21,14 @@ struct Column {
 /// Invariants  equal rows give equal bytes.
 class History {
  public:
-  /// columns  those after the time
-  History(std::filesystem::path file, std::vector<Column> columns);
+  /// columns  those after the first
+  History(std::filesystem::path file, std::vector<Column> columns, const Column& first = {"time", "s"});
   ~History();
   History(const History&) = delete;
   History& operator=(const History&) = delete;
 
-  /// time [s]; row in the order of the columns. MachineError where writing fails.
-  void add(double time, std::span<const double> row);
+  /// first: time [s], or what the first column is; row in the order of the columns. MachineError where writing fails.
+  void add(double first, std::span<const double> row);
   /// Puts all rows on the disk. MachineError where that fails.
   void flush();
 

@@ -129,5 +129,28 @@ TEST(Measurables, HaveTheInternalVariablesOfAllLawsAndNoNameTwice) {
   EXPECT_TRUE(names.contains("plastic_strain"));
 }
 
+TEST(ReadSceneAtRest, LeavesOutWhatBelongsToARun) {
+  const std::string text = bar +
+                           "planes: [{name: end, kind: fixed, nodes: [bar.x_low]}]\npoint_masses: [{name: m, nodes: bar.x_high, mass: 1 kg}]\n"
+                           "loads: [{name: push, kind: pressure, surface: bar.x_high, value: \"1\", unit: Pa}]\n"
+                           "probes: [{name: tip, quantity: displacement, of: bar.x_high, component: x}]\nstop: [{probe: tip, above: 1 m}]\n"
+                           "gravity: [0 m/s^2, 0 m/s^2, -9.81 m/s^2]\nrelaxation: {}\ninitial: [{body: bar, velocity: [\"1\", \"0\", \"0\"], unit: m/s}]\n";
+  for (const std::string& with : {text, text + time}) {
+    const CaseFile file = CaseFile::parse(with, "case.yaml");
+    const SceneOptions scene = read_scene_at_rest(file.root());
+    file.finish();
+    EXPECT_EQ(scene.bodies.size(), 1U);
+    EXPECT_EQ(scene.actions.planes.size(), 1U);
+    EXPECT_EQ(scene.actions.point_masses.size(), 1U);
+    EXPECT_TRUE(scene.actions.loads.empty() && scene.actions.initial.empty() && scene.probes.empty() && scene.stops.empty());
+    EXPECT_TRUE(scene.actions.gravity.isZero(0));
+    EXPECT_FALSE(scene.actions.relaxation);
+    std::string not_used;
+    for (const std::string& one : file.not_used()) not_used += one + "\n";
+    for (const char* key : {"gravity", "loads[0].value", "probes[0].of", "stop[0].above", "initial[0].velocity"})
+      EXPECT_TRUE(says(not_used, key)) << key << " in\n" << not_used;
+  }
+}
+
 }  // namespace
 }  // namespace nereid::input

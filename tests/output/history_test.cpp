@@ -43,6 +43,15 @@ TEST(History, HeaderCarriesUnitsAndNumbersCarryAllDigits) {
             "0.001,0.33333333333333331,inf\n");
 }
 
+TEST(History, MayCountSomethingElseThanTime) {
+  const fs::path file = fresh_file("modes");
+  History history(file, {{"frequency", "Hz"}}, {"mode", "1"});
+  history.add(1, std::vector<double>{50.5});
+  history.flush();
+  EXPECT_EQ(text_of(file), "mode [1],frequency [Hz]\n1,50.5\n");
+  EXPECT_THROW(History(file, {{"mode", "1"}}, {"mode", "1"}), InternalError);
+}
+
 TEST(History, NotANumberHasNoSign) {
   const fs::path file = fresh_file("nan");
   History history(file, two);

@@ -10,6 +10,8 @@ DRIVER = "scene"
 BEAM = {"young": 210e9, "poisson": 0, "length": 1, "width": 0.1, "height": 0.1}
 LOAD, DENSITY = 1000, 7850  # [N] [kg/m3]
 FREE = "verification/cantilever/free.yaml"
+MODES = "verification/cantilever/modes.yaml"
+SPRINGS = {"bodies[0].element.hourglass_kind": "stiffness", "bodies[0].element.hourglass": 0.01}  # those of modes.yaml
 
 
 def cells(layers):
@@ -47,6 +49,21 @@ def swing(layers):
     return lambda run: Pair(frequency(run.other("scene", FREE, {**cells(layers), **slower(run)})), exact, "Hz")
 
 
+def lowest(run, layers):
+    """The first frequency by stiffness and mass. [Hz]"""
+    return run.other("modes", MODES, {**cells(layers), **slower(run)}).result("frequency_1")
+
+
+def by_modes(layers):
+    exact = first_frequency(density=DENSITY, bending=layers_factor(layers), **BEAM)
+    return lambda run: Pair(lowest(run, layers), exact, "Hz")
+
+
+def two_ways(run):
+    """The beam of four layers with weak springs: swinging, beside its own stiffness and mass."""
+    return Pair(frequency(run.other("scene", FREE, {**cells(4), **slower(run), **SPRINGS})), lowest(run, 4), "Hz")
+
+
 def slower(run):
     """Changes of a break that hold for the free beam as well."""
     return {key: value for key, value in run.overrides.items() if key.startswith("bodies") and "cells" not in key}
@@ -73,6 +90,9 @@ CHECKS = [
     Check("deflection, 8 layers against the beam", against_beam, 0.02, "the catalogue's bound: 1/64 of it is the layers' own bending"),
     Check("first frequency, 4 layers", swing(4), 0.02, "Timoshenko's, with 1 - 1/n^2 of the stiffness"),
     Check("first frequency, 8 layers", swing(8), 0.02, "Timoshenko's, with 1 - 1/n^2 of the stiffness"),
+    Check("first frequency by modes, 4 layers", by_modes(4), 0.02, "the same beam, from its stiffness and mass"),
+    Check("first frequency by modes, 8 layers", by_modes(8), 0.02, "the same beam, from its stiffness and mass"),
+    Check("swinging beside modes, 4 layers", two_ways, 1e-3, "the same model twice: a run sampled every 0.02 ms tells three periods to 5e-4"),
 ]
 
 STUDIES = [Table("Deflection over the beam's, n layers.", ["element", "n = 1", "n = 2", "n = 4", "n = 8"], formulations, full=True)]
@@ -82,6 +102,7 @@ BREAKS = [
     Breaks("deflection, 4 layers", "a plate's stiffness E/(1 - nu^2) in a beam", {"bodies[0].material.young": "230.77 GPa"}),
     Breaks("deflection, 4 layers", "hourglass springs in place of dashpots", {"bodies[0].element.hourglass_kind": "stiffness", "bodies[0].element.hourglass": 1}),
     Breaks("first frequency, 4 layers", "half the density", {"bodies[0].material.density": "3925 kg/m^3"}),
+    Breaks("first frequency by modes, 4 layers", "half the density", {"bodies[0].material.density": "3925 kg/m^3"}),
 ]
 
 

@@ -1,0 +1,184 @@
+#include "dynamics/modes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+#include "mesh/box.hpp"
+#include "mesh/disc.hpp"
+#include "mesh/placement.hpp"
+#include "mesh/sphere.hpp"
+
+namespace nereid::dynamics {
+namespace {
+
+using load::PlaneKind;
+using material::Elastic;
+
+const Elastic steel{7850, 2.1e11, 0.3};
+const element::Viscosity none{0, 0};
+
+Model solid(const mesh::Mesh& mesh, const Elastic& law, bool full = false) {
+  Model model;
+  model.mesh = mesh;
+  element::AnyHexahedronOptions options = element::Hexahedron::Options{.viscosity = none};
+  if (full) options = element::FullHexahedron::Options{.viscosity = none};
+  model.blocks.push_back(element::solids(mesh, "a", law, options));
+  return model;
+}
+
+Model box(const Vec3& size, const Eigen::Vector3i& cells, const Elastic& law, bool full = false) {
+  return solid(mesh::box("a", {Vec3::Zero(), size, cells}), law, full);
+}
+
+Model sheet(double side, int cells, double thickness, double angle = 0) {
+  Model model;
+  model.mesh = mesh::sheet("a", {.length = side, .width = side, .cells_along = cells, .cells_across = cells, .cuts = mesh::Cuts::crossed});
+  if (angle != 0) model.mesh = mesh::turned_about(std::move(model.mesh), Vec3(1, 2, 3).normalized(), angle, Vec3::Zero());
+  const element::Plate::Options options{.thickness = thickness, .layers = 2, .rotary_inertia = element::Plate::RotaryInertia::physical,
+                                        .viscosity = none};
+  model.blocks.push_back(element::plates(model.mesh, "a", steel, options));
+  return model;
+}
+
+void hold(Model& model, const std::string& set, PlaneKind kind, const Vec3& normal) {
+  load::Plane plane;
+  plane.name = set + std::to_string(model.constraints.planes.size());
+  plane.kind = kind, plane.normal = normal, plane.nodes = mesh::node_set(model.mesh, set);
+  model.constraints.planes.push_back(plane);
+}
+
+double omega(const Mode& mode) { return 2 * pi * mode.frequency; }
+
+/// u^T M u of a mode.
+double mass_of(const Model& model, const Mode& mode) {
+  double sum = 0;
+  for (Eigen::Index n = 0; n < mode.shape.cols(); ++n) sum += model.mass(n) * mode.shape.col(n).squaredNorm();
+  for (Eigen::Index n = 0; n < mode.turns.cols(); ++n) sum += model.inertia(n) * mode.turns.col(n).squaredNorm();
+  return sum;
+}
+
+TEST(Modes, OfABarAreThoseOfAChain) {
+  const int cells = 6;
+  const double h = 0.5, c = std::sqrt(steel.young / steel.density);
+  Model model = box({cells * h, 0.1, 0.1}, {cells, 1, 1}, {7850, 2.1e11, 0});
+  hold(model, "a.x_low", PlaneKind::fixed, Vec3::UnitX());
+  hold(model, "a", PlaneKind::held, Vec3::UnitY());
+  hold(model, "a", PlaneKind::held, Vec3::UnitZ());
+  finish(model);
+  const Modes modes = find_modes(model, 3, 1);
+  ASSERT_EQ(modes.lowest.size(), 3U);
+  EXPECT_EQ(modes.freedoms, 4 * cells);
+  EXPECT_EQ(modes.without_stiffness, 0);
+  for (int k = 0; k < 3; ++k)  // a chain of masses and springs, half a mass at its free end
+    EXPECT_NEAR(omega(modes.lowest[k]) / (2 * c / h * std::sin((2 * k + 1) * pi / (4 * cells))), 1, 1e-10);
+}
+
+TEST(Modes, OfAFreeBrickHaveTheHighestInClosedForm) {
+  for (const Vec3& h : {Vec3(0.1, 0.1, 0.1), Vec3(0.1, 0.2, 0.5), Vec3(0.3, 0.05, 0.07)})
+    for (const double poisson : {0.0, 0.3, 0.49})
+      for (const bool full : {false, true}) {
+        Model model = box(h, {1, 1, 1}, {7850, 2.1e11, poisson}, full);
+        finish(model);
+        const auto lame = material::lame(Elastic{7850, 2.1e11, poisson});
+        Mat3 M;
+        for (int i = 0; i < 3; ++i)
+          for (int j = 0; j < 3; ++j) M(i, j) = 4 * (lame.lambda + (i == j ? 2 * lame.mu : 0)) / (7850 * h(i) * h(j));
+        const Modes modes = find_modes(model, 10, 1);
+        const double exact = std::sqrt(Eigen::SelfAdjointEigenSolver<Mat3>(M).eigenvalues()(2));
+        EXPECT_NEAR(omega(modes.highest[0]) / exact, 1, 1e-10) << h.transpose() << " " << poisson << " " << full;
+        EXPECT_NEAR(modes.exact_step * exact / 2, 1, 1e-10);
+        EXPECT_LE(modes.voted_step, modes.exact_step * (1 + 1e-9));
+        EXPECT_EQ(modes.without_stiffness, 6);
+      }
+}
+
+TEST(Modes, HaveASymmetricStiffness) {
+  Model ball = solid(mesh::sphere("a", {.radius = 1, .part = mesh::SpherePart::full, .cells_core = 2, .cells_ring = 1}), steel);
+  finish(ball);
+  EXPECT_LT(find_modes(ball, 1, 1).asymmetry, 1e-12);
+  Model plate = sheet(1, 3, 0.05, 0.7);
+  finish(plate);
+  EXPECT_LT(find_modes(plate, 1, 1).asymmetry, 1e-12);
+}
+
+TEST(Modes, OfAFreeSolidBeginWithSixRigidOnes) {
+  Model model = solid(mesh::sphere("a", {.radius = 1, .part = mesh::SpherePart::full, .cells_core = 2, .cells_ring = 2}), steel, true);
+  finish(model);
+  const Modes modes = find_modes(model, 8, 1);  // so many freedoms that the matrix stays sparse
+  EXPECT_GT(modes.freedoms, 300);
+  EXPECT_TRUE(modes.complete);
+  EXPECT_EQ(modes.without_stiffness, 6);
+  EXPECT_GT(modes.lowest[6].frequency, 100);
+  for (const Mode& mode : modes.lowest) EXPECT_NEAR(mass_of(model, mode), 1, 1e-9);
+}
+
+TEST(Modes, OfAPlateLeaveOutTurnsAboutItsNormal) {
+  for (const double angle : {0.0, 0.7}) {
+    Model model = sheet(1, 8, 0.01, angle);
+    finish(model);
+    const Modes modes = find_modes(model, 12, 1);
+    const Eigen::Index nodes = model.mesh.X.cols();
+    EXPECT_EQ(modes.drilling, nodes);
+    EXPECT_EQ(modes.freedoms, 5 * nodes);
+    EXPECT_EQ(modes.without_stiffness, 6);
+    EXPECT_TRUE(modes.complete);
+    for (const Mode& mode : modes.lowest) {
+      EXPECT_LT(mode.residual, 1e-8);
+      EXPECT_NEAR(mass_of(model, mode), 1, 1e-9);
+    }
+  }
+}
+
+TEST(Modes, ComeInPairsWhereTheShapeIsSymmetric) {
+  Model model = sheet(1, 8, 0.01);
+  for (const char* edge : {"a.x_low", "a.x_high", "a.y_low", "a.y_high"}) hold(model, edge, PlaneKind::held, Vec3::UnitZ());
+  hold(model, "a", PlaneKind::held, Vec3::UnitX()), hold(model, "a", PlaneKind::held, Vec3::UnitY());
+  finish(model);
+  const Modes modes = find_modes(model, 6, 2);  // waves 1 and 2; 1 and 3 are of one symmetry and may part
+  EXPECT_TRUE(modes.complete);
+  EXPECT_EQ(modes.without_stiffness, 0);
+  EXPECT_NEAR(modes.lowest[2].frequency / modes.lowest[1].frequency, 1, 1e-9);
+  EXPECT_GT(modes.lowest[3].frequency / modes.lowest[2].frequency, 1.1);
+  EXPECT_GE(modes.highest[0].frequency, modes.highest[1].frequency);
+}
+
+TEST(Modes, OfAHalfAreAmongThoseOfTheWhole) {
+  Model whole = box({2, 0.4, 0.3}, {8, 2, 2}, steel, true), half = box({1, 0.4, 0.3}, {4, 2, 2}, steel, true);
+  hold(half, "a.x_high", PlaneKind::symmetry, Vec3::UnitX());
+  finish(whole), finish(half);
+  const Modes all = find_modes(whole, 12, 1), some = find_modes(half, 6, 1);
+  EXPECT_EQ(some.without_stiffness, 3);  // two shifts and the turn about the normal
+  double nearest = 1e300;
+  for (const Mode& mode : all.lowest) nearest = std::min(nearest, std::abs(mode.frequency / some.lowest[3].frequency - 1));
+  EXPECT_LT(nearest, 1e-8);
+}
+
+TEST(Modes, SeeSpringsAndPointMasses) {
+  Model model = box({0.1, 0.1, 0.1}, {1, 1, 1}, steel);
+  model.point_masses.push_back({"m", mesh::node_set(model.mesh, "a"), 20});
+  finish(model);
+  hold(model, "a", PlaneKind::held, Vec3::UnitX()), hold(model, "a", PlaneKind::held, Vec3::UnitY());
+  const double k = 1000;
+  for (Index node = 0; node < 8; ++node)
+    model.loads.emplace_back(load::spring_to_point("s" + std::to_string(node), model.mesh.X, node,
+                                                   model.mesh.X.col(node) + Vec3(0, 0, 1), k / 8, 0));
+  const Modes modes = find_modes(model, 1, 1);
+  EXPECT_NEAR(omega(modes.lowest[0]) / std::sqrt(k / (20 + 7.850)), 1, 1e-6);
+}
+
+TEST(Modes, ForgetDashpotsAndViscosity) {
+  Model still = sheet(1, 3, 0.05), viscous = sheet(1, 3, 0.05);
+  viscous.blocks.clear();
+  viscous.blocks.push_back(element::plates(viscous.mesh, "a", steel, {.thickness = 0.05, .layers = 2,
+                                           .rotary_inertia = element::Plate::RotaryInertia::physical, .viscosity = {1, 10}}));
+  finish(still), finish(viscous);
+  const Modes a = find_modes(still, 8, 1), b = find_modes(viscous, 8, 1);
+  EXPECT_NEAR(a.lowest[7].frequency / b.lowest[7].frequency, 1, 1e-10);
+  EXPECT_NEAR(a.exact_step / b.exact_step, 1, 1e-10);
+  EXPECT_LT(b.voted_step, a.voted_step);
+}
+
+}  // namespace
+}  // namespace nereid::dynamics
