@@ -28,6 +28,8 @@ def case_figure(one, curves):
     if one.log:
         upper.set_xscale("log")
         upper.set_yscale("log")
+    if one.equal:
+        upper.set_aspect("equal", adjustable="datalim")
     upper.set_ylabel(one.up)
     upper.legend(loc="best")
     for number, across, error in errors:
@@ -40,13 +42,14 @@ def case_figure(one, curves):
     return svg_of(picture)
 
 
-RINGS = 60  # turning points from which a curve is a band: dashes would only blur it
+RINGS = 12  # [-] way up and down over the range, from which a curve is a band: dashes would only blur it
 
 
 def draw_result(axes, across, up, number, label=None):
     """A curve in the style of its number; one that rings is a thin line below all others."""
-    turns = sum((b - a) * (c - b) < 0 for a, b, c in zip(up, up[1:], up[2:]))
-    (drawing.draw_band if turns > RINGS else drawing.draw_curve)(axes, across, up, number, label)
+    way = sum(abs(b - a) for a, b in zip(up, up[1:]))
+    rings = len(up) > 0 and way > RINGS * (max(up) - min(up))
+    (drawing.draw_band if rings else drawing.draw_curve)(axes, across, up, number, label)
 
 
 def errors_of(results, exact):

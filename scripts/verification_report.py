@@ -82,7 +82,7 @@ def overview(outcomes, missing, level):
     if missing:
         text.append(f"<p class='FAIL'>Not run: {', '.join(missing)}.</p>")
     for letter, title in tables.SECTIONS.items():
-        of_section = [out for out in outcomes.values() if tables.section_of(out.catalogue) == letter]
+        of_section = [out for out in outcomes.values() if tables.section_of(out.catalogue, out.evidence) == letter]
         if of_section:
             text += [f"<h2>{title}</h2>", "<table><tr><th>case</th><th>claim</th><th>evidence</th><th>closest check</th><th>error</th>"
                      "<th>limit</th><th></th><th>breaks</th><th></th></tr>", *(overview_row(out) for out in of_section), "</table>"]

@@ -8,7 +8,8 @@ import re
 import verify
 
 BEGIN, END = "<!-- written by scripts/verify.py -->", "<!-- end of what scripts/verify.py writes -->"
-SECTIONS = {"E": "Elements", "P": "Plates", "M": "Materials", "I": "Impact", "C": "Contact", "W": "Whole problems", "": "Invariants"}
+SECTIONS = {"E": "Elements", "P": "Plates", "M": "Materials", "I": "Impact", "C": "Contact", "W": "Whole problems",
+            "invariant": "Invariants", "": "Others"}
 ROUNDING = 1e-8
 
 
@@ -46,9 +47,11 @@ def rough(seconds):
 # ------------------------------------------------------------------------------------------------
 # All cases
 
-def section_of(catalogue):
-    """The letter of the first number of the catalogue; nothing for what it has no number for."""
-    return catalogue[0][0] if catalogue and catalogue[0][0] in SECTIONS else ""
+def section_of(catalogue, evidence):
+    """The letter of the first number of the catalogue; for what has no number whether it is an invariant."""
+    if catalogue and catalogue[0][0] in SECTIONS:
+        return catalogue[0][0]
+    return evidence if evidence in SECTIONS else ""
 
 
 def quick_part(out):
@@ -62,14 +65,15 @@ def suite_line(out):
     closest, missed = quick.closest(), len(quick.misses())
     error, limit, name = (closest.error, closest.limit, closest.name) if closest else ("", "", "")
     status = "FAIL" if not out.good() else f"{missed} MISS" if missed else "pass"
-    return f"| [{out.name}](verification/{out.name}/README.md) | {out.claim} | {out.evidence} | {name} | {error} | {limit} | {status} |"
+    numbers = f" {', '.join(out.catalogue)}" if out.catalogue else ""
+    return f"| [{out.name}](verification/{out.name}/README.md){numbers} | {out.claim} | {out.evidence} | {name} | {error} | {limit} | {status} |"
 
 
-def suite_block(lines, catalogues):
+def suite_block(lines, sections):
     """The generated part of the README at the top: lines by name of the case, a table for each section."""
     text = [BEGIN, ""]
     for letter, title in SECTIONS.items():
-        of_section = [lines[name] for name in sorted(lines) if section_of(catalogues[name]) == letter]
+        of_section = [lines[name] for name in sorted(lines) if sections[name] == letter]
         if of_section:
             text += [f"**{title}**", "", "| case | claim | evidence | closest check | error | limit | |", "|---|---|---|---|---|---|---|",
                      *of_section, ""]
@@ -102,8 +106,8 @@ def write(root, outcomes):
     names = verify.names_of_all(root)
     old = lines_of(readme.read_text(encoding="utf-8"))
     lines = {name: suite_line(outcomes[name]) if name in outcomes else old[name] for name in names if name in outcomes or name in old}
-    catalogues = {name: getattr(verify.Case(name, root).accept, "CATALOGUE", ()) for name in lines}
-    put_block(readme, suite_block(lines, catalogues))
+    accepted = {name: verify.Case(name, root).accept for name in lines}
+    put_block(readme, suite_block(lines, {name: section_of(one.CATALOGUE, one.EVIDENCE) for name, one in accepted.items()}))
 
 
 # ------------------------------------------------------------------------------------------------

@@ -123,7 +123,7 @@ class Figure:
 
     Below them stands the error: result less exact over the largest exact value, each result beside the exact curve of
     the same place, or all beside a single one. `ranges(run)` gives [(label, left, right, low, high), ...], drawn as
-    hatched boxes. `log` takes both axes logarithmic and shows no error.
+    hatched boxes. `log` takes both axes logarithmic and shows no error, `equal` draws places, as long across as up.
     """
     name: str  # of the file, without ending
     across: str
@@ -134,6 +134,7 @@ class Figure:
     caption: str = ""
     log: bool = False
     error: bool = True
+    equal: bool = False
     full: bool = False
 
 

@@ -8,7 +8,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
 import verification_tables as tables  # noqa: E402  (after the path)
 import verify  # noqa: E402
 
-ACCEPT = "CATALOGUE = ('I-3',)\n"
+ACCEPT = "CATALOGUE, EVIDENCE = ('I-3',), 'exact'\n"
 
 
 def outcome(error=0.005, limit=0.01, name="bar", full_error=0.3):

@@ -106,5 +106,5 @@ def kept(run):
     return [(f"kept, {'xyz'[i]}", [0, end], [MOMENTUM[i]] * 2) for i in (2, 0)]
 
 
-FIGURES = [Figure("momentum", "time [us]", "momentum [N s]", momenta, exact=kept,
+FIGURES = [Figure("momentum", "time [us]", "momentum [N s]", momenta, exact=kept, error=False,
                   caption="Momentum of the two blocks down (z) and along (x): the impact takes it from one, friction too, and gives it to the other.")]

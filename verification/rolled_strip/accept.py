@@ -74,5 +74,5 @@ BREAKS = [
     Breaks("height of the circle, L/pi", "the stiffness of a plate, E/(1 - nu^2), in place of a beam's", {"bodies[0].material.poisson": 0.3}),
 ]
 
-FIGURES = [Figure("circle", "x [m]", "z [m]", shape, exact=circle, error=False,
+FIGURES = [Figure("circle", "x [m]", "z [m]", shape, exact=circle, error=False, equal=True,
                   caption="The rolled strip, 16 cells, on the circle of the elastica.")]
