@@ -137,7 +137,10 @@ def stale_case(folder, out):
     if not path.is_file():
         return [f"{path}: is missing"]
     text = path.read_text(encoding="utf-8")
-    written = {line.split(" | ")[0][2:]: line for line in text[text.find(BEGIN):].splitlines() if line.startswith("| ")}
+    written = {}
+    for line in text[text.find(BEGIN):].splitlines():
+        if line.startswith("| ") and len(entries(line)) == 6:
+            written.setdefault(entries(line)[0], line)  # the checks stand first; a table may have rows of the same name
     faults = []
     for row in out.rows:
         if row.name not in written:
@@ -148,8 +151,12 @@ def stale_case(folder, out):
     return faults
 
 
+def entries(line):
+    return [entry.strip() for entry in line.strip()[1:-1].split(" | ")]
+
+
 def same_row(line, row):
-    old = [entry.strip() for entry in line.strip().strip("|").split(" | ")]
+    old = entries(line)
     if len(old) != 6 or old[4] != row.limit or old[5] != row.word:
         return False
     return row.kind in ("study", "break", "report") or same_error(old[3], row.error, row.within)
@@ -157,7 +164,7 @@ def same_row(line, row):
 
 def same_line(old, new, closest):
     """Lines of the table of all: the same claim, evidence and status; the closest check may be another of the same size."""
-    before, after = ([entry.strip() for entry in line.strip().strip("|").split(" | ")] for line in (old, new))
+    before, after = entries(old), entries(new)
     if len(before) != len(after) or before[:3] != after[:3] or before[6:] != after[6:]:
         return False
     if before[3] != after[3] or before[5] != after[5]:  # rounding decides which of several is closest

@@ -77,9 +77,10 @@ class InATemporaryFolder(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.folder = Path(folder.name)
 
-    def run_to_end(self, driver, values, *flags, out="out"):
+    def run_to_end(self, driver, values, *flags, out="out", warning=""):
         run = Run(driver, values, self.folder / out, "--quiet", *flags)
-        self.assertEqual((run.status, run.stderr), (0, ""))
+        self.assertEqual((run.status, bool(run.stderr)), (0, bool(warning)), run.stderr)
+        self.assertIn(warning, run.stderr)
         return run
 
 
@@ -218,8 +219,8 @@ class Summary(InATemporaryFolder):
         size = sum(component**2 for component in ledger["initial_momentum"]["value"]) ** 0.5
         return max(size, ledger["initial_kinetic"]["value"] / 10)  # [kg m/s] 10 m/s is the speed in both cases
 
-    def check_cask(self, values, planes):
-        run = self.run_to_end("cask_drop", values)
+    def check_cask(self, values, planes, warning=""):
+        run = self.run_to_end("cask_drop", values, warning=warning)
         summary = self.check_form(run, "cask_drop", {
             "settlement_mean": "m", "time_of_settlement_mean": "s", "settlement_centre": "m", "bulge": "m",
             "smallest_step": "s", "largest_step": "s"})
@@ -251,7 +252,8 @@ class Summary(InATemporaryFolder):
                 if "two" in change:
                     self.assertIn("interface_back", self.run_to_end("cask_drop", values, out="two").summary()["ledger"]["accounts"])
                     continue
-                self.check_cask(values, ["floor", "x_plane", "y_plane"])
+                # a penalty that does not cost the thin skin its step lets the lead through by more than its thickness
+                self.check_cask(values, ["floor", "x_plane", "y_plane"], "too soft a penalty" if "mass" in change else "")
 
     def test_sector_of_the_cask(self):
         sector = [*CASK, "model.kind=sector", "mesh.level=2"]
