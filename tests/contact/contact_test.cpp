@@ -698,6 +698,31 @@ TEST(Border, AnApexThatLeavesIsBeyondWithoutForceAndComesBack) {
   EXPECT_EQ(scene.memory.status[0], Status::closed);
 }
 
+TEST(Border, OfAnApexOnASymmetryPlaneHasTheMarginOfAllOthers) {
+  // the sheet ends at x = 0 because its image goes on there, and at y = 4 because it ends
+  Mat3 allowed = Mat3::Identity();
+  allowed(0, 0) = 0;
+  for (const bool on_plane : {false, true}) {
+    for (const double contact_height : {0.1, 0.0}) {
+      const double height = contact_height - 0.03;
+      Scene scene = press(sheet(4, 4, flat), {{0, 3.9, height}}, contact_height);
+      if (on_plane) {
+        scene.interface.allowed.assign(1, allowed);
+        goes_on_behind(scene.interface.base, {0, 5, 10, 15, 20});
+      }
+      for (const double y : {3.9, 4.0, 4.001, 4.03}) {
+        scene.move({0, y, height});
+        scene.update();
+        EXPECT_EQ(scene.memory.status[0], Status::closed) << on_plane << ' ' << contact_height << ' ' << y;
+        EXPECT_LT((scene.workspace.elements[0].apex - Vec3(0, 0, penalty * 0.03)).norm(), 1e-9) << on_plane << ' ' << contact_height << ' ' << y;
+      }
+      scene.move({0, 4.15, height});
+      scene.update();
+      EXPECT_EQ(scene.memory.status[0], Status::beyond);
+    }
+  }
+}
+
 TEST(Border, EnergyOfAnApexThatLeavesIsBooked) {
   Scene scene = press(sheet(4, 4, flat), {{3.9, 2.2, 0.07}}, 0.1);
   const double energy = stored(scene.memory);
@@ -855,6 +880,12 @@ Cask cask(mesh::Turn turn, int core, int along, double clearance) {
     for (std::size_t a = 0; a < in.apexes.size(); ++a)
       for (int axis = 0; axis < 2; ++axis)
         if (joined.X(axis, in.apexes[a]) == 0) in.allowed[a](axis, axis) = 0;
+    for (int axis = 0; axis < 2; ++axis) {
+      Subset plane;
+      for (Index n = 0; n < static_cast<Index>(joined.X.cols()); ++n)
+        if (joined.X(axis, n) == 0) plane.push_back(n);
+      goes_on_behind(in.base, plane);
+    }
   }
   return {scene_of(joined.X, std::move(in), {true, clearance, 0}), mesh::facet_areas(joined, side).sum()};
 }
