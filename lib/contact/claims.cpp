@@ -165,8 +165,9 @@ bool past_border(const BaseSurface& base, const Vectors& x, Index facet, const C
   const Vec3 away = eigen(p - foot);
   Vec3 unit = eigen(n).normalized();
   const bool in_plane = allowed != nullptr && (away - *allowed * away).norm() <= border_tolerance * size;
-  if (in_plane && image) unit = (*allowed * unit).normalized();
   const bool goes_on = in_plane && !at_end(base, facet, closest);
+  if (goes_on && image) return false;
+  if (in_plane && image) unit = (*allowed * unit).normalized();
   return (away - away.dot(unit) * unit).norm() > (goes_on ? border_tolerance : border_margin) * size;
 }
 

@@ -38,7 +38,8 @@ bool at_end(const BaseSurface&, Index facet, const geometry::Closest&);
 ///
 /// allowed  directions of an apex on a symmetry plane, or null: where the foot lies in the plane too,
 ///          the surface goes on behind it and the margin is that of round-off, except at_end()
-/// image    count the image of the facet behind the plane: the normal between them lies in the plane
+/// image    count the image of the facet behind the plane: no apex is past a border there, except at_end(), where the
+///          normal between the two lies in the plane
 bool past_border(const BaseSurface&, const Vectors& x, Index facet, const geometry::Closest&,
                  const Vector<double>& apex, const Mat3* allowed, bool image);
 
