@@ -723,7 +723,8 @@ TEST(Border, OfAnApexOnASymmetryPlaneHasTheMarginOfAllOthers) {
         scene.move({0, y, height});
         scene.update();
         EXPECT_EQ(scene.memory.status[0], Status::closed) << on_plane << ' ' << contact_height << ' ' << y;
-        EXPECT_LT((scene.workspace.elements[0].apex - Vec3(0, 0, penalty * 0.03)).norm(), 1e-9) << on_plane << ' ' << contact_height << ' ' << y;
+        EXPECT_LT((scene.workspace.elements[0].apex - Vec3(0, 0, penalty * 0.03)).norm(), 1e-9)
+            << on_plane << ' ' << contact_height << ' ' << y;
       }
       scene.move({0, 4.15, height});
       scene.update();
