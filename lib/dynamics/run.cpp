@@ -54,8 +54,9 @@ bool created_too_much(const Ledger& ledger, double limit, Outcome& outcome) {
     }
     if (scale > 0 && created(account) > limit * scale) {
       outcome.ending = Ending::energy_created;
-      outcome.reason = text(scale > ledger.initial_kinetic ? "created %.3g of the energy brought in so far; the limit is %.3g"
-                                                           : "created %.3g of the initial kinetic energy; the limit is %.3g",
+      outcome.reason = text(scale == ledger.initial_kinetic ? "created %.3g of the initial kinetic energy; the limit is %.3g"
+                            : scale == ledger.brought_in    ? "created %.3g of the energy brought in so far; the limit is %.3g"
+                                                            : "created %.3g of the energy stored at the start; the limit is %.3g",
                             created(account) / scale, limit);
       outcome.block = account.name;
       return true;
