@@ -19,7 +19,7 @@ Vec3 centre(const BaseSurface& base, const Vectors& x, Index facet) {
 }  // namespace
 
 BaseSurface base_surface(const mesh::Surface& surface, Index nodes_of_mesh) {
-  BaseSurface base{.facets = surface.facets, .neighbour = Table<3>::Constant(3, surface.facets.cols(), -1),
+  BaseSurface base{.facets = surface.facets, .neighbour = Table<3>::Constant(3, surface.facets.cols(), no_facet),
                    .ring_begin = std::vector<Index>(nodes_of_mesh + 1, 0), .ring = {}};
   std::map<std::pair<Index, Index>, std::pair<Index, int>> directed;
   for (Index f = 0; f < base.facets.cols(); ++f) {
@@ -40,6 +40,14 @@ BaseSurface base_surface(const mesh::Surface& surface, Index nodes_of_mesh) {
   for (Index f = 0; f < base.facets.cols(); ++f)
     for (int a = 0; a < 3; ++a) base.ring[next[base.facets(a, f)]++] = f;
   return base;
+}
+
+void goes_on_behind(BaseSurface& base, const Subset& nodes) {
+  const auto on_plane = [&](Index node) { return std::binary_search(nodes.begin(), nodes.end(), node); };
+  for (Index f = 0; f < base.facets.cols(); ++f)
+    for (int e = 0; e < 3; ++e)
+      if (base.neighbour(e, f) < 0 && on_plane(base.facets(e, f)) && on_plane(base.facets((e + 1) % 3, f)))
+        base.neighbour(e, f) = image_of_facet;
 }
 
 WalkEnd walk(const BaseSurface& base, const Vectors& x, const Vector<double>& apex, Index from) {

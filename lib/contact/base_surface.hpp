@@ -16,9 +16,12 @@ struct Feature {
   int local = 0;  ///< edge 0-1, 1-2, 2-0 or vertex 0, 1, 2 of the facet
 };
 
+constexpr Index no_facet = -1;        ///< behind a border edge the surface ends
+constexpr Index image_of_facet = -2;  ///< behind a border edge in a symmetry plane it goes on as its image
+
 struct BaseSurface {
   Table<3> facets;          ///< nodes; the normal points to the side of the apexes
-  Table<3> neighbour;       ///< facet across the edges 0-1, 1-2, 2-0, or -1 at the border
+  Table<3> neighbour;       ///< facet across the edges 0-1, 1-2, 2-0, or at the border one of the two above, below 0
   std::vector<Index> ring_begin;  ///< [nodes of the mesh + 1] where the facets around a node begin
   Subset ring;              ///< facets around each node, ascending
 };
@@ -28,6 +31,11 @@ struct BaseSurface {
 /// Throws InternalError if an edge belongs to more than two facets, or if two neighbours disagree
 /// about which side is which.
 BaseSurface base_surface(const mesh::Surface&, Index nodes_of_mesh);
+
+/// Marks the border edges that lie in a symmetry plane: the surface goes on behind them as its image.
+///
+/// nodes    on the plane, ascending
+void goes_on_behind(BaseSurface&, const Subset& nodes);
 
 inline Vector<double> position(const Vectors& x, Index node) {
   return {x(0, node), x(1, node), x(2, node)};

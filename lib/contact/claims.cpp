@@ -90,6 +90,21 @@ void settle_ridges(Claims& claims) {
   claims.count = kept;
 }
 
+/// Whether the closest edge, or an edge that meets in the closest vertex, has an entry in the table of
+/// neighbours that is wanted.
+template <class Wanted>
+bool touches_an_edge(const BaseSurface& base, Index facet, const Closest& closest, const Wanted& wanted) {
+  if (closest.kind == Kind::edge) return wanted(base.neighbour(closest.local, facet));
+  const Index node = base.facets(closest.local, facet);
+  for (Index r = base.ring_begin[node]; r < base.ring_begin[node + 1]; ++r) {
+    for (int e = 0; e < 3; ++e) {
+      const bool touches = base.facets(e, base.ring[r]) == node || base.facets((e + 1) % 3, base.ring[r]) == node;
+      if (touches && wanted(base.neighbour(e, base.ring[r]))) return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 FeatureNodes nodes_of(const BaseSurface& base, const Feature& f) {
@@ -150,21 +165,18 @@ bool past_border(const BaseSurface& base, const Vectors& x, Index facet, const C
   const Vec3 away = eigen(p - foot);
   Vec3 unit = eigen(n).normalized();
   const bool in_plane = allowed != nullptr && (away - *allowed * away).norm() <= border_tolerance * size;
+  const bool goes_on = in_plane && !at_end(base, facet, closest);
+  if (goes_on && image) return false;
   if (in_plane && image) unit = (*allowed * unit).normalized();
-  return (away - away.dot(unit) * unit).norm() > (in_plane ? border_tolerance : border_margin) * size;
+  return (away - away.dot(unit) * unit).norm() > (goes_on ? border_tolerance : border_margin) * size;
 }
 
 bool on_border(const BaseSurface& base, Index facet, const Closest& closest) {
-  if (closest.kind == Kind::edge) return base.neighbour(closest.local, facet) < 0;
-  // a vertex is on the border if an edge of its ring is
-  const Index node = base.facets(closest.local, facet);
-  for (Index r = base.ring_begin[node]; r < base.ring_begin[node + 1]; ++r) {
-    for (int e = 0; e < 3; ++e) {
-      const bool touches = base.facets(e, base.ring[r]) == node || base.facets((e + 1) % 3, base.ring[r]) == node;
-      if (touches && base.neighbour(e, base.ring[r]) < 0) return true;
-    }
-  }
-  return false;
+  return touches_an_edge(base, facet, closest, [](Index neighbour) { return neighbour < 0; });
+}
+
+bool at_end(const BaseSurface& base, Index facet, const Closest& closest) {
+  return touches_an_edge(base, facet, closest, [](Index neighbour) { return neighbour == no_facet; });
 }
 
 void Claims::add(const Feature& f, const FeatureHeight& height) {

@@ -29,12 +29,17 @@ FeatureHeight height_over(const BaseSurface&, const Vectors& x, const Feature&, 
 /// Whether a closest point lies on the border of the surface.
 bool on_border(const BaseSurface&, Index facet, const geometry::Closest&);
 
+/// Whether a closest point lies where the surface ends: on a border edge behind which there is no image, or where
+/// such an edge meets a symmetry plane.
+bool at_end(const BaseSurface&, Index facet, const geometry::Closest&);
+
 /// Whether a closest point on the border of the surface belongs to an apex that has left it; if not,
 /// the apex is on the border to within a margin and the plane of its facet is its base.
 ///
 /// allowed  directions of an apex on a symmetry plane, or null: where the foot lies in the plane too,
-///          the surface goes on behind it
-/// image    count the image of the facet behind the plane: the normal between them lies in the plane
+///          the surface goes on behind it and the margin is that of round-off, except at_end()
+/// image    count the image of the facet behind the plane: no apex is past a border there, except at_end(), where the
+///          normal between the two lies in the plane
 bool past_border(const BaseSurface&, const Vectors& x, Index facet, const geometry::Closest&,
                  const Vector<double>& apex, const Mat3* allowed, bool image);
 

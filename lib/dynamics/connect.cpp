@@ -170,6 +170,8 @@ Connected connect_one_pass(Model& model, const std::string& name, const std::str
   interface.weights = options.weights;
   interface.area_kind = options.area;
   interface.allowed = allowed_directions(model, interface.apexes);
+  for (const load::Plane& plane : model.constraints.planes)
+    if (plane.kind == load::PlaneKind::symmetry) contact::goes_on_behind(interface.base, plane.nodes);
   if (turns(model, apexes) || turns(model, base)) {
     interface.turn_of_node = model.turn_of_node;
     const double apex_half = half_thickness(model, apexes), base_half = half_thickness(model, base);

@@ -1,5 +1,7 @@
 #include "dynamics/ledger.hpp"
 
+#include <algorithm>
+
 namespace nereid::dynamics {
 
 namespace {
@@ -19,6 +21,19 @@ double initial_stored(const Ledger& ledger) {
   for (const Account& a : ledger.accounts)
     for (const Share& share : a.stored) total += share.at_start;
   return total;
+}
+
+double work_from_outside(const Ledger& ledger) {
+  double total = 0;
+  for (const Account& a : ledger.accounts) {
+    const auto outside = [](const Share& share) { return share.name == "outside"; };
+    if (a.kind == "gravity" || std::any_of(a.stored.begin(), a.stored.end(), outside)) total += std::max(0.0, a.work);
+  }
+  return total;
+}
+
+double energy_scale(const Ledger& ledger) {
+  return std::max({ledger.initial_kinetic, initial_stored(ledger), ledger.brought_in});
 }
 
 double energy_residual(const Ledger& ledger) {

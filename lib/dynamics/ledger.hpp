@@ -40,6 +40,9 @@ struct Ledger {
   /// [J] what the two half kicks of central differences add to the kinetic energy beyond the work of
   /// the trapezoid rule: the sum over steps of dt^2/8 (f'.f'/m - f.f/m).
   double integration = 0;
+  /// [J] the most that came in from outside at any settled time so far: the positive works of gravity and of
+  /// the sources with a store "outside" (loads, planes and nodes that are moved). settle() keeps it.
+  double brought_in = 0;
   Vec3 initial_momentum = Vec3::Zero(), momentum = Vec3::Zero();                  ///< [kg m/s]
   Vec3 initial_angular_momentum = Vec3::Zero(), angular_momentum = Vec3::Zero();  ///< [kg m2/s]
   std::vector<Account> accounts;
@@ -47,6 +50,13 @@ struct Ledger {
 
 /// What all stores held at the start together. [J]
 double initial_stored(const Ledger&);
+
+/// Work that gravity and all sources with a store "outside" have done, those that took energy out left aside. [J]
+double work_from_outside(const Ledger&);
+
+/// What created energy is held against: the largest of the kinetic energy at the start, of what the stores held
+/// then, and of what was brought in since. It never falls during a run. 0 while nothing has moved. [J]
+double energy_scale(const Ledger&);
 
 /// Energy that stands in no account: kinetic - initial - integration - sum of work; round-off. [J]
 double energy_residual(const Ledger&);

@@ -44,6 +44,7 @@ bool stop(const Votes& votes, double first_step, double end, Outcome& outcome) {
 }
 
 bool created_too_much(const Ledger& ledger, double limit, Outcome& outcome) {
+  const double scale = energy_scale(ledger);
   for (const Account& account : ledger.accounts) {
     if (std::isnan(created(account))) {
       outcome.ending = Ending::not_finite;
@@ -51,10 +52,12 @@ bool created_too_much(const Ledger& ledger, double limit, Outcome& outcome) {
       outcome.block = account.name;
       return true;
     }
-    if (ledger.initial_kinetic > 0 && created(account) > limit * ledger.initial_kinetic) {
+    if (scale > 0 && created(account) > limit * scale) {
       outcome.ending = Ending::energy_created;
-      outcome.reason = text("created %.3g of the initial kinetic energy; the limit is %.3g",
-                            created(account) / ledger.initial_kinetic, limit);
+      outcome.reason = text(scale == ledger.initial_kinetic ? "created %.3g of the initial kinetic energy; the limit is %.3g"
+                            : scale == ledger.brought_in    ? "created %.3g of the energy brought in so far; the limit is %.3g"
+                                                            : "created %.3g of the energy stored at the start; the limit is %.3g",
+                            created(account) / scale, limit);
       outcome.block = account.name;
       return true;
     }

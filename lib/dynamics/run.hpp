@@ -13,7 +13,7 @@ namespace nereid::dynamics {
 struct Time {
   double end = 0;              ///< [s]
   double safety = 0.9;         ///< [-] fraction of the elements' stable step; interfaces vote by their bound
-  double created_limit = 0.05; ///< [-] created energy of any one source over the initial kinetic energy
+  double created_limit = 0.05; ///< [-] created energy of any one source over energy_scale()
 };
 
 enum class Ending {

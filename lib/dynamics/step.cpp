@@ -300,6 +300,7 @@ Votes start(const Model& model, State& now, Forces& f) {
   settle(model, now);
   for (Account& account : now.ledger.accounts)
     for (Share& share : account.stored) share.at_start = share.name == "outside" ? 0 : share.value;
+  now.ledger.brought_in = 0;
   settle(model, now);
   return votes;
 }
@@ -367,14 +368,16 @@ void settle(const Model& model, State& now) {
     account.impulse = now.relaxation.impulse;
     account.angular_impulse = now.relaxation.angular_impulse;
   }
-  if (model.gravity.isZero(0)) return;
-  Account& account = ledger.accounts[a];
-  const double mass = model.mass.sum();
-  Vec3 fallen = Vec3::Zero();
-  for (Eigen::Index n = 0; n < now.x.cols(); ++n) fallen += model.mass(n) * (now.x.col(n) - model.mesh.X.col(n));
-  hold(account, 0, -fallen.dot(model.gravity));
-  account.work = -account.stored[0].value;
-  account.impulse = mass * now.t * model.gravity;
+  if (!model.gravity.isZero(0)) {
+    Account& account = ledger.accounts[a];
+    const double mass = model.mass.sum();
+    Vec3 fallen = Vec3::Zero();
+    for (Eigen::Index n = 0; n < now.x.cols(); ++n) fallen += model.mass(n) * (now.x.col(n) - model.mesh.X.col(n));
+    hold(account, 0, -fallen.dot(model.gravity));
+    account.work = -account.stored[0].value;
+    account.impulse = mass * now.t * model.gravity;
+  }
+  ledger.brought_in = std::max(ledger.brought_in, work_from_outside(ledger));
 }
 
 }  // namespace nereid::dynamics

@@ -66,10 +66,10 @@ Json shares_of(const std::vector<dynamics::Share>& shares) {
   return object;
 }
 
-Json account_of(const dynamics::Account& account, double initial_kinetic) {
+Json account_of(const dynamics::Account& account, double scale) {
   const double created = dynamics::created(account);
-  Json relative = quantity(created / initial_kinetic, "1");
-  if (initial_kinetic == 0) relative["value"] = nullptr;
+  Json relative = quantity(created / scale, "1");
+  if (scale == 0) relative["value"] = nullptr;
   return {{"kind", account.kind},
           {"work", quantity(account.work, "J")},
           {"stored", shares_of(account.stored)},
@@ -84,8 +84,9 @@ Json account_of(const dynamics::Account& account, double initial_kinetic) {
 Json ledger_of(const dynamics::Ledger& ledger) {
   Json accounts = Json::object();
   for (const dynamics::Account& account : ledger.accounts)
-    add_once(accounts, account.name, account_of(account, ledger.initial_kinetic));
+    add_once(accounts, account.name, account_of(account, energy_scale(ledger)));
   return {{"initial_kinetic", quantity(ledger.initial_kinetic, "J")},
+          {"brought_in", quantity(ledger.brought_in, "J")},
           {"kinetic", quantity(ledger.kinetic, "J")},
           {"integration", quantity(ledger.integration, "J")},
           {"energy_residual", quantity(dynamics::energy_residual(ledger), "J")},

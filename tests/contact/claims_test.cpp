@@ -2,22 +2,25 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/contact/surfaces.hpp"
 
 namespace nereid::contact {
 namespace {
 
 using geometry::Kind;
+using surfaces::base_of;
 using surfaces::sheet;
 using surfaces::Shape;
 
 /// Claims on an apex over a shape, from facet 0.
-Claims claims(const Shape& shape, const Vec3& apex) {
-  const BaseSurface base = base_surface({"base", shape.facets}, static_cast<Index>(shape.x.cols()));
+Claims claims(const Shape& shape, const BaseSurface& base, const Vec3& apex, const Mat3* allowed = nullptr) {
   const Vector<double> p{apex.x(), apex.y(), apex.z()};
   const WalkEnd end = walk(base, shape.x, p, 0);
-  return claims_on(base, shape.x, p, end, std::sqrt(end.closest.distance_squared), nullptr);
+  return claims_on(base, shape.x, p, end, std::sqrt(end.closest.distance_squared), allowed);
 }
+Claims claims(const Shape& shape, const Vec3& apex) { return claims(shape, base_of(shape), apex); }
 
 TEST(Claims, OnAPlainAreMadeByOneFacet) {
   const Claims found = claims(sheet(4, 4, [](double, double) { return 0.0; }), {1.3, 2.6, 0.1});
@@ -47,6 +50,46 @@ TEST(Claims, InAValleyAreMadeByBothFlanks) {
 
 TEST(Claims, BehindTheBorderAreMadeByNone) {
   EXPECT_EQ(claims(sheet(4, 4, [](double, double) { return 0.0; }), {4.2, 2.4, 0.1}).count, 0);
+}
+
+TEST(Border, EndsTheSurfaceWhereItLiesInNoSymmetryPlane) {
+  // planes x = 0 and y = 0; the sheet ends at x = 4 and y = 4
+  const Shape shape = sheet(4, 4, [](double, double) { return 0.0; });
+  BaseSurface base = base_of(shape);
+  const auto ends_at = [&](double x, double y, Kind kind) {
+    const Vector<double> p{x, y, 1};
+    const WalkEnd end = walk(base, shape.x, p, 0);
+    EXPECT_EQ(end.closest.kind, kind) << x << ' ' << y;
+    EXPECT_TRUE(on_border(base, end.feature.facet, end.closest)) << x << ' ' << y;
+    return at_end(base, end.feature.facet, end.closest);
+  };
+  for (const double y : {0.0, 2.0, 7.0}) EXPECT_TRUE(ends_at(0, y, Kind::vertex)) << y;
+  goes_on_behind(base, {0, 5, 10, 15, 20});  // x = 0
+  EXPECT_TRUE(ends_at(0, 0, Kind::vertex));
+  EXPECT_FALSE(ends_at(0, 1, Kind::vertex));
+  EXPECT_FALSE(ends_at(0, 1.7, Kind::edge));
+  goes_on_behind(base, {0, 1, 2, 3, 4});  // y = 0
+  EXPECT_FALSE(ends_at(0, 0, Kind::vertex));
+  EXPECT_TRUE(ends_at(0, 7, Kind::vertex));
+  EXPECT_TRUE(ends_at(7, 0, Kind::vertex));
+}
+
+TEST(Border, InASymmetryPlaneIsARidgeToTheImageAlsoAtItsVertices) {
+  // a dome cut at x = 0, and the whole of it; the apex is past a vertex by 3 % of a facet along the plane
+  const auto dome = [](double x, double y) { return -0.2 * (x * x + (y - 2) * (y - 2)); };
+  Shape whole = sheet(8, 4, [&](double x, double y) { return dome(x - 4, y); });
+  whole.x.row(0).array() -= 4;
+  const Shape half = sheet(4, 4, dome);
+  BaseSurface base = base_of(half);
+  goes_on_behind(base, {0, 5, 10, 15, 20});
+  const Mat3 allowed = Vec3(0, 1, 1).asDiagonal();
+  const Vec3 apex(0, 2.03, 0.3);
+  const Claims full = claims(whole, apex), cut = claims(half, base, apex, &allowed);
+  ASSERT_EQ(full.count, 1);
+  EXPECT_EQ(full.feature[0].kind, Kind::vertex);
+  ASSERT_EQ(cut.count, 1);
+  EXPECT_EQ(cut.feature[0].kind, Kind::vertex);
+  EXPECT_EQ(cut.at[0].height, full.at[0].height);
 }
 
 TEST(Claims, KeepTheLowestWhenThereAreTooMany) {

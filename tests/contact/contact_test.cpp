@@ -99,6 +99,15 @@ Scene press(const Shape& shape, const std::vector<Vec3>& apexes, double contact_
 }
 
 double flat(double, double) { return 0; }
+
+/// The nodes on the plane x = 0, or y = 0 or z = 0.
+Subset nodes_at_zero(const Vectors& x, int axis) {
+  Subset nodes;
+  for (Index n = 0; n < static_cast<Index>(x.cols()); ++n)
+    if (std::abs(x(axis, n)) < 1e-12) nodes.push_back(n);
+  return nodes;
+}
+
 /// Two flanks that meet at x = 2 and rise by `slope` on both sides; a ridge for slope < 0.
 auto fold(double slope) {
   return [slope](double x, double) { return slope * std::abs(x - 2); };
@@ -698,6 +707,32 @@ TEST(Border, AnApexThatLeavesIsBeyondWithoutForceAndComesBack) {
   EXPECT_EQ(scene.memory.status[0], Status::closed);
 }
 
+TEST(Border, OfAnApexOnASymmetryPlaneHasTheMarginOfAllOthers) {
+  // the sheet ends at x = 0 because its image goes on there, and at y = 4 because it ends
+  Mat3 allowed = Mat3::Identity();
+  allowed(0, 0) = 0;
+  for (const bool on_plane : {false, true}) {
+    for (const double contact_height : {0.1, 0.0}) {
+      const double height = contact_height - 0.03;
+      Scene scene = press(sheet(4, 4, flat), {{0, 3.9, height}}, contact_height);
+      if (on_plane) {
+        scene.interface.allowed.assign(1, allowed);
+        goes_on_behind(scene.interface.base, nodes_at_zero(sheet(4, 4, flat).x, 0));
+      }
+      for (const double y : {3.9, 4.0, 4.001, 4.03}) {
+        scene.move({0, y, height});
+        scene.update();
+        EXPECT_EQ(scene.memory.status[0], Status::closed) << on_plane << ' ' << contact_height << ' ' << y;
+        EXPECT_LT((scene.workspace.elements[0].apex - Vec3(0, 0, penalty * 0.03)).norm(), 1e-9)
+            << on_plane << ' ' << contact_height << ' ' << y;
+      }
+      scene.move({0, 4.15, height});
+      scene.update();
+      EXPECT_EQ(scene.memory.status[0], Status::beyond);
+    }
+  }
+}
+
 TEST(Border, EnergyOfAnApexThatLeavesIsBooked) {
   Scene scene = press(sheet(4, 4, flat), {{3.9, 2.2, 0.07}}, 0.1);
   const double energy = stored(scene.memory);
@@ -855,6 +890,7 @@ Cask cask(mesh::Turn turn, int core, int along, double clearance) {
     for (std::size_t a = 0; a < in.apexes.size(); ++a)
       for (int axis = 0; axis < 2; ++axis)
         if (joined.X(axis, in.apexes[a]) == 0) in.allowed[a](axis, axis) = 0;
+    for (int axis = 0; axis < 2; ++axis) goes_on_behind(in.base, nodes_at_zero(joined.X, axis));
   }
   return {scene_of(joined.X, std::move(in), {true, clearance, 0}), mesh::facet_areas(joined, side).sum()};
 }
@@ -943,6 +979,7 @@ TEST(Cask, TurnedInsideOutFeelsTheMirrorImagesOfARidge) {
   Mat3 no_x = Mat3::Identity(), no_y = no_x;
   no_x(0, 0) = 0, no_y(1, 1) = 0;
   scene.interface.allowed = {no_x, no_x, no_y, no_y};
+  for (int axis = 0; axis < 2; ++axis) goes_on_behind(scene.interface.base, nodes_at_zero(tube.X, axis));
   scene.update();
   for (Index a = 0; a < 3; ++a) {
     Vec3 out = apexes[a];

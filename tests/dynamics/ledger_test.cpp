@@ -34,6 +34,26 @@ TEST(Ledger, WorkOfAllSourcesAndTheIntegrationExplainTheKineticEnergy) {
   EXPECT_EQ(energy_residual(ledger), 1);
 }
 
+TEST(Ledger, CreatedEnergyIsHeldAgainstTheLargestThatWasThere) {
+  Ledger ledger;
+  EXPECT_EQ(energy_scale(ledger), 0);
+  ledger.accounts = {block()};
+  Account force, gravity, brake;
+  force.kind = "force", force.work = 7, force.stored = {{"outside", -7}};
+  gravity.kind = "gravity", gravity.work = 2, gravity.stored = {{"potential", -2}};
+  brake.kind = "held", brake.work = -4, brake.stored = {{"outside", 4}};
+  ledger.accounts.insert(ledger.accounts.end(), {force, gravity, brake});
+  EXPECT_EQ(work_from_outside(ledger), 9);
+  ledger.brought_in = 9;
+  EXPECT_EQ(energy_scale(ledger), 9);
+  ledger.accounts[1].work = 1;  // it took some back: the scale does not fall
+  EXPECT_EQ(energy_scale(ledger), 9);
+  ledger.initial_kinetic = 10;
+  EXPECT_EQ(energy_scale(ledger), 10);
+  ledger.accounts[0].stored[0].at_start = 12;
+  EXPECT_EQ(energy_scale(ledger), 12);
+}
+
 TEST(Ledger, ImpulsesExplainTheMomenta) {
   Ledger ledger;
   ledger.initial_momentum = {1, 2, 3};

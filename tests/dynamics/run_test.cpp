@@ -280,13 +280,21 @@ TEST(Run, StopsWhenTheStepCollapsesAndSaysWhoAskedForIt) {
 }
 
 /// A box falls on another whose interface asks for steps far too long.
-Scene careless() {
+Scene careless(const Vec3& gravity = Vec3::Zero(), double speed = 3) {
   Scene s;
   s.model.mesh =
       mesh::join(mesh::box("below", {{0, 0, 0}, {0.4, 0.4, 0.2}, {4, 4, 2}}),
                  mesh::box("above", {{0.05, 0.05, 0.201}, {0.35, 0.35, 0.4}, {3, 3, 2}}));
   s.model.blocks.push_back(element::hexahedra(s.model.mesh, "below", rubber, inviscid));
   s.model.blocks.push_back(element::hexahedra(s.model.mesh, "above", rubber, inviscid));
+  s.model.gravity = gravity;
+  if (!gravity.isZero(0)) {
+    load::Plane ground;
+    ground.name = "ground";
+    ground.kind = load::PlaneKind::fixed;
+    ground.nodes = mesh::node_set(s.model.mesh, "below.z_low");
+    s.model.constraints.planes.push_back(ground);
+  }
   finish(s.model);
   InterfaceOptions options;
   options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
@@ -294,7 +302,7 @@ Scene careless() {
   s.joined("joint", "above.z_low", "below.z_high", options);
   s.model.interfaces[0].bounce_step = 1.9;  // the linear bound, nearly
   s.ready();
-  s.move("above", {0, 0, -3});
+  s.move("above", {0, 0, -speed});
   return s;
 }
 
@@ -307,6 +315,19 @@ TEST(Run, StopsWhenASourceCreatesEnergyAndNamesIt) {
   EXPECT_GT(created(s.state.ledger.accounts[2]), 0.05 * s.state.ledger.initial_kinetic);
   EXPECT_LT(std::abs(energy_residual(s.state.ledger)),
             1e-11 * s.state.ledger.initial_kinetic);  // closes all the same
+}
+
+TEST(Run, ThatStartsAtRestIsHeldAgainstTheEnergyThatGravityBroughtIn) {
+  Scene s = careless({0, 0, -200}, 0);
+  const Outcome outcome = s.run_to(0.1, 1e-4);
+  const Ledger& ledger = s.state.ledger;
+  EXPECT_EQ(ledger.initial_kinetic, 0);
+  EXPECT_EQ(outcome.ending, Ending::energy_created) << word(outcome.ending);
+  EXPECT_EQ(outcome.block, "joint");
+  EXPECT_NE(outcome.reason.find("of the energy brought in"), std::string::npos) << outcome.reason;
+  EXPECT_GT(energy_scale(ledger), 0);
+  EXPECT_GE(energy_scale(ledger), work_from_outside(ledger));
+  EXPECT_GT(created(ledger.accounts[2]), 0.05 * energy_scale(ledger));
 }
 
 TEST(Run, GoesOnWithinTheLimitOfCreatedEnergyThatItIsGiven) {
