@@ -192,6 +192,7 @@ TEST(Relaxation, OnARigidPlaneEndsWhereItsPenaltyCarriesTheLoad) {
   double force = 0;
   for (const double f : s.state.rigid_planes[0].force) force += f;
   std::printf("block on a penalty: %ld steps, force / load - 1 = %.1e\n", static_cast<long>(s.state.step), force / 40 - 1);
+  EXPECT_LT(s.state.step, 2000);  // 1510; with a frequency that follows the chatter on the penalty it creeps, 2350
   EXPECT_NEAR(force / 40, 1, 1e-3);  // the pressure follows an area that grows by 2 nu sigma / E
   expect_closed(s);
 }
