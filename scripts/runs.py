@@ -147,10 +147,7 @@ class Run:
 
     def result(self, name):
         """A number of summary.json."""
-        results = self.summary["results"]
-        if name not in results:
-            raise CannotRun(f"summary.json has no result '{name}'; there are {', '.join(results)}")
-        return results[name]["value"]
+        return named(self.summary["results"], name, "the results of summary.json")["value"]
 
     def case(self, path):
         """A value of the case as the driver resolved it, in SI: case("bodies[0].material.young")."""
@@ -161,21 +158,19 @@ class Run:
 
     def ledger(self, name):
         """A number or vector of the ledger."""
-        return self.summary["ledger"][name]["value"]
+        return named(self.summary["ledger"], name, "the ledger")["value"]
 
     def account(self, source):
         """The account of one source in the ledger."""
-        return self.summary["ledger"]["accounts"][source]
+        return named(self.summary["ledger"]["accounts"], source, "the ledger's accounts")
 
     def created(self):
-        """The largest created energy of any source over the scale of the ledger. [-]"""
-        return max(abs(account["created_relative"]["value"]) for account in self.summary["ledger"]["accounts"].values())
+        """The largest created energy of any source over the scale of the ledger; 0 in a run without any energy. [-]"""
+        return max(abs(account["created_relative"]["value"] or 0.0) for account in self.summary["ledger"]["accounts"].values())
 
     def column(self, name):
         """A column of history.csv."""
-        if name not in self.columns:
-            raise CannotRun(f"history.csv has no column '{name}'; there are {', '.join(self.columns)}")
-        return self.columns[name]
+        return named(self.columns, name, "the columns of history.csv")
 
     def at(self, name, t):
         """A column at a time, between the samples around it."""
@@ -190,6 +185,13 @@ class Run:
         listed = list(xml.parse(self.folder / f"{collection}.pvd").getroot().iter("DataSet"))
         one = listed[number]
         return float(one.get("timestep")), read_fields(self.folder / one.get("file"))
+
+
+def named(entries, name, where):
+    """The entry of this name; CannotRun with what there is instead where there is none."""
+    if name not in entries:
+        raise CannotRun(f"'{name}' is not among {where}: {', '.join(entries)}")
+    return entries[name]
 
 
 # ------------------------------------------------------------------------------------------------

@@ -158,7 +158,6 @@ class Breaks:
     case: str | None = None
     stops: str | None = None
     full: bool = False
-    measure: object = None
 
 
 def order_between(size_0, error_0, size_1, error_1):
@@ -307,7 +306,7 @@ def break_row(one, checks, run):
         return Row("break", name, "", f"stops: {broken.ending}", "", "", "stops, as it must" if good else "FAIL", good)
     if one.stops is not None:
         return Row("break", name, "", "does not stop", "", "", "FAIL", False)
-    pair = (one.measure or check.measure)(broken)
+    pair = check.measure(broken)
     noticed = not pair.error() <= check.within
     return Row("break", name, shown(pair.expected, pair.unit), shown(pair.got, pair.unit), share(pair.error()), share(check.within),
                "fails, as it must" if noticed else "FAIL: not noticed", noticed, "", pair.error(), check.within)
@@ -350,6 +349,8 @@ class Case:
         for needed in ("CLAIM", "EVIDENCE", "CATALOGUE", "DRIVER", "CHECKS", "BREAKS", "FIGURES"):
             if not hasattr(self.accept, needed):
                 return f"accept.py has no {needed}"
+        if not isinstance(self.case_file(), str) or not isinstance(getattr(self.accept, "CHANGE", {}), dict):
+            return "CASE is no path, or CHANGE no dict: these names are the suite's"
         if self.accept.EVIDENCE not in EVIDENCE:
             return f"EVIDENCE is '{self.accept.EVIDENCE}', expected is one of {', '.join(EVIDENCE)}"
         if not self.accept.BREAKS:
@@ -368,7 +369,7 @@ class Case:
         for one in self.accept.BREAKS:
             if one.check not in gates:
                 return f"a break names '{one.check}', which gates nothing"
-            if not one.change and not one.case and not one.measure:
+            if not one.change and not one.case:
                 return f"the break '{one.mistake}' changes nothing"
         if all(one.full for one in self.accept.BREAKS):
             return "all BREAKS are full: the quick suite would show a case that nothing breaks"
@@ -504,7 +505,9 @@ def judge_all(names, options):
 
 def print_outcome(out, whole):
     for row in out.rows:
-        if whole or not row.good or row.kind == "miss":
+        if row.kind == "fault":
+            print(f"FAIL  {row.name}: {row.because or row.got}")
+        elif whole or not row.good or row.kind == "miss":
             numbers = f"expected {row.expected or '-'}, got {row.got or '-'}, error {row.error or '-'}, limit {row.limit or '-'}"
             because = f"  ({row.because})" if row.because else ""
             print(f"{'ok  ' if row.good else 'FAIL'}  {row.word:18} {row.name}: {numbers}{because}")
