@@ -199,11 +199,11 @@ def limitations(outcomes):
     misses = [(out, row) for out in outcomes.values() for row in out.misses()]
     parts.append("<p>None at this level.</p>" if not misses else "<ul>" + "".join(
         f"<li><a href='#{out.name}'>{out.name.replace('_', ' ')}</a>: {inline(row.name)}, error {row.error}, limit {row.limit}. "
-        f"{inline(row.because)}.</li>" for out, row in misses) + "</ul>")
+        f"{sentence(row.because)}</li>" for out, row in misses) + "</ul>")
     reported = [(out, row) for out in outcomes.values() for row in out.rows if row.kind == "report"]
     if reported:
         parts += ["<h2>Reported and not gated</h2>", "<ul>" + "".join(
-            f"<li><a href='#{out.name}'>{out.name.replace('_', ' ')}</a>: {inline(row.name)}, {row.error} off. {inline(row.because)}.</li>"
+            f"<li><a href='#{out.name}'>{out.name.replace('_', ' ')}</a>: {inline(row.name)}, {row.error} off. {sentence(row.because)}</li>"
             for out, row in reported) + "</ul>"]
     readme = (verify.ROOT / "README.md").read_text(encoding="utf-8")
     for heading in ("What is not", "Limitations"):
@@ -235,6 +235,10 @@ def inline(text):
     pieces = re.split(r"(`[^`]*`)", str(text))
     out = rendered("".join(piece if piece.startswith("`") else piece.replace("<", "&lt;") for piece in pieces))
     return out[3:-4] if out.startswith("<p>") and out.count("<p>") == 1 else out
+
+
+def sentence(text):
+    return inline(text[:1].upper() + text[1:] + ".")
 
 
 def plain(text):
