@@ -28,6 +28,7 @@ figures need matplotlib.
 """
 import argparse
 import concurrent.futures
+import concurrent.futures.process
 import dataclasses
 import importlib
 import json
@@ -473,6 +474,14 @@ def judge_case(name, options):
     return out, used
 
 
+def judge_case_apart(name, options):
+    """The same in a process of a pool, which ends without a word when it is interrupted."""
+    try:
+        return judge_case(name, options)
+    except KeyboardInterrupt:
+        os._exit(130)
+
+
 def slowest_first(names, folder):
     """So that no long case is left for the end, where it would keep one core busy alone."""
     def seconds(name):
@@ -498,7 +507,7 @@ def judge_all(names, options):
             keep(*judge_case(name, options))
     else:
         with concurrent.futures.ProcessPoolExecutor(options.jobs, multiprocessing.get_context("fork")) as pool:
-            for done in concurrent.futures.as_completed([pool.submit(judge_case, name, options) for name in names]):
+            for done in concurrent.futures.as_completed([pool.submit(judge_case_apart, name, options) for name in names]):
                 keep(*done.result())
     return outcomes, used
 
@@ -582,4 +591,7 @@ def main(arguments=None):
 
 if __name__ == "__main__":
     sys.modules["verify"] = sys.modules["__main__"]  # one module, whoever imports it
-    sys.exit(main())
+    try:
+        sys.exit(main())
+    except (KeyboardInterrupt, concurrent.futures.process.BrokenProcessPool):
+        sys.exit("interrupted: the same command goes on from here")
