@@ -86,11 +86,8 @@ class RowsTest(unittest.TestCase):
         self.assertTrue(verify.ledger_rows(MadeUp(unexplained=1e-12))[0].good)
         self.assertFalse(verify.ledger_rows(MadeUp(unexplained=1e-9))[0].good)
 
-    def test_a_break_that_stops_must_say_so(self):
-        stop = {"ending": "energy_created"}
-        self.assertFalse(verify.break_row(Breaks("answer", "a mistake", stop), CHECKS, MadeUp()).good)
-        self.assertTrue(verify.break_row(Breaks("answer", "a mistake", stop, stops="energy_created"), CHECKS, MadeUp()).good)
-        self.assertFalse(verify.break_row(Breaks("answer", "none", {}, stops="energy_created"), CHECKS, MadeUp()).good)
+    def test_a_break_that_stops_the_run_breaks_no_number(self):
+        self.assertFalse(verify.break_row(Breaks("answer", "a mistake", {"ending": "energy_created"}), CHECKS, MadeUp()).good)
 
     def test_a_study_needs_the_fall_and_the_order(self):
         falling = dict(along="size", values=[0.4, 0.2, 0.1])
