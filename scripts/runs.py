@@ -1,14 +1,15 @@
 """Runs of drivers, kept and found again: what verification, refinement and anyone else asks of a run.
 
-A run is found again if program, case file, the meshes it names, settings and threads are the same, so that a study
-that was interrupted goes on where it stopped and one that is repeated makes what changed. Needs nothing but Python.
+A run is found again if program, case file, settings and threads are the same, if every file that the program read is what it was,
+and if every file that it wrote still lies there unchanged. What it read is what it says itself: the paths in the resolved case of
+summary.json. A study that was interrupted goes on where it stopped, and one that is repeated makes only what changed. Needs
+nothing but Python.
 """
 import base64
 import csv
 import hashlib
 import json
 import math
-import os
 import re
 import shutil
 import struct
@@ -34,54 +35,82 @@ class CannotRun(Exception):
 class Store:
     """Runs each combination of program, case, settings and threads once, and finds it again later.
 
-    drivers  the folder of the programs
-    folder   where the runs lie, one folder each
-    scratch  where a case may write case files of its own
-    threads  of each run where none are asked for; results do not depend on them, so they do not tell runs apart
+    drivers     the folder of the programs
+    folder      where the runs lie, one folder each
+    scratch     where a case may write case files of its own
+    threads     of each run where none are asked for; results do not depend on them, so they do not tell runs apart
+    may_run     False: only finds runs, those of another build of the program too
     """
 
-    def __init__(self, drivers, folder, scratch=None, threads=1, patience=3600):
+    def __init__(self, drivers, folder, scratch=None, threads=1, patience=3600, may_run=True):
         self.drivers, self.folder = Path(drivers).resolve(), Path(folder).resolve()
         self.scratch = Path(scratch or self.folder / "scratch").resolve()
-        self.threads, self.patience = threads, patience
+        self.threads, self.patience, self.may_run = threads, patience, may_run
         self.digests, self.done = {}, {}
         self.folder.mkdir(parents=True, exist_ok=True)
         self.scratch.mkdir(parents=True, exist_ok=True)
 
     def run(self, driver, case, overrides, threads=None):
         """The run of `driver` on the case file, seen from the root of the tree, with these keys set."""
-        key = (driver, str(case), tuple(sorted((k, str(v)) for k, v in overrides.items())), threads)
-        if key not in self.done:
-            self.done[key] = self.find_or_make(driver, ROOT / case, dict(overrides), threads)
-        return self.done[key]
+        case = ROOT / case
+        asked = {"driver": driver, "case": digest_of_case(case), "settings": {k: str(v) for k, v in sorted(overrides.items())},
+                 "threads": threads}
+        # the folder counts too: a path in a case is seen from where the case lies
+        key = json.dumps([asked, str(case.parent)])
+        known = self.done.get(key)
+        if known is None or not same_inputs(known.asked, case.parent):
+            known = self.done[key] = self.find_or_make(driver, case, dict(overrides), threads, asked)
+        return known
 
-    def find_or_make(self, driver, case, overrides, threads):
-        asked = {"driver": driver, "program": self.digest_of_program(driver), "case": digest_of_case(case),
-                 "settings": {k: str(v) for k, v in sorted(overrides.items())}, "threads": threads}
-        name = hashlib.sha256(json.dumps(asked, sort_keys=True).encode()).hexdigest()[:16]
+    def find_or_make(self, driver, case, overrides, threads, asked):
+        if not self.may_run:
+            return Run(self, driver, case, overrides, self.newest(asked, case), False)
+        asked = {**asked, "program": self.digest_of_program(driver)}
+        name = digest(json.dumps(asked, sort_keys=True).encode())[:16]
         folder = self.folder / f"{driver}_{name}"
-        made = not (folder / RECORD).is_file()
+        made = not self.is_whole(folder, case.parent)
         if made:
             self.make(driver, case, overrides, threads or self.threads, folder, asked)
         return Run(self, driver, case, overrides, folder, made)
 
+    def newest(self, asked, case):
+        """The folder of the newest whole run of this case and these settings, whatever build of the program made it."""
+        found = [folder for folder in self.folder.glob(f"{asked['driver']}_*")
+                 if asked.items() <= (record_of(folder) or {}).items() and self.is_whole(folder, case.parent)]
+        if not found:
+            settings = ", ".join(f"{key}={value}" for key, value in asked["settings"].items())
+            raise CannotRun(f"{self.folder} holds no run of {asked['driver']} {case.name} {settings}")
+        return max(found, key=lambda folder: (folder / RECORD).stat().st_mtime_ns)
+
+    def is_whole(self, folder, beside):
+        """Whether a folder holds a finished run whose inputs are what they were and whose files are as they were written."""
+        record = record_of(folder)
+        return record is not None and same_inputs(record, beside) and record["files"] == files_of(folder)
+
     def make(self, driver, case, overrides, threads, folder, asked):
         """Runs in a folder beside `folder` and renames it when all is there, so that an interruption leaves nothing."""
         unfinished = Path(tempfile.mkdtemp(prefix="unfinished_", dir=self.folder))
-        words = [str(self.drivers / driver), str(case), "--out", str(unfinished), "--quiet", "--threads", str(threads)]
+        program = self.drivers / driver
+        words = [str(program), str(case), "--out", str(unfinished), "--quiet", "--threads", str(threads)]
         for key, value in overrides.items():
             words += ["--set", f"{key}={value}"]
-        started = time.perf_counter()
+        started, began = time.perf_counter(), time.time_ns()
         try:
             done = subprocess.run(words, capture_output=True, text=True, timeout=self.patience)
             if done.returncode not in (0, STOPPED):
                 raise CannotRun(f"status {done.returncode} of {' '.join(words)}\n{done.stderr}")
-            record = {**asked, "seconds": time.perf_counter() - started}
+            seconds = time.perf_counter() - started
+            inputs = inputs_of(unfinished, case.parent)
+            for path in [program, case, *(case.parent / one for one in inputs)]:
+                if path.stat().st_mtime_ns > began:
+                    raise CannotRun(f"{path} changed while {driver} ran; start again")
+            record = {**asked, "seconds": seconds, "inputs": {path: digest_of_file(case.parent / path) for path in inputs},
+                      "files": files_of(unfinished)}
             (unfinished / RECORD).write_text(json.dumps(record, indent=1), encoding="utf-8")
             try:
                 unfinished.rename(folder)
             except OSError:  # another process made the same run meanwhile
-                if not (folder / RECORD).is_file():  # or something that is no run is in the way
+                if not self.is_whole(folder, case.parent):  # or something that is not this run is in the way
                     shutil.rmtree(folder)
                     unfinished.rename(folder)
         except FileNotFoundError as error:
@@ -93,31 +122,86 @@ class Store:
 
     def digest_of_program(self, driver):
         """What tells one program from another; the commit written into it does not, or documents would change it."""
-        if driver not in self.digests:
-            try:
-                code = (self.drivers / driver).read_bytes()
-            except FileNotFoundError as error:
-                raise CannotRun(f"{self.drivers / driver} is not built") from error
-            self.digests[driver] = hashlib.sha256(re.sub(rb"[0-9a-f]{40}(-dirty)?\0", b"", code)).hexdigest()
-        return self.digests[driver]
+        path = self.drivers / driver
+        try:
+            state = path.stat()
+            key = (driver, state.st_size, state.st_mtime_ns, state.st_ino)
+            if key not in self.digests:  # some 10 MB: read again only when built again
+                self.digests[key] = digest(re.sub(rb"[0-9a-f]{40}(-dirty)?\0", b"", path.read_bytes()))
+        except OSError as error:
+            raise CannotRun(f"{path} is not built") from error
+        return self.digests[key]
 
     def seconds(self):
         """What all runs that were asked for took when they were made. [s]"""
         return sum(run.seconds for run in self.done.values())
 
 
+def digest(data):
+    return hashlib.sha256(data).hexdigest()
+
+
 def digest_of_case(case):
-    """Of the text of a case file and of the files it names."""
     try:
-        text = Path(case).read_bytes()
+        return digest(case.read_bytes())
     except OSError as error:
         raise CannotRun(f"{case}: {error.strerror}") from error
-    together = hashlib.sha256(text)
-    for named in re.findall(rb"\bpath\s*:\s*['\"]?([^\s'\",}]+)", text):
-        beside = Path(case).parent / os.fsdecode(named)
-        if beside.is_file():
-            together.update(beside.read_bytes())
-    return together.hexdigest()
+
+
+def digest_of_file(path):
+    """None for a file that is not there."""
+    try:
+        return digest(path.read_bytes())
+    except OSError:
+        return None
+
+
+def same_inputs(record, beside):
+    """Whether the files that a run read are what they were, seen from the folder of the case."""
+    return all(digest_of_file(beside / path) == before for path, before in record["inputs"].items())
+
+
+def record_of(folder):
+    """What was asked of a finished run and what it read and wrote; None where there is none."""
+    try:
+        record = json.loads((folder / RECORD).read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return None
+    return record if isinstance(record, dict) and "inputs" in record and "files" in record else None
+
+
+def inputs_of(folder, beside):
+    """The files that a run read, as the resolved case of its summary.json names them, seen from the folder of the case.
+
+    Every text of the resolved case that names a file counts, whatever its key: a word that happens to be a file's name does no harm.
+    """
+    def texts(node):
+        if isinstance(node, str):
+            yield node
+        elif isinstance(node, (dict, list)):
+            for part in node.values() if isinstance(node, dict) else node:
+                yield from texts(part)
+
+    resolved = json.loads((folder / "summary.json").read_text(encoding="utf-8")).get("provenance", {}).get("resolved", {})
+    return sorted({text for text in texts(resolved) if text and len(text) < 4096 and "\0" not in text and is_file(beside / text)})
+
+
+def is_file(path):
+    try:
+        return path.is_file()
+    except OSError:  # a long text is no name of a file
+        return False
+
+
+def files_of(folder):
+    """{path in the folder: [size, digest]} of all that a run wrote."""
+    found = {}
+    for path in sorted(folder.rglob("*")):
+        name = path.relative_to(folder).as_posix()
+        if path.is_file() and name != RECORD:
+            data = path.read_bytes()
+            found[name] = [len(data), digest(data)]
+    return found
 
 
 # ------------------------------------------------------------------------------------------------

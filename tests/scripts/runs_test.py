@@ -1,5 +1,6 @@
 """scripts/runs.py keeps runs and finds them again, with a driver that is made up here."""
 import base64
+import json
 import stat
 import struct
 import sys
@@ -11,17 +12,25 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
 import runs  # noqa: E402  (after the path)
 
+# A driver that reads a mesh named in its case, by the key or by --set, and says so as drivers do: in the resolved case.
 DRIVER = """#!{python}
+import json
 import sys
 from pathlib import Path
-out = Path(sys.argv[sys.argv.index("--out") + 1])
+out, case = Path(sys.argv[sys.argv.index("--out") + 1]), Path(sys.argv[1])
 if "mistake=1" in sys.argv:
     print("case.yaml:1:1: there is a mistake", file=sys.stderr)
     sys.exit(2)
 count = Path({count!r})
 count.write_text(str(int(count.read_text()) + 1))
+named = [word[len("mesh.path="):] for word in sys.argv if word.startswith("mesh.path=")] or {read}
+depth = len((case.parent / named[0]).read_text())
+(out / "body").mkdir()
+(out / "body" / "body_0.vtu").write_text("a frame")
 (out / "history.csv").write_text("time [s],depth [m]\\n0,0\\n1,2\\n")
-(out / "summary.json").write_text('{{"ending": {{"word": "reached_end"}}, "results": {{"depth": {{"value": 2}}}}}}')
+resolved = {{"mesh": {{"kind": {{"value": "file"}}, "path": {{"value": named[0]}}}}}}
+(out / "summary.json").write_text(json.dumps({{"ending": {{"word": "reached_end"}}, "results": {{"depth": {{"value": depth}}}},
+                                              "provenance": {{"resolved": resolved}}}}))
 """
 
 
@@ -37,10 +46,11 @@ class StoreTest(unittest.TestCase):
         (self.root / "mesh.vtu").write_text("one mesh")
         self.build("")
 
-    def build(self, comment):
+    def build(self, comment, read='["mesh.vtu"]'):
+        """`read` is how the made-up driver finds the mesh in the case."""
         (self.root / "drivers").mkdir(exist_ok=True)
         program = self.root / "drivers" / "made_up"
-        program.write_text(DRIVER.format(python=sys.executable, count=str(self.count)) + comment)
+        program.write_text(DRIVER.format(python=sys.executable, count=str(self.count), read=read) + comment)
         program.chmod(program.stat().st_mode | stat.S_IXUSR)
 
     def run_it(self, settings=None, threads=None):
@@ -52,7 +62,7 @@ class StoreTest(unittest.TestCase):
         self.assertFalse(again.made)
         self.assertEqual(self.count.read_text(), "1")
         self.assertEqual(again.at("depth", 0.5), 1.0)
-        self.assertEqual(again.result("depth"), 2)
+        self.assertEqual(again.result("depth"), len("one mesh"))
 
     def test_whatever_may_change_it_makes_it_anew(self):
         self.run_it()
@@ -64,6 +74,63 @@ class StoreTest(unittest.TestCase):
                 self.assertTrue(self.run_it().made)
         self.assertTrue(self.run_it({"key": 1}).made)
         self.assertTrue(self.run_it(threads=2).made)
+
+    def test_a_changed_mesh_makes_it_anew_however_the_case_names_it(self):
+        for text, settings in (("kind: file\n", {"mesh.path": "mesh.vtu"}), ("there: &where mesh.vtu\nmesh: {path: *where}\n", {}),
+                               ('mesh: {path: "mesh\\x2evtu"}\n', {}), ("mesh: {'path': 'mesh.vtu'}\n", {}), ('mesh: {"path":\n  mesh.vtu}\n', {})):
+            with self.subTest(text):
+                self.case.write_text(text)
+                (self.root / "mesh.vtu").write_text("one mesh")
+                self.assertEqual(self.run_it(settings).result("depth"), len("one mesh"))
+                self.assertFalse(self.run_it(settings).made)
+                (self.root / "mesh.vtu").write_text("a finer mesh")
+                self.assertEqual(self.run_it(settings).result("depth"), len("a finer mesh"))
+                (self.root / "mesh.vtu").unlink()
+                (self.root / "mesh.vtu").mkdir()  # and one that is gone is not found either
+                with self.assertRaises(runs.CannotRun):
+                    self.run_it(settings)
+                (self.root / "mesh.vtu").rmdir()
+
+    def test_a_mesh_that_changes_within_one_study_is_noticed(self):
+        store = runs.Store(self.root / "drivers", self.root / "runs")
+        self.assertEqual(store.run("made_up", self.case, {}).result("depth"), len("one mesh"))
+        (self.root / "mesh.vtu").write_text("two mesh")
+        self.assertTrue(store.run("made_up", self.case, {}).made)
+
+    def test_a_run_whose_files_were_touched_is_made_anew(self):
+        folder = self.run_it().folder
+        whole = (folder / "history.csv").read_text()
+
+        def cut():
+            (folder / "history.csv").write_text(whole[:whole.index("\n1,")] + "\n")
+
+        for touch in (cut, lambda: (folder / "body" / "body_0.vtu").unlink(), lambda: (folder / "body" / "body_0.vtu").write_text("A frame"),
+                      lambda: (folder / "summary.json").write_text("{}"), lambda: (folder / "other").write_text(""),
+                      lambda: (folder / runs.RECORD).write_text(json.dumps({"driver": "made_up", "seconds": 1}))):
+            touch()
+            self.assertTrue(self.run_it().made)
+            self.assertFalse(self.run_it().made)
+            self.assertEqual((folder / "history.csv").read_text(), whole)
+
+    def test_a_case_of_the_same_text_in_another_folder_has_another_mesh(self):
+        self.run_it()
+        other = self.root / "other"
+        other.mkdir()
+        (other / "case.yaml").write_text(self.case.read_text())
+        (other / "mesh.vtu").write_text("mesh of the other")
+        run = runs.Store(self.root / "drivers", self.root / "runs").run("made_up", other / "case.yaml", {})
+        self.assertEqual(run.result("depth"), len("mesh of the other"))
+
+    def test_without_leave_to_run_the_newest_whole_run_of_any_build_is_found(self):
+        def find():
+            return runs.Store(self.root / "drivers", self.root / "runs", may_run=False).run("made_up", self.case, {})
+        with self.assertRaisesRegex(runs.CannotRun, "holds no run"):
+            find()
+        self.run_it()
+        self.build("# other")
+        self.assertEqual(find().result("depth"), len("one mesh"))
+        newest = self.run_it()
+        self.assertEqual(find().folder, newest.folder)
 
     def test_the_commit_in_a_program_does_not(self):
         self.build("# " + "a" * 40 + "\0")
