@@ -264,6 +264,10 @@ class Run:
         """The mean of a column over a span of time, by the trapezoid rule."""
         return mean_over(self.column("time"), self.column(name), first, last)
 
+    def frames(self, collection):
+        """How many files a ParaView collection lists."""
+        return len(list(xml.parse(self.folder / f"{collection}.pvd").getroot().iter("DataSet")))
+
     def frame(self, collection, number=-1):
         """Time and fields of one ParaView file: {name: [tuple or number per point or cell]}."""
         listed = list(xml.parse(self.folder / f"{collection}.pvd").getroot().iter("DataSet"))

@@ -159,7 +159,7 @@ def same_row(line, row):
     old = entries(line)
     if len(old) != 6 or old[4] != row.limit or old[5] != row.word:
         return False
-    return row.kind in ("study", "break", "report") or same_error(old[3], row.error, row.within)
+    return row.kind in ("gate", "study", "break", "report") or same_error(old[3], row.error, row.within)
 
 
 def same_line(old, new, closest):

@@ -22,6 +22,7 @@ A case is a folder with `accept.py`, which has
     STUDIES            Falls: the error of a check along one key; Table: rows of a function of the run
     BREAKS             Breaks: a plausible mistake and the check that must notice it; at least one
     FIGURES            Figure: curves of the run over the exact ones; at least one
+    WAIVERS            Waiver: runs that need not keep a gate that holds for every run, and why; optional
 
 and imports what it needs from `reference.py` beside it, which imports nothing of ours. Needs nothing but Python;
 figures need matplotlib.
@@ -41,6 +42,7 @@ import time
 import traceback
 from pathlib import Path
 
+import gates
 from runs import ROOT, CannotRun, Run, Store, crossings, interpolate, mean_over, read_fields  # noqa: F401  (for cases)
 
 EVIDENCE = ("exact", "order", "invariant", "benchmark")
@@ -157,6 +159,15 @@ class Breaks:
     full: bool = False
 
 
+@dataclasses.dataclass
+class Waiver:
+    """Runs of this case that may fail a gate of gates.LIMITS: of(run) tells them. One that excuses no run is a fault."""
+    gate: str
+    of: object
+    because: str
+    full: bool = False
+
+
 def order_between(size_0, error_0, size_1, error_1):
     """The order p of an error that goes as size^p."""
     if min(error_0, error_1) <= 0:
@@ -177,7 +188,7 @@ def number_in(text):
 
 @dataclasses.dataclass
 class Row:
-    """One line of the table, and whether all is as it should be; kind is check, report, miss, study, break or fault."""
+    """One line of the table, and whether all is as it should be; kind is gate, check, report, miss, study, break or fault."""
     kind: str
     name: str
     expected: str
@@ -277,20 +288,29 @@ def check_row(one, run):
     return Row("check", *said, share(one.within), "pass" if inside else "FAIL", inside, one.because, error, one.within)
 
 
-UNEXPLAINED = 1e-10  # [-] sums of some 1e5 steps round off by 1e-12; a source that is missing shows as a whole number
+def gate_rows(runs, waivers):
+    """What every run of a case must keep, its studies and breaks included: a line for each gate with the worst of them."""
+    judged = [(run, errors) for run in runs if (errors := gates.errors(run))]
+    return [gate_row(gate, limit, [(run, errors[gate]) for run, errors in judged if errors[gate] is not None],
+                     [one for one in waivers if one.gate == gate]) for gate, limit in gates.LIMITS.items()] if judged else []
 
 
-def ledger_rows(run):
-    """What every run must keep, whatever its case asks: no energy and no momentum without a source."""
-    ledger = run.summary["ledger"]
-    works = [abs(account["work"]["value"]) for account in ledger.get("accounts", {}).values()]
-    if not works:
-        return []
-    scale = max(ledger["initial_kinetic"]["value"], ledger["kinetic"]["value"], *works)
-    error = abs(ledger["energy_residual"]["value"]) / scale if scale > 0 else 0.0
-    inside = error <= UNEXPLAINED
-    return [Row("ledger", "unexplained energy over the largest that passed", "0", shown(error), share(error), share(UNEXPLAINED),
-                "pass" if inside else "FAIL", inside, "", error, UNEXPLAINED)]
+def gate_row(gate, limit, errors, waivers):
+    """The line of one gate: the worst run, those left out that fail and that a waiver names."""
+    def fails(error):
+        return not error <= limit
+
+    excused = [[run for run, error in errors if fails(error) and one.of(run)] for one in waivers]
+    kept = [(error, run) for run, error in errors if not any(run in runs for runs in excused)]
+    worst, where = max(kept, key=lambda pair: pair[0], default=(0.0, None))
+    said = [f"{len(runs)} of {len(errors)} runs are excused: {one.because}" if runs else f"a waiver excuses no run: {one.because}"
+            for one, runs in zip(waivers, excused)]
+    good = not fails(worst) and all(excused)
+    if fails(worst):
+        settings = ", ".join(f"{key}={value}" for key, value in where.overrides.items())
+        said.append(f"worst in {where.folder.name}: {where.case_file} {settings}")
+    return Row("gate", gate, "0", f"{shown(worst)} in {len(kept)} runs", share(worst), share(limit), "pass" if good else "FAIL", good,
+               "; ".join(said), worst, limit)
 
 
 def break_row(one, checks, run):
@@ -357,11 +377,11 @@ class Case:
         for one in [*self.accept.BREAKS, *self.studies()]:
             if not isinstance(one, Table) and one.check not in names:
                 return f"no check is called '{one.check}'"
-        gates = {one.name: one for one in self.accept.CHECKS if isinstance(one, Check)}
-        if not gates:
+        gated = {one.name for one in self.accept.CHECKS if isinstance(one, Check)}
+        if not gated:
             return "CHECKS has no Check: nothing is gated"
         for one in self.accept.BREAKS:
-            if one.check not in gates:
+            if one.check not in gated:
                 return f"a break names '{one.check}', which gates nothing"
             if not one.change and not one.case:
                 return f"the break '{one.mistake}' changes nothing"
@@ -370,6 +390,9 @@ class Case:
         for one in self.accept.CHECKS:
             if not one.because:
                 return f"'{one.name}' has no reason"
+        for one in getattr(self.accept, "WAIVERS", []):
+            if one.gate not in gates.LIMITS or not one.because:
+                return f"a waiver has no reason, or names '{one.gate}', which is no gate"
         return ""
 
     def studies(self):
@@ -399,7 +422,6 @@ class Case:
         if run.ending not in GOOD_ENDINGS:
             out.rows.append(Row("fault", "the run reaches its end", "", run.ending, "", "", "FAIL", False, run.summary["ending"]["reason"]))
             return
-        out.rows += ledger_rows(run)
         checks = {one.name: one for one in self.accept.CHECKS}
         for one in [*self.accept.CHECKS, *self.studies(), *self.accept.BREAKS]:
             if one.full and not full:
@@ -419,7 +441,9 @@ class Case:
                 out.rows.append(fault_row(name, error))
             for row in out.rows[seen:]:
                 row.full = one.full
+        waivers = [one for one in getattr(self.accept, "WAIVERS", []) if full or not one.full]
         self.draw(out, run, full, with_figures)
+        out.rows[:0] = gate_rows(run.runner.done.values(), waivers)
 
     def draw(self, out, run, full, with_figures):
         """The figures of the case and of its studies; without figures their curves are computed all the same."""

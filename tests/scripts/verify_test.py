@@ -11,7 +11,7 @@ from pathlib import Path
 SCRIPTS = Path(__file__).resolve().parents[2] / "scripts"
 sys.path.insert(0, str(SCRIPTS))
 import verify  # noqa: E402  (after the path)
-from verify import Breaks, Check, Falls, Figure, Miss, Pair, Report, Table  # noqa: E402
+from verify import Breaks, Check, Falls, Figure, Miss, Pair, Report, Table, Waiver  # noqa: E402
 
 
 class MadeUp:
@@ -19,11 +19,9 @@ class MadeUp:
 
     driver = "made_up"
 
-    def __init__(self, error=0.001, ending="reached_end", unexplained=0.0):
+    def __init__(self, error=0.001, ending="reached_end"):
         self.keys, self.error, self.ending = {}, error, ending
-        accounts = {"body": {"work": {"value": 2.0}}}
-        ledger = {"initial_kinetic": {"value": 1.0}, "kinetic": {"value": 1.0}, "energy_residual": {"value": unexplained}, "accounts": accounts}
-        self.summary = {"ending": {"reason": "made up"}, "ledger": ledger, "cost": {}, "provenance": {"resolved": {}}}
+        self.summary = {"ending": {"reason": "made up"}, "ledger": {}, "cost": {}, "provenance": {"resolved": {}}}
 
     def other(self, driver, case, change):
         return self.again({"mistake": "made"} if "wrong" in case else change)
@@ -34,6 +32,13 @@ class MadeUp:
         made = MadeUp(0.5 if keys.get("mistake") == "made" else error, keys.get("ending", "reached_end"))
         made.keys = keys
         return made
+
+
+class GatedRun:
+    """What a row of a gate tells of a run."""
+
+    def __init__(self, name):
+        self.overrides, self.folder, self.case_file = {"name": name}, Path(name), "case.yaml"
 
 
 def answer(run):
@@ -82,9 +87,26 @@ class RowsTest(unittest.TestCase):
         self.assertTrue(verify.break_row(Breaks("answer", "a mistake", case="wrong.yaml"), CHECKS, MadeUp()).good)
         self.assertFalse(verify.break_row(Breaks("answer", "none", case="right.yaml"), CHECKS, MadeUp()).good)
 
-    def test_energy_without_a_source_fails_whatever_the_case_asks(self):
-        self.assertTrue(verify.ledger_rows(MadeUp(unexplained=1e-12))[0].good)
-        self.assertFalse(verify.ledger_rows(MadeUp(unexplained=1e-9))[0].good)
+    def test_the_worst_run_of_a_case_decides_a_gate(self):
+        runs = [(GatedRun("good"), 1e-12), (GatedRun("bad"), 1e-9)]
+        self.assertTrue(verify.gate_row("unexplained energy", 1e-10, runs[:1], []).good)
+        row = verify.gate_row("unexplained energy", 1e-10, runs, [])
+        self.assertFalse(row.good)
+        self.assertIn("bad", row.because)
+        self.assertFalse(verify.gate_row("unexplained energy", 1e-10, [(GatedRun("bad"), math.inf)], []).good)
+
+    def test_a_waiver_excuses_the_runs_it_names_and_says_so(self):
+        runs = [(GatedRun("good"), 1e-12), (GatedRun("bad"), 1e-9)]
+        row = verify.gate_row("unexplained energy", 1e-10, runs, [Waiver("unexplained energy", lambda run: run.overrides["name"] == "bad", "made up")])
+        self.assertTrue(row.good)
+        self.assertIn("1 of 2 runs are excused: made up", row.because)
+        self.assertIn("in 1 runs", row.got)
+
+    def test_a_waiver_that_no_run_needs_is_a_fault(self):
+        row = verify.gate_row("unexplained energy", 1e-10, [(GatedRun("good"), 1e-12)], [Waiver("unexplained energy", lambda run: True, "made up")])
+        self.assertFalse(row.good)
+        self.assertIn("excuses no run", row.because)
+        self.assertIn("in 1 runs", row.got)
 
     def test_a_break_that_stops_the_run_breaks_no_number(self):
         self.assertFalse(verify.break_row(Breaks("answer", "a mistake", {"ending": "energy_created"}), CHECKS, MadeUp()).good)

@@ -2,7 +2,7 @@
 from math import pi, sqrt
 
 from reference import flanagan_belytschko, growth, highest_frequency, lame
-from verify import Breaks, Check, Figure, Pair, Report, Table
+from verify import Breaks, Check, Figure, Pair, Report, Table, Waiver
 
 CATALOGUE = ("E-4",)
 CLAIM = "The highest frequency of a free brick is the closed form's; at 0.99 of an assembly's exact step a run is stable, at 1.02 it grows as central differences must."
@@ -114,6 +114,13 @@ CHECKS = [
 
 STUDIES = [Table("Step of a free cube [h/c]: from the stiffness, in closed form, and by the bound of Flanagan and Belytschko.",
                  ["nu", "one point", "eight points", "closed form", "bound"], steps_of_cubes)]
+
+WAIVERS = [
+    Waiver("created energy of any source at any time", lambda run: float(run.overrides.get("time.safety", 0)) > 2,
+           "steps beyond the stable one are meant to create energy"),
+    *(Waiver(f"unexplained {what} over the largest that passed", lambda run: run.ending == "inverted_element",
+             "the break of 4000 steps beyond the stable one ends in numbers that are not finite") for what in ("energy", "momentum", "angular momentum")),
+]
 
 BREAKS = [
     Breaks("highest frequency of bricks of one point: worst of 12", "half of the mass on the nodes", {"bodies[0].material.density": "3925 kg/m^3"}),

@@ -2,7 +2,7 @@
 from math import sqrt
 
 from reference import partial_slip, pressure, traction
-from verify import Breaks, Check, Figure, Pair, Table
+from verify import Breaks, Check, Figure, Pair, Table, Waiver
 
 CATALOGUE = ("C-14",)
 CLAIM = "Two cylinders pressed together and sheared by less than friction holds slip at the rim of their contact and stick in the middle, as Cattaneo and Mindlin found."
@@ -95,8 +95,10 @@ def variants(run):
 COARSE = cells(20, 5)
 
 CHECKS = [
-    Check("normal force", normal_force, 0.03, "the catalogue's bound; the approach that makes it depends on the blocks behind and was found by trial"),
-    Check("shear force", shear_force, 0.03, "the catalogue's bound; the run ends at the first row beyond it"),
+    Check("normal force", normal_force, 0.03,
+          "the catalogue's bound. The approach was found by trial to give this force: it shows that the force stays, not that it is right"),
+    Check("shear force", shear_force, 0.03,
+          "the catalogue's bound. The run stops at the first row beyond this force: it shows that the force is reached, and how far one row goes"),
     Check("half-width of the contact", half_width, 0.03, "the catalogue's bound, with six elements in it"),
     Check("largest pressure", largest_pressure, 0.03, "the catalogue's bound"),
     Check("half-width of the strip that sticks", stick_half_width, 0.03, "the catalogue's bound"),
@@ -105,6 +107,11 @@ CHECKS = [
 
 STUDIES = [Table("Over the exact values for the forces that came out.",
                  ["", "P", "Q", "half-width", "largest pressure", "half-width that sticks", "error of the profile"], variants, full=True)]
+
+WAIVERS = [
+    Waiver("unexplained angular momentum over the largest that passed", lambda run: run.case("contacts[0].penalty") < 1e12,
+           "the break of a penalty fifty times too soft leaves 3e-7; apexes go deep, and the cause is not known"),
+]
 
 BREAKS = [
     Breaks("half-width of the strip that sticks", "half as much friction again", {**COARSE, "contacts[0].friction": 0.3}),

@@ -1,6 +1,6 @@
 """How close is close enough, why, and what must break."""
 from reference import OUTERMOST, bending, bending_energy, displacement, membrane, shear_energy, shear_resultant, von_mises
-from verify import Breaks, Check, Figure, Pair
+from verify import Breaks, Check, Figure, Pair, Waiver
 
 CATALOGUE = ("E-1",)
 CLAIM = "Distorted triangles of plates carry constant membrane strain, curvature and transverse shear, and move affinely as they should."
@@ -102,6 +102,11 @@ def ramp(text, size=SIZE):
 
 BENDING, SHEAR, MOVING = HERE + "bending.yaml", HERE + "shear.yaml", HERE + "moving.yaml"
 TURNED_TOO_FAR = f"[{ramp('1.001*(x/2 + y)', CURVATURE)}, {ramp('-1.001*(x + y/2)', CURVATURE)}, 0]"
+WAIVERS = [
+    Waiver("unexplained momentum over the largest that passed", lambda run: str(run.case_file).endswith("shear.yaml"),
+           "its nodes are driven from rest to rest without a resultant and both frames are at rest, so nothing gives a scale: 6e-29 kg m/s is left"),
+]
+
 BREAKS = [
     Breaks("membrane stress", "corners that do not move affinely", {"planes[0].velocity.value": f"[{ramp('x + y/2 + 0.01*x*y')}, {ramp('x/2 + y')}, 0]"}),
     Breaks("membrane stress", "come to rest to a part in a hundred thousand only", {"relaxation.residual": 1e-5}),

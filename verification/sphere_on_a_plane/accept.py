@@ -6,7 +6,7 @@ from verify import Breaks, Check, Figure, Pair, Report, Table
 
 CATALOGUE = ("I-5", "I-5b")
 CLAIM = "A sphere that strikes a rigid plane pushes it as hard and as long as a finite sphere does beside Hertz's, and flies back."
-EVIDENCE = "exact"
+EVIDENCE = "benchmark"  # its limits about the finite sphere rest on a finite-element model; only Hertz is exact
 DRIVER = "scene"
 
 STEEL = {"radius": 0.01, "density": 7850, "young": 210e9, "poisson": 0.3}
@@ -104,10 +104,10 @@ def meshes(run):
 
 CHECKS = [
     Check("mass of the ball", full_mass, 0.03, "facets of the far pole are coarse and lie inside the ball: 2.6 % is missing; Hertz's law is taken with what is there"),
-    Check("largest force", peak_force, 0.02, "the catalogue's bound about the finite sphere"),
-    Check("contact time", duration, 0.02, "the catalogue's bound about the finite sphere"),
-    Check("speed after over before", rebound, 1 - LEAST_REBOUND, "the catalogue's: 0.998 or more is left"),
-    Check("impulse", impulse, 0.005, "as the momentum and the rebound"),
+    Check("largest force", peak_force, 0.02, "the catalogue's bound about its finite-element model of a sphere, for the mass that the meshed ball has"),
+    Check("contact time", duration, 0.02, "as the force"),
+    Check("speed after over before", rebound, 1 - LEAST_REBOUND, "the catalogue's model keeps 0.998 or more"),
+    Check("impulse", impulse, 0.005, "as the momentum and the rebound; of the meshed ball, whose own mass is taken. Against a full ball it misses by 2.7 %"),
     Check("created energy", created, 0.005, "one long push: far below the bound of a bounce"),
     Report("largest force against Hertz's half-space", against_half_space, "how far a finite sphere is from Hertz"),
 ]
