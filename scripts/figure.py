@@ -537,8 +537,10 @@ def schematic_figure(radius, length, thickness, speed):
     axes.add_patch(Rectangle((-2.2 * radius, -40), 4.4 * radius, 40, facecolor="none", edgecolor="black", hatch="/////", linewidth=0))
     axes.plot([-2.2 * radius, 2.2 * radius], [0, 0], color="black", linewidth=1.4)
     axes.plot([0, 0], [above - 40, above + length + 60], color="black", linewidth=0.6, linestyle=(0, (8, 2, 1, 2)))
-    axes.text(0, above + 0.56 * length, "lead", ha="center", va="center", fontsize=11, bbox={"facecolor": "#e9e9e9", "edgecolor": "none", "pad": 2})
-    axes.annotate("stainless steel", (radius + thickness / 2, above + 0.8 * length), (radius + 60, above + 0.86 * length), fontsize=9, va="center",
+    axes.text(0, above + 0.56 * length, "lead", ha="center", va="center", fontsize=11, bbox={"facecolor": "#e9e9e9", "edgecolor": "none",
+        "pad": 2})
+    axes.annotate("stainless steel", (radius + thickness / 2, above + 0.8 * length), (radius + 60, above + 0.86 * length), fontsize=9,
+                  va="center",
                   arrowprops={"arrowstyle": "-", "linewidth": 0.6, "shrinkA": 0, "shrinkB": 0})
     axes.text(-2.15 * radius, 22, "rigid floor", fontsize=9, va="center")
     measure(axes, (-radius, above + length + 45), (radius, above + length + 45), f"{2 * radius:g} mm", 30,

@@ -7,7 +7,7 @@
 
 The first three are round-off, so their limit is one number for all runs. Where impulses and momentum vanish by symmetry they are no
 scale; there the sum of the nodes' momenta m |v| is one. It is at least 2 K / max |v|, which frames and history give; times the
-largest distance from the origin it is the scale of the moments. A program without frames has no length, and its moments are then not judged.
+largest distance from the origin it is the scale of the moments. A program without frames has no length, so its moments are not judged.
 """
 import math
 

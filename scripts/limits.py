@@ -81,7 +81,8 @@ def faults(known, today, lines):
         line = lines.get((case, check))
         if looser(kind, limit, tightest):
             if line is None:
-                found.append(f"{PAGE}: {case}, '{check}': the limit was {tightest:g} and is {limit:g}, and no line under '{HEADING[3:]}' says why")
+                found.append(f"{PAGE}: {case}, '{check}': the limit was {tightest:g} and is {limit:g}, and no line under '{HEADING[3:]}' "
+                             "says why")
             elif abs(line[0] - tightest) > 1e-6 * tightest or abs(line[1] - limit) > 1e-6 * limit:
                 found.append(f"{PAGE}: {case}, '{check}': the line says {line[0]:g} and {line[1]:g}, the table {tightest:g} and {limit:g}")
         elif line is not None:

@@ -53,7 +53,8 @@ def write(folder, level, names):
 
 def page(outcomes, missing, level):
     parts = [overview(outcomes, missing, level), *(case_page(out) for out in outcomes.values()), limitations(outcomes)]
-    head = f"<meta charset='utf-8'><meta name='viewport' content='width=device-width'><title>Nereid: verification</title><style>{STYLE}</style>"
+    head = ("<meta charset='utf-8'><meta name='viewport' content='width=device-width'><title>Nereid: verification</title>"
+            f"<style>{STYLE}</style>")
     return f"<!doctype html>\n<html lang='en'><head>{head}</head><body>\n" + "\n".join(parts) + "\n</body></html>\n"
 
 
@@ -77,7 +78,8 @@ def overview(outcomes, missing, level):
             f"{count['miss']} known <a href='#limitations'>misses</a>.</p>",
             f"<p class='quiet'>The {level} suite: {runs} runs of {seconds / 60:.1f} minutes on one core, programs of commit "
             f"{', '.join(commits)}. <em>exact</em>: against a closed form. <em>order</em>: the error falls at the predicted rate. "
-            "<em>invariant</em>: must hold in any configuration. <em>benchmark</em>: other codes agree in a stated range, which verifies nothing. "
+            "<em>invariant</em>: must hold in any configuration. <em>benchmark</em>: other codes agree in a stated range, which verifies "
+            "nothing. "
             "A <em>break</em> is a plausible mistake that a check must notice. The bar is error over limit.</p>"]
     if missing:
         text.append(f"<p class='FAIL'>Not run: {', '.join(missing)}.</p>")
@@ -99,7 +101,8 @@ def overview_row(out):
     word = "FAIL" if not out.good() else f"{len(out.misses())} MISS" if out.misses() else "pass"
     number = f"<br><span class='quiet'>{', '.join(out.catalogue)}</span>" if out.catalogue else ""
     breaks = [row for row in out.rows if row.kind == "break"]
-    return (f"<tr><td><a href='#{out.name}'>{out.name.replace('_', ' ')}</a>{number}</td><td>{inline(out.claim)}</td><td>{out.evidence}</td>"
+    return ("<tr><td><a "
+            f"href='#{out.name}'>{out.name.replace('_', ' ')}</a>{number}</td><td>{inline(out.claim)}</td><td>{out.evidence}</td>"
             f"<td>{name}</td><td class='number'>{error}</td><td class='number'>{limit}</td><td>{bar}</td>"
             f"<td class='number'>{sum(row.good for row in breaks)}/{len(breaks)}</td><td class='word {word.split()[-1]}'>{word}</td></tr>")
 
@@ -120,7 +123,8 @@ def case_page(out):
         parts += [f"<h3>{inline(heading)}</h3>", table(columns, body)]
     reasons = [row for row in out.rows if row.because]
     if reasons:
-        parts += ["<h3>Reasons of the limits</h3><ul>", *(f"<li>{inline(row.name)}: {inline(row.because)}.</li>" for row in reasons), "</ul>"]
+        parts += ["<h3>Reasons of the limits</h3><ul>", *(f"<li>{inline(row.name)}: {inline(row.because)}.</li>" for row in reasons),
+                  "</ul>"]
     parts += [ledger(out), cost(out), provenance(out), "</section>"]
     return "\n".join(parts)
 
@@ -159,7 +163,8 @@ def ledger(out):
     if not accounts:
         return ""
     initial = out.ledger["initial_kinetic"]["value"]
-    body = [["kinetic, at the start", joule(initial), "", "", ""], ["kinetic, at the end", joule(out.ledger["kinetic"]["value"]), "", "", ""]]
+    body = [["kinetic, at the start", joule(initial), "", "", ""], ["kinetic, at the end", joule(out.ledger["kinetic"]["value"]), "", "",
+                                                                    ""]]
     for source, account in accounts.items():
         stored = ", ".join(f"{key} {joule(value['value'])}" for key, value in account["stored"].items() if value["value"])
         lost = ", ".join(f"{key} {joule(value['value'])}" for key, value in account["dissipated"].items() if value["value"])

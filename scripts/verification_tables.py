@@ -66,7 +66,8 @@ def suite_line(out):
     error, limit, name = (closest.error, closest.limit, closest.name) if closest else ("", "", "")
     status = "FAIL" if not out.good() else f"{missed} MISS" if missed else "pass"
     numbers = f" {', '.join(out.catalogue)}" if out.catalogue else ""
-    return f"| [{out.name}](verification/{out.name}/README.md){numbers} | {out.claim} | {out.evidence} | {name} | {error} | {limit} | {status} |"
+    case = f"[{out.name}](verification/{out.name}/README.md){numbers}"
+    return f"| {case} | {out.claim} | {out.evidence} | {name} | {error} | {limit} | {status} |"
 
 
 def suite_block(lines, sections):

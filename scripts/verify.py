@@ -406,7 +406,8 @@ class Case:
 
     def outcome(self, store, full=False, with_figures=False):
         """Runs all checks, studies and breaks of the level; a fault of one of them is a row that fails."""
-        out = Outcome(self.name, "full" if full else "quick", self.accept.DRIVER, self.case_file(), self.accept.CLAIM, self.accept.EVIDENCE, list(self.accept.CATALOGUE))
+        out = Outcome(self.name, "full" if full else "quick", self.accept.DRIVER, self.case_file(), self.accept.CLAIM, self.accept.EVIDENCE,
+                      list(self.accept.CATALOGUE))
         try:
             self.judge(out, store, full, with_figures)
         except CannotRun as error:

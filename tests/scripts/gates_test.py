@@ -19,7 +19,8 @@ class MadeUp:
         self.summary = {"ledger": {
             "initial_kinetic": number(4.0), "kinetic": number(2.0), "brought_in": number(0.0), "energy_residual": number(energy),
             "initial_momentum": number([axis, 0, 0]), "momentum": number([-axis, 0, 0]), "momentum_residual": number([0, momentum, 0]),
-            "initial_angular_momentum": number([0, axis, 0]), "angular_momentum": number([0, -axis, 0]), "angular_momentum_residual": number([0, 0, angular]),
+            "initial_angular_momentum": number([0, axis, 0]), "angular_momentum": number([0, -axis, 0]),
+            "angular_momentum_residual": number([0, 0, angular]),
             "accounts": {"wall": {"work": number(-2.0), "impulse": number([-2 * axis, 0, 0]), "angular_impulse": number([0, -2 * axis, 0]),
                                   "created": number(0.0), "created_relative": number(0.0)}}}}
         self.columns = {"time": [0, 1], "energy_kinetic": [4.0, 2.0], "energy_created_wall": list(made or (0.0, 0.0))}

@@ -180,6 +180,52 @@ class Words(HouseTest):
             self.assertEqual(house.main(["words", "--root", root]), 0)
 
 
+    def test_the_line_that_names_the_words_of_the_field_is_fine(self):
+        self.assertEqual(self.look("words", {"docs/page.md": "secondary and primary (sla" + "ve and mas" + "ter)\n"}), (0, ""))
+
+
+class Width(HouseTest):
+    def look(self, check, changes=None, without=()):
+        with mock.patch.object(house, "WIDTH_NOT_YET", ["tests/*"]):
+            return super().look(check, changes, without)
+
+    def test_a_line_that_is_too_long(self):
+        for path in ("scripts/look.py", "lib/mesh/box.hpp", "docs/page.md", "cases/a.yaml", "scripts/setup.sh"):
+            with self.subTest(path):
+                self.expect("width", {path: "a" * 140 + "\n" + "b" * 141 + "\n"}, f"{path}:2: has 141 characters")
+        self.expect("width", {"scripts/look": "#!/usr/bin/python3\n" + "b" * 141 + "\n"}, "scripts/look:2:")
+
+    def test_what_cannot_be_broken_may_be_long(self):
+        table, address = "| " + "a " * 100 + "|\n", "see https://" + "a" * 140 + "\n"
+        written = "<!-- written by scripts/verify.py -->\n- " + "a " * 100 + "\n<!-- end of what scripts/verify.py writes -->\n"
+        self.assertEqual(self.look("width", {"docs/page.md": table + address + written}), (0, ""))
+        self.expect("width", {"docs/page.md": written + "a " * 100 + "\n"}, "docs/page.md:4:")
+
+    def test_files_that_are_not_in_order_yet(self):
+        self.assertEqual(self.look("width", {"tests/mesh/box_test.cpp": "a" * 141}), (0, ""))
+
+
+class Retired(HouseTest):
+    on = True
+
+    def look(self, check, changes=None, without=()):
+        with mock.patch.object(house.table_of_words, "RETIRED", self.on):
+            return super().look(check, changes, without)
+
+    def test_a_word_that_has_a_new_name(self):
+        self.expect("retired", {"docs/page.md": "the hardness of a contact\n"},
+                    "docs/page.md:1: 'hardness' has a new name, 'penalty_scale'")
+        self.expect("retired", {"verification/a/accept.py": 'run.again({"planes[0].stick": 1})\n'}, "'stick' has a new name")
+        self.expect("retired", {"scripts/run.sh": "--set planes[0].kind=held\n"}, "'held' has a new name")
+
+    def test_words_that_are_also_english_are_refused_in_their_place_only(self):
+        self.assertEqual(self.look("retired", {"docs/page.md": "surfaces stick, springs[0].damping, held; they turn\n"}), (0, ""))
+
+    def test_nothing_is_refused_before_the_words_are_retired(self):
+        self.on = False
+        self.assertEqual(self.look("retired", {"docs/page.md": "hardness\n"}), (0, ""))
+
+
 class Mirror(HouseTest):
     def test_test_of_nothing(self):
         self.expect("mirror", {"tests/mesh/ball_test.cpp": ""}, "tests/mesh/ball_test.cpp:1: tests nothing; expected is lib/mesh/ball")

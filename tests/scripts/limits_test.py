@@ -8,7 +8,8 @@ import limits  # noqa: E402  (after the path)
 import verify  # noqa: E402
 
 KEY = ("bar", "speed")
-PAGE = f"# Page\n\n{limits.HEADING}\n\n| case | check | was | is | in | reason |\n|---|---|---|---|---|---|\n| bar | speed | 1 % | 2 % | abc | made up |\n\n## Next\n"
+PAGE = (f"# Page\n\n{limits.HEADING}\n\n| case | check | was | is | in | reason |\n|---|---|---|---|---|---|\n| bar | speed | 1 "
+        "% | 2 % | abc | made up |\n\n## Next\n")
 
 
 class LimitsTest(unittest.TestCase):

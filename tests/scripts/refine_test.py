@@ -30,7 +30,8 @@ class LineTest(unittest.TestCase):
         self.assertTrue(refine.line_of("length", "m", [1, 2, 4, 8], sequence([1, 2, 4, 8], 2)).verdict.startswith("asymptotic"))
 
     def test_what_is_not_asymptotic_is_said(self):
-        for values in ([1, 2, 1.5], [1, 1.5, 1.1, 1.2], sequence([1, 2, 4, 8], 1, second=2.0), [1, 2, 4, 8], [1, 1 + 1e-1, 1 + 1e-1 + 1e-4]):
+        for values in ([1, 2, 1.5], [1, 1.5, 1.1, 1.2], sequence([1, 2, 4, 8], 1, second=2.0), [1, 2, 4, 8],
+                       [1, 1 + 1e-1, 1 + 1e-1 + 1e-4]):
             with self.subTest(values):
                 self.assertIn("NOT asymptotic", refine.line_of("x", "m", [1, 2, 4, 8][:len(values)], values).verdict)
 

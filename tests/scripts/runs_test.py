@@ -77,7 +77,8 @@ class StoreTest(unittest.TestCase):
 
     def test_a_changed_mesh_makes_it_anew_however_the_case_names_it(self):
         for text, settings in (("kind: file\n", {"mesh.path": "mesh.vtu"}), ("there: &where mesh.vtu\nmesh: {path: *where}\n", {}),
-                               ('mesh: {path: "mesh\\x2evtu"}\n', {}), ("mesh: {'path': 'mesh.vtu'}\n", {}), ('mesh: {"path":\n  mesh.vtu}\n', {})):
+                               ('mesh: {path: "mesh\\x2evtu"}\n', {}), ("mesh: {'path': 'mesh.vtu'}\n", {}),
+                               ('mesh: {"path":\n  mesh.vtu}\n', {})):
             with self.subTest(text):
                 self.case.write_text(text)
                 (self.root / "mesh.vtu").write_text("one mesh")
@@ -104,7 +105,8 @@ class StoreTest(unittest.TestCase):
         def cut():
             (folder / "history.csv").write_text(whole[:whole.index("\n1,")] + "\n")
 
-        for touch in (cut, lambda: (folder / "body" / "body_0.vtu").unlink(), lambda: (folder / "body" / "body_0.vtu").write_text("A frame"),
+        for touch in (cut, lambda: (folder / "body" / "body_0.vtu").unlink(),
+                      lambda: (folder / "body" / "body_0.vtu").write_text("A frame"),
                       lambda: (folder / "summary.json").write_text("{}"), lambda: (folder / "other").write_text(""),
                       lambda: (folder / runs.RECORD).write_text(json.dumps({"driver": "made_up", "seconds": 1}))):
             touch()

@@ -12,7 +12,8 @@ ACCEPT = "CATALOGUE, EVIDENCE = ('I-3',), 'exact'\n"
 
 
 def outcome(error=0.005, limit=0.01, name="bar", full_error=0.3):
-    rows = [verify.Row("check", "speed", "1 m/s", "0.995 m/s", verify.share(error), verify.share(limit), "pass", True, "seen", error, limit),
+    rows = [verify.Row("check", "speed", "1 m/s", "0.995 m/s", verify.share(error), verify.share(limit), "pass", True, "seen", error,
+                       limit),
             verify.Row("check", "fine speed", "1 m/s", "1 m/s", "30 %", "40 %", "pass", True, "seen", full_error, 0.4, full=True),
             verify.Row("break", "*must fail:* slow → speed", "1", "2", "100 %", "1 %", "fails, as it must", True)]
     return verify.Outcome(name, "quick", claim="it moves", evidence="exact", catalogue=["I-3"], rows=rows,

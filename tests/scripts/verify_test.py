@@ -97,13 +97,15 @@ class RowsTest(unittest.TestCase):
 
     def test_a_waiver_excuses_the_runs_it_names_and_says_so(self):
         runs = [(GatedRun("good"), 1e-12), (GatedRun("bad"), 1e-9)]
-        row = verify.gate_row("unexplained energy", 1e-10, runs, [Waiver("unexplained energy", lambda run: run.overrides["name"] == "bad", "made up")])
+        row = verify.gate_row("unexplained energy", 1e-10, runs, [Waiver("unexplained energy", lambda run: run.overrides["name"] == "bad",
+            "made up")])
         self.assertTrue(row.good)
         self.assertIn("1 of 2 runs are excused: made up", row.because)
         self.assertIn("in 1 runs", row.got)
 
     def test_a_waiver_that_no_run_needs_is_a_fault(self):
-        row = verify.gate_row("unexplained energy", 1e-10, [(GatedRun("good"), 1e-12)], [Waiver("unexplained energy", lambda run: True, "made up")])
+        row = verify.gate_row("unexplained energy", 1e-10, [(GatedRun("good"), 1e-12)], [Waiver("unexplained energy", lambda run: True,
+            "made up")])
         self.assertFalse(row.good)
         self.assertIn("excuses no run", row.because)
         self.assertIn("in 1 runs", row.got)
@@ -206,7 +208,8 @@ class AddingTest(unittest.TestCase):
         quoted = re.findall(r"^```\w+\n(.*?)^```$", page, re.DOTALL | re.MULTILINE)
         for name in ("case.yaml", "reference.py", "accept.py", "README.md"):
             with self.subTest(name):
-                text = (verify.ROOT / "verification" / "suddenly_pulled_bar" / name).read_text(encoding="utf-8").split("<!-- written by")[0].rstrip() + "\n"
+                text = (verify.ROOT / "verification" / "suddenly_pulled_bar" / name).read_text(encoding="utf-8")
+                text = text.split("<!-- written by")[0].rstrip() + "\n"
                 self.assertTrue(text in quoted, f"docs/adding.md quotes another {name}")
 
 

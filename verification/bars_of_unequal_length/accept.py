@@ -51,11 +51,13 @@ def momentum(run):
 
 CHECKS = [
     Check("plateau force", plateau, 0.01, "the catalogue's bound; ringing averages out over the middle 80 % of the contact"),
-    Check("duration at half height", duration, 0.01, "the catalogue's bound; rise and fall are some elements wide, and their middles count"),
+    Check("duration at half height", duration, 0.01,
+          "the catalogue's bound; rise and fall are some elements wide, and their middles count"),
     Report("first to last touch", touching, "the tail of the fall pushes on with less than a tenth of the force"),
     Check("velocity of the short bar over V", speed_of("short"), 0.01, "the catalogue's bound; exact: at rest"),
     Check("velocity of the long bar over V", speed_of("long"), 0.01, "the catalogue's bound"),
-    Check("restitution", restitution, 0.01, "the catalogue's bound: e = L1/L2; both velocities err the same way, three times the long bar's error over V, twice that over e"),
+    Check("restitution", restitution, 0.01, "the catalogue's bound: e = L1/L2; both velocities err the same way, three times the long "
+                                            "bar's error over V, twice that over e"),
     Check("momentum", momentum, 1e-12, "contact gives what it takes: round-off"),
 ]
 
@@ -65,7 +67,8 @@ STUDIES = [
 
 BREAKS = [
     Breaks("plateau force", "a penalty a hundred times too soft", {"contacts[0].hardness": 0.02}),
-    Breaks("duration at half height", "both bars of one length", {"bodies[0].mesh.low": "[-1 m, 0 m, 0 m]", "bodies[0].mesh.cells": "[200, 1, 1]"}),
+    Breaks("duration at half height", "both bars of one length", {"bodies[0].mesh.low": "[-1 m, 0 m, 0 m]",
+                                                                  "bodies[0].mesh.cells": "[200, 1, 1]"}),
     Breaks("velocity of the short bar over V", "ends that do not let go: bonded", {"contacts[0].kind": "bonded"}),
     Breaks("velocity of the long bar over V", "a long bar of half the density", {"bodies[1].material.density": "3925 kg/m^3"}),
     Breaks("restitution", "ends that do not let go: bonded", {"contacts[0].kind": "bonded"}),

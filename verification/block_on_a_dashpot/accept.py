@@ -59,7 +59,8 @@ def heat(run):
 CHECKS = [
     Check("logarithmic decrement", decrement, 2e-4, LATE),
     Check("period", period, 2e-4, LATE),
-    Check("lowest place", lowest, 1e-4, "what the decrement is wrong by counts a fourteenth here, 1e-5; a parabola stands for the turn between rows"),
+    Check("lowest place", lowest, 1e-4, "what the decrement is wrong by counts a fourteenth here, 1e-5; a parabola stands for the turn "
+                                        "between rows"),
     Check("heat", heat, 1e-4, "0.2 % of the energy still swing at the end, in a phase that ten periods have put wrong by 0.8 %: 2e-5"),
 ]
 

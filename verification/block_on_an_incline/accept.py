@@ -55,8 +55,10 @@ def slide(run):
 
 CHECKS = [
     Check("creep of the block that sticks", creep, 1e-4, "the catalogue's bound, in heights"),
-    Check("sag of the stick, friction 10", sag, 0.05, "the probe counts nodes of the border as much as inner ones, and the border gives way less"),
-    Report("way while gravity comes in", settling, "the upper edge carries 43 % less than the mean and slides a little until the rest holds"),
+    Check("sag of the stick, friction 10", sag, 0.05,
+          "the probe counts nodes of the border as much as inner ones, and the border gives way less"),
+    Report("way while gravity comes in", settling,
+           "the upper edge carries 43 % less than the mean and slides a little until the rest holds"),
     Check("speed of the block that sticks", creep_speed, 1e-4, "no acceleration: one ten-thousandth of what ice would give"),
     Check("friction that holds", holding, 1e-3, "equilibrium along the incline"),
     Check("push of the incline", push, 1e-3, "equilibrium across the incline"),

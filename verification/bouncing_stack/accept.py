@@ -72,16 +72,19 @@ def penalties(run):
     rows = []
     for penalty in ("1e7 Pa/m", "1e8 Pa/m", "1e9 Pa/m"):
         for bound in (0.04, 0.005, 0.0005):
-            one = run.again({**{f"contacts[{c}].{key}": value for c in (0, 1) for key, value in (("penalty", penalty), ("created_in_a_bounce", bound))},
+            one = run.again({**{f"contacts[{c}].{key}": value for c in (0, 1) for key, value in (("penalty", penalty),
+                ("created_in_a_bounce", bound))},
                              "planes[0].penalty": penalty, "planes[0].created_in_a_bounce": bound})
             rows.append([penalty, f"{bound:g}", str(one.summary["cost"]["steps"]), str(bounces(one)), f"{100 * drift(one).error():.2f} %"])
     return rows
 
 
 CHECKS = [
-    Check("stack: drift of the total energy", drift, 0.01, "the catalogue's bound; a bounce on a sampled spring may create 0.5 % of its own energy, of either sign"),
+    Check("stack: drift of the total energy", drift, 0.01,
+          "the catalogue's bound; a bounce on a sampled spring may create 0.5 % of its own energy, of either sign"),
     Check("stack: bounces that are missing of twenty", enough, 0.5, "the lowest block leaves the plane at least twenty times"),
-    Check("one block: height of the worst of twenty tops", worst_top, 0.01, "the block is a hundred times as stiff as the plane and takes a little to ring"),
+    Check("one block: height of the worst of twenty tops", worst_top, 0.01,
+          "the block is a hundred times as stiff as the plane and takes a little to ring"),
     Check("one block: time of the twentieth top", last_top, 0.001, "as the heights: the period goes with their root"),
     Check("one block: drift of the total energy", drift_alone, 0.01, "the catalogue's bound"),
 ]
@@ -100,7 +103,8 @@ BREAKS = [
     Breaks("stack: drift of the total energy", "viscosity that was not turned off", {"bodies[0].element.viscosity.linear": 0.06}),
     Breaks("stack: bounces that are missing of twenty", "a floor that keeps what it catches",
            {"planes[0].kind": "floor", "planes[0].nodes": "[low.z_low]"}),
-    Breaks("one block: height of the worst of twenty tops", "a block only five times stiffer than the plane", {"bodies[0].material.young": "1 MPa"}),
+    Breaks("one block: height of the worst of twenty tops", "a block only five times stiffer than the plane",
+           {"bodies[0].material.young": "1 MPa"}),
     Breaks("one block: time of the twentieth top", "a penalty three quarters as stiff", {"planes[0].penalty": "1.5e6 Pa/m"}),
     Breaks("one block: drift of the total energy", "viscosity in a block only five times stiffer than the plane",
            {"bodies[0].material.young": "1 MPa", "bodies[0].element.viscosity.linear": 0.6}),
@@ -130,7 +134,8 @@ def no_drift(run):
 
 
 FIGURES = [
-    Figure("heights", "time [s]", "height of the block [mm]", heights_over_time, exact=exact_tops, error=False, caption="One block: twenty bounces."),
+    Figure("heights", "time [s]", "height of the block [mm]", heights_over_time, exact=exact_tops, error=False,
+           caption="One block: twenty bounces."),
     Figure("stack", "time [s]", "height of the centre [mm]", stack_over_time, caption="The stack: three blocks on a plane."),
     Figure("energy", "time [s]", "drift of the energy over the initial one [-]", energy_over_time, exact=no_drift,
            caption="The stack: all energies together, less the initial ones."),

@@ -1,9 +1,9 @@
 """Bounces without loss: how high and how often.
 
 A block that falls from the height h on a spring (penalty times area) and is stiff beside it goes through free fall, half a
-swing on the spring, and free flight, and returns to h. Fall: sqrt(2h/g). On the spring it swings about the place where the spring carries its
-weight, x_s = m g/k, with w = sqrt(k/m): from touch to the lowest place (pi - atan(v/(w x_s)))/w. The period from top to top is
-twice the sum. The energy of a stack of blocks is what it has at the start: the sum of m g times its heights, all of it free to move.
+swing on the spring, and free flight, and returns to h. Fall: sqrt(2h/g). On the spring it swings about the place where the spring carries
+its weight, x_s = m g/k, with w = sqrt(k/m): from touch to the lowest place (pi - atan(v/(w x_s)))/w. The period from top to top is twice
+the sum. The energy of a stack of blocks is what it has at the start: the sum of m g times its heights, all of it free to move.
 """
 from math import atan2, pi, sqrt
 

@@ -5,7 +5,8 @@ from reference import HARDENING, PERFECT, STEEL, history, largest_strain, small,
 from verify import Breaks, Check, Figure, Miss, Pair, Report, Table
 
 CATALOGUE = ("P-8",)
-CLAIM = "A ring that starts outwards everywhere at once breathes in as far, as late and as much for good as energy says, of plates and of hexahedra."
+CLAIM = ("A ring that starts outwards everywhere at once breathes in as far, as late and as much for good as energy says, of "
+         "plates and of hexahedra.")
 EVIDENCE = "exact"
 DRIVER = "scene"
 
@@ -59,13 +60,16 @@ def of_plate(run):
 def rings(run):
     rows = []
     for name, one, tangent in (("plates", run, PERFECT), ("plates", run.again(HARDENS), HARDENING),
-                               ("hexahedra, eight points", solid(run), PERFECT), ("hexahedra, eight points", solid(run, HARDENS), HARDENING),
+                               ("hexahedra, eight points", solid(run), PERFECT), ("hexahedra, eight points", solid(run, HARDENS),
+                                   HARDENING),
                                ("hexahedra, one point", solid(run, {"bodies[0].element.kind": "one_point"}), PERFECT),
                                ("plates, a cell each 10 degrees", run.again({"bodies[0].mesh.cells_around": 3}), PERFECT),
-                               ("plates, ten cells long", run.again({"bodies[0].mesh.length": "300 mm", "bodies[0].mesh.cells_along": 10}), PERFECT)):
+                               ("plates, ten cells long", run.again({"bodies[0].mesh.length": "300 mm", "bodies[0].mesh.cells_along": 10}),
+                                PERFECT)):
         at, strain = top(strains(one))
         exact_at, exact = top(history(SPEED, tangent=tangent, **STEEL))
-        rows.append([name, f"{tangent / 1e9:g}", f"{strain:.6f}", f"{100 * (strain / exact - 1):+.2f} %", f"{1e3 * at:.4f}", f"{100 * (at / exact_at - 1):+.2f} %"])
+        rows.append([name, f"{tangent / 1e9:g}", f"{strain:.6f}", f"{100 * (strain / exact - 1):+.2f} %", f"{1e3 * at:.4f}",
+                     f"{100 * (at / exact_at - 1):+.2f} %"])
     return rows
 
 
@@ -75,11 +79,14 @@ CHECKS = [
     Check("strain that stays", permanent, 0.01, BOUND),
     Check("strain that stays, hardening", lambda run: permanent(run.again(HARDENS), HARDENING), 0.01, BOUND),
     Miss("time of the largest strain", time_of_largest, 0.01, BOUND,
-         "plates keep their thickness, so that the hoop pulls by half of the strain too much: at a strain of 3.3 % the time is 1.1 % short, "
+         "plates keep their thickness, so that the hoop pulls by half of the strain too much: at a strain of 3.3 % the time is 1.1 % "
+         "short, "
          "which the next check predicts to a few parts in ten thousand"),
-    Check("path of a ring that keeps its thickness", of_plate, 1e-3, "the exact path of what a plate is: its steps and chords are all that is left"),
+    Check("path of a ring that keeps its thickness", of_plate, 1e-3,
+          "the exact path of what a plate is: its steps and chords are all that is left"),
     Check("largest strain at a fifth of the speed", lambda run: largest(run.again(SLOWLY), speed=SLOW), 0.01, BOUND),
-    Check("its time", lambda run: small_time(run.again(SLOWLY)), 0.01, f"{BOUND}, with the catalogue's closed form, which is that of small strains"),
+    Check("its time", lambda run: small_time(run.again(SLOWLY)), 0.01,
+          f"{BOUND}, with the catalogue's closed form, which is that of small strains"),
     Check("largest strain, hexahedra", lambda run: largest(solid(run)), 0.01, BOUND),
     Check("time of the largest strain, hexahedra", lambda run: time_of_largest(solid(run)), 0.01, BOUND),
     Check("strain that stays, hexahedra", lambda run: permanent(solid(run)), 0.01, BOUND),
@@ -102,20 +109,23 @@ BREAKS = [
     Breaks("time of the largest strain, hexahedra", "a density of 8000 kg/m^3", {"bodies[0].material.density": "8000 kg/m^3"}),
     Breaks("strain that stays", "a yield stress of 310 MPa", {"bodies[0].material.yield": "310 MPa"}),
     Breaks("strain that stays, hexahedra", "hardening where there is none", {"bodies[0].material.tangent": "200 MPa"}),
-    Breaks("path of a ring that keeps its thickness", "viscosity that takes part in plastic flow", {"bodies[0].element.viscosity.linear": 1}),
+    Breaks("path of a ring that keeps its thickness", "viscosity that takes part in plastic flow",
+           {"bodies[0].element.viscosity.linear": 1}),
     Breaks("path of a ring that keeps its thickness", "hardening where there is none", {"bodies[0].material.tangent": "200 MPa"}),
 ]
 
 
 def strain_over_time(run):
     return [(label, [1e3 * t for t, _, _ in path], [100 * e for _, e, _ in path])
-            for label, path in (("plates", strains(run)), ("hexahedra", strains(solid(run))), ("hexahedra, hardening", strains(solid(run, HARDENS))))]
+            for label, path in (("plates", strains(run)), ("hexahedra", strains(solid(run))), ("hexahedra, hardening",
+                strains(solid(run, HARDENS))))]
 
 
 def exact_strain(_):
     return [(label, [1e3 * t for t, _, _ in path[::10]], [100 * e for _, e, _ in path[::10]])
             for label, path in (("exact, keeps its thickness", history(SPEED, tangent=PERFECT, thickening=1.0, **STEEL)),
-                                ("exact", history(SPEED, tangent=PERFECT, **STEEL)), ("exact, hardening", history(SPEED, tangent=HARDENING, **STEEL)))]
+                                ("exact", history(SPEED, tangent=PERFECT, **STEEL)), ("exact, hardening", history(SPEED, tangent=HARDENING,
+                                    **STEEL)))]
 
 
 FIGURES = [Figure("strain", "time [ms]", "strain of the hoop [%]", strain_over_time, exact=exact_strain,

@@ -79,7 +79,8 @@ def formulations(run):
         for layers in (1, 2, 4, 8):
             row.append("a mechanism" if name.endswith("dashpots") and layers == 1 else f"{tip(run.again(change(layers))) / beam:.4f}")
         rows.append(row)
-    rows.append(["1/(1 - 1/n^2), with shear", "infinite", *(f"{deflection(load=LOAD, bending=layers_factor(n), **BEAM) / beam:.4f}" for n in (2, 4, 8))])
+    rows.append(["1/(1 - 1/n^2), with shear", "infinite", *(f"{deflection(load=LOAD, bending=layers_factor(n), **BEAM) / beam:.4f}"
+                                                            for n in (2, 4, 8))])
     return rows
 
 
@@ -92,7 +93,8 @@ CHECKS = [
     Check("first frequency, 8 layers", swing(8), 0.02, "Timoshenko's, with 1 - 1/n^2 of the stiffness"),
     Check("first frequency by modes, 4 layers", by_modes(4), 0.02, "the same beam, from its stiffness and mass"),
     Check("first frequency by modes, 8 layers", by_modes(8), 0.02, "the same beam, from its stiffness and mass"),
-    Check("swinging beside modes, 4 layers", two_ways, 1e-3, "the same model twice: a run sampled every 0.02 ms tells three periods to 5e-4"),
+    Check("swinging beside modes, 4 layers", two_ways, 1e-3,
+          "the same model twice: a run sampled every 0.02 ms tells three periods to 5e-4"),
 ]
 
 STUDIES = [Table("Deflection over the beam's, n layers.", ["element", "n = 1", "n = 2", "n = 4", "n = 8"], formulations, full=True)]
@@ -100,7 +102,8 @@ STUDIES = [Table("Deflection over the beam's, n layers.", ["element", "n = 1", "
 BREAKS = [
     Breaks("deflection, 2 layers", "the layers' own bending counted: eight points in each element", {"bodies[0].element.kind": "full"}),
     Breaks("deflection, 4 layers", "a plate's stiffness E/(1 - nu^2) in a beam", {"bodies[0].material.young": "230.77 GPa"}),
-    Breaks("deflection, 4 layers", "hourglass springs in place of dashpots", {"bodies[0].element.hourglass_kind": "stiffness", "bodies[0].element.hourglass": 1}),
+    Breaks("deflection, 4 layers", "hourglass springs in place of dashpots", {"bodies[0].element.hourglass_kind": "stiffness",
+        "bodies[0].element.hourglass": 1}),
     Breaks("first frequency, 4 layers", "half the density", {"bodies[0].material.density": "3925 kg/m^3"}),
     Breaks("first frequency by modes, 4 layers", "half the density", {"bodies[0].material.density": "3925 kg/m^3"}),
 ]

@@ -54,15 +54,18 @@ def as_scene(run):
 
 def row(name, one, case):
     change = "" if one is case else f"{100 * (settlement(one) / settlement(case) - 1):+.2f} %"
-    inside_both = all(low <= value <= high for value, (low, high) in ((settlement(one), ROUND_ROBIN["settlement"]), (time_of(one), ROUND_ROBIN["time"])))
-    return [name, f"{1e3 * settlement(one):.2f}", change, f"{1e3 * time_of(one):.2f}", f"{1e3 * one.result('bulge'):.2f}", "yes" if inside_both else "no",
+    inside_both = all(low <= value <= high for value, (low, high) in ((settlement(one), ROUND_ROBIN["settlement"]),
+                                                                      (time_of(one), ROUND_ROBIN["time"])))
+    return [name, f"{1e3 * settlement(one):.2f}", change, f"{1e3 * time_of(one):.2f}", f"{1e3 * one.result('bulge'):.2f}",
+            "yes" if inside_both else "no",
             f"{one.created():.1e}"]
 
 
 def sensitivities(run):
     level = 3
     case = quarter(run, level)
-    variants = [("the case: hardness 20", {}), ("penalty x 0.01", {"interface.hardness": 0.2}), ("penalty x 0.1", {"interface.hardness": 2}),
+    variants = [("the case: hardness 20", {}), ("penalty x 0.01", {"interface.hardness": 0.2}),
+                ("penalty x 0.1", {"interface.hardness": 2}),
                 ("penalty x 10", {"interface.hardness": 200, "time.end": "6 ms"}), ("clearance 1 mm", {"interface.clearance": "1 mm"}),
                 ("friction 0.3", {"interface.friction": 0.3}),
                 ("tied", BONDED), ("no skin", BARE), ("lead 195 kgf/mm^2", {"lead.young": "195 kgf/mm^2"}),
@@ -88,7 +91,8 @@ def meshes(run):
         for name, factor, of in (("settlement [mm]", 1e3, settlement), ("its time [ms]", 1e3, time_of)):
             values = [factor * of(one) for one in runs]
             said, _, uncertainty = tendency(levels, values)
-            rows.append([kind, ", ".join(str(level) for level in levels), name, *(f"{value:.3f}" for value in values), f"± {uncertainty:.3f}", said])
+            rows.append([kind, ", ".join(str(level) for level in levels), name, *(f"{value:.3f}" for value in values),
+                         f"± {uncertainty:.3f}", said])
     return rows
 
 
@@ -98,7 +102,8 @@ CHECKS = [
           "1 is on an end of its range, 58 to 72.5 mm; with the mesh it moves by 0.3 mm"),
     Check("time of it inside the round robin", lambda run: inside(time_of(run), *ROUND_ROBIN["time"], "s"), 1,
           "1 is on an end of its range, 4.3 to 6.25 ms; with the mesh it moves by 0.1 ms"),
-    Check("settlement between a bonded skin and none", between, 1, "1 is on a bound: no interface holds more than bonding or less than nothing"),
+    Check("settlement between a bonded skin and none", between, 1,
+          "1 is on a bound: no interface holds more than bonding or less than nothing"),
     Check("the same as a scene", as_scene, 1e-4, "two programs that set up one model; the peak is between rows of the history"),
     Report("settlement beside NEPTUNE", lambda run: Pair(settlement(run), NEPTUNE["settlement"], "m"), "a result of one other program"),
     Report("its time beside NEPTUNE", lambda run: Pair(time_of(run), NEPTUNE["time"], "s"), "a result of one other program"),
@@ -115,17 +120,21 @@ STUDIES = [
 
 BREAKS = [
     Breaks("kinetic energy at the start", "the speed of a fall of 9 m in place of the printed one", {"initial.speed": "13286 mm/s"}),
-    Breaks("settlement inside the round robin", "Young's modulus of lead as it is, a hundred times the printed one", {"lead.young": "1950 kgf/mm^2"}),
-    Breaks("settlement inside the round robin", "steel in kgf/mm^2 read as MPa", {"steel.young": "1.96e4 MPa", "steel.yield": "31.6 MPa", "steel.tangent": "195 MPa"}),
+    Breaks("settlement inside the round robin", "Young's modulus of lead as it is, a hundred times the printed one",
+           {"lead.young": "1950 kgf/mm^2"}),
+    Breaks("settlement inside the round robin", "steel in kgf/mm^2 read as MPa", {"steel.young": "1.96e4 MPa", "steel.yield": "31.6 MPa",
+        "steel.tangent": "195 MPa"}),
     Breaks("time of it inside the round robin", "the skin bonded to the lead", BONDED),
     Breaks("time of it inside the round robin", "the skin forgotten", BARE),
-    Breaks("settlement between a bonded skin and none", "Young's modulus of lead as it is, a hundred times the printed one", {"lead.young": "1950 kgf/mm^2"}),
+    Breaks("settlement between a bonded skin and none", "Young's modulus of lead as it is, a hundred times the printed one",
+           {"lead.young": "1950 kgf/mm^2"}),
     Breaks("the same as a scene", "a penalty ten times as soft", {"interface.hardness": 2}),
 ]
 
 
 def settlement_over_time(run):
-    runs = [("the case, level 2", run), ("the case, level 4", model(run, {"mesh.level": 4})), ("no skin", model(run, BARE)), ("bonded skin", model(run, BONDED))]
+    runs = [("the case, level 2", run), ("the case, level 4", model(run, {"mesh.level": 4})), ("no skin", model(run, BARE)),
+            ("bonded skin", model(run, BONDED))]
     curves = [(label, [1e3 * t for t in one.column("time")], [1e3 * s for s in one.column("settlement_mean")]) for label, one in runs]
     return [*curves, ("NEPTUNE", [1e3 * NEPTUNE["time"]], [1e3 * NEPTUNE["settlement"]])]
 
@@ -135,5 +144,6 @@ def round_robin(_):
 
 
 FIGURES = [Figure("settlement", "time [ms]", "settlement of the head [mm]", settlement_over_time, ranges=round_robin,
-                  caption="Settlement of the head, mean over its area, between the bounds of no skin and a bonded one; the largest of each code of the "
+                  caption="Settlement of the head, mean over its area, between the bounds of no skin and a bonded one; the largest of each "
+                          "code of the "
                           "round robin lies in the range")]

@@ -62,10 +62,12 @@ CHECKS = [
     Report("frequency with two nodal diameters", mode(3), "not named by the catalogue"),
 ]
 
-STUDIES = [Table("Less the exact ones, by cells in core and ring of a quarter.", ["cells", "middle", "(0, 0)", "(1, 0)", "(2, 0)", "(0, 1)"], meshes, full=True)]
+STUDIES = [Table("Less the exact ones, by cells in core and ring of a quarter.", ["cells", "middle", "(0, 0)", "(1, 0)", "(2, 0)",
+    "(0, 1)"], meshes, full=True)]
 
 BREAKS = [
-    Breaks("deflection of the middle", "a rim that is supported and not clamped", {"planes[0].kind": "held", "planes[0].normal": "[0, 0, 1]"}),
+    Breaks("deflection of the middle", "a rim that is supported and not clamped", {"planes[0].kind": "held",
+        "planes[0].normal": "[0, 0, 1]"}),
     Breaks("frequency without nodal lines", "a beam's bending, E t^3/12 without 1 - nu^2", {"bodies[0].material.poisson": 0}),
     Breaks("frequency with one nodal circle", "the thickness in place of its half", {"bodies[0].element.thickness": "20 mm"}),
 ]

@@ -22,18 +22,22 @@ def formulas(run):
     rows = []
     for formula in ("height", "corrected", "printed"):
         here = run.again({"formula": formula})
-        rows.append([formula, *(f"{here.result('tetrahedral_' + name):.1e}" for name in ("gradient", "force", "moment", "motion", "order"))])
+        rows.append([formula, *(f"{here.result('tetrahedral_' + name):.1e}" for name in ("gradient", "force", "moment", "motion",
+            "order"))])
     return rows
 
 
 TOLERANCE = "the catalogue's bound, over the largest B of the element and, of moments, over its longest edge; "
 CHECKS = [
-    *[Check(f"{kind}: gradient", largest(f"{kind}_gradient"), 1e-9, TOLERANCE + "the differences have an error of their own of 1e-10") for kind in KINDS],
+    *[Check(f"{kind}: gradient", largest(f"{kind}_gradient"), 1e-9, TOLERANCE + "the differences have an error of their own of 1e-10")
+      for kind in KINDS],
     *[Check(f"{kind}: net force", largest(f"{kind}_force"), 1e-9, TOLERANCE + "weights sum to one") for kind in KINDS],
     *[Check(f"{kind}: net moment", largest(f"{kind}_moment"), 1e-9, TOLERANCE + "round-off grows with the sharpness") for kind in KINDS],
     *[Check(f"{kind}: rigid motion", largest(f"{kind}_motion"), 1e-9, TOLERANCE + "round-off grows with the sharpness") for kind in KINDS],
-    *[Check(f"{kind}: order of nodes", largest(f"{kind}_order"), 1e-9, TOLERANCE + "round-off grows with the sharpness") for kind in ("tetrahedral", "triangular")],
-    Check("Eq. 8a corrected: gradient", largest("tetrahedral_gradient", CORRECTED), 1e-9, TOLERANCE + "its terms cancel, the more the sharper the element"),
+    *[Check(f"{kind}: order of nodes", largest(f"{kind}_order"), 1e-9, TOLERANCE + "round-off grows with the sharpness")
+      for kind in ("tetrahedral", "triangular")],
+    Check("Eq. 8a corrected: gradient", largest("tetrahedral_gradient", CORRECTED), 1e-9,
+          TOLERANCE + "its terms cancel, the more the sharper the element"),
 ]
 
 STUDIES = [Table("The tetrahedral element by three formulas: largest errors over the largest B.",
@@ -67,5 +71,6 @@ def limit(_run):
     return [("limit", [1, 3000], [1e-9, 1e-9])]
 
 
-FIGURES = [Figure("errors", "longest edge over smallest length [-]", "B less central differences, over B [-]", errors, exact=limit, log=True,
+FIGURES = [Figure("errors", "longest edge over smallest length [-]", "B less central differences, over B [-]", errors, exact=limit,
+                  log=True,
                   caption="The gradient of three contact elements beside differences of their heights: round-off, and nothing else.")]

@@ -34,7 +34,8 @@ def height(base, apex):
     ...     base = [list(x) for x in unit]
     ...     base[I][i] += by
     ...     return height(base, (1 / 3, 1 / 3, 1.0))
-    >>> [[round(difference(lambda by: moved(I, i, by), 0.0, 1e-3), 9) + 0.0 for i in range(3)] for I in range(3)] == 3 * [[0.0, 0.0, round(-1 / 3, 9)]]
+    >>> third = [0.0, 0.0, round(-1 / 3, 9)]
+    >>> [[round(difference(lambda by: moved(I, i, by), 0.0, 1e-3), 9) + 0.0 for i in range(3)] for I in range(3)] == 3 * [third]
     True
     """
     a, b, p = ([x - y for x, y in zip(point, base[0])] for point in (base[1], base[2], apex))

@@ -62,15 +62,19 @@ def matching(measure):
 
 FORMULATIONS = [
     ("as it is: consistent weights, area of the apex", {}), ("sides exchanged", EXCHANGED), ("two passes", {"contacts[0].passes": "two"}),
-    ("two passes, sides exchanged", {"contacts[0].passes": "two", **EXCHANGED}), ("two passes, bonded", {"contacts[0].passes": "two", "contacts[0].kind": "bonded"}),
-    ("area of the base", {"contacts[0].area": "base"}), ("area of the base, two passes", {"contacts[0].area": "base", "contacts[0].passes": "two"}),
+    ("two passes, sides exchanged", {"contacts[0].passes": "two", **EXCHANGED}), ("two passes, bonded", {"contacts[0].passes": "two",
+        "contacts[0].kind": "bonded"}),
+    ("area of the base", {"contacts[0].area": "base"}), ("area of the base, two passes", {"contacts[0].area": "base",
+        "contacts[0].passes": "two"}),
     ("weights of the paper, friction 0.3", {"contacts[0].weights": "paper", "contacts[0].friction": 0.3}),
-    ("area and weights of the paper, friction 0.3", {"contacts[0].area": "base", "contacts[0].weights": "paper", "contacts[0].friction": 0.3}),
+    ("area and weights of the paper, friction 0.3", {"contacts[0].area": "base", "contacts[0].weights": "paper",
+                                                     "contacts[0].friction": 0.3}),
     ("friction 0.3", {"contacts[0].friction": 0.3}), ("friction 0.3, stick 0.1", {"contacts[0].friction": 0.3, "contacts[0].stick": 0.1}),
     ("friction 0.3, two passes", {"contacts[0].friction": 0.3, "contacts[0].passes": "two"}), ("bonded", {"contacts[0].kind": "bonded"}),
     ("damping 0.1", {"contacts[0].damping": 0.1}),
     ("hardness 40", {"contacts[0].hardness": 40}), ("hardness 0.4", {"contacts[0].hardness": 0.4}),
-    ("a penalty given, 2e7 Pa/m", {"contacts[0].penalty": "2e7 Pa/m"}), ("penalty from mass and step", {"contacts[0].penalty_from": "mass_and_step"}),
+    ("a penalty given, 2e7 Pa/m", {"contacts[0].penalty": "2e7 Pa/m"}), ("penalty from mass and step",
+        {"contacts[0].penalty_from": "mass_and_step"}),
     ("the same, half the step", {"contacts[0].penalty_from": "mass_and_step", "contacts[0].step_share": 0.5}),
     ("the same, two passes", {"contacts[0].penalty_from": "mass_and_step", "contacts[0].passes": "two"}),
     ("eight points in each element", {"bodies[0].element.kind": "full", "bodies[1].element.kind": "full"}),
@@ -97,12 +101,14 @@ def closed(run):
 
 
 def grids(run):
-    rows = [row("4 x 4 on 4 x 4, matching", run.again(MATCHING)), row("3 x 3 on 4 x 4", run), row("3 x 3 on 4 x 4, sides exchanged", run.again(EXCHANGED))]
+    rows = [row("4 x 4 on 4 x 4, matching", run.again(MATCHING)), row("3 x 3 on 4 x 4", run), row("3 x 3 on 4 x 4, sides exchanged",
+        run.again(EXCHANGED))]
     rows.append(row("6 x 6 on 8 x 8", run.again({"bodies[0].mesh.cells": "[8, 8, 4]", "bodies[1].mesh.cells": "[6, 6, 4]"})))
     cylinders = run.other("scene", CYLINDERS)
     rows.append(row("4 x 4 on 4 x 4, matching, two passes", run.again({**MATCHING, "contacts[0].passes": "two"})))
     rows.append(row("4 x 4 on 4 x 4, matching, bonded", run.again({**MATCHING, "contacts[0].kind": "bonded"})))
-    rows.append(row("6 x 6 on 8 x 8, two passes", run.again({"bodies[0].mesh.cells": "[8, 8, 4]", "bodies[1].mesh.cells": "[6, 6, 4]", "contacts[0].passes": "two"})))
+    rows.append(row("6 x 6 on 8 x 8, two passes", run.again({"bodies[0].mesh.cells": "[8, 8, 4]", "bodies[1].mesh.cells": "[6, 6, 4]",
+                                                             "contacts[0].passes": "two"})))
     rows.append(row("cylinders, matching", cylinders.again({"bodies[1].turn.angle": "0 deg"})))
     rows.append(row("cylinders turned by 45 degrees", cylinders))
     rows.append(row("the same, sides exchanged", cylinders.again(EXCHANGED_CYLINDERS)))
@@ -118,7 +124,8 @@ COLUMNS = ["", "stress, root mean square", "stress, largest", "pressure, root me
 
 CHECKS = [
     Check("resultant, matching grids", matching(resultant), 1e-5, "equilibrium, to the residual of the relaxation"),
-    Check("overlap of every apex, matching grids", matching(overlap), 1e-5, "pressure over penalty at each apex, to the residual of the relaxation"),
+    Check("overlap of every apex, matching grids", matching(overlap), 1e-5,
+          "pressure over penalty at each apex, to the residual of the relaxation"),
     Check("stress of every element, matching grids", matching(stress_error(1)), 1e-5, "uniform, to the residual of the relaxation"),
     Check("force through blocks over interface, 3 x 3 on 4 x 4", balance, 1e-5, "equilibrium, to the residual of the relaxation"),
     Report("resultant, 3 x 3 on 4 x 4", resultant, "nodes between apexes stand off, so the interface is more compliant than its penalty"),
@@ -142,7 +149,8 @@ BREAKS = [
 def sorted_stresses(run):
     """Axial stress of every element over the mean, from the least to the largest, over its place in that order."""
     curves = []
-    for name, keys in (("one pass", {}), ("sides exchanged", EXCHANGED), ("two passes", {"contacts[0].passes": "two"}), ("area of the base", {"contacts[0].area": "base"})):
+    for name, keys in (("one pass", {}), ("sides exchanged", EXCHANGED), ("two passes", {"contacts[0].passes": "two"}), ("area of the base",
+        {"contacts[0].area": "base"})):
         one = run.again(keys)
         values = sorted(-s / mean_pressure(one) for s in stresses(one))
         curves.append((name, [(i + 0.5) / len(values) for i in range(len(values))], values))
@@ -154,4 +162,5 @@ def uniform(_):
 
 
 FIGURES = [Figure("stresses", "share of the elements [-]", "axial stress over its mean [-]", sorted_stresses, exact=uniform,
-                  caption="Axial stress of the elements of two blocks, 3 x 3 on 4 x 4 cells, from the least to the largest: it should be one and the same.")]
+                  caption="Axial stress of the elements of two blocks, 3 x 3 on 4 x 4 cells, from the least to the largest: it should be "
+                          "one and the same.")]

@@ -5,7 +5,8 @@ from reference import flanagan_belytschko, growth, highest_frequency, lame
 from verify import Breaks, Check, Figure, Pair, Report, Table, Waiver
 
 CATALOGUE = ("E-4",)
-CLAIM = "The highest frequency of a free brick is the closed form's; at 0.99 of an assembly's exact step a run is stable, at 1.02 it grows as central differences must."
+CLAIM = ("The highest frequency of a free brick is the closed form's; at 0.99 of an assembly's exact step a run is stable, at "
+         "1.02 it grows as central differences must.")
 EVIDENCE = "exact"
 DRIVER = "modes"
 
@@ -17,7 +18,8 @@ GROWING = 80  # steps beyond the limit: amplitudes grow 1e14 times
 
 
 def brick(shape, poisson, kind):
-    return {"bodies[0].mesh.high": "[{} m, {} m, {} m]".format(*shape), "bodies[0].material.poisson": poisson, "bodies[0].element.kind": kind}
+    return {"bodies[0].mesh.high": "[{} m, {} m, {} m]".format(*shape), "bodies[0].material.poisson": poisson,
+            "bodies[0].element.kind": kind}
 
 
 def exact(shape, poisson):
@@ -64,11 +66,13 @@ def ball_at(run, part, steps):
     """A run of the ball with steps of `part` times its exact one; `time.safety` of the case is a factor on that, for a break."""
     part *= float(run.overrides.get("time.safety", 1))
     modes = run.other("modes", BALL_MODES, bodies(run))
-    return run.other("scene", BALL, {**bodies(run), "time.safety": repr(part * ratio(run)), "time.end": f"{part * modes.result('exact_step') * (steps - 0.5)!r} s"})
+    return run.other("scene", BALL, {**bodies(run), "time.safety": repr(part * ratio(run)),
+                                     "time.end": f"{part * modes.result('exact_step') * (steps - 0.5)!r} s"})
 
 
 def stays(run):
-    """Largest kinetic energy over that at the start, at 0.99. A mode keeps v^2 + omega^2 (1 - (omega dt/2)^2) x^2, and x is zero at the start."""
+    """Largest kinetic energy over that at the start, at 0.99. A mode keeps v^2 + omega^2 (1 - (omega dt/2)^2) x^2, and x is zero at the
+    start."""
     energy = ball_at(run, 0.99, 4000).column("kinetic")
     return Pair(max(energy) / energy[0], 1)
 
@@ -89,7 +93,8 @@ def steps_of_cubes(run):
         lam, mu = lame(STEEL["young"], nu)
         unit = SHAPES[0][0] / sqrt((lam + 2 * mu) / STEEL["density"])
         there = [run.again(brick(SHAPES[0], nu, kind)).result("exact_step") / unit for kind in ("one_point", "full")]
-        rows.append([nu, *(f"{step:.4f}" for step in there), f"{1 / (pi * exact(SHAPES[0], nu)) / unit:.4f}", f"{flanagan_belytschko(nu):.4f}"])
+        rows.append([nu, *(f"{step:.4f}" for step in there), f"{1 / (pi * exact(SHAPES[0], nu)) / unit:.4f}",
+                     f"{flanagan_belytschko(nu):.4f}"])
     return rows
 
 
@@ -102,11 +107,13 @@ def histories(run):
 
 
 CHECKS = [
-    Check("highest frequency of bricks of one point: worst of 12", worst_brick("one_point"), 1e-10, "the catalogue's bound; stiffness by differences leaves 1e-13"),
+    Check("highest frequency of bricks of one point: worst of 12", worst_brick("one_point"), 1e-10,
+          "the catalogue's bound; stiffness by differences leaves 1e-13"),
     Check("highest frequency of bricks of eight points: worst of 12", worst_brick("full"), 1e-10, "the catalogue's bound"),
     Check("step that a cube votes for", vote, 1e-10, "its bound is exact for a cube"),
     Check("rigid motions of a brick", rigid, 0, "three shifts and three turns"),
-    Check("kinetic energy at 0.99, largest of 4000 steps over the first", stays, 1e-6, "no mode may have more than it started with, and it starts without strain"),
+    Check("kinetic energy at 0.99, largest of 4000 steps over the first", stays, 1e-6,
+          "no mode may have more than it started with, and it starts without strain"),
     Check("growth per step at 1.02", grows, 1e-6, "the root of the characteristic equation; other modes have 1e-11 of the energy by then"),
     Report("largest vote over the exact step, free bricks", votes, "a vote above 1 would be unstable"),
     Report("exact step of the ball over the vote of its elements", assembly, "what the elements' bounds give away in this mesh"),
@@ -119,11 +126,13 @@ WAIVERS = [
     Waiver("created energy of any source at any time", lambda run: float(run.overrides.get("time.safety", 0)) > 2,
            "steps beyond the stable one are meant to create energy"),
     *(Waiver(f"unexplained {what} over the largest that passed", lambda run: run.ending == "inverted_element",
-             "the break of 4000 steps beyond the stable one ends in numbers that are not finite") for what in ("energy", "momentum", "angular momentum")),
+             "the break of 4000 steps beyond the stable one ends in numbers that are not finite") for what in ("energy", "momentum",
+                 "angular momentum")),
 ]
 
 BREAKS = [
-    Breaks("highest frequency of bricks of one point: worst of 12", "half of the mass on the nodes", {"bodies[0].material.density": "3925 kg/m^3"}),
+    Breaks("highest frequency of bricks of one point: worst of 12", "half of the mass on the nodes",
+           {"bodies[0].material.density": "3925 kg/m^3"}),
     Breaks("step that a cube votes for", "a viscous vote taken for the elastic one", {"bodies[0].element.viscosity.linear": 0.06}),
     Breaks("kinetic energy at 0.99, largest of 4000 steps over the first", "steps 3 % too long", {"time.safety": 1.03}),
     Breaks("growth per step at 1.02", "steps 1 % too long", {"time.safety": 1.01}),

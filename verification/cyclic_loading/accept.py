@@ -15,10 +15,12 @@ HERE = "verification/cyclic_loading/"
 MATERIAL = "bodies[0].material."
 HARDENING = MATERIAL + "hardening"
 FULL = {"bodies[0].element.kind": "full"}
-WORDS = {"isotropic": {"hardening": "isotropic"}, "kinematic": {"hardening": "kinematic"}, "mixed": {"hardening": "mixed", "isotropic_share": 0.5}}
+WORDS = {"isotropic": {"hardening": "isotropic"}, "kinematic": {"hardening": "kinematic"}, "mixed": {"hardening": "mixed",
+    "isotropic_share": 0.5}}
 TOP, DEPTH, LAST = 0.5914, 0.5914 - 0.963, 180.0  # [m] [m] [s] of the case
 TURNS = [log1p(TOP), log1p(DEPTH), log1p(TOP)]
-IN_STEEL = {"density": "8.0e-10 kgf*s^2/mm^4", "young": "1.96e4 kgf/mm^2", "poisson": 0.33, "yield": "31.6 kgf/mm^2", "tangent": "195 kgf/mm^2"}
+IN_STEEL = {"density": "8.0e-10 kgf*s^2/mm^4", "young": "1.96e4 kgf/mm^2", "poisson": 0.33, "yield": "31.6 kgf/mm^2",
+            "tangent": "195 kgf/mm^2"}
 
 
 def turns_of(metal):
@@ -112,7 +114,8 @@ CHECKS = [
     Check("law, lead, kinematic: dissipated work", heat_of_law("kinematic"), 1e-12,
           "flow begins after a third of each segment, where an increment ends; the trapezoid rule is exact on lines"),
     *[Check(f"law, lead, {kind}: dissipated work", heat_of_law(kind), 1e-4,
-            "where flow begins inside an increment the trapezoid rule cuts the corner of the curve; the table has how that goes with the increments")
+            "where flow begins inside an increment the trapezoid rule cuts the corner of the curve; the table has how that goes with the "
+            "increments")
       for kind in ("isotropic", "mixed")],
     *[Check(f"hexahedron of one point, {kind}: turning points", turns_of_element(kind), 1e-8, AT_REST) for kind in SHARES],
     Check("hexahedron of eight points, kinematic: turning points", turns_of_element("kinematic", FULL), 1e-8, AT_REST),
@@ -154,7 +157,8 @@ BREAKS = [
            {"planes[3].velocity.value": '"(t < 60 ? 0.5914 : t < 120 ? -0.963 : 0.963)/60"'}),
     Breaks("plate, isotropic: turning points", "kinematic for isotropic hardening", {HARDENING: "kinematic"}),
     Breaks("hexahedron of one point, kinematic: plastic strain", "the tangent taken for the plastic modulus", TANGENT),
-    Breaks("hexahedron of one point, kinematic: the cycle on the way", "a hundred times the mass", {MATERIAL + "density": "1.13e-7 kgf*s^2/mm^4"}),
+    Breaks("hexahedron of one point, kinematic: the cycle on the way", "a hundred times the mass",
+           {MATERIAL + "density": "1.13e-7 kgf*s^2/mm^4"}),
 ]
 
 

@@ -43,7 +43,8 @@ def segments(metal, share, turns):
     >>> for kind, share in SHARES.items():
     ...     pull, push, again = segments(LEAD, share, [e, -e, e])
     ...     top, p = pull.at(e), pull.flow
-    ...     wanted = {"isotropic": -top, "kinematic": top - 2 * LEAD["yield"]}.get(kind, top - 2 * (LEAD["yield"] + 0.5 * plastic_modulus(LEAD) * p))
+    ...     mixed = top - 2 * (LEAD["yield"] + 0.5 * plastic_modulus(LEAD) * p)
+    ...     wanted = {"isotropic": -top, "kinematic": top - 2 * LEAD["yield"]}.get(kind, mixed)
     ...     print(kind, round(push.yield_stress, 6), abs(push.yield_stress - wanted) < 1e-12)
     isotropic -3.593026 True
     kinematic -2.446974 True

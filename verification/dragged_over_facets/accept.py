@@ -111,5 +111,6 @@ def exact_push(run):
 
 
 FIGURES = [Figure("push", "time [s]", "push [nN]", push_over_time, exact=exact_push,
-                  caption="Push of the disc on a block that sinks slowly while it is dragged over irregular facets. With the area of the facet "
+                  caption="Push of the disc on a block that sinks slowly while it is dragged over irregular facets. With the area of the "
+                          "facet "
                           "under each apex the push follows the facets.")]

@@ -39,7 +39,8 @@ def meshes(run):
 
 CHECKS = [
     Check("largest deflection", lambda run: Pair(largest(run), expected("plane stress", "peak"), "m"), 0.04, "the catalogue's bound"),
-    Check("mean of the late deflections", lambda run: Pair(late(run), expected("plane stress", "late"), "m"), 0.04, "the catalogue's bound"),
+    Check("mean of the late deflections", lambda run: Pair(late(run), expected("plane stress", "late"), "m"), 0.04,
+          "the catalogue's bound"),
     Check("largest deflection, plane strain", lambda run: Pair(largest(wide(run)), expected("plane strain", "peak"), "m"), 0.04,
           "the catalogue's bound, which it sets for plane stress"),
     Check("mean of the late deflections, plane strain", lambda run: Pair(late(wide(run)), expected("plane strain", "late"), "m"), 0.04,
@@ -55,7 +56,8 @@ STUDIES = [
 BREAKS = [
     Breaks("largest deflection", "a yield stress of 36 ksi", {"bodies[0].material.yield": "36000 psi"}),
     Breaks("largest deflection", "two layers: full flow from first yield on", {"bodies[0].element.layers": 2}),
-    Breaks("largest deflection", "a speed of 5000 in/s", {"initial[0].velocity": '["0", "0", "x < 0.0249 ? 5000 : x < 0.0259 ? 2500 : 0"]'}),
+    Breaks("largest deflection", "a speed of 5000 in/s",
+           {"initial[0].velocity": '["0", "0", "x < 0.0249 ? 5000 : x < 0.0259 ? 2500 : 0"]'}),
     Breaks("mean of the late deflections", "hardening where there is none", {"bodies[0].material.tangent": "1e6 psi"}),
     Breaks("mean of the late deflections", "the loaded length on each side of the middle",
            {"initial[0].velocity": '["0", "0", "x < 0.0503 ? 5200 : x < 0.0513 ? 2600 : 0"]'}),
@@ -71,7 +73,8 @@ def middle_over_time(run):
 
 def other_model(run):
     end = 1e3 * run.column("time")[-1]
-    return [(f"late mean, {state}", [1e3 * SETTLED, end], [1e3 * expected(state, "late")] * 2) for state in ("plane stress", "plane strain")]
+    return [(f"late mean, {state}", [1e3 * SETTLED, end], [1e3 * expected(state, "late")] * 2) for state in ("plane stress",
+        "plane strain")]
 
 
 FIGURES = [Figure("middle", "time [ms]", "deflection at the middle [mm]", middle_over_time, exact=other_model,

@@ -1,8 +1,8 @@
 """A clamped beam of 6061-T6 whose middle is thrown by an explosive: what another model finds.
 
-The test is Balmer and Witmer's (1964). Its published deflection, about 0.75 to 0.8 in at 0.6 ms, is remembered and was not read (status M of
-the catalogue): it gates nothing. OWN_MODEL is a two-dimensional finite-element model of the beam's longitudinal section by the catalogue's
-authors, with the same inputs (status N there: computed, not published).
+The test is Balmer and Witmer's (1964). Its published deflection, about 0.75 to 0.8 in at 0.6 ms, is remembered and was not read (status M
+of the catalogue): it gates nothing. OWN_MODEL is a two-dimensional finite-element model of the beam's longitudinal section by the
+catalogue's authors, with the same inputs (status N there: computed, not published).
 """
 
 OWN_MODEL = {  # [in] largest deflection at the middle, mean of the late ones

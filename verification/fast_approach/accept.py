@@ -3,7 +3,8 @@ from reference import crossed, silent, sound
 from verify import GOOD_ENDINGS, Breaks, CannotRun, Check, Figure, Pair, Report, Table, Waiver
 
 CATALOGUE = ("C-16",)
-CLAIM = "However fast two bodies meet, however they overlap at the start, and where nodes coincide: what goes wrong is refused, stopped or warned of."
+CLAIM = ("However fast two bodies meet, however they overlap at the start, and where nodes coincide: what goes wrong is "
+         "refused, stopped or warned of.")
 EVIDENCE = "invariant"
 DRIVER = "scene"
 
@@ -24,9 +25,11 @@ MATCHING = {"bodies[1].mesh.cells": "[4, 4, 2]"}
 OVERLAP = moved("-10 mm")
 SPEEDS = (0.1, 0.3, 0.4, 0.5, 1, 10, 100)
 ROWS = [*((f"{v:g} c", "case", at(v), DEPTH) for v in SPEEDS),
-        *((f"{v:g} c, a penalty of {h:g} of the stiffness", "case", {**at(v), "contacts[0].hardness": h}, DEPTH) for v, h in ((0.1, 0.1), (0.1, 0.01), (0.3, 0.1))),
+        *((f"{v:g} c, a penalty of {h:g} of the stiffness", "case", {**at(v), "contacts[0].hardness": h}, DEPTH) for v,
+          h in ((0.1, 0.1), (0.1, 0.01), (0.3, 0.1))),
         *((f"{v:g} c, plate of 5 mm", "plate", at(v), THICKNESS) for v in (0.1, 1, 3)),
-        ("overlap of 9 mm", "case", OVERLAP, DEPTH), ("overlap of 9 mm, accepted", "case", {**OVERLAP, "contacts[0].initial_penetration": "accept"}, DEPTH),
+        ("overlap of 9 mm", "case", OVERLAP, DEPTH), ("overlap of 9 mm, accepted", "case",
+                                                      {**OVERLAP, "contacts[0].initial_penetration": "accept"}, DEPTH),
         ("nodes on nodes", "case", {**moved("-1 mm"), **MATCHING}, DEPTH)]
 
 
@@ -99,16 +102,20 @@ def table(run):
 
 
 CHECKS = [
-    Check("runs that go wrong in silence", in_silence, 0, "the catalogue's: never silent. Wrong is energy from nowhere, 5 % or more, or an apex deeper than half an element"),
+    Check("runs that go wrong in silence", in_silence, 0,
+          "the catalogue's: never silent. Wrong is energy from nowhere, 5 % or more, or an apex deeper than half an element"),
     Check("approaches faster than sound that are stopped", supersonic, 0, "strains beyond one: nothing here is meant for them"),
     Check("an overlap at the start is refused", refused, 0, "with the number of apexes and the depth, and what to do"),
     Check("force at the start of an accepted overlap", accepted_force, 1e-12, "h_c of each apex is lowered to where it starts"),
-    Check("momentum after nodes met nodes", coincident, 1e-3, "an apex on a vertex has no direction of its own and takes that of the facets: as a nanometre above"),
+    Check("momentum after nodes met nodes", coincident, 1e-3,
+          "an apex on a vertex has no direction of its own and takes that of the facets: as a nanometre above"),
     Check("momentum of both", momentum, 1e-12, "contact gives what it takes: round-off"),
-    Report("deepest apex at a tenth of c, over the depth of an element", deepest, "the vote knows no speed: with the penalty the program chooses an apex goes about v/c over 5 deep"),
+    Report("deepest apex at a tenth of c, over the depth of an element", deepest,
+           "the vote knows no speed: with the penalty the program chooses an apex goes about v/c over 5 deep"),
 ]
 
-STUDIES = [Table("What the program does. Part of an element crossed in the largest step, energy created over the initial, deepest apex over the depth of an element.",
+STUDIES = [Table("What the program does. Part of an element crossed in the largest step, energy created over the initial, deepest apex "
+                 "over the depth of an element.",
                  ["approach", "ending", "crossed in a step", "created", "deepest"], table)]
 
 
@@ -121,7 +128,8 @@ WAIVERS = [
     Waiver("created energy of any source at any time", too_fast, "this is what the case shows, and what stops the run or is warned of"),
     Waiver("unexplained angular momentum over the largest that passed",
            lambda run: too_fast(run) and run.ending != "inverted_element",
-           "two runs in which bodies go through each other by more than an element: 3e-4 at 0.3 c with a penalty of 0.1, 1e-5 for the plate at 3 c; "
+           "two runs in which bodies go through each other by more than an element: 3e-4 at 0.3 c with a penalty of 0.1, 1e-5 for the "
+           "plate at 3 c; "
            "the cause is not known"),
     *(Waiver(f"unexplained {what} over the largest that passed", lambda run: run.ending == "inverted_element",
              "an element is inverted and its numbers are not finite") for what in ("energy", "momentum", "angular momentum")),
@@ -145,4 +153,5 @@ def bounds(_):
 
 
 FIGURES = [Figure("speed", "speed over that of sound [-]", "depth, created energy [-]", energy_over_speed, exact=bounds, log=True,
-                  caption="How deep apexes go and what energy contact creates as two blocks meet faster; above 0.3 of the speed of sound the run is stopped.")]
+                  caption="How deep apexes go and what energy contact creates as two blocks meet faster; above 0.3 of the speed of sound "
+                          "the run is stopped.")]

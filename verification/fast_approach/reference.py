@@ -1,7 +1,8 @@
 """What a fast approach, an overlap and coincident nodes must not do: go wrong in silence.
 
 A wave crosses an element of depth h in h/c, and the stable step of the elements is about that. A node that comes with half of c or more can
-cross half an element in a step, and then strains beyond 1/2 make every small-strain law meaningless. Such a run must stop, or be refused, or be warned of.
+cross half an element in a step, and then strains beyond 1/2 make every small-strain law meaningless. Such a run must stop, or be refused,
+or be warned of.
 """
 from math import sqrt
 

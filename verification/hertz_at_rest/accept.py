@@ -34,7 +34,8 @@ def triangle(a, b, c):
 
 
 def pressures(run):
-    """[(distance from the axis, pressure, area), ...] of the nodes on the ball that are pushed: force over a quarter of each face around."""
+    """[(distance from the axis, pressure, area), ...] of the nodes on the ball that are pushed: force over a quarter of each face
+    around."""
     fields = run.frame("body")[1]
     places, forces, nodes = fields["points"], fields["contact_force"], fields["connectivity"]
     on_the_ball = [abs(sqrt(x * x + y * y + z * z) / RADIUS - 1) < 1e-6 for x, y, z in places]
@@ -77,7 +78,8 @@ def meshes(run):
     rows = []
     for core, ring, hardness in ((4, 3, 20), (5, 4, 20), (6, 5, 8), (6, 5, 20), (8, 6, 20)):
         one = run.again({**cells(core, ring), "planes[3].hardness": hardness})
-        rows.append([f"{2 * core} around a quarter", f"{hardness}", f"{sum(1 for r, *_ in pressures(one))}", f"{force(one).got / EXACT['force']:.4f}",
+        rows.append([f"{2 * core} around a quarter", f"{hardness}", f"{sum(1 for r, *_ in pressures(one))}",
+                     f"{force(one).got / EXACT['force']:.4f}",
                      f"{largest_pressure(one).got / EXACT['pressure']:.4f}", f"{contact_radius(one).got / EXACT['contact_radius']:.4f}"])
     return rows
 
@@ -87,10 +89,12 @@ CHECKS = [
     Check("force", force, 0.04, "the catalogue's bound; a ball of finite size is a share of a/R = 0.05 away from Hertz's half-space"),
     Check("largest pressure", largest_pressure, 0.04, "the catalogue's bound"),
     Report("contact radius", contact_radius, "of the same line; the last ring of nodes has forces where the contact ends between rings"),
-    Check("force on the equator over that of the plane", balance, 0.02, "to the residual of the relaxation, which is over all forces in the ball"),
+    Check("force on the equator over that of the plane", balance, 0.02,
+          "to the residual of the relaxation, which is over all forces in the ball"),
 ]
 
-STUDIES = [Table("Force, largest pressure and contact radius over Hertz's.", ["elements", "hardness", "nodes in contact", "force", "pressure", "radius"],
+STUDIES = [Table("Force, largest pressure and contact radius over Hertz's.", ["elements", "hardness", "nodes in contact", "force",
+    "pressure", "radius"],
                  meshes, full=True)]
 
 BREAKS = [

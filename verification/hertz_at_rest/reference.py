@@ -4,7 +4,8 @@ Hertz (1882), in Johnson, Contact Mechanics, chapter 4: with E* = E/(1 - nu^2) a
 
     a = sqrt(R d),   F = (4/3) E* sqrt(R) d^(3/2),   p0 = (2 E*/pi) sqrt(d/R),   p = p0 sqrt(1 - r^2/a^2)
 
-for half-spaces; a finite ball differs by a share of a/R. By symmetry the equator of a ball between two planes stays flat and comes nearer to each by d.
+for half-spaces; a finite ball differs by a share of a/R. By symmetry the equator of a ball between two planes stays flat and comes nearer
+to each by d.
 """
 from math import pi, sqrt
 

@@ -5,7 +5,8 @@ from reference import hoop_stress, motion, outer_motion, pressure, radial_stress
 from verify import Breaks, Check, Falls, Figure, Pair, Table
 
 CATALOGUE = ("M-4",)
-CLAIM = "A thick sphere whose wall flows part of the way through widens, at rest, as Hill's exact solution says, nearly incompressible or not."
+CLAIM = ("A thick sphere whose wall flows part of the way through widens, at rest, as Hill's exact solution says, nearly "
+         "incompressible or not.")
 EVIDENCE = "exact"
 DRIVER = "scene"
 
@@ -60,7 +61,8 @@ def profile(run):
 
 def stresses(run):
     """The largest difference over the largest stress."""
-    off = max(max(abs(radial - radial_stress(r, 1.2)), abs(hoop - hoop_stress(r, 1.2))) for r, radial, hoop in profile(run) if abs(r - 1.2) > 0.5 / 16)
+    off = max(max(abs(radial - radial_stress(r, 1.2)), abs(hoop - hoop_stress(r, 1.2))) for r, radial, hoop in profile(run)
+              if abs(r - 1.2) > 0.5 / 16)
     return Pair(off / pressure(1.2), 0, scale=1)
 
 
@@ -70,7 +72,8 @@ def all_of_them(run):
         for poisson in (0.3, 0.49):
             for kind, name in (("full", "eight points"), ("one_point", "one point")):
                 out, within = outer(c, of(kind, poisson))(run), inner(c, of(kind, poisson))(run)
-                rows.append([f"{c}", f"{pressure(c):.6f}", f"{poisson}", name, f"{out.expected:.6f}", f"{out.got:.6f}", f"{100 * (out.got / out.expected - 1):+.2f} %",
+                rows.append([f"{c}", f"{pressure(c):.6f}", f"{poisson}", name, f"{out.expected:.6f}", f"{out.got:.6f}",
+                             f"{100 * (out.got / out.expected - 1):+.2f} %",
                              f"{100 * (within.got / within.expected - 1):+.2f} %"])
     return rows
 
@@ -84,7 +87,8 @@ CHECKS = [
     Check("outside, c = 1.4, Poisson 0.49", outer(1.4, of("full", 0.49)), 0.01, BOUND),
     Check("outside, c = 1.4, one point, Poisson 0.49", outer(1.4, of("one_point", 0.49)), 0.01, BOUND),
     Check("inside, c = 1.4", inner(1.4, FULL), 0.01, f"{BOUND}, which it sets for the outside"),
-    Check("stresses through the wall, c = 1.2", stresses, 0.01, f"{BOUND}; the element in which c lies is left out, as the slope of the stress turns there"),
+    Check("stresses through the wall, c = 1.2", stresses, 0.01,
+          f"{BOUND}; the element in which c lies is left out, as the slope of the stress turns there"),
 ]
 
 STUDIES = [
@@ -105,12 +109,14 @@ BREAKS = [
 
 def through_the_wall(run):
     found = profile(run)
-    return [("radial, elements", [r for r, _, _ in found], [s for _, s, _ in found]), ("hoop, elements", [r for r, _, _ in found], [s for _, _, s in found])]
+    return [("radial, elements", [r for r, _, _ in found], [s for _, s, _ in found]), ("hoop, elements", [r for r, _, _ in found],
+        [s for _, _, s in found])]
 
 
 def exact_stress(_):
     across = [1 + i / 200 for i in range(201)]
-    return [("radial, exact", across, [radial_stress(r, 1.2) for r in across]), ("hoop, exact", across, [hoop_stress(r, 1.2) for r in across])]
+    return [("radial, exact", across, [radial_stress(r, 1.2) for r in across]), ("hoop, exact", across,
+        [hoop_stress(r, 1.2) for r in across])]
 
 
 FIGURES = [Figure("stresses", "radius over the inner one [-]", "stress over yield stress [-]", through_the_wall, exact=exact_stress,

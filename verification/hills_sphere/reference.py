@@ -54,8 +54,9 @@ def hoop_stress(r, c, outer=2.0):
 def motion(r, c, poisson, outer=2.0):
     """u(r) E / sigma_y [m].
 
-    The change of volume is elastic everywhere, u' + 2 u/r = 3 (1 - 2 nu) mean stress / E. From equilibrium the mean stress times 3 r^2 is the rate of
-    r^3 sigma_r, so that u r^2 = (1 - 2 nu) r^3 sigma_r / E + constant, and the elastic wall has constant = c^3 (1 - nu) sigma_y / E.
+    The change of volume is elastic everywhere, u' + 2 u/r = 3 (1 - 2 nu) mean stress / E. From equilibrium the mean stress times 3 r^2 is
+    the rate of r^3 sigma_r, so that u r^2 = (1 - 2 nu) r^3 sigma_r / E + constant, and the elastic wall has constant = c^3 (1 - nu) sigma_y
+    / E.
 
     >>> abs(motion(2.0, 1.2, 0.3) - outer_motion(1.2, 0.3)) < 1e-12
     True

@@ -9,7 +9,8 @@ CLAIM = "Each of the twelve hourglass modes of a free cube has no elastic energy
 EVIDENCE = "exact"
 DRIVER = "scene"
 
-VISCOUS = {f"bodies[{body}].element.{key}": value for body in range(12) for key, value in (("hourglass_kind", "viscous"), ("hourglass", DASHPOTS))}
+VISCOUS = {f"bodies[{body}].element.{key}": value for body in range(12) for key, value in (("hourglass_kind", "viscous"),
+    ("hourglass", DASHPOTS))}
 
 
 def viscous(run):
@@ -50,14 +51,16 @@ def share(run, bodies):
     """The largest hourglass energy in the named bodies over the largest internal energy, of the whole run."""
     def of(names):
         columns = [values for name, values in run.columns.items()
-                   if name.startswith("energy_") and name.split("_")[-1] in names and any(name.startswith(f"energy_{body}_") for body in bodies)]
+                   if name.startswith("energy_") and name.split("_")[-1] in names and any(name.startswith(f"energy_{body}_")
+                       for body in bodies)]
         return max((sum(row) for row in zip(*columns)), default=0.0)
     return of(("hourglass",)) / of(("elastic", "plastic", "hourglass"))
 
 
 OTHERS = [  # case, bodies of one-point elements
     ("taylor_bar", "case.yaml", ["bar"]), ("sphere_on_a_plane", "case.yaml", ["sphere"]), ("bar_on_a_wall", "case.yaml", ["bar"]),
-    ("long_bar_on_a_wall", "case.yaml", ["bar"]), ("plastic_bar_on_a_wall", "case.yaml", ["bar"]), ("plastic_bar_on_a_wall", "big.yaml", ["bar"]),
+    ("long_bar_on_a_wall", "case.yaml", ["bar"]), ("plastic_bar_on_a_wall", "case.yaml", ["bar"]), ("plastic_bar_on_a_wall", "big.yaml",
+        ["bar"]),
     ("bars_of_unequal_length", "case.yaml", ["short", "long"]), ("three_bars", "case.yaml", ["first", "second", "third"]),
     ("wave_dispersion", "case.yaml", ["column"]),
 ]
@@ -74,14 +77,16 @@ def worst_of_others(run):
 
 CHECKS = [
     Check("springs: elastic energy", elastic, 1e-12, "zero to first order; of the second order in amplitude over side, 0.6e-6, squared"),
-    Check("springs: kinetic and hourglass energy", missing, 1e-3, "the sum swings by (w dt)^2/4 in central differences; at a twentieth of the stable step 3e-5"),
+    Check("springs: kinetic and hourglass energy", missing, 1e-3,
+          "the sum swings by (w dt)^2/4 in central differences; at a twentieth of the stable step 3e-5"),
     Check("springs: frequency", frequency, 1e-3, "(w dt)^2/24 in central differences; at a twentieth of the stable step 4e-6"),
     Check("dashpots: elastic energy", lambda run: elastic(viscous(run)), 1e-12, "as with springs"),
     Check("dashpots: kinetic and hourglass energy", lambda run: missing(viscous(run)), 1e-3, "the force of a dashpot is a step old"),
     Check("dashpots: kinetic energy at a tenth", decay, 0.02, "first order in the step; 0.8 % at a twentieth of the stable step"),
     Check("hourglass over internal energy, worst of other cases", worst_of_others, 0.05, "the catalogue's bound", full=True),
     Report("springs: elastic energy at a thousand times the amplitude",
-           lambda run: Pair(max(abs(e) for mode in MODES for e in loud(run).column(f"energy_{mode}_elastic")), 0, "J", scale=1e6 * kinetic()),
+           lambda run: Pair(max(abs(e) for mode in MODES for e in loud(run).column(f"energy_{mode}_elastic")), 0, "J",
+                            scale=1e6 * kinetic()),
            "the second order: forces of the springs on a shape that has changed"),
 ]
 
@@ -93,11 +98,13 @@ def loud(run):
 STUDIES = [Table("Largest hourglass energy over largest internal energy in other cases.", ["case", "share"], others, full=True)]
 
 EIGHT = {f"bodies[{body}].element.kind": "full" for body in range(12)}
-ASIDE = {f"bodies[{body}].mesh.low": "[0 m, 0 m, 0 m]" for body in range(12)} | {f"bodies[{body}].mesh.high": "[1 m, 1 m, 1 m]" for body in range(12)}
+ASIDE = {f"bodies[{body}].mesh.low": "[0 m, 0 m, 0 m]" for body in range(12)} | {f"bodies[{body}].mesh.high": "[1 m, 1 m, 1 m]"
+    for body in range(12)}
 BREAKS = [
     Breaks("springs: elastic energy", "modes measured from a corner and not from the middle", ASIDE),
     Breaks("springs: kinetic and hourglass energy", "modes measured from a corner and not from the middle", ASIDE),
-    Breaks("springs: frequency", "a coefficient of the next digit: 0.11", {f"bodies[{body}].element.hourglass": 0.11 for body in range(12)}),
+    Breaks("springs: frequency", "a coefficient of the next digit: 0.11", {f"bodies[{body}].element.hourglass": 0.11
+        for body in range(12)}),
     Breaks("dashpots: elastic energy", "modes measured from a corner and not from the middle", ASIDE),
     Breaks("dashpots: kinetic and hourglass energy", "modes measured from a corner and not from the middle", ASIDE),
     Breaks("dashpots: kinetic energy at a tenth", "the longest step: half of the stable one", {"time.safety": 0.5}),

@@ -3,7 +3,8 @@ from reference import INCH, VM85, reference, shortening
 from verify import Breaks, Check, Falls, Figure, Pair
 
 CATALOGUE = ("I-1b",)
-CLAIM = "A long bar stopped by a wall is shortest, by V L/c, when the front reaches its free end, and then it holds all its energy as strain."
+CLAIM = ("A long bar stopped by a wall is shortest, by V L/c, when the front reaches its free end, and then it holds all its "
+         "energy as strain.")
 EVIDENCE = "exact"
 DRIVER = "scene"
 
@@ -42,7 +43,8 @@ def created(run):
 CHECKS = [
     Check("impact time", impact_time, 0.005, "the time between two samples is 0.3 % of it"),
     Check("largest shortening", largest, 0.01, "the catalogue's bound; the front is some elements wide"),
-    Check("time of the largest shortening", when, 0.01, "the catalogue's bound; the wall's penalty delays the front by less than an element"),
+    Check("time of the largest shortening", when, 0.01,
+          "the catalogue's bound; the wall's penalty delays the front by less than an element"),
     Check("kinetic energy at the largest shortening", at_rest, 0.01,
           "exact: none; what is left is the ringing behind the front, which falls with the mesh"),
     Check("created energy", created, 0.005, "the vote for the step lets a bounce create no more"),
@@ -50,7 +52,8 @@ CHECKS = [
 
 STUDIES = [
     Falls("largest shortening", along="bodies[0].mesh.cells[0]", values=[50, 100, 200], fixed={"planes[0].hardness": 1}),
-    Falls("kinetic energy at the largest shortening", along="bodies[0].mesh.cells[0]", values=[50, 100, 200], fixed={"planes[0].hardness": 1}),
+    Falls("kinetic energy at the largest shortening", along="bodies[0].mesh.cells[0]", values=[50, 100, 200],
+          fixed={"planes[0].hardness": 1}),
     Falls("time of the largest shortening", along="planes[0].hardness", values=[0.5, 1, 2]),
 ]
 

@@ -10,7 +10,8 @@ EVIDENCE = "order"
 DRIVER = "scene"
 
 FULL = {"bodies[0].element.kind": "full"}
-WARPED = {"bodies[0].mesh.map": '["x + 0.06*sin(2*pi*(x - 0.1))*sin(pi*(y - 0.2))", "y + 0.05*sin(2*pi*(y - 0.2))*sin(pi*(z - 0.3))", "z - 0.06*sin(2*pi*(z - 0.3))*sin(pi*(x - 0.1))"]'}
+WARPED = {"bodies[0].mesh.map": '["x + 0.06*sin(2*pi*(x - 0.1))*sin(pi*(y - 0.2))", "y + 0.05*sin(2*pi*(y - 0.2))*sin(pi*(z - 0.3))", "z - '
+                                '0.06*sin(2*pi*(z - 0.3))*sin(pi*(x - 0.1))"]'}
 
 
 def cells(n):
@@ -78,7 +79,8 @@ CHECKS = [
     Check("order of the stress, eight points, 16 and 32 cells", order(S, 16, 32, FULL), WITHIN, SUPER, full=True),
     Check("order of the displacement, one point, warped, 8 and 16 cells", order(U, 8, 16, WARPED), WITHIN, BECAUSE, full=True),
     Check("order of the stress, one point, warped, 8 and 16 cells", order(S, 8, 16, WARPED), WITHIN, SUPER, full=True),
-    Check("order of the displacement, eight points, warped, 8 and 16 cells", order(U, 8, 16, {**FULL, **WARPED}), WITHIN, BECAUSE, full=True),
+    Check("order of the displacement, eight points, warped, 8 and 16 cells", order(U, 8, 16, {**FULL, **WARPED}), WITHIN, BECAUSE,
+          full=True),
     Check("order of the stress, eight points, warped, 8 and 16 cells", order(S, 8, 16, {**FULL, **WARPED}), WITHIN, SUPER, full=True),
 ]
 
@@ -93,15 +95,20 @@ def table(run):
     return rows
 
 
-STUDIES = [Table("Errors in root mean squares over the largest in time, cells along an edge.", ["element", "cells", "displacement", "stress"], table, full=True)]
+STUDIES = [Table("Errors in root mean squares over the largest in time, cells along an edge.", ["element", "cells", "displacement",
+    "stress"], table, full=True)]
 
 P = "sin(pi*x)*sin(pi*y)*sin(pi*z)"
-STILL = {"loads[0].value": '["1e-6*cos(4*t)*(3*pi^2*P - 2*pi^2*(-P - 2*cos(pi*x)*cos(pi*y)*sin(pi*z) + 1.5*cos(pi*x)*sin(pi*y)*cos(pi*z)))",'
-                           ' "1e-6*cos(4*t)*(-2*3*pi^2*P - 2*pi^2*(cos(pi*x)*cos(pi*y)*sin(pi*z) + 2*P + 1.5*sin(pi*x)*cos(pi*y)*cos(pi*z)))",'
-                           ' "1e-6*cos(4*t)*(1.5*3*pi^2*P - 2*pi^2*(cos(pi*x)*sin(pi*y)*cos(pi*z) - 2*sin(pi*x)*cos(pi*y)*cos(pi*z) - 1.5*P))"]'.replace("P", P)}
+STILL = {"loads[0].value": '["1e-6*cos(4*t)*(3*pi^2*P - 2*pi^2*(-P - 2*cos(pi*x)*cos(pi*y)*sin(pi*z) + '
+                           '1.5*cos(pi*x)*sin(pi*y)*cos(pi*z)))",'
+                           ' "1e-6*cos(4*t)*(-2*3*pi^2*P - 2*pi^2*(cos(pi*x)*cos(pi*y)*sin(pi*z) + 2*P + '
+                           '1.5*sin(pi*x)*cos(pi*y)*cos(pi*z)))",'
+                           ' "1e-6*cos(4*t)*(1.5*3*pi^2*P - 2*pi^2*(cos(pi*x)*sin(pi*y)*cos(pi*z) - 2*sin(pi*x)*cos(pi*y)*cos(pi*z) - '
+                           '1.5*P))"]'.replace("P", P)}
 BREAKS = [
     Breaks("order of the displacement, one point, 6 and 12 cells", "inertia forgotten in the body force", STILL),
-    Breaks("order of the stress, one point, 6 and 12 cells", "Young's modulus five per cent too small", {"bodies[0].material.young": "2.375 Pa"}),
+    Breaks("order of the stress, one point, 6 and 12 cells", "Young's modulus five per cent too small",
+           {"bodies[0].material.young": "2.375 Pa"}),
     Breaks("order of the displacement, eight points, 6 and 12 cells", "Poisson's ratio 0.3 for 0.25", {"bodies[0].material.poisson": 0.3}),
     Breaks("order of the stress, eight points, 6 and 12 cells", "faces that stand still", {"planes[0].velocity.value": "[0, 0, 0]"}),
 ]
@@ -120,4 +127,5 @@ def second_order(run):
 
 
 FIGURES = [Figure("errors_over_size", "size of elements [m]", "error [-]", falling, exact=second_order, log=True,
-                  caption="Errors in root mean squares of displacement, and of stress at the middle of elements, over the largest in time.")]
+                  caption="Errors in root mean squares of displacement, and of stress at the middle of elements, "
+                          "over the largest in time.")]

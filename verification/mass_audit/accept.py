@@ -72,7 +72,8 @@ CHECKS = [
     *(Check(f"physical rotary inertia about {axis}", physical(axis), 1e-12, ROUND_OFF) for axis in "xyz"),
     *(Check(f"scaled rotary inertia about {axis} over that about z", isotropic(axis), 1e-12, "isotropic: round-off") for axis in "xy"),
     Check("scaled rotary inertia, where below the physical one", not_less, 1e-12, "never below: positive"),
-    Report("scaled rotary inertia over the physical one", scaled, "so large that turning does not set the step: a side of 1 m, 10 mm thick"),
+    Report("scaled rotary inertia over the physical one", scaled,
+           "so large that turning does not set the step: a side of 1 m, 10 mm thick"),
 ]
 
 STANDARD = {"gravity": "[1 m/s^2, -2 m/s^2, -9.80665 m/s^2]"}
@@ -93,7 +94,8 @@ BREAKS = [
 
 def falls(run):
     t = run.column("time")
-    return [(body.replace("_", ", "), [1e3 * s for s in t], [-1e3 * u for u in run.column(f"{body}_fall")]) for body in ("brick_one", "skew_full", "plate")]
+    return [(body.replace("_", ", "), [1e3 * s for s in t], [-1e3 * u for u in run.column(f"{body}_fall")]) for body in ("brick_one",
+        "skew_full", "plate")]
 
 
 def exact_falls(run):
@@ -101,4 +103,5 @@ def exact_falls(run):
     return [("g t^2/2", [1e3 * t for t in times], [-1e3 * GRAVITY["z"] * t**2 / 2 for t in times])]
 
 
-FIGURES = [Figure("fall", "time [ms]", "fall [mm]", falls, exact=exact_falls, caption="Single elements fall: what they are made of does not matter.")]
+FIGURES = [Figure("fall", "time [ms]", "fall [mm]", falls, exact=exact_falls,
+                  caption="Single elements fall: what they are made of does not matter.")]

@@ -3,7 +3,8 @@ from reference import bent, cylinder, layers_stiffness, lumped_couple, sphere
 from verify import Breaks, Check, Falls, Figure, Pair, Table
 
 CATALOGUE = ("E-10",)
-CLAIM = "Thick walls that keep their volume, but for a few thousandths, widen as Lame says, and bars bend: hexahedra of one point and of eight do not lock."
+CLAIM = ("Thick walls that keep their volume, but for a few thousandths, widen as Lame says, and bars bend: hexahedra of one "
+         "point and of eight do not lock.")
 EVIDENCE = "exact"
 DRIVER = "scene"
 
@@ -89,7 +90,8 @@ CHECKS = [
     *(Check(f"widening of the {wall}, {name}, Poisson {poisson}", widening(wall, kind, poisson), 0.02, BOUND)
       for wall in WALLS for kind, name in KINDS for poisson in (0.49, 0.4999)),
     *(Check(f"pressure in the {wall}, {name}", unevenness(wall, kind), 0.02,
-            f"{BOUND}, of the pressure inside; elements that lock show it first as a pressure that jumps from one to the next") for wall in WALLS for kind, name in KINDS),
+            f"{BOUND}, of the pressure inside; elements that lock show it first as a pressure that jumps from one to the next")
+      for wall in WALLS for kind, name in KINDS),
     Check("bending, one point, Poisson 0.49", bending(4, "one_point"), 0.02, f"{BOUND}; 4 layers, against 1 - 1/16 of the stiffness"),
     Check("bending, eight points, Poisson 0.49", bending(6, "full"), 0.02, f"{BOUND}; 6 layers, 4 are 2.6 % too soft"),
 ]
@@ -105,7 +107,8 @@ STUDIES = [
 
 STEEL = {"bodies[0].material.poisson": 0.3}
 BREAKS = [
-    Breaks("widening of the sphere, eight points, Poisson 0.4999", "three elements through the wall", {"bodies[0].mesh.cells": "[4, 4, 3]"}),
+    Breaks("widening of the sphere, eight points, Poisson 0.4999", "three elements through the wall",
+           {"bodies[0].mesh.cells": "[4, 4, 3]"}),
     Breaks("widening of the sphere, one point, Poisson 0.4999", "two elements through the wall", {"bodies[0].mesh.cells": "[4, 4, 2]"}),
     Breaks("widening of the sphere, one point, Poisson 0.49", "Poisson's ratio of steel", STEEL),
     Breaks("widening of the cylinder, eight points, Poisson 0.49", "a modulus of 210 GPa", {"bodies[0].material.young": "210 GPa"}),

@@ -7,8 +7,8 @@ A bar in plane strain, 0 <= x <= L, |z| <= h/2, under the force k z per mass alo
 
     sigma_x = rho k z (L - x),     u = c z (L x - x^2/2) - d z^3/6,     w = -d z^2 (L - x)/2 - c (L x^2/2 - x^3/6),
 
-c = rho k (1 - nu^2)/E, d = rho k nu (1 + nu)/E, and no other stress in its plane. Its section at x = 0 is a cubic; a wall that keeps it plane turns
-it by d h^2/40, which makes the rest orthogonal to bending (Saint-Venant).
+c = rho k (1 - nu^2)/E, d = rho k nu (1 + nu)/E, and no other stress in its plane. Its section at x = 0 is a cubic; a wall that keeps it
+plane turns it by d h^2/40, which makes the rest orthogonal to bending (Saint-Venant).
 """
 
 

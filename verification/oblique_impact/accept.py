@@ -54,7 +54,8 @@ def parted(run):
 
 OPTIONS = [("as it is", {}), ("sides exchanged", {"contacts[0].apexes": "lower.z_high", "contacts[0].base": "upper.z_low"}),
            ("two passes", {"contacts[0].passes": "two"}), ("weights of the paper", {"contacts[0].weights": "paper"}),
-           ("area of the base", {"contacts[0].area": "base"}), ("penalty from mass and step", {"contacts[0].penalty_from": "mass_and_step"}),
+           ("area of the base", {"contacts[0].area": "base"}), ("penalty from mass and step",
+                                                                {"contacts[0].penalty_from": "mass_and_step"}),
            ("no friction", {"contacts[0].friction": 0})]
 
 
@@ -107,4 +108,5 @@ def kept(run):
 
 
 FIGURES = [Figure("momentum", "time [us]", "momentum [N s]", momenta, exact=kept, error=False,
-                  caption="Momentum of the two blocks down (z) and along (x): the impact takes it from one, friction too, and gives it to the other.")]
+                  caption="Momentum of the two blocks down (z) and along (x): the impact takes it from one, friction too, and gives it to "
+                          "the other.")]

@@ -84,4 +84,5 @@ def exact_resultant(_):
 
 
 FIGURES = [Figure("resultant", "time [s]", "force [uN]", resultants, exact=exact_resultant,
-                  caption="Force between the boxes as one sinks into the other at 0.2 m/s: nothing until they meet, then penalty, depth and area.")]
+                  caption="Force between the boxes as one sinks into the other at 0.2 m/s: nothing until they meet, then penalty, depth "
+                          "and area.")]

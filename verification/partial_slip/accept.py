@@ -5,7 +5,8 @@ from reference import partial_slip, pressure, traction
 from verify import Breaks, Check, Figure, Pair, Table, Waiver
 
 CATALOGUE = ("C-14",)
-CLAIM = "Two cylinders pressed together and sheared by less than friction holds slip at the rim of their contact and stick in the middle, as Cattaneo and Mindlin found."
+CLAIM = ("Two cylinders pressed together and sheared by less than friction holds slip at the rim of their contact and stick in "
+         "the middle, as Cattaneo and Mindlin found.")
 EVIDENCE = "exact"
 DRIVER = "scene"
 
@@ -78,10 +79,12 @@ def cells(across, deep):
 def variants(run):
     """Over the exact values for the forces of each run, which the mesh changes a little."""
     rows = []
-    for name, keys in (("20 x 5 cells", cells(20, 5)), ("26 x 6 cells", {}), ("32 x 8 cells", cells(32, 8)), ("44 x 11 cells", cells(44, 11)),
+    for name, keys in (("20 x 5 cells", cells(20, 5)), ("26 x 6 cells", {}), ("32 x 8 cells", cells(32, 8)),
+                       ("44 x 11 cells", cells(44, 11)),
                        ("26 x 6 cells, a penalty half as hard", {"contacts[0].penalty": "5e12 Pa/m"}),
                        ("26 x 6 cells, a penalty twice as hard", {"contacts[0].penalty": "2e13 Pa/m"}),
-                       ("26 x 6 cells, stick 0.5", {"contacts[0].stick": 0.5}), ("26 x 6 cells, no damping of contact", {"contacts[0].damping": 0}),
+                       ("26 x 6 cells, stick 0.5", {"contacts[0].stick": 0.5}), ("26 x 6 cells, no damping of contact",
+                           {"contacts[0].damping": 0}),
                        ("26 x 6 cells, eight points in each element", {f"bodies[{i}].element.kind": "full" for i in (0, 1)})):
         one = run.again(keys)
         force, sideways = normal_force(one).got, shear_force(one).got
@@ -98,11 +101,13 @@ CHECKS = [
     Check("normal force", normal_force, 0.03,
           "the catalogue's bound. The approach was found by trial to give this force: it shows that the force stays, not that it is right"),
     Check("shear force", shear_force, 0.03,
-          "the catalogue's bound. The run stops at the first row beyond this force: it shows that the force is reached, and how far one row goes"),
+          "the catalogue's bound. The run stops at the first row beyond this force: it shows that the force is reached, and how far one "
+          "row goes"),
     Check("half-width of the contact", half_width, 0.03, "the catalogue's bound, with six elements in it"),
     Check("largest pressure", largest_pressure, 0.03, "the catalogue's bound"),
     Check("half-width of the strip that sticks", stick_half_width, 0.03, "the catalogue's bound"),
-    Check("profile of the shear traction", profile, 0.03, "the same bound, for the root of the mean square: the kink at the strip's edge is rounded by the mesh"),
+    Check("profile of the shear traction", profile, 0.03,
+          "the same bound, for the root of the mean square: the kink at the strip's edge is rounded by the mesh"),
 ]
 
 STUDIES = [Table("Over the exact values for the forces that came out.",
@@ -118,7 +123,8 @@ BREAKS = [
     Breaks("half-width of the strip that sticks", "sticks a hundred times too soft", {**COARSE, "contacts[0].stick": 0.01}),
     Breaks("half-width of the contact", "a penalty fifty times too soft", {**COARSE, "contacts[0].penalty": "2e11 Pa/m"}),
     Breaks("profile of the shear traction", "sticks a hundred times too soft", {**COARSE, "contacts[0].stick": 0.01}),
-    Breaks("largest pressure", "Young's modulus for E*: no Poisson effect", {**COARSE, "bodies[0].material.poisson": 0, "bodies[1].material.poisson": 0}, full=True),
+    Breaks("largest pressure", "Young's modulus for E*: no Poisson effect", {**COARSE, "bodies[0].material.poisson": 0,
+        "bodies[1].material.poisson": 0}, full=True),
     Breaks("normal force", "the compliance of one body left out of E*",
            {**COARSE, "bodies[0].material.young": "20 GPa", "bodies[0].material.density": "1e5 kg/m^3"}, full=True),
     Breaks("half-width of the contact", "the curvature of one body left out",
@@ -136,9 +142,11 @@ def curves(run):
 def exact_curves(_):
     places = [EXACT["a"] * (i - 150) / 125 for i in range(301)]
     across = [1e3 * x for x in places]
-    return [("Hertz", across, [1e-6 * pressure(x, EXACT) for x in places]), ("Cattaneo, Mindlin", across, [1e-6 * traction(x, EXACT) / 0.2 for x in places])]
+    return [("Hertz", across, [1e-6 * pressure(x, EXACT) for x in places]), ("Cattaneo, Mindlin", across, [1e-6 * traction(x, EXACT) / 0.2
+        for x in places])]
 
 
 FIGURES = [Figure("tractions", "distance from the middle [mm]", "traction [MPa]", curves, exact=exact_curves,
-                  caption="Pressure, and shear traction over the coefficient of friction, at the apexes of two cylinders that are pressed together and sheared: "
+                  caption="Pressure, and shear traction over the coefficient of friction, at the apexes of two cylinders that are pressed "
+                          "together and sheared: "
                           "where the two are one, they slip.")]

@@ -83,7 +83,8 @@ def unevenness(run):
 
 BOUND = "the catalogue's bound; "
 CHECKS = [
-    Check("membrane stress", membrane_stress, 1e-12, BOUND + "seen is the strain of 1e-12, which is what stresses of finite strains differ by"),
+    Check("membrane stress", membrane_stress, 1e-12,
+          BOUND + "seen is the strain of 1e-12, which is what stresses of finite strains differ by"),
     Check("stress at the outermost points in bending", outermost_stress, 1e-12, BOUND + "of the element that is farthest off"),
     Check("membrane stress in bending", membrane_of_bending, 1e-12, BOUND + "over the stress at the surface"),
     Check("energy of bending", energy_of_bending, 1e-12, BOUND + "moments times curvatures"),
@@ -92,7 +93,8 @@ CHECKS = [
     Check("force inside in transverse shear", force_inside, 1e-12, BOUND + "over what goes through the patch"),
     Check("place in motion", place, 1e-12, BOUND + "sums of a thousand steps"),
     Check("unevenness of the stress in motion", unevenness, 1e-10,
-          "stress turns against sides of triangles to the second order of the step (docs/theory/plate.md): 1.8e-13, 1.8e-11, 4.3e-9 at stretches of 0.001, 0.01, 0.2"),
+          "stress turns against sides of triangles to the second order of the step (docs/theory/plate.md): 1.8e-13, 1.8e-11, 4.3e-9 at "
+          "stretches of 0.001, 0.01, 0.2"),
 ]
 
 
@@ -104,23 +106,28 @@ BENDING, SHEAR, MOVING = HERE + "bending.yaml", HERE + "shear.yaml", HERE + "mov
 TURNED_TOO_FAR = f"[{ramp('1.001*(x/2 + y)', CURVATURE)}, {ramp('-1.001*(x + y/2)', CURVATURE)}, 0]"
 WAIVERS = [
     Waiver("unexplained momentum over the largest that passed", lambda run: str(run.case_file).endswith("shear.yaml"),
-           "its nodes are driven from rest to rest without a resultant and both frames are at rest, so nothing gives a scale: 6e-29 kg m/s is left"),
+           "its nodes are driven from rest to rest without a resultant and both frames are at rest, so nothing gives a scale: 6e-29 kg m/s "
+           "is left"),
 ]
 
 BREAKS = [
-    Breaks("membrane stress", "corners that do not move affinely", {"planes[0].velocity.value": f"[{ramp('x + y/2 + 0.01*x*y')}, {ramp('x/2 + y')}, 0]"}),
+    Breaks("membrane stress", "corners that do not move affinely",
+           {"planes[0].velocity.value": f"[{ramp('x + y/2 + 0.01*x*y')}, {ramp('x/2 + y')}, 0]"}),
     Breaks("membrane stress", "come to rest to a part in a hundred thousand only", {"relaxation.residual": 1e-5}),
     Breaks("stress at the outermost points in bending", "three layers for five", {"bodies[0].element.layers": 3}, case=BENDING),
     Breaks("energy of bending", "turns that follow the slope to a part in a thousand only",
            {"planes[0].turning.value": TURNED_TOO_FAR}, case=BENDING),
-    Breaks("energy of shear in bending", "turns that follow the slope to a part in a thousand only", {"planes[0].turning.value": TURNED_TOO_FAR}, case=BENDING),
+    Breaks("energy of shear in bending", "turns that follow the slope to a part in a thousand only",
+           {"planes[0].turning.value": TURNED_TOO_FAR}, case=BENDING),
     Breaks("membrane stress in bending", "corners that are pulled a little as well",
            {"planes[0].velocity.value": f"[{ramp('1e-9*x', CURVATURE)}, 0, {ramp('(x^2 + x*y + y^2)/2', CURVATURE)}]"}, case=BENDING),
     Breaks("energy of transverse shear", "Poisson's ratio forgotten in the shear modulus", {"bodies[0].material.poisson": 0}, case=SHEAR),
     Breaks("force inside in transverse shear", "one node a part in a million beside the plane",
            {"planes[1].velocity.value": f"[0, 0, {ramp('1.000001*(0.3*x - 0.8*y)')}]"}, case=SHEAR),
-    Breaks("place in motion", "a body force two per mille too small", {"loads[0].value": '["99.8*(x + y/2)", "99.8*(x/2 + 0.75*y)", "0"]'}, case=MOVING),
-    Breaks("unevenness of the stress in motion", "nodes inside that start from rest", {"initial[0].velocity": '["0", "0", "0"]'}, case=MOVING),
+    Breaks("place in motion", "a body force two per mille too small", {"loads[0].value": '["99.8*(x + y/2)", "99.8*(x/2 + 0.75*y)", "0"]'},
+           case=MOVING),
+    Breaks("unevenness of the stress in motion", "nodes inside that start from rest", {"initial[0].velocity": '["0", "0", "0"]'},
+           case=MOVING),
 ]
 
 

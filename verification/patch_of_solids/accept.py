@@ -3,7 +3,8 @@ from reference import at_rest, displacement, in_motion
 from verify import Breaks, Check, Figure, Pair, Report
 
 CATALOGUE = ("E-1",)
-CLAIM = "Seven distorted hexahedra carry a constant stress, and inner nodes in an affine motion with constant acceleration are where they should be."
+CLAIM = ("Seven distorted hexahedra carry a constant stress, and inner nodes in an affine motion with constant acceleration are "
+         "where they should be.")
 EVIDENCE = "exact"
 DRIVER = "scene"
 
@@ -78,8 +79,10 @@ CHECKS = [
     Check("place in motion, eight points", worst(error_of_place, FULL), 1e-12, IN_MOTION),
     Check("unevenness of the stress in motion, one point", unevenness({}), 1e-12, IN_MOTION),
     Check("unevenness of the stress in motion, eight points", unevenness(FULL), 1e-12, IN_MOTION),
-    Check("stress in motion, one point", worst(error_of_stress, {}), 1e-6, "strain increments at the middle of a step: its square, and half of that"),
-    Report("stress at rest, one point, strain 1e-3", stress_at_rest(ramp(1e-3), 1e-3), "the exact solution is that of small strains, and stress depends on the way there"),
+    Check("stress in motion, one point", worst(error_of_stress, {}), 1e-6,
+          "strain increments at the middle of a step: its square, and half of that"),
+    Report("stress at rest, one point, strain 1e-3", stress_at_rest(ramp(1e-3), 1e-3),
+           "the exact solution is that of small strains, and stress depends on the way there"),
 ]
 
 BREAKS = [
@@ -87,11 +90,14 @@ BREAKS = [
            {"planes[0].velocity.value": ramp(STRAIN)["planes[0].velocity.value"].replace("x/2 + y/2 + z", "x/2 + y/2 + z + 0.01*x*y*z")}),
     Breaks("stress at rest, eight points", "Young's modulus a part in 1e9 too large", {"bodies[0].material.young": "1000000.001 Pa"}),
     Breaks("stress at rest, eight points", "looked at before the nodes have come to rest", {"time.end": "30 ms"}),
-    Breaks("place in motion, one point", "a body force two per mille too small", {"loads[0].value": '["19.96*(x + y/2 + z/2)", "19.96*(x/2 - y + z/4)", "19.96*(x/2 + y/4 + z/2)"]'},
+    Breaks("place in motion, one point", "a body force two per mille too small",
+           {"loads[0].value": '["19.96*(x + y/2 + z/2)", "19.96*(x/2 - y + z/4)", "19.96*(x/2 + y/4 + z/2)"]'},
            case=MOVING),
     Breaks("place in motion, eight points", "the acceleration of the corners a part in 1e6 too large",
-           {"planes[0].velocity.value": '["(x + y/2 + z/2) * (1 + 20.00002*t)", "(x/2 - y + z/4) * (1 + 20.00002*t)", "(x/2 + y/4 + z/2) * (1 + 20.00002*t)"]'}, case=MOVING),
-    Breaks("unevenness of the stress in motion, one point", "nodes inside that start from rest", {"initial[0].velocity": '["0", "0", "0"]'}, case=MOVING),
+           {"planes[0].velocity.value": '["(x + y/2 + z/2) * (1 + 20.00002*t)", "(x/2 - y + z/4) * (1 + 20.00002*t)", "(x/2 + y/4 + z/2) * '
+                                        '(1 + 20.00002*t)"]'}, case=MOVING),
+    Breaks("unevenness of the stress in motion, one point", "nodes inside that start from rest", {"initial[0].velocity": '["0", "0", "0"]'},
+           case=MOVING),
     Breaks("unevenness of the stress in motion, eight points", "a force forgotten along z",
            {"loads[0].value": '["20*(x + y/2 + z/2)", "20*(x/2 - y + z/4)", "0"]'}, case=MOVING),
     Breaks("stress in motion, one point", "Poisson's ratio 0.2501 for 0.25", {"bodies[0].material.poisson": 0.2501}, case=MOVING),
@@ -113,4 +119,5 @@ def exact_curves(run):
 
 
 FIGURES = [Figure("stress_in_motion", "time [ms]", "stress [kPa]", curves, exact=exact_curves,
-                  caption="Stress of an outer element of the seven in an affine motion, strains to a quarter; the others differ from it by round-off.")]
+                  caption="Stress of an outer element of the seven in an affine motion, strains to a quarter; the others differ from it by "
+                          "round-off.")]

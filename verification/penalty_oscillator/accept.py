@@ -54,24 +54,29 @@ def by_step(run):
         here = run.again({"step": step})
         rows.append([f"{step:g}", *(f"{here.result(name) / exact:.5f}" for name, exact in
                                     (("contact_time", contact_time()), ("peak_force", peak_force()), ("penetration", depth()))),
-                     f"{here.result('rebound_smallest'):.5f}", f"{here.result('rebound_largest'):.5f}", f"{largest_rebound(step):.5f}", f"{bound(step):.5f}"])
+                     f"{here.result('rebound_smallest'):.5f}", f"{here.result('rebound_largest'):.5f}", f"{largest_rebound(step):.5f}",
+                     f"{bound(step):.5f}"])
     return rows
 
 
 AT = "at steps of 0.002 sqrt(m/k)"
 CHECKS = [
-    *[Check(f"{kind}: contact time", fine("contact_time", contact_time, "s", kind), 1e-5, f"{AT}, crossings drawn straight: second order") for kind in KINDS],
-    *[Check(f"{kind}: peak force", fine("peak_force", peak_force, "N", kind), 1e-5, f"{AT}: second order, and the printed digits of the catalogue") for kind in KINDS],
+    *[Check(f"{kind}: contact time", fine("contact_time", contact_time, "s", kind), 1e-5, f"{AT}, crossings drawn straight: second order")
+      for kind in KINDS],
+    *[Check(f"{kind}: peak force", fine("peak_force", peak_force, "N", kind), 1e-5,
+            f"{AT}: second order, and the printed digits of the catalogue") for kind in KINDS],
     *[Check(f"{kind}: depth", fine("penetration", depth, "m", kind), 1e-5, "as the peak force") for kind in KINDS],
     *[Check(f"tetrahedral: rebound at steps of {step:g} sqrt(m/k)", rebound(step), 1e-9,
             "the worst of 400 phases, as the recursion of the reference has it: round-off") for step in STEPS],
     Check("triangular: rebound at steps of 0.2 sqrt(m/k)", rebound(0.2, "triangular"), 1e-9, "as over a facet"),
     Check("line: rebound at steps of 0.2 sqrt(m/k)", rebound(0.2, "line"), 1e-9, "as over a facet"),
     Check("rebound beyond the bound of all phases", beyond_bound, 1e-12, "a theorem: 1/sqrt(1 - D^2/4)"),
-    *[Check(f"{kind}: critical step", limit(kind), 1e-5, "bisected with the closed element over 2000 steps: growth by 1e5 tells 4e-6 beyond the limit")
+    *[Check(f"{kind}: critical step", limit(kind), 1e-5,
+            "bisected with the closed element over 2000 steps: growth by 1e5 tells 4e-6 beyond the limit")
       for kind in KINDS],
     *[Check(f"{kind}: voted step", vote(kind), 1e-12, "a formula of masses and stiffness") for kind in KINDS],
-    Check("ledger: created energy less what was gained", largest("booked_amiss"), 1e-12, "what the interface creates is booked to it, in all phases: round-off"),
+    Check("ledger: created energy less what was gained", largest("booked_amiss"), 1e-12,
+          "what the interface creates is booked to it, in all phases: round-off"),
     Check("momentum", largest("momentum_lost"), 1e-12, "contact gives what it takes: round-off"),
     Report("rebound of the catalogue at 0.5 sqrt(m/k)", lambda run: Pair(changed(run, {"step": 0.5}).result("rebound_largest"), 1.0222, ""),
            "its worst phase lies between the 400 tried here; 40000 give 1.02222"),
@@ -80,7 +85,8 @@ CHECKS = [
 STUDIES = [
     Falls("tetrahedral: contact time", along="step", values=[0.2, 0.1, 0.05], order=1.9),
     Table("Over the exact values, at a first sample half a step behind the touch; rebound over all phases.",
-          ["step over sqrt(m/k)", "contact time", "peak force", "depth", "least rebound", "largest rebound", "reference", "bound"], by_step),
+          ["step over sqrt(m/k)", "contact time", "peak force", "depth", "least rebound", "largest rebound", "reference", "bound"],
+          by_step),
 ]
 
 BREAKS = [
@@ -106,7 +112,8 @@ def bounce(run):
         first = next(i for i, gap in enumerate(here.column("gap")) if gap < 0)
         t, gap = here.column("time"), here.column("gap")
         touch = t[first] - (t[first] - t[first - 1]) * gap[first] / (gap[first] - gap[first - 1])
-        shown.append((f"steps of {name} sqrt(m/k)", [1e3 * (x - touch) for x in t[first:]], [f / 1e3 for f in here.column("force")[first:]]))
+        shown.append((f"steps of {name} sqrt(m/k)", [1e3 * (x - touch) for x in t[first:]],
+                      [f / 1e3 for f in here.column("force")[first:]]))
     return shown
 
 
@@ -127,7 +134,8 @@ def rebounds(run):
 
 def exact_rebounds(_run):
     fine_steps = [0.05 * 10**(i / 120) for i in range(121)]
-    return [("recursion", fine_steps, [largest_rebound(step, 100) for step in fine_steps]), ("bound", fine_steps, [bound(step) for step in fine_steps])]
+    return [("recursion", fine_steps, [largest_rebound(step, 100) for step in fine_steps]), ("bound", fine_steps,
+        [bound(step) for step in fine_steps])]
 
 
 FIGURES = [Figure("force", "time since the touch [ms]", "force [kN]", bounce, exact=exact_bounce,

@@ -73,7 +73,8 @@ def table(run):
     return rows
 
 
-BECAUSE = "the catalogue's bound of E-2, here over the yield stress in shear: the return is of the first order in the increment, 8e-5 of shear"
+BECAUSE = ("the catalogue's bound of E-2, here over the yield stress in shear: the return is of the first order in the increment, "
+           "8e-5 of shear")
 CHECKS = [
     Check("shear stress", worst({}, hardening, 0), 1e-4, BECAUSE),
     Check("normal stress along", worst({}, hardening, 1), 1e-4, BECAUSE),
@@ -85,7 +86,8 @@ CHECKS = [
     Check("without hardening: normal stress along", worst(PERFECT, perfect, 1), 1e-4, "a closed form; " + BECAUSE),
     Check("kinematic: shear stress", worst(MOVES, moving, 0), 1e-4, "it swings, as Nagtegaal and de Jong found; " + BECAUSE),
     Check("kinematic: normal stress along", worst(MOVES, moving, 1), 1e-4, "as the shear stress"),
-    Report("elastic shear stress at the end", beyond_elastic, "E-2's curve at the same shear: without flow the stress has swung to the other sign"),
+    Report("elastic shear stress at the end", beyond_elastic,
+           "E-2's curve at the same shear: without flow the stress has swung to the other sign"),
 ]
 
 DENSITY = "bodies[0].material.density"  # nothing moves freely, so that it sets the increment alone, by its root

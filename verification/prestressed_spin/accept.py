@@ -59,7 +59,8 @@ def circle(run):
 
 
 CHECKS = [
-    Check("step that the velocities are made for", step, 1e-9, "what the elements vote; where this fails, put the new step into case.yaml and reference.py"),
+    Check("step that the velocities are made for", step, 1e-9,
+          "what the elements vote; where this fails, put the new step into case.yaml and reference.py"),
     Check("place on the circle", circle, 1e-11, "sums of 2700 steps"),
     Check("drift of the stress per turn, one point", drift({}), 1e-10, "the catalogue's bound"),
     Check("drift of the stress per turn, eight points", drift(FULL), 1e-10, "the catalogue's bound"),

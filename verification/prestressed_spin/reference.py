@@ -4,9 +4,10 @@ The stretch is 1 + G with a symmetric G whose axes stand still while it grows, s
 strain ln(1 + G); turned by R it is R sigma R^T, for every objective rate.
 
 What is spun are nodes, and their velocities are sampled in the middle of each step. A point on a circle of radius r
-that moves for a step h at the speed w r along the chord's direction goes w r h, and the chord is 2 r sin(w h/2) only: its polygon stands about
-a larger circle, by (w h)^2/24, and off the centre. So a spin of given speed w is no rigid motion of a body that is sampled. One whose velocity
-is less by sin(w h/2)/(w h/2) is: the nodes are on their circles at the end of every step. That is kinematics, and nothing of a stress.
+that moves for a step h at the speed w r along the chord's direction goes w r h, and the chord is 2 r sin(w h/2) only: its polygon stands
+about a larger circle, by (w h)^2/24, and off the centre. So a spin of given speed w is no rigid motion of a body that is sampled. One whose
+velocity is less by sin(w h/2)/(w h/2) is: the nodes are on their circles at the end of every step. That is kinematics, and nothing of a
+stress.
 """
 from math import cos, log, pi, sin, sqrt
 

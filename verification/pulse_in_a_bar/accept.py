@@ -62,8 +62,10 @@ CHECKS = [
     Check("largest velocity", extreme(1, max, 0), 6e-4, SOURCE),
     Check("smallest velocity", extreme(1, min, 1), 5e-4, SOURCE),
     Check("largest acceleration", extreme(2, max, 0), 6e-4, SOURCE),
-    Check("smallest acceleration", extreme(2, min, 1), 6e-4, "the catalogue's bound on accelerations; the source's own run is within 2e-6 here"),
-    Check("displacement after reflection", upside_down(0), 1e-3, "phase: (k L)(k h)^2/24 (1 - C^2) for k of the pulse's width is 3e-4 of a radian", full=True),
+    Check("smallest acceleration", extreme(2, min, 1), 6e-4,
+          "the catalogue's bound on accelerations; the source's own run is within 2e-6 here"),
+    Check("displacement after reflection", upside_down(0), 1e-3,
+          "phase: (k L)(k h)^2/24 (1 - C^2) for k of the pulse's width is 3e-4 of a radian", full=True),
     Check("velocity after reflection", upside_down(1), 1e-3, "as the displacement", full=True),
 ]
 
@@ -73,7 +75,8 @@ WIDE = {"initial[0].displacement": '["1e-8 * exp(-x^2 / (2 * 0.0202^2))", "0", "
 BREAKS = [
     Breaks("displacement at all nodes", "a density 1 % too large", {"bodies[0].material.density": "1010 kg/m^3"}),
     Breaks("velocity at all nodes", "a density 1 % too large", {"bodies[0].material.density": "1010 kg/m^3"}),
-    Breaks("acceleration at all nodes", "bulk viscosity that was not turned off, and too large", {"bodies[0].element.viscosity.linear": 0.2}),
+    Breaks("acceleration at all nodes", "bulk viscosity that was not turned off, and too large",
+           {"bodies[0].element.viscosity.linear": 0.2}),
     Breaks("largest displacement", "a width that is 1 % off", WIDE),
     Breaks("largest velocity", "too few elements for the pulse", {"bodies[0].mesh.cells": "[500, 1, 1]"}),
     Breaks("smallest velocity", "too few elements for the pulse", {"bodies[0].mesh.cells": "[500, 1, 1]"}),
@@ -98,7 +101,9 @@ def curves_of(which, scale):
 
 
 FIGURES = [
-    Figure("displacement", "position [mm]", "displacement [nm]", **curves_of(0, 1e9), caption="Displacement after 10 us, every fourth node."),
+    Figure("displacement", "position [mm]", "displacement [nm]", **curves_of(0, 1e9),
+           caption="Displacement after 10 us, every fourth node."),
     Figure("velocity", "position [mm]", "velocity [um/s]", **curves_of(1, 1e6), caption="Velocity after 10 us, every fourth node."),
-    Figure("acceleration", "position [mm]", "acceleration [m/s2]", **curves_of(2, 1), caption="Acceleration after 10 us, every fourth node."),
+    Figure("acceleration", "position [mm]", "acceleration [m/s2]", **curves_of(2, 1),
+           caption="Acceleration after 10 us, every fourth node."),
 ]

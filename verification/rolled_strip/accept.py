@@ -71,7 +71,8 @@ STUDIES = []
 BREAKS = [
     Breaks("distance of the tip from the clamp, over the length", "a twentieth of the moment missing",
            {"loads[0].value": '["0", "-6528.6 * min(1, t/0.2)", "0"]'}),
-    Breaks("height of the circle, L/pi", "the stiffness of a plate, E/(1 - nu^2), in place of a beam's", {"bodies[0].material.poisson": 0.3}),
+    Breaks("height of the circle, L/pi", "the stiffness of a plate, E/(1 - nu^2), in place of a beam's",
+           {"bodies[0].material.poisson": 0.3}),
 ]
 
 FIGURES = [Figure("circle", "x [m]", "z [m]", shape, exact=circle, error=False, equal=True,

@@ -1,7 +1,7 @@
 """A strip that is rolled up by a moment at its end.
 
-An elastica of bending stiffness E I, clamped at one end, under the moment M = m 2 pi E I / L at the other has the constant curvature M / (E I):
-it is an arc of the radius R = L / (2 pi m), and with m = 1 a full circle. The point at s stands at
+An elastica of bending stiffness E I, clamped at one end, under the moment M = m 2 pi E I / L at the other has the constant curvature M / (E
+I): it is an arc of the radius R = L / (2 pi m), and with m = 1 a full circle. The point at s stands at
 
     x = R sin(s/R),   z = R (1 - cos(s/R)).
 

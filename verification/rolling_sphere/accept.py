@@ -54,7 +54,8 @@ def deceleration(run):
 def spin(run):
     """Speed of the crown against the centre over its height above it: that of a sphere that rolls on what is left of its radius."""
     end = run.column("time")[-1]
-    rows = [(hypot(x - v, z), v, h) for t, x, z, v, h in zip(run.column("time"), run.column("crown_x"), run.column("crown_z"), run.column("speed"),
+    rows = [(hypot(x - v, z), v, h) for t, x, z, v, h in zip(run.column("time"), run.column("crown_x"), run.column("crown_z"),
+                                                             run.column("speed"),
                                                             run.column("height")) if t > end - 0.15]
     return Pair(sum(c for c, *_ in rows) / len(rows), sum(v for _, v, _ in rows) / len(rows), "m/s")
 
@@ -86,13 +87,16 @@ CHECKS = [
     Check("time at which it rolls", rolling_time, 0.02, "the catalogue's bound"),
     Check("speed when it rolls", rolling_speed, 0.02, "the catalogue's bound"),
     Check("way at which it rolls", way, 0.02, "the catalogue's bound"),
-    Check("deceleration while it slides", deceleration, 0.02, "as the time: friction is 0.2 of the push at every node, and the push is the weight in the mean"),
-    Check("friction when it rolls", friction_when_it_rolls, 0.05, "none in the mean; the sphere swings on its elastic foot, and rumbles from node to node"),
+    Check("deceleration while it slides", deceleration, 0.02,
+          "as the time: friction is 0.2 of the push at every node, and the push is the weight in the mean"),
+    Check("friction when it rolls", friction_when_it_rolls, 0.05,
+          "none in the mean; the sphere swings on its elastic foot, and rumbles from node to node"),
     Report("speed of the crown about the centre", spin, "one node of a body that trembles"),
     Report("mean push since the blow", push, "the weight, but for the mass that facets lack and the swing that is cut off"),
 ]
 
-STUDIES = [Table("Time in seconds, way in metres, speed in metres a second, when it rolls.", ["elements", "time", "way", "speed"], meshes, full=True)]
+STUDIES = [Table("Time in seconds, way in metres, speed in metres a second, when it rolls.", ["elements", "time", "way", "speed"], meshes,
+                 full=True)]
 
 COARSE = cells(3, 3)
 BREAKS = [
@@ -114,4 +118,5 @@ def exact_speed(run):
 
 
 FIGURES = [Figure("speed", "time after the blow [s]", "speed [m/s]", speed_over_time, exact=exact_speed,
-                  caption="A soft sphere slides and begins to roll. It swings about the straight lines, as it bounces a little on its foot.")]
+                  caption="A soft sphere slides and begins to roll. It swings about the straight lines, as it bounces a little on its "
+                          "foot.")]

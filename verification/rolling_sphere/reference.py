@@ -1,6 +1,7 @@
 """A sphere that slides with friction begins to roll.
 
-Friction mu m g slows it down and turns it: v = v0 - mu g t and w R = mu g t/k with k = I/(m R^2), 2/5 for a solid sphere. It rolls once v = w R:
+Friction mu m g slows it down and turns it: v = v0 - mu g t and w R = mu g t/k with k = I/(m R^2), 2/5 for a solid sphere. It rolls once v =
+w R:
 
     t = v0 k/((1 + k) mu g),   v = v0/(1 + k),   d = (v0^2 - v^2)/(2 mu g)
 

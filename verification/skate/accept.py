@@ -75,15 +75,19 @@ def meshes(run):
 CHECKS = [
     Check("push at the slip", push_at_slip, 0.01, "the catalogue's bound: Q = mu P"),
     Check("force of the plane", balance_across, 0.01, "the catalogue's bound: P"),
-    Check("friction of the block that stays", balance_along, 0.01, "the catalogue's bound: Q; the rest accelerates the block as its rear edge slips ahead"),
+    Check("friction of the block that stays", balance_along, 0.01,
+          "the catalogue's bound: Q; the rest accelerates the block as its rear edge slips ahead"),
     Check("friction of the block that slides", friction_that_slides, 0.01, "the catalogue's bound: mu P"),
-    Check("friction over push across", ratio, 1e-3, "Coulomb's law holds at each node, so it holds in the sum; the two are means over the same steps"),
+    Check("friction over push across", ratio, 1e-3,
+          "Coulomb's law holds at each node, so it holds in the sum; the two are means over the same steps"),
     Check("speed at the end", final_speed, 0.01, "as the slip"),
     Check("way at the end", final_way, 0.01, "as the slip"),
-    Check("creep before the slip", creep, 0.01, "the block gives way elastically and its sole slips at one edge: a thousandth of the way on ice"),
+    Check("creep before the slip", creep, 0.01,
+          "the block gives way elastically and its sole slips at one edge: a thousandth of the way on ice"),
 ]
 
-STUDIES = [Table("Errors over the mesh.", ["cells", "push at the slip", "friction of the block that stays", "friction over push across", "speed at the end"],
+STUDIES = [Table("Errors over the mesh.", ["cells", "push at the slip", "friction of the block that stays", "friction over push across",
+                                           "speed at the end"],
                  meshes, full=True)]
 
 BREAKS = [

@@ -54,7 +54,8 @@ CHECKS = [
 ]
 
 # the plane that keeps the way straight becomes a wall far away
-FREE = {"planes[1].kind": "rigid", "planes[1].surface": "block.y_high", "planes[1].point": "[0 m, 9 m, 0 m]", "planes[1].normal": "[0, -1, 0]"}
+FREE = {"planes[1].kind": "rigid", "planes[1].surface": "block.y_high", "planes[1].point": "[0 m, 9 m, 0 m]",
+        "planes[1].normal": "[0, -1, 0]"}
 
 
 def options(run):

@@ -86,34 +86,42 @@ def struck_at(a_over_r):
     """Keys of the speed at which Hertz's contact grows to a/R, and of times that belong to it."""
     speed = speed_for(a_over_r, **STEEL)
     time = hertz(speed=speed, **STEEL)["duration"]
-    return {"initial[0].velocity": f'["0", "0", "-{speed:.6g}"]', "time.end": f"{1.5 * time:.4g} s", "output.history_every": f"{time / 240:.4g} s",
+    return {"initial[0].velocity": f'["0", "0", "-{speed:.6g}"]', "time.end": f"{1.5 * time:.4g} s",
+            "output.history_every": f"{time / 240:.4g} s",
             "output.frames_every": "1 s"}
 
 
 def meshes(run):
     rows = []
-    for a_over_r, core, ring, b, hardness in ((0.2, 4, 4, 0.5, 8), (0.2, 6, 6, 0.5, 2), (0.2, 6, 6, 0.5, 8), (0.2, 8, 6, 0.5, 8), (0.1, 4, 4, 0.6, 8), (0.1, 6, 6, 0.6, 8),
+    for a_over_r, core, ring, b, hardness in ((0.2, 4, 4, 0.5, 8), (0.2, 6, 6, 0.5, 2), (0.2, 6, 6, 0.5, 8), (0.2, 8, 6, 0.5, 8),
+                                              (0.1, 4, 4, 0.6, 8), (0.1, 6, 6, 0.6, 8),
                                               (0.05, 4, 4, 0.7, 8), (0.05, 6, 6, 0.7, 8), (0.05, 8, 5, 0.72, 8)):
         one = run.again({**graded(core, ring, b), **struck_at(a_over_r), "planes[2].hardness": hardness})
         force, time = finite_sphere(a_over_r)
-        rows.append([f"{a_over_r:g}", f"{2 * core} around a quarter, b = {b:g}", f"{hardness}", f"{mass(one) / mass_of(STEEL['radius'], STEEL['density']):.4f}",
-                     f"{against_half_space(one).got / exact(one)['force']:.4f}", f"{force:.3f}", f"{duration(one).got / exact(one)['duration']:.4f}", f"{time:.3f}",
+        rows.append([f"{a_over_r:g}", f"{2 * core} around a quarter, b = {b:g}", f"{hardness}",
+                     f"{mass(one) / mass_of(STEEL['radius'], STEEL['density']):.4f}",
+                     f"{against_half_space(one).got / exact(one)['force']:.4f}", f"{force:.3f}",
+                     f"{duration(one).got / exact(one)['duration']:.4f}", f"{time:.3f}",
                      f"{rebound(one).got:.4f}"])
     return rows
 
 
 CHECKS = [
-    Check("mass of the ball", full_mass, 0.03, "facets of the far pole are coarse and lie inside the ball: 2.6 % is missing; Hertz's law is taken with what is there"),
-    Check("largest force", peak_force, 0.02, "the catalogue's bound about its finite-element model of a sphere, for the mass that the meshed ball has"),
+    Check("mass of the ball", full_mass, 0.03,
+          "facets of the far pole are coarse and lie inside the ball: 2.6 % is missing; Hertz's law is taken with what is there"),
+    Check("largest force", peak_force, 0.02, "the catalogue's bound about its finite-element model of a sphere, for the mass that the "
+                                             "meshed ball has"),
     Check("contact time", duration, 0.02, "as the force"),
     Check("speed after over before", rebound, 1 - LEAST_REBOUND, "the catalogue's model keeps 0.998 or more"),
-    Check("impulse", impulse, 0.005, "as the momentum and the rebound; of the meshed ball, whose own mass is taken. Against a full ball it misses by 2.7 %"),
+    Check("impulse", impulse, 0.005, "as the momentum and the rebound; of the meshed ball, whose own mass is taken. Against a full ball it "
+                                     "misses by 2.7 %"),
     Check("created energy", created, 0.005, "one long push: far below the bound of a bounce"),
     Report("largest force against Hertz's half-space", against_half_space, "how far a finite sphere is from Hertz"),
 ]
 
 STUDIES = [
-    Table("Meshes, penalties and speeds: mass over the ball's, force and time over Hertz's for the mass that is there, beside the catalogue's finite sphere.",
+    Table("Meshes, penalties and speeds: mass over the ball's, force and time over Hertz's for the mass that is there, beside the "
+          "catalogue's finite sphere.",
           ["a/R", "elements", "hardness", "mass", "force", "finite sphere", "time", "finite sphere", "rebound"], meshes, full=True),
 ]
 
@@ -139,4 +147,5 @@ def pulse(run):
 
 
 FIGURES = [Figure("force", "time after touch [us]", "force of the plane [kN]", force_over_time, exact=pulse,
-                  caption="Force on a ball of steel of 10 mm that strikes a rigid plane at 49 m/s, beside the catalogue's peak and time for a finite sphere.")]
+                  caption="Force on a ball of steel of 10 mm that strikes a rigid plane at 49 m/s, beside the catalogue's peak and time "
+                          "for a finite sphere.")]

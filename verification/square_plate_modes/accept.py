@@ -102,9 +102,11 @@ def exact_numbers(_run):
 CHECKS = [
     Check("simply supported: worst of 7 frequencies", worst("simply supported"), 0.01, "the catalogue's bound"),
     Check("free: worst of 6 frequencies", worst("free"), 0.015, "the catalogue's bound, against Ritz's numbers, which are exact to 1e-5"),
-    Check("cantilever: worst of 5 frequencies", worst("cantilever"), 0.015, "the catalogue's bound, against Ritz's numbers, which are exact to 5e-4"),
+    Check("cantilever: worst of 5 frequencies", worst("cantilever"), 0.015,
+          "the catalogue's bound, against Ritz's numbers, which are exact to 5e-4"),
     Check("simply supported: first frequency", first, 0.01, "the catalogue's bound"),
-    Check("second and third mode of a square are one", repeated, 1e-6, "crossed cuts are symmetric about both middles, so the two differ by round-off"),
+    Check("second and third mode of a square are one", repeated, 1e-6,
+          "crossed cuts are symmetric about both middles, so the two differ by round-off"),
     Check("rigid motions of the free plate", rigid, 0, "six of the thirteen modes asked for"),
     Check("asymmetry of the stiffness", asymmetry, 1e-12, "forces are a gradient, and displacements of 1e-7 sides leave 1e-14"),
     Report("free: worst against NAFEMS' FV12", against_nafems, "4.233 and 7.416 Hz there lie above Ritz's converged 4.190 and 7.356"),
@@ -121,7 +123,8 @@ BREAKS = [
     Breaks("simply supported: worst of 7 frequencies", "a beam's bending, E t^3/12 without 1 - nu^2", {"bodies[0].material.poisson": 0}),
     Breaks("free: worst of 6 frequencies", "Poisson's ratio of brass for that of steel", {"bodies[0].material.poisson": 0.36}),
     Breaks("cantilever: worst of 5 frequencies", "pounds taken for kilograms", {"bodies[0].material.density": "8000 lb/m^3"}),
-    Breaks("second and third mode of a square are one", "diagonals that lean one way in each column, so that x and y differ", {"bodies[0].mesh.cuts": "columns"}),
+    Breaks("second and third mode of a square are one", "diagonals that lean one way in each column, so that x and y differ",
+           {"bodies[0].mesh.cuts": "columns"}),
 ]
 
 FIGURES = [Figure("frequencies", "mode [-]", "frequency [Hz]", drawn, exact=exact_numbers,

@@ -1,6 +1,7 @@
 """Frequencies of a thin square plate: on simple supports in closed form, free or clamped on one side by Ritz's method.
 
-Kirchhoff's plate, bending stiffness D = E t^3 / (12 (1 - nu^2)), mass rho t per area. With a dimensionless number L = omega a^2 sqrt(rho t / D),
+Kirchhoff's plate, bending stiffness D = E t^3 / (12 (1 - nu^2)), mass rho t per area. With a dimensionless number L = omega a^2 sqrt(rho t
+/ D),
 
     f = L / (2 pi a^2) sqrt(D / (rho t)).
 

@@ -5,8 +5,8 @@ Kirchhoff's plate, D = E t^3 / (12 (1 - nu^2)), side a, pressure q. On simple su
     w = 16 q / (pi^6 D) sum over odd m, n of sin(m pi x/a) sin(n pi y/a) / (m n (m^2 + n^2)^2) a^4
 
 (Navier 1823; Timoshenko & Woinowsky-Krieger, 1959, table 8: 0.00406 q a^4/D in the middle). Clamped, the energy
-D/2 integral of (w_xx + w_yy)^2 - q w (the rest of the bending energy is that of the rim, which does not move) is made least over the products of polynomials
-(1 - x^2)^2 x^i times the same of y, made orthonormal (table 35 there: 0.00126 q a^4/D).
+D/2 integral of (w_xx + w_yy)^2 - q w (the rest of the bending energy is that of the rim, which does not move) is made least over the
+products of polynomials (1 - x^2)^2 x^i times the same of y, made orthonormal (table 35 there: 0.00126 q a^4/D).
 """
 from math import cos, pi, sin, sqrt
 
@@ -86,7 +86,8 @@ def clamped(places, count=6):
     mixed = [[integral(i, k, 0, 1) for k in range(count)] for i in range(count)]
     mean = [sum(w * u[0] for w, u in zip(weights, f)) for f in family]
     pairs = [(i, j) for i in range(count) for j in range(count)]
-    stiffness = [[bend[i][k] * (j == l) + (i == k) * bend[j][l] + mixed[i][k] * mixed[l][j] + mixed[k][i] * mixed[j][l] for k, l in pairs] for i, j in pairs]
+    stiffness = [[bend[i][k] * (j == l) + (i == k) * bend[j][l] + mixed[i][k] * mixed[l][j] + mixed[k][i] * mixed[j][l] for k, l in pairs]
+                 for i, j in pairs]
     shares = solve(stiffness, [mean[i] * mean[j] for i, j in pairs])
     first = len(weights)  # the middle, then the places
     return [sum(c * family[i][first + 1 + p][0] * family[j][first][0] for c, (i, j) in zip(shares, pairs)) / 16 for p in range(len(places))]

@@ -48,13 +48,15 @@ def speeds(run):
 def meshes(run):
     rows = []
     for cells, layers in ((16, 7), (32, 3), (32, 5), (32, 7), (32, 9), (64, 7)):
-        one = run.again({"bodies[0].mesh.cells_along": cells, "bodies[0].mesh.width": f"{64 / cells} mm", "bodies[0].element.layers": layers})
+        one = run.again({"bodies[0].mesh.cells_along": cells, "bodies[0].mesh.width": f"{64 / cells} mm",
+                         "bodies[0].element.layers": layers})
         rows.append([f"{cells}", f"{layers}", f"{1e3 * permanent(one):.3f}", f"{1e3 * max(one.column('middle')):.3f}"])
     return rows
 
 
 CHECKS = [
-    Check("permanent deflection between the bounds", lambda run: inside(permanent(run)), 1, "1 is on a bound: the catalogue asks for inside"),
+    Check("permanent deflection between the bounds", lambda run: inside(permanent(run)), 1,
+          "1 is on a bound: the catalogue asks for inside"),
     Check("the same, ten times as stiff", lambda run: inside(permanent(run.again(STIFF))), 1,
           "the bounds are those of a rigid strip: the stiffer, the more they bind"),
     Report("plastic work after the mean begins", late_plastic_work, "the mean is over a swing that is all but elastic"),
@@ -67,7 +69,8 @@ CHECKS = [
 STUDIES = [
     Table("Permanent deflection over the speed, in millimetres.",
           ["speed [m/s]", "lower bound", "permanent", "ten times as stiff", "upper bound", "largest"], speeds, full=True),
-    Table("Cells along half the span, layers, and deflections in millimetres.", ["cells", "layers", "permanent", "largest"], meshes, full=True),
+    Table("Cells along half the span, layers, and deflections in millimetres.", ["cells", "layers", "permanent", "largest"], meshes,
+          full=True),
 ]
 
 BREAKS = [

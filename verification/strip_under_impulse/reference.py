@@ -7,8 +7,8 @@ simple solution. For a square that circumscribes this curve it has:
     W/H = 1/2 (sqrt(1 + 3 lambda/4) - 1),     lambda = 4 rho V0^2 L^2 / (sigma0 H^2).
 
 A square around the curve yields too late, so this W is too small; the square inside the curve with 0.618 of both, (sqrt(5) - 1)/2, yields
-too early and its W is too large. Of slow strips W/H tends to 3 lambda/16, bending alone, of fast ones to sqrt(3 lambda)/4, a string. In plane
-strain sigma0 is 2/sqrt(3) of the uniaxial yield stress (von Mises).
+too early and its W is too large. Of slow strips W/H tends to 3 lambda/16, bending alone, of fast ones to sqrt(3 lambda)/4, a string. In
+plane strain sigma0 is 2/sqrt(3) of the uniaxial yield stress (von Mises).
 
 OWN_CODE is a two-dimensional finite-element model of the catalogue's authors (status N there: computed, not published; Young's modulus
 is not given).

@@ -74,9 +74,11 @@ CHECKS = [
     *(Check(f"{scene}, two passes: sides changed", in_two_passes(scene), 1e-12,
             "the same forces, of which two are added in the other order at most") for scene in IN_TWO_PASSES),
     Check("one pass: push", momentum("push"), 0.03,
-          "no theory gives this limit. It was set after the runs gave 0.4 % here and 1.3 % on meshes twice as fine, and notices a change only"),
+          "no theory gives this limit. It was set after the runs gave 0.4 % here and 1.3 % on meshes twice as fine, and notices a change "
+          "only"),
     Check("one pass: drag", momentum("drag"), 0.1,
-          "no theory gives this limit either. It was set after the runs gave 3 % here and 4 % on meshes twice as fine, and notices a change only"),
+          "no theory gives this limit either. It was set after the runs gave 3 % here and 4 % on meshes twice as fine, and notices a "
+          "change only"),
     Check("one pass: momentum and angular momentum are kept, both ways", kept, 1e-12,
           "force and counterforce have one line of action: round-off"),
 ]

@@ -46,7 +46,8 @@ def meshes(run):
     for name, factor, digits in (("length", 1e3, 3), ("foot_radius", 1e3, 3), ("plastic_strain", 1, 2)):
         coarse, middle, fine = (of_level(run, level).column(name)[-1] * factor for level in LEVELS)
         order, limit, index = grid_convergence(fine, middle, coarse, sizes[2] / sizes[1], sizes[1] / sizes[0])
-        rows.append([f"extrapolated {name.replace('_', ' ')}", f"{limit:.{digits}f}", f"order {order:.2f}" if order == order else "no order",
+        rows.append([f"extrapolated {name.replace('_', ' ')}", f"{limit:.{digits}f}", f"order {order:.2f}" if order == order
+                     else "no order",
                      f"index {100 * index:.2f} %", ""])
     return rows
 
@@ -56,7 +57,8 @@ def codes(_):
             for mesh, (length, radius, strain) in OWN_CODE.items()]
     rows.append(["the same, a wall that lets go", f"{1e3 * LENGTH:.2f}", f"{1e3 * RADIUS:.2f}", ""])
     span = {name: [1e3 * v if name != "plastic_strain" else v for v in limits] for name, limits in PUBLISHED.items()}
-    rows.append(["published, from memory: no gate", *("{:.2f} to {:.2f}".format(*span[name]) for name in ("length", "radius", "plastic_strain"))])
+    rows.append(["published, from memory: no gate", *("{:.2f} to {:.2f}".format(*span[name]) for name in ("length", "radius",
+        "plastic_strain"))])
     return rows
 
 
@@ -72,7 +74,8 @@ CHECKS = [
 ]
 
 STUDIES = [
-    Table("Three meshes, with Roache's index. Millimetres.", ["mesh", "length", "radius", "plastic strain", "hourglass energy"], meshes, full=True),
+    Table("Three meshes, with Roache's index. Millimetres.", ["mesh", "length", "radius", "plastic strain", "hourglass energy"], meshes,
+          full=True),
     Table("Other codes. Millimetres.", ["code", "length", "radius", "plastic strain"], codes),
 ]
 

@@ -5,7 +5,8 @@ from reference import elastic_widening, first_yield, limit, path
 from verify import Breaks, Check, Falls, Figure, Pair, Report, Table
 
 CATALOGUE = ("M-5",)
-CLAIM = "A thick cylinder in plane strain yields first and gives way for good at the pressures that theory says, nearly incompressible or not."
+CLAIM = ("A thick cylinder in plane strain yields first and gives way for good at the pressures that theory says, nearly "
+         "incompressible or not.")
 EVIDENCE = "exact"
 DRIVER = "scene"
 
@@ -83,7 +84,8 @@ CHECKS = [
     Check("limit pressure", at_limit, 0.01, BOUND),
     Check("limit pressure, one point", lambda run: at_limit(run, changed("one_point")), 0.01, BOUND),
     Check("limit pressure, one point, Poisson 0.49", lambda run: at_limit(run, changed("one_point", 0.49)), 0.01, BOUND),
-    Check("pressure while the bore widens twofold", steady, 0.01, "a limit is one if nothing changes any more; the bound is that of the limit"),
+    Check("pressure while the bore widens twofold", steady, 0.01,
+          "a limit is one if nothing changes any more; the bound is that of the limit"),
     Check("first yield", extrapolated("full", 0.3), 0.01, f"{BOUND}; of 16 and 32 cells"),
     Check("first yield, one point", extrapolated("one_point", 0.3), 0.01, f"{BOUND}; of 16 and 32 cells"),
     Check("first yield, Poisson 0.49", extrapolated("full", 0.49), 0.01, f"{BOUND}; of 16 and 32 cells"),
@@ -127,5 +129,6 @@ def exact_path(_):
     return [("exact, Poisson 1/2", [u for u, _ in curve] + [6], [p for _, p in curve] + [LIMIT])]
 
 
-FIGURES = [Figure("pressure", "widening of the bore u E / (a yield stress) [-]", "pressure over yield stress [-]", pressure_over_widening, exact=exact_path,
+FIGURES = [Figure("pressure", "widening of the bore u E / (a yield stress) [-]", "pressure over yield stress [-]", pressure_over_widening,
+                  exact=exact_path,
                   caption="Pressure over the widening of the bore, up to the limit; the exact curve is that of an incompressible wall")]

@@ -50,7 +50,8 @@ CHECKS = [
     Check("time of the first impact", impact("one", 0), 0.01, "a sample is 0.4 % of it"),
     Check("time of the second impact", impact("two", 1), 0.02,
           "the first contact is as compliant as an element or two, and the far end swings to V and does not jump; 0.4 % with 400 cells"),
-    Check("first impact lasts", duration("one"), 0.02, "the penalty of mass and step is as compliant as an element or two, and their travel time is 0.5 % each"),
+    Check("first impact lasts", duration("one"), 0.02,
+          "the penalty of mass and step is as compliant as an element or two, and their travel time is 0.5 % each"),
     Check("second impact lasts", duration("two"), 0.02, "as the first"),
     Check("gap between first and second at the end", gap, 0.02, "it drifts with the velocities that are left, 0.3 % of V for 9 ms"),
     Check("created energy", created, 0.005, "the vote for the step lets a bounce create no more"),
@@ -71,11 +72,14 @@ STUDIES = [Table("Velocities over V at the end, duration of the first impact and
 BREAKS = [
     Breaks("velocity of the third bar", "ends that do not let go: bonded", {"contacts[1].kind": "bonded"}),
     Breaks("velocity of the second bar over V", "ends that do not let go: bonded", {"contacts[1].kind": "bonded"}),
-    Breaks("velocity of the first bar over V", "another density in the second bar: 1100 kg/m^3", {"bodies[1].material.density": "1100 kg/m^3"}),
+    Breaks("velocity of the first bar over V", "another density in the second bar: 1100 kg/m^3",
+           {"bodies[1].material.density": "1100 kg/m^3"}),
     Breaks("time of the second impact", "the second gap a tenth too wide", {"bodies[2].move": "[2.105 m, 0 m, 0 m]"}),
     Breaks("time of the first impact", "the first gap a tenth too wide", {"bodies[0].move": "[-5 mm, 0 m, 0 m]"}),
-    Breaks("first impact lasts", "uniaxial strain of a metal: E 1.2 times too stiff", {"bodies[0].material.young": "1.2 GPa", "bodies[1].material.young": "1.2 GPa"}),
-    Breaks("second impact lasts", "penalties a thousand times too soft", {"contacts[0].penalty": "2e8 Pa/m", "contacts[1].penalty": "2e8 Pa/m"}),
+    Breaks("first impact lasts", "uniaxial strain of a metal: E 1.2 times too stiff", {"bodies[0].material.young": "1.2 GPa",
+        "bodies[1].material.young": "1.2 GPa"}),
+    Breaks("second impact lasts", "penalties a thousand times too soft", {"contacts[0].penalty": "2e8 Pa/m",
+        "contacts[1].penalty": "2e8 Pa/m"}),
 ]
 
 

@@ -1,15 +1,16 @@
 """Dynamic torsion of a free square bar: what four other codes found, and what torsional waves say.
 
-The bar turns at the rate a z about its axis, so the twist per length grows as a t everywhere until waves that relieve it arrive from the free ends.
-Sections that stay plane have the shear G a t r. All natural modes of a free bar that are odd in z have frequencies n pi c_t/L with odd n,
-so they pass their largest twist together, at L/(2 c_t) with c_t = sqrt(G J/(rho I)): then nothing moves and all energy is strain.
+The bar turns at the rate a z about its axis, so the twist per length grows as a t everywhere until waves that relieve it arrive from the
+free ends. Sections that stay plane have the shear G a t r. All natural modes of a free bar that are odd in z have frequencies n pi c_t/L
+with odd n, so they pass their largest twist together, at L/(2 c_t) with c_t = sqrt(G J/(rho I)): then nothing moves and all energy is
+strain.
 
-Two elements across: their nodes stand where the warping of a square, x y (x^2 - y^2), is zero, so the mesh cannot warp and J = I_p = s^4/6. Masses
-lumped at the nodes have more rotary inertia than the bar: (1 + 2/n^2) I_p with n elements across, half as much again for n = 2.
+Two elements across: their nodes stand where the warping of a square, x y (x^2 - y^2), is zero, so the mesh cannot warp and J = I_p = s^4/6.
+Masses lumped at the nodes have more rotary inertia than the bar: (1 + 2/n^2) I_p with n elements across, half as much again for n = 2.
 
-Source: Norma.jl, docs/notes/torsion-verification: E = 1 GPa, nu = 0.25, 1000 kg/m3, 0.05 m x 0.05 m x 1 m, a = 8000 1/(m s), 2 x 2 x 40 hexahedra of 2 x 2 x 2
-points, neo-Hookean. Largest nodal von Mises stress, projected to the nodes, at 0.79 ms: Norma and Carina 150.0, LCM 150.1 MPa with
-consistent masses, Sierra/Adagio 155.1 MPa with lumped ones. Read in the source, not recomputed.
+Source: Norma.jl, docs/notes/torsion-verification: E = 1 GPa, nu = 0.25, 1000 kg/m3, 0.05 m x 0.05 m x 1 m, a = 8000 1/(m s), 2 x 2 x 40
+hexahedra of 2 x 2 x 2 points, neo-Hookean. Largest nodal von Mises stress, projected to the nodes, at 0.79 ms: Norma and Carina 150.0, LCM
+150.1 MPa with consistent masses, Sierra/Adagio 155.1 MPa with lumped ones. Read in the source, not recomputed.
 """
 from math import sqrt
 

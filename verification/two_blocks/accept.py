@@ -75,5 +75,6 @@ def exact_stress(run):
 
 
 FIGURES = [Figure("stress", "time [us]", "stress of the interface [MPa]", stress_over_time, exact=exact_stress,
-                  caption="Stress between two bars that close at 10 m/s: the pulse of one dimension, until the waves are back from the free ends.")]
+                  caption="Stress between two bars that close at 10 m/s: the pulse of one dimension, until the waves are back from the "
+                          "free ends.")]
 

@@ -15,7 +15,8 @@ KGF = 9.80665e6  # [Pa] of one kgf/mm2
 HERE = "verification/uniaxial_strain_and_shear/"
 MATERIAL = "bodies[0].material."
 FULL = {"bodies[0].element.kind": "full"}
-IN_STEEL = {"density": "8.0e-10 kgf*s^2/mm^4", "young": "1.96e4 kgf/mm^2", "poisson": 0.33, "yield": "31.6 kgf/mm^2", "tangent": "195 kgf/mm^2"}
+IN_STEEL = {"density": "8.0e-10 kgf*s^2/mm^4", "young": "1.96e4 kgf/mm^2", "poisson": 0.33, "yield": "31.6 kgf/mm^2",
+            "tangent": "195 kgf/mm^2"}
 
 
 def material(run):
@@ -114,7 +115,8 @@ CHECKS = [
     Check("law, shear, lead: plastic slope", last_slope("stress_xy", "strain_xy", "law_in_shear.yaml", tangent_in_shear, 2), 1e-8,
           "the catalogue's bound"),
     Check("law, shear, steel: plastic slope",
-          last_slope("stress_xy", "strain_xy", "law_in_shear.yaml", tangent_in_shear, 2, STEEL, STEEL_SHEAR), 1e-8, "the catalogue's bound"),
+          last_slope("stress_xy", "strain_xy", "law_in_shear.yaml", tangent_in_shear, 2, STEEL, STEEL_SHEAR), 1e-8,
+          "the catalogue's bound"),
     Check("hexahedron of one point, uniaxial strain: stress along", of_element(0), 1e-8, ELEMENT),
     Check("hexahedron of one point, uniaxial strain: stress across", of_element(1), 1e-8, ELEMENT),
     Check("hexahedron of one point, uniaxial strain: plastic strain", plastic_strain_of_element, 1e-8, ELEMENT),
@@ -139,8 +141,10 @@ BREAKS = [
     Breaks("law, shear, lead: yield stress", "the yield stress of Tresca", {MATERIAL + "yield": "2.61540 kgf/mm^2"}),
     Breaks("law, shear, lead: plastic slope", "the tangent taken for the plastic modulus", TANGENT),
     Breaks("law, shear, steel: plastic slope", "the tangent of lead", {MATERIAL + "tangent": "1.85 kgf/mm^2"}),
-    Breaks("hexahedron of one point, uniaxial strain: stress along", "increments sixteen times too large", {DENSITY: "2.8928e-7 kgf*s^2/mm^4"}),
-    Breaks("hexahedron of one point, uniaxial strain: stress across", "a side let free: no uniaxial strain", {"planes[1].nodes": "[cube.y_low]"}),
+    Breaks("hexahedron of one point, uniaxial strain: stress along", "increments sixteen times too large",
+           {DENSITY: "2.8928e-7 kgf*s^2/mm^4"}),
+    Breaks("hexahedron of one point, uniaxial strain: stress across", "a side let free: no uniaxial strain",
+           {"planes[1].nodes": "[cube.y_low]"}),
     Breaks("hexahedron of eight points, uniaxial strain: stress along", "the tangent taken for the plastic modulus", TANGENT),
     Breaks("hexahedron of one point, shear", "Poisson's ratio forgotten in the shear modulus", {MATERIAL + "poisson": 0}),
     Breaks("plate, shear", "the yield stress of Tresca", {MATERIAL + "yield": "2.61540 kgf/mm^2"}),
@@ -166,12 +170,14 @@ def exact_shear(_run):
 def along(run):
     rows = slice(4, None, 8)
     strains = [log1p(u) for u in run.column("stretch")[rows]]
-    return [(name, strains, [s / 1e6 for s in run.column(column)[rows]]) for name, column in (("along", "stress_xx"), ("across", "stress_yy"))]
+    return [(name, strains, [s / 1e6 for s in run.column(column)[rows]]) for name, column in (("along", "stress_xx"),
+        ("across", "stress_yy"))]
 
 
 def exact_along(_run):
     strains = [i / 200 for i in range(81)]
-    return [(name, strains, [KGF / 1e6 * uniaxial_strain(LEAD, e)[i] for e in strains]) for i, name in enumerate(("along, exact", "across, exact"))]
+    return [(name, strains, [KGF / 1e6 * uniaxial_strain(LEAD, e)[i] for e in strains]) for i,
+            name in enumerate(("along, exact", "across, exact"))]
 
 
 FIGURES = [Figure("shear", "engineering shear [-]", "shear stress [MPa]", curves, exact=exact_shear,

@@ -13,7 +13,8 @@ DRIVER = "scene"
 KGF = 9.80665e6  # [Pa] of one kgf/mm2
 HERE = "verification/uniaxial_stress/"
 FULL = {"bodies[0].element.kind": "full"}
-IN_STEEL = {"density": "8.0e-10 kgf*s^2/mm^4", "young": "1.96e4 kgf/mm^2", "poisson": 0.33, "yield": "31.6 kgf/mm^2", "tangent": "195 kgf/mm^2"}
+IN_STEEL = {"density": "8.0e-10 kgf*s^2/mm^4", "young": "1.96e4 kgf/mm^2", "poisson": 0.33, "yield": "31.6 kgf/mm^2",
+            "tangent": "195 kgf/mm^2"}
 MATERIAL = "bodies[0].material."
 STEEL_ELEMENT = {**{MATERIAL + key: value for key, value in IN_STEEL.items()},
                  "planes[3].velocity.value": '"0.00485/5*(1 - cos(2*pi*t/5))"', "time.end": "5 s", "output.history_every": "0.05 s"}
@@ -23,7 +24,8 @@ STEEL_LAW = {**{"material." + key: value for key, value in IN_STEEL.items()}, "p
 def law(run, metal, plate=False):
     """The law alone, with the material that a break has changed."""
     broken = {key[len("bodies[0]."):]: value for key, value in run.overrides.items() if key.startswith(MATERIAL)}
-    return run.other("material_point", HERE + ("law_in_a_plate.yaml" if plate else "law.yaml"), {**(STEEL_LAW if metal is STEEL else {}), **broken})
+    return run.other("material_point", HERE + ("law_in_a_plate.yaml" if plate else "law.yaml"), {**(STEEL_LAW if metal is STEEL else {}),
+        **broken})
 
 
 def element(run, metal, change=(), case="case.yaml"):
@@ -50,7 +52,8 @@ def curve_of_law(metal, plate=False):
 def free_of_law(run):
     """The largest stress that should be zero."""
     here = law(run, LEAD)
-    return Pair(max(abs(s) for name in ("yy", "zz", "xy", "yz", "xz") for s in here.column("stress_" + name)), 0, "Pa", scale=KGF * LEAD["yield"])
+    return Pair(max(abs(s) for name in ("yy", "zz", "xy", "yz", "xz") for s in here.column("stress_" + name)), 0, "Pa",
+                scale=KGF * LEAD["yield"])
 
 
 def modulus(metal):
@@ -93,18 +96,21 @@ def curve_of_element(run):
 
 
 CHECKS = [
-    Check("law, lead", curve_of_law(LEAD), 1e-12, "a straight path: the return is exact for any increment; the catalogue's bound of a law alone"),
+    Check("law, lead", curve_of_law(LEAD), 1e-12,
+          "a straight path: the return is exact for any increment; the catalogue's bound of a law alone"),
     Check("law of a plate, lead", curve_of_law(LEAD, plate=True), 1e-12, "as in space"),
     Check("law, steel", curve_of_law(STEEL), 1e-12, "as lead"),
     Check("law of a plate, steel", curve_of_law(STEEL, plate=True), 1e-12, "as lead"),
     Check("law, lead: stresses that are free", free_of_law, 1e-12, "Newton ends at 1e-14 of the trial stress"),
     Check("law, lead: plastic modulus", modulus(LEAD), 1e-8, "the catalogue's bound"),
     Check("law, steel: plastic modulus", modulus(STEEL), 1e-8, "the catalogue's bound"),
-    Check("law, lead: dissipated work", work("work_dissipated", dissipated), 1e-12, "an increment ends where yielding begins; the trapezoid rule is exact on lines"),
+    Check("law, lead: dissipated work", work("work_dissipated", dissipated), 1e-12,
+          "an increment ends where yielding begins; the trapezoid rule is exact on lines"),
     Check("law, lead: stored work", work("work_stored", stored), 1e-12, "as the dissipated work"),
     Check("hexahedron of one point, lead", end_of_element(LEAD), 1e-8, "the catalogue's bound; at the end nothing moves"),
     Check("hexahedron of eight points, lead", end_of_element(LEAD, FULL), 1e-8, "as of one point"),
-    Check("plate, lead", end_of_element(LEAD, case="plate.yaml"), 1e-8, "as the hexahedra; a plate's stress is Cauchy's with the thickness kept"),
+    Check("plate, lead", end_of_element(LEAD, case="plate.yaml"), 1e-8,
+          "as the hexahedra; a plate's stress is Cauchy's with the thickness kept"),
     Check("hexahedron of one point, steel", end_of_element(STEEL), 1e-8, "as lead"),
     Check("plate, steel", end_of_element(STEEL, case="plate.yaml"), 1e-8, "as lead"),
     Check("hexahedron, lead: plastic strain", plastic_strain_of_element, 1e-8, "as the stress"),

@@ -52,8 +52,10 @@ BREAKS = [
     Breaks("wave speed, 10 elements for a wave, Courant 0.5", "a third of the elements missing", {"bodies[0].mesh.cells": "[20, 1, 1]"}),
     Breaks("wave speed, 6 elements for a wave, Courant 0.9", "a step set by a width half as large: Courant 0.45",
            {"bodies[0].mesh.cells": "[30, 2, 2]"}),
-    Breaks("wave speed, 10 elements for a wave, Courant 1", "a step set by a width half as large: Courant 0.5", {"bodies[0].mesh.cells": "[30, 2, 2]"}),
-    Breaks("wave speed, 6 elements for a wave, Courant 0.05", "bulk viscosity that was not turned off, and far too large", {"bodies[0].element.viscosity.linear": 1}),
+    Breaks("wave speed, 10 elements for a wave, Courant 1", "a step set by a width half as large: Courant 0.5",
+           {"bodies[0].mesh.cells": "[30, 2, 2]"}),
+    Breaks("wave speed, 6 elements for a wave, Courant 0.05", "bulk viscosity that was not turned off, and far too large",
+           {"bodies[0].element.viscosity.linear": 1}),
 ]
 
 

@@ -2,8 +2,8 @@
 
 A node of the column has mass rho h and springs E/h to its neighbours (per area). For u = cos(k x) the forces are
 -(4 E/h) sin^2(k h/2) u, and central differences turn the frequency of this oscillator, w_h, into sin(w dt/2) = w_h dt/2. So
-w = (2/dt) asin(C sin(k h/2)) with C = c dt/h. At a free end the node has half the mass and one spring, which cos(k x) fits exactly. At C = 1
-there is no dispersion at all. Standard; e.g. Hughes, The Finite Element Method (1987), chapter 9.
+w = (2/dt) asin(C sin(k h/2)) with C = c dt/h. At a free end the node has half the mass and one spring, which cos(k x) fits exactly. At C =
+1 there is no dispersion at all. Standard; e.g. Hughes, The Finite Element Method (1987), chapter 9.
 """
 from math import asin, pi, sin
 
