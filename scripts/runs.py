@@ -302,6 +302,15 @@ def mean_over(times, values, first, last):
     return area / (last - first)
 
 
+def straight_line(points):
+    """(slope, value at zero) of the line of least squares through [(x, y), ...] or [(x, y, weight), ...]."""
+    points = [(x, y, *(weight or [1.0])) for x, y, *weight in points]
+    total = sum(w for _, _, w in points)
+    mean_x, mean_y = sum(w * x for x, _, w in points) / total, sum(w * y for _, y, w in points) / total
+    slope = sum(w * (x - mean_x) * (y - mean_y) for x, y, w in points) / sum(w * (x - mean_x)**2 for x, _, w in points)
+    return slope, mean_y - slope * mean_x
+
+
 def crossings(times, values, level=0.0, rising=None):
     """Times at which the samples cross the level; upwards only, downwards only, or both."""
     found = []

@@ -43,7 +43,8 @@ import traceback
 from pathlib import Path
 
 import gates
-from runs import ROOT, CannotRun, Run, Store, crossings, interpolate, mean_over, read_fields  # noqa: F401  (for cases)
+from convergence import order_between
+from runs import ROOT, CannotRun, Run, Store, crossings, interpolate, mean_over, read_fields, straight_line  # noqa: F401  (for cases)
 
 EVIDENCE = ("exact", "order", "invariant", "benchmark")
 GOOD_ENDINGS = ("reached_end", "relaxed", "stopped_by_condition")
@@ -168,11 +169,12 @@ class Waiver:
     full: bool = False
 
 
-def order_between(size_0, error_0, size_1, error_1):
-    """The order p of an error that goes as size^p."""
-    if min(error_0, error_1) <= 0:
-        return math.inf if error_1 <= error_0 else -math.inf
-    return math.log(error_1 / error_0) / math.log(size_1 / size_0)
+# ------------------------------------------------------------------------------------------------
+# Measures that many cases ask for
+
+def created(run):
+    """The energy that the worst source of a run created by its end, over the energy scale of the ledger."""
+    return Pair(run.created(), 0, "", scale=1)
 
 
 def number_in(text):

@@ -160,6 +160,14 @@ class HistoryTest(unittest.TestCase):
     def test_means_are_over_the_span_and_not_over_the_samples(self):
         self.assertAlmostEqual(runs.mean_over([0, 1, 1.5, 4], [0, 1, 1.5, 4], 0.5, 3.5), 2.0)
 
+    def test_a_straight_line_is_found_again_and_weights_count(self):
+        slope, start = runs.straight_line([(x, 3 - 2 * x) for x in (0, 1, 2.5, 4)])
+        self.assertAlmostEqual(slope, -2)
+        self.assertAlmostEqual(start, 3)
+        slope, start = runs.straight_line([(0, 1, 1), (1, 2, 1), (2, 100, 0)])
+        self.assertAlmostEqual(slope, 1)
+        self.assertAlmostEqual(start, 1)
+
     def test_crossings_are_found_between_samples(self):
         self.assertEqual(runs.crossings([0, 1, 2, 3], [-1, 1, 1, -3]), [0.5, 2.25])
         self.assertEqual(runs.crossings([0, 1, 2, 3], [-1, 1, 1, -3], rising=True), [0.5])

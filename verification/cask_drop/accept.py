@@ -1,6 +1,6 @@
 """How close is close enough, why, and what must break."""
 from reference import NEPTUNE, ROUND_ROBIN, kinetic_energy_of_sector
-from study import tendency
+from convergence import tendency
 from verify import Breaks, Check, Figure, Pair, Report, Table
 
 CATALOGUE = ("W-1", "W-2", "W-3")

@@ -2,7 +2,7 @@
 from math import hypot, sqrt
 
 from reference import hertz, pressure_at
-from verify import Breaks, Check, Figure, Pair, Report, Table
+from verify import Breaks, Check, Figure, Pair, Report, Table, straight_line
 
 CATALOGUE = ("I-9",)
 CLAIM = "A ball pressed on a rigid plane pushes back with Hertz's force and Hertz's pressure once it rests."
@@ -55,10 +55,7 @@ def pressures(run):
 def fit(run):
     """(largest pressure, contact radius): p^2 falls evenly with r^2, so a line through both, weighted by areas, within 0.8 a."""
     rows = [(r * r, p * p, w) for r, p, w in pressures(run) if r < 0.8 * EXACT["contact_radius"]]
-    weight = sum(w for *_, w in rows)
-    mean_r, mean_p = sum(w * r for r, _, w in rows) / weight, sum(w * p for _, p, w in rows) / weight
-    slope = sum(w * (r - mean_r) * (p - mean_p) for r, p, w in rows) / sum(w * (r - mean_r)**2 for r, _, w in rows)
-    top = mean_p - slope * mean_r
+    slope, top = straight_line(rows)
     return sqrt(top), sqrt(top / -slope)
 
 

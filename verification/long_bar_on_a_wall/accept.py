@@ -1,6 +1,6 @@
 """How close is close enough, why, and what must break."""
 from reference import INCH, VM85, reference, shortening
-from verify import Breaks, Check, Falls, Figure, Pair
+from verify import Breaks, Check, Falls, Figure, Pair, created
 
 CATALOGUE = ("I-1b",)
 CLAIM = ("A long bar stopped by a wall is shortest, by V L/c, when the front reaches its free end, and then it holds all its "
@@ -34,10 +34,6 @@ def at_rest(run):
     """Kinetic energy that is left when the bar is shortest, over the initial one."""
     values, kinetic = shorter(run), run.column("energy_kinetic")
     return Pair(kinetic[values.index(max(values))] / kinetic[0], 0, "", scale=1)
-
-
-def created(run):
-    return Pair(run.created(), 0, "", scale=1)
 
 
 CHECKS = [

@@ -2,7 +2,7 @@
 from math import sqrt
 
 from reference import of_a_box
-from verify import Breaks, Check, Figure, Pair, Report, Table
+from verify import Breaks, Check, Figure, Pair, Report, Table, created
 
 CATALOGUE = ("C-4",)
 CLAIM = "An oblique impact of two free blocks that rub changes neither momentum nor angular momentum."
@@ -35,10 +35,6 @@ def start(run):
 
 def residual(run):
     return Pair(run.ledger("energy_residual"), 0, "J", scale=run.ledger("initial_kinetic"))
-
-
-def created(run):
-    return Pair(run.created(), 0, "", scale=1)
 
 
 def heat(run):

@@ -2,7 +2,7 @@
 from math import sqrt
 
 from reference import partial_slip, pressure, traction
-from verify import Breaks, Check, Figure, Pair, Table, Waiver
+from verify import Breaks, Check, Figure, Pair, Table, Waiver, straight_line
 
 CATALOGUE = ("C-14",)
 CLAIM = ("Two cylinders pressed together and sheared by less than friction holds slip at the rim of their contact and stick in "
@@ -36,10 +36,7 @@ def tractions(run):
 
 def ellipse(rows):
     """(largest value, half-width) of an ellipse through [(x, value), ...]: the squares lie on a line."""
-    points = [(x * x, v * v) for x, v in rows]
-    mean_x, mean_v = (sum(c) / len(points) for c in zip(*points))
-    slope = sum((x - mean_x) * (v - mean_v) for x, v in points) / sum((x - mean_x)**2 for x, _ in points)
-    top = mean_v - slope * mean_x
+    slope, top = straight_line([(x * x, v * v) for x, v in rows])
     return (sqrt(top), sqrt(top / -slope)) if top > 0 > slope else (0.0, 0.0)
 
 

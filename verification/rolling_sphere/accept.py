@@ -2,7 +2,7 @@
 from math import hypot
 
 from reference import rolling, speed_at
-from verify import Breaks, Check, Figure, Pair, Report, Table
+from verify import Breaks, Check, Figure, Pair, Report, Table, straight_line
 
 CATALOGUE = ("C-12",)
 CLAIM = "A sphere that slides at 3 m/s on a plane with friction 0.2 rolls after 0.437 s and 1.123 m, at 5/7 of its speed."
@@ -24,9 +24,8 @@ def later(run):
 def line(run):
     """(speed at the blow, deceleration) of the straight line that fits the speed while the sphere slides."""
     rows = [(t - BLOW, v) for t, v in zip(run.column("time"), run.column("speed")) if BLOW + 0.02 <= t <= BLOW + 0.42]
-    mean_t, mean_v = sum(t for t, _ in rows) / len(rows), sum(v for _, v in rows) / len(rows)
-    slope = sum((t - mean_t) * (v - mean_v) for t, v in rows) / sum((t - mean_t)**2 for t, _ in rows)
-    return mean_v - slope * mean_t, -slope
+    slope, start = straight_line(rows)
+    return start, -slope
 
 
 def begins(run):

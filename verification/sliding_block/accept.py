@@ -1,6 +1,6 @@
 """How close is close enough, why, and what must break."""
 from reference import reference
-from verify import Breaks, Check, Figure, Pair, Table, crossings, interpolate
+from verify import Breaks, Check, Figure, Pair, Table, created, crossings, interpolate
 
 CATALOGUE = ("C-5",)
 CLAIM = "A block with 5 m/s on a level plane with friction 0.3 stops after 4.247 m and 1.699 s, and its energy is heat."
@@ -37,10 +37,6 @@ def ratio(run):
     """Mean friction over mean push while it slides."""
     first, last = 0.1, 1.6
     return Pair(-run.mean("friction", first, last) / run.mean("normal_force", first, last), 0.3)
-
-
-def created(run):
-    return Pair(run.created(), 0, "", scale=1)
 
 
 CHECKS = [

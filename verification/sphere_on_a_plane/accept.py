@@ -2,7 +2,7 @@
 from math import pi, sin
 
 from reference import LEAST_REBOUND, finite_sphere, hertz, mass_of, speed_for
-from verify import Breaks, Check, Figure, Pair, Report, Table
+from verify import Breaks, Check, Figure, Pair, Report, Table, created
 
 CATALOGUE = ("I-5", "I-5b")
 CLAIM = "A sphere that strikes a rigid plane pushes it as hard and as long as a finite sphere does beside Hertz's, and flies back."
@@ -63,10 +63,6 @@ def full_mass(run):
 
 def impulse(run):
     return Pair(PART * run.account("ground")["impulse"]["value"][2], exact(run)["impulse"], "N s")
-
-
-def created(run):
-    return Pair(run.created(), 0, "", scale=1)
 
 
 def against_half_space(run):

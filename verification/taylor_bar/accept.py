@@ -1,6 +1,6 @@
 """How close is close enough, why, and what must break."""
 from reference import OWN_CODE, OWN_CODE_UNILATERAL, PUBLISHED, grid_convergence
-from verify import Breaks, Check, Figure, Pair, Report, Table
+from verify import Breaks, Check, Figure, Pair, Report, Table, created
 
 CATALOGUE = ("I-6",)
 CLAIM = "A bar of copper that strikes a wall at 227 m/s ends as short and as wide as in the catalogue's own code."
@@ -24,10 +24,6 @@ def rest(run):
 def hourglass(run):
     """Energy in hourglass springs over the initial kinetic energy."""
     return Pair(run.account("bar")["stored"]["hourglass"]["value"] / run.ledger("initial_kinetic"), 0, "", scale=1)
-
-
-def created(run):
-    return Pair(run.created(), 0, "", scale=1)
 
 
 def of_level(run, level):

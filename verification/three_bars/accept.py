@@ -1,6 +1,6 @@
 """How close is close enough, why, and what must break."""
 from reference import BARS, reference, speeds
-from verify import Breaks, Check, Figure, Pair, Table, crossings
+from verify import Breaks, Check, Figure, Pair, Table, created, crossings
 
 CATALOGUE = ("I-10",)
 CLAIM = "Of three equal bars in a row the first two end at rest, and the third leaves with the speed of the first."
@@ -37,10 +37,6 @@ def duration(contact):
 
 def gap(run):
     return Pair(run.column("gap_one")[-1], EXACT["gap"], "m")
-
-
-def created(run):
-    return Pair(run.created(), 0, "", scale=1)
 
 
 CHECKS = [

@@ -1,6 +1,6 @@
 """How close is close enough, why, and what must break."""
 from reference import reference
-from verify import Breaks, Check, Falls, Figure, Pair, Waiver
+from verify import Breaks, Check, Falls, Figure, Pair, Waiver, created
 
 CATALOGUE = ("I-3",)
 CLAIM = "The interface carries the stress rho c v/2 for the time 2L/c; then the bars part with their velocities exchanged."
@@ -24,10 +24,6 @@ def contact_time(run):
 
 def velocity_of(bar):
     return lambda run: Pair(run.result(f"velocity_{bar}"), exact(run)[f"velocity_{bar}"], "m/s")
-
-
-def created(run):
-    return Pair(run.created(), 0, "", scale=1)
 
 
 def momentum(run):
