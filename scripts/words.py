@@ -48,8 +48,11 @@ RETIRED = False
 
 
 def places(one):
-    """Patterns of paths in text that end in the old word, their group `word`: contacts[0].hardness, planes[{i}].kind=held."""
-    found = []
+    """Patterns of text with the old word as their group `word`: contacts[0].hardness, planes[{i}].kind=held.
+
+    A word that is none of English counts in quotes too: programs put keys together.
+    """
+    found = [rf"(?P<quote>[\"'])(?P<word>{one.old})(?P=quote)"] if one.refuse and not one.key else []
     for section in one.where:
         name, brackets = re.escape(section.removesuffix("[]")), r"\[[^\]\n]*\]" if section.endswith("[]") else ""
         start = rf"(?<![\w.]){name}{brackets}\."

@@ -95,6 +95,7 @@ class TextTest(unittest.TestCase):
                          ("--set 'planes[1].kind=held'", "--set 'planes[1].kind=constrained'"),
                          ('{"planes[1].kind": "held"}', '{"planes[1].kind": "constrained"}'),
                          ('"planes[0].turning.value"', '"planes[0].angular_velocity.value"'),
+                         ('(("penalty", p), ("created_in_a_bounce", b))', '(("penalty", p), ("energy_gain_limit", b))'),
                          ("`interface.hardness` of 20", "`interface.penalty_scale` of 20")):
             with self.subTest(old):
                 self.assertEqual(updated("accept.py", old)[0], new)
