@@ -6,8 +6,9 @@
     created energy                 the largest of any source at any row of history.csv, over the energy scale of the ledger
 
 The first three are round-off, so their limit is one number for all runs. Where impulses and momentum vanish by symmetry they are no
-scale; there the sum of the nodes' momenta m |v| is one. It is at least 2 K / max |v|, which frames and history give; times the
-largest distance from the origin it is the scale of the moments. A program without frames has no length, so its moments are not judged.
+scale; there the sum of the nodes' momenta m |v| is one. It is at least 2 K / max |v|, which frames and history give; that or
+the momentum that passed, times the largest distance from the origin, is the scale of the moments. A program without frames has no
+length, so its moments are not judged.
 """
 import math
 
@@ -71,9 +72,13 @@ def momentum_of_nodes(run):
 
 
 def moment_of_nodes(run):
-    """The same times the largest distance of a node from the origin; None without frames. [kg m2/s]"""
-    seen = frames_of(run)
-    return max(bound for bound, _ in seen) * max(arm for _, arm in seen) if seen else None
+    """That or the largest momentum that passed, times the largest distance from the origin; None without frames. [kg m2/s]"""
+    seen, ledger = frames_of(run), run.summary["ledger"]
+    if not seen:
+        return None
+    passed = [length(ledger["initial_momentum"]), length(ledger["momentum"])]
+    passed += [length(one["impulse"]) for one in ledger["accounts"].values()]
+    return max(*passed, *(bound for bound, _ in seen)) * max(arm for _, arm in seen)
 
 
 def frames_of(run):
