@@ -173,7 +173,7 @@ driver::Scene build(const input::CaseFile& file) {
   scene.watchers.emplace_back([=](const dynamics::View& view) {
     seen->mean.see(mean(view), view.now.t);
     seen->centre.see(centre(view), view.now.t);
-    if (view.settled) seen->bulge.see(bulge(view, outside), view.now.t);
+    if (view.ledger_is_current) seen->bulge.see(bulge(view, outside), view.now.t);
   });
   scene.results = [seen] {
     return std::vector<output::Result>{{"settlement_mean", seen->mean.value, "m"},

@@ -9,6 +9,7 @@
 
 #include "base/check.hpp"
 #include "base/parallel.hpp"
+#include "dynamics/measure.hpp"
 #include "element/width.hpp"
 #include "output/progress.hpp"
 
@@ -84,35 +85,16 @@ std::vector<std::string> depth_notes(const Scene& scene) {
   return notes;
 }
 
-/// Columns of history.csv that every run has: the ledger.
-std::vector<Probe> ledger_probes(const Scene& scene) {
-  std::vector<Probe> probes;
-  const auto add = [&probes](const std::string& name, std::function<double(const dynamics::Ledger&)> value) {
-    probes.push_back({name, "J", [value](const dynamics::View& view) { return value(view.now.ledger); }});
-  };
-  add("energy_kinetic", [](const auto& ledger) { return ledger.kinetic; });
-  const auto& accounts = scene.state.ledger.accounts;
-  for (std::size_t a = 0; a < accounts.size(); ++a) {
-    for (std::size_t s = 0; s < accounts[a].stored.size(); ++s)
-      add("energy_" + accounts[a].name + "_" + accounts[a].stored[s].name,
-          [a, s](const auto& ledger) { return ledger.accounts[a].stored[s].value; });
-    for (std::size_t s = 0; s < accounts[a].dissipated.size(); ++s)
-      add("energy_" + accounts[a].name + "_" + accounts[a].dissipated[s].name,
-          [a, s](const auto& ledger) { return ledger.accounts[a].dissipated[s].value; });
-  }
-  for (std::size_t a = 0; a < accounts.size(); ++a)
-    add("energy_created_" + accounts[a].name, [a](const auto& ledger) { return dynamics::created(ledger.accounts[a]); });
-  add("energy_integration", [](const auto& ledger) { return ledger.integration; });
-  add("energy_residual", [](const auto& ledger) { return dynamics::energy_residual(ledger); });
-  return probes;
-}
-
 /// Writes histories, frames and the progress line while a run goes on.
 class Recorder {
  public:
   Recorder(const Scene& scene, const CommandLine& line)
       : out_(line.out), frames_every_(scene.recording.frames), probes_(scene.probes), progress_(scene.time.end, line.quiet) {
-    for (Probe& probe : ledger_probes(scene)) probes_.push_back(std::move(probe));
+    for (const dynamics::Probe& probe : dynamics::ledger_probes(scene.model))
+      probes_.push_back({probe.name, probe.unit, [value = probe.value](const dynamics::View& view) {
+                           dynamics::ProbeMemory none;
+                           return value(view, none);
+                         }});
     std::vector<output::Column> columns;
     for (const Probe& probe : probes_) columns.push_back({probe.name, probe.unit});
     history_ = std::make_unique<output::History>(out_ / "history.csv", columns);
@@ -125,7 +107,7 @@ class Recorder {
 
   void operator()(const dynamics::View& view) {
     progress_.show(view.now.t, view.now.step, view.now.dt);
-    if (!view.settled) return;
+    if (!view.ledger_is_current) return;
     for (std::size_t p = 0; p < probes_.size(); ++p) row_[p] = probes_[p].value(view);
     history_->add(view.now.t, row_);
     const auto due = static_cast<std::int64_t>(view.now.t / frames_every_ + 1e-9);
@@ -190,11 +172,12 @@ output::Summary summarise(const std::string& name, const CommandLine& line, cons
     summary.results.push_back({scene.model.rigid_planes[p].name + "_deepest", scene.state.rigid_planes[p].deepest, "m"});
   summary.results.push_back({"smallest_step", outcome.smallest_step, "s"});
   summary.results.push_back({"largest_step", outcome.largest_step, "s"});
+  summary.sources = dynamics::sources(scene.model);
   summary.ledger = scene.state.ledger;
   const auto updates = static_cast<double>(outcome.element_updates);
   summary.cost = {count_elements(scene.model), scene.state.step, outcome.element_updates, outcome.wall_seconds,
                   updates > 0 ? outcome.wall_seconds * 1e9 / updates : 0, threads()};
-  notes.push_back("the smallest step was asked for by " + outcome.limited_by);
+  notes.push_back("the smallest step was limited by " + outcome.limited_by);
   summary.notes = notes;
   return summary;
 }
@@ -225,12 +208,13 @@ void remove_summary(const std::string& folder) {
 /// What would be run, and what limits its step.
 int dry_run(Scene& scene, bool quiet) {
   if (quiet) return done;
-  const dynamics::Votes votes = dynamics::start(scene.model, scene.state, scene.forces);
-  const double dt = std::min(scene.time.safety * votes.element_step, votes.contact_step);
+  const dynamics::Votes& votes = dynamics::start(scene.model, scene.state, scene.forces);
+  const dynamics::Step first = dynamics::choose_step(votes, scene.time.safety);
   print_size(scene.model);
-  const std::string contact = votes.contact_step < 1e299 ? row(", contact %.4g s", votes.contact_step) : "";
-  std::printf("first step %.4g s, asked for by %s (elements %.4g s%s); about %.0f steps\n", dt, std::string(votes.by).c_str(),
-              votes.element_step, contact.c_str(), scene.time.end / dt);
+  const std::string contact = votes.contact.step < 1e299 ? row(", contact %.4g s", votes.contact.step) : "";
+  std::printf("first step %.4g s, limited by %s (stable step of elements %.4g s%s); about %.0f steps\n", first.dt,
+              dynamics::limited_by(first, dynamics::sources(scene.model)).c_str(), votes.elements.step, contact.c_str(),
+              scene.time.end / first.dt);
   return done;
 }
 
@@ -251,9 +235,9 @@ int run_case(const std::string& name, const CommandLine& line, const Build& buil
   std::vector<dynamics::Observer> observers = scene.watchers;
   observers.emplace_back([&recorder](const dynamics::View& view) { recorder(view); });
   const dynamics::Outcome outcome =
-      dynamics::run(scene.model, scene.state, scene.forces, scene.time, scene.recording.history, observers, scene.until);
-  const dynamics::Votes votes;
-  recorder.finish({scene.model, scene.state, scene.forces, votes, true});
+      dynamics::run(scene.model, scene.state, scene.forces, scene.time, scene.recording.history,
+                    {.observers = observers, .until = scene.until});
+  recorder.finish({scene.model, scene.state, scene.forces, true});
 
   std::vector<std::string> notes = table;
   if (recorder.not_finite() > 0) notes.push_back(row("%ld values that were no number stand as 0 in the ParaView files", static_cast<long>(recorder.not_finite())));
@@ -297,6 +281,7 @@ int answer_case(const std::string& name, const CommandLine& line, const Plan& pl
   const double last = found.time.empty() ? 0 : found.time.back();
   summary.ending = {found.stopped.empty() ? "reached_end" : found.stopped, found.reason, last, "", -1};
   summary.results = found.results;
+  summary.sources = found.sources;
   summary.ledger = found.ledger;
   summary.notes = found.notes;
   summary.cost = {found.elements, 0, 0, seconds, 0, threads()};
@@ -355,14 +340,12 @@ int from_command_line(int argc, char** argv, const std::string& name, const std:
 
 void make_ready(Scene& scene, std::vector<dynamics::Connected> connected) {
   std::vector<contact::Memory> memories;
-  std::vector<contact::Workspace> workspaces;
   for (dynamics::Connected& one : connected) {
     scene.gaps.push_back(one.gaps);
     memories.push_back(std::move(one.memory));
-    workspaces.push_back(std::move(one.workspace));
   }
   scene.state = dynamics::initial_state(scene.model, std::move(memories));
-  scene.forces = dynamics::make_forces(scene.model, std::move(workspaces));
+  scene.forces = dynamics::make_forces(scene.model);
 }
 
 int drive(int argc, char** argv, const std::string& name, const Build& build) {

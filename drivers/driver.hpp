@@ -51,7 +51,8 @@ struct Answer {
   std::vector<double> time;                ///< [rows] of the first, which is `counted`
   std::vector<std::vector<double>> rows;   ///< [rows][columns]
   std::vector<output::Result> results;
-  dynamics::Ledger ledger = {};            ///< empty where nothing moves
+  std::vector<Source> sources = {};        ///< of the ledger; empty where nothing moves
+  dynamics::Ledger ledger = {};
   std::string stopped = {}, reason = {};   ///< the word of an ending before the end, and its sentence
   output::Column counted = {"time", "s"};  ///< the first column
   std::vector<output::Grid> frames = {};   ///< of body.pvd, which is not written without them

@@ -20,13 +20,12 @@ constexpr double largest_displacement = 0.1;  // of a frame, over the size of th
 /// The scene moved as a mode moves it; the frequency stands for the time.
 output::Grid frame(const dynamics::Model& model, const dynamics::Mode& mode) {
   dynamics::State state = dynamics::initial_state(model, {});
-  const dynamics::Forces forces = dynamics::make_forces(model, {});
-  const dynamics::Votes votes;
+  const dynamics::Forces forces = dynamics::make_forces(model);
   const double size = (model.mesh.X.rowwise().maxCoeff() - model.mesh.X.rowwise().minCoeff()).norm();
   const double most = mode.shape.colwise().norm().maxCoeff();
   if (most > 0) state.x += largest_displacement * size / most * mode.shape;
   state.t = mode.frequency;
-  output::Grid grid = output::body_grid({model, state, forces, votes, true});
+  output::Grid grid = output::body_grid({model, state, forces, true});
   const auto keep = [](std::vector<Field>& fields) { std::erase_if(fields, [](const Field& field) { return !field.integer; }); };
   keep(grid.point_fields), keep(grid.cell_fields);  // forces and stresses are those of no motion
   return grid;

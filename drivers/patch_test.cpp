@@ -118,7 +118,7 @@ driver::Scene build(const input::CaseFile& file) {
                   {"pressure_error", "1", [p](const auto& view) { return pressure_error(view, p).mean(); }},
                   {"residual", "1", [](const auto& view) { return view.now.relaxation.residual; }}};
   scene.watchers.emplace_back([last, p](const dynamics::View& view) {
-    if (view.settled) *last = {stress_error(view, p), pressure_error(view, p)};
+    if (view.ledger_is_current) *last = {stress_error(view, p), pressure_error(view, p)};
   });
   scene.results = [last] {
     const auto& [stress, pressure] = *last;

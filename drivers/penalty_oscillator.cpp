@@ -47,7 +47,6 @@ constexpr double contact_height = 0.1;  // [m] over edges and vertices only a he
 struct Pair {
   dynamics::Model model;
   contact::Memory memory;
-  contact::Workspace workspace;
   Index apex;
 };
 
@@ -99,9 +98,10 @@ Pair pair_of(const Case& c, double height) {
   interface.area_kind = c.area;
   interface.reach = 10;
   interface.bounce_step = contact::step_for_a_bounce(0.005);
-  Pair pair{std::move(model), {}, contact::Workspace(interface), apex};
+  Pair pair{std::move(model), {}, apex};
+  contact::Workspace workspace(interface);
   contact::connect(interface, pair.model.mesh.X, {.from_initial_height = false, .clearance = 0, .given = contact_height},
-                   contact::InitialPenetration::refuse, pair.memory, pair.workspace);
+                   contact::InitialPenetration::refuse, pair.memory, workspace);
   pair.model.interfaces.push_back(std::move(interface));
   return pair;
 }
@@ -118,6 +118,7 @@ struct Bounce {
   double rebound = 0;                                        // [-] speed apart over speed of approach
   double voted_step = 0;                                     // [s]
   double booked = 0;                                         // [-] energy created by the ledger less that gained, over the impact's
+  std::vector<Source> sources;
   dynamics::Ledger ledger;
 };
 
@@ -127,16 +128,12 @@ double reduced_mass(const Case& c) { return c.apex_mass * c.base_mass / (c.apex_
 Bounce bounce(const Case& c, double phase, driver::Answer* record) {
   const double dt = c.step * std::sqrt(reduced_mass(c) / c.stiffness), start_gap = c.speed * dt * (1 - phase);
   Pair pair = pair_of(c, contact_height + start_gap);
-  std::vector<contact::Memory> memories;
-  std::vector<contact::Workspace> workspaces;
-  memories.push_back(std::move(pair.memory));
-  workspaces.push_back(std::move(pair.workspace));
-  dynamics::State state = dynamics::initial_state(pair.model, std::move(memories));
-  dynamics::Forces forces = dynamics::make_forces(pair.model, std::move(workspaces));
+  dynamics::State state = dynamics::initial_state(pair.model, {std::move(pair.memory)});
+  dynamics::Forces forces = dynamics::make_forces(pair.model);
   state.v(2, pair.apex) = -c.speed;
 
   Bounce seen;
-  seen.voted_step = dynamics::start(pair.model, state, forces).contact_step;
+  seen.voted_step = dynamics::start(pair.model, state, forces).contact.step;
   double last_gap = start_gap, touch = 0;
   const auto look = [&](double gap) {
     const double force = forces.force(2, pair.apex);
@@ -160,7 +157,8 @@ Bounce bounce(const Case& c, double phase, driver::Answer* record) {
     if (released) break;
   }
   seen.rebound = (state.v(2, pair.apex) - base_velocity(c, state)) / c.speed;
-  dynamics::settle(pair.model, state);
+  dynamics::update_ledger(pair.model, state);
+  seen.sources = dynamics::sources(pair.model);
   seen.ledger = state.ledger;
   const double impact = 0.5 * reduced_mass(c) * c.speed * c.speed;
   seen.booked = (dynamics::created(state.ledger.accounts[0]) - (state.ledger.kinetic - state.ledger.initial_kinetic)) / impact;
@@ -180,12 +178,8 @@ bool stays_bounded(const Case& c, double step) {
   for (Index node = 0; node < c.base_nodes; ++node) base.push_back(node);
   pair.model.loads.push_back(load::NodalForce{"on_apex", {pair.apex}, constant(-press)});
   pair.model.loads.push_back(load::NodalForce{"on_base", base, constant(press)});
-  std::vector<contact::Memory> memories;
-  std::vector<contact::Workspace> workspaces;
-  memories.push_back(std::move(pair.memory));
-  workspaces.push_back(std::move(pair.workspace));
-  dynamics::State state = dynamics::initial_state(pair.model, std::move(memories));
-  dynamics::Forces forces = dynamics::make_forces(pair.model, std::move(workspaces));
+  dynamics::State state = dynamics::initial_state(pair.model, {std::move(pair.memory)});
+  dynamics::Forces forces = dynamics::make_forces(pair.model);
   state.v(2, pair.apex) = 1e-6 * depth / dt;
   dynamics::start(pair.model, state, forces);
   constexpr int steps = 2000;
@@ -220,7 +214,7 @@ std::function<driver::Answer()> plan(const input::CaseFile& file) {
       booked = std::max(booked, std::abs(one.booked));
       momentum = std::max(momentum, std::abs(one.ledger.momentum.z() / (c.apex_mass * c.speed) + 1));
     }
-    answer.ledger = middle.ledger;
+    answer.sources = middle.sources, answer.ledger = middle.ledger;
     answer.results = {{"contact_time", middle.contact_time, "s"},
                       {"peak_force", middle.peak_force, "N"},
                       {"penetration", middle.penetration, "m"},

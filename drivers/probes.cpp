@@ -96,7 +96,11 @@ Measure of_source(const input::ProbeOptions& probe, const Scene& scene) {
   for (std::size_t l = 0; l < model.loads.size(); ++l)
     if (load::name(model.loads[l]) == probe.of && load::is_spring(model.loads[l]))
       return component(along, normal, [l](const View& view) -> Vec3 { return view.now.loads[l].force.col(0); });
-  return component(along, normal, dynamics::MeanForce(dynamics::account_of(scene.state.ledger, probe.of)));
+  return component(along, normal, [source = dynamics::source_of(model, probe.of), memory = dynamics::ProbeMemory{}](const View& view) mutable {
+    const Vec3 force = dynamics::mean_force(view, source, memory);
+    ++memory.samples;
+    return force;
+  });
 }
 
 std::string reason(const input::StopOptions& stop, const std::string& unit, double value) {

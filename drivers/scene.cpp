@@ -20,7 +20,7 @@ driver::Scene build(const input::CaseFile& file) {
   file.finish();
   input::add_bodies_and_actions(c, model);
   driver::make_ready(scene, input::add_contacts(c, model));
-  input::set_initial(c.actions, model, scene.state, scene.forces);
+  input::set_initial(c.actions, model, scene.state);
   driver::add_probes(c.probes, c.stops, scene);
   file.finish();
   return scene;

@@ -137,7 +137,7 @@ void press(const Case& c, double stiffness, driver::Scene& scene) {
     const double z = scene.model.mesh.X(2, node);
     u(2, node) = -weight * height / stiffness - weight / young * (height * z - z * z / 2);
   }
-  dynamics::displace(scene.model, scene.state, scene.forces, u, {});
+  dynamics::displace(scene.model, scene.state, u, {});
 }
 
 driver::Scene build(const input::CaseFile& file) {

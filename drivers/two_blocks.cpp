@@ -81,7 +81,7 @@ driver::Scene build(const input::CaseFile& file) {
   const double area = c.width * c.width;
   const auto stress = [area](const dynamics::View& view) {
     double force = 0;
-    for (const auto& element : view.forces.interfaces[0].elements) force -= element.apex.x();
+    for (const auto& element : view.now.interfaces[0].elements) force -= element.apex.x();
     return force / area;
   };
   struct Seen {
@@ -97,7 +97,7 @@ driver::Scene build(const input::CaseFile& file) {
     seen->peak = std::max(seen->peak, now);
     if (now > 0 && seen->first < 0) seen->first = view.now.t;
     if (now > 0) seen->last = view.now.t;
-    if (view.settled) seen->velocity_A = velocity(view, A), seen->velocity_B = velocity(view, B);
+    if (view.ledger_is_current) seen->velocity_A = velocity(view, A), seen->velocity_B = velocity(view, B);
   });
   scene.results = [=] {
     const double duration = seen->first < 0 ? 0 : seen->last - seen->first;

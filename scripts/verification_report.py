@@ -199,7 +199,7 @@ def provenance(out):
 # Limitations
 
 def limitations(outcomes):
-    """Every known miss with its analysis, and what the README says of what is not verified and not possible."""
+    """Every known miss with its analysis, and what the page of all cases says of what is not verified and not possible."""
     parts = ["<section class='page' id='limitations'>", NAVIGATION, "<h1>Limitations</h1>", "<h2>Known misses</h2>"]
     misses = [(out, row) for out in outcomes.values() for row in out.misses()]
     parts.append("<p>None at this level.</p>" if not misses else "<ul>" + "".join(
@@ -210,11 +210,11 @@ def limitations(outcomes):
         parts += ["<h2>Reported and not gated</h2>", "<ul>" + "".join(
             f"<li><a href='#{out.name}'>{out.name.replace('_', ' ')}</a>: {inline(row.name)}, {row.error} off. {sentence(row.because)}</li>"
             for out, row in reported) + "</ul>"]
-    readme = (verify.ROOT / "README.md").read_text(encoding="utf-8")
-    for heading in ("What is not", "Limitations"):
-        found = re.search(rf"^## {heading}\n(.*?)(?=^## |\Z)", readme, re.DOTALL | re.MULTILINE)
+    page = (verify.ROOT / tables.PAGE).read_text(encoding="utf-8")
+    for heading in ("What is not verified", "Limitations"):
+        found = re.search(rf"^## {heading}\n(.*?)(?=^## |\Z)", page, re.DOTALL | re.MULTILINE)
         if found:
-            parts += [f"<h2>{heading if heading != 'What is not' else 'What is not verified'}</h2>", rendered(found.group(1))]
+            parts += [f"<h2>{heading}</h2>", rendered(found.group(1))]
     return "\n".join([*parts, "</section>"])
 
 

@@ -1,4 +1,4 @@
-"""What the runs write into the tree: the table of a case in its README, the table of all in the README at the top.
+"""What the runs write into the tree: the table of a case in its README, the table of all cases in docs/verified.md.
 
 `stale` says where the tree differs from the runs. An error counts as the same within a twentieth of itself or a
 hundredth of its limit: another processor rounds otherwise; and below 1e-8, where it is rounding, within its limit.
@@ -8,6 +8,7 @@ import re
 import verify
 
 BEGIN, END = "<!-- written by scripts/verify.py -->", "<!-- end of what scripts/verify.py writes -->"
+PAGE = "docs/verified.md"  # holds the table of all cases
 SECTIONS = {"E": "Elements", "P": "Plates", "M": "Materials", "I": "Impact", "C": "Contact", "W": "Whole problems",
             "invariant": "Invariants", "": "Others"}
 ROUNDING = 1e-8
@@ -66,12 +67,12 @@ def suite_line(out):
     error, limit, name = (closest.error, closest.limit, closest.name) if closest else ("", "", "")
     status = "FAIL" if not out.good() else f"{missed} MISS" if missed else "pass"
     numbers = f" {', '.join(out.catalogue)}" if out.catalogue else ""
-    case = f"[{out.name}](verification/{out.name}/README.md){numbers}"
+    case = f"[{out.name}](../verification/{out.name}/README.md){numbers}"
     return f"| {case} | {out.claim} | {out.evidence} | {name} | {error} | {limit} | {status} |"
 
 
 def suite_block(lines, sections):
-    """The generated part of the README at the top: lines by name of the case, a table for each section."""
+    """The generated part of the page of all cases: lines by name of the case, a table for each section."""
     text = [BEGIN, ""]
     for letter, title in SECTIONS.items():
         of_section = [lines[name] for name in sorted(lines) if sections[name] == letter]
@@ -82,9 +83,15 @@ def suite_block(lines, sections):
 
 
 def lines_of(text):
-    """The lines of the table of all that stand in a README, by name of the case."""
+    """The lines of the table of all that stand in the text of the page, by name of the case."""
     block = text[text.find(BEGIN):text.find(END)] if BEGIN in text else ""
-    return {found.group(1): line for line in block.splitlines() if (found := re.match(r"\| \[(\w+)\]\(verification/", line))}
+    return {found.group(1): line for line in block.splitlines() if (found := re.match(r"\| \[(\w+)\]\(\.\./verification/", line))}
+
+
+def page_lines(root):
+    """The lines that stand in the tree; none where the page is missing."""
+    page = root / PAGE
+    return lines_of(page.read_text(encoding="utf-8")) if page.is_file() else {}
 
 
 def put_block(path, block):
@@ -103,12 +110,13 @@ def write(root, outcomes):
             if picture:
                 (folder / f"{picture}.svg").write_text(svg, encoding="utf-8")
         put_block(folder / "README.md", case_block(out))
-    readme = root / "README.md"
+    page = root / PAGE
+    page.parent.mkdir(exist_ok=True)
     names = verify.names_of_all(root)
-    old = lines_of(readme.read_text(encoding="utf-8"))
+    old = page_lines(root)
     lines = {name: suite_line(outcomes[name]) if name in outcomes else old[name] for name in names if name in outcomes or name in old}
     accepted = {name: verify.Case(name, root).accept for name in lines}
-    put_block(readme, suite_block(lines, {name: section_of(one.CATALOGUE, one.EVIDENCE) for name, one in accepted.items()}))
+    put_block(page, suite_block(lines, {name: section_of(one.CATALOGUE, one.EVIDENCE) for name, one in accepted.items()}))
 
 
 # ------------------------------------------------------------------------------------------------
@@ -117,8 +125,8 @@ def write(root, outcomes):
 def stale(root, names, folder):
     """Where tables in the tree differ from the quick outcomes in `folder`: one sentence each."""
     faults = []
-    suite = lines_of((root / "README.md").read_text(encoding="utf-8"))
-    faults += [f"README.md: has a line of {name}, which is no case" for name in suite if name not in names]
+    suite = page_lines(root)
+    faults += [f"{PAGE}: has a line of {name}, which is no case" for name in suite if name not in names]
     for name in names:
         try:
             out = verify.Outcome.load(folder / f"{name}.json")
@@ -127,9 +135,9 @@ def stale(root, names, folder):
             continue
         faults += stale_case(root / "verification" / name, out)
         if name not in suite:
-            faults.append(f"README.md: has no line of {name}; scripts/verify --full --write makes it")
+            faults.append(f"{PAGE}: has no line of {name}; scripts/verify --full --write makes it")
         elif not same_line(suite[name], suite_line(out), quick_part(out).closest()):
-            faults.append(f"README.md: the line of {name} is stale:\n  {suite[name]}\n  {suite_line(out)}")
+            faults.append(f"{PAGE}: the line of {name} is stale:\n  {suite[name]}\n  {suite_line(out)}")
     return faults
 
 

@@ -2,6 +2,8 @@
 // The one door to threads. Results never depend on their number: every loop below writes to places
 // of its own, and sums over things are taken in the order of the things.
 
+#include <algorithm>
+
 #include "base/types.hpp"
 
 namespace nereid {
@@ -26,6 +28,24 @@ void parallel_for(Index count, Index grain, Body&& body) {
   };
   if (count < 2 * grain) return range(0, count);
   share_loop(count, [](void* context, Index first, Index last) { (*static_cast<decltype(range)*>(context))(first, last); }, &range);
+}
+
+/// Sum over i < count of term(i): in ranges of a fixed length, whose sums are added in order.
+///
+/// partial  scratch, which grows once to the number of ranges
+template <class Term>
+double ordered_sum(Index count, std::vector<double>& partial, Term&& term) {
+  constexpr Index length = 512;  // fixed, so that no number of threads changes a bit
+  const Index ranges = (count + length - 1) / length;
+  partial.resize(ranges);
+  parallel_for(ranges, 8, [&](Index r) {
+    double sum = 0;
+    for (Index i = r * length; i < std::min(count, (r + 1) * length); ++i) sum += term(i);
+    partial[r] = sum;
+  });
+  double sum = 0;
+  for (const double p : partial) sum += p;
+  return sum;
 }
 
 }  // namespace nereid

@@ -375,7 +375,7 @@ void search(const Interface& interface, const Vectors& x, Memory& memory, Worksp
     if (found[a] < 0) continue;
     memory.feature[a] = {found[a], Kind::facet, 0};
     if (memory.status[a] == Status::lost) memory.status[a] = Status::open;
-    workspace.elements[a].found_anew = true;
+    memory.elements[a].found_anew = true;
     ++memory.recovered;
   }
 }
@@ -383,9 +383,7 @@ void search(const Interface& interface, const Vectors& x, Memory& memory, Worksp
 }  // namespace
 
 Workspace::Workspace(const Interface& interface)
-    : elements(interface.apexes.size()),
-      friction(interface.friction.coefficient > 0 ? interface.apexes.size() : 0),
-      broad(static_cast<Index>(interface.base.facets.cols())),
+    : broad(static_cast<Index>(interface.base.facets.cols())),
       found(interface.apexes.size(), -1),
       spring_sum(Scalars::Zero(static_cast<Eigen::Index>(interface.base.ring_begin.size()) - 1)),
       turn_sum(Scalars::Zero(interface.friction.coefficient > 0 && !interface.turn_of_node.empty() ? spring_sum.size() : 0)) {}
@@ -429,7 +427,9 @@ InitialGaps connect(Interface& interface, const Vectors& x, const ContactHeight&
   memory.status.assign(count, Status::lost);
   memory.gap.assign(count, std::numeric_limits<double>::quiet_NaN());
   memory.stored.assign(count, 0.0);
+  memory.elements.resize(count);
   if (interface.friction.coefficient > 0) {
+    memory.friction.resize(count);
     memory.slip.assign(count, Vec3::Zero());
     memory.stick_stored.assign(count, 0.0);
   }
@@ -438,7 +438,7 @@ InitialGaps connect(Interface& interface, const Vectors& x, const ContactHeight&
   interface.contact_height = Scalars::Constant(count, height.given);
   search(interface, x, memory, workspace);
   memory.recovered = 0;
-  for (ElementForces& element : workspace.elements) element.found_anew = false;
+  for (ElementForces& element : memory.elements) element.found_anew = false;
 
   InitialGaps gaps;
   gaps.apexes = count;
@@ -489,14 +489,14 @@ InitialGaps connect(Interface& interface, const Vectors& x, const ContactHeight&
 
 void advance(const Interface& interface, const Vectors& x, const Vectors& v, const Vectors& w, double dt, Memory& memory,
              Workspace& workspace) {
-  std::vector<ElementForces>& forces = workspace.elements;
+  std::vector<ElementForces>& forces = memory.elements;
   const bool walks = interface.kind == InterfaceKind::contact;
   if (walks && memory.updates % interface.search_every == 0 && memory.updates > 0) search(interface, x, memory, workspace);
   ++memory.updates;
   parallel_for(static_cast<Index>(interface.apexes.size()), 64, [&](Index a) {
     advance_apex(interface, x, v, dt, a, memory, forces[a]);
-    if (!workspace.friction.empty())
-      advance_friction(interface, x, v, w, dt, a, forces[a], memory, workspace.friction[a], forces[a].angular_impulse);
+    if (!memory.friction.empty())
+      advance_friction(interface, x, v, w, dt, a, forces[a], memory, memory.friction[a], forces[a].angular_impulse);
   });
   for (std::size_t a = 0; a < forces.size(); ++a) {
     if (memory.status[a] == Status::closed) memory.deepest = std::max(memory.deepest, -memory.gap[a]);
@@ -504,10 +504,10 @@ void advance(const Interface& interface, const Vectors& x, const Vectors& v, con
     memory.damped += forces[a].dissipated;
     memory.angular_impulse += forces[a].angular_impulse;
     double created = forces[a].created;
-    if (!workspace.friction.empty()) {
-      memory.work += workspace.friction[a].work;
-      memory.rubbed += workspace.friction[a].dissipated;
-      created += workspace.friction[a].created;
+    if (!memory.friction.empty()) {
+      memory.work += memory.friction[a].work;
+      memory.rubbed += memory.friction[a].dissipated;
+      created += memory.friction[a].created;
     }
     if (!forces[a].moved) continue;
     memory.created_by_reconnection += created;
@@ -516,69 +516,102 @@ void advance(const Interface& interface, const Vectors& x, const Vectors& v, con
   }
 }
 
-void add_forces(const Interface& interface, const Workspace& workspace, Vectors& force, Vectors& moment) {
-  const std::vector<ElementForces>& forces = workspace.elements;
+void add_forces(const Interface& interface, const Memory& memory, Vectors& force, Vectors& moment) {
+  const std::vector<ElementForces>& forces = memory.elements;
   for (std::size_t a = 0; a < forces.size(); ++a) {
     if (!forces[a].closed) continue;
     force.col(interface.apexes[a]) += forces[a].scale * forces[a].apex;
     for (int i = 0; i < forces[a].count; ++i) force.col(forces[a].node[i]) += forces[a].scale * forces[a].force[i];
   }
-  for (const FrictionForces& friction : workspace.friction)
+  for (const FrictionForces& friction : memory.friction)
     if (friction.acts) add_friction(friction.touch, friction.force, interface.turn_of_node, force, moment);
 }
 
 namespace {
 
-/// Largest squared frequency of sticking friction, whose moments turn plate nodes too; `translation` is
-/// that of the normal springs, sticks being parallel to them. [1/s2]
-double stick_frequency_squared(const Interface& interface, const Scalars& inertia, double translation, Workspace& workspace) {
-  double most = 0;
-  if (!interface.turn_of_node.empty()) {
-    Scalars& sum = workspace.turn_sum;
-    const auto arms = [](const FrictionForces& friction, auto&& visit) {  // shares of the turning nodes [m]
-      if (!friction.acts) return;
-      const Touch& touch = friction.touch;
-      if (!touch.apex_arm.isZero(0)) visit(touch.apex, touch.apex_arm.norm());
-      for (int I = 0; touch.base_turns && I < 3; ++I) visit(touch.node[I], touch.weight[I] * touch.base_arm.norm());
-    };
-    for (const FrictionForces& f : workspace.friction) arms(f, [&](Index node, double) { sum(node) = 0; });
-    for (const FrictionForces& f : workspace.friction) arms(f, [&](Index node, double share) { sum(node) += f.stiffness * share; });
-    for (const FrictionForces& f : workspace.friction) {
-      double omega_squared = 0;
-      arms(f, [&](Index node, double share) { omega_squared += share * sum(node) / inertia(interface.turn_of_node[node]); });
-      most = std::max(most, omega_squared);
-    }
+/// The largest squared frequency among the apexes. [1/s2]
+struct Fastest {
+  double omega_squared = 0;
+  Index apex = -1;  // in Interface::apexes
+  void see(double value, Index a) {
+    if (value > omega_squared) omega_squared = value, apex = a;
   }
-  return interface.friction.stick * translation + most / interface.pass_share;
+};
+
+/// Largest squared frequency of the moments of sticking friction, which turn plate nodes.
+Fastest moments_of_friction(const Interface& interface, const Scalars& inertia, const Memory& memory, Workspace& workspace) {
+  Fastest fastest;
+  if (interface.turn_of_node.empty()) return fastest;
+  Scalars& sum = workspace.turn_sum;
+  const auto arms = [](const FrictionForces& friction, auto&& visit) {  // shares of the turning nodes [m]
+    if (!friction.acts) return;
+    const Touch& touch = friction.touch;
+    if (!touch.apex_arm.isZero(0)) visit(touch.apex, touch.apex_arm.norm());
+    for (int I = 0; touch.base_turns && I < 3; ++I) visit(touch.node[I], touch.weight[I] * touch.base_arm.norm());
+  };
+  for (const FrictionForces& f : memory.friction) arms(f, [&](Index node, double) { sum(node) = 0; });
+  for (const FrictionForces& f : memory.friction) arms(f, [&](Index node, double share) { sum(node) += f.stiffness * share; });
+  for (std::size_t a = 0; a < memory.friction.size(); ++a) {
+    double omega_squared = 0;
+    arms(memory.friction[a],
+         [&](Index node, double share) { omega_squared += share * sum(node) / inertia(interface.turn_of_node[node]); });
+    fastest.see(omega_squared, static_cast<Index>(a));
+  }
+  return fastest;
+}
+
+/// Largest squared frequency of the normal springs between apexes and bases.
+Fastest normal_springs(const Interface& interface, const Scalars& mass, const Memory& memory, Workspace& workspace) {
+  Scalars& sum = workspace.spring_sum;
+  const std::vector<ElementForces>& elements = memory.elements;
+  for (const ElementForces& e : elements)
+    for (int b = 0; b < e.count; ++b) sum(e.node[b]) = 0;
+  for (const ElementForces& e : elements)
+    for (int b = 0; b < e.count; ++b) sum(e.node[b]) += e.stiffness * e.share[b];
+  Fastest fastest;
+  for (std::size_t a = 0; a < elements.size(); ++a) {
+    const ElementForces& e = elements[a];
+    if (e.count == 0) continue;
+    double omega_squared = e.stiffness / mass(interface.apexes[a]);
+    for (int b = 0; b < e.count; ++b) omega_squared += e.share[b] * sum(e.node[b]) / mass(e.node[b]);
+    fastest.see(omega_squared, static_cast<Index>(a));
+  }
+  return fastest;
 }
 
 }  // namespace
 
-double stable_step(const Interface& interface, const Scalars& mass, const Scalars& inertia, Workspace& workspace) {
-  const auto count = static_cast<Index>(interface.apexes.size());
-  Scalars& sum = workspace.spring_sum;
-  const std::vector<ElementForces>& elements = workspace.elements;
-  for (const ElementForces& e : elements)
-    for (int b = 0; b < e.count; ++b) sum(e.node[b]) = 0;
-  for (Index a = 0; a < count; ++a) {
-    if (elements[a].count == 0) continue;
-    const double k = elements[a].stiffness;
-    for (int b = 0; b < elements[a].count; ++b) sum(elements[a].node[b]) += k * elements[a].share[b];
-  }
-  double most = 0;
-  for (Index a = 0; a < count; ++a) {
-    if (elements[a].count == 0) continue;
-    double omega_squared = elements[a].stiffness / mass(interface.apexes[a]);
-    for (int b = 0; b < elements[a].count; ++b)
-      omega_squared += elements[a].share[b] * sum(elements[a].node[b]) / mass(elements[a].node[b]);
-    most = std::max(most, omega_squared);
-  }
-  if (!(most > 0)) return 1e300;
-  most /= interface.pass_share;
-  if (interface.kind == InterfaceKind::bonded) return linear_step / std::sqrt(most);
-  const double bounce = interface.bounce_step / std::sqrt(most);
-  if (workspace.friction.empty()) return bounce;
-  return std::min(bounce, linear_step / std::sqrt(stick_frequency_squared(interface, inertia, most, workspace)));
+StepLimit stable_step(const Interface& interface, const Scalars& mass, const Scalars& inertia, const Memory& memory,
+                      Workspace& workspace) {
+  const Fastest normal = normal_springs(interface, mass, memory, workspace);
+  if (normal.apex < 0) return {};
+  const double omega_squared = normal.omega_squared / interface.pass_share;
+  const Index apex = interface.apexes[normal.apex];
+  if (interface.kind == InterfaceKind::bonded) return {linear_step / std::sqrt(omega_squared), apex};
+  const StepLimit bounce{interface.bounce_step / std::sqrt(omega_squared), apex};
+  if (memory.friction.empty()) return bounce;
+  // sticks are parallel to the normal springs, and their moments turn plate nodes besides
+  const Fastest turning = moments_of_friction(interface, inertia, memory, workspace);
+  const double most = interface.friction.stick * omega_squared + turning.omega_squared / interface.pass_share;
+  const StepLimit stick{linear_step / std::sqrt(most), turning.apex >= 0 ? interface.apexes[turning.apex] : apex};
+  return stick.step < bounce.step ? stick : bounce;
+}
+
+Source source(const Interface& interface) {
+  const bool rubs = interface.friction.coefficient > 0;
+  return {interface.name, SourceKind::interface,
+          rubs ? std::vector{Stored::penalty, Stored::stick} : std::vector{Stored::penalty},
+          rubs ? std::vector{Dissipated::damping, Dissipated::friction} : std::vector{Dissipated::damping}};
+}
+
+void post(const Interface&, const Memory& memory, Account& account) {
+  account.work = memory.work;
+  account.hold(Stored::penalty, stored(memory));
+  account.hold(Stored::stick, stick_stored(memory));
+  account.dissipated[Dissipated::damping] = memory.damped;
+  account.dissipated[Dissipated::friction] = memory.rubbed;
+  account.created_by_reconnection = memory.created_by_reconnection;
+  account.angular_impulse = memory.angular_impulse;
 }
 
 ElementView view(const Interface& interface, const Vectors& x, const Memory& memory, Index apex) {

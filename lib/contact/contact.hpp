@@ -16,6 +16,8 @@
 
 #include <string>
 
+#include "base/account.hpp"
+#include "base/step_limit.hpp"
 #include "contact/base_surface.hpp"
 #include "contact/friction.hpp"
 
@@ -90,10 +92,39 @@ enum class Status : int {
   beyond = 2,  ///< past the border of the base surface
 };
 
-/// What an interface remembers.
+/// Forces of one apex and its bases, and what its last step did.
+struct ElementForces {
+  static constexpr int most_nodes = 24;  ///< eight features of up to three nodes
+  bool closed = false;
+  Vec3 apex = Vec3::Zero();              ///< [N]
+  int count = 0;
+  std::array<Index, most_nodes> node{};
+  double stiffness = 0;                  ///< [N/m] of the spring between the apex and its bases
+  std::array<double, most_nodes> share{};  ///< of each base node in it; a node named again has none
+  std::array<Vec3, most_nodes> force;    ///< [N] on the base nodes, where closed
+  double scale = 1;                      ///< of all these forces: 1 + retardation d|d|/dt / |d|, not negative
+  double dissipated = 0;                 ///< [J] in the last step
+  double work = 0, created = 0;          ///< [J] in the last step
+  Vec3 angular_impulse = Vec3::Zero();   ///< [N m s] about the origin in the last step, see Memory
+  bool moved = false;                    ///< to another feature in the last step
+  bool found_anew = false;               ///< by the search before this step
+};
+
+/// Friction on one apex, and what its last step did.
+struct FrictionForces {
+  bool acts = false;
+  Touch touch;
+  Vec3 force = Vec3::Zero();         ///< [N] on the apex
+  double stiffness = 0;              ///< [N/m] of the stick
+  double work = 0, dissipated = 0, created = 0;  ///< [J] in the last step
+};
+
+/// What an interface remembers. The forces are those at the end of the last step: the work of the next one needs them.
 struct Memory {
   std::vector<Feature> feature;         ///< [apexes] the element in use
   std::vector<Status> status;           ///< [apexes]
+  std::vector<ElementForces> elements;  ///< [apexes]
+  std::vector<FrictionForces> friction; ///< [apexes]; empty without friction
   std::vector<double> gap;              ///< [m] [apexes], open for positive; NaN where lost
   std::vector<double> stored;           ///< [J] by the penalty, [apexes]
   std::vector<Vec3> slip;               ///< [m] elastic part of the slip, [apexes]; empty without friction
@@ -114,38 +145,13 @@ struct Memory {
 double stored(const Memory&);        ///< [J] by the penalty
 double stick_stored(const Memory&);  ///< [J] by the elastic stick of friction
 
-/// Forces of one apex and its bases, and what its last step did; thrown away at will.
-struct ElementForces {
-  static constexpr int most_nodes = 24;  ///< eight features of up to three nodes
-  bool closed = false;
-  Vec3 apex = Vec3::Zero();              ///< [N]
-  int count = 0;
-  std::array<Index, most_nodes> node{};
-  double stiffness = 0;                  ///< [N/m] of the spring between the apex and its bases
-  std::array<double, most_nodes> share{};  ///< of each base node in it; a node named again has none
-  std::array<Vec3, most_nodes> force;    ///< [N] on the base nodes, where closed
-  double scale = 1;                      ///< of all these forces: 1 + retardation d|d|/dt / |d|, not negative
-  double dissipated = 0;                 ///< [J] in the last step
-  double work = 0, created = 0;          ///< [J] in the last step
-  Vec3 angular_impulse = Vec3::Zero();   ///< [N m s] about the origin in the last step, see Memory
-  bool moved = false;                    ///< to another feature in the last step
-  bool found_anew = false;               ///< by the search before this step
-};
-
-/// Friction on one apex; thrown away at will.
-struct FrictionForces {
-  bool acts = false;
-  Touch touch;
-  Vec3 force = Vec3::Zero();         ///< [N] on the apex
-  double stiffness = 0;              ///< [N/m] of the stick
-  double work = 0, dissipated = 0, created = 0;  ///< [J] in the last step
-};
+/// The schema of an interface in the ledger, and its values now.
+Source source(const Interface&);
+void post(const Interface&, const Memory&, Account&);
 
 /// What an interface works with and may throw away between steps.
 struct Workspace {
   explicit Workspace(const Interface&);
-  std::vector<ElementForces> elements;  ///< [apexes]
-  std::vector<FrictionForces> friction; ///< [apexes]; empty without friction
   BroadSearch broad;
   Subset found;                         ///< [apexes] facet found by a search, or -1
   Scalars spring_sum;                   ///< [N/m] [nodes of the mesh] stiffness of all springs at a base node
@@ -178,13 +184,13 @@ InitialGaps connect(Interface&, const Vectors& x, const ContactHeight&, InitialP
 /// Moves the apexes of an interface to the closest features at x, and computes their forces.
 ///
 /// v  [m/s] and w [rad/s] (of plate nodes) constant over the step that led to x;  dt  [s], zero at the start
-/// Work is posted by the trapezoid rule, with the forces found in the workspace and the new ones.
+/// Work is posted by the trapezoid rule, with the forces found in the memory and the new ones.
 void advance(const Interface&, const Vectors& x, const Vectors& v, const Vectors& w, double dt, Memory&, Workspace&);
 
 /// Adds the forces of all elements to the nodes [N], and their moments to plate nodes [N m], apex by apex.
-void add_forces(const Interface&, const Workspace&, Vectors& force, Vectors& moment);
+void add_forces(const Interface&, const Memory&, Vectors& force, Vectors& moment);
 
-/// The largest step at which a bounce creates no more energy than the interface's bound. [s]
+/// The largest step at which a bounce creates no more energy than the interface's bound, and the apex that sets it.
 ///
 /// An apex and its base are a spring,  omega^2 = k (1/m_apex + sum of w_I S_I / (k m_I)),  where S_I
 /// sums the stiffness of all springs at base node I: springs that share nodes add up. What never opens
@@ -195,7 +201,7 @@ void add_forces(const Interface&, const Workspace&, Vectors& force, Vectors& mom
 /// by it. With omega_1^2 <= s omega^2 and omega_2^2 <= (1 - s) omega^2 both together are within omega^2.
 ///
 /// mass [kg] of the nodes;  inertia [kg m2] of the columns of w
-double stable_step(const Interface&, const Scalars& mass, const Scalars& inertia, Workspace&);
+StepLimit stable_step(const Interface&, const Scalars& mass, const Scalars& inertia, const Memory&, Workspace&);
 
 /// [-] dt omega of a spring that never opens. The linear bound is 2; a quarter of it lowers the bound of
 /// the elements that share its nodes by 3 % at most, which the run's safety of 0.9 covers.

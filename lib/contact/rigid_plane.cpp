@@ -77,11 +77,29 @@ Vec3 force(const RigidPlane& plane, const PlaneMemory& memory) {
   return sum;
 }
 
-double stable_step(const RigidPlane& plane, const Scalars& mass) {
+StepLimit stable_step(const RigidPlane& plane, const Scalars& mass) {
   double most = 0;
-  for (std::size_t i = 0; i < plane.nodes.size(); ++i)
-    most = std::max(most, plane.penalty * plane.area(static_cast<Eigen::Index>(i)) / mass(plane.nodes[i]));
-  return most > 0 ? plane.bounce_step / std::sqrt(most * std::max(1.0, plane.friction.stick)) : 1e300;
+  Index at = -1;
+  for (std::size_t i = 0; i < plane.nodes.size(); ++i) {
+    const double omega_squared = plane.penalty * plane.area(static_cast<Eigen::Index>(i)) / mass(plane.nodes[i]);
+    if (omega_squared > most) most = omega_squared, at = plane.nodes[i];
+  }
+  if (at < 0) return {};
+  return {plane.bounce_step / std::sqrt(most * std::max(1.0, plane.friction.stick)), at};
+}
+
+Source source(const RigidPlane& plane) {
+  if (!(plane.friction.coefficient > 0)) return {plane.name, SourceKind::rigid_plane, {Stored::penalty}, {}};
+  return {plane.name, SourceKind::rigid_plane, {Stored::penalty, Stored::stick}, {Dissipated::friction}};
+}
+
+void post(const RigidPlane&, const PlaneMemory& memory, Account& account) {
+  account.work = memory.work;
+  account.hold(Stored::penalty, memory.stored);
+  account.hold(Stored::stick, memory.stick_stored);
+  account.dissipated[Dissipated::friction] = memory.rubbed;
+  account.impulse = memory.impulse;
+  account.angular_impulse = memory.angular_impulse;
 }
 
 }  // namespace nereid::contact

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "base/account.hpp"
+#include "base/step_limit.hpp"
 #include "contact/friction.hpp"
 #include "mesh/mesh.hpp"
 
@@ -39,7 +41,11 @@ void add_forces(const RigidPlane&, const PlaneMemory&, Vectors& force);
 /// Sum of the forces on all nodes, with friction. [N]
 Vec3 force(const RigidPlane&, const PlaneMemory&);
 
-/// The largest step at which a bounce creates no more energy than the plane's bound. [s]
-double stable_step(const RigidPlane&, const Scalars& mass);
+/// The largest step at which a bounce creates no more energy than the plane's bound, and the node that sets it.
+StepLimit stable_step(const RigidPlane&, const Scalars& mass);
+
+/// The schema of a plane in the ledger, and its values now.
+Source source(const RigidPlane&);
+void post(const RigidPlane&, const PlaneMemory&, Account&);
 
 }  // namespace nereid::contact

@@ -119,11 +119,11 @@ double element_step(const Model& model) {
 
 /// Springs that the nodes' masses allow at a given step: 1/2 omega^2 m at each apex, and no more than that
 /// in sum at each base node. [N/m] [apexes]
-Scalars springs_from_masses(const contact::Interface& interface, const Scalars& mass, double step, contact::Workspace& workspace) {
+Scalars springs_from_masses(const contact::Interface& interface, const Scalars& mass, double step, const contact::Memory& memory) {
   const double rate = interface.bounce_step / step, half = 0.5 * rate * rate;
   const auto count = static_cast<Index>(interface.apexes.size());
   Scalars spring(count), sum = Scalars::Zero(mass.size());
-  const auto& elements = workspace.elements;
+  const auto& elements = memory.elements;
   for (Index a = 0; a < count; ++a) {
     spring(a) = half * mass(interface.apexes[a]);
     for (int b = 0; b < elements[a].count; ++b) sum(elements[a].node[b]) += elements[a].share[b] * spring(a);
@@ -139,11 +139,13 @@ Scalars springs_from_masses(const contact::Interface& interface, const Scalars& 
   return spring;
 }
 
-/// Puts an apex on every base, at rest, and leaves what that gives in the workspace.
-void try_out(const contact::Interface& interface, const Model& model, const contact::Memory& memory, contact::Workspace& workspace) {
+/// Puts an apex on every base, at rest: the memory that this gives.
+contact::Memory tried_out(const contact::Interface& interface, const Model& model, const contact::Memory& memory,
+                          contact::Workspace& workspace) {
   contact::Memory trial = memory;
   const Vectors rest = Vectors::Zero(3, model.mesh.X.cols()), no_turn = Vectors::Zero(3, model.inertia.size());
   contact::advance(interface, model.mesh.X, rest, no_turn, 0, trial, workspace);
+  return trial;
 }
 
 Connected connect_one_pass(Model& model, const std::string& name, const std::string& apex_surface, const std::string& base_surface,
@@ -181,17 +183,17 @@ Connected connect_one_pass(Model& model, const std::string& name, const std::str
   const Vec3 extent = model.mesh.X.rowwise().maxCoeff() - model.mesh.X.rowwise().minCoeff();
   interface.reach = extent.norm();
 
-  Connected connected{{}, {}, contact::Workspace(interface)};
-  connected.gaps = contact::connect(interface, model.mesh.X, options.height, options.initial_penetration, connected.memory,
-                                    connected.workspace);
+  Connected connected;
+  contact::Workspace workspace(interface);
+  connected.gaps = contact::connect(interface, model.mesh.X, options.height, options.initial_penetration, connected.memory, workspace);
   if (options.penalty_from == PenaltyFrom::masses) {
-    try_out(interface, model, connected.memory, connected.workspace);
-    interface.spring = share * springs_from_masses(interface, model.mass, options.step_share * element_step(model), connected.workspace);
+    const contact::Memory trial = tried_out(interface, model, connected.memory, workspace);
+    interface.spring = share * springs_from_masses(interface, model.mass, options.step_share * element_step(model), trial);
     interface.penalty = interface.spring.sum() / interface.area.sum();
   }
   if (options.damping > 0) {
-    try_out(interface, model, connected.memory, connected.workspace);
-    const double step = contact::stable_step(interface, model.mass, model.inertia, connected.workspace);
+    const contact::Memory trial = tried_out(interface, model, connected.memory, workspace);
+    const double step = contact::stable_step(interface, model.mass, model.inertia, trial, workspace).step;
     interface.retardation = 2 * options.damping * step / interface.bounce_step;  // 2 zeta / omega
   }
   model.interfaces.push_back(std::move(interface));

@@ -32,11 +32,10 @@ struct InterfaceOptions {
   double created_in_a_bounce = 0.005;  ///< [-] bound on the energy of a single bounce
 };
 
-/// An interface joined to a model, with the memory and workspace that its state needs.
+/// An interface joined to a model, with the memory that its state needs.
 struct Connected {
   contact::InitialGaps gaps;
   contact::Memory memory;
-  contact::Workspace workspace;
 };
 
 /// Stiffness per area with which a body resists pressure on a surface, at its stiffest element.

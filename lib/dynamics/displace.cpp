@@ -33,7 +33,7 @@ Vectors normals(const Model& model) {
 
 }  // namespace
 
-element::Vote displace(const Model& model, State& now, Forces& f, const Vectors& u, const std::vector<Mat3>& gradient, int steps) {
+element::Vote displace(const Model& model, State& now, const Vectors& u, const std::vector<Mat3>& gradient, int steps) {
   check(u.cols() == now.x.cols() && static_cast<Eigen::Index>(gradient.size()) == now.w.cols() && steps > 0,
         "a displacement for every node and a gradient for every plate node");
   const double dt = duration / steps;
@@ -57,7 +57,7 @@ element::Vote displace(const Model& model, State& now, Forces& f, const Vectors&
     }
     now.x = model.mesh.X + (static_cast<double>(s + 1) / steps) * u;
     for (std::size_t b = 0; b < model.blocks.size(); ++b) {
-      const element::Vote vote = element::advance(model.blocks[b], now.x, v, w, dt, now.blocks[b], f.blocks[b]);
+      const element::Vote vote = element::advance(model.blocks[b], now.x, v, w, dt, now.blocks[b], now.tiles[b]);
       if (vote.size < smallest.size || std::isnan(vote.size)) smallest = vote;
     }
   }

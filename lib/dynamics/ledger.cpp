@@ -4,32 +4,30 @@
 
 namespace nereid::dynamics {
 
-namespace {
-double sum(const std::vector<Share>& shares) {
-  double total = 0;
-  for (const Share& share : shares) total += share.value;
-  return total;
+double stored(const Account& account) {
+  double sum = 0;
+  for (std::size_t c = 0; c < words_of_stored.size(); ++c) sum += account.stored[static_cast<Stored>(c)];
+  return sum;
 }
-}  // namespace
-
-double stored(const Account& a) { return sum(a.stored); }
-double dissipated(const Account& a) { return sum(a.dissipated); }
+double dissipated(const Account& account) {
+  double sum = 0;
+  for (std::size_t c = 0; c < words_of_dissipated.size(); ++c) sum += account.dissipated[static_cast<Dissipated>(c)];
+  return sum;
+}
 double created(const Account& a) { return a.work + stored(a) + dissipated(a); }
 
 double initial_stored(const Ledger& ledger) {
-  double total = 0;
-  for (const Account& a : ledger.accounts)
-    for (const Share& share : a.stored) total += share.at_start;
-  return total;
+  double sum = 0;
+  for (const Account& account : ledger.accounts)
+    for (std::size_t c = 0; c < words_of_stored.size(); ++c) sum += account.at_start[static_cast<Stored>(c)];
+  return sum;
 }
 
 double work_from_outside(const Ledger& ledger) {
-  double total = 0;
-  for (const Account& a : ledger.accounts) {
-    const auto outside = [](const Share& share) { return share.name == "outside"; };
-    if (a.kind == "gravity" || std::any_of(a.stored.begin(), a.stored.end(), outside)) total += std::max(0.0, a.work);
-  }
-  return total;
+  double sum = 0;
+  for (const Account& account : ledger.accounts)
+    if (account.stored[Stored::outside] != 0 || account.stored[Stored::potential] != 0) sum += std::max(0.0, account.work);
+  return sum;
 }
 
 double energy_scale(const Ledger& ledger) {

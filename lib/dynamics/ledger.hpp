@@ -1,36 +1,16 @@
 #pragma once
 // What a run owes an account of: energy by source, momentum and angular momentum.
+//
+// The schema is sources(model); the values are here, beside it. Each source posts its own, see base/account.hpp.
 
-#include <string>
 #include <vector>
 
-#include "base/types.hpp"
+#include "base/account.hpp"
 
 namespace nereid::dynamics {
 
-/// A named share of energy, such as "elastic" or "plastic". [J]
-struct Share {
-  std::string name;
-  double value = 0;     ///< since the start
-  double at_start = 0;  ///< what a store held then: an initial displacement, a spring that starts loaded
-};
-
-/// One source of force: what it did to the nodes and where that work came from or went.
-struct Account {
-  std::string name;               ///< of the block, interface, plane or floor
-  /// "block", "interface", "rigid_plane", "floor", "symmetry", "held", "fixed", "driven", a load's kind, "relaxation", "gravity"
-  std::string kind;
-  double work = 0;                ///< [J] done on the nodes since the start
-  /// [J] what the source holds now, less what it held at the start; "outside": where a load takes its work from
-  std::vector<Share> stored;
-  std::vector<Share> dissipated;  ///< [J] lost since the start
-  double created_by_reconnection = 0;  ///< [J] the part of created() that fell in steps of a walk
-  Vec3 impulse = Vec3::Zero();         ///< [N s] given to the nodes since the start
-  Vec3 angular_impulse = Vec3::Zero(); ///< [N m s] about the origin
-};
-
-double stored(const Account&);      ///< [J] sum of the shares
-double dissipated(const Account&);  ///< [J] sum of the shares
+double stored(const Account&);      ///< [J] sum of the channels
+double dissipated(const Account&);  ///< [J] sum of the channels
 /// Work that the source can neither take from its store nor has dissipated: nobody can explain it.
 double created(const Account&);     ///< [J] work + stored + dissipated
 
@@ -40,18 +20,18 @@ struct Ledger {
   /// [J] what the two half kicks of central differences add to the kinetic energy beyond the work of
   /// the trapezoid rule: the sum over steps of dt^2/8 (f'.f'/m - f.f/m).
   double integration = 0;
-  /// [J] the most that came in from outside at any settled time so far: the positive works of gravity and of
-  /// the sources with a store "outside" (loads, planes and nodes that are moved). settle() keeps it.
+  /// [J] the most that came in from outside at any update of the ledger so far: the positive works of gravity and of
+  /// the sources that take their work from outside (loads, planes and nodes that are moved).
   double brought_in = 0;
   Vec3 initial_momentum = Vec3::Zero(), momentum = Vec3::Zero();                  ///< [kg m/s]
   Vec3 initial_angular_momentum = Vec3::Zero(), angular_momentum = Vec3::Zero();  ///< [kg m2/s]
-  std::vector<Account> accounts;
+  std::vector<Account> accounts;  ///< beside sources(model)
 };
 
 /// What all stores held at the start together. [J]
 double initial_stored(const Ledger&);
 
-/// Work that gravity and all sources with a store "outside" have done, those that took energy out left aside. [J]
+/// Work that gravity and all sources that take it from outside have done, those that took energy out left aside. [J]
 double work_from_outside(const Ledger&);
 
 /// What created energy is held against: the largest of the kinetic energy at the start, of what the stores held

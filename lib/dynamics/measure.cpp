@@ -79,9 +79,9 @@ double of_body(const View& view, const std::vector<std::size_t>& blocks, std::st
 
 Vec3 contact_force(const View& view, std::size_t interface) {
   Vec3 sum = Vec3::Zero();
-  for (const auto& element : view.forces.interfaces[interface].elements)
+  for (const auto& element : view.now.interfaces[interface].elements)
     if (element.closed) sum += element.scale * element.apex;
-  for (const auto& friction : view.forces.interfaces[interface].friction)
+  for (const auto& friction : view.now.interfaces[interface].friction)
     if (friction.acts) sum += friction.force;
   return sum;
 }
@@ -99,18 +99,39 @@ ContactState contact_state(const View& view, std::size_t c) {
   return state;
 }
 
-Vec3 MeanForce::operator()(const View& view) {
-  const Vec3& impulse = view.now.ledger.accounts[account_].impulse;
-  const double elapsed = view.now.t - time_;
-  if (!begun_) impulse_ = impulse, time_ = view.now.t, begun_ = true;
-  if (elapsed > 0) force_ = (impulse - impulse_) / elapsed, impulse_ = impulse, time_ = view.now.t;
-  return force_;
+Vec3 mean_force(const View& view, std::size_t source, ProbeMemory& memory) {
+  const Vec3& impulse = view.now.ledger.accounts[source].impulse;
+  const double elapsed = view.now.t - memory.since;
+  if (memory.samples == 0) memory.impulse = impulse, memory.since = view.now.t;
+  if (elapsed > 0) memory.force = (impulse - memory.impulse) / elapsed, memory.impulse = impulse, memory.since = view.now.t;
+  return memory.force;
 }
 
-std::size_t account_of(const Ledger& ledger, std::string_view name) {
-  for (std::size_t a = 0; a < ledger.accounts.size(); ++a)
-    if (ledger.accounts[a].name == name) return a;
-  throw InternalError("the ledger has no account '" + std::string(name) + "'");
+std::vector<Probe> ledger_probes(const Model& model) {
+  std::vector<Probe> probes;
+  const auto add = [&probes](const std::string& name, auto value) {
+    probes.push_back({"energy_" + name, "J", [value](const View& view, ProbeMemory&) { return value(view.now.ledger); }, false});
+  };
+  add("kinetic", [](const Ledger& ledger) { return ledger.kinetic; });
+  const std::vector<Source> all = sources(model);
+  for (std::size_t s = 0; s < all.size(); ++s) {
+    for (const Stored channel : all[s].stored)
+      add(all[s].name + "_" + std::string(word(channel)), [=](const Ledger& ledger) { return ledger.accounts[s].stored[channel]; });
+    for (const Dissipated channel : all[s].dissipated)
+      add(all[s].name + "_" + std::string(word(channel)), [=](const Ledger& ledger) { return ledger.accounts[s].dissipated[channel]; });
+  }
+  for (std::size_t s = 0; s < all.size(); ++s)
+    add("created_" + all[s].name, [s](const Ledger& ledger) { return created(ledger.accounts[s]); });
+  add("integration", [](const Ledger& ledger) { return ledger.integration; });
+  add("residual", [](const Ledger& ledger) { return energy_residual(ledger); });
+  return probes;
+}
+
+std::size_t source_of(const Model& model, std::string_view name) {
+  const std::vector<Source> all = sources(model);
+  for (std::size_t s = 0; s < all.size(); ++s)
+    if (all[s].name == name) return s;
+  throw InternalError("no source of force is called '" + std::string(name) + "'");
 }
 
 }  // namespace nereid::dynamics

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "dynamics/run.hpp"
+#include "dynamics/probe.hpp"
 
 namespace nereid::dynamics {
 
@@ -46,22 +46,17 @@ struct ContactState {
 };
 ContactState contact_state(const View&, std::size_t interface);
 
-/// Force of a source with an account, as a mean over the time between two calls: what its impulse grew by. [N]
+/// Force of a source, as a mean over the time between two samples of a probe: what its impulse grew by. [N]
 ///
-/// Needs  views whose ledger is settled; zero at the first call and where no time has passed
-class MeanForce {
- public:
-  explicit MeanForce(std::size_t account) : account_(account) {}
-  Vec3 operator()(const View&);
+/// source  in sources(model)
+/// Needs  views whose ledger is current; zero at the first sample and where no time has passed
+Vec3 mean_force(const View&, std::size_t source, ProbeMemory&);
 
- private:
-  std::size_t account_;
-  Vec3 impulse_ = Vec3::Zero(), force_ = Vec3::Zero();
-  double time_ = 0;
-  bool begun_ = false;
-};
+/// What every history has of the ledger: kinetic energy, the channels of all sources, created energy by source, the
+/// integration term and what no source explains. [J]
+std::vector<Probe> ledger_probes(const Model&);
 
-/// Place of the account of that name in the ledger. Throws InternalError if there is none.
-std::size_t account_of(const Ledger&, std::string_view name);
+/// Place of the source of that name in sources(model). Throws InternalError if there is none.
+std::size_t source_of(const Model&, std::string_view name);
 
 }  // namespace nereid::dynamics

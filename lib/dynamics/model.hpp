@@ -1,25 +1,21 @@
 #pragma once
-// Three lifetimes, three types: Model is constant, State is what a restart needs, Forces can be
-// thrown away.
+// Three lifetimes, three types: Model is constant, State is exactly what a restart needs, Forces can be
+// thrown away and made anew from the two.
 
+#include <limits>
 #include <optional>
 #include <vector>
 
 #include "contact/contact.hpp"
 #include "contact/rigid_plane.hpp"
 #include "dynamics/ledger.hpp"
+#include "dynamics/votes.hpp"
 #include "element/block.hpp"
+#include "element/node_sums.hpp"
 #include "load/constraints.hpp"
 #include "load/loads.hpp"
 
 namespace nereid::dynamics {
-
-/// Which places of a block's tiles make up each node: the fixed order in which forces are summed.
-struct PlacesOfNodes {
-  Subset node;               ///< nodes of the block, ascending
-  std::vector<Index> begin;  ///< [nodes of the block + 1] in `place`
-  std::vector<Index> place;
-};
 
 /// How a run looks for the static equilibrium, see dynamics/relax.hpp.
 struct Relaxation {
@@ -45,7 +41,7 @@ struct Model {
   Scalars inertia;                  ///< [kg m2] isotropic, [plate nodes]
   std::vector<Index> turn_of_node;  ///< [nodes] column of the angular velocity, or -1
   Subset node_of_turn;              ///< [plate nodes]
-  std::vector<PlacesOfNodes> places;  ///< beside blocks
+  std::vector<element::NodeSums> node_sums;  ///< beside blocks: the order in which the forces of tiles are summed
 };
 
 /// Computes what follows from blocks and point masses: masses, columns of angular velocities, orders of summing.
@@ -61,7 +57,32 @@ struct RelaxationMemory {
   double residual = 1;                  ///< [-] unbalanced over all forces, at the last sample
   double most_force = 0, most_kinetic = 0;  ///< largest so far: [N/kg^(1/2)], [J]
   int balanced = 0;                     ///< samples in a row
-  double since = 0;                     ///< [s] when the state was that of Forces::Before
+  /// The reference from which the frequency is taken: time, positions, turns since then, forces and moments that resist.
+  double since = 0;                     ///< [s]
+  Vectors x, turned, force, moment;
+  Vectors w;                            ///< [rad/s] at the step before
+};
+
+/// What a probe remembers: its value over the samples of a run, and what its own measurement needs from one to the next.
+struct ProbeMemory {
+  double last = std::numeric_limits<double>::quiet_NaN();
+  double largest = last, smallest = last;            ///< NaN where no sample had a value
+  double time_of_largest = 0, time_of_smallest = 0;  ///< [s] first of equal ones
+  double integral = 0;                               ///< of a probe of every step: over time, each value times the step that led to it
+  double first_above_zero = -1, last_above_zero = -1;  ///< [s]; -1: at no sample
+  std::int64_t samples = 0;
+  Vec3 impulse = Vec3::Zero(), force = Vec3::Zero();  ///< of a mean force: [N s] at `since`, [N]
+  double since = 0;                                   ///< [s]
+};
+
+/// What a run keeps from step to step.
+struct Progress {
+  bool started = false;
+  double first_step = 0;        ///< [s] chosen at the start
+  std::int64_t updates = 0;     ///< of the ledger: multiples of the interval between two that have passed
+  bool ledger_is_current = false;
+  Step smallest;                ///< the smallest step so far, and what limited it
+  double largest_step = 0;      ///< [s]
 };
 
 /// Where the simulation stands: exactly what a restart needs.
@@ -73,46 +94,36 @@ struct State {
   Vectors v;                                       ///< [m/s] velocity at t
   Vectors w;                                       ///< [rad/s] angular velocity at t, plate nodes only
   std::vector<element::Memory> blocks;             ///< beside Model::blocks
+  std::vector<element::TileForces> tiles;          ///< beside Model::blocks: at t, for the work of the next step
   std::vector<contact::Memory> interfaces;         ///< beside Model::interfaces
   std::vector<contact::PlaneMemory> rigid_planes;  ///< beside Model::rigid_planes
   load::Memory constraints;
   std::vector<load::LoadMemory> loads;             ///< beside Model::loads
   RelaxationMemory relaxation;
   Ledger ledger;
+  Votes votes;                                     ///< for the next step
+  Progress progress;
+  std::vector<ProbeMemory> probes;                 ///< beside the probes of the run
 };
 
-/// Recomputed every step.
+/// Sums and scratch of a step; resume() makes them from model and state.
 struct Forces {
-  std::vector<element::TileForces> blocks;
   std::vector<contact::Workspace> interfaces;
   Vectors force;                                   ///< [N] on the nodes
   Vectors moment;                                  ///< [N m] on the plate nodes
   std::vector<double> partial;                     ///< sums of node ranges, in order
   load::SpringRates springs;                       ///< of the model: for the vote
-  /// Only while a model relaxes: positions, turns since then, forces and moments that resist at an earlier time.
-  struct Before {
-    Vectors x, turned, force, moment;
-    Vectors w;                                     ///< [rad/s] at the step before
-    Vectors source_force, source_moment;           ///< of one source, or all that resist
-  } before;
-};
-
-/// Who asks for which step, and whether any element is lost.
-struct Votes {
-  double step = 1e300;          ///< [s] the smallest of all votes
-  std::string_view by;          ///< block, interface or plane that asks for it
-  double element_step = 1e300;  ///< [s] the linear bound of the elements: a run stays below it
-  double contact_step = 1e300;  ///< [s] of interfaces and planes: their own bound, not the linear one
-  Index element = -1;
-  double size = 1e300;          ///< [-] smallest volume or area ratio; not positive or NaN: inverted
-  std::string_view smallest_block;
-  Index smallest_element = -1;
+  Vectors source_force, source_moment;             ///< only while a model relaxes: of one source, or all that resist
 };
 
 /// The state at rest in the reference positions. Interfaces must have been connected: their
 /// memories are taken over as they are.
 State initial_state(const Model&, std::vector<contact::Memory> interfaces);
 
-Forces make_forces(const Model&, std::vector<contact::Workspace> interfaces);
+Forces make_forces(const Model&);
+
+/// The schema of the ledger: one source for every account, in the order of Model: blocks, interfaces, rigid planes,
+/// planes of the constraints, loads, relaxation, gravity.
+std::vector<Source> sources(const Model&);
 
 }  // namespace nereid::dynamics

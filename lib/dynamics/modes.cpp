@@ -103,12 +103,8 @@ struct Answers {
       element::Memory memory = rest[b];
       element::TileForces tiles = none[b];
       element::advance(model.blocks[b], x, v, w, slowly, memory, tiles);
-      const PlacesOfNodes& places = model.places[b];
-      for (std::size_t i = 0; i < places.node.size(); ++i)
-        for (Index p = places.begin[i]; p < places.begin[i + 1]; ++p) {
-          force.col(places.node[i]) += tiles.force.col(places.place[p]);
-          if (tiles.moment.cols() > 0) moment.col(model.turn_of_node[places.node[i]]) += tiles.moment.col(places.place[p]);
-        }
+      element::add_by_node(model.node_sums[b], tiles.force, force);
+      if (tiles.moment.cols() > 0) element::add_by_node(model.node_sums[b], tiles.moment, model.turn_of_node, moment);
     }
   }
 };
@@ -384,8 +380,8 @@ Modes find_modes(const Model& model, int lowest, int highest) {
   const Sparse B = freedoms(model, rows, K, modes.drilling);
   modes.freedoms = B.cols();
   State state = initial_state(model, {});
-  Forces forces = make_forces(model, {});
-  modes.voted_step = start(model, state, forces).element_step;
+  Forces forces = make_forces(model);
+  modes.voted_step = start(model, state, forces).elements.step;
   if (B.cols() == 0) return modes;
   Sparse A = B.transpose() * K * B;
   A.makeCompressed();

@@ -20,10 +20,10 @@ Mat3 allowed_turn(const State& now, Index node) {
   return place < 0 || now.constraints.held[place].count == 0 ? Mat3(Mat3::Identity()) : now.constraints.held[place].allowed_turn;
 }
 
-/// Leaves in `f.before.source_*` the forces that depend on the state: blocks, contact, springs, and nothing that
+/// Leaves in `f.source_*` the forces that depend on the state: blocks, contact, springs, and nothing that
 /// is given as a function of time.
 void find_resistance(const Model& model, const State& now, Forces& f) {
-  Vectors &force = f.before.source_force, &moment = f.before.source_moment;
+  Vectors &force = f.source_force, &moment = f.source_moment;
   force.setZero(), moment.setZero();
   for (std::size_t l = 0; l < model.loads.size(); ++l)
     if (!load::is_spring(model.loads[l])) load::add_forces(model.loads[l], now.loads[l], force, moment);
@@ -31,19 +31,19 @@ void find_resistance(const Model& model, const State& now, Forces& f) {
   moment = f.moment - moment;
 }
 
-/// Frequency of what has moved since the reference in `f.before`: Rayleigh's quotient of the displacement, omega^2 = dx K dx / dx M dx,
+/// Frequency of what has moved since the reference in the memory: Rayleigh's quotient of the displacement, omega^2 = dx K dx / dx M dx,
 /// which is near the lowest. The quotient weighted by energy, df M^-1 df / df dx, is near the highest: the chatter of a contact then damps
 /// what is slow far too hard, and it creeps. [1/s]
 double frequency(const Model& model, const State& now, const Forces& f) {
   double energy = 0, inertia = 0;
   for (Index n = 0; n < now.x.cols(); ++n) {
-    const Vec3 moved = allowed(now, n) * (now.x.col(n) - f.before.x.col(n));
-    energy -= moved.dot(f.before.source_force.col(n) - f.before.force.col(n));
+    const Vec3 moved = allowed(now, n) * (now.x.col(n) - now.relaxation.x.col(n));
+    energy -= moved.dot(f.source_force.col(n) - now.relaxation.force.col(n));
     inertia += model.mass(n) * moved.squaredNorm();
   }
   for (Index turn = 0; turn < now.w.cols(); ++turn) {
-    const Vec3 turned = allowed_turn(now, model.node_of_turn[turn]) * f.before.turned.col(turn);
-    energy -= turned.dot(f.before.source_moment.col(turn) - f.before.moment.col(turn));
+    const Vec3 turned = allowed_turn(now, model.node_of_turn[turn]) * now.relaxation.turned.col(turn);
+    energy -= turned.dot(f.source_moment.col(turn) - now.relaxation.moment.col(turn));
     inertia += model.inertia(turn) * turned.squaredNorm();
   }
   return energy > 0 && inertia > 0 ? std::sqrt(energy / inertia) : 0;
@@ -85,20 +85,14 @@ double square(const Model& model, const Vectors& force, const Vectors& moment) {
 
 /// Squared norms of each source's forces, summed. [N2/kg]
 double forces_by_source(const Model& model, const State& now, Forces& f) {
-  Vectors &force = f.before.source_force, &moment = f.before.source_moment;
+  Vectors &force = f.source_force, &moment = f.source_moment;
   double sum = model.mass.sum() * model.gravity.squaredNorm();
   const auto clear = [&] { force.setZero(), moment.setZero(); };
   for (std::size_t b = 0; b < model.blocks.size(); ++b) {
     clear();
-    const PlacesOfNodes& places = model.places[b];
-    const element::TileForces& tiles = f.blocks[b];
-    const bool turns = tiles.moment.cols() > 0;
-    for (std::size_t i = 0; i < places.node.size(); ++i) {
-      for (Index p = places.begin[i]; p < places.begin[i + 1]; ++p) {
-        force.col(places.node[i]) += tiles.force.col(places.place[p]);
-        if (turns) moment.col(model.turn_of_node[places.node[i]]) += tiles.moment.col(places.place[p]);
-      }
-    }
+    const element::TileForces& tiles = now.tiles[b];
+    element::add_by_node(model.node_sums[b], tiles.force, force);
+    if (tiles.moment.cols() > 0) element::add_by_node(model.node_sums[b], tiles.moment, model.turn_of_node, moment);
     sum += square(model, force, moment);
   }
   for (std::size_t l = 0; l < model.loads.size(); ++l) {
@@ -123,13 +117,13 @@ double unbalanced(const Model& model, const State& now, const Forces& f) {
 bool relax(const Model& model, State& now, Forces& f) {
   RelaxationMemory& memory = now.relaxation;
   find_resistance(model, now, f);
-  f.before.turned += 0.5 * now.dt * (f.before.w + now.w);
+  memory.turned += 0.5 * now.dt * (memory.w + now.w);
   const double omega = now.step > 1 ? frequency(model, now, f) : 0;  // the first step has nothing before it
   const double kinetic = damp(model, std::exp(-2 * omega * now.dt), now);
-  f.before.w = now.w;
+  memory.w = now.w;
   if (omega * (now.t - memory.since) >= 1 || omega == 0) {  // a radian of what moves is enough to know its frequency
-    f.before.x = now.x, f.before.turned.setZero();
-    f.before.force = f.before.source_force, f.before.moment = f.before.source_moment;
+    memory.x = now.x, memory.turned.setZero();
+    memory.force = f.source_force, memory.moment = f.source_moment;
     memory.since = now.t;
   }
   memory.most_kinetic = std::max(memory.most_kinetic, kinetic);

@@ -21,46 +21,45 @@ std::string text(const char* format, double a, double b) {
   return buffer;
 }
 
+std::string name(const Model& model, int source) { return sources(model)[static_cast<std::size_t>(source)].name; }
+
 /// Stops the run with a place if an element is lost, a number is no number or the step collapsed.
-bool stop(const Votes& votes, double first_step, double end, Outcome& outcome) {
+bool stop(const Model& model, const State& now, const Step& next, double end, Outcome& outcome) {
+  const Votes& votes = now.votes;
   if (!(votes.size > 0)) {
     outcome.ending = std::isnan(votes.size) ? Ending::not_finite : Ending::inverted_element;
     outcome.reason = std::isnan(votes.size) ? "positions are not finite"
                                             : text("its volume or area is %.3g of the reference", votes.size, 0);
-    outcome.block = votes.smallest_block;
+    outcome.block = name(model, votes.smallest_block);
     outcome.element = votes.smallest_element;
     return true;
   }
-  const bool fell = !(votes.step > smallest_fraction * first_step);
-  if (fell || !(votes.step * most_steps > end)) {
+  const double first = now.progress.first_step;
+  const bool fell = !(next.dt > smallest_fraction * first);
+  if (fell || !(next.dt * most_steps > end)) {
     outcome.ending = Ending::step_too_small;
-    outcome.reason = fell ? text("the step fell from %.3g s to %.3g s", first_step, votes.step)
-                          : text("with a step of %.3g s the end at %.3g s is out of reach", votes.step, end);
-    outcome.block = votes.by;
-    outcome.element = votes.element;
+    outcome.reason = fell ? text("the step fell from %.3g s to %.3g s", first, next.dt)
+                          : text("with a step of %.3g s the end at %.3g s is out of reach", next.dt, end);
+    outcome.reason += ", limited by " + limited_by(next, sources(model));
+    if (next.source >= 0) outcome.block = name(model, next.source);
+    if (next.source < static_cast<int>(model.blocks.size())) outcome.element = next.at;
     return true;
   }
   return false;
 }
 
-bool created_too_much(const Ledger& ledger, double limit, Outcome& outcome) {
+bool created_too_much(const Model& model, const Ledger& ledger, double limit, Outcome& outcome) {
   const double scale = energy_scale(ledger);
-  for (const Account& account : ledger.accounts) {
-    if (std::isnan(created(account))) {
-      outcome.ending = Ending::not_finite;
-      outcome.reason = "its energy is not finite";
-      outcome.block = account.name;
-      return true;
-    }
-    if (scale > 0 && created(account) > limit * scale) {
-      outcome.ending = Ending::energy_created;
-      outcome.reason = text(scale == ledger.initial_kinetic ? "created %.3g of the initial kinetic energy; the limit is %.3g"
-                            : scale == ledger.brought_in    ? "created %.3g of the energy brought in so far; the limit is %.3g"
-                                                            : "created %.3g of the energy stored at the start; the limit is %.3g",
-                            created(account) / scale, limit);
-      outcome.block = account.name;
-      return true;
-    }
+  for (std::size_t a = 0; a < ledger.accounts.size(); ++a) {
+    const double excess = created(ledger.accounts[a]);
+    if (!std::isnan(excess) && !(scale > 0 && excess > limit * scale)) continue;
+    outcome.ending = std::isnan(excess) ? Ending::not_finite : Ending::energy_created;
+    outcome.reason = std::isnan(excess)                ? "its energy is not finite"
+                     : scale == ledger.initial_kinetic ? text("created %.3g of the initial kinetic energy; the limit is %.3g", excess / scale, limit)
+                     : scale == ledger.brought_in      ? text("created %.3g of the energy brought in so far; the limit is %.3g", excess / scale, limit)
+                                                       : text("created %.3g of the energy stored at the start; the limit is %.3g", excess / scale, limit);
+    outcome.block = name(model, static_cast<int>(a));
+    return true;
   }
   return false;
 }
@@ -91,61 +90,72 @@ bool good(Ending ending) {
   return ending == Ending::reached_end || ending == Ending::stopped_by_condition || ending == Ending::relaxed;
 }
 
-Outcome run(const Model& model, State& now, Forces& forces, const Time& time, double settle_every,
-            std::span<const Observer> observers, const Until& until) {
+Outcome run(const Model& model, State& now, Forces& forces, const Time& time, double update_every, const Watch& watch) {
   Outcome outcome;
+  Progress& progress = now.progress;
   const auto clock = [] { return std::chrono::steady_clock::now(); };
   const auto began = clock();
-  Votes votes = start(model, now, forces);
-  const auto show = [&](bool settled) {
-    const View view{model, now, forces, votes, settled};
-    for (const Observer& observer : observers) observer(view);
+  const auto show = [&] {
+    const View view{model, now, forces, progress.ledger_is_current};
+    for (std::size_t p = 0; p < watch.probes.size(); ++p)
+      if (view.ledger_is_current || watch.probes[p].every_step) sample(watch.probes[p], view, now.probes[p]);
+    for (const Observer& observer : watch.observers) observer(view);
   };
   const auto enough = [&] {  // as the case has it
-    if (until) outcome.reason = until({model, now, forces, votes, true});
+    if (watch.until && progress.ledger_is_current) outcome.reason = watch.until({model, now, forces, true});
     if (!outcome.reason.empty()) outcome.ending = Ending::stopped_by_condition;
     return outcome.ending == Ending::stopped_by_condition;
   };
-  const double first_step = votes.step;
-  std::int64_t samples = 0;  // multiples of settle_every that have passed
-  bool settled = true;
-  outcome.smallest_step = std::numeric_limits<double>::infinity();
-  show(settled);
+  if (progress.started) {
+    resume(model, now, forces);
+  } else {
+    start(model, now, forces);
+    progress.started = progress.ledger_is_current = true;
+    progress.first_step = choose_step(now.votes, time.safety).dt;
+    progress.smallest.dt = std::numeric_limits<double>::infinity();
+    now.probes.assign(watch.probes.size(), {});
+    show();
+  }
   bool wanted = enough();
-  while (!stop(votes, first_step, time.end, outcome) && !wanted && now.t < time.end) {  // also the last step is looked at
-    double dt = std::min(time.safety * votes.element_step, votes.contact_step);
-    if (dt < outcome.smallest_step) outcome.smallest_step = dt, outcome.limited_by = votes.by;
-    outcome.largest_step = std::max(outcome.largest_step, dt);
+  for (Step next = choose_step(now.votes, time.safety);
+       !stop(model, now, next, time.end, outcome) && !wanted && now.t < time.end;  // also the last step is looked at
+       next = choose_step(now.votes, time.safety)) {
+    if (next.dt < progress.smallest.dt) progress.smallest = next;
+    progress.largest_step = std::max(progress.largest_step, next.dt);
     // the last two steps share what is left, so that none is vanishingly short
     const double left = time.end - now.t;
-    const bool last = left <= dt;
-    if (left < 2 * dt) dt = last ? left : 0.5 * left;
-    votes = step(model, dt, now, forces);
+    const bool last = left <= next.dt;
+    const double dt = left >= 2 * next.dt ? next.dt : last ? left : 0.5 * left;
+    step(model, dt, now, forces);
     if (last) now.t = time.end;
     const bool rests = model.relaxation && relax(model, now, forces);
-    settled = last || rests || now.t >= static_cast<double>(samples + 1) * settle_every;
-    if (settled) {
-      samples = static_cast<std::int64_t>(now.t / settle_every);
-      settle(model, now);
+    progress.ledger_is_current = last || rests || now.t >= static_cast<double>(progress.updates + 1) * update_every;
+    if (progress.ledger_is_current) {
+      progress.updates = static_cast<std::int64_t>(now.t / update_every);
+      update_ledger(model, now);
     }
-    show(settled);
-    if (settled && votes.size > 0 && created_too_much(now.ledger, time.created_limit, outcome)) break;
-    if (rests && votes.size > 0) {
+    show();
+    if (!(now.votes.size > 0)) continue;  // stop() says so
+    if (progress.ledger_is_current && created_too_much(model, now.ledger, time.created_limit, outcome)) break;
+    if (rests) {
       outcome.ending = Ending::relaxed;
       break;
     }
-    wanted = settled && enough();
+    wanted = enough();
   }
   if (model.relaxation && outcome.ending == Ending::reached_end) {
     outcome.ending = Ending::not_relaxed;
     outcome.reason = text("not relaxed: residual %.3g, the limit is %.3g", now.relaxation.residual, model.relaxation->residual);
   }
-  if (!settled) {
-    settle(model, now);
-    show(true);
+  if (!progress.ledger_is_current) {
+    update_ledger(model, now);
+    progress.ledger_is_current = true;
+    show();
   }
   outcome.wall_seconds = std::chrono::duration<double>(clock() - began).count();
   outcome.element_updates = elements(model) * (now.step + 1);
+  outcome.smallest_step = progress.smallest.dt, outcome.largest_step = progress.largest_step;
+  outcome.limited_by = limited_by(progress.smallest, sources(model));
   return outcome;
 }
 

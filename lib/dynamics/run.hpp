@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include "dynamics/probe.hpp"
 #include "dynamics/step.hpp"
 
 namespace nereid::dynamics {
@@ -12,7 +13,7 @@ namespace nereid::dynamics {
 /// When a run ends, how long its steps are and how much energy it may create.
 struct Time {
   double end = 0;              ///< [s]
-  double safety = 0.9;         ///< [-] fraction of the elements' stable step; interfaces vote by their bound
+  double safety = 0.9;         ///< [-] fraction of the elements' stable step; contact votes by its own bound
   double created_limit = 0.05; ///< [-] created energy of any one source over energy_scale()
 };
 
@@ -32,30 +33,29 @@ struct Outcome {
   Index element = -1;
   std::int64_t element_updates = 0;
   double wall_seconds = 0;       ///< of the step loop with everything in it
-  std::string limited_by;        ///< what voted for the smallest step
+  std::string limited_by;        ///< the source of the smallest step, in words
   double smallest_step = 0, largest_step = 0;  ///< [s]
 };
 
-struct View {
-  const Model& model;
-  const State& now;
-  const Forces& forces;
-  const Votes& votes;
-  bool settled;  ///< whether the ledger is that of this very state
-};
-
-/// Looks at the state at the start, after every step, and at the end.
+/// Looks at the state at the start, after every step, and at the end. Does not look again where a run goes on.
 using Observer = std::function<void(const View&)>;
 
-/// Asked wherever the ledger is settled, after the observers: why the run should stop there, empty to go on.
+/// Asked wherever the ledger is brought up to date, after probes and observers: why the run should stop there, empty to go on.
 using Until = std::function<std::string(const View&)>;
 
-/// Runs from the state as it is (velocities set, not started) to the end, to the static equilibrium of a
-/// model with `relaxation`, or to what stops it.
+/// What looks at a run and never touches it. Probes are sampled first; their memories are State::probes.
+struct Watch {
+  std::span<const Probe> probes = {};
+  std::span<const Observer> observers = {};
+  Until until = {};
+};
+
+/// Runs to the end, to the static equilibrium of a model with `relaxation`, or to what stops it: from a state that has not
+/// been started (velocities set), or on from one that a run has left.
 ///
-/// The ledger is settled at the start, at the first step past every multiple of `settle_every` [s], and
-/// at the end; View::settled tells observers when.
-Outcome run(const Model&, State&, Forces&, const Time&, double settle_every, std::span<const Observer>,
-            const Until& = {});
+/// The ledger is brought up to date at the start, at the first step past every multiple of `update_every` [s], and
+/// at the end; View::ledger_is_current tells observers when.
+/// Invariants  a run that goes on from a copy of its state has the bits of one that was never interrupted.
+Outcome run(const Model&, State&, Forces&, const Time&, double update_every, const Watch& = {});
 
 }  // namespace nereid::dynamics

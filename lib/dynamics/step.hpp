@@ -7,16 +7,20 @@ namespace nereid::dynamics {
 
 /// Starts a run: removes what the constraints do not allow, computes the first forces and opens the
 /// ledger. Velocities must be set before. Returns the votes for the first step.
-Votes start(const Model&, State&, Forces&);
+const Votes& start(const Model&, State&, Forces&);
+
+/// Goes on from a state that a run has left: sums the forces that the state remembers. The steps that follow
+/// have the bits of a run that was never interrupted.
+void resume(const Model&, const State&, Forces&);
 
 /// Advances the state by dt.
 ///
-/// Needs  `forces` as the step or the start before left them
-/// returns  votes for the next step
-Votes step(const Model&, double dt, State&, Forces&);
+/// Needs  `forces` as the step, the start or resume() before left them
+/// returns  votes for the next step, which the state keeps
+const Votes& step(const Model&, double dt, State&, Forces&);
 
-/// Brings the ledger's kinetic energy, momenta and accounts up to date; what a step itself keeps are
-/// only the sums that cannot be had afterwards.
-void settle(const Model&, State&);
+/// Brings the ledger up to date: kinetic energy, momenta, and what each source posts. A step itself keeps only the
+/// sums that cannot be had afterwards.
+void update_ledger(const Model&, State&);
 
 }  // namespace nereid::dynamics

@@ -1,5 +1,7 @@
 #include "element/block.hpp"
 
+#include <algorithm>
+
 #include "element/kernels.hpp"
 
 namespace nereid::element {
@@ -61,6 +63,31 @@ std::vector<std::string> dissipated_names(const AnyBlock& any) {
   const auto names = std::visit(
       []<class Kind, class Law>(const Block<Kind, Law>& block) { return Kind::dissipated(block.options); }, any);
   return {names.begin(), names.end()};
+}
+
+namespace {
+Stored stored_channel(const std::string& name) {
+  return static_cast<Stored>(std::find(words_of_stored.begin(), words_of_stored.end(), name) - words_of_stored.begin());
+}
+Dissipated dissipated_channel(const std::string& name) {
+  return static_cast<Dissipated>(std::find(words_of_dissipated.begin(), words_of_dissipated.end(), name) - words_of_dissipated.begin());
+}
+}  // namespace
+
+Source source(const AnyBlock& any) {
+  Source source{name(any), SourceKind::block, {}, {}};
+  for (const std::string& word : stored_names(any)) source.stored.push_back(stored_channel(word));
+  for (const std::string& word : dissipated_names(any)) source.dissipated.push_back(dissipated_channel(word));
+  return source;
+}
+
+void post(const AnyBlock& any, const Memory& memory, Account& account) {
+  account.work = memory.work;
+  account.hold(Stored::elastic, memory.stored[0]);
+  account.hold(is_plate(any) ? Stored::transverse_shear : Stored::hourglass, memory.stored[1]);
+  account.dissipated[Dissipated::plastic] = memory.plastic;
+  account.dissipated[Dissipated::viscous] = memory.viscous;
+  account.dissipated[Dissipated::hourglass] = memory.hourglass;
 }
 
 void set_turning(AnyBlock& any, const std::vector<Index>& column_of_node) {

@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "base/account.hpp"
 #include "base/field.hpp"
 #include "element/full_hexahedron.hpp"
 #include "element/hexahedron.hpp"
@@ -82,6 +83,10 @@ bool is_plate(const AnyBlock&);
 /// Names of the shares of Memory that a block with these options has, in order.
 std::vector<std::string> stored_names(const AnyBlock&);
 std::vector<std::string> dissipated_names(const AnyBlock&);
+
+/// The schema of a block in the ledger, and its values now.
+Source source(const AnyBlock&);
+void post(const AnyBlock&, const Memory&, Account&);
 
 /// Tells a block of plates which column of the angular velocities belongs to which node.
 void set_turning(AnyBlock&, const std::vector<Index>& column_of_node);

@@ -362,7 +362,7 @@ void add_loads(const Actions& actions, dynamics::Model& model) {
   }
 }
 
-void set_initial(const Actions& actions, const dynamics::Model& model, dynamics::State& state, dynamics::Forces& forces) {
+void set_initial(const Actions& actions, const dynamics::Model& model, dynamics::State& state) {
   Vectors displacement = Vectors::Zero(3, model.mesh.X.cols());
   std::vector<Mat3> gradient(model.node_of_turn.size(), Mat3::Zero()), rate = gradient;
   const Vec3 extent = model.mesh.X.rowwise().maxCoeff() - model.mesh.X.rowwise().minCoeff();
@@ -390,7 +390,7 @@ void set_initial(const Actions& actions, const dynamics::Model& model, dynamics:
   }
   state.w += dynamics::turns_of(model, rate);
   if (displaced == nullptr || !displaced->section.sound()) return;
-  const element::Vote smallest = dynamics::displace(model, state, forces, displacement, gradient);
+  const element::Vote smallest = dynamics::displace(model, state, displacement, gradient);
   if (!(smallest.size > 0))
     displaced->section.fault("displacement", "'displacement' turns element " + std::to_string(smallest.size_element) + " inside out");
 }

@@ -9,7 +9,7 @@
 //     add_loads(actions, model);                    // the rest
 //     file.finish();                                // names that the mesh does not have are faults
 //     ... interfaces, dynamics::initial_state, dynamics::make_forces ...
-//     set_initial(actions, model, state, forces);
+//     set_initial(actions, model, state);
 //     file.finish();                                // fields that are no number somewhere are faults
 
 #include <optional>
@@ -104,6 +104,6 @@ void constrain(const Actions&, dynamics::Model&);
 void add_loads(const Actions&, dynamics::Model&);
 
 /// Sets velocities and walks the bodies to their initial displacements; before dynamics::start.
-void set_initial(const Actions&, const dynamics::Model&, dynamics::State&, dynamics::Forces&);
+void set_initial(const Actions&, const dynamics::Model&, dynamics::State&);
 
 }  // namespace nereid::input

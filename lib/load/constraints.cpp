@@ -161,6 +161,45 @@ void drive_turn(const HeldNode& held, double inertia, const Vec3& before, const 
   account.driven += 0.5 * impulse.dot(w + before) + quarter_step * moment.dot(w - before);
 }
 
+void constrain(const Constraints& constraints, const Kick& kick, const Vectors& x, Vectors& v, Vectors& w, Memory& memory) {
+  for (const Index place : memory.active) {
+    const HeldNode& held = memory.held[place];
+    const double mass = kick.mass(held.node);
+    Vec3 velocity = v.col(held.node);
+    if (held.moves) {
+      const Vec3 force = kick.force.col(held.node), before = velocity - kick.dt / mass * force;
+      drive(constraints, held, x.col(held.node), mass, before, force, kick.quarter_step, velocity, memory.account);
+    } else {
+      restrain(constraints, held, x.col(held.node), mass, velocity, memory.account);
+    }
+    v.col(held.node) = velocity;
+    if (held.turn < 0) continue;
+    Vec3 spin = w.col(held.turn);
+    const double inertia = kick.inertia(held.turn);
+    if (held.driver >= 0) {
+      const Vec3 moment = kick.moment.col(held.turn), before = spin - kick.dt / inertia * moment;
+      drive_turn(held, inertia, before, moment, kick.quarter_step, spin, memory.account);
+    } else {
+      restrain_turn(held, inertia, spin, memory.account);
+    }
+    w.col(held.turn) = spin;
+  }
+}
+
+Source source(const Plane& plane) {
+  constexpr std::array kinds{SourceKind::held, SourceKind::fixed, SourceKind::symmetry, SourceKind::floor, SourceKind::driven};
+  return {plane.name, kinds[static_cast<std::size_t>(plane.kind)],
+          moves(plane) ? std::vector{Stored::outside} : std::vector<Stored>{}, {Dissipated::caught}};
+}
+
+void post(const PlaneAccount& plane, Account& account) {
+  account.work = plane.driven - plane.caught;
+  account.stored[Stored::outside] = -plane.driven;
+  account.dissipated[Dissipated::caught] = plane.caught;
+  account.impulse = plane.impulse;
+  account.angular_impulse = plane.angular_impulse;
+}
+
 Conflict find_conflict(const Constraints& constraints) {
   const auto& planes = constraints.planes;
   for (std::size_t p = 0; p < planes.size(); ++p) {

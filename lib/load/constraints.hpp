@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "base/account.hpp"
 #include "load/given.hpp"
 #include "mesh/mesh.hpp"
 
@@ -41,6 +42,10 @@ struct PlaneAccount {
   double caught = 0;                    ///< [J] kinetic energy of nodes that the plane caught
   double driven = 0;                    ///< [J] work of a plane that moves, done on its nodes
 };
+
+/// The schema of a plane in the ledger, and its values now.
+Source source(const Plane&);
+void post(const PlaneAccount&, Account&);
 
 /// Whether the plane prescribes velocities that are not zero.
 inline bool moves(const Plane& plane) { return plane.velocity || plane.kind == PlaneKind::driven; }
@@ -111,6 +116,19 @@ void restrain_turn(const HeldNode&, double inertia, Vec3& w, std::vector<PlaneAc
 /// go to the plane that drives it.
 void drive_turn(const HeldNode&, double inertia, const Vec3& before, const Vec3& moment, double quarter_step, Vec3& w,
                 std::vector<PlaneAccount>&);
+
+/// What a kick changed the velocities with, before the constraints act.
+struct Kick {
+  const Vectors& force;   ///< [N] [3 x nodes]
+  const Vectors& moment;  ///< [N m] [3 x plate nodes]
+  const Scalars& mass;    ///< [kg]
+  const Scalars& inertia; ///< [kg m2]
+  double dt;              ///< [s] force / mass dt was added
+  double quarter_step;    ///< [s] a quarter of the step's length, negative in the first kick of a step
+};
+
+/// Constrains the velocities of all nodes after a kick: restrain, drive and their companions for every active node.
+void constrain(const Constraints&, const Kick&, const Vectors& x, Vectors& v, Vectors& w, Memory&);
 
 /// Two planes of one node of which one moves it in a direction that the other holds. Driven nodes are on no other plane but floors.
 struct Conflict {

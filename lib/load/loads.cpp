@@ -150,10 +150,23 @@ const std::string& name(const AnyLoad& any) {
   return std::visit([](const auto& load) -> const std::string& { return load.name; }, any);
 }
 
-const char* kind(const AnyLoad& any) {
-  constexpr std::array<const char*, 5> names{"body_force", "pressure", "force", "moment", "spring"};
-  static_assert(std::variant_size_v<AnyLoad> == names.size());
-  return names[any.index()];
+Source source(const AnyLoad& any) {
+  constexpr std::array kinds{SourceKind::body_force, SourceKind::pressure, SourceKind::force, SourceKind::moment, SourceKind::spring};
+  static_assert(std::variant_size_v<AnyLoad> == kinds.size());
+  if (is_spring(any)) return {name(any), SourceKind::spring, {Stored::elastic}, {Dissipated::damping}};
+  return {name(any), kinds[any.index()], {Stored::outside}, {}};
+}
+
+void post(const AnyLoad& any, const LoadMemory& memory, Account& account) {
+  account.work = memory.work;
+  if (is_spring(any)) {
+    account.hold(Stored::elastic, memory.stored);
+    account.dissipated[Dissipated::damping] = memory.dissipated;
+  } else {
+    account.stored[Stored::outside] = -memory.work;
+  }
+  account.impulse = memory.impulse;
+  account.angular_impulse = memory.angular_impulse;
 }
 
 bool is_spring(const AnyLoad& any) { return std::holds_alternative<Spring>(any); }

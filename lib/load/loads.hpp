@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "base/account.hpp"
 #include "load/given.hpp"
 #include "mesh/mesh.hpp"
 
@@ -92,8 +93,9 @@ Spring spring_to_point(const std::string& name, const Vectors& X, Index from, co
                        double damping, const double* length = nullptr);
 
 const std::string& name(const AnyLoad&);
-/// "body_force", "pressure", "force", "moment" or "spring".
-const char* kind(const AnyLoad&);
+/// The schema of a load in the ledger, and its values now. What a load does, it takes from outside; a spring stores it.
+Source source(const AnyLoad&);
+void post(const AnyLoad&, const LoadMemory&, Account&);
 bool is_spring(const AnyLoad&);
 LoadMemory initial_memory(const AnyLoad&);
 

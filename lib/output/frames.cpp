@@ -19,7 +19,7 @@ Field vector(const std::string& name, const std::string& unit, const Vectors& va
 Vectors contact_forces(const dynamics::View& view) {
   Vectors force = Vectors::Zero(3, view.now.x.cols()), moment = Vectors::Zero(3, view.now.w.cols());
   for (std::size_t c = 0; c < view.model.interfaces.size(); ++c)
-    contact::add_forces(view.model.interfaces[c], view.forces.interfaces[c], force, moment);
+    contact::add_forces(view.model.interfaces[c], view.now.interfaces[c], force, moment);
   for (std::size_t p = 0; p < view.model.rigid_planes.size(); ++p)
     contact::add_forces(view.model.rigid_planes[p], view.now.rigid_planes[p], force);
   return force;

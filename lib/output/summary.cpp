@@ -59,21 +59,21 @@ Json results_of(const std::vector<Result>& results) {
   return object;
 }
 
-Json shares_of(const std::vector<dynamics::Share>& shares) {
+template <class Channel>
+Json channels_of(const std::vector<Channel>& listed, const Channels<Channel>& values) {
   Json object = Json::object();
-  for (const dynamics::Share& share : shares)
-    add_once(object, share.name, quantity(share.value, "J"));
+  for (const Channel channel : listed) add_once(object, std::string(word(channel)), quantity(values[channel], "J"));
   return object;
 }
 
-Json account_of(const dynamics::Account& account, double scale) {
+Json account_of(const Source& source, const Account& account, double scale) {
   const double created = dynamics::created(account);
   Json relative = quantity(created / scale, "1");
   if (scale == 0) relative["value"] = nullptr;
-  return {{"kind", account.kind},
+  return {{"kind", word(source.kind)},
           {"work", quantity(account.work, "J")},
-          {"stored", shares_of(account.stored)},
-          {"dissipated", shares_of(account.dissipated)},
+          {"stored", channels_of(source.stored, account.stored)},
+          {"dissipated", channels_of(source.dissipated, account.dissipated)},
           {"created", quantity(created, "J")},
           {"created_relative", relative},
           {"created_by_reconnection", quantity(account.created_by_reconnection, "J")},
@@ -81,10 +81,10 @@ Json account_of(const dynamics::Account& account, double scale) {
           {"angular_impulse", quantity(account.angular_impulse, "N m s")}};
 }
 
-Json ledger_of(const dynamics::Ledger& ledger) {
+Json ledger_of(const std::vector<Source>& sources, const dynamics::Ledger& ledger) {
   Json accounts = Json::object();
-  for (const dynamics::Account& account : ledger.accounts)
-    add_once(accounts, account.name, account_of(account, energy_scale(ledger)));
+  for (std::size_t s = 0; s < sources.size(); ++s)
+    add_once(accounts, sources[s].name, account_of(sources[s], ledger.accounts[s], energy_scale(ledger)));
   return {{"initial_kinetic", quantity(ledger.initial_kinetic, "J")},
           {"brought_in", quantity(ledger.brought_in, "J")},
           {"kinetic", quantity(ledger.kinetic, "J")},
@@ -190,7 +190,7 @@ void write_summary(const std::filesystem::path& directory, const Summary& summar
   const Json json = {{"driver", summary.driver},
                      {"ending", ending_of(summary.ending)},
                      {"results", results_of(summary.results)},
-                     {"ledger", ledger_of(summary.ledger)},
+                     {"ledger", ledger_of(summary.sources, summary.ledger)},
                      {"cost", cost_of(summary.cost)},
                      {"provenance", provenance_of(summary)},
                      {"not_used", summary.not_used},

@@ -36,6 +36,7 @@ struct Summary {
   std::string driver, case_path, case_hash;
   Ending ending;
   std::vector<Result> results;
+  std::vector<Source> sources;  ///< of the ledger
   dynamics::Ledger ledger;
   Cost cost;
   std::vector<Resolved> resolved;

@@ -66,17 +66,17 @@ int main(int argc, char** argv) {
                                 : kind == "full" ? hexahedra(n, law, element::FullHexahedron::Options{})
                                                  : hexahedra(n, law, one_point);
   dynamics::State state = dynamics::initial_state(model, {});
-  dynamics::Forces forces = dynamics::make_forces(model, {});
+  dynamics::Forces forces = dynamics::make_forces(model);
   for (Eigen::Index node = 0; node < state.v.cols(); ++node)  // stretched and sheared, so that it flows
     state.v.col(node) = Vec3(0.02 * model.mesh.X(0, node), 0.01 * model.mesh.X(0, node), 0.01 * model.mesh.X(1, node));
-  const double dt = 0.5 * dynamics::start(model, state, forces).element_step;
+  const double dt = 0.5 * dynamics::start(model, state, forces).elements.step;
 
   double began = seconds();
   for (int s = 0; s < steps; ++s) dynamics::step(model, dt, state, forces);
   const double step_seconds = seconds() - began;
   began = seconds();
   for (int s = 0; s < steps; ++s)
-    element::advance(model.blocks[0], state.x, state.v, state.w, 1e-9 * dt, state.blocks[0], forces.blocks[0]);
+    element::advance(model.blocks[0], state.x, state.v, state.w, 1e-9 * dt, state.blocks[0], state.tiles[0]);
   const double kernel_seconds = seconds() - began;
 
   const double updates = static_cast<double>(element::tiling(model.blocks[0]).elements) * steps;

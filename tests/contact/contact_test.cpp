@@ -58,7 +58,7 @@ struct Scene {
   Vectors forces() const {
     Vectors f = Vectors::Zero(3, x.cols());
     Vectors moment = none;
-    add_forces(interface, workspace, f, moment);
+    add_forces(interface, memory, f, moment);
     return f;
   }
 };
@@ -183,7 +183,7 @@ TEST(Force, InAValleyIsTheGradientOfTheStoredEnergy) {
     // a depth of 0.03 at equal heights, a little off the middle so that both flanks push unequally
     const double up = 0.07 * std::sqrt(1 + slope * slope);
     const Scene scene = press(sheet(4, 4, fold(slope), 0), {{2 + 0.003 * slope, 1.3, up}}, 0.1);
-    EXPECT_EQ(scene.workspace.elements[0].count, 6) << slope;
+    EXPECT_EQ(scene.memory.elements[0].count, 6) << slope;
     has_a_potential(scene, by_differences);
   }
 }
@@ -194,7 +194,7 @@ TEST(Force, BelowAValleyIsTheGradientOfTheStoredEnergy) {
 
 TEST(Force, InACornerOfThreeFlanksIsTheGradientOfTheStoredEnergy) {
   const Scene scene = press(corner(true), {Vec3(0.06, 0.07, 0.08)}, 0.1);
-  EXPECT_EQ(scene.workspace.elements[0].count, 9);
+  EXPECT_EQ(scene.memory.elements[0].count, 9);
   has_a_potential(scene, by_differences);
   EXPECT_LT((scene.forces().col(scene.apex()) - penalty * Vec3(0.04, 0.03, 0.02)).norm(), 1e-10);
 }
@@ -205,7 +205,7 @@ TEST(Force, AtASaddleIsTheGradientOfTheStoredEnergy) {
   for (const double x : {2.0007, 2.01, 1.97}) {
     for (const double y : {2.0011, 2.004, 1.98}) {
       const Scene scene = press(sheet(4, 4, saddle, 0), {{x, y, 0.085}}, 0.1);
-      several += scene.workspace.elements[0].count > 3;
+      several += scene.memory.elements[0].count > 3;
       has_a_potential(scene, 1e-5);
     }
   }
@@ -236,7 +236,7 @@ TEST(Force, OverRandomGroundIsTheGradientOfTheStoredEnergy) {
     }
     if (scene.memory.status[0] != Status::closed) continue;
     ++closed;
-    const int nodes = scene.workspace.elements[0].count;
+    const int nodes = scene.memory.elements[0].count;
     several += nodes > 3, mixed += nodes > 3 && nodes % 3 != 0;
     const double error = gradient_error(scene);
     worst = std::max(worst, error);
@@ -257,7 +257,7 @@ TEST(Force, OnASymmetryPlaneIsTheGradientOfTheStoredEnergy) {
   allowed(0, 0) = 0;
   scene.interface.allowed.assign(1, allowed);
   scene.update();
-  EXPECT_EQ(scene.workspace.elements[0].count, 3);
+  EXPECT_EQ(scene.memory.elements[0].count, 3);
   EXPECT_LT(gradient_error(scene), by_differences);
 }
 
@@ -280,11 +280,12 @@ struct Rubbing {
     scene.interface.friction = {coefficient, stick};
     scene.interface.weights = weights;
     scene.workspace = Workspace(scene.interface);
+    scene.memory.friction.resize(scene.interface.friction.coefficient > 0 ? scene.interface.apexes.size() : 0);
     scene.memory.slip.assign(1, Vec3::Zero());
     scene.memory.stick_stored.assign(1, 0.0);
     scene.update();
   }
-  const FrictionForces& friction() const { return scene.workspace.friction[0]; }
+  const FrictionForces& friction() const { return scene.memory.friction[0]; }
   void drag(const Vec3& velocity, double dt, int steps) {
     v.col(scene.apex()) = velocity;
     for (int step = 0; step < steps; ++step) {
@@ -438,7 +439,7 @@ TEST(Bond, StoresNothingInARigidMotion) {
 TEST(Bond, AsksForNoSmallStepsBecauseItNeverOpens) {
   Scene scene = bond({{1.3, 1.6, 0.4}});
   const Scalars mass = Scalars::Ones(scene.x.cols());
-  const double step = stable_step(scene.interface, mass, no_inertia, scene.workspace);
+  const double step = stable_step(scene.interface, mass, no_inertia, scene.memory, scene.workspace).step;
   EXPECT_LT(step, linear_step / std::sqrt(penalty * 1.2));
   EXPECT_GT(step, linear_step / std::sqrt(penalty * 3.0));
 }
@@ -677,7 +678,7 @@ TEST(Retardation, ScalesAllForcesOfAnElementSoThatNoneIsLeftOver) {
   Vectors v = Vectors::Zero(3, scene.x.cols());
   v.col(scene.apex()) = Vec3(3, -2, -7);
   advance(scene.interface, scene.x, v, none, 1e-6, scene.memory, scene.workspace);
-  EXPECT_GT(scene.workspace.elements[0].scale, 1);
+  EXPECT_GT(scene.memory.elements[0].scale, 1);
   const Vectors f = scene.forces();
   EXPECT_LT(f.rowwise().sum().norm(), 1e-12 * f.norm());
 }
@@ -723,7 +724,7 @@ TEST(Border, OfAnApexOnASymmetryPlaneHasTheMarginOfAllOthers) {
         scene.move({0, y, height});
         scene.update();
         EXPECT_EQ(scene.memory.status[0], Status::closed) << on_plane << ' ' << contact_height << ' ' << y;
-        EXPECT_LT((scene.workspace.elements[0].apex - Vec3(0, 0, penalty * 0.03)).norm(), 1e-9)
+        EXPECT_LT((scene.memory.elements[0].apex - Vec3(0, 0, penalty * 0.03)).norm(), 1e-9)
             << on_plane << ' ' << contact_height << ' ' << y;
       }
       scene.move({0, 4.15, height});
@@ -936,7 +937,7 @@ TEST(Cask, PushesEachApexByItsTributaryAreaOnceAlsoOnSymmetryPlanes) {
         for (Index a = 0; a < apexes; ++a) {
           Vec3 out = start.col(c.scene.apex(a));
           out.z() = 0;
-          f(a) = -c.scene.workspace.elements[a].apex.dot(out.normalized());
+          f(a) = -c.scene.memory.elements[a].apex.dot(out.normalized());
         }
         return f;
       };
@@ -966,8 +967,8 @@ TEST(Cask, ApexesOnSymmetryPlanesFeelTheMirrorImages) {
     ASSERT_GE(b, 0);
     const Mat3& allowed = quarter.scene.interface.allowed[a];
     const double part = quarter.scene.interface.area(a) / full.scene.interface.area(b);
-    const Vec3 f = full.scene.workspace.elements[b].apex;
-    EXPECT_LT((allowed * quarter.scene.workspace.elements[a].apex - part * f).norm(), 1e-6 * f.norm());
+    const Vec3 f = full.scene.memory.elements[b].apex;
+    EXPECT_LT((allowed * quarter.scene.memory.elements[a].apex - part * f).norm(), 1e-6 * f.norm());
   }
 }
 
@@ -984,7 +985,7 @@ TEST(Cask, TurnedInsideOutFeelsTheMirrorImagesOfARidge) {
   for (Index a = 0; a < 3; ++a) {
     Vec3 out = apexes[a];
     out.z() = 0;
-    EXPECT_LT((scene.workspace.elements[a].apex - penalty * 0.05 * out.normalized()).norm(), 1e-9);
+    EXPECT_LT((scene.memory.elements[a].apex - penalty * 0.05 * out.normalized()).norm(), 1e-9);
   }
   EXPECT_EQ(scene.memory.status[3], Status::beyond);  // off the end of the tube
 }
@@ -1026,7 +1027,7 @@ TEST(StableStep, OfAnApexOverAVertexIsThatOfTwoMassesOnASpring) {
   Scalars mass = Scalars::Constant(5, 1e9);
   mass(0) = 3, mass(4) = 2;
   const double expected = scene.interface.bounce_step / std::sqrt(penalty * (1.0 / 2 + 1.0 / 3));
-  EXPECT_NEAR(stable_step(scene.interface, mass, no_inertia, scene.workspace), expected, 1e-12);
+  EXPECT_NEAR(stable_step(scene.interface, mass, no_inertia, scene.memory, scene.workspace).step, expected, 1e-12);
 }
 
 TEST(StableStep, AddsUpSpringsThatShareANode) {
@@ -1034,12 +1035,12 @@ TEST(StableStep, AddsUpSpringsThatShareANode) {
   Scalars mass = Scalars::Constant(6, 1e9);
   mass(0) = 3, mass(4) = 2, mass(5) = 2;
   const double expected = scene.interface.bounce_step / std::sqrt(penalty * (1.0 / 2 + 2.0 / 3));
-  EXPECT_NEAR(stable_step(scene.interface, mass, no_inertia, scene.workspace), expected, 1e-12);
+  EXPECT_NEAR(stable_step(scene.interface, mass, no_inertia, scene.memory, scene.workspace).step, expected, 1e-12);
 }
 
 TEST(StableStep, WithoutBasesVotesForNothing) {
   Scene scene = press(sheet(2, 2, flat), {{50, 50, 50}}, 0.1);
-  EXPECT_GT(stable_step(scene.interface, Scalars::Ones(10), no_inertia, scene.workspace), 1e200);
+  EXPECT_GT(stable_step(scene.interface, Scalars::Ones(10), no_inertia, scene.memory, scene.workspace).step, 1e200);
 }
 
 /// Exact largest frequency squared of the contact springs, by differences of the forces.
@@ -1075,7 +1076,7 @@ std::array<double, 2> vote_over_exact(const std::function<double(double, double)
     Scene scene = press(sheet(4, 4, ground, 0), apexes, 0.1);
     Scalars mass(scene.x.cols());
     for (Index i = 0; i < mass.size(); ++i) mass(i) = even ? 1 : std::pow(10.0, 2 * unit(random));
-    const double vote = scene.interface.bounce_step / stable_step(scene.interface, mass, no_inertia, scene.workspace);
+    const double vote = scene.interface.bounce_step / stable_step(scene.interface, mass, no_inertia, scene.memory, scene.workspace).step;
     const double ratio = vote / std::sqrt(omega_squared(scene, mass));
     least = std::min(least, ratio), most = std::max(most, ratio);
   }
@@ -1106,6 +1107,7 @@ Scene many() {
   scene.interface.search_every = 7;
   scene.interface.friction = {0.3, 0.7};
   scene.workspace = Workspace(scene.interface);
+  scene.memory.friction.resize(scene.interface.friction.coefficient > 0 ? scene.interface.apexes.size() : 0);
   scene.memory.slip.assign(200, Vec3::Zero());
   scene.memory.stick_stored.assign(200, 0.0);
   scene.update();
@@ -1147,8 +1149,8 @@ TEST(Memory, IsNotTakenInAStep) {
     for (int step = 0; step < 20; ++step) {  // with two searches
       scene.x += 0.05 * v;
       advance(scene.interface, scene.x, v, none, 0.05, scene.memory, scene.workspace);
-      add_forces(scene.interface, scene.workspace, f, no_moment);
-      stable_step(scene.interface, mass, no_inertia, scene.workspace);
+      add_forces(scene.interface, scene.memory, f, no_moment);
+      stable_step(scene.interface, mass, no_inertia, scene.memory, scene.workspace).step;
     }
     EXPECT_EQ(allocations - before, 0);
   }

@@ -442,7 +442,7 @@ class Folders(InATemporaryFolder):
     def test_dry_run_makes_no_folder(self):
         run = Run("cask_drop", CASK, self.folder / "out", "--dry-run")
         self.assertEqual((run.status, run.stderr), (0, ""))
-        self.assertRegex(run.stdout, r"\d+ nodes, \d+ elements, mass .* kg\nfirst step .* s, asked for by ")
+        self.assertRegex(run.stdout, r"\d+ nodes, \d+ elements, mass .* kg\nfirst step .* s, limited by ")
         self.assertEqual([*self.folder.iterdir()], [])
 
     def test_dry_run_leaves_a_folder_alone(self):

@@ -272,10 +272,10 @@ TEST(Connect, APenaltyFromMassesNeverAsksForLessThanItsShareOfTheElementsStep) {
       std::vector<Connected> joint = connect(model, "joint", names[swapped], names[!swapped], options);
       ASSERT_EQ(model.interfaces[0].spring.size(), static_cast<Eigen::Index>(model.interfaces[0].apexes.size()));
       State state = initial_state(model, {joint[0].memory});
-      Forces forces = make_forces(model, {joint[0].workspace});
+      Forces forces = make_forces(model);
       const Votes votes = start(model, state, forces);
-      EXPECT_GE(votes.contact_step, share * votes.element_step * (1 - 1e-12));
-      EXPECT_LT(votes.contact_step, 2 * share * votes.element_step);
+      EXPECT_GE(votes.contact.step, share * votes.elements.step * (1 - 1e-12));
+      EXPECT_LT(votes.contact.step, 2 * share * votes.elements.step);
     }
   }
 }
@@ -291,13 +291,9 @@ Votes votes_of_matching_boxes(InterfaceOptions options, bool two_passes) {
   options.two_passes = two_passes;
   options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
   std::vector<contact::Memory> memories;
-  std::vector<contact::Workspace> workspaces;
-  for (const Connected& pass : connect(model, "joint", "above.z_low", "below.z_high", options)) {
-    memories.push_back(pass.memory);
-    workspaces.push_back(pass.workspace);
-  }
+  for (const Connected& pass : connect(model, "joint", "above.z_low", "below.z_high", options)) memories.push_back(pass.memory);
   State state = initial_state(model, memories);
-  Forces forces = make_forces(model, workspaces);
+  Forces forces = make_forces(model);
   return start(model, state, forces);
 }
 
@@ -306,7 +302,7 @@ TEST(Connect, TwoPassesOverTheSameNodesKeepTheBoundTogether) {
   for (const auto kind : {contact::InterfaceKind::contact, contact::InterfaceKind::bonded}) {
     InterfaceOptions options;
     options.kind = kind;
-    const double one = votes_of_matching_boxes(options, false).contact_step, two = votes_of_matching_boxes(options, true).contact_step;
+    const double one = votes_of_matching_boxes(options, false).contact.step, two = votes_of_matching_boxes(options, true).contact.step;
     EXPECT_NEAR(two / one, 1, 1e-12);  // round-off
   }
 }
@@ -316,7 +312,7 @@ TEST(Connect, TwoPassesWithAPenaltyFromMassesUseTheWholeStep) {
   options.penalty_from = PenaltyFrom::masses;
   for (const bool two_passes : {false, true}) {
     const Votes votes = votes_of_matching_boxes(options, two_passes);
-    EXPECT_NEAR(votes.contact_step / votes.element_step, 1, 1e-12) << two_passes;  // pairs of equal masses: the bound is met exactly
+    EXPECT_NEAR(votes.contact.step / votes.elements.step, 1, 1e-12) << two_passes;  // pairs of equal masses: the bound is met exactly
   }
 }
 

@@ -8,8 +8,8 @@ namespace {
 Account block() {
   Account a;
   a.work = -10;
-  a.stored = {{"elastic", 4}, {"hourglass", 1}};
-  a.dissipated = {{"plastic", 3}, {"viscous", 1.5}};
+  a.stored[Stored::elastic] = 4, a.stored[Stored::hourglass] = 1;
+  a.dissipated[Dissipated::plastic] = 3, a.dissipated[Dissipated::viscous] = 1.5;
   return a;
 }
 
@@ -39,9 +39,9 @@ TEST(Ledger, CreatedEnergyIsHeldAgainstTheLargestThatWasThere) {
   EXPECT_EQ(energy_scale(ledger), 0);
   ledger.accounts = {block()};
   Account force, gravity, brake;
-  force.kind = "force", force.work = 7, force.stored = {{"outside", -7}};
-  gravity.kind = "gravity", gravity.work = 2, gravity.stored = {{"potential", -2}};
-  brake.kind = "held", brake.work = -4, brake.stored = {{"outside", 4}};
+  force.work = 7, force.stored[Stored::outside] = -7;
+  gravity.work = 2, gravity.stored[Stored::potential] = -2;
+  brake.work = -4, brake.stored[Stored::outside] = 4;
   ledger.accounts.insert(ledger.accounts.end(), {force, gravity, brake});
   EXPECT_EQ(work_from_outside(ledger), 9);
   ledger.brought_in = 9;
@@ -50,7 +50,7 @@ TEST(Ledger, CreatedEnergyIsHeldAgainstTheLargestThatWasThere) {
   EXPECT_EQ(energy_scale(ledger), 9);
   ledger.initial_kinetic = 10;
   EXPECT_EQ(energy_scale(ledger), 10);
-  ledger.accounts[0].stored[0].at_start = 12;
+  ledger.accounts[0].at_start[Stored::elastic] = 12;
   EXPECT_EQ(energy_scale(ledger), 12);
 }
 

@@ -79,31 +79,6 @@ TEST(Model, NodesSharedByTwoBlocksOfPlatesTurnAsOne) {
   EXPECT_GT(model.inertia.minCoeff(), 0);
 }
 
-TEST(Model, EveryPlaceOfATileIsSummedOnceAndToItsNode) {
-  Model model = box_and_tube();
-  finish(model);
-  ASSERT_EQ(model.places.size(), 2u);
-  for (std::size_t b = 0; b < 2; ++b) {
-    const PlacesOfNodes& places = model.places[b];
-    const element::Tiling& tiling = element::tiling(model.blocks[b]);
-    if (b == 0) {
-      EXPECT_GT(tiling.tiles.size(), 1u);
-    }
-    EXPECT_TRUE(std::is_sorted(places.node.begin(), places.node.end()));
-    std::vector<int> seen(tiling.node.size(), 0);
-    for (std::size_t i = 0; i < places.node.size(); ++i) {
-      EXPECT_LT(places.begin[i], places.begin[i + 1]);
-      for (Index p = places.begin[i]; p < places.begin[i + 1]; ++p) {
-        ++seen[places.place[p]];
-        EXPECT_EQ(tiling.node[places.place[p]], places.node[i]);
-        if (p == places.begin[i]) continue;
-        EXPECT_LT(places.place[p - 1], places.place[p]);  // tile by tile
-      }
-    }
-    EXPECT_TRUE(std::all_of(seen.begin(), seen.end(), [](int n) { return n == 1; }));
-  }
-}
-
 TEST(Model, FinishingTwiceChangesNothing) {
   Model model = box_and_tube();
   finish(model);
@@ -112,7 +87,7 @@ TEST(Model, FinishingTwiceChangesNothing) {
   EXPECT_EQ(once.mass, model.mass);
   EXPECT_EQ(once.inertia, model.inertia);
   EXPECT_EQ(once.node_of_turn, model.node_of_turn);
-  EXPECT_EQ(once.places.size(), model.places.size());
+  EXPECT_EQ(once.node_sums.size(), model.node_sums.size());
 }
 
 TEST(Model, ANodeWithoutElementIsRefused) {
@@ -138,12 +113,14 @@ TEST(Model, TheInitialStateIsAtRestWithOneAccountForEverySource) {
   EXPECT_TRUE(state.v.isZero(0) && state.w.isZero(0));
   EXPECT_EQ(state.w.cols(), model.inertia.size());
   std::vector<std::string> names;
-  for (const Account& a : state.ledger.accounts) names.push_back(a.kind + " " + a.name);
+  const std::vector<Source> all = sources(model);
+  for (const Source& source : all) names.push_back(std::string(word(source.kind)) + " " + source.name);
   EXPECT_EQ(names,
             (std::vector<std::string>{"block box", "block tube", "rigid_plane wall", "floor floor",
                                       "symmetry mirror", "held clamp", "gravity gravity"}));
-  EXPECT_EQ(state.ledger.accounts[0].stored[1].name, "hourglass");
-  EXPECT_EQ(state.ledger.accounts[1].stored[1].name, "transverse_shear");
+  EXPECT_EQ(all[0].stored[1], Stored::hourglass);
+  EXPECT_EQ(all[1].stored[1], Stored::transverse_shear);
+  EXPECT_EQ(state.ledger.accounts.size(), all.size());
 }
 
 TEST(Model, AnInterfaceWithoutMemoryIsRefused) {

@@ -30,8 +30,8 @@ struct Case {
   void start() {
     build();
     state = dynamics::initial_state(model, {});
-    forces = dynamics::make_forces(model, {});
-    set_initial(actions, model, state, forces);
+    forces = dynamics::make_forces(model);
+    set_initial(actions, model, state);
   }
   /// Faults so far, or nothing.
   std::vector<Fault> faults() const {

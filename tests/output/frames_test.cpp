@@ -13,7 +13,6 @@ struct Scene {
   dynamics::Model model;
   dynamics::State state;
   dynamics::Forces forces;
-  dynamics::Votes votes;
 
   Scene() {
     model.mesh = mesh::join(mesh::box("A", {Vec3::Zero(), Vec3::Ones(), {2, 2, 2}}),
@@ -25,14 +24,13 @@ struct Scene {
     dynamics::finish(model);
     const auto connected = dynamics::connect(model, "contact", "A.x_high", "B.x_low", {}).front();
     std::vector<contact::Memory> memories{connected.memory};
-    std::vector<contact::Workspace> workspaces{connected.workspace};
     state = dynamics::initial_state(model, memories);
-    forces = dynamics::make_forces(model, workspaces);
+    forces = dynamics::make_forces(model);
     for (const Index node : mesh::node_set(model.mesh, "A")) state.v(0, node) = 0.1;
-    votes = dynamics::start(model, state, forces);
-    for (int i = 0; i < 20; ++i) votes = dynamics::step(model, 0.9 * votes.contact_step, state, forces);
+    dynamics::start(model, state, forces);
+    for (int i = 0; i < 20; ++i) dynamics::step(model, 0.9 * state.votes.contact.step, state, forces);
   }
-  dynamics::View view() const { return {model, state, forces, votes, true}; }
+  dynamics::View view() const { return {model, state, forces, true}; }
 };
 
 const Field& field(const std::vector<Field>& fields, const std::string& name) {

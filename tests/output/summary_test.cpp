@@ -49,13 +49,12 @@ Summary example() {
   summary.ledger.initial_kinetic = 8;
   summary.ledger.kinetic = 4;
   summary.ledger.momentum = Vec3(1, 2, 3);
-  dynamics::Account contact;
-  contact.name = "A_on_B";
-  contact.kind = "interface";
+  Account contact;
   contact.work = -4;
-  contact.stored = {{"penalty", 1}};
-  contact.dissipated = {{"friction", 2}};
+  contact.stored[Stored::penalty] = 1;
+  contact.dissipated[Dissipated::friction] = 2;
   contact.impulse = Vec3(1, 2, 2.5);
+  summary.sources = {{"A_on_B", SourceKind::interface, {Stored::penalty}, {Dissipated::friction}}};
   summary.ledger.accounts = {contact};
   summary.resolved = {{"contact.penalty", 5e11, "Pa/m", false},
                       {"contact.friction", 0.0, "1", true},

@@ -29,7 +29,9 @@ class TablesTest(unittest.TestCase):
         folder.mkdir(parents=True)
         (folder / "accept.py").write_text(ACCEPT)
         (folder / "README.md").write_text("# A bar\n\nauthored\n")
-        (self.root / "README.md").write_text("# All\n\nauthored\n")
+        self.page = self.root / tables.PAGE
+        self.page.parent.mkdir()
+        self.page.write_text("# All\n\nauthored\n")
         tables.write(self.root, {"bar": outcome()})
 
     def stale(self, out):
@@ -41,8 +43,8 @@ class TablesTest(unittest.TestCase):
 
     def test_only_the_block_is_written_anew(self):
         tables.write(self.root, {"bar": outcome(error=0.007)})
-        for readme in (self.root / "README.md", self.root / "verification" / "bar" / "README.md"):
-            text = readme.read_text()
+        for page in (self.page, self.root / "verification" / "bar" / "README.md"):
+            text = page.read_text()
             self.assertIn("authored", text)
             self.assertEqual(text.count(tables.BEGIN), 1)
             self.assertIn("0.7 %", text)
@@ -50,7 +52,7 @@ class TablesTest(unittest.TestCase):
 
     def test_another_error_is_stale_and_its_rounding_is_not(self):
         self.assertEqual(self.stale(outcome(error=0.0051)), [])
-        self.assertEqual(len(self.stale(outcome(error=0.006))), 2)  # in the README of the case and in that of all
+        self.assertEqual(len(self.stale(outcome(error=0.006))), 2)  # in the README of the case and on the page of all
 
     def test_another_limit_is_stale(self):
         self.assertEqual(len(self.stale(outcome(limit=0.02))), 2)
@@ -61,15 +63,25 @@ class TablesTest(unittest.TestCase):
         self.assertIn("has no row 'time'", self.stale(more)[0])
         (self.root / "verification" / "bar" / "speed.svg").unlink()
         self.assertIn("speed.svg: is missing", self.stale(outcome())[0])
-        (self.root / "README.md").write_text("# All\n")
+        self.page.write_text("# All\n")
         self.assertIn("has no line of bar", self.stale(outcome())[-1])
         self.assertIn("no quick outcome", tables.stale(self.root, ["bar"], self.root / "nowhere")[0])
+
+    def test_the_page_of_all_links_to_the_folder_of_each_case(self):
+        link = tables.lines_of(self.page.read_text())["bar"].split("](")[1].split(")")[0]
+        self.assertTrue((self.page.parent / link).is_file())
+
+    def test_a_page_that_is_missing_has_no_lines_and_is_written_anew(self):
+        self.page.unlink()
+        self.assertEqual(tables.page_lines(self.root), {})
+        tables.write(self.root, {"bar": outcome()})
+        self.assertEqual(self.stale(outcome()), [])
 
     def test_a_line_of_a_case_that_is_gone_is_stale(self):
         self.assertIn("which is no case", tables.stale(self.root, [], self.root / "quick")[0])
 
     def test_the_table_of_all_shows_what_the_quick_suite_can_see(self):
-        line = tables.lines_of((self.root / "README.md").read_text())["bar"]
+        line = tables.lines_of(self.page.read_text())["bar"]
         self.assertIn("| speed | 0.5 % | 1 % | pass |", line)
 
     def test_errors_at_rounding_need_only_stay_within_their_limit(self):

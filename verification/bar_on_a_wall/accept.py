@@ -3,7 +3,7 @@ from reference import VM265, reference
 from verify import Breaks, Check, Falls, Figure, Pair, created
 
 CATALOGUE = ("I-1",)
-CLAIM = "A bar that strikes a rigid wall pushes it with rho c V A for 2L/c and leaves with the speed it came with."
+CLAIM = "A bar that hits a rigid wall exerts rho c V A for 2L/c and rebounds with its initial speed."
 EVIDENCE = "exact"
 DRIVER = "scene"
 

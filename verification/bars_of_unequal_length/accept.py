@@ -3,7 +3,7 @@ from reference import BARS, momentum_of_short, reference
 from verify import Breaks, Check, Falls, Figure, Pair, Report, crossings
 
 CATALOGUE = ("I-4",)
-CLAIM = "A bar that strikes a longer one pushes with rho c V/2 for 2 L1/c and stops; the longer one leaves with V L1/L2."
+CLAIM = "A bar that hits a longer one exerts rho c V/2 per area for 2 L1/c and stops; the longer one leaves with V L1/L2."
 EVIDENCE = "exact"
 DRIVER = "scene"
 

@@ -4,7 +4,7 @@ from math import log
 import reference
 from verify import Breaks, Check, Falls, Figure, Pair, crossings
 
-CLAIM = "A block that is let go on springs with dashpots swings with the decrement, the period and the heat of a damped oscillator."
+CLAIM = "A block released on springs with dashpots has the decrement, period and dissipated energy of a damped oscillator."
 EVIDENCE = "exact"
 CATALOGUE = ()
 DRIVER = "scene"

@@ -5,7 +5,7 @@ from reference import acceleration
 from verify import Breaks, Check, Figure, Pair, Report, Table
 
 CATALOGUE = ("C-6",)
-CLAIM = "On an incline of 30 degrees a block with friction 0.6 stays, and one with 0.2 slides with 3.206 m/s2."
+CLAIM = "On an incline of 30 degrees a block with friction 0.6 stays at rest, and one with 0.2 accelerates at 3.206 m/s2."
 EVIDENCE = "exact"
 DRIVER = "scene"
 

@@ -3,7 +3,7 @@ from reference import GRAVITY, ONE, bounce, energy_of_stack
 from verify import Breaks, Check, Figure, Pair, Table, Waiver
 
 CATALOGUE = ("I-8",)
-CLAIM = "Blocks that bounce on a plane and on each other keep their energy, and a stiff one returns to its height twenty times."
+CLAIM = "Blocks that bounce on a plane and on each other keep their energy, and a stiff block returns to its initial height twenty times."
 EVIDENCE = "invariant"
 DRIVER = "scene"
 

@@ -5,8 +5,8 @@ from reference import HARDENING, PERFECT, STEEL, history, largest_strain, small,
 from verify import Breaks, Check, Figure, Miss, Pair, Report, Table
 
 CATALOGUE = ("P-8",)
-CLAIM = ("A ring that starts outwards everywhere at once breathes in as far, as late and as much for good as energy says, of "
-         "plates and of hexahedra.")
+CLAIM = ("The largest strain of a ring with an initial radial velocity, its time and the permanent strain follow from the energy, for "
+         "plates and for hexahedra.")
 EVIDENCE = "exact"
 DRIVER = "scene"
 

@@ -3,7 +3,7 @@ from reference import deflection, first_frequency, layers_factor
 from verify import Breaks, Check, Figure, Pair, Report, Table, crossings
 
 CATALOGUE = ("E-3",)
-CLAIM = "n layers of one-point elements with dashpots against hourglassing carry 1 - 1/n^2 of the bending stiffness, at rest and swinging."
+CLAIM = "n layers of one-point elements with hourglass dashpots have 1 - 1/n^2 of the bending stiffness, in statics and in vibration."
 EVIDENCE = "exact"
 DRIVER = "scene"
 

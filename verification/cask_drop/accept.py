@@ -4,7 +4,8 @@ from convergence import tendency
 from verify import Breaks, Check, Figure, Pair, Report, Table
 
 CATALOGUE = ("W-1", "W-2", "W-3")
-CLAIM = "The head of the cask settles as far and as late as in the round robin, between a cask without a skin and one with a bonded skin."
+CLAIM = ("Settlement of the head and its time lie inside the round robin's range, and between a cask without cladding and one with "
+         "bonded cladding.")
 EVIDENCE = "benchmark"
 DRIVER = "cask_drop"
 CASE = "cases/cask_drop/neptune.yaml"

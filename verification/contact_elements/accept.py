@@ -2,8 +2,8 @@
 from verify import Breaks, Check, Figure, Pair, Table
 
 CATALOGUE = ("C-0",)
-CLAIM = ("B of the tetrahedral, the triangular and the line element is the gradient of the height, exerts no net force and no net moment, "
-         "turns with the element and forgets the order of its nodes, slivers included; so does Eq. 8a as corrected.")
+CLAIM = ("B of the tetrahedral, triangular and line element is the gradient of the height, has no net force and no net moment, rotates "
+         "with the element and does not depend on the node order, slivers included; so does Eq. 8a as corrected.")
 EVIDENCE = "invariant"
 DRIVER = "contact_elements"
 

@@ -5,7 +5,8 @@ from reference import reference
 from verify import Breaks, Check, Figure, Pair, Report, Table
 
 CATALOGUE = ("C-2",)
-CLAIM = "How uniformly a uniform pressure passes through two meshes that do not match, for every formulation of contact."
+CLAIM = ("A uniform pressure passes exactly through matching meshes; for meshes that do not match, the error of every contact "
+         "formulation is reported.")
 EVIDENCE = "exact"
 DRIVER = "scene"
 

@@ -5,8 +5,8 @@ from reference import flanagan_belytschko, growth, highest_frequency, lame
 from verify import Breaks, Check, Figure, Pair, Report, Table, Waiver
 
 CATALOGUE = ("E-4",)
-CLAIM = ("The highest frequency of a free brick is the closed form's; at 0.99 of an assembly's exact step a run is stable, at "
-         "1.02 it grows as central differences must.")
+CLAIM = ("The highest frequency of a free brick is that of the closed form; at 0.99 of an assembly's exact step a run is stable, at "
+         "1.02 its amplitude grows at the rate of central differences.")
 EVIDENCE = "exact"
 DRIVER = "modes"
 

@@ -5,8 +5,9 @@ from reference import LEAD, SHARES, STEEL, accumulated, dissipated, segments
 from verify import Breaks, Check, Figure, Pair, Table
 
 CATALOGUE = ("M-3", "M-7")
-CLAIM = ("After a pull to three times the yield strain reverse flow begins at minus the largest stress with isotropic hardening, at the "
-         "largest stress less twice the yield stress with kinematic, and between with mixed; the whole cycle is the exact one.")
+CLAIM = ("After tension to three times the yield strain, reverse yielding begins at minus the largest stress with isotropic hardening, "
+         "at the largest stress minus twice the yield stress with kinematic hardening, and between with mixed; the whole cycle is "
+         "exact.")
 EVIDENCE = "exact"
 DRIVER = "scene"
 

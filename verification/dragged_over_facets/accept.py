@@ -5,7 +5,7 @@ from reference import reference
 from verify import Breaks, Check, Figure, Pair, Table
 
 CATALOGUE = ("C-8",)
-CLAIM = "A block dragged over irregular facets of a flat plane feels a steady push and a steady friction, and so does every base node."
+CLAIM = "A block dragged over irregular facets of a flat plane has a constant contact force and friction, and so has every base node."
 EVIDENCE = "exact"
 DRIVER = "scene"
 

@@ -3,8 +3,7 @@ from reference import crossed, silent, sound
 from verify import GOOD_ENDINGS, Breaks, CannotRun, Check, Figure, Pair, Report, Table, Waiver
 
 CATALOGUE = ("C-16",)
-CLAIM = ("However fast two bodies meet, however they overlap at the start, and where nodes coincide: what goes wrong is "
-         "refused, stopped or warned of.")
+CLAIM = "At any impact speed, with any initial overlap and where nodes coincide, a wrong result is refused, stopped or warned of."
 EVIDENCE = "invariant"
 DRIVER = "scene"
 

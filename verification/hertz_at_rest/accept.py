@@ -5,7 +5,7 @@ from reference import hertz, pressure_at
 from verify import Breaks, Check, Figure, Pair, Report, Table, straight_line
 
 CATALOGUE = ("I-9",)
-CLAIM = "A ball pressed on a rigid plane pushes back with Hertz's force and Hertz's pressure once it rests."
+CLAIM = "A ball pressed on a rigid plane has Hertz's force and Hertz's pressure at rest."
 EVIDENCE = "exact"
 DRIVER = "scene"
 

@@ -5,7 +5,7 @@ from reference import hoop_stress, motion, outer_motion, pressure, radial_stress
 from verify import Breaks, Check, Falls, Figure, Pair, Table
 
 CATALOGUE = ("M-4",)
-CLAIM = ("A thick sphere whose wall flows part of the way through widens, at rest, as Hill's exact solution says, nearly "
+CLAIM = ("A thick sphere under internal pressure, part of it plastic, expands at rest as in Hill's exact solution, nearly "
          "incompressible or not.")
 EVIDENCE = "exact"
 DRIVER = "scene"

@@ -5,7 +5,7 @@ from reference import AMPLITUDE, DASHPOTS, MODES, damped, dashpot_rate, kinetic,
 from verify import Breaks, Check, Figure, Pair, Report, Table, crossings
 
 CATALOGUE = ("E-7",)
-CLAIM = "Each of the twelve hourglass modes of a free cube has no elastic energy: all of it is in the account of the hourglass control."
+CLAIM = "The twelve hourglass modes of a free cube have no elastic energy: all of it is in the account of the hourglass control."
 EVIDENCE = "exact"
 DRIVER = "scene"
 

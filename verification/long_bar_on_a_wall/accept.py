@@ -3,8 +3,7 @@ from reference import INCH, VM85, reference, shortening
 from verify import Breaks, Check, Falls, Figure, Pair, created
 
 CATALOGUE = ("I-1b",)
-CLAIM = ("A long bar stopped by a wall is shortest, by V L/c, when the front reaches its free end, and then it holds all its "
-         "energy as strain.")
+CLAIM = "A long bar stopped by a wall is shortened by V L/c when the front reaches its free end, and all its energy is then strain energy."
 EVIDENCE = "exact"
 DRIVER = "scene"
 

@@ -5,7 +5,7 @@ from reference import displacement, stress
 from verify import Breaks, Check, Figure, Pair, Table
 
 CATALOGUE = ("E-8",)
-CLAIM = "Displacements of elastic solids converge with the second order in mesh and step together, stresses at the middle of elements too."
+CLAIM = "Displacements of elastic solids, and stresses at element centres, converge with second order in mesh and step together."
 EVIDENCE = "order"
 DRIVER = "scene"
 

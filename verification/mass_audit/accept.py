@@ -3,7 +3,7 @@ from reference import masses, rotary_inertia
 from verify import Breaks, Check, Figure, Pair, Report
 
 CATALOGUE = ("E-6",)
-CLAIM = "Single elements fall with g, weigh density times volume, and plates turn about all axes with one positive inertia."
+CLAIM = "Single elements fall with g, weigh density times volume, and plate nodes have one positive rotary inertia about all axes."
 EVIDENCE = "exact"
 DRIVER = "scene"
 

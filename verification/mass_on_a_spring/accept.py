@@ -3,7 +3,8 @@ from reference import VM65, height, reference
 from verify import Breaks, Check, Falls, Figure, Pair, crossings, interpolate
 
 CATALOGUE = ("I-7",)
-CLAIM = "A mass that falls on a spring meets it when free fall says, and goes as deep and as late as a harmonic says."
+CLAIM = ("A mass that falls on a spring reaches it after the time of free fall, and its largest compression and the time of it are "
+         "those of a harmonic oscillator.")
 EVIDENCE = "exact"
 DRIVER = "scene"
 

@@ -8,7 +8,7 @@ from verify import Breaks, Check, Figure, Pair, Table
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "invariance_scenes"))
 import scenes  # noqa: E402
 
-CLAIM = "A scene in a mirror gives the results in the mirror."
+CLAIM = "A mirrored scene gives mirrored results."
 EVIDENCE = "invariant"
 CATALOGUE = ()
 DRIVER = "scene"

@@ -3,8 +3,8 @@ from reference import bent, cylinder, layers_stiffness, lumped_couple, sphere
 from verify import Breaks, Check, Falls, Figure, Pair, Table
 
 CATALOGUE = ("E-10",)
-CLAIM = ("Thick walls that keep their volume, but for a few thousandths, widen as Lame says, and bars bend: hexahedra of one "
-         "point and of eight do not lock.")
+CLAIM = ("Nearly incompressible thick walls expand as in Lame's solution, and bars bend without locking: hexahedra of one point and of "
+         "eight.")
 EVIDENCE = "exact"
 DRIVER = "scene"
 

@@ -5,7 +5,7 @@ from reference import of_a_box
 from verify import Breaks, Check, Figure, Pair, Report, Table, created
 
 CATALOGUE = ("C-4",)
-CLAIM = "An oblique impact of two free blocks that rub changes neither momentum nor angular momentum."
+CLAIM = "An oblique impact of two free blocks with friction conserves momentum and angular momentum."
 EVIDENCE = "invariant"
 DRIVER = "scene"
 

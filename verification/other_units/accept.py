@@ -9,7 +9,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "invariance_scen
 import meshes  # noqa: E402
 import scenes  # noqa: E402
 
-CLAIM = "A scene in other units, or of another size, gives the same results in its own measure."
+CLAIM = "A scene in other units or at another scale gives the same results in its own units."
 EVIDENCE = "invariant"
 CATALOGUE = ()
 DRIVER = "scene"

@@ -3,7 +3,7 @@ from reference import reference
 from verify import Breaks, Check, Figure, Pair
 
 CATALOGUE = ("C-3",)
-CLAIM = "Every apex of an overlap feels its depth, is pushed by penalty times depth and never pulled, whatever the meshes."
+CLAIM = "Every apex of an overlap has a gap equal to its depth and a force of penalty times depth, never tension, for any meshes."
 EVIDENCE = "exact"
 DRIVER = "scene"
 

@@ -5,8 +5,8 @@ from reference import partial_slip, pressure, traction
 from verify import Breaks, Check, Figure, Pair, Table, Waiver, straight_line
 
 CATALOGUE = ("C-14",)
-CLAIM = ("Two cylinders pressed together and sheared by less than friction holds slip at the rim of their contact and stick in "
-         "the middle, as Cattaneo and Mindlin found.")
+CLAIM = ("Two cylinders pressed together and sheared by less than the friction limit slip at the edge of contact and stick in the "
+         "middle, as in the solution of Cattaneo and Mindlin.")
 EVIDENCE = "exact"
 DRIVER = "scene"
 

@@ -3,7 +3,7 @@ from reference import OUTERMOST, bending, bending_energy, displacement, membrane
 from verify import Breaks, Check, Figure, Pair, Waiver
 
 CATALOGUE = ("E-1",)
-CLAIM = "Distorted triangles of plates carry constant membrane strain, curvature and transverse shear, and move affinely as they should."
+CLAIM = "Distorted plate triangles reproduce constant membrane strain, curvature and transverse shear, and an affine motion."
 EVIDENCE = "exact"
 DRIVER = "scene"
 

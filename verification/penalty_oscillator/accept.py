@@ -3,8 +3,8 @@ from reference import bound, contact_time, critical_step, depth, largest_rebound
 from verify import Breaks, Check, Falls, Figure, Pair, Report, Table
 
 CATALOGUE = ("C-1",)
-CLAIM = ("Two masses on one contact element of any kind touch for half a period, reach the exact peaks, part faster than they met by "
-         "what sampling creates and no more, and are stable up to the linear limit.")
+CLAIM = ("Two masses on one contact element of any kind touch for half a period, reach the exact peaks, gain only the energy that "
+         "sampling creates, and are stable up to the linear limit.")
 EVIDENCE = "exact"
 DRIVER = "penalty_oscillator"
 

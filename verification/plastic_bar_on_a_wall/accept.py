@@ -3,7 +3,7 @@ from reference import SPEED, STEEL, large_strains, profile, small_strains
 from verify import Breaks, Check, Figure, Pair, Report, Table
 
 CATALOGUE = ("I-2",)
-CLAIM = "A bilinear bar that strikes a wall carries sigma_y + rho c_p (V - V_y) behind its plastic front."
+CLAIM = "A bilinear bar that hits a wall has the stress sigma_y + rho c_p (V - V_y) behind its plastic front."
 EVIDENCE = "exact"
 DRIVER = "scene"
 

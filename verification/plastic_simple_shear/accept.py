@@ -5,8 +5,8 @@ from reference import LEAD, elastic, first_yield, isotropic, kinematic, perfectl
 from verify import Breaks, Check, Falls, Figure, Pair, Report, Table
 
 CATALOGUE = ("M-6",)
-CLAIM = ("In simple shear up to 4 a metal that hardens isotropically carries a shear stress that only grows, and follows the rate of "
-         "Jaumann with its flow; a back stress swings.")
+CLAIM = ("In simple shear up to 4 the shear stress of a metal with isotropic hardening grows monotonically and follows Jaumann's rate "
+         "with plastic flow; with a back stress it oscillates.")
 EVIDENCE = "exact"
 DRIVER = "scene"
 

@@ -5,7 +5,7 @@ from reference import G, RATE, STEP, prestress, turned_back
 from verify import Breaks, Check, Figure, Pair
 
 CATALOGUE = ("E-2",)
-CLAIM = "The stress of a stretched body that spins ten turns stays what it was in the body's frame."
+CLAIM = "The stress of a stretched body that rotates ten times stays constant in the body's frame."
 EVIDENCE = "exact"
 DRIVER = "scene"
 

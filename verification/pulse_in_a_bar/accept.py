@@ -3,7 +3,7 @@ from reference import INPUTS, NODES, PART, TIME, extremes, pulse, reflected
 from verify import Breaks, Check, Falls, Figure, Pair, Waiver
 
 CATALOGUE = ("E-9",)
-CLAIM = "A Gaussian displacement in a clamped bar parts into two pulses; displacement, velocity and acceleration are d'Alembert's."
+CLAIM = "A Gaussian displacement in a clamped bar splits into two pulses; displacement, velocity and acceleration are d'Alembert's."
 EVIDENCE = "exact"
 DRIVER = "scene"
 

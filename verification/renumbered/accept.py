@@ -9,7 +9,7 @@ from verify import Breaks, Check, Falls, Figure, Pair, Table
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "invariance_scenes"))
 import scenes  # noqa: E402
 
-CLAIM = "The numbers of nodes, of elements and of the corners of hexahedra change nothing; those of the corners of triangles little."
+CLAIM = "The numbering of nodes, elements and hexahedron corners does not change results; that of triangle corners changes them little."
 EVIDENCE = "invariant"
 CATALOGUE = ()
 DRIVER = "scene"

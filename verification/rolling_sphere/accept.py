@@ -5,7 +5,7 @@ from reference import rolling, speed_at
 from verify import Breaks, Check, Figure, Pair, Report, Table, straight_line
 
 CATALOGUE = ("C-12",)
-CLAIM = "A sphere that slides at 3 m/s on a plane with friction 0.2 rolls after 0.437 s and 1.123 m, at 5/7 of its speed."
+CLAIM = "A sphere that slides at 3 m/s on a plane with friction 0.2 starts to roll after 0.437 s and 1.123 m, at 5/7 of its speed."
 EVIDENCE = "exact"
 DRIVER = "scene"
 

@@ -8,7 +8,7 @@ from verify import Breaks, Check, Figure, Pair, Table
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "invariance_scenes"))
 import scenes  # noqa: E402
 
-CLAIM = "A scene that is turned and moved as a whole gives the same results, turned and moved."
+CLAIM = "A scene that is rotated and translated as a whole gives the same results, rotated and translated."
 EVIDENCE = "invariant"
 CATALOGUE = ()
 DRIVER = "scene"

@@ -5,7 +5,8 @@ from reference import friction_force, slip_time, speed, way
 from verify import Breaks, Check, Figure, Pair, Table
 
 CATALOGUE = ("C-7",)
-CLAIM = "A block pressed on a plane by P and pushed along it by Q stays while Q is below mu P, slips at mu P, and then feels mu P."
+CLAIM = ("A block pressed on a plane by P and pushed along it by Q stays while Q is below mu P, slips at mu P, and then has the "
+         "friction mu P.")
 EVIDENCE = "exact"
 DRIVER = "scene"
 

@@ -3,7 +3,7 @@ from reference import reference
 from verify import Breaks, Check, Figure, Pair, Table, created, crossings, interpolate
 
 CATALOGUE = ("C-5",)
-CLAIM = "A block with 5 m/s on a level plane with friction 0.3 stops after 4.247 m and 1.699 s, and its energy is heat."
+CLAIM = "A block with 5 m/s on a level plane with friction 0.3 stops after 4.247 m and 1.699 s, and friction dissipates its energy."
 EVIDENCE = "exact"
 DRIVER = "scene"
 

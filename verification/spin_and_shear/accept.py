@@ -3,7 +3,7 @@ from reference import green_naghdi, jaumann
 from verify import Breaks, Check, Figure, Pair, Report, Table
 
 CATALOGUE = ("E-2",)
-CLAIM = "Stress in simple shear up to 4 follows the rate of Jaumann."
+CLAIM = "Stress in simple shear up to 4 follows Jaumann's rate."
 EVIDENCE = "exact"
 DRIVER = "scene"
 

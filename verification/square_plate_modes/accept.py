@@ -3,7 +3,7 @@ from reference import cantilever, free, frequency, simply_supported
 from verify import Breaks, Check, Falls, Figure, Pair, Report, Table
 
 CATALOGUE = ("P-1", "P-2", "P-3")
-CLAIM = "Plates vibrate as thin square plates do: on simple supports, free, and clamped at one side."
+CLAIM = "Frequencies of thin square plates are right on simple supports, free, and clamped at one side."
 EVIDENCE = "exact"
 DRIVER = "modes"
 

@@ -3,7 +3,7 @@ from reference import bending_stiffness, clamped, simply_supported
 from verify import Breaks, Check, Falls, Figure, Miss, Pair, Table
 
 CATALOGUE = ("P-4",)
-CLAIM = "A thin square plate under uniform pressure bends as Navier's on simple supports, and clamped as Ritz's."
+CLAIM = "Deflections of a thin square plate under uniform pressure agree with Navier on simple supports and with Ritz where clamped."
 EVIDENCE = "exact"
 DRIVER = "scene"
 

@@ -3,7 +3,8 @@ from reference import OWN_CODE, STRIP, bracket
 from verify import Breaks, Check, Figure, Pair, Report, Table
 
 CATALOGUE = ("P-6",)
-CLAIM = "A clamped strip of plates under a uniform impulse stays bent between the two bounds of rigid, perfectly plastic strips."
+CLAIM = ("The permanent deflection of a clamped strip of plates under a uniform impulse lies between the two bounds for rigid, "
+         "perfectly plastic strips.")
 EVIDENCE = "exact"
 DRIVER = "scene"
 

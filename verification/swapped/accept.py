@@ -8,7 +8,7 @@ from verify import Breaks, Check, Figure, Pair, Table
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "invariance_scenes"))
 import scenes  # noqa: E402
 
-CLAIM = "Two passes do not care which side has the apexes; with one pass both ways exchange nearly the same momentum, and none is lost."
+CLAIM = "Two passes do not depend on which side has the apexes; one pass exchanges nearly the same momentum both ways, and conserves it."
 EVIDENCE = "invariant"
 CATALOGUE = ()
 DRIVER = "scene"

@@ -3,7 +3,7 @@ from reference import BARS, reference, speeds
 from verify import Breaks, Check, Figure, Pair, Table, created, crossings
 
 CATALOGUE = ("I-10",)
-CLAIM = "Of three equal bars in a row the first two end at rest, and the third leaves with the speed of the first."
+CLAIM = "Of three equal bars in a row the first two end at rest, and the third leaves with the initial speed of the first."
 EVIDENCE = "exact"
 DRIVER = "scene"
 

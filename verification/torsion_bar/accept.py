@@ -5,7 +5,7 @@ from reference import BAR, CONSISTENT, LUMPED, TIME, kinetic_energy, largest_twi
 from verify import Breaks, Check, Falls, Figure, Pair, Report, Table
 
 CATALOGUE = ("E-11",)
-CLAIM = "A free bar let go in torsion is stressed as in another code with lumped masses, and keeps its energy."
+CLAIM = "The stress of a free bar released in torsion agrees with another code with lumped masses, and its energy stays constant."
 EVIDENCE = "benchmark"
 DRIVER = "scene"
 

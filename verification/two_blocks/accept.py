@@ -3,7 +3,7 @@ from reference import reference
 from verify import Breaks, Check, Falls, Figure, Pair, Waiver, created
 
 CATALOGUE = ("I-3",)
-CLAIM = "The interface carries the stress rho c v/2 for the time 2L/c; then the bars part with their velocities exchanged."
+CLAIM = "The interface carries the stress rho c v/2 for the time 2L/c; then the bars separate with their velocities exchanged."
 EVIDENCE = "exact"
 DRIVER = "two_blocks"
 CASE = "cases/two_blocks/bars.yaml"

@@ -6,8 +6,8 @@ from reference import (LEAD, STEEL, plastic_modulus_in_uniaxial_strain, pure_she
 from verify import Breaks, Check, Falls, Figure, Pair
 
 CATALOGUE = ("M-2", "M-7")
-CLAIM = ("In uniaxial strain and in pure shear, alone and in every element, a law yields at 2 G e = sy and at sy/sqrt(3), and goes on with "
-         "the slopes K + (4 G/3) H/(H + 3 G) and 1/(1/G + 3/H).")
+CLAIM = ("In uniaxial strain and in pure shear, alone and in every element, a law yields at 2 G e = sy and at sy/sqrt(3), and continues"
+         " with the slopes K + (4 G/3) H/(H + 3 G) and 1/(1/G + 3/H).")
 EVIDENCE = "exact"
 DRIVER = "scene"
 

@@ -1,0 +1,18 @@
+#include "dynamics/probe.hpp"
+
+namespace nereid::dynamics {
+
+void sample(const Probe& probe, const View& view, ProbeMemory& memory) {
+  const double now = probe.value(view, memory), t = view.now.t;
+  memory.last = now;
+  ++memory.samples;
+  if (now != now) return;
+  if (!(now <= memory.largest)) memory.largest = now, memory.time_of_largest = t;
+  if (!(now >= memory.smallest)) memory.smallest = now, memory.time_of_smallest = t;
+  memory.integral += now * view.now.dt;
+  if (!(now > 0)) return;
+  if (memory.first_above_zero < 0) memory.first_above_zero = t;
+  memory.last_above_zero = t;
+}
+
+}  // namespace nereid::dynamics

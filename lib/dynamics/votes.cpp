@@ -1,0 +1,27 @@
+#include "dynamics/votes.hpp"
+
+#include <cstdio>
+
+namespace nereid::dynamics {
+
+Step choose_step(const Votes& votes, double safety) {
+  const double elements = safety * votes.elements.step;
+  if (votes.contact.step < elements) return {votes.contact.step, votes.contact.source, votes.contact.at, 1};
+  return {elements, votes.elements.source, votes.elements.at, safety};
+}
+
+std::string limited_by(const Step& step, const std::vector<Source>& sources) {
+  if (step.source < 0) return "nothing";
+  const Source& source = sources[static_cast<std::size_t>(step.source)];
+  const std::string name = "'" + source.name + "'", at = std::to_string(step.at);
+  char part[40] = "";
+  if (step.safety != 1) std::snprintf(part, sizeof part, ", %.4g of its stable step", step.safety);
+  switch (source.kind) {
+    case SourceKind::block: return "element " + at + " of " + name + part;
+    case SourceKind::interface: return "contact " + name + ", apex at node " + at;
+    case SourceKind::rigid_plane: return "rigid plane " + name + ", node " + at;
+    default: return std::string(word(source.kind)) + " " + name + part;
+  }
+}
+
+}  // namespace nereid::dynamics

@@ -1,0 +1,47 @@
+#pragma once
+// How long the next step may be: each source votes, and one function chooses.
+
+#include <string>
+#include <vector>
+
+#include "base/account.hpp"
+#include "base/step_limit.hpp"
+
+namespace nereid::dynamics {
+
+struct Model;
+
+/// The smallest limit of several sources, and whose it is.
+struct Vote {
+  double step = 1e300;  ///< [s]; 1e300: no limit
+  int source = -1;      ///< in sources(model)
+  Index at = -1;        ///< element of a block; node of an apex or of a rigid plane
+  void see(const StepLimit& limit, int from) {
+    if (limit.step < step) step = limit.step, source = from, at = limit.at;
+  }
+};
+
+/// What limits the next step, and whether any element is lost.
+struct Votes {
+  Vote elements;           ///< the linear bound of elements and springs; a run stays below it by its safety
+  Vote contact;            ///< of interfaces and rigid planes: their own bound, which has its margin in it
+  double size = 1e300;     ///< [-] smallest volume or area ratio; not positive or NaN: inverted
+  int smallest_block = -1; ///< in sources(model)
+  Index smallest_element = -1;
+};
+
+/// The length of a step, and what limits it.
+struct Step {
+  double dt = 1e300;    ///< [s]
+  int source = -1;      ///< in sources(model)
+  Index at = -1;        ///< see Vote
+  double safety = 1;    ///< [-] dt over the limit that the source voted for
+};
+
+/// Chooses the next step: the smaller of `safety` times the limit of the elements and the limit of contact.
+Step choose_step(const Votes&, double safety);
+
+/// What limits a step, in words: "element 17 of 'lead', 0.9 of its stable step", "contact 'skin', apex at node 204".
+std::string limited_by(const Step&, const std::vector<Source>&);
+
+}  // namespace nereid::dynamics

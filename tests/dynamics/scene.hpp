@@ -1,0 +1,117 @@
+#pragma once
+// A model with everything that a run of it needs, for the tests of this folder.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "dynamics/connect.hpp"
+#include "dynamics/measure.hpp"
+#include "dynamics/run.hpp"
+
+namespace nereid::dynamics {
+
+struct Scene {
+  Model model;
+  std::vector<contact::Memory> memories;
+  State state;
+  Forces forces;
+
+  void joined(const std::string& name, const std::string& apexes, const std::string& bases, const InterfaceOptions& options) {
+    for (Connected& connected : connect(model, name, apexes, bases, options)) memories.push_back(std::move(connected.memory));
+  }
+  void ready() {
+    state = initial_state(model, memories);
+    forces = make_forces(model);
+  }
+  void move(const std::string& body, const Vec3& velocity) {
+    for (const Index node : mesh::node_set(model.mesh, body)) state.v.col(node) = velocity;
+  }
+  Outcome run_to(double end, double update_every = 1e300, std::span<const Observer> observers = {}, double created_limit = 0.05) {
+    Time time;
+    time.end = end;
+    time.created_limit = created_limit;
+    return run(model, state, forces, time, update_every, {.observers = observers});
+  }
+};
+
+/// The smallest of all limits on the next step, without any safety. [s]
+inline double least(const Votes& votes) { return std::min(votes.elements.step, votes.contact.step); }
+
+/// The account of a source by its name.
+inline const Account& account(const Scene& s, const std::string& name) {
+  return s.state.ledger.accounts[source_of(s.model, name)];
+}
+
+inline load::Plane plane(const std::string& name, load::PlaneKind kind, const Vec3& normal, const Subset& nodes,
+                         const Vec3& point = Vec3::Zero()) {
+  load::Plane p;
+  p.name = name, p.kind = kind, p.normal = normal, p.nodes = nodes, p.point = point;
+  return p;
+}
+
+/// All numbers that a state remembers, part by part.
+inline std::vector<std::pair<std::string, std::vector<double>>> numbers(const State& s) {
+  std::vector<std::pair<std::string, std::vector<double>>> parts;
+  const auto part = [&](const std::string& name) { parts.emplace_back(name, std::vector<double>()); };
+  const auto add = [&](auto... values) { (parts.back().second.push_back(static_cast<double>(values)), ...); };
+  const auto all = [&](const auto& array) {
+    for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(array.size()); ++i) add(array.data()[i]);
+  };
+  part("time"), add(s.t, s.dt, s.step);
+  part("positions and velocities"), all(s.x), all(s.v), all(s.w);
+  for (const auto& block : s.blocks) part("block"), all(block.rows), add(block.work);
+  for (const auto& tiles : s.tiles) part("forces of a block"), all(tiles.force), all(tiles.moment);
+  for (const contact::Memory& c : s.interfaces) {
+    part("interface");
+    for (const auto& feature : c.feature) add(feature.facet, static_cast<int>(feature.kind), feature.local);
+    for (const auto status : c.status) add(static_cast<int>(status));
+    all(c.gap), all(c.stored), all(c.stick_stored), all(c.reconnections), all(c.angular_impulse);
+    for (const Vec3& slip : c.slip) all(slip);
+    for (const auto& element : c.elements) all(element.apex), add(element.closed, element.count, element.scale, element.stiffness);
+    for (const auto& friction : c.friction) all(friction.force), add(friction.acts);
+    add(c.work, c.damped, c.rubbed, c.created_by_reconnection, c.deepest, c.walks, c.lost, c.recovered, c.updates);
+  }
+  for (const contact::PlaneMemory& p : s.rigid_planes) {
+    part("rigid plane"), all(p.force), all(p.impulse), all(p.angular_impulse), add(p.work, p.stored, p.stick_stored, p.rubbed, p.deepest);
+    for (const Vec3& slip : p.slip) all(slip);
+  }
+  part("constraints");
+  for (const auto& plane : s.constraints.account) all(plane.impulse), all(plane.angular_impulse), add(plane.caught, plane.driven);
+  for (const auto& caught : s.constraints.caught) all(caught);
+  for (const auto& load : s.loads)
+    part("load"), all(load.force), all(load.moment), all(load.impulse), all(load.angular_impulse), add(load.work, load.stored, load.dissipated);
+  part("relaxation"), all(s.relaxation.x), all(s.relaxation.turned), all(s.relaxation.force), all(s.relaxation.moment), all(s.relaxation.w);
+  add(s.relaxation.removed, s.relaxation.residual, s.relaxation.most_force, s.relaxation.most_kinetic, s.relaxation.balanced, s.relaxation.since);
+  part("ledger"), add(s.ledger.initial_kinetic, s.ledger.kinetic, s.ledger.integration, s.ledger.brought_in);
+  all(s.ledger.momentum), all(s.ledger.angular_momentum);
+  for (const Account& a : s.ledger.accounts) {
+    part("account"), add(a.work, a.created_by_reconnection), all(a.impulse), all(a.angular_impulse);
+    for (int c = 0; c < 7; ++c) add(a.stored[Stored(c)], a.at_start[Stored(c)], a.dissipated[Dissipated(c)]);
+  }
+  part("votes"), add(s.votes.elements.step, s.votes.elements.source, s.votes.elements.at, s.votes.contact.step, s.votes.contact.source,
+                     s.votes.contact.at, s.votes.size, s.votes.smallest_block, s.votes.smallest_element);
+  part("progress"), add(s.progress.started, s.progress.first_step, s.progress.updates, s.progress.ledger_is_current,
+                        s.progress.smallest.dt, s.progress.smallest.source, s.progress.smallest.at, s.progress.largest_step);
+  for (const ProbeMemory& p : s.probes) {
+    part("probe"), add(p.last, p.largest, p.smallest, p.time_of_largest, p.time_of_smallest, p.integral, p.first_above_zero,
+                       p.last_above_zero, p.samples, p.since);
+    all(p.impulse), all(p.force);
+  }
+  return parts;
+}
+
+inline void expect_same_bits(const State& a, const State& b) {
+  const auto p = numbers(a), q = numbers(b);
+  ASSERT_EQ(p.size(), q.size());
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    ASSERT_EQ(p[i].second.size(), q[i].second.size()) << p[i].first;
+    EXPECT_EQ(std::memcmp(p[i].second.data(), q[i].second.data(), sizeof(double) * p[i].second.size()), 0) << p[i].first;
+  }
+}
+
+}  // namespace nereid::dynamics

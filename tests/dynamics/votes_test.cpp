@@ -1,0 +1,51 @@
+#include "dynamics/votes.hpp"
+
+#include <gtest/gtest.h>
+
+namespace nereid::dynamics {
+namespace {
+
+const std::vector<Source> sources{{"lead", SourceKind::block, {}, {}}, {"skin", SourceKind::interface, {}, {}},
+                                  {"wall", SourceKind::rigid_plane, {}, {}}, {"strut", SourceKind::spring, {}, {}}};
+
+Votes votes(double elements, double contact) {
+  Votes all;
+  all.elements.see({elements, 17}, 0);
+  all.contact.see({contact, 204}, 1);
+  return all;
+}
+
+TEST(Vote, IsTheSmallestLimitAndKeepsTheFirstOfEqualOnes) {
+  Vote vote;
+  vote.see({2, 5}, 0);
+  vote.see({1, 6}, 1);
+  vote.see({1, 7}, 2);
+  vote.see({}, 3);
+  EXPECT_EQ(vote.step, 1);
+  EXPECT_EQ(vote.source, 1);
+  EXPECT_EQ(vote.at, 6);
+}
+
+TEST(Step, NamesTheElementThatLimitsItThoughContactAllowsLessThanTheElementsStableStep) {
+  // contact between 0.9 and 1 of the elements' limit: the elements with their safety are still the smaller
+  const Step step = choose_step(votes(1, 0.95), 0.9);
+  EXPECT_EQ(step.dt, 0.9);
+  EXPECT_EQ(step.safety, 0.9);
+  EXPECT_EQ(limited_by(step, sources), "element 17 of 'lead', 0.9 of its stable step");
+}
+
+TEST(Step, NamesTheApexOfTheContactThatLimitsIt) {
+  const Step step = choose_step(votes(1, 0.5), 0.9);
+  EXPECT_EQ(step.dt, 0.5);
+  EXPECT_EQ(step.safety, 1);
+  EXPECT_EQ(limited_by(step, sources), "contact 'skin', apex at node 204");
+}
+
+TEST(Step, NamesPlanesAndSpringsAndNothing) {
+  EXPECT_EQ(limited_by({1, 2, 5, 1}, sources), "rigid plane 'wall', node 5");
+  EXPECT_EQ(limited_by({1, 3, -1, 0.5}, sources), "spring 'strut', 0.5 of its stable step");
+  EXPECT_EQ(limited_by({}, sources), "nothing");
+}
+
+}  // namespace
+}  // namespace nereid::dynamics
