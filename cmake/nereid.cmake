@@ -7,35 +7,26 @@ set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 add_link_options(-Wl,--build-id=none)         # so that programs differ only if their code does: runs are found again by that
 set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")   # never -ffast-math: NaN checks and sums rely on IEEE rules
 
-find_package(Eigen3 3.4 REQUIRED NO_MODULE)
-find_package(yaml-cpp REQUIRED)
-find_path(MUPARSER_FOLDER muParser.h REQUIRED)
-find_library(MUPARSER_LIBRARY muparser REQUIRED)
-add_library(muparser UNKNOWN IMPORTED)
-set_target_properties(muparser PROPERTIES IMPORTED_LOCATION ${MUPARSER_LIBRARY}
-                      INTERFACE_INCLUDE_DIRECTORIES ${MUPARSER_FOLDER})
+include(${CMAKE_CURRENT_LIST_DIR}/dependencies.cmake)
 find_path(SPECTRA_FOLDER Spectra/SymEigsSolver.h REQUIRED)
 add_library(spectra INTERFACE IMPORTED)
 set_target_properties(spectra PROPERTIES INTERFACE_INCLUDE_DIRECTORIES ${SPECTRA_FOLDER})
 find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)
-find_package(Threads REQUIRED)
 
 set(NEREID_VTK "")
 if(NEREID_WITH_VTK)
-  find_package(VTK QUIET COMPONENTS CommonCore CommonDataModel IOXML)
-  if(NOT VTK_FOUND)   # a machine with ParaView's own VTK only
-    find_package(VTK REQUIRED COMPONENTS CommonCore CommonDataModel IOXML
-                 PATHS /usr/lib/${CMAKE_LIBRARY_ARCHITECTURE}/cmake/paraview-5.11/vtk)
-  endif()
   set(NEREID_VTK ${VTK_LIBRARIES})
 endif()
 
 add_library(nereid_settings INTERFACE)
-target_compile_options(nereid_settings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Werror
-                       # GCC 12 reports its own AVX-512 intrinsics and strings (GCC bugs 105593, 105651)
-                       $<$<CXX_COMPILER_ID:GNU>:-Wno-uninitialized -Wno-maybe-uninitialized -Wno-restrict>
-                       $<$<BOOL:${NEREID_NATIVE}>:-march=native>)
+target_compile_features(nereid_settings INTERFACE cxx_std_20)
+target_compile_options(nereid_settings INTERFACE
+  "$<BUILD_INTERFACE:-Wall;-Wextra;-Wpedantic;-Wshadow;-Werror>"
+  # GCC 12 reports its own AVX-512 intrinsics and strings (GCC bugs 105593, 105651)
+  "$<$<CXX_COMPILER_ID:GNU>:$<BUILD_INTERFACE:-Wno-uninitialized;-Wno-maybe-uninitialized;-Wno-restrict>>"
+  # instructions decide how wide tiles are, so whoever uses the libraries compiles for the same ones
+  $<$<BOOL:${NEREID_NATIVE}>:-march=native>)
 if(NEREID_SANITIZE)
   target_compile_options(nereid_settings INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all
                          -fno-omit-frame-pointer)
@@ -44,14 +35,19 @@ endif()
 if(NEREID_SANITIZE OR CMAKE_BUILD_TYPE STREQUAL "Debug")
   target_compile_definitions(nereid_settings INTERFACE NEREID_CHECKED)
 endif()
-target_include_directories(nereid_settings INTERFACE ${PROJECT_SOURCE_DIR}/lib ${PROJECT_SOURCE_DIR})
+target_include_directories(nereid_settings INTERFACE
+  "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/lib;${PROJECT_SOURCE_DIR}>" "$<INSTALL_INTERFACE:include;include/nereid>")
 target_link_libraries(nereid_settings INTERFACE Eigen3::Eigen Threads::Threads)
+set_target_properties(nereid_settings PROPERTIES EXPORT_NAME settings)
+install(TARGETS nereid_settings EXPORT nereid)
 
 # One module: every source in lib/<name>, resting on other modules.
 function(nereid_module name)
   cmake_parse_arguments(MODULE "" "" "PRIVATE" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/lib/${name}/*.cpp)
   list(TRANSFORM MODULE_UNPARSED_ARGUMENTS PREPEND nereid::)
+  # headers that only our own sources see are no business of those who use the libraries
+  list(TRANSFORM MODULE_PRIVATE REPLACE "^(spectra|nlohmann_json::nlohmann_json)$" "$<BUILD_INTERFACE:\\1>")
   if(sources)
     add_library(nereid_${name} STATIC ${sources})
     target_link_libraries(nereid_${name} PUBLIC nereid_settings ${MODULE_UNPARSED_ARGUMENTS} PRIVATE ${MODULE_PRIVATE})
@@ -79,18 +75,36 @@ function(nereid_module name)
     target_link_libraries(nereid_${name} INTERFACE nereid_settings ${MODULE_UNPARSED_ARGUMENTS})
   endif()
   add_library(nereid::${name} ALIAS nereid_${name})
+  set_target_properties(nereid_${name} PROPERTIES EXPORT_NAME ${name})
+  install(TARGETS nereid_${name} EXPORT nereid ARCHIVE COMPONENT library)
 endfunction()
 
-# One program per question, drivers/<name>.cpp; what they share stands in drivers/driver.cpp and probes.cpp.
+# What `cmake --install` puts in place for find_package(nereid): libraries, headers below include/nereid, and the package.
+function(nereid_package)
+  include(CMakePackageConfigHelpers)
+  set(folder lib/cmake/nereid)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/lib/ DESTINATION include/nereid COMPONENT library FILES_MATCHING PATTERN "*.hpp")
+  install(EXPORT nereid NAMESPACE nereid:: DESTINATION ${folder} FILE nereidTargets.cmake COMPONENT library)
+  configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/nereidConfig.cmake.in ${PROJECT_BINARY_DIR}/nereidConfig.cmake
+                                INSTALL_DESTINATION ${folder})
+  write_basic_package_version_file(${PROJECT_BINARY_DIR}/nereidConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+  install(FILES ${PROJECT_BINARY_DIR}/nereidConfig.cmake ${PROJECT_BINARY_DIR}/nereidConfigVersion.cmake
+                ${PROJECT_SOURCE_DIR}/cmake/dependencies.cmake DESTINATION ${folder} COMPONENT library)
+endfunction()
+
+# One program per question, drivers/<name>.cpp; what they share stands in drivers/driver.cpp and recorder.cpp.
 function(nereid_drivers)
-  add_library(nereid_driver STATIC ${PROJECT_SOURCE_DIR}/drivers/driver.cpp
-              ${PROJECT_SOURCE_DIR}/drivers/probes.cpp)
+  file(GLOB names CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/drivers ${PROJECT_SOURCE_DIR}/drivers/*.cpp)
+  list(REMOVE_ITEM names driver.cpp recorder.cpp)
+  list(TRANSFORM names REPLACE "\\.cpp$" "")
+  add_library(nereid_driver STATIC ${PROJECT_SOURCE_DIR}/drivers/driver.cpp ${PROJECT_SOURCE_DIR}/drivers/recorder.cpp)
   target_link_libraries(nereid_driver PUBLIC nereid::input nereid::output PRIVATE CLI11::CLI11)
-  add_custom_target(drivers DEPENDS ${ARGN})
-  foreach(name ${ARGN})
+  add_custom_target(drivers DEPENDS ${names})
+  foreach(name ${names})
     add_executable(${name} ${PROJECT_SOURCE_DIR}/drivers/${name}.cpp)
     target_link_libraries(${name} PRIVATE nereid_driver)
     set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/drivers)
+    install(TARGETS ${name} RUNTIME COMPONENT programs)
   endforeach()
 endfunction()
 

@@ -4,14 +4,12 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <new>
 
 #include "base/check.hpp"
 #include "base/parallel.hpp"
-#include "dynamics/measure.hpp"
-#include "element/width.hpp"
-#include "output/progress.hpp"
+#include "drivers/recorder.hpp"
+#include "model/notes.hpp"
 
 namespace nereid::driver {
 
@@ -28,121 +26,6 @@ struct CommandLine {
   bool dry_run = false, quiet = false;
 };
 
-std::int64_t count_elements(const dynamics::Model& model) {
-  std::int64_t sum = 0;
-  for (const auto& block : model.blocks) sum += element::tiling(block).elements;
-  return sum;
-}
-
-std::string row(const char* format, auto... values) {
-  char buffer[300];
-  std::snprintf(buffer, sizeof buffer, format, values...);
-  return buffer;
-}
-
-/// The table of initial gaps, one interface a line.
-std::vector<std::string> gap_table(const Scene& scene) {
-  std::vector<std::string> table;
-  if (scene.gaps.empty()) return table;
-  table.push_back("initial gaps   apexes  on facet  on edge  on vertex  no base  penetrating  least [m]    mean [m]     largest [m]");
-  for (std::size_t c = 0; c < scene.gaps.size(); ++c) {
-    const contact::InitialGaps& g = scene.gaps[c];
-    table.push_back(row("%-14s %6d  %8d  %7d  %9d  %7d  %11d  %-11.4g  %-11.4g  %-11.4g", scene.model.interfaces[c].name.c_str(),
-                        g.apexes, g.by_kind[3], g.by_kind[2], g.by_kind[1], g.without_base, g.penetrating, g.least, g.mean, g.largest));
-    table.push_back(row("%-14s penalty %.4g Pa/m", "", scene.model.interfaces[c].penalty));
-  }
-  return table;
-}
-
-/// Says of each block whose step a narrow element sets what that width costs, one block a line.
-std::vector<std::string> width_notes(const Scene& scene) {
-  constexpr double worth_saying = 2;  // [-] a brick twice as long as wide and high stays unmentioned
-  std::vector<std::string> notes;
-  for (const auto& block : scene.model.blocks) {
-    const element::Narrowest at = element::narrowest(block, scene.state.x);
-    if (at.gain < worth_saying) continue;
-    notes.push_back(row("%s: its step is that of element %d at (%.4g, %.4g, %.4g) m, only %.3g m wide along "
-                        "(%.3g, %.3g, %.3g) and %.3g m across; that width makes its step %.3g times smaller",
-                        element::name(block).c_str(), at.element, at.centre.x(), at.centre.y(), at.centre.z(), at.width(0),
-                        at.direction.x(), at.direction.y(), at.direction.z(), at.width(1), at.gain));
-  }
-  return notes;
-}
-
-/// Says of each interface and rigid plane that was penetrated by more than half an element that it was, one a line.
-std::vector<std::string> depth_notes(const Scene& scene) {
-  std::vector<std::string> notes;
-  const auto look = [&notes](const std::string& name, double deepest, double depth) {
-    if (depth > 0 && deepest > (0.5 + 1e-6) * depth)  // more than round-off beyond
-      notes.push_back(row("%s: an apex went %.3g m deep, %.3g of the depth of an element: too soft a penalty or too fast an approach",
-                          name.c_str(), deepest, deepest / depth));
-  };
-  const dynamics::Model& model = scene.model;
-  for (std::size_t c = 0; c < model.interfaces.size(); ++c)
-    look(model.interfaces[c].name, scene.state.interfaces[c].deepest, model.interfaces[c].depth);
-  for (std::size_t p = 0; p < model.rigid_planes.size(); ++p)
-    look(model.rigid_planes[p].name, scene.state.rigid_planes[p].deepest, model.rigid_planes[p].depth);
-  return notes;
-}
-
-/// Writes histories, frames and the progress line while a run goes on.
-class Recorder {
- public:
-  Recorder(const Scene& scene, const CommandLine& line)
-      : out_(line.out), frames_every_(scene.recording.frames), probes_(scene.probes), progress_(scene.time.end, line.quiet) {
-    for (const dynamics::Probe& probe : dynamics::ledger_probes(scene.model))
-      probes_.push_back({probe.name, probe.unit, [value = probe.value](const dynamics::View& view) {
-                           dynamics::ProbeMemory none;
-                           return value(view, none);
-                         }});
-    std::vector<output::Column> columns;
-    for (const Probe& probe : probes_) columns.push_back({probe.name, probe.unit});
-    history_ = std::make_unique<output::History>(out_ / "history.csv", columns);
-    row_.resize(probes_.size());
-    const auto precision = scene.recording.full_precision ? output::Precision::full : output::Precision::single;
-    body_ = std::make_unique<output::Collection>(out_, "body", output::GridKind::volume, precision);
-    contact_ = std::make_unique<output::Collection>(out_, "contact", output::GridKind::surface, precision);
-    walls_ = std::make_unique<output::Collection>(out_, "walls", output::GridKind::surface, precision);
-  }
-
-  void operator()(const dynamics::View& view) {
-    progress_.show(view.now.t, view.now.step, view.now.dt);
-    if (!view.ledger_is_current) return;
-    for (std::size_t p = 0; p < probes_.size(); ++p) row_[p] = probes_[p].value(view);
-    history_->add(view.now.t, row_);
-    const auto due = static_cast<std::int64_t>(view.now.t / frames_every_ + 1e-9);
-    if (view.now.step > 0 && due <= frame_) return;
-    frame_ = due;
-    add_frame(view);
-    if (view.now.step == 0) walls_->add(output::walls_grid(view));
-  }
-
-  /// The last state, whatever the run ended with.
-  void finish(const dynamics::View& view) {
-    progress_.done();
-    add_frame(view);
-    history_->flush();
-  }
-
-  std::int64_t not_finite() const { return body_->not_finite() + contact_->not_finite(); }
-
- private:
-  void add_frame(const dynamics::View& view) {
-    body_->add(output::body_grid(view));
-    contact_->add(output::contact_grid(view));
-    history_->flush();
-  }
-
-  std::filesystem::path out_;
-  double frames_every_;
-  std::vector<Probe> probes_;
-  output::Progress progress_;
-  std::unique_ptr<output::History> history_;
-  std::unique_ptr<output::Collection> body_, contact_, walls_;
-  std::vector<double> row_;
-  std::int64_t frame_ = 0;
-};
-
 /// The part of a summary that does not depend on what was computed.
 output::Summary summary_of(const std::string& name, const CommandLine& line, const input::CaseFile& file) {
   output::Summary summary;
@@ -154,28 +37,34 @@ output::Summary summary_of(const std::string& name, const CommandLine& line, con
   return summary;
 }
 
-output::Summary summarise(const std::string& name, const CommandLine& line, const input::CaseFile& file, const Scene& scene,
-                          const dynamics::Outcome& outcome, std::vector<std::string> notes) {
-  output::Summary summary = summary_of(name, line, file);
-  summary.ending = {std::string(dynamics::word(outcome.ending)), outcome.reason, scene.state.t, outcome.block, outcome.element};
-  summary.results = scene.results();
-  for (std::size_t c = 0; c < scene.model.interfaces.size(); ++c) {
-    const auto& interface = scene.model.interfaces[c];
-    const auto& memory = scene.state.interfaces[c];
-    summary.results.push_back({interface.name + "_penalty", interface.penalty, "Pa/m"});
-    summary.results.push_back({interface.name + "_deepest", memory.deepest, "m"});
-    summary.results.push_back({interface.name + "_walks", static_cast<double>(memory.walks), "1"});
-    summary.results.push_back({interface.name + "_lost", static_cast<double>(memory.lost), "1"});
-    summary.results.push_back({interface.name + "_recovered", static_cast<double>(memory.recovered), "1"});
+/// What every run answers with beside the results of its driver.
+void add_common_results(const model::Simulation& simulation, const dynamics::Outcome& outcome, std::vector<output::Result>& results) {
+  for (std::size_t c = 0; c < simulation.model.interfaces.size(); ++c) {
+    const auto& interface = simulation.model.interfaces[c];
+    const auto& memory = simulation.state.interfaces[c];
+    results.push_back({interface.name + "_penalty", interface.penalty, "Pa/m"});
+    results.push_back({interface.name + "_deepest", memory.deepest, "m"});
+    results.push_back({interface.name + "_walks", static_cast<double>(memory.walks), "1"});
+    results.push_back({interface.name + "_lost", static_cast<double>(memory.lost), "1"});
+    results.push_back({interface.name + "_recovered", static_cast<double>(memory.recovered), "1"});
   }
-  for (std::size_t p = 0; p < scene.model.rigid_planes.size(); ++p)
-    summary.results.push_back({scene.model.rigid_planes[p].name + "_deepest", scene.state.rigid_planes[p].deepest, "m"});
-  summary.results.push_back({"smallest_step", outcome.smallest_step, "s"});
-  summary.results.push_back({"largest_step", outcome.largest_step, "s"});
-  summary.sources = dynamics::sources(scene.model);
-  summary.ledger = scene.state.ledger;
+  for (std::size_t p = 0; p < simulation.model.rigid_planes.size(); ++p)
+    results.push_back({simulation.model.rigid_planes[p].name + "_deepest", simulation.state.rigid_planes[p].deepest, "m"});
+  results.push_back({"smallest_step", outcome.smallest_step, "s"});
+  results.push_back({"largest_step", outcome.largest_step, "s"});
+}
+
+output::Summary summarise(const std::string& name, const CommandLine& line, const input::CaseFile& file,
+                          const model::Simulation& simulation, const dynamics::Outcome& outcome,
+                          const std::vector<output::Result>& results, std::vector<std::string> notes) {
+  output::Summary summary = summary_of(name, line, file);
+  summary.ending = {std::string(dynamics::word(outcome.ending)), outcome.reason, simulation.state.t, outcome.block, outcome.element};
+  summary.results = results;
+  add_common_results(simulation, outcome, summary.results);
+  summary.sources = dynamics::sources(simulation.model);
+  summary.ledger = simulation.state.ledger;
   const auto updates = static_cast<double>(outcome.element_updates);
-  summary.cost = {count_elements(scene.model), scene.state.step, outcome.element_updates, outcome.wall_seconds,
+  summary.cost = {model::count_elements(simulation.model), simulation.state.step, outcome.element_updates, outcome.wall_seconds,
                   updates > 0 ? outcome.wall_seconds * 1e9 / updates : 0, threads()};
   notes.push_back("the smallest step was limited by " + outcome.limited_by);
   summary.notes = notes;
@@ -191,8 +80,8 @@ void print(const std::vector<output::Result>& results) {
 }
 
 void print_size(const dynamics::Model& model) {
-  std::printf("%ld nodes, %ld elements, mass %.6g kg\n", static_cast<long>(model.mesh.X.cols()), static_cast<long>(count_elements(model)),
-              model.mass.sum());
+  std::printf("%ld nodes, %ld elements, mass %.6g kg\n", static_cast<long>(model.mesh.X.cols()),
+              static_cast<long>(model::count_elements(model)), model.mass.sum());
 }
 
 void print_not_used(const input::CaseFile& file) {
@@ -206,46 +95,43 @@ void remove_summary(const std::string& folder) {
 }
 
 /// What would be run, and what limits its step.
-int dry_run(Scene& scene, bool quiet) {
+int dry_run(model::Simulation& simulation, bool quiet) {
   if (quiet) return done;
-  const dynamics::Votes& votes = dynamics::start(scene.model, scene.state, scene.forces);
-  const dynamics::Step first = dynamics::choose_step(votes, scene.time.safety);
-  print_size(scene.model);
-  const std::string contact = votes.contact.step < 1e299 ? row(", contact %.4g s", votes.contact.step) : "";
-  std::printf("first step %.4g s, limited by %s (stable step of elements %.4g s%s); about %.0f steps\n", first.dt,
-              dynamics::limited_by(first, dynamics::sources(scene.model)).c_str(), votes.elements.step, contact.c_str(),
-              scene.time.end / first.dt);
+  const dynamics::Votes& votes = dynamics::start(simulation.model, simulation.state, simulation.forces);
+  const dynamics::Step first = dynamics::choose_step(votes, simulation.time.safety);
+  print_size(simulation.model);
+  std::printf("first step %.4g s, limited by %s (stable step of elements %.4g s", first.dt,
+              dynamics::limited_by(first, dynamics::sources(simulation.model)).c_str(), votes.elements.step);
+  if (votes.contact.step < 1e299) std::printf(", contact %.4g s", votes.contact.step);
+  std::printf("); about %.0f steps\n", simulation.time.end / first.dt);
   return done;
 }
 
-int run_case(const std::string& name, const CommandLine& line, const Build& build) {
+int run_case(const std::string& name, const CommandLine& line, const Build& build, const Results& results) {
   if (line.threads > 0) use_threads(line.threads);
   const input::CaseFile file = input::CaseFile::read(line.case_path, line.overrides);
-  Scene scene = build(file);
-  std::vector<std::string> table = gap_table(scene);
-  for (const std::string& note : width_notes(scene)) table.push_back(note);
+  model::Simulation simulation = build(file);
+  std::vector<std::string> notes = model::gap_table(simulation);
+  for (const std::string& note : model::width_notes(simulation)) notes.push_back(note);
   if (!line.quiet) {
     print_not_used(file);
-    print(table);
+    print(notes);
   }
-  if (line.dry_run) return dry_run(scene, line.quiet);
+  if (line.dry_run) return dry_run(simulation, line.quiet);
 
   remove_summary(line.out);
-  Recorder recorder(scene, line);
-  std::vector<dynamics::Observer> observers = scene.watchers;
-  observers.emplace_back([&recorder](const dynamics::View& view) { recorder(view); });
-  const dynamics::Outcome outcome =
-      dynamics::run(scene.model, scene.state, scene.forces, scene.time, scene.recording.history,
-                    {.observers = observers, .until = scene.until});
-  recorder.finish({scene.model, scene.state, scene.forces, true});
+  Recorder recorder(simulation, line.out, line.quiet);
+  const std::vector<dynamics::Observer> observers{[&recorder](const dynamics::View& view) { recorder(view); }};
+  const dynamics::Outcome outcome = model::run(simulation, observers);
+  recorder.finish(model::view(simulation));
 
-  std::vector<std::string> notes = table;
-  if (recorder.not_finite() > 0) notes.push_back(row("%ld values that were no number stand as 0 in the ParaView files", static_cast<long>(recorder.not_finite())));
-  for (const std::string& note : depth_notes(scene)) {
+  if (recorder.not_finite() > 0)
+    notes.push_back(std::to_string(recorder.not_finite()) + " values that were no number stand as 0 in the ParaView files");
+  for (const std::string& note : model::depth_notes(simulation)) {
     notes.push_back(note);
     std::fprintf(stderr, "warning: %s\n", note.c_str());
   }
-  const output::Summary summary = summarise(name, line, file, scene, outcome, notes);
+  const output::Summary summary = summarise(name, line, file, simulation, outcome, results(simulation), notes);
   output::write_summary(line.out, summary);
   if (!line.quiet) {
     print(summary.results);
@@ -253,7 +139,7 @@ int run_case(const std::string& name, const CommandLine& line, const Build& buil
                 outcome.wall_seconds, summary.cost.nanoseconds_per_element_update, line.out.c_str());
   }
   if (dynamics::good(outcome.ending)) return done;
-  std::fprintf(stderr, "%s: stopped at %.6g s: %s%s%s: %s\n", name.c_str(), scene.state.t, summary.ending.word.c_str(),
+  std::fprintf(stderr, "%s: stopped at %.6g s: %s%s%s: %s\n", name.c_str(), simulation.state.t, summary.ending.word.c_str(),
                outcome.block.empty() ? "" : (" in " + outcome.block).c_str(),
                outcome.element < 0 ? "" : (", element " + std::to_string(outcome.element)).c_str(), outcome.reason.c_str());
   return stopped;
@@ -338,18 +224,8 @@ int from_command_line(int argc, char** argv, const std::string& name, const std:
 
 }  // namespace
 
-void make_ready(Scene& scene, std::vector<dynamics::Connected> connected) {
-  std::vector<contact::Memory> memories;
-  for (dynamics::Connected& one : connected) {
-    scene.gaps.push_back(one.gaps);
-    memories.push_back(std::move(one.memory));
-  }
-  scene.state = dynamics::initial_state(scene.model, std::move(memories));
-  scene.forces = dynamics::make_forces(scene.model);
-}
-
-int drive(int argc, char** argv, const std::string& name, const Build& build) {
-  return from_command_line(argc, argv, name, [&](const CommandLine& line) { return run_case(name, line, build); });
+int drive(int argc, char** argv, const std::string& name, const Build& build, const Results& results) {
+  return from_command_line(argc, argv, name, [&](const CommandLine& line) { return run_case(name, line, build, results); });
 }
 
 int answer(int argc, char** argv, const std::string& name, const Plan& plan) {

@@ -10,40 +10,21 @@
 #include <vector>
 
 #include "input/readers.hpp"
+#include "input/scene_readers.hpp"
 #include "output/frames.hpp"
 #include "output/history.hpp"
 #include "output/summary.hpp"
 
 namespace nereid::driver {
 
-/// One number over time, for history.csv.
-struct Probe {
-  std::string name, unit;
-  std::function<double(const dynamics::View&)> value;
-};
+/// Reads a case and builds its simulation: fills a model::Scene and ends with input::build.
+using Build = std::function<model::Simulation(const input::CaseFile&)>;
 
-/// A scene ready to run, and what its driver wants to know of it.
-struct Scene {
-  dynamics::Model model;
-  dynamics::State state;
-  dynamics::Forces forces;
-  std::vector<contact::InitialGaps> gaps;              ///< beside Model::interfaces
-  dynamics::Time time;
-  input::Recording recording;
-  std::vector<Probe> probes;                           ///< sampled
-  std::vector<dynamics::Observer> watchers;            ///< called at every step
-  std::function<std::vector<output::Result>()> results;  ///< asked after the run
-  dynamics::Until until = {};                          ///< asked at every sample why to stop; may be empty
-};
-
-/// Adds what follows from the model once all blocks, constraints and interfaces are there.
-void make_ready(Scene&, std::vector<dynamics::Connected>);
-
-/// Reads a case and builds its scene; must call finish() of the file before it trusts a value.
-using Build = std::function<Scene(const input::CaseFile&)>;
+/// What the driver answers with, asked after the run: from the last state and what its probes remember.
+using Results = std::function<std::vector<output::Result>(const model::Simulation&)>;
 
 /// Runs a driver from its command line to its exit status.
-int drive(int argc, char** argv, const std::string& name, const Build&);
+int drive(int argc, char** argv, const std::string& name, const Build&, const Results&);
 
 /// What a question that takes no run answers with.
 struct Answer {
@@ -63,15 +44,7 @@ struct Answer {
 /// Reads a case, with finish() of the file, and returns what is to be computed of it.
 using Plan = std::function<std::function<Answer()>(const input::CaseFile&)>;
 
-/// Runs a driver that computes without a Scene; command line, files and exit status are those of drive().
+/// Runs a driver that computes without a Simulation; command line, files and exit status are those of drive().
 int answer(int argc, char** argv, const std::string& name, const Plan&);
-
-/// The largest value that a number takes over all steps, and when.
-struct Peak {
-  double value = 0, time = 0;
-  void see(double now, double t) {
-    if (now > value) value = now, time = t;
-  }
-};
 
 }  // namespace nereid::driver

@@ -11,7 +11,7 @@
 
 #include "dynamics/modes.hpp"
 #include "drivers/driver.hpp"
-#include "input/scene_builder.hpp"
+#include "model/notes.hpp"
 
 using namespace nereid;
 
@@ -35,7 +35,7 @@ driver::Answer answer(const dynamics::Model& model, int lowest, int highest) {
   const dynamics::Modes modes = dynamics::find_modes(model, lowest, highest);
   driver::Answer found{.columns = {{"frequency", "Hz"}, {"residual", "1"}}, .time = {}, .rows = {}, .results = {}};
   found.counted = {"mode", "1"};
-  for (const auto& block : model.blocks) found.elements += element::tiling(block).elements;
+  found.elements = model::count_elements(model);
   const auto list = [&](const char* name, const std::vector<dynamics::Mode>& all) {
     for (std::size_t i = 0; i < all.size(); ++i) found.results.push_back({name + std::to_string(i + 1), all[i].frequency, "Hz"});
   };
@@ -69,17 +69,11 @@ driver::Answer answer(const dynamics::Model& model, int lowest, int highest) {
 }
 
 std::function<driver::Answer()> plan(const input::CaseFile& file) {
-  const input::SceneOptions c = input::read_scene_at_rest(file.root());
+  const model::Scene scene = input::read_scene_at_rest(file.root());
   const input::Section modes = file.root().section_or_empty("modes");
   const int lowest = modes.count_or("lowest", 10, 1, 1000), highest = modes.count_or("highest", 1, 1, 1000);
-  file.finish();
-  dynamics::Model model;
-  model.mesh = input::make_mesh(c);
-  input::check_names(c, model.mesh);
-  file.finish();
-  input::add_bodies_and_actions(c, model);
-  file.finish();
-  return [model = std::move(model), lowest, highest] { return answer(model, lowest, highest); };
+  model::Simulation simulation = input::build(file, scene);
+  return [model = std::move(simulation.model), lowest, highest] { return answer(model, lowest, highest); };
 }
 
 int main(int argc, char** argv) { return driver::answer(argc, argv, "modes", plan); }

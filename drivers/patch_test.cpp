@@ -11,65 +11,12 @@
 // Answer    the same question as a scene: verification/contact_patch/README.md
 // Run       patch_test cases/patch_test/three_on_four.yaml --out out/patch_test
 
-#include <algorithm>
 #include <cmath>
-#include <memory>
 
 #include "drivers/driver.hpp"
-#include "dynamics/measure.hpp"
 #include "input/load_readers.hpp"
-#include "mesh/box.hpp"
 
 using namespace nereid;
-
-struct Case {
-  double width, height;  // [m] of both blocks
-  std::array<int, 3> lower, upper;
-  bool apexes_above;
-  element::AnyLaw material;
-  element::AnyHexahedronOptions element;
-  double pressure;       // [Pa]
-  dynamics::InterfaceOptions contact;
-  dynamics::Relaxation relaxation;
-  dynamics::Time time;
-  input::Recording recording;
-};
-
-Case read(const input::Section& root) {
-  const auto blocks = root.section("blocks");
-  Case c{.width = blocks.quantity("width", dim::length, input::positive),
-         .height = blocks.quantity("height", dim::length, input::positive),
-         .lower = blocks.counts("cells_lower", 1, 400),
-         .upper = blocks.counts("cells_upper", 1, 400),
-         .apexes_above = blocks.choice_or("apexes", "upper", {"upper", "lower"}) == "upper",
-         .material = input::read_law(root.section("material")),
-         .element = input::read_hexahedron_options(root.section_or_empty("element")),
-         .pressure = root.quantity("pressure", dim::stress, input::positive),
-         .contact = input::read_solid_interface(root.section_or_empty("contact")),
-         .relaxation = input::read_relaxation(root).value_or(dynamics::Relaxation{}),
-         .time = input::read_time(root.section("time")),
-         .recording = {}};
-  c.recording = input::read_recording(root.section_or_empty("output"), c.time.end);
-  return c;
-}
-
-void add_blocks(const Case& c, dynamics::Model& model) {
-  const auto cells = [](const std::array<int, 3>& n) { return Eigen::Vector3i(n[0], n[1], n[2]); };
-  const Vec3 size(c.width, c.width, c.height), up(0, 0, c.height);
-  model.mesh = mesh::join(mesh::box("lower", {Vec3::Zero(), size, cells(c.lower)}), mesh::box("upper", {up, up + size, cells(c.upper)}));
-  for (const char* name : {"lower", "upper"}) model.blocks.push_back(element::solids(model.mesh, name, c.material, c.element));
-  const auto hold = [&model](const std::string& name, const Vec3& normal, const std::vector<std::string>& sets) {
-    Subset nodes;
-    for (const std::string& set : sets) nodes.insert(nodes.end(), mesh::node_set(model.mesh, set).begin(), mesh::node_set(model.mesh, set).end());
-    model.constraints.planes.push_back({.name = name, .kind = load::PlaneKind::held, .normal = normal, .nodes = nodes});
-  };
-  hold("floor", Vec3::UnitZ(), {"lower.z_low"});
-  hold("walls_x", Vec3::UnitX(), {"lower.x_low", "lower.x_high", "upper.x_low", "upper.x_high"});
-  hold("walls_y", Vec3::UnitY(), {"lower.y_low", "lower.y_high", "upper.y_low", "upper.y_high"});
-  dynamics::finish(model);
-  model.loads.emplace_back(load::pressure_on("pressure", model.mesh, mesh::surface(model.mesh, "upper.z_high"), [p = c.pressure](double) { return p; }));
-  model.relaxation = c.relaxation;
-}
 
 /// Deviations from what is exact: root of the mean square, and largest. [-]
 struct Error {
@@ -99,35 +46,58 @@ Error pressure_error(const dynamics::View& view, double pressure) {
   const std::size_t passes = view.model.interfaces.size();
   for (std::size_t c = 0; c < passes; ++c)
     for (Index a = 0; a < static_cast<Index>(view.model.interfaces[c].apexes.size()); ++a)
-      error.see(contact::view(view.model.interfaces[c], view.now.x, view.now.interfaces[c], a).traction, pressure / static_cast<double>(passes));
+      error.see(contact::view(view.model.interfaces[c], view.now.x, view.now.interfaces[c], a).traction,
+                pressure / static_cast<double>(passes));
   return error;
 }
 
-driver::Scene build(const input::CaseFile& file) {
-  const Case c = read(file.root());
-  file.finish();
-  driver::Scene scene{.model = {}, .state = {}, .forces = {}, .gaps = {}, .time = c.time, .recording = c.recording,
-                      .probes = {}, .watchers = {}, .results = {}};
-  add_blocks(c, scene.model);
-  const char* sides[] = {"lower.z_high", "upper.z_low"};
-  driver::make_ready(scene, dynamics::connect(scene.model, "interface", sides[c.apexes_above], sides[!c.apexes_above], c.contact));
+double applied(const dynamics::View& view) { return std::get<load::Pressure>(view.model.loads[0]).pressure(view.now.t); }
 
-  const auto last = std::make_shared<std::pair<Error, Error>>();
-  const double p = c.pressure;
-  scene.probes = {{"stress_error", "1", [p](const auto& view) { return stress_error(view, p).mean(); }},
-                  {"pressure_error", "1", [p](const auto& view) { return pressure_error(view, p).mean(); }},
-                  {"residual", "1", [](const auto& view) { return view.now.relaxation.residual; }}};
-  scene.watchers.emplace_back([last, p](const dynamics::View& view) {
-    if (view.ledger_is_current) *last = {stress_error(view, p), pressure_error(view, p)};
-  });
-  scene.results = [last] {
-    const auto& [stress, pressure] = *last;
-    return std::vector<output::Result>{{"stress_error_mean", stress.mean(), "1"},
-                                       {"stress_error_largest", stress.largest, "1"},
-                                       {"pressure_error_mean", pressure.mean(), "1"},
-                                       {"pressure_error_largest", pressure.largest, "1"}};
+model::Simulation build(const input::CaseFile& file) {
+  const input::Section root = file.root(), blocks = root.section("blocks");
+  const double width = blocks.quantity("width", dim::length, input::positive),
+               height = blocks.quantity("height", dim::length, input::positive);
+  const auto lower = blocks.counts("cells_lower", 1, 400), upper = blocks.counts("cells_upper", 1, 400);
+  const bool apexes_above = blocks.choice_or("apexes", "upper", {"upper", "lower"}) == "upper";
+  const auto law = input::read_law(root.section("material"));
+  const auto element = input::read_hexahedron_options(root.section_or_empty("element"));
+  const double pressure = root.quantity("pressure", dim::stress, input::positive);
+
+  model::Scene scene;
+  const auto block = [&](const char* name, double from, const std::array<int, 3>& cells) {
+    const Vec3 low(0, 0, from);
+    return model::Body{.name = name, .mesh = mesh::Box{low, low + Vec3(width, width, height), Eigen::Vector3i(cells.data())}, .law = law,
+                       .solid = element, .at = "blocks"};
   };
-  return scene;
+  const auto hold = [](const char* name, const Vec3& normal, const std::vector<std::string>& nodes) {
+    return model::Plane{.name = name, .kind = load::PlaneKind::held, .nodes = nodes, .normal = normal, .at = "blocks"};
+  };
+  scene.bodies = {block("lower", 0, lower), block("upper", height, upper)};
+  const char* sides[] = {"lower.z_high", "upper.z_low"};
+  scene.contacts = {{.name = "interface", .apexes = sides[apexes_above], .base = sides[!apexes_above], .height_from_thickness = false,
+                     .interface = input::read_solid_interface(root.section_or_empty("contact")), .at = "contact"}};
+  scene.planes = {hold("floor", Vec3::UnitZ(), {"lower.z_low"}),
+                  hold("walls_x", Vec3::UnitX(), {"lower.x_low", "lower.x_high", "upper.x_low", "upper.x_high"}),
+                  hold("walls_y", Vec3::UnitY(), {"lower.y_low", "lower.y_high", "upper.y_low", "upper.y_high"})};
+  scene.loads = {{.name = "pressure", .kind = model::LoadKind::pressure, .on = "upper.z_high",
+                  .value = model::uniform(Vec3(pressure, 0, 0))}};
+  scene.relaxation = input::read_relaxation(root).value_or(dynamics::Relaxation{});
+  scene.time = input::read_time(root.section("time"));
+  scene.recording = input::read_recording(root.section_or_empty("output"), scene.time.end);
+  model::Simulation simulation = input::build(file, scene);
+  simulation.probes = {{"stress_error", "1", [](const auto& view, auto&) { return stress_error(view, applied(view)).mean(); }},
+                       {"pressure_error", "1", [](const auto& view, auto&) { return pressure_error(view, applied(view)).mean(); }},
+                       {"residual", "1", [](const auto& view, auto&) { return view.now.relaxation.residual; }}};
+  return simulation;
 }
 
-int main(int argc, char** argv) { return driver::drive(argc, argv, "patch_test", build); }
+std::vector<output::Result> results(const model::Simulation& simulation) {
+  const dynamics::View last = model::view(simulation);
+  const Error stress = stress_error(last, applied(last)), pressure = pressure_error(last, applied(last));
+  return {{"stress_error_mean", stress.mean(), "1"},
+          {"stress_error_largest", stress.largest, "1"},
+          {"pressure_error_mean", pressure.mean(), "1"},
+          {"pressure_error_largest", pressure.largest, "1"}};
+}
+
+int main(int argc, char** argv) { return driver::drive(argc, argv, "patch_test", build, results); }

@@ -4,26 +4,24 @@
 // Answer    history.csv and summary.json; the syntax is in docs/scene.md
 // Run       scene cases/scene/ball_on_plate.yaml --out out/ball_on_plate
 
-#include "drivers/probes.hpp"
-#include "input/scene_builder.hpp"
+#include "drivers/driver.hpp"
 
 using namespace nereid;
 
-driver::Scene build(const input::CaseFile& file) {
-  const input::SceneOptions c = input::read_scene(file.root());
-  file.finish();
-  driver::Scene scene{.model = {}, .state = {}, .forces = {}, .gaps = {}, .time = c.time, .recording = c.recording,
-                      .probes = {}, .watchers = {}, .results = {}, .until = {}};
-  dynamics::Model& model = scene.model;
-  model.mesh = input::make_mesh(c);
-  input::check_names(c, model.mesh);
-  file.finish();
-  input::add_bodies_and_actions(c, model);
-  driver::make_ready(scene, input::add_contacts(c, model));
-  input::set_initial(c.actions, model, scene.state);
-  driver::add_probes(c.probes, c.stops, scene);
-  file.finish();
-  return scene;
+model::Simulation build(const input::CaseFile& file) { return input::build(file, input::read_scene(file.root())); }
+
+/// How each probe ended and how far it went.
+std::vector<output::Result> results(const model::Simulation& simulation) {
+  std::vector<output::Result> all;
+  for (const dynamics::Probe& probe : simulation.probes) {
+    const dynamics::ProbeMemory& seen = model::probe(simulation, probe.name);
+    all.push_back({probe.name + "_last", seen.last, probe.unit});
+    all.push_back({probe.name + "_largest", seen.largest, probe.unit});
+    all.push_back({probe.name + "_largest_at", seen.time_of_largest, "s"});
+    all.push_back({probe.name + "_smallest", seen.smallest, probe.unit});
+    all.push_back({probe.name + "_smallest_at", seen.time_of_smallest, "s"});
+  }
+  return all;
 }
 
-int main(int argc, char** argv) { return driver::drive(argc, argv, "scene", build); }
+int main(int argc, char** argv) { return driver::drive(argc, argv, "scene", build, results); }

@@ -12,185 +12,146 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
-#include "contact/bounce.hpp"
 #include "drivers/driver.hpp"
 #include "dynamics/displace.hpp"
-#include "dynamics/measure.hpp"
-#include "mesh/box.hpp"
-#include "mesh/placement.hpp"
 
 using namespace nereid;
 
-struct Case {
-  std::array<double, 3> size;  // [m] of the block
-  std::array<int, 3> cells;
-  double turned;               // [rad] about the normal of the plane
-  element::AnyLaw material;
-  element::AnyHexahedronOptions element;
-  bool mesh_below;
-  std::array<double, 3> base_size;  // [m]
-  std::array<int, 3> base_cells;
-  double slope, gravity, speed;     // [rad] [m/s2] [m/s]
-  double ease;                      // [s] over which the pull down the slope grows
-  dynamics::InterfaceOptions contact;
-  dynamics::Time time;
-  input::Recording recording;
-};
-
-/// Of a mesh below, all that an interface knows; of a rigid plane, how hard it is, how rough, and what a bounce may create.
-dynamics::InterfaceOptions read_contact(const input::Section& section, bool mesh_below) {
-  dynamics::InterfaceOptions options = input::read_solid_interface(section.when(mesh_below));
-  if (mesh_below) return options;
+/// A rigid plane has fewer keys than an interface: how hard it is, how rough, and what a bounce may create.
+model::RigidPlane read_plane(const input::Section& section) {
   const bool given = section.has("penalty");
-  options.penalty_from = given ? dynamics::PenaltyFrom::value : dynamics::PenaltyFrom::stiffness;
-  options.penalty = section.when(given).quantity("penalty", dim::penalty, input::positive);
-  options.hardness = section.when(!given).number_or("hardness", options.hardness, input::positive);
-  options.friction = input::read_friction(section);
-  options.created_in_a_bounce = section.number_or("created_in_a_bounce", options.created_in_a_bounce, input::within(1e-5, 0.04));
-  return options;
+  model::RigidPlane plane{.name = "contact", .surface = "block.z_low", .at = "contact"};
+  const double penalty = section.when(given).quantity("penalty", dim::penalty, input::positive);
+  if (given) plane.penalty = penalty;
+  plane.hardness = section.when(!given).number_or("hardness", plane.hardness, input::positive);
+  plane.friction = input::read_friction(section);
+  plane.created_in_a_bounce = section.number_or("created_in_a_bounce", plane.created_in_a_bounce, input::within(1e-5, 0.04));
+  return plane;
 }
 
-Case read(const input::Section& root) {
-  const auto block = root.section("block"), base = root.section("base"), contact = root.section("contact");
-  const bool mesh_below = base.choice("kind", {"plane", "mesh"}) == "mesh";
-  const auto meshed = base.when(mesh_below);
-  Case c{.size = block.vector("size", dim::length),
-         .cells = block.counts("cells", 1, 400),
-         .turned = block.quantity_or("turned", 0, dim::angle),
-         .material = input::read_law(root.section("material")),
-         .element = input::read_hexahedron_options(root.section_or_empty("element")),
-         .mesh_below = mesh_below,
-         .base_size = meshed.vector("size", dim::length),
-         .base_cells = meshed.counts("cells", 1, 400),
-         .slope = base.quantity_or("slope", 0, dim::angle, input::between(-1.5, 1.5)),
-         .gravity = root.quantity_or("gravity", 9.81, dim::acceleration, input::positive),
-         .speed = root.quantity_or("speed", 0, dim::speed),
-         .ease = base.quantity_or("ease", 0, dim::time, input::not_negative),
-         .contact = read_contact(contact, mesh_below),
-         .time = input::read_time(root.section("time")),
-         .recording = {}};
-  c.recording = input::read_recording(root.section_or_empty("output"), c.time.end);
-  const auto flat = [](const std::array<double, 3>& size) { return !(*std::min_element(size.begin(), size.end()) > 0); };
-  if (root.sound() && flat(c.size)) block.fault("size", "'size' must be positive in each direction");
-  if (root.sound() && mesh_below && flat(c.base_size)) base.fault("size", "'size' must be positive in each direction");
-  return c;
-}
-
-/// The block over the origin, its sole at z = 0, and under it the base where that is a mesh.
-void add_bodies(const Case& c, dynamics::Model& model) {
-  const auto vec = [](const auto& a) { return Vec3(a[0], a[1], a[2]); };
-  const auto cells = [](const std::array<int, 3>& n) { return Eigen::Vector3i(n[0], n[1], n[2]); };
-  const Vec3 size = vec(c.size), corner(size.x() / 2, size.y() / 2, 0);
-  model.mesh = mesh::turned_about(mesh::box("block", {-corner, size - corner, cells(c.cells)}), Vec3::UnitZ(), c.turned, Vec3::Zero());
-  model.blocks.push_back(element::solids(model.mesh, "block", c.material, c.element));
-  if (!c.mesh_below) return;
-  const Vec3 base = vec(c.base_size), low(-size.norm(), -base.y() / 2, -base.z());
-  model.mesh = mesh::join(model.mesh, mesh::box("base", {low, low + base, cells(c.base_cells)}));
-  model.blocks.push_back(element::solids(model.mesh, "base", c.material, c.element));
-  model.constraints.planes.push_back({.name = "bed", .kind = load::PlaneKind::fixed, .nodes = mesh::node_set(model.mesh, "base")});
+/// A body from its lowest corner on.
+model::Body box(const std::string& name, const std::array<double, 3>& size, const std::array<int, 3>& cells, const Vec3& low) {
+  return {.name = name, .mesh = mesh::Box{low, low + Vec3(size.data()), Eigen::Vector3i(cells.data())}, .at = name};
 }
 
 /// Gravity along the slope. Let loose at once it would swing the block to twice the shear of rest; so it may grow
 /// from zero as 3 s^2 - 2 s^3, s = t / ease.
-void pull_down_the_slope(const Case& c, dynamics::Model& model) {
-  const double pull = c.gravity * std::sin(c.slope), ease = c.ease;
-  if (pull == 0) return;
-  load::BodyForce force{.name = "slope", .nodes = mesh::node_set(model.mesh, "block"), .mass = {}, .acceleration = {}};
-  force.mass.resize(static_cast<Eigen::Index>(force.nodes.size()));
-  for (std::size_t i = 0; i < force.nodes.size(); ++i) force.mass(static_cast<Eigen::Index>(i)) = model.mass(force.nodes[i]);
-  const auto none = [](double, double, double, double) { return 0.0; };
-  force.acceleration = {[pull, ease](double, double, double, double t) {
-                          const double s = t < ease ? t / ease : 1;
-                          return pull * s * s * (3 - 2 * s);
-                        },
-                        none, none};
-  model.loads.emplace_back(std::move(force));
-}
-
-double penalty(const Case& c, const dynamics::Model& model) {
-  const mesh::Surface& sole = mesh::surface(model.mesh, "block.z_low");
-  return c.contact.penalty_from == dynamics::PenaltyFrom::value ? c.contact.penalty
-                                                                : c.contact.hardness * dynamics::surface_stiffness(model, sole);
-}
-
-std::vector<dynamics::Connected> add_contact(const Case& c, dynamics::Model& model) {
-  if (c.mesh_below) return dynamics::connect(model, "contact", "block.z_low", "base.z_high", c.contact);
-  const mesh::Surface& sole = mesh::surface(model.mesh, "block.z_low");
-  const Subset nodes = mesh::surface_nodes(sole);
-  model.rigid_planes.push_back({.name = "contact", .point = Vec3::Zero(), .normal = Vec3::UnitZ(), .nodes = nodes,
-                                .area = mesh::tributary_areas(model.mesh, sole, nodes), .penalty = penalty(c, model),
-                                .bounce_step = contact::step_for_a_bounce(c.contact.created_in_a_bounce),
-                                .friction = c.contact.friction});
-  return {};
+load::OverSpace eased(double pull, double ease) {
+  return [pull, ease](double, double, double, double t) {
+    const double s = t < ease ? t / ease : 1;
+    return pull * s * s * (3 - 2 * s);
+  };
 }
 
 /// The block starts where its weight has pressed it: its sole in the base by weight over penalty, and itself
 /// shortened as a column is. Exact for poisson = 0; otherwise what is left is a small bounce.
-void press(const Case& c, double stiffness, driver::Scene& scene) {
-  const double density = std::visit([](const auto& law) { return law.density; }, c.material);
-  const double young = std::visit([](const auto& law) { return law.young; }, c.material);
-  const double weight = density * c.gravity * std::cos(c.slope), height = c.size[2];
-  Vectors u = Vectors::Zero(3, scene.model.mesh.X.cols());
-  for (const Index node : mesh::node_set(scene.model.mesh, "block")) {
-    const double z = scene.model.mesh.X(2, node);
-    u(2, node) = -weight * height / stiffness - weight / young * (height * z - z * z / 2);
+void press(double weight, double height, double young, model::Simulation& simulation) {
+  const dynamics::Model& model = simulation.model;
+  const double penalty = model.rigid_planes.empty() ? model.interfaces[0].penalty * static_cast<double>(model.interfaces.size())
+                                                    : model.rigid_planes[0].penalty;
+  Vectors u = Vectors::Zero(3, model.mesh.X.cols());
+  for (const Index node : mesh::node_set(model.mesh, "block")) {
+    const double z = model.mesh.X(2, node);
+    u(2, node) = -weight * height / penalty - weight / young * (height * z - z * z / 2);
   }
-  dynamics::displace(scene.model, scene.state, u, {});
+  dynamics::displace(model, simulation.state, u, {});
 }
 
-driver::Scene build(const input::CaseFile& file) {
-  const Case c = read(file.root());
-  file.finish();
-  driver::Scene scene{.model = {}, .state = {}, .forces = {}, .gaps = {}, .time = c.time, .recording = c.recording,
-                      .probes = {}, .watchers = {}, .results = {}};
-  dynamics::Model& model = scene.model;
-  add_bodies(c, model);
-  model.gravity = c.gravity * Vec3(0, 0, -std::cos(c.slope));
-  dynamics::finish(model);
-  pull_down_the_slope(c, model);
-  driver::make_ready(scene, add_contact(c, model));
-  press(c, c.mesh_below ? model.interfaces[0].penalty * static_cast<double>(model.interfaces.size()) : model.rigid_planes[0].penalty, scene);
-  const Subset block = mesh::node_set(model.mesh, "block"), sole = mesh::node_set(model.mesh, "block.z_low");
-  for (const Index node : block) scene.state.v(0, node) = c.speed;
+/// On the block, at this moment, of all passes. [N]
+Vec3 force(const dynamics::View& view) {
+  if (!view.model.rigid_planes.empty()) return contact::force(view.model.rigid_planes[0], view.now.rigid_planes[0]);
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t pass = 0; pass < view.model.interfaces.size(); ++pass) sum += (pass == 0 ? 1 : -1) * dynamics::contact_force(view, pass);
+  return sum;
+}
 
-  const bool rigid = !c.mesh_below;
-  const auto force = [rigid](const dynamics::View& view) {  // of all passes on the block, at this moment
-    Vec3 sum = Vec3::Zero();
-    if (rigid) return contact::force(view.model.rigid_planes[0], view.now.rigid_planes[0]);
-    for (std::size_t pass = 0; pass < view.model.interfaces.size(); ++pass)
-      sum += (pass == 0 ? 1 : -1) * dynamics::contact_force(view, pass);
-    return sum;
-  };
-  struct Seen {
-    double way = 0, stop = -1, speed = 0, half_time = -1, half_speed = 0, half_way = 0, time = 0, largest_push = 0, smallest_push = 1e300;
-  };
-  const auto seen = std::make_shared<Seen>();
-  const double end = c.time.end;
+/// A number without a column, measured until half of the run and kept from there on.
+template <class Value>
+dynamics::Probe until_half(double end, Value value) {
+  return {"", "1", [=](const dynamics::View& view, dynamics::ProbeMemory& memory) {
+            if (memory.since > 0) return memory.last;
+            if (view.now.t >= end / 2) memory.since = view.now.t;
+            return value(view);
+          }, true};
+}
+
+std::vector<dynamics::Probe> probes(const dynamics::Model& model, double end) {
+  const Subset block = mesh::node_set(model.mesh, "block"), sole = mesh::node_set(model.mesh, "block.z_low");
   const auto way = [sole](const dynamics::View& view) { return dynamics::mean_displacement(view, sole).x(); };
   const auto speed = [block](const dynamics::View& view) { return dynamics::mean_velocity(view, block).x(); };
-  scene.probes = {{"way", "m", way}, {"speed", "m/s", speed},
-                  {"normal_force", "N", [force](const auto& view) { return force(view).z(); }},
-                  {"friction_force", "N", [force](const auto& view) { return force(view).x(); }}};
-  scene.watchers.emplace_back([=](const dynamics::View& view) {
-    seen->way = way(view), seen->speed = speed(view), seen->time = view.now.t;
-    if (seen->half_time < 0 && view.now.t >= end / 2) seen->half_time = view.now.t, seen->half_speed = seen->speed, seen->half_way = seen->way;
-    if (seen->stop < 0 && view.now.step > 0 && seen->speed <= 0) seen->stop = view.now.t;
-    const double push = force(view).z();
-    seen->largest_push = std::max(seen->largest_push, push), seen->smallest_push = std::min(seen->smallest_push, push);
-  });
-  scene.results = [seen] {
-    const double mean = (seen->largest_push + seen->smallest_push) / 2;
-    const double later = seen->half_time < 0 ? 0 : seen->time - seen->half_time;  // the second half of the run
-    std::vector<output::Result> results{{"way", seen->way, "m"}, {"way_in_second_half", seen->way - seen->half_way, "m"},
-                                        {"speed", seen->speed, "m/s"},
-                                        {"acceleration", later > 0 ? (seen->speed - seen->half_speed) / later : 0, "m/s^2"},
-                                        {"normal_force_ripple", mean > 0 ? (seen->largest_push - seen->smallest_push) / mean : 0, "1"}};
-    if (seen->stop >= 0) results.push_back({"stop_time", seen->stop, "s"});
-    return results;
-  };
-  return scene;
+  return {{"way", "m", [way](const auto& view, auto&) { return way(view); }},
+          {"speed", "m/s", [speed](const auto& view, auto&) { return speed(view); }},
+          {"normal_force", "N", [](const auto& view, auto&) { return force(view).z(); }, true},
+          {"friction_force", "N", [](const auto& view, auto&) { return force(view).x(); }},
+          {"", "1", [speed](const auto& view, auto&) { return view.now.step > 0 && speed(view) <= 0 ? 1.0 : 0.0; }, true},
+          until_half(end, way),
+          until_half(end, speed)};
 }
 
-int main(int argc, char** argv) { return driver::drive(argc, argv, "sliding", build); }
+model::Simulation build(const input::CaseFile& file) {
+  const input::Section root = file.root(), block = root.section("block"), base = root.section("base"), contact = root.section("contact");
+  const bool mesh_below = base.choice("kind", {"plane", "mesh"}) == "mesh";
+  const auto meshed = base.when(mesh_below);
+  const auto size = block.vector("size", dim::length);
+  const auto cells = block.counts("cells", 1, 400);
+  const double turned = block.quantity_or("turned", 0, dim::angle);
+  const auto law = input::read_law(root.section("material"));
+  const auto element = input::read_hexahedron_options(root.section_or_empty("element"));
+  const auto base_size = meshed.vector("size", dim::length);
+  const auto base_cells = meshed.counts("cells", 1, 400);
+  const double slope = base.quantity_or("slope", 0, dim::angle, input::between(-1.5, 1.5));
+  const double gravity = root.quantity_or("gravity", 9.81, dim::acceleration, input::positive);
+  const double speed = root.quantity_or("speed", 0, dim::speed);
+  const double ease = base.quantity_or("ease", 0, dim::time, input::not_negative);
+  const auto flat = [](const std::array<double, 3>& lengths) { return !(*std::min_element(lengths.begin(), lengths.end()) > 0); };
+
+  model::Scene scene;  // the block over the origin, its sole at z = 0, and under it the base where that is a mesh
+  scene.bodies = {box("block", size, cells, -Vec3(size[0] / 2, size[1] / 2, 0))};
+  scene.bodies[0].place.angle = turned;
+  if (mesh_below) {
+    const Vec3 low(-Vec3(size.data()).norm(), -base_size[1] / 2, -base_size[2]);
+    scene.bodies.push_back(box("base", base_size, base_cells, low));
+    scene.planes = {{.name = "bed", .kind = load::PlaneKind::fixed, .nodes = {"base"}, .at = "base"}};
+    scene.contacts = {{.name = "contact", .apexes = "block.z_low", .base = "base.z_high", .height_from_thickness = false,
+                       .interface = input::read_solid_interface(contact), .at = "contact"}};
+  } else {
+    input::read_solid_interface(contact.when(false));  // keys of the other kind are checked too
+    scene.rigid_planes = {read_plane(contact)};
+  }
+  for (model::Body& body : scene.bodies) body.law = law, body.solid = element;
+  scene.gravity = gravity * Vec3(0, 0, -std::cos(slope));
+  const double pull = gravity * std::sin(slope);
+  if (pull != 0)
+    scene.loads = {{.name = "slope", .kind = model::LoadKind::body_force, .on = "block",
+                    .value = {eased(pull, ease), model::constant(0), model::constant(0)}, .at = "base"}};
+  scene.initial = {{.body = "block", .value = model::uniform({speed, 0, 0})}};
+  scene.time = input::read_time(root.section("time"));
+  scene.recording = input::read_recording(root.section_or_empty("output"), scene.time.end);
+  if (root.sound() && flat(size)) block.fault("size", "'size' must be positive in each direction");
+  if (root.sound() && mesh_below && flat(base_size)) base.fault("size", "'size' must be positive in each direction");
+
+  model::Simulation simulation = input::build(file, scene);
+  const double density = std::visit([](const auto& one) { return one.density; }, law);
+  press(density * gravity * std::cos(slope), size[2], std::visit([](const auto& one) { return one.young; }, law), simulation);
+  simulation.probes = probes(simulation.model, scene.time.end);
+  return simulation;
+}
+
+std::vector<output::Result> results(const model::Simulation& simulation) {
+  const auto& seen = simulation.state.probes;  // in the order of probes()
+  const double way = seen[0].last, speed = seen[1].last, stop = seen[4].first_above_zero;
+  const double largest = std::max(0.0, seen[2].largest), smallest = seen[2].smallest, mean = (largest + smallest) / 2;
+  const bool half = seen[5].since > 0;
+  const double half_way = half ? seen[5].last : 0, half_speed = half ? seen[6].last : 0;
+  const double later = half ? simulation.state.t - seen[5].since : 0;  // the second half of the run
+  std::vector<output::Result> all{{"way", way, "m"},
+                                  {"way_in_second_half", way - half_way, "m"},
+                                  {"speed", speed, "m/s"},
+                                  {"acceleration", later > 0 ? (speed - half_speed) / later : 0, "m/s^2"},
+                                  {"normal_force_ripple", mean > 0 ? (largest - smallest) / mean : 0, "1"}};
+  if (stop >= 0) all.push_back({"stop_time", stop, "s"});
+  return all;
+}
+
+int main(int argc, char** argv) { return driver::drive(argc, argv, "sliding", build, results); }

@@ -10,106 +10,75 @@
 // Run       two_blocks cases/two_blocks/bars.yaml --out out/two_blocks
 
 #include <cmath>
-#include <memory>
-#include <string>
 
 #include "drivers/driver.hpp"
-#include "mesh/box.hpp"
+#include "model/meshes.hpp"
 
 using namespace nereid;
 
-struct Case {
-  double length, width, gap;  // [m]
-  int cells_along, cells_across;
-  element::AnyLaw material;
-  element::AnyHexahedronOptions element;
-  double closing_speed;       // [m/s]
-  dynamics::InterfaceOptions contact;
-  dynamics::Time time;
-  input::Recording recording;
-};
+/// Mean velocity of a block along x, as a probe. [m/s]
+dynamics::Probe velocity(const std::string& block, const model::Simulation& simulation) {
+  const Subset nodes = mesh::node_set(simulation.model.mesh, block);
+  return {"velocity_" + block, "m/s", [nodes](const dynamics::View& view, dynamics::ProbeMemory&) {
+            double momentum = 0, mass = 0;
+            for (const Index node : nodes) momentum += view.model.mass(node) * view.now.v(0, node), mass += view.model.mass(node);
+            return momentum / mass;
+          }};
+}
 
-constexpr double most_elements = 1e8;  // their memory is some 100 GB, and node numbers still fit an Index
+/// What pushes the blocks apart. [N]
+double force(const dynamics::View& view, dynamics::ProbeMemory&) {
+  double sum = 0;
+  for (const auto& element : view.now.interfaces[0].elements) sum -= element.apex.x();
+  return sum;
+}
 
-Case read(const input::Section& root) {
-  const auto blocks = root.section("blocks");
-  const auto time = root.section("time");
-  Case c{.length = blocks.quantity("length", dim::length, input::positive),
-         .width = blocks.quantity("width", dim::length, input::positive),
-         .gap = blocks.quantity("gap", dim::length, input::not_negative),
-         .cells_along = blocks.count("cells_along", 1, 100000),
-         .cells_across = blocks.count("cells_across", 1, 1000),
-         .material = input::read_law(root.section("material")),
-         .element = input::read_hexahedron_options(root.section_or_empty("element")),
-         .closing_speed = root.quantity("closing_speed", dim::speed, input::positive),
-         .contact = input::read_solid_interface(root.section_or_empty("contact")),
-         .time = input::read_time(time),
-         .recording = {}};
-  c.recording = input::read_recording(root.section_or_empty("output"), c.time.end);
-  const double elements = 2.0 * c.cells_along * c.cells_across * c.cells_across;
-  if (root.sound() && elements > most_elements)
+model::Simulation build(const input::CaseFile& file) {
+  const input::Section root = file.root(), blocks = root.section("blocks");
+  const double length = blocks.quantity("length", dim::length, input::positive),
+               width = blocks.quantity("width", dim::length, input::positive),
+               gap = blocks.quantity("gap", dim::length, input::not_negative);
+  const int along = blocks.count("cells_along", 1, 100000), across = blocks.count("cells_across", 1, 1000);
+  const double elements = 2.0 * along * across * across;
+  const auto law = input::read_law(root.section("material"));
+  const auto element = input::read_hexahedron_options(root.section_or_empty("element"));
+  const double speed = root.quantity("closing_speed", dim::speed, input::positive);
+
+  model::Scene scene;
+  const auto block = [&](const char* name, const Vec3& corner) {
+    return model::Body{.name = name, .mesh = mesh::Box{corner, corner + Vec3(length, width, width), {along, across, across}}, .law = law,
+                       .solid = element, .at = "blocks"};
+  };
+  scene.bodies = {block("A", Vec3::Zero()), block("B", {length + gap, 0, 0})};
+  scene.contacts = {{.name = "contact", .apexes = "A.x_high", .base = "B.x_low", .height_from_thickness = false,
+                     .interface = input::read_solid_interface(root.section_or_empty("contact")), .at = "contact"}};
+  scene.initial = {{.body = "A", .value = model::uniform({speed / 2, 0, 0})}, {.body = "B", .value = model::uniform({-speed / 2, 0, 0})}};
+  scene.time = input::read_time(root.section("time"));
+  scene.recording = input::read_recording(root.section_or_empty("output"), scene.time.end);
+  if (root.sound() && elements > model::most_elements)
     blocks.fault("cells_along", "'cells_along' and 'cells_across' make " + std::to_string(std::llround(elements)) +
                                     " elements: expected at most a hundred million");
-  return c;
+  model::Simulation simulation = input::build(file, scene);
+  const double area = width * width;
+  const auto stress = [area](const dynamics::View& view, dynamics::ProbeMemory& memory) { return force(view, memory) / area; };
+  simulation.probes = {{"interface_stress", "Pa", stress, true},
+                       velocity("A", simulation),
+                       velocity("B", simulation),
+                       {"", "N", [=](const auto& view, auto& memory) { return stress(view, memory) * area; }, true},
+                       {"", "m^2", [area](const auto&, auto&) { return area; }}};
+  return simulation;
 }
 
-/// Mean velocity of a block along x. [m/s]
-double velocity(const dynamics::View& view, const Subset& nodes) {
-  double momentum = 0, mass = 0;
-  for (const Index node : nodes) momentum += view.model.mass(node) * view.now.v(0, node), mass += view.model.mass(node);
-  return momentum / mass;
+std::vector<output::Result> results(const model::Simulation& simulation) {
+  const auto& seen = simulation.state.probes;  // in the order in which build() added them
+  const double duration = seen[0].first_above_zero < 0 ? 0 : seen[0].last_above_zero - seen[0].first_above_zero;
+  const double impulse = seen[3].integral, area = seen[4].last;
+  return {{"interface_stress_mean", duration > 0 ? impulse / area / duration : 0, "Pa"},
+          {"interface_stress_peak", std::max(0.0, seen[0].largest), "Pa"},
+          {"contact_time", duration, "s"},
+          {"impulse", impulse, "N s"},
+          {"velocity_A", seen[1].last, "m/s"},
+          {"velocity_B", seen[2].last, "m/s"}};
 }
 
-driver::Scene build(const input::CaseFile& file) {
-  const Case c = read(file.root());
-  file.finish();
-  driver::Scene scene{.model = {}, .state = {}, .forces = {}, .gaps = {}, .time = c.time, .recording = c.recording,
-                      .probes = {}, .watchers = {}, .results = {}};
-  dynamics::Model& model = scene.model;
-  const Eigen::Vector3i cells{c.cells_along, c.cells_across, c.cells_across};
-  const Vec3 size{c.length, c.width, c.width}, right{c.length + c.gap, 0, 0};
-  model.mesh = mesh::join(mesh::box("A", {Vec3::Zero(), size, cells}), mesh::box("B", {right, right + size, cells}));
-  for (const char* name : {"A", "B"}) model.blocks.push_back(element::solids(model.mesh, name, c.material, c.element));
-  dynamics::finish(model);
-  std::vector<dynamics::Connected> connected = dynamics::connect(model, "contact", "A.x_high", "B.x_low", c.contact);
-  driver::make_ready(scene, std::move(connected));
-
-  const Subset A = mesh::node_set(model.mesh, "A"), B = mesh::node_set(model.mesh, "B");
-  for (const Index node : A) scene.state.v(0, node) = c.closing_speed / 2;
-  for (const Index node : B) scene.state.v(0, node) = -c.closing_speed / 2;
-
-  const double area = c.width * c.width;
-  const auto stress = [area](const dynamics::View& view) {
-    double force = 0;
-    for (const auto& element : view.now.interfaces[0].elements) force -= element.apex.x();
-    return force / area;
-  };
-  struct Seen {
-    double impulse = 0, peak = 0, first = -1, last = 0, velocity_A = 0, velocity_B = 0;
-  };
-  const auto seen = std::make_shared<Seen>();
-  scene.probes = {{"interface_stress", "Pa", stress},
-                  {"velocity_A", "m/s", [A](const auto& view) { return velocity(view, A); }},
-                  {"velocity_B", "m/s", [B](const auto& view) { return velocity(view, B); }}};
-  scene.watchers.emplace_back([=](const dynamics::View& view) {
-    const double now = stress(view);
-    seen->impulse += now * area * view.now.dt;
-    seen->peak = std::max(seen->peak, now);
-    if (now > 0 && seen->first < 0) seen->first = view.now.t;
-    if (now > 0) seen->last = view.now.t;
-    if (view.ledger_is_current) seen->velocity_A = velocity(view, A), seen->velocity_B = velocity(view, B);
-  });
-  scene.results = [=] {
-    const double duration = seen->first < 0 ? 0 : seen->last - seen->first;
-    return std::vector<output::Result>{
-        {"interface_stress_mean", duration > 0 ? seen->impulse / area / duration : 0, "Pa"},
-        {"interface_stress_peak", seen->peak, "Pa"},
-        {"contact_time", duration, "s"},
-        {"impulse", seen->impulse, "N s"},
-        {"velocity_A", seen->velocity_A, "m/s"},
-        {"velocity_B", seen->velocity_B, "m/s"}};
-  };
-  return scene;
-}
-
-int main(int argc, char** argv) { return driver::drive(argc, argv, "two_blocks", build); }
+int main(int argc, char** argv) { return driver::drive(argc, argv, "two_blocks", build, results); }

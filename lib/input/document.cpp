@@ -4,7 +4,7 @@
 #include <charconv>
 #include <tuple>
 
-#include "input/words.hpp"
+#include "base/words.hpp"
 
 namespace nereid::input {
 
@@ -108,6 +108,21 @@ Node* Document::empty_section(const Place& place) {
   extra_.back().kind = Node::Kind::map;
   extra_.back().place = place;
   return &extra_.back();
+}
+
+void Document::fault(const std::string& path, std::string message, std::string hint) {
+  const Node* node = root_.get();
+  Place place = node->place;
+  for (const Step& step : path.empty() ? std::vector<Step>{} : split_path(path, 0)) {
+    place = node->place;
+    const Entry* entry = node->kind == Node::Kind::map ? find(*node, step.key) : nullptr;
+    if (entry == nullptr) break;
+    node = entry->value.get();
+    for (const std::size_t index : step.indices)
+      if (node->kind == Node::Kind::list && index < node->items.size()) node = node->items[index].get();
+    place = place_of(*entry, *node);
+  }
+  findings.push_back({place, std::move(message), std::move(hint)});
 }
 
 bool Document::sound() const {

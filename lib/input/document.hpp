@@ -25,6 +25,9 @@ class Document {
   /// A section that the case does not have, for readers of optional ones.
   Node* empty_section(const Place& place);
 
+  /// Adds a fault at the value of a path, as in "planes[0].nodes[1]", or at the deepest part of it that the case has.
+  void fault(const std::string& path, std::string message, std::string hint);
+
   bool sound() const;
   /// Throws CaseError with all faults by place, unknown keys among them, if there are any.
   void throw_if_any() const;

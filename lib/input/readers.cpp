@@ -1,7 +1,5 @@
 #include "input/readers.hpp"
 
-#include <cstdio>
-
 namespace nereid::input {
 
 element::AnyLaw read_law(const Section& section) {
@@ -113,17 +111,6 @@ HeightFrom read_contact_height(const Section& section, HeightFrom usual, dynamic
   return initial ? HeightFrom::initial : given ? HeightFrom::given : HeightFrom::thickness;
 }
 
-void refuse_penetration(const Section& section, const dynamics::InterfaceOptions& options, const contact::InitialGaps& gaps) {
-  if (gaps.penetrating == 0 || options.initial_penetration == contact::InitialPenetration::accept) return;
-  char text[200];
-  std::snprintf(text, sizeof text,
-                "%d of %d apexes start penetrated, by %.4g m at most: %smove the bodies apart, or say "
-                "'initial_penetration: accept'",
-                static_cast<int>(gaps.penetrating), static_cast<int>(gaps.apexes), gaps.deepest,
-                section.has("height") ? "lower 'height', " : "");
-  section.fault("initial_penetration", text);
-}
-
 dynamics::Time read_time(const Section& section) {
   dynamics::Time time;
   time.end = section.quantity("end", dim::time, positive);
@@ -132,8 +119,8 @@ dynamics::Time read_time(const Section& section) {
   return time;
 }
 
-Recording read_recording(const Section& section, double end) {
-  Recording recording;
+model::Recording read_recording(const Section& section, double end) {
+  model::Recording recording;
   recording.history = section.quantity_or("history_every", end / 400, dim::time, positive);
   recording.frames = section.quantity_or("frames_every", end / 40, dim::time, positive);
   recording.full_precision = section.choice_or("precision", "single", {"single", "double"}) == "double";

@@ -3,9 +3,8 @@
 //
 // One syntax for all drivers; a driver composes these and reads only what is its own.
 
-#include "dynamics/connect.hpp"
-#include "dynamics/run.hpp"
 #include "input/section.hpp"
+#include "model/scene.hpp"
 
 namespace nereid::input {
 
@@ -53,23 +52,12 @@ enum class HeightFrom {
 /// refuse | accept`, all optional but `height`. Where thickness is the usual one, `thickness` is a word too.
 HeightFrom read_contact_height(const Section&, HeightFrom usual, dynamics::InterfaceOptions&);
 
-/// Refuses a scene whose interface starts penetrated and does not accept it; the fault stands at the
-/// interface's section. Call finish() of the case file afterwards.
-void refuse_penetration(const Section& interface, const dynamics::InterfaceOptions&, const contact::InitialGaps&);
-
 /// `end`, and optional `safety` in (0, 10] and `created_limit`.
 dynamics::Time read_time(const Section&);
 
-/// How often a run is recorded. [s]
-struct Recording {
-  double history = 0;  ///< between rows of history.csv
-  double frames = 0;   ///< between ParaView frames
-  bool full_precision = false;
-};
-
 /// `history_every`, `frames_every`, `precision: single | double`; all optional, by default 400 rows
 /// and 40 frames over the time to `end`.
-Recording read_recording(const Section&, double end);
+model::Recording read_recording(const Section&, double end);
 
 /// Three quantities as a vector.
 Vec3 read_vector(const Section&, std::string_view key, Dimension);

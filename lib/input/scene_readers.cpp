@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cctype>
 
+#include "input/load_readers.hpp"
+#include "input/mesh_readers.hpp"
+#include "input/readers.hpp"
+#include "model/meshes.hpp"
+#include "model/probes.hpp"
+
 namespace nereid::input {
 
 namespace {
-
-const std::vector<std::string> axes{"x", "y", "z"};
-const std::vector<std::string> of_vectors{"magnitude", "x", "y", "z"};
 
 /// Names given so far, of one kind of things or of several that must differ.
 using Names = std::vector<std::string>;
@@ -47,8 +50,8 @@ Vec3 read_direction(const Section& section, std::string_view key) {
   return Vec3::UnitZ();
 }
 
-Placement read_placement(const Section& body) {
-  Placement place;
+model::Placement read_placement(const Section& body) {
+  model::Placement place;
   const Section turn = body.when(body.has("turn")).section("turn");
   place.axis = read_direction(turn, "axis");
   place.angle = turn.quantity("angle", dim::angle);
@@ -60,110 +63,63 @@ Placement read_placement(const Section& body) {
   return place;
 }
 
-template <class... Kinds>
-bool is_one_of(const MeshOptions& mesh) {
-  return (std::holds_alternative<Kinds>(mesh) || ...);
-}
-
-BodyOptions read_body(const Section& section, Names& taken) {
+model::Body read_body(const Section& section, Names& taken) {
   const Section mesh = section.section("mesh");
-  BodyOptions body{.at = section,
-                   .name = read_name(section, taken, sources),
+  model::Body body{.name = read_name(section, taken, sources),
                    .mesh = read_mesh_options(mesh),
                    .map = read_map(mesh),
                    .place = read_placement(section),
                    .points = {},
                    .law = read_law(section.section("material")),
-                   .solids = true,
-                   .plates = false,
                    .solid = {},
-                   .plate = {}};
-  body.plates = is_one_of<mesh::Tube, mesh::WedgeTube, mesh::Disc, mesh::WedgeDisc, mesh::Sheet>(body.mesh);
-  body.solids = !body.plates;
-  if (const auto* file = std::get_if<mesh::Mesh>(&body.mesh)) {
-    body.solids = !file->hexahedra.empty();
-    body.plates = !file->triangles.empty();
-  }
+                   .plate = {},
+                   .at = section.path()};
   const Section element = section.section_or_empty("element");
-  body.solid = read_hexahedron_options(element.when(body.solids));
-  body.plate = read_plate_options(element.when(body.plates));
+  body.solid = read_hexahedron_options(element.when(model::has_solids(body.mesh)));
+  body.plate = read_plate_options(element.when(model::has_plates(body.mesh)));
   Names points;
   for (const Section& point : section.list("points"))
-    body.points.push_back({.at = point, .name = read_name(point, points, "points of a body"), .near = read_vector(point, "near", dim::length)});
+    body.points.push_back(
+        {.name = read_name(point, points, "points of a body"), .near = read_vector(point, "near", dim::length), .at = point.path()});
   return body;
 }
 
-ContactOptions read_contact(const Section& section, Names& taken) {
-  ContactOptions contact{.at = section,
-                         .name = read_name(section, taken, sources),
+model::Contact read_contact(const Section& section, Names& taken) {
+  model::Contact contact{.name = read_name(section, taken, sources),
                          .apexes = section.word("apexes"),
                          .base = section.word("base"),
                          .height_from_thickness = false,
-                         .interface = read_solid_interface(section)};
+                         .interface = read_solid_interface(section),
+                         .at = section.path()};
   contact.height_from_thickness = read_contact_height(section, HeightFrom::thickness, contact.interface) == HeightFrom::thickness;
   if (contact.interface.two_passes) taken.push_back(contact.name + "_back");
   return contact;
 }
 
-RigidOptions read_rigid(const PlaneRequest& plane) {
-  const Section& section = plane.section;
-  const Section if_rigid = section.when(plane.rigid);
-  const bool given = section.has("penalty");
-  const dynamics::InterfaceOptions usual;
-  RigidOptions rigid{.at = section,
-                     .name = plane.name,
-                     .surface = if_rigid.word("surface"),
-                     .point = plane.point,
-                     .normal = plane.normal,
-                     .penalty = std::nullopt,
-                     .hardness = if_rigid.when(!given).number_or("hardness", usual.hardness, positive),
-                     .friction = read_friction(if_rigid),
-                     .created_in_a_bounce = if_rigid.number_or("created_in_a_bounce", usual.created_in_a_bounce, within(1e-5, 0.04))};
-  const double penalty = if_rigid.when(given).quantity("penalty", dim::penalty, positive);
-  if (given) rigid.penalty = penalty;
-  return rigid;
-}
-
-/// Names of the internal variables of all laws, each once.
-template <class... Laws>
-Names internal_variables(const std::variant<Laws...>*) {
-  Names names;
-  const auto add = [&names](const auto& internal) {
-    for (const auto& name : internal)
-      if (!has(names, std::string(name))) names.emplace_back(name);
-  };
-  (add(Laws::internal), ...);
-  return names;
-}
-
-ProbeOptions read_probe(const Section& section, Names& taken) {
-  ProbeOptions probe{.at = section, .name = read_name(section, taken, "probes"), .quantity = {}, .of = section.word("of")};
+model::Probe read_probe(const Section& section, Names& taken) {
+  model::Probe probe{.name = read_name(section, taken, "probes"), .quantity = {}, .of = section.word("of"), .at = section.path()};
   if (probe.name == "time" || probe.name.rfind("energy_", 0) == 0)
     section.fault("name", "'name' = " + probe.name + " is a column of every history: choose another");
   Names words;
-  for (const Measurable& one : measurables()) words.push_back(one.name);
-  const std::string word = section.choice("quantity", words);
-  probe.quantity = *std::find_if(measurables().begin(), measurables().end(), [&](const Measurable& one) { return one.name == word; });
-  const auto& components = probe.quantity.components;
-  if (!components.empty()) {
-    const Section chosen = section.when(true);
-    const std::string component = probe.quantity.required ? chosen.choice("component", components)
-                                                          : chosen.choice_or("component", components.front(), components);
-    probe.component = static_cast<int>(std::find(components.begin(), components.end(), component) - components.begin());
-  }
-  if (probe.quantity.of == Of::body)
-    probe.largest = section.when(true).choice_or("take", "mean", {"mean", "largest"}) == "largest";
+  for (const model::Measurable& one : model::measurables()) words.push_back(one.name);
+  probe.quantity = section.choice("quantity", words);
+  const model::Measurable& quantity = *model::find_measurable(probe.quantity);
+  const Section chosen = section.when(true);
+  if (!quantity.components.empty())
+    probe.component = quantity.required ? chosen.choice("component", quantity.components)
+                                        : chosen.choice_or("component", quantity.components.front(), quantity.components);
+  if (quantity.of == model::Of::body) probe.largest = chosen.choice_or("take", "mean", {"mean", "largest"}) == "largest";
   return probe;
 }
 
-StopOptions read_stop(const Section& section, const std::vector<ProbeOptions>& probes) {
-  StopOptions stop{.probe = section.word("probe"), .above = section.has("above"), .value = 0, .after = 0};
+model::Stop read_stop(const Section& section, const std::vector<model::Probe>& probes) {
+  model::Stop stop{.probe = section.word("probe"), .above = section.has("above"), .value = 0, .after = 0, .at = section.path()};
   stop.after = section.quantity_or("after", 0, dim::time, not_negative);
   const char* key = stop.above ? "above" : "below";
   const auto probe = std::find_if(probes.begin(), probes.end(), [&](const auto& one) { return one.name == stop.probe; });
   if (probe == probes.end()) {
     Names names;
-    for (const ProbeOptions& one : probes) names.push_back(one.name);
+    for (const model::Probe& one : probes) names.push_back(one.name);
     section.unknown_name("probe", stop.probe, "probes", names);
     section.has("below");
     return stop;
@@ -173,27 +129,24 @@ StopOptions read_stop(const Section& section, const std::vector<ProbeOptions>& p
   else if (!stop.above && !section.has("below"))
     section.fault("above", "a condition needs 'above' or 'below'");
   else
-    stop.value = section.quantity(key, probe->quantity.dimension);
+    stop.value = section.quantity(key, dimension_of(model::find_measurable(probe->quantity)->unit));
   return stop;
 }
 
 /// runs  whether time passes
-SceneOptions read_scene(const Section& root, bool runs) {
+model::Scene read_scene(const Section& root, bool runs) {
   const Section run = root.when(runs);
-  SceneOptions scene{.bodies = {}, .contacts = {}, .rigid_planes = {}, .actions = {}, .probes = {}, .stops = {},
-                     .time = read_time(run.section("time")), .recording = {}};
+  model::Scene scene;
+  scene.time = read_time(run.section("time"));
   Names taken{"gravity", "relaxation"}, probes;
   for (const Section& body : root.list("bodies", 1)) scene.bodies.push_back(read_body(body, taken));
   for (const Section& contact : root.list("contacts")) scene.contacts.push_back(read_contact(contact, taken));
-  scene.actions = read_actions(root, runs);
-  for (const PlaneRequest& plane : scene.actions.planes) {
-    check_name(plane.section, plane.name, taken, sources);
-    RigidOptions rigid = read_rigid(plane);
-    if (plane.rigid) scene.rigid_planes.push_back(std::move(rigid));
-  }
-  for (const LoadRequest& load : scene.actions.loads) check_name(load.section, load.name, taken, sources);
-  for (const SpringRequest& spring : scene.actions.springs) check_name(spring.section, spring.name, taken, sources);
-  for (const PointMassRequest& mass : scene.actions.point_masses) check_name(mass.section, mass.name, taken, sources);
+  read_actions(root, runs, scene);
+  const auto check_names = [&taken](const std::vector<Section>& sections) {
+    for (const Section& section : sections) check_name(section, section.word("name"), taken, sources);
+  };
+  check_names(root.list("planes")), check_names(run.list("loads"));
+  check_names(root.list("springs")), check_names(root.list("point_masses"));
   for (const Section& probe : run.list("probes")) scene.probes.push_back(read_probe(probe, probes));
   for (const Section& stop : run.list("stop")) scene.stops.push_back(read_stop(stop, scene.probes));
   scene.recording = read_recording(run.section_or_empty("output"), scene.time.end);
@@ -202,42 +155,31 @@ SceneOptions read_scene(const Section& root, bool runs) {
 
 }  // namespace
 
-const std::vector<Measurable>& measurables() {
-  static const std::vector<Measurable> all = [] {
-    std::vector<Measurable> list{
-        {"displacement", dim::length, Of::nodes, of_vectors},
-        {"velocity", dim::speed, Of::nodes, of_vectors},
-        {"position", dim::length, Of::nodes, axes, true},
-        {"extent", dim::length, Of::nodes, axes, true},
-        {"radius", dim::length, Of::nodes, axes, true},
-        {"momentum", dim::momentum, Of::nodes, of_vectors},
-        {"kinetic_energy", dim::energy, Of::nodes, {}},
-        {"force", dim::force, Of::source, {"magnitude", "x", "y", "z", "normal"}},
-        {"gap", dim::length, Of::contact, {}},
-        {"contact_pressure", dim::stress, Of::contact, {}},
-        {"contact_area", dim::area, Of::contact, {}},
-        {"stress", dim::stress, Of::body, {"xx", "yy", "zz", "xy", "yz", "xz"}, true},
-        {"pressure", dim::stress, Of::body, {}},
-        {"von_mises", dim::stress, Of::body, {}},
-    };
-    for (const std::string& name : internal_variables(static_cast<const element::AnyLaw*>(nullptr)))
-      list.push_back({name, dim::none, Of::body, {}});
-    return list;
-  }();
-  return all;
-}
+model::Scene read_scene(const Section& root) { return read_scene(root, true); }
 
-SceneOptions read_scene(const Section& root) { return read_scene(root, true); }
-
-SceneOptions read_scene_at_rest(const Section& root) {
-  SceneOptions scene = read_scene(root, false);
+model::Scene read_scene_at_rest(const Section& root) {
+  model::Scene scene = read_scene(root, false);
   scene.probes.clear(), scene.stops.clear();
   if (!scene.contacts.empty())
     root.fault("contacts", "'contacts' open and close, which no small motion about rest keeps: take them out");
-  for (const PlaneRequest& plane : scene.actions.planes)
-    if (plane.rigid || plane.kind == load::PlaneKind::floor)
-      plane.section.fault("kind", "a floor or rigid plane lets go, which no small motion about rest keeps: take it out, or say 'held'");
+  for (const Section& plane : root.list("planes")) {
+    const std::string kind = plane.choice("kind", {"symmetry", "held", "fixed", "floor", "rigid", "driven"});
+    if (kind == "rigid" || kind == "floor")
+      plane.fault("kind", "a floor or rigid plane lets go, which no small motion about rest keeps: take it out, or say 'held'");
+  }
   return scene;
+}
+
+model::Simulation build(const CaseFile& file, const model::Scene& scene) {
+  file.finish();
+  try {
+    return model::build(scene);
+  } catch (const model::SceneError& error) {
+    for (const model::Fault& fault : error.faults)
+      file.fault(fault.at.empty() || fault.key.empty() ? fault.at + fault.key : fault.at + "." + fault.key, fault.message, fault.hint);
+    file.finish();
+    throw;  // a fault without a place in the case
+  }
 }
 
 }  // namespace nereid::input

@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "input/document.hpp"
-#include "input/words.hpp"
+#include "base/words.hpp"
 
 namespace nereid::input {
 
@@ -50,13 +50,6 @@ double harmless(const Range& range) {
   const bool from = std::isfinite(range.low), to = std::isfinite(range.high);
   if (from && to) return range.low + (range.high - range.low) / 2;
   return from ? range.low + 1 : to ? range.high - 1 : 1;
-}
-
-/// Where to point at when a whole value is wrong: at the key, unless the value is within one line.
-const Place& place_of(const Entry& entry, const Node& value) {
-  const bool spread = value.kind == Node::Kind::map || value.kind == Node::Kind::list;
-  return &value == entry.value.get() && spread && value.place.length == 1 ? entry.place
-                                                                          : value.place;
 }
 
 std::string name_of(std::string_view key, std::size_t item) {
@@ -636,6 +629,10 @@ CaseFile CaseFile::parse(const std::string& text, const std::string& path,
 }
 
 Section CaseFile::root() const { return {document_, document_->root(), "", Section::Use::used}; }
+
+void CaseFile::fault(const std::string& path, std::string message, std::string hint) const {
+  document_->fault(path, std::move(message), std::move(hint));
+}
 
 void CaseFile::finish() const { document_->throw_if_any(); }
 

@@ -241,6 +241,10 @@ class CaseFile {
 
   Section root() const;
 
+  /// Notes a fault found after reading, at the value of a path as in "planes[0].nodes[1]", or at the deepest part of it that
+  /// the case has. Call finish() afterwards.
+  void fault(const std::string& path, std::string message, std::string hint = "") const;
+
   /// Throws CaseError with all faults, by place, if there are any. Reports the keys that nobody has
   /// asked for; call it after all reading.
   void finish() const;

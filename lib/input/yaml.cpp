@@ -8,7 +8,7 @@
 #include <map>
 #include <optional>
 
-#include "input/words.hpp"
+#include "base/words.hpp"
 
 namespace nereid::input {
 

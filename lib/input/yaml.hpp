@@ -88,6 +88,13 @@ inline constexpr const char* blank_needed = "a blank is needed behind ':'";
 /// The entry of a key, or null.
 Entry* find(const Node& map, std::string_view key);
 
+/// Where to point at when a whole value is wrong: at the key, unless the value is within one line.
+inline const Place& place_of(const Entry& entry, const Node& value) {
+  const bool spread = value.kind == Node::Kind::map || value.kind == Node::Kind::list;
+  return &value == entry.value.get() && spread && value.place.length == 1 ? entry.place
+                                                                          : value.place;
+}
+
 /// The tree of one text, or null if there is nothing in it. Refuses what YAML allows and a case does not.
 ///
 /// number, offset  of the source, and where in its first line the text begins

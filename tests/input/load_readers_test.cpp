@@ -4,63 +4,60 @@
 
 #include <cmath>
 
-#include "mesh/box.hpp"
-#include "mesh/cylinder.hpp"
+#include "input/scene_readers.hpp"
 
 namespace nereid::input {
 namespace {
 
-/// A box of hexahedra and a tube of plates, with what a text says acts on them.
+/// Behind a text, so that its lines keep their numbers: a box of hexahedra and a tube of plates.
+const std::string bodies = R"case(
+bodies:
+  - name: box
+    mesh: {kind: box, low: [0 m, 0 m, 0 m], high: [0.2 m, 0.2 m, 0.2 m], cells: [2, 2, 2]}
+    material: {kind: elastic, density: 1000 kg/m^3, young: 1 MPa, poisson: 0}
+    points: [{name: tip, near: [0 m, 0 m, 0 m]}, {name: top, near: [0.2 m, 0.2 m, 0.2 m]}]
+  - name: tube
+    mesh: {kind: tube, radius: 0.5 m, length: 0.8 m, turn: full, cells_core: 1, cells_along: 2}
+    material: {kind: elastic, density: 1000 kg/m^3, young: 1 MPa, poisson: 0}
+    element: {thickness: 1 cm}
+time: {end: 1 s}
+)case";
+
+using model::Scene;
+using model::Simulation;
+
+/// These bodies with what a text says acts on them.
 struct Case {
-  explicit Case(const std::string& text) : file(CaseFile::parse(text, "case.yaml")), actions(read_actions(file.root())) {}
-  void build() {
-    model.mesh = mesh::join(mesh::box("box", {Vec3::Zero(), Vec3(0.2, 0.2, 0.2), {2, 2, 2}}),
-                            mesh::tube("tube", {0.5, 0.8, mesh::Turn::full, 1, 2}));
-    model.mesh.node_sets.push_back({"box.tip", {0}});
-    model.mesh.node_sets.push_back({"box.top", {26}});
-    constrain(actions, model);
-    element::Plate::Options plate;
-    plate.thickness = 0.01;
-    const material::Elastic rubber{1000, 1e6, 0};
-    model.blocks.push_back(element::hexahedra(model.mesh, "box", rubber, {}));
-    model.blocks.push_back(element::plates(model.mesh, "tube", rubber, plate));
-    dynamics::finish(model);
-    add_loads(actions, model);
-  }
+  explicit Case(const std::string& text) : file(CaseFile::parse(text + bodies, "case.yaml")), scene(read_scene(file.root())) {}
   void start() {
-    build();
-    state = dynamics::initial_state(model, {});
-    forces = dynamics::make_forces(model);
-    set_initial(actions, model, state);
+    try {
+      simulation = build(file, scene);
+    } catch (const CaseError& error) {
+      found = error.faults;
+    }
   }
   /// Faults so far, or nothing.
-  std::vector<Fault> faults() const {
-    try {
-      file.finish();
-    } catch (const CaseError& error) {
-      return error.faults;
-    }
-    return {};
-  }
+  std::vector<Fault> faults() const { return found; }
   CaseFile file;
-  Actions actions;
-  dynamics::Model model;
-  dynamics::State state;
-  dynamics::Forces forces;
+  Scene scene;
+  Simulation simulation;
+  const dynamics::Model& model = simulation.model;
+  const dynamics::State& state = simulation.state;
+  std::vector<Fault> found;
 };
 
 /// The messages of a text's faults, joined, once everything has been built; "place: message".
 std::string faults_of(const std::string& text) {
   Case c(text);
   std::string all;
-  if (c.faults().empty()) c.start();
+  c.start();
   for (const Fault& fault : c.faults())
     all += std::to_string(fault.line) + ":" + std::to_string(fault.column) + ": " + fault.message + (fault.hint.empty() ? "" : " (" + fault.hint + ")") + "\n";
   return all;
 }
 
 TEST(ReadActions, OfAnEmptyCaseAreNone) {
-  Case c("unused: 1\n");
+  Case c("");
   c.start();
   EXPECT_TRUE(c.model.constraints.planes.empty() && c.model.loads.empty() && c.model.point_masses.empty());
   EXPECT_FALSE(c.model.relaxation.has_value());
@@ -75,7 +72,7 @@ planes:
   - {name: pull, kind: held, nodes: [box.x_high], normal: [1, 0, 0], velocity: {value: "2*t", unit: mm/s}}
   - {name: clamp, kind: fixed, nodes: [tube.top]}
   - {name: ground, kind: floor, nodes: [box, tube], point: [0 m, 0 m, -1 m], normal: [0, 0, 1]}
-  - {name: wall, kind: rigid, point: [1 m, 0 m, 0 m], normal: [-1, 0, 0]}
+  - {name: wall, kind: rigid, surface: box.x_high, point: [1 m, 0 m, 0 m], normal: [-1, 0, 0]}
 loads:
   - {name: push, kind: pressure, surface: box.z_high, value: "1e6 * min(1, t/1e-3)", unit: kPa}
   - {name: tug, kind: force, nodes: box.z_high, value: ["0", "t", "-1000"], unit: N}
@@ -94,9 +91,9 @@ relaxation: {residual: 1e-5, after: 1 ms, samples: 3}
 )case");
   c.start();
   EXPECT_TRUE(c.faults().empty()) << c.faults()[0].text;
-  ASSERT_EQ(c.model.constraints.planes.size(), 4U);  // the rigid one is not ours
-  EXPECT_TRUE(c.actions.planes[4].rigid);
-  EXPECT_EQ(c.actions.planes[4].normal, Vec3(-1, 0, 0));
+  ASSERT_EQ(c.model.constraints.planes.size(), 4U);
+  ASSERT_EQ(c.model.rigid_planes.size(), 1U);
+  EXPECT_EQ(c.model.rigid_planes[0].normal, Vec3(-1, 0, 0));
   EXPECT_EQ(c.model.constraints.planes[0].normal, Vec3(0, 1, 0));
   EXPECT_DOUBLE_EQ(c.model.constraints.planes[1].velocity(3), 6e-3);
   EXPECT_EQ(c.model.constraints.planes[2].kind, load::PlaneKind::fixed);
@@ -132,12 +129,12 @@ relaxation: {residual: 1e-5, after: 1 ms, samples: 3}
 
 TEST(ReadActions, ListNamesThatTheMeshDoesNotHaveAtTheirLine) {
   const std::string found = faults_of("planes:\n  - {name: a, kind: held, nodes: [box.x_lou], normal: [1, 0, 0]}\n");
-  EXPECT_EQ(found.rfind("2:34: 'box.x_lou' is no node set of this scene: there are ", 0), 0U) << found;
+  EXPECT_EQ(found.rfind("2:34: 'nodes' = box.x_lou is unknown: node sets are box, ", 0), 0U) << found;
   EXPECT_NE(found.find("(did you mean 'box.x_low'?)"), std::string::npos) << found;
-  EXPECT_NE(faults_of("loads:\n  - {name: a, kind: pressure, surface: x, value: 1, unit: Pa}\n").find("2:40: 'x' is no surface of this scene: there are box.x_low"),
+  EXPECT_NE(faults_of("loads:\n  - {name: a, kind: pressure, surface: x, value: 1, unit: Pa}\n").find("2:40: 'surface' = x is unknown: surfaces are box.x_low"),
             std::string::npos);
   EXPECT_NE(faults_of("initial:\n  - {body: bax, velocity: [1, 2, 3], unit: m/s}\n").find("did you mean 'box'?"), std::string::npos);
-  EXPECT_NE(faults_of("point_masses:\n  - {name: m, nodes: nix, mass: 1 kg}\n").find("2:22: 'nix' is no node set"), std::string::npos);
+  EXPECT_NE(faults_of("point_masses:\n  - {name: m, nodes: nix, mass: 1 kg}\n").find("2:22: 'nodes' = nix is unknown: node sets are"), std::string::npos);
 }
 
 TEST(ReadActions, RefuseASpringThatDoesNotEndAtSingleNodes) {
@@ -212,6 +209,7 @@ TEST(ReadActions, WantEitherAVelocityOrADisplacement) {
 
 TEST(ReadActions, ListKeysThatAKindDoesNotUse) {
   Case c("planes:\n  - {name: a, kind: fixed, nodes: [box.tip], normal: [1, 0, 0]}\n");
+  c.start();
   EXPECT_TRUE(c.faults().empty());
   ASSERT_EQ(c.file.not_used().size(), 1U);
   EXPECT_EQ(c.file.not_used()[0].rfind("planes[0].normal", 0), 0U);

@@ -8,13 +8,14 @@
 
 #include "grid/grid.hpp"
 #include "mesh/skin.hpp"
+#include "model/meshes.hpp"
 
 namespace nereid::input {
 namespace {
 
-MeshOptions read(const std::string& text) {
+model::MeshOptions read(const std::string& text) {
   const CaseFile file = CaseFile::parse(text, "case.yaml");
-  const MeshOptions options = read_mesh_options(file.root());
+  const model::MeshOptions options = read_mesh_options(file.root());
   file.finish();
   return options;
 }
@@ -36,7 +37,7 @@ const std::string cylinder = "kind: cylinder\nradius: 1 m\nlength: 2 m\nturn: qu
 const std::string tube = "kind: tube\nradius: 1 m\nlength: 2 m\nturn: full\ncells_core: 3\ncells_along: 4\n";
 
 TEST(ReadMesh, ABoxIsBuiltAsItIsWritten) {
-  const mesh::Mesh bar = make_mesh("bar", read(box));
+  const mesh::Mesh bar = model::make_mesh("bar", read(box));
   EXPECT_EQ(bar.X.cols(), 11 * 3 * 3);
   EXPECT_EQ(mesh::hexahedra(bar, "bar").nodes.cols(), 40);
   EXPECT_EQ(bar.X.rowwise().maxCoeff(), Vec3(1, 0.1, 0.1));
@@ -44,38 +45,38 @@ TEST(ReadMesh, ABoxIsBuiltAsItIsWritten) {
 }
 
 TEST(ReadMesh, CylinderAndTubeHaveTheirCells) {
-  EXPECT_EQ(mesh::hexahedra(make_mesh("c", read(cylinder)), "c").nodes.cols(), (9 + 12) * 4);
-  EXPECT_EQ(mesh::triangles(make_mesh("t", read(tube)), "t").nodes.cols(), 2 * 24 * 4);
+  EXPECT_EQ(mesh::hexahedra(model::make_mesh("c", read(cylinder)), "c").nodes.cols(), (9 + 12) * 4);
+  EXPECT_EQ(mesh::triangles(model::make_mesh("t", read(tube)), "t").nodes.cols(), 2 * 24 * 4);
 }
 
 TEST(ReadMesh, SectorsAreSolidOrOfPlates) {
-  const mesh::Mesh solid = make_mesh("a", read("kind: sector\nradius: 1 m\nlength: 2 m\nangle: 5 deg\ncells_around: 1\n"
+  const mesh::Mesh solid = model::make_mesh("a", read("kind: sector\nradius: 1 m\nlength: 2 m\nangle: 5 deg\ncells_around: 1\n"
                                                "cells_radial: 4\ncells_along: 3\n"));
   EXPECT_EQ(mesh::hexahedra(solid, "a").nodes.cols(), 12);
   EXPECT_EQ(mesh::node_set(solid, "a.axis").size(), 4U);
-  const mesh::Mesh ring = make_mesh("a", read("kind: sector\nradius: 1 m\nlength: 2 m\nangle: 5 deg\ncells_around: 1\n"
+  const mesh::Mesh ring = model::make_mesh("a", read("kind: sector\nradius: 1 m\nlength: 2 m\nangle: 5 deg\ncells_around: 1\n"
                                               "cells_radial: 4\ncells_along: 3\ninner_radius: 50 cm\n"));
   EXPECT_EQ(mesh::node_set(ring, "a.inside").size(), 8U);
-  const mesh::Mesh skin = make_mesh("a", read("kind: tube\nradius: 1 m\nlength: 2 m\nturn: sector\nangle: 5 deg\n"
+  const mesh::Mesh skin = model::make_mesh("a", read("kind: tube\nradius: 1 m\nlength: 2 m\nturn: sector\nangle: 5 deg\n"
                                               "cells_around: 1\ncells_along: 3\n"));
   EXPECT_EQ(mesh::triangles(skin, "a").nodes.cols(), 6);
-  const mesh::Mesh plate = make_mesh("a", read("kind: disc\nradius: 1 m\nturn: sector\nangle: 5 deg\ncells_around: 1\n"
+  const mesh::Mesh plate = model::make_mesh("a", read("kind: disc\nradius: 1 m\nturn: sector\nangle: 5 deg\ncells_around: 1\n"
                                                "cells_radial: 3\n"));
   EXPECT_EQ(mesh::triangles(plate, "a").nodes.cols(), 5);
 }
 
 TEST(ReadMesh, SpheresDiscsAndSheetsHaveTheirCells) {
   const auto sphere = [](const std::string& turn) {
-    return make_mesh("a", read("kind: sphere\nradius: 1 m\nturn: " + turn + "\ncells_core: 2\ncells_ring: 1\n"));
+    return model::make_mesh("a", read("kind: sphere\nradius: 1 m\nturn: " + turn + "\ncells_core: 2\ncells_ring: 1\n"));
   };
   for (const auto& [turn, parts] : {std::pair("full", 8), {"half", 4}, {"quarter", 2}, {"eighth", 1}})
     EXPECT_EQ(mesh::hexahedra(sphere(turn), "a").nodes.cols(), parts * (8 + 12));
-  const mesh::Mesh disc = make_mesh("a", read("kind: disc\nradius: 1 m\nturn: full\ncells_core: 2\ncells_ring: 1\n"));
+  const mesh::Mesh disc = model::make_mesh("a", read("kind: disc\nradius: 1 m\nturn: full\ncells_core: 2\ncells_ring: 1\n"));
   EXPECT_EQ(mesh::triangles(disc, "a").nodes.cols(), 2 * 4 * (4 + 4));
   const std::string sheet = "kind: sheet\nlength: 1 m\nwidth: 2 m\ncells_along: 3\ncells_across: 2\n";
   EXPECT_EQ(std::get<mesh::Sheet>(read(sheet)).cuts, mesh::Cuts::columns);
   EXPECT_EQ(std::get<mesh::Sheet>(read(sheet + "cuts: crossed\n")).cuts, mesh::Cuts::crossed);
-  EXPECT_EQ(mesh::triangles(make_mesh("a", read(sheet)), "a").nodes.cols(), 12);
+  EXPECT_EQ(mesh::triangles(model::make_mesh("a", read(sheet)), "a").nodes.cols(), 12);
 }
 
 TEST(ReadMesh, SectorsThatCannotBeAreRefused) {
@@ -109,10 +110,10 @@ std::filesystem::path folder_with_files() {
   return folder;
 }
 
-MeshOptions read_beside(const std::filesystem::path& folder, const std::string& text) {
+model::MeshOptions read_beside(const std::filesystem::path& folder, const std::string& text) {
   std::ofstream(folder / "case.yaml") << text;
   const CaseFile file = CaseFile::read((folder / "case.yaml").string());
-  const MeshOptions options = read_mesh_options(file.root());
+  const model::MeshOptions options = read_mesh_options(file.root());
   file.finish();
   return options;
 }
@@ -120,14 +121,14 @@ MeshOptions read_beside(const std::filesystem::path& folder, const std::string& 
 TEST(ReadMesh, AFileIsFoundBesideTheCaseAndNamedAfterItsBody) {
   if (!grid::vtk_available()) GTEST_SKIP() << "built without VTK";
   const auto folder = folder_with_files();
-  const mesh::Mesh plain = make_mesh("bar", read_beside(folder, "kind: file\npath: cube.vtu\n"));
+  const mesh::Mesh plain = model::make_mesh("bar", read_beside(folder, "kind: file\npath: cube.vtu\n"));
   EXPECT_EQ(mesh::hexahedra(plain, "bar").nodes.cols(), 1);
   EXPECT_EQ(mesh::surface(plain, "bar.skin").facets.cols(), 12);
   EXPECT_EQ(mesh::node_set(plain, "bar").size(), 8U);
-  const mesh::Mesh grains = make_mesh("bar", read_beside(folder, "kind: file\npath: ./cube.vtu\nregion_array: grain\n"));
+  const mesh::Mesh grains = model::make_mesh("bar", read_beside(folder, "kind: file\npath: ./cube.vtu\nregion_array: grain\n"));
   EXPECT_EQ(mesh::hexahedra(grains, "bar.region_5").nodes.cols(), 1);
   const std::string whole = (folder / "cube.vtu").string();
-  EXPECT_EQ(make_mesh("bar", read_beside(testing::TempDir(), "kind: file\npath: " + whole + "\n")).X.cols(), 8);
+  EXPECT_EQ(model::make_mesh("bar", read_beside(testing::TempDir(), "kind: file\npath: " + whole + "\n")).X.cols(), 8);
 }
 
 TEST(ReadMesh, AFileThatIsNoMeshIsAFaultOfTheCaseWithItsPlace) {
@@ -173,10 +174,12 @@ TEST(ReadMesh, CornersInTheWrongOrderAreRefusedWithTheirPlace) {
 
 mesh::Mesh mapped_mesh(const std::string& text) {
   const CaseFile file = CaseFile::parse(text, "case.yaml");
-  const MeshOptions options = read_mesh_options(file.root());
+  const model::MeshOptions options = read_mesh_options(file.root());
   const auto map = read_map(file.root());
   file.finish();
-  const mesh::Mesh mesh = mapped(map.value(), make_mesh("a", options));
+  model::Faults faults;
+  const mesh::Mesh mesh = model::mapped(map, model::make_mesh("a", options), {"", "body 'a'"}, faults);
+  for (const model::Fault& fault : faults) file.fault(fault.key, fault.message);
   file.finish();
   return mesh;
 }
@@ -205,8 +208,8 @@ TEST(MapMesh, BendsABoxIntoARingAndASheetIntoACylinder) {
 
 TEST(MapMesh, IsOptionalAndIdentityIsExact) {
   const CaseFile file = CaseFile::parse(box, "case.yaml");
-  EXPECT_FALSE(read_map(file.root()).has_value());
-  EXPECT_EQ(mapped_mesh(box + "map: [x, y, z]\n").X, make_mesh("a", read(box)).X);
+  EXPECT_FALSE(read_map(file.root())[0]);
+  EXPECT_EQ(mapped_mesh(box + "map: [x, y, z]\n").X, model::make_mesh("a", read(box)).X);
 }
 
 TEST(MapMesh, ElementsWithoutVolumeOrAreaAreToldWithPlaceAndNumber) {

@@ -106,21 +106,8 @@ TEST(ReadInterface, DefaultsToTheBetterForms) {
   EXPECT_DOUBLE_EQ(options.height.clearance, 5e-4);
 }
 
-TEST(RefusePenetration, IsAFaultUnlessAccepted) {
-  contact::InitialGaps gaps;
-  gaps.apexes = 4, gaps.penetrating = 2, gaps.deepest = 1e-3;
-  const CaseFile file = CaseFile::parse("a: 1\n", "case.yaml");
-  dynamics::InterfaceOptions options;
-  options.initial_penetration = contact::InitialPenetration::accept;
-  refuse_penetration(file.root(), options, gaps);
-  EXPECT_TRUE(file.root().sound());
-  options.initial_penetration = contact::InitialPenetration::refuse;
-  refuse_penetration(file.root(), options, gaps);
-  EXPECT_FALSE(file.root().sound());
-}
-
 TEST(ReadRecording, GivesFourHundredRowsAndFortyFramesByDefault) {
-  const Recording recording = read("precision: double\n", [](const Section& s) { return read_recording(s, 8e-3); });
+  const model::Recording recording = read("precision: double\n", [](const Section& s) { return read_recording(s, 8e-3); });
   EXPECT_DOUBLE_EQ(recording.history, 2e-5);
   EXPECT_DOUBLE_EQ(recording.frames, 2e-4);
   EXPECT_TRUE(recording.full_precision);

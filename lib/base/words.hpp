@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace nereid::input {
+namespace nereid {
 
 std::string quote(std::string_view);  ///< 'text'
 
@@ -31,4 +31,4 @@ std::size_t find_unprintable(std::string_view text);
 /// Counted as a reader counts: the bytes that continue a character do not start a column.
 int characters(std::string_view text);
 
-}  // namespace nereid::input
+}  // namespace nereid

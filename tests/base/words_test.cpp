@@ -1,8 +1,8 @@
-#include "input/words.hpp"
+#include "base/words.hpp"
 
 #include <gtest/gtest.h>
 
-namespace nereid::input {
+namespace nereid {
 namespace {
 
 TEST(Nearest, IsTheWordWithTheFewestWrongLetters) {
@@ -46,4 +46,4 @@ TEST(FindUnprintable, FindsControlBytesAndBrokenUtf8) {
 }
 
 }  // namespace
-}  // namespace nereid::input
+}  // namespace nereid

@@ -1,10 +1,10 @@
-#include "input/words.hpp"
+#include "base/words.hpp"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 
-namespace nereid::input {
+namespace nereid {
 
 std::string quote(std::string_view text) { return "'" + std::string(text) + "'"; }
 
@@ -106,4 +106,4 @@ int characters(std::string_view text) {
   }));
 }
 
-}  // namespace nereid::input
+}  // namespace nereid

@@ -1,0 +1,62 @@
+#include "drivers/recorder.hpp"
+
+#include "dynamics/measure.hpp"
+
+namespace nereid::driver {
+
+namespace {
+
+output::Precision precision(const model::Recording& recording) {
+  return recording.full_precision ? output::Precision::full : output::Precision::single;
+}
+
+/// Those with a name, and the ledger.
+std::vector<output::Column> columns(const std::vector<dynamics::Probe>& probes, const std::vector<dynamics::Probe>& ledger) {
+  std::vector<output::Column> all;
+  for (const auto* list : {&probes, &ledger})
+    for (const dynamics::Probe& probe : *list)
+      if (!probe.name.empty()) all.push_back({probe.name, probe.unit});
+  return all;
+}
+
+}  // namespace
+
+Recorder::Recorder(const model::Simulation& simulation, const std::filesystem::path& out, bool quiet)
+    : probes_(simulation.probes),
+      ledger_(dynamics::ledger_probes(simulation.model)),
+      frames_every_(simulation.recording.frames),
+      progress_(simulation.time.end, quiet),
+      history_(out / "history.csv", columns(probes_, ledger_)),
+      body_(out, "body", output::GridKind::volume, precision(simulation.recording)),
+      contact_(out, "contact", output::GridKind::surface, precision(simulation.recording)),
+      walls_(out, "walls", output::GridKind::surface, precision(simulation.recording)) {}
+
+void Recorder::operator()(const dynamics::View& view) {
+  progress_.show(view.now.t, view.now.step, view.now.dt);
+  if (!view.ledger_is_current) return;
+  row_.clear();
+  for (std::size_t p = 0; p < probes_.size(); ++p)
+    if (!probes_[p].name.empty()) row_.push_back(view.now.probes[p].last);
+  dynamics::ProbeMemory none;
+  for (const dynamics::Probe& probe : ledger_) row_.push_back(probe.value(view, none));
+  history_.add(view.now.t, row_);
+  const auto due = static_cast<std::int64_t>(view.now.t / frames_every_ + 1e-9);
+  if (view.now.step > 0 && due <= frame_) return;
+  frame_ = due;
+  add_frame(view);
+  if (view.now.step == 0) walls_.add(output::walls_grid(view));
+}
+
+void Recorder::finish(const dynamics::View& view) {
+  progress_.done();
+  add_frame(view);
+  history_.flush();
+}
+
+void Recorder::add_frame(const dynamics::View& view) {
+  body_.add(output::body_grid(view));
+  contact_.add(output::contact_grid(view));
+  history_.flush();
+}
+
+}  // namespace nereid::driver

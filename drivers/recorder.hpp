@@ -1,0 +1,38 @@
+#pragma once
+// Writes histories, frames and the progress line while a simulation runs.
+
+#include <filesystem>
+
+#include "model/build.hpp"
+#include "output/frames.hpp"
+#include "output/history.hpp"
+#include "output/progress.hpp"
+
+namespace nereid::driver {
+
+/// An observer of a run: columns are the probes of the simulation that have a name, then the ledger.
+class Recorder {
+ public:
+  /// The simulation must outlive the recorder.
+  Recorder(const model::Simulation&, const std::filesystem::path& out, bool quiet);
+
+  void operator()(const dynamics::View&);
+  /// The last state, whatever the run ended with.
+  void finish(const dynamics::View&);
+
+  std::int64_t not_finite() const { return body_.not_finite() + contact_.not_finite(); }
+
+ private:
+  void add_frame(const dynamics::View&);
+
+  const std::vector<dynamics::Probe>& probes_;
+  std::vector<dynamics::Probe> ledger_;
+  double frames_every_;
+  output::Progress progress_;
+  output::History history_;
+  output::Collection body_, contact_, walls_;
+  std::vector<double> row_;
+  std::int64_t frame_ = 0;
+};
+
+}  // namespace nereid::driver

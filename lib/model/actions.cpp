@@ -1,0 +1,269 @@
+#include "model/actions.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "base/words.hpp"
+#include "contact/bounce.hpp"
+#include "dynamics/displace.hpp"
+#include "model/meshes.hpp"
+
+namespace nereid::model {
+
+namespace {
+
+constexpr double round_off = 1e-9;  // of a mesh that was turned, over the size of the scene
+
+std::string text(const char* format, auto... values) {
+  std::array<char, 300> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), format, values...);
+  return buffer.data();
+}
+
+std::string at_place(const Vec3& X) { return text("x = %.6g, y = %.6g, z = %.6g", X.x(), X.y(), X.z()); }
+
+load::OverTime over_time(const load::OverSpace& value) {
+  return [value](double t) { return value(0, 0, 0, t); };
+}
+
+/// The last word of a key: what a message calls the value.
+std::string last_of(const std::string& key) { return key.substr(key.rfind('.') + 1); }
+
+/// A value at the start, where what gives it can still be blamed.
+void refuse_infinite(Faults& faults, const Part& part, const std::string& key, double value, const std::string& where) {
+  if (std::isfinite(value)) return;
+  refuse(faults, part, key, quote(last_of(key)) + (std::isnan(value) ? " is no number" : " is infinite") + " at " + where);
+}
+
+void refuse_infinite_start(Faults& faults, const Part& part, const std::string& key, const Field& field, const Vec3& X) {
+  for (const load::OverSpace& value : field) refuse_infinite(faults, part, key, value(X.x(), X.y(), X.z(), 0), at_place(X) + ", t = 0");
+}
+
+/// A floor or wall has its nodes on its side; else the start would throw them out.
+template <class Plane>
+void refuse_nodes_behind(Faults& faults, const Part& part, const Plane& plane, const mesh::Mesh& mesh) {
+  double deepest = 0;
+  std::size_t count = 0;
+  for (const Index node : plane.nodes) {
+    const double height = (mesh.X.col(node) - plane.point).dot(plane.normal);
+    if (height < -round_off * diagonal(mesh)) ++count;
+    deepest = std::min(deepest, height);
+  }
+  if (count == 0) return;
+  refuse(faults, part, "point",
+         text("%zu of %zu nodes start behind '%s', by %.4g m at most: move the body, or turn 'normal' to its side", count,
+              plane.nodes.size(), plane.name.c_str(), -deepest));
+}
+
+/// Nodes of a symmetry plane lie on one.
+void refuse_nodes_beside(Faults& faults, const Part& part, const load::Plane& plane, const mesh::Mesh& mesh) {
+  double low = 1e300, high = -1e300;
+  for (const Index node : plane.nodes) {
+    const double height = mesh.X.col(node).dot(plane.normal);
+    low = std::min(low, height), high = std::max(high, height);
+  }
+  if (!(high - low > 1e-6 * diagonal(mesh))) return;
+  refuse(faults, part, "nodes",
+         text("the nodes of '%s' lie on no plane: they are %.4g m apart along 'normal'", plane.name.c_str(), high - low));
+}
+
+Part part_of(const Plane& plane) { return part("plane", plane); }
+
+load::Plane with_nodes(const Plane& plane, const mesh::Mesh& mesh) {
+  load::Plane made{.name = plane.name, .kind = plane.kind, .point = plane.point, .normal = plane.normal, .nodes = {},
+                   .velocity = plane.velocity, .field = plane.field, .turning = plane.turning};
+  for (const std::string& name : plane.nodes) {
+    const Subset& nodes = mesh::node_set(mesh, name);
+    made.nodes.insert(made.nodes.end(), nodes.begin(), nodes.end());
+  }
+  std::sort(made.nodes.begin(), made.nodes.end());
+  made.nodes.erase(std::unique(made.nodes.begin(), made.nodes.end()), made.nodes.end());
+  return made;
+}
+
+/// Whether planes move a node against one another, or hold too many directions of one.
+bool conflict(const std::vector<Plane>& planes, const load::Constraints& made, Faults& faults) {
+  const load::Conflict found = load::find_conflict(made);
+  if (found.moving >= 0) {
+    const Plane& moving = planes[static_cast<std::size_t>(found.moving)];
+    refuse(faults, part_of(moving), "velocity",
+           quote(moving.name) + (moving.kind == load::PlaneKind::driven ? " drives" : " moves") + " nodes that " +
+               quote(planes[static_cast<std::size_t>(found.other)].name) + " holds in the same direction");
+  }
+  const Index overheld = load::find_overheld(made);
+  for (std::size_t p = planes.size(); overheld >= 0 && p-- > 0;) {
+    if (!std::binary_search(made.planes[p].nodes.begin(), made.planes[p].nodes.end(), overheld)) continue;
+    refuse(faults, part_of(planes[p]), "nodes",
+           "too many planes hold one node: there is room for " + std::to_string(load::HeldNode::most_rows) +
+               " directions, and a fixed or driven one takes three");
+    break;
+  }
+  return found.moving >= 0 || overheld >= 0;
+}
+
+/// The single node of a set; -1 after a fault.
+Index single_node(const mesh::Mesh& mesh, const Part& part, const char* key, const std::string& name, Faults& faults) {
+  const Subset& nodes = mesh::node_set(mesh, name);
+  if (nodes.size() == 1) return nodes.front();
+  refuse(faults, part, key,
+         "the node set " + quote(name) + " has " + std::to_string(nodes.size()) + " nodes: a spring ends at a single one");
+  return -1;
+}
+
+void add_spring(const Spring& spring, dynamics::Model& model, Faults& faults) {
+  const Part here = part("spring", spring);
+  const Index from = single_node(model.mesh, here, "from", spring.from, faults);
+  const bool grounded = spring.to == "ground";
+  const Index to = grounded ? -1 : single_node(model.mesh, here, "to", spring.to, faults);
+  if (from < 0 || (!grounded && to < 0)) return;
+  if (from == to) {
+    refuse(faults, here, "to", "'from' and 'to' are the same node");
+    return;
+  }
+  const double* length = spring.length ? &*spring.length : nullptr;
+  model.loads.emplace_back(grounded ? load::spring_to_point(spring.name, model.mesh.X, from, model.mesh.X.col(from), spring.stiffness,
+                                                            spring.damping, length)
+                                    : load::spring_between(spring.name, model.mesh.X, from, to, spring.stiffness, spring.damping, length));
+}
+
+load::BodyForce body_force(const Load& load, const dynamics::Model& model, Faults& faults) {
+  const Subset& nodes = mesh::node_set(model.mesh, load.on);
+  load::BodyForce force{.name = load.name, .nodes = nodes, .mass = Scalars(static_cast<Eigen::Index>(nodes.size())),
+                        .acceleration = load.value};
+  Scalars mass = Scalars::Zero(model.mesh.X.cols());
+  for (const auto& block : model.blocks) element::add_mass(block, mass);  // without point masses
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    force.mass(static_cast<Eigen::Index>(i)) = mass(nodes[i]);
+    refuse_infinite_start(faults, part("load", load), "value", load.value, model.mesh.X.col(nodes[i]));
+  }
+  return force;
+}
+
+load::NodalMoment moment_on(const Load& load, const dynamics::Model& model, const std::array<load::OverTime, 3>& values, Faults& faults) {
+  load::NodalMoment moment{.name = load.name, .nodes = mesh::node_set(model.mesh, load.on), .turns = {}, .moment = values};
+  for (const Index node : moment.nodes) {
+    moment.turns.push_back(model.turn_of_node[node]);
+    if (moment.turns.back() < 0)
+      refuse(faults, part("load", load), "nodes", "a moment acts on nodes of plates only: " + quote(load.on) + " has others");
+  }
+  return moment;
+}
+
+void add_load(const Load& load, dynamics::Model& model, Faults& faults) {
+  if (load.kind == LoadKind::body_force) {
+    model.loads.emplace_back(body_force(load, model, faults));
+    return;
+  }
+  for (const load::OverSpace& value : load.value)
+    if (value) refuse_infinite(faults, part("load", load), "value", value(0, 0, 0, 0), "t = 0");
+  const std::array<load::OverTime, 3> values{over_time(load.value[0]), over_time(load.value[1]), over_time(load.value[2])};
+  switch (load.kind) {
+    case LoadKind::pressure:
+      model.loads.emplace_back(load::pressure_on(load.name, model.mesh, mesh::surface(model.mesh, load.on), values[0]));
+      break;
+    case LoadKind::force:
+      model.loads.emplace_back(load::NodalForce{.name = load.name, .nodes = mesh::node_set(model.mesh, load.on), .force = values});
+      break;
+    case LoadKind::moment: model.loads.emplace_back(moment_on(load, model, values, faults)); break;
+    case LoadKind::body_force: break;  // above
+  }
+}
+
+/// The gradient of a field at X, by differences over a hundred-thousandth of the scene's size.
+Mat3 gradient_at(const Field& field, const Vec3& X, double size) {
+  Mat3 gradient;
+  const double h = 1e-5 * size;  // halves the digits between round-off and curvature
+  for (int axis = 0; axis < 3; ++axis) {
+    const Vec3 ahead = X + h * Vec3::Unit(axis), behind = X - h * Vec3::Unit(axis);
+    for (int i = 0; i < 3; ++i)
+      gradient(i, axis) = (field[i](ahead.x(), ahead.y(), ahead.z(), 0) - field[i](behind.x(), behind.y(), behind.z(), 0)) / (2 * h);
+  }
+  return gradient;
+}
+
+}  // namespace
+
+void add_planes(const Scene& scene, dynamics::Model& model, Faults& faults) {
+  load::Constraints made;
+  for (const Plane& plane : scene.planes) {
+    made.planes.push_back(with_nodes(plane, model.mesh));
+    const load::Plane& last = made.planes.back();
+    if (plane.velocity) refuse_infinite(faults, part_of(plane), "velocity.value", plane.velocity(0), "t = 0");
+    for (const Index node : last.nodes) {  // what drives nodes is a number at the start
+      if (plane.field[0]) refuse_infinite_start(faults, part_of(plane), "velocity.value", plane.field, model.mesh.X.col(node));
+      if (plane.turning[0]) refuse_infinite_start(faults, part_of(plane), "turning.value", plane.turning, model.mesh.X.col(node));
+    }
+    if (plane.kind == load::PlaneKind::floor) refuse_nodes_behind(faults, part_of(plane), last, model.mesh);
+    if (plane.kind == load::PlaneKind::symmetry) refuse_nodes_beside(faults, part_of(plane), last, model.mesh);
+  }
+  if (!conflict(scene.planes, made, faults)) model.constraints.planes = std::move(made.planes);
+  for (const PointMass& point : scene.point_masses)
+    model.point_masses.push_back({point.name, mesh::node_set(model.mesh, point.nodes), point.mass});
+}
+
+void add_rigid_planes(const Scene& scene, dynamics::Model& model, Faults& faults) {
+  for (const RigidPlane& plane : scene.rigid_planes) {
+    const mesh::Surface& surface = mesh::surface(model.mesh, plane.surface);
+    const Subset nodes = mesh::surface_nodes(surface);
+    model.rigid_planes.push_back({.name = plane.name,
+                                  .point = plane.point,
+                                  .normal = plane.normal,
+                                  .nodes = nodes,
+                                  .area = mesh::tributary_areas(model.mesh, surface, nodes),
+                                  .penalty = plane.penalty.value_or(plane.hardness * dynamics::surface_stiffness(model, surface)),
+                                  .bounce_step = contact::step_for_a_bounce(plane.created_in_a_bounce),
+                                  .friction = plane.friction,
+                                  .depth = dynamics::surface_depth(model, surface)});
+    refuse_nodes_behind(faults, part("plane", plane), model.rigid_planes.back(), model.mesh);
+  }
+}
+
+void add_loads(const Scene& scene, dynamics::Model& model, Faults& faults) {
+  model.gravity = scene.gravity;
+  model.relaxation = scene.relaxation;
+  for (const Load& load : scene.loads) add_load(load, model, faults);
+  for (const Spring& spring : scene.springs) add_spring(spring, model, faults);
+  for (const Plane& plane : scene.planes) {
+    if (!plane.turning[0]) continue;
+    const Subset nodes = with_nodes(plane, model.mesh).nodes;
+    if (std::none_of(nodes.begin(), nodes.end(), [&](Index node) { return model.turn_of_node[node] >= 0; }))
+      refuse(faults, part_of(plane), "turning", "'turning' is of nodes of plates: " + quote(plane.name) + " has none");
+  }
+}
+
+void set_initial(const Scene& scene, const dynamics::Model& model, dynamics::State& state, Faults& faults) {
+  Vectors displacement = Vectors::Zero(3, model.mesh.X.cols());
+  std::vector<Mat3> gradient(model.node_of_turn.size(), Mat3::Zero()), rate = gradient;
+  const double size = diagonal(model.mesh);
+  const auto part_of_initial = [](const Initial& initial) { return Part{initial.at, "initial motion of '" + initial.body + "'"}; };
+  const Initial* displaced = nullptr;
+  for (const Initial& initial : scene.initial) {
+    const std::string key = initial.displacement ? "displacement" : "velocity";
+    for (const Index node : mesh::node_set(model.mesh, initial.body)) {
+      const Vec3 X = model.mesh.X.col(node);
+      Vec3 value;
+      for (int axis = 0; axis < 3; ++axis) {
+        value(axis) = initial.value[axis](X.x(), X.y(), X.z(), 0);
+        refuse_infinite(faults, part_of_initial(initial), key, value(axis), at_place(X));
+      }
+      const Index turn = model.turn_of_node[node];
+      if (turn >= 0) (initial.displacement ? gradient : rate)[turn] += gradient_at(initial.value, X, size);
+      if (initial.displacement) {
+        displacement.col(node) += value;
+      } else {
+        state.v.col(node) += value;
+      }
+    }
+    if (initial.displacement) displaced = &initial;
+  }
+  state.w += dynamics::turns_of(model, rate);
+  if (displaced == nullptr || !faults.empty()) return;
+  const element::Vote smallest = dynamics::displace(model, state, displacement, gradient);
+  if (!(smallest.size > 0))
+    refuse(faults, part_of_initial(*displaced), "displacement",
+           "'displacement' turns element " + std::to_string(smallest.size_element) + " inside out");
+}
+
+}  // namespace nereid::model

@@ -1,0 +1,31 @@
+#pragma once
+// What acts on a model: planes, point masses, loads, springs and the motion at the start. Parts of model::build.
+//
+// Names of node sets, surfaces and bodies are those of the mesh: build() has checked them.
+
+#include "model/fault.hpp"
+#include "model/scene.hpp"
+
+namespace nereid::model {
+
+/// Adds planes (rigid ones come with add_rigid_planes) and point masses to a model whose mesh stands, before dynamics::finish.
+///
+/// Faults: planes that move a node against one another, or hold too many directions of one; nodes behind a floor; nodes of
+/// a symmetry plane that lie on none; velocities that are no number at the start. With a conflict no plane is added.
+void add_planes(const Scene&, dynamics::Model&, Faults&);
+
+/// Adds rigid planes to a model after dynamics::finish. Faults: nodes that start behind them.
+void add_rigid_planes(const Scene&, dynamics::Model&, Faults&);
+
+/// Adds gravity, loads, springs and relaxation to a model after dynamics::finish.
+///
+/// Faults: moments on nodes of solids, springs that do not end at single nodes, values that are no number at the start,
+/// a plane that turns nodes of which none is one of plates.
+void add_loads(const Scene&, dynamics::Model&, Faults&);
+
+/// Sets velocities and walks the bodies to their initial displacements; before dynamics::start.
+///
+/// Faults: values that are no number, displacements that turn elements inside out
+void set_initial(const Scene&, const dynamics::Model&, dynamics::State&, Faults&);
+
+}  // namespace nereid::model

@@ -1,0 +1,304 @@
+#include "model/build.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <set>
+
+#include "base/check.hpp"
+#include "base/words.hpp"
+#include "model/actions.hpp"
+#include "model/meshes.hpp"
+#include "model/probes.hpp"
+
+namespace nereid::model {
+
+namespace {
+
+using Names = std::vector<std::string>;
+
+template <class... Lists>
+Names names_of(const Lists&... lists) {
+  Names names;
+  const auto add = [&names](const auto& all) {
+    for (const auto& one : all) names.push_back(one.name);
+  };
+  (add(lists), ...);
+  return names;
+}
+
+/// Sources of force and bodies are called by names that come once: the ledger has an account for each.
+void check_names_given(const Scene& scene, Faults& faults) {
+  std::set<std::string> taken{"gravity", "relaxation"};
+  const auto add = [&](const char* kind, const auto& all) {
+    for (const auto& one : all) {
+      const bool plain = !one.name.empty() && one.name.find_first_of(". \t\n,") == std::string::npos;
+      if (!plain)
+        refuse(faults, part(kind, one), "name", "'name' = " + one.name + " is no name: expected letters, digits and '_'");
+      if (!taken.insert(one.name).second) refuse(faults, part(kind, one), "name", "'name' = " + one.name + " is given twice");
+    }
+  };
+  add("body", scene.bodies), add("contact", scene.contacts), add("plane", scene.planes), add("plane", scene.rigid_planes);
+  add("load", scene.loads), add("spring", scene.springs), add("point mass", scene.point_masses);
+  for (const Contact& contact : scene.contacts)
+    if (contact.interface.two_passes && !taken.insert(contact.name + "_back").second)
+      refuse(faults, part("contact", contact), "name",
+             quote(contact.name + "_back") + " is given twice: it is the second pass of " + contact.name);
+  taken.clear();
+  add("probe", scene.probes);
+}
+
+/// A direction is a unit vector.
+void check_normals(const Scene& scene, Faults& faults) {
+  const auto look = [&faults](const auto& plane) {
+    if (!(std::abs(plane.normal.norm() - 1) < 1e-9)) refuse(faults, part("plane", plane), "normal", "'normal' is no unit vector");
+  };
+  for (const Plane& plane : scene.planes) look(plane);
+  for (const RigidPlane& plane : scene.rigid_planes) look(plane);
+}
+
+void check_probes(const Scene& scene, const mesh::Mesh& mesh, Faults& faults) {
+  Names regions = names_of(scene.bodies), quantities;
+  for (const std::string& name : names_of(mesh.hexahedra, mesh.triangles))
+    if (name.find('.') != std::string::npos) regions.push_back(name);
+  const Names sets = names_of(mesh.node_sets), contacts = names_of(scene.contacts);
+  const Names sources = names_of(scene.contacts, scene.planes, scene.rigid_planes, scene.loads, scene.springs);
+  for (const Measurable& one : measurables()) quantities.push_back(one.name);
+  for (const Probe& probe : scene.probes) {
+    const Part here = part("probe", probe);
+    expect(faults, here, "quantity", probe.quantity, "quantities", quantities);
+    const Measurable* quantity = find_measurable(probe.quantity);
+    if (quantity == nullptr) continue;
+    switch (quantity->of) {
+      case Of::nodes:
+        expect(faults, here, "of", probe.of, "node sets", sets);
+        for (const mesh::NodeSet& set : mesh.node_sets)
+          if (set.name == probe.of && set.nodes.empty()) refuse(faults, here, "of", "'of' = " + probe.of + " has no nodes");
+        break;
+      case Of::body: expect(faults, here, "of", probe.of, "bodies and regions", regions); break;
+      case Of::contact: expect(faults, here, "of", probe.of, "contacts", contacts); break;
+      case Of::source: expect(faults, here, "of", probe.of, "contacts, planes, loads and springs", sources); break;
+    }
+  }
+  for (const Stop& stop : scene.stops)
+    expect(faults, {stop.at, "condition to stop"}, "probe", stop.probe, "probes", names_of(scene.probes));
+}
+
+/// Whether every body has its mesh, so that a name which names nothing is a fault of its own.
+bool is_whole(const Scene& scene, const mesh::Mesh& mesh) {
+  const Names sets = names_of(mesh.node_sets);
+  return std::all_of(scene.bodies.begin(), scene.bodies.end(),
+                     [&](const Body& body) { return std::find(sets.begin(), sets.end(), body.name) != sets.end(); });
+}
+
+/// Whatever names a part of the mesh names one that is there.
+void check_names(const Scene& scene, const mesh::Mesh& mesh, Faults& faults) {
+  const Names sets = names_of(mesh.node_sets), surfaces = names_of(mesh.surfaces), bodies = names_of(scene.bodies);
+  for (const Contact& contact : scene.contacts) {
+    expect(faults, part("contact", contact), "apexes", contact.apexes, "surfaces", surfaces);
+    expect(faults, part("contact", contact), "base", contact.base, "surfaces", surfaces);
+  }
+  for (const Plane& plane : scene.planes)
+    for (std::size_t i = 0; i < plane.nodes.size(); ++i)
+      expect(faults, part("plane", plane), "nodes[" + std::to_string(i) + "]", plane.nodes[i], "node sets", sets);
+  for (const RigidPlane& plane : scene.rigid_planes) expect(faults, part("plane", plane), "surface", plane.surface, "surfaces", surfaces);
+  for (const Load& load : scene.loads) {
+    const std::string key = load_syntax[static_cast<std::size_t>(load.kind)].key;
+    if (key == "surface") expect(faults, part("load", load), key, load.on, "surfaces", surfaces);
+    if (key == "body") expect(faults, part("load", load), key, load.on, "bodies", bodies);
+    if (key == "nodes") expect(faults, part("load", load), key, load.on, "node sets", sets);
+  }
+  Names ends{"ground"};
+  ends.insert(ends.end(), sets.begin(), sets.end());
+  for (const Spring& spring : scene.springs) {
+    expect(faults, part("spring", spring), "from", spring.from, "node sets", sets);
+    expect(faults, part("spring", spring), "to", spring.to, "the ends of springs", ends);
+  }
+  for (const PointMass& mass : scene.point_masses) expect(faults, part("point mass", mass), "nodes", mass.nodes, "node sets", sets);
+  for (const Initial& initial : scene.initial)
+    expect(faults, {initial.at, "initial motion of '" + initial.body + "'"}, "body", initial.body, "bodies", bodies);
+  check_probes(scene, mesh, faults);
+}
+
+/// Whether a node set, surface or region is one of this body.
+bool belongs(const std::string& name, const Body& body) { return name.substr(0, name.find('.')) == body.name; }
+
+/// The elements of all bodies; a mesh from a file may have several regions.
+void add_elements(const Scene& scene, dynamics::Model& model, Faults& faults) {
+  for (const Body& body : scene.bodies) {
+    for (const mesh::Hexahedra& region : model.mesh.hexahedra)
+      if (belongs(region.name, body)) model.blocks.push_back(element::solids(model.mesh, region.name, body.law, body.solid));
+    if (has_plates(body.mesh) && !(body.plate.thickness > 0))
+      refuse(faults, part("body", body), "element", "plates need a thickness");
+    else
+      for (const mesh::Triangles& region : model.mesh.triangles)
+        if (belongs(region.name, body)) model.blocks.push_back(element::plates(model.mesh, region.name, body.law, body.plate));
+  }
+}
+
+/// Every node has a mass, and it is a number.
+void check_masses(const Scene& scene, const dynamics::Model& model, Faults& faults) {
+  Scalars mass = Scalars::Zero(model.mesh.X.cols());
+  for (const auto& block : model.blocks) element::add_mass(block, mass);
+  for (const load::PointMass& point : model.point_masses)
+    for (const Index node : point.nodes) mass(node) += point.mass / static_cast<double>(point.nodes.size());
+  for (const Body& body : scene.bodies)
+    for (const Index node : mesh::node_set(model.mesh, body.name)) {
+      if (mass(node) > 0 && std::isfinite(mass(node))) continue;
+      refuse(faults, part("body", body), "", mass(node) == 0 ? "a node has neither an element nor a point mass"
+                                                             : "the mass of a node is " + shortest(mass(node)) + " kg");
+    }
+}
+
+std::array<Index, 3> sorted(const Table<3>& corners, Index facet) {
+  std::array<Index, 3> nodes{corners(0, facet), corners(1, facet), corners(2, facet)};
+  std::sort(nodes.begin(), nodes.end());
+  return nodes;
+}
+
+/// Half the thickness of the plates on a surface, if it is one of plates. [m]
+double stand_off(const std::vector<Body>& bodies, const mesh::Mesh& mesh, const std::string& surface) {
+  const Body& body = *std::find_if(bodies.begin(), bodies.end(), [&](const auto& one) { return belongs(surface, one); });
+  if (!has_plates(body.mesh)) return 0;
+  if (!has_solids(body.mesh)) return body.plate.thickness / 2;
+  const auto facet = sorted(mesh::surface(mesh, surface).facets, 0);
+  for (const mesh::Triangles& region : mesh.triangles)
+    for (Index t = 0; t < region.nodes.cols(); ++t)
+      if (sorted(region.nodes, t) == facet) return body.plate.thickness / 2;
+  return 0;
+}
+
+/// A base goes on from facet to facet: no edge belongs to two of them in the same direction.
+bool goes_on(const mesh::Surface& surface) {
+  std::set<std::pair<Index, Index>> edges;
+  for (Index f = 0; f < surface.facets.cols(); ++f)
+    for (int e = 0; e < 3; ++e)
+      if (!edges.insert({surface.facets(e, f), surface.facets((e + 1) % 3, f)}).second) return false;
+  return true;
+}
+
+void refuse_penetration(const Contact& contact, const contact::InitialGaps& gaps, Faults& faults) {
+  if (gaps.penetrating == 0 || contact.interface.initial_penetration == contact::InitialPenetration::accept) return;
+  const bool given = !contact.height_from_thickness && !contact.interface.height.from_initial_height && contact.interface.height.given > 0;
+  std::array<char, 200> text{};
+  std::snprintf(text.data(), text.size(),
+                "%d of %d apexes start penetrated, by %.4g m at most: %smove the bodies apart, or say "
+                "'initial_penetration: accept'",
+                static_cast<int>(gaps.penetrating), static_cast<int>(gaps.apexes), gaps.deepest, given ? "lower 'height', " : "");
+  refuse(faults, part("contact", contact), "initial_penetration", text.data());
+}
+
+/// Whether the surfaces of a contact can be one.
+bool can_touch(const Contact& contact, const dynamics::Model& model, Faults& faults) {
+  const mesh::Surface &apexes = mesh::surface(model.mesh, contact.apexes), &base = mesh::surface(model.mesh, contact.base);
+  const Subset of_apexes = mesh::surface_nodes(apexes), of_base = mesh::surface_nodes(base);
+  const Part here = part("contact", contact);
+  const std::size_t before = faults.size();
+  if (std::find_first_of(of_apexes.begin(), of_apexes.end(), of_base.begin(), of_base.end()) != of_apexes.end())
+    refuse(faults, here, "base", "'apexes' and 'base' share nodes: a surface does not touch itself");
+  const auto look = [&](const char* key, const mesh::Surface& surface) {
+    if (!goes_on(surface))
+      refuse(faults, here, key,
+             quote(key) + " = " + surface.name + ": an edge belongs to two facets in the same direction: their normals do not agree");
+  };
+  look("base", base);
+  if (contact.interface.two_passes) look("apexes", apexes);
+  return faults.size() == before;
+}
+
+/// Adds the contacts to a model that is finished.
+std::vector<dynamics::Connected> add_contacts(const Scene& scene, dynamics::Model& model, Faults& faults) {
+  std::vector<dynamics::Connected> connected;
+  for (const Contact& contact : scene.contacts) {
+    if (!can_touch(contact, model, faults)) continue;
+    dynamics::InterfaceOptions options = contact.interface;
+    if (contact.height_from_thickness)
+      options.height = {.from_initial_height = false,
+                        .clearance = 0,
+                        .given = stand_off(scene.bodies, model.mesh, contact.apexes) + stand_off(scene.bodies, model.mesh, contact.base)};
+    for (dynamics::Connected& pass : dynamics::connect(model, contact.name, contact.apexes, contact.base, options)) {
+      refuse_penetration(contact, pass.gaps, faults);
+      connected.push_back(std::move(pass));
+    }
+  }
+  return connected;
+}
+
+/// Why a run should stop where it stands, or nothing.
+std::string wanted_stop(const Simulation& simulation, const dynamics::View& view) {
+  for (const Stop& stop : simulation.stops) {
+    const auto named = [&](const auto& one) { return one.name == stop.probe; };
+    const auto at = std::find_if(simulation.probes.begin(), simulation.probes.end(), named) - simulation.probes.begin();
+    const double now = view.now.probes[static_cast<std::size_t>(at)].last;
+    if (view.now.t < stop.after || !(stop.above ? now > stop.value : now < stop.value)) continue;
+    const char* unit = simulation.probes[static_cast<std::size_t>(at)].unit.c_str();
+    std::array<char, 200> text{};
+    std::snprintf(text.data(), text.size(), "%s is %.6g %s, %s %.6g %s", stop.probe.c_str(), now, unit, stop.above ? "above" : "below",
+                  stop.value, unit);
+    return text.data();
+  }
+  return "";
+}
+
+}  // namespace
+
+Simulation build(const Scene& scene) {
+  Faults faults;
+  if (scene.bodies.empty()) refuse(faults, {"", "the scene"}, "bodies", "there are no bodies");
+  check_names_given(scene, faults);
+  check_normals(scene, faults);
+  throw_if_any(faults);
+
+  Simulation simulation;
+  dynamics::Model& model = simulation.model;
+  model.mesh = make_mesh(scene, faults);
+  if (is_whole(scene, model.mesh)) check_names(scene, model.mesh, faults);
+  throw_if_any(faults);
+
+  add_elements(scene, model, faults);
+  add_planes(scene, model, faults);
+  check_masses(scene, model, faults);
+  throw_if_any(faults);
+  dynamics::finish(model);
+  add_rigid_planes(scene, model, faults);
+  add_loads(scene, model, faults);
+  std::vector<dynamics::Connected> connected = add_contacts(scene, model, faults);
+  throw_if_any(faults);
+
+  std::vector<contact::Memory> memories;
+  for (dynamics::Connected& one : connected) {
+    simulation.gaps.push_back(one.gaps);
+    memories.push_back(std::move(one.memory));
+  }
+  simulation.state = dynamics::initial_state(model, std::move(memories));
+  simulation.forces = dynamics::make_forces(model);
+  set_initial(scene, model, simulation.state, faults);
+  for (const Probe& probe : scene.probes) simulation.probes.push_back(make_probe(probe, model, simulation.state, faults));
+  throw_if_any(faults);
+
+  simulation.time = scene.time;
+  simulation.recording = scene.recording;
+  if (!(simulation.recording.history > 0)) simulation.recording.history = scene.time.end / 400;
+  if (!(simulation.recording.frames > 0)) simulation.recording.frames = scene.time.end / 40;
+  simulation.stops = scene.stops;
+  return simulation;
+}
+
+dynamics::Outcome run(Simulation& simulation, std::span<const dynamics::Observer> observers) {
+  dynamics::Watch watch{.probes = simulation.probes, .observers = observers, .until = {}};
+  if (!simulation.stops.empty()) watch.until = [&simulation](const dynamics::View& view) { return wanted_stop(simulation, view); };
+  return dynamics::run(simulation.model, simulation.state, simulation.forces, simulation.time, simulation.recording.history, watch);
+}
+
+dynamics::View view(const Simulation& simulation) {
+  return {simulation.model, simulation.state, simulation.forces, simulation.state.progress.ledger_is_current};
+}
+
+const dynamics::ProbeMemory& probe(const Simulation& simulation, const std::string& name) {
+  for (std::size_t p = 0; p < simulation.probes.size(); ++p)
+    if (simulation.probes[p].name == name && p < simulation.state.probes.size()) return simulation.state.probes[p];
+  throw InternalError("no probe '" + name + "' has measured anything");
+}
+
+}  // namespace nereid::model

@@ -1,0 +1,184 @@
+#include "model/meshes.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "base/check.hpp"
+#include "mesh/placement.hpp"
+#include "mesh/skin.hpp"
+
+namespace nereid::model {
+
+namespace {
+
+constexpr double farthest = 1e60;  // [m] of any node: volumes, and squares of these, are still numbers
+
+double parts(mesh::Turn turn) { return turn == mesh::Turn::full ? 4 : 1; }
+
+double parts(mesh::SpherePart part) {
+  return part == mesh::SpherePart::full ? 8 : part == mesh::SpherePart::half ? 4 : part == mesh::SpherePart::quarter ? 2 : 1;
+}
+
+double cells_of_quarter(double core, double ring) { return core * core + 2 * core * ring; }
+
+double elements(const mesh::Box& box) { return box.cells.cast<double>().prod(); }
+double elements(const mesh::Cylinder& c) { return parts(c.turn) * cells_of_quarter(c.cells_core, c.cells_ring) * c.cells_along; }
+double elements(const mesh::Tube& t) { return parts(t.turn) * 4.0 * t.cells_core * t.cells_along; }
+double elements(const mesh::Wedge& w) { return 1.0 * w.cells_around * w.cells_radial * w.cells_along; }
+double elements(const mesh::WedgeTube& t) { return 2.0 * t.cells_around * t.cells_along; }
+double elements(const mesh::Sphere& s) {
+  const double core = s.cells_core;
+  return parts(s.part) * core * core * (core + 3.0 * s.cells_ring);
+}
+double elements(const mesh::Disc& d) { return 2 * parts(d.turn) * cells_of_quarter(d.cells_core, d.cells_ring); }
+double elements(const mesh::WedgeDisc& d) { return 2.0 * d.cells_around * d.cells_radial; }
+double elements(const mesh::Sheet& s) { return 2.0 * s.cells_along * s.cells_across; }
+double elements(const mesh::Mesh& m) {
+  double sum = 0;
+  for (const auto& region : m.hexahedra) sum += static_cast<double>(region.nodes.cols());
+  for (const auto& region : m.triangles) sum += static_cast<double>(region.nodes.cols());
+  return sum;
+}
+
+mesh::Mesh with_names(const std::string& name, mesh::Mesh mesh) {
+  const auto prefix = [&name](auto& all) {
+    for (auto& one : all) one.name = name + one.name;
+  };
+  prefix(mesh.hexahedra), prefix(mesh.triangles), prefix(mesh.surfaces), prefix(mesh.node_sets);
+  return mesh;
+}
+
+std::string text(const char* format, auto... values) {
+  std::array<char, 300> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), format, values...);
+  return buffer.data();
+}
+
+/// What is wrong with the volumes and areas of a mesh whose nodes stood at `built`, or nothing.
+std::string flat_or_inverted(const mesh::Mesh& mesh, const Vectors& built) {
+  std::string said;
+  int wrong = 0;
+  const auto look_at = [&](const auto& region, const Scalars& size, const char* what) {
+    for (Eigen::Index element = 0; element < size.size(); ++element) {
+      if (size(element) > 0 || wrong++ > 0) continue;
+      Vec3 from = Vec3::Zero(), to = Vec3::Zero();
+      for (const Index node : region.nodes.col(element)) from += built.col(node), to += mesh.X.col(node);
+      from /= region.nodes.rows(), to /= region.nodes.rows();
+      said = text("leaves element %lld of '%s' no positive %s: %.4g. Its middle goes from (%.6g, %.6g, %.6g) to (%.6g, %.6g, %.6g) m",
+                  static_cast<long long>(element), region.name.c_str(), what, size(element), from.x(), from.y(), from.z(), to.x(), to.y(),
+                  to.z());
+    }
+  };
+  for (const mesh::Hexahedra& region : mesh.hexahedra) look_at(region, mesh::volumes(mesh, region), "volume");
+  for (const mesh::Triangles& region : mesh.triangles) look_at(region, mesh::facet_areas(mesh, {"", region.nodes}), "area");
+  return said + (wrong > 1 ? ", and " + std::to_string(wrong - 1) + " more" : std::string());
+}
+
+/// Gives names to the nodes nearest to the points of a body.
+void name_points(const Body& body, mesh::Mesh& mesh, Faults& faults) {
+  const Vec3 low = mesh.X.rowwise().minCoeff(), high = mesh.X.rowwise().maxCoeff();
+  for (const Point& point : body.points) {
+    const Part here = part("point", point);
+    Eigen::Index nearest = 0;
+    (mesh.X.colwise() - point.near).colwise().squaredNorm().minCoeff(&nearest);
+    const double away = (point.near - point.near.cwiseMax(low).cwiseMin(high)).norm();
+    if (away > 1e-3 * diagonal(mesh)) refuse(faults, here, "near", text("'near' lies %.4g m beside '%s'", away, body.name.c_str()));
+    const std::string name = body.name + "." + point.name;
+    for (const mesh::NodeSet& set : mesh.node_sets)
+      if (set.name == name) refuse(faults, here, "name", "'name' = " + point.name + " is that of a node set of the mesh already");
+    mesh.node_sets.push_back({name, {static_cast<Index>(nearest)}});
+  }
+}
+
+/// The mesh of one body where it stands.
+mesh::Mesh placed_mesh(const Body& body, Faults& faults) {
+  Part here = part("body", body);
+  if (!here.at.empty()) here.at += ".mesh";
+  mesh::Mesh mesh = make_mesh(body.name, body.mesh);
+  if (std::holds_alternative<mesh::Mesh>(body.mesh)) {
+    const std::string said = flat_or_inverted(mesh, mesh.X);
+    if (!said.empty()) refuse(faults, here, "", "the mesh " + said);
+  }
+  if (body.map[0]) mesh = mapped(body.map, std::move(mesh), here, faults);
+  if (body.place.angle != 0) mesh = mesh::turned_about(std::move(mesh), body.place.axis, body.place.angle, body.place.about);
+  if (!body.place.move.isZero(0)) mesh = mesh::moved(std::move(mesh), body.place.move);
+  if (!(mesh.X.cwiseAbs().maxCoeff() < farthest)) {  // also where it is no number
+    const bool finite = mesh.X.allFinite();
+    refuse(faults, here, "",
+           finite ? text("a node stands %.4g m from the origin: expected less than %g m", mesh.X.cwiseAbs().maxCoeff(), farthest)
+                  : "a node stands at no finite place");
+  }
+  return mesh;
+}
+
+}  // namespace
+
+double diagonal(const mesh::Mesh& mesh) { return (mesh.X.rowwise().maxCoeff() - mesh.X.rowwise().minCoeff()).norm(); }
+
+double count_elements(const MeshOptions& options) {
+  return std::visit([](const auto& one) { return elements(one); }, options);
+}
+
+bool has_plates(const MeshOptions& options) {
+  if (const auto* given = std::get_if<mesh::Mesh>(&options)) return !given->triangles.empty();
+  return std::holds_alternative<mesh::Tube>(options) || std::holds_alternative<mesh::WedgeTube>(options) ||
+         std::holds_alternative<mesh::Disc>(options) || std::holds_alternative<mesh::WedgeDisc>(options) ||
+         std::holds_alternative<mesh::Sheet>(options);
+}
+
+bool has_solids(const MeshOptions& options) {
+  if (const auto* given = std::get_if<mesh::Mesh>(&options)) return !given->hexahedra.empty();
+  return !has_plates(options);
+}
+
+mesh::Mesh make_mesh(const std::string& name, const MeshOptions& options) {
+  struct Make {
+    const std::string& name;
+    mesh::Mesh operator()(const mesh::Box& one) const { return mesh::box(name, one); }
+    mesh::Mesh operator()(const mesh::Cylinder& one) const { return mesh::cylinder(name, one); }
+    mesh::Mesh operator()(const mesh::Tube& one) const { return mesh::tube(name, one); }
+    mesh::Mesh operator()(const mesh::Wedge& one) const { return mesh::wedge(name, one); }
+    mesh::Mesh operator()(const mesh::WedgeTube& one) const { return mesh::wedge_tube(name, one); }
+    mesh::Mesh operator()(const mesh::Sphere& one) const { return mesh::sphere(name, one); }
+    mesh::Mesh operator()(const mesh::Disc& one) const { return mesh::disc(name, one); }
+    mesh::Mesh operator()(const mesh::WedgeDisc& one) const { return mesh::wedge_disc(name, one); }
+    mesh::Mesh operator()(const mesh::Sheet& one) const { return mesh::sheet(name, one); }
+    mesh::Mesh operator()(const mesh::Mesh& one) const { return with_names(name, one); }
+  };
+  return std::visit(Make{name}, options);
+}
+
+mesh::Mesh mapped(const Field& map, mesh::Mesh mesh, const Part& part, Faults& faults) {
+  const Vectors built = mesh.X;
+  for (Eigen::Index node = 0; node < built.cols(); ++node) {
+    const Vec3 from = built.col(node);
+    for (int axis = 0; axis < 3; ++axis) mesh.X(axis, node) = map[axis](from.x(), from.y(), from.z(), 0);
+    if (mesh.X.col(node).allFinite()) continue;
+    refuse(faults, part, "map", text("'map' is no finite number at x = %.6g, y = %.6g, z = %.6g", from.x(), from.y(), from.z()));
+    mesh.X = built;
+    return mesh;
+  }
+  const std::string said = flat_or_inverted(mesh, built);
+  if (said.empty()) return mesh;
+  refuse(faults, part, "map", "'map' " + said);
+  mesh.X = built;
+  return mesh;
+}
+
+mesh::Mesh make_mesh(const Scene& scene, Faults& faults) {
+  mesh::Mesh all;
+  for (const Body& body : scene.bodies) {
+    try {
+      if (!(count_elements(body.mesh) <= most_elements)) throw InternalError("the mesh would have more than a hundred million elements");
+      mesh::Mesh here = placed_mesh(body, faults);
+      name_points(body, here, faults);
+      all = all.X.cols() == 0 ? here : mesh::join(all, here);
+    } catch (const InternalError& error) {  // readers have refused such options, scenes made in C++ may have them
+      refuse(faults, part("body", body), "mesh", error.what());
+    }
+  }
+  return all;
+}
+
+}  // namespace nereid::model

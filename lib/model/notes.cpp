@@ -1,0 +1,69 @@
+#include "model/notes.hpp"
+
+#include <array>
+#include <cstdio>
+
+#include "element/width.hpp"
+
+namespace nereid::model {
+
+namespace {
+
+std::string row(const char* format, auto... values) {
+  std::array<char, 300> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), format, values...);
+  return buffer.data();
+}
+
+}  // namespace
+
+std::vector<std::string> gap_table(const Simulation& simulation) {
+  std::vector<std::string> table;
+  if (simulation.gaps.empty()) return table;
+  table.push_back("initial gaps   apexes  on facet  on edge  on vertex  no base  penetrating  least [m]    mean [m]     largest [m]");
+  for (std::size_t c = 0; c < simulation.gaps.size(); ++c) {
+    const contact::InitialGaps& g = simulation.gaps[c];
+    const contact::Interface& interface = simulation.model.interfaces[c];
+    table.push_back(row("%-14s %6d  %8d  %7d  %9d  %7d  %11d  %-11.4g  %-11.4g  %-11.4g", interface.name.c_str(), g.apexes, g.by_kind[3],
+                        g.by_kind[2], g.by_kind[1], g.without_base, g.penetrating, g.least, g.mean, g.largest));
+    table.push_back(row("%-14s penalty %.4g Pa/m", "", interface.penalty));
+  }
+  return table;
+}
+
+std::vector<std::string> width_notes(const Simulation& simulation) {
+  constexpr double worth_saying = 2;  // [-] a brick twice as long as wide and high stays unmentioned
+  std::vector<std::string> notes;
+  for (const auto& block : simulation.model.blocks) {
+    const element::Narrowest at = element::narrowest(block, simulation.state.x);
+    if (at.gain < worth_saying) continue;
+    notes.push_back(row("%s: its step is that of element %d at (%.4g, %.4g, %.4g) m, only %.3g m wide along "
+                        "(%.3g, %.3g, %.3g) and %.3g m across; that width makes its step %.3g times smaller",
+                        element::name(block).c_str(), at.element, at.centre.x(), at.centre.y(), at.centre.z(), at.width(0),
+                        at.direction.x(), at.direction.y(), at.direction.z(), at.width(1), at.gain));
+  }
+  return notes;
+}
+
+std::vector<std::string> depth_notes(const Simulation& simulation) {
+  std::vector<std::string> notes;
+  const auto look = [&notes](const std::string& name, double deepest, double depth) {
+    if (depth > 0 && deepest > (0.5 + 1e-6) * depth)  // more than round-off beyond
+      notes.push_back(row("%s: an apex went %.3g m deep, %.3g of the depth of an element: too soft a penalty or too fast an approach",
+                          name.c_str(), deepest, deepest / depth));
+  };
+  const dynamics::Model& model = simulation.model;
+  for (std::size_t c = 0; c < model.interfaces.size(); ++c)
+    look(model.interfaces[c].name, simulation.state.interfaces[c].deepest, model.interfaces[c].depth);
+  for (std::size_t p = 0; p < model.rigid_planes.size(); ++p)
+    look(model.rigid_planes[p].name, simulation.state.rigid_planes[p].deepest, model.rigid_planes[p].depth);
+  return notes;
+}
+
+std::int64_t count_elements(const dynamics::Model& model) {
+  std::int64_t sum = 0;
+  for (const auto& block : model.blocks) sum += element::tiling(block).elements;
+  return sum;
+}
+
+}  // namespace nereid::model

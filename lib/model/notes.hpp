@@ -1,0 +1,23 @@
+#pragma once
+// What a simulation says of itself in words: gaps at the start, what sets its step, penetrations that are too deep.
+
+#include <string>
+#include <vector>
+
+#include "model/build.hpp"
+
+namespace nereid::model {
+
+/// The table of initial gaps, one interface a line, with its penalty; empty without contacts.
+std::vector<std::string> gap_table(const Simulation&);
+
+/// Of each block whose step a narrow element sets, what that width costs, one block a line.
+std::vector<std::string> width_notes(const Simulation&);
+
+/// Each interface and rigid plane that was penetrated by more than half an element so far, one a line.
+std::vector<std::string> depth_notes(const Simulation&);
+
+/// Elements of all blocks.
+std::int64_t count_elements(const dynamics::Model&);
+
+}  // namespace nereid::model

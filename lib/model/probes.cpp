@@ -1,0 +1,183 @@
+#include "model/probes.hpp"
+
+#include <algorithm>
+
+#include "base/words.hpp"
+#include "dynamics/measure.hpp"
+
+namespace nereid::model {
+
+namespace {
+
+using dynamics::ProbeMemory;
+using dynamics::View;
+using Measure = std::function<double(const View&, ProbeMemory&)>;
+
+const std::vector<std::string> axes{"x", "y", "z"};
+const std::vector<std::string> of_vectors{"magnitude", "x", "y", "z"};
+const std::vector<std::string> of_forces{"magnitude", "x", "y", "z", "normal"};
+const std::vector<std::string> of_tensors{"xx", "yy", "zz", "xy", "yz", "xz"};
+
+/// Names of the internal variables of all laws, each once.
+template <class... Laws>
+std::vector<std::string> internal_variables(const std::variant<Laws...>*) {
+  std::vector<std::string> names;
+  const auto add = [&names](const auto& internal) {
+    for (const auto& name : internal)
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.emplace_back(name);
+  };
+  (add(Laws::internal), ...);
+  return names;
+}
+
+/// One component of a vector by its name; value(view, memory) is the vector.
+template <class Value>
+Measure component(const std::string& name, const Vec3& normal, Value&& value) {
+  if (name == "magnitude") return [value](const View& view, ProbeMemory& memory) { return value(view, memory).norm(); };
+  if (name == "normal") return [value, normal](const View& view, ProbeMemory& memory) { return value(view, memory).dot(normal); };
+  const int axis = name[0] - 'x';
+  return [value, axis](const View& view, ProbeMemory& memory) -> double { return value(view, memory)(axis); };
+}
+
+/// Places of the interfaces of a contact: one, or two passes with the sides exchanged.
+std::vector<std::size_t> passes(const dynamics::Model& model, const std::string& contact) {
+  std::vector<std::size_t> found;
+  for (std::size_t c = 0; c < model.interfaces.size(); ++c)
+    if (model.interfaces[c].name == contact || model.interfaces[c].name == contact + "_back") found.push_back(c);
+  return found;
+}
+
+// Gap and area of the surface with the apexes; pressures of two passes act together.
+double gap(const View& view, const std::vector<std::size_t>& passes) { return dynamics::contact_state(view, passes[0]).least_gap; }
+double contact_area(const View& view, const std::vector<std::size_t>& passes) { return dynamics::contact_state(view, passes[0]).area; }
+double contact_pressure(const View& view, const std::vector<std::size_t>& passes) {
+  double sum = 0;
+  for (const std::size_t pass : passes) sum += dynamics::contact_state(view, pass).largest_pressure;
+  return sum;
+}
+
+/// What is measured of nodes or of a contact, with the component that a probe asks for.
+struct Measuring {
+  const std::string& along;
+  const Subset& nodes;
+  const std::vector<std::size_t>& passes;
+
+  Measure operator()(std::monostate) const { return {}; }
+  Measure operator()(Vec3 (*value)(const View&, const Subset&)) const {
+    return component(along, Vec3::Zero(), [value, nodes = nodes](const View& view, ProbeMemory&) { return value(view, nodes); });
+  }
+  Measure operator()(double (*value)(const View&, const Subset&)) const {
+    return [value, nodes = nodes](const View& view, ProbeMemory&) { return value(view, nodes); };
+  }
+  Measure operator()(double (*value)(const View&, const Subset&, int)) const {
+    return [value, nodes = nodes, axis = along[0] - 'x'](const View& view, ProbeMemory&) { return value(view, nodes, axis); };
+  }
+  Measure operator()(double (*value)(const View&, const std::vector<std::size_t>&)) const {
+    return [value, passes = passes](const View& view, ProbeMemory&) { return value(view, passes); };
+  }
+};
+
+/// On the surface with the apexes: of a second pass it is what pushes back.
+Vec3 force_on_apexes(const View& view, const std::vector<std::size_t>& passes) {
+  Vec3 sum = dynamics::contact_force(view, passes[0]);
+  for (std::size_t p = 1; p < passes.size(); ++p) sum -= dynamics::contact_force(view, passes[p]);
+  return sum;
+}
+
+Measure of_body(const Probe& probe, int row, const dynamics::Model& model, const dynamics::State& at_start, Faults& faults) {
+  std::vector<std::size_t> blocks;  // a body from a file may have several regions
+  bool measured = true;
+  for (std::size_t b = 0; b < model.blocks.size(); ++b) {
+    const std::string& region = element::name(model.blocks[b]);
+    if (region != probe.of && region.rfind(probe.of + ".", 0) != 0) continue;
+    blocks.push_back(b);
+    const auto fields = element::fields(model.blocks[b], at_start.x, at_start.blocks[b]);
+    measured = measured && std::any_of(fields.begin(), fields.end(), [&](const Field& field) { return field.name == probe.quantity; });
+  }
+  if (!measured)
+    refuse(faults, part("probe", probe), "quantity",
+           "'quantity' = " + probe.quantity + ": the material of " + probe.of + " has no such variable");
+  const auto take = probe.largest ? dynamics::Take::largest : dynamics::Take::mean;
+  return [blocks, name = probe.quantity, row, take](const View& view, ProbeMemory&) {
+    return dynamics::of_body(view, blocks, name, row, take);
+  };
+}
+
+Measure of_source(const Probe& probe, const std::string& along, const dynamics::Model& model, Faults& faults) {
+  const auto here = [&](const auto& one) { return one.name == probe.of; };
+  const auto interfaces = passes(model, probe.of);
+  const auto rigid = std::find_if(model.rigid_planes.begin(), model.rigid_planes.end(), here);
+  const auto plane = std::find_if(model.constraints.planes.begin(), model.constraints.planes.end(), here);
+  Vec3 normal = Vec3::Zero();
+  if (rigid != model.rigid_planes.end()) normal = rigid->normal;
+  if (plane != model.constraints.planes.end()) normal = plane->normal;
+  if (along == "normal" && normal.isZero(0))
+    refuse(faults, part("probe", probe), "component", "'component' = normal: " + probe.of + " is no plane and has no normal");
+  if (!interfaces.empty())
+    return component(along, normal, [interfaces](const View& view, ProbeMemory&) { return force_on_apexes(view, interfaces); });
+  for (std::size_t l = 0; l < model.loads.size(); ++l)
+    if (load::name(model.loads[l]) == probe.of && load::is_spring(model.loads[l]))
+      return component(along, normal, [l](const View& view, ProbeMemory&) -> Vec3 { return view.now.loads[l].force.col(0); });
+  const std::size_t source = dynamics::source_of(model, probe.of);
+  return component(along, normal, [source](const View& view, ProbeMemory& memory) { return dynamics::mean_force(view, source, memory); });
+}
+
+/// Place of the probe's component; faults for one that there is not.
+int component_of(const Probe& probe, const Measurable& quantity, Faults& faults) {
+  const auto& names = quantity.components;
+  if (probe.component.empty() && quantity.required)
+    refuse(faults, part("probe", probe), "component", "'component' is missing: one of " + joined(names));
+  if (probe.component.empty()) return 0;
+  expect(faults, part("probe", probe), "component", probe.component, "components of " + quantity.name, names);
+  const auto at = std::find(names.begin(), names.end(), probe.component);
+  return at == names.end() ? 0 : static_cast<int>(at - names.begin());
+}
+
+Measure measure(const Probe& probe, const Measurable& quantity, const dynamics::Model& model, const dynamics::State& at_start,
+                Faults& faults) {
+  const int row = component_of(probe, quantity, faults);
+  const std::string along = quantity.components.empty() ? "x" : quantity.components[static_cast<std::size_t>(row)];
+  if (quantity.of == Of::body) return of_body(probe, row, model, at_start, faults);
+  if (quantity.of == Of::source) return of_source(probe, along, model, faults);
+  const Subset nodes = quantity.of == Of::nodes ? mesh::node_set(model.mesh, probe.of) : Subset{};
+  return std::visit(Measuring{along, nodes, passes(model, probe.of)}, quantity.measurement);
+}
+
+}  // namespace
+
+const std::vector<Measurable>& measurables() {
+  static const std::vector<Measurable> all = [] {
+    std::vector<Measurable> list{
+        {"displacement", "m", Of::nodes, of_vectors, false, dynamics::mean_displacement},
+        {"velocity", "m/s", Of::nodes, of_vectors, false, dynamics::mean_velocity},
+        {"position", "m", Of::nodes, axes, true, dynamics::mean_position},
+        {"extent", "m", Of::nodes, axes, true, dynamics::extent},
+        {"radius", "m", Of::nodes, axes, true, dynamics::radius},
+        {"momentum", "kg m/s", Of::nodes, of_vectors, false, dynamics::momentum},
+        {"kinetic_energy", "J", Of::nodes, {}, false, dynamics::kinetic_energy},
+        {"force", "N", Of::source, of_forces},
+        {"gap", "m", Of::contact, {}, false, gap},
+        {"contact_pressure", "Pa", Of::contact, {}, false, contact_pressure},
+        {"contact_area", "m^2", Of::contact, {}, false, contact_area},
+        {"stress", "Pa", Of::body, of_tensors, true},
+        {"pressure", "Pa", Of::body},
+        {"von_mises", "Pa", Of::body},
+    };
+    for (const std::string& name : internal_variables(static_cast<const element::AnyLaw*>(nullptr))) list.push_back({name, "1", Of::body});
+    return list;
+  }();
+  return all;
+}
+
+const Measurable* find_measurable(const std::string& quantity) {
+  for (const Measurable& one : measurables())
+    if (one.name == quantity) return &one;
+  return nullptr;
+}
+
+dynamics::Probe make_probe(const Probe& probe, const dynamics::Model& model, const dynamics::State& at_start, Faults& faults) {
+  const Measurable* quantity = find_measurable(probe.quantity);
+  return {probe.name, quantity->unit, measure(probe, *quantity, model, at_start, faults)};
+}
+
+}  // namespace nereid::model

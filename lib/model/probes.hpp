@@ -1,0 +1,41 @@
+#pragma once
+// What probes can measure, and how: from the words of a scene to functions of a view.
+
+#include "dynamics/probe.hpp"
+#include "model/fault.hpp"
+#include "model/scene.hpp"
+
+namespace nereid::model {
+
+/// Of what something is measured.
+enum class Of { nodes, body, contact, source };
+
+/// How it is measured: a vector or a number of a node set, a number of a node set along or about an axis, a number of the
+/// passes of a contact. Numbers of bodies are fields of their elements with the same name, and forces have a way of their own.
+using Measurement = std::variant<std::monostate, Vec3 (*)(const dynamics::View&, const Subset& nodes),
+                                 double (*)(const dynamics::View&, const Subset& nodes),
+                                 double (*)(const dynamics::View&, const Subset& nodes, int axis),
+                                 double (*)(const dynamics::View&, const std::vector<std::size_t>& passes)>;
+
+/// What a probe can measure.
+struct Measurable {
+  std::string name, unit;                    ///< SI
+  Of of;
+  std::vector<std::string> components = {};  ///< the first one unless the probe says; empty: it has none
+  bool required = false;                     ///< the probe must say which component
+  Measurement measurement = {};
+};
+
+/// All that probes can measure: quantities of motion, of force and contact, of stress, and the internal variables of all laws.
+const std::vector<Measurable>& measurables();
+
+/// The one of that name, or null.
+const Measurable* find_measurable(const std::string& quantity);
+
+/// The probe of a scene as a run samples it. Node sets, bodies, contacts and sources of these names must exist.
+///
+/// Faults: quantities and components that there are not, variables that a body's material does not have, the normal of
+/// what is no plane. After a fault the probe measures nothing.
+dynamics::Probe make_probe(const Probe&, const dynamics::Model&, const dynamics::State& at_start, Faults&);
+
+}  // namespace nereid::model

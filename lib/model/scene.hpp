@@ -1,0 +1,187 @@
+#pragma once
+// A scene as plain data: bodies, contacts, planes, loads, probes and conditions. All values are in SI units.
+//
+//     model::Scene scene;
+//     scene.bodies.push_back({.name = "bar", .mesh = mesh::Box{...}, .law = material::Elastic{7850, 210e9, 0.3}});
+//     scene.initial.push_back({.body = "bar", .value = model::uniform({0, 0, -1})});
+//     scene.time.end = 1e-3;
+//     model::Simulation simulation = model::build(scene);   // model/build.hpp
+//
+// What a part means, and what node sets and surfaces a mesh has: docs/scene.md, docs/meshes.md. The member `at` of each
+// part is its path in a case, as in "bodies[0]"; it is empty for scenes made in C++.
+
+#include <array>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "dynamics/connect.hpp"
+#include "dynamics/run.hpp"
+#include "mesh/box.hpp"
+#include "mesh/cylinder.hpp"
+#include "mesh/disc.hpp"
+#include "mesh/sphere.hpp"
+#include "mesh/wedge.hpp"
+
+namespace nereid::model {
+
+/// Three numbers over reference position [m] and time [s].
+using Field = std::array<load::OverSpace, 3>;
+
+/// The same value everywhere and always.
+inline load::OverSpace constant(double value) {
+  return [value](double, double, double, double) { return value; };
+}
+inline Field uniform(const Vec3& value) { return {constant(value.x()), constant(value.y()), constant(value.z())}; }
+
+/// What a body's mesh is made from: the options of one generator, or a mesh whose names are yet without the body's.
+using MeshOptions = std::variant<mesh::Box, mesh::Cylinder, mesh::Tube, mesh::Wedge, mesh::WedgeTube, mesh::Sphere,
+                                 mesh::Disc, mesh::WedgeDisc, mesh::Sheet, mesh::Mesh>;
+
+/// A rigid motion of a mesh before anything else happens: a turn, then a shift.
+struct Placement {
+  Vec3 axis = Vec3::UnitZ();   ///< unit vector
+  double angle = 0;            ///< [rad]
+  Vec3 about = Vec3::Zero();   ///< [m] a point on the axis
+  Vec3 move = Vec3::Zero();    ///< [m]
+};
+
+/// A name for the node of a body that is nearest to a point.
+struct Point {
+  std::string name;
+  Vec3 near = Vec3::Zero();  ///< [m] where the body stands
+  std::string at = {};
+};
+
+/// One body: its mesh, where it stands, and what it is made of.
+struct Body {
+  std::string name;
+  MeshOptions mesh;
+  Field map = {};                             ///< [m] where the nodes of the mesh go before it is placed; empty: they stay
+  Placement place = {};
+  std::vector<Point> points = {};
+  element::AnyLaw law = {};
+  element::AnyHexahedronOptions solid = {};   ///< of the solids in the mesh
+  element::Plate::Options plate = {};         ///< of the plates in the mesh
+  std::string at = {};
+};
+
+/// One pair of surfaces.
+struct Contact {
+  std::string name, apexes, base;            ///< surfaces
+  bool height_from_thickness = true;         ///< of the plates on both sides, half of each; else InterfaceOptions::height
+  dynamics::InterfaceOptions interface = {};
+  std::string at = {};
+};
+
+/// Nodes that are held, driven or caught.
+struct Plane {
+  std::string name;
+  load::PlaneKind kind = load::PlaneKind::held;
+  std::vector<std::string> nodes = {};       ///< node sets
+  Vec3 point = Vec3::Zero();                 ///< [m] of a floor
+  Vec3 normal = Vec3::UnitZ();               ///< unit vector; not of fixed and driven nodes
+  load::OverTime velocity = {};              ///< [m/s] along the normal, of `held` only; empty: at rest
+  Field field = {}, turning = {};            ///< [m/s] [rad/s] of `driven` only; `turning` may be empty
+  std::string at = {};
+};
+
+/// A wall that pushes the nodes of a surface back by a penalty.
+struct RigidPlane {
+  std::string name, surface;
+  Vec3 point = Vec3::Zero(), normal = Vec3::UnitZ();  ///< [m]; unit vector to the side of the nodes
+  std::optional<double> penalty = {};                 ///< [Pa/m] without it hardness counts
+  double hardness = dynamics::InterfaceOptions{}.hardness;  ///< [-] penalty over the stiffness of the surface
+  contact::Coulomb friction = {};
+  double created_in_a_bounce = dynamics::InterfaceOptions{}.created_in_a_bounce;  ///< [-]
+  std::string at = {};
+};
+
+enum class LoadKind { pressure, force, moment, body_force };
+
+/// What is said of a load in a case: the word of its kind, the key of what it acts on, and its value.
+struct LoadSyntax {
+  const char *word, *key, *unit;
+  bool is_vector, over_place;                ///< three values or one; functions of place and time, or of time
+};
+constexpr std::array<LoadSyntax, 4> load_syntax{{  // in the order of LoadKind
+    {"pressure", "surface", "Pa", false, false},
+    {"force", "nodes", "N", true, false},
+    {"moment", "nodes", "N m", true, false},
+    {"body_force", "body", "m/s^2", true, true},
+}};
+
+struct Load {
+  std::string name;
+  LoadKind kind = LoadKind::pressure;
+  std::string on;                            ///< surface, node set or body
+  Field value = {};                          ///< in the unit of load_syntax; of a pressure the first
+  std::string at = {};
+};
+
+struct Spring {
+  std::string name, from, to;                ///< node sets of one node; `to` may be "ground"
+  double stiffness = 0, damping = 0;         ///< [N/m] [N s/m]
+  std::optional<double> length = {};         ///< [m] without force
+  std::string at = {};
+};
+
+struct PointMass {
+  std::string name, nodes;
+  double mass = 0;                           ///< [kg]
+  std::string at = {};
+};
+
+/// A velocity or a displacement of a body at the start.
+struct Initial {
+  std::string body;
+  bool displacement = false;
+  Field value = {};                          ///< [m/s] or [m], of place
+  std::string at = {};
+};
+
+/// A number that is measured, a column of the history.
+struct Probe {
+  std::string name;
+  std::string quantity;                      ///< one of measurables()
+  std::string of;                            ///< node set, body, contact or source of force
+  std::string component = {};                ///< one of Measurable::components; empty: the first
+  bool largest = false;                      ///< of a body: the largest of its elements, else the mean
+  std::string at = {};
+};
+
+/// A condition that ends the run.
+struct Stop {
+  std::string probe;
+  bool above = true;                         ///< else below
+  double value = 0;                          ///< in the unit of the probe
+  double after = 0;                          ///< [s] not looked at before
+  std::string at = {};
+};
+
+/// How often a run is recorded.
+struct Recording {
+  double history = 0;                        ///< [s] between rows of history.csv; zero: 400 rows
+  double frames = 0;                         ///< [s] between ParaView frames; zero: 40 frames
+  bool full_precision = false;
+};
+
+struct Scene {
+  std::vector<Body> bodies;
+  std::vector<Contact> contacts;
+  std::vector<Plane> planes;
+  std::vector<RigidPlane> rigid_planes;
+  Vec3 gravity = Vec3::Zero();               ///< [m/s2]
+  std::vector<Load> loads;
+  std::vector<Spring> springs;
+  std::vector<PointMass> point_masses;
+  std::vector<Initial> initial;
+  std::optional<dynamics::Relaxation> relaxation;
+  std::vector<Probe> probes;
+  std::vector<Stop> stops;
+  dynamics::Time time;
+  Recording recording;
+};
+
+}  // namespace nereid::model

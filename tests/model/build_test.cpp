@@ -1,0 +1,147 @@
+#include "model/build.hpp"
+
+#include <gtest/gtest.h>
+
+#include "base/check.hpp"
+#include "tests/model/scenes.hpp"
+
+namespace nereid::model {
+namespace {
+
+Contact touch(const std::string& apexes, const std::string& base) { return {.name = "touch", .apexes = apexes, .base = base}; }
+
+TEST(Build, GivesBodiesTheirMassAndKind) {
+  const dynamics::Model model = build(with({bar(), sheet()})).model;
+  ASSERT_EQ(model.blocks.size(), 2U);
+  EXPECT_FALSE(element::is_plate(model.blocks[0]));
+  EXPECT_TRUE(element::is_plate(model.blocks[1]));
+  EXPECT_NEAR(model.mass.sum(), 16000 + 32, 1e-9);  // 2 m3 and 2 m2 of 2 mm, of 8000 kg/m3; round-off
+}
+
+TEST(Build, AContactStandsOffHalfTheThicknessOfPlates) {
+  Scene scene = with({bar(), sheet()});
+  scene.contacts = {touch("bar.z_high", "sheet.bottom")};
+  const Simulation built = build(scene);
+  ASSERT_EQ(built.gaps.size(), 1U);
+  EXPECT_NEAR(built.gaps[0].least, 0.5 - 1e-3, 1e-15);
+  EXPECT_EQ(built.model.interfaces[0].contact_height(0), 1e-3);
+}
+
+TEST(Build, SolidsTouchWhereTheyMeet) {
+  Scene scene = with({bar(), wall()});
+  scene.contacts = {touch("bar.x_high", "wall.x_low")};
+  const Simulation built = build(scene);
+  EXPECT_EQ(built.gaps[0].least, 0);
+  EXPECT_EQ(built.gaps[0].penetrating, 0);
+}
+
+TEST(Build, AContactMayHaveTwoPasses) {
+  Scene scene = with({bar(), wall()});
+  scene.contacts = {touch("bar.x_high", "wall.x_low")};
+  scene.contacts[0].interface.two_passes = true;
+  const Simulation built = build(scene);
+  ASSERT_EQ(built.model.interfaces.size(), 2U);
+  EXPECT_EQ(built.gaps.size(), 2U);
+  EXPECT_EQ(built.model.interfaces[1].name, "touch_back");
+}
+
+TEST(Build, RefusesASurfaceThatTouchesItself) {
+  Scene scene = with({bar()});
+  scene.contacts = {touch("bar.x_high", "bar.y_low")};
+  EXPECT_TRUE(says(refusal(scene), "contact 'touch': 'apexes' and 'base' share nodes"));
+}
+
+TEST(Build, RefusesPenetrationUnlessAccepted) {
+  Scene scene = with({bar(), wall()});
+  scene.bodies[1].place.move = Vec3(-0.1, 0, 0);
+  scene.contacts = {touch("bar.x_high", "wall.x_low")};
+  EXPECT_TRUE(says(refusal(scene), "4 of 4 apexes start penetrated, by 0.1 m at most: move the bodies apart")) << refusal(scene);
+  scene.contacts[0].interface.initial_penetration = contact::InitialPenetration::accept;
+  EXPECT_EQ(refusal(scene), "");
+  scene.bodies[1].place.move.setZero();
+  scene.contacts[0].height_from_thickness = false;
+  scene.contacts[0].interface = {};
+  scene.contacts[0].interface.height = {.from_initial_height = false, .clearance = 0, .given = 0.01};
+  EXPECT_TRUE(says(refusal(scene), "lower 'height'")) << refusal(scene);
+}
+
+TEST(Build, RefusesABaseWhoseNormalsDoNotAgree) {
+  mesh::Mesh given = mesh::box("", {Vec3(2, 0, 0), Vec3(4, 1, 1), {2, 1, 1}});
+  auto& facets = std::find_if(given.surfaces.begin(), given.surfaces.end(), [](const auto& one) { return one.name == ".x_low"; })->facets;
+  std::swap(facets(0, 0), facets(1, 0));
+  Scene scene = with({bar(), {.name = "wall", .mesh = given, .law = steel}});
+  scene.contacts = {touch("bar.x_high", "wall.x_low")};
+  EXPECT_TRUE(says(refusal(scene), "'base' = wall.x_low: an edge belongs to two facets in the same direction")) << refusal(scene);
+}
+
+TEST(Build, TellsAllThatNameNothingWithTheNearest) {
+  Scene scene = with({bar(), wall()});
+  scene.contacts = {touch("bar.x_hihg", "wal.x_low")};
+  scene.probes = {{.name = "tip", .quantity = "displacement", .of = "bar.tip"}, {.name = "u", .quantity = "velocty", .of = "bar"}};
+  scene.stops = {{.probe = "tap"}};
+  const std::string said = refusal(scene);
+  EXPECT_TRUE(says(said, "did you mean 'bar.x_high'?"));
+  EXPECT_TRUE(says(said, "did you mean 'wall.x_low'?"));
+  EXPECT_TRUE(says(said, "probe 'tip': 'of' = bar.tip is unknown: node sets are bar, "));
+  EXPECT_TRUE(says(said, "did you mean 'velocity'?"));
+  EXPECT_TRUE(says(said, "condition to stop: 'probe' = tap is unknown: probes are tip, u"));
+}
+
+TEST(Build, RefusesNamesGivenTwiceAndNamesThatAreNone) {
+  Scene scene = with({bar(), bar()});
+  scene.planes = {{.name = "gravity", .kind = load::PlaneKind::fixed, .nodes = {"bar"}}, {.name = "a.b", .nodes = {"bar"}}};
+  const std::string said = refusal(scene);
+  EXPECT_TRUE(says(said, "body 'bar': 'name' = bar is given twice"));
+  EXPECT_TRUE(says(said, "plane 'gravity': 'name' = gravity is given twice"));
+  EXPECT_TRUE(says(said, "plane 'a.b': 'name' = a.b is no name"));
+  EXPECT_TRUE(says(refusal(with({})), "there are no bodies"));
+}
+
+TEST(Build, RefusesPlatesWithoutThicknessAndNodesWithoutMass) {
+  Scene scene = with({sheet()});
+  scene.bodies[0].plate.thickness = 0;
+  EXPECT_TRUE(says(refusal(scene), "body 'sheet': plates need a thickness"));
+  scene = with({bar()});
+  scene.bodies[0].law = material::Elastic{0, 1, 0};
+  EXPECT_TRUE(says(refusal(scene), "body 'bar': a node has neither an element nor a point mass")) << refusal(scene);
+}
+
+TEST(Run, GoesToTheEndAndProbesRemember) {
+  Scene scene = with({bar()});
+  scene.initial = {{.body = "bar", .value = uniform(Vec3(1, 2, 2))}};
+  scene.probes = {{.name = "speed", .quantity = "velocity", .of = "bar"},
+                  {.name = "x", .quantity = "position", .of = "bar", .component = "x"}};
+  Simulation simulation = build(scene);
+  EXPECT_THROW(probe(simulation, "speed"), InternalError);
+  EXPECT_EQ(run(simulation).ending, dynamics::Ending::reached_end);
+  EXPECT_EQ(simulation.state.t, 1e-3);
+  EXPECT_NEAR(probe(simulation, "speed").largest, 3, 1e-12);
+  EXPECT_NEAR(probe(simulation, "x").last, 1 + 1e-3, 1e-12);
+  EXPECT_GE(probe(simulation, "x").samples, 2);
+}
+
+TEST(Run, StopsWhereAConditionAsksForIt) {
+  Scene scene = with({bar()});
+  scene.initial = {{.body = "bar", .value = uniform(Vec3(1, 0, 0))}};
+  scene.probes = {{.name = "way", .quantity = "displacement", .of = "bar", .component = "x"}};
+  scene.stops = {{.probe = "way", .above = true, .value = 2e-4, .after = 5e-4}};
+  Simulation simulation = build(scene);
+  const dynamics::Outcome outcome = run(simulation);
+  EXPECT_EQ(outcome.ending, dynamics::Ending::stopped_by_condition);
+  EXPECT_TRUE(says(outcome.reason, "m, above 0.0002 m")) << outcome.reason;
+  EXPECT_NEAR(simulation.state.t, 5e-4, 1e-4);
+}
+
+TEST(Run, GoesOnWhereItWasLeft) {
+  Scene scene = with({bar()});
+  scene.initial = {{.body = "bar", .value = uniform(Vec3(1, 0, 0))}};
+  Simulation simulation = build(scene);
+  simulation.time.end = 5e-4;
+  run(simulation);
+  simulation.time.end = 1e-3;
+  EXPECT_EQ(run(simulation).ending, dynamics::Ending::reached_end);
+  EXPECT_EQ(simulation.state.t, 1e-3);
+}
+
+}  // namespace
+}  // namespace nereid::model

@@ -1,0 +1,87 @@
+#include "model/meshes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <numbers>
+
+#include "tests/model/scenes.hpp"
+
+namespace nereid::model {
+namespace {
+
+TEST(MakeMesh, TurnsBeforeItMoves) {
+  Scene scene = with({bar()});
+  scene.bodies[0].place = {.axis = Vec3::UnitZ(), .angle = std::numbers::pi / 2, .about = Vec3::Zero(), .move = Vec3(0, 5, 0)};
+  const mesh::Mesh mesh = build(scene).model.mesh;
+  EXPECT_LT((mesh.X.rowwise().minCoeff() - Vec3(-1, 5, 0)).norm(), 1e-15);
+  EXPECT_LT((mesh.X.rowwise().maxCoeff() - Vec3(0, 7, 1)).norm(), 1e-15);
+}
+
+TEST(MakeMesh, MapsBeforeItTurnsAndMoves) {
+  Scene scene = with({{.name = "bar", .mesh = mesh::Box{Vec3(0, 0, 0), Vec3(1, 1, 1), {1, 1, 1}}, .law = material::Elastic{1, 1, 0}}});
+  scene.bodies[0].map = {[](double x, double, double, double) { return 2 * x; }, [](double, double y, double, double) { return y; },
+                         [](double x, double, double z, double) { return z + x; }};
+  scene.bodies[0].place = {.axis = Vec3::UnitZ(), .angle = std::numbers::pi / 2, .about = Vec3::Zero(), .move = Vec3(0, 5, 0)};
+  const dynamics::Model model = build(scene).model;
+  EXPECT_LT((model.mesh.X.rowwise().minCoeff() - Vec3(-1, 5, 0)).norm(), 1e-15);
+  EXPECT_LT((model.mesh.X.rowwise().maxCoeff() - Vec3(0, 7, 2)).norm(), 1e-15);
+  EXPECT_NEAR(model.mass.sum(), 2, 1e-15);
+}
+
+TEST(MakeMesh, RefusesMapsThatInvertElementsAndPlacesThatAreNone) {
+  Scene scene = with({bar()});
+  scene.bodies[0].map = {[](double x, double, double, double) { return -x; }, [](double, double y, double, double) { return y; },
+                         [](double, double, double z, double) { return z; }};
+  EXPECT_TRUE(says(refusal(scene), "body 'bar': 'map' leaves element 0 of 'bar' no positive volume: -1.")) << refusal(scene);
+  EXPECT_TRUE(says(refusal(scene), "and 1 more"));
+  scene.bodies[0].map[0] = constant(std::numeric_limits<double>::infinity());
+  EXPECT_TRUE(says(refusal(scene), "'map' is no finite number at x = 0, y = 0, z = 0"));
+}
+
+TEST(MakeMesh, RefusesWhatNoMeshHas) {
+  Scene scene = with({bar()});
+  scene.bodies[0].mesh = mesh::Box{Vec3(0, 0, 0), Vec3(2, 0, 1), {2, 1, 1}};
+  EXPECT_TRUE(says(refusal(scene), "body 'bar': a box needs low < high along each axis")) << refusal(scene);
+  scene.bodies[0].mesh = mesh::Box{Vec3(0, 0, 0), Vec3(2, 1, 1), {1000, 1000, 1000}};
+  EXPECT_TRUE(says(refusal(scene), "more than a hundred million elements"));
+  scene.bodies[0].mesh = mesh::Box{Vec3(0, 0, 0), Vec3(1e300, 1, 1), {2, 1, 1}};
+  EXPECT_TRUE(says(refusal(scene), "a node stands 1e+300 m from the origin: expected less than 1e+60 m")) << refusal(scene);
+}
+
+TEST(MakeMesh, RefusesAGivenMeshWithInvertedElements) {
+  mesh::Mesh given = mesh::box("", {Vec3(0, 0, 0), Vec3(1, 1, 1), {1, 1, 1}});
+  Scene scene = with({{.name = "bar", .mesh = given, .law = steel}});
+  EXPECT_EQ(refusal(scene), "");
+  for (int corner = 0; corner < 4; ++corner) std::swap(given.hexahedra[0].nodes(corner, 0), given.hexahedra[0].nodes(corner + 4, 0));
+  scene.bodies[0].mesh = given;
+  EXPECT_TRUE(says(refusal(scene), "body 'bar': the mesh leaves element 0 of 'bar' no positive volume")) << refusal(scene);
+}
+
+TEST(NamePoints, NamesTheNearestNodeAndRefusesWhatLiesBesideTheBody) {
+  Scene scene = with({bar()});
+  scene.bodies[0].points = {{.name = "tip", .near = Vec3(2, 0, 0)}};
+  const mesh::Mesh mesh = build(scene).model.mesh;
+  EXPECT_EQ(mesh.X.col(mesh::node_set(mesh, "bar.tip").front()), Vec3(2, 0, 0));
+  scene.bodies[0].points = {{.name = "tip", .near = Vec3(3, 0, 0)}, {.name = "x_high", .near = Vec3(2, 0, 0)}};
+  EXPECT_TRUE(says(refusal(scene), "point 'tip': 'near' lies 1 m beside 'bar'"));
+  EXPECT_TRUE(says(refusal(scene), "point 'x_high': 'name' = x_high is that of a node set of the mesh already"));
+}
+
+TEST(HasPlates, TellsSolidsFromPlates) {
+  EXPECT_TRUE(has_solids(bar().mesh) && !has_plates(bar().mesh));
+  EXPECT_TRUE(has_plates(sheet().mesh) && !has_solids(sheet().mesh));
+}
+
+TEST(CountElements, KnowsEveryGenerator) {
+  EXPECT_EQ(count_elements(bar().mesh), 2);
+  EXPECT_EQ(count_elements(sheet().mesh), 4);
+  for (const MeshOptions& options : std::initializer_list<MeshOptions>{
+           mesh::Cylinder{1, 1, mesh::Turn::full, 2, 1, 3}, mesh::Tube{1, 1, mesh::Turn::quarter, 2, 3}, mesh::Wedge{1, 1, 1, 2, 3, 4},
+           mesh::WedgeTube{1, 1, 1, 2, 3}, mesh::Sphere{1, mesh::SpherePart::half, 2, 1}, mesh::Disc{1, mesh::Turn::full, 2, 1},
+           mesh::WedgeDisc{1, 1, 2, 3}})
+    EXPECT_EQ(count_elements(options), count_elements(make_mesh("a", options)));
+}
+
+}  // namespace
+}  // namespace nereid::model

@@ -1,0 +1,42 @@
+#include "model/notes.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/model/scenes.hpp"
+
+namespace nereid::model {
+namespace {
+
+TEST(GapTable, HasTwoLinesForEachInterface) {
+  Scene scene = with({bar(), wall()});
+  EXPECT_TRUE(gap_table(build(scene)).empty());
+  scene.contacts = {{.name = "touch", .apexes = "bar.x_high", .base = "wall.x_low"}};
+  const auto table = gap_table(build(scene));
+  ASSERT_EQ(table.size(), 3U);
+  EXPECT_TRUE(says(table[1], "touch"));
+  EXPECT_TRUE(says(table[2], "penalty"));
+}
+
+TEST(WidthNotes, SayWhatANarrowElementCosts) {
+  Scene scene = with({bar()});
+  EXPECT_TRUE(width_notes(build(scene)).empty());
+  scene.bodies[0].mesh = mesh::Box{Vec3(0, 0, 0), Vec3(2, 1, 1), {200, 1, 1}};
+  ASSERT_EQ(width_notes(build(scene)).size(), 1U);
+}
+
+TEST(DepthNotes, SayThatARigidPlaneWasPenetratedTooDeep) {
+  Scene scene = with({bar()});
+  scene.rigid_planes = {{.name = "ground", .surface = "bar.z_low", .penalty = 1e6}};
+  scene.initial = {{.body = "bar", .value = uniform(Vec3(0, 0, -1000))}};
+  Simulation simulation = build(scene);
+  EXPECT_TRUE(depth_notes(simulation).empty());
+  run(simulation);
+  const auto notes = depth_notes(simulation);
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_TRUE(says(notes[0], "ground: an apex went ")) << notes[0];
+}
+
+TEST(CountElements, SumsOverAllBlocks) { EXPECT_EQ(count_elements(build(with({bar(), sheet()})).model), 6); }
+
+}  // namespace
+}  // namespace nereid::model
