@@ -16,6 +16,15 @@ constexpr double closer = 1.0 - 1e-12;  // a walk goes on only downhill, so that
 Vec3 centre(const BaseSurface& base, const Vectors& x, Index facet) {
   return (x.col(base.facets(0, facet)) + x.col(base.facets(1, facet)) + x.col(base.facets(2, facet))) / 3.0;
 }
+
+/// Whether a place can be searched for; false for NaN, infinity and what lies beyond farthest_place.
+bool can_be_searched(const Vec3& place) { return (place.array().abs() <= farthest_place).all(); }
+
+/// A place along one axis, in cells, as the number of its cell from first to last; NaN counts as first.
+int cell_number(double place, int first, int last) {
+  if (!(place > first)) return first;
+  return place < last ? static_cast<int>(std::floor(place)) : last;
+}
 }  // namespace
 
 BaseSurface base_surface(const mesh::Surface& surface, Index nodes_of_mesh) {
@@ -95,12 +104,17 @@ BroadSearch::BroadSearch(Index facets)
     : begin_(cells_per_facet * (static_cast<std::size_t>(facets) + 1) + 1, 0), facets_(facets) {}
 
 Index BroadSearch::cell_of(const Vec3& point) const {
-  const Eigen::Vector3i at = ((point - low_) / cell_).array().floor().cast<int>();
-  return cell_of(at.x(), at.y(), at.z());
+  const Vec3 at = (point - low_) / cell_;
+  const auto number = [&](int axis) { return cell_number(at[axis], 0, count_[axis] - 1); };
+  return cell_of(number(0), number(1), number(2));
 }
 
-void BroadSearch::sort(const BaseSurface& base, const Vectors& x) {
+bool BroadSearch::sort(const BaseSurface& base, const Vectors& x) {
   const auto facets = static_cast<Index>(facets_.size());
+  sorted_ = false;
+  for (Index f = 0; f < facets; ++f)
+    for (int a = 0; a < 3; ++a)
+      if (!can_be_searched(x.col(base.facets(a, f)))) return false;
   Vec3 high = Vec3::Zero();
   radius_ = 0;
   for (Index f = 0; f < facets; ++f) {
@@ -121,18 +135,20 @@ void BroadSearch::sort(const BaseSurface& base, const Vectors& x) {
   for (Index f = 0; f < facets; ++f) ++begin_[cell_of(centre(base, x, f))];
   for (Index c = 0; c < last; ++c) begin_[c + 1] += begin_[c];
   for (Index f = facets - 1; f >= 0; --f) facets_[--begin_[cell_of(centre(base, x, f))]] = f;
+  sorted_ = true;
+  return true;
 }
 
 Index BroadSearch::nearest(const BaseSurface& base, const Vectors& x, const Vector<double>& point, double reach) const {
   const Vec3 p(point.x, point.y, point.z);
-  for (double within = std::min(reach, radius_);; within = std::min(reach, 2 * within)) {
+  if (!sorted_ || !can_be_searched(p)) return -1;
+  for (double within = std::min(reach, radius_ > 0 ? radius_ : cell_);; within = std::min(reach, 2 * within)) {
     // a facet nearer than `within` has its centre nearer than within + radius
     const double margin = within + radius_;
     Eigen::Vector3i first, last;
     for (int axis = 0; axis < 3; ++axis) {
-      const double most = count_[axis];
-      first[axis] = static_cast<int>(std::clamp(std::floor((p[axis] - margin - low_[axis]) / cell_), 0.0, most));
-      last[axis] = static_cast<int>(std::clamp(std::floor((p[axis] + margin - low_[axis]) / cell_), -1.0, most - 1));
+      first[axis] = cell_number((p[axis] - margin - low_[axis]) / cell_, 0, count_[axis]);
+      last[axis] = cell_number((p[axis] + margin - low_[axis]) / cell_, -1, count_[axis] - 1);
     }
     Index best = -1;
     double best_squared = within * within;

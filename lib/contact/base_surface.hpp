@@ -65,14 +65,19 @@ struct WalkEnd {
 };
 WalkEnd walk(const BaseSurface&, const Vectors& x, const Vector<double>& apex, Index from);
 
+/// [m] The largest coordinate that can be searched for: the square of a distance stays finite.
+constexpr double farthest_place = 1e150;
+
 /// Finds the closest facet without knowing where to start: facets sorted into a grid of cells.
 ///
 /// Memory is taken when it is made; sorting again for new positions takes none.
 class BroadSearch {
  public:
   explicit BroadSearch(Index facets);
-  void sort(const BaseSurface&, const Vectors& x);
-  /// The facet nearest to a point, or -1 if none is nearer than `reach` [m]; after sort() at the same x.
+  /// Sorts the facets by their places; false, and nearest() finds none, where a corner is not finite or farther than farthest_place.
+  bool sort(const BaseSurface&, const Vectors& x);
+  /// The facet nearest to a point, or -1 if none is nearer than `reach` [m] or the point is not finite or farther than
+  /// farthest_place; after sort() at the same x.
   Index nearest(const BaseSurface&, const Vectors& x, const Vector<double>& point, double reach) const;
 
  private:
@@ -81,6 +86,7 @@ class BroadSearch {
   Eigen::Vector3i count_ = Eigen::Vector3i::Ones();
   std::vector<Index> begin_;  // of each cell in facets_
   Subset facets_;
+  bool sorted_ = false;
   Index cell_of(int i, int j, int k) const { return (k * count_.y() + j) * count_.x() + i; }
   Index cell_of(const Vec3& point) const;
 };

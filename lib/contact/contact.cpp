@@ -354,8 +354,11 @@ bool share_a_node(const BaseSurface& base, Index f, Index g) {
 }
 
 /// Looks everywhere for a base of the apexes that have none or a farther one than they could have.
+///
+/// All stay as they are where the base surface has positions that are not finite or beyond farthest_place, and an apex
+/// that is itself there stays as it is: the elements say so at this very state, and the run ends.
 void search(const Interface& interface, const Vectors& x, Memory& memory, Workspace& workspace) {
-  workspace.broad.sort(interface.base, x);
+  if (!workspace.broad.sort(interface.base, x)) return;
   const auto count = static_cast<Index>(interface.apexes.size());
   Subset& found = workspace.found;
   parallel_for(count, 64, [&](Index a) {

@@ -18,6 +18,13 @@ std::uint64_t spread(std::uint64_t a) {
   return (a | a << 2) & 0x1249249249249249;
 }
 
+/// A place along one axis, from 0 to 21 bits of ones; NaN, as of infinite positions, counts as 0.
+std::uint64_t bits(double place) {
+  constexpr std::uint64_t most = 0x1fffff;
+  if (!(place > 0)) return 0;
+  return place < most ? static_cast<std::uint64_t>(place) : most;
+}
+
 /// Elements in the order of the Morton curve through their centres.
 Subset space_filling_order(const Eigen::Matrix<Index, Eigen::Dynamic, Eigen::Dynamic>& nodes,
                            const Vectors& X) {
@@ -31,8 +38,7 @@ Subset space_filling_order(const Eigen::Matrix<Index, Eigen::Dynamic, Eigen::Dyn
   std::vector<std::uint64_t> key(nodes.cols());
   for (Index e = 0; e < nodes.cols(); ++e) {
     const Vec3 unit = (centre.col(e) - low) / extent * 0x1fffff;
-    key[e] = spread(static_cast<std::uint64_t>(unit.x())) | spread(static_cast<std::uint64_t>(unit.y())) << 1 |
-             spread(static_cast<std::uint64_t>(unit.z())) << 2;
+    key[e] = spread(bits(unit.x())) | spread(bits(unit.y())) << 1 | spread(bits(unit.z())) << 2;
   }
   Subset order(nodes.cols());
   std::iota(order.begin(), order.end(), 0);

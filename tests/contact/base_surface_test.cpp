@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "base/check.hpp"
@@ -155,6 +156,8 @@ TEST(Walk, EndsWhereItStandsForAnApexOnAVertex) {
   }
 }
 
+double flat_sheet(double, double) { return 0; }
+
 void agrees_with_trying_all(const Shape& shape, double size) {
   const BaseSurface base = base_of(shape);
   BroadSearch broad(static_cast<Index>(base.facets.cols()));
@@ -203,6 +206,66 @@ TEST(BroadSearch, SeesNewPositionsOnlyAfterSorting) {
   broad.sort(base, shape.x);
   EXPECT_EQ(broad.nearest(base, shape.x, {2, 2, 0.1}, 1), -1);
   EXPECT_GE(broad.nearest(base, shape.x, {2, 2, 100.1}, 1), 0);
+}
+
+/// Places that no search can make sense of.
+std::vector<double> places_without_sense() {
+  const double inf = std::numeric_limits<double>::infinity();
+  return {std::nan(""), inf, -inf, 1e300, -1e300, 1.1 * farthest_place};
+}
+
+TEST(BroadSearch, FindsNothingOnASurfaceWithPositionsThatAreNotFiniteOrTooFar) {
+  const Shape shape = sheet(6, 5, flat_sheet);
+  const BaseSurface base = base_of(shape);
+  for (const double place : places_without_sense()) {
+    for (int axis = 0; axis < 3; ++axis) {
+      Vectors x = shape.x;
+      x(axis, 17) = place;
+      BroadSearch broad(static_cast<Index>(base.facets.cols()));
+      EXPECT_FALSE(broad.sort(base, x));
+      EXPECT_EQ(broad.nearest(base, x, {1, 1, 0.1}, 1e300), -1);
+      EXPECT_TRUE(broad.sort(base, shape.x));  // and again where all is well
+      EXPECT_GE(broad.nearest(base, shape.x, {1, 1, 0.1}, 1), 0);
+      EXPECT_FALSE(broad.sort(base, Vectors::Constant(3, x.cols(), place)));
+    }
+  }
+}
+
+TEST(BroadSearch, FindsNothingForAPointThatIsNotFiniteOrTooFar) {
+  const Shape shape = sheet(6, 5, flat_sheet);
+  const BaseSurface base = base_of(shape);
+  BroadSearch broad(static_cast<Index>(base.facets.cols()));
+  broad.sort(base, shape.x);
+  for (const double place : places_without_sense()) {
+    for (const double reach : {1.0, 1e300, std::numeric_limits<double>::infinity()}) {
+      EXPECT_EQ(broad.nearest(base, shape.x, {place, 1, 1}, reach), -1);
+      EXPECT_EQ(broad.nearest(base, shape.x, {1, place, 1}, reach), -1);
+      EXPECT_EQ(broad.nearest(base, shape.x, {place, place, place}, reach), -1);
+    }
+  }
+}
+
+TEST(BroadSearch, FindsFacetsUpToTheFarthestPlace) {
+  Shape shape = sheet(3, 3, flat_sheet);
+  shape.x *= farthest_place / 3;
+  const BaseSurface base = base_of(shape);
+  BroadSearch broad(static_cast<Index>(base.facets.cols()));
+  ASSERT_TRUE(broad.sort(base, shape.x));
+  EXPECT_GE(broad.nearest(base, shape.x, {1, 1, 1}, 1e300), 0);
+  EXPECT_EQ(broad.nearest(base, shape.x, {1, 1, 1}, 0.5), -1);
+  shape.x(0, 3) = 1e-200;  // and one facet very much smaller than the way to the others
+  ASSERT_TRUE(broad.sort(base, shape.x));
+  EXPECT_GE(broad.nearest(base, shape.x, {1, 1, 1}, 1e300), 0);
+}
+
+TEST(BroadSearch, EndsOnASurfaceThatHasShrunkToAPoint) {
+  const Shape shape = sheet(3, 3, flat_sheet);
+  const BaseSurface base = base_of(shape);
+  BroadSearch broad(static_cast<Index>(base.facets.cols()));
+  const Vectors x = Vectors::Constant(3, shape.x.cols(), 1.0);
+  ASSERT_TRUE(broad.sort(base, x));
+  EXPECT_GE(broad.nearest(base, x, {9, 1, 1}, 10), 0);
+  EXPECT_EQ(broad.nearest(base, x, {9, 1, 1}, 7), -1);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <functional>
+#include <limits>
 #include <new>
 #include <random>
 
@@ -762,6 +763,36 @@ TEST(Lost, AnApexOutOfReachIsFoundAgainByTheSearch) {
   scene.update();
   EXPECT_EQ(scene.memory.walks, walks);  // an apex that rests is not found anew at every step
   EXPECT_NEAR(scene.forces()(2, scene.apex()), penalty * 0.04, 1e-9);
+}
+
+TEST(Lost, ASearchWithPositionsThatAreNotFiniteLeavesAllAsItIs) {
+  const double inf = std::numeric_limits<double>::infinity();
+  for (const double place : {std::nan(""), inf, -inf, 1e300}) {
+    Scene scene = press(sheet(4, 4, flat), {{1.4, 1.2, 0.07}, {2.4, 2.2, 0.07}, {9, 9, 900}}, 0.1);
+    ASSERT_EQ(scene.memory.status[2], Status::lost);
+    scene.interface.search_every = 1;
+    Scene with_apex = scene, with_base = scene;
+    with_apex.move({place, 1, 1}, 2);
+    with_apex.update();
+    EXPECT_EQ(with_apex.memory.status[0], Status::closed);
+    EXPECT_EQ(with_apex.memory.status[2], Status::lost);
+    with_base.x(1, 3) = place;  // far from the apexes
+    with_base.move({3.4, 3.2, 0.06}, 2);
+    with_base.update();
+    EXPECT_EQ(with_base.memory.recovered, 0);
+    EXPECT_EQ(with_base.memory.status[0], Status::closed);
+    scene.x.setConstant(place);
+    scene.update();
+    EXPECT_EQ(scene.memory.recovered, 0);
+  }
+}
+
+TEST(InitialGaps, OfPositionsThatAreNotFiniteFindNoBase) {
+  const Shape shape = sheet(2, 2, flat);
+  Shape torn = shape;
+  torn.x(0, 4) = std::nan("");
+  EXPECT_EQ(press(torn, {{0.4, 0.2, 0.2}}, 0.1).gaps.without_base, 1);
+  EXPECT_EQ(press(shape, {{0.4, 1e300, 0.2}, {0.4, 0.2, 0.2}}, 0.1).gaps.without_base, 1);
 }
 
 TEST(Lost, EnergyThatASearchChangesIsBookedAsReconnection) {

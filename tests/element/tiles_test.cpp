@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
 #include <set>
 
 #include "mesh/box.hpp"
@@ -97,6 +99,21 @@ TEST(Tiles, AreCompactInSpace) {
   // 64 elements of a cube of 8^3 are one octant: 125 nodes, against 162 and more of a slab
   const Tiling t = cut(8, 8, 8, 64).tiling;
   for (const Tile& tile : t.tiles) EXPECT_EQ(tile.nodes, 125);
+}
+
+TEST(Tiles, OfPlacesThatAreNotFiniteHoldEachElementOnce) {
+  const double inf = std::numeric_limits<double>::infinity();
+  for (const double place : {std::nan(""), inf, -inf, 1e308, -1e308}) {
+    Cut c = cut(4, 3, 2, 20);
+    c.mesh.X(1, 7) = place;
+    c.mesh.X(0, 20) = -place;
+    const Tiling t = cut_into_tiles(c.nodes, c.mesh.X, 20);
+    std::multiset<Index> seen;
+    for (std::size_t pack = 0; pack < t.filled.size(); ++pack)
+      for (int lane = 0; lane < t.filled[pack]; ++lane) seen.insert(t.element[pack * lanes + lane]);
+    EXPECT_EQ(seen.size(), 24U);
+    EXPECT_EQ(std::set<Index>(seen.begin(), seen.end()).size(), 24U);
+  }
 }
 
 }  // namespace
