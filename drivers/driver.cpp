@@ -10,6 +10,7 @@
 #include "base/parallel.hpp"
 #include "drivers/recorder.hpp"
 #include "model/notes.hpp"
+#include "output/run_folder.hpp"
 
 namespace nereid::driver {
 
@@ -88,10 +89,24 @@ void print_not_used(const input::CaseFile& file) {
   for (const std::string& key : file.not_used()) std::printf("not used: %s\n", key.c_str());
 }
 
-/// So that the summary of an earlier run is not taken for this one's.
-void remove_summary(const std::string& folder) {
-  std::error_code none_there;
-  std::filesystem::remove(std::filesystem::path(folder) / "summary.json", none_there);
+/// Why a run must not read a file: it would overwrite or clear it. Empty if it would not.
+std::string overwrites(const CommandLine& line, const std::string& file) {
+  const std::filesystem::path result = line.out.empty() ? "" : output::result_that_is(line.out, file);
+  if (result.empty()) return "";
+  return "this run would overwrite or clear its own input " + result.string() + "; move that file or choose another --out";
+}
+
+void check_case_path(const CommandLine& line) {
+  const std::string message = overwrites(line, line.case_path);
+  if (!message.empty()) throw input::CaseError(line.case_path, {{line.case_path, 0, 0, message, "", line.case_path + ": " + message}});
+}
+
+void check_inputs(const CommandLine& line, const input::CaseFile& file, output::RunFolder& folder) {
+  file.check_files([&](const std::string& path) {
+    std::string message = overwrites(line, path);
+    if (!message.empty()) folder.restore();
+    return message;
+  });
 }
 
 /// What would be run, and what limits its step.
@@ -107,10 +122,11 @@ int dry_run(model::Simulation& simulation, bool quiet) {
   return done;
 }
 
-int run_case(const std::string& name, const CommandLine& line, const Build& build, const Results& results) {
+int run_case(const std::string& name, const CommandLine& line, output::RunFolder& folder, const Build& build, const Results& results) {
   if (line.threads > 0) use_threads(line.threads);
   const input::CaseFile file = input::CaseFile::read(line.case_path, line.overrides);
   model::Simulation simulation = build(file);
+  check_inputs(line, file, folder);
   std::vector<std::string> notes = model::gap_table(simulation);
   for (const std::string& note : model::width_notes(simulation)) notes.push_back(note);
   if (!line.quiet) {
@@ -119,7 +135,7 @@ int run_case(const std::string& name, const CommandLine& line, const Build& buil
   }
   if (line.dry_run) return dry_run(simulation, line.quiet);
 
-  remove_summary(line.out);
+  folder.clear();
   Recorder recorder(simulation, line.out, line.quiet);
   const std::vector<dynamics::Observer> observers{[&recorder](const dynamics::View& view) { recorder(view); }};
   const dynamics::Outcome outcome = model::run(simulation, observers);
@@ -145,13 +161,14 @@ int run_case(const std::string& name, const CommandLine& line, const Build& buil
   return stopped;
 }
 
-int answer_case(const std::string& name, const CommandLine& line, const Plan& plan) {
+int answer_case(const std::string& name, const CommandLine& line, output::RunFolder& folder, const Plan& plan) {
   if (line.threads > 0) use_threads(line.threads);
   const input::CaseFile file = input::CaseFile::read(line.case_path, line.overrides);
   const std::function<Answer()> compute = plan(file);
+  check_inputs(line, file, folder);
   if (!line.quiet) print_not_used(file);
   if (line.dry_run) return done;
-  remove_summary(line.out);
+  folder.clear();
   const auto began = std::chrono::steady_clock::now();
   const Answer found = compute();
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
@@ -183,7 +200,8 @@ int answer_case(const std::string& name, const CommandLine& line, const Plan& pl
 }
 
 /// Reads the command line, and turns what `work` throws into words and an exit status.
-int from_command_line(int argc, char** argv, const std::string& name, const std::function<int(const CommandLine&)>& work) {
+int from_command_line(int argc, char** argv, const std::string& name,
+                      const std::function<int(const CommandLine&, output::RunFolder&)>& work) {
   CommandLine line;
   CLI::App app("Nereid " + name, name);
   app.failure_message([&name](const CLI::App*, const CLI::Error& error) {
@@ -206,7 +224,9 @@ int from_command_line(int argc, char** argv, const std::string& name, const std:
     return status == 0 ? done : bad_case;
   }
   try {
-    return work(line);
+    check_case_path(line);
+    output::RunFolder folder(line.dry_run ? "" : line.out);
+    return work(line, folder);
   } catch (const input::CaseError& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return bad_case;
@@ -225,11 +245,12 @@ int from_command_line(int argc, char** argv, const std::string& name, const std:
 }  // namespace
 
 int drive(int argc, char** argv, const std::string& name, const Build& build, const Results& results) {
-  return from_command_line(argc, argv, name, [&](const CommandLine& line) { return run_case(name, line, build, results); });
+  return from_command_line(argc, argv, name,
+                           [&](const auto& line, auto& folder) { return run_case(name, line, folder, build, results); });
 }
 
 int answer(int argc, char** argv, const std::string& name, const Plan& plan) {
-  return from_command_line(argc, argv, name, [&](const CommandLine& line) { return answer_case(name, line, plan); });
+  return from_command_line(argc, argv, name, [&](const auto& line, auto& folder) { return answer_case(name, line, folder, plan); });
 }
 
 }  // namespace nereid::driver

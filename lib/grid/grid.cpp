@@ -131,20 +131,23 @@ std::string arrays_of(const Grid& grid) {
 
 const char* extension(GridKind kind) { return kind == GridKind::volume ? ".vtu" : ".vtp"; }
 
+/// Frames of a collection, of whatever run and kind.
+std::vector<std::filesystem::path> frames_in(const std::filesystem::path& folder, const std::string& name, std::error_code& error) {
+  std::vector<std::filesystem::path> frames;
+  for (std::filesystem::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+    const std::string stem = at->path().stem().string(), kind = at->path().extension().string();
+    const std::string number = stem.substr(std::min(stem.size(), name.size() + 1));
+    if (stem.rfind(name + "_", 0) == 0 && number.size() >= 6 && (kind == ".vtu" || kind == ".vtp") &&
+        number.find_first_not_of("0123456789") == std::string::npos)
+      frames.push_back(at->path());
+  }
+  return frames;
+}
+
 /// The frames of an earlier run would stand beside ours, and who opens the folder would see both.
 void remove_frames(const std::filesystem::path& folder, const std::string& name) {
   std::error_code error;
-  std::vector<std::filesystem::path> old;
-  for (std::filesystem::directory_iterator at(folder, error), end; !error && at != end;
-       at.increment(error)) {
-    const std::string stem = at->path().stem().string(), kind = at->path().extension().string();
-    const std::string number = stem.substr(std::min(stem.size(), name.size() + 1));
-    if (stem.rfind(name + "_", 0) == 0 && number.size() >= 6 &&
-        (kind == ".vtu" || kind == ".vtp") &&
-        number.find_first_not_of("0123456789") == std::string::npos)
-      old.push_back(at->path());
-  }
-  for (const auto& path : old) std::filesystem::remove(path, error);
+  for (const auto& path : frames_in(folder, name, error)) std::filesystem::remove(path, error);
   if (error) throw MachineError("cannot clear " + folder.string() + ": " + error.message());
 }
 
@@ -412,6 +415,16 @@ bool vtk_available() {
 #else
   return false;
 #endif
+}
+
+std::vector<std::filesystem::path> collection_files(const std::filesystem::path& directory, const std::string& name) {
+  std::error_code error;  // of a folder that is not there
+  std::vector<std::filesystem::path> files = frames_in(directory / name, name, error);
+  for (const char* ending : {".pvd", ".pvd.tmp"})
+    if (std::filesystem::exists(std::filesystem::symlink_status(directory / (name + ending), error)))
+      files.push_back(directory / (name + ending));
+  std::sort(files.begin(), files.end());
+  return files;
 }
 
 Collection::Collection(std::filesystem::path directory, std::string name, GridKind kind,

@@ -81,6 +81,9 @@ class Collection {
   std::set<std::string> warned_;  ///< fields whose warning has been given
 };
 
+/// The files of a collection that are in a directory: its .pvd, the draft of one, and its frames, of whatever run and kind.
+std::vector<std::filesystem::path> collection_files(const std::filesystem::path& directory, const std::string& name);
+
 /// What a file of ParaView's holds, as it stands there.
 struct Contents {
   Vectors points;                   ///< [m]

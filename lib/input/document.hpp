@@ -38,6 +38,13 @@ class Document {
 
   const Source& source(int number) const { return sources_[static_cast<std::size_t>(number)]; }
 
+  /// A file that the case names, and where it does.
+  struct NamedFile {
+    std::string path;
+    Place place;
+  };
+
+  std::vector<NamedFile> files;
   std::vector<Finding> findings;
   std::vector<Resolved> resolved;
   std::set<std::string> recorded;

@@ -14,7 +14,7 @@ namespace {
 /// A mesh without its body's name, with all its faults told at `path`.
 mesh::Mesh read_file(const Section& section, const std::string& path, const std::string& region_array) {
   std::string fault;
-  const grid::Contents contents = grid::read_vtu(section.beside_case(path), fault);
+  const grid::Contents contents = grid::read_vtu(section.beside_case("path", path), fault);
   if (!fault.empty()) {
     section.fault("path", "'path' = " + path + ": " + fault);
     return {};

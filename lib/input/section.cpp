@@ -595,8 +595,10 @@ void Section::unknown_name(std::string_view key, const std::string& name, const 
                                  nearest(name, names)});
 }
 
-std::string Section::beside_case(std::string_view path) const {
-  return (std::filesystem::path(document_->source(0).name).parent_path() / path).string();
+std::string Section::beside_case(std::string_view key, std::string_view path) const {
+  const std::string file = (std::filesystem::path(document_->source(0).name).parent_path() / path).string();
+  if (Entry* entry = ask(key)) document_->files.push_back({file, place_of(*entry, *entry->value)});
+  return file;
 }
 
 bool Section::sound() const { return document_->sound(); }
@@ -635,6 +637,14 @@ void CaseFile::fault(const std::string& path, std::string message, std::string h
 }
 
 void CaseFile::finish() const { document_->throw_if_any(); }
+
+void CaseFile::check_files(const FileCheck& check) const {
+  for (const Document::NamedFile& file : document_->files) {
+    std::string wrong = check(file.path);
+    if (!wrong.empty()) document_->findings.push_back({file.place, std::move(wrong), ""});
+  }
+  finish();
+}
 
 std::vector<std::string> CaseFile::not_used() const { return document_->not_used(); }
 

@@ -185,8 +185,8 @@ class Section {
   /// that one wrong value does not make two faults.
   bool sound() const;
 
-  /// A path that the case names: relative ones start at the folder of the case file.
-  std::string beside_case(std::string_view path) const;
+  /// The file that the case names at this key by `path`, for CaseFile::check_files: relative ones start at the folder of the case file.
+  std::string beside_case(std::string_view key, std::string_view path) const;
 
   /// Where the section is, as in "bodies[0].material"; empty for the root.
   const std::string& path() const { return path_; }
@@ -248,6 +248,12 @@ class CaseFile {
   /// Throws CaseError with all faults, by place, if there are any. Reports the keys that nobody has
   /// asked for; call it after all reading.
   void finish() const;
+
+  /// What is wrong with the use of a file, given its path; empty if nothing is.
+  using FileCheck = std::function<std::string(const std::string& path)>;
+
+  /// Asks `check` of each file that the case names, so far as it has been read. Throws CaseError, each fault at its key.
+  void check_files(const FileCheck& check) const;
 
   /// Keys that the chosen kinds do not use, as in "contact.hardness (cases/bars.yaml:12:5)".
   std::vector<std::string> not_used() const;

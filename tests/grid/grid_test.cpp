@@ -201,6 +201,21 @@ TEST_F(Fields, FrameAtTheSameTimeReplacesTheLastOne) {
   EXPECT_THROW(body.add(ring(0)), InternalError);
 }
 
+TEST(CollectionFiles, AreItsIndexAndFramesAndNothingElse) {
+  const fs::path folder = fresh_folder("files");
+  fs::create_directories(folder / "body");
+  for (const char* name : {"body.pvd", "body.pvd.tmp", "body.txt", "contact.pvd", "body/body_000000.vtu", "body/body_1234567.vtp",
+                           "body/body_12.vtu", "body/mesh.vtu", "body/body_000001.txt"})
+    std::ofstream(folder / name) << "a text";
+  const std::vector<fs::path> expected{folder / "body.pvd", folder / "body.pvd.tmp", folder / "body/body_000000.vtu",
+                                       folder / "body/body_1234567.vtp"};
+  std::vector<fs::path> found = collection_files(folder, "body");
+  std::sort(found.begin(), found.end());
+  EXPECT_EQ(found.size(), expected.size());
+  for (const fs::path& file : expected) EXPECT_EQ(std::count(found.begin(), found.end(), file), 1) << file;
+  EXPECT_TRUE(collection_files(folder / "none", "body").empty());
+}
+
 TEST_F(Fields, FramesOfAnEarlierRunAreRemovedAndNothingElse) {
   const fs::path folder = fresh_folder("rerun");
   {

@@ -835,6 +835,21 @@ TEST(Overrides, AreNamedAmongWhatIsNotUsed) {
 
 // ---- the record
 
+TEST(Files, AreCheckedEachAtItsKey) {
+  const auto file = CaseFile::parse("a: one.vtu\nb: two.vtu\n", "folder/case.yaml");
+  for (const char* key : {"a", "b"}) file.root().beside_case(key, file.root().word(key));
+  EXPECT_NO_THROW(file.check_files([](const std::string&) { return ""; }));
+  try {
+    file.check_files([](const std::string& path) { return path == "folder/two.vtu" ? "is read and written" : ""; });
+    FAIL() << "the fault is not told";
+  } catch (const CaseError& error) {
+    ASSERT_EQ(error.faults.size(), 1U);
+    EXPECT_EQ(error.faults[0].line, 2);
+    EXPECT_EQ(error.faults[0].column, 4);
+    EXPECT_EQ(error.faults[0].message, "is read and written");
+  }
+}
+
 TEST(Record, HoldsEveryValueInSiInOrderOfReading) {
   auto file = CaseFile::parse(
       "n: 3\nbodies: [{length: 5 mm}]\nat: [1 mm, 2 mm, 3 mm]\nout: [a, b]\n", "case.yaml");
