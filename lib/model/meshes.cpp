@@ -32,7 +32,7 @@ double elements(const mesh::Sphere& s) {
   return parts(s.part) * core * core * (core + 3.0 * s.cells_ring);
 }
 double elements(const mesh::Disc& d) { return 2 * parts(d.turn) * cells_of_quarter(d.cells_core, d.cells_ring); }
-double elements(const mesh::WedgeDisc& d) { return 2.0 * d.cells_around * d.cells_radial; }
+double elements(const mesh::WedgeDisc& d) { return d.cells_around * (2.0 * d.cells_radial - 1); }  // one triangle at the axis
 double elements(const mesh::Sheet& s) { return 2.0 * s.cells_along * s.cells_across; }
 double elements(const mesh::Mesh& m) {
   double sum = 0;

@@ -129,7 +129,7 @@ relaxation: {residual: 1e-5, after: 1 ms, samples: 3}
 
 TEST(ReadActions, ListNamesThatTheMeshDoesNotHaveAtTheirLine) {
   const std::string found = faults_of("planes:\n  - {name: a, kind: held, nodes: [box.x_lou], normal: [1, 0, 0]}\n");
-  EXPECT_EQ(found.rfind("2:34: 'nodes' = box.x_lou is unknown: node sets are box, ", 0), 0U) << found;
+  EXPECT_EQ(found.rfind("2:35: 'nodes' = box.x_lou is unknown: node sets are box, ", 0), 0U) << found;
   EXPECT_NE(found.find("(did you mean 'box.x_low'?)"), std::string::npos) << found;
   EXPECT_NE(faults_of("loads:\n  - {name: a, kind: pressure, surface: x, value: 1, unit: Pa}\n").find("2:40: 'surface' = x is unknown: surfaces are box.x_low"),
             std::string::npos);
