@@ -66,7 +66,7 @@ model::Simulation build(const input::CaseFile& file) {
   model::Scene scene;
   model::Body lead{.name = "lead", .mesh = mesh::Cylinder{radius, length, turn, n, n, along},
                    .law = input::read_law(root.section("lead")), .at = "cylinder"};
-  model::Body skin{.name = "cladding", .mesh = {}, .law = input::read_law(root.when(clad).section("steel")), .at = "cladding"};
+  model::Body skin{.name = "cladding", .mesh = {}, .law = input::read_plate_law(root.when(clad).section("steel")), .at = "cladding"};
   lead.solid = input::read_hexahedron_options(root.section_or_empty("element"), "lead");
   skin.plate = input::read_plate_options(cladding.when(clad));
   const double middle = radius + skin.plate.thickness / 2;  // the radius of the plates' mid-surface

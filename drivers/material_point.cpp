@@ -30,6 +30,7 @@ struct Target {
 
 struct Segment {
   int increments;
+  double duration;               // [s]
   std::array<Target, 6> target;  // in the order of the names
 };
 
@@ -42,7 +43,9 @@ struct Case {
 constexpr int most_increments = 1000000;  // a row of history each
 
 Segment read_segment(const input::Section& section, bool plate) {
-  Segment segment{.increments = section.count("increments", 1, most_increments), .target = {}};
+  Segment segment{.increments = section.count("increments", 1, most_increments),
+                  .duration = section.quantity_or("duration", 1, dim::time, input::positive),
+                  .target = {}};
   const auto strain = section.section_or_empty("strain"), stress = section.section_or_empty("stress");
   const auto read_component = [&](const char* name, Target& target) {
     if (strain.has(name)) target = {Lead::to_strain, strain.number(name)};
@@ -58,8 +61,9 @@ Segment read_segment(const input::Section& section, bool plate) {
 }
 
 Case read(const input::Section& root) {
-  Case c{.plate = root.choice_or("kind", "solid", {"solid", "plate"}) == "plate",
-         .material = input::read_law(root.section("material")),
+  const bool plate = root.choice_or("kind", "solid", {"solid", "plate"}) == "plate";
+  Case c{.plate = plate,
+         .material = plate ? input::read_plate_law(root.section("material")) : input::read_law(root.section("material")),
          .path = {}};
   for (const input::Section& section : root.list("path", 1)) c.path.push_back(read_segment(section, c.plate));
   return c;
@@ -71,7 +75,7 @@ std::vector<output::Column> columns_of(const std::array<const char*, rows>& name
   std::vector<output::Column> columns;
   for (const char* name : names) columns.push_back({std::string("strain_") + name, "1"});
   for (const char* name : names) columns.push_back({std::string("stress_") + name, "Pa"});
-  for (const std::string_view name : Law::internal) columns.push_back({std::string(name), "1"});
+  for (const auto& [name, unit] : Law::internal) columns.push_back({std::string(name), std::string(unit)});
   for (const std::string_view tensor : Law::tensors)
     for (const char* name : names) columns.push_back({std::string(tensor) + "_" + name, "Pa"});
   columns.push_back({"work_stored", "J/m^3"});
@@ -98,7 +102,7 @@ std::vector<double> row_of(const material::Point<Law, S>& point) {
 template <class Law, template <class> class S, std::size_t rows>
 driver::Answer walk(const Law& law, const std::vector<Segment>& path, const std::array<const char*, rows>& names) {
   driver::Answer answer{.columns = columns_of<Law, S>(names), .time = {0}, .rows = {}, .results = {}};
-  material::Point<Law, S> point;
+  auto point = material::point_of<S>(law);
   answer.rows.push_back(row_of(point));
   int most_rounds = 0;
   for (std::size_t s = 0; s < path.size() && answer.stopped.empty(); ++s) {
@@ -113,7 +117,7 @@ driver::Answer walk(const Law& law, const std::vector<Segment>& path, const std:
         const double from = goal.strain[c] ? strain[c] : stress[c];
         goal.target[c] = target.lead == Lead::keeps_strain ? from : from + part * (target.value - from);
       }
-      const material::Sought sought = material::advance(law, goal, point);
+      const material::Sought sought = material::advance(law, goal, point, segment.duration / segment.increments);
       if (!sought.found) {
         answer.stopped = "not_converged";
         answer.reason = "no strain was found for the stresses of increment " + std::to_string(i) + " of path[" + std::to_string(s) + "]";
@@ -137,7 +141,10 @@ std::function<driver::Answer()> plan(const input::CaseFile& file) {
     return std::visit(
         [&c](const auto& law) {
           using Law = std::decay_t<decltype(law)>;
-          return c.plate ? walk<Law, Plane>(law, c.path, names_in_plane) : walk<Law, Symmetric>(law, c.path, names_in_space);
+          if constexpr (material::PlateLaw<Law>) {
+            if (c.plate) return walk<Law, Plane>(law, c.path, names_in_plane);
+          }
+          return walk<Law, Symmetric>(law, c.path, names_in_space);
         },
         c.material);
   };

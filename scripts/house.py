@@ -65,6 +65,7 @@ NEEDS_NO_TEST = {
     "lib/element/report.hpp": "data only",
     "lib/load/given.hpp": "names only",
     "lib/model/scene.hpp": "data only",
+    "lib/material/laws.hpp": "names only",
     "lib/mesh/facets.hpp": "tested through the generators that use it",
     "lib/input/yaml.hpp": "tested through section",
     "lib/input/document.hpp": "tested through section",

@@ -67,4 +67,12 @@ Dual<n> select(bool condition, const Dual<n>& yes, const Dual<n>& no) { return c
 template <int n>
 Dual<n> root(const Dual<n>& a) { return chain(std::sqrt(a.value), 0.5 / std::sqrt(a.value), a); }
 
+template <int n>
+Dual<n> logarithm(const Dual<n>& a) { return chain(std::log(a.value), 1.0 / a.value, a); }
+/// a^exponent for a >= 0; at zero it counts as constant.
+template <int n>
+Dual<n> power_of(const Dual<n>& a, double exponent) {
+  return chain(std::pow(a.value, exponent), a.value > 0 ? exponent * std::pow(a.value, exponent - 1) : 0.0, a);
+}
+
 }  // namespace nereid

@@ -43,6 +43,16 @@ NEREID_HOT bool any(Pack::mask_type condition) { return stdx::any_of(condition);
 NEREID_HOT double root(double a) { return std::sqrt(a); }
 NEREID_HOT Pack root(Pack a) { return stdx::sqrt(a); }
 
+NEREID_HOT double logarithm(double a) { return std::log(a); }
+NEREID_HOT Pack logarithm(const Pack& a) {
+  return Pack([&](auto lane) { return std::log(a[static_cast<std::size_t>(lane)]); });
+}
+/// a^n for a >= 0, lane by lane with the same bits as of a double.
+NEREID_HOT double power_of(double a, double n) { return std::pow(a, n); }
+NEREID_HOT Pack power_of(const Pack& a, double n) {
+  return Pack([&](auto lane) { return std::pow(a[static_cast<std::size_t>(lane)], n); });
+}
+
 /// The larger and the smaller of two, by select, so that every number type has them.
 template <class T>
 NEREID_HOT T larger(T a, T b) {

@@ -44,25 +44,14 @@ struct Behind {
 std::vector<Behind> elements_behind(const element::AnyBlock& any, const mesh::Mesh& mesh, const mesh::Surface& surface,
                                     const Scalars& facet_area) {
   const auto here = faces(element::nodes(any), surface, facet_area, static_cast<Index>(mesh.X.cols()));
-  return std::visit(
-      [&]<class Kind, class Law>(const element::Block<Kind, Law>& block) {
-        const auto lame = material::lame(block.law);
-        std::vector<Behind> list;
-        for (Index e = 0; e < static_cast<Index>(here.size()); ++e) {
-          if (here[e].facets == 0) continue;
-          double depth = 0;
-          if constexpr (std::is_same_v<Kind, element::Plate>) {
-            depth = block.options.thickness;
-          } else {
-            std::array<Vector<double>, 8> X;
-            for (int a = 0; a < 8; ++a) X[a] = contact::position(mesh.X, block.nodes(a, e));
-            depth = element::constants(block.law, block.options, X).mass / block.law.density / here[e].area;
-          }
-          list.push_back({depth, (lame.lambda + 2 * lame.mu) / depth});
-        }
-        return list;
-      },
-      any);
+  const material::Lame lame = std::visit([](const auto& block) { return material::lame(block.law); }, any);
+  std::vector<Behind> list;
+  for (Index e = 0; e < static_cast<Index>(here.size()); ++e) {
+    if (here[e].facets == 0) continue;
+    const double depth = element::depth(any, mesh.X, e, here[e].area);
+    list.push_back({depth, (lame.lambda + 2 * lame.mu) / depth});
+  }
+  return list;
 }
 
 /// For each apex on a symmetry plane the directions the plane allows; empty without such planes.
@@ -92,14 +81,8 @@ bool turns(const Model& model, const mesh::Surface& surface) {
 /// Half the thickness of the plates of a surface. [m]
 double half_thickness(const Model& model, const mesh::Surface& surface) {
   for (const auto& block : model.blocks) {
-    const double half = std::visit(
-        [&]<class Kind, class Law>(const element::Block<Kind, Law>& b) {
-          if constexpr (std::is_same_v<Kind, element::Plate>) {
-            if ((b.nodes.array() == surface.facets(0, 0)).any()) return b.options.thickness / 2;
-          }
-          return 0.0;
-        },
-        block);
+    const bool has = (element::nodes(block).array() == surface.facets(0, 0)).any();
+    const double half = has ? element::thickness(block) / 2 : 0;
     if (half > 0) return half;
   }
   return 0;
@@ -111,8 +94,8 @@ double element_step(const Model& model) {
   double step = 1e300;
   for (const auto& block : model.blocks) {
     element::Memory memory = element::initial_memory(block);
-    element::TileForces forces = element::tile_forces(block);
-    step = std::min(step, element::advance(block, model.mesh.X, rest, no_turn, 0, memory, forces).step);
+    element::TileForces tiles = element::tile_forces(block);
+    step = std::min(step, element::advance(block, model.mesh.X, rest, no_turn, 0, memory, tiles).step);
   }
   return step;
 }

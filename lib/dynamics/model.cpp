@@ -15,7 +15,7 @@ void finish(Model& model) {
   for (const auto& block : model.blocks) {
     element::add_mass(block, model.mass);
     model.node_sums.push_back(element::node_sums(element::tiling(block)));
-    if (!element::is_plate(block)) continue;
+    if (!element::rotates(block)) continue;
     for (const Index node : model.node_sums.back().node) {
       if (model.turn_of_node[node] >= 0) continue;
       model.turn_of_node[node] = static_cast<Index>(model.node_of_turn.size());
@@ -27,7 +27,7 @@ void finish(Model& model) {
   check((model.mass.array() > 0).all(), "a node has neither an element nor a point mass");
   model.inertia = Scalars::Zero(static_cast<Eigen::Index>(model.node_of_turn.size()));
   for (auto& block : model.blocks) {
-    if (!element::is_plate(block)) continue;
+    if (!element::rotates(block)) continue;
     element::set_turning(block, model.turn_of_node);
     element::add_rotary_inertia(block, model.inertia);
   }
@@ -72,6 +72,8 @@ State initial_state(const Model& model, std::vector<contact::Memory> interfaces)
 Forces make_forces(const Model& model) {
   Forces forces;
   for (const auto& interface : model.interfaces) forces.interfaces.emplace_back(interface);
+  forces.dx = Vectors::Zero(3, model.mesh.X.cols());
+  forces.turn = Vectors::Zero(3, model.inertia.size());
   forces.force = Vectors::Zero(3, model.mesh.X.cols());
   forces.moment = Vectors::Zero(3, model.inertia.size());
   forces.partial.reserve(static_cast<std::size_t>(model.mesh.X.cols()));

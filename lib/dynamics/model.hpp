@@ -108,6 +108,8 @@ struct State {
 
 /// Sums and scratch of a step; resume() makes them from model and state.
 struct Forces {
+  Vectors dx;                                      ///< [m] increment of the positions over the step
+  Vectors turn;                                    ///< [rad] increment of the rotations of the plate nodes
   std::vector<contact::Workspace> interfaces;
   Vectors force;                                   ///< [N] on the nodes
   Vectors moment;                                  ///< [N m] on the plate nodes

@@ -98,11 +98,11 @@ struct Answers {
   void to(const Model& model, const Vectors& u, const Vectors& turns) {
     force = Vectors::Zero(3, u.cols());
     moment = Vectors::Zero(3, turns.cols());
-    const Vectors x = model.mesh.X + u, v = u / slowly, w = turns / slowly;
+    const Vectors x = model.mesh.X + u;
     for (std::size_t b = 0; b < model.blocks.size(); ++b) {
       element::Memory memory = rest[b];
       element::TileForces tiles = none[b];
-      element::advance(model.blocks[b], x, v, w, slowly, memory, tiles);
+      element::advance(model.blocks[b], x, u, turns, slowly, memory, tiles);
       element::add_by_node(model.node_sums[b], tiles.force, force);
       if (tiles.moment.cols() > 0) element::add_by_node(model.node_sums[b], tiles.moment, model.turn_of_node, moment);
     }

@@ -55,7 +55,7 @@ void update(const Model& model, double dt, State& now, Forces& f) {
   Votes votes;
   int source = 0;
   for (std::size_t b = 0; b < model.blocks.size(); ++b, ++source) {
-    const element::Vote vote = element::advance(model.blocks[b], now.x, now.v, now.w, dt, now.blocks[b], now.tiles[b]);
+    const element::Vote vote = element::advance(model.blocks[b], now.x, f.dx, f.turn, dt, now.blocks[b], now.tiles[b]);
     votes.elements.see({vote.step, vote.step_element}, source);
     if (vote.size < votes.size || std::isnan(vote.size)) {  // once found, a NaN stays
       votes.size = vote.size, votes.smallest_block = source, votes.smallest_element = vote.size_element;
@@ -163,7 +163,9 @@ void open_ledger(const Model& model, State& now) {
 const Votes& step(const Model& model, double dt, State& now, Forces& f) {
   const double before = kick(model, dt / 2, now.t + dt / 2, Half::first, now, f);  // v at the half step
   load::find_landings(model.constraints, model.mass, now.x, f.force, dt, now.v, now.constraints);
-  now.x += dt * now.v;
+  f.dx = dt * now.v;
+  f.turn = dt * now.w;
+  now.x += f.dx;
   now.t += dt;
   load::put_on_floors(model.constraints, now.constraints, now.x);
   post_moment_of_gravity(model, dt, now);
@@ -183,6 +185,7 @@ const Votes& start(const Model& model, State& now, Forces& f) {
   constrain_start(model, now, f);
   load::find_landings(model.constraints, model.mass, now.x, f.force, 0, now.v, now.constraints);
   load::finish_landings(model.constraints, model.mass, now.x, f.force, 0, now.v, now.constraints);
+  f.dx.setZero(), f.turn.setZero();
   update(model, 0, now, f);
   gather(model, now, f);
   open_ledger(model, now);

@@ -1,7 +1,6 @@
 #include "element/block.hpp"
 
-#include <algorithm>
-
+#include "base/check.hpp"
 #include "element/kernels.hpp"
 
 namespace nereid::element {
@@ -12,13 +11,26 @@ template <class Kind>
 AnyBlock make(const mesh::Mesh& mesh, const std::string& region, const Connectivity& nodes, const AnyLaw& any,
               const typename Kind::Options& options) {
   return std::visit(
-      [&]<class Law>(const Law& law) -> AnyBlock { return Kernels<Kind, Law>::make(mesh, region, nodes, law, options); }, any);
+      [&]<class Law>(const Law& law) -> AnyBlock {
+        if constexpr (may_have<Kind, Law>) return Kernels<Kind, Law>::make(mesh, region, nodes, law, options);
+        throw InternalError("plates have no such law");
+      },
+      any);
 }
 
 /// Calls f(block, kernels of the block) for the block that is held.
 template <class F>
 auto with_kernels(const AnyBlock& any, F&& f) {
   return std::visit([&]<class Kind, class Law>(const Block<Kind, Law>& block) { return f(block, Kernels<Kind, Law>{}); }, any);
+}
+
+/// Those channels of a kind that it has with these options.
+template <class Kind, class Channel, std::size_t count>
+std::vector<Channel> those_of(const std::array<Channel, count>& channels, const typename Kind::Options& options) {
+  std::vector<Channel> list;
+  for (const Channel channel : channels)
+    if (Kind::has(options, channel)) list.push_back(channel);
+  return list;
 }
 
 }  // namespace
@@ -51,43 +63,56 @@ const Connectivity& nodes(const AnyBlock& any) {
 const Tiling& tiling(const AnyBlock& any) {
   return std::visit([](const auto& block) -> const Tiling& { return block.tiling; }, any);
 }
-bool is_plate(const AnyBlock& any) {
-  return std::visit([]<class Kind, class Law>(const Block<Kind, Law>&) { return std::is_same_v<Kind, Plate>; }, any);
-}
-std::vector<std::string> stored_names(const AnyBlock& any) {
-  const auto names = std::visit(
-      []<class Kind, class Law>(const Block<Kind, Law>& block) { return Kind::stored(block.options); }, any);
-  return {names.begin(), names.end()};
-}
-std::vector<std::string> dissipated_names(const AnyBlock& any) {
-  const auto names = std::visit(
-      []<class Kind, class Law>(const Block<Kind, Law>& block) { return Kind::dissipated(block.options); }, any);
-  return {names.begin(), names.end()};
+bool rotates(const AnyBlock& any) {
+  return std::visit([]<class Kind, class Law>(const Block<Kind, Law>&) { return Kind::rotates; }, any);
 }
 
-namespace {
-Stored stored_channel(const std::string& name) {
-  return static_cast<Stored>(std::find(words_of_stored.begin(), words_of_stored.end(), name) - words_of_stored.begin());
+std::vector<Stored> stored_channels(const AnyBlock& any) {
+  return std::visit(
+      []<class Kind, class Law>(const Block<Kind, Law>& block) {
+        return those_of<Kind>(Kind::stored_channels, block.options);
+      },
+      any);
 }
-Dissipated dissipated_channel(const std::string& name) {
-  return static_cast<Dissipated>(std::find(words_of_dissipated.begin(), words_of_dissipated.end(), name) - words_of_dissipated.begin());
-}
-}  // namespace
-
-Source source(const AnyBlock& any) {
-  Source source{name(any), SourceKind::block, {}, {}};
-  for (const std::string& word : stored_names(any)) source.stored.push_back(stored_channel(word));
-  for (const std::string& word : dissipated_names(any)) source.dissipated.push_back(dissipated_channel(word));
-  return source;
+std::vector<Dissipated> dissipated_channels(const AnyBlock& any) {
+  return std::visit(
+      []<class Kind, class Law>(const Block<Kind, Law>& block) {
+        return those_of<Kind>(Kind::dissipated_channels, block.options);
+      },
+      any);
 }
 
 void post(const AnyBlock& any, const Memory& memory, Account& account) {
   account.work = memory.work;
-  account.hold(Stored::elastic, memory.stored[0]);
-  account.hold(is_plate(any) ? Stored::transverse_shear : Stored::hourglass, memory.stored[1]);
-  account.dissipated[Dissipated::plastic] = memory.plastic;
-  account.dissipated[Dissipated::viscous] = memory.viscous;
-  account.dissipated[Dissipated::hourglass] = memory.hourglass;
+  std::visit(
+      [&]<class Kind, class Law>(const Block<Kind, Law>&) {  // channels that these options do not use stay zero
+        for (const Stored channel : Kind::stored_channels) account.hold(channel, memory.stored[channel]);
+        for (const Dissipated channel : Kind::dissipated_channels) account.dissipated[channel] = memory.dissipated[channel];
+      },
+      any);
+}
+
+double depth(const AnyBlock& any, const Vectors& X, Index element, double area) {
+  return std::visit(
+      [&]<class Kind, class Law>(const Block<Kind, Law>& block) {
+        std::array<Vector<double>, Kind::nodes> corners;
+        for (int a = 0; a < Kind::nodes; ++a) {
+          const Index node = block.nodes(a, element);
+          corners[a] = {X(0, node), X(1, node), X(2, node)};
+        }
+        return Kind::depth(block.options, constants(block.law, block.options, corners).mass / block.law.density, area);
+      },
+      any);
+}
+
+double thickness(const AnyBlock& any) {
+  return std::visit([]<class Kind, class Law>(const Block<Kind, Law>& block) { return Kind::thickness(block.options); }, any);
+}
+
+Source source(const AnyBlock& any) { return {name(any), SourceKind::block, stored_channels(any), dissipated_channels(any)}; }
+
+bool plates_may_have(const AnyLaw& any) {
+  return std::visit([]<class Law>(const Law&) { return may_have<Plate, Law>; }, any);
 }
 
 void set_turning(AnyBlock& any, const std::vector<Index>& column_of_node) {
@@ -119,13 +144,13 @@ TileForces tile_forces(const AnyBlock& any) {
   const Tiling& t = tiling(any);
   const auto places = static_cast<Eigen::Index>(t.node.size());
   return {.force = Vectors::Zero(3, places),
-          .moment = Vectors::Zero(3, is_plate(any) ? places : 0),
+          .moment = Vectors::Zero(3, rotates(any) ? places : 0),
           .reports = std::vector<TileForces::Report>(t.tiles.size())};
 }
 
-Vote advance(const AnyBlock& any, const Vectors& x, const Vectors& v, const Vectors& w, double dt, Memory& memory,
+Vote advance(const AnyBlock& any, const Vectors& x, const Vectors& dx, const Vectors& turn, double dt, Memory& memory,
              TileForces& forces) {
-  return with_kernels(any, [&](const auto& block, auto kernels) { return kernels.advance(block, x, v, w, dt, memory, forces); });
+  return with_kernels(any, [&](const auto& block, auto kernels) { return kernels.advance(block, x, dx, turn, dt, memory, forces); });
 }
 
 std::vector<Field> fields(const AnyBlock& any, const Vectors& x, const Memory& memory) {

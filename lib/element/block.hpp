@@ -2,6 +2,8 @@
 // Blocks: elements of one kind, of one material, cut into tiles and worked pack by pack.
 
 #include <string>
+#include <tuple>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -11,9 +13,7 @@
 #include "element/hexahedron.hpp"
 #include "element/plate.hpp"
 #include "element/tiles.hpp"
-#include "material/elastic.hpp"
-#include "material/j2_bilinear.hpp"
-#include "material/j2_mixed.hpp"
+#include "material/laws.hpp"
 #include "mesh/mesh.hpp"
 
 namespace nereid::element {
@@ -33,29 +33,46 @@ struct Block {
   std::vector<Index> turning;     ///< [places] column of each place's angular velocity; plates only
 };
 
-/// Every combination that exists. One that is not on this list does not compile.
-using AnyBlock = std::variant<Block<Hexahedron, material::Elastic>, Block<Hexahedron, material::J2Bilinear>,
-                              Block<FullHexahedron, material::Elastic>, Block<FullHexahedron, material::J2Bilinear>,
-                              Block<Plate, material::Elastic>, Block<Plate, material::J2Bilinear>,
-                              Block<Hexahedron, material::J2Mixed>, Block<FullHexahedron, material::J2Mixed>,
-                              Block<Plate, material::J2Mixed>>;
-using AnyLaw = std::variant<material::Elastic, material::J2Bilinear, material::J2Mixed>;
+using material::AnyLaw;
+
+/// Whether elements of a kind may have a law: plates only those with an update in plane stress.
+template <class Kind, class Law>
+constexpr bool may_have = Kind::dimensions == 3 || material::PlateLaw<Law>;
+
+/// Blocks of one kind with each law that it may have, as a list.
+template <class Kind, class... Laws>
+auto blocks_of(const std::variant<Laws...>*) {
+  return std::tuple_cat(std::conditional_t<may_have<Kind, Laws>, std::tuple<Block<Kind, Laws>>, std::tuple<>>{}...);
+}
+template <class... Blocks>
+std::variant<Blocks...> variant_of(const std::tuple<Blocks...>*);
+
+/// Every kind of element with every law that it may have.
+using AnyBlock = decltype(variant_of(static_cast<decltype(std::tuple_cat(
+    blocks_of<Hexahedron>(static_cast<AnyLaw*>(nullptr)), blocks_of<FullHexahedron>(static_cast<AnyLaw*>(nullptr)),
+    blocks_of<Plate>(static_cast<AnyLaw*>(nullptr))))*>(nullptr)));
+
+/// Whether plates may have a law.
+bool plates_may_have(const AnyLaw&);
 
 /// What the elements of one block remember; one type for all blocks. Rows lie pack by pack.
 struct Memory {
   std::vector<double> rows;      ///< [packs x rows x lanes]
   double work = 0;               ///< [J] done on the nodes
-  std::array<double, 2> stored{};  ///< [J] in the order of Kind::stored
-  double plastic = 0, viscous = 0, hourglass = 0;  ///< [J] dissipated, in the order of Kind::dissipated
+  Channels<Stored> stored;       ///< [J]
+  Channels<Dissipated> dissipated;  ///< [J]
 };
 
-/// Forces that a block's tiles exert on their places; a function of the state, thrown away at will.
+/// Forces that a block's tiles exert on their places. A restart needs them: the work of the next step is half theirs.
 struct TileForces {
   Vectors force;   ///< [N]   [3 x places]
   Vectors moment;  ///< [N m] [3 x places], plates only
   /// One column per tile: sums in the order of Memory, the step vote and the smallest size.
   struct Report {
-    double work, stored[2], plastic, viscous, hourglass, step, size;
+    double work;
+    Channels<Stored> stored;
+    Channels<Dissipated> dissipated;
+    double step, size;
     Index step_element, size_element;
   };
   std::vector<Report> reports;  ///< [tiles]
@@ -74,15 +91,21 @@ using AnyHexahedronOptions = std::variant<Hexahedron::Options, FullHexahedron::O
 
 AnyBlock solids(const mesh::Mesh&, const std::string& region, const AnyLaw&, const AnyHexahedronOptions&);
 AnyBlock hexahedra(const mesh::Mesh&, const std::string& region, const AnyLaw&, const Hexahedron::Options&);
+/// Throws InternalError for a law that plates may not have: readers refuse it.
 AnyBlock plates(const mesh::Mesh&, const std::string& region, const AnyLaw&, const Plate::Options&);
 
 const std::string& name(const AnyBlock&);
 const Connectivity& nodes(const AnyBlock&);
 const Tiling& tiling(const AnyBlock&);
-bool is_plate(const AnyBlock&);
-/// Names of the shares of Memory that a block with these options has, in order.
-std::vector<std::string> stored_names(const AnyBlock&);
-std::vector<std::string> dissipated_names(const AnyBlock&);
+/// Whether its nodes rotate: their rotations and moments are wanted too.
+bool rotates(const AnyBlock&);
+/// Channels of Memory that a block with these options has, in the order in which results list them.
+std::vector<Stored> stored_channels(const AnyBlock&);
+std::vector<Dissipated> dissipated_channels(const AnyBlock&);
+/// How deep an element is behind a face of that area in the reference positions X. [m]
+double depth(const AnyBlock&, const Vectors& X, Index element, double area);
+/// Distance between the two faces of plates; zero of solids. [m]
+double thickness(const AnyBlock&);
 
 /// The schema of a block in the ledger, and its values now.
 Source source(const AnyBlock&);
@@ -103,9 +126,11 @@ TileForces tile_forces(const AnyBlock&);
 
 /// Brings a block from the old to the new positions and leaves its forces in `forces`.
 ///
-/// x  [m] at the end of the step;  v [m/s], w [rad/s] constant over it;  dt [s], zero at the start
+/// x  [m] at the end of the step;  dx  [m] increment of x over the step, [3 x nodes]
+/// turn  [rad] increment of the rotation of the plate nodes, [3 x plate nodes]
+/// dt  [s]; zero at the start, where increments must be zero too: rates, dx / dt, are then zero
 /// Work is posted by the trapezoid rule: half with the forces found in `forces`, half with the new.
-Vote advance(const AnyBlock&, const Vectors& x, const Vectors& v, const Vectors& w, double dt,
+Vote advance(const AnyBlock&, const Vectors& x, const Vectors& dx, const Vectors& turn, double dt,
              Memory&, TileForces& forces);
 
 /// What the elements show: stress in the global frame (mean over points or through the thickness),

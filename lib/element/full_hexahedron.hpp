@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <vector>
 
 #include "element/hexahedron.hpp"
 
@@ -122,14 +121,21 @@ NEREID_HOT T laplacian_bound(const Metric<T>& metric) {
 
 /// The fully integrated hexahedron as a kind of element.
 struct FullHexahedron {
-  static constexpr int nodes = 8;
+  static constexpr int nodes = 8, dimensions = 3;
   static constexpr int gauss_points = 8;
+  static constexpr bool rotates = false, layered = false;
+  static constexpr std::array stored_channels{Stored::elastic};
+  static constexpr std::array dissipated_channels{Dissipated::plastic, Dissipated::viscous};
 
   struct Options {
     Viscosity viscosity;
   };
-  static std::vector<const char*> stored(const Options&) { return {"elastic"}; }
-  static std::vector<const char*> dissipated(const Options&) { return {"plastic", "viscous"}; }
+  static bool has(const Options&, Stored) { return true; }
+  static bool has(const Options&, Dissipated) { return true; }
+  /// How deep the element is behind a face of it, from its volume and the area of the face. [m]
+  static double depth(const Options&, double volume, double area) { return volume / area; }
+  /// Distance between the two faces of a plate; zero of a solid. [m]
+  static double thickness(const Options&) { return 0; }
 
   /// Constants of one element.
   template <class T>
@@ -156,6 +162,10 @@ struct FullHexahedron {
       for (auto& point : points) point.stress.each_row(f), point.internal.each_row(f);
       f(viscous);
     }
+    template <class F>
+    void each_internal(F&& f) {
+      for (auto& point : points) f(point.internal);
+    }
     static constexpr int rows = FullHexahedron::gauss_points * (6 + material::Internal<T, Law, Symmetric>::rows) + 1;
   };
 };
@@ -165,50 +175,53 @@ struct FullHexahedron {
 /// Each point does what the one-point element does: strain and spin in the middle of the step, stress and
 /// tensors of the law turned by Hughes & Winget's rotation, forces with the gradient at the end. The trace
 /// of the strain is everywhere the mean one, which is that of the exact volume:
-///     strain = dt (sym L + (rate - tr L)/3 1),     rate = (dV/dt)/V
+///     strain = sym L + (growth - tr L)/3 1,     L the gradient of dx,     growth = dV/V
 /// so that, by the transpose, the mean stress in the forces is everywhere its mean over the volume.
 ///
-/// x  [m] at the end of the step;  v  [m/s] constant over the step;  dt  [s], zero at the start
+/// x  [m] at the end of the step;  dx  [m] increment of x over the step;  dt  [s] above zero; rates are dx / dt
 /// force  [N] by which the element pulls its nodes
 template <class T, class Law>
-NEREID_HOT Report<T> advance(const Law& law, const FullHexahedron::Options& options,
+NEREID_HOT Report<T, FullHexahedron> advance(const Law& law, const FullHexahedron::Options& options,
                   const FullHexahedron::Constants<T>& constants, const std::array<Vector<T>, 8>& x,
-                  const std::array<Vector<T>, 8>& v, T dt, FullHexahedron::Memory<T, Law>& memory,
+                  const std::array<Vector<T>, 8>& dx, T dt, FullHexahedron::Memory<T, Law>& memory,
                   std::array<Vector<T>, 8>& force) {
   const T eighth(0.125), half(0.5), third(1.0 / 3.0), zero(0.0);
-  const Modes<T> X = scaled(eighth, sums_by_mode(x)), V = scaled(eighth, sums_by_mode(v));
-  const Gradient<T> at_middle = volume_gradient(behind(X, half * dt, V)), at_end = volume_gradient(X);
-  const T rate = mean_divergence(V, at_middle);
+  const Modes<T> X = scaled(eighth, sums_by_mode(x)), D = scaled(eighth, sums_by_mode(dx));
+  const Gradient<T> at_middle = volume_gradient(behind(X, half, D)), at_end = volume_gradient(X);
+  const T growth = mean_divergence(D, at_middle), volume = at_middle.volume * T(law.density) * constants.per_mass;
 
-  const Tangents<T> end = tangents(X), speed = tangents(V);
+  const Tangents<T> end = tangents(X), change = tangents(D);
   Tangents<T> middle, pull;
   const Vector<T> none{zero, zero, zero};
   for (int i = 0; i < 4; ++i) {
-    middle.xi[i] = end.xi[i] - (half * dt) * speed.xi[i];
-    middle.eta[i] = end.eta[i] - (half * dt) * speed.eta[i];
-    middle.zeta[i] = end.zeta[i] - (half * dt) * speed.zeta[i];
+    middle.xi[i] = end.xi[i] - half * change.xi[i];
+    middle.eta[i] = end.eta[i] - half * change.eta[i];
+    middle.zeta[i] = end.zeta[i] - half * change.zeta[i];
     pull.xi[i] = pull.eta[i] = pull.zeta[i] = none;
   }
   Metric<T> metric;
+  material::ModuliOf<T, Symmetric, Law> moduli{};
   T stored = zero, dissipated = zero, mean_stress = zero, least = at_end.volume;  // NaN stays
   for (int p = 0; p < FullHexahedron::gauss_points; ++p) {
     auto& point = memory.points[p];
     {
       const Cofactors<T> c = cofactors(middle, p);
-      const T scale = dt / c.volume;
+      const T scale = T(1.0) / c.volume;
       const Vector<T> xi = scale * c.xi, eta = scale * c.eta, zeta = scale * c.zeta;
-      const Vector<T>&a = speed.xi[xi_at[p]], &b = speed.eta[eta_at[p]], &d = speed.zeta[zeta_at[p]];
-      Matrix<T> L{a.x * xi, a.y * xi, a.z * xi};  // velocity gradient times dt
+      const Vector<T>&a = change.xi[xi_at[p]], &b = change.eta[eta_at[p]], &d = change.zeta[zeta_at[p]];
+      Matrix<T> L{a.x * xi, a.y * xi, a.z * xi};  // gradient of the increment
       add_outer(b, eta, L);
       add_outer(d, zeta, L);
-      const T more = third * (dt * rate - (L.x.x + L.y.y + L.z.z));
+      const T more = third * (growth - (L.x.x + L.y.y + L.z.z));
       const Symmetric<T> strain{L.x.x + more, L.y.y + more, L.z.z + more, half * (L.x.y + L.y.x),
                                 half * (L.y.z + L.z.y), half * (L.x.z + L.z.x)};
       const Vector<T> half_spin = T(0.25) * (Vector<T>{L.z.y - L.y.z, L.x.z - L.z.x, L.y.x - L.x.y});
       const Matrix<T> Q = cayley_rotation(T(2.0) * half_spin);
       point.stress = rotate(Q, point.stress);
       for (Symmetric<T>& tensor : point.internal.tensor) tensor = rotate(Q, tensor);
-      const material::Work<T> work = update_stress(law, turned_on(half_spin, strain), point.stress, point.internal);
+      const auto [work, here] = update_stress(law, material::Increment<T, Symmetric>{turned_on(half_spin, strain), dt, volume},
+                                              point.stress, point.internal);
+      moduli = p == 0 ? here : stiffer(moduli, here);
       stored = stored + c.volume * work.stored;
       dissipated = dissipated + c.volume * work.dissipated;
     }
@@ -228,13 +241,12 @@ NEREID_HOT Report<T> advance(const Law& law, const FullHexahedron::Options& opti
   }
   mean_stress = mean_stress * at_end.per_volume;
 
-  const auto lame = material::lame(law);
   const T trace_of_products = trace(gradient_products(at_end));
-  const T omega_squared = T(8.0) * constants.per_mass * (T(std::max(lame.lambda, 0.0)) * trace_of_products * at_end.per_volume +
-                                                         T(2.0 * lame.mu) * laplacian_bound(metric));
-  const auto bulk = viscous_pressure(options.viscosity, material::wave_speed(law), rate, omega_squared, trace_of_products,
+  const T omega_squared = T(8.0) * constants.per_mass * (T(larger(moduli.lambda, decltype(moduli.lambda)(0.0))) * trace_of_products * at_end.per_volume +
+                                                         T(decltype(moduli.mu)(2.0) * moduli.mu) * laplacian_bound(metric));
+  const auto bulk = viscous_pressure(options.viscosity, material::wave_speed(moduli, law.density), growth / dt, omega_squared, trace_of_products,
                                      constants.mass, constants.per_mass, at_end.per_volume);
-  const T viscous_work = half * (memory.viscous + bulk.pressure) * rate * dt * at_middle.volume;
+  const T viscous_work = half * (memory.viscous + bulk.pressure) * growth * at_middle.volume;
   memory.viscous = bulk.pressure;
 
   Modes<T> F = scaled(eighth, pulls_by_mode(pull));
@@ -243,10 +255,8 @@ NEREID_HOT Report<T> advance(const Law& law, const FullHexahedron::Options& opti
   for (int a = 0; a < 3; ++a) F.hourglass[a] = F.hourglass[a] + mean * at_end.hourglass[a];
   force = nodal_values(scaled(T(-1.0), F));
 
-  return {.stored = {stored, zero},
-          .plastic = dissipated,
-          .viscous = -viscous_work,
-          .hourglass = zero,
+  return {.stored = {stored},
+          .dissipated = {dissipated, -viscous_work},
           .step = stable_step(omega_squared, bulk.damping),
           .size = least * T(law.density) * constants.per_mass};
 }

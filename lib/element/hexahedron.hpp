@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <vector>
 
 #include "base/tensor.hpp"
 #include "element/report.hpp"
@@ -118,8 +117,8 @@ NEREID_HOT Matrix<T> mean_gradient(const Modes<T>& U, const Gradient<T>& g) {
   return {s * L.x, s * L.y, s * L.z};
 }
 
-/// Mean divergence of a field with modal amplitudes U, the trace of its mean gradient; of velocities the
-/// rate of the volume over the volume, exactly.
+/// Mean divergence of a field with modal amplitudes U, the trace of its mean gradient; of displacements the
+/// growth of the volume over the volume, exactly in the limit of small ones.
 template <class T>
 NEREID_HOT T mean_divergence(const Modes<T>& U, const Gradient<T>& g) {
   const auto& h = U.hourglass;
@@ -156,10 +155,10 @@ NEREID_HOT T largest_eigenvalue_bound(const Symmetric<T>& G) {
 ///     omega^2 <= 8/(m V) (max(lambda, 0) tr G + 2 mu g_max),     G = V^2 B B^T
 /// Exact for a cube, where it is (2 c/h)^2 (1 + nu)/(1 - nu). The hourglass stiffness is not in it; with
 /// its default it adds less than 0.2 % to the frequencies of distorted elements. [1/s2]
-template <class T>
-NEREID_HOT T largest_frequency_squared(const Symmetric<T>& G, T per_volume, T per_mass, const material::Lame& lame) {
+template <class T, class N>
+NEREID_HOT T largest_frequency_squared(const Symmetric<T>& G, T per_volume, T per_mass, const material::Moduli<N>& moduli) {
   return T(8.0) * per_mass * per_volume *
-         (T(std::max(lame.lambda, 0.0)) * trace(G) + T(2.0 * lame.mu) * largest_eigenvalue_bound(G));
+         (T(larger(moduli.lambda, N(0.0))) * trace(G) + T(N(2.0) * moduli.mu) * largest_eigenvalue_bound(G));
 }
 
 /// A pressure against the rate of volume change of a hexahedron, and what it asks of the step.
@@ -171,17 +170,20 @@ struct ViscousPressure {
 
 /// omega_squared  [1/s2] bound on the squared frequencies, for the element's length 2 c/omega
 /// products       [m4] tr G, G = V^2 B B^T;  rate  [1/s] of volume change
-template <class T>
-NEREID_HOT ViscousPressure<T> viscous_pressure(const Viscosity& viscosity, double speed, T rate, T omega_squared, T products,
+template <class T, class N>
+NEREID_HOT ViscousPressure<T> viscous_pressure(const Viscosity& viscosity, N speed, T rate, T omega_squared, T products,
                                                T mass, T per_mass, T per_volume) {
-  const T length = T(2.0 * speed) / root(omega_squared);
+  const T length = T(N(2.0) * speed) / root(omega_squared);
   const T eta = bulk_viscosity(viscosity, mass * per_volume, length, speed, rate);
   return {.pressure = -eta * rate, .damping = T(4.0) * eta * products * per_mass * per_volume};
 }
 
 /// The hexahedron as a kind of element: what it is made of and what it remembers.
 struct Hexahedron {
-  static constexpr int nodes = 8;
+  static constexpr int nodes = 8, dimensions = 3;
+  static constexpr bool rotates = false, layered = false;
+  static constexpr std::array stored_channels{Stored::elastic, Stored::hourglass};
+  static constexpr std::array dissipated_channels{Dissipated::plastic, Dissipated::viscous, Dissipated::hourglass};
 
   enum class Hourglass {
     stiffness,  ///< springs: they hold under load, and store what they take
@@ -196,19 +198,23 @@ struct Hexahedron {
   static constexpr double usual_stiffness = 0.1;  ///< 1 would give a cube with poisson = 0 its full bending stiffness
   static constexpr double usual_viscous = 0.05;   ///< fraction of critical at the bound of the frequencies
 
-  static std::vector<const char*> stored(const Options& options) {
-    return options.hourglass_kind == Hourglass::stiffness ? std::vector{"elastic", "hourglass"} : std::vector{"elastic"};
+  /// Whether an element with these options uses a channel: springs store, dashpots dissipate.
+  static bool has(const Options& options, Stored channel) {
+    return channel != Stored::hourglass || options.hourglass_kind == Hourglass::stiffness;
   }
-  static std::vector<const char*> dissipated(const Options& options) {
-    return options.hourglass_kind == Hourglass::stiffness ? std::vector{"plastic", "viscous"}
-                                                          : std::vector{"plastic", "viscous", "hourglass"};
+  static bool has(const Options& options, Dissipated channel) {
+    return channel != Dissipated::hourglass || options.hourglass_kind == Hourglass::viscous;
   }
+  /// How deep the element is behind a face of it, from its volume and the area of the face. [m]
+  static double depth(const Options&, double volume, double area) { return volume / area; }
+  /// Distance between the two faces of a plate; zero of a solid. [m]
+  static double thickness(const Options&) { return 0; }
 
   /// Constants of one element.
   template <class T>
   struct Constants {
     T mass, per_mass;  ///< [kg] and its inverse
-    T hourglass;       ///< [N/m] against gamma . v dt; viscous: [N s/m] against the hourglass rate gamma . v
+    T hourglass;       ///< [N/m] against gamma . dx; viscous: [N s/m] against the hourglass rate gamma . dx / dt
     template <class F>
     void each_row(F&& f) { f(mass), f(per_mass), f(hourglass); }
     static constexpr int rows = 3;
@@ -228,6 +234,8 @@ struct Hexahedron {
       for (auto& q : hourglass) f(q.x), f(q.y), f(q.z);
       f(viscous);
     }
+    template <class F>
+    void each_internal(F&& f) { f(internal); }
     static constexpr int rows = 6 + material::Internal<T, Law, Symmetric>::rows + 12 + 1;
   };
 };
@@ -251,52 +259,51 @@ NEREID_HOT Symmetric<T> turned_on(const Vector<T>& w, const Symmetric<T>& e) {
 /// are taken with the gradient at the end. The strain of the middle turns on by half the rotation to
 /// meet the stress of the end; without that, large shear and the energy are off in the first order.
 ///
-/// x  [m] at the end of the step;  v  [m/s] constant over the step;  dt  [s], zero at the start
+/// x  [m] at the end of the step;  dx  [m] increment of x over the step;  dt  [s] above zero; rates are dx / dt
 /// force  [N] by which the element pulls its nodes
 template <class T, class Law>
-NEREID_HOT Report<T> advance(const Law& law, const Hexahedron::Options& options,
+NEREID_HOT Report<T, Hexahedron> advance(const Law& law, const Hexahedron::Options& options,
                   const Hexahedron::Constants<T>& constants, const std::array<Vector<T>, 8>& x,
-                  const std::array<Vector<T>, 8>& v, T dt, Hexahedron::Memory<T, Law>& memory,
+                  const std::array<Vector<T>, 8>& dx, T dt, Hexahedron::Memory<T, Law>& memory,
                   std::array<Vector<T>, 8>& force) {
-  const T eighth(0.125), eight(8.0), half(0.5);
-  const Modes<T> X = scaled(eighth, sums_by_mode(x)), V = scaled(eighth, sums_by_mode(v));
-  const Modes<T> middle = behind(X, half * dt, V);
+  const T eighth(0.125), eight(8.0), half(0.5), per_dt = T(1.0) / dt;
+  const Modes<T> X = scaled(eighth, sums_by_mode(x)), D = scaled(eighth, sums_by_mode(dx));
+  const Modes<T> middle = behind(X, half, D);
 
-  // in the middle of the step: strain, spin, hourglass rate
+  // in the middle of the step: increments of strain, spin and hourglass
   const Gradient<T> at_middle = volume_gradient(middle);
-  const Matrix<T> L = mean_gradient(V, at_middle);
-  const Symmetric<T> strain = dt * Symmetric<T>{L.x.x, L.y.y, L.z.z, half * (L.x.y + L.y.x),
-                                                half * (L.y.z + L.z.y), half * (L.x.z + L.z.x)};
-  const Vector<T> spin = (half * dt) * Vector<T>{L.z.y - L.y.z, L.x.z - L.z.x, L.y.x - L.x.y};
+  const Matrix<T> L = mean_gradient(D, at_middle);  // of the increment
+  const Symmetric<T> strain{L.x.x, L.y.y, L.z.z, half * (L.x.y + L.y.x), half * (L.y.z + L.z.y), half * (L.x.z + L.z.x)};
+  const Vector<T> spin = half * Vector<T>{L.z.y - L.y.z, L.x.z - L.z.x, L.y.x - L.x.y};
   const Matrix<T> Q = cayley_rotation(spin);
 
   memory.stress = rotate(Q, memory.stress);
   for (Symmetric<T>& tensor : memory.internal.tensor) tensor = rotate(Q, tensor);
-  const material::Work<T> work =
-      update_stress(law, turned_on(half * spin, strain), memory.stress, memory.internal);
+  const material::Increment<T, Symmetric> increment{
+      .strain = turned_on(half * spin, strain), .dt = dt, .volume = at_middle.volume * T(law.density) * constants.per_mass};
+  const auto [work, moduli] = update_stress(law, increment, memory.stress, memory.internal);
 
   const bool springs = options.hourglass_kind == Hexahedron::Hourglass::stiffness;
-  const T keeps(springs ? 1.0 : 0.0), grows = constants.hourglass * (springs ? dt : T(1.0));
+  const T keeps(springs ? 1.0 : 0.0), grows = constants.hourglass * (springs ? T(1.0) : per_dt);
   T hourglass_work(0.0);
   for (int a = 0; a < 4; ++a) {
-    const Vector<T> rate_there = eight * (V.hourglass[a] - L * middle.hourglass[a]);
-    const Vector<T> rate = rate_there + cross(half * spin, rate_there);
+    const Vector<T> there = eight * (D.hourglass[a] - L * middle.hourglass[a]);
+    const Vector<T> bent = there + cross(half * spin, there);
     const Vector<T> old = Q * memory.hourglass[a];
-    const Vector<T> now = keeps * old + grows * rate;
-    hourglass_work = hourglass_work + half * dt * dot(old + now, rate);
+    const Vector<T> now = keeps * old + grows * bent;
+    hourglass_work = hourglass_work + half * dot(old + now, bent);
     memory.hourglass[a] = now;
   }
 
   // at the end of the step: stable step, viscous pressure, forces
   const Gradient<T> at_end = volume_gradient(X);
-  const auto lame = material::lame(law);
   const Symmetric<T> G = gradient_products(at_end);
-  const T omega_squared = largest_frequency_squared(G, at_end.per_volume, constants.per_mass, lame);
-  const T rate = L.x.x + L.y.y + L.z.z;
-  const auto bulk = viscous_pressure(options.viscosity, material::wave_speed(law), rate, omega_squared, trace(G),
+  const T omega_squared = largest_frequency_squared(G, at_end.per_volume, constants.per_mass, moduli);
+  const T growth = L.x.x + L.y.y + L.z.z;
+  const auto bulk = viscous_pressure(options.viscosity, material::wave_speed(moduli, law.density), growth * per_dt, omega_squared, trace(G),
                                      constants.mass, constants.per_mass, at_end.per_volume);
   const T viscous = bulk.pressure;
-  const T viscous_work = half * (memory.viscous + viscous) * rate * dt * at_middle.volume;
+  const T viscous_work = half * (memory.viscous + viscous) * growth * at_middle.volume;
   memory.viscous = viscous;
 
   // S turns a gradient into a force: stress, and what the hourglass forces owe to the linear field
@@ -310,9 +317,7 @@ NEREID_HOT Report<T> advance(const Law& law, const Hexahedron::Options& options,
 
   const T zero(0.0), damping = springs ? bulk.damping : bulk.damping + T(32.0) * constants.hourglass * constants.per_mass;
   return {.stored = {work.stored * at_middle.volume, springs ? hourglass_work : zero},
-          .plastic = work.dissipated * at_middle.volume,
-          .viscous = -viscous_work,
-          .hourglass = springs ? zero : hourglass_work,
+          .dissipated = {work.dissipated * at_middle.volume, -viscous_work, springs ? zero : hourglass_work},
           .step = stable_step(omega_squared, damping),
           .size = at_end.volume * T(law.density) * constants.per_mass};
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "base/parallel.hpp"
 #include "element/kernels.hpp"
@@ -14,8 +15,8 @@ constexpr Index most_places = 128 * 8;  // of a tile: 128 elements that share no
 /// Rows that one element of a block remembers.
 template <class Kind, class Law>
 int memory_rows(const Block<Kind, Law>& block) {
-  if constexpr (std::is_same_v<Kind, Plate>) {
-    return Plate::Memory<double, Law>::rows(block.layers.count);
+  if constexpr (Kind::layered) {
+    return Kind::template Memory<double, Law>::rows(block.layers.count);
   } else {
     return Kind::template Memory<double, Law>::rows;
   }
@@ -28,7 +29,7 @@ void each_row(const Block<Kind, Law>& block, Memory& memory, double* at, Visit&&
     visit(row, at);
     at += lanes;
   };
-  if constexpr (std::is_same_v<Kind, Plate>) {
+  if constexpr (Kind::layered) {
     memory.each_row(next, block.layers.count);
   } else {
     memory.each_row(next);
@@ -74,43 +75,44 @@ inline Pack lane_numbers() {
 }
 
 template <class Kind, class Law>
-void advance_tile(const Block<Kind, Law>& block, const Tile& tile, const Vectors& x, const Vectors& v,
-                  const Vectors& w, double dt, double* rows, TileForces& forces,
+void advance_tile(const Block<Kind, Law>& block, const Tile& tile, const Vectors& x, const Vectors& dx,
+                  const Vectors& turn, double dt, double* rows, TileForces& forces,
                   TileForces::Report& report) {
   constexpr int corners = Kind::nodes;
-  constexpr bool turns = std::is_same_v<Kind, Plate>;
-  alignas(64) double x_here[3 * most_places], v_here[3 * most_places];
-  alignas(64) double w_here[turns ? 3 * most_places : 1];
+  constexpr bool turns = Kind::rotates;
+  alignas(64) double x_here[3 * most_places], dx_here[3 * most_places];
+  alignas(64) double turn_here[turns ? 3 * most_places : 1];
   for (Index p = 0; p < tile.nodes; ++p) {
     const Index node = block.tiling.node[tile.first_node + p];
     for (int axis = 0; axis < 3; ++axis) {
       x_here[3 * p + axis] = x(axis, node);
-      v_here[3 * p + axis] = v(axis, node);
-      if constexpr (turns) w_here[3 * p + axis] = w(axis, block.turning[tile.first_node + p]);
+      dx_here[3 * p + axis] = dx(axis, node);
+      if constexpr (turns) turn_here[3 * p + axis] = turn(axis, block.turning[tile.first_node + p]);
     }
   }
   double* force_here = forces.force.data() + 3 * static_cast<std::size_t>(tile.first_node);
   double* moment_here = turns ? forces.moment.data() + 3 * static_cast<std::size_t>(tile.first_node) : nullptr;
-  const auto power = [&] {
-    double p = sum_of_products(force_here, v_here, 3 * tile.nodes);
-    if constexpr (turns) p += sum_of_products(moment_here, w_here, 3 * tile.nodes);
-    return p;
+  const auto work_of_forces = [&] {
+    double sum = sum_of_products(force_here, dx_here, 3 * tile.nodes);
+    if constexpr (turns) sum += sum_of_products(moment_here, turn_here, 3 * tile.nodes);
+    return sum;
   };
-  double work = power();
+  const double with_old_forces = work_of_forces();
   std::fill_n(force_here, 3 * tile.nodes, 0.0);
   if constexpr (turns) std::fill_n(moment_here, 3 * tile.nodes, 0.0);
 
   const int memory_size = memory_rows(block) * lanes;
   constexpr int constants_size = Kind::template Constants<double>::rows * lanes;
   const Pack lane = lane_numbers();
-  Pack stored0(0.0), stored1(0.0), plastic(0.0), viscous(0.0), hourglass(0.0);
+  std::array<Pack, Kind::stored_channels.size()> stored{};
+  std::array<Pack, Kind::dissipated_channels.size()> dissipated{};
   Pack step(1e300), size(1e300), step_at(-1.0), size_at(-1.0);
   for (Index pack = tile.first_pack; pack < tile.first_pack + tile.packs; ++pack) {
     const Index* place = block.tiling.place.data() + static_cast<std::size_t>(pack) * corners * lanes;
-    std::array<Vector<Pack>, corners> xs, vs, fs;
+    std::array<Vector<Pack>, corners> xs, dxs, fs;
     for (int a = 0; a < corners; ++a) {
       xs[a] = gather(x_here, place + a * lanes);
-      vs[a] = gather(v_here, place + a * lanes);
+      dxs[a] = gather(dx_here, place + a * lanes);
     }
     typename Kind::template Constants<Pack> constants;
     const double* constant = block.constants.data() + static_cast<std::size_t>(pack) * constants_size;
@@ -119,42 +121,35 @@ void advance_tile(const Block<Kind, Law>& block, const Tile& tile, const Vectors
     double* at = rows + static_cast<std::size_t>(pack) * memory_size;
     each_row(block, memory, at, [](Pack& row, const double* from) { read_lanes(from, row); });
 
-    Report<Pack> here;
+    Report<Pack, Kind> here;
     const int filled = block.tiling.filled[pack];
     if constexpr (turns) {
-      std::array<Vector<Pack>, corners> ws, ms;
-      for (int a = 0; a < corners; ++a) ws[a] = gather(w_here, place + a * lanes);
-      here = advance(block.law, block.options, block.layers, constants, xs, vs, ws, Pack(dt), memory, fs, ms);
+      std::array<Vector<Pack>, corners> turns_of_nodes, ms;
+      for (int a = 0; a < corners; ++a) turns_of_nodes[a] = gather(turn_here, place + a * lanes);
+      here = advance(block.law, block.options, block.layers, constants, xs, dxs, turns_of_nodes, Pack(dt), memory, fs, ms);
       for (int a = 0; a < corners; ++a) scatter(ms[a], place + a * lanes, filled, moment_here);
     } else {
-      here = advance(block.law, block.options, constants, xs, vs, Pack(dt), memory, fs);
+      here = advance(block.law, block.options, constants, xs, dxs, Pack(dt), memory, fs);
     }
     for (int a = 0; a < corners; ++a) scatter(fs[a], place + a * lanes, filled, force_here);
     each_row(block, memory, at, [](const Pack& row, double* to) { write_lanes(row, to); });
 
     const auto own = lane < Pack(static_cast<double>(filled));
     const Pack zero(0.0), number = Pack(static_cast<double>(pack) * lanes) + lane;
-    stored0 += select(own, here.stored[0], zero);
-    stored1 += select(own, here.stored[1], zero);
-    plastic += select(own, here.plastic, zero);
-    viscous += select(own, here.viscous, zero);
-    hourglass += select(own, here.hourglass, zero);
+    for (std::size_t c = 0; c < stored.size(); ++c) stored[c] += select(own, here.stored[c], zero);
+    for (std::size_t c = 0; c < dissipated.size(); ++c) dissipated[c] += select(own, here.dissipated[c], zero);
     step_at = select(here.step < step, number, step_at);
     step = smaller(step, here.step);
     const auto worse = here.size < size || here.size != here.size;  // NaN is worst, and stays
     size_at = select(worse, number, size_at);
     size = select(worse, here.size, size);
   }
-  work = 0.5 * dt * (work + power());
 
-  report = {.work = work, .stored = {0, 0}, .plastic = 0, .viscous = 0, .hourglass = 0, .step = 1e300,
-            .size = 1e300, .step_element = -1, .size_element = -1};
+  report = {.work = 0.5 * (with_old_forces + work_of_forces()), .stored = {}, .dissipated = {}, .step = 1e300, .size = 1e300,
+            .step_element = -1, .size_element = -1};
   for (int l = 0; l < lanes; ++l) {
-    report.stored[0] += stored0[l];
-    report.stored[1] += stored1[l];
-    report.plastic += plastic[l];
-    report.viscous += viscous[l];
-    report.hourglass += hourglass[l];
+    for (std::size_t c = 0; c < stored.size(); ++c) report.stored[Kind::stored_channels[c]] += stored[c][l];
+    for (std::size_t c = 0; c < dissipated.size(); ++c) report.dissipated[Kind::dissipated_channels[c]] += dissipated[c][l];
     if (step[l] < report.step) {
       report.step = step[l];
       report.step_element = block.tiling.element[static_cast<std::size_t>(step_at[l])];
@@ -232,18 +227,17 @@ Symmetric<double> shown(const Plate::Memory<double, Law>& memory, const Block<Pl
 }
 
 template <class Kind, class Law>
-Vote Kernels<Kind, Law>::advance(const Block<Kind, Law>& block, const Vectors& x, const Vectors& v, const Vectors& w,
+Vote Kernels<Kind, Law>::advance(const Block<Kind, Law>& block, const Vectors& x, const Vectors& dx, const Vectors& turn,
                                  double dt, Memory& memory, TileForces& forces) {
+  const double time = dt > 0 ? dt : 1;  // where none passes, nothing moves, and all rates are zero
   parallel_for(static_cast<Index>(block.tiling.tiles.size()), 2, [&](Index t) {
-    advance_tile(block, block.tiling.tiles[t], x, v, w, dt, memory.rows.data(), forces, forces.reports[t]);
+    advance_tile(block, block.tiling.tiles[t], x, dx, turn, time, memory.rows.data(), forces, forces.reports[t]);
   });
   Vote vote;
   for (const TileForces::Report& report : forces.reports) {
     memory.work += report.work;
-    for (int s = 0; s < 2; ++s) memory.stored[s] += report.stored[s];
-    memory.plastic += report.plastic;
-    memory.viscous += report.viscous;
-    memory.hourglass += report.hourglass;
+    for (const Stored channel : Kind::stored_channels) memory.stored[channel] += report.stored[channel];
+    for (const Dissipated channel : Kind::dissipated_channels) memory.dissipated[channel] += report.dissipated[channel];
     if (report.step < vote.step) vote.step = report.step, vote.step_element = report.step_element;
     if (report.size < vote.size || std::isnan(report.size)) {
       vote.size = report.size, vote.size_element = report.size_element;
@@ -257,7 +251,7 @@ Block<Kind, Law> Kernels<Kind, Law>::make(const mesh::Mesh& mesh, const std::str
                                           const Law& law, const typename Kind::Options& options) {
   Block<Kind, Law> block{.name = name, .law = law, .options = options, .nodes = nodes,
                          .tiling = cut_into_tiles(nodes, mesh.X), .constants = {}, .layers = {}, .turning = {}};
-  if constexpr (std::is_same_v<Kind, Plate>) block.layers = gauss_layers(options.layers);
+  if constexpr (Kind::layered) block.layers = gauss_layers(options.layers);
   const std::size_t packs = block.tiling.filled.size();
   constexpr int rows = Kind::template Constants<double>::rows;
   block.constants.resize(packs * rows * lanes);
@@ -280,7 +274,13 @@ Block<Kind, Law> Kernels<Kind, Law>::make(const mesh::Mesh& mesh, const std::str
 template <class Kind, class Law>
 Memory Kernels<Kind, Law>::initial_memory(const Block<Kind, Law>& block) {
   Memory memory;
-  memory.rows.assign(block.tiling.filled.size() * memory_rows(block) * lanes, 0.0);
+  const std::size_t packs = block.tiling.filled.size();
+  memory.rows.resize(packs * memory_rows(block) * lanes);
+  typename Kind::template Memory<double, Law> at_rest{};
+  at_rest.each_internal([&](auto& internal) { internal = material::fresh_like(internal, block.law); });
+  for (std::size_t pack = 0; pack < packs; ++pack)
+    each_row(block, at_rest, memory.rows.data() + pack * memory_rows(block) * lanes,
+             [](double row, double* to) { std::fill_n(to, lanes, row); });
   return memory;
 }
 
@@ -305,16 +305,16 @@ Scalars Kernels<Kind, Law>::element_masses(const Block<Kind, Law>& block) {
 template <class Kind, class Law>
 void Kernels<Kind, Law>::add_rotary_inertia([[maybe_unused]] const Block<Kind, Law>& block,
                                             [[maybe_unused]] Scalars& inertia) {
-  if constexpr (std::is_same_v<Kind, Plate>) {
+  if constexpr (Kind::rotates) {
     each_element(block, [&](std::size_t pack, int lane, const auto& constants) {
-      for (int a = 0; a < Plate::nodes; ++a) {
-        const std::size_t place = (pack * Plate::nodes + a) * lanes + lane;
+      for (int a = 0; a < Kind::nodes; ++a) {
+        const std::size_t place = (pack * Kind::nodes + a) * lanes + lane;
         // the tile of this pack starts at the largest first_pack not beyond it
         const auto after = std::upper_bound(
             block.tiling.tiles.begin(), block.tiling.tiles.end(), static_cast<Index>(pack),
             [](Index p, const Tile& tile) { return p < tile.first_pack; });
         const Index at = std::prev(after)->first_node + block.tiling.place[place];
-        inertia(block.turning[at]) += constants.mass * constants.gyration / Plate::nodes;
+        inertia(block.turning[at]) += constants.mass * constants.gyration / Kind::nodes;
       }
     });
   }
@@ -327,7 +327,7 @@ std::vector<Field> Kernels<Kind, Law>::fields(const Block<Kind, Law>& block, con
   list.push_back({"stress", "Pa", {"XX", "YY", "ZZ", "XY", "YZ", "XZ"}, Eigen::MatrixXd(6, count)});
   list.push_back({"von_mises", "Pa", {}, Eigen::MatrixXd(1, count)});
   list.push_back({"pressure", "Pa", {}, Eigen::MatrixXd(1, count)});
-  for (const auto& name : Law::internal) list.push_back({std::string(name), "1", {}, Eigen::MatrixXd(1, count)});
+  for (const auto& [name, unit] : Law::internal) list.push_back({std::string(name), std::string(unit), {}, Eigen::MatrixXd(1, count)});
   each_element(block, [&](std::size_t pack, int lane, const auto&) {
     const Index element = block.tiling.element[pack * lanes + lane];
     double mises = 0;
@@ -339,6 +339,22 @@ std::vector<Field> Kernels<Kind, Law>::fields(const Block<Kind, Law>& block, con
     for (std::size_t i = 0; i < internal.size(); ++i) list[3 + i].values(0, element) = internal[i];
   });
   return list;
+}
+
+template <class Kind, class Law>
+constexpr auto kernels_of() {
+  if constexpr (may_have<Kind, Law>) {
+    using K = Kernels<Kind, Law>;
+    return std::tuple(&K::make, &K::add_mass, &K::element_masses, &K::add_rotary_inertia, &K::initial_memory, &K::advance, &K::fields);
+  } else {
+    return std::tuple();
+  }
+}
+
+/// The kernels of a kind with each law that it may have. A source that keeps them in a variable has them compiled.
+template <class Kind, class... Laws>
+constexpr auto kernels_of_each_law(const std::variant<Laws...>*) {
+  return std::tuple_cat(kernels_of<Kind, Laws>()...);
 }
 
 }  // namespace nereid::element

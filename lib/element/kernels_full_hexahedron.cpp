@@ -2,8 +2,6 @@
 
 namespace nereid::element {
 
-template struct Kernels<FullHexahedron, material::Elastic>;
-template struct Kernels<FullHexahedron, material::J2Bilinear>;
-template struct Kernels<FullHexahedron, material::J2Mixed>;
+constinit auto kernels_of_full_hexahedron = kernels_of_each_law<FullHexahedron>(static_cast<AnyLaw*>(nullptr));
 
 }  // namespace nereid::element

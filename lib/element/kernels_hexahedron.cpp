@@ -2,8 +2,6 @@
 
 namespace nereid::element {
 
-template struct Kernels<Hexahedron, material::Elastic>;
-template struct Kernels<Hexahedron, material::J2Bilinear>;
-template struct Kernels<Hexahedron, material::J2Mixed>;
+constinit auto kernels_of_hexahedron = kernels_of_each_law<Hexahedron>(static_cast<AnyLaw*>(nullptr));
 
 }  // namespace nereid::element

@@ -2,8 +2,6 @@
 
 namespace nereid::element {
 
-template struct Kernels<Plate, material::Elastic>;
-template struct Kernels<Plate, material::J2Bilinear>;
-template struct Kernels<Plate, material::J2Mixed>;
+constinit auto kernels_of_plate = kernels_of_each_law<Plate>(static_cast<AnyLaw*>(nullptr));
 
 }  // namespace nereid::element

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <vector>
 
 #include "base/tensor.hpp"
 #include "element/report.hpp"
@@ -94,7 +93,10 @@ Layers gauss_layers(int count);
 
 /// The plate as a kind of element: what it is made of and what it remembers.
 struct Plate {
-  static constexpr int nodes = 3;
+  static constexpr int nodes = 3, dimensions = 2;
+  static constexpr bool rotates = true, layered = true;
+  static constexpr std::array stored_channels{Stored::elastic, Stored::transverse_shear};
+  static constexpr std::array dissipated_channels{Dissipated::plastic, Dissipated::viscous};
   static constexpr int most_layers = 9;
   static constexpr double shear_factor = 5.0 / 6.0;  ///< [-] of a homogeneous section
 
@@ -110,8 +112,12 @@ struct Plate {
     Viscosity viscosity;
   };
 
-  static std::vector<const char*> stored(const Options&) { return {"elastic", "transverse_shear"}; }
-  static std::vector<const char*> dissipated(const Options&) { return {"plastic", "viscous"}; }
+  static bool has(const Options&, Stored) { return true; }
+  static bool has(const Options&, Dissipated) { return true; }
+  /// How deep the element is behind its face, whatever its volume and area. [m]
+  static double depth(const Options& options, double, double) { return options.thickness; }
+  /// Distance between the two faces of a plate; zero of a solid. [m]
+  static double thickness(const Options& options) { return options.thickness; }
 
   template <class T>
   struct Constants {
@@ -143,6 +149,10 @@ struct Plate {
       }
       f(shear.x), f(shear.y), f(viscous);
     }
+    template <class F>
+    void each_internal(F&& f) {
+      for (auto& layer : layers) f(layer.internal);
+    }
     static constexpr int rows(int count) {
       return count * (3 + material::Internal<T, Law, Plane>::rows) + 3;
     }
@@ -160,12 +170,12 @@ struct PlateFrequencies {
 /// shear     3 kappa mu / rho times the largest eigenvalue of G + C / gyration, where C collects how
 ///           the edges' shear follows the rotations; bending and shear share the rotations, so their
 ///           bounds are added.
-template <class T, class Law>
-NEREID_HOT PlateFrequencies<T> largest_frequencies_squared(const Law& law, double thickness, T gyration,
-                                                const PlateShape<T>& s) {
-  const double mu = material::shear_modulus(law);
+template <class T, class N>
+NEREID_HOT PlateFrequencies<T> largest_frequencies_squared(const material::Moduli<N>& moduli, double density, double thickness,
+                                                           T gyration, const PlateShape<T>& s) {
+  const N mu = moduli.mu;
   // a trace is no smaller than its largest eigenvalue, so for poisson < 0 the first term is left out
-  const double lambda = std::max(law.young * law.poisson / (1.0 - law.poisson * law.poisson), 0.0);
+  const N lambda = larger(material::plane_lambda(moduli), N(0.0));
   Plane<T> G{T(0.0), T(0.0), T(0.0)}, C = G;
   const auto add = [](Plane<T>& to, const InPlane<T>& a) {
     to.xx = to.xx + a.x * a.x, to.yy = to.yy + a.y * a.y, to.xy = to.xy + a.x * a.y;
@@ -180,10 +190,10 @@ NEREID_HOT PlateFrequencies<T> largest_frequencies_squared(const Law& law, doubl
     add(C, {half * (p.x * e.x + q.x * d.x), half * (p.y * e.x + q.y * d.x)});  // by beta_x
     add(C, {half * (p.x * e.y + q.x * d.y), half * (p.y * e.y + q.y * d.y)});  // by beta_y
   }
-  const T three_by_density(3.0 / law.density);
-  const T membrane = three_by_density * (T(lambda) * (G.xx + G.yy) + T(2.0 * mu) * largest_eigenvalue(G));
+  const T three_by_density(3.0 / density);
+  const T membrane = three_by_density * (T(lambda) * (G.xx + G.yy) + T(N(2.0) * mu) * largest_eigenvalue(G));
   const T per_gyration = T(1.0) / gyration;
-  const T shear = three_by_density * T(Plate::shear_factor * mu) *
+  const T shear = three_by_density * T(N(Plate::shear_factor) * mu) *
                   (largest_eigenvalue(G) + per_gyration * largest_eigenvalue(C));
   return {.membrane = membrane,
           .bending_and_shear = T(thickness * thickness / 12.0) * per_gyration * membrane + shear};
@@ -192,34 +202,35 @@ NEREID_HOT PlateFrequencies<T> largest_frequencies_squared(const Law& law, doubl
 /// Brings one plate from the old to the new positions and gives its nodal forces and moments.
 ///
 /// Strains come from the triangle in the middle of the step. The element's axes follow side 1-2; the
-/// material spins by -D_xy against them, and the stress and the tensors of the law with it, so that
+/// material spins by minus the shear strain against them, and the stress and the tensors of the law with it, so that
 /// the numbering of the nodes does not matter.
 ///
-/// x  [m] at the end of the step;  v  [m/s] and w [rad/s] constant over the step;  dt  [s]
+/// x  [m] at the end of the step;  dx [m] and turn [rad] increments of position and rotation over the step;
+/// dt  [s] above zero; rates are increments / dt
 /// force [N] and moment [N m] that the element exerts on its nodes
 template <class T, class Law>
-NEREID_HOT Report<T> advance(const Law& law, const Plate::Options& options, const Layers& layers,
+NEREID_HOT Report<T, Plate> advance(const Law& law, const Plate::Options& options, const Layers& layers,
                   const Plate::Constants<T>& constants, const std::array<Vector<T>, 3>& x,
-                  const std::array<Vector<T>, 3>& v, const std::array<Vector<T>, 3>& w, T dt,
+                  const std::array<Vector<T>, 3>& dx, const std::array<Vector<T>, 3>& turn, T dt,
                   Plate::Memory<T, Law>& memory, std::array<Vector<T>, 3>& force,
                   std::array<Vector<T>, 3>& moment) {
   const T half(0.5), zero(0.0);
   const double thickness = options.thickness;
 
-  // in the middle of the step: rates of membrane strain, curvature and transverse shear
+  // in the middle of the step: increments of membrane strain, curvature and transverse shear
   std::array<Vector<T>, 3> x_middle;
-  for (int a = 0; a < 3; ++a) x_middle[a] = x[a] - (half * dt) * v[a];
+  for (int a = 0; a < 3; ++a) x_middle[a] = x[a] - half * dx[a];
   const PlateShape<T> middle = plate_shape(x_middle);
   Plane<T> strain{zero, zero, zero}, curvature = strain;
   std::array<T, 3> deflection;
   std::array<InPlane<T>, 3> beta;
   for (int a = 0; a < 3; ++a) {
     const auto& [e1, e2, e3] = middle.frame;
-    const T vx = dot(v[a], e1), vy = dot(v[a], e2);
+    const T ux = dot(dx[a], e1), uy = dot(dx[a], e2);
     const T bx = middle.gradient_x[a], by = middle.gradient_y[a];
-    deflection[a] = dot(v[a], e3);
-    beta[a] = {dot(w[a], e2), -dot(w[a], e1)};
-    strain = strain + Plane<T>{bx * vx, by * vy, half * (bx * vy + by * vx)};
+    deflection[a] = dot(dx[a], e3);
+    beta[a] = {dot(turn[a], e2), -dot(turn[a], e1)};
+    strain = strain + Plane<T>{bx * ux, by * uy, half * (bx * uy + by * ux)};
     curvature = curvature + Plane<T>{bx * beta[a].x, by * beta[a].y, half * (bx * beta[a].y + by * beta[a].x)};
   }
   InPlane<T> shear{zero, zero};
@@ -234,9 +245,9 @@ NEREID_HOT Report<T> advance(const Law& law, const Plate::Options& options, cons
     }
   }
 
-  // the material turns by -D_xy dt against the element's axes
-  const T turn = -(dt * strain.xy), quarter = T(0.25) * turn * turn;
-  const T cosine = (T(1.0) - quarter) / (T(1.0) + quarter), sine = turn / (T(1.0) + quarter);
+  // the material turns by minus the shear strain against the element's axes
+  const T spin = -strain.xy, quarter = T(0.25) * spin * spin;
+  const T cosine = (T(1.0) - quarter) / (T(1.0) + quarter), sine = spin / (T(1.0) + quarter);
   const T cc = cosine * cosine, ss = sine * sine, cs = cosine * sine;
 
   const auto turned = [&](const Plane<T>& s) {
@@ -247,11 +258,13 @@ NEREID_HOT Report<T> advance(const Law& law, const Plate::Options& options, cons
 
   // and by half of it from the middle of the step, where strains were taken, to its end
   const auto turned_on = [&](const Plane<T>& e) {
-    return Plane<T>{e.xx - turn * e.xy, e.yy + turn * e.xy, e.xy + half * turn * (e.xx - e.yy)};
+    return Plane<T>{e.xx - spin * e.xy, e.yy + spin * e.xy, e.xy + half * spin * (e.xx - e.yy)};
   };
-  const Plane<T> stretch = dt * turned_on(strain), bend = dt * turned_on(curvature);
-  const InPlane<T> slide{dt * (shear.x - half * turn * shear.y), dt * (shear.y + half * turn * shear.x)};
+  const Plane<T> stretch = turned_on(strain), bend = turned_on(curvature);
+  const InPlane<T> slide{shear.x - half * spin * shear.y, shear.y + half * spin * shear.x};
 
+  const T area_ratio = middle.area * T(law.density * thickness) / constants.mass;  // thickness is constant
+  material::ModuliOf<T, Plane, Law> moduli{};
   T stored(0.0), dissipated(0.0);
   Plane<T> membrane{zero, zero, zero}, bending = membrane;  // [Pa] resultants per thickness, [Pa m]
   for (int l = 0; l < layers.count; ++l) {
@@ -259,32 +272,33 @@ NEREID_HOT Report<T> advance(const Law& law, const Plate::Options& options, cons
     layer.stress = turned(layer.stress);
     for (Plane<T>& tensor : layer.internal.tensor) tensor = turned(tensor);
     const T z(layers.z[l] * thickness), weight(layers.weight[l]);
-    const material::Work<T> work =
-        update_stress(law, stretch + z * bend, layer.stress, layer.internal);
+    const auto [work, here] =
+        update_stress(law, material::Increment<T, Plane>{stretch + z * bend, dt, area_ratio}, layer.stress, layer.internal);
+    moduli = l == 0 ? here : stiffer(moduli, here);
     stored = stored + weight * work.stored;
     dissipated = dissipated + weight * work.dissipated;
     membrane = membrane + weight * layer.stress;
     bending = bending + (weight * z) * layer.stress;
   }
 
-  const double shear_stiffness = Plate::shear_factor * material::shear_modulus(law) * thickness;
+  const T shear_stiffness(moduli.mu * decltype(moduli.mu)(Plate::shear_factor * thickness));
   const InPlane<T> old{cosine * memory.shear.x - sine * memory.shear.y,
                        sine * memory.shear.x + cosine * memory.shear.y};
-  const InPlane<T> now{old.x + T(shear_stiffness) * slide.x, old.y + T(shear_stiffness) * slide.y};
+  const InPlane<T> now{old.x + shear_stiffness * slide.x, old.y + shear_stiffness * slide.y};
   const T shear_stored = half * ((old.x + now.x) * slide.x + (old.y + now.y) * slide.y);
   memory.shear = now;
 
   // at the end of the step: stable step, viscous pressure, forces and moments
   const PlateShape<T> end = plate_shape(x);
-  const auto omega_squared = largest_frequencies_squared(law, thickness, constants.gyration, end);
-  const double speed = material::plate_wave_speed(law);
+  const auto omega_squared = largest_frequencies_squared(moduli, law.density, thickness, constants.gyration, end);
+  const auto speed = material::plate_wave_speed(moduli, law.density);
   const T volume = end.area * T(thickness), middle_volume = middle.area * T(thickness);
   const T density = constants.mass / volume;
-  const T length = T(2.0 * speed) / root(omega_squared.membrane);
-  const T rate = strain.xx + strain.yy;
+  const T length = T(decltype(moduli.mu)(2.0) * speed) / root(omega_squared.membrane);
+  const T growth = strain.xx + strain.yy, rate = growth / dt;
   const T eta = bulk_viscosity(options.viscosity, density, length, speed, rate);
   const T viscous = -eta * rate;
-  const T viscous_work = half * (memory.viscous + viscous) * rate * dt * middle_volume;
+  const T viscous_work = half * (memory.viscous + viscous) * growth * middle_volume;
   memory.viscous = viscous;
 
   const T nx = volume * (membrane.xx - viscous), ny = volume * (membrane.yy - viscous), nxy = volume * membrane.xy;
@@ -309,9 +323,7 @@ NEREID_HOT Report<T> advance(const Law& law, const Plate::Options& options, cons
     squares = squares + end.gradient_x[a] * end.gradient_x[a] + end.gradient_y[a] * end.gradient_y[a];
   const T damping = T(1.5) * eta * squares / density;
   return {.stored = {stored * middle_volume, shear_stored * middle.area},
-          .plastic = dissipated * middle_volume,
-          .viscous = -viscous_work,
-          .hourglass = zero,
+          .dissipated = {dissipated * middle_volume, -viscous_work},
           .step = stable_step(larger(omega_squared.membrane, omega_squared.bending_and_shear), damping),
           .size = volume * T(law.density) / constants.mass};
 }
@@ -328,8 +340,8 @@ NEREID_HOT Plate::Constants<T> constants(const Law& law, const Plate::Options& o
   Plate::Constants<T> c{.mass = T(law.density * options.thickness) * s.area, .gyration = T(physical)};
   if (options.rotary_inertia == Plate::RotaryInertia::scaled) {
     // bending_and_shear = a/gyration + b, by two samples; at the size of the element, where both terms are alike
-    const auto at_one = largest_frequencies_squared(law, options.thickness, s.area, s);
-    const auto at_two = largest_frequencies_squared(law, options.thickness, T(2.0) * s.area, s);
+    const auto at_one = largest_frequencies_squared(material::lame(law), law.density, options.thickness, s.area, s);
+    const auto at_two = largest_frequencies_squared(material::lame(law), law.density, options.thickness, T(2.0) * s.area, s);
     const T a_by_area = T(2.0) * (at_one.bending_and_shear - at_two.bending_and_shear);
     const T b = at_one.bending_and_shear - a_by_area;
     c.gyration = larger(c.gyration, s.area * a_by_area / (at_one.membrane - b));

@@ -21,10 +21,10 @@ struct Viscosity {
 /// density  [kg/m3] now;  length  [m] of the element;  speed  [m/s] of dilatational waves
 /// rate     [1/s] of volume change, positive in expansion
 /// returns  eta [Pa s], not negative
-template <class T>
-NEREID_HOT T bulk_viscosity(const Viscosity& b, T density, T length, double speed, T rate) {
+template <class T, class N>
+NEREID_HOT T bulk_viscosity(const Viscosity& b, T density, T length, N speed, T rate) {
   const T compression = larger(T(0.0), -rate);
-  return density * length * (T(b.linear * speed) + T(b.quadratic * b.quadratic) * length * compression);
+  return density * length * (T(b.linear) * T(speed) + T(b.quadratic * b.quadratic) * length * compression);
 }
 
 /// Largest stable step of central differences with the damping force half a step old:

@@ -21,7 +21,9 @@ Mat3 gradient_tensor(const std::array<Vector<double>, 8>& x) {
 }
 
 /// B B^T of a triangle, in space; its normal is the direction of the eigenvalue zero. [1/m2]
-Mat3 gradient_tensor(const std::array<Vec3, 3>& x) {
+Mat3 gradient_tensor(const std::array<Vector<double>, 3>& corners) {
+  std::array<Vec3, 3> x;
+  for (int a = 0; a < 3; ++a) x[a] = Vec3(corners[a].x, corners[a].y, corners[a].z);
   const Vec3 twice_area = (x[1] - x[0]).cross(x[2] - x[0]);
   Mat3 tensor = Mat3::Zero();
   for (int a = 0; a < 3; ++a) {
@@ -31,21 +33,15 @@ Mat3 gradient_tensor(const std::array<Vec3, 3>& x) {
   return tensor;
 }
 
-}  // namespace
-
-Narrowest narrowest(const AnyBlock& any, const Vectors& x) {
-  const Connectivity& nodes = element::nodes(any);
-  const bool plate = is_plate(any);
-  const material::Lame lame = std::visit([](const auto& block) { return material::lame(block.law); }, any);
+template <class Kind, class Law>
+Narrowest narrowest(const Block<Kind, Law>& block, const Vectors& x) {
+  const Connectivity& nodes = block.nodes;
+  constexpr bool plate = Kind::dimensions == 2;
+  const material::Lame lame = material::lame(block.law);
   const double lambda = plate ? 2 * lame.lambda * lame.mu / (lame.lambda + 2 * lame.mu) : lame.lambda;  // of plane stress
   const auto tensor = [&](Index element) {
-    if (plate) {
-      std::array<Vec3, 3> corners;
-      for (int a = 0; a < 3; ++a) corners[a] = x.col(nodes(a, element));
-      return gradient_tensor(corners);
-    }
-    std::array<Vector<double>, 8> corners;
-    for (int a = 0; a < 8; ++a) {
+    std::array<Vector<double>, Kind::nodes> corners;
+    for (int a = 0; a < Kind::nodes; ++a) {
       const Index node = nodes(a, element);
       corners[a] = {x(0, node), x(1, node), x(2, node)};
     }
@@ -71,6 +67,12 @@ Narrowest narrowest(const AnyBlock& any, const Vectors& x) {
   found.gain = std::sqrt(squared(g) / squared({g(0), g(1), g(1)}));
   for (Index a = 0; a < nodes.rows(); ++a) found.centre += x.col(nodes(a, found.element)) / static_cast<double>(nodes.rows());
   return found;
+}
+
+}  // namespace
+
+Narrowest narrowest(const AnyBlock& any, const Vectors& x) {
+  return std::visit([&x](const auto& block) { return narrowest(block, x); }, any);
 }
 
 }  // namespace nereid::element

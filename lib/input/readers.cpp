@@ -2,11 +2,40 @@
 
 namespace nereid::input {
 
+namespace {
+
+/// Density and the constants of Hooke's law, which every law has.
+material::Elastic read_elasticity(const Section& section) {
+  return {.density = section.quantity("density", dim::density, positive),
+          .young = section.quantity("young", dim::stress, positive),
+          .poisson = section.number("poisson", above(-1).below(0.5))};
+}
+
+material::JohnsonCook read_johnson_cook(const Section& section) {
+  material::JohnsonCook flow{};
+  flow.yield = section.quantity("yield", dim::stress, positive);
+  flow.hardening = section.quantity("hardening", dim::stress, not_negative);
+  flow.hardening_exponent = section.number("hardening_exponent", above(0).up_to(1));
+  flow.rate_coefficient = section.number("rate_coefficient", within(0, 1));
+  flow.reference_rate = section.quantity_or("reference_rate", 1, dim::frequency, positive);
+  flow.thermal_exponent = section.number("thermal_exponent", above(0).up_to(10));
+  flow.reference_temperature = section.quantity("reference_temperature", dim::temperature, not_negative);
+  flow.melting_temperature = section.quantity("melting_temperature", dim::temperature, positive);
+  if (section.sound() && !(flow.reference_temperature < flow.melting_temperature))
+    section.fault("melting_temperature", "'melting_temperature' must be above 'reference_temperature'");
+  flow.specific_heat = section.quantity("specific_heat", dim::specific_heat, positive);
+  flow.heat_share = section.number_or("taylor_quinney", 0.9, within(0, 1));
+  flow.temperature = section.quantity_or("temperature", flow.reference_temperature, dim::temperature, not_negative);
+  return flow;
+}
+
+}  // namespace
+
 element::AnyLaw read_law(const Section& section) {
-  const bool plastic = section.choice("kind", {"elastic", "j2_bilinear"}) == "j2_bilinear";
-  const double density = section.quantity("density", dim::density, positive);
-  const double young = section.quantity("young", dim::stress, positive);
-  const double poisson = section.number("poisson", above(-1).below(0.5));
+  const std::string kind = section.choice("kind", {"elastic", "j2_bilinear", "johnson_cook"});
+  const auto [density, young, poisson] = read_elasticity(section);
+  if (kind == "johnson_cook") return material::J2JohnsonCook{density, young, poisson, read_johnson_cook(section)};
+  const bool plastic = kind == "j2_bilinear";
   const Section if_plastic = section.when(plastic);
   const double yield = if_plastic.quantity("yield", dim::stress, positive);
   const double tangent = if_plastic.quantity("tangent", dim::stress, not_negative);
@@ -15,8 +44,15 @@ element::AnyLaw read_law(const Section& section) {
   if (!plastic) return material::Elastic{density, young, poisson};
   if (section.sound() && !(tangent < young))
     section.fault("tangent", "'tangent' must be below 'young': it is the slope of the stress-strain curve beyond yield");
-  if (hardening == "isotropic") return material::J2Bilinear{density, young, poisson, yield, tangent};
+  if (hardening == "isotropic") return material::J2Bilinear{density, young, poisson, {yield, tangent}};
   return material::J2Mixed{density, young, poisson, yield, tangent, hardening == "mixed" ? share : 0.0};
+}
+
+element::AnyLaw read_plate_law(const Section& section) {
+  const element::AnyLaw law = read_law(section);
+  if (section.sound() && !element::plates_may_have(law))
+    section.fault("kind", "plates may have the laws elastic and j2_bilinear: this one has no return in plane stress");
+  return law;
 }
 
 element::Viscosity read_viscosity(const Section& section) {

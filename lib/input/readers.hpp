@@ -12,6 +12,8 @@ namespace nereid::input {
 /// the slope of the uniaxial stress-strain curve beyond the yield stress, below young; and optionally
 /// `hardening: isotropic | kinematic | mixed`, where `mixed` needs `isotropic_share`, 0 (kinematic) to 1 (isotropic).
 element::AnyLaw read_law(const Section&);
+/// The same for plates: a law that they may not have is a fault that names those they may.
+element::AnyLaw read_plate_law(const Section&);
 
 /// Optional `viscosity: {linear, quadratic}` of a body.
 element::Viscosity read_viscosity(const Section&);

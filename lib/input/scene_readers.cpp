@@ -70,10 +70,12 @@ model::Body read_body(const Section& section, Names& taken) {
                    .map = read_map(mesh),
                    .place = read_placement(section),
                    .points = {},
-                   .law = read_law(section.section("material")),
+                   .law = {},
                    .solid = {},
                    .plate = {},
                    .at = section.path()};
+  const Section material = section.section("material");
+  body.law = model::has_plates(body.mesh) ? read_plate_law(material) : read_law(material);
   const Section element = section.section_or_empty("element");
   body.solid = read_hexahedron_options(element.when(model::has_solids(body.mesh)));
   body.plate = read_plate_options(element.when(model::has_plates(body.mesh)));

@@ -58,6 +58,7 @@ constexpr std::array symbols{
     Symbol{"Hz", {1, 1, dim::frequency}},
     Symbol{"rad", {1, 1, dim::angle}},
     Symbol{"deg", {degree, 1, dim::angle}},
+    Symbol{"K", {1, 1, dim::temperature}},
 };
 
 constexpr const char* beyond_precision = "double precision cannot hold this number";
@@ -264,7 +265,8 @@ class Parser {
 
   void check_size(const Unit& unit, std::size_t start) const {
     for (const int exponent :
-         {unit.dimension.mass, unit.dimension.length, unit.dimension.time, unit.dimension.angle}) {
+         {unit.dimension.mass, unit.dimension.length, unit.dimension.time, unit.dimension.angle,
+          unit.dimension.temperature}) {
       if (std::abs(exponent) > largest_exponent) fail(start, at_ - start, "the power is too large");
     }
     for (const double factor : {unit.over, unit.under}) {
@@ -297,6 +299,7 @@ constexpr std::array names{
     Name{dim::stiffness, "N/m"},
     Name{dim::viscosity, "Pa s"},
     Name{dim::curvature, "1/m"},
+    Name{dim::specific_heat, "J/(kg*K)"},
     Name{dim::stress / dim::area, "Pa/m^2"},
     Name{dim::mass / dim::time, "kg/s"},
 };
@@ -324,6 +327,7 @@ std::string describe(Dimension dimension) {
   add("m", dimension.length);
   add("s", dimension.time);
   add("rad", dimension.angle);
+  add("K", dimension.temperature);
   return result.empty() ? "1" : result;
 }
 

@@ -7,18 +7,20 @@
 
 namespace nereid::input {
 
-/// Of what a quantity is made: the powers of kilogram, metre, second and radian.
+/// Of what a quantity is made: the powers of kilogram, metre, second, radian and kelvin.
 ///
 /// The radian counts as a base unit, so that `30 deg` is required where an angle is wanted.
 struct Dimension {
-  int mass = 0, length = 0, time = 0, angle = 0;
+  int mass = 0, length = 0, time = 0, angle = 0, temperature = 0;
 
   friend constexpr bool operator==(const Dimension&, const Dimension&) = default;
   friend constexpr Dimension operator*(Dimension a, Dimension b) {
-    return {a.mass + b.mass, a.length + b.length, a.time + b.time, a.angle + b.angle};
+    return {a.mass + b.mass, a.length + b.length, a.time + b.time, a.angle + b.angle,
+            a.temperature + b.temperature};
   }
   friend constexpr Dimension operator/(Dimension a, Dimension b) {
-    return {a.mass - b.mass, a.length - b.length, a.time - b.time, a.angle - b.angle};
+    return {a.mass - b.mass, a.length - b.length, a.time - b.time, a.angle - b.angle,
+            a.temperature - b.temperature};
   }
 };
 
@@ -34,6 +36,7 @@ inline constexpr Dimension mass{1, 0, 0};                 // [kg]
 inline constexpr Dimension length{0, 1, 0};               // [m]
 inline constexpr Dimension time{0, 0, 1};                 // [s]
 inline constexpr Dimension angle{0, 0, 0, 1};             // [rad]
+inline constexpr Dimension temperature{0, 0, 0, 0, 1};    // [K]
 inline constexpr Dimension area{0, 2, 0};                 // [m2]
 inline constexpr Dimension volume{0, 3, 0};               // [m3]
 inline constexpr Dimension speed = length / time;         // [m/s]
@@ -51,6 +54,7 @@ inline constexpr Dimension penalty = stress / length;     // [Pa/m]
 inline constexpr Dimension stiffness = force / length;    // [N/m]
 inline constexpr Dimension viscosity = stress * time;     // [Pa s]
 inline constexpr Dimension curvature = none / length;     // [1/m]
+inline constexpr Dimension specific_heat = energy / mass / temperature;  // [J/(kg K)]
 
 }  // namespace nereid::dim
 
@@ -78,7 +82,7 @@ struct TextFault {
 /// without superfluous leading zeros; one that double precision cannot hold is a fault.
 ///
 /// Known symbols: m cm mm um km in ft, s ms us min, kg g t lb, N kN kgf lbf, Pa kPa MPa GPa psi,
-/// J kJ, Hz, rad deg.
+/// J kJ, Hz, rad deg, K.
 std::variant<Quantity, TextFault> parse_quantity(std::string_view text);
 
 /// The powers of the base units, as in "kg m^-2 s^-2"; "1" for a plain number.

@@ -2,16 +2,20 @@
 // Plasticity of von Mises with linear isotropic hardening; derived in
 // docs/theory/bilinear_plasticity.md.
 
-#include "material/law.hpp"
+#include "material/j2.hpp"
 
 namespace nereid::material {
 
-/// Isotropic elasticity up to a von Mises stress that grows linearly with the plastic strain.
-struct J2Bilinear {
-  static constexpr std::array<std::string_view, 1> internal{"plastic_strain"};
-  static constexpr std::array<std::string_view, 0> tensors{};
-  double density, young, poisson, yield, tangent;  // [kg/m3] [Pa] [-] [Pa] [Pa]
+/// A flow stress that grows linearly with the plastic strain.
+struct LinearHardening {
+  static constexpr std::array<Variable, 1> internal{{{"plastic_strain", "1"}}};
+  double yield, tangent;  // [Pa] [Pa]
 };
+
+/// Isotropic elasticity up to a von Mises stress that grows linearly with the plastic strain.
+///
+/// Needs  yield > 0, 0 <= tangent < young, -1 < poisson < 1/2
+using J2Bilinear = J2<LinearHardening>;
 
 /// Growth of the yield stress with plastic strain:  H = E E_t / (E - E_t).
 ///
@@ -21,7 +25,7 @@ struct J2Bilinear {
 /// returns  [Pa]
 /// Needs    0 <= tangent < young
 inline double hardening_modulus(const J2Bilinear& law) {
-  return law.young * law.tangent / (law.young - law.tangent);
+  return law.young * law.flow.tangent / (law.young - law.flow.tangent);
 }
 
 /// The stress up to which the material is elastic now:  Y = yield + H plastic_strain.
@@ -30,66 +34,25 @@ inline double hardening_modulus(const J2Bilinear& law) {
 /// returns         [Pa]
 template <class T>
 NEREID_HOT T yield_stress(const J2Bilinear& law, const T& plastic_strain) {
-  return T(law.yield) + T(hardening_modulus(law)) * plastic_strain;
+  return T(law.flow.yield) + T(hardening_modulus(law)) * plastic_strain;
 }
-
-/// Splits the work of a plastic step:  total = 1/2 (old + new) : strain,
-/// dissipated = 1/2 (old + new) : plastic,  stored = total - dissipated.
-///
-/// S        Symmetric<T> or Plane<T>
-/// plastic  increment of plastic strain [-]
-/// returns  work per current volume [J/m3]
-///
-/// Invariants  dissipated >= 0. By Cauchy and Schwarz  old : plastic >= -q_old flow, and
-///             new : plastic = Y_new flow, so the sum is at least (Y_new - Y_old) flow = H flow^2.
-///             Without hardening that bound is zero: the cut-off below takes round-off away.
-template <class T, template <class> class S>
-NEREID_HOT Work<T> split_work(const S<T>& old, const S<T>& now, const S<T>& strain, const S<T>& plastic) {
-  const S<T> both = old + now;
-  const T total = T(0.5) * contract(both, strain);
-  const T dissipated = larger(T(0.5) * contract(both, plastic), T(0.0));
-  return {total - dissipated, dissipated};
-}
-
-/// Radial return: the elastic trial stress is drawn back to the yield surface along its deviator.
-///
-/// With q the von Mises stress of the trial and Y the yield stress so far,
-///     flow = (q - Y) / (3 mu + H)  if q > Y, else 0,
-///     stress = trial - 2 mu plastic,     plastic = (3/2) (flow / q) dev trial.
-/// With linear hardening this is the closed solution of the implicit step: Simo & Hughes,
-/// Computational Inelasticity (1998), Box 3.1; docs/theory/bilinear_plasticity.md.
-///
-/// What is stored changes by 1/2 s : C^-1 : s exactly. As in Elastic that is per current volume,
-/// and what an element stores is an integral over its path. Hardening counts as dissipated.
-///
-/// strain    increment over the step, tensor components, in a frame that does not turn [-]
-/// stress    Cauchy [Pa], old on entry and new on return
-/// internal  equivalent plastic strain [-], updated
-/// returns   work per current volume [J/m3]
-///
-/// Invariants  stored + dissipated = 1/2 (old + new) : strain;  dissipated >= 0;
-///             von_mises(stress) <= yield_stress(law, internal.scalar[0]), equal after flow;
-///             a step without flow is that of Elastic, to the last bit;
-///             a rotation of strain and stress rotates the result.
-/// Needs       yield > 0, 0 <= tangent < young, -1 < poisson < 1/2
 template <class T>
-NEREID_HOT Work<T> update_stress(const J2Bilinear& law, const Symmetric<T>& strain, Symmetric<T>& stress,
-                      Internal<T, J2Bilinear, Symmetric>& internal) {
-  const double mu = shear_modulus(law);
-  const Symmetric<T> old = stress;
-  const Symmetric<T> trial = old + hooke(law, strain);
-  const Symmetric<T> shape = deviator(trial);
+NEREID_HOT T yield_stress(const J2Bilinear& law, const std::array<T, 1>& scalar) {
+  return yield_stress(law, scalar[0]);
+}
 
-  // The larger of q^2 and Y^2 stands in for `if it yields`: sqrt(Y^2) is Y to the last bit, so
-  // flow is exactly zero in elastic lanes, and none of them divides by zero.
-  const T yield = yield_stress(law, internal.scalar[0]);
-  const T q = root(larger(T(1.5) * contract(shape, shape), yield * yield));
-  const T flow = T(1.0 / (3.0 * mu + hardening_modulus(law))) * (q - yield);
-  const Symmetric<T> plastic = (T(1.5) * flow / q) * shape;
+/// Flow of the return:  flow = (q - Y) / (3 mu + H), the closed solution with linear hardening.
+///
+/// returns  [-] exactly zero where q == Y
+template <class T>
+NEREID_HOT T flow_increment(const J2Bilinear& law, const Trial<T>& trial, const T& /*dt*/, const T& /*volume*/,
+                            const std::array<T, 1>& /*scalar*/) {
+  return T(1.0 / (3.0 * shear_modulus(law) + hardening_modulus(law))) * (trial.mises - trial.yield);
+}
 
-  stress = trial - T(2.0 * mu) * plastic;
-  internal.scalar[0] = internal.scalar[0] + flow;
-  return split_work(old, stress, strain, plastic);
+template <class T>
+NEREID_HOT void remember(const J2Bilinear&, const T& flow, const T& /*dissipated*/, const T& /*volume*/, std::array<T, 1>& scalar) {
+  scalar[0] = scalar[0] + flow;
 }
 
 /// The multiplier g >= 0 of the flow in a plate: zero, or the root of
@@ -142,19 +105,19 @@ NEREID_HOT T flow_multiplier(const T& sum, const T& shear, const T& yield, const
 /// and the equivalent plastic strain grows by 2/3 g q(g). Simo & Taylor, Int. J. Numer. Meth. Engng
 /// 22 (1986) 649; docs/theory/bilinear_plasticity.md.
 ///
-/// strain, stress, internal, returns  as in space, with the components of the plane
+/// increment, stress, internal, returns  as in space, with the components of the plane
 ///
 /// Invariants  as in space
 /// Needs       as in space
 template <class T>
-NEREID_HOT Work<T> update_stress(const J2Bilinear& law, const Plane<T>& strain, Plane<T>& stress,
-                      Internal<T, J2Bilinear, Plane>& internal) {
+NEREID_HOT Response<T> update_stress(const J2Bilinear& law, const Increment<T, Plane>& increment, Plane<T>& stress,
+                                     Internal<T, J2Bilinear, Plane>& internal) {
   const double mu = shear_modulus(law), hardening = hardening_modulus(law);
   const T sum_rate(law.young / (3.0 * (1.0 - law.poisson))), shear_rate(2.0 * mu);
   const T one(1.0), slope(2.0 / 3.0 * hardening);
 
   const Plane<T> old = stress;
-  const Plane<T> trial = old + hooke(law, strain);
+  const Plane<T> trial = old + hooke(law, increment.strain);
   const T sum = trial.xx + trial.yy, difference = trial.xx - trial.yy;
   const T yield = yield_stress(law, internal.scalar[0]);
   const T trial_sum = T(0.25) * sum * sum;
@@ -169,9 +132,9 @@ NEREID_HOT Work<T> update_stress(const J2Bilinear& law, const Plane<T>& strain, 
             trial.xy - trial.xy * (shear_rate * g * b)};
   // 2/3 g q, with q the new yield stress
   internal.scalar[0] = internal.scalar[0] + T(2.0 / 3.0) * g * yield / (one - slope * g);
-  return split_work(old, stress, strain, g * deviator(stress));
+  return {split_work(old, stress, increment.strain, g * deviator(stress)), lame(law)};
 }
 
-static_assert(Law<J2Bilinear>);
+static_assert(PlateLaw<J2Bilinear>);
 
 }  // namespace nereid::material

@@ -11,7 +11,8 @@ namespace nereid::material {
 /// `isotropic` is the share of the hardening modulus that makes the surface grow; the rest moves it
 /// (Prager): 0 is kinematic hardening, 1 is J2Bilinear. Under a load that only grows all shares give one curve.
 struct J2Mixed {
-  static constexpr std::array<std::string_view, 1> internal{"plastic_strain"}, tensors{"back_stress"};
+  static constexpr std::array<Variable, 1> internal{{{"plastic_strain", "1"}}};
+  static constexpr std::array<std::string_view, 1> tensors{"back_stress"};
   double density, young, poisson, yield, tangent;  // [kg/m3] [Pa] [-] [Pa] [Pa]
   double isotropic;                                // [-] 0 to 1
 };
@@ -82,10 +83,10 @@ NEREID_HOT Work<T> split_shifted_work(const S<T>& both, const S<T>& shifted, con
 /// What is stored changes by 1/2 s : C^-1 : s + 3/(4 H_kinematic) a : a exactly, a the back stress: to move the
 /// surface costs work that its way back returns. Growth of the surface counts as dissipated.
 ///
-/// strain    increment over the step, tensor components, in a frame that does not turn [-]
+/// increment  its strain, tensor components, in a frame that does not turn [-]
 /// stress    Cauchy [Pa], old on entry and new on return
 /// internal  equivalent plastic strain [-]; back stress [Pa], a deviator; updated
-/// returns   work per current volume [J/m3]
+/// returns   work per current volume [J/m3] and the moduli, which are constant [Pa]
 ///
 /// Invariants  stored + dissipated = 1/2 (old + new) : strain;  dissipated >= 0;
 ///             von_mises(stress - back_stress) <= yield_stress(law, plastic strain), equal after flow;
@@ -93,13 +94,13 @@ NEREID_HOT Work<T> split_shifted_work(const S<T>& both, const S<T>& shifted, con
 ///             a rotation of strain, stress and back stress rotates the result.
 /// Needs       yield > 0, 0 <= tangent < young, -1 < poisson < 1/2, 0 <= isotropic <= 1
 template <class T>
-NEREID_HOT Work<T> update_stress(const J2Mixed& law, const Symmetric<T>& strain, Symmetric<T>& stress,
-                      Internal<T, J2Mixed, Symmetric>& internal) {
+NEREID_HOT Response<T> update_stress(const J2Mixed& law, const Increment<T, Symmetric>& increment, Symmetric<T>& stress,
+                                     Internal<T, J2Mixed, Symmetric>& internal) {
   const double mu = shear_modulus(law);
   const auto [isotropic, kinematic] = hardening_moduli(law);
   Symmetric<T>& back = internal.tensor[0];
   const Symmetric<T> old = stress, old_shifted = old - back;
-  const Symmetric<T> trial = old + hooke(law, strain);
+  const Symmetric<T> trial = old + hooke(law, increment.strain);
   const Symmetric<T> shape = deviator(trial - back);
 
   // The larger of q^2 and Y^2 stands in for `if it yields`, as in J2Bilinear.
@@ -111,7 +112,7 @@ NEREID_HOT Work<T> update_stress(const J2Mixed& law, const Symmetric<T>& strain,
   stress = trial - T(2.0 * mu) * plastic;
   back = back + T(2.0 / 3.0 * kinematic) * plastic;
   internal.scalar[0] = internal.scalar[0] + flow;
-  return split_shifted_work(old + stress, old_shifted + (stress - back), strain, plastic);
+  return {split_shifted_work(old + stress, old_shifted + (stress - back), increment.strain, plastic), lame(law)};
 }
 
 /// Return in plane stress about the centre of the surface.
@@ -121,21 +122,21 @@ NEREID_HOT Work<T> update_stress(const J2Mixed& law, const Symmetric<T>& strain,
 /// 1 / (1 + (2 mu + 2/3 H_kinematic) g), while the radius grows with H_isotropic alone.
 /// Simo & Taylor, Int. J. Numer. Meth. Engng 22 (1986) 649; docs/theory/bilinear_plasticity.md.
 ///
-/// strain, stress, internal, returns  as in space, with the components of the plane; the back stress is a deviator
+/// increment, stress, internal, returns  as in space, with the components of the plane; the back stress is a deviator
 ///                                    of space, with zz = -(xx + yy)
 ///
 /// Invariants  as in space, with surface_centre(back stress) in the place of the back stress
 /// Needs       as in space
 template <class T>
-NEREID_HOT Work<T> update_stress(const J2Mixed& law, const Plane<T>& strain, Plane<T>& stress,
-                      Internal<T, J2Mixed, Plane>& internal) {
+NEREID_HOT Response<T> update_stress(const J2Mixed& law, const Increment<T, Plane>& increment, Plane<T>& stress,
+                                     Internal<T, J2Mixed, Plane>& internal) {
   const auto [isotropic, kinematic] = hardening_moduli(law);
   const T elastic_sum(law.young / (3.0 * (1.0 - law.poisson))), elastic_shear(2.0 * shear_modulus(law));
   const T one(1.0), half(0.5), slope(2.0 / 3.0 * isotropic), motion(2.0 / 3.0 * kinematic);
   const T sum_rate = elastic_sum + motion, shear_rate = elastic_shear + motion;
 
   const Plane<T> old = stress, centre = surface_centre(internal.tensor[0]), old_shifted = old - centre;
-  const Plane<T> trial = old + hooke(law, strain), shifted = trial - centre;
+  const Plane<T> trial = old + hooke(law, increment.strain), shifted = trial - centre;
   const T half_sum = half * (shifted.xx + shifted.yy), half_difference = half * (shifted.xx - shifted.yy);
   const T yield = yield_stress(law, internal.scalar[0]);
   const T g = flow_multiplier(half_sum * half_sum,
@@ -153,9 +154,9 @@ NEREID_HOT Work<T> update_stress(const J2Mixed& law, const Plane<T>& strain, Pla
   internal.tensor[0] = internal.tensor[0] + motion * plastic;
   // 2/3 g q, with q the new radius
   internal.scalar[0] = internal.scalar[0] + T(2.0 / 3.0) * g * yield / (one - slope * g);
-  return split_shifted_work(old + stress, old_shifted + now_shifted, strain, plastic);
+  return {split_shifted_work(old + stress, old_shifted + now_shifted, increment.strain, plastic), lame(law)};
 }
 
-static_assert(Law<J2Mixed>);
+static_assert(PlateLaw<J2Mixed>);
 
 }  // namespace nereid::material

@@ -1,25 +1,57 @@
 #pragma once
 // What every law is, and what every isotropic law shares.
 //
-// A law is data plus two free functions `update_stress`, one in space and one in the plane of a
-// plate. It knows no element, no mesh and no file. It sees increments of strain in a frame that
-// does not turn, and says where their work went.
+// A law is data plus a free function `update_stress` in space and, if plates may have it, one in the plane of a
+// plate. It knows no element, no mesh and no file. It sees increments of strain in a frame that does not turn; it
+// answers with the new stress, where the work went, and its elastic moduli as they are now.
 
 #include <array>
 #include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <string_view>
+#include <utility>
 
 #include "base/number.hpp"
 #include "base/tensor.hpp"
 
 namespace nereid::material {
 
+/// One increment of a point, as its law sees it.
+///
+/// S  Symmetric in space, Plane in a plate
+template <class T, template <class> class S>
+struct Increment {
+  S<T> strain;  ///< [-] tensor components, in a frame that does not turn
+  T dt;         ///< [s] above zero
+  T volume;     ///< [-] current over reference, in the middle of the increment, where the strain is taken
+};
+
 /// Where the work of one strain increment went, per current volume. [J/m3]
 template <class T>
 struct Work {
   T stored, dissipated;
+};
+
+/// Elastic moduli: those of Lame. [Pa]
+///
+/// N  double where they never change, which costs nothing; T where they follow the state
+template <class N>
+struct Moduli {
+  N lambda, mu;
+};
+using Lame = Moduli<double>;
+
+/// What a law answers besides the stress. Stable steps and bulk viscosity follow from the moduli.
+template <class T, class N = double>
+struct Response {
+  Work<T> work;
+  Moduli<N> moduli;
+};
+
+/// A scalar that a point remembers: its name and its SI unit.
+struct Variable {
+  std::string_view name, unit;
 };
 
 /// Data that has the two constants of isotropic elasticity and a density.
@@ -46,24 +78,44 @@ struct Internal {
   static constexpr int rows = static_cast<int>(L::internal.size() + L::tensors.size() * S<T>::rows);
 };
 
-/// A law: isotropic data, the names of its internal scalars and tensors, and the two updates of stress.
+/// What a point remembers before anything has happened to it: the values that the law starts its scalars with.
+///
+/// returns  zeros, unless the law has a function `start_values`
+template <class T, template <class> class S, class L>
+Internal<T, L, S> fresh(const L& law) {
+  Internal<T, L, S> internal{};
+  if constexpr (requires { start_values(law); }) {
+    const std::array<double, L::internal.size()> values = start_values(law);
+    for (std::size_t i = 0; i < values.size(); ++i) internal.scalar[i] = T(values[i]);
+  }
+  return internal;
+}
+/// The same, of the type of another memory.
+template <class T, template <class> class S, class L>
+Internal<T, L, S> fresh_like(const Internal<T, L, S>&, const L& law) {
+  return fresh<T, S>(law);
+}
+
+/// A law: isotropic data, its internal scalars and the names of its tensors, and the update of stress.
 ///
 /// The updates are templates on the number type; the concept asks for `double`, and
 /// tests/material/law_test.cpp runs every law on packs and dual numbers too.
 template <class L>
 concept Law = Isotropic<L> &&
-    requires(const L& law, Internal<double, L, Symmetric>& internal, Internal<double, L, Plane>& plane_internal,
-             const Symmetric<double>& strain, Symmetric<double>& stress,
-             const Plane<double>& plane_strain, Plane<double>& plane_stress) {
-  { L::internal[0] } -> std::convertible_to<std::string_view>;
+    requires(const L& law, Internal<double, L, Symmetric>& internal, const Increment<double, Symmetric>& increment,
+             Symmetric<double>& stress) {
+  { L::internal[0] } -> std::convertible_to<Variable>;
   { L::tensors[0] } -> std::convertible_to<std::string_view>;
-  { update_stress(law, strain, stress, internal) } -> std::same_as<Work<double>>;
-  { update_stress(law, plane_strain, plane_stress, plane_internal) } -> std::same_as<Work<double>>;
+  { update_stress(law, increment, stress, internal).work } -> std::convertible_to<Work<double>>;
+  { update_stress(law, increment, stress, internal).moduli } -> std::convertible_to<Lame>;
 };
 
-/// Lame's constants. [Pa]
-struct Lame {
-  double lambda, mu;
+/// A law that plates may have: it also has an update with zz = 0.
+template <class L>
+concept PlateLaw = Law<L> &&
+    requires(const L& law, Internal<double, L, Plane>& internal, const Increment<double, Plane>& increment, Plane<double>& stress) {
+  { update_stress(law, increment, stress, internal).work } -> std::convertible_to<Work<double>>;
+  { update_stress(law, increment, stress, internal).moduli } -> std::convertible_to<Lame>;
 };
 
 /// The shear modulus:  mu = E / (2 (1 + nu)).
@@ -93,21 +145,48 @@ NEREID_HOT Lame lame(const L& law) {
   return {2.0 * mu * law.poisson / (1.0 - 2.0 * law.poisson), mu};
 }
 
-/// Speed of the fastest wave in space, the dilatational one:  c = sqrt((lambda + 2 mu) / density).
-///
-/// returns  [m/s]
-template <Isotropic L>
-NEREID_HOT double wave_speed(const L& law) {
-  const auto [lambda, mu] = lame(law);
-  return std::sqrt((lambda + 2.0 * mu) / law.density);
+/// What a law gives as moduli: Moduli<double> where they never change.
+template <class T, template <class> class S, class L>
+using ModuliOf = decltype(update_stress(std::declval<const L&>(), std::declval<const Increment<T, S>&>(), std::declval<S<T>&>(),
+                                        std::declval<Internal<T, L, S>&>()).moduli);
+
+/// The larger moduli of two points: what a stable step must reckon with.
+template <class N>
+NEREID_HOT Moduli<N> stiffer(const Moduli<N>& a, const Moduli<N>& b) {
+  return {larger(a.lambda, b.lambda), larger(a.mu, b.mu)};
 }
 
-/// Speed of the fastest wave in a thin plate:  c = sqrt(E / (density (1 - nu^2))).
+/// Speed of the fastest wave in space, the dilatational one:  c = sqrt((lambda + 2 mu) / density).
+///
+/// density  [kg/m3] of the reference
+/// returns  [m/s]
+template <class N>
+NEREID_HOT N wave_speed(const Moduli<N>& m, double density) {
+  return root((m.lambda + N(2.0) * m.mu) / N(density));
+}
+template <Isotropic L>
+NEREID_HOT double wave_speed(const L& law) {
+  return wave_speed(lame(law), law.density);
+}
+
+/// lambda of plane stress, of a plate that is free to thin:  2 lambda mu / (lambda + 2 mu) = nu E / (1 - nu^2).
+///
+/// returns  [Pa]
+template <class N>
+NEREID_HOT N plane_lambda(const Moduli<N>& m) {
+  return N(2.0) * m.lambda * m.mu / (m.lambda + N(2.0) * m.mu);
+}
+
+/// Speed of the fastest wave in a thin plate:  c = sqrt((plane lambda + 2 mu) / density) = sqrt(E / (density (1 - nu^2))).
 ///
 /// returns  [m/s]
+template <class N>
+NEREID_HOT N plate_wave_speed(const Moduli<N>& m, double density) {
+  return root((plane_lambda(m) + N(2.0) * m.mu) / N(density));
+}
 template <Isotropic L>
 NEREID_HOT double plate_wave_speed(const L& law) {
-  return std::sqrt(law.young / (law.density * (1.0 - law.poisson * law.poisson)));
+  return plate_wave_speed(lame(law), law.density);
 }
 
 /// The part of a tensor that changes shape and not volume:  dev a = a - (tr a / 3) 1.

@@ -1,7 +1,7 @@
 #pragma once
 // A point of material alone: some components of its strain are told, of the others the stress.
 //
-//     Point<Elastic, Symmetric> point;
+//     auto point = point_of<Symmetric>(law);
 //     Goal<Symmetric> goal;                        // strains unless told otherwise
 //     goal.target[0] = 1e-3;                       // xx is stretched,
 //     goal.strain[1] = goal.strain[2] = false;     // yy and zz are free of stress
@@ -24,6 +24,12 @@ struct Point {
   Internal<double, L, S> internal{};
   double stored = 0, dissipated = 0;  ///< [J/m3] since the start
 };
+
+/// A point to which nothing has happened yet.
+template <template <class> class S, class L>
+Point<L, S> point_of(const L& law) {
+  return {.strain = {}, .stress = {}, .internal = fresh<double, S>(law)};
+}
 
 /// What the next increment is to reach, component by component in the order of S.
 template <template <class> class S>
@@ -73,11 +79,12 @@ std::array<double, 6> solved(const std::array<double, 36>& A, const std::array<d
 /// from e = 0; the slope comes from dual numbers through the law itself. A step that would make the residual
 /// grow is halved: beyond yield the slope falls by orders of magnitude.
 ///
+/// dt       [s] that the increment takes
 /// returns  whether stresses were met to 1e-14 of (lambda + 2 mu) times the increment, plus the stress
 ///
 /// Needs  targets that the law can reach: perfect plasticity has no strain for a stress beyond yield
 template <Law L, template <class> class S>
-Sought advance(const L& law, const Goal<S>& goal, Point<L, S>& point) {
+Sought advance(const L& law, const Goal<S>& goal, Point<L, S>& point, double dt = 1) {
   constexpr int rows = S<double>::rows, most_rounds = 100, most_halvings = 30;
   using D = Dual<rows>;
   const auto strain = components<double, S>(point.strain);
@@ -110,7 +117,7 @@ Sought advance(const L& law, const Goal<S>& goal, Point<L, S>& point) {
       std::copy(from.begin(), from.end(), to.begin());
       internal.tensor[t] = tensor_of<S>(to);
     }
-    update_stress(law, tensor_of<S>(de), stress, internal);
+    update_stress(law, Increment<D, S>{tensor_of<S>(de), dt, 1.0}, stress, internal);
     const auto now = components<D, S>(stress);
     Trial trial;
     double largest_stress = 0, largest_strain = 0;
@@ -147,7 +154,7 @@ Sought advance(const L& law, const Goal<S>& goal, Point<L, S>& point) {
   if (!result.found) return result;
 
   const S<double> step = tensor_of<S>(increment);
-  const Work<double> work = update_stress(law, step, point.stress, point.internal);
+  const Work<double> work = update_stress(law, Increment<double, S>{step, dt, 1.0}, point.stress, point.internal).work;
   point.strain = point.strain + step;
   point.stored += work.stored;
   point.dissipated += work.dissipated;

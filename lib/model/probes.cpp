@@ -18,16 +18,16 @@ const std::vector<std::string> of_vectors{"magnitude", "x", "y", "z"};
 const std::vector<std::string> of_forces{"magnitude", "x", "y", "z", "normal"};
 const std::vector<std::string> of_tensors{"xx", "yy", "zz", "xy", "yz", "xz"};
 
-/// Names of the internal variables of all laws, each once.
+/// Internal variables of all laws, each once.
 template <class... Laws>
-std::vector<std::string> internal_variables(const std::variant<Laws...>*) {
-  std::vector<std::string> names;
-  const auto add = [&names](const auto& internal) {
-    for (const auto& name : internal)
-      if (std::find(names.begin(), names.end(), name) == names.end()) names.emplace_back(name);
+std::vector<material::Variable> internal_variables(const std::variant<Laws...>*) {
+  std::vector<material::Variable> all;
+  const auto add = [&all](const auto& internal) {
+    for (const material::Variable& one : internal)
+      if (std::none_of(all.begin(), all.end(), [&](const auto& other) { return other.name == one.name; })) all.push_back(one);
   };
   (add(Laws::internal), ...);
-  return names;
+  return all;
 }
 
 /// One component of a vector by its name; value(view, memory) is the vector.
@@ -163,7 +163,8 @@ const std::vector<Measurable>& measurables() {
         {"pressure", "Pa", Of::body},
         {"von_mises", "Pa", Of::body},
     };
-    for (const std::string& name : internal_variables(static_cast<const element::AnyLaw*>(nullptr))) list.push_back({name, "1", Of::body});
+    for (const auto& [name, unit] : internal_variables(static_cast<const element::AnyLaw*>(nullptr)))
+      list.push_back({std::string(name), std::string(unit), Of::body});
     return list;
   }();
   return all;

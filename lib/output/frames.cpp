@@ -61,7 +61,7 @@ Grid body_grid(const dynamics::View& view) {
   Eigen::Index first = 0;
   for (std::size_t b = 0; b < model.blocks.size(); ++b) {
     const auto& block = model.blocks[b];
-    grid.cells.push_back({element::is_plate(block) ? CellKind::triangle : CellKind::hexahedron, element::nodes(block)});
+    grid.cells.push_back({element::nodes(block).rows() == 3 ? CellKind::triangle : CellKind::hexahedron, element::nodes(block)});
     for (Eigen::Index e = 0; e < element::tiling(block).elements; ++e) {
       part.values(0, first + e) = static_cast<double>(b);
       number.values(0, first + e) = static_cast<double>(e);

@@ -33,7 +33,7 @@ struct Scene {
 
   Vote move(double dt) {
     x += dt * v;
-    return advance(block, x, v, w, dt, memory, forces);
+    return advance(block, x, dt * v, dt * w, dt, memory, forces);
   }
 };
 
@@ -49,7 +49,7 @@ Scene finish(mesh::Mesh mesh, AnyBlock block) {
   const auto count = mesh.X.cols();
   std::vector<Index> turning;
   for (Index n = 0; n < count; ++n) turning.push_back(n);
-  if (is_plate(block)) set_turning(block, turning);
+  if (rotates(block)) set_turning(block, turning);
   Scene scene{mesh,
               block,
               mesh.X,
@@ -80,6 +80,19 @@ Vectors by_node(const Scene& s, const Vectors& places) {
   return sum;
 }
 
+template <std::size_t count>
+double total(const std::array<double, count>& channels) {
+  double sum = 0;
+  for (const double channel : channels) sum += channel;
+  return sum;
+}
+template <class Channel>
+double total(const Channels<Channel>& channels) {
+  double sum = 0;
+  for (int c = 0; c < 7; ++c) sum += channels[static_cast<Channel>(c)];
+  return sum;
+}
+
 Point column(const Vectors& x, Index n) { return {x(0, n), x(1, n), x(2, n)}; }
 
 template <class Kind, class Law>
@@ -97,15 +110,15 @@ void solids_are_the_sum_of_their_elements(const Law& law, const typename Kind::O
       std::array<Point, 8> X, x, v, f;
       for (int a = 0; a < 8; ++a) {
         const Index n = block.nodes(a, e);
-        X[a] = column(s.mesh.X, n), x[a] = column(s.x, n), v[a] = column(s.v, n);
+        X[a] = column(s.mesh.X, n), x[a] = column(s.x, n), v[a] = 0.1 * column(s.v, n);
       }
       const auto report = advance(law, block.options, constants(law, block.options, X), x, v, 0.1,
                                   one[e], f);
       for (int a = 0; a < 8; ++a) force.col(block.nodes(a, e)) += Vec3(f[a].x, f[a].y, f[a].z);
       if (report.step < least_step) least_step = report.step, step_at = e;
       if (report.size < least_size) least_size = report.size, size_at = e;
-      stored += report.stored[0] + report.stored[1];
-      dissipated += report.plastic + report.viscous + report.hourglass;
+      stored += total(report.stored);
+      dissipated += total(report.dissipated);
     }
     EXPECT_LT((by_node(s, s.forces.force) - force).norm(), 1e-12 * force.norm());
     EXPECT_NEAR(vote.step, least_step, 1e-12 * least_step);
@@ -114,8 +127,8 @@ void solids_are_the_sum_of_their_elements(const Law& law, const typename Kind::O
     EXPECT_EQ(vote.size_element, size_at);
     double reported = 0, lost = 0;
     for (const auto& report : s.forces.reports) {
-      reported += report.stored[0] + report.stored[1];
-      lost += report.plastic + report.viscous + report.hourglass;
+      reported += total(report.stored);
+      lost += total(report.dissipated);
     }
     EXPECT_NEAR(reported, stored, 1e-12 * std::abs(stored)) << "fillers contribute nothing";
     EXPECT_NEAR(lost, dissipated, 1e-12 * dissipated);
@@ -145,8 +158,8 @@ void plates_are_the_sum_of_their_elements(const Law& law) {
       std::array<Point, 3> X, x, v, w, f, m;
       for (int a = 0; a < 3; ++a) {
         const Index n = block.nodes(a, e);
-        X[a] = column(s.mesh.X, n), x[a] = column(s.x, n), v[a] = column(s.v, n),
-        w[a] = column(s.w, n);
+        X[a] = column(s.mesh.X, n), x[a] = column(s.x, n), v[a] = 0.1 * column(s.v, n),
+        w[a] = 0.1 * column(s.w, n);
       }
       const auto report = advance(law, block.options, block.layers,
                                   constants(law, block.options, X), x, v, w, 0.1, one[e], f, m);
@@ -177,11 +190,9 @@ TEST(Block, WorkIsStoredOrDissipatedUpToTheSecondOrderOfTheStep) {
       Scene s = start;
       for (int step = 0; step < steps; ++step) s.move(0.2 / steps);
       EXPECT_LT(s.memory.work, 0);
-      EXPECT_GE(s.memory.plastic, 0);
-      EXPECT_GT(s.memory.viscous, 0);
-      return (s.memory.work + s.memory.stored[0] + s.memory.stored[1] + s.memory.plastic +
-              s.memory.viscous + s.memory.hourglass) /
-             s.memory.work;
+      EXPECT_GE(s.memory.dissipated[Dissipated::plastic], 0);
+      EXPECT_GT(s.memory.dissipated[Dissipated::viscous], 0);
+      return (s.memory.work + total(s.memory.stored) + total(s.memory.dissipated)) / s.memory.work;
     };
     EXPECT_LT(std::abs(left_over(20)), 1e-2);
     EXPECT_LT(std::abs(left_over(160)), 2e-4);
@@ -203,7 +214,7 @@ TEST(Block, ElasticCycleGivesItsWorkBack) {
       most = std::max(most, -s.memory.work);
     }
     EXPECT_LT(std::abs(s.memory.work), 1e-6 * most);
-    EXPECT_LT(std::abs(s.memory.stored[0] + s.memory.stored[1]), 1e-6 * most);
+    EXPECT_LT(std::abs(total(s.memory.stored)), 1e-6 * most);
   }
 }
 
@@ -351,7 +362,7 @@ TEST(Block, FieldsOfEightPointsAreMeansAndLargestValues) {
       std::array<Point, 8> X, at, v, f;
       for (int a = 0; a < 8; ++a) {
         const Index n = block.nodes(a, e);
-        X[a] = column(s.mesh.X, n), at[a] = column(x, n), v[a] = column(s.v, n);
+        X[a] = column(s.mesh.X, n), at[a] = column(x, n), v[a] = 0.1 * column(s.v, n);
       }
       advance(plastic, block.options, constants(plastic, block.options, X), at, v, 0.1, one, f);
     }
@@ -416,17 +427,43 @@ TEST(Block, KnowsItsNameAndItsStores) {
   const Scene solid = solids(elastic), plate = skin(elastic);
   EXPECT_EQ(name(solid.block), "box");
   EXPECT_EQ(name(plate.block), "skin");
-  EXPECT_FALSE(is_plate(solid.block));
-  EXPECT_TRUE(is_plate(plate.block));
-  using Names = std::vector<std::string>;
-  EXPECT_EQ(stored_names(solid.block), (Names{"elastic", "hourglass"}));
-  EXPECT_EQ(dissipated_names(solid.block), (Names{"plastic", "viscous"}));
-  EXPECT_EQ(stored_names(plate.block), (Names{"elastic", "transverse_shear"}));
-  EXPECT_EQ(dissipated_names(plate.block), (Names{"plastic", "viscous"}));
-  EXPECT_EQ(stored_names(solids(elastic, dashpots).block), Names{"elastic"});
-  EXPECT_EQ(dissipated_names(solids(elastic, dashpots).block), (Names{"plastic", "viscous", "hourglass"}));
-  EXPECT_EQ(stored_names(solids(elastic, eight_points).block), Names{"elastic"});
-  EXPECT_EQ(dissipated_names(solids(elastic, eight_points).block), (Names{"plastic", "viscous"}));
+  EXPECT_FALSE(rotates(solid.block));
+  EXPECT_TRUE(rotates(plate.block));
+  using In = std::vector<Stored>;
+  using Out = std::vector<Dissipated>;
+  EXPECT_EQ(stored_channels(solid.block), (In{Stored::elastic, Stored::hourglass}));
+  EXPECT_EQ(dissipated_channels(solid.block), (Out{Dissipated::plastic, Dissipated::viscous}));
+  EXPECT_EQ(stored_channels(plate.block), (In{Stored::elastic, Stored::transverse_shear}));
+  EXPECT_EQ(dissipated_channels(plate.block), (Out{Dissipated::plastic, Dissipated::viscous}));
+  EXPECT_EQ(stored_channels(solids(elastic, dashpots).block), (In{Stored::elastic}));
+  EXPECT_EQ(dissipated_channels(solids(elastic, dashpots).block), (Out{Dissipated::plastic, Dissipated::viscous, Dissipated::hourglass}));
+  EXPECT_EQ(stored_channels(solids(elastic, eight_points).block), (In{Stored::elastic}));
+  EXPECT_EQ(dissipated_channels(solids(elastic, eight_points).block), (Out{Dissipated::plastic, Dissipated::viscous}));
+}
+
+TEST(Block, PostsItsWorkAndItsEnergiesSinceTheStart) {
+  for (Scene s : {solids(plastic), solids(plastic, dashpots), solids(plastic, eight_points), skin(plastic)}) {
+    s.move(0.1);
+    Account account;
+    for (const Stored channel : stored_channels(s.block)) account.at_start[channel] = s.memory.stored[channel];
+    s.move(0.1);
+    post(s.block, s.memory, account);
+    EXPECT_EQ(account.work, s.memory.work);
+    EXPECT_EQ(total(account.dissipated), total(s.memory.dissipated)) << "every channel is posted";
+    EXPECT_NEAR(total(account.stored), total(s.memory.stored) - total(account.at_start), 1e-12 * total(s.memory.stored));
+  }
+}
+
+TEST(Block, KnowsHowDeepItIsBehindASurface) {
+  const mesh::Mesh mesh = mesh::box("box", {Vec3(0, 0, 0), Vec3(2, 3, 4), {1, 1, 1}});
+  for (const AnyHexahedronOptions& options : {AnyHexahedronOptions(Hexahedron::Options{}), AnyHexahedronOptions(eight_points)}) {
+    const AnyBlock block = element::solids(mesh, "box", elastic, options);
+    EXPECT_NEAR(depth(block, mesh.X, 0, 6.0), 4.0, 1e-14);
+    EXPECT_EQ(thickness(block), 0);
+  }
+  const Scene plate = skin(elastic);
+  EXPECT_EQ(depth(plate.block, plate.mesh.X, 0, 6.0), 0.1);
+  EXPECT_EQ(thickness(plate.block), 0.1);
 }
 
 }  // namespace

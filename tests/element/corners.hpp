@@ -14,16 +14,16 @@
 
 #include "base/types.hpp"
 #include "element/full_hexahedron.hpp"
-#include "material/elastic.hpp"
-#include "material/j2_bilinear.hpp"
-#include "material/j2_mixed.hpp"
+#include "material/laws.hpp"
+#include "tests/element/metal.hpp"
 
 namespace nereid::element {
 
 using material::Elastic;
 using material::J2Bilinear;
+using material::J2JohnsonCook;
 using material::J2Mixed;
-using Laws = ::testing::Types<Elastic, J2Bilinear, J2Mixed>;
+using material::Laws;
 using Point = Vector<double>;
 using Corners = std::array<Point, 8>;
 using Matrix24 = Eigen::Matrix<double, 24, 24>;
@@ -88,21 +88,6 @@ inline double largest(const Corners& a) {
   return s;
 }
 
-template <class Law>
-Law metal(double poisson = 0.3);
-template <>
-inline Elastic metal<Elastic>(double poisson) {
-  return {2.0, 3.0, poisson};
-}
-template <>
-inline J2Bilinear metal<J2Bilinear>(double poisson) {
-  return {2.0, 3.0, poisson, 0.03, 0.3};
-}
-template <>
-inline J2Mixed metal<J2Mixed>(double poisson) {
-  return {2.0, 3.0, poisson, 0.03, 0.3, 0.25};
-}
-
 const Viscosity no_viscosity{.linear = 0, .quadratic = 0};
 
 inline Modes<double> amplitudes(const Corners& x) {
@@ -160,16 +145,13 @@ struct OneElement {
   typename Kind::template Memory<double, Law> memory{};
   Corners x = X, force{};
 
-  Report<double> move(const Corners& to, double dt = 1.0) { return step(to, sum(to, x, -1.0), dt); }
-  /// the increment du is v dt
-  Report<double> step(const Corners& to, const Corners& du, double dt) {
-    Corners v;
-    for (int i = 0; i < 8; ++i) v[i] = (1.0 / dt) * du[i];
+  auto step(const Corners& to, const Corners& du, double dt) {
     x = to;
-    return advance(law, options, constants, to, v, dt, memory, force);
+    return advance(law, options, constants, to, du, dt, memory, force);
   }
+  auto move(const Corners& to, double dt = 1.0) { return step(to, sum(to, x, -1.0), dt); }
   /// forces of the present state
-  void rest() { advance(law, options, constants, x, Corners{}, 0.0, memory, force); }
+  void rest() { step(x, Corners{}, 1.0); }
 
   void randomise(double stress) {
     for (auto* s : stresses(memory)) *s = random_tensor(stress);

@@ -121,7 +121,7 @@ TEST(WedgeAtTheAxis, PassesThePatchTestWithOnePointOrEight) {
     for (Index e = 0; e < stresses.cols(); ++e)  // displacements of 1e-9 in a body of 1 leave seven digits
       EXPECT_LT((stresses.col(e) - expected).norm(), 1e-6 * expected.norm());
     if (!std::holds_alternative<Block<FullHexahedron, Elastic>>(block)) {
-      EXPECT_LT(std::abs(memory.stored[1]), 1e-12 * memory.stored[0]);  // no hourglass energy, by the square of 1e-6
+      EXPECT_LT(std::abs(memory.stored[Stored::hourglass]), 1e-12 * memory.stored[Stored::elastic]);  // no hourglass energy, by the square of 1e-6
     }
     // inside, forces cancel; none of the nodes off the surface, the axis among them, feels any
     const Vectors force = forces(block, mesh, u);

@@ -124,7 +124,7 @@ relaxation: {residual: 1e-5, after: 1 ms, samples: 3}
       EXPECT_NEAR(c.state.x(0, n), 1.001 * X.x(), 1e-16);
     }
   }
-  EXPECT_GT(c.state.blocks[0].stored[0], 0);
+  EXPECT_GT(c.state.blocks[0].stored[Stored::elastic], 0);
 }
 
 TEST(ReadActions, ListNamesThatTheMeshDoesNotHaveAtTheirLine) {

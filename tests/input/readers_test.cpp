@@ -20,7 +20,7 @@ TEST(ReadLaw, TakesTableTwoAsPrintedIntoSI) {
   const auto& lead = std::get<material::J2Bilinear>(law);
   EXPECT_NEAR(lead.density, 11081.5, 0.1);
   EXPECT_NEAR(lead.young, 191.2297e6, 1e2);
-  EXPECT_NEAR(lead.tangent, 18.1423e6, 1e2);
+  EXPECT_NEAR(lead.flow.tangent, 18.1423e6, 1e2);
 }
 
 TEST(ReadLaw, ListsWhatAnElasticLawDoesNotUse) {
@@ -55,6 +55,38 @@ TEST(ReadLaw, WantsTheShareOfMixedHardeningAndOfNoOther) {
   file.finish();
   ASSERT_EQ(file.not_used().size(), 1U);
   EXPECT_EQ(file.not_used()[0].rfind("isotropic_share", 0), 0U);
+}
+
+const std::string hot_steel =
+    "kind: johnson_cook\ndensity: 7830 kg/m^3\nyoung: 200 GPa\npoisson: 0.29\nyield: 792 MPa\nhardening: 510 MPa\n"
+    "hardening_exponent: 0.26\nrate_coefficient: 0.014\nthermal_exponent: 1.03\nreference_temperature: 293 K\n"
+    "melting_temperature: 1793 K\nspecific_heat: 477 J/(kg*K)\n";
+
+TEST(ReadLaw, ReadsJohnsonAndCookWithTheirUnits) {
+  const auto law = std::get<material::J2JohnsonCook>(read(hot_steel + "reference_rate: 1 1/ms\n", read_law));
+  EXPECT_EQ(law.young, 200e9);
+  EXPECT_EQ(law.flow.yield, 792e6);
+  EXPECT_EQ(law.flow.specific_heat, 477);
+  EXPECT_EQ(law.flow.reference_rate, 1000);
+  EXPECT_EQ(law.flow.heat_share, 0.9);
+  EXPECT_EQ(law.flow.temperature, 293) << "that of reference unless told otherwise";
+  EXPECT_EQ(std::get<material::J2JohnsonCook>(read(hot_steel + "temperature: 500 K\n", read_law)).flow.temperature, 500);
+}
+
+TEST(ReadLaw, RefusesAMeltingTemperatureBelowThatOfReference) {
+  std::string cold = hot_steel;
+  cold.replace(cold.find("1793 K"), 6, "200 K");
+  EXPECT_THROW(read(cold, read_law), CaseError);
+}
+
+TEST(ReadPlateLaw, RefusesALawThatPlatesMayNotHaveAndNamesThoseTheyMay) {
+  EXPECT_TRUE(std::holds_alternative<material::J2Bilinear>(read(steel, read_plate_law)));
+  try {
+    read(hot_steel, read_plate_law);
+    FAIL();
+  } catch (const CaseError& error) {
+    EXPECT_NE(std::string(error.what()).find("elastic and j2_bilinear"), std::string::npos) << error.what();
+  }
 }
 
 element::AnyHexahedronOptions hexahedron(const Section& section) { return read_hexahedron_options(section); }

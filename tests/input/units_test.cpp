@@ -66,6 +66,7 @@ TEST(Units, EachSymbolHasItsValueInSi) {
       {"Hz", 1, dim::frequency},
       {"rad", 1, dim::angle},
       {"deg", 0.017453292519943295, dim::angle},
+      {"K", 1, dim::temperature},
   };
   for (const Row& row : rows) {
     const Quantity got = read(std::string("1 ") + row.symbol);
@@ -191,6 +192,7 @@ TEST(Units, DimensionsAreDescribedByBaseUnits) {
   EXPECT_EQ(describe(dim::penalty), "kg m^-2 s^-2");
   EXPECT_EQ(describe(dim::length), "m");
   EXPECT_EQ(describe(dim::angular_speed), "s^-1 rad");
+  EXPECT_EQ(describe(dim::specific_heat), "m^2 s^-2 K^-1");
   EXPECT_EQ(describe(dim::none), "1");
 }
 
@@ -200,6 +202,8 @@ TEST(Units, OutputUsesTheUnitsPeopleWrite) {
   EXPECT_EQ(si_unit(dim::energy), "J");
   EXPECT_EQ(si_unit(dim::momentum), "kg m/s");
   EXPECT_EQ(si_unit(dim::area), "m^2");
+  EXPECT_EQ(si_unit(dim::specific_heat), "J/(kg*K)");
+  EXPECT_EQ(std::get<Quantity>(parse_quantity("1 " + si_unit(dim::specific_heat))).dimension, dim::specific_heat);
   EXPECT_EQ(si_unit(dim::none), "1");
   EXPECT_EQ(si_unit(dim::stress / dim::speed), "kg m^-2 s^-1");
 }

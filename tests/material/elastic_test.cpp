@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/dual.hpp"
+#include "tests/material/point.hpp"
 
 namespace nereid::material {
 namespace {
@@ -29,7 +30,7 @@ TEST(Elastic, WaveSpeedsAreThoseOfSpaceAndOfAThinPlate) {
 
 TEST(Elastic, StressOfUniaxialStrainIsTheConstrainedModulusTimesStrain) {
   Symmetric<double> stress{};
-  update_stress(steel, Symmetric<double>{1e-3, 0, 0, 0, 0, 0}, stress, nothing);
+  strain_by(steel, Symmetric<double>{1e-3, 0, 0, 0, 0, 0}, stress, nothing);
   const auto [lambda, mu] = lame(steel);
   EXPECT_DOUBLE_EQ(stress.xx, 1e-3 * lambda + 1e-3 * (2.0 * mu));
   EXPECT_DOUBLE_EQ(stress.yy, 1e-3 * lambda);
@@ -40,8 +41,8 @@ TEST(Elastic, StressOfUniaxialStrainIsTheConstrainedModulusTimesStrain) {
 TEST(Elastic, ShearComponentsAreTensorComponents) {
   Symmetric<double> space{};
   Plane<double> plane{};
-  update_stress(steel, Symmetric<double>{0, 0, 0, 1e-3, 2e-3, 3e-3}, space, nothing);
-  update_stress(steel, Plane<double>{0, 0, 1e-3}, plane, nothing_in_plane);
+  strain_by(steel, Symmetric<double>{0, 0, 0, 1e-3, 2e-3, 3e-3}, space, nothing);
+  strain_by(steel, Plane<double>{0, 0, 1e-3}, plane, nothing_in_plane);
   const double twice_mu = 2.0 * shear_modulus(steel);
   EXPECT_DOUBLE_EQ(space.xy, 1e-3 * twice_mu);
   EXPECT_DOUBLE_EQ(space.yz, 2e-3 * twice_mu);
@@ -51,7 +52,7 @@ TEST(Elastic, ShearComponentsAreTensorComponents) {
 
 TEST(Elastic, EqualStrainInAPlateGivesTheBiaxialModulus) {
   Plane<double> stress{};
-  update_stress(steel, Plane<double>{1e-3, 1e-3, 0}, stress, nothing_in_plane);
+  strain_by(steel, Plane<double>{1e-3, 1e-3, 0}, stress, nothing_in_plane);
   EXPECT_NEAR(stress.xx, 1e-3 * steel.young / 0.7, 1e-7);
   EXPECT_EQ(stress.xx, stress.yy);
 }
@@ -59,9 +60,9 @@ TEST(Elastic, EqualStrainInAPlateGivesTheBiaxialModulus) {
 TEST(Elastic, StoredWorkIsTheChangeOfHalfStressOverYoungSquared) {
   Plane<double> stress{};
   const Plane<double> stretch{1e-3, -0.3e-3, 0};  // uniaxial stress
-  const Work<double> first = update_stress(steel, stretch, stress, nothing_in_plane);
+  const Work<double> first = strain_by(steel, stretch, stress, nothing_in_plane);
   EXPECT_NEAR(first.stored, 0.5 * 1e-6 * steel.young, 1e-9);
-  const Work<double> second = update_stress(steel, stretch, stress, nothing_in_plane);
+  const Work<double> second = strain_by(steel, stretch, stress, nothing_in_plane);
   EXPECT_NEAR(first.stored + second.stored, 0.5 * 4e-6 * steel.young, 1e-9);
   EXPECT_EQ(first.dissipated, 0.0);
 }

@@ -1,3 +1,6 @@
+// Bits are compared below: without this the compiler is free to fuse one product here and another there.
+#pragma GCC optimize("fp-contract=off")
+
 #include "material/j2_bilinear.hpp"
 
 #include <gtest/gtest.h>
@@ -48,8 +51,8 @@ TEST(J2Bilinear, HardeningModulusFollowsFromTheSlopeOfTheUniaxialCurve) {
 }
 
 TEST(J2Bilinear, YieldStressGrowsWithPlasticStrain) {
-  EXPECT_DOUBLE_EQ(yield_stress(steel, 0.0), steel.yield);
-  EXPECT_DOUBLE_EQ(yield_stress(steel, 0.5), steel.yield + 0.5 * hardening_modulus(steel));
+  EXPECT_DOUBLE_EQ(yield_stress(steel, 0.0), steel.flow.yield);
+  EXPECT_DOUBLE_EQ(yield_stress(steel, 0.5), steel.flow.yield + 0.5 * hardening_modulus(steel));
 }
 
 TYPED_TEST(J2BilinearIn, StressStaysOnTheYieldSurfaceForIncrementsOfAnySize) {
@@ -59,9 +62,9 @@ TYPED_TEST(J2BilinearIn, StressStaysOnTheYieldSurfaceForIncrementsOfAnySize) {
       TypeParam stress{}, strain{};
       auto internal = fresh<J2Bilinear>(stress);
       for (int step = 0; step < 30; ++step) {
-        draw(std::pow(10.0, draw(-8.0, 1.0)) * law.yield / law.young, strain);
+        draw(std::pow(10.0, draw(-8.0, 1.0)) * law.flow.yield / law.young, strain);
         const double before = internal.scalar[0];
-        update_stress(law, strain, stress, internal);
+        strain_by(law, strain, stress, internal);
         const double now = yield_stress(law, internal.scalar[0]), error = von_mises(stress) / now - 1.0;
         ASSERT_GE(internal.scalar[0], before);
         if (internal.scalar[0] > before)
@@ -82,9 +85,9 @@ TYPED_TEST(J2BilinearIn, AStepBeyondYieldOfAnySizeSatisfiesTheYieldFunction) {
         TypeParam stress{}, strain{};
         auto internal = fresh<J2Bilinear>(stress);
         draw(1.0, strain);
-        update_stress(law, (100.0 * law.yield / law.young) * strain, stress, internal);
+        strain_by(law, (100.0 * law.flow.yield / law.young) * strain, stress, internal);
         const double before = internal.scalar[0];
-        update_stress(law, (size * law.yield / law.young) * strain, stress, internal);
+        strain_by(law, (size * law.flow.yield / law.young) * strain, stress, internal);
         ASSERT_GT(internal.scalar[0], before);
         worst = std::max(worst, std::abs(von_mises(stress) / yield_stress(law, internal.scalar[0]) - 1.0));
       }
@@ -100,9 +103,9 @@ TYPED_TEST(J2BilinearIn, AStepWithoutFlowIsThatOfElasticToTheLastBit) {
     internal.scalar[0] = draw(0.0, 1.0);
     const double before = internal.scalar[0];
     for (int step = 0; step < 3; ++step) {
-      draw(0.05 * steel.yield / steel.young, strain);
-      const Work<double> work = update_stress(steel, strain, stress, internal);
-      const Work<double> expected = update_stress(elastic, strain, reference, nothing);
+      draw(0.05 * steel.flow.yield / steel.young, strain);
+      const Work<double> work = strain_by(steel, strain, stress, internal);
+      const Work<double> expected = strain_by(elastic, strain, reference, nothing);
       ASSERT_EQ(internal.scalar[0], before);
       ASSERT_EQ(work.dissipated, 0.0);
       ASSERT_EQ(work.stored, expected.stored);
@@ -116,7 +119,7 @@ TYPED_TEST(J2BilinearIn, AStepWithoutFlowIsThatOfElasticToTheLastBit) {
 TYPED_TEST(J2BilinearIn, NoStrainAtNoStressGivesNoStressAndNoNaN) {
   TypeParam stress{};
   auto internal = fresh<J2Bilinear>(stress);
-  const Work<double> work = update_stress(perfect, TypeParam{}, stress, internal);
+  const Work<double> work = strain_by(perfect, TypeParam{}, stress, internal);
   EXPECT_EQ(von_mises(stress), 0.0);
   EXPECT_EQ(internal.scalar[0], 0.0);
   EXPECT_EQ(work.stored, 0.0);
@@ -127,13 +130,13 @@ TEST(J2Bilinear, DerivativeAtNoStressIsHookes) {
   const auto e = Dual<1>::variable(0.0, 0);
   Symmetric<Dual<1>> space{};
   auto internal = fresh<J2Bilinear>(space);
-  update_stress(steel, Symmetric<Dual<1>>{e, 0, 0, 0, 0, 0}, space, internal);
+  strain_by(steel, Symmetric<Dual<1>>{e, 0, 0, 0, 0, 0}, space, internal);
   const auto [lambda, mu] = lame(steel);
   EXPECT_DOUBLE_EQ(space.xx.by[0], lambda + 2.0 * mu);
   EXPECT_DOUBLE_EQ(space.zz.by[0], lambda);
   Plane<Dual<1>> plane{};
   auto internal_in_plane = fresh<J2Bilinear>(plane);
-  update_stress(steel, Plane<Dual<1>>{e, 0, 0}, plane, internal_in_plane);
+  strain_by(steel, Plane<Dual<1>>{e, 0, 0}, plane, internal_in_plane);
   EXPECT_DOUBLE_EQ(plane.xx.by[0], steel.young / (1.0 - steel.poisson * steel.poisson));
 }
 
@@ -141,13 +144,13 @@ TYPED_TEST(J2BilinearIn, NaNStrainReturnsNaNStressInsteadOfHanging) {
   TypeParam stress{}, strain{};
   auto internal = fresh<J2Bilinear>(stress);
   strain.xx = std::numeric_limits<double>::quiet_NaN();
-  update_stress(steel, strain, stress, internal);
+  strain_by(steel, strain, stress, internal);
   EXPECT_TRUE(std::isnan(stress.xx));
 }
 
 TEST(J2Bilinear, LanesAtRestAndLanesThatFlowDoNotDisturbEachOther) {
   // Each lane has its own size, from nothing to ten yield strains.
-  const double unit = steel.yield / steel.young;
+  const double unit = steel.flow.yield / steel.young;
   for (int turn = 0; turn < lanes; ++turn) {
     Plane<Pack> strain{}, stress{};
     auto internal = fresh<J2Bilinear>(stress);
@@ -157,7 +160,7 @@ TEST(J2Bilinear, LanesAtRestAndLanesThatFlowDoNotDisturbEachOther) {
       strain.yy[lane] = -0.4 * size * unit;
       strain.xy[lane] = 0.3 * size * unit;
     }
-    update_stress(steel, strain, stress, internal);
+    strain_by(steel, strain, stress, internal);
     EXPECT_EQ(stress.xx[turn], 0.0);
     EXPECT_EQ(internal.scalar[0][turn], 0.0);
     for (int lane = 0; lane < lanes; ++lane) EXPECT_TRUE(std::isfinite(stress.xy[lane]));
@@ -171,15 +174,15 @@ TYPED_TEST(J2BilinearIn, RadialPathsDoNotDependOnTheSizeOfTheStep) {
     TypeParam stress{}, strain{};
     auto internal = fresh<J2Bilinear>(stress);
     double dissipated = 0.0;
-    const double unit = law.yield / law.young;
+    const double unit = law.flow.yield / law.young;
     for (const double amplitude : {5.0 * unit, -8.0 * unit}) {
       strain.xx = 0.7 * amplitude / steps;
       strain.yy = -0.7 * amplitude / steps;
       strain.xy = amplitude / steps;
       for (int step = 0; step < steps; ++step)
-        dissipated += update_stress(law, strain, stress, internal).dissipated;
+        dissipated += strain_by(law, strain, stress, internal).dissipated;
     }
-    return std::array<double, 4>{stress.xx / law.yield, stress.xy / law.yield, internal.scalar[0] / unit,
+    return std::array<double, 4>{stress.xx / law.flow.yield, stress.xy / law.flow.yield, internal.scalar[0] / unit,
                                  dissipated};
   };
   for (const J2Bilinear& law : {lead, steel, perfect}) {
@@ -193,9 +196,9 @@ TEST(J2Bilinear, UniaxialStrainKeepsVolumeElasticInASingleStepOrMany) {
   for (const int steps : {1, 7, 500}) {
     Symmetric<double> stress{};
     auto internal = fresh<J2Bilinear>(stress);
-    const double total = -6.0 * steel.yield / steel.young;
+    const double total = -6.0 * steel.flow.yield / steel.young;
     for (int step = 0; step < steps; ++step)
-      update_stress(steel, Symmetric<double>{total / steps, 0, 0, 0, 0, 0}, stress, internal);
+      strain_by(steel, Symmetric<double>{total / steps, 0, 0, 0, 0, 0}, stress, internal);
     EXPECT_NEAR(pressure(stress) / (-bulk_modulus(steel) * total), 1.0, 1e-13);
     EXPECT_NEAR((stress.zz - stress.xx) / yield_stress(steel, internal.scalar[0]), 1.0, 1e-13);
   }
@@ -205,13 +208,13 @@ TEST(J2Bilinear, DissipationOfMonotonicShearIsTheAreaUnderTheYieldCurve) {
   // Steps within flow only: dissipated = integral of Y d(plastic strain), whatever the step.
   Symmetric<double> stress{};
   auto internal = fresh<J2Bilinear>(stress);
-  const double at_yield = lead.yield / std::sqrt(3.0) / (2.0 * shear_modulus(lead));
+  const double at_yield = lead.flow.yield / std::sqrt(3.0) / (2.0 * shear_modulus(lead));
   double dissipated = 0.0;
   for (int step = 0; step < 5; ++step)
-    dissipated += update_stress(lead, Symmetric<double>{0, 0, 0, at_yield, 0, 0}, stress, internal)
+    dissipated += strain_by(lead, Symmetric<double>{0, 0, 0, at_yield, 0, 0}, stress, internal)
                       .dissipated;
   const double p = internal.scalar[0];
-  const double expected = lead.yield * p + 0.5 * hardening_modulus(lead) * p * p;
+  const double expected = lead.flow.yield * p + 0.5 * hardening_modulus(lead) * p * p;
   EXPECT_NEAR(dissipated / expected, 1.0, 1e-12);
 }
 

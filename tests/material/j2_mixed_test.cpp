@@ -1,3 +1,6 @@
+// Bits are compared below: without this the compiler is free to fuse one product here and another there.
+#pragma GCC optimize("fp-contract=off")
+
 #include "material/j2_mixed.hpp"
 
 #include <gtest/gtest.h>
@@ -71,8 +74,8 @@ TYPED_TEST(J2MixedIn, WithAllOfItIsotropicItIsJ2Bilinear) {
       auto plain = fresh<J2Bilinear>(stress);
       for (int step = 0; step < 30; ++step) {
         const auto strain = draw_strain<TypeParam>(std::pow(10.0, draw(-8.0, 1.0)) * unit(law));
-        const Work<double> a = update_stress(law, strain, stress, internal);
-        const Work<double> b = update_stress(bilinear, strain, expected, plain);
+        const Work<double> a = strain_by(law, strain, stress, internal);
+        const Work<double> b = strain_by(bilinear, strain, expected, plain);
         const double trial = law.yield + law.young * largest(strain);
         worst = std::max(worst, largest(stress - expected) / trial);
         worst = std::max(worst, std::abs(internal.scalar[0] - plain.scalar[0]) / (plain.scalar[0] + unit(law)));
@@ -95,7 +98,7 @@ TYPED_TEST(J2MixedIn, StressStaysWithinTheMovedYieldSurfaceForIncrementsOfAnySiz
       for (int step = 0; step < 30; ++step) {
         const auto strain = draw_strain<TypeParam>(std::pow(10.0, draw(-8.0, 1.0)) * unit(law));
         const double before = internal.scalar[0];
-        update_stress(law, strain, stress, internal);
+        strain_by(law, strain, stress, internal);
         const double radius = yield_stress(law, internal.scalar[0]);
         const double error = distance_to_centre(stress, internal.tensor[0]) / radius - 1.0;
         ASSERT_GE(internal.scalar[0], before);
@@ -124,8 +127,8 @@ TYPED_TEST(J2MixedIn, AStepWithoutFlowIsThatOfElasticToTheLastBit) {
     const auto before = rows(internal);
     for (int step = 0; step < 3; ++step) {
       const auto strain = draw_strain<TypeParam>(0.05 * unit(law));
-      const Work<double> work = update_stress(law, strain, stress, internal);
-      const Work<double> expected = update_stress(elastic, strain, reference, nothing);
+      const Work<double> work = strain_by(law, strain, stress, internal);
+      const Work<double> expected = strain_by(elastic, strain, reference, nothing);
       ASSERT_EQ(rows(internal), before);
       ASSERT_EQ(work.dissipated, 0.0);
       ASSERT_EQ(work.stored, expected.stored);
@@ -213,7 +216,7 @@ TYPED_TEST(J2MixedIn, LoopsOfKinematicHardeningCloseAndDoNotCreepAlong) {
       for (int i = 0; i < 40; ++i) {
         TypeParam strain{};
         strain.xx = size / 40 * unit(law), strain.xy = 0.3 * strain.xx;
-        const Work<double> work = update_stress(law, strain, stress, internal);
+        const Work<double> work = strain_by(law, strain, stress, internal);
         sum.stored += work.stored, sum.dissipated += work.dissipated;
       }
     };
@@ -262,7 +265,7 @@ TYPED_TEST(J2MixedIn, OfTheWorkOfMonotonicShearWhatMovesTheSurfaceIsStored) {
     strain.xy = law.yield / std::sqrt(3.0) / (2.0 * shear_modulus(law));
     double stored = 0.0, dissipated = 0.0;
     for (int step = 0; step < 5; ++step) {
-      const Work<double> work = update_stress(law, strain, stress, internal);
+      const Work<double> work = strain_by(law, strain, stress, internal);
       stored += work.stored, dissipated += work.dissipated;
     }
     const double p = internal.scalar[0], elastic = stress.xy * stress.xy / (2.0 * shear_modulus(law));
@@ -280,7 +283,7 @@ TYPED_TEST(J2MixedIn, RadialPathsDoNotDependOnTheSizeOfTheStep) {
       strain.xx = 0.7 * amplitude / steps;
       strain.yy = -0.7 * amplitude / steps;
       strain.xy = amplitude / steps;
-      for (int step = 0; step < steps; ++step) update_stress(law, strain, stress, internal);
+      for (int step = 0; step < steps; ++step) strain_by(law, strain, stress, internal);
     }
     return std::array<double, 4>{stress.xx / law.yield, stress.xy / law.yield, internal.tensor[0].xy / law.yield,
                                  internal.scalar[0] / unit(law)};
@@ -295,7 +298,7 @@ TYPED_TEST(J2MixedIn, RadialPathsDoNotDependOnTheSizeOfTheStep) {
 TYPED_TEST(J2MixedIn, NoStrainAtNoStressGivesNoStressAndNoNaN) {
   TypeParam stress{};
   auto internal = fresh<J2Mixed>(stress);
-  const Work<double> work = update_stress(perfect, TypeParam{}, stress, internal);
+  const Work<double> work = strain_by(perfect, TypeParam{}, stress, internal);
   EXPECT_EQ(largest(stress), 0.0);
   EXPECT_EQ(rows(internal), rows(fresh<J2Mixed>(stress)));
   EXPECT_EQ(work.stored, 0.0);
@@ -306,7 +309,7 @@ TYPED_TEST(J2MixedIn, NaNStrainReturnsNaNStressInsteadOfHanging) {
   TypeParam stress{}, strain{};
   auto internal = fresh<J2Mixed>(stress);
   strain.xx = std::numeric_limits<double>::quiet_NaN();
-  update_stress(steel(0.4), strain, stress, internal);
+  strain_by(steel(0.4), strain, stress, internal);
   EXPECT_TRUE(std::isnan(stress.xx));
 }
 
@@ -323,7 +326,7 @@ TEST(J2Mixed, BitsOfALaneDoNotDependOnItsNeighbours) {
         const double size = sizes[step][lane] * unit(law) * (step % 3 == 2 ? -1.0 : 1.0);
         strain.xx[lane] = size, strain.yy[lane] = (step % 2 == 0 ? -0.4 : 0.8) * size, strain.xy[lane] = 0.3 * size;
       }
-      update_stress(law, strain, stress, internal);
+      strain_by(law, strain, stress, internal);
     }
     std::vector<Pack> all{stress.xx, stress.yy, stress.xy};
     internal.each_row([&all](Pack& row) { all.push_back(row); });

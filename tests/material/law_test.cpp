@@ -10,15 +10,10 @@
 #include <vector>
 
 #include "base/dual.hpp"
-#include "material/elastic.hpp"
-#include "material/j2_bilinear.hpp"
-#include "material/j2_mixed.hpp"
 #include "tests/material/point.hpp"
 
 namespace nereid::material {
 namespace {
-
-using Laws = ::testing::Types<Elastic, J2Bilinear, J2Mixed>;  // every law of lib/material
 
 // -- Materials: Table II of Kulak & Fiala (NEPTUNE) ----------------------------------------------
 
@@ -33,17 +28,23 @@ void make(const Row& row, Elastic& law) {
   law = {row.density, row.young * kgf_per_mm2, row.poisson};
 }
 void make(const Row& row, J2Bilinear& law) {
-  law = {row.density, row.young * kgf_per_mm2, row.poisson, row.yield * kgf_per_mm2,
-         row.tangent * kgf_per_mm2};
+  law = {row.density, row.young * kgf_per_mm2, row.poisson, {row.yield * kgf_per_mm2, row.tangent * kgf_per_mm2}};
 }
 void make(const Row& row, J2Mixed& law) {
   J2Bilinear same{};
   make(row, same);
-  law = {same.density, same.young, same.poisson, same.yield, same.tangent, row.isotropic};
+  law = {same.density, same.young, same.poisson, same.flow.yield, same.flow.tangent, row.isotropic};
+}
+/// Without heat, so that a slow load has a curve of stress over strain.
+void make(const Row& row, J2JohnsonCook& law) {
+  law = {row.density, row.young * kgf_per_mm2, row.poisson,
+         {.yield = row.yield * kgf_per_mm2, .hardening = row.tangent * kgf_per_mm2, .hardening_exponent = 0.5,
+          .rate_coefficient = 0.02, .reference_rate = 1, .thermal_exponent = 1, .reference_temperature = 300,
+          .melting_temperature = 1500, .specific_heat = 450, .heat_share = 0, .temperature = 300}};
 }
 /// Under a load that only grows, the share of the hardening that is isotropic makes no difference.
 J2Bilinear under_growing_load(const J2Mixed& law) {
-  return {law.density, law.young, law.poisson, law.yield, law.tangent};
+  return {law.density, law.young, law.poisson, {law.yield, law.tangent}};
 }
 
 /// Stress that a curve with a kink at `limit` reaches: slope `before` up to it, `after` beyond.
@@ -54,7 +55,7 @@ double bilinear(double strain, double limit, double before, double after) {
 // The exact answers of each law, to a strain that grows from zero.
 double uniaxial_stress(const Elastic& law, double strain) { return law.young * strain; }
 double uniaxial_stress(const J2Bilinear& law, double strain) {
-  return bilinear(strain, law.yield, law.young, law.tangent);
+  return bilinear(strain, law.flow.yield, law.young, law.flow.tangent);
 }
 double uniaxial_stress(const J2Mixed& law, double strain) {
   return uniaxial_stress(under_growing_load(law), strain);
@@ -65,7 +66,7 @@ double uniaxial_strain(const Elastic& law, double strain) {
 double uniaxial_strain(const J2Bilinear& law, double strain) {
   const double K = bulk_modulus(law), G = shear_modulus(law), H = hardening_modulus(law);
   const double elastic = K + 4.0 / 3.0 * G;
-  return bilinear(strain, elastic * law.yield / (2.0 * G), elastic,
+  return bilinear(strain, elastic * law.flow.yield / (2.0 * G), elastic,
                   K + 4.0 / 3.0 * G * H / (H + 3.0 * G));
 }
 double uniaxial_strain(const J2Mixed& law, double strain) {
@@ -74,12 +75,33 @@ double uniaxial_strain(const J2Mixed& law, double strain) {
 double shear(const Elastic& law, double angle) { return shear_modulus(law) * angle; }
 double shear(const J2Bilinear& law, double angle) {
   const double G = shear_modulus(law), H = hardening_modulus(law);
-  return bilinear(angle, law.yield / std::sqrt(3.0), G, 1.0 / (1.0 / G + 3.0 / H));
+  return bilinear(angle, law.flow.yield / std::sqrt(3.0), G, 1.0 / (1.0 / G + 3.0 / H));
 }
 double shear(const J2Mixed& law, double angle) { return shear(under_growing_load(law), angle); }
+/// Flow of a slow load without heat: the root p of  a - b p = A + B p^n, found by halving.
+double flow_under(const J2JohnsonCook& law, double a, double b) {
+  double low = 0.0, high = a / b;
+  for (int i = 0; i < 200; ++i) {
+    const double p = 0.5 * (low + high);
+    (a - b * p > law.flow.yield + law.flow.hardening * std::pow(p, law.flow.hardening_exponent) ? low : high) = p;
+  }
+  return a > law.flow.yield ? low : 0.0;
+}
+double uniaxial_stress(const J2JohnsonCook& law, double strain) {
+  return law.young * (strain - flow_under(law, law.young * strain, law.young));
+}
+double uniaxial_strain(const J2JohnsonCook& law, double strain) {
+  const double G = shear_modulus(law), p = flow_under(law, 2.0 * G * strain, 3.0 * G);
+  return bulk_modulus(law) * strain + 2.0 * G * (2.0 / 3.0 * strain - p);
+}
+double shear(const J2JohnsonCook& law, double angle) {
+  const double G = shear_modulus(law);
+  return G * (angle - std::sqrt(3.0) * flow_under(law, std::sqrt(3.0) * G * angle, 3.0 * G));
+}
 /// A strain of the size of interest.
 double unit(const Elastic&) { return 1e-3; }
-double unit(const J2Bilinear& law) { return law.yield / law.young; }
+double unit(const J2Bilinear& law) { return law.flow.yield / law.young; }
+double unit(const J2JohnsonCook& law) { return law.flow.yield / law.young; }
 double unit(const J2Mixed& law) { return law.yield / law.young; }
 /// How far from the centre of its elastic range, in uniaxial stress, a point with this memory flows next; without
 /// flow, more than any.
@@ -90,6 +112,10 @@ double flow_stress(const Elastic& law, const Internal<double, Elastic, S>&) {
 template <template <class> class S>
 double flow_stress(const J2Bilinear& law, const Internal<double, J2Bilinear, S>& internal) {
   return yield_stress(law, internal.scalar[0]);
+}
+template <template <class> class S>
+double flow_stress(const J2JohnsonCook& law, const Internal<double, J2JohnsonCook, S>& internal) {
+  return yield_stress(law, internal.scalar);
 }
 template <template <class> class S>
 double flow_stress(const J2Mixed& law, const Internal<double, J2Mixed, S>& internal) {
@@ -140,6 +166,9 @@ class EveryLaw : public ::testing::Test {
   std::vector<L> laws;
 };
 TYPED_TEST_SUITE(EveryLaw, Laws);
+template <class L>
+class EveryPlateLaw : public EveryLaw<L> {};
+TYPED_TEST_SUITE(EveryPlateLaw, PlateLaws);
 
 // -- Known answers
 // ----------------------------------------------------------------------------------
@@ -158,7 +187,7 @@ TYPED_TEST(EveryLaw, FollowsTheTableInUniaxialStress) {
   for (const auto& law : this->laws)
     for (const int steps : {1, 3, 200}) {
       run(law, Symmetric<double>{}, steps);
-      run(law, Plane<double>{}, steps);
+      if constexpr (PlateLaw<TypeParam>) run(law, Plane<double>{}, steps);
     }
 }
 
@@ -169,7 +198,7 @@ TYPED_TEST(EveryLaw, FollowsTheExactCurveInUniaxialStrain) {
       auto internal = fresh<TypeParam>(stress);
       const double step = 5.0 * unit(law) / steps;
       for (int i = 1; i <= steps; ++i) {
-        update_stress(law, Symmetric<double>{step, 0, 0, 0, 0, 0}, stress, internal);
+        strain_by(law, Symmetric<double>{step, 0, 0, 0, 0, 0}, stress, internal);
         ASSERT_NEAR(stress.xx / uniaxial_strain(law, i * step), 1.0, 1e-12);
       }
     }
@@ -181,14 +210,14 @@ TYPED_TEST(EveryLaw, FollowsTheExactCurveInShear) {
     decltype(stress) strain{};
     strain.xy = 0.5 * 5.0 * unit(law) / steps;  // half the angle
     for (int i = 1; i <= steps; ++i) {
-      update_stress(law, strain, stress, internal);
+      strain_by(law, strain, stress, internal);
       ASSERT_NEAR(stress.xy / shear(law, i * 2.0 * strain.xy), 1.0, 1e-12);
     }
   };
   for (const auto& law : this->laws)
     for (const int steps : {1, 3, 200}) {
       run(law, Symmetric<double>{}, steps);
-      run(law, Plane<double>{}, steps);
+      if constexpr (PlateLaw<TypeParam>) run(law, Plane<double>{}, steps);
     }
 }
 
@@ -200,9 +229,9 @@ TEST(LawOfTableII, HasTheShearYieldAndShearTangentOfTheCatalogue) {
     Symmetric<double> stress{};
     auto internal = fresh<J2Bilinear>(stress);
     const double angle = 10.0 * unit(law);
-    update_stress(law, Symmetric<double>{0, 0, 0, 0.5 * angle, 0, 0}, stress, internal);
+    strain_by(law, Symmetric<double>{0, 0, 0, 0.5 * angle, 0, 0}, stress, internal);
     const double first = stress.xy;
-    update_stress(law, Symmetric<double>{0, 0, 0, 0.5 * angle, 0, 0}, stress, internal);
+    strain_by(law, Symmetric<double>{0, 0, 0, 0.5 * angle, 0, 0}, stress, internal);
     const double tangent = (stress.xy - first) / angle, G = shear_modulus(law);
     at_yield = (first - tangent * angle) / (1.0 - tangent / G) / kgf_per_mm2;
     return tangent / kgf_per_mm2;
@@ -242,7 +271,7 @@ TYPED_TEST(EveryLaw, FlowsWhereItsElasticRangeEndsInCyclesOfTensionAndCompressio
   };
   for (const auto& law : this->laws) {
     run(law, Symmetric<double>{});
-    run(law, Plane<double>{});
+    if constexpr (PlateLaw<TypeParam>) run(law, Plane<double>{});
   }
 }
 
@@ -259,7 +288,7 @@ TYPED_TEST(EveryLaw, GivesBackAllWorkOfAClosedElasticCycle) {
       S strain = draw_strain<S>(0.02 * unit(law));
       if (i == 19) strain = -1.0 * sum;
       sum = sum + strain;
-      const Work<double> work = update_stress(law, strain, stress, internal);
+      const Work<double> work = strain_by(law, strain, stress, internal);
       stored += work.stored;
       dissipated += work.dissipated;
       most = std::max(most, stored);
@@ -271,7 +300,7 @@ TYPED_TEST(EveryLaw, GivesBackAllWorkOfAClosedElasticCycle) {
   for (const auto& law : this->laws)
     for (int cycle = 0; cycle < 50; ++cycle) {
       run(law, Symmetric<double>{});
-      run(law, Plane<double>{});
+      if constexpr (PlateLaw<TypeParam>) run(law, Plane<double>{});
     }
 }
 
@@ -282,7 +311,7 @@ TYPED_TEST(EveryLaw, SplitsTheWorkOfRandomHistoriesAndNeverDissipatesLessThanNot
     for (int i = 0; i < 100; ++i) {
       const S strain = draw_strain<S>(draw_size() * unit(law));
       const S old = stress;
-      const Work<double> work = update_stress(law, strain, stress, internal);
+      const Work<double> work = strain_by(law, strain, stress, internal);
       const double total = 0.5 * contract(old + stress, strain);
       const double size = largest(old + stress) * largest(strain);
       ASSERT_GE(work.dissipated, 0.0);
@@ -292,36 +321,29 @@ TYPED_TEST(EveryLaw, SplitsTheWorkOfRandomHistoriesAndNeverDissipatesLessThanNot
   for (const auto& law : this->laws)
     for (int history = 0; history < 100; ++history) {
       run(law, Symmetric<double>{});
-      run(law, Plane<double>{});
+      if constexpr (PlateLaw<TypeParam>) run(law, Plane<double>{});
     }
 }
 
 TYPED_TEST(EveryLaw, StoresTheElasticEnergyOfTheStressAndThatOfItsTensors) {
   // 1/2 s : C^-1 : s, with zz = 0 in the plane, and what the law stores besides.
-  const auto elastic_energy = [](const TypeParam& law, double q, double p) {
-    return q * q / (6.0 * shear_modulus(law)) + p * p / (2.0 * bulk_modulus(law));
+  const auto run = [](const TypeParam& law, auto stress, auto pressure_of) {
+    using S = decltype(stress);
+    auto internal = fresh<TypeParam>(stress);
+    double stored = 0.0, turned_over = 0.0;
+    for (int i = 0; i < 50; ++i) {
+      const Work<double> work = strain_by(law, draw_strain<S>(draw_size() * unit(law)), stress, internal);
+      stored += work.stored;
+      turned_over += std::abs(work.stored) + work.dissipated;
+    }
+    const double q = von_mises(stress), p = pressure_of(stress);
+    EXPECT_NEAR(stored, q * q / (6.0 * shear_modulus(law)) + p * p / (2.0 * bulk_modulus(law)) + stored_besides(law, internal),
+                1e-13 * turned_over);
   };
   for (const auto& law : this->laws)
     for (int history = 0; history < 50; ++history) {
-      Symmetric<double> space{};
-      Plane<double> plane{};
-      auto in_space = fresh<TypeParam>(space);
-      auto in_plane = fresh<TypeParam>(plane);
-      double space_stored = 0.0, plane_stored = 0.0, turned_over = 0.0;
-      for (int i = 0; i < 50; ++i) {
-        const double size = draw_size() * unit(law);
-        const Work<double> a =
-            update_stress(law, draw_strain<Symmetric<double>>(size), space, in_space);
-        const Work<double> b =
-            update_stress(law, draw_strain<Plane<double>>(size), plane, in_plane);
-        space_stored += a.stored;
-        plane_stored += b.stored;
-        turned_over += std::abs(a.stored) + a.dissipated + std::abs(b.stored) + b.dissipated;
-      }
-      EXPECT_NEAR(space_stored, elastic_energy(law, von_mises(space), pressure(space)) + stored_besides(law, in_space),
-                  1e-13 * turned_over);
-      EXPECT_NEAR(plane_stored, elastic_energy(law, von_mises(plane), -(plane.xx + plane.yy) / 3.0) + stored_besides(law, in_plane),
-                  1e-13 * turned_over);
+      run(law, Symmetric<double>{}, [](const Symmetric<double>& s) { return pressure(s); });
+      if constexpr (PlateLaw<TypeParam>) run(law, Plane<double>{}, [](const Plane<double>& s) { return -(s.xx + s.yy) / 3.0; });
     }
 }
 
@@ -338,8 +360,8 @@ TYPED_TEST(EveryLaw, DoesNotCareHowTheFrameIsTurned) {
       auto internal = fresh<TypeParam>(stress), turned_internal = internal;
       for (int i = 0; i < 5; ++i) {
         const auto strain = draw_strain<Symmetric<double>>(draw_size() * unit(law));
-        const Work<double> work = update_stress(law, strain, stress, internal);
-        const Work<double> again = update_stress(law, rotate(Q, strain), turned, turned_internal);
+        const Work<double> work = strain_by(law, strain, stress, internal);
+        const Work<double> again = strain_by(law, rotate(Q, strain), turned, turned_internal);
         worst = std::max(worst, largest(rotate(Q, stress) - turned) / largest(stress));
         const double size = largest(stress) * unit(law);
         EXPECT_NEAR(work.dissipated, again.dissipated, 1e-12 * std::max(work.dissipated, size));
@@ -352,7 +374,7 @@ TYPED_TEST(EveryLaw, DoesNotCareHowTheFrameIsTurned) {
   EXPECT_LT(worst, 1e-12);
 }
 
-TYPED_TEST(EveryLaw, DoesNotCareHowThePlateIsTurnedInItsPlane) {
+TYPED_TEST(EveryPlateLaw, DoesNotCareHowThePlateIsTurnedInItsPlane) {
   const auto turn = [](double angle, const Plane<double>& a) {
     const double c = std::cos(angle), s = std::sin(angle);
     return Plane<double>{c * c * a.xx + s * s * a.yy - 2.0 * c * s * a.xy,
@@ -367,8 +389,8 @@ TYPED_TEST(EveryLaw, DoesNotCareHowThePlateIsTurnedInItsPlane) {
       auto internal = fresh<TypeParam>(stress), turned_internal = internal;
       for (int i = 0; i < 5; ++i) {
         const auto strain = draw_strain<Plane<double>>(draw_size() * unit(law));
-        update_stress(law, strain, stress, internal);
-        update_stress(law, turn(angle, strain), turned, turned_internal);
+        strain_by(law, strain, stress, internal);
+        strain_by(law, turn(angle, strain), turned, turned_internal);
         worst = std::max(worst, largest(turn(angle, stress) - turned) / largest(stress));
       }
       for (std::size_t i = 0; i < internal.scalar.size(); ++i)
@@ -379,7 +401,7 @@ TYPED_TEST(EveryLaw, DoesNotCareHowThePlateIsTurnedInItsPlane) {
   EXPECT_LT(worst, 1e-12);
 }
 
-TYPED_TEST(EveryLaw, GivesAPlateTheStressOfSpaceWithoutStressAcross) {
+TYPED_TEST(EveryPlateLaw, GivesAPlateTheStressOfSpaceWithoutStressAcross) {
   // Both updates are implicit with the same flow rule, so they agree for any size of step.
   double worst = 0.0, worst_internal = 0.0, worst_work = 0.0;
   for (const auto& law : this->laws)
@@ -392,7 +414,7 @@ TYPED_TEST(EveryLaw, GivesAPlateTheStressOfSpaceWithoutStressAcross) {
         for (int i = 0; i < 100; ++i) {
           const auto strain = draw_strain<Plane<double>>(size * unit(law));
           const Work<double> a = strain_as_plate(law, strain, space, in_space);
-          const Work<double> b = update_stress(law, strain, plane, in_plane);
+          const Work<double> b = strain_by(law, strain, plane, in_plane);
           const double scale = law.young * unit(law);
           const Plane<double> across{space.zz, space.yz, space.xz};
           worst = std::max(worst, largest(across) / scale);
@@ -442,9 +464,9 @@ TYPED_TEST(EveryLaw, GivesAPackWhatItGivesEachOfItsLanes) {
           std::size_t next = 0;
           pack_internal.each_row([&](Pack& row) { row[lane] = remembered[next++]; });
         }
-        const Work<Pack> pack_work = update_stress(law, pack_strain, pack_stress, pack_internal);
+        const Work<Pack> pack_work = strain_by(law, pack_strain, pack_stress, pack_internal);
         for (int lane = 0; lane < lanes; ++lane) {
-          const Work<double> work = update_stress(law, strain[lane], stress[lane], internal[lane]);
+          const Work<double> work = strain_by(law, strain[lane], stress[lane], internal[lane]);
           for (std::size_t c = 0; c < components(pack_strain).size(); ++c)
             worst = std::max(worst, std::abs((*components(pack_stress)[c])[lane] -
                                              *components(stress[lane])[c]) /
@@ -468,7 +490,7 @@ TYPED_TEST(EveryLaw, GivesAPackWhatItGivesEachOfItsLanes) {
   };
   for (const auto& law : this->laws) {
     run(law, Symmetric<double>{}, Symmetric<Pack>{});
-    run(law, Plane<double>{}, Plane<Pack>{});
+    if constexpr (PlateLaw<TypeParam>) run(law, Plane<double>{}, Plane<Pack>{});
   }
   EXPECT_LE(worst, 1e-15);
 }
@@ -485,7 +507,7 @@ TYPED_TEST(EveryLaw, HasTheTangentOfItsFiniteDifferences) {
       for (int sample = 0; sample < 50; ++sample) {
         S before{};
         auto memory = fresh<TypeParam>(before);
-        update_stress(law, draw_strain<S>(size * unit(law)), before, memory);
+        strain_by(law, draw_strain<S>(size * unit(law)), before, memory);
         S strain = draw_strain<S>(size * unit(law));
 
         D dual_strain{};
@@ -494,7 +516,7 @@ TYPED_TEST(EveryLaw, HasTheTangentOfItsFiniteDifferences) {
           *components(dual_stress)[i] = Dual<n>(*components(before)[i]);
         }
         auto dual_memory = as_dual<n>(memory);
-        update_stress(law, dual_strain, dual_stress, dual_memory);
+        strain_by(law, dual_strain, dual_stress, dual_memory);
 
         const double h = 1e-5 * unit(law);
         for (int by = 0; by < n; ++by) {
@@ -502,8 +524,8 @@ TYPED_TEST(EveryLaw, HasTheTangentOfItsFiniteDifferences) {
           auto high_memory = memory, low_memory = memory;
           *components(high)[by] += h;
           *components(low)[by] -= h;
-          update_stress(law, high, high_stress, high_memory);
-          update_stress(law, low, low_stress, low_memory);
+          strain_by(law, high, high_stress, high_memory);
+          strain_by(law, low, low_stress, low_memory);
           // A difference across the kink of first flow says nothing.
           if ((rows(high_memory) == rows(memory)) != (rows(low_memory) == rows(memory))) continue;
           for (int i = 0; i < n; ++i) {
@@ -517,7 +539,7 @@ TYPED_TEST(EveryLaw, HasTheTangentOfItsFiniteDifferences) {
   };
   for (const auto& law : this->laws) {
     run(law, Symmetric<double>{}, Symmetric<Dual<6>>{});
-    run(law, Plane<double>{}, Plane<Dual<3>>{});
+    if constexpr (PlateLaw<TypeParam>) run(law, Plane<double>{}, Plane<Dual<3>>{});
   }
   EXPECT_LT(worst, 1e-7);
 }

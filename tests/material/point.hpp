@@ -1,15 +1,43 @@
 #pragma once
 // One material point: its tensors and memory as rows of numbers, and strains that keep some stresses zero.
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
+#include <variant>
 #include <vector>
 
 #include "base/dual.hpp"
-#include "material/law.hpp"
+#include "material/laws.hpp"
 
 namespace nereid::material {
+
+/// Every law, and those of them that plates may have.
+template <class List>
+struct TypesOf;
+template <class... Laws>
+struct TypesOf<std::variant<Laws...>> {
+  using type = ::testing::Types<Laws...>;
+};
+template <class... Laws>
+struct TypesOf<std::tuple<Laws...>> {
+  using type = ::testing::Types<Laws...>;
+};
+template <class... Laws>
+auto those_of_plates(const std::variant<Laws...>*) {
+  return std::tuple_cat(std::conditional_t<PlateLaw<Laws>, std::tuple<Laws>, std::tuple<>>{}...);
+}
+using Laws = TypesOf<AnyLaw>::type;
+using PlateLaws = TypesOf<decltype(those_of_plates(static_cast<AnyLaw*>(nullptr)))>::type;
+
+/// Strains a point, so slowly that no rate counts unless a time is told.
+template <class L, template <class> class S, class T>
+Work<T> strain_by(const L& law, const S<T>& strain, S<T>& stress, Internal<T, L, S>& internal, double dt = 1e12) {
+  return update_stress(law, Increment<T, S>{strain, T(dt), T(1.0)}, stress, internal).work;
+}
 
 template <class T>
 std::array<T*, 6> components(Symmetric<T>& a) {
@@ -57,14 +85,14 @@ Work<double> stretch(const L& law, double axial, Symmetric<double>& stress,
     const auto free = Dual<1>::variable(lateral, 0);
     Symmetric<Dual<1>> s{stress.xx, stress.yy, stress.zz, stress.xy, stress.yz, stress.xz};
     auto memory = as_dual<1>(internal);
-    update_stress(law, Symmetric<Dual<1>>{axial, free, free, 0, 0, 0}, s, memory);
+    strain_by(law, Symmetric<Dual<1>>{axial, free, free, 0, 0, 0}, s, memory);
     const double change = -s.yy.value / s.yy.by[0];
     lateral += change;
     if (std::abs(change) < 1e-16 * std::abs(axial)) break;
   }
-  return update_stress(law, Symmetric<double>{axial, lateral, lateral, 0, 0, 0}, stress, internal);
+  return strain_by(law, Symmetric<double>{axial, lateral, lateral, 0, 0, 0}, stress, internal);
 }
-template <Law L>
+template <PlateLaw L>
 Work<double> stretch(const L& law, double axial, Plane<double>& stress,
                      Internal<double, L, Plane>& internal) {
   double lateral = -law.poisson * axial;
@@ -72,12 +100,12 @@ Work<double> stretch(const L& law, double axial, Plane<double>& stress,
     const auto free = Dual<1>::variable(lateral, 0);
     Plane<Dual<1>> s{stress.xx, stress.yy, stress.xy};
     auto memory = as_dual<1>(internal);
-    update_stress(law, Plane<Dual<1>>{axial, free, 0}, s, memory);
+    strain_by(law, Plane<Dual<1>>{axial, free, 0}, s, memory);
     const double change = -s.yy.value / s.yy.by[0];
     lateral += change;
     if (std::abs(change) < 1e-16 * std::abs(axial)) break;
   }
-  return update_stress(law, Plane<double>{axial, lateral, 0}, stress, internal);
+  return strain_by(law, Plane<double>{axial, lateral, 0}, stress, internal);
 }
 
 /// Strains a point of space in the plane xy and finds by Newton the zz strain that keeps zz free.
@@ -89,12 +117,12 @@ Work<double> strain_as_plate(const L& law, const Plane<double>& e, Symmetric<dou
     const auto free = Dual<1>::variable(thinning, 0);
     Symmetric<Dual<1>> s{stress.xx, stress.yy, stress.zz, stress.xy, stress.yz, stress.xz};
     auto memory = as_dual<1>(internal);
-    update_stress(law, Symmetric<Dual<1>>{e.xx, e.yy, free, e.xy, 0, 0}, s, memory);
+    strain_by(law, Symmetric<Dual<1>>{e.xx, e.yy, free, e.xy, 0, 0}, s, memory);
     const double change = -s.zz.value / s.zz.by[0];
     thinning += change;
     if (std::abs(change) < 1e-16 * largest(e)) break;
   }
-  return update_stress(law, Symmetric<double>{e.xx, e.yy, thinning, e.xy, 0, 0}, stress, internal);
+  return strain_by(law, Symmetric<double>{e.xx, e.yy, thinning, e.xy, 0, 0}, stress, internal);
 }
 
 }  // namespace nereid::material

@@ -13,8 +13,8 @@ Contact touch(const std::string& apexes, const std::string& base) { return {.nam
 TEST(Build, GivesBodiesTheirMassAndKind) {
   const dynamics::Model model = build(with({bar(), sheet()})).model;
   ASSERT_EQ(model.blocks.size(), 2U);
-  EXPECT_FALSE(element::is_plate(model.blocks[0]));
-  EXPECT_TRUE(element::is_plate(model.blocks[1]));
+  EXPECT_FALSE(element::rotates(model.blocks[0]));
+  EXPECT_TRUE(element::rotates(model.blocks[1]));
   EXPECT_NEAR(model.mass.sum(), 16000 + 32, 1e-9);  // 2 m3 and 2 m2 of 2 mm, of 8000 kg/m3; round-off
 }
 

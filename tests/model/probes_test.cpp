@@ -19,7 +19,8 @@ TEST(Measurables, HaveTheInternalVariablesOfAllLawsAndNoNameTwice) {
 
 TEST(MakeProbe, MeasuresEveryQuantityOfAScene) {
   Scene scene = with({bar(), wall()});
-  scene.bodies[0].law = material::J2Bilinear{8000, 200e9, 0.25, 1e8, 1e9};
+  scene.bodies[0].law = material::J2JohnsonCook{  // of all laws it has most internal variables
+      8000, 200e9, 0.25, {1e8, 1e9, 0.3, 0.01, 1, 1, 293, 1793, 477, 0.9, 293}};
   scene.contacts = {{.name = "touch", .apexes = "bar.x_high", .base = "wall.x_low"}};
   for (const Measurable& one : measurables())
     scene.probes.push_back({.name = "p_" + one.name, .quantity = one.name,

@@ -1,0 +1,25 @@
+#pragma once
+// One metal for every law, of modulus 3 and density 2, that yields at a hundredth of its modulus.
+
+#include "tests/material/point.hpp"
+
+namespace nereid::element {
+
+inline void make_metal(double poisson, material::Elastic& law) { law = {2.0, 3.0, poisson}; }
+inline void make_metal(double poisson, material::J2Bilinear& law) { law = {2.0, 3.0, poisson, {0.03, 0.3}}; }
+inline void make_metal(double poisson, material::J2Mixed& law) { law = {2.0, 3.0, poisson, 0.03, 0.3, 0.25}; }
+inline void make_metal(double poisson, material::J2JohnsonCook& law) {
+  law = {2.0, 3.0, poisson,
+         {.yield = 0.03, .hardening = 0.1, .hardening_exponent = 0.5, .rate_coefficient = 0.02, .reference_rate = 1e-2,
+          .thermal_exponent = 1, .reference_temperature = 300, .melting_temperature = 1500, .specific_heat = 1e-5,
+          .heat_share = 0.9, .temperature = 300}};
+}
+
+template <class Law>
+Law metal(double poisson = 0.3) {
+  Law law;
+  make_metal(poisson, law);
+  return law;
+}
+
+}  // namespace nereid::element
