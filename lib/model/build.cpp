@@ -137,18 +137,20 @@ void add_elements(const Scene& scene, dynamics::Model& model, Faults& faults) {
   }
 }
 
-/// Every node has a mass, and it is a number.
-void check_masses(const Scene& scene, const dynamics::Model& model, Faults& faults) {
+/// Whether every node has a mass, and it is a number.
+bool have_masses(const Scene& scene, const dynamics::Model& model, Faults& faults) {
   Scalars mass = Scalars::Zero(model.mesh.X.cols());
   for (const auto& block : model.blocks) element::add_mass(block, mass);
   for (const load::PointMass& point : model.point_masses)
     for (const Index node : point.nodes) mass(node) += point.mass / static_cast<double>(point.nodes.size());
+  const std::size_t before = faults.size();
   for (const Body& body : scene.bodies)
     for (const Index node : mesh::node_set(model.mesh, body.name)) {
       if (mass(node) > 0 && std::isfinite(mass(node))) continue;
       refuse(faults, part("body", body), "", mass(node) == 0 ? "a node has neither an element nor a point mass"
                                                              : "the mass of a node is " + shortest(mass(node)) + " kg");
     }
+  return faults.size() == before;
 }
 
 std::array<Index, 3> sorted(const Table<3>& corners, Index facet) {
@@ -258,8 +260,7 @@ Simulation build(const Scene& scene) {
 
   add_elements(scene, model, faults);
   add_planes(scene, model, faults);
-  check_masses(scene, model, faults);
-  throw_if_any(faults);
+  if (!have_masses(scene, model, faults)) throw_if_any(faults);
   dynamics::finish(model);
   add_rigid_planes(scene, model, faults);
   add_loads(scene, model, faults);

@@ -897,5 +897,27 @@ TEST(Record, HashKnowsTheMeaningAndNotTheSpelling) {
   EXPECT_NE(hash(bars, {"bodies[1].length=2.0000000000000004 m"}), reference);
 }
 
+TEST(FaultByPath, StandsAtTheValueOrAtTheDeepestPartThatIsThere) {
+  const auto place = [](const std::string& path) -> std::string {
+    const auto file = CaseFile::parse("planes:\n  - {name: side, nodes: [bar, bat]}\n", "case.yaml");
+    for (const Section& plane : file.root().list("planes")) plane.word("name"), plane.words("nodes");
+    file.fault(path, "is wrong", "look again");
+    try {
+      file.finish();
+    } catch (const CaseError& error) {
+      const Fault& fault = error.faults.at(0);
+      EXPECT_EQ(fault.message + ", " + fault.hint, "is wrong, look again");
+      return std::to_string(fault.line) + ":" + std::to_string(fault.column);
+    }
+    return "";
+  };
+  EXPECT_EQ(place("planes[0].nodes[1]"), "2:31");
+  EXPECT_EQ(place("planes[0].nodes"), "2:25");
+  EXPECT_EQ(place("planes[0].point"), "2:5");
+  EXPECT_EQ(place("planes[0]"), "2:5");
+  EXPECT_EQ(place("contacts[0].base"), "1:1");
+  EXPECT_EQ(place(""), "1:1");
+}
+
 }  // namespace
 }  // namespace nereid::input
