@@ -56,7 +56,7 @@ model::Simulation build(const input::CaseFile& file) {
   const bool clad = cladding.choice("kind", {"plates", "none"}) == "plates";
   const std::string kind = kinds.choice("kind", {"full", "quarter", "sector"});
   const bool sector = kind == "sector";
-  const auto turn = kind == "quarter" ? mesh::Turn::quarter : mesh::Turn::full;
+  const auto turn = kind == "quarter" ? mesh::Revolution::quarter : mesh::Revolution::full;
   const int around = kinds.when(sector).count_or("cells_around", 1, 1, 128), n = levels.count("level", 1, 64);
   const int along = 12 * n;                   // cells as long as they are wide at every level
   const double angle = around * pi / (4 * n);  // of a sector: its cells are as wide as those of the quarter of the same level

@@ -46,7 +46,7 @@ void add_common_results(const model::Simulation& simulation, const dynamics::Out
     results.push_back({interface.name + "_penalty", interface.penalty, "Pa/m"});
     results.push_back({interface.name + "_deepest", memory.deepest, "m"});
     results.push_back({interface.name + "_walks", static_cast<double>(memory.walks), "1"});
-    results.push_back({interface.name + "_lost", static_cast<double>(memory.lost), "1"});
+    results.push_back({interface.name + "_lost", static_cast<double>(memory.unpaired), "1"});
     results.push_back({interface.name + "_recovered", static_cast<double>(memory.recovered), "1"});
   }
   for (std::size_t p = 0; p < simulation.model.rigid_planes.size(); ++p)
@@ -139,7 +139,7 @@ int run_case(const std::string& name, const CommandLine& line, output::RunFolder
   Recorder recorder(simulation, line.out, line.quiet);
   const std::vector<dynamics::Observer> observers{[&recorder](const dynamics::View& view) { recorder(view); }};
   const dynamics::Outcome outcome = model::run(simulation, observers);
-  recorder.finish(model::view(simulation));
+  recorder.finalize(model::view(simulation));
 
   if (recorder.not_finite() > 0)
     notes.push_back(std::to_string(recorder.not_finite()) + " values that were no number stand as 0 in the ParaView files");

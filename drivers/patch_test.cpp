@@ -70,7 +70,7 @@ model::Simulation build(const input::CaseFile& file) {
                        .solid = element, .at = "blocks"};
   };
   const auto hold = [](const char* name, const Vec3& normal, const std::vector<std::string>& nodes) {
-    return model::Plane{.name = name, .kind = load::PlaneKind::held, .nodes = nodes, .normal = normal, .at = "blocks"};
+    return model::Plane{.name = name, .kind = load::PlaneKind::constrained, .nodes = nodes, .normal = normal, .at = "blocks"};
   };
   scene.bodies = {block("lower", 0, lower), block("upper", height, upper)};
   const char* sides[] = {"lower.z_high", "upper.z_low"};

@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/bounce.hpp"
+#include "contact/impact_step.hpp"
 #include "drivers/driver.hpp"
 
 using namespace nereid;
@@ -86,7 +86,7 @@ Pair pair_of(const Case& c, double height) {
   model.point_masses.push_back({"apex", {apex}, c.apex_mass});
   model.point_masses.push_back({"base", touched, c.base_mass});
   if (!others.empty()) model.point_masses.push_back({"rest", others, c.base_mass});
-  dynamics::finish(model);
+  dynamics::finalize(model);
 
   contact::Interface interface;
   interface.name = "contact";
@@ -97,7 +97,7 @@ Pair pair_of(const Case& c, double height) {
   interface.penalty = c.stiffness;  // over an area of 1 m2
   interface.area_kind = c.area;
   interface.reach = 10;
-  interface.bounce_step = contact::step_for_a_bounce(0.005);
+  interface.impact_step_factor = contact::impact_step_factor_for(0.005);
   Pair pair{std::move(model), {}, apex};
   contact::Workspace workspace(interface);
   contact::connect(interface, pair.model.mesh.X, {.from_initial_height = false, .clearance = 0, .given = contact_height},

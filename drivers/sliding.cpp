@@ -24,9 +24,9 @@ model::RigidPlane read_plane(const input::Section& section) {
   model::RigidPlane plane{.name = "contact", .surface = "block.z_low", .at = "contact"};
   const double penalty = section.when(given).quantity("penalty", dim::penalty, input::positive);
   if (given) plane.penalty = penalty;
-  plane.hardness = section.when(!given).number_or("hardness", plane.hardness, input::positive);
+  plane.penalty_scale = section.when(!given).number_or("penalty_scale", plane.penalty_scale, input::positive);
   plane.friction = input::read_friction(section);
-  plane.created_in_a_bounce = section.number_or("created_in_a_bounce", plane.created_in_a_bounce, input::within(1e-5, 0.04));
+  plane.energy_gain_limit = section.number_or("energy_gain_limit", plane.energy_gain_limit, input::within(1e-5, 0.04));
   return plane;
 }
 

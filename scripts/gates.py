@@ -60,7 +60,7 @@ def energy_scale(ledger):
         made, part = value_of(account["created"]), value_of(account["created_relative"])
         if made and part and math.isfinite(made) and math.isfinite(part):
             return abs(made / part)
-    return max(value_of(ledger["initial_kinetic"]), value_of(ledger["brought_in"]))
+    return max(value_of(ledger["initial_kinetic"]), value_of(ledger["external_work"]))
 
 
 # ------------------------------------------------------------------------------------------------

@@ -44,7 +44,7 @@ RENAMED = (
 )
 
 # Whether the old words are refused in this tree: False until code, cases and pages have the new ones.
-RETIRED = False
+RETIRED = True
 
 
 def places(one):

@@ -14,14 +14,14 @@
 namespace nereid {
 
 /// Energy that a source holds and can give back.
-enum class Stored { elastic, hourglass, transverse_shear, penalty, stick, potential, outside };
+enum class Stored { elastic, hourglass, transverse_shear, penalty, tangential_penalty, potential, external_work };
 /// Energy that a source took for good.
-enum class Dissipated { plastic, viscous, hourglass, damping, friction, caught, removed };
+enum class Dissipated { plastic, viscous, hourglass, damping, friction, inelastic_impact, removed };
 
 constexpr std::array<std::string_view, 7> words_of_stored{"elastic", "hourglass", "transverse_shear", "penalty",
-                                                          "stick", "potential", "outside"};
+                                                          "tangential_penalty", "potential", "external_work"};
 constexpr std::array<std::string_view, 7> words_of_dissipated{"plastic", "viscous", "hourglass", "damping",
-                                                              "friction", "caught", "removed"};
+                                                              "friction", "inelastic_impact", "removed"};
 
 constexpr std::string_view word(Stored channel) { return words_of_stored[static_cast<std::size_t>(channel)]; }
 constexpr std::string_view word(Dissipated channel) { return words_of_dissipated[static_cast<std::size_t>(channel)]; }
@@ -41,13 +41,13 @@ static_assert(words_of_stored.size() == 7 && words_of_dissipated.size() == 7);
 /// What makes forces.
 enum class SourceKind {
   block, interface, rigid_plane,
-  held, fixed, symmetry, floor, driven,          // planes
+  constrained, fixed, symmetry, floor, driven,          // planes
   body_force, pressure, force, moment, spring,   // loads
   relaxation, gravity
 };
 
 constexpr std::array<std::string_view, 15> words_of_source_kinds{
-    "block", "interface", "rigid_plane", "held", "fixed", "symmetry", "floor", "driven",
+    "block", "interface", "rigid_plane", "constrained", "fixed", "symmetry", "floor", "driven",
     "body_force", "pressure", "force", "moment", "spring", "relaxation", "gravity"};
 
 constexpr std::string_view word(SourceKind kind) { return words_of_source_kinds[static_cast<std::size_t>(kind)]; }

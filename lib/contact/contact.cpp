@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "base/parallel.hpp"
-#include "contact/claims.hpp"
+#include "contact/active_features.hpp"
 #include "geometry/height.hpp"
 
 namespace nereid::contact {
@@ -30,69 +30,69 @@ bool same(const Feature& a, const Feature& b) {
   return a.facet == b.facet && a.kind == b.kind && (a.kind == Kind::facet || a.local == b.local);
 }
 
-/// Pushes an apex out of the features that claim it, and shares the force out over their nodes.
+/// Pushes an apex out of the features that claim it, and weights the force out over their nodes.
 ///
-/// returns  the energy stored [J]; gap becomes minus the length of the way out
-double push_out(const Interface& interface, const Vectors& x, Index a, Claims& claims, ElementForces& forces, double& gap) {
+/// returns  the energy stored [J]; gap becomes minus the length of the penetration vector
+double project_out(const Interface& interface, const Vectors& x, Index a, ActiveFeatures& active, ElementForces& forces, double& gap) {
   const Vector<double> p = position(x, interface.apexes[a]);
   const double contact_height = interface.contact_height(a);
   Contacts contacts;
-  contacts.count = claims.count;
-  const auto set = [&](int i, const Vec3& way) {  // contact i, seen from the end of the way so far
-    contacts.normal[i] = claims.at[i].normal;
+  contacts.count = active.count;
+  const auto set = [&](int i, const Vec3& way) {  // contact i, seen from the end of the vector so far
+    contacts.normal[i] = active.at[i].normal;
     if (!interface.allowed.empty()) contacts.normal[i] = interface.allowed[a] * contacts.normal[i];
-    contacts.depth[i] = contact_height - claims.at[i].height + contacts.normal[i].dot(way);
+    contacts.depth[i] = contact_height - active.at[i].height + contacts.normal[i].dot(way);
   };
-  bool curved = false;  // heights over edges and vertices are not linear in the way
-  for (int i = 0; i < claims.count; ++i) {
+  bool curved = false;  // heights over edges and vertices are not linear in the vector
+  for (int i = 0; i < active.count; ++i) {
     set(i, Vec3::Zero());
-    curved = curved || claims.feature[i].kind != Kind::facet;
+    curved = curved || active.feature[i].kind != Kind::facet;
   }
-  auto lambda = shortest_way_out(contacts);
-  const auto way_out = [&] {
+  auto lambda = projection_multipliers(contacts);
+  const auto penetration_vector = [&] {
     Vec3 way = Vec3::Zero();
-    for (int i = 0; i < claims.count; ++i) way += lambda[i] * contacts.normal[i];
+    for (int i = 0; i < active.count; ++i) way += lambda[i] * contacts.normal[i];
     return way;
   };
-  Vec3 d = way_out();
+  Vec3 d = penetration_vector();
   if (d.isZero(0)) return 0;
-  // The foot of every force is that of the point at the end of the way, so that the potential has
+  // The foot of every force is that of the point at the end of the vector, so that the potential has
   // the forces as its gradient and their moments cancel. For one contact that foot is the apex's own,
-  // unless a symmetry plane turns the way; for facets one look is exact.
-  const bool foot_moves = claims.count > 1 || !interface.allowed.empty();
+  // unless a symmetry plane turns the vector; for facets one look is exact.
+  const bool foot_moves = active.count > 1 || !interface.allowed.empty();
   for (int round = 0; foot_moves && round < 6; ++round) {
     const Vector<double> end{p.x + d.x(), p.y + d.y(), p.z + d.z()};
-    for (int i = 0; i < claims.count; ++i) {
+    for (int i = 0; i < active.count; ++i) {
       if (!curved && !(lambda[i] > 0)) continue;
-      const FeatureHeight there = height_over(interface.base, x, claims.feature[i], end);
-      // with h_c = 0 the way ends on the edge or vertex itself, which has no normal
-      if (!(std::abs(there.height) > 1e-6 * d.norm()) && claims.feature[i].kind != Kind::facet) continue;
-      claims.at[i] = there;
+      const FeatureHeight there = height_over(interface.base, x, active.feature[i], end);
+      // with h_c = 0 the vector ends on the edge or vertex itself, which has no normal
+      if (!(std::abs(there.height) > 1e-6 * d.norm()) && active.feature[i].kind != Kind::facet) continue;
+      active.at[i] = there;
       if (curved) set(i, d);
     }
     if (!curved) break;
-    lambda = shortest_way_out(contacts);
-    const Vec3 next = way_out();
+    lambda = projection_multipliers(contacts);
+    const Vec3 next = penetration_vector();
     const bool converged = (next - d).squaredNorm() <= 1e-28 * d.squaredNorm();
     d = next;
     if (converged) break;
   }
   int strongest = 0;
-  for (int i = 1; i < claims.count; ++i)
+  for (int i = 1; i < active.count; ++i)
     if (lambda[i] > lambda[strongest]) strongest = i;
-  const double k = stiffness(interface, a, claims.feature[strongest]);
+  const double k = stiffness(interface, a, active.feature[strongest]);
   const double length = d.norm();
   forces.closed = true;
   forces.stiffness = k;
-  for (int i = 0; i < claims.count; ++i) {
+  for (int i = 0; i < active.count; ++i) {
     if (!(lambda[i] > 0)) continue;
-    const Vec3 push = k * lambda[i] * claims.at[i].normal;
+    const Vec3 push = k * lambda[i] * active.at[i].normal;
     forces.apex += push;
-    const FeatureNodes base = nodes_of(interface.base, claims.feature[i]);
+    const FeatureNodes base = nodes_of(interface.base, active.feature[i]);
     for (int b = 0; b < base.count; ++b) {
-      const double weight = claims.at[i].weight[b];
+      const double weight = active.at[i].weight[b];
       forces.node[forces.count] = base.node[b];
-      forces.share[forces.count] = std::abs(weight);
+      forces.weight[forces.count] = std::abs(weight);
       forces.force[forces.count++] = -weight * push;
     }
   }
@@ -101,31 +101,31 @@ double push_out(const Interface& interface, const Vectors& x, Index a, Claims& c
 }
 
 /// Shares of the bases of an apex that is not in contact: all that claim it.
-void share_out(const Interface& interface, Index a, const Feature& feature, const Claims& claims, ElementForces& forces) {
+void weigh_bases(const Interface& interface, Index a, const Feature& feature, const ActiveFeatures& active, ElementForces& forces) {
   forces.stiffness = stiffness(interface, a, feature);
-  for (int i = 0; i < claims.count; ++i) {
-    const FeatureNodes base = nodes_of(interface.base, claims.feature[i]);
+  for (int i = 0; i < active.count; ++i) {
+    const FeatureNodes base = nodes_of(interface.base, active.feature[i]);
     for (int b = 0; b < base.count; ++b) {
       forces.node[forces.count] = base.node[b];
-      forces.share[forces.count++] = std::abs(claims.at[i].weight[b]);
+      forces.weight[forces.count++] = std::abs(active.at[i].weight[b]);
     }
   }
 }
 
 /// A node that several claims name counts once, by its largest share: its facets push as one. To a node
 /// off the symmetry plane of the apex comes the same from the image of its facet.
-void share_once(const Interface& interface, const Vectors& x, Index a, ElementForces& forces) {
+void weigh_once(const Interface& interface, const Vectors& x, Index a, ElementForces& forces) {
   if (const Mat3* allowed = allowed_of(interface, a)) {
     for (int i = 0; i < forces.count; ++i) {
       const Vec3 away = x.col(forces.node[i]) - x.col(interface.apexes[a]);
-      if ((away - *allowed * away).norm() > border_tolerance * away.norm()) forces.share[i] *= 2;
+      if ((away - *allowed * away).norm() > border_tolerance * away.norm()) forces.weight[i] *= 2;
     }
   }
   for (int i = 0; i < forces.count; ++i) {
     for (int j = 0; j < i; ++j) {
       if (forces.node[j] != forces.node[i]) continue;
-      forces.share[j] = std::max(forces.share[j], forces.share[i]);
-      forces.share[i] = 0;
+      forces.weight[j] = std::max(forces.weight[j], forces.weight[i]);
+      forces.weight[i] = 0;
       break;
     }
   }
@@ -164,35 +164,35 @@ bool update_element(const Interface& interface, const Vectors& x, Index a, const
   const double contact_height = interface.contact_height(a);
   memory.feature[a] = end.feature;
   memory.gap[a] = distance - contact_height;
-  Claims claims;
+  ActiveFeatures active;
   // behind the surface the distance is no height; there and near contact, ask who claims the apex
   const auto height = [&] { return height_over(interface.base, x, {end.feature.facet, Kind::facet, 0}, p).height; };
   if (distance < near_contact * contact_height || height() < contact_height) {
-    claims = claims_on(interface.base, x, p, end, std::max(distance, contact_height), allowed_of(interface, a));
-    if (claims.count == 0) {
-      memory.status[a] = Status::beyond;
+    active = active_features_on(interface.base, x, p, end, std::max(distance, contact_height), allowed_of(interface, a));
+    if (active.count == 0) {
+      memory.status[a] = Status::off_surface;
       return true;
     }
     // the lowest takes over; of flanks as near as each other the one in use stays
     double least = std::numeric_limits<double>::infinity(), in_use = least;
-    for (int i = 0; i < claims.count; ++i) {
-      const double h = claims.at[i].height;
-      if (same(claims.feature[i], before)) in_use = h;
-      if (h < least) least = h, memory.feature[a] = claims.feature[i];
+    for (int i = 0; i < active.count; ++i) {
+      const double h = active.at[i].height;
+      if (same(active.feature[i], before)) in_use = h;
+      if (h < least) least = h, memory.feature[a] = active.feature[i];
     }
     if (in_use <= least + tie * (std::abs(least) + contact_height)) memory.feature[a] = before;
     memory.gap[a] = least - contact_height;
-    memory.stored[a] = push_out(interface, x, a, claims, forces, memory.gap[a]);
+    memory.stored[a] = project_out(interface, x, a, active, forces, memory.gap[a]);
   } else {
     const bool left = end.closest.kind != Kind::facet && on_border(interface.base, end.feature.facet, end.closest) &&
                       past_border(interface.base, x, end.feature.facet, end.closest, p, allowed_of(interface, a), true);
-    memory.status[a] = left ? Status::beyond : Status::open;
+    memory.status[a] = left ? Status::off_surface : Status::open;
     if (left) return true;
-    claims.add(end.feature, height_over(interface.base, x, end.feature, p));
+    active.add(end.feature, height_over(interface.base, x, end.feature, p));
   }
   memory.status[a] = forces.closed ? Status::closed : Status::open;
-  if (!forces.closed) share_out(interface, a, memory.feature[a], claims, forces);
-  share_once(interface, x, a, forces);
+  if (!forces.closed) weigh_bases(interface, a, memory.feature[a], active, forces);
+  weigh_once(interface, x, a, forces);
   return true;
 }
 
@@ -220,7 +220,7 @@ bool hold_bond(const Interface& interface, const Vectors& x, Index a, Memory& me
     const Vec3 gradient = n.cross(corner[(I + 2) % 3] - corner[(I + 1) % 3]) / twice_area;
     forces.node[I] = interface.base.facets(I, bond.facet);
     forces.force[I] = k * (bond.weight[I] * d - bond.height * d.dot(gradient) * n);
-    forces.share[I] = std::abs(bond.weight[I]) + std::abs(bond.height) * gradient.norm();
+    forces.weight[I] = std::abs(bond.weight[I]) + std::abs(bond.height) * gradient.norm();
   }
   memory.status[a] = Status::closed;
   memory.gap[a] = d.dot(n);
@@ -253,7 +253,7 @@ Touch touch_of(const Interface& interface, const Vectors& x, Index a, const Feat
   for (int I = 0; I < 3; ++I) touch.arm -= touch.weight[I] * corner[I];
   touch.apex_arm = interface.arm_of_apex * touch.arm;
   touch.base_arm = touch.arm - touch.apex_arm;
-  touch.base_turns = !interface.turn_of_node.empty() && interface.turn_of_node[touch.node[0]] >= 0;
+  touch.base_rotates = !interface.rotation_of_node.empty() && interface.rotation_of_node[touch.node[0]] >= 0;
   return touch;
 }
 
@@ -268,14 +268,14 @@ Vec3 rotation_of_base(const Touch& touch, const Vectors& x, const Vectors& v, do
 }
 
 /// Friction on one apex whose normal force is known: slip carried on, stuck or slid.
-void advance_friction(const Interface& interface, const Vectors& x, const Vectors& v, const Vectors& w, double dt, Index a,
+void advance_friction(const Interface& interface, const Vectors& x, const Vectors& v, const Vectors& omega, double dt, Index a,
                       const ElementForces& element, Memory& memory, FrictionForces& friction, Vec3& angular_impulse) {
   const bool turns = interface.weights == Weights::paper || !interface.allowed.empty();
-  const double stored_before = memory.stick_stored[a];
+  const double stored_before = memory.tangential_stored[a];
   Vec3 rate_before = Vec3::Zero();
   double work = 0;
   if (friction.acts) {
-    rate_before = slip_rate(friction.touch, v, w, interface.turn_of_node);
+    rate_before = slip_rate(friction.touch, v, omega, interface.rotation_of_node);
     work = 0.5 * dt * friction.force.dot(rate_before);
     if (turns) angular_impulse += 0.5 * dt * moment_of_friction(friction.touch, friction.force, x, v, -dt);
   }
@@ -286,7 +286,7 @@ void advance_friction(const Interface& interface, const Vectors& x, const Vector
     friction.acts = false;
     friction.force.setZero();
     memory.slip[a].setZero();
-    memory.stick_stored[a] = 0;
+    memory.tangential_stored[a] = 0;
     friction.work = work;
     friction.dissipated = std::max(0.0, stored_before - work);  // the stick lets go
     friction.created = friction.work + friction.dissipated - stored_before;
@@ -294,21 +294,21 @@ void advance_friction(const Interface& interface, const Vectors& x, const Vector
   }
   const Touch touch = touch_of(interface, x, a, memory.feature[a], pushed.normalized());
   const Vec3 rotation = rotation_of_base(touch, x, v, dt);
-  const Vec3 rate = slip_rate(touch, v, w, interface.turn_of_node);
+  const Vec3 rate = slip_rate(touch, v, omega, interface.rotation_of_node);
   const Vec3 held = carried(memory.slip[a], rotation, touch.normal);
   Vec3 trial = held;
   if (friction.acts) trial += 0.5 * dt * (carried(rate_before, rotation, touch.normal) + rate);
   if (!interface.allowed.empty()) trial = interface.allowed[a] * trial;
-  friction.stiffness = interface.friction.stick * element.stiffness;
+  friction.stiffness = interface.friction.tangential_penalty * element.stiffness;
   const Slip slip = stick_or_slide(trial, friction.stiffness, interface.friction.coefficient * push);
   friction.acts = true;
   friction.touch = touch;
   friction.force = -friction.stiffness * slip.elastic;
   memory.slip[a] = slip.elastic;
-  memory.stick_stored[a] = 0.5 * friction.stiffness * slip.elastic.squaredNorm();
+  memory.tangential_stored[a] = 0.5 * friction.stiffness * slip.elastic.squaredNorm();
   friction.work = work + 0.5 * dt * friction.force.dot(rate);
   friction.dissipated = std::max(0.0, 0.5 * friction.stiffness * (held + slip.elastic).dot(slip.slid));
-  friction.created = friction.work + friction.dissipated + memory.stick_stored[a] - stored_before;
+  friction.created = friction.work + friction.dissipated + memory.tangential_stored[a] - stored_before;
   if (turns) angular_impulse += 0.5 * dt * moment_of_friction(touch, friction.force, x, v, 0);
 }
 
@@ -333,14 +333,14 @@ void advance_apex(const Interface& interface, const Vectors& x, const Vectors& v
     } else {
       forces.moved = true;
       memory.feature[a].facet = -1;
-      memory.status[a] = Status::lost;
+      memory.status[a] = Status::unpaired;
       memory.gap[a] = std::numeric_limits<double>::quiet_NaN();
     }
   }
   const double power_after = power(interface, v, a, forces);
   // the power of the elastic force is  -k |d| d|d|/dt = -2 stored d|d|/dt / |d|
   forces.scale = 1;
-  if (memory.stored[a] > 0 && interface.retardation > 0) forces.scale = std::max(0.0, 1 - 0.5 * interface.retardation * power_after / memory.stored[a]);
+  if (memory.stored[a] > 0 && interface.damping_time > 0) forces.scale = std::max(0.0, 1 - 0.5 * interface.damping_time * power_after / memory.stored[a]);
   forces.angular_impulse += 0.5 * dt * moment(interface, x, v, 0, a, forces);
   forces.work = 0.5 * dt * (scale_before * power_before + forces.scale * power_after);
   forces.dissipated = 0.5 * dt * ((1 - scale_before) * power_before + (1 - forces.scale) * power_after);
@@ -377,7 +377,7 @@ void search(const Interface& interface, const Vectors& x, Memory& memory, Worksp
   for (Index a = 0; a < count; ++a) {
     if (found[a] < 0) continue;
     memory.feature[a] = {found[a], Kind::facet, 0};
-    if (memory.status[a] == Status::lost) memory.status[a] = Status::open;
+    if (memory.status[a] == Status::unpaired) memory.status[a] = Status::open;
     memory.elements[a].found_anew = true;
     ++memory.recovered;
   }
@@ -389,7 +389,7 @@ Workspace::Workspace(const Interface& interface)
     : broad(static_cast<Index>(interface.base.facets.cols())),
       found(interface.apexes.size(), -1),
       spring_sum(Scalars::Zero(static_cast<Eigen::Index>(interface.base.ring_begin.size()) - 1)),
-      turn_sum(Scalars::Zero(interface.friction.coefficient > 0 && !interface.turn_of_node.empty() ? spring_sum.size() : 0)) {}
+      rotation_sum(Scalars::Zero(interface.friction.coefficient > 0 && !interface.rotation_of_node.empty() ? spring_sum.size() : 0)) {}
 
 double stored(const Memory& memory) {
   double sum = 0;
@@ -397,9 +397,9 @@ double stored(const Memory& memory) {
   return sum;
 }
 
-double stick_stored(const Memory& memory) {
+double tangential_stored(const Memory& memory) {
   double sum = 0;
-  for (const double energy : memory.stick_stored) sum += energy;
+  for (const double energy : memory.tangential_stored) sum += energy;
   return sum;
 }
 
@@ -427,14 +427,14 @@ InitialGaps connect(Interface& interface, const Vectors& x, const ContactHeight&
   const auto count = static_cast<Index>(interface.apexes.size());
   memory = {};
   memory.feature.resize(count);
-  memory.status.assign(count, Status::lost);
+  memory.status.assign(count, Status::unpaired);
   memory.gap.assign(count, std::numeric_limits<double>::quiet_NaN());
   memory.stored.assign(count, 0.0);
   memory.elements.resize(count);
   if (interface.friction.coefficient > 0) {
     memory.friction.resize(count);
     memory.slip.assign(count, Vec3::Zero());
-    memory.stick_stored.assign(count, 0.0);
+    memory.tangential_stored.assign(count, 0.0);
   }
   interface.bonds.assign(interface.kind == InterfaceKind::bonded ? count : 0, Bond{});
   memory.reconnections.assign(count, 0);
@@ -455,16 +455,16 @@ InitialGaps connect(Interface& interface, const Vectors& x, const ContactHeight&
     const Vector<double> p = position(x, interface.apexes[a]);
     const WalkEnd end = walk(interface.base, x, p, memory.feature[a].facet);
     double h = std::sqrt(end.closest.distance_squared);
-    const Claims claims = claims_on(interface.base, x, p, end, h, allowed_of(interface, a));
-    memory.status[a] = claims.count > 0 ? Status::open : Status::beyond;
+    const ActiveFeatures active = active_features_on(interface.base, x, p, end, h, allowed_of(interface, a));
+    memory.status[a] = active.count > 0 ? Status::open : Status::off_surface;
     memory.feature[a] = end.feature;
-    for (int i = 0; i < claims.count; ++i) {
-      const double here = claims.at[i].height;
-      if (i == 0 || here < h) h = here, memory.feature[a] = claims.feature[i];
+    for (int i = 0; i < active.count; ++i) {
+      const double here = active.at[i].height;
+      if (i == 0 || here < h) h = here, memory.feature[a] = active.feature[i];
     }
     double& contact_height = interface.contact_height(a);
     if (height.from_initial_height) contact_height = h - height.clearance;
-    // places are no more exact than their distance from the origin allows, and differences no more than the facet's size
+    // slots are no more exact than their distance from the origin allows, and differences no more than the facet's size
     const auto facet = interface.base.facets.col(memory.feature[a].facet);
     const double size = (x.col(facet(1)) - x.col(facet(0))).norm();
     const double round_off = 1e-12 * (std::abs(h) + std::abs(contact_height) + size);
@@ -490,7 +490,7 @@ InitialGaps connect(Interface& interface, const Vectors& x, const ContactHeight&
   return gaps;
 }
 
-void advance(const Interface& interface, const Vectors& x, const Vectors& v, const Vectors& w, double dt, Memory& memory,
+void advance(const Interface& interface, const Vectors& x, const Vectors& v, const Vectors& omega, double dt, Memory& memory,
              Workspace& workspace) {
   std::vector<ElementForces>& forces = memory.elements;
   const bool walks = interface.kind == InterfaceKind::contact;
@@ -499,7 +499,7 @@ void advance(const Interface& interface, const Vectors& x, const Vectors& v, con
   parallel_for(static_cast<Index>(interface.apexes.size()), 64, [&](Index a) {
     advance_apex(interface, x, v, dt, a, memory, forces[a]);
     if (!memory.friction.empty())
-      advance_friction(interface, x, v, w, dt, a, forces[a], memory, memory.friction[a], forces[a].angular_impulse);
+      advance_friction(interface, x, v, omega, dt, a, forces[a], memory, memory.friction[a], forces[a].angular_impulse);
   });
   for (std::size_t a = 0; a < forces.size(); ++a) {
     if (memory.status[a] == Status::closed) memory.deepest = std::max(memory.deepest, -memory.gap[a]);
@@ -509,13 +509,13 @@ void advance(const Interface& interface, const Vectors& x, const Vectors& v, con
     double created = forces[a].created;
     if (!memory.friction.empty()) {
       memory.work += memory.friction[a].work;
-      memory.rubbed += memory.friction[a].dissipated;
+      memory.friction_dissipated += memory.friction[a].dissipated;
       created += memory.friction[a].created;
     }
     if (!forces[a].moved) continue;
     memory.created_by_reconnection += created;
-    ++(memory.status[a] == Status::lost ? memory.lost : memory.walks);
-    if (memory.status[a] != Status::lost) ++memory.reconnections[a];
+    ++(memory.status[a] == Status::unpaired ? memory.unpaired : memory.walks);
+    if (memory.status[a] != Status::unpaired) ++memory.reconnections[a];
   }
 }
 
@@ -527,7 +527,7 @@ void add_forces(const Interface& interface, const Memory& memory, Vectors& force
     for (int i = 0; i < forces[a].count; ++i) force.col(forces[a].node[i]) += forces[a].scale * forces[a].force[i];
   }
   for (const FrictionForces& friction : memory.friction)
-    if (friction.acts) add_friction(friction.touch, friction.force, interface.turn_of_node, force, moment);
+    if (friction.acts) add_friction(friction.touch, friction.force, interface.rotation_of_node, force, moment);
 }
 
 namespace {
@@ -544,20 +544,20 @@ struct Fastest {
 /// Largest squared frequency of the moments of sticking friction, which turn plate nodes.
 Fastest moments_of_friction(const Interface& interface, const Scalars& inertia, const Memory& memory, Workspace& workspace) {
   Fastest fastest;
-  if (interface.turn_of_node.empty()) return fastest;
-  Scalars& sum = workspace.turn_sum;
-  const auto arms = [](const FrictionForces& friction, auto&& visit) {  // shares of the turning nodes [m]
+  if (interface.rotation_of_node.empty()) return fastest;
+  Scalars& sum = workspace.rotation_sum;
+  const auto arms = [](const FrictionForces& friction, auto&& visit) {  // weights of the turning nodes [m]
     if (!friction.acts) return;
     const Touch& touch = friction.touch;
     if (!touch.apex_arm.isZero(0)) visit(touch.apex, touch.apex_arm.norm());
-    for (int I = 0; touch.base_turns && I < 3; ++I) visit(touch.node[I], touch.weight[I] * touch.base_arm.norm());
+    for (int I = 0; touch.base_rotates && I < 3; ++I) visit(touch.node[I], touch.weight[I] * touch.base_arm.norm());
   };
   for (const FrictionForces& f : memory.friction) arms(f, [&](Index node, double) { sum(node) = 0; });
   for (const FrictionForces& f : memory.friction) arms(f, [&](Index node, double share) { sum(node) += f.stiffness * share; });
   for (std::size_t a = 0; a < memory.friction.size(); ++a) {
     double omega_squared = 0;
     arms(memory.friction[a],
-         [&](Index node, double share) { omega_squared += share * sum(node) / inertia(interface.turn_of_node[node]); });
+         [&](Index node, double share) { omega_squared += share * sum(node) / inertia(interface.rotation_of_node[node]); });
     fastest.see(omega_squared, static_cast<Index>(a));
   }
   return fastest;
@@ -570,13 +570,13 @@ Fastest normal_springs(const Interface& interface, const Scalars& mass, const Me
   for (const ElementForces& e : elements)
     for (int b = 0; b < e.count; ++b) sum(e.node[b]) = 0;
   for (const ElementForces& e : elements)
-    for (int b = 0; b < e.count; ++b) sum(e.node[b]) += e.stiffness * e.share[b];
+    for (int b = 0; b < e.count; ++b) sum(e.node[b]) += e.stiffness * e.weight[b];
   Fastest fastest;
   for (std::size_t a = 0; a < elements.size(); ++a) {
     const ElementForces& e = elements[a];
     if (e.count == 0) continue;
     double omega_squared = e.stiffness / mass(interface.apexes[a]);
-    for (int b = 0; b < e.count; ++b) omega_squared += e.share[b] * sum(e.node[b]) / mass(e.node[b]);
+    for (int b = 0; b < e.count; ++b) omega_squared += e.weight[b] * sum(e.node[b]) / mass(e.node[b]);
     fastest.see(omega_squared, static_cast<Index>(a));
   }
   return fastest;
@@ -588,31 +588,31 @@ StepLimit stable_step(const Interface& interface, const Scalars& mass, const Sca
                       Workspace& workspace) {
   const Fastest normal = normal_springs(interface, mass, memory, workspace);
   if (normal.apex < 0) return {};
-  const double omega_squared = normal.omega_squared / interface.pass_share;
+  const double omega_squared = normal.omega_squared / interface.pass_factor;
   const Index apex = interface.apexes[normal.apex];
   if (interface.kind == InterfaceKind::bonded) return {linear_step / std::sqrt(omega_squared), apex};
-  const StepLimit bounce{interface.bounce_step / std::sqrt(omega_squared), apex};
+  const StepLimit bounce{interface.impact_step_factor / std::sqrt(omega_squared), apex};
   if (memory.friction.empty()) return bounce;
   // sticks are parallel to the normal springs, and their moments turn plate nodes besides
   const Fastest turning = moments_of_friction(interface, inertia, memory, workspace);
-  const double most = interface.friction.stick * omega_squared + turning.omega_squared / interface.pass_share;
+  const double most = interface.friction.tangential_penalty * omega_squared + turning.omega_squared / interface.pass_factor;
   const StepLimit stick{linear_step / std::sqrt(most), turning.apex >= 0 ? interface.apexes[turning.apex] : apex};
   return stick.step < bounce.step ? stick : bounce;
 }
 
 Source source(const Interface& interface) {
-  const bool rubs = interface.friction.coefficient > 0;
+  const bool has_friction = interface.friction.coefficient > 0;
   return {interface.name, SourceKind::interface,
-          rubs ? std::vector{Stored::penalty, Stored::stick} : std::vector{Stored::penalty},
-          rubs ? std::vector{Dissipated::damping, Dissipated::friction} : std::vector{Dissipated::damping}};
+          has_friction ? std::vector{Stored::penalty, Stored::tangential_penalty} : std::vector{Stored::penalty},
+          has_friction ? std::vector{Dissipated::damping, Dissipated::friction} : std::vector{Dissipated::damping}};
 }
 
 void post(const Interface&, const Memory& memory, Account& account) {
   account.work = memory.work;
   account.hold(Stored::penalty, stored(memory));
-  account.hold(Stored::stick, stick_stored(memory));
+  account.hold(Stored::tangential_penalty, tangential_stored(memory));
   account.dissipated[Dissipated::damping] = memory.damped;
-  account.dissipated[Dissipated::friction] = memory.rubbed;
+  account.dissipated[Dissipated::friction] = memory.friction_dissipated;
   account.created_by_reconnection = memory.created_by_reconnection;
   account.angular_impulse = memory.angular_impulse;
 }
@@ -633,7 +633,7 @@ ElementView view(const Interface& interface, const Vectors& x, const Memory& mem
     const double all = 2 * k * memory.stored[apex];  // |k d|^2
     v.shear_traction = per_area / k * std::sqrt(std::max(0.0, all - along * along));
   } else if (!memory.slip.empty()) {
-    v.shear_traction = interface.friction.stick * per_area * memory.slip[apex].norm();
+    v.shear_traction = interface.friction.tangential_penalty * per_area * memory.slip[apex].norm();
     v.slides = v.shear_traction >= (1 - 1e-9) * interface.friction.coefficient * v.traction;  // round-off
   }
   return v;

@@ -8,7 +8,7 @@
 //             \       /             out with the traction -g / delta on its area.
 //                 3
 //
-// One idea covers ridges, valleys and plains: the apex is pushed the shortest way d to where every
+// One idea covers ridges, valleys and plains: the apex is pushed along the shortest vector d to where every
 // height around it is at least h_c, with the potential  1/2 (area/delta) |d|^2.  On a plain and on a
 // ridge that is the paper's element; in a valley both flanks push, and as the valley flattens the two
 // become one, so a tributary area counts exactly once: docs/theory/contact.md. A closed element may also
@@ -67,14 +67,14 @@ struct Interface {
   Scalars spring;                ///< [N/m] stiffness of each apex where it was taken from masses; else empty
   Coulomb friction;
   /// [nodes] column of a plate node's angular velocity, or -1; empty where no node of the interface turns
-  std::vector<Index> turn_of_node;
+  std::vector<Index> rotation_of_node;
   double arm_of_apex = 0;        ///< [-] share of the apex, a plate, in the arm of friction; the base has the rest
   std::vector<Bond> bonds;       ///< [apexes] of a bonded interface; set by connect()
-  double bounce_step = 0.1410;   ///< [-] dt sqrt(k/m) of the vote: step_for_a_bounce(0.005)
-  double pass_share = 1;         ///< [-] part of the stiffness between its nodes: 1/2 in each of two passes
-  /// [s] retardation: a closed element pushes with k (|d| + retardation d|d|/dt), never pulls. It takes
+  double impact_step_factor = 0.1410;   ///< [-] dt sqrt(k/m) of the vote: impact_step_factor_for(0.005)
+  double pass_factor = 1;         ///< [-] part of the stiffness between its nodes: 1/2 in each of two passes
+  /// [s] contact damping: a closed element pushes with k (|d| + contact damping d|d|/dt), never pulls. It takes
   /// the chatter out of an interface; what it dissipates is booked.
-  double retardation = 0;
+  double damping_time = 0;
   Weights weights = Weights::consistent;
   Area area_kind = Area::apex;
   /// An apex on a symmetry plane meets the mirror images of its bases too: [apexes] projector onto
@@ -86,10 +86,10 @@ struct Interface {
 };
 
 enum class Status : int {
-  lost = -1,   ///< no base within reach
+  unpaired = -1,   ///< no base within reach
   open = 0,    ///< a base, no contact
   closed = 1,  ///< in contact
-  beyond = 2,  ///< past the border of the base surface
+  off_surface = 2,  ///< past the border of the base surface
 };
 
 /// Forces of one apex and its bases, and what its last step did.
@@ -100,9 +100,9 @@ struct ElementForces {
   int count = 0;
   std::array<Index, most_nodes> node{};
   double stiffness = 0;                  ///< [N/m] of the spring between the apex and its bases
-  std::array<double, most_nodes> share{};  ///< of each base node in it; a node named again has none
+  std::array<double, most_nodes> weight{};  ///< of each base node in it; a node named again has none
   std::array<Vec3, most_nodes> force;    ///< [N] on the base nodes, where closed
-  double scale = 1;                      ///< of all these forces: 1 + retardation d|d|/dt / |d|, not negative
+  double scale = 1;                      ///< of all these forces: 1 + contact damping d|d|/dt / |d|, not negative
   double dissipated = 0;                 ///< [J] in the last step
   double work = 0, created = 0;          ///< [J] in the last step
   Vec3 angular_impulse = Vec3::Zero();   ///< [N m s] about the origin in the last step, see Memory
@@ -128,22 +128,22 @@ struct Memory {
   std::vector<double> gap;              ///< [m] [apexes], open for positive; NaN where lost
   std::vector<double> stored;           ///< [J] by the penalty, [apexes]
   std::vector<Vec3> slip;               ///< [m] elastic part of the slip, [apexes]; empty without friction
-  std::vector<double> stick_stored;     ///< [J] by the elastic stick, [apexes]; empty without friction
+  std::vector<double> tangential_stored;     ///< [J] by the elastic stick, [apexes]; empty without friction
   std::vector<std::int64_t> reconnections;  ///< [apexes] walks to another feature
   double work = 0;                      ///< [J] done on the nodes
-  double damped = 0;                    ///< [J] dissipated by retardation
-  double rubbed = 0;                    ///< [J] dissipated by friction
+  double damped = 0;                    ///< [J] dissipated by contact damping
+  double friction_dissipated = 0;                    ///< [J] dissipated by friction
   double created_by_reconnection = 0;   ///< [J] created in steps in which the apex changed its base
   /// [N m s] about the origin: what weights of the paper lose, and what the mirror images of bases at
   /// a symmetry plane give; zero with consistent weights and no planes.
   Vec3 angular_impulse = Vec3::Zero();
   double deepest = 0;                   ///< [m] penetration of any apex since the start, not negative
-  std::int64_t walks = 0, lost = 0, recovered = 0;  ///< counts since the start
+  std::int64_t walks = 0, unpaired = 0, recovered = 0;  ///< counts since the start
   std::int64_t updates = 0;             ///< calls of advance
 };
 
 double stored(const Memory&);        ///< [J] by the penalty
-double stick_stored(const Memory&);  ///< [J] by the elastic stick of friction
+double tangential_stored(const Memory&);  ///< [J] by the elastic stick of friction
 
 /// The schema of an interface in the ledger, and its values now.
 Source source(const Interface&);
@@ -155,7 +155,7 @@ struct Workspace {
   BroadSearch broad;
   Subset found;                         ///< [apexes] facet found by a search, or -1
   Scalars spring_sum;                   ///< [N/m] [nodes of the mesh] stiffness of all springs at a base node
-  Scalars turn_sum;                     ///< [N] [nodes of the mesh] the same for the moments of friction
+  Scalars rotation_sum;                     ///< [N] [nodes of the mesh] the same for the moments of friction
 };
 
 /// What the broad search found before the first step.
@@ -183,9 +183,9 @@ InitialGaps connect(Interface&, const Vectors& x, const ContactHeight&, InitialP
 
 /// Moves the apexes of an interface to the closest features at x, and computes their forces.
 ///
-/// v  [m/s] and w [rad/s] (of plate nodes) constant over the step that led to x;  dt  [s], zero at the start
+/// v  [m/s] and omega [rad/s] (of plate nodes) constant over the step that led to x;  dt  [s], zero at the start
 /// Work is posted by the trapezoid rule, with the forces found in the memory and the new ones.
-void advance(const Interface&, const Vectors& x, const Vectors& v, const Vectors& w, double dt, Memory&, Workspace&);
+void advance(const Interface&, const Vectors& x, const Vectors& v, const Vectors& omega, double dt, Memory&, Workspace&);
 
 /// Adds the forces of all elements to the nodes [N], and their moments to plate nodes [N m], apex by apex.
 void add_forces(const Interface&, const Memory&, Vectors& force, Vectors& moment);
@@ -197,10 +197,10 @@ void add_forces(const Interface&, const Memory&, Vectors& force, Vectors& moment
 /// (a bond, a stick) creates nothing at any stable step: dt = `linear_step` / omega, with the moments of
 /// friction on plate nodes in omega.
 ///
-/// Each of two passes has its `pass_share` s of the stiffness between the same nodes and votes as if for all of it: omega^2 is divided
+/// Each of two passes has its `pass_factor` s of the stiffness between the same nodes and votes as if for all of it: omega^2 is divided
 /// by it. With omega_1^2 <= s omega^2 and omega_2^2 <= (1 - s) omega^2 both together are within omega^2.
 ///
-/// mass [kg] of the nodes;  inertia [kg m2] of the columns of w
+/// mass [kg] of the nodes;  inertia [kg m2] of the columns of omega
 StepLimit stable_step(const Interface&, const Scalars& mass, const Scalars& inertia, const Memory&, Workspace&);
 
 /// [-] dt omega of a spring that never opens. The linear bound is 2; a quarter of it lowers the bound of
@@ -212,7 +212,7 @@ struct ElementView {
   Index apex;                ///< node
   Feature feature;           ///< facet -1 where lost
   std::array<double, 3> weight;  ///< of the foot on the facet's nodes
-  double gap, traction;      ///< [m], [Pa] compression positive, without what retardation adds
+  double gap, traction;      ///< [m], [Pa] compression positive, without what contact damping adds
   double shear_traction;     ///< [Pa] of friction, not negative
   bool slides;               ///< friction is at its limit
   Status status;

@@ -28,28 +28,28 @@ Vec3 spin_of_base(const Touch& touch, const Vectors& v) {
   return touch.per_inertia * sum;
 }
 
-Vec3 slip_rate(const Touch& touch, const Vectors& v, const Vectors& w, const std::vector<Index>& turn_of_node) {
+Vec3 slip_rate(const Touch& touch, const Vectors& v, const Vectors& omega, const std::vector<Index>& rotation_of_node) {
   Vec3 rate = v.col(touch.apex);
-  if (!touch.apex_arm.isZero(0)) rate -= Vec3(w.col(turn_of_node[touch.apex])).cross(touch.apex_arm);
+  if (!touch.apex_arm.isZero(0)) rate -= Vec3(omega.col(rotation_of_node[touch.apex])).cross(touch.apex_arm);
   Vec3 spin = Vec3::Zero();
-  if (!touch.base_turns && !touch.base_arm.isZero(0)) spin = spin_of_base(touch, v);
+  if (!touch.base_rotates && !touch.base_arm.isZero(0)) spin = spin_of_base(touch, v);
   for (int I = 0; I < 3; ++I) {
     rate -= touch.weight[I] * v.col(touch.node[I]);
-    if (touch.base_turns && touch.weight[I] != 0) spin += touch.weight[I] * w.col(turn_of_node[touch.node[I]]);
+    if (touch.base_rotates && touch.weight[I] != 0) spin += touch.weight[I] * omega.col(rotation_of_node[touch.node[I]]);
   }
   rate -= spin.cross(touch.base_arm);
   return rate - touch.normal.dot(rate) * touch.normal;
 }
 
-void add_friction(const Touch& touch, const Vec3& friction, const std::vector<Index>& turn_of_node, Vectors& force, Vectors& moment) {
+void add_friction(const Touch& touch, const Vec3& friction, const std::vector<Index>& rotation_of_node, Vectors& force, Vectors& moment) {
   force.col(touch.apex) += friction;
-  if (!touch.apex_arm.isZero(0)) moment.col(turn_of_node[touch.apex]) -= touch.apex_arm.cross(friction);
+  if (!touch.apex_arm.isZero(0)) moment.col(rotation_of_node[touch.apex]) -= touch.apex_arm.cross(friction);
   const Vec3 on_base = -touch.base_arm.cross(friction);
-  const bool turns_facet = !touch.base_turns && !touch.base_arm.isZero(0);
+  const bool turns_facet = !touch.base_rotates && !touch.base_arm.isZero(0);
   for (int I = 0; I < 3; ++I) {
     force.col(touch.node[I]) -= touch.weight[I] * friction;
     if (turns_facet) force.col(touch.node[I]) += couple(touch, on_base, I);
-    if (touch.base_turns && touch.weight[I] != 0) moment.col(turn_of_node[touch.node[I]]) += touch.weight[I] * on_base;
+    if (touch.base_rotates && touch.weight[I] != 0) moment.col(rotation_of_node[touch.node[I]]) += touch.weight[I] * on_base;
   }
 }
 
@@ -57,12 +57,12 @@ Vec3 moment_of_friction(const Touch& touch, const Vec3& friction, const Vectors&
   const auto at = [&](Index node) { return Vec3(x.col(node) + later * v.col(node)); };
   const Vec3 on_base = -touch.base_arm.cross(friction);
   Vec3 sum = at(touch.apex).cross(friction) - touch.apex_arm.cross(friction);
-  const bool turns_facet = !touch.base_turns && !touch.base_arm.isZero(0);
+  const bool turns_facet = !touch.base_rotates && !touch.base_arm.isZero(0);
   for (int I = 0; I < 3; ++I) {
     sum -= touch.weight[I] * at(touch.node[I]).cross(friction);
     if (turns_facet) sum += at(touch.node[I]).cross(couple(touch, on_base, I));
   }
-  return touch.base_turns ? Vec3(sum + on_base) : sum;
+  return touch.base_rotates ? Vec3(sum + on_base) : sum;
 }
 
 Vec3 carried(const Vec3& vector, const Vec3& rotation, const Vec3& normal) {

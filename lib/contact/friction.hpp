@@ -10,7 +10,7 @@ namespace nereid::contact {
 /// Coulomb's friction: sticks elastically up to coefficient times the normal force, then slides.
 struct Coulomb {
   double coefficient = 0;  ///< [-] zero: frictionless
-  double stick = 1;        ///< [-] stiffness of the elastic stick over that of the penalty
+  double tangential_penalty = 1;        ///< [-] stiffness of the elastic stick over that of the penalty
 };
 
 /// The elastic part of a slip and the part that slid.
@@ -44,7 +44,7 @@ struct Touch {
   std::array<double, 3> weight{};  ///< of the foot; they sum to one
   Vec3 base_arm = Vec3::Zero();    ///< [m] part of the arm whose moment the base takes
   Vec3 apex_arm = Vec3::Zero();    ///< [m] part whose moment the apex takes, a plate
-  bool base_turns = false;         ///< the base is a plate, whose nodes have angular velocities
+  bool base_rotates = false;         ///< the base is a plate, whose nodes have angular velocities
   std::array<Vec3, 3> offset;      ///< [m] of the base nodes from their mean
   Mat3 per_inertia = Mat3::Zero(); ///< [1/m2] inverse of the sum of |offset|^2 1 - offset offset^T
 };
@@ -61,15 +61,15 @@ Vec3 spin_of_base(const Touch&, const Vectors& v);
 ///
 ///     (1 - n n^T) (v_apex - w_apex x apex_arm - sum of weight_I v_I - spin x base_arm)
 ///
-/// turn_of_node  [nodes of the mesh] column of w, or -1; read where a side is a plate
+/// rotation_of_node  [nodes of the mesh] columns of omega, or -1; read where a side is a plate
 /// Invariants    zero in a rigid motion of both sides, where the arm parts add up to the arm
-Vec3 slip_rate(const Touch&, const Vectors& v, const Vectors& w, const std::vector<Index>& turn_of_node);
+Vec3 slip_rate(const Touch&, const Vectors& v, const Vectors& omega, const std::vector<Index>& rotation_of_node);
 
 /// Adds a friction force on the apex [N], and what balances it, to forces [N] and moments [N m].
 ///
 /// Its power is friction . slip_rate() for every motion.
 /// Invariants  no net force; no net moment where the arm parts add up to the arm.
-void add_friction(const Touch&, const Vec3& friction, const std::vector<Index>& turn_of_node, Vectors& force, Vectors& moment);
+void add_friction(const Touch&, const Vec3& friction, const std::vector<Index>& rotation_of_node, Vectors& force, Vectors& moment);
 
 /// Moment about the origin of the same forces and moments, at the positions `later` [s] after x. [N m]
 Vec3 moment_of_friction(const Touch&, const Vec3& friction, const Vectors& x, const Vectors& v, double later);

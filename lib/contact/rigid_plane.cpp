@@ -18,18 +18,18 @@ namespace {
 /// Friction on one node over the step `moved` [m] that led to `at`; returns its mean force. [N]
 Vec3 advance_friction(const RigidPlane& plane, double k, double push_before, double push, const Vec3& moved, Vec3& slip,
                       PlaneMemory& memory) {
-  const double stiffness = plane.friction.stick * k;
+  const double stiffness = plane.friction.tangential_penalty * k;
   const Vec3 held = slip, slid_by = moved - moved.dot(plane.normal) * plane.normal;
   if (push > 0) {
     const Vec3 trial = push_before > 0 ? Vec3(held + slid_by) : held;  // a node that has just come down has not slid yet
     const Slip now = stick_or_slide(trial, stiffness, plane.friction.coefficient * push);
     slip = now.elastic;
-    memory.rubbed += std::max(0.0, 0.5 * stiffness * (held + slip).dot(now.slid));
+    memory.friction_dissipated += std::max(0.0, 0.5 * stiffness * (held + slip).dot(now.slid));
   } else {
     slip.setZero();
-    memory.rubbed += std::max(0.0, 0.5 * stiffness * (held.squaredNorm() + held.dot(slid_by)));  // the stick lets go
+    memory.friction_dissipated += std::max(0.0, 0.5 * stiffness * (held.squaredNorm() + held.dot(slid_by)));  // the stick lets go
   }
-  memory.stick_stored += 0.5 * stiffness * slip.squaredNorm();
+  memory.tangential_stored += 0.5 * stiffness * slip.squaredNorm();
   const Vec3 mean = -0.5 * stiffness * (held + slip);
   memory.work += mean.dot(slid_by);
   return mean;
@@ -38,7 +38,7 @@ Vec3 advance_friction(const RigidPlane& plane, double k, double push_before, dou
 }  // namespace
 
 void advance(const RigidPlane& plane, const Vectors& x, const Vectors& v, double dt, PlaneMemory& memory) {
-  memory.stored = memory.stick_stored = 0;
+  memory.stored = memory.tangential_stored = 0;
   for (std::size_t i = 0; i < plane.nodes.size(); ++i) {
     const Vec3 at = x.col(plane.nodes[i]), moved = dt * v.col(plane.nodes[i]);
     const double gap = std::min(0.0, (at - plane.point).dot(plane.normal));
@@ -55,14 +55,14 @@ void advance(const RigidPlane& plane, const Vectors& x, const Vectors& v, double
     const Vec3 held = memory.slip[i];
     const Vec3 mean = advance_friction(plane, k, before, after, moved, memory.slip[i], memory);
     memory.impulse += dt * mean;
-    memory.angular_impulse -= 0.5 * dt * plane.friction.stick * k * ((at - moved).cross(held) + at.cross(memory.slip[i]));
+    memory.angular_impulse -= 0.5 * dt * plane.friction.tangential_penalty * k * ((at - moved).cross(held) + at.cross(memory.slip[i]));
   }
 }
 
 namespace {
 Vec3 force_on(const RigidPlane& plane, const PlaneMemory& memory, std::size_t i) {
   Vec3 force = memory.force[i] * plane.normal;
-  if (!memory.slip.empty()) force -= plane.friction.stick * plane.penalty * plane.area(static_cast<Eigen::Index>(i)) * memory.slip[i];
+  if (!memory.slip.empty()) force -= plane.friction.tangential_penalty * plane.penalty * plane.area(static_cast<Eigen::Index>(i)) * memory.slip[i];
   return force;
 }
 }  // namespace
@@ -85,19 +85,19 @@ StepLimit stable_step(const RigidPlane& plane, const Scalars& mass) {
     if (omega_squared > most) most = omega_squared, at = plane.nodes[i];
   }
   if (at < 0) return {};
-  return {plane.bounce_step / std::sqrt(most * std::max(1.0, plane.friction.stick)), at};
+  return {plane.impact_step_factor / std::sqrt(most * std::max(1.0, plane.friction.tangential_penalty)), at};
 }
 
 Source source(const RigidPlane& plane) {
   if (!(plane.friction.coefficient > 0)) return {plane.name, SourceKind::rigid_plane, {Stored::penalty}, {}};
-  return {plane.name, SourceKind::rigid_plane, {Stored::penalty, Stored::stick}, {Dissipated::friction}};
+  return {plane.name, SourceKind::rigid_plane, {Stored::penalty, Stored::tangential_penalty}, {Dissipated::friction}};
 }
 
 void post(const RigidPlane&, const PlaneMemory& memory, Account& account) {
   account.work = memory.work;
   account.hold(Stored::penalty, memory.stored);
-  account.hold(Stored::stick, memory.stick_stored);
-  account.dissipated[Dissipated::friction] = memory.rubbed;
+  account.hold(Stored::tangential_penalty, memory.tangential_stored);
+  account.dissipated[Dissipated::friction] = memory.friction_dissipated;
   account.impulse = memory.impulse;
   account.angular_impulse = memory.angular_impulse;
 }

@@ -17,7 +17,7 @@ struct RigidPlane {
   Subset nodes;
   Scalars area;        ///< [m2] tributary area, [nodes]
   double penalty = 0;  ///< [Pa/m]
-  double bounce_step = 0.1410;  ///< [-] dt sqrt(k/m) of the vote, see contact/bounce.hpp
+  double impact_step_factor = 0.1410;  ///< [-] dt sqrt(k/m) of the vote, see contact/impact_step.hpp
   Coulomb friction;
   double depth = 0;    ///< [m] of the flattest element behind the nodes: what a penetration is held against
 };
@@ -26,7 +26,7 @@ struct PlaneMemory {
   std::vector<double> force;            ///< [N] along the normal, [nodes]
   std::vector<Vec3> slip;               ///< [m] elastic part of the slip, [nodes]; empty without friction
   double work = 0, stored = 0;          ///< [J] stored by the penalty
-  double stick_stored = 0, rubbed = 0;  ///< [J] stored by the elastic stick, dissipated by friction
+  double tangential_stored = 0, friction_dissipated = 0;  ///< [J] stored by the elastic stick, dissipated by friction
   double deepest = 0;                   ///< [m] penetration of any node since the start, not negative
   Vec3 impulse = Vec3::Zero();          ///< [N s] given to the nodes
   Vec3 angular_impulse = Vec3::Zero();  ///< [N m s] about the origin

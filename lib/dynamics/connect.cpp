@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "base/check.hpp"
-#include "contact/bounce.hpp"
+#include "contact/impact_step.hpp"
 
 namespace nereid::dynamics {
 
@@ -66,8 +66,8 @@ std::vector<Mat3> allowed_directions(const Model& model, const Subset& apexes) {
   const load::Memory memory = load::prepare(symmetry, static_cast<Index>(model.mesh.X.cols()), no_turns);
   std::vector<Mat3> allowed(apexes.size(), Mat3::Identity());
   for (std::size_t a = 0; a < apexes.size(); ++a) {
-    const Index place = memory.held_of_node[apexes[a]];
-    if (place >= 0) allowed[a] = memory.held[place].allowed;
+    const Index place = memory.row_of_node[apexes[a]];
+    if (place >= 0) allowed[a] = memory.nodes[place].allowed;
   }
   return allowed;
 }
@@ -75,7 +75,7 @@ std::vector<Mat3> allowed_directions(const Model& model, const Subset& apexes) {
 /// Whether all nodes of a surface are plate nodes.
 bool turns(const Model& model, const mesh::Surface& surface) {
   const Index node = surface.facets.size() > 0 ? surface.facets(0, 0) : -1;
-  return node >= 0 && model.turn_of_node[node] >= 0;
+  return node >= 0 && model.rotation_of_node[node] >= 0;
 }
 
 /// Half the thickness of the plates of a surface. [m]
@@ -90,12 +90,12 @@ double half_thickness(const Model& model, const mesh::Surface& surface) {
 
 /// The stable step of the elements as they stand, without safety. [s]
 double element_step(const Model& model) {
-  const Vectors rest = Vectors::Zero(3, model.mesh.X.cols()), no_turn = Vectors::Zero(3, model.inertia.size());
+  const Vectors rest = Vectors::Zero(3, model.mesh.X.cols()), no_rotation = Vectors::Zero(3, model.inertia.size());
   double step = 1e300;
   for (const auto& block : model.blocks) {
     element::Memory memory = element::initial_memory(block);
     element::TileForces tiles = element::tile_forces(block);
-    step = std::min(step, element::advance(block, model.mesh.X, rest, no_turn, 0, memory, tiles).step);
+    step = std::min(step, element::advance(block, model.mesh.X, rest, no_rotation, 0, memory, tiles).step);
   }
   return step;
 }
@@ -103,19 +103,19 @@ double element_step(const Model& model) {
 /// Springs that the nodes' masses allow at a given step: 1/2 omega^2 m at each apex, and no more than that
 /// in sum at each base node. [N/m] [apexes]
 Scalars springs_from_masses(const contact::Interface& interface, const Scalars& mass, double step, const contact::Memory& memory) {
-  const double rate = interface.bounce_step / step, half = 0.5 * rate * rate;
+  const double rate = interface.impact_step_factor / step, half = 0.5 * rate * rate;
   const auto count = static_cast<Index>(interface.apexes.size());
   Scalars spring(count), sum = Scalars::Zero(mass.size());
   const auto& elements = memory.elements;
   for (Index a = 0; a < count; ++a) {
     spring(a) = half * mass(interface.apexes[a]);
-    for (int b = 0; b < elements[a].count; ++b) sum(elements[a].node[b]) += elements[a].share[b] * spring(a);
+    for (int b = 0; b < elements[a].count; ++b) sum(elements[a].node[b]) += elements[a].weight[b] * spring(a);
   }
   for (Index a = 0; a < count; ++a) {
     double share = 1;
     for (int b = 0; b < elements[a].count; ++b) {
       const Index node = elements[a].node[b];
-      if (elements[a].share[b] > 0) share = std::min(share, half * mass(node) / sum(node));
+      if (elements[a].weight[b] > 0) share = std::min(share, half * mass(node) / sum(node));
     }
     spring(a) *= share;
   }
@@ -126,8 +126,8 @@ Scalars springs_from_masses(const contact::Interface& interface, const Scalars& 
 contact::Memory tried_out(const contact::Interface& interface, const Model& model, const contact::Memory& memory,
                           contact::Workspace& workspace) {
   contact::Memory trial = memory;
-  const Vectors rest = Vectors::Zero(3, model.mesh.X.cols()), no_turn = Vectors::Zero(3, model.inertia.size());
-  contact::advance(interface, model.mesh.X, rest, no_turn, 0, trial, workspace);
+  const Vectors rest = Vectors::Zero(3, model.mesh.X.cols()), no_rotation = Vectors::Zero(3, model.inertia.size());
+  contact::advance(interface, model.mesh.X, rest, no_rotation, 0, trial, workspace);
   return trial;
 }
 
@@ -145,10 +145,10 @@ Connected connect_one_pass(Model& model, const std::string& name, const std::str
   interface.facet_area = mesh::facet_areas(model.mesh, base);
   interface.penalty = share * (options.penalty_from == PenaltyFrom::value
                                    ? options.penalty
-                                   : options.hardness * std::min(surface_stiffness(model, apexes), surface_stiffness(model, base)));
+                                   : options.penalty_scale * std::min(surface_stiffness(model, apexes), surface_stiffness(model, base)));
   check(interface.penalty > 0, "an interface needs a penalty or elements on both sides");
-  interface.bounce_step = contact::step_for_a_bounce(options.created_in_a_bounce);
-  interface.pass_share = share;
+  interface.impact_step_factor = contact::impact_step_factor_for(options.energy_gain_limit);
+  interface.pass_factor = share;
   const double depths[] = {surface_depth(model, apexes), surface_depth(model, base)};
   interface.depth = depths[0] > 0 && depths[1] > 0 ? std::min(depths[0], depths[1]) : std::max(depths[0], depths[1]);
   interface.friction = options.friction;
@@ -158,7 +158,7 @@ Connected connect_one_pass(Model& model, const std::string& name, const std::str
   for (const load::Plane& plane : model.constraints.planes)
     if (plane.kind == load::PlaneKind::symmetry) contact::goes_on_behind(interface.base, plane.nodes);
   if (turns(model, apexes) || turns(model, base)) {
-    interface.turn_of_node = model.turn_of_node;
+    interface.rotation_of_node = model.rotation_of_node;
     const double apex_half = half_thickness(model, apexes), base_half = half_thickness(model, base);
     interface.arm_of_apex = apex_half / (apex_half + base_half);
   }
@@ -174,10 +174,10 @@ Connected connect_one_pass(Model& model, const std::string& name, const std::str
     interface.spring = share * springs_from_masses(interface, model.mass, options.step_share * element_step(model), trial);
     interface.penalty = interface.spring.sum() / interface.area.sum();
   }
-  if (options.damping > 0) {
+  if (options.damping_ratio > 0) {
     const contact::Memory trial = tried_out(interface, model, connected.memory, workspace);
     const double step = contact::stable_step(interface, model.mass, model.inertia, trial, workspace).step;
-    interface.retardation = 2 * options.damping * step / interface.bounce_step;  // 2 zeta / omega
+    interface.damping_time = 2 * options.damping_ratio * step / interface.impact_step_factor;  // 2 zeta / omega
   }
   model.interfaces.push_back(std::move(interface));
   return connected;

@@ -11,7 +11,7 @@ namespace nereid::dynamics {
 /// Where an interface takes its stiffness from.
 enum class PenaltyFrom {
   value,     ///< given
-  stiffness, ///< hardness times the stiffness of the softer side: hard against what it presses on
+  stiffness, ///< penalty scale times the stiffness of the softer side: hard against what it presses on
   masses,    ///< of the nodes and the elements' first step: the interface does not ask for a smaller one
 };
 
@@ -20,16 +20,16 @@ struct InterfaceOptions {
   contact::InterfaceKind kind = contact::InterfaceKind::contact;
   PenaltyFrom penalty_from = PenaltyFrom::stiffness;
   double penalty = 0;              ///< [Pa/m] where it is given
-  double hardness = 20;            ///< [-] chosen penalty over the stiffness of the softer side
+  double penalty_scale = 20;            ///< [-] chosen penalty over the stiffness of the softer side
   double step_share = 1;           ///< [-] of the elements' first step, to which a penalty from masses is made
   contact::Coulomb friction;
   bool two_passes = false;         ///< each surface has apexes over the other, with half the penalty each
-  double damping = 0;              ///< [-] of an apex on its base, over the critical damping of the stiffest pair
+  double damping_ratio = 0;              ///< [-] of an apex on its base, over the critical damping of the stiffest pair
   contact::Weights weights = contact::Weights::consistent;
   contact::Area area = contact::Area::apex;
   contact::ContactHeight height;
   contact::InitialPenetration initial_penetration = contact::InitialPenetration::refuse;
-  double created_in_a_bounce = 0.005;  ///< [-] bound on the energy of a single bounce
+  double energy_gain_limit = 0.005;  ///< [-] bound on the energy of a single bounce
 };
 
 /// An interface joined to a model, with the memory that its state needs.
@@ -53,12 +53,12 @@ double surface_depth(const Model&, const mesh::Surface&);
 
 /// Adds an interface between the apexes of one surface and the bases of another.
 ///
-/// PenaltyFrom::stiffness  hardness times the stiffness of the softer side: refined with the mesh.
+/// PenaltyFrom::stiffness  penalty scale times the stiffness of the softer side: refined with the mesh.
 /// PenaltyFrom::masses     with omega the frequency at which the vote is step_share of the elements' step,
 ///                         a spring of at most 1/2 omega^2 m at each apex and in sum at each base node.
 /// Either is fixed from here on: smaller steps later do not stiffen it.
 ///
-/// Needs    a model after finish(), with its symmetry planes
+/// Needs    a model after finalize(), with its symmetry planes
 /// returns  one interface, or two passes: `name`, and `name`_back with the sides exchanged
 /// Penetrations are reported in Connected::gaps; where InitialPenetration::refuse is asked for, the
 /// caller refuses the scene.

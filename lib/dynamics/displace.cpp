@@ -25,7 +25,7 @@ Vectors normals(const Model& model) {
     for (Eigen::Index e = 0; e < nodes.cols(); ++e) {
       const Vec3 first = model.mesh.X.col(nodes(0, e));
       const Vec3 to_second = model.mesh.X.col(nodes(1, e)) - first, to_third = model.mesh.X.col(nodes(2, e)) - first;
-      for (int a = 0; a < 3; ++a) normal.col(model.turn_of_node[nodes(a, e)]) += to_second.cross(to_third);
+      for (int a = 0; a < 3; ++a) normal.col(model.rotation_of_node[nodes(a, e)]) += to_second.cross(to_third);
     }
   }
   return normal;
@@ -34,46 +34,46 @@ Vectors normals(const Model& model) {
 }  // namespace
 
 element::Vote displace(const Model& model, State& now, const Vectors& u, const std::vector<Mat3>& gradient, int steps) {
-  check(u.cols() == now.x.cols() && static_cast<Eigen::Index>(gradient.size()) == now.w.cols() && steps > 0,
+  check(u.cols() == now.x.cols() && static_cast<Eigen::Index>(gradient.size()) == now.omega.cols() && steps > 0,
         "a displacement for every node and a gradient for every plate node");
   const Vectors du = u / steps, normal = normals(model);
-  Vectors turns = Vectors::Zero(3, now.w.cols());
+  Vectors turns = Vectors::Zero(3, now.omega.cols());
   element::Vote smallest;
-  const auto deformation = [&](Index turn, double step) { return Mat3(Mat3::Identity() + step / steps * gradient[turn]); };
-  const auto material_normal = [&](Index turn, double step) {
-    return Vec3((deformation(turn, step).inverse().transpose() * normal.col(turn)).normalized());
+  const auto deformation = [&](Index rotation, double step) { return Mat3(Mat3::Identity() + step / steps * gradient[rotation]); };
+  const auto material_normal = [&](Index rotation, double step) {
+    return Vec3((deformation(rotation, step).inverse().transpose() * normal.col(rotation)).normalized());
   };
   for (int s = 0; s < steps; ++s) {
-    for (Index turn = 0; turn < now.w.cols(); ++turn) {
-      const Vec3 before = material_normal(turn, s), after = material_normal(turn, s + 1);
-      const Vec3 between = material_normal(turn, s + 0.5);
-      const Mat3 L = gradient[turn] / steps * deformation(turn, s + 0.5).inverse();
-      // Cayley's vector of the normal's turn; about the normal, which differs from that of the facets, the material's
-      turns.col(turn) = 2 / (1 + before.dot(after)) * before.cross(after) + half_curl(L).dot(between) * between;
-      const Index place = now.constraints.held_of_node[model.node_of_turn[turn]];
+    for (Index rotation = 0; rotation < now.omega.cols(); ++rotation) {
+      const Vec3 before = material_normal(rotation, s), after = material_normal(rotation, s + 1);
+      const Vec3 between = material_normal(rotation, s + 0.5);
+      const Mat3 L = gradient[rotation] / steps * deformation(rotation, s + 0.5).inverse();
+      // Cayley's vector of the normal's rotation; about the normal, which differs from that of the facets, the material's
+      turns.col(rotation) = 2 / (1 + before.dot(after)) * before.cross(after) + half_curl(L).dot(between) * between;
+      const Index place = now.constraints.row_of_node[model.node_of_rotation[rotation]];
       // driven nodes go from where the displacement puts them
-      if (place >= 0 && now.constraints.held[place].driver < 0) turns.col(turn) = now.constraints.held[place].allowed_turn * turns.col(turn);
+      if (place >= 0 && now.constraints.nodes[place].driver < 0) turns.col(rotation) = now.constraints.nodes[place].allowed_rotation * turns.col(rotation);
     }
     now.x = model.mesh.X + (static_cast<double>(s + 1) / steps) * u;
     for (std::size_t b = 0; b < model.blocks.size(); ++b) {
       const element::Vote vote = element::advance(model.blocks[b], now.x, du, turns, duration / steps, now.blocks[b], now.tiles[b]);
-      if (vote.size < smallest.size || std::isnan(vote.size)) smallest = vote;
+      if (vote.volume_ratio < smallest.volume_ratio || std::isnan(vote.volume_ratio)) smallest = vote;
     }
   }
   for (element::Memory& block : now.blocks) block.work = 0, block.dissipated = {};
   return smallest;
 }
 
-Vectors turns_of(const Model& model, const std::vector<Mat3>& gradient) {
-  check(gradient.size() == model.node_of_turn.size(), "a gradient for every plate node");
+Vectors angular_velocities_of(const Model& model, const std::vector<Mat3>& gradient) {
+  check(gradient.size() == model.node_of_rotation.size(), "a gradient for every plate node");
   const Vectors normal = normals(model);
-  Vectors w = Vectors::Zero(3, model.inertia.size());
-  for (Eigen::Index turn = 0; turn < w.cols(); ++turn) {
-    const Vec3 n = normal.col(turn).normalized();
-    const Mat3& L = gradient[static_cast<std::size_t>(turn)];
-    w.col(turn) = half_curl(L).dot(n) * n - n.cross(L.transpose() * n);
+  Vectors omega = Vectors::Zero(3, model.inertia.size());
+  for (Eigen::Index rotation = 0; rotation < omega.cols(); ++rotation) {
+    const Vec3 n = normal.col(rotation).normalized();
+    const Mat3& L = gradient[static_cast<std::size_t>(rotation)];
+    omega.col(rotation) = half_curl(L).dot(n) * n - n.cross(L.transpose() * n);
   }
-  return w;
+  return omega;
 }
 
 }  // namespace nereid::dynamics

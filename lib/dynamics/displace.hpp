@@ -22,6 +22,6 @@ element::Vote displace(const Model&, State&, const Vectors& u, const std::vector
 ///     n x dn/dt + (1/2 curl v . n) n,   dn/dt = -(1 - n n^T) L^T n
 ///
 /// gradient  [1/s] L = dv/dX at the plate nodes;  n  normal in the reference
-Vectors turns_of(const Model&, const std::vector<Mat3>& gradient);
+Vectors angular_velocities_of(const Model&, const std::vector<Mat3>& gradient);
 
 }  // namespace nereid::dynamics

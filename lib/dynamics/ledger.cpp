@@ -23,15 +23,15 @@ double initial_stored(const Ledger& ledger) {
   return sum;
 }
 
-double work_from_outside(const Ledger& ledger) {
+double work_from_loads(const Ledger& ledger) {
   double sum = 0;
   for (const Account& account : ledger.accounts)
-    if (account.stored[Stored::outside] != 0 || account.stored[Stored::potential] != 0) sum += std::max(0.0, account.work);
+    if (account.stored[Stored::external_work] != 0 || account.stored[Stored::potential] != 0) sum += std::max(0.0, account.work);
   return sum;
 }
 
 double energy_scale(const Ledger& ledger) {
-  return std::max({ledger.initial_kinetic, initial_stored(ledger), ledger.brought_in});
+  return std::max({ledger.initial_kinetic, initial_stored(ledger), ledger.external_work});
 }
 
 double energy_residual(const Ledger& ledger) {

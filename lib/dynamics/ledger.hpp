@@ -22,7 +22,7 @@ struct Ledger {
   double integration = 0;
   /// [J] the most that came in from outside at any update of the ledger so far: the positive works of gravity and of
   /// the sources that take their work from outside (loads, planes and nodes that are moved).
-  double brought_in = 0;
+  double external_work = 0;
   Vec3 initial_momentum = Vec3::Zero(), momentum = Vec3::Zero();                  ///< [kg m/s]
   Vec3 initial_angular_momentum = Vec3::Zero(), angular_momentum = Vec3::Zero();  ///< [kg m2/s]
   std::vector<Account> accounts;  ///< beside sources(model)
@@ -32,7 +32,7 @@ struct Ledger {
 double initial_stored(const Ledger&);
 
 /// Work that gravity and all sources that take it from outside have done, those that took energy out left aside. [J]
-double work_from_outside(const Ledger&);
+double work_from_loads(const Ledger&);
 
 /// What created energy is held against: the largest of the kinetic energy at the start, of what the stores held
 /// then, and of what was brought in since. It never falls during a run. 0 while nothing has moved. [J]

@@ -41,8 +41,8 @@ double kinetic_energy(const View& view, const Subset& nodes) {
   double sum = 0;
   for (const Index node : nodes) {
     sum += 0.5 * view.model.mass(node) * view.now.v.col(node).squaredNorm();
-    const Index turn = view.model.turn_of_node[node];
-    if (turn >= 0) sum += 0.5 * view.model.inertia(turn) * view.now.w.col(turn).squaredNorm();
+    const Index rotation = view.model.rotation_of_node[node];
+    if (rotation >= 0) sum += 0.5 * view.model.inertia(rotation) * view.now.omega.col(rotation).squaredNorm();
   }
   return sum;
 }

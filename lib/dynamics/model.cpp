@@ -6,29 +6,29 @@
 
 namespace nereid::dynamics {
 
-void finish(Model& model) {
+void finalize(Model& model) {
   const auto nodes = static_cast<Index>(model.mesh.X.cols());
   model.mass = Scalars::Zero(nodes);
-  model.turn_of_node.assign(nodes, -1);
-  model.node_of_turn.clear();
+  model.rotation_of_node.assign(nodes, -1);
+  model.node_of_rotation.clear();
   model.node_sums.clear();
   for (const auto& block : model.blocks) {
     element::add_mass(block, model.mass);
     model.node_sums.push_back(element::node_sums(element::tiling(block)));
     if (!element::rotates(block)) continue;
     for (const Index node : model.node_sums.back().node) {
-      if (model.turn_of_node[node] >= 0) continue;
-      model.turn_of_node[node] = static_cast<Index>(model.node_of_turn.size());
-      model.node_of_turn.push_back(node);
+      if (model.rotation_of_node[node] >= 0) continue;
+      model.rotation_of_node[node] = static_cast<Index>(model.node_of_rotation.size());
+      model.node_of_rotation.push_back(node);
     }
   }
   for (const load::PointMass& point : model.point_masses)
     for (const Index node : point.nodes) model.mass(node) += point.mass / static_cast<double>(point.nodes.size());
   check((model.mass.array() > 0).all(), "a node has neither an element nor a point mass");
-  model.inertia = Scalars::Zero(static_cast<Eigen::Index>(model.node_of_turn.size()));
+  model.inertia = Scalars::Zero(static_cast<Eigen::Index>(model.node_of_rotation.size()));
   for (auto& block : model.blocks) {
     if (!element::rotates(block)) continue;
-    element::set_turning(block, model.turn_of_node);
+    element::set_rotations(block, model.rotation_of_node);
     element::add_rotary_inertia(block, model.inertia);
   }
 }
@@ -50,20 +50,20 @@ State initial_state(const Model& model, std::vector<contact::Memory> interfaces)
   State state;
   state.x = model.mesh.X;
   state.v = Vectors::Zero(3, model.mesh.X.cols());
-  state.w = Vectors::Zero(3, model.inertia.size());
+  state.omega = Vectors::Zero(3, model.inertia.size());
   for (const auto& block : model.blocks) {
     state.blocks.push_back(element::initial_memory(block));
     state.tiles.push_back(element::tile_forces(block));
   }
   state.interfaces = std::move(interfaces);
   for (const auto& plane : model.rigid_planes) state.rigid_planes.push_back(contact::initial_memory(plane));
-  state.constraints = load::prepare(model.constraints, static_cast<Index>(model.mesh.X.cols()), model.turn_of_node);
+  state.constraints = load::prepare(model.constraints, static_cast<Index>(model.mesh.X.cols()), model.rotation_of_node);
   for (const auto& any : model.loads) state.loads.push_back(load::initial_memory(any));
   if (model.relaxation) {
     RelaxationMemory& memory = state.relaxation;
     memory.x = state.x;
     memory.force = Vectors::Zero(3, state.x.cols());
-    memory.turned = memory.moment = memory.w = state.w;
+    memory.rotated = memory.moment = memory.omega = state.omega;
   }
   state.ledger.accounts.resize(sources(model).size());
   return state;
@@ -73,7 +73,7 @@ Forces make_forces(const Model& model) {
   Forces forces;
   for (const auto& interface : model.interfaces) forces.interfaces.emplace_back(interface);
   forces.dx = Vectors::Zero(3, model.mesh.X.cols());
-  forces.turn = Vectors::Zero(3, model.inertia.size());
+  forces.rotation = Vectors::Zero(3, model.inertia.size());
   forces.force = Vectors::Zero(3, model.mesh.X.cols());
   forces.moment = Vectors::Zero(3, model.inertia.size());
   forces.partial.reserve(static_cast<std::size_t>(model.mesh.X.cols()));

@@ -36,18 +36,18 @@ struct Model {
   Vec3 gravity = Vec3::Zero();      ///< [m/s2]
   std::optional<Relaxation> relaxation;
 
-  // set by finish()
+  // set by finalize()
   Scalars mass;                     ///< [kg] lumped, [nodes]
   Scalars inertia;                  ///< [kg m2] isotropic, [plate nodes]
-  std::vector<Index> turn_of_node;  ///< [nodes] column of the angular velocity, or -1
-  Subset node_of_turn;              ///< [plate nodes]
+  std::vector<Index> rotation_of_node;  ///< [nodes] column of the angular velocity, or -1
+  Subset node_of_rotation;              ///< [plate nodes]
   std::vector<element::NodeSums> node_sums;  ///< beside blocks: the order in which the forces of tiles are summed
 };
 
 /// Computes what follows from blocks and point masses: masses, columns of angular velocities, orders of summing.
 ///
 /// Throws InternalError if a node has no mass, neither of an element nor of a point mass.
-void finish(Model&);
+void finalize(Model&);
 
 /// What a search for the static equilibrium took away, and how near it is.
 struct RelaxationMemory {
@@ -57,10 +57,10 @@ struct RelaxationMemory {
   double residual = 1;                  ///< [-] unbalanced over all forces, at the last sample
   double most_force = 0, most_kinetic = 0;  ///< largest so far: [N/kg^(1/2)], [J]
   int balanced = 0;                     ///< samples in a row
-  /// The reference from which the frequency is taken: time, positions, turns since then, forces and moments that resist.
+  /// The reference from which the frequency is taken: time, positions, rotations since then, forces and moments that resist.
   double since = 0;                     ///< [s]
-  Vectors x, turned, force, moment;
-  Vectors w;                            ///< [rad/s] at the step before
+  Vectors x, rotated, force, moment;
+  Vectors omega;                            ///< [rad/s] at the step before
 };
 
 /// What a probe remembers: its value over the samples of a run, and what its own measurement needs from one to the next.
@@ -92,7 +92,7 @@ struct State {
   double dt = 0;                                   ///< [s] of the step before
   Vectors x;                                       ///< [m] position at t
   Vectors v;                                       ///< [m/s] velocity at t
-  Vectors w;                                       ///< [rad/s] angular velocity at t, plate nodes only
+  Vectors omega;                                       ///< [rad/s] angular velocity at t, plate nodes only
   std::vector<element::Memory> blocks;             ///< beside Model::blocks
   std::vector<element::TileForces> tiles;          ///< beside Model::blocks: at t, for the work of the next step
   std::vector<contact::Memory> interfaces;         ///< beside Model::interfaces
@@ -109,7 +109,7 @@ struct State {
 /// Sums and scratch of a step; resume() makes them from model and state.
 struct Forces {
   Vectors dx;                                      ///< [m] increment of the positions over the step
-  Vectors turn;                                    ///< [rad] increment of the rotations of the plate nodes
+  Vectors rotation;                                    ///< [rad] increment of the rotations of the plate nodes
   std::vector<contact::Workspace> interfaces;
   Vectors force;                                   ///< [N] on the nodes
   Vectors moment;                                  ///< [N m] on the plate nodes

@@ -19,14 +19,14 @@ using Sparse = Eigen::SparseMatrix<double>;
 using Dense = Eigen::MatrixXd;
 using Entries = std::vector<Eigen::Triplet<double>>;
 
-/// [-] a displacement over the shortest side, or a turn [rad]. Forces of an element at rest are proportional to it, so
+/// [-] a displacement over the shortest side, or a rotation [rad]. Forces of an element at rest are proportional to it, so
 /// nothing cancels; what is left of its square is lost between the two directions.
 constexpr double small = 1e-7;
 /// [s] of that displacement: so slow that dashpots and viscosity have no part in it.
 constexpr double slowly = 1e9;
 /// [-] omega^2 over that of the highest mode which is no more than round-off.
 constexpr double round_off = 1e-12;
-/// [-] stiffness of a turn over the largest of its node which is none.
+/// [-] stiffness of a rotation over the largest of its node which is none.
 constexpr double no_stiffness = 1e-9;
 /// Freedoms up to which all modes are found at once, by a dense matrix.
 constexpr Eigen::Index few = 300;
@@ -104,7 +104,7 @@ struct Answers {
       element::TileForces tiles = none[b];
       element::advance(model.blocks[b], x, u, turns, slowly, memory, tiles);
       element::add_by_node(model.node_sums[b], tiles.force, force);
-      if (tiles.moment.cols() > 0) element::add_by_node(model.node_sums[b], tiles.moment, model.turn_of_node, moment);
+      if (tiles.moment.cols() > 0) element::add_by_node(model.node_sums[b], tiles.moment, model.rotation_of_node, moment);
     }
   }
 };
@@ -113,13 +113,13 @@ struct Answers {
 struct Rows {
   Eigen::Index nodes;
   Eigen::Index of_node(Index node) const { return 3 * static_cast<Eigen::Index>(node); }
-  Eigen::Index of_turn(Index turn) const { return 3 * (nodes + static_cast<Eigen::Index>(turn)); }
+  Eigen::Index of_turn(Index rotation) const { return 3 * (nodes + static_cast<Eigen::Index>(rotation)); }
 };
 
 /// -df/du of all blocks, by differences to both sides; a column for each displacement and turn.
 void add_blocks(const Model& model, const Rows& rows, Entries& K) {
   const std::vector<Subset> neighbour = neighbours(model);
-  const Vectors no_u = Vectors::Zero(3, model.mesh.X.cols()), no_turn = Vectors::Zero(3, model.inertia.size());
+  const Vectors no_u = Vectors::Zero(3, model.mesh.X.cols()), no_rotation = Vectors::Zero(3, model.inertia.size());
   Answers ahead(model), behind(model);
   const double side = shortest_side(model);
   for (const Subset& group : groups(neighbour)) {
@@ -127,16 +127,16 @@ void add_blocks(const Model& model, const Rows& rows, Entries& K) {
       const bool turns = column >= 3;
       const int axis = column % 3;
       const double step = turns ? small : small * side;
-      Vectors u = no_u, turn = no_turn;
+      Vectors u = no_u, rotation = no_rotation;
       for (const Index node : group) {
         if (!turns) u(axis, node) = step;
-        else if (model.turn_of_node[node] >= 0) turn(axis, model.turn_of_node[node]) = step;
+        else if (model.rotation_of_node[node] >= 0) rotation(axis, model.rotation_of_node[node]) = step;
       }
-      if (turns && turn.isZero(0)) continue;
-      ahead.to(model, u, turn);
-      behind.to(model, -u, -turn);
+      if (turns && rotation.isZero(0)) continue;
+      ahead.to(model, u, rotation);
+      behind.to(model, -u, -rotation);
       for (const Index node : group) {
-        const Index own = model.turn_of_node[node];
+        const Index own = model.rotation_of_node[node];
         if (turns && own < 0) continue;
         const Eigen::Index at = (turns ? rows.of_turn(own) : rows.of_node(node)) + axis;
         const auto add = [&](Eigen::Index first, const Vec3& plus, const Vec3& minus) {
@@ -144,7 +144,7 @@ void add_blocks(const Model& model, const Rows& rows, Entries& K) {
         };
         for (const Index next : neighbour[static_cast<std::size_t>(node)]) {
           add(rows.of_node(next), ahead.force.col(next), behind.force.col(next));
-          const Index other = model.turn_of_node[next];
+          const Index other = model.rotation_of_node[next];
           if (other >= 0) add(rows.of_turn(other), ahead.moment.col(other), behind.moment.col(other));
         }
       }
@@ -197,10 +197,10 @@ std::vector<Vec3> resisted(const std::vector<Vec3>& directions, const Mat3& stif
 
 /// What is free to move: a matrix of orthonormal columns over M^(1/2), [rows of K x freedoms].
 Sparse freedoms(const Model& model, const Rows& rows, const Sparse& K, std::int64_t& drilling) {
-  const load::Memory held = load::prepare(model.constraints, static_cast<Index>(rows.nodes), model.turn_of_node);
-  const auto holding = [&](Index node) -> const load::HeldNode* {
-    const Index place = held.held_of_node[node];
-    return place < 0 || held.held[place].count == 0 ? nullptr : &held.held[place];
+  const load::Memory held = load::prepare(model.constraints, static_cast<Index>(rows.nodes), model.rotation_of_node);
+  const auto holding = [&](Index node) -> const load::ConstrainedNode* {
+    const Index place = held.row_of_node[node];
+    return place < 0 || held.nodes[place].count == 0 ? nullptr : &held.nodes[place];
   };
   Entries entries;
   Eigen::Index count = 0;
@@ -212,18 +212,18 @@ Sparse freedoms(const Model& model, const Rows& rows, const Sparse& K, std::int6
     }
   };
   for (Index node = 0; node < rows.nodes; ++node) {
-    const load::HeldNode* here = holding(node);
+    const load::ConstrainedNode* here = holding(node);
     add(rows.of_node(node), directions(here == nullptr ? Mat3(Mat3::Identity()) : here->allowed), model.mass(node));
   }
-  for (Index turn = 0; turn < model.inertia.size(); ++turn) {
-    const load::HeldNode* here = holding(model.node_of_turn[turn]);
-    const std::vector<Vec3> free = directions(here == nullptr ? Mat3(Mat3::Identity()) : here->allowed_turn);
+  for (Index rotation = 0; rotation < model.inertia.size(); ++rotation) {
+    const load::ConstrainedNode* here = holding(model.node_of_rotation[rotation]);
+    const std::vector<Vec3> free = directions(here == nullptr ? Mat3(Mat3::Identity()) : here->allowed_rotation);
     Mat3 own;
     for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) own(i, j) = K.coeff(rows.of_turn(turn) + i, rows.of_turn(turn) + j);
+      for (int j = 0; j < 3; ++j) own(i, j) = K.coeff(rows.of_turn(rotation) + i, rows.of_turn(rotation) + j);
     const std::vector<Vec3> stiff = resisted(free, own);
     drilling += static_cast<std::int64_t>(free.size() - stiff.size());
-    add(rows.of_turn(turn), stiff, model.inertia(turn));
+    add(rows.of_turn(rotation), stiff, model.inertia(rotation));
   }
   Sparse B(K.rows(), count);
   B.setFromTriplets(entries.begin(), entries.end());
@@ -355,7 +355,7 @@ std::vector<Mode> modes_of(const Model& model, const Rows& rows, const Sparse& A
     Mode mode{.frequency = std::sqrt(std::max(pairs.values(i), 0.0)) / (2 * pi),
               .residual = (A * q - pairs.values(i) * q).norm() / highest,
               .shape = Eigen::Map<const Vectors>(u.data(), 3, rows.nodes),
-              .turns = Eigen::Map<const Vectors>(u.data() + 3 * rows.nodes, 3, model.inertia.size())};
+              .rotations = Eigen::Map<const Vectors>(u.data() + 3 * rows.nodes, 3, model.inertia.size())};
     modes.push_back(std::move(mode));
   }
   return modes;

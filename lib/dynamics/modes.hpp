@@ -17,7 +17,7 @@ struct Mode {
   double frequency = 0;  ///< [Hz]
   double residual = 0;   ///< [-] |K u - omega^2 M u| over that of the highest mode's K u, in the norm of M^-1
   Vectors shape;         ///< displacement, [3 x nodes], with u^T M u = 1 together with the turns
-  Vectors turns;         ///< rotation of the plates, [3 x plate nodes]
+  Vectors rotations;         ///< rotation of the plates, [3 x plate nodes]
 };
 
 struct Modes {

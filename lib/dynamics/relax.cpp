@@ -12,12 +12,12 @@ constexpr int steps_per_sample = 10;
 
 /// Projector onto what the planes of a node leave free.
 Mat3 allowed(const State& now, Index node) {
-  const Index place = now.constraints.held_of_node[node];
-  return place < 0 || now.constraints.held[place].count == 0 ? Mat3(Mat3::Identity()) : now.constraints.held[place].allowed;
+  const Index place = now.constraints.row_of_node[node];
+  return place < 0 || now.constraints.nodes[place].count == 0 ? Mat3(Mat3::Identity()) : now.constraints.nodes[place].allowed;
 }
-Mat3 allowed_turn(const State& now, Index node) {
-  const Index place = now.constraints.held_of_node[node];
-  return place < 0 || now.constraints.held[place].count == 0 ? Mat3(Mat3::Identity()) : now.constraints.held[place].allowed_turn;
+Mat3 allowed_rotation(const State& now, Index node) {
+  const Index place = now.constraints.row_of_node[node];
+  return place < 0 || now.constraints.nodes[place].count == 0 ? Mat3(Mat3::Identity()) : now.constraints.nodes[place].allowed_rotation;
 }
 
 /// Leaves in `f.source_*` the forces that depend on the state: blocks, contact, springs, and nothing that
@@ -41,10 +41,10 @@ double frequency(const Model& model, const State& now, const Forces& f) {
     energy -= moved.dot(f.source_force.col(n) - now.relaxation.force.col(n));
     inertia += model.mass(n) * moved.squaredNorm();
   }
-  for (Index turn = 0; turn < now.w.cols(); ++turn) {
-    const Vec3 turned = allowed_turn(now, model.node_of_turn[turn]) * now.relaxation.turned.col(turn);
-    energy -= turned.dot(f.source_moment.col(turn) - now.relaxation.moment.col(turn));
-    inertia += model.inertia(turn) * turned.squaredNorm();
+  for (Index rotation = 0; rotation < now.omega.cols(); ++rotation) {
+    const Vec3 rotated = allowed_rotation(now, model.node_of_rotation[rotation]) * now.relaxation.rotated.col(rotation);
+    energy -= rotated.dot(f.source_moment.col(rotation) - now.relaxation.moment.col(rotation));
+    inertia += model.inertia(rotation) * rotated.squaredNorm();
   }
   return energy > 0 && inertia > 0 ? std::sqrt(energy / inertia) : 0;
 }
@@ -64,14 +64,14 @@ double damp(const Model& model, double factor, State& now) {
     left += 0.5 * model.mass(n) * after.squaredNorm();
     now.v.col(n) = after;
   }
-  for (Index turn = 0; turn < now.w.cols(); ++turn) {
-    const Index place = now.constraints.held_of_node[model.node_of_turn[turn]];
-    if (place >= 0 && now.constraints.held[place].driver >= 0) continue;  // the plane sets it anyway
-    const Vec3 before = now.w.col(turn);
-    const Vec3 impulse = model.inertia(turn) * (factor - 1) * before;
+  for (Index rotation = 0; rotation < now.omega.cols(); ++rotation) {
+    const Index place = now.constraints.row_of_node[model.node_of_rotation[rotation]];
+    if (place >= 0 && now.constraints.nodes[place].driver >= 0) continue;  // the plane sets it anyway
+    const Vec3 before = now.omega.col(rotation);
+    const Vec3 impulse = model.inertia(rotation) * (factor - 1) * before;
     memory.removed -= 0.5 * impulse.dot((1 + factor) * before);
     memory.angular_impulse += impulse;
-    now.w.col(turn) = factor * before;
+    now.omega.col(rotation) = factor * before;
   }
   return left;
 }
@@ -79,7 +79,7 @@ double damp(const Model& model, double factor, State& now) {
 double square(const Model& model, const Vectors& force, const Vectors& moment) {
   double sum = 0;
   for (Eigen::Index n = 0; n < force.cols(); ++n) sum += force.col(n).squaredNorm() / model.mass(n);
-  for (Eigen::Index turn = 0; turn < moment.cols(); ++turn) sum += moment.col(turn).squaredNorm() / model.inertia(turn);
+  for (Eigen::Index rotation = 0; rotation < moment.cols(); ++rotation) sum += moment.col(rotation).squaredNorm() / model.inertia(rotation);
   return sum;
 }
 
@@ -92,7 +92,7 @@ double forces_by_source(const Model& model, const State& now, Forces& f) {
     clear();
     const element::TileForces& tiles = now.tiles[b];
     element::add_by_node(model.node_sums[b], tiles.force, force);
-    if (tiles.moment.cols() > 0) element::add_by_node(model.node_sums[b], tiles.moment, model.turn_of_node, moment);
+    if (tiles.moment.cols() > 0) element::add_by_node(model.node_sums[b], tiles.moment, model.rotation_of_node, moment);
     sum += square(model, force, moment);
   }
   for (std::size_t l = 0; l < model.loads.size(); ++l) {
@@ -107,8 +107,8 @@ double forces_by_source(const Model& model, const State& now, Forces& f) {
 double unbalanced(const Model& model, const State& now, const Forces& f) {
   double sum = 0;
   for (Index n = 0; n < now.x.cols(); ++n) sum += (allowed(now, n) * f.force.col(n)).squaredNorm() / model.mass(n);
-  for (Index turn = 0; turn < now.w.cols(); ++turn)
-    sum += (allowed_turn(now, model.node_of_turn[turn]) * f.moment.col(turn)).squaredNorm() / model.inertia(turn);
+  for (Index rotation = 0; rotation < now.omega.cols(); ++rotation)
+    sum += (allowed_rotation(now, model.node_of_rotation[rotation]) * f.moment.col(rotation)).squaredNorm() / model.inertia(rotation);
   return sum;
 }
 
@@ -117,12 +117,12 @@ double unbalanced(const Model& model, const State& now, const Forces& f) {
 bool relax(const Model& model, State& now, Forces& f) {
   RelaxationMemory& memory = now.relaxation;
   find_resistance(model, now, f);
-  memory.turned += 0.5 * now.dt * (memory.w + now.w);
+  memory.rotated += 0.5 * now.dt * (memory.omega + now.omega);
   const double omega = now.step > 1 ? frequency(model, now, f) : 0;  // the first step has nothing before it
   const double kinetic = damp(model, std::exp(-2 * omega * now.dt), now);
-  memory.w = now.w;
+  memory.omega = now.omega;
   if (omega * (now.t - memory.since) >= 1 || omega == 0) {  // a radian of what moves is enough to know its frequency
-    memory.x = now.x, memory.turned.setZero();
+    memory.x = now.x, memory.rotated.setZero();
     memory.force = f.source_force, memory.moment = f.source_moment;
     memory.since = now.t;
   }

@@ -26,10 +26,10 @@ std::string name(const Model& model, int source) { return sources(model)[static_
 /// Stops the run with a place if an element is lost, a number is no number or the step collapsed.
 bool stop(const Model& model, const State& now, const Step& next, double end, Outcome& outcome) {
   const Votes& votes = now.votes;
-  if (!(votes.size > 0)) {
-    outcome.ending = std::isnan(votes.size) ? Ending::not_finite : Ending::inverted_element;
-    outcome.reason = std::isnan(votes.size) ? "positions are not finite"
-                                            : text("its volume or area is %.3g of the reference", votes.size, 0);
+  if (!(votes.volume_ratio > 0)) {
+    outcome.ending = std::isnan(votes.volume_ratio) ? Ending::not_finite : Ending::inverted_element;
+    outcome.reason = std::isnan(votes.volume_ratio) ? "positions are not finite"
+                                            : text("its volume or area is %.3g of the reference", votes.volume_ratio, 0);
     outcome.block = name(model, votes.smallest_block);
     outcome.element = votes.smallest_element;
     return true;
@@ -56,7 +56,7 @@ bool created_too_much(const Model& model, const Ledger& ledger, double limit, Ou
     outcome.ending = std::isnan(excess) ? Ending::not_finite : Ending::energy_created;
     outcome.reason = std::isnan(excess)                ? "its energy is not finite"
                      : scale == ledger.initial_kinetic ? text("created %.3g of the initial kinetic energy; the limit is %.3g", excess / scale, limit)
-                     : scale == ledger.brought_in      ? text("created %.3g of the energy brought in so far; the limit is %.3g", excess / scale, limit)
+                     : scale == ledger.external_work      ? text("created %.3g of the energy brought in so far; the limit is %.3g", excess / scale, limit)
                                                        : text("created %.3g of the energy stored at the start; the limit is %.3g", excess / scale, limit);
     outcome.block = name(model, static_cast<int>(a));
     return true;
@@ -135,7 +135,7 @@ Outcome run(const Model& model, State& now, Forces& forces, const Time& time, do
       update_ledger(model, now);
     }
     show();
-    if (!(now.votes.size > 0)) continue;  // stop() says so
+    if (!(now.votes.volume_ratio > 0)) continue;  // stop() says so
     if (progress.ledger_is_current && created_too_much(model, now.ledger, time.created_limit, outcome)) break;
     if (rests) {
       outcome.ending = Ending::relaxed;

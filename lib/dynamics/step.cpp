@@ -24,21 +24,21 @@ double kick(const Model& model, double dt, double t, Half half, State& now, Forc
   const double nodes = ordered_sum(static_cast<Index>(now.v.cols()), f.partial, [&](Index node) {
     const double mass = model.mass(node);
     const Vec3 force = f.force.col(node);
-    const Index held = constraints.held_of_node[node];
+    const Index held = constraints.row_of_node[node];
     now.v.col(node) += dt / mass * force;  // constrained nodes are restrained below, in order
-    if (held < 0 || constraints.held[held].count == 0) return force.squaredNorm() / mass;
-    return (constraints.held[held].allowed * force).squaredNorm() / mass;
+    if (held < 0 || constraints.nodes[held].count == 0) return force.squaredNorm() / mass;
+    return (constraints.nodes[held].allowed * force).squaredNorm() / mass;
   });
-  const double turns = ordered_sum(static_cast<Index>(now.w.cols()), f.partial, [&](Index turn) {
-    const double inertia = model.inertia(turn);
-    const Vec3 moment = f.moment.col(turn);
-    const Index held = constraints.held_of_node[model.node_of_turn[turn]];
-    now.w.col(turn) += dt / inertia * moment;
+  const double turns = ordered_sum(static_cast<Index>(now.omega.cols()), f.partial, [&](Index rotation) {
+    const double inertia = model.inertia(rotation);
+    const Vec3 moment = f.moment.col(rotation);
+    const Index held = constraints.row_of_node[model.node_of_rotation[rotation]];
+    now.omega.col(rotation) += dt / inertia * moment;
     if (held < 0) return moment.squaredNorm() / inertia;
-    return (constraints.held[held].allowed_turn * moment).squaredNorm() / inertia;
+    return (constraints.nodes[held].allowed_rotation * moment).squaredNorm() / inertia;
   });
   const load::Kick given{f.force, f.moment, model.mass, model.inertia, dt, half == Half::first ? -dt / 2 : dt / 2};
-  load::constrain(model.constraints, given, now.x, now.v, now.w, constraints);
+  load::constrain(model.constraints, given, now.x, now.v, now.omega, constraints);
   return nodes + turns;
 }
 
@@ -55,14 +55,14 @@ void update(const Model& model, double dt, State& now, Forces& f) {
   Votes votes;
   int source = 0;
   for (std::size_t b = 0; b < model.blocks.size(); ++b, ++source) {
-    const element::Vote vote = element::advance(model.blocks[b], now.x, f.dx, f.turn, dt, now.blocks[b], now.tiles[b]);
+    const element::Vote vote = element::advance(model.blocks[b], now.x, f.dx, f.rotation, dt, now.blocks[b], now.tiles[b]);
     votes.elements.see({vote.step, vote.step_element}, source);
-    if (vote.size < votes.size || std::isnan(vote.size)) {  // once found, a NaN stays
-      votes.size = vote.size, votes.smallest_block = source, votes.smallest_element = vote.size_element;
+    if (vote.volume_ratio < votes.volume_ratio || std::isnan(vote.volume_ratio)) {  // once found, a NaN stays
+      votes.volume_ratio = vote.volume_ratio, votes.smallest_block = source, votes.smallest_element = vote.volume_element;
     }
   }
   for (std::size_t c = 0; c < model.interfaces.size(); ++c, ++source) {
-    contact::advance(model.interfaces[c], now.x, now.v, now.w, dt, now.interfaces[c], f.interfaces[c]);
+    contact::advance(model.interfaces[c], now.x, now.v, now.omega, dt, now.interfaces[c], f.interfaces[c]);
     votes.contact.see(contact::stable_step(model.interfaces[c], model.mass, model.inertia, now.interfaces[c], f.interfaces[c]), source);
   }
   for (std::size_t p = 0; p < model.rigid_planes.size(); ++p, ++source) {
@@ -70,7 +70,7 @@ void update(const Model& model, double dt, State& now, Forces& f) {
     votes.contact.see(contact::stable_step(model.rigid_planes[p], model.mass), source);
   }
   for (std::size_t l = 0; l < model.loads.size(); ++l)
-    load::advance(model.loads[l], model.mesh.X, now.x, now.v, now.w, now.t, dt, now.loads[l]);
+    load::advance(model.loads[l], model.mesh.X, now.x, now.v, now.omega, now.t, dt, now.loads[l]);
   source += static_cast<int>(model.constraints.planes.size());
   votes.elements = with_springs(model, f.springs, source, votes.elements);
   now.votes = votes;
@@ -82,7 +82,7 @@ void gather(const Model& model, const State& now, Forces& f) {
   f.moment.setZero();
   for (std::size_t b = 0; b < model.blocks.size(); ++b) {
     element::add_by_node(model.node_sums[b], now.tiles[b].force, f.force);
-    if (now.tiles[b].moment.cols() > 0) element::add_by_node(model.node_sums[b], now.tiles[b].moment, model.turn_of_node, f.moment);
+    if (now.tiles[b].moment.cols() > 0) element::add_by_node(model.node_sums[b], now.tiles[b].moment, model.rotation_of_node, f.moment);
   }
   for (std::size_t c = 0; c < model.interfaces.size(); ++c) contact::add_forces(model.interfaces[c], now.interfaces[c], f.force, f.moment);
   for (std::size_t p = 0; p < model.rigid_planes.size(); ++p)
@@ -101,7 +101,7 @@ void post_moment_of_gravity(const Model& model, double dt, State& now) {
 double kinetic_energy(const Model& model, const State& now) {
   double sum = 0;
   for (Eigen::Index n = 0; n < now.v.cols(); ++n) sum += 0.5 * model.mass(n) * now.v.col(n).squaredNorm();
-  for (Eigen::Index n = 0; n < now.w.cols(); ++n) sum += 0.5 * model.inertia(n) * now.w.col(n).squaredNorm();
+  for (Eigen::Index n = 0; n < now.omega.cols(); ++n) sum += 0.5 * model.inertia(n) * now.omega.col(n).squaredNorm();
   return sum;
 }
 
@@ -113,7 +113,7 @@ void momenta(const Model& model, const State& now, Vec3& linear, Vec3& angular) 
     linear += p;
     angular += at.cross(p);
   }
-  for (Eigen::Index n = 0; n < now.w.cols(); ++n) angular += model.inertia(n) * now.w.col(n);
+  for (Eigen::Index n = 0; n < now.omega.cols(); ++n) angular += model.inertia(n) * now.omega.col(n);
 }
 
 void post_gravity(const Model& model, const State& now, Account& account) {
@@ -138,10 +138,10 @@ void constrain_start(const Model& model, State& now, Forces& f) {
   const double unrestrained = now.ledger.initial_kinetic;
   kick(model, 0, now.t, Half::second, now, f);
   double lost = unrestrained - kinetic_energy(model, now);
-  for (const load::PlaneAccount& plane : now.constraints.account) lost += plane.driven - plane.caught;  // booked already
+  for (const load::PlaneAccount& plane : now.constraints.account) lost += plane.driven - plane.stopped;  // booked already
   for (load::PlaneAccount& plane : now.constraints.account) {
     if (lost == 0 || (plane.impulse.isZero(0) && plane.angular_impulse.isZero(0))) continue;
-    plane.caught += lost;  // by the first plane that had to act
+    plane.stopped += lost;  // by the first plane that had to act
     break;
   }
 }
@@ -152,9 +152,9 @@ void open_ledger(const Model& model, State& now) {
   update_ledger(model, now);
   for (Account& account : now.ledger.accounts) {
     account.at_start = account.stored;
-    account.at_start[Stored::outside] = 0;
+    account.at_start[Stored::external_work] = 0;
   }
-  now.ledger.brought_in = 0;
+  now.ledger.external_work = 0;
   update_ledger(model, now);
 }
 
@@ -162,16 +162,16 @@ void open_ledger(const Model& model, State& now) {
 
 const Votes& step(const Model& model, double dt, State& now, Forces& f) {
   const double before = kick(model, dt / 2, now.t + dt / 2, Half::first, now, f);  // v at the half step
-  load::find_landings(model.constraints, model.mass, now.x, f.force, dt, now.v, now.constraints);
+  load::find_impacts(model.constraints, model.mass, now.x, f.force, dt, now.v, now.constraints);
   f.dx = dt * now.v;
-  f.turn = dt * now.w;
+  f.rotation = dt * now.omega;
   now.x += f.dx;
   now.t += dt;
   load::put_on_floors(model.constraints, now.constraints, now.x);
   post_moment_of_gravity(model, dt, now);
   update(model, dt, now, f);  // memory: stress, connectivity; forces by source; votes
   gather(model, now, f);
-  load::finish_landings(model.constraints, model.mass, now.x, f.force, dt, now.v, now.constraints);
+  load::finish_impacts(model.constraints, model.mass, now.x, f.force, dt, now.v, now.constraints);
   const double after = kick(model, dt / 2, now.t, Half::second, now, f);  // v at t + dt
   now.ledger.integration += dt * dt / 8 * (after - before);
   now.dt = dt;
@@ -183,9 +183,9 @@ const Votes& start(const Model& model, State& now, Forces& f) {
   now.ledger.initial_kinetic = kinetic_energy(model, now);
   momenta(model, now, now.ledger.initial_momentum, now.ledger.initial_angular_momentum);
   constrain_start(model, now, f);
-  load::find_landings(model.constraints, model.mass, now.x, f.force, 0, now.v, now.constraints);
-  load::finish_landings(model.constraints, model.mass, now.x, f.force, 0, now.v, now.constraints);
-  f.dx.setZero(), f.turn.setZero();
+  load::find_impacts(model.constraints, model.mass, now.x, f.force, 0, now.v, now.constraints);
+  load::finish_impacts(model.constraints, model.mass, now.x, f.force, 0, now.v, now.constraints);
+  f.dx.setZero(), f.rotation.setZero();
   update(model, 0, now, f);
   gather(model, now, f);
   open_ledger(model, now);
@@ -206,7 +206,7 @@ void update_ledger(const Model& model, State& now) {
   for (std::size_t l = 0; l < model.loads.size(); ++l) load::post(model.loads[l], now.loads[l], *account++);
   if (model.relaxation) post_relaxation(now.relaxation, *account++);
   if (!model.gravity.isZero(0)) post_gravity(model, now, *account);
-  ledger.brought_in = std::max(ledger.brought_in, work_from_outside(ledger));
+  ledger.external_work = std::max(ledger.external_work, work_from_loads(ledger));
 }
 
 }  // namespace nereid::dynamics

@@ -25,7 +25,7 @@ struct Vote {
 struct Votes {
   Vote elements;           ///< the linear bound of elements and springs; a run stays below it by its safety
   Vote contact;            ///< of interfaces and rigid planes: their own bound, which has its margin in it
-  double size = 1e300;     ///< [-] smallest volume or area ratio; not positive or NaN: inverted
+  double volume_ratio = 1e300;     ///< [-] smallest volume or area ratio; not positive or NaN: inverted
   int smallest_block = -1; ///< in sources(model)
   Index smallest_element = -1;
 };

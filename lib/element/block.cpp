@@ -115,7 +115,7 @@ bool plates_may_have(const AnyLaw& any) {
   return std::visit([]<class Law>(const Law&) { return may_have<Plate, Law>; }, any);
 }
 
-void set_turning(AnyBlock& any, const std::vector<Index>& column_of_node) {
+void set_rotations(AnyBlock& any, const std::vector<Index>& column_of_node) {
   std::visit(
       [&](auto& block) {
         block.turning.clear();
@@ -142,9 +142,9 @@ Memory initial_memory(const AnyBlock& any) {
 
 TileForces tile_forces(const AnyBlock& any) {
   const Tiling& t = tiling(any);
-  const auto places = static_cast<Eigen::Index>(t.node.size());
-  return {.force = Vectors::Zero(3, places),
-          .moment = Vectors::Zero(3, rotates(any) ? places : 0),
+  const auto slots = static_cast<Eigen::Index>(t.node.size());
+  return {.force = Vectors::Zero(3, slots),
+          .moment = Vectors::Zero(3, rotates(any) ? slots : 0),
           .reports = std::vector<TileForces::Report>(t.tiles.size())};
 }
 

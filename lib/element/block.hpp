@@ -30,7 +30,7 @@ struct Block {
   Tiling tiling;
   std::vector<double> constants;  ///< [packs x rows x lanes]
   Layers layers;                  ///< through the thickness; none in a solid
-  std::vector<Index> turning;     ///< [places] column of each place's angular velocity; plates only
+  std::vector<Index> turning;     ///< [slots] column of each slot's angular velocity; plates only
 };
 
 using material::AnyLaw;
@@ -63,17 +63,17 @@ struct Memory {
   Channels<Dissipated> dissipated;  ///< [J]
 };
 
-/// Forces that a block's tiles exert on their places. A restart needs them: the work of the next step is half theirs.
+/// Forces that a block's tiles exert on their slots. A restart needs them: the work of the next step is half theirs.
 struct TileForces {
-  Vectors force;   ///< [N]   [3 x places]
-  Vectors moment;  ///< [N m] [3 x places], plates only
-  /// One column per tile: sums in the order of Memory, the step vote and the smallest size.
+  Vectors force;   ///< [N]   [3 x slots]
+  Vectors moment;  ///< [N m] [3 x slots], plates only
+  /// One column per tile: sums in the order of Memory, the step vote and the smallest volume ratio.
   struct Report {
     double work;
     Channels<Stored> stored;
     Channels<Dissipated> dissipated;
-    double step, size;
-    Index step_element, size_element;
+    double step, volume_ratio;
+    Index step_element, volume_element;
   };
   std::vector<Report> reports;  ///< [tiles]
 };
@@ -82,8 +82,8 @@ struct TileForces {
 struct Vote {
   double step = 1e300;       ///< [s] largest stable step
   Index step_element = -1;
-  double size = 1e300;       ///< [-] smallest volume or area over that of the reference; NaN if one is
-  Index size_element = -1;
+  double volume_ratio = 1e300;       ///< [-] smallest volume or area over that of the reference; NaN if one is
+  Index volume_element = -1;
 };
 
 /// Options of hexahedra, and by their type which hexahedron is meant: one point or eight.
@@ -112,7 +112,7 @@ Source source(const AnyBlock&);
 void post(const AnyBlock&, const Memory&, Account&);
 
 /// Tells a block of plates which column of the angular velocities belongs to which node.
-void set_turning(AnyBlock&, const std::vector<Index>& column_of_node);
+void set_rotations(AnyBlock&, const std::vector<Index>& column_of_node);
 
 /// Adds the mass of the block to its nodes. [kg]
 void add_mass(const AnyBlock&, Scalars& mass);

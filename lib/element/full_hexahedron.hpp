@@ -187,7 +187,7 @@ NEREID_HOT Report<T, FullHexahedron> advance(const Law& law, const FullHexahedro
                   std::array<Vector<T>, 8>& force) {
   const T eighth(0.125), half(0.5), third(1.0 / 3.0), zero(0.0);
   const Modes<T> X = scaled(eighth, sums_by_mode(x)), D = scaled(eighth, sums_by_mode(dx));
-  const Gradient<T> at_middle = volume_gradient(behind(X, half, D)), at_end = volume_gradient(X);
+  const Gradient<T> at_middle = volume_gradient(subtracted(X, half, D)), at_end = volume_gradient(X);
   const T growth = mean_divergence(D, at_middle), volume = at_middle.volume * T(law.density) * constants.per_mass;
 
   const Tangents<T> end = tangents(X), change = tangents(D);
@@ -219,7 +219,7 @@ NEREID_HOT Report<T, FullHexahedron> advance(const Law& law, const FullHexahedro
       const Matrix<T> Q = cayley_rotation(T(2.0) * half_spin);
       point.stress = rotate(Q, point.stress);
       for (Symmetric<T>& tensor : point.internal.tensor) tensor = rotate(Q, tensor);
-      const auto [work, here] = update_stress(law, material::Increment<T, Symmetric>{turned_on(half_spin, strain), dt, volume},
+      const auto [work, here] = update_stress(law, material::Increment<T, Symmetric>{rotated_by(half_spin, strain), dt, volume},
                                               point.stress, point.internal);
       moduli = p == 0 ? here : stiffer(moduli, here);
       stored = stored + c.volume * work.stored;
@@ -258,7 +258,7 @@ NEREID_HOT Report<T, FullHexahedron> advance(const Law& law, const FullHexahedro
   return {.stored = {stored},
           .dissipated = {dissipated, -viscous_work},
           .step = stable_step(omega_squared, bulk.damping),
-          .size = least * T(law.density) * constants.per_mass};
+          .volume_ratio = least * T(law.density) * constants.per_mass};
 }
 
 /// Constants of a fully integrated hexahedron in its reference positions.

@@ -60,7 +60,7 @@ NEREID_HOT Modes<T> scaled(T s, Modes<T> m) {
 
 /// a - s b
 template <class T>
-NEREID_HOT Modes<T> behind(const Modes<T>& a, T s, const Modes<T>& b) {
+NEREID_HOT Modes<T> subtracted(const Modes<T>& a, T s, const Modes<T>& b) {
   Modes<T> m{a.xi - s * b.xi, a.eta - s * b.eta, a.zeta - s * b.zeta, {}};
   for (int i = 0; i < 4; ++i) m.hourglass[i] = a.hourglass[i] - s * b.hourglass[i];
   return m;
@@ -244,7 +244,7 @@ struct Hexahedron {
 ///
 /// w  [rad] axial vector of the rotation; what is left out is of order |w|^2 e
 template <class T>
-NEREID_HOT Symmetric<T> turned_on(const Vector<T>& w, const Symmetric<T>& e) {
+NEREID_HOT Symmetric<T> rotated_by(const Vector<T>& w, const Symmetric<T>& e) {
   const T xy_z = w.z * e.xy, xz_y = w.y * e.xz, yz_x = w.x * e.yz, two(2.0);
   return {e.xx + two * (xz_y - xy_z), e.yy + two * (xy_z - yz_x), e.zz + two * (yz_x - xz_y),
           e.xy + w.z * (e.xx - e.yy) + w.y * e.yz - w.x * e.xz,
@@ -268,7 +268,7 @@ NEREID_HOT Report<T, Hexahedron> advance(const Law& law, const Hexahedron::Optio
                   std::array<Vector<T>, 8>& force) {
   const T eighth(0.125), eight(8.0), half(0.5), per_dt = T(1.0) / dt;
   const Modes<T> X = scaled(eighth, sums_by_mode(x)), D = scaled(eighth, sums_by_mode(dx));
-  const Modes<T> middle = behind(X, half, D);
+  const Modes<T> middle = subtracted(X, half, D);
 
   // in the middle of the step: increments of strain, spin and hourglass
   const Gradient<T> at_middle = volume_gradient(middle);
@@ -280,7 +280,7 @@ NEREID_HOT Report<T, Hexahedron> advance(const Law& law, const Hexahedron::Optio
   memory.stress = rotate(Q, memory.stress);
   for (Symmetric<T>& tensor : memory.internal.tensor) tensor = rotate(Q, tensor);
   const material::Increment<T, Symmetric> increment{
-      .strain = turned_on(half * spin, strain), .dt = dt, .volume = at_middle.volume * T(law.density) * constants.per_mass};
+      .strain = rotated_by(half * spin, strain), .dt = dt, .volume = at_middle.volume * T(law.density) * constants.per_mass};
   const auto [work, moduli] = update_stress(law, increment, memory.stress, memory.internal);
 
   const bool springs = options.hourglass_kind == Hexahedron::Hourglass::stiffness;
@@ -319,7 +319,7 @@ NEREID_HOT Report<T, Hexahedron> advance(const Law& law, const Hexahedron::Optio
   return {.stored = {work.stored * at_middle.volume, springs ? hourglass_work : zero},
           .dissipated = {work.dissipated * at_middle.volume, -viscous_work, springs ? zero : hourglass_work},
           .step = stable_step(omega_squared, damping),
-          .size = at_end.volume * T(law.density) * constants.per_mass};
+          .volume_ratio = at_end.volume * T(law.density) * constants.per_mass};
 }
 
 /// Constants of a hexahedron in its reference positions.

@@ -10,7 +10,7 @@
 
 namespace nereid::element {
 
-constexpr Index most_places = 128 * 8;  // of a tile: 128 elements that share no node
+constexpr Index most_slots = 128 * 8;  // of a tile: 128 elements that share no node
 
 /// Rows that one element of a block remembers.
 template <class Kind, class Law>
@@ -36,20 +36,20 @@ void each_row(const Block<Kind, Law>& block, Memory& memory, double* at, Visit&&
   }
 }
 
-/// One nodal vector for each lane, gathered from the tile's places. Built in registers: a detour over
+/// One nodal vector for each lane, gathered from the tile's slots. Built in registers: a detour over
 /// memory would read a pack that was just written in pieces, and wait for it.
-NEREID_HOT Vector<Pack> gather(const double* local, const Index* place) {
+NEREID_HOT Vector<Pack> gather(const double* local, const Index* slot) {
   const auto component = [&](int axis) {
-    return Pack([&](auto lane) { return local[3 * place[static_cast<int>(lane)] + axis]; });
+    return Pack([&](auto lane) { return local[3 * slot[static_cast<int>(lane)] + axis]; });
   };
   return {component(0), component(1), component(2)};
 }
 
-inline void scatter(const Vector<Pack>& v, const Index* place, int filled, double* local) {
+inline void scatter(const Vector<Pack>& v, const Index* slot, int filled, double* local) {
   alignas(64) double lane[3][lanes];
   write_lanes(v.x, lane[0]), write_lanes(v.y, lane[1]), write_lanes(v.z, lane[2]);
   for (int l = 0; l < filled; ++l) {
-    double* to = local + 3 * place[l];
+    double* to = local + 3 * slot[l];
     for (int axis = 0; axis < 3; ++axis) to[axis] += lane[axis][l];
   }
 }
@@ -80,8 +80,8 @@ void advance_tile(const Block<Kind, Law>& block, const Tile& tile, const Vectors
                   TileForces::Report& report) {
   constexpr int corners = Kind::nodes;
   constexpr bool turns = Kind::rotates;
-  alignas(64) double x_here[3 * most_places], dx_here[3 * most_places];
-  alignas(64) double turn_here[turns ? 3 * most_places : 1];
+  alignas(64) double x_here[3 * most_slots], dx_here[3 * most_slots];
+  alignas(64) double turn_here[turns ? 3 * most_slots : 1];
   for (Index p = 0; p < tile.nodes; ++p) {
     const Index node = block.tiling.node[tile.first_node + p];
     for (int axis = 0; axis < 3; ++axis) {
@@ -106,13 +106,13 @@ void advance_tile(const Block<Kind, Law>& block, const Tile& tile, const Vectors
   const Pack lane = lane_numbers();
   std::array<Pack, Kind::stored_channels.size()> stored{};
   std::array<Pack, Kind::dissipated_channels.size()> dissipated{};
-  Pack step(1e300), size(1e300), step_at(-1.0), size_at(-1.0);
+  Pack step(1e300), volume_ratio(1e300), step_at(-1.0), volume_at(-1.0);
   for (Index pack = tile.first_pack; pack < tile.first_pack + tile.packs; ++pack) {
-    const Index* place = block.tiling.place.data() + static_cast<std::size_t>(pack) * corners * lanes;
+    const Index* slot = block.tiling.slot.data() + static_cast<std::size_t>(pack) * corners * lanes;
     std::array<Vector<Pack>, corners> xs, dxs, fs;
     for (int a = 0; a < corners; ++a) {
-      xs[a] = gather(x_here, place + a * lanes);
-      dxs[a] = gather(dx_here, place + a * lanes);
+      xs[a] = gather(x_here, slot + a * lanes);
+      dxs[a] = gather(dx_here, slot + a * lanes);
     }
     typename Kind::template Constants<Pack> constants;
     const double* constant = block.constants.data() + static_cast<std::size_t>(pack) * constants_size;
@@ -125,13 +125,13 @@ void advance_tile(const Block<Kind, Law>& block, const Tile& tile, const Vectors
     const int filled = block.tiling.filled[pack];
     if constexpr (turns) {
       std::array<Vector<Pack>, corners> turns_of_nodes, ms;
-      for (int a = 0; a < corners; ++a) turns_of_nodes[a] = gather(turn_here, place + a * lanes);
+      for (int a = 0; a < corners; ++a) turns_of_nodes[a] = gather(turn_here, slot + a * lanes);
       here = advance(block.law, block.options, block.layers, constants, xs, dxs, turns_of_nodes, Pack(dt), memory, fs, ms);
-      for (int a = 0; a < corners; ++a) scatter(ms[a], place + a * lanes, filled, moment_here);
+      for (int a = 0; a < corners; ++a) scatter(ms[a], slot + a * lanes, filled, moment_here);
     } else {
       here = advance(block.law, block.options, constants, xs, dxs, Pack(dt), memory, fs);
     }
-    for (int a = 0; a < corners; ++a) scatter(fs[a], place + a * lanes, filled, force_here);
+    for (int a = 0; a < corners; ++a) scatter(fs[a], slot + a * lanes, filled, force_here);
     each_row(block, memory, at, [](const Pack& row, double* to) { write_lanes(row, to); });
 
     const auto own = lane < Pack(static_cast<double>(filled));
@@ -140,13 +140,13 @@ void advance_tile(const Block<Kind, Law>& block, const Tile& tile, const Vectors
     for (std::size_t c = 0; c < dissipated.size(); ++c) dissipated[c] += select(own, here.dissipated[c], zero);
     step_at = select(here.step < step, number, step_at);
     step = smaller(step, here.step);
-    const auto worse = here.size < size || here.size != here.size;  // NaN is worst, and stays
-    size_at = select(worse, number, size_at);
-    size = select(worse, here.size, size);
+    const auto worse = here.volume_ratio < volume_ratio || here.volume_ratio != here.volume_ratio;  // NaN is worst, and stays
+    volume_at = select(worse, number, volume_at);
+    volume_ratio = select(worse, here.volume_ratio, volume_ratio);
   }
 
-  report = {.work = 0.5 * (with_old_forces + work_of_forces()), .stored = {}, .dissipated = {}, .step = 1e300, .size = 1e300,
-            .step_element = -1, .size_element = -1};
+  report = {.work = 0.5 * (with_old_forces + work_of_forces()), .stored = {}, .dissipated = {}, .step = 1e300, .volume_ratio = 1e300,
+            .step_element = -1, .volume_element = -1};
   for (int l = 0; l < lanes; ++l) {
     for (std::size_t c = 0; c < stored.size(); ++c) report.stored[Kind::stored_channels[c]] += stored[c][l];
     for (std::size_t c = 0; c < dissipated.size(); ++c) report.dissipated[Kind::dissipated_channels[c]] += dissipated[c][l];
@@ -154,9 +154,9 @@ void advance_tile(const Block<Kind, Law>& block, const Tile& tile, const Vectors
       report.step = step[l];
       report.step_element = block.tiling.element[static_cast<std::size_t>(step_at[l])];
     }
-    if (size[l] < report.size || std::isnan(size[l])) {
-      report.size = size[l];
-      report.size_element = block.tiling.element[static_cast<std::size_t>(size_at[l])];
+    if (volume_ratio[l] < report.volume_ratio || std::isnan(volume_ratio[l])) {
+      report.volume_ratio = volume_ratio[l];
+      report.volume_element = block.tiling.element[static_cast<std::size_t>(volume_at[l])];
     }
   }
 }
@@ -188,14 +188,14 @@ inline Vector<double> column(const Vectors& x, Index node) { return {x(0, node),
 
 /// Stress in the global frame, largest von Mises stress and internal scalars of one element.
 template <class Law>
-Symmetric<double> shown(const Hexahedron::Memory<double, Law>& memory, const Block<Hexahedron, Law>&,
+Symmetric<double> output_of(const Hexahedron::Memory<double, Law>& memory, const Block<Hexahedron, Law>&,
                         const Vectors&, Index, double& mises, std::array<double, Law::internal.size()>& internal) {
   mises = material::von_mises(memory.stress);
   internal = memory.internal.scalar;
   return memory.stress;
 }
 template <class Law>
-Symmetric<double> shown(const FullHexahedron::Memory<double, Law>& memory, const Block<FullHexahedron, Law>&,
+Symmetric<double> output_of(const FullHexahedron::Memory<double, Law>& memory, const Block<FullHexahedron, Law>&,
                         const Vectors&, Index, double& mises, std::array<double, Law::internal.size()>& internal) {
   Symmetric<double> sum{0, 0, 0, 0, 0, 0};
   mises = 0;
@@ -208,7 +208,7 @@ Symmetric<double> shown(const FullHexahedron::Memory<double, Law>& memory, const
   return (1.0 / FullHexahedron::gauss_points) * sum;
 }
 template <class Law>
-Symmetric<double> shown(const Plate::Memory<double, Law>& memory, const Block<Plate, Law>& block, const Vectors& x,
+Symmetric<double> output_of(const Plate::Memory<double, Law>& memory, const Block<Plate, Law>& block, const Vectors& x,
                         Index element, double& mises, std::array<double, Law::internal.size()>& internal) {
   std::array<Vector<double>, 3> corners;
   for (int a = 0; a < 3; ++a) corners[a] = column(x, block.nodes(a, element));
@@ -239,8 +239,8 @@ Vote Kernels<Kind, Law>::advance(const Block<Kind, Law>& block, const Vectors& x
     for (const Stored channel : Kind::stored_channels) memory.stored[channel] += report.stored[channel];
     for (const Dissipated channel : Kind::dissipated_channels) memory.dissipated[channel] += report.dissipated[channel];
     if (report.step < vote.step) vote.step = report.step, vote.step_element = report.step_element;
-    if (report.size < vote.size || std::isnan(report.size)) {
-      vote.size = report.size, vote.size_element = report.size_element;
+    if (report.volume_ratio < vote.volume_ratio || std::isnan(report.volume_ratio)) {
+      vote.volume_ratio = report.volume_ratio, vote.volume_element = report.volume_element;
     }
   }
   return vote;
@@ -308,12 +308,12 @@ void Kernels<Kind, Law>::add_rotary_inertia([[maybe_unused]] const Block<Kind, L
   if constexpr (Kind::rotates) {
     each_element(block, [&](std::size_t pack, int lane, const auto& constants) {
       for (int a = 0; a < Kind::nodes; ++a) {
-        const std::size_t place = (pack * Kind::nodes + a) * lanes + lane;
+        const std::size_t slot = (pack * Kind::nodes + a) * lanes + lane;
         // the tile of this pack starts at the largest first_pack not beyond it
         const auto after = std::upper_bound(
             block.tiling.tiles.begin(), block.tiling.tiles.end(), static_cast<Index>(pack),
             [](Index p, const Tile& tile) { return p < tile.first_pack; });
-        const Index at = std::prev(after)->first_node + block.tiling.place[place];
+        const Index at = std::prev(after)->first_node + block.tiling.slot[slot];
         inertia(block.turning[at]) += constants.mass * constants.gyration / Kind::nodes;
       }
     });
@@ -332,7 +332,7 @@ std::vector<Field> Kernels<Kind, Law>::fields(const Block<Kind, Law>& block, con
     const Index element = block.tiling.element[pack * lanes + lane];
     double mises = 0;
     std::array<double, Law::internal.size()> internal{};
-    const Symmetric<double> s = shown(read_memory(block, memory, pack, lane), block, x, element, mises, internal);
+    const Symmetric<double> s = output_of(read_memory(block, memory, pack, lane), block, x, element, mises, internal);
     list[0].values.col(element) << s.xx, s.yy, s.zz, s.xy, s.yz, s.xz;
     list[1].values(0, element) = mises;
     list[2].values(0, element) = -(s.xx + s.yy + s.zz) / 3.0;

@@ -257,10 +257,10 @@ NEREID_HOT Report<T, Plate> advance(const Law& law, const Plate::Options& option
   };
 
   // and by half of it from the middle of the step, where strains were taken, to its end
-  const auto turned_on = [&](const Plane<T>& e) {
+  const auto rotated_by = [&](const Plane<T>& e) {
     return Plane<T>{e.xx - spin * e.xy, e.yy + spin * e.xy, e.xy + half * spin * (e.xx - e.yy)};
   };
-  const Plane<T> stretch = turned_on(strain), bend = turned_on(curvature);
+  const Plane<T> stretch = rotated_by(strain), bend = rotated_by(curvature);
   const InPlane<T> slide{shear.x - half * spin * shear.y, shear.y + half * spin * shear.x};
 
   const T area_ratio = middle.area * T(law.density * thickness) / constants.mass;  // thickness is constant
@@ -325,7 +325,7 @@ NEREID_HOT Report<T, Plate> advance(const Law& law, const Plate::Options& option
   return {.stored = {stored * middle_volume, shear_stored * middle.area},
           .dissipated = {dissipated * middle_volume, -viscous_work},
           .step = stable_step(larger(omega_squared.membrane, omega_squared.bending_and_shear), damping),
-          .size = volume * T(law.density) / constants.mass};
+          .volume_ratio = volume * T(law.density) / constants.mass};
 }
 
 /// Constants of a plate in its reference positions.

@@ -19,10 +19,10 @@ std::uint64_t spread(std::uint64_t a) {
 }
 
 /// A place along one axis, from 0 to 21 bits of ones; NaN, as of infinite positions, counts as 0.
-std::uint64_t bits(double place) {
+std::uint64_t bits(double slot) {
   constexpr std::uint64_t most = 0x1fffff;
-  if (!(place > 0)) return 0;
-  return place < most ? static_cast<std::uint64_t>(place) : most;
+  if (!(slot > 0)) return 0;
+  return slot < most ? static_cast<std::uint64_t>(slot) : most;
 }
 
 /// Elements in the order of the Morton curve through their centres.
@@ -52,28 +52,28 @@ Tiling cut_into_tiles(const Eigen::Matrix<Index, Eigen::Dynamic, Eigen::Dynamic>
                       const Vectors& X, Index size) {
   const auto corners = static_cast<int>(nodes.rows());
   Tiling tiling{.nodes_per_element = corners, .elements = static_cast<Index>(nodes.cols()),
-                .tiles = {}, .node = {}, .place = {}, .element = {}, .filled = {}};
+                .tiles = {}, .node = {}, .slot = {}, .element = {}, .filled = {}};
   const Subset order = space_filling_order(nodes, X);
   for (Index first = 0; first < tiling.elements; first += size) {
     const Index last = std::min(first + size, tiling.elements);
     Tile tile{.first_pack = static_cast<Index>(tiling.filled.size()), .packs = 0,
               .first_node = static_cast<Index>(tiling.node.size()), .nodes = 0};
-    std::unordered_map<Index, Index> place_of;
+    std::unordered_map<Index, Index> slot_of;
     for (Index begin = first; begin < last; begin += lanes) {
       tiling.filled.push_back(std::min<Index>(lanes, last - begin));
-      const std::size_t at = tiling.place.size();
-      tiling.place.resize(at + static_cast<std::size_t>(corners) * lanes);
+      const std::size_t at = tiling.slot.size();
+      tiling.slot.resize(at + static_cast<std::size_t>(corners) * lanes);
       for (int lane = 0; lane < lanes; ++lane) {
         const Index element = order[std::min(begin + lane, last - 1)];
         tiling.element.push_back(element);
         for (int a = 0; a < corners; ++a) {
           const Index node = nodes(a, element);
-          const auto [it, is_new] = place_of.try_emplace(node, tile.nodes);
+          const auto [it, is_new] = slot_of.try_emplace(node, tile.nodes);
           if (is_new) {
             tiling.node.push_back(node);
             ++tile.nodes;
           }
-          tiling.place[at + static_cast<std::size_t>(a) * lanes + lane] = it->second;
+          tiling.slot[at + static_cast<std::size_t>(a) * lanes + lane] = it->second;
         }
       }
       ++tile.packs;

@@ -12,15 +12,15 @@ namespace nereid::element {
 
 struct Tile {
   Index first_pack, packs;  ///< this tile's packs of elements
-  Index first_node, nodes;  ///< this tile's places in Tiling::node and in the tile forces
+  Index first_node, nodes;  ///< this tile's slots in Tiling::node and in the tile forces
 };
 
 struct Tiling {
   int nodes_per_element = 0;
   Index elements = 0;
   std::vector<Tile> tiles;
-  Subset node;                 ///< node of each place, tile after tile
-  std::vector<Index> place;    ///< [packs x nodes per element x lanes] place within the tile
+  Subset node;                 ///< node of each slot, tile after tile
+  std::vector<Index> slot;    ///< [packs x nodes per element x lanes] slot within the tile
   std::vector<Index> element;  ///< [packs x lanes] element in each lane; a filler repeats the last one
   std::vector<int> filled;     ///< [packs] lanes that hold an element of their own
 };

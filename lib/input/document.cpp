@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "base/words.hpp"
+#include "input/retired.hpp"
 
 namespace nereid::input {
 
@@ -266,8 +267,8 @@ void Document::find_unknown(const Node& node, const std::string& path, std::vect
     if (entry->asked) {
       find_unknown(*entry->value, join(path, entry->key), all);
     } else {
-      all.push_back({entry->place, "unknown key " + quote(entry->key) + inside(path),
-                     hint_for(*entry, node)});
+      const std::string now = renamed(path, entry->key);
+      all.push_back({entry->place, "unknown key " + quote(entry->key) + inside(path), now.empty() ? hint_for(*entry, node) : now});
     }
   }
 }

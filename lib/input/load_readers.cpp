@@ -64,10 +64,10 @@ model::Initial read_initial(const Section& section) {
 
 /// The velocities of a plane that moves its nodes, or of nodes that are driven.
 void read_motion(const Section& section, bool held, bool driven, model::Plane& plane) {
-  if (section.has("turning")) {
-    const Section turning = section.when(driven).section("turning");
-    const auto value = read_expressions(turning, "value", of_both, read_unit(turning, dim::angular_speed));
-    if (driven) plane.turning = value;
+  if (section.has("angular_velocity")) {
+    const Section angular_velocity = section.when(driven).section("angular_velocity");
+    const auto value = read_expressions(angular_velocity, "value", of_both, read_unit(angular_velocity, dim::angular_speed));
+    if (driven) plane.angular_velocity = value;
   }
   if (driven) {
     const Section velocity = section.section("velocity");
@@ -86,9 +86,9 @@ void read_wall(const Section& section, bool rigid, model::RigidPlane& plane) {
   const bool given = section.has("penalty");
   const model::RigidPlane usual;
   plane.surface = if_rigid.word("surface");
-  plane.hardness = if_rigid.when(!given).number_or("hardness", usual.hardness, positive);
+  plane.penalty_scale = if_rigid.when(!given).number_or("penalty_scale", usual.penalty_scale, positive);
   plane.friction = read_friction(if_rigid);
-  plane.created_in_a_bounce = if_rigid.number_or("created_in_a_bounce", usual.created_in_a_bounce, within(1e-5, 0.04));
+  plane.energy_gain_limit = if_rigid.number_or("energy_gain_limit", usual.energy_gain_limit, within(1e-5, 0.04));
   const double penalty = if_rigid.when(given).quantity("penalty", dim::penalty, positive);
   if (given) plane.penalty = penalty;
 }
@@ -99,7 +99,7 @@ load::PlaneKind plane_kind(const std::string& word) {
          : word == "fixed"  ? PlaneKind::fixed
          : word == "floor"  ? PlaneKind::floor
          : word == "driven" ? PlaneKind::driven
-                            : PlaneKind::held;
+                            : PlaneKind::constrained;
 }
 
 /// A name is an account of the ledger, so it is given once.
@@ -133,7 +133,7 @@ double read_unit(const Section& section, Dimension dimension) {
 
 std::variant<model::Plane, model::RigidPlane> read_plane(const Section& section) {
   model::Plane plane{.name = section.word("name"), .at = section.path()};
-  const std::string kind = section.choice("kind", {"symmetry", "held", "fixed", "floor", "rigid", "driven"});
+  const std::string kind = section.choice("kind", {"symmetry", "constrained", "fixed", "floor", "rigid", "driven"});
   const bool rigid = kind == "rigid", floor = kind == "floor", driven = kind == "driven", no_normal = driven || kind == "fixed";
   plane.kind = plane_kind(kind);
   plane.nodes = section.when(!rigid).words("nodes");
@@ -148,7 +148,7 @@ std::variant<model::Plane, model::RigidPlane> read_plane(const Section& section)
       section.fault("normal", "'normal' has no length");
     }
   }
-  read_motion(section, kind == "held", driven, plane);
+  read_motion(section, kind == "constrained", driven, plane);
   model::RigidPlane wall{.name = plane.name, .surface = {}, .point = plane.point, .normal = plane.normal, .at = plane.at};
   read_wall(section, rigid, wall);
   if (rigid) return wall;

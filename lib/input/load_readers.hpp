@@ -18,7 +18,7 @@ std::optional<dynamics::Relaxation> read_relaxation(const Section& root);
 
 /// `kind: symmetry | held | fixed | floor | rigid | driven`, `name`, `nodes`, `normal`, of a floor `point`, of held nodes
 /// optionally `velocity: {value, unit}`, of driven ones `velocity` and optionally `turning` with three values; of a rigid
-/// plane `surface`, `point`, `penalty` or `hardness`, `friction`, `stick`, `created_in_a_bounce`.
+/// plane `surface`, `point`, `penalty` or `penalty scale`, `friction`, `stick`, `energy_gain_limit`.
 std::variant<model::Plane, model::RigidPlane> read_plane(const Section&);
 
 /// The unit of a text's value as a factor to SI; a fault if it has another dimension.

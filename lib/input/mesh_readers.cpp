@@ -59,10 +59,10 @@ model::MeshOptions read_mesh_options(const Section& section) {
   if (is("tube", "disc")) turns.push_back("sector");
   if (is("sphere")) turns = {"full", "half", "quarter", "eighth"};
   const std::string turn_word = section.when(is("cylinder", "tube", "sphere", "disc")).choice("turn", turns);
-  const mesh::Turn turn = turn_word == "full" ? mesh::Turn::full : mesh::Turn::quarter;
+  const mesh::Revolution turn = turn_word == "full" ? mesh::Revolution::full : mesh::Revolution::quarter;
   const bool sector = is("sector") || (is("tube", "disc") && turn_word == "sector");
 
-  // a turn that is missing leaves undecided what follows from it, and nothing else
+  // a rotation that is missing leaves undecided what follows from it, and nothing else
   const int cells_core = (is("tube", "disc") ? section.when(!sector) : if_core_anyway).count("cells_core");
   const int cells_ring = (is("disc") ? section.when(!sector) : if_core_anyway).count("cells_ring");
   const Section if_sector = section.when(sector), if_ring = section.when(sector && is("sector", "disc"));

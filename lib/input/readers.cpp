@@ -93,7 +93,7 @@ element::Plate::Options read_plate_options(const Section& section) {
 contact::Coulomb read_friction(const Section& section) {
   contact::Coulomb friction;
   friction.coefficient = section.number_or("friction", friction.coefficient, within(0, 10));
-  friction.stick = section.when(friction.coefficient > 0).number_or("stick", friction.stick, above(0).up_to(1));
+  friction.tangential_penalty = section.when(friction.coefficient > 0).number_or("tangential_penalty", friction.tangential_penalty, above(0).up_to(1));
   return friction;
 }
 
@@ -107,7 +107,7 @@ dynamics::InterfaceOptions read_solid_interface(const Section& section) {
   const Section chosen = section.when(!given);
   const bool masses = chosen.choice_or("penalty_from", "stiffness", {"stiffness", "mass_and_step"}) == "mass_and_step" && !given;
   options.penalty_from = given ? PenaltyFrom::value : masses ? PenaltyFrom::masses : PenaltyFrom::stiffness;
-  options.hardness = chosen.when(!masses).number_or("hardness", options.hardness, positive);
+  options.penalty_scale = chosen.when(!masses).number_or("penalty_scale", options.penalty_scale, positive);
   options.step_share = chosen.when(masses).number_or("step_share", options.step_share, positive);
   options.two_passes = section.choice_or("passes", "one", {"one", "two"}) == "two";
   const bool base_area = section.when(!masses).choice_or("area", "apex", {"apex", "base"}) == "base" && !masses;
@@ -117,9 +117,9 @@ dynamics::InterfaceOptions read_solid_interface(const Section& section) {
   if (bonded) options.friction = {};
   const Section rubbing = unilateral.when(options.friction.coefficient > 0);
   if (rubbing.choice_or("weights", "consistent", {"consistent", "paper"}) == "paper") options.weights = contact::Weights::paper;
-  options.damping = unilateral.number_or("damping", options.damping, within(0, 1));
-  if (bonded) options.damping = 0;
-  options.created_in_a_bounce = unilateral.number_or("created_in_a_bounce", options.created_in_a_bounce, within(1e-5, 0.04));
+  options.damping_ratio = unilateral.number_or("damping_ratio", options.damping_ratio, within(0, 1));
+  if (bonded) options.damping_ratio = 0;
+  options.energy_gain_limit = unilateral.number_or("energy_gain_limit", options.energy_gain_limit, within(1e-5, 0.04));
   options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
   return options;
 }

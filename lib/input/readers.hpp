@@ -32,9 +32,9 @@ element::Plate::Options read_plate_options(const Section&);
 /// `friction` [-] and, where it is not zero, `stick` in (0, 1]; both optional.
 contact::Coulomb read_friction(const Section&);
 
-/// `kind: contact | bonded`; `penalty`, or `penalty_from: stiffness` with `hardness`, or `mass_and_step` with
+/// `kind: contact | bonded`; `penalty`, or `penalty_from: stiffness` with `penalty scale`, or `mass_and_step` with
 /// `step_share`; `passes: one | two`; `area: apex | base`. Of a contact also `friction`, `stick`, `weights:
-/// consistent | paper`, `damping` (fraction of critical), `created_in_a_bounce`. All optional. For solid
+/// consistent | paper`, `damping` (fraction of critical), `energy_gain_limit`. All optional. For solid
 /// bodies, which touch at h = 0.
 dynamics::InterfaceOptions read_solid_interface(const Section&);
 

@@ -52,14 +52,14 @@ Vec3 read_direction(const Section& section, std::string_view key) {
 
 model::Placement read_placement(const Section& body) {
   model::Placement place;
-  const Section turn = body.when(body.has("turn")).section("turn");
-  place.axis = read_direction(turn, "axis");
-  place.angle = turn.quantity("angle", dim::angle);
+  const Section rotate = body.when(body.has("rotate")).section("rotate");
+  place.axis = read_direction(rotate, "axis");
+  place.angle = rotate.quantity("angle", dim::angle);
   const auto zero = std::array<double, 3>{0, 0, 0};
-  const auto about = turn.vector_or("about", zero, dim::length), move = body.vector_or("move", zero, dim::length);
+  const auto about = rotate.vector_or("about", zero, dim::length), move = body.vector_or("move", zero, dim::length);
   place.about = Vec3(about.data());
   place.move = Vec3(move.data());
-  if (!body.has("turn")) place.angle = 0;
+  if (!body.has("rotate")) place.angle = 0;
   return place;
 }
 
@@ -165,7 +165,7 @@ model::Scene read_scene_at_rest(const Section& root) {
   if (!scene.contacts.empty())
     root.fault("contacts", "'contacts' open and close, which no small motion about rest keeps: take them out");
   for (const Section& plane : root.list("planes")) {
-    const std::string kind = plane.choice("kind", {"symmetry", "held", "fixed", "floor", "rigid", "driven"});
+    const std::string kind = plane.choice("kind", {"symmetry", "constrained", "fixed", "floor", "rigid", "driven"});
     if (kind == "rigid" || kind == "floor")
       plane.fault("kind", "a floor or rigid plane lets go, which no small motion about rest keeps: take it out, or say 'held'");
   }

@@ -14,6 +14,7 @@
 
 #include "input/document.hpp"
 #include "base/words.hpp"
+#include "input/retired.hpp"
 
 namespace nereid::input {
 
@@ -421,10 +422,9 @@ std::string Section::word(std::string_view key, const std::string_view* otherwis
       accept(*entry, key, said, "");
       return said;
     }
-    wrong(*entry, entry->value->place,
-          quote(key) + " = " + shown(*entry->value) + " is unknown: expected one of " +
-              joined(*options),
-          nearest(said, *options));
+    const std::string now = renamed(path_, key, said);
+    wrong(*entry, entry->value->place, quote(key) + " = " + shown(*entry->value) + " is unknown: expected one of " + joined(*options),
+          now.empty() ? nearest(said, *options) : now);
   }
   if (options != nullptr && node_ != nullptr && use_ != Use::not_used) node_->undecided = true;
   return value;

@@ -20,18 +20,18 @@ double at(const OverSpace& value, const Vec3& X, double t) { return value ? valu
 
 }  // namespace
 
-void hold(const Constraints& constraints, HeldNode& held, int plane) {
+void hold(const Constraints& constraints, ConstrainedNode& held, int plane) {
   const Plane& added = constraints.planes[plane];
-  check(held.count + rows_of(added) <= HeldNode::most_rows, "too many planes hold one node");
+  check(held.count + rows_of(added) <= ConstrainedNode::most_rows, "too many planes hold one node");
   for (int row = 0; row < rows_of(added); ++row) {
     held.plane[held.count] = plane;
     held.normal[held.count++] = normal_of(added, row);
   }
   held.moves = held.moves || moves(added);
-  held.turns_held = held.turns_held || holds_all(added);
+  held.rotation_constrained = held.rotation_constrained || holds_all(added);
   if (added.kind == PlaneKind::driven) held.driver = plane;
-  Eigen::Matrix<double, 3, HeldNode::most_rows> normals = Eigen::Matrix<double, 3, HeldNode::most_rows>::Zero();
-  Mat3 turn = Mat3::Identity(), free = Mat3::Identity();
+  Eigen::Matrix<double, 3, ConstrainedNode::most_rows> normals = Eigen::Matrix<double, 3, ConstrainedNode::most_rows>::Zero();
+  Mat3 rotation = Mat3::Identity(), free = Mat3::Identity();
   for (int p = 0; p < held.count; ++p) {
     const Plane& here = constraints.planes[held.plane[p]];
     // a plane that allows what those before it allow anyway takes no part and no reaction
@@ -41,19 +41,19 @@ void hold(const Constraints& constraints, HeldNode& held, int plane) {
       free -= rest.normalized() * rest.normalized().transpose();
     }
     if (here.kind != PlaneKind::symmetry) continue;
-    // a turn about the normal is its own mirror image; two different normals leave none
+    // a rotation about the normal is its own mirror image; two different normals leave none
     const Mat3 about = here.normal * here.normal.transpose();
-    turn = about * turn;
-    if (turn.norm() < 1 - 1e-9) turn.setZero();
+    rotation = about * rotation;
+    if (rotation.norm() < 1 - 1e-9) rotation.setZero();
   }
-  if (held.turns_held) turn.setZero();
-  held.allowed_turn = turn;
+  if (held.rotation_constrained) rotation.setZero();
+  held.allowed_rotation = rotation;
   // A reaction R = sum of c_p n_p has c = pseudo-inverse of the normals times R
-  const Eigen::CompleteOrthogonalDecomposition<Eigen::Matrix<double, 3, HeldNode::most_rows>> decomposition(normals);
-  const Eigen::Matrix<double, HeldNode::most_rows, 3> inverse = decomposition.pseudoInverse();
+  const Eigen::CompleteOrthogonalDecomposition<Eigen::Matrix<double, 3, ConstrainedNode::most_rows>> decomposition(normals);
+  const Eigen::Matrix<double, ConstrainedNode::most_rows, 3> inverse = decomposition.pseudoInverse();
   held.allowed = Mat3::Identity() - normals * inverse;
-  for (int p = 0; p < held.count; ++p) held.share[p] = inverse.row(p).transpose();
-  // along an axis the projector is exact, so that a held node stays on its plane to the last bit
+  for (int p = 0; p < held.count; ++p) held.reaction[p] = inverse.row(p).transpose();
+  // along an axis the projector is exact, so that a constrained node stays on its plane to the last bit
   for (int i = 0; i < 9; ++i) {
     double& entry = held.allowed.data()[i];
     if (std::abs(entry) < 1e-14) entry = 0;
@@ -61,9 +61,9 @@ void hold(const Constraints& constraints, HeldNode& held, int plane) {
   }
 }
 
-Memory prepare(const Constraints& constraints, Index nodes, const std::vector<Index>& turn_of_node) {
+Memory prepare(const Constraints& constraints, Index nodes, const std::vector<Index>& rotation_of_node) {
   Memory memory;
-  memory.held_of_node.assign(nodes, -1);
+  memory.row_of_node.assign(nodes, -1);
   memory.account.resize(constraints.planes.size());
   memory.speed.assign(constraints.planes.size(), 0);
   Subset all;
@@ -71,38 +71,38 @@ Memory prepare(const Constraints& constraints, Index nodes, const std::vector<In
   std::sort(all.begin(), all.end());
   all.erase(std::unique(all.begin(), all.end()), all.end());
   for (const Index node : all) {
-    memory.held_of_node[node] = static_cast<Index>(memory.held.size());
-    HeldNode held;
+    memory.row_of_node[node] = static_cast<Index>(memory.nodes.size());
+    ConstrainedNode held;
     held.node = node;
-    held.turn = turn_of_node[node];
-    memory.held.push_back(held);
+    held.rotation = rotation_of_node[node];
+    memory.nodes.push_back(held);
   }
   for (std::size_t p = 0; p < constraints.planes.size(); ++p) {
     const Plane& plane = constraints.planes[p];
     const bool is_floor = plane.kind == PlaneKind::floor;
-    memory.caught.emplace_back(is_floor ? plane.nodes.size() : 0, 0);
+    memory.stopped.emplace_back(is_floor ? plane.nodes.size() : 0, 0);
     if (is_floor) continue;
-    for (const Index node : plane.nodes) hold(constraints, memory.held[memory.held_of_node[node]], static_cast<int>(p));
+    for (const Index node : plane.nodes) hold(constraints, memory.nodes[memory.row_of_node[node]], static_cast<int>(p));
   }
-  std::vector<int> rows_of_node(memory.held.size(), 0);  // floors too: no exception may cross a step
+  std::vector<int> rows_of_node(memory.nodes.size(), 0);  // floors too: no exception may cross a step
   for (const Plane& plane : constraints.planes)
     for (const Index node : plane.nodes)
-      check((rows_of_node[memory.held_of_node[node]] += rows_of(plane)) <= HeldNode::most_rows, "too many planes hold one node");
-  memory.active.reserve(memory.held.size());
-  for (std::size_t place = 0; place < memory.held.size(); ++place)
-    if (memory.held[place].count > 0) memory.active.push_back(static_cast<Index>(place));
-  memory.landing.reserve(memory.held.size() * constraints.planes.size());
+      check((rows_of_node[memory.row_of_node[node]] += rows_of(plane)) <= ConstrainedNode::most_rows, "too many planes hold one node");
+  memory.active.reserve(memory.nodes.size());
+  for (std::size_t place = 0; place < memory.nodes.size(); ++place)
+    if (memory.nodes[place].count > 0) memory.active.push_back(static_cast<Index>(place));
+  memory.impacting.reserve(memory.nodes.size() * constraints.planes.size());
   return memory;
 }
 
-void restrain(const Constraints&, const HeldNode& held, const Vec3& x, double mass, Vec3& v,
+void restrain(const Constraints&, const ConstrainedNode& held, const Vec3& x, double mass, Vec3& v,
               std::vector<PlaneAccount>& accounts) {
   if (held.count == 0) return;
   const Vec3 wanted = v;
   v = held.allowed * wanted;
   const Vec3 impulse = mass * (v - wanted);
   for (int p = 0; p < held.count; ++p) {
-    const Vec3 share = held.share[p].dot(impulse) * held.normal[p];
+    const Vec3 share = held.reaction[p].dot(impulse) * held.normal[p];
     accounts[held.plane[p]].impulse += share;
     accounts[held.plane[p]].angular_impulse += x.cross(share);
   }
@@ -112,58 +112,58 @@ void set_speeds(const Constraints& constraints, const Vectors& X, double t, Memo
   for (std::size_t p = 0; p < constraints.planes.size(); ++p)
     if (constraints.planes[p].velocity) memory.speed[p] = constraints.planes[p].velocity(t);
   for (const Index place : memory.active) {
-    HeldNode& held = memory.held[place];
+    ConstrainedNode& held = memory.nodes[place];
     if (!held.moves) continue;
     for (int p = 0, row = 0; p < held.count; ++p) {
       const Plane& plane = constraints.planes[held.plane[p]];
       const bool driven = plane.kind == PlaneKind::driven;
       held.speed[p] = driven ? at(plane.field[row++ % 3], X.col(held.node), t) : memory.speed[held.plane[p]];
     }
-    if (held.driver < 0 || held.turn < 0) continue;
-    for (int axis = 0; axis < 3; ++axis) held.turning(axis) = at(constraints.planes[held.driver].turning[axis], X.col(held.node), t);
+    if (held.driver < 0 || held.rotation < 0) continue;
+    for (int axis = 0; axis < 3; ++axis) held.angular_velocity(axis) = at(constraints.planes[held.driver].angular_velocity[axis], X.col(held.node), t);
   }
 }
 
-void drive(const Constraints& constraints, const HeldNode& held, const Vec3& x, double mass, const Vec3& before, const Vec3& force,
+void drive(const Constraints& constraints, const ConstrainedNode& held, const Vec3& x, double mass, const Vec3& before, const Vec3& force,
            double quarter_step, Vec3& v, std::vector<PlaneAccount>& accounts) {
   const Vec3 wanted = v;
   v = held.allowed * wanted;
-  for (int p = 0; p < held.count; ++p) v += held.speed[p] * held.share[p];
+  for (int p = 0; p < held.count; ++p) v += held.speed[p] * held.reaction[p];
   const Vec3 impulse = mass * (v - wanted), change = v - before, twice_mean = v + before;
   for (int p = 0; p < held.count; ++p) {
     const Vec3& normal = held.normal[p];
-    const Vec3 share = held.share[p].dot(impulse) * normal;
+    const Vec3 share = held.reaction[p].dot(impulse) * normal;
     PlaneAccount& account = accounts[held.plane[p]];
     account.impulse += share;
     account.angular_impulse += x.cross(share);
-    const double work = 0.5 * share.dot(twice_mean) + quarter_step * held.share[p].dot(force) * normal.dot(change);
+    const double work = 0.5 * share.dot(twice_mean) + quarter_step * held.reaction[p].dot(force) * normal.dot(change);
     if (moves(constraints.planes[held.plane[p]])) {
       account.driven += work;
     } else {
-      account.caught -= work;  // of a plane at rest: only at the start
+      account.stopped -= work;  // of a plane at rest: only at the start
     }
   }
 }
 
-void restrain_turn(const HeldNode& held, double inertia, Vec3& w, std::vector<PlaneAccount>& accounts) {
+void restrain_rotation(const ConstrainedNode& held, double inertia, Vec3& omega, std::vector<PlaneAccount>& accounts) {
   if (held.count == 0) return;
-  const Vec3 wanted = w;
-  w = held.allowed_turn * wanted;
-  accounts[held.plane[0]].angular_impulse += inertia * (w - wanted);
+  const Vec3 wanted = omega;
+  omega = held.allowed_rotation * wanted;
+  accounts[held.plane[0]].angular_impulse += inertia * (omega - wanted);
 }
 
-void drive_turn(const HeldNode& held, double inertia, const Vec3& before, const Vec3& moment, double quarter_step, Vec3& w,
+void drive_rotation(const ConstrainedNode& held, double inertia, const Vec3& before, const Vec3& moment, double quarter_step, Vec3& omega,
                 std::vector<PlaneAccount>& accounts) {
-  const Vec3 impulse = inertia * (held.turning - w);
-  w = held.turning;
+  const Vec3 impulse = inertia * (held.angular_velocity - omega);
+  omega = held.angular_velocity;
   PlaneAccount& account = accounts[held.driver];
   account.angular_impulse += impulse;
-  account.driven += 0.5 * impulse.dot(w + before) + quarter_step * moment.dot(w - before);
+  account.driven += 0.5 * impulse.dot(omega + before) + quarter_step * moment.dot(omega - before);
 }
 
-void constrain(const Constraints& constraints, const Kick& kick, const Vectors& x, Vectors& v, Vectors& w, Memory& memory) {
+void constrain(const Constraints& constraints, const Kick& kick, const Vectors& x, Vectors& v, Vectors& omega, Memory& memory) {
   for (const Index place : memory.active) {
-    const HeldNode& held = memory.held[place];
+    const ConstrainedNode& held = memory.nodes[place];
     const double mass = kick.mass(held.node);
     Vec3 velocity = v.col(held.node);
     if (held.moves) {
@@ -173,29 +173,29 @@ void constrain(const Constraints& constraints, const Kick& kick, const Vectors& 
       restrain(constraints, held, x.col(held.node), mass, velocity, memory.account);
     }
     v.col(held.node) = velocity;
-    if (held.turn < 0) continue;
-    Vec3 spin = w.col(held.turn);
-    const double inertia = kick.inertia(held.turn);
+    if (held.rotation < 0) continue;
+    Vec3 spin = omega.col(held.rotation);
+    const double inertia = kick.inertia(held.rotation);
     if (held.driver >= 0) {
-      const Vec3 moment = kick.moment.col(held.turn), before = spin - kick.dt / inertia * moment;
-      drive_turn(held, inertia, before, moment, kick.quarter_step, spin, memory.account);
+      const Vec3 moment = kick.moment.col(held.rotation), before = spin - kick.dt / inertia * moment;
+      drive_rotation(held, inertia, before, moment, kick.quarter_step, spin, memory.account);
     } else {
-      restrain_turn(held, inertia, spin, memory.account);
+      restrain_rotation(held, inertia, spin, memory.account);
     }
-    w.col(held.turn) = spin;
+    omega.col(held.rotation) = spin;
   }
 }
 
 Source source(const Plane& plane) {
-  constexpr std::array kinds{SourceKind::held, SourceKind::fixed, SourceKind::symmetry, SourceKind::floor, SourceKind::driven};
+  constexpr std::array kinds{SourceKind::constrained, SourceKind::fixed, SourceKind::symmetry, SourceKind::floor, SourceKind::driven};
   return {plane.name, kinds[static_cast<std::size_t>(plane.kind)],
-          moves(plane) ? std::vector{Stored::outside} : std::vector<Stored>{}, {Dissipated::caught}};
+          moves(plane) ? std::vector{Stored::external_work} : std::vector<Stored>{}, {Dissipated::inelastic_impact}};
 }
 
 void post(const PlaneAccount& plane, Account& account) {
-  account.work = plane.driven - plane.caught;
-  account.stored[Stored::outside] = -plane.driven;
-  account.dissipated[Dissipated::caught] = plane.caught;
+  account.work = plane.driven - plane.stopped;
+  account.stored[Stored::external_work] = -plane.driven;
+  account.dissipated[Dissipated::inelastic_impact] = plane.stopped;
   account.impulse = plane.impulse;
   account.angular_impulse = plane.angular_impulse;
 }
@@ -227,13 +227,13 @@ Conflict find_conflict(const Constraints& constraints) {
   return {};
 }
 
-Index find_overheld(const Constraints& constraints) {
+Index find_overconstrained(const Constraints& constraints) {
   Subset all;
   for (const Plane& plane : constraints.planes)
     for (int row = 0; row < rows_of(plane); ++row) all.insert(all.end(), plane.nodes.begin(), plane.nodes.end());
   std::sort(all.begin(), all.end());
-  for (std::size_t i = HeldNode::most_rows; i < all.size(); ++i)
-    if (all[i] == all[i - HeldNode::most_rows]) return all[i];
+  for (std::size_t i = ConstrainedNode::most_rows; i < all.size(); ++i)
+    if (all[i] == all[i - ConstrainedNode::most_rows]) return all[i];
   return -1;
 }
 

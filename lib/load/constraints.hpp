@@ -1,7 +1,7 @@
 #pragma once
 // Constraints: planes in whose normal direction nodes do not move, or move as prescribed; nodes that are driven.
 //
-// A plane holds its nodes from the start (held components, symmetry planes) or from first touch on
+// A plane holds its nodes from the start (constrained components, symmetry planes) or from first touch on
 // (the paper's floor). A node on several planes moves along what all of them allow. Constraints act
 // on velocities by impulses, which are booked to the planes.
 
@@ -16,30 +16,30 @@
 namespace nereid::load {
 
 enum class PlaneKind {
-  held,      ///< velocity along the normal is zero, or as prescribed
-  fixed,     ///< held in all directions, and plates do not turn; the normal does not matter
-  symmetry,  ///< held, and plates turn only about the normal
-  floor,     ///< free above the plane, held in the normal direction after first touch
+  constrained,      ///< velocity along the normal is zero, or as prescribed
+  fixed,     ///< constrained in all directions, and plates do not turn; the normal does not matter
+  symmetry,  ///< constrained, and plates turn only about the normal
+  floor,     ///< free above the plane, constrained in the normal direction after first touch
   driven,    ///< velocity and angular velocity are prescribed in all directions; the normal does not matter
 };
 
 struct Plane {
   std::string name;
-  PlaneKind kind = PlaneKind::held;
+  PlaneKind kind = PlaneKind::constrained;
   Vec3 point = Vec3::Zero();    ///< [m] on the plane; of a floor only
   Vec3 normal = Vec3::UnitZ();  ///< unit vector; of a floor, to the side where the nodes are
   Subset nodes;                 ///< ascending
-  /// [m/s] along the normal, of time [s]; of held nodes only. Empty: at rest.
+  /// [m/s] along the normal, of time [s]; of constrained nodes only. Empty: at rest.
   OverTime velocity = {};
   std::array<OverSpace, 3> field = {};    ///< [m/s] over reference position and time; of driven nodes, which need it
-  std::array<OverSpace, 3> turning = {};  ///< [rad/s] the same, of plate nodes among them; empty: they do not turn
+  std::array<OverSpace, 3> angular_velocity = {};  ///< [rad/s] the same, of plate nodes among them; empty: they do not turn
 };
 
 /// What a plane gave to the nodes since the start.
 struct PlaneAccount {
   Vec3 impulse = Vec3::Zero();          ///< [N s]
   Vec3 angular_impulse = Vec3::Zero();  ///< [N m s] about the origin
-  double caught = 0;                    ///< [J] kinetic energy of nodes that the plane caught
+  double stopped = 0;                    ///< [J] kinetic energy of nodes that the plane stopped
   double driven = 0;                    ///< [J] work of a plane that moves, done on its nodes
 };
 
@@ -51,21 +51,21 @@ void post(const PlaneAccount&, Account&);
 inline bool moves(const Plane& plane) { return plane.velocity || plane.kind == PlaneKind::driven; }
 
 /// A node with the planes that hold it now. A fixed node, and a driven one, has three rows of one plane.
-struct HeldNode {
+struct ConstrainedNode {
   static constexpr int most_rows = 8;
   Index node = -1;
-  int turn = -1;                        ///< column of its angular velocity, or -1
+  int rotation = -1;                        ///< column of its angular velocity, or -1
   int count = 0;                        ///< rows
   bool moves = false;                   ///< one of the planes has a velocity
-  bool turns_held = false;              ///< one of the planes is fixed or drives
+  bool rotation_constrained = false;              ///< one of the planes is fixed or drives
   int driver = -1;                      ///< plane that drives the node, or -1
   std::array<int, most_rows> plane{};
   std::array<Vec3, most_rows> normal;
-  std::array<Vec3, most_rows> share;    ///< component of a reaction that belongs to each row
+  std::array<Vec3, most_rows> reaction;    ///< component of a reaction that belongs to each row
   std::array<double, most_rows> speed{};  ///< [m/s] of each row along its normal, set before each kick
-  Vec3 turning = Vec3::Zero();          ///< [rad/s] of a driven node, set with the speeds
+  Vec3 angular_velocity = Vec3::Zero();          ///< [rad/s] of a driven node, set with the speeds
   Mat3 allowed = Mat3::Identity();      ///< projector onto the velocities all planes allow
-  Mat3 allowed_turn = Mat3::Identity(); ///< projector onto the angular velocities they allow
+  Mat3 allowed_rotation = Mat3::Identity(); ///< projector onto the angular velocities they allow
 };
 
 struct Constraints {
@@ -74,27 +74,27 @@ struct Constraints {
 
 /// What constraints remember: which nodes hold where, and the planes' accounts.
 struct Memory {
-  std::vector<HeldNode> held;           ///< every node of every plane, ascending, also while free
-  std::vector<Index> held_of_node;      ///< [nodes] place in `held`, or -1
+  std::vector<ConstrainedNode> nodes;           ///< every node of every plane, ascending, also while free
+  std::vector<Index> row_of_node;      ///< [nodes] row in `nodes`, or -1
   std::vector<PlaneAccount> account;    ///< beside Constraints::planes
-  std::vector<std::vector<char>> caught;  ///< [planes][nodes of the plane] whether a floor holds it
-  std::vector<Index> active;            ///< places in `held` of nodes that a plane holds now
-  std::vector<Index> landing;           ///< places in `held` of nodes about to be caught; scratch
+  std::vector<std::vector<char>> stopped;  ///< [planes][nodes of the plane] whether a floor holds it
+  std::vector<Index> active;            ///< rows in `nodes` of nodes that a plane holds now
+  std::vector<Index> impacting;           ///< rows in `nodes` of nodes about to be stopped; scratch
   std::vector<double> speed;            ///< [m/s] of each plane along its normal; scratch
 };
 
 /// Prepares the constraints; a floor's nodes are free until they touch it.
 ///
-/// Throws InternalError if a node needs more than HeldNode::most_rows rows (a fixed or driven one takes three).
-Memory prepare(const Constraints&, Index nodes, const std::vector<Index>& turn_of_node);
+/// Throws InternalError if a node needs more than ConstrainedNode::most_rows rows (a fixed or driven one takes three).
+Memory prepare(const Constraints&, Index nodes, const std::vector<Index>& rotation_of_node);
 
 /// Lets `plane` hold this node from now on.
-void hold(const Constraints&, HeldNode&, int plane);
+void hold(const Constraints&, ConstrainedNode&, int plane);
 
 /// Removes from v what the planes do not allow; the impulse goes to the planes' accounts.
 ///
 /// x [m], v [m/s], mass [kg] of the node
-void restrain(const Constraints&, const HeldNode&, const Vec3& x, double mass, Vec3& v, std::vector<PlaneAccount>&);
+void restrain(const Constraints&, const ConstrainedNode&, const Vec3& x, double mass, Vec3& v, std::vector<PlaneAccount>&);
 
 /// Sets the speeds of moving planes and driven nodes to those at time t [s]; X [m] reference positions.
 void set_speeds(const Constraints&, const Vectors& X, double t, Memory&);
@@ -106,15 +106,15 @@ void set_speeds(const Constraints&, const Vectors& X, double t, Memory&);
 ///
 /// before [m/s] the kick;  v after it, as the forces would have it;  force [N] of all sources
 /// quarter_step  [s] a quarter of the step's length, negative in the first kick of a step
-void drive(const Constraints&, const HeldNode&, const Vec3& x, double mass, const Vec3& before, const Vec3& force,
+void drive(const Constraints&, const ConstrainedNode&, const Vec3& x, double mass, const Vec3& before, const Vec3& force,
            double quarter_step, Vec3& v, std::vector<PlaneAccount>&);
 
 /// Like restrain for the angular velocity of a plate node; the impulse goes to the node's first plane.
-void restrain_turn(const HeldNode&, double inertia, Vec3& w, std::vector<PlaneAccount>&);
+void restrain_rotation(const ConstrainedNode&, double inertia, Vec3& omega, std::vector<PlaneAccount>&);
 
 /// Like drive for the angular velocity of a driven plate node, with the moment [N m] of all sources; impulse and work
 /// go to the plane that drives it.
-void drive_turn(const HeldNode&, double inertia, const Vec3& before, const Vec3& moment, double quarter_step, Vec3& w,
+void drive_rotation(const ConstrainedNode&, double inertia, const Vec3& before, const Vec3& moment, double quarter_step, Vec3& omega,
                 std::vector<PlaneAccount>&);
 
 /// What a kick changed the velocities with, before the constraints act.
@@ -128,7 +128,7 @@ struct Kick {
 };
 
 /// Constrains the velocities of all nodes after a kick: restrain, drive and their companions for every active node.
-void constrain(const Constraints&, const Kick&, const Vectors& x, Vectors& v, Vectors& w, Memory&);
+void constrain(const Constraints&, const Kick&, const Vectors& x, Vectors& v, Vectors& omega, Memory&);
 
 /// Two planes of one node of which one moves it in a direction that the other holds. Driven nodes are on no other plane but floors.
 struct Conflict {
@@ -137,7 +137,7 @@ struct Conflict {
 };
 Conflict find_conflict(const Constraints&);
 
-/// The first node that needs more than HeldNode::most_rows rows, or -1.
-Index find_overheld(const Constraints&);
+/// The first node that needs more than ConstrainedNode::most_rows rows, or -1.
+Index find_overconstrained(const Constraints&);
 
 }  // namespace nereid::load

@@ -79,7 +79,7 @@ void set_forces(const Spring& load, const Vectors&, const Vectors& x, const Vect
     pull = load.stiffness * line + load.damping * rate;
     lost = load.damping * rate.squaredNorm();
   } else if (length > 0) {
-    // the length's own difference: a rigid turn has none, whatever the step
+    // the length's own difference: a rigid rotation has none, whatever the step
     const double lengthening = dt > 0 ? (length - (line - dt * rate).norm()) / dt : 0;
     pull = (load.stiffness * (length - load.length) + load.damping * lengthening) / length * line;
     lost = load.damping * lengthening * lengthening;
@@ -92,14 +92,14 @@ void set_forces(const Spring& load, const Vectors&, const Vectors& x, const Vect
 
 /// Posts half a step's work and impulses with the forces as they are; x where they act.
 template <class Load>
-void post(const Load& load, const Vectors& x, const Vectors& v, const Vectors& w, double back, double half, LoadMemory& memory) {
+void post(const Load& load, const Vectors& x, const Vectors& v, const Vectors& omega, double back, double half, LoadMemory& memory) {
   const auto nodes = nodes_of(load);
   double power = 0;
   Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
   for (Index i = 0; i < nodes.size(); ++i) {
     if constexpr (std::is_same_v<Load, NodalMoment>) {
       const Vec3 here = memory.moment.col(i);
-      power += here.dot(w.col(load.turns[i]));
+      power += here.dot(omega.col(load.rotations[i]));
       moment += here;
     } else {
       const Vec3 here = memory.force.col(i), speed = v.col(nodes[i]), place = x.col(nodes[i]) - back * speed;
@@ -154,7 +154,7 @@ Source source(const AnyLoad& any) {
   constexpr std::array kinds{SourceKind::body_force, SourceKind::pressure, SourceKind::force, SourceKind::moment, SourceKind::spring};
   static_assert(std::variant_size_v<AnyLoad> == kinds.size());
   if (is_spring(any)) return {name(any), SourceKind::spring, {Stored::elastic}, {Dissipated::damping}};
-  return {name(any), kinds[any.index()], {Stored::outside}, {}};
+  return {name(any), kinds[any.index()], {Stored::external_work}, {}};
 }
 
 void post(const AnyLoad& any, const LoadMemory& memory, Account& account) {
@@ -163,7 +163,7 @@ void post(const AnyLoad& any, const LoadMemory& memory, Account& account) {
     account.hold(Stored::elastic, memory.stored);
     account.dissipated[Dissipated::damping] = memory.dissipated;
   } else {
-    account.stored[Stored::outside] = -memory.work;
+    account.stored[Stored::external_work] = -memory.work;
   }
   account.impulse = memory.impulse;
   account.angular_impulse = memory.angular_impulse;
@@ -176,21 +176,21 @@ LoadMemory initial_memory(const AnyLoad& any) {
       [](const auto& load) {
         LoadMemory memory;
         const Index count = nodes_of(load).size();
-        constexpr bool turns = std::is_same_v<std::decay_t<decltype(load)>, NodalMoment>;
-        memory.force = Vectors::Zero(3, turns ? 0 : count);
-        memory.moment = Vectors::Zero(3, turns ? count : 0);
+        constexpr bool rotations = std::is_same_v<std::decay_t<decltype(load)>, NodalMoment>;
+        memory.force = Vectors::Zero(3, rotations ? 0 : count);
+        memory.moment = Vectors::Zero(3, rotations ? count : 0);
         return memory;
       },
       any);
 }
 
-void advance(const AnyLoad& any, const Vectors& X, const Vectors& x, const Vectors& v, const Vectors& w, double t, double dt,
+void advance(const AnyLoad& any, const Vectors& X, const Vectors& x, const Vectors& v, const Vectors& omega, double t, double dt,
              LoadMemory& memory) {
   std::visit(
       [&](const auto& load) {
-        post(load, x, v, w, dt, 0.5 * dt, memory);
+        post(load, x, v, omega, dt, 0.5 * dt, memory);
         set_forces(load, X, x, v, t, dt, memory);
-        post(load, x, v, w, 0, 0.5 * dt, memory);
+        post(load, x, v, omega, 0, 0.5 * dt, memory);
       },
       any);
 }
@@ -201,7 +201,7 @@ void add_forces(const AnyLoad& any, const LoadMemory& memory, Vectors& force, Ve
         const auto nodes = nodes_of(load);
         for (Index i = 0; i < nodes.size(); ++i) {
           if constexpr (std::is_same_v<std::decay_t<decltype(load)>, NodalMoment>) {
-            moment.col(load.turns[i]) += memory.moment.col(i);
+            moment.col(load.rotations[i]) += memory.moment.col(i);
           } else {
             force.col(nodes[i]) += memory.force.col(i);
           }

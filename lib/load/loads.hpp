@@ -47,7 +47,7 @@ struct NodalForce {
 struct NodalMoment {
   std::string name;
   Subset nodes;
-  Subset turns;                    ///< [nodes] columns of their angular velocities
+  Subset rotations;                    ///< [nodes] columns of their angular velocities
   std::array<OverTime, 3> moment;  ///< [N m] on all nodes together
 };
 
@@ -99,11 +99,11 @@ void post(const AnyLoad&, const LoadMemory&, Account&);
 bool is_spring(const AnyLoad&);
 LoadMemory initial_memory(const AnyLoad&);
 
-/// Forces at x and t; work and impulses are posted by the trapezoid rule over the step v dt, w dt that
+/// Forces at x and t; work and impulses are posted by the trapezoid rule over the step v dt, omega dt that
 /// led to x, half with the forces found in the memory.
 ///
-/// X reference positions, x [m];  v [m/s], w [rad/s] of the step;  t [s] now;  dt [s], zero at the start
-void advance(const AnyLoad&, const Vectors& X, const Vectors& x, const Vectors& v, const Vectors& w, double t, double dt,
+/// X reference positions, x [m];  v [m/s], omega [rad/s] of the step;  t [s] now;  dt [s], zero at the start
+void advance(const AnyLoad&, const Vectors& X, const Vectors& x, const Vectors& v, const Vectors& omega, double t, double dt,
              LoadMemory&);
 void add_forces(const AnyLoad&, const LoadMemory&, Vectors& force, Vectors& moment);
 

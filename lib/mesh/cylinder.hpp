@@ -5,14 +5,14 @@
 
 namespace nereid::mesh {
 
-/// How much of the turn is meshed. `quarter` is x >= 0, y >= 0; `full` is the quarter and its
+/// How much of the rotation is meshed. `quarter` is x >= 0, y >= 0; `full` is the quarter and its
 /// mirror images, node for node, so that both give the same answer to a symmetric question.
-enum class Turn { full, quarter };
+enum class Revolution { full, quarter };
 
 /// A solid cylinder about the z axis, from z = 0 to z = length.
 struct Cylinder {
   double radius, length;  ///< [m]
-  Turn turn;
+  Revolution turn;
   int cells_core;  ///< along the edge of the quarter's square core; 2 * cells_core around a quarter
   int cells_ring;  ///< radially from the core to the surface
   int cells_along;  ///< along z
@@ -21,7 +21,7 @@ struct Cylinder {
 /// An O-grid of hexahedra, region `name`: a square core with rounded edges within rings. Node sets
 /// and surfaces `name.bottom`, `name.top`, `name.side`; node sets `name` (all) and, where turn is
 /// quarter, `name.x_plane` (nodes with x = 0) and `name.y_plane` (nodes with y = 0), exactly on the
-/// planes. Nodes and elements are numbered layer by layer along z, around the turn within a layer.
+/// planes. Nodes and elements are numbered layer by layer along z, around the rotation within a layer.
 ///
 /// Facets are cut so that six meet at each node inside the side, as those of the tube around it do.
 ///
@@ -35,7 +35,7 @@ Mesh cylinder(const std::string& name, const Cylinder&);
 /// cells_along.
 struct Tube {
   double radius, length;  ///< [m]
-  Turn turn;
+  Revolution turn;
   int cells_core, cells_along;
 };
 

@@ -35,7 +35,7 @@ Mesh lower_end(const Mesh& solid, const std::string& name, const std::vector<std
 Mesh disc(const std::string& name, const Disc& disc) {
   const Mesh solid = cylinder(name, {disc.radius, disc.radius, disc.turn, disc.cells_core, disc.cells_ring, 1});
   std::vector<std::array<std::string, 2>> sets{{".side", ".rim"}};
-  if (disc.turn == Turn::quarter) {
+  if (disc.turn == Revolution::quarter) {
     sets.push_back({".x_plane", ".x_plane"});
     sets.push_back({".y_plane", ".y_plane"});
   }

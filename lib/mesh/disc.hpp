@@ -10,7 +10,7 @@ namespace nereid::mesh {
 /// A round plate about the origin, with the O-grid of a cylinder's end.
 struct Disc {
   double radius;  ///< [m]
-  Turn turn;
+  Revolution turn;
   int cells_core, cells_ring;
 };
 

@@ -7,7 +7,7 @@
 
 namespace nereid::mesh {
 
-Mesh turned_about(Mesh mesh, const Vec3& axis, double angle, const Vec3& about) {
+Mesh rotated_about(Mesh mesh, const Vec3& axis, double angle, const Vec3& about) {
   check(axis.norm() > 0, "an axis to turn about needs a direction");
   Mat3 R = Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix();
   for (int i = 0; i < 9; ++i) {  // so that a face turned by a quarter lies on its plane exactly

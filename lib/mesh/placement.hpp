@@ -11,7 +11,7 @@ namespace nereid::mesh {
 ///
 /// Turns by whole quarters about x, y or z are exact to the last bit where `about` is the origin.
 /// axis  any length but zero, else InternalError
-Mesh turned_about(Mesh, const Vec3& axis, double angle, const Vec3& about);
+Mesh rotated_about(Mesh, const Vec3& axis, double angle, const Vec3& about);
 
 /// The mesh with all its nodes moved by the same displacement. [m]
 Mesh moved(Mesh, const Vec3& by);

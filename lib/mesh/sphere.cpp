@@ -6,7 +6,7 @@
 
 #include "base/check.hpp"
 #include "mesh/facets.hpp"
-#include "mesh/turn.hpp"
+#include "mesh/revolution.hpp"
 
 namespace nereid::mesh {
 namespace {

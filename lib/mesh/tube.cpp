@@ -1,7 +1,7 @@
 #include "base/check.hpp"
 #include "mesh/cylinder.hpp"
 #include "mesh/facets.hpp"
-#include "mesh/turn.hpp"
+#include "mesh/revolution.hpp"
 
 namespace nereid::mesh {
 namespace {

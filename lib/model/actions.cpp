@@ -6,7 +6,7 @@
 #include <cstdio>
 
 #include "base/words.hpp"
-#include "contact/bounce.hpp"
+#include "contact/impact_step.hpp"
 #include "dynamics/displace.hpp"
 #include "model/meshes.hpp"
 
@@ -73,7 +73,7 @@ Part part_of(const Plane& plane) { return part("plane", plane); }
 
 load::Plane with_nodes(const Plane& plane, const mesh::Mesh& mesh) {
   load::Plane made{.name = plane.name, .kind = plane.kind, .point = plane.point, .normal = plane.normal, .nodes = {},
-                   .velocity = plane.velocity, .field = plane.field, .turning = plane.turning};
+                   .velocity = plane.velocity, .field = plane.field, .angular_velocity = plane.angular_velocity};
   for (const std::string& name : plane.nodes) {
     const Subset& nodes = mesh::node_set(mesh, name);
     made.nodes.insert(made.nodes.end(), nodes.begin(), nodes.end());
@@ -92,11 +92,11 @@ bool conflict(const std::vector<Plane>& planes, const load::Constraints& made, F
            quote(moving.name) + (moving.kind == load::PlaneKind::driven ? " drives" : " moves") + " nodes that " +
                quote(planes[static_cast<std::size_t>(found.other)].name) + " holds in the same direction");
   }
-  const Index overheld = load::find_overheld(made);
+  const Index overheld = load::find_overconstrained(made);
   for (std::size_t p = planes.size(); overheld >= 0 && p-- > 0;) {
     if (!std::binary_search(made.planes[p].nodes.begin(), made.planes[p].nodes.end(), overheld)) continue;
     refuse(faults, part_of(planes[p]), "nodes",
-           "too many planes hold one node: there is room for " + std::to_string(load::HeldNode::most_rows) +
+           "too many planes hold one node: there is room for " + std::to_string(load::ConstrainedNode::most_rows) +
                " directions, and a fixed or driven one takes three");
     break;
   }
@@ -142,10 +142,10 @@ load::BodyForce body_force(const Load& load, const dynamics::Model& model, Fault
 }
 
 load::NodalMoment moment_on(const Load& load, const dynamics::Model& model, const std::array<load::OverTime, 3>& values, Faults& faults) {
-  load::NodalMoment moment{.name = load.name, .nodes = mesh::node_set(model.mesh, load.on), .turns = {}, .moment = values};
+  load::NodalMoment moment{.name = load.name, .nodes = mesh::node_set(model.mesh, load.on), .rotations = {}, .moment = values};
   for (const Index node : moment.nodes) {
-    moment.turns.push_back(model.turn_of_node[node]);
-    if (moment.turns.back() < 0)
+    moment.rotations.push_back(model.rotation_of_node[node]);
+    if (moment.rotations.back() < 0)
       refuse(faults, part("load", load), "nodes", "a moment acts on nodes of plates only: " + quote(load.on) + " has others");
   }
   return moment;
@@ -193,7 +193,7 @@ void add_planes(const Scene& scene, dynamics::Model& model, Faults& faults) {
     if (plane.velocity) refuse_infinite(faults, part_of(plane), "velocity.value", plane.velocity(0), "t = 0");
     for (const Index node : last.nodes) {  // what drives nodes is a number at the start
       if (plane.field[0]) refuse_infinite_start(faults, part_of(plane), "velocity.value", plane.field, model.mesh.X.col(node));
-      if (plane.turning[0]) refuse_infinite_start(faults, part_of(plane), "turning.value", plane.turning, model.mesh.X.col(node));
+      if (plane.angular_velocity[0]) refuse_infinite_start(faults, part_of(plane), "angular_velocity.value", plane.angular_velocity, model.mesh.X.col(node));
     }
     if (plane.kind == load::PlaneKind::floor) refuse_nodes_behind(faults, part_of(plane), last, model.mesh);
     if (plane.kind == load::PlaneKind::symmetry) refuse_nodes_beside(faults, part_of(plane), last, model.mesh);
@@ -212,8 +212,8 @@ void add_rigid_planes(const Scene& scene, dynamics::Model& model, Faults& faults
                                   .normal = plane.normal,
                                   .nodes = nodes,
                                   .area = mesh::tributary_areas(model.mesh, surface, nodes),
-                                  .penalty = plane.penalty.value_or(plane.hardness * dynamics::surface_stiffness(model, surface)),
-                                  .bounce_step = contact::step_for_a_bounce(plane.created_in_a_bounce),
+                                  .penalty = plane.penalty.value_or(plane.penalty_scale * dynamics::surface_stiffness(model, surface)),
+                                  .impact_step_factor = contact::impact_step_factor_for(plane.energy_gain_limit),
                                   .friction = plane.friction,
                                   .depth = dynamics::surface_depth(model, surface)});
     refuse_nodes_behind(faults, part("plane", plane), model.rigid_planes.back(), model.mesh);
@@ -226,16 +226,16 @@ void add_loads(const Scene& scene, dynamics::Model& model, Faults& faults) {
   for (const Load& load : scene.loads) add_load(load, model, faults);
   for (const Spring& spring : scene.springs) add_spring(spring, model, faults);
   for (const Plane& plane : scene.planes) {
-    if (!plane.turning[0]) continue;
+    if (!plane.angular_velocity[0]) continue;
     const Subset nodes = with_nodes(plane, model.mesh).nodes;
-    if (std::none_of(nodes.begin(), nodes.end(), [&](Index node) { return model.turn_of_node[node] >= 0; }))
-      refuse(faults, part_of(plane), "turning", "'turning' is of nodes of plates: " + quote(plane.name) + " has none");
+    if (std::none_of(nodes.begin(), nodes.end(), [&](Index node) { return model.rotation_of_node[node] >= 0; }))
+      refuse(faults, part_of(plane), "angular_velocity", "'angular_velocity' is of nodes of plates: " + quote(plane.name) + " has none");
   }
 }
 
 void set_initial(const Scene& scene, const dynamics::Model& model, dynamics::State& state, Faults& faults) {
   Vectors displacement = Vectors::Zero(3, model.mesh.X.cols());
-  std::vector<Mat3> gradient(model.node_of_turn.size(), Mat3::Zero()), rate = gradient;
+  std::vector<Mat3> gradient(model.node_of_rotation.size(), Mat3::Zero()), rate = gradient;
   const double size = diagonal(model.mesh);
   const auto part_of_initial = [](const Initial& initial) { return Part{initial.at, "initial motion of '" + initial.body + "'"}; };
   const Initial* displaced = nullptr;
@@ -248,7 +248,7 @@ void set_initial(const Scene& scene, const dynamics::Model& model, dynamics::Sta
         value(axis) = initial.value[axis](X.x(), X.y(), X.z(), 0);
         refuse_infinite(faults, part_of_initial(initial), key, value(axis), at_place(X));
       }
-      const Index turn = model.turn_of_node[node];
+      const Index turn = model.rotation_of_node[node];
       if (turn >= 0) (initial.displacement ? gradient : rate)[turn] += gradient_at(initial.value, X, size);
       if (initial.displacement) {
         displacement.col(node) += value;
@@ -258,12 +258,12 @@ void set_initial(const Scene& scene, const dynamics::Model& model, dynamics::Sta
     }
     if (initial.displacement) displaced = &initial;
   }
-  state.w += dynamics::turns_of(model, rate);
+  state.omega += dynamics::angular_velocities_of(model, rate);
   if (displaced == nullptr || !faults.empty()) return;
   const element::Vote smallest = dynamics::displace(model, state, displacement, gradient);
-  if (!(smallest.size > 0))
+  if (!(smallest.volume_ratio > 0))
     refuse(faults, part_of_initial(*displaced), "displacement",
-           "'displacement' turns element " + std::to_string(smallest.size_element) + " inside out");
+           "'displacement' turns element " + std::to_string(smallest.volume_element) + " inside out");
 }
 
 }  // namespace nereid::model

@@ -8,16 +8,16 @@
 
 namespace nereid::model {
 
-/// Adds planes (rigid ones come with add_rigid_planes) and point masses to a model whose mesh stands, before dynamics::finish.
+/// Adds planes (rigid ones come with add_rigid_planes) and point masses to a model whose mesh stands, before dynamics::finalize.
 ///
 /// Faults: planes that move a node against one another, or hold too many directions of one; nodes behind a floor; nodes of
 /// a symmetry plane that lie on none; velocities that are no number at the start. With a conflict no plane is added.
 void add_planes(const Scene&, dynamics::Model&, Faults&);
 
-/// Adds rigid planes to a model after dynamics::finish. Faults: nodes that start behind them.
+/// Adds rigid planes to a model after dynamics::finalize. Faults: nodes that start behind them.
 void add_rigid_planes(const Scene&, dynamics::Model&, Faults&);
 
-/// Adds gravity, loads, springs and relaxation to a model after dynamics::finish.
+/// Adds gravity, loads, springs and relaxation to a model after dynamics::finalize.
 ///
 /// Faults: moments on nodes of solids, springs that do not end at single nodes, values that are no number at the start,
 /// a plane that turns nodes of which none is one of plates.

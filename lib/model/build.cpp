@@ -261,7 +261,7 @@ Simulation build(const Scene& scene) {
   add_elements(scene, model, faults);
   add_planes(scene, model, faults);
   if (!have_masses(scene, model, faults)) throw_if_any(faults);
-  dynamics::finish(model);
+  dynamics::finalize(model);
   add_rigid_planes(scene, model, faults);
   add_loads(scene, model, faults);
   std::vector<dynamics::Connected> connected = add_contacts(scene, model, faults);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double farthest = 1e60;  // [m] of any node: volumes, and squares of these, are still numbers
 
-double parts(mesh::Turn turn) { return turn == mesh::Turn::full ? 4 : 1; }
+double parts(mesh::Revolution turn) { return turn == mesh::Revolution::full ? 4 : 1; }
 
 double parts(mesh::SpherePart part) {
   return part == mesh::SpherePart::full ? 8 : part == mesh::SpherePart::half ? 4 : part == mesh::SpherePart::quarter ? 2 : 1;
@@ -25,7 +25,7 @@ double cells_of_quarter(double core, double ring) { return core * core + 2 * cor
 double elements(const mesh::Box& box) { return box.cells.cast<double>().prod(); }
 double elements(const mesh::Cylinder& c) { return parts(c.turn) * cells_of_quarter(c.cells_core, c.cells_ring) * c.cells_along; }
 double elements(const mesh::Tube& t) { return parts(t.turn) * 4.0 * t.cells_core * t.cells_along; }
-double elements(const mesh::Wedge& w) { return 1.0 * w.cells_around * w.cells_radial * w.cells_along; }
+double elements(const mesh::Wedge& omega) { return 1.0 * omega.cells_around * omega.cells_radial * omega.cells_along; }
 double elements(const mesh::WedgeTube& t) { return 2.0 * t.cells_around * t.cells_along; }
 double elements(const mesh::Sphere& s) {
   const double core = s.cells_core;
@@ -101,7 +101,7 @@ mesh::Mesh placed_mesh(const Body& body, Faults& faults) {
     if (!said.empty()) refuse(faults, here, "", "the mesh " + said);
   }
   if (body.map[0]) mesh = mapped(body.map, std::move(mesh), here, faults);
-  if (body.place.angle != 0) mesh = mesh::turned_about(std::move(mesh), body.place.axis, body.place.angle, body.place.about);
+  if (body.place.angle != 0) mesh = mesh::rotated_about(std::move(mesh), body.place.axis, body.place.angle, body.place.about);
   if (!body.place.move.isZero(0)) mesh = mesh::moved(std::move(mesh), body.place.move);
   if (!(mesh.X.cwiseAbs().maxCoeff() < farthest)) {  // also where it is no number
     const bool finite = mesh.X.allFinite();

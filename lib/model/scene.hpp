@@ -39,7 +39,7 @@ inline Field uniform(const Vec3& value) { return {constant(value.x()), constant(
 using MeshOptions = std::variant<mesh::Box, mesh::Cylinder, mesh::Tube, mesh::Wedge, mesh::WedgeTube, mesh::Sphere,
                                  mesh::Disc, mesh::WedgeDisc, mesh::Sheet, mesh::Mesh>;
 
-/// A rigid motion of a mesh before anything else happens: a turn, then a shift.
+/// A rigid motion of a mesh before anything else happens: a rotation, then a shift.
 struct Placement {
   Vec3 axis = Vec3::UnitZ();   ///< unit vector
   double angle = 0;            ///< [rad]
@@ -78,12 +78,12 @@ struct Contact {
 /// Nodes that are held, driven or caught.
 struct Plane {
   std::string name;
-  load::PlaneKind kind = load::PlaneKind::held;
+  load::PlaneKind kind = load::PlaneKind::constrained;
   std::vector<std::string> nodes = {};       ///< node sets
   Vec3 point = Vec3::Zero();                 ///< [m] of a floor
   Vec3 normal = Vec3::UnitZ();               ///< unit vector; not of fixed and driven nodes
   load::OverTime velocity = {};              ///< [m/s] along the normal, of `held` only; empty: at rest
-  Field field = {}, turning = {};            ///< [m/s] [rad/s] of `driven` only; `turning` may be empty
+  Field field = {}, angular_velocity = {};            ///< [m/s] [rad/s] of `driven` only; `turning` may be empty
   std::string at = {};
 };
 
@@ -91,10 +91,10 @@ struct Plane {
 struct RigidPlane {
   std::string name, surface;
   Vec3 point = Vec3::Zero(), normal = Vec3::UnitZ();  ///< [m]; unit vector to the side of the nodes
-  std::optional<double> penalty = {};                 ///< [Pa/m] without it hardness counts
-  double hardness = dynamics::InterfaceOptions{}.hardness;  ///< [-] penalty over the stiffness of the surface
+  std::optional<double> penalty = {};                 ///< [Pa/m] without it penalty scale counts
+  double penalty_scale = dynamics::InterfaceOptions{}.penalty_scale;  ///< [-] penalty over the stiffness of the surface
   contact::Coulomb friction = {};
-  double created_in_a_bounce = dynamics::InterfaceOptions{}.created_in_a_bounce;  ///< [-]
+  double energy_gain_limit = dynamics::InterfaceOptions{}.energy_gain_limit;  ///< [-]
   std::string at = {};
 };
 

@@ -17,7 +17,7 @@ Field vector(const std::string& name, const std::string& unit, const Vectors& va
 
 /// Contact forces on the nodes, of all interfaces and rigid planes. [N]
 Vectors contact_forces(const dynamics::View& view) {
-  Vectors force = Vectors::Zero(3, view.now.x.cols()), moment = Vectors::Zero(3, view.now.w.cols());
+  Vectors force = Vectors::Zero(3, view.now.x.cols()), moment = Vectors::Zero(3, view.now.omega.cols());
   for (std::size_t c = 0; c < view.model.interfaces.size(); ++c)
     contact::add_forces(view.model.interfaces[c], view.now.interfaces[c], force, moment);
   for (std::size_t p = 0; p < view.model.rigid_planes.size(); ++p)

@@ -86,7 +86,7 @@ Json ledger_of(const std::vector<Source>& sources, const dynamics::Ledger& ledge
   for (std::size_t s = 0; s < sources.size(); ++s)
     add_once(accounts, sources[s].name, account_of(sources[s], ledger.accounts[s], energy_scale(ledger)));
   return {{"initial_kinetic", quantity(ledger.initial_kinetic, "J")},
-          {"brought_in", quantity(ledger.brought_in, "J")},
+          {"external_work", quantity(ledger.external_work, "J")},
           {"kinetic", quantity(ledger.kinetic, "J")},
           {"integration", quantity(ledger.integration, "J")},
           {"energy_residual", quantity(dynamics::energy_residual(ledger), "J")},

@@ -26,7 +26,7 @@ dynamics::Model hexahedra(int n, const material::J2Bilinear& law, const element:
   dynamics::Model model;
   model.mesh = mesh::box("block", {Vec3::Zero(), Vec3::Ones(), {n, n, n}});
   model.blocks.push_back(element::solids(model.mesh, "block", law, options));
-  dynamics::finish(model);
+  dynamics::finalize(model);
   return model;
 }
 
@@ -48,7 +48,7 @@ dynamics::Model plates(int n, const material::J2Bilinear& law) {
   element::Plate::Options options;
   options.thickness = 0.1 / n;
   model.blocks.push_back(element::plates(model.mesh, "sheet", law, options));
-  dynamics::finish(model);
+  dynamics::finalize(model);
   return model;
 }
 

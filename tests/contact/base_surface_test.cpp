@@ -121,11 +121,11 @@ TEST(Walk, EndsAtTheClosestFeatureOfAShallowValley) {
 TEST(Walk, EndsAtTheClosestFeatureOutsideABall) { walks_to_the_closest(ball(3), 1.0, 0); }
 TEST(Walk, EndsInsideATubeOnAFlankThatOwnsTheApex) {
   // in a valley Eq. 14 holds for both flanks; their heights differ by less than the angle's square
-  const mesh::Mesh tube = mesh::tube("tube", {1, 1, mesh::Turn::quarter, 4, 5});
+  const mesh::Mesh tube = mesh::tube("tube", {1, 1, mesh::Revolution::quarter, 4, 5});
   walks_to_the_closest({tube.X, mesh::surface(tube, "tube.inside").facets}, 0.02, 0, 0.02);
 }
 TEST(Walk, EndsAtTheClosestFeatureOutsideATube) {
-  const mesh::Mesh tube = mesh::tube("tube", {1, 1, mesh::Turn::full, 3, 5});
+  const mesh::Mesh tube = mesh::tube("tube", {1, 1, mesh::Revolution::full, 3, 5});
   walks_to_the_closest({tube.X, mesh::surface(tube, "tube.outside").facets}, 0.5, 0);
 }
 TEST(Walk, EndsAtTheClosestFeatureOfABoxWithSharpEdges) {
@@ -185,7 +185,7 @@ TEST(BroadSearch, AgreesWithTryingAllOnAPlain) {
 }
 TEST(BroadSearch, AgreesWithTryingAllAroundABall) { agrees_with_trying_all(ball(4), 2); }
 TEST(BroadSearch, AgreesWithTryingAllInATube) {
-  const mesh::Mesh tube = mesh::tube("tube", {1, 6, mesh::Turn::full, 4, 20});
+  const mesh::Mesh tube = mesh::tube("tube", {1, 6, mesh::Revolution::full, 4, 20});
   agrees_with_trying_all({tube.X, mesh::surface(tube, "tube.inside").facets}, 8);
 }
 TEST(BroadSearch, AgreesWithTryingAllOverOneFacet) {

@@ -14,8 +14,8 @@
 #include <random>
 
 #include "base/parallel.hpp"
-#include "contact/bounce.hpp"
-#include "contact/push.hpp"
+#include "contact/impact_step.hpp"
+#include "contact/projection.hpp"
 #include "mesh/cylinder.hpp"
 #include "tests/contact/surfaces.hpp"
 
@@ -283,7 +283,7 @@ struct Rubbing {
     scene.workspace = Workspace(scene.interface);
     scene.memory.friction.resize(scene.interface.friction.coefficient > 0 ? scene.interface.apexes.size() : 0);
     scene.memory.slip.assign(1, Vec3::Zero());
-    scene.memory.stick_stored.assign(1, 0.0);
+    scene.memory.tangential_stored.assign(1, 0.0);
     scene.update();
   }
   const FrictionForces& friction() const { return scene.memory.friction[0]; }
@@ -295,7 +295,7 @@ struct Rubbing {
     }
   }
   double created() const {
-    return scene.memory.work + stored(scene.memory) + stick_stored(scene.memory) + scene.memory.damped + scene.memory.rubbed;
+    return scene.memory.work + stored(scene.memory) + tangential_stored(scene.memory) + scene.memory.damped + scene.memory.friction_dissipated;
   }
 };
 
@@ -304,10 +304,10 @@ TEST(Friction, SticksElasticallyAndThenSlidesAtItsLimit) {
   const double start = r.created();
   r.drag({1e-3, 0, 0}, 1, 10);  // 0.01 m against a limit of 0.4 * 0.03 / 0.5 = 0.024 m
   EXPECT_LT((r.friction().force - Vec3(-0.5 * penalty * 0.01, 0, 0)).norm(), 1e-10);
-  EXPECT_EQ(r.scene.memory.rubbed, 0);
+  EXPECT_EQ(r.scene.memory.friction_dissipated, 0);
   r.drag({1e-3, 1e-3, 0}, 1, 90);
   EXPECT_NEAR(r.friction().force.norm(), 0.4 * penalty * 0.03, 1e-10);
-  EXPECT_GT(r.scene.memory.rubbed, 0);
+  EXPECT_GT(r.scene.memory.friction_dissipated, 0);
   EXPECT_NEAR(r.created(), start, 1e-12);
   const ElementView seen = view(r.scene.interface, r.scene.x, r.scene.memory, 0);
   EXPECT_TRUE(seen.slides);
@@ -318,10 +318,10 @@ TEST(Friction, GivesBackWhatTheStickStoredWhenItDoesNotSlide) {
   Rubbing r(5, 1);
   const double start = r.created();
   r.drag({1e-3, 2e-3, 0}, 1, 10);
-  EXPECT_GT(stick_stored(r.scene.memory), 0.1);
+  EXPECT_GT(tangential_stored(r.scene.memory), 0.1);
   r.drag({-1e-3, -2e-3, 0}, 1, 10);
-  EXPECT_NEAR(stick_stored(r.scene.memory), 0, 1e-20);
-  EXPECT_EQ(r.scene.memory.rubbed, 0);
+  EXPECT_NEAR(tangential_stored(r.scene.memory), 0, 1e-20);
+  EXPECT_EQ(r.scene.memory.friction_dissipated, 0);
   EXPECT_NEAR(r.created(), start, 1e-13);
 }
 
@@ -387,18 +387,18 @@ TEST(Friction, ASlipTurnsWithItsBaseAndItsNormal) {
     advance(r.scene.interface, r.scene.x, r.v, none, 1, r.scene.memory, r.scene.workspace);
   }
   EXPECT_LT((r.scene.memory.slip[0] - Eigen::AngleAxisd(1, axis) * slip).norm(), 1e-12 * slip.norm());
-  EXPECT_EQ(r.scene.memory.rubbed, 0);
-  EXPECT_LT(std::abs(r.created() - start), 1e-12 * stick_stored(r.scene.memory));
+  EXPECT_EQ(r.scene.memory.friction_dissipated, 0);
+  EXPECT_LT(std::abs(r.created() - start), 1e-12 * tangential_stored(r.scene.memory));
 }
 
 TEST(Friction, LetsGoOfItsSlipWhereTheApexLeaves) {
   Rubbing r(5, 1);
   r.drag({1e-3, 2e-3, 0}, 1, 10);
-  const double held = stick_stored(r.scene.memory);
+  const double held = tangential_stored(r.scene.memory);
   r.drag({0, 0, 0.1}, 1, 1);
   EXPECT_EQ(r.scene.memory.status[0], Status::open);
   EXPECT_TRUE(r.scene.memory.slip[0].isZero(0));
-  EXPECT_NEAR(r.scene.memory.rubbed, held, 1e-12);
+  EXPECT_NEAR(r.scene.memory.friction_dissipated, held, 1e-12);
   r.drag({0, 0, -0.1}, 1, 1);
   EXPECT_TRUE(r.friction().force.isZero(0));
 }
@@ -506,7 +506,7 @@ TEST(Drag, OverAPlainOfIrregularFacetsKeepsTheForceToRoundOff) {
   EXPECT_NEAR(seen.most, penalty * 0.03, 1e-9);
   EXPECT_GE(scene.memory.walks, 8);
   EXPECT_EQ(scene.memory.walks, scene.memory.reconnections[0]);
-  EXPECT_EQ(scene.memory.lost, 0);
+  EXPECT_EQ(scene.memory.unpaired, 0);
   EXPECT_NEAR(scene.memory.created_by_reconnection, 0, 1e-12);
 }
 
@@ -564,11 +564,11 @@ TEST(Drag, AroundABallLosesNoStepAndDoesNotJump) {
   EXPECT_EQ(seen.missed, 0);
   EXPECT_LT(seen.largest_jump, 3 * penalty * 2 * pi * 1.6 / steps);
   EXPECT_GT(scene.memory.walks, 10);
-  EXPECT_EQ(scene.memory.lost, 0);
+  EXPECT_EQ(scene.memory.unpaired, 0);
 }
 
 TEST(Drag, AroundTheInsideOfATubeLosesNoStepAndDoesNotJump) {
-  const mesh::Mesh tube = mesh::tube("tube", {1, 1, mesh::Turn::full, 4, 4});
+  const mesh::Mesh tube = mesh::tube("tube", {1, 1, mesh::Revolution::full, 4, 4});
   Scene scene = press({tube.X, mesh::surface(tube, "tube.inside").facets}, {{0.93, 0, 0.5}}, 0.1);
   constexpr int steps = 6000;
   const Drag seen = drag(scene, steps, [](double s) {
@@ -629,7 +629,7 @@ TEST(Ridge, WithoutContactHeightPushesTheShallowWayOut) {
   }
 }
 
-// ------------------------------------------------------------------ retardation
+// ------------------------------------------------------------------ contact damping
 
 /// A mass that falls on a fixed plain at unit speed and leaves it again, by central differences.
 struct Bounce {
@@ -637,9 +637,9 @@ struct Bounce {
   double least_force = 0;  ///< on the apex, upwards
   Memory memory;
 };
-Bounce bounce(double retardation) {
+Bounce bounce(double damping_time) {
   Scene scene = press(sheet(4, 4, flat), {{1.3, 2.6, 0.11}}, 0.1);
-  scene.interface.retardation = retardation;
+  scene.interface.damping_time = damping_time;
   const double mass = 1, dt = 0.02 / std::sqrt(penalty / mass);
   Vectors v = Vectors::Zero(3, scene.x.cols());
   v(2, scene.apex()) = -1;
@@ -675,7 +675,7 @@ TEST(Retardation, TakesEnergyThatItBooksAndNeverPulls) {
 
 TEST(Retardation, ScalesAllForcesOfAnElementSoThatNoneIsLeftOver) {
   Scene scene = press(sheet(4, 4, fold(0.4)), {{2.01, 2.4, 0.07}}, 0.1);
-  scene.interface.retardation = 1e-3;
+  scene.interface.damping_time = 1e-3;
   Vectors v = Vectors::Zero(3, scene.x.cols());
   v.col(scene.apex()) = Vec3(3, -2, -7);
   advance(scene.interface, scene.x, v, none, 1e-6, scene.memory, scene.workspace);
@@ -698,12 +698,12 @@ TEST(Border, AnApexThatLeavesIsBeyondWithoutForceAndComesBack) {
   EXPECT_EQ(scene.memory.status[0], Status::closed);
   scene.move({4.15, 2.2, 0.07});
   scene.update();
-  EXPECT_EQ(scene.memory.status[0], Status::beyond);
+  EXPECT_EQ(scene.memory.status[0], Status::off_surface);
   EXPECT_TRUE(scene.forces().isZero(0));
   EXPECT_EQ(stored(scene.memory), 0);
   scene.move({4.15, 4.15, 0.07});  // beyond a corner
   scene.update();
-  EXPECT_EQ(scene.memory.status[0], Status::beyond);
+  EXPECT_EQ(scene.memory.status[0], Status::off_surface);
   scene.move({3.9, 3.95, 0.07});
   scene.update();
   EXPECT_EQ(scene.memory.status[0], Status::closed);
@@ -730,7 +730,7 @@ TEST(Border, OfAnApexOnASymmetryPlaneHasTheMarginOfAllOthers) {
       }
       scene.move({0, 4.15, height});
       scene.update();
-      EXPECT_EQ(scene.memory.status[0], Status::beyond);
+      EXPECT_EQ(scene.memory.status[0], Status::off_surface);
     }
   }
 }
@@ -749,13 +749,13 @@ TEST(Lost, AnApexOutOfReachIsFoundAgainByTheSearch) {
   scene.interface.search_every = 10;
   scene.move({1.4, 1.2, 2});
   scene.update();
-  EXPECT_EQ(scene.memory.status[0], Status::lost);
+  EXPECT_EQ(scene.memory.status[0], Status::unpaired);
   EXPECT_TRUE(std::isnan(scene.memory.gap[0]));
-  EXPECT_EQ(scene.memory.lost, 1);
+  EXPECT_EQ(scene.memory.unpaired, 1);
   EXPECT_TRUE(scene.forces().isZero(0));
   scene.move({3.4, 3.2, 0.06});
   int steps = 0;
-  while (scene.memory.status[0] == Status::lost && steps < 20) scene.update(), ++steps;
+  while (scene.memory.status[0] == Status::unpaired && steps < 20) scene.update(), ++steps;
   EXPECT_LE(steps, 10);
   EXPECT_EQ(scene.memory.recovered, 1);
   EXPECT_EQ(scene.memory.status[0], Status::closed);
@@ -769,13 +769,13 @@ TEST(Lost, ASearchWithPositionsThatAreNotFiniteLeavesAllAsItIs) {
   const double inf = std::numeric_limits<double>::infinity();
   for (const double place : {std::nan(""), inf, -inf, 1e300}) {
     Scene scene = press(sheet(4, 4, flat), {{1.4, 1.2, 0.07}, {2.4, 2.2, 0.07}, {9, 9, 900}}, 0.1);
-    ASSERT_EQ(scene.memory.status[2], Status::lost);
+    ASSERT_EQ(scene.memory.status[2], Status::unpaired);
     scene.interface.search_every = 1;
     Scene with_apex = scene, with_base = scene;
     with_apex.move({place, 1, 1}, 2);
     with_apex.update();
     EXPECT_EQ(with_apex.memory.status[0], Status::closed);
-    EXPECT_EQ(with_apex.memory.status[2], Status::lost);
+    EXPECT_EQ(with_apex.memory.status[2], Status::unpaired);
     with_base.x(1, 3) = place;  // far from the apexes
     with_base.move({3.4, 3.2, 0.06}, 2);
     with_base.update();
@@ -904,7 +904,7 @@ struct Cask {
   Scene scene;
   double side;  ///< [m2] area of the lead's side
 };
-Cask cask(mesh::Turn turn, int core, int along, double clearance) {
+Cask cask(mesh::Revolution turn, int core, int along, double clearance) {
   constexpr double radius = 0.1525, thickness = 0.00635, length = 0.914;
   const mesh::Mesh joined = mesh::join(mesh::cylinder("lead", {radius, length, turn, core, 2, along}),
                                        mesh::tube("skin", {radius + thickness / 2, length, turn, core, along}));
@@ -917,7 +917,7 @@ Cask cask(mesh::Turn turn, int core, int along, double clearance) {
   in.facet_area = mesh::facet_areas(joined, inside);
   in.penalty = 1e12;
   in.reach = 1;
-  if (turn == mesh::Turn::quarter) {
+  if (turn == mesh::Revolution::quarter) {
     in.allowed.assign(in.apexes.size(), Mat3::Identity());
     for (std::size_t a = 0; a < in.apexes.size(); ++a)
       for (int axis = 0; axis < 2; ++axis)
@@ -928,7 +928,7 @@ Cask cask(mesh::Turn turn, int core, int along, double clearance) {
 }
 
 TEST(Cask, StartsWithTheClearanceEverywhere) {
-  for (const mesh::Turn turn : {mesh::Turn::full, mesh::Turn::quarter}) {
+  for (const mesh::Revolution turn : {mesh::Revolution::full, mesh::Revolution::quarter}) {
     for (const double clearance : {0.0, 0.5e-3}) {
       for (const auto& [core, along] : {std::pair(2, 6), std::pair(4, 12), std::pair(6, 30)}) {
         const Cask c = cask(turn, core, along, clearance);
@@ -945,13 +945,13 @@ TEST(Cask, StartsWithTheClearanceEverywhere) {
 }
 
 TEST(Cask, StartsWithoutForce) {
-  Cask c = cask(mesh::Turn::quarter, 4, 8, 0);
+  Cask c = cask(mesh::Revolution::quarter, 4, 8, 0);
   c.scene.update();
   EXPECT_LT(stored(c.scene.memory), 1e-20);
 }
 
 TEST(Cask, PushesEachApexByItsTributaryAreaOnceAlsoOnSymmetryPlanes) {
-  for (const mesh::Turn turn : {mesh::Turn::full, mesh::Turn::quarter}) {
+  for (const mesh::Revolution turn : {mesh::Revolution::full, mesh::Revolution::quarter}) {
     for (const auto& [core, along] : {std::pair(2, 4), std::pair(4, 8)}) {
       Cask c = cask(turn, core, along, 0);
       double worst = 0;
@@ -982,7 +982,7 @@ TEST(Cask, PushesEachApexByItsTributaryAreaOnceAlsoOnSymmetryPlanes) {
 
 TEST(Cask, ApexesOnSymmetryPlanesFeelTheMirrorImages) {
   // a quarter's apex on a plane has half the area of the full turn's: it gets half the force
-  Cask quarter = cask(mesh::Turn::quarter, 3, 4, 0), full = cask(mesh::Turn::full, 3, 4, 0);
+  Cask quarter = cask(mesh::Revolution::quarter, 3, 4, 0), full = cask(mesh::Revolution::full, 3, 4, 0);
   for (Cask* c : {&quarter, &full}) {
     c->scene.x.topRows(2).leftCols(c->scene.interface.base.facets.minCoeff()) *= 1 + 1e-5;
     c->scene.update();
@@ -1005,7 +1005,7 @@ TEST(Cask, ApexesOnSymmetryPlanesFeelTheMirrorImages) {
 
 TEST(Cask, TurnedInsideOutFeelsTheMirrorImagesOfARidge) {
   // apexes outside a quarter of a convex tube: at the planes its borders are ridges of the full turn
-  const mesh::Mesh tube = mesh::tube("tube", {1, 1, mesh::Turn::quarter, 4, 4});
+  const mesh::Mesh tube = mesh::tube("tube", {1, 1, mesh::Revolution::quarter, 4, 4});
   const std::vector<Vec3> apexes{{0, 1.05, 0.5}, {0, 1.05, 0.4}, {1.05, 0, 0.5}, {1.05, 0, 1.05}};
   Scene scene = press({tube.X, mesh::surface(tube, "tube.outside").facets}, apexes, 0.1);
   Mat3 no_x = Mat3::Identity(), no_y = no_x;
@@ -1018,7 +1018,7 @@ TEST(Cask, TurnedInsideOutFeelsTheMirrorImagesOfARidge) {
     out.z() = 0;
     EXPECT_LT((scene.memory.elements[a].apex - penalty * 0.05 * out.normalized()).norm(), 1e-9);
   }
-  EXPECT_EQ(scene.memory.status[3], Status::beyond);  // off the end of the tube
+  EXPECT_EQ(scene.memory.status[3], Status::off_surface);  // off the end of the tube
 }
 
 // ------------------------------------------------------------------ initial penetration
@@ -1057,7 +1057,7 @@ TEST(StableStep, OfAnApexOverAVertexIsThatOfTwoMassesOnASpring) {
   Scene scene = built;
   Scalars mass = Scalars::Constant(5, 1e9);
   mass(0) = 3, mass(4) = 2;
-  const double expected = scene.interface.bounce_step / std::sqrt(penalty * (1.0 / 2 + 1.0 / 3));
+  const double expected = scene.interface.impact_step_factor / std::sqrt(penalty * (1.0 / 2 + 1.0 / 3));
   EXPECT_NEAR(stable_step(scene.interface, mass, no_inertia, scene.memory, scene.workspace).step, expected, 1e-12);
 }
 
@@ -1065,7 +1065,7 @@ TEST(StableStep, AddsUpSpringsThatShareANode) {
   Scene scene = press(corner(false), {Vec3(-0.03, -0.04, -0.05), Vec3(-0.04, -0.03, -0.05)}, 0.1);
   Scalars mass = Scalars::Constant(6, 1e9);
   mass(0) = 3, mass(4) = 2, mass(5) = 2;
-  const double expected = scene.interface.bounce_step / std::sqrt(penalty * (1.0 / 2 + 2.0 / 3));
+  const double expected = scene.interface.impact_step_factor / std::sqrt(penalty * (1.0 / 2 + 2.0 / 3));
   EXPECT_NEAR(stable_step(scene.interface, mass, no_inertia, scene.memory, scene.workspace).step, expected, 1e-12);
 }
 
@@ -1107,7 +1107,7 @@ std::array<double, 2> vote_over_exact(const std::function<double(double, double)
     Scene scene = press(sheet(4, 4, ground, 0), apexes, 0.1);
     Scalars mass(scene.x.cols());
     for (Index i = 0; i < mass.size(); ++i) mass(i) = even ? 1 : std::pow(10.0, 2 * unit(random));
-    const double vote = scene.interface.bounce_step / stable_step(scene.interface, mass, no_inertia, scene.memory, scene.workspace).step;
+    const double vote = scene.interface.impact_step_factor / stable_step(scene.interface, mass, no_inertia, scene.memory, scene.workspace).step;
     const double ratio = vote / std::sqrt(omega_squared(scene, mass));
     least = std::min(least, ratio), most = std::max(most, ratio);
   }
@@ -1140,7 +1140,7 @@ Scene many() {
   scene.workspace = Workspace(scene.interface);
   scene.memory.friction.resize(scene.interface.friction.coefficient > 0 ? scene.interface.apexes.size() : 0);
   scene.memory.slip.assign(200, Vec3::Zero());
-  scene.memory.stick_stored.assign(200, 0.0);
+  scene.memory.tangential_stored.assign(200, 0.0);
   scene.update();
   return scene;
 }
@@ -1258,7 +1258,7 @@ TEST(Impact, AtTheStepOfTheVoteCreatesNoMoreThanItsBound) {
   double worst = 0;
   for (const double part : {1.0, 0.97, 0.9, 0.8, 0.7})
     for (int phase = 0; phase < 50; ++phase)
-      worst = std::max(worst, impact(part * Interface{}.bounce_step, (phase + 0.5) / 50).created);
+      worst = std::max(worst, impact(part * Interface{}.impact_step_factor, (phase + 0.5) / 50).created);
   EXPECT_LE(worst, 0.005);
   EXPECT_GT(worst, 0.003);
 }

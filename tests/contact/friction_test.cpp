@@ -20,7 +20,7 @@ enum class Side { solid, plate };
 struct Pair {
   Vectors x{3, 4};
   Touch touch;
-  std::vector<Index> turn_of_node{0, 1, 2, 3};
+  std::vector<Index> rotation_of_node{0, 1, 2, 3};
 
   Pair(Side base, Side apex) {
     for (int n = 0; n < 3; ++n) x.col(n) = Vec3::Unit(n) + 0.2 * random_vector();
@@ -35,7 +35,7 @@ struct Pair {
     const double share = apex == Side::solid ? 0.0 : base == Side::solid ? 1.0 : 0.4;
     touch.apex_arm = share * touch.arm;
     touch.base_arm = touch.arm - touch.apex_arm;
-    touch.base_turns = base == Side::plate;
+    touch.base_rotates = base == Side::plate;
     measure_base({x.col(0), x.col(1), x.col(2)}, touch);
   }
 };
@@ -60,8 +60,8 @@ TEST(SlipRate, IsZeroInARigidMotion) {
     const Vec3 spin = random_vector(), shift = random_vector();
     Vectors v(3, 4), w(3, 4);
     for (int n = 0; n < 4; ++n) v.col(n) = shift + spin.cross(Vec3(pair.x.col(n)));
-    w.colwise() = spin;
-    EXPECT_LT(slip_rate(pair.touch, v, w, pair.turn_of_node).norm(), 1e-15);
+    omega.colwise() = spin;
+    EXPECT_LT(slip_rate(pair.touch, v, omega, pair.rotation_of_node).norm(), 1e-15);
     EXPECT_LT((spin_of_base(pair.touch, v) - spin).norm(), 1e-14);
   }
 }
@@ -72,12 +72,12 @@ TEST(Friction, HasThePowerOfItsForceOnTheSlipRateForEveryMotion) {
     Vec3 friction = random_vector();
     friction -= pair.touch.normal.dot(friction) * pair.touch.normal;
     Vectors force = Vectors::Zero(3, 4), moment = force;
-    add_friction(pair.touch, friction, pair.turn_of_node, force, moment);
+    add_friction(pair.touch, friction, pair.rotation_of_node, force, moment);
     for (int trial = 0; trial < 10; ++trial) {
       Vectors v(3, 4), w(3, 4);
-      for (int n = 0; n < 4; ++n) v.col(n) = random_vector(), w.col(n) = random_vector();
-      const double power = force.cwiseProduct(v).sum() + moment.cwiseProduct(w).sum();
-      EXPECT_NEAR(power, friction.dot(slip_rate(pair.touch, v, w, pair.turn_of_node)), 1e-14);
+      for (int n = 0; n < 4; ++n) v.col(n) = random_vector(), omega.col(n) = random_vector();
+      const double power = force.cwiseProduct(v).sum() + moment.cwiseProduct(omega).sum();
+      EXPECT_NEAR(power, friction.dot(slip_rate(pair.touch, v, omega, pair.rotation_of_node)), 1e-14);
     }
   }
 }
@@ -87,7 +87,7 @@ TEST(Friction, LeavesNoForceAndNoMoment) {
     const Pair pair(base, apex);
     const Vec3 friction = pair.touch.normal.cross(random_vector());
     Vectors force = Vectors::Zero(3, 4), moments = force;
-    add_friction(pair.touch, friction, pair.turn_of_node, force, moments);
+    add_friction(pair.touch, friction, pair.rotation_of_node, force, moments);
     Vec3 moment = moments.rowwise().sum();
     for (int n = 0; n < 4; ++n) moment += Vec3(pair.x.col(n)).cross(Vec3(force.col(n)));
     EXPECT_LT(force.rowwise().sum().norm(), 1e-15);

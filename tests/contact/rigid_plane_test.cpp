@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "contact/bounce.hpp"
+#include "contact/impact_step.hpp"
 
 namespace nereid::contact {
 namespace {
@@ -88,10 +88,10 @@ double bounce(const RigidPlane& plane, double start, double dt, PlaneMemory& mem
 
 TEST(RigidPlane, VotesForTheStepThatKeepsTheBoundOfABounce) {
   RigidPlane plane = inclined();
-  plane.bounce_step = step_for_a_bounce(0.005);
+  plane.impact_step_factor = impact_step_factor_for(0.005);
   Scalars mass(3);
   mass << 1, 1e-9, 30;
-  EXPECT_DOUBLE_EQ(stable_step(plane, mass).step, plane.bounce_step / std::sqrt(200.0));
+  EXPECT_DOUBLE_EQ(stable_step(plane, mass).step, plane.impact_step_factor / std::sqrt(200.0));
   const double dt = stable_step(plane, mass).step;
   double worst = 0;
   for (int phase = 0; phase < 50; ++phase) {

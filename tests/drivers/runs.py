@@ -426,10 +426,10 @@ class NotUsed(InATemporaryFolder):
         self.assertNotIn("yield", summary["provenance"]["resolved"]["steel"])
 
     def test_hardness_beside_a_given_penalty(self):
-        values = [*BARS, "time.end=1 us", "contact.hardness=2", "contact.penalty=5e13 Pa/m"]
+        values = [*BARS, "time.end=1 us", "contact.penalty_scale=2", "contact.penalty=5e13 Pa/m"]
         run = Run("two_blocks", values, self.folder / "out")
         self.assertEqual(run.status, 0)
-        self.assertIn("not used: contact.hardness (--set contact.hardness=2:9)\n", run.stdout)
+        self.assertIn("not used: contact.penalty_scale (--set contact.penalty_scale=2:9)\n", run.stdout)
         self.assertEqual(run.summary()["results"]["contact_penalty"], {"value": 5e13, "unit": "Pa/m"})
 
     def test_nothing_is_listed_where_all_is_used(self):
@@ -458,7 +458,7 @@ class Folders(InATemporaryFolder):
         self.assertEqual([*self.folder.iterdir()], [])
 
     def test_quiet_says_nothing(self):
-        run = Run("two_blocks", [*BARS, "contact.hardness=2", "contact.penalty=5e13 Pa/m"], self.folder / "out", "--quiet")
+        run = Run("two_blocks", [*BARS, "contact.penalty_scale=2", "contact.penalty=5e13 Pa/m"], self.folder / "out", "--quiet")
         self.assertEqual((run.status, run.stdout, run.stderr), (0, "", ""))
         self.assertEqual(len(run.summary()["not_used"]), 1)  # told there all the same
 

@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "base/check.hpp"
-#include "contact/bounce.hpp"
+#include "contact/impact_step.hpp"
 #include "dynamics/step.hpp"
 #include "mesh/box.hpp"
 #include "mesh/cylinder.hpp"
@@ -28,7 +28,7 @@ Model two_boxes(double gap) {
                  mesh::box("above", {{0.1, 0.1, 0.4 + gap}, {0.9, 0.9, 1 + gap}, {3, 3, 2}}));
   model.blocks.push_back(element::hexahedra(model.mesh, "below", soft, {}));
   model.blocks.push_back(element::hexahedra(model.mesh, "above", hard, {}));
-  finish(model);
+  finalize(model);
   return model;
 }
 
@@ -49,7 +49,7 @@ TEST(SurfaceStiffness, IsThatOfTheStiffestElement) {
   for (Index node = 4 * layer; node < 4 * layer + 5; ++node)
     model.mesh.X(2, node) = 0.36;  // one edge lower
   model.blocks[0] = element::hexahedra(model.mesh, "below", soft, {});
-  finish(model);
+  finalize(model);
   const double lowest = modulus(soft) / 0.08;  // mean depth of the row at the lowered edge, nearly
   const double k = surface_stiffness(model, mesh::surface(model.mesh, "below.z_high"));
   EXPECT_NEAR(k / lowest, 1, 0.03);
@@ -58,11 +58,11 @@ TEST(SurfaceStiffness, IsThatOfTheStiffestElement) {
 
 TEST(SurfaceStiffness, OfPlatesIsTheModulusOverTheThickness) {
   Model model;
-  model.mesh = mesh::tube("tube", {0.5, 2, mesh::Turn::full, 2, 6});
+  model.mesh = mesh::tube("tube", {0.5, 2, mesh::Revolution::full, 2, 6});
   element::Plate::Options plate;
   plate.thickness = 0.02;
   model.blocks.push_back(element::plates(model.mesh, "tube", hard, plate));
-  finish(model);
+  finalize(model);
   EXPECT_NEAR(
       surface_stiffness(model, mesh::surface(model.mesh, "tube.inside")) / (modulus(hard) / 0.02),
       1, 1e-12);
@@ -72,7 +72,7 @@ TEST(SurfaceStiffness, CountsAWedgeAtTheAxisOnce) {
   Model model;
   model.mesh = mesh::wedge("core", {0.5, 0.4, 0.3, 1, 3, 4});
   model.blocks.push_back(element::hexahedra(model.mesh, "core", hard, {}));
-  finish(model);
+  finalize(model);
   for (const char* name : {"core.top", "core.bottom"})
     EXPECT_NEAR(surface_stiffness(model, mesh::surface(model.mesh, name)) / (modulus(hard) / 0.1), 1, 1e-12);  // round-off
 }
@@ -97,7 +97,7 @@ TEST(Connect, ThePenaltyChosenIsHardnessTimesTheSofterSide) {
   for (const bool swapped : {false, true}) {
     Model model = two_boxes(0.01);
     InterfaceOptions options;
-    options.hardness = 7;
+    options.penalty_scale = 7;
     const char* names[] = {"above.z_low", "below.z_high"};
     connect(model, "joint", names[swapped], names[!swapped], options);
     EXPECT_NEAR(model.interfaces[0].penalty / (7 * modulus(soft) / 0.1), 1, 1e-12);
@@ -111,10 +111,10 @@ TEST(Connect, SurfacesNeedNotMatch) {
     const Vec3 middle(0.5, 0.5, 0);
     const mesh::Mesh below = mesh::box("below", {{0, 0, 0}, {1, 1, 0.4}, {4, 4, 2}});
     const mesh::Mesh above = mesh::moved(
-        mesh::turned_about(mesh::box("above", {{0.2, 0.2, 0}, {0.8, 0.8, 0.3}, {3, 3, 1}}), Vec3::UnitZ(), angle, middle), {0, 0, 0.4});
+        mesh::rotated_about(mesh::box("above", {{0.2, 0.2, 0}, {0.8, 0.8, 0.3}, {3, 3, 1}}), Vec3::UnitZ(), angle, middle), {0, 0, 0.4});
     model.mesh = mesh::join(below, above);
     for (const char* name : {"below", "above"}) model.blocks.push_back(element::hexahedra(model.mesh, name, soft, {}));
-    finish(model);
+    finalize(model);
     const mesh::Surface &top = mesh::surface(model.mesh, "below.z_high"), &bottom = mesh::surface(model.mesh, "above.z_low");
     EXPECT_NEAR(mesh::facet_areas(model.mesh, top).sum(), 1, 1e-14);       // round-off
     EXPECT_NEAR(mesh::facet_areas(model.mesh, bottom).sum(), 0.36, 1e-14);
@@ -137,10 +137,10 @@ TEST(Connect, AGivenPenaltyIsTaken) {
   InterfaceOptions options;
   options.penalty_from = PenaltyFrom::value;
   options.penalty = 3e9;
-  options.created_in_a_bounce = 1e-3;
+  options.energy_gain_limit = 1e-3;
   connect(model, "joint", "above.z_low", "below.z_high", options);
   EXPECT_EQ(model.interfaces[0].penalty, 3e9);
-  EXPECT_EQ(model.interfaces[0].bounce_step, contact::step_for_a_bounce(1e-3));
+  EXPECT_EQ(model.interfaces[0].impact_step_factor, contact::impact_step_factor_for(1e-3));
 }
 
 TEST(Connect, WithoutElementsOnOneSideAPenaltyIsNeeded) {
@@ -196,13 +196,13 @@ TEST(Connect, PenetrationsAreReportedAndWhereAcceptedRemoved) {
 }
 
 TEST(Connect, RoundOffIsNoPenetration) {
-  // where surfaces meet at z = 0 the round-off of a map or a turn is larger than any part of the height itself
+  // where surfaces meet at z = 0 the round-off of a map or a rotation is larger than any part of the height itself
   for (const double depth : {1e-22, 1e-9}) {
     Model model;
     model.mesh = mesh::join(mesh::box("below", {{0, 0, -0.4}, {1, 1, 0}, {4, 4, 2}}),
                             mesh::box("above", {{0, 0, -depth}, {1, 1, 0.4}, {3, 3, 2}}));
     for (const char* name : {"below", "above"}) model.blocks.push_back(element::hexahedra(model.mesh, name, soft, {}));
-    finish(model);
+    finalize(model);
     InterfaceOptions options;
     options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
     const Connected joint = connect(model, "joint", "above.z_low", "below.z_high", options)[0];
@@ -212,8 +212,8 @@ TEST(Connect, RoundOffIsNoPenetration) {
 
 TEST(Connect, ApexesOnSymmetryPlanesKnowTheDirectionsTheseAllow) {
   Model model;
-  model.mesh = mesh::join(mesh::cylinder("core", {0.5, 1, mesh::Turn::quarter, 2, 2, 3}),
-                          mesh::tube("skin", {0.51, 1, mesh::Turn::quarter, 2, 3}));
+  model.mesh = mesh::join(mesh::cylinder("core", {0.5, 1, mesh::Revolution::quarter, 2, 2, 3}),
+                          mesh::tube("skin", {0.51, 1, mesh::Revolution::quarter, 2, 3}));
   element::Plate::Options plate;
   plate.thickness = 0.01;
   model.blocks.push_back(element::hexahedra(model.mesh, "core", soft, {}));
@@ -233,7 +233,7 @@ TEST(Connect, ApexesOnSymmetryPlanesKnowTheDirectionsTheseAllow) {
   clamp.normal = Vec3::UnitZ();
   clamp.nodes = mesh::node_set(model.mesh, "core.side");
   model.constraints.planes.push_back(clamp);
-  finish(model);
+  finalize(model);
   const Connected joint = connect(model, "joint", "core.side", "skin.inside", {}).front();
   const contact::Interface& interface = model.interfaces[0];
   ASSERT_EQ(interface.allowed.size(), interface.apexes.size());
@@ -287,7 +287,7 @@ Votes votes_of_matching_boxes(InterfaceOptions options, bool two_passes) {
                           mesh::box("above", {{0, 0, 0.4}, {1, 1, 0.8}, {3, 3, 2}}));
   model.blocks.push_back(element::hexahedra(model.mesh, "below", soft, {}));
   model.blocks.push_back(element::hexahedra(model.mesh, "above", soft, {}));
-  finish(model);
+  finalize(model);
   options.two_passes = two_passes;
   options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
   std::vector<contact::Memory> memories;

@@ -17,7 +17,7 @@ Scene box(const element::AnyLaw& law) {
   Scene s;
   s.model.mesh = mesh::box("box", {Vec3::Zero(), Vec3(0.3, 0.2, 0.2), {3, 2, 2}});
   s.model.blocks.push_back(element::hexahedra(s.model.mesh, "box", law, {}));
-  finish(s.model);
+  finalize(s.model);
   s.ready();
   return s;
 }
@@ -36,7 +36,7 @@ TEST(Displace, AStretchedBarStartsWithItsElasticStressAndEnergy) {
   Mat3 G = Mat3::Zero();
   G.diagonal() = strain * Vec3(1, -poisson, -poisson);  // uniaxial stress
   const element::Vote smallest = displace(s.model, s.state, linear(s.model, G), {});
-  EXPECT_NEAR(smallest.size, 1, 1e-4);
+  EXPECT_NEAR(smallest.volume_ratio, 1, 1e-4);
   EXPECT_NEAR(stress(s, 0) / (young * strain), 1, 1e-3);  // second order in the strain
   EXPECT_NEAR(stress(s, 1) / (young * strain), 0, 1e-3);
   start(s.model, s.state, s.forces);
@@ -97,11 +97,11 @@ TEST(Displace, SaysThatAnElementIsTurnedInsideOut) {
 /// A tube of plates, bent by a field with a gradient.
 Scene tube() {
   Scene s;
-  s.model.mesh = mesh::tube("tube", {0.5, 0.8, mesh::Turn::full, 2, 4});
+  s.model.mesh = mesh::tube("tube", {0.5, 0.8, mesh::Revolution::full, 2, 4});
   element::Plate::Options options;
   options.thickness = 0.01;
   s.model.blocks.push_back(element::plates(s.model.mesh, "tube", material::Elastic{1000, 1e6, 0.3}, options));
-  finish(s.model);
+  finalize(s.model);
   s.ready();
   return s;
 }
@@ -109,7 +109,7 @@ Scene tube() {
 TEST(Displace, ARigidTurnOfPlatesLeavesThemWithoutStress) {
   Scene s = tube();
   const Mat3 G = Eigen::AngleAxisd(1e-3, Vec3(1, 2, 3).normalized()).toRotationMatrix() - Mat3::Identity();
-  displace(s.model, s.state, linear(s.model, G), std::vector<Mat3>(s.model.node_of_turn.size(), G));
+  displace(s.model, s.state, linear(s.model, G), std::vector<Mat3>(s.model.node_of_rotation.size(), G));
   // the straight path cuts the corner by the angle squared
   EXPECT_LT(s.state.blocks[0].stored[Stored::elastic] + s.state.blocks[0].stored[Stored::transverse_shear], 1e-6 * 0.5 * 1e6 * 1e-6 * 0.025);
 }
@@ -130,7 +130,7 @@ TEST(Displace, NormalsOfAPlateFollowItsBending) {
   element::Plate::Options options;
   options.thickness = 0.01;
   s.model.blocks.push_back(element::plates(mesh, "strip", material::Elastic{1000, 1e9, 0}, options));
-  finish(s.model);
+  finalize(s.model);
   s.ready();
   const double kappa = 1e-4;
   Vectors u = Vectors::Zero(3, mesh.X.cols());
@@ -139,7 +139,7 @@ TEST(Displace, NormalsOfAPlateFollowItsBending) {
     const double x = mesh.X(0, n);
     u(2, n) = 0.5 * kappa * x * x;
   }
-  for (const Index n : s.model.node_of_turn) {
+  for (const Index n : s.model.node_of_rotation) {
     Mat3 G = Mat3::Zero();
     G(2, 0) = kappa * mesh.X(0, n);
     gradient.push_back(G);
@@ -156,8 +156,8 @@ TEST(TurnsOf, ARigidRotationAreItsAngularVelocity) {
   const Vec3 omega(3, -2, 5);
   Mat3 L;
   L << 0, -omega.z(), omega.y(), omega.z(), 0, -omega.x(), -omega.y(), omega.x(), 0;
-  const Vectors w = turns_of(s.model, std::vector<Mat3>(s.model.node_of_turn.size(), L));
-  for (Eigen::Index turn = 0; turn < w.cols(); ++turn) EXPECT_NEAR((w.col(turn) - omega).norm(), 0, 1e-14);
+  const Vectors w = angular_velocities_of(s.model, std::vector<Mat3>(s.model.node_of_rotation.size(), L));
+  for (Eigen::Index rotation = 0; rotation < w.cols(); ++rotation) EXPECT_NEAR((w.col(rotation) - omega).norm(), 0, 1e-14);
 }
 
 TEST(TurnsOf, AStretchAlongAFlatPlateAreNone) {
@@ -170,11 +170,11 @@ TEST(TurnsOf, AStretchAlongAFlatPlateAreNone) {
   element::Plate::Options options;
   options.thickness = 0.01;
   s.model.blocks.push_back(element::plates(s.model.mesh, "plate", material::Elastic{1000, 1e6, 0.3}, options));
-  finish(s.model);
+  finalize(s.model);
   s.ready();
   Mat3 L = Mat3::Zero();
   L(0, 0) = 1, L(1, 1) = -2, L(2, 2) = 3;
-  EXPECT_EQ(turns_of(s.model, std::vector<Mat3>(3, L)).norm(), 0);
+  EXPECT_EQ(angular_velocities_of(s.model, std::vector<Mat3>(3, L)).norm(), 0);
 }
 
 }  // namespace

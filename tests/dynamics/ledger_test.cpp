@@ -39,12 +39,12 @@ TEST(Ledger, CreatedEnergyIsHeldAgainstTheLargestThatWasThere) {
   EXPECT_EQ(energy_scale(ledger), 0);
   ledger.accounts = {block()};
   Account force, gravity, brake;
-  force.work = 7, force.stored[Stored::outside] = -7;
+  force.work = 7, force.stored[Stored::external_work] = -7;
   gravity.work = 2, gravity.stored[Stored::potential] = -2;
-  brake.work = -4, brake.stored[Stored::outside] = 4;
+  brake.work = -4, brake.stored[Stored::external_work] = 4;
   ledger.accounts.insert(ledger.accounts.end(), {force, gravity, brake});
-  EXPECT_EQ(work_from_outside(ledger), 9);
-  ledger.brought_in = 9;
+  EXPECT_EQ(work_from_loads(ledger), 9);
+  ledger.external_work = 9;
   EXPECT_EQ(energy_scale(ledger), 9);
   ledger.accounts[1].work = 1;  // it took some back: the scale does not fall
   EXPECT_EQ(energy_scale(ledger), 9);

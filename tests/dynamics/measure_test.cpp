@@ -28,7 +28,7 @@ struct Scene {
       model.mesh = model.mesh.X.cols() == 0 ? here : mesh::join(model.mesh, here);
     }
     for (const auto& [name, x] : from) model.blocks.push_back(element::hexahedra(model.mesh, name, rubber, inviscid));
-    finish(model);
+    finalize(model);
   }
   void ready() { state = initial_state(model, {}), forces = make_forces(model); }
   View view() const { return {model, state, forces, true}; }
@@ -82,7 +82,7 @@ TEST(OfBody, IsTheMeanOverTheVolumeOrTheLargestElement) {
   const Vectors start = scene.state.x;
   scene.forces.dx = dt * scene.state.v;
   scene.state.x += scene.forces.dx;
-  element::advance(scene.model.blocks[0], scene.state.x, scene.forces.dx, scene.forces.turn, dt, scene.state.blocks[0], scene.state.tiles[0]);
+  element::advance(scene.model.blocks[0], scene.state.x, scene.forces.dx, scene.forces.rotation, dt, scene.state.blocks[0], scene.state.tiles[0]);
   const double largest = of_body(scene.view(), {0}, "stress", 0, Take::largest), mean = of_body(scene.view(), {0}, "stress", 0, Take::mean);
   EXPECT_NEAR(largest / (1.2e6 * rate * dt), 1, 1e-5);  // lambda + 2 mu; strains of the middle of a step of 1e-6
   EXPECT_NEAR(mean, largest / 2, 1e-12 * largest);      // the other cell has half of the volume and no stress

@@ -18,7 +18,7 @@ const material::J2Bilinear steel{7800, 2e11, 0.3, 3e8, 2e9};
 Model box_and_tube() {
   Model model;
   model.mesh = mesh::join(mesh::box("box", {{1, 1, 0}, {2, 3, 4}, {7, 6, 8}}),
-                          mesh::tube("tube", {0.5, 2, mesh::Turn::full, 2, 6}));
+                          mesh::tube("tube", {0.5, 2, mesh::Revolution::full, 2, 6}));
   element::Plate::Options plate;
   plate.thickness = 0.01;
   model.blocks.push_back(element::hexahedra(model.mesh, "box", lead, {}));
@@ -28,7 +28,7 @@ Model box_and_tube() {
 
 TEST(Model, NodesCarryTheMassOfTheBodies) {
   Model model = box_and_tube();
-  finish(model);
+  finalize(model);
   const Index in_box = static_cast<Index>(mesh::node_set(model.mesh, "box").size());
   EXPECT_NEAR(model.mass.head(in_box).sum(), 11000 * 8.0, 1e-9);
   const double area =
@@ -44,29 +44,29 @@ TEST(Model, ANodeWithoutElementNeedsAPointMass) {
   Model model;
   model.mesh.X = Vectors::Zero(3, 2);
   model.point_masses.push_back({"first", {0}, 2.0});
-  EXPECT_THROW(finish(model), InternalError);
+  EXPECT_THROW(finalize(model), InternalError);
   model.point_masses.push_back({"both", {0, 1}, 3.0});
-  finish(model);
+  finalize(model);
   EXPECT_EQ(model.mass(0), 3.5);
   EXPECT_EQ(model.mass(1), 1.5);
 }
 
 TEST(Model, OnlyPlatesTurnAndEachOfTheirNodesHasOneColumn) {
   Model model = box_and_tube();
-  finish(model);
+  finalize(model);
   const Subset& box = mesh::node_set(model.mesh, "box");
   const Subset& tube = mesh::node_set(model.mesh, "tube");
-  ASSERT_EQ(model.node_of_turn.size(), tube.size());
+  ASSERT_EQ(model.node_of_rotation.size(), tube.size());
   ASSERT_EQ(model.inertia.size(), static_cast<Eigen::Index>(tube.size()));
-  for (const Index node : box) EXPECT_EQ(model.turn_of_node[node], -1);
-  for (std::size_t turn = 0; turn < model.node_of_turn.size(); ++turn)
-    EXPECT_EQ(model.turn_of_node[model.node_of_turn[turn]], static_cast<Index>(turn));
+  for (const Index node : box) EXPECT_EQ(model.rotation_of_node[node], -1);
+  for (std::size_t rotation = 0; rotation < model.node_of_rotation.size(); ++rotation)
+    EXPECT_EQ(model.rotation_of_node[model.node_of_rotation[rotation]], static_cast<Index>(rotation));
   EXPECT_GT(model.inertia.minCoeff(), 0);
 }
 
 TEST(Model, NodesSharedByTwoBlocksOfPlatesTurnAsOne) {
   Model model;
-  model.mesh = mesh::tube("tube", {0.5, 2, mesh::Turn::full, 2, 6});
+  model.mesh = mesh::tube("tube", {0.5, 2, mesh::Revolution::full, 2, 6});
   const Table<3> all = model.mesh.triangles[0].nodes;
   model.mesh.triangles[0].nodes = all.leftCols(all.cols() / 2);
   model.mesh.triangles.push_back({"rest", all.rightCols(all.cols() - all.cols() / 2)});
@@ -74,26 +74,26 @@ TEST(Model, NodesSharedByTwoBlocksOfPlatesTurnAsOne) {
   plate.thickness = 0.01;
   model.blocks.push_back(element::plates(model.mesh, "tube", steel, plate));
   model.blocks.push_back(element::plates(model.mesh, "rest", lead, plate));
-  finish(model);
-  EXPECT_EQ(static_cast<Eigen::Index>(model.node_of_turn.size()), model.mesh.X.cols());
+  finalize(model);
+  EXPECT_EQ(static_cast<Eigen::Index>(model.node_of_rotation.size()), model.mesh.X.cols());
   EXPECT_GT(model.inertia.minCoeff(), 0);
 }
 
 TEST(Model, FinishingTwiceChangesNothing) {
   Model model = box_and_tube();
-  finish(model);
+  finalize(model);
   const Model once = model;
-  finish(model);
+  finalize(model);
   EXPECT_EQ(once.mass, model.mass);
   EXPECT_EQ(once.inertia, model.inertia);
-  EXPECT_EQ(once.node_of_turn, model.node_of_turn);
+  EXPECT_EQ(once.node_of_rotation, model.node_of_rotation);
   EXPECT_EQ(once.node_sums.size(), model.node_sums.size());
 }
 
 TEST(Model, ANodeWithoutElementIsRefused) {
   Model model = box_and_tube();
   model.blocks.pop_back();
-  EXPECT_THROW(finish(model), InternalError);
+  EXPECT_THROW(finalize(model), InternalError);
 }
 
 TEST(Model, TheInitialStateIsAtRestWithOneAccountForEverySource) {
@@ -102,22 +102,22 @@ TEST(Model, TheInitialStateIsAtRestWithOneAccountForEverySource) {
   load::Plane floor, symmetry, held;
   floor.name = "floor", floor.kind = load::PlaneKind::floor, floor.nodes = {0};
   symmetry.name = "mirror", symmetry.kind = load::PlaneKind::symmetry, symmetry.nodes = {1};
-  held.name = "clamp", held.kind = load::PlaneKind::held, held.nodes = {2};
+  held.name = "clamp", held.kind = load::PlaneKind::constrained, held.nodes = {2};
   model.constraints.planes = {floor, symmetry, held};
-  finish(model);
+  finalize(model);
   contact::RigidPlane wall;
   wall.name = "wall", wall.point = Vec3::Zero(), wall.normal = Vec3::UnitZ();
   model.rigid_planes.push_back(wall);
   const State state = initial_state(model, {});
   EXPECT_EQ(state.x, model.mesh.X);
-  EXPECT_TRUE(state.v.isZero(0) && state.w.isZero(0));
-  EXPECT_EQ(state.w.cols(), model.inertia.size());
+  EXPECT_TRUE(state.v.isZero(0) && state.omega.isZero(0));
+  EXPECT_EQ(state.omega.cols(), model.inertia.size());
   std::vector<std::string> names;
   const std::vector<Source> all = sources(model);
   for (const Source& source : all) names.push_back(std::string(word(source.kind)) + " " + source.name);
   EXPECT_EQ(names,
             (std::vector<std::string>{"block box", "block tube", "rigid_plane wall", "floor floor",
-                                      "symmetry mirror", "held clamp", "gravity gravity"}));
+                                      "symmetry mirror", "constrained clamp", "gravity gravity"}));
   EXPECT_EQ(all[0].stored[1], Stored::hourglass);
   EXPECT_EQ(all[1].stored[1], Stored::transverse_shear);
   EXPECT_EQ(state.ledger.accounts.size(), all.size());
@@ -125,7 +125,7 @@ TEST(Model, TheInitialStateIsAtRestWithOneAccountForEverySource) {
 
 TEST(Model, AnInterfaceWithoutMemoryIsRefused) {
   Model model = box_and_tube();
-  finish(model);
+  finalize(model);
   model.interfaces.emplace_back();
   EXPECT_THROW(initial_state(model, {}), InternalError);
 }

@@ -35,7 +35,7 @@ Model box(const Vec3& size, const Eigen::Vector3i& cells, const Elastic& law, bo
 Model sheet(double side, int cells, double thickness, double angle = 0) {
   Model model;
   model.mesh = mesh::sheet("a", {.length = side, .width = side, .cells_along = cells, .cells_across = cells, .cuts = mesh::Cuts::crossed});
-  if (angle != 0) model.mesh = mesh::turned_about(std::move(model.mesh), Vec3(1, 2, 3).normalized(), angle, Vec3::Zero());
+  if (angle != 0) model.mesh = mesh::rotated_about(std::move(model.mesh), Vec3(1, 2, 3).normalized(), angle, Vec3::Zero());
   const element::Plate::Options options{.thickness = thickness, .layers = 2, .rotary_inertia = element::Plate::RotaryInertia::physical,
                                         .viscosity = none};
   model.blocks.push_back(element::plates(model.mesh, "a", steel, options));
@@ -55,7 +55,7 @@ double omega(const Mode& mode) { return 2 * pi * mode.frequency; }
 double mass_of(const Model& model, const Mode& mode) {
   double sum = 0;
   for (Eigen::Index n = 0; n < mode.shape.cols(); ++n) sum += model.mass(n) * mode.shape.col(n).squaredNorm();
-  for (Eigen::Index n = 0; n < mode.turns.cols(); ++n) sum += model.inertia(n) * mode.turns.col(n).squaredNorm();
+  for (Eigen::Index n = 0; n < mode.rotations.cols(); ++n) sum += model.inertia(n) * mode.rotations.col(n).squaredNorm();
   return sum;
 }
 
@@ -64,9 +64,9 @@ TEST(Modes, OfABarAreThoseOfAChain) {
   const double h = 0.5, c = std::sqrt(steel.young / steel.density);
   Model model = box({cells * h, 0.1, 0.1}, {cells, 1, 1}, {7850, 2.1e11, 0});
   hold(model, "a.x_low", PlaneKind::fixed, Vec3::UnitX());
-  hold(model, "a", PlaneKind::held, Vec3::UnitY());
-  hold(model, "a", PlaneKind::held, Vec3::UnitZ());
-  finish(model);
+  hold(model, "a", PlaneKind::constrained, Vec3::UnitY());
+  hold(model, "a", PlaneKind::constrained, Vec3::UnitZ());
+  finalize(model);
   const Modes modes = find_modes(model, 3, 1);
   ASSERT_EQ(modes.lowest.size(), 3U);
   EXPECT_EQ(modes.freedoms, 4 * cells);
@@ -80,7 +80,7 @@ TEST(Modes, OfAFreeBrickHaveTheHighestInClosedForm) {
     for (const double poisson : {0.0, 0.3, 0.49})
       for (const bool full : {false, true}) {
         Model model = box(h, {1, 1, 1}, {7850, 2.1e11, poisson}, full);
-        finish(model);
+        finalize(model);
         const auto lame = material::lame(Elastic{7850, 2.1e11, poisson});
         Mat3 M;
         for (int i = 0; i < 3; ++i)
@@ -105,7 +105,7 @@ TEST(Modes, HaveASymmetricStiffness) {
 
 TEST(Modes, OfAFreeSolidBeginWithSixRigidOnes) {
   Model model = solid(mesh::sphere("a", {.radius = 1, .part = mesh::SpherePart::full, .cells_core = 2, .cells_ring = 2}), steel, true);
-  finish(model);
+  finalize(model);
   const Modes modes = find_modes(model, 8, 1);  // so many freedoms that the matrix stays sparse
   EXPECT_GT(modes.freedoms, 300);
   EXPECT_TRUE(modes.complete);
@@ -117,7 +117,7 @@ TEST(Modes, OfAFreeSolidBeginWithSixRigidOnes) {
 TEST(Modes, OfAPlateLeaveOutTurnsAboutItsNormal) {
   for (const double angle : {0.0, 0.7}) {
     Model model = sheet(1, 8, 0.01, angle);
-    finish(model);
+    finalize(model);
     const Modes modes = find_modes(model, 12, 1);
     const Eigen::Index nodes = model.mesh.X.cols();
     EXPECT_EQ(modes.drilling, nodes);
@@ -133,9 +133,9 @@ TEST(Modes, OfAPlateLeaveOutTurnsAboutItsNormal) {
 
 TEST(Modes, ComeInPairsWhereTheShapeIsSymmetric) {
   Model model = sheet(1, 8, 0.01);
-  for (const char* edge : {"a.x_low", "a.x_high", "a.y_low", "a.y_high"}) hold(model, edge, PlaneKind::held, Vec3::UnitZ());
-  hold(model, "a", PlaneKind::held, Vec3::UnitX()), hold(model, "a", PlaneKind::held, Vec3::UnitY());
-  finish(model);
+  for (const char* edge : {"a.x_low", "a.x_high", "a.y_low", "a.y_high"}) hold(model, edge, PlaneKind::constrained, Vec3::UnitZ());
+  hold(model, "a", PlaneKind::constrained, Vec3::UnitX()), hold(model, "a", PlaneKind::constrained, Vec3::UnitY());
+  finalize(model);
   const Modes modes = find_modes(model, 6, 2);  // waves 1 and 2; 1 and 3 are of one symmetry and may part
   EXPECT_TRUE(modes.complete);
   EXPECT_EQ(modes.without_stiffness, 0);
@@ -149,7 +149,7 @@ TEST(Modes, OfAHalfAreAmongThoseOfTheWhole) {
   hold(half, "a.x_high", PlaneKind::symmetry, Vec3::UnitX());
   finish(whole), finish(half);
   const Modes all = find_modes(whole, 12, 1), some = find_modes(half, 6, 1);
-  EXPECT_EQ(some.without_stiffness, 3);  // two shifts and the turn about the normal
+  EXPECT_EQ(some.without_stiffness, 3);  // two shifts and the rotation about the normal
   double nearest = 1e300;
   for (const Mode& mode : all.lowest) nearest = std::min(nearest, std::abs(mode.frequency / some.lowest[3].frequency - 1));
   EXPECT_LT(nearest, 1e-8);
@@ -158,8 +158,8 @@ TEST(Modes, OfAHalfAreAmongThoseOfTheWhole) {
 TEST(Modes, SeeSpringsAndPointMasses) {
   Model model = box({0.1, 0.1, 0.1}, {1, 1, 1}, steel);
   model.point_masses.push_back({"m", mesh::node_set(model.mesh, "a"), 20});
-  finish(model);
-  hold(model, "a", PlaneKind::held, Vec3::UnitX()), hold(model, "a", PlaneKind::held, Vec3::UnitY());
+  finalize(model);
+  hold(model, "a", PlaneKind::constrained, Vec3::UnitX()), hold(model, "a", PlaneKind::constrained, Vec3::UnitY());
   const double k = 1000;
   for (Index node = 0; node < 8; ++node)
     model.loads.emplace_back(load::spring_to_point("s" + std::to_string(node), model.mesh.X, node,

@@ -36,12 +36,12 @@ Scene hanging(const element::AnyLaw& law, double gravity, int cells, const eleme
   Scene s;
   s.model.mesh = mesh::box("bar", {Vec3::Zero(), Vec3(0.1, 0.1, 1), {1, 1, cells}});
   s.model.blocks.push_back(element::hexahedra(s.model.mesh, "bar", law, options));
-  s.model.constraints.planes = {plane("top", PlaneKind::held, Vec3::UnitZ(), mesh::node_set(s.model.mesh, "bar.z_high")),
+  s.model.constraints.planes = {plane("top", PlaneKind::constrained, Vec3::UnitZ(), mesh::node_set(s.model.mesh, "bar.z_high")),
                                 plane("x", PlaneKind::symmetry, Vec3::UnitX(), mesh::node_set(s.model.mesh, "bar.x_low")),
                                 plane("y", PlaneKind::symmetry, Vec3::UnitY(), mesh::node_set(s.model.mesh, "bar.y_low"))};
   s.model.gravity = {0, 0, -gravity};
   s.model.relaxation = Relaxation{};
-  finish(s.model);
+  finalize(s.model);
   s.ready();
   return s;
 }
@@ -109,7 +109,7 @@ TEST(Relaxation, AStripOfPlatesBendsAsABeamUnderAnEndForce) {
   s.model.blocks.push_back(element::plates(mesh, "strip", material::Elastic{1000, young, 0}, options));
   s.model.constraints.planes = {plane("clamp", PlaneKind::fixed, Vec3::UnitZ(), clamped)};
   s.model.relaxation = Relaxation{};
-  finish(s.model);
+  finalize(s.model);
   const auto none = [](double) { return 0.0; };
   s.model.loads.emplace_back(load::NodalForce{"force", end, {none, none, [=](double) { return force; }}});
   s.ready();
@@ -130,7 +130,7 @@ Scene pressed() {
   s.model.mesh = mesh::box("bar", {Vec3::Zero(), Vec3(0.2, 0.2, 0.2), {2, 2, 2}});
   s.model.blocks.push_back(element::hexahedra(s.model.mesh, "bar", material::Elastic{1000, 1e7, 0.3}, usual));
   s.model.relaxation = Relaxation{};
-  finish(s.model);
+  finalize(s.model);
   s.model.loads.emplace_back(load::pressure_on("pressure", s.model.mesh, mesh::surface(s.model.mesh, "bar.z_high"), [](double) { return 1e3; }));
   return s;
 }

@@ -19,7 +19,7 @@ Scene box(const Eigen::Vector3i& cells = {2, 2, 2}) {
   Scene s;
   s.model.mesh = mesh::box("box", {Vec3::Zero(), 0.1 * cells.cast<double>(), cells});
   s.model.blocks.push_back(element::hexahedra(s.model.mesh, "box", rubber, inviscid));
-  finish(s.model);
+  finalize(s.model);
   s.ready();
   return s;
 }
@@ -39,7 +39,7 @@ struct Collision {
 };
 
 /// Bar A runs into bar B at rest; stress, duration and velocities, from the motion of B alone.
-Collision collide(bool swapped, const element::Hexahedron::Options& element, double hardness) {
+Collision collide(bool swapped, const element::Hexahedron::Options& element, double penalty_scale) {
   const Bars bars;
   Scene s;
   const double from = bars.length + bars.gap;
@@ -50,10 +50,10 @@ Collision collide(bool swapped, const element::Hexahedron::Options& element, dou
   const material::Elastic steel{bars.density, bars.young, 0};
   s.model.blocks.push_back(element::hexahedra(s.model.mesh, "A", steel, element));
   s.model.blocks.push_back(element::hexahedra(s.model.mesh, "B", steel, element));
-  finish(s.model);
+  finalize(s.model);
   InterfaceOptions options;
   options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
-  options.hardness = hardness;
+  options.penalty_scale = penalty_scale;
   if (swapped)
     s.joined("joint", "B.x_low", "A.x_high", options);
   else
@@ -197,7 +197,7 @@ TEST(Run, StopsWhereAPositionIsNoNumber) {
                               mesh::box("two", {{2, 0, 0}, {3, 1, 1}, {6, 6, 6}}));
     for (const char* name : {"one", "two"})
       s.model.blocks.push_back(element::hexahedra(s.model.mesh, name, rubber, inviscid));
-    finish(s.model);
+    finalize(s.model);
     s.ready();
     s.move("one", {0.1, 0, 0});
     const Index node = mesh::node_set(s.model.mesh, first ? "one" : "two").front();
@@ -227,7 +227,7 @@ Scene sliding() {
                  mesh::box("above", {{-0.21, 0.15, 0.201}, {-0.01, 0.25, 0.3}, {2, 1, 1}}));
   s.model.blocks.push_back(element::hexahedra(s.model.mesh, "below", rubber, inviscid));
   s.model.blocks.push_back(element::hexahedra(s.model.mesh, "above", rubber, inviscid));
-  finish(s.model);
+  finalize(s.model);
   return s;
 }
 
@@ -264,12 +264,12 @@ Scene careless(const Vec3& gravity = Vec3::Zero(), double speed = 3) {
     ground.nodes = mesh::node_set(s.model.mesh, "below.z_low");
     s.model.constraints.planes.push_back(ground);
   }
-  finish(s.model);
+  finalize(s.model);
   InterfaceOptions options;
   options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
-  options.hardness = 30;
+  options.penalty_scale = 30;
   s.joined("joint", "above.z_low", "below.z_high", options);
-  s.model.interfaces[0].bounce_step = 1.9;  // the linear bound, nearly
+  s.model.interfaces[0].impact_step_factor = 1.9;  // the linear bound, nearly
   s.ready();
   s.move("above", {0, 0, -speed});
   return s;
@@ -295,7 +295,7 @@ TEST(Run, ThatStartsAtRestIsHeldAgainstTheEnergyThatGravityBroughtIn) {
   EXPECT_EQ(outcome.block, "joint");
   EXPECT_NE(outcome.reason.find("of the energy brought in"), std::string::npos) << outcome.reason;
   EXPECT_GT(energy_scale(ledger), 0);
-  EXPECT_GE(energy_scale(ledger), work_from_outside(ledger));
+  EXPECT_GE(energy_scale(ledger), work_from_loads(ledger));
   EXPECT_GT(created(ledger.accounts[2]), 0.05 * energy_scale(ledger));
 }
 

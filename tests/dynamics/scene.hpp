@@ -63,38 +63,38 @@ inline std::vector<std::pair<std::string, std::vector<double>>> numbers(const St
     for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(array.size()); ++i) add(array.data()[i]);
   };
   part("time"), add(s.t, s.dt, s.step);
-  part("positions and velocities"), all(s.x), all(s.v), all(s.w);
+  part("positions and velocities"), all(s.x), all(s.v), all(s.omega);
   for (const auto& block : s.blocks) part("block"), all(block.rows), add(block.work);
   for (const auto& tiles : s.tiles) part("forces of a block"), all(tiles.force), all(tiles.moment);
   for (const contact::Memory& c : s.interfaces) {
     part("interface");
     for (const auto& feature : c.feature) add(feature.facet, static_cast<int>(feature.kind), feature.local);
     for (const auto status : c.status) add(static_cast<int>(status));
-    all(c.gap), all(c.stored), all(c.stick_stored), all(c.reconnections), all(c.angular_impulse);
+    all(c.gap), all(c.stored), all(c.tangential_stored), all(c.reconnections), all(c.angular_impulse);
     for (const Vec3& slip : c.slip) all(slip);
     for (const auto& element : c.elements) all(element.apex), add(element.closed, element.count, element.scale, element.stiffness);
     for (const auto& friction : c.friction) all(friction.force), add(friction.acts);
-    add(c.work, c.damped, c.rubbed, c.created_by_reconnection, c.deepest, c.walks, c.lost, c.recovered, c.updates);
+    add(c.work, c.damped, c.friction_dissipated, c.created_by_reconnection, c.deepest, c.walks, c.unpaired, c.recovered, c.updates);
   }
   for (const contact::PlaneMemory& p : s.rigid_planes) {
-    part("rigid plane"), all(p.force), all(p.impulse), all(p.angular_impulse), add(p.work, p.stored, p.stick_stored, p.rubbed, p.deepest);
+    part("rigid plane"), all(p.force), all(p.impulse), all(p.angular_impulse), add(p.work, p.stored, p.tangential_stored, p.friction_dissipated, p.deepest);
     for (const Vec3& slip : p.slip) all(slip);
   }
   part("constraints");
-  for (const auto& plane : s.constraints.account) all(plane.impulse), all(plane.angular_impulse), add(plane.caught, plane.driven);
-  for (const auto& caught : s.constraints.caught) all(caught);
+  for (const auto& plane : s.constraints.account) all(plane.impulse), all(plane.angular_impulse), add(plane.stopped, plane.driven);
+  for (const auto& stopped : s.constraints.stopped) all(stopped);
   for (const auto& load : s.loads)
     part("load"), all(load.force), all(load.moment), all(load.impulse), all(load.angular_impulse), add(load.work, load.stored, load.dissipated);
-  part("relaxation"), all(s.relaxation.x), all(s.relaxation.turned), all(s.relaxation.force), all(s.relaxation.moment), all(s.relaxation.w);
+  part("relaxation"), all(s.relaxation.x), all(s.relaxation.turned), all(s.relaxation.force), all(s.relaxation.moment), all(s.relaxation.omega);
   add(s.relaxation.removed, s.relaxation.residual, s.relaxation.most_force, s.relaxation.most_kinetic, s.relaxation.balanced, s.relaxation.since);
-  part("ledger"), add(s.ledger.initial_kinetic, s.ledger.kinetic, s.ledger.integration, s.ledger.brought_in);
+  part("ledger"), add(s.ledger.initial_kinetic, s.ledger.kinetic, s.ledger.integration, s.ledger.external_work);
   all(s.ledger.momentum), all(s.ledger.angular_momentum);
   for (const Account& a : s.ledger.accounts) {
     part("account"), add(a.work, a.created_by_reconnection), all(a.impulse), all(a.angular_impulse);
     for (int c = 0; c < 7; ++c) add(a.stored[Stored(c)], a.at_start[Stored(c)], a.dissipated[Dissipated(c)]);
   }
   part("votes"), add(s.votes.elements.step, s.votes.elements.source, s.votes.elements.at, s.votes.contact.step, s.votes.contact.source,
-                     s.votes.contact.at, s.votes.size, s.votes.smallest_block, s.votes.smallest_element);
+                     s.votes.contact.at, s.votes.volume_ratio, s.votes.smallest_block, s.votes.smallest_element);
   part("progress"), add(s.progress.started, s.progress.first_step, s.progress.updates, s.progress.ledger_is_current,
                         s.progress.smallest.dt, s.progress.smallest.source, s.progress.smallest.at, s.progress.largest_step);
   for (const ProbeMemory& p : s.probes) {

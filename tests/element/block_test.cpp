@@ -49,7 +49,7 @@ Scene finish(mesh::Mesh mesh, AnyBlock block) {
   const auto count = mesh.X.cols();
   std::vector<Index> turning;
   for (Index n = 0; n < count; ++n) turning.push_back(n);
-  if (rotates(block)) set_turning(block, turning);
+  if (rotates(block)) set_rotations(block, turning);
   Scene scene{mesh,
               block,
               mesh.X,
@@ -73,10 +73,10 @@ Scene skin(const AnyLaw& law) {
 }
 
 /// What the tiles exert, summed by node.
-Vectors by_node(const Scene& s, const Vectors& places) {
+Vectors by_node(const Scene& s, const Vectors& slots) {
   Vectors sum = Vectors::Zero(3, s.x.cols());
   for (std::size_t p = 0; p < tiling(s.block).node.size(); ++p)
-    sum.col(tiling(s.block).node[p]) += places.col(p);
+    sum.col(tiling(s.block).node[p]) += slots.col(p);
   return sum;
 }
 
@@ -116,15 +116,15 @@ void solids_are_the_sum_of_their_elements(const Law& law, const typename Kind::O
                                   one[e], f);
       for (int a = 0; a < 8; ++a) force.col(block.nodes(a, e)) += Vec3(f[a].x, f[a].y, f[a].z);
       if (report.step < least_step) least_step = report.step, step_at = e;
-      if (report.size < least_size) least_size = report.size, size_at = e;
+      if (report.volume_ratio < least_size) least_size = report.volume_ratio, size_at = e;
       stored += total(report.stored);
       dissipated += total(report.dissipated);
     }
     EXPECT_LT((by_node(s, s.forces.force) - force).norm(), 1e-12 * force.norm());
     EXPECT_NEAR(vote.step, least_step, 1e-12 * least_step);
-    EXPECT_NEAR(vote.size, least_size, 1e-12);
+    EXPECT_NEAR(vote.volume_ratio, least_size, 1e-12);
     EXPECT_EQ(vote.step_element, step_at);
-    EXPECT_EQ(vote.size_element, size_at);
+    EXPECT_EQ(vote.volume_element, size_at);
     double reported = 0, lost = 0;
     for (const auto& report : s.forces.reports) {
       reported += total(report.stored);
@@ -159,7 +159,7 @@ void plates_are_the_sum_of_their_elements(const Law& law) {
       for (int a = 0; a < 3; ++a) {
         const Index n = block.nodes(a, e);
         X[a] = column(s.mesh.X, n), x[a] = column(s.x, n), v[a] = 0.1 * column(s.v, n),
-        w[a] = 0.1 * column(s.w, n);
+        w[a] = 0.1 * column(s.omega, n);
       }
       const auto report = advance(law, block.options, block.layers,
                                   constants(law, block.options, X), x, v, w, 0.1, one[e], f, m);
@@ -168,12 +168,12 @@ void plates_are_the_sum_of_their_elements(const Law& law) {
         moment.col(block.nodes(a, e)) += Vec3(m[a].x, m[a].y, m[a].z);
       }
       least_step = std::min(least_step, report.step),
-      least_size = std::min(least_size, report.size);
+      least_size = std::min(least_size, report.volume_ratio);
     }
     EXPECT_LT((by_node(s, s.forces.force) - force).norm(), 1e-12 * force.norm());
     EXPECT_LT((by_node(s, s.forces.moment) - moment).norm(), 1e-12 * moment.norm());
     EXPECT_NEAR(vote.step, least_step, 1e-12 * least_step);
-    EXPECT_NEAR(vote.size, least_size, 1e-12);
+    EXPECT_NEAR(vote.volume_ratio, least_size, 1e-12);
   }
 }
 
@@ -208,7 +208,7 @@ TEST(Block, ElasticCycleGivesItsWorkBack) {
     double most = 0;
     constexpr int steps = 400;
     for (int step = 0; step < steps; ++step) {  // out along half a cosine, and back
-      const Vectors to = s.mesh.X + 0.01 * (1 - std::cos(2 * pi * (step + 1) / steps)) * Vectors(s.w);
+      const Vectors to = s.mesh.X + 0.01 * (1 - std::cos(2 * pi * (step + 1) / steps)) * Vectors(s.omega);
       s.v = to - s.x;
       s.move(1.0);
       most = std::max(most, -s.memory.work);
@@ -249,9 +249,9 @@ TEST(Block, NamesAnInvertedElement) {
       x.col(corners(a, element)) = s.x.col(corners(a + 4, element));
       x.col(corners(a + 4, element)) = s.x.col(corners(a, element));
     }
-    const Vote vote = advance(s.block, x, Vectors::Zero(3, x.cols()), s.w, 0.0, s.memory, s.forces);
-    EXPECT_LT(vote.size, 0);
-    EXPECT_EQ(vote.size_element, element);
+    const Vote vote = advance(s.block, x, Vectors::Zero(3, x.cols()), s.omega, 0.0, s.memory, s.forces);
+    EXPECT_LT(vote.volume_ratio, 0);
+    EXPECT_EQ(vote.volume_element, element);
   }
 }
 
@@ -262,11 +262,11 @@ TEST(Block, ReportsPositionsThatAreNoNumbersWhereverTheyAre) {
       Scene s = start;
       s.x(1, corners(0, element)) = std::numeric_limits<double>::quiet_NaN();
       const Vote vote = s.move(0.0);
-      EXPECT_TRUE(std::isnan(vote.size)) << "element " << element;
-      ASSERT_GE(vote.size_element, 0);
+      EXPECT_TRUE(std::isnan(vote.volume_ratio)) << "element " << element;
+      ASSERT_GE(vote.volume_element, 0);
       bool touches = false;
       for (Index a = 0; a < corners.rows(); ++a)
-        touches |= corners(a, vote.size_element) == corners(0, element);
+        touches |= corners(a, vote.volume_element) == corners(0, element);
       EXPECT_TRUE(touches);
     }
   }
@@ -304,7 +304,7 @@ TEST(Block, OfPlatesHasMassAndRotaryInertiaOfTheSkin) {
   Index columns = 0;
   for (const Index n : mesh::surface_nodes(mesh::surface(plain, "box.z_high")))
     turning[n] = columns++;
-  set_turning(block, turning);
+  set_rotations(block, turning);
   Scalars mass = Scalars::Zero(plain.X.cols()), inertia = Scalars::Zero(columns);
   add_mass(block, mass);
   add_rotary_inertia(block, inertia);
@@ -406,7 +406,7 @@ TEST(Block, FieldsOfPlatesAreMeansInTheGlobalFrame) {
   Scene s = finish(std::move(mesh), std::move(block));
   Mat3 strain = Mat3::Zero();
   strain.topLeftCorner<2, 2>() << 1e-6, 3e-6, 3e-6, -4e-6;
-  s.v = R * strain * R.transpose() * s.x, s.w.setZero();
+  s.v = R * strain * R.transpose() * s.x, s.omega.setZero();
   s.move(1.0);
   const Plane<double> p = material::hooke(elastic, Plane<double>{1e-6, -4e-6, 3e-6});
   Mat3 stress = Mat3::Zero();

@@ -196,7 +196,7 @@ TYPED_TEST(PlateOf, RigidRotationByAFiniteAngleTurnsResultantsAndNothingElse) {
     EXPECT_NEAR(report.stored[1], 0, 1e-16);
     EXPECT_EQ(report[Dissipated::plastic], 0);
     EXPECT_NEAR(report[Dissipated::viscous], 0, 1e-16);
-    EXPECT_NEAR(report.size, 1, 1e-13);
+    EXPECT_NEAR(report.volume_ratio, 1, 1e-13);
   }
 }
 

@@ -23,7 +23,7 @@ struct WithEachLaw<Kind, ::testing::Types<Laws...>> {
 inline Hexahedron::Options inviscid_of(Hexahedron) { return {.hourglass = 0.4, .viscosity = no_viscosity}; }
 inline FullHexahedron::Options inviscid_of(FullHexahedron) { return {.viscosity = no_viscosity}; }
 
-/// What round-off leaves of an elastic energy that is zero, and of what is remembered after a turn, by the size of the stress.
+/// What round-off leaves of an elastic energy that is zero, and of what is remembered after a rotation, by the size of the stress.
 inline double energy_round_off(Hexahedron) { return 1e-16; }
 inline double energy_round_off(FullHexahedron) { return 1e-15; }
 inline double memory_round_off(Hexahedron, double stress) { return 1e-12 * stress; }
@@ -68,7 +68,7 @@ TYPED_TEST_P(EverySolid, RigidRotationByAFiniteAngleTurnsStressAndNothingElse) {
     EXPECT_NEAR(report[Stored::hourglass], 0, 1e-15);
     EXPECT_EQ(report[Dissipated::plastic], 0);
     EXPECT_NEAR(report[Dissipated::viscous], 0, 1e-16);
-    EXPECT_NEAR(report.size, size, 1e-14);
+    EXPECT_NEAR(report.volume_ratio, size, 1e-14);
   }
 }
 
@@ -138,7 +138,7 @@ TYPED_TEST_P(EverySolid, AdvanceIsFrameIndifferent) {
     for (std::size_t c = 0; c < report.stored.size(); ++c) EXPECT_NEAR(same.stored[c], report.stored[c], 1e-13);
     for (std::size_t c = 0; c < report.dissipated.size(); ++c) EXPECT_NEAR(same.dissipated[c], report.dissipated[c], 1e-13);
     EXPECT_NEAR(same.step, report.step, 1e-12 * report.step);
-    EXPECT_NEAR(same.size, report.size, 1e-13);
+    EXPECT_NEAR(same.size, report.volume_ratio, 1e-13);
   }
 }
 
@@ -176,7 +176,7 @@ TYPED_TEST_P(EverySolid, PacksAndDoublesAgree) {
     const auto report = e.step(to[l], dx[l], 0.1);
     for (int i = 0; i < 24; ++i) EXPECT_NEAR((&fs[i / 3].x)[i % 3][l], e.force[i / 3][i % 3], 1e-13 * largest(e.force));
     EXPECT_NEAR(all.step[l], report.step, 1e-13 * report.step);
-    EXPECT_NEAR(all.size[l], report.size, 1e-13);
+    EXPECT_NEAR(all.volume_ratio[l], report.volume_ratio, 1e-13);
     for (std::size_t c = 0; c < report.stored.size(); ++c) EXPECT_NEAR(all.stored[c][l], report.stored[c], 1e-13);
     for (std::size_t c = 0; c < report.dissipated.size(); ++c) EXPECT_NEAR(all.dissipated[c][l], report.dissipated[c], 1e-13);
     const auto rows = rows_of(e.memory);

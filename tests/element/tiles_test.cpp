@@ -57,7 +57,7 @@ TEST(Tiles, AreNumberedWithoutGaps) {
     EXPECT_EQ(pack, static_cast<Index>(t.filled.size()));
     EXPECT_EQ(node, static_cast<Index>(t.node.size()));
     EXPECT_EQ(t.element.size(), t.filled.size() * lanes);
-    EXPECT_EQ(t.place.size(), t.filled.size() * lanes * 8);
+    EXPECT_EQ(t.slot.size(), t.filled.size() * lanes * 8);
   }
 }
 
@@ -68,13 +68,13 @@ TEST(Tiles, PlacesLeadToTheNodesOfTheElements) {
       std::set<Index> nodes(c.tiling.node.begin() + tile.first_node,
                             c.tiling.node.begin() + tile.first_node + tile.nodes);
       EXPECT_EQ(nodes.size(), static_cast<std::size_t>(tile.nodes))
-          << "a node has one place in a tile";
+          << "a node has one slot in a tile";
       for (Index pack = tile.first_pack; pack < tile.first_pack + tile.packs; ++pack) {
         for (int a = 0; a < 8; ++a) {
           for (int lane = 0; lane < lanes; ++lane) {
-            const Index place = c.tiling.place[(pack * 8 + a) * lanes + lane];
-            ASSERT_LT(place, tile.nodes);
-            EXPECT_EQ(c.tiling.node[tile.first_node + place],
+            const Index slot = c.tiling.slot[(pack * 8 + a) * lanes + lane];
+            ASSERT_LT(slot, tile.nodes);
+            EXPECT_EQ(c.tiling.node[tile.first_node + slot],
                       c.nodes(a, c.tiling.element[pack * lanes + lane]));
           }
         }
@@ -103,10 +103,10 @@ TEST(Tiles, AreCompactInSpace) {
 
 TEST(Tiles, OfPlacesThatAreNotFiniteHoldEachElementOnce) {
   const double inf = std::numeric_limits<double>::infinity();
-  for (const double place : {std::nan(""), inf, -inf, 1e308, -1e308}) {
+  for (const double slot : {std::nan(""), inf, -inf, 1e308, -1e308}) {
     Cut c = cut(4, 3, 2, 20);
-    c.mesh.X(1, 7) = place;
-    c.mesh.X(0, 20) = -place;
+    c.mesh.X(1, 7) = slot;
+    c.mesh.X(0, 20) = -slot;
     const Tiling t = cut_into_tiles(c.nodes, c.mesh.X, 20);
     std::multiset<Index> seen;
     for (std::size_t pack = 0; pack < t.filled.size(); ++pack)

@@ -104,7 +104,7 @@ TEST(WedgeAtTheAxis, HasItsExactVolumeAndAllOfItsMass) {
 }
 
 TEST(WedgeAtTheAxis, PassesThePatchTestWithOnePointOrEight) {
-  const mesh::Mesh mesh = mesh::moved(mesh::turned_about(mesh::wedge("a", {0.2, 0.3, 0.7, 2, 3, 3}), Vec3(1, 2, 3), 0.4, Vec3::Zero()), Vec3(1, 0, 2));
+  const mesh::Mesh mesh = mesh::moved(mesh::rotated_about(mesh::wedge("a", {0.2, 0.3, 0.7, 2, 3, 3}), Vec3(1, 2, 3), 0.4, Vec3::Zero()), Vec3(1, 0, 2));
   Mat3 H;
   H << 3, 1, -2, 4, -1, 5, 2, 2, 1;
   H *= 1e-9;
@@ -226,7 +226,7 @@ TEST(SectorWidth, IsSaidWithWhatItCosts) {
 }
 
 TEST(Narrowest, FindsTheWidthsOfABrickAndItsPlace) {
-  const mesh::Mesh mesh = mesh::turned_about(mesh::box("a", {Vec3::Zero(), Vec3(1, 2, 0.1), {1, 1, 1}}), Vec3::UnitX(), pi / 2, Vec3::Zero());
+  const mesh::Mesh mesh = mesh::rotated_about(mesh::box("a", {Vec3::Zero(), Vec3(1, 2, 0.1), {1, 1, 1}}), Vec3::UnitX(), pi / 2, Vec3::Zero());
   const Narrowest at = narrowest(solid(mesh), mesh.X);
   EXPECT_EQ(at.element, 0);
   EXPECT_LT((at.width - Vec3(0.1, 1, 2)).norm(), 1e-13);  // round-off

@@ -89,7 +89,7 @@ TEST(FileMesh, CutsAQuadrilateralFromItsFirstCornerToItsThird) {
 }
 
 TEST(FileMesh, MakesARegionOfEachNumberAndOneOfEachKindWithoutNumbers) {
-  mesh::Mesh both = mesh::join(brick(), mesh::tube("t", {1, 1, mesh::Turn::quarter, 2, 2}));
+  mesh::Mesh both = mesh::join(brick(), mesh::tube("t", {1, 1, mesh::Revolution::quarter, 2, 2}));
   Contents file = contents_of(both);
   const FileMesh plain = file_mesh("b", file);
   ASSERT_TRUE(plain.faults.empty());
@@ -183,7 +183,7 @@ class Vtu : public testing::Test {
 };
 
 TEST_F(Vtu, ReadsWhatWasWrittenBitForBit) {
-  const mesh::Mesh both = mesh::join(mesh::cylinder("a", {0.3, 0.7, mesh::Turn::quarter, 2, 2, 3}),
+  const mesh::Mesh both = mesh::join(mesh::cylinder("a", {0.3, 0.7, mesh::Revolution::quarter, 2, 2, 3}),
                                      mesh::wedge_tube("t", {0.4, 0.7, 0.3, 2, 3}));
   const Eigen::Index solids = both.hexahedra[0].nodes.cols(), all = solids + both.triangles[0].nodes.cols();
   Grid grid;

@@ -69,7 +69,7 @@ TEST(ReadActions, BuildEverythingThatTheSyntaxHas) {
 gravity: [0 m/s^2, 0 m/s^2, -9.81 m/s^2]
 planes:
   - {name: axis, kind: symmetry, nodes: [box.y_low], normal: [0, 2, 0]}
-  - {name: pull, kind: held, nodes: [box.x_high], normal: [1, 0, 0], velocity: {value: "2*t", unit: mm/s}}
+  - {name: pull, kind: constrained, nodes: [box.x_high], normal: [1, 0, 0], velocity: {value: "2*t", unit: mm/s}}
   - {name: clamp, kind: fixed, nodes: [tube.top]}
   - {name: ground, kind: floor, nodes: [box, tube], point: [0 m, 0 m, -1 m], normal: [0, 0, 1]}
   - {name: wall, kind: rigid, surface: box.x_high, point: [1 m, 0 m, 0 m], normal: [-1, 0, 0]}
@@ -117,9 +117,9 @@ relaxation: {residual: 1e-5, after: 1 ms, samples: 3}
   for (Index n = 0; n < c.state.v.cols(); ++n) {
     const Vec3 X = c.model.mesh.X.col(n);
     EXPECT_NEAR((c.state.v.col(n) - Vec3(-3 * X.y(), 3 * X.x(), 0)).norm(), 0, 1e-15);
-    const Index turn = c.model.turn_of_node[n];
+    const Index turn = c.model.rotation_of_node[n];
     if (turn >= 0) {
-      EXPECT_NEAR((c.state.w.col(turn) - Vec3(0, 0, 3)).norm(), 0, 1e-9);  // by differences
+      EXPECT_NEAR((c.state.omega.col(turn) - Vec3(0, 0, 3)).norm(), 0, 1e-9);  // by differences
     } else {
       EXPECT_NEAR(c.state.x(0, n), 1.001 * X.x(), 1e-16);
     }
@@ -128,7 +128,7 @@ relaxation: {residual: 1e-5, after: 1 ms, samples: 3}
 }
 
 TEST(ReadActions, ListNamesThatTheMeshDoesNotHaveAtTheirLine) {
-  const std::string found = faults_of("planes:\n  - {name: a, kind: held, nodes: [box.x_lou], normal: [1, 0, 0]}\n");
+  const std::string found = faults_of("planes:\n  - {name: a, kind: constrained, nodes: [box.x_lou], normal: [1, 0, 0]}\n");
   EXPECT_EQ(found.rfind("2:35: 'nodes' = box.x_lou is unknown: node sets are box, ", 0), 0U) << found;
   EXPECT_NE(found.find("(did you mean 'box.x_low'?)"), std::string::npos) << found;
   EXPECT_NE(faults_of("loads:\n  - {name: a, kind: pressure, surface: x, value: 1, unit: Pa}\n").find("2:40: 'surface' = x is unknown: surfaces are box.x_low"),
@@ -149,34 +149,34 @@ TEST(ReadActions, RefuseAMomentOnNodesOfSolids) {
 }
 
 TEST(ReadActions, RefusePlanesThatMoveNodesAgainstOneAnother) {
-  EXPECT_EQ(faults_of("planes:\n  - {name: a, kind: held, nodes: [box.x_low], normal: [1, 0, 0], velocity: {value: 1, unit: m/s}}\n"
+  EXPECT_EQ(faults_of("planes:\n  - {name: a, kind: constrained, nodes: [box.x_low], normal: [1, 0, 0], velocity: {value: 1, unit: m/s}}\n"
                       "  - {name: b, kind: fixed, nodes: [box.tip]}\n"),
             "2:76: 'a' moves nodes that 'b' holds in the same direction\n");
-  EXPECT_EQ(faults_of("planes:\n  - {name: a, kind: held, nodes: [box.x_low], normal: [1, 0, 0], velocity: {value: 1, unit: m/s}}\n"
-                      "  - {name: b, kind: held, nodes: [box.x_low], normal: [1, 1, 0]}\n"),
+  EXPECT_EQ(faults_of("planes:\n  - {name: a, kind: constrained, nodes: [box.x_low], normal: [1, 0, 0], velocity: {value: 1, unit: m/s}}\n"
+                      "  - {name: b, kind: constrained, nodes: [box.x_low], normal: [1, 1, 0]}\n"),
             "");
 }
 
 TEST(ReadActions, DrivenNodesHaveFieldsOverPlaceAndTime) {
-  Case c("planes:\n  - {name: a, kind: driven, nodes: [tube.top], velocity: {value: [x*t, y, \"1\"], unit: mm/s}, turning: {value: [0, z, t], unit: rad/s}}\n"
+  Case c("planes:\n  - {name: a, kind: driven, nodes: [tube.top], velocity: {value: [x*t, y, \"1\"], unit: mm/s}, angular_velocity: {value: [0, z, t], unit: rad/s}}\n"
          "  - {name: b, kind: driven, nodes: [box.x_low, box.z_low], velocity: {value: [0, 0, x], unit: m/s}}\n");
   c.start();
   EXPECT_TRUE(c.faults().empty()) << c.faults()[0].text;
   const load::Plane &a = c.model.constraints.planes[0], &b = c.model.constraints.planes[1];
   EXPECT_DOUBLE_EQ(a.field[0](2, 3, 4, 5), 0.01);
-  EXPECT_DOUBLE_EQ(a.turning[1](2, 3, 4, 5), 4);
-  EXPECT_FALSE(b.turning[0]);
+  EXPECT_DOUBLE_EQ(a.angular_velocity[1](2, 3, 4, 5), 4);
+  EXPECT_FALSE(b.angular_velocity[0]);
   EXPECT_EQ(b.nodes.size(), 15U);
 }
 
 TEST(ReadActions, RefuseDrivenNodesThatCannotBe) {
   const std::string a = "planes:\n  - {name: a, kind: driven, nodes: [box.x_low], ";
-  EXPECT_EQ(faults_of(a + "velocity: {value: [1, 0, 0], unit: m/s}}\n  - {name: b, kind: held, nodes: [box.tip], normal: [0, 1, 0]}\n"),
+  EXPECT_EQ(faults_of(a + "velocity: {value: [1, 0, 0], unit: m/s}}\n  - {name: b, kind: constrained, nodes: [box.tip], normal: [0, 1, 0]}\n"),
             "2:59: 'a' drives nodes that 'b' holds in the same direction\n");
   EXPECT_EQ(faults_of(a + "velocity: {value: [1/x, 0, 0], unit: m/s}}\n"), "2:67: 'value' is infinite at x = 0, y = 0, z = 0, t = 0\n");
   EXPECT_EQ(faults_of(a + "velocity: {value: 1, unit: m/s}}\n").substr(0, 5), "2:67:");
-  EXPECT_EQ(faults_of(a + "velocity: {value: [1, 0, 0], unit: m/s}, turning: {value: [1, 0, 0], unit: rad/s}}\n"),
-            "2:99: 'turning' is of nodes of plates: 'a' has none\n");
+  EXPECT_EQ(faults_of(a + "velocity: {value: [1, 0, 0], unit: m/s}, angular_velocity: {value: [1, 0, 0], unit: rad/s}}\n"),
+            "2:99: 'angular_velocity' is of nodes of plates: 'a' has none\n");
   EXPECT_EQ(faults_of(a + "velocity: {value: [1, 0, 0], unit: m}}\n").substr(0, 24), "2:84: 'unit' = m has the");
   EXPECT_NE(faults_of(a + "}\n").find("missing section 'velocity'"), std::string::npos);
 }
@@ -195,7 +195,7 @@ TEST(ReadActions, RefuseUnitsOfAnotherDimensionAndValuesThatAreNoNumber) {
             "2:27: 'velocity' is no number at x = 0, y = 0, z = 0\n");
   EXPECT_EQ(faults_of("initial:\n  - {body: box, velocity: [\"t\", 0, 0], unit: m/s}\n"),
             "2:29: cannot read 'velocity[0]' = t: 't' is unknown: expected x, y, z, pi, or a function such as sin, min, exp\n");
-  EXPECT_EQ(faults_of("planes:\n  - {name: a, kind: held, nodes: [box.tip], normal: [0, 0, 0]}\n"), "2:53: 'normal' has no length\n");
+  EXPECT_EQ(faults_of("planes:\n  - {name: a, kind: constrained, nodes: [box.tip], normal: [0, 0, 0]}\n"), "2:53: 'normal' has no length\n");
 }
 
 TEST(ReadActions, RefuseADisplacementThatTurnsElementsInsideOut) {

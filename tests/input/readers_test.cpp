@@ -118,8 +118,8 @@ TEST(ReadHexahedron, WithEightPointsListsWhatOnePointWouldUse) {
 
 TEST(ReadInterface, LetsTheCodeChooseUnlessAPenaltyIsGiven) {
   using dynamics::PenaltyFrom;
-  EXPECT_EQ(read("hardness: 5\n", read_interface).penalty_from, PenaltyFrom::stiffness);
-  EXPECT_EQ(read("hardness: 5\n", read_interface).hardness, 5);
+  EXPECT_EQ(read("penalty_scale: 5\n", read_interface).penalty_from, PenaltyFrom::stiffness);
+  EXPECT_EQ(read("penalty_scale: 5\n", read_interface).penalty_scale, 5);
   EXPECT_EQ(read("penalty: 5e13 Pa/m\n", read_interface).penalty_from, PenaltyFrom::value);
   EXPECT_EQ(read("penalty: 5e13 Pa/m\n", read_interface).penalty, 5e13);
   EXPECT_EQ(read("penalty_from: mass_and_step\nstep_share: 0.5\n", read_interface).penalty_from, PenaltyFrom::masses);
@@ -130,7 +130,7 @@ TEST(ReadInterface, DefaultsToTheBetterForms) {
   const auto options = read("clearance: 0.5 mm\n", read_interface);
   EXPECT_EQ(options.weights, contact::Weights::consistent);
   EXPECT_EQ(options.area, contact::Area::apex);
-  EXPECT_EQ(options.damping, 0);
+  EXPECT_EQ(options.damping_ratio, 0);
   EXPECT_EQ(options.kind, contact::InterfaceKind::contact);
   EXPECT_EQ(options.friction.coefficient, 0);
   EXPECT_FALSE(options.two_passes);

@@ -49,7 +49,7 @@ TEST(ReadBody, TakesMeshMaterialAndElement) {
 }
 
 TEST(ReadBody, StandsWhereItIsTurnedAndMoved) {
-  const model::Scene scene = read(bar + "    turn: {axis: [0, 0, 2], angle: 90 deg, about: [1 m, 0 m, 0 m]}\n    move: [0 m, 0 m, 1 mm]\n" + time);
+  const model::Scene scene = read(bar + "    rotate: {axis: [0, 0, 2], angle: 90 deg, about: [1 m, 0 m, 0 m]}\n    move: [0 m, 0 m, 1 mm]\n" + time);
   const model::Placement& place = scene.bodies[0].place;
   EXPECT_EQ(place.axis, Vec3(0, 0, 1));
   EXPECT_DOUBLE_EQ(place.angle, std::numbers::pi / 2);

@@ -631,21 +631,21 @@ TEST(Files, AreReadFromDisk) {
 // ---- alternatives
 
 struct Penalty {
-  double value, hardness;
+  double value, penalty_scale;
 };
 
 Penalty read_penalty(Section root) {
   const Section penalty = root.section("penalty");
   const bool given = penalty.choice("kind", {"given", "automatic"}) == "given";
   return {penalty.when(given).quantity("value", dim::penalty, positive),
-          penalty.when(!given).number_or("hardness", 10, positive)};
+          penalty.when(!given).number_or("penalty_scale", 10, positive)};
 }
 
 TEST(Alternatives, NeedOnlyTheKeysOfTheChosenKind) {
   auto file = CaseFile::parse("penalty: {kind: automatic}\n", "case.yaml");
   const Penalty read = read_penalty(file.root());
   EXPECT_TRUE(std::isnan(read.value));
-  EXPECT_EQ(read.hardness, 10);
+  EXPECT_EQ(read.penalty_scale, 10);
   EXPECT_NO_THROW(file.finish());
   EXPECT_TRUE(file.not_used().empty());
   EXPECT_EQ(message("penalty: {kind: given}\n", read_penalty),
@@ -653,12 +653,12 @@ TEST(Alternatives, NeedOnlyTheKeysOfTheChosenKind) {
 }
 
 TEST(Alternatives, ListWhatTheChosenKindDoesNotUse) {
-  auto file = CaseFile::parse("penalty:\n  kind: given\n  value: 5e13 Pa/m\n  hardness: 7\n",
+  auto file = CaseFile::parse("penalty:\n  kind: given\n  value: 5e13 Pa/m\n  penalty_scale: 7\n",
                               "case.yaml", {});
   read_penalty(file.root());
   EXPECT_NO_THROW(file.finish());
-  EXPECT_EQ(file.not_used(), Texts{"penalty.hardness (case.yaml:4:3)"});
-  for (const Resolved& one : file.resolved()) EXPECT_NE(one.path, "penalty.hardness");
+  EXPECT_EQ(file.not_used(), Texts{"penalty.penalty_scale (case.yaml:4:3)"});
+  for (const Resolved& one : file.resolved()) EXPECT_NE(one.path, "penalty.penalty_scale");
 }
 
 TEST(Alternatives, CheckWhatTheChosenKindDoesNotUse) {
@@ -672,7 +672,7 @@ TEST(Alternatives, CheckWhatTheChosenKindDoesNotUse) {
 TEST(Alternatives, MissNothingWhileTheKindIsUnknown) {
   EXPECT_EQ(message("penalty: {kind: autmatic}\n", read_penalty),
             "'kind' = autmatic is unknown: expected one of given, automatic");
-  EXPECT_EQ(message("penalty: {hardness: 3}\n", read_penalty), "missing 'kind' in 'penalty'");
+  EXPECT_EQ(message("penalty: {penalty_scale: 3}\n", read_penalty), "missing 'kind' in 'penalty'");
 }
 
 /// Two kinds share the key `size`, with different dimensions.
@@ -827,10 +827,10 @@ TEST(Overrides, HaveTheirFaultsAfterThoseOfTheFile) {
 
 TEST(Overrides, AreNamedAmongWhatIsNotUsed) {
   auto file = CaseFile::parse("penalty: {kind: given, value: 1 Pa/m}\n", "case.yaml",
-                              {"penalty.hardness=3"});
+                              {"penalty.penalty_scale=3"});
   read_penalty(file.root());
   EXPECT_NO_THROW(file.finish());
-  EXPECT_EQ(file.not_used(), Texts{"penalty.hardness (--set penalty.hardness=3:9)"});
+  EXPECT_EQ(file.not_used(), Texts{"penalty.penalty_scale (--set penalty.penalty_scale=3:9)"});
 }
 
 // ---- the record

@@ -30,19 +30,19 @@ Plane plane(PlaneKind kind, const Vec3& normal) {
   return p;
 }
 
-/// One node, with a plate's turn, on planes of one kind.
+/// One node, with a plate's rotation, on planes of one kind.
 struct OneNode {
   explicit OneNode(const std::vector<Vec3>& normals, PlaneKind kind = PlaneKind::symmetry) {
     for (const Vec3& normal : normals) constraints.planes.push_back(plane(kind, normal));
     memory = prepare(constraints, 1, {0});
   }
   Vec3 restrained(Vec3 v, const Vec3& x = Vec3::Zero(), double mass = 1) {
-    restrain(constraints, memory.held[0], x, mass, v, memory.account);
+    restrain(constraints, memory.nodes[0], x, mass, v, memory.account);
     return v;
   }
-  Vec3 restrained_turn(Vec3 w, double inertia = 1) {
-    restrain_turn(memory.held[0], inertia, w, memory.account);
-    return w;
+  Vec3 restrained_turn(Vec3 omega, double inertia = 1) {
+    restrain_rotation(memory.nodes[0], inertia, omega, memory.account);
+    return omega;
   }
   Constraints constraints;
   Memory memory;
@@ -79,7 +79,7 @@ TEST(Constraints, ANodeOnThreePlanesIsFixed) {
 TEST(Constraints, WhatPlanesAllowIsAnOrthogonalProjection) {
   Vectors3 random;
   for (int i = 0; i < 100; ++i) {
-    const Mat3 allowed = OneNode({random.unit(), random.unit()}).memory.held[0].allowed;
+    const Mat3 allowed = OneNode({random.unit(), random.unit()}).memory.nodes[0].allowed;
     EXPECT_NEAR((allowed - allowed.transpose()).norm(), 0, 1e-12);
     EXPECT_NEAR((allowed * allowed - allowed).norm(), 0, 1e-12);
   }
@@ -112,7 +112,7 @@ TEST(Constraints, PlanesThatDifferByTheirLastDigitsAreOne) {
       (OneNode({n, Vec3::UnitZ(), typed}).restrained(v) - Vec3(in_plane.x(), in_plane.y(), 0))
           .norm(),
       0, 1e-15);
-  // the turn about the normal survives as well
+  // the rotation about the normal survives as well
   EXPECT_NEAR((OneNode({n, typed}).restrained_turn(n) - n).norm(), 0, 1e-6);
 }
 
@@ -139,23 +139,23 @@ TEST(Constraints, AlongAxesHeldComponentsAreZeroAndOthersUntouchedToTheLastBit) 
 TEST(Constraints, PlatesOnASymmetryPlaneTurnOnlyAboutItsNormal) {
   Vectors3 random;
   for (int i = 0; i < 100; ++i) {
-    const Vec3 n = random.unit(), w = random.any();
-    EXPECT_NEAR((OneNode({n}).restrained_turn(w) - w.dot(n) * n).norm(), 0, 1e-15);
-    EXPECT_NEAR((OneNode({n, -n}).restrained_turn(w) - w.dot(n) * n).norm(), 0, 1e-15);
+    const Vec3 n = random.unit(), omega = random.any();
+    EXPECT_NEAR((OneNode({n}).restrained_turn(omega) - omega.dot(n) * n).norm(), 0, 1e-15);
+    EXPECT_NEAR((OneNode({n, -n}).restrained_turn(omega) - omega.dot(n) * n).norm(), 0, 1e-15);
   }
 }
 
 TEST(Constraints, PlatesOnTwoSymmetryPlanesDoNotTurn) {
   Vectors3 random;
   for (int i = 0; i < 100; ++i) {
-    const Vec3 w = random.any();
-    EXPECT_EQ(OneNode({random.unit(), random.unit()}).restrained_turn(w), Vec3(0, 0, 0));
+    const Vec3 omega = random.any();
+    EXPECT_EQ(OneNode({random.unit(), random.unit()}).restrained_turn(omega), Vec3(0, 0, 0));
   }
 }
 
 TEST(Constraints, PlatesOnHeldPlanesTurnFreely) {
   const Vec3 w(1, 2, 3);
-  EXPECT_EQ(OneNode({Vec3::UnitX(), Vec3::UnitY()}, PlaneKind::held).restrained_turn(w), w);
+  EXPECT_EQ(OneNode({Vec3::UnitX(), Vec3::UnitY()}, PlaneKind::constrained).restrained_turn(omega), omega);
 }
 
 TEST(Constraints, PlanesShareTheImpulseAlongTheirNormals) {
@@ -200,24 +200,24 @@ TEST(Constraints, AFloorHoldsNobodyAtTheStart) {
   const Vec3 v(1, 2, -3);
   EXPECT_EQ(one.restrained(v), v);
   EXPECT_EQ(one.restrained_turn(v), v);
-  hold(one.constraints, one.memory.held[0], 0);
+  hold(one.constraints, one.memory.nodes[0], 0);
   EXPECT_EQ(one.restrained(v), Vec3(1, 2, 0));
   EXPECT_EQ(one.restrained_turn(v), v);  // a floor holds no turn
 }
 
 TEST(Constraints, NodesOfNoPlaneAreNotRemembered) {
   Constraints constraints;
-  constraints.planes.push_back(plane(PlaneKind::held, Vec3::UnitX()));
+  constraints.planes.push_back(plane(PlaneKind::constrained, Vec3::UnitX()));
   constraints.planes[0].nodes = {1, 4};
   const Memory memory = prepare(constraints, 6, std::vector<Index>(6, -1));
-  EXPECT_EQ(memory.held.size(), 2u);
-  EXPECT_EQ(memory.held_of_node, (std::vector<Index>{-1, 0, -1, -1, 1, -1}));
+  EXPECT_EQ(memory.nodes.size(), 2u);
+  EXPECT_EQ(memory.row_of_node, (std::vector<Index>{-1, 0, -1, -1, 1, -1}));
 }
 
 TEST(Constraints, MoreThanEightDirectionsAtANodeAreRefusedBeforeTheStart) {
   Vectors3 random;
   std::vector<Vec3> normals;
-  for (int i = 0; i < HeldNode::most_rows; ++i) normals.push_back(random.unit());
+  for (int i = 0; i < ConstrainedNode::most_rows; ++i) normals.push_back(random.unit());
   EXPECT_NO_THROW(OneNode{normals});
   normals.push_back(random.unit());
   EXPECT_THROW(OneNode{normals}, InternalError);
@@ -237,14 +237,14 @@ TEST(Constraints, AFixedNodeNeitherMovesNorTurnsAndItsReactionIsOnePlanes) {
 TEST(Drive, GivesANodeTheSpeedsOfItsPlanesAndBooksItsKineticEnergy) {
   Vectors3 random;
   for (int i = 0; i < 100; ++i) {
-    OneNode one({random.unit(), random.unit()}, PlaneKind::held);
+    OneNode one({random.unit(), random.unit()}, PlaneKind::constrained);
     for (Plane& plane : one.constraints.planes) plane.velocity = [](double t) { return 2 + t; };
     one.memory = prepare(one.constraints, 1, {-1});
     set_speeds(one.constraints, Vectors::Zero(3, 1), 1, one.memory);
-    EXPECT_TRUE(one.memory.held[0].moves);
+    EXPECT_TRUE(one.memory.nodes[0].moves);
     const Vec3 before = random.any();
     Vec3 v = before;
-    drive(one.constraints, one.memory.held[0], random.any(), 3, before, Vec3::Zero(), 0, v, one.memory.account);
+    drive(one.constraints, one.memory.nodes[0], random.any(), 3, before, Vec3::Zero(), 0, v, one.memory.account);
     double work = 0;
     for (int p = 0; p < 2; ++p) {
       EXPECT_NEAR(v.dot(one.constraints.planes[p].normal), 3, 1e-9);  // planes at a small angle amplify round-off
@@ -264,15 +264,15 @@ Constraints one_driven_node() {
 
 TEST(Drive, GivesADrivenNodeItsFieldAndItsTurnAndBooksTheWork) {
   Constraints one = one_driven_node();
-  one.planes[0].turning[2] = [](double x, double, double, double t) { return x + t; };
+  one.planes[0].angular_velocity[2] = [](double x, double, double, double t) { return x + t; };
   Memory memory = prepare(one, 1, {0});
   const Vec3 X(1, 2, -3), before(0.3, -0.2, 0.7), w_before(1, 2, 3);
   set_speeds(one, X, 2, memory);
-  Vec3 v = before, w = w_before;
-  drive(one, memory.held[0], X, 3, before, Vec3::Zero(), 0, v, memory.account);
-  drive_turn(memory.held[0], 0.5, w_before, Vec3::Zero(), 0, w, memory.account);
+  Vec3 v = before, omega = w_before;
+  drive(one, memory.nodes[0], X, 3, before, Vec3::Zero(), 0, v, memory.account);
+  drive_rotation(memory.nodes[0], 0.5, w_before, Vec3::Zero(), 0, omega, memory.account);
   EXPECT_EQ(v, 2 * X);
-  EXPECT_EQ(w, Vec3(0, 0, 3));
+  EXPECT_EQ(omega, Vec3(0, 0, 3));
   EXPECT_NEAR(memory.account[0].driven, 1.5 * (v.squaredNorm() - before.squaredNorm()) + 0.25 * (9 - 14), 1e-13);
   EXPECT_NEAR((memory.account[0].impulse - 3 * (v - before)).norm(), 0, 1e-14);
   EXPECT_NEAR((memory.account[0].angular_impulse - 3 * X.cross(v - before) - Vec3(-0.5, -1, 0)).norm(), 0, 1e-14);
@@ -283,7 +283,7 @@ TEST(FindConflict, IsADrivenNodeOnAnyOtherPlaneButAFloor) {
   EXPECT_EQ(find_conflict(two).moving, -1);
   two.planes.push_back(plane(PlaneKind::floor, Vec3::UnitZ()));
   EXPECT_EQ(find_conflict(two).moving, -1);
-  for (const PlaneKind kind : {PlaneKind::held, PlaneKind::symmetry, PlaneKind::fixed, PlaneKind::driven}) {
+  for (const PlaneKind kind : {PlaneKind::constrained, PlaneKind::symmetry, PlaneKind::fixed, PlaneKind::driven}) {
     two.planes.push_back(plane(kind, Vec3::UnitX()));
     EXPECT_EQ(find_conflict(two).moving, 0);
     EXPECT_EQ(find_conflict(two).other, 2);
@@ -293,7 +293,7 @@ TEST(FindConflict, IsADrivenNodeOnAnyOtherPlaneButAFloor) {
 
 TEST(FindConflict, IsAPlaneThatMovesANodeWhereOthersHoldIt) {
   Constraints both;
-  both.planes = {plane(PlaneKind::held, Vec3::UnitX()), plane(PlaneKind::held, Vec3(1, 1, 0).normalized())};
+  both.planes = {plane(PlaneKind::constrained, Vec3::UnitX()), plane(PlaneKind::constrained, Vec3(1, 1, 0).normalized())};
   EXPECT_EQ(find_conflict(both).moving, -1);
   both.planes[0].velocity = [](double) { return 1.0; };
   EXPECT_EQ(find_conflict(both).moving, -1);
@@ -307,10 +307,10 @@ TEST(FindConflict, IsAPlaneThatMovesANodeWhereOthersHoldIt) {
 TEST(FindOverheld, CountsAFixedPlaneThreeTimes) {
   Constraints many;
   for (int i = 0; i < 2; ++i) many.planes.push_back(plane(PlaneKind::fixed, Vec3::UnitX()));
-  for (int i = 0; i < 2; ++i) many.planes.push_back(plane(PlaneKind::held, Vec3::UnitX()));
-  EXPECT_EQ(find_overheld(many), -1);
+  for (int i = 0; i < 2; ++i) many.planes.push_back(plane(PlaneKind::constrained, Vec3::UnitX()));
+  EXPECT_EQ(find_overconstrained(many), -1);
   many.planes.push_back(plane(PlaneKind::floor, Vec3::UnitX()));
-  EXPECT_EQ(find_overheld(many), 0);
+  EXPECT_EQ(find_overconstrained(many), 0);
 }
 
 }  // namespace

@@ -23,10 +23,10 @@ struct Falling {
   }
   double height() const { return (x.col(0) - constraints.planes[0].point).dot(normal); }
   void step(double dt) {
-    find_landings(constraints, mass, x, force, dt, v, memory);
+    find_impacts(constraints, mass, x, force, dt, v, memory);
     x += dt * v;
     put_on_floors(constraints, memory, x);
-    finish_landings(constraints, mass, x, force, dt, v, memory);
+    finish_impacts(constraints, mass, x, force, dt, v, memory);
   }
 };
 
@@ -47,7 +47,7 @@ TEST(Floor, BooksTheMomentumAndTheKineticEnergyOfTheImpact) {
   node.step(0.1);
   const PlaneAccount& floor = node.memory.account[0];
   EXPECT_LT((floor.impulse - 6 * node.normal).norm(), 1e-14);
-  EXPECT_NEAR(floor.caught, 9, 1e-13);  // 1/2 2 kg (3 m/s)^2
+  EXPECT_NEAR(floor.stopped, 9, 1e-13);  // 1/2 2 kg (3 m/s)^2
 }
 
 TEST(Floor, LeavesNodesThatMoveAway) {

@@ -117,12 +117,12 @@ TEST(NodalForce, IsSharedEquallyAndBooksWorkAndImpulsesByTheTrapezoidRule) {
 }
 
 TEST(NodalMoment, ActsOnTurnsAndGivesAngularImpulseOnly) {
-  const Vectors X = random_vectors(3, 1, 6), w = random_vectors(2, 1, 7), v = Vectors::Zero(3, 3);
+  const Vectors X = random_vectors(3, 1, 6), omega = random_vectors(2, 1, 7), v = Vectors::Zero(3, 3);
   const AnyLoad load = NodalMoment{"m", {0, 2}, {1, 0}, constant(Vec3(0, 4, 2))};
   LoadMemory memory = initial_memory(load);
-  advance(load, X, X, v, w, 0, 0, memory);
-  advance(load, X, X, v, w, 0.1, 0.1, memory);
-  EXPECT_NEAR(memory.work, 0.1 * Vec3(0, 2, 1).dot(w.col(0) + w.col(1)), 1e-15);
+  advance(load, X, X, v, omega, 0, 0, memory);
+  advance(load, X, X, v, omega, 0.1, 0.1, memory);
+  EXPECT_NEAR(memory.work, 0.1 * Vec3(0, 2, 1).dot(omega.col(0) + omega.col(1)), 1e-15);
   EXPECT_EQ(memory.impulse, Vec3(0, 0, 0));
   EXPECT_NEAR((memory.angular_impulse - Vec3(0, 0.4, 0.2)).norm(), 0, 1e-16);
   EXPECT_EQ(resultant_moment(memory), Vec3(0, 4, 2));

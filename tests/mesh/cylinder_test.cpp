@@ -12,14 +12,14 @@ using namespace measures;
 
 constexpr double radius = 0.3, length = 0.7;
 
-Mesh sample(Turn turn, int cells = 3) {
+Mesh sample(Revolution turn, int cells = 3) {
   return cylinder("lead", {radius, length, turn, cells, cells, cells + 1});
 }
 
 const Table<8>& elements(const Mesh& mesh) { return hexahedra(mesh, "lead").nodes; }
 
 TEST(Cylinder, EveryHexahedronHasPositiveVolume) {
-  for (const Turn turn : {Turn::quarter, Turn::full}) {
+  for (const Revolution turn : {Revolution::quarter, Revolution::full}) {
     for (int core = 1; core <= 4; ++core) {
       for (int ring = 1; ring <= 4; ++ring) {
         const Mesh mesh = cylinder("lead", {radius, length, turn, core, ring, 2});
@@ -32,7 +32,7 @@ TEST(Cylinder, EveryHexahedronHasPositiveVolume) {
 TEST(Cylinder, HasTheVolumeOfItsPolygonAndSoConvergesAtSecondOrder) {
   double error_before = 0;
   for (const int cells : {1, 2, 4, 8}) {
-    const Mesh mesh = sample(Turn::full, cells);
+    const Mesh mesh = sample(Revolution::full, cells);
     const double around = 8 * cells, got = volume(mesh, elements(mesh));
     const double polygon = around / 2 * std::sin(2 * pi / around) * radius * radius * length;
     EXPECT_NEAR(got, polygon, 1e-13);  // round-off
@@ -47,14 +47,14 @@ TEST(Cylinder, HasTheVolumeOfItsPolygonAndSoConvergesAtSecondOrder) {
 
 TEST(Cylinder, HasWellShapedElements) {
   for (int cells = 1; cells <= 8; ++cells) {
-    const Mesh mesh = sample(Turn::quarter, cells);
+    const Mesh mesh = sample(Revolution::quarter, cells);
     EXPECT_GT(scaled_jacobian(mesh, elements(mesh)), 0.81) << cells;
   }
 }
 
 TEST(Cylinder, HasEdgesWithinAFactorOfTwoInASection) {
   for (int cells = 1; cells <= 8; ++cells) {
-    const Mesh mesh = sample(Turn::quarter, cells);
+    const Mesh mesh = sample(Revolution::quarter, cells);
     double shortest = radius, longest = 0;
     for (Index element = 0; element < elements(mesh).cols(); ++element) {
       for (int a = 0; a < 4; ++a) {
@@ -71,7 +71,7 @@ TEST(Cylinder, HasEdgesWithinAFactorOfTwoInASection) {
 }
 
 TEST(Cylinder, HasOutwardNormals) {
-  for (const Turn turn : {Turn::quarter, Turn::full}) {
+  for (const Revolution turn : {Revolution::quarter, Revolution::full}) {
     const Mesh mesh = sample(turn);
     const auto up = [](const Vec3&) -> Vec3 { return Vec3::UnitZ(); };
     const auto down = [](const Vec3&) -> Vec3 { return -Vec3::UnitZ(); };
@@ -83,7 +83,7 @@ TEST(Cylinder, HasOutwardNormals) {
 }
 
 TEST(Cylinder, HasCompleteNodeSets) {
-  for (const Turn turn : {Turn::quarter, Turn::full}) {
+  for (const Revolution turn : {Revolution::quarter, Revolution::full}) {
     const Mesh mesh = sample(turn);
     const auto all = nodes_where(mesh, [](const Vec3&) { return true; });
     const auto bottom = nodes_where(mesh, [](const Vec3& at) { return at.z() == 0; });
@@ -98,18 +98,18 @@ TEST(Cylinder, HasCompleteNodeSets) {
 }
 
 TEST(Cylinder, HasTheNodesOfItsPlanesExactlyOnThem) {
-  const Mesh mesh = sample(Turn::quarter);
+  const Mesh mesh = sample(Revolution::quarter);
   for (const auto& [name, axis] : {std::pair("lead.x_plane", 0), std::pair("lead.y_plane", 1)}) {
     const int layers = 5, across = 3 + 3 + 1;
     EXPECT_EQ(node_set(mesh, name).size(), static_cast<std::size_t>(layers * across));
     for (const Index node : node_set(mesh, name)) EXPECT_EQ(mesh.X(axis, node), 0.0);
   }
   EXPECT_TRUE(nodes_where(mesh, [](const Vec3& at) { return (at.array() < 0).any(); }).empty());
-  EXPECT_THROW(node_set(sample(Turn::full), "lead.x_plane"), InternalError);
+  EXPECT_THROW(node_set(sample(Revolution::full), "lead.x_plane"), InternalError);
 }
 
 TEST(Cylinder, FullIsFourQuarters) {
-  const Mesh quarter = sample(Turn::quarter), full = sample(Turn::full);
+  const Mesh quarter = sample(Revolution::quarter), full = sample(Revolution::full);
   EXPECT_EQ(elements(full).cols(), 4 * elements(quarter).cols());
   EXPECT_NEAR(volume(full, elements(full)), 4 * volume(quarter, elements(quarter)), 1e-14);
   const Index layers = 5, on_planes = 4 * 6 + 1, per_layer = (quarter.X.cols() / layers - 13) * 4;
@@ -122,7 +122,7 @@ TEST(Cylinder, FullIsFourQuarters) {
 }
 
 TEST(Cylinder, FullIsMirroredBitForBitWithFirstSidesReversed) {
-  const Mesh full = sample(Turn::full);
+  const Mesh full = sample(Revolution::full);
   for (const int axis : {0, 1}) {
     EXPECT_TRUE(is_mirrored<8>(full, elements(full), {1, 0, 3, 2, 5, 4, 7, 6}, axis));
     for (const Surface& surface : full.surfaces) {
@@ -132,7 +132,7 @@ TEST(Cylinder, FullIsMirroredBitForBitWithFirstSidesReversed) {
 }
 
 TEST(Cylinder, QuarterIsSymmetricAboutItsDiagonalBitForBit) {
-  const Mesh mesh = sample(Turn::quarter);
+  const Mesh mesh = sample(Revolution::quarter);
   const Places at = places(mesh);
   for (Index node = 0; node < mesh.X.cols(); ++node) {
     EXPECT_TRUE(at.count({mesh.X(1, node), mesh.X(0, node), mesh.X(2, node)}));
@@ -140,7 +140,7 @@ TEST(Cylinder, QuarterIsSymmetricAboutItsDiagonalBitForBit) {
 }
 
 TEST(Cylinder, NumbersNodesAndElementsLayerByLayer) {
-  const Mesh full = sample(Turn::full);
+  const Mesh full = sample(Revolution::full);
   for (Index node = 1; node < full.X.cols(); ++node)
     EXPECT_GE(full.X(2, node), full.X(2, node - 1));
   for (Index element = 1; element < elements(full).cols(); ++element) {
@@ -149,7 +149,7 @@ TEST(Cylinder, NumbersNodesAndElementsLayerByLayer) {
 }
 
 TEST(Cylinder, HasAWatertightSurface) {
-  const Mesh mesh = sample(Turn::full);
+  const Mesh mesh = sample(Revolution::full);
   const Table<3> facets = together(mesh.surfaces);
   Sides sides;
   add_sides(facets, sides);
@@ -158,7 +158,7 @@ TEST(Cylinder, HasAWatertightSurface) {
 }
 
 TEST(Cylinder, HasTributaryAreasThatSumToTheArea) {
-  for (const Turn turn : {Turn::quarter, Turn::full}) {
+  for (const Revolution turn : {Revolution::quarter, Revolution::full}) {
     const Mesh mesh = sample(turn);
     for (const Surface& surface : mesh.surfaces) {
       const double area = sum(facet_areas(mesh, surface));
@@ -171,7 +171,7 @@ TEST(Cylinder, HasTributaryAreasThatSumToTheArea) {
 }
 
 TEST(Cylinder, HasEqualTributaryAreasInsideItsSide) {
-  const Mesh mesh = sample(Turn::full);
+  const Mesh mesh = sample(Revolution::full);
   const Surface& side = surface(mesh, "lead.side");
   Subset inside;
   for (const Index node : node_set(mesh, "lead.side")) {
@@ -182,8 +182,8 @@ TEST(Cylinder, HasEqualTributaryAreasInsideItsSide) {
 }
 
 TEST(Cylinder, RefusesEmptyShapes) {
-  EXPECT_THROW(cylinder("lead", {0, 1, Turn::full, 1, 1, 1}), InternalError);
-  EXPECT_THROW(cylinder("lead", {1, 1, Turn::full, 1, 0, 1}), InternalError);
+  EXPECT_THROW(cylinder("lead", {0, 1, Revolution::full, 1, 1, 1}), InternalError);
+  EXPECT_THROW(cylinder("lead", {1, 1, Revolution::full, 1, 0, 1}), InternalError);
 }
 
 }  // namespace

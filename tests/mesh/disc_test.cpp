@@ -29,11 +29,11 @@ std::map<int, int> facets_inside(const Mesh& mesh, const std::string& name) {
 }
 
 TEST(Disc, HasTheAreaOfItsPolygonAndBothSides) {
-  for (const Turn turn : {Turn::quarter, Turn::full}) {
+  for (const Revolution turn : {Revolution::quarter, Revolution::full}) {
     const Mesh mesh = disc("plate", {radius, turn, 3, 2});
     const double around = 8 * 3, polygon = around / 2 * std::sin(2 * pi / around) * radius * radius;
     for (const char* side : {"plate.top", "plate.bottom"})
-      EXPECT_NEAR(sum(facet_areas(mesh, surface(mesh, side))), turn == Turn::full ? polygon : polygon / 4, 1e-15);
+      EXPECT_NEAR(sum(facet_areas(mesh, surface(mesh, side))), turn == Revolution::full ? polygon : polygon / 4, 1e-15);
     EXPECT_EQ(worst_normal(mesh, surface(mesh, "plate.top").facets, up), 1);
     EXPECT_EQ(worst_normal(mesh, surface(mesh, "plate.bottom").facets, down), 1);
     EXPECT_EQ(worst_normal(mesh, triangles(mesh, "plate").nodes, up), 1);
@@ -42,7 +42,7 @@ TEST(Disc, HasTheAreaOfItsPolygonAndBothSides) {
 }
 
 TEST(Disc, HasCompleteNodeSets) {
-  const Mesh whole = disc("plate", {radius, Turn::full, 3, 2}), quarter = disc("plate", {radius, Turn::quarter, 3, 2});
+  const Mesh whole = disc("plate", {radius, Revolution::full, 3, 2}), quarter = disc("plate", {radius, Revolution::quarter, 3, 2});
   EXPECT_EQ(node_set(whole, "plate.rim"), nodes_where(whole, [](const Vec3& at) { return at.norm() > radius * (1 - 1e-12); }));
   EXPECT_EQ(node_set(whole, "plate.rim").size(), 24U);
   for (const Mesh* mesh : {&whole, &quarter}) {
@@ -55,7 +55,7 @@ TEST(Disc, HasCompleteNodeSets) {
 }
 
 TEST(Disc, IsOneSheetWithoutHoles) {
-  const Mesh mesh = disc("plate", {radius, Turn::full, 3, 2});
+  const Mesh mesh = disc("plate", {radius, Revolution::full, 3, 2});
   Sides sides;
   add_sides(surface(mesh, "plate.top").facets, sides);
   EXPECT_EQ(open_sides(sides), 24);
@@ -109,7 +109,7 @@ TEST(Sheet, CrossedIsItsOwnImageInBothMiddles) {
 }
 
 TEST(Flat, RefusesEmptyShapes) {
-  EXPECT_THROW(disc("a", {0, Turn::full, 1, 1}), InternalError);
+  EXPECT_THROW(disc("a", {0, Revolution::full, 1, 1}), InternalError);
   EXPECT_THROW(sheet("a", {1, 0, 1, 1}), InternalError);
   EXPECT_THROW(sheet("a", {1, 1, 1, 0}), InternalError);
 }

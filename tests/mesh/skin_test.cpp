@@ -31,7 +31,7 @@ TEST(Volumes, AreNegativeInsideOut) {
 }
 
 TEST(Skin, OfACylinderIsItsThreeSurfaces) {
-  const Mesh mesh = cylinder("a", {0.3, 0.7, Turn::full, 3, 2, 4});
+  const Mesh mesh = cylinder("a", {0.3, 0.7, Revolution::full, 3, 2, 4});
   const Skin found = skin(mesh.hexahedra);
   EXPECT_EQ(found.crowded, 0);
   double area = 0;

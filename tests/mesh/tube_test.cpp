@@ -12,10 +12,10 @@ using namespace measures;
 constexpr double radius = 0.35, length = 0.7;
 constexpr int cells_core = 3, cells_along = 4;
 
-Mesh sample(Turn turn) { return tube("skin", {radius, length, turn, cells_core, cells_along}); }
+Mesh sample(Revolution turn) { return tube("skin", {radius, length, turn, cells_core, cells_along}); }
 
 TEST(Tube, HasNormalsToTheSideNamed) {
-  for (const Turn turn : {Turn::quarter, Turn::full}) {
+  for (const Revolution turn : {Revolution::quarter, Revolution::full}) {
     const Mesh mesh = sample(turn);
     const auto to_axis = [](const Vec3& point) -> Vec3 { return -from_axis(point); };
     const double half_angle = std::cos(pi / (8 * cells_core));  // a flat facet turns by this
@@ -26,7 +26,7 @@ TEST(Tube, HasNormalsToTheSideNamed) {
 }
 
 TEST(Tube, HasItsNodesAtTheAnglesAndHeightsOfACylinder) {
-  for (const Turn turn : {Turn::quarter, Turn::full}) {
+  for (const Revolution turn : {Revolution::quarter, Revolution::full}) {
     const Mesh skin = sample(turn);
     const Mesh lead = cylinder("lead", {radius, length, turn, cells_core, 2, cells_along});
     const Places at = places(skin);
@@ -39,7 +39,7 @@ TEST(Tube, HasItsNodesAtTheAnglesAndHeightsOfACylinder) {
 }
 
 TEST(Tube, HasCompleteNodeSets) {
-  const Mesh mesh = sample(Turn::quarter);
+  const Mesh mesh = sample(Revolution::quarter);
   EXPECT_EQ(node_set(mesh, "skin").size(), 7u * 5u);
   EXPECT_EQ(node_set(mesh, "skin.bottom").size(), 7u);
   EXPECT_EQ(node_set(mesh, "skin.top").size(), 7u);
@@ -48,11 +48,11 @@ TEST(Tube, HasCompleteNodeSets) {
   for (const Index node : node_set(mesh, "skin.x_plane")) EXPECT_EQ(mesh.X(0, node), 0.0);
   for (const Index node : node_set(mesh, "skin.y_plane")) EXPECT_EQ(mesh.X(1, node), 0.0);
   for (const Index node : node_set(mesh, "skin.top")) EXPECT_EQ(mesh.X(2, node), length);
-  EXPECT_THROW(node_set(sample(Turn::full), "skin.x_plane"), InternalError);
+  EXPECT_THROW(node_set(sample(Revolution::full), "skin.x_plane"), InternalError);
 }
 
 TEST(Tube, FullIsFourQuartersMirroredBitForBitWithFirstSidesReversed) {
-  const Mesh quarter = sample(Turn::quarter), full = sample(Turn::full);
+  const Mesh quarter = sample(Revolution::quarter), full = sample(Revolution::full);
   EXPECT_EQ(triangles(full, "skin").nodes.cols(), 4 * triangles(quarter, "skin").nodes.cols());
   EXPECT_EQ(full.X.cols(), 8 * cells_core * (cells_along + 1));
   EXPECT_EQ(places(full).size(), static_cast<std::size_t>(full.X.cols()));
@@ -63,7 +63,7 @@ TEST(Tube, FullIsFourQuartersMirroredBitForBitWithFirstSidesReversed) {
 }
 
 TEST(Tube, HasFirstSidesThatRunAround) {
-  const Mesh full = sample(Turn::full);
+  const Mesh full = sample(Revolution::full);
   const Table<3>& nodes = triangles(full, "skin").nodes;
   for (Index element = 0; element < nodes.cols(); ++element) {
     EXPECT_EQ(full.X(2, nodes(0, element)), full.X(2, nodes(1, element)));
@@ -71,7 +71,7 @@ TEST(Tube, HasFirstSidesThatRunAround) {
 }
 
 TEST(Tube, HasSixTrianglesAtEachInnerNodeOfTheFullTurn) {
-  const Mesh full = sample(Turn::full);
+  const Mesh full = sample(Revolution::full);
   const Table<3>& nodes = triangles(full, "skin").nodes;
   std::vector<int> meeting(static_cast<std::size_t>(full.X.cols()), 0);
   for (const Index node : nodes.reshaped()) ++meeting[node];
@@ -82,7 +82,7 @@ TEST(Tube, HasSixTrianglesAtEachInnerNodeOfTheFullTurn) {
 }
 
 TEST(Tube, IsOpenAtItsRimsOnly) {
-  const Mesh full = sample(Turn::full);
+  const Mesh full = sample(Revolution::full);
   Sides sides;
   add_sides(surface(full, "skin.outside").facets, sides);
   EXPECT_EQ(open_sides(sides), 2 * 8 * cells_core);
@@ -90,7 +90,7 @@ TEST(Tube, IsOpenAtItsRimsOnly) {
 }
 
 TEST(Tube, HasTributaryAreasThatSumToTheArea) {
-  const Mesh full = sample(Turn::full);
+  const Mesh full = sample(Revolution::full);
   const double around = 8 * cells_core;
   const double exact = 2 * around * std::sin(pi / around) * radius * length;
   for (const Surface& surface : full.surfaces) {
@@ -99,8 +99,8 @@ TEST(Tube, HasTributaryAreasThatSumToTheArea) {
 }
 
 TEST(Tube, RefusesEmptyShapes) {
-  EXPECT_THROW(tube("skin", {0, 1, Turn::full, 1, 1}), InternalError);
-  EXPECT_THROW(tube("skin", {1, 1, Turn::full, 0, 1}), InternalError);
+  EXPECT_THROW(tube("skin", {0, 1, Revolution::full, 1, 1}), InternalError);
+  EXPECT_THROW(tube("skin", {1, 1, Revolution::full, 0, 1}), InternalError);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ using load::PlaneKind;
 
 TEST(AddPlanes, HoldTheUnionOfTheirSets) {
   Scene scene = with({bar()});
-  scene.planes = {{.name = "side", .kind = PlaneKind::held, .nodes = {"bar.x_low", "bar.y_low"}, .normal = Vec3(0, 0.6, 0.8)}};
+  scene.planes = {{.name = "side", .kind = PlaneKind::constrained, .nodes = {"bar.x_low", "bar.y_low"}, .normal = Vec3(0, 0.6, 0.8)}};
   const dynamics::Model model = build(scene).model;
   ASSERT_EQ(model.constraints.planes.size(), 1U);
   EXPECT_EQ(model.constraints.planes[0].nodes.size(), 8U);  // four and six, two of them common
@@ -40,7 +40,7 @@ TEST(AddPlanes, RefuseASymmetryPlaneWhoseNodesLieOnNone) {
 TEST(AddPlanes, RefuseAConflictAlsoWhereAProbeMeasuresIt) {
   Scene scene = with({bar()});
   scene.planes = {{.name = "p", .kind = PlaneKind::fixed, .nodes = {"bar.z_low"}},
-                  {.name = "q", .kind = PlaneKind::held, .nodes = {"bar.x_low"}, .velocity = [](double) { return 1.0; }}};
+                  {.name = "q", .kind = PlaneKind::constrained, .nodes = {"bar.x_low"}, .velocity = [](double) { return 1.0; }}};
   scene.probes = {{.name = "f", .quantity = "force", .of = "q", .component = "z"}};
   EXPECT_EQ(refusal(scene), "plane 'q': 'q' moves nodes that 'p' holds in the same direction");
 }
@@ -53,7 +53,7 @@ TEST(AddPlanes, RefuseTooManyOnOneNode) {
 
 TEST(AddRigidPlanes, AreAsHardAsTheirSurfaceAndKnowItsDepth) {
   Scene scene = with({bar()});
-  scene.rigid_planes = {{.name = "wall", .surface = "bar.x_high", .point = Vec3(2.5, 0, 0), .normal = -Vec3::UnitX(), .hardness = 3,
+  scene.rigid_planes = {{.name = "wall", .surface = "bar.x_high", .point = Vec3(2.5, 0, 0), .normal = -Vec3::UnitX(), .penalty_scale = 3,
                          .friction = {.coefficient = 0.2}}};
   const contact::RigidPlane chosen = build(scene).model.rigid_planes.at(0);
   EXPECT_NEAR(chosen.penalty, 3 * 240e9, 1e-3);  // lambda + 2 mu over cells of 1 m; round-off
@@ -89,10 +89,10 @@ TEST(AddLoads, RefuseMomentsOnSolidsSpringsOnManyNodesAndValuesThatAreNoNumber) 
 TEST(AddLoads, TurningIsOfPlates) {
   Scene scene = with({bar(), sheet()});
   scene.planes = {{.name = "spin", .kind = PlaneKind::driven, .nodes = {"sheet"}, .field = uniform(Vec3::Zero()),
-                   .turning = uniform(Vec3::UnitZ())}};
+                   .angular_velocity = uniform(Vec3::UnitZ())}};
   EXPECT_EQ(refusal(scene), "");
   scene.planes[0].nodes = {"bar"};
-  EXPECT_TRUE(says(refusal(scene), "'turning' is of nodes of plates: 'spin' has none"));
+  EXPECT_TRUE(says(refusal(scene), "'angular_velocity' is of nodes of plates: 'spin' has none"));
 }
 
 TEST(SetInitial, AddsUpVelocitiesAndRefusesDisplacementsThatInvertElements) {

@@ -34,7 +34,7 @@ TEST(MakeProbe, MeasuresEveryQuantityOfAScene) {
 
 TEST(MakeProbe, TakesTheMeanForceOfAPlaneAlongItsNormal) {
   Scene scene = with({bar()});
-  scene.planes = {{.name = "ground", .kind = load::PlaneKind::held, .nodes = {"bar"}, .normal = -Vec3::UnitZ()}};
+  scene.planes = {{.name = "ground", .kind = load::PlaneKind::constrained, .nodes = {"bar"}, .normal = -Vec3::UnitZ()}};
   scene.gravity = Vec3(0, 0, -10);
   scene.probes = {{.name = "f", .quantity = "force", .of = "ground", .component = "normal"}};
   Simulation simulation = build(scene);

@@ -98,7 +98,7 @@ TEST(Summary, CreatedEnergyIsRelativeToNothingWhenNothingMoved) {
   Summary summary = example();
   summary.ledger.initial_kinetic = 0;
   EXPECT_HAS(written(summary), R"("created_relative":{"value":null,"unit":"1"})");
-  summary.ledger.brought_in = 4;
+  summary.ledger.external_work = 4;
   EXPECT_HAS(written(summary), R"("created_relative":{"value":-0.25,"unit":"1"})");
 }
 

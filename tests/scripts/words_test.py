@@ -30,5 +30,11 @@ class WordsTest(unittest.TestCase):
         self.assertEqual({line.count("|") for line in words.table()}, {5})
 
 
+    def test_the_reader_of_cases_has_the_same_table(self):
+        source = (Path(__file__).resolve().parents[2] / "lib/input/retired.cpp").read_text(encoding="utf-8")
+        rows = re.findall(r'{"(\w+)", "(\w+)", "(\w*)", "([^"]*)"}', source)
+        self.assertEqual(rows, [(one.old, one.new, one.key, " ".join(one.where)) for one in words.RENAMED])
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -52,14 +52,14 @@ CHECKS = [
 
 STUDIES = [
     Falls("rebound speed", along="bodies[0].mesh.cells[0]", values=[100, 200, 400]),
-    Falls("duration", along="planes[0].hardness", values=[0.125, 0.25, 0.5, 1]),
+    Falls("duration", along="planes[0].penalty_scale", values=[0.125, 0.25, 0.5, 1]),
 ]
 
 BREAKS = [
     Breaks("impact time", "the gap in millimetres", {"planes[0].point": "[254.01 mm, 0 mm, 0 mm]"}),
     Breaks("plateau force", "weight per volume taken for density", {"bodies[0].material.density": "0.282 lbf*s^2/in^4"}),
-    Breaks("plateau force", "a wall two hundred times too soft", {"planes[0].hardness": 0.005}),
-    Breaks("duration", "a wall two hundred times too soft", {"planes[0].hardness": 0.005}),
+    Breaks("plateau force", "a wall two hundred times too soft", {"planes[0].penalty_scale": 0.005}),
+    Breaks("duration", "a wall two hundred times too soft", {"planes[0].penalty_scale": 0.005}),
     Breaks("rebound speed", "viscosity that swallows the wave", {"bodies[0].element.viscosity.linear": 1}),
     Breaks("impulse of the wall", "a wall that keeps what it catches",
            {"planes[0].kind": "floor", "planes[0].nodes": "[bar.x_high]"}),

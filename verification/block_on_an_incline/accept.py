@@ -20,7 +20,7 @@ def creep(run):
 
 def sag(run):
     """Way of the sole where nothing slides: weight over the stiffness of the elastic stick."""
-    stick = run.overrides.get("planes[0].stick", 1)
+    stick = run.overrides.get("planes[0].tangential_penalty", 1)
     one = run.again({"planes[0].friction": 10})
     return Pair(one.column("way")[-1], MASS * GRAVITY * sin(radians(30)) / (1e9 * stick * 0.16), "m")
 
@@ -68,7 +68,7 @@ CHECKS = [
 def sticks(run):
     rows = []
     for stick in (0.01, 0.1, 1):
-        one = run.again({"planes[0].stick": stick})
+        one = run.again({"planes[0].tangential_penalty": stick})
         rows.append([f"{stick:g}", f"{sag(one).got:.3e}", f"{sag(one).expected:.3e}", f"{settling(one).got:.3e}", f"{creep(one).got:.1e}"])
     return rows
 

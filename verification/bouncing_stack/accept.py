@@ -73,8 +73,8 @@ def penalties(run):
     for penalty in ("1e7 Pa/m", "1e8 Pa/m", "1e9 Pa/m"):
         for bound in (0.04, 0.005, 0.0005):
             one = run.again({**{f"contacts[{c}].{key}": value for c in (0, 1) for key, value in (("penalty", penalty),
-                ("created_in_a_bounce", bound))},
-                             "planes[0].penalty": penalty, "planes[0].created_in_a_bounce": bound})
+                ("energy_gain_limit", bound))},
+                             "planes[0].penalty": penalty, "planes[0].energy_gain_limit": bound})
             rows.append([penalty, f"{bound:g}", str(one.summary["cost"]["steps"]), str(bounces(one)), f"{100 * drift(one).error():.2f} %"])
     return rows
 
@@ -90,16 +90,18 @@ CHECKS = [
 ]
 
 STUDIES = [Table("The stack: drift over penalties and the bound on what a bounce creates.",
-                 ["penalty", "created_in_a_bounce", "steps", "bounces", "drift"], penalties, full=True)]
+                 ["penalty", "energy_gain_limit", "steps", "bounces", "drift"], penalties, full=True)]
 
 WAIVERS = [
-    Waiver("created energy of any source at any time", lambda run: float(run.overrides.get("planes[0].created_in_a_bounce", 0)) > 0.005,
+    Waiver("created energy of any source at any time", lambda run: float(run.overrides.get("planes[0].energy_gain_limit", 0)) > 0.005,
            "a bounce is allowed eight times the default energy, and the break is that it then creates it"),
+    Waiver("created energy of any source at any time", lambda run: run.overrides.get("bodies[0].material.young") == "1 MPa",
+           "the break's lowest block is so soft that the stack is chaotic: with the modulus changed in its sixth digit between 0.05 % and 30 %"),
 ]
 
 BREAKS = [
     Breaks("stack: drift of the total energy", "the longest step that a case can ask for: a bounce may create 4 %",
-           {"contacts[0].created_in_a_bounce": 0.04, "contacts[1].created_in_a_bounce": 0.04, "planes[0].created_in_a_bounce": 0.04}),
+           {"contacts[0].energy_gain_limit": 0.04, "contacts[1].energy_gain_limit": 0.04, "planes[0].energy_gain_limit": 0.04}),
     Breaks("stack: drift of the total energy", "viscosity that was not turned off", {"bodies[0].element.viscosity.linear": 0.06}),
     Breaks("stack: bounces that are missing of twenty", "a floor that keeps what it catches",
            {"planes[0].kind": "floor", "planes[0].nodes": "[low.z_low]"}),

@@ -66,7 +66,7 @@ STUDIES = [Table("Less the exact ones, by cells in core and ring of a quarter.",
     "(0, 1)"], meshes, full=True)]
 
 BREAKS = [
-    Breaks("deflection of the middle", "a rim that is supported and not clamped", {"planes[0].kind": "held",
+    Breaks("deflection of the middle", "a rim that is supported and not clamped", {"planes[0].kind": "constrained",
         "planes[0].normal": "[0, 0, 1]"}),
     Breaks("frequency without nodal lines", "a beam's bending, E t^3/12 without 1 - nu^2", {"bodies[0].material.poisson": 0}),
     Breaks("frequency with one nodal circle", "the thickness in place of its half", {"bodies[0].element.thickness": "20 mm"}),

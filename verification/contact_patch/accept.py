@@ -11,7 +11,7 @@ EVIDENCE = "exact"
 DRIVER = "scene"
 
 PRESSURE = 1.0                            # [Pa]
-PENALTY = 4 * 1e6 * 0.7 / (1.3 * 0.4) / 0.25  # [Pa/m] hardness times (lambda + 2 mu) over the depth of a cell
+PENALTY = 4 * 1e6 * 0.7 / (1.3 * 0.4) / 0.25  # [Pa/m] penalty scale times (lambda + 2 mu) over the depth of a cell
 EXACT = reference(PRESSURE, 1e6, 0.5, PENALTY)
 CYLINDERS = "verification/contact_patch/cylinders.yaml"
 MATCHING = {"bodies[1].mesh.cells": "[4, 4, 2]"}
@@ -70,10 +70,11 @@ FORMULATIONS = [
     ("weights of the paper, friction 0.3", {"contacts[0].weights": "paper", "contacts[0].friction": 0.3}),
     ("area and weights of the paper, friction 0.3", {"contacts[0].area": "base", "contacts[0].weights": "paper",
                                                      "contacts[0].friction": 0.3}),
-    ("friction 0.3", {"contacts[0].friction": 0.3}), ("friction 0.3, stick 0.1", {"contacts[0].friction": 0.3, "contacts[0].stick": 0.1}),
+    ("friction 0.3", {"contacts[0].friction": 0.3}),
+    ("friction 0.3, tangential penalty 0.1", {"contacts[0].friction": 0.3, "contacts[0].tangential_penalty": 0.1}),
     ("friction 0.3, two passes", {"contacts[0].friction": 0.3, "contacts[0].passes": "two"}), ("bonded", {"contacts[0].kind": "bonded"}),
-    ("damping 0.1", {"contacts[0].damping": 0.1}),
-    ("hardness 40", {"contacts[0].hardness": 40}), ("hardness 0.4", {"contacts[0].hardness": 0.4}),
+    ("damping 0.1", {"contacts[0].damping_ratio": 0.1}),
+    ("penalty scale 40", {"contacts[0].penalty_scale": 40}), ("penalty scale 0.4", {"contacts[0].penalty_scale": 0.4}),
     ("a penalty given, 2e7 Pa/m", {"contacts[0].penalty": "2e7 Pa/m"}), ("penalty from mass and step",
         {"contacts[0].penalty_from": "mass_and_step"}),
     ("the same, half the step", {"contacts[0].penalty_from": "mass_and_step", "contacts[0].step_share": 0.5}),
@@ -110,7 +111,7 @@ def grids(run):
     rows.append(row("4 x 4 on 4 x 4, matching, bonded", run.again({**MATCHING, "contacts[0].kind": "bonded"})))
     rows.append(row("6 x 6 on 8 x 8, two passes", run.again({"bodies[0].mesh.cells": "[8, 8, 4]", "bodies[1].mesh.cells": "[6, 6, 4]",
                                                              "contacts[0].passes": "two"})))
-    rows.append(row("cylinders, matching", cylinders.again({"bodies[1].turn.angle": "0 deg"})))
+    rows.append(row("cylinders, matching", cylinders.again({"bodies[1].rotate.angle": "0 deg"})))
     rows.append(row("cylinders turned by 45 degrees", cylinders))
     rows.append(row("the same, sides exchanged", cylinders.again(EXCHANGED_CYLINDERS)))
     rows.append(row("cylinders turned by 45 degrees, two passes", cylinders.again({"contacts[0].passes": "two"})))
@@ -139,10 +140,10 @@ STUDIES = [
 ]
 
 BREAKS = [
-    Breaks("overlap of every apex, matching grids", "a penalty twice as hard", {"contacts[0].hardness": 8}),
+    Breaks("overlap of every apex, matching grids", "a penalty twice as hard", {"contacts[0].penalty_scale": 8}),
     Breaks("overlap of every apex, matching grids", "the area of the base in place of the apex's own", {"contacts[0].area": "base"}),
     Breaks("stress of every element, matching grids", "the area of the base in place of the apex's own", {"contacts[0].area": "base"}),
-    Breaks("resultant, matching grids", "a penalty ten times too soft", {"contacts[0].hardness": 0.4}),
+    Breaks("resultant, matching grids", "a penalty ten times too soft", {"contacts[0].penalty_scale": 0.4}),
     Breaks("force through blocks over interface, 3 x 3 on 4 x 4", "rest not waited for", {"relaxation.residual": 0.02}),
 ]
 

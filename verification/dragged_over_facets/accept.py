@@ -93,7 +93,7 @@ FEW = {"output.frames_every": "1 s"}
 BREAKS = [
     Breaks("ripple of the push", "the area of the facet in place of the apex's own", {**FEW, "contacts[0].area": "base"}),
     Breaks("jump of a base node's friction", "equal weights for friction, as the paper has them", {"contacts[0].weights": "paper"}),
-    Breaks("friction over push", "a stick a million times too soft", {**FEW, "contacts[0].stick": 1e-6}),
+    Breaks("friction over push", "a stick a million times too soft", {**FEW, "contacts[0].tangential_penalty": 1e-6}),
     Breaks("push over what the depth asks for", "a contact height nobody asked for",
            {**FEW, "contacts[0].contact_height": "given", "contacts[0].height": "0.01 mm"}),
 ]

@@ -24,7 +24,7 @@ MATCHING = {"bodies[1].mesh.cells": "[4, 4, 2]"}
 OVERLAP = moved("-10 mm")
 SPEEDS = (0.1, 0.3, 0.4, 0.5, 1, 10, 100)
 ROWS = [*((f"{v:g} c", "case", at(v), DEPTH) for v in SPEEDS),
-        *((f"{v:g} c, a penalty of {h:g} of the stiffness", "case", {**at(v), "contacts[0].hardness": h}, DEPTH) for v,
+        *((f"{v:g} c, a penalty of {h:g} of the stiffness", "case", {**at(v), "contacts[0].penalty_scale": h}, DEPTH) for v,
           h in ((0.1, 0.1), (0.1, 0.01), (0.3, 0.1))),
         *((f"{v:g} c, plate of 5 mm", "plate", at(v), THICKNESS) for v in (0.1, 1, 3)),
         ("overlap of 9 mm", "case", OVERLAP, DEPTH), ("overlap of 9 mm, accepted", "case",
@@ -120,7 +120,7 @@ STUDIES = [Table("What the program does. Part of an element crossed in the large
 
 def too_fast(run):
     """Three tenths of the speed of sound or more, or a penalty below a tenth of the stiffness: the rows that go wrong loudly."""
-    return speed_of(run) > 0.25 * SOUND or float(run.overrides.get("contacts[0].hardness", 1)) < 0.05
+    return speed_of(run) > 0.25 * SOUND or float(run.overrides.get("contacts[0].penalty_scale", 1)) < 0.05
 
 
 WAIVERS = [

@@ -46,17 +46,17 @@ CHECKS = [
 ]
 
 STUDIES = [
-    Falls("largest shortening", along="bodies[0].mesh.cells[0]", values=[50, 100, 200], fixed={"planes[0].hardness": 1}),
+    Falls("largest shortening", along="bodies[0].mesh.cells[0]", values=[50, 100, 200], fixed={"planes[0].penalty_scale": 1}),
     Falls("kinetic energy at the largest shortening", along="bodies[0].mesh.cells[0]", values=[50, 100, 200],
-          fixed={"planes[0].hardness": 1}),
-    Falls("time of the largest shortening", along="planes[0].hardness", values=[0.5, 1, 2]),
+          fixed={"planes[0].penalty_scale": 1}),
+    Falls("time of the largest shortening", along="planes[0].penalty_scale", values=[0.5, 1, 2]),
 ]
 
 BREAKS = [
     Breaks("impact time", "the gap in millimetres", {"planes[0].point": "[254000.64 mm, 0 mm, 0 mm]"}),
     Breaks("largest shortening", "weight per volume taken for density", {"bodies[0].material.density": "0.282 lbf*s^2/in^4"}),
     Breaks("time of the largest shortening", "29e6 psi for 30e6 psi, as some tables have it", {"bodies[0].material.young": "29e6 psi"}),
-    Breaks("kinetic energy at the largest shortening", "a wall a hundred times too soft", {"planes[0].hardness": 0.01}),
+    Breaks("kinetic energy at the largest shortening", "a wall a hundred times too soft", {"planes[0].penalty_scale": 0.01}),
     Breaks("kinetic energy at the largest shortening", "five elements for the whole bar", {"bodies[0].mesh.cells": "[5, 1, 1]"}),
 ]
 

@@ -80,8 +80,8 @@ def variants(run):
                        ("44 x 11 cells", cells(44, 11)),
                        ("26 x 6 cells, a penalty half as hard", {"contacts[0].penalty": "5e12 Pa/m"}),
                        ("26 x 6 cells, a penalty twice as hard", {"contacts[0].penalty": "2e13 Pa/m"}),
-                       ("26 x 6 cells, stick 0.5", {"contacts[0].stick": 0.5}), ("26 x 6 cells, no damping of contact",
-                           {"contacts[0].damping": 0}),
+                       ("26 x 6 cells, stick 0.5", {"contacts[0].tangential_penalty": 0.5}), ("26 x 6 cells, no damping of contact",
+                           {"contacts[0].damping_ratio": 0}),
                        ("26 x 6 cells, eight points in each element", {f"bodies[{i}].element.kind": "full" for i in (0, 1)})):
         one = run.again(keys)
         force, sideways = normal_force(one).got, shear_force(one).got
@@ -117,9 +117,9 @@ WAIVERS = [
 
 BREAKS = [
     Breaks("half-width of the strip that sticks", "half as much friction again", {**COARSE, "contacts[0].friction": 0.3}),
-    Breaks("half-width of the strip that sticks", "sticks a hundred times too soft", {**COARSE, "contacts[0].stick": 0.01}),
+    Breaks("half-width of the strip that sticks", "sticks a hundred times too soft", {**COARSE, "contacts[0].tangential_penalty": 0.01}),
     Breaks("half-width of the contact", "a penalty fifty times too soft", {**COARSE, "contacts[0].penalty": "2e11 Pa/m"}),
-    Breaks("profile of the shear traction", "sticks a hundred times too soft", {**COARSE, "contacts[0].stick": 0.01}),
+    Breaks("profile of the shear traction", "sticks a hundred times too soft", {**COARSE, "contacts[0].tangential_penalty": 0.01}),
     Breaks("largest pressure", "Young's modulus for E*: no Poisson effect", {**COARSE, "bodies[0].material.poisson": 0,
         "bodies[1].material.poisson": 0}, full=True),
     Breaks("normal force", "the compliance of one body left out of E*",

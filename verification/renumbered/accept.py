@@ -47,7 +47,7 @@ def same(scene):
 
 def nearly_same(run):
     """Of plates whose triangles are counted from other corners, both with the step that is asked for."""
-    step = {key: value for key, value in run.overrides.items() if key == "contacts[0].created_in_a_bounce"}
+    step = {key: value for key, value in run.overrides.items() if key == "contacts[0].energy_gain_limit"}
     base = run.other("scene", f"{scenes.FOLDER}/plates.yaml", step)
     path, carry = CORNERS(run, base, "plates")
     twin = run.other("scene", str(path), run.overrides)
@@ -64,7 +64,7 @@ CHECKS = [
 ]
 
 STUDIES = [
-    Falls(FROM_OTHER_CORNERS, along="contacts[0].created_in_a_bounce", values=[0.005, 0.00125, 0.0003125], order=1.5,
+    Falls(FROM_OTHER_CORNERS, along="contacts[0].energy_gain_limit", values=[0.005, 0.00125, 0.0003125], order=1.5,
           sizes=[4, 2, 1], full=True),
     Table("Other numbers: the largest relative differences.", scenes.COLUMNS,
           lambda run: [scenes.summary_rows(run, scene, ORDERS) for scene in scenes.FROM_FILES], full=True),

@@ -56,7 +56,7 @@ FREE = {"planes[1].kind": "rigid", "planes[1].surface": "block.y_high", "planes[
 
 def options(run):
     rows = []
-    for name, change in (("as it is", {}), ("free to turn about the vertical", FREE), ("stick 0.1", {"planes[0].stick": 0.1}),
+    for name, change in (("as it is", {}), ("free to turn about the vertical", FREE), ("stick 0.1", {"planes[0].tangential_penalty": 0.1}),
                          ("penalty 1e7 Pa/m", {"planes[0].penalty": "1e7 Pa/m"})):
         one = run.again(change)
         rows.append([name, f"{distance(one).got:.5f}", f"{stop_time(one).got:.5f}", f"{heat(one).got:.3f}"])
@@ -69,7 +69,7 @@ STUDIES = [Table("Distance in metres, time in seconds, heat in joules.", ["", "d
 BREAKS = [
     Breaks("distance", "gravity of 9.0 m/s2", {"gravity": "[0 m/s^2, 0 m/s^2, -9.0 m/s^2]"}),
     Breaks("time to stop", "a coefficient of 0.31", {"planes[0].friction": 0.31}),
-    Breaks("distance", "a stick ten thousand times too soft", {"planes[0].stick": 1e-4}),
+    Breaks("distance", "a stick ten thousand times too soft", {"planes[0].tangential_penalty": 1e-4}),
     Breaks("creep after the stop", "looked at before the stop", {"time.end": "1.6 s"}),
 ]
 

@@ -89,12 +89,12 @@ def struck_at(a_over_r):
 
 def meshes(run):
     rows = []
-    for a_over_r, core, ring, b, hardness in ((0.2, 4, 4, 0.5, 8), (0.2, 6, 6, 0.5, 2), (0.2, 6, 6, 0.5, 8), (0.2, 8, 6, 0.5, 8),
+    for a_over_r, core, ring, b, scale in ((0.2, 4, 4, 0.5, 8), (0.2, 6, 6, 0.5, 2), (0.2, 6, 6, 0.5, 8), (0.2, 8, 6, 0.5, 8),
                                               (0.1, 4, 4, 0.6, 8), (0.1, 6, 6, 0.6, 8),
                                               (0.05, 4, 4, 0.7, 8), (0.05, 6, 6, 0.7, 8), (0.05, 8, 5, 0.72, 8)):
-        one = run.again({**graded(core, ring, b), **struck_at(a_over_r), "planes[2].hardness": hardness})
+        one = run.again({**graded(core, ring, b), **struck_at(a_over_r), "planes[2].penalty_scale": scale})
         force, time = finite_sphere(a_over_r)
-        rows.append([f"{a_over_r:g}", f"{2 * core} around a quarter, b = {b:g}", f"{hardness}",
+        rows.append([f"{a_over_r:g}", f"{2 * core} around a quarter, b = {b:g}", f"{scale}",
                      f"{mass(one) / mass_of(STEEL['radius'], STEEL['density']):.4f}",
                      f"{against_half_space(one).got / exact(one)['force']:.4f}", f"{force:.3f}",
                      f"{duration(one).got / exact(one)['duration']:.4f}", f"{time:.3f}",
@@ -118,12 +118,12 @@ CHECKS = [
 STUDIES = [
     Table("Meshes, penalties and speeds: mass over the ball's, force and time over Hertz's for the mass that is there, beside the "
           "catalogue's finite sphere.",
-          ["a/R", "elements", "hardness", "mass", "force", "finite sphere", "time", "finite sphere", "rebound"], meshes, full=True),
+          ["a/R", "elements", "penalty_scale", "mass", "force", "finite sphere", "time", "finite sphere", "rebound"], meshes, full=True),
 ]
 
 COARSE = graded(4, 4, 0.5)
 BREAKS = [
-    Breaks("largest force", "a plane two hundred times too soft", {**COARSE, "planes[2].hardness": 0.04, "time.end": "60 us"}),
+    Breaks("largest force", "a plane two hundred times too soft", {**COARSE, "planes[2].penalty_scale": 0.04, "time.end": "60 us"}),
     Breaks("contact time", "Young's modulus for E*: no Poisson effect", {**COARSE, "bodies[0].material.poisson": 0}),
     Breaks("speed after over before", "viscosity that swallows waves", {**COARSE, "bodies[0].element.viscosity.linear": 1}),
     Breaks("mass of the ball", "a mesh too coarse at the far pole", {**COARSE}),

@@ -89,7 +89,7 @@ STUDIES = [Table("Momentum [N s] that the large block has in the end; sides as i
 BREAKS = [
     *(Breaks(f"{scene}, two passes: sides changed", "the second pass forgotten on one side", {"contacts[0].passes": "one"})
       for scene in IN_TWO_PASSES),
-    Breaks("one pass: push", "a penalty a hundred times too soft in one of both runs", {"contacts[0].hardness": 0.04}),
+    Breaks("one pass: push", "a penalty a hundred times too soft in one of both runs", {"contacts[0].penalty_scale": 0.04}),
     Breaks("one pass: drag", "friction halved in one of both runs", {"contacts[0].friction": 0.1}),
     Breaks("one pass: momentum and angular momentum are kept, both ways",
            "friction shared out by the thirds of the paper, which make a moment", {"contacts[0].weights": "paper"}),

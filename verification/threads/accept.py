@@ -54,7 +54,7 @@ def table(run):
 STUDIES = [Table("Files that differ from those of one thread.", ["scene", "steps", "files", "2 threads", "4"], table, full=True)]
 
 def longer_steps(*keys):
-    return {f"{key}.created_in_a_bounce": 0.0051 for key in keys}
+    return {f"{key}.energy_gain_limit": 0.0051 for key in keys}
 
 
 BREAKS = [

@@ -41,12 +41,12 @@ CHECKS = [
 ]
 
 STUDIES = [
-    Falls("contact time", along="contact.hardness", values=[0.25, 0.5, 1]),
+    Falls("contact time", along="contact.penalty_scale", values=[0.25, 0.5, 1]),
     Falls("velocity of A", along="blocks.cells_along", values=[50, 100, 200]),
 ]
 
 WAIVERS = [
-    Waiver("created energy of any source at any time", lambda run: float(run.overrides.get("contact.created_in_a_bounce", 0)) > 0.005,
+    Waiver("created energy of any source at any time", lambda run: float(run.overrides.get("contact.energy_gain_limit", 0)) > 0.005,
            "a bounce is allowed eight times the default energy, and the break is that it then creates it"),
 ]
 
@@ -56,7 +56,7 @@ BREAKS = [
     Breaks("velocity of A", "viscosity that swallows the wave", {"element.viscosity.linear": 1}),
     Breaks("velocity of B", "viscosity that swallows the wave", {"element.viscosity.linear": 1}),
     Breaks("created energy", "two cells, a stiff interface, and a step beyond the bound of a bounce",
-           {"contact.created_in_a_bounce": 0.04, "blocks.cells_along": 2, "contact.hardness": 50}),
+           {"contact.energy_gain_limit": 0.04, "blocks.cells_along": 2, "contact.penalty_scale": 50}),
 ]
 
 

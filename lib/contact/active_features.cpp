@@ -1,4 +1,4 @@
-#include "contact/claims.hpp"
+#include "contact/active_features.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -71,23 +71,23 @@ bool all_agree(const BaseSurface& base, const Vectors& x, const Vector<double>& 
 /// and from inside the shorter way leads out. In a valley both claims stand.
 ///
 ///     n_i . (foot_j - foot_i) = h_i - h_j n_i . n_j,  negative where the foot of j lies behind i
-void settle_ridges(Claims& claims) {
+void settle_ridges(ActiveFeatures& active) {
   std::array<bool, most_candidates> drop{};
-  for (int i = 0; i < claims.count; ++i) {
+  for (int i = 0; i < active.count; ++i) {
     for (int j = 0; j < i; ++j) {
-      if (claims.feature[i].kind != Kind::facet || claims.feature[j].kind != Kind::facet) continue;
-      const double cosine = claims.at[i].normal.dot(claims.at[j].normal);
-      const double hi = claims.at[i].height, hj = claims.at[j].height;
+      if (active.feature[i].kind != Kind::facet || active.feature[j].kind != Kind::facet) continue;
+      const double cosine = active.at[i].normal.dot(active.at[j].normal);
+      const double hi = active.at[i].height, hj = active.at[j].height;
       if (hi - cosine * hj < 0 && hj - cosine * hi < 0) drop[hi < hj ? i : j] = true;
     }
   }
   int kept = 0;
-  for (int i = 0; i < claims.count; ++i) {
+  for (int i = 0; i < active.count; ++i) {
     if (drop[i]) continue;
-    claims.feature[kept] = claims.feature[i];
-    claims.at[kept++] = claims.at[i];
+    active.feature[kept] = active.feature[i];
+    active.at[kept++] = active.at[i];
   }
-  claims.count = kept;
+  active.count = kept;
 }
 
 /// Whether the closest edge, or an edge that meets in the closest vertex, has an entry in the table of
@@ -130,7 +130,7 @@ FeatureHeight height_over(const BaseSurface& base, const Vectors& x, const Featu
     const auto at = geometry::vertex_height(std::array{c[f.local]}, p);
     height = at.height, normal = eigen(at.normal), weight = {1, 0, 0};
   }
-  // Behind the surface the way back leads through the edge to the other side. The side is that of
+  // Behind the surface the vector back leads through the edge to the other side. The side is that of
   // the mean normal of the facets that meet there, weighted by their angles (Baerentzen & Aanaes 2005).
   Vec3 mean = Vec3::Zero();
   const auto add = [&](Index facet, double angle) {
@@ -179,7 +179,7 @@ bool at_end(const BaseSurface& base, Index facet, const Closest& closest) {
   return touches_an_edge(base, facet, closest, [](Index neighbour) { return neighbour == no_facet; });
 }
 
-void Claims::add(const Feature& f, const FeatureHeight& height) {
+void ActiveFeatures::add(const Feature& f, const FeatureHeight& height) {
   int place = count;
   if (count == most_candidates) {
     place = 0;
@@ -193,9 +193,9 @@ void Claims::add(const Feature& f, const FeatureHeight& height) {
   at[place] = height;
 }
 
-Claims claims_on(const BaseSurface& base, const Vectors& x, const Vector<double>& p, const WalkEnd& from, double height,
+ActiveFeatures active_features_on(const BaseSurface& base, const Vectors& x, const Vector<double>& p, const WalkEnd& from, double height,
                  const Mat3* allowed) {
-  Claims claims;
+  ActiveFeatures active;
   Neighbourhood near;
   near.look(base, x, p, from.feature.facet);
   // Another flank can claim the apex only near a border: only facets behind those have to be looked at.
@@ -219,13 +219,13 @@ Claims claims_on(const BaseSurface& base, const Vectors& x, const Vector<double>
     const Closest at = near.closest[i];
     const Feature feature{near.facet[i], at.kind, at.local};
     if (at.kind == Kind::facet) {
-      claims.add(feature, near.height[i]);
+      active.add(feature, near.height[i]);
       continue;
     }
     if (on_border(base, near.facet[i], at)) {
       if (!past_border(base, x, near.facet[i], at, p, allowed, false)) {
         const Feature facet{near.facet[i], Kind::facet, 0};
-        claims.add(facet, height_over(base, x, facet, p));
+        active.add(facet, height_over(base, x, facet, p));
         continue;
       }
       // at a symmetry plane a border is a ridge between a facet and its image
@@ -234,16 +234,16 @@ Claims claims_on(const BaseSurface& base, const Vectors& x, const Vector<double>
     if (all_agree(base, x, p, near, i)) {
       bool known = false;  // the same edge or vertex, seen from another facet
       const FeatureNodes mine = nodes_of(base, feature);
-      for (int k = 0; k < claims.count && !known; ++k) {
-        const FeatureNodes other = nodes_of(base, claims.feature[k]);
+      for (int k = 0; k < active.count && !known; ++k) {
+        const FeatureNodes other = nodes_of(base, active.feature[k]);
         known = other.count == mine.count && (mine.count == 1 ? other.node[0] == mine.node[0]
                                                               : other.node[0] == mine.node[1] && other.node[1] == mine.node[0]);
       }
-      if (!known) claims.add(feature, height_over(base, x, feature, p));
+      if (!known) active.add(feature, height_over(base, x, feature, p));
     }
   }
-  if (claims.count > 1) settle_ridges(claims);
-  return claims;
+  if (active.count > 1) settle_ridges(active);
+  return active;
 }
 
 }  // namespace nereid::contact

@@ -1,4 +1,4 @@
-#include "contact/bounce.hpp"
+#include "contact/impact_step.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +24,7 @@ double energy_created_in_a_bounce(double step) {
   return worst;
 }
 
-double step_for_a_bounce(double bound) {
+double impact_step_factor_for(double bound) {
   check(bound > 0 && bound < 1, "the energy a bounce may create lies between 0 and 1");
   return std::min(0.5, 2 * std::sqrt(bound / (1 + bound)));
 }

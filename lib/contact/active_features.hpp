@@ -5,7 +5,7 @@
 // the apex, and contact.cpp pushes it out of all of them at once.
 
 #include "contact/base_surface.hpp"
-#include "contact/push.hpp"
+#include "contact/projection.hpp"
 
 namespace nereid::contact {
 
@@ -44,7 +44,7 @@ bool past_border(const BaseSurface&, const Vectors& x, Index facet, const geomet
                  const Vector<double>& apex, const Mat3* allowed, bool image);
 
 /// The features that claim an apex.
-struct Claims {
+struct ActiveFeatures {
   int count = 0;
   std::array<Feature, most_candidates> feature;
   std::array<FeatureHeight, most_candidates> at;
@@ -57,7 +57,7 @@ struct Claims {
 ///
 /// height   [m] of the apex or h_c, whichever is larger: how far around it is worth looking
 /// allowed  directions of an apex on a symmetry plane, or null
-Claims claims_on(const BaseSurface&, const Vectors& x, const Vector<double>& apex, const WalkEnd& from,
+ActiveFeatures active_features_on(const BaseSurface&, const Vectors& x, const Vector<double>& apex, const WalkEnd& from,
                  double height, const Mat3* allowed);
 
 }  // namespace nereid::contact

@@ -20,6 +20,6 @@ double energy_created_in_a_bounce(double step);
 /// inverts the upper end, so that a step cut short by another vote is safe too.
 ///
 /// Needs  0 < bound < 1; the step is capped at 0.5, where a bounce creates 4.5 %
-double step_for_a_bounce(double bound);
+double impact_step_factor_for(double bound);
 
 }  // namespace nereid::contact

@@ -30,6 +30,6 @@ void add_plane(Mesh&, const std::string& name, int axis);
 
 /// The quarter as it is, or completed to the full turn, then its node set of all nodes and, for a
 /// quarter, the node sets of its two planes.
-Mesh turned(const Mesh& quarter, Turn turn, const std::string& name);
+Mesh turned(const Mesh& quarter, Revolution turn, const std::string& name);
 
 }  // namespace nereid::mesh

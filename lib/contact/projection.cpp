@@ -1,4 +1,4 @@
-#include "contact/push.hpp"
+#include "contact/projection.hpp"
 
 #include <Eigen/Cholesky>
 #include <algorithm>
@@ -60,7 +60,7 @@ void try_all(const Contacts& contacts, double tolerance, Multipliers& lambda) {
 
 }  // namespace
 
-Multipliers shortest_way_out(const Contacts& contacts) {
+Multipliers projection_multipliers(const Contacts& contacts) {
   Multipliers lambda{};
   if (contacts.count == 0) return lambda;
   const auto deepest = std::max_element(contacts.depth.begin(), contacts.depth.begin() + contacts.count);

@@ -1,4 +1,4 @@
-#include "mesh/turn.hpp"
+#include "mesh/revolution.hpp"
 
 #include <algorithm>
 #include <array>
@@ -121,10 +121,10 @@ void add_plane(Mesh& mesh, const std::string& name, int axis) {
   mesh.node_sets.push_back({name, nodes});
 }
 
-Mesh turned(const Mesh& quarter, Turn turn, const std::string& name) {
-  Mesh mesh = turn == Turn::full ? in_layers(with_image(with_image(quarter, 0), 1)) : quarter;
+Mesh turned(const Mesh& quarter, Revolution turn, const std::string& name) {
+  Mesh mesh = turn == Revolution::full ? in_layers(with_image(with_image(quarter, 0), 1)) : quarter;
   add_set_of_all(mesh, name);
-  if (turn == Turn::quarter) {
+  if (turn == Revolution::quarter) {
     add_plane(mesh, name + ".x_plane", 0);
     add_plane(mesh, name + ".y_plane", 1);
   }

@@ -1,4 +1,4 @@
-#include "contact/claims.hpp"
+#include "contact/active_features.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,42 +14,42 @@ using surfaces::base_of;
 using surfaces::sheet;
 using surfaces::Shape;
 
-/// Claims on an apex over a shape, from facet 0.
-Claims claims(const Shape& shape, const BaseSurface& base, const Vec3& apex, const Mat3* allowed = nullptr) {
+/// ActiveFeatures on an apex over a shape, from facet 0.
+ActiveFeatures active(const Shape& shape, const BaseSurface& base, const Vec3& apex, const Mat3* allowed = nullptr) {
   const Vector<double> p{apex.x(), apex.y(), apex.z()};
   const WalkEnd end = walk(base, shape.x, p, 0);
-  return claims_on(base, shape.x, p, end, std::sqrt(end.closest.distance_squared), allowed);
+  return active_features_on(base, shape.x, p, end, std::sqrt(end.closest.distance_squared), allowed);
 }
-Claims claims(const Shape& shape, const Vec3& apex) { return claims(shape, base_of(shape), apex); }
+ActiveFeatures active(const Shape& shape, const Vec3& apex) { return active(shape, base_of(shape), apex); }
 
-TEST(Claims, OnAPlainAreMadeByOneFacet) {
-  const Claims found = claims(sheet(4, 4, [](double, double) { return 0.0; }), {1.3, 2.6, 0.1});
+TEST(ActiveFeatures, OnAPlainAreMadeByOneFacet) {
+  const ActiveFeatures found = active(sheet(4, 4, [](double, double) { return 0.0; }), {1.3, 2.6, 0.1});
   ASSERT_EQ(found.count, 1);
   EXPECT_EQ(found.feature[0].kind, Kind::facet);
   EXPECT_NEAR(found.at[0].height, 0.1, 1e-15);
 }
 
-TEST(Claims, OnARidgeAreMadeByItsEdge) {
-  const Claims found = claims(sheet(4, 4, [](double x, double) { return -std::abs(x - 2); }), {2, 2.4, 0.1});
+TEST(ActiveFeatures, OnARidgeAreMadeByItsEdge) {
+  const ActiveFeatures found = active(sheet(4, 4, [](double x, double) { return -std::abs(x - 2); }), {2, 2.4, 0.1});
   ASSERT_EQ(found.count, 1);
   EXPECT_EQ(found.feature[0].kind, Kind::edge);
   EXPECT_NEAR(found.at[0].height, 0.1, 1e-15);
 }
 
-TEST(Claims, AtAPeakAreMadeByItsVertex) {
-  const Claims found = claims(sheet(4, 4, [](double x, double y) { return -std::abs(x - 2) - std::abs(y - 2); }), {2, 2, 0.1});
+TEST(ActiveFeatures, AtAPeakAreMadeByItsVertex) {
+  const ActiveFeatures found = active(sheet(4, 4, [](double x, double y) { return -std::abs(x - 2) - std::abs(y - 2); }), {2, 2, 0.1});
   ASSERT_EQ(found.count, 1);
   EXPECT_EQ(found.feature[0].kind, Kind::vertex);
 }
 
-TEST(Claims, InAValleyAreMadeByBothFlanks) {
-  const Claims found = claims(sheet(4, 4, [](double x, double) { return std::abs(x - 2); }), {2.01, 2.4, 0.1});
+TEST(ActiveFeatures, InAValleyAreMadeByBothFlanks) {
+  const ActiveFeatures found = active(sheet(4, 4, [](double x, double) { return std::abs(x - 2); }), {2.01, 2.4, 0.1});
   ASSERT_EQ(found.count, 2);
   EXPECT_NEAR(found.at[0].normal.dot(found.at[1].normal), 0, 1e-15);
 }
 
-TEST(Claims, BehindTheBorderAreMadeByNone) {
-  EXPECT_EQ(claims(sheet(4, 4, [](double, double) { return 0.0; }), {4.2, 2.4, 0.1}).count, 0);
+TEST(ActiveFeatures, BehindTheBorderAreMadeByNone) {
+  EXPECT_EQ(active(sheet(4, 4, [](double, double) { return 0.0; }), {4.2, 2.4, 0.1}).count, 0);
 }
 
 TEST(Border, EndsTheSurfaceWhereItLiesInNoSymmetryPlane) {
@@ -84,7 +84,7 @@ TEST(Border, InASymmetryPlaneIsARidgeToTheImageAlsoAtItsVertices) {
   goes_on_behind(base, {0, 5, 10, 15, 20});
   const Mat3 allowed = Vec3(0, 1, 1).asDiagonal();
   const Vec3 apex(0, 2.03, 0.3);
-  const Claims full = claims(whole, apex), cut = claims(half, base, apex, &allowed);
+  const ActiveFeatures full = active(whole, apex), cut = active(half, base, apex, &allowed);
   ASSERT_EQ(full.count, 1);
   EXPECT_EQ(full.feature[0].kind, Kind::vertex);
   ASSERT_EQ(cut.count, 1);
@@ -92,8 +92,8 @@ TEST(Border, InASymmetryPlaneIsARidgeToTheImageAlsoAtItsVertices) {
   EXPECT_EQ(cut.at[0].height, full.at[0].height);
 }
 
-TEST(Claims, KeepTheLowestWhenThereAreTooMany) {
-  Claims full;
+TEST(ActiveFeatures, KeepTheLowestWhenThereAreTooMany) {
+  ActiveFeatures full;
   for (int i = 0; i < most_candidates + 3; ++i) full.add({i, Kind::facet, 0}, {1.0 - 0.01 * i, Vec3::UnitZ(), {1, 0, 0}});
   ASSERT_EQ(full.count, most_candidates);
   for (int i = 0; i < full.count; ++i) EXPECT_GE(full.feature[i].facet, 3);

@@ -1,4 +1,4 @@
-#include "contact/bounce.hpp"
+#include "contact/impact_step.hpp"
 
 #include <gtest/gtest.h>
 
@@ -36,7 +36,7 @@ TEST(Bounce, CreatesAtMostTheSquareOfTheStepOverFour) {
 
 TEST(Bounce, StepKeepsTheBoundAndSoDoesEverySmallerStep) {
   for (const double bound : {1e-4, 1e-3, 0.005, 0.01, 0.03}) {
-    const double step = step_for_a_bounce(bound);
+    const double step = impact_step_factor_for(bound);
     double most = 0, beyond = 0;
     for (int i = 1; i <= 200; ++i) {
       most = std::max(most, energy_created_in_a_bounce(step * i / 200));
@@ -48,19 +48,19 @@ TEST(Bounce, StepKeepsTheBoundAndSoDoesEverySmallerStep) {
 }
 
 TEST(Bounce, StepOfTheDefaultBoundIsTheOneInterfacesHave) {
-  EXPECT_NEAR(step_for_a_bounce(0.005), Interface{}.bounce_step, 1e-4);
-  EXPECT_NEAR(step_for_a_bounce(0.005), RigidPlane{}.bounce_step, 1e-4);
-  EXPECT_LE(Interface{}.bounce_step, step_for_a_bounce(0.005));
+  EXPECT_NEAR(impact_step_factor_for(0.005), Interface{}.impact_step_factor, 1e-4);
+  EXPECT_NEAR(impact_step_factor_for(0.005), RigidPlane{}.impact_step_factor, 1e-4);
+  EXPECT_LE(Interface{}.impact_step_factor, impact_step_factor_for(0.005));
 }
 
 TEST(Bounce, StepIsCappedWhereABounceCreatesFourAndAHalfPercent) {
-  EXPECT_EQ(step_for_a_bounce(0.9), 0.5);
+  EXPECT_EQ(impact_step_factor_for(0.9), 0.5);
   EXPECT_NEAR(energy_created_in_a_bounce(0.5), 0.045, 1e-3);
 }
 
 TEST(Bounce, RefusesABoundThatIsNone) {
-  EXPECT_THROW(step_for_a_bounce(0), InternalError);
-  EXPECT_THROW(step_for_a_bounce(1), InternalError);
+  EXPECT_THROW(impact_step_factor_for(0), InternalError);
+  EXPECT_THROW(impact_step_factor_for(1), InternalError);
 }
 
 }  // namespace

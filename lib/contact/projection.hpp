@@ -1,5 +1,5 @@
 #pragma once
-// The shortest way out of a set of contacts.
+// The shortest penetration vector of a set of contacts.
 
 #include <array>
 
@@ -25,6 +25,6 @@ struct Contacts {
 /// that the others satisfy already takes no part: coplanar facets count once.
 ///
 /// returns  lambda [m]; at most three differ from zero
-std::array<double, most_candidates> shortest_way_out(const Contacts&);
+std::array<double, most_candidates> projection_multipliers(const Contacts&);
 
 }  // namespace nereid::contact

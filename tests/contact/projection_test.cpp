@@ -1,4 +1,4 @@
-#include "contact/push.hpp"
+#include "contact/projection.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ class Draw {
   Vec3 direction(double spread) {
     return (Vec3::UnitZ() + spread * Vec3(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1))).normalized();
   }
-  /// Contacts whose normals lie within a cone, so that a way out exists.
+  /// Contacts whose normals lie within a cone, so that a penetration vector exists.
   Contacts contacts(int count, double spread) {
     Contacts c;
     c.count = count;
@@ -28,7 +28,7 @@ class Draw {
 };
 
 Vec3 way(const Contacts& c) {
-  const auto lambda = shortest_way_out(c);
+  const auto lambda = projection_multipliers(c);
   Vec3 d = Vec3::Zero();
   for (int i = 0; i < c.count; ++i) d += lambda[i] * c.normal[i];
   return d;
@@ -43,7 +43,7 @@ TEST(ShortestWayOut, SatisfiesTheConditionsOfKarushKuhnAndTucker) {
     double worst_lack = 0, worst_slack = 0;
     for (int trial = 0; trial < 3000; ++trial) {
       const Contacts c = draw.contacts(1 + trial % most_candidates, spread);
-      const auto lambda = shortest_way_out(c);
+      const auto lambda = projection_multipliers(c);
       const Vec3 d = way(c);
       int active = 0;
       for (int i = 0; i < c.count; ++i) {
@@ -101,11 +101,11 @@ TEST(ShortestWayOut, OfOneContactIsItsDepth) {
   c.count = 1;
   c.normal[0] = Vec3(1, 2, 2) / 3;
   c.depth[0] = 0.25;
-  EXPECT_DOUBLE_EQ(shortest_way_out(c)[0], 0.25);
+  EXPECT_DOUBLE_EQ(projection_multipliers(c)[0], 0.25);
   c.depth[0] = -0.25;
-  EXPECT_EQ(shortest_way_out(c)[0], 0);
+  EXPECT_EQ(projection_multipliers(c)[0], 0);
   c.depth[0] = 0;
-  EXPECT_EQ(shortest_way_out(c)[0], 0);
+  EXPECT_EQ(projection_multipliers(c)[0], 0);
   c.count = 0;
   EXPECT_TRUE(way(c).isZero(0));
 }
