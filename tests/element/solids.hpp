@@ -189,19 +189,24 @@ TYPED_TEST_P(EverySolid, PacksAndDoublesAgree) {
 }
 
 TYPED_TEST_P(EverySolid, WorkAndStoredEnergyDifferInTheThirdOrderOfTheStep) {
-  auto start = this->inviscid(distorted(0.2));
-  start.randomise(0.003);
-  start.rest();
-  const Corners direction = random_field(1.0);
-  const auto error = [&](double s) {
-    auto e = start;
-    Corners du;
-    for (int i = 0; i < 8; ++i) du[i] = s * direction[i];
-    const auto report = e.move(sum(e.x, du));
-    const double work = 0.5 * (product(start.force, du) + product(e.force, du));
-    return work + total(report.stored) + report[Dissipated::plastic];
-  };
-  EXPECT_NEAR(error(1e-3) / error(5e-4), 8.0, 0.2);  // so short that nothing flows: a kink has no order
+  double squares[2] = {0, 0};  // of a long and of a short step, over elements of any shape: in one the third order may be nearly none
+  for (int trial = 0; trial < 20; ++trial) {
+    auto start = this->inviscid(distorted(0.2));
+    start.randomise(0.003);
+    start.rest();
+    const Corners direction = random_field(1.0);
+    const auto error = [&](double s) {
+      auto e = start;
+      Corners du;
+      for (int i = 0; i < 8; ++i) du[i] = s * direction[i];
+      const auto report = e.move(sum(e.x, du));
+      const double work = 0.5 * (product(start.force, du) + product(e.force, du));
+      return work + total(report.stored) + report[Dissipated::plastic];
+    };
+    squares[0] += error(1e-3) * error(1e-3);  // so short that nothing flows: a kink has no order
+    squares[1] += error(5e-4) * error(5e-4);
+  }
+  EXPECT_NEAR(std::sqrt(squares[0] / squares[1]), 8.0, 0.2);
 }
 
 TYPED_TEST_P(EverySolid, MassIsDensityTimesVolume) {

@@ -11,7 +11,7 @@ DRIVER = "scene"
 
 THICKNESS, SPEED, END = 0.01, 200.0, 2.6e-6  # [m] [m/s] [s]
 IN_PLATE = 1.6e-6   # [s] before the elastic front reaches the back
-BETWEEN = (1.85e-6, 2.05e-6)  # [s] the elastic front has left the back, the plastic one has not come
+BETWEEN = (1.78e-6, 1.88e-6)  # [s] the elastic front has left the back; the foot of the plastic one, as wide as the cells, has not come
 
 
 @lru_cache
