@@ -139,7 +139,7 @@ int run_case(const std::string& name, const CommandLine& line, output::RunFolder
   Recorder recorder(simulation, line.out, line.quiet);
   const std::vector<dynamics::Observer> observers{[&recorder](const dynamics::View& view) { recorder(view); }};
   const dynamics::Outcome outcome = model::run(simulation, observers);
-  recorder.finalize(model::view(simulation));
+  recorder.finish(model::view(simulation));
 
   if (recorder.not_finite() > 0)
     notes.push_back(std::to_string(recorder.not_finite()) + " values that were no number stand as 0 in the ParaView files");

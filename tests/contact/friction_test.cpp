@@ -58,7 +58,7 @@ TEST(SlipRate, IsZeroInARigidMotion) {
   for (const auto& [base, apex] : sides) {
     const Pair pair(base, apex);
     const Vec3 spin = random_vector(), shift = random_vector();
-    Vectors v(3, 4), w(3, 4);
+    Vectors v(3, 4), omega(3, 4);
     for (int n = 0; n < 4; ++n) v.col(n) = shift + spin.cross(Vec3(pair.x.col(n)));
     omega.colwise() = spin;
     EXPECT_LT(slip_rate(pair.touch, v, omega, pair.rotation_of_node).norm(), 1e-15);
@@ -74,7 +74,7 @@ TEST(Friction, HasThePowerOfItsForceOnTheSlipRateForEveryMotion) {
     Vectors force = Vectors::Zero(3, 4), moment = force;
     add_friction(pair.touch, friction, pair.rotation_of_node, force, moment);
     for (int trial = 0; trial < 10; ++trial) {
-      Vectors v(3, 4), w(3, 4);
+      Vectors v(3, 4), omega(3, 4);
       for (int n = 0; n < 4; ++n) v.col(n) = random_vector(), omega.col(n) = random_vector();
       const double power = force.cwiseProduct(v).sum() + moment.cwiseProduct(omega).sum();
       EXPECT_NEAR(power, friction.dot(slip_rate(pair.touch, v, omega, pair.rotation_of_node)), 1e-14);

@@ -91,7 +91,7 @@ TEST(Displace, SaysThatAnElementIsTurnedInsideOut) {
   Scene s = box(material::Elastic{1000, 1e6, 0});
   Mat3 G = Mat3::Zero();
   G(0, 0) = -1.5;
-  EXPECT_LE(displace(s.model, s.state, linear(s.model, G), {}).size, 0);
+  EXPECT_LE(displace(s.model, s.state, linear(s.model, G), {}).volume_ratio, 0);
 }
 
 /// A tube of plates, bent by a field with a gradient.

@@ -96,10 +96,10 @@ TEST(Modes, OfAFreeBrickHaveTheHighestInClosedForm) {
 
 TEST(Modes, HaveASymmetricStiffness) {
   Model ball = solid(mesh::sphere("a", {.radius = 1, .part = mesh::SpherePart::full, .cells_core = 2, .cells_ring = 1}), steel);
-  finish(ball);
+  finalize(ball);
   EXPECT_LT(find_modes(ball, 1, 1).asymmetry, 1e-12);
   Model plate = sheet(1, 3, 0.05, 0.7);
-  finish(plate);
+  finalize(plate);
   EXPECT_LT(find_modes(plate, 1, 1).asymmetry, 1e-12);
 }
 
@@ -147,7 +147,7 @@ TEST(Modes, ComeInPairsWhereTheShapeIsSymmetric) {
 TEST(Modes, OfAHalfAreAmongThoseOfTheWhole) {
   Model whole = box({2, 0.4, 0.3}, {8, 2, 2}, steel, true), half = box({1, 0.4, 0.3}, {4, 2, 2}, steel, true);
   hold(half, "a.x_high", PlaneKind::symmetry, Vec3::UnitX());
-  finish(whole), finish(half);
+  finalize(whole), finalize(half);
   const Modes all = find_modes(whole, 12, 1), some = find_modes(half, 6, 1);
   EXPECT_EQ(some.without_stiffness, 3);  // two shifts and the rotation about the normal
   double nearest = 1e300;
@@ -173,7 +173,7 @@ TEST(Modes, ForgetDashpotsAndViscosity) {
   viscous.blocks.clear();
   viscous.blocks.push_back(element::plates(viscous.mesh, "a", steel, {.thickness = 0.05, .layers = 2,
                                            .rotary_inertia = element::Plate::RotaryInertia::physical, .viscosity = {1, 10}}));
-  finish(still), finish(viscous);
+  finalize(still), finalize(viscous);
   const Modes a = find_modes(still, 8, 1), b = find_modes(viscous, 8, 1);
   EXPECT_NEAR(a.lowest[7].frequency / b.lowest[7].frequency, 1, 1e-10);
   EXPECT_NEAR(a.exact_step / b.exact_step, 1, 1e-10);

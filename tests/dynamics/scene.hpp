@@ -85,7 +85,7 @@ inline std::vector<std::pair<std::string, std::vector<double>>> numbers(const St
   for (const auto& stopped : s.constraints.stopped) all(stopped);
   for (const auto& load : s.loads)
     part("load"), all(load.force), all(load.moment), all(load.impulse), all(load.angular_impulse), add(load.work, load.stored, load.dissipated);
-  part("relaxation"), all(s.relaxation.x), all(s.relaxation.turned), all(s.relaxation.force), all(s.relaxation.moment), all(s.relaxation.omega);
+  part("relaxation"), all(s.relaxation.x), all(s.relaxation.rotated), all(s.relaxation.force), all(s.relaxation.moment), all(s.relaxation.omega);
   add(s.relaxation.removed, s.relaxation.residual, s.relaxation.most_force, s.relaxation.most_kinetic, s.relaxation.balanced, s.relaxation.since);
   part("ledger"), add(s.ledger.initial_kinetic, s.ledger.kinetic, s.ledger.integration, s.ledger.external_work);
   all(s.ledger.momentum), all(s.ledger.angular_momentum);

@@ -1030,7 +1030,7 @@ TEST(Load, AUniformBodyForceIsGravity) {
   with_gravity.model.gravity = g;
   with_gravity.model.constraints.planes = with_field.model.constraints.planes = {
       plane("clamp", PlaneKind::fixed, Vec3::UnitX(), mesh::node_set(with_field.model.mesh, "box.x_low"))};
-  finish(with_gravity.model), finish(with_field.model);
+  finalize(with_gravity.model), finalize(with_field.model);
   load::BodyForce field{"field", all_nodes(with_field.model.mesh), with_field.model.mass, {}};
   for (int axis = 0; axis < 3; ++axis) field.acceleration[axis] = [=](double, double, double, double) { return g(axis); };
   with_field.model.loads.emplace_back(field);
@@ -1286,7 +1286,7 @@ TEST(Resume, HasTheBitsOfARunWithoutABreakForEveryContact) {
   };
   InterfaceOptions plain, two_passes = rubbing(contact::Weights::consistent), damped, bonded, from_masses;
   two_passes.two_passes = true;
-  damped.damping = 0.3;
+  damped.damping_ratio = 0.3;
   bonded.kind = contact::InterfaceKind::bonded;
   from_masses.penalty_from = PenaltyFrom::masses;
   for (InterfaceOptions options : {plain, two_passes, damped, bonded, from_masses, rubbing(contact::Weights::consistent),

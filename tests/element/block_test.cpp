@@ -159,7 +159,7 @@ void plates_are_the_sum_of_their_elements(const Law& law) {
       for (int a = 0; a < 3; ++a) {
         const Index n = block.nodes(a, e);
         X[a] = column(s.mesh.X, n), x[a] = column(s.x, n), v[a] = 0.1 * column(s.v, n),
-        w[a] = 0.1 * column(s.omega, n);
+        w[a] = 0.1 * column(s.w, n);
       }
       const auto report = advance(law, block.options, block.layers,
                                   constants(law, block.options, X), x, v, w, 0.1, one[e], f, m);
@@ -208,7 +208,7 @@ TEST(Block, ElasticCycleGivesItsWorkBack) {
     double most = 0;
     constexpr int steps = 400;
     for (int step = 0; step < steps; ++step) {  // out along half a cosine, and back
-      const Vectors to = s.mesh.X + 0.01 * (1 - std::cos(2 * pi * (step + 1) / steps)) * Vectors(s.omega);
+      const Vectors to = s.mesh.X + 0.01 * (1 - std::cos(2 * pi * (step + 1) / steps)) * Vectors(s.w);
       s.v = to - s.x;
       s.move(1.0);
       most = std::max(most, -s.memory.work);
@@ -249,7 +249,7 @@ TEST(Block, NamesAnInvertedElement) {
       x.col(corners(a, element)) = s.x.col(corners(a + 4, element));
       x.col(corners(a + 4, element)) = s.x.col(corners(a, element));
     }
-    const Vote vote = advance(s.block, x, Vectors::Zero(3, x.cols()), s.omega, 0.0, s.memory, s.forces);
+    const Vote vote = advance(s.block, x, Vectors::Zero(3, x.cols()), s.w, 0.0, s.memory, s.forces);
     EXPECT_LT(vote.volume_ratio, 0);
     EXPECT_EQ(vote.volume_element, element);
   }
@@ -406,7 +406,7 @@ TEST(Block, FieldsOfPlatesAreMeansInTheGlobalFrame) {
   Scene s = finish(std::move(mesh), std::move(block));
   Mat3 strain = Mat3::Zero();
   strain.topLeftCorner<2, 2>() << 1e-6, 3e-6, 3e-6, -4e-6;
-  s.v = R * strain * R.transpose() * s.x, s.omega.setZero();
+  s.v = R * strain * R.transpose() * s.x, s.w.setZero();
   s.move(1.0);
   const Plane<double> p = material::hooke(elastic, Plane<double>{1e-6, -4e-6, 3e-6});
   Mat3 stress = Mat3::Zero();

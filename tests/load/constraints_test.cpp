@@ -154,7 +154,7 @@ TEST(Constraints, PlatesOnTwoSymmetryPlanesDoNotTurn) {
 }
 
 TEST(Constraints, PlatesOnHeldPlanesTurnFreely) {
-  const Vec3 w(1, 2, 3);
+  const Vec3 omega(1, 2, 3);
   EXPECT_EQ(OneNode({Vec3::UnitX(), Vec3::UnitY()}, PlaneKind::constrained).restrained_turn(omega), omega);
 }
 

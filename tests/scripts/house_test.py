@@ -214,9 +214,9 @@ class Retired(HouseTest):
 
     def test_a_word_that_has_a_new_name(self):
         self.expect("retired", {"docs/page.md": "the hardness of a contact\n"},
-                    "docs/page.md:1: 'penalty_scale' has a new name, 'penalty_scale'")
-        self.expect("retired", {"verification/a/accept.py": 'run.again({"planes[0].tangential_penalty": 1})\n'}, "'stick' has a new name")
-        self.expect("retired", {"scripts/run.sh": "--set planes[0].kind=constrained\n"}, "'held' has a new name")
+                    "docs/page.md:1: 'hardness' has a new name, 'penalty_scale'")
+        self.expect("retired", {"verification/a/accept.py": 'run.again({"planes[0].stick": 1})\n'}, "'stick' has a new name")
+        self.expect("retired", {"scripts/run.sh": "--set planes[0].kind=held\n"}, "'held' has a new name")
 
     def test_words_that_are_also_english_are_refused_in_their_place_only(self):
         self.assertEqual(self.look("retired", {"docs/page.md": "surfaces stick, springs[0].damping, held; they turn\n"}), (0, ""))

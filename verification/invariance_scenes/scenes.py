@@ -265,7 +265,7 @@ def moved(tree, matrix, shift):
     if "gravity" in twin:
         twin["gravity"] = Quantity(product(matrix, tree["gravity"].value), tree["gravity"].unit)
     for body in twin["bodies"]:
-        turn, move = body.pop("turn", {}), body.pop("move", None)
+        turn, move = body.pop("rotate", {}), body.pop("move", None)
         old = rotation(turn["axis"].value, turn["angle"].value) if turn else IDENTITY
         about = turn["about"].value if "about" in turn else [0, 0, 0]
         at = [a - b + c for a, b, c in zip(about, product(old, about), move.value if move else [0, 0, 0])]
@@ -273,7 +273,7 @@ def moved(tree, matrix, shift):
         if mirror:
             new = [[-row[0], *row[1:]] for row in new]
         axis, angle = axis_and_angle(new)
-        body["turn"] = {"axis": Quantity(axis, "1"), "angle": Quantity(angle, "rad")}
+        body["rotate"] = {"axis": Quantity(axis, "1"), "angle": Quantity(angle, "rad")}
         body["move"] = Quantity(place(at), "m")
     return twin
 
