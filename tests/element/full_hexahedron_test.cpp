@@ -340,7 +340,7 @@ TEST(FullHexahedron, FrequencyBoundIsNeverBelowTheExactOne) {
     double smallest = 1e300, highest = 0, of_one_point = 1e300;
     for (int trial = 0; trial < 700; ++trial) {
       const Element<Elastic> e{metal<Elastic>(random(-0.5, 0.499)), inviscid, random_shape(part)};
-      if (Element<Elastic>(e).step(e.X, Corners{}, 1.0).size <= 0) continue;
+      if (Element<Elastic>(e).step(e.X, Corners{}, 1.0).volume_ratio <= 0) continue;
       const double exact = largest_eigenvalue_of(e), ratio = std::sqrt(hot_bound(e) / exact);
       smallest = std::min(smallest, ratio), highest = std::max(highest, ratio);
       const OneElement<Hexahedron, Elastic> one{e.law, {.hourglass = 0.1, .viscosity = no_viscosity}, e.X};
@@ -380,10 +380,10 @@ TEST(FullHexahedron, BulkViscosityIsThatOfTheOnePointElement) {
 
 TEST(FullHexahedron, InvertedElementHasNegativeSize) {
   Element<Elastic> e{metal<Elastic>(), {}, brick(1, 1, 1)};
-  EXPECT_NEAR(e.step(e.X, Corners{}, 1.0).size, 1, 1e-14);
+  EXPECT_NEAR(e.step(e.X, Corners{}, 1.0).volume_ratio, 1, 1e-14);
   Corners inside_out = e.X;
   for (Point& p : inside_out) p.z = -p.z;
-  EXPECT_LT(e.step(inside_out, Corners{}, 1.0).size, 0);
+  EXPECT_LT(e.step(inside_out, Corners{}, 1.0).volume_ratio, 0);
 }
 
 TEST(FullHexahedron, OneInvertedPointIsFoundWhereTheVolumeIsStillPositive) {
@@ -391,7 +391,7 @@ TEST(FullHexahedron, OneInvertedPointIsFoundWhereTheVolumeIsStillPositive) {
   Corners dented = e.X;
   dented[6] = {-0.3, -0.3, -0.3};
   EXPECT_GT(volume_gradient(amplitudes(dented)).volume, 0);
-  EXPECT_LT(e.step(dented, Corners{}, 1.0).size, 0);
+  EXPECT_LT(e.step(dented, Corners{}, 1.0).volume_ratio, 0);
 }
 
 }  // namespace

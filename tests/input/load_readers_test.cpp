@@ -129,7 +129,7 @@ relaxation: {residual: 1e-5, after: 1 ms, samples: 3}
 
 TEST(ReadActions, ListNamesThatTheMeshDoesNotHaveAtTheirLine) {
   const std::string found = faults_of("planes:\n  - {name: a, kind: constrained, nodes: [box.x_lou], normal: [1, 0, 0]}\n");
-  EXPECT_EQ(found.rfind("2:35: 'nodes' = box.x_lou is unknown: node sets are box, ", 0), 0U) << found;
+  EXPECT_EQ(found.rfind("2:42: 'nodes' = box.x_lou is unknown: node sets are box, ", 0), 0U) << found;
   EXPECT_NE(found.find("(did you mean 'box.x_low'?)"), std::string::npos) << found;
   EXPECT_NE(faults_of("loads:\n  - {name: a, kind: pressure, surface: x, value: 1, unit: Pa}\n").find("2:40: 'surface' = x is unknown: surfaces are box.x_low"),
             std::string::npos);
@@ -151,7 +151,7 @@ TEST(ReadActions, RefuseAMomentOnNodesOfSolids) {
 TEST(ReadActions, RefusePlanesThatMoveNodesAgainstOneAnother) {
   EXPECT_EQ(faults_of("planes:\n  - {name: a, kind: constrained, nodes: [box.x_low], normal: [1, 0, 0], velocity: {value: 1, unit: m/s}}\n"
                       "  - {name: b, kind: fixed, nodes: [box.tip]}\n"),
-            "2:76: 'a' moves nodes that 'b' holds in the same direction\n");
+            "2:83: 'a' moves nodes that 'b' holds in the same direction\n");
   EXPECT_EQ(faults_of("planes:\n  - {name: a, kind: constrained, nodes: [box.x_low], normal: [1, 0, 0], velocity: {value: 1, unit: m/s}}\n"
                       "  - {name: b, kind: constrained, nodes: [box.x_low], normal: [1, 1, 0]}\n"),
             "");
@@ -176,7 +176,7 @@ TEST(ReadActions, RefuseDrivenNodesThatCannotBe) {
   EXPECT_EQ(faults_of(a + "velocity: {value: [1/x, 0, 0], unit: m/s}}\n"), "2:67: 'value' is infinite at x = 0, y = 0, z = 0, t = 0\n");
   EXPECT_EQ(faults_of(a + "velocity: {value: 1, unit: m/s}}\n").substr(0, 5), "2:67:");
   EXPECT_EQ(faults_of(a + "velocity: {value: [1, 0, 0], unit: m/s}, angular_velocity: {value: [1, 0, 0], unit: rad/s}}\n"),
-            "2:99: 'angular_velocity' is of nodes of plates: 'a' has none\n");
+            "2:108: 'angular_velocity' is of nodes of plates: 'a' has none\n");
   EXPECT_EQ(faults_of(a + "velocity: {value: [1, 0, 0], unit: m}}\n").substr(0, 24), "2:84: 'unit' = m has the");
   EXPECT_NE(faults_of(a + "}\n").find("missing section 'velocity'"), std::string::npos);
 }
@@ -195,7 +195,7 @@ TEST(ReadActions, RefuseUnitsOfAnotherDimensionAndValuesThatAreNoNumber) {
             "2:27: 'velocity' is no number at x = 0, y = 0, z = 0\n");
   EXPECT_EQ(faults_of("initial:\n  - {body: box, velocity: [\"t\", 0, 0], unit: m/s}\n"),
             "2:29: cannot read 'velocity[0]' = t: 't' is unknown: expected x, y, z, pi, or a function such as sin, min, exp\n");
-  EXPECT_EQ(faults_of("planes:\n  - {name: a, kind: constrained, nodes: [box.tip], normal: [0, 0, 0]}\n"), "2:53: 'normal' has no length\n");
+  EXPECT_EQ(faults_of("planes:\n  - {name: a, kind: constrained, nodes: [box.tip], normal: [0, 0, 0]}\n"), "2:60: 'normal' has no length\n");
 }
 
 TEST(ReadActions, RefuseADisplacementThatTurnsElementsInsideOut) {
