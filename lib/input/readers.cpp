@@ -11,18 +11,16 @@ material::Elastic read_elasticity(const Section& section) {
           .poisson = section.number("poisson", above(-1).below(0.5))};
 }
 
+/// All but the yield stress, which other laws have too.
 material::JohnsonCook read_johnson_cook(const Section& section) {
   material::JohnsonCook flow{};
-  flow.yield = section.quantity("yield", dim::stress, positive);
-  flow.hardening = section.quantity("hardening", dim::stress, not_negative);
+  flow.hardening = section.quantity("hardening_coefficient", dim::stress, not_negative);
   flow.hardening_exponent = section.number("hardening_exponent", above(0).up_to(1));
   flow.rate_coefficient = section.number("rate_coefficient", within(0, 1));
   flow.reference_rate = section.quantity_or("reference_rate", 1, dim::frequency, positive);
   flow.thermal_exponent = section.number("thermal_exponent", above(0).up_to(10));
   flow.reference_temperature = section.quantity("reference_temperature", dim::temperature, not_negative);
   flow.melting_temperature = section.quantity("melting_temperature", dim::temperature, positive);
-  if (section.sound() && !(flow.reference_temperature < flow.melting_temperature))
-    section.fault("melting_temperature", "'melting_temperature' must be above 'reference_temperature'");
   flow.specific_heat = section.quantity("specific_heat", dim::specific_heat, positive);
   flow.heat_share = section.number_or("taylor_quinney", 0.9, within(0, 1));
   flow.temperature = section.quantity_or("temperature", flow.reference_temperature, dim::temperature, not_negative);
@@ -33,15 +31,21 @@ material::JohnsonCook read_johnson_cook(const Section& section) {
 
 element::AnyLaw read_law(const Section& section) {
   const std::string kind = section.choice("kind", {"elastic", "j2_bilinear", "johnson_cook"});
+  const bool bilinear = kind == "j2_bilinear", hot = kind == "johnson_cook";
   const auto [density, young, poisson] = read_elasticity(section);
-  if (kind == "johnson_cook") return material::J2JohnsonCook{density, young, poisson, read_johnson_cook(section)};
-  const bool plastic = kind == "j2_bilinear";
-  const Section if_plastic = section.when(plastic);
-  const double yield = if_plastic.quantity("yield", dim::stress, positive);
-  const double tangent = if_plastic.quantity("tangent", dim::stress, not_negative);
-  const std::string hardening = if_plastic.choice_or("hardening", "isotropic", {"isotropic", "kinematic", "mixed"});
-  const double share = if_plastic.when(hardening == "mixed").number("isotropic_share", within(0, 1));
-  if (!plastic) return material::Elastic{density, young, poisson};
+  const double yield = section.when(bilinear || hot).quantity("yield", dim::stress, positive);
+  const Section if_bilinear = section.when(bilinear);
+  const double tangent = if_bilinear.quantity("tangent", dim::stress, not_negative);
+  const std::string hardening = if_bilinear.choice_or("hardening", "isotropic", {"isotropic", "kinematic", "mixed"});
+  const double share = if_bilinear.when(hardening == "mixed").number("isotropic_share", within(0, 1));
+  material::JohnsonCook flow = read_johnson_cook(section.when(hot));
+  flow.yield = yield;
+  if (hot) {
+    if (section.sound() && !(flow.reference_temperature < flow.melting_temperature))
+      section.fault("melting_temperature", "'melting_temperature' must be above 'reference_temperature'");
+    return material::J2JohnsonCook{density, young, poisson, flow};
+  }
+  if (!bilinear) return material::Elastic{density, young, poisson};
   if (section.sound() && !(tangent < young))
     section.fault("tangent", "'tangent' must be below 'young': it is the slope of the stress-strain curve beyond yield");
   if (hardening == "isotropic") return material::J2Bilinear{density, young, poisson, {yield, tangent}};

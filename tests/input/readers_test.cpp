@@ -58,7 +58,7 @@ TEST(ReadLaw, WantsTheShareOfMixedHardeningAndOfNoOther) {
 }
 
 const std::string hot_steel =
-    "kind: johnson_cook\ndensity: 7830 kg/m^3\nyoung: 200 GPa\npoisson: 0.29\nyield: 792 MPa\nhardening: 510 MPa\n"
+    "kind: johnson_cook\ndensity: 7830 kg/m^3\nyoung: 200 GPa\npoisson: 0.29\nyield: 792 MPa\nhardening_coefficient: 510 MPa\n"
     "hardening_exponent: 0.26\nrate_coefficient: 0.014\nthermal_exponent: 1.03\nreference_temperature: 293 K\n"
     "melting_temperature: 1793 K\nspecific_heat: 477 J/(kg*K)\n";
 
@@ -71,6 +71,15 @@ TEST(ReadLaw, ReadsJohnsonAndCookWithTheirUnits) {
   EXPECT_EQ(law.flow.heat_share, 0.9);
   EXPECT_EQ(law.flow.temperature, 293) << "that of reference unless told otherwise";
   EXPECT_EQ(std::get<material::J2JohnsonCook>(read(hot_steel + "temperature: 500 K\n", read_law)).flow.temperature, 500);
+}
+
+TEST(ReadLaw, KeepsTheConstantsOfAnotherKindUnused) {
+  std::string cold = hot_steel;
+  cold.replace(cold.find("johnson_cook"), 12, "elastic");
+  const CaseFile file = CaseFile::parse(cold, "case.yaml");
+  EXPECT_TRUE(std::holds_alternative<material::Elastic>(read_law(file.root())));
+  file.finish();
+  EXPECT_EQ(file.not_used().size(), 8U);
 }
 
 TEST(ReadLaw, RefusesAMeltingTemperatureBelowThatOfReference) {
