@@ -68,7 +68,7 @@ bool all_agree(const BaseSurface& base, const Vectors& x, const Vector<double>& 
 }
 
 /// Of two facets that meet in a ridge the higher one has the apex: who is outside of one is outside,
-/// and from inside the shorter way leads out. In a valley both claims stand.
+/// and from inside the shorter way leads out. In a valley both are active.
 ///
 ///     n_i . (foot_j - foot_i) = h_i - h_j n_i . n_j,  negative where the foot of j lies behind i
 void settle_ridges(ActiveFeatures& active) {
@@ -198,7 +198,7 @@ ActiveFeatures active_features_on(const BaseSurface& base, const Vectors& x, con
   ActiveFeatures active;
   Neighbourhood near;
   near.look(base, x, p, from.feature.facet);
-  // Another flank can claim the apex only near a border: only facets behind those have to be looked at.
+  // Another flank can be active only near a border: only facets behind those have to be looked at.
   const auto c = corners(base, x, from.feature.facet);
   const double twice_area = norm(cross(c[1] - c[0], c[2] - c[0]));
   const double within = look_around * std::abs(height) + 1e-9 * std::sqrt(twice_area);

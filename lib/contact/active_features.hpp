@@ -1,8 +1,8 @@
 #pragma once
-// Who claims an apex: the features of a base surface to which it is closest locally.
+// The active features of an apex: those of a base surface to which it is closest locally.
 //
-// On a plain or a ridge that is one feature, the paper's contact element. In a valley each flank claims
-// the apex, and contact.cpp pushes it out of all of them at once.
+// On a plain or a ridge that is one feature, the paper's contact element. In a valley each flank is
+// active, and contact.cpp pushes it out of all of them at once.
 
 #include "contact/base_surface.hpp"
 #include "contact/projection.hpp"
@@ -43,7 +43,7 @@ bool at_end(const BaseSurface&, Index facet, const geometry::Closest&);
 bool past_border(const BaseSurface&, const Vectors& x, Index facet, const geometry::Closest&,
                  const Vector<double>& apex, const Mat3* allowed, bool image);
 
-/// The features that claim an apex.
+/// The features that may push an apex.
 struct ActiveFeatures {
   int count = 0;
   std::array<Feature, most_candidates> feature;
@@ -53,7 +53,7 @@ struct ActiveFeatures {
   void add(const Feature&, const FeatureHeight&);
 };
 
-/// Collects the features that claim an apex, starting from where the walk ended.
+/// Collects the active features of an apex, starting from where the walk ended.
 ///
 /// height   [m] of the apex or h_c, whichever is larger: how far around it is worth looking
 /// allowed  directions of an apex on a symmetry plane, or null

@@ -17,7 +17,7 @@ namespace {
 using geometry::Closest;
 using geometry::Kind;
 
-constexpr double near_contact = 1.25;   // of h_c: from here on all claims on an apex are weighed
+constexpr double near_contact = 1.25;   // of h_c: from here on all active features of an apex are looked at
 constexpr double tie = 1e-3;            // of the height: on the flanks of a valley the element in use stays so long
 constexpr double really_closer = 1e-6;  // relative distance by which a search must beat the walk
 
@@ -30,7 +30,7 @@ bool same(const Feature& a, const Feature& b) {
   return a.facet == b.facet && a.kind == b.kind && (a.kind == Kind::facet || a.local == b.local);
 }
 
-/// Pushes an apex out of the features that claim it, and weights the force out over their nodes.
+/// Pushes an apex out of its active features, and distributes the force over their nodes.
 ///
 /// returns  the energy stored [J]; gap becomes minus the length of the penetration vector
 double project_out(const Interface& interface, const Vectors& x, Index a, ActiveFeatures& active, ElementForces& forces, double& gap) {
@@ -100,7 +100,7 @@ double project_out(const Interface& interface, const Vectors& x, Index a, Active
   return 0.5 * k * length * length;
 }
 
-/// Shares of the bases of an apex that is not in contact: all that claim it.
+/// Weights of the bases of an apex that is not in contact: of all active features.
 void weigh_bases(const Interface& interface, Index a, const Feature& feature, const ActiveFeatures& active, ElementForces& forces) {
   forces.stiffness = stiffness(interface, a, feature);
   for (int i = 0; i < active.count; ++i) {
@@ -112,7 +112,7 @@ void weigh_bases(const Interface& interface, Index a, const Feature& feature, co
   }
 }
 
-/// A node that several claims name counts once, by its largest share: its facets push as one. To a node
+/// A node of several active features counts once, by its largest weight: its facets push as one. To a node
 /// off the symmetry plane of the apex comes the same from the image of its facet.
 void weigh_once(const Interface& interface, const Vectors& x, Index a, ElementForces& forces) {
   if (const Mat3* allowed = allowed_of(interface, a)) {
@@ -165,7 +165,7 @@ bool update_element(const Interface& interface, const Vectors& x, Index a, const
   memory.feature[a] = end.feature;
   memory.gap[a] = distance - contact_height;
   ActiveFeatures active;
-  // behind the surface the distance is no height; there and near contact, ask who claims the apex
+  // behind the surface the distance is no height; there and near contact, look for all active features
   const auto height = [&] { return height_over(interface.base, x, {end.feature.facet, Kind::facet, 0}, p).height; };
   if (distance < near_contact * contact_height || height() < contact_height) {
     active = active_features_on(interface.base, x, p, end, std::max(distance, contact_height), allowed_of(interface, a));

@@ -72,7 +72,7 @@ struct Interface {
   std::vector<Bond> bonds;       ///< [apexes] of a bonded interface; set by connect()
   double impact_step_factor = 0.1410;   ///< [-] dt sqrt(k/m) of the vote: impact_step_factor_for(0.005)
   double pass_factor = 1;         ///< [-] part of the stiffness between its nodes: 1/2 in each of two passes
-  /// [s] contact damping: a closed element pushes with k (|d| + contact damping d|d|/dt), never pulls. It takes
+  /// [s] a closed element pushes with k (|d| + damping_time d|d|/dt), never pulls. It takes
   /// the chatter out of an interface; what it dissipates is booked.
   double damping_time = 0;
   Weights weights = Weights::consistent;
