@@ -102,7 +102,7 @@ struct ElementForces {
   double stiffness = 0;                  ///< [N/m] of the spring between the apex and its bases
   std::array<double, most_nodes> weight{};  ///< of each base node in it; a node named again has none
   std::array<Vec3, most_nodes> force;    ///< [N] on the base nodes, where closed
-  double scale = 1;                      ///< of all these forces: 1 + contact damping d|d|/dt / |d|, not negative
+  double scale = 1;                      ///< of all these forces: 1 + damping_time d|d|/dt / |d|, not negative
   double dissipated = 0;                 ///< [J] in the last step
   double work = 0, created = 0;          ///< [J] in the last step
   Vec3 angular_impulse = Vec3::Zero();   ///< [N m s] about the origin in the last step, see Memory
