@@ -60,7 +60,7 @@ driver::Answer answer(const dynamics::Model& model, int lowest, int highest) {
                           " of the lowest modes meet no stiffness: rigid motions or mechanisms, whose frequencies are round-off");
   if (modes.drilling > 0)
     found.notes.push_back(std::to_string(modes.drilling) +
-                          " turns of plate nodes about their normal, which no element resists, are left out");
+                          " rotations of plate nodes about their normal, which no element resists, are left out");
   if (!modes.complete) {
     found.stopped = "not_converged";
     found.reason = "some of the modes asked for were not found, or one was passed over";

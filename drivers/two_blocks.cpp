@@ -27,7 +27,7 @@ dynamics::Probe velocity(const std::string& block, const model::Simulation& simu
 }
 
 /// What pushes the blocks apart. [N]
-double force(const dynamics::View& view, dynamics::ProbeMemory&) {
+double force(const dynamics::View& view) {
   double sum = 0;
   for (const auto& element : view.now.interfaces[0].elements) sum -= element.apex.x();
   return sum;
@@ -60,23 +60,20 @@ model::Simulation build(const input::CaseFile& file) {
                                     " elements: expected at most a hundred million");
   model::Simulation simulation = input::build(file, scene);
   const double area = width * width;
-  const auto stress = [area](const dynamics::View& view, dynamics::ProbeMemory& memory) { return force(view, memory) / area; };
-  simulation.probes = {{"interface_stress", "Pa", stress, true},
+  simulation.probes = {{"interface_stress", "Pa", [area](const auto& view, auto&) { return force(view) / area; }, true},
                        velocity("A", simulation),
-                       velocity("B", simulation),
-                       {"", "N", [=](const auto& view, auto& memory) { return stress(view, memory) * area; }, true},
-                       {"", "m^2", [area](const auto&, auto&) { return area; }}};
+                       velocity("B", simulation)};
   return simulation;
 }
 
 std::vector<output::Result> results(const model::Simulation& simulation) {
   const auto& seen = simulation.state.probes;  // in the order in which build() added them
   const double duration = seen[0].first_above_zero < 0 ? 0 : seen[0].last_above_zero - seen[0].first_above_zero;
-  const double impulse = seen[3].integral, area = seen[4].last;
-  return {{"interface_stress_mean", duration > 0 ? impulse / area / duration : 0, "Pa"},
+  const double area = simulation.model.interfaces[0].area.sum(), stress_time = seen[0].integral;
+  return {{"interface_stress_mean", duration > 0 ? stress_time / duration : 0, "Pa"},
           {"interface_stress_peak", std::max(0.0, seen[0].largest), "Pa"},
           {"contact_time", duration, "s"},
-          {"impulse", impulse, "N s"},
+          {"impulse", area * stress_time, "N s"},
           {"velocity_A", seen[1].last, "m/s"},
           {"velocity_B", seen[2].last, "m/s"}};
 }

@@ -20,10 +20,10 @@ constexpr Index no_facet = -1;        ///< behind a border edge the surface ends
 constexpr Index image_of_facet = -2;  ///< behind a border edge in a symmetry plane it goes on as its image
 
 struct BaseSurface {
-  Table<3> facets;          ///< nodes; the normal points to the side of the apexes
-  Table<3> neighbour;       ///< facet across the edges 0-1, 1-2, 2-0, or at the border one of the two above, below 0
+  Table<3> facets;                ///< nodes; the normal points to the side of the apexes
+  Table<3> neighbour;             ///< facet across the edges 0-1, 1-2, 2-0, or at the border one of the two above, below 0
   std::vector<Index> ring_begin;  ///< [nodes of the mesh + 1] where the facets around a node begin
-  Subset ring;              ///< facets around each node, ascending
+  Subset ring;                    ///< facets around each node, ascending
 };
 
 /// Builds the adjacency table of a surface.

@@ -68,10 +68,10 @@ struct Interface {
   Coulomb friction;
   /// [nodes] column of a plate node's angular velocity, or -1; empty where no node of the interface turns
   std::vector<Index> rotation_of_node;
-  double arm_of_apex = 0;        ///< [-] share of the apex, a plate, in the arm of friction; the base has the rest
-  std::vector<Bond> bonds;       ///< [apexes] of a bonded interface; set by connect()
-  double impact_step_factor = 0.1410;   ///< [-] dt sqrt(k/m) of the vote: impact_step_factor_for(0.005)
-  double pass_factor = 1;         ///< [-] part of the stiffness between its nodes: 1/2 in each of two passes
+  double arm_of_apex = 0;              ///< [-] share of the apex, a plate, in the arm of friction; the base has the rest
+  std::vector<Bond> bonds;             ///< [apexes] of a bonded interface; set by connect()
+  double impact_step_factor = 0.1410;  ///< [-] dt sqrt(k/m) of the vote: impact_step_factor_for(0.005)
+  double pass_factor = 1;              ///< [-] part of the stiffness between its nodes: 1/2 in each of two passes
   /// [s] a closed element pushes with k (|d| + damping_time d|d|/dt), never pulls. It takes
   /// the chatter out of an interface; what it dissipates is booked.
   double damping_time = 0;
@@ -86,9 +86,9 @@ struct Interface {
 };
 
 enum class Status : int {
-  unpaired = -1,   ///< no base within reach
-  open = 0,    ///< a base, no contact
-  closed = 1,  ///< in contact
+  unpaired = -1,    ///< no base within reach
+  open = 0,         ///< a base, no contact
+  closed = 1,       ///< in contact
   off_surface = 2,  ///< past the border of the base surface
 };
 
@@ -99,23 +99,23 @@ struct ElementForces {
   Vec3 apex = Vec3::Zero();              ///< [N]
   int count = 0;
   std::array<Index, most_nodes> node{};
-  double stiffness = 0;                  ///< [N/m] of the spring between the apex and its bases
+  double stiffness = 0;                     ///< [N/m] of the spring between the apex and its bases
   std::array<double, most_nodes> weight{};  ///< of each base node in it; a node named again has none
-  std::array<Vec3, most_nodes> force;    ///< [N] on the base nodes, where closed
-  double scale = 1;                      ///< of all these forces: 1 + damping_time d|d|/dt / |d|, not negative
-  double dissipated = 0;                 ///< [J] in the last step
-  double work = 0, created = 0;          ///< [J] in the last step
-  Vec3 angular_impulse = Vec3::Zero();   ///< [N m s] about the origin in the last step, see Memory
-  bool moved = false;                    ///< to another feature in the last step
-  bool found_anew = false;               ///< by the search before this step
+  std::array<Vec3, most_nodes> force;       ///< [N] on the base nodes, where closed
+  double scale = 1;                         ///< of all these forces: 1 + damping_time d|d|/dt / |d|, not negative
+  double dissipated = 0;                    ///< [J] in the last step
+  double work = 0, created = 0;             ///< [J] in the last step
+  Vec3 angular_impulse = Vec3::Zero();      ///< [N m s] about the origin in the last step, see Memory
+  bool moved = false;                       ///< to another feature in the last step
+  bool found_anew = false;                  ///< by the search before this step
 };
 
 /// Friction on one apex, and what its last step did.
 struct FrictionForces {
   bool acts = false;
   Touch touch;
-  Vec3 force = Vec3::Zero();         ///< [N] on the apex
-  double stiffness = 0;              ///< [N/m] of the stick
+  Vec3 force = Vec3::Zero();                     ///< [N] on the apex
+  double stiffness = 0;                          ///< [N/m] of the stick
   double work = 0, dissipated = 0, created = 0;  ///< [J] in the last step
 };
 
@@ -125,15 +125,15 @@ struct Memory {
   std::vector<Status> status;           ///< [apexes]
   std::vector<ElementForces> elements;  ///< [apexes]
   std::vector<FrictionForces> friction; ///< [apexes]; empty without friction
-  std::vector<double> gap;              ///< [m] [apexes], open for positive; NaN where lost
-  std::vector<double> stored;           ///< [J] by the penalty, [apexes]
-  std::vector<Vec3> slip;               ///< [m] elastic part of the slip, [apexes]; empty without friction
-  std::vector<double> tangential_stored;     ///< [J] by the elastic stick, [apexes]; empty without friction
+  std::vector<double> gap;                  ///< [m] [apexes], open for positive; NaN where lost
+  std::vector<double> stored;               ///< [J] by the penalty, [apexes]
+  std::vector<Vec3> slip;                   ///< [m] elastic part of the slip, [apexes]; empty without friction
+  std::vector<double> tangential_stored;    ///< [J] by the elastic stick, [apexes]; empty without friction
   std::vector<std::int64_t> reconnections;  ///< [apexes] walks to another feature
-  double work = 0;                      ///< [J] done on the nodes
-  double damped = 0;                    ///< [J] dissipated by contact damping
-  double friction_dissipated = 0;                    ///< [J] dissipated by friction
-  double created_by_reconnection = 0;   ///< [J] created in steps in which the apex changed its base
+  double work = 0;                          ///< [J] done on the nodes
+  double damped = 0;                        ///< [J] dissipated by contact damping
+  double friction_dissipated = 0;           ///< [J] dissipated by friction
+  double created_by_reconnection = 0;       ///< [J] created in steps in which the apex changed its base
   /// [N m s] about the origin: what weights of the paper lose, and what the mirror images of bases at
   /// a symmetry plane give; zero with consistent weights and no planes.
   Vec3 angular_impulse = Vec3::Zero();
@@ -142,7 +142,7 @@ struct Memory {
   std::int64_t updates = 0;             ///< calls of advance
 };
 
-double stored(const Memory&);        ///< [J] by the penalty
+double stored(const Memory&);             ///< [J] by the penalty
 double tangential_stored(const Memory&);  ///< [J] by the elastic stick of friction
 
 /// The schema of an interface in the ledger, and its values now.
@@ -153,9 +153,9 @@ void post(const Interface&, const Memory&, Account&);
 struct Workspace {
   explicit Workspace(const Interface&);
   BroadSearch broad;
-  Subset found;                         ///< [apexes] facet found by a search, or -1
-  Scalars spring_sum;                   ///< [N/m] [nodes of the mesh] stiffness of all springs at a base node
-  Scalars rotation_sum;                     ///< [N] [nodes of the mesh] the same for the moments of friction
+  Subset found;          ///< [apexes] facet found by a search, or -1
+  Scalars spring_sum;    ///< [N/m] [nodes of the mesh] stiffness of all springs at a base node
+  Scalars rotation_sum;  ///< [N] [nodes of the mesh] the same for the moments of friction
 };
 
 /// What the broad search found before the first step.
@@ -209,12 +209,12 @@ constexpr double linear_step = 0.5;
 
 /// One potential contact element as it stands, for output and tests.
 struct ElementView {
-  Index apex;                ///< node
-  Feature feature;           ///< facet -1 where lost
+  Index apex;                    ///< node
+  Feature feature;               ///< facet -1 where lost
   std::array<double, 3> weight;  ///< of the foot on the facet's nodes
-  double gap, traction;      ///< [m], [Pa] compression positive, without what contact damping adds
-  double shear_traction;     ///< [Pa] of friction, not negative
-  bool slides;               ///< friction is at its limit
+  double gap, traction;          ///< [m], [Pa] compression positive, without what contact damping adds
+  double shear_traction;         ///< [Pa] of friction, not negative
+  bool slides;                   ///< friction is at its limit
   Status status;
   std::int64_t reconnections;
 };

@@ -9,8 +9,8 @@ namespace nereid::contact {
 
 /// Coulomb's friction: sticks elastically up to coefficient times the normal force, then slides.
 struct Coulomb {
-  double coefficient = 0;  ///< [-] zero: frictionless
-  double tangential_penalty = 1;        ///< [-] stiffness of the elastic stick over that of the penalty
+  double coefficient = 0;         ///< [-] zero: frictionless
+  double tangential_penalty = 1;  ///< [-] stiffness of the elastic stick over that of the penalty
 };
 
 /// The elastic part of a slip and the part that slid.
@@ -44,7 +44,7 @@ struct Touch {
   std::array<double, 3> weight{};  ///< of the foot; they sum to one
   Vec3 base_arm = Vec3::Zero();    ///< [m] part of the arm whose moment the base takes
   Vec3 apex_arm = Vec3::Zero();    ///< [m] part whose moment the apex takes, a plate
-  bool base_rotates = false;         ///< the base is a plate, whose nodes have angular velocities
+  bool base_rotates = false;       ///< the base is a plate, whose nodes have angular velocities
   std::array<Vec3, 3> offset;      ///< [m] of the base nodes from their mean
   Mat3 per_inertia = Mat3::Zero(); ///< [1/m2] inverse of the sum of |offset|^2 1 - offset offset^T
 };

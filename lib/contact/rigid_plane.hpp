@@ -15,8 +15,8 @@ struct RigidPlane {
   std::string name;
   Vec3 point, normal;  ///< [m] on the plane, unit vector to the side of the nodes
   Subset nodes;
-  Scalars area;        ///< [m2] tributary area, [nodes]
-  double penalty = 0;  ///< [Pa/m]
+  Scalars area;                        ///< [m2] tributary area, [nodes]
+  double penalty = 0;                  ///< [Pa/m]
   double impact_step_factor = 0.1410;  ///< [-] dt sqrt(k/m) of the vote, see contact/impact_step.hpp
   Coulomb friction;
   double depth = 0;    ///< [m] of the flattest element behind the nodes: what a penetration is held against

@@ -73,7 +73,7 @@ std::vector<Mat3> allowed_directions(const Model& model, const Subset& apexes) {
 }
 
 /// Whether all nodes of a surface are plate nodes.
-bool turns(const Model& model, const mesh::Surface& surface) {
+bool rotates(const Model& model, const mesh::Surface& surface) {
   const Index node = surface.facets.size() > 0 ? surface.facets(0, 0) : -1;
   return node >= 0 && model.rotation_of_node[node] >= 0;
 }
@@ -95,7 +95,8 @@ double element_step(const Model& model) {
   for (const auto& block : model.blocks) {
     element::Memory memory = element::initial_memory(block);
     element::TileForces tiles = element::tile_forces(block);
-    step = std::min(step, element::advance(block, model.mesh.X, rest, no_rotation, 0, memory, tiles).step);
+    element::TileReports reports = element::tile_reports(block);
+    step = std::min(step, element::advance(block, model.mesh.X, rest, no_rotation, 0, memory, tiles, reports).step);
   }
   return step;
 }
@@ -157,7 +158,7 @@ Connected connect_one_pass(Model& model, const std::string& name, const std::str
   interface.allowed = allowed_directions(model, interface.apexes);
   for (const load::Plane& plane : model.constraints.planes)
     if (plane.kind == load::PlaneKind::symmetry) contact::goes_on_behind(interface.base, plane.nodes);
-  if (turns(model, apexes) || turns(model, base)) {
+  if (rotates(model, apexes) || rotates(model, base)) {
     interface.rotation_of_node = model.rotation_of_node;
     const double apex_half = half_thickness(model, apexes), base_half = half_thickness(model, base);
     interface.arm_of_apex = apex_half / (apex_half + base_half);

@@ -37,26 +37,29 @@ element::Vote displace(const Model& model, State& now, const Vectors& u, const s
   check(u.cols() == now.x.cols() && static_cast<Eigen::Index>(gradient.size()) == now.omega.cols() && steps > 0,
         "a displacement for every node and a gradient for every plate node");
   const Vectors du = u / steps, normal = normals(model);
-  Vectors turns = Vectors::Zero(3, now.omega.cols());
+  Vectors rotations = Vectors::Zero(3, now.omega.cols());
   element::Vote smallest;
   const auto deformation = [&](Index rotation, double step) { return Mat3(Mat3::Identity() + step / steps * gradient[rotation]); };
   const auto material_normal = [&](Index rotation, double step) {
     return Vec3((deformation(rotation, step).inverse().transpose() * normal.col(rotation)).normalized());
   };
+  std::vector<element::TileReports> reports;
+  for (const auto& block : model.blocks) reports.push_back(element::tile_reports(block));
   for (int s = 0; s < steps; ++s) {
     for (Index rotation = 0; rotation < now.omega.cols(); ++rotation) {
       const Vec3 before = material_normal(rotation, s), after = material_normal(rotation, s + 1);
       const Vec3 between = material_normal(rotation, s + 0.5);
       const Mat3 L = gradient[rotation] / steps * deformation(rotation, s + 0.5).inverse();
       // Cayley's vector of the normal's rotation; about the normal, which differs from that of the facets, the material's
-      turns.col(rotation) = 2 / (1 + before.dot(after)) * before.cross(after) + half_curl(L).dot(between) * between;
+      rotations.col(rotation) = 2 / (1 + before.dot(after)) * before.cross(after) + half_curl(L).dot(between) * between;
       const Index place = now.constraints.row_of_node[model.node_of_rotation[rotation]];
       // driven nodes go from where the displacement puts them
-      if (place >= 0 && now.constraints.nodes[place].driver < 0) turns.col(rotation) = now.constraints.nodes[place].allowed_rotation * turns.col(rotation);
+      if (place >= 0 && now.constraints.nodes[place].driver < 0) rotations.col(rotation) = now.constraints.nodes[place].allowed_rotation * rotations.col(rotation);
     }
     now.x = model.mesh.X + (static_cast<double>(s + 1) / steps) * u;
     for (std::size_t b = 0; b < model.blocks.size(); ++b) {
-      const element::Vote vote = element::advance(model.blocks[b], now.x, du, turns, duration / steps, now.blocks[b], now.tiles[b]);
+      const element::Vote vote =
+          element::advance(model.blocks[b], now.x, du, rotations, duration / steps, now.blocks[b], now.tiles[b], reports[b]);
       if (vote.volume_ratio < smallest.volume_ratio || std::isnan(vote.volume_ratio)) smallest = vote;
     }
   }

@@ -71,6 +71,7 @@ State initial_state(const Model& model, std::vector<contact::Memory> interfaces)
 
 Forces make_forces(const Model& model) {
   Forces forces;
+  for (const auto& block : model.blocks) forces.reports.push_back(element::tile_reports(block));
   for (const auto& interface : model.interfaces) forces.interfaces.emplace_back(interface);
   forces.dx = Vectors::Zero(3, model.mesh.X.cols());
   forces.rotation = Vectors::Zero(3, model.inertia.size());

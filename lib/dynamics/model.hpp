@@ -51,12 +51,12 @@ void finalize(Model&);
 
 /// What a search for the static equilibrium took away, and how near it is.
 struct RelaxationMemory {
-  double removed = 0;                   ///< [J] kinetic energy
-  Vec3 impulse = Vec3::Zero();          ///< [N s] given to the nodes
-  Vec3 angular_impulse = Vec3::Zero();  ///< [N m s] about the origin
-  double residual = 1;                  ///< [-] unbalanced over all forces, at the last sample
+  double removed = 0;                       ///< [J] kinetic energy
+  Vec3 impulse = Vec3::Zero();              ///< [N s] given to the nodes
+  Vec3 angular_impulse = Vec3::Zero();      ///< [N m s] about the origin
+  double residual = 1;                      ///< [-] unbalanced over all forces, at the last sample
   double most_force = 0, most_kinetic = 0;  ///< largest so far: [N/kg^(1/2)], [J]
-  int balanced = 0;                     ///< samples in a row
+  int balanced = 0;                         ///< samples in a row
   /// The reference from which the frequency is taken: time, positions, rotations since then, forces and moments that resist.
   double since = 0;                     ///< [s]
   Vectors x, rotated, force, moment;
@@ -92,7 +92,7 @@ struct State {
   double dt = 0;                                   ///< [s] of the step before
   Vectors x;                                       ///< [m] position at t
   Vectors v;                                       ///< [m/s] velocity at t
-  Vectors omega;                                       ///< [rad/s] angular velocity at t, plate nodes only
+  Vectors omega;                                   ///< [rad/s] angular velocity at t, plate nodes only
   std::vector<element::Memory> blocks;             ///< beside Model::blocks
   std::vector<element::TileForces> tiles;          ///< beside Model::blocks: at t, for the work of the next step
   std::vector<contact::Memory> interfaces;         ///< beside Model::interfaces
@@ -108,8 +108,9 @@ struct State {
 
 /// Sums and scratch of a step; resume() makes them from model and state.
 struct Forces {
-  Vectors dx;                                      ///< [m] increment of the positions over the step
-  Vectors rotation;                                    ///< [rad] increment of the rotations of the plate nodes
+  Vectors dx;                                 ///< [m] increment of the positions over the step
+  Vectors rotation;                           ///< [rad] increment of the rotations of the plate nodes
+  std::vector<element::TileReports> reports;  ///< beside Model::blocks
   std::vector<contact::Workspace> interfaces;
   Vectors force;                                   ///< [N] on the nodes
   Vectors moment;                                  ///< [N m] on the plate nodes

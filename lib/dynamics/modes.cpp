@@ -85,38 +85,43 @@ double shortest_side(const Model& model) {
   return shortest;
 }
 
-/// Forces and moments of all blocks after a displacement u and turns from rest.
+/// Forces and moments of all blocks after a displacement u and rotations from rest.
 struct Answers {
   std::vector<element::Memory> rest;      ///< beside the blocks
   std::vector<element::TileForces> none;  ///< no forces yet
+  std::vector<element::TileReports> reports;
   Vectors force, moment;
 
   explicit Answers(const Model& model) {
-    for (const auto& block : model.blocks) rest.push_back(element::initial_memory(block)), none.push_back(element::tile_forces(block));
+    for (const auto& block : model.blocks) {
+      rest.push_back(element::initial_memory(block));
+      none.push_back(element::tile_forces(block));
+      reports.push_back(element::tile_reports(block));
+    }
   }
 
-  void to(const Model& model, const Vectors& u, const Vectors& turns) {
+  void to(const Model& model, const Vectors& u, const Vectors& rotations) {
     force = Vectors::Zero(3, u.cols());
-    moment = Vectors::Zero(3, turns.cols());
+    moment = Vectors::Zero(3, rotations.cols());
     const Vectors x = model.mesh.X + u;
     for (std::size_t b = 0; b < model.blocks.size(); ++b) {
       element::Memory memory = rest[b];
       element::TileForces tiles = none[b];
-      element::advance(model.blocks[b], x, u, turns, slowly, memory, tiles);
+      element::advance(model.blocks[b], x, u, rotations, slowly, memory, tiles, reports[b]);
       element::add_by_node(model.node_sums[b], tiles.force, force);
       if (tiles.moment.cols() > 0) element::add_by_node(model.node_sums[b], tiles.moment, model.rotation_of_node, moment);
     }
   }
 };
 
-/// Rows of the stiffness: three displacements of each node, then three turns of each plate node.
+/// Rows of the stiffness: three displacements of each node, then three rotations of each plate node.
 struct Rows {
   Eigen::Index nodes;
   Eigen::Index of_node(Index node) const { return 3 * static_cast<Eigen::Index>(node); }
-  Eigen::Index of_turn(Index rotation) const { return 3 * (nodes + static_cast<Eigen::Index>(rotation)); }
+  Eigen::Index of_rotation(Index rotation) const { return 3 * (nodes + static_cast<Eigen::Index>(rotation)); }
 };
 
-/// -df/du of all blocks, by differences to both sides; a column for each displacement and turn.
+/// -df/du of all blocks, by differences to both sides; a column for each displacement and rotation.
 void add_blocks(const Model& model, const Rows& rows, Entries& K) {
   const std::vector<Subset> neighbour = neighbours(model);
   const Vectors no_u = Vectors::Zero(3, model.mesh.X.cols()), no_rotation = Vectors::Zero(3, model.inertia.size());
@@ -124,28 +129,28 @@ void add_blocks(const Model& model, const Rows& rows, Entries& K) {
   const double side = shortest_side(model);
   for (const Subset& group : groups(neighbour)) {
     for (int column = 0; column < 6; ++column) {
-      const bool turns = column >= 3;
+      const bool rotates = column >= 3;
       const int axis = column % 3;
-      const double step = turns ? small : small * side;
+      const double step = rotates ? small : small * side;
       Vectors u = no_u, rotation = no_rotation;
       for (const Index node : group) {
-        if (!turns) u(axis, node) = step;
+        if (!rotates) u(axis, node) = step;
         else if (model.rotation_of_node[node] >= 0) rotation(axis, model.rotation_of_node[node]) = step;
       }
-      if (turns && rotation.isZero(0)) continue;
+      if (rotates && rotation.isZero(0)) continue;
       ahead.to(model, u, rotation);
       behind.to(model, -u, -rotation);
       for (const Index node : group) {
         const Index own = model.rotation_of_node[node];
-        if (turns && own < 0) continue;
-        const Eigen::Index at = (turns ? rows.of_turn(own) : rows.of_node(node)) + axis;
+        if (rotates && own < 0) continue;
+        const Eigen::Index at = (rotates ? rows.of_rotation(own) : rows.of_node(node)) + axis;
         const auto add = [&](Eigen::Index first, const Vec3& plus, const Vec3& minus) {
           for (int i = 0; i < 3; ++i) K.emplace_back(first + i, at, (minus(i) - plus(i)) / (2 * step));
         };
         for (const Index next : neighbour[static_cast<std::size_t>(node)]) {
           add(rows.of_node(next), ahead.force.col(next), behind.force.col(next));
           const Index other = model.rotation_of_node[next];
-          if (other >= 0) add(rows.of_turn(other), ahead.moment.col(other), behind.moment.col(other));
+          if (other >= 0) add(rows.of_rotation(other), ahead.moment.col(other), behind.moment.col(other));
         }
       }
     }
@@ -220,10 +225,10 @@ Sparse freedoms(const Model& model, const Rows& rows, const Sparse& K, std::int6
     const std::vector<Vec3> free = directions(here == nullptr ? Mat3(Mat3::Identity()) : here->allowed_rotation);
     Mat3 own;
     for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) own(i, j) = K.coeff(rows.of_turn(rotation) + i, rows.of_turn(rotation) + j);
+      for (int j = 0; j < 3; ++j) own(i, j) = K.coeff(rows.of_rotation(rotation) + i, rows.of_rotation(rotation) + j);
     const std::vector<Vec3> stiff = resisted(free, own);
     drilling += static_cast<std::int64_t>(free.size() - stiff.size());
-    add(rows.of_turn(rotation), stiff, model.inertia(rotation));
+    add(rows.of_rotation(rotation), stiff, model.inertia(rotation));
   }
   Sparse B(K.rows(), count);
   B.setFromTriplets(entries.begin(), entries.end());

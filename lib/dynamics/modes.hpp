@@ -16,8 +16,8 @@ namespace nereid::dynamics {
 struct Mode {
   double frequency = 0;  ///< [Hz]
   double residual = 0;   ///< [-] |K u - omega^2 M u| over that of the highest mode's K u, in the norm of M^-1
-  Vectors shape;         ///< displacement, [3 x nodes], with u^T M u = 1 together with the turns
-  Vectors rotations;         ///< rotation of the plates, [3 x plate nodes]
+  Vectors shape;         ///< displacement, [3 x nodes], with u^T M u = 1 together with the rotations
+  Vectors rotations;     ///< rotation of the plates, [3 x plate nodes]
 };
 
 struct Modes {
@@ -27,8 +27,8 @@ struct Modes {
   double asymmetry = 0;       ///< [-] largest |K - K^T| over the largest |K|
   double exact_step = 0;      ///< [s] 2 / omega of the highest mode
   double voted_step = 0;      ///< [s] that the elements and springs ask for at the start of a run
-  std::int64_t freedoms = 0;  ///< displacements and turns that were free to move
-  std::int64_t drilling = 0;  ///< turns that no element resists, about the normal of a flat plate: left out
+  std::int64_t freedoms = 0;  ///< displacements and rotations that were free to move
+  std::int64_t drilling = 0;  ///< rotations that no element resists, about the normal of a flat plate: left out
   bool complete = true;       ///< as many as were asked for were found, and Sturm's count says that none was passed over
 };
 

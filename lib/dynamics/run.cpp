@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <limits>
 
+#include "base/check.hpp"
 #include "dynamics/relax.hpp"
 
 namespace nereid::dynamics {
@@ -95,10 +96,13 @@ Outcome run(const Model& model, State& now, Forces& forces, const Time& time, do
   Progress& progress = now.progress;
   const auto clock = [] { return std::chrono::steady_clock::now(); };
   const auto began = clock();
-  const auto show = [&] {
+  // A state that was shown before its ledger was current is shown again at the end: probes of every step have seen it.
+  const auto show = [&](bool again = false) {
     const View view{model, now, forces, progress.ledger_is_current};
-    for (std::size_t p = 0; p < watch.probes.size(); ++p)
-      if (view.ledger_is_current || watch.probes[p].every_step) sample(watch.probes[p], view, now.probes[p]);
+    for (std::size_t p = 0; p < watch.probes.size(); ++p) {
+      const bool every_step = watch.probes[p].every_step;
+      if (every_step ? !again : view.ledger_is_current) sample(watch.probes[p], view, now.probes[p]);
+    }
     for (const Observer& observer : watch.observers) observer(view);
   };
   const auto enough = [&] {  // as the case has it
@@ -107,6 +111,7 @@ Outcome run(const Model& model, State& now, Forces& forces, const Time& time, do
     return outcome.ending == Ending::stopped_by_condition;
   };
   if (progress.started) {
+    check(now.probes.size() == watch.probes.size(), "a run goes on with the probes that it began with");
     resume(model, now, forces);
   } else {
     start(model, now, forces);
@@ -150,7 +155,7 @@ Outcome run(const Model& model, State& now, Forces& forces, const Time& time, do
   if (!progress.ledger_is_current) {
     update_ledger(model, now);
     progress.ledger_is_current = true;
-    show();
+    show(true);
   }
   outcome.wall_seconds = std::chrono::duration<double>(clock() - began).count();
   outcome.element_updates = elements(model) * (now.step + 1);

@@ -32,8 +32,8 @@ struct Outcome {
   std::string block;             ///< where it happened, if anywhere
   Index element = -1;
   std::int64_t element_updates = 0;
-  double wall_seconds = 0;       ///< of the step loop with everything in it
-  std::string limited_by;        ///< the source of the smallest step, in words
+  double wall_seconds = 0;                     ///< of the step loop with everything in it
+  std::string limited_by;                      ///< the source of the smallest step, in words
   double smallest_step = 0, largest_step = 0;  ///< [s]
 };
 

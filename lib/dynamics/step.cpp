@@ -43,10 +43,10 @@ double kick(const Model& model, double dt, double t, Half half, State& now, Forc
 }
 
 /// The stable step of elements and springs together, named after the springs where they govern.
-Vote with_springs(const Model& model, const load::SpringRates& springs, int first_load, const Vote& elements) {
+Vote with_springs(const load::SpringRates& springs, int first_load, const Vote& elements) {
   if (springs.stiffest < 0) return elements;
   const double step = load::step_with_springs(elements.step, springs);
-  if (step < 0.5 * elements.step || model.blocks.empty()) return {step, first_load + springs.stiffest, -1};
+  if (step < 0.5 * elements.step) return {step, first_load + springs.stiffest, -1};
   return {step, elements.source, elements.at};
 }
 
@@ -55,7 +55,7 @@ void update(const Model& model, double dt, State& now, Forces& f) {
   Votes votes;
   int source = 0;
   for (std::size_t b = 0; b < model.blocks.size(); ++b, ++source) {
-    const element::Vote vote = element::advance(model.blocks[b], now.x, f.dx, f.rotation, dt, now.blocks[b], now.tiles[b]);
+    const element::Vote vote = element::advance(model.blocks[b], now.x, f.dx, f.rotation, dt, now.blocks[b], now.tiles[b], f.reports[b]);
     votes.elements.see({vote.step, vote.step_element}, source);
     if (vote.volume_ratio < votes.volume_ratio || std::isnan(vote.volume_ratio)) {  // once found, a NaN stays
       votes.volume_ratio = vote.volume_ratio, votes.smallest_block = source, votes.smallest_element = vote.volume_element;
@@ -72,7 +72,7 @@ void update(const Model& model, double dt, State& now, Forces& f) {
   for (std::size_t l = 0; l < model.loads.size(); ++l)
     load::advance(model.loads[l], model.mesh.X, now.x, now.v, now.omega, now.t, dt, now.loads[l]);
   source += static_cast<int>(model.constraints.planes.size());
-  votes.elements = with_springs(model, f.springs, source, votes.elements);
+  votes.elements = with_springs(f.springs, source, votes.elements);
   now.votes = votes;
 }
 

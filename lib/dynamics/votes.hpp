@@ -23,9 +23,9 @@ struct Vote {
 
 /// What limits the next step, and whether any element is lost.
 struct Votes {
-  Vote elements;           ///< the linear bound of elements and springs; a run stays below it by its safety
-  Vote contact;            ///< of interfaces and rigid planes: their own bound, which has its margin in it
-  double volume_ratio = 1e300;     ///< [-] smallest volume or area ratio; not positive or NaN: inverted
+  Vote elements;                ///< the linear bound of elements and springs; a run stays below it by its safety
+  Vote contact;                 ///< of interfaces and rigid planes: their own bound, which has its margin in it
+  double volume_ratio = 1e300;  ///< [-] smallest volume or area ratio; not positive or NaN: inverted
   int smallest_block = -1; ///< in sources(model)
   Index smallest_element = -1;
 };

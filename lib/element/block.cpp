@@ -118,8 +118,8 @@ bool plates_may_have(const AnyLaw& any) {
 void set_rotations(AnyBlock& any, const std::vector<Index>& column_of_node) {
   std::visit(
       [&](auto& block) {
-        block.turning.clear();
-        for (const Index node : block.tiling.node) block.turning.push_back(column_of_node[node]);
+        block.rotation_column.clear();
+        for (const Index node : block.tiling.node) block.rotation_column.push_back(column_of_node[node]);
       },
       any);
 }
@@ -144,13 +144,14 @@ TileForces tile_forces(const AnyBlock& any) {
   const Tiling& t = tiling(any);
   const auto slots = static_cast<Eigen::Index>(t.node.size());
   return {.force = Vectors::Zero(3, slots),
-          .moment = Vectors::Zero(3, rotates(any) ? slots : 0),
-          .reports = std::vector<TileForces::Report>(t.tiles.size())};
+          .moment = Vectors::Zero(3, rotates(any) ? slots : 0)};
 }
 
-Vote advance(const AnyBlock& any, const Vectors& x, const Vectors& dx, const Vectors& turn, double dt, Memory& memory,
-             TileForces& forces) {
-  return with_kernels(any, [&](const auto& block, auto kernels) { return kernels.advance(block, x, dx, turn, dt, memory, forces); });
+TileReports tile_reports(const AnyBlock& any) { return TileReports(tiling(any).tiles.size()); }
+
+Vote advance(const AnyBlock& any, const Vectors& x, const Vectors& dx, const Vectors& rotation, double dt, Memory& memory,
+             TileForces& forces, TileReports& reports) {
+  return with_kernels(any, [&](const auto& block, auto kernels) { return kernels.advance(block, x, dx, rotation, dt, memory, forces, reports); });
 }
 
 std::vector<Field> fields(const AnyBlock& any, const Vectors& x, const Memory& memory) {

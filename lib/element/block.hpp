@@ -30,7 +30,7 @@ struct Block {
   Tiling tiling;
   std::vector<double> constants;  ///< [packs x rows x lanes]
   Layers layers;                  ///< through the thickness; none in a solid
-  std::vector<Index> turning;     ///< [slots] column of each slot's angular velocity; plates only
+  std::vector<Index> rotation_column;  ///< [slots] column of each slot's angular velocity; plates only
 };
 
 using material::AnyLaw;
@@ -57,9 +57,9 @@ bool plates_may_have(const AnyLaw&);
 
 /// What the elements of one block remember; one type for all blocks. Rows lie pack by pack.
 struct Memory {
-  std::vector<double> rows;      ///< [packs x rows x lanes]
-  double work = 0;               ///< [J] done on the nodes
-  Channels<Stored> stored;       ///< [J]
+  std::vector<double> rows;         ///< [packs x rows x lanes]
+  double work = 0;                  ///< [J] done on the nodes
+  Channels<Stored> stored;          ///< [J]
   Channels<Dissipated> dissipated;  ///< [J]
 };
 
@@ -67,16 +67,17 @@ struct Memory {
 struct TileForces {
   Vectors force;   ///< [N]   [3 x slots]
   Vectors moment;  ///< [N m] [3 x slots], plates only
-  /// One column per tile: sums in the order of Memory, the step vote and the smallest volume ratio.
-  struct Report {
-    double work;
-    Channels<Stored> stored;
-    Channels<Dissipated> dissipated;
-    double step, volume_ratio;
-    Index step_element, volume_element;
-  };
-  std::vector<Report> reports;  ///< [tiles]
 };
+
+/// What one tile reports of a step: energies in the order of Memory, the step vote and the smallest volume ratio.
+struct TileReport {
+  double work;
+  Channels<Stored> stored;
+  Channels<Dissipated> dissipated;
+  double step, volume_ratio;
+  Index step_element, volume_element;
+};
+using TileReports = std::vector<TileReport>;  ///< [tiles] scratch of a step
 
 /// What a block asks of the run.
 struct Vote {
@@ -123,15 +124,16 @@ void add_rotary_inertia(const AnyBlock&, Scalars& inertia);
 
 Memory initial_memory(const AnyBlock&);
 TileForces tile_forces(const AnyBlock&);
+TileReports tile_reports(const AnyBlock&);
 
 /// Brings a block from the old to the new positions and leaves its forces in `forces`.
 ///
 /// x  [m] at the end of the step;  dx  [m] increment of x over the step, [3 x nodes]
-/// turn  [rad] increment of the rotation of the plate nodes, [3 x plate nodes]
+/// rotation  [rad] increment of the rotation of the plate nodes, [3 x plate nodes]
 /// dt  [s]; zero at the start, where increments must be zero too: rates, dx / dt, are then zero
 /// Work is posted by the trapezoid rule: half with the forces found in `forces`, half with the new.
-Vote advance(const AnyBlock&, const Vectors& x, const Vectors& dx, const Vectors& turn, double dt,
-             Memory&, TileForces& forces);
+Vote advance(const AnyBlock&, const Vectors& x, const Vectors& dx, const Vectors& rotation, double dt,
+             Memory&, TileForces& forces, TileReports&);
 
 /// What the elements show: stress in the global frame (mean over points or through the thickness),
 /// von_mises and the law's internal scalars (largest over points or through the thickness), pressure

@@ -156,7 +156,7 @@ struct FullHexahedron {
   template <class T, class Law>
   struct Memory {
     std::array<Point<T, Law>, gauss_points> points;  ///< numbered like the nodes
-    T viscous;                                 ///< [Pa] viscous pressure, positive in compression
+    T viscous;                                       ///< [Pa] viscous pressure, positive in compression
     template <class F>
     void each_row(F&& f) {
       for (auto& point : points) point.stress.each_row(f), point.internal.each_row(f);

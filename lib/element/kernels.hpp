@@ -15,8 +15,8 @@ struct Kernels {
   static Scalars element_masses(const Block<Kind, Law>&);
   static void add_rotary_inertia(const Block<Kind, Law>&, Scalars& inertia);
   static Memory initial_memory(const Block<Kind, Law>&);
-  static Vote advance(const Block<Kind, Law>&, const Vectors& x, const Vectors& dx, const Vectors& turn, double dt, Memory&,
-                      TileForces&);
+  static Vote advance(const Block<Kind, Law>&, const Vectors& x, const Vectors& dx, const Vectors& rotation, double dt, Memory&,
+                      TileForces&, TileReports&);
   static std::vector<Field> fields(const Block<Kind, Law>&, const Vectors& x, const Memory&);
 };
 

@@ -57,10 +57,10 @@ inline void scatter(const Vector<Pack>& v, const Index* slot, int filled, double
 inline double sum_of_products(const double* a, const double* b, Index count) {
   Pack sums[4] = {Pack(0.0), Pack(0.0), Pack(0.0), Pack(0.0)};  // additions that need not wait for one another
   Index i = 0;
-  for (int turn = 0; i + lanes <= count; i += lanes, turn = (turn + 1) % 4) {
+  for (int chain = 0; i + lanes <= count; i += lanes, chain = (chain + 1) % 4) {
     Pack x, y;
     read_lanes(a + i, x), read_lanes(b + i, y);
-    sums[turn] += x * y;
+    sums[chain] += x * y;
   }
   const Pack packed = (sums[0] + sums[1]) + (sums[2] + sums[3]);
   double sum = 0;
@@ -76,30 +76,29 @@ inline Pack lane_numbers() {
 
 template <class Kind, class Law>
 void advance_tile(const Block<Kind, Law>& block, const Tile& tile, const Vectors& x, const Vectors& dx,
-                  const Vectors& turn, double dt, double* rows, TileForces& forces,
-                  TileForces::Report& report) {
+                  const Vectors& rotation, double dt, double* rows, TileForces& forces,
+                  TileReport& report) {
   constexpr int corners = Kind::nodes;
-  constexpr bool turns = Kind::rotates;
   alignas(64) double x_here[3 * most_slots], dx_here[3 * most_slots];
-  alignas(64) double turn_here[turns ? 3 * most_slots : 1];
+  alignas(64) double rotation_here[Kind::rotates ? 3 * most_slots : 1];
   for (Index p = 0; p < tile.nodes; ++p) {
     const Index node = block.tiling.node[tile.first_node + p];
     for (int axis = 0; axis < 3; ++axis) {
       x_here[3 * p + axis] = x(axis, node);
       dx_here[3 * p + axis] = dx(axis, node);
-      if constexpr (turns) turn_here[3 * p + axis] = turn(axis, block.turning[tile.first_node + p]);
+      if constexpr (Kind::rotates) rotation_here[3 * p + axis] = rotation(axis, block.rotation_column[tile.first_node + p]);
     }
   }
   double* force_here = forces.force.data() + 3 * static_cast<std::size_t>(tile.first_node);
-  double* moment_here = turns ? forces.moment.data() + 3 * static_cast<std::size_t>(tile.first_node) : nullptr;
+  double* moment_here = Kind::rotates ? forces.moment.data() + 3 * static_cast<std::size_t>(tile.first_node) : nullptr;
   const auto work_of_forces = [&] {
     double sum = sum_of_products(force_here, dx_here, 3 * tile.nodes);
-    if constexpr (turns) sum += sum_of_products(moment_here, turn_here, 3 * tile.nodes);
+    if constexpr (Kind::rotates) sum += sum_of_products(moment_here, rotation_here, 3 * tile.nodes);
     return sum;
   };
   const double with_old_forces = work_of_forces();
   std::fill_n(force_here, 3 * tile.nodes, 0.0);
-  if constexpr (turns) std::fill_n(moment_here, 3 * tile.nodes, 0.0);
+  if constexpr (Kind::rotates) std::fill_n(moment_here, 3 * tile.nodes, 0.0);
 
   const int memory_size = memory_rows(block) * lanes;
   constexpr int constants_size = Kind::template Constants<double>::rows * lanes;
@@ -123,10 +122,10 @@ void advance_tile(const Block<Kind, Law>& block, const Tile& tile, const Vectors
 
     Report<Pack, Kind> here;
     const int filled = block.tiling.filled[pack];
-    if constexpr (turns) {
-      std::array<Vector<Pack>, corners> turns_of_nodes, ms;
-      for (int a = 0; a < corners; ++a) turns_of_nodes[a] = gather(turn_here, slot + a * lanes);
-      here = advance(block.law, block.options, block.layers, constants, xs, dxs, turns_of_nodes, Pack(dt), memory, fs, ms);
+    if constexpr (Kind::rotates) {
+      std::array<Vector<Pack>, corners> rotations, ms;
+      for (int a = 0; a < corners; ++a) rotations[a] = gather(rotation_here, slot + a * lanes);
+      here = advance(block.law, block.options, block.layers, constants, xs, dxs, rotations, Pack(dt), memory, fs, ms);
       for (int a = 0; a < corners; ++a) scatter(ms[a], slot + a * lanes, filled, moment_here);
     } else {
       here = advance(block.law, block.options, constants, xs, dxs, Pack(dt), memory, fs);
@@ -227,14 +226,14 @@ Symmetric<double> output_of(const Plate::Memory<double, Law>& memory, const Bloc
 }
 
 template <class Kind, class Law>
-Vote Kernels<Kind, Law>::advance(const Block<Kind, Law>& block, const Vectors& x, const Vectors& dx, const Vectors& turn,
-                                 double dt, Memory& memory, TileForces& forces) {
+Vote Kernels<Kind, Law>::advance(const Block<Kind, Law>& block, const Vectors& x, const Vectors& dx, const Vectors& rotation,
+                                 double dt, Memory& memory, TileForces& forces, TileReports& reports) {
   const double time = dt > 0 ? dt : 1;  // where none passes, nothing moves, and all rates are zero
   parallel_for(static_cast<Index>(block.tiling.tiles.size()), 2, [&](Index t) {
-    advance_tile(block, block.tiling.tiles[t], x, dx, turn, time, memory.rows.data(), forces, forces.reports[t]);
+    advance_tile(block, block.tiling.tiles[t], x, dx, rotation, time, memory.rows.data(), forces, reports[t]);
   });
   Vote vote;
-  for (const TileForces::Report& report : forces.reports) {
+  for (const TileReport& report : reports) {
     memory.work += report.work;
     for (const Stored channel : Kind::stored_channels) memory.stored[channel] += report.stored[channel];
     for (const Dissipated channel : Kind::dissipated_channels) memory.dissipated[channel] += report.dissipated[channel];
@@ -250,7 +249,7 @@ template <class Kind, class Law>
 Block<Kind, Law> Kernels<Kind, Law>::make(const mesh::Mesh& mesh, const std::string& name, const Connectivity& nodes,
                                           const Law& law, const typename Kind::Options& options) {
   Block<Kind, Law> block{.name = name, .law = law, .options = options, .nodes = nodes,
-                         .tiling = cut_into_tiles(nodes, mesh.X), .constants = {}, .layers = {}, .turning = {}};
+                         .tiling = cut_into_tiles(nodes, mesh.X), .constants = {}, .layers = {}, .rotation_column = {}};
   if constexpr (Kind::layered) block.layers = gauss_layers(options.layers);
   const std::size_t packs = block.tiling.filled.size();
   constexpr int rows = Kind::template Constants<double>::rows;
@@ -314,7 +313,7 @@ void Kernels<Kind, Law>::add_rotary_inertia([[maybe_unused]] const Block<Kind, L
             block.tiling.tiles.begin(), block.tiling.tiles.end(), static_cast<Index>(pack),
             [](Index p, const Tile& tile) { return p < tile.first_pack; });
         const Index at = std::prev(after)->first_node + block.tiling.slot[slot];
-        inertia(block.turning[at]) += constants.mass * constants.gyration / Kind::nodes;
+        inertia(block.rotation_column[at]) += constants.mass * constants.gyration / Kind::nodes;
       }
     });
   }

@@ -205,13 +205,13 @@ NEREID_HOT PlateFrequencies<T> largest_frequencies_squared(const material::Modul
 /// material spins by minus the shear strain against them, and the stress and the tensors of the law with it, so that
 /// the numbering of the nodes does not matter.
 ///
-/// x  [m] at the end of the step;  dx [m] and turn [rad] increments of position and rotation over the step;
+/// x  [m] at the end of the step;  dx [m] and rotation [rad] increments of position and rotation over the step;
 /// dt  [s] above zero; rates are increments / dt
 /// force [N] and moment [N m] that the element exerts on its nodes
 template <class T, class Law>
 NEREID_HOT Report<T, Plate> advance(const Law& law, const Plate::Options& options, const Layers& layers,
                   const Plate::Constants<T>& constants, const std::array<Vector<T>, 3>& x,
-                  const std::array<Vector<T>, 3>& dx, const std::array<Vector<T>, 3>& turn, T dt,
+                  const std::array<Vector<T>, 3>& dx, const std::array<Vector<T>, 3>& rotation, T dt,
                   Plate::Memory<T, Law>& memory, std::array<Vector<T>, 3>& force,
                   std::array<Vector<T>, 3>& moment) {
   const T half(0.5), zero(0.0);
@@ -229,7 +229,7 @@ NEREID_HOT Report<T, Plate> advance(const Law& law, const Plate::Options& option
     const T ux = dot(dx[a], e1), uy = dot(dx[a], e2);
     const T bx = middle.gradient_x[a], by = middle.gradient_y[a];
     deflection[a] = dot(dx[a], e3);
-    beta[a] = {dot(turn[a], e2), -dot(turn[a], e1)};
+    beta[a] = {dot(rotation[a], e2), -dot(rotation[a], e1)};
     strain = strain + Plane<T>{bx * ux, by * uy, half * (bx * uy + by * ux)};
     curvature = curvature + Plane<T>{bx * beta[a].x, by * beta[a].y, half * (bx * beta[a].y + by * beta[a].x)};
   }

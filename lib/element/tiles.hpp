@@ -20,7 +20,7 @@ struct Tiling {
   Index elements = 0;
   std::vector<Tile> tiles;
   Subset node;                 ///< node of each slot, tile after tile
-  std::vector<Index> slot;    ///< [packs x nodes per element x lanes] slot within the tile
+  std::vector<Index> slot;     ///< [packs x nodes per element x lanes] slot within the tile
   std::vector<Index> element;  ///< [packs x lanes] element in each lane; a filler repeats the last one
   std::vector<int> filled;     ///< [packs] lanes that hold an element of their own
 };

@@ -16,11 +16,11 @@
 namespace nereid::load {
 
 enum class PlaneKind {
-  constrained,      ///< velocity along the normal is zero, or as prescribed
-  fixed,     ///< constrained in all directions, and plates do not turn; the normal does not matter
-  symmetry,  ///< constrained, and plates turn only about the normal
-  floor,     ///< free above the plane, constrained in the normal direction after first touch
-  driven,    ///< velocity and angular velocity are prescribed in all directions; the normal does not matter
+  constrained,  ///< velocity along the normal is zero, or as prescribed
+  fixed,        ///< constrained in all directions, and plates do not rotate; the normal does not matter
+  symmetry,     ///< constrained, and plates rotate only about the normal
+  floor,        ///< free above the plane, constrained in the normal direction after first touch
+  driven,       ///< velocity and angular velocity are prescribed in all directions; the normal does not matter
 };
 
 struct Plane {
@@ -31,15 +31,15 @@ struct Plane {
   Subset nodes;                 ///< ascending
   /// [m/s] along the normal, of time [s]; of constrained nodes only. Empty: at rest.
   OverTime velocity = {};
-  std::array<OverSpace, 3> field = {};    ///< [m/s] over reference position and time; of driven nodes, which need it
-  std::array<OverSpace, 3> angular_velocity = {};  ///< [rad/s] the same, of plate nodes among them; empty: they do not turn
+  std::array<OverSpace, 3> field = {};             ///< [m/s] over reference position and time; of driven nodes, which need it
+  std::array<OverSpace, 3> angular_velocity = {};  ///< [rad/s] the same, of plate nodes among them; empty: they do not rotate
 };
 
 /// What a plane gave to the nodes since the start.
 struct PlaneAccount {
   Vec3 impulse = Vec3::Zero();          ///< [N s]
   Vec3 angular_impulse = Vec3::Zero();  ///< [N m s] about the origin
-  double stopped = 0;                    ///< [J] kinetic energy of nodes that the plane stopped
+  double stopped = 0;                   ///< [J] kinetic energy of nodes that the plane stopped
   double driven = 0;                    ///< [J] work of a plane that moves, done on its nodes
 };
 
@@ -54,17 +54,17 @@ inline bool moves(const Plane& plane) { return plane.velocity || plane.kind == P
 struct ConstrainedNode {
   static constexpr int most_rows = 8;
   Index node = -1;
-  int rotation = -1;                        ///< column of its angular velocity, or -1
-  int count = 0;                        ///< rows
-  bool moves = false;                   ///< one of the planes has a velocity
-  bool rotation_constrained = false;              ///< one of the planes is fixed or drives
-  int driver = -1;                      ///< plane that drives the node, or -1
+  int rotation = -1;                  ///< column of its angular velocity, or -1
+  int count = 0;                      ///< rows
+  bool moves = false;                 ///< one of the planes has a velocity
+  bool rotation_constrained = false;  ///< one of the planes is fixed or drives
+  int driver = -1;                    ///< plane that drives the node, or -1
   std::array<int, most_rows> plane{};
   std::array<Vec3, most_rows> normal;
-  std::array<Vec3, most_rows> reaction;    ///< component of a reaction that belongs to each row
+  std::array<Vec3, most_rows> reaction;   ///< component of a reaction that belongs to each row
   std::array<double, most_rows> speed{};  ///< [m/s] of each row along its normal, set before each kick
-  Vec3 angular_velocity = Vec3::Zero();          ///< [rad/s] of a driven node, set with the speeds
-  Mat3 allowed = Mat3::Identity();      ///< projector onto the velocities all planes allow
+  Vec3 angular_velocity = Vec3::Zero();   ///< [rad/s] of a driven node, set with the speeds
+  Mat3 allowed = Mat3::Identity();        ///< projector onto the velocities all planes allow
   Mat3 allowed_rotation = Mat3::Identity(); ///< projector onto the angular velocities they allow
 };
 
@@ -74,13 +74,13 @@ struct Constraints {
 
 /// What constraints remember: which nodes hold where, and the planes' accounts.
 struct Memory {
-  std::vector<ConstrainedNode> nodes;           ///< every node of every plane, ascending, also while free
-  std::vector<Index> row_of_node;      ///< [nodes] row in `nodes`, or -1
-  std::vector<PlaneAccount> account;    ///< beside Constraints::planes
+  std::vector<ConstrainedNode> nodes;      ///< every node of every plane, ascending, also while free
+  std::vector<Index> row_of_node;          ///< [nodes] row in `nodes`, or -1
+  std::vector<PlaneAccount> account;       ///< beside Constraints::planes
   std::vector<std::vector<char>> stopped;  ///< [planes][nodes of the plane] whether a floor holds it
-  std::vector<Index> active;            ///< rows in `nodes` of nodes that a plane holds now
-  std::vector<Index> impacting;           ///< rows in `nodes` of nodes about to be stopped; scratch
-  std::vector<double> speed;            ///< [m/s] of each plane along its normal; scratch
+  std::vector<Index> active;               ///< rows in `nodes` of nodes that a plane holds now
+  std::vector<Index> impacting;            ///< rows in `nodes` of nodes about to be stopped; scratch
+  std::vector<double> speed;               ///< [m/s] of each plane along its normal; scratch
 };
 
 /// Prepares the constraints; a floor's nodes are free until they touch it.

@@ -47,7 +47,7 @@ struct NodalForce {
 struct NodalMoment {
   std::string name;
   Subset nodes;
-  Subset rotations;                    ///< [nodes] columns of their angular velocities
+  Subset rotations;                ///< [nodes] columns of their angular velocities
   std::array<OverTime, 3> moment;  ///< [N m] on all nodes together
 };
 
@@ -76,8 +76,8 @@ struct PointMass {
 
 /// What a load remembers.
 struct LoadMemory {
-  Vectors force;   ///< [N] now, [3 x nodes of the load]; of a spring at its two ends
-  Vectors moment;  ///< [N m] now, [3 x nodes of the load]; of a NodalMoment only
+  Vectors force;                        ///< [N] now, [3 x nodes of the load]; of a spring at its two ends
+  Vectors moment;                       ///< [N m] now, [3 x nodes of the load]; of a NodalMoment only
   double work = 0;                      ///< [J] done on the nodes
   double stored = 0, dissipated = 0;    ///< [J] of a spring: 1/2 k (l - l0)^2 now; by its dashpot so far
   Vec3 impulse = Vec3::Zero();          ///< [N s] given to the nodes

@@ -13,8 +13,8 @@ enum class Revolution { full, quarter };
 struct Cylinder {
   double radius, length;  ///< [m]
   Revolution turn;
-  int cells_core;  ///< along the edge of the quarter's square core; 2 * cells_core around a quarter
-  int cells_ring;  ///< radially from the core to the surface
+  int cells_core;   ///< along the edge of the quarter's square core; 2 * cells_core around a quarter
+  int cells_ring;   ///< radially from the core to the surface
   int cells_along;  ///< along z
 };
 

@@ -12,7 +12,7 @@ Scalars volumes(const Mesh&, const Hexahedra&);
 
 /// Outer faces: those that one hexahedron of all regions has and no other.
 struct Skin {
-  Table<3> facets;      ///< each quadrilateral cut through its corner with the lowest number, normals outwards
+  Table<3> facets;           ///< each quadrilateral cut through its corner with the lowest number, normals outwards
   std::int64_t crowded = 0;  ///< faces that more than two hexahedra have; they are not in the skin
 };
 

@@ -79,11 +79,11 @@ struct Contact {
 struct Plane {
   std::string name;
   load::PlaneKind kind = load::PlaneKind::constrained;
-  std::vector<std::string> nodes = {};       ///< node sets
-  Vec3 point = Vec3::Zero();                 ///< [m] of a floor
-  Vec3 normal = Vec3::UnitZ();               ///< unit vector; not of fixed and driven nodes
-  load::OverTime velocity = {};              ///< [m/s] along the normal, of `constrained` only; empty: at rest
-  Field field = {}, angular_velocity = {};            ///< [m/s] [rad/s] of `driven` only; `angular_velocity` may be empty
+  std::vector<std::string> nodes = {};      ///< node sets
+  Vec3 point = Vec3::Zero();                ///< [m] of a floor
+  Vec3 normal = Vec3::UnitZ();              ///< unit vector; not of fixed and driven nodes
+  load::OverTime velocity = {};             ///< [m/s] along the normal, of `constrained` only; empty: at rest
+  Field field = {}, angular_velocity = {};  ///< [m/s] [rad/s] of `driven` only; `angular_velocity` may be empty
   std::string at = {};
 };
 

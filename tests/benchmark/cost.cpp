@@ -74,10 +74,10 @@ int main(int argc, char** argv) {
   double began = seconds();
   for (int s = 0; s < steps; ++s) dynamics::step(model, dt, state, forces);
   const double step_seconds = seconds() - began;
-  forces.dx *= 1e-9, forces.turn *= 1e-9;
+  forces.dx *= 1e-9, forces.rotation *= 1e-9;
   began = seconds();
   for (int s = 0; s < steps; ++s)
-    element::advance(model.blocks[0], state.x, forces.dx, forces.turn, 1e-9 * dt, state.blocks[0], state.tiles[0]);
+    element::advance(model.blocks[0], state.x, forces.dx, forces.rotation, 1e-9 * dt, state.blocks[0], state.tiles[0], forces.reports[0]);
   const double kernel_seconds = seconds() - began;
 
   const double updates = static_cast<double>(element::tiling(model.blocks[0]).elements) * steps;

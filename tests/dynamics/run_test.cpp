@@ -356,6 +356,18 @@ TEST(Observers, SeeTheLedgerOfTheLastStateOfARunThatStopped) {
   EXPECT_TRUE(last);
 }
 
+TEST(Probes, OfEveryStepSeeEachStateOnceAlsoWhereARunStopsBetweenUpdatesOfItsLedger) {
+  Scene s = box();
+  s.state.v(0, 13) = -1e5;  // an element inverts
+  const std::vector<Probe> probes{{"one", "1", [](const View&, ProbeMemory&) { return 1.0; }, true}};
+  Time time;
+  time.end = 1, time.created_limit = 1e300;
+  const Outcome outcome = run(s.model, s.state, s.forces, time, 1e300, {.probes = probes});
+  EXPECT_EQ(outcome.ending, Ending::inverted_element);
+  EXPECT_EQ(s.state.probes[0].samples, s.state.step + 1);
+  EXPECT_NEAR(s.state.probes[0].integral, s.state.t, 1e-12 * s.state.t);
+}
+
 // --- conditions ----------------------------------------------------------------------------------
 
 TEST(Until, EndsARunAtTheFirstSampleThatSaysWhy) {

@@ -523,10 +523,11 @@ double assembled_frequency(const Scene& s) {
   const auto forces_at = [&](Eigen::Index i, double sign) {
     element::Memory memory = s.state.blocks[0];
     element::TileForces tiles = element::tile_forces(s.model.blocks[0]);
+    element::TileReports reports = element::tile_reports(s.model.blocks[0]);
     Vectors x = s.model.mesh.X, u = Vectors::Zero(3, x.cols());
     x.data()[i] += sign * amplitude;
     u.data()[i] = sign * amplitude;
-    element::advance(s.model.blocks[0], x, u, s.state.omega, 1.0, memory, tiles);
+    element::advance(s.model.blocks[0], x, u, s.state.omega, 1.0, memory, tiles, reports);
     Vectors force = Vectors::Zero(3, x.cols());
     for (std::size_t p = 0; p < element::tiling(s.model.blocks[0]).node.size(); ++p)
       force.col(element::tiling(s.model.blocks[0]).node[p]) +=

@@ -30,10 +30,11 @@ struct Scene {
   Vectors x, v, w;
   Memory memory;
   TileForces forces;
+  TileReports reports;
 
   Vote move(double dt) {
     x += dt * v;
-    return advance(block, x, dt * v, dt * w, dt, memory, forces);
+    return advance(block, x, dt * v, dt * w, dt, memory, forces, reports);
   }
 };
 
@@ -47,16 +48,17 @@ mesh::Mesh distorted_box() {
 
 Scene finish(mesh::Mesh mesh, AnyBlock block) {
   const auto count = mesh.X.cols();
-  std::vector<Index> turning;
-  for (Index n = 0; n < count; ++n) turning.push_back(n);
-  if (rotates(block)) set_rotations(block, turning);
+  std::vector<Index> column;
+  for (Index n = 0; n < count; ++n) column.push_back(n);
+  if (rotates(block)) set_rotations(block, column);
   Scene scene{mesh,
               block,
               mesh.X,
               0.1 * Vectors::Random(3, count),
               0.1 * Vectors::Random(3, count),
               initial_memory(block),
-              tile_forces(block)};
+              tile_forces(block),
+              tile_reports(block)};
   return scene;
 }
 const Hexahedron::Options dashpots{.hourglass = 0.05, .viscosity = {}, .hourglass_kind = Hexahedron::Hourglass::viscous};
@@ -126,7 +128,7 @@ void solids_are_the_sum_of_their_elements(const Law& law, const typename Kind::O
     EXPECT_EQ(vote.step_element, step_at);
     EXPECT_EQ(vote.volume_element, size_at);
     double reported = 0, lost = 0;
-    for (const auto& report : s.forces.reports) {
+    for (const auto& report : s.reports) {
       reported += total(report.stored);
       lost += total(report.dissipated);
     }
@@ -249,7 +251,7 @@ TEST(Block, NamesAnInvertedElement) {
       x.col(corners(a, element)) = s.x.col(corners(a + 4, element));
       x.col(corners(a + 4, element)) = s.x.col(corners(a, element));
     }
-    const Vote vote = advance(s.block, x, Vectors::Zero(3, x.cols()), s.w, 0.0, s.memory, s.forces);
+    const Vote vote = advance(s.block, x, Vectors::Zero(3, x.cols()), s.w, 0.0, s.memory, s.forces, s.reports);
     EXPECT_LT(vote.volume_ratio, 0);
     EXPECT_EQ(vote.volume_element, element);
   }
@@ -300,21 +302,21 @@ TEST(Block, OfPlatesHasMassAndRotaryInertiaOfTheSkin) {
       plates(plain, "skin", elastic,
              {.thickness = 0.1, .rotary_inertia = Plate::RotaryInertia::physical, .viscosity = {}});
   // only the nodes of the skin have columns of angular velocity
-  std::vector<Index> turning(plain.X.cols(), -1);
+  std::vector<Index> column(plain.X.cols(), -1);
   Index columns = 0;
   for (const Index n : mesh::surface_nodes(mesh::surface(plain, "box.z_high")))
-    turning[n] = columns++;
-  set_rotations(block, turning);
+    column[n] = columns++;
+  set_rotations(block, column);
   Scalars mass = Scalars::Zero(plain.X.cols()), inertia = Scalars::Zero(columns);
   add_mass(block, mass);
   add_rotary_inertia(block, inertia);
   EXPECT_NEAR(mass.sum(), 2.0 * 9 * 7 * 0.1, 1e-12);
   EXPECT_GT(inertia.minCoeff(), 0);
   for (Index n = 0; n < plain.X.cols(); ++n) {
-    if (turning[n] < 0) {
+    if (column[n] < 0) {
       EXPECT_EQ(mass(n), 0);
     } else {
-      EXPECT_NEAR(inertia(turning[n]), mass(n) * 0.01 / 12, 1e-16);
+      EXPECT_NEAR(inertia(column[n]), mass(n) * 0.01 / 12, 1e-16);
     }
   }
 }

@@ -33,8 +33,9 @@ Scalars masses(const AnyBlock& block, const mesh::Mesh& mesh) {
 Vectors forces(const AnyBlock& block, const mesh::Mesh& mesh, const Vectors& u, Vote* vote = nullptr) {
   Memory memory = initial_memory(block);
   TileForces here = tile_forces(block);
+  TileReports reports = tile_reports(block);
   const Vectors x = mesh.X + u;
-  const Vote said = advance(block, x, u, Vectors::Zero(3, u.cols()), 1.0, memory, here);
+  const Vote said = advance(block, x, u, Vectors::Zero(3, u.cols()), 1.0, memory, here, reports);
   if (vote != nullptr) *vote = said;
   Vectors force = Vectors::Zero(3, u.cols());
   for (std::size_t p = 0; p < tiling(block).node.size(); ++p) force.col(tiling(block).node[p]) += here.force.col(p);
@@ -112,7 +113,8 @@ TEST(WedgeAtTheAxis, PassesThePatchTestWithOnePointOrEight) {
   for (const AnyBlock& block : {solid(mesh), full(mesh)}) {
     Memory memory = initial_memory(block);
     TileForces tiles = tile_forces(block);
-    advance(block, mesh.X + u, u, Vectors::Zero(3, u.cols()), 1.0, memory, tiles);
+    TileReports reports = tile_reports(block);
+    advance(block, mesh.X + u, u, Vectors::Zero(3, u.cols()), 1.0, memory, tiles, reports);
     const auto [lambda, mu] = material::lame(steel);
     const Mat3 stress = lambda * H.trace() * Mat3::Identity() + mu * (H + H.transpose());
     const auto stresses = fields(block, mesh.X + u, memory)[0].values;
