@@ -9,7 +9,7 @@ NAME is a folder of verification/; without one, all. `--quick` (the default) lea
 everything. Runs are kept in FOLDER (out/verify) and made anew only when program, case or settings change, so
 an interrupted suite goes on where it stopped. The report is FOLDER/report.html, for each level (quick, full) the newest
 outcome of every case is in FOLDER/quick or FOLDER/full. `--write` puts table and figures into the folders of the cases
-and the table of all into the README; `--stale` runs nothing and says where these differ from the quick outcomes in FOLDER.
+and the table of all into docs/verified.md; `--stale` runs nothing and says where these differ from the quick outcomes in FOLDER.
 The exit status is 1 if a check fails, if a break breaks nothing, if a known miss misses no more, or if something is stale.
 
 A case is a folder with `accept.py`, which has
@@ -162,10 +162,14 @@ class Breaks:
 
 @dataclasses.dataclass
 class Waiver:
-    """Runs of this case that may fail a gate of gates.LIMITS: of(run) tells them. One that excuses no run is a fault."""
+    """Runs of this case that may fail a gate of gates.LIMITS: of(run) tells them. One that excuses no run is a fault.
+
+    up_to  [-] the largest error that is excused; infinite only where numbers are not finite, have no scale or grow without bound
+    """
     gate: str
     of: object
     because: str
+    up_to: float
     full: bool = False
 
 
@@ -302,7 +306,10 @@ def gate_row(gate, limit, errors, waivers):
     def fails(error):
         return not error <= limit
 
-    excused = [[run for run, error in errors if fails(error) and one.of(run)] for one in waivers]
+    def excuses(one, error):
+        return one.up_to == math.inf or error <= one.up_to
+
+    excused = [[run for run, error in errors if fails(error) and excuses(one, error) and one.of(run)] for one in waivers]
     kept = [(error, run) for run, error in errors if not any(run in runs for runs in excused)]
     worst, where = max(kept, key=lambda pair: pair[0], default=(0.0, None))
     said = [f"{len(runs)} of {len(errors)} runs are excused: {one.because}" if runs else f"a waiver excuses no run: {one.because}"

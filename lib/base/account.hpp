@@ -63,7 +63,7 @@ struct Source {
 /// The values of one source since the start.
 struct Account {
   double work = 0;                     ///< [J] done on the nodes
-  Channels<Stored> stored;             ///< [J] held now, less `at_start`; `outside`: where a load takes its work from
+  Channels<Stored> stored;             ///< [J] held now, less `at_start`; `external_work`: where a load takes its work from
   Channels<Stored> at_start;           ///< [J] held at the start: an initial displacement, a spring that starts loaded
   Channels<Dissipated> dissipated;     ///< [J]
   double created_by_reconnection = 0;  ///< [J] the part of created() that fell in steps of a walk

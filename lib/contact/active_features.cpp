@@ -130,7 +130,7 @@ FeatureHeight height_over(const BaseSurface& base, const Vectors& x, const Featu
     const auto at = geometry::vertex_height(std::array{c[f.local]}, p);
     height = at.height, normal = eigen(at.normal), weight = {1, 0, 0};
   }
-  // Behind the surface the vector back leads through the edge to the other side. The side is that of
+  // Behind the surface the way back leads through the edge to the other side. The side is that of
   // the mean normal of the facets that meet there, weighted by their angles (Baerentzen & Aanaes 2005).
   Vec3 mean = Vec3::Zero();
   const auto add = [&](Index facet, double angle) {

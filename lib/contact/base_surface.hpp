@@ -56,7 +56,7 @@ constexpr double look_around = 2.0;
 /// it ends on the edge or vertex itself; in a valley, where it holds on both, on the nearer flank.
 ///
 /// from     facet to start from
-/// hops     facets passed on the vector
+/// hops     facets passed on the way
 /// returns  the feature and the closest point; facet -1 if the walk did not end
 struct WalkEnd {
   Feature feature;
@@ -74,7 +74,7 @@ constexpr double farthest_place = 1e150;
 class BroadSearch {
  public:
   explicit BroadSearch(Index facets);
-  /// Sorts the facets by their slots; false, and nearest() finds none, where a corner is not finite or farther than farthest_place.
+  /// Sorts the facets by where they are; false, and nearest() finds none, where a corner is not finite or farther than farthest_place.
   bool sort(const BaseSurface&, const Vectors& x);
   /// The facet nearest to a point, or -1 if none is nearer than `reach` [m] or the point is not finite or farther than
   /// farthest_place; after sort() at the same x.

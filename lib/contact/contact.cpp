@@ -464,7 +464,7 @@ InitialGaps connect(Interface& interface, const Vectors& x, const ContactHeight&
     }
     double& contact_height = interface.contact_height(a);
     if (height.from_initial_height) contact_height = h - height.clearance;
-    // slots are no more exact than their distance from the origin allows, and differences no more than the facet's size
+    // positions are no more exact than their distance from the origin allows, and differences no more than the facet's size
     const auto facet = interface.base.facets.col(memory.feature[a].facet);
     const double size = (x.col(facet(1)) - x.col(facet(0))).norm();
     const double round_off = 1e-12 * (std::abs(h) + std::abs(contact_height) + size);

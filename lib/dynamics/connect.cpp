@@ -134,7 +134,7 @@ contact::Memory tried_out(const contact::Interface& interface, const Model& mode
 
 Connected connect_one_pass(Model& model, const std::string& name, const std::string& apex_surface, const std::string& base_surface,
                            const InterfaceOptions& options, double share) {
-  check(model.mass.size() == model.mesh.X.cols(), "finish() a model before it gets an interface");
+  check(model.mass.size() == model.mesh.X.cols(), "finalize() a model before it gets an interface");
   const mesh::Surface& apexes = mesh::surface(model.mesh, apex_surface);
   const mesh::Surface& base = mesh::surface(model.mesh, base_surface);
   contact::Interface interface;

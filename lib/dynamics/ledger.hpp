@@ -35,7 +35,7 @@ double initial_stored(const Ledger&);
 double work_from_loads(const Ledger&);
 
 /// What created energy is held against: the largest of the kinetic energy at the start, of what the stores held
-/// then, and of what was brought in since. It never falls during a run. 0 while nothing has moved. [J]
+/// then, and of the external work since. It never falls during a run. 0 while nothing has moved. [J]
 double energy_scale(const Ledger&);
 
 /// Energy that stands in no account: kinetic - initial - integration - sum of work; round-off. [J]

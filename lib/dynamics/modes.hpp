@@ -32,7 +32,7 @@ struct Modes {
   bool complete = true;       ///< as many as were asked for were found, and Sturm's count says that none was passed over
 };
 
-/// Finds modes of a model that is finished. Planes hold as they do at the start, those that move stand still.
+/// Finds modes of a model after finalize(). Planes constrain as they do at the start, those that move stand still.
 ///
 /// Interfaces, rigid planes, floors and loads have no part in it; springs pull along their lines, without the
 /// pull that they have at the start. A model with fewer freedoms than are asked for gives what it has.

@@ -49,7 +49,7 @@ double frequency(const Model& model, const State& now, const Forces& f) {
   return energy > 0 && inertia > 0 ? std::sqrt(energy / inertia) : 0;
 }
 
-/// Scales the velocities that planes leave free and books what is lost.
+/// Scales the velocities that planes leave free and books what is removed.
 ///
 /// returns  the kinetic energy that is left, without that of turns [J]
 double damp(const Model& model, double factor, State& now) {

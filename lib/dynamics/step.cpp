@@ -24,22 +24,22 @@ double kick(const Model& model, double dt, double t, Half half, State& now, Forc
   const double nodes = ordered_sum(static_cast<Index>(now.v.cols()), f.partial, [&](Index node) {
     const double mass = model.mass(node);
     const Vec3 force = f.force.col(node);
-    const Index held = constraints.row_of_node[node];
+    const Index row = constraints.row_of_node[node];
     now.v.col(node) += dt / mass * force;  // constrained nodes are restrained below, in order
-    if (held < 0 || constraints.nodes[held].count == 0) return force.squaredNorm() / mass;
-    return (constraints.nodes[held].allowed * force).squaredNorm() / mass;
+    if (row < 0 || constraints.nodes[row].count == 0) return force.squaredNorm() / mass;
+    return (constraints.nodes[row].allowed * force).squaredNorm() / mass;
   });
-  const double turns = ordered_sum(static_cast<Index>(now.omega.cols()), f.partial, [&](Index rotation) {
+  const double rotations = ordered_sum(static_cast<Index>(now.omega.cols()), f.partial, [&](Index rotation) {
     const double inertia = model.inertia(rotation);
     const Vec3 moment = f.moment.col(rotation);
-    const Index held = constraints.row_of_node[model.node_of_rotation[rotation]];
+    const Index row = constraints.row_of_node[model.node_of_rotation[rotation]];
     now.omega.col(rotation) += dt / inertia * moment;
-    if (held < 0) return moment.squaredNorm() / inertia;
-    return (constraints.nodes[held].allowed_rotation * moment).squaredNorm() / inertia;
+    if (row < 0) return moment.squaredNorm() / inertia;
+    return (constraints.nodes[row].allowed_rotation * moment).squaredNorm() / inertia;
   });
   const load::Kick given{f.force, f.moment, model.mass, model.inertia, dt, half == Half::first ? -dt / 2 : dt / 2};
   load::constrain(model.constraints, given, now.x, now.v, now.omega, constraints);
-  return nodes + turns;
+  return nodes + rotations;
 }
 
 /// The stable step of elements and springs together, named after the springs where they govern.
@@ -137,11 +137,11 @@ void constrain_start(const Model& model, State& now, Forces& f) {
   f.moment.setZero();
   const double unrestrained = now.ledger.initial_kinetic;
   kick(model, 0, now.t, Half::second, now, f);
-  double lost = unrestrained - kinetic_energy(model, now);
-  for (const load::PlaneAccount& plane : now.constraints.account) lost += plane.driven - plane.stopped;  // booked already
+  double removed = unrestrained - kinetic_energy(model, now);
+  for (const load::PlaneAccount& plane : now.constraints.account) removed += plane.driven - plane.stopped;  // booked already
   for (load::PlaneAccount& plane : now.constraints.account) {
-    if (lost == 0 || (plane.impulse.isZero(0) && plane.angular_impulse.isZero(0))) continue;
-    plane.stopped += lost;  // by the first plane that had to act
+    if (removed == 0 || (plane.impulse.isZero(0) && plane.angular_impulse.isZero(0))) continue;
+    plane.stopped += removed;  // by the first plane that had to act
     break;
   }
 }

@@ -3,8 +3,8 @@
 // (Flanagan & Belytschko, Int. J. Num. Meth. Engng 17, 1981), worked out in modes.
 //
 // Eight nodal vectors are eight modes: the mean, three linear ones (xi, eta, zeta) and four hourglass
-// ones (eta zeta, zeta xi, xi eta, xi eta zeta). In modes, volume, gradient, velocity gradient and
-// hourglass rate are a few cross products each, without any 3 x 8 matrix: docs/theory/hexahedron.md.
+// ones (eta zeta, zeta xi, xi eta, xi eta zeta). In modes, volume, gradient, the gradient of an increment
+// and its hourglass part are a few cross products each, without any 3 x 8 matrix: docs/theory/hexahedron.md.
 
 #include <algorithm>
 #include <array>

@@ -16,9 +16,9 @@ void read_actions(const Section& root, bool runs, model::Scene&);
 /// `relaxation: {residual, after, samples}`; nothing if the case has no such section.
 std::optional<dynamics::Relaxation> read_relaxation(const Section& root);
 
-/// `kind: symmetry | held | fixed | floor | rigid | driven`, `name`, `nodes`, `normal`, of a floor `point`, of held nodes
-/// optionally `velocity: {value, unit}`, of driven ones `velocity` and optionally `turning` with three values; of a rigid
-/// plane `surface`, `point`, `penalty` or `penalty scale`, `friction`, `stick`, `energy_gain_limit`.
+/// `kind: symmetry | constrained | fixed | floor | rigid | driven`, `name`, `nodes`, `normal`, of a floor `point`, of constrained
+/// nodes optionally `velocity: {value, unit}`, of driven ones `velocity` and optionally `angular_velocity` with three values; of a
+/// rigid plane `surface`, `point`, `penalty` or `penalty_scale`, `friction`, `tangential_penalty`, `energy_gain_limit`.
 std::variant<model::Plane, model::RigidPlane> read_plane(const Section&);
 
 /// The unit of a text's value as a factor to SI; a fault if it has another dimension.

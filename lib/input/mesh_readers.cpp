@@ -62,7 +62,7 @@ model::MeshOptions read_mesh_options(const Section& section) {
   const mesh::Revolution turn = turn_word == "full" ? mesh::Revolution::full : mesh::Revolution::quarter;
   const bool sector = is("sector") || (is("tube", "disc") && turn_word == "sector");
 
-  // a rotation that is missing leaves undecided what follows from it, and nothing else
+  // a `turn` that is missing leaves undecided what follows from it, and nothing else
   const int cells_core = (is("tube", "disc") ? section.when(!sector) : if_core_anyway).count("cells_core");
   const int cells_ring = (is("disc") ? section.when(!sector) : if_core_anyway).count("cells_ring");
   const Section if_sector = section.when(sector), if_ring = section.when(sector && is("sector", "disc"));

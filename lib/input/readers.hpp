@@ -8,9 +8,11 @@
 
 namespace nereid::input {
 
-/// `kind: elastic | j2_bilinear`, `density`, `young`, `poisson`; the latter also `yield` and `tangent`,
-/// the slope of the uniaxial stress-strain curve beyond the yield stress, below young; and optionally
-/// `hardening: isotropic | kinematic | mixed`, where `mixed` needs `isotropic_share`, 0 (kinematic) to 1 (isotropic).
+/// `kind: elastic | j2_bilinear | johnson_cook`, `density`, `young`, `poisson`, and the constants of the kind.
+///
+/// j2_bilinear   `yield` and `tangent`, the slope of the uniaxial stress-strain curve beyond the yield stress, below young; optionally
+///               `hardening: isotropic | kinematic | mixed`, where `mixed` needs `isotropic_share`, 0 (kinematic) to 1 (isotropic)
+/// johnson_cook  the keys of docs/input.md
 element::AnyLaw read_law(const Section&);
 /// The same for plates: a law that they may not have is a fault that names those they may.
 element::AnyLaw read_plate_law(const Section&);
@@ -29,12 +31,12 @@ element::AnyHexahedronOptions read_hexahedron_options(const Section&, std::strin
 /// `thickness`, optional `layers` (1 to 9), `rotary_inertia: scaled | physical`, and the viscosity.
 element::Plate::Options read_plate_options(const Section&);
 
-/// `friction` [-] and, where it is not zero, `stick` in (0, 1]; both optional.
+/// `friction` [-] and, where it is not zero, `tangential_penalty` in (0, 1]; both optional.
 contact::Coulomb read_friction(const Section&);
 
-/// `kind: contact | bonded`; `penalty`, or `penalty_from: stiffness` with `penalty scale`, or `mass_and_step` with
-/// `step_share`; `passes: one | two`; `area: apex | base`. Of a contact also `friction`, `stick`, `weights:
-/// consistent | paper`, `damping` (fraction of critical), `energy_gain_limit`. All optional. For solid
+/// `kind: contact | bonded`; `penalty`, or `penalty_from: stiffness` with `penalty_scale`, or `mass_and_step` with
+/// `step_share`; `passes: one | two`; `area: apex | base`. Of a contact also `friction`, `tangential_penalty`, `weights:
+/// consistent | paper`, `damping_ratio`, `energy_gain_limit`. All optional. For solid
 /// bodies, which touch at h = 0.
 dynamics::InterfaceOptions read_solid_interface(const Section&);
 

@@ -167,7 +167,7 @@ model::Scene read_scene_at_rest(const Section& root) {
   for (const Section& plane : root.list("planes")) {
     const std::string kind = plane.choice("kind", {"symmetry", "constrained", "fixed", "floor", "rigid", "driven"});
     if (kind == "rigid" || kind == "floor")
-      plane.fault("kind", "a floor or rigid plane lets go, which no small motion about rest keeps: take it out, or say 'held'");
+      plane.fault("kind", "a floor or rigid plane lets go, which no small motion about rest keeps: take it out, or say 'constrained'");
   }
   return scene;
 }

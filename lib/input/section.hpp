@@ -8,7 +8,7 @@
 //       const bool given = penalty.choice("kind", {"given", "automatic"}) == "given";
 //       return {
 //           .penalty = penalty.when(given).quantity("value", dim::penalty, input::positive),
-//           .penalty scale = penalty.when(!given).number_or("penalty scale", 10, input::positive),
+//           .scale = penalty.when(!given).number_or("penalty_scale", 10, input::positive),
 //       };
 //     }
 //
@@ -255,7 +255,7 @@ class CaseFile {
   /// Asks `check` of each file that the case names, so far as it has been read. Throws CaseError, each fault at its key.
   void check_files(const FileCheck& check) const;
 
-  /// Keys that the chosen kinds do not use, as in "contact.penalty scale (cases/bars.yaml:12:5)".
+  /// Keys that the chosen kinds do not use, as in "contact.penalty_scale (cases/bars.yaml:12:5)".
   std::vector<std::string> not_used() const;
 
   /// Every value that is used, defaults included, in the order of reading.

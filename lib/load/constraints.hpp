@@ -1,7 +1,7 @@
 #pragma once
 // Constraints: planes in whose normal direction nodes do not move, or move as prescribed; nodes that are driven.
 //
-// A plane holds its nodes from the start (constrained components, symmetry planes) or from first touch on
+// A plane constrains its nodes from the start (constrained components, symmetry planes) or from first touch on
 // (the paper's floor). A node on several planes moves along what all of them allow. Constraints act
 // on velocities by impulses, which are booked to the planes.
 
@@ -50,7 +50,7 @@ void post(const PlaneAccount&, Account&);
 /// Whether the plane prescribes velocities that are not zero.
 inline bool moves(const Plane& plane) { return plane.velocity || plane.kind == PlaneKind::driven; }
 
-/// A node with the planes that hold it now. A fixed node, and a driven one, has three rows of one plane.
+/// A node with the planes that constrain it now. A fixed node, and a driven one, has three rows of one plane.
 struct ConstrainedNode {
   static constexpr int most_rows = 8;
   Index node = -1;
@@ -72,13 +72,13 @@ struct Constraints {
   std::vector<Plane> planes;
 };
 
-/// What constraints remember: which nodes hold where, and the planes' accounts.
+/// What constraints remember: which planes constrain which nodes, and the planes' accounts.
 struct Memory {
   std::vector<ConstrainedNode> nodes;      ///< every node of every plane, ascending, also while free
   std::vector<Index> row_of_node;          ///< [nodes] row in `nodes`, or -1
   std::vector<PlaneAccount> account;       ///< beside Constraints::planes
-  std::vector<std::vector<char>> stopped;  ///< [planes][nodes of the plane] whether a floor holds it
-  std::vector<Index> active;               ///< rows in `nodes` of nodes that a plane holds now
+  std::vector<std::vector<char>> stopped;  ///< [planes][nodes of the plane] whether a floor stops it
+  std::vector<Index> active;               ///< rows in `nodes` of nodes that a plane constrains now
   std::vector<Index> impacting;            ///< rows in `nodes` of nodes about to be stopped; scratch
   std::vector<double> speed;               ///< [m/s] of each plane along its normal; scratch
 };
@@ -88,8 +88,8 @@ struct Memory {
 /// Throws InternalError if a node needs more than ConstrainedNode::most_rows rows (a fixed or driven one takes three).
 Memory prepare(const Constraints&, Index nodes, const std::vector<Index>& rotation_of_node);
 
-/// Lets `plane` hold this node from now on.
-void hold(const Constraints&, ConstrainedNode&, int plane);
+/// Adds `plane` to those that constrain this node.
+void add_plane(const Constraints&, ConstrainedNode&, int plane);
 
 /// Removes from v what the planes do not allow; the impulse goes to the planes' accounts.
 ///
@@ -130,7 +130,7 @@ struct Kick {
 /// Constrains the velocities of all nodes after a kick: restrain, drive and their companions for every active node.
 void constrain(const Constraints&, const Kick&, const Vectors& x, Vectors& v, Vectors& omega, Memory&);
 
-/// Two planes of one node of which one moves it in a direction that the other holds. Driven nodes are on no other plane but floors.
+/// Two planes of one node of which one moves it in a direction that the other constrains. Driven nodes are on no other plane but floors.
 struct Conflict {
   int moving = -1, other = -1;  ///< places in Constraints::planes; -1: there is none
   Index node = -1;

@@ -6,7 +6,7 @@ namespace nereid::load {
 
 namespace {
 
-enum Caught : char { free = 0, stopped = 1, impacting = 2 };  // of a node and a floor, in Memory::stopped
+enum Stop : char { free = 0, stopped = 1, impacting = 2 };  // of a node and a floor, in Memory::stopped
 
 /// Changes the velocity of a node along the normal of a floor and books it to the floor.
 ///
@@ -79,7 +79,7 @@ void finish_impacts(const Constraints& constraints, const Scalars& mass, const V
     const Vec3 change = change_normal_velocity(floor, constrained, 0, x.col(node), mass(node), v, memory.account[p]);
     memory.account[p].stopped -= 0.5 * dt * force.col(node).dot(change);
     if (constrained.count == 0) memory.active.push_back(row);
-    hold(constraints, constrained, static_cast<int>(p));
+    add_plane(constraints, constrained, static_cast<int>(p));
     memory.stopped[p][i] = stopped;
   });
 }

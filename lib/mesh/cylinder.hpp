@@ -5,7 +5,7 @@
 
 namespace nereid::mesh {
 
-/// How much of the rotation is meshed. `quarter` is x >= 0, y >= 0; `full` is the quarter and its
+/// How much of the revolution is meshed. `quarter` is x >= 0, y >= 0; `full` is the quarter and its
 /// mirror images, node for node, so that both give the same answer to a symmetric question.
 enum class Revolution { full, quarter };
 
@@ -21,7 +21,7 @@ struct Cylinder {
 /// An O-grid of hexahedra, region `name`: a square core with rounded edges within rings. Node sets
 /// and surfaces `name.bottom`, `name.top`, `name.side`; node sets `name` (all) and, where turn is
 /// quarter, `name.x_plane` (nodes with x = 0) and `name.y_plane` (nodes with y = 0), exactly on the
-/// planes. Nodes and elements are numbered layer by layer along z, around the rotation within a layer.
+/// planes. Nodes and elements are numbered layer by layer along z, around the axis within a layer.
 ///
 /// Facets are cut so that six meet at each node inside the side, as those of the tube around it do.
 ///

@@ -10,7 +10,7 @@ namespace nereid::mesh {
 /// A sector of a solid cylinder, or of a thick ring where inner_radius > 0, from z = 0 to z = length.
 struct Wedge {
   double radius, length;  ///< [m]
-  double angle;           ///< [rad] between 0 and a whole turn, less than half a rotation for each cell around
+  double angle;           ///< [rad] between 0 and a whole turn, less than half a turn for each cell around
   int cells_around, cells_radial, cells_along;
   double inner_radius = 0;  ///< [m]
 };

@@ -83,20 +83,20 @@ load::Plane with_nodes(const Plane& plane, const mesh::Mesh& mesh) {
   return made;
 }
 
-/// Whether planes move a node against one another, or hold too many directions of one.
+/// Whether planes move a node against one another, or constrain too many directions of one.
 bool conflict(const std::vector<Plane>& planes, const load::Constraints& made, Faults& faults) {
   const load::Conflict found = load::find_conflict(made);
   if (found.moving >= 0) {
     const Plane& moving = planes[static_cast<std::size_t>(found.moving)];
     refuse(faults, part_of(moving), "velocity",
            quote(moving.name) + (moving.kind == load::PlaneKind::driven ? " drives" : " moves") + " nodes that " +
-               quote(planes[static_cast<std::size_t>(found.other)].name) + " holds in the same direction");
+               quote(planes[static_cast<std::size_t>(found.other)].name) + " constrains in the same direction");
   }
   const Index overheld = load::find_overconstrained(made);
   for (std::size_t p = planes.size(); overheld >= 0 && p-- > 0;) {
     if (!std::binary_search(made.planes[p].nodes.begin(), made.planes[p].nodes.end(), overheld)) continue;
     refuse(faults, part_of(planes[p]), "nodes",
-           "too many planes hold one node: there is room for " + std::to_string(load::ConstrainedNode::most_rows) +
+           "too many planes constrain one node: there is room for " + std::to_string(load::ConstrainedNode::most_rows) +
                " directions, and a fixed or driven one takes three");
     break;
   }

@@ -10,7 +10,7 @@ namespace nereid::model {
 
 /// Adds planes (rigid ones come with add_rigid_planes) and point masses to a model whose mesh stands, before dynamics::finalize.
 ///
-/// Faults: planes that move a node against one another, or hold too many directions of one; nodes behind a floor; nodes of
+/// Faults: planes that move a node against one another, or constrain too many directions of one; nodes behind a floor; nodes of
 /// a symmetry plane that lie on none; velocities that are no number at the start. With a conflict no plane is added.
 void add_planes(const Scene&, dynamics::Model&, Faults&);
 
@@ -20,7 +20,7 @@ void add_rigid_planes(const Scene&, dynamics::Model&, Faults&);
 /// Adds gravity, loads, springs and relaxation to a model after dynamics::finalize.
 ///
 /// Faults: moments on nodes of solids, springs that do not end at single nodes, values that are no number at the start,
-/// a plane that turns nodes of which none is one of plates.
+/// a plane that rotates nodes of which none is one of plates.
 void add_loads(const Scene&, dynamics::Model&, Faults&);
 
 /// Sets velocities and walks the bodies to their initial displacements; before dynamics::start.

@@ -25,7 +25,7 @@ double cells_of_quarter(double core, double ring) { return core * core + 2 * cor
 double elements(const mesh::Box& box) { return box.cells.cast<double>().prod(); }
 double elements(const mesh::Cylinder& c) { return parts(c.turn) * cells_of_quarter(c.cells_core, c.cells_ring) * c.cells_along; }
 double elements(const mesh::Tube& t) { return parts(t.turn) * 4.0 * t.cells_core * t.cells_along; }
-double elements(const mesh::Wedge& omega) { return 1.0 * omega.cells_around * omega.cells_radial * omega.cells_along; }
+double elements(const mesh::Wedge& w) { return 1.0 * w.cells_around * w.cells_radial * w.cells_along; }
 double elements(const mesh::WedgeTube& t) { return 2.0 * t.cells_around * t.cells_along; }
 double elements(const mesh::Sphere& s) {
   const double core = s.cells_core;

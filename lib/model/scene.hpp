@@ -91,7 +91,7 @@ struct Plane {
 struct RigidPlane {
   std::string name, surface;
   Vec3 point = Vec3::Zero(), normal = Vec3::UnitZ();  ///< [m]; unit vector to the side of the nodes
-  std::optional<double> penalty = {};                 ///< [Pa/m] without it penalty scale counts
+  std::optional<double> penalty = {};                 ///< [Pa/m] without it `penalty_scale` counts
   double penalty_scale = dynamics::InterfaceOptions{}.penalty_scale;  ///< [-] penalty over the stiffness of the surface
   contact::Coulomb friction = {};
   double energy_gain_limit = dynamics::InterfaceOptions{}.energy_gain_limit;  ///< [-]

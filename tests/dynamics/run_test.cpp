@@ -293,7 +293,7 @@ TEST(Run, ThatStartsAtRestIsHeldAgainstTheEnergyThatGravityBroughtIn) {
   EXPECT_EQ(ledger.initial_kinetic, 0);
   EXPECT_EQ(outcome.ending, Ending::energy_created) << word(outcome.ending);
   EXPECT_EQ(outcome.block, "joint");
-  EXPECT_NE(outcome.reason.find("of the energy brought in"), std::string::npos) << outcome.reason;
+  EXPECT_NE(outcome.reason.find("of the external work"), std::string::npos) << outcome.reason;
   EXPECT_GT(energy_scale(ledger), 0);
   EXPECT_GE(energy_scale(ledger), work_from_loads(ledger));
   EXPECT_GT(created(ledger.accounts[2]), 0.05 * energy_scale(ledger));

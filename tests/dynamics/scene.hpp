@@ -64,7 +64,10 @@ inline std::vector<std::pair<std::string, std::vector<double>>> numbers(const St
   };
   part("time"), add(s.t, s.dt, s.step);
   part("positions and velocities"), all(s.x), all(s.v), all(s.omega);
-  for (const auto& block : s.blocks) part("block"), all(block.rows), add(block.work);
+  for (const auto& block : s.blocks) {
+    part("block"), all(block.rows), add(block.work);
+    for (std::size_t c = 0; c < words_of_stored.size(); ++c) add(block.stored[Stored(c)], block.dissipated[Dissipated(c)]);
+  }
   for (const auto& tiles : s.tiles) part("forces of a block"), all(tiles.force), all(tiles.moment);
   for (const contact::Memory& c : s.interfaces) {
     part("interface");
@@ -72,8 +75,18 @@ inline std::vector<std::pair<std::string, std::vector<double>>> numbers(const St
     for (const auto status : c.status) add(static_cast<int>(status));
     all(c.gap), all(c.stored), all(c.tangential_stored), all(c.reconnections), all(c.angular_impulse);
     for (const Vec3& slip : c.slip) all(slip);
-    for (const auto& element : c.elements) all(element.apex), add(element.closed, element.count, element.scale, element.stiffness);
-    for (const auto& friction : c.friction) all(friction.force), add(friction.acts);
+    for (const contact::ElementForces& e : c.elements) {
+      all(e.apex), all(e.angular_impulse);
+      add(e.closed, e.count, e.scale, e.stiffness, e.work, e.dissipated, e.created, e.moved, e.found_anew);
+      for (int i = 0; i < e.count; ++i) add(e.node[i], e.weight[i]);
+      for (int i = 0; e.closed && i < e.count; ++i) all(e.force[i]);
+    }
+    for (const contact::FrictionForces& f : c.friction) {
+      all(f.force), add(f.acts, f.stiffness, f.work, f.dissipated, f.created);
+      if (!f.acts) continue;
+      all(f.touch.normal), all(f.touch.arm), all(f.touch.node), all(f.touch.weight), all(f.touch.base_arm), all(f.touch.apex_arm);
+      add(f.touch.apex, f.touch.base_rotates);
+    }
     add(c.work, c.damped, c.friction_dissipated, c.created_by_reconnection, c.deepest, c.walks, c.unpaired, c.recovered, c.updates);
   }
   for (const contact::PlaneMemory& p : s.rigid_planes) {
@@ -83,15 +96,22 @@ inline std::vector<std::pair<std::string, std::vector<double>>> numbers(const St
   part("constraints");
   for (const auto& plane : s.constraints.account) all(plane.impulse), all(plane.angular_impulse), add(plane.stopped, plane.driven);
   for (const auto& stopped : s.constraints.stopped) all(stopped);
+  all(s.constraints.active), all(s.constraints.row_of_node);
+  for (const load::ConstrainedNode& node : s.constraints.nodes) {
+    add(node.node, node.rotation, node.count, node.moves, node.rotation_constrained, node.driver);
+    for (int i = 0; i < node.count; ++i) add(node.plane[i]), all(node.normal[i]), all(node.reaction[i]);
+    all(node.allowed), all(node.allowed_rotation);
+  }
   for (const auto& load : s.loads)
     part("load"), all(load.force), all(load.moment), all(load.impulse), all(load.angular_impulse), add(load.work, load.stored, load.dissipated);
   part("relaxation"), all(s.relaxation.x), all(s.relaxation.rotated), all(s.relaxation.force), all(s.relaxation.moment), all(s.relaxation.omega);
   add(s.relaxation.removed, s.relaxation.residual, s.relaxation.most_force, s.relaxation.most_kinetic, s.relaxation.balanced, s.relaxation.since);
+  all(s.relaxation.impulse), all(s.relaxation.angular_impulse);
   part("ledger"), add(s.ledger.initial_kinetic, s.ledger.kinetic, s.ledger.integration, s.ledger.external_work);
-  all(s.ledger.momentum), all(s.ledger.angular_momentum);
+  all(s.ledger.momentum), all(s.ledger.angular_momentum), all(s.ledger.initial_momentum), all(s.ledger.initial_angular_momentum);
   for (const Account& a : s.ledger.accounts) {
     part("account"), add(a.work, a.created_by_reconnection), all(a.impulse), all(a.angular_impulse);
-    for (int c = 0; c < 7; ++c) add(a.stored[Stored(c)], a.at_start[Stored(c)], a.dissipated[Dissipated(c)]);
+    for (std::size_t c = 0; c < words_of_stored.size(); ++c) add(a.stored[Stored(c)], a.at_start[Stored(c)], a.dissipated[Dissipated(c)]);
   }
   part("votes"), add(s.votes.elements.step, s.votes.elements.source, s.votes.elements.at, s.votes.contact.step, s.votes.contact.source,
                      s.votes.contact.at, s.votes.volume_ratio, s.votes.smallest_block, s.votes.smallest_element);

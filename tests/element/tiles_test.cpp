@@ -103,10 +103,10 @@ TEST(Tiles, AreCompactInSpace) {
 
 TEST(Tiles, OfPlacesThatAreNotFiniteHoldEachElementOnce) {
   const double inf = std::numeric_limits<double>::infinity();
-  for (const double slot : {std::nan(""), inf, -inf, 1e308, -1e308}) {
+  for (const double coordinate : {std::nan(""), inf, -inf, 1e308, -1e308}) {
     Cut c = cut(4, 3, 2, 20);
-    c.mesh.X(1, 7) = slot;
-    c.mesh.X(0, 20) = -slot;
+    c.mesh.X(1, 7) = coordinate;
+    c.mesh.X(0, 20) = -coordinate;
     const Tiling t = cut_into_tiles(c.nodes, c.mesh.X, 20);
     std::multiset<Index> seen;
     for (std::size_t pack = 0; pack < t.filled.size(); ++pack)

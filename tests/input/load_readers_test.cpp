@@ -151,7 +151,7 @@ TEST(ReadActions, RefuseAMomentOnNodesOfSolids) {
 TEST(ReadActions, RefusePlanesThatMoveNodesAgainstOneAnother) {
   EXPECT_EQ(faults_of("planes:\n  - {name: a, kind: constrained, nodes: [box.x_low], normal: [1, 0, 0], velocity: {value: 1, unit: m/s}}\n"
                       "  - {name: b, kind: fixed, nodes: [box.tip]}\n"),
-            "2:83: 'a' moves nodes that 'b' holds in the same direction\n");
+            "2:83: 'a' moves nodes that 'b' constrains in the same direction\n");
   EXPECT_EQ(faults_of("planes:\n  - {name: a, kind: constrained, nodes: [box.x_low], normal: [1, 0, 0], velocity: {value: 1, unit: m/s}}\n"
                       "  - {name: b, kind: constrained, nodes: [box.x_low], normal: [1, 1, 0]}\n"),
             "");
@@ -172,7 +172,7 @@ TEST(ReadActions, DrivenNodesHaveFieldsOverPlaceAndTime) {
 TEST(ReadActions, RefuseDrivenNodesThatCannotBe) {
   const std::string a = "planes:\n  - {name: a, kind: driven, nodes: [box.x_low], ";
   EXPECT_EQ(faults_of(a + "velocity: {value: [1, 0, 0], unit: m/s}}\n  - {name: b, kind: constrained, nodes: [box.tip], normal: [0, 1, 0]}\n"),
-            "2:59: 'a' drives nodes that 'b' holds in the same direction\n");
+            "2:59: 'a' drives nodes that 'b' constrains in the same direction\n");
   EXPECT_EQ(faults_of(a + "velocity: {value: [1/x, 0, 0], unit: m/s}}\n"), "2:67: 'value' is infinite at x = 0, y = 0, z = 0, t = 0\n");
   EXPECT_EQ(faults_of(a + "velocity: {value: 1, unit: m/s}}\n").substr(0, 5), "2:67:");
   EXPECT_EQ(faults_of(a + "velocity: {value: [1, 0, 0], unit: m/s}, angular_velocity: {value: [1, 0, 0], unit: rad/s}}\n"),

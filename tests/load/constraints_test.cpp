@@ -200,7 +200,7 @@ TEST(Constraints, AFloorHoldsNobodyAtTheStart) {
   const Vec3 v(1, 2, -3);
   EXPECT_EQ(one.restrained(v), v);
   EXPECT_EQ(one.restrained_turn(v), v);
-  hold(one.constraints, one.memory.nodes[0], 0);
+  add_plane(one.constraints, one.memory.nodes[0], 0);
   EXPECT_EQ(one.restrained(v), Vec3(1, 2, 0));
   EXPECT_EQ(one.restrained_turn(v), v);  // a floor holds no turn
 }

@@ -42,13 +42,13 @@ TEST(AddPlanes, RefuseAConflictAlsoWhereAProbeMeasuresIt) {
   scene.planes = {{.name = "p", .kind = PlaneKind::fixed, .nodes = {"bar.z_low"}},
                   {.name = "q", .kind = PlaneKind::constrained, .nodes = {"bar.x_low"}, .velocity = [](double) { return 1.0; }}};
   scene.probes = {{.name = "f", .quantity = "force", .of = "q", .component = "z"}};
-  EXPECT_EQ(refusal(scene), "plane 'q': 'q' moves nodes that 'p' holds in the same direction");
+  EXPECT_EQ(refusal(scene), "plane 'q': 'q' moves nodes that 'p' constrains in the same direction");
 }
 
 TEST(AddPlanes, RefuseTooManyOnOneNode) {
   Scene scene = with({bar()});
   for (const char* name : {"a", "b", "c"}) scene.planes.push_back({.name = name, .kind = PlaneKind::fixed, .nodes = {"bar.x_low"}});
-  EXPECT_TRUE(says(refusal(scene), "plane 'c': too many planes hold one node")) << refusal(scene);
+  EXPECT_TRUE(says(refusal(scene), "plane 'c': too many planes constrain one node")) << refusal(scene);
 }
 
 TEST(AddRigidPlanes, AreAsHardAsTheirSurfaceAndKnowItsDepth) {

@@ -25,7 +25,7 @@ class MadeUp:
                                   "created": number(0.0), "created_relative": number(0.0)}}}}
         self.columns = {"time": [0, 1], "energy_kinetic": [4.0, 2.0], "energy_created_wall": list(made or (0.0, 0.0))}
         self.folder = Path(__file__).parent if not frames else self
-        self.has_frames = frames
+        self.has_frames, self.driver = frames, "scene"
 
     def __truediv__(self, name):  # stands for the folder
         return self
@@ -75,8 +75,10 @@ class GatesTest(unittest.TestCase):
         self.assertFalse(self.passes(gates.MOMENTUM, MadeUp(momentum=1e-8, momenta=False)))
         self.assertFalse(self.passes(gates.ANGULAR, MadeUp(angular=1e-8, momenta=False)))
 
-    def test_without_frames_moments_have_no_scale_and_momentum_fails(self):
+    def test_without_frames_moments_have_no_scale_and_fail_but_for_the_program_that_draws_none(self):
         run = MadeUp(momentum=1e-12, angular=1e-12, momenta=False, frames=False)
+        self.assertFalse(self.passes(gates.ANGULAR, run))
+        run.driver = "penalty_oscillator"
         self.assertIsNone(self.passes(gates.ANGULAR, run))
         self.assertFalse(self.passes(gates.MOMENTUM, run))
 

@@ -98,14 +98,23 @@ class RowsTest(unittest.TestCase):
     def test_a_waiver_excuses_the_runs_it_names_and_says_so(self):
         runs = [(GatedRun("good"), 1e-12), (GatedRun("bad"), 1e-9)]
         row = verify.gate_row("unexplained energy", 1e-10, runs, [Waiver("unexplained energy", lambda run: run.overrides["name"] == "bad",
-            "made up")])
+            "made up", up_to=1e-8)])
         self.assertTrue(row.good)
         self.assertIn("1 of 2 runs are excused: made up", row.because)
         self.assertIn("in 1 runs", row.got)
 
+    def test_a_waiver_excuses_no_error_beyond_its_bound(self):
+        def row(up_to, error):
+            return verify.gate_row("unexplained energy", 1e-10, [(GatedRun("bad"), error)],
+                                   [Waiver("unexplained energy", lambda run: True, "made up", up_to=up_to)])
+        self.assertTrue(row(1e-8, 1e-9).good)
+        self.assertFalse(row(1e-8, 1e-7).good)
+        self.assertFalse(row(1e-8, math.nan).good)
+        self.assertTrue(row(math.inf, math.nan).good)
+
     def test_a_waiver_that_no_run_needs_is_a_fault(self):
         row = verify.gate_row("unexplained energy", 1e-10, [(GatedRun("good"), 1e-12)], [Waiver("unexplained energy", lambda run: True,
-            "made up")])
+            "made up", up_to=1e-8)])
         self.assertFalse(row.good)
         self.assertIn("excuses no run", row.because)
         self.assertIn("in 1 runs", row.got)
