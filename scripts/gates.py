@@ -1,6 +1,7 @@
 """What every run must keep, whatever its case asks: energy and both momenta are explained, and no source creates energy.
 
-    unexplained energy             kinetic - initial - integration - sum of works, over the largest of these
+    unexplained energy             kinetic - initial - integration - sum of works, over the largest of these and the energy scale of
+                                   the ledger: what was stored at the start may have passed and returned
     unexplained momentum           momentum - initial - sum of impulses, over the largest of these
     unexplained angular momentum   the same of moments about the origin
     created energy                 the largest of any source at any row of history.csv, over the energy scale of the ledger
@@ -31,7 +32,8 @@ def errors(run):
     if not accounts:
         return {}
     return {ENERGY: over(value_of(ledger["energy_residual"]),
-                         [value_of(ledger[name]) for name in ("initial_kinetic", "kinetic")] + [value_of(one["work"]) for one in accounts]),
+                         [value_of(ledger[name]) for name in ("initial_kinetic", "kinetic")] + [value_of(one["work"]) for one in accounts] +
+                         [energy_scale(ledger)]),
             MOMENTUM: unexplained(run, accounts, "momentum", "impulse", momentum_of_nodes),
             ANGULAR: unexplained(run, accounts, "angular_momentum", "angular_impulse", moment_of_nodes),
             MADE: created(run)}
