@@ -340,7 +340,8 @@ void advance_apex(const Interface& interface, const Vectors& x, const Vectors& v
   const double power_after = power(interface, v, a, forces);
   // the power of the elastic force is  -k |d| d|d|/dt = -2 stored d|d|/dt / |d|
   forces.scale = 1;
-  if (memory.stored[a] > 0 && interface.damping_time > 0) forces.scale = std::max(0.0, 1 - 0.5 * interface.damping_time * power_after / memory.stored[a]);
+  if (memory.stored[a] > 0 && interface.damping_time > 0)
+    forces.scale = std::max(0.0, 1 - 0.5 * interface.damping_time * power_after / memory.stored[a]);
   forces.angular_impulse += 0.5 * dt * moment(interface, x, v, 0, a, forces);
   forces.work = 0.5 * dt * (scale_before * power_before + forces.scale * power_after);
   forces.dissipated = 0.5 * dt * ((1 - scale_before) * power_before + (1 - forces.scale) * power_after);

@@ -62,7 +62,8 @@ void advance(const RigidPlane& plane, const Vectors& x, const Vectors& v, double
 namespace {
 Vec3 force_on(const RigidPlane& plane, const PlaneMemory& memory, std::size_t i) {
   Vec3 force = memory.force[i] * plane.normal;
-  if (!memory.slip.empty()) force -= plane.friction.tangential_penalty * plane.penalty * plane.area(static_cast<Eigen::Index>(i)) * memory.slip[i];
+  if (!memory.slip.empty())
+    force -= plane.friction.tangential_penalty * plane.penalty * plane.area(static_cast<Eigen::Index>(i)) * memory.slip[i];
   return force;
 }
 }  // namespace

@@ -54,7 +54,8 @@ element::Vote displace(const Model& model, State& now, const Vectors& u, const s
       rotations.col(rotation) = 2 / (1 + before.dot(after)) * before.cross(after) + half_curl(L).dot(between) * between;
       const Index place = now.constraints.row_of_node[model.node_of_rotation[rotation]];
       // driven nodes go from where the displacement puts them
-      if (place >= 0 && now.constraints.nodes[place].driver < 0) rotations.col(rotation) = now.constraints.nodes[place].allowed_rotation * rotations.col(rotation);
+      if (place >= 0 && now.constraints.nodes[place].driver < 0)
+        rotations.col(rotation) = now.constraints.nodes[place].allowed_rotation * rotations.col(rotation);
     }
     now.x = model.mesh.X + (static_cast<double>(s + 1) / steps) * u;
     for (std::size_t b = 0; b < model.blocks.size(); ++b) {

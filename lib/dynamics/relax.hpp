@@ -14,8 +14,8 @@ namespace nereid::dynamics {
 ///     omega^2 = sum df . df / m / (- sum dx . df)             over the last 1/omega, plates' turns too
 ///     residual = |sum of all forces| / |forces by source|,    |f|^2 = sum f.f/m + sum M.M/I
 ///
-/// df leaves out loads that are functions of time. The sum of all forces is taken in the directions that planes allow; the forces by source are those of each
-/// block, of each load and of gravity, the largest sample so far.
+/// df leaves out loads that are functions of time. The sum of all forces is taken in the directions that planes allow; the forces by source
+/// are those of each block, of each load and of gravity, the largest sample so far.
 ///
 /// returns  whether the last `samples` samples were balanced and the kinetic energy of displacements is below
 ///          residual times its largest sample

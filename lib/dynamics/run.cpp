@@ -55,10 +55,11 @@ bool created_too_much(const Model& model, const Ledger& ledger, double limit, Ou
     const double excess = created(ledger.accounts[a]);
     if (!std::isnan(excess) && !(scale > 0 && excess > limit * scale)) continue;
     outcome.ending = std::isnan(excess) ? Ending::not_finite : Ending::energy_created;
-    outcome.reason = std::isnan(excess)                ? "its energy is not finite"
-                     : scale == ledger.initial_kinetic ? text("created %.3g of the initial kinetic energy; the limit is %.3g", excess / scale, limit)
-                     : scale == ledger.external_work      ? text("created %.3g of the external work so far; the limit is %.3g", excess / scale, limit)
-                                                       : text("created %.3g of the energy stored at the start; the limit is %.3g", excess / scale, limit);
+    outcome.reason =
+        std::isnan(excess)                ? "its energy is not finite"
+        : scale == ledger.initial_kinetic ? text("created %.3g of the initial kinetic energy; the limit is %.3g", excess / scale, limit)
+        : scale == ledger.external_work   ? text("created %.3g of the external work so far; the limit is %.3g", excess / scale, limit)
+                                        : text("created %.3g of the energy stored at the start; the limit is %.3g", excess / scale, limit);
     outcome.block = name(model, static_cast<int>(a));
     return true;
   }

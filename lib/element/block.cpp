@@ -151,7 +151,8 @@ TileReports tile_reports(const AnyBlock& any) { return TileReports(tiling(any).t
 
 Vote advance(const AnyBlock& any, const Vectors& x, const Vectors& dx, const Vectors& rotation, double dt, Memory& memory,
              TileForces& forces, TileReports& reports) {
-  return with_kernels(any, [&](const auto& block, auto kernels) { return kernels.advance(block, x, dx, rotation, dt, memory, forces, reports); });
+  return with_kernels(
+      any, [&](const auto& block, auto kernels) { return kernels.advance(block, x, dx, rotation, dt, memory, forces, reports); });
 }
 
 std::vector<Field> fields(const AnyBlock& any, const Vectors& x, const Memory& memory) {

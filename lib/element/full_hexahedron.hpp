@@ -242,10 +242,11 @@ NEREID_HOT Report<T, FullHexahedron> advance(const Law& law, const FullHexahedro
   mean_stress = mean_stress * at_end.per_volume;
 
   const T trace_of_products = trace(gradient_products(at_end));
-  const T omega_squared = T(8.0) * constants.per_mass * (T(larger(moduli.lambda, decltype(moduli.lambda)(0.0))) * trace_of_products * at_end.per_volume +
-                                                         T(decltype(moduli.mu)(2.0) * moduli.mu) * laplacian_bound(metric));
-  const auto bulk = viscous_pressure(options.viscosity, material::wave_speed(moduli, law.density), growth / dt, omega_squared, trace_of_products,
-                                     constants.mass, constants.per_mass, at_end.per_volume);
+  const T omega_squared = T(8.0) * constants.per_mass *
+                          (T(larger(moduli.lambda, decltype(moduli.lambda)(0.0))) * trace_of_products * at_end.per_volume +
+                           T(decltype(moduli.mu)(2.0) * moduli.mu) * laplacian_bound(metric));
+  const auto bulk = viscous_pressure(options.viscosity, material::wave_speed(moduli, law.density), growth / dt, omega_squared,
+                                     trace_of_products, constants.mass, constants.per_mass, at_end.per_volume);
   const T viscous_work = half * (memory.viscous + bulk.pressure) * growth * at_middle.volume;
   memory.viscous = bulk.pressure;
 

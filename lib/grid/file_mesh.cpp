@@ -220,7 +220,8 @@ void add_names(const std::string& name, const Contents& file, const std::vector<
     std::set<std::string> names;
     for (const auto& one : all)
       if (!names.insert(one.name).second)
-        faults.push_back(std::string("it makes two ") + kind + " called '" + one.name.substr(name.size()) + "'; call that point array something else");
+        faults.push_back(std::string("it makes two ") + kind + " called '" + one.name.substr(name.size()) +
+                         "'; call that point array something else");
   };
   twice(mesh.node_sets, "node sets");
   twice(mesh.surfaces, "surfaces");

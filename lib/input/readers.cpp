@@ -97,7 +97,8 @@ element::Plate::Options read_plate_options(const Section& section) {
 contact::Coulomb read_friction(const Section& section) {
   contact::Coulomb friction;
   friction.coefficient = section.number_or("friction", friction.coefficient, within(0, 10));
-  friction.tangential_penalty = section.when(friction.coefficient > 0).number_or("tangential_penalty", friction.tangential_penalty, above(0).up_to(1));
+  friction.tangential_penalty =
+      section.when(friction.coefficient > 0).number_or("tangential_penalty", friction.tangential_penalty, above(0).up_to(1));
   return friction;
 }
 

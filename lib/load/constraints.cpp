@@ -120,7 +120,8 @@ void set_speeds(const Constraints& constraints, const Vectors& X, double t, Memo
       node.speed[p] = driven ? at(plane.field[row++ % 3], X.col(node.node), t) : memory.speed[node.plane[p]];
     }
     if (node.driver < 0 || node.rotation < 0) continue;
-    for (int axis = 0; axis < 3; ++axis) node.angular_velocity(axis) = at(constraints.planes[node.driver].angular_velocity[axis], X.col(node.node), t);
+    for (int axis = 0; axis < 3; ++axis)
+      node.angular_velocity(axis) = at(constraints.planes[node.driver].angular_velocity[axis], X.col(node.node), t);
   }
 }
 

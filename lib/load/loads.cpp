@@ -126,7 +126,8 @@ Spring make_spring(const std::string& name, const Vectors& X, Index from, Index 
 }  // namespace
 
 Pressure pressure_on(const std::string& name, const mesh::Mesh& mesh, const mesh::Surface& surface, OverTime pressure) {
-  Pressure load{.name = name, .nodes = mesh::surface_nodes(surface), .corners = mesh::faces(mesh, surface), .pressure = std::move(pressure)};
+  Pressure load{
+      .name = name, .nodes = mesh::surface_nodes(surface), .corners = mesh::faces(mesh, surface), .pressure = std::move(pressure)};
   for (Eigen::Index i = 0; i < load.corners.size(); ++i) {
     Index& corner = load.corners.data()[i];
     if (corner < 0) continue;

@@ -193,7 +193,8 @@ void add_planes(const Scene& scene, dynamics::Model& model, Faults& faults) {
     if (plane.velocity) refuse_infinite(faults, part_of(plane), "velocity.value", plane.velocity(0), "t = 0");
     for (const Index node : last.nodes) {  // what drives nodes is a number at the start
       if (plane.field[0]) refuse_infinite_start(faults, part_of(plane), "velocity.value", plane.field, model.mesh.X.col(node));
-      if (plane.angular_velocity[0]) refuse_infinite_start(faults, part_of(plane), "angular_velocity.value", plane.angular_velocity, model.mesh.X.col(node));
+      if (plane.angular_velocity[0])
+        refuse_infinite_start(faults, part_of(plane), "angular_velocity.value", plane.angular_velocity, model.mesh.X.col(node));
     }
     if (plane.kind == load::PlaneKind::floor) refuse_nodes_behind(faults, part_of(plane), last, model.mesh);
     if (plane.kind == load::PlaneKind::symmetry) refuse_nodes_beside(faults, part_of(plane), last, model.mesh);

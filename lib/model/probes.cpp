@@ -92,7 +92,8 @@ Measure of_body(const Probe& probe, int row, const dynamics::Model& model, const
     if (region != probe.of && region.rfind(probe.of + ".", 0) != 0) continue;
     blocks.push_back(b);
     const auto fields = element::fields(model.blocks[b], at_start.x, at_start.blocks[b]);
-    measured = measured && std::any_of(fields.begin(), fields.end(), [&](const nereid::Field& field) { return field.name == probe.quantity; });
+    measured =
+        measured && std::any_of(fields.begin(), fields.end(), [&](const nereid::Field& field) { return field.name == probe.quantity; });
   }
   if (!measured)
     refuse(faults, part("probe", probe), "quantity",

@@ -2,8 +2,8 @@
 //
 //     cost hexahedra|viscous|full|plates N STEPS
 //
-// A block of N^3 hexahedra (one point with springs or dashpots, or eight points), or a sheet of about 2 N^2 plates, plastic, on one thread. Prints the
-// nanoseconds per element update of the element kernels alone and of the whole step with its ledger.
+// A block of N^3 hexahedra (one point with springs or dashpots, or eight points), or a sheet of about 2 N^2 plates, plastic, on one thread.
+// Prints the nanoseconds per element update of the element kernels alone and of the whole step with its ledger.
 
 #include <chrono>
 #include <cstdio>

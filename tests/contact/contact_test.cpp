@@ -295,7 +295,8 @@ struct Rubbing {
     }
   }
   double created() const {
-    return scene.memory.work + stored(scene.memory) + tangential_stored(scene.memory) + scene.memory.damped + scene.memory.friction_dissipated;
+    return scene.memory.work + stored(scene.memory) + tangential_stored(scene.memory) + scene.memory.damped +
+           scene.memory.friction_dissipated;
   }
 };
 
@@ -842,7 +843,8 @@ TEST(OddSurface, WithManyFacetsAtAVertexCountsTheAreaOnce) {
       // height over all facets alike on the axis
       const double tilt = slope / std::cos(pi / count), cosine = 1 / std::sqrt(1 + tilt * tilt);
       Scene scene = press(pit(count, slope), {Vec3(0, 0, 0.07 / cosine)}, 0.1);
-      EXPECT_NEAR(scene.forces()(2, scene.apex()) / (penalty * 0.03 / cosine), 1, count <= most_candidates ? 1e-6 : 0.05) << count << ' ' << slope;
+      EXPECT_NEAR(scene.forces()(2, scene.apex()) / (penalty * 0.03 / cosine), 1, count <= most_candidates ? 1e-6 : 0.05)
+          << count << ' ' << slope;
       // off the axis no facet is left out
       for (int i = 0; i < count; ++i) {
         const double angle = 2 * pi * (i + 0.5) / count;
@@ -1107,7 +1109,8 @@ std::array<double, 2> vote_over_exact(const std::function<double(double, double)
     Scene scene = press(sheet(4, 4, ground, 0), apexes, 0.1);
     Scalars mass(scene.x.cols());
     for (Index i = 0; i < mass.size(); ++i) mass(i) = even ? 1 : std::pow(10.0, 2 * unit(random));
-    const double vote = scene.interface.impact_step_factor / stable_step(scene.interface, mass, no_inertia, scene.memory, scene.workspace).step;
+    const double vote =
+        scene.interface.impact_step_factor / stable_step(scene.interface, mass, no_inertia, scene.memory, scene.workspace).step;
     const double ratio = vote / std::sqrt(omega_squared(scene, mass));
     least = std::min(least, ratio), most = std::max(most, ratio);
   }

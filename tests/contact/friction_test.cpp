@@ -40,7 +40,8 @@ struct Pair {
   }
 };
 
-const std::pair<Side, Side> sides[] = {{Side::solid, Side::solid}, {Side::plate, Side::solid}, {Side::solid, Side::plate}, {Side::plate, Side::plate}};
+const std::pair<Side, Side> sides[] = {
+    {Side::solid, Side::solid}, {Side::plate, Side::solid}, {Side::solid, Side::plate}, {Side::plate, Side::plate}};
 
 TEST(StickOrSlide, HoldsUpToTheLimitAndSlidesTheRest) {
   const Vec3 trial(3e-3, 4e-3, 0);

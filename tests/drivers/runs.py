@@ -18,7 +18,8 @@ ROOT = Path(__file__).resolve().parents[2]
 CASES = {  # by driver, and the name of a scene behind it
     "cask_drop": "cases/cask_drop/neptune.yaml", "two_blocks": "cases/two_blocks/bars.yaml",
     "patch_test": "cases/patch_test/three_on_four.yaml", "sliding": "cases/sliding/stop.yaml",
-    "sliding.over_facets": "cases/sliding/over_facets.yaml", "scene.taylor_bar": "cases/scene/taylor_bar.yaml", "scene.oblique": "cases/scene/oblique.yaml",
+    "sliding.over_facets": "cases/sliding/over_facets.yaml", "scene.taylor_bar": "cases/scene/taylor_bar.yaml",
+    "scene.oblique": "cases/scene/oblique.yaml",
     "material_point": "cases/material_point/cycle.yaml", "contact_elements": "cases/contact_elements/random.yaml",
     "penalty_oscillator": "cases/penalty_oscillator/bounce.yaml"}
 PATIENCE = 120  # [s] each run takes less than a second
@@ -340,7 +341,8 @@ class Summary(InATemporaryFolder):
 
     def test_material_point(self):
         run = self.run_to_end("material_point", [])
-        summary = self.check_answer(run, "material_point", {"stress_xx": "Pa", "strain_yy": "1", "plastic_strain": "1", "back_stress_xx": "Pa",
+        summary = self.check_answer(run, "material_point", {"stress_xx": "Pa", "strain_yy": "1", "plastic_strain": "1",
+                                                            "back_stress_xx": "Pa",
                                                             "work_stored": "J/m^3", "work_dissipated": "J/m^3"})
         self.assertEqual(summary["ledger"]["accounts"], {})
         self.assertEqual(len(run.history()["stress_xx [Pa]"]), 501)

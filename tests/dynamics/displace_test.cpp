@@ -111,7 +111,8 @@ TEST(Displace, ARigidTurnOfPlatesLeavesThemWithoutStress) {
   const Mat3 G = Eigen::AngleAxisd(1e-3, Vec3(1, 2, 3).normalized()).toRotationMatrix() - Mat3::Identity();
   displace(s.model, s.state, linear(s.model, G), std::vector<Mat3>(s.model.node_of_rotation.size(), G));
   // the straight path cuts the corner by the angle squared
-  EXPECT_LT(s.state.blocks[0].stored[Stored::elastic] + s.state.blocks[0].stored[Stored::transverse_shear], 1e-6 * 0.5 * 1e6 * 1e-6 * 0.025);
+  EXPECT_LT(s.state.blocks[0].stored[Stored::elastic] + s.state.blocks[0].stored[Stored::transverse_shear],
+            1e-6 * 0.5 * 1e6 * 1e-6 * 0.025);
 }
 
 TEST(Displace, NormalsOfAPlateFollowItsBending) {
@@ -146,7 +147,8 @@ TEST(Displace, NormalsOfAPlateFollowItsBending) {
   }
   displace(s.model, s.state, u, gradient);
   const double exact = 0.5 * 1e9 * 0.1 * 1e-6 / 12 * kappa * kappa;
-  std::printf("bent strip: elastic %.4f, shear %.1e of the beam's energy\n", s.state.blocks[0].stored[Stored::elastic] / exact, s.state.blocks[0].stored[Stored::transverse_shear] / exact);
+  std::printf("bent strip: elastic %.4f, shear %.1e of the beam's energy\n", s.state.blocks[0].stored[Stored::elastic] / exact,
+              s.state.blocks[0].stored[Stored::transverse_shear] / exact);
   EXPECT_NEAR(s.state.blocks[0].stored[Stored::elastic] / exact, 1, 0.01);
   EXPECT_NEAR(s.state.blocks[0].stored[Stored::transverse_shear] / exact, 0, 0.01);
 }

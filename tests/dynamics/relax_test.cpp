@@ -56,7 +56,8 @@ TEST(Relaxation, AHangingBarComesToTheDisplacementOfTheClosedForm) {
   EXPECT_TRUE(good(outcome.ending));
   const double exact = -1000.0 * 10 * 1 / (2 * 1e8);
   const double u = s.state.x(2, static_cast<Index>(lowest(s)));
-  std::printf("hanging bar: %ld steps, u / exact - 1 = %.1e, residual %.1e\n", static_cast<long>(s.state.step), u / exact - 1, s.state.relaxation.residual);
+  std::printf("hanging bar: %ld steps, u / exact - 1 = %.1e, residual %.1e\n", static_cast<long>(s.state.step), u / exact - 1,
+              s.state.relaxation.residual);
   EXPECT_NEAR(u / exact, 1, 2e-4);  // strains of 1e-4 at the top
   EXPECT_LE(s.state.relaxation.residual, 1e-6);
   // half of what gravity gave is stored, the other half was removed
@@ -119,7 +120,8 @@ TEST(Relaxation, AStripOfPlatesBendsAsABeamUnderAnEndForce) {
   const double exact = force * std::pow(length, 3) / (3 * young * inertia);
   double u = 0;
   for (const Index n : end) u += s.state.x(2, n) / static_cast<double>(end.size());
-  std::printf("strip of plates: %ld steps, t = %.3g s, u = %.4g, u / exact - 1 = %.1e\n", static_cast<long>(s.state.step), s.state.t, u, u / exact - 1);
+  std::printf("strip of plates: %ld steps, t = %.3g s, u = %.4g, u / exact - 1 = %.1e\n", static_cast<long>(s.state.step), s.state.t, u,
+              u / exact - 1);
   EXPECT_NEAR(u / exact, 1, 0.01);
   expect_closed(s);
 }
@@ -131,7 +133,8 @@ Scene pressed() {
   s.model.blocks.push_back(element::hexahedra(s.model.mesh, "bar", material::Elastic{1000, 1e7, 0.3}, usual));
   s.model.relaxation = Relaxation{};
   finalize(s.model);
-  s.model.loads.emplace_back(load::pressure_on("pressure", s.model.mesh, mesh::surface(s.model.mesh, "bar.z_high"), [](double) { return 1e3; }));
+  s.model.loads.emplace_back(
+      load::pressure_on("pressure", s.model.mesh, mesh::surface(s.model.mesh, "bar.z_high"), [](double) { return 1e3; }));
   return s;
 }
 

@@ -90,7 +90,8 @@ inline std::vector<std::pair<std::string, std::vector<double>>> numbers(const St
     add(c.work, c.damped, c.friction_dissipated, c.created_by_reconnection, c.deepest, c.walks, c.unpaired, c.recovered, c.updates);
   }
   for (const contact::PlaneMemory& p : s.rigid_planes) {
-    part("rigid plane"), all(p.force), all(p.impulse), all(p.angular_impulse), add(p.work, p.stored, p.tangential_stored, p.friction_dissipated, p.deepest);
+    part("rigid plane"), all(p.force), all(p.impulse), all(p.angular_impulse),
+        add(p.work, p.stored, p.tangential_stored, p.friction_dissipated, p.deepest);
     for (const Vec3& slip : p.slip) all(slip);
   }
   part("constraints");
@@ -103,9 +104,12 @@ inline std::vector<std::pair<std::string, std::vector<double>>> numbers(const St
     all(node.allowed), all(node.allowed_rotation);
   }
   for (const auto& load : s.loads)
-    part("load"), all(load.force), all(load.moment), all(load.impulse), all(load.angular_impulse), add(load.work, load.stored, load.dissipated);
-  part("relaxation"), all(s.relaxation.x), all(s.relaxation.rotated), all(s.relaxation.force), all(s.relaxation.moment), all(s.relaxation.omega);
-  add(s.relaxation.removed, s.relaxation.residual, s.relaxation.most_force, s.relaxation.most_kinetic, s.relaxation.balanced, s.relaxation.since);
+    part("load"), all(load.force), all(load.moment), all(load.impulse), all(load.angular_impulse),
+        add(load.work, load.stored, load.dissipated);
+  part("relaxation"), all(s.relaxation.x), all(s.relaxation.rotated), all(s.relaxation.force), all(s.relaxation.moment),
+      all(s.relaxation.omega);
+  add(s.relaxation.removed, s.relaxation.residual, s.relaxation.most_force, s.relaxation.most_kinetic, s.relaxation.balanced,
+      s.relaxation.since);
   all(s.relaxation.impulse), all(s.relaxation.angular_impulse);
   part("ledger"), add(s.ledger.initial_kinetic, s.ledger.kinetic, s.ledger.integration, s.ledger.external_work);
   all(s.ledger.momentum), all(s.ledger.angular_momentum), all(s.ledger.initial_momentum), all(s.ledger.initial_angular_momentum);

@@ -859,7 +859,8 @@ TEST(MovingPlane, DoesTheWorkThatABarStores) {
   load::Plane puller = plane("puller", PlaneKind::constrained, Vec3::UnitX(), mesh::node_set(s.model.mesh, "box.x_high"));
   const double end = 2, u = 1e-6;
   puller.velocity = [=](double t) { return u * pi / (2 * end) * std::sin(pi * t / end); };  // from rest to rest
-  s.model.constraints.planes = {puller, plane("constrained", PlaneKind::constrained, Vec3::UnitX(), mesh::node_set(s.model.mesh, "box.x_low"))};
+  s.model.constraints.planes = {puller,
+                                plane("constrained", PlaneKind::constrained, Vec3::UnitX(), mesh::node_set(s.model.mesh, "box.x_low"))};
   finalize(s.model);
   s.ready();
   const Votes votes = start(s.model, s.state, s.forces);
@@ -881,8 +882,8 @@ TEST(DrivenNodes, GoWhereTheMidpointRuleTakesTheirField) {
   s.model.blocks.push_back(element::plates(s.model.mesh, "tube", rubber, options));
   load::Plane driver = plane("driver", PlaneKind::driven, Vec3::UnitZ(), all_nodes(s.model.mesh));
   const auto speed = [](double t) { return std::sin(300 * t) + 2; };
-  driver.field = {[=](double x, double, double, double t) { return x * speed(t); }, [](double, double y, double, double t) { return y * t; },
-                  [](double, double, double z, double) { return z; }};
+  driver.field = {[=](double x, double, double, double t) { return x * speed(t); },
+                  [](double, double y, double, double t) { return y * t; }, [](double, double, double z, double) { return z; }};
   driver.angular_velocity[1] = [=](double, double, double z, double t) { return z * speed(t); };
   s.model.constraints.planes = {driver};
   finalize(s.model);
@@ -1014,7 +1015,8 @@ TEST(Residual, IsRoundOffWithEveryLoadAtOnce) {
 TEST(Load, AConstantForceMovesABodyByHalfOfForceOverMassTimesTimeSquared) {
   Scene s = box({2, 2, 2}, dust, inviscid);
   finalize(s.model);
-  s.model.loads.emplace_back(load::NodalForce{"force", mesh::node_set(s.model.mesh, "box.x_high"), {constant(9), constant(0), constant(-18)}});
+  s.model.loads.emplace_back(
+      load::NodalForce{"force", mesh::node_set(s.model.mesh, "box.x_high"), {constant(9), constant(0), constant(-18)}});
   s.ready();
   Votes votes = start(s.model, s.state, s.forces);
   for (int i = 0; i < 100; ++i) votes = step(s.model, 1e-3 * (1 + i % 3), s.state, s.forces);

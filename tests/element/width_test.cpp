@@ -105,7 +105,8 @@ TEST(WedgeAtTheAxis, HasItsExactVolumeAndAllOfItsMass) {
 }
 
 TEST(WedgeAtTheAxis, PassesThePatchTestWithOnePointOrEight) {
-  const mesh::Mesh mesh = mesh::moved(mesh::rotated_about(mesh::wedge("a", {0.2, 0.3, 0.7, 2, 3, 3}), Vec3(1, 2, 3), 0.4, Vec3::Zero()), Vec3(1, 0, 2));
+  const mesh::Mesh mesh =
+      mesh::moved(mesh::rotated_about(mesh::wedge("a", {0.2, 0.3, 0.7, 2, 3, 3}), Vec3(1, 2, 3), 0.4, Vec3::Zero()), Vec3(1, 0, 2));
   Mat3 H;
   H << 3, 1, -2, 4, -1, 5, 2, 2, 1;
   H *= 1e-9;
@@ -123,7 +124,8 @@ TEST(WedgeAtTheAxis, PassesThePatchTestWithOnePointOrEight) {
     for (Index e = 0; e < stresses.cols(); ++e)  // displacements of 1e-9 in a body of 1 leave seven digits
       EXPECT_LT((stresses.col(e) - expected).norm(), 1e-6 * expected.norm());
     if (!std::holds_alternative<Block<FullHexahedron, Elastic>>(block)) {
-      EXPECT_LT(std::abs(memory.stored[Stored::hourglass]), 1e-12 * memory.stored[Stored::elastic]);  // no hourglass energy, by the square of 1e-6
+      EXPECT_LT(std::abs(memory.stored[Stored::hourglass]),
+                1e-12 * memory.stored[Stored::elastic]);  // no hourglass energy, by the square of 1e-6
     }
     // inside, forces cancel; none of the nodes off the surface, the axis among them, feels any
     const Vectors force = forces(block, mesh, u);
@@ -194,7 +196,8 @@ TEST(SectorWidth, VoteIsBelowEveryExactStep) {
 TEST(SectorWidth, VoteOfEightPointsIsBelowEveryExactStepToo) {
   for (const double angle : angles) {
     const Steps s = steps(angle, full(rings(angle)));
-    for (const auto& [name, step] : {std::pair("full_vote", s.vote), {"full_free", s.free}, {"full_planes", s.on_planes}, {"full_even", s.even}})
+    for (const auto& [name, step] :
+         {std::pair("full_vote", s.vote), {"full_free", s.free}, {"full_planes", s.on_planes}, {"full_even", s.even}})
       record(name, angle, step / cell);
     EXPECT_LE(s.vote, s.free * (1 + 1e-6));  // differences of 1e-8 leave seven digits
   }
@@ -228,7 +231,8 @@ TEST(SectorWidth, IsSaidWithWhatItCosts) {
 }
 
 TEST(Narrowest, FindsTheWidthsOfABrickAndItsPlace) {
-  const mesh::Mesh mesh = mesh::rotated_about(mesh::box("a", {Vec3::Zero(), Vec3(1, 2, 0.1), {1, 1, 1}}), Vec3::UnitX(), pi / 2, Vec3::Zero());
+  const mesh::Mesh mesh =
+      mesh::rotated_about(mesh::box("a", {Vec3::Zero(), Vec3(1, 2, 0.1), {1, 1, 1}}), Vec3::UnitX(), pi / 2, Vec3::Zero());
   const Narrowest at = narrowest(solid(mesh), mesh.X);
   EXPECT_EQ(at.element, 0);
   EXPECT_LT((at.width - Vec3(0.1, 1, 2)).norm(), 1e-13);  // round-off

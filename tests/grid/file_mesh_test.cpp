@@ -250,11 +250,15 @@ TEST_F(Vtu, SaysWhyAFileCannotBeReadAndSaysItOnce) {
                            "<Piece NumberOfPoints=\"5\" NumberOfCells=\"1\">";
   EXPECT_NE(fault_of("cut_short.vtu", head), "");
   EXPECT_NE(fault_of("no_points.vtu", head + "</Piece></UnstructuredGrid></VTKFile>"), "");
-  EXPECT_NE(fault_of("far_node.vtu",
-                     head + "<Points><DataArray type=\"Float32\" NumberOfComponents=\"3\" format=\"ascii\">0 0 0 1 0 0 1 1 0 0 1 0 2 0 0</DataArray></Points>"
-                     "<Cells><DataArray type=\"Int32\" Name=\"connectivity\" format=\"ascii\">0 1 77</DataArray>"
-                     "<DataArray type=\"Int32\" Name=\"offsets\" format=\"ascii\">3</DataArray>"
-                     "<DataArray type=\"UInt8\" Name=\"types\" format=\"ascii\">5</DataArray></Cells></Piece></UnstructuredGrid></VTKFile>"), "");
+  EXPECT_NE(
+      fault_of("far_node.vtu",
+               head +
+                   "<Points><DataArray type=\"Float32\" NumberOfComponents=\"3\" format=\"ascii\">0 0 0 1 0 0 1 1 0 0 1 0 2 0 "
+                   "0</DataArray></Points>"
+                   "<Cells><DataArray type=\"Int32\" Name=\"connectivity\" format=\"ascii\">0 1 77</DataArray>"
+                   "<DataArray type=\"Int32\" Name=\"offsets\" format=\"ascii\">3</DataArray>"
+                   "<DataArray type=\"UInt8\" Name=\"types\" format=\"ascii\">5</DataArray></Cells></Piece></UnstructuredGrid></VTKFile>"),
+      "");
 }
 
 TEST(WithoutVtk, AFileIsAFaultThatNamesTheSwitch) {

@@ -52,7 +52,8 @@ std::string faults_of(const std::string& text) {
   std::string all;
   c.start();
   for (const Fault& fault : c.faults())
-    all += std::to_string(fault.line) + ":" + std::to_string(fault.column) + ": " + fault.message + (fault.hint.empty() ? "" : " (" + fault.hint + ")") + "\n";
+    all += std::to_string(fault.line) + ":" + std::to_string(fault.column) + ": " + fault.message +
+           (fault.hint.empty() ? "" : " (" + fault.hint + ")") + "\n";
   return all;
 }
 
@@ -131,16 +132,19 @@ TEST(ReadActions, ListNamesThatTheMeshDoesNotHaveAtTheirLine) {
   const std::string found = faults_of("planes:\n  - {name: a, kind: constrained, nodes: [box.x_lou], normal: [1, 0, 0]}\n");
   EXPECT_EQ(found.rfind("2:42: 'nodes' = box.x_lou is unknown: node sets are box, ", 0), 0U) << found;
   EXPECT_NE(found.find("(did you mean 'box.x_low'?)"), std::string::npos) << found;
-  EXPECT_NE(faults_of("loads:\n  - {name: a, kind: pressure, surface: x, value: 1, unit: Pa}\n").find("2:40: 'surface' = x is unknown: surfaces are box.x_low"),
+  EXPECT_NE(faults_of("loads:\n  - {name: a, kind: pressure, surface: x, value: 1, unit: Pa}\n")
+                .find("2:40: 'surface' = x is unknown: surfaces are box.x_low"),
             std::string::npos);
   EXPECT_NE(faults_of("initial:\n  - {body: bax, velocity: [1, 2, 3], unit: m/s}\n").find("did you mean 'box'?"), std::string::npos);
-  EXPECT_NE(faults_of("point_masses:\n  - {name: m, nodes: nix, mass: 1 kg}\n").find("2:22: 'nodes' = nix is unknown: node sets are"), std::string::npos);
+  EXPECT_NE(faults_of("point_masses:\n  - {name: m, nodes: nix, mass: 1 kg}\n").find("2:22: 'nodes' = nix is unknown: node sets are"),
+            std::string::npos);
 }
 
 TEST(ReadActions, RefuseASpringThatDoesNotEndAtSingleNodes) {
   EXPECT_EQ(faults_of("springs:\n  - {name: k, from: box.tip, to: box.z_high, stiffness: 1 N/m}\n"),
             "2:34: the node set 'box.z_high' has 9 nodes: a spring ends at a single one\n");
-  EXPECT_EQ(faults_of("springs:\n  - {name: k, from: box.tip, to: box.tip, stiffness: 1 N/m}\n"), "2:34: 'from' and 'to' are the same node\n");
+  EXPECT_EQ(faults_of("springs:\n  - {name: k, from: box.tip, to: box.tip, stiffness: 1 N/m}\n"),
+            "2:34: 'from' and 'to' are the same node\n");
 }
 
 TEST(ReadActions, RefuseAMomentOnNodesOfSolids) {
@@ -158,8 +162,10 @@ TEST(ReadActions, RefusePlanesThatMoveNodesAgainstOneAnother) {
 }
 
 TEST(ReadActions, DrivenNodesHaveFieldsOverPlaceAndTime) {
-  Case c("planes:\n  - {name: a, kind: driven, nodes: [tube.top], velocity: {value: [x*t, y, \"1\"], unit: mm/s}, angular_velocity: {value: [0, z, t], unit: rad/s}}\n"
-         "  - {name: b, kind: driven, nodes: [box.x_low, box.z_low], velocity: {value: [0, 0, x], unit: m/s}}\n");
+  Case c(
+      "planes:\n  - {name: a, kind: driven, nodes: [tube.top], velocity: {value: [x*t, y, \"1\"], unit: mm/s}, angular_velocity: {value: "
+      "[0, z, t], unit: rad/s}}\n"
+      "  - {name: b, kind: driven, nodes: [box.x_low, box.z_low], velocity: {value: [0, 0, x], unit: m/s}}\n");
   c.start();
   EXPECT_TRUE(c.faults().empty()) << c.faults()[0].text;
   const load::Plane &a = c.model.constraints.planes[0], &b = c.model.constraints.planes[1];
@@ -171,8 +177,9 @@ TEST(ReadActions, DrivenNodesHaveFieldsOverPlaceAndTime) {
 
 TEST(ReadActions, RefuseDrivenNodesThatCannotBe) {
   const std::string a = "planes:\n  - {name: a, kind: driven, nodes: [box.x_low], ";
-  EXPECT_EQ(faults_of(a + "velocity: {value: [1, 0, 0], unit: m/s}}\n  - {name: b, kind: constrained, nodes: [box.tip], normal: [0, 1, 0]}\n"),
-            "2:59: 'a' drives nodes that 'b' constrains in the same direction\n");
+  EXPECT_EQ(
+      faults_of(a + "velocity: {value: [1, 0, 0], unit: m/s}}\n  - {name: b, kind: constrained, nodes: [box.tip], normal: [0, 1, 0]}\n"),
+      "2:59: 'a' drives nodes that 'b' constrains in the same direction\n");
   EXPECT_EQ(faults_of(a + "velocity: {value: [1/x, 0, 0], unit: m/s}}\n"), "2:67: 'value' is infinite at x = 0, y = 0, z = 0, t = 0\n");
   EXPECT_EQ(faults_of(a + "velocity: {value: 1, unit: m/s}}\n").substr(0, 5), "2:67:");
   EXPECT_EQ(faults_of(a + "velocity: {value: [1, 0, 0], unit: m/s}, angular_velocity: {value: [1, 0, 0], unit: rad/s}}\n"),
@@ -182,29 +189,37 @@ TEST(ReadActions, RefuseDrivenNodesThatCannotBe) {
 }
 
 TEST(ReadActions, RefuseANameGivenTwice) {
-  EXPECT_EQ(faults_of("planes:\n  - {name: a, kind: fixed, nodes: [box.tip]}\nsprings:\n  - {name: a, from: box.tip, to: ground, stiffness: 1 N/m}\n"),
-            "4:12: the name 'a' is given twice: 'planes[0]' has it too\n");
+  EXPECT_EQ(
+      faults_of(
+          "planes:\n  - {name: a, kind: fixed, nodes: [box.tip]}\nsprings:\n  - {name: a, from: box.tip, to: ground, stiffness: 1 N/m}\n"),
+      "4:12: the name 'a' is given twice: 'planes[0]' has it too\n");
 }
 
 TEST(ReadActions, RefuseUnitsOfAnotherDimensionAndValuesThatAreNoNumber) {
   EXPECT_EQ(faults_of("loads:\n  - {name: a, kind: pressure, surface: box.x_low, value: 1, unit: N}\n"),
             "2:67: 'unit' = N has the dimension [kg m s^-2]: expected [kg m^-1 s^-2], for example 'Pa'\n");
-  EXPECT_EQ(faults_of("loads:\n  - {name: a, kind: pressure, surface: box.x_low, value: 1/t, unit: Pa}\n"), "2:58: 'value' is infinite at t = 0\n");
-  EXPECT_EQ(faults_of("loads:\n  - {name: a, kind: body_force, body: box, value: [\"log(x)\", 0, 0], unit: m/s^2}\n").substr(0, 5), "2:51:");
+  EXPECT_EQ(faults_of("loads:\n  - {name: a, kind: pressure, surface: box.x_low, value: 1/t, unit: Pa}\n"),
+            "2:58: 'value' is infinite at t = 0\n");
+  EXPECT_EQ(faults_of("loads:\n  - {name: a, kind: body_force, body: box, value: [\"log(x)\", 0, 0], unit: m/s^2}\n").substr(0, 5),
+            "2:51:");
   EXPECT_EQ(faults_of("initial:\n  - {body: box, velocity: [\"0/y\", 0, 0], unit: m/s}\n"),
             "2:27: 'velocity' is no number at x = 0, y = 0, z = 0\n");
   EXPECT_EQ(faults_of("initial:\n  - {body: box, velocity: [\"t\", 0, 0], unit: m/s}\n"),
             "2:29: cannot read 'velocity[0]' = t: 't' is unknown: expected x, y, z, pi, or a function such as sin, min, exp\n");
-  EXPECT_EQ(faults_of("planes:\n  - {name: a, kind: constrained, nodes: [box.tip], normal: [0, 0, 0]}\n"), "2:60: 'normal' has no length\n");
+  EXPECT_EQ(faults_of("planes:\n  - {name: a, kind: constrained, nodes: [box.tip], normal: [0, 0, 0]}\n"),
+            "2:60: 'normal' has no length\n");
 }
 
 TEST(ReadActions, RefuseADisplacementThatTurnsElementsInsideOut) {
-  EXPECT_EQ(faults_of("initial:\n  - {body: box, displacement: [\"-2*x\", 0, 0], unit: m}\n").substr(0, 41), "2:31: 'displacement' turns element 0 insi");
+  EXPECT_EQ(faults_of("initial:\n  - {body: box, displacement: [\"-2*x\", 0, 0], unit: m}\n").substr(0, 41),
+            "2:31: 'displacement' turns element 0 insi");
 }
 
 TEST(ReadActions, WantEitherAVelocityOrADisplacement) {
-  EXPECT_EQ(faults_of("initial:\n  - {body: box, unit: m}\n").substr(0, 60), "2:5: expected 'velocity' or 'displacement' in 'initial[0]'\n2");
-  EXPECT_NE(faults_of("initial:\n  - {body: box, velocity: [0, 0, 0], displacement: [0, 0, 0], unit: m}\n").find("make two items"), std::string::npos);
+  EXPECT_EQ(faults_of("initial:\n  - {body: box, unit: m}\n").substr(0, 60),
+            "2:5: expected 'velocity' or 'displacement' in 'initial[0]'\n2");
+  EXPECT_NE(faults_of("initial:\n  - {body: box, velocity: [0, 0, 0], displacement: [0, 0, 0], unit: m}\n").find("make two items"),
+            std::string::npos);
 }
 
 TEST(ReadActions, ListKeysThatAKindDoesNotUse) {

@@ -49,7 +49,8 @@ TEST(ReadBody, TakesMeshMaterialAndElement) {
 }
 
 TEST(ReadBody, StandsWhereItIsTurnedAndMoved) {
-  const model::Scene scene = read(bar + "    rotate: {axis: [0, 0, 2], angle: 90 deg, about: [1 m, 0 m, 0 m]}\n    move: [0 m, 0 m, 1 mm]\n" + time);
+  const model::Scene scene =
+      read(bar + "    rotate: {axis: [0, 0, 2], angle: 90 deg, about: [1 m, 0 m, 0 m]}\n    move: [0 m, 0 m, 1 mm]\n" + time);
   const model::Placement& place = scene.bodies[0].place;
   EXPECT_EQ(place.axis, Vec3(0, 0, 1));
   EXPECT_DOUBLE_EQ(place.angle, std::numbers::pi / 2);
@@ -75,7 +76,8 @@ TEST(ReadBody, ListsWhatItsElementsDoNotUse) {
 
 TEST(ReadContact, ReachesHalfTheThicknessOfPlatesUnlessTold) {
   const std::string contact = "contacts:\n  - {name: touch, apexes: bar.x_high, base: skin.inside";
-  const model::Scene usual = read(bar + skin + contact + "}\n" + time), given = read(bar + skin + contact + ", contact_height: given, height: 3 mm}\n" + time),
+  const model::Scene usual = read(bar + skin + contact + "}\n" + time),
+                     given = read(bar + skin + contact + ", contact_height: given, height: 3 mm}\n" + time),
                      initial = read(bar + skin + contact + ", contact_height: initial, clearance: 1 mm}\n" + time);
   EXPECT_TRUE(usual.contacts[0].height_from_thickness);
   EXPECT_FALSE(given.contacts[0].height_from_thickness);
@@ -100,8 +102,11 @@ TEST(Names, HaveNoPointsBlanksOrFirstDigits) {
 }
 
 TEST(ReadProbe, HasAComponentOnlyWhereItsQuantityHas) {
-  const model::Scene scene = read(bar + "probes:\n  - {name: u, quantity: displacement, of: bar}\n  - {name: v, quantity: velocity, of: bar, component: y}\n"
-                                  "  - {name: s, quantity: stress, of: bar, component: xz, take: largest}\n  - {name: p, quantity: pressure, of: bar}\n" + time);
+  const model::Scene scene =
+      read(bar +
+           "probes:\n  - {name: u, quantity: displacement, of: bar}\n  - {name: v, quantity: velocity, of: bar, component: y}\n"
+           "  - {name: s, quantity: stress, of: bar, component: xz, take: largest}\n  - {name: p, quantity: pressure, of: bar}\n" +
+           time);
   ASSERT_EQ(scene.probes.size(), 4U);
   EXPECT_EQ(scene.probes[0].component, "magnitude");
   EXPECT_EQ(scene.probes[1].component, "y");
@@ -124,11 +129,12 @@ TEST(ReadStop, IsInTheDimensionOfItsProbe) {
 }
 
 TEST(ReadSceneAtRest, LeavesOutWhatBelongsToARun) {
-  const std::string text = bar +
-                           "planes: [{name: end, kind: fixed, nodes: [bar.x_low]}]\npoint_masses: [{name: m, nodes: bar.x_high, mass: 1 kg}]\n"
-                           "loads: [{name: push, kind: pressure, surface: bar.x_high, value: \"1\", unit: Pa}]\n"
-                           "probes: [{name: tip, quantity: displacement, of: bar.x_high, component: x}]\nstop: [{probe: tip, above: 1 m}]\n"
-                           "gravity: [0 m/s^2, 0 m/s^2, -9.81 m/s^2]\nrelaxation: {}\ninitial: [{body: bar, velocity: [\"1\", \"0\", \"0\"], unit: m/s}]\n";
+  const std::string text =
+      bar +
+      "planes: [{name: end, kind: fixed, nodes: [bar.x_low]}]\npoint_masses: [{name: m, nodes: bar.x_high, mass: 1 kg}]\n"
+      "loads: [{name: push, kind: pressure, surface: bar.x_high, value: \"1\", unit: Pa}]\n"
+      "probes: [{name: tip, quantity: displacement, of: bar.x_high, component: x}]\nstop: [{probe: tip, above: 1 m}]\n"
+      "gravity: [0 m/s^2, 0 m/s^2, -9.81 m/s^2]\nrelaxation: {}\ninitial: [{body: bar, velocity: [\"1\", \"0\", \"0\"], unit: m/s}]\n";
   for (const std::string& with : {text, text + time}) {
     const CaseFile file = CaseFile::parse(with, "case.yaml");
     const model::Scene scene = read_scene_at_rest(file.root());

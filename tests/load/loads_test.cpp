@@ -149,8 +149,9 @@ LoadMemory at_rest(const AnyLoad& load, const Vectors& X, const Vectors& x) {
 TEST(Spring, ForceIsTheGradientOfItsEnergy) {
   const Vectors X = random_vectors(2, 1, 9), x = X + random_vectors(2, 0.3, 10);
   const double short_length = 0.1;
-  for (const AnyLoad& load : {AnyLoad(spring_between("s", X, 0, 1, 7, 0)), AnyLoad(spring_between("s", X, 0, 1, 7, 0, &short_length)),
-                              AnyLoad(spring_to_point("s", X, 0, X.col(0), 7, 0)), AnyLoad(spring_to_point("s", X, 0, Vec3(1, 1, 1), 7, 0))}) {
+  for (const AnyLoad& load :
+       {AnyLoad(spring_between("s", X, 0, 1, 7, 0)), AnyLoad(spring_between("s", X, 0, 1, 7, 0, &short_length)),
+        AnyLoad(spring_to_point("s", X, 0, X.col(0), 7, 0)), AnyLoad(spring_to_point("s", X, 0, Vec3(1, 1, 1), 7, 0))}) {
     Vectors force = Vectors::Zero(3, 2), moment(3, 0);
     add_forces(load, at_rest(load, X, x), force, moment);
     for (Eigen::Index i = 0; i < x.size(); ++i) {

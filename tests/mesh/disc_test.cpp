@@ -73,7 +73,8 @@ TEST(WedgeDisc, HasTheAreaOfItsPolygonAtAnyAngleWithAndWithoutAHole) {
       EXPECT_EQ(node_set(mesh, "plate.rim").size(), static_cast<std::size_t>(around + 1));
       EXPECT_EQ(node_set(mesh, "plate.first_plane").size(), 5U);
       EXPECT_EQ(node_set(mesh, "plate.second_plane").size(), 5U);
-      EXPECT_EQ(node_set(mesh, inner > 0 ? "plate.inner_rim" : "plate.centre").size(), static_cast<std::size_t>(inner > 0 ? around + 1 : 1));
+      EXPECT_EQ(node_set(mesh, inner > 0 ? "plate.inner_rim" : "plate.centre").size(),
+                static_cast<std::size_t>(inner > 0 ? around + 1 : 1));
     }
   }
 }

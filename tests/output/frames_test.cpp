@@ -76,7 +76,8 @@ TEST(ContactGrid, PutsTheFootOnTheBaseAndTheApexWhereItIs) {
     const Vec3 apex = grid.reference.col(first + 1) + grid.displacement.col(first + 1);
     EXPECT_LT((apex - scene.state.x.col(interface.apexes[a])).norm(), 1e-15);
     const Vec3 foot = grid.reference.col(first) + grid.displacement.col(first);
-    EXPECT_NEAR((apex - foot).norm(), std::abs(scene.state.interfaces[0].gap[a]), 1e-4 * (apex - foot).norm());  // the foot stays on its facet
+    EXPECT_NEAR((apex - foot).norm(), std::abs(scene.state.interfaces[0].gap[a]),
+                1e-4 * (apex - foot).norm());  // the foot stays on its facet
   }
 }
 
