@@ -9,6 +9,7 @@
 #include "base/check.hpp"
 #include "base/parallel.hpp"
 #include "drivers/recorder.hpp"
+#include "dynamics/quality.hpp"
 #include "model/notes.hpp"
 #include "output/run_folder.hpp"
 
@@ -48,6 +49,13 @@ void add_common_results(const model::Simulation& simulation, const dynamics::Out
     results.push_back({interface.name + "_walks", static_cast<double>(memory.walks), "1"});
     results.push_back({interface.name + "_unpaired", static_cast<double>(memory.unpaired), "1"});
     results.push_back({interface.name + "_recovered", static_cast<double>(memory.recovered), "1"});
+  }
+  const double scale = dynamics::energy_scale(simulation.state.ledger);
+  for (std::size_t b = 0; b < simulation.model.blocks.size(); ++b) {
+    const std::string& body = element::name(simulation.model.blocks[b]);
+    const dynamics::Quality& seen = simulation.state.quality[b];
+    if (seen.element >= 0) results.push_back({body + "_smallest_corner", seen.corner, "1"});
+    results.push_back({body + "_hourglass_fraction", dynamics::hourglass_fraction(seen, scale), "1"});
   }
   for (std::size_t p = 0; p < simulation.model.rigid_planes.size(); ++p)
     results.push_back({simulation.model.rigid_planes[p].name + "_deepest", simulation.state.rigid_planes[p].deepest, "m"});
@@ -143,9 +151,11 @@ int run_case(const std::string& name, const CommandLine& line, output::RunFolder
 
   if (recorder.not_finite() > 0)
     notes.push_back(std::to_string(recorder.not_finite()) + " values that were no number stand as 0 in the ParaView files");
-  for (const std::string& note : model::depth_notes(simulation)) {
-    notes.push_back(note);
-    std::fprintf(stderr, "warning: %s\n", note.c_str());
+  for (const auto& warnings : {model::depth_notes(simulation), model::quality_notes(simulation)}) {
+    for (const std::string& note : warnings) {
+      notes.push_back(note);
+      std::fprintf(stderr, "warning: %s\n", note.c_str());
+    }
   }
   const output::Summary summary = summarise(name, line, file, simulation, outcome, results(simulation), notes);
   output::write_summary(line.out, summary);

@@ -65,6 +65,7 @@ State initial_state(const Model& model, std::vector<contact::Memory> interfaces)
     memory.force = Vectors::Zero(3, state.x.cols());
     memory.rotated = memory.moment = memory.omega = state.omega;
   }
+  state.quality.resize(model.blocks.size());
   state.ledger.accounts.resize(sources(model).size());
   return state;
 }

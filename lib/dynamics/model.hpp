@@ -81,8 +81,17 @@ struct Progress {
   double first_step = 0;        ///< [s] chosen at the start
   std::int64_t updates = 0;     ///< of the ledger: multiples of the interval between two that have passed
   bool ledger_is_current = false;
+  std::int64_t corners_seen = 0;  ///< step of the last look at the corners of elements
   Step smallest;                ///< the smallest step so far, and what limited it
   double largest_step = 0;      ///< [s]
+};
+
+/// What a run has seen of the elements of a block.
+struct Quality {
+  double corner = 1;                   ///< [-] smallest corner Jacobian over that of the reference
+  Index element = -1;                  ///< whose it was
+  double time = 0;                     ///< [s] when
+  double hourglass = 0, internal = 0;  ///< [J] the largest at any update of the ledger
 };
 
 /// Where the simulation stands: exactly what a restart needs.
@@ -103,6 +112,7 @@ struct State {
   Ledger ledger;
   Votes votes;                                     ///< for the next step
   Progress progress;
+  std::vector<Quality> quality;                    ///< beside Model::blocks
   std::vector<ProbeMemory> probes;                 ///< beside the probes of the run
 };
 

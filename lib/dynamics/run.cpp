@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/check.hpp"
+#include "dynamics/quality.hpp"
 #include "dynamics/relax.hpp"
 
 namespace nereid::dynamics {
@@ -139,6 +140,7 @@ Outcome run(const Model& model, State& now, Forces& forces, const Time& time, do
     if (progress.ledger_is_current) {
       progress.updates = static_cast<std::int64_t>(now.t / update_every);
       update_ledger(model, now);
+      see_quality(model, last || rests, now);
     }
     show();
     if (!(now.votes.volume_ratio > 0)) continue;  // stop() says so
@@ -155,6 +157,7 @@ Outcome run(const Model& model, State& now, Forces& forces, const Time& time, do
   }
   if (!progress.ledger_is_current) {
     update_ledger(model, now);
+    see_quality(model, true, now);
     progress.ledger_is_current = true;
     show(true);
   }

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdio>
 
+#include "dynamics/quality.hpp"
 #include "element/width.hpp"
 
 namespace nereid::model {
@@ -57,6 +58,26 @@ std::vector<std::string> depth_notes(const Simulation& simulation) {
     look(model.interfaces[c].name, simulation.state.interfaces[c].deepest, model.interfaces[c].depth);
   for (std::size_t p = 0; p < model.rigid_planes.size(); ++p)
     look(model.rigid_planes[p].name, simulation.state.rigid_planes[p].deepest, model.rigid_planes[p].depth);
+  return notes;
+}
+
+std::vector<std::string> quality_notes(const Simulation& simulation) {
+  constexpr double worth_saying = 0.1;  // [-] the usual bound on hourglass energy
+  std::vector<std::string> notes;
+  const double scale = dynamics::energy_scale(simulation.state.ledger);
+  for (std::size_t b = 0; b < simulation.model.blocks.size(); ++b) {
+    const dynamics::Quality& seen = simulation.state.quality[b];
+    const char* name = element::name(simulation.model.blocks[b]).c_str();
+    if (!(seen.corner > 0) && seen.element >= 0)
+      notes.push_back(row("%s: a corner of element %d was inverted, its Jacobian %.3g of the reference at %.4g s, which the volume does "
+                          "not show: the mesh is too coarse there or the load acts on one node",
+                          name, seen.element, seen.corner, seen.time));
+    const double fraction = dynamics::hourglass_fraction(seen, scale);
+    if (fraction > worth_saying)
+      notes.push_back(row("%s: hourglass energy reached %.3g of the internal energy; above %.3g the shape of single elements decides the "
+                          "result: take a finer mesh, or elements of the kind 'full'",
+                          name, fraction, worth_saying));
+  }
   return notes;
 }
 

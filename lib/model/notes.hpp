@@ -1,5 +1,6 @@
 #pragma once
-// What a simulation says of itself in words: gaps at the start, what sets its step, penetrations that are too deep.
+// What a simulation says of itself in words: gaps at the start, what sets its step, penetrations that are too deep,
+// elements that are too distorted.
 
 #include <string>
 #include <vector>
@@ -16,6 +17,9 @@ std::vector<std::string> width_notes(const Simulation&);
 
 /// Each interface and rigid plane that was penetrated by more than half an element so far, one a line.
 std::vector<std::string> depth_notes(const Simulation&);
+
+/// Each body whose elements spoil its results: corners that are inverted, or hourglass energy above a tenth of its internal energy.
+std::vector<std::string> quality_notes(const Simulation&);
 
 /// Elements of all blocks.
 std::int64_t count_elements(const dynamics::Model&);

@@ -117,6 +117,8 @@ inline std::vector<std::pair<std::string, std::vector<double>>> numbers(const St
     part("account"), add(a.work, a.created_by_reconnection), all(a.impulse), all(a.angular_impulse);
     for (std::size_t c = 0; c < words_of_stored.size(); ++c) add(a.stored[Stored(c)], a.at_start[Stored(c)], a.dissipated[Dissipated(c)]);
   }
+  part("quality"), add(s.progress.corners_seen);
+  for (const Quality& seen : s.quality) add(seen.corner, seen.element, seen.time, seen.hourglass, seen.internal);
   part("votes"), add(s.votes.elements.step, s.votes.elements.source, s.votes.elements.at, s.votes.contact.step, s.votes.contact.source,
                      s.votes.contact.at, s.votes.volume_ratio, s.votes.smallest_block, s.votes.smallest_element);
   part("progress"), add(s.progress.started, s.progress.first_step, s.progress.updates, s.progress.ledger_is_current,

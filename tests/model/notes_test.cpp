@@ -36,6 +36,18 @@ TEST(DepthNotes, SayThatARigidPlaneWasPenetratedTooDeep) {
   EXPECT_TRUE(says(notes[0], "ground: an apex went ")) << notes[0];
 }
 
+TEST(QualityNotes, SayWhichCornerIsInvertedAndHowMuchEnergyIsInHourglasses) {
+  Simulation simulation = build(with({bar()}));
+  run(simulation);
+  EXPECT_TRUE(quality_notes(simulation).empty());
+  simulation.state.ledger.initial_kinetic = 1;
+  simulation.state.quality[0] = {.corner = -0.25, .element = 3, .time = 1e-3, .hourglass = 0.3, .internal = 0.5};
+  const auto notes = quality_notes(simulation);
+  ASSERT_EQ(notes.size(), 2U);
+  EXPECT_TRUE(says(notes[0], "bar: a corner of element 3 was inverted, its Jacobian -0.25 of the reference at 0.001 s")) << notes[0];
+  EXPECT_TRUE(says(notes[1], "bar: hourglass energy reached 0.6 of the internal energy")) << notes[1];
+}
+
 TEST(CountElements, SumsOverAllBlocks) { EXPECT_EQ(count_elements(build(with({bar(), sheet()})).model), 6); }
 
 }  // namespace

@@ -1,0 +1,35 @@
+#include "dynamics/quality.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "element/corners.hpp"
+
+namespace nereid::dynamics {
+
+namespace {
+
+constexpr double round_off = 1e-9;  // [-] of the energy scale: what is stored below it says nothing
+
+}  // namespace
+
+void see_quality(const Model& model, bool last, State& now) {
+  const bool looks = last || now.step - now.progress.corners_seen >= corners_every;
+  if (looks) now.progress.corners_seen = now.step;
+  for (std::size_t b = 0; b < model.blocks.size(); ++b) {
+    Quality& seen = now.quality[b];
+    const Account& account = now.ledger.accounts[b];  // blocks come first
+    seen.hourglass = std::max(seen.hourglass, account.stored[Stored::hourglass] + account.dissipated[Dissipated::hourglass]);
+    seen.internal = std::max(seen.internal, stored(account) + dissipated(account));
+    if (!looks) continue;
+    const element::Corner corner = element::smallest_corner(model.blocks[b], model.mesh.X, now.x);
+    if (corner.element < 0 || !(corner.ratio < seen.corner)) continue;
+    seen.corner = corner.ratio, seen.element = corner.element, seen.time = now.t;
+  }
+}
+
+double hourglass_fraction(const Quality& seen, double scale) {
+  return seen.internal > round_off * scale ? seen.hourglass / seen.internal : 0;
+}
+
+}  // namespace nereid::dynamics

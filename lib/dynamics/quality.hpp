@@ -1,0 +1,22 @@
+#pragma once
+// The quality of elements during a run: inverted corners and hourglass energy, which stop nothing and spoil results.
+
+#include "dynamics/model.hpp"
+
+namespace nereid::dynamics {
+
+/// Steps between two looks at the corners of all elements: less than a hundredth of the time of a step each.
+constexpr std::int64_t corners_every = 500;
+
+/// Notes what the elements of each block have come to. Needs a ledger that is current.
+///
+/// last  whether the run ends here; then corners are looked at in any case
+void see_quality(const Model&, bool last, State&);
+
+/// The largest hourglass energy of a block over its largest internal energy so far; zero where the latter is round-off. [-]
+///
+/// Internal energy is all that the block stores and has dissipated, hourglass energy included.
+/// scale  [J] energy_scale() of the ledger
+double hourglass_fraction(const Quality&, double scale);
+
+}  // namespace nereid::dynamics

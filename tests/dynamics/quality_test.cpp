@@ -1,0 +1,52 @@
+#include "dynamics/quality.hpp"
+
+#include <gtest/gtest.h>
+
+#include "mesh/box.hpp"
+#include "tests/dynamics/scene.hpp"
+
+namespace nereid::dynamics {
+namespace {
+
+const material::Elastic rubber{1000, 1e6, 0.3};
+
+/// A block clamped below, whose middle of the top is pushed down, as a scene of one-point elements.
+Scene pushed(double speed) {
+  Scene s;
+  s.model.mesh = mesh::box("box", {Vec3(-1, -1, 0), Vec3(1, 1, 1), {2, 2, 2}});
+  s.model.blocks.push_back(element::hexahedra(s.model.mesh, "box", rubber, {}));
+  Index middle = 0;
+  for (Index n = 0; n < s.model.mesh.X.cols(); ++n)
+    if ((s.model.mesh.X.col(n) - Vec3::UnitZ()).norm() < 1e-9) middle = n;
+  load::Plane push = plane("push", load::PlaneKind::driven, Vec3::UnitZ(), {middle});
+  const auto none = [](double, double, double, double) { return 0.0; };
+  push.field = {none, none, [speed](double, double, double, double) { return -speed; }};
+  s.model.constraints.planes = {plane("clamp", load::PlaneKind::fixed, Vec3::UnitZ(), mesh::node_set(s.model.mesh, "box.z_low")), push};
+  finalize(s.model);
+  s.ready();
+  return s;
+}
+
+TEST(Quality, OfANodePushedThroughItsElementsIsAnInvertedCornerAndHourglassEnergy) {
+  Scene s = pushed(1);
+  EXPECT_TRUE(good(s.run_to(1.2, 0.01, {}, 1e300).ending)) << "volumes stay positive";
+  EXPECT_LT(s.state.quality[0].corner, 0);
+  EXPECT_GE(s.state.quality[0].element, 4) << "one of the upper four";
+  EXPECT_GT(s.state.quality[0].time, 0.5);
+  EXPECT_GT(hourglass_fraction(s.state.quality[0], energy_scale(s.state.ledger)), 0.1);
+}
+
+TEST(Quality, OfABlockThatMovesAsOneIsThatOfTheReference) {
+  Scene s;
+  s.model.mesh = mesh::box("box", {Vec3::Zero(), Vec3::Ones(), {2, 2, 2}});
+  s.model.blocks.push_back(element::hexahedra(s.model.mesh, "box", rubber, {}));
+  finalize(s.model);
+  s.ready();
+  s.move("box", {3, 4, 5});
+  s.run_to(0.2, 0.01);
+  EXPECT_NEAR(s.state.quality[0].corner, 1, 1e-12);
+  EXPECT_EQ(hourglass_fraction(s.state.quality[0], energy_scale(s.state.ledger)), 0) << "round-off is no energy";
+}
+
+}  // namespace
+}  // namespace nereid::dynamics
