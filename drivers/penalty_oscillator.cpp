@@ -96,11 +96,11 @@ Pair pair_of(const Case& c, double height) {
   interface.facet_area = mesh::facet_areas(model.mesh, model.mesh.surfaces[0]);
   interface.penalty = c.stiffness;  // over an area of 1 m2
   interface.area_kind = c.area;
-  interface.reach = 10;
+  interface.margin = 10;
   interface.impact_step_factor = contact::impact_step_factor_for(0.005);
   Pair pair{std::move(model), {}, apex};
   contact::Workspace workspace(interface);
-  contact::connect(interface, pair.model.mesh.X, {.from_initial_height = false, .clearance = 0, .given = contact_height},
+  contact::connect(interface, pair.model.mesh.X, 10, {.from_initial_height = false, .clearance = 0, .given = contact_height},
                    contact::InitialPenetration::refuse, pair.memory, workspace);
   pair.model.interfaces.push_back(std::move(interface));
   return pair;

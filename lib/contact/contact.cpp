@@ -20,6 +20,7 @@ using geometry::Kind;
 constexpr double near_contact = 1.25;   // of h_c: from here on all active features of an apex are looked at
 constexpr double tie = 1e-3;            // of the height: on the flanks of a valley the element in use stays so long
 constexpr double really_closer = 1e-6;  // relative distance by which a search must beat the walk
+constexpr double votes_within = 0.25;   // of the depth of an element: open apexes that are nearer vote for the step
 
 /// Directions that an apex on a symmetry plane may go; null for the others.
 const Mat3* allowed_of(const Interface& interface, Index a) {
@@ -33,9 +34,9 @@ bool same(const Feature& a, const Feature& b) {
 /// Pushes an apex out of its active features, and distributes the force over their nodes.
 ///
 /// returns  the energy stored [J]; gap becomes minus the length of the penetration vector
-double project_out(const Interface& interface, const Vectors& x, Index a, ActiveFeatures& active, ElementForces& forces, double& gap) {
+double project_out(const Interface& interface, const Vectors& x, Index a, double contact_height, ActiveFeatures& active,
+                   ElementForces& forces, double& gap) {
   const Vector<double> p = position(x, interface.apexes[a]);
-  const double contact_height = interface.contact_height(a);
   Contacts contacts;
   contacts.count = active.count;
   const auto set = [&](int i, const Vec3& way) {  // contact i, seen from the end of the vector so far
@@ -154,19 +155,54 @@ Vec3 moment(const Interface& interface, const Vectors& x, const Vectors& v, doub
   return forces.scale * sum;
 }
 
-/// Finds the element of an apex at the new positions and its force; false if the apex is lost.
-bool update_element(const Interface& interface, const Vectors& x, Index a, const Feature& before, Memory& memory,
-                    ElementForces& forces) {
+/// How far an apex moved against its base in the step that led here. [m]
+double way_of(const Interface& interface, const Vectors& v, Index a, const Feature& feature, double dt) {
+  double fastest = 0;
+  for (int I = 0; I < 3; ++I)
+    fastest = std::max(fastest, (v.col(interface.apexes[a]) - v.col(interface.base.facets(I, feature.facet))).squaredNorm());
+  return dt * std::sqrt(fastest);
+}
+
+/// How an apex that was not in contact may come to stand behind its base.
+enum class Entry {
+  through,   ///< through the surface: no deeper than it moved
+  sideways,  ///< in from under a border, about as deep as its neighbours are: with an offset, so that nothing springs
+  none,      ///< behind the surface, as under a table top: it has not touched it
+};
+Entry entry(double depth, double way, double size, double deepest) {
+  constexpr double like_neighbours = 2;  // [-] times the deepest contact of the step before
+  if (depth <= (1 + 1e-6) * way + 1e-12 * size) return Entry::through;
+  return depth <= like_neighbours * deepest ? Entry::sideways : Entry::none;
+}
+
+/// Leaves an apex alone until a search finds it near its base again.
+void unpair(Index a, Memory& memory) {
+  memory.feature[a].facet = -1;
+  memory.status[a] = Status::unpaired;
+  memory.gap[a] = std::numeric_limits<double>::quiet_NaN();
+  memory.offset[a] = 0;
+}
+
+/// Finds the element of an apex at the new positions and its force; false if its walk did not end.
+bool update_element(const Interface& interface, const Vectors& x, const Vectors& v, double dt, Index a, const Feature& before,
+                    Memory& memory, ElementForces& forces) {
   const Vector<double> p = position(x, interface.apexes[a]);
   const WalkEnd end = walk(interface.base, x, p, before.facet);
-  if (end.feature.facet < 0 || end.closest.distance_squared > interface.reach * interface.reach) return false;
+  if (end.feature.facet < 0) return false;
   const double distance = std::sqrt(end.closest.distance_squared);
+  const bool was_closed = memory.status[a] == Status::closed;
   const double contact_height = interface.contact_height(a);
+  if (!was_closed && distance > contact_height + 2 * interface.margin) {
+    unpair(a, memory);
+    return true;
+  }
+  const double way = way_of(interface, v, a, end.feature, dt);
   memory.feature[a] = end.feature;
   memory.gap[a] = distance - contact_height;
   ActiveFeatures active;
-  // behind the surface the distance is no height; there and near contact, look for all active features
-  const auto height = [&] { return height_over(interface.base, x, {end.feature.facet, Kind::facet, 0}, p).height; };
+  // Behind the surface the distance is no height; there and near contact, look for all active features. Who is outside of the
+  // closest edge or vertex is outside of the surface, and no facet acts that it stands behind.
+  const auto height = [&] { return height_over(interface.base, x, end.feature, p).height; };
   if (distance < near_contact * contact_height || height() < contact_height) {
     active = active_features_on(interface.base, x, p, end, std::max(distance, contact_height), allowed_of(interface, a));
     if (active.count == 0) {
@@ -181,17 +217,33 @@ bool update_element(const Interface& interface, const Vectors& x, Index a, const
       if (h < least) least = h, memory.feature[a] = active.feature[i];
     }
     if (in_use <= least + tie * (std::abs(least) + contact_height)) memory.feature[a] = before;
-    memory.gap[a] = least - contact_height;
-    memory.stored[a] = project_out(interface, x, a, active, forces, memory.gap[a]);
+    const double depth = contact_height - least;
+    if (dt > 0 && !was_closed && depth > memory.offset[a]) {
+      const Entry way_in = entry(depth - memory.offset[a], way, distance + interface.depth, memory.deepest_now);
+      if (way_in == Entry::none) {
+        memory.status[a] = Status::off_surface;
+        memory.gap[a] = -depth;
+        return true;
+      }
+      if (way_in == Entry::sideways) memory.offset[a] = depth;
+    }
+    memory.offset[a] = std::min(memory.offset[a], std::max(0.0, depth));
+    const double height_now = contact_height - memory.offset[a];
+    memory.gap[a] = least - height_now;
+    memory.stored[a] = project_out(interface, x, a, height_now, active, forces, memory.gap[a]);
   } else {
     const bool left = end.closest.kind != Kind::facet && on_border(interface.base, end.feature.facet, end.closest) &&
                       past_border(interface.base, x, end.feature.facet, end.closest, p, allowed_of(interface, a), true);
     memory.status[a] = left ? Status::off_surface : Status::open;
     if (left) return true;
+    memory.offset[a] = 0;
     active.add(end.feature, height_over(interface.base, x, end.feature, p));
   }
   memory.status[a] = forces.closed ? Status::closed : Status::open;
-  if (!forces.closed) weigh_bases(interface, a, memory.feature[a], active, forces);
+  if (!forces.closed) {
+    if (interface.depth > 0 && memory.gap[a] > std::max(votes_within * interface.depth, 2 * way)) return true;
+    weigh_bases(interface, a, memory.feature[a], active, forces);
+  }
   weigh_once(interface, x, a, forces);
   return true;
 }
@@ -327,14 +379,12 @@ void advance_apex(const Interface& interface, const Vectors& x, const Vectors& v
   const bool found_anew = std::exchange(forces.found_anew, false);
   if (before.facet >= 0) {
     const bool found = interface.kind == InterfaceKind::bonded ? hold_bond(interface, x, a, memory, forces)
-                                                               : update_element(interface, x, a, before, memory, forces);
+                                                               : update_element(interface, x, v, dt, a, before, memory, forces);
     if (found) {
-      forces.moved = found_anew || !same(memory.feature[a], before);
+      forces.moved = memory.feature[a].facet >= 0 && (found_anew || !same(memory.feature[a], before));
     } else {
       forces.moved = true;
-      memory.feature[a].facet = -1;
-      memory.status[a] = Status::unpaired;
-      memory.gap[a] = std::numeric_limits<double>::quiet_NaN();
+      unpair(a, memory);
     }
   }
   const double power_after = power(interface, v, a, forces);
@@ -354,24 +404,55 @@ bool share_a_node(const BaseSurface& base, Index f, Index g) {
   return false;
 }
 
-/// Looks everywhere for a base of the apexes that have none or a farther one than they could have.
+/// The largest squared distance of nodes from where they were, less a common way. [m2]
+double farthest_moved(const Subset& nodes, const Vectors& x, const Vectors& then, const Vec3& common) {
+  double most = 0;
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    most = std::max(most, (x.col(nodes[i]) - then.col(static_cast<Eigen::Index>(i)) - common).squaredNorm());
+  return most;
+}
+
+/// Whether apexes and base have moved so far against each other that an apex beyond the margin may be near.
+bool search_is_due(const Interface& interface, const Vectors& x, const Memory& memory) {
+  Vec3 common = Vec3::Zero();
+  for (std::size_t i = 0; i < interface.base_nodes.size(); ++i)
+    common += x.col(interface.base_nodes[i]) - memory.base_then.col(static_cast<Eigen::Index>(i));
+  common /= static_cast<double>(interface.base_nodes.size());
+  const double moved = std::sqrt(farthest_moved(interface.apexes, x, memory.apexes_then, common)) +
+                       std::sqrt(farthest_moved(interface.base_nodes, x, memory.base_then, common));
+  return moved > 0.5 * interface.margin;
+}
+
+void keep_positions(const Subset& nodes, const Vectors& x, Vectors& then) {
+  for (std::size_t i = 0; i < nodes.size(); ++i) then.col(static_cast<Eigen::Index>(i)) = x.col(nodes[i]);
+}
+
+/// Looks for the bases of apexes that have none, or a farther one than they could have. An apex that has a base takes another one only
+/// if it stands in front of it: what it stands behind, such as the far side of a thin body, it did not come through.
 ///
 /// All stay as they are where the base surface has positions that are not finite or beyond farthest_place, and an apex
 /// that is itself there stays as it is: the elements say so at this very state, and the run ends.
-void search(const Interface& interface, const Vectors& x, Memory& memory, Workspace& workspace) {
+///
+/// reach(a)  [m] how far apex a looks
+template <class Reach>
+void search(const Interface& interface, const Vectors& x, const Reach& reach, Memory& memory, Workspace& workspace) {
   if (!workspace.broad.sort(interface.base, x)) return;
+  keep_positions(interface.apexes, x, memory.apexes_then);
+  keep_positions(interface.base_nodes, x, memory.base_then);
+  ++memory.searches;
   const auto count = static_cast<Index>(interface.apexes.size());
   Subset& found = workspace.found;
   parallel_for(count, 64, [&](Index a) {
     found[a] = -1;
     const Vector<double> p = position(x, interface.apexes[a]);
-    const Index facet = workspace.broad.nearest(interface.base, x, p, interface.reach);
+    const Index facet = workspace.broad.nearest(interface.base, x, p, reach(a));
     if (facet < 0) return;
     if (memory.feature[a].facet >= 0) {
       if (share_a_node(interface.base, facet, memory.feature[a].facet)) return;  // the walk knows of it
       const auto mine = geometry::closest_on_triangle(corners(interface.base, x, memory.feature[a].facet), p);
       const auto theirs = geometry::closest_on_triangle(corners(interface.base, x, facet), p);
       if (std::sqrt(theirs.distance_squared) > (1 - really_closer) * std::sqrt(mine.distance_squared)) return;
+      if (height_over(interface.base, x, {facet, theirs.kind, theirs.local}, p).height < 0) return;
     }
     found[a] = facet;
   });
@@ -423,7 +504,7 @@ double stiffness(const Interface& interface, Index apex, const Feature& feature)
   return interface.penalty * sum / count;
 }
 
-InitialGaps connect(Interface& interface, const Vectors& x, const ContactHeight& height, InitialPenetration penetration,
+InitialGaps connect(Interface& interface, const Vectors& x, double reach, const ContactHeight& height, InitialPenetration penetration,
                     Memory& memory, Workspace& workspace) {
   const auto count = static_cast<Index>(interface.apexes.size());
   memory = {};
@@ -431,7 +512,13 @@ InitialGaps connect(Interface& interface, const Vectors& x, const ContactHeight&
   memory.status.assign(count, Status::unpaired);
   memory.gap.assign(count, std::numeric_limits<double>::quiet_NaN());
   memory.stored.assign(count, 0.0);
+  memory.offset.assign(count, 0.0);
   memory.elements.resize(count);
+  interface.base_nodes.assign(interface.base.facets.data(), interface.base.facets.data() + interface.base.facets.size());
+  std::sort(interface.base_nodes.begin(), interface.base_nodes.end());
+  interface.base_nodes.erase(std::unique(interface.base_nodes.begin(), interface.base_nodes.end()), interface.base_nodes.end());
+  memory.apexes_then = Vectors::Zero(3, count);
+  memory.base_then = Vectors::Zero(3, static_cast<Eigen::Index>(interface.base_nodes.size()));
   if (interface.friction.coefficient > 0) {
     memory.friction.resize(count);
     memory.slip.assign(count, Vec3::Zero());
@@ -440,8 +527,8 @@ InitialGaps connect(Interface& interface, const Vectors& x, const ContactHeight&
   interface.bonds.assign(interface.kind == InterfaceKind::bonded ? count : 0, Bond{});
   memory.reconnections.assign(count, 0);
   interface.contact_height = Scalars::Constant(count, height.given);
-  search(interface, x, memory, workspace);
-  memory.recovered = 0;
+  search(interface, x, [reach](Index) { return reach; }, memory, workspace);
+  memory.recovered = memory.searches = 0;
   for (ElementForces& element : memory.elements) element.found_anew = false;
 
   InitialGaps gaps;
@@ -473,9 +560,9 @@ InitialGaps connect(Interface& interface, const Vectors& x, const ContactHeight&
     if (!bonded && h - contact_height < -round_off && memory.status[a] == Status::open) {
       ++gaps.penetrating;
       gaps.deepest = std::max(gaps.deepest, contact_height - h);
-      if (penetration == InitialPenetration::accept) contact_height = h;
+      if (penetration == InitialPenetration::accept) memory.offset[a] = contact_height - h;
     }
-    memory.gap[a] = h - contact_height;
+    memory.gap[a] = h - contact_height + memory.offset[a];
     gaps.least = std::min(gaps.least, memory.gap[a]);
     gaps.largest = std::max(gaps.largest, memory.gap[a]);
     if (bonded && memory.status[a] == Status::open) {
@@ -495,15 +582,16 @@ void advance(const Interface& interface, const Vectors& x, const Vectors& v, con
              Workspace& workspace) {
   std::vector<ElementForces>& forces = memory.elements;
   const bool walks = interface.kind == InterfaceKind::contact;
-  if (walks && memory.updates % interface.search_every == 0 && memory.updates > 0) search(interface, x, memory, workspace);
-  ++memory.updates;
+  if (walks && search_is_due(interface, x, memory))
+    search(interface, x, [&](Index a) { return interface.contact_height(a) + interface.margin; }, memory, workspace);
   parallel_for(static_cast<Index>(interface.apexes.size()), 64, [&](Index a) {
     advance_apex(interface, x, v, dt, a, memory, forces[a]);
     if (!memory.friction.empty())
       advance_friction(interface, x, v, omega, dt, a, forces[a], memory, memory.friction[a], forces[a].angular_impulse);
   });
+  memory.deepest_now = 0;
   for (std::size_t a = 0; a < forces.size(); ++a) {
-    if (memory.status[a] == Status::closed) memory.deepest = std::max(memory.deepest, -memory.gap[a]);
+    if (memory.status[a] == Status::closed) memory.deepest_now = std::max(memory.deepest_now, -memory.gap[a]);
     memory.work += forces[a].work;
     memory.damped += forces[a].dissipated;
     memory.angular_impulse += forces[a].angular_impulse;
@@ -518,6 +606,7 @@ void advance(const Interface& interface, const Vectors& x, const Vectors& v, con
     ++(memory.status[a] == Status::unpaired ? memory.unpaired : memory.walks);
     if (memory.status[a] != Status::unpaired) ++memory.reconnections[a];
   }
+  memory.deepest = std::max(memory.deepest, memory.deepest_now);
 }
 
 void add_forces(const Interface& interface, const Memory& memory, Vectors& force, Vectors& moment) {

@@ -43,8 +43,8 @@ enum class Area {
 
 /// Which penetrations of the initial geometry are accepted.
 enum class InitialPenetration {
-  refuse,   ///< the scene is not built
-  accept,   ///< h_c of such an apex is lowered to its initial height: no force at the start
+  refuse,  ///< the scene is not built
+  accept,  ///< the penetration becomes an offset of the apex: no force at the start, see Memory::offset
 };
 
 /// Where a bonded apex belongs: over fixed weights of a facet's nodes, at a fixed height.
@@ -80,16 +80,18 @@ struct Interface {
   /// An apex on a symmetry plane meets the mirror images of its bases too: [apexes] projector onto
   /// the directions the plane allows; empty where there are no planes.
   std::vector<Mat3> allowed;
-  double depth = 0;              ///< [m] of the flattest element behind either surface: what a penetration is held against
-  double reach = 0;              ///< [m] apexes farther away than this have no base
-  int search_every = 100;        ///< [steps] between two looks for apexes that the walk has lost
+  double depth = 0;  ///< [m] of the flattest element behind either surface: what a penetration is held against
+  /// [m] Only apexes nearer to their base than h_c and this are looked at. A search is due when apexes and base have moved by half of
+  /// it since the last one, so that no apex comes into contact unseen.
+  double margin = 0;
+  Subset base_nodes;  ///< ascending; set by connect()
 };
 
 enum class Status : int {
-  unpaired = -1,    ///< no base within reach
-  open = 0,         ///< a base, no contact
+  unpaired = -1,    ///< farther from its base than the margin
+  open = 0,         ///< near, no contact
   closed = 1,       ///< in contact
-  off_surface = 2,  ///< past the border of the base surface
+  off_surface = 2,  ///< past the border of the base surface, or behind it without having come through it
 };
 
 /// Forces of one apex and its bases, and what its last step did.
@@ -125,7 +127,10 @@ struct Memory {
   std::vector<Status> status;           ///< [apexes]
   std::vector<ElementForces> elements;  ///< [apexes]
   std::vector<FrictionForces> friction; ///< [apexes]; empty without friction
-  std::vector<double> gap;                  ///< [m] [apexes], open for positive; NaN where lost
+  std::vector<double> gap;                  ///< [m] [apexes], open for positive; NaN where unpaired
+  /// [m] [apexes] Part of the penetration that makes no force: what was accepted at the start, or found behind a border that the apex
+  /// came in under. It shrinks with the penetration and never grows.
+  std::vector<double> offset;
   std::vector<double> stored;               ///< [J] by the penalty, [apexes]
   std::vector<Vec3> slip;                   ///< [m] elastic part of the slip, [apexes]; empty without friction
   std::vector<double> tangential_stored;    ///< [J] by the elastic stick, [apexes]; empty without friction
@@ -137,9 +142,11 @@ struct Memory {
   /// [N m s] about the origin: what weights of the paper lose, and what the mirror images of bases at
   /// a symmetry plane give; zero with consistent weights and no planes.
   Vec3 angular_impulse = Vec3::Zero();
-  double deepest = 0;                   ///< [m] penetration of any apex since the start, not negative
+  double deepest = 0;      ///< [m] penetration of any apex since the start, not negative
+  double deepest_now = 0;  ///< [m] the same at the last update
   std::int64_t walks = 0, unpaired = 0, recovered = 0;  ///< counts since the start
-  std::int64_t updates = 0;             ///< calls of advance
+  std::int64_t searches = 0;
+  Vectors apexes_then, base_then;  ///< [m] positions at the last search, beside Interface::apexes and base_nodes
 };
 
 double stored(const Memory&);             ///< [J] by the penalty
@@ -176,10 +183,10 @@ struct ContactHeight {
 
 /// Finds the first feature of every apex, sets h_c and reports the initial gaps.
 ///
+/// reach  [m] apexes farther away have no base
 /// Penetrations are reported and, where InitialPenetration::accept is not asked for, left for the
 /// caller to refuse: nothing is pushed.
-InitialGaps connect(Interface&, const Vectors& x, const ContactHeight&, InitialPenetration, Memory&,
-                    Workspace&);
+InitialGaps connect(Interface&, const Vectors& x, double reach, const ContactHeight&, InitialPenetration, Memory&, Workspace&);
 
 /// Moves the apexes of an interface to the closest features at x, and computes their forces.
 ///
@@ -199,6 +206,9 @@ void add_forces(const Interface&, const Memory&, Vectors& force, Vectors& moment
 ///
 /// Each of two passes has its `pass_factor` s of the stiffness between the same nodes and votes as if for all of it: omega^2 is divided
 /// by it. With omega_1^2 <= s omega^2 and omega_2^2 <= (1 - s) omega^2 both together are within omega^2.
+///
+/// Closed elements vote, and those that may close in the next steps: nearer than a quarter of Interface::depth, or than twice the way of
+/// the last step.
 ///
 /// mass [kg] of the nodes;  inertia [kg m2] of the columns of omega
 StepLimit stable_step(const Interface&, const Scalars& mass, const Scalars& inertia, const Memory&, Workspace&);

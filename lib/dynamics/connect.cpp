@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <utility>
 
 #include "base/check.hpp"
 #include "contact/impact_step.hpp"
@@ -163,13 +164,14 @@ Connected connect_one_pass(Model& model, const std::string& name, const std::str
     const double apex_half = half_thickness(model, apexes), base_half = half_thickness(model, base);
     interface.arm_of_apex = apex_half / (apex_half + base_half);
   }
-  // the whole scene: an apex may start far from its base, and no farther
-  const Vec3 extent = model.mesh.X.rowwise().maxCoeff() - model.mesh.X.rowwise().minCoeff();
-  interface.reach = extent.norm();
 
   Connected connected;
   contact::Workspace workspace(interface);
-  connected.gaps = contact::connect(interface, model.mesh.X, options.height, options.initial_penetration, connected.memory, workspace);
+  // at first the whole scene: an apex may start far from its base, and no farther
+  const double reach = (model.mesh.X.rowwise().maxCoeff() - model.mesh.X.rowwise().minCoeff()).norm();
+  const double depth = std::exchange(interface.depth, 0);
+  interface.margin = reach;
+  connected.gaps = contact::connect(interface, model.mesh.X, reach, options.height, options.initial_penetration, connected.memory, workspace);
   if (options.penalty_from == PenaltyFrom::masses) {
     const contact::Memory trial = tried_out(interface, model, connected.memory, workspace);
     interface.spring = share * springs_from_masses(interface, model.mass, options.step_share * element_step(model), trial);
@@ -180,6 +182,8 @@ Connected connect_one_pass(Model& model, const std::string& name, const std::str
     const double step = contact::stable_step(interface, model.mass, model.inertia, trial, workspace).step;
     interface.damping_time = 2 * options.damping_ratio * step / interface.impact_step_factor;  // 2 zeta / omega
   }
+  interface.depth = depth;
+  interface.margin = std::sqrt(2 * interface.facet_area.mean());  // about the side of a face: a search costs as much as some steps
   model.interfaces.push_back(std::move(interface));
   return connected;
 }

@@ -121,7 +121,7 @@ Grid contact_grid(const dynamics::View& view) {
       facets.nodes.col(e) << first + 2, first + 3, first + 4;
       const double values[] = {0.0, static_cast<double>(c), lost ? 0.0 : static_cast<double>(element.feature.kind),
                                static_cast<double>(element.feature.facet), static_cast<double>(apex),
-                               lost ? interface.reach : element.gap, element.traction, element.shear_traction,
+                               lost ? interface.margin : element.gap, element.traction, element.shear_traction,
                                element.slides ? 1.0 : 0.0, static_cast<double>(element.status), static_cast<double>(element.reconnections)};
       for (std::size_t f = 0; f < cells.size(); ++f) {
         cells[f].values(0, e) = values[f];

@@ -77,7 +77,7 @@ Interface interface_over(const Shape& shape, Index apexes) {
     in.facet_area(f) = 0.5 * norm(cross(c[1] - c[0], c[2] - c[0]));
   }
   in.penalty = penalty;
-  in.reach = 100;
+  in.margin = 100;
   return in;
 }
 
@@ -85,7 +85,7 @@ Scene scene_of(Vectors x, Interface in, const ContactHeight& height,
                InitialPenetration penetration = InitialPenetration::refuse) {
   Memory memory;
   Workspace workspace(in);
-  const InitialGaps gaps = connect(in, x, height, penetration, memory, workspace);
+  const InitialGaps gaps = connect(in, x, 100, height, penetration, memory, workspace);
   const Index base_nodes = in.apexes.front();
   return {std::move(x), std::move(in), std::move(memory), std::move(workspace), gaps, base_nodes};
 }
@@ -746,13 +746,13 @@ TEST(Border, EnergyOfAnApexThatLeavesIsBooked) {
 
 TEST(Lost, AnApexOutOfReachIsFoundAgainByTheSearch) {
   Scene scene = press(sheet(4, 4, flat), {{1.4, 1.2, 0.07}}, 0.1);
-  scene.interface.reach = 1;
-  scene.interface.search_every = 10;
+  scene.interface.margin = 0.5;
   scene.move({1.4, 1.2, 2});
+  scene.update();  // opens
   scene.update();
   EXPECT_EQ(scene.memory.status[0], Status::unpaired);
   EXPECT_TRUE(std::isnan(scene.memory.gap[0]));
-  EXPECT_EQ(scene.memory.unpaired, 1);
+  EXPECT_EQ(scene.memory.unpaired, 0) << "counts walks that did not end, and not apexes that are far";
   EXPECT_TRUE(scene.forces().isZero(0));
   scene.move({3.4, 3.2, 0.06});
   int steps = 0;
@@ -771,7 +771,6 @@ TEST(Lost, ASearchWithPositionsThatAreNotFiniteLeavesAllAsItIs) {
   for (const double place : {std::nan(""), inf, -inf, 1e300}) {
     Scene scene = press(sheet(4, 4, flat), {{1.4, 1.2, 0.07}, {2.4, 2.2, 0.07}, {9, 9, 900}}, 0.1);
     ASSERT_EQ(scene.memory.status[2], Status::unpaired);
-    scene.interface.search_every = 1;
     Scene with_apex = scene, with_base = scene;
     with_apex.move({place, 1, 1}, 2);
     with_apex.update();
@@ -807,7 +806,7 @@ TEST(Lost, EnergyThatASearchChangesIsBookedAsReconnection) {
   two.facets.conservativeResize(3, 2 * facets);
   two.facets.rightCols(facets) = other.facets.array() + nodes;
   Scene scene = press(two, {{1.2, 1.3, 0.07}}, 0.1);
-  scene.interface.search_every = 1;
+  scene.interface.margin = 1;
   const double before = stored(scene.memory);
   scene.move({11.3, 1.2, 0.05});
   scene.update();
@@ -918,7 +917,7 @@ Cask cask(mesh::Revolution turn, int core, int along, double clearance) {
   in.area = mesh::tributary_areas(joined, side, in.apexes);
   in.facet_area = mesh::facet_areas(joined, inside);
   in.penalty = 1e12;
-  in.reach = 1;
+  in.margin = 1;
   if (turn == mesh::Revolution::quarter) {
     in.allowed.assign(in.apexes.size(), Mat3::Identity());
     for (std::size_t a = 0; a < in.apexes.size(); ++a)
@@ -1037,19 +1036,63 @@ TEST(InitialPenetrations, AreReportedWithTheirNumberAndDepthAndNothingIsPushed) 
   EXPECT_EQ(scene.gaps.by_kind[static_cast<int>(Kind::facet)], 3);
 }
 
-TEST(InitialPenetrations, AcceptedLowerTheContactHeightSoThatNoForceActs) {
+TEST(InitialPenetrations, AcceptedBecomeOffsetsThatMakeNoForceAndShrink) {
   const Shape shape = sheet(4, 4, flat);
   Vectors x(3, shape.x.cols() + 2);
   x << shape.x, Vec3(1.2, 1.3, 0.07), Vec3(2.2, 2.3, -0.01);
   Scene scene = scene_of(x, interface_over(shape, 2), {false, 0, 0.1}, InitialPenetration::accept);
   EXPECT_EQ(scene.gaps.penetrating, 2);
-  EXPECT_NEAR(scene.interface.contact_height(0), 0.07, 1e-15);
-  EXPECT_NEAR(scene.interface.contact_height(1), -0.01, 1e-15);
+  EXPECT_NEAR(scene.memory.offset[0], 0.03, 1e-15);
+  EXPECT_NEAR(scene.memory.offset[1], 0.11, 1e-15);
   scene.update();
   EXPECT_LT(scene.forces().norm(), 1e-10);
   scene.x(2, scene.apex(1)) -= 0.02;
   scene.update();
   EXPECT_NEAR(scene.forces()(2, scene.apex(1)), penalty * 0.02, 1e-9);
+  for (const double z : {0.05, 0.0999, 0.15}) {  // it leaves, without a force
+    scene.x(2, scene.apex(1)) = z;
+    scene.update();
+    EXPECT_TRUE(scene.forces().col(scene.apex(1)).isZero(0)) << z;
+    EXPECT_NEAR(scene.memory.offset[1], std::max(0.0, 0.1 - z), 1e-15);
+  }
+  scene.x(2, scene.apex(1)) = 0.08;  // and lands on the surface
+  scene.update();
+  EXPECT_NEAR(scene.forces()(2, scene.apex(1)), penalty * 0.02, 1e-9);
+}
+
+/// Moves an apex and steps on with the velocity that led there.
+void step_to(Scene& scene, Index a, const Vec3& place, double dt = 1e-3) {
+  Vectors v = Vectors::Zero(3, scene.x.cols());
+  v.col(scene.apex(a)) = (place - scene.x.col(scene.apex(a))) / dt;
+  scene.x.col(scene.apex(a)) = place;
+  advance(scene.interface, scene.x, v, none, dt, scene.memory, scene.workspace);
+}
+
+TEST(EntryOfAnApex, ThroughTheSurfaceIsContact) {
+  Scene scene = press(sheet(4, 4, flat), {{1.2, 1.3, 0.2}}, 0.1);
+  step_to(scene, 0, {1.25, 1.3, 0.04});
+  EXPECT_EQ(scene.memory.status[0], Status::closed);
+  EXPECT_NEAR(scene.forces()(2, scene.apex()), penalty * 0.06, 1e-9);
+}
+
+TEST(EntryOfAnApex, FromTheSideUnderASurfaceIsNone) {
+  Scene scene = press(sheet(4, 4, flat), {{4.5, 2.3, -0.3}}, 0);  // the sheet ends at 4
+  for (double x = 4.4; x > 2; x -= 0.1) {
+    step_to(scene, 0, {x, 2.3, -0.3});
+    ASSERT_TRUE(scene.forces().isZero(0)) << x;
+    ASSERT_NE(scene.memory.status[0], Status::closed);
+  }
+}
+
+TEST(EntryOfAnApex, FromTheSideAsDeepAsItsNeighbourMakesNoForceThatSpringsAndThenResists) {
+  Scene scene = press(sheet(4, 4, flat), {{2.2, 2.3, 0.1}, {4.5, 2.3, -0.04}}, 0);
+  step_to(scene, 0, {2.2, 2.3, -0.03});
+  for (double x = 4.4; x > 3.5; x -= 0.02) step_to(scene, 1, {x, 2.3, -0.04});
+  EXPECT_NEAR(scene.memory.offset[1], 0.04, 1e-15);
+  EXPECT_NEAR(scene.forces()(2, scene.apex(1)), 0, 1e-9);
+  step_to(scene, 1, {3.5, 2.3, -0.05});
+  EXPECT_NEAR(scene.forces()(2, scene.apex(1)), penalty * 0.01, 1e-9);
+  EXPECT_LT(std::abs(scene.memory.created_by_reconnection), 1e-12);
 }
 
 // ------------------------------------------------------------------ the vote on the time step
@@ -1138,7 +1181,7 @@ Scene many() {
   std::vector<Vec3> apexes;
   for (int a = 0; a < 200; ++a) apexes.push_back({10 * unit(random), 10 * unit(random), 0.25 * unit(random)});
   Scene scene = press(shape, apexes, 0.1);
-  scene.interface.search_every = 7;
+  scene.interface.margin = 0.02;  // many searches
   scene.interface.friction = {0.3, 0.7};
   scene.workspace = Workspace(scene.interface);
   scene.memory.friction.resize(scene.interface.friction.coefficient > 0 ? scene.interface.apexes.size() : 0);

@@ -87,7 +87,8 @@ inline std::vector<std::pair<std::string, std::vector<double>>> numbers(const St
       all(f.touch.normal), all(f.touch.arm), all(f.touch.node), all(f.touch.weight), all(f.touch.base_arm), all(f.touch.apex_arm);
       add(f.touch.apex, f.touch.base_rotates);
     }
-    add(c.work, c.damped, c.friction_dissipated, c.created_by_reconnection, c.deepest, c.walks, c.unpaired, c.recovered, c.updates);
+    add(c.work, c.damped, c.friction_dissipated, c.created_by_reconnection, c.deepest, c.walks, c.unpaired, c.recovered, c.searches, c.deepest_now);
+    all(c.offset), all(c.apexes_then), all(c.base_then);
   }
   for (const contact::PlaneMemory& p : s.rigid_planes) {
     part("rigid plane"), all(p.force), all(p.impulse), all(p.angular_impulse),
