@@ -21,6 +21,7 @@ constexpr double near_contact = 1.25;   // of h_c: from here on all active featu
 constexpr double tie = 1e-3;            // of the height: on the flanks of a valley the element in use stays so long
 constexpr double really_closer = 1e-6;  // relative distance by which a search must beat the walk
 constexpr double votes_within = 0.25;   // of the depth of an element: open apexes that are nearer vote for the step
+constexpr double steps_ahead = 2;       // and those that may be in contact after so many of the longest steps
 
 /// Directions that an apex on a symmetry plane may go; null for the others.
 const Mat3* allowed_of(const Interface& interface, Index a) {
@@ -84,6 +85,7 @@ double project_out(const Interface& interface, const Vectors& x, Index a, double
   const double k = stiffness(interface, a, active.feature[strongest]);
   const double length = d.norm();
   forces.closed = true;
+  forces.has_moment = curved && active.count > 1;
   forces.stiffness = k;
   for (int i = 0; i < active.count; ++i) {
     if (!(lambda[i] > 0)) continue;
@@ -140,12 +142,12 @@ double power(const Interface& interface, const Vectors& v, Index a, const Elemen
   return p;
 }
 
-/// Moment about the origin of the normal forces of one apex, at the positions `later` [s] after x. Without
-/// symmetry planes there is none, and it is not computed.
+/// Moment about the origin of the normal forces of one apex, at the positions `later` [s] after x. Without symmetry planes and over
+/// facets alone there is none, and it is not computed.
 Vec3 moment(const Interface& interface, const Vectors& x, const Vectors& v, double later, Index a,
             const ElementForces& forces) {
   Vec3 sum = Vec3::Zero();
-  if (!forces.closed || interface.allowed.empty()) return sum;
+  if (!forces.closed || (interface.allowed.empty() && !forces.has_moment)) return sum;
   const auto add = [&](Index node, const Vec3& force) {
     const Vec3 at = x.col(node) + later * v.col(node);
     sum += at.cross(force);
@@ -155,12 +157,12 @@ Vec3 moment(const Interface& interface, const Vectors& x, const Vectors& v, doub
   return forces.scale * sum;
 }
 
-/// How far an apex moved against its base in the step that led here. [m]
-double way_of(const Interface& interface, const Vectors& v, Index a, const Feature& feature, double dt) {
+/// How fast an apex moves against its base: no slower than against the foot. [m/s]
+double speed_over(const Interface& interface, const Vectors& v, Index a, const Feature& feature) {
   double fastest = 0;
   for (int I = 0; I < 3; ++I)
     fastest = std::max(fastest, (v.col(interface.apexes[a]) - v.col(interface.base.facets(I, feature.facet))).squaredNorm());
-  return dt * std::sqrt(fastest);
+  return std::sqrt(fastest);
 }
 
 /// How an apex that was not in contact may come to stand behind its base.
@@ -192,11 +194,11 @@ bool update_element(const Interface& interface, const Vectors& x, const Vectors&
   const double distance = std::sqrt(end.closest.distance_squared);
   const bool was_closed = memory.status[a] == Status::closed;
   const double contact_height = interface.contact_height(a);
-  if (!was_closed && distance > contact_height + 2 * interface.margin) {
+  if (!was_closed && distance > contact_height + 2 * memory.margin) {
     unpair(a, memory);
     return true;
   }
-  const double way = way_of(interface, v, a, end.feature, dt);
+  const double speed = speed_over(interface, v, a, end.feature);
   memory.feature[a] = end.feature;
   memory.gap[a] = distance - contact_height;
   ActiveFeatures active;
@@ -219,10 +221,11 @@ bool update_element(const Interface& interface, const Vectors& x, const Vectors&
     if (in_use <= least + tie * (std::abs(least) + contact_height)) memory.feature[a] = before;
     const double depth = contact_height - least;
     if (dt > 0 && !was_closed && depth > memory.offset[a]) {
-      const Entry way_in = entry(depth - memory.offset[a], way, distance + interface.depth, memory.deepest_now);
+      const Entry way_in = entry(depth - memory.offset[a], dt * speed, distance + interface.depth, memory.deepest_now);
       if (way_in == Entry::none) {
         memory.status[a] = Status::off_surface;
         memory.gap[a] = -depth;
+        forces.overlap = depth;
         return true;
       }
       if (way_in == Entry::sideways) memory.offset[a] = depth;
@@ -241,7 +244,8 @@ bool update_element(const Interface& interface, const Vectors& x, const Vectors&
   }
   memory.status[a] = forces.closed ? Status::closed : Status::open;
   if (!forces.closed) {
-    if (interface.depth > 0 && memory.gap[a] > std::max(votes_within * interface.depth, 2 * way)) return true;
+    const double soon = std::max(votes_within * interface.depth, steps_ahead * speed * interface.longest_step);
+    if (interface.depth > 0 && memory.gap[a] > soon) return true;
     weigh_bases(interface, a, memory.feature[a], active, forces);
   }
   weigh_once(interface, x, a, forces);
@@ -371,7 +375,8 @@ void advance_apex(const Interface& interface, const Vectors& x, const Vectors& v
   forces.angular_impulse = 0.5 * dt * moment(interface, x, v, -dt, a, forces);
   const double stored_before = memory.stored[a];
   const Feature before = memory.feature[a];
-  forces.closed = false;
+  forces.closed = forces.has_moment = false;
+  forces.overlap = 0;
   forces.apex.setZero();
   forces.count = 0;
   forces.moved = false;
@@ -420,7 +425,18 @@ bool search_is_due(const Interface& interface, const Vectors& x, const Memory& m
   common /= static_cast<double>(interface.base_nodes.size());
   const double moved = std::sqrt(farthest_moved(interface.apexes, x, memory.apexes_then, common)) +
                        std::sqrt(farthest_moved(interface.base_nodes, x, memory.base_then, common));
-  return moved > 0.5 * interface.margin;
+  return moved > 0.5 * memory.margin;
+}
+
+/// The margin of a search, or what apexes and base can go against each other in some steps where that is more. [m]
+double margin_of(const Interface& interface, const Vectors& v) {
+  Vec3 common = Vec3::Zero();
+  for (const Index node : interface.base_nodes) common += v.col(node) / static_cast<double>(interface.base_nodes.size());
+  double apexes = 0, base = 0;
+  for (const Index node : interface.apexes) apexes = std::max(apexes, (v.col(node) - common).squaredNorm());
+  for (const Index node : interface.base_nodes) base = std::max(base, (v.col(node) - common).squaredNorm());
+  const double way = 4 * steps_ahead * interface.longest_step * (std::sqrt(apexes) + std::sqrt(base));
+  return std::max(interface.margin, std::isfinite(way) ? way : 0.0);
 }
 
 void keep_positions(const Subset& nodes, const Vectors& x, Vectors& then) {
@@ -504,6 +520,22 @@ double stiffness(const Interface& interface, Index apex, const Feature& feature)
   return interface.penalty * sum / count;
 }
 
+double least_gap(const Interface& interface, const Vectors& x, double reach) {
+  BroadSearch broad(static_cast<Index>(interface.base.facets.cols()));
+  double least = std::numeric_limits<double>::quiet_NaN();
+  if (!broad.sort(interface.base, x)) return least;
+  for (std::size_t a = 0; a < interface.apexes.size(); ++a) {
+    const Vector<double> p = position(x, interface.apexes[a]);
+    const double height = interface.contact_height(static_cast<Eigen::Index>(a));
+    const Index facet = broad.nearest(interface.base, x, p, std::isnan(least) ? reach : least + height);
+    if (facet < 0) continue;
+    const auto closest = geometry::closest_on_triangle(corners(interface.base, x, facet), p);
+    const double gap = std::sqrt(closest.distance_squared) - height;
+    if (!(gap >= least)) least = gap;
+  }
+  return least;
+}
+
 InitialGaps connect(Interface& interface, const Vectors& x, double reach, const ContactHeight& height, InitialPenetration penetration,
                     Memory& memory, Workspace& workspace) {
   const auto count = static_cast<Index>(interface.apexes.size());
@@ -527,6 +559,7 @@ InitialGaps connect(Interface& interface, const Vectors& x, double reach, const 
   interface.bonds.assign(interface.kind == InterfaceKind::bonded ? count : 0, Bond{});
   memory.reconnections.assign(count, 0);
   interface.contact_height = Scalars::Constant(count, height.given);
+  memory.margin = reach;
   search(interface, x, [reach](Index) { return reach; }, memory, workspace);
   memory.recovered = memory.searches = 0;
   for (ElementForces& element : memory.elements) element.found_anew = false;
@@ -582,8 +615,10 @@ void advance(const Interface& interface, const Vectors& x, const Vectors& v, con
              Workspace& workspace) {
   std::vector<ElementForces>& forces = memory.elements;
   const bool walks = interface.kind == InterfaceKind::contact;
-  if (walks && search_is_due(interface, x, memory))
-    search(interface, x, [&](Index a) { return interface.contact_height(a) + interface.margin; }, memory, workspace);
+  if (walks && (memory.searches == 0 || search_is_due(interface, x, memory))) {
+    memory.margin = margin_of(interface, v);
+    search(interface, x, [&](Index a) { return interface.contact_height(a) + memory.margin; }, memory, workspace);
+  }
   parallel_for(static_cast<Index>(interface.apexes.size()), 64, [&](Index a) {
     advance_apex(interface, x, v, dt, a, memory, forces[a]);
     if (!memory.friction.empty())
@@ -592,6 +627,8 @@ void advance(const Interface& interface, const Vectors& x, const Vectors& v, con
   memory.deepest_now = 0;
   for (std::size_t a = 0; a < forces.size(); ++a) {
     if (memory.status[a] == Status::closed) memory.deepest_now = std::max(memory.deepest_now, -memory.gap[a]);
+    // what came in from the side and is no deeper than an element overlaps as well, though nothing pushes it out
+    if (forces[a].overlap <= interface.depth) memory.deepest = std::max(memory.deepest, forces[a].overlap);
     memory.work += forces[a].work;
     memory.damped += forces[a].dissipated;
     memory.angular_impulse += forces[a].angular_impulse;

@@ -81,9 +81,10 @@ struct Interface {
   /// the directions the plane allows; empty where there are no planes.
   std::vector<Mat3> allowed;
   double depth = 0;  ///< [m] of the flattest element behind either surface: what a penetration is held against
-  /// [m] Only apexes nearer to their base than h_c and this are looked at. A search is due when apexes and base have moved by half of
-  /// it since the last one, so that no apex comes into contact unseen.
+  /// [m] Only apexes nearer to their base than h_c and this are looked at, or than they can move in some steps. A search is due when
+  /// apexes and base have moved by half of it since the last one, so that no apex comes into contact unseen.
   double margin = 0;
+  double longest_step = 0;  ///< [s] stable step of the elements at the start: no step is much longer
   Subset base_nodes;  ///< ascending; set by connect()
 };
 
@@ -108,6 +109,8 @@ struct ElementForces {
   double dissipated = 0;                    ///< [J] in the last step
   double work = 0, created = 0;             ///< [J] in the last step
   Vec3 angular_impulse = Vec3::Zero();      ///< [N m s] about the origin in the last step, see Memory
+  double overlap = 0;                       ///< [m] how deep it stands behind a base that it did not come through
+  bool has_moment = false;                  ///< feet over edges are found by iteration, so the forces may leave a small moment
   bool moved = false;                       ///< to another feature in the last step
   bool found_anew = false;                  ///< by the search before this step
 };
@@ -139,13 +142,14 @@ struct Memory {
   double damped = 0;                        ///< [J] dissipated by contact damping
   double friction_dissipated = 0;           ///< [J] dissipated by friction
   double created_by_reconnection = 0;       ///< [J] created in steps in which the apex changed its base
-  /// [N m s] about the origin: what weights of the paper lose, and what the mirror images of bases at
-  /// a symmetry plane give; zero with consistent weights and no planes.
+  /// [N m s] about the origin: what weights of the paper lose, what the mirror images of bases at a symmetry plane give, and what
+  /// feet over edges leave that are found by iteration; else zero.
   Vec3 angular_impulse = Vec3::Zero();
   double deepest = 0;      ///< [m] penetration of any apex since the start, not negative
-  double deepest_now = 0;  ///< [m] the same at the last update
+  double deepest_now = 0;  ///< [m] of apexes in contact at the last update
   std::int64_t walks = 0, unpaired = 0, recovered = 0;  ///< counts since the start
   std::int64_t searches = 0;
+  double margin = 0;               ///< [m] of the last search
   Vectors apexes_then, base_then;  ///< [m] positions at the last search, beside Interface::apexes and base_nodes
 };
 
@@ -208,7 +212,7 @@ void add_forces(const Interface&, const Memory&, Vectors& force, Vectors& moment
 /// by it. With omega_1^2 <= s omega^2 and omega_2^2 <= (1 - s) omega^2 both together are within omega^2.
 ///
 /// Closed elements vote, and those that may close in the next steps: nearer than a quarter of Interface::depth, or than twice the way of
-/// the last step.
+/// the longest step.
 ///
 /// mass [kg] of the nodes;  inertia [kg m2] of the columns of omega
 StepLimit stable_step(const Interface&, const Scalars& mass, const Scalars& inertia, const Memory&, Workspace&);
@@ -229,6 +233,11 @@ struct ElementView {
   std::int64_t reconnections;
 };
 ElementView view(const Interface&, const Vectors& x, const Memory&, Index apex);
+
+/// The smallest distance of any apex from the base less its h_c, by a search of its own: for results where no apex is near. [m]
+///
+/// reach  [m] NaN if none is nearer
+double least_gap(const Interface&, const Vectors& x, double reach);
 
 /// Stiffness of an apex over a feature: penalty times the chosen area, once, or the spring of the apex. [N/m]
 double stiffness(const Interface&, Index apex, const Feature&);

@@ -171,7 +171,8 @@ Connected connect_one_pass(Model& model, const std::string& name, const std::str
   const double reach = (model.mesh.X.rowwise().maxCoeff() - model.mesh.X.rowwise().minCoeff()).norm();
   const double depth = std::exchange(interface.depth, 0);
   interface.margin = reach;
-  connected.gaps = contact::connect(interface, model.mesh.X, reach, options.height, options.initial_penetration, connected.memory, workspace);
+  connected.gaps =
+      contact::connect(interface, model.mesh.X, reach, options.height, options.initial_penetration, connected.memory, workspace);
   if (options.penalty_from == PenaltyFrom::masses) {
     const contact::Memory trial = tried_out(interface, model, connected.memory, workspace);
     interface.spring = share * springs_from_masses(interface, model.mass, options.step_share * element_step(model), trial);
@@ -184,6 +185,7 @@ Connected connect_one_pass(Model& model, const std::string& name, const std::str
   }
   interface.depth = depth;
   interface.margin = std::sqrt(2 * interface.facet_area.mean());  // about the side of a face: a search costs as much as some steps
+  interface.longest_step = element_step(model);
   model.interfaces.push_back(std::move(interface));
   return connected;
 }

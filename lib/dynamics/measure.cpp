@@ -88,15 +88,24 @@ Vec3 contact_force(const View& view, std::size_t interface) {
 
 ContactState contact_state(const View& view, std::size_t c) {
   const contact::Interface& interface = view.model.interfaces[c];
-  ContactState state{.least_gap = std::numeric_limits<double>::quiet_NaN(), .largest_pressure = 0, .area = 0};
+  ContactState state{.largest_pressure = 0, .area = 0};
   for (Index apex = 0; apex < static_cast<Index>(interface.apexes.size()); ++apex) {
     const auto element = contact::view(interface, view.now.x, view.now.interfaces[c], apex);
     if (element.feature.facet < 0) continue;
-    if (!(state.least_gap <= element.gap)) state.least_gap = element.gap;
     state.largest_pressure = std::max(state.largest_pressure, element.traction);
     if (element.status == contact::Status::closed) state.area += interface.area(apex);
   }
   return state;
+}
+
+double least_gap(const View& view, std::size_t c) {
+  const contact::Interface& interface = view.model.interfaces[c];
+  const contact::Memory& memory = view.now.interfaces[c];
+  double least = std::numeric_limits<double>::infinity();
+  for (const double gap : memory.gap) least = gap < least ? gap : least;  // NaN where unpaired
+  if (least <= memory.margin) return least;  // who is unpaired is farther away
+  const Vec3 extent = view.now.x.rowwise().maxCoeff() - view.now.x.rowwise().minCoeff();
+  return contact::least_gap(interface, view.now.x, extent.norm());
 }
 
 Vec3 mean_force(const View& view, std::size_t source, ProbeMemory& memory) {

@@ -40,11 +40,13 @@ Vec3 contact_force(const View&, std::size_t interface);
 
 /// An interface as a whole.
 struct ContactState {
-  double least_gap = 0;         ///< [m] negative in contact; NaN where no apex has a base
   double largest_pressure = 0;  ///< [Pa] compression positive
   double area = 0;              ///< [m2] tributary areas of the apexes in contact
 };
 ContactState contact_state(const View&, std::size_t interface);
+
+/// The smallest gap of an interface: negative in contact. Where no apex is near it costs a search over the whole scene. [m]
+double least_gap(const View&, std::size_t interface);
 
 /// Force of a source, as a mean over the time between two samples of a probe: what its impulse grew by. [N]
 ///

@@ -48,7 +48,7 @@ std::vector<std::size_t> passes(const dynamics::Model& model, const std::string&
 }
 
 // Gap and area of the surface with the apexes; pressures of two passes act together.
-double gap(const View& view, const std::vector<std::size_t>& passes) { return dynamics::contact_state(view, passes[0]).least_gap; }
+double gap(const View& view, const std::vector<std::size_t>& passes) { return dynamics::least_gap(view, passes[0]); }
 double contact_area(const View& view, const std::vector<std::size_t>& passes) { return dynamics::contact_state(view, passes[0]).area; }
 double contact_pressure(const View& view, const std::vector<std::size_t>& passes) {
   double sum = 0;

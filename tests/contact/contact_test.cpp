@@ -746,7 +746,7 @@ TEST(Border, EnergyOfAnApexThatLeavesIsBooked) {
 
 TEST(Lost, AnApexOutOfReachIsFoundAgainByTheSearch) {
   Scene scene = press(sheet(4, 4, flat), {{1.4, 1.2, 0.07}}, 0.1);
-  scene.interface.margin = 0.5;
+  scene.interface.margin = scene.memory.margin = 0.5;
   scene.move({1.4, 1.2, 2});
   scene.update();  // opens
   scene.update();
@@ -806,7 +806,7 @@ TEST(Lost, EnergyThatASearchChangesIsBookedAsReconnection) {
   two.facets.conservativeResize(3, 2 * facets);
   two.facets.rightCols(facets) = other.facets.array() + nodes;
   Scene scene = press(two, {{1.2, 1.3, 0.07}}, 0.1);
-  scene.interface.margin = 1;
+  scene.interface.margin = scene.memory.margin = 1;
   const double before = stored(scene.memory);
   scene.move({11.3, 1.2, 0.05});
   scene.update();
@@ -1181,7 +1181,7 @@ Scene many() {
   std::vector<Vec3> apexes;
   for (int a = 0; a < 200; ++a) apexes.push_back({10 * unit(random), 10 * unit(random), 0.25 * unit(random)});
   Scene scene = press(shape, apexes, 0.1);
-  scene.interface.margin = 0.02;  // many searches
+  scene.interface.margin = scene.memory.margin = 0.02;  // many searches
   scene.interface.friction = {0.3, 0.7};
   scene.workspace = Workspace(scene.interface);
   scene.memory.friction.resize(scene.interface.friction.coefficient > 0 ? scene.interface.apexes.size() : 0);

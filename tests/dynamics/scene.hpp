@@ -77,7 +77,8 @@ inline std::vector<std::pair<std::string, std::vector<double>>> numbers(const St
     for (const Vec3& slip : c.slip) all(slip);
     for (const contact::ElementForces& e : c.elements) {
       all(e.apex), all(e.angular_impulse);
-      add(e.closed, e.count, e.scale, e.stiffness, e.work, e.dissipated, e.created, e.moved, e.found_anew);
+      add(e.closed, e.count, e.scale, e.stiffness, e.work, e.dissipated, e.created, e.moved, e.has_moment,
+          e.found_anew);
       for (int i = 0; i < e.count; ++i) add(e.node[i], e.weight[i]);
       for (int i = 0; e.closed && i < e.count; ++i) all(e.force[i]);
     }
@@ -87,8 +88,8 @@ inline std::vector<std::pair<std::string, std::vector<double>>> numbers(const St
       all(f.touch.normal), all(f.touch.arm), all(f.touch.node), all(f.touch.weight), all(f.touch.base_arm), all(f.touch.apex_arm);
       add(f.touch.apex, f.touch.base_rotates);
     }
-    add(c.work, c.damped, c.friction_dissipated, c.created_by_reconnection, c.deepest, c.walks, c.unpaired, c.recovered, c.searches, c.deepest_now);
-    all(c.offset), all(c.apexes_then), all(c.base_then);
+    add(c.work, c.damped, c.friction_dissipated, c.created_by_reconnection, c.deepest, c.walks, c.unpaired, c.recovered);
+    add(c.searches, c.deepest_now, c.margin), all(c.offset), all(c.apexes_then), all(c.base_then);
   }
   for (const contact::PlaneMemory& p : s.rigid_planes) {
     part("rigid plane"), all(p.force), all(p.impulse), all(p.angular_impulse),
