@@ -817,6 +817,9 @@ TEST(Overrides, OfOneKeyAreGivenOnce) {
       | title=B
       | ^~~~~~~
 1 fault in case.yaml)");
+  EXPECT_EQ(message(bars, read_bars, {"bodies[0].length=1 m", "bodies[00].length=2 m"}),
+            "repeated --set of 'bodies[00].length': first given by '--set bodies[0].length=1 m'");
+  EXPECT_EQ(message(bars, read_bars, {"bodies[0].length=1 m", "bodies[1].length=2 m"}), "");
 }
 
 TEST(Overrides, HaveTheirFaultsAfterThoseOfTheFile) {
