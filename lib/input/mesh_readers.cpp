@@ -58,6 +58,7 @@ model::MeshOptions read_mesh_options(const Section& section) {
   std::vector<std::string> turns{"full", "quarter"};
   if (is("tube", "disc")) turns.push_back("sector");
   if (is("sphere")) turns = {"full", "half", "quarter", "eighth"};
+  if (!section.decided()) turns = {"full", "half", "quarter", "eighth", "sector"};
   const std::string turn_word = section.when(is("cylinder", "tube", "sphere", "disc")).choice("turn", turns);
   const mesh::Revolution turn = turn_word == "full" ? mesh::Revolution::full : mesh::Revolution::quarter;
   const bool sector = is("sector") || (is("tube", "disc") && turn_word == "sector");

@@ -1,5 +1,7 @@
 #include "input/readers.hpp"
 
+#include "base/words.hpp"
+
 namespace nereid::input {
 
 namespace {
@@ -171,6 +173,13 @@ model::Recording read_recording(const Section& section, double end) {
 Vec3 read_vector(const Section& section, std::string_view key, Dimension dimension) {
   const auto v = section.vector(key, dimension);
   return {v[0], v[1], v[2]};
+}
+
+Vec3 read_direction(const Section& section, std::string_view key) {
+  const Vec3 v = read_vector(section, key, dim::none);
+  if (v.norm() > 0) return v.normalized();
+  if (v.norm() == 0) section.fault(key, quote(key) + " has no direction: its length is zero");  // NaN where it is not used
+  return Vec3::UnitZ();
 }
 
 }  // namespace nereid::input

@@ -42,14 +42,6 @@ std::string read_name(const Section& section, Names& taken, const std::string& w
   return name;
 }
 
-/// A unit vector of a direction of any length but zero.
-Vec3 read_direction(const Section& section, std::string_view key) {
-  const Vec3 v = read_vector(section, key, dim::none);
-  if (v.norm() > 0) return v.normalized();
-  if (v.norm() == 0) section.fault(key, "'" + std::string(key) + "' has no direction: its length is zero");
-  return Vec3::UnitZ();
-}
-
 model::Placement read_placement(const Section& body) {
   model::Placement place;
   const Section rotate = body.when(body.has("rotate")).section("rotate");
@@ -104,13 +96,17 @@ model::Probe read_probe(const Section& section, Names& taken) {
     section.fault("name", "'name' = " + probe.name + " is a column of every history: choose another");
   Names words;
   for (const model::Measurable& one : model::measurables()) words.push_back(one.name);
-  probe.quantity = section.choice("quantity", words);
+  const std::string word = section.choice("quantity", words);
+  if (!section.decided()) {  // of which quantity these are, nobody knows
+    section.has("component"), section.has("take");
+    return probe;
+  }
+  probe.quantity = word;
   const model::Measurable& quantity = *model::find_measurable(probe.quantity);
-  const Section chosen = section.when(true);
   if (!quantity.components.empty())
-    probe.component = quantity.required ? chosen.choice("component", quantity.components)
-                                        : chosen.choice_or("component", quantity.components.front(), quantity.components);
-  if (quantity.of == model::Of::body) probe.largest = chosen.choice_or("take", "mean", {"mean", "largest"}) == "largest";
+    probe.component = quantity.required ? section.choice("component", quantity.components)
+                                        : section.choice_or("component", quantity.components.front(), quantity.components);
+  if (quantity.of == model::Of::body) probe.largest = section.choice_or("take", "mean", {"mean", "largest"}) == "largest";
   return probe;
 }
 
@@ -126,12 +122,13 @@ model::Stop read_stop(const Section& section, const std::vector<model::Probe>& p
     section.has("below");
     return stop;
   }
+  const model::Measurable* quantity = model::find_measurable(probe->quantity);
   if (stop.above && section.has("below"))
     section.fault("below", "'above' and 'below' are two conditions: write them one by one");
   else if (!stop.above && !section.has("below"))
     section.fault("above", "a condition needs 'above' or 'below'");
-  else
-    stop.value = section.quantity(key, dimension_of(model::find_measurable(probe->quantity)->unit));
+  else if (quantity != nullptr)  // else the probe is at fault
+    stop.value = section.quantity(key, dimension_of(quantity->unit));
   return stop;
 }
 

@@ -318,6 +318,8 @@ Section Section::when(bool used) const {
   return result;
 }
 
+bool Section::decided() const { return node_ != nullptr && !node_->undecided; }
+
 bool Section::has(std::string_view key) const { return ask(key) != nullptr; }
 
 std::vector<std::string> Section::keys() const {

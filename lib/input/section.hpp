@@ -113,6 +113,10 @@ class Section {
   /// `kind` itself is missing or unknown, no kind's keys are missing and none counts as unused.
   Section when(bool used) const;
 
+  /// Whether all choices read so far are there and known; else a reader does not judge what has another meaning or
+  /// shape in each kind.
+  bool decided() const;
+
   /// Whether the case has the key, with whatever value. A key only asked for by has() and never
   /// read is listed as not used.
   bool has(std::string_view key) const;
