@@ -44,12 +44,13 @@ element::AnyLaw read_law(const Section& section) {
   flow.yield = yield;
   if (hot) {
     if (section.sound() && !(flow.reference_temperature < flow.melting_temperature))
-      section.fault("melting_temperature", "'melting_temperature' must be above 'reference_temperature'");
+      section.fault_between({"melting_temperature", "reference_temperature"},
+                            "'melting_temperature' must be above 'reference_temperature'");
     return material::J2JohnsonCook{density, young, poisson, flow};
   }
   if (!bilinear) return material::Elastic{density, young, poisson};
   if (section.sound() && !(tangent < young))
-    section.fault("tangent", "'tangent' must be below 'young': it is the slope of the stress-strain curve beyond yield");
+    section.fault_between({"tangent", "young"}, "'tangent' must be below 'young': it is the slope of the stress-strain curve beyond yield");
   if (hardening == "isotropic") return material::J2Bilinear{density, young, poisson, {yield, tangent}};
   return material::J2Mixed{density, young, poisson, yield, tangent, hardening == "mixed" ? share : 0.0};
 }

@@ -583,6 +583,14 @@ void Section::fault(std::string_view key, std::string message, std::string hint)
   }
 }
 
+void Section::fault_between(std::initializer_list<std::string_view> keys, std::string message) const {
+  const auto set = [this](std::string_view key) {
+    const Entry* entry = ask(key);
+    return entry == nullptr ? -1 : place_of(*entry, *entry->value).source;
+  };
+  fault(*std::max_element(keys.begin(), keys.end(), [&](auto a, auto b) { return set(a) < set(b); }), std::move(message));
+}
+
 void Section::unknown_name(std::string_view key, const std::string& name, const std::string& what,
                            const std::vector<std::string>& names) const {
   Entry* entry = ask(key);

@@ -22,6 +22,7 @@
 #include <array>
 #include <exception>
 #include <functional>
+#include <initializer_list>
 #include <limits>
 #include <optional>
 #include <memory>
@@ -179,6 +180,9 @@ class Section {
   /// The reader's own check has failed: `message` at the key's value, or at the section if the key
   /// is absent. Ignored if the value of this key is already at fault.
   void fault(std::string_view key, std::string message, std::string hint = "") const;
+
+  /// Values of several keys do not go together: `message` at the one that was set last, on the command line, else at the first.
+  void fault_between(std::initializer_list<std::string_view> keys, std::string message) const;
 
   /// The word `name` at this key, or in its list, names nothing: the fault says what there is (`what`, in the
   /// plural, and `names`) and which of it is near. For names of things that are known only after reading.
