@@ -29,11 +29,12 @@ material::JohnsonCook read_johnson_cook(const Section& section) {
   return flow;
 }
 
-}  // namespace
-
-element::AnyLaw read_law(const Section& section) {
+element::AnyLaw read_law(const Section& section, bool of_plates) {
   const std::string kind = section.choice("kind", {"elastic", "j2_bilinear", "johnson_cook"});
-  const bool bilinear = kind == "j2_bilinear", hot = kind == "johnson_cook";
+  const bool bilinear = kind == "j2_bilinear", refused = of_plates && kind == "johnson_cook", hot = kind == "johnson_cook" && !refused;
+  static_assert(!material::PlateLaw<material::J2JohnsonCook>);
+  if (refused)  // its constants are not missed
+    section.fault("kind", "plates may have the laws elastic and j2_bilinear: this one has no return in plane stress");
   const auto [density, young, poisson] = read_elasticity(section);
   const double yield = section.when(bilinear || hot).quantity("yield", dim::stress, positive);
   const Section if_bilinear = section.when(bilinear);
@@ -55,12 +56,11 @@ element::AnyLaw read_law(const Section& section) {
   return material::J2Mixed{density, young, poisson, yield, tangent, hardening == "mixed" ? share : 0.0};
 }
 
-element::AnyLaw read_plate_law(const Section& section) {
-  const element::AnyLaw law = read_law(section);
-  if (section.sound() && !element::plates_may_have(law))
-    section.fault("kind", "plates may have the laws elastic and j2_bilinear: this one has no return in plane stress");
-  return law;
-}
+}  // namespace
+
+element::AnyLaw read_law(const Section& section) { return read_law(section, false); }
+
+element::AnyLaw read_plate_law(const Section& section) { return read_law(section, true); }
 
 element::Viscosity read_viscosity(const Section& section) {
   const Section viscosity = section.section_or_empty("viscosity");

@@ -112,6 +112,15 @@ TEST(ReadPlateLaw, RefusesALawThatPlatesMayNotHaveAndNamesThoseTheyMay) {
 
 element::AnyHexahedronOptions hexahedron(const Section& section) { return read_hexahedron_options(section); }
 
+TEST(ReadPlateLaw, DoesNotMissTheConstantsOfALawThatPlatesMayNotHave) {
+  try {
+    read("kind: johnson_cook\ndensity: 1 kg/m^3\nyoung: 4 Pa\npoisson: 0\n", read_plate_law);
+    FAIL();
+  } catch (const CaseError& error) {
+    EXPECT_EQ(error.faults.size(), 1U) << error.what();
+  }
+}
+
 TEST(ReadHexahedron, HasOnePointAndSpringsUnlessToldOtherwise) {
   using element::FullHexahedron;
   using element::Hexahedron;
