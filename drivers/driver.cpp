@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <new>
@@ -161,6 +162,13 @@ int run_case(const std::string& name, const CommandLine& line, output::RunFolder
   return stopped;
 }
 
+/// An answer that is no number is none.
+void stop_if_not_finite(Answer& found) {
+  if (!found.stopped.empty()) return;
+  for (const output::Result& result : found.results)
+    if (!std::isfinite(result.value)) found.stopped = "not_finite", found.reason = result.name + " is no finite number";
+}
+
 int answer_case(const std::string& name, const CommandLine& line, output::RunFolder& folder, const Plan& plan) {
   if (line.threads > 0) use_threads(line.threads);
   const input::CaseFile file = input::CaseFile::read(line.case_path, line.overrides);
@@ -170,7 +178,8 @@ int answer_case(const std::string& name, const CommandLine& line, output::RunFol
   if (line.dry_run) return done;
   folder.clear();
   const auto began = std::chrono::steady_clock::now();
-  const Answer found = compute();
+  Answer found = compute();
+  stop_if_not_finite(found);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
 
   output::History history(std::filesystem::path(line.out) / "history.csv", found.columns, found.counted);
