@@ -9,6 +9,7 @@
 
 #include "base/check.hpp"
 #include "base/parallel.hpp"
+#include "base/words.hpp"
 #include "drivers/recorder.hpp"
 #include "model/notes.hpp"
 #include "output/run_folder.hpp"
@@ -142,8 +143,9 @@ int run_case(const std::string& name, const CommandLine& line, output::RunFolder
   const dynamics::Outcome outcome = model::run(simulation, observers);
   recorder.finish(model::view(simulation));
 
-  if (recorder.not_finite() > 0)
-    notes.push_back(std::to_string(recorder.not_finite()) + " values that were no number stand as 0 in the ParaView files");
+  if (recorder.replaced() > 0)
+    notes.push_back(counted(static_cast<std::size_t>(recorder.replaced()), "value") +
+                    " beyond the range of the ParaView files, or no number, written there as 0");
   for (const std::string& note : model::depth_notes(simulation)) {
     notes.push_back(note);
     std::fprintf(stderr, "warning: %s\n", note.c_str());
