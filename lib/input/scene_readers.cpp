@@ -1,12 +1,12 @@
 #include "input/scene_readers.hpp"
 
 #include <algorithm>
-#include <cctype>
 
 #include "input/load_readers.hpp"
 #include "input/mesh_readers.hpp"
 #include "input/readers.hpp"
 #include "model/meshes.hpp"
+#include "model/names.hpp"
 #include "model/probes.hpp"
 
 namespace nereid::input {
@@ -20,17 +20,11 @@ bool has(const Names& names, const std::string& name) { return std::find(names.b
 
 constexpr const char* sources = "bodies, contacts, planes, loads and springs";
 
-/// Points are kept for what belongs to a body, as in `bar.x_low`.
-bool is_plain(const std::string& name) {
-  const auto plain = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
-  return std::all_of(name.begin(), name.end(), plain) && std::isdigit(static_cast<unsigned char>(name[0])) == 0;
-}
-
 /// Refuses a name that is none, or taken.
 void check_name(const Section& section, const std::string& name, const Names& taken, const std::string& whose) {
   if (name.empty()) return;  // that has been said
-  if (!is_plain(name))
-    section.fault("name", "'name' = " + name + " is no name: expected letters, digits and '_', a letter first");
+  if (!model::is_name(name))
+    section.fault("name", model::is_no_name(name));
   else if (has(taken, name))
     section.fault("name", "'name' = " + name + " is given twice: names of " + whose + " differ");
 }
@@ -92,7 +86,7 @@ model::Contact read_contact(const Section& section, Names& taken) {
 
 model::Probe read_probe(const Section& section, Names& taken) {
   model::Probe probe{.name = read_name(section, taken, "probes"), .quantity = {}, .of = section.word("of"), .at = section.path()};
-  if (probe.name == "time" || probe.name.rfind("energy_", 0) == 0)
+  if (model::is_column_of_every_history(probe.name))
     section.fault("name", "'name' = " + probe.name + " is a column of every history: choose another");
   Names words;
   for (const model::Measurable& one : model::measurables()) words.push_back(one.name);

@@ -10,6 +10,7 @@
 #include "base/words.hpp"
 #include "model/actions.hpp"
 #include "model/meshes.hpp"
+#include "model/names.hpp"
 #include "model/probes.hpp"
 
 namespace nereid::model {
@@ -26,27 +27,6 @@ Names names_of(const Lists&... lists) {
   };
   (add(lists), ...);
   return names;
-}
-
-/// Sources of force and bodies are called by names that come once: the ledger has an account for each.
-void check_names_given(const Scene& scene, Faults& faults) {
-  std::set<std::string> taken{"gravity", "relaxation"};
-  const auto add = [&](const char* kind, const auto& all) {
-    for (const auto& one : all) {
-      const bool plain = !one.name.empty() && one.name.find_first_of(". \t\n,") == std::string::npos;
-      if (!plain)
-        refuse(faults, part(kind, one), "name", "'name' = " + one.name + " is no name: expected letters, digits and '_'");
-      if (!taken.insert(one.name).second) refuse(faults, part(kind, one), "name", "'name' = " + one.name + " is given twice");
-    }
-  };
-  add("body", scene.bodies), add("contact", scene.contacts), add("plane", scene.planes), add("plane", scene.rigid_planes);
-  add("load", scene.loads), add("spring", scene.springs), add("point mass", scene.point_masses);
-  for (const Contact& contact : scene.contacts)
-    if (contact.interface.two_passes && !taken.insert(contact.name + "_back").second)
-      refuse(faults, part("contact", contact), "name",
-             quote(contact.name + "_back") + " is given twice: it is the second pass of " + contact.name);
-  taken.clear();
-  add("probe", scene.probes);
 }
 
 /// A direction is a unit vector.
@@ -265,6 +245,7 @@ Simulation build(const Scene& scene) {
   add_rigid_planes(scene, model, faults);
   add_loads(scene, model, faults);
   std::vector<dynamics::Connected> connected = add_contacts(scene, model, faults);
+  check_columns(scene, model, faults);
   throw_if_any(faults);
 
   std::vector<contact::Memory> memories;
