@@ -5,6 +5,7 @@
 
 #include "base/words.hpp"
 #include "input/readers.hpp"
+#include "model/values.hpp"
 
 namespace nereid::input {
 
@@ -95,7 +96,7 @@ void read_wall(const Section& section, bool rigid, model::RigidPlane& plane) {
   plane.surface = if_rigid.word("surface");
   plane.penalty_scale = if_rigid.when(!given).number_or("penalty_scale", usual.penalty_scale, positive);
   plane.friction = read_friction(if_rigid);
-  plane.energy_gain_limit = if_rigid.number_or("energy_gain_limit", usual.energy_gain_limit, within(1e-5, 0.04));
+  plane.energy_gain_limit = if_rigid.number_or("energy_gain_limit", usual.energy_gain_limit, model::range::energy_gain_limit);
   const double penalty = if_rigid.when(given).quantity("penalty", dim::penalty, positive);
   if (given) plane.penalty = penalty;
 }
@@ -158,7 +159,7 @@ std::optional<dynamics::Relaxation> read_relaxation(const Section& root) {
   if (!root.has("relaxation")) return std::nullopt;
   const Section section = root.section_or_empty("relaxation");
   dynamics::Relaxation relaxation;
-  relaxation.residual = section.number_or("residual", relaxation.residual, between(0, 1));
+  relaxation.residual = section.number_or("residual", relaxation.residual, model::range::residual);
   relaxation.after = section.quantity_or("after", relaxation.after, dim::time, not_negative);
   relaxation.samples = section.count_or("samples", relaxation.samples);
   return relaxation;

@@ -153,6 +153,7 @@ model::Scene read_scene(const Section& root) { return read_scene(root, true); }
 model::Scene read_scene_at_rest(const Section& root) {
   model::Scene scene = read_scene(root, false);
   scene.probes.clear(), scene.stops.clear();
+  scene.time = {.end = 1}, scene.recording = {};  // [s] none passes
   if (!scene.contacts.empty())
     root.fault("contacts", "'contacts' open and close, which no small motion about rest keeps: take them out");
   for (const Section& plane : root.list("planes")) {

@@ -33,19 +33,6 @@ std::string shown(const Node& scalar) {
   return text;
 }
 
-std::string range_text(const std::string& name, double low, double high, bool with_low,
-                       bool with_high, const std::string& unit) {
-  const auto end = [&](double value) {
-    return shortest(value) + (value == 0 || unit == "1" ? "" : " " + unit);
-  };
-  const bool from = std::isfinite(low), to = std::isfinite(high);
-  if (from && to) {
-    return end(low) + (with_low ? " <= " : " < ") + name + (with_high ? " <= " : " < ") + end(high);
-  }
-  if (from) return name + (with_low ? " >= " : " > ") + end(low);
-  return name + (with_high ? " <= " : " < ") + end(high);
-}
-
 /// A value that passes for one of the range while reading goes on after a fault.
 double harmless(const Range& range) {
   const bool from = std::isfinite(range.low), to = std::isfinite(range.high);
@@ -181,7 +168,7 @@ bool Section::read(Entry& entry, const Node& node, const std::string& name, Dime
               describe(dimension) + "], for example '" + unit + "'";
   } else if (!range.contains(quantity.value)) {
     message = said + " is out of range: expected " +
-              range_text(name, range.low, range.high, range.with_low, range.with_high, unit);
+              words_of(range, name, unit);
   }
   if (!message.empty()) {
     wrong(entry, node.place, std::move(message));
@@ -217,7 +204,7 @@ bool Section::read(Entry& entry, const Node& node, const std::string& name, int 
     const double from = low == std::numeric_limits<int>::min() ? -infinity : low;
     const double to = high == std::numeric_limits<int>::max() ? infinity : high;
     const std::string expected = std::isfinite(from) || std::isfinite(to)
-                                     ? range_text(name, from, to, true, true, "1")
+                                     ? words_of(within(from, to), name, "1")
                                      : "a number of at most nine digits";
     wrong(entry, node.place, said + " is out of range: expected " + expected);
     return false;

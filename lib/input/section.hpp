@@ -30,36 +30,16 @@
 #include <string_view>
 #include <vector>
 
+#include "base/range.hpp"
 #include "base/resolved.hpp"
 #include "input/units.hpp"
 
 namespace nereid::input {
 
-/// Which values are allowed, in SI units. Combine as in `above(-1).below(0.5)`.
-struct Range {
-  double low = -std::numeric_limits<double>::infinity();
-  double high = std::numeric_limits<double>::infinity();
-  bool with_low = false, with_high = false;  ///< whether the ends belong to the range
-
-  constexpr Range below(double end) const { return {low, end, with_low, false}; }
-  constexpr Range up_to(double end) const { return {low, end, with_low, true}; }
-  constexpr bool contains(double value) const {
-    return (with_low ? value >= low : value > low) && (with_high ? value <= high : value < high);
-  }
-};
-
-constexpr Range above(double end) { return Range{.low = end}; }
-constexpr Range at_least(double end) { return Range{.low = end, .with_low = true}; }
-constexpr Range below(double end) { return Range{.high = end}; }
-constexpr Range up_to(double end) { return Range{.high = end, .with_high = true}; }
-/// low < value < high
-constexpr Range between(double low, double high) { return above(low).below(high); }
-/// low <= value <= high
-constexpr Range within(double low, double high) { return at_least(low).up_to(high); }
-
-inline constexpr Range any{};  ///< every finite number; nan and infinity are never read
-inline constexpr Range positive = above(0);
-inline constexpr Range not_negative = at_least(0);
+// Ranges stand in every reader: input::positive, input::within.
+using nereid::above, nereid::at_least, nereid::below, nereid::between, nereid::not_negative, nereid::positive, nereid::Range,
+    nereid::up_to, nereid::within;
+inline constexpr Range any = nereid::finite;
 
 /// One thing that is wrong with a case, and its place.
 struct Fault {

@@ -12,6 +12,7 @@
 #include "model/meshes.hpp"
 #include "model/names.hpp"
 #include "model/probes.hpp"
+#include "model/values.hpp"
 
 namespace nereid::model {
 
@@ -27,15 +28,6 @@ Names names_of(const Lists&... lists) {
   };
   (add(lists), ...);
   return names;
-}
-
-/// A direction is a unit vector.
-void check_normals(const Scene& scene, Faults& faults) {
-  const auto look = [&faults](const auto& plane) {
-    if (!(std::abs(plane.normal.norm() - 1) < 1e-9)) refuse(faults, part("plane", plane), "normal", "'normal' is no unit vector");
-  };
-  for (const Plane& plane : scene.planes) look(plane);
-  for (const RigidPlane& plane : scene.rigid_planes) look(plane);
 }
 
 void check_probes(const Scene& scene, const mesh::Mesh& mesh, Faults& faults) {
@@ -105,15 +97,12 @@ void check_names(const Scene& scene, const mesh::Mesh& mesh, Faults& faults) {
 bool belongs(const std::string& name, const Body& body) { return name.substr(0, name.find('.')) == body.name; }
 
 /// The elements of all bodies; a mesh from a file may have several regions.
-void add_elements(const Scene& scene, dynamics::Model& model, Faults& faults) {
+void add_elements(const Scene& scene, dynamics::Model& model) {
   for (const Body& body : scene.bodies) {
     for (const mesh::Hexahedra& region : model.mesh.hexahedra)
       if (belongs(region.name, body)) model.blocks.push_back(element::solids(model.mesh, region.name, body.law, body.solid));
-    if (has_plates(body.mesh) && !(body.plate.thickness > 0))
-      refuse(faults, part("body", body), "element", "plates need a thickness");
-    else
-      for (const mesh::Triangles& region : model.mesh.triangles)
-        if (belongs(region.name, body)) model.blocks.push_back(element::plates(model.mesh, region.name, body.law, body.plate));
+    for (const mesh::Triangles& region : model.mesh.triangles)
+      if (belongs(region.name, body)) model.blocks.push_back(element::plates(model.mesh, region.name, body.law, body.plate));
   }
 }
 
@@ -229,7 +218,7 @@ Simulation build(const Scene& scene) {
   Faults faults;
   if (scene.bodies.empty()) refuse(faults, {"", "the scene"}, "bodies", "there are no bodies");
   check_names_given(scene, faults);
-  check_normals(scene, faults);
+  check_values(scene, faults);
   throw_if_any(faults);
 
   Simulation simulation;
@@ -238,7 +227,7 @@ Simulation build(const Scene& scene) {
   if (is_whole(scene, model.mesh)) check_names(scene, model.mesh, faults);
   throw_if_any(faults);
 
-  add_elements(scene, model, faults);
+  add_elements(scene, model);
   add_planes(scene, model, faults);
   if (!have_masses(scene, model, faults)) throw_if_any(faults);
   dynamics::finalize(model);
