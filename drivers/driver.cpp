@@ -2,12 +2,14 @@
 
 #include <CLI/CLI.hpp>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <new>
 
 #include "base/check.hpp"
 #include "base/parallel.hpp"
+#include "base/words.hpp"
 #include "drivers/recorder.hpp"
 #include "dynamics/quality.hpp"
 #include "model/notes.hpp"
@@ -149,8 +151,9 @@ int run_case(const std::string& name, const CommandLine& line, output::RunFolder
   const dynamics::Outcome outcome = model::run(simulation, observers);
   recorder.finish(model::view(simulation));
 
-  if (recorder.not_finite() > 0)
-    notes.push_back(std::to_string(recorder.not_finite()) + " values that were no number stand as 0 in the ParaView files");
+  if (recorder.replaced() > 0)
+    notes.push_back(counted(static_cast<std::size_t>(recorder.replaced()), "value") +
+                    " beyond the range of the ParaView files, or no number, written there as 0");
   for (const auto& warnings : {model::depth_notes(simulation), model::quality_notes(simulation)}) {
     for (const std::string& note : warnings) {
       notes.push_back(note);
@@ -171,6 +174,13 @@ int run_case(const std::string& name, const CommandLine& line, output::RunFolder
   return stopped;
 }
 
+/// An answer that is no number is none.
+void stop_if_not_finite(Answer& found) {
+  if (!found.stopped.empty()) return;
+  for (const output::Result& result : found.results)
+    if (!std::isfinite(result.value)) found.stopped = "not_finite", found.reason = result.name + " is no finite number";
+}
+
 int answer_case(const std::string& name, const CommandLine& line, output::RunFolder& folder, const Plan& plan) {
   if (line.threads > 0) use_threads(line.threads);
   const input::CaseFile file = input::CaseFile::read(line.case_path, line.overrides);
@@ -180,7 +190,8 @@ int answer_case(const std::string& name, const CommandLine& line, output::RunFol
   if (line.dry_run) return done;
   folder.clear();
   const auto began = std::chrono::steady_clock::now();
-  const Answer found = compute();
+  Answer found = compute();
+  stop_if_not_finite(found);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
 
   output::History history(std::filesystem::path(line.out) / "history.csv", found.columns, found.counted);

@@ -10,6 +10,7 @@
 // Answer    verification/uniaxial_stress/README.md and its neighbours
 // Run       material_point cases/material_point/cycle.yaml --out out/material_point
 
+#include <algorithm>
 #include <cmath>
 
 #include "drivers/driver.hpp"
@@ -98,7 +99,7 @@ std::vector<double> row_of(const material::Point<Law, S>& point) {
   return row;
 }
 
-/// Walks the path; the column `time` counts segments.
+/// Walks the path to its end or to the last increment with finite numbers; the column `time` counts segments.
 template <class Law, template <class> class S, std::size_t rows>
 driver::Answer walk(const Law& law, const std::vector<Segment>& path, const std::array<const char*, rows>& names) {
   driver::Answer answer{.columns = columns_of<Law, S>(names), .time = {0}, .rows = {}, .results = {}};
@@ -123,9 +124,17 @@ driver::Answer walk(const Law& law, const std::vector<Segment>& path, const std:
         answer.reason = "no strain was found for the stresses of increment " + std::to_string(i) + " of path[" + std::to_string(s) + "]";
         break;
       }
+      const std::vector<double> row = row_of(point);
+      const auto wrong = std::find_if(row.begin(), row.end(), [](double value) { return !std::isfinite(value); });
+      if (wrong != row.end()) {
+        answer.stopped = "not_finite";
+        answer.reason = answer.columns[static_cast<std::size_t>(wrong - row.begin())].name + " is no finite number at increment " +
+                        std::to_string(i) + " of path[" + std::to_string(s) + "]";
+        break;
+      }
       most_rounds = std::max(most_rounds, sought.rounds);
       answer.time.push_back(static_cast<double>(s) + part);
-      answer.rows.push_back(row_of(point));
+      answer.rows.push_back(row);
     }
   }
   for (std::size_t c = 0; c < answer.columns.size(); ++c)

@@ -20,7 +20,7 @@ class Recorder {
   /// The last state, whatever the run ended with.
   void finish(const dynamics::View&);
 
-  std::int64_t not_finite() const { return body_.not_finite() + contact_.not_finite(); }
+  std::int64_t replaced() const { return body_.replaced() + contact_.replaced(); }
 
  private:
   void add_frame(const dynamics::View&);

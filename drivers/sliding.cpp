@@ -15,6 +15,7 @@
 
 #include "drivers/driver.hpp"
 #include "dynamics/displace.hpp"
+#include "model/values.hpp"
 
 using namespace nereid;
 
@@ -26,7 +27,7 @@ model::RigidPlane read_plane(const input::Section& section) {
   if (given) plane.penalty = penalty;
   plane.penalty_scale = section.when(!given).number_or("penalty_scale", plane.penalty_scale, input::positive);
   plane.friction = input::read_friction(section);
-  plane.energy_gain_limit = section.number_or("energy_gain_limit", plane.energy_gain_limit, input::within(1e-5, 0.04));
+  plane.energy_gain_limit = section.number_or("energy_gain_limit", plane.energy_gain_limit, model::range::energy_gain_limit);
   return plane;
 }
 

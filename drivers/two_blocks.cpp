@@ -56,8 +56,9 @@ model::Simulation build(const input::CaseFile& file) {
   scene.time = input::read_time(root.section("time"));
   scene.recording = input::read_recording(root.section_or_empty("output"), scene.time.end);
   if (root.sound() && elements > model::most_elements)
-    blocks.fault("cells_along", "'cells_along' and 'cells_across' make " + std::to_string(std::llround(elements)) +
-                                    " elements: expected at most a hundred million");
+    blocks.fault_between({"cells_along", "cells_across"}, "'cells_along' and 'cells_across' make " +
+                                                              std::to_string(std::llround(elements)) +
+                                                              " elements: expected at most a hundred million");
   model::Simulation simulation = input::build(file, scene);
   const double area = width * width;
   simulation.probes = {{"interface_stress", "Pa", [area](const auto& view, auto&) { return force(view) / area; }, true},

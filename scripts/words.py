@@ -48,11 +48,8 @@ RETIRED = True
 
 
 def places(one):
-    """Patterns of text with the old word as their group `word`: contacts[0].hardness, planes[{i}].kind=held.
-
-    A word that is none of English counts in quotes too: programs put keys together.
-    """
-    found = [rf"(?P<quote>[\"'])(?P<word>{one.old})(?P=quote)"] if one.refuse and not one.key else []
+    """Patterns of text with the old word as their group `word`: contacts[0].hardness, planes[{i}].kind=held."""
+    found = []
     for section in one.where:
         name, brackets = re.escape(section.removesuffix("[]")), r"\[[^\]\n]*\]" if section.endswith("[]") else ""
         start = rf"(?<![\w.]){name}{brackets}\."

@@ -116,23 +116,41 @@ Vec3 mean_force(const View& view, std::size_t source, ProbeMemory& memory) {
   return memory.force;
 }
 
+namespace {
+
+template <class Channel>
+std::string column(const Source& source, Channel channel) {
+  return "energy_" + source.name + "_" + std::string(word(channel));
+}
+std::string column_of_created(const Source& source) { return "energy_created_" + source.name; }
+
+}  // namespace
+
+std::vector<std::string> ledger_columns(const Source& source) {
+  std::vector<std::string> columns;
+  for (const Stored channel : source.stored) columns.push_back(column(source, channel));
+  for (const Dissipated channel : source.dissipated) columns.push_back(column(source, channel));
+  columns.push_back(column_of_created(source));
+  return columns;
+}
+
 std::vector<Probe> ledger_probes(const Model& model) {
   std::vector<Probe> probes;
   const auto add = [&probes](const std::string& name, auto value) {
-    probes.push_back({"energy_" + name, "J", [value](const View& view, ProbeMemory&) { return value(view.now.ledger); }, false});
+    probes.push_back({name, "J", [value](const View& view, ProbeMemory&) { return value(view.now.ledger); }, false});
   };
-  add("kinetic", [](const Ledger& ledger) { return ledger.kinetic; });
+  add("energy_kinetic", [](const Ledger& ledger) { return ledger.kinetic; });
   const std::vector<Source> all = sources(model);
   for (std::size_t s = 0; s < all.size(); ++s) {
     for (const Stored channel : all[s].stored)
-      add(all[s].name + "_" + std::string(word(channel)), [=](const Ledger& ledger) { return ledger.accounts[s].stored[channel]; });
+      add(column(all[s], channel), [=](const Ledger& ledger) { return ledger.accounts[s].stored[channel]; });
     for (const Dissipated channel : all[s].dissipated)
-      add(all[s].name + "_" + std::string(word(channel)), [=](const Ledger& ledger) { return ledger.accounts[s].dissipated[channel]; });
+      add(column(all[s], channel), [=](const Ledger& ledger) { return ledger.accounts[s].dissipated[channel]; });
   }
   for (std::size_t s = 0; s < all.size(); ++s)
-    add("created_" + all[s].name, [s](const Ledger& ledger) { return created(ledger.accounts[s]); });
-  add("integration", [](const Ledger& ledger) { return ledger.integration; });
-  add("residual", [](const Ledger& ledger) { return energy_residual(ledger); });
+    add(column_of_created(all[s]), [s](const Ledger& ledger) { return created(ledger.accounts[s]); });
+  add("energy_integration", [](const Ledger& ledger) { return ledger.integration; });
+  add("energy_residual", [](const Ledger& ledger) { return energy_residual(ledger); });
   return probes;
 }
 

@@ -54,6 +54,9 @@ double least_gap(const View&, std::size_t interface);
 /// Needs  views whose ledger is current; zero at the first sample and where no time has passed
 Vec3 mean_force(const View&, std::size_t source, ProbeMemory&);
 
+/// Columns of the history that are a source's own: its channels, and what it created.
+std::vector<std::string> ledger_columns(const Source&);
+
 /// What every history has of the ledger: kinetic energy, the channels of all sources, created energy by source, the
 /// integration term and what no source explains. [J]
 std::vector<Probe> ledger_probes(const Model&);

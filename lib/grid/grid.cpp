@@ -11,6 +11,7 @@
 
 #include "base/check.hpp"
 #include "base/replace_file.hpp"
+#include "base/words.hpp"
 
 #ifdef NEREID_WITH_VTK
 #include <vtkCellArray.h>
@@ -153,10 +154,16 @@ void remove_frames(const std::filesystem::path& folder, const std::string& name)
 
 #ifdef NEREID_WITH_VTK
 
-/// A VTK array of the numbers of one field; counts the values that are no number and writes 0.
+/// Values of one field that its array cannot hold.
+struct Lost {
+  std::string field;
+  std::int64_t no_number = 0, beyond_float = 0;
+};
+
+/// A VTK array of the numbers of one field; counts the values that it cannot hold and writes 0.
 template <class Array, class Values>
 vtkSmartPointer<Array> array_of(const std::string& name, const std::vector<std::string>& components,
-                                const Values& values, std::int64_t& not_finite) {
+                                const Values& values, Lost& lost) {
   using Number = typename Array::ValueType;
   const auto rows = static_cast<Eigen::Index>(std::max<std::size_t>(components.size(), 1));
   auto array = vtkSmartPointer<Array>::New();
@@ -173,7 +180,7 @@ vtkSmartPointer<Array> array_of(const std::string& name, const std::vector<std::
           std::abs(value) > static_cast<double>(std::numeric_limits<Number>::max())) {
         if (std::is_integral_v<Number> && std::isfinite(value))
           throw InternalError("field '" + name + "': an integer beyond 32 bits");
-        ++not_finite;
+        ++(std::isfinite(value) ? lost.beyond_float : lost.no_number);
         value = 0;
       }
       array->SetValue(thing * rows + c, static_cast<Number>(value));
@@ -182,12 +189,12 @@ vtkSmartPointer<Array> array_of(const std::string& name, const std::vector<std::
 }
 
 vtkSmartPointer<vtkDataArray> array_of(const Field& field, Precision precision,
-                                       std::int64_t& not_finite) {
+                                       Lost& lost) {
   if (field.integer)
-    return array_of<vtkTypeInt32Array>(field.name, field.components, field.values, not_finite);
+    return array_of<vtkTypeInt32Array>(field.name, field.components, field.values, lost);
   if (precision == Precision::full)
-    return array_of<vtkDoubleArray>(field.name, field.components, field.values, not_finite);
-  return array_of<vtkFloatArray>(field.name, field.components, field.values, not_finite);
+    return array_of<vtkDoubleArray>(field.name, field.components, field.values, lost);
+  return array_of<vtkFloatArray>(field.name, field.components, field.values, lost);
 }
 
 int cell_type(CellKind kind) {
@@ -253,33 +260,29 @@ void write_file(vtkPointSet& data, const std::filesystem::path& file) {
     throw MachineError("cannot write " + file.string());
 }
 
-/// Writes one frame; returns by field, in the order written, how many values were no number.
-std::vector<std::pair<std::string, std::int64_t>> write_frame(const Grid& grid, GridKind kind,
-                                                              Precision precision,
-                                                              const std::filesystem::path& file) {
-  std::vector<std::pair<std::string, std::int64_t>> counts;
+/// Writes one frame; returns what was lost by field, in the order written.
+std::vector<Lost> write_frame(const Grid& grid, GridKind kind, Precision precision, const std::filesystem::path& file) {
+  std::vector<Lost> counts;
   const auto data = kind == GridKind::volume ? volume_of(grid) : surface_of(grid);
   vtkNew<vtkStringArray> units;
   units->SetName("units");
-  const auto counted = [&](const std::string& name) -> std::int64_t& {
-    return counts.emplace_back(name, 0).second;
-  };
+  const auto lost_of = [&](const std::string& name) -> Lost& { return counts.emplace_back(Lost{name}); };
   const auto noted = [&](const std::string& name, const std::string& unit) {
     units->InsertNextValue(name + " [" + unit + "]");
   };
 
   vtkNew<vtkPoints> points;
   points->SetData(
-      array_of<vtkDoubleArray>("points", vector_components, grid.reference, counted("points")));
+      array_of<vtkDoubleArray>("points", vector_components, grid.reference, lost_of("points")));
   data->SetPoints(points);
   data->GetPointData()->AddArray(array_of<vtkDoubleArray>(
-      "displacement", vector_components, grid.displacement, counted("displacement")));
+      "displacement", vector_components, grid.displacement, lost_of("displacement")));
   data->GetPointData()->SetActiveVectors("displacement");  // what Warp By Vector picks
   noted("displacement", "m");
 
   const auto add = [&](const std::vector<Field>& fields, vtkDataSetAttributes& attributes) {
     for (const Field& field : fields) {
-      attributes.AddArray(array_of(field, precision, counted(field.name)));
+      attributes.AddArray(array_of(field, precision, lost_of(field.name)));
       noted(field.name, field.unit);
     }
   };
@@ -454,12 +457,15 @@ void Collection::add(const Grid& grid) {
 #ifdef NEREID_WITH_VTK
   const bool again = !times_.empty() && grid.time == times_.back();
   const int frame = again ? frames() - 1 : frames();
-  for (const auto& [field, count] :
-       write_frame(grid, kind_, precision_, directory_ / frame_name(frame))) {
-    not_finite_ += count;
-    if (count > 0 && warned_.insert(field).second)
-      std::cerr << "warning: results '" << name_ << "': field '" << field << "' holds " << count
-                << " values that are no number at " << grid.time << " s; written as 0\n";
+  for (const Lost& lost : write_frame(grid, kind_, precision_, directory_ / frame_name(frame))) {
+    replaced_ += lost.no_number + lost.beyond_float;
+    const auto warn = [&](std::int64_t count, const std::string& what) {
+      if (count > 0 && warned_.insert(lost.field + what).second)
+        std::cerr << "warning: results '" << name_ << "': field '" << lost.field << "' holds " << what << " in "
+                  << counted(static_cast<std::size_t>(count), "place") << " at " << grid.time << " s; written as 0\n";
+    };
+    warn(lost.no_number, "no number");
+    warn(lost.beyond_float, "a number beyond the range of Float32");
   }
   if (!again) times_.push_back(grid.time);
   write_index();

@@ -49,8 +49,8 @@ enum class Precision {
 /// One data set over time: DIRECTORY/NAME.pvd with its frames in DIRECTORY/NAME/NAME_000000.vtu.
 ///
 /// The .pvd is complete after every frame, and frames of an earlier run of the same name are
-/// removed first. A value that is no number is written as 0 and counted, with one warning per
-/// field.
+/// removed first. A value that is no number, or beyond the range of Float32, is written as 0 and
+/// counted, with one warning of each per field.
 ///
 /// Invariants  equal grids give equal bytes, in any run.
 class Collection {
@@ -65,7 +65,7 @@ class Collection {
   void add(const Grid& grid);
 
   int frames() const { return static_cast<int>(times_.size()); }  ///< written so far; 0 without VTK
-  std::int64_t not_finite() const { return not_finite_; }         ///< values replaced by 0 so far
+  std::int64_t replaced() const { return replaced_; }             ///< values replaced by 0 so far
 
  private:
   std::string frame_name(int frame) const;  ///< relative to the directory
@@ -77,8 +77,8 @@ class Collection {
   Precision precision_;
   std::string arrays_;  ///< what the first frame held; every frame must hold the same
   std::vector<double> times_;
-  std::int64_t not_finite_ = 0;
-  std::set<std::string> warned_;  ///< fields whose warning has been given
+  std::int64_t replaced_ = 0;
+  std::set<std::string> warned_;  ///< fields whose warnings have been given, with what was wrong
 };
 
 /// The files of a collection that are in a directory: its .pvd, the draft of one, and its frames, of whatever run and kind.

@@ -18,8 +18,12 @@ struct Step {
   std::string key;
   std::vector<std::size_t> indices;
   Place place;
-  std::string path;  // up to here
+  std::string path;  // up to here, items without leading zeros: one text for each value
 };
+
+std::string join(const std::string& path, const std::string& key) {
+  return path.empty() ? key : path + "." + key;
+}
 
 std::vector<Step> split_path(const std::string& path, int number) {
   std::vector<Step> steps;
@@ -32,6 +36,7 @@ std::vector<Step> split_path(const std::string& path, int number) {
                   static_cast<int>(std::max<std::size_t>(part.size(), 1))};
     std::size_t bracket = part.find('[');
     step.key = part.substr(0, bracket);
+    step.path = join(steps.empty() ? "" : steps.back().path, step.key);
     if (step.key.empty()) throw Stop{step.place, "a key is missing in the path", ""};
     while (bracket != std::string::npos && bracket < part.size()) {
       std::size_t index = 0;
@@ -43,17 +48,13 @@ std::vector<Step> split_path(const std::string& path, int number) {
         throw Stop{step.place, "an item of a list is written as in 'bodies[0]'", ""};
       }
       step.indices.push_back(index);
+      step.path += "[" + std::to_string(index) + "]";
       bracket = static_cast<std::size_t>(read.ptr + 1 - part.data());
     }
-    step.path = path.substr(0, end);
     steps.push_back(std::move(step));
     if (end == path.size()) return steps;
     start = end + 1;
   }
-}
-
-std::string join(const std::string& path, const std::string& key) {
-  return path.empty() ? key : path + "." + key;
 }
 
 std::string hint_for(const Entry& unknown, const Node& map) {
@@ -209,7 +210,7 @@ void Document::apply(const std::string& text, int number) {
   if (value->kind == Node::Kind::map) {
     throw Stop{value->place, quote(path) + " is set to a section: set one key at a time", ""};
   }
-  const auto [earlier, fresh] = set_.emplace(path, number);
+  const auto [earlier, fresh] = set_.emplace(last.path, number);
   if (!fresh) {
     throw Stop{whole,
                "repeated --set of " + quote(path) + ": first given by " +

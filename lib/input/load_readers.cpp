@@ -5,6 +5,7 @@
 
 #include "base/words.hpp"
 #include "input/readers.hpp"
+#include "model/values.hpp"
 
 namespace nereid::input {
 
@@ -23,7 +24,10 @@ model::Load read_load(const Section& section) {
     const std::string on = section.when(chosen).word(key);
     if (chosen) load.on = on;
   }
-  if (!section.has("kind")) return load;  // of what shape the value is, nobody knows
+  if (!section.decided()) {  // of what shape the value is, nobody knows
+    section.has("unit"), section.has("value");
+    return load;
+  }
   const double unit = read_unit(section, dimension_of(syntax.unit));
   const Variables variables = syntax.over_place ? of_both : of_time;
   load.value = syntax.is_vector ? read_expressions(section, "value", variables, unit)
@@ -64,6 +68,10 @@ model::Initial read_initial(const Section& section) {
 
 /// The velocities of a plane that moves its nodes, or of nodes that are driven.
 void read_motion(const Section& section, bool held, bool driven, model::Plane& plane) {
+  if (!section.decided()) {  // of what shape these are, nobody knows
+    section.has("velocity"), section.has("angular_velocity");
+    return;
+  }
   if (section.has("angular_velocity")) {
     const Section angular_velocity = section.when(driven).section("angular_velocity");
     const auto value = read_expressions(angular_velocity, "value", of_both, read_unit(angular_velocity, dim::angular_speed));
@@ -88,7 +96,7 @@ void read_wall(const Section& section, bool rigid, model::RigidPlane& plane) {
   plane.surface = if_rigid.word("surface");
   plane.penalty_scale = if_rigid.when(!given).number_or("penalty_scale", usual.penalty_scale, positive);
   plane.friction = read_friction(if_rigid);
-  plane.energy_gain_limit = if_rigid.number_or("energy_gain_limit", usual.energy_gain_limit, within(1e-5, 0.04));
+  plane.energy_gain_limit = if_rigid.number_or("energy_gain_limit", usual.energy_gain_limit, model::range::energy_gain_limit);
   const double penalty = if_rigid.when(given).quantity("penalty", dim::penalty, positive);
   if (given) plane.penalty = penalty;
 }
@@ -138,16 +146,8 @@ std::variant<model::Plane, model::RigidPlane> read_plane(const Section& section)
   plane.kind = plane_kind(kind);
   plane.nodes = section.when(!rigid).words("nodes");
   const auto point = section.when(floor || rigid).vector("point", dim::length);
-  const auto normal = section.when(!no_normal).vector("normal", dim::none);
+  plane.normal = read_direction(section.when(!no_normal), "normal");
   if (floor || rigid) plane.point = Vec3(point.data());
-  if (!no_normal) {
-    const Vec3 given(normal.data());
-    if (given.norm() > 0) {
-      plane.normal = given.normalized();
-    } else {
-      section.fault("normal", "'normal' has no length");
-    }
-  }
   read_motion(section, kind == "constrained", driven, plane);
   model::RigidPlane wall{.name = plane.name, .surface = {}, .point = plane.point, .normal = plane.normal, .at = plane.at};
   read_wall(section, rigid, wall);
@@ -159,7 +159,7 @@ std::optional<dynamics::Relaxation> read_relaxation(const Section& root) {
   if (!root.has("relaxation")) return std::nullopt;
   const Section section = root.section_or_empty("relaxation");
   dynamics::Relaxation relaxation;
-  relaxation.residual = section.number_or("residual", relaxation.residual, between(0, 1));
+  relaxation.residual = section.number_or("residual", relaxation.residual, model::range::residual);
   relaxation.after = section.quantity_or("after", relaxation.after, dim::time, not_negative);
   relaxation.samples = section.count_or("samples", relaxation.samples);
   return relaxation;

@@ -44,7 +44,7 @@ model::MeshOptions read_mesh_options(const Section& section) {
                       .high = read_vector(if_box, "high", dim::length),
                       .cells = Eigen::Vector3i(if_box.counts("cells").data())};
   if (is("box") && section.sound() && !(box.low.array() < box.high.array()).all())
-    section.fault("high", "'high' must lie beyond 'low' along x, y and z");
+    section.fault_between({"high", "low"}, "'high' must lie beyond 'low' along x, y and z");
 
   const double radius = section.when(!is("box", "sheet", "file")).quantity("radius", dim::length, positive);
   const double length = section.when(is("cylinder", "tube", "sector", "sheet")).quantity("length", dim::length, positive);
@@ -58,6 +58,7 @@ model::MeshOptions read_mesh_options(const Section& section) {
   std::vector<std::string> turns{"full", "quarter"};
   if (is("tube", "disc")) turns.push_back("sector");
   if (is("sphere")) turns = {"full", "half", "quarter", "eighth"};
+  if (!section.decided()) turns = {"full", "half", "quarter", "eighth", "sector"};
   const std::string turn_word = section.when(is("cylinder", "tube", "sphere", "disc")).choice("turn", turns);
   const mesh::Revolution turn = turn_word == "full" ? mesh::Revolution::full : mesh::Revolution::quarter;
   const bool sector = is("sector") || (is("tube", "disc") && turn_word == "sector");
@@ -71,9 +72,9 @@ model::MeshOptions read_mesh_options(const Section& section) {
   const int cells_radial = if_ring.count("cells_radial");
   const double inner_radius = if_ring.quantity_or("inner_radius", 0, dim::length, not_negative);
   if (sector && section.sound() && !(angle < pi * cells_around))
-    section.fault("cells_around", "each of the 'cells_around' must take less than half a turn");
+    section.fault_between({"cells_around", "angle"}, "each of the 'cells_around' must take less than half a turn");
   if (sector && !is("tube") && section.sound() && !(inner_radius < radius))
-    section.fault("inner_radius", "'inner_radius' must be below 'radius'");
+    section.fault_between({"inner_radius", "radius"}, "'inner_radius' must be below 'radius'");
 
   const Section if_file = section.when(is("file"));
   const std::string path = if_file.word("path"), region_array = if_file.word_or("region_array", "region");
@@ -92,9 +93,10 @@ model::MeshOptions read_mesh_options(const Section& section) {
 
   const double count = model::count_elements(options);
   if (section.sound() && count > model::most_elements)
-    section.fault(is("box") ? "cells" : is("file") ? "path" : sector ? "cells_around" : is("sheet") ? "cells_along" : "cells_core",
-                  "the mesh would have " + std::to_string(std::llround(std::min(count, 1e18))) +
-                      " elements: expected at most a hundred million");
+    section.fault_between({is("box") ? "cells" : is("file") ? "path" : sector ? "cells_around" : is("sheet") ? "cells_along" : "cells_core",
+                           "cells_ring", "cells_radial", "cells_along", "cells_across"},
+                          "the mesh would have " + std::to_string(std::llround(std::min(count, 1e18))) +
+                              " elements: expected at most a hundred million");
   return options;
 }
 

@@ -1,5 +1,8 @@
 #include "input/readers.hpp"
 
+#include "base/words.hpp"
+#include "model/values.hpp"
+
 namespace nereid::input {
 
 namespace {
@@ -8,69 +11,70 @@ namespace {
 material::Elastic read_elasticity(const Section& section) {
   return {.density = section.quantity("density", dim::density, positive),
           .young = section.quantity("young", dim::stress, positive),
-          .poisson = section.number("poisson", above(-1).below(0.5))};
+          .poisson = section.number("poisson", model::range::poisson)};
 }
 
 /// All but the yield stress, which other laws have too.
 material::JohnsonCook read_johnson_cook(const Section& section) {
   material::JohnsonCook flow{};
   flow.hardening = section.quantity("hardening_coefficient", dim::stress, not_negative);
-  flow.hardening_exponent = section.number("hardening_exponent", above(0).up_to(1));
-  flow.rate_coefficient = section.number("rate_coefficient", within(0, 1));
+  flow.hardening_exponent = section.number("hardening_exponent", model::range::hardening_exponent);
+  flow.rate_coefficient = section.number("rate_coefficient", model::range::share);
   flow.reference_rate = section.quantity_or("reference_rate", 1, dim::frequency, positive);
-  flow.thermal_exponent = section.number("thermal_exponent", above(0).up_to(10));
+  flow.thermal_exponent = section.number("thermal_exponent", model::range::thermal_exponent);
   flow.reference_temperature = section.quantity("reference_temperature", dim::temperature, not_negative);
   flow.melting_temperature = section.quantity("melting_temperature", dim::temperature, positive);
   flow.specific_heat = section.quantity("specific_heat", dim::specific_heat, positive);
-  flow.heat_share = section.number_or("taylor_quinney", 0.9, within(0, 1));
+  flow.heat_share = section.number_or("taylor_quinney", 0.9, model::range::share);
   flow.temperature = section.quantity_or("temperature", flow.reference_temperature, dim::temperature, not_negative);
   return flow;
 }
 
-}  // namespace
-
-element::AnyLaw read_law(const Section& section) {
+element::AnyLaw read_law(const Section& section, bool of_plates) {
   const std::string kind = section.choice("kind", {"elastic", "j2_bilinear", "johnson_cook"});
-  const bool bilinear = kind == "j2_bilinear", hot = kind == "johnson_cook";
+  const bool bilinear = kind == "j2_bilinear", refused = of_plates && kind == "johnson_cook", hot = kind == "johnson_cook" && !refused;
+  static_assert(!material::PlateLaw<material::J2JohnsonCook>);
+  if (refused)  // its constants are not missed
+    section.fault("kind", model::plates_may_have_other_laws);
   const auto [density, young, poisson] = read_elasticity(section);
   const double yield = section.when(bilinear || hot).quantity("yield", dim::stress, positive);
   const Section if_bilinear = section.when(bilinear);
   const double tangent = if_bilinear.quantity("tangent", dim::stress, not_negative);
   const std::string hardening = if_bilinear.choice_or("hardening", "isotropic", {"isotropic", "kinematic", "mixed"});
-  const double share = if_bilinear.when(hardening == "mixed").number("isotropic_share", within(0, 1));
+  const double share = if_bilinear.when(hardening == "mixed").number("isotropic_share", model::range::share);
   material::JohnsonCook flow = read_johnson_cook(section.when(hot));
   flow.yield = yield;
   if (hot) {
     if (section.sound() && !(flow.reference_temperature < flow.melting_temperature))
-      section.fault("melting_temperature", "'melting_temperature' must be above 'reference_temperature'");
+      section.fault_between({"melting_temperature", "reference_temperature"},
+                            "'melting_temperature' must be above 'reference_temperature'");
     return material::J2JohnsonCook{density, young, poisson, flow};
   }
   if (!bilinear) return material::Elastic{density, young, poisson};
   if (section.sound() && !(tangent < young))
-    section.fault("tangent", "'tangent' must be below 'young': it is the slope of the stress-strain curve beyond yield");
+    section.fault_between({"tangent", "young"}, "'tangent' must be below 'young': it is the slope of the stress-strain curve beyond yield");
   if (hardening == "isotropic") return material::J2Bilinear{density, young, poisson, {yield, tangent}};
   return material::J2Mixed{density, young, poisson, yield, tangent, hardening == "mixed" ? share : 0.0};
 }
 
-element::AnyLaw read_plate_law(const Section& section) {
-  const element::AnyLaw law = read_law(section);
-  if (section.sound() && !element::plates_may_have(law))
-    section.fault("kind", "plates may have the laws elastic and j2_bilinear: this one has no return in plane stress");
-  return law;
-}
+}  // namespace
+
+element::AnyLaw read_law(const Section& section) { return read_law(section, false); }
+
+element::AnyLaw read_plate_law(const Section& section) { return read_law(section, true); }
 
 element::Viscosity read_viscosity(const Section& section) {
   const Section viscosity = section.section_or_empty("viscosity");
   const element::Viscosity usual;
-  return {.linear = viscosity.number_or("linear", usual.linear, within(0, 1)),
-          .quadratic = viscosity.number_or("quadratic", usual.quadratic, within(0, 10))};
+  return {.linear = viscosity.number_or("linear", usual.linear, model::range::linear_viscosity),
+          .quadratic = viscosity.number_or("quadratic", usual.quadratic, model::range::quadratic_viscosity)};
 }
 
 element::Hexahedron::Options read_one_point_options(const Section& section) {
   using element::Hexahedron;
   const bool springs = section.choice_or("hourglass_kind", "stiffness", {"stiffness", "viscous"}) == "stiffness";
   const double usual = springs ? Hexahedron::usual_stiffness : Hexahedron::usual_viscous;
-  return {.hourglass = section.number_or("hourglass", usual, above(0).up_to(1)),
+  return {.hourglass = section.number_or("hourglass", usual, model::range::hourglass),
           .viscosity = read_viscosity(section),
           .hourglass_kind = springs ? Hexahedron::Hourglass::stiffness : Hexahedron::Hourglass::viscous};
 }
@@ -96,9 +100,9 @@ element::Plate::Options read_plate_options(const Section& section) {
 
 contact::Coulomb read_friction(const Section& section) {
   contact::Coulomb friction;
-  friction.coefficient = section.number_or("friction", friction.coefficient, within(0, 10));
+  friction.coefficient = section.number_or("friction", friction.coefficient, model::range::friction);
   friction.tangential_penalty =
-      section.when(friction.coefficient > 0).number_or("tangential_penalty", friction.tangential_penalty, above(0).up_to(1));
+      section.when(friction.coefficient > 0).number_or("tangential_penalty", friction.tangential_penalty, model::range::tangential_penalty);
   return friction;
 }
 
@@ -122,9 +126,9 @@ dynamics::InterfaceOptions read_solid_interface(const Section& section) {
   if (bonded) options.friction = {};
   const Section rubbing = unilateral.when(options.friction.coefficient > 0);
   if (rubbing.choice_or("weights", "consistent", {"consistent", "paper"}) == "paper") options.weights = contact::Weights::paper;
-  options.damping_ratio = unilateral.number_or("damping_ratio", options.damping_ratio, within(0, 1));
+  options.damping_ratio = unilateral.number_or("damping_ratio", options.damping_ratio, model::range::damping_ratio);
   if (bonded) options.damping_ratio = 0;
-  options.energy_gain_limit = unilateral.number_or("energy_gain_limit", options.energy_gain_limit, within(1e-5, 0.04));
+  options.energy_gain_limit = unilateral.number_or("energy_gain_limit", options.energy_gain_limit, model::range::energy_gain_limit);
   options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
   return options;
 }
@@ -155,7 +159,7 @@ HeightFrom read_contact_height(const Section& section, HeightFrom usual, dynamic
 dynamics::Time read_time(const Section& section) {
   dynamics::Time time;
   time.end = section.quantity("end", dim::time, positive);
-  time.safety = section.number_or("safety", time.safety, above(0).up_to(10));
+  time.safety = section.number_or("safety", time.safety, model::range::safety);
   time.created_limit = section.number_or("created_limit", time.created_limit, positive);
   return time;
 }
@@ -171,6 +175,13 @@ model::Recording read_recording(const Section& section, double end) {
 Vec3 read_vector(const Section& section, std::string_view key, Dimension dimension) {
   const auto v = section.vector(key, dimension);
   return {v[0], v[1], v[2]};
+}
+
+Vec3 read_direction(const Section& section, std::string_view key) {
+  const Vec3 v = read_vector(section, key, dim::none);
+  if (v.norm() > 0) return v.normalized();
+  if (v.norm() == 0) section.fault(key, quote(key) + " has no direction: its length is zero");  // NaN where it is not used
+  return Vec3::UnitZ();
 }
 
 }  // namespace nereid::input

@@ -66,4 +66,7 @@ model::Recording read_recording(const Section&, double end);
 /// Three quantities as a vector.
 Vec3 read_vector(const Section&, std::string_view key, Dimension);
 
+/// Three numbers of any length but zero as a unit vector.
+Vec3 read_direction(const Section&, std::string_view key);
+
 }  // namespace nereid::input

@@ -1,12 +1,12 @@
 #include "input/scene_readers.hpp"
 
 #include <algorithm>
-#include <cctype>
 
 #include "input/load_readers.hpp"
 #include "input/mesh_readers.hpp"
 #include "input/readers.hpp"
 #include "model/meshes.hpp"
+#include "model/names.hpp"
 #include "model/probes.hpp"
 
 namespace nereid::input {
@@ -20,17 +20,11 @@ bool has(const Names& names, const std::string& name) { return std::find(names.b
 
 constexpr const char* sources = "bodies, contacts, planes, loads and springs";
 
-/// Points are kept for what belongs to a body, as in `bar.x_low`.
-bool is_plain(const std::string& name) {
-  const auto plain = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
-  return std::all_of(name.begin(), name.end(), plain) && std::isdigit(static_cast<unsigned char>(name[0])) == 0;
-}
-
 /// Refuses a name that is none, or taken.
 void check_name(const Section& section, const std::string& name, const Names& taken, const std::string& whose) {
   if (name.empty()) return;  // that has been said
-  if (!is_plain(name))
-    section.fault("name", "'name' = " + name + " is no name: expected letters, digits and '_', a letter first");
+  if (!model::is_name(name))
+    section.fault("name", model::is_no_name(name));
   else if (has(taken, name))
     section.fault("name", "'name' = " + name + " is given twice: names of " + whose + " differ");
 }
@@ -40,14 +34,6 @@ std::string read_name(const Section& section, Names& taken, const std::string& w
   check_name(section, name, taken, whose);
   taken.push_back(name);
   return name;
-}
-
-/// A unit vector of a direction of any length but zero.
-Vec3 read_direction(const Section& section, std::string_view key) {
-  const Vec3 v = read_vector(section, key, dim::none);
-  if (v.norm() > 0) return v.normalized();
-  if (v.norm() == 0) section.fault(key, "'" + std::string(key) + "' has no direction: its length is zero");
-  return Vec3::UnitZ();
 }
 
 model::Placement read_placement(const Section& body) {
@@ -100,17 +86,21 @@ model::Contact read_contact(const Section& section, Names& taken) {
 
 model::Probe read_probe(const Section& section, Names& taken) {
   model::Probe probe{.name = read_name(section, taken, "probes"), .quantity = {}, .of = section.word("of"), .at = section.path()};
-  if (probe.name == "time" || probe.name.rfind("energy_", 0) == 0)
+  if (model::is_column_of_every_history(probe.name))
     section.fault("name", "'name' = " + probe.name + " is a column of every history: choose another");
   Names words;
   for (const model::Measurable& one : model::measurables()) words.push_back(one.name);
-  probe.quantity = section.choice("quantity", words);
+  const std::string word = section.choice("quantity", words);
+  if (!section.decided()) {  // of which quantity these are, nobody knows
+    section.has("component"), section.has("take");
+    return probe;
+  }
+  probe.quantity = word;
   const model::Measurable& quantity = *model::find_measurable(probe.quantity);
-  const Section chosen = section.when(true);
   if (!quantity.components.empty())
-    probe.component = quantity.required ? chosen.choice("component", quantity.components)
-                                        : chosen.choice_or("component", quantity.components.front(), quantity.components);
-  if (quantity.of == model::Of::body) probe.largest = chosen.choice_or("take", "mean", {"mean", "largest"}) == "largest";
+    probe.component = quantity.required ? section.choice("component", quantity.components)
+                                        : section.choice_or("component", quantity.components.front(), quantity.components);
+  if (quantity.of == model::Of::body) probe.largest = section.choice_or("take", "mean", {"mean", "largest"}) == "largest";
   return probe;
 }
 
@@ -126,12 +116,13 @@ model::Stop read_stop(const Section& section, const std::vector<model::Probe>& p
     section.has("below");
     return stop;
   }
+  const model::Measurable* quantity = model::find_measurable(probe->quantity);
   if (stop.above && section.has("below"))
     section.fault("below", "'above' and 'below' are two conditions: write them one by one");
   else if (!stop.above && !section.has("below"))
     section.fault("above", "a condition needs 'above' or 'below'");
-  else
-    stop.value = section.quantity(key, dimension_of(model::find_measurable(probe->quantity)->unit));
+  else if (quantity != nullptr)  // else the probe is at fault
+    stop.value = section.quantity(key, dimension_of(quantity->unit));
   return stop;
 }
 
@@ -162,6 +153,7 @@ model::Scene read_scene(const Section& root) { return read_scene(root, true); }
 model::Scene read_scene_at_rest(const Section& root) {
   model::Scene scene = read_scene(root, false);
   scene.probes.clear(), scene.stops.clear();
+  scene.time = {.end = 1}, scene.recording = {};  // [s] none passes
   if (!scene.contacts.empty())
     root.fault("contacts", "'contacts' open and close, which no small motion about rest keeps: take them out");
   for (const Section& plane : root.list("planes")) {

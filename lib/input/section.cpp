@@ -33,19 +33,6 @@ std::string shown(const Node& scalar) {
   return text;
 }
 
-std::string range_text(const std::string& name, double low, double high, bool with_low,
-                       bool with_high, const std::string& unit) {
-  const auto end = [&](double value) {
-    return shortest(value) + (value == 0 || unit == "1" ? "" : " " + unit);
-  };
-  const bool from = std::isfinite(low), to = std::isfinite(high);
-  if (from && to) {
-    return end(low) + (with_low ? " <= " : " < ") + name + (with_high ? " <= " : " < ") + end(high);
-  }
-  if (from) return name + (with_low ? " >= " : " > ") + end(low);
-  return name + (with_high ? " <= " : " < ") + end(high);
-}
-
 /// A value that passes for one of the range while reading goes on after a fault.
 double harmless(const Range& range) {
   const bool from = std::isfinite(range.low), to = std::isfinite(range.high);
@@ -181,7 +168,7 @@ bool Section::read(Entry& entry, const Node& node, const std::string& name, Dime
               describe(dimension) + "], for example '" + unit + "'";
   } else if (!range.contains(quantity.value)) {
     message = said + " is out of range: expected " +
-              range_text(name, range.low, range.high, range.with_low, range.with_high, unit);
+              words_of(range, name, unit);
   }
   if (!message.empty()) {
     wrong(entry, node.place, std::move(message));
@@ -217,7 +204,7 @@ bool Section::read(Entry& entry, const Node& node, const std::string& name, int 
     const double from = low == std::numeric_limits<int>::min() ? -infinity : low;
     const double to = high == std::numeric_limits<int>::max() ? infinity : high;
     const std::string expected = std::isfinite(from) || std::isfinite(to)
-                                     ? range_text(name, from, to, true, true, "1")
+                                     ? words_of(within(from, to), name, "1")
                                      : "a number of at most nine digits";
     wrong(entry, node.place, said + " is out of range: expected " + expected);
     return false;
@@ -317,6 +304,8 @@ Section Section::when(bool used) const {
   }
   return result;
 }
+
+bool Section::decided() const { return node_ != nullptr && !node_->undecided; }
 
 bool Section::has(std::string_view key) const { return ask(key) != nullptr; }
 
@@ -579,6 +568,14 @@ void Section::fault(std::string_view key, std::string message, std::string hint)
   } else if (entry == nullptr && node_ != nullptr && use_ == Use::used) {
     document_->findings.push_back({node_->place, std::move(message), std::move(hint)});
   }
+}
+
+void Section::fault_between(std::initializer_list<std::string_view> keys, std::string message) const {
+  const auto set = [this](std::string_view key) {
+    const Entry* entry = ask(key);
+    return entry == nullptr ? -1 : place_of(*entry, *entry->value).source;
+  };
+  fault(*std::max_element(keys.begin(), keys.end(), [&](auto a, auto b) { return set(a) < set(b); }), std::move(message));
 }
 
 void Section::unknown_name(std::string_view key, const std::string& name, const std::string& what,

@@ -22,6 +22,7 @@
 #include <array>
 #include <exception>
 #include <functional>
+#include <initializer_list>
 #include <limits>
 #include <optional>
 #include <memory>
@@ -29,36 +30,16 @@
 #include <string_view>
 #include <vector>
 
+#include "base/range.hpp"
 #include "base/resolved.hpp"
 #include "input/units.hpp"
 
 namespace nereid::input {
 
-/// Which values are allowed, in SI units. Combine as in `above(-1).below(0.5)`.
-struct Range {
-  double low = -std::numeric_limits<double>::infinity();
-  double high = std::numeric_limits<double>::infinity();
-  bool with_low = false, with_high = false;  ///< whether the ends belong to the range
-
-  constexpr Range below(double end) const { return {low, end, with_low, false}; }
-  constexpr Range up_to(double end) const { return {low, end, with_low, true}; }
-  constexpr bool contains(double value) const {
-    return (with_low ? value >= low : value > low) && (with_high ? value <= high : value < high);
-  }
-};
-
-constexpr Range above(double end) { return Range{.low = end}; }
-constexpr Range at_least(double end) { return Range{.low = end, .with_low = true}; }
-constexpr Range below(double end) { return Range{.high = end}; }
-constexpr Range up_to(double end) { return Range{.high = end, .with_high = true}; }
-/// low < value < high
-constexpr Range between(double low, double high) { return above(low).below(high); }
-/// low <= value <= high
-constexpr Range within(double low, double high) { return at_least(low).up_to(high); }
-
-inline constexpr Range any{};  ///< every finite number; nan and infinity are never read
-inline constexpr Range positive = above(0);
-inline constexpr Range not_negative = at_least(0);
+// Ranges stand in every reader: input::positive, input::within.
+using nereid::above, nereid::at_least, nereid::below, nereid::between, nereid::not_negative, nereid::positive, nereid::Range,
+    nereid::up_to, nereid::within;
+inline constexpr Range any = nereid::finite;
 
 /// One thing that is wrong with a case, and its place.
 struct Fault {
@@ -112,6 +93,10 @@ class Section {
   /// an alternative reads the keys of all kinds, each through the condition of its kind. Where the
   /// `kind` itself is missing or unknown, no kind's keys are missing and none counts as unused.
   Section when(bool used) const;
+
+  /// Whether all choices read so far are there and known; else a reader does not judge what has another meaning or
+  /// shape in each kind.
+  bool decided() const;
 
   /// Whether the case has the key, with whatever value. A key only asked for by has() and never
   /// read is listed as not used.
@@ -175,6 +160,9 @@ class Section {
   /// The reader's own check has failed: `message` at the key's value, or at the section if the key
   /// is absent. Ignored if the value of this key is already at fault.
   void fault(std::string_view key, std::string message, std::string hint = "") const;
+
+  /// Values of several keys do not go together: `message` at the one that was set last, on the command line, else at the first.
+  void fault_between(std::initializer_list<std::string_view> keys, std::string message) const;
 
   /// The word `name` at this key, or in its list, names nothing: the fault says what there is (`what`, in the
   /// plural, and `names`) and which of it is near. For names of things that are known only after reading.

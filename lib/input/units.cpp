@@ -61,6 +61,9 @@ constexpr std::array symbols{
     Symbol{"K", {1, 1, dim::temperature}},
 };
 
+/// What people write for temperatures, in small letters. Most have another zero, so that no factor leads to K.
+constexpr std::array<std::string_view, 8> other_temperatures{"degc", "degf", "c", "f", "celsius", "fahrenheit", "kelvin", "degk"};
+
 constexpr const char* beyond_precision = "double precision cannot hold this number";
 
 constexpr int largest_power = 9;      // of one symbol; more is a slip of the finger
@@ -113,6 +116,7 @@ class Parser {
     while (end < text_.size() && (static_cast<unsigned char>(text_[end]) & 0xC0U) == 0x80U) ++end;
     std::string message = "unexpected " + quote(text_.substr(at_, end - at_));
     if (text_[at_] == ',') message += ", the decimal sign is a point";
+    if (text_.substr(at_, end - at_) == "\xC2\xB0") message += ", temperatures are in K and angles in deg or rad";  // the degree sign
     fail(at_, end - at_, std::move(message));
   }
 
@@ -254,6 +258,8 @@ class Parser {
                quote(std::string(name) + "^" + std::string(text_.substr(digits, at_ - digits))));
     }
     std::string message = "unknown unit " + quote(name);
+    if (std::find(other_temperatures.begin(), other_temperatures.end(), lower(name)) != other_temperatures.end())
+      fail(start, name.size(), message + ", temperatures are in K");
     for (const Symbol& symbol : symbols) {
       if (lower(symbol.name) == lower(name)) {
         message += ", did you mean " + quote(symbol.name) + "?";

@@ -10,7 +10,9 @@
 #include "base/words.hpp"
 #include "model/actions.hpp"
 #include "model/meshes.hpp"
+#include "model/names.hpp"
 #include "model/probes.hpp"
+#include "model/values.hpp"
 
 namespace nereid::model {
 
@@ -26,36 +28,6 @@ Names names_of(const Lists&... lists) {
   };
   (add(lists), ...);
   return names;
-}
-
-/// Sources of force and bodies are called by names that come once: the ledger has an account for each.
-void check_names_given(const Scene& scene, Faults& faults) {
-  std::set<std::string> taken{"gravity", "relaxation"};
-  const auto add = [&](const char* kind, const auto& all) {
-    for (const auto& one : all) {
-      const bool plain = !one.name.empty() && one.name.find_first_of(". \t\n,") == std::string::npos;
-      if (!plain)
-        refuse(faults, part(kind, one), "name", "'name' = " + one.name + " is no name: expected letters, digits and '_'");
-      if (!taken.insert(one.name).second) refuse(faults, part(kind, one), "name", "'name' = " + one.name + " is given twice");
-    }
-  };
-  add("body", scene.bodies), add("contact", scene.contacts), add("plane", scene.planes), add("plane", scene.rigid_planes);
-  add("load", scene.loads), add("spring", scene.springs), add("point mass", scene.point_masses);
-  for (const Contact& contact : scene.contacts)
-    if (contact.interface.two_passes && !taken.insert(contact.name + "_back").second)
-      refuse(faults, part("contact", contact), "name",
-             quote(contact.name + "_back") + " is given twice: it is the second pass of " + contact.name);
-  taken.clear();
-  add("probe", scene.probes);
-}
-
-/// A direction is a unit vector.
-void check_normals(const Scene& scene, Faults& faults) {
-  const auto look = [&faults](const auto& plane) {
-    if (!(std::abs(plane.normal.norm() - 1) < 1e-9)) refuse(faults, part("plane", plane), "normal", "'normal' is no unit vector");
-  };
-  for (const Plane& plane : scene.planes) look(plane);
-  for (const RigidPlane& plane : scene.rigid_planes) look(plane);
 }
 
 void check_probes(const Scene& scene, const mesh::Mesh& mesh, Faults& faults) {
@@ -125,15 +97,12 @@ void check_names(const Scene& scene, const mesh::Mesh& mesh, Faults& faults) {
 bool belongs(const std::string& name, const Body& body) { return name.substr(0, name.find('.')) == body.name; }
 
 /// The elements of all bodies; a mesh from a file may have several regions.
-void add_elements(const Scene& scene, dynamics::Model& model, Faults& faults) {
+void add_elements(const Scene& scene, dynamics::Model& model) {
   for (const Body& body : scene.bodies) {
     for (const mesh::Hexahedra& region : model.mesh.hexahedra)
       if (belongs(region.name, body)) model.blocks.push_back(element::solids(model.mesh, region.name, body.law, body.solid));
-    if (has_plates(body.mesh) && !(body.plate.thickness > 0))
-      refuse(faults, part("body", body), "element", "plates need a thickness");
-    else
-      for (const mesh::Triangles& region : model.mesh.triangles)
-        if (belongs(region.name, body)) model.blocks.push_back(element::plates(model.mesh, region.name, body.law, body.plate));
+    for (const mesh::Triangles& region : model.mesh.triangles)
+      if (belongs(region.name, body)) model.blocks.push_back(element::plates(model.mesh, region.name, body.law, body.plate));
   }
 }
 
@@ -249,7 +218,7 @@ Simulation build(const Scene& scene) {
   Faults faults;
   if (scene.bodies.empty()) refuse(faults, {"", "the scene"}, "bodies", "there are no bodies");
   check_names_given(scene, faults);
-  check_normals(scene, faults);
+  check_values(scene, faults);
   throw_if_any(faults);
 
   Simulation simulation;
@@ -258,13 +227,14 @@ Simulation build(const Scene& scene) {
   if (is_whole(scene, model.mesh)) check_names(scene, model.mesh, faults);
   throw_if_any(faults);
 
-  add_elements(scene, model, faults);
+  add_elements(scene, model);
   add_planes(scene, model, faults);
   if (!have_masses(scene, model, faults)) throw_if_any(faults);
   dynamics::finalize(model);
   add_rigid_planes(scene, model, faults);
   add_loads(scene, model, faults);
   std::vector<dynamics::Connected> connected = add_contacts(scene, model, faults);
+  check_columns(scene, model, faults);
   throw_if_any(faults);
 
   std::vector<contact::Memory> memories;

@@ -23,8 +23,9 @@ struct Simulation {
 
 /// Builds meshes, elements, planes, loads and contacts, and the state at the start.
 ///
-/// Throws SceneError with all faults that only the meshes show: names that name nothing, maps that turn elements inside
-/// out, planes against one another, nodes behind a floor, penetrations, values that are no number, and so on.
+/// Throws SceneError with all faults: first of values and names as they are given, then of what only the meshes show, as names that
+/// name nothing, maps that turn elements inside out, planes against one another, nodes behind a floor, penetrations, functions that give
+/// no number.
 Simulation build(const Scene&);
 
 /// Runs a simulation to its end, to what its conditions ask for, or to what stops it; or on from where it was left.

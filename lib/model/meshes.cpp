@@ -1,10 +1,12 @@
 #include "model/meshes.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 
 #include "base/check.hpp"
+#include "base/words.hpp"
 #include "mesh/placement.hpp"
 #include "mesh/skin.hpp"
 
@@ -41,7 +43,28 @@ double elements(const mesh::Mesh& m) {
   return sum;
 }
 
+/// Throws InternalError for a given mesh that cannot be one: no nodes, numbers of nodes that are not there, names of another body.
+void check_given(const mesh::Mesh& mesh) {
+  const auto refuse_if = [](bool wrong, const std::string& what) { check(!wrong, ("the mesh " + what).c_str()); };
+  const Eigen::Index nodes = mesh.X.cols();
+  refuse_if(nodes == 0, "has no nodes");
+  const auto look = [&](const char* kind, const std::string& name, const auto& numbers) {
+    const std::string one = std::string(" its ") + kind + " " + quote(name);
+    refuse_if(!name.empty() && name[0] != '.', "is yet without the name of its body, so its names begin with a point as '.x_low' does:" +
+                                                   one + " does not");
+    for (const Index node : numbers)
+      refuse_if(node < 0 || node >= nodes, "has no node " + std::to_string(node) + ", which" + one + " names");
+  };
+  for (const mesh::Hexahedra& region : mesh.hexahedra) look("region", region.name, region.nodes.reshaped());
+  for (const mesh::Triangles& region : mesh.triangles) look("region", region.name, region.nodes.reshaped());
+  for (const mesh::Surface& surface : mesh.surfaces) look("surface", surface.name, surface.facets.reshaped());
+  for (const mesh::NodeSet& set : mesh.node_sets) look("node set", set.name, set.nodes);
+  const auto whole = [](const mesh::NodeSet& set) { return set.name.empty(); };
+  refuse_if(std::none_of(mesh.node_sets.begin(), mesh.node_sets.end(), whole), "has no node set '' of all its nodes");
+}
+
 mesh::Mesh with_names(const std::string& name, mesh::Mesh mesh) {
+  check_given(mesh);
   const auto prefix = [&name](auto& all) {
     for (auto& one : all) one.name = name + one.name;
   };

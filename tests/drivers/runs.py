@@ -6,6 +6,7 @@ the whole story where it stopped.
 """
 import csv
 import json
+import math
 import re
 import subprocess
 import sys
@@ -352,6 +353,14 @@ class Summary(InATemporaryFolder):
         self.assertEqual(run.status, 3)
         self.assertEqual(run.summary()["ending"]["word"], "not_converged")
         self.assertIn("path[0]", run.stderr)
+
+    def test_strain_beyond_numbers(self):
+        for strain in ("1e200", "-1e300", "1e155"):  # NaN or infinity in stress or work
+            run = Run("material_point", ["path[0].strain.xy=" + strain], self.folder / "out")
+            ending = run.summary()["ending"]
+            self.assertEqual((run.status, ending["word"]), (3, "not_finite"), run.stderr)
+            self.assertRegex(ending["reason"], r"is no finite number at increment \d+ of path\[0\]")
+            self.assertTrue(all(math.isfinite(value) for column in run.history().values() for value in column))
 
     def test_contact_elements(self):
         run = self.run_to_end("contact_elements", ["elements=20"])

@@ -174,7 +174,7 @@ TEST_F(Fields, EqualGridsGiveEqualBytes) {
   }
 }
 
-TEST_F(Fields, NotANumberIsReplacedCountedAndWarnedOfOnce) {
+TEST_F(Fields, WhatAFileCannotHoldIsReplacedCountedAndWarnedOfOnce) {
   Collection body(fresh_folder("nan"), "body", GridKind::volume);
   Grid grid = ring(0);
   grid.cell_fields[1].values(0, 3) = std::nan("");
@@ -185,9 +185,10 @@ TEST_F(Fields, NotANumberIsReplacedCountedAndWarnedOfOnce) {
   grid.time = 1;
   body.add(grid);
   const std::string said = testing::internal::GetCapturedStderr();
-  EXPECT_EQ(body.not_finite(), 6);
-  EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1);
-  EXPECT_NE(said.find("'von_mises' holds 3 values"), std::string::npos);
+  EXPECT_EQ(body.replaced(), 6);
+  EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 2);
+  EXPECT_NE(said.find("'von_mises' holds no number in 2 places at 0 s; written as 0"), std::string::npos) << said;
+  EXPECT_NE(said.find("'von_mises' holds a number beyond the range of Float32 in 1 place at 0 s"), std::string::npos) << said;
 }
 
 TEST_F(Fields, FrameAtTheSameTimeReplacesTheLastOne) {

@@ -207,7 +207,7 @@ TEST(ReadActions, RefuseUnitsOfAnotherDimensionAndValuesThatAreNoNumber) {
   EXPECT_EQ(faults_of("initial:\n  - {body: box, velocity: [\"t\", 0, 0], unit: m/s}\n"),
             "2:29: cannot read 'velocity[0]' = t: 't' is unknown: expected x, y, z, pi, or a function such as sin, min, exp\n");
   EXPECT_EQ(faults_of("planes:\n  - {name: a, kind: constrained, nodes: [box.tip], normal: [0, 0, 0]}\n"),
-            "2:60: 'normal' has no length\n");
+            "2:60: 'normal' has no direction: its length is zero\n");
 }
 
 TEST(ReadActions, RefuseADisplacementThatTurnsElementsInsideOut) {

@@ -36,6 +36,11 @@ const std::string box = "kind: box\nlow: [0 m, 0 m, 0 m]\nhigh: [1 m, 10 cm, 100
 const std::string cylinder = "kind: cylinder\nradius: 1 m\nlength: 2 m\nturn: quarter\ncells_core: 3\ncells_ring: 2\ncells_along: 4\n";
 const std::string tube = "kind: tube\nradius: 1 m\nlength: 2 m\nturn: full\ncells_core: 3\ncells_along: 4\n";
 
+TEST(ReadMesh, AKindThatIsUnknownIsTheOnlyFault) {
+  const std::string said = refusal("kind: tub\nradius: 1 m\nlength: 2 m\nturn: sector\nangle: 30 deg\ncells_around: 3\ncells_along: 4\n");
+  EXPECT_TRUE(says(said, "'kind' = tub is unknown") && says(said, "\n1 fault in")) << said;
+}
+
 TEST(ReadMesh, ABoxIsBuiltAsItIsWritten) {
   const mesh::Mesh bar = model::make_mesh("bar", read(box));
   EXPECT_EQ(bar.X.cols(), 11 * 3 * 3);

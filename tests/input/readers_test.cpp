@@ -88,6 +88,18 @@ TEST(ReadLaw, RefusesAMeltingTemperatureBelowThatOfReference) {
   EXPECT_THROW(read(cold, read_law), CaseError);
 }
 
+TEST(ReadLaw, RefusesTheConstantOfTwoThatWasSet) {
+  const CaseFile file = CaseFile::parse(hot_steel, "case.yaml", {"reference_temperature=2000 K"});
+  read_law(file.root());
+  try {
+    file.finish();
+    FAIL();
+  } catch (const CaseError& error) {
+    ASSERT_EQ(error.faults.size(), 1U);
+    EXPECT_EQ(error.faults[0].source, "--set reference_temperature=2000 K");
+  }
+}
+
 TEST(ReadPlateLaw, RefusesALawThatPlatesMayNotHaveAndNamesThoseTheyMay) {
   EXPECT_TRUE(std::holds_alternative<material::J2Bilinear>(read(steel, read_plate_law)));
   try {
@@ -99,6 +111,15 @@ TEST(ReadPlateLaw, RefusesALawThatPlatesMayNotHaveAndNamesThoseTheyMay) {
 }
 
 element::AnyHexahedronOptions hexahedron(const Section& section) { return read_hexahedron_options(section); }
+
+TEST(ReadPlateLaw, DoesNotMissTheConstantsOfALawThatPlatesMayNotHave) {
+  try {
+    read("kind: johnson_cook\ndensity: 1 kg/m^3\nyoung: 4 Pa\npoisson: 0\n", read_plate_law);
+    FAIL();
+  } catch (const CaseError& error) {
+    EXPECT_EQ(error.faults.size(), 1U) << error.what();
+  }
+}
 
 TEST(ReadHexahedron, HasOnePointAndSpringsUnlessToldOtherwise) {
   using element::FullHexahedron;

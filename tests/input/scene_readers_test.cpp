@@ -128,6 +128,19 @@ TEST(ReadStop, IsInTheDimensionOfItsProbe) {
   EXPECT_TRUE(says(refusal(probes + "stop:\n  - {probe: w, below: 1 N}\n" + time), "'probe' = w is unknown: probes are u"));
 }
 
+TEST(Kinds, ThatAreUnknownOrMissingAreTheOnlyFault) {
+  const std::string load = "loads:\n  - {name: pull, nodes: bar, value: [\"1\", \"0\", \"0\"], unit: N";
+  const std::string driven = "planes:\n  - {name: end, nodes: [bar], velocity: {value: [\"t\", \"0\", \"0\"], unit: m/s}";
+  const std::string probe = "probes:\n  - {name: p, of: bar, component: xz, take: largest";
+  for (const std::string& text : {load, load + ", kind: forse", driven, driven + ", kind: drivn", driven + ", kind: held",
+                                  probe, probe + ", quantity: stres"}) {
+    const std::string said = refusal(bar + text + "}\n" + time);
+    EXPECT_TRUE(says(said, "\n1 fault in")) << said;
+  }
+  const std::string stop = refusal(bar + probe + "}\nstop:\n  - {probe: p, above: 1 Pa}\n" + time);
+  EXPECT_TRUE(says(stop, "missing 'quantity'") && says(stop, "\n1 fault in")) << stop;
+}
+
 TEST(ReadSceneAtRest, LeavesOutWhatBelongsToARun) {
   const std::string text =
       bar +

@@ -817,6 +817,19 @@ TEST(Overrides, OfOneKeyAreGivenOnce) {
       | title=B
       | ^~~~~~~
 1 fault in case.yaml)");
+  EXPECT_EQ(message(bars, read_bars, {"bodies[0].length=1 m", "bodies[00].length=2 m"}),
+            "repeated --set of 'bodies[00].length': first given by '--set bodies[0].length=1 m'");
+  EXPECT_EQ(message(bars, read_bars, {"bodies[0].length=1 m", "bodies[1].length=2 m"}), "");
+}
+
+TEST(Overrides, ThatDoNotGoWithTheFileAreAtFaultThemselves) {
+  const Reader reader = [](Section root) {
+    root.number("low"), root.number("high");
+    root.fault_between({"high", "low"}, "'high' must be above 'low'");
+  };
+  EXPECT_NE(report("low: 2\nhigh: 1\n", reader).find("case.yaml:2:7: 'high' must"), std::string::npos);
+  EXPECT_NE(report("low: 0\nhigh: 1\n", reader, {"low=2"}).find("--set low=2:5: 'high' must"), std::string::npos);
+  EXPECT_NE(report("low: 0\nhigh: 3\n", reader, {"low=2", "high=1"}).find("--set high=1:6: 'high' must"), std::string::npos);
 }
 
 TEST(Overrides, HaveTheirFaultsAfterThoseOfTheFile) {

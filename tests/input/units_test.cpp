@@ -154,6 +154,9 @@ TEST(Units, FaultsSayWhatAndWhere) {
   EXPECT_EQ(fault("1d-3"), "2:1: unknown unit 'd'");
   EXPECT_EQ(fault("0x10"), "2:1: unknown unit 'x'");
   EXPECT_EQ(fault("210 Gpa"), "5:3: unknown unit 'Gpa', did you mean 'GPa'?");
+  EXPECT_EQ(fault("20 degC"), "4:4: unknown unit 'degC', temperatures are in K");
+  EXPECT_EQ(fault("5 J/(kg*C)"), "9:1: unknown unit 'C', temperatures are in K");
+  EXPECT_EQ(fault("20 \xC2\xB0" "C"), "4:2: unexpected '\xC2\xB0', temperatures are in K and angles in deg or rad");
   EXPECT_EQ(fault("7850 kg/m3"), "9:2: a power needs '^', as in 'm^3'");
   EXPECT_EQ(fault("2 m^0.5"), "5:2: a power is a whole number");
   EXPECT_EQ(fault("2 m^"), "5:1: a power is a whole number");

@@ -58,6 +58,31 @@ TEST(MakeMesh, RefusesAGivenMeshWithInvertedElements) {
   EXPECT_TRUE(says(refusal(scene), "body 'bar': the mesh leaves element 0 of 'bar' no positive volume")) << refusal(scene);
 }
 
+TEST(MakeMesh, RefusesAGivenMeshThatCannotBeOne) {
+  const mesh::Mesh sound = mesh::box("", {Vec3(0, 0, 0), Vec3(1, 1, 1), {1, 1, 1}});
+  const auto said_of = [](const mesh::Mesh& given) {
+    return refusal(with({{.name = "bar", .mesh = given, .law = steel, .plate = sheet().plate}}));
+  };
+  EXPECT_EQ(said_of(sound), "");
+  EXPECT_TRUE(says(said_of({}), "body 'bar': the mesh has no nodes")) << said_of({});
+  for (const Index node : {-1, 8, 77}) {
+    mesh::Mesh given = sound;
+    given.hexahedra[0].nodes(3, 0) = node;
+    EXPECT_TRUE(says(said_of(given), "the mesh has no node " + std::to_string(node) + ", which its region '' names")) << said_of(given);
+    given = sound, given.surfaces[0].facets(0, 0) = node;
+    EXPECT_TRUE(says(said_of(given), "which its surface '.")) << said_of(given);
+    given = sound, given.node_sets.back().nodes = {node};
+    EXPECT_TRUE(says(said_of(given), "which its node set '")) << said_of(given);
+    given = sound, given.triangles = {{"", Table<3>::Constant(3, 1, node)}};
+    EXPECT_TRUE(says(said_of(given), "the mesh has no node ")) << said_of(given);
+  }
+  mesh::Mesh given = sound;
+  given.hexahedra[0].name = "lead";
+  EXPECT_TRUE(says(said_of(given), "so its names begin with a point as '.x_low' does: its region 'lead' does not")) << said_of(given);
+  given = sound, given.node_sets.clear();
+  EXPECT_TRUE(says(said_of(given), "the mesh has no node set '' of all its nodes")) << said_of(given);
+}
+
 TEST(NamePoints, NamesTheNearestNodeAndRefusesWhatLiesBesideTheBody) {
   Scene scene = with({bar()});
   scene.bodies[0].points = {{.name = "tip", .near = Vec3(2, 0, 0)}};

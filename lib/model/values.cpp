@@ -1,0 +1,200 @@
+#include "model/values.hpp"
+
+#include <cmath>
+
+#include "base/words.hpp"
+#include "model/meshes.hpp"
+
+namespace nereid::model {
+
+namespace {
+
+/// A value of a part, what a case would call it, and what it may be.
+struct Value {
+  std::string key;
+  double value;
+  Range allowed = finite;
+  const char* unit = "1";
+};
+using Values = std::vector<Value>;
+
+std::string last_of(const std::string& key) { return key.substr(key.rfind('.') + 1); }
+
+/// Whether all values are in their ranges.
+bool check(Faults& faults, const Part& part, const Values& values) {
+  const std::size_t before = faults.size();
+  for (const auto& [key, value, allowed, unit] : values)
+    if (!std::isfinite(value))
+      refuse(faults, part, key, quote(last_of(key)) + " = " + shortest(value) + " is no finite number");
+    else if (!allowed.contains(value))
+      refuse(faults, part, key,
+             quote(last_of(key)) + " = " + shortest(value) + " is out of range: expected " + words_of(allowed, last_of(key), unit));
+  return faults.size() == before;
+}
+
+/// The components of a vector, which are any finite numbers.
+Values components(const char* key, const Vec3& vector) { return {{key, vector.x()}, {key, vector.y()}, {key, vector.z()}}; }
+
+/// One of the words of an enumeration, by the last of them.
+template <class Enum>
+Value kind(const char* key, Enum value, Enum last) {
+  return {key, static_cast<double>(value), within(0, static_cast<double>(last))};
+}
+
+void check_direction(Faults& faults, const Part& part, const char* key, const Vec3& direction) {
+  if (!(std::abs(direction.norm() - 1) < 1e-9)) refuse(faults, part, key, quote(last_of(key)) + " is no unit vector");
+}
+
+/// The functions for x, y and z; where `may_be_empty`, all or none of them.
+void check_functions(Faults& faults, const Part& part, const char* key, const Field& field, bool may_be_empty) {
+  const int count = (field[0] ? 1 : 0) + (field[1] ? 1 : 0) + (field[2] ? 1 : 0);
+  if (count < 3 && !(may_be_empty && count == 0)) refuse(faults, part, key, quote(key) + " needs a function for each of x, y and z");
+}
+
+// Constants that Hooke's law does not have, by law.
+
+Values strength(const material::Elastic&) { return {}; }
+Values strength(const material::J2Bilinear& law) {
+  return {{"yield", law.flow.yield, positive, "Pa"}, {"tangent", law.flow.tangent, not_negative.below(law.young), "Pa"}};
+}
+Values strength(const material::J2Mixed& law) {
+  return {{"yield", law.yield, positive, "Pa"},
+          {"tangent", law.tangent, not_negative.below(law.young), "Pa"},
+          {"isotropic_share", law.isotropic, range::share}};
+}
+Values strength(const material::J2JohnsonCook& law) {
+  const material::JohnsonCook& f = law.flow;
+  const Range above_reference = f.reference_temperature >= 0 ? above(f.reference_temperature) : positive;
+  return {{"yield", f.yield, positive, "Pa"},
+          {"hardening_coefficient", f.hardening, not_negative, "Pa"},
+          {"hardening_exponent", f.hardening_exponent, range::hardening_exponent},
+          {"rate_coefficient", f.rate_coefficient, range::share},
+          {"reference_rate", f.reference_rate, positive, "1/s"},
+          {"thermal_exponent", f.thermal_exponent, range::thermal_exponent},
+          {"reference_temperature", f.reference_temperature, not_negative, "K"},
+          {"melting_temperature", f.melting_temperature, above_reference, "K"},
+          {"specific_heat", f.specific_heat, positive, "J/(kg*K)"},
+          {"taylor_quinney", f.heat_share, range::share},
+          {"temperature", f.temperature, not_negative, "K"}};
+}
+
+void check_law(const Body& body, Faults& faults) {
+  Part here = part("body", body);
+  if (!here.at.empty()) here.at += ".material";
+  const auto constants = [&](const auto& law) {
+    const bool sound = check(faults, here, {{"density", law.density, positive, "kg/m^3"}, {"young", law.young, positive, "Pa"},
+                                            {"poisson", law.poisson, range::poisson}});
+    if (sound) check(faults, here, strength(law));  // some of these ranges end at one of those
+  };
+  if (has_plates(body.mesh) && !element::plates_may_have(body.law))
+    refuse(faults, here, "kind", plates_may_have_other_laws);
+  else
+    std::visit(constants, body.law);
+}
+
+// Options of elements, by kind.
+
+Values of_viscosity(const element::Viscosity& viscosity) {
+  return {{"element.viscosity.linear", viscosity.linear, range::linear_viscosity},
+          {"element.viscosity.quadratic", viscosity.quadratic, range::quadratic_viscosity}};
+}
+Values own(const element::Hexahedron::Options& options) { return {{"element.hourglass", options.hourglass, range::hourglass}}; }
+Values own(const element::FullHexahedron::Options&) { return {}; }
+Values own(const element::Plate::Options& options) {
+  return {{"element.thickness", options.thickness, positive, "m"},
+          {"element.layers", static_cast<double>(options.layers), within(1, element::Plate::most_layers)}};
+}
+
+void check_body(const Body& body, Faults& faults) {
+  const Part here = part("body", body);
+  const auto look = [&](const auto& options) { check(faults, here, own(options)), check(faults, here, of_viscosity(options.viscosity)); };
+  check_law(body, faults);
+  check_functions(faults, here, "map", body.map, true);
+  if (has_solids(body.mesh)) std::visit(look, body.solid);
+  if (has_plates(body.mesh)) look(body.plate);
+  check(faults, here, {{"rotate.angle", body.place.angle}});
+  if (body.place.angle != 0) check_direction(faults, here, "rotate.axis", body.place.axis);
+  check(faults, here, components("rotate.about", body.place.about)), check(faults, here, components("move", body.place.move));
+  for (const Point& point : body.points) check(faults, part("point", point), components("near", point.near));
+}
+
+// How surfaces touch.
+
+Values of_friction(const contact::Coulomb& friction, double energy_gain_limit) {
+  return {{"friction", friction.coefficient, range::friction},
+          {"tangential_penalty", friction.tangential_penalty, range::tangential_penalty},
+          {"energy_gain_limit", energy_gain_limit, range::energy_gain_limit}};
+}
+
+void check_contact(const Contact& contact, Faults& faults) {
+  using dynamics::PenaltyFrom;
+  const Part here = part("contact", contact);
+  const dynamics::InterfaceOptions& o = contact.interface;
+  check(faults, here, of_friction(o.friction, o.energy_gain_limit));
+  check(faults, here, {kind("kind", o.kind, contact::InterfaceKind::bonded), kind("penalty_from", o.penalty_from, PenaltyFrom::masses),
+                       {"damping_ratio", o.damping_ratio, range::damping_ratio},
+                       {"clearance", o.height.clearance, not_negative, "m"}, {"height", o.height.given, not_negative, "m"}});
+  if (o.penalty_from == PenaltyFrom::value) check(faults, here, {{"penalty", o.penalty, positive, "Pa/m"}});
+  if (o.penalty_from == PenaltyFrom::stiffness) check(faults, here, {{"penalty_scale", o.penalty_scale, positive}});
+  if (o.penalty_from == PenaltyFrom::masses) check(faults, here, {{"step_share", o.step_share, positive}});
+}
+
+void check_plane(const Plane& plane, Faults& faults) {
+  const Part here = part("plane", plane);
+  check(faults, here, {kind("kind", plane.kind, load::PlaneKind::driven)});
+  check(faults, here, components("point", plane.point));
+  check_direction(faults, here, "normal", plane.normal);
+  check_functions(faults, here, "velocity", plane.field, plane.kind != load::PlaneKind::driven);
+  check_functions(faults, here, "angular_velocity", plane.angular_velocity, true);
+  if (plane.nodes.empty()) refuse(faults, here, "nodes", "'nodes' names no node set");
+}
+
+void check_wall(const RigidPlane& plane, Faults& faults) {
+  const Part here = part("plane", plane);
+  check(faults, here, components("point", plane.point));
+  check_direction(faults, here, "normal", plane.normal);
+  check(faults, here, {{"penalty", plane.penalty.value_or(1), positive, "Pa/m"}, {"penalty_scale", plane.penalty_scale, positive}});
+  check(faults, here, of_friction(plane.friction, plane.energy_gain_limit));
+}
+
+void check_load(const Load& load, Faults& faults) {
+  const Part here = part("load", load);
+  if (!check(faults, here, {kind("kind", load.kind, LoadKind::body_force)})) return;
+  if (load.kind != LoadKind::pressure) check_functions(faults, here, "value", load.value, false);
+  else if (!load.value[0]) refuse(faults, here, "value", "'value' needs a function");
+}
+
+void check_run(const Scene& scene, Faults& faults) {
+  const dynamics::Relaxation relaxation = scene.relaxation.value_or(dynamics::Relaxation{});
+  check(faults, {"", "the scene"}, components("gravity", scene.gravity));
+  check(faults, {"time", "time"}, {{"end", scene.time.end, positive, "s"}, {"safety", scene.time.safety, range::safety},
+                                   {"created_limit", scene.time.created_limit, positive}});
+  check(faults, {"output", "recording"}, {{"history_every", scene.recording.history, not_negative, "s"},
+                                          {"frames_every", scene.recording.frames, not_negative, "s"}});
+  check(faults, {"relaxation", "relaxation"}, {{"residual", relaxation.residual, range::residual},
+                                               {"after", relaxation.after, not_negative, "s"},
+                                               {"samples", static_cast<double>(relaxation.samples), at_least(1)}});
+  for (const Stop& stop : scene.stops)
+    check(faults, {stop.at, "condition to stop"}, {{stop.above ? "above" : "below", stop.value}, {"after", stop.after, not_negative, "s"}});
+}
+
+}  // namespace
+
+void check_values(const Scene& scene, Faults& faults) {
+  for (const Body& body : scene.bodies) check_body(body, faults);
+  for (const Contact& contact : scene.contacts) check_contact(contact, faults);
+  for (const Plane& plane : scene.planes) check_plane(plane, faults);
+  for (const RigidPlane& plane : scene.rigid_planes) check_wall(plane, faults);
+  for (const Load& load : scene.loads) check_load(load, faults);
+  for (const Spring& spring : scene.springs)
+    check(faults, part("spring", spring), {{"stiffness", spring.stiffness, not_negative, "N/m"},
+                                           {"damping", spring.damping, not_negative, "N s/m"},
+                                           {"rest_length", spring.length.value_or(0), not_negative, "m"}});
+  for (const PointMass& mass : scene.point_masses) check(faults, part("point mass", mass), {{"mass", mass.mass, positive, "kg"}});
+  for (const Initial& initial : scene.initial)
+    check_functions(faults, {initial.at, "initial motion of '" + initial.body + "'"}, initial.displacement ? "displacement" : "velocity",
+                    initial.value, false);
+  check_run(scene, faults);
+}
+
+}  // namespace nereid::model

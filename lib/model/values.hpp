@@ -1,0 +1,26 @@
+#pragma once
+// Which values a scene may have, wherever it comes from: readers of cases and build() go by the same ranges.
+
+#include "base/range.hpp"
+#include "model/fault.hpp"
+#include "model/scene.hpp"
+
+namespace nereid::model {
+
+/// Ranges of values that are not just positive or not negative.
+namespace range {
+inline constexpr Range poisson = between(-1, 0.5), share = within(0, 1), hardening_exponent = above(0).up_to(1),
+                       thermal_exponent = above(0).up_to(10), hourglass = above(0).up_to(1), linear_viscosity = within(0, 1),
+                       quadratic_viscosity = within(0, 10), friction = within(0, 10), tangential_penalty = above(0).up_to(1),
+                       damping_ratio = within(0, 1), energy_gain_limit = within(1e-5, 0.04), safety = above(0).up_to(10),
+                       residual = between(0, 1);
+}  // namespace range
+
+inline constexpr const char* plates_may_have_other_laws =
+    "plates may have the laws elastic and j2_bilinear: this one has no return in plane stress";
+
+/// Faults: values that are no finite number or out of their range, directions that are no unit vectors, functions that are
+/// empty, laws that plates may not have, planes on no nodes.
+void check_values(const Scene&, Faults&);
+
+}  // namespace nereid::model
