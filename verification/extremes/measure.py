@@ -335,7 +335,7 @@ def self_overlap(body, x):
 
 
 def inside_out(body, x, X):
-    """The least Jacobian of any corner of a body's hexahedra over its own of the reference."""
+    """The least Jacobian of any corner of a body's hexahedra over the mean one of its element in the reference."""
     if body.is_plate:
         return 1.0
-    return float(np.min(least_corner(x[body.cells]) / np.abs(least_corner(X[body.cells]))))
+    return float(np.min(least_corner(x[body.cells]) / (volumes(X[body.cells]) / 8)))
