@@ -336,19 +336,43 @@ def keeps_shape(seen, body, within):
     return None if off <= within else f"{body} changes its shape by {off:.2g}, expected at most {within:g}"
 
 
-def cheap(seen, steps, of=None):
+def cheap(seen, steps):
     """A run takes at most so many steps."""
-    taken = of if of is not None else seen.steps
-    return None if taken <= steps else f"{taken} steps, expected at most {steps}"
+    return None if seen.steps <= steps else f"{seen.steps} steps, expected at most {steps}"
+
+
+def returns(seen, body, axis, velocity, least, most):
+    """A body comes back with `least` to `most` of the velocity with which it came."""
+    part = -float(np.array(axis, dtype=float) @ seen.velocity(body, seen.frames[-1])) / velocity
+    return None if least <= part <= most else f"{body} comes back with {part:.3g} of its velocity, expected {least:g} to {most:g}"
+
+
+def side(seen, one, other, axis):
+    """The centres of two bodies stay on the same sides of each other along an axis."""
+    ways = [float(np.array(axis, dtype=float) @ (seen.centre(one, frame) - seen.centre(other, frame))) for frame in seen.frames]
+    return None if min(way * ways[0] for way in ways) > 0 else f"{one} goes through {other}"
+
+
+def no_lower(seen, body, axis, way):
+    """The centre of a body goes no lower along an axis than `way` from where it was."""
+    axis = np.array(axis, dtype=float)
+    least = min(float(axis @ (seen.centre(body, frame) - seen.centre(body, seen.frames[0]))) for frame in seen.frames)
+    return None if least >= way else f"{body} goes to {least:.3g} m, expected is not below {way:.3g} m"
+
+
+def no_faster(seen, body, axis, speed):
+    """The centre of a body is never faster along an axis."""
+    most = max(abs(float(np.array(axis, dtype=float) @ seen.velocity(body, frame))) for frame in seen.frames)
+    return None if most <= speed else f"{body} is at {most:.3g} m/s, expected at most {speed:.3g}"
 
 
 ANSWERS = {"separates": separates, "stays": stays, "untouched": untouched, "moves": moves, "stands": stands, "keeps_shape": keeps_shape,
-           "cheap": cheap}
+           "cheap": cheap, "returns": returns, "side": side, "no_lower": no_lower, "no_faster": no_faster}
 
 
 def answer_faults(seen, expected):
     """Known answers that are missed: each is (word, arguments)."""
-    said = [ANSWERS[word](seen, *arguments) for word, *arguments in expected.answers if word != "like"]
+    said = [ANSWERS[word](seen, *arguments) for word, *arguments in expected.answers]
     return [Fault("answer", 1.0, text) for text in said if text]
 
 
