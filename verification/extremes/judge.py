@@ -551,3 +551,46 @@ def first_line(said):
 def last_line(said):
     lines = [line for line in said.splitlines() if line.strip()]
     return lines[-1].strip() if lines else "nothing is said"
+
+
+# ------------------------------------------------------------------------------------------------
+# Before a run
+
+def box_of(mesh):
+    """Points and cells of a box as a case describes it."""
+    low, high = ([number(c) for c in mesh[end]] for end in ("low", "high"))
+    nx, ny, nz = mesh["cells"]
+    points = np.array([(x, y, z) for z in np.linspace(low[2], high[2], nz + 1) for y in np.linspace(low[1], high[1], ny + 1)
+                       for x in np.linspace(low[0], high[0], nx + 1)])
+    first = np.array([(k * (ny + 1) + j) * (nx + 1) + i for k in range(nz) for j in range(ny) for i in range(nx)])
+    up, along = (nx + 1) * (ny + 1), nx + 1
+    ring = np.stack([first, first + 1, first + along + 1, first + along], axis=1)
+    return points, np.concatenate([ring, ring + up], axis=1)
+
+
+def placed(entry, points):
+    """Points of a body where the case puts them."""
+    if "rotate" in entry:
+        about = np.array([number(a) for a in entry["rotate"].get("about", [0, 0, 0])])
+        points = (points - about) @ rotation(entry["rotate"]["axis"], number(entry["rotate"]["angle"])).T + about
+    return points + np.array([number(m) for m in entry.get("move", [0, 0, 0])])
+
+
+def initial_depth(case, folder):
+    """How deep bodies of contacts are in each other before anything moves [m]; None where a mesh is of another kind."""
+    points, bodies, count = [], {}, 0
+    for entry in case["bodies"]:
+        if entry["mesh"]["kind"] == "box" and "map" not in entry["mesh"]:
+            here, cells = box_of(entry["mesh"])
+        elif entry["mesh"]["kind"] == "file":
+            arrays = measure.read_arrays(Path(folder) / entry["mesh"]["path"], {"points", "connectivity", "offsets"})
+            here, cells = arrays["points"], arrays["connectivity"].reshape(len(arrays["offsets"]), -1)
+        else:
+            return None
+        points.append(placed(entry, here))
+        bodies[entry["name"]] = (cells + count, number(entry.get("element", {}).get("thickness", 0)))
+        count += len(here)
+    X = np.concatenate(points)
+    made = {name: measure.Body(cells, X, 1.0, thickness) for name, (cells, thickness) in bodies.items()}
+    pairs = {tuple(sorted(contact[key].partition(".")[0] for key in ("apexes", "base"))) for contact in case.get("contacts", [])}
+    return max((measure.overlap(made[one], made[other], X)[0] for one, other in pairs if one != other), default=0.0)
