@@ -106,13 +106,13 @@ def sheet(low, high, cells, z=0.0):
     return Mesh(points, triangles, {"rim": rim})
 
 
-def ridge(angle, height, length, cells, across=None):
+def ridge(angle, height, length, cells, across=None, along=None):
     """A roof along y whose flanks enclose `angle` [deg] in the solid, its top at z = 0, no wider than `across`."""
     slope = math.tan(math.radians(90 - angle / 2))
     half = height / slope
     if across is not None and half > across:
         half = across
-    return brick((-1, 0, -1), (1, length, 0), (2 * cells, cells, cells)).mapped(
+    return brick((-1, 0, -1), (1, length, 0), (2 * cells, along or cells, cells)).mapped(
         lambda u, y, w: (u * half, y, (-abs(u) * half * slope) * (1 + w) + w * (half * slope + height)))
 
 

