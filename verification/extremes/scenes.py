@@ -223,10 +223,10 @@ def in_valley(fine=1, angle=90.0, speed=0.03 * SOUND, passes="one", body_kind="e
         falls = brick((-w, -w, 0), (w, w, SIZE), (3 * fine,) * 3)
         rests = w / math.tan(half) if w < width else height
         place, down = (shift, SIZE, rests + SIZE / 50 + abs(shift) / math.tan(half)), SIZE / 50
-    end = down / speed + 9 * SIZE / SOUND
+    end = down / speed + (9 if angle > 10 else 3) * SIZE / SOUND
     return scene([body("block", falls, place), body("groove", groove)],
                  [contact("block.skin", "groove.skin", passes=passes, **keys)], {"block": (0, 0, -speed)}, end, enough(speed * end),
-                 [("returns", "block", Z, -speed, -0.35, 1.0)], planes=[fixed("groove.z_low")])
+                 [("returns", "block", Z, -speed, -0.35, 1.0)] if angle > 10 else [], planes=[fixed("groove.z_low")])
 
 
 # ------------------------------------------------------------------------------------------------
