@@ -11,21 +11,22 @@ TWO, MASS = {"passes": "two"}, {"penalty_from": "mass_and_step"}
 
 @dataclasses.dataclass(frozen=True)
 class Cell:
-    """One place of the matrix; `make` gives its scene for a fineness."""
+    """One place of the matrix; `make` gives its scene for a fineness, `clock` is the time it may take [s], if it is a long one."""
     axis: str
     value: str
     scene: str
     option: str
     make: Callable
+    clock: float = 0.0
 
     def name(self):
         words = "_".join(part for part in (self.axis, self.value, self.scene, self.option) if part)
         return "".join(c if c.isalnum() or c in "_.-+" else "_" for c in words)
 
 
-def cell(axis, value, scene, option, function, **keys):
+def cell(axis, value, scene, option, function, clock=0.0, **keys):
     text = value if isinstance(value, str) else f"{value:g}"
-    return Cell(axis, text, scene, option, lambda fine=1: function(fine, **keys))
+    return Cell(axis, text, scene, option, lambda fine=1: function(fine, **keys), clock)
 
 
 def with_options(axis, value, scene, function, options, **keys):
@@ -299,7 +300,7 @@ def long_runs():
         found += [cell("long", f"bounces {v:g}", "between walls", "", scenes.bounces, number_of=v),
                   cell("long", f"bounces {v:g}", "between blocks", "", scenes.bounces, number_of=v, base="blocks")]
     for v in (1e5, 1e6):
-        found += [cell("long", f"bounces {v:g}", "between walls", "", scenes.bounces, number_of=v)]
+        found += [cell("long", f"bounces {v:g}", "between walls", "", scenes.bounces, number_of=v, clock=600.0)]
     for v in (0.1, 1.0):
         found += with_options("long", f"rest {v:g}", "cube", scenes.stays_at_rest,
                               {"faces": {"skins": False}, "skins": {}, "skins, two passes": TWO, "damped": {"damping": 0.3},
