@@ -278,14 +278,14 @@ class Faults(unittest.TestCase):
                               (("stands", "b", (0, 0, 1), 0.5, 0.01), False), (("stands", "b", (0, 0, 1), 0.0, 0.01), True),
                               (("untouched", "b"), False), (("returns", "b", (0, 0, 1), -0.5, 0.9, 1.1), False),
                               (("returns", "b", (0, 0, 1), 0.5, 0.9, 1.1), True), (("stays", "b", (0, 0, 1), 1.0, 0.0), False),
-                              (("stays", "b", (0, 0, -1), -2.0, 0.1), True), (("side", "b", "a", (0, 0, 1)), False),
+                              (("stays", "b", (0, 0, -1), -2.0, 0.1), True), (("side", "b", "a"), False),
                               (("no_lower", "b", (0, 0, -1), -0.2), True), (("no_faster", "b", (0, 0, 1), 0.4), True),
                               (("keeps_shape", "b", 1e-9), False), (("cheap", 7), False), (("cheap", 6), True),
                               (("separates", "a", "b", (0, 0, 1), -2.0, -0.5), False), (("separates", "a", "b", (0, 0, 1)), True)):
             with self.subTest(answer=answer):
                 self.assertEqual("answer" in kinds(up, expect(*answer)), wrong)
         through = pair(-3.0, times=(0.0, 0.5, 1.0))
-        self.assertIn("answer", kinds(through, expect("side", "b", "a", (0, 0, 1))))
+        self.assertIn("answer", kinds(through, expect("side", "b", "a")))
 
 
 # ------------------------------------------------------------------------------------------------
@@ -310,6 +310,10 @@ class Verdicts(unittest.TestCase):
             self.assertEqual(found, judge.BROKEN)
             self.assertIn("false warning", reason)
         self.assertEqual(verdict(pair(0.5), said=WARNING.format(0.3))[0], judge.BROKEN)
+
+    def test_what_is_deeper_than_a_body_is_thick_has_no_other_bound(self):
+        for depth, found in ((0.55, judge.WARNED), (3.0, judge.WARNED), (0.1, judge.BROKEN)):
+            self.assertEqual(verdict(pair(-0.5), said=WARNING.format(depth))[0], found)
 
     def test_a_warning_is_looked_at_more_closely(self):
         closer = pair(-0.3)

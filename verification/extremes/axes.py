@@ -7,6 +7,8 @@ import scenes
 from scenes import DENSITY, SIZE, SOUND, YOUNG, material
 
 TWO, MASS = {"passes": "two"}, {"penalty_from": "mass_and_step"}
+ALL = {"faces": {"skins": False}, "skins": {}, "skins, two passes": TWO}
+OFFSET = (0.0013, 0.0007)  # [m]
 
 
 @dataclasses.dataclass(frozen=True)
@@ -34,7 +36,7 @@ def with_options(axis, value, scene, function, options, **keys):
     return [cell(axis, value, scene, name, function, **{**keys, **more}) for name, more in options.items()]
 
 
-PASSES = {"one pass": {}, "two passes": TWO}
+PASSES = {"": {}, "two passes": TWO}
 
 
 # ------------------------------------------------------------------------------------------------
@@ -91,16 +93,21 @@ def density():
 
 def mesh_ratio():
     """Size of the elements of the body that falls over those of the other."""
-    found = []
-    for v in RATIOS:
-        found += with_options("mesh ratio", v, "drop", scenes.drop, PENALTIES, cells=(2, 2, 2), base_cells=(2, 2, 1) if v < 1 else (3, 3, 1),
-                              side=v if v < 1 else 1.0, speed=0.02 * SOUND, least=-0.5, gap=SIZE / 50 * min(v, 1),
-                              shift=(0.0011 * min(v, 1), 0.0007)) if v < 1 else [
-            cell("mesh ratio", v, "fine block", name, fine_block, ratio=v, **more) for name, more in PENALTIES.items()]
-    return found
+    return [one for v in RATIOS for one in with_options("mesh ratio", v, "tiny cube" if v < 1 else "tiny block",
+                                                        tiny_cube if v < 1 else tiny_block, PENALTIES, ratio=v)]
 
 
-def fine_block(fine=1, ratio=10.0, **keys):
+def tiny_cube(fine=1, ratio=0.1, **keys):
+    """A tiny cube falls on a coarse block, and comes back."""
+    s, speed = SIZE * ratio, 0.02 * SOUND
+    cube = scenes.brick((-s / 2, -s / 2, 0), (s / 2, s / 2, s), (2 * fine,) * 3)
+    block = scenes.brick((-SIZE, -SIZE, -SIZE), (SIZE, SIZE, 0), (2 * fine, 2 * fine, fine))
+    return scenes.scene([scenes.body("a", cube, (0.0011, 0.0007, s / 50)), scenes.body("b", block)],
+                        [scenes.contact("a.skin", "b.skin", **keys)], {"a": (0, 0, -speed)}, s / 50 / speed + 9 * s / SOUND, 100,
+                        [("returns", "a", scenes.Z, -speed, -0.3, 1.0)], planes=[scenes.fixed("b.z_low")])
+
+
+def tiny_block(fine=1, ratio=10.0, **keys):
     """A coarse cube falls on a tiny block with its face."""
     tiny = SIZE / ratio
     end = tiny / 50 / (0.02 * SOUND) + 12 * tiny / SOUND
@@ -152,7 +159,7 @@ def poisson():
     for v in (-0.9, -0.5, 0.0, 0.3, 0.45, 0.49, 0.499, 0.4999):
         of = material(poisson=v)
         found += with_options("Poisson", v, "bars", scenes.bars,
-                              {"flush": {}, "offset": {"offset": (0.0013, 0.0007)}, "eight points": {"element": {"kind": "full"}},
+                              {"flush": {}, "offset": {"offset": OFFSET}, "eight points": {"element": {"kind": "full"}},
                                "flush, 0.1 c": {"speed": 0.1 * SOUND}}, left=of, right=of)
         found += with_options("Poisson", v, "drop", scenes.drop, {"skins": {}, "skins, two passes": TWO}, of=of, base_of=of)
     return found
@@ -163,7 +170,7 @@ def speed():
     found = []
     for v in (1e-9, 1e-6, 1e-4, 1e-3, 0.01, 0.03, 0.1, 0.2, 0.3, 0.5, 1.0, 2.0):
         keys = {"speed": v * SOUND, "gap": SIZE / 50 * min(1.0, 100 * v)}
-        found += with_options("speed", v, "bars", scenes.bars, {"flush": {}, "offset, two passes": {"offset": (0.0013, 0.0007), **TWO}}, **keys)
+        found += with_options("speed", v, "bars", scenes.bars, {"flush": {}, "offset, two passes": {"offset": OFFSET, **TWO}}, **keys)
         found += with_options("speed", v, "drop", scenes.drop, {"skins": {}, "skins, two passes": TWO, "mass and step": MASS}, **keys)
         found += [cell("speed", v, "plate", "", scenes.plate_hit, **keys)]
         if v >= 0.01:
@@ -203,7 +210,7 @@ def gap():
     for part in (1e-15, 1e-12, 1e-9, 1e-6, 1e-3, 0.01, 0.1, 0.5):
         for v in (part, -part):
             g = v * SIZE / 3
-            found += with_options("gap", v, "drop", scenes.drop, {"faces": {"skins": False}, "skins": {}, "skins, two passes": TWO},
+            found += with_options("gap", v, "drop", scenes.drop, ALL,
                                   gap=g, speed=0.02 * SOUND)
             found += [cell("gap", v, "plate", "", scenes.plate_hit, gap=g)]
             if v < 0:
@@ -226,15 +233,15 @@ def valleys():
     found = []
     for v in (1, 5, 15, 30, 60, 90, 120, 150, 170, 179):
         found += with_options("valley", v, "edge in valley", scenes.in_valley, PASSES, angle=v)
-        found += with_options("valley", v, "face on valley", scenes.in_valley, {"": {"body_kind": "face"}, "two passes": {"body_kind": "face", **TWO}},
-                              angle=v)
+        found += with_options("valley", v, "face on valley", scenes.in_valley, PASSES, angle=v, body_kind="face")
     return found
 
 
 def shapes():
     """Rims, tables, pits, thin bodies, closed skins."""
     found = []
-    off = [("untouched", "block")]
+    skins = {"faces": {}, "skins": {"skins": True}, "skins, two passes": {"skins": True, **TWO}}
+    alone = [("untouched", "block")]
     for v in (0.001, 0.005, 0.02):
         found += [cell("shapes", f"rim {v:g}", "block at a rim", "faces", scenes.table, offset=v),
                   cell("shapes", f"rim {v:g}", "block at a rim", "with a ship", scenes.table, offset=v, ship=True),
@@ -242,20 +249,20 @@ def shapes():
                   cell("shapes", f"rim {v:g}", "block at a rim", "skins, two passes", scenes.table, offset=v, skins=True, **TWO)]
     for v in (0.0005, 0.002, 0.01):
         h = -0.03 - v
-        found += [cell("shapes", f"under {v:g}", "block under a table", name, scenes.table, offset=0.005, height=h, answers=off, **keys)
-                  for name, keys in (("faces", {}), ("skins", {"skins": True}), ("skins, two passes", {"skins": True, **TWO}))]
-        found += [cell("shapes", f"over {v:g}", "block over a table", name, scenes.table, offset=0.005, height=v, answers=off, **keys)
-                  for name, keys in (("faces", {}), ("skins", {"skins": True}), ("skins, two passes", {"skins": True, **TWO}))]
-    for name, keys in (("faces", {}), ("skins", {"skins": True}), ("skins, two passes", {"skins": True, **TWO})):
-        found += [cell("shapes", "off the rim", "block slides off", name, scenes.table, offset=-0.03, height=1e-6, direction=1, gravity=100.0, **keys),
-                  cell("shapes", "off the rim", "block slides off, friction", name, scenes.table, offset=-0.03, height=1e-6, direction=1,
-                       gravity=100.0, friction=0.3, **keys)]
+        found += [cell("shapes", f"under {v:g}", "block under a table", name, scenes.table, offset=0.005, height=h, answers=alone, **keys)
+                  for name, keys in skins.items()]
+        found += [cell("shapes", f"over {v:g}", "block over a table", name, scenes.table, offset=0.005, height=v, answers=alone, **keys)
+                  for name, keys in skins.items()]
+    for name, keys in skins.items():
+        off = {"offset": -0.03, "height": 1e-6, "direction": 1, "gravity": 100.0, **keys}
+        found += [cell("shapes", "off the rim", "block slides off", name, scenes.table, **off),
+                  cell("shapes", "off the rim", "block slides off, friction", name, scenes.table, friction=0.3, **off)]
     for v in (0.0, 0.5, 1.0, 2.0):
         found += with_options("shapes", f"pit {v:g}", "cube in a pit", scenes.pit, PASSES, sideways=v)
     for n in (2, 3, 4):
-        found += with_options("shapes", f"rests {n}", "closed skins", scenes.rests, {"faces": {"skins": False}, "skins": {}, "skins, two passes": TWO},
-                              cells=(n,) * 3)
-    found += [cell("shapes", "folds", "strip", "solid", scenes.strip), cell("shapes", "folds", "strip", "plates", scenes.strip, plates=True),
+        found += with_options("shapes", f"rests {n}", "closed skins", scenes.rests, ALL, cells=(n,) * 3)
+    found += [cell("shapes", "folds", "strip", "solid", scenes.strip),
+              cell("shapes", "folds", "strip", "plates", scenes.strip, plates=True),
               cell("shapes", "folds half", "strip", "solid", scenes.strip, squeeze=0.3)]
     for v in (5, 15, 30, 45, 60, 90):
         found += with_options("shapes", f"cross {v}", "edge on edge", scenes.crossing, PASSES, angle=v)
@@ -269,9 +276,8 @@ def ties():
     for kind in ("vertex", "edge", "diagonal", "corner", "edge_down", "cone", "pit", "saddle", "ridge"):
         found += with_options("ties", kind.replace("_", " "), "cube", scenes.tie, PASSES, kind=kind)
     for n in (1, 2, 3):
-        found += with_options("ties", f"coincident {n}", "cubes", scenes.coincident,
-                              {"faces": {"skins": False}, "skins": {}, "skins, two passes": TWO}, cells=(n,) * 3)
-    found += with_options("ties", "bars flush", "bars", scenes.bars, {"skins": {"skins": True}, "skins, two passes": {"skins": True, **TWO}})
+        found += with_options("ties", f"coincident {n}", "cubes", scenes.coincident, ALL, cells=(n,) * 3)
+    found += with_options("ties", "bars flush", "bars", scenes.bars, PASSES, skins=True)
     return found
 
 
@@ -279,12 +285,11 @@ def scale():
     """Sizes in metres, and origins that are many lengths away."""
     found = []
     for v in (1e-9, 1e-6, 1e-3, 1.0, 1e3):
-        found += with_options("scale", v, "drop", scenes.scaled, {"skins": {}, "skins, two passes": TWO, "mass and step": MASS}, factor=v / SIZE)
+        found += with_options("scale", v, "drop", scenes.scaled, PENALTIES, factor=v / SIZE)
         found += [cell("scale", v, "bars", "", scenes.scaled, factor=v / SIZE, kind="bars")]
     for v in (1.0, 1e2, 1e4, 1e6):
-        found += with_options("shift", v, "drop", scenes.shifted, {"skins": {}, "skins, two passes": TWO}, lengths=v)
-        found += [cell("shift", v, "bars", "", scenes.shifted, lengths=v, kind="bars"), cell("shift", v, "plate", "", scenes.shifted, lengths=v,
-                                                                                          kind="plate")]
+        found += with_options("shift", v, "drop", scenes.shifted, PASSES, lengths=v)
+        found += [cell("shift", v, kind, "", scenes.shifted, lengths=v, kind=kind) for kind in ("bars", "plate")]
     return found
 
 
@@ -306,8 +311,8 @@ def long_runs():
                               {"faces": {"skins": False}, "skins": {}, "skins, two passes": TWO, "damped": {"damping": 0.3},
                                "friction": {"friction": 0.3}, "friction, two passes": {"friction": 0.3, **TWO}}, end=v)
     for v in (1.0, 10.0, 100.0):
-        found += [cell("long", f"spin {v:g}", "cube", "", scenes.spin, turns=v), cell("long", f"spin {v:g}", "cube", "eight points", scenes.spin,
-                                                                                    turns=v, element={"kind": "full"}),
+        found += [cell("long", f"spin {v:g}", "cube", "", scenes.spin, turns=v),
+                  cell("long", f"spin {v:g}", "cube", "eight points", scenes.spin, turns=v, element={"kind": "full"}),
                   cell("long", f"spin {v:g}", "plate", "", scenes.spin, turns=v, plates=True)]
     found += [cell("long", "spin 1", "two cubes", "", scenes.spin, turns=1.0, pair=True)]
     return found

@@ -23,6 +23,7 @@ KINETIC = 1e-6       # [-] between our kinetic energy and that of the history
 OVERLAP = 0.5        # [-] of the flattest element, and of how deep a point can be in a body
 ITSELF = 0.25        # [-] of the flattest element: how far a body may go behind its own face
 TRUE_DEPTH = 2.0     # [-] between a depth that is warned of and ours
+FULL = 0.7           # [-] of how deep a point can be: what is deeper below the face it came through is nearer to another
 SEEN = 0.01          # [-] of the flattest element: what is less deep is not seen
 LOOKS = 12           # frames in which a body is held against itself
 GOOD, REFUSED, WARNED, BROKEN = "good", "refused", "warned", "broken"
@@ -232,19 +233,20 @@ def momentum_faults(seen):
 # Bodies in each other and in themselves
 
 def depths(seen, expected):
-    """[(pair, deepest, below the named surfaces, over the limit's length, time)] of all pairs; kept, since it is slow."""
+    """[(pair, deepest, below the named surfaces, what half of it is the limit, whether deeper cannot be)]; kept, since it is slow."""
     if "depths" in seen.cache:
         return seen.cache["depths"]
     found = []
     for pair in seen.pairs(expected):
         one, other = (seen.bodies[name] for name in pair)
-        size = min(one.depth, other.depth, *(measure.room(body, seen.X) for body in (one, other)))
+        room = min(measure.room(body, seen.X) for body in (one, other))
+        size = min(one.depth, other.depth, room)
         bases = tuple(named(seen, name) for name in pair)
         worst = (0.0, 0.0, 0.0)
         for frame in seen.frames:
             deep, below = measure.overlap(one, other, frame.x, bases)
             worst = max(worst, (deep, below, frame.time))
-        found.append((pair, *worst[:2], size, worst[2]))
+        found.append((pair, *worst[:2], size, worst[0] > FULL * room))
     seen.cache["depths"] = found
     return found
 
@@ -296,9 +298,9 @@ def finite_faults(seen):
 def separates(seen, one, other, axis, least=0.0, most=1.001):
     """Two bodies part along an axis, with `least` to `most` of the speed with which they came."""
     axis = np.array(axis, dtype=float)
-    closing, parting = (float(axis @ (seen.velocity(other, frame) - seen.velocity(one, frame))) for frame in (seen.frames[0], seen.frames[-1]))
-    part = -parting / closing
-    return None if least <= part <= most else f"{one} and {other} part with {part:.3g} of their closing speed, expected {least:g} to {most:g}"
+    first, last = (float(axis @ (seen.velocity(other, frame) - seen.velocity(one, frame))) for frame in (seen.frames[0], seen.frames[-1]))
+    part = -last / first
+    return None if least <= part <= most else f"{one} and {other} part with {part:.3g} of their speed, expected {least:g} to {most:g}"
 
 
 def stays(seen, body, normal, level, within):
@@ -347,10 +349,16 @@ def returns(seen, body, axis, velocity, least, most):
     return None if least <= part <= most else f"{body} comes back with {part:.3g} of its velocity, expected {least:g} to {most:g}"
 
 
-def side(seen, one, other, axis):
-    """The centres of two bodies stay on the same sides of each other along an axis."""
-    ways = [float(np.array(axis, dtype=float) @ (seen.centre(one, frame) - seen.centre(other, frame))) for frame in seen.frames]
-    return None if min(way * ways[0] for way in ways) > 0 else f"{one} goes through {other}"
+def side(seen, one, other):
+    """A body stays on its side of another: the closest face to its centre is one of those that faced it at the start."""
+    first = measure.closed_surface(seen.bodies[other], seen.frames[0].x)
+    normal = np.cross(first[:, 1] - first[:, 0], first[:, 2] - first[:, 0])
+    faces = np.einsum("ti,ti->t", normal, seen.centre(one, seen.frames[0]) - first.mean(axis=1)) > 0
+    for frame in seen.frames:
+        away = measure.all_distances(seen.centre(one, frame)[None], measure.closed_surface(seen.bodies[other], frame.x))[0]
+        if not np.any(faces[away <= away.min() * (1 + 1e-9)]):
+            return f"{one} goes through {other}"
+    return None
 
 
 def no_lower(seen, body, axis, way):
@@ -409,12 +417,11 @@ def is_true(warning, seen, expected, faults):
     """Whether the judge sees what a warning names; a depth within a factor of two."""
     if OF_DEPTH.search(warning):
         claimed = [float(value) for value in re.findall(NUMBER + r" m\b", warning)]
-        sizes = [(deep, below) for pair, deep, below, size, _ in depths(seen, expected) if max(deep, below) > SEEN * size]
-        if any(re.search(rf"\b{name}\b", warning) for name in seen.bodies):
-            sizes = [(deep, below) for pair, deep, below, size, _ in depths(seen, expected)
-                     if max(deep, below) > SEEN * size and any(re.search(rf"\b{name}\b", warning) for name in pair)]
-        return any(not claimed or any(ours / TRUE_DEPTH <= value <= ours * TRUE_DEPTH for value in claimed[:1])
-                   for pair in sizes for ours in pair) or wall_is_passed(seen, claimed)
+        named = any(re.search(rf"\b{name}\b", warning) for name in seen.bodies)
+        sizes = [(ours, full) for pair, *both, size, full in depths(seen, expected) for ours in both if ours > SEEN * size
+                 and (not named or any(re.search(rf"\b{name}\b", warning) for name in pair))]
+        return wall_is_passed(seen, claimed) or any(
+            not claimed or ours / TRUE_DEPTH <= claimed[0] and (full or claimed[0] <= ours * TRUE_DEPTH) for ours, full in sizes)
     if re.search(r"energy|creat", warning, re.IGNORECASE):
         return any(fault.kind == "energy" for fault in faults)
     return bool(faults)
@@ -443,7 +450,8 @@ def gives_reason(run):
     """Whether a refusal names a key and a bound, or a stop names a place and a bound."""
     if run.status == BAD_CASE:
         return bool(re.search(r"'[\w.\[\]]+'|\b\w+\[\d+\]", run.said)) and bool(re.search(r"expected|at most|range|by " + NUMBER, run.said))
-    return bool(re.search(r"stopped at .*: \w+ in [\w.]+", run.said)) and bool(re.search(r"limit is|the step fell|of the reference", run.said))
+    place, bound = r"stopped at .*: \w+ in [\w.]+", r"limit is|the step fell|of the reference"
+    return bool(re.search(place, run.said)) and bool(re.search(bound, run.said))
 
 
 def last_state_kept(run):
@@ -535,7 +543,7 @@ def verdict_of_end(run, seen, expected, faults, again):
     left = [fault for fault in faults if not excuses(fault)]
     if len(true) < len(warnings):
         false = next(warning for warning in warnings if warning not in true)
-        ours = max((max(deep, below) for _, deep, below, _, _ in depths(seen, expected)), default=0.0)
+        ours = max((max(deep, below) for _, deep, below, *_ in depths(seen, expected)), default=0.0)
         return BROKEN, f"false warning (our depth is {ours:.3g} m): {false}" + (f"; {worst(faults)}" if faults else ""), faults
     if left:
         return BROKEN, "warned of something else: " + worst(left), faults

@@ -1,8 +1,8 @@
 """What the judge sees of a run: its frames, and the geometry of the bodies in them. It shares no code with lib/.
 
-A body is a closed set of triangles: the outer faces of its hexahedra, each cut in four around its centre; or the two sides and the rim of its
-plates, half a thickness from the middle surface. A point is inside where the winding number exceeds a half. Its depth is the distance to the
-closest triangle.
+A body is a closed set of triangles: the outer faces of its hexahedra, each cut in four around its centre; or the two sides and the rim of
+its plates, half a thickness from the middle surface. A point is inside where the winding number exceeds a half. Its depth is the distance
+to the closest triangle.
 """
 import base64
 import re
@@ -242,6 +242,11 @@ def winding_numbers(points, triangles):
 
 def distances(points, triangles):
     """From each point to the closest triangle [m]."""
+    return all_distances(points, triangles).min(axis=1)
+
+
+def all_distances(points, triangles):
+    """From each point to each triangle [m]."""
     a, b, c = (triangles[None, :, k] for k in range(3))
     p = points[:, None]
     normal = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
@@ -258,7 +263,7 @@ def distances(points, triangles):
         along = np.clip(np.einsum("pti,pti->pt", away, np.broadcast_to(edge, away.shape)) / length, 0, 1)
         best = np.minimum(best, np.linalg.norm(away - along[..., None] * edge, axis=2))
     height = np.abs(np.einsum("pti,ti->pt", p - a, unit))
-    return np.where(within, height, best).min(axis=1)
+    return np.where(within, height, best)
 
 
 def in_pieces(function, points, triangles):
