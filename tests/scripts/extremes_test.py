@@ -346,6 +346,10 @@ class Verdicts(unittest.TestCase):
             self.assertIn("without cause", reason)
         self.assertEqual(verdict(folder, status=3, said="scene: stopped\n", again=lambda change: wrong.finished())[0], judge.BROKEN)
 
+    def test_a_stop_where_nothing_touches(self):
+        expected = judge.Expected(answers=[("untouched", "a")])
+        self.assertEqual(verdict(pair(0.5), expected, status=3, said=STOP, again=lambda change: pair(-0.3).finished())[0], judge.BROKEN)
+
     def test_a_stop_that_loses_its_state(self):
         folder = pair(0.5)
         (folder.path / "summary.json").unlink()

@@ -521,6 +521,8 @@ def verdict_of_stop(run, expected, again):
         return BROKEN, "stopped without a reason: " + said, []
     if not last_state_kept(run):
         return BROKEN, "stopped, and the last state is lost: " + said, []
+    if any(word == "untouched" for word, *_ in expected.answers):
+        return BROKEN, "stopped without cause, nothing touches: " + said, []
     for change, words in (("step", "at half the step"), ("mesh", "on a finer mesh")):
         other = again(change) if again else None
         if other is not None and other.status == DONE and not faults_of(look(other, expected), expected):
