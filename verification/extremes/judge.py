@@ -449,7 +449,8 @@ def excuses(fault):
 def gives_reason(run):
     """Whether a refusal names a key and a bound, or a stop names a place and a bound."""
     if run.status == BAD_CASE:
-        return bool(re.search(r"'[\w.\[\]]+'|\b\w+\[\d+\]", run.said)) and bool(re.search(r"expected|at most|range|by " + NUMBER, run.said))
+        key, bound = r"'[\w.\[\]]+(: \w+)?'|\b\w+\[\d+\]", r"expected|at most|range|by " + NUMBER
+        return bool(re.search(key, run.said)) and bool(re.search(bound, run.said))
     place, bound = r"stopped at .*: \w+ in [\w.]+", r"limit is|the step fell|of the reference"
     return bool(re.search(place, run.said)) and bool(re.search(bound, run.said))
 
