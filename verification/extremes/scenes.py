@@ -261,7 +261,7 @@ def pit(fine=1, speed=0.03 * SOUND, passes="one", sideways=0.5, gap=0.001, **key
     block = brick((-1.5 * third, -1.5 * third, -SIZE), (1.5 * third, 1.5 * third, SIZE), (6 * fine, 6 * fine, 4 * fine),
                   lambda x, y, z: z < 0 or max(abs(x), abs(y)) > third / 2)
     cube = brick((-SIZE / 2, -SIZE / 2, 0), (SIZE / 2, SIZE / 2, SIZE), (3 * fine,) * 3)
-    end = 30 * gap / speed + 6 * SIZE / SOUND
+    end = 10 * gap / speed + 6 * SIZE / SOUND
     return scene([body("cube", cube, (0.0002, -0.0001, gap)), body("pit", block)],
                  [contact("cube.skin", "pit.skin", passes=passes, **keys)],
                  {"cube": (speed * sideways, 0.7 * speed * sideways, -speed)}, end, enough(speed * end),
