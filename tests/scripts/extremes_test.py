@@ -220,6 +220,21 @@ class Faults(unittest.TestCase):
         self.assertEqual(kinds(pair(-0.3, contacts={})), set())
         self.assertEqual(kinds(pair(-0.3, contacts={}), judge.Expected(pairs=[("a", "b")])), {"overlap"})
 
+    def test_an_overlap_that_is_accepted_counts_after_the_bodies_have_parted(self):
+        accepts = {"contacts": [{**TOUCH["contacts"][0], "initial_penetration": "accept"}]}
+
+        def path(*heights):
+            one, other = cube(), cube((0.3, 0.2, 1.0))
+
+            def motion(X, t):
+                x = X.copy()
+                x[len(one.points):, 2] += heights[int(t)]
+                return x, np.zeros_like(X)
+            return Folder([("a", one), ("b", other)], motion, [float(t) for t in range(len(heights))], case=accepts)
+        self.assertEqual(kinds(path(-0.3, -0.35)), set())
+        self.assertEqual(kinds(path(-0.3, 0.1, -0.2)), set())
+        self.assertEqual(kinds(path(-0.3, 0.1, -0.3)), {"overlap"})
+
     def test_energy_that_grows(self):
         free = Folder([("a", cube())], lambda X, t: (X, np.full_like(X, 1.0 + 0.01 * t)))
         self.assertIn("energy", kinds(free))

@@ -261,6 +261,7 @@ def shapes():
         found += with_options("shapes", f"pit {v:g}", "cube in a pit", scenes.pit, PASSES, sideways=v)
     for n in (2, 3, 4):
         found += with_options("shapes", f"rests {n}", "closed skins", scenes.rests, ALL, cells=(n,) * 3)
+    found += with_options("shapes", "accepted", "leaves and returns", scenes.accepted, PASSES)
     found += [cell("shapes", "folds", "strip", "solid", scenes.strip),
               cell("shapes", "folds", "strip", "plates", scenes.strip, plates=True),
               cell("shapes", "folds half", "strip", "solid", scenes.strip, squeeze=0.3)]

@@ -103,6 +103,11 @@ class Seen:
         found = [tuple(contact[key].partition(".")[0] for key in ("apexes", "base")) for contact in self.case.get("contacts", [])]
         return sorted({tuple(sorted(pair)) for pair in found})
 
+    def accepts(self, pair):
+        """Whether the case accepts that two bodies start in each other."""
+        return any({contact[key].partition(".")[0] for key in ("apexes", "base")} == set(pair)
+                   for contact in self.case.get("contacts", []) if contact.get("initial_penetration") == "accept")
+
     def is_free(self):
         """Whether nothing from outside acts, gravity apart."""
         return not any(self.case.get(key) for key in ("planes", "loads", "springs", "relaxation"))
@@ -233,7 +238,10 @@ def momentum_faults(seen):
 # Bodies in each other and in themselves
 
 def depths(seen, expected):
-    """[(pair, deepest, below the named surfaces, what half of it is the limit, whether deeper cannot be)]; kept, since it is slow."""
+    """[(pair, deepest, below the named surfaces, what half of it is the limit, whether deeper cannot be)]; kept, since it is slow.
+
+    An overlap that the case accepts at the start does not count until the bodies part.
+    """
     if "depths" in seen.cache:
         return seen.cache["depths"]
     found = []
@@ -242,11 +250,14 @@ def depths(seen, expected):
         room = min(measure.room(body, seen.X) for body in (one, other))
         size = min(one.depth, other.depth, room)
         bases = tuple(named(seen, name) for name in pair)
-        worst = (0.0, 0.0, 0.0)
+        worst, allowed = (0.0, 0.0), None
         for frame in seen.frames:
             deep, below = measure.overlap(one, other, frame.x, bases)
-            worst = max(worst, (deep, below, frame.time))
-        found.append((pair, *worst[:2], size, worst[0] > FULL * room))
+            if allowed is None:
+                allowed = deep if seen.accepts(pair) else 0.0
+            allowed = allowed if deep > 0 else 0.0  # once they have parted, what was accepted is past
+            worst = max(worst, (deep - allowed, below - allowed))
+        found.append((pair, *worst, size, worst[0] > FULL * room))
     seen.cache["depths"] = found
     return found
 

@@ -298,6 +298,15 @@ def two_walls(fine=1, speed=0.3 * SOUND, thickness=0.002, passes="one", walls=2,
                  [("side", "block", "wall0")], planes=[held])
 
 
+def accepted(fine=1, depth=0.003, **keys):
+    """A cube starts in a block, which is accepted; it leaves, comes back elsewhere, and must not be as deep in it again."""
+    cube = box((-0.005, -0.005, 0), (0.005, 0.005, 0.01), (2, 2, 2), fine)
+    block = box((-0.03, -0.03, -0.02), (0.03, 0.03, 0), (3, 3, 2), fine)
+    return scene([body("a", cube, (0.0003, 0.0002, -depth)), body("b", block)],
+                 [contact("a.z_low", "b.z_high", initial_penetration="accept", **keys)], {"a": (0.3, 0, 1)}, 0.06, 100,
+                 planes=[fixed("b")], gravity=vector((0, 0, -50), "m/s^2"))
+
+
 def strip(fine=1, plates=False, squeeze=1.0, rows=2):
     """A strip is folded by its ends until it goes through itself: only its own contact could find that."""
     element = {"thickness": length(0.002)} if plates else None
