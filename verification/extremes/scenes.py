@@ -528,7 +528,7 @@ def shape(rng, fine, plates):
         made = prism([(r * math.cos(t), r * math.sin(t)) for t in turns], SIZE * rng.uniform(0.5, 1.5), rng.randint(1, 2) * fine)
         return made.mapped(lambda x, y, z: (x, y - SIZE / 2, z)), 0.0
     sides = [SIZE * rng.uniform(0.4, 1.5) for _ in range(3)]
-    return brick([-s / 2 for s in sides], [s / 2 for s in sides], [rng.randint(1, 4) * fine for _ in range(3)]), 0.0
+    return brick([-s / 2 for s in sides], [s / 2 for s in sides], [rng.randint(1, 3) * fine for _ in range(3)]), 0.0
 
 
 def thrown(fine=1, seed=0, bodies=None, plates=True):
@@ -537,7 +537,7 @@ def thrown(fine=1, seed=0, bodies=None, plates=True):
     many = bodies or rng.choice([2, 2, 2, 3, 4])
     passes, friction = rng.choice(["one", "two"]), rng.choice([0.0, 0.0, 0.2, 0.5, 1.0])
     penalty = rng.choice([{}, {}, {"penalty_from": "mass_and_step"}, {"penalty_scale": rng.choice([2.0, 100.0])}])
-    speed = SOUND * 10 ** rng.uniform(-2, -0.7)
+    speed = SOUND * 10 ** rng.uniform(-1.5, -0.7)
     found, contacts, velocities = [], [], {}
     radius = 0.0
     placed = []
