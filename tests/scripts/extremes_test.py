@@ -376,8 +376,9 @@ class Verdicts(unittest.TestCase):
             self.assertEqual(verdict(pair(0.5), status=status)[0], judge.BROKEN)
 
     def test_a_twin_that_goes_another_way(self):
-        self.assertEqual(verdict(pair(0.5), twin=(pair(0.5).finished(), 1.0, 1.0))[0], judge.GOOD)
-        self.assertEqual(verdict(pair(0.5), twin=(pair(0.6).finished(), 1.0, 1.0))[0], judge.BROKEN)
+        self.assertEqual(verdict(pair(0.5), twin=(pair(0.5).finished(), 1.0, 1e-6))[0], judge.GOOD)
+        self.assertEqual(verdict(pair(0.5), twin=(pair(0.6).finished(), 1.0, 1e-6))[0], judge.BROKEN)
+        self.assertEqual(verdict(pair(0.5), twin=(pair(0.25).finished(), 2.0, 1e-6))[0], judge.GOOD)
 
     def test_depth_before_a_run(self):
         made = scenes.drop(gap=-0.001, skins=False)

@@ -395,8 +395,8 @@ def answer_faults(seen, expected):
     return [Fault("answer", 1.0, text) for text in said if text]
 
 
-def likeness(seen, twin, length, speed, within=1e-6):
-    """The same scene in other units or elsewhere: velocities of all nodes over their scale at the end."""
+def likeness(seen, twin, speed, within):
+    """The same scene in other units or elsewhere: velocities of all nodes at the end, those of the twin times `speed`, over their scale."""
     one, other = seen.frames[-1].v, twin.frames[-1].v * speed
     scale = max(float(np.max(np.linalg.norm(other, axis=1))), 1e-300)
     off = float(np.max(np.linalg.norm(one - other, axis=1))) / scale
@@ -505,7 +505,7 @@ def verdict_of(run, expected, again=None, initial=None, twin=None):
 
     again     makes the same scene with half the step ("step") or on a finer mesh ("mesh"), or with more frames ("frames"); a Finished
     initial   how deep the bodies are in each other at the start, where it is known [m]
-    twin      the same scene elsewhere: (its Finished, factor of lengths, factor of speeds)
+    twin      the same scene elsewhere: (its Finished, factor of speeds, how like they are)
     """
     if run.status is None:
         return BROKEN, f"cut after {run.seconds:.0f} s", []

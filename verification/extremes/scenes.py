@@ -19,7 +19,7 @@ X, Y, Z = (1, 0, 0), (0, 1, 0), (0, 0, 1)
 
 @dataclasses.dataclass
 class Scene:
-    """A case, its mesh files by name, and what is known of it; `twin` is the same scene elsewhere: (Scene, lengths, speeds)."""
+    """A case, its mesh files by name, and what is known of it; `twin` is the same scene elsewhere: (Scene, speeds, within)."""
     case: dict
     meshes: dict
     expected: Expected
@@ -437,7 +437,7 @@ def scaled(fine=1, factor=1.0, kind="drop", **keys):
         return drop(fine, size=SIZE * f, gap=SIZE * f / 50, shift=(0.0011 * f, 0.0007 * f), **keys)
     made = make(factor)
     if factor != 1:
-        made.twin = (make(1.0), factor, 1.0)
+        made.twin = (make(1.0), 1.0, 1e-6)
     return made
 
 
@@ -446,8 +446,7 @@ def shifted(fine=1, lengths=0.0, kind="drop", along=(1, -0.7, 0.4), **keys):
     make = {"drop": drop, "bars": bars, "plate": plate_hit}[kind]
     made = make(fine, at=np.array(along) * lengths * SIZE, **keys)
     if lengths:
-        made.twin = (make(fine, **keys), 1.0, 1.0)
-        made.within = 1e-6 * max(1.0, lengths / 1e3)
+        made.twin = (make(fine, **keys), 1.0, 1e-6 * max(1.0, lengths / 1e4))  # places are rounded
     return made
 
 
