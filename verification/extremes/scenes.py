@@ -206,8 +206,8 @@ def on_ridge(fine=1, angle=90.0, speed=0.03 * SOUND, passes="one", apex="block",
     names = ("block.skin", "roof.skin") if apex == "block" else ("roof.skin", "block.skin")
     return scene([body("block", block, (shift, SIZE + 0.0003, SIZE / 50)), body("roof", roof)],
                  [contact(*names, passes=passes, **keys)], {"block": (0, 0, -speed)}, end, enough(speed * end),
-                 [("returns", "block", Z, -speed, -0.35, 1.0)] if angle > 20 else [], planes=[fixed("roof.z_low")],
-                 edges=passes == "one" and apex == "block")  # a sharper one may give way for long
+                 [("returns", "block", Z, -speed, -0.35, 1.0)] if angle > 20 else [],  # a sharper one may give way for long
+                 planes=[fixed("roof.z_low")])
 
 
 def in_valley(fine=1, angle=90.0, speed=0.03 * SOUND, passes="one", body_kind="edge", shift=0.0004, **keys):
