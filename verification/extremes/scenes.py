@@ -207,7 +207,7 @@ def on_ridge(fine=1, angle=90.0, speed=0.03 * SOUND, passes="one", apex="block",
     return scene([body("block", block, (shift, SIZE + 0.0003, SIZE / 50)), body("roof", roof)],
                  [contact(*names, passes=passes, **keys)], {"block": (0, 0, -speed)}, end, enough(speed * end),
                  [("returns", "block", Z, -speed, -0.35, 1.0)] if angle > 20 else [],  # a sharper one may give way for long
-                 planes=[fixed("roof.z_low")])
+                 planes=[fixed("roof.z_low")], edges=True)
 
 
 def in_valley(fine=1, angle=90.0, speed=0.03 * SOUND, passes="one", body_kind="edge", shift=0.0004, **keys):
@@ -424,7 +424,7 @@ def coincident(fine=1, passes="one", cells=(3, 3, 3), speed=0.03 * SOUND, skins=
     low, high = (0, 0, 0), (SIZE,) * 3
     meshes = [brick(low, high, [c * fine for c in cells]) if skins else box(low, high, cells, fine) for _ in range(2)]
     names = ("a.skin", "b.skin") if skins else ("a.z_low", "b.z_high")
-    end = 9 * SIZE / SOUND
+    end = 14 * SIZE / SOUND
     return scene([body("a", meshes[0], (0, 0, SIZE + apart)), body("b", meshes[1])], [contact(*names, passes=passes, **keys)],
                  {"a": (0, 0, -speed)}, end, 60, [("separates", "b", "a", Z, 0.0, 1.001)])
 
