@@ -160,7 +160,8 @@ def poisson():
         of = material(poisson=v)
         found += with_options("Poisson", v, "bars", scenes.bars,
                               {"flush": {}, "offset": {"offset": OFFSET}, "eight points": {"element": {"kind": "full"}},
-                               "flush, 0.1 c": {"speed": 0.1 * SOUND}}, left=of, right=of)
+                               "flush, 0.1 c": {"speed": 0.1 * SOUND},
+                               "long, flush, 0.1 c": {"speed": 0.1 * SOUND, "bars_long": 10, "cells": (20, 2, 2)}}, left=of, right=of)
         found += with_options("Poisson", v, "drop", scenes.drop, {"skins": {}, "skins, two passes": TWO}, of=of, base_of=of)
     return found
 
@@ -320,7 +321,7 @@ def long_runs():
     return found
 
 
-def at_random(first=0, count=40):
+def at_random(first=0, count=24):
     """Bodies of random shape, thrown at one another, by their seed."""
     return [cell("random", str(seed), "thrown", "", scenes.thrown, seed=seed) for seed in range(first, first + count)]
 
