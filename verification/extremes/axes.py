@@ -321,7 +321,7 @@ def long_runs():
     return found
 
 
-def at_random(first=0, count=24):
+def at_random(first=0, count=30):
     """Bodies of random shape, thrown at one another, by their seed."""
     return [cell("random", str(seed), "thrown", "", scenes.thrown, seed=seed) for seed in range(first, first + count)]
 
