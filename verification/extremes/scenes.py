@@ -119,7 +119,7 @@ def number(quantity):
 
 
 def drop(fine=1, speed=0.05 * SOUND, skins=True, cells=(3, 3, 3), base_cells=(5, 5, 2), of=None, base_of=None, gap=SIZE / 50,
-         shift=(0.0011, 0.0007), turned=None, size=SIZE, at=(0, 0, 0), element=None, step=None, side=1.0, least=0.1, most=1.0, time=3.0,
+         shift=(0.0011, 0.0007), turned=None, size=SIZE, at=(0, 0, 0), element=None, step=None, side=1.0, least=0.1, most=1.001, time=3.0,
          accept=None, **keys):
     """A cube falls on a block that stands on the ground, and comes back. `side` is that of the cube over SIZE."""
     s, w = size * side, 2.4 * size
@@ -177,7 +177,7 @@ def two(cells, base, skins=True, element=None, speed=0.02 * SOUND, **keys):
     end = SIZE / 50 / speed + 7 * SIZE / SOUND
     names = ("a.skin", "b.skin") if skins else ("a.z_low", "b.z_high")
     return scene([body("a", cube, (0.0011, 0.0007, SIZE / 50), element=element), body("b", base, element=element)],
-                 [contact(*names, **keys)], {"a": (0, 0, -speed)}, end, 100, [("returns", "a", Z, -speed, -0.2, 1.0)],
+                 [contact(*names, **keys)], {"a": (0, 0, -speed)}, end, 100, [("returns", "a", Z, -speed, -0.2, 1.001)],
                  planes=[fixed("b.z_low")])
 
 
@@ -206,7 +206,7 @@ def on_ridge(fine=1, angle=90.0, speed=0.03 * SOUND, passes="one", apex="block",
     names = ("block.skin", "roof.skin") if apex == "block" else ("roof.skin", "block.skin")
     return scene([body("block", block, (shift, SIZE + 0.0003, SIZE / 50)), body("roof", roof)],
                  [contact(*names, passes=passes, **keys)], {"block": (0, 0, -speed)}, end, enough(speed * end),
-                 [("returns", "block", Z, -speed, -0.35, 1.0)] if angle > 20 else [],  # a sharper one may give way for long
+                 [("returns", "block", Z, -speed, -0.35, 1.001)] if angle > 20 else [],  # a sharper one may give way for long
                  planes=[fixed("roof.z_low")], edges=True)
 
 
@@ -230,7 +230,7 @@ def in_valley(fine=1, angle=90.0, speed=0.03 * SOUND, passes="one", body_kind="e
     end = down / speed + (9 if angle > 10 else 3) * SIZE / SOUND
     return scene([body("block", falls, place), body("groove", groove)],
                  [contact("block.skin", "groove.skin", passes=passes, **keys)], {"block": (0, 0, -speed)}, end, enough(speed * end),
-                 [("returns", "block", Z, -speed, -0.35, 1.0)] if angle > 10 else [], planes=[fixed("groove.z_low")])
+                 [("returns", "block", Z, -speed, -0.35, 1.001)] if angle > 10 else [], planes=[fixed("groove.z_low")])
 
 
 # ------------------------------------------------------------------------------------------------
@@ -424,7 +424,7 @@ def tie(fine=1, kind="vertex", passes="one", speed=0.03 * SOUND, skins=True, gap
     end = gap / speed + (25 if turned else 9) * SIZE / SOUND  # corners and edges are soft
     return scene([body("cube", cube, (*shift, reach + up + gap), turned), body("base", base)],
                  [contact("cube.skin", "base.skin", passes=passes, **keys)], {"cube": (0, 0, -speed)}, end, enough(speed * end),
-                 [("returns", "cube", Z, -speed, -0.3, 1.0)], planes=[fixed("base.z_low")])
+                 [("returns", "cube", Z, -speed, -0.3, 1.001)], planes=[fixed("base.z_low")])
 
 
 def coincident(fine=1, passes="one", cells=(3, 3, 3), speed=0.03 * SOUND, skins=True, apart=0.0, **keys):
