@@ -301,6 +301,8 @@ class Faults(unittest.TestCase):
                 self.assertEqual("answer" in kinds(up, expect(*answer)), wrong)
         through = pair(-3.0, times=(0.0, 0.5, 1.0))
         self.assertIn("answer", kinds(through, expect("side", "b", "a")))
+        self.assertIn("answer", kinds(through, expect("order", "b", "a", (0, 0, 1))))
+        self.assertNotIn("answer", kinds(up, expect("order", "b", "a", (0, 0, 1))))
 
 
 # ------------------------------------------------------------------------------------------------

@@ -372,6 +372,12 @@ def side(seen, one, other):
     return None
 
 
+def order(seen, one, other, axis):
+    """The centres of two bodies stay in order along an axis."""
+    ways = [float(np.array(axis, dtype=float) @ (seen.centre(one, frame) - seen.centre(other, frame))) for frame in seen.frames]
+    return None if min(way * ways[0] for way in ways) > 0 else f"the centres of {one} and {other} change places"
+
+
 def no_lower(seen, body, axis, way):
     """The centre of a body goes no lower along an axis than `way` from where it was."""
     axis = np.array(axis, dtype=float)
@@ -386,7 +392,7 @@ def no_faster(seen, body, axis, speed):
 
 
 ANSWERS = {"separates": separates, "stays": stays, "untouched": untouched, "moves": moves, "stands": stands, "keeps_shape": keeps_shape,
-           "cheap": cheap, "returns": returns, "side": side, "no_lower": no_lower, "no_faster": no_faster}
+           "cheap": cheap, "returns": returns, "side": side, "order": order, "no_lower": no_lower, "no_faster": no_faster}
 
 
 def answer_faults(seen, expected):
