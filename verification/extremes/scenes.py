@@ -226,8 +226,8 @@ def in_valley(fine=1, angle=90.0, speed=0.03 * SOUND, passes="one", body_kind="e
     else:
         w = SIZE / 2
         falls = brick((-w, -w, 0), (w, w, SIZE), (3 * fine,) * 3)
-        rests = w / math.tan(half) if w < width else height
-        place, down = (shift, SIZE, rests + SIZE / 50 + abs(shift) / math.tan(half)), SIZE / 50
+        lies = (w + abs(shift)) / math.tan(half) if w + abs(shift) < width else height  # between the flanks, or on their tops
+        place, down = (shift, SIZE, lies + SIZE / 50), SIZE / 50
     end = down / speed + (9 if angle > 10 else 3) * SIZE / SOUND
     return scene([body("block", falls, place), body("groove", groove)],
                  [contact("block.skin", "groove.skin", passes=passes, **keys)], {"block": (0, 0, -speed)}, end, enough(speed * end),
