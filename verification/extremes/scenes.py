@@ -228,7 +228,7 @@ def in_valley(fine=1, angle=90.0, speed=0.03 * SOUND, passes="one", body_kind="e
         falls = brick((-w, -w, 0), (w, w, SIZE), (3 * fine,) * 3)
         lies = (w + abs(shift)) / math.tan(half) if w + abs(shift) < width else height  # between the flanks, or on their tops
         place, down = (shift, SIZE, lies + SIZE / 50), SIZE / 50
-    end = down / speed + (9 if angle > 10 else 3) * SIZE / SOUND
+    end = down / speed + (3 if angle < 10 else 9 if body_kind == "edge" else 25) * SIZE / SOUND  # the edges of a face are soft
     return scene([body("block", falls, place), body("groove", groove)],
                  [contact("block.skin", "groove.skin", passes=passes, **keys)], {"block": (0, 0, -speed)}, end, enough(speed * end),
                  [("returns", "block", Z, -speed, -0.35, 1.001)] if angle > 10 else [], planes=[fixed("groove.z_low")])
