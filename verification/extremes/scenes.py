@@ -469,8 +469,9 @@ def far(fine=1, distance=1.0, passes="one", cells=(4, 4, 4), **keys):
                  {"a": (1, 0, 0)}, end, 10, [("untouched", "a"), ("untouched", "b"), ("cheap", math.ceil(5 * steps))])
 
 
-def bounces(fine=1, number_of=100, base="walls", speed=0.05 * SOUND, cells=(1, 1, 1), room=0.05 * SIZE, **keys):
-    """A cube flies to and fro between two walls, many times."""
+def bounces(fine=1, number_of=100, base="walls", speed=0.01 * SOUND, cells=(1, 1, 1), room=0.01 * SIZE, **keys):
+    """A cube without viscosity flies to and fro between two walls, many times."""
+    calm = {"viscosity": {"linear": 0.0, "quadratic": 0.0}}
     half = SIZE / 2
     cube = box((-half, -half, -half), (half, half, half), cells, fine)
     period = 2 * (room / speed + 2.5 * SIZE / SOUND)
@@ -478,12 +479,12 @@ def bounces(fine=1, number_of=100, base="walls", speed=0.05 * SOUND, cells=(1, 1
     if base == "walls":
         planes = [wall("cube.z_low", (0, 0, -half - room / 2), (0, 0, 1), "floor_below", **keys),
                   wall("cube.z_high", (0, 0, half + room / 2), (0, 0, -1), "roof", **keys)]
-        return scene([body("cube", cube)], [], {"cube": (0, 0, speed)}, end, 40,
+        return scene([body("cube", cube, element=calm)], [], {"cube": (0, 0, speed)}, end, 40,
                      [("stays", "cube", Z, -half - room / 2, SIZE / 4), ("stays", "cube", (0, 0, -1), -half - room / 2, SIZE / 4)],
                      planes=planes)
     blocks = [box((-SIZE, -SIZE, half + room / 2), (SIZE, SIZE, 2 * SIZE), (2, 2, 1), fine),
               box((-SIZE, -SIZE, -2 * SIZE), (SIZE, SIZE, -half - room / 2), (2, 2, 1), fine)]
-    return scene([body("cube", cube), body("roof", blocks[0]), body("ground", blocks[1])],
+    return scene([body("cube", cube, element=calm), body("roof", blocks[0]), body("ground", blocks[1])],
                  [contact("cube.z_high", "roof.z_low", "over", **keys), contact("cube.z_low", "ground.z_high", "under", **keys)],
                  {"cube": (0.0, 0.0, speed)}, end, 40,
                  [("stays", "cube", Z, -half - room / 2, SIZE / 4), ("stays", "cube", (0, 0, -1), -half - room / 2, SIZE / 4)],
