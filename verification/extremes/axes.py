@@ -150,7 +150,7 @@ def sheared(fine=1, ratio=10.0, **keys):
     w = SIZE
     shear = math.sqrt(max(ratio, 1.0)) - 1
     base = scenes.brick((-w, -w, -SIZE / 2), (w, w, 0), (4 * fine, 4 * fine, 2 * fine)).mapped(lambda x, y, z: (x + shear * z, y, z))
-    return scenes.two((3 * fine,) * 3, base, **keys)
+    return scenes.two((3 * fine,) * 3, base, time=16, **keys)
 
 
 def poisson():

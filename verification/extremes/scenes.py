@@ -171,10 +171,10 @@ def grid_of(xs, ys, zs):
     return grid(*(planes_of(one) for one in (xs, ys, zs)))
 
 
-def two(cells, base, skins=True, element=None, speed=0.02 * SOUND, **keys):
+def two(cells, base, skins=True, element=None, speed=0.02 * SOUND, time=7, **keys):
     """A cube of some cells falls on a given base that stands on the ground, and comes back."""
     cube = brick((-SIZE / 2, -SIZE / 2, 0), (SIZE / 2, SIZE / 2, SIZE), cells)
-    end = SIZE / 50 / speed + 7 * SIZE / SOUND
+    end = SIZE / 50 / speed + time * SIZE / SOUND
     names = ("a.skin", "b.skin") if skins else ("a.z_low", "b.z_high")
     return scene([body("a", cube, (0.0011, 0.0007, SIZE / 50), element=element), body("b", base, element=element)],
                  [contact(*names, **keys)], {"a": (0, 0, -speed)}, end, 100, [("returns", "a", Z, -speed, -0.2, 1.001)],
