@@ -1,0 +1,423 @@
+"""The judge of verification/extremes can tell right from wrong: made-up runs whose overlap, energy and momenta are known."""
+import base64
+import importlib.machinery
+import importlib.util
+import struct
+import sys
+import tempfile
+import unittest
+import zlib
+from pathlib import Path
+
+try:
+    import numpy as np
+    import yaml  # noqa: F401  (the command needs it)
+except ImportError:
+    sys.exit(77)
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path[:0] = [str(ROOT / "verification/extremes"), str(ROOT / "scripts")]
+import axes  # noqa: E402  (after the path)
+import judge  # noqa: E402
+import measure  # noqa: E402
+import meshes  # noqa: E402
+import scenes  # noqa: E402
+
+DENSITY = 1000.0
+FOLDER = tempfile.TemporaryDirectory()  # of all runs that are made up
+
+
+# ------------------------------------------------------------------------------------------------
+# Made-up runs
+
+def packed(array):
+    """An array as the drivers write it."""
+    data = np.ascontiguousarray(array).tobytes()
+    block = zlib.compress(data)
+    head = struct.pack("<4Q", 1, 32768, len(data), len(block))
+    return (base64.b64encode(head) + base64.b64encode(block)).decode()
+
+
+def data_array(name, array, kind):
+    width = array.shape[1] if array.ndim > 1 else 1
+    array = array.astype(measure.TYPES[kind])
+    return f'<DataArray type="{kind}" Name="{name}" NumberOfComponents="{width}" format="binary">{packed(array)}</DataArray>'
+
+
+class Folder:
+    """A run that is made up: bodies that move as a function of time says, and columns of the history."""
+
+    def __init__(self, bodies, motion, times=(0.0, 1.0), columns=None, case=None, thickness=0.0):
+        self.path = Path(tempfile.mkdtemp(dir=FOLDER.name))
+        self.case = {"bodies": [], "contacts": [], **(case or {})}
+        X = np.concatenate([mesh.points for _, mesh in bodies])
+        cells, parts, first = [], [], 0
+        for n, (name, mesh) in enumerate(bodies):
+            entry = {"name": name, "mesh": {"kind": "file", "path": f"{name}.vtu"}, "material": {"density": f"{DENSITY} kg/m^3"}}
+            if mesh.cells.shape[1] == 3:
+                entry["element"] = {"thickness": f"{thickness} m"}
+            self.case["bodies"].append(entry)
+            cells += list(mesh.cells + first)
+            parts += [n] * len(mesh.cells)
+            first += len(mesh.points)
+        (self.path / "body").mkdir()
+        listed = []
+        for number, time in enumerate(times):
+            x, v = motion(X, time)
+            self.write(f"body/{number}.vtu", X, x, v, cells, parts)
+            listed.append(f'<DataSet timestep="{time!r}" part="0" file="body/{number}.vtu"/>')
+        (self.path / "body.pvd").write_text("<Collection>" + "\n".join(listed) + "</Collection>", encoding="utf-8")
+        self.write_history(times, columns, bodies, motion, X)
+        (self.path / "summary.json").write_text('{"cost": {"steps": 7}}', encoding="utf-8")
+
+    def write(self, name, X, x, v, cells, parts):
+        arrays = [data_array("displacement", x - X, "Float64"), data_array("velocity", v, "Float64"), data_array("points", X, "Float64"),
+                  data_array("part_id", np.array(parts), "Int32"), data_array("connectivity", np.concatenate(cells), "Int64"),
+                  data_array("offsets", np.cumsum([len(cell) for cell in cells]), "Int64")]
+        (self.path / name).write_text("\n".join(arrays), encoding="utf-8")
+
+    def write_history(self, times, columns, bodies, motion, X):
+        columns = dict(columns or {})
+        if "energy_kinetic" not in columns:
+            made = [measure.Body(cells, X, DENSITY, 0.0) for cells in self.cells_of(bodies) if cells.shape[1] == 8]
+            mass = sum((body.mass for body in made), np.zeros(len(X)))
+            columns["energy_kinetic"] = [judge.kinetic(mass, motion(X, time)[1]) for time in times]
+        head = ",".join(["time [s]"] + [f"{name} [J]" for name in columns])
+        rows = [",".join(repr(float(entry)) for entry in row) for row in zip(times, *columns.values())]
+        (self.path / "history.csv").write_text("\n".join([head, *rows]) + "\n", encoding="utf-8")
+
+    @staticmethod
+    def cells_of(bodies):
+        first, found = 0, []
+        for _, mesh in bodies:
+            found.append(mesh.cells + first)
+            first += len(mesh.points)
+        return found
+
+    def finished(self, status=0, said=""):
+        return judge.Finished(status, said, self.case, self.path)
+
+
+def cube(low=(0, 0, 0), size=1.0, cells=(2, 2, 2)):
+    return meshes.brick(low, [c + size for c in low], cells)
+
+
+def still(X, time):
+    return X, np.zeros_like(X)
+
+
+def moved(first, velocity):
+    """Nodes from number `first` on go with a velocity, the others stand."""
+    def motion(X, time):
+        v = np.zeros_like(X)
+        v[first:] = velocity
+        return X + v * time, v
+    return motion
+
+
+TOUCH = {"contacts": [{"name": "t", "apexes": "a.skin", "base": "b.skin"}]}
+
+
+def pair(way, contacts=TOUCH, **more):
+    """Two cubes, the second over the first; it goes up by `way` in a second."""
+    one, other = cube(), cube((0.3, 0.2, 1.0))
+    return Folder([("a", one), ("b", other)], moved(len(one.points), (0, 0, way)), case=contacts, **more)
+
+
+def verdict(folder, expected=None, status=0, said="", **more):
+    return judge.verdict_of(folder.finished(status, said), expected or judge.Expected(), **more)
+
+
+def kinds(folder, expected=None):
+    return {fault.kind for fault in judge.faults_of(judge.look(folder.finished(), None), expected or judge.Expected())}
+
+
+# ------------------------------------------------------------------------------------------------
+# Geometry
+
+class Geometry(unittest.TestCase):
+    def test_reads_what_is_packed(self):
+        values = np.arange(12.0).reshape(4, 3)
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "one.vtu"
+            path.write_text(data_array("points", values, "Float64"), encoding="utf-8")
+            self.assertTrue(np.array_equal(measure.read_arrays(path, {"points"})["points"], values))
+
+    def test_mass_and_depth_of_an_element(self):
+        mesh = meshes.brick((0, 0, 0), (2, 3, 1), (2, 3, 4))
+        body = measure.Body(mesh.cells, mesh.points, DENSITY)
+        self.assertAlmostEqual(body.mass.sum(), 6 * DENSITY)
+        self.assertAlmostEqual(body.depth, 0.25)
+
+    def test_overlap_of_two_cubes(self):
+        for depth in (1e-9, 0.01, 0.2):
+            one, other = cube(), cube((0.3, 0.2, 1.0 - depth))
+            x = np.concatenate([one.points, other.points])
+            bodies = [measure.Body(cells, x, 1.0) for cells in Folder.cells_of([("a", one), ("b", other)])]
+            self.assertAlmostEqual(measure.overlap(*bodies, x)[0] / depth, 1, places=5)
+
+    def test_no_overlap_at_a_distance_however_small(self):
+        one, other = cube(), cube((0.3, 0.2, 1.0 + 1e-12))
+        x = np.concatenate([one.points, other.points])
+        bodies = [measure.Body(cells, x, 1.0) for cells in Folder.cells_of([("a", one), ("b", other)])]
+        self.assertEqual(measure.overlap(*bodies, x)[0], 0)
+
+    def test_edges_that_cross_are_seen_though_no_node_is_inside(self):
+        made = scenes.crossing(angle=90.0).meshes
+        a, b = made["a.vtu"], made["b.vtu"]
+        w = scenes.SIZE / 2 * 2 ** 0.5
+        upper, lower = a.points + (0, 0, w - 5e-4), b.points @ judge.rotation((0, 0, 1), np.pi / 2).T - (0, 0, w - 5e-4)
+        x = np.concatenate([upper, lower])
+        bodies = [measure.Body(cells, x, 1.0) for cells in Folder.cells_of([("a", a), ("b", b)])]
+        nodes_inside = measure.points_inside(upper, measure.closed_surface(bodies[1], x))
+        self.assertEqual(len(nodes_inside[np.abs(nodes_inside[:, 0]) > 1e-6]), 0)
+        self.assertAlmostEqual(measure.overlap(*bodies, x)[0], 1e-3 / 2 ** 0.5, delta=1e-4)
+
+    def test_plates_have_their_thickness(self):
+        plate, block = meshes.sheet((-1, -1), (2, 2), (3, 3)), cube((0, 0, 0.03))
+        x = np.concatenate([plate.points, block.points])
+        thin, solid = Folder.cells_of([("p", plate), ("b", block)])
+        bodies = [measure.Body(thin, x, 1.0, 0.1), measure.Body(solid, x, 1.0)]
+        self.assertAlmostEqual(measure.overlap(*bodies, x)[0], 0.02, places=9)
+
+    def test_rotated_bodies_of_any_kind(self):
+        turn = judge.rotation((1, 2, 3), 1.1)
+        mesh = meshes.prism([(0, 0), (1, 0), (0, 1)], 1.0, 2)
+        body = measure.Body(mesh.cells, mesh.points, 1.0)
+        self.assertAlmostEqual(body.volumes.sum(), 0.5)
+        inside = np.array([[0.2, 0.5, 0.2], [0.9, 0.5, 0.9]]) @ turn.T
+        self.assertEqual(len(measure.points_inside(inside, measure.closed_surface(body, mesh.points @ turn.T))), 1)
+
+    def test_a_body_in_itself(self):
+        mesh = meshes.brick((0, 0, 0), (8, 1, 1), (8, 1, 1))
+        body = measure.Body(mesh.cells, mesh.points, 1.0)
+        self.assertEqual(measure.self_overlap(body, mesh.points), 0)
+        folded = mesh.points.copy()
+        angle = folded[:, 0] / 8 * 2 * np.pi * 1.05
+        radius = 2.0 + folded[:, 2]
+        folded = np.stack([radius * np.sin(angle), folded[:, 1] + 0.2 * folded[:, 0] / 8, radius * np.cos(angle)], axis=1)
+        self.assertGreater(measure.self_overlap(body, folded), 0.1)
+
+    def test_an_element_inside_out(self):
+        mesh = cube()
+        body = measure.Body(mesh.cells, mesh.points, 1.0)
+        self.assertAlmostEqual(measure.inside_out(body, mesh.points, mesh.points), 1)
+        x = mesh.points.copy()
+        x[0] += 0.6
+        self.assertLess(measure.inside_out(body, x, mesh.points), 0)
+
+
+# ------------------------------------------------------------------------------------------------
+# Faults
+
+class Faults(unittest.TestCase):
+    def test_nothing_is_wrong_with_bodies_that_part(self):
+        self.assertEqual(verdict(pair(0.5))[0], judge.GOOD)
+
+    def test_overlap_beyond_half_an_element(self):
+        self.assertEqual(kinds(pair(-0.2)), set())
+        self.assertEqual(kinds(pair(-0.3)), {"overlap"})
+        self.assertEqual(kinds(pair(-0.3, contacts={})), set())
+        self.assertEqual(kinds(pair(-0.3, contacts={}), judge.Expected(pairs=[("a", "b")])), {"overlap"})
+
+    def test_an_overlap_that_is_accepted_counts_after_the_bodies_have_parted(self):
+        accepts = {"contacts": [{**TOUCH["contacts"][0], "initial_penetration": "accept"}]}
+
+        def path(*heights):
+            one, other = cube(), cube((0.3, 0.2, 1.0))
+
+            def motion(X, t):
+                x = X.copy()
+                x[len(one.points):, 2] += heights[int(t)]
+                return x, np.zeros_like(X)
+            return Folder([("a", one), ("b", other)], motion, [float(t) for t in range(len(heights))], case=accepts)
+        self.assertEqual(kinds(path(-0.3, -0.35)), set())
+        self.assertEqual(kinds(path(-0.3, 0.1, -0.2)), set())
+        self.assertEqual(kinds(path(-0.3, 0.1, -0.3)), {"overlap"})
+
+    def test_energy_that_grows(self):
+        free = Folder([("a", cube())], lambda X, t: (X, np.full_like(X, 1.0 + 0.01 * t)))
+        self.assertIn("energy", kinds(free))
+        little = Folder([("a", cube())], lambda X, t: (X, np.full_like(X, 1.0 + 1e-12 * t)))
+        self.assertEqual(kinds(little, judge.Expected(scale=1500.0)), set())
+
+    def test_energy_is_held_against_the_bodies_that_touch(self):
+        one, other, ship = cube(), cube((0.3, 0.2, 1.1)), cube((10, 10, 10), 5.0)
+        first, last = len(one.points), len(one.points) + len(other.points)
+
+        def motion(X, t):
+            v = np.zeros_like(X)
+            v[first:last, 2], v[last:, 0] = 1.0 + 0.1 * t, 100.0
+            return X + np.array([[0, 0, 0.0]]), v
+        held = {**TOUCH, "planes": [{"name": "h", "kind": "fixed", "nodes": ["a"]}]}
+        self.assertIn("energy", kinds(Folder([("a", one), ("b", other), ("ship", ship)], motion, case=held)))
+
+    def test_kinetic_energy_is_our_own(self):
+        lying = Folder([("a", cube())], moved(0, (1, 0, 0)), columns={"energy_kinetic": [400.0, 400.0]})
+        self.assertIn("energy", kinds(lying))
+
+    def test_stores_and_work_from_outside_count(self):
+        def motion(X, t):
+            return X, np.full_like(X, 0.0) + (0, 0, 1.0 + t)
+        gained = {"energy_kinetic": [500.0, 2000.0]}
+        held = {"planes": [{"name": "h", "kind": "fixed", "nodes": ["a"]}]}
+        for columns, wrong in (({}, True), ({"energy_gravity_potential": [0.0, -1500.0]}, False),
+                               ({"energy_a_elastic": [1500.0, 0.0]}, False), ({"energy_a_elastic": [0.0, -1500.0]}, True)):
+            with self.subTest(columns=columns):
+                self.assertEqual("energy" in kinds(Folder([("a", cube())], motion, columns={**gained, **columns}, case=held)), wrong)
+
+    def test_energy_that_one_source_creates_and_another_loses(self):
+        columns = {"energy_created_t": [0.0, 20.0], "energy_created_a": [0.0, -20.0]}
+        self.assertIn("energy", kinds(Folder([("a", cube())], moved(0, (1, 0, 0)), columns=columns), judge.Expected(scale=500.0)))
+
+    def test_momenta(self):
+        self.assertEqual(kinds(Folder([("a", cube())], moved(0, (1, 0, 0))), judge.Expected(scale=500.0)), set())
+        slower = Folder([("a", cube())], lambda X, t: (X, np.full_like(X, 1.0 - 1e-9 * t)))
+        self.assertEqual(kinds(slower, judge.Expected(scale=1500.0)), {"momentum"})
+
+        def spins_less(X, t):
+            return X, (1 - 1e-9 * t) * np.stack([0.5 - X[:, 1], X[:, 0] - 0.5, 0 * X[:, 2]], axis=1)
+        self.assertEqual(kinds(Folder([("a", cube())], spins_less), judge.Expected(scale=300.0)), {"momentum"})
+        held = {"planes": [{"name": "h", "kind": "fixed", "nodes": ["a"]}]}
+        self.assertEqual(kinds(Folder([("a", cube())], spins_less, case=held), judge.Expected(scale=300.0)), set())
+
+    def test_numbers_that_are_not_finite(self):
+        bad = Folder([("a", cube())], lambda X, t: (X * (np.nan if t else 1), np.zeros_like(X)), columns={"energy_kinetic": [0, 0]})
+        self.assertEqual(kinds(bad), {"finite"})
+
+    def test_answers(self):
+        def expect(*answer):
+            return judge.Expected(answers=[answer], scale=1e6)
+        up = pair(0.5)
+        for answer, wrong in ((("moves", "b", (0, 0, 1), 0.5, 0.01), False), (("moves", "b", (0, 0, 1), -0.5, 0.01), True),
+                              (("stands", "b", (0, 0, 1), 0.5, 0.01), False), (("stands", "b", (0, 0, 1), 0.0, 0.01), True),
+                              (("untouched", "b"), False), (("returns", "b", (0, 0, 1), -0.5, 0.9, 1.1), False),
+                              (("returns", "b", (0, 0, 1), 0.5, 0.9, 1.1), True), (("stays", "b", (0, 0, 1), 1.0, 0.0), False),
+                              (("stays", "b", (0, 0, -1), -2.0, 0.1), True), (("side", "b", "a"), False),
+                              (("no_lower", "b", (0, 0, -1), -0.2), True), (("no_faster", "b", (0, 0, 1), 0.4), True),
+                              (("keeps_shape", "b", 1e-9), False), (("cheap", 7), False), (("cheap", 6), True),
+                              (("separates", "a", "b", (0, 0, 1), -2.0, -0.5), False), (("separates", "a", "b", (0, 0, 1)), True)):
+            with self.subTest(answer=answer):
+                self.assertEqual("answer" in kinds(up, expect(*answer)), wrong)
+        through = pair(-3.0, times=(0.0, 0.5, 1.0))
+        self.assertIn("answer", kinds(through, expect("side", "b", "a")))
+        self.assertIn("answer", kinds(through, expect("order", "b", "a", (0, 0, 1))))
+        self.assertNotIn("answer", kinds(up, expect("order", "b", "a", (0, 0, 1))))
+
+
+# ------------------------------------------------------------------------------------------------
+# Verdicts
+
+WARNING = "warning: t: an apex went {:.3g} m deep, 0.6 of the depth of an element: too soft a penalty or too fast an approach\n"
+STOP = "scene: stopped at 0.1 s: energy_created in t: created 0.06 of the initial kinetic energy; the limit is 0.05\n"
+REFUSAL = ("case.yaml:3:1: 3 of 9 apexes start penetrated, by 0.1 m at most: move the bodies apart, or say "
+           "'initial_penetration: accept'\n")
+
+
+class Verdicts(unittest.TestCase):
+    def test_wrong_in_silence_is_broken(self):
+        self.assertEqual(verdict(pair(-0.3))[0], judge.BROKEN)
+
+    def test_a_true_warning(self):
+        for depth in (0.3, 0.2, 0.55):
+            self.assertEqual(verdict(pair(-0.3), said=WARNING.format(depth))[0], judge.WARNED)
+
+    def test_a_false_warning(self):
+        for depth in (0.1, 0.7):
+            found, reason, _ = verdict(pair(-0.3), said=WARNING.format(depth))
+            self.assertEqual(found, judge.BROKEN)
+            self.assertIn("false warning", reason)
+        self.assertEqual(verdict(pair(0.5), said=WARNING.format(0.3))[0], judge.BROKEN)
+
+    def test_what_is_deeper_than_a_body_is_thick_has_no_other_bound(self):
+        for depth, found in ((0.55, judge.WARNED), (3.0, judge.WARNED), (0.1, judge.BROKEN)):
+            self.assertEqual(verdict(pair(-0.5), said=WARNING.format(depth))[0], found)
+
+    def test_a_warning_is_looked_at_more_closely(self):
+        closer = pair(-0.3)
+        self.assertEqual(verdict(pair(-0.1), said=WARNING.format(0.3), again=lambda change: closer.finished())[0], judge.WARNED)
+
+    def test_a_warning_does_not_cover_momentum(self):
+        one, other = cube(), cube((0.3, 0.2, 1.0))
+
+        def slows(X, t):
+            v = np.zeros_like(X)
+            v[len(one.points):, 2] = -0.3 * (1 - 1e-8 * t)
+            return X + v * t, v
+        folder = Folder([("a", one), ("b", other)], slows, case=TOUCH)
+        found, reason, _ = verdict(folder, said=WARNING.format(0.3))
+        self.assertEqual(found, judge.BROKEN)
+        self.assertIn("momentum", reason)
+
+    def test_refusals(self):
+        folder = pair(0.5)
+        self.assertEqual(verdict(folder, status=2, said=REFUSAL, initial=0.1)[0], judge.REFUSED)
+        self.assertEqual(verdict(folder, status=2, said=REFUSAL, initial=0.0)[0], judge.BROKEN)
+        self.assertEqual(verdict(folder, status=2, said="something is wrong\n")[0], judge.BROKEN)
+
+    def test_stops(self):
+        folder, wrong = pair(0.5), pair(-0.3)
+        self.assertEqual(verdict(folder, status=3, said=STOP, again=lambda change: wrong.finished())[0], judge.REFUSED)
+        for change in ("step", "mesh"):
+            found, reason, _ = verdict(folder, status=3, said=STOP, again=lambda asked: (folder if asked == change else wrong).finished())
+            self.assertEqual(found, judge.BROKEN)
+            self.assertIn("without cause", reason)
+        self.assertEqual(verdict(folder, status=3, said="scene: stopped\n", again=lambda change: wrong.finished())[0], judge.BROKEN)
+
+    def test_a_stop_where_nothing_touches(self):
+        expected = judge.Expected(answers=[("untouched", "a")])
+        self.assertEqual(verdict(pair(0.5), expected, status=3, said=STOP, again=lambda change: pair(-0.3).finished())[0], judge.BROKEN)
+
+    def test_a_stop_that_loses_its_state(self):
+        folder = pair(0.5)
+        (folder.path / "summary.json").unlink()
+        self.assertEqual(verdict(folder, status=3, said=STOP, again=lambda change: None)[0], judge.BROKEN)
+
+    def test_crashes_and_the_clock(self):
+        for status in (None, 1, 4, 5, -11):
+            self.assertEqual(verdict(pair(0.5), status=status)[0], judge.BROKEN)
+
+    def test_a_twin_that_goes_another_way(self):
+        self.assertEqual(verdict(pair(0.5), twin=(pair(0.5).finished(), 1.0, 1e-6))[0], judge.GOOD)
+        self.assertEqual(verdict(pair(0.5), twin=(pair(0.6).finished(), 1.0, 1e-6))[0], judge.BROKEN)
+        self.assertEqual(verdict(pair(0.5), twin=(pair(0.25).finished(), 2.0, 1e-6))[0], judge.GOOD)
+
+    def test_depth_before_a_run(self):
+        made = scenes.drop(gap=-0.001, skins=False)
+        self.assertAlmostEqual(judge.initial_depth(made.case, "."), 0.001, places=9)
+        self.assertEqual(judge.initial_depth(scenes.drop(gap=0.001, skins=False).case, "."), 0)
+
+
+class Matrix(unittest.TestCase):
+    def test_cells_have_names_of_their_own_and_are_many(self):
+        cells = axes.cells()
+        self.assertGreaterEqual(len(cells), 500)
+        self.assertEqual(len({cell.name() for cell in cells}), len(cells))
+
+    def test_a_seed_makes_one_scene(self):
+        for seed in range(5):
+            one, other, finer = scenes.thrown(seed=seed), scenes.thrown(seed=seed), scenes.thrown(2, seed=seed)
+            self.assertEqual(one.case, other.case)
+            self.assertEqual(one.case, finer.case)
+            self.assertTrue(all(len(finer.meshes[name].points) > len(mesh.points) for name, mesh in one.meshes.items()))
+
+    def test_meshes_of_all_kinds_have_volume(self):
+        for mesh in (meshes.ridge(1, 1, 1, 2), meshes.ridge(179, 1, 1, 2, 2), meshes.valley(90, 1, 1, 2),
+                     meshes.prism([(0, 0), (0, 1), (1, 0)], 1, 2), cube()):
+            self.assertGreater(float(np.min(measure.least_corner(mesh.points[mesh.cells]))), 0)
+
+    def test_half_the_step_is_half_for_contact_too(self):
+        loader = importlib.machinery.SourceFileLoader("extremes", str(ROOT / "scripts/extremes"))
+        command = importlib.util.module_from_spec(importlib.util.spec_from_loader("extremes", loader))
+        loader.exec_module(command)
+        made = command.changed(scenes.drop().case, "step")
+        self.assertEqual(made["time"]["safety"], 0.45)
+        self.assertEqual(made["contacts"][0]["energy_gain_limit"], 0.00125)
+
+
+def tearDownModule():
+    FOLDER.cleanup()
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,339 @@
+"""The cells of the matrix: for each axis its values, and for each value scenes and options. Defaults come first."""
+import dataclasses
+import math
+from typing import Callable
+
+import scenes
+from scenes import DENSITY, SIZE, SOUND, YOUNG, material
+
+TWO, MASS = {"passes": "two"}, {"penalty_from": "mass_and_step"}
+ALL = {"faces": {"skins": False}, "skins": {}, "skins, two passes": TWO}
+OFFSET = (0.0013, 0.0007)  # [m]
+
+
+@dataclasses.dataclass(frozen=True)
+class Cell:
+    """One place of the matrix; `make` gives its scene for a fineness, `clock` is the time it may take [s], if it is a long one."""
+    axis: str
+    value: str
+    scene: str
+    option: str
+    make: Callable
+    clock: float = 0.0
+
+    def name(self):
+        words = "_".join(part for part in (self.axis, self.value, self.scene, self.option) if part)
+        return "".join(c if c.isalnum() or c in "_.-+" else "_" for c in words)
+
+
+def cell(axis, value, scene, option, function, clock=0.0, **keys):
+    text = value if isinstance(value, str) else f"{value:g}"
+    return Cell(axis, text, scene, option, lambda fine=1: function(fine, **keys), clock)
+
+
+def with_options(axis, value, scene, function, options, **keys):
+    """A cell for each of the options: {name: keys}."""
+    return [cell(axis, value, scene, name, function, **{**keys, **more}) for name, more in options.items()]
+
+
+PASSES = {"": {}, "two passes": TWO}
+
+
+# ------------------------------------------------------------------------------------------------
+# The axes, one function each
+
+def time_step():
+    """Step over the limit of the elements."""
+    found = []
+    for v in (0.1, 0.25, 0.5, 0.75, 0.9, 1.0, 1.05, 1.1):
+        found += with_options("time step", v, "bars", scenes.bars, {"faces": {}, "eight points": {"element": {"kind": "full"}},
+                                                                   "mass and step": MASS}, step=v)
+        found += with_options("time step", v, "drop", scenes.drop, {"skins": {}, "skins, two passes": TWO}, step=v)
+        found += [cell("time step", v, "plate", "", scenes.plate_hit, step=v)]
+    return found
+
+
+def penalty():
+    """Penalty over the stiffness of the softer side, or the share of the step."""
+    found = []
+    for v in (1e-4, 1e-3, 1e-2, 0.1, 1.0, 10.0, 100.0, 1e3, 1e4):
+        found += with_options("penalty", v, "bars", scenes.bars, {"faces": {}, "faces, two passes": TWO}, penalty_scale=v)
+        found += with_options("penalty", v, "drop", scenes.drop, {"skins": {}, "skins, two passes": TWO}, penalty_scale=v)
+        found += [cell("penalty", v, "plate", "", scenes.plate_hit, penalty_scale=v)]
+    for v in (0.1, 0.5, 2.0, 10.0):
+        found += [cell("penalty", v, "bars", "step share", scenes.bars, **MASS, step_share=v),
+                  cell("penalty", v, "drop", "step share", scenes.drop, **MASS, step_share=v)]
+    return found
+
+
+RATIOS = (1e-6, 1e-4, 1e-2, 0.1, 10.0, 1e2, 1e4, 1e6)
+PENALTIES = {"": {}, "two passes": TWO, "mass and step": MASS}
+
+
+def stiffness():
+    """Young's modulus of the body that falls over that of the other."""
+    found = []
+    for v in RATIOS:
+        of = {"of": material(young=YOUNG * v)} if v < 1 else {"base_of": material(young=YOUNG / v)}
+        speed = 0.02 * SOUND * min(1, math.sqrt(v), math.sqrt(1 / v))
+        found += with_options("stiffness ratio", v, "drop", scenes.drop, PENALTIES, cells=(2, 2, 2), base_cells=(3, 3, 1), speed=speed,
+                              least=-0.5, **of)
+    return found
+
+
+def density():
+    """Density of the body that falls over that of the other."""
+    found = []
+    for v in RATIOS:
+        of = {"of": material(density=DENSITY * v)} if v < 1 else {"base_of": material(density=DENSITY / v)}
+        found += with_options("density ratio", v, "drop", scenes.drop, PENALTIES, cells=(2, 2, 2), base_cells=(3, 3, 1),
+                              speed=0.02 * SOUND, least=-0.5, **of)
+    return found
+
+
+def mesh_ratio():
+    """Size of the elements of the body that falls over those of the other."""
+    return [one for v in RATIOS for one in with_options("mesh ratio", v, "tiny cube" if v < 1 else "tiny block",
+                                                        tiny_cube if v < 1 else tiny_block, PENALTIES, ratio=v)]
+
+
+def tiny_cube(fine=1, ratio=0.1, **keys):
+    """A tiny cube falls on a coarse block, and comes back."""
+    s, speed = SIZE * ratio, 0.02 * SOUND
+    cube = scenes.brick((-s / 2, -s / 2, 0), (s / 2, s / 2, s), (2 * fine,) * 3)
+    block = scenes.brick((-SIZE, -SIZE, -SIZE), (SIZE, SIZE, 0), (2 * fine, 2 * fine, fine))
+    return scenes.scene([scenes.body("a", cube, (0.0011, 0.0007, s / 50)), scenes.body("b", block)],
+                        [scenes.contact("a.skin", "b.skin", **keys)], {"a": (0, 0, -speed)}, s / 50 / speed + 9 * s / SOUND, 100,
+                        [("returns", "a", scenes.Z, -speed, -0.3, 1.001)], planes=[scenes.fixed("b.z_low")])
+
+
+def tiny_block(fine=1, ratio=10.0, **keys):
+    """A coarse cube falls on a tiny block with its face."""
+    tiny = SIZE / ratio
+    end = tiny / 50 / (0.02 * SOUND) + 12 * tiny / SOUND
+    cube = scenes.brick((-SIZE / 2, -SIZE / 2, 0), (SIZE / 2, SIZE / 2, SIZE), (2 * fine,) * 3)
+    block = scenes.brick((-tiny, -tiny, -tiny), (tiny, tiny, 0), (4 * fine, 4 * fine, 2 * fine))
+    return scenes.scene([scenes.body("a", cube, (0.0011, 0.0007, tiny / 50)), scenes.body("b", block)],
+                        [scenes.contact("b.skin", "a.skin", **keys)], {"a": (0, 0, -0.02 * SOUND)}, end, 100,
+                        [("no_lower", "a", scenes.Z, -0.5 * tiny)], planes=[scenes.fixed("b.z_low")])
+
+
+def aspect():
+    """Length over width of the elements."""
+    found = []
+    for v in (1.0, 10.0, 100.0, 1e3, 1e4):
+        for name, shape in (("flat", flat), ("column", column), ("sheared", sheared)):
+            found += with_options("aspect ratio", v, name, shape, PASSES, ratio=v)
+        found += [cell("aspect ratio", v, "flat", "faces", flat, ratio=v, skins=False),
+                  cell("aspect ratio", v, "flat", "eight points", flat, ratio=v, element={"kind": "full"})]
+    return found
+
+
+def flat(fine=1, ratio=10.0, skins=True, element=None, **keys):
+    """A cube falls on a block whose upper layer of elements is as flat as the ratio says."""
+    thin = SIZE / 2 / ratio
+    w = SIZE
+    base = scenes.grid_of((-w, w, 4 * fine), (-w, w, 4 * fine), [-SIZE, -SIZE / 2 if thin < SIZE / 4 else -0.75 * SIZE, -thin, 0.0])
+    return scenes.two((3 * fine,) * 3, base, skins, element, **keys)
+
+
+def column(fine=1, ratio=10.0, **keys):
+    """A cube falls on a block of elements as tall as the ratio says."""
+    w = SIZE
+    thin = SIZE / 2 / ratio
+    base = scenes.grid_of((-w, w, 4 * fine), [-w, -thin, 0.0, w] if thin < w else [-w, 0.0, w], [-SIZE, -SIZE / 2, 0.0])
+    return scenes.two((3 * fine,) * 3, base, **keys)
+
+
+def sheared(fine=1, ratio=10.0, **keys):
+    """A cube falls on a block of slivers: elements sheared along x until their angles are one over the ratio."""
+    w = SIZE
+    shear = math.sqrt(max(ratio, 1.0)) - 1
+    base = scenes.brick((-w, -w, -SIZE / 2), (w, w, 0), (4 * fine, 4 * fine, 2 * fine)).mapped(lambda x, y, z: (x + shear * z, y, z))
+    return scenes.two((3 * fine,) * 3, base, time=16, **keys)
+
+
+def poisson():
+    """Poisson's ratio of both bodies."""
+    found = []
+    for v in (-0.9, -0.5, 0.0, 0.3, 0.45, 0.49, 0.499, 0.4999):
+        of = material(poisson=v)
+        found += with_options("Poisson", v, "bars", scenes.bars,
+                              {"flush": {}, "offset": {"offset": OFFSET}, "eight points": {"element": {"kind": "full"}},
+                               "flush, 0.1 c": {"speed": 0.1 * SOUND},
+                               "long, flush, 0.1 c": {"speed": 0.1 * SOUND, "bars_long": 10, "cells": (20, 2, 2)}}, left=of, right=of)
+        found += with_options("Poisson", v, "drop", scenes.drop, {"skins": {}, "skins, two passes": TWO}, of=of, base_of=of)
+    return found
+
+
+def speed():
+    """Speed over that of waves."""
+    found = []
+    for v in (1e-9, 1e-6, 1e-4, 1e-3, 0.01, 0.03, 0.1, 0.2, 0.3, 0.5, 1.0, 2.0):
+        keys = {"speed": v * SOUND, "gap": SIZE / 50 * min(1.0, 100 * v)}
+        found += with_options("speed", v, "bars", scenes.bars, {"flush": {}, "offset, two passes": {"offset": OFFSET, **TWO}}, **keys)
+        found += with_options("speed", v, "drop", scenes.drop, {"skins": {}, "skins, two passes": TWO, "mass and step": MASS}, **keys)
+        found += [cell("speed", v, "plate", "", scenes.plate_hit, **keys)]
+        if v >= 0.01:
+            found += with_options("speed", v, "walls", scenes.two_walls, {"": {}, "mass and step": MASS}, speed=v * SOUND)
+            found += [cell("speed", v, "under the table", "", scenes.table, offset=0.005, height=-0.031, speed=v * SOUND,
+                           time=0.1 / (v * SOUND), answers=[("untouched", "block")])]
+    return found
+
+
+def thickness():
+    """Thickness over length of plates and of thin solids."""
+    found = []
+    for v in (1e-5, 1e-4, 1e-3, 0.01, 0.03, 0.1, 0.3, 1.0):
+        t = 6 * SIZE * v
+        found += with_options("thickness", v, "plate", scenes.plate_hit, {"": {}, "mass and step": MASS}, thickness=t, most=1.0,
+                              speed=0.01 * SOUND)
+        found += [cell("thickness", v, "two sides", "", scenes.sandwich, thickness=t, both=True, end=4e-3),
+                  cell("thickness", v, "between plates", "", scenes.sandwich, thickness=t, end=10e-3),
+                  cell("thickness", v, "thin wall", "", scenes.two_walls, thickness=0.04 * v, walls=1, speed=0.02 * SOUND),
+                  cell("thickness", v, "thin wall", "two passes", scenes.two_walls, thickness=0.04 * v, walls=1, speed=0.02 * SOUND, **TWO)]
+    return found
+
+
+def friction():
+    """Coulomb's coefficient."""
+    found = []
+    for v in (0.0, 0.1, 0.3, 0.577, 1.0, 3.0, 10.0, 100.0):
+        found += with_options("friction", v, "slide", scenes.slide, {"": {}, "skins, two passes": {"skins": True, **TWO}}, friction=v)
+        found += with_options("friction", v, "reversals", scenes.reversals, PASSES, friction=v)
+        found += with_options("friction", v, "oblique", scenes.oblique, {"": {}, "two passes": TWO}, friction=v)
+    return found
+
+
+def gap():
+    """Distance at the start over an element; less than zero is an overlap."""
+    found = []
+    for part in (1e-15, 1e-12, 1e-9, 1e-6, 1e-3, 0.01, 0.1, 0.5):
+        for v in (part, -part):
+            g = v * SIZE / 3
+            found += with_options("gap", v, "drop", scenes.drop, ALL,
+                                  gap=g, speed=0.02 * SOUND)
+            found += [cell("gap", v, "plate", "", scenes.plate_hit, gap=g)]
+            if v < 0:
+                found += with_options("gap", v, "drop", scenes.drop, {"faces, accepted": {"skins": False}, "skins, accepted": {}},
+                                      gap=g, speed=0.02 * SOUND, accept=True)
+    return found
+
+
+def ridges():
+    """The angle of a ridge, in the solid [deg]."""
+    found = []
+    for v in (1, 5, 15, 30, 60, 90, 120, 150, 170, 179):
+        found += with_options("ridge", v, "face on ridge", scenes.on_ridge,
+                              {"": {}, "two passes": TWO, "apexes on the ridge": {"apex": "roof"}, "exactly over": {"shift": 0.0}}, angle=v)
+    return found
+
+
+def valleys():
+    """The angle of a valley, in the air [deg]."""
+    found = []
+    for v in (1, 5, 15, 30, 60, 90, 120, 150, 170, 179):
+        found += with_options("valley", v, "edge in valley", scenes.in_valley, PASSES, angle=v)
+        found += with_options("valley", v, "face on valley", scenes.in_valley, PASSES, angle=v, body_kind="face")
+    return found
+
+
+def shapes():
+    """Rims, tables, pits, thin bodies, closed skins."""
+    found = []
+    skins = {"faces": {}, "skins": {"skins": True}, "skins, two passes": {"skins": True, **TWO}}
+    alone = [("untouched", "block")]
+    for v in (0.001, 0.005, 0.02):
+        found += [cell("shapes", f"rim {v:g}", "block at a rim", "faces", scenes.table, offset=v),
+                  cell("shapes", f"rim {v:g}", "block at a rim", "with a ship", scenes.table, offset=v, ship=True),
+                  cell("shapes", f"rim {v:g}", "block at a rim", "skins", scenes.table, offset=v, skins=True),
+                  cell("shapes", f"rim {v:g}", "block at a rim", "skins, two passes", scenes.table, offset=v, skins=True, **TWO)]
+    for v in (0.0005, 0.002, 0.01):
+        h = -0.03 - v
+        found += [cell("shapes", f"under {v:g}", "block under a table", name, scenes.table, offset=0.005, height=h, answers=alone, **keys)
+                  for name, keys in skins.items()]
+        found += [cell("shapes", f"over {v:g}", "block over a table", name, scenes.table, offset=0.005, height=v, answers=alone, **keys)
+                  for name, keys in skins.items()]
+    for name, keys in skins.items():
+        off = {"offset": -0.03, "height": 1e-6, "direction": 1, "gravity": 100.0, **keys}
+        found += [cell("shapes", "off the rim", "block slides off", name, scenes.table, **off),
+                  cell("shapes", "off the rim", "block slides off, friction", name, scenes.table, friction=0.3, **off)]
+    for v in (0.0, 0.5, 1.0, 2.0):
+        found += with_options("shapes", f"pit {v:g}", "cube in a pit", scenes.pit, PASSES, sideways=v)
+    for n in (2, 3, 4):
+        found += with_options("shapes", f"rests {n}", "closed skins", scenes.rests, ALL, cells=(n,) * 3)
+    found += with_options("shapes", "accepted", "leaves and returns", scenes.accepted, PASSES)
+    found += [cell("shapes", f"bond {v:g}", "over a rim", "", scenes.bond, offset=v) for v in (0.0, 0.008, 0.015, 0.025)]
+    found += [cell("shapes", "folds", "strip", "solid", scenes.strip),
+              cell("shapes", "folds", "strip", "plates", scenes.strip, plates=True),
+              cell("shapes", "folds half", "strip", "solid", scenes.strip, squeeze=0.3)]
+    for v in (5, 15, 30, 45, 60, 90):
+        found += with_options("shapes", f"cross {v}", "edge on edge", scenes.crossing, PASSES, angle=v)
+        found += with_options("shapes", f"cross {v}", "face on face", scenes.crossing, PASSES, angle=v, corner=False)
+    return found
+
+
+def ties():
+    """Exact ties, coincident nodes, all conditions of Eq. (14) zero."""
+    found = []
+    for kind in ("vertex", "edge", "diagonal", "corner", "edge_down", "cone", "pit", "saddle", "ridge"):
+        found += with_options("ties", kind.replace("_", " "), "cube", scenes.tie, PASSES, kind=kind)
+    for n in (1, 2, 3):
+        found += with_options("ties", f"coincident {n}", "cubes", scenes.coincident, ALL, cells=(n,) * 3)
+    found += with_options("ties", "bars flush", "bars", scenes.bars, PASSES, skins=True)
+    return found
+
+
+def scale():
+    """Sizes in metres, and origins that are many lengths away."""
+    found = []
+    for v in (1e-9, 1e-6, 1e-3, 1.0, 1e3):
+        found += with_options("scale", v, "drop", scenes.scaled, PENALTIES, factor=v / SIZE)
+        found += [cell("scale", v, "bars", "", scenes.scaled, factor=v / SIZE, kind="bars")]
+    for v in (1.0, 1e2, 1e4, 1e6):
+        found += with_options("shift", v, "drop", scenes.shifted, PASSES, lengths=v)
+        found += [cell("shift", v, kind, "", scenes.shifted, lengths=v, kind=kind) for kind in ("bars", "plate")]
+    return found
+
+
+def distance():
+    """How far from each other bodies are that do not touch [m]."""
+    return [one for v in (0.1, 1.0, 10.0, 1e3, 1e6) for one in with_options("distance", v, "cubes", scenes.far, PASSES, distance=v)]
+
+
+def long_runs():
+    """Bounces, rest under gravity, spin."""
+    found = []
+    for v in (1e2, 1e3, 1e4):
+        found += [cell("long", f"bounces {v:g}", "between walls", "", scenes.bounces, number_of=v),
+                  cell("long", f"bounces {v:g}", "between blocks", "", scenes.bounces, number_of=v, base="blocks")]
+    for v in (1e5, 1e6):
+        found += [cell("long", f"bounces {v:g}", "between walls", "", scenes.bounces, number_of=v, clock=600.0)]
+    for v in (0.1, 1.0):
+        found += with_options("long", f"rest {v:g}", "cube", scenes.stays_at_rest,
+                              {"faces": {"skins": False}, "skins": {}, "skins, two passes": TWO, "damped": {"damping": 0.3},
+                               "friction": {"friction": 0.3}, "friction, two passes": {"friction": 0.3, **TWO}}, end=v)
+    for v in (1.0, 10.0, 100.0):
+        found += [cell("long", f"spin {v:g}", "cube", "", scenes.spin, turns=v),
+                  cell("long", f"spin {v:g}", "cube", "eight points", scenes.spin, turns=v, element={"kind": "full"}),
+                  cell("long", f"spin {v:g}", "plate", "", scenes.spin, turns=v, plates=True)]
+    found += [cell("long", "spin 1", "two cubes", "", scenes.spin, turns=1.0, pair=True)]
+    return found
+
+
+def at_random(first=0, count=29):
+    """Bodies of random shape, thrown at one another, by their seed."""
+    return [cell("random", str(seed), "thrown", "", scenes.thrown, seed=seed) for seed in range(first, first + count)]
+
+
+AXES = {"time step": time_step, "penalty": penalty, "stiffness ratio": stiffness, "density ratio": density, "mesh ratio": mesh_ratio,
+        "aspect ratio": aspect, "Poisson": poisson, "speed": speed, "thickness": thickness, "friction": friction, "gap": gap,
+        "ridge": ridges, "valley": valleys, "shapes": shapes, "ties": ties, "scale": scale, "distance": distance, "long": long_runs,
+        "random": at_random}
+
+
+def cells(axis=None):
+    """All cells, or those of one axis."""
+    if axis is not None and axis not in AXES:
+        raise KeyError(f"no axis '{axis}'; there are {', '.join(AXES)}")
+    return [one for name, make in AXES.items() if axis in (None, name) for one in make()]

@@ -1,0 +1,624 @@
+"""Judges one finished run from its files alone: good, refused, warned or broken. It shares no code with lib/.
+
+    good      nothing is wrong, and nothing is warned of
+    refused   before or during the run, with a message that names the key or the place and the bound; the last state is kept
+    warned    something may be wrong, and the warning says so truly
+    broken    all else: wrong in silence, a false warning, a stop without cause, a message without a reason, a crash
+
+A fault is what the judge finds wrong: energy from nowhere, momentum that changes by itself, a known answer that is missed, bodies in each
+other, a body in itself, elements inside out, numbers that are not finite.
+"""
+import dataclasses
+import math
+import re
+from pathlib import Path
+
+import numpy as np
+
+import measure
+
+ENERGY = 0.01        # [-] of the energy of the bodies that touch, that may come from nowhere
+MOMENTUM = 1e-10     # [-] of the scale of the momenta
+KINETIC = 1e-6       # [-] between our kinetic energy and that of the history
+OVERLAP = 0.5        # [-] of the flattest element, and of how deep a point can be in a body
+ITSELF = 0.25        # [-] of the flattest element: how far a body may go behind its own face
+TRUE_DEPTH = 2.0     # [-] between a depth that is warned of and ours
+FULL = 0.7           # [-] of how deep a point can be: what is deeper below the face it came through is nearer to another
+SEEN = 0.01          # [-] of the flattest element: what is less deep is not seen
+LOOKS = 12           # frames in which a body is held against itself
+GOOD, REFUSED, WARNED, BROKEN = "good", "refused", "warned", "broken"
+
+DONE, BAD_CASE, STOPPED = 0, 2, 3
+
+
+@dataclasses.dataclass
+class Expected:
+    """What is known of a scene before it runs.
+
+    pairs       bodies that must not be in each other: (name, name); none: those of all contacts
+    answers     what must come out: see ANSWERS
+    scale       [J] of energies, where those of the run do not say it; 0: they do
+    edges       whether contact of edges with edges would find what touches
+    """
+    pairs: list = None
+    answers: list = dataclasses.field(default_factory=list)
+    scale: float = 0.0
+    edges: bool = False
+
+
+@dataclasses.dataclass
+class Finished:
+    """What a run left: exit status (None: cut by the clock), what it said on the error stream, its case, its folder."""
+    status: int
+    said: str
+    case: dict
+    folder: Path
+    seconds: float = 0.0
+
+
+@dataclasses.dataclass
+class Fault:
+    """Something wrong: its kind, how much, and a sentence."""
+    kind: str
+    amount: float
+    text: str
+
+
+# ------------------------------------------------------------------------------------------------
+# A run and its bodies
+
+def number(quantity):
+    """A value of a case in SI: '3 mm' is 0.003."""
+    if isinstance(quantity, (int, float)):
+        return float(quantity)
+    value, _, unit = quantity.partition(" ")
+    return float(value) * {"mm": 1e-3, "um": 1e-6, "ms": 1e-3, "us": 1e-6, "MPa": 1e6, "GPa": 1e9, "deg": math.pi / 180}.get(unit, 1.0)
+
+
+class Seen:
+    """A finished run as the judge sees it."""
+
+    def __init__(self, run):
+        self.case = run.case
+        self.frames, parts, self.X = measure.read_frames(run.folder)
+        self.history = measure.read_history(run.folder)
+        self.bodies = {}
+        for part, entry in enumerate(self.case["bodies"]):
+            thickness = number(entry.get("element", {}).get("thickness", 0))
+            self.bodies[entry["name"]] = measure.Body(parts[part], self.X, number(entry["material"]["density"]), thickness)
+        self.mass = sum(body.mass for body in self.bodies.values())
+        self.solid = not any(body.is_plate for body in self.bodies.values())
+        self.cache = {}
+
+    def touching(self):
+        """Names of bodies in any contact or at any rigid plane; of all bodies if there is none."""
+        surfaces = [contact[key] for contact in self.case.get("contacts", []) for key in ("apexes", "base")]
+        surfaces += [plane["surface"] for plane in self.case.get("planes", []) if "surface" in plane]
+        return {surface.partition(".")[0] for surface in surfaces} or set(self.bodies)
+
+    def pairs(self, expected):
+        """Bodies that must not be in each other."""
+        if expected.pairs is not None:
+            return [tuple(pair) for pair in expected.pairs]
+        found = [tuple(contact[key].partition(".")[0] for key in ("apexes", "base")) for contact in self.case.get("contacts", [])]
+        return sorted({tuple(sorted(pair)) for pair in found})
+
+    def accepts(self, pair):
+        """Whether the case accepts that two bodies start in each other."""
+        return any({contact[key].partition(".")[0] for key in ("apexes", "base")} == set(pair)
+                   for contact in self.case.get("contacts", []) if contact.get("initial_penetration") == "accept")
+
+    def is_free(self):
+        """Whether nothing from outside acts, gravity apart."""
+        return not any(self.case.get(key) for key in ("planes", "loads", "springs", "relaxation"))
+
+    def gravity(self):
+        return np.array([number(g) for g in self.case.get("gravity", [0, 0, 0])])
+
+    def centre(self, name, frame):
+        mass = self.bodies[name].mass
+        return (mass[:, None] * frame.x).sum(axis=0) / mass.sum()
+
+    def velocity(self, name, frame):
+        mass = self.bodies[name].mass
+        return (mass[:, None] * frame.v).sum(axis=0) / mass.sum()
+
+    def named_faces(self, surface):
+        """Outer faces of a body that belong to a surface of its mesh; None where the surface is all of it or not known."""
+        name, _, side = surface.partition(".")
+        body = self.bodies[name]
+        if body.is_plate or side in ("skin", ""):
+            return None
+        entry = next(entry for entry in self.case["bodies"] if entry["name"] == name)
+        if entry["mesh"]["kind"] != "box" or "map" in entry["mesh"]:
+            return None
+        mesh, back = entry["mesh"], placed_back(entry, self.X[body.faces].reshape(-1, 3)).reshape(-1, 4, 3)
+        axis, end = "xyz".index(side[0]), "low" if side.endswith("low") else "high"
+        size = max(abs(number(h) - number(low)) for h, low in zip(mesh["high"], mesh["low"]))
+        return body.faces[np.all(np.abs(back[:, :, axis] - number(mesh[end][axis])) < 1e-6 * size, axis=1)]
+
+
+def placed_back(entry, points):
+    """Points of a body where they were before it was rotated and moved."""
+    points = points - np.array([number(m) for m in entry.get("move", [0, 0, 0])])
+    if "rotate" in entry:
+        about = np.array([number(a) for a in entry["rotate"].get("about", [0, 0, 0])])
+        points = (points - about) @ rotation(entry["rotate"]["axis"], number(entry["rotate"]["angle"])) + about
+    return points
+
+
+def rotation(axis, angle):
+    """The matrix that rotates columns about an axis."""
+    x, y, z = np.array(axis, dtype=float) / np.linalg.norm(axis)
+    cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+    return np.eye(3) + math.sin(angle) * cross + (1 - math.cos(angle)) * cross @ cross
+
+
+# ------------------------------------------------------------------------------------------------
+# Energy and momentum
+
+def kinetic(mass, v):
+    return 0.5 * float(mass @ np.einsum("ni,ni->n", v, v))
+
+
+def energy_scale(seen, expected):
+    """The energy that the bodies that touch have to lose [J]: kinetic about their centre where they are free, stored, brought in."""
+    mass = sum(seen.bodies[name].mass for name in seen.touching())
+    v = seen.frames[0].v
+    if seen.is_free():
+        v = v - (mass[:, None] * v).sum(axis=0) / mass.sum()
+    brought = sum((-values for name, values in seen.history.items() if is_outside(name)), np.zeros(1))
+    stored = sum(values[0] for name, values in seen.history.items() if is_account(name) and not is_outside(name))
+    return max(kinetic(mass, v), float(stored), float(np.max(brought, initial=0.0)), expected.scale)
+
+
+NO_ACCOUNT = re.compile(r"energy_(kinetic|integration|residual|created_.*)$")
+OUTSIDE = re.compile(r"energy_.*(external_work|potential|relaxation.*)$")
+
+
+def is_account(name):
+    return name.startswith("energy_") and not NO_ACCOUNT.match(name)
+
+
+def is_outside(name):
+    return is_account(name) and bool(OUTSIDE.match(name))
+
+
+def energy_faults(seen, expected):
+    """Energy from nowhere: the sum of kinetic, stored and dissipated energy less the work from outside grows."""
+    found, scale, history = [], energy_scale(seen, expected), seen.history
+    if not scale > 0:
+        return found
+    accounts = [values for name, values in history.items() if is_account(name)]
+    rest = sum(accounts, np.zeros_like(history["time"]))
+    total = history["energy_kinetic"] + rest
+    if seen.solid:
+        ours = np.array([kinetic(seen.mass, frame.v) for frame in seen.frames])
+        at = np.interp([frame.time for frame in seen.frames], history["time"], np.arange(len(history["time"])))
+        rows = np.round(at).astype(int)
+        off = np.max(np.abs(ours - history["energy_kinetic"][rows])) / max(scale, np.max(ours))
+        if off > KINETIC:
+            found.append(Fault("energy", off, f"kinetic energy is off by {off:.2g}"))
+        total = np.append(total, ours + rest[rows])  # ours is held against the start as well
+    rise = float(np.max(total - total[0])) / scale
+    if rise > ENERGY:
+        found.append(Fault("energy", rise, f"energy rises by {rise:.2g}"))
+    created = {name: float(np.max(values)) / scale for name, values in history.items() if name.startswith("energy_created_")}
+    if created and max(created.values()) > max(ENERGY, rise):
+        worst = max(created, key=created.get)
+        found.append(Fault("energy", created[worst], f"{worst.removeprefix('energy_created_')} creates {created[worst]:.2g}"))
+    least = min((float(np.min(values)) / scale for name, values in history.items() if is_account(name) and not is_outside(name)), default=0)
+    if least < -ENERGY:
+        found.append(Fault("energy", -least, f"a store falls to {least:.2g}"))
+    return found
+
+
+def momentum_faults(seen):
+    """Momentum or its moment about the origin that changes by itself; moments not of plates, whose spin is in no frame."""
+    if not seen.is_free():
+        return []
+    found, g, m = [], seen.gravity(), seen.mass[:, None]
+    linear, angular, scale, arm = [], [], 0.0, 0.0
+    for frame in seen.frames:
+        linear.append((m * frame.v).sum(axis=0) - m.sum() * g * frame.time)
+        angular.append(np.cross(frame.x, m * frame.v).sum(axis=0))
+        speed = np.linalg.norm(frame.v, axis=1)
+        scale = max(scale, float(seen.mass @ speed))
+        arm = max(arm, float(seen.mass @ (speed * np.linalg.norm(frame.x, axis=1))))
+    for what, values, size in (("momentum", linear, scale), ("angular momentum", angular, arm)):
+        if what == "angular momentum" and (not seen.solid or np.any(g)):
+            continue
+        off = max(float(np.linalg.norm(value - values[0])) for value in values) / size if size > 0 else 0.0
+        if off > MOMENTUM:
+            found.append(Fault("momentum", off, f"{what} changes by {off:.2g}"))
+    return found
+
+
+# ------------------------------------------------------------------------------------------------
+# Bodies in each other and in themselves
+
+def depths(seen, expected):
+    """[(pair, deepest, below the named surfaces, what half of it is the limit, whether deeper cannot be)]; kept, since it is slow.
+
+    An overlap that the case accepts at the start does not count until the bodies part.
+    """
+    if "depths" in seen.cache:
+        return seen.cache["depths"]
+    found = []
+    for pair in seen.pairs(expected):
+        one, other = (seen.bodies[name] for name in pair)
+        room = min(measure.room(body, seen.X) for body in (one, other))
+        size = min(one.depth, other.depth, room)
+        bases = tuple(named(seen, name) for name in pair)
+        worst, allowed = (0.0, 0.0), None
+        for frame in seen.frames:
+            deep, below = measure.overlap(one, other, frame.x, bases)
+            if allowed is None:
+                allowed = deep if seen.accepts(pair) else 0.0
+            allowed = allowed if deep > 0 else 0.0  # once they have parted, what was accepted is past
+            worst = max(worst, (deep - allowed, below - allowed))
+        found.append((pair, *worst, size, worst[0] > FULL * room))
+    seen.cache["depths"] = found
+    return found
+
+
+def named(seen, name):
+    """The faces of a body that contacts name, together; None where one contact means all of them."""
+    surfaces = {contact[key] for contact in seen.case.get("contacts", []) for key in ("apexes", "base")
+                if contact[key].partition(".")[0] == name}
+    faces = [seen.named_faces(surface) for surface in surfaces]
+    return None if not faces or any(one is None for one in faces) else np.concatenate(faces)
+
+
+def overlap_faults(seen, expected):
+    """Bodies deeper in each other than half of the flattest element and of what can be."""
+    return [Fault("overlap", deep / size, f"{pair[0]} and {pair[1]} overlap by {deep:.3g} m, {deep / size:.2g} of an element or body")
+            for pair, deep, _, size, _ in depths(seen, expected) if deep > OVERLAP * size]
+
+
+def looked_at(frames):
+    """Some frames, the last among them."""
+    return [frames[i] for i in sorted({round(i) for i in np.linspace(0, len(frames) - 1, LOOKS)})]
+
+
+def shape_faults(seen):
+    """Bodies in themselves, and elements that are inside out at a corner."""
+    found = []
+    for name, body in seen.bodies.items():
+        behind = max(measure.self_overlap(body, frame.x) for frame in looked_at(seen.frames)) / body.depth
+        if behind > ITSELF:
+            found.append(Fault("itself", behind, f"{name} goes into itself by {behind:.2g} of an element"))
+        least = min(measure.inside_out(body, frame.x, seen.X) for frame in looked_at(seen.frames))
+        if least < 0:
+            found.append(Fault("inside out", -least, f"a corner of {name} is inside out: {least:.2g}"))
+    return found
+
+
+def finite_faults(seen):
+    """Numbers that are not finite."""
+    bad = [frame.time for frame in seen.frames if not (np.all(np.isfinite(frame.x)) and np.all(np.isfinite(frame.v)))]
+    if bad:
+        return [Fault("finite", math.inf, f"positions or velocities are not finite at {bad[0]:.3g} s")]
+    names = [name for name, values in seen.history.items() if not np.all(np.isfinite(values))]
+    return [Fault("finite", math.inf, f"{names[0]} is not finite")] if names else []
+
+
+# ------------------------------------------------------------------------------------------------
+# Known answers
+
+def separates(seen, one, other, axis, least=0.0, most=1.001):
+    """Two bodies part along an axis, with `least` to `most` of the speed with which they came."""
+    axis = np.array(axis, dtype=float)
+    first, last = (float(axis @ (seen.velocity(other, frame) - seen.velocity(one, frame))) for frame in (seen.frames[0], seen.frames[-1]))
+    part = -last / first
+    return None if least <= part <= most else f"{one} and {other} part with {part:.3g} of their speed, expected {least:g} to {most:g}"
+
+
+def stays(seen, body, normal, level, within):
+    """No node of a body is below a level along a normal, but for `within`."""
+    lowest = min(float(np.min(frame.x[seen.bodies[body].nodes] @ np.array(normal, dtype=float))) for frame in seen.frames)
+    return None if lowest >= level - within else f"{body} is at {lowest:.3g} m, beyond {level:.3g} m"
+
+
+def untouched(seen, body, within=1e-9):
+    """Nothing happens to a body: all its nodes keep their velocity."""
+    nodes, first = seen.bodies[body].nodes, seen.frames[0].v
+    speed = max(float(np.max(np.linalg.norm(first, axis=1))), 1e-300)
+    off = max(float(np.max(np.linalg.norm(frame.v[nodes] - first[nodes], axis=1))) for frame in seen.frames) / speed
+    return None if off <= within else f"{body} touches nothing, but its velocity changes by {off:.2g}"
+
+
+def moves(seen, body, axis, velocity, within):
+    """The last velocity of a body's centre along an axis."""
+    v = float(np.array(axis, dtype=float) @ seen.velocity(body, seen.frames[-1]))
+    return None if abs(v - velocity) <= within else f"{body} moves at {v:.4g} m/s, expected {velocity:.4g} within {within:.2g}"
+
+
+def stands(seen, body, axis, place, within):
+    """The last place of a body's centre along an axis, from where it was."""
+    way = float(np.array(axis, dtype=float) @ (seen.centre(body, seen.frames[-1]) - seen.centre(body, seen.frames[0])))
+    return None if abs(way - place) <= within else f"{body} has gone {way:.4g} m, expected {place:.4g} within {within:.2g}"
+
+
+def keeps_shape(seen, body, within):
+    """All distances between nodes of a body at the end are those of the start, as parts of its size."""
+    nodes = seen.bodies[body].nodes
+    nodes = nodes[:: max(1, len(nodes) // 60)]
+    first, last = (np.linalg.norm(frame.x[nodes][:, None] - frame.x[nodes][None], axis=2) for frame in (seen.frames[0], seen.frames[-1]))
+    off = float(np.max(np.abs(last - first))) / float(np.max(first))
+    return None if off <= within else f"{body} changes its shape by {off:.2g}, expected at most {within:g}"
+
+
+def cheap(seen, steps):
+    """A run takes at most so many steps."""
+    return None if seen.steps <= steps else f"{seen.steps} steps, expected at most {steps}"
+
+
+def returns(seen, body, axis, velocity, least, most):
+    """A body comes back with `least` to `most` of the velocity with which it came."""
+    part = -float(np.array(axis, dtype=float) @ seen.velocity(body, seen.frames[-1])) / velocity
+    return None if least <= part <= most else f"{body} comes back with {part:.3g} of its velocity, expected {least:g} to {most:g}"
+
+
+def side(seen, one, other):
+    """A body stays on its side of another: the closest face to its centre is one of those that faced it at the start."""
+    first = measure.closed_surface(seen.bodies[other], seen.frames[0].x)
+    normal = np.cross(first[:, 1] - first[:, 0], first[:, 2] - first[:, 0])
+    faces = np.einsum("ti,ti->t", normal, seen.centre(one, seen.frames[0]) - first.mean(axis=1)) > 0
+    for frame in seen.frames:
+        away = measure.all_distances(seen.centre(one, frame)[None], measure.closed_surface(seen.bodies[other], frame.x))[0]
+        if not np.any(faces[away <= away.min() * (1 + 1e-9)]):
+            return f"{one} goes through {other}"
+    return None
+
+
+def order(seen, one, other, axis):
+    """The centres of two bodies stay in order along an axis."""
+    ways = [float(np.array(axis, dtype=float) @ (seen.centre(one, frame) - seen.centre(other, frame))) for frame in seen.frames]
+    return None if min(way * ways[0] for way in ways) > 0 else f"the centres of {one} and {other} change places"
+
+
+def no_lower(seen, body, axis, way):
+    """The centre of a body goes no lower along an axis than `way` from where it was."""
+    axis = np.array(axis, dtype=float)
+    least = min(float(axis @ (seen.centre(body, frame) - seen.centre(body, seen.frames[0]))) for frame in seen.frames)
+    return None if least >= way else f"{body} goes to {least:.3g} m, expected is not below {way:.3g} m"
+
+
+def no_faster(seen, body, axis, speed):
+    """The centre of a body is never faster along an axis."""
+    most = max(abs(float(np.array(axis, dtype=float) @ seen.velocity(body, frame))) for frame in seen.frames)
+    return None if most <= speed else f"{body} is at {most:.3g} m/s, expected at most {speed:.3g}"
+
+
+ANSWERS = {"separates": separates, "stays": stays, "untouched": untouched, "moves": moves, "stands": stands, "keeps_shape": keeps_shape,
+           "cheap": cheap, "returns": returns, "side": side, "order": order, "no_lower": no_lower, "no_faster": no_faster}
+
+
+def answer_faults(seen, expected):
+    """Known answers that are missed: each is (word, arguments)."""
+    said = [ANSWERS[word](seen, *arguments) for word, *arguments in expected.answers]
+    return [Fault("answer", 1.0, text) for text in said if text]
+
+
+def likeness(seen, twin, speed, within):
+    """The same scene in other units or elsewhere: velocities of all nodes at the end, those of the twin times `speed`, over their scale."""
+    one, other = seen.frames[-1].v, twin.frames[-1].v * speed
+    scale = max(float(np.max(np.linalg.norm(other, axis=1))), 1e-300)
+    off = float(np.max(np.linalg.norm(one - other, axis=1))) / scale
+    return [] if off <= within else [Fault("answer", off, f"velocities differ by {off:.2g} from those of the same scene elsewhere")]
+
+
+# ------------------------------------------------------------------------------------------------
+# Verdicts
+
+def faults_of(seen, expected):
+    """All that is wrong with a run that has frames."""
+    broken = finite_faults(seen)
+    if broken:
+        return broken
+    with np.errstate(all="ignore"):
+        return [*energy_faults(seen, expected), *momentum_faults(seen), *answer_faults(seen, expected), *overlap_faults(seen, expected),
+                *shape_faults(seen)]
+
+
+def warnings_of(said):
+    return [line.partition("warning:")[2].strip() for line in said.splitlines() if "warning:" in line]
+
+
+NUMBER = r"([-+]?\d+(?:\.\d*)?(?:[eE][-+]?\d+)?)"
+OF_DEPTH = re.compile(r"deep|overlap|penetrat|inside|through|pass", re.IGNORECASE)
+
+
+def is_true(warning, seen, expected, faults):
+    """Whether the judge sees what a warning names; a depth within a factor of two."""
+    if OF_DEPTH.search(warning):
+        claimed = [float(value) for value in re.findall(NUMBER + r" m\b", warning)]
+        named = any(re.search(rf"\b{name}\b", warning) for name in seen.bodies)
+        sizes = [(ours, full) for pair, *both, size, full in depths(seen, expected) for ours in both if ours > SEEN * size
+                 and (not named or any(re.search(rf"\b{name}\b", warning) for name in pair))]
+        return wall_is_passed(seen, claimed) or any(
+            not claimed or ours / TRUE_DEPTH <= claimed[0] and (full or claimed[0] <= ours * TRUE_DEPTH) for ours, full in sizes)
+    if re.search(r"energy|creat", warning, re.IGNORECASE):
+        return any(fault.kind == "energy" for fault in faults)
+    return bool(faults)
+
+
+def wall_is_passed(seen, claimed):
+    """Whether a body is as far behind a rigid plane as is claimed."""
+    for plane in seen.case.get("planes", []):
+        if plane["kind"] != "rigid" or not claimed:
+            continue
+        normal = np.array(plane["normal"], dtype=float) / np.linalg.norm(plane["normal"])
+        point = np.array([number(p) for p in plane["point"]])
+        nodes = seen.bodies[plane["surface"].partition(".")[0]].nodes
+        ours = -min(float(np.min((frame.x[nodes] - point) @ normal)) for frame in seen.frames)
+        if ours > 0 and ours / TRUE_DEPTH <= claimed[0] <= ours * TRUE_DEPTH:
+            return True
+    return False
+
+
+def excuses(fault):
+    """Whether a true warning that results are not valid covers a fault."""
+    return fault.kind not in ("momentum", "finite")
+
+
+def gives_reason(run):
+    """Whether a refusal names a key and a bound, or a stop names a place and a bound."""
+    if run.status == BAD_CASE:
+        key, bound = r"'[\w.\[\]]+(: \w+)?'|\b\w+\[\d+\]", r"expected|at most|range|by " + NUMBER
+        return bool(re.search(key, run.said)) and bool(re.search(bound, run.said))
+    place, bound = r"stopped at .*: \w+ in [\w.]+", r"limit is|the step fell|of the reference"
+    return bool(re.search(place, run.said)) and bool(re.search(bound, run.said))
+
+
+def last_state_kept(run):
+    try:
+        frames, _, _ = measure.read_frames(run.folder)
+    except measure.Unreadable:
+        return False
+    return bool(frames) and (Path(run.folder) / "summary.json").is_file()
+
+
+def worst(faults):
+    return max(faults, key=lambda fault: fault.amount).text if len({fault.kind for fault in faults}) == 1 else "; ".join(
+        {fault.kind: fault.text for fault in sorted(faults, key=lambda fault: fault.amount)}.values())
+
+
+def refusal_is_true(run, initial):
+    """Whether bodies that are said to start in each other do; `initial` is our depth there [m], None if not known."""
+    claimed = re.search(r"start penetrated, by " + NUMBER + " m", run.said)
+    if claimed is None or initial is None:
+        return True
+    return float(claimed.group(1)) <= TRUE_DEPTH * initial + 1e-12
+
+
+def look(run, expected):
+    """The run as seen, with the number of its steps."""
+    seen = Seen(run)
+    seen.steps = steps_of(run)
+    return seen
+
+
+def steps_of(run):
+    text = (Path(run.folder) / "summary.json").read_text(encoding="utf-8")
+    found = re.search(r'"steps": (\d+)', text)
+    return int(found.group(1)) if found else 0
+
+
+def verdict_of(run, expected, again=None, initial=None, twin=None):
+    """(verdict, reason, faults) of a run.
+
+    again     makes the same scene with half the step ("step") or on a finer mesh ("mesh"), or with more frames ("frames"); a Finished
+    initial   how deep the bodies are in each other at the start, where it is known [m]
+    twin      the same scene elsewhere: (its Finished, factor of speeds, how like they are)
+    """
+    if run.status is None:
+        return BROKEN, f"cut after {run.seconds:.0f} s", []
+    if run.status == BAD_CASE:
+        if not gives_reason(run):
+            return BROKEN, "refused without a reason: " + first_line(run.said), []
+        if not refusal_is_true(run, initial):
+            return BROKEN, f"refused without cause: our depth is {initial:.3g} m: " + first_line(run.said), []
+        return REFUSED, first_line(run.said), []
+    if run.status == STOPPED:
+        return verdict_of_stop(run, expected, again)
+    if run.status != DONE:
+        return BROKEN, f"ended with status {run.status}: " + first_line(run.said), []
+    seen = look(run, expected)
+    faults = faults_of(seen, expected)
+    if twin is not None:
+        faults += likeness(seen, look(twin[0], expected), *twin[1:])
+    return verdict_of_end(run, seen, expected, faults, again)
+
+
+def verdict_of_stop(run, expected, again):
+    """A stop is right if it gives its reason, keeps its state, and neither half the step nor a finer mesh passes."""
+    said = last_line(run.said)
+    if not gives_reason(run):
+        return BROKEN, "stopped without a reason: " + said, []
+    if not last_state_kept(run):
+        return BROKEN, "stopped, and the last state is lost: " + said, []
+    if any(word == "untouched" for word, *_ in expected.answers):
+        return BROKEN, "stopped without cause, nothing touches: " + said, []
+    for change, words in (("step", "at half the step"), ("mesh", "on a finer mesh")):
+        other = again(change) if again else None
+        if other is not None and other.status == DONE and not faults_of(look(other, expected), expected):
+            return BROKEN, f"stopped without cause, passes {words}: {said}", []
+    return REFUSED, said, []
+
+
+def verdict_of_end(run, seen, expected, faults, again):
+    """A run that came to its end is judged by its faults and its warnings."""
+    warnings = warnings_of(run.said)
+    if not warnings:
+        return (BROKEN, "in silence: " + worst(faults), faults) if faults else (GOOD, "", faults)
+    true = [warning for warning in warnings if is_true(warning, seen, expected, faults)]
+    if len(true) < len(warnings) and again is not None:  # the deepest may lie between two frames
+        closer = again("frames")
+        if closer is not None and closer.status == DONE:
+            seen = look(closer, expected)
+            faults = faults_of(seen, expected)
+            true = [warning for warning in warnings if is_true(warning, seen, expected, faults)]
+    left = [fault for fault in faults if not excuses(fault)]
+    if len(true) < len(warnings):
+        false = next(warning for warning in warnings if warning not in true)
+        ours = max((max(deep, below) for _, deep, below, *_ in depths(seen, expected)), default=0.0)
+        return BROKEN, f"false warning (our depth is {ours:.3g} m): {false}" + (f"; {worst(faults)}" if faults else ""), faults
+    if left:
+        return BROKEN, "warned of something else: " + worst(left), faults
+    return WARNED, true[0], faults
+
+
+def first_line(said):
+    """The first fault of a refusal, without the path of the case."""
+    lines = [line for line in said.splitlines() if line.strip()]
+    return re.sub(r"^\S*\.yaml:", "", lines[0]).strip() if lines else "nothing is said"
+
+
+def last_line(said):
+    lines = [line for line in said.splitlines() if line.strip()]
+    return lines[-1].strip() if lines else "nothing is said"
+
+
+# ------------------------------------------------------------------------------------------------
+# Before a run
+
+def box_of(mesh):
+    """Points and cells of a box as a case describes it."""
+    low, high = ([number(c) for c in mesh[end]] for end in ("low", "high"))
+    nx, ny, nz = mesh["cells"]
+    points = np.array([(x, y, z) for z in np.linspace(low[2], high[2], nz + 1) for y in np.linspace(low[1], high[1], ny + 1)
+                       for x in np.linspace(low[0], high[0], nx + 1)])
+    first = np.array([(k * (ny + 1) + j) * (nx + 1) + i for k in range(nz) for j in range(ny) for i in range(nx)])
+    up, along = (nx + 1) * (ny + 1), nx + 1
+    ring = np.stack([first, first + 1, first + along + 1, first + along], axis=1)
+    return points, np.concatenate([ring, ring + up], axis=1)
+
+
+def placed(entry, points):
+    """Points of a body where the case puts them."""
+    if "rotate" in entry:
+        about = np.array([number(a) for a in entry["rotate"].get("about", [0, 0, 0])])
+        points = (points - about) @ rotation(entry["rotate"]["axis"], number(entry["rotate"]["angle"])).T + about
+    return points + np.array([number(m) for m in entry.get("move", [0, 0, 0])])
+
+
+def initial_depth(case, folder):
+    """How deep bodies of contacts are in each other before anything moves [m]; None where a mesh is of another kind."""
+    points, bodies, count = [], {}, 0
+    for entry in case["bodies"]:
+        if entry["mesh"]["kind"] == "box" and "map" not in entry["mesh"]:
+            here, cells = box_of(entry["mesh"])
+        elif entry["mesh"]["kind"] == "file":
+            arrays = measure.read_arrays(Path(folder) / entry["mesh"]["path"], {"points", "connectivity", "offsets"})
+            here, cells = arrays["points"], arrays["connectivity"].reshape(len(arrays["offsets"]), -1)
+        else:
+            return None
+        points.append(placed(entry, here))
+        bodies[entry["name"]] = (cells + count, number(entry.get("element", {}).get("thickness", 0)))
+        count += len(here)
+    X = np.concatenate(points)
+    made = {name: measure.Body(cells, X, 1.0, thickness) for name, (cells, thickness) in bodies.items()}
+    pairs = {tuple(sorted(contact[key].partition(".")[0] for key in ("apexes", "base"))) for contact in case.get("contacts", [])}
+    return max((measure.overlap(made[one], made[other], X)[0] for one, other in pairs if one != other), default=0.0)

@@ -1,0 +1,346 @@
+"""What the judge sees of a run: its frames, and the geometry of the bodies in them. It shares no code with lib/.
+
+A body is a closed set of triangles: the outer faces of its hexahedra, each cut in four around its centre; or the two sides and the rim of
+its plates, half a thickness from the middle surface. A point is inside where the winding number exceeds a half. Its depth is the distance
+to the closest triangle.
+"""
+import base64
+import re
+import struct
+import zlib
+from pathlib import Path
+
+import numpy as np
+
+SIDES = np.array([(0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7)])  # of a hexahedron, from outside
+CORNERS = np.array([(-1, -1, -1), (1, -1, -1), (1, 1, -1), (-1, 1, -1), (-1, -1, 1), (1, -1, 1), (1, 1, 1), (-1, 1, 1)])
+TYPES = {"Float64": "<f8", "Float32": "<f4", "Int32": "<i4", "Int64": "<i8", "UInt8": "u1"}
+ALONG = np.linspace(0, 1, 9)[1:-1]  # where edges are sampled
+INSIDE = 0.5                        # [-] winding number
+MOST_AT_ONCE = 400_000              # pairs of points and triangles in one piece of work
+
+
+class Unreadable(Exception):
+    """A file of a run is missing or is not what a driver writes; says which."""
+
+
+# ------------------------------------------------------------------------------------------------
+# Files
+
+def packed(text):
+    """The bytes of one inline array: base64 of a head of sizes, then base64 of blocks packed by zlib."""
+    text = "".join(text.split())
+    (blocks,) = struct.unpack_from("<Q", base64.b64decode(text[:12])) if text else (0,)
+    if blocks == 0:
+        return b""
+    head = 4 * -(-8 * (3 + blocks) // 3)
+    sizes = struct.unpack_from(f"<{3 + blocks}Q", base64.b64decode(text[:head]))[3:]
+    body, out, at = base64.b64decode(text[head:]), [], 0
+    for size in sizes:
+        out.append(zlib.decompress(body[at:at + size]))
+        at += size
+    return b"".join(out)
+
+
+def attribute(head, name):
+    found = re.search(rf'\b{name}="([^"]*)"', head)
+    return found.group(1) if found else None
+
+
+def read_arrays(path, wanted):
+    """{name: array} of the wanted arrays of a .vtu file, packed or written in digits."""
+    try:
+        text = Path(path).read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        raise Unreadable(f"{path}: {error}") from error
+    found = {}
+    for match in re.finditer(r"<DataArray ([^>]*)>([^<]*)", text):
+        name = attribute(match.group(1), "Name")
+        if name is None or name.lower() not in wanted:
+            continue
+        kind = TYPES[attribute(match.group(1), "type")]
+        if attribute(match.group(1), "format") == "ascii":
+            data = np.array(match.group(2).split(), dtype=kind)
+        else:
+            data = np.frombuffer(packed(match.group(2)), dtype=kind)
+        width = int(attribute(match.group(1), "NumberOfComponents") or 1)
+        found[name.lower()] = data.reshape(-1, width) if width > 1 else data
+    return found
+
+
+class Frame:
+    """Time [s], positions [nodes x 3] in m and velocities in m/s of all nodes."""
+
+    def __init__(self, time, x, v):
+        self.time, self.x, self.v = time, x, v
+
+
+class Body:
+    """The cells of one body: hexahedra or triangles, by nodes of the whole run."""
+
+    def __init__(self, cells, X, density, thickness=0.0):
+        self.cells, self.thickness = cells, thickness
+        self.is_plate = cells.shape[1] == 3
+        self.nodes = np.unique(cells)
+        weights = density * (thickness * areas(X[cells]) if self.is_plate else volumes(X[cells]))
+        self.mass = np.zeros(len(X))
+        for corner in range(cells.shape[1]):
+            np.add.at(self.mass, cells[:, corner], weights / cells.shape[1])
+        self.volumes = weights / density
+        self.faces = cells if self.is_plate else outer_faces(cells)
+        self.depth = thickness if self.is_plate else flattest(cells, X, self.volumes)
+
+
+def read_frames(folder):
+    """(frames, cells of each part, reference positions) of a finished run."""
+    index = Path(folder) / "body.pvd"
+    if not index.is_file():
+        raise Unreadable(f"{index} is missing")
+    listed = [(float(attribute(one, "timestep")), Path(folder) / attribute(one, "file"))
+              for one in re.findall(r"<DataSet ([^>]*)/>", index.read_text(encoding="utf-8"))]
+    frames, parts, X = [], {}, None
+    for number, (time, path) in enumerate(listed):
+        wanted = {"points", "displacement", "velocity"} | ({"part_id", "connectivity", "offsets"} if number == 0 else set())
+        arrays = read_arrays(path, wanted)
+        if "points" not in arrays:
+            raise Unreadable(f"{path} holds no points")
+        frames.append(Frame(time, arrays["points"] + arrays["displacement"], arrays["velocity"].astype(float)))
+        if number == 0:
+            X = arrays["points"]
+            parts = cells_of_parts(arrays)
+    return frames, parts, X
+
+
+def cells_of_parts(arrays):
+    """{part: [cells x corners]} of one file."""
+    ends = arrays["offsets"]
+    starts = np.concatenate(([0], ends[:-1]))
+    found = {}
+    for part in np.unique(arrays["part_id"]):
+        mine = np.flatnonzero(arrays["part_id"] == part)
+        found[int(part)] = np.array([arrays["connectivity"][starts[c]:ends[c]] for c in mine])
+    return found
+
+
+def read_history(folder):
+    """{column: values} of history.csv."""
+    path = Path(folder) / "history.csv"
+    try:
+        head, *rows = path.read_text(encoding="utf-8").splitlines()
+        values = np.array([[float(entry) for entry in row.split(",")] for row in rows if row])
+    except (OSError, ValueError) as error:
+        raise Unreadable(f"{path}: {error}") from error
+    return {name.split(" [")[0]: values[:, i] for i, name in enumerate(head.split(","))}
+
+
+# ------------------------------------------------------------------------------------------------
+# Elements
+
+def jacobians(corners, at):
+    """Determinants of the trilinear maps of hexahedra [cells x 8 x 3] at one place in [-1, 1]^3."""
+    r, s, t = at
+    a, b, c = 1 + CORNERS[:, 0] * r, 1 + CORNERS[:, 1] * s, 1 + CORNERS[:, 2] * t
+    shape = np.stack([CORNERS[:, 0] * b * c, a * CORNERS[:, 1] * c, a * b * CORNERS[:, 2]]) / 8
+    return np.linalg.det(np.einsum("dk,eki->edi", shape, corners))
+
+
+def volumes(corners):
+    """Of hexahedra [m3], by eight points of Gauss: exact for trilinear shapes."""
+    points = CORNERS / np.sqrt(3)
+    return sum(jacobians(corners, at) for at in points)
+
+
+def least_corner(corners):
+    """The smallest Jacobian of the eight corners of each hexahedron."""
+    return np.min([jacobians(corners, at) for at in CORNERS], axis=0)
+
+
+def areas(corners):
+    return 0.5 * np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
+
+
+def flattest(cells, X, volume):
+    """The least volume over largest side of any hexahedron [m]."""
+    largest = np.zeros(len(cells))
+    for side in SIDES:
+        p = X[cells[:, side]]
+        largest = np.maximum(largest, 0.5 * np.linalg.norm(np.cross(p[:, 2] - p[:, 0], p[:, 3] - p[:, 1]), axis=1))
+    return float(np.min(volume / largest))
+
+
+def outer_faces(cells):
+    """The sides of hexahedra that belong to one alone, with normals outwards."""
+    sides = cells[:, SIDES].reshape(-1, 4)
+    _, first, count = np.unique(np.sort(sides, axis=1), axis=0, return_index=True, return_counts=True)
+    return sides[np.sort(first[count == 1])]
+
+
+def edges_of(faces):
+    """Each edge of the faces once."""
+    pairs = np.concatenate([np.stack([faces[:, i], faces[:, (i + 1) % faces.shape[1]]], axis=1) for i in range(faces.shape[1])])
+    return np.unique(np.sort(pairs, axis=1), axis=0)
+
+
+# ------------------------------------------------------------------------------------------------
+# Closed surfaces
+
+def in_four(corners):
+    """Triangles [4n x 3 x 3] of quadrilaterals [n x 4 x 3], around their centres."""
+    centre = corners.mean(axis=1)
+    return np.concatenate([np.stack([corners[:, i], corners[:, (i + 1) % 4], centre], axis=1) for i in range(4)])
+
+
+def node_normals(faces, x):
+    """Unit normals of the nodes of triangles, weighted by area."""
+    normal = np.cross(x[faces[:, 1]] - x[faces[:, 0]], x[faces[:, 2]] - x[faces[:, 0]])
+    total = np.zeros_like(x)
+    for corner in range(3):
+        np.add.at(total, faces[:, corner], normal)
+    length = np.linalg.norm(total, axis=1)
+    return total / np.where(length > 0, length, 1)[:, None]
+
+
+def rim_of(faces):
+    """Edges of triangles that belong to one alone, in its direction."""
+    directed = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
+    _, inverse, count = np.unique(np.sort(directed, axis=1), axis=0, return_inverse=True, return_counts=True)
+    return directed[count[inverse] == 1]
+
+
+def closed_surface(body, x):
+    """Triangles [n x 3 x 3] around a body."""
+    if not body.is_plate:
+        return in_four(x[body.faces])
+    way = node_normals(body.faces, x) * body.thickness / 2
+    above, below, rim = x + way, x - way, rim_of(body.faces)
+    walls = np.stack([below[rim[:, 0]], below[rim[:, 1]], above[rim[:, 1]], above[rim[:, 0]]], axis=1)
+    return np.concatenate([above[body.faces], below[body.faces[:, ::-1]], in_four(walls)])
+
+
+def samples(body, x):
+    """Points on the surface of a body: nodes, points along its edges, middles of its faces."""
+    edges = edges_of(body.faces)
+    layers = [x]
+    if body.is_plate:
+        way = node_normals(body.faces, x) * body.thickness / 2
+        layers = [x + way, x - way]
+    found = []
+    for at in layers:
+        a, b = at[edges[:, 0]], at[edges[:, 1]]
+        found += [at[np.unique(body.faces)], at[body.faces].mean(axis=1), *(a + s * (b - a) for s in ALONG)]
+    return np.concatenate(found)
+
+
+def winding_numbers(points, triangles):
+    """How often the triangles go around each point."""
+    a, b, c = (triangles[None, :, k] - points[:, None] for k in range(3))
+    la, lb, lc = (np.linalg.norm(one, axis=2) for one in (a, b, c))
+    above = np.einsum("pti,pti->pt", a, np.cross(b, c))
+    below = la * lb * lc + np.einsum("pti,pti->pt", a, b) * lc + np.einsum("pti,pti->pt", b, c) * la + np.einsum("pti,pti->pt", c, a) * lb
+    return np.arctan2(above, below).sum(axis=1) / (2 * np.pi)
+
+
+def distances(points, triangles):
+    """From each point to the closest triangle [m]."""
+    return all_distances(points, triangles).min(axis=1)
+
+
+def all_distances(points, triangles):
+    """From each point to each triangle [m]."""
+    a, b, c = (triangles[None, :, k] for k in range(3))
+    p = points[:, None]
+    normal = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
+    square = np.einsum("ti,ti->t", normal, normal)
+    solid = square > 0
+    unit = normal / np.sqrt(np.where(solid, square, 1))[:, None]
+    within = np.broadcast_to(solid, (len(points), len(triangles))).copy()
+    best = np.full(within.shape, np.inf)
+    for one, other in ((a, b), (b, c), (c, a)):
+        edge = other - one
+        away = p - one
+        within &= np.einsum("pti,pti->pt", np.cross(edge, away), np.broadcast_to(normal[None], away.shape)) >= 0
+        length = np.maximum(np.einsum("pti,pti->pt", edge, edge), 1e-300)
+        along = np.clip(np.einsum("pti,pti->pt", away, np.broadcast_to(edge, away.shape)) / length, 0, 1)
+        best = np.minimum(best, np.linalg.norm(away - along[..., None] * edge, axis=2))
+    height = np.abs(np.einsum("pti,ti->pt", p - a, unit))
+    return np.where(within, height, best)
+
+
+def in_pieces(function, points, triangles):
+    """A function of points and triangles, a piece of the points at a time."""
+    size = max(1, MOST_AT_ONCE // max(1, len(triangles)))
+    parts = [function(points[i:i + size], triangles) for i in range(0, len(points), size)]
+    return np.concatenate(parts) if parts else np.zeros(0)
+
+
+def points_inside(points, triangles):
+    """Those of the points that the triangles enclose."""
+    low, high = triangles.min(axis=(0, 1)), triangles.max(axis=(0, 1))
+    near = points[np.all((points > low) & (points < high), axis=1)]
+    return near[in_pieces(winding_numbers, near, triangles) > INSIDE] if len(near) else near
+
+
+def depth_in(points, triangles, base=None):
+    """(deepest below the closest triangle, deepest below the base triangles) of the points inside [m]."""
+    inside = points_inside(points, triangles)
+    if not len(inside):
+        return 0.0, 0.0
+    deepest = float(in_pieces(distances, inside, triangles).max())
+    return deepest, deepest if base is None or not len(base) else float(in_pieces(distances, inside, base).max())
+
+
+def overlap(one, other, x, bases=(None, None)):
+    """(deepest, deepest below the named surfaces) of two bodies in each other [m]; bases: faces of each, or None."""
+    first, second = closed_surface(one, x), closed_surface(other, x)
+    if np.any(first.max(axis=(0, 1)) < second.min(axis=(0, 1))) or np.any(second.max(axis=(0, 1)) < first.min(axis=(0, 1))):
+        return 0.0, 0.0
+    named = [None if faces is None else in_four(x[faces]) if faces.shape[1] == 4 else x[faces] for faces in bases]
+    a = depth_in(samples(one, x), second, named[1])
+    b = depth_in(samples(other, x), first, named[0])
+    return max(a[0], b[0]), max(a[1], b[1])
+
+
+def room(body, x):
+    """How deep a point can be inside a body [m]: the largest distance of a node or of an element's middle from its surface."""
+    if body.is_plate:
+        return body.thickness / 2
+    points = np.concatenate([x[body.nodes], x[body.cells].mean(axis=1)])
+    return float(in_pieces(distances, points, in_four(x[body.faces])).max())
+
+
+# ------------------------------------------------------------------------------------------------
+# A body and itself
+
+def self_overlap(body, x):
+    """How far an edge of a body goes behind one of its own faces that it has no node in common with [m]."""
+    edges = edges_of(body.faces)
+    if body.is_plate:
+        triangles, owners = x[body.faces], body.faces
+    else:
+        triangles, owners = in_four(x[body.faces]), np.concatenate([body.faces] * 4)
+    a, b = x[edges[:, 0]], x[edges[:, 1]]
+    low, high = np.minimum(a, b), np.maximum(a, b)
+    first, last = triangles.min(axis=1), triangles.max(axis=1)
+    e, t = np.nonzero(np.all((low[:, None] < last[None]) & (high[:, None] > first[None]), axis=2))
+    apart = ~np.any(edges[e][:, :, None] == owners[t][:, None, :], axis=(1, 2))
+    e, t = e[apart], t[apart]
+    if not len(e):
+        return 0.0
+    corners = triangles[t]
+    normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    size = np.linalg.norm(normal, axis=1)
+    unit = normal / np.where(size > 0, size, 1)[:, None]
+    ha, hb = (np.einsum("ni,ni->n", p - corners[:, 0], unit) for p in (a[e], b[e]))
+    crosses = (ha * hb < 0) & (size > 0)
+    at = a[e] + (ha / np.where(crosses, ha - hb, 1))[:, None] * (b[e] - a[e])
+    for k in range(3):
+        side = np.cross(corners[:, (k + 1) % 3] - corners[:, k], at - corners[:, k])
+        crosses &= np.einsum("ni,ni->n", side, normal) > 0
+    return float(np.minimum(np.abs(ha), np.abs(hb))[crosses].max(initial=0.0))
+
+
+def inside_out(body, x, X):
+    """The least Jacobian of any corner of a body's hexahedra over the mean one of its element in the reference."""
+    if body.is_plate:
+        return 1.0
+    return float(np.min(least_corner(x[body.cells]) / (volumes(X[body.cells]) / 8)))
