@@ -20,6 +20,7 @@ using geometry::Kind;
 constexpr double near_contact = 1.25;   // of h_c: from here on all active features of an apex are looked at
 constexpr double tie = 1e-3;            // of the height: on the flanks of a valley the element in use stays so long
 constexpr double really_closer = 1e-6;  // relative distance by which a search must beat the walk
+constexpr int most_rounds = 60;         // in which feet over edges are found; few need more than six
 constexpr double votes_within = 0.25;   // of the depth of an element: open apexes that are nearer vote for the step
 constexpr double steps_ahead = 2;       // and those that may be in contact after so many of the longest steps
 
@@ -62,7 +63,7 @@ double project_out(const Interface& interface, const Vectors& x, Index a, double
   // the forces as its gradient and their moments cancel. For one contact that foot is the apex's own,
   // unless a symmetry plane turns the vector; for facets one look is exact.
   const bool foot_moves = active.count > 1 || !interface.allowed.empty();
-  for (int round = 0; foot_moves && round < 6; ++round) {
+  for (int round = 0; foot_moves && round < most_rounds; ++round) {
     const Vector<double> end{p.x + d.x(), p.y + d.y(), p.z + d.z()};
     for (int i = 0; i < active.count; ++i) {
       if (!curved && !(lambda[i] > 0)) continue;

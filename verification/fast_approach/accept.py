@@ -109,7 +109,8 @@ def table(run):
 CHECKS = [
     Check("runs that go wrong in silence", in_silence, 0,
           "the catalogue's: never silent. Wrong is energy from nowhere, 5 % or more, or an apex deeper than half an element"),
-    Check("approaches faster than sound that are stopped or warned of", supersonic, 0, "strains beyond one: nothing here is meant for them"),
+    Check("approaches faster than sound that are stopped or warned of", supersonic, 0,
+          "strains beyond one: nothing here is meant for them"),
     Check("an overlap at the start is refused", refused, 0, "with the number of apexes and the depth, and what to do"),
     Check("force at the start of an accepted overlap", accepted_force, 1e-12, "h_c of each apex is lowered to where it starts"),
     Check("momentum after nodes met nodes", coincident, 1e-3,
