@@ -68,8 +68,11 @@ double project_out(const Interface& interface, const Vectors& x, Index a, double
     for (int i = 0; i < active.count; ++i) {
       if (!curved && !(lambda[i] > 0)) continue;
       const FeatureHeight there = height_over(interface.base, x, active.feature[i], end);
-      // with h_c = 0 the vector ends on the edge or vertex itself, which has no normal
-      if (!(std::abs(there.height) > 1e-6 * d.norm()) && active.feature[i].kind != Kind::facet) continue;
+      // with h_c = 0 the vector ends on the edge or vertex itself, which has no normal: its own stays, and the foot is there
+      if (!(std::abs(there.height) > 1e-6 * d.norm()) && active.feature[i].kind != Kind::facet) {
+        active.at[i].weight = there.weight;
+        continue;
+      }
       active.at[i] = there;
       if (curved) set(i, d);
     }
