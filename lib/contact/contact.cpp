@@ -575,6 +575,7 @@ InitialGaps connect(Interface& interface, const Vectors& x, double reach, const 
   for (Index a = 0; a < count; ++a) {
     if (memory.feature[a].facet < 0) {
       ++gaps.without_base;
+      if (interface.kind == InterfaceKind::bonded) ++gaps.free;
       continue;
     }
     const Vector<double> p = position(x, interface.apexes[a]);
@@ -606,6 +607,7 @@ InitialGaps connect(Interface& interface, const Vectors& x, double reach, const 
       const FeatureHeight over = height_over(interface.base, x, {memory.feature[a].facet, Kind::facet, 0}, p);
       interface.bonds[a] = {memory.feature[a].facet, over.weight, over.height};
     }
+    if (bonded && memory.status[a] != Status::open) ++gaps.free;
     gaps.mean += memory.gap[a];
     ++gaps.by_kind[static_cast<int>(memory.feature[a].kind)];
   }

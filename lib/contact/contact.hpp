@@ -174,6 +174,7 @@ struct InitialGaps {
   double least = 0, mean = 0, largest = 0;  ///< [m] over the apexes that have a base
   Index apexes = 0, without_base = 0;
   Index penetrating = 0;                    ///< apexes nearer than h_c at the start
+  Index free = 0;                           ///< apexes of a bonded interface that stand past its border or have no base: nothing holds them
   double deepest = 0;                       ///< [m] penetration, positive
   std::array<Index, 4> by_kind{};           ///< apexes by Kind of feature
 };

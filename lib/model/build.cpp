@@ -160,6 +160,12 @@ void refuse_penetration(const Contact& contact, const contact::InitialGaps& gaps
   refuse(faults, part("contact", contact), "initial_penetration", text.data());
 }
 
+void refuse_empty_bond(const Contact& contact, const contact::InitialGaps& gaps, Faults& faults) {
+  if (contact.interface.kind != contact::InterfaceKind::bonded || gaps.free < gaps.apexes) return;
+  refuse(faults, part("contact", contact), "apexes",
+         "none of the " + std::to_string(gaps.apexes) + " apexes stands over the base: expected at least one to be bonded");
+}
+
 /// Whether the surfaces of a contact can be one.
 bool can_touch(const Contact& contact, const dynamics::Model& model, Faults& faults) {
   const mesh::Surface &apexes = mesh::surface(model.mesh, contact.apexes), &base = mesh::surface(model.mesh, contact.base);
@@ -190,6 +196,7 @@ std::vector<dynamics::Connected> add_contacts(const Scene& scene, dynamics::Mode
                         .given = stand_off(scene.bodies, model.mesh, contact.apexes) + stand_off(scene.bodies, model.mesh, contact.base)};
     for (dynamics::Connected& pass : dynamics::connect(model, contact.name, contact.apexes, contact.base, options)) {
       refuse_penetration(contact, pass.gaps, faults);
+      refuse_empty_bond(contact, pass.gaps, faults);
       connected.push_back(std::move(pass));
     }
   }

@@ -28,6 +28,8 @@ std::vector<std::string> gap_table(const Simulation& simulation) {
     table.push_back(row("%-14s %6d  %8d  %7d  %9d  %7d  %11d  %-11.4g  %-11.4g  %-11.4g", interface.name.c_str(), g.apexes, g.by_kind[3],
                         g.by_kind[2], g.by_kind[1], g.without_base, g.penetrating, g.least, g.mean, g.largest));
     table.push_back(row("%-14s penalty %.4g Pa/m", "", interface.penalty));
+    if (g.free > 0)
+      table.push_back(row("%-14s %d of %d apexes are free: they stand past the border of the base or have none", "", g.free, g.apexes));
   }
   return table;
 }

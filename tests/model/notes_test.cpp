@@ -17,6 +17,18 @@ TEST(GapTable, HasTwoLinesForEachInterface) {
   EXPECT_TRUE(says(table[2], "penalty"));
 }
 
+TEST(GapTable, ListsTheFreeApexesOfABond) {
+  Scene scene = with({bar(), wall()});
+  scene.bodies[1].place.move = Vec3(0, 0.5, 0);  // half of the face has nothing to be bonded to
+  scene.contacts = {{.name = "glue", .apexes = "bar.x_high", .base = "wall.x_low"}};
+  scene.contacts[0].interface.kind = contact::InterfaceKind::bonded;
+  const auto table = gap_table(build(scene));
+  ASSERT_EQ(table.size(), 4U);
+  EXPECT_TRUE(says(table[3], "2 of 4 apexes are free")) << table[3];
+  scene.bodies[1].place.move = Vec3(0, 1.5, 0);
+  EXPECT_TRUE(says(refusal(scene), "contact 'glue': none of the 4 apexes stands over the base")) << refusal(scene);
+}
+
 TEST(WidthNotes, SayWhatANarrowElementCosts) {
   Scene scene = with({bar()});
   EXPECT_TRUE(width_notes(build(scene)).empty());
