@@ -2,7 +2,6 @@
 
 #include <Eigen/LU>
 #include <algorithm>
-#include <utility>
 
 #include "base/check.hpp"
 #include "contact/impact_step.hpp"
@@ -124,9 +123,11 @@ Scalars springs_from_masses(const contact::Interface& interface, const Scalars& 
   return spring;
 }
 
-/// Puts an apex on every base, at rest: the memory that this gives.
-contact::Memory tried_out(const contact::Interface& interface, const Model& model, const contact::Memory& memory,
+/// Puts every apex on its base, also those that are far, at rest: the memory that this gives.
+contact::Memory tried_out(contact::Interface interface, const Model& model, double reach, const contact::Memory& memory,
                           contact::Workspace& workspace) {
+  interface.margin = reach;
+  interface.depth = 0;  // all vote
   contact::Memory trial = memory;
   const Vectors rest = Vectors::Zero(3, model.mesh.X.cols()), no_rotation = Vectors::Zero(3, model.inertia.size());
   contact::advance(interface, model.mesh.X, rest, no_rotation, 0, trial, workspace);
@@ -153,6 +154,8 @@ Connected connect_one_pass(Model& model, const std::string& name, const std::str
   interface.pass_factor = share;
   const double depths[] = {surface_depth(model, apexes), surface_depth(model, base)};
   interface.depth = depths[0] > 0 && depths[1] > 0 ? std::min(depths[0], depths[1]) : std::max(depths[0], depths[1]);
+  interface.margin = std::sqrt(2 * interface.facet_area.mean());  // about the side of a face: a search costs as much as some steps
+  interface.longest_step = element_step(model);
   interface.friction = options.friction;
   interface.weights = options.weights;
   interface.area_kind = options.area;
@@ -167,25 +170,20 @@ Connected connect_one_pass(Model& model, const std::string& name, const std::str
 
   Connected connected;
   contact::Workspace workspace(interface);
-  // at first the whole scene: an apex may start far from its base, and no farther
+  // the whole scene: an apex may start far from its base, and no farther
   const double reach = (model.mesh.X.rowwise().maxCoeff() - model.mesh.X.rowwise().minCoeff()).norm();
-  const double depth = std::exchange(interface.depth, 0);
-  interface.margin = reach;
   connected.gaps =
       contact::connect(interface, model.mesh.X, reach, options.height, options.initial_penetration, connected.memory, workspace);
   if (options.penalty_from == PenaltyFrom::masses) {
-    const contact::Memory trial = tried_out(interface, model, connected.memory, workspace);
+    const contact::Memory trial = tried_out(interface, model, reach, connected.memory, workspace);
     interface.spring = share * springs_from_masses(interface, model.mass, options.step_share * element_step(model), trial);
     interface.penalty = interface.spring.sum() / interface.area.sum();
   }
   if (options.damping_ratio > 0) {
-    const contact::Memory trial = tried_out(interface, model, connected.memory, workspace);
+    const contact::Memory trial = tried_out(interface, model, reach, connected.memory, workspace);
     const double step = contact::stable_step(interface, model.mass, model.inertia, trial, workspace).step;
     interface.damping_time = 2 * options.damping_ratio * step / interface.impact_step_factor;  // 2 zeta / omega
   }
-  interface.depth = depth;
-  interface.margin = std::sqrt(2 * interface.facet_area.mean());  // about the side of a face: a search costs as much as some steps
-  interface.longest_step = element_step(model);
   model.interfaces.push_back(std::move(interface));
   return connected;
 }

@@ -140,7 +140,7 @@ Outcome run(const Model& model, State& now, Forces& forces, const Time& time, do
     if (progress.ledger_is_current) {
       progress.updates = static_cast<std::int64_t>(now.t / update_every);
       update_ledger(model, now);
-      see_quality(model, last || rests, now);
+      see_quality(model, false, now);
     }
     show();
     if (!(now.votes.volume_ratio > 0)) continue;  // stop() says so
@@ -157,10 +157,10 @@ Outcome run(const Model& model, State& now, Forces& forces, const Time& time, do
   }
   if (!progress.ledger_is_current) {
     update_ledger(model, now);
-    see_quality(model, true, now);
     progress.ledger_is_current = true;
     show(true);
   }
+  see_quality(model, true, now);
   outcome.wall_seconds = std::chrono::duration<double>(clock() - began).count();
   outcome.element_updates = elements(model) * (now.step + 1);
   outcome.smallest_step = progress.smallest.dt, outcome.largest_step = progress.largest_step;

@@ -112,7 +112,7 @@ CHECKS = [
     Check("approaches faster than sound that are stopped or warned of", supersonic, 0,
           "strains beyond one: nothing here is meant for them"),
     Check("an overlap at the start is refused", refused, 0, "with the number of apexes and the depth, and what to do"),
-    Check("force at the start of an accepted overlap", accepted_force, 1e-12, "h_c of each apex is lowered to where it starts"),
+    Check("force at the start of an accepted overlap", accepted_force, 1e-12, "the overlap becomes an offset of each apex"),
     Check("momentum after nodes met nodes", coincident, 1e-3,
           "an apex on a vertex has no direction of its own and takes that of the facets: as a nanometre above"),
     Check("momentum of both", momentum, 1e-12, "contact gives what it takes: round-off"),
