@@ -49,7 +49,7 @@ void add_common_results(const model::Simulation& simulation, const dynamics::Out
     results.push_back({interface.name + "_penalty", interface.penalty, "Pa/m"});
     results.push_back({interface.name + "_deepest", memory.deepest, "m"});
     results.push_back({interface.name + "_walks", static_cast<double>(memory.walks), "1"});
-    results.push_back({interface.name + "_lost", static_cast<double>(memory.unpaired), "1"});
+    results.push_back({interface.name + "_lost", static_cast<double>(memory.lost), "1"});
     results.push_back({interface.name + "_recovered", static_cast<double>(memory.recovered), "1"});
   }
   const double scale = dynamics::energy_scale(simulation.state.ledger);

@@ -90,7 +90,7 @@ Pair pair_of(const Case& c, double height) {
 
   contact::Interface interface;
   interface.name = "contact";
-  interface.base = contact::base_surface(model.mesh.surfaces[0], static_cast<Index>(X.cols()));
+  interface.base = contact::base_surface(model.mesh.surfaces[0], X);
   interface.apexes = {apex};
   interface.area = Scalars::Ones(1);
   interface.facet_area = mesh::facet_areas(model.mesh, model.mesh.surfaces[0]);

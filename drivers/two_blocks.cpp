@@ -29,7 +29,7 @@ dynamics::Probe velocity(const std::string& block, const model::Simulation& simu
 /// What pushes the blocks apart. [N]
 double force(const dynamics::View& view) {
   double sum = 0;
-  for (const auto& element : view.now.interfaces[0].elements) sum -= element.apex.x();
+  for (const auto& near : view.now.interfaces[0].near) sum -= near.element.apex.x();
   return sum;
 }
 

@@ -1,35 +1,136 @@
 #include "contact/base_surface.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <unsupported/Eigen/BVH>
 
 #include "base/check.hpp"
+#include "geometry/height.hpp"
 
 namespace nereid::contact {
 
 namespace {
-constexpr int most_hops = 200;
-constexpr std::size_t cells_per_facet = 8;  // enough to find few facets in a cell, however the surface lies
-constexpr double closer = 1.0 - 1e-12;  // a walk goes on only downhill, so that it ends
+
+using geometry::Kind;
+
+constexpr double sharp = 0.1;       // cosine between the normals at a ridge: below it the edge is a wall
+constexpr double least_fade = 0.02;  // of the size of a face
+constexpr double most_turn = 2.8;   // [rad] between two facets, so that its tangent stays finite
+
+Vec3 eigen(const Vector<double>& a) { return {a.x, a.y, a.z}; }
 
 Vec3 centre(const BaseSurface& base, const Vectors& x, Index facet) {
   return (x.col(base.facets(0, facet)) + x.col(base.facets(1, facet)) + x.col(base.facets(2, facet))) / 3.0;
 }
 
-/// Whether a place can be searched for; false for NaN, infinity and what lies beyond farthest_place.
-bool can_be_searched(const Vec3& place) { return (place.array().abs() <= farthest_place).all(); }
-
-/// A place along one axis, in cells, as the number of its cell from first to last; NaN counts as first.
-int cell_number(double place, int first, int last) {
-  if (!(place > first)) return first;
-  return place < last ? static_cast<int>(std::floor(place)) : last;
+/// Which edge of a facet leads to a neighbour.
+int edge_to(const BaseSurface& base, Index from, Index to) {
+  return base.neighbour(0, from) == to ? 0 : base.neighbour(1, from) == to ? 1 : 2;
 }
+
+/// The way from a point along a direction to the first facet that faces along it, by a tree of boxes.
+struct Ray {
+  const BaseSurface& base;
+  const Vectors& X;
+  Vec3 from, along;
+  Index not_this;
+  double first = std::numeric_limits<double>::infinity();
+
+  bool intersectVolume(const Eigen::AlignedBox3d& box) const {
+    double enter = 0, leave = first;
+    for (int i = 0; i < 3; ++i) {
+      const double low = box.min()[i] - from[i], high = box.max()[i] - from[i];
+      if (along[i] == 0 && (low > 0 || high < 0)) return false;
+      if (along[i] == 0) continue;
+      enter = std::max(enter, std::min(low / along[i], high / along[i]));
+      leave = std::min(leave, std::max(low / along[i], high / along[i]));
+    }
+    return enter <= leave;
+  }
+  bool intersectObject(Index facet) {
+    const Vec3 area = area_vector(base, X, facet);
+    const double through = area.dot(along);
+    if (facet == not_this || !(through > 1e-9 * area.norm())) return false;
+    const auto c = corners(base, X, facet);
+    const double way = area.dot(Vec3(X.col(base.facets(0, facet))) - from) / through;
+    const Vec3 hit = from + way * along;
+    const double size = base.longest(facet);
+    if (way > -1e-9 * size && way < first &&
+        geometry::closest_on_triangle(c, {hit.x(), hit.y(), hit.z()}).distance_squared < 1e-16 * size * size)
+      first = std::max(0.0, way);
+    return false;  // the others may be nearer
+  }
+};
+
+void measure_thickness(BaseSurface& base, const Vectors& X) {
+  const auto count = static_cast<Index>(base.facets.cols());
+  Subset all(count);
+  std::vector<Eigen::AlignedBox3d> boxes(count);
+  for (Index f = 0; f < count; ++f) {
+    all[f] = f;
+    for (int a = 0; a < 3; ++a) boxes[f].extend(Vec3(X.col(base.facets(a, f))));
+    boxes[f].min().array() -= 1e-8 * base.longest(f);
+    boxes[f].max().array() += 1e-8 * base.longest(f);
+  }
+  base.thickness = Scalars::Constant(count, std::numeric_limits<double>::infinity());
+  if (count == 0) return;
+  const Eigen::KdBVH<double, 3, Index> tree(all.begin(), all.end(), boxes.begin(), boxes.end());
+  for (Index f = 0; f < count; ++f) {
+    Ray ray{base, X, centre(base, X, f), -facet_normal(base, X, f), f};
+    Eigen::BVIntersect(tree, ray);
+    base.thickness(f) = ray.first;
+  }
+}
+
+/// Walls, leans and lengths.
+void measure_edges(BaseSurface& base, const Vectors& X) {
+  const auto count = static_cast<Index>(base.facets.cols());
+  base.wall.assign(count, {true, true, true});
+  base.longest = base.fading = base.lean = Scalars::Zero(count);
+  Scalars turn_at_node = Scalars::Zero(X.cols());
+  for (Index f = 0; f < count; ++f) {
+    const Vec3 n = facet_normal(base, X, f);
+    base.fading(f) = least_fade * std::sqrt(area_vector(base, X, f).norm());
+    for (int e = 0; e < 3; ++e) {
+      const Index one = base.facets(e, f), other = base.facets((e + 1) % 3, f), across = base.neighbour(e, f);
+      base.longest(f) = std::max(base.longest(f), (X.col(one) - X.col(other)).norm());
+      if (across < 0) continue;
+      const double cosine = std::clamp(n.dot(facet_normal(base, X, across)), -1.0, 1.0);
+      const bool convex = n.dot(centre(base, X, across) - Vec3(X.col(one))) < 0;
+      base.wall[f][e] = convex && cosine < sharp;
+      if (base.wall[f][e]) continue;
+      for (const Index node : {one, other}) turn_at_node(node) = std::max(turn_at_node(node), std::acos(cosine));
+    }
+  }
+  for (Index f = 0; f < count; ++f)
+    for (int a = 0; a < 3; ++a)
+      base.lean(f) = std::max(base.lean(f), 1.5 * std::tan(std::min(turn_at_node(base.facets(a, f)), most_turn) / 2));
+  for (Index f = 0; f < count; ++f)  // both sides see the same wall, whatever round-off says
+    for (int e = 0; e < 3; ++e)
+      if (base.neighbour(e, f) > f) base.wall[base.neighbour(e, f)][edge_to(base, base.neighbour(e, f), f)] = base.wall[f][e];
+}
+
 }  // namespace
 
-BaseSurface base_surface(const mesh::Surface& surface, Index nodes_of_mesh) {
-  BaseSurface base{.facets = surface.facets, .neighbour = Table<3>::Constant(3, surface.facets.cols(), no_facet),
-                   .ring_begin = std::vector<Index>(nodes_of_mesh + 1, 0), .ring = {}};
+Fans fans(const Table<3>& facets, Index nodes_of_mesh) {
+  Fans made{.facets = facets, .ring_begin = std::vector<Index>(nodes_of_mesh + 1, 0), .ring = {}};
+  for (Index f = 0; f < facets.cols(); ++f)
+    for (int a = 0; a < 3; ++a) ++made.ring_begin[facets(a, f) + 1];
+  for (Index n = 0; n < nodes_of_mesh; ++n) made.ring_begin[n + 1] += made.ring_begin[n];
+  made.ring.resize(made.ring_begin.back());
+  std::vector<Index> next(made.ring_begin.begin(), made.ring_begin.end() - 1);
+  for (Index f = 0; f < facets.cols(); ++f)
+    for (int a = 0; a < 3; ++a) made.ring[next[facets(a, f)]++] = f;
+  return made;
+}
+
+BaseSurface base_surface(const mesh::Surface& surface, const Vectors& X) {
+  BaseSurface base;
+  static_cast<Fans&>(base) = fans(surface.facets, static_cast<Index>(X.cols()));
+  base.neighbour = Table<3>::Constant(3, surface.facets.cols(), no_facet);
   std::map<std::pair<Index, Index>, std::pair<Index, int>> directed;
   for (Index f = 0; f < base.facets.cols(); ++f) {
     for (int e = 0; e < 3; ++e) {
@@ -41,13 +142,8 @@ BaseSurface base_surface(const mesh::Surface& surface, Index nodes_of_mesh) {
     const auto other = directed.find({edge.second, edge.first});
     if (other != directed.end()) base.neighbour(place.second, place.first) = other->second.first;
   }
-  for (Index f = 0; f < base.facets.cols(); ++f)
-    for (int a = 0; a < 3; ++a) ++base.ring_begin[base.facets(a, f) + 1];
-  for (Index n = 0; n < nodes_of_mesh; ++n) base.ring_begin[n + 1] += base.ring_begin[n];
-  base.ring.resize(base.ring_begin.back());
-  std::vector<Index> next(base.ring_begin.begin(), base.ring_begin.end() - 1);
-  for (Index f = 0; f < base.facets.cols(); ++f)
-    for (int a = 0; a < 3; ++a) base.ring[next[base.facets(a, f)]++] = f;
+  measure_edges(base, X);
+  measure_thickness(base, X);
   return base;
 }
 
@@ -56,112 +152,63 @@ void goes_on_behind(BaseSurface& base, const Subset& nodes) {
   for (Index f = 0; f < base.facets.cols(); ++f)
     for (int e = 0; e < 3; ++e)
       if (base.neighbour(e, f) < 0 && on_plane(base.facets(e, f)) && on_plane(base.facets((e + 1) % 3, f)))
-        base.neighbour(e, f) = image_of_facet;
+        base.neighbour(e, f) = image_of_facet, base.wall[f][e] = false;
 }
 
-WalkEnd walk(const BaseSurface& base, const Vectors& x, const Vector<double>& apex, Index from) {
-  WalkEnd end{{from, geometry::Kind::facet, 0}, geometry::closest_on_triangle(corners(base, x, from), apex), 0};
-  while (end.hops < most_hops) {
-    end.feature.kind = end.closest.kind;
-    end.feature.local = end.closest.local;
-    Index best = -1;
-    geometry::Closest best_closest = end.closest;
-    const auto consider = [&](Index facet) {
-      if (facet < 0 || facet == end.feature.facet) return;
-      const auto there = geometry::closest_on_triangle(corners(base, x, facet), apex);
-      if (there.distance_squared < closer * best_closest.distance_squared) best = facet, best_closest = there;
-    };
-    const auto consider_ring = [&](Index node) {
-      for (Index r = base.ring_begin[node]; r < base.ring_begin[node + 1]; ++r) consider(base.ring[r]);
-    };
-    if (end.closest.kind == geometry::Kind::facet) {
-      // Eq. 14 may hold for both flanks of a valley: what lies behind a near border may be nearer still
-      const auto c = corners(base, x, end.feature.facet);
-      const double twice_area = norm(cross(c[1] - c[0], c[2] - c[0]));
-      const double within = look_around * std::sqrt(end.closest.distance_squared);
-      std::array<bool, 3> near{};
-      for (int e = 0; e < 3; ++e) {
-        near[e] = end.closest.weight[(e + 2) % 3] * twice_area < within * norm(c[(e + 1) % 3] - c[e]);
-        if (near[e]) consider(base.neighbour(e, end.feature.facet));
-      }
-      for (int a = 0; a < 3; ++a)
-        if (near[a] && near[(a + 2) % 3]) consider_ring(base.facets(a, end.feature.facet));
-    } else if (end.closest.kind == geometry::Kind::edge) {
-      consider(base.neighbour(end.closest.local, end.feature.facet));
-    } else {
-      consider_ring(base.facets(end.closest.local, end.feature.facet));
-    }
-    if (best < 0) return end;
-    end.feature.facet = best;
-    end.closest = best_closest;
-    ++end.hops;
+bool at_wall(const BaseSurface& base, Index node) {
+  for (Index r = base.ring_begin[node]; r < base.ring_begin[node + 1]; ++r) {
+    const Index f = base.ring[r];
+    for (int e = 0; e < 3; ++e)
+      if (base.wall[f][e] && (base.facets(e, f) == node || base.facets((e + 1) % 3, f) == node)) return true;
   }
-  end.feature.facet = -1;
-  return end;
+  return false;
 }
 
-BroadSearch::BroadSearch(Index facets)
-    : begin_(cells_per_facet * (static_cast<std::size_t>(facets) + 1) + 1, 0), facets_(facets) {}
-
-Index BroadSearch::cell_of(const Vec3& point) const {
-  const Vec3 at = (point - low_) / cell_;
-  const auto number = [&](int axis) { return cell_number(at[axis], 0, count_[axis] - 1); };
-  return cell_of(number(0), number(1), number(2));
-}
-
-bool BroadSearch::sort(const BaseSurface& base, const Vectors& x) {
-  const auto facets = static_cast<Index>(facets_.size());
-  sorted_ = false;
-  for (Index f = 0; f < facets; ++f)
-    for (int a = 0; a < 3; ++a)
-      if (!can_be_searched(x.col(base.facets(a, f)))) return false;
-  Vec3 high = Vec3::Zero();
-  radius_ = 0;
-  for (Index f = 0; f < facets; ++f) {
-    const Vec3 c = centre(base, x, f);
-    low_ = f == 0 ? c : low_.cwiseMin(c);
-    high = f == 0 ? c : high.cwiseMax(c);
-    for (int a = 0; a < 3; ++a) radius_ = std::max(radius_, (x.col(base.facets(a, f)) - c).norm());
+Vec3 node_normal(const Fans& base, const Vectors& x, Index node) {
+  Vec3 sum = Vec3::Zero();
+  for (Index r = base.ring_begin[node]; r < base.ring_begin[node + 1]; ++r) {
+    const Index f = base.ring[r];
+    int a = 0;
+    while (base.facets(a, f) != node) ++a;
+    const Vec3 side = x.col(base.facets((a + 1) % 3, f)) - x.col(node), other = x.col(base.facets((a + 2) % 3, f)) - x.col(node);
+    const double angle = std::acos(std::clamp(side.normalized().dot(other.normalized()), -1.0, 1.0));
+    sum += angle * facet_normal(base, x, f);
   }
-  const Vec3 extent = high - low_;
-  const auto cells = [&](int axis) { return std::floor(extent[axis] / cell_) + 1; };
-  cell_ = radius_ > 0 ? radius_ : 1;
-  while (cells(0) * cells(1) * cells(2) > static_cast<double>(cells_per_facet) * (facets + 1)) cell_ *= 1.3;
-  count_ = {static_cast<int>(cells(0)), static_cast<int>(cells(1)), static_cast<int>(cells(2))};
-
-  // counting sort: how many facets in each cell, where each cell ends, then fill from the end
-  const Index last = count_.prod();
-  std::fill_n(begin_.begin(), last + 1, 0);
-  for (Index f = 0; f < facets; ++f) ++begin_[cell_of(centre(base, x, f))];
-  for (Index c = 0; c < last; ++c) begin_[c + 1] += begin_[c];
-  for (Index f = facets - 1; f >= 0; --f) facets_[--begin_[cell_of(centre(base, x, f))]] = f;
-  sorted_ = true;
-  return true;
+  return sum.normalized();
 }
 
-Index BroadSearch::nearest(const BaseSurface& base, const Vectors& x, const Vector<double>& point, double reach) const {
-  const Vec3 p(point.x, point.y, point.z);
-  if (!sorted_ || !can_be_searched(p)) return -1;
-  for (double within = std::min(reach, radius_ > 0 ? radius_ : cell_);; within = std::min(reach, 2 * within)) {
-    // a facet nearer than `within` has its centre nearer than within + radius
-    const double margin = within + radius_;
-    Eigen::Vector3i first, last;
-    for (int axis = 0; axis < 3; ++axis) {
-      first[axis] = cell_number((p[axis] - margin - low_[axis]) / cell_, 0, count_[axis]);
-      last[axis] = cell_number((p[axis] + margin - low_[axis]) / cell_, -1, count_[axis] - 1);
-    }
-    Index best = -1;
-    double best_squared = within * within;
-    for (int k = first.z(); k <= last.z(); ++k)
-      for (int j = first.y(); j <= last.y(); ++j)
-        for (int i = first.x(); i <= last.x(); ++i)
-          for (Index at = begin_[cell_of(i, j, k)]; at < begin_[cell_of(i, j, k) + 1]; ++at) {
-            const auto there = geometry::closest_on_triangle(corners(base, x, facets_[at]), point);
-            const bool tie = there.distance_squared == best_squared && best >= 0 && facets_[at] < best;
-            if (there.distance_squared < best_squared || tie) best = facets_[at], best_squared = there.distance_squared;
-          }
-    if (best >= 0 || !(within < reach)) return best;
+FeatureNodes nodes_of(const BaseSurface& base, const Feature& f) {
+  const auto at = [&](int local) { return base.facets(local % 3, f.facet); };
+  if (f.kind == Kind::facet) return {3, {at(0), at(1), at(2)}};
+  if (f.kind == Kind::edge) return {2, {at(f.local), at(f.local + 1), -1}};
+  return {1, {at(f.local), -1, -1}};
+}
+
+FeatureHeight height_over(const BaseSurface& base, const Vectors& x, const Feature& f, const Vec3& point) {
+  const auto c = corners(base, x, f.facet);
+  const Vector<double> p{point.x(), point.y(), point.z()};
+  if (f.kind == Kind::facet) {
+    const auto at = geometry::facet_height(c, p);
+    return {at.height, eigen(at.normal), at.weight};
   }
+  FeatureHeight over;
+  // Behind the surface the way back leads through the edge to the other side. The side is that of the mean normal.
+  Vec3 mean;
+  if (f.kind == Kind::edge) {
+    const auto at = geometry::edge_height(std::array{c[f.local], c[(f.local + 1) % 3]}, p);
+    over.height = at.height, over.normal = eigen(at.normal);
+    over.weight[f.local] = at.weight[0], over.weight[(f.local + 1) % 3] = at.weight[1];
+    mean = facet_normal(base, x, f.facet);
+    if (base.neighbour(f.local, f.facet) >= 0) mean += facet_normal(base, x, base.neighbour(f.local, f.facet));
+  } else {
+    const auto at = geometry::vertex_height(std::array{c[f.local]}, p);
+    over.height = at.height, over.normal = eigen(at.normal);
+    over.weight[f.local] = 1;
+    mean = node_normal(base, x, base.facets(f.local, f.facet));
+  }
+  if (!(over.height > 0)) over.normal = mean.normalized();  // on it
+  else if (over.normal.dot(mean) < 0) over.height = -over.height, over.normal = -over.normal;
+  return over;
 }
 
 }  // namespace nereid::contact

@@ -1,5 +1,5 @@
 #pragma once
-// The base surface of an interface: facets, and the adjacency table along which apexes walk.
+// The base surface of an interface: facets, the adjacency table along which apexes walk, and the body behind.
 
 #include <array>
 #include <vector>
@@ -19,76 +19,74 @@ struct Feature {
 constexpr Index no_facet = -1;        ///< behind a border edge the surface ends
 constexpr Index image_of_facet = -2;  ///< behind a border edge in a symmetry plane it goes on as its image
 
-struct BaseSurface {
-  Table<3> facets;                ///< nodes; the normal points to the side of the apexes
-  Table<3> neighbour;             ///< facet across the edges 0-1, 1-2, 2-0, or at the border one of the two above, below 0
+/// Facets and, for each node, those around it.
+struct Fans {
+  Table<3> facets;                ///< nodes
   std::vector<Index> ring_begin;  ///< [nodes of the mesh + 1] where the facets around a node begin
   Subset ring;                    ///< facets around each node, ascending
 };
+Fans fans(const Table<3>& facets, Index nodes_of_mesh);
 
-/// Builds the adjacency table of a surface.
+/// Facets of a surface, what lies around them, and what the reference geometry says of the body behind. Constant in time.
 ///
+/// An edge is a *wall* if the surface ends there, or if it turns there by more than 84 degrees to the outside. A *patch* is what is
+/// connected without crossing a wall: an apex slides within a patch, and its force fades past a wall.
+struct BaseSurface : Fans {         // the normal of a facet points to the side of the apexes
+  Table<3> neighbour;               ///< facet across the edges 0-1, 1-2, 2-0, or at the border one of the two above, below 0
+  std::vector<std::array<bool, 3>> wall;  ///< [facets] of the edges 0-1, 1-2, 2-0
+  Scalars thickness;  ///< [m] way along -n from the centre of the facet to the first facet that faces back; infinite without one
+  Scalars fading;     ///< [m] least way past a wall over which a force fades: 2 % of the face
+  Scalars longest;    ///< [m] its longest edge
+  Scalars lean;       ///< [-] 1.5 tan of half the largest turn between facets around it: how far their nearest points may be from its own
+};
+
+/// Builds the adjacency table of a surface, and what is measured in the reference.
+///
+/// X        [m] reference positions of all nodes of the mesh
 /// Throws InternalError if an edge belongs to more than two facets, or if two neighbours disagree
 /// about which side is which.
-BaseSurface base_surface(const mesh::Surface&, Index nodes_of_mesh);
+BaseSurface base_surface(const mesh::Surface&, const Vectors& X);
 
-/// Marks the border edges that lie in a symmetry plane: the surface goes on behind them as its image.
+/// Marks the border edges that lie in a symmetry plane: the surface goes on behind them as its image, and they are no walls.
 ///
 /// nodes    on the plane, ascending
 void goes_on_behind(BaseSurface&, const Subset& nodes);
 
+/// Whether a wall ends in a node.
+bool at_wall(const BaseSurface&, Index node);
+
+/// The normal of a node: that of its facets, weighted by their angles (Baerentzen & Aanaes 2005). Unit vector.
+Vec3 node_normal(const Fans&, const Vectors& x, Index node);
+
+/// Twice the area of a facet along its normal. [m2]
+inline Vec3 area_vector(const Fans& base, const Vectors& x, Index facet) {
+  const Vec3 a = x.col(base.facets(1, facet)) - x.col(base.facets(0, facet));
+  const Vec3 b = x.col(base.facets(2, facet)) - x.col(base.facets(0, facet));
+  return {a.y() * b.z() - a.z() * b.y(), a.z() * b.x() - a.x() * b.z(), a.x() * b.y() - a.y() * b.x()};
+}
+inline Vec3 facet_normal(const Fans& base, const Vectors& x, Index facet) { return area_vector(base, x, facet).normalized(); }
+
 inline Vector<double> position(const Vectors& x, Index node) {
   return {x(0, node), x(1, node), x(2, node)};
 }
-inline std::array<Vector<double>, 3> corners(const BaseSurface& base, const Vectors& x, Index facet) {
+inline std::array<Vector<double>, 3> corners(const Fans& base, const Vectors& x, Index facet) {
   return {position(x, base.facets(0, facet)), position(x, base.facets(1, facet)),
           position(x, base.facets(2, facet))};
 }
 
-/// A border nearer to the foot of an apex than this many times its height may hide a nearer facet: the
-/// other flank of a valley or the other side of a ridge, of 53 degrees or more between them.
-constexpr double look_around = 2.0;
-
-/// The feature closest to a point, by walking downhill from facet to facet (Kulak & Fiala, chapter 4).
-///
-/// Eq. 14 tells which edge or vertex of a facet was crossed and the adjacency table what lies behind;
-/// the walk goes on while the distance falls. On a convex ridge, where Eq. 14 fails on both sides,
-/// it ends on the edge or vertex itself; in a valley, where it holds on both, on the nearer flank.
-///
-/// from     facet to start from
-/// hops     facets passed on the way
-/// returns  the feature and the closest point; facet -1 if the walk did not end
-struct WalkEnd {
-  Feature feature;
-  geometry::Closest closest;
-  int hops = 0;
+/// The nodes of a feature.
+struct FeatureNodes {
+  int count;
+  std::array<Index, 3> node;
 };
-WalkEnd walk(const BaseSurface&, const Vectors& x, const Vector<double>& apex, Index from);
+FeatureNodes nodes_of(const BaseSurface&, const Feature&);
 
-/// [m] The largest coordinate that can be searched for: the square of a distance stays finite.
-constexpr double farthest_place = 1e150;
-
-/// Finds the closest facet without knowing where to start: facets sorted into a grid of cells.
-///
-/// Memory is taken when it is made; sorting again for new positions takes none.
-class BroadSearch {
- public:
-  explicit BroadSearch(Index facets);
-  /// Sorts the facets by where they are; false, and nearest() finds none, where a corner is not finite or farther than farthest_place.
-  bool sort(const BaseSurface&, const Vectors& x);
-  /// The facet nearest to a point, or -1 if none is nearer than `reach` [m] or the point is not finite or farther than
-  /// farthest_place; after sort() at the same x.
-  Index nearest(const BaseSurface&, const Vectors& x, const Vector<double>& point, double reach) const;
-
- private:
-  Vec3 low_ = Vec3::Zero();
-  double cell_ = 1, radius_ = 1;  // [m] edge of a cell; largest distance from a facet's centre to its corners
-  Eigen::Vector3i count_ = Eigen::Vector3i::Ones();
-  std::vector<Index> begin_;  // of each cell in facets_
-  Subset facets_;
-  bool sorted_ = false;
-  Index cell_of(int i, int j, int k) const { return (k * count_.y() + j) * count_.x() + i; }
-  Index cell_of(const Vec3& point) const;
+/// Height of a point over a feature, with the weights of the facet's nodes.
+struct FeatureHeight {
+  double height = 0;               ///< [m] signed by the facet's side
+  Vec3 normal = Vec3::UnitZ();     ///< unit vector to the outside
+  std::array<double, 3> weight{};  ///< of the foot on the nodes of the facet; they sum to one
 };
+FeatureHeight height_over(const BaseSurface&, const Vectors& x, const Feature&, const Vec3& point);
 
 }  // namespace nereid::contact

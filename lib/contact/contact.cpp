@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "base/parallel.hpp"
-#include "contact/active_features.hpp"
+#include "contact/stand.hpp"
 #include "geometry/height.hpp"
 
 namespace nereid::contact {
@@ -17,12 +17,12 @@ namespace {
 using geometry::Closest;
 using geometry::Kind;
 
-constexpr double near_contact = 1.25;   // of h_c: from here on all active features of an apex are looked at
-constexpr double tie = 1e-3;            // of the height: on the flanks of a valley the element in use stays so long
-constexpr double really_closer = 1e-6;  // relative distance by which a search must beat the walk
-constexpr int most_rounds = 60;         // in which feet over edges are found; few need more than six
+constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double votes_within = 0.25;   // of the depth of an element: open apexes that are nearer vote for the step
 constexpr double steps_ahead = 2;       // and those that may be in contact after so many of the longest steps
+constexpr double in_plane = 1e-6;       // of a distance: a node that lies in a symmetry plane
+constexpr double bond_past_border = 0.05;  // of a facet's size: half of what a border apex stands for lies inside
+constexpr Index facets_at_first = 32;   // near an apex, for which memory is taken at the start
 
 /// Directions that an apex on a symmetry plane may go; null for the others.
 const Mat3* allowed_of(const Interface& interface, Index a) {
@@ -33,259 +33,210 @@ bool same(const Feature& a, const Feature& b) {
   return a.facet == b.facet && a.kind == b.kind && (a.kind == Kind::facet || a.local == b.local);
 }
 
-/// Pushes an apex out of its active features, and distributes the force over their nodes.
-///
-/// returns  the energy stored [J]; gap becomes minus the length of the penetration vector
-double project_out(const Interface& interface, const Vectors& x, Index a, double contact_height, ActiveFeatures& active,
-                   ElementForces& forces, double& gap) {
+std::span<const Index> near_facets(const Memory& memory, const Near& near) {
+  return std::span<const Index>(memory.near_facets).subspan(near.first_facet, near.facets);
+}
+
+/// The closest of the facets near an apex.
+struct Nearest {
+  Feature feature;
+  Closest closest{Kind::facet, 0, {}, infinite};
+  double distance() const { return std::sqrt(closest.distance_squared); }
+};
+Nearest nearest_of(const Interface& interface, const Vectors& x, Index a, std::span<const Index> facets) {
+  Nearest best;
   const Vector<double> p = position(x, interface.apexes[a]);
-  Contacts contacts;
-  contacts.count = active.count;
-  const auto set = [&](int i, const Vec3& way) {  // contact i, seen from the end of the vector so far
-    contacts.normal[i] = active.at[i].normal;
-    if (!interface.allowed.empty()) contacts.normal[i] = interface.allowed[a] * contacts.normal[i];
-    contacts.depth[i] = contact_height - active.at[i].height + contacts.normal[i].dot(way);
-  };
-  bool curved = false;  // heights over edges and vertices are not linear in the vector
-  for (int i = 0; i < active.count; ++i) {
-    set(i, Vec3::Zero());
-    curved = curved || active.feature[i].kind != Kind::facet;
+  for (const Index f : facets) {
+    const Closest there = geometry::closest_on_triangle(corners(interface.base, x, f), p);
+    if (there.distance_squared < best.closest.distance_squared) best = {{f, there.kind, there.local}, there};
   }
-  auto lambda = projection_multipliers(contacts);
-  const auto penetration_vector = [&] {
-    Vec3 way = Vec3::Zero();
-    for (int i = 0; i < active.count; ++i) way += lambda[i] * contacts.normal[i];
-    return way;
-  };
-  Vec3 d = penetration_vector();
-  if (d.isZero(0)) return 0;
-  // The foot of every force is that of the point at the end of the vector, so that the potential has
-  // the forces as its gradient and their moments cancel. For one contact that foot is the apex's own,
-  // unless a symmetry plane turns the vector; for facets one look is exact.
-  const bool foot_moves = active.count > 1 || !interface.allowed.empty();
-  for (int round = 0; foot_moves && round < most_rounds; ++round) {
-    const Vector<double> end{p.x + d.x(), p.y + d.y(), p.z + d.z()};
-    for (int i = 0; i < active.count; ++i) {
-      if (!curved && !(lambda[i] > 0)) continue;
-      const FeatureHeight there = height_over(interface.base, x, active.feature[i], end);
-      // with h_c = 0 the vector ends on the edge or vertex itself, which has no normal: its own stays, and the foot is there
-      if (!(std::abs(there.height) > 1e-6 * d.norm()) && active.feature[i].kind != Kind::facet) {
-        active.at[i].weight = there.weight;
-        continue;
+  return best;
+}
+
+/// Visits the base nodes of a stencil with what they take of the push and of the stiffness.
+template <class Visit>
+void for_each_node(const Interface& interface, const Stencil& stencil, Visit&& visit) {
+  for (int I = 0; I < 3; ++I) visit(interface.base.facets(I, stencil.facet), stencil.weight[I], stencil.share[I]);
+}
+
+/// Shares out the stiffness of an apex over its base nodes. A node of several stencils counts once, by its largest weight: they push as
+/// one. To a node off the symmetry plane of the apex comes the same from the image of its facet.
+void share_stiffness(const Interface& interface, const Vectors& x, Index a, ElementForces& element) {
+  const Mat3* allowed = allowed_of(interface, a);
+  for (int i = 0; i < element.count; ++i) {
+    Stencil& stencil = element.stencil[i];
+    for (int I = 0; I < 3; ++I) {
+      const Index node = interface.base.facets(I, stencil.facet);
+      stencil.share[I] = std::abs(stencil.weight[I]);
+      if (allowed && stencil.share[I] > 0) {
+        const Vec3 away = x.col(node) - x.col(interface.apexes[a]);
+        if ((away - *allowed * away).norm() > in_plane * away.norm()) stencil.share[I] *= 2;
       }
-      active.at[i] = there;
-      if (curved) set(i, d);
-    }
-    if (!curved) break;
-    lambda = projection_multipliers(contacts);
-    const Vec3 next = penetration_vector();
-    const bool converged = (next - d).squaredNorm() <= 1e-28 * d.squaredNorm();
-    d = next;
-    if (converged) break;
-  }
-  int strongest = 0;
-  for (int i = 1; i < active.count; ++i)
-    if (lambda[i] > lambda[strongest]) strongest = i;
-  const double k = stiffness(interface, a, active.feature[strongest]);
-  const double length = d.norm();
-  forces.closed = true;
-  forces.has_moment = curved && active.count > 1;
-  forces.stiffness = k;
-  for (int i = 0; i < active.count; ++i) {
-    if (!(lambda[i] > 0)) continue;
-    const Vec3 push = k * lambda[i] * active.at[i].normal;
-    forces.apex += push;
-    const FeatureNodes base = nodes_of(interface.base, active.feature[i]);
-    for (int b = 0; b < base.count; ++b) {
-      const double weight = active.at[i].weight[b];
-      forces.node[forces.count] = base.node[b];
-      forces.weight[forces.count] = std::abs(weight);
-      forces.force[forces.count++] = -weight * push;
-    }
-  }
-  gap = -length;
-  return 0.5 * k * length * length;
-}
-
-/// Weights of the bases of an apex that is not in contact: of all active features.
-void weigh_bases(const Interface& interface, Index a, const Feature& feature, const ActiveFeatures& active, ElementForces& forces) {
-  forces.stiffness = stiffness(interface, a, feature);
-  for (int i = 0; i < active.count; ++i) {
-    const FeatureNodes base = nodes_of(interface.base, active.feature[i]);
-    for (int b = 0; b < base.count; ++b) {
-      forces.node[forces.count] = base.node[b];
-      forces.weight[forces.count++] = std::abs(active.at[i].weight[b]);
-    }
-  }
-}
-
-/// A node of several active features counts once, by its largest weight: its facets push as one. To a node
-/// off the symmetry plane of the apex comes the same from the image of its facet.
-void weigh_once(const Interface& interface, const Vectors& x, Index a, ElementForces& forces) {
-  if (const Mat3* allowed = allowed_of(interface, a)) {
-    for (int i = 0; i < forces.count; ++i) {
-      const Vec3 away = x.col(forces.node[i]) - x.col(interface.apexes[a]);
-      if ((away - *allowed * away).norm() > border_tolerance * away.norm()) forces.weight[i] *= 2;
-    }
-  }
-  for (int i = 0; i < forces.count; ++i) {
-    for (int j = 0; j < i; ++j) {
-      if (forces.node[j] != forces.node[i]) continue;
-      forces.weight[j] = std::max(forces.weight[j], forces.weight[i]);
-      forces.weight[i] = 0;
-      break;
+      for (int j = 0; j < i; ++j)
+        for (int J = 0; J < 3; ++J) {
+          double& first = element.stencil[j].share[J];
+          if (first == 0 || interface.base.facets(J, element.stencil[j].facet) != node) continue;
+          first = std::max(first, stencil.share[I]);
+          stencil.share[I] = 0;
+        }
     }
   }
 }
 
 /// Power of the forces of one apex at scale 1. [W]
-double power(const Interface& interface, const Vectors& v, Index a, const ElementForces& forces) {
-  if (!forces.closed) return 0;
-  double p = forces.apex.dot(v.col(interface.apexes[a]));
-  for (int i = 0; i < forces.count; ++i) p += forces.force[i].dot(v.col(forces.node[i]));
-  return p;
+double power(const Interface& interface, const Vectors& v, Index a, const ElementForces& element) {
+  if (!element.closed) return 0;
+  double sum = 0;
+  for (int i = 0; i < element.count; ++i) {
+    const Stencil& stencil = element.stencil[i];
+    Vec3 rate = stencil.apex * v.col(interface.apexes[a]);
+    for_each_node(interface, stencil, [&](Index node, double weight, double) { rate -= weight * v.col(node); });
+    sum += stencil.push.dot(rate);
+  }
+  return sum;
 }
 
-/// Moment about the origin of the normal forces of one apex, at the positions `later` [s] after x. Without symmetry planes and over
-/// facets alone there is none, and it is not computed.
-Vec3 moment(const Interface& interface, const Vectors& x, const Vectors& v, double later, Index a,
-            const ElementForces& forces) {
+/// Moment about the origin of the normal forces of one apex, at the positions `later` [s] after x. It is computed where there can be one.
+Vec3 moment(const Interface& interface, const Vectors& x, const Vectors& v, double later, Index a, const ElementForces& element) {
   Vec3 sum = Vec3::Zero();
-  if (!forces.closed || (interface.allowed.empty() && !forces.has_moment)) return sum;
-  const auto add = [&](Index node, const Vec3& force) {
-    const Vec3 at = x.col(node) + later * v.col(node);
-    sum += at.cross(force);
-  };
-  add(interface.apexes[a], forces.apex);
-  for (int i = 0; i < forces.count; ++i) add(forces.node[i], forces.force[i]);
-  return forces.scale * sum;
+  if (!element.closed || (interface.allowed.empty() && !element.has_moment)) return sum;
+  const auto place = [&](Index node) { return Vec3(x.col(node) + later * v.col(node)); };
+  for (int i = 0; i < element.count; ++i) {
+    const Stencil& stencil = element.stencil[i];
+    Vec3 arm = stencil.apex * place(interface.apexes[a]);
+    for_each_node(interface, stencil, [&](Index node, double weight, double) { arm -= weight * place(node); });
+    sum += arm.cross(stencil.push);
+  }
+  return element.scale * sum;
 }
 
-/// How fast an apex moves against its base: no slower than against the foot. [m/s]
-double speed_over(const Interface& interface, const Vectors& v, Index a, const Feature& feature) {
+/// How fast an apex moves against a facet: no slower than against the foot. [m/s]
+double speed_over(const Interface& interface, const Vectors& v, Index a, Index facet) {
   double fastest = 0;
   for (int I = 0; I < 3; ++I)
-    fastest = std::max(fastest, (v.col(interface.apexes[a]) - v.col(interface.base.facets(I, feature.facet))).squaredNorm());
+    fastest = std::max(fastest, (v.col(interface.apexes[a]) - v.col(interface.base.facets(I, facet))).squaredNorm());
   return std::sqrt(fastest);
 }
 
-/// How an apex that was not in contact may come to stand behind its base.
-enum class Entry {
-  through,   ///< through the surface: no deeper than it moved
-  sideways,  ///< in from under a border, about as deep as its neighbours are: with an offset, so that nothing springs
-  none,      ///< behind the surface, as under a table top: it has not touched it
-};
-Entry entry(double depth, double way, double size, double deepest) {
-  constexpr double like_neighbours = 2;  // [-] times the deepest contact of the step before
-  if (depth <= (1 + 1e-6) * way + 1e-12 * size) return Entry::through;
-  return depth <= like_neighbours * deepest ? Entry::sideways : Entry::none;
+/// A stencil without a push, so that the apex votes for the time step.
+void vote_over(const Interface& interface, const Vectors& x, Index a, const Feature& feature, const std::array<double, 3>& weight,
+               ElementForces& element) {
+  element.count = 1;
+  element.stencil[0] = {.facet = feature.facet, .apex = 1, .weight = weight, .push = Vec3::Zero()};
+  element.stiffness = stiffness(interface, a, feature);
+  share_stiffness(interface, x, a, element);
 }
 
-/// Leaves an apex alone until a search finds it near its base again.
-void unpair(Index a, Memory& memory) {
-  memory.feature[a].facet = -1;
-  memory.status[a] = Status::unpaired;
+/// An apex that is in contact with nothing: how far it is, whether it votes, and how long it need not be looked at.
+void look_around(const Interface& interface, const Vectors& x, const Vectors& v, double moved, Near& near, Memory& memory) {
+  const Index a = near.apex;
+  const Nearest nearest = nearest_of(interface, x, a, near_facets(memory, near));
+  near.clear = infinite;  // until the next search
+  memory.feature[a] = nearest.feature;
+  memory.status[a] = nearest.feature.facet < 0 ? Status::unpaired : Status::open;
   memory.gap[a] = std::numeric_limits<double>::quiet_NaN();
-  memory.offset[a] = 0;
+  if (nearest.feature.facet < 0) return;
+  memory.gap[a] = nearest.distance() - interface.contact_height(a);
+  double soon = infinite;
+  if (interface.depth > 0) {
+    const double speed = speed_over(interface, v, a, nearest.feature.facet);
+    soon = std::max(votes_within * interface.depth, steps_ahead * speed * interface.longest_step);
+  }
+  const bool votes = memory.gap[a] <= soon;
+  near.clear = memory.gap[a] - moved - (votes ? 0 : soon);
+  if (votes) vote_over(interface, x, a, nearest.feature, nearest.closest.weight, near.element);
 }
 
-/// Finds the element of an apex at the new positions and its force; false if its walk did not end.
-bool update_element(const Interface& interface, const Vectors& x, const Vectors& v, double dt, Index a, const Feature& before,
-                    Memory& memory, ElementForces& forces) {
-  const Vector<double> p = position(x, interface.apexes[a]);
-  const WalkEnd end = walk(interface.base, x, p, before.facet);
-  if (end.feature.facet < 0) return false;
-  const double distance = std::sqrt(end.closest.distance_squared);
-  const bool was_closed = memory.status[a] == Status::closed;
+/// Finds what an apex is in contact with, and its forces.
+void update_element(const Interface& interface, const Vectors& x, const Vectors& v, double dt, double moved, Near& near, Memory& memory) {
+  const Index a = near.apex;
   const double contact_height = interface.contact_height(a);
-  if (!was_closed && distance > contact_height + 2 * memory.margin) {
-    unpair(a, memory);
-    return true;
+  const Mat3* allowed = allowed_of(interface, a);
+  const Sweep sweep{interface.base, interface.own, x, v, dt, near_facets(memory, near), interface.apexes[a], allowed, contact_height};
+  const Tracks before = near.tracks;
+  if (before.count == 0 && dt > 0) enter(sweep, memory.deepest_now, near.tracks);
+  if (before.count == 0 && !(dt > 0)) {  // at the start, displaced from the reference
+    double depth = 0;
+    const Index facet = behind(sweep, interface.depth > 0 ? interface.depth : infinite, depth);
+    if (facet >= 0) near.tracks.begin(facet, contact_height);
   }
-  const double speed = speed_over(interface, v, a, end.feature);
-  memory.feature[a] = end.feature;
-  memory.gap[a] = distance - contact_height;
-  ActiveFeatures active;
-  // Behind the surface the distance is no height; there and near contact, look for all active features. Who is outside of the
-  // closest edge or vertex is outside of the surface, and no facet acts that it stands behind.
-  const auto height = [&] { return height_over(interface.base, x, end.feature, p).height; };
-  if (distance < near_contact * contact_height || height() < contact_height) {
-    active = active_features_on(interface.base, x, p, end, std::max(distance, contact_height), allowed_of(interface, a));
-    if (active.count == 0) {
-      memory.status[a] = Status::off_surface;
-      return true;
+  if (near.tracks.count == 0) return look_around(interface, x, v, moved, near, memory);
+  if (before.count == 0) near.clear = -infinite;
+
+  WayOut out = way_out(interface.base, x, x.col(interface.apexes[a]), contact_height, allowed, near.tracks);
+  if (moved + out.length >= near.clear) {
+    const Index other = other_part(sweep, before, near.tracks);
+    if (other >= 0) {
+      const int lost = out.lost;
+      near.tracks.begin(other, contact_height);
+      out = way_out(interface.base, x, x.col(interface.apexes[a]), contact_height, allowed, near.tracks);
+      out.lost += lost;
     }
-    // the lowest takes over; of flanks as near as each other the one in use stays
-    double least = std::numeric_limits<double>::infinity(), in_use = least;
-    for (int i = 0; i < active.count; ++i) {
-      const double h = active.at[i].height;
-      if (same(active.feature[i], before)) in_use = h;
-      if (h < least) least = h, memory.feature[a] = active.feature[i];
-    }
-    if (in_use <= least + tie * (std::abs(least) + contact_height)) memory.feature[a] = before;
-    const double depth = contact_height - least;
-    if (dt > 0 && !was_closed && depth > memory.offset[a]) {
-      const Entry way_in = entry(depth - memory.offset[a], dt * speed, distance + interface.depth, memory.deepest_now);
-      if (way_in == Entry::none) {
-        memory.status[a] = Status::off_surface;
-        memory.gap[a] = -depth;
-        forces.overlap = depth;
-        return true;
-      }
-      if (way_in == Entry::sideways) memory.offset[a] = depth;
-    }
-    memory.offset[a] = std::min(memory.offset[a], std::max(0.0, depth));
-    const double height_now = contact_height - memory.offset[a];
-    memory.gap[a] = least - height_now;
-    memory.stored[a] = project_out(interface, x, a, height_now, active, forces, memory.gap[a]);
-  } else {
-    const bool left = end.closest.kind != Kind::facet && on_border(interface.base, end.feature.facet, end.closest) &&
-                      past_border(interface.base, x, end.feature.facet, end.closest, p, allowed_of(interface, a), true);
-    memory.status[a] = left ? Status::off_surface : Status::open;
-    if (left) return true;
-    memory.offset[a] = 0;
-    active.add(end.feature, height_over(interface.base, x, end.feature, p));
+    near.clear = other >= 0 ? -infinite : nearest_other_part(sweep, near.tracks) - moved - out.length - contact_height;
   }
-  memory.status[a] = forces.closed ? Status::closed : Status::open;
-  if (!forces.closed) {
-    const double soon = std::max(votes_within * interface.depth, steps_ahead * speed * interface.longest_step);
-    if (interface.depth > 0 && memory.gap[a] > soon) return true;
-    weigh_bases(interface, a, memory.feature[a], active, forces);
+  ElementForces& element = near.element;
+  element.lost = out.lost;
+  if (near.tracks.count == 0) near.clear = -infinite;
+  if (out.count == 0) {
+    if (near.tracks.count == 0) return look_around(interface, x, v, moved, near, memory);
+    memory.status[a] = Status::open;
+    memory.feature[a] = out.strongest;
+    memory.gap[a] = std::max(0.0, out.gap);
+    const auto c = corners(interface.base, x, out.strongest.facet);
+    return vote_over(interface, x, a, out.strongest, geometry::closest_on_triangle(c, position(x, interface.apexes[a])).weight, element);
   }
-  weigh_once(interface, x, a, forces);
-  return true;
+  const double k = stiffness(interface, a, out.strongest);
+  memory.status[a] = Status::closed;
+  memory.feature[a] = out.strongest;
+  memory.gap[a] = -out.length;
+  memory.stored[a] = 0.5 * k * out.squared;
+  element.closed = true;
+  element.has_moment = out.has_moment;
+  element.stiffness = k * out.steepest;
+  element.depth = out.depth;
+  element.count = out.count;
+  for (int i = 0; i < out.count; ++i) {
+    Stencil& stencil = element.stencil[i];
+    stencil = out.stencil[i];
+    stencil.push *= k;
+    element.apex += stencil.apex * stencil.push;
+  }
+  share_stiffness(interface, x, a, element);
 }
 
 /// Pulls or pushes a bonded apex back over its point of the base.
 ///
 /// With d = x_apex - sum of w_I x_I - h n the potential is 1/2 k d.d, and with G_I the gradients of the
 /// facet's shape functions  dn = - sum of (n . dx_I) G_I,  so the forces are exactly its gradient:
-///     apex  -k d,     base nodes  k (w_I d - h (d . G_I) n)
-bool hold_bond(const Interface& interface, const Vectors& x, Index a, Memory& memory, ElementForces& forces) {
+///     apex  -k d,     base nodes  k (w_I d - h (d . G_I) n), the second part a couple
+void hold_bond(const Interface& interface, const Vectors& x, Near& near, Memory& memory) {
+  const Index a = near.apex;
+  ElementForces& element = near.element;
   const Bond& bond = interface.bonds[a];
-  if (bond.facet < 0) return false;
   const Vec3 corner[3] = {x.col(interface.base.facets(0, bond.facet)), x.col(interface.base.facets(1, bond.facet)),
                           x.col(interface.base.facets(2, bond.facet))};
-  const Vec3 area = (corner[1] - corner[0]).cross(corner[2] - corner[0]);  // twice, along the normal
+  const Vec3 area = area_vector(interface.base, x, bond.facet);
   const double twice_area = area.norm();
   const Vec3 n = area / twice_area;
   Vec3 d = x.col(interface.apexes[a]) - bond.height * n;
   for (int I = 0; I < 3; ++I) d -= bond.weight[I] * corner[I];
   const double k = stiffness(interface, a, memory.feature[a]);
-  forces.closed = true;
-  forces.stiffness = k;
-  forces.apex = -k * d;
-  forces.count = 3;
+  Stencil hold{.facet = bond.facet, .apex = 1, .weight = bond.weight, .push = -k * d}, couple{.facet = bond.facet, .apex = 0};
+  couple.push = k * bond.height * n;
   for (int I = 0; I < 3; ++I) {
     const Vec3 gradient = n.cross(corner[(I + 2) % 3] - corner[(I + 1) % 3]) / twice_area;
-    forces.node[I] = interface.base.facets(I, bond.facet);
-    forces.force[I] = k * (bond.weight[I] * d - bond.height * d.dot(gradient) * n);
-    forces.weight[I] = std::abs(bond.weight[I]) + std::abs(bond.height) * gradient.norm();
+    couple.weight[I] = d.dot(gradient);
+    hold.share[I] = std::abs(bond.weight[I]) + std::abs(bond.height) * gradient.norm();
   }
+  element.closed = true;
+  element.stiffness = k;
+  element.apex = hold.push;
+  element.stencil[0] = hold;
+  element.stencil[1] = couple;
+  element.count = bond.height != 0 ? 2 : 1;
   memory.status[a] = Status::closed;
   memory.gap[a] = d.dot(n);
   memory.stored[a] = 0.5 * k * d.squaredNorm();
-  return true;
 }
 
 /// Where the apex stands on its base, for friction.
@@ -328,8 +279,12 @@ Vec3 rotation_of_base(const Touch& touch, const Vectors& x, const Vectors& v, do
 }
 
 /// Friction on one apex whose normal force is known: slip carried on, stuck or slid.
-void advance_friction(const Interface& interface, const Vectors& x, const Vectors& v, const Vectors& omega, double dt, Index a,
-                      const ElementForces& element, Memory& memory, FrictionForces& friction, Vec3& angular_impulse) {
+void advance_friction(const Interface& interface, const Vectors& x, const Vectors& v, const Vectors& omega, double dt, Near& near,
+                      Memory& memory) {
+  const Index a = near.apex;
+  const ElementForces& element = near.element;
+  FrictionForces& friction = near.friction;
+  Vec3& angular_impulse = near.element.angular_impulse;
   const bool turns = interface.weights == Weights::paper || !interface.allowed.empty();
   const double stored_before = memory.tangential_stored[a];
   Vec3 rate_before = Vec3::Zero();
@@ -373,44 +328,33 @@ void advance_friction(const Interface& interface, const Vectors& x, const Vector
 }
 
 /// Moves one apex and computes its force.
-void advance_apex(const Interface& interface, const Vectors& x, const Vectors& v, double dt, Index a, Memory& memory,
-                  ElementForces& forces) {
-  const double power_before = power(interface, v, a, forces), scale_before = forces.scale;
-  forces.angular_impulse = 0.5 * dt * moment(interface, x, v, -dt, a, forces);
+void advance_element(const Interface& interface, const Vectors& x, const Vectors& v, double dt, double moved, Near& near, Memory& memory) {
+  const Index a = near.apex;
+  ElementForces& element = near.element;
+  const double power_before = power(interface, v, a, element), scale_before = element.scale;
+  element.angular_impulse = 0.5 * dt * moment(interface, x, v, -dt, a, element);
   const double stored_before = memory.stored[a];
   const Feature before = memory.feature[a];
-  forces.closed = forces.has_moment = false;
-  forces.overlap = 0;
-  forces.apex.setZero();
-  forces.count = 0;
-  forces.moved = false;
+  const bool was_closed = element.closed;
+  element.closed = element.has_moment = false;
+  element.depth = 0;
+  element.lost = 0;
+  element.apex.setZero();
+  element.count = 0;
   memory.stored[a] = 0;
-  const bool found_anew = std::exchange(forces.found_anew, false);
-  if (before.facet >= 0) {
-    const bool found = interface.kind == InterfaceKind::bonded ? hold_bond(interface, x, a, memory, forces)
-                                                               : update_element(interface, x, v, dt, a, before, memory, forces);
-    if (found) {
-      forces.moved = memory.feature[a].facet >= 0 && (found_anew || !same(memory.feature[a], before));
-    } else {
-      forces.moved = true;
-      unpair(a, memory);
-    }
-  }
-  const double power_after = power(interface, v, a, forces);
+  if (interface.kind == InterfaceKind::bonded) hold_bond(interface, x, near, memory);
+  else update_element(interface, x, v, dt, moved, near, memory);
+  element.moved = (was_closed || element.closed) && !same(memory.feature[a], before);
+  near.rests = !was_closed && !element.closed && near.tracks.count == 0;
+  const double power_after = power(interface, v, a, element);
   // the power of the elastic force is  -k |d| d|d|/dt = -2 stored d|d|/dt / |d|
-  forces.scale = 1;
+  element.scale = 1;
   if (memory.stored[a] > 0 && interface.damping_time > 0)
-    forces.scale = std::max(0.0, 1 - 0.5 * interface.damping_time * power_after / memory.stored[a]);
-  forces.angular_impulse += 0.5 * dt * moment(interface, x, v, 0, a, forces);
-  forces.work = 0.5 * dt * (scale_before * power_before + forces.scale * power_after);
-  forces.dissipated = 0.5 * dt * ((1 - scale_before) * power_before + (1 - forces.scale) * power_after);
-  forces.created = forces.work + forces.dissipated + memory.stored[a] - stored_before;
-}
-
-bool share_a_node(const BaseSurface& base, Index f, Index g) {
-  for (int a = 0; a < 3; ++a)
-    if ((base.facets.col(g).array() == base.facets(a, f)).any()) return true;
-  return false;
+    element.scale = std::max(0.0, 1 - 0.5 * interface.damping_time * power_after / memory.stored[a]);
+  element.angular_impulse += 0.5 * dt * moment(interface, x, v, 0, a, element);
+  element.work = 0.5 * dt * (scale_before * power_before + element.scale * power_after);
+  element.dissipated = 0.5 * dt * ((1 - scale_before) * power_before + (1 - element.scale) * power_after);
+  element.created = element.work + element.dissipated + memory.stored[a] - stored_before;
 }
 
 /// The largest squared distance of nodes from where they were, less a common way. [m2]
@@ -421,15 +365,14 @@ double farthest_moved(const Subset& nodes, const Vectors& x, const Vectors& then
   return most;
 }
 
-/// Whether apexes and base have moved so far against each other that an apex beyond the margin may be near.
-bool search_is_due(const Interface& interface, const Vectors& x, const Memory& memory) {
+/// How far apexes and base have moved against each other since the last search, at most. [m]
+double moved_since_search(const Interface& interface, const Vectors& x, const Memory& memory) {
   Vec3 common = Vec3::Zero();
   for (std::size_t i = 0; i < interface.base_nodes.size(); ++i)
     common += x.col(interface.base_nodes[i]) - memory.base_then.col(static_cast<Eigen::Index>(i));
   common /= static_cast<double>(interface.base_nodes.size());
-  const double moved = std::sqrt(farthest_moved(interface.apexes, x, memory.apexes_then, common)) +
-                       std::sqrt(farthest_moved(interface.base_nodes, x, memory.base_then, common));
-  return moved > 0.5 * memory.margin;
+  return std::sqrt(farthest_moved(interface.apexes, x, memory.apexes_then, common)) +
+         std::sqrt(farthest_moved(interface.base_nodes, x, memory.base_then, common));
 }
 
 /// The margin of a search, or what apexes and base can go against each other in some steps where that is more. [m]
@@ -447,51 +390,117 @@ void keep_positions(const Subset& nodes, const Vectors& x, Vectors& then) {
   for (std::size_t i = 0; i < nodes.size(); ++i) then.col(static_cast<Eigen::Index>(i)) = x.col(nodes[i]);
 }
 
-/// Looks for the bases of apexes that have none, or a farther one than they could have. An apex that has a base takes another one only
-/// if it stands in front of it: what it stands behind, such as the far side of a thin body, it did not come through.
+/// Leaves an apex alone until a search finds it near its base again.
+void unpair(Index a, Memory& memory) {
+  memory.feature[a].facet = -1;
+  memory.status[a] = Status::unpaired;
+  memory.gap[a] = std::numeric_limits<double>::quiet_NaN();
+  memory.slot[a] = -1;
+}
+
+/// Lists the apexes nearer to their base than h_c and the margin, with the facets that are so near, and those in contact.
 ///
-/// All stay as they are where the base surface has positions that are not finite or beyond farthest_place, and an apex
-/// that is itself there stays as it is: the elements say so at this very state, and the run ends.
-///
-/// reach(a)  [m] how far apex a looks
-template <class Reach>
-void search(const Interface& interface, const Vectors& x, const Reach& reach, Memory& memory, Workspace& workspace) {
+/// All stay as they are where the base surface has positions that are not finite or beyond farthest_place: the elements say so at this
+/// very state, and the run ends.
+void search(const Interface& interface, const Vectors& x, Memory& memory, Workspace& workspace) {
   if (!workspace.broad.sort(interface.base, x)) return;
   keep_positions(interface.apexes, x, memory.apexes_then);
   keep_positions(interface.base_nodes, x, memory.base_then);
   ++memory.searches;
   const auto count = static_cast<Index>(interface.apexes.size());
-  Subset& found = workspace.found;
+  const auto visit_near = [&](Index a, auto&& visit) {
+    const double reach = interface.contact_height(a) + memory.margin;
+    workspace.broad.within(interface.base, x, position(x, interface.apexes[a]), reach, [&](Index facet, double) { visit(facet); });
+  };
   parallel_for(count, 64, [&](Index a) {
-    found[a] = -1;
-    const Vector<double> p = position(x, interface.apexes[a]);
-    const Index facet = workspace.broad.nearest(interface.base, x, p, reach(a));
-    if (facet < 0) return;
-    if (memory.feature[a].facet >= 0) {
-      if (share_a_node(interface.base, facet, memory.feature[a].facet)) return;  // the walk knows of it
-      const auto mine = geometry::closest_on_triangle(corners(interface.base, x, memory.feature[a].facet), p);
-      const auto theirs = geometry::closest_on_triangle(corners(interface.base, x, facet), p);
-      if (std::sqrt(theirs.distance_squared) > (1 - really_closer) * std::sqrt(mine.distance_squared)) return;
-      if (height_over(interface.base, x, {facet, theirs.kind, theirs.local}, p).height < 0) return;
-    }
-    found[a] = facet;
+    Index found = 0;
+    visit_near(a, [&](Index) { ++found; });
+    workspace.facets[a] = found;
   });
+  workspace.near.clear();
+  Index facets = 0;
   for (Index a = 0; a < count; ++a) {
-    if (found[a] < 0) continue;
-    memory.feature[a] = {found[a], Kind::facet, 0};
-    if (memory.status[a] == Status::unpaired) memory.status[a] = Status::open;
-    memory.elements[a].found_anew = true;
-    ++memory.recovered;
+    const Near* was = near(memory, a);
+    if (workspace.facets[a] == 0 && !(was && was->tracks.count > 0)) {
+      if (was) unpair(a, memory);
+      continue;
+    }
+    if (was) workspace.near.push_back(*was);
+    else workspace.near.push_back({.apex = a, .tracks = {}, .element = {}, .friction = {}});
+    if (memory.status[a] == Status::unpaired) memory.status[a] = Status::open, ++memory.recovered;
+    Near& now = workspace.near.back();
+    now.first_facet = facets;
+    now.facets = workspace.facets[a];
+    now.clear = -infinite;
+    now.rests = false;
+    facets += now.facets;
+    memory.slot[a] = static_cast<Index>(workspace.near.size()) - 1;
   }
+  std::swap(memory.near, workspace.near);
+  memory.near_facets.resize(facets);
+  parallel_for(static_cast<Index>(memory.near.size()), 64, [&](Index i) {
+    const Near& one = memory.near[i];
+    Index at = one.first_facet;
+    visit_near(one.apex, [&](Index facet) { memory.near_facets[at++] = facet; });
+    std::sort(memory.near_facets.begin() + one.first_facet, memory.near_facets.begin() + at);
+  });
+}
+
+/// How an apex stands over its nearest facet at the start.
+struct Start {
+  Index facet = -1;   ///< -1: none within reach
+  Stand stand;
+  double distance = 0;  ///< [m]
+};
+Start start_of(const Interface& interface, const Vectors& x, Index a, double reach, const BroadSearch& broad) {
+  const Index node = interface.apexes[a], facet = broad.nearest(interface.base, x, position(x, node), reach);
+  if (facet < 0) return {};
+  const Closest closest = geometry::closest_on_triangle(corners(interface.base, x, facet), position(x, node));
+  return {facet, stand(interface.base, x, x.col(node), facet), std::sqrt(closest.distance_squared)};
+}
+
+void prepare(const Interface& interface, Memory& memory) {
+  const auto count = static_cast<Index>(interface.apexes.size());
+  memory = {};
+  memory.near.reserve(count);
+  memory.near_facets.reserve(static_cast<std::size_t>(facets_at_first) * count);
+  memory.slot.assign(count, -1);
+  memory.feature.resize(count);
+  memory.status.assign(count, Status::unpaired);
+  memory.gap.assign(count, std::numeric_limits<double>::quiet_NaN());
+  memory.stored.assign(count, 0.0);
+  memory.apexes_then = Vectors::Zero(3, count);
+  memory.base_then = Vectors::Zero(3, static_cast<Eigen::Index>(interface.base_nodes.size()));
+  if (interface.friction.coefficient > 0) {
+    memory.slip.assign(count, Vec3::Zero());
+    memory.tangential_stored.assign(count, 0.0);
+  }
+  memory.reconnections.assign(count, 0);
+}
+
+/// Puts a bonded apex over its point of the base, unless it stands past the border.
+bool bond(const Vectors& x, Index a, const Start& start, Interface& interface, Memory& memory) {
+  if (start.facet < 0) return false;
+  const Index facet = start.stand.feature.facet;
+  if (start.stand.past > bond_past_border * std::sqrt(area_vector(interface.base, x, facet).norm())) return false;
+  const FeatureHeight over = height_over(interface.base, x, {facet, Kind::facet, 0}, x.col(interface.apexes[a]));
+  interface.bonds[a] = {facet, over.weight, over.height};
+  memory.feature[a] = {facet, Kind::facet, 0};
+  memory.status[a] = Status::open;
+  memory.slot[a] = static_cast<Index>(memory.near.size());
+  memory.near.push_back({.apex = a, .tracks = {}, .element = {}, .friction = {}});
+  return true;
 }
 
 }  // namespace
 
 Workspace::Workspace(const Interface& interface)
     : broad(static_cast<Index>(interface.base.facets.cols())),
-      found(interface.apexes.size(), -1),
+      facets(interface.apexes.size(), 0),
       spring_sum(Scalars::Zero(static_cast<Eigen::Index>(interface.base.ring_begin.size()) - 1)),
-      rotation_sum(Scalars::Zero(interface.friction.coefficient > 0 && !interface.rotation_of_node.empty() ? spring_sum.size() : 0)) {}
+      rotation_sum(Scalars::Zero(interface.friction.coefficient > 0 && !interface.rotation_of_node.empty() ? spring_sum.size() : 0)) {
+  near.reserve(interface.apexes.size());
+}
 
 double stored(const Memory& memory) {
   double sum = 0;
@@ -524,18 +533,25 @@ double stiffness(const Interface& interface, Index apex, const Feature& feature)
   return interface.penalty * sum / count;
 }
 
-double least_gap(const Interface& interface, const Vectors& x, double reach) {
-  BroadSearch broad(static_cast<Index>(interface.base.facets.cols()));
+double least_gap(const Interface& interface, const Vectors& x, const Memory& memory, double reach) {
   double least = std::numeric_limits<double>::quiet_NaN();
+  const auto see = [&least](double gap) {
+    if (!(gap >= least)) least = gap;
+  };
+  for (const Near& near : memory.near) {
+    if (near.element.closed) see(memory.gap[near.apex]);
+    else if (near.facets > 0)
+      see(nearest_of(interface, x, near.apex, near_facets(memory, near)).distance() - interface.contact_height(near.apex));
+  }
+  if (!memory.near.empty()) return least;  // who is not near is farther away
+  BroadSearch broad(static_cast<Index>(interface.base.facets.cols()));
   if (!broad.sort(interface.base, x)) return least;
   for (std::size_t a = 0; a < interface.apexes.size(); ++a) {
     const Vector<double> p = position(x, interface.apexes[a]);
     const double height = interface.contact_height(static_cast<Eigen::Index>(a));
     const Index facet = broad.nearest(interface.base, x, p, std::isnan(least) ? reach : least + height);
     if (facet < 0) continue;
-    const auto closest = geometry::closest_on_triangle(corners(interface.base, x, facet), p);
-    const double gap = std::sqrt(closest.distance_squared) - height;
-    if (!(gap >= least)) least = gap;
+    see(std::sqrt(geometry::closest_on_triangle(corners(interface.base, x, facet), p).distance_squared) - height);
   }
   return least;
 }
@@ -543,73 +559,63 @@ double least_gap(const Interface& interface, const Vectors& x, double reach) {
 InitialGaps connect(Interface& interface, const Vectors& x, double reach, const ContactHeight& height, InitialPenetration penetration,
                     Memory& memory, Workspace& workspace) {
   const auto count = static_cast<Index>(interface.apexes.size());
-  memory = {};
-  memory.feature.resize(count);
-  memory.status.assign(count, Status::unpaired);
-  memory.gap.assign(count, std::numeric_limits<double>::quiet_NaN());
-  memory.stored.assign(count, 0.0);
-  memory.offset.assign(count, 0.0);
-  memory.elements.resize(count);
+  const bool bonded = interface.kind == InterfaceKind::bonded;
   interface.base_nodes.assign(interface.base.facets.data(), interface.base.facets.data() + interface.base.facets.size());
   std::sort(interface.base_nodes.begin(), interface.base_nodes.end());
   interface.base_nodes.erase(std::unique(interface.base_nodes.begin(), interface.base_nodes.end()), interface.base_nodes.end());
-  memory.apexes_then = Vectors::Zero(3, count);
-  memory.base_then = Vectors::Zero(3, static_cast<Eigen::Index>(interface.base_nodes.size()));
-  if (interface.friction.coefficient > 0) {
-    memory.friction.resize(count);
-    memory.slip.assign(count, Vec3::Zero());
-    memory.tangential_stored.assign(count, 0.0);
-  }
-  interface.bonds.assign(interface.kind == InterfaceKind::bonded ? count : 0, Bond{});
-  memory.reconnections.assign(count, 0);
+  prepare(interface, memory);
+  interface.bonds.assign(bonded ? count : 0, Bond{});
   interface.contact_height = Scalars::Constant(count, height.given);
-  memory.margin = reach;
-  search(interface, x, [reach](Index) { return reach; }, memory, workspace);
-  memory.recovered = memory.searches = 0;
-  for (ElementForces& element : memory.elements) element.found_anew = false;
+  memory.margin = interface.margin;
 
   InitialGaps gaps;
   gaps.apexes = count;
-  gaps.least = std::numeric_limits<double>::infinity();
-  gaps.largest = -gaps.least;
+  gaps.least = infinite;
+  gaps.largest = -infinite;
+  workspace.broad.sort(interface.base, x);
   for (Index a = 0; a < count; ++a) {
-    if (memory.feature[a].facet < 0) {
+    const Start start = start_of(interface, x, a, reach, workspace.broad);
+    if (bonded && !bond(x, a, start, interface, memory)) ++gaps.free;
+    if (start.facet < 0) {
       ++gaps.without_base;
-      if (interface.kind == InterfaceKind::bonded) ++gaps.free;
       continue;
     }
-    const Vector<double> p = position(x, interface.apexes[a]);
-    const WalkEnd end = walk(interface.base, x, p, memory.feature[a].facet);
-    double h = std::sqrt(end.closest.distance_squared);
-    const ActiveFeatures active = active_features_on(interface.base, x, p, end, h, allowed_of(interface, a));
-    memory.status[a] = active.count > 0 ? Status::open : Status::off_surface;
-    memory.feature[a] = end.feature;
-    for (int i = 0; i < active.count; ++i) {
-      const double here = active.at[i].height;
-      if (i == 0 || here < h) h = here, memory.feature[a] = active.feature[i];
-    }
-    double& contact_height = interface.contact_height(a);
-    if (height.from_initial_height) contact_height = h - height.clearance;
+    // past a wall only the distance has a meaning
+    const double h = start.stand.past > 0 ? start.distance : start.stand.over.height;
+    if (height.from_initial_height) interface.contact_height(a) = h - height.clearance;
+    const double gap = h - interface.contact_height(a);
+    if (bonded) memory.gap[a] = gap;
+    gaps.least = std::min(gaps.least, gap);
+    gaps.largest = std::max(gaps.largest, gap);
+    gaps.mean += gap;
+    ++gaps.by_kind[static_cast<int>(start.stand.feature.kind)];
+  }
+  if (!bonded) {
+    search(interface, x, memory, workspace);
+    memory.recovered = memory.searches = 0;
+  }
+  const Vectors rest = Vectors::Zero(3, x.cols());
+  for (Near& near : memory.near) {
+    if (bonded) break;
+    const Index a = near.apex, node = interface.apexes[a];
+    const double contact_height = interface.contact_height(a);
+    const Sweep sweep{interface.base, interface.own, x, rest, 0, near_facets(memory, near), node, allowed_of(interface, a), contact_height};
+    const Nearest nearest = nearest_of(interface, x, a, sweep.near);
+    memory.feature[a] = nearest.feature;
+    memory.gap[a] = nearest.distance() - contact_height;
+    double depth = 0;
+    const Index facet = behind(sweep, interface.depth > 0 ? interface.depth : infinite, depth);
+    if (facet < 0) continue;
+    memory.gap[a] = -depth;
     // positions are no more exact than their distance from the origin allows, and differences no more than the facet's size
-    const auto facet = interface.base.facets.col(memory.feature[a].facet);
-    const double size = (x.col(facet(1)) - x.col(facet(0))).norm();
-    const double round_off = 1e-12 * (std::abs(h) + std::abs(contact_height) + size);
-    const bool bonded = interface.kind == InterfaceKind::bonded;
-    if (!bonded && h - contact_height < -round_off && memory.status[a] == Status::open) {
-      ++gaps.penetrating;
-      gaps.deepest = std::max(gaps.deepest, contact_height - h);
-      if (penetration == InitialPenetration::accept) memory.offset[a] = contact_height - h;
-    }
-    memory.gap[a] = h - contact_height + memory.offset[a];
-    gaps.least = std::min(gaps.least, memory.gap[a]);
-    gaps.largest = std::max(gaps.largest, memory.gap[a]);
-    if (bonded && memory.status[a] == Status::open) {
-      const FeatureHeight over = height_over(interface.base, x, {memory.feature[a].facet, Kind::facet, 0}, p);
-      interface.bonds[a] = {memory.feature[a].facet, over.weight, over.height};
-    }
-    if (bonded && memory.status[a] != Status::open) ++gaps.free;
-    gaps.mean += memory.gap[a];
-    ++gaps.by_kind[static_cast<int>(memory.feature[a].kind)];
+    const double round_off = 1e-12 * (std::abs(depth) + 2 * std::abs(contact_height) + interface.base.longest(facet));
+    const bool counts = depth > round_off, accepted = !counts || penetration == InitialPenetration::accept;
+    near.tracks.begin(facet, accepted ? contact_height - depth : contact_height);
+    if (accepted) memory.gap[a] = 0;
+    if (!counts) continue;
+    ++gaps.penetrating;
+    gaps.deepest = std::max(gaps.deepest, depth);
+    if (!accepted) gaps.least = std::min(gaps.least, -depth);
   }
   const Index connected = gaps.apexes - gaps.without_base;
   if (connected == 0) gaps.least = gaps.largest = 0;
@@ -617,50 +623,79 @@ InitialGaps connect(Interface& interface, const Vectors& x, double reach, const 
   return gaps;
 }
 
+Memory tried_out(const Interface& interface, const Vectors& x, double reach, Workspace& workspace) {
+  Memory trial;
+  prepare(interface, trial);
+  if (!workspace.broad.sort(interface.base, x)) return trial;
+  const auto count = static_cast<Index>(interface.apexes.size());
+  for (Index a = 0; a < count; ++a) {
+    const Start start = start_of(interface, x, a, reach, workspace.broad);
+    const bool bonded = interface.kind == InterfaceKind::bonded;
+    if (start.facet < 0 || (bonded && interface.bonds[a].facet < 0)) continue;
+    trial.slot[a] = static_cast<Index>(trial.near.size());
+    trial.near.push_back({.apex = a, .tracks = {}, .element = {}, .friction = {}});
+    Near& near = trial.near.back();
+    trial.feature[a] = start.stand.feature;
+    if (bonded) hold_bond(interface, x, near, trial);
+    else vote_over(interface, x, a, start.stand.feature,
+                   geometry::closest_on_triangle(corners(interface.base, x, start.stand.feature.facet), position(x, interface.apexes[a])).weight,
+                   near.element);
+  }
+  return trial;
+}
+
 void advance(const Interface& interface, const Vectors& x, const Vectors& v, const Vectors& omega, double dt, Memory& memory,
              Workspace& workspace) {
-  std::vector<ElementForces>& forces = memory.elements;
-  const bool walks = interface.kind == InterfaceKind::contact;
-  if (walks && (memory.searches == 0 || search_is_due(interface, x, memory))) {
-    memory.margin = margin_of(interface, v);
-    search(interface, x, [&](Index a) { return interface.contact_height(a) + memory.margin; }, memory, workspace);
+  double moved = 0;
+  if (interface.kind == InterfaceKind::contact) {
+    moved = memory.searches == 0 ? infinite : moved_since_search(interface, x, memory);
+    if (moved > 0.5 * memory.margin) {
+      memory.margin = margin_of(interface, v);
+      search(interface, x, memory, workspace);
+      moved = 0;
+    }
   }
-  parallel_for(static_cast<Index>(interface.apexes.size()), 64, [&](Index a) {
-    advance_apex(interface, x, v, dt, a, memory, forces[a]);
-    if (!memory.friction.empty())
-      advance_friction(interface, x, v, omega, dt, a, forces[a], memory, memory.friction[a], forces[a].angular_impulse);
+  parallel_for(static_cast<Index>(memory.near.size()), 64, [&](Index i) {
+    Near& near = memory.near[i];
+    if (near.rests && moved < near.clear) return;
+    advance_element(interface, x, v, dt, moved, near, memory);
+    if (!memory.slip.empty()) advance_friction(interface, x, v, omega, dt, near, memory);
   });
   memory.deepest_now = 0;
-  for (std::size_t a = 0; a < forces.size(); ++a) {
-    if (memory.status[a] == Status::closed) memory.deepest_now = std::max(memory.deepest_now, -memory.gap[a]);
-    // what came in from the side and is no deeper than an element overlaps as well, though nothing pushes it out
-    if (forces[a].overlap <= interface.depth) memory.deepest = std::max(memory.deepest, forces[a].overlap);
-    memory.work += forces[a].work;
-    memory.damped += forces[a].dissipated;
-    memory.angular_impulse += forces[a].angular_impulse;
-    double created = forces[a].created;
-    if (!memory.friction.empty()) {
-      memory.work += memory.friction[a].work;
-      memory.friction_dissipated += memory.friction[a].dissipated;
-      created += memory.friction[a].created;
+  for (const Near& near : memory.near) {
+    if (near.rests) continue;
+    const ElementForces& element = near.element;
+    memory.deepest_now = std::max(memory.deepest_now, element.depth);
+    memory.work += element.work;
+    memory.damped += element.dissipated;
+    memory.angular_impulse += element.angular_impulse;
+    memory.lost += element.lost;
+    double created = element.created;
+    if (!memory.slip.empty()) {
+      memory.work += near.friction.work;
+      memory.friction_dissipated += near.friction.dissipated;
+      created += near.friction.created;
     }
-    if (!forces[a].moved) continue;
+    if (!element.moved) continue;
     memory.created_by_reconnection += created;
-    ++(memory.status[a] == Status::unpaired ? memory.unpaired : memory.walks);
-    if (memory.status[a] != Status::unpaired) ++memory.reconnections[a];
+    ++memory.walks;
+    ++memory.reconnections[near.apex];
   }
   memory.deepest = std::max(memory.deepest, memory.deepest_now);
 }
 
 void add_forces(const Interface& interface, const Memory& memory, Vectors& force, Vectors& moment) {
-  const std::vector<ElementForces>& forces = memory.elements;
-  for (std::size_t a = 0; a < forces.size(); ++a) {
-    if (!forces[a].closed) continue;
-    force.col(interface.apexes[a]) += forces[a].scale * forces[a].apex;
-    for (int i = 0; i < forces[a].count; ++i) force.col(forces[a].node[i]) += forces[a].scale * forces[a].force[i];
+  for (const Near& near : memory.near) {
+    const ElementForces& element = near.element;
+    if (!element.closed) continue;
+    force.col(interface.apexes[near.apex]) += element.scale * element.apex;
+    for (int i = 0; i < element.count; ++i) {
+      const Vec3 push = element.scale * element.stencil[i].push;
+      for_each_node(interface, element.stencil[i], [&](Index node, double weight, double) { force.col(node) -= weight * push; });
+    }
   }
-  for (const FrictionForces& friction : memory.friction)
-    if (friction.acts) add_friction(friction.touch, friction.force, interface.rotation_of_node, force, moment);
+  for (const Near& near : memory.near)
+    if (near.friction.acts) add_friction(near.friction.touch, near.friction.force, interface.rotation_of_node, force, moment);
 }
 
 namespace {
@@ -685,13 +720,12 @@ Fastest moments_of_friction(const Interface& interface, const Scalars& inertia, 
     if (!touch.apex_arm.isZero(0)) visit(touch.apex, touch.apex_arm.norm());
     for (int I = 0; touch.base_rotates && I < 3; ++I) visit(touch.node[I], touch.weight[I] * touch.base_arm.norm());
   };
-  for (const FrictionForces& f : memory.friction) arms(f, [&](Index node, double) { sum(node) = 0; });
-  for (const FrictionForces& f : memory.friction) arms(f, [&](Index node, double share) { sum(node) += f.stiffness * share; });
-  for (std::size_t a = 0; a < memory.friction.size(); ++a) {
+  for (const Near& near : memory.near) arms(near.friction, [&](Index node, double) { sum(node) = 0; });
+  for (const Near& near : memory.near) arms(near.friction, [&](Index node, double share) { sum(node) += near.friction.stiffness * share; });
+  for (const Near& near : memory.near) {
     double omega_squared = 0;
-    arms(memory.friction[a],
-         [&](Index node, double share) { omega_squared += share * sum(node) / inertia(interface.rotation_of_node[node]); });
-    fastest.see(omega_squared, static_cast<Index>(a));
+    arms(near.friction, [&](Index node, double share) { omega_squared += share * sum(node) / inertia(interface.rotation_of_node[node]); });
+    fastest.see(omega_squared, near.apex);
   }
   return fastest;
 }
@@ -699,18 +733,24 @@ Fastest moments_of_friction(const Interface& interface, const Scalars& inertia, 
 /// Largest squared frequency of the normal springs between apexes and bases.
 Fastest normal_springs(const Interface& interface, const Scalars& mass, const Memory& memory, Workspace& workspace) {
   Scalars& sum = workspace.spring_sum;
-  const std::vector<ElementForces>& elements = memory.elements;
-  for (const ElementForces& e : elements)
-    for (int b = 0; b < e.count; ++b) sum(e.node[b]) = 0;
-  for (const ElementForces& e : elements)
-    for (int b = 0; b < e.count; ++b) sum(e.node[b]) += e.stiffness * e.weight[b];
+  const auto shares = [&](const ElementForces& element, auto&& visit) {
+    for (int i = 0; i < element.count; ++i)
+      for_each_node(interface, element.stencil[i], [&](Index node, double, double share) {
+        if (share > 0) visit(node, share);
+      });
+  };
+  for (const Near& near : memory.near) shares(near.element, [&](Index node, double) { sum(node) = 0; });
+  for (const Near& near : memory.near) {
+    const double k = near.element.stiffness;
+    shares(near.element, [&](Index node, double share) { sum(node) += k * share; });
+  }
   Fastest fastest;
-  for (std::size_t a = 0; a < elements.size(); ++a) {
-    const ElementForces& e = elements[a];
-    if (e.count == 0) continue;
-    double omega_squared = e.stiffness / mass(interface.apexes[a]);
-    for (int b = 0; b < e.count; ++b) omega_squared += e.weight[b] * sum(e.node[b]) / mass(e.node[b]);
-    fastest.see(omega_squared, static_cast<Index>(a));
+  for (const Near& near : memory.near) {
+    const ElementForces& element = near.element;
+    if (element.count == 0) continue;
+    double omega_squared = element.stiffness / mass(interface.apexes[near.apex]);
+    shares(element, [&](Index node, double share) { omega_squared += share * sum(node) / mass(node); });
+    fastest.see(omega_squared, near.apex);
   }
   return fastest;
 }
@@ -725,7 +765,7 @@ StepLimit stable_step(const Interface& interface, const Scalars& mass, const Sca
   const Index apex = interface.apexes[normal.apex];
   if (interface.kind == InterfaceKind::bonded) return {linear_step / std::sqrt(omega_squared), apex};
   const StepLimit bounce{interface.impact_step_factor / std::sqrt(omega_squared), apex};
-  if (memory.friction.empty()) return bounce;
+  if (memory.slip.empty()) return bounce;
   // sticks are parallel to the normal springs, and their moments turn plate nodes besides
   const Fastest turning = moments_of_friction(interface, inertia, memory, workspace);
   const double most = interface.friction.tangential_penalty * omega_squared + turning.omega_squared / interface.pass_factor;
@@ -754,6 +794,12 @@ ElementView view(const Interface& interface, const Vectors& x, const Memory& mem
   ElementView v{.apex = interface.apexes[apex], .feature = memory.feature[apex], .weight = {0, 0, 0}, .gap = memory.gap[apex],
                 .traction = 0, .shear_traction = 0, .slides = false, .status = memory.status[apex],
                 .reconnections = memory.reconnections[apex]};
+  const Near* near = contact::near(memory, apex);
+  if (v.status == Status::open && near && near->facets > 0 && near->tracks.count == 0) {  // where it stands now, not when last looked at
+    const Nearest nearest = nearest_of(interface, x, apex, near_facets(memory, *near));
+    v.feature = nearest.feature;
+    v.gap = nearest.distance() - interface.contact_height(apex);
+  }
   if (v.feature.facet >= 0) {
     const auto c = corners(interface.base, x, v.feature.facet);
     v.weight = geometry::closest_on_triangle(c, position(x, v.apex)).weight;

@@ -8,18 +8,24 @@
 //             \       /             out with the traction -g / delta on its area.
 //                 3
 //
-// One idea covers ridges, valleys and plains: the apex is pushed along the shortest vector d to where every
-// height around it is at least h_c, with the potential  1/2 (area/delta) |d|^2.  On a plain and on a
-// ridge that is the paper's element; in a valley both flanks push, and as the valley flattens the two
-// become one, so a tributary area counts exactly once: docs/theory/contact.md. A closed element may also
-// rub, and a bonded one neither opens nor slides: docs/theory/friction.md.
+// Four rooms:  find       which parts of the surface an apex has come into contact with, and where it stands there
+//                         (search.hpp, tracking.hpp, stand.hpp)
+//              stencil    nodes, weights and push of one contact (stencil.hpp)
+//              enforce    the shortest way out d, with the potential  1/2 (area/delta) |d|^2 (way_out.hpp, projection.hpp, friction.hpp)
+//              account    work, what is stored, dissipated and created: here, with forces, time step and output
+//
+// On a plain and on a ridge the potential is the paper's element; in a valley both flanks push, and as the valley flattens the two
+// become one, so a tributary area counts exactly once: docs/theory/contact.md. A closed element may also rub, and a bonded one
+// neither opens nor slides: docs/theory/friction.md.
 
 #include <string>
 
 #include "base/account.hpp"
 #include "base/step_limit.hpp"
-#include "contact/base_surface.hpp"
 #include "contact/friction.hpp"
+#include "contact/search.hpp"
+#include "contact/stencil.hpp"
+#include "contact/way_out.hpp"
 
 namespace nereid::contact {
 
@@ -44,7 +50,7 @@ enum class Area {
 /// Which penetrations of the initial geometry are accepted.
 enum class InitialPenetration {
   refuse,  ///< the scene is not built
-  accept,  ///< the penetration becomes an offset of the apex: no force at the start, see Memory::offset
+  accept,  ///< the penetration becomes an offset of the apex: no force at the start, see Track::height
 };
 
 /// Where a bonded apex belongs: over fixed weights of a facet's nodes, at a fixed height.
@@ -59,6 +65,7 @@ struct Interface {
   std::string name;
   InterfaceKind kind = InterfaceKind::contact;
   BaseSurface base;
+  Fans own;                      ///< the surface of the apexes: an apex comes into contact with facets that this faces; may be empty
   Subset apexes;                 ///< nodes, ascending
   Scalars area;                  ///< [m2] tributary area, [apexes]
   Scalars facet_area;            ///< [m2] of the reference, [facets]
@@ -89,30 +96,26 @@ struct Interface {
 };
 
 enum class Status : int {
-  unpaired = -1,    ///< farther from its base than the margin
-  open = 0,         ///< near, no contact
-  closed = 1,       ///< in contact
-  off_surface = 2,  ///< past the border of the base surface, or behind it without having come through it
+  unpaired = -1,  ///< farther from its base than the margin
+  open = 0,       ///< near, no contact
+  closed = 1,     ///< in contact
 };
 
 /// Forces of one apex and its bases, and what its last step did.
 struct ElementForces {
-  static constexpr int most_nodes = 24;  ///< eight features of up to three nodes
   bool closed = false;
   Vec3 apex = Vec3::Zero();              ///< [N]
-  int count = 0;
-  std::array<Index, most_nodes> node{};
+  int count = 0;                         ///< of stencils; of an open apex that votes for the time step one without a push
+  std::array<Stencil, most_stencils> stencil;
   double stiffness = 0;                     ///< [N/m] of the spring between the apex and its bases
-  std::array<double, most_nodes> weight{};  ///< of each base node in it; a node named again has none
-  std::array<Vec3, most_nodes> force;       ///< [N] on the base nodes, where closed
   double scale = 1;                         ///< of all these forces: 1 + damping_time d|d|/dt / |d|, not negative
   double dissipated = 0;                    ///< [J] in the last step
   double work = 0, created = 0;             ///< [J] in the last step
   Vec3 angular_impulse = Vec3::Zero();      ///< [N m s] about the origin in the last step, see Memory
-  double overlap = 0;                       ///< [m] how deep it stands behind a base that it did not come through
-  bool has_moment = false;                  ///< feet over edges are found by iteration, so the forces may leave a small moment
+  double depth = 0;                         ///< [m] penetration without the offset
+  bool has_moment = false;                  ///< the forces may leave a small moment, see WayOut
   bool moved = false;                       ///< to another feature in the last step
-  bool found_anew = false;                  ///< by the search before this step
+  int lost = 0;                             ///< parts of the surface that the apex left over a wall in the last step
 };
 
 /// Friction on one apex, and what its last step did.
@@ -124,16 +127,28 @@ struct FrictionForces {
   double work = 0, dissipated = 0, created = 0;  ///< [J] in the last step
 };
 
+/// All about an apex near its base.
+struct Near {
+  Index apex = -1;        ///< in Interface::apexes
+  Index first_facet = 0;  ///< of its near facets in Memory::near_facets
+  Index facets = 0;       ///< how many
+  /// [m] As long as apexes and base have moved less since the search, a free apex cannot have come into contact, and one in contact not
+  /// to another part.
+  double clear = 0;
+  bool rests = false;     ///< free, and its forces are booked: nothing is to do while it is clear
+  Tracks tracks;
+  ElementForces element;
+  FrictionForces friction;
+};
+
 /// What an interface remembers. The forces are those at the end of the last step: the work of the next one needs them.
 struct Memory {
-  std::vector<Feature> feature;         ///< [apexes] the element in use
-  std::vector<Status> status;           ///< [apexes]
-  std::vector<ElementForces> elements;  ///< [apexes]
-  std::vector<FrictionForces> friction; ///< [apexes]; empty without friction
-  std::vector<double> gap;                  ///< [m] [apexes], open for positive; NaN where unpaired
-  /// [m] [apexes] Part of the penetration that makes no force: what was accepted at the start, or found behind a border that the apex
-  /// came in under. It shrinks with the penetration and never grows.
-  std::vector<double> offset;
+  std::vector<Near> near;                   ///< ascending apexes; of a bonded interface all that have a bond
+  Subset near_facets;                       ///< facets within the margin of each near apex, ascending
+  Subset slot;                              ///< [apexes] place in `near`, or -1
+  std::vector<Feature> feature;             ///< [apexes] the element in use
+  std::vector<Status> status;               ///< [apexes]
+  std::vector<double> gap;                  ///< [m] [apexes], open for positive; when last looked at; NaN where unpaired
   std::vector<double> stored;               ///< [J] by the penalty, [apexes]
   std::vector<Vec3> slip;                   ///< [m] elastic part of the slip, [apexes]; empty without friction
   std::vector<double> tangential_stored;    ///< [J] by the elastic stick, [apexes]; empty without friction
@@ -143,15 +158,20 @@ struct Memory {
   double friction_dissipated = 0;           ///< [J] dissipated by friction
   double created_by_reconnection = 0;       ///< [J] created in steps in which the apex changed its base
   /// [N m s] about the origin: what weights of the paper lose, what the mirror images of bases at a symmetry plane give, and what
-  /// feet over edges leave that are found by iteration; else zero.
+  /// pushes leave that are found by iteration; else zero.
   Vec3 angular_impulse = Vec3::Zero();
   double deepest = 0;      ///< [m] penetration of any apex since the start, not negative
   double deepest_now = 0;  ///< [m] of apexes in contact at the last update
-  std::int64_t walks = 0, unpaired = 0, recovered = 0;  ///< counts since the start
+  std::int64_t walks = 0;      ///< to another feature, since the start
+  std::int64_t lost = 0;       ///< parts of the surface left over a wall in contact
+  std::int64_t recovered = 0;  ///< apexes that a search found near
   std::int64_t searches = 0;
   double margin = 0;               ///< [m] of the last search
   Vectors apexes_then, base_then;  ///< [m] positions at the last search, beside Interface::apexes and base_nodes
 };
+inline const Near* near(const Memory& memory, Index apex) {
+  return memory.slot[apex] < 0 ? nullptr : &memory.near[memory.slot[apex]];
+}
 
 double stored(const Memory&);             ///< [J] by the penalty
 double tangential_stored(const Memory&);  ///< [J] by the elastic stick of friction
@@ -164,9 +184,10 @@ void post(const Interface&, const Memory&, Account&);
 struct Workspace {
   explicit Workspace(const Interface&);
   BroadSearch broad;
-  Subset found;          ///< [apexes] facet found by a search, or -1
-  Scalars spring_sum;    ///< [N/m] [nodes of the mesh] stiffness of all springs at a base node
-  Scalars rotation_sum;  ///< [N] [nodes of the mesh] the same for the moments of friction
+  Subset facets;           ///< [apexes] how many facets a search found near
+  std::vector<Near> near;  ///< the next list of near apexes
+  Scalars spring_sum;      ///< [N/m] [nodes of the mesh] stiffness of all springs at a base node
+  Scalars rotation_sum;    ///< [N] [nodes of the mesh] the same for the moments of friction
 };
 
 /// What the broad search found before the first step.
@@ -192,6 +213,12 @@ struct ContactHeight {
 /// Penetrations are reported and, where InitialPenetration::accept is not asked for, left for the
 /// caller to refuse: nothing is pushed.
 InitialGaps connect(Interface&, const Vectors& x, double reach, const ContactHeight&, InitialPenetration, Memory&, Workspace&);
+
+/// The memory of an interface whose apexes all stand over their nearest facets, also those that are far: for what is chosen by the
+/// stiffness and masses of all.
+///
+/// reach  [m] apexes farther away have no base
+Memory tried_out(const Interface&, const Vectors& x, double reach, Workspace&);
 
 /// Moves the apexes of an interface to the closest features at x, and computes their forces.
 ///
@@ -235,10 +262,10 @@ struct ElementView {
 };
 ElementView view(const Interface&, const Vectors& x, const Memory&, Index apex);
 
-/// The smallest distance of any apex from the base less its h_c, by a search of its own: for results where no apex is near. [m]
+/// The smallest distance of any apex from the base less its h_c, by a search of its own where no apex is near. [m]
 ///
 /// reach  [m] NaN if none is nearer
-double least_gap(const Interface&, const Vectors& x, double reach);
+double least_gap(const Interface&, const Vectors& x, const Memory&, double reach);
 
 /// Stiffness of an apex over a feature: penalty times the chosen area, once, or the spring of the apex. [N/m]
 double stiffness(const Interface&, Index apex, const Feature&);

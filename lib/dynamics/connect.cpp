@@ -107,31 +107,21 @@ Scalars springs_from_masses(const contact::Interface& interface, const Scalars& 
   const double rate = interface.impact_step_factor / step, half = 0.5 * rate * rate;
   const auto count = static_cast<Index>(interface.apexes.size());
   Scalars spring(count), sum = Scalars::Zero(mass.size());
-  const auto& elements = memory.elements;
-  for (Index a = 0; a < count; ++a) {
-    spring(a) = half * mass(interface.apexes[a]);
-    for (int b = 0; b < elements[a].count; ++b) sum(elements[a].node[b]) += elements[a].weight[b] * spring(a);
-  }
-  for (Index a = 0; a < count; ++a) {
+  for (Index a = 0; a < count; ++a) spring(a) = half * mass(interface.apexes[a]);
+  const auto visit = [&interface](const contact::Near& near, auto&& see) {
+    for (int i = 0; i < near.element.count; ++i)
+      for (int I = 0; I < 3; ++I) {
+        const contact::Stencil& stencil = near.element.stencil[i];
+        if (stencil.share[I] > 0) see(interface.base.facets(I, stencil.facet), stencil.share[I]);
+      }
+  };
+  for (const contact::Near& near : memory.near) visit(near, [&](Index node, double weight) { sum(node) += weight * spring(near.apex); });
+  for (const contact::Near& near : memory.near) {
     double share = 1;
-    for (int b = 0; b < elements[a].count; ++b) {
-      const Index node = elements[a].node[b];
-      if (elements[a].weight[b] > 0) share = std::min(share, half * mass(node) / sum(node));
-    }
-    spring(a) *= share;
+    visit(near, [&](Index node, double) { share = std::min(share, half * mass(node) / sum(node)); });
+    spring(near.apex) *= share;
   }
   return spring;
-}
-
-/// Puts every apex on its base, also those that are far, at rest: the memory that this gives.
-contact::Memory tried_out(contact::Interface interface, const Model& model, double reach, const contact::Memory& memory,
-                          contact::Workspace& workspace) {
-  interface.margin = reach;
-  interface.depth = 0;  // all vote
-  contact::Memory trial = memory;
-  const Vectors rest = Vectors::Zero(3, model.mesh.X.cols()), no_rotation = Vectors::Zero(3, model.inertia.size());
-  contact::advance(interface, model.mesh.X, rest, no_rotation, 0, trial, workspace);
-  return trial;
 }
 
 Connected connect_one_pass(Model& model, const std::string& name, const std::string& apex_surface, const std::string& base_surface,
@@ -142,7 +132,8 @@ Connected connect_one_pass(Model& model, const std::string& name, const std::str
   contact::Interface interface;
   interface.name = name;
   interface.kind = options.kind;
-  interface.base = contact::base_surface(base, static_cast<Index>(model.mesh.X.cols()));
+  interface.base = contact::base_surface(base, model.mesh.X);
+  interface.own = contact::fans(apexes.facets, static_cast<Index>(model.mesh.X.cols()));
   interface.apexes = mesh::surface_nodes(apexes);
   interface.area = mesh::tributary_areas(model.mesh, apexes, interface.apexes);
   interface.facet_area = mesh::facet_areas(model.mesh, base);
@@ -175,12 +166,12 @@ Connected connect_one_pass(Model& model, const std::string& name, const std::str
   connected.gaps =
       contact::connect(interface, model.mesh.X, reach, options.height, options.initial_penetration, connected.memory, workspace);
   if (options.penalty_from == PenaltyFrom::masses) {
-    const contact::Memory trial = tried_out(interface, model, reach, connected.memory, workspace);
+    const contact::Memory trial = contact::tried_out(interface, model.mesh.X, reach, workspace);
     interface.spring = share * springs_from_masses(interface, model.mass, options.step_share * element_step(model), trial);
     interface.penalty = interface.spring.sum() / interface.area.sum();
   }
   if (options.damping_ratio > 0) {
-    const contact::Memory trial = tried_out(interface, model, reach, connected.memory, workspace);
+    const contact::Memory trial = contact::tried_out(interface, model.mesh.X, reach, workspace);
     const double step = contact::stable_step(interface, model.mass, model.inertia, trial, workspace).step;
     interface.damping_time = 2 * options.damping_ratio * step / interface.impact_step_factor;  // 2 zeta / omega
   }

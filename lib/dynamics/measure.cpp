@@ -79,10 +79,10 @@ double of_body(const View& view, const std::vector<std::size_t>& blocks, std::st
 
 Vec3 contact_force(const View& view, std::size_t interface) {
   Vec3 sum = Vec3::Zero();
-  for (const auto& element : view.now.interfaces[interface].elements)
-    if (element.closed) sum += element.scale * element.apex;
-  for (const auto& friction : view.now.interfaces[interface].friction)
-    if (friction.acts) sum += friction.force;
+  for (const contact::Near& near : view.now.interfaces[interface].near) {
+    if (near.element.closed) sum += near.element.scale * near.element.apex;
+    if (near.friction.acts) sum += near.friction.force;
+  }
   return sum;
 }
 
@@ -101,11 +101,8 @@ ContactState contact_state(const View& view, std::size_t c) {
 double least_gap(const View& view, std::size_t c) {
   const contact::Interface& interface = view.model.interfaces[c];
   const contact::Memory& memory = view.now.interfaces[c];
-  double least = std::numeric_limits<double>::infinity();
-  for (const double gap : memory.gap) least = gap < least ? gap : least;  // NaN where unpaired
-  if (least <= memory.margin) return least;  // who is unpaired is farther away
   const Vec3 extent = view.now.x.rowwise().maxCoeff() - view.now.x.rowwise().minCoeff();
-  return contact::least_gap(interface, view.now.x, extent.norm());
+  return contact::least_gap(interface, view.now.x, memory, extent.norm());
 }
 
 Vec3 mean_force(const View& view, std::size_t source, ProbeMemory& memory) {

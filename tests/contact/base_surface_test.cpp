@@ -1,4 +1,4 @@
-#include "contact/base_surface.hpp"
+#include "contact/search.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +8,7 @@
 #include <random>
 
 #include "base/check.hpp"
+#include "contact/stand.hpp"
 #include "geometry/height.hpp"
 #include "mesh/box.hpp"
 #include "mesh/cylinder.hpp"
@@ -53,7 +54,7 @@ TEST(BaseSurface, OfAClosedBodyHasNoBorder) {
 }
 
 TEST(BaseSurface, OfOneFacetIsAllBorder) {
-  const BaseSurface base = base_surface({"one", Table<3>(Eigen::Vector3i(0, 1, 2))}, 3);
+  const BaseSurface base = base_surface({"one", Table<3>(Eigen::Vector3i(0, 1, 2))}, Mat3::Identity());
   EXPECT_EQ(base.neighbour.maxCoeff(), -1);
 }
 
@@ -62,7 +63,7 @@ TEST(BaseSurface, RefusesAnEdgeWithThreeFacets) {
   facets << 0, 1, 0,
             1, 0, 1,
             2, 3, 4;
-  EXPECT_THROW(base_surface({"book", facets}, 5), InternalError);
+  EXPECT_THROW(base_surface({"book", facets}, Vectors::Random(3, 5)), InternalError);
 }
 
 TEST(BaseSurface, RefusesNeighboursThatDisagreeAboutTheirSide) {
@@ -70,7 +71,7 @@ TEST(BaseSurface, RefusesNeighboursThatDisagreeAboutTheirSide) {
   facets << 0, 0,
             1, 1,
             2, 3;
-  EXPECT_THROW(base_surface({"fold", facets}, 4), InternalError);
+  EXPECT_THROW(base_surface({"fold", facets}, Vectors::Random(3, 4)), InternalError);
 }
 
 /// Distance to the nearest facet, by looking at all.
@@ -81,6 +82,9 @@ double nearest_of_all(const BaseSurface& base, const Vectors& x, const Vector<do
   return std::sqrt(least);
 }
 
+/// The distance from where a walk ends.
+double distance_of(const Stand& end) { return std::hypot(end.over.height, end.past); }
+
 /// From every facet that faces the point, for points about `off` away from random places of the
 /// surface. On the back of a faceted ball a walk may end: seen from there the facet opposite is the
 /// nearest around, as it is no sphere.
@@ -88,7 +92,7 @@ void walks_to_the_closest(const Shape& shape, double off, double low_side, doubl
   const BaseSurface base = base_of(shape);
   std::mt19937 random(5);
   std::uniform_real_distribution<double> unit(0, 1);
-  int hops = 0;
+  int walked = 0;
   for (int trial = 0; trial < 60; ++trial) {
     const auto c = corners(base, shape.x, static_cast<Index>(unit(random) * base.facets.cols()));
     const double a = unit(random), b = (1 - a) * unit(random);
@@ -98,62 +102,104 @@ void walks_to_the_closest(const Shape& shape, double off, double low_side, doubl
     const double least = nearest_of_all(base, shape.x, p);
     for (Index from = 0; from < base.facets.cols(); ++from) {
       if (geometry::facet_height(corners(base, shape.x, from), p).height < 0 && low_side == 0) continue;
-      const WalkEnd end = walk(base, shape.x, p, from);
-      ASSERT_GE(end.feature.facet, 0);
-      const double distance = std::sqrt(end.closest.distance_squared);
+      const Stand end = stand(base, shape.x, {p.x, p.y, p.z}, from);
       const bool on_a_flank = in_valleys > 0 && end.feature.kind == Kind::facet;
-      EXPECT_NEAR(distance, least, on_a_flank ? in_valleys * least : 1e-9);
-      hops = std::max(hops, end.hops);
+      EXPECT_NEAR(std::abs(distance_of(end)), least, on_a_flank ? in_valleys * least : 1e-9);
+      walked += end.feature.facet != from;
     }
   }
-  EXPECT_GT(hops, 2);
+  EXPECT_GT(walked, 200);
 }
 
-TEST(Walk, EndsAtTheClosestFeatureOfAPlain) {
+TEST(Stand, IsOverTheClosestFeatureOfAPlain) {
   walks_to_the_closest(sheet(8, 6, [](double, double) { return 0.0; }), 0.3, -1);
 }
-TEST(Walk, EndsAtTheClosestFeatureOfARidge) {
-  walks_to_the_closest(sheet(8, 6, [](double x, double) { return -std::abs(x - 4); }), 0.5, 0);
+TEST(Stand, IsOverTheClosestFeatureOfARidge) {
+  walks_to_the_closest(sheet(8, 6, [](double x, double) { return -0.8 * std::abs(x - 4); }), 0.5, 0);
 }
-TEST(Walk, EndsAtTheClosestFeatureOfAShallowValley) {
+TEST(Stand, IsOverTheClosestFeatureOfAShallowValley) {
   walks_to_the_closest(sheet(8, 6, [](double x, double) { return 0.2 * std::abs(x - 4); }), 0.3, 0);
 }
-TEST(Walk, EndsAtTheClosestFeatureOutsideABall) { walks_to_the_closest(ball(3), 1.0, 0); }
-TEST(Walk, EndsInsideATubeOnAFlankThatOwnsTheApex) {
+TEST(Stand, IsOverTheClosestFeatureOutsideABall) { walks_to_the_closest(ball(3), 1.0, 0); }
+TEST(Stand, InsideATubeIsOverAFlankThatOwnsTheApex) {
   // in a valley Eq. 14 holds for both flanks; their heights differ by less than the angle's square
   const mesh::Mesh tube = mesh::tube("tube", {1, 1, mesh::Revolution::quarter, 4, 5});
   walks_to_the_closest({tube.X, mesh::surface(tube, "tube.inside").facets}, 0.02, 0, 0.02);
 }
-TEST(Walk, EndsAtTheClosestFeatureOutsideATube) {
+TEST(Stand, IsOverTheClosestFeatureOutsideATube) {
   const mesh::Mesh tube = mesh::tube("tube", {1, 1, mesh::Revolution::full, 3, 5});
   walks_to_the_closest({tube.X, mesh::surface(tube, "tube.outside").facets}, 0.5, 0);
 }
-TEST(Walk, EndsAtTheClosestFeatureOfABoxWithSharpEdges) {
+TEST(Stand, IsOverTheClosestFeatureOfTheSideOfABox) {
   const mesh::Mesh box = mesh::box("box", {Vec3::Zero(), Vec3(1, 1, 1), {3, 3, 3}});
   walks_to_the_closest({box.X, mesh::surface(box, "box.z_high").facets}, 0.5, 0);
 }
 
-TEST(Walk, StopsInADeepValleyWhereTheDistanceFallsNoMore) {
-  // Two walls face each other: from the far one the walk cannot see the near one. The search can.
-  const Shape shape = sheet(8, 2, [](double x, double) { return 4 * std::abs(x - 4); });
-  const BaseSurface base = base_of(shape);
-  const Vector<double> p{4.6, 1, 12};
-  Index far = 0;
-  for (Index f = 0; f < base.facets.cols(); ++f)
-    if (shape.x(0, base.facets(0, f)) < shape.x(0, base.facets(0, far)) + 0.01 && shape.x(2, base.facets(0, f)) > 11) far = f;
-  const WalkEnd end = walk(base, shape.x, p, far);
-  EXPECT_GT(std::sqrt(end.closest.distance_squared), nearest_of_all(base, shape.x, p) + 0.1);
+/// The skin of a box of 3 x 3 x 1 cells, 0.3 thick.
+Shape skin() {
+  const mesh::Mesh box = mesh::box("box", {Vec3::Zero(), Vec3(1, 1, 0.3), {3, 3, 1}});
+  Shape shape{box.X, Table<3>(3, 0)};
+  for (const char* side : {"x_low", "x_high", "y_low", "y_high", "z_low", "z_high"}) {
+    const Table<3>& facets = mesh::surface(box, std::string("box.") + side).facets;
+    shape.facets.conservativeResize(3, shape.facets.cols() + facets.cols());
+    shape.facets.rightCols(facets.cols()) = facets;
+  }
+  return shape;
+}
+Index facet_below(const BaseSurface& base, const Vectors& x, const Vec3& point, const Vec3& normal) {
+  for (Index f = 0; f < base.facets.cols(); ++f) {
+    const FeatureHeight over = height_over(base, x, {f, Kind::facet, 0}, point);
+    if (over.normal.dot(normal) > 0.9 && *std::min_element(over.weight.begin(), over.weight.end()) >= 0) return f;
+  }
+  return -1;
 }
 
-TEST(Walk, EndsWhereItStandsForAnApexOnAVertex) {
+TEST(BaseSurface, HasWallsAtTheEdgesOfABoxAndNoneElsewhere) {
+  const Shape shape = skin();
+  const BaseSurface base = base_of(shape);
+  int walls = 0;
+  for (Index f = 0; f < base.facets.cols(); ++f)
+    for (int e = 0; e < 3; ++e) {
+      const double cosine = facet_normal(base, shape.x, f).dot(facet_normal(base, shape.x, base.neighbour(e, f)));
+      EXPECT_EQ(base.wall[f][e], cosine < 0.5);
+      walls += base.wall[f][e];
+    }
+  EXPECT_EQ(walls, 2 * (8 * 3 + 4));
+}
+
+TEST(BaseSurface, KnowsTheMaterialBehindEachFacet) {
+  const Shape shape = skin();
+  const BaseSurface base = base_of(shape);
+  for (Index f = 0; f < base.facets.cols(); ++f)
+    EXPECT_NEAR(base.thickness(f), std::abs(facet_normal(base, shape.x, f).z()) > 0.5 ? 0.3 : 1.0, 1e-12);
+  EXPECT_TRUE(std::isinf(base_of(sheet(2, 2, [](double, double) { return 0.0; })).thickness(0)));
+}
+
+TEST(Stand, PastAWallIsOverThePlaneOfItsFacet) {
+  const Shape shape = skin();
+  const BaseSurface base = base_of(shape);
+  const Index top = facet_below(base, shape.x, {0.9, 0.4, 0.3}, Vec3::UnitZ());
+  const Stand end = stand(base, shape.x, {1.02, 0.4, 0.25}, top);
+  EXPECT_NEAR(end.over.height, -0.05, 1e-14);
+  EXPECT_NEAR(end.past, 0.02, 1e-14);
+  EXPECT_NEAR(end.outward.x(), 1, 1e-14);
+  EXPECT_NEAR(end.over.normal.z(), 1, 1e-14);
+}
+
+TEST(Stand, StaysOnItsSideOfAThinBody) {
+  const Shape shape = skin();
+  const BaseSurface base = base_of(shape);
+  const Index top = facet_below(base, shape.x, {0.5, 0.4, 0.3}, Vec3::UnitZ());
+  const Stand end = stand(base, shape.x, {0.52, 0.4, 0.02}, top);  // the bottom is nearer
+  EXPECT_NEAR(end.over.height, -0.28, 1e-14);
+}
+
+TEST(Stand, OverAPlainKeepsToTheFacetInUseAtItsBorder) {
   const Shape shape = sheet(4, 4, [](double, double) { return 0.0; });
   const BaseSurface base = base_of(shape);
   const Index node = 12;
-  for (Index f = 0; f < base.facets.cols(); ++f) {
-    const WalkEnd end = walk(base, shape.x, position(shape.x, node), f);
-    EXPECT_EQ(end.feature.kind, Kind::vertex);
-    EXPECT_EQ(base.facets(end.feature.local, end.feature.facet), node);
-  }
+  for (Index r = base.ring_begin[node]; r < base.ring_begin[node + 1]; ++r)
+    EXPECT_EQ(stand(base, shape.x, Vec3(shape.x.col(node)) + Vec3(0, 0, 0.1), base.ring[r]).feature.facet, base.ring[r]);
 }
 
 double flat_sheet(double, double) { return 0; }

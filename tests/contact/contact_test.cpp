@@ -55,6 +55,9 @@ struct Scene {
 
   Index apex(Index a = 0) const { return interface.apexes[a]; }
   void move(const Vec3& to, Index a = 0) { x.col(apex(a)) = to; }
+  const Near& near(Index a = 0) const { return *contact::near(memory, a); }
+  const ElementForces& element(Index a = 0) const { return near(a).element; }
+  double offset(Index a) const { return near(a).tracks.count > 0 ? interface.contact_height(a) - near(a).tracks.track[0].height : 0; }
   void update(double dt = 0) { advance(interface, x, Vectors::Zero(3, x.cols()), none, dt, memory, workspace); }
   Vectors forces() const {
     Vectors f = Vectors::Zero(3, x.cols());
@@ -68,7 +71,9 @@ Interface interface_over(const Shape& shape, Index apexes) {
   Interface in;
   in.name = "interface";
   const auto first = static_cast<Index>(shape.x.cols());
-  in.base = base_surface({"base", shape.facets}, first + apexes);
+  Vectors X = Vectors::Zero(3, first + apexes);
+  X.leftCols(first) = shape.x;
+  in.base = base_surface({"base", shape.facets}, X);
   for (Index a = 0; a < apexes; ++a) in.apexes.push_back(first + a);
   in.area = Scalars::Constant(apexes, 1.0);
   in.facet_area.resize(shape.facets.cols());
@@ -184,7 +189,7 @@ TEST(Force, InAValleyIsTheGradientOfTheStoredEnergy) {
     // a depth of 0.03 at equal heights, a little off the middle so that both flanks push unequally
     const double up = 0.07 * std::sqrt(1 + slope * slope);
     const Scene scene = press(sheet(4, 4, fold(slope), 0), {{2 + 0.003 * slope, 1.3, up}}, 0.1);
-    EXPECT_EQ(scene.memory.elements[0].count, 6) << slope;
+    EXPECT_EQ(scene.element().count, 2) << slope;
     has_a_potential(scene, by_differences);
   }
 }
@@ -195,7 +200,7 @@ TEST(Force, BelowAValleyIsTheGradientOfTheStoredEnergy) {
 
 TEST(Force, InACornerOfThreeFlanksIsTheGradientOfTheStoredEnergy) {
   const Scene scene = press(corner(true), {Vec3(0.06, 0.07, 0.08)}, 0.1);
-  EXPECT_EQ(scene.memory.elements[0].count, 9);
+  EXPECT_EQ(scene.element().count, 3);
   has_a_potential(scene, by_differences);
   EXPECT_LT((scene.forces().col(scene.apex()) - penalty * Vec3(0.04, 0.03, 0.02)).norm(), 1e-10);
 }
@@ -206,7 +211,7 @@ TEST(Force, AtASaddleIsTheGradientOfTheStoredEnergy) {
   for (const double x : {2.0007, 2.01, 1.97}) {
     for (const double y : {2.0011, 2.004, 1.98}) {
       const Scene scene = press(sheet(4, 4, saddle, 0), {{x, y, 0.085}}, 0.1);
-      several += scene.memory.elements[0].count > 3;
+      several += scene.element().count > 1;
       has_a_potential(scene, 1e-5);
     }
   }
@@ -237,8 +242,11 @@ TEST(Force, OverRandomGroundIsTheGradientOfTheStoredEnergy) {
     }
     if (scene.memory.status[0] != Status::closed) continue;
     ++closed;
-    const int nodes = scene.memory.elements[0].count;
-    several += nodes > 3, mixed += nodes > 3 && nodes % 3 != 0;
+    const ElementForces& element = scene.element();
+    bool over_edge = false;
+    for (int i = 0; i < element.count; ++i)
+      for (const double weight : element.stencil[i].weight) over_edge = over_edge || weight == 0;
+    several += element.count > 1, mixed += element.count > 1 && over_edge;
     const double error = gradient_error(scene);
     worst = std::max(worst, error);
     wrong += error > 1e-5;
@@ -258,7 +266,7 @@ TEST(Force, OnASymmetryPlaneIsTheGradientOfTheStoredEnergy) {
   allowed(0, 0) = 0;
   scene.interface.allowed.assign(1, allowed);
   scene.update();
-  EXPECT_EQ(scene.memory.elements[0].count, 3);
+  EXPECT_EQ(scene.element().count, 1);
   EXPECT_LT(gradient_error(scene), by_differences);
 }
 
@@ -281,12 +289,11 @@ struct Rubbing {
     scene.interface.friction = {coefficient, stick};
     scene.interface.weights = weights;
     scene.workspace = Workspace(scene.interface);
-    scene.memory.friction.resize(scene.interface.friction.coefficient > 0 ? scene.interface.apexes.size() : 0);
     scene.memory.slip.assign(1, Vec3::Zero());
     scene.memory.tangential_stored.assign(1, 0.0);
     scene.update();
   }
-  const FrictionForces& friction() const { return scene.memory.friction[0]; }
+  const FrictionForces& friction() const { return scene.near().friction; }
   void drag(const Vec3& velocity, double dt, int steps) {
     v.col(scene.apex()) = velocity;
     for (int step = 0; step < steps; ++step) {
@@ -507,7 +514,7 @@ TEST(Drag, OverAPlainOfIrregularFacetsKeepsTheForceToRoundOff) {
   EXPECT_NEAR(seen.most, penalty * 0.03, 1e-9);
   EXPECT_GE(scene.memory.walks, 8);
   EXPECT_EQ(scene.memory.walks, scene.memory.reconnections[0]);
-  EXPECT_EQ(scene.memory.unpaired, 0);
+  EXPECT_EQ(scene.memory.lost, 0);
   EXPECT_NEAR(scene.memory.created_by_reconnection, 0, 1e-12);
 }
 
@@ -565,7 +572,7 @@ TEST(Drag, AroundABallLosesNoStepAndDoesNotJump) {
   EXPECT_EQ(seen.missed, 0);
   EXPECT_LT(seen.largest_jump, 3 * penalty * 2 * pi * 1.6 / steps);
   EXPECT_GT(scene.memory.walks, 10);
-  EXPECT_EQ(scene.memory.unpaired, 0);
+  EXPECT_EQ(scene.memory.lost, 0);
 }
 
 TEST(Drag, AroundTheInsideOfATubeLosesNoStepAndDoesNotJump) {
@@ -612,7 +619,7 @@ TEST(Ridge, IsNoThinWallForAnApexAboveIt) {
 TEST(Ridge, WithoutContactHeightPushesTheShallowWayOut) {
   // Below a ridge two facets own the apex. The force is that of the less deep: never more than the
   // penalty times the depth; the energy is continuous where the direction turns, on the bisector.
-  for (const double turn : {10.0, 45.0, 90.0, 120.0}) {
+  for (const double turn : {10.0, 45.0, 80.0}) {
     const double slope = std::tan(turn / 2 * pi / 180), cosine = 1 / std::sqrt(1 + slope * slope);
     Scene scene = press(sheet(4, 4, fold(-slope), 0), {{1.7, 1.3, -slope * 0.3 - 0.05}}, 0.0);
     double energy = stored(scene.memory), jump = 0;
@@ -680,58 +687,90 @@ TEST(Retardation, ScalesAllForcesOfAnElementSoThatNoneIsLeftOver) {
   Vectors v = Vectors::Zero(3, scene.x.cols());
   v.col(scene.apex()) = Vec3(3, -2, -7);
   advance(scene.interface, scene.x, v, none, 1e-6, scene.memory, scene.workspace);
-  EXPECT_GT(scene.memory.elements[0].scale, 1);
+  EXPECT_GT(scene.element().scale, 1);
   const Vectors f = scene.forces();
   EXPECT_LT(f.rowwise().sum().norm(), 1e-12 * f.norm());
 }
 
 // ------------------------------------------------------------------ the border, and being lost
 
-TEST(Border, AnApexThatLeavesIsBeyondWithoutForceAndComesBack) {
+TEST(Border, TheLayerIsRoundWithContactHeightAndAnApexThatLeavesComesBack) {
   Scene scene = press(sheet(4, 4, flat), {{3.9, 2.2, 0.07}}, 0.1);
-  EXPECT_EQ(scene.memory.status[0], Status::closed);
-  scene.move({4.0, 2.2, 0.07});  // exactly on the border: still over the surface
-  scene.update();
-  EXPECT_EQ(scene.memory.status[0], Status::closed);
-  EXPECT_NEAR(scene.forces()(2, scene.apex()), penalty * 0.03, 1e-9);
-  scene.move({4.04, 2.2, 0.07});  // within the margin: half of what a border apex stands for lies inside
-  scene.update();
-  EXPECT_EQ(scene.memory.status[0], Status::closed);
+  for (const double x : {3.9, 4.0}) {  // on the border it is still over the surface
+    scene.move({x, 2.2, 0.07});
+    scene.update();
+    EXPECT_LT((scene.element().apex - Vec3(0, 0, penalty * 0.03)).norm(), 1e-9) << x;
+  }
+  for (const double x : {4.02, 4.05, 4.07}) {
+    scene.move({x, 2.2, 0.07});
+    scene.update();
+    const Vec3 way(x - 4, 0, 0.07);
+    EXPECT_LT((scene.element().apex - penalty * (0.1 - way.norm()) * way.normalized()).norm(), 1e-9) << x;
+    has_a_potential(scene, by_differences);
+  }
   scene.move({4.15, 2.2, 0.07});
   scene.update();
-  EXPECT_EQ(scene.memory.status[0], Status::off_surface);
+  EXPECT_EQ(scene.memory.status[0], Status::open);
   EXPECT_TRUE(scene.forces().isZero(0));
-  EXPECT_EQ(stored(scene.memory), 0);
   scene.move({4.15, 4.15, 0.07});  // beyond a corner
   scene.update();
-  EXPECT_EQ(scene.memory.status[0], Status::off_surface);
+  EXPECT_EQ(scene.memory.status[0], Status::open);
   scene.move({3.9, 3.95, 0.07});
   scene.update();
   EXPECT_EQ(scene.memory.status[0], Status::closed);
 }
 
-TEST(Border, OfAnApexOnASymmetryPlaneHasTheMarginOfAllOthers) {
+TEST(Border, WithoutContactHeightTheForceFadesPastItAlongAPotential) {
+  Scene scene = press(sheet(4, 4, flat), {{3.9, 2.2, -0.03}}, 0);
+  double before = penalty * 0.03;
+  for (const double past : {0.0, 0.005, 0.02, 0.04, 0.059}) {  // gone at twice the depth
+    scene.move({4 + past, 2.2, -0.03});
+    scene.update();
+    const double u = past / 0.06, left = 0.03 * (1 - u * u);
+    EXPECT_NEAR(std::sqrt(2 * stored(scene.memory) / penalty), left, 1e-12);
+    EXPECT_LE(scene.element().apex.z(), before * (1 + 1e-9));
+    before = scene.element().apex.z();
+    if (past > 0) has_a_potential(scene, by_differences);
+  }
+  scene.move({4.061, 2.2, -0.03});
+  scene.update();
+  EXPECT_EQ(scene.near().tracks.count, 0);
+  EXPECT_EQ(scene.memory.lost, 1);
+  EXPECT_TRUE(scene.forces().isZero(0));
+  for (const Vec3& place : {Vec3(4.02, 4.03, -0.03), Vec3(4.01, 3.2, -0.002)}) {  // past a corner; shallow, over the least way
+    Scene other = press(sheet(4, 4, flat), {{3.9, 3.3, place.z()}}, 0);
+    other.move(place);
+    other.update();
+    has_a_potential(other, 2e-6);
+  }
+}
+
+TEST(Border, BelowTheSurfaceAndPastItsWallTheLayerHasAPotential) {
+  for (const double past : {0.01, 0.03, 0.08}) {
+    Scene scene = press(sheet(4, 4, flat), {{3.9, 2.2, -0.02}}, 0.1);
+    scene.move({4 + past, 2.2, -0.02});
+    scene.update();
+    has_a_potential(scene, 2e-6);
+  }
+}
+
+TEST(Border, OfAnApexOnASymmetryPlaneActsAsAllOthers) {
   // the sheet ends at x = 0 because its image goes on there, and at y = 4 because it ends
   Mat3 allowed = Mat3::Identity();
   allowed(0, 0) = 0;
-  for (const bool on_plane : {false, true}) {
-    for (const double contact_height : {0.1, 0.0}) {
-      const double height = contact_height - 0.03;
-      Scene scene = press(sheet(4, 4, flat), {{0, 3.9, height}}, contact_height);
-      if (on_plane) {
-        scene.interface.allowed.assign(1, allowed);
-        goes_on_behind(scene.interface.base, nodes_at_zero(sheet(4, 4, flat).x, 0));
-      }
-      for (const double y : {3.9, 4.0, 4.001, 4.03}) {
-        scene.move({0, y, height});
-        scene.update();
-        EXPECT_EQ(scene.memory.status[0], Status::closed) << on_plane << ' ' << contact_height << ' ' << y;
-        EXPECT_LT((scene.memory.elements[0].apex - Vec3(0, 0, penalty * 0.03)).norm(), 1e-9)
-            << on_plane << ' ' << contact_height << ' ' << y;
-      }
-      scene.move({0, 4.15, height});
-      scene.update();
-      EXPECT_EQ(scene.memory.status[0], Status::off_surface);
+  for (const double contact_height : {0.1, 0.0}) {
+    const double height = contact_height - 0.03;
+    Scene in_plane = press(sheet(4, 4, flat), {{0, 3.9, height}}, contact_height);
+    Scene inside = press(sheet(4, 4, flat), {{1.2, 3.9, height}}, contact_height);
+    in_plane.interface.allowed.assign(1, allowed);
+    goes_on_behind(in_plane.interface.base, nodes_at_zero(sheet(4, 4, flat).x, 0));
+    for (const double y : {3.9, 4.0, 4.001, 4.03, 4.15}) {
+      in_plane.move({0, y, height});
+      inside.move({1.2, y, height});
+      in_plane.update();
+      inside.update();
+      EXPECT_EQ(in_plane.memory.status[0], inside.memory.status[0]) << contact_height << ' ' << y;
+      EXPECT_LT((allowed * in_plane.element().apex - inside.element().apex).norm(), 1e-9) << contact_height << ' ' << y;
     }
   }
 }
@@ -752,7 +791,7 @@ TEST(Lost, AnApexOutOfReachIsFoundAgainByTheSearch) {
   scene.update();
   EXPECT_EQ(scene.memory.status[0], Status::unpaired);
   EXPECT_TRUE(std::isnan(scene.memory.gap[0]));
-  EXPECT_EQ(scene.memory.unpaired, 0) << "counts walks that did not end, and not apexes that are far";
+  EXPECT_EQ(scene.memory.lost, 0) << "counts walks that did not end, and not apexes that are far";
   EXPECT_TRUE(scene.forces().isZero(0));
   scene.move({3.4, 3.2, 0.06});
   int steps = 0;
@@ -795,7 +834,7 @@ TEST(InitialGaps, OfPositionsThatAreNotFiniteFindNoBase) {
   EXPECT_EQ(press(shape, {{0.4, 1e300, 0.2}, {0.4, 0.2, 0.2}}, 0.1).gaps.without_base, 1);
 }
 
-TEST(Lost, EnergyThatASearchChangesIsBookedAsReconnection) {
+TEST(Lost, EnergyOfAnApexThatJumpsAwayIsBookedAsReconnection) {
   // two sheets apart; the apex jumps from contact with one into contact with the other
   Shape two = sheet(2, 2, flat);
   const Shape other = sheet(2, 2, flat);
@@ -810,8 +849,9 @@ TEST(Lost, EnergyThatASearchChangesIsBookedAsReconnection) {
   const double before = stored(scene.memory);
   scene.move({11.3, 1.2, 0.05});
   scene.update();
+  scene.update();
   EXPECT_EQ(scene.memory.status[0], Status::closed);
-  EXPECT_NEAR(scene.memory.created_by_reconnection, stored(scene.memory) - before, 1e-15);
+  EXPECT_NEAR(scene.memory.created_by_reconnection, -before, 1e-15);
 }
 
 // ------------------------------------------------------------------ odd surfaces
@@ -912,7 +952,7 @@ Cask cask(mesh::Revolution turn, int core, int along, double clearance) {
   const mesh::Surface& side = mesh::surface(joined, "lead.side");
   const mesh::Surface& inside = mesh::surface(joined, "skin.inside");
   Interface in;
-  in.base = base_surface(inside, static_cast<Index>(joined.X.cols()));
+  in.base = base_surface(inside, joined.X);
   in.apexes = mesh::surface_nodes(side);
   in.area = mesh::tributary_areas(joined, side, in.apexes);
   in.facet_area = mesh::facet_areas(joined, inside);
@@ -969,7 +1009,7 @@ TEST(Cask, PushesEachApexByItsTributaryAreaOnceAlsoOnSymmetryPlanes) {
         for (Index a = 0; a < apexes; ++a) {
           Vec3 out = start.col(c.scene.apex(a));
           out.z() = 0;
-          f(a) = -c.scene.memory.elements[a].apex.dot(out.normalized());
+          f(a) = -c.scene.element(a).apex.dot(out.normalized());
         }
         return f;
       };
@@ -999,8 +1039,8 @@ TEST(Cask, ApexesOnSymmetryPlanesFeelTheMirrorImages) {
     ASSERT_GE(b, 0);
     const Mat3& allowed = quarter.scene.interface.allowed[a];
     const double part = quarter.scene.interface.area(a) / full.scene.interface.area(b);
-    const Vec3 f = full.scene.memory.elements[b].apex;
-    EXPECT_LT((allowed * quarter.scene.memory.elements[a].apex - part * f).norm(), 1e-6 * f.norm());
+    const Vec3 f = full.scene.element(b).apex;
+    EXPECT_LT((allowed * quarter.scene.element(a).apex - part * f).norm(), 1e-6 * f.norm());
   }
 }
 
@@ -1017,9 +1057,10 @@ TEST(Cask, TurnedInsideOutFeelsTheMirrorImagesOfARidge) {
   for (Index a = 0; a < 3; ++a) {
     Vec3 out = apexes[a];
     out.z() = 0;
-    EXPECT_LT((scene.memory.elements[a].apex - penalty * 0.05 * out.normalized()).norm(), 1e-9);
+    EXPECT_LT((scene.element(a).apex - penalty * 0.05 * out.normalized()).norm(), 1e-9);
   }
-  EXPECT_EQ(scene.memory.status[3], Status::off_surface);  // off the end of the tube
+  const Vec3 off_the_end = (Vec3(apexes[3]) - Vec3(1, 0, 1));  // around the border the layer is round
+  EXPECT_LT((scene.element(3).apex - penalty * (0.1 - off_the_end.norm()) * off_the_end.normalized()).norm(), 1e-9);
 }
 
 // ------------------------------------------------------------------ initial penetration
@@ -1042,8 +1083,8 @@ TEST(InitialPenetrations, AcceptedBecomeOffsetsThatMakeNoForceAndShrink) {
   x << shape.x, Vec3(1.2, 1.3, 0.07), Vec3(2.2, 2.3, -0.01);
   Scene scene = scene_of(x, interface_over(shape, 2), {false, 0, 0.1}, InitialPenetration::accept);
   EXPECT_EQ(scene.gaps.penetrating, 2);
-  EXPECT_NEAR(scene.memory.offset[0], 0.03, 1e-15);
-  EXPECT_NEAR(scene.memory.offset[1], 0.11, 1e-15);
+  EXPECT_NEAR(scene.offset(0), 0.03, 1e-15);
+  EXPECT_NEAR(scene.offset(1), 0.11, 1e-15);
   scene.update();
   EXPECT_LT(scene.forces().norm(), 1e-10);
   scene.x(2, scene.apex(1)) -= 0.02;
@@ -1053,7 +1094,7 @@ TEST(InitialPenetrations, AcceptedBecomeOffsetsThatMakeNoForceAndShrink) {
     scene.x(2, scene.apex(1)) = z;
     scene.update();
     EXPECT_TRUE(scene.forces().col(scene.apex(1)).isZero(0)) << z;
-    EXPECT_NEAR(scene.memory.offset[1], std::max(0.0, 0.1 - z), 1e-15);
+    EXPECT_NEAR(scene.offset(1), std::max(0.0, 0.1 - z), 1e-15);
   }
   scene.x(2, scene.apex(1)) = 0.08;  // and lands on the surface
   scene.update();
@@ -1088,7 +1129,7 @@ TEST(EntryOfAnApex, FromTheSideAsDeepAsItsNeighbourMakesNoForceThatSpringsAndThe
   Scene scene = press(sheet(4, 4, flat), {{2.2, 2.3, 0.1}, {4.5, 2.3, -0.04}}, 0);
   step_to(scene, 0, {2.2, 2.3, -0.03});
   for (double x = 4.4; x > 3.5; x -= 0.02) step_to(scene, 1, {x, 2.3, -0.04});
-  EXPECT_NEAR(scene.memory.offset[1], 0.04, 1e-15);
+  EXPECT_NEAR(scene.offset(1), 0.04, 1e-15);
   EXPECT_NEAR(scene.forces()(2, scene.apex(1)), 0, 1e-9);
   step_to(scene, 1, {3.5, 2.3, -0.05});
   EXPECT_NEAR(scene.forces()(2, scene.apex(1)), penalty * 0.01, 1e-9);
@@ -1115,7 +1156,7 @@ TEST(StableStep, AddsUpSpringsThatShareANode) {
 }
 
 TEST(StableStep, WithoutBasesVotesForNothing) {
-  Scene scene = press(sheet(2, 2, flat), {{50, 50, 50}}, 0.1);
+  Scene scene = press(sheet(2, 2, flat), {{500, 50, 50}}, 0.1);
   EXPECT_GT(stable_step(scene.interface, Scalars::Ones(10), no_inertia, scene.memory, scene.workspace).step, 1e200);
 }
 
@@ -1184,7 +1225,6 @@ Scene many() {
   scene.interface.margin = scene.memory.margin = 0.02;  // many searches
   scene.interface.friction = {0.3, 0.7};
   scene.workspace = Workspace(scene.interface);
-  scene.memory.friction.resize(scene.interface.friction.coefficient > 0 ? scene.interface.apexes.size() : 0);
   scene.memory.slip.assign(200, Vec3::Zero());
   scene.memory.tangential_stored.assign(200, 0.0);
   scene.update();
@@ -1271,7 +1311,7 @@ Impact impact(double step_over_limit, double phase) {
     }
     for (Index n = 0; n < 5; ++n) v.col(n) += dt / mass(n) * f.col(n);
   }
-  EXPECT_EQ(scene.memory.deepest, seen.deepest);
+  EXPECT_NEAR(scene.memory.deepest, seen.deepest, 1e-16);
   seen.momentum = (3 * v.col(0) + v.col(4)).dot(out);
   seen.created = (0.5 * (3 * v.col(0).squaredNorm() + v.col(4).squaredNorm()) - 2.0) / (0.5 * reduced * 4);
   seen.booked = scene.memory.work / (0.5 * reduced * 4);

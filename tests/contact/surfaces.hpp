@@ -66,7 +66,7 @@ inline Shape ball(int times) {
 }
 
 inline BaseSurface base_of(const Shape& shape) {
-  return base_surface({"base", shape.facets}, static_cast<Index>(shape.x.cols()));
+  return base_surface({"base", shape.facets}, shape.x);
 }
 
 }  // namespace nereid::contact::surfaces

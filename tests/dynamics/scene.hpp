@@ -75,21 +75,25 @@ inline std::vector<std::pair<std::string, std::vector<double>>> numbers(const St
     for (const auto status : c.status) add(static_cast<int>(status));
     all(c.gap), all(c.stored), all(c.tangential_stored), all(c.reconnections), all(c.angular_impulse);
     for (const Vec3& slip : c.slip) all(slip);
-    for (const contact::ElementForces& e : c.elements) {
+    all(c.slot), all(c.near_facets);
+    for (const contact::Near& near : c.near) {
+      add(near.apex, near.first_facet, near.facets, near.clear, near.rests, near.tracks.count);
+      for (int i = 0; i < near.tracks.count; ++i) add(near.tracks.track[i].facet, near.tracks.track[i].height);
+      add(near.tracks.out.facet, near.tracks.out.height);
+      if (near.tracks.out.facet >= 0) all(near.tracks.out.weight);
+      const contact::ElementForces& e = near.element;
       all(e.apex), all(e.angular_impulse);
-      add(e.closed, e.count, e.scale, e.stiffness, e.work, e.dissipated, e.created, e.moved, e.has_moment,
-          e.found_anew);
-      for (int i = 0; i < e.count; ++i) add(e.node[i], e.weight[i]);
-      for (int i = 0; e.closed && i < e.count; ++i) all(e.force[i]);
-    }
-    for (const contact::FrictionForces& f : c.friction) {
+      add(e.closed, e.count, e.scale, e.stiffness, e.work, e.dissipated, e.created, e.moved, e.has_moment, e.depth, e.lost);
+      for (int i = 0; i < e.count; ++i)
+        add(e.stencil[i].facet, e.stencil[i].apex), all(e.stencil[i].weight), all(e.stencil[i].push), all(e.stencil[i].share);
+      const contact::FrictionForces& f = near.friction;
       all(f.force), add(f.acts, f.stiffness, f.work, f.dissipated, f.created);
       if (!f.acts) continue;
       all(f.touch.normal), all(f.touch.arm), all(f.touch.node), all(f.touch.weight), all(f.touch.base_arm), all(f.touch.apex_arm);
       add(f.touch.apex, f.touch.base_rotates);
     }
-    add(c.work, c.damped, c.friction_dissipated, c.created_by_reconnection, c.deepest, c.walks, c.unpaired, c.recovered);
-    add(c.searches, c.deepest_now, c.margin), all(c.offset), all(c.apexes_then), all(c.base_then);
+    add(c.work, c.damped, c.friction_dissipated, c.created_by_reconnection, c.deepest, c.walks, c.lost, c.recovered);
+    add(c.searches, c.deepest_now, c.margin), all(c.apexes_then), all(c.base_then);
   }
   for (const contact::PlaneMemory& p : s.rigid_planes) {
     part("rigid plane"), all(p.force), all(p.impulse), all(p.angular_impulse),

@@ -1,0 +1,96 @@
+#include "contact/stand.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/height.hpp"
+
+namespace nereid::contact {
+
+namespace {
+
+using geometry::Closest;
+using geometry::Kind;
+
+constexpr int most_facets = 48;       // that one walk looks at from one facet
+constexpr int most_hops = 100;        // from facet to facet
+constexpr double closer = 1 - 1e-12;  // a walk goes on only downhill, so that it ends
+constexpr double look_around = 2;     // times the distance: what lies behind a nearer edge may be closer
+constexpr double shallow = 0.3;       // of the longest edge: higher or deeper, farther facets may be closer
+constexpr double middle = 0.45;       // of the thickness: from deeper no walk leaves a facet
+constexpr double round_off = 1e-9;    // of the longest edge, and of a weight: over a common edge of a plain a facet has the apex
+
+Vec3 foot_of(const BaseSurface& base, const Vectors& x, Index facet, const std::array<double, 3>& weight) {
+  return weight[0] * x.col(base.facets(0, facet)) + weight[1] * x.col(base.facets(1, facet)) + weight[2] * x.col(base.facets(2, facet));
+}
+
+/// The closest feature of the patch from a facet on, among facets near the foot; changes facet and closest.
+///
+/// returns  whether a closer facet was found
+bool walk_on(const BaseSurface& base, const Vectors& x, const Vector<double>& p, Index& facet, Closest& closest) {
+  const Index from = facet;
+  const Closest here = closest;
+  const Vec3 foot = foot_of(base, x, from, here.weight);
+  const double reach = look_around * std::sqrt(here.distance_squared) + round_off * base.longest(from);
+  const double deepest = middle * base.thickness(from);
+  if (here.kind == Kind::facet && here.distance_squared > deepest * deepest) return false;
+  std::array<Index, most_facets> queue;
+  int count = 1;
+  queue[0] = from;
+  for (int i = 0; i < count; ++i) {
+    for (int e = 0; e < 3; ++e) {
+      const Index next = base.neighbour(e, queue[i]);
+      if (next < 0 || base.wall[queue[i]][e] || count == most_facets) continue;
+      if (std::find(queue.begin(), queue.begin() + count, next) != queue.begin() + count) continue;
+      const Vec3 a = x.col(base.facets(e, queue[i])), along = Vec3(x.col(base.facets((e + 1) % 3, queue[i]))) - a;
+      const double u = std::clamp((foot - a).dot(along) / along.squaredNorm(), 0.0, 1.0);
+      if ((a + u * along - foot).squaredNorm() > reach * reach) continue;
+      queue[count++] = next;
+      const Closest there = geometry::closest_on_triangle(corners(base, x, next), p);
+      if (there.distance_squared < closer * closest.distance_squared) closest = there, facet = next;
+    }
+  }
+  return facet != from;
+}
+
+}  // namespace
+
+bool owns(const BaseSurface& base, const Vectors& x, Index facet, const FeatureHeight& over, double height) {
+  if (!(height < shallow * base.longest(facet))) return false;
+  const double room = base.lean(facet) > 0 ? height * base.lean(facet) * base.longest(facet) / area_vector(base, x, facet).norm() : 0;
+  return std::min({over.weight[0], over.weight[1], over.weight[2]}) >= room - round_off;
+}
+
+Stand stand(const BaseSurface& base, const Vectors& x, const Vec3& point, Index from) {
+  const Vector<double> p{point.x(), point.y(), point.z()};
+  Index facet = from;
+  const FeatureHeight over = height_over(base, x, {facet, Kind::facet, 0}, point);
+  if (owns(base, x, facet, over, std::abs(over.height))) return {.feature = {facet, Kind::facet, 0}, .over = over};
+
+  Closest closest = geometry::closest_on_triangle(corners(base, x, facet), p);
+  for (int hop = 0; hop < most_hops && walk_on(base, x, p, facet, closest); ++hop) continue;
+
+  Stand found{.feature = {facet, closest.kind, closest.local}, .over = {}};
+  const bool wall = closest.kind == Kind::edge     ? base.wall[facet][closest.local]
+                    : closest.kind == Kind::vertex ? at_wall(base, base.facets(closest.local, facet))
+                                                   : false;
+  if (!wall) {
+    found.over = height_over(base, x, found.feature, point);
+    return found;
+  }
+  found.feature = {facet, Kind::facet, 0};
+  found.over = height_over(base, x, found.feature, point);
+  const Vec3 way = point - foot_of(base, x, facet, closest.weight) - found.over.height * found.over.normal;
+  found.past = way.norm();
+  if (found.past > round_off * base.longest(facet)) {
+    found.outward = way / found.past;
+    found.wall = {facet, closest.kind, closest.local};
+    found.wall_weight = closest.weight;
+  } else {
+    found.past = 0;
+  }
+  return found;
+}
+
+}  // namespace nereid::contact

@@ -1,0 +1,22 @@
+#pragma once
+// The one kind of data between finding contact and acting on it: a push of an apex and of the nodes of one facet.
+
+#include <array>
+
+#include "base/types.hpp"
+
+namespace nereid::contact {
+
+/// A push of the apex by `apex` times `push`, and of node I of the facet by minus weight_I times `push`.
+///
+/// Over a facet, an edge or a vertex the weights are those of the foot, and apex is one. The weights of a couple sum to zero, and apex
+/// is zero: it turns the facet.
+struct Stencil {
+  Index facet = -1;
+  double apex = 1;
+  std::array<double, 3> weight{};
+  Vec3 push = Vec3::Zero();        ///< [N]
+  std::array<double, 3> share{};   ///< of the spring's stiffness at the nodes; a node that several stencils of an apex share has it once
+};
+
+}  // namespace nereid::contact

@@ -1,0 +1,261 @@
+#include "contact/tracking.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "contact/stand.hpp"
+#include "geometry/height.hpp"
+
+namespace nereid::contact {
+
+namespace {
+
+using geometry::Closest;
+using geometry::Kind;
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double faces_below = 0.3;   // cosine between the normals of apex and facet
+constexpr double overlap = 1e-3;      // of a facet's weights: neighbours overlap by so much, so that there is no hole between them
+constexpr double round_off = 1e-9;    // of the longest edge
+constexpr double of_places = 1e-15;   // of the coordinates
+constexpr double at_once = 1e-9;      // of a step: crossings that are as early as each other
+constexpr double material = 0.9;      // of the thickness: no contact begins from deeper
+constexpr double shallow = 0.2;       // of the longest edge: nor from deeper, but through the front
+constexpr double far_side = -0.5;     // cosine: facets that are turned so far are not round the corner
+constexpr double like_neighbours = 2;  // times the deepest contact of the step before
+
+Vec3 eigen(const Vector<double>& a) { return {a.x, a.y, a.z}; }
+
+using Corners = std::array<Vector<double>, 3>;
+
+Corners corners_before(const Sweep& s, Index facet) {
+  Corners c = corners(s.base, s.x, facet);
+  for (int a = 0; a < 3; ++a) c[a] = c[a] - s.dt * position(s.v, s.base.facets(a, facet));
+  return c;
+}
+Vector<double> place(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
+Vec3 now(const Sweep& s) { return s.x.col(s.apex); }
+Vec3 before(const Sweep& s) { return s.x.col(s.apex) - s.dt * s.v.col(s.apex); }
+
+double least(const std::array<double, 3>& weight) { return std::min({weight[0], weight[1], weight[2]}); }
+
+/// Whether the apex's own surface faces a normal of the base.
+bool faces(const Sweep& s, const Vec3& normal) {
+  if (s.own.facets.cols() == 0) return true;
+  Vec3 mine = node_normal(s.own, s.x, s.apex);
+  if (s.allowed) mine = (*s.allowed * mine).normalized();
+  return mine.dot(normal) < faces_below;
+}
+
+/// The first facet that a path crosses from its front.
+struct Crossing {
+  Index facet = -1;
+  bool faced = true;
+};
+
+/// The path p0 - p1 in the frame of each near facet, against its plane at a height.
+///
+/// must_face  facets that the apex does not face count only if there is no other
+/// skip(facet, normal, corners)  true for facets that do not count
+template <class Skip>
+Crossing crossed(const Sweep& s, const Vec3& p0, const Vec3& p1, double level, bool must_face, Skip&& skip) {
+  const Vector<double> from = place(p0), to = place(p1);
+  Crossing best;
+  Index not_faced = -1;
+  double first = infinite, steepest = 0;
+  for (const Index f : s.near) {
+    const Corners c1 = corners(s.base, s.x, f);
+    const auto end = geometry::facet_height(c1, to);
+    if (!(end.height < level)) continue;
+    const Corners c0 = corners_before(s, f);
+    const auto start = geometry::facet_height(c0, from);
+    const double tolerance = round_off * s.base.longest(f) + of_places * p1.lpNorm<Eigen::Infinity>();
+    const double fall = start.height - end.height;
+    if (start.height < level - tolerance || !(fall > 0)) continue;
+    const double t = std::clamp((start.height - level) / fall, 0.0, 1.0);
+    if (t > first + at_once) continue;
+    Corners c;  // of the facet where it is then
+    for (int a = 0; a < 3; ++a) c[a] = (1 - t) * c0[a] + t * c1[a];
+    if (least(geometry::facet_height(c, (1 - t) * from + t * to).weight) < -overlap) continue;
+    const Vec3 normal = eigen(end.normal);
+    if (skip(f, normal, c1)) continue;
+    if (must_face && !faces(s, normal)) {
+      not_faced = f;
+      continue;
+    }
+    if (t < first - at_once || fall > steepest) best.facet = f, steepest = fall, first = std::min(t, first);
+  }
+  if (best.facet < 0 && not_faced >= 0) best = {not_faced, false};
+  return best;
+}
+
+/// The shallowest facet behind which a point stands, inside the facet and faced; -1 if there is none.
+///
+/// deepest(facet)  [m] below the surface
+template <class Deepest>
+Index shallowest(const Sweep& s, const Vec3& p, Deepest&& deepest, const Vec3* not_opposite, double& height) {
+  Index best = -1;
+  height = -infinite;
+  for (const Index f : s.near) {
+    const auto over = geometry::facet_height(corners(s.base, s.x, f), place(p));
+    if (!(over.height < s.contact_height) || over.height < -deepest(f) || over.height <= height) continue;
+    if (least(over.weight) < -overlap) continue;
+    const Vec3 normal = eigen(over.normal);
+    if (not_opposite && normal.dot(*not_opposite) < far_side) continue;
+    if (!faces(s, normal)) continue;
+    best = f, height = over.height;
+  }
+  return best;
+}
+
+double deepest_entry(const BaseSurface& base, Index facet) {
+  return std::min(material * base.thickness(facet), shallow * base.longest(facet));
+}
+
+/// The edge or vertex nearer than h_c that a free apex has come in front of, where it was nowhere within h_c before; -1 if there is none.
+Index entered_round_layer(const Sweep& s) {
+  const Vec3 p0 = before(s), p1 = now(s);
+  Index best = -1;
+  double nearest = s.contact_height * s.contact_height;
+  for (const Index f : s.near) {
+    const Corners c = corners(s.base, s.x, f);
+    const Closest closest = geometry::closest_on_triangle(c, place(p1));
+    if (closest.kind == Kind::facet || !(closest.distance_squared < nearest)) continue;
+    const auto over = geometry::facet_height(c, place(p1));
+    if (over.height < 0) continue;
+    const double aside = closest.distance_squared - over.height * over.height, flat = 1e-6 * s.base.longest(f);
+    if (aside < flat * flat) continue;  // over an edge of a plain
+    best = f, nearest = closest.distance_squared;
+  }
+  if (best < 0) return -1;
+  for (const Index f : s.near) {
+    const double was = geometry::closest_on_triangle(corners_before(s, f), place(p0)).distance_squared;
+    if (was < s.contact_height * s.contact_height * (1 - 1e-9)) return -1;
+  }
+  return best;
+}
+
+/// The shallowest facet that a free apex has come under over an open border, no deeper than its neighbours are; -1 if there is none.
+Index entered_under_border(const Sweep& s, double deepest, double& height) {
+  const Vec3 p0 = before(s), p1 = now(s);
+  Index best = -1;
+  height = -infinite;
+  for (const Index f : s.near) {
+    const bool open = s.base.neighbour(0, f) == no_facet || s.base.neighbour(1, f) == no_facet || s.base.neighbour(2, f) == no_facet;
+    if (!open) continue;
+    const auto over = geometry::facet_height(corners(s.base, s.x, f), place(p1));
+    if (!(over.height < s.contact_height) || over.height <= height || least(over.weight) < 0) continue;
+    if (s.contact_height - over.height > like_neighbours * deepest) continue;
+    const auto was = geometry::facet_height(corners_before(s, f), place(p0));
+    bool from_outside = false;
+    for (int e = 0; e < 3; ++e) from_outside = from_outside || (s.base.neighbour(e, f) == no_facet && was.weight[(e + 2) % 3] < 0);
+    if (!from_outside || !faces(s, eigen(over.normal))) continue;
+    best = f, height = over.height;
+  }
+  return best;
+}
+
+bool share_a_node(const BaseSurface& base, Index f, Index g) {
+  for (int a = 0; a < 3; ++a)
+    if ((base.facets.col(g).array() == base.facets(a, f)).any()) return true;
+  return false;
+}
+
+/// Whether a facet is looked after by a track next to it: all that share a node with it, but not the opposite flank of a sharp valley.
+bool around(const Sweep& s, const Tracks& tracks, Index facet, const Vec3& normal, const Corners& c) {
+  for (int k = 0; k < tracks.count; ++k) {
+    const Index there = tracks.track[k].facet;
+    if (!share_a_node(s.base, there, facet)) continue;
+    if (there == facet) return true;
+    const Vec3 n = facet_normal(s.base, s.x, there);
+    const Vec3 centre = eigen(c[0] + c[1] + c[2]) / 3.0, corner = s.x.col(s.base.facets(0, there));
+    if (!(n.dot(normal) <= 0 && n.dot(centre - corner) > 0)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+Vec3 at(const Place& place, const BaseSurface& base, const Vectors& x, const Vectors& v, double earlier) {
+  Corners c = corners(base, x, place.facet);
+  for (int a = 0; a < 3; ++a) c[a] = c[a] - earlier * position(v, base.facets(a, place.facet));
+  const Vec3 normal = eigen(cross(c[1] - c[0], c[2] - c[0])).normalized();
+  return eigen(place.weight[0] * c[0] + place.weight[1] * c[1] + place.weight[2] * c[2]) + place.height * normal;
+}
+
+Vec3 at(const Place& place, const BaseSurface& base, const Vectors& x) {
+  Vec3 sum = place.height * facet_normal(base, x, place.facet);
+  for (int a = 0; a < 3; ++a) sum += place.weight[a] * x.col(base.facets(a, place.facet));
+  return sum;
+}
+
+void enter(const Sweep& s, double deepest, Tracks& tracks) {
+  const auto all = [](Index, const Vec3&, const Corners&) { return false; };
+  const Vec3 p0 = before(s), p1 = now(s);
+  Crossing through = crossed(s, p0, p1, s.contact_height, true, all);
+  if (through.facet >= 0 && through.faced) return tracks.begin(through.facet, s.contact_height);
+  double height = 0;
+  if (s.contact_height > 0) {
+    // between the layers of two facets, and through the surface itself
+    const Crossing surface = crossed(s, p0, p1, 0, true, all);
+    if (surface.facet >= 0 && surface.faced) {
+      const double was = geometry::closest_on_triangle(corners_before(s, surface.facet), place(p0)).distance_squared;
+      height = geometry::facet_height(corners(s.base, s.x, surface.facet), place(p1)).height;
+      return tracks.begin(surface.facet, was < s.contact_height * s.contact_height ? height : s.contact_height);
+    }
+    through = {};  // within the layer a facet that it does not face is the far side of what holds it
+  }
+  if (through.facet >= 0) {
+    const Vec3 normal = facet_normal(s.base, s.x, through.facet);
+    const Index faced = shallowest(s, p1, [&](Index f) { return deepest_entry(s.base, f); }, &normal, height);
+    return faced >= 0 ? tracks.begin(faced, height) : tracks.begin(through.facet, s.contact_height);
+  }
+  if (s.contact_height > 0) {
+    const Index round = entered_round_layer(s);
+    if (round >= 0) return tracks.begin(round, s.contact_height);
+  }
+  const Index sideways = entered_under_border(s, deepest, height);
+  if (sideways >= 0) tracks.begin(sideways, height);
+}
+
+Index other_part(const Sweep& s, const Tracks& before_step, const Tracks& after) {
+  const Vec3 from = before_step.out.facet >= 0 ? at(before_step.out, s.base, s.x, s.v, s.dt) : before(s);
+  const Vec3 to = after.count > 0 && after.out.facet >= 0 ? at(after.out, s.base, s.x) : now(s);
+  const auto skip = [&](Index f, const Vec3& n, const Corners& c) { return after.count > 0 && around(s, after, f, n, c); };
+  return crossed(s, from, to, s.contact_height, false, skip).facet;
+}
+
+Index behind(const Sweep& s, double deepest, double& depth) {
+  const auto limit = [&](Index f) { return std::min(material * s.base.thickness(f), deepest); };
+  Index nearest = -1;
+  double least_squared = infinite;
+  for (const Index f : s.near) {
+    const double squared = geometry::closest_on_triangle(corners(s.base, s.x, f), place(now(s))).distance_squared;
+    if (squared < least_squared) nearest = f, least_squared = squared;
+  }
+  if (nearest >= 0) {  // also in the layer over ridges and borders, and below valleys
+    const Stand there = stand(s.base, s.x, now(s), nearest);
+    const double over = there.over.height, height = there.past > 0 && over >= 0 ? std::sqrt(least_squared) : over;
+    depth = s.contact_height - height;
+    if (depth > 0 && over >= -limit(nearest) && (there.past == 0 || over >= 0) && faces(s, there.over.normal)) return there.feature.facet;
+  }
+  double height = 0;
+  const Index facet = shallowest(s, now(s), limit, nullptr, height);
+  depth = s.contact_height - height;
+  return facet;
+}
+
+double nearest_other_part(const Sweep& s, const Tracks& tracks) {
+  const Vector<double> p = place(now(s));
+  double nearest = infinite;
+  for (const Index f : s.near) {
+    const Corners c = corners(s.base, s.x, f);
+    if (around(s, tracks, f, facet_normal(s.base, s.x, f), c)) continue;
+    nearest = std::min(nearest, geometry::closest_on_triangle(c, p).distance_squared);
+  }
+  return std::sqrt(nearest);
+}
+
+}  // namespace nereid::contact

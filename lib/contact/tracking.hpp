@@ -1,0 +1,76 @@
+#pragma once
+// Which parts of a base surface an apex is in contact with: remembered from its entry until it leaves.
+
+#include <span>
+
+#include "contact/base_surface.hpp"
+
+namespace nereid::contact {
+
+/// Contact of an apex with one part of a base surface.
+struct Track {
+  Index facet = -1;   ///< where it slides now
+  double height = 0;  ///< [m] h_c less the offset: the part of a penetration that makes no force. It rises to h_c as the apex leaves.
+};
+
+/// A point carried along with a facet.
+struct Place {
+  Index facet = -1;
+  std::array<double, 3> weight{};
+  double height = 0;  ///< [m]
+};
+Vec3 at(const Place&, const BaseSurface&, const Vectors& x);
+/// The same where the nodes were `earlier` [s], with velocities constant since.
+Vec3 at(const Place&, const BaseSurface&, const Vectors& x, const Vectors& v, double earlier);
+
+constexpr int most_tracks = 3;
+
+/// All that an apex is in contact with.
+struct Tracks {
+  int count = 0;
+  std::array<Track, most_tracks> track;
+  Place out;  ///< where the apex would be if it were pushed out; the next sweep starts there. Without a facet: where the apex is
+
+  void begin(Index facet, double height) {
+    if (count < most_tracks) track[count++] = {facet, height};
+  }
+};
+
+/// One apex, and what it may have come through in a step.
+struct Sweep {
+  const BaseSurface& base;
+  const Fans& own;              ///< the surface of the apexes; without facets every base faces the apex
+  const Vectors& x;             ///< [m] at the end of the step
+  const Vectors& v;             ///< [m/s] constant over the step
+  double dt;                    ///< [s]
+  std::span<const Index> near;  ///< facets that can have been reached
+  Index apex;                   ///< node
+  const Mat3* allowed;          ///< directions of an apex on a symmetry plane, or null
+  double contact_height;        ///< [m] h_c
+};
+
+/// Looks whether a free apex has come into contact in a step, and begins a track if it has.
+///
+/// It has where its path crosses the plane of a near facet, at h_c or at the surface itself, from the front, inside the facet, and its own
+/// surface faces the facet. Without facing it came over a wall: the track begins at the shallowest facet that it faces, with an offset, so
+/// that nothing springs. The same is so under an open border, down to twice the deepest contact of the step before.
+///
+/// deepest  [m] contact of any apex in the step before
+void enter(const Sweep&, double deepest, Tracks&);
+
+/// Looks whether an apex in contact has come to another part of the surface: what the way of its pushed-out place crosses.
+///
+/// before, after   tracks at the start of the step and at its end
+/// returns  the facet, or -1
+Index other_part(const Sweep&, const Tracks& before, const Tracks& after);
+
+/// The facet that an apex stands behind at the start: the shallowest that faces it, no deeper than the material behind it.
+///
+/// deepest   [m] no facet is looked for from deeper
+/// returns  the facet, or -1;  depth: [m] below h_c
+Index behind(const Sweep&, double deepest, double& depth);
+
+/// [m] The distance from which on a facet can be another part for an apex in contact: the least over near facets that do not touch its tracks.
+double nearest_other_part(const Sweep&, const Tracks&);
+
+}  // namespace nereid::contact

@@ -1,0 +1,34 @@
+#pragma once
+// The way out of contact: the potential of an apex over the parts of a surface that it is in contact with.
+
+#include "contact/projection.hpp"
+#include "contact/stencil.hpp"
+#include "contact/tracking.hpp"
+
+namespace nereid::contact {
+
+constexpr int most_stencils = 9;
+
+/// How an apex is pushed out, for a spring of 1 N/m: the energy is half of `squared`.
+struct WayOut {
+  int count = 0;
+  std::array<Stencil, most_stencils> stencil;
+  Feature strongest;       ///< the feature that pushes hardest; without a push that of the first track
+  double length = 0;       ///< [m] of the longest penetration vector
+  double squared = 0;      ///< [m2] twice the energy
+  double gap = 0;          ///< [m] without a push: the least height above the contact height of a track
+  double depth = 0;        ///< [m] the deepest penetration, without the offset
+  double steepest = 1;     ///< [-] squared gradient of the potential's depth: past a wall it is more than one
+  int lost = 0;            ///< tracks that ended past a wall
+  bool has_moment = false;  ///< feet are found by iteration, or parts act one after the other: the pushes may leave a small moment
+};
+
+/// Finds the shortest way out of all that an apex is in contact with: docs/theory/contact.md.
+///
+/// Moves the tracks to the facets where the apex stands now, raises their heights where a penetration with an offset has shrunk, and ends
+/// those that the apex has left. What pushes against another push is left on a way of its own.
+///
+/// allowed  directions of an apex on a symmetry plane, or null
+WayOut way_out(const BaseSurface&, const Vectors& x, const Vec3& apex, double contact_height, const Mat3* allowed, Tracks&);
+
+}  // namespace nereid::contact
