@@ -48,7 +48,7 @@ DOORS = [
 # Eigen's names are used everywhere but come from one header; a source that needs a cross product or a
 # decomposition may name that part, because it is slow to compile and nobody's vocabulary.
 EIGEN_DOOR = "lib/base/types.hpp"
-EIGEN_IN_SOURCES = {"Dense", "Eigenvalues", "Geometry", "LU", "Cholesky", "QR", "SVD", "SparseCore", "SparseCholesky"}
+EIGEN_IN_SOURCES = {"Dense", "Eigenvalues", "Geometry", "LU", "Cholesky", "QR", "SVD", "SparseCore", "SparseCholesky", "BVH"}
 
 # Headers that the build writes; they belong to no module.
 GENERATED = {"nereid_commit.hpp"}

@@ -17,7 +17,6 @@ namespace {
 using geometry::Kind;
 
 constexpr double sharp = 0.1;       // cosine between the normals at a ridge: below it the edge is a wall
-constexpr double least_fade = 0.02;  // of the size of a face
 constexpr double most_turn = 2.8;   // [rad] between two facets, so that its tangent stays finite
 
 Vec3 eigen(const Vector<double>& a) { return {a.x, a.y, a.z}; }
@@ -89,11 +88,11 @@ void measure_thickness(BaseSurface& base, const Vectors& X) {
 void measure_edges(BaseSurface& base, const Vectors& X) {
   const auto count = static_cast<Index>(base.facets.cols());
   base.wall.assign(count, {true, true, true});
-  base.longest = base.fading = base.lean = Scalars::Zero(count);
+  base.longest = base.size = base.lean = Scalars::Zero(count);
   Scalars turn_at_node = Scalars::Zero(X.cols());
   for (Index f = 0; f < count; ++f) {
     const Vec3 n = facet_normal(base, X, f);
-    base.fading(f) = least_fade * std::sqrt(area_vector(base, X, f).norm());
+    base.size(f) = std::sqrt(area_vector(base, X, f).norm());
     for (int e = 0; e < 3; ++e) {
       const Index one = base.facets(e, f), other = base.facets((e + 1) % 3, f), across = base.neighbour(e, f);
       base.longest(f) = std::max(base.longest(f), (X.col(one) - X.col(other)).norm());

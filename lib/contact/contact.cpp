@@ -152,7 +152,8 @@ void update_element(const Interface& interface, const Vectors& x, const Vectors&
   const Index a = near.apex;
   const double contact_height = interface.contact_height(a);
   const Mat3* allowed = allowed_of(interface, a);
-  const Sweep sweep{interface.base, interface.own, x, v, dt, near_facets(memory, near), interface.apexes[a], allowed, contact_height};
+  const Index node = interface.apexes[a];
+  const Sweep sweep{interface.base, interface.own, x, v, dt, near_facets(memory, near), node, allowed, contact_height};
   const Tracks before = near.tracks;
   if (before.count == 0 && dt > 0) enter(sweep, memory.deepest_now, near.tracks);
   if (before.count == 0 && !(dt > 0)) {  // at the start, displaced from the reference
@@ -163,13 +164,13 @@ void update_element(const Interface& interface, const Vectors& x, const Vectors&
   if (near.tracks.count == 0) return look_around(interface, x, v, moved, near, memory);
   if (before.count == 0) near.clear = -infinite;
 
-  WayOut out = way_out(interface.base, x, x.col(interface.apexes[a]), contact_height, allowed, near.tracks);
+  WayOut out = way_out(interface.base, x, x.col(node), contact_height, allowed, near.tracks);
   if (moved + out.length >= near.clear) {
     const Index other = other_part(sweep, before, near.tracks);
     if (other >= 0) {
       const int lost = out.lost;
       near.tracks.begin(other, contact_height);
-      out = way_out(interface.base, x, x.col(interface.apexes[a]), contact_height, allowed, near.tracks);
+      out = way_out(interface.base, x, x.col(node), contact_height, allowed, near.tracks);
       out.lost += lost;
     }
     near.clear = other >= 0 ? -infinite : nearest_other_part(sweep, near.tracks) - moved - out.length - contact_height;
@@ -572,6 +573,7 @@ InitialGaps connect(Interface& interface, const Vectors& x, double reach, const 
   gaps.apexes = count;
   gaps.least = infinite;
   gaps.largest = -infinite;
+  std::vector<double> initial(count, std::numeric_limits<double>::quiet_NaN());
   workspace.broad.sort(interface.base, x);
   for (Index a = 0; a < count; ++a) {
     const Start start = start_of(interface, x, a, reach, workspace.broad);
@@ -583,11 +585,8 @@ InitialGaps connect(Interface& interface, const Vectors& x, double reach, const 
     // past a wall only the distance has a meaning
     const double h = start.stand.past > 0 ? start.distance : start.stand.over.height;
     if (height.from_initial_height) interface.contact_height(a) = h - height.clearance;
-    const double gap = h - interface.contact_height(a);
-    if (bonded) memory.gap[a] = gap;
-    gaps.least = std::min(gaps.least, gap);
-    gaps.largest = std::max(gaps.largest, gap);
-    gaps.mean += gap;
+    initial[a] = h - interface.contact_height(a);
+    if (bonded) memory.gap[a] = initial[a];
     ++gaps.by_kind[static_cast<int>(start.stand.feature.kind)];
   }
   if (!bonded) {
@@ -599,23 +598,28 @@ InitialGaps connect(Interface& interface, const Vectors& x, double reach, const 
     if (bonded) break;
     const Index a = near.apex, node = interface.apexes[a];
     const double contact_height = interface.contact_height(a);
-    const Sweep sweep{interface.base, interface.own, x, rest, 0, near_facets(memory, near), node, allowed_of(interface, a), contact_height};
+    const Mat3* allowed = allowed_of(interface, a);
+    const Sweep sweep{interface.base, interface.own, x, rest, 0, near_facets(memory, near), node, allowed, contact_height};
     const Nearest nearest = nearest_of(interface, x, a, sweep.near);
     memory.feature[a] = nearest.feature;
     memory.gap[a] = nearest.distance() - contact_height;
     double depth = 0;
     const Index facet = behind(sweep, interface.depth > 0 ? interface.depth : infinite, depth);
     if (facet < 0) continue;
-    memory.gap[a] = -depth;
     // positions are no more exact than their distance from the origin allows, and differences no more than the facet's size
     const double round_off = 1e-12 * (std::abs(depth) + 2 * std::abs(contact_height) + interface.base.longest(facet));
     const bool counts = depth > round_off, accepted = !counts || penetration == InitialPenetration::accept;
     near.tracks.begin(facet, accepted ? contact_height - depth : contact_height);
-    if (accepted) memory.gap[a] = 0;
+    memory.gap[a] = initial[a] = accepted ? 0 : -depth;
     if (!counts) continue;
     ++gaps.penetrating;
     gaps.deepest = std::max(gaps.deepest, depth);
-    if (!accepted) gaps.least = std::min(gaps.least, -depth);
+  }
+  for (const double gap : initial) {
+    if (std::isnan(gap)) continue;
+    gaps.least = std::min(gaps.least, gap);
+    gaps.largest = std::max(gaps.largest, gap);
+    gaps.mean += gap;
   }
   const Index connected = gaps.apexes - gaps.without_base;
   if (connected == 0) gaps.least = gaps.largest = 0;

@@ -238,8 +238,10 @@ Index behind(const Sweep& s, double deepest, double& depth) {
   if (nearest >= 0) {  // also in the layer over ridges and borders, and below valleys
     const Stand there = stand(s.base, s.x, now(s), nearest);
     const double over = there.over.height, height = there.past > 0 && over >= 0 ? std::sqrt(least_squared) : over;
+    const bool faced = faces(s, there.over.normal);
     depth = s.contact_height - height;
-    if (depth > 0 && over >= -limit(nearest) && (there.past == 0 || over >= 0) && faces(s, there.over.normal)) return there.feature.facet;
+    if (over >= 0) return depth > 0 && faced ? there.feature.facet : -1;
+    if (there.past == 0 && over >= -limit(nearest) && faced) return there.feature.facet;
   }
   double height = 0;
   const Index facet = shallowest(s, now(s), limit, nullptr, height);

@@ -70,7 +70,7 @@ Index other_part(const Sweep&, const Tracks& before, const Tracks& after);
 /// returns  the facet, or -1;  depth: [m] below h_c
 Index behind(const Sweep&, double deepest, double& depth);
 
-/// [m] The distance from which on a facet can be another part for an apex in contact: the least over near facets that do not touch its tracks.
+/// [m] The distance of the nearest facet that can be another part for an apex in contact: of those that do not touch its tracks.
 double nearest_other_part(const Sweep&, const Tracks&);
 
 }  // namespace nereid::contact

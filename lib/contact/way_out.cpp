@@ -14,6 +14,8 @@ namespace {
 using geometry::Kind;
 
 constexpr int most_rounds = 60;      // in which feet over edges are found; few need more than six
+constexpr double plateau = 0.05;      // of the size of a face: so far past a wall half of what a wall apex stands for is still inside
+constexpr double least_fade = 0.02;   // of the size of a face: least way over which a force fades then
 constexpr double against = -1e-6;    // cosine between pushes that are left on ways of their own
 constexpr int most_looks = 3;        // at what is at the end of the way
 constexpr double high_enough = 1e-9;  // of the longest edge
@@ -119,10 +121,10 @@ void push(const Stand& at, const Faded& faded, WayOut& out) {
   if (faded.depth > out.length) out.length = faded.depth, out.strongest = at.feature;
 }
 
-/// What is left of a depth D past a wall, within L = max(fading, 2 D):  D (1 - (s/L)^2).  No kink where it begins.
-Faded faded(const Stand& at, double D, double fading) {
-  const bool wide = 2 * D > fading;
-  const double L = wide ? 2 * D : fading, u = at.past / L;
+/// What is left of a depth D past the plateau by s, within L = max(0.02 of the face, 2 D):  D (1 - (s/L)^2).  No kink where it begins.
+Faded faded(const Stand& at, double D, double size) {
+  const bool wide = 2 * D > least_fade * size;
+  const double L = wide ? 2 * D : least_fade * size, u = (at.past - plateau * size) / L;
   if (!(u < 1)) return {};
   return {D * (1 - u * u), wide ? 1 + u * u : 1 - u * u, 2 * D * u / L};
 }
@@ -231,6 +233,7 @@ WayOut way_out(const BaseSurface& base, const Vectors& x, const Vec3& p, double 
         if (at.over.height < 0) at.over.height = -at.over.height, at.over.normal = -at.over.normal;
       }
     }
+    if (at.past <= plateau * base.size(track.facet)) at.past = 0;
     const double depth = track.height - at.over.height;
     out.gap = std::min(out.gap, -depth);
     if (at.past > 0) {
@@ -240,7 +243,7 @@ WayOut way_out(const BaseSurface& base, const Vectors& x, const Vec3& p, double 
         track.height = at.over.height;
       } else {
         const double steep = allowed ? 1 / (*allowed * at.over.normal).norm() : 1;  // the way out lies in the symmetry plane
-        Faded left = faded(at, steep * depth, base.fading(track.facet));
+        Faded left = faded(at, steep * depth, base.size(track.facet));
         left.by_normal *= steep;
         if (left.depth > 0) push(at, left, out), acts[i] = true;
         else ends[i] = true, ++out.lost;
@@ -252,7 +255,8 @@ WayOut way_out(const BaseSurface& base, const Vectors& x, const Vec3& p, double 
     // is the end of the way high enough over what is there?
     for (int look = 0; look < most_looks && track.height > 0 && all.count > 0 && all.lambda[all.count - 1] > 0; ++look) {
       const Stand end = stand(base, x, p + all.d, track.facet);
-      if (end.past > 0 || end.over.height > track.height - high_enough * base.longest(track.facet) || all.opposes(end.over.normal)) break;
+      const bool high = end.over.height > track.height - high_enough * base.longest(track.facet);
+      if (end.past > 0 || high || all.opposes(end.over.normal)) break;
       add(base, x, p, allowed, {end.feature, end.over, track.height, i, false}, all);
     }
   }
