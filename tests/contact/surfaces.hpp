@@ -1,10 +1,14 @@
 #pragma once
 // Base surfaces that the tests of this folder press on.
 
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <string>
 
 #include "contact/base_surface.hpp"
+#include "geometry/closest.hpp"
+#include "mesh/box.hpp"
 
 namespace nereid::contact::surfaces {
 
@@ -67,6 +71,26 @@ inline Shape ball(int times) {
 
 inline BaseSurface base_of(const Shape& shape) {
   return base_surface({"base", shape.facets}, shape.x);
+}
+
+/// The skin of a box of 3 x 3 x 1 cells, 0.3 thick.
+inline Shape skin() {
+  const mesh::Mesh box = mesh::box("box", {Vec3::Zero(), Vec3(1, 1, 0.3), {3, 3, 1}});
+  Shape shape{box.X, Table<3>(3, 0)};
+  for (const char* side : {"x_low", "x_high", "y_low", "y_high", "z_low", "z_high"}) {
+    const Table<3>& facets = mesh::surface(box, std::string("box.") + side).facets;
+    shape.facets.conservativeResize(3, shape.facets.cols() + facets.cols());
+    shape.facets.rightCols(facets.cols()) = facets;
+  }
+  return shape;
+}
+
+/// Distance to the nearest facet, by looking at all.
+inline double nearest_of_all(const BaseSurface& base, const Vectors& x, const Vector<double>& p) {
+  double least = 1e300;
+  for (Index f = 0; f < base.facets.cols(); ++f)
+    least = std::min(least, geometry::closest_on_triangle(corners(base, x, f), p).distance_squared);
+  return std::sqrt(least);
 }
 
 }  // namespace nereid::contact::surfaces

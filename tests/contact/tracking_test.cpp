@@ -1,0 +1,143 @@
+#include "contact/tracking.hpp"
+
+#include "mesh/box.hpp"
+#include "tests/contact/pressed.hpp"
+
+namespace nereid::contact {
+namespace {
+
+using geometry::Kind;
+using namespace pressed;
+
+// ------------------------------------------------------------------ initial penetration
+
+TEST(InitialPenetrations, AreReportedWithTheirNumberAndDepthAndNothingIsPushed) {
+  const Shape shape = sheet(4, 4, flat);
+  const Scene scene = press(shape, {{1.2, 1.3, 0.07}, {2.2, 2.3, 0.2}, {3.2, 2.3, -0.01}}, 0.1);
+  EXPECT_EQ(scene.gaps.apexes, 3);
+  EXPECT_EQ(scene.gaps.penetrating, 2);
+  EXPECT_NEAR(scene.gaps.deepest, 0.11, 1e-14);
+  EXPECT_NEAR(scene.gaps.least, -0.11, 1e-14);
+  EXPECT_NEAR(scene.gaps.largest, 0.1, 1e-14);
+  EXPECT_EQ(scene.x(2, scene.apex(2)), -0.01);
+  EXPECT_EQ(scene.gaps.by_kind[static_cast<int>(Kind::facet)], 3);
+}
+
+TEST(InitialPenetrations, AcceptedBecomeOffsetsThatMakeNoForceAndShrink) {
+  const Shape shape = sheet(4, 4, flat);
+  Vectors x(3, shape.x.cols() + 2);
+  x << shape.x, Vec3(1.2, 1.3, 0.07), Vec3(2.2, 2.3, -0.01);
+  Scene scene = scene_of(x, interface_over(shape, 2), {false, 0, 0.1}, InitialPenetration::accept);
+  EXPECT_EQ(scene.gaps.penetrating, 2);
+  EXPECT_NEAR(scene.offset(0), 0.03, 1e-15);
+  EXPECT_NEAR(scene.offset(1), 0.11, 1e-15);
+  scene.update();
+  EXPECT_LT(scene.forces().norm(), 1e-10);
+  scene.x(2, scene.apex(1)) -= 0.02;
+  scene.update();
+  EXPECT_NEAR(scene.forces()(2, scene.apex(1)), penalty * 0.02, 1e-9);
+  for (const double z : {0.05, 0.0999, 0.15}) {  // it leaves, without a force
+    scene.x(2, scene.apex(1)) = z;
+    scene.update();
+    EXPECT_TRUE(scene.forces().col(scene.apex(1)).isZero(0)) << z;
+    EXPECT_NEAR(scene.offset(1), std::max(0.0, 0.1 - z), 1e-15);
+  }
+  scene.x(2, scene.apex(1)) = 0.08;  // and lands on the surface
+  scene.update();
+  EXPECT_NEAR(scene.forces()(2, scene.apex(1)), penalty * 0.02, 1e-9);
+}
+
+TEST(EntryOfAnApex, ThroughTheSurfaceIsContact) {
+  Scene scene = press(sheet(4, 4, flat), {{1.2, 1.3, 0.2}}, 0.1);
+  step_to(scene, 0, {1.25, 1.3, 0.04});
+  EXPECT_EQ(scene.memory.status[0], Status::closed);
+  EXPECT_NEAR(scene.forces()(2, scene.apex()), penalty * 0.06, 1e-9);
+}
+
+TEST(EntryOfAnApex, FromTheSideUnderASurfaceIsNone) {
+  Scene scene = press(sheet(4, 4, flat), {{4.5, 2.3, -0.3}}, 0);  // the sheet ends at 4
+  for (double x = 4.4; x > 2; x -= 0.1) {
+    step_to(scene, 0, {x, 2.3, -0.3});
+    ASSERT_TRUE(scene.forces().isZero(0)) << x;
+    ASSERT_NE(scene.memory.status[0], Status::closed);
+  }
+}
+
+TEST(EntryOfAnApex, FromTheSideAsDeepAsItsNeighbourMakesNoForceThatSpringsAndThenResists) {
+  Scene scene = press(sheet(4, 4, flat), {{2.2, 2.3, 0.1}, {4.5, 2.3, -0.04}}, 0);
+  step_to(scene, 0, {2.2, 2.3, -0.03});
+  for (double x = 4.4; x > 3.5; x -= 0.02) step_to(scene, 1, {x, 2.3, -0.04});
+  EXPECT_NEAR(scene.offset(1), 0.04, 1e-15);
+  EXPECT_NEAR(scene.forces()(2, scene.apex(1)), 0, 1e-9);
+  step_to(scene, 1, {3.5, 2.3, -0.05});
+  EXPECT_NEAR(scene.forces()(2, scene.apex(1)), penalty * 0.01, 1e-9);
+  EXPECT_LT(std::abs(scene.memory.created_by_reconnection), 1e-12);
+}
+
+/// The skin of a box that stands on the plane z = 0.
+Shape block(const Vec3& low, const Vec3& high, const Eigen::Vector3i& cells) {
+  const mesh::Mesh box = mesh::box("box", {low, high, cells});
+  Shape shape{box.X, Table<3>(3, 0)};
+  for (const char* side : {"x_low", "x_high", "y_low", "y_high", "z_low", "z_high"}) {
+    const Table<3>& facets = mesh::surface(box, std::string("box.") + side).facets;
+    shape.facets.conservativeResize(3, shape.facets.cols() + facets.cols());
+    shape.facets.rightCols(facets.cols()) = facets;
+  }
+  return shape;
+}
+Shape both(const Shape& one, const Shape& other) {
+  Shape two{Vectors(3, one.x.cols() + other.x.cols()), Table<3>(3, one.facets.cols() + other.facets.cols())};
+  two.x << one.x, other.x;
+  two.facets << one.facets, (other.facets.array() + static_cast<Index>(one.x.cols())).matrix();
+  return two;
+}
+
+TEST(EntryOfAnApex, IntoAThinBodyIsRememberedBeyondItsMiddle) {
+  Scene scene = press(block({0, 0, 0}, {4, 4, 0.1}, {4, 4, 1}), {{1.3, 1.2, 0.15}}, 0);
+  for (double z = 0.12; z > -0.05; z -= 0.03) step_to(scene, 0, {1.3, 1.2, z});
+  const Vec3 f = scene.forces().col(scene.apex());
+  EXPECT_GT(f.z(), 0.1 * penalty);  // back to where it came from, and more than the thickness
+  EXPECT_LT(f.head<2>().norm(), 1e-9);
+}
+
+TEST(EntryOfAnApex, IntoTwoPartsOfASurfaceIsPushedOutOfBoth) {
+  Scene scene = press(both(block({0, 0, 0}, {4, 4, 1}, {4, 4, 1}), block({2, 0, 0.9}, {4, 4, 2}, {2, 4, 1})), {{1.9, 1.7, 1.05}}, 0);
+  step_to(scene, 0, {1.97, 1.7, 0.98});
+  step_to(scene, 0, {2.02, 1.7, 0.97});
+  EXPECT_EQ(scene.near().tracks.count, 2);
+  EXPECT_LT((Vec3(scene.forces().col(scene.apex())) - penalty * Vec3(-0.02, 0, 0.03)).norm(), 1e-9);
+}
+
+TEST(EntryOfAnApex, OfABodyUnderATableIsNone) {
+  // the table's top from below: the foot of the body is near it, and faces the other way
+  Scene scene = press(block({0, 0, 1}, {4, 4, 1.2}, {4, 4, 1}), {{-0.5, 2.1, 0.9}}, 0);
+  for (double x = -0.4; x < 4.5; x += 0.1) {
+    step_to(scene, 0, {x, 2.1, 0.98});
+    ASSERT_TRUE(scene.forces().isZero(0)) << x;
+  }
+}
+
+TEST(EntryOfAnApex, NeedsASurfaceThatFacesTheFacet) {
+  // the corner of a body that comes over a rim goes through the side of the table, which it does not face
+  for (const bool faces : {false, true}) {
+    Scene scene = press(block({0, 0, 0}, {4, 4, 1}, {4, 4, 1}), {{-0.1, 2.1, 0.95}}, 0);
+    Table<3> own(3, 1);
+    const Index apex = scene.apex();
+    scene.x.conservativeResize(3, apex + 3);
+    scene.x.col(apex + 1) = faces ? Vec3(-0.1, 2.6, 1.45) : Vec3(-0.6, 2.1, 0.95);  // looks along x, or down
+    scene.x.col(apex + 2) = faces ? Vec3(-0.1, 2.6, 0.95) : Vec3(-0.6, 2.6, 0.95);
+    own << apex, apex + 1, apex + 2;
+    scene.interface.own = fans(own, apex + 3);
+    const Vec3 normal = facet_normal(scene.interface.own, scene.x, 0);
+    ASSERT_NEAR(faces ? normal.x() : normal.z(), faces ? 1 : -1, 1e-12);
+    step_to(scene, 0, {0.02, 2.1, 0.95});
+    ASSERT_EQ(scene.near().tracks.count, 1);
+    const bool from_the_side = facet_normal(scene.interface.base, scene.x, scene.near().tracks.track[0].facet).x() < -0.5;
+    EXPECT_EQ(from_the_side, faces);
+    if (faces) continue;
+    EXPECT_LT(scene.forces().norm(), 1e-9);  // with an offset: nothing springs
+  }
+}
+
+}  // namespace
+}  // namespace nereid::contact
