@@ -15,8 +15,7 @@ import sys
 import xml.etree.ElementTree as xml
 from math import cos, radians, sin
 
-STATUS = [("unpaired", (0.75, 0.55, 0.10)), ("open", (0.55, 0.55, 0.55)),
-          ("closed", (0.85, 0.10, 0.10)), ("off the surface", (0.13, 0.35, 0.80))]
+STATUS = [("unpaired", (0.75, 0.55, 0.10)), ("open", (0.55, 0.55, 0.55)), ("closed", (0.85, 0.10, 0.10))]
 DARK = (0.1, 0.1, 0.1)
 
 

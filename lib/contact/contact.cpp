@@ -53,6 +53,11 @@ Nearest nearest_of(const Interface& interface, const Vectors& x, Index a, std::s
   return best;
 }
 
+/// Weights of the point of a facet that is closest to an apex.
+std::array<double, 3> weights_of(const Interface& interface, const Vectors& x, Index a, Index facet) {
+  return geometry::closest_on_triangle(corners(interface.base, x, facet), position(x, interface.apexes[a])).weight;
+}
+
 /// Visits the base nodes of a stencil with what they take of the push and of the stiffness.
 template <class Visit>
 void for_each_node(const Interface& interface, const Stencil& stencil, Visit&& visit) {
@@ -183,8 +188,7 @@ void update_element(const Interface& interface, const Vectors& x, const Vectors&
     memory.status[a] = Status::open;
     memory.feature[a] = out.strongest;
     memory.gap[a] = std::max(0.0, out.gap);
-    const auto c = corners(interface.base, x, out.strongest.facet);
-    return vote_over(interface, x, a, out.strongest, geometry::closest_on_triangle(c, position(x, interface.apexes[a])).weight, element);
+    return vote_over(interface, x, a, out.strongest, weights_of(interface, x, a, out.strongest.facet), element);
   }
   const double k = stiffness(interface, a, out.strongest);
   memory.status[a] = Status::closed;
@@ -642,8 +646,7 @@ Memory tried_out(const Interface& interface, const Vectors& x, double reach, Wor
     trial.feature[a] = start.stand.feature;
     if (bonded) hold_bond(interface, x, near, trial);
     else vote_over(interface, x, a, start.stand.feature,
-                   geometry::closest_on_triangle(corners(interface.base, x, start.stand.feature.facet), position(x, interface.apexes[a])).weight,
-                   near.element);
+                   weights_of(interface, x, a, start.stand.feature.facet), near.element);
   }
   return trial;
 }

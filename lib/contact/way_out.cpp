@@ -187,7 +187,8 @@ WayOut way_out(const BaseSurface& base, const Vectors& x, const Vec3& p, double 
   if (tracks.count == 1 && allowed == nullptr) {  // well inside a facet
     Track& track = tracks.track[0];
     const FeatureHeight over = height_over(base, x, {track.facet, Kind::facet, 0}, p);
-    if (owns(base, x, track.facet, over, std::max(std::abs(over.height), track.height))) return over_one_facet(over, contact_height, tracks);
+    const double highest = std::max(std::abs(over.height), track.height);
+    if (owns(base, x, track.facet, over, highest)) return over_one_facet(over, contact_height, tracks);
   }
   WayOut out;
   std::array<Together, 2> way;
