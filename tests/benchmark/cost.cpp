@@ -1,9 +1,11 @@
 // What one update of an element costs in Nereid, to be put beside tests/benchmark/floor.cpp.
 //
-//     cost hexahedra|viscous|full|plates N STEPS
+//     cost hexahedra|viscous|full|plates|contact N STEPS
 //
 // A block of N^3 hexahedra (one point with springs or dashpots, or eight points), or a sheet of about 2 N^2 plates, plastic, on one thread.
-// Prints the nanoseconds per element update of the element kernels alone and of the whole step with its ledger.
+// Prints the nanoseconds per element update of the element kernels alone and of the whole step with its ledger. Contact presses a block of
+// 2N x 2N x N cells on one of N x N x N/2, and prints the nanoseconds of the interface per near apex and step, closed and open, beside the
+// step of the elements, and the bytes that an apex takes that is near and one that is far.
 
 #include <chrono>
 #include <cstdio>
@@ -11,6 +13,7 @@
 #include <string>
 
 #include "base/parallel.hpp"
+#include "dynamics/connect.hpp"
 #include "dynamics/step.hpp"
 #include "mesh/box.hpp"
 
@@ -52,6 +55,77 @@ dynamics::Model plates(int n, const material::J2Bilinear& law) {
   return model;
 }
 
+/// Nanoseconds per apex and step of an interface: finding, forces, and its vote on the time step.
+double contact_cost(const dynamics::Model& model, dynamics::State& state, dynamics::Forces& forces, double dt, int steps) {
+  contact::Memory& memory = state.interfaces[0];
+  const contact::Interface& interface = model.interfaces[0];
+  double sum = 0;
+  const double began = seconds();
+  for (int s = 0; s < steps; ++s) {
+    contact::advance(interface, state.x, state.v, state.omega, dt, memory, forces.interfaces[0]);
+    contact::add_forces(interface, memory, forces.force, forces.moment);
+    sum += contact::stable_step(interface, model.mass, model.inertia, memory, forces.interfaces[0]).step;
+  }
+  const double spent = seconds() - began;
+  if (!(sum > 0)) std::printf("no vote\n");
+  return spent * 1e9 / (static_cast<double>(steps) * static_cast<double>(interface.apexes.size()));
+}
+
+int contact_costs(int n, int steps, const material::J2Bilinear& law, const element::Hexahedron::Options& options) {
+  const auto pressed = [&](double gap) {
+    dynamics::Model model;
+    const Vec3 low(-0.25, -0.25, 1 + gap), high(1.25, 1.25, 2 + gap);  // the nodes of one stand over the inside of facets of the other
+    model.mesh = mesh::join(mesh::box("below", {low, high, {2 * n, 2 * n, n}}),
+                            mesh::box("above", {Vec3(0.003, 0.007, 1 - 1.0), Vec3(1.003, 1.007, 1), {n, n, n / 2}}));
+    model.blocks.push_back(element::solids(model.mesh, "below", law, options));
+    model.blocks.push_back(element::solids(model.mesh, "above", law, options));
+    dynamics::finalize(model);
+    dynamics::InterfaceOptions joint;
+    joint.height = {.from_initial_height = false, .clearance = 0, .given = 0};
+    std::vector<contact::Memory> memories;
+    for (auto& pass : dynamics::connect(model, "joint", "above.z_high", "below.z_low", joint)) memories.push_back(std::move(pass.memory));
+    dynamics::State state = dynamics::initial_state(model, std::move(memories));
+    dynamics::Forces forces = dynamics::make_forces(model);
+    dynamics::start(model, state, forces);
+    struct Scene {
+      dynamics::Model model;
+      dynamics::State state;
+      dynamics::Forces forces;
+    };
+    return Scene{std::move(model), std::move(state), std::move(forces)};
+  };
+  auto closed = pressed(0);
+  const Index below = static_cast<Index>(mesh::node_set(closed.model.mesh, "below").size());
+  closed.state.v.row(2).leftCols(below).setConstant(-1e-9);
+  const double dt = 1e-9;
+  closed.state.x.row(2).leftCols(below).array() -= 1e-10;
+  for (int s = 0; s < 2; ++s) {
+    closed.state.x += dt * closed.state.v;
+    contact::advance(closed.model.interfaces[0], closed.state.x, closed.state.v, closed.state.omega, 1, closed.state.interfaces[0],
+                     closed.forces.interfaces[0]);
+  }
+  Index in_contact = 0;
+  for (const auto status : closed.state.interfaces[0].status) in_contact += status == contact::Status::closed;
+  const double of_closed = contact_cost(closed.model, closed.state, closed.forces, 1e-30, steps);
+  auto open = pressed(0.3 / n), far = pressed(5);
+  const double of_open = contact_cost(open.model, open.state, open.forces, 1e-30, steps);
+  const double of_far = contact_cost(far.model, far.state, far.forces, 1e-30, steps);
+  const double began = seconds();
+  dynamics::step(far.model, 1e-12, far.state, far.forces);
+  for (int s = 0; s < steps; ++s) dynamics::step(far.model, 1e-12, far.state, far.forces);
+  const double element_step = (seconds() - began) * 1e9 / steps;
+  double elements = 0;
+  for (const auto& block : far.model.blocks) elements += static_cast<double>(element::tiling(block).elements);
+  const auto apexes = static_cast<double>(closed.model.interfaces[0].apexes.size());
+  const contact::Memory& memory = far.state.interfaces[0];
+  const double bytes = static_cast<double>(memory.near.size() * sizeof(contact::Near)) / apexes + sizeof(Index) + sizeof(contact::Feature) +
+                       sizeof(contact::Status) + 2 * sizeof(double) + sizeof(std::int64_t) + 3 * sizeof(double);
+  std::printf("contact apexes %.0f (%d closed)  closed %.2f  open %.2f  far %.3f ns per apex and step; elements %.2f ns; "
+              "an apex that is near takes %zu bytes, one that is far %.0f\n",
+              apexes, in_contact, of_closed, of_open, of_far, element_step / elements, sizeof(contact::Near), bytes);
+  return 0;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -62,6 +136,7 @@ int main(int argc, char** argv) {
   using element::Hexahedron;
   const auto control = kind == "viscous" ? Hexahedron::Hourglass::viscous : Hexahedron::Hourglass::stiffness;
   const Hexahedron::Options one_point{.viscosity = {}, .hourglass_kind = control};
+  if (kind == "contact") return contact_costs(n, steps, law, one_point);
   const dynamics::Model model = kind == "plates" ? plates(n, law)
                                 : kind == "full" ? hexahedra(n, law, element::FullHexahedron::Options{})
                                                  : hexahedra(n, law, one_point);
