@@ -87,10 +87,9 @@ Cuts cuts(const Side& other, const Vec3& a, const Vec3& b) {
 
 Box box_of(const Vec3& a, const Vec3& b) { return {a.cwiseMin(b), a.cwiseMax(b)}; }
 
-Vec3 face_normal(const Side& side, Index face) {
-  const auto at = side.surface.faces.col(face);
-  const Vec3 a = point(side, at(0)), b = point(side, at(1)), c = point(side, at(2));
-  const Vec3 n = at(3) < 0 ? Vec3((b - a).cross(c - a)) : Vec3((c - a).cross(point(side, at(3)) - b));
+/// The outward unit normal of a face; zero of one without an area.
+Vec3 outward(const Side& side, Index face) {
+  const Vec3 n = face_normal(side.surface, side.placed, face);
   const double size = n.norm();
   return size > 0 ? Vec3(n / size) : Vec3(Vec3::Zero());
 }
@@ -113,7 +112,7 @@ void look_inside(const Side& one, const Side& skin, std::vector<char>& inside, s
     const double size = surface.face_size(f);
     if (is_inside(skin, at)) note_inside(skin, at, size, surface.face_region[f], here);
     if (!surface.closed) return;
-    const Vec3 behind = at - 0.5 * size * face_normal(one, f);  // also of bodies whose skins are the same
+    const Vec3 behind = at - 0.5 * size * outward(one, f);  // also of bodies whose skins are the same
     if (is_inside(skin, behind)) note_inside(skin, behind, size, surface.face_region[f], here);
   });
   in_ranges(static_cast<Index>(surface.edges.cols()), parts, found, [&](Index e, Found& here) {
@@ -283,10 +282,10 @@ Found overlap_with_itself(Workspace& work, Index index) {
       const Vec3 n = normal(surface, one.placed, t).normalized(), at = a + s * (b - a);
       const double up_a = (a - at).dot(n), up_b = (b - at).dot(n);
       double depth = std::min(std::abs(up_a), std::abs(up_b));
-      if (surface.closed) {  // the end behind the face, and how far it is to where the body's faces look the other way
-        const Vec3 end = up_a < 0 ? a : b, out = up_a < 0 ? Vec3(b - a) : Vec3(a - b);
+      if (surface.closed) {  // the end behind the face, and how far it is from faces that look at it
+        const Vec3 end = up_a < 0 ? a : b, out = one.placed.normals.col(up_a < 0 ? first : last);
         const auto counts = [&](Index other) {
-          return !shares_a_point(surface, other, first, last) && normal(surface, one.placed, other).dot(out) > 0;
+          return !shares_a_point(surface, other, first, last) && normal(surface, one.placed, other).dot(out) < 0;
         };
         depth = std::min(std::abs(std::min(up_a, up_b)), nearest(surface, one.placed, end, 0, counts).distance);
       } else {

@@ -39,6 +39,7 @@ bool is_left(Index a, Index b, const double (&at_a)[2], const double (&at_b)[2],
 Placed make_placed(const Surface& surface) {
   Placed placed;
   placed.at = Vectors::Zero(3, static_cast<Eigen::Index>(surface.nodes.size()) + surface.faces.cols());
+  placed.normals = Vectors::Zero(3, surface.closed ? static_cast<Eigen::Index>(surface.nodes.size()) : 0);
   placed.boxes.assign(surface.tree.nodes.size(), {Vec3::Zero(), Vec3::Zero()});
   return placed;
 }
@@ -52,6 +53,12 @@ void place(const Surface& surface, const Vectors& x, Placed& placed) {
     const Vec3 three = placed.at.col(at(0)) + placed.at.col(at(1)) + placed.at.col(at(2));
     placed.at.col(points + f) = at(3) < 0 ? Vec3(three / 3) : Vec3((three + placed.at.col(at(3))) / 4);
   }
+  placed.normals.setZero();
+  for (Index f = 0; f < surface.faces.cols() && surface.closed; ++f) {
+    const Vec3 n = face_normal(surface, placed, f);
+    for (int i = 0; i < 4; ++i)
+      if (surface.faces(i, f) >= 0) placed.normals.col(surface.faces(i, f)) += n;
+  }
   for (auto n = static_cast<Index>(surface.tree.nodes.size()) - 1; n >= 0; --n) {
     const Tree::Node& node = surface.tree.nodes[n];
     if (node.second == 0) {
@@ -61,6 +68,14 @@ void place(const Surface& surface, const Vectors& x, Placed& placed) {
     const Box &one = placed.boxes[n + 1], &other = placed.boxes[node.second];
     placed.boxes[n] = {one.low.cwiseMin(other.low), one.high.cwiseMax(other.high)};
   }
+}
+
+Vec3 face_normal(const Surface& surface, const Placed& placed, Index face) {
+  const auto at = surface.faces.col(face);
+  const Vec3 a = placed.at.col(at(0)), b = placed.at.col(at(1)), c = placed.at.col(at(2));
+  if (at(3) < 0) return (b - a).cross(c - a);
+  const Vec3 d = placed.at.col(at(3));
+  return (c - a).cross(d - b);
 }
 
 int winding(const Surface& surface, const Placed& placed, const Vec3& p) {

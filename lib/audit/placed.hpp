@@ -23,6 +23,7 @@ inline bool holds(const Box& box, const Vec3& p) { return (box.low.array() <= p.
 /// Positions of a surface and the boxes around its triangles.
 struct Placed {
   Vectors at;              ///< [m] points, then centres of the faces of four corners
+  Vectors normals;         ///< [m2] of the points of a skin: of the faces around each, added up
   std::vector<Box> boxes;  ///< beside Surface::tree; a little larger than what they hold
   bool finite = false;     ///< whether all positions are numbers; if not, nothing may be asked
 };
@@ -43,6 +44,9 @@ inline Vec3 normal(const Surface& surface, const Placed& placed, Index triangle)
   const Vec3 a = corner(surface, placed, triangle, 0);
   return (corner(surface, placed, triangle, 1) - a).cross(corner(surface, placed, triangle, 2) - a);
 }
+
+/// The normal of a face, from its diagonals or sides, twice its area long. [m2]
+Vec3 face_normal(const Surface&, const Placed&, Index face);
 
 /// How often a skin goes around a point: 1 inside, 0 outside, more where the skin overlaps itself.
 ///

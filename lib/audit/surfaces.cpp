@@ -85,7 +85,8 @@ std::vector<Face> faces_of_plates(const mesh::Mesh& mesh, const std::vector<doub
       Face face = face_of(nodes.col(e).data(), 3);
       if (face.corners < 3) continue;
       face.region = static_cast<Index>(mesh.hexahedra.size() + r);
-      face.size = std::min(thickness[r], std::sqrt(2 * area(mesh.X, face)));
+      const double side = std::sqrt(2 * area(mesh.X, face));
+      face.size = thickness[r] > 0 ? std::min(thickness[r], side) : side;
       all.push_back(face);
     }
   }

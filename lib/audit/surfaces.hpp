@@ -65,7 +65,7 @@ struct Surfaces {
 ///
 ///     hexahedra  min(V / A, sqrt(A)),    triangles  min(thickness, sqrt(2 A))
 ///
-/// thickness  [m] beside Mesh::triangles
+/// thickness  [m] beside Mesh::triangles; zero: not known, only the side counts
 Surfaces surfaces(const mesh::Mesh&, const std::vector<double>& thickness, const std::vector<Symmetry>& = {});
 
 }  // namespace nereid::audit
