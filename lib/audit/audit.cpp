@@ -30,6 +30,8 @@ void in_ranges(Index count, std::vector<Found>& parts, Found& found, Body&& body
   for (Index r = 0; r < ranges; ++r) join(found, parts[r]);
 }
 
+bool all(Index) { return true; }  // triangles
+
 /// A surface with where it stands.
 struct Side {
   const Surface& surface;
@@ -75,14 +77,14 @@ struct Cuts {
 };
 
 Cuts cuts(const Side& other, const Vec3& a, const Vec3& b) {
-  Cuts all;
-  all.s[all.count++] = 0;
-  crossings(other.surface, other.placed, a, b, [&](Index, double s) {
-    if (all.count <= most_crossings) all.s[all.count++] = std::clamp(s, 0.0, 1.0);
+  Cuts found;
+  found.s[found.count++] = 0;
+  crossings(other.surface, other.placed, a, b, -1, all, [&](Index, double s) {
+    if (found.count <= most_crossings) found.s[found.count++] = std::clamp(s, 0.0, 1.0);
   });
-  std::sort(all.s.begin(), all.s.begin() + all.count);
-  all.s[all.count++] = 1;
-  return all;
+  std::sort(found.s.begin(), found.s.begin() + found.count);
+  found.s[found.count++] = 1;
+  return found;
 }
 
 Box box_of(const Vec3& a, const Vec3& b) { return {a.cwiseMin(b), a.cwiseMax(b)}; }
@@ -152,7 +154,7 @@ void find_reach(const Side& one, const Side& sheet, std::vector<Index>& group, s
   std::vector<double>& signed_distance = reach;
   parallel_for(points, length, [&](Index p) {
     group[p] = p;
-    const Nearest at = nearest(sheet.surface, sheet.placed, point(one, p), 0, [](Index) { return true; });
+    const Nearest at = nearest(sheet.surface, sheet.placed, point(one, p), 0, all);
     const bool past = at.triangle < 0 || at.on_rim;
     const double side = past ? 0 : (point(one, p) - at.foot).dot(normal(sheet.surface, sheet.placed, at.triangle));
     signed_distance[p] = past ? std::numeric_limits<double>::infinity() : side < 0 ? -at.distance : at.distance;
@@ -179,7 +181,7 @@ bool crosses(const Side& one, const Side& sheet) {
   for (Index e = 0; e < one.surface.edges.cols(); ++e) {
     const Vec3 a = point(one, one.surface.edges(0, e)), b = point(one, one.surface.edges(1, e));
     bool found = false;
-    if (meet(box_of(a, b), box)) crossings(sheet.surface, sheet.placed, a, b, [&](Index, double) { found = true; });
+    if (meet(box_of(a, b), box)) crossings(sheet.surface, sheet.placed, a, b, -1, all, [&](Index, double) { found = true; });
     if (found) return true;
   }
   return false;
@@ -197,7 +199,7 @@ void look_through(const Side& one, const Side& sheet, std::vector<Index>& group,
     const Vec3 a = point(one, first), b = point(one, last);
     if (!meet(box_of(a, b), box)) return;
     const double size = std::min(surface.size(first), surface.size(last));
-    crossings(sheet.surface, sheet.placed, a, b, [&](Index t, double s) {
+    crossings(sheet.surface, sheet.placed, a, b, -1, all, [&](Index t, double s) {
       const Index face = sheet.surface.face_of[t];
       const Vec3 at = a + s * (b - a);
       double depth = std::min(reach[first], reach[last]);
@@ -277,17 +279,17 @@ Found overlap_with_itself(Workspace& work, Index index) {
     const Index first = surface.edges(0, e), last = surface.edges(1, e);
     const Vec3 a = point(one, first), b = point(one, last);
     const double size = std::min(surface.size(first), surface.size(last));
-    crossings(surface, one.placed, a, b, [&](Index t, double s) {
-      if (shares_a_point(surface, t, first, last)) return;
+    const auto counts = [&](Index t) { return !shares_a_point(surface, t, first, last); };
+    crossings(surface, one.placed, a, b, surface.owner[e], counts, [&](Index t, double s) {
       const Vec3 n = normal(surface, one.placed, t).normalized(), at = a + s * (b - a);
       const double up_a = (a - at).dot(n), up_b = (b - at).dot(n);
       double depth = std::min(std::abs(up_a), std::abs(up_b));
       if (surface.closed) {  // the end behind the face, and how far it is from faces that look at it
         const Vec3 end = up_a < 0 ? a : b, out = one.placed.normals.col(up_a < 0 ? first : last);
-        const auto counts = [&](Index other) {
-          return !shares_a_point(surface, other, first, last) && normal(surface, one.placed, other).dot(out) < 0;
+        const auto looks_at_it = [&](Index other) {
+          return counts(other) && normal(surface, one.placed, other).dot(out) < 0;
         };
-        depth = std::min(std::abs(std::min(up_a, up_b)), nearest(surface, one.placed, end, 0, counts).distance);
+        depth = std::min(std::abs(std::min(up_a, up_b)), nearest(surface, one.placed, end, 0, looks_at_it).distance);
       } else {
         depth = std::min(depth, from_rim(one, at));
       }
@@ -298,12 +300,12 @@ Found overlap_with_itself(Workspace& work, Index index) {
   return found;
 }
 
-void look(const Vectors& x, double t, Workspace& work, Memory& memory) {
+void look(const Vectors& x, double t, bool also_itself, Workspace& work, Memory& memory) {
   const auto count = static_cast<Index>(work.surfaces.list.size());
   for (Index s = 0; s < count; ++s) place(work.surfaces.list[s], x, work.placed[s]);
   for (Index one = 0; one < count; ++one) {
     if (!work.placed[one].finite) continue;
-    remember({one, one}, overlap_with_itself(work, one), t, memory);
+    if (also_itself) remember({one, one}, overlap_with_itself(work, one), t, memory);
     for (Index other = one + 1; other < count; ++other) {
       if (work.surfaces.list[one].piece == work.surfaces.list[other].piece || !work.placed[other].finite) continue;
       remember({one, other}, overlap(work, one, other), t, memory);

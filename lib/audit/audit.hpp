@@ -62,8 +62,9 @@ Found overlap_with_itself(Workspace&, Index surface);
 /// Looks at all surfaces, each with every other piece and with itself, and notes what overlaps. The first look is that at the start.
 ///
 /// x  [m] positions now, t [s]
+/// also_itself  whether bodies are looked at for overlaps with themselves too, which costs the most
 /// Invariants  the same bits with any number of threads; no memory but for a pair that overlaps for the first time
-void look(const Vectors& x, double t, Workspace&, Memory&);
+void look(const Vectors& x, double t, bool also_itself, Workspace&, Memory&);
 
 /// The overlap that has grown most, in elements; null if there is none.
 const Overlap* worst(const Memory&);

@@ -1,5 +1,7 @@
 #include "audit/placed.hpp"
 
+#include <cmath>
+
 namespace nereid::audit {
 
 namespace {
@@ -12,6 +14,8 @@ const Vec3 u(0.80252871, -0.59660537, 0);
 const Vec3 v(0.40337647, 0.54260638, -0.73682593);
 const Vec3 ray = u.cross(v);
 
+Box around(const Box& one, const Box& other) { return {one.low.cwiseMin(other.low), one.high.cwiseMax(other.high)}; }
+
 Box around(const Surface& surface, const Placed& placed, const Tree::Node& node) {
   Box box{corner(surface, placed, node.first, 0), corner(surface, placed, node.first, 0)};
   for (Index t = node.first; t < node.last; ++t)
@@ -21,6 +25,17 @@ Box around(const Surface& surface, const Placed& placed, const Tree::Node& node)
     }
   const double larger = pad * (box.high - box.low).norm() + round_off * box.high.cwiseAbs().cwiseMax(box.low.cwiseAbs()).maxCoeff();
   box.low.array() -= larger, box.high.array() += larger;
+  return box;
+}
+
+Box around_normals(const Surface& surface, const Placed& placed, const Tree::Node& node) {
+  Box box{Vec3::Constant(INFINITY), Vec3::Constant(-INFINITY)};
+  for (Index t = node.first; t < node.last; ++t) {
+    const Vec3 n = normal(surface, placed, t);
+    const double size = n.norm();
+    if (!(size > 0)) return {Vec3::Constant(-1), Vec3::Constant(1)};
+    box.low = box.low.cwiseMin(n / size), box.high = box.high.cwiseMax(n / size);
+  }
   return box;
 }
 
@@ -41,6 +56,7 @@ Placed make_placed(const Surface& surface) {
   placed.at = Vectors::Zero(3, static_cast<Eigen::Index>(surface.nodes.size()) + surface.faces.cols());
   placed.normals = Vectors::Zero(3, surface.closed ? static_cast<Eigen::Index>(surface.nodes.size()) : 0);
   placed.boxes.assign(surface.tree.nodes.size(), {Vec3::Zero(), Vec3::Zero()});
+  placed.looks = placed.boxes;
   return placed;
 }
 
@@ -63,10 +79,11 @@ void place(const Surface& surface, const Vectors& x, Placed& placed) {
     const Tree::Node& node = surface.tree.nodes[n];
     if (node.second == 0) {
       placed.boxes[n] = around(surface, placed, node);
+      placed.looks[n] = around_normals(surface, placed, node);
       continue;
     }
-    const Box &one = placed.boxes[n + 1], &other = placed.boxes[node.second];
-    placed.boxes[n] = {one.low.cwiseMin(other.low), one.high.cwiseMax(other.high)};
+    placed.boxes[n] = around(placed.boxes[n + 1], placed.boxes[node.second]);
+    placed.looks[n] = around(placed.looks[n + 1], placed.looks[node.second]);
   }
 }
 

@@ -24,6 +24,7 @@ inline bool holds(const Box& box, const Vec3& p) { return (box.low.array() <= p.
 struct Placed {
   Vectors at;              ///< [m] points, then centres of the faces of four corners
   Vectors normals;         ///< [m2] of the points of a skin: of the faces around each, added up
+  std::vector<Box> looks;  ///< [-] beside Surface::tree: around the unit normals of its triangles
   std::vector<Box> boxes;  ///< beside Surface::tree; a little larger than what they hold
   bool finite = false;     ///< whether all positions are numbers; if not, nothing may be asked
 };
@@ -135,10 +136,19 @@ Nearest nearest(const Surface& surface, const Placed& placed, const Vec3& p, dou
   return best;
 }
 
-/// Calls found(triangle, s) for each triangle that the edge from a to b crosses or touches, at a + s (b - a); an edge in the plane of a
+/// Whether all normals of a part of the tree look to one side: it does not go through itself.
+inline bool is_flat(const Placed& placed, Index node) {
+  const Vec3 middle = placed.looks[node].high + placed.looks[node].low, half = placed.looks[node].high - placed.looks[node].low;
+  return middle.squaredNorm() > middle.cwiseAbs().dot(half);
+}
+
+/// Calls found(triangle, s) for each triangle that `counts(triangle)` takes and that the edge from a to b crosses or touches, at a + s (b - a); an edge in the plane of a
 /// triangle does not cross it.
-template <class Found>
-void crossings(const Surface& surface, const Placed& placed, const Vec3& a, const Vec3& b, Found&& found) {
+///
+/// owner  a triangle that has the edge, if it is of the same surface: parts that look to one side with it are passed over; else -1
+template <class Counts, class Found>
+void crossings(const Surface& surface, const Placed& placed, const Vec3& a, const Vec3& b, Index owner, Counts&& counts,
+               Found&& found) {
   constexpr double round_off = 1e-9;  // [-] what is as near to a border as that is on it: a crossing twice does no harm, none does
   if (surface.tree.nodes.empty()) return;
   const Vec3 way = b - a, inverse = way.cwiseInverse();
@@ -148,12 +158,14 @@ void crossings(const Surface& surface, const Placed& placed, const Vec3& a, cons
     const Index here = stack.node[--stack.count];
     if (!detail::is_met(placed.boxes[here], a, inverse, 1)) continue;
     const Tree::Node& node = surface.tree.nodes[here];
+    if (owner >= node.first && owner < node.last && is_flat(placed, here)) continue;
     if (node.second != 0) {
       stack.node[stack.count++] = node.second;
       stack.node[stack.count++] = here + 1;
       continue;
     }
     for (Index t = node.first; t < node.last; ++t) {
+      if (!counts(t)) continue;
       const Vec3 p = corner(surface, placed, t, 0) - a, u = corner(surface, placed, t, 1) - a - p, v = corner(surface, placed, t, 2) - a - p;
       const Vec3 n = u.cross(v);
       const double height = p.dot(n), down = way.dot(n), square = n.squaredNorm();

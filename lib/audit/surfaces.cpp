@@ -160,6 +160,21 @@ void grow(Tree& tree, const Vectors& middle, std::vector<Index>& order, Index fi
   grow(tree, middle, order, half, last);
 }
 
+/// Finds for each edge a triangle that has it.
+void find_owners(Surface& surface) {
+  surface.owner.assign(surface.edges.cols(), 0);
+  const auto begin = surface.edges.colwise().begin();
+  const auto points = static_cast<Index>(surface.nodes.size());
+  for (Index t = 0; t < surface.triangles.cols(); ++t)
+    for (int side = 0; side < 3; ++side) {
+      const Index a = surface.triangles(side, t), b = surface.triangles((side + 1) % 3, t);
+      if (a >= points || b >= points) continue;
+      const std::pair edge{std::min(a, b), std::max(a, b)};
+      const auto less = [](const auto& column, const auto& key) { return std::pair{column(0), column(1)} < key; };
+      surface.owner[std::lower_bound(begin, surface.edges.colwise().end(), edge, less) - begin] = t;
+    }
+}
+
 /// Cuts the faces into triangles and puts a tree around them.
 void cut_into_triangles(const mesh::Mesh& mesh, Surface& surface) {
   const auto points = static_cast<Index>(surface.nodes.size());
@@ -253,6 +268,7 @@ Surface surface_of(const mesh::Mesh& mesh, const std::vector<Face>& faces, const
   surface.edges.resize(2, static_cast<Eigen::Index>(edges.size()));
   for (std::size_t e = 0; e < edges.size(); ++e) surface.edges.col(e) << edges[e].first, edges[e].second;
   cut_into_triangles(mesh, surface);
+  find_owners(surface);
   return surface;
 }
 

@@ -39,6 +39,7 @@ struct Surface {
   Scalars size;                   ///< [m] [points] of the smallest element with a face at the point
   std::vector<Index> region;      ///< [points] place in Surfaces::names
   Table<2> edges;                 ///< [edges] points; each once
+  std::vector<Index> owner;       ///< [edges] a triangle that has it
   Table<4> faces;                 ///< [faces] points, seen from outside; the fourth of a triangle is -1
   Scalars face_size;              ///< [m] [faces] element size, see surfaces()
   std::vector<Index> face_region; ///< [faces] place in Surfaces::names

@@ -85,6 +85,7 @@ struct Progress {
   std::int64_t corners_seen = 0;  ///< step of the last look at the corners of elements
   double audits = 0;            ///< looks for overlaps: multiples of the interval between two that have passed
   std::int64_t audited = 0;     ///< step of the last look for overlaps
+  std::int64_t audited_itself = 0;  ///< step of the last look for overlaps of bodies with themselves
   Step smallest;                ///< the smallest step so far, and what limited it
   double largest_step = 0;      ///< [s]
 };

@@ -27,6 +27,18 @@ bool has_base(const contact::Interface& interface, const audit::Surfaces& all, I
   return false;
 }
 
+std::int64_t elements(const Model& model) {
+  std::int64_t sum = 0;
+  for (const auto& block : model.blocks) sum += element::tiling(block).elements;
+  return sum;
+}
+
+std::int64_t edges(const audit::Surfaces& all) {
+  std::int64_t sum = 0;
+  for (const audit::Surface& surface : all.list) sum += surface.edges.cols();
+  return sum;
+}
+
 const std::string& name(const audit::Surfaces& all, Index region) { return all.names[static_cast<std::size_t>(region)]; }
 
 }  // namespace
@@ -40,12 +52,15 @@ audit::Surfaces audited_surfaces(const Model& model) {
   return audit::surfaces(model.mesh, thicknesses, planes);
 }
 
-void see_overlaps(bool last, double every, State& now, Forces& forces) {
+void see_overlaps(const Model& model, bool last, double every, State& now, Forces& forces) {
   Progress& progress = now.progress;
   const double due = every > 0 ? std::floor(now.t / every + 1e-9) : static_cast<double>(now.step);  // as frames are
   if (now.audit.looks > 0 && (last ? progress.audited == now.step : due <= progress.audits)) return;
   progress.audits = due, progress.audited = now.step;
-  audit::look(now.x, now.t, forces.audit, now.audit);
+  const std::int64_t updates = elements(model) * (now.step - progress.audited_itself);
+  const bool also_itself = last || now.audit.looks == 0 || updates >= updates_per_edge * edges(forces.audit.surfaces);
+  if (also_itself) progress.audited_itself = now.step;
+  audit::look(now.x, now.t, also_itself, forces.audit, now.audit);
 }
 
 bool joins(const contact::Interface& interface, const audit::Surfaces& all, const audit::Overlap& overlap) {

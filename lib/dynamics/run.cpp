@@ -136,7 +136,7 @@ Outcome run(const Model& model, State& now, Forces& forces, const Time& time, do
     progress.first_step = choose_step(now.votes, time.safety).dt;
     progress.smallest.dt = std::numeric_limits<double>::infinity();
     now.probes.assign(watch.probes.size(), {});
-    see_overlaps(false, time.audit_every, now, forces);
+    see_overlaps(model, false, time.audit_every, now, forces);
     show();
   }
   bool wanted = enough();
@@ -157,7 +157,7 @@ Outcome run(const Model& model, State& now, Forces& forces, const Time& time, do
       progress.updates = static_cast<std::int64_t>(now.t / update_every);
       update_ledger(model, now);
       see_quality(model, false, now);
-      if (now.votes.volume_ratio > 0) see_overlaps(false, time.audit_every, now, forces);
+      if (now.votes.volume_ratio > 0) see_overlaps(model, false, time.audit_every, now, forces);
     }
     show();
     if (!(now.votes.volume_ratio > 0)) continue;  // stop() says so
@@ -179,7 +179,7 @@ Outcome run(const Model& model, State& now, Forces& forces, const Time& time, do
     show(true);
   }
   see_quality(model, true, now);
-  if (now.votes.volume_ratio > 0) see_overlaps(true, time.audit_every, now, forces);
+  if (now.votes.volume_ratio > 0) see_overlaps(model, true, time.audit_every, now, forces);
   if (good(outcome.ending)) overlap_too_much(model, now, forces, time.overlap_limit, outcome);
   outcome.wall_seconds = std::chrono::duration<double>(clock() - began).count();
   outcome.element_updates = elements(model) * (now.step + 1);

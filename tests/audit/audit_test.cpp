@@ -172,7 +172,7 @@ TEST(Overlap, OfPositionsThatAreNoNumbersOrTurnedInsideOutIsNoCrash) {
   EXPECT_EQ(found(work, x).deepest, 0);
   Memory memory;
   x = cubes.X, x(0, 0) = std::numeric_limits<double>::infinity();
-  look(x, 0, work, memory);
+  look(x, 0, true, work, memory);
   EXPECT_TRUE(memory.overlaps.empty());
 }
 
@@ -180,16 +180,16 @@ TEST(Look, CountsOnlyWhatGrowsAndAfterPartingAll) {
   const mesh::Mesh cubes = stacked(0.1);
   Workspace work = workspace_of(cubes);
   Memory memory;
-  look(cubes.X, 0, work, memory);
+  look(cubes.X, 0, true, work, memory);
   ASSERT_EQ(memory.overlaps.size(), 1U);
   EXPECT_NEAR(memory.overlaps[0].at_start, 0.1, 1e-12);
   EXPECT_EQ(memory.overlaps[0].grown, 0);
-  look(stacked(0.15).X, 1, work, memory);
+  look(stacked(0.15).X, 1, true, work, memory);
   EXPECT_NEAR(worst(memory)->grown, 0.05 / 0.25, 1e-9);
   EXPECT_NEAR(worst(memory)->worst.depth, 0.15, 1e-12);
   EXPECT_EQ(worst(memory)->time, 1);
-  look(stacked(-0.1).X, 2, work, memory);
-  look(stacked(0.12).X, 3, work, memory);
+  look(stacked(-0.1).X, 2, true, work, memory);
+  look(stacked(0.12).X, 3, true, work, memory);
   EXPECT_NEAR(worst(memory)->grown, 0.12 / 0.25, 1e-9);
   EXPECT_NEAR(worst(memory)->deepest, 0.15, 1e-12);
   EXPECT_EQ(memory.looks, 4);
