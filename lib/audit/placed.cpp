@@ -12,7 +12,7 @@ constexpr double round_off = 1e-14;  // [-] of its distance from the origin
 // A direction that no mesh is built along, and two across it.
 const Vec3 u(0.80252871, -0.59660537, 0);
 const Vec3 v(0.40337647, 0.54260638, -0.73682593);
-const Vec3 ray = u.cross(v);
+const Vec3 ray = cross(u, v);
 
 Box around(const Box& one, const Box& other) { return {one.low.cwiseMin(other.low), one.high.cwiseMax(other.high)}; }
 
@@ -90,9 +90,9 @@ void place(const Surface& surface, const Vectors& x, Placed& placed) {
 Vec3 face_normal(const Surface& surface, const Placed& placed, Index face) {
   const auto at = surface.faces.col(face);
   const Vec3 a = placed.at.col(at(0)), b = placed.at.col(at(1)), c = placed.at.col(at(2));
-  if (at(3) < 0) return (b - a).cross(c - a);
+  if (at(3) < 0) return cross(b - a, c - a);
   const Vec3 d = placed.at.col(at(3));
-  return (c - a).cross(d - b);
+  return cross(c - a, d - b);
 }
 
 int winding(const Surface& surface, const Placed& placed, const Vec3& p) {

@@ -1,7 +1,6 @@
 #pragma once
 // A surface where it stands now, and what can be asked of it: crossed edges, sides, distances.
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -10,6 +9,11 @@
 #include "geometry/closest.hpp"
 
 namespace nereid::audit {
+
+/// As Eigen's, which is a header of its own.
+inline Vec3 cross(const Vec3& a, const Vec3& b) {
+  return {a.y() * b.z() - a.z() * b.y(), a.z() * b.x() - a.x() * b.z(), a.x() * b.y() - a.y() * b.x()};
+}
 
 struct Box {
   Vec3 low, high;  ///< [m]
@@ -43,7 +47,7 @@ inline Vec3 corner(const Surface& surface, const Placed& placed, Index triangle,
 /// The normal of a triangle, twice its area long. [m2]
 inline Vec3 normal(const Surface& surface, const Placed& placed, Index triangle) {
   const Vec3 a = corner(surface, placed, triangle, 0);
-  return (corner(surface, placed, triangle, 1) - a).cross(corner(surface, placed, triangle, 2) - a);
+  return cross(corner(surface, placed, triangle, 1) - a, corner(surface, placed, triangle, 2) - a);
 }
 
 /// The normal of a face, from its diagonals or sides, twice its area long. [m2]
@@ -142,8 +146,8 @@ inline bool is_flat(const Placed& placed, Index node) {
   return middle.squaredNorm() > middle.cwiseAbs().dot(half);
 }
 
-/// Calls found(triangle, s) for each triangle that `counts(triangle)` takes and that the edge from a to b crosses or touches, at a + s (b - a); an edge in the plane of a
-/// triangle does not cross it.
+/// Calls found(triangle, s) for each triangle that `counts(triangle)` takes and that the edge from a to b crosses or touches, at
+/// a + s (b - a); an edge in the plane of a triangle does not cross it.
 ///
 /// owner  a triangle that has the edge, if it is of the same surface: parts that look to one side with it are passed over; else -1
 template <class Counts, class Found>
@@ -166,14 +170,14 @@ void crossings(const Surface& surface, const Placed& placed, const Vec3& a, cons
     }
     for (Index t = node.first; t < node.last; ++t) {
       if (!counts(t)) continue;
-      const Vec3 p = corner(surface, placed, t, 0) - a, u = corner(surface, placed, t, 1) - a - p, v = corner(surface, placed, t, 2) - a - p;
-      const Vec3 n = u.cross(v);
+      const Vec3 p = corner(surface, placed, t, 0) - a;
+      const Vec3 u = corner(surface, placed, t, 1) - a - p, v = corner(surface, placed, t, 2) - a - p, n = cross(u, v);
       const double height = p.dot(n), down = way.dot(n), square = n.squaredNorm();
       if (!(square > 0) || down == 0) continue;
       const double s = height / down;
       if (!(s >= -round_off && s <= 1 + round_off)) continue;
       const Vec3 q = s * way - p;
-      const double wu = q.cross(v).dot(n) / square, wv = u.cross(q).dot(n) / square;
+      const double wu = cross(q, v).dot(n) / square, wv = cross(u, q).dot(n) / square;
       if (wu >= -round_off && wv >= -round_off && wu + wv <= 1 + round_off) found(t, s);
     }
   }

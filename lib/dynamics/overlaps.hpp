@@ -10,7 +10,7 @@ audit::Surfaces audited_surfaces(const Model&);
 
 /// Element updates between two looks for overlaps of bodies with themselves, over the edges of all surfaces: about a hundredth of the
 /// time of a run.
-constexpr std::int64_t updates_per_edge = 500;
+constexpr std::int64_t updates_per_edge = 200;
 
 /// Looks at the overlaps of all bodies where a look is due, or in any case if the run ends here. Needs a state whose ledger is current.
 ///

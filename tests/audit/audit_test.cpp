@@ -23,9 +23,7 @@ TEST(Overlap, OfCubesIsTheDepthAtAnyPlaceScaleAndRotation) {
   for (const double scale : {1.0, 1e-9, 1e6})
     for (const double far : {0.0, 1e6})
       for (const double angle : {0.0, 0.3, 1.1, 2.9}) {
-        mesh::Mesh there = cubes;
-        there.X = placed_anywhere(cubes.X, Vec3(1, 2, -0.5), angle, scale, far * scale * Vec3(1, -1, 0.5));
-        const Found at = found(there);
+        const Found at = found(placed_anywhere(cubes, Vec3(1, 2, -0.5), angle, scale, far * scale * Vec3(1, -1, 0.5)));
         EXPECT_NEAR(at.deepest / scale, depth, far > 0 ? 1e-8 : 1e-12) << scale << " " << far << " " << angle;
         EXPECT_NEAR(in_elements(at.worst), depth / 0.25, 1e-6);
       }
@@ -42,8 +40,7 @@ TEST(Overlap, OfCubesOfUnlikeMeshesIsMeasuredInTheSmallerElement) {
 TEST(Overlap, OfFacesThatTouchIsNothing) {
   for (const double aside : {0.0, 0.25, 0.1})
     for (const double angle : {0.0, 0.7}) {
-      mesh::Mesh cubes = stacked(0, 4, 4, aside);
-      cubes.X = placed_anywhere(cubes.X, Vec3(1, 2, 3), angle, 1, Vec3(3, 4, 5));
+      const mesh::Mesh cubes = placed_anywhere(stacked(0, 4, 4, aside), Vec3(1, 2, 3), angle, 1, Vec3(3, 4, 5));
       EXPECT_EQ(found(cubes).deepest, 0) << aside << " " << angle;
     }
   EXPECT_EQ(found(stacked(0, 4, 3, 0)).deepest, 0);
@@ -93,7 +90,8 @@ TEST(Overlap, OfASheetThatPokesIntoABlockIsHowFar) {
 }
 
 TEST(Overlap, OfASheetThroughABlockWithoutANodeInIt) {
-  const mesh::Mesh bodies = mesh::join(block("block", Vec3::Ones(), {3, 3, 3}), mesh::moved(plate("sheet", 9, 9, 1, 1), Vec3(0.1, 0.2, 0.46)));
+  const mesh::Mesh sheet = mesh::moved(plate("sheet", 9, 9, 1, 1), Vec3(0.1, 0.2, 0.46));
+  const mesh::Mesh bodies = mesh::join(block("block", Vec3::Ones(), {3, 3, 3}), sheet);
   EXPECT_NEAR(found(bodies).deepest, 0.04, 1e-12);
 }
 
@@ -103,7 +101,8 @@ TEST(Overlap, OfASheetThatABlockRestsOnIsNothing) {
 }
 
 TEST(Overlap, OfTheBorderOfASheetInTheSideOfABlockIsHowFarTheBorderIsIn) {
-  const mesh::Mesh bodies = mesh::join(block("block", Vec3::Ones(), {2, 2, 2}), mesh::moved(plate("sheet", 3, 9, 1, 1), Vec3(1.98, 0, 0.1)));
+  const mesh::Mesh sheet = mesh::moved(plate("sheet", 3, 9, 1, 1), Vec3(1.98, 0, 0.1));
+  const mesh::Mesh bodies = mesh::join(block("block", Vec3::Ones(), {2, 2, 2}), sheet);
   EXPECT_NEAR(found(bodies).deepest, 0.02, 1e-12);
 }
 
@@ -146,7 +145,11 @@ TEST(OverlapWithItself, OfASheetIsFoundWhereItGoesThroughItself) {
 }
 
 TEST(Overlap, OnAPlaneOfSymmetryDoesNotHideBehindIt) {
-  mesh::Mesh bars = mesh::join(mesh::box("a", {Vec3(0, 0, 0), Vec3(4, 1, 1), {4, 1, 1}}), mesh::box("b", {Vec3(3.8, 0, 0), Vec3(8, 1, 1), {4, 1, 1}}));
+  const auto two = [](double begin) {
+    const mesh::Mesh a = mesh::box("a", {Vec3::Zero(), Vec3(4, 1, 1), {4, 1, 1}});
+    return mesh::join(a, mesh::box("b", {Vec3(begin, 0, 0), Vec3(8, 1, 1), {4, 1, 1}}));
+  };
+  const mesh::Mesh bars = two(3.8);
   std::vector<Symmetry> planes(2);
   for (int axis = 1; axis < 3; ++axis) {
     planes[axis - 1].normal = Vec3::Unit(axis);
@@ -155,8 +158,7 @@ TEST(Overlap, OnAPlaneOfSymmetryDoesNotHideBehindIt) {
   }
   Workspace work = workspace_of(bars, 0, planes);
   EXPECT_NEAR(found(work, bars.X).deepest, 0.2, 1e-9);
-  EXPECT_EQ(found(work, mesh::join(mesh::box("a", {Vec3(0, 0, 0), Vec3(4, 1, 1), {4, 1, 1}}),
-                                   mesh::box("b", {Vec3(4, 0, 0), Vec3(8, 1, 1), {4, 1, 1}})).X).deepest, 0);
+  EXPECT_EQ(found(work, two(4).X).deepest, 0);
 }
 
 TEST(Overlap, OfPositionsThatAreNoNumbersOrTurnedInsideOutIsNoCrash) {
@@ -196,8 +198,7 @@ TEST(Look, CountsOnlyWhatGrowsAndAfterPartingAll) {
 }
 
 TEST(Look, HasTheSameBitsWithAnyNumberOfThreads) {
-  mesh::Mesh cubes = stacked(0.11, 20, 17);
-  cubes.X = placed_anywhere(cubes.X, Vec3(1, 2, 3), 0.4, 1, Vec3::Zero());
+  const mesh::Mesh cubes = placed_anywhere(stacked(0.11, 20, 17), Vec3(1, 2, 3), 0.4, 1, Vec3::Zero());
   const int before = threads();
   use_threads(1);
   const Found one = found(cubes);

@@ -20,10 +20,11 @@ inline mesh::Mesh plate(const std::string& name, double x, double y, int cells_x
   return mesh::moved(mesh::sheet(name, {x, y, cells_x, cells_y}), Vec3(-x / 2, -y / 2, 0));
 }
 
-/// All of a mesh turned, shrunk and moved as one.
-inline Vectors placed_anywhere(const Vectors& X, const Vec3& axis, double angle, double scale, const Vec3& move) {
-  const Mat3 turn = Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix();
-  return (scale * (turn * X)).colwise() + move;
+/// All of a mesh rotated, scaled and moved as one.
+inline mesh::Mesh placed_anywhere(mesh::Mesh mesh, const Vec3& axis, double angle, double scale, const Vec3& move) {
+  mesh = mesh::rotated_about(std::move(mesh), axis, angle, Vec3::Zero());
+  mesh.X *= scale;
+  return mesh::moved(std::move(mesh), move);
 }
 
 inline Workspace workspace_of(const mesh::Mesh& mesh, double thickness = 0.01, const std::vector<Symmetry>& planes = {}) {
