@@ -279,11 +279,12 @@ Found overlap_with_itself(Workspace& work, Index index) {
     const Index first = surface.edges(0, e), last = surface.edges(1, e);
     const Vec3 a = point(one, first), b = point(one, last);
     const double size = std::min(surface.size(first), surface.size(last));
-    const auto counts = [&](Index t) { return !shares_a_point(surface, t, first, last); };
+    const auto counts = [&](Index t) { return surface.cut[surface.face_of[t]] == 0 && !shares_a_point(surface, t, first, last); };
     crossings(surface, one.placed, a, b, surface.owner[e], counts, [&](Index t, double s) {
       const Vec3 n = normal(surface, one.placed, t).normalized(), at = a + s * (b - a);
       const double up_a = (a - at).dot(n), up_b = (b - at).dot(n);
       double depth = std::min(std::abs(up_a), std::abs(up_b));
+      if (!(depth > touching * size)) return;  // an end on the face: elements have slid within a plane, or it touches
       if (surface.closed) {  // the end behind the face, and how far it is from faces that look at it
         const Vec3 end = up_a < 0 ? a : b, out = one.placed.normals.col(up_a < 0 ? first : last);
         const auto looks_at_it = [&](Index other) {

@@ -66,7 +66,9 @@ std::vector<std::string> depth_notes(const Simulation& simulation) {
 
 std::vector<std::string> overlap_notes(const Simulation& simulation) {
   constexpr double worth_saying = 0.1;  // [-] of an element
+  constexpr std::size_t most = 8;       // said one by one
   std::vector<std::string> notes;
+  std::size_t more = 0;
   const audit::Surfaces& surfaces = simulation.forces.audit.surfaces;
   const auto& interfaces = simulation.model.interfaces;
   for (const audit::Overlap& overlap : simulation.state.audit.overlaps) {
@@ -78,11 +80,16 @@ std::vector<std::string> overlap_notes(const Simulation& simulation) {
     }
     const bool from_start = overlap.at_start > worth_saying * overlap.worst.size && !expected;
     if (!(overlap.grown > worth_saying) && !from_start) continue;
+    if (notes.size() == most) {
+      ++more;
+      continue;
+    }
     std::string note = dynamics::in_words(surfaces, overlap);
     if (overlap.at_start > 0) note += row(", and by %.3g m at the start", overlap.at_start);
     if (!joined) note += "; no contact between them is declared";
     notes.push_back(note);
   }
+  if (more > 0) notes.push_back(row("%zu more overlaps of bodies stand in the summary", more));
   return notes;
 }
 

@@ -25,7 +25,8 @@ TEST(Winding, TellsInsideFromOutsideAlsoOnTheLinesOfTheMesh) {
   for (int i = 0; i < 2000; ++i) {
     const Vec3 p = Vec3(place(random), place(random), place(random)) / 8;
     const double most = p.cwiseAbs().maxCoeff();
-    if (most != 0.5) EXPECT_EQ(winding(box.surface(), box.placed, p), most < 0.5 ? 1 : 0) << p.transpose();
+    if (most == 0.5) continue;
+    EXPECT_EQ(winding(box.surface(), box.placed, p), most < 0.5 ? 1 : 0) << p.transpose();
   }
 }
 
