@@ -55,7 +55,8 @@ audit::Surfaces audited_surfaces(const Model& model) {
 void see_overlaps(const Model& model, bool last, double every, State& now, Forces& forces) {
   Progress& progress = now.progress;
   const double due = every > 0 ? std::floor(now.t / every + 1e-9) : static_cast<double>(now.step);  // as frames are
-  if (now.audit.looks > 0 && (last ? progress.audited == now.step : due <= progress.audits)) return;
+  const bool just_looked = progress.audited == now.step && progress.audited_itself == now.step;
+  if (now.audit.looks > 0 && (last ? just_looked : due <= progress.audits)) return;
   progress.audits = due, progress.audited = now.step;
   const std::int64_t updates = elements(model) * (now.step - progress.audited_itself);
   const bool also_itself = last || now.audit.looks == 0 || updates >= updates_per_edge * edges(forces.audit.surfaces);
@@ -70,7 +71,8 @@ bool joins(const contact::Interface& interface, const audit::Surfaces& all, cons
 }
 
 std::string bodies(const audit::Surfaces& all, const audit::Overlap& overlap) {
-  const std::string &one = name(all, overlap.worst.region[0]), &other = name(all, overlap.worst.region[1]);
+  const auto [first, second] = std::minmax(overlap.worst.region[0], overlap.worst.region[1]);
+  const std::string &one = name(all, first), &other = name(all, second);
   return overlap.surface[0] == overlap.surface[1] || one == other ? one : one + " and " + other;
 }
 

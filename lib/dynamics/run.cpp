@@ -157,7 +157,7 @@ Outcome run(const Model& model, State& now, Forces& forces, const Time& time, do
       progress.updates = static_cast<std::int64_t>(now.t / update_every);
       update_ledger(model, now);
       see_quality(model, false, now);
-      if (now.votes.volume_ratio > 0) see_overlaps(model, false, time.audit_every, now, forces);
+      if (now.votes.volume_ratio > 0) see_overlaps(model, last || rests, time.audit_every, now, forces);
     }
     show();
     if (!(now.votes.volume_ratio > 0)) continue;  // stop() says so

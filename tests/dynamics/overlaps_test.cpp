@@ -43,7 +43,7 @@ TEST(SeeOverlaps, LooksAtTheEndInAnyCase) {
   Scene s = closing(1);
   EXPECT_EQ(s.run_to(0.4).ending, Ending::bodies_overlap);
   EXPECT_NEAR(audit::worst(s.state.audit)->deepest, 0.3, 1e-6);
-  EXPECT_EQ(s.state.progress.audited, s.state.step);
+  EXPECT_EQ(s.state.progress.audited_itself, s.state.step);
 }
 
 TEST(SeeOverlaps, OfATenthOfAnElementStopsNothing) {
