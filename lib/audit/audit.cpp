@@ -148,16 +148,17 @@ double from_rim(const Side& sheet, const Vec3& p) {
 }
 
 /// Groups the points that stand over or under a sheet by the side on which they do, as edges connect them; `reach` becomes how far
-/// the farthest of its group is from the sheet, infinite for points past the rim.
-void find_reach(const Side& one, const Side& sheet, std::vector<Index>& group, std::vector<double>& reach) {
+/// the farthest of its group is from the sheet. A point past the rim, or over it, stands for itself.
+void find_reach(const Side& one, const Side& sheet, std::vector<char>& where, std::vector<Index>& group, std::vector<double>& reach) {
+  enum : char { past, over, under };
   const auto points = static_cast<Index>(one.surface.nodes.size());
-  std::vector<double>& signed_distance = reach;
   parallel_for(points, length, [&](Index p) {
     group[p] = p;
     const Nearest at = nearest(sheet.surface, sheet.placed, point(one, p), 0, all);
-    const bool past = at.triangle < 0 || at.on_rim;
-    const double side = past ? 0 : (point(one, p) - at.foot).dot(normal(sheet.surface, sheet.placed, at.triangle));
-    signed_distance[p] = past ? std::numeric_limits<double>::infinity() : side < 0 ? -at.distance : at.distance;
+    reach[p] = at.distance;
+    where[p] = past;
+    if (at.triangle < 0 || at.on_rim) return;
+    where[p] = (point(one, p) - at.foot).dot(normal(sheet.surface, sheet.placed, at.triangle)) < 0 ? under : over;
   });
   const auto find = [&](Index p) {
     while (group[p] != p) p = group[p] = group[group[p]];
@@ -165,12 +166,10 @@ void find_reach(const Side& one, const Side& sheet, std::vector<Index>& group, s
   };
   for (Index e = 0; e < one.surface.edges.cols(); ++e) {
     const Index a = one.surface.edges(0, e), b = one.surface.edges(1, e);
-    if (!std::isfinite(signed_distance[a]) || !std::isfinite(signed_distance[b])) continue;
-    if (std::signbit(signed_distance[a]) != std::signbit(signed_distance[b])) continue;
+    if (where[a] == past || where[a] != where[b]) continue;
     const Index first = find(a), second = find(b);
     group[std::max(first, second)] = std::min(first, second);
   }
-  for (Index p = 0; p < points; ++p) reach[p] = std::abs(reach[p]);
   for (Index p = points - 1; p >= 0; --p) group[p] = find(p);
   for (Index p = 0; p < points; ++p) reach[group[p]] = std::max(reach[group[p]], reach[p]);
   for (Index p = 0; p < points; ++p) reach[p] = reach[group[p]];
@@ -188,10 +187,10 @@ bool crosses(const Side& one, const Side& sheet) {
 }
 
 /// Edges of a surface that go through a sheet: how far it is to where they do no longer, along the body or across the sheet.
-void look_through(const Side& one, const Side& sheet, std::vector<Index>& group, std::vector<double>& reach, std::vector<Found>& parts,
-                  Found& found) {
+void look_through(const Side& one, const Side& sheet, std::vector<char>& where, std::vector<Index>& group, std::vector<double>& reach,
+                  std::vector<Found>& parts, Found& found) {
   if (!crosses(one, sheet)) return;
-  find_reach(one, sheet, group, reach);
+  find_reach(one, sheet, where, group, reach);
   const Surface& surface = one.surface;
   const Box& box = sheet.placed.boxes[0];
   in_ranges(static_cast<Index>(surface.edges.cols()), parts, found, [&](Index e, Found& here) {
@@ -265,8 +264,8 @@ Found overlap(Workspace& work, Index first, Index second) {
   const Side one = side(work, first), other = side(work, second);
   if (other.surface.closed) look_inside(one, other, work.inside, work.parts, found);
   if (one.surface.closed) look_inside(other, one, work.inside, work.parts, found);
-  if (!other.surface.closed) look_through(one, other, work.group, work.reach, work.parts, found);
-  if (!one.surface.closed) look_through(other, one, work.group, work.reach, work.parts, found);
+  if (!other.surface.closed) look_through(one, other, work.inside, work.group, work.reach, work.parts, found);
+  if (!one.surface.closed) look_through(other, one, work.inside, work.group, work.reach, work.parts, found);
   return found;
 }
 

@@ -46,7 +46,7 @@ struct Memory {
 struct Workspace {
   Surfaces surfaces;
   std::vector<Placed> placed;   ///< beside Surfaces::list
-  std::vector<char> inside;     ///< [points] of one surface in another
+  std::vector<char> inside;     ///< [points] of one surface: in another, or on which side of a sheet
   std::vector<Found> parts;     ///< of ranges of points, faces or edges, in order
   std::vector<Index> group;     ///< [points] of a surface that a sheet cuts: connected on one side of the sheet
   std::vector<double> reach;    ///< [m] [points] how far from the sheet

@@ -223,6 +223,7 @@ void find_rim(Surface& surface) {
     for (int side = 0; side < 3; ++side) {
       const auto edge = key(t, side);
       if (count[edge] != 1) continue;
+      if (surface.inward.col(edge.first).dot(surface.inward.col(edge.second)) > 0) continue;  // the sheet goes on behind its symmetry plane
       surface.rim[t][side] = true;
       surface.on_rim[edge.first] = surface.on_rim[edge.second] = 1;
       edges.push_back(edge);

@@ -115,6 +115,14 @@ TEST(Overlap, OfASheetThroughASheetIsTheShortestWayOut) {
   }
 }
 
+TEST(Overlap, OfABlockThatBulgesThroughASheetAtItsRimIsTheBulge) {
+  const mesh::Mesh upright = mesh::rotated_about(plate("sheet", 5.5, 9, 1, 1), Vec3::UnitY(), pi / 2, Vec3::Zero());
+  mesh::Mesh bodies = mesh::join(block("block", Vec3::Ones(), {1, 1, 1}), mesh::moved(upright, Vec3(0.5, 0, 2.25)));
+  for (Index n = 0; n < 8; ++n)
+    if (bodies.X(0, n) > 0) bodies.X(0, n) += bodies.X(2, n) < 0 ? 0.02 : -0.05;  // the lower corners stand over the rim
+  EXPECT_NEAR(found(bodies).deepest, 0.02, 1e-12);
+}
+
 /// A strip along x, bent about the y axis so that its second half comes back over the first at a height, its end lowered.
 mesh::Mesh folded(mesh::Mesh strip, double height, double lowered = 0) {
   for (Index n = 0; n < strip.X.cols(); ++n) {
