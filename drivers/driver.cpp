@@ -11,6 +11,7 @@
 #include "base/parallel.hpp"
 #include "base/words.hpp"
 #include "drivers/recorder.hpp"
+#include "dynamics/overlaps.hpp"
 #include "dynamics/quality.hpp"
 #include "model/notes.hpp"
 #include "output/run_folder.hpp"
@@ -52,6 +53,11 @@ void add_common_results(const model::Simulation& simulation, const dynamics::Out
     results.push_back({interface.name + "_lost", static_cast<double>(memory.lost), "1"});
     results.push_back({interface.name + "_recovered", static_cast<double>(memory.recovered), "1"});
   }
+  double deepest = 0, grown = 0;
+  for (const audit::Overlap& overlap : simulation.state.audit.overlaps)
+    deepest = std::max(deepest, overlap.deepest), grown = std::max(grown, overlap.grown);
+  results.push_back({"audit_deepest_overlap", deepest, "m"});
+  results.push_back({"audit_overlap_elements", grown, "1"});
   const double scale = dynamics::energy_scale(simulation.state.ledger);
   for (std::size_t b = 0; b < simulation.model.blocks.size(); ++b) {
     const std::string& body = element::name(simulation.model.blocks[b]);
@@ -65,6 +71,22 @@ void add_common_results(const model::Simulation& simulation, const dynamics::Out
   results.push_back({"largest_step", outcome.largest_step, "s"});
 }
 
+/// What overlapped during the run.
+std::vector<output::Overlap> overlaps_of(const model::Simulation& simulation) {
+  const audit::Surfaces& surfaces = simulation.forces.audit.surfaces;
+  std::vector<output::Overlap> all;
+  for (const audit::Overlap& overlap : simulation.state.audit.overlaps) {
+    output::Overlap one;
+    for (std::size_t i = 0; i < 2; ++i) one.bodies[i] = surfaces.names[static_cast<std::size_t>(overlap.worst.region[i])];
+    for (const contact::Interface& interface : simulation.model.interfaces)
+      if (dynamics::joins(interface, surfaces, overlap)) one.contacts.push_back(interface.name);
+    one.deepest = overlap.deepest, one.elements = overlap.grown, one.at_start = overlap.at_start;
+    one.place = overlap.worst.place, one.time = overlap.time;
+    all.push_back(one);
+  }
+  return all;
+}
+
 output::Summary summarise(const std::string& name, const CommandLine& line, const input::CaseFile& file,
                           const model::Simulation& simulation, const dynamics::Outcome& outcome,
                           const std::vector<output::Result>& results, std::vector<std::string> notes) {
@@ -74,6 +96,7 @@ output::Summary summarise(const std::string& name, const CommandLine& line, cons
   add_common_results(simulation, outcome, summary.results);
   summary.sources = dynamics::sources(simulation.model);
   summary.ledger = simulation.state.ledger;
+  summary.overlaps = overlaps_of(simulation);
   const auto updates = static_cast<double>(outcome.element_updates);
   summary.cost = {model::count_elements(simulation.model), simulation.state.step, outcome.element_updates, outcome.wall_seconds,
                   updates > 0 ? outcome.wall_seconds * 1e9 / updates : 0, threads()};
@@ -154,7 +177,7 @@ int run_case(const std::string& name, const CommandLine& line, output::RunFolder
   if (recorder.replaced() > 0)
     notes.push_back(counted(static_cast<std::size_t>(recorder.replaced()), "value") +
                     " beyond the range of the ParaView files, or no number, written there as 0");
-  for (const auto& warnings : {model::depth_notes(simulation), model::quality_notes(simulation)}) {
+  for (const auto& warnings : {model::depth_notes(simulation), model::overlap_notes(simulation), model::quality_notes(simulation)}) {
     for (const std::string& note : warnings) {
       notes.push_back(note);
       std::fprintf(stderr, "warning: %s\n", note.c_str());

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/check.hpp"
+#include "dynamics/overlaps.hpp"
 
 namespace nereid::dynamics {
 
@@ -80,6 +81,7 @@ Forces make_forces(const Model& model) {
   forces.moment = Vectors::Zero(3, model.inertia.size());
   forces.partial.reserve(static_cast<std::size_t>(model.mesh.X.cols()));
   forces.springs = load::spring_rates(model.loads, model.mass);
+  forces.audit = audit::make_workspace(audited_surfaces(model));
   if (model.relaxation) forces.source_force = forces.force, forces.source_moment = forces.moment;
   return forces;
 }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "audit/audit.hpp"
 #include "contact/contact.hpp"
 #include "contact/rigid_plane.hpp"
 #include "dynamics/ledger.hpp"
@@ -82,6 +83,9 @@ struct Progress {
   std::int64_t updates = 0;     ///< of the ledger: multiples of the interval between two that have passed
   bool ledger_is_current = false;
   std::int64_t corners_seen = 0;  ///< step of the last look at the corners of elements
+  double audits = 0;            ///< looks for overlaps: multiples of the interval between two that have passed
+  std::int64_t audited = 0;     ///< step of the last look for overlaps
+  std::int64_t audited_itself = 0;  ///< step of the last look for overlaps of bodies with themselves
   Step smallest;                ///< the smallest step so far, and what limited it
   double largest_step = 0;      ///< [s]
 };
@@ -113,6 +117,7 @@ struct State {
   Votes votes;                                     ///< for the next step
   Progress progress;
   std::vector<Quality> quality;                    ///< beside Model::blocks
+  audit::Memory audit;                             ///< what overlaps
   std::vector<ProbeMemory> probes;                 ///< beside the probes of the run
 };
 
@@ -126,6 +131,7 @@ struct Forces {
   Vectors moment;                                  ///< [N m] on the plate nodes
   std::vector<double> partial;                     ///< sums of node ranges, in order
   load::SpringRates springs;                       ///< of the model: for the vote
+  audit::Workspace audit;                          ///< the surfaces of the model
   Vectors source_force, source_moment;             ///< only while a model relaxes: of one source, or all that resist
 };
 

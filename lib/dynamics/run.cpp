@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/check.hpp"
+#include "dynamics/overlaps.hpp"
 #include "dynamics/quality.hpp"
 #include "dynamics/relax.hpp"
 
@@ -67,6 +68,19 @@ bool created_too_much(const Model& model, const Ledger& ledger, double limit, Ou
   return false;
 }
 
+bool overlap_too_much(const Model& model, const State& now, const Forces& forces, double limit, Outcome& outcome) {
+  const audit::Overlap* worst = audit::worst(now.audit);
+  if (worst == nullptr || !(worst->grown > limit)) return false;
+  outcome.ending = Ending::bodies_overlap;
+  const audit::Surfaces& surfaces = forces.audit.surfaces;
+  const bool joined = std::any_of(model.interfaces.begin(), model.interfaces.end(),
+                                  [&](const contact::Interface& interface) { return joins(interface, surfaces, *worst); });
+  outcome.reason = in_words(surfaces, *worst) + text(worst->at_start > 0 ? ", %.3g m of it at the start" : "", worst->at_start, 0) +
+                   (joined ? "" : ", without a contact between them") + text("; the limit is %.3g of an element", limit, 0);
+  outcome.block = surfaces.names[static_cast<std::size_t>(worst->worst.region[0])];
+  return true;
+}
+
 std::int64_t elements(const Model& model) {
   std::int64_t sum = 0;
   for (const auto& block : model.blocks) sum += element::tiling(block).elements;
@@ -83,6 +97,7 @@ std::string_view word(Ending ending) {
     case Ending::not_finite: return "not_finite";
     case Ending::step_too_small: return "step_too_small";
     case Ending::energy_created: return "energy_created";
+    case Ending::bodies_overlap: return "bodies_overlap";
     case Ending::relaxed: return "relaxed";
     case Ending::not_relaxed: return "not_relaxed";
   }
@@ -121,6 +136,7 @@ Outcome run(const Model& model, State& now, Forces& forces, const Time& time, do
     progress.first_step = choose_step(now.votes, time.safety).dt;
     progress.smallest.dt = std::numeric_limits<double>::infinity();
     now.probes.assign(watch.probes.size(), {});
+    see_overlaps(model, false, time.audit_every, now, forces);
     show();
   }
   bool wanted = enough();
@@ -141,10 +157,12 @@ Outcome run(const Model& model, State& now, Forces& forces, const Time& time, do
       progress.updates = static_cast<std::int64_t>(now.t / update_every);
       update_ledger(model, now);
       see_quality(model, false, now);
+      if (now.votes.volume_ratio > 0) see_overlaps(model, last || rests, time.audit_every, now, forces);
     }
     show();
     if (!(now.votes.volume_ratio > 0)) continue;  // stop() says so
     if (progress.ledger_is_current && created_too_much(model, now.ledger, time.created_limit, outcome)) break;
+    if (progress.ledger_is_current && overlap_too_much(model, now, forces, time.overlap_limit, outcome)) break;
     if (rests) {
       outcome.ending = Ending::relaxed;
       break;
@@ -161,6 +179,8 @@ Outcome run(const Model& model, State& now, Forces& forces, const Time& time, do
     show(true);
   }
   see_quality(model, true, now);
+  if (now.votes.volume_ratio > 0) see_overlaps(model, true, time.audit_every, now, forces);
+  if (good(outcome.ending)) overlap_too_much(model, now, forces, time.overlap_limit, outcome);
   outcome.wall_seconds = std::chrono::duration<double>(clock() - began).count();
   outcome.element_updates = elements(model) * (now.step + 1);
   outcome.smallest_step = progress.smallest.dt, outcome.largest_step = progress.largest_step;

@@ -15,11 +15,13 @@ struct Time {
   double end = 0;              ///< [s]
   double safety = 0.9;         ///< [-] fraction of the elements' stable step; contact votes by its own bound
   double created_limit = 0.05; ///< [-] created energy of any one source over energy_scale()
+  double overlap_limit = 0.5;  ///< [-] elements by which bodies may go into each other or themselves, beyond what they did at the start
+  double audit_every = 0;      ///< [s] between two looks for overlaps; zero: at each update of the ledger
 };
 
 enum class Ending {
   reached_end, stopped_by_condition, relaxed,
-  inverted_element, not_finite, step_too_small, energy_created, not_relaxed
+  inverted_element, not_finite, step_too_small, energy_created, bodies_overlap, not_relaxed
 };
 std::string_view word(Ending);
 /// Whether the run did what it was asked for: it reached its end, a condition of the case or its equilibrium.
@@ -53,6 +55,7 @@ struct Watch {
 /// Runs to the end, to the static equilibrium of a model with `relaxation`, or to what stops it: from a state that has not
 /// been started (velocities set), or on from one that a run has left.
 ///
+/// Overlaps are looked for at the start, at updates of the ledger once `Time::audit_every` has passed, and at the end.
 /// The ledger is brought up to date at the start, at the first step past every multiple of `update_every` [s], and
 /// at the end; View::ledger_is_current tells observers when.
 /// Invariants  a run that goes on from a copy of its state has the bits of one that was never interrupted.

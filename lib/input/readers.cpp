@@ -161,6 +161,7 @@ dynamics::Time read_time(const Section& section) {
   time.end = section.quantity("end", dim::time, positive);
   time.safety = section.number_or("safety", time.safety, model::range::safety);
   time.created_limit = section.number_or("created_limit", time.created_limit, positive);
+  time.overlap_limit = section.number_or("overlap_limit", time.overlap_limit, positive);
   return time;
 }
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdio>
 
+#include "dynamics/overlaps.hpp"
 #include "dynamics/quality.hpp"
 #include "element/width.hpp"
 
@@ -60,6 +61,35 @@ std::vector<std::string> depth_notes(const Simulation& simulation) {
     look(model.interfaces[c].name, simulation.state.interfaces[c].deepest, model.interfaces[c].depth);
   for (std::size_t p = 0; p < model.rigid_planes.size(); ++p)
     look(model.rigid_planes[p].name, simulation.state.rigid_planes[p].deepest, model.rigid_planes[p].depth);
+  return notes;
+}
+
+std::vector<std::string> overlap_notes(const Simulation& simulation) {
+  constexpr double worth_saying = 0.1;  // [-] of an element
+  constexpr std::size_t most = 8;       // said one by one
+  std::vector<std::string> notes;
+  std::size_t more = 0;
+  const audit::Surfaces& surfaces = simulation.forces.audit.surfaces;
+  const auto& interfaces = simulation.model.interfaces;
+  for (const audit::Overlap& overlap : simulation.state.audit.overlaps) {
+    bool joined = false, expected = false;
+    for (std::size_t c = 0; c < interfaces.size(); ++c) {
+      if (!dynamics::joins(interfaces[c], surfaces, overlap)) continue;
+      joined = true;
+      expected = expected || interfaces[c].kind == contact::InterfaceKind::bonded || simulation.gaps[c].penetrating > 0;
+    }
+    const bool from_start = overlap.at_start > worth_saying * overlap.worst.size && !expected;
+    if (!(overlap.grown > worth_saying) && !from_start) continue;
+    if (notes.size() == most) {
+      ++more;
+      continue;
+    }
+    std::string note = dynamics::in_words(surfaces, overlap);
+    if (overlap.at_start > 0) note += row(", and by %.3g m at the start", overlap.at_start);
+    if (!joined) note += "; no contact between them is declared";
+    notes.push_back(note);
+  }
+  if (more > 0) notes.push_back(row("%zu more overlaps of bodies stand in the summary", more));
   return notes;
 }
 

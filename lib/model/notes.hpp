@@ -18,6 +18,10 @@ std::vector<std::string> width_notes(const Simulation&);
 /// Each interface and rigid plane that was penetrated by more than half an element so far, one a line.
 std::vector<std::string> depth_notes(const Simulation&);
 
+/// Each two bodies that overlap by more than a tenth of an element, and each body that overlaps itself, one a line; of what
+/// overlapped at the start only what no contact says.
+std::vector<std::string> overlap_notes(const Simulation&);
+
 /// Each body whose elements spoil its results: corners that are inverted, or hourglass energy above a tenth of its internal energy.
 std::vector<std::string> quality_notes(const Simulation&);
 

@@ -100,6 +100,19 @@ Json ledger_of(const std::vector<Source>& sources, const dynamics::Ledger& ledge
           {"accounts", accounts}};
 }
 
+Json overlaps_of(const std::vector<Overlap>& overlaps) {
+  Json list = Json::array();
+  for (const Overlap& one : overlaps)
+    list.push_back({{"bodies", one.bodies},
+                    {"contacts", one.contacts},
+                    {"deepest", quantity(one.deepest, "m")},
+                    {"elements", quantity(one.elements, "1")},
+                    {"at_start", quantity(one.at_start, "m")},
+                    {"place", quantity(one.place, "m")},
+                    {"time", quantity(one.time, "s")}});
+  return list;
+}
+
 Json cost_of(const Cost& cost) {
   return {{"elements", cost.elements},
           {"steps", cost.steps},
@@ -191,6 +204,7 @@ void write_summary(const std::filesystem::path& directory, const Summary& summar
                      {"ending", ending_of(summary.ending)},
                      {"results", results_of(summary.results)},
                      {"ledger", ledger_of(summary.sources, summary.ledger)},
+                     {"overlaps", overlaps_of(summary.overlaps)},
                      {"cost", cost_of(summary.cost)},
                      {"provenance", provenance_of(summary)},
                      {"not_used", summary.not_used},

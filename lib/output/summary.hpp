@@ -1,6 +1,7 @@
 #pragma once
 // summary.json: how a run ended, what it found, what it cost and where it came from.
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -32,12 +33,23 @@ struct Ending {
   std::int64_t element = -1;  ///< -1 where no element is to blame
 };
 
+/// Two bodies that were in each other, or one in itself, as the audit found them.
+struct Overlap {
+  std::array<std::string, 2> bodies;
+  std::vector<std::string> contacts;  ///< those declared between them
+  double deepest = 0, at_start = 0;   ///< [m]
+  double elements = 0;                ///< [-] by which it grew since the start
+  Vec3 place = Vec3::Zero();          ///< [m] of the worst
+  double time = 0;                    ///< [s]
+};
+
 struct Summary {
   std::string driver, case_path, case_hash;
   Ending ending;
   std::vector<Result> results;
   std::vector<Source> sources;  ///< of the ledger
   dynamics::Ledger ledger;
+  std::vector<Overlap> overlaps;
   Cost cost;
   std::vector<Resolved> resolved;
   std::vector<std::string> not_used;  ///< paths of the case that this driver did not read

@@ -48,6 +48,30 @@ TEST(DepthNotes, SayThatARigidPlaneWasPenetratedTooDeep) {
   EXPECT_TRUE(says(notes[0], "ground: an apex went ")) << notes[0];
 }
 
+TEST(OverlapNotes, SayWhichBodiesOverlapAndThatNoContactIsDeclared) {
+  Scene scene = with({bar(), wall()});
+  scene.bodies[1].place.move = Vec3(-0.2, 0.1, 0);
+  Simulation simulation = build(scene);
+  EXPECT_TRUE(overlap_notes(simulation).empty()) << "nothing has looked yet";
+  EXPECT_TRUE(good(run(simulation).ending)) << "what overlaps from the start does not stop a run";
+  const auto notes = overlap_notes(simulation);
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_TRUE(says(notes[0], "bar and wall overlap by 0.2 m, 0.2 of an element") || says(notes[0], "wall and bar overlap by 0.2 m"))
+      << notes[0];
+  EXPECT_TRUE(says(notes[0], ", and by 0.2 m at the start; no contact between them is declared")) << notes[0];
+}
+
+TEST(OverlapNotes, SayNothingOfWhatTheCaseAccepts) {
+  Scene scene = with({bar(), wall()});
+  scene.bodies[1].place.move = Vec3(-0.2, 0.1, 0);
+  scene.contacts = {{.name = "touch", .apexes = "bar.x_high", .base = "wall.x_low"}};
+  scene.contacts[0].interface.initial_penetration = contact::InitialPenetration::accept;
+  Simulation simulation = build(scene);
+  run(simulation);
+  EXPECT_NEAR(audit::worst(simulation.state.audit)->at_start, 0.2, 1e-9);
+  EXPECT_TRUE(overlap_notes(simulation).empty());
+}
+
 TEST(QualityNotes, SayWhichCornerIsInvertedAndHowMuchEnergyIsInHourglasses) {
   Simulation simulation = build(with({bar()}));
   run(simulation);

@@ -43,6 +43,7 @@ const std::vector<Wrong> numbers{
     {"time: 'end'", [](Scene& s, double v) { s.time.end = v; }, {0, -1, nan, infinity}},
     {"time: 'safety'", [](Scene& s, double v) { s.time.safety = v; }, {0, -1, 11, nan}},
     {"time: 'created_limit'", [](Scene& s, double v) { s.time.created_limit = v; }, {0, nan, infinity}},
+    {"time: 'overlap_limit'", [](Scene& s, double v) { s.time.overlap_limit = v; }, {0, -1, nan, infinity}},
     {"'history_every'", [](Scene& s, double v) { s.recording.history = v; }, {-1, nan, infinity}},
     {"'frames_every'", [](Scene& s, double v) { s.recording.frames = v; }, {-1, nan, infinity}},
     {"'gravity'", [](Scene& s, double v) { s.gravity.y() = v; }, {nan, infinity}},

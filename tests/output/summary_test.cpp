@@ -56,6 +56,7 @@ Summary example() {
   contact.impulse = Vec3(1, 2, 2.5);
   summary.sources = {{"A_on_B", SourceKind::interface, {Stored::penalty}, {Dissipated::friction}}};
   summary.ledger.accounts = {contact};
+  summary.overlaps = {{{"A", "B"}, {"A_on_B"}, 0.5, 0.25, 2, Vec3(1, 2, 3), 0.125}};
   summary.resolved = {{"contact.penalty", 5e11, "Pa/m", false},
                       {"contact.friction", 0.0, "1", true},
                       {"material", std::string("steel"), "", false},
@@ -73,6 +74,8 @@ TEST(Summary, SaysHowTheRunEndedAndWhatItFound) {
   EXPECT_EQ(text.rfind(R"({"driver":"two_blocks","ending":{"word":"reached_end",)", 0), 0u) << text;
   EXPECT_HAS(text, R"("time":{"value":0.25,"unit":"s"},"block":null,"element":null})");
   EXPECT_HAS(text, R"("results":{"settlement":{"value":0.5,"unit":"m"}})");
+  EXPECT_HAS(text, R"("overlaps":[{"bodies":["A","B"],"contacts":["A_on_B"],"deepest":{"value":0.5,"unit":"m"})");
+  EXPECT_HAS(text, R"("place":{"value":[1.0,2.0,3.0],"unit":"m"},"time":{"value":0.125,"unit":"s"}})");
   EXPECT_HAS(text, R"("not_used":["contact.colour"],"notes":["all is well"]})");
 }
 

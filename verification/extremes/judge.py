@@ -262,6 +262,13 @@ def depths(seen, expected):
     return found
 
 
+def depth_of_pair(seen, one, other):
+    """(deepest of any two bodies in each other [m], whether deeper cannot be); what was there at the start counts too."""
+    one, other = seen.bodies[one], seen.bodies[other]
+    deepest = max(measure.overlap(one, other, frame.x)[0] for frame in seen.frames)
+    return deepest, deepest > FULL * min(measure.room(body, seen.X) for body in (one, other))
+
+
 def named(seen, name):
     """The faces of a body that contacts name, together; None where one contact means all of them."""
     surfaces = {contact[key] for contact in seen.case.get("contacts", []) for key in ("apexes", "base")
@@ -431,6 +438,8 @@ OF_DEPTH = re.compile(r"deep|overlap|penetrat|inside|through|pass", re.IGNORECAS
 
 
 OF_HOURGLASS = re.compile(r"(\w+): hourglass energy reached " + NUMBER + " of the internal energy")
+OF_OVERLAP = re.compile(r"(\w+)[\w.]* and (\w+)[\w.]* overlap by " + NUMBER + " m")
+OF_ITSELF = re.compile(r"(\w+)[\w.]* overlaps itself by " + NUMBER + " m")
 OF_CORNER = re.compile(r"(\w+): a corner of element \d+ was inverted")
 TRUE_SHARE = 1.5    # [-] between a share of energies that is claimed and ours
 NEARLY_FLAT = 0.25  # [-] a corner that was inverted between two frames stands at no more in one of them
@@ -457,6 +466,12 @@ def is_true(warning, seen, expected, faults):
         return ours / TRUE_SHARE <= float(hourglass[2]) <= ours * TRUE_SHARE
     if (corner := OF_CORNER.match(warning)) is not None:
         return min(measure.inside_out(seen.bodies[corner[1]], frame.x, seen.X) for frame in seen.frames) < NEARLY_FLAT
+    if (pair := OF_OVERLAP.match(warning)) is not None:
+        ours, full = depth_of_pair(seen, pair[1], pair[2])
+        return ours / TRUE_DEPTH <= float(pair[3]) and (full or float(pair[3]) <= ours * TRUE_DEPTH)
+    if (itself := OF_ITSELF.match(warning)) is not None:  # ours is the smaller part of an edge, theirs the way out
+        body = seen.bodies[itself[1]]
+        return max(measure.self_overlap(body, frame.x) for frame in seen.frames) > SEEN * body.depth
     if OF_DEPTH.search(warning):
         claimed = [float(value) for value in re.findall(NUMBER + r" m\b", warning)]
         named = any(re.search(rf"\b{name}\b", warning) for name in seen.bodies)

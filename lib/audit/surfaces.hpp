@@ -1,0 +1,72 @@
+#pragma once
+// What an audit looks at: the outer surfaces of bodies, made of the connectivity of their elements alone.
+//
+// It knows nothing of contact: not which surfaces a case names, nor what a contact found on them.
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "mesh/mesh.hpp"
+
+namespace nereid::audit {
+
+/// A plane of symmetry: its nodes stay on it, and the faces on it are no outside.
+struct Symmetry {
+  Vec3 normal;   ///< unit vector, to either side
+  Subset nodes;  ///< ascending
+};
+
+/// Boxes around boxes around triangles: a binary tree whose first child follows its parent.
+struct Tree {
+  struct Node {
+    Index first, last;  ///< its triangles, [first, last)
+    Index second;       ///< its second child; 0: none, a leaf
+  };
+  std::vector<Node> nodes;
+};
+
+/// The skin of one connected piece of solids, or one connected sheet of plates. Constant in time.
+///
+/// Triangles are those of plates, and those of the outer faces of hexahedra: a face of four corners is cut into four around its
+/// centre, so that no numbering of nodes decides how a warped face is cut. Their corners are points, or centres: centre f is
+/// counted as points + f.
+struct Surface {
+  bool closed = true;             ///< skin of solids, normals outwards; else an open sheet
+  Index piece = 0;                ///< which connected piece of the mesh
+  Subset nodes;                   ///< [points] of the mesh, ascending
+  Vectors inward;                 ///< [3 x points] into the body from planes of symmetry on which a point lies, else zero
+  Scalars size;                   ///< [m] [points] of the smallest element with a face at the point
+  std::vector<Index> region;      ///< [points] place in Surfaces::names
+  Table<2> edges;                 ///< [edges] points; each once
+  std::vector<Index> owner;       ///< [edges] a triangle that has it
+  Table<4> faces;                 ///< [faces] points, seen from outside; the fourth of a triangle is -1
+  Scalars face_size;              ///< [m] [faces] element size, see surfaces()
+  std::vector<Index> face_region; ///< [faces] place in Surfaces::names
+  std::vector<char> cut;          ///< [faces] whether it lies on a plane of symmetry
+  Table<3> triangles;             ///< [triangles] points or centres, in the order of the tree
+  std::vector<Index> face_of;     ///< [triangles]
+  std::vector<std::array<bool, 3>> rim;  ///< [triangles] which sides 0-1, 1-2, 2-0 belong to no other triangle; sheets only
+  std::vector<char> on_rim;       ///< [points] sheets only
+  Table<2> rim_edges;             ///< points; sheets only
+  double smallest = 0;            ///< [m] of face_size
+  Tree tree;
+};
+
+/// All surfaces of a mesh.
+struct Surfaces {
+  std::vector<std::string> names;      ///< of the regions of the mesh: hexahedra, then triangles
+  std::vector<Surface> list;           ///< by their first element
+  std::vector<Index> piece_of_node;    ///< [nodes] connected piece, -1: of no element
+};
+
+/// Finds the surfaces of a mesh: elements that have a node in common belong to one piece, whatever their regions.
+///
+/// The size of an element behind a face of area A in the reference positions is
+///
+///     hexahedra  min(V / A, sqrt(A)),    triangles  min(thickness, sqrt(2 A))
+///
+/// thickness  [m] beside Mesh::triangles; zero: not known, only the side counts
+Surfaces surfaces(const mesh::Mesh&, const std::vector<double>& thickness, const std::vector<Symmetry>& = {});
+
+}  // namespace nereid::audit

@@ -1,0 +1,90 @@
+#include "dynamics/overlaps.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace nereid::dynamics {
+
+namespace {
+
+/// Thickness of the plates of a region; zero if no block has it. [m]
+double thickness(const Model& model, const std::string& region) {
+  for (const auto& block : model.blocks)
+    if (element::name(block) == region) return element::thickness(block);
+  return 0;
+}
+
+bool has_apexes(const contact::Interface& interface, const audit::Surfaces& all, Index piece) {
+  return std::any_of(interface.apexes.begin(), interface.apexes.end(), [&](Index n) { return all.piece_of_node[n] == piece; });
+}
+
+bool has_base(const contact::Interface& interface, const audit::Surfaces& all, Index piece) {
+  const Table<3>& facets = interface.base.facets;
+  for (Index f = 0; f < facets.cols(); ++f)
+    if (all.piece_of_node[facets(0, f)] == piece) return true;
+  return false;
+}
+
+std::int64_t elements(const Model& model) {
+  std::int64_t sum = 0;
+  for (const auto& block : model.blocks) sum += element::tiling(block).elements;
+  return sum;
+}
+
+std::int64_t edges(const audit::Surfaces& all) {
+  std::int64_t sum = 0;
+  for (const audit::Surface& surface : all.list) sum += surface.edges.cols();
+  return sum;
+}
+
+const std::string& name(const audit::Surfaces& all, Index region) { return all.names[static_cast<std::size_t>(region)]; }
+
+}  // namespace
+
+audit::Surfaces audited_surfaces(const Model& model) {
+  std::vector<double> thicknesses;
+  for (const mesh::Triangles& region : model.mesh.triangles) thicknesses.push_back(thickness(model, region.name));
+  std::vector<audit::Symmetry> planes;
+  for (const load::Plane& plane : model.constraints.planes)
+    if (plane.kind == load::PlaneKind::symmetry) planes.push_back({plane.normal, plane.nodes});
+  return audit::surfaces(model.mesh, thicknesses, planes);
+}
+
+void see_overlaps(const Model& model, bool last, double every, State& now, Forces& forces) {
+  Progress& progress = now.progress;
+  const double due = every > 0 ? std::floor(now.t / every + 1e-9) : static_cast<double>(now.step);  // as frames are
+  const bool just_looked = progress.audited == now.step && progress.audited_itself == now.step;
+  if (now.audit.looks > 0 && (last ? just_looked : due <= progress.audits)) return;
+  progress.audits = due, progress.audited = now.step;
+  const std::int64_t updates = elements(model) * (now.step - progress.audited_itself);
+  const bool also_itself = last || now.audit.looks == 0 || updates >= updates_per_edge * edges(forces.audit.surfaces);
+  if (also_itself) progress.audited_itself = now.step;
+  audit::look(now.x, now.t, also_itself, forces.audit, now.audit);
+}
+
+bool joins(const contact::Interface& interface, const audit::Surfaces& all, const audit::Overlap& overlap) {
+  const Index one = all.list[overlap.surface[0]].piece, other = all.list[overlap.surface[1]].piece;
+  return (has_apexes(interface, all, one) && has_base(interface, all, other)) ||
+         (has_apexes(interface, all, other) && has_base(interface, all, one));
+}
+
+std::string bodies(const audit::Surfaces& all, const audit::Overlap& overlap) {
+  const auto [first, second] = std::minmax(overlap.worst.region[0], overlap.worst.region[1]);
+  const std::string &one = name(all, first), &other = name(all, second);
+  return overlap.surface[0] == overlap.surface[1] || one == other ? one : one + " and " + other;
+}
+
+std::string in_words(const audit::Surfaces& all, const audit::Overlap& overlap) {
+  const std::string who = bodies(all, overlap);
+  const bool two = who.find(' ') != std::string::npos;
+  const char* what = overlap.surface[0] == overlap.surface[1] ? " overlaps itself" : two ? " overlap" : ": two parts of it overlap";
+  const Vec3& at = overlap.worst.place;
+  std::array<char, 200> text{};
+  std::snprintf(text.data(), text.size(), " by %.3g m, %.3g of an element, at (%.4g, %.4g, %.4g) m at %.4g s", overlap.worst.depth,
+                audit::in_elements(overlap.worst), at.x(), at.y(), at.z(), overlap.time);
+  return who + what + text.data();
+}
+
+}  // namespace nereid::dynamics

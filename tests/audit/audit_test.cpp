@@ -1,0 +1,233 @@
+#include "audit/audit.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "base/parallel.hpp"
+#include "tests/audit/bodies.hpp"
+
+namespace nereid::audit {
+namespace {
+
+/// Two cubes of side 1 with n cells along each edge, the second above the first and `depth` in it.
+mesh::Mesh stacked(double depth, int n = 4, int m = 4, double aside = 0.07) {
+  return mesh::join(block("a", Vec3::Ones(), {n, n, n}),
+                    mesh::moved(block("b", Vec3::Ones(), {m, m, m}), Vec3(aside, 1.3 * aside, 1 - depth)));
+}
+
+TEST(Overlap, OfCubesIsTheDepthAtAnyPlaceScaleAndRotation) {
+  const double depth = 0.03;
+  const mesh::Mesh cubes = stacked(depth);
+  for (const double scale : {1.0, 1e-9, 1e6})
+    for (const double far : {0.0, 1e6})
+      for (const double angle : {0.0, 0.3, 1.1, 2.9}) {
+        const Found at = found(placed_anywhere(cubes, Vec3(1, 2, -0.5), angle, scale, far * scale * Vec3(1, -1, 0.5)));
+        EXPECT_NEAR(at.deepest / scale, depth, far > 0 ? 1e-8 : 1e-12) << scale << " " << far << " " << angle;
+        EXPECT_NEAR(in_elements(at.worst), depth / 0.25, 1e-6);
+      }
+}
+
+TEST(Overlap, OfCubesOfUnlikeMeshesIsMeasuredInTheSmallerElement) {
+  const Found at = found(stacked(0.02, 2, 10));
+  EXPECT_NEAR(at.deepest, 0.02, 1e-12);
+  EXPECT_NEAR(in_elements(at.worst), 0.2, 1e-6);
+  EXPECT_NEAR(at.worst.place.z(), 0.48, 1e-12);
+  EXPECT_LE(at.worst.place.cwiseAbs().maxCoeff(), 0.6);
+}
+
+TEST(Overlap, OfFacesThatTouchIsNothing) {
+  for (const double aside : {0.0, 0.25, 0.1})
+    for (const double angle : {0.0, 0.7}) {
+      const mesh::Mesh cubes = placed_anywhere(stacked(0, 4, 4, aside), Vec3(1, 2, 3), angle, 1, Vec3(3, 4, 5));
+      EXPECT_EQ(found(cubes).deepest, 0) << aside << " " << angle;
+    }
+  EXPECT_EQ(found(stacked(0, 4, 3, 0)).deepest, 0);
+  EXPECT_EQ(found(stacked(-0.5)).deepest, 0);
+}
+
+TEST(Overlap, OfBarsWhoseSidesAreFlushIsFoundByTheMiddlesOfFaces) {
+  const mesh::Mesh bars = mesh::join(block("a", {4, 1, 1}, {4, 1, 1}), mesh::moved(block("b", {4, 1, 1}, {4, 1, 1}), Vec3(3.8, 0, 0)));
+  EXPECT_NEAR(found(bars).deepest, 0.2, 1e-12);
+}
+
+TEST(Overlap, OfBodiesInTheSamePlaceIsFoundHalfAnElementBehindTheirFaces) {
+  EXPECT_NEAR(found(stacked(1, 4, 4, 0)).deepest, 0.125, 1e-12);
+}
+
+TEST(Overlap, OfACubeWithinACubeIsHowFarItsDeepestPointIsFromTheSkin) {
+  const mesh::Mesh cubes = mesh::join(block("shell", Vec3::Constant(4), {4, 4, 4}), block("core", Vec3::Ones(), {2, 2, 2}));
+  EXPECT_NEAR(found(cubes).deepest, 1.75, 1e-12);  // half an element behind the middle of a face
+  EXPECT_EQ(found(cubes).worst.region, (std::array<Index, 2>{1, 0}));
+}
+
+TEST(Overlap, OfCrossingBarsHasNoNodeInTheOther) {
+  const double depth = 0.04;
+  for (const double angle : {pi / 2, 0.6, 1.2}) {
+    const mesh::Mesh bars = mesh::join(
+        block("a", {6, 1, 1}, {1, 1, 1}),
+        mesh::moved(mesh::rotated_about(block("b", {6, 1, 1}, {1, 1, 1}), Vec3::UnitZ(), angle, Vec3::Zero()), Vec3(0, 0, 1 - depth)));
+    EXPECT_NEAR(found(bars).deepest, depth, 1e-12) << angle;
+  }
+}
+
+TEST(Overlap, OfRidgesThatCrossIsTheDistanceFromTheFlanks) {
+  const double depth = 0.05;
+  const auto ridge = [](const std::string& name) {
+    return mesh::rotated_about(block(name, {6, 1, 1}, {1, 1, 1}), Vec3::UnitX(), pi / 4, Vec3::Zero());
+  };
+  const mesh::Mesh bars = mesh::join(ridge("a"), mesh::moved(mesh::rotated_about(ridge("b"), Vec3::UnitZ(), pi / 2, Vec3::Zero()),
+                                                             Vec3(0, 0, std::sqrt(2.0) - depth)));
+  EXPECT_NEAR(found(bars).deepest, depth / std::sqrt(2.0), 1e-9);
+}
+
+TEST(Overlap, OfASheetThatPokesIntoABlockIsHowFar) {
+  const double depth = 0.03;
+  const mesh::Mesh upright = mesh::rotated_about(plate("sheet", 1, 1, 3, 3), Vec3::UnitX(), pi / 2, Vec3::Zero());
+  const mesh::Mesh bodies = mesh::join(block("block", {3, 3, 1}, {5, 5, 2}), mesh::moved(upright, Vec3(0.05, 0.02, 1 - depth)));
+  EXPECT_NEAR(found(bodies).deepest, depth, 1e-12);
+}
+
+TEST(Overlap, OfASheetThroughABlockWithoutANodeInIt) {
+  const mesh::Mesh sheet = mesh::moved(plate("sheet", 9, 9, 1, 1), Vec3(0.1, 0.2, 0.46));
+  const mesh::Mesh bodies = mesh::join(block("block", Vec3::Ones(), {3, 3, 3}), sheet);
+  EXPECT_NEAR(found(bodies).deepest, 0.04, 1e-12);
+}
+
+TEST(Overlap, OfASheetThatABlockRestsOnIsNothing) {
+  const mesh::Mesh bodies = mesh::join(block("block", Vec3::Ones(), {3, 3, 3}), mesh::moved(plate("sheet", 9, 9, 7, 7), Vec3(0, 0, 0.5)));
+  EXPECT_EQ(found(bodies).deepest, 0);
+}
+
+TEST(Overlap, OfTheBorderOfASheetInTheSideOfABlockIsHowFarTheBorderIsIn) {
+  const mesh::Mesh sheet = mesh::moved(plate("sheet", 3, 9, 1, 1), Vec3(1.98, 0, 0.1));
+  const mesh::Mesh bodies = mesh::join(block("block", Vec3::Ones(), {2, 2, 2}), sheet);
+  EXPECT_NEAR(found(bodies).deepest, 0.02, 1e-12);
+}
+
+TEST(Overlap, OfASheetThroughASheetIsTheShortestWayOut) {
+  const double depth = 0.03;
+  for (const int cells : {1, 6}) {
+    const mesh::Mesh upright = mesh::rotated_about(plate("a", 1, 1, 3, 3), Vec3::UnitX(), pi / 2, Vec3::Zero());
+    const mesh::Mesh bodies = mesh::join(mesh::moved(upright, Vec3(0.01, 0.02, 0.5 - depth)), plate("b", 3, 3, cells, cells));
+    EXPECT_NEAR(found(bodies).deepest, depth, 1e-12) << cells;
+  }
+}
+
+TEST(Overlap, OfABlockThatBulgesThroughASheetAtItsRimIsTheBulge) {
+  const mesh::Mesh upright = mesh::rotated_about(plate("sheet", 5.5, 9, 1, 1), Vec3::UnitY(), pi / 2, Vec3::Zero());
+  mesh::Mesh bodies = mesh::join(block("block", Vec3::Ones(), {1, 1, 1}), mesh::moved(upright, Vec3(0.5, 0, 2.25)));
+  for (Index n = 0; n < 8; ++n)
+    if (bodies.X(0, n) > 0) bodies.X(0, n) += bodies.X(2, n) < 0 ? 0.02 : -0.05;  // the lower corners stand over the rim
+  EXPECT_NEAR(found(bodies).deepest, 0.02, 1e-12);
+}
+
+/// A strip along x, bent about the y axis so that its second half comes back over the first at a height, its end lowered.
+mesh::Mesh folded(mesh::Mesh strip, double height, double lowered = 0) {
+  for (Index n = 0; n < strip.X.cols(); ++n) {
+    Vec3 x = strip.X.col(n);
+    if (x.x() > 2) {
+      const double turn = std::min(x.x() - 2, 2.0) / 2 * pi, on = std::max(x.x() - 4, 0.0);
+      const double middle = height / 2, out = middle - x.z();
+      x = Vec3(2 + out * std::sin(turn) - on, x.y(), middle - out * std::cos(turn) - lowered * std::clamp(2 * on - 0.4, 0.0, 1.0));
+    }
+    strip.X.col(n) = x;
+  }
+  return strip;
+}
+
+TEST(OverlapWithItself, OfAFoldedStripIsTheDepthOfOneLayerInTheOther) {
+  const mesh::Mesh strip = mesh::box("strip", {Vec3(0, 0, -0.1), Vec3(5.53, 1, 0.1), {40, 4, 1}});
+  Workspace work = workspace_of(strip);
+  EXPECT_EQ(found(work, strip.X, 0, 0).deepest, 0);
+  EXPECT_EQ(found(work, folded(strip, 0.5, 0.25).X, 0, 0).deepest, 0);
+  EXPECT_NEAR(found(work, folded(strip, 0.5, 0.33).X, 0, 0).deepest, 0.03, 1e-9);
+}
+
+TEST(OverlapWithItself, OfASheetIsFoundWhereItGoesThroughItself) {
+  const mesh::Mesh sheet = mesh::sheet("sheet", {5.53, 1, 40, 4});
+  Workspace work = workspace_of(sheet);
+  EXPECT_EQ(found(work, folded(sheet, 0.2).X, 0, 0).deepest, 0);
+  EXPECT_NEAR(found(work, folded(sheet, 0.2, 0.23).X, 0, 0).deepest, 0.03, 1e-9);
+}
+
+TEST(Overlap, OnAPlaneOfSymmetryDoesNotHideBehindIt) {
+  const auto two = [](double begin) {
+    const mesh::Mesh a = mesh::box("a", {Vec3::Zero(), Vec3(4, 1, 1), {4, 1, 1}});
+    return mesh::join(a, mesh::box("b", {Vec3(begin, 0, 0), Vec3(8, 1, 1), {4, 1, 1}}));
+  };
+  const mesh::Mesh bars = two(3.8);
+  std::vector<Symmetry> planes(2);
+  for (int axis = 1; axis < 3; ++axis) {
+    planes[axis - 1].normal = Vec3::Unit(axis);
+    for (Index n = 0; n < bars.X.cols(); ++n)
+      if (bars.X(axis, n) == 0) planes[axis - 1].nodes.push_back(n);
+  }
+  Workspace work = workspace_of(bars, 0, planes);
+  EXPECT_NEAR(found(work, bars.X).deepest, 0.2, 1e-9);
+  EXPECT_EQ(found(work, two(4).X).deepest, 0);
+}
+
+TEST(Overlap, OfPositionsThatAreNoNumbersOrTurnedInsideOutIsNoCrash) {
+  const mesh::Mesh cubes = stacked(0.1);
+  Workspace work = workspace_of(cubes);
+  Vectors x = cubes.X;
+  x(1, 7) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(found(work, x).deepest, 0);
+  x = cubes.X;
+  x.row(0) *= -1;
+  found(work, x);
+  x.setZero();
+  EXPECT_EQ(found(work, x).deepest, 0);
+  Memory memory;
+  x = cubes.X, x(0, 0) = std::numeric_limits<double>::infinity();
+  look(x, 0, true, work, memory);
+  EXPECT_TRUE(memory.overlaps.empty());
+}
+
+TEST(Look, CountsOnlyWhatGrowsAndAfterPartingAll) {
+  const mesh::Mesh cubes = stacked(0.1);
+  Workspace work = workspace_of(cubes);
+  Memory memory;
+  look(cubes.X, 0, true, work, memory);
+  ASSERT_EQ(memory.overlaps.size(), 1U);
+  EXPECT_NEAR(memory.overlaps[0].at_start, 0.1, 1e-12);
+  EXPECT_EQ(memory.overlaps[0].grown, 0);
+  look(stacked(0.15).X, 1, true, work, memory);
+  EXPECT_NEAR(worst(memory)->grown, 0.05 / 0.25, 1e-9);
+  EXPECT_NEAR(worst(memory)->worst.depth, 0.15, 1e-12);
+  EXPECT_EQ(worst(memory)->time, 1);
+  look(stacked(-0.1).X, 2, true, work, memory);
+  look(stacked(0.12).X, 3, true, work, memory);
+  EXPECT_NEAR(worst(memory)->grown, 0.12 / 0.25, 1e-9);
+  EXPECT_NEAR(worst(memory)->deepest, 0.15, 1e-12);
+  EXPECT_EQ(memory.looks, 4);
+}
+
+TEST(Look, HasTheSameBitsWithAnyNumberOfThreads) {
+  const mesh::Mesh cubes = placed_anywhere(stacked(0.11, 20, 17), Vec3(1, 2, 3), 0.4, 1, Vec3::Zero());
+  const int before = threads();
+  use_threads(1);
+  const Found one = found(cubes);
+  use_threads(3);
+  const Found three = found(cubes);
+  use_threads(before);
+  EXPECT_EQ(one.deepest, three.deepest);
+  EXPECT_EQ(one.worst.place, three.worst.place);
+  EXPECT_EQ(one.worst.region, three.worst.region);
+}
+
+TEST(Look, CostsNextToNothingWhereBodiesAreApart) {
+  const auto seconds = [](const mesh::Mesh& mesh) {
+    Workspace work = workspace_of(mesh);
+    const auto began = std::chrono::steady_clock::now();
+    found(work, mesh.X);
+    for (int i = 0; i < 9; ++i) overlap(work, 0, 1);
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  };
+  EXPECT_LT(seconds(stacked(-0.3, 40, 40)), 0.1);  // 20,000 points
+}
+
+}  // namespace
+}  // namespace nereid::audit

@@ -1,0 +1,85 @@
+#include "audit/placed.hpp"
+
+#include <random>
+
+#include "tests/audit/bodies.hpp"
+
+namespace nereid::audit {
+namespace {
+
+/// A box with cells and its skin where it stands.
+struct Standing {
+  explicit Standing(const mesh::Mesh& mesh) : all(surfaces(mesh, std::vector<double>(mesh.triangles.size(), 0.1))) {
+    placed = make_placed(all.list[0]);
+    place(all.list[0], mesh.X, placed);
+  }
+  const Surface& surface() const { return all.list[0]; }
+  Surfaces all;
+  Placed placed;
+};
+
+TEST(Winding, TellsInsideFromOutsideAlsoOnTheLinesOfTheMesh) {
+  const Standing box(block("box", Vec3::Ones(), {4, 4, 4}));
+  std::mt19937 random(1);
+  std::uniform_int_distribution<int> place(-7, 7);
+  for (int i = 0; i < 2000; ++i) {
+    const Vec3 p = Vec3(place(random), place(random), place(random)) / 8;
+    const double most = p.cwiseAbs().maxCoeff();
+    if (most == 0.5) continue;
+    EXPECT_EQ(winding(box.surface(), box.placed, p), most < 0.5 ? 1 : 0) << p.transpose();
+  }
+}
+
+TEST(Winding, IsMinusOneInsideOut) {
+  mesh::Mesh box = block("box", Vec3::Ones(), {2, 2, 2});
+  box.X.row(0) *= -1;
+  EXPECT_EQ(winding(Standing(box).surface(), Standing(box).placed, Vec3(0.1, 0.2, 0.3)), -1);
+}
+
+TEST(Nearest, IsTheSmallestOfAllDistances) {
+  const Standing box(block("box", {1, 2, 3}, {3, 4, 5}));
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> place(-2, 2);
+  for (int i = 0; i < 500; ++i) {
+    const Vec3 p(place(random), place(random), place(random));
+    const Vec3 out = (p.cwiseAbs() - Vec3(0.5, 1, 1.5));
+    const double expected = out.maxCoeff() < 0 ? -out.maxCoeff() : out.cwiseMax(0).norm();
+    EXPECT_NEAR(nearest(box.surface(), box.placed, p, 0, [](Index) { return true; }).distance, expected, 1e-12);
+  }
+}
+
+TEST(Nearest, MayEndWithWhatIsCloseEnough) {
+  const Standing box(block("box", Vec3::Ones(), {8, 8, 8}));
+  const Nearest at = nearest(box.surface(), box.placed, Vec3(0, 0, 0.4), 0.3, [](Index) { return true; });
+  EXPECT_LE(at.distance, 0.3);
+  EXPECT_GE(at.distance, 0.1 - 1e-12);
+}
+
+TEST(Nearest, KnowsTheRimOfASheet) {
+  const Standing sheet(plate("sheet", 2, 2, 4, 4));
+  const auto all = [](Index) { return true; };
+  EXPECT_FALSE(nearest(sheet.surface(), sheet.placed, Vec3(0.5, 0.5, 0.3), 0, all).on_rim);
+  EXPECT_TRUE(nearest(sheet.surface(), sheet.placed, Vec3(1.2, 0.3, 0.3), 0, all).on_rim);
+  EXPECT_TRUE(nearest(sheet.surface(), sheet.placed, Vec3(1.2, 1.2, 0), 0, all).on_rim);
+}
+
+TEST(Crossings, AreThoseOfAnEdgeThroughBothSidesOfABox) {
+  const Standing box(block("box", Vec3::Ones(), {3, 3, 3}));
+  std::vector<double> at;
+  const auto all = [](Index) { return true; };
+  const auto keep = [&](Index, double s) { at.push_back(s); };
+  crossings(box.surface(), box.placed, Vec3(-1, 0.1, 0.05), Vec3(1, 0.1, 0.05), -1, all, keep);
+  std::sort(at.begin(), at.end());
+  ASSERT_EQ(at.size(), 2U);
+  EXPECT_NEAR(at[0], 0.25, 1e-12);
+  EXPECT_NEAR(at[1], 0.75, 1e-12);
+  at.clear();
+  crossings(box.surface(), box.placed, Vec3(-1, 0, 0.5 / 3), Vec3(1, 0, 0.5 / 3), -1, all, keep);
+  EXPECT_GE(at.size(), 4U) << "along the borders of triangles none is missed";
+  at.clear();
+  crossings(box.surface(), box.placed, Vec3(-1, 2, 0), Vec3(1, 2, 0), -1, all, keep);
+  EXPECT_TRUE(at.empty());
+}
+
+}  // namespace
+}  // namespace nereid::audit

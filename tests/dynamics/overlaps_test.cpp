@@ -1,0 +1,102 @@
+#include "dynamics/overlaps.hpp"
+
+#include <gtest/gtest.h>
+
+#include "mesh/box.hpp"
+#include "mesh/placement.hpp"
+#include "tests/dynamics/scene.hpp"
+
+namespace nereid::dynamics {
+namespace {
+
+const material::Elastic rubber{1000, 1e6, 0.3};
+
+/// Two cubes of side 1, a gap of 0.1 between them, that close in with a speed, without a contact or with a soft one.
+Scene closing(double speed, double penalty = 0) {
+  Scene s;
+  const auto cube = [](const std::string& name, double x) {
+    return mesh::moved(mesh::box(name, {Vec3::Zero(), Vec3::Ones(), {2, 2, 2}}), Vec3(x, 0.1 * x, 0));
+  };
+  s.model.mesh = mesh::join(cube("a", 0), cube("b", 1.1));
+  for (const char* name : {"a", "b"}) s.model.blocks.push_back(element::hexahedra(s.model.mesh, name, rubber, {}));
+  finalize(s.model);
+  InterfaceOptions options;
+  options.penalty_from = PenaltyFrom::value, options.penalty = penalty;
+  if (penalty > 0) s.joined("touch", "a.x_high", "b.x_low", options);
+  s.ready();
+  s.move("b", {-speed, 0, 0});
+  return s;
+}
+
+TEST(SeeOverlaps, StopsARunWhereBodiesAreHalfAnElementInEachOther) {
+  Scene s = closing(1);
+  const Outcome outcome = s.run_to(1, 0.01);
+  EXPECT_EQ(outcome.ending, Ending::bodies_overlap) << word(outcome.ending);
+  EXPECT_FALSE(good(outcome.ending));
+  EXPECT_EQ(word(outcome.ending), "bodies_overlap");
+  EXPECT_NEAR(s.state.t, 0.35, 0.011) << "a gap of 0.1, then half of 0.5";
+  EXPECT_NE(outcome.reason.find("a and b overlap by 0.2"), std::string::npos) << outcome.reason;
+  EXPECT_NE(outcome.reason.find("without a contact between them; the limit is 0.5 of an element"), std::string::npos) << outcome.reason;
+}
+
+TEST(SeeOverlaps, LooksAtTheEndInAnyCase) {
+  Scene s = closing(1);
+  EXPECT_EQ(s.run_to(0.4).ending, Ending::bodies_overlap);
+  EXPECT_NEAR(audit::worst(s.state.audit)->deepest, 0.3, 1e-6);
+  EXPECT_EQ(s.state.progress.audited_itself, s.state.step);
+}
+
+TEST(SeeOverlaps, OfATenthOfAnElementStopsNothing) {
+  Scene s = closing(1);
+  EXPECT_EQ(s.run_to(0.2, 0.01).ending, Ending::reached_end);
+  const audit::Overlap* worst = audit::worst(s.state.audit);
+  ASSERT_NE(worst, nullptr);
+  EXPECT_NEAR(worst->deepest, 0.1, 1e-9);
+  EXPECT_NEAR(worst->grown, 0.2, 1e-9);
+  EXPECT_NE(in_words(s.forces.audit.surfaces, *worst).find("a and b overlap by 0.1 m, 0.2 of an element"), std::string::npos);
+}
+
+TEST(SeeOverlaps, IsAllowedAsMuchAsTheLimitSays) {
+  Scene s = closing(1);
+  Time time;
+  time.end = 0.4, time.overlap_limit = 1;
+  EXPECT_EQ(run(s.model, s.state, s.forces, time, 0.01).ending, Ending::reached_end);
+}
+
+TEST(SeeOverlaps, KnowsWhichContactJoinsTheBodies) {
+  Scene s = closing(1, 1e5);
+  EXPECT_TRUE(good(s.run_to(0.3, 0.01).ending));
+  const audit::Overlap* worst = audit::worst(s.state.audit);
+  ASSERT_NE(worst, nullptr);
+  EXPECT_GT(worst->deepest, 0.01);
+  EXPECT_TRUE(joins(s.model.interfaces[0], s.forces.audit.surfaces, *worst));
+  audit::Overlap itself = *worst;
+  itself.surface = {0, 0};
+  EXPECT_FALSE(joins(s.model.interfaces[0], s.forces.audit.surfaces, itself));
+}
+
+TEST(SeeOverlaps, LooksOnlyWhereALookIsDue) {
+  Scene s = closing(0);
+  Time time;
+  time.end = 0.4, time.audit_every = 0.1;
+  run(s.model, s.state, s.forces, time, 0.01);
+  EXPECT_EQ(s.state.audit.looks, 5) << "start, three between, end";
+}
+
+TEST(SeeOverlaps, GoesOnWithTheBitsOfARunWithoutABreak) {
+  Scene s = closing(1, 1e5);
+  State kept;
+  const Observer keep = [&](const View& view) {
+    if (view.now.t < 0.2) kept = view.now;
+  };
+  s.run_to(0.4, 0.01, {&keep, 1});
+  ASSERT_FALSE(kept.audit.overlaps.empty());
+  Forces forces = make_forces(s.model);
+  Time time;
+  time.end = 0.4;
+  run(s.model, kept, forces, time, 0.01);
+  expect_same_bits(s.state, kept);
+}
+
+}  // namespace
+}  // namespace nereid::dynamics
