@@ -49,6 +49,19 @@ bool faces(const Sweep& s, const Vec3& normal) {
   return mine.dot(normal) < faces_below;
 }
 
+/// Whether a point over a facet belongs to it, with room for round-off between neighbours. Half of what a border apex stands for lies
+/// inside, so a facet reaches past an open border as far as a force stays whole there.
+bool owns(const BaseSurface& base, Index facet, const Corners& c, const std::array<double, 3>& weight) {
+  for (int e = 0; e < 3; ++e) {
+    const double w = weight[(e + 2) % 3];
+    if (w >= -overlap) continue;
+    if (base.neighbour(e, facet) != no_facet) return false;
+    const double altitude = norm(cross(c[1] - c[0], c[2] - c[0])) / norm(c[(e + 1) % 3] - c[e]);
+    if (w * altitude < -whole_past_wall * base.size(facet)) return false;
+  }
+  return true;
+}
+
 /// The first facet that a path crosses from its front.
 struct Crossing {
   Index facet = -1;
@@ -78,7 +91,7 @@ Crossing crossed(const Sweep& s, const Vec3& p0, const Vec3& p1, double level, b
     if (t > first + at_once) continue;
     Corners c;  // of the facet where it is then
     for (int a = 0; a < 3; ++a) c[a] = (1 - t) * c0[a] + t * c1[a];
-    if (least(geometry::facet_height(c, (1 - t) * from + t * to).weight) < -overlap) continue;
+    if (!owns(s.base, f, c, geometry::facet_height(c, (1 - t) * from + t * to).weight)) continue;
     const Vec3 normal = eigen(end.normal);
     if (skip(f, normal, c1)) continue;
     if (must_face && !faces(s, normal)) {
@@ -101,7 +114,7 @@ Index shallowest(const Sweep& s, const Vec3& p, Deepest&& deepest, const Vec3* n
   for (const Index f : s.near) {
     const auto over = geometry::facet_height(corners(s.base, s.x, f), place(p));
     if (!(over.height < s.contact_height) || over.height < -deepest(f) || over.height <= height) continue;
-    if (least(over.weight) < -overlap) continue;
+    if (!owns(s.base, f, corners(s.base, s.x, f), over.weight)) continue;
     const Vec3 normal = eigen(over.normal);
     if (not_opposite && normal.dot(*not_opposite) < far_side) continue;
     if (!faces(s, normal)) continue;

@@ -14,7 +14,6 @@ namespace {
 using geometry::Kind;
 
 constexpr int most_rounds = 60;      // in which feet over edges are found; few need more than six
-constexpr double plateau = 0.05;      // of the size of a face: so far past a wall half of what a wall apex stands for is still inside
 constexpr double least_fade = 0.02;   // of the size of a face: least way over which a force fades then
 constexpr double against = -1e-6;    // cosine between pushes that are left on ways of their own
 constexpr int most_looks = 3;        // at what is at the end of the way
@@ -124,7 +123,7 @@ void push(const Stand& at, const Faded& faded, WayOut& out) {
 /// What is left of a depth D past the plateau by s, within L = max(0.02 of the face, 2 D):  D (1 - (s/L)^2).  No kink where it begins.
 Faded faded(const Stand& at, double D, double size) {
   const bool wide = 2 * D > least_fade * size;
-  const double L = wide ? 2 * D : least_fade * size, u = (at.past - plateau * size) / L;
+  const double L = wide ? 2 * D : least_fade * size, u = (at.past - whole_past_wall * size) / L;
   if (!(u < 1)) return {};
   return {D * (1 - u * u), wide ? 1 + u * u : 1 - u * u, 2 * D * u / L};
 }
@@ -234,7 +233,7 @@ WayOut way_out(const BaseSurface& base, const Vectors& x, const Vec3& p, double 
         if (at.over.height < 0) at.over.height = -at.over.height, at.over.normal = -at.over.normal;
       }
     }
-    if (at.past <= plateau * base.size(track.facet)) at.past = 0;
+    if (at.past <= whole_past_wall * base.size(track.facet)) at.past = 0;
     const double depth = track.height - at.over.height;
     out.gap = std::min(out.gap, -depth);
     if (at.past > 0) {
