@@ -86,6 +86,12 @@ Vec3 contact_force(const View& view, std::size_t interface) {
   return sum;
 }
 
+double area_across(const View& view, std::size_t c, Index apex, const Vec3& force) {
+  const contact::Interface& interface = view.model.interfaces[c];
+  if (c >= view.model.apex_faces.size() || view.model.apex_faces[c].begin.size() <= 1) return interface.area(apex);
+  return mesh::tributary_area_facing(view.model.apex_faces[c], view.now.x, apex, force);
+}
+
 ContactState contact_state(const View& view, std::size_t c) {
   const contact::Interface& interface = view.model.interfaces[c];
   ContactState state{.largest_pressure = 0, .area = 0};
@@ -93,7 +99,7 @@ ContactState contact_state(const View& view, std::size_t c) {
     const auto element = contact::view(interface, view.now.x, view.now.interfaces[c], apex);
     if (element.feature.facet < 0) continue;
     state.largest_pressure = std::max(state.largest_pressure, element.traction);
-    if (element.status == contact::Status::closed) state.area += interface.area(apex);
+    if (element.status == contact::Status::closed) state.area += area_across(view, c, apex, view.now.interfaces[c].elements[apex].apex);
   }
   return state;
 }

@@ -29,6 +29,7 @@ struct Model {
   mesh::Mesh mesh;
   std::vector<element::AnyBlock> blocks;
   std::vector<contact::Interface> interfaces;
+  std::vector<mesh::FacesAround> apex_faces;  ///< beside interfaces, set by connect(): what lies at each apex, and which way it faces
   std::vector<contact::RigidPlane> rigid_planes;
   load::Constraints constraints;
   std::vector<load::AnyLoad> loads;

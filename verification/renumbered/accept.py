@@ -66,7 +66,7 @@ STUDIES = [
 ]
 
 BREAKS = [
-    Breaks("strike: other numbers", "another step", {"time.safety": 0.2}),
+    Breaks("strike: other numbers", "another step", {"contacts[0].energy_gain_limit": 0.004}),
     Breaks("stack: other numbers", "another tangential penalty", {"contacts[0].tangential_penalty": 0.5}),
     Breaks("press: other numbers", "another step", {"contacts[0].energy_gain_limit": 0.004}),
     Breaks("plates: other numbers", "another step", {"time.safety": 0.2}),
