@@ -67,7 +67,6 @@ NEEDS_NO_TEST = {
     "lib/load/given.hpp": "names only",
     "lib/model/scene.hpp": "data only",
     "lib/material/laws.hpp": "names only",
-    "lib/mesh/facets.hpp": "tested through the generators that use it",
     "lib/input/yaml.hpp": "tested through section",
     "lib/input/document.hpp": "tested through section",
     "lib/mesh/revolution.hpp": "tested through cylinder, tube and sphere",

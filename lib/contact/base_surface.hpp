@@ -40,6 +40,9 @@ struct BaseSurface : Fans {         // the normal of a facet points to the side 
   Scalars lean;       ///< [-] 1.5 tan of half the largest turn between facets around it: how far their nearest points may be from its own
 };
 
+/// [-] of the size of a face: so far past a wall the plane of a facet is still the base, for half of what a border apex stands for is inside.
+constexpr double whole_past_wall = 0.05;
+
 /// Builds the adjacency table of a surface, and what is measured in the reference.
 ///
 /// X        [m] reference positions of all nodes of the mesh

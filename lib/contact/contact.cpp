@@ -20,6 +20,7 @@ using geometry::Kind;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double votes_within = 0.25;   // of the depth of an element: open apexes that are nearer vote for the step
 constexpr double steps_ahead = 2;       // and those that may be in contact after so many of the longest steps
+constexpr double least_area = 0.2;      // of the tributary area: what acts of an apex whose own surface stands edge-on
 constexpr double in_plane = 1e-6;       // of a distance: a node that lies in a symmetry plane
 constexpr double bond_past_border = 0.05;  // of a facet's size: half of what a border apex stands for lies inside
 constexpr Index facets_at_first = 32;   // near an apex, for which memory is taken at the start
@@ -123,12 +124,19 @@ double speed_over(const Interface& interface, const Vectors& v, Index a, Index f
   return std::sqrt(fastest);
 }
 
+/// The tributary area of the sides of an apex that face a facet; of one that stands edge-on at least a part of the whole. [m2]
+double area_facing(const Interface& interface, const Vectors& x, Index a, Index facet) {
+  if (interface.faces.begin.empty()) return interface.area(a);
+  const double facing = mesh::tributary_area_facing(interface.faces, x, a, facet_normal(interface.base, x, facet));
+  return std::max(facing, least_area * interface.area(a));
+}
+
 /// A stencil without a push, so that the apex votes for the time step.
 void vote_over(const Interface& interface, const Vectors& x, Index a, const Feature& feature, const std::array<double, 3>& weight,
                ElementForces& element) {
   element.count = 1;
   element.stencil[0] = {.facet = feature.facet, .apex = 1, .weight = weight, .push = Vec3::Zero()};
-  element.stiffness = stiffness(interface, a, feature);
+  element.stiffness = stiffness(interface, a, feature, interface.area(a));
   share_stiffness(interface, x, a, element);
 }
 
@@ -168,6 +176,9 @@ void update_element(const Interface& interface, const Vectors& x, const Vectors&
   }
   if (near.tracks.count == 0) return look_around(interface, x, v, moved, near, memory);
   if (before.count == 0) near.clear = -infinite;
+  if (before.count == 0 || !(near.area > 0)) {  // it keeps it while it is in contact: a stiffness that changes makes energy
+    near.area = area_facing(interface, x, a, near.tracks.track[0].facet);
+  }
 
   WayOut out = way_out(interface.base, x, x.col(node), contact_height, allowed, near.tracks);
   if (moved + out.length >= near.clear) {
@@ -190,7 +201,7 @@ void update_element(const Interface& interface, const Vectors& x, const Vectors&
     memory.gap[a] = std::max(0.0, out.gap);
     return vote_over(interface, x, a, out.strongest, weights_of(interface, x, a, out.strongest.facet), element);
   }
-  const double k = stiffness(interface, a, out.strongest);
+  const double k = stiffness(interface, a, out.strongest, near.area > 0 ? near.area : interface.area(a));
   memory.status[a] = Status::closed;
   memory.feature[a] = out.strongest;
   memory.gap[a] = -out.length;
@@ -225,7 +236,7 @@ void hold_bond(const Interface& interface, const Vectors& x, Near& near, Memory&
   const Vec3 n = area / twice_area;
   Vec3 d = x.col(interface.apexes[a]) - bond.height * n;
   for (int I = 0; I < 3; ++I) d -= bond.weight[I] * corner[I];
-  const double k = stiffness(interface, a, memory.feature[a]);
+  const double k = stiffness(interface, a, memory.feature[a], interface.area(a));
   Stencil hold{.facet = bond.facet, .apex = 1, .weight = bond.weight, .push = -k * d}, couple{.facet = bond.facet, .apex = 0};
   couple.push = k * bond.height * n;
   for (int I = 0; I < 3; ++I) {
@@ -519,9 +530,9 @@ double tangential_stored(const Memory& memory) {
   return sum;
 }
 
-double stiffness(const Interface& interface, Index apex, const Feature& feature) {
+double stiffness(const Interface& interface, Index apex, const Feature& feature, double area) {
   if (interface.spring.size() > 0) return interface.spring(apex);
-  if (interface.area_kind == Area::apex) return interface.penalty * interface.area(apex);
+  if (interface.area_kind == Area::apex) return interface.penalty * area;
   if (feature.kind == Kind::facet) return interface.penalty * interface.facet_area(feature.facet);
   double sum = 0;
   int count = 0;
@@ -815,7 +826,7 @@ ElementView view(const Interface& interface, const Vectors& x, const Memory& mem
   const double per_area = interface.spring.size() > 0 ? interface.spring(apex) / interface.area(apex) : interface.penalty;
   v.traction = -per_area * v.gap;
   if (interface.kind == InterfaceKind::bonded) {
-    const double k = stiffness(interface, apex, v.feature), along = k * v.gap;
+    const double k = stiffness(interface, apex, v.feature, interface.area(apex)), along = k * v.gap;
     const double all = 2 * k * memory.stored[apex];  // |k d|^2
     v.shear_traction = per_area / k * std::sqrt(std::max(0.0, all - along * along));
   } else if (!memory.slip.empty()) {

@@ -68,6 +68,7 @@ struct Interface {
   Fans own;                      ///< the surface of the apexes: an apex comes into contact with facets that this faces; may be empty
   Subset apexes;                 ///< nodes, ascending
   Scalars area;                  ///< [m2] tributary area, [apexes]
+  mesh::FacesAround faces;       ///< [apexes] what the tributary area lies on; may be empty
   Scalars facet_area;            ///< [m2] of the reference, [facets]
   Scalars contact_height;        ///< [m] h_c, [apexes]
   double penalty = 0;            ///< [Pa/m] 1/delta; the mean over the area where `spring` is given
@@ -135,6 +136,7 @@ struct Near {
   /// [m] As long as apexes and base have moved less since the search, a free apex cannot have come into contact, and one in contact not
   /// to another part.
   double clear = 0;
+  double area = 0;        ///< [m2] of the sides of the apex that faced the base as it came into contact; zero: all
   bool rests = false;     ///< free, and its forces are booked: nothing is to do while it is clear
   Tracks tracks;
   ElementForces element;
@@ -268,6 +270,8 @@ ElementView view(const Interface&, const Vectors& x, const Memory&, Index apex);
 double least_gap(const Interface&, const Vectors& x, const Memory&, double reach);
 
 /// Stiffness of an apex over a feature: penalty times the chosen area, once, or the spring of the apex. [N/m]
-double stiffness(const Interface&, Index apex, const Feature&);
+///
+/// area  [m2] tributary, of the sides that are in contact
+double stiffness(const Interface&, Index apex, const Feature&, double area);
 
 }  // namespace nereid::contact

@@ -1,5 +1,6 @@
 #include "dynamics/connect.hpp"
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
 
@@ -10,45 +11,54 @@ namespace nereid::dynamics {
 
 namespace {
 
-/// Area of a surface's facets that belong to each element of a block, and the block's stiffness there.
+/// A face of an element on a surface: its facets that look about the same way.
 struct Face {
-  double area = 0;
-  Index facets = 0;
+  Index element;
+  Vec3 area;  // [m2] of the facets together, along their normal
 };
 
-/// Facets by element: a facet belongs to the element that has all its nodes.
-std::vector<Face> faces(const element::Connectivity& nodes, const mesh::Surface& surface, const Scalars& facet_area, Index node_count) {
-  std::vector<std::vector<Index>> elements_of(node_count);
+constexpr double same_way = 0.7;  // [-] cosine, of 45 degrees: halves of a warped face are nearer, faces of a brick farther
+
+/// Faces of the elements of a block on a surface: a facet belongs to the element that has all its nodes.
+std::vector<Face> faces(const element::Connectivity& nodes, const mesh::Mesh& mesh, const mesh::Surface& surface) {
+  std::vector<std::vector<Index>> elements_of(mesh.X.cols());
   for (Index e = 0; e < nodes.cols(); ++e)
     for (Index a = 0; a < nodes.rows(); ++a) {
       std::vector<Index>& there = elements_of[nodes(a, e)];
       if (there.empty() || there.back() != e) there.push_back(e);  // a wedge has some of its nodes twice
     }
-  std::vector<Face> list(nodes.cols());
+  std::vector<Face> list;
+  std::vector<std::vector<std::size_t>> of_element(nodes.cols());
   for (Index f = 0; f < surface.facets.cols(); ++f) {
+    const auto corner = [&](int a) { return Vec3(mesh.X.col(surface.facets(a, f))); };
+    const Vec3 area = (corner(1) - corner(0)).cross(corner(2) - corner(0)) / 2;
     for (const Index e : elements_of[surface.facets(0, f)]) {
       const auto has = [&](Index node) { return (nodes.col(e).array() == node).any(); };
       if (!has(surface.facets(1, f)) || !has(surface.facets(2, f))) continue;
-      list[e].area += facet_area(f);
-      ++list[e].facets;
+      const auto same = std::find_if(of_element[e].begin(), of_element[e].end(), [&](std::size_t at) {
+        return list[at].area.dot(area) > same_way * list[at].area.norm() * area.norm();
+      });
+      if (same != of_element[e].end()) {
+        list[*same].area += area;
+        continue;
+      }
+      of_element[e].push_back(list.size());
+      list.push_back({e, area});
     }
   }
   return list;
 }
 
-/// Depth and stiffness per area of each element of a block that has a face on a surface.
+/// Depth behind a face of an element along its normal, and stiffness per area there.
 struct Behind {
   double depth, stiffness;  // [m] [Pa/m]
 };
 
-std::vector<Behind> elements_behind(const element::AnyBlock& any, const mesh::Mesh& mesh, const mesh::Surface& surface,
-                                    const Scalars& facet_area) {
-  const auto here = faces(element::nodes(any), surface, facet_area, static_cast<Index>(mesh.X.cols()));
+std::vector<Behind> elements_behind(const element::AnyBlock& any, const mesh::Mesh& mesh, const mesh::Surface& surface) {
   const material::Lame lame = std::visit([](const auto& block) { return material::lame(block.law); }, any);
   std::vector<Behind> list;
-  for (Index e = 0; e < static_cast<Index>(here.size()); ++e) {
-    if (here[e].facets == 0) continue;
-    const double depth = element::depth(any, mesh.X, e, here[e].area);
+  for (const Face& face : faces(element::nodes(any), mesh, surface)) {
+    const double depth = element::depth(any, mesh.X, face.element, face.area.norm());
     list.push_back({depth, (lame.lambda + 2 * lame.mu) / depth});
   }
   return list;
@@ -136,6 +146,7 @@ Connected connect_one_pass(Model& model, const std::string& name, const std::str
   interface.own = contact::fans(apexes.facets, static_cast<Index>(model.mesh.X.cols()));
   interface.apexes = mesh::surface_nodes(apexes);
   interface.area = mesh::tributary_areas(model.mesh, apexes, interface.apexes);
+  interface.faces = mesh::faces_around(model.mesh, apexes, interface.apexes);
   interface.facet_area = mesh::facet_areas(model.mesh, base);
   interface.penalty = share * (options.penalty_from == PenaltyFrom::value
                                    ? options.penalty
@@ -182,18 +193,16 @@ Connected connect_one_pass(Model& model, const std::string& name, const std::str
 }  // namespace
 
 double surface_stiffness(const Model& model, const mesh::Surface& surface) {
-  const Scalars area = mesh::facet_areas(model.mesh, surface);
   double most = 0;
   for (const auto& block : model.blocks)
-    for (const Behind& element : elements_behind(block, model.mesh, surface, area)) most = std::max(most, element.stiffness);
+    for (const Behind& element : elements_behind(block, model.mesh, surface)) most = std::max(most, element.stiffness);
   return most;
 }
 
 double surface_depth(const Model& model, const mesh::Surface& surface) {
-  const Scalars area = mesh::facet_areas(model.mesh, surface);
   double least = 0;
   for (const auto& block : model.blocks)
-    for (const Behind& element : elements_behind(block, model.mesh, surface, area))
+    for (const Behind& element : elements_behind(block, model.mesh, surface))
       least = least > 0 ? std::min(least, element.depth) : element.depth;
   return least;
 }

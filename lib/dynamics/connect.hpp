@@ -40,13 +40,13 @@ struct Connected {
 
 /// Stiffness per area with which a body resists pressure on a surface, at its stiffest element.
 ///
-///     hexahedra  (lambda + 2 mu) / (V / A),  A the area of the element on the surface
+///     hexahedra  (lambda + 2 mu) / (V / A),  A the area of one face: an edge element of a skin counts once for each side
 ///     plates     (lambda + 2 mu) / thickness
 ///
 /// returns  [Pa/m]; zero if no element has a face on the surface
 double surface_stiffness(const Model&, const mesh::Surface&);
 
-/// Depth of the flattest element behind a surface: of hexahedra V/A, of plates the thickness.
+/// Depth along the normal of the flattest element behind a face of a surface: of hexahedra V/A, of plates the thickness.
 ///
 /// returns  [m]; zero if no element has a face on the surface
 double surface_depth(const Model&, const mesh::Surface&);

@@ -1,6 +1,7 @@
 #include "dynamics/ledger.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace nereid::dynamics {
 
@@ -32,6 +33,33 @@ double work_from_loads(const Ledger& ledger) {
 
 double energy_scale(const Ledger& ledger) {
   return std::max({ledger.initial_kinetic, initial_stored(ledger), ledger.external_work});
+}
+
+double spurious_part(const Ledger& ledger, std::size_t source) {
+  const Flow& flow = ledger.flows[source];
+  const double scale = energy_scale(ledger);
+  if (!(scale > 0 && flow.passed > least_share * scale)) return 0;
+  const double excess = created(ledger.accounts[source]);
+  return std::copysign(std::max(0.0, std::abs(excess) - flow.recent), excess) / flow.passed;
+}
+
+double kept_part(const Ledger& ledger) {
+  const double scale = energy_scale(ledger);
+  return scale > 0 ? ledger.integration_kept / scale : 0;
+}
+
+void see_flows(Ledger& ledger) {
+  const double kept = kept_part(ledger);
+  if (std::abs(kept) > std::abs(ledger.worst_kept)) ledger.worst_kept = kept;
+  for (std::size_t a = 0; a < ledger.accounts.size(); ++a) {
+    Flow& flow = ledger.flows[a];
+    const double step = std::abs(ledger.accounts[a].work - flow.work);
+    flow.recent = std::max(step, flow.recent / 2);
+    flow.passed += step;
+    flow.work = ledger.accounts[a].work;
+    const double part = spurious_part(ledger, a);
+    if (std::abs(part) > std::abs(flow.worst)) flow.worst = part;
+  }
 }
 
 double energy_residual(const Ledger& ledger) {

@@ -14,6 +14,14 @@ double dissipated(const Account&);  ///< [J] sum of the channels
 /// Work that the source can neither take from its store nor has dissipated: nobody can explain it.
 double created(const Account&);     ///< [J] work + stored + dissipated
 
+/// What passed through a source, summed step by step.
+struct Flow {
+  double passed = 0;     ///< [J] sum over the steps of |work in the step|
+  double work = 0;       ///< [J] done up to now, as the account has it
+  double recent = 0;     ///< [J] |work in a step|: the largest so far, halved with each step since
+  double worst = 0;      ///< [-] spurious_part() where it was largest so far, with its sign
+};
+
 struct Ledger {
   double initial_kinetic = 0;  ///< [J]
   double kinetic = 0;          ///< [J] now
@@ -26,6 +34,10 @@ struct Ledger {
   Vec3 initial_momentum = Vec3::Zero(), momentum = Vec3::Zero();                  ///< [kg m/s]
   Vec3 initial_angular_momentum = Vec3::Zero(), angular_momentum = Vec3::Zero();  ///< [kg m2/s]
   std::vector<Account> accounts;  ///< beside sources(model)
+  std::vector<Flow> flows;        ///< beside accounts
+  /// [J] The part of `integration` that stays: the rest, dt^2/8 f.f/m now less that at the start, comes back as the forces fall.
+  double integration_kept = 0;
+  double worst_kept = 0;  ///< [-] kept_part() where it was largest so far, with its sign
 };
 
 /// What all stores held at the start together. [J]
@@ -37,6 +49,25 @@ double work_from_loads(const Ledger&);
 /// What created energy is held against: the largest of the kinetic energy at the start, of what the stores held
 /// then, and of the external work since. It never falls during a run. 0 while nothing has moved. [J]
 double energy_scale(const Ledger&);
+
+/// Sources through which less than this part of the energy scale has passed are not judged. [-] The work of what
+/// they may create unseen is less than that; most of it is round-off and chatter.
+constexpr double least_share = 1e-4;
+
+/// Created energy of a source over what passed through it: positive where energy appears, negative where it vanishes. [-]
+///
+///     sign(c) max(0, |c| - w) / passed,   c = created(account),  w = Flow::recent
+///
+/// Work and store of one step differ by up to the work of that step while a contact closes or opens, which the next steps make good: with
+/// the longest steps an impact is over after two or three.
+/// Zero of sources below least_share.
+double spurious_part(const Ledger&, std::size_t source);
+
+/// What time integration has created, or lost where negative, for good, over the energy scale; 0 without a scale. [-]
+double kept_part(const Ledger&);
+
+/// Brings the flows up to the works that stand in the accounts, at the end of a step.
+void see_flows(Ledger&);
 
 /// Energy that stands in no account: kinetic - initial - integration - sum of work; round-off. [J]
 double energy_residual(const Ledger&);

@@ -86,14 +86,19 @@ Vec3 contact_force(const View& view, std::size_t interface) {
   return sum;
 }
 
+double area_across(const View& view, std::size_t c, Index apex, const Vec3& force) {
+  const contact::Interface& interface = view.model.interfaces[c];
+  if (interface.faces.begin.empty()) return interface.area(apex);
+  return mesh::tributary_area_facing(interface.faces, view.now.x, apex, force);
+}
+
 ContactState contact_state(const View& view, std::size_t c) {
   const contact::Interface& interface = view.model.interfaces[c];
   ContactState state{.largest_pressure = 0, .area = 0};
-  for (Index apex = 0; apex < static_cast<Index>(interface.apexes.size()); ++apex) {
-    const auto element = contact::view(interface, view.now.x, view.now.interfaces[c], apex);
-    if (element.feature.facet < 0) continue;
-    state.largest_pressure = std::max(state.largest_pressure, element.traction);
-    if (element.status == contact::Status::closed) state.area += interface.area(apex);
+  for (const contact::Near& near : view.now.interfaces[c].near) {
+    if (!near.element.closed) continue;
+    state.largest_pressure = std::max(state.largest_pressure, contact::view(interface, view.now.x, view.now.interfaces[c], near.apex).traction);
+    state.area += area_across(view, c, near.apex, near.element.apex);
   }
   return state;
 }

@@ -41,8 +41,11 @@ Vec3 contact_force(const View&, std::size_t interface);
 /// An interface as a whole.
 struct ContactState {
   double largest_pressure = 0;  ///< [Pa] compression positive
-  double area = 0;              ///< [m2] tributary areas of the apexes in contact
+  double area = 0;              ///< [m2] tributary areas of the apexes in contact, where they face the base
 };
+/// Tributary area of an apex across the force of its contact, of its own faces that face the base: what lies round an edge, on another
+/// side of the body, does not count. All of it where the model does not know the faces (an interface that connect() did not make). [m2]
+double area_across(const View&, std::size_t interface, Index apex, const Vec3& force);
 ContactState contact_state(const View&, std::size_t interface);
 
 /// The smallest gap of an interface: negative in contact. Where no apex is near it costs a search over the whole scene. [m]

@@ -68,6 +68,7 @@ State initial_state(const Model& model, std::vector<contact::Memory> interfaces)
   }
   state.quality.resize(model.blocks.size());
   state.ledger.accounts.resize(sources(model).size());
+  state.ledger.flows.resize(state.ledger.accounts.size());
   return state;
 }
 

@@ -26,13 +26,48 @@ std::string text(const char* format, double a, double b) {
 
 std::string name(const Model& model, int source) { return sources(model)[static_cast<std::size_t>(source)].name; }
 
+/// The source whose created or lost energy is the largest part of what passed through it, and that part with its sign.
+struct Suspect {
+  int source = -1;  // -1: time integration
+  double part = 0;
+};
+
+/// except  a source that is left out, if any
+Suspect suspect(const Ledger& ledger, int except = -1) {
+  Suspect worst{-1, kept_part(ledger)};
+  for (std::size_t a = 0; a < ledger.accounts.size(); ++a) {
+    if (static_cast<int>(a) == except) continue;
+    const double part = spurious_part(ledger, a);
+    if (std::abs(part) > std::abs(worst.part)) worst = {static_cast<int>(a), part};
+  }
+  return worst;
+}
+
+std::string name(const Model& model, const Suspect& one) { return one.source < 0 ? "time integration" : name(model, one.source); }
+
+/// "created 0.3 of the energy that passed through it", or lost.
+std::string deed(const Suspect& one) {
+  return std::string(one.part > 0 ? "created" : "lost") + text(" %.3g of the energy ", std::abs(one.part), 0) +
+         (one.source < 0 ? "of the scene" : "that passed through it");
+}
+
+/// What had gone wrong before an element was lost or the step collapsed: the source that made most energy, if it made too much.
+///
+/// except  the block whose element is lost: its own account is spoiled by that
+std::string made_before(const Model& model, const Ledger& ledger, double limit, int except = -1) {
+  const Suspect one = suspect(ledger, except);
+  return std::abs(one.part) > limit ? "; before that " + name(model, one) + " had " + deed(one) : "";
+}
+
 /// Stops the run with a place if an element is lost, a number is no number or the step collapsed.
-bool stop(const Model& model, const State& now, const Step& next, double end, Outcome& outcome) {
+bool stop(const Model& model, const State& now, const Step& next, const Time& time, Outcome& outcome) {
   const Votes& votes = now.votes;
+  const double end = time.end;
   if (!(votes.volume_ratio > 0)) {
     outcome.ending = std::isnan(votes.volume_ratio) ? Ending::not_finite : Ending::inverted_element;
     outcome.reason = std::isnan(votes.volume_ratio) ? "positions are not finite"
                                             : text("its volume or area is %.3g of the reference", votes.volume_ratio, 0);
+    outcome.reason += made_before(model, now.ledger, time.created_limit, votes.smallest_block);
     outcome.block = name(model, votes.smallest_block);
     outcome.element = votes.smallest_element;
     return true;
@@ -43,7 +78,7 @@ bool stop(const Model& model, const State& now, const Step& next, double end, Ou
     outcome.ending = Ending::step_too_small;
     outcome.reason = fell ? text("the step fell from %.3g s to %.3g s", first, next.dt)
                           : text("with a step of %.3g s the end at %.3g s is out of reach", next.dt, end);
-    outcome.reason += ", limited by " + limited_by(next, sources(model));
+    outcome.reason += ", limited by " + limited_by(next, sources(model)) + made_before(model, now.ledger, time.created_limit);
     if (next.source >= 0) outcome.block = name(model, next.source);
     if (next.source < static_cast<int>(model.blocks.size())) outcome.element = next.at;
     return true;
@@ -51,17 +86,19 @@ bool stop(const Model& model, const State& now, const Step& next, double end, Ou
   return false;
 }
 
-bool created_too_much(const Model& model, const Ledger& ledger, double limit, Outcome& outcome) {
+/// Stops the run where a source has created or lost too much of the energy of the scene: the ledger must be current.
+bool too_much_of_the_scene(const Model& model, const Ledger& ledger, double limit, Outcome& outcome) {
   const double scale = energy_scale(ledger);
   for (std::size_t a = 0; a < ledger.accounts.size(); ++a) {
     const double excess = created(ledger.accounts[a]);
-    if (!std::isnan(excess) && !(scale > 0 && excess > limit * scale)) continue;
-    outcome.ending = std::isnan(excess) ? Ending::not_finite : Ending::energy_created;
-    outcome.reason =
-        std::isnan(excess)                ? "its energy is not finite"
-        : scale == ledger.initial_kinetic ? text("created %.3g of the initial kinetic energy; the limit is %.3g", excess / scale, limit)
-        : scale == ledger.external_work   ? text("created %.3g of the external work so far; the limit is %.3g", excess / scale, limit)
-                                        : text("created %.3g of the energy stored at the start; the limit is %.3g", excess / scale, limit);
+    if (!std::isnan(excess) && !(scale > 0 && std::abs(excess) > limit * scale)) continue;
+    outcome.ending = std::isnan(excess) ? Ending::not_finite : excess > 0 ? Ending::energy_created : Ending::energy_lost;
+    const std::string part = (excess > 0 ? "created" : "lost") + text(" %.3g of the ", std::abs(excess) / scale, 0);
+    const std::string bound = text("; the limit is %.3g", limit, 0);
+    outcome.reason = std::isnan(excess)                ? "its energy is not finite"
+                     : scale == ledger.initial_kinetic ? part + "initial kinetic energy" + bound
+                     : scale == ledger.external_work   ? part + "external work so far" + bound
+                                                       : part + "energy stored at the start" + bound;
     outcome.block = name(model, static_cast<int>(a));
     return true;
   }
@@ -78,6 +115,16 @@ bool overlap_too_much(const Model& model, const State& now, const Forces& forces
   outcome.reason = in_words(surfaces, *worst) + text(worst->at_start > 0 ? ", %.3g m of it at the start" : "", worst->at_start, 0) +
                    (joined ? "" : ", without a contact between them") + text("; the limit is %.3g of an element", limit, 0);
   outcome.block = surfaces.names[static_cast<std::size_t>(worst->worst.region[0])];
+  return true;
+}
+
+/// Stops the run where a source has created or lost too much of what passed through it; after any step.
+bool too_much_of_what_passed(const Model& model, const Ledger& ledger, double limit, Outcome& outcome) {
+  const Suspect one = suspect(ledger);
+  if (!(std::abs(one.part) > limit)) return false;
+  outcome.ending = one.part > 0 ? Ending::energy_created : Ending::energy_lost;
+  outcome.reason = deed(one) + text("; the limit is %.3g", limit, 0);
+  outcome.block = name(model, one);
   return true;
 }
 
@@ -98,6 +145,7 @@ std::string_view word(Ending ending) {
     case Ending::step_too_small: return "step_too_small";
     case Ending::energy_created: return "energy_created";
     case Ending::bodies_overlap: return "bodies_overlap";
+    case Ending::energy_lost: return "energy_lost";
     case Ending::relaxed: return "relaxed";
     case Ending::not_relaxed: return "not_relaxed";
   }
@@ -141,7 +189,7 @@ Outcome run(const Model& model, State& now, Forces& forces, const Time& time, do
   }
   bool wanted = enough();
   for (Step next = choose_step(now.votes, time.safety);
-       !stop(model, now, next, time.end, outcome) && !wanted && now.t < time.end;  // also the last step is looked at
+       !stop(model, now, next, time, outcome) && !wanted && now.t < time.end;  // also the last step is looked at
        next = choose_step(now.votes, time.safety)) {
     if (next.dt < progress.smallest.dt) progress.smallest = next;
     progress.largest_step = std::max(progress.largest_step, next.dt);
@@ -161,7 +209,8 @@ Outcome run(const Model& model, State& now, Forces& forces, const Time& time, do
     }
     show();
     if (!(now.votes.volume_ratio > 0)) continue;  // stop() says so
-    if (progress.ledger_is_current && created_too_much(model, now.ledger, time.created_limit, outcome)) break;
+    if (progress.ledger_is_current && too_much_of_the_scene(model, now.ledger, time.created_limit, outcome)) break;
+    if (too_much_of_what_passed(model, now.ledger, time.created_limit, outcome)) break;
     if (progress.ledger_is_current && overlap_too_much(model, now, forces, time.overlap_limit, outcome)) break;
     if (rests) {
       outcome.ending = Ending::relaxed;

@@ -14,14 +14,14 @@ namespace nereid::dynamics {
 struct Time {
   double end = 0;              ///< [s]
   double safety = 0.9;         ///< [-] fraction of the elements' stable step; contact votes by its own bound
-  double created_limit = 0.05; ///< [-] created energy of any one source over energy_scale()
+  double created_limit = 0.05; ///< [-] created or lost energy of any source, over energy_scale() and over what passed through it
   double overlap_limit = 0.5;  ///< [-] elements by which bodies may go into each other or themselves, beyond what they did at the start
   double audit_every = 0;      ///< [s] between two looks for overlaps; zero: at each update of the ledger
 };
 
 enum class Ending {
   reached_end, stopped_by_condition, relaxed,
-  inverted_element, not_finite, step_too_small, energy_created, bodies_overlap, not_relaxed
+  inverted_element, not_finite, step_too_small, energy_created, energy_lost, bodies_overlap, not_relaxed
 };
 std::string_view word(Ending);
 /// Whether the run did what it was asked for: it reached its end, a condition of the case or its equilibrium.

@@ -146,6 +146,18 @@ void constrain_start(const Model& model, State& now, Forces& f) {
   }
 }
 
+/// Posts what every source of force keeps up to date by itself, in the order of sources(model); gravity and relaxation are left out.
+/// returns  the account after them
+std::vector<Account>::iterator post_sources(const Model& model, State& now) {
+  auto account = now.ledger.accounts.begin();
+  for (std::size_t b = 0; b < model.blocks.size(); ++b) element::post(model.blocks[b], now.blocks[b], *account++);
+  for (std::size_t c = 0; c < model.interfaces.size(); ++c) contact::post(model.interfaces[c], now.interfaces[c], *account++);
+  for (std::size_t p = 0; p < model.rigid_planes.size(); ++p) contact::post(model.rigid_planes[p], now.rigid_planes[p], *account++);
+  for (const load::PlaneAccount& plane : now.constraints.account) load::post(plane, *account++);
+  for (std::size_t l = 0; l < model.loads.size(); ++l) load::post(model.loads[l], now.loads[l], *account++);
+  return account;
+}
+
 /// What the stores hold now counts as held at the start.
 void open_ledger(const Model& model, State& now) {
   for (Account& account : now.ledger.accounts) account.at_start = {};
@@ -156,6 +168,7 @@ void open_ledger(const Model& model, State& now) {
   }
   now.ledger.external_work = 0;
   update_ledger(model, now);
+  for (std::size_t a = 0; a < now.ledger.accounts.size(); ++a) now.ledger.flows[a] = {.work = now.ledger.accounts[a].work};
 }
 
 }  // namespace
@@ -174,8 +187,11 @@ const Votes& step(const Model& model, double dt, State& now, Forces& f) {
   load::finish_impacts(model.constraints, model.mass, now.x, f.force, dt, now.v, now.constraints);
   const double after = kick(model, dt / 2, now.t, Half::second, now, f);  // v at t + dt
   now.ledger.integration += dt * dt / 8 * (after - before);
+  if (now.step > 0) now.ledger.integration_kept -= (dt * dt - now.dt * now.dt) / 8 * before;
   now.dt = dt;
   ++now.step;
+  post_sources(model, now);
+  see_flows(now.ledger);
   return now.votes;
 }
 
@@ -198,12 +214,7 @@ void update_ledger(const Model& model, State& now) {
   Ledger& ledger = now.ledger;
   ledger.kinetic = kinetic_energy(model, now);
   momenta(model, now, ledger.momentum, ledger.angular_momentum);
-  auto account = ledger.accounts.begin();  // in the order of sources(model)
-  for (std::size_t b = 0; b < model.blocks.size(); ++b) element::post(model.blocks[b], now.blocks[b], *account++);
-  for (std::size_t c = 0; c < model.interfaces.size(); ++c) contact::post(model.interfaces[c], now.interfaces[c], *account++);
-  for (std::size_t p = 0; p < model.rigid_planes.size(); ++p) contact::post(model.rigid_planes[p], now.rigid_planes[p], *account++);
-  for (const load::PlaneAccount& plane : now.constraints.account) load::post(plane, *account++);
-  for (std::size_t l = 0; l < model.loads.size(); ++l) load::post(model.loads[l], now.loads[l], *account++);
+  auto account = post_sources(model, now);
   if (model.relaxation) post_relaxation(now.relaxation, *account++);
   if (!model.gravity.isZero(0)) post_gravity(model, now, *account);
   ledger.external_work = std::max(ledger.external_work, work_from_loads(ledger));

@@ -186,7 +186,7 @@ void add_surface(mesh::Mesh& mesh, const std::string& name, const Table<3>& face
 
 void add_names(const std::string& name, const Contents& file, const std::vector<Index>& number, mesh::Mesh& mesh,
                std::vector<std::string>& faults) {
-  const mesh::Skin skin = mesh::skin(mesh.hexahedra);
+  const mesh::Skin skin = mesh::skin(mesh.X, mesh.hexahedra);
   if (skin.crowded > 0) faults.push_back(std::to_string(skin.crowded) + " of its faces belong to more than two hexahedra");
   Table<3> plates(3, 0);
   for (const auto& region : mesh.triangles) {

@@ -24,8 +24,8 @@ struct FileMesh {
 ///           part `name.<array>` of the skin all of whose corners are in the set, if any. Of plates `name.top` (normals as
 ///           those of the triangles) and `name.bottom`, and for each node set `name.<array>_top`, `name.<array>_bottom`.
 ///
-/// Points of no cell are dropped; those that stay keep their order. Faces of hexahedra are cut through their corner
-/// with the lowest number. Faults are other kinds of cells, by name and number; hexahedra whose volume and
+/// Points of no cell are dropped; those that stay keep their order. Faces of hexahedra are cut as mesh::cut_of_face()
+/// says, whatever their numbers. Faults are other kinds of cells, by name and number; hexahedra whose volume and
 /// triangles whose area is not positive; points that are no numbers; regions that are no whole numbers or hold
 /// both solids and plates; faces of more than two hexahedra; names that are given twice.
 FileMesh file_mesh(const std::string& name, const Contents&, const std::string& region_array = "region");

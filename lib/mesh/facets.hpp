@@ -14,6 +14,18 @@ using Quadrilateral = std::array<Index, 4>;  ///< counter-clockwise seen from ou
 /// Which corners the cut joins.
 enum class Cut { first_to_third, second_to_fourth };
 
+/// How to cut a face of a hexahedron: by its shape and place alone, whatever the numbers of its nodes.
+///
+///     d1, d2  the diagonals,  m  the middle of the face,  n_k  fixed directions
+///     a cut whose halves face away from each other is none;  else the shorter diagonal;
+///     of equal ones that with the larger |d . (m - middle)|;  of equal ones that with the larger |d . n_k|
+///
+/// X       [m] positions
+/// middle  [m] of the body; the cuts of a regular face run outwards from it
+/// Lengths and parts that differ by less than 1e-4 are equal, so that round-off, also that of single precision, decides nothing.
+/// Invariants  moved, turned, mirrored and scaled bodies are cut alike, but for faces that only n_k can tell
+Cut cut_of_face(const Vectors& X, const Quadrilateral&, const Vec3& middle);
+
 /// Triangles in the making. Of both halves of a quadrilateral the first side is a side of the
 /// quadrilateral (0-1 and 2-3), never the cut, so that frames along it are aligned with the mesh.
 class Facets {
@@ -23,6 +35,9 @@ class Facets {
     triangles_.push_back({corner[0], corner[1], third ? corner[2] : corner[3]});
     triangles_.push_back({corner[2], corner[3], third ? corner[0] : corner[1]});
   }
+
+  /// A face of a hexahedron of a body with that middle.
+  void add(const Vectors& X, const Quadrilateral& corner, const Vec3& middle) { add(corner, cut_of_face(X, corner, middle)); }
 
   /// A facet that was never a quadrilateral.
   void add(Index first, Index second, Index third) { triangles_.push_back({first, second, third}); }

@@ -153,27 +153,59 @@ Table<4> faces(const Mesh& mesh, const Surface& surface) {
   return Eigen::Map<const Table<4>>(all.empty() ? nullptr : all[0].data(), 4, static_cast<Eigen::Index>(all.size()));
 }
 
+namespace {
+
+/// Calls give(corner, area) with what a face gives to the tributary area of each of its nodes.
+template <class Give>
+void share_out(const Vectors& X, const Eigen::Matrix<Index, 4, 1>& face, Give&& give) {
+  const int corners = face(3) < 0 ? 3 : 4;
+  double at_corner[4], sum = 0;  // areas of the triangles at the corners
+  for (int a = 0; a < corners; ++a) {
+    const Vec3 here = X.col(face(a)), to_next = X.col(face((a + 1) % corners)) - here;
+    const Vec3 to_last = X.col(face((a + corners - 1) % corners)) - here;
+    sum += at_corner[a] = to_next.cross(to_last).norm() / 2;
+  }
+  for (int a = 0; a < corners; ++a) give(a, corners == 3 ? at_corner[0] / 3 : (sum / 2 + at_corner[a]) / 6);
+}
+
+}  // namespace
+
 Scalars tributary_areas(const Mesh& mesh, const Surface& surface, const Subset& nodes) {
   const Table<4> all = faces(mesh, surface);
   Scalars at_node = Scalars::Zero(mesh.X.cols());
-  for (Index f = 0; f < all.cols(); ++f) {
-    const auto corner = [&](int a) { return Vec3(mesh.X.col(all(a, f))); };
-    const int corners = all(3, f) < 0 ? 3 : 4;
-    double at_corner[4], sum = 0;  // areas of the triangles at the corners
-    for (int a = 0; a < corners; ++a) {
-      const Vec3 here = corner(a), to_next = corner((a + 1) % corners) - here, to_last = corner((a + corners - 1) % corners) - here;
-      sum += at_corner[a] = to_next.cross(to_last).norm() / 2;
-    }
-    if (corners == 3) {
-      for (int a = 0; a < 3; ++a) at_node(all(a, f)) += at_corner[0] / 3;
-      continue;
-    }
-    for (int a = 0; a < 4; ++a) at_node(all(a, f)) += (sum / 2 + at_corner[a]) / 6;
-  }
+  for (Index f = 0; f < all.cols(); ++f) share_out(mesh.X, all.col(f), [&](int a, double area) { at_node(all(a, f)) += area; });
   Scalars wanted(nodes.size());
   std::transform(nodes.begin(), nodes.end(), wanted.begin(),
                  [&](Index node) { return at_node(node); });
   return wanted;
+}
+
+FacesAround faces_around(const Mesh& mesh, const Surface& surface, const Subset& nodes) {
+  FacesAround around{.faces = faces(mesh, surface), .shares = {}, .begin = {0}};
+  std::vector<std::vector<FacesAround::Share>> at_node(static_cast<std::size_t>(mesh.X.cols()));
+  for (Index f = 0; f < around.faces.cols(); ++f)
+    share_out(mesh.X, around.faces.col(f), [&](int a, double area) { at_node[around.faces(a, f)].push_back({f, area}); });
+  for (const Index node : nodes) {
+    around.shares.insert(around.shares.end(), at_node[node].begin(), at_node[node].end());
+    around.begin.push_back(static_cast<Index>(around.shares.size()));
+  }
+  return around;
+}
+
+double tributary_area_facing(const FacesAround& around, const Vectors& x, Index place, const Vec3& direction) {
+  const double length = direction.norm();
+  double sum = 0;
+  for (Index s = around.begin[place]; s < around.begin[place + 1]; ++s) {
+    const auto& [face, area] = around.shares[s];
+    const auto corner = [&](int a) { return Vec3(x.col(around.faces(a, face))); };
+    const bool triangle = around.faces(3, face) < 0;
+    // twice the area and along the normal: of a quadrilateral by its diagonals
+    const Vec3 across = triangle ? Vec3(corner(0) - corner(1)) : Vec3(corner(3) - corner(1));
+    const Vec3 normal = (corner(2) - corner(0)).cross(across);
+    const double size = normal.norm() * length;
+    sum += size > 0 ? area * std::max(0.0, -normal.dot(direction) / size) : area;
+  }
+  return sum;
 }
 
 }  // namespace nereid::mesh

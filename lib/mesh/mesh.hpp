@@ -73,4 +73,27 @@ Table<4> faces(const Mesh&, const Surface&);
 /// The sum over the nodes of the surface is its area; of a warped face, the mean of its two cuts.
 Scalars tributary_areas(const Mesh&, const Surface&, const Subset& nodes);
 
+/// The faces of a surface at each of some nodes, and what each gives to the tributary area of the node.
+struct FacesAround {
+  struct Share {
+    Index face;   ///< column of `faces`
+    double area;  ///< [m2] of the reference
+  };
+  Table<4> faces;             ///< nodes around each face, as faces() has them
+  std::vector<Share> shares;  ///< node after node
+  std::vector<Index> begin;   ///< [nodes + 1] the shares of node i are begin[i] to begin[i + 1]
+};
+FacesAround faces_around(const Mesh&, const Surface&, const Subset& nodes);
+
+/// Tributary area of a node across a direction, of those faces at it that face against it. [m2]
+///
+///     sum of  A_f max(0, -n_f . d),   n_f the normal of the face at positions x,  A_f its share of the tributary area
+///
+/// On a plane face that is pressed straight this is the tributary area on that face. What lies round an edge, on a side along d or
+/// with its back to it, does not count. Continuous in d and x.
+///
+/// place      of the node among the nodes of faces_around()
+/// direction  d: of the force of contact on the node, any length; zero: all faces count whole
+double tributary_area_facing(const FacesAround&, const Vectors& x, Index place, const Vec3& direction);
+
 }  // namespace nereid::mesh

@@ -29,6 +29,15 @@ Face face(const Table<8>& nodes, Index element, const int (&at)[4]) {
   return found;
 }
 
+/// Mean of the positions that are marked; zero if none is.
+Vec3 mean_of(const Vectors& X, const std::vector<char>& marked) {
+  Vec3 sum = Vec3::Zero();
+  double count = 0;
+  for (Index node = 0; node < X.cols(); ++node)
+    if (marked[static_cast<std::size_t>(node)]) sum += X.col(node), ++count;
+  return count > 0 ? Vec3(sum / count) : sum;
+}
+
 }  // namespace
 
 Scalars volumes(const Mesh& mesh, const Hexahedra& region) {
@@ -47,7 +56,7 @@ Scalars volumes(const Mesh& mesh, const Hexahedra& region) {
   return all;
 }
 
-Skin skin(const std::vector<Hexahedra>& regions) {
+Skin skin(const Vectors& X, const std::vector<Hexahedra>& regions) {
   std::vector<Face> faces;
   for (const Hexahedra& region : regions)
     for (Index e = 0; e < region.nodes.cols(); ++e)
@@ -67,15 +76,18 @@ Skin skin(const std::vector<Hexahedra>& regions) {
     if (end - begin > 2) ++result.crowded;
     begin = end;
   }
+  std::vector<char> on_skin(static_cast<std::size_t>(X.cols()), 0);
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    for (int a = 0; outer[f] && a < faces[f].corners; ++a) on_skin[static_cast<std::size_t>(faces[f].corner[a])] = 1;
+  const Vec3 middle = mean_of(X, on_skin);
   Facets facets;
   for (std::size_t f = 0; f < faces.size(); ++f) {
     if (!outer[f]) continue;
     const auto& c = faces[f].corner;
-    const auto lowest = std::min_element(c.begin(), c.begin() + faces[f].corners) - c.begin();
     if (faces[f].corners == 3)
       facets.add(c[0], c[1], c[2]);
     else
-      facets.add(c, lowest % 2 == 0 ? Cut::first_to_third : Cut::second_to_fourth);
+      facets.add(X, c, middle);
   }
   result.facets = facets.table();
   return result;

@@ -12,11 +12,12 @@ Scalars volumes(const Mesh&, const Hexahedra&);
 
 /// Outer faces: those that one hexahedron of all regions has and no other.
 struct Skin {
-  Table<3> facets;           ///< each quadrilateral cut through its corner with the lowest number, normals outwards
+  Table<3> facets;           ///< each quadrilateral cut as cut_of_face() says, normals outwards
   std::int64_t crowded = 0;  ///< faces that more than two hexahedra have; they are not in the skin
 };
 
 /// Finds the skin of hexahedra, in their order. Faces with two corners in one are triangles, those with less nothing.
-Skin skin(const std::vector<Hexahedra>&);
+/// The middle about which faces are cut is the mean of the skin's nodes.
+Skin skin(const Vectors& X, const std::vector<Hexahedra>&);
 
 }  // namespace nereid::mesh

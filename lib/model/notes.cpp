@@ -1,6 +1,7 @@
 #include "model/notes.hpp"
 
 #include <array>
+#include <cmath>
 #include <cstdio>
 
 #include "dynamics/overlaps.hpp"
@@ -110,6 +111,21 @@ std::vector<std::string> quality_notes(const Simulation& simulation) {
                           "result: take a finer mesh, or elements of the kind 'full'",
                           name, fraction, worth_saying));
   }
+  return notes;
+}
+
+std::vector<std::string> energy_notes(const Simulation& simulation) {
+  const double limit = simulation.time.created_limit;
+  std::vector<std::string> notes;
+  const auto look = [&](const std::string& name, double part, const char* of) {
+    if (!(std::abs(part) > 0.1 * limit)) return;
+    notes.push_back(row("%s: %s %.2g of the energy %s at worst; the limit that stops a run is %.2g", name.c_str(),
+                        part > 0 ? "created" : "lost", std::abs(part), of, limit));
+  };
+  const dynamics::Ledger& ledger = simulation.state.ledger;
+  const std::vector<Source> all = dynamics::sources(simulation.model);
+  for (std::size_t s = 0; s < all.size(); ++s) look(all[s].name, ledger.flows[s].worst, "that passed through it");
+  look("time integration", ledger.worst_kept, "of the scene");
   return notes;
 }
 

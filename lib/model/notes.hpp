@@ -1,6 +1,6 @@
 #pragma once
 // What a simulation says of itself in words: gaps at the start, what sets its step, penetrations that are too deep,
-// elements that are too distorted.
+// elements that are too distorted, energy that appears or vanishes.
 
 #include <string>
 #include <vector>
@@ -24,6 +24,10 @@ std::vector<std::string> overlap_notes(const Simulation&);
 
 /// Each body whose elements spoil its results: corners that are inverted, or hourglass energy above a tenth of its internal energy.
 std::vector<std::string> quality_notes(const Simulation&);
+
+/// Each source, and time integration, that created or lost more than a tenth of the created_limit of what passed through it, one a line.
+/// Beyond the limit the run stops.
+std::vector<std::string> energy_notes(const Simulation&);
 
 /// Elements of all blocks.
 std::int64_t count_elements(const dynamics::Model&);

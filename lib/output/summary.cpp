@@ -66,7 +66,7 @@ Json channels_of(const std::vector<Channel>& listed, const Channels<Channel>& va
   return object;
 }
 
-Json account_of(const Source& source, const Account& account, double scale) {
+Json account_of(const Source& source, const Account& account, const dynamics::Flow& flow, double scale) {
   const double created = dynamics::created(account);
   Json relative = quantity(created / scale, "1");
   if (scale == 0) relative["value"] = nullptr;
@@ -76,6 +76,8 @@ Json account_of(const Source& source, const Account& account, double scale) {
           {"dissipated", channels_of(source.dissipated, account.dissipated)},
           {"created", quantity(created, "J")},
           {"created_relative", relative},
+          {"passed", quantity(flow.passed, "J")},
+          {"created_of_passed", quantity(flow.worst, "1")},
           {"created_by_reconnection", quantity(account.created_by_reconnection, "J")},
           {"impulse", quantity(account.impulse, "N s")},
           {"angular_impulse", quantity(account.angular_impulse, "N m s")}};
@@ -84,11 +86,13 @@ Json account_of(const Source& source, const Account& account, double scale) {
 Json ledger_of(const std::vector<Source>& sources, const dynamics::Ledger& ledger) {
   Json accounts = Json::object();
   for (std::size_t s = 0; s < sources.size(); ++s)
-    add_once(accounts, sources[s].name, account_of(sources[s], ledger.accounts[s], energy_scale(ledger)));
+    add_once(accounts, sources[s].name, account_of(sources[s], ledger.accounts[s], ledger.flows[s], energy_scale(ledger)));
   return {{"initial_kinetic", quantity(ledger.initial_kinetic, "J")},
           {"external_work", quantity(ledger.external_work, "J")},
           {"kinetic", quantity(ledger.kinetic, "J")},
           {"integration", quantity(ledger.integration, "J")},
+          {"integration_kept", quantity(ledger.integration_kept, "J")},
+          {"integration_kept_relative", quantity(ledger.worst_kept, "1")},
           {"energy_residual", quantity(dynamics::energy_residual(ledger), "J")},
           {"initial_momentum", quantity(ledger.initial_momentum, "kg m/s")},
           {"momentum", quantity(ledger.momentum, "kg m/s")},

@@ -168,10 +168,10 @@ class Stops(InATemporaryFolder):
         self.assertIn(ending["block"], ("A", "B"))
         self.assertTrue(0 <= ending["element"] < 20, ending["element"])
 
-    def test_energy_created(self):
-        ending = self.stop("two_blocks", [*BARS, "closing_speed=5 km/s", "time.created_limit=1e-6"], "energy_created")
-        self.assertEqual((ending["block"], ending["element"]), ("contact", None))
-        self.assertIn("the limit is 1e-06", ending["reason"])
+    def test_energy_lost(self):
+        ending = self.stop("two_blocks", [*BARS, "closing_speed=5 km/s", "time.created_limit=1e-3"], "energy_lost")
+        self.assertEqual((ending["block"], ending["element"]), ("time integration", None))
+        self.assertIn("the limit is 0.001", ending["reason"])
 
 
 class Summary(InATemporaryFolder):

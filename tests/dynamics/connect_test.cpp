@@ -87,6 +87,23 @@ TEST(SurfaceDepth, IsThatOfTheFlattestElement) {
   EXPECT_EQ(surface_depth(model, mesh::surface(model.mesh, "above.z_low")), 0);
 }
 
+TEST(SurfaceDepth, OfASkinIsThatBehindEachOfItsSides) {
+  Model model;
+  model.mesh = mesh::box("cube", {{0, 0, 0}, {1, 1, 1}, {4, 2, 1}});
+  mesh::Surface skin{"cube.skin", Table<3>(3, 0)};
+  for (const mesh::Surface& side : model.mesh.surfaces) {
+    const Table<3> before = skin.facets;
+    skin.facets.resize(3, before.cols() + side.facets.cols());
+    skin.facets << before, side.facets;
+  }
+  model.blocks.push_back(element::hexahedra(model.mesh, "cube", soft, {}));
+  finalize(model);
+  EXPECT_NEAR(surface_depth(model, skin), 0.25, 1e-12);  // across x, though corner elements have four more faces on the skin
+  EXPECT_NEAR(surface_stiffness(model, skin) / (modulus(soft) / 0.25), 1, 1e-12);
+  const mesh::Surface low = mesh::surface(model.mesh, "cube.z_low");
+  EXPECT_NEAR(surface_depth(model, low), 1, 1e-12);
+}
+
 TEST(SurfaceStiffness, OfASurfaceWithoutElementsIsZero) {
   Model model = two_boxes(0.01);
   model.blocks.pop_back();

@@ -54,6 +54,63 @@ TEST(Ledger, CreatedEnergyIsHeldAgainstTheLargestThatWasThere) {
   EXPECT_EQ(energy_scale(ledger), 12);
 }
 
+/// A ledger of a scene of 1 J with two sources of which the second does `works`, step by step, all of it stored but for `created`.
+Ledger after(std::initializer_list<double> works, double created) {
+  Ledger ledger;
+  ledger.initial_kinetic = 1;
+  ledger.accounts.resize(2), ledger.flows.resize(2);
+  for (const double work : works) {
+    ledger.accounts[1].work += work;
+    ledger.accounts[1].stored[Stored::penalty] = created - ledger.accounts[1].work;
+    see_flows(ledger);
+  }
+  return ledger;
+}
+
+TEST(Flow, IsTheSumOfWhatPassedInBothDirections) {
+  const Ledger ledger = after({-0.3, -0.2, 0.4, 0}, 0);
+  EXPECT_DOUBLE_EQ(ledger.flows[1].passed, 0.9);
+  EXPECT_DOUBLE_EQ(ledger.flows[1].recent, 0.2);  // half of the step before
+  EXPECT_EQ(ledger.flows[0].passed, 0);
+  EXPECT_EQ(ledger.flows[1].worst, 0);
+}
+
+TEST(SpuriousPart, IsHeldAgainstWhatPassedThroughThatSourceWithBothSigns) {
+  const double tiny = 1e-3;  // of the scene: no limit on the scene's scale sees it
+  for (const double part : {0.5, -0.5}) {
+    const Ledger ledger = after({-tiny, tiny, 0, 0, 0, 0, 0, 0, 0, 0}, part * 2 * tiny);
+    EXPECT_NEAR(spurious_part(ledger, 1), part, 1. / 256);  // 2^-8 of the last work may still come back
+    EXPECT_EQ(ledger.flows[1].worst, spurious_part(ledger, 1));
+    EXPECT_EQ(spurious_part(ledger, 0), 0);
+  }
+}
+
+TEST(SpuriousPart, DoesNotCountWhatTheNextStepsMayMakeGood) {
+  EXPECT_EQ(spurious_part(after({-0.01}, 0.01), 1), 0);
+  EXPECT_NEAR(spurious_part(after({-0.01, 0}, 0.01), 1), 0.5, 1e-12);
+  EXPECT_NEAR(spurious_part(after({-0.01, 0, 0}, 0.01), 1), 0.75, 1e-12);
+}
+
+TEST(SpuriousPart, LeavesOutChatterAndScenesInWhichNothingMoved) {
+  EXPECT_EQ(spurious_part(after({0.4 * least_share, -0.4 * least_share, 0}, 0.1), 1), 0);
+  EXPECT_NE(spurious_part(after({0.6 * least_share, -0.6 * least_share, 0}, 0.1), 1), 0);
+  Ledger still = after({1, 0}, 0.5);
+  still.initial_kinetic = 0;
+  EXPECT_EQ(spurious_part(still, 1), 0);
+  still.integration_kept = 1;
+  EXPECT_EQ(kept_part(still), 0);
+}
+
+TEST(KeptPart, IsThatOfTheIntegrationOverTheScaleWithBothSigns) {
+  Ledger ledger = after({}, 0);
+  ledger.initial_kinetic = 4, ledger.integration_kept = -1;
+  see_flows(ledger);
+  EXPECT_EQ(kept_part(ledger), -0.25);
+  ledger.integration_kept = 0.5;
+  see_flows(ledger);
+  EXPECT_EQ(ledger.worst_kept, -0.25);
+}
+
 TEST(Ledger, ImpulsesExplainTheMomenta) {
   Ledger ledger;
   ledger.initial_momentum = {1, 2, 3};

@@ -108,6 +108,10 @@ TEST(ContactForce, IsPenaltyTimesAreaTimesDepthOnTheApexes) {
   EXPECT_NEAR(least_gap(scene.view(), 0), -depth, 1e-15);
   EXPECT_NEAR(all_of_it.largest_pressure, 1e6 * depth, 1e-9);
   EXPECT_NEAR(all_of_it.area, 1, 1e-15);
+  EXPECT_NEAR(area_across(scene.view(), 0, 0, Vec3(-2, 0, 0)), scene.model.interfaces[0].area(0), 1e-15);
+  EXPECT_NEAR(area_across(scene.view(), 0, 0, Vec3(0, 0, 1)), 0, 1e-15);  // along the face
+  scene.model.interfaces[0].faces = {};
+  EXPECT_EQ(area_across(scene.view(), 0, 0, Vec3(0, 0, 1)), scene.model.interfaces[0].area(0));
 }
 
 TEST(ContactForce, IsZeroWhereSurfacesAreApart) {

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <limits>
 
+#include "contact/impact_step.hpp"
 #include "mesh/box.hpp"
 #include "tests/dynamics/scene.hpp"
 
@@ -275,15 +276,95 @@ Scene careless(const Vec3& gravity = Vec3::Zero(), double speed = 3) {
   return s;
 }
 
+/// Whether the ledger stopped a run. With steps as long as the impact itself a contact first loses what it gains later.
+bool stopped_by_the_ledger(const Outcome& outcome) {
+  return outcome.ending == Ending::energy_created || outcome.ending == Ending::energy_lost;
+}
+
 TEST(Run, StopsWhenASourceCreatesEnergyAndNamesIt) {
   Scene s = careless();
   const Outcome outcome = s.run_to(0.05, 1e-4);
-  EXPECT_EQ(outcome.ending, Ending::energy_created) << word(outcome.ending);
+  EXPECT_TRUE(stopped_by_the_ledger(outcome)) << word(outcome.ending);
   EXPECT_EQ(outcome.block, "joint");
   EXPECT_NE(outcome.reason.find("the limit is 0.05"), std::string::npos) << outcome.reason;
-  EXPECT_GT(created(s.state.ledger.accounts[2]), 0.05 * s.state.ledger.initial_kinetic);
+  EXPECT_GT(std::abs(created(s.state.ledger.accounts[2])), 0.05 * s.state.ledger.initial_kinetic);
   EXPECT_LT(std::abs(energy_residual(s.state.ledger)),
             1e-11 * s.state.ledger.initial_kinetic);  // closes all the same
+}
+
+/// A heavy box that flies by, far away, with ten thousand times the energy of what else is there.
+void add_ship(Scene& s) {
+  s.model.mesh = mesh::join(s.model.mesh, mesh::box("ship", {{9, 9, 9}, {10, 10, 10}, {1, 1, 1}}));
+  s.model.blocks.push_back(element::hexahedra(s.model.mesh, "ship", rubber, inviscid));
+}
+
+TEST(Run, StopsWhenASourceCreatesMuchOfWhatPassesThroughItThoughAnotherBodyHasMore) {
+  Scene s;
+  s.model.mesh = mesh::join(mesh::box("below", {{0, 0, 0}, {0.4, 0.4, 0.2}, {4, 4, 2}}),
+                            mesh::box("above", {{0.05, 0.05, 0.201}, {0.35, 0.35, 0.4}, {3, 3, 2}}));
+  s.model.blocks.push_back(element::hexahedra(s.model.mesh, "below", rubber, inviscid));
+  s.model.blocks.push_back(element::hexahedra(s.model.mesh, "above", rubber, inviscid));
+  add_ship(s);
+  finalize(s.model);
+  InterfaceOptions options;
+  options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
+  options.penalty_scale = 30;
+  s.joined("joint", "above.z_low", "below.z_high", options);
+  s.model.interfaces[0].impact_step_factor = 1.9;  // the linear bound, nearly
+  s.ready();
+  s.move("above", {0, 0, -3});
+  s.move("ship", {10, 0, 0});
+  const Outcome outcome = s.run_to(0.05, 0.01);
+  EXPECT_TRUE(stopped_by_the_ledger(outcome)) << word(outcome.ending) << " " << outcome.reason;
+  EXPECT_EQ(outcome.block, "joint");
+  EXPECT_NE(outcome.reason.find("of the energy that passed through it; the limit is 0.05"), std::string::npos) << outcome.reason;
+  EXPECT_LT(std::abs(created(s.state.ledger.accounts[3])), 0.05 * energy_scale(s.state.ledger));
+  EXPECT_NE(std::fmod(s.state.t, 0.01), 0);  // between two updates
+}
+
+/// Two boxes of which one loses stored energy in every step, as a faulty law would.
+TEST(Run, StopsWhenASourceLosesEnergyAndNamesIt) {
+  Scene s = careless();
+  s.model.interfaces[0].impact_step_factor = contact::impact_step_factor_for(0.005);
+  s.ready();
+  s.move("above", {0, 0, -3});
+  const std::vector<Observer> observers{[&s](const View&) { s.state.blocks[0].stored[Stored::elastic] *= 0.98; }};
+  const Outcome outcome = s.run_to(0.05, 1e-3, observers);
+  EXPECT_EQ(outcome.ending, Ending::energy_lost) << word(outcome.ending) << " " << outcome.reason;
+  EXPECT_EQ(outcome.block, "below");
+  EXPECT_NE(outcome.reason.find("lost 0.0"), std::string::npos) << outcome.reason;
+}
+
+TEST(Run, AnInvertedElementNamesTheSourceThatMadeEnergyBefore) {
+  Scene s = careless();
+  s.ready();
+  s.move("above", {0, 0, -3});
+  start(s.model, s.state, s.forces);
+  s.state.progress.started = s.state.progress.ledger_is_current = true;
+  s.state.progress.first_step = s.state.votes.elements.step;
+  s.state.ledger.accounts[2].work = s.state.ledger.initial_kinetic;  // of the contact, and nothing that it comes from
+  s.state.ledger.flows[2].passed = 2 * s.state.ledger.initial_kinetic;
+  s.state.votes.volume_ratio = -0.5, s.state.votes.smallest_block = 1, s.state.votes.smallest_element = 3;
+  const Outcome outcome = s.run_to(0.05);
+  EXPECT_EQ(outcome.ending, Ending::inverted_element);
+  EXPECT_EQ(outcome.block, "above");
+  EXPECT_EQ(outcome.element, 3);
+  EXPECT_EQ(outcome.reason,
+            "its volume or area is -0.5 of the reference; before that joint had created 0.5 of the energy that passed through it");
+}
+
+TEST(Run, StopsWhenTimeIntegrationCreatesEnergy) {
+  Scene s;
+  s.model.mesh = mesh::box("cube", {{0, 0, 0}, {1, 1, 1}, {4, 4, 4}});
+  s.model.blocks.push_back(element::hexahedra(s.model.mesh, "cube", material::J2Bilinear{7850, 2.1e11, 0.3, 3e8, 1e9}, {}));
+  s.model.constraints.planes = {plane("mirror", load::PlaneKind::symmetry, -Vec3::UnitZ(), mesh::node_set(s.model.mesh, "cube.z_low"))};
+  finalize(s.model);
+  s.ready();
+  s.move("cube", {0, 0, -4000});
+  const Outcome outcome = s.run_to(2e-3, 1e-5);
+  EXPECT_EQ(outcome.ending, Ending::energy_created) << word(outcome.ending) << " " << outcome.reason;
+  EXPECT_EQ(outcome.block, "time integration");
+  EXPECT_NE(outcome.reason.find("of the energy of the scene; the limit is 0.05"), std::string::npos) << outcome.reason;
 }
 
 TEST(Run, ThatStartsAtRestIsHeldAgainstTheEnergyThatGravityBroughtIn) {
@@ -291,12 +372,11 @@ TEST(Run, ThatStartsAtRestIsHeldAgainstTheEnergyThatGravityBroughtIn) {
   const Outcome outcome = s.run_to(0.1, 1e-4);
   const Ledger& ledger = s.state.ledger;
   EXPECT_EQ(ledger.initial_kinetic, 0);
-  EXPECT_EQ(outcome.ending, Ending::energy_created) << word(outcome.ending);
+  EXPECT_TRUE(stopped_by_the_ledger(outcome)) << word(outcome.ending);
   EXPECT_EQ(outcome.block, "joint");
-  EXPECT_NE(outcome.reason.find("of the external work"), std::string::npos) << outcome.reason;
   EXPECT_GT(energy_scale(ledger), 0);
   EXPECT_GE(energy_scale(ledger), work_from_loads(ledger));
-  EXPECT_GT(created(ledger.accounts[2]), 0.05 * energy_scale(ledger));
+  EXPECT_GT(std::abs(spurious_part(ledger, 2)), 0.05);
 }
 
 TEST(Run, GoesOnWithinTheLimitOfCreatedEnergyThatItIsGiven) {
@@ -310,6 +390,7 @@ TEST(Run, HasAWordForEveryEnding) {
   EXPECT_EQ(word(Ending::not_finite), "not_finite");
   EXPECT_EQ(word(Ending::step_too_small), "step_too_small");
   EXPECT_EQ(word(Ending::energy_created), "energy_created");
+  EXPECT_EQ(word(Ending::energy_lost), "energy_lost");
   EXPECT_EQ(word(Ending::relaxed), "relaxed");
   EXPECT_EQ(word(Ending::not_relaxed), "not_relaxed");
 }

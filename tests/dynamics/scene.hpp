@@ -77,7 +77,7 @@ inline std::vector<std::pair<std::string, std::vector<double>>> numbers(const St
     for (const Vec3& slip : c.slip) all(slip);
     all(c.slot), all(c.near_facets);
     for (const contact::Near& near : c.near) {
-      add(near.apex, near.first_facet, near.facets, near.clear, near.rests, near.tracks.count);
+      add(near.apex, near.first_facet, near.facets, near.clear, near.rests, near.area, near.tracks.count);
       for (int i = 0; i < near.tracks.count; ++i) add(near.tracks.track[i].facet, near.tracks.track[i].height);
       add(near.tracks.out.facet, near.tracks.out.height);
       if (near.tracks.out.facet >= 0) all(near.tracks.out.weight);
@@ -117,12 +117,14 @@ inline std::vector<std::pair<std::string, std::vector<double>>> numbers(const St
   add(s.relaxation.removed, s.relaxation.residual, s.relaxation.most_force, s.relaxation.most_kinetic, s.relaxation.balanced,
       s.relaxation.since);
   all(s.relaxation.impulse), all(s.relaxation.angular_impulse);
-  part("ledger"), add(s.ledger.initial_kinetic, s.ledger.kinetic, s.ledger.integration, s.ledger.external_work);
+  part("ledger"), add(s.ledger.initial_kinetic, s.ledger.kinetic, s.ledger.integration, s.ledger.external_work,
+                      s.ledger.integration_kept, s.ledger.worst_kept);
   all(s.ledger.momentum), all(s.ledger.angular_momentum), all(s.ledger.initial_momentum), all(s.ledger.initial_angular_momentum);
   for (const Account& a : s.ledger.accounts) {
     part("account"), add(a.work, a.created_by_reconnection), all(a.impulse), all(a.angular_impulse);
     for (std::size_t c = 0; c < words_of_stored.size(); ++c) add(a.stored[Stored(c)], a.at_start[Stored(c)], a.dissipated[Dissipated(c)]);
   }
+  for (const Flow& f : s.ledger.flows) part("flow"), add(f.passed, f.work, f.recent, f.worst);
   part("quality"), add(s.progress.corners_seen);
   for (const Quality& seen : s.quality) add(seen.corner, seen.element, seen.time, seen.hourglass, seen.internal);
   part("audit"), add(s.audit.looks, s.progress.audits, s.progress.audited, s.progress.audited_itself);

@@ -138,5 +138,59 @@ TEST(TributaryAreas, AreAThirdOfTheFacetsAtTheNode) {
   EXPECT_EQ(areas(2), 0);
 }
 
+/// All six sides of a cube of 1 m with four cells along each, in one surface.
+Mesh cube_with_skin() {
+  Mesh mesh = box("A", {Vec3::Zero(), Vec3::Ones(), {4, 4, 4}});
+  Table<3> all(3, 0);
+  for (const Surface& side : mesh.surfaces) {
+    const Table<3> before = all;
+    all.resize(3, before.cols() + side.facets.cols());
+    all << before, side.facets;
+  }
+  mesh.surfaces.push_back({"A.skin", all});
+  return mesh;
+}
+
+TEST(FacesAround, ShareOutTheTributaryAreas) {
+  const Mesh mesh = cube_with_skin();
+  const Surface& skin = surface(mesh, "A.skin");
+  const Subset nodes = surface_nodes(skin);
+  const FacesAround around = faces_around(mesh, skin, nodes);
+  const Scalars areas = tributary_areas(mesh, skin, nodes);
+  ASSERT_EQ(around.begin.size(), nodes.size() + 1);
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    double sum = 0;
+    for (Index s = around.begin[i]; s < around.begin[i + 1]; ++s) sum += around.shares[static_cast<std::size_t>(s)].area;
+    EXPECT_NEAR(sum, areas(static_cast<Eigen::Index>(i)), 1e-15);
+  }
+}
+
+TEST(TributaryAreaFacing, OfASkinIsThatOfTheSideThatIsPressedAlsoAfterATurn) {
+  const Mesh mesh = cube_with_skin();
+  const Surface &skin = surface(mesh, "A.skin"), &side = surface(mesh, "A.z_low");
+  const Subset nodes = surface_nodes(side);
+  const FacesAround around = faces_around(mesh, skin, nodes);
+  const Scalars of_side = tributary_areas(mesh, side, nodes), of_skin = tributary_areas(mesh, skin, nodes);
+  const Mat3 turn = Eigen::AngleAxisd(1.1, Vec3(0.3, -0.4, 0.8).normalized()).toRotationMatrix();
+  const Vectors x = turn * mesh.X;
+  for (Index i = 0; i < static_cast<Index>(nodes.size()); ++i) {
+    EXPECT_NEAR(tributary_area_facing(around, x, i, turn * Vec3(0, 0, 7)), of_side(i), 1e-15);  // pushed up from below
+    EXPECT_EQ(tributary_area_facing(around, x, i, Vec3::Zero()), of_skin(i));
+    EXPECT_NEAR(tributary_area_facing(around, x, i, turn * Vec3(0, 0, -1)), 0, 1e-15);
+  }
+  EXPECT_NEAR(of_skin.maxCoeff() / of_side.maxCoeff(), 1, 1e-12);
+  EXPECT_NEAR(of_skin(0) / of_side(0), 3, 1e-12);  // the corner has three sides
+}
+
+TEST(TributaryAreaFacing, TurnsContinuouslyFromOneSideToTheOther) {
+  const Mesh mesh = cube_with_skin();
+  const Surface& skin = surface(mesh, "A.skin");
+  const FacesAround around = faces_around(mesh, skin, {2});  // on the edge between y_low and z_low
+  const double share = 1. / 16;
+  for (const double angle : {0.0, 0.3, pi / 4, 1.2, pi / 2})
+    EXPECT_NEAR(tributary_area_facing(around, mesh.X, 0, {0, std::sin(angle), std::cos(angle)}),
+                0.5 * share * (std::sin(angle) + std::cos(angle)), 1e-15);
+}
+
 }  // namespace
 }  // namespace nereid::mesh

@@ -32,7 +32,7 @@ TEST(Volumes, AreNegativeInsideOut) {
 
 TEST(Skin, OfACylinderIsItsThreeSurfaces) {
   const Mesh mesh = cylinder("a", {0.3, 0.7, Revolution::full, 3, 2, 4});
-  const Skin found = skin(mesh.hexahedra);
+  const Skin found = skin(mesh.X, mesh.hexahedra);
   EXPECT_EQ(found.crowded, 0);
   double area = 0;
   for (const Surface& surface : mesh.surfaces) area += sum(facet_areas(mesh, surface));
@@ -47,7 +47,7 @@ TEST(Skin, OfACylinderIsItsThreeSurfaces) {
 
 TEST(Skin, OfASectorClosesAtTheAxis) {
   const Mesh mesh = wedge("a", {0.3, 0.7, 0.4, 1, 3, 2});
-  const Table<3> facets = skin(mesh.hexahedra).facets;
+  const Table<3> facets = skin(mesh.X, mesh.hexahedra).facets;
   Sides sides;
   add_sides(facets, sides);
   EXPECT_EQ(open_sides(sides), 0);
@@ -59,9 +59,9 @@ TEST(Skin, LeavesOutWhatRegionsShareAndTellsOfCrowdedFaces) {
   Mesh mesh = box("a", {Vec3::Zero(), Vec3(2, 1, 1), {2, 1, 1}});
   const Table<8> both = mesh.hexahedra[0].nodes;
   mesh.hexahedra = {{"left", both.leftCols(1)}, {"right", both.rightCols(1)}};
-  EXPECT_EQ(skin(mesh.hexahedra).facets.cols(), 2 * 10);
+  EXPECT_EQ(skin(mesh.X, mesh.hexahedra).facets.cols(), 2 * 10);
   mesh.hexahedra.push_back({"again", both.rightCols(1)});
-  EXPECT_EQ(skin(mesh.hexahedra).crowded, 1);  // the face between; those of the pair are inner ones
+  EXPECT_EQ(skin(mesh.X, mesh.hexahedra).crowded, 1);  // the face between; those of the pair are inner ones
 }
 
 }  // namespace

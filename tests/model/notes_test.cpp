@@ -84,6 +84,21 @@ TEST(QualityNotes, SayWhichCornerIsInvertedAndHowMuchEnergyIsInHourglasses) {
   EXPECT_TRUE(says(notes[1], "bar: hourglass energy reached 0.6 of the internal energy")) << notes[1];
 }
 
+TEST(EnergyNotes, NameTheSourceThatMadeEnergyAndWhatItIsHeldAgainst) {
+  Simulation simulation = build(with({bar()}));
+  run(simulation);
+  EXPECT_TRUE(energy_notes(simulation).empty());
+  simulation.state.ledger.flows[0].worst = -0.02;
+  simulation.state.ledger.worst_kept = 0.006;
+  const auto notes = energy_notes(simulation);
+  ASSERT_EQ(notes.size(), 2U);
+  EXPECT_TRUE(says(notes[0], "bar: lost 0.02 of the energy that passed through it at worst; the limit that stops a run is 0.05"))
+      << notes[0];
+  EXPECT_TRUE(says(notes[1], "time integration: created 0.006 of the energy of the scene at worst")) << notes[1];
+  simulation.state.ledger.flows[0].worst = 0.004, simulation.state.ledger.worst_kept = 0;
+  EXPECT_TRUE(energy_notes(simulation).empty());  // below a tenth of the limit
+}
+
 TEST(CountElements, SumsOverAllBlocks) { EXPECT_EQ(count_elements(build(with({bar(), sheet()})).model), 6); }
 
 }  // namespace

@@ -57,6 +57,7 @@ Summary example() {
   summary.sources = {{"A_on_B", SourceKind::interface, {Stored::penalty}, {Dissipated::friction}}};
   summary.ledger.accounts = {contact};
   summary.overlaps = {{{"A", "B"}, {"A_on_B"}, 0.5, 0.25, 2, Vec3(1, 2, 3), 0.125}};
+  summary.ledger.flows = {{.passed = 6, .work = -4, .recent = 0, .worst = -0.15}};
   summary.resolved = {{"contact.penalty", 5e11, "Pa/m", false},
                       {"contact.friction", 0.0, "1", true},
                       {"material", std::string("steel"), "", false},
@@ -94,7 +95,8 @@ TEST(Summary, LedgerCarriesEveryAccountWithUnits) {
                    R"("stored":{"penalty":{"value":1.0,"unit":"J"}},)"
                    R"("dissipated":{"friction":{"value":2.0,"unit":"J"}},)"
                    R"("created":{"value":-1.0,"unit":"J"},)"
-                   R"("created_relative":{"value":-0.125,"unit":"1"})");
+                   R"("created_relative":{"value":-0.125,"unit":"1"},)"
+                   R"("passed":{"value":6.0,"unit":"J"},"created_of_passed":{"value":-0.15,"unit":"1"})");
 }
 
 TEST(Summary, CreatedEnergyIsRelativeToNothingWhenNothingMoved) {

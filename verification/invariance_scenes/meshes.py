@@ -2,11 +2,6 @@
 """Meshes of the scenes in this folder: read, written, and made.
 
     meshes.py        writes the .vtu files of this folder anew
-
-A reader of .vtu files cuts each face of a hexahedron through its corner with the lowest number, so that another numbering
-would give other facets, which is another surface. In these meshes nodes with an even sum of their three indices come before
-those with an odd one: each face has two even corners, opposite one another, and is cut between them whatever the order
-within the even and within the odd. `block_cut_otherwise.vtu` has the odd ones first: the same block with the other diagonals.
 """
 import dataclasses
 import itertools
@@ -23,23 +18,6 @@ class Mesh:
     points: list
     cells: list
     sets: dict
-
-    def first_odd(self):
-        """The number of the first odd node of a mesh of hexahedra: an odd one is next to an even one in a cell."""
-        odd, queue = {0: 0}, [0]
-        ways = ((0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (5, 6), (6, 7), (7, 4), (0, 4), (1, 5), (2, 6), (3, 7))
-        near = {}
-        for cell in self.cells:
-            for a, b in ways:
-                near.setdefault(cell[a], set()).add(cell[b])
-                near.setdefault(cell[b], set()).add(cell[a])
-        while queue:
-            node = queue.pop()
-            for other in near[node]:
-                if other not in odd:
-                    odd[other] = 1 - odd[node]
-                    queue.append(other)
-        return min(node for node, side in odd.items() if side == 1)
 
 
 def numbers(text, kind):
@@ -80,10 +58,9 @@ def write(path, mesh):
 # ------------------------------------------------------------------------------------------------
 # Making
 
-def brick(size, cells, sway, odd_first=False):
+def brick(size, cells, sway):
     """A box about the origin with plane faces, its nodes swayed along them so that no two cells are alike."""
     grid = list(itertools.product(*[range(n + 1) for n in cells]))
-    grid.sort(key=lambda at: ((sum(at) % 2 == 1) != odd_first, at))
     number = {at: i for i, at in enumerate(grid)}
 
     def place(at):
@@ -125,7 +102,6 @@ def shell(size, cells, rise, sway):
 if __name__ == "__main__":
     here = Path(__file__).resolve().parent
     write(here / "block.vtu", brick([0.012, 0.011, 0.010], [3, 3, 3], 0.25))
-    write(here / "block_cut_otherwise.vtu", brick([0.012, 0.011, 0.010], [3, 3, 3], 0.25, odd_first=True))
     write(here / "slab.vtu", brick([0.036, 0.030, 0.010], [6, 5, 2], 0.2))
     write(here / "dish.vtu", shell([0.040, 0.030], [8, 6], 0.003, 0.2))
     write(here / "sheet.vtu", shell([0.020, 0.016], [5, 4], -0.0005, 0.2))

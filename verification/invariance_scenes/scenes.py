@@ -325,16 +325,15 @@ def turns_of_a_cube():
 
 
 def renumbered(mesh, shuffled, other_corners=False):
-    """Nodes in another order, kept even before odd (see meshes.py) where there are hexahedra; cells too, and the corners of
-    hexahedra. Triangles are counted from another corner only if `other_corners` says so.
+    """Nodes in another order, cells too, and the corners of hexahedra. Triangles are counted from another corner only if
+    `other_corners` says so.
 
     shuffled(n)  the numbers 0 to n - 1 in another order
     returns      the mesh, the new number of each node, the new number of each cell
     """
     count, solid = len(mesh.points), len(mesh.cells[0]) == 8
     orders = turns_of_a_cube() if solid else [(0, 1, 2), (1, 2, 0), (2, 0, 1)] if other_corners else [(0, 1, 2)]
-    split = mesh.first_odd() if solid else count
-    old = [*shuffled(split), *(split + i for i in shuffled(count - split))]  # by new number
+    old = shuffled(count)  # by new number
     new_of_node = {one: new for new, one in enumerate(old)}
     old_cells = shuffled(len(mesh.cells))
     new_of_cell = {one: new for new, one in enumerate(old_cells)}
