@@ -163,6 +163,17 @@ bool at_wall(const BaseSurface& base, Index node) {
   return false;
 }
 
+bool ends_at(const BaseSurface& base, const Feature& at) {
+  if (at.kind == Kind::edge) return base.neighbour(at.local, at.facet) == no_facet;
+  const Index node = base.facets(at.local, at.facet);
+  for (Index r = base.ring_begin[node]; r < base.ring_begin[node + 1]; ++r)
+    for (int e = 0; e < 3; ++e) {
+      const bool here = base.facets(e, base.ring[r]) == node || base.facets((e + 1) % 3, base.ring[r]) == node;
+      if (here && base.neighbour(e, base.ring[r]) == no_facet) return true;
+    }
+  return false;
+}
+
 Vec3 node_normal(const Fans& base, const Vectors& x, Index node) {
   Vec3 sum = Vec3::Zero();
   for (Index r = base.ring_begin[node]; r < base.ring_begin[node + 1]; ++r) {

@@ -40,7 +40,7 @@ struct BaseSurface : Fans {         // the normal of a facet points to the side 
   Scalars lean;       ///< [-] 1.5 tan of half the largest turn between facets around it: how far their nearest points may be from its own
 };
 
-/// [-] of the size of a face: so far past a wall the plane of a facet is still the base, for half of what a border apex stands for is inside.
+/// [-] of the size of a face: so far past a wall a facet is still the base, for half of what a border apex stands for is inside.
 constexpr double whole_past_wall = 0.05;
 
 /// Builds the adjacency table of a surface, and what is measured in the reference.
@@ -57,6 +57,9 @@ void goes_on_behind(BaseSurface&, const Subset& nodes);
 
 /// Whether a wall ends in a node.
 bool at_wall(const BaseSurface&, Index node);
+
+/// Whether the surface ends at an edge or vertex: not where it goes on as its image.
+bool ends_at(const BaseSurface&, const Feature&);
 
 /// The normal of a node: that of its facets, weighted by their angles (Baerentzen & Aanaes 2005). Unit vector.
 Vec3 node_normal(const Fans&, const Vectors& x, Index node);

@@ -127,7 +127,7 @@ double speed_over(const Interface& interface, const Vectors& v, Index a, Index f
 /// The tributary area of the sides of an apex that face a facet; of one that stands edge-on at least a part of the whole. [m2]
 double area_facing(const Interface& interface, const Vectors& x, Index a, Index facet) {
   if (interface.faces.begin.empty()) return interface.area(a);
-  const double facing = mesh::tributary_area_facing(interface.faces, x, a, facet_normal(interface.base, x, facet));
+  const double facing = mesh::tributary_area_against(interface.faces, x, a, facet_normal(interface.base, x, facet));
   return std::max(facing, least_area * interface.area(a));
 }
 

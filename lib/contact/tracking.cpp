@@ -127,26 +127,35 @@ double deepest_entry(const BaseSurface& base, Index facet) {
   return std::min(material * base.thickness(facet), shallow * base.longest(facet));
 }
 
+/// The distance of a point from a facet that reaches past open borders as far as a force stays whole there.
+struct Reach {
+  double distance, height, aside;  // [m] aside of the facet, before it reaches past a border
+  Kind kind;
+};
+Reach reach_of(const BaseSurface& base, Index facet, const Corners& c, const Vector<double>& p) {
+  const Closest closest = geometry::closest_on_triangle(c, p);
+  const double height = geometry::facet_height(c, p).height;
+  const double aside = std::sqrt(std::max(0.0, closest.distance_squared - height * height));
+  const Feature feature{facet, closest.kind, closest.local};
+  const bool open = closest.kind != Kind::facet && ends_at(base, feature);
+  const double left = open ? std::max(0.0, aside - whole_past_wall * base.size(facet)) : aside;
+  return {std::hypot(height, left), height, aside, closest.kind};
+}
+
 /// The edge or vertex nearer than h_c that a free apex has come in front of, where it was nowhere within h_c before; -1 if there is none.
 Index entered_round_layer(const Sweep& s) {
   const Vec3 p0 = before(s), p1 = now(s);
   Index best = -1;
-  double nearest = s.contact_height * s.contact_height;
+  double nearest = s.contact_height;
   for (const Index f : s.near) {
-    const Corners c = corners(s.base, s.x, f);
-    const Closest closest = geometry::closest_on_triangle(c, place(p1));
-    if (closest.kind == Kind::facet || !(closest.distance_squared < nearest)) continue;
-    const auto over = geometry::facet_height(c, place(p1));
-    if (over.height < 0) continue;
-    const double aside = closest.distance_squared - over.height * over.height, flat = 1e-6 * s.base.longest(f);
-    if (aside < flat * flat) continue;  // over an edge of a plain
-    best = f, nearest = closest.distance_squared;
+    const Reach now = reach_of(s.base, f, corners(s.base, s.x, f), place(p1));
+    if (now.kind == Kind::facet || now.height < 0 || !(now.distance < nearest)) continue;
+    if (now.aside < 1e-6 * s.base.longest(f)) continue;  // over an edge of a plain
+    best = f, nearest = now.distance;
   }
   if (best < 0) return -1;
-  for (const Index f : s.near) {
-    const double was = geometry::closest_on_triangle(corners_before(s, f), place(p0)).distance_squared;
-    if (was < s.contact_height * s.contact_height * (1 - 1e-9)) return -1;
-  }
+  for (const Index f : s.near)
+    if (reach_of(s.base, f, corners_before(s, f), place(p0)).distance < s.contact_height * (1 - 1e-9)) return -1;
   return best;
 }
 

@@ -128,18 +128,25 @@ Faded faded(const Stand& at, double D, double size) {
   return {D * (1 - u * u), wide ? 1 + u * u : 1 - u * u, 2 * D * u / L};
 }
 
-/// The height of a point below a facet and past its wall, for a layer h_c around the surface: -a over the wall, the distance s from
+/// The height of a point at h < 0 below a facet and past its wall, for a layer h_c around the surface: -a over the wall, the distance s from
 /// where the next face takes over.
 ///
 ///     s - a w(s / 3a),   w(u) = (1 - u)^2 (1 + 5 u)
 struct Below {
   double height, by_normal, by_way;
 };
-Below below_wall(const Stand& at) {
-  const double a = -at.over.height, u = at.past / (3 * a);
-  if (!(u < 1)) return {at.past, 0, 1};
+Below below_wall(double height, double past) {
+  const double a = -height, u = past / (3 * a);
+  if (!(u < 1)) return {past, 0, 1};
   const double w = (1 - u) * (1 - u) * (1 + 5 * u), slope = (1 - u) * (3 - 15 * u);
-  return {at.past - a * w, w - u * slope, 1 - slope / 3};
+  return {past - a * w, w - u * slope, 1 - slope / 3};
+}
+
+/// Where a point stands, if the surface reached so far past its open borders as a force stays whole.
+Stand stand_whole(const BaseSurface& base, const Vectors& x, const Vec3& point, Index from) {
+  Stand at = stand(base, x, point, from);
+  if (at.past > 0 && at.past <= whole_past_wall * base.size(at.feature.facet) && ends_at(base, at.wall)) at.past = 0;
+  return at;
 }
 
 /// Of the faces across the wall where a point stands, the nearest that has it in front; -1 if there is none.
@@ -198,8 +205,8 @@ WayOut way_out(const BaseSurface& base, const Vectors& x, const Vec3& p, double 
   for (int i = 0; i < tracks.count; ++i) {
     Track& track = tracks.track[i];
     int g = 0;
-    Stand at = stand(base, x, p + way[0].d, track.facet);
-    if (way[0].opposes(at.over.normal)) g = 1, at = stand(base, x, p + way[1].d, track.facet);
+    Stand at = stand_whole(base, x, p + way[0].d, track.facet);
+    if (way[0].opposes(at.over.normal)) g = 1, at = stand_whole(base, x, p + way[1].d, track.facet);
     Together& all = way[g];
     track.facet = at.feature.facet;
     for (int j = 0; j < i; ++j) ends[i] = ends[i] || (!ends[j] && tracks.track[j].facet == track.facet);  // two parts have met
@@ -211,9 +218,12 @@ WayOut way_out(const BaseSurface& base, const Vectors& x, const Vec3& p, double 
     if (out.strongest.facet < 0) out.strongest = at.feature;
     bool outside = false;
     if (at.past > 0 && track.height > 0) {
-      if (at.over.height < 0) {
-        const Below below = below_wall(at);
-        const Index across = at.past < -3 * at.over.height ? -1 : face_across(base, x, p + all.d, at.wall);
+      const bool open = ends_at(base, at.wall);
+      const double h = at.over.height, past = at.past - (open ? whole_past_wall * base.size(track.facet) : 0);
+      if (open || h < 0) {
+        const double distance = std::hypot(h, past);
+        const Below below = h < 0 ? below_wall(h, past) : Below{distance, h / distance, past / distance};
+        const Index across = open || past < -3 * h ? -1 : face_across(base, x, p + all.d, at.wall);
         if (across < 0) {
           const double depth = track.height - below.height;
           out.gap = std::min(out.gap, -depth);
@@ -222,7 +232,7 @@ WayOut way_out(const BaseSurface& base, const Vectors& x, const Vec3& p, double 
           if (depth > 0) out.depth = std::max(out.depth, depth), acts[i] = true;
           continue;
         }
-        at = stand(base, x, p + all.d, across);
+        at = stand_whole(base, x, p + all.d, across);
         track.facet = at.feature.facet;
       }
       if (at.past > 0 && at.over.height >= 0) {  // outside the layer is round
@@ -254,7 +264,7 @@ WayOut way_out(const BaseSurface& base, const Vectors& x, const Vec3& p, double 
     add(base, x, p, allowed, {at.feature, at.over, track.height, i, outside}, all);
     // is the end of the way high enough over what is there?
     for (int look = 0; look < most_looks && track.height > 0 && all.count > 0 && all.lambda[all.count - 1] > 0; ++look) {
-      const Stand end = stand(base, x, p + all.d, track.facet);
+      const Stand end = stand_whole(base, x, p + all.d, track.facet);
       const bool high = end.over.height > track.height - high_enough * base.longest(track.facet);
       if (end.past > 0 || high || all.opposes(end.over.normal)) break;
       add(base, x, p, allowed, {end.feature, end.over, track.height, i, false}, all);

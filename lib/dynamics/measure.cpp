@@ -97,7 +97,8 @@ ContactState contact_state(const View& view, std::size_t c) {
   ContactState state{.largest_pressure = 0, .area = 0};
   for (const contact::Near& near : view.now.interfaces[c].near) {
     if (!near.element.closed) continue;
-    state.largest_pressure = std::max(state.largest_pressure, contact::view(interface, view.now.x, view.now.interfaces[c], near.apex).traction);
+    const double traction = contact::view(interface, view.now.x, view.now.interfaces[c], near.apex).traction;
+    state.largest_pressure = std::max(state.largest_pressure, traction);
     state.area += area_across(view, c, near.apex, near.element.apex);
   }
   return state;

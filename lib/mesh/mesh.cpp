@@ -192,9 +192,12 @@ FacesAround faces_around(const Mesh& mesh, const Surface& surface, const Subset&
   return around;
 }
 
-double tributary_area_facing(const FacesAround& around, const Vectors& x, Index place, const Vec3& direction) {
+namespace {
+
+/// Calls visit(area, cosine) for the faces around a node: what each gives, and the cosine between its normal and a direction.
+template <class Visit>
+void faces_against(const FacesAround& around, const Vectors& x, Index place, const Vec3& direction, Visit&& visit) {
   const double length = direction.norm();
-  double sum = 0;
   for (Index s = around.begin[place]; s < around.begin[place + 1]; ++s) {
     const auto& [face, area] = around.shares[s];
     const auto corner = [&](int a) { return Vec3(x.col(around.faces(a, face))); };
@@ -203,8 +206,21 @@ double tributary_area_facing(const FacesAround& around, const Vectors& x, Index 
     const Vec3 across = triangle ? Vec3(corner(0) - corner(1)) : Vec3(corner(3) - corner(1));
     const Vec3 normal = (corner(2) - corner(0)).cross(across);
     const double size = normal.norm() * length;
-    sum += size > 0 ? area * std::max(0.0, -normal.dot(direction) / size) : area;
+    visit(area, size > 0 ? normal.dot(direction) / size : -1);
   }
+}
+
+}  // namespace
+
+double tributary_area_facing(const FacesAround& around, const Vectors& x, Index place, const Vec3& direction) {
+  double sum = 0;
+  faces_against(around, x, place, direction, [&sum](double area, double cosine) { sum += area * std::max(0.0, -cosine); });
+  return sum;
+}
+
+double tributary_area_against(const FacesAround& around, const Vectors& x, Index place, const Vec3& direction) {
+  double sum = 0;
+  faces_against(around, x, place, direction, [&sum](double area, double cosine) { sum += cosine < -0.5 ? area : 0; });
   return sum;
 }
 

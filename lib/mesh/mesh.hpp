@@ -85,6 +85,11 @@ struct FacesAround {
 };
 FacesAround faces_around(const Mesh&, const Surface&, const Subset& nodes);
 
+/// Tributary area of a node on those faces at it whose normals at positions x are within 60 degrees of the opposite of a direction. [m2]
+///
+/// place      of the node among the nodes of faces_around()
+double tributary_area_against(const FacesAround&, const Vectors& x, Index place, const Vec3& direction);
+
 /// Tributary area of a node across a direction, of those faces at it that face against it. [m2]
 ///
 ///     sum of  A_f max(0, -n_f . d),   n_f the normal of the face at positions x,  A_f its share of the tributary area

@@ -115,10 +115,11 @@ std::vector<std::string> quality_notes(const Simulation& simulation) {
 }
 
 std::vector<std::string> energy_notes(const Simulation& simulation) {
+  constexpr double worth_a_warning = 0.2;  // of the limit: a hundredth of the energy by default
   const double limit = simulation.time.created_limit;
   std::vector<std::string> notes;
   const auto look = [&](const std::string& name, double part, const char* of) {
-    if (!(std::abs(part) > 0.1 * limit)) return;
+    if (!(std::abs(part) > worth_a_warning * limit)) return;
     notes.push_back(row("%s: %s %.2g of the energy %s at worst; the limit that stops a run is %.2g", name.c_str(),
                         part > 0 ? "created" : "lost", std::abs(part), of, limit));
   };

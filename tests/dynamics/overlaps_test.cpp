@@ -64,7 +64,7 @@ TEST(SeeOverlaps, IsAllowedAsMuchAsTheLimitSays) {
 }
 
 TEST(SeeOverlaps, KnowsWhichContactJoinsTheBodies) {
-  Scene s = closing(1, 1e5);
+  Scene s = closing(1, 3e4);
   EXPECT_TRUE(good(s.run_to(0.3, 0.01).ending));
   const audit::Overlap* worst = audit::worst(s.state.audit);
   ASSERT_NE(worst, nullptr);
@@ -84,7 +84,7 @@ TEST(SeeOverlaps, LooksOnlyWhereALookIsDue) {
 }
 
 TEST(SeeOverlaps, GoesOnWithTheBitsOfARunWithoutABreak) {
-  Scene s = closing(1, 1e5);
+  Scene s = closing(1, 3e4);
   State kept;
   const Observer keep = [&](const View& view) {
     if (view.now.t < 0.2) kept = view.now;

@@ -96,7 +96,7 @@ TEST(EnergyNotes, NameTheSourceThatMadeEnergyAndWhatItIsHeldAgainst) {
       << notes[0];
   EXPECT_TRUE(says(notes[1], "time integration: created 0.006 of the energy of the scene at worst")) << notes[1];
   simulation.state.ledger.flows[0].worst = 0.004, simulation.state.ledger.worst_kept = 0;
-  EXPECT_TRUE(energy_notes(simulation).empty());  // below a tenth of the limit
+  EXPECT_TRUE(energy_notes(simulation).empty());  // below a fifth of the limit
 }
 
 TEST(CountElements, SumsOverAllBlocks) { EXPECT_EQ(count_elements(build(with({bar(), sheet()})).model), 6); }

@@ -440,7 +440,9 @@ OF_DEPTH = re.compile(r"deep|overlap|penetrat|inside|through|pass", re.IGNORECAS
 OF_HOURGLASS = re.compile(r"(\w+): hourglass energy reached " + NUMBER + " of the internal energy")
 OF_OVERLAP = re.compile(r"(\w+)[\w.]* and (\w+)[\w.]* overlap by " + NUMBER + " m")
 OF_ITSELF = re.compile(r"(\w+)[\w.]* overlaps itself by " + NUMBER + " m")
+OF_ENERGY = re.compile(r"(\w[\w ]*): (?:created|lost) " + NUMBER + r" of the energy (that passed through it|of the scene)")
 OF_CORNER = re.compile(r"(\w+): a corner of element \d+ was inverted")
+COARSE = 4.0        # [-] between an energy that was lost or made between two rows and what the rows show
 TRUE_SHARE = 1.5    # [-] between a share of energies that is claimed and ours
 NEARLY_FLAT = 0.25  # [-] a corner that was inverted between two frames stands at no more in one of them
 
@@ -448,6 +450,19 @@ NEARLY_FLAT = 0.25  # [-] a corner that was inverted between two frames stands a
 def of_elements(warning):
     """Whether a warning is about the shape of elements and not about contact."""
     return OF_HOURGLASS.match(warning) is not None or OF_CORNER.match(warning) is not None
+
+
+def energy_fraction(seen, source, scene):
+    """Energy that a source made or lost at worst, over what passed through it or over that of the scene, from the history."""
+    if scene:
+        column = seen.history["energy_integration"]
+        return float(np.max(np.abs(column))) / float(np.max(seen.history["energy_kinetic"]))
+    created = seen.history[f"energy_created_{source}"]
+    own = sum(values for name, values in seen.history.items()
+              if name.startswith(f"energy_{source}_") and name != f"energy_created_{source}")
+    passed = np.cumsum(np.abs(np.diff(own, prepend=own[0])))
+    seen_late = passed > 0
+    return float(np.max(np.abs(created[seen_late]) / passed[seen_late])) if seen_late.any() else 0.0
 
 
 def hourglass_fraction(seen, body):
@@ -466,6 +481,8 @@ def is_true(warning, seen, expected, faults):
         return ours / TRUE_SHARE <= float(hourglass[2]) <= ours * TRUE_SHARE
     if (corner := OF_CORNER.match(warning)) is not None:
         return min(measure.inside_out(seen.bodies[corner[1]], frame.x, seen.X) for frame in seen.frames) < NEARLY_FLAT
+    if (energy := OF_ENERGY.match(warning)) is not None:  # rows of a history are far between, so that ours is coarse
+        return energy_fraction(seen, energy[1], "scene" in energy[3]) > float(energy[2]) / COARSE
     if (pair := OF_OVERLAP.match(warning)) is not None:
         ours, full = depth_of_pair(seen, pair[1], pair[2])
         return ours / TRUE_DEPTH <= float(pair[3]) and (full or float(pair[3]) <= ours * TRUE_DEPTH)
@@ -499,9 +516,11 @@ def wall_is_passed(seen, claimed):
 
 
 def excuses(fault, warnings):
-    """Whether true warnings cover a fault: of the shape of elements what comes of it, of contact all but momentum and numbers."""
-    if all(of_elements(warning) for warning in warnings):
-        return fault.kind == "inside out"
+    """Whether true warnings cover a fault: of the shape of elements what comes of it, of energy that, of contact all but momentum and
+    numbers."""
+    of_energy = [OF_ENERGY.match(warning) is not None for warning in warnings]
+    if all(energy or of_elements(warning) for energy, warning in zip(of_energy, warnings)):
+        return fault.kind == "inside out" and not all(of_energy) or fault.kind == "energy" and any(of_energy)
     return fault.kind not in ("momentum", "finite")
 
 
