@@ -98,12 +98,26 @@ def of_each(run, formulations, another=None):
     return found
 
 
+def growth(run):
+    """Half of the range of the push over its mean, for each cell of the slab on a longer way."""
+    found = []
+    for name, change in (("one pass", {}), ("friction 0.1", {f"{CONTACT}.friction": 0.1}), ("friction 0.3", RUBS),
+                         ("friction 0.3, damping 0.1", {**RUBS, **DAMPED}),
+                         ("friction 0.3, bulk viscosity of the slab 0.3", {**RUBS, "bodies[0].element.viscosity.linear": 0.3})):
+        one = run.again({**change, "time.end": "3.1 ms"})
+        cells = [[f for way, f in zip(one.column("way"), one.column("down")) if low <= way < low + 2e-3] for low in (1e-3, 3e-3, 5e-3)]
+        found.append([name, *(f"{100 * (max(cell) - min(cell)) / 2 / abs(mean(cell)):.1f} %" for cell in cells)])
+    return found
+
+
 COLUMNS = ["formulation", "push [N]", "oscillation of the push", "drag [N]", "oscillation of the drag, over the push", "ended"]
 STUDIES = [
     Table("The die, by formulation.", COLUMNS, lambda run: of_each(run, FORMULATIONS), full=True),
     Table("A stiff cylinder that rolls, by formulation.", COLUMNS, lambda run: of_each(run, [
         ("one pass", {}), ("two passes", TWO), ("sides exchanged", {f"{CONTACT}.apexes": "slab.z_high", f"{CONTACT}.base": "die.side"}),
         ("one pass, friction 0.3", RUBS)], ROLLING), full=True),
+    Table("Oscillation of the push on the die, from cell to cell.", ["formulation", "1 to 3 mm", "3 to 5 mm", "5 to 7 mm"], growth,
+          full=True),
 ]
 
 
