@@ -107,6 +107,7 @@ void measure_edges(BaseSurface& base, const Vectors& X) {
   for (Index f = 0; f < count; ++f)
     for (int a = 0; a < 3; ++a)
       base.lean(f) = std::max(base.lean(f), 1.5 * std::tan(std::min(turn_at_node(base.facets(a, f)), most_turn) / 2));
+  base.sharpest = count > 0 ? base.lean.maxCoeff() : 0;
   for (Index f = 0; f < count; ++f)  // both sides see the same wall, whatever round-off says
     for (int e = 0; e < 3; ++e)
       if (base.neighbour(e, f) > f) base.wall[base.neighbour(e, f)][edge_to(base, base.neighbour(e, f), f)] = base.wall[f][e];

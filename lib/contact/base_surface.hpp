@@ -38,6 +38,7 @@ struct BaseSurface : Fans {         // the normal of a facet points to the side 
   Scalars size;       ///< [m] of the face that the facet is half of: the root of twice its area
   Scalars longest;    ///< [m] its longest edge
   Scalars lean;       ///< [-] 1.5 tan of half the largest turn between facets around it: how far their nearest points may be from its own
+  double sharpest = 0;  ///< [-] the largest lean
 };
 
 /// [-] of the size of a face: so far past a wall a facet is still the base, for half of what a border apex stands for is inside.

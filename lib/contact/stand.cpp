@@ -16,7 +16,7 @@ using geometry::Kind;
 constexpr int most_facets = 48;       // that one walk looks at from one facet
 constexpr int most_hops = 100;        // from facet to facet
 constexpr double closer = 1 - 1e-12;  // a walk goes on only downhill, so that it ends
-constexpr double look_around = 2;     // times the distance: what lies behind a nearer edge may be closer
+constexpr double look_around = 2;     // times the distance: what lies behind a nearer edge may be closer, in sharp valleys from farther
 constexpr double shallow = 0.3;       // of the longest edge: higher or deeper, farther facets may be closer
 constexpr double middle = 0.45;       // of the thickness: from deeper no walk leaves a facet
 constexpr double round_off = 1e-9;    // of the longest edge, and of a weight: over a common edge of a plain a facet has the apex
@@ -32,7 +32,7 @@ bool walk_on(const BaseSurface& base, const Vectors& x, const Vector<double>& p,
   const Index from = facet;
   const Closest here = closest;
   const Vec3 foot = foot_of(base, x, from, here.weight);
-  const double reach = look_around * std::sqrt(here.distance_squared) + round_off * base.longest(from);
+  const double reach = std::max(look_around, base.sharpest) * std::sqrt(here.distance_squared) + round_off * base.longest(from);
   const double deepest = middle * base.thickness(from);
   if (here.kind == Kind::facet && here.distance_squared > deepest * deepest) return false;
   std::array<Index, most_facets> queue;

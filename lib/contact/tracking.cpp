@@ -71,7 +71,7 @@ struct Crossing {
 /// The path p0 - p1 in the frame of each near facet, against its plane at a height.
 ///
 /// must_face  facets that the apex does not face count only if there is no other
-/// skip(facet, normal, corners)  true for facets that do not count
+/// skip(facet)  true for facets that do not count
 template <class Skip>
 Crossing crossed(const Sweep& s, const Vec3& p0, const Vec3& p1, double level, bool must_face, Skip&& skip) {
   const Vector<double> from = place(p0), to = place(p1);
@@ -93,7 +93,7 @@ Crossing crossed(const Sweep& s, const Vec3& p0, const Vec3& p1, double level, b
     for (int a = 0; a < 3; ++a) c[a] = (1 - t) * c0[a] + t * c1[a];
     if (!owns(s.base, f, c, geometry::facet_height(c, (1 - t) * from + t * to).weight)) continue;
     const Vec3 normal = eigen(end.normal);
-    if (skip(f, normal, c1)) continue;
+    if (skip(f)) continue;
     if (must_face && !faces(s, normal)) {
       not_faced = f;
       continue;
@@ -185,16 +185,10 @@ bool share_a_node(const BaseSurface& base, Index f, Index g) {
   return false;
 }
 
-/// Whether a facet is looked after by a track next to it: all that share a node with it, but not the opposite flank of a sharp valley.
-bool around(const Sweep& s, const Tracks& tracks, Index facet, const Vec3& normal, const Corners& c) {
-  for (int k = 0; k < tracks.count; ++k) {
-    const Index there = tracks.track[k].facet;
-    if (!share_a_node(s.base, there, facet)) continue;
-    if (there == facet) return true;
-    const Vec3 n = facet_normal(s.base, s.x, there);
-    const Vec3 centre = eigen(c[0] + c[1] + c[2]) / 3.0, corner = s.x.col(s.base.facets(0, there));
-    if (!(n.dot(normal) <= 0 && n.dot(centre - corner) > 0)) return true;
-  }
+/// Whether a facet is looked after by a track next to it: all that share a node with it.
+bool around(const Sweep& s, const Tracks& tracks, Index facet) {
+  for (int k = 0; k < tracks.count; ++k)
+    if (share_a_node(s.base, tracks.track[k].facet, facet)) return true;
   return false;
 }
 
@@ -214,7 +208,7 @@ Vec3 at(const Place& place, const BaseSurface& base, const Vectors& x) {
 }
 
 void enter(const Sweep& s, double deepest, Tracks& tracks) {
-  const auto all = [](Index, const Vec3&, const Corners&) { return false; };
+  const auto all = [](Index) { return false; };
   const Vec3 p0 = before(s), p1 = now(s);
   Crossing through = crossed(s, p0, p1, s.contact_height, true, all);
   if (through.facet >= 0 && through.faced) return tracks.begin(through.facet, s.contact_height);
@@ -245,7 +239,7 @@ void enter(const Sweep& s, double deepest, Tracks& tracks) {
 Index other_part(const Sweep& s, const Tracks& before_step, const Tracks& after) {
   const Vec3 from = before_step.out.facet >= 0 ? at(before_step.out, s.base, s.x, s.v, s.dt) : before(s);
   const Vec3 to = after.count > 0 && after.out.facet >= 0 ? at(after.out, s.base, s.x) : now(s);
-  const auto skip = [&](Index f, const Vec3& n, const Corners& c) { return after.count > 0 && around(s, after, f, n, c); };
+  const auto skip = [&](Index f) { return around(s, after, f); };
   return crossed(s, from, to, s.contact_height, false, skip).facet;
 }
 
@@ -275,9 +269,8 @@ double nearest_other_part(const Sweep& s, const Tracks& tracks) {
   const Vector<double> p = place(now(s));
   double nearest = infinite;
   for (const Index f : s.near) {
-    const Corners c = corners(s.base, s.x, f);
-    if (around(s, tracks, f, facet_normal(s.base, s.x, f), c)) continue;
-    nearest = std::min(nearest, geometry::closest_on_triangle(c, p).distance_squared);
+    if (around(s, tracks, f)) continue;
+    nearest = std::min(nearest, geometry::closest_on_triangle(corners(s.base, s.x, f), p).distance_squared);
   }
   return std::sqrt(nearest);
 }

@@ -128,8 +128,8 @@ Faded faded(const Stand& at, double D, double size) {
   return {D * (1 - u * u), wide ? 1 + u * u : 1 - u * u, 2 * D * u / L};
 }
 
-/// The height of a point at h < 0 below a facet and past its wall, for a layer h_c around the surface: -a over the wall, the distance s from
-/// where the next face takes over.
+/// The height of a point at h < 0 below a facet and past its wall, for a layer h_c around the surface: -a over the wall, the distance s
+/// from where the next face takes over.
 ///
 ///     s - a w(s / 3a),   w(u) = (1 - u)^2 (1 + 5 u)
 struct Below {
@@ -266,7 +266,14 @@ WayOut way_out(const BaseSurface& base, const Vectors& x, const Vec3& p, double 
     for (int look = 0; look < most_looks && track.height > 0 && all.count > 0 && all.lambda[all.count - 1] > 0; ++look) {
       const Stand end = stand_whole(base, x, p + all.d, track.facet);
       const bool high = end.over.height > track.height - high_enough * base.longest(track.facet);
-      if (end.past > 0 || high || all.opposes(end.over.normal)) break;
+      if (end.past > 0 || high) break;
+      if (all.opposes(end.over.normal)) {  // the other side of a slot or of a sharp valley
+        Together& other = way[1 - g];
+        if (other.has(end.feature.facet)) break;
+        const Vec3 there = p + other.d;
+        add(base, x, p, allowed, {end.feature, height_over(base, x, end.feature, there), track.height, i, false}, other);
+        break;
+      }
       add(base, x, p, allowed, {end.feature, end.over, track.height, i, false}, all);
     }
   }

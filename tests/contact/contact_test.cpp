@@ -605,8 +605,8 @@ TEST(Cask, TurnedInsideOutFeelsTheMirrorImagesOfARidge) {
     EXPECT_LT((scene.element(a).apex - penalty * 0.05 * out.normalized()).norm(), 1e-9);
   }
   const double reach = whole_past_wall * scene.interface.base.size(scene.near(3).tracks.track[0].facet);
-  const Vec3 off_the_end = (Vec3(apexes[3]) - Vec3(1, 0, 1 + reach));  // around the border the layer is round
-  EXPECT_LT((scene.element(3).apex - penalty * (0.1 - off_the_end.norm()) * off_the_end.normalized()).norm(), 1);  // the facet leans by 11 degrees
+  const Vec3 off_the_end = Vec3(apexes[3]) - Vec3(1, 0, 1 + reach);  // around the border the layer is round; the facet leans by 11 degrees
+  EXPECT_LT((scene.element(3).apex - penalty * (0.1 - off_the_end.norm()) * off_the_end.normalized()).norm(), 1);
 }
 
 // ------------------------------------------------------------------ the vote on the time step

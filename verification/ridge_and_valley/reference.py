@@ -79,6 +79,8 @@ def penetration(kind, slope, contact_height, x):
     (0.0, 0.0, 0.0)
     """
     normals = flanks(kind, slope)
+    if kind == "valley" and contact_height > 0 and dot(*normals) < -1e-6:  # flanks that face each other push each on its own
+        return tuple(sum(max(0.0, contact_height - dot(n, x)) * n[c] for n in normals) for c in range(3))
     if kind in ("valley", "pit"):
         return shortest_way(x, normals, contact_height)
     nearest = max(normals, key=lambda n: dot(n, x))
