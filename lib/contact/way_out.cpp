@@ -26,12 +26,14 @@ struct Together {
     FeatureHeight over;       // at the end of d
     double contact_height;    // [m]
     int track;
-    bool outside;             // of a wall: the height is a distance
+    bool outside = false;     // of a wall: the height is a distance
+    bool nearest = false;     // without contact height the nearest point is the way out: a symmetry plane takes what leads out of it
   };
   int count = 0;
   std::array<Cut, most_candidates> cut;
   std::array<double, most_candidates> lambda{};
   Vec3 d = Vec3::Zero();
+  double squared = 0;   // of the way: twice the energy
   bool curved = false;  // heights over edges and vertices are not linear in d
 
   bool has(Index facet) const {
@@ -55,7 +57,15 @@ FeatureHeight height_of(const BaseSurface& base, const Vectors& x, const Togethe
 /// Finds the shortest vector, with the foot of every push at its end, so that the potential has the pushes as its gradient and their
 /// moments cancel.
 void solve(const BaseSurface& base, const Vectors& x, const Vec3& p, const Mat3* allowed, Together& all) {
-  const bool exact = all.count == 1 && allowed == nullptr;  // the foot is the apex's own
+  all.squared = 0;
+  if (all.count == 1 && (allowed == nullptr || all.cut[0].nearest)) {  // the foot is the apex's own
+    Together::Cut& cut = all.cut[0];
+    all.lambda[0] = std::max(0.0, cut.contact_height - cut.over.height);
+    all.d = all.lambda[0] * (allowed ? Vec3(*allowed * cut.over.normal) : cut.over.normal);
+    all.squared = all.lambda[0] * all.lambda[0];
+    if (all.lambda[0] > 0) cut.over.height = cut.contact_height;
+    return;
+  }
   for (int round = 0; round < most_rounds; ++round) {
     Contacts contacts;
     contacts.count = all.count;
@@ -69,8 +79,8 @@ void solve(const BaseSurface& base, const Vectors& x, const Vec3& p, const Mat3*
     for (int i = 0; i < all.count; ++i) d += all.lambda[i] * contacts.normal[i];
     const bool converged = (d - all.d).squaredNorm() <= 1e-28 * d.squaredNorm();
     all.d = d;
-    if (exact && all.lambda[0] > 0) all.cut[0].over.height = all.cut[0].contact_height;
-    if (exact || converged) return;
+    all.squared = d.squaredNorm();
+    if (converged) return;
     for (int i = 0; i < all.count; ++i) {
       const FeatureHeight there = height_of(base, x, all.cut[i], p + d);
       // with h_c = 0 the vector ends on the edge or vertex itself, which has no normal: its own stays, and the foot is there
@@ -261,7 +271,8 @@ WayOut way_out(const BaseSurface& base, const Vectors& x, const Vec3& p, double 
       continue;
     }
     out.depth = std::max(out.depth, depth);
-    add(base, x, p, allowed, {at.feature, at.over, track.height, i, outside}, all);
+    const bool nearest = track.height <= high_enough * base.longest(track.facet);
+    add(base, x, p, allowed, {at.feature, at.over, track.height, i, outside, nearest}, all);
     // is the end of the way high enough over what is there?
     for (int look = 0; look < most_looks && track.height > 0 && all.count > 0 && all.lambda[all.count - 1] > 0; ++look) {
       const Stand end = stand_whole(base, x, p + all.d, track.facet);
@@ -271,17 +282,17 @@ WayOut way_out(const BaseSurface& base, const Vectors& x, const Vec3& p, double 
         Together& other = way[1 - g];
         if (other.has(end.feature.facet)) break;
         const Vec3 there = p + other.d;
-        add(base, x, p, allowed, {end.feature, height_over(base, x, end.feature, there), track.height, i, false}, other);
+        add(base, x, p, allowed, {end.feature, height_over(base, x, end.feature, there), track.height, i}, other);
         break;
       }
-      add(base, x, p, allowed, {end.feature, end.over, track.height, i, false}, all);
+      add(base, x, p, allowed, {end.feature, end.over, track.height, i}, all);
     }
   }
 
   double strongest = out.length;
   for (const Together& all : way) {
-    const double length = all.d.norm();
-    out.squared += length * length;
+    const double length = std::sqrt(all.squared);
+    out.squared += all.squared;
     out.length = std::max(out.length, length);
     out.has_moment = out.has_moment || (all.curved && all.count > 1);
     for (int i = 0; i < all.count; ++i) {
