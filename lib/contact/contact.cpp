@@ -180,13 +180,13 @@ void update_element(const Interface& interface, const Vectors& x, const Vectors&
     near.area = area_facing(interface, x, a, near.tracks.track[0].facet);
   }
 
-  WayOut out = way_out(interface.base, x, x.col(node), contact_height, allowed, near.tracks);
+  WayOut out = way_out(interface.base, x, x.col(node), contact_height, allowed, near.tracks, near.element.stencil);
   if (moved + out.length >= near.clear) {
     const Index other = other_part(sweep, before, near.tracks);
     if (other >= 0) {
       const int lost = out.lost;
       near.tracks.begin(other, contact_height);
-      out = way_out(interface.base, x, x.col(node), contact_height, allowed, near.tracks);
+      out = way_out(interface.base, x, x.col(node), contact_height, allowed, near.tracks, near.element.stencil);
       out.lost += lost;
     }
     near.clear = other >= 0 ? -infinite : nearest_other_part(sweep, near.tracks) - moved - out.length - contact_height;
@@ -213,7 +213,6 @@ void update_element(const Interface& interface, const Vectors& x, const Vectors&
   element.count = out.count;
   for (int i = 0; i < out.count; ++i) {
     Stencil& stencil = element.stencil[i];
-    stencil = out.stencil[i];
     stencil.push *= k;
     element.apex += stencil.apex * stencil.push;
   }

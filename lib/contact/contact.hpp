@@ -105,18 +105,18 @@ enum class Status : int {
 /// Forces of one apex and its bases, and what its last step did.
 struct ElementForces {
   bool closed = false;
-  Vec3 apex = Vec3::Zero();              ///< [N]
+  bool has_moment = false;               ///< the forces may leave a small moment, see WayOut
+  bool moved = false;                    ///< to another feature in the last step
+  int lost = 0;                          ///< parts of the surface that the apex left over a wall in the last step
   int count = 0;                         ///< of stencils; of an open apex that votes for the time step one without a push
-  std::array<Stencil, most_stencils> stencil;
-  double stiffness = 0;                     ///< [N/m] of the spring between the apex and its bases
-  double scale = 1;                         ///< of all these forces: 1 + damping_time d|d|/dt / |d|, not negative
-  double dissipated = 0;                    ///< [J] in the last step
-  double work = 0, created = 0;             ///< [J] in the last step
-  Vec3 angular_impulse = Vec3::Zero();      ///< [N m s] about the origin in the last step, see Memory
-  double depth = 0;                         ///< [m] penetration without the offset
-  bool has_moment = false;                  ///< the forces may leave a small moment, see WayOut
-  bool moved = false;                       ///< to another feature in the last step
-  int lost = 0;                             ///< parts of the surface that the apex left over a wall in the last step
+  double stiffness = 0;                  ///< [N/m] of the spring between the apex and its bases
+  double scale = 1;                      ///< of all these forces: 1 + damping_time d|d|/dt / |d|, not negative
+  double depth = 0;                      ///< [m] penetration without the offset
+  double work = 0, created = 0;          ///< [J] in the last step
+  double dissipated = 0;                 ///< [J] in the last step
+  Vec3 apex = Vec3::Zero();              ///< [N]
+  Vec3 angular_impulse = Vec3::Zero();   ///< [N m s] about the origin in the last step, see Memory
+  std::array<Stencil, most_stencils> stencil;  // last: most have one, and what is read in every step lies together
 };
 
 /// Friction on one apex, and what its last step did.

@@ -17,6 +17,8 @@ using geometry::Kind;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double faces_below = 0.3;   // cosine between the normals of apex and facet
+constexpr double edgeways = -0.3;     // above it an apex comes in through the side of its own surface
+constexpr double straight = -0.5;     // below it it looks at a facet
 constexpr double overlap = 1e-3;      // of a facet's weights: neighbours overlap by so much, so that there is no hole between them
 constexpr double round_off = 1e-9;    // of the longest edge
 constexpr double of_places = 1e-15;   // of the coordinates
@@ -41,13 +43,14 @@ Vec3 before(const Sweep& s) { return s.x.col(s.apex) - s.dt * s.v.col(s.apex); }
 
 double least(const std::array<double, 3>& weight) { return std::min({weight[0], weight[1], weight[2]}); }
 
-/// Whether the apex's own surface faces a normal of the base.
-bool faces(const Sweep& s, const Vec3& normal) {
-  if (s.own.facets.cols() == 0) return true;
+/// Cosine between the normal of the apex's own surface and one of the base: -1 where they face each other.
+double facing(const Sweep& s, const Vec3& normal) {
+  if (s.own.facets.cols() == 0) return -1;
   Vec3 mine = node_normal(s.own, s.x, s.apex);
   if (s.allowed) mine = (*s.allowed * mine).normalized();
-  return mine.dot(normal) < faces_below;
+  return mine.dot(normal);
 }
+bool faces(const Sweep& s, const Vec3& normal) { return facing(s, normal) < faces_below; }
 
 /// Whether a point over a facet belongs to it, with room for round-off between neighbours. Half of what a border apex stands for lies
 /// inside, so a facet reaches past an open border as far as a force stays whole there.
@@ -108,7 +111,8 @@ Crossing crossed(const Sweep& s, const Vec3& p0, const Vec3& p1, double level, b
 ///
 /// deepest(facet)  [m] below the surface
 template <class Deepest>
-Index shallowest(const Sweep& s, const Vec3& p, Deepest&& deepest, const Vec3* not_opposite, double& height) {
+Index shallowest(const Sweep& s, const Vec3& p, Deepest&& deepest, const Vec3* not_opposite, double& height,
+                 double facing_below = faces_below) {
   Index best = -1;
   height = -infinite;
   for (const Index f : s.near) {
@@ -117,7 +121,7 @@ Index shallowest(const Sweep& s, const Vec3& p, Deepest&& deepest, const Vec3* n
     if (!owns(s.base, f, corners(s.base, s.x, f), over.weight)) continue;
     const Vec3 normal = eigen(over.normal);
     if (not_opposite && normal.dot(*not_opposite) < far_side) continue;
-    if (!faces(s, normal)) continue;
+    if (!(facing(s, normal) < facing_below)) continue;
     best = f, height = over.height;
   }
   return best;
@@ -211,8 +215,17 @@ void enter(const Sweep& s, double deepest, Tracks& tracks) {
   const auto all = [](Index) { return false; };
   const Vec3 p0 = before(s), p1 = now(s);
   Crossing through = crossed(s, p0, p1, s.contact_height, true, all);
-  if (through.facet >= 0 && through.faced) return tracks.begin(through.facet, s.contact_height);
   double height = 0;
+  if (through.facet >= 0 && through.faced) {
+    // what comes in edgeways, as a node of a floor before a block that slides on it, belongs to the face that it looks at
+    const Vec3 normal = facet_normal(s.base, s.x, through.facet);
+    if (facing(s, normal) > edgeways) {
+      const auto limit = [&](Index f) { return deepest_entry(s.base, f); };
+      const Index looked_at = shallowest(s, p1, limit, &normal, height, straight);
+      if (looked_at >= 0) return tracks.begin(looked_at, height);
+    }
+    return tracks.begin(through.facet, s.contact_height);
+  }
   if (s.contact_height > 0) {
     // between the layers of two facets, and through the surface itself
     const Crossing surface = crossed(s, p0, p1, 0, true, all);

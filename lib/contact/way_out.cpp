@@ -178,8 +178,9 @@ Index face_across(const BaseSurface& base, const Vectors& x, const Vec3& point, 
 }
 
 /// The way out over the inside of one facet.
-WayOut over_one_facet(const FeatureHeight& over, double contact_height, Tracks& tracks) {
+WayOut over_one_facet(const FeatureHeight& over, double contact_height, Tracks& tracks, Stencil* stencils) {
   WayOut out;
+  out.stencil = stencils;
   Track& track = tracks.track[0];
   const double depth = track.height - over.height;
   out.strongest = {track.facet, Kind::facet, 0};
@@ -198,15 +199,17 @@ WayOut over_one_facet(const FeatureHeight& over, double contact_height, Tracks& 
 
 }  // namespace
 
-WayOut way_out(const BaseSurface& base, const Vectors& x, const Vec3& p, double contact_height, const Mat3* allowed, Tracks& tracks) {
+WayOut way_out(const BaseSurface& base, const Vectors& x, const Vec3& p, double contact_height, const Mat3* allowed, Tracks& tracks,
+               std::array<Stencil, most_stencils>& stencils) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   if (tracks.count == 1 && allowed == nullptr) {  // well inside a facet
     Track& track = tracks.track[0];
     const FeatureHeight over = height_over(base, x, {track.facet, Kind::facet, 0}, p);
     const double highest = std::max(std::abs(over.height), track.height);
-    if (owns(base, x, track.facet, over, highest)) return over_one_facet(over, contact_height, tracks);
+    if (owns(base, x, track.facet, over, highest)) return over_one_facet(over, contact_height, tracks, stencils.data());
   }
   WayOut out;
+  out.stencil = stencils.data();
   std::array<Together, 2> way;
   std::array<bool, most_tracks> ends{}, acts{};
   std::array<double, most_tracks> height;  // at the end of the way

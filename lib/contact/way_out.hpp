@@ -12,7 +12,7 @@ constexpr int most_stencils = 9;
 /// How an apex is pushed out, for a spring of 1 N/m: the energy is half of `squared`.
 struct WayOut {
   int count = 0;
-  std::array<Stencil, most_stencils> stencil;
+  Stencil* stencil = nullptr;  ///< [count] what pushes
   Feature strongest;       ///< the feature that pushes hardest; without a push that of the first track
   double length = 0;       ///< [m] of the longest penetration vector
   double squared = 0;      ///< [m2] twice the energy
@@ -28,7 +28,9 @@ struct WayOut {
 /// Moves the tracks to the facets where the apex stands now, raises their heights where a penetration with an offset has shrunk, and ends
 /// those that the apex has left. What pushes against another push is left on a way of its own.
 ///
-/// allowed  directions of an apex on a symmetry plane, or null
-WayOut way_out(const BaseSurface&, const Vectors& x, const Vec3& apex, double contact_height, const Mat3* allowed, Tracks&);
+/// allowed   directions of an apex on a symmetry plane, or null
+/// stencils  where the pushes are written
+WayOut way_out(const BaseSurface&, const Vectors& x, const Vec3& apex, double contact_height, const Mat3* allowed, Tracks&,
+               std::array<Stencil, most_stencils>& stencils);
 
 }  // namespace nereid::contact
