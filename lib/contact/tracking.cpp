@@ -118,7 +118,7 @@ Index shallowest(const Sweep& s, const Vec3& p, Deepest&& deepest, const Vec3* n
   for (const Index f : s.near) {
     const auto over = geometry::facet_height(corners(s.base, s.x, f), place(p));
     if (!(over.height < s.contact_height) || over.height < -deepest(f) || over.height <= height) continue;
-    if (!owns(s.base, f, corners(s.base, s.x, f), over.weight)) continue;
+    if (least(over.weight) < -overlap) continue;
     const Vec3 normal = eigen(over.normal);
     if (not_opposite && normal.dot(*not_opposite) < far_side) continue;
     if (!(facing(s, normal) < facing_below)) continue;
