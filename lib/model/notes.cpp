@@ -125,7 +125,11 @@ std::vector<std::string> energy_notes(const Simulation& simulation) {
   };
   const dynamics::Ledger& ledger = simulation.state.ledger;
   const std::vector<Source> all = dynamics::sources(simulation.model);
-  for (std::size_t s = 0; s < all.size(); ++s) look(all[s].name, ledger.flows[s].worst, "that passed through it");
+  const double scale = dynamics::energy_scale(ledger);
+  for (std::size_t s = 0; s < all.size(); ++s) {
+    look(all[s].name, ledger.flows[s].worst, "that passed through it");
+    if (scale > 0) look(all[s].name, dynamics::created(ledger.accounts[s]) / scale, "of the scene");
+  }
   look("time integration", ledger.worst_kept, "of the scene");
   return notes;
 }

@@ -455,7 +455,7 @@ def of_elements(warning):
 def energy_fraction(seen, source, scene):
     """Energy that a source made or lost at worst, over what passed through it or over that of the scene, from the history."""
     if scene:
-        column = seen.history["energy_integration"]
+        column = seen.history["energy_integration" if source == "time integration" else f"energy_created_{source}"]
         return float(np.max(np.abs(column))) / float(np.max(seen.history["energy_kinetic"]))
     created = seen.history[f"energy_created_{source}"]
     own = sum(values for name, values in seen.history.items()
