@@ -163,7 +163,8 @@ void refuse_penetration(const Contact& contact, const contact::InitialGaps& gaps
 void refuse_empty_bond(const Contact& contact, const contact::InitialGaps& gaps, Faults& faults) {
   if (contact.interface.kind != contact::InterfaceKind::bonded || gaps.free < gaps.apexes) return;
   refuse(faults, part("contact", contact), "apexes",
-         "none of the " + std::to_string(gaps.apexes) + " apexes stands over the base: expected at least one to be bonded");
+         "none of the " + std::to_string(gaps.apexes) + " apexes of '" + contact.apexes + "' stands over '" + contact.base +
+             "': expected at least one to be bonded");
 }
 
 /// Whether the surfaces of a contact can be one.
