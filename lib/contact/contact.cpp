@@ -20,7 +20,7 @@ using geometry::Kind;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double votes_within = 0.25;   // of the depth of an element: open apexes that are nearer vote for the step
 constexpr double steps_ahead = 2;       // and those that may be in contact after so many of the longest steps
-constexpr double least_area = 0.2;      // of the tributary area: what acts of an apex whose own surface stands edge-on
+constexpr double least_area = 0.2;      // of the tributary area: with less of it facing, the surface of the apex stands edge-on
 constexpr double in_plane = 1e-6;       // of a distance: a node that lies in a symmetry plane
 constexpr double bond_past_border = 0.05;  // of a facet's size: half of what a border apex stands for lies inside
 constexpr Index facets_at_first = 32;   // near an apex, for which memory is taken at the start
@@ -124,11 +124,11 @@ double speed_over(const Interface& interface, const Vectors& v, Index a, Index f
   return std::sqrt(fastest);
 }
 
-/// The tributary area of the sides of an apex that face a facet; of one that stands edge-on at least a part of the whole. [m2]
+/// The tributary area of the sides of an apex that face a facet; all of it where next to none does, as of a sole on a steep flank. [m2]
 double area_facing(const Interface& interface, const Vectors& x, Index a, Index facet) {
   if (interface.faces.begin.empty()) return interface.area(a);
   const double facing = mesh::tributary_area_against(interface.faces, x, a, facet_normal(interface.base, x, facet));
-  return std::max(facing, least_area * interface.area(a));
+  return facing > least_area * interface.area(a) ? facing : interface.area(a);
 }
 
 /// A stencil without a push, so that the apex votes for the time step.
