@@ -223,6 +223,8 @@ void enter(const Sweep& s, double deepest, Tracks& tracks) {
       const auto limit = [&](Index f) { return deepest_entry(s.base, f); };
       const Index looked_at = shallowest(s, p1, limit, &normal, height, straight);
       if (looked_at >= 0) return tracks.begin(looked_at, height);
+      const auto weight = geometry::facet_height(corners(s.base, s.x, through.facet), place(p1)).weight;
+      if (least(weight) < overlap) return;  // along the border of that side, as a node in the plane of the block's sole
     }
     return tracks.begin(through.facet, s.contact_height);
   }
