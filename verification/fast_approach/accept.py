@@ -133,9 +133,6 @@ def too_fast(run):
 WAIVERS = [
     Waiver("created energy of any source at any time", too_fast,
            "this is what the case shows, and what stops the run or is warned of", up_to=math.inf),
-    *(Waiver(f"unexplained {what} over the largest that passed", lambda run: run.ending == "inverted_element",
-             "an element is inverted and its numbers are not finite", up_to=math.inf)
-      for what in ("energy", "momentum", "angular momentum")),
 ]
 
 BREAKS = [
