@@ -26,7 +26,7 @@ TEST(GapTable, ListsTheFreeApexesOfABond) {
   ASSERT_EQ(table.size(), 4U);
   EXPECT_TRUE(says(table[3], "2 of 4 apexes are free")) << table[3];
   scene.bodies[1].place.move = Vec3(0, 1.5, 0);
-  EXPECT_TRUE(says(refusal(scene), "contact 'glue': none of the 4 apexes stands over the base")) << refusal(scene);
+  EXPECT_TRUE(says(refusal(scene), "contact 'glue': none of the 4 apexes of 'bar.x_high' stands over 'wall.x_low'")) << refusal(scene);
 }
 
 TEST(WidthNotes, SayWhatANarrowElementCosts) {

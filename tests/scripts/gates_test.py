@@ -25,7 +25,7 @@ class MadeUp:
                                   "created": number(0.0), "created_relative": number(0.0)}}}}
         self.columns = {"time": [0, 1], "energy_kinetic": [4.0, 2.0], "energy_created_wall": list(made or (0.0, 0.0))}
         self.folder = Path(__file__).parent if not frames else self
-        self.has_frames, self.driver = frames, "scene"
+        self.has_frames, self.driver, self.ending = frames, "scene", "reached_end"
 
     def __truediv__(self, name):  # stands for the folder
         return self
@@ -47,6 +47,15 @@ class GatesTest(unittest.TestCase):
     def passes(self, gate, run):
         error = gates.errors(run)[gate]
         return None if error is None else error <= gates.LIMITS[gate]
+
+    def test_a_run_that_says_that_an_element_is_inverted_needs_no_finite_ledger(self):
+        run = MadeUp(energy=float("inf"))
+        self.assertFalse(self.passes(gates.ENERGY, run))
+        run.ending = "inverted_element"
+        self.assertIsNone(self.passes(gates.ENERGY, run))
+        run = MadeUp(energy=1.0)
+        run.ending = "inverted_element"
+        self.assertFalse(self.passes(gates.ENERGY, run))
 
     def test_a_run_that_explains_all_passes_every_gate(self):
         self.assertEqual({self.passes(gate, MadeUp()) for gate in gates.LIMITS}, {True})
