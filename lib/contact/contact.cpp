@@ -42,6 +42,7 @@ std::span<const Index> near_facets(const Memory& memory, const Near& near) {
 struct Nearest {
   Feature feature;
   Closest closest{Kind::facet, 0, {}, infinite};
+  double clear = infinite;  ///< [m] way to where the first of the facets can be entered, which may reach past a border
   double distance() const { return std::sqrt(closest.distance_squared); }
 };
 Nearest nearest_of(const Interface& interface, const Vectors& x, Index a, std::span<const Index> facets) {
@@ -49,7 +50,8 @@ Nearest nearest_of(const Interface& interface, const Vectors& x, Index a, std::s
   const Vector<double> p = position(x, interface.apexes[a]);
   for (const Index f : facets) {
     const Closest there = geometry::closest_on_triangle(corners(interface.base, x, f), p);
-    if (there.distance_squared < best.closest.distance_squared) best = {{f, there.kind, there.local}, there};
+    if (there.distance_squared < best.closest.distance_squared) best.feature = {f, there.kind, there.local}, best.closest = there;
+    best.clear = std::min(best.clear, std::sqrt(there.distance_squared) - whole_past_wall * interface.base.size(f));
   }
   return best;
 }
@@ -156,7 +158,7 @@ void look_around(const Interface& interface, const Vectors& x, const Vectors& v,
     soon = std::max(votes_within * interface.depth, steps_ahead * speed * interface.longest_step);
   }
   const bool votes = memory.gap[a] <= soon;
-  near.clear = memory.gap[a] - moved - (votes ? 0 : soon);
+  near.clear = nearest.clear - interface.contact_height(a) - moved - (votes ? 0 : soon);
   if (votes) vote_over(interface, x, a, nearest.feature, nearest.closest.weight, near.element);
 }
 
@@ -599,6 +601,9 @@ InitialGaps connect(Interface& interface, const Vectors& x, double reach, const 
     // past a wall only the distance has a meaning
     const double h = start.stand.past > 0 ? start.distance : start.stand.over.height;
     if (height.from_initial_height) interface.contact_height(a) = h - height.clearance;
+    // a height of round-off would be a layer around walls and edges, and none is meant
+    const double least_height = 1e-9 * interface.base.longest(start.stand.feature.facet);
+    if (std::abs(interface.contact_height(a)) < least_height) interface.contact_height(a) = 0;
     initial[a] = h - interface.contact_height(a);
     if (bonded) memory.gap[a] = initial[a];
     ++gaps.by_kind[static_cast<int>(start.stand.feature.kind)];

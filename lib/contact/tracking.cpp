@@ -52,17 +52,28 @@ double facing(const Sweep& s, const Vec3& normal) {
 }
 bool faces(const Sweep& s, const Vec3& normal) { return facing(s, normal) < faces_below; }
 
+/// The distance of a point from a facet that reaches past open borders as far as a force stays whole there.
+struct Reach {
+  double distance, height, aside;  // [m] aside of the facet, before it reaches past a border
+  Kind kind;
+  bool open;                       // past an open border
+};
+Reach reach_of(const BaseSurface& base, Index facet, const Corners& c, const Vector<double>& p) {
+  const Closest closest = geometry::closest_on_triangle(c, p);
+  const double height = geometry::facet_height(c, p).height;
+  const double aside = std::sqrt(std::max(0.0, closest.distance_squared - height * height));
+  const Feature feature{facet, closest.kind, closest.local};
+  const bool open = closest.kind != Kind::facet && ends_at(base, feature);
+  const double left = open ? std::max(0.0, aside - whole_past_wall * base.size(facet)) : aside;
+  return {std::hypot(height, left), height, aside, closest.kind, open};
+}
+
 /// Whether a point over a facet belongs to it, with room for round-off between neighbours. Half of what a border apex stands for lies
 /// inside, so a facet reaches past an open border as far as a force stays whole there.
-bool owns(const BaseSurface& base, Index facet, const Corners& c, const std::array<double, 3>& weight) {
-  for (int e = 0; e < 3; ++e) {
-    const double w = weight[(e + 2) % 3];
-    if (w >= -overlap) continue;
-    if (base.neighbour(e, facet) != no_facet) return false;
-    const double altitude = norm(cross(c[1] - c[0], c[2] - c[0])) / norm(c[(e + 1) % 3] - c[e]);
-    if (w * altitude < -whole_past_wall * base.size(facet)) return false;
-  }
-  return true;
+bool reaches(const BaseSurface& base, Index facet, const Corners& c, const Vector<double>& p) {
+  if (least(geometry::facet_height(c, p).weight) >= -overlap) return true;
+  const Reach at = reach_of(base, facet, c, p);
+  return at.open && at.aside <= whole_past_wall * base.size(facet);
 }
 
 /// The first facet that a path crosses from its front.
@@ -94,7 +105,7 @@ Crossing crossed(const Sweep& s, const Vec3& p0, const Vec3& p1, double level, b
     if (t > first + at_once) continue;
     Corners c;  // of the facet where it is then
     for (int a = 0; a < 3; ++a) c[a] = (1 - t) * c0[a] + t * c1[a];
-    if (!owns(s.base, f, c, geometry::facet_height(c, (1 - t) * from + t * to).weight)) continue;
+    if (!reaches(s.base, f, c, (1 - t) * from + t * to)) continue;
     const Vec3 normal = eigen(end.normal);
     if (skip(f)) continue;
     if (must_face && !faces(s, normal)) {
@@ -129,21 +140,6 @@ Index shallowest(const Sweep& s, const Vec3& p, Deepest&& deepest, const Vec3* n
 
 double deepest_entry(const BaseSurface& base, Index facet) {
   return std::min(material * base.thickness(facet), shallow * base.longest(facet));
-}
-
-/// The distance of a point from a facet that reaches past open borders as far as a force stays whole there.
-struct Reach {
-  double distance, height, aside;  // [m] aside of the facet, before it reaches past a border
-  Kind kind;
-};
-Reach reach_of(const BaseSurface& base, Index facet, const Corners& c, const Vector<double>& p) {
-  const Closest closest = geometry::closest_on_triangle(c, p);
-  const double height = geometry::facet_height(c, p).height;
-  const double aside = std::sqrt(std::max(0.0, closest.distance_squared - height * height));
-  const Feature feature{facet, closest.kind, closest.local};
-  const bool open = closest.kind != Kind::facet && ends_at(base, feature);
-  const double left = open ? std::max(0.0, aside - whole_past_wall * base.size(facet)) : aside;
-  return {std::hypot(height, left), height, aside, closest.kind};
 }
 
 /// The edge or vertex nearer than h_c that a free apex has come in front of, where it was nowhere within h_c before; -1 if there is none.
@@ -285,9 +281,10 @@ double nearest_other_part(const Sweep& s, const Tracks& tracks) {
   double nearest = infinite;
   for (const Index f : s.near) {
     if (around(s, tracks, f)) continue;
-    nearest = std::min(nearest, geometry::closest_on_triangle(corners(s.base, s.x, f), p).distance_squared);
+    const double squared = geometry::closest_on_triangle(corners(s.base, s.x, f), p).distance_squared;
+    nearest = std::min(nearest, std::sqrt(squared) - whole_past_wall * s.base.size(f));  // as far as a facet can reach past a border
   }
-  return std::sqrt(nearest);
+  return nearest;
 }
 
 }  // namespace nereid::contact

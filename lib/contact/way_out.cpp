@@ -116,7 +116,8 @@ struct Faded {
   double by_normal = 0, by_way = 0;
 };
 
-void push(const Stand& at, const Faded& faded, WayOut& out) {
+/// way  where the point stands that is past the wall, from the apex: other parts may have pushed it there
+void push(const Stand& at, const Faded& faded, const Vec3& way, WayOut& out) {
   const Index facet = at.feature.facet;
   const Vec3 normal = faded.depth * at.over.normal;
   add({.facet = facet, .apex = 1, .weight = at.over.weight, .push = faded.by_normal * normal}, out);
@@ -126,6 +127,7 @@ void push(const Stand& at, const Faded& faded, WayOut& out) {
   for (int I = 0; I < 3; ++I) couple.weight[I] = lever * (at.over.weight[I] - at.wall_weight[I]);
   add(couple, out);
   out.squared += faded.depth * faded.depth;
+  out.has_moment = out.has_moment || !way.isZero(0);
   out.steepest = std::max(out.steepest, faded.by_normal * faded.by_normal + faded.by_way * faded.by_way);
   if (faded.depth > out.length) out.length = faded.depth, out.strongest = at.feature;
 }
@@ -240,7 +242,7 @@ WayOut way_out(const BaseSurface& base, const Vectors& x, const Vec3& p, double 
         if (across < 0) {
           const double depth = track.height - below.height;
           out.gap = std::min(out.gap, -depth);
-          if (depth > 0) push(at, {depth, below.by_normal, below.by_way}, out);
+          if (depth > 0) push(at, {depth, below.by_normal, below.by_way}, all.d, out);
           else ends[i] = below.height >= contact_height;
           if (depth > 0) out.depth = std::max(out.depth, depth), acts[i] = true;
           continue;
@@ -268,7 +270,7 @@ WayOut way_out(const BaseSurface& base, const Vectors& x, const Vec3& p, double 
         const double steep = allowed ? 1 / (*allowed * at.over.normal).norm() : 1;  // the way out lies in the symmetry plane
         Faded left = faded(at, steep * depth, base.size(track.facet));
         left.by_normal *= steep;
-        if (left.depth > 0) push(at, left, out), acts[i] = true;
+        if (left.depth > 0) push(at, left, all.d, out), acts[i] = true;
         else ends[i] = true, ++out.lost;
       }
       continue;
@@ -307,7 +309,6 @@ WayOut way_out(const BaseSurface& base, const Vectors& x, const Vec3& p, double 
       add({.facet = cut.feature.facet, .apex = 1, .weight = cut.over.weight, .push = all.lambda[i] * cut.over.normal}, out);
     }
   }
-  out.has_moment = out.has_moment || (out.count > 3 && out.steepest > 1);
   int kept = 0;
   for (int i = 0; i < tracks.count; ++i) {
     Track track = tracks.track[i];

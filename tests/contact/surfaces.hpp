@@ -73,9 +73,9 @@ inline BaseSurface base_of(const Shape& shape) {
   return base_surface({"base", shape.facets}, shape.x);
 }
 
-/// The skin of a box of 3 x 3 x 1 cells, 0.3 thick.
-inline Shape skin() {
-  const mesh::Mesh box = mesh::box("box", {Vec3::Zero(), Vec3(1, 1, 0.3), {3, 3, 1}});
+/// The skin of a box.
+inline Shape block(const Vec3& low, const Vec3& high, const Eigen::Vector3i& cells) {
+  const mesh::Mesh box = mesh::box("box", {low, high, cells});
   Shape shape{box.X, Table<3>(3, 0)};
   for (const char* side : {"x_low", "x_high", "y_low", "y_high", "z_low", "z_high"}) {
     const Table<3>& facets = mesh::surface(box, std::string("box.") + side).facets;
@@ -84,6 +84,7 @@ inline Shape skin() {
   }
   return shape;
 }
+inline Shape skin() { return block(Vec3::Zero(), Vec3(1, 1, 0.3), {3, 3, 1}); }
 
 /// Distance to the nearest facet, by looking at all.
 inline double nearest_of_all(const BaseSurface& base, const Vectors& x, const Vector<double>& p) {

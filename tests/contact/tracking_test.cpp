@@ -1,6 +1,5 @@
 #include "contact/tracking.hpp"
 
-#include "mesh/box.hpp"
 #include "tests/contact/pressed.hpp"
 
 namespace nereid::contact {
@@ -74,17 +73,6 @@ TEST(EntryOfAnApex, FromTheSideAsDeepAsItsNeighbourMakesNoForceThatSpringsAndThe
   EXPECT_LT(std::abs(scene.memory.created_by_reconnection), 1e-12);
 }
 
-/// The skin of a box that stands on the plane z = 0.
-Shape block(const Vec3& low, const Vec3& high, const Eigen::Vector3i& cells) {
-  const mesh::Mesh box = mesh::box("box", {low, high, cells});
-  Shape shape{box.X, Table<3>(3, 0)};
-  for (const char* side : {"x_low", "x_high", "y_low", "y_high", "z_low", "z_high"}) {
-    const Table<3>& facets = mesh::surface(box, std::string("box.") + side).facets;
-    shape.facets.conservativeResize(3, shape.facets.cols() + facets.cols());
-    shape.facets.rightCols(facets.cols()) = facets;
-  }
-  return shape;
-}
 Shape both(const Shape& one, const Shape& other) {
   Shape two{Vectors(3, one.x.cols() + other.x.cols()), Table<3>(3, one.facets.cols() + other.facets.cols())};
   two.x << one.x, other.x;
@@ -106,6 +94,30 @@ TEST(EntryOfAnApex, IntoTwoPartsOfASurfaceIsPushedOutOfBoth) {
   step_to(scene, 0, {2.02, 1.7, 0.97});
   EXPECT_EQ(scene.near().tracks.count, 2);
   EXPECT_LT((Vec3(scene.forces().col(scene.apex())) - penalty * Vec3(-0.02, 0, 0.03)).norm(), 1e-9);
+}
+
+TEST(EntryOfAnApex, PastAnOpenBorderIsSeenHoweverSlowlyItComesDown) {
+  // as far past the border as a force stays whole, the facet is nearer below than beside
+  Scene scene = press(sheet(4, 4, flat), {{4.04, 2.3, 0.2}}, 0);
+  for (double z = 0.199; z > -0.02; z -= 0.001) step_to(scene, 0, {4.04, 2.3, z});
+  EXPECT_EQ(scene.near().tracks.count, 1);
+  EXPECT_NEAR(scene.forces()(2, scene.apex()), -penalty * scene.x(2, scene.apex()), 1e-9);
+}
+
+TEST(EntryOfAnApex, PastAWallOfOnePartAndIntoAnotherBooksTheMomentThatIsLeft) {
+  Scene scene = press(both(block({0, 0, 0}, {4, 4, 1}, {4, 4, 1}), block({4.06, 0, 0.5}, {6, 4, 2}, {2, 4, 1})), {{3.9, 1.7, 1.05}}, 0);
+  step_to(scene, 0, {3.97, 1.7, 0.97});
+  step_to(scene, 0, {4.04, 1.7, 0.97});
+  step_to(scene, 0, {4.08, 1.7, 0.97});
+  ASSERT_EQ(scene.near().tracks.count, 2);
+  ASSERT_GT(scene.element().count, 2);
+  const Vectors f = scene.forces();
+  EXPECT_LT(f.rowwise().sum().norm(), 1e-12 * f.norm());
+  Vec3 moment = Vec3::Zero();
+  for (Index n = 0; n < scene.x.cols(); ++n) moment += Vec3(scene.x.col(n)).cross(Vec3(f.col(n)));
+  scene.memory.angular_impulse.setZero();
+  scene.update(2);  // at rest: half of it with the forces before, half with those after
+  EXPECT_LT((scene.memory.angular_impulse - 2 * moment).norm(), 1e-9);
 }
 
 TEST(EntryOfAnApex, OfABodyUnderATableIsNone) {
