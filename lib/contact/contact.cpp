@@ -688,6 +688,7 @@ void advance(const Interface& interface, const Vectors& x, const Vectors& v, con
     if (near.rests) continue;
     const ElementForces& element = near.element;
     memory.deepest_now = std::max(memory.deepest_now, element.depth);
+    if (element.depth > memory.deepest) memory.deepest = element.depth, memory.deepest_apex = interface.apexes[near.apex];
     memory.work += element.work;
     memory.damped += element.dissipated;
     memory.angular_impulse += element.angular_impulse;
@@ -703,7 +704,6 @@ void advance(const Interface& interface, const Vectors& x, const Vectors& v, con
     ++memory.walks;
     ++memory.reconnections[near.apex];
   }
-  memory.deepest = std::max(memory.deepest, memory.deepest_now);
 }
 
 void add_forces(const Interface& interface, const Memory& memory, Vectors& force, Vectors& moment) {

@@ -162,8 +162,10 @@ struct Memory {
   /// [N m s] about the origin: what weights of the paper lose, what the mirror images of bases at a symmetry plane give, and what
   /// pushes leave that are found by iteration; else zero.
   Vec3 angular_impulse = Vec3::Zero();
-  double deepest = 0;      ///< [m] penetration of any apex since the start, not negative
-  double deepest_now = 0;  ///< [m] of apexes in contact at the last update
+  double deepest = 0;        ///< [m] penetration of any apex since the start, not negative
+  Index deepest_apex = -1;   ///< node of that apex, -1 before any contact
+  double deepest_time = 0;   ///< [s] when; set by the caller of advance()
+  double deepest_now = 0;    ///< [m] of apexes in contact at the last update
   std::int64_t walks = 0;      ///< to another feature, since the start
   std::int64_t lost = 0;       ///< parts of the surface left over a wall in contact
   std::int64_t recovered = 0;  ///< apexes that a search found near

@@ -45,7 +45,7 @@ void advance(const RigidPlane& plane, const Vectors& x, const Vectors& v, double
     const double k = plane.penalty * plane.area(static_cast<Eigen::Index>(i));
     const double before = memory.force[i], after = -k * gap;
     memory.force[i] = after;
-    memory.deepest = std::max(memory.deepest, -gap);
+    if (-gap > memory.deepest) memory.deepest = -gap, memory.deepest_node = plane.nodes[i];
     memory.stored += 0.5 * k * gap * gap;
     if (before == 0 && after == 0) continue;
     memory.work += 0.5 * (before + after) * moved.dot(plane.normal);

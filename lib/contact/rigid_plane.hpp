@@ -28,6 +28,8 @@ struct PlaneMemory {
   double work = 0, stored = 0;          ///< [J] stored by the penalty
   double tangential_stored = 0, friction_dissipated = 0;  ///< [J] stored by the elastic stick, dissipated by friction
   double deepest = 0;                   ///< [m] penetration of any node since the start, not negative
+  Index deepest_node = -1;              ///< where that was, -1 before any contact
+  double deepest_time = 0;              ///< [s] when; set by the caller of advance()
   Vec3 impulse = Vec3::Zero();          ///< [N s] given to the nodes
   Vec3 angular_impulse = Vec3::Zero();  ///< [N m s] about the origin
 };

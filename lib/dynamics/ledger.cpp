@@ -32,7 +32,9 @@ double work_from_loads(const Ledger& ledger) {
 }
 
 double energy_scale(const Ledger& ledger) {
-  return std::max({ledger.initial_kinetic, initial_stored(ledger), ledger.external_work});
+  constexpr double least_available = 1e-6;  // of the kinetic energy: what a scene that only flies by is held against, well above round-off
+  const double kinetic = std::max(ledger.initial_available, least_available * ledger.initial_kinetic);
+  return std::max({kinetic, initial_stored(ledger), ledger.external_work});
 }
 
 double spurious_part(const Ledger& ledger, std::size_t source) {
@@ -48,7 +50,14 @@ double kept_part(const Ledger& ledger) {
   return scale > 0 ? ledger.integration_kept / scale : 0;
 }
 
+double swing_part(const Ledger& ledger) {
+  const double scale = energy_scale(ledger);
+  return scale > 0 ? (ledger.integration - ledger.integration_kept) / scale : 0;
+}
+
 void see_flows(Ledger& ledger) {
+  const double swing = swing_part(ledger);
+  if (std::abs(swing) > std::abs(ledger.worst_swing)) ledger.worst_swing = swing;
   const double kept = kept_part(ledger);
   if (std::abs(kept) > std::abs(ledger.worst_kept)) ledger.worst_kept = kept;
   for (std::size_t a = 0; a < ledger.accounts.size(); ++a) {

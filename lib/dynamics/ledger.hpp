@@ -25,6 +25,8 @@ struct Flow {
 struct Ledger {
   double initial_kinetic = 0;  ///< [J]
   double kinetic = 0;          ///< [J] now
+  /// [J] the part of initial_kinetic that a scene can lose: where nothing acts from outside but gravity, about the common centre of mass.
+  double initial_available = 0;
   /// [J] what the two half kicks of central differences add to the kinetic energy beyond the work of
   /// the trapezoid rule: the sum over steps of dt^2/8 (f'.f'/m - f.f/m).
   double integration = 0;
@@ -37,7 +39,8 @@ struct Ledger {
   std::vector<Flow> flows;        ///< beside accounts
   /// [J] The part of `integration` that stays: the rest, dt^2/8 f.f/m now less that at the start, comes back as the forces fall.
   double integration_kept = 0;
-  double worst_kept = 0;  ///< [-] kept_part() where it was largest so far, with its sign
+  double worst_kept = 0;   ///< [-] kept_part() where it was largest so far, with its sign
+  double worst_swing = 0;  ///< [-] swing_part() where it was largest so far
 };
 
 /// What all stores held at the start together. [J]
@@ -46,8 +49,9 @@ double initial_stored(const Ledger&);
 /// Work that gravity and all sources that take it from outside have done, those that took energy out left aside. [J]
 double work_from_loads(const Ledger&);
 
-/// What created energy is held against: the largest of the kinetic energy at the start, of what the stores held
-/// then, and of the external work since. It never falls during a run. 0 while nothing has moved. [J]
+/// What created energy is held against: the largest of the available kinetic energy at the start, of what the stores held then, and of the
+/// external work since; the same for all who see the scene move as a whole, down to 1e-6 of its kinetic energy. It never falls during a
+/// run. 0 while nothing has moved. [J]
 double energy_scale(const Ledger&);
 
 /// Sources through which less than this part of the energy scale has passed are not judged. [-] The work of what
@@ -65,6 +69,10 @@ double spurious_part(const Ledger&, std::size_t source);
 
 /// What time integration has created, or lost where negative, for good, over the energy scale; 0 without a scale. [-]
 double kept_part(const Ledger&);
+
+/// By how much the kinetic energy is too large now, over the energy scale: the part of `integration` that comes back as the forces fall,
+/// dt^2/8 f.f/m now less that at the start. 0 without a scale. [-]
+double swing_part(const Ledger&);
 
 /// Brings the flows up to the works that stand in the accounts, at the end of a step.
 void see_flows(Ledger&);

@@ -96,7 +96,7 @@ bool too_much_of_the_scene(const Model& model, const Ledger& ledger, double limi
     const std::string part = (excess > 0 ? "created" : "lost") + text(" %.3g of the ", std::abs(excess) / scale, 0);
     const std::string bound = text("; the limit is %.3g", limit, 0);
     outcome.reason = std::isnan(excess)                ? "its energy is not finite"
-                     : scale == ledger.initial_kinetic ? part + "initial kinetic energy" + bound
+                     : scale == ledger.initial_available ? part + "initial kinetic energy" + bound
                      : scale == ledger.external_work   ? part + "external work so far" + bound
                                                        : part + "energy stored at the start" + bound;
     outcome.block = name(model, static_cast<int>(a));

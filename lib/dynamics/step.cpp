@@ -62,11 +62,17 @@ void update(const Model& model, double dt, State& now, Forces& f) {
     }
   }
   for (std::size_t c = 0; c < model.interfaces.size(); ++c, ++source) {
-    contact::advance(model.interfaces[c], now.x, now.v, now.omega, dt, now.interfaces[c], f.interfaces[c]);
+    contact::Memory& memory = now.interfaces[c];
+    const double deepest = memory.deepest;
+    contact::advance(model.interfaces[c], now.x, now.v, now.omega, dt, memory, f.interfaces[c]);
+    if (memory.deepest > deepest) memory.deepest_time = now.t;
     votes.contact.see(contact::stable_step(model.interfaces[c], model.mass, model.inertia, now.interfaces[c], f.interfaces[c]), source);
   }
   for (std::size_t p = 0; p < model.rigid_planes.size(); ++p, ++source) {
-    contact::advance(model.rigid_planes[p], now.x, now.v, dt, now.rigid_planes[p]);
+    contact::PlaneMemory& memory = now.rigid_planes[p];
+    const double deepest = memory.deepest;
+    contact::advance(model.rigid_planes[p], now.x, now.v, dt, memory);
+    if (memory.deepest > deepest) memory.deepest_time = now.t;
     votes.contact.see(contact::stable_step(model.rigid_planes[p], model.mass), source);
   }
   for (std::size_t l = 0; l < model.loads.size(); ++l)
@@ -129,6 +135,11 @@ void post_relaxation(const RelaxationMemory& memory, Account& account) {
   account.dissipated[Dissipated::removed] = memory.removed;
   account.impulse = memory.impulse;
   account.angular_impulse = memory.angular_impulse;
+}
+
+/// Whether nothing but gravity acts from outside.
+bool is_free(const Model& model) {
+  return model.rigid_planes.empty() && model.constraints.planes.empty() && model.loads.empty() && !model.relaxation;
 }
 
 /// Removes from the first velocities what the constraints do not allow, and books the energy that this takes.
@@ -198,6 +209,8 @@ const Votes& step(const Model& model, double dt, State& now, Forces& f) {
 const Votes& start(const Model& model, State& now, Forces& f) {
   now.ledger.initial_kinetic = kinetic_energy(model, now);
   momenta(model, now, now.ledger.initial_momentum, now.ledger.initial_angular_momentum);
+  const double of_centre = is_free(model) ? 0.5 * now.ledger.initial_momentum.squaredNorm() / model.mass.sum() : 0;
+  now.ledger.initial_available = now.ledger.initial_kinetic - of_centre;
   constrain_start(model, now, f);
   load::find_impacts(model.constraints, model.mass, now.x, f.force, 0, now.v, now.constraints);
   load::finish_impacts(model.constraints, model.mass, now.x, f.force, 0, now.v, now.constraints);

@@ -52,16 +52,17 @@ std::vector<std::string> width_notes(const Simulation& simulation) {
 
 std::vector<std::string> depth_notes(const Simulation& simulation) {
   std::vector<std::string> notes;
-  const auto look = [&notes](const std::string& name, double deepest, double depth) {
-    if (depth > 0 && deepest > (0.5 + 1e-6) * depth)  // more than round-off beyond
-      notes.push_back(row("%s: an apex went %.3g m deep, %.3g of the depth of an element: too soft a penalty or too fast an approach",
-                          name.c_str(), deepest, deepest / depth));
+  const auto look = [&notes](const auto& contact, const auto& memory, Index node) {
+    if (contact.depth > 0 && memory.deepest > (0.5 + 1e-6) * contact.depth)  // more than round-off beyond
+      notes.push_back(row("%s: node %d went %.3g m deep, %.3g of the depth of an element, at %.8g s: too soft a penalty or too fast an "
+                          "approach",
+                          contact.name.c_str(), node, memory.deepest, memory.deepest / contact.depth, memory.deepest_time));
   };
   const dynamics::Model& model = simulation.model;
   for (std::size_t c = 0; c < model.interfaces.size(); ++c)
-    look(model.interfaces[c].name, simulation.state.interfaces[c].deepest, model.interfaces[c].depth);
+    look(model.interfaces[c], simulation.state.interfaces[c], simulation.state.interfaces[c].deepest_apex);
   for (std::size_t p = 0; p < model.rigid_planes.size(); ++p)
-    look(model.rigid_planes[p].name, simulation.state.rigid_planes[p].deepest, model.rigid_planes[p].depth);
+    look(model.rigid_planes[p], simulation.state.rigid_planes[p], simulation.state.rigid_planes[p].deepest_node);
   return notes;
 }
 
@@ -131,6 +132,10 @@ std::vector<std::string> energy_notes(const Simulation& simulation) {
     if (scale > 0) look(all[s].name, dynamics::created(ledger.accounts[s]) / scale, "of the scene");
   }
   look("time integration", ledger.worst_kept, "of the scene");
+  if (std::abs(ledger.worst_swing) > worth_a_warning * limit)
+    notes.push_back(row("time integration: the kinetic energy swung by %.2g of the energy of the scene and came back; it goes with the "
+                        "square of the step",
+                        std::abs(ledger.worst_swing)));
   return notes;
 }
 

@@ -88,11 +88,13 @@ Json ledger_of(const std::vector<Source>& sources, const dynamics::Ledger& ledge
   for (std::size_t s = 0; s < sources.size(); ++s)
     add_once(accounts, sources[s].name, account_of(sources[s], ledger.accounts[s], ledger.flows[s], energy_scale(ledger)));
   return {{"initial_kinetic", quantity(ledger.initial_kinetic, "J")},
+          {"initial_available", quantity(ledger.initial_available, "J")},
           {"external_work", quantity(ledger.external_work, "J")},
           {"kinetic", quantity(ledger.kinetic, "J")},
           {"integration", quantity(ledger.integration, "J")},
           {"integration_kept", quantity(ledger.integration_kept, "J")},
           {"integration_kept_relative", quantity(ledger.worst_kept, "1")},
+          {"integration_swing_relative", quantity(ledger.worst_swing, "1")},
           {"energy_residual", quantity(dynamics::energy_residual(ledger), "J")},
           {"initial_momentum", quantity(ledger.initial_momentum, "kg m/s")},
           {"momentum", quantity(ledger.momentum, "kg m/s")},

@@ -25,7 +25,7 @@ TEST(Ledger, CreatedIsWhatASourceNeitherStoredNorDissipated) {
 
 TEST(Ledger, WorkOfAllSourcesAndTheIntegrationExplainTheKineticEnergy) {
   Ledger ledger;
-  ledger.initial_kinetic = 100;
+  ledger.initial_available = ledger.initial_kinetic = 100;
   ledger.accounts = {block(), block()};
   ledger.integration = 2;
   ledger.kinetic = 82;
@@ -48,7 +48,7 @@ TEST(Ledger, CreatedEnergyIsHeldAgainstTheLargestThatWasThere) {
   EXPECT_EQ(energy_scale(ledger), 9);
   ledger.accounts[1].work = 1;  // it took some back: the scale does not fall
   EXPECT_EQ(energy_scale(ledger), 9);
-  ledger.initial_kinetic = 10;
+  ledger.initial_available = ledger.initial_kinetic = 10;
   EXPECT_EQ(energy_scale(ledger), 10);
   ledger.accounts[0].at_start[Stored::elastic] = 12;
   EXPECT_EQ(energy_scale(ledger), 12);
@@ -57,7 +57,7 @@ TEST(Ledger, CreatedEnergyIsHeldAgainstTheLargestThatWasThere) {
 /// A ledger of a scene of 1 J with two sources of which the second does `works`, step by step, all of it stored but for `created`.
 Ledger after(std::initializer_list<double> works, double created) {
   Ledger ledger;
-  ledger.initial_kinetic = 1;
+  ledger.initial_available = ledger.initial_kinetic = 1;
   ledger.accounts.resize(2), ledger.flows.resize(2);
   for (const double work : works) {
     ledger.accounts[1].work += work;
@@ -95,7 +95,7 @@ TEST(SpuriousPart, LeavesOutChatterAndScenesInWhichNothingMoved) {
   EXPECT_EQ(spurious_part(after({0.4 * least_share, -0.4 * least_share, 0}, 0.1), 1), 0);
   EXPECT_NE(spurious_part(after({0.6 * least_share, -0.6 * least_share, 0}, 0.1), 1), 0);
   Ledger still = after({1, 0}, 0.5);
-  still.initial_kinetic = 0;
+  still.initial_available = still.initial_kinetic = 0;
   EXPECT_EQ(spurious_part(still, 1), 0);
   still.integration_kept = 1;
   EXPECT_EQ(kept_part(still), 0);
@@ -103,12 +103,32 @@ TEST(SpuriousPart, LeavesOutChatterAndScenesInWhichNothingMoved) {
 
 TEST(KeptPart, IsThatOfTheIntegrationOverTheScaleWithBothSigns) {
   Ledger ledger = after({}, 0);
-  ledger.initial_kinetic = 4, ledger.integration_kept = -1;
+  ledger.initial_available = ledger.initial_kinetic = 4, ledger.integration_kept = -1;
   see_flows(ledger);
   EXPECT_EQ(kept_part(ledger), -0.25);
   ledger.integration_kept = 0.5;
   see_flows(ledger);
   EXPECT_EQ(ledger.worst_kept, -0.25);
+}
+
+TEST(SwingPart, IsWhatComesBackOverTheScale) {
+  Ledger ledger = after({}, 0);
+  ledger.initial_available = 4, ledger.integration = 2, ledger.integration_kept = 1;
+  see_flows(ledger);
+  EXPECT_EQ(swing_part(ledger), 0.25);
+  ledger.integration = 1;
+  see_flows(ledger);
+  EXPECT_EQ(swing_part(ledger), 0);
+  EXPECT_EQ(ledger.worst_swing, 0.25);
+  EXPECT_EQ(ledger.worst_kept, 0.25);
+}
+
+TEST(EnergyScale, IsThatOfTheCommonCentreWhereNothingActsFromOutside) {
+  Ledger ledger;
+  ledger.initial_kinetic = 10, ledger.initial_available = 4;
+  EXPECT_EQ(energy_scale(ledger), 4);
+  ledger.initial_available = 1e-17;
+  EXPECT_NEAR(energy_scale(ledger), 1e-5, 1e-20) << "a scene that only flies by";
 }
 
 TEST(Ledger, ImpulsesExplainTheMomenta) {

@@ -92,12 +92,12 @@ inline std::vector<std::pair<std::string, std::vector<double>>> numbers(const St
       all(f.touch.normal), all(f.touch.arm), all(f.touch.node), all(f.touch.weight), all(f.touch.base_arm), all(f.touch.apex_arm);
       add(f.touch.apex, f.touch.base_rotates);
     }
-    add(c.work, c.damped, c.friction_dissipated, c.created_by_reconnection, c.deepest, c.walks, c.lost, c.recovered);
+    add(c.work, c.damped, c.friction_dissipated, c.created_by_reconnection, c.deepest, c.deepest_time, c.walks, c.lost, c.recovered);
     add(c.searches, c.deepest_now, c.margin), all(c.apexes_then), all(c.base_then);
   }
   for (const contact::PlaneMemory& p : s.rigid_planes) {
     part("rigid plane"), all(p.force), all(p.impulse), all(p.angular_impulse),
-        add(p.work, p.stored, p.tangential_stored, p.friction_dissipated, p.deepest);
+        add(p.work, p.stored, p.tangential_stored, p.friction_dissipated, p.deepest, p.deepest_time);
     for (const Vec3& slip : p.slip) all(slip);
   }
   part("constraints");
@@ -117,7 +117,7 @@ inline std::vector<std::pair<std::string, std::vector<double>>> numbers(const St
   add(s.relaxation.removed, s.relaxation.residual, s.relaxation.most_force, s.relaxation.most_kinetic, s.relaxation.balanced,
       s.relaxation.since);
   all(s.relaxation.impulse), all(s.relaxation.angular_impulse);
-  part("ledger"), add(s.ledger.initial_kinetic, s.ledger.kinetic, s.ledger.integration, s.ledger.external_work,
+  part("ledger"), add(s.ledger.initial_kinetic, s.ledger.initial_available, s.ledger.kinetic, s.ledger.integration, s.ledger.external_work,
                       s.ledger.integration_kept, s.ledger.worst_kept);
   all(s.ledger.momentum), all(s.ledger.angular_momentum), all(s.ledger.initial_momentum), all(s.ledger.initial_angular_momentum);
   for (const Account& a : s.ledger.accounts) {

@@ -45,7 +45,7 @@ TEST(DepthNotes, SayThatARigidPlaneWasPenetratedTooDeep) {
   run(simulation);
   const auto notes = depth_notes(simulation);
   ASSERT_EQ(notes.size(), 1U);
-  EXPECT_TRUE(says(notes[0], "ground: an apex went ")) << notes[0];
+  EXPECT_TRUE(says(notes[0], "ground: node ")) << notes[0];
 }
 
 TEST(OverlapNotes, SayWhichBodiesOverlapAndThatNoContactIsDeclared) {
@@ -76,7 +76,7 @@ TEST(QualityNotes, SayWhichCornerIsInvertedAndHowMuchEnergyIsInHourglasses) {
   Simulation simulation = build(with({bar()}));
   run(simulation);
   EXPECT_TRUE(quality_notes(simulation).empty());
-  simulation.state.ledger.initial_kinetic = 1;
+  simulation.state.ledger.initial_available = simulation.state.ledger.initial_kinetic = 1;
   simulation.state.quality[0] = {.corner = -0.25, .element = 3, .time = 1e-3, .hourglass = 0.3, .internal = 0.5};
   const auto notes = quality_notes(simulation);
   ASSERT_EQ(notes.size(), 2U);

@@ -46,7 +46,7 @@ Summary example() {
   summary.case_hash = "abc";
   summary.ending = {"reached_end", "the end time was reached", 0.25, "", -1};
   summary.results = {{"settlement", 0.5, "m"}};
-  summary.ledger.initial_kinetic = 8;
+  summary.ledger.initial_available = summary.ledger.initial_kinetic = 8;
   summary.ledger.kinetic = 4;
   summary.ledger.momentum = Vec3(1, 2, 3);
   Account contact;
@@ -101,7 +101,7 @@ TEST(Summary, LedgerCarriesEveryAccountWithUnits) {
 
 TEST(Summary, CreatedEnergyIsRelativeToNothingWhenNothingMoved) {
   Summary summary = example();
-  summary.ledger.initial_kinetic = 0;
+  summary.ledger.initial_available = summary.ledger.initial_kinetic = 0;
   EXPECT_HAS(written(summary), R"("created_relative":{"value":null,"unit":"1"})");
   summary.ledger.external_work = 4;
   EXPECT_HAS(written(summary), R"("created_relative":{"value":-0.25,"unit":"1"})");

@@ -308,7 +308,8 @@ class Faults(unittest.TestCase):
 # ------------------------------------------------------------------------------------------------
 # Verdicts
 
-WARNING = "warning: t: an apex went {:.3g} m deep, 0.6 of the depth of an element: too soft a penalty or too fast an approach\n"
+WARNING = ("warning: t: node 7 went {:.3g} m deep, 0.6 of the depth of an element, at 0.001 s: too soft a penalty or too fast an "
+           "approach\n")
 STOP = "scene: stopped at 0.1 s: energy_created in t: created 0.06 of the initial kinetic energy; the limit is 0.05\n"
 REFUSAL = ("case.yaml:3:1: 3 of 9 apexes start penetrated, by 0.1 m at most: move the bodies apart, or say "
            "'initial_penetration: accept'\n")
@@ -336,6 +337,19 @@ class Verdicts(unittest.TestCase):
     def test_a_warning_is_looked_at_more_closely(self):
         closer = pair(-0.3)
         self.assertEqual(verdict(pair(-0.1), said=WARNING.format(0.3), again=lambda change: closer.finished())[0], judge.WARNED)
+
+    def test_a_warning_that_names_a_time_is_looked_at_then(self):
+        asked, at_time = [], pair(-0.3)
+
+        def again(change):
+            asked.append(change)
+            return (pair(-0.1) if change == "frames" else at_time).finished()
+        self.assertEqual(verdict(pair(-0.1), said=WARNING.format(0.3), again=again)[0], judge.WARNED)
+        self.assertEqual(asked, ["frames", 0.001])
+
+    def test_a_swing_of_the_kinetic_energy_is_held_against_the_history(self):
+        said = "time integration: the kinetic energy swung by 0.019 of the energy of the scene and came back"
+        self.assertTrue(judge.OF_SWING.match(said))
 
     def test_a_warning_does_not_cover_momentum(self):
         one, other = cube(), cube((0.3, 0.2, 1.0))

@@ -441,6 +441,8 @@ OF_HOURGLASS = re.compile(r"(\w+): hourglass energy reached " + NUMBER + " of th
 OF_OVERLAP = re.compile(r"(\w+)[\w.]* and (\w+)[\w.]* overlap by " + NUMBER + " m")
 OF_ITSELF = re.compile(r"(\w+)[\w.]* overlaps itself by " + NUMBER + " m")
 OF_ENERGY = re.compile(r"(\w[\w ]*): (?:created|lost) " + NUMBER + r" of the energy (that passed through it|of the scene)")
+OF_SWING = re.compile(r"time integration: the kinetic energy swung by " + NUMBER + " of the energy of the scene")
+AT_TIME = re.compile(r" at " + NUMBER + r" s\b")
 OF_CORNER = re.compile(r"(\w+): a corner of element \d+ was inverted")
 COARSE = 4.0        # [-] between an energy that was lost or made between two rows and what the rows show
 TRUE_SHARE = 1.5    # [-] between a share of energies that is claimed and ours
@@ -483,6 +485,8 @@ def is_true(warning, seen, expected, faults):
         return min(measure.inside_out(seen.bodies[corner[1]], frame.x, seen.X) for frame in seen.frames) < NEARLY_FLAT
     if (energy := OF_ENERGY.match(warning)) is not None:  # rows of a history are far between, so that ours is coarse
         return energy_fraction(seen, energy[1], "scene" in energy[3]) > float(energy[2]) / COARSE
+    if (swing := OF_SWING.match(warning)) is not None:
+        return energy_fraction(seen, "time integration", True) > float(swing[1]) / COARSE
     if (pair := OF_OVERLAP.match(warning)) is not None:
         ours, full = depth_of_pair(seen, pair[1], pair[2])
         return ours / TRUE_DEPTH <= float(pair[3]) and (full or float(pair[3]) <= ours * TRUE_DEPTH)
@@ -518,7 +522,7 @@ def wall_is_passed(seen, claimed):
 def excuses(fault, warnings):
     """Whether true warnings cover a fault: of the shape of elements what comes of it, of energy that, of contact all but momentum and
     numbers."""
-    of_energy = [OF_ENERGY.match(warning) is not None for warning in warnings]
+    of_energy = [OF_ENERGY.match(warning) is not None or OF_SWING.match(warning) is not None for warning in warnings]
     if all(energy or of_elements(warning) for energy, warning in zip(of_energy, warnings)):
         return fault.kind == "inside out" and not all(of_energy) or fault.kind == "energy" and any(of_energy)
     return fault.kind not in ("momentum", "finite")
@@ -570,7 +574,8 @@ def steps_of(run):
 def verdict_of(run, expected, again=None, initial=None, twin=None):
     """(verdict, reason, faults) of a run.
 
-    again     makes the same scene with half the step ("step") or on a finer mesh ("mesh"), or with more frames ("frames"); a Finished
+    again     runs the same scene with half the step ("step"), on a finer mesh ("mesh"), with more frames ("frames"), or up to a time [s]:
+              a Finished
     initial   how deep the bodies are in each other at the start, where it is known [m]
     twin      the same scene elsewhere: (its Finished, factor of speeds, how like they are)
     """
@@ -621,6 +626,13 @@ def verdict_of_end(run, seen, expected, faults, again):
             seen = look(closer, expected)
             faults = faults_of(seen, expected)
             true = [warning for warning in warnings if is_true(warning, seen, expected, faults)]
+    for warning in [one for one in warnings if one not in true and AT_TIME.search(one)] if again is not None else []:
+        until = again(float(AT_TIME.search(warning)[1]))
+        if until is None or until.status not in (DONE, STOPPED):
+            continue
+        then = look(until, expected)
+        if is_true(warning, then, expected, faults_of(then, expected)):
+            true.append(warning)
     left = [fault for fault in faults if not excuses(fault, true)]
     if len(true) < len(warnings):
         false = next(warning for warning in warnings if warning not in true)

@@ -297,7 +297,21 @@ def overlap(one, other, x, bases=(None, None)):
     named = [None if faces is None else in_four(x[faces]) if faces.shape[1] == 4 else x[faces] for faces in bases]
     a = depth_in(samples(one, x), second, named[1])
     b = depth_in(samples(other, x), first, named[0])
-    return max(a[0], b[0]), max(a[1], b[1])
+    through = max(through_plate(one, other, x), through_plate(other, one, x))
+    return max(a[0], b[0], through), max(a[1], b[1], through)
+
+
+def through_plate(body, plate, x):
+    """How far edges of a body have come through the middle of a plate, or from its rim, and half its thickness [m]: of a corner no point of
+    the plate need be in the body."""
+    if not plate.is_plate:
+        return 0.0
+    edges, rim = edges_of(body.faces), rim_of(plate.faces)
+    beyond, at = pierced(x[edges[:, 0]], x[edges[:, 1]], x[plate.faces])
+    if not len(beyond):
+        return 0.0
+    from_rim = distances(at, x[rim[:, [0, 1, 1]]]) if len(rim) else np.inf
+    return float(np.max(np.minimum(beyond, from_rim))) + plate.thickness / 2
 
 
 def room(body, x):
@@ -318,14 +332,22 @@ def self_overlap(body, x):
         triangles, owners = x[body.faces], body.faces
     else:
         triangles, owners = in_four(x[body.faces]), np.concatenate([body.faces] * 4)
-    a, b = x[edges[:, 0]], x[edges[:, 1]]
+    def apart(e, t):
+        return ~np.any(edges[e][:, :, None] == owners[t][:, None, :], axis=(1, 2))
+    return float(pierced(x[edges[:, 0]], x[edges[:, 1]], triangles, apart)[0].max(initial=0.0))
+
+
+def pierced(a, b, triangles, counts=None):
+    """Where lines from a to b cross triangles: (how far the nearer end is from the triangle's plane [m], the points).
+
+    counts(line, triangle) says which pairs are looked at.
+    """
     low, high = np.minimum(a, b), np.maximum(a, b)
     first, last = triangles.min(axis=1), triangles.max(axis=1)
     e, t = np.nonzero(np.all((low[:, None] < last[None]) & (high[:, None] > first[None]), axis=2))
-    apart = ~np.any(edges[e][:, :, None] == owners[t][:, None, :], axis=(1, 2))
-    e, t = e[apart], t[apart]
-    if not len(e):
-        return 0.0
+    if counts is not None:
+        kept = counts(e, t)
+        e, t = e[kept], t[kept]
     corners = triangles[t]
     normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     size = np.linalg.norm(normal, axis=1)
@@ -336,7 +358,7 @@ def self_overlap(body, x):
     for k in range(3):
         side = np.cross(corners[:, (k + 1) % 3] - corners[:, k], at - corners[:, k])
         crosses &= np.einsum("ni,ni->n", side, normal) > 0
-    return float(np.minimum(np.abs(ha), np.abs(hb))[crosses].max(initial=0.0))
+    return np.minimum(np.abs(ha), np.abs(hb))[crosses], at[crosses]
 
 
 def inside_out(body, x, X):
