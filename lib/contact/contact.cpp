@@ -374,22 +374,28 @@ void advance_element(const Interface& interface, const Vectors& x, const Vectors
   element.created = element.work + element.dissipated + memory.stored[a] - stored_before;
 }
 
-/// The largest squared distance of nodes from where they were, less a common way. [m2]
-double farthest_moved(const Subset& nodes, const Vectors& x, const Vectors& then, const Vec3& common) {
+/// The largest squared way of nodes from where they were, less a common way; adds up the ways. [m2]
+double farthest_moved(const Subset& nodes, const Vectors& x, const Vectors& then, const Vec3& common, Vec3& sum) {
   double most = 0;
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-    most = std::max(most, (x.col(nodes[i]) - then.col(static_cast<Eigen::Index>(i)) - common).squaredNorm());
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const Vec3 way = x.col(nodes[i]) - then.col(static_cast<Eigen::Index>(i));
+    sum += way;
+    most = std::max(most, (way - common).squaredNorm());
+  }
   return most;
 }
 
 /// How far apexes and base have moved against each other since the last search, at most. [m]
-double moved_since_search(const Interface& interface, const Vectors& x, const Memory& memory) {
-  Vec3 common = Vec3::Zero();
-  for (std::size_t i = 0; i < interface.base_nodes.size(); ++i)
-    common += x.col(interface.base_nodes[i]) - memory.base_then.col(static_cast<Eigen::Index>(i));
-  common /= static_cast<double>(interface.base_nodes.size());
-  return std::sqrt(farthest_moved(interface.apexes, x, memory.apexes_then, common)) +
-         std::sqrt(farthest_moved(interface.base_nodes, x, memory.base_then, common));
+///
+/// Any way taken as common gives a bound. That of the base in the mean is good: here that of its first node now, and what the mean was beyond
+/// it a step before, which takes no pass of its own.
+double moved_since_search(const Interface& interface, const Vectors& x, Memory& memory) {
+  const Vec3 first = x.col(interface.base_nodes[0]) - memory.base_then.col(0), common = first + memory.mean_way;
+  Vec3 of_apexes = Vec3::Zero(), of_base = Vec3::Zero();
+  const double apexes = farthest_moved(interface.apexes, x, memory.apexes_then, common, of_apexes);
+  const double base = farthest_moved(interface.base_nodes, x, memory.base_then, common, of_base);
+  memory.mean_way = of_base / static_cast<double>(interface.base_nodes.size()) - first;
+  return std::sqrt(apexes) + std::sqrt(base);
 }
 
 /// The margin of a search, or what apexes and base can go against each other in some steps where that is more. [m]
@@ -423,6 +429,7 @@ void search(const Interface& interface, const Vectors& x, Memory& memory, Worksp
   if (!workspace.broad.sort(interface.base, x)) return;
   keep_positions(interface.apexes, x, memory.apexes_then);
   keep_positions(interface.base_nodes, x, memory.base_then);
+  memory.mean_way.setZero();
   ++memory.searches;
   const auto count = static_cast<Index>(interface.apexes.size());
   const auto visit_near = [&](Index a, auto&& visit) {

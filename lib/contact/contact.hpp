@@ -43,7 +43,7 @@ enum class Weights {
 
 /// What a traction is multiplied by to become the force on an apex.
 enum class Area {
-  apex,  ///< the tributary area of the apex: the sum over the apexes is the surface's area
+  apex,  ///< the tributary area of the apex, of the sides that face the base within 60 degrees as it comes into contact
   base,  ///< the mean area of the facets of the base, as in the paper's Eqs. 6 and 12
 };
 
@@ -172,6 +172,7 @@ struct Memory {
   std::int64_t searches = 0;
   double margin = 0;               ///< [m] of the last search
   Vectors apexes_then, base_then;  ///< [m] positions at the last search, beside Interface::apexes and base_nodes
+  Vec3 mean_way = Vec3::Zero();    ///< [m] of the base nodes since then, beyond that of the first of them, at the step before
 };
 inline const Near* near(const Memory& memory, Index apex) {
   return memory.slot[apex] < 0 ? nullptr : &memory.near[memory.slot[apex]];

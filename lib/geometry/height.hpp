@@ -29,7 +29,7 @@ struct Height {
 /// weight  barycentric coordinates of the projection, any sign; Kulak & Fiala Eq. 7.
 /// Needs   a facet with an area
 template <class T>
-Height<T, 3> facet_height(const std::array<Vector<T>, 3>& base, const Vector<T>& apex) {
+NEREID_HOT Height<T, 3> facet_height(const std::array<Vector<T>, 3>& base, const Vector<T>& apex) {
   const Vector<T> a = base[1] - base[0], b = base[2] - base[0], p = apex - base[0];
   const Vector<T> N = cross(a, b);
   const T per_length = T(1.0) / root(dot(N, N));  // one division: walks ask for many heights

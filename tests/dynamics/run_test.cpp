@@ -249,14 +249,29 @@ TEST(Run, StopsWhenTheStepCollapsesAndSaysWhoAskedForIt) {
   EXPECT_LT(s.state.t, 0.03);
 }
 
-/// A box falls on another whose interface asks for steps far too long.
-Scene careless(const Vec3& gravity = Vec3::Zero(), double speed = 3) {
-  Scene s;
+/// Two boxes, one over the other.
+void add_boxes(Scene& s) {
   s.model.mesh =
       mesh::join(mesh::box("below", {{0, 0, 0}, {0.4, 0.4, 0.2}, {4, 4, 2}}),
                  mesh::box("above", {{0.05, 0.05, 0.201}, {0.35, 0.35, 0.4}, {3, 3, 2}}));
   s.model.blocks.push_back(element::hexahedra(s.model.mesh, "below", rubber, inviscid));
   s.model.blocks.push_back(element::hexahedra(s.model.mesh, "above", rubber, inviscid));
+}
+
+/// An interface of these boxes that asks for steps far too long.
+void join_carelessly(Scene& s) {
+  InterfaceOptions options;
+  options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
+  options.penalty_scale = 30;
+  s.joined("joint", "above.z_low", "below.z_high", options);
+  s.model.interfaces[0].impact_step_factor = 1.9;  // the linear bound, nearly
+  s.ready();
+}
+
+/// A box falls on another whose interface asks for steps far too long.
+Scene careless(const Vec3& gravity = Vec3::Zero(), double speed = 3) {
+  Scene s;
+  add_boxes(s);
   s.model.gravity = gravity;
   if (!gravity.isZero(0)) {
     load::Plane ground;
@@ -266,12 +281,7 @@ Scene careless(const Vec3& gravity = Vec3::Zero(), double speed = 3) {
     s.model.constraints.planes.push_back(ground);
   }
   finalize(s.model);
-  InterfaceOptions options;
-  options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
-  options.penalty_scale = 30;
-  s.joined("joint", "above.z_low", "below.z_high", options);
-  s.model.interfaces[0].impact_step_factor = 1.9;  // the linear bound, nearly
-  s.ready();
+  join_carelessly(s);
   s.move("above", {0, 0, -speed});
   return s;
 }
@@ -300,18 +310,10 @@ void add_ship(Scene& s) {
 
 TEST(Run, StopsWhenASourceCreatesMuchOfWhatPassesThroughItThoughAnotherBodyHasMore) {
   Scene s;
-  s.model.mesh = mesh::join(mesh::box("below", {{0, 0, 0}, {0.4, 0.4, 0.2}, {4, 4, 2}}),
-                            mesh::box("above", {{0.05, 0.05, 0.201}, {0.35, 0.35, 0.4}, {3, 3, 2}}));
-  s.model.blocks.push_back(element::hexahedra(s.model.mesh, "below", rubber, inviscid));
-  s.model.blocks.push_back(element::hexahedra(s.model.mesh, "above", rubber, inviscid));
+  add_boxes(s);
   add_ship(s);
   finalize(s.model);
-  InterfaceOptions options;
-  options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
-  options.penalty_scale = 30;
-  s.joined("joint", "above.z_low", "below.z_high", options);
-  s.model.interfaces[0].impact_step_factor = 1.9;  // the linear bound, nearly
-  s.ready();
+  join_carelessly(s);
   s.move("above", {0, 0, -3});
   s.move("ship", {10, 0, 0});
   const Outcome outcome = s.run_to(0.05, 0.01);

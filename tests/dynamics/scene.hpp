@@ -93,7 +93,7 @@ inline std::vector<std::pair<std::string, std::vector<double>>> numbers(const St
       add(f.touch.apex, f.touch.base_rotates);
     }
     add(c.work, c.damped, c.friction_dissipated, c.created_by_reconnection, c.deepest, c.deepest_time, c.walks, c.lost, c.recovered);
-    add(c.searches, c.deepest_now, c.margin), all(c.apexes_then), all(c.base_then);
+    add(c.searches, c.deepest_now, c.margin), all(c.apexes_then), all(c.base_then), all(c.mean_way);
   }
   for (const contact::PlaneMemory& p : s.rigid_planes) {
     part("rigid plane"), all(p.force), all(p.impulse), all(p.angular_impulse),
