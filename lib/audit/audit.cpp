@@ -113,7 +113,7 @@ void look_inside(const Side& one, const Side& skin, std::vector<char>& inside, s
                                             : point(one, points + f);
     const double size = surface.face_size(f);
     if (is_inside(skin, at)) note_inside(skin, at, size, surface.face_region[f], here);
-    if (!surface.closed) return;
+    if (!surface.closed || (surface.plates > 0 && f >= surface.plates)) return;  // both sides of a plate have the same middle
     const Vec3 behind = at - 0.5 * size * outward(one, f);  // also of bodies whose skins are the same
     if (is_inside(skin, behind)) note_inside(skin, behind, size, surface.face_region[f], here);
   });

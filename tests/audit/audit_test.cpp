@@ -121,7 +121,8 @@ TEST(Overlap, OfABlockInAPlateIsTheDepthFromEitherSide) {
 }
 
 TEST(Overlap, OfAPlateWhollyInABlockIsThatOfItsDeepestPoint) {
-  const mesh::Mesh bodies = mesh::join(block("block", Vec3::Ones(), {3, 3, 3}), mesh::moved(plate("plate", 0.5, 0.5, 2, 2), Vec3(0, 0, 0.2)));
+  const mesh::Mesh inner = mesh::moved(plate("plate", 0.5, 0.5, 2, 2), Vec3(0, 0, 0.2));
+  const mesh::Mesh bodies = mesh::join(block("block", Vec3::Ones(), {3, 3, 3}), inner);
   EXPECT_NEAR(found(bodies, 0, 1, 0.1).deepest, 0.35, 1e-12);
 }
 
