@@ -116,9 +116,11 @@ Vec3 face_normal(const Surface& surface, const Placed& placed, Index face) {
 }
 
 int winding(const Surface& surface, const Placed& placed, const Vec3& p) {
-  const Vec3 inverse = ray.cwiseInverse();
   int count = 0;
   if (surface.tree.nodes.empty()) return count;
+  const Vec3 middle = 0.5 * (placed.boxes[0].low + placed.boxes[0].high);
+  const int way = (p - middle).dot(ray) < 0 ? -1 : 1;  // of the two ways along the ray that which leaves the boxes sooner
+  const Vec3 inverse = way * ray.cwiseInverse();
   detail::Stack stack;
   stack.node[stack.count++] = 0;
   while (stack.count > 0) {
@@ -142,8 +144,8 @@ int winding(const Surface& surface, const Placed& placed, const Vec3& p) {
       if (left != 0 && left != 3) continue;
       const double whole = area[0] + area[1] + area[2];
       const double above = area[1] * height[0] + area[2] * height[1] + area[0] * height[2];  // times the whole area
-      if (whole == 0 || !(above / whole > 0)) continue;
-      count += left == 3 ? 1 : -1;
+      if (whole == 0 || !(way * above / whole > 0)) continue;
+      count += left == 3 ? way : -way;
     }
   }
   return count;
