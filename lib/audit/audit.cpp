@@ -113,7 +113,7 @@ void look_inside(const Side& one, const Side& skin, std::vector<char>& inside, s
                                             : point(one, points + f);
     const double size = surface.face_size(f);
     if (is_inside(skin, at)) note_inside(skin, at, size, surface.face_region[f], here);
-    if (!surface.closed) return;
+    if (!surface.closed || (surface.plates > 0 && f >= surface.plates)) return;  // both sides of a plate have the same middle
     const Vec3 behind = at - 0.5 * size * outward(one, f);  // also of bodies whose skins are the same
     if (is_inside(skin, behind)) note_inside(skin, behind, size, surface.face_region[f], here);
   });
@@ -186,7 +186,8 @@ bool crosses(const Side& one, const Side& sheet) {
   return false;
 }
 
-/// Edges of a surface that go through a sheet: how far it is to where they do no longer, along the body or across the sheet.
+/// Edges of a surface that go through a sheet: how far it is to where they do no longer, along the body and out of half the thickness of
+/// the sheet, or across the sheet.
 void look_through(const Side& one, const Side& sheet, std::vector<char>& where, std::vector<Index>& group, std::vector<double>& reach,
                   std::vector<Found>& parts, Found& found) {
   if (!crosses(one, sheet)) return;
@@ -200,8 +201,10 @@ void look_through(const Side& one, const Side& sheet, std::vector<char>& where, 
     const double size = std::min(surface.size(first), surface.size(last));
     crossings(sheet.surface, sheet.placed, a, b, -1, all, [&](Index t, double s) {
       const Index face = sheet.surface.face_of[t];
+      const bool at_an_end = s < touching || s > 1 - touching;
+      if (at_an_end && group[first] == group[last]) return;  // it touches from one side
       const Vec3 at = a + s * (b - a);
-      double depth = std::min(reach[first], reach[last]);
+      double depth = std::min(reach[first], reach[last]) + sheet.surface.half(sheet.surface.faces(0, face));
       if (depth > enough(here, size, sheet.surface)) depth = std::min(depth, from_rim(sheet, at));
       note(here, {depth, std::min(size, sheet.surface.face_size(face)), at, {surface.region[first], sheet.surface.face_region[face]}});
     });
@@ -210,27 +213,32 @@ void look_through(const Side& one, const Side& sheet, std::vector<char>& where, 
 
 Side side(const Workspace& work, Index surface) { return {work.surfaces.list[surface], work.placed[surface]}; }
 
+/// What others meet of a surface: the shell of a sheet, where there is one.
+Side outside(const Workspace& work, Index surface) {
+  const bool has_shell = work.surfaces.shells[surface].plates > 0;
+  return has_shell ? Side{work.surfaces.shells[surface], work.shells[surface]} : side(work, surface);
+}
+
 bool shares_a_point(const Surface& surface, Index triangle, Index a, Index b) {
   const auto at = surface.faces.col(surface.face_of[triangle]);
   return (at.array() == a || at.array() == b).any();
 }
 
-bool apart(const Workspace& work, Index one, Index other) {
-  const Placed &a = work.placed[one], &b = work.placed[other];
+bool apart(const Placed& a, const Placed& b) {
   return !a.finite || !b.finite || a.boxes.empty() || b.boxes.empty() || !meet(a.boxes[0], b.boxes[0]);
 }
 
 /// Notes in the memory what was found of two surfaces, or that they are apart.
-void remember(std::array<Index, 2> pair, const Found& found, double t, Memory& memory) {
+void remember(std::array<Index, 2> pair, const Found& found, double allowed, double t, Memory& memory) {
   const auto at = std::find_if(memory.overlaps.begin(), memory.overlaps.end(), [&](const Overlap& o) { return o.surface == pair; });
   const bool overlaps = found.worst.depth > 0;
   if (at == memory.overlaps.end() && !overlaps) return;
   Overlap& overlap = at == memory.overlaps.end() ? memory.overlaps.emplace_back() : *at;
-  overlap.surface = pair;
+  overlap.surface = pair, overlap.allowed = allowed;
   if (!overlaps) overlap.accepted = 0;
   if (memory.looks == 0) overlap.at_start = overlap.accepted = found.deepest;
   overlap.deepest = std::max(overlap.deepest, found.deepest);
-  const double grown = (found.worst.depth - overlap.accepted) / found.worst.size;
+  const double grown = (found.worst.depth - std::max(overlap.accepted, allowed)) / found.worst.size;
   if (overlaps && (overlap.worst.depth == 0 || grown > overlap.grown)) {
     overlap.grown = std::max(grown, 0.0);
     overlap.worst = found.worst;
@@ -245,12 +253,14 @@ Workspace make_workspace(Surfaces surfaces) {
   work.surfaces = std::move(surfaces);
   std::size_t points = 0;
   Index most = 0;
-  for (const Surface& surface : work.surfaces.list) {
-    work.placed.push_back(make_placed(surface));
+  const auto count = [&](const Surface& surface) {
     points = std::max(points, surface.nodes.size());
     most = std::max({most, static_cast<Index>(surface.nodes.size()), static_cast<Index>(surface.faces.cols()),
                      static_cast<Index>(surface.edges.cols())});
-  }
+    return make_placed(surface);
+  };
+  for (const Surface& surface : work.surfaces.list) work.placed.push_back(count(surface));
+  for (const Surface& shell : work.surfaces.shells) work.shells.push_back(count(shell));
   work.inside.assign(points, 0);
   work.group.assign(points, 0);
   work.reach.assign(points, 0);
@@ -258,14 +268,21 @@ Workspace make_workspace(Surfaces surfaces) {
   return work;
 }
 
+void place(const Vectors& x, Workspace& work) {
+  for (std::size_t s = 0; s < work.placed.size(); ++s) {
+    place(work.surfaces.list[s], x, work.placed[s]);
+    place(work.surfaces.shells[s], x, work.shells[s]);
+  }
+}
+
 Found overlap(Workspace& work, Index first, Index second) {
   Found found;
-  if (apart(work, first, second)) return found;
-  const Side one = side(work, first), other = side(work, second);
+  const Side one = outside(work, first), other = outside(work, second), mid_one = side(work, first), mid_other = side(work, second);
+  if (apart(one.placed, other.placed)) return found;
   if (other.surface.closed) look_inside(one, other, work.inside, work.parts, found);
   if (one.surface.closed) look_inside(other, one, work.inside, work.parts, found);
-  if (!other.surface.closed) look_through(one, other, work.inside, work.group, work.reach, work.parts, found);
-  if (!one.surface.closed) look_through(other, one, work.inside, work.group, work.reach, work.parts, found);
+  if (!mid_other.surface.closed) look_through(one, mid_other, work.inside, work.group, work.reach, work.parts, found);
+  if (!mid_one.surface.closed) look_through(other, mid_one, work.inside, work.group, work.reach, work.parts, found);
   return found;
 }
 
@@ -302,13 +319,14 @@ Found overlap_with_itself(Workspace& work, Index index) {
 
 void look(const Vectors& x, double t, bool also_itself, Workspace& work, Memory& memory) {
   const auto count = static_cast<Index>(work.surfaces.list.size());
-  for (Index s = 0; s < count; ++s) place(work.surfaces.list[s], x, work.placed[s]);
+  place(x, work);
   for (Index one = 0; one < count; ++one) {
     if (!work.placed[one].finite) continue;
-    if (also_itself) remember({one, one}, overlap_with_itself(work, one), t, memory);
+    if (also_itself) remember({one, one}, overlap_with_itself(work, one), 0, t, memory);
     for (Index other = one + 1; other < count; ++other) {
       if (work.surfaces.list[one].piece == work.surfaces.list[other].piece || !work.placed[other].finite) continue;
-      remember({one, other}, overlap(work, one, other), t, memory);
+      const auto allowed = work.allowed.find({one, other});
+      remember({one, other}, overlap(work, one, other), allowed == work.allowed.end() ? 0 : allowed->second, t, memory);
     }
   }
   ++memory.looks;

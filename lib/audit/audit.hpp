@@ -5,6 +5,8 @@
 // middles of its faces, those half an element behind them, and the edges of the skin as far as they run inside: two bodies that
 // pass through each other without a node in the other are found by their edges. docs/theory/audit.md.
 
+#include <map>
+
 #include "audit/placed.hpp"
 
 namespace nereid::audit {
@@ -30,8 +32,9 @@ struct Overlap {
   std::array<Index, 2> surface{-1, -1};  ///< places in Surfaces::list, ascending; twice the same: itself
   double at_start = 0;                   ///< [m] how deep they were in each other at the start
   double accepted = 0;                   ///< [m] the same, but zero once they have parted: what comes after is new
+  double allowed = 0;                    ///< [m] see Workspace::allowed
   double deepest = 0;                    ///< [m] the largest so far
-  double grown = 0;                      ///< [-] elements, beyond what was accepted; the largest so far
+  double grown = 0;                      ///< [-] elements, beyond what was accepted or is allowed; the largest so far
   Depth worst;                           ///< where that was
   double time = 0;                       ///< [s] when
 };
@@ -46,6 +49,9 @@ struct Memory {
 struct Workspace {
   Surfaces surfaces;
   std::vector<Placed> placed;   ///< beside Surfaces::list
+  std::vector<Placed> shells;   ///< beside Surfaces::shells
+  /// [m] by which two surfaces, their places ascending, may always overlap; nothing where they are not named
+  std::map<std::array<Index, 2>, double> allowed;
   std::vector<char> inside;     ///< [points] of one surface: in another, or on which side of a sheet
   std::vector<Found> parts;     ///< of ranges of points, faces or edges, in order
   std::vector<Index> group;     ///< [points] of a surface that a sheet cuts: connected on one side of the sheet
@@ -54,7 +60,10 @@ struct Workspace {
 
 Workspace make_workspace(Surfaces);
 
-/// How deep surfaces are in each other where they stand; nothing if they are apart or only touch. Needs place() of both.
+/// Brings the positions of all surfaces and shells up to date.
+void place(const Vectors& x, Workspace&);
+
+/// How deep surfaces are in each other where they stand; nothing if they are apart or only touch. Needs place() before.
 Found overlap(Workspace&, Index first, Index second);
 /// How deep a surface is in itself.
 Found overlap_with_itself(Workspace&, Index surface);

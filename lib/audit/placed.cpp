@@ -49,6 +49,30 @@ bool is_left(Index a, Index b, const double (&at_a)[2], const double (&at_b)[2],
   return (twice >= 0) != turned;
 }
 
+void add_normals(const Surface& surface, Index faces, Placed& placed) {
+  placed.normals.setZero();
+  for (Index f = 0; f < faces; ++f) {
+    const Vec3 n = face_normal(surface, placed, f);
+    for (int i = 0; i < 4; ++i)
+      if (surface.faces(i, f) >= 0) placed.normals.col(surface.faces(i, f)) += n;
+  }
+}
+
+/// Moves the points of a shell from the mid-surface to its two sides.
+void stand_off(const Surface& surface, Placed& placed) {
+  const auto points = static_cast<Index>(surface.nodes.size()) / 2;
+  add_normals(surface, surface.plates, placed);
+  for (Index p = 0; p < points; ++p) {
+    Vec3 n = placed.normals.col(p);
+    const Vec3 inward = surface.inward.col(p);  // on a plane of symmetry the mirrored plates turn the normal into the plane
+    if (inward.squaredNorm() > 0) n -= inward.dot(n) / inward.squaredNorm() * inward;
+    const double size = n.norm();
+    if (!(size > 0)) continue;
+    placed.at.col(p) += surface.half(p) / size * n;
+    placed.at.col(p + points) -= surface.half(p) / size * n;
+  }
+}
+
 }  // namespace
 
 Placed make_placed(const Surface& surface) {
@@ -64,17 +88,13 @@ void place(const Surface& surface, const Vectors& x, Placed& placed) {
   const auto points = static_cast<Index>(surface.nodes.size());
   for (Index p = 0; p < points; ++p) placed.at.col(p) = x.col(surface.nodes[p]);
   placed.finite = placed.at.leftCols(points).allFinite();
+  if (surface.plates > 0) stand_off(surface, placed);
   for (Index f = 0; f < surface.faces.cols(); ++f) {
     const auto at = surface.faces.col(f);
     const Vec3 three = placed.at.col(at(0)) + placed.at.col(at(1)) + placed.at.col(at(2));
     placed.at.col(points + f) = at(3) < 0 ? Vec3(three / 3) : Vec3((three + placed.at.col(at(3))) / 4);
   }
-  placed.normals.setZero();
-  for (Index f = 0; f < surface.faces.cols() && surface.closed; ++f) {
-    const Vec3 n = face_normal(surface, placed, f);
-    for (int i = 0; i < 4; ++i)
-      if (surface.faces(i, f) >= 0) placed.normals.col(surface.faces(i, f)) += n;
-  }
+  if (surface.closed) add_normals(surface, static_cast<Index>(surface.faces.cols()), placed);
   for (auto n = static_cast<Index>(surface.tree.nodes.size()) - 1; n >= 0; --n) {
     const Tree::Node& node = surface.tree.nodes[n];
     if (node.second == 0) {
@@ -96,9 +116,11 @@ Vec3 face_normal(const Surface& surface, const Placed& placed, Index face) {
 }
 
 int winding(const Surface& surface, const Placed& placed, const Vec3& p) {
-  const Vec3 inverse = ray.cwiseInverse();
   int count = 0;
   if (surface.tree.nodes.empty()) return count;
+  const Vec3 middle = 0.5 * (placed.boxes[0].low + placed.boxes[0].high);
+  const int way = (p - middle).dot(ray) < 0 ? -1 : 1;  // of the two ways along the ray that which leaves the boxes sooner
+  const Vec3 inverse = way * ray.cwiseInverse();
   detail::Stack stack;
   stack.node[stack.count++] = 0;
   while (stack.count > 0) {
@@ -122,8 +144,8 @@ int winding(const Surface& surface, const Placed& placed, const Vec3& p) {
       if (left != 0 && left != 3) continue;
       const double whole = area[0] + area[1] + area[2];
       const double above = area[1] * height[0] + area[2] * height[1] + area[0] * height[2];  // times the whole area
-      if (whole == 0 || !(above / whole > 0)) continue;
-      count += left == 3 ? 1 : -1;
+      if (whole == 0 || !(way * above / whole > 0)) continue;
+      count += left == 3 ? way : -way;
     }
   }
   return count;

@@ -27,7 +27,7 @@ inline bool holds(const Box& box, const Vec3& p) { return (box.low.array() <= p.
 /// Positions of a surface and the boxes around its triangles.
 struct Placed {
   Vectors at;              ///< [m] points, then centres of the faces of four corners
-  Vectors normals;         ///< [m2] of the points of a skin: of the faces around each, added up
+  Vectors normals;         ///< [m2] of the points of a skin or shell: of the faces around each, added up
   std::vector<Box> looks;  ///< [-] beside Surface::tree: around the unit normals of its triangles
   std::vector<Box> boxes;  ///< beside Surface::tree; a little larger than what they hold
   bool finite = false;     ///< whether all positions are numbers; if not, nothing may be asked
@@ -35,7 +35,8 @@ struct Placed {
 
 Placed make_placed(const Surface&);
 
-/// Brings positions and boxes up to date; allocates nothing.
+/// Brings positions and boxes up to date; allocates nothing. The points of a shell stand off the mid-surface by half the thickness, along
+/// the normals of the plates around them, weighted by area.
 ///
 /// x  [m] of all nodes of the mesh
 void place(const Surface&, const Vectors& x, Placed&);

@@ -26,6 +26,8 @@ struct Face {
   Index region = 0;
   double volume = 0;  ///< [m3] of its hexahedron
   double size = 0;    ///< [m]
+  double half = 0;    ///< [m] half the thickness of its plate
+  bool cut = false;   ///< see Surface::cut
 
   Index lowest() const { return key[4 - corners]; }
 };
@@ -87,6 +89,7 @@ std::vector<Face> faces_of_plates(const mesh::Mesh& mesh, const std::vector<doub
       face.region = static_cast<Index>(mesh.hexahedra.size() + r);
       const double side = std::sqrt(2 * area(mesh.X, face));
       face.size = thickness[r] > 0 ? std::min(thickness[r], side) : side;
+      face.half = thickness[r] / 2;
       all.push_back(face);
     }
   }
@@ -176,7 +179,7 @@ void find_owners(Surface& surface) {
 }
 
 /// Cuts the faces into triangles and puts a tree around them.
-void cut_into_triangles(const mesh::Mesh& mesh, Surface& surface) {
+void cut_into_triangles(const Vectors& X, Surface& surface) {
   const auto points = static_cast<Index>(surface.nodes.size());
   std::vector<std::array<Index, 3>> corners;
   std::vector<Index> face_of_triangle;
@@ -195,7 +198,7 @@ void cut_into_triangles(const mesh::Mesh& mesh, Surface& surface) {
     order[t] = t;
     const auto at = surface.faces.col(face_of_triangle[t]);
     Vec3 sum = Vec3::Zero();  // of the triangle, its face counted once more, so that the four of a face stay together
-    for (int i = 0; i < (at(3) < 0 ? 3 : 4); ++i) sum += mesh.X.col(surface.nodes[at(i)]);
+    for (int i = 0; i < (at(3) < 0 ? 3 : 4); ++i) sum += X.col(surface.nodes[at(i)]);
     middle.col(t) = sum / (at(3) < 0 ? 3 : 4);
   }
   if (count > 0) grow(surface.tree, middle, order, 0, count);
@@ -206,6 +209,9 @@ void cut_into_triangles(const mesh::Mesh& mesh, Surface& surface) {
     surface.face_of[t] = face_of_triangle[order[t]];
   }
 }
+
+/// Whether a sheet goes on behind a side, on a plane of symmetry: the directions into the body at both ends.
+bool goes_on(const Vec3& inward_a, const Vec3& inward_b) { return inward_a.dot(inward_b) > 0; }
 
 /// Finds the sides that belong to one triangle alone.
 void find_rim(Surface& surface) {
@@ -223,7 +229,7 @@ void find_rim(Surface& surface) {
     for (int side = 0; side < 3; ++side) {
       const auto edge = key(t, side);
       if (count[edge] != 1) continue;
-      if (surface.inward.col(edge.first).dot(surface.inward.col(edge.second)) > 0) continue;  // the sheet goes on behind its symmetry plane
+      if (goes_on(surface.inward.col(edge.first), surface.inward.col(edge.second))) continue;
       surface.rim[t][side] = true;
       surface.on_rim[edge.first] = surface.on_rim[edge.second] = 1;
       edges.push_back(edge);
@@ -232,9 +238,8 @@ void find_rim(Surface& surface) {
   for (std::size_t e = 0; e < edges.size(); ++e) surface.rim_edges.col(e) << edges[e].first, edges[e].second;
 }
 
-/// Makes a surface of its faces, whose corners are nodes of the mesh.
-Surface surface_of(const mesh::Mesh& mesh, const std::vector<Face>& faces, const Vectors& inward,
-                   const std::vector<std::vector<char>>& on_plane) {
+/// Makes a surface of its faces, whose corners are columns of X and `inward`.
+Surface surface_of(const Vectors& X, const std::vector<Face>& faces, const Vectors& inward) {
   Surface surface;
   for (const Face& face : faces) surface.nodes.insert(surface.nodes.end(), face.corner.begin(), face.corner.begin() + face.corners);
   std::sort(surface.nodes.begin(), surface.nodes.end());
@@ -242,7 +247,7 @@ Surface surface_of(const mesh::Mesh& mesh, const std::vector<Face>& faces, const
   const auto points = static_cast<Index>(surface.nodes.size()), count = static_cast<Index>(faces.size());
   surface.inward.resize(3, points);
   for (Index p = 0; p < points; ++p) surface.inward.col(p) = inward.col(surface.nodes[p]);
-  surface.size = Scalars::Constant(points, INFINITY);
+  surface.size = surface.half = Scalars::Constant(points, INFINITY);
   surface.region.assign(points, 0);
   surface.faces.setConstant(4, count, -1);
   surface.face_size.resize(count);
@@ -258,24 +263,72 @@ Surface surface_of(const mesh::Mesh& mesh, const std::vector<Face>& faces, const
       const Index a = surface.faces(i, f), b = surface.faces((i + 1) % face.corners, f);
       edges.emplace_back(std::min(a, b), std::max(a, b));
       if (face.size < surface.size(a)) surface.size(a) = face.size, surface.region[a] = face.region;
+      surface.half(a) = std::min(surface.half(a), face.half);
     }
     surface.face_size(f) = face.size;
     surface.smallest = std::min(surface.smallest, face.size);
     surface.face_region.push_back(face.region);
-    surface.cut.push_back(lies_on(face, on_plane));
+    surface.cut.push_back(face.cut);
   }
   std::sort(edges.begin(), edges.end());
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   surface.edges.resize(2, static_cast<Eigen::Index>(edges.size()));
   for (std::size_t e = 0; e < edges.size(); ++e) surface.edges.col(e) << edges[e].first, edges[e].second;
-  cut_into_triangles(mesh, surface);
+  cut_into_triangles(X, surface);
   find_owners(surface);
   return surface;
 }
 
-/// Makes surfaces of the faces of each piece.
-void add_surfaces(const mesh::Mesh& mesh, const std::vector<Face>& faces, bool closed, const Vectors& inward,
-                  const std::vector<std::vector<char>>& on_plane, Surfaces& all) {
+/// Closes plates to a shell: their two sides, and a wall at each side of a plate where not just one other goes on in the same sense. There
+/// plates have points of their own, so the shell is closed however plates meet and their normals look.
+Surface shell_of(const std::vector<Face>& plates, const Vectors& X, const Vectors& inward) {
+  const auto count = static_cast<Index>(plates.size());
+  const auto node = [&](Index corner) { return plates[corner / 3].corner[corner % 3]; };  // corners are counted through all plates,
+  const auto next = [](Index corner) { return corner - corner % 3 + (corner + 1) % 3; };  // and sides as their first corners
+  std::map<std::pair<Index, Index>, std::vector<Index>> sides;
+  for (Index c = 0; c < 3 * count; ++c) sides[{std::min(node(c), node(next(c))), std::max(node(c), node(next(c)))}].push_back(c);
+  std::vector<Index> leader(3 * count), point(3 * count);
+  std::iota(leader.begin(), leader.end(), 0);
+  const auto find = [&](Index c) {
+    while (leader[c] != c) c = leader[c] = leader[leader[c]];
+    return c;
+  };
+  const auto join = [&](Index a, Index b) { leader[std::max(find(a), find(b))] = std::min(find(a), find(b)); };
+  const auto are_joined = [&](const std::vector<Index>& at) { return at.size() == 2 && node(at[0]) != node(at[1]); };
+  for (const auto& [nodes, at] : sides)
+    if (are_joined(at)) join(at[0], next(at[1])), join(next(at[0]), at[1]);
+  std::vector<Index> node_of;
+  for (Index c = 0; c < 3 * count; ++c) {
+    if (find(c) == c) node_of.push_back(node(c));
+    point[c] = find(c) == c ? static_cast<Index>(node_of.size()) - 1 : point[find(c)];
+  }
+  const auto points = static_cast<Index>(node_of.size());
+  Vectors at_points(3, 2 * points), into(3, 2 * points);
+  for (Index p = 0; p < 2 * points; ++p) at_points.col(p) = X.col(node_of[p % points]), into.col(p) = inward.col(node_of[p % points]);
+
+  std::vector<Face> faces = plates;
+  for (Index c = 0; c < 3 * count; ++c) faces[c / 3].corner[c % 3] = point[c];
+  for (Index f = 0; f < count; ++f) {
+    Face other = faces[f];
+    other.corner = {faces[f].corner[2] + points, faces[f].corner[1] + points, faces[f].corner[0] + points, -1};
+    faces.push_back(other);
+  }
+  for (const auto& [nodes, at] : sides)
+    for (std::size_t i = 0; i < at.size() && !are_joined(at); ++i) {
+      const Index a = point[at[i]], b = point[next(at[i])];
+      Face wall = plates[at[i] / 3];
+      wall.corner = {a + points, b + points, b, a}, wall.corners = 4;
+      wall.cut = at.size() > 1 || goes_on(inward.col(nodes.first), inward.col(nodes.second));
+      faces.push_back(wall);
+    }
+  Surface shell = surface_of(at_points, faces, into);
+  for (Index& n : shell.nodes) n = node_of[n % points];
+  shell.plates = count;
+  return shell;
+}
+
+/// Makes surfaces of the faces of each piece, and shells where the thickness of all plates is known.
+void add_surfaces(const Vectors& X, const std::vector<Face>& faces, bool closed, const Vectors& inward, Surfaces& all) {
   std::vector<std::vector<Face>> of_piece;
   for (const Face& face : faces) {
     const auto piece = static_cast<std::size_t>(all.piece_of_node[face.corner[0]]);
@@ -284,9 +337,10 @@ void add_surfaces(const mesh::Mesh& mesh, const std::vector<Face>& faces, bool c
   }
   for (std::size_t piece = 0; piece < of_piece.size(); ++piece) {
     if (of_piece[piece].empty()) continue;
-    all.list.push_back(surface_of(mesh, of_piece[piece], inward, on_plane));
+    all.list.push_back(surface_of(X, of_piece[piece], inward));
     all.list.back().closed = closed, all.list.back().piece = static_cast<Index>(piece);
     if (!closed) find_rim(all.list.back());
+    all.shells.push_back(!closed && all.list.back().half.minCoeff() > 0 ? shell_of(of_piece[piece], X, inward) : Surface{});
   }
 }
 
@@ -308,9 +362,10 @@ Surfaces surfaces(const mesh::Mesh& mesh, const std::vector<double>& thickness, 
   for (Face& face : skin) {
     const double A = area(mesh.X, face);
     face.size = A > 0 ? std::min(face.volume / A, std::sqrt(A)) : std::cbrt(face.volume);
+    face.cut = lies_on(face, on_plane);
   }
-  add_surfaces(mesh, skin, true, inward, on_plane, all);
-  add_surfaces(mesh, faces_of_plates(mesh, thickness), false, inward, {}, all);
+  add_surfaces(mesh.X, skin, true, inward, all);
+  add_surfaces(mesh.X, faces_of_plates(mesh, thickness), false, inward, all);
   return all;
 }
 

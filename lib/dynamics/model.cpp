@@ -83,6 +83,7 @@ Forces make_forces(const Model& model) {
   forces.partial.reserve(static_cast<std::size_t>(model.mesh.X.cols()));
   forces.springs = load::spring_rates(model.loads, model.mass);
   forces.audit = audit::make_workspace(audited_surfaces(model));
+  forces.audit.allowed = allowed_overlaps(model, forces.audit.surfaces);
   if (model.relaxation) forces.source_force = forces.force, forces.source_moment = forces.moment;
   return forces;
 }

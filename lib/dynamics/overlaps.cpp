@@ -16,6 +16,21 @@ double thickness(const Model& model, const std::string& region) {
   return 0;
 }
 
+/// The least contact height of apexes on a surface; infinite if it has none. [m]
+double least_height(const contact::Interface& interface, const audit::Surface& surface) {
+  double least = INFINITY;
+  for (std::size_t a = 0; a < interface.apexes.size(); ++a)
+    if (std::binary_search(surface.nodes.begin(), surface.nodes.end(), interface.apexes[a]))
+      least = std::min(least, interface.contact_height(static_cast<Index>(a)));
+  return least;
+}
+
+bool is_base(const contact::Interface& interface, const audit::Surface& surface) {
+  const auto has = [&](Index n) { return std::binary_search(surface.nodes.begin(), surface.nodes.end(), n); };
+  const auto all = interface.base.facets.colwise();
+  return std::any_of(all.begin(), all.end(), [&](const auto& facet) { return has(facet(0)) && has(facet(1)) && has(facet(2)); });
+}
+
 bool has_apexes(const contact::Interface& interface, const audit::Surfaces& all, Index piece) {
   return std::any_of(interface.apexes.begin(), interface.apexes.end(), [&](Index n) { return all.piece_of_node[n] == piece; });
 }
@@ -50,6 +65,25 @@ audit::Surfaces audited_surfaces(const Model& model) {
   for (const load::Plane& plane : model.constraints.planes)
     if (plane.kind == load::PlaneKind::symmetry) planes.push_back({plane.normal, plane.nodes});
   return audit::surfaces(model.mesh, thicknesses, planes);
+}
+
+std::map<std::array<Index, 2>, double> allowed_overlaps(const Model& model, const audit::Surfaces& all) {
+  std::map<std::array<Index, 2>, double> allowed;
+  const auto count = static_cast<Index>(all.list.size());
+  for (const contact::Interface& interface : model.interfaces) {
+    if (interface.kind == contact::InterfaceKind::bonded) continue;  // it stays where it was at the start, which is accepted
+    for (Index one = 0; one < count; ++one) {
+      const double height = std::max(0.0, least_height(interface, all.list[one]));
+      if (std::isinf(height)) continue;
+      for (Index other = 0; other < count; ++other) {
+        const double both = all.list[one].half.maxCoeff() + all.list[other].half.maxCoeff();
+        if (!(both > height) || all.list[one].piece == all.list[other].piece || !is_base(interface, all.list[other])) continue;
+        double& most = allowed[{std::min(one, other), std::max(one, other)}];
+        most = std::max(most, both - height);
+      }
+    }
+  }
+  return allowed;
 }
 
 void see_overlaps(const Model& model, bool last, double every, State& now, Forces& forces) {

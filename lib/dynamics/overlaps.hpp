@@ -8,6 +8,9 @@ namespace nereid::dynamics {
 /// The surfaces of a model for its audit: all regions of its mesh, plates with their thickness, and its planes of symmetry.
 audit::Surfaces audited_surfaces(const Model&);
 
+/// By how much the shells of two surfaces may overlap, since a contact closes at a height that is less than their half thicknesses. [m]
+std::map<std::array<Index, 2>, double> allowed_overlaps(const Model&, const audit::Surfaces&);
+
 /// Element updates between two looks for overlaps of bodies with themselves, over the edges of all surfaces: about a hundredth of the
 /// time of a run.
 constexpr std::int64_t updates_per_edge = 200;

@@ -80,7 +80,7 @@ std::vector<std::string> overlap_notes(const Simulation& simulation) {
       joined = true;
       expected = expected || interfaces[c].kind == contact::InterfaceKind::bonded || simulation.gaps[c].penetrating > 0;
     }
-    const bool from_start = overlap.at_start > worth_saying * overlap.worst.size && !expected;
+    const bool from_start = overlap.at_start - overlap.allowed > worth_saying * overlap.worst.size && !expected;
     if (!(overlap.grown > worth_saying) && !from_start) continue;
     if (notes.size() == most) {
       ++more;

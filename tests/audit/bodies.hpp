@@ -33,7 +33,7 @@ inline Workspace workspace_of(const mesh::Mesh& mesh, double thickness = 0.01, c
 
 /// What a first look finds of two surfaces.
 inline Found found(Workspace& work, const Vectors& x, Index one = 0, Index other = 1) {
-  for (std::size_t s = 0; s < work.placed.size(); ++s) place(work.surfaces.list[s], x, work.placed[s]);
+  place(x, work);
   return one == other ? overlap_with_itself(work, one) : overlap(work, one, other);
 }
 

@@ -36,6 +36,19 @@ TEST(Winding, IsMinusOneInsideOut) {
   EXPECT_EQ(winding(Standing(box).surface(), Standing(box).placed, Vec3(0.1, 0.2, 0.3)), -1);
 }
 
+TEST(Winding, OfAShellIsOneBetweenItsSides) {
+  const mesh::Mesh sheet = mesh::rotated_about(plate("sheet", 2, 2, 4, 4), Vec3::UnitX(), 0.3, Vec3::Zero());
+  const Surfaces all = surfaces(sheet, {0.1});
+  Placed placed = make_placed(all.shells[0]);
+  place(all.shells[0], sheet.X, placed);
+  const Vec3 across(0, -std::sin(0.3), std::cos(0.3));
+  for (const double height : {-0.06, -0.04, 0.0, 0.04, 0.06})
+    for (const double along : {-1.01, -0.99, 0.0, 0.99, 1.01}) {
+      const bool inside = std::abs(height) < 0.05 && std::abs(along) < 1;
+      EXPECT_EQ(winding(all.shells[0], placed, along * Vec3::UnitX() + height * across), inside ? 1 : 0) << height << " " << along;
+    }
+}
+
 TEST(Nearest, IsTheSmallestOfAllDistances) {
   const Standing box(block("box", {1, 2, 3}, {3, 4, 5}));
   std::mt19937 random(2);

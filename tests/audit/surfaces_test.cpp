@@ -41,6 +41,25 @@ TEST(Surfaces, OfASheetHaveARim) {
   EXPECT_NEAR(surfaces(plate("sheet", 3, 2, 3, 2), {0}).list[0].smallest, 1, 1e-12) << "without a thickness the side counts";
 }
 
+TEST(Surfaces, OfASheetHaveAShell) {
+  const mesh::Mesh sheet = plate("sheet", 3, 2, 3, 2);
+  const Surfaces all = surfaces(sheet, {0.1});
+  ASSERT_EQ(all.shells.size(), 1U);
+  const Surface& shell = all.shells[0];
+  EXPECT_TRUE(shell.closed);
+  EXPECT_EQ(shell.nodes.size(), 2 * all.list[0].nodes.size());
+  EXPECT_EQ(shell.faces.cols(), 2 * 12 + 10);
+  EXPECT_EQ(static_cast<Eigen::Index>(shell.nodes.size()) - shell.edges.cols() + shell.faces.cols(), 2) << "Euler";
+  EXPECT_EQ(surfaces(sheet, {0}).shells[0].plates, 0) << "no thickness is known";
+  EXPECT_EQ(surfaces(block("box", Vec3::Ones(), {1, 1, 1}), {}).shells[0].plates, 0);
+}
+
+TEST(Surfaces, HaveNoOutsideWhereAPlateGoesOnBehindItsPlane) {
+  const mesh::Mesh sheet = plate("sheet", 3, 2, 3, 2);
+  const Surface shell = surfaces(sheet, {0.1}, {{Vec3::UnitX(), mesh::node_set(sheet, "sheet.x_low")}}).shells[0];
+  EXPECT_EQ(std::count(shell.cut.begin(), shell.cut.end(), 1), 2);
+}
+
 TEST(Surfaces, KnowTheFacesThatAPlaneOfSymmetryCuts) {
   const mesh::Mesh box = block("box", Vec3::Ones(), {2, 2, 2});
   const Surfaces all = surfaces(box, {}, {{Vec3::UnitX(), mesh::node_set(box, "box.x_low")}});

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "mesh/box.hpp"
+#include "mesh/disc.hpp"
 #include "mesh/placement.hpp"
 #include "tests/dynamics/scene.hpp"
 
@@ -96,6 +97,52 @@ TEST(SeeOverlaps, GoesOnWithTheBitsOfARunWithoutABreak) {
   time.end = 0.4;
   run(s.model, kept, forces, time, 0.01);
   expect_same_bits(s.state, kept);
+}
+
+/// A cube whose lower side stands at a height over the mid-surface of a plate that is 0.1 thick.
+Scene over_plate(double height, const contact::ContactHeight& at, contact::InterfaceKind kind = contact::InterfaceKind::contact) {
+  Scene s;
+  s.model.mesh = mesh::join(mesh::moved(mesh::box("block", {Vec3::Zero(), Vec3::Ones(), {2, 2, 2}}), Vec3(0.5, 0.6, height)),
+                            mesh::sheet("plate", {2, 2, 2, 2}));
+  s.model.blocks.push_back(element::hexahedra(s.model.mesh, "block", rubber, {}));
+  element::Plate::Options plate;
+  plate.thickness = 0.1;
+  s.model.blocks.push_back(element::plates(s.model.mesh, "plate", rubber, plate));
+  finalize(s.model);
+  InterfaceOptions options;
+  options.kind = kind, options.height = at;
+  s.joined("touch", "block.z_low", "plate.top", options);
+  s.ready();
+  return s;
+}
+
+TEST(AllowedOverlaps, AreWhatTheContactHeightIsLessThanHalfTheThickness) {
+  const auto allowed = [](const contact::ContactHeight& height, double from = 0.2, auto... kind) {
+    const auto all = over_plate(from, height, kind...).forces.audit.allowed;
+    return all.empty() ? 0 : all.at({0, 1});
+  };
+  EXPECT_EQ(allowed({false, 0, 0.05}), 0);
+  EXPECT_NEAR(allowed({false, 0, 0.03}), 0.02, 1e-15);
+  EXPECT_NEAR(allowed({false, 0, 0}), 0.05, 1e-15);
+  EXPECT_EQ(allowed({true, 0, 0}), 0) << "it starts farther away";
+  EXPECT_NEAR(allowed({true, 0, 0}, 0.04), 0.01, 1e-12);
+  EXPECT_NEAR(allowed({true, 0, 0}, -0.01), 0.05, 1e-12) << "of the solid nothing";
+  EXPECT_EQ(allowed({true, 0, 0}, 0.04, contact::InterfaceKind::bonded), 0) << "at the start is accepted, and it stays";
+}
+
+TEST(SeeOverlaps, AcceptsOfAPlateWhatItsContactHeightAllowsAgainAndAgain) {
+  Scene s = over_plate(0.03, {true, 0, 0});
+  ASSERT_EQ(s.state.audit.looks, 0);
+  const auto at = [&](double height) {
+    for (const Index n : mesh::node_set(s.model.mesh, "block")) s.state.x(2, n) = s.model.mesh.X(2, n) - 0.03 + height;
+    ++s.state.step;
+    see_overlaps(s.model, true, 0, s.state, s.forces);
+    return audit::worst(s.state.audit)->grown;
+  };
+  EXPECT_EQ(at(0.03), 0);
+  EXPECT_EQ(at(0.3), 0);
+  EXPECT_NEAR(at(0.029), 0.01, 1e-9) << "as at the start, and a millimetre";
+  EXPECT_NEAR(at(-0.01), 0.4, 1e-9);
 }
 
 }  // namespace

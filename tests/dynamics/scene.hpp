@@ -129,8 +129,8 @@ inline std::vector<std::pair<std::string, std::vector<double>>> numbers(const St
   for (const Quality& seen : s.quality) add(seen.corner, seen.element, seen.time, seen.hourglass, seen.internal);
   part("audit"), add(s.audit.looks, s.progress.audits, s.progress.audited, s.progress.audited_itself);
   for (const audit::Overlap& o : s.audit.overlaps) {
-    add(o.surface[0], o.surface[1], o.at_start, o.accepted, o.deepest, o.grown, o.time, o.worst.depth, o.worst.size, o.worst.region[0],
-        o.worst.region[1]);
+    add(o.surface[0], o.surface[1], o.at_start, o.accepted, o.allowed, o.deepest, o.grown, o.time, o.worst.depth, o.worst.size,
+        o.worst.region[0], o.worst.region[1]);
     all(o.worst.place);
   }
   part("votes"), add(s.votes.elements.step, s.votes.elements.source, s.votes.elements.at, s.votes.contact.step, s.votes.contact.source,
