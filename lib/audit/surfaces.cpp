@@ -24,8 +24,7 @@ struct Face {
   std::array<Index, 4> key{-1, -1, -1, -1};  ///< the same in order of their numbers
   int corners = 0;
   Index region = 0;
-  double volume = 0;  ///< [m3] of its hexahedron
-  double size = 0;    ///< [m]
+  double size = 0;    ///< [m] of its element where it is flattest
   double half = 0;    ///< [m] half the thickness of its plate
   bool cut = false;   ///< see Surface::cut
 
@@ -42,20 +41,32 @@ Face face_of(const Index* nodes, int count) {
   return face;
 }
 
+double area(const Vectors& X, const Face& face) {
+  const Vec3 a = X.col(face.corner[0]), b = X.col(face.corner[1]), c = X.col(face.corner[2]);
+  if (face.corners == 3) return 0.5 * (b - a).cross(c - a).norm();
+  const Vec3 d = X.col(face.corner[3]);
+  return 0.5 * (c - a).cross(d - b).norm();
+}
+
 /// Faces of hexahedra that belong to one of them alone, in their order.
 std::vector<Face> outer_faces(const mesh::Mesh& mesh) {
   std::vector<Face> all;
   for (std::size_t r = 0; r < mesh.hexahedra.size(); ++r) {
     const Table<8>& nodes = mesh.hexahedra[r].nodes;
     const Scalars volume = mesh::volumes(mesh, mesh.hexahedra[r]);
-    for (Index e = 0; e < nodes.cols(); ++e)
+    for (Index e = 0; e < nodes.cols(); ++e) {
+      const std::size_t first = all.size();
+      double largest = 0;
       for (const auto& at : face_corners) {
         const Index around[4] = {nodes(at[0], e), nodes(at[1], e), nodes(at[2], e), nodes(at[3], e)};
         Face face = face_of(around, 4);
         if (face.corners < 3) continue;
-        face.region = static_cast<Index>(r), face.volume = volume(e);
+        face.region = static_cast<Index>(r);
+        largest = std::max(largest, area(mesh.X, face));
         all.push_back(face);
       }
+      for (std::size_t f = first; f < all.size(); ++f) all[f].size = largest > 0 ? volume(e) / largest : std::cbrt(volume(e));
+    }
   }
   // faces by their lowest node: the few that share it are compared one by one
   std::vector<Index> begin(mesh.X.cols() + 1, 0), order(all.size());
@@ -70,13 +81,6 @@ std::vector<Face> outer_faces(const mesh::Mesh& mesh) {
     if (same == 1) outer.push_back(face);
   }
   return outer;
-}
-
-double area(const Vectors& X, const Face& face) {
-  const Vec3 a = X.col(face.corner[0]), b = X.col(face.corner[1]), c = X.col(face.corner[2]);
-  if (face.corners == 3) return 0.5 * (b - a).cross(c - a).norm();
-  const Vec3 d = X.col(face.corner[3]);
-  return 0.5 * (c - a).cross(d - b).norm();
 }
 
 std::vector<Face> faces_of_plates(const mesh::Mesh& mesh, const std::vector<double>& thickness) {
@@ -359,11 +363,7 @@ Surfaces surfaces(const mesh::Mesh& mesh, const std::vector<double>& thickness, 
     for (const Index n : plane.nodes) on_plane.back()[n] = 1;
   }
   std::vector<Face> skin = outer_faces(mesh);
-  for (Face& face : skin) {
-    const double A = area(mesh.X, face);
-    face.size = A > 0 ? std::min(face.volume / A, std::sqrt(A)) : std::cbrt(face.volume);
-    face.cut = lies_on(face, on_plane);
-  }
+  for (Face& face : skin) face.cut = lies_on(face, on_plane);
   add_surfaces(mesh.X, skin, true, inward, all);
   add_surfaces(mesh.X, faces_of_plates(mesh, thickness), false, inward, all);
   return all;

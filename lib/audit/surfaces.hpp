@@ -68,9 +68,9 @@ struct Surfaces {
 
 /// Finds the surfaces of a mesh: elements that have a node in common belong to one piece, whatever their regions.
 ///
-/// The size of an element behind a face of area A in the reference positions is
+/// The size of an element behind a face in the reference positions is
 ///
-///     hexahedra  min(V / A, sqrt(A)),    triangles  min(thickness, sqrt(2 A))
+///     hexahedra  V / A of the largest side,    triangles  min(thickness, sqrt(2 A))
 ///
 /// thickness  [m] beside Mesh::triangles; zero: not known, only the side counts
 Surfaces surfaces(const mesh::Mesh&, const std::vector<double>& thickness, const std::vector<Symmetry>& = {});

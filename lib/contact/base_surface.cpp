@@ -17,7 +17,7 @@ namespace {
 using geometry::Kind;
 
 constexpr double sharp = 0.1;       // cosine between the normals at a ridge: below it the edge is a wall
-constexpr double most_turn = 2.8;   // [rad] between two facets, so that its tangent stays finite
+constexpr double least_cosine = -0.94;  // between two facets, so that the tangent of half the angle stays finite
 
 Vec3 eigen(const Vector<double>& a) { return {a.x, a.y, a.z}; }
 
@@ -84,12 +84,11 @@ void measure_thickness(BaseSurface& base, const Vectors& X) {
   }
 }
 
-/// Walls, leans and lengths.
+/// Walls and lengths.
 void measure_edges(BaseSurface& base, const Vectors& X) {
   const auto count = static_cast<Index>(base.facets.cols());
   base.wall.assign(count, {true, true, true});
-  base.longest = base.size = base.lean = Scalars::Zero(count);
-  Scalars turn_at_node = Scalars::Zero(X.cols());
+  base.longest = base.size = Scalars::Zero(count);
   for (Index f = 0; f < count; ++f) {
     const Vec3 n = facet_normal(base, X, f);
     base.size(f) = std::sqrt(area_vector(base, X, f).norm());
@@ -100,20 +99,34 @@ void measure_edges(BaseSurface& base, const Vectors& X) {
       const double cosine = std::clamp(n.dot(facet_normal(base, X, across)), -1.0, 1.0);
       const bool convex = n.dot(centre(base, X, across) - Vec3(X.col(one))) < 0;
       base.wall[f][e] = convex && cosine < sharp;
-      if (base.wall[f][e]) continue;
-      for (const Index node : {one, other}) turn_at_node(node) = std::max(turn_at_node(node), std::acos(cosine));
     }
   }
-  for (Index f = 0; f < count; ++f)
-    for (int a = 0; a < 3; ++a)
-      base.lean(f) = std::max(base.lean(f), 1.5 * std::tan(std::min(turn_at_node(base.facets(a, f)), most_turn) / 2));
-  base.sharpest = count > 0 ? base.lean.maxCoeff() : 0;
   for (Index f = 0; f < count; ++f)  // both sides see the same wall, whatever round-off says
     for (int e = 0; e < 3; ++e)
       if (base.neighbour(e, f) > f) base.wall[base.neighbour(e, f)][edge_to(base, base.neighbour(e, f), f)] = base.wall[f][e];
 }
 
 }  // namespace
+
+double lean(const BaseSurface& base, const Vectors& x, Index facet) {
+  double cosine = 1;
+  for (int a = 0; a < 3; ++a) {
+    const Index node = base.facets(a, facet);
+    for (Index r = base.ring_begin[node]; r < base.ring_begin[node + 1]; ++r) {
+      const Index one = base.ring[r];
+      const Vec3 n = area_vector(base, x, one);
+      for (int e = 0; e < 3; ++e) {
+        const Index other = base.neighbour(e, one);
+        const bool at_node = base.facets(e, one) == node || base.facets((e + 1) % 3, one) == node;
+        if (other < one || !at_node || base.wall[one][e]) continue;  // the other is seen from its own side
+        const Vec3 m = area_vector(base, x, other);
+        cosine = std::min(cosine, n.dot(m) / std::sqrt(n.squaredNorm() * m.squaredNorm()));
+      }
+    }
+  }
+  if (!(cosine > least_cosine)) cosine = least_cosine;
+  return 1.5 * std::sqrt((1 - cosine) / (1 + cosine));
+}
 
 Fans fans(const Table<3>& facets, Index nodes_of_mesh) {
   Fans made{.facets = facets, .ring_begin = std::vector<Index>(nodes_of_mesh + 1, 0), .ring = {}};

@@ -37,8 +37,6 @@ struct BaseSurface : Fans {         // the normal of a facet points to the side 
   Scalars thickness;  ///< [m] way along -n from the centre of the facet to the first facet that faces back; infinite without one
   Scalars size;       ///< [m] of the face that the facet is half of: the root of twice its area
   Scalars longest;    ///< [m] its longest edge
-  Scalars lean;       ///< [-] 1.5 tan of half the largest turn between facets around it: how far their nearest points may be from its own
-  double sharpest = 0;  ///< [-] the largest lean
 };
 
 /// [-] of the size of a face: so far past a wall a facet is still the base, for half of what a border apex stands for is inside.
@@ -64,6 +62,10 @@ bool ends_at(const BaseSurface&, const Feature&);
 
 /// The normal of a node: that of its facets, weighted by their angles (Baerentzen & Aanaes 2005). Unit vector.
 Vec3 node_normal(const Fans&, const Vectors& x, Index node);
+
+/// How far the nearest points of the facets around one may be from its own, over the height above it: 1.5 tan of half the largest turn
+/// between two of them without a wall, as the surface stands at x; 6 or less. [-]
+double lean(const BaseSurface&, const Vectors& x, Index facet);
 
 /// Twice the area of a facet along its normal. [m2]
 inline Vec3 area_vector(const Fans& base, const Vectors& x, Index facet) {

@@ -23,6 +23,7 @@ constexpr double steps_ahead = 2;       // and those that may be in contact afte
 constexpr double least_area = 0.2;      // of the tributary area: with less of it facing, the surface of the apex stands edge-on
 constexpr double in_plane = 1e-6;       // of a distance: a node that lies in a symmetry plane
 constexpr double bond_past_border = 0.05;  // of a facet's size: half of what a border apex stands for lies inside
+constexpr double depth_to_check = 0.25;  // of the depth of an element: half of what is warned of
 constexpr Index facets_at_first = 32;   // near an apex, for which memory is taken at the start
 
 /// Directions that an apex on a symmetry plane may go; null for the others.
@@ -182,13 +183,13 @@ void update_element(const Interface& interface, const Vectors& x, const Vectors&
     near.area = area_facing(interface, x, a, near.tracks.track[0].facet);
   }
 
-  WayOut out = way_out(interface.base, x, x.col(node), contact_height, allowed, near.tracks, near.element.stencil);
+  WayOut out = way_out(interface.base, x, x.col(node), contact_height, allowed, moved, near.tracks, near.element.stencil);
   if (moved + out.length >= near.clear) {
     const Index other = other_part(sweep, before, near.tracks);
     if (other >= 0) {
       const int lost = out.lost;
       near.tracks.begin(other, contact_height);
-      out = way_out(interface.base, x, x.col(node), contact_height, allowed, near.tracks, near.element.stencil);
+      out = way_out(interface.base, x, x.col(node), contact_height, allowed, moved, near.tracks, near.element.stencil);
       out.lost += lost;
     }
     near.clear = other >= 0 ? -infinite : nearest_other_part(sweep, near.tracks) - moved - out.length - contact_height;
@@ -387,8 +388,8 @@ double farthest_moved(const Subset& nodes, const Vectors& x, const Vectors& then
 
 /// How far apexes and base have moved against each other since the last search, at most. [m]
 ///
-/// Any way taken as common gives a bound. That of the base in the mean is good: here that of its first node now, and what the mean was beyond
-/// it a step before, which takes no pass of its own.
+/// Any way taken as common gives a bound. That of the base in the mean is good: here that of its first node now, and what the mean was
+/// beyond it a step before, which takes no pass of its own.
 double moved_since_search(const Interface& interface, const Vectors& x, Memory& memory) {
   const Vec3 first = x.col(interface.base_nodes[0]) - memory.base_then.col(0), common = first + memory.mean_way;
   Vec3 of_apexes = Vec3::Zero(), of_base = Vec3::Zero();
@@ -455,7 +456,7 @@ void search(const Interface& interface, const Vectors& x, Memory& memory, Worksp
     Near& now = workspace.near.back();
     now.first_facet = facets;
     now.facets = workspace.facets[a];
-    now.clear = -infinite;
+    now.clear = now.tracks.owned = -infinite;
     now.rests = false;
     facets += now.facets;
     memory.slot[a] = static_cast<Index>(workspace.near.size()) - 1;
@@ -514,6 +515,17 @@ bool bond(const Vectors& x, Index a, const Start& start, Interface& interface, M
   memory.slot[a] = static_cast<Index>(memory.near.size());
   memory.near.push_back({.apex = a, .tracks = {}, .element = {}, .friction = {}});
   return true;
+}
+
+/// Remembers the depth of an apex that is the deepest so far. A deep one may stand beside the body that it is pushed out of, or near
+/// another of its faces: it is no deeper than the surface is far.
+void see_depth(const Interface& interface, const Vectors& x, const Near& near, Memory& memory) {
+  double depth = near.element.depth;
+  if (depth > depth_to_check * interface.depth) {
+    const Nearest nearest = nearest_of(interface, x, near.apex, near_facets(memory, near));
+    depth = std::min(depth, interface.contact_height(near.apex) + nearest.distance());
+  }
+  if (depth > memory.deepest) memory.deepest = depth, memory.deepest_apex = interface.apexes[near.apex];
 }
 
 }  // namespace
@@ -695,7 +707,7 @@ void advance(const Interface& interface, const Vectors& x, const Vectors& v, con
     if (near.rests) continue;
     const ElementForces& element = near.element;
     memory.deepest_now = std::max(memory.deepest_now, element.depth);
-    if (element.depth > memory.deepest) memory.deepest = element.depth, memory.deepest_apex = interface.apexes[near.apex];
+    if (element.depth > memory.deepest) see_depth(interface, x, near, memory);
     memory.work += element.work;
     memory.damped += element.dissipated;
     memory.angular_impulse += element.angular_impulse;

@@ -27,12 +27,14 @@ Vec3 foot_of(const BaseSurface& base, const Vectors& x, Index facet, const std::
 
 /// The closest feature of the patch from a facet on, among facets near the foot; changes facet and closest.
 ///
+/// times    the distance is how near
 /// returns  whether a closer facet was found
-bool walk_on(const BaseSurface& base, const Vectors& x, const Vector<double>& p, Index& facet, Closest& closest) {
+bool walk_on(const BaseSurface& base, const Vectors& x, const Vector<double>& p, double times, Index& facet,
+             Closest& closest) {
   const Index from = facet;
   const Closest here = closest;
   const Vec3 foot = foot_of(base, x, from, here.weight);
-  const double reach = std::max(look_around, base.sharpest) * std::sqrt(here.distance_squared) + round_off * base.longest(from);
+  const double reach = times * std::sqrt(here.distance_squared) + round_off * base.longest(from);
   const double deepest = middle * base.thickness(from);
   if (here.kind == Kind::facet && here.distance_squared > deepest * deepest) return false;
   std::array<Index, most_facets> queue;
@@ -56,20 +58,25 @@ bool walk_on(const BaseSurface& base, const Vectors& x, const Vector<double>& p,
 
 }  // namespace
 
-bool owns(const BaseSurface& base, const Vectors& x, Index facet, const FeatureHeight& over, double height) {
-  if (!(height < shallow * base.longest(facet))) return false;
-  const double room = base.lean(facet) > 0 ? height * base.lean(facet) * base.longest(facet) / area_vector(base, x, facet).norm() : 0;
-  return std::min({over.weight[0], over.weight[1], over.weight[2]}) >= room - round_off;
+Ownership ownership(const BaseSurface& base, const Vectors& x, Index facet, const FeatureHeight& over, double height) {
+  const double longest = base.longest(facet), least = std::min({over.weight[0], over.weight[1], over.weight[2]});
+  if (!(height < shallow * longest) || least < -round_off) return {};
+  const double altitude = area_vector(base, x, facet).norm() / longest;
+  const double leans = lean(base, x, facet), room = least * altitude - height * leans;
+  if (!(room >= -round_off * altitude)) return {};
+  const double rate = 2 * (1 + leans + 4 * height / altitude * (1 + leans * leans));  // twice what the first order of a small way gives
+  return {true, std::min(room / rate, shallow * longest - height)};
 }
 
 Stand stand(const BaseSurface& base, const Vectors& x, const Vec3& point, Index from) {
   const Vector<double> p{point.x(), point.y(), point.z()};
   Index facet = from;
   const FeatureHeight over = height_over(base, x, {facet, Kind::facet, 0}, point);
-  if (owns(base, x, facet, over, std::abs(over.height))) return {.feature = {facet, Kind::facet, 0}, .over = over};
+  if (ownership(base, x, facet, over, std::abs(over.height)).whole) return {.feature = {facet, Kind::facet, 0}, .over = over};
 
   Closest closest = geometry::closest_on_triangle(corners(base, x, facet), p);
-  for (int hop = 0; hop < most_hops && walk_on(base, x, p, facet, closest); ++hop) continue;
+  const double reach = std::max(look_around, lean(base, x, from));
+  for (int hop = 0; hop < most_hops && walk_on(base, x, p, reach, facet, closest); ++hop) continue;
 
   Stand found{.feature = {facet, closest.kind, closest.local}, .over = {}};
   const bool wall = closest.kind == Kind::edge     ? base.wall[facet][closest.local]

@@ -15,8 +15,14 @@ struct Stand {
   std::array<double, 3> wall_weight{};    ///< of its closest point on the nodes of the facet
 };
 
-/// Whether no other facet of the patch can be closer to a point over the inside of a facet, up to a height [m] over it.
-bool owns(const BaseSurface&, const Vectors& x, Index facet, const FeatureHeight& over, double height);
+/// Whether no other facet of the patch can be closer to a point over the inside of a facet.
+struct Ownership {
+  bool whole = false;
+  double room = 0;  ///< [m] so far point and nodes may move against each other, and it stays so
+};
+
+/// height  [m] up to which no other may be closer
+Ownership ownership(const BaseSurface&, const Vectors& x, Index facet, const FeatureHeight& over, double height);
 
 /// Finds the closest point of the patch, walking from facet to facet with falling distance.
 ///

@@ -1,6 +1,7 @@
 #pragma once
 // Which parts of a base surface an apex is in contact with: remembered from its entry until it leaves.
 
+#include <limits>
 #include <span>
 
 #include "contact/base_surface.hpp"
@@ -29,10 +30,13 @@ constexpr int most_tracks = 3;
 struct Tracks {
   int count = 0;
   std::array<Track, most_tracks> track;
+  /// [m] As long as apexes and base have moved less, the apex stays over the inside of the one facet that it slides on.
+  double owned = -std::numeric_limits<double>::infinity();
   Place out;  ///< where the apex would be if it were pushed out; the next sweep starts there. Without a facet: where the apex is
 
   void begin(Index facet, double height) {
     if (count < most_tracks) track[count++] = {facet, height};
+    owned = -std::numeric_limits<double>::infinity();
   }
 };
 

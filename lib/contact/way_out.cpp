@@ -201,15 +201,18 @@ WayOut over_one_facet(const FeatureHeight& over, double contact_height, Tracks& 
 
 }  // namespace
 
-WayOut way_out(const BaseSurface& base, const Vectors& x, const Vec3& p, double contact_height, const Mat3* allowed, Tracks& tracks,
-               std::array<Stencil, most_stencils>& stencils) {
+WayOut way_out(const BaseSurface& base, const Vectors& x, const Vec3& p, double contact_height, const Mat3* allowed, double moved,
+               Tracks& tracks, std::array<Stencil, most_stencils>& stencils) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   if (tracks.count == 1 && allowed == nullptr) {  // well inside a facet
     Track& track = tracks.track[0];
     const FeatureHeight over = height_over(base, x, {track.facet, Kind::facet, 0}, p);
-    const double highest = std::max(std::abs(over.height), track.height);
-    if (owns(base, x, track.facet, over, highest)) return over_one_facet(over, contact_height, tracks, stencils.data());
+    if (moved < tracks.owned) return over_one_facet(over, contact_height, tracks, stencils.data());
+    const Ownership owner = ownership(base, x, track.facet, over, std::max(std::abs(over.height), track.height));
+    tracks.owned = owner.room - moved;
+    if (owner.whole) return over_one_facet(over, contact_height, tracks, stencils.data());
   }
+  tracks.owned = -infinite;
   WayOut out;
   out.stencil = stencils.data();
   std::array<Together, 2> way;

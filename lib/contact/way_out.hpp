@@ -29,8 +29,9 @@ struct WayOut {
 /// those that the apex has left. What pushes against another push is left on a way of its own.
 ///
 /// allowed   directions of an apex on a symmetry plane, or null
+/// moved     [m] way of apexes and base against each other since a state at which Tracks::owned was cleared; infinite: not known
 /// stencils  where the pushes are written
-WayOut way_out(const BaseSurface&, const Vectors& x, const Vec3& apex, double contact_height, const Mat3* allowed, Tracks&,
+WayOut way_out(const BaseSurface&, const Vectors& x, const Vec3& apex, double contact_height, const Mat3* allowed, double moved, Tracks&,
                std::array<Stencil, most_stencils>& stencils);
 
 }  // namespace nereid::contact

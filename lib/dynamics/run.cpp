@@ -32,13 +32,16 @@ struct Suspect {
   double part = 0;
 };
 
+/// The nearest to its limit: a source or time integration.
+///
 /// except  a source that is left out, if any
-Suspect suspect(const Ledger& ledger, int except = -1) {
+Suspect suspect(const Model& model, const Ledger& ledger, int except = -1) {
   Suspect worst{-1, kept_part(ledger)};
-  for (std::size_t a = 0; a < ledger.accounts.size(); ++a) {
-    if (static_cast<int>(a) == except) continue;
-    const double part = spurious_part(ledger, a);
-    if (std::abs(part) > std::abs(worst.part)) worst = {static_cast<int>(a), part};
+  double most = std::abs(worst.part);
+  for (int a = 0; a < static_cast<int>(ledger.accounts.size()); ++a) {
+    const double part = a == except ? 0 : spurious_part(ledger, static_cast<std::size_t>(a));
+    const double size = std::abs(part) / times_the_limit(model, a);
+    if (size > most) worst = {a, part}, most = size;
   }
   return worst;
 }
@@ -55,7 +58,7 @@ std::string deed(const Suspect& one) {
 ///
 /// except  the block whose element is lost: its own account is spoiled by that
 std::string made_before(const Model& model, const Ledger& ledger, double limit, int except = -1) {
-  const Suspect one = suspect(ledger, except);
+  const Suspect one = suspect(model, ledger, except);
   return std::abs(one.part) > limit ? "; before that " + name(model, one) + " had " + deed(one) : "";
 }
 
@@ -118,9 +121,10 @@ bool overlap_too_much(const Model& model, const State& now, const Forces& forces
   return true;
 }
 
-/// Stops the run where a source has created or lost too much of what passed through it; after any step.
-bool too_much_of_what_passed(const Model& model, const Ledger& ledger, double limit, Outcome& outcome) {
-  const Suspect one = suspect(ledger);
+/// Stops the run where a source has created or lost too much of what passed through it, or time integration of the scene; after any step.
+bool too_much_of_what_passed(const Model& model, const Ledger& ledger, double created_limit, Outcome& outcome) {
+  const Suspect one = suspect(model, ledger);
+  const double limit = created_limit * times_the_limit(model, one.source);
   if (!(std::abs(one.part) > limit)) return false;
   outcome.ending = one.part > 0 ? Ending::energy_created : Ending::energy_lost;
   outcome.reason = deed(one) + text("; the limit is %.3g", limit, 0);
@@ -135,6 +139,11 @@ std::int64_t elements(const Model& model) {
 }
 
 }  // namespace
+
+double times_the_limit(const Model& model, int source) {
+  constexpr double of_a_block = 5;
+  return source >= 0 && source < static_cast<int>(model.blocks.size()) ? of_a_block : 1;
+}
 
 std::string_view word(Ending ending) {
   switch (ending) {

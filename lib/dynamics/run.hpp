@@ -14,7 +14,7 @@ namespace nereid::dynamics {
 struct Time {
   double end = 0;              ///< [s]
   double safety = 0.9;         ///< [-] fraction of the elements' stable step; contact votes by its own bound
-  double created_limit = 0.05; ///< [-] created or lost energy of any source, over energy_scale() and over what passed through it
+  double created_limit = 0.05; ///< [-] created or lost energy of any source over energy_scale(), and over what passed: times_the_limit()
   double overlap_limit = 0.5;  ///< [-] elements by which bodies may go into each other or themselves, beyond what they did at the start
   double audit_every = 0;      ///< [s] between two looks for overlaps; zero: at each update of the ledger
 };
@@ -60,5 +60,13 @@ struct Watch {
 /// at the end; View::ledger_is_current tells observers when.
 /// Invariants  a run that goes on from a copy of its state has the bits of one that was never interrupted.
 Outcome run(const Model&, State&, Forces&, const Time&, double update_every, const Watch& = {});
+
+/// How many times the limit on created energy holds for that of what passed through a source: five times for a block, else once. [-]
+///
+/// A body makes what goes with the square of the step, and the little that it takes up in a few of the longest steps, as when it begins to
+/// spin, is no harm to the scene. A contact has a bound of its own on what it makes.
+///
+/// source  in sources(model); -1: time integration
+double times_the_limit(const Model&, int source);
 
 }  // namespace nereid::dynamics

@@ -119,19 +119,20 @@ std::vector<std::string> energy_notes(const Simulation& simulation) {
   constexpr double worth_a_warning = 0.2;  // of the limit: a hundredth of the energy by default
   const double limit = simulation.time.created_limit;
   std::vector<std::string> notes;
-  const auto look = [&](const std::string& name, double part, const char* of) {
+  const auto look = [&](const std::string& name, double part, const char* of, double stops) {
     if (!(std::abs(part) > worth_a_warning * limit)) return;
     notes.push_back(row("%s: %s %.2g of the energy %s at worst; the limit that stops a run is %.2g", name.c_str(),
-                        part > 0 ? "created" : "lost", std::abs(part), of, limit));
+                        part > 0 ? "created" : "lost", std::abs(part), of, stops));
   };
   const dynamics::Ledger& ledger = simulation.state.ledger;
   const std::vector<Source> all = dynamics::sources(simulation.model);
   const double scale = dynamics::energy_scale(ledger);
   for (std::size_t s = 0; s < all.size(); ++s) {
-    look(all[s].name, ledger.flows[s].worst, "that passed through it");
-    if (scale > 0) look(all[s].name, dynamics::created(ledger.accounts[s]) / scale, "of the scene");
+    const double stops = limit * dynamics::times_the_limit(simulation.model, static_cast<int>(s));
+    look(all[s].name, ledger.flows[s].worst, "that passed through it", stops);
+    if (scale > 0) look(all[s].name, dynamics::created(ledger.accounts[s]) / scale, "of the scene", limit);
   }
-  look("time integration", ledger.worst_kept, "of the scene");
+  look("time integration", ledger.worst_kept, "of the scene", limit);
   if (std::abs(ledger.worst_swing) > worth_a_warning * limit)
     notes.push_back(row("time integration: the kinetic energy swung by %.2g of the energy of the scene and came back; it goes with the "
                         "square of the step",

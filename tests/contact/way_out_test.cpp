@@ -38,6 +38,18 @@ TEST(Force, InAValleyIsTheGradientOfTheStoredEnergy) {
   }
 }
 
+TEST(Force, InAValleyThatWasFlatIsTheGradientOfTheStoredEnergy) {
+  const double slope = 0.5, up = 0.07 * std::sqrt(1 + slope * slope);
+  Scene scene = press(sheet(4, 4, flat, 0), {{2.0015, 1.3, 0.07}}, 0.1);
+  EXPECT_EQ(scene.element().count, 1);
+  const Shape bent = sheet(4, 4, fold(slope), 0);
+  scene.x.leftCols(bent.x.cols()) = bent.x;
+  scene.move({2.0015, 1.3, up});
+  scene.update(1);
+  EXPECT_EQ(scene.element().count, 2) << "both flanks, as the surface stands now";
+  has_a_potential(scene, by_differences);
+}
+
 TEST(Force, BelowAValleyIsTheGradientOfTheStoredEnergy) {
   for (const double x : {2.001, 1.7}) has_a_potential(press(sheet(4, 4, fold(0.5), 0), {{x, 1.3, -0.03}}, 0.0), by_differences);
 }

@@ -77,7 +77,7 @@ inline std::vector<std::pair<std::string, std::vector<double>>> numbers(const St
     for (const Vec3& slip : c.slip) all(slip);
     all(c.slot), all(c.near_facets);
     for (const contact::Near& near : c.near) {
-      add(near.apex, near.first_facet, near.facets, near.clear, near.rests, near.area, near.tracks.count);
+      add(near.apex, near.first_facet, near.facets, near.clear, near.rests, near.area, near.tracks.count, near.tracks.owned);
       for (int i = 0; i < near.tracks.count; ++i) add(near.tracks.track[i].facet, near.tracks.track[i].height);
       add(near.tracks.out.facet, near.tracks.out.height);
       if (near.tracks.out.facet >= 0) all(near.tracks.out.weight);

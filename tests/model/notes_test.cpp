@@ -92,7 +92,7 @@ TEST(EnergyNotes, NameTheSourceThatMadeEnergyAndWhatItIsHeldAgainst) {
   simulation.state.ledger.worst_kept = 0.016;
   const auto notes = energy_notes(simulation);
   ASSERT_EQ(notes.size(), 2U);
-  EXPECT_TRUE(says(notes[0], "bar: lost 0.02 of the energy that passed through it at worst; the limit that stops a run is 0.05"))
+  EXPECT_TRUE(says(notes[0], "bar: lost 0.02 of the energy that passed through it at worst; the limit that stops a run is 0.25"))
       << notes[0];
   EXPECT_TRUE(says(notes[1], "time integration: created 0.016 of the energy of the scene at worst")) << notes[1];
   simulation.state.ledger.flows[0].worst = 0.004, simulation.state.ledger.worst_kept = 0;

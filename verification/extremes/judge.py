@@ -439,6 +439,7 @@ OF_DEPTH = re.compile(r"deep|overlap|penetrat|inside|through|pass", re.IGNORECAS
 
 OF_HOURGLASS = re.compile(r"(\w+): hourglass energy reached " + NUMBER + " of the internal energy")
 OF_OVERLAP = re.compile(r"(\w+)[\w.]* and (\w+)[\w.]* overlap by " + NUMBER + " m")
+OF_DEEPER = re.compile(r"and by " + NUMBER + " m where elements are larger")
 OF_ITSELF = re.compile(r"(\w+)[\w.]* overlaps itself by " + NUMBER + " m")
 OF_ENERGY = re.compile(r"(\w[\w ]*): (?:created|lost) " + NUMBER + r" of the energy (that passed through it|of the scene)")
 OF_SWING = re.compile(r"time integration: the kinetic energy swung by " + NUMBER + " of the energy of the scene")
@@ -454,11 +455,11 @@ def of_elements(warning):
     return OF_HOURGLASS.match(warning) is not None or OF_CORNER.match(warning) is not None
 
 
-def energy_fraction(seen, source, scene):
+def energy_fraction(seen, expected, source, scene):
     """Energy that a source made or lost at worst, over what passed through it or over that of the scene, from the history."""
     if scene:
         column = seen.history["energy_integration" if source == "time integration" else f"energy_created_{source}"]
-        return float(np.max(np.abs(column))) / float(np.max(seen.history["energy_kinetic"]))
+        return float(np.max(np.abs(column))) / energy_scale(seen, expected)
     created = seen.history[f"energy_created_{source}"]
     own = sum(values for name, values in seen.history.items()
               if name.startswith(f"energy_{source}_") and name != f"energy_created_{source}")
@@ -484,12 +485,14 @@ def is_true(warning, seen, expected, faults):
     if (corner := OF_CORNER.match(warning)) is not None:
         return min(measure.inside_out(seen.bodies[corner[1]], frame.x, seen.X) for frame in seen.frames) < NEARLY_FLAT
     if (energy := OF_ENERGY.match(warning)) is not None:  # rows of a history are far between, so that ours is coarse
-        return energy_fraction(seen, energy[1], "scene" in energy[3]) > float(energy[2]) / COARSE
+        return energy_fraction(seen, expected, energy[1], "scene" in energy[3]) > float(energy[2]) / COARSE
     if (swing := OF_SWING.match(warning)) is not None:
-        return energy_fraction(seen, "time integration", True) > float(swing[1]) / COARSE
+        return energy_fraction(seen, expected, "time integration", True) > float(swing[1]) / COARSE
     if (pair := OF_OVERLAP.match(warning)) is not None:
         ours, full = depth_of_pair(seen, pair[1], pair[2])
-        return ours / TRUE_DEPTH <= float(pair[3]) and (full or float(pair[3]) <= ours * TRUE_DEPTH)
+        deeper = OF_DEEPER.search(warning)
+        claimed = float(pair[3] if deeper is None else deeper[1])
+        return ours / TRUE_DEPTH <= claimed and (full or claimed <= ours * TRUE_DEPTH)
     if (itself := OF_ITSELF.match(warning)) is not None:  # ours is the smaller part of an edge, theirs the way out
         body = seen.bodies[itself[1]]
         return max(measure.self_overlap(body, frame.x) for frame in seen.frames) > SEEN * body.depth
