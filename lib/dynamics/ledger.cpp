@@ -52,7 +52,7 @@ double kept_part(const Ledger& ledger) {
 
 double swing_part(const Ledger& ledger) {
   const double scale = energy_scale(ledger);
-  return scale > 0 ? (ledger.integration - ledger.integration_kept) / scale : 0;
+  return scale > 0 ? ledger.integration / scale : 0;
 }
 
 void see_flows(Ledger& ledger) {

@@ -70,8 +70,8 @@ double spurious_part(const Ledger&, std::size_t source);
 /// What time integration has created, or lost where negative, for good, over the energy scale; 0 without a scale. [-]
 double kept_part(const Ledger&);
 
-/// By how much the kinetic energy is too large now, over the energy scale: the part of `integration` that comes back as the forces fall,
-/// dt^2/8 f.f/m now less that at the start. 0 without a scale. [-]
+/// By how much the kinetic energy is too large now, over the energy scale: `integration`, which but for kept_part() comes back as the
+/// forces fall. 0 without a scale. [-]
 double swing_part(const Ledger&);
 
 /// Brings the flows up to the works that stand in the accounts, at the end of a step.

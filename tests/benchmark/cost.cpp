@@ -5,9 +5,12 @@
 // A block of N^3 hexahedra (one point with springs or dashpots, or eight points), or a sheet of about 2 N^2 plates, plastic, on one thread.
 // Prints the nanoseconds per element update of the element kernels alone and of the whole step with its ledger. Contact presses a block of
 // 2N x 2N x N cells on one of N x N x N/2, and prints the nanoseconds of the interface per near apex and step, closed and open, beside the
-// step of the elements, and the bytes that an apex takes that is near and one that is far.
+// step of the elements, the bytes that an apex takes that is near and one that is far, and what contact adds to the step of a scene
+// with a tenth of its nodes on the interface.
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -71,49 +74,81 @@ double contact_cost(const dynamics::Model& model, dynamics::State& state, dynami
   return spent * 1e9 / (static_cast<double>(steps) * static_cast<double>(interface.apexes.size()));
 }
 
-int contact_costs(int n, int steps, const material::J2Bilinear& law, const element::Hexahedron::Options& options) {
-  const auto pressed = [&](double gap) {
-    dynamics::Model model;
-    const Vec3 low(-0.25, -0.25, 1 + gap), high(1.25, 1.25, 2 + gap);  // the nodes of one stand over the inside of facets of the other
-    model.mesh = mesh::join(mesh::box("below", {low, high, {2 * n, 2 * n, n}}),
-                            mesh::box("above", {Vec3(0.003, 0.007, 1 - 1.0), Vec3(1.003, 1.007, 1), {n, n, n / 2}}));
-    model.blocks.push_back(element::solids(model.mesh, "below", law, options));
-    model.blocks.push_back(element::solids(model.mesh, "above", law, options));
-    dynamics::finalize(model);
-    dynamics::InterfaceOptions joint;
-    joint.height = {.from_initial_height = false, .clearance = 0, .given = 0};
-    std::vector<contact::Memory> memories;
-    for (auto& pass : dynamics::connect(model, "joint", "above.z_high", "below.z_low", joint)) memories.push_back(std::move(pass.memory));
-    dynamics::State state = dynamics::initial_state(model, std::move(memories));
-    dynamics::Forces forces = dynamics::make_forces(model);
-    dynamics::start(model, state, forces);
-    struct Scene {
-      dynamics::Model model;
-      dynamics::State state;
-      dynamics::Forces forces;
-    };
-    return Scene{std::move(model), std::move(state), std::move(forces)};
-  };
-  auto closed = pressed(0);
-  const Index below = static_cast<Index>(mesh::node_set(closed.model.mesh, "below").size());
-  closed.state.v.row(2).leftCols(below).setConstant(-1e-9);
-  const double dt = 1e-9;
-  closed.state.x.row(2).leftCols(below).array() -= 1e-10;
+/// Two blocks, and the state of a run.
+struct Pressed {
+  dynamics::Model model;
+  dynamics::State state;
+  dynamics::Forces forces;
+};
+
+/// A block over another, so many cells each and so far above it; the apexes of one stand over the inside of facets of the other.
+Pressed pressed(const Eigen::Vector3i& above, const Eigen::Vector3i& below, double gap, bool joined, const material::J2Bilinear& law,
+                const element::Hexahedron::Options& options) {
+  dynamics::Model model;
+  const Vec3 low(-0.25, -0.25, 1 + gap), high(1.25, 1.25, 2 + gap);
+  model.mesh = mesh::join(mesh::box("base", {low, high, below}), mesh::box("block", {Vec3(0.003, 0.007, 0), Vec3(1.003, 1.007, 1), above}));
+  model.blocks.push_back(element::solids(model.mesh, "base", law, options));
+  model.blocks.push_back(element::solids(model.mesh, "block", law, options));
+  dynamics::finalize(model);
+  dynamics::InterfaceOptions joint;
+  joint.height = {.from_initial_height = false, .clearance = 0, .given = 0};
+  std::vector<contact::Memory> memories;
+  if (joined)
+    for (auto& pass : dynamics::connect(model, "joint", "block.z_high", "base.z_low", joint)) memories.push_back(std::move(pass.memory));
+  dynamics::State state = dynamics::initial_state(model, std::move(memories));
+  dynamics::Forces forces = dynamics::make_forces(model);
+  dynamics::start(model, state, forces);
+  return {std::move(model), std::move(state), std::move(forces)};
+}
+
+/// Moves the base down until all apexes are in contact.
+void close(Pressed& scene) {
+  const Index base = static_cast<Index>(mesh::node_set(scene.model.mesh, "base").size());
+  scene.state.v.row(2).leftCols(base).setConstant(-1e-9);
+  scene.state.x.row(2).leftCols(base).array() -= 1e-10;
   for (int s = 0; s < 2; ++s) {
-    closed.state.x += dt * closed.state.v;
-    contact::advance(closed.model.interfaces[0], closed.state.x, closed.state.v, closed.state.omega, 1, closed.state.interfaces[0],
-                     closed.forces.interfaces[0]);
+    scene.state.x += 1e-9 * scene.state.v;
+    contact::advance(scene.model.interfaces[0], scene.state.x, scene.state.v, scene.state.omega, 1, scene.state.interfaces[0],
+                     scene.forces.interfaces[0]);
   }
-  Index in_contact = 0;
-  for (const auto status : closed.state.interfaces[0].status) in_contact += status == contact::Status::closed;
+}
+
+Index closed_apexes(const Pressed& scene) {
+  const auto& status = scene.state.interfaces[0].status;
+  return static_cast<Index>(std::count(status.begin(), status.end(), contact::Status::closed));
+}
+
+/// Nanoseconds per step of a scene that stands still.
+double step_cost(Pressed& scene, int steps) {
+  dynamics::step(scene.model, 1e-12, scene.state, scene.forces);
+  const double began = seconds();
+  for (int s = 0; s < steps; ++s) dynamics::step(scene.model, 1e-12, scene.state, scene.forces);
+  return (seconds() - began) * 1e9 / steps;
+}
+
+/// What contact adds to the step where a tenth of the nodes lies on the interface, all apexes closed. [-]
+double share_of_contact(int n, int steps, const material::J2Bilinear& law, const element::Hexahedron::Options& options) {
+  const Eigen::Vector3i cells(n, n, 9);
+  Pressed with = pressed(cells, cells, 0, true, law, options), without = pressed(cells, cells, 0, false, law, options);
+  close(with);
+  double least_with = INFINITY, least_without = INFINITY;
+  for (int round = 0; round < 5; ++round) {
+    least_with = std::min(least_with, step_cost(with, steps / 5));
+    least_without = std::min(least_without, step_cost(without, steps / 5));
+  }
+  if (closed_apexes(with) != (n + 1) * (n + 1)) std::printf("%d of %d apexes are closed\n", closed_apexes(with), (n + 1) * (n + 1));
+  return least_with / least_without - 1;
+}
+
+int contact_costs(int n, int steps, const material::J2Bilinear& law, const element::Hexahedron::Options& options) {
+  const auto over = [&](double gap) { return pressed({n, n, n / 2}, {2 * n, 2 * n, n}, gap, true, law, options); };
+  Pressed closed = over(0), open = over(0.3 / n), far = over(5);
+  close(closed);
+  const Index in_contact = closed_apexes(closed);
   const double of_closed = contact_cost(closed.model, closed.state, closed.forces, 1e-30, steps);
-  auto open = pressed(0.3 / n), far = pressed(5);
   const double of_open = contact_cost(open.model, open.state, open.forces, 1e-30, steps);
   const double of_far = contact_cost(far.model, far.state, far.forces, 1e-30, steps);
-  const double began = seconds();
-  dynamics::step(far.model, 1e-12, far.state, far.forces);
-  for (int s = 0; s < steps; ++s) dynamics::step(far.model, 1e-12, far.state, far.forces);
-  const double element_step = (seconds() - began) * 1e9 / steps;
+  const double element_step = step_cost(far, steps);
   double elements = 0;
   for (const auto& block : far.model.blocks) elements += static_cast<double>(element::tiling(block).elements);
   const auto apexes = static_cast<double>(closed.model.interfaces[0].apexes.size());
@@ -121,8 +156,9 @@ int contact_costs(int n, int steps, const material::J2Bilinear& law, const eleme
   const double bytes = static_cast<double>(memory.near.size() * sizeof(contact::Near)) / apexes + sizeof(Index) + sizeof(contact::Feature) +
                        sizeof(contact::Status) + 2 * sizeof(double) + sizeof(std::int64_t) + 3 * sizeof(double);
   std::printf("contact apexes %.0f (%d closed)  closed %.2f  open %.2f  far %.3f ns per apex and step; elements %.2f ns; "
-              "an apex that is near takes %zu bytes, one that is far %.0f\n",
-              apexes, in_contact, of_closed, of_open, of_far, element_step / elements, sizeof(contact::Near), bytes);
+              "an apex that is near takes %zu bytes, one that is far %.0f; contact of a tenth of the nodes adds %.1f %%\n",
+              apexes, in_contact, of_closed, of_open, of_far, element_step / elements, sizeof(contact::Near), bytes,
+              100 * share_of_contact(n, steps, law, options));
   return 0;
 }
 

@@ -113,14 +113,13 @@ TEST(KeptPart, IsThatOfTheIntegrationOverTheScaleWithBothSigns) {
 
 TEST(SwingPart, IsWhatComesBackOverTheScale) {
   Ledger ledger = after({}, 0);
-  ledger.initial_available = 4, ledger.integration = 2, ledger.integration_kept = 1;
+  ledger.initial_available = 4, ledger.integration = 2;
   see_flows(ledger);
-  EXPECT_EQ(swing_part(ledger), 0.25);
-  ledger.integration = 1;
+  EXPECT_EQ(swing_part(ledger), 0.5);
+  ledger.integration = 0;
   see_flows(ledger);
   EXPECT_EQ(swing_part(ledger), 0);
-  EXPECT_EQ(ledger.worst_swing, 0.25);
-  EXPECT_EQ(ledger.worst_kept, 0.25);
+  EXPECT_EQ(ledger.worst_swing, 0.5);
 }
 
 TEST(EnergyScale, IsThatOfTheCommonCentreWhereNothingActsFromOutside) {

@@ -302,7 +302,7 @@ def overlap(one, other, x, bases=(None, None)):
 
 
 def through_plate(body, plate, x):
-    """How far edges of a body have come through the middle of a plate, or from its rim, and half its thickness [m]: of a corner no point of
+    """How far edges of a body have come through the middle of a plate and half its thickness, or from its rim [m]: of a corner no point of
     the plate need be in the body."""
     if not plate.is_plate:
         return 0.0
@@ -311,7 +311,7 @@ def through_plate(body, plate, x):
     if not len(beyond):
         return 0.0
     from_rim = distances(at, x[rim[:, [0, 1, 1]]]) if len(rim) else np.inf
-    return float(np.max(np.minimum(beyond, from_rim))) + plate.thickness / 2
+    return float(np.max(np.minimum(beyond + plate.thickness / 2, from_rim)))
 
 
 def room(body, x):
