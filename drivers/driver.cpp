@@ -177,8 +177,8 @@ int run_case(const std::string& name, const CommandLine& line, output::RunFolder
   if (recorder.replaced() > 0)
     notes.push_back(counted(static_cast<std::size_t>(recorder.replaced()), "value") +
                     " beyond the range of the ParaView files, or no number, written there as 0");
-  for (const auto& warnings : {model::depth_notes(simulation), model::overlap_notes(simulation), model::quality_notes(simulation),
-                               model::energy_notes(simulation)}) {
+  for (const auto& warnings : {model::rounding_notes(simulation), model::depth_notes(simulation), model::overlap_notes(simulation),
+                               model::quality_notes(simulation), model::energy_notes(simulation)}) {
     for (const std::string& note : warnings) {
       notes.push_back(note);
       std::fprintf(stderr, "warning: %s\n", note.c_str());

@@ -15,6 +15,9 @@ std::vector<std::string> gap_table(const Simulation&);
 /// Of each block whose step a narrow element sets, what that width costs, one block a line.
 std::vector<std::string> width_notes(const Simulation&);
 
+/// The body that lies farthest from the origin for its elements, if round-off of its positions is more than 1e-12 of its smallest element.
+std::vector<std::string> rounding_notes(const Simulation&);
+
 /// Each interface and rigid plane that was penetrated by more than half an element so far, one a line.
 std::vector<std::string> depth_notes(const Simulation&);
 
@@ -25,8 +28,8 @@ std::vector<std::string> overlap_notes(const Simulation&);
 /// Each body whose elements spoil its results: corners that are inverted, or hourglass energy above a tenth of its internal energy.
 std::vector<std::string> quality_notes(const Simulation&);
 
-/// Each source, and time integration, that created or lost more than a tenth of the created_limit of what passed through it, one a line.
-/// Beyond the limit the run stops.
+/// Each source, and time integration, that created or lost more than a fifth of the created_limit, of the energy of the scene or of what
+/// passed through it, one a line. Beyond the limit the run stops.
 std::vector<std::string> energy_notes(const Simulation&);
 
 /// Elements of all blocks.

@@ -36,6 +36,16 @@ TEST(WidthNotes, SayWhatANarrowElementCosts) {
   ASSERT_EQ(width_notes(build(scene)).size(), 1U);
 }
 
+TEST(RoundingNotes, SayThatASceneLiesFarFromTheOrigin) {
+  Scene scene = with({bar()});
+  scene.bodies[0].place.move = Vec3(0, 1000, 0);
+  EXPECT_TRUE(rounding_notes(build(scene)).empty());
+  scene.bodies[0].place.move = Vec3(0, 1e5, 0);
+  const auto notes = rounding_notes(build(scene));
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_TRUE(says(notes[0], "bar: so far from the origin positions are rounded by 1.1e-11 m, 1.1e-11 of an element")) << notes[0];
+}
+
 TEST(DepthNotes, SayThatARigidPlaneWasPenetratedTooDeep) {
   Scene scene = with({bar()});
   scene.rigid_planes = {{.name = "ground", .surface = "bar.z_low", .penalty = 1e6}};

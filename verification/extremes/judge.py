@@ -413,7 +413,7 @@ def likeness(seen, twin, speed, within):
     one, other = seen.frames[-1].v, twin.frames[-1].v * speed
     scale = max(float(np.max(np.linalg.norm(other, axis=1))), 1e-300)
     off = float(np.max(np.linalg.norm(one - other, axis=1))) / scale
-    return [] if off <= within else [Fault("answer", off, f"velocities differ by {off:.2g} from those of the same scene elsewhere")]
+    return [] if off <= within else [Fault("likeness", off, f"velocities differ by {off:.2g} from those of the same scene elsewhere")]
 
 
 # ------------------------------------------------------------------------------------------------
@@ -443,6 +443,7 @@ OF_DEEPER = re.compile(r"and by " + NUMBER + " m where elements are larger")
 OF_ITSELF = re.compile(r"(\w+)[\w.]* overlaps itself by " + NUMBER + " m")
 OF_ENERGY = re.compile(r"(\w[\w ]*): (?:created|lost) " + NUMBER + r" of the energy (that passed through it|of the scene)")
 OF_SWING = re.compile(r"time integration: the kinetic energy swung by " + NUMBER + " of the energy of the scene")
+OF_ROUNDING = re.compile(r"(\w+): so far from the origin positions are rounded by " + NUMBER + " m")
 AT_TIME = re.compile(r" at " + NUMBER + r" s\b")
 OF_CORNER = re.compile(r"(\w+): a corner of element \d+ was inverted")
 COARSE = 4.0        # [-] between an energy that was lost or made between two rows and what the rows show
@@ -488,6 +489,9 @@ def is_true(warning, seen, expected, faults):
         return energy_fraction(seen, expected, energy[1], "scene" in energy[3]) > float(energy[2]) / COARSE
     if (swing := OF_SWING.match(warning)) is not None:
         return energy_fraction(seen, expected, "time integration", True) > float(swing[1]) / COARSE
+    if (rounding := OF_ROUNDING.match(warning)) is not None:
+        ours = 2.0 ** -53 * float(np.max(np.abs(seen.X[seen.bodies[rounding[1]].nodes])))
+        return ours / TRUE_SHARE <= float(rounding[2]) <= ours * TRUE_SHARE
     if (pair := OF_OVERLAP.match(warning)) is not None:
         ours, full = depth_of_pair(seen, pair[1], pair[2])
         deeper = OF_DEEPER.search(warning)
@@ -523,8 +527,11 @@ def wall_is_passed(seen, claimed):
 
 
 def excuses(fault, warnings):
-    """Whether true warnings cover a fault: of the shape of elements what comes of it, of energy that, of contact all but momentum and
-    numbers."""
+    """Whether true warnings cover a fault: of the shape of elements what comes of it, of energy and of rounding that, of contact all but
+    momentum and numbers."""
+    if fault.kind == "likeness":
+        return any(OF_ROUNDING.match(warning) for warning in warnings)
+    warnings = [warning for warning in warnings if not OF_ROUNDING.match(warning)]
     of_energy = [OF_ENERGY.match(warning) is not None or OF_SWING.match(warning) is not None for warning in warnings]
     if all(energy or of_elements(warning) for energy, warning in zip(of_energy, warnings)):
         return fault.kind == "inside out" and not all(of_energy) or fault.kind == "energy" and any(of_energy)
