@@ -9,10 +9,11 @@
 //                 3
 //
 // Four rooms:  find       which parts of the surface an apex has come into contact with, and where it stands there
-//                         (search.hpp, tracking.hpp, stand.hpp)
+//                         (search.hpp, near.hpp, tracking.hpp, stand.hpp)
 //              stencil    nodes, weights and push of one contact (stencil.hpp)
 //              enforce    the shortest way out d, with the potential  1/2 (area/delta) |d|^2 (way_out.hpp, projection.hpp, friction.hpp)
 //              account    work, what is stored, dissipated and created: here, with forces, time step and output
+//              apex.hpp goes with one apex through all of them.
 //
 // On a plain and on a ridge the potential is the paper's element; in a valley both flanks push, and as the valley flattens the two
 // become one, so a tributary area counts exactly once: docs/theory/contact.md. A closed element may also rub, and a bonded one

@@ -52,12 +52,11 @@ double kept_part(const Ledger& ledger) {
 
 double swing_part(const Ledger& ledger) {
   const double scale = energy_scale(ledger);
-  return scale > 0 ? ledger.integration / scale : 0;
+  return scale > 0 ? ledger.most_integration / scale : 0;
 }
 
 void see_flows(Ledger& ledger) {
-  const double swing = swing_part(ledger);
-  if (std::abs(swing) > std::abs(ledger.worst_swing)) ledger.worst_swing = swing;
+  ledger.most_integration = std::max(ledger.most_integration, std::abs(ledger.integration));
   const double kept = kept_part(ledger);
   if (std::abs(kept) > std::abs(ledger.worst_kept)) ledger.worst_kept = kept;
   for (std::size_t a = 0; a < ledger.accounts.size(); ++a) {

@@ -40,7 +40,7 @@ struct Ledger {
   /// [J] The part of `integration` that stays: the rest, dt^2/8 f.f/m now less that at the start, comes back as the forces fall.
   double integration_kept = 0;
   double worst_kept = 0;   ///< [-] kept_part() where it was largest so far, with its sign
-  double worst_swing = 0;  ///< [-] swing_part() where it was largest so far
+  double most_integration = 0;  ///< [J] `integration` where it was largest so far, without its sign
 };
 
 /// What all stores held at the start together. [J]
@@ -70,8 +70,8 @@ double spurious_part(const Ledger&, std::size_t source);
 /// What time integration has created, or lost where negative, for good, over the energy scale; 0 without a scale. [-]
 double kept_part(const Ledger&);
 
-/// By how much the kinetic energy is too large now, over the energy scale: `integration`, which but for kept_part() comes back as the
-/// forces fall. 0 without a scale. [-]
+/// By how much the kinetic energy was too large at worst, over the energy scale now: `integration`, which but for kept_part() comes back as
+/// the forces fall. 0 without a scale. [-]
 double swing_part(const Ledger&);
 
 /// Brings the flows up to the works that stand in the accounts, at the end of a step.

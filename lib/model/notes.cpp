@@ -150,10 +150,11 @@ std::vector<std::string> energy_notes(const Simulation& simulation) {
     if (scale > 0) look(all[s].name, dynamics::created(ledger.accounts[s]) / scale, "of the scene", limit);
   }
   look("time integration", ledger.worst_kept, "of the scene", limit);
-  if (std::abs(ledger.worst_swing) > worth_a_warning * limit && std::abs(ledger.worst_kept) < 0.5 * std::abs(ledger.worst_swing))
+  const double swing = dynamics::swing_part(ledger);
+  if (swing > worth_a_warning * limit && std::abs(ledger.worst_kept) < 0.5 * swing)
     notes.push_back(row("time integration: the kinetic energy swung by %.2g of the energy of the scene and came back; it goes with the "
                         "square of the step",
-                        std::abs(ledger.worst_swing)));
+                        swing));
   return notes;
 }
 

@@ -94,7 +94,7 @@ Json ledger_of(const std::vector<Source>& sources, const dynamics::Ledger& ledge
           {"integration", quantity(ledger.integration, "J")},
           {"integration_kept", quantity(ledger.integration_kept, "J")},
           {"integration_kept_relative", quantity(ledger.worst_kept, "1")},
-          {"integration_swing_relative", quantity(ledger.worst_swing, "1")},
+          {"integration_swing_relative", quantity(dynamics::swing_part(ledger), "1")},
           {"energy_residual", quantity(dynamics::energy_residual(ledger), "J")},
           {"initial_momentum", quantity(ledger.initial_momentum, "kg m/s")},
           {"momentum", quantity(ledger.momentum, "kg m/s")},

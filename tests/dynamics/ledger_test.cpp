@@ -118,8 +118,9 @@ TEST(SwingPart, IsWhatComesBackOverTheScale) {
   EXPECT_EQ(swing_part(ledger), 0.5);
   ledger.integration = 0;
   see_flows(ledger);
-  EXPECT_EQ(swing_part(ledger), 0);
-  EXPECT_EQ(ledger.worst_swing, 0.5);
+  EXPECT_EQ(swing_part(ledger), 0.5);
+  ledger.external_work = 8;
+  EXPECT_EQ(swing_part(ledger), 0.25);
 }
 
 TEST(EnergyScale, IsThatOfTheCommonCentreWhereNothingActsFromOutside) {

@@ -1,0 +1,353 @@
+#include "contact/apex.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "contact/near.hpp"
+
+namespace nereid::contact {
+
+namespace {
+
+using geometry::Kind;
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double votes_within = 0.25;   // of the depth of an element: open apexes that are nearer vote for the step
+constexpr double least_area = 0.2;      // of the tributary area: with less of it facing, the surface of the apex stands edge-on
+constexpr double in_plane = 1e-6;       // of a distance: a node that lies in a symmetry plane
+
+bool same(const Feature& a, const Feature& b) {
+  return a.facet == b.facet && a.kind == b.kind && (a.kind == Kind::facet || a.local == b.local);
+}
+
+/// Shares out the stiffness of an apex over its base nodes. A node of several stencils counts once, by its largest weight: they push as
+/// one. To a node off the symmetry plane of the apex comes the same from the image of its facet.
+void share_stiffness(const Interface& interface, const Vectors& x, Index a, ElementForces& element) {
+  const Mat3* allowed = allowed_of(interface, a);
+  for (int i = 0; i < element.count; ++i) {
+    Stencil& stencil = element.stencil[i];
+    for (int I = 0; I < 3; ++I) {
+      const Index node = interface.base.facets(I, stencil.facet);
+      stencil.share[I] = std::abs(stencil.weight[I]);
+      if (allowed && stencil.share[I] > 0) {
+        const Vec3 away = x.col(node) - x.col(interface.apexes[a]);
+        if ((away - *allowed * away).norm() > in_plane * away.norm()) stencil.share[I] *= 2;
+      }
+      for (int j = 0; j < i; ++j)
+        for (int J = 0; J < 3; ++J) {
+          double& first = element.stencil[j].share[J];
+          if (first == 0 || interface.base.facets(J, element.stencil[j].facet) != node) continue;
+          first = std::max(first, stencil.share[I]);
+          stencil.share[I] = 0;
+        }
+    }
+  }
+}
+
+/// Power of the forces of one apex at scale 1. [W]
+double power(const Interface& interface, const Vectors& v, Index a, const ElementForces& element) {
+  if (!element.closed) return 0;
+  double sum = 0;
+  for (int i = 0; i < element.count; ++i) {
+    const Stencil& stencil = element.stencil[i];
+    Vec3 rate = stencil.apex * v.col(interface.apexes[a]);
+    for_each_node(interface, stencil, [&](Index node, double weight, double) { rate -= weight * v.col(node); });
+    sum += stencil.push.dot(rate);
+  }
+  return sum;
+}
+
+/// Moment about the origin of the normal forces of one apex, at the positions `later` [s] after x. It is computed where there can be one.
+Vec3 moment(const Interface& interface, const Vectors& x, const Vectors& v, double later, Index a, const ElementForces& element) {
+  Vec3 sum = Vec3::Zero();
+  if (!element.closed || (interface.allowed.empty() && !element.has_moment)) return sum;
+  const auto place = [&](Index node) { return Vec3(x.col(node) + later * v.col(node)); };
+  for (int i = 0; i < element.count; ++i) {
+    const Stencil& stencil = element.stencil[i];
+    Vec3 arm = stencil.apex * place(interface.apexes[a]);
+    for_each_node(interface, stencil, [&](Index node, double weight, double) { arm -= weight * place(node); });
+    sum += arm.cross(stencil.push);
+  }
+  return element.scale * sum;
+}
+
+/// How fast an apex moves against a facet: no slower than against the foot. [m/s]
+double speed_over(const Interface& interface, const Vectors& v, Index a, Index facet) {
+  double fastest = 0;
+  for (int I = 0; I < 3; ++I)
+    fastest = std::max(fastest, (v.col(interface.apexes[a]) - v.col(interface.base.facets(I, facet))).squaredNorm());
+  return std::sqrt(fastest);
+}
+
+/// The tributary area of the sides of an apex that face a facet; all of it where next to none does, as of a sole on a steep flank. [m2]
+double area_facing(const Interface& interface, const Vectors& x, Index a, Index facet) {
+  if (interface.faces.begin.empty()) return interface.area(a);
+  const double facing = mesh::tributary_area_against(interface.faces, x, a, facet_normal(interface.base, x, facet));
+  return facing > least_area * interface.area(a) ? facing : interface.area(a);
+}
+
+}  // namespace
+
+std::array<double, 3> weights_of(const Interface& interface, const Vectors& x, Index a, Index facet) {
+  return geometry::closest_on_triangle(corners(interface.base, x, facet), position(x, interface.apexes[a])).weight;
+}
+
+double stiffness(const Interface& interface, Index apex, const Feature& feature, double area) {
+  if (interface.spring.size() > 0) return interface.spring(apex);
+  if (interface.area_kind == Area::apex) return interface.penalty * area;
+  if (feature.kind == Kind::facet) return interface.penalty * interface.facet_area(feature.facet);
+  double sum = 0;
+  int count = 0;
+  const auto add = [&](Index facet) {
+    if (facet >= 0) sum += interface.facet_area(facet), ++count;
+  };
+  if (feature.kind == Kind::edge) {
+    add(feature.facet);
+    add(interface.base.neighbour(feature.local, feature.facet));
+  } else {
+    const Index node = interface.base.facets(feature.local, feature.facet);
+    for (Index r = interface.base.ring_begin[node]; r < interface.base.ring_begin[node + 1]; ++r) add(interface.base.ring[r]);
+  }
+  return interface.penalty * sum / count;
+}
+
+void vote_over(const Interface& interface, const Vectors& x, Index a, const Feature& feature, const std::array<double, 3>& weight,
+               ElementForces& element) {
+  element.count = 1;
+  element.stencil[0] = {.facet = feature.facet, .apex = 1, .weight = weight, .push = Vec3::Zero()};
+  element.stiffness = stiffness(interface, a, feature, interface.area(a));
+  share_stiffness(interface, x, a, element);
+}
+
+void hold_bond(const Interface& interface, const Vectors& x, Near& near, Memory& memory) {
+  const Index a = near.apex;
+  ElementForces& element = near.element;
+  const Bond& bond = interface.bonds[a];
+  const Vec3 corner[3] = {x.col(interface.base.facets(0, bond.facet)), x.col(interface.base.facets(1, bond.facet)),
+                          x.col(interface.base.facets(2, bond.facet))};
+  const Vec3 area = area_vector(interface.base, x, bond.facet);
+  const double twice_area = area.norm();
+  const Vec3 n = area / twice_area;
+  Vec3 d = x.col(interface.apexes[a]) - bond.height * n;
+  for (int I = 0; I < 3; ++I) d -= bond.weight[I] * corner[I];
+  const double k = stiffness(interface, a, memory.feature[a], interface.area(a));
+  Stencil hold{.facet = bond.facet, .apex = 1, .weight = bond.weight, .push = -k * d}, couple{.facet = bond.facet, .apex = 0};
+  couple.push = k * bond.height * n;
+  for (int I = 0; I < 3; ++I) {
+    const Vec3 gradient = n.cross(corner[(I + 2) % 3] - corner[(I + 1) % 3]) / twice_area;
+    couple.weight[I] = d.dot(gradient);
+    hold.share[I] = std::abs(bond.weight[I]) + std::abs(bond.height) * gradient.norm();
+  }
+  element.closed = true;
+  element.stiffness = k;
+  element.apex = hold.push;
+  element.stencil[0] = hold;
+  element.stencil[1] = couple;
+  element.count = bond.height != 0 ? 2 : 1;
+  memory.status[a] = Status::closed;
+  memory.gap[a] = d.dot(n);
+  memory.stored[a] = 0.5 * k * d.squaredNorm();
+}
+
+namespace {
+
+/// An apex that is in contact with nothing: how far it is, whether it votes, and how long it need not be looked at.
+void look_around(const Interface& interface, const Vectors& x, const Vectors& v, double moved, Near& near, Memory& memory) {
+  const Index a = near.apex;
+  const Nearest nearest = nearest_of(interface, x, a, near_facets(memory, near));
+  near.clear = infinite;  // until the next search
+  memory.feature[a] = nearest.feature;
+  memory.status[a] = nearest.feature.facet < 0 ? Status::unpaired : Status::open;
+  memory.gap[a] = std::numeric_limits<double>::quiet_NaN();
+  if (nearest.feature.facet < 0) return;
+  memory.gap[a] = nearest.distance() - interface.contact_height(a);
+  double soon = infinite;
+  if (interface.depth > 0) {
+    const double speed = speed_over(interface, v, a, nearest.feature.facet);
+    soon = std::max(votes_within * interface.depth, steps_ahead * speed * interface.longest_step);
+  }
+  const bool votes = memory.gap[a] <= soon;
+  near.clear = nearest.clear - interface.contact_height(a) - moved - (votes ? 0 : soon);
+  if (votes) vote_over(interface, x, a, nearest.feature, nearest.closest.weight, near.element);
+}
+
+/// Finds what an apex is in contact with, and its forces.
+void update_element(const Interface& interface, const Vectors& x, const Vectors& v, double dt, double moved, Near& near, Memory& memory) {
+  const Index a = near.apex;
+  const double contact_height = interface.contact_height(a);
+  const Mat3* allowed = allowed_of(interface, a);
+  const Index node = interface.apexes[a];
+  const Sweep sweep{interface.base, interface.own, x, v, dt, near_facets(memory, near), node, allowed, contact_height};
+  const Tracks before = near.tracks;
+  if (before.count == 0 && dt > 0) enter(sweep, memory.deepest_now, near.tracks);
+  if (before.count == 0 && !(dt > 0)) {  // at the start, displaced from the reference
+    double depth = 0;
+    const Index facet = behind(sweep, interface.depth > 0 ? interface.depth : infinite, depth);
+    if (facet >= 0) near.tracks.begin(facet, contact_height);
+  }
+  if (near.tracks.count == 0) return look_around(interface, x, v, moved, near, memory);
+  if (before.count == 0) near.clear = -infinite;
+  if (before.count == 0 || !(near.area > 0)) {  // it keeps it while it is in contact: a stiffness that changes makes energy
+    near.area = area_facing(interface, x, a, near.tracks.track[0].facet);
+  }
+
+  WayOut out = way_out(interface.base, x, x.col(node), contact_height, allowed, moved, near.tracks, near.element.stencil);
+  if (moved + out.length >= near.clear) {
+    const Index other = other_part(sweep, before, near.tracks);
+    if (other >= 0) {
+      const int lost = out.lost;
+      near.tracks.begin(other, contact_height);
+      out = way_out(interface.base, x, x.col(node), contact_height, allowed, moved, near.tracks, near.element.stencil);
+      out.lost += lost;
+    }
+    near.clear = other >= 0 ? -infinite : nearest_other_part(sweep, near.tracks) - moved - out.length - contact_height;
+  }
+  ElementForces& element = near.element;
+  element.lost = out.lost;
+  if (near.tracks.count == 0) near.clear = -infinite;
+  if (out.count == 0) {
+    if (near.tracks.count == 0) return look_around(interface, x, v, moved, near, memory);
+    memory.status[a] = Status::open;
+    memory.feature[a] = out.strongest;
+    memory.gap[a] = std::max(0.0, out.gap);
+    return vote_over(interface, x, a, out.strongest, weights_of(interface, x, a, out.strongest.facet), element);
+  }
+  const double k = stiffness(interface, a, out.strongest, near.area > 0 ? near.area : interface.area(a));
+  memory.status[a] = Status::closed;
+  memory.feature[a] = out.strongest;
+  memory.gap[a] = -out.length;
+  memory.stored[a] = 0.5 * k * out.squared;
+  element.closed = true;
+  element.has_moment = out.has_moment;
+  element.stiffness = k * out.steepest;
+  element.depth = out.depth;
+  element.count = out.count;
+  for (int i = 0; i < out.count; ++i) {
+    Stencil& stencil = element.stencil[i];
+    stencil.push *= k;
+    element.apex += stencil.apex * stencil.push;
+  }
+  share_stiffness(interface, x, a, element);
+}
+
+/// Where the apex stands on its base, for friction.
+Touch touch_of(const Interface& interface, const Vectors& x, Index a, const Feature& feature, const Vec3& normal) {
+  Touch touch;
+  touch.normal = normal;
+  touch.apex = interface.apexes[a];
+  const auto c = corners(interface.base, x, feature.facet);
+  const Vec3 at = x.col(touch.apex);
+  std::array<Vec3, 3> corner;
+  for (int I = 0; I < 3; ++I) {
+    touch.node[I] = interface.base.facets(I, feature.facet);
+    corner[I] = {c[I].x, c[I].y, c[I].z};
+  }
+  measure_base(corner, touch);
+  if (interface.weights == Weights::paper) {
+    const FeatureNodes base = nodes_of(interface.base, feature);
+    for (int I = 0; I < 3; ++I)
+      for (int b = 0; b < base.count; ++b)
+        if (base.node[b] == touch.node[I]) touch.weight[I] = 1.0 / base.count;
+    return touch;
+  }
+  touch.weight = geometry::closest_on_triangle(c, {at.x(), at.y(), at.z()}).weight;
+  touch.arm = at;
+  for (int I = 0; I < 3; ++I) touch.arm -= touch.weight[I] * corner[I];
+  touch.apex_arm = interface.arm_of_apex * touch.arm;
+  touch.base_arm = touch.arm - touch.apex_arm;
+  touch.base_rotates = !interface.rotation_of_node.empty() && interface.rotation_of_node[touch.node[0]] >= 0;
+  return touch;
+}
+
+/// Rotation of the base over the step that led to x, from its positions in the middle, where a rigid
+/// rotation is met exactly. [rad]
+Vec3 rotation_of_base(const Touch& touch, const Vectors& x, const Vectors& v, double dt) {
+  Touch middle = touch;
+  std::array<Vec3, 3> corner;
+  for (int I = 0; I < 3; ++I) corner[I] = x.col(touch.node[I]) - 0.5 * dt * v.col(touch.node[I]);
+  measure_base(corner, middle);
+  return dt * spin_of_base(middle, v);
+}
+
+}  // namespace
+
+void advance_friction(const Interface& interface, const Vectors& x, const Vectors& v, const Vectors& omega, double dt, Near& near,
+                      Memory& memory) {
+  const Index a = near.apex;
+  const ElementForces& element = near.element;
+  FrictionForces& friction = near.friction;
+  Vec3& angular_impulse = near.element.angular_impulse;
+  const bool turns = interface.weights == Weights::paper || !interface.allowed.empty();
+  const double stored_before = memory.tangential_stored[a];
+  Vec3 rate_before = Vec3::Zero();
+  double work = 0;
+  if (friction.acts) {
+    rate_before = slip_rate(friction.touch, v, omega, interface.rotation_of_node);
+    work = 0.5 * dt * friction.force.dot(rate_before);
+    if (turns) angular_impulse += 0.5 * dt * moment_of_friction(friction.touch, friction.force, x, v, -dt);
+  }
+  // on a symmetry plane the images of the bases take what leads out of it
+  const Vec3 pushed = interface.allowed.empty() ? element.apex : Vec3(interface.allowed[a] * element.apex);
+  const double push = element.scale * pushed.norm();
+  if (!element.closed || !(push > 0)) {
+    friction.acts = false;
+    friction.force.setZero();
+    memory.slip[a].setZero();
+    memory.tangential_stored[a] = 0;
+    friction.work = work;
+    friction.dissipated = std::max(0.0, stored_before - work);  // the stick lets go
+    friction.created = friction.work + friction.dissipated - stored_before;
+    return;
+  }
+  const Touch touch = touch_of(interface, x, a, memory.feature[a], pushed.normalized());
+  const Vec3 rotation = rotation_of_base(touch, x, v, dt);
+  const Vec3 rate = slip_rate(touch, v, omega, interface.rotation_of_node);
+  const Vec3 held = carried(memory.slip[a], rotation, touch.normal);
+  Vec3 trial = held;
+  if (friction.acts) trial += 0.5 * dt * (carried(rate_before, rotation, touch.normal) + rate);
+  if (!interface.allowed.empty()) trial = interface.allowed[a] * trial;
+  friction.stiffness = interface.friction.tangential_penalty * element.stiffness;
+  const Slip slip = stick_or_slide(trial, friction.stiffness, interface.friction.coefficient * push);
+  friction.acts = true;
+  friction.touch = touch;
+  friction.force = -friction.stiffness * slip.elastic;
+  memory.slip[a] = slip.elastic;
+  memory.tangential_stored[a] = 0.5 * friction.stiffness * slip.elastic.squaredNorm();
+  friction.work = work + 0.5 * dt * friction.force.dot(rate);
+  friction.dissipated = std::max(0.0, 0.5 * friction.stiffness * (held + slip.elastic).dot(slip.slid));
+  friction.created = friction.work + friction.dissipated + memory.tangential_stored[a] - stored_before;
+  if (turns) angular_impulse += 0.5 * dt * moment_of_friction(touch, friction.force, x, v, 0);
+}
+
+void advance_element(const Interface& interface, const Vectors& x, const Vectors& v, double dt, double moved, Near& near, Memory& memory) {
+  const Index a = near.apex;
+  ElementForces& element = near.element;
+  const double power_before = power(interface, v, a, element), scale_before = element.scale;
+  element.angular_impulse = 0.5 * dt * moment(interface, x, v, -dt, a, element);
+  const double stored_before = memory.stored[a];
+  const Feature before = memory.feature[a];
+  const bool was_closed = element.closed;
+  element.closed = element.has_moment = false;
+  element.depth = 0;
+  element.lost = 0;
+  element.apex.setZero();
+  element.count = 0;
+  memory.stored[a] = 0;
+  if (interface.kind == InterfaceKind::bonded) hold_bond(interface, x, near, memory);
+  else update_element(interface, x, v, dt, moved, near, memory);
+  element.moved = (was_closed || element.closed) && !same(memory.feature[a], before);
+  near.rests = !was_closed && !element.closed && near.tracks.count == 0;
+  const double power_after = power(interface, v, a, element);
+  // the power of the elastic force is  -k |d| d|d|/dt = -2 stored d|d|/dt / |d|
+  element.scale = 1;
+  if (memory.stored[a] > 0 && interface.damping_time > 0)
+    element.scale = std::max(0.0, 1 - 0.5 * interface.damping_time * power_after / memory.stored[a]);
+  element.angular_impulse += 0.5 * dt * moment(interface, x, v, 0, a, element);
+  element.work = 0.5 * dt * (scale_before * power_before + element.scale * power_after);
+  element.dissipated = 0.5 * dt * ((1 - scale_before) * power_before + (1 - element.scale) * power_after);
+  element.created = element.work + element.dissipated + memory.stored[a] - stored_before;
+}
+
+}  // namespace nereid::contact

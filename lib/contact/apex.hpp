@@ -1,0 +1,40 @@
+#pragma once
+// One apex in a step: what it is in contact with, and the forces that come of it.
+
+#include "contact/contact.hpp"
+
+namespace nereid::contact {
+
+/// Directions that an apex on a symmetry plane may go; null for the others.
+inline const Mat3* allowed_of(const Interface& interface, Index a) {
+  return interface.allowed.empty() || interface.allowed[a].isIdentity(0) ? nullptr : &interface.allowed[a];
+}
+
+/// Visits the base nodes of a stencil with what they take of the push and of the stiffness.
+template <class Visit>
+void for_each_node(const Interface& interface, const Stencil& stencil, Visit&& visit) {
+  for (int I = 0; I < 3; ++I) visit(interface.base.facets(I, stencil.facet), stencil.weight[I], stencil.share[I]);
+}
+
+/// Weights of the point of a facet that is closest to an apex.
+std::array<double, 3> weights_of(const Interface&, const Vectors& x, Index apex, Index facet);
+
+/// A stencil without a push, so that the apex votes for the time step.
+void vote_over(const Interface&, const Vectors& x, Index apex, const Feature&, const std::array<double, 3>& weight, ElementForces&);
+
+/// Pulls or pushes a bonded apex back over its point of the base.
+///
+/// With d = x_apex - sum of w_I x_I - h n the potential is 1/2 k d.d, and with G_I the gradients of the
+/// facet's shape functions  dn = - sum of (n . dx_I) G_I,  so the forces are exactly its gradient:
+///     apex  -k d,     base nodes  k (w_I d - h (d . G_I) n), the second part a couple
+void hold_bond(const Interface&, const Vectors& x, Near&, Memory&);
+
+/// Moves one apex and computes its force, with the work of the step that led to x.
+///
+/// moved  [m] see Near::clear
+void advance_element(const Interface&, const Vectors& x, const Vectors& v, double dt, double moved, Near&, Memory&);
+
+/// Friction on one apex whose normal force is known: slip carried on, stuck or slid.
+void advance_friction(const Interface&, const Vectors& x, const Vectors& v, const Vectors& omega, double dt, Near&, Memory&);
+
+}  // namespace nereid::contact

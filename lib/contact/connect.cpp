@@ -1,0 +1,161 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "contact/apex.hpp"
+#include "contact/near.hpp"
+#include "contact/stand.hpp"
+
+namespace nereid::contact {
+
+namespace {
+
+using geometry::Closest;
+using geometry::Kind;
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double bond_past_border = 0.05;  // of a facet's size: half of what a border apex stands for lies inside
+constexpr Index facets_at_first = 32;   // near an apex, for which memory is taken at the start
+
+/// How an apex stands over its nearest facet at the start.
+struct Start {
+  Index facet = -1;   ///< -1: none within reach
+  Stand stand;
+  double distance = 0;  ///< [m]
+};
+Start start_of(const Interface& interface, const Vectors& x, Index a, double reach, const BroadSearch& broad) {
+  const Index node = interface.apexes[a], facet = broad.nearest(interface.base, x, position(x, node), reach);
+  if (facet < 0) return {};
+  const Closest closest = geometry::closest_on_triangle(corners(interface.base, x, facet), position(x, node));
+  return {facet, stand(interface.base, x, x.col(node), facet), std::sqrt(closest.distance_squared)};
+}
+
+void prepare(const Interface& interface, Memory& memory) {
+  const auto count = static_cast<Index>(interface.apexes.size());
+  memory = {};
+  memory.near.reserve(count);
+  memory.near_facets.reserve(static_cast<std::size_t>(facets_at_first) * count);
+  memory.slot.assign(count, -1);
+  memory.feature.resize(count);
+  memory.status.assign(count, Status::unpaired);
+  memory.gap.assign(count, std::numeric_limits<double>::quiet_NaN());
+  memory.stored.assign(count, 0.0);
+  memory.apexes_then = Vectors::Zero(3, count);
+  memory.base_then = Vectors::Zero(3, static_cast<Eigen::Index>(interface.base_nodes.size()));
+  if (interface.friction.coefficient > 0) {
+    memory.slip.assign(count, Vec3::Zero());
+    memory.tangential_stored.assign(count, 0.0);
+  }
+  memory.reconnections.assign(count, 0);
+}
+
+/// Puts a bonded apex over its point of the base, unless it stands past the border.
+bool bond(const Vectors& x, Index a, const Start& start, Interface& interface, Memory& memory) {
+  if (start.facet < 0) return false;
+  const Index facet = start.stand.feature.facet;
+  if (start.stand.past > bond_past_border * std::sqrt(area_vector(interface.base, x, facet).norm())) return false;
+  const FeatureHeight over = height_over(interface.base, x, {facet, Kind::facet, 0}, x.col(interface.apexes[a]));
+  interface.bonds[a] = {facet, over.weight, over.height};
+  memory.feature[a] = {facet, Kind::facet, 0};
+  memory.status[a] = Status::open;
+  memory.slot[a] = static_cast<Index>(memory.near.size());
+  memory.near.push_back({.apex = a, .tracks = {}, .element = {}, .friction = {}});
+  return true;
+}
+
+}  // namespace
+
+InitialGaps connect(Interface& interface, const Vectors& x, double reach, const ContactHeight& height, InitialPenetration penetration,
+                    Memory& memory, Workspace& workspace) {
+  const auto count = static_cast<Index>(interface.apexes.size());
+  const bool bonded = interface.kind == InterfaceKind::bonded;
+  interface.base_nodes.assign(interface.base.facets.data(), interface.base.facets.data() + interface.base.facets.size());
+  std::sort(interface.base_nodes.begin(), interface.base_nodes.end());
+  interface.base_nodes.erase(std::unique(interface.base_nodes.begin(), interface.base_nodes.end()), interface.base_nodes.end());
+  prepare(interface, memory);
+  interface.bonds.assign(bonded ? count : 0, Bond{});
+  interface.contact_height = Scalars::Constant(count, height.given);
+  memory.margin = interface.margin;
+
+  InitialGaps gaps;
+  gaps.apexes = count;
+  gaps.least = infinite;
+  gaps.largest = -infinite;
+  std::vector<double> initial(count, std::numeric_limits<double>::quiet_NaN());
+  workspace.broad.sort(interface.base, x);
+  for (Index a = 0; a < count; ++a) {
+    const Start start = start_of(interface, x, a, reach, workspace.broad);
+    if (bonded && !bond(x, a, start, interface, memory)) ++gaps.free;
+    if (start.facet < 0) {
+      ++gaps.without_base;
+      continue;
+    }
+    // past a wall only the distance has a meaning
+    const double h = start.stand.past > 0 ? start.distance : start.stand.over.height;
+    if (height.from_initial_height) interface.contact_height(a) = h - height.clearance;
+    // a height of round-off would be a layer around walls and edges, and none is meant
+    const double least_height = 1e-9 * interface.base.longest(start.stand.feature.facet);
+    if (std::abs(interface.contact_height(a)) < least_height) interface.contact_height(a) = 0;
+    initial[a] = h - interface.contact_height(a);
+    if (bonded) memory.gap[a] = initial[a];
+    ++gaps.by_kind[static_cast<int>(start.stand.feature.kind)];
+  }
+  if (!bonded) {
+    search(interface, x, memory, workspace);
+    memory.recovered = memory.searches = 0;
+  }
+  const Vectors rest = Vectors::Zero(3, x.cols());
+  for (Near& near : memory.near) {
+    if (bonded) break;
+    const Index a = near.apex, node = interface.apexes[a];
+    const double contact_height = interface.contact_height(a);
+    const Mat3* allowed = allowed_of(interface, a);
+    const Sweep sweep{interface.base, interface.own, x, rest, 0, near_facets(memory, near), node, allowed, contact_height};
+    const Nearest nearest = nearest_of(interface, x, a, sweep.near);
+    memory.feature[a] = nearest.feature;
+    memory.gap[a] = nearest.distance() - contact_height;
+    double depth = 0;
+    const Index facet = behind(sweep, interface.depth > 0 ? interface.depth : infinite, depth);
+    if (facet < 0) continue;
+    // positions are no more exact than their distance from the origin allows, and differences no more than the facet's size
+    const double round_off = 1e-12 * (std::abs(depth) + 2 * std::abs(contact_height) + interface.base.longest(facet));
+    const bool counts = depth > round_off, accepted = !counts || penetration == InitialPenetration::accept;
+    near.tracks.begin(facet, accepted ? contact_height - depth : contact_height);
+    memory.gap[a] = initial[a] = accepted ? 0 : -depth;
+    if (!counts) continue;
+    ++gaps.penetrating;
+    gaps.deepest = std::max(gaps.deepest, depth);
+  }
+  for (const double gap : initial) {
+    if (std::isnan(gap)) continue;
+    gaps.least = std::min(gaps.least, gap);
+    gaps.largest = std::max(gaps.largest, gap);
+    gaps.mean += gap;
+  }
+  const Index connected = gaps.apexes - gaps.without_base;
+  if (connected == 0) gaps.least = gaps.largest = 0;
+  else gaps.mean /= connected;
+  return gaps;
+}
+
+Memory tried_out(const Interface& interface, const Vectors& x, double reach, Workspace& workspace) {
+  Memory trial;
+  prepare(interface, trial);
+  if (!workspace.broad.sort(interface.base, x)) return trial;
+  const auto count = static_cast<Index>(interface.apexes.size());
+  for (Index a = 0; a < count; ++a) {
+    const Start start = start_of(interface, x, a, reach, workspace.broad);
+    const bool bonded = interface.kind == InterfaceKind::bonded;
+    if (start.facet < 0 || (bonded && interface.bonds[a].facet < 0)) continue;
+    trial.slot[a] = static_cast<Index>(trial.near.size());
+    trial.near.push_back({.apex = a, .tracks = {}, .element = {}, .friction = {}});
+    Near& near = trial.near.back();
+    trial.feature[a] = start.stand.feature;
+    if (bonded) hold_bond(interface, x, near, trial);
+    else vote_over(interface, x, a, start.stand.feature,
+                   weights_of(interface, x, a, start.stand.feature.facet), near.element);
+  }
+  return trial;
+}
+
+}  // namespace nereid::contact

@@ -1,0 +1,45 @@
+#pragma once
+// Near sets: which apexes can touch their base before the next search, and over which facets.
+
+#include <cmath>
+#include <limits>
+#include <span>
+
+#include "contact/contact.hpp"
+#include "geometry/closest.hpp"
+
+namespace nereid::contact {
+
+constexpr double steps_ahead = 2;  ///< apexes that may be in contact after so many of the longest steps vote for the step
+
+/// Facets within the margin of a near apex.
+inline std::span<const Index> near_facets(const Memory& memory, const Near& near) {
+  return std::span<const Index>(memory.near_facets).subspan(near.first_facet, near.facets);
+}
+
+/// The closest of the facets near an apex.
+struct Nearest {
+  Feature feature;  ///< facet -1: none is near
+  geometry::Closest closest{geometry::Kind::facet, 0, {}, std::numeric_limits<double>::infinity()};
+  /// [m] way to where the first of the facets can be entered, which may reach past a border
+  double clear = std::numeric_limits<double>::infinity();
+  double distance() const { return std::sqrt(closest.distance_squared); }
+};
+Nearest nearest_of(const Interface&, const Vectors& x, Index apex, std::span<const Index> facets);
+
+/// How far apexes and base have moved against each other since the last search, at most. [m]
+///
+/// Any way taken as common gives a bound. That of the base in the mean is good: here that of its first node now, and what the mean was
+/// beyond it a step before, which takes no pass of its own.
+double moved_since_search(const Interface&, const Vectors& x, Memory&);
+
+/// The margin of a search, or what apexes and base can go against each other in some steps where that is more. [m]
+double margin_of(const Interface&, const Vectors& v);
+
+/// Lists the apexes nearer to their base than h_c and the margin, with the facets that are so near, and those in contact.
+///
+/// All stay as they are where the base surface has positions that are not finite or beyond farthest_place: the elements say so at this
+/// very state, and the run ends.
+void search(const Interface&, const Vectors& x, Memory&, Workspace&);
+
+}  // namespace nereid::contact
