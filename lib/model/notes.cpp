@@ -53,11 +53,14 @@ std::vector<std::string> width_notes(const Simulation& simulation) {
 
 std::vector<std::string> rounding_notes(const Simulation& simulation) {
   constexpr double worth_saying = 1e-12;  // [-] of an element: impacts that chatter have been seen to multiply it by 1e9
+  constexpr double far_away = 10;         // [-] times the size of the body
   const audit::Surface* worst = nullptr;
   double most = 0, rounding = 0;
   for (const audit::Surface& surface : simulation.forces.audit.surfaces.list) {
-    double farthest = 0;
-    for (const Index n : surface.nodes) farthest = std::max(farthest, simulation.state.x.col(n).cwiseAbs().maxCoeff());
+    Vec3 low = Vec3::Constant(INFINITY), high = -low;
+    for (const Index n : surface.nodes) low = low.cwiseMin(simulation.state.x.col(n)), high = high.cwiseMax(simulation.state.x.col(n));
+    const double farthest = low.cwiseAbs().cwiseMax(high.cwiseAbs()).maxCoeff();
+    if (!(farthest > far_away * (high - low).maxCoeff())) continue;  // to move it would not help
     const double here = 0.5 * std::numeric_limits<double>::epsilon() * farthest;
     if (here / surface.smallest > most) worst = &surface, most = here / surface.smallest, rounding = here;
   }
