@@ -213,10 +213,13 @@ void enter(const Sweep& s, double deepest, Tracks& tracks) {
   Crossing through = crossed(s, p0, p1, s.contact_height, true, all);
   double height = 0;
   if (through.facet >= 0 && through.faced) {
-    // what comes in edgeways, as a node of a floor before a block that slides on it, belongs to the face that it looks at
+    // what comes in edgeways, as a node of a floor before a block that slides on it, belongs to the face that it looks at; but not from
+    // deeper below that than contacts are, for with such an offset it would go on into the body without a force
     const Vec3 normal = facet_normal(s.base, s.x, through.facet);
     if (facing(s, normal) > edgeways) {
-      const auto limit = [&](Index f) { return deepest_entry(s.base, f); };
+      const auto limit = [&](Index f) {
+        return std::min(deepest_entry(s.base, f), std::max(like_neighbours * deepest, whole_past_wall * s.base.size(f)));
+      };
       const Index looked_at = shallowest(s, p1, limit, &normal, height, straight);
       if (looked_at >= 0) return tracks.begin(looked_at, height);
       const auto weight = geometry::facet_height(corners(s.base, s.x, through.facet), place(p1)).weight;

@@ -152,5 +152,24 @@ TEST(EntryOfAnApex, NeedsASurfaceThatFacesTheFacet) {
   }
 }
 
+TEST(EntryOfAnApex, EdgewaysBelongsToTheFaceThatItLooksAtOnlyFromNearby) {
+  // a node of a ceiling over a block, past its rim: from deep below the top it would go on into the block without a force
+  for (const double depth : {0.02, 0.15}) {
+    Scene scene = press(block({0, 0, 0}, {4, 4, 1}, {4, 4, 1}), {{-0.1, 2.1, 1 - depth}}, 0);
+    Table<3> own(3, 1);
+    const Index apex = scene.apex();
+    scene.x.conservativeResize(3, apex + 3);
+    scene.x.col(apex + 1) = Vec3(-0.1, 2.6, 1 - depth), scene.x.col(apex + 2) = Vec3(0.4, 2.1, 1 - depth);
+    own << apex, apex + 1, apex + 2;
+    scene.interface.own = fans(own, apex + 3);
+    ASSERT_LT((facet_normal(scene.interface.own, scene.x, 0) - Vec3(0, 0, -1)).norm(), 1e-12);
+    step_to(scene, 0, {0.02, 2.1, 1 - depth});
+    ASSERT_EQ(scene.near().tracks.count, 1);
+    const Vec3 normal = facet_normal(scene.interface.base, scene.x, scene.near().tracks.track[0].facet);
+    EXPECT_LT((normal - (depth < 0.1 ? Vec3(0, 0, 1) : Vec3(-1, 0, 0))).norm(), 1e-12) << depth;
+    EXPECT_EQ(scene.forces().col(apex).norm() > 0, depth > 0.1);
+  }
+}
+
 }  // namespace
 }  // namespace nereid::contact
