@@ -5,7 +5,7 @@ set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 add_link_options(-Wl,--build-id=none)         # so that programs differ only if their code does: runs are found again by that
-# never -ffast-math: NaN checks and sums rely on IEEE rules; errno is read nowhere, and a root that sets it is a branch
+# never -ffast-math: NaN checks and sums rely on IEEE rules; nobody reads the errno of a root, and to set it takes a branch
 set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG -fno-math-errno")
 
 include(${CMAKE_CURRENT_LIST_DIR}/dependencies.cmake)

@@ -16,7 +16,7 @@ namespace {
 
 using geometry::Kind;
 
-constexpr double sharp = 0.1;       // cosine between the normals at a ridge: below it the edge is a wall
+constexpr double sharp = 0.1;           // cosine between the normals at a ridge: below it the edge is a wall
 constexpr double least_cosine = -0.94;  // between two facets, so that the tangent of half the angle stays finite
 
 Vec3 eigen(const Vector<double>& a) { return {a.x, a.y, a.z}; }
@@ -84,7 +84,7 @@ void measure_thickness(BaseSurface& base, const Vectors& X) {
   }
 }
 
-/// Walls and lengths.
+/// Walls, lengths and the sharpest turn.
 void measure_edges(BaseSurface& base, const Vectors& X) {
   const auto count = static_cast<Index>(base.facets.cols());
   base.wall.assign(count, {true, true, true});
@@ -104,6 +104,7 @@ void measure_edges(BaseSurface& base, const Vectors& X) {
   for (Index f = 0; f < count; ++f)  // both sides see the same wall, whatever round-off says
     for (int e = 0; e < 3; ++e)
       if (base.neighbour(e, f) > f) base.wall[base.neighbour(e, f)][edge_to(base, base.neighbour(e, f), f)] = base.wall[f][e];
+  for (Index f = 0; f < count; ++f) base.sharpest = std::max(base.sharpest, lean(base, X, f));
 }
 
 }  // namespace

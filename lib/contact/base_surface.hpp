@@ -37,6 +37,7 @@ struct BaseSurface : Fans {         // the normal of a facet points to the side 
   Scalars thickness;  ///< [m] way along -n from the centre of the facet to the first facet that faces back; infinite without one
   Scalars size;       ///< [m] of the face that the facet is half of: the root of twice its area
   Scalars longest;    ///< [m] its longest edge
+  double sharpest = 0;  ///< [-] the largest lean() of any facet: how far a walk must look in its sharpest valley
 };
 
 /// [-] of the size of a face: so far past a wall a facet is still the base, for half of what a border apex stands for is inside.

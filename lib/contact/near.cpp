@@ -49,6 +49,7 @@ Nearest nearest_of(const Interface& interface, const Vectors& x, Index a, std::s
 }
 
 double moved_since_search(const Interface& interface, const Vectors& x, Memory& memory) {
+  if (interface.base_nodes.empty()) return 0;
   const Vec3 first = x.col(interface.base_nodes[0]) - memory.base_then.col(0), common = first + memory.mean_way;
   Vec3 of_apexes = Vec3::Zero(), of_base = Vec3::Zero();
   const double apexes = farthest_moved(interface.apexes, x, memory.apexes_then, common, of_apexes);

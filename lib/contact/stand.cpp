@@ -27,13 +27,12 @@ Vec3 foot_of(const BaseSurface& base, const Vectors& x, Index facet, const std::
 
 /// The closest feature of the patch from a facet on, among facets near the foot; changes facet and closest.
 ///
-/// times    the distance is how near
 /// returns  whether a closer facet was found
-bool walk_on(const BaseSurface& base, const Vectors& x, const Vector<double>& p, double times, Index& facet,
-             Closest& closest) {
+bool walk_on(const BaseSurface& base, const Vectors& x, const Vector<double>& p, Index& facet, Closest& closest) {
   const Index from = facet;
   const Closest here = closest;
   const Vec3 foot = foot_of(base, x, from, here.weight);
+  const double times = std::max({look_around, base.sharpest, lean(base, x, from)});
   const double reach = times * std::sqrt(here.distance_squared) + round_off * base.longest(from);
   const double deepest = middle * base.thickness(from);
   if (here.kind == Kind::facet && here.distance_squared > deepest * deepest) return false;
@@ -75,8 +74,7 @@ Stand stand(const BaseSurface& base, const Vectors& x, const Vec3& point, Index 
   if (ownership(base, x, facet, over, std::abs(over.height)).whole) return {.feature = {facet, Kind::facet, 0}, .over = over};
 
   Closest closest = geometry::closest_on_triangle(corners(base, x, facet), p);
-  const double reach = std::max(look_around, lean(base, x, from));
-  for (int hop = 0; hop < most_hops && walk_on(base, x, p, reach, facet, closest); ++hop) continue;
+  for (int hop = 0; hop < most_hops && walk_on(base, x, p, facet, closest); ++hop) continue;
 
   Stand found{.feature = {facet, closest.kind, closest.local}, .over = {}};
   const bool wall = closest.kind == Kind::edge     ? base.wall[facet][closest.local]

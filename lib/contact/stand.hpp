@@ -28,7 +28,7 @@ Ownership ownership(const BaseSurface&, const Vectors& x, Index facet, const Fea
 ///
 /// Over the inside of a facet that Eq. 14 owns with some room only that facet is looked at. Else the walk tries all facets that meet
 /// the sphere around the foot and are connected to it without a wall between. Its radius is twice the distance, or more where the surface
-/// has sharp valleys.
+/// had sharp valleys in the reference, or has one next to the facet.
 /// From deeper than 0.45 of the thickness behind a facet it goes nowhere: the far side of the body is nearer there.
 ///
 /// from     facet to start from

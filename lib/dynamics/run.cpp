@@ -59,7 +59,7 @@ std::string deed(const Suspect& one) {
 /// except  the block whose element is lost: its own account is spoiled by that
 std::string made_before(const Model& model, const Ledger& ledger, double limit, int except = -1) {
   const Suspect one = suspect(model, ledger, except);
-  return std::abs(one.part) > limit ? "; before that " + name(model, one) + " had " + deed(one) : "";
+  return std::abs(one.part) > limit * times_the_limit(model, one.source) ? "; before that " + name(model, one) + " had " + deed(one) : "";
 }
 
 /// Stops the run with a place if an element is lost, a number is no number or the step collapsed.
@@ -98,10 +98,12 @@ bool too_much_of_the_scene(const Model& model, const Ledger& ledger, double limi
     outcome.ending = std::isnan(excess) ? Ending::not_finite : excess > 0 ? Ending::energy_created : Ending::energy_lost;
     const std::string part = (excess > 0 ? "created" : "lost") + text(" %.3g of the ", std::abs(excess) / scale, 0);
     const std::string bound = text("; the limit is %.3g", limit, 0);
-    outcome.reason = std::isnan(excess)                ? "its energy is not finite"
-                     : scale == ledger.initial_available ? part + "initial kinetic energy" + bound
-                     : scale == ledger.external_work   ? part + "external work so far" + bound
-                                                       : part + "energy stored at the start" + bound;
+    const bool of_centre = ledger.initial_available < ledger.initial_kinetic;
+    outcome.reason = std::isnan(excess)                  ? "its energy is not finite"
+                     : scale == ledger.external_work     ? part + "external work so far" + bound
+                     : scale == initial_stored(ledger)   ? part + "energy stored at the start" + bound
+                     : of_centre ? part + "initial kinetic energy about the common centre of mass" + bound
+                                 : part + "initial kinetic energy" + bound;
     outcome.block = name(model, static_cast<int>(a));
     return true;
   }

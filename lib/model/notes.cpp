@@ -52,7 +52,7 @@ std::vector<std::string> width_notes(const Simulation& simulation) {
 }
 
 std::vector<std::string> rounding_notes(const Simulation& simulation) {
-  constexpr double worth_saying = 1e-12;  // [-] of an element: impacts that chatter have been seen to multiply it by 1e9
+  constexpr double worth_saying = 1e-12;  // [-] of an element: impacts that chatter have been seen to multiply it by 3e9
   constexpr double far_away = 10;         // [-] times the size of the body
   const audit::Surface* worst = nullptr;
   double most = 0, rounding = 0;
@@ -60,7 +60,7 @@ std::vector<std::string> rounding_notes(const Simulation& simulation) {
     Vec3 low = Vec3::Constant(INFINITY), high = -low;
     for (const Index n : surface.nodes) low = low.cwiseMin(simulation.state.x.col(n)), high = high.cwiseMax(simulation.state.x.col(n));
     const double farthest = low.cwiseAbs().cwiseMax(high.cwiseAbs()).maxCoeff();
-    if (!(farthest > far_away * (high - low).maxCoeff())) continue;  // to move it would not help
+    if (!(farthest > far_away * (high - low).maxCoeff()) || !std::isfinite(farthest)) continue;  // to move it would not help
     const double here = 0.5 * std::numeric_limits<double>::epsilon() * farthest;
     if (here / surface.smallest > most) worst = &surface, most = here / surface.smallest, rounding = here;
   }
@@ -154,9 +154,9 @@ std::vector<std::string> energy_notes(const Simulation& simulation) {
   }
   look("time integration", ledger.worst_kept, "of the scene", limit);
   const double swing = dynamics::swing_part(ledger);
-  if (swing > worth_a_warning * limit && std::abs(ledger.worst_kept) < 0.5 * swing)
-    notes.push_back(row("time integration: the kinetic energy swung by %.2g of the energy of the scene and came back; it goes with the "
-                        "square of the step",
+  if (swing > worth_a_warning * limit && !(std::abs(ledger.worst_kept) > worth_a_warning * limit))  // one of both is said
+    notes.push_back(row("time integration: the kinetic energy swung by %.2g of the energy of the scene; it goes with the square of the "
+                        "step",
                         swing));
   return notes;
 }

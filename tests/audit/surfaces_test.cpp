@@ -22,6 +22,12 @@ TEST(Surfaces, OfABoxIsItsSkin) {
   }
 }
 
+TEST(Surfaces, MeasureAnElementWhereItIsFlattestWhateverTheFace) {
+  const Surface skin = surfaces(block("brick", {1, 2, 4}, {1, 1, 1}), {}).list[0];
+  EXPECT_NEAR(skin.face_size.minCoeff(), 1, 1e-12);
+  EXPECT_NEAR(skin.face_size.maxCoeff(), 1, 1e-12);
+}
+
 TEST(Surfaces, AreThoseOfConnectedPiecesWhateverTheRegions) {
   mesh::Mesh two = block("a", Vec3::Ones(), {2, 1, 1});
   two.hexahedra.push_back({"b", two.hexahedra[0].nodes.rightCols(1)});

@@ -79,6 +79,18 @@ TEST(Stand, IsOverTheClosestFeatureOfTheSideOfABox) {
   walks_to_the_closest({box.X, mesh::surface(box, "box.z_high").facets}, 0.5, 0);
 }
 
+TEST(Stand, SeesTheOtherFlankOfASharpValleyFromARowAwayFromItsBottom) {
+  // flanks of 80 degrees, four rows each: where the other flank is near, no facet around this one turns
+  const double slope = 5.67;
+  const Shape shape = sheet(8, 6, [&](double x, double) { return slope * std::abs(x - 4); });
+  const BaseSurface base = base_of(shape);
+  const Vec3 normal = Vec3(-slope, 0, 1).normalized(), foot(5.2, 3.3, slope * 1.2), p = foot + 2.2 * normal;
+  const Index from = facet_below(base, shape.x, p, normal);
+  ASSERT_GE(from, 0);
+  const Stand end = stand(base, shape.x, p, from);
+  EXPECT_NEAR(distance_of(end), nearest_of_all(base, shape.x, {p.x(), p.y(), p.z()}), 1e-12);
+}
+
 TEST(Stand, PastAWallIsOverThePlaneOfItsFacet) {
   const Shape shape = skin();
   const BaseSurface base = base_of(shape);

@@ -152,6 +152,14 @@ TEST(EntryOfAnApex, NeedsASurfaceThatFacesTheFacet) {
   }
 }
 
+TEST(Penetration, OfAnApexNearAnotherFaceIsReportedNoDeeperThanThatIsFar) {
+  Scene scene = press(block({0, 0, 0}, {4, 4, 1}, {4, 4, 1}), {{0.06, 2.1, 1.1}}, 0);
+  for (double z = 1; z > 0.45; z -= 0.05) step_to(scene, 0, {0.06, 2.1, z});
+  EXPECT_NEAR(scene.element().depth, 1 - scene.x(2, scene.apex()), 1e-12) << "it is pushed back to where it came from";
+  EXPECT_NEAR(scene.memory.deepest, 0.06, 1e-12);
+  EXPECT_EQ(scene.memory.deepest_apex, scene.apex());
+}
+
 TEST(EntryOfAnApex, EdgewaysBelongsToTheFaceThatItLooksAtOnlyFromNearby) {
   // a node of a ceiling over a block, past its rim: from deep below the top it would go on into the block without a force
   for (const double depth : {0.02, 0.15}) {

@@ -355,6 +355,22 @@ TEST(Run, AnInvertedElementNamesTheSourceThatMadeEnergyBefore) {
             "its volume or area is -0.5 of the reference; before that joint had created 0.5 of the energy that passed through it");
 }
 
+TEST(Run, AnInvertedElementBlamesNoBodyThatIsWithinItsLimit) {
+  for (const double part : {0.2, 0.3}) {
+    Scene s = careless();
+    s.ready();
+    s.move("above", {0, 0, -3});
+    start(s.model, s.state, s.forces);
+    s.state.progress.started = s.state.progress.ledger_is_current = true;
+    s.state.progress.first_step = s.state.votes.elements.step;
+    s.state.ledger.accounts[0].work = part * s.state.ledger.initial_available;
+    s.state.ledger.flows[0].passed = s.state.ledger.initial_available;
+    s.state.votes.volume_ratio = -0.5, s.state.votes.smallest_block = 1, s.state.votes.smallest_element = 3;
+    const Outcome outcome = s.run_to(0.05);
+    EXPECT_EQ(outcome.reason.find("before that below") != std::string::npos, part > 0.25) << outcome.reason;
+  }
+}
+
 TEST(Run, StopsWhenTimeIntegrationCreatesEnergy) {
   Scene s;
   s.model.mesh = mesh::box("cube", {{0, 0, 0}, {1, 1, 1}, {4, 4, 4}});
@@ -379,6 +395,22 @@ TEST(Run, ThatStartsAtRestIsHeldAgainstTheEnergyThatGravityBroughtIn) {
   EXPECT_GT(energy_scale(ledger), 0);
   EXPECT_GE(energy_scale(ledger), work_from_loads(ledger));
   EXPECT_GT(std::abs(spurious_part(ledger, 2)), 0.05);
+}
+
+TEST(Run, OfAFreeSceneIsJudgedAlikeByWhoMovesAlongAndWhoStands) {
+  std::array<double, 2> scale{};
+  for (const double along : {0.0, 500.0}) {
+    Scene s = careless();
+    s.move("above", {along, 0, -3});
+    s.move("below", {along, 0, 0});
+    start(s.model, s.state, s.forces);
+    scale[along > 0] = energy_scale(s.state.ledger);
+    EXPECT_GT(s.state.ledger.initial_kinetic, 1.5 * s.state.ledger.initial_available);
+  }
+  EXPECT_NEAR(scale[1] / scale[0], 1, 1e-9);
+  Scene held = careless({0, 0, -1}, 3);  // by a plane
+  start(held.model, held.state, held.forces);
+  EXPECT_EQ(held.state.ledger.initial_available, held.state.ledger.initial_kinetic);
 }
 
 TEST(Run, GoesOnWithinTheLimitOfCreatedEnergyThatItIsGiven) {

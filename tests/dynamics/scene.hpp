@@ -92,12 +92,13 @@ inline std::vector<std::pair<std::string, std::vector<double>>> numbers(const St
       all(f.touch.normal), all(f.touch.arm), all(f.touch.node), all(f.touch.weight), all(f.touch.base_arm), all(f.touch.apex_arm);
       add(f.touch.apex, f.touch.base_rotates);
     }
-    add(c.work, c.damped, c.friction_dissipated, c.created_by_reconnection, c.deepest, c.deepest_time, c.walks, c.lost, c.recovered);
+    add(c.work, c.damped, c.friction_dissipated, c.created_by_reconnection, c.deepest, c.deepest_apex, c.deepest_time, c.walks);
+    add(c.lost, c.recovered);
     add(c.searches, c.deepest_now, c.margin), all(c.apexes_then), all(c.base_then), all(c.mean_way);
   }
   for (const contact::PlaneMemory& p : s.rigid_planes) {
     part("rigid plane"), all(p.force), all(p.impulse), all(p.angular_impulse),
-        add(p.work, p.stored, p.tangential_stored, p.friction_dissipated, p.deepest, p.deepest_time);
+        add(p.work, p.stored, p.tangential_stored, p.friction_dissipated, p.deepest, p.deepest_node, p.deepest_time);
     for (const Vec3& slip : p.slip) all(slip);
   }
   part("constraints");

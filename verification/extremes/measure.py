@@ -332,8 +332,10 @@ def self_overlap(body, x):
         triangles, owners = x[body.faces], body.faces
     else:
         triangles, owners = in_four(x[body.faces]), np.concatenate([body.faces] * 4)
+
     def apart(e, t):
         return ~np.any(edges[e][:, :, None] == owners[t][:, None, :], axis=(1, 2))
+
     return float(pierced(x[edges[:, 0]], x[edges[:, 1]], triangles, apart)[0].max(initial=0.0))
 
 
