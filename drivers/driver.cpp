@@ -47,7 +47,7 @@ void add_common_results(const model::Simulation& simulation, const dynamics::Out
   for (std::size_t c = 0; c < simulation.model.interfaces.size(); ++c) {
     const auto& interface = simulation.model.interfaces[c];
     const auto& memory = simulation.state.interfaces[c];
-    results.push_back({interface.name + "_penalty", interface.penalty, "Pa/m"});
+    if (!contact::by_multipliers(interface)) results.push_back({interface.name + "_penalty", interface.penalty, "Pa/m"});
     results.push_back({interface.name + "_deepest", memory.deepest, "m"});
     results.push_back({interface.name + "_walks", static_cast<double>(memory.walks), "1"});
     results.push_back({interface.name + "_lost", static_cast<double>(memory.lost), "1"});

@@ -14,12 +14,14 @@
 namespace nereid {
 
 /// Energy that a source holds and can give back.
-enum class Stored { elastic, hourglass, transverse_shear, penalty, tangential_penalty, potential, external_work };
+///
+/// `restitution` is kinetic energy of nodes that multipliers stopped, as long as these press.
+enum class Stored { elastic, hourglass, transverse_shear, penalty, tangential_penalty, restitution, potential, external_work };
 /// Energy that a source took for good.
 enum class Dissipated { plastic, viscous, hourglass, damping, friction, inelastic_impact, removed };
 
-constexpr std::array<std::string_view, 7> words_of_stored{"elastic", "hourglass", "transverse_shear", "penalty",
-                                                          "tangential_penalty", "potential", "external_work"};
+constexpr std::array<std::string_view, 8> words_of_stored{"elastic",     "hourglass", "transverse_shear", "penalty", "tangential_penalty",
+                                                          "restitution", "potential", "external_work"};
 constexpr std::array<std::string_view, 7> words_of_dissipated{"plastic", "viscous", "hourglass", "damping",
                                                               "friction", "inelastic_impact", "removed"};
 
@@ -34,9 +36,9 @@ class Channels {
   double operator[](Channel channel) const { return value_[static_cast<std::size_t>(channel)]; }
 
  private:
-  std::array<double, 7> value_{};
+  std::array<double, 8> value_{};
 };
-static_assert(words_of_stored.size() == 7 && words_of_dissipated.size() == 7);
+static_assert(words_of_stored.size() <= 8 && words_of_dissipated.size() <= 8);
 
 /// What makes forces.
 enum class SourceKind {

@@ -18,10 +18,6 @@ constexpr double votes_within = 0.25;   // of the depth of an element: open apex
 constexpr double least_area = 0.2;      // of the tributary area: with less of it facing, the surface of the apex stands edge-on
 constexpr double in_plane = 1e-6;       // of a distance: a node that lies in a symmetry plane
 
-bool same(const Feature& a, const Feature& b) {
-  return a.facet == b.facet && a.kind == b.kind && (a.kind == Kind::facet || a.local == b.local);
-}
-
 /// Shares out the stiffness of an apex over its base nodes. A node of several stencils counts once, by its largest weight: they push as
 /// one. To a node off the symmetry plane of the apex comes the same from the image of its facet.
 void share_stiffness(const Interface& interface, const Vectors& x, Index a, ElementForces& element) {
@@ -46,33 +42,6 @@ void share_stiffness(const Interface& interface, const Vectors& x, Index a, Elem
   }
 }
 
-/// Power of the forces of one apex at scale 1. [W]
-double power(const Interface& interface, const Vectors& v, Index a, const ElementForces& element) {
-  if (!element.closed) return 0;
-  double sum = 0;
-  for (int i = 0; i < element.count; ++i) {
-    const Stencil& stencil = element.stencil[i];
-    Vec3 rate = stencil.apex * v.col(interface.apexes[a]);
-    for_each_node(interface, stencil, [&](Index node, double weight, double) { rate -= weight * v.col(node); });
-    sum += stencil.push.dot(rate);
-  }
-  return sum;
-}
-
-/// Moment about the origin of the normal forces of one apex, at the positions `later` [s] after x. It is computed where there can be one.
-Vec3 moment(const Interface& interface, const Vectors& x, const Vectors& v, double later, Index a, const ElementForces& element) {
-  Vec3 sum = Vec3::Zero();
-  if (!element.closed || (interface.allowed.empty() && !element.has_moment)) return sum;
-  const auto place = [&](Index node) { return Vec3(x.col(node) + later * v.col(node)); };
-  for (int i = 0; i < element.count; ++i) {
-    const Stencil& stencil = element.stencil[i];
-    Vec3 arm = stencil.apex * place(interface.apexes[a]);
-    for_each_node(interface, stencil, [&](Index node, double weight, double) { arm -= weight * place(node); });
-    sum += arm.cross(stencil.push);
-  }
-  return element.scale * sum;
-}
-
 /// How fast an apex moves against a facet: no slower than against the foot. [m/s]
 double speed_over(const Interface& interface, const Vectors& v, Index a, Index facet) {
   double fastest = 0;
@@ -89,6 +58,59 @@ double area_facing(const Interface& interface, const Vectors& x, Index a, Index 
 }
 
 }  // namespace
+
+double power(const Interface& interface, const Vectors& v, Index a, const ElementForces& element) {
+  if (!element.closed) return 0;
+  double sum = 0;
+  for (int i = 0; i < element.count; ++i) {
+    const Stencil& stencil = element.stencil[i];
+    Vec3 rate = stencil.apex * v.col(interface.apexes[a]);
+    for_each_node(interface, stencil, [&](Index node, double weight, double) { rate -= weight * v.col(node); });
+    sum += stencil.push.dot(rate);
+  }
+  return sum;
+}
+
+Vec3 moment(const Interface& interface, const Vectors& x, const Vectors& v, double later, Index a, const ElementForces& element) {
+  Vec3 sum = Vec3::Zero();
+  if (!element.closed || (interface.allowed.empty() && !element.has_moment)) return sum;
+  const auto place = [&](Index node) { return Vec3(x.col(node) + later * v.col(node)); };
+  for (int i = 0; i < element.count; ++i) {
+    const Stencil& stencil = element.stencil[i];
+    Vec3 arm = stencil.apex * place(interface.apexes[a]);
+    for_each_node(interface, stencil, [&](Index node, double weight, double) { arm -= weight * place(node); });
+    sum += arm.cross(stencil.push);
+  }
+  return element.scale * sum;
+}
+
+Touch touch_of(const Interface& interface, const Vectors& x, Index a, const Feature& feature, const Vec3& normal) {
+  Touch touch;
+  touch.normal = normal;
+  touch.apex = interface.apexes[a];
+  const auto c = corners(interface.base, x, feature.facet);
+  const Vec3 at = x.col(touch.apex);
+  std::array<Vec3, 3> corner;
+  for (int I = 0; I < 3; ++I) {
+    touch.node[I] = interface.base.facets(I, feature.facet);
+    corner[I] = {c[I].x, c[I].y, c[I].z};
+  }
+  measure_base(corner, touch);
+  if (interface.weights == Weights::paper) {
+    const FeatureNodes base = nodes_of(interface.base, feature);
+    for (int I = 0; I < 3; ++I)
+      for (int b = 0; b < base.count; ++b)
+        if (base.node[b] == touch.node[I]) touch.weight[I] = 1.0 / base.count;
+    return touch;
+  }
+  touch.weight = geometry::closest_on_triangle(c, {at.x(), at.y(), at.z()}).weight;
+  touch.arm = at;
+  for (int I = 0; I < 3; ++I) touch.arm -= touch.weight[I] * corner[I];
+  touch.apex_arm = interface.arm_of_apex * touch.arm;
+  touch.base_arm = touch.arm - touch.apex_arm;
+  touch.base_rotates = !interface.rotation_of_node.empty() && interface.rotation_of_node[touch.node[0]] >= 0;
+  return touch;
+}
 
 std::array<double, 3> weights_of(const Interface& interface, const Vectors& x, Index a, Index facet) {
   return geometry::closest_on_triangle(corners(interface.base, x, facet), position(x, interface.apexes[a])).weight;
@@ -114,9 +136,10 @@ double stiffness(const Interface& interface, Index apex, const Feature& feature,
 }
 
 void vote_over(const Interface& interface, const Vectors& x, Index a, const Feature& feature, const std::array<double, 3>& weight,
-               ElementForces& element) {
+               double level, ElementForces& element) {
   element.count = 1;
-  element.stencil[0] = {.facet = feature.facet, .apex = 1, .weight = weight, .push = Vec3::Zero()};
+  element.stencil[0] = {.facet = feature.facet, .apex = 1, .weight = weight, .push = Vec3::Zero(),
+                        .kind = feature.kind, .local = feature.local, .level = level};
   element.stiffness = stiffness(interface, a, feature, interface.area(a));
   share_stiffness(interface, x, a, element);
 }
@@ -170,7 +193,7 @@ void look_around(const Interface& interface, const Vectors& x, const Vectors& v,
   }
   const bool votes = memory.gap[a] <= soon;
   near.clear = nearest.clear - interface.contact_height(a) - moved - (votes ? 0 : soon);
-  if (votes) vote_over(interface, x, a, nearest.feature, nearest.closest.weight, near.element);
+  if (votes) vote_over(interface, x, a, nearest.feature, nearest.closest.weight, interface.contact_height(a), near.element);
 }
 
 /// Finds what an apex is in contact with, and its forces.
@@ -193,13 +216,13 @@ void update_element(const Interface& interface, const Vectors& x, const Vectors&
     near.area = area_facing(interface, x, a, near.tracks.track[0].facet);
   }
 
-  WayOut out = way_out(interface.base, x, x.col(node), contact_height, allowed, moved, near.tracks, near.element.stencil);
+  WayOut out = way_out(interface.base, x, x.col(node), contact_height, allowed, moved, near.tracks, near.element.stencil, interface.stays);
   if (moved + out.length >= near.clear) {
     const Index other = other_part(sweep, before, near.tracks);
     if (other >= 0) {
       const int lost = out.lost;
       near.tracks.begin(other, contact_height);
-      out = way_out(interface.base, x, x.col(node), contact_height, allowed, moved, near.tracks, near.element.stencil);
+      out = way_out(interface.base, x, x.col(node), contact_height, allowed, moved, near.tracks, near.element.stencil, interface.stays);
       out.lost += lost;
     }
     near.clear = other >= 0 ? -infinite : nearest_other_part(sweep, near.tracks) - moved - out.length - contact_height;
@@ -212,7 +235,7 @@ void update_element(const Interface& interface, const Vectors& x, const Vectors&
     memory.status[a] = Status::open;
     memory.feature[a] = out.strongest;
     memory.gap[a] = std::max(0.0, out.gap);
-    return vote_over(interface, x, a, out.strongest, weights_of(interface, x, a, out.strongest.facet), element);
+    return vote_over(interface, x, a, out.strongest, weights_of(interface, x, a, out.strongest.facet), out.level, element);
   }
   const double k = stiffness(interface, a, out.strongest, near.area > 0 ? near.area : interface.area(a));
   memory.status[a] = Status::closed;
@@ -230,35 +253,6 @@ void update_element(const Interface& interface, const Vectors& x, const Vectors&
     element.apex += stencil.apex * stencil.push;
   }
   share_stiffness(interface, x, a, element);
-}
-
-/// Where the apex stands on its base, for friction.
-Touch touch_of(const Interface& interface, const Vectors& x, Index a, const Feature& feature, const Vec3& normal) {
-  Touch touch;
-  touch.normal = normal;
-  touch.apex = interface.apexes[a];
-  const auto c = corners(interface.base, x, feature.facet);
-  const Vec3 at = x.col(touch.apex);
-  std::array<Vec3, 3> corner;
-  for (int I = 0; I < 3; ++I) {
-    touch.node[I] = interface.base.facets(I, feature.facet);
-    corner[I] = {c[I].x, c[I].y, c[I].z};
-  }
-  measure_base(corner, touch);
-  if (interface.weights == Weights::paper) {
-    const FeatureNodes base = nodes_of(interface.base, feature);
-    for (int I = 0; I < 3; ++I)
-      for (int b = 0; b < base.count; ++b)
-        if (base.node[b] == touch.node[I]) touch.weight[I] = 1.0 / base.count;
-    return touch;
-  }
-  touch.weight = geometry::closest_on_triangle(c, {at.x(), at.y(), at.z()}).weight;
-  touch.arm = at;
-  for (int I = 0; I < 3; ++I) touch.arm -= touch.weight[I] * corner[I];
-  touch.apex_arm = interface.arm_of_apex * touch.arm;
-  touch.base_arm = touch.arm - touch.apex_arm;
-  touch.base_rotates = !interface.rotation_of_node.empty() && interface.rotation_of_node[touch.node[0]] >= 0;
-  return touch;
 }
 
 /// Rotation of the base over the step that led to x, from its positions in the middle, where a rigid
@@ -321,6 +315,18 @@ void advance_friction(const Interface& interface, const Vectors& x, const Vector
   if (turns) angular_impulse += 0.5 * dt * moment_of_friction(touch, friction.force, x, v, 0);
 }
 
+void find_contact(const Interface& interface, const Vectors& x, const Vectors& v, double dt, double moved, Near& near, Memory& memory) {
+  ElementForces& element = near.element;
+  element.closed = element.has_moment = false;
+  element.depth = 0;
+  element.lost = 0;
+  element.apex.setZero();
+  element.count = 0;
+  memory.stored[near.apex] = 0;
+  if (interface.kind == InterfaceKind::bonded) hold_bond(interface, x, near, memory);
+  else update_element(interface, x, v, dt, moved, near, memory);
+}
+
 void advance_element(const Interface& interface, const Vectors& x, const Vectors& v, double dt, double moved, Near& near, Memory& memory) {
   const Index a = near.apex;
   ElementForces& element = near.element;
@@ -329,14 +335,7 @@ void advance_element(const Interface& interface, const Vectors& x, const Vectors
   const double stored_before = memory.stored[a];
   const Feature before = memory.feature[a];
   const bool was_closed = element.closed;
-  element.closed = element.has_moment = false;
-  element.depth = 0;
-  element.lost = 0;
-  element.apex.setZero();
-  element.count = 0;
-  memory.stored[a] = 0;
-  if (interface.kind == InterfaceKind::bonded) hold_bond(interface, x, near, memory);
-  else update_element(interface, x, v, dt, moved, near, memory);
+  find_contact(interface, x, v, dt, moved, near, memory);
   element.moved = (was_closed || element.closed) && !same(memory.feature[a], before);
   near.rests = !was_closed && !element.closed && near.tracks.count == 0;
   const double power_after = power(interface, v, a, element);

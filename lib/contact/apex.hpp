@@ -19,8 +19,24 @@ void for_each_node(const Interface& interface, const Stencil& stencil, Visit&& v
 /// Weights of the point of a facet that is closest to an apex.
 std::array<double, 3> weights_of(const Interface&, const Vectors& x, Index apex, Index facet);
 
-/// A stencil without a push, so that the apex votes for the time step.
-void vote_over(const Interface&, const Vectors& x, Index apex, const Feature&, const std::array<double, 3>& weight, ElementForces&);
+/// A stencil without a push, so that the apex votes for the time step, or is looked at by multipliers.
+///
+/// level  [m] over the feature at which the contact closes
+void vote_over(const Interface&, const Vectors& x, Index apex, const Feature&, const std::array<double, 3>& weight, double level,
+               ElementForces&);
+
+/// Where the apex stands on its base, for friction.
+Touch touch_of(const Interface&, const Vectors& x, Index apex, const Feature&, const Vec3& normal);
+
+/// Power of the forces of one apex and its bases, without Interface::damping_time. [W]
+double power(const Interface&, const Vectors& v, Index apex, const ElementForces&);
+
+/// Moment about the origin of the normal forces of one apex, at the positions `later` [s] after x. It is computed where there can be one.
+Vec3 moment(const Interface&, const Vectors& x, const Vectors& v, double later, Index apex, const ElementForces&);
+
+/// Remembers the depth of an apex that is the deepest so far. A deep one may stand beside the body that it is pushed out of, or near
+/// another of its faces: it is no deeper than the surface is far.
+void see_depth(const Interface&, const Vectors& x, const Near&, Memory&);
 
 /// Pulls or pushes a bonded apex back over its point of the base.
 ///
@@ -28,6 +44,11 @@ void vote_over(const Interface&, const Vectors& x, Index apex, const Feature&, c
 /// facet's shape functions  dn = - sum of (n . dx_I) G_I,  so the forces are exactly its gradient:
 ///     apex  -k d,     base nodes  k (w_I d - h (d . G_I) n), the second part a couple
 void hold_bond(const Interface&, const Vectors& x, Near&, Memory&);
+
+/// Finds what one apex is in contact with at x, or near to, and what its penalty is there; nothing is booked.
+///
+/// v   [m/s] constant over the step dt [s] that led to x
+void find_contact(const Interface&, const Vectors& x, const Vectors& v, double dt, double moved, Near&, Memory&);
 
 /// Moves one apex and computes its force, with the work of the step that led to x.
 ///

@@ -16,6 +16,10 @@ struct Feature {
   int local = 0;  ///< edge 0-1, 1-2, 2-0 or vertex 0, 1, 2 of the facet
 };
 
+inline bool same(const Feature& a, const Feature& b) {
+  return a.facet == b.facet && a.kind == b.kind && (a.kind == geometry::Kind::facet || a.local == b.local);
+}
+
 constexpr Index no_facet = -1;        ///< behind a border edge the surface ends
 constexpr Index image_of_facet = -2;  ///< behind a border edge in a symmetry plane it goes on as its image
 

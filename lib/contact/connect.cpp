@@ -42,10 +42,11 @@ void prepare(const Interface& interface, Memory& memory) {
   memory.stored.assign(count, 0.0);
   memory.apexes_then = Vectors::Zero(3, count);
   memory.base_then = Vectors::Zero(3, static_cast<Eigen::Index>(interface.base_nodes.size()));
-  if (interface.friction.coefficient > 0) {
+  if (interface.friction.coefficient > 0 && !by_multipliers(interface)) {
     memory.slip.assign(count, Vec3::Zero());
     memory.tangential_stored.assign(count, 0.0);
   }
+  if (by_multipliers(interface)) memory.restitution.resize(count);
   memory.reconnections.assign(count, 0);
 }
 
@@ -153,7 +154,7 @@ Memory tried_out(const Interface& interface, const Vectors& x, double reach, Wor
     trial.feature[a] = start.stand.feature;
     if (bonded) hold_bond(interface, x, near, trial);
     else vote_over(interface, x, a, start.stand.feature,
-                   weights_of(interface, x, a, start.stand.feature.facet), near.element);
+                   weights_of(interface, x, a, start.stand.feature.facet), interface.contact_height(a), near.element);
   }
   return trial;
 }

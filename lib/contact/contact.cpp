@@ -16,8 +16,8 @@ namespace {
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double depth_to_check = 0.25;  // of the depth of an element: half of what is warned of
 
-/// Remembers the depth of an apex that is the deepest so far. A deep one may stand beside the body that it is pushed out of, or near
-/// another of its faces: it is no deeper than the surface is far.
+}  // namespace
+
 void see_depth(const Interface& interface, const Vectors& x, const Near& near, Memory& memory) {
   double depth = near.element.depth;
   if (depth > depth_to_check * interface.depth) {
@@ -26,8 +26,6 @@ void see_depth(const Interface& interface, const Vectors& x, const Near& near, M
   }
   if (depth > memory.deepest) memory.deepest = depth, memory.deepest_apex = interface.apexes[near.apex];
 }
-
-}  // namespace
 
 Workspace::Workspace(const Interface& interface)
     : broad(static_cast<Index>(interface.base.facets.cols())),
@@ -105,6 +103,9 @@ void add_forces(const Interface& interface, const Memory& memory, Vectors& force
 
 Source source(const Interface& interface) {
   const bool has_friction = interface.friction.coefficient > 0;
+  if (by_multipliers(interface))
+    return {interface.name, SourceKind::interface, {Stored::restitution},
+            has_friction ? std::vector{Dissipated::friction, Dissipated::inelastic_impact} : std::vector{Dissipated::inelastic_impact}};
   return {interface.name, SourceKind::interface,
           has_friction ? std::vector{Stored::penalty, Stored::tangential_penalty} : std::vector{Stored::penalty},
           has_friction ? std::vector{Dissipated::damping, Dissipated::friction} : std::vector{Dissipated::damping}};
@@ -113,9 +114,11 @@ Source source(const Interface& interface) {
 void post(const Interface&, const Memory& memory, Account& account) {
   account.work = memory.work;
   account.hold(Stored::penalty, stored(memory));
+  account.hold(Stored::restitution, memory.to_come);
   account.hold(Stored::tangential_penalty, tangential_stored(memory));
   account.dissipated[Dissipated::damping] = memory.damped;
   account.dissipated[Dissipated::friction] = memory.friction_dissipated;
+  account.dissipated[Dissipated::inelastic_impact] = memory.impact;
   account.created_by_reconnection = memory.created_by_reconnection;
   account.angular_impulse = memory.angular_impulse;
 }
@@ -158,6 +161,12 @@ ElementView view(const Interface& interface, const Vectors& x, const Memory& mem
     v.weight = geometry::closest_on_triangle(c, position(x, v.apex)).weight;
   }
   if (v.status != Status::closed) return v;
+  if (by_multipliers(interface)) {
+    v.traction = near->element.apex.norm() / interface.area(apex);
+    v.shear_traction = near->friction.acts ? near->friction.force.norm() / interface.area(apex) : 0;
+    v.slides = v.shear_traction >= (1 - 1e-9) * interface.friction.coefficient * v.traction;
+    return v;
+  }
   const double per_area = interface.spring.size() > 0 ? interface.spring(apex) / interface.area(apex) : interface.penalty;
   v.traction = -per_area * v.gap;
   if (interface.kind == InterfaceKind::bonded) {

@@ -24,6 +24,7 @@
 #include "base/account.hpp"
 #include "base/step_limit.hpp"
 #include "contact/friction.hpp"
+#include "contact/method.hpp"
 #include "contact/search.hpp"
 #include "contact/stencil.hpp"
 #include "contact/way_out.hpp"
@@ -48,6 +49,9 @@ enum class Area {
   base,  ///< the mean area of the facets of the base, as in the paper's Eqs. 6 and 12
 };
 
+/// Which of two passes, in which each surface has apexes over the other; the back pass follows the forth one in the model.
+enum class Pass { only, forth, back };
+
 /// Which penetrations of the initial geometry are accepted.
 enum class InitialPenetration {
   refuse,  ///< the scene is not built
@@ -65,6 +69,7 @@ struct Bond {
 struct Interface {
   std::string name;
   InterfaceKind kind = InterfaceKind::contact;
+  Method method = Method::penalty;
   BaseSurface base;
   Fans own;                      ///< the surface of the apexes: an apex comes into contact with facets that this faces; may be empty
   Subset apexes;                 ///< nodes, ascending
@@ -74,12 +79,16 @@ struct Interface {
   Scalars contact_height;        ///< [m] h_c, [apexes]
   double penalty = 0;            ///< [Pa/m] 1/delta; the mean over the area where `spring` is given
   Scalars spring;                ///< [N/m] stiffness of each apex where it was taken from masses; else empty
+  double restitution = 1;        ///< [-] speed of a node that a multiplier lets go over that with which it was stopped
+  double impedance = 0;          ///< [Pa s/m] rho c of both sides in series, of both passes together
   Coulomb friction;
   /// [nodes] column of a plate node's angular velocity, or -1; empty where no node of the interface turns
   std::vector<Index> rotation_of_node;
   double arm_of_apex = 0;              ///< [-] share of the apex, a plate, in the arm of friction; the base has the rest
   std::vector<Bond> bonds;             ///< [apexes] of a bonded interface; set by connect()
   double impact_step_factor = 0.1410;  ///< [-] dt sqrt(k/m) of the vote: impact_step_factor_for(0.005)
+  Pass pass = Pass::only;
+  double stays = 0;                    ///< [m] an apex that multipliers have let go counts as touching up to so far above h_c
   double pass_factor = 1;              ///< [-] part of the stiffness between its nodes: 1/2 in each of two passes
   /// [s] a closed element pushes with k (|d| + damping_time d|d|/dt), never pulls. It takes
   /// the chatter out of an interface; what it dissipates is booked.
@@ -139,6 +148,7 @@ struct Near {
   double clear = 0;
   double area = 0;        ///< [m2] of the sides of the apex that faced the base as it came into contact; zero: all
   bool rests = false;     ///< free, and its forces are booked: nothing is to do while it is clear
+  double pressed = 0;     ///< [N] by multipliers in the step before: where the sweeps of the next one begin
   Tracks tracks;
   ElementForces element;
   FrictionForces friction;
@@ -159,6 +169,10 @@ struct Memory {
   double work = 0;                          ///< [J] done on the nodes
   double damped = 0;                        ///< [J] dissipated by contact damping
   double friction_dissipated = 0;           ///< [J] dissipated by friction
+  std::vector<Restitution> restitution;     ///< [apexes] of multipliers; else empty
+  double impact = 0;                        ///< [J] kinetic energy lost as multipliers stopped nodes
+  double lent = 0;                          ///< [J] of what multipliers have taken here, that others hold
+  double to_come = 0;                       ///< [J] what they hold, and their work in the half step that begins
   double created_by_reconnection = 0;       ///< [J] created in steps in which the apex changed its base
   /// [N m s] about the origin: what weights of the paper lose, what the mirror images of bases at a symmetry plane give, and what
   /// pushes leave that are found by iteration; else zero.

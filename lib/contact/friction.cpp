@@ -41,15 +41,24 @@ Vec3 slip_rate(const Touch& touch, const Vectors& v, const Vectors& omega, const
   return rate - touch.normal.dot(rate) * touch.normal;
 }
 
-void add_friction(const Touch& touch, const Vec3& friction, const std::vector<Index>& rotation_of_node, Vectors& force, Vectors& moment) {
-  force.col(touch.apex) += friction;
-  if (!touch.apex_arm.isZero(0)) moment.col(rotation_of_node[touch.apex]) -= touch.apex_arm.cross(friction);
+FrictionShares share_friction(const Touch& touch, const Vec3& friction) {
+  FrictionShares shares{.node = {touch.apex, touch.node[0], touch.node[1], touch.node[2]}, .force = {friction}, .turns = {}, .moment = {}};
+  if (!touch.apex_arm.isZero(0)) shares.turns[0] = true, shares.moment[0] = -touch.apex_arm.cross(friction);
   const Vec3 on_base = -touch.base_arm.cross(friction);
   const bool turns_facet = !touch.base_rotates && !touch.base_arm.isZero(0);
   for (int I = 0; I < 3; ++I) {
-    force.col(touch.node[I]) -= touch.weight[I] * friction;
-    if (turns_facet) force.col(touch.node[I]) += couple(touch, on_base, I);
-    if (touch.base_rotates && touch.weight[I] != 0) moment.col(rotation_of_node[touch.node[I]]) += touch.weight[I] * on_base;
+    shares.force[I + 1] = -touch.weight[I] * friction;
+    if (turns_facet) shares.force[I + 1] += couple(touch, on_base, I);
+    if (touch.base_rotates && touch.weight[I] != 0) shares.turns[I + 1] = true, shares.moment[I + 1] = touch.weight[I] * on_base;
+  }
+  return shares;
+}
+
+void add_friction(const Touch& touch, const Vec3& friction, const std::vector<Index>& rotation_of_node, Vectors& force, Vectors& moment) {
+  const FrictionShares shares = share_friction(touch, friction);
+  for (int i = 0; i < 4; ++i) {
+    force.col(shares.node[i]) += shares.force[i];
+    if (shares.turns[i]) moment.col(rotation_of_node[shares.node[i]]) += shares.moment[i];
   }
 }
 

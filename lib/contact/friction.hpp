@@ -65,6 +65,15 @@ Vec3 spin_of_base(const Touch&, const Vectors& v);
 /// Invariants    zero in a rigid motion of both sides, where the arm parts add up to the arm
 Vec3 slip_rate(const Touch&, const Vectors& v, const Vectors& omega, const std::vector<Index>& rotation_of_node);
 
+/// What a friction on the apex and what balances it are at the nodes: the apex, then those of the base.
+struct FrictionShares {
+  std::array<Index, 4> node;
+  std::array<Vec3, 4> force;   ///< [N]
+  std::array<bool, 4> turns;   ///< whether there is a moment too
+  std::array<Vec3, 4> moment;  ///< [N m] of plate nodes
+};
+FrictionShares share_friction(const Touch&, const Vec3& friction);
+
 /// Adds a friction force on the apex [N], and what balances it, to forces [N] and moments [N m].
 ///
 /// Its power is friction . slip_rate() for every motion.

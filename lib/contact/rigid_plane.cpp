@@ -9,6 +9,13 @@ namespace nereid::contact {
 PlaneMemory initial_memory(const RigidPlane& plane) {
   PlaneMemory memory;
   memory.force.assign(plane.nodes.size(), 0.0);
+  if (by_multipliers(plane)) {
+    memory.next_force.assign(plane.nodes.size(), 0.0);
+    memory.restitution.resize(plane.nodes.size());
+    if (plane.friction.coefficient > 0) memory.rub.assign(plane.nodes.size(), Vec3::Zero());
+    memory.next_rub = memory.rub;
+    return memory;
+  }
   if (plane.friction.coefficient > 0) memory.slip.assign(plane.nodes.size(), Vec3::Zero());
   return memory;
 }
@@ -43,14 +50,22 @@ void advance(const RigidPlane& plane, const Vectors& x, const Vectors& v, double
     const Vec3 at = x.col(plane.nodes[i]), moved = dt * v.col(plane.nodes[i]);
     const double gap = std::min(0.0, (at - plane.point).dot(plane.normal));
     const double k = plane.penalty * plane.area(static_cast<Eigen::Index>(i));
-    const double before = memory.force[i], after = -k * gap;
+    const bool given = !memory.next_force.empty();
+    const double before = memory.force[i], after = given ? memory.next_force[i] : -k * gap;
     memory.force[i] = after;
     if (-gap > memory.deepest) memory.deepest = -gap, memory.deepest_node = plane.nodes[i];
-    memory.stored += 0.5 * k * gap * gap;
+    if (!given) memory.stored += 0.5 * k * gap * gap;
     if (before == 0 && after == 0) continue;
     memory.work += 0.5 * (before + after) * moved.dot(plane.normal);
     memory.impulse += 0.5 * dt * (before + after) * plane.normal;
     memory.angular_impulse += 0.5 * dt * (before * (at - moved) + after * at).cross(plane.normal);
+    if (!memory.rub.empty()) {
+      const Vec3 mean = 0.5 * (memory.rub[i] + memory.next_rub[i]);
+      memory.work += mean.dot(moved);
+      memory.impulse += dt * mean;
+      memory.angular_impulse += 0.5 * dt * ((at - moved).cross(memory.rub[i]) + at.cross(memory.next_rub[i]));
+      memory.rub[i] = memory.next_rub[i];
+    }
     if (memory.slip.empty()) continue;
     const Vec3 held = memory.slip[i];
     const Vec3 mean = advance_friction(plane, k, before, after, moved, memory.slip[i], memory);
@@ -62,6 +77,7 @@ void advance(const RigidPlane& plane, const Vectors& x, const Vectors& v, double
 namespace {
 Vec3 force_on(const RigidPlane& plane, const PlaneMemory& memory, std::size_t i) {
   Vec3 force = memory.force[i] * plane.normal;
+  if (!memory.rub.empty()) force += memory.rub[i];
   if (!memory.slip.empty())
     force -= plane.friction.tangential_penalty * plane.penalty * plane.area(static_cast<Eigen::Index>(i)) * memory.slip[i];
   return force;
@@ -79,6 +95,7 @@ Vec3 force(const RigidPlane& plane, const PlaneMemory& memory) {
 }
 
 StepLimit stable_step(const RigidPlane& plane, const Scalars& mass) {
+  if (by_multipliers(plane)) return {};
   double most = 0;
   Index at = -1;
   for (std::size_t i = 0; i < plane.nodes.size(); ++i) {
@@ -90,15 +107,20 @@ StepLimit stable_step(const RigidPlane& plane, const Scalars& mass) {
 }
 
 Source source(const RigidPlane& plane) {
-  if (!(plane.friction.coefficient > 0)) return {plane.name, SourceKind::rigid_plane, {Stored::penalty}, {}};
+  const bool has_friction = plane.friction.coefficient > 0;
+  if (by_multipliers(plane))
+    return {plane.name, SourceKind::rigid_plane, {Stored::restitution},
+            has_friction ? std::vector{Dissipated::friction, Dissipated::inelastic_impact} : std::vector{Dissipated::inelastic_impact}};
+  if (!has_friction) return {plane.name, SourceKind::rigid_plane, {Stored::penalty}, {}};
   return {plane.name, SourceKind::rigid_plane, {Stored::penalty, Stored::tangential_penalty}, {Dissipated::friction}};
 }
 
-void post(const RigidPlane&, const PlaneMemory& memory, Account& account) {
+void post(const RigidPlane& plane, const PlaneMemory& memory, Account& account) {
   account.work = memory.work;
-  account.hold(Stored::penalty, memory.stored);
+  account.hold(by_multipliers(plane) ? Stored::restitution : Stored::penalty, memory.stored);
   account.hold(Stored::tangential_penalty, memory.tangential_stored);
   account.dissipated[Dissipated::friction] = memory.friction_dissipated;
+  account.dissipated[Dissipated::inelastic_impact] = memory.impact;
   account.impulse = memory.impulse;
   account.angular_impulse = memory.angular_impulse;
 }

@@ -7,6 +7,7 @@
 #include "base/account.hpp"
 #include "base/step_limit.hpp"
 #include "contact/friction.hpp"
+#include "contact/method.hpp"
 #include "mesh/mesh.hpp"
 
 namespace nereid::contact {
@@ -16,6 +17,9 @@ struct RigidPlane {
   Vec3 point, normal;  ///< [m] on the plane, unit vector to the side of the nodes
   Subset nodes;
   Scalars area;                        ///< [m2] tributary area, [nodes]
+  Method method = Method::penalty;
+  double restitution = 1;              ///< [-] speed of a node that a multiplier lets go over that with which it was stopped
+  double impedance = 0;                ///< [Pa s/m] rho c of what is behind the nodes
   double penalty = 0;                  ///< [Pa/m]
   double impact_step_factor = 0.1410;  ///< [-] dt sqrt(k/m) of the vote, see contact/impact_step.hpp
   Coulomb friction;
@@ -24,9 +28,14 @@ struct RigidPlane {
 
 struct PlaneMemory {
   std::vector<double> force;            ///< [N] along the normal, [nodes]
+  std::vector<Restitution> restitution; ///< [nodes] of multipliers; else empty
+  std::vector<double> next_force;       ///< [N] by multipliers, [nodes]: what advance() takes; empty of a penalty
+  std::vector<Vec3> rub, next_rub;      ///< [N] friction by multipliers, the same
   std::vector<Vec3> slip;               ///< [m] elastic part of the slip, [nodes]; empty without friction
   double work = 0, stored = 0;          ///< [J] stored by the penalty
   double tangential_stored = 0, friction_dissipated = 0;  ///< [J] stored by the elastic stick, dissipated by friction
+  double lent = 0;                      ///< [J] of what multipliers have taken here, that others hold
+  double impact = 0;                    ///< [J] kinetic energy lost as multipliers stopped nodes
   double deepest = 0;                   ///< [m] penetration of any node since the start, not negative
   Index deepest_node = -1;              ///< where that was, -1 before any contact
   double deepest_time = 0;              ///< [s] when; set by the caller of advance()

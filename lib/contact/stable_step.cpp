@@ -65,6 +65,7 @@ Fastest normal_springs(const Interface& interface, const Scalars& mass, const Me
 
 StepLimit stable_step(const Interface& interface, const Scalars& mass, const Scalars& inertia, const Memory& memory,
                       Workspace& workspace) {
+  if (by_multipliers(interface)) return {};
   const Fastest normal = normal_springs(interface, mass, memory, workspace);
   if (normal.apex < 0) return {};
   const double omega_squared = normal.omega_squared / interface.pass_factor;

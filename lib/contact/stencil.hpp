@@ -2,8 +2,9 @@
 // The one kind of data between finding contact and acting on it: a push of an apex and of the nodes of one facet.
 
 #include <array>
+#include <limits>
 
-#include "base/types.hpp"
+#include "geometry/closest.hpp"
 
 namespace nereid::contact {
 
@@ -17,6 +18,10 @@ struct Stencil {
   std::array<double, 3> weight{};
   Vec3 push = Vec3::Zero();        ///< [N]
   std::array<double, 3> share{};   ///< of the spring's stiffness at the nodes; a node that several stencils of an apex share has it once
+  geometry::Kind kind = geometry::Kind::facet;  ///< of the feature of the facet that the apex is over
+  int local = 0;                                ///< which edge or vertex of the facet that is
+  /// [m] over the feature at which a contact closes; NaN: the stencil only goes with another one
+  double level = std::numeric_limits<double>::quiet_NaN();
 };
 
 }  // namespace nereid::contact

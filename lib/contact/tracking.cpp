@@ -65,7 +65,7 @@ Reach reach_of(const BaseSurface& base, Index facet, const Corners& c, const Vec
   const Feature feature{facet, closest.kind, closest.local};
   const bool open = closest.kind != Kind::facet && ends_at(base, feature);
   const double left = open ? std::max(0.0, aside - whole_past_wall * base.size(facet)) : aside;
-  return {std::hypot(height, left), height, aside, closest.kind, open};
+  return {std::sqrt(height * height + left * left), height, aside, closest.kind, open};
 }
 
 /// Whether a point over a facet belongs to it, with room for round-off between neighbours. Half of what a border apex stands for lies

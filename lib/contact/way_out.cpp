@@ -117,10 +117,10 @@ struct Faded {
 };
 
 /// way  where the point stands that is past the wall, from the apex: other parts may have pushed it there
-void push(const Stand& at, const Faded& faded, const Vec3& way, WayOut& out) {
+void push(const Stand& at, const Faded& faded, double level, const Vec3& way, WayOut& out) {
   const Index facet = at.feature.facet;
   const Vec3 normal = faded.depth * at.over.normal;
-  add({.facet = facet, .apex = 1, .weight = at.over.weight, .push = faded.by_normal * normal}, out);
+  add({.facet = facet, .apex = 1, .weight = at.over.weight, .push = faded.by_normal * normal, .level = level}, out);
   add({.facet = facet, .apex = 1, .weight = at.wall_weight, .push = faded.by_way * faded.depth * at.outward}, out);
   Stencil couple{.facet = facet, .apex = 0, .weight = {}, .push = normal};
   const double lever = -faded.by_way * at.over.height / at.past;
@@ -180,18 +180,18 @@ Index face_across(const BaseSurface& base, const Vectors& x, const Vec3& point, 
 }
 
 /// The way out over the inside of one facet.
-WayOut over_one_facet(const FeatureHeight& over, double contact_height, Tracks& tracks, Stencil* stencils) {
+WayOut over_one_facet(const FeatureHeight& over, double contact_height, double stays, Tracks& tracks, Stencil* stencils) {
   WayOut out;
   out.stencil = stencils;
   Track& track = tracks.track[0];
   const double depth = track.height - over.height;
   out.strongest = {track.facet, Kind::facet, 0};
-  out.gap = -depth;
+  out.gap = -depth, out.level = track.height;
   out.depth = std::max(0.0, depth);
   if (depth > 0) {
-    add({.facet = track.facet, .apex = 1, .weight = over.weight, .push = depth * over.normal}, out);
+    add({.facet = track.facet, .apex = 1, .weight = over.weight, .push = depth * over.normal, .level = track.height}, out);
     out.length = depth, out.squared = depth * depth;
-  } else if (over.height >= contact_height) {
+  } else if (over.height >= contact_height + stays) {
     tracks.count = 0;
   }
   tracks.out = {tracks.count > 0 ? track.facet : -1, over.weight, std::max(over.height, track.height)};
@@ -202,15 +202,15 @@ WayOut over_one_facet(const FeatureHeight& over, double contact_height, Tracks& 
 }  // namespace
 
 WayOut way_out(const BaseSurface& base, const Vectors& x, const Vec3& p, double contact_height, const Mat3* allowed, double moved,
-               Tracks& tracks, std::array<Stencil, most_stencils>& stencils) {
+               Tracks& tracks, std::array<Stencil, most_stencils>& stencils, double stays) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   if (tracks.count == 1 && allowed == nullptr) {  // well inside a facet
     Track& track = tracks.track[0];
     const FeatureHeight over = height_over(base, x, {track.facet, Kind::facet, 0}, p);
-    if (moved < tracks.owned) return over_one_facet(over, contact_height, tracks, stencils.data());
+    if (moved < tracks.owned) return over_one_facet(over, contact_height, stays, tracks, stencils.data());
     const Ownership owner = ownership(base, x, track.facet, over, std::max(std::abs(over.height), track.height));
     tracks.owned = owner.room - moved;
-    if (owner.whole) return over_one_facet(over, contact_height, tracks, stencils.data());
+    if (owner.whole) return over_one_facet(over, contact_height, stays, tracks, stencils.data());
   }
   tracks.owned = -infinite;
   WayOut out;
@@ -233,7 +233,7 @@ WayOut way_out(const BaseSurface& base, const Vectors& x, const Vec3& p, double 
       acts[i] = true;
       continue;
     }
-    if (out.strongest.facet < 0) out.strongest = at.feature;
+    if (out.strongest.facet < 0) out.strongest = at.feature, out.level = track.height;
     bool outside = false;
     if (at.past > 0 && track.height > 0) {
       const bool open = ends_at(base, at.wall);
@@ -245,7 +245,7 @@ WayOut way_out(const BaseSurface& base, const Vectors& x, const Vec3& p, double 
         if (across < 0) {
           const double depth = track.height - below.height;
           out.gap = std::min(out.gap, -depth);
-          if (depth > 0) push(at, {depth, below.by_normal, below.by_way}, all.d, out);
+          if (depth > 0) push(at, {depth, below.by_normal, below.by_way}, track.height, all.d, out);
           else ends[i] = below.height >= contact_height;
           if (depth > 0) out.depth = std::max(out.depth, depth), acts[i] = true;
           continue;
@@ -273,7 +273,7 @@ WayOut way_out(const BaseSurface& base, const Vectors& x, const Vec3& p, double 
         const double steep = allowed ? 1 / (*allowed * at.over.normal).norm() : 1;  // the way out lies in the symmetry plane
         Faded left = faded(at, steep * depth, base.size(track.facet));
         left.by_normal *= steep;
-        if (left.depth > 0) push(at, left, all.d, out), acts[i] = true;
+        if (left.depth > 0) push(at, left, track.height, all.d, out), acts[i] = true;
         else ends[i] = true, ++out.lost;
       }
       continue;
@@ -309,7 +309,8 @@ WayOut way_out(const BaseSurface& base, const Vectors& x, const Vec3& p, double 
       acts[cut.track] = acts[cut.track] || all.lambda[i] > 0;
       if (!(all.lambda[i] > 0)) continue;
       if (all.lambda[i] > strongest) strongest = all.lambda[i], out.strongest = cut.feature;
-      add({.facet = cut.feature.facet, .apex = 1, .weight = cut.over.weight, .push = all.lambda[i] * cut.over.normal}, out);
+      add({.facet = cut.feature.facet, .apex = 1, .weight = cut.over.weight, .push = all.lambda[i] * cut.over.normal,
+           .kind = cut.feature.kind, .local = cut.feature.local, .level = cut.contact_height}, out);
     }
   }
   int kept = 0;
@@ -317,7 +318,7 @@ WayOut way_out(const BaseSurface& base, const Vectors& x, const Vec3& p, double 
     Track track = tracks.track[i];
     if (ends[i]) continue;
     if (height[i] < infinite) {
-      if (height[i] >= contact_height && !acts[i]) continue;
+      if (height[i] >= contact_height + stays && !acts[i]) continue;
       track.height = std::max(track.height, std::min(height[i], contact_height));
     }
     tracks.track[kept++] = track;

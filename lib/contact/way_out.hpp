@@ -16,7 +16,8 @@ struct WayOut {
   Feature strongest;       ///< the feature that pushes hardest; without a push that of the first track
   double length = 0;       ///< [m] of the longest penetration vector
   double squared = 0;      ///< [m2] twice the energy
-  double gap = 0;          ///< [m] without a push: the least height above the contact height of a track
+  double gap = 0;          ///< [m] without a push: the least height above that of a track
+  double level = 0;        ///< [m] without a push: the height of the first track
   double depth = 0;        ///< [m] the deepest penetration, without the offset
   double steepest = 1;     ///< [-] squared gradient of the potential's depth: past a wall it is more than one
   int lost = 0;            ///< tracks that ended past a wall
@@ -31,7 +32,8 @@ struct WayOut {
 /// allowed   directions of an apex on a symmetry plane, or null
 /// moved     [m] way of apexes and base against each other since a state at which Tracks::owned was cleared; infinite: not known
 /// stencils  where the pushes are written
+/// stays     [m] so far above the contact height an apex has not left yet
 WayOut way_out(const BaseSurface&, const Vectors& x, const Vec3& apex, double contact_height, const Mat3* allowed, double moved, Tracks&,
-               std::array<Stencil, most_stencils>& stencils);
+               std::array<Stencil, most_stencils>& stencils, double stays = 0);
 
 }  // namespace nereid::contact

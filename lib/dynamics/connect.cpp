@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "base/check.hpp"
 #include "contact/impact_step.hpp"
@@ -135,13 +137,15 @@ Scalars springs_from_masses(const contact::Interface& interface, const Scalars& 
 }
 
 Connected connect_one_pass(Model& model, const std::string& name, const std::string& apex_surface, const std::string& base_surface,
-                           const InterfaceOptions& options, double share) {
+                           const InterfaceOptions& options, contact::Pass pass) {
+  const double share = pass == contact::Pass::only ? 1 : 0.5;
   check(model.mass.size() == model.mesh.X.cols(), "finalize() a model before it gets an interface");
   const mesh::Surface& apexes = mesh::surface(model.mesh, apex_surface);
   const mesh::Surface& base = mesh::surface(model.mesh, base_surface);
   contact::Interface interface;
   interface.name = name;
   interface.kind = options.kind;
+  interface.method = options.method;
   interface.base = contact::base_surface(base, model.mesh.X);
   interface.own = contact::fans(apexes.facets, static_cast<Index>(model.mesh.X.cols()));
   interface.apexes = mesh::surface_nodes(apexes);
@@ -153,9 +157,13 @@ Connected connect_one_pass(Model& model, const std::string& name, const std::str
                                    : options.penalty_scale * std::min(surface_stiffness(model, apexes), surface_stiffness(model, base)));
   check(interface.penalty > 0, "an interface needs a penalty or elements on both sides");
   interface.impact_step_factor = contact::impact_step_factor_for(options.energy_gain_limit);
+  interface.pass = pass;
   interface.pass_factor = share;
+  interface.restitution = options.restitution;
+  interface.impedance = 1 / (1 / surface_impedance(model, apexes) + 1 / surface_impedance(model, base));
   const double depths[] = {surface_depth(model, apexes), surface_depth(model, base)};
   interface.depth = depths[0] > 0 && depths[1] > 0 ? std::min(depths[0], depths[1]) : std::max(depths[0], depths[1]);
+  interface.stays = options.method == contact::Method::multiplier ? contact::multipliers_reach * interface.depth : 0;
   interface.margin = std::sqrt(2 * interface.facet_area.mean());  // about the side of a face: a search costs as much as some steps
   interface.longest_step = element_step(model);
   interface.friction = options.friction;
@@ -199,6 +207,19 @@ double surface_stiffness(const Model& model, const mesh::Surface& surface) {
   return most;
 }
 
+double surface_impedance(const Model& model, const mesh::Surface& surface) {
+  double most = 0;
+  for (const auto& block : model.blocks) {
+    if (elements_behind(block, model.mesh, surface).empty()) continue;
+    if (element::thickness(block) > 0) return std::numeric_limits<double>::infinity();
+    most = std::max(most, std::visit([](const auto& b) {
+                      const material::Lame lame = material::lame(b.law);
+                      return std::sqrt(b.law.density * (lame.lambda + 2 * lame.mu));
+                    }, block));
+  }
+  return most;
+}
+
 double surface_depth(const Model& model, const mesh::Surface& surface) {
   double least = 0;
   for (const auto& block : model.blocks)
@@ -211,11 +232,11 @@ std::vector<Connected> connect(Model& model, const std::string& name, const std:
                                const InterfaceOptions& options) {
   std::vector<Connected> passes;
   if (!options.two_passes) {
-    passes.push_back(connect_one_pass(model, name, apex_surface, base_surface, options, 1));
+    passes.push_back(connect_one_pass(model, name, apex_surface, base_surface, options, contact::Pass::only));
     return passes;
   }
-  passes.push_back(connect_one_pass(model, name, apex_surface, base_surface, options, 0.5));
-  passes.push_back(connect_one_pass(model, name + "_back", base_surface, apex_surface, options, 0.5));
+  passes.push_back(connect_one_pass(model, name, apex_surface, base_surface, options, contact::Pass::forth));
+  passes.push_back(connect_one_pass(model, name + "_back", base_surface, apex_surface, options, contact::Pass::back));
   return passes;
 }
 

@@ -18,6 +18,8 @@ enum class PenaltyFrom {
 /// How an interface is wanted.
 struct InterfaceOptions {
   contact::InterfaceKind kind = contact::InterfaceKind::contact;
+  contact::Method method = contact::Method::penalty;
+  double restitution = 1;     ///< [-] of nodes that multipliers stop
   PenaltyFrom penalty_from = PenaltyFrom::stiffness;
   double penalty = 0;         ///< [Pa/m] where it is given
   double penalty_scale = 20;  ///< [-] chosen penalty over the stiffness of the softer side
@@ -45,6 +47,11 @@ struct Connected {
 ///
 /// returns  [Pa/m]; zero if no element has a face on the surface
 double surface_stiffness(const Model&, const mesh::Surface&);
+
+/// Impedance of a wave that goes into a body across a surface, at its stiffest element: rho c = sqrt(rho (lambda + 2 mu)).
+///
+/// returns  [Pa s/m]; infinite for plates, whose thickness moves as one; zero if no element has a face on the surface
+double surface_impedance(const Model&, const mesh::Surface&);
 
 /// Depth along the normal of the flattest element behind a face of a surface: of hexahedra V/A, of plates the thickness.
 ///

@@ -84,6 +84,12 @@ Forces make_forces(const Model& model) {
   forces.springs = load::spring_rates(model.loads, model.mass);
   forces.audit = audit::make_workspace(audited_surfaces(model));
   forces.audit.allowed = allowed_overlaps(model, forces.audit.surfaces);
+  if (contact::any_by_multipliers(model.interfaces, model.rigid_planes)) {
+    forces.multipliers = contact::make_multipliers(model.interfaces, model.rigid_planes, static_cast<Index>(model.mesh.X.cols()),
+                                                   static_cast<Index>(model.inertia.size()));
+    forces.allowed_rotation.assign(static_cast<std::size_t>(model.inertia.size()), nullptr);
+    forces.allowed.assign(static_cast<std::size_t>(model.mesh.X.cols()), nullptr);
+  }
   if (model.relaxation) forces.source_force = forces.force, forces.source_moment = forces.moment;
   return forces;
 }

@@ -8,6 +8,7 @@
 
 #include "audit/audit.hpp"
 #include "contact/contact.hpp"
+#include "contact/multiplier.hpp"
 #include "contact/rigid_plane.hpp"
 #include "dynamics/ledger.hpp"
 #include "dynamics/votes.hpp"
@@ -132,6 +133,8 @@ struct Forces {
   std::vector<double> partial;                     ///< sums of node ranges, in order
   load::SpringRates springs;                       ///< of the model: for the vote
   audit::Workspace audit;                          ///< the surfaces of the model
+  contact::Multipliers multipliers;
+  std::vector<const Mat3*> allowed, allowed_rotation;  ///< [nodes] [plate nodes] for multipliers: null or a projector in the state
   Vectors source_force, source_moment;             ///< only while a model relaxes: of one source, or all that resist
 };
 

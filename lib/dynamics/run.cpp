@@ -170,6 +170,7 @@ bool good(Ending ending) {
 Outcome run(const Model& model, State& now, Forces& forces, const Time& time, double update_every, const Watch& watch) {
   Outcome outcome;
   Progress& progress = now.progress;
+  const Pace pace{.end = time.end, .safety = time.safety};
   const auto clock = [] { return std::chrono::steady_clock::now(); };
   const auto began = clock();
   // A state that was shown before its ledger was current is shown again at the end: probes of every step have seen it.
@@ -190,7 +191,7 @@ Outcome run(const Model& model, State& now, Forces& forces, const Time& time, do
     check(now.probes.size() == watch.probes.size(), "a run goes on with the probes that it began with");
     resume(model, now, forces);
   } else {
-    start(model, now, forces);
+    start(model, pace, now, forces);
     progress.started = progress.ledger_is_current = true;
     progress.first_step = choose_step(now.votes, time.safety).dt;
     progress.smallest.dt = std::numeric_limits<double>::infinity();
@@ -204,11 +205,8 @@ Outcome run(const Model& model, State& now, Forces& forces, const Time& time, do
        next = choose_step(now.votes, time.safety)) {
     if (next.dt < progress.smallest.dt) progress.smallest = next;
     progress.largest_step = std::max(progress.largest_step, next.dt);
-    // the last two steps share what is left, so that none is vanishingly short
-    const double left = time.end - now.t;
-    const bool last = left <= next.dt;
-    const double dt = left >= 2 * next.dt ? next.dt : last ? left : 0.5 * left;
-    step(model, dt, now, forces);
+    const bool last = time.end - now.t <= next.dt;
+    step(model, next_length(now.votes, pace, now.t), pace, now, forces);
     if (last) now.t = time.end;
     const bool rests = model.relaxation && relax(model, now, forces);
     progress.ledger_is_current = last || rests || now.t >= static_cast<double>(progress.updates + 1) * update_every;

@@ -62,6 +62,7 @@ void update(const Model& model, double dt, State& now, Forces& f) {
     }
   }
   for (std::size_t c = 0; c < model.interfaces.size(); ++c, ++source) {
+    if (contact::by_multipliers(model.interfaces[c])) continue;
     contact::Memory& memory = now.interfaces[c];
     const double deepest = memory.deepest;
     contact::advance(model.interfaces[c], now.x, now.v, now.omega, dt, memory, f.interfaces[c]);
@@ -69,6 +70,7 @@ void update(const Model& model, double dt, State& now, Forces& f) {
     votes.contact.see(contact::stable_step(model.interfaces[c], model.mass, model.inertia, now.interfaces[c], f.interfaces[c]), source);
   }
   for (std::size_t p = 0; p < model.rigid_planes.size(); ++p, ++source) {
+    if (contact::by_multipliers(model.rigid_planes[p])) continue;
     contact::PlaneMemory& memory = now.rigid_planes[p];
     const double deepest = memory.deepest;
     contact::advance(model.rigid_planes[p], now.x, now.v, dt, memory);
@@ -82,7 +84,51 @@ void update(const Model& model, double dt, State& now, Forces& f) {
   now.votes = votes;
 }
 
-/// Forces on the nodes, summed over sources in a fixed order.
+/// Adds the forces of contacts that act by multipliers, or of those that do not.
+void add_contact_forces(const Model& model, const State& now, bool by_multipliers, Forces& f) {
+  for (std::size_t c = 0; c < model.interfaces.size(); ++c)
+    if (contact::by_multipliers(model.interfaces[c]) == by_multipliers)
+      contact::add_forces(model.interfaces[c], now.interfaces[c], f.force, f.moment);
+  for (std::size_t p = 0; p < model.rigid_planes.size(); ++p)
+    if (contact::by_multipliers(model.rigid_planes[p]) == by_multipliers)
+      contact::add_forces(model.rigid_planes[p], now.rigid_planes[p], f.force);
+}
+
+void see_constraints(const State& now, Forces& f) {
+  const load::Memory& constraints = now.constraints;
+  for (const Index row : constraints.active) {
+    const load::ConstrainedNode& node = constraints.nodes[row];
+    f.allowed[node.node] = &node.allowed;
+    if (node.rotation >= 0) f.allowed_rotation[node.rotation] = &node.allowed_rotation;
+  }
+}
+
+contact::Motion motion_of(const Model& model, const Vectors& force, double dt, const Pace& pace, const State& now, const Forces& f) {
+  return {now.x, now.v, now.omega, force, f.moment, model.mass, model.inertia, model.rotation_of_node, f.allowed, f.allowed_rotation, dt,
+          next_length(now.votes, pace, now.t)};
+}
+
+/// Stops what begins in contact.
+void stop_at_start(const Model& model, const Pace& pace, State& now, Forces& f) {
+  see_constraints(now, f);
+  f.dx.setZero();
+  const contact::Motion motion = motion_of(model, f.dx, 0, pace, now, f);
+  contact::stop_at_start(model.interfaces, model.rigid_planes, motion, now.t, now.interfaces, now.rigid_planes, f.interfaces,
+                         f.multipliers, now.v);
+}
+
+/// Finds the forces of contacts that act by multipliers, which need all others, and adds them.
+///
+/// dt  [s] of the step that led here, zero at the start
+void enforce(const Model& model, double dt, const Pace& pace, State& now, Forces& f) {
+  if (f.allowed.empty()) return;
+  see_constraints(now, f);
+  const contact::Motion motion = motion_of(model, f.force, dt, pace, now, f);
+  contact::enforce(model.interfaces, model.rigid_planes, motion, now.t, now.interfaces, now.rigid_planes, f.interfaces, f.multipliers);
+  add_contact_forces(model, now, true, f);
+}
+
+/// Forces on the nodes, summed over sources in a fixed order; without contact by multipliers.
 void gather(const Model& model, const State& now, Forces& f) {
   for (Eigen::Index node = 0; node < f.force.cols(); ++node) f.force.col(node) = model.mass(node) * model.gravity;
   f.moment.setZero();
@@ -90,9 +136,7 @@ void gather(const Model& model, const State& now, Forces& f) {
     element::add_by_node(model.node_sums[b], now.tiles[b].force, f.force);
     if (now.tiles[b].moment.cols() > 0) element::add_by_node(model.node_sums[b], now.tiles[b].moment, model.rotation_of_node, f.moment);
   }
-  for (std::size_t c = 0; c < model.interfaces.size(); ++c) contact::add_forces(model.interfaces[c], now.interfaces[c], f.force, f.moment);
-  for (std::size_t p = 0; p < model.rigid_planes.size(); ++p)
-    contact::add_forces(model.rigid_planes[p], now.rigid_planes[p], f.force);
+  add_contact_forces(model, now, false, f);
   for (std::size_t l = 0; l < model.loads.size(); ++l) load::add_forces(model.loads[l], now.loads[l], f.force, f.moment);
 }
 
@@ -184,7 +228,7 @@ void open_ledger(const Model& model, State& now) {
 
 }  // namespace
 
-const Votes& step(const Model& model, double dt, State& now, Forces& f) {
+const Votes& step(const Model& model, double dt, const Pace& pace, State& now, Forces& f) {
   const double before = kick(model, dt / 2, now.t + dt / 2, Half::first, now, f);  // v at the half step
   load::find_impacts(model.constraints, model.mass, now.x, f.force, dt, now.v, now.constraints);
   f.dx = dt * now.v;
@@ -195,6 +239,7 @@ const Votes& step(const Model& model, double dt, State& now, Forces& f) {
   post_moment_of_gravity(model, dt, now);
   update(model, dt, now, f);  // memory: stress, connectivity; forces by source; votes
   gather(model, now, f);
+  enforce(model, dt, pace, now, f);
   load::finish_impacts(model.constraints, model.mass, now.x, f.force, dt, now.v, now.constraints);
   const double after = kick(model, dt / 2, now.t, Half::second, now, f);  // v at t + dt
   now.ledger.integration += dt * dt / 8 * (after - before);
@@ -206,7 +251,7 @@ const Votes& step(const Model& model, double dt, State& now, Forces& f) {
   return now.votes;
 }
 
-const Votes& start(const Model& model, State& now, Forces& f) {
+const Votes& start(const Model& model, const Pace& pace, State& now, Forces& f) {
   now.ledger.initial_kinetic = kinetic_energy(model, now);
   momenta(model, now, now.ledger.initial_momentum, now.ledger.initial_angular_momentum);
   const double of_centre = is_free(model) ? 0.5 * now.ledger.initial_momentum.squaredNorm() / model.mass.sum() : 0;
@@ -218,10 +263,18 @@ const Votes& start(const Model& model, State& now, Forces& f) {
   update(model, 0, now, f);
   gather(model, now, f);
   open_ledger(model, now);
+  if (!f.allowed.empty()) {
+    stop_at_start(model, pace, now, f);
+    enforce(model, 0, pace, now, f);
+    update_ledger(model, now);
+  }
   return now.votes;
 }
 
-void resume(const Model& model, const State& now, Forces& f) { gather(model, now, f); }
+void resume(const Model& model, const State& now, Forces& f) {
+  gather(model, now, f);
+  add_contact_forces(model, now, true, f);
+}
 
 void update_ledger(const Model& model, State& now) {
   Ledger& ledger = now.ledger;

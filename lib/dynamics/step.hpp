@@ -7,7 +7,9 @@ namespace nereid::dynamics {
 
 /// Starts a run: removes what the constraints do not allow, computes the first forces and opens the
 /// ledger. Velocities must be set before. Returns the votes for the first step.
-const Votes& start(const Model&, State&, Forces&);
+const Votes& start(const Model&, const Pace&, State&, Forces&);
+
+inline const Votes& start(const Model& model, State& now, Forces& forces) { return start(model, {}, now, forces); }
 
 /// Goes on from a state that a run has left: sums the forces that the state remembers. The steps that follow
 /// have the bits of a run that was never interrupted.
@@ -15,9 +17,13 @@ void resume(const Model&, const State&, Forces&);
 
 /// Advances the state by dt.
 ///
+/// pace  how long the step after this one will be: contact by multipliers looks ahead
 /// Needs  `forces` as the step, the start or resume() before left them
 /// returns  votes for the next step, which the state keeps
-const Votes& step(const Model&, double dt, State&, Forces&);
+const Votes& step(const Model&, double dt, const Pace&, State&, Forces&);
+
+/// The same where all steps are as long.
+inline const Votes& step(const Model& model, double dt, State& now, Forces& forces) { return step(model, dt, {.fixed = dt}, now, forces); }
 
 /// Brings the ledger up to date: kinetic energy, momenta, and what each source posts. A step itself keeps only the
 /// sums that cannot be had afterwards.

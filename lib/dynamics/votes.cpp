@@ -10,6 +10,13 @@ Step choose_step(const Votes& votes, double safety) {
   return {elements, votes.elements.source, votes.elements.at, safety};
 }
 
+double next_length(const Votes& votes, const Pace& pace, double t) {
+  if (pace.fixed > 0) return pace.fixed;
+  const double chosen = choose_step(votes, pace.safety).dt, left = pace.end - t;
+  if (left >= 2 * chosen || !(left > 1e-12 * pace.end)) return chosen;  // at the end as if the run went on
+  return left <= chosen ? left : 0.5 * left;
+}
+
 std::string limited_by(const Step& step, const std::vector<Source>& sources) {
   if (step.source < 0) return "nothing";
   const Source& source = sources[static_cast<std::size_t>(step.source)];

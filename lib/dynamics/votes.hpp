@@ -38,8 +38,19 @@ struct Step {
   double safety = 1;    ///< [-] dt over the limit that the source voted for
 };
 
+/// How long the steps of a run are.
+struct Pace {
+  double end = 1e300;   ///< [s] of the run
+  double safety = 0.9;  ///< [-] fraction of the elements' stable step; contact votes by its own bound
+  double fixed = 0;     ///< [s] positive: every step is so long
+};
+
 /// Chooses the next step: the smaller of `safety` times the limit of the elements and the limit of contact.
 Step choose_step(const Votes&, double safety);
+
+/// The length of the step that begins at t: as chosen, but the last two before the end share what is left, so that none is vanishingly
+/// short. [s]
+double next_length(const Votes&, const Pace&, double t);
 
 /// What limits a step, in words: "element 17 of 'lead', 0.9 of its stable step", "contact 'skin', apex at node 204".
 std::string limited_by(const Step&, const std::vector<Source>&);

@@ -98,11 +98,11 @@ element::Plate::Options read_plate_options(const Section& section) {
   return options;
 }
 
-contact::Coulomb read_friction(const Section& section) {
+contact::Coulomb read_friction(const Section& section, bool multiplier) {
   contact::Coulomb friction;
   friction.coefficient = section.number_or("friction", friction.coefficient, model::range::friction);
-  friction.tangential_penalty =
-      section.when(friction.coefficient > 0).number_or("tangential_penalty", friction.tangential_penalty, model::range::tangential_penalty);
+  const Section sticking = section.when(friction.coefficient > 0 && !multiplier);
+  friction.tangential_penalty = sticking.number_or("tangential_penalty", friction.tangential_penalty, model::range::tangential_penalty);
   return friction;
 }
 
@@ -111,24 +111,29 @@ dynamics::InterfaceOptions read_solid_interface(const Section& section) {
   dynamics::InterfaceOptions options;
   const bool bonded = section.choice_or("kind", "contact", {"contact", "bonded"}) == "bonded";
   options.kind = bonded ? contact::InterfaceKind::bonded : contact::InterfaceKind::contact;
-  const bool given = section.has("penalty");
-  options.penalty = section.when(given).quantity("penalty", dim::penalty, positive);
-  const Section chosen = section.when(!given);
+  const bool multiplier = section.when(!bonded).choice_or("method", "penalty", {"penalty", "multiplier"}) == "multiplier" && !bonded;
+  options.method = multiplier ? contact::Method::multiplier : contact::Method::penalty;
+  options.restitution = section.when(multiplier).number_or("restitution", options.restitution, model::range::restitution);
+  const Section by_penalty = section.when(!multiplier);
+  const bool given = !multiplier && section.has("penalty");
+  options.penalty = by_penalty.when(given).quantity("penalty", dim::penalty, positive);
+  const Section chosen = by_penalty.when(!given);
   const bool masses = chosen.choice_or("penalty_from", "stiffness", {"stiffness", "mass_and_step"}) == "mass_and_step" && !given;
   options.penalty_from = given ? PenaltyFrom::value : masses ? PenaltyFrom::masses : PenaltyFrom::stiffness;
   options.penalty_scale = chosen.when(!masses).number_or("penalty_scale", options.penalty_scale, positive);
   options.step_share = chosen.when(masses).number_or("step_share", options.step_share, positive);
   options.two_passes = section.choice_or("passes", "one", {"one", "two"}) == "two";
-  const bool base_area = section.when(!masses).choice_or("area", "apex", {"apex", "base"}) == "base" && !masses;
+  const bool base_area = by_penalty.when(!masses).choice_or("area", "apex", {"apex", "base"}) == "base" && !masses;
   options.area = base_area ? contact::Area::base : contact::Area::apex;
   const Section unilateral = section.when(!bonded);
-  options.friction = read_friction(unilateral);
+  options.friction = read_friction(unilateral, multiplier);
   if (bonded) options.friction = {};
   const Section rubbing = unilateral.when(options.friction.coefficient > 0);
   if (rubbing.choice_or("weights", "consistent", {"consistent", "paper"}) == "paper") options.weights = contact::Weights::paper;
-  options.damping_ratio = unilateral.number_or("damping_ratio", options.damping_ratio, model::range::damping_ratio);
+  const Section spring = unilateral.when(!multiplier);
+  options.damping_ratio = spring.number_or("damping_ratio", options.damping_ratio, model::range::damping_ratio);
   if (bonded) options.damping_ratio = 0;
-  options.energy_gain_limit = unilateral.number_or("energy_gain_limit", options.energy_gain_limit, model::range::energy_gain_limit);
+  options.energy_gain_limit = spring.number_or("energy_gain_limit", options.energy_gain_limit, model::range::energy_gain_limit);
   options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
   return options;
 }

@@ -31,8 +31,8 @@ element::AnyHexahedronOptions read_hexahedron_options(const Section&, std::strin
 /// `thickness`, optional `layers` (1 to 9), `rotary_inertia: scaled | physical`, and the viscosity.
 element::Plate::Options read_plate_options(const Section&);
 
-/// `friction` [-] and, where it is not zero, `tangential_penalty` in (0, 1]; both optional.
-contact::Coulomb read_friction(const Section&);
+/// `friction` [-] and, where it is not zero and not found by multipliers, `tangential_penalty` in (0, 1]; both optional.
+contact::Coulomb read_friction(const Section&, bool multiplier = false);
 
 /// `kind: contact | bonded`; `penalty`, or `penalty_from: stiffness` with `penalty_scale`, or `mass_and_step` with
 /// `step_share`; `passes: one | two`; `area: apex | base`. Of a contact also `friction`, `tangential_penalty`, `weights:

@@ -30,7 +30,7 @@ std::vector<std::string> gap_table(const Simulation& simulation) {
     const contact::Interface& interface = simulation.model.interfaces[c];
     table.push_back(row("%-14s %6d  %8d  %7d  %9d  %7d  %11d  %-11.4g  %-11.4g  %-11.4g", interface.name.c_str(), g.apexes, g.by_kind[3],
                         g.by_kind[2], g.by_kind[1], g.without_base, g.penetrating, g.least, g.mean, g.largest));
-    table.push_back(row("%-14s penalty %.4g Pa/m", "", interface.penalty));
+    if (!contact::by_multipliers(interface)) table.push_back(row("%-14s penalty %.4g Pa/m", "", interface.penalty));
     if (g.free > 0)
       table.push_back(row("%-14s %d of %d apexes are free: they stand past the border of the base or have none", "", g.free, g.apexes));
   }
@@ -74,9 +74,9 @@ std::vector<std::string> depth_notes(const Simulation& simulation) {
   std::vector<std::string> notes;
   const auto look = [&notes](const auto& contact, const auto& memory, Index node) {
     if (contact.depth > 0 && memory.deepest > (0.5 + 1e-6) * contact.depth)  // more than round-off beyond
-      notes.push_back(row("%s: node %d went %.3g m deep, %.3g of the depth of an element, at %.8g s: too soft a penalty or too fast an "
-                          "approach",
-                          contact.name.c_str(), node, memory.deepest, memory.deepest / contact.depth, memory.deepest_time));
+      notes.push_back(row("%s: node %d went %.3g m deep, %.3g of the depth of an element, at %.8g s: %stoo fast an approach",
+                          contact.name.c_str(), node, memory.deepest, memory.deepest / contact.depth, memory.deepest_time,
+                          contact::by_multipliers(contact) ? "" : "too soft a penalty or "));
   };
   const dynamics::Model& model = simulation.model;
   for (std::size_t c = 0; c < model.interfaces.size(); ++c)

@@ -91,6 +91,8 @@ struct Plane {
 struct RigidPlane {
   std::string name, surface;
   Vec3 point = Vec3::Zero(), normal = Vec3::UnitZ();  ///< [m]; unit vector to the side of the nodes
+  contact::Method method = contact::Method::penalty;
+  double restitution = 1;                             ///< [-] of nodes that multipliers stop
   std::optional<double> penalty = {};                 ///< [Pa/m] without it `penalty_scale` counts
   double penalty_scale = dynamics::InterfaceOptions{}.penalty_scale;  ///< [-] penalty over the stiffness of the surface
   contact::Coulomb friction = {};

@@ -77,7 +77,7 @@ inline std::vector<std::pair<std::string, std::vector<double>>> numbers(const St
     for (const Vec3& slip : c.slip) all(slip);
     all(c.slot), all(c.near_facets);
     for (const contact::Near& near : c.near) {
-      add(near.apex, near.first_facet, near.facets, near.clear, near.rests, near.area, near.tracks.count, near.tracks.owned);
+      add(near.pressed, near.apex, near.first_facet, near.facets, near.clear, near.rests, near.area, near.tracks.count, near.tracks.owned);
       for (int i = 0; i < near.tracks.count; ++i) add(near.tracks.track[i].facet, near.tracks.track[i].height);
       add(near.tracks.out.facet, near.tracks.out.height);
       if (near.tracks.out.facet >= 0) all(near.tracks.out.weight);
@@ -85,7 +85,8 @@ inline std::vector<std::pair<std::string, std::vector<double>>> numbers(const St
       all(e.apex), all(e.angular_impulse);
       add(e.closed, e.count, e.scale, e.stiffness, e.work, e.dissipated, e.created, e.moved, e.has_moment, e.depth, e.lost);
       for (int i = 0; i < e.count; ++i)
-        add(e.stencil[i].facet, e.stencil[i].apex), all(e.stencil[i].weight), all(e.stencil[i].push), all(e.stencil[i].share);
+        add(e.stencil[i].facet, e.stencil[i].apex, static_cast<int>(e.stencil[i].kind), e.stencil[i].local, e.stencil[i].level),
+            all(e.stencil[i].weight), all(e.stencil[i].push), all(e.stencil[i].share);
       const contact::FrictionForces& f = near.friction;
       all(f.force), add(f.acts, f.stiffness, f.work, f.dissipated, f.created);
       if (!f.acts) continue;
@@ -93,13 +94,17 @@ inline std::vector<std::pair<std::string, std::vector<double>>> numbers(const St
       add(f.touch.apex, f.touch.base_rotates);
     }
     add(c.work, c.damped, c.friction_dissipated, c.created_by_reconnection, c.deepest, c.deepest_apex, c.deepest_time, c.walks);
-    add(c.lost, c.recovered);
+    add(c.lost, c.recovered, c.impact, c.lent, c.to_come);
+    for (const contact::Restitution& r : c.restitution) add(r.held, r.mean_force, r.last_loss);
     add(c.searches, c.deepest_now, c.margin), all(c.apexes_then), all(c.base_then), all(c.mean_way);
   }
   for (const contact::PlaneMemory& p : s.rigid_planes) {
     part("rigid plane"), all(p.force), all(p.impulse), all(p.angular_impulse),
         add(p.work, p.stored, p.tangential_stored, p.friction_dissipated, p.deepest, p.deepest_node, p.deepest_time);
     for (const Vec3& slip : p.slip) all(slip);
+    for (const Vec3& rub : p.rub) all(rub);
+    add(p.impact, p.lent);
+    for (const contact::Restitution& r : p.restitution) add(r.held, r.mean_force, r.last_loss);
   }
   part("constraints");
   for (const auto& plane : s.constraints.account) all(plane.impulse), all(plane.angular_impulse), add(plane.stopped, plane.driven);

@@ -1,0 +1,257 @@
+#include "contact/condition.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "base/parallel.hpp"
+#include "contact/apex.hpp"
+#include "contact/near.hpp"
+#include "contact/restitution.hpp"
+#include "contact/stand.hpp"
+
+namespace nereid::contact {
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double steps_to_touch = 4;   // open apexes that can touch within so many steps have a condition too
+constexpr double mended = 0.2;         // of a penetration in a step
+constexpr double no_direction = 1e-3;  // of the size of a face: an edge or vertex that is nearer has no normal of its own
+constexpr double faces_below = 0.3;    // cosine between the normals of an apex and of what it may touch
+
+/// Finds which apexes are in contact, or near to it, where the nodes would be.
+void find(const Interface& interface, const Motion& m, Memory& memory, Workspace& workspace, Multipliers& all) {
+  const auto look = [&](const Vectors& x, const Vectors& way, double dt) {
+    double moved = memory.searches == 0 ? infinite : moved_since_search(interface, x, memory);
+    if (moved > 0.5 * memory.margin) {
+      memory.margin = margin_of(interface, way);
+      search(interface, x, memory, workspace);
+      moved = 0;
+    }
+    parallel_for(static_cast<Index>(memory.near.size()), 64, [&](Index i) {
+      Near& near = memory.near[i];
+      if (near.rests && moved < near.clear) return;
+      const Feature before = memory.feature[near.apex];
+      find_contact(interface, x, way, dt, moved, near, memory);
+      near.element.moved = near.pressed > 0 && !same(memory.feature[near.apex], before);
+      near.rests = near.tracks.count == 0 && near.element.count == 0;
+    });
+  };
+  if (!(m.dt > 0)) look(m.x, m.v, 0);  // at the start apexes may stand behind the surface
+  look(all.ahead, all.way, m.dt + m.next);
+}
+
+/// Nodes, weights, normal and gap of an apex over the feature of a stencil where the nodes are at t; false if it is out of reach.
+///
+/// A stencil with a push was found where the nodes would be: it counts however far the apex is now, and the push has the direction.
+bool make(const Interface& interface, const Motion& m, const Multipliers& all, const Near& near, Stencil& stencil, bool& has_moment,
+          Condition& c) {
+  const Index apex = interface.apexes[near.apex];
+  const Vec3 p = m.x.col(apex);
+  const double push = stencil.push.norm();
+  if (stencil.kind != geometry::Kind::facet) {  // where the apex would be; now it may be over a facet beside
+    const Stand here = stand(interface.base, m.x, p, stencil.facet);
+    if (here.past == 0) stencil.facet = here.feature.facet, stencil.kind = here.feature.kind, stencil.local = here.feature.local;
+  }
+  FeatureHeight over = height_over(interface.base, m.x, {stencil.facet, stencil.kind, stencil.local}, p);
+  if (stencil.kind != geometry::Kind::facet && std::abs(over.height) < no_direction * interface.base.size(stencil.facet))
+    has_moment = true, over.normal = push > 0 ? Vec3(stencil.push / push) : facet_normal(interface.base, m.x, stencil.facet);
+  if (push > 0 && over.normal.dot(stencil.push) < 0) over.normal = -over.normal, over.height = -over.height;
+  stencil.weight = over.weight;
+  c.gap = over.height - stencil.level;
+  c.normal = over.normal;
+  c.node[0] = apex;
+  c.weight[0] = 1;
+  for (int I = 0; I < 3; ++I) c.node[I + 1] = interface.base.facets(I, stencil.facet), c.weight[I + 1] = -over.weight[I];
+  if (!(push > 0)) {
+    double fastest = 0;
+    for (int I = 1; I < 4; ++I) fastest = std::max(fastest, (all.velocity.col(apex) - all.velocity.col(c.node[I])).squaredNorm());
+    if (c.gap > std::max(multipliers_reach * interface.depth, steps_to_touch * m.next * std::sqrt(fastest))) return false;
+    if (interface.own.facets.cols() > 0 && !(node_normal(interface.own, m.x, apex).dot(c.normal) < faces_below)) return false;
+  }
+  return true;
+}
+
+/// What follows from these; false where constraints hold all its nodes.
+///
+/// pressed  [N] by all conditions of the contactor in the step before;  held  [J] by it
+bool complete(const Motion& m, const Parts& part, const Vectors& free, int nodes, double pressed, double held, Condition& c) {
+  c.per_mass = c.before = c.free = 0;
+  for (int j = 0; j < nodes; ++j) {
+    const Index node = c.node[j];
+    c.response[j] = c.weight[j] / m.mass(node) * c.normal;
+    if (m.allowed[node]) c.response[j] = *m.allowed[node] * c.response[j];
+    c.per_mass += c.weight[j] * c.normal.dot(c.response[j]);
+    c.before += c.weight[j] * c.normal.dot(m.v.col(node));
+    c.free += c.weight[j] * c.normal.dot(free.col(node));
+  }
+  const double closing = (c.gap > 0 ? -c.gap : -mended * c.gap) / m.next, impulse = 0.5 * pressed * (m.dt + m.next);
+  const double paid = impulse > 0 ? held / impulse : 0;
+  c.least = std::min(closing, (paid - part.before * c.before) / part.after);
+  return c.per_mass > 1e-9 / m.mass(c.node[0]);
+}
+
+/// How much slip rate an impulse makes, at most. [1/kg]
+double response(const Touch& touch, const Motion& m) {
+  const Vec3 first = touch.normal.unitOrthogonal(), second = touch.normal.cross(first);
+  const FrictionShares one = share_friction(touch, first), other = share_friction(touch, second);
+  const auto product = [&](const FrictionShares& a, const FrictionShares& b) {
+    double sum = 0;
+    for (int i = 0; i < 4; ++i) {
+      const Index node = a.node[i];
+      const Vec3 let = m.allowed[node] ? Vec3(*m.allowed[node] * b.force[i]) : b.force[i];
+      sum += a.force[i].dot(let) / m.mass(node);
+      if (a.turns[i] && b.turns[i]) sum += a.moment[i].dot(b.moment[i]) / m.inertia(m.rotation_of_node[node]);
+    }
+    return sum;
+  };
+  return std::max(product(one, one), product(other, other)) + std::abs(product(one, other));
+}
+
+/// Friction of a contactor, with the force of the step before as a first guess.
+FrictionCondition friction_on(const Touch& touch, double coefficient, const Vec3& force, const Motion& m) {
+  const Vec3 impulse = 0.5 * (m.dt + m.next) * (force - touch.normal.dot(force) * touch.normal);
+  return {.touch = touch, .coefficient = coefficient, .per_mass = response(touch, m), .bound = 0,
+          .before = slip_rate(touch, m.v, m.omega, m.rotation_of_node), .impulse = impulse, .change = Vec3::Zero()};
+}
+
+/// The base facet of the first condition of an apex.
+Index facet_below(const ElementForces& element) {
+  int s = 0;
+  while (element.stencil[s].apex == 0) ++s;
+  return element.stencil[s].facet;
+}
+
+}  // namespace
+
+Multipliers make_multipliers(std::span<const Interface> interfaces, std::span<const RigidPlane> planes, Index nodes, Index plate_nodes) {
+  constexpr std::size_t most_of_an_apex = 3;  // conditions; some may have more, but not many
+  Multipliers all;
+  all.ahead = all.way = all.velocity = Vectors::Zero(3, nodes);
+  all.spin = Vectors::Zero(3, plate_nodes);
+  all.shared = Scalars::Zero(nodes);
+  std::size_t apexes = 0;
+  for (const Interface& interface : interfaces) apexes += by_multipliers(interface) ? interface.apexes.size() : 0;
+  for (const RigidPlane& plane : planes) apexes += by_multipliers(plane) ? plane.nodes.size() : 0;
+  all.conditions.reserve(most_of_an_apex * apexes);
+  all.frictions.reserve(apexes);
+  all.contactors.reserve(apexes);
+  all.first.reserve(interfaces.size() + planes.size() + 1);
+  all.pools.reserve(interfaces.size() + planes.size());
+  return all;
+}
+
+void look_ahead(const Subset& nodes, const Motion& m, Multipliers& all) {
+  const double h = 0.5 * (m.dt + m.next);
+  for (const Index node : nodes) {
+    Vec3 change = h / m.mass(node) * m.force.col(node);
+    if (m.allowed[node]) change = *m.allowed[node] * change;
+    all.velocity.col(node) = m.v.col(node) + change;
+    const Vec3 way = m.next * all.velocity.col(node);
+    all.ahead.col(node) = m.x.col(node) + way;
+    all.way.col(node) = (m.dt * m.v.col(node) + way) / (m.dt + m.next);
+    const Index turns = m.rotation_of_node[node];
+    if (turns < 0) continue;
+    Vec3 turn = h / m.inertia(turns) * m.moment.col(turns);
+    if (m.allowed_rotation[turns]) turn = *m.allowed_rotation[turns] * turn;
+    all.spin.col(turns) = m.omega.col(turns) + turn;
+  }
+}
+
+void find_conditions(const Interface& interface, const Motion& m, const Parts& part, Memory& memory, Workspace& workspace,
+                     Multipliers& all) {
+  const double h = 0.5 * (m.dt + m.next);
+  for (Near& near : memory.near) near.pressed = near.element.closed && m.dt > 0 ? near.element.apex.norm() : 0;
+  find(interface, m, memory, workspace, all);
+  for (Near& near : memory.near) {
+    const auto first = static_cast<Index>(all.conditions.size());
+    for (int s = 0; s < near.element.count; ++s) {
+      Stencil& stencil = near.element.stencil[s];
+      Condition c;
+      const bool counts = !std::isnan(stencil.level) && make(interface, m, all, near, stencil, near.element.has_moment, c) &&
+                          complete(m, part, all.velocity, 4, near.pressed, memory.restitution[near.apex].held, c);
+      if (!counts) {
+        stencil.apex = 0, stencil.weight = {}, stencil.push.setZero();
+        continue;
+      }
+      c.impulse = near.element.count == 1 ? near.pressed * h : 0;
+      stencil.push = c.normal;
+      all.conditions.push_back(c);
+    }
+    const auto last = static_cast<Index>(all.conditions.size());
+    Restitution& restitution = memory.restitution[near.apex];
+    if (last == first) {
+      lose(restitution, memory.impact);
+      continue;
+    }
+    Index friction = -1;
+    if (interface.friction.coefficient > 0 && m.dt > 0) {
+      const Feature below{facet_below(near.element), geometry::Kind::facet, 0};
+      const Touch touch = touch_of(interface, m.x, near.apex, below, all.conditions[first].normal);
+      const Vec3 force = near.friction.acts ? near.friction.force : Vec3(Vec3::Zero());
+      friction = static_cast<Index>(all.frictions.size());
+      all.frictions.push_back(friction_on(touch, interface.friction.coefficient, force, m));
+    }
+    all.contactors.push_back({.memory = &restitution, .first = first, .last = last, .nodes = 4, .friction = friction,
+                              .impedance = interface.pass_factor * interface.impedance * interface.area(near.apex),
+                              .square = interface.restitution * interface.restitution});
+  }
+  for (std::size_t a = 0; a < memory.restitution.size(); ++a)
+    if (memory.slot[a] < 0 && memory.restitution[a].held > 0) lose(memory.restitution[a], memory.impact);
+}
+
+void find_conditions(const RigidPlane& plane, const Motion& m, const Parts& part, PlaneMemory& memory, Multipliers& all) {
+  for (std::size_t i = 0; i < plane.nodes.size(); ++i) {
+    const Index node = plane.nodes[i];
+    Condition c;
+    c.node[0] = node, c.weight[0] = 1, c.normal = plane.normal;
+    c.gap = (m.x.col(node) - plane.point).dot(plane.normal);
+    const auto first = static_cast<Index>(all.conditions.size());
+    const bool far = c.gap > 0 && m.next * -plane.normal.dot(all.velocity.col(node)) < c.gap && !(memory.force[i] > 0);
+    if (far || !complete(m, part, all.velocity, 1, m.dt > 0 ? memory.force[i] : 0, memory.restitution[i].held, c)) {
+      lose(memory.restitution[i], memory.impact);
+      memory.next_force[i] = 0;
+      if (!memory.next_rub.empty()) memory.next_rub[i].setZero();
+      continue;
+    }
+    c.impulse = memory.force[i] * 0.5 * (m.dt + m.next);
+    all.conditions.push_back(c);
+    Index friction = -1;
+    if (plane.friction.coefficient > 0 && m.dt > 0) {
+      Touch touch;
+      touch.normal = plane.normal, touch.apex = node, touch.node = {node, node, node};
+      friction = static_cast<Index>(all.frictions.size());
+      all.frictions.push_back(friction_on(touch, plane.friction.coefficient, memory.rub[i], m));
+    }
+    all.contactors.push_back({.memory = &memory.restitution[i], .first = first, .last = first + 1, .nodes = 1, .friction = friction,
+                              .impedance = plane.impedance * plane.area(static_cast<Eigen::Index>(i)),
+                              .square = plane.restitution * plane.restitution});
+  }
+}
+
+void apply_changes(const Motion& m, Multipliers& all) {
+  for (const Contactor& one : all.contactors) {
+    for (Index i = one.first; i < one.last; ++i) {
+      Condition& c = all.conditions[i];
+      if (c.change == 0) continue;
+      c.impulse += c.change;
+      give(c, one.nodes, c.change, all.velocity);
+    }
+    if (one.friction < 0 || all.frictions[one.friction].change.isZero(0)) continue;
+    FrictionCondition& condition = all.frictions[one.friction];
+    condition.impulse += condition.change;
+    give(condition, condition.change, m, all);
+  }
+}
+
+void find_work(const Motion& m, const Parts& part, Multipliers& all) {
+  for (Contactor& one : all.contactors) {
+    one.work = 0;
+    for (Index i = one.first; i < one.last; ++i)
+      one.work += work(all.conditions[i], part, rate(all.conditions[i], one.nodes, all.velocity));
+  }
+  for (FrictionCondition& condition : all.frictions) condition.work = work(condition, part, rate(condition, m, all));
+}
+
+}  // namespace nereid::contact

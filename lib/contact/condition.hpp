@@ -1,0 +1,155 @@
+#pragma once
+// The conditions that multipliers meet, and how impulses and velocities go with them.
+
+#include <cmath>
+#include <span>
+
+#include "contact/contact.hpp"
+#include "contact/rigid_plane.hpp"
+
+namespace nereid::contact {
+
+/// [-] of the depth of an element: apexes that are nearer to their base have a condition.
+constexpr double multipliers_reach = 0.02;
+
+/// How nodes move when no multiplier acts, and how easily an impulse moves them.
+struct Motion {
+  const Vectors& x;        ///< [m] at t
+  const Vectors& v;        ///< [m/s] over the step that led to t
+  const Vectors& omega;    ///< [rad/s] of plate nodes, the same
+  const Vectors& force;    ///< [N] of all else at t
+  const Vectors& moment;   ///< [N m] on plate nodes
+  const Scalars& mass;     ///< [kg]
+  const Scalars& inertia;  ///< [kg m2] of plate nodes
+  const std::vector<Index>& rotation_of_node;         ///< [nodes] column of the angular velocity, or -1
+  const std::vector<const Mat3*>& allowed;            ///< [nodes] projector onto the velocities that constraints allow; null: all
+  const std::vector<const Mat3*>& allowed_rotation;   ///< [plate nodes] the same of angular velocities
+  double dt, next;         ///< [s] of the step that led to t, of that which begins there
+};
+
+/// The parts of a step before and after t: the work of an impulse is J (before v_b + after v).
+struct Parts {
+  double before, after;
+};
+
+/// One condition: an apex over a feature, or a node over a rigid plane.
+struct Condition {
+  std::array<Index, 4> node;      ///< the apex, then those of the facet; of a node over a plane the first alone counts
+  std::array<double, 4> weight;   ///< 1, then minus those of the foot
+  std::array<Vec3, 4> response;   ///< [m/s per N s] velocity of each node per impulse
+  Vec3 normal;                    ///< unit vector, from the base to the apex
+  double per_mass;                ///< [1/kg] relative velocity per impulse
+  double bound;                   ///< [1/kg] of what all impulses together change in it
+  double before;                  ///< [m/s] relative velocity in the step before
+  double least;                   ///< [m/s] that may be afterwards
+  double free;                    ///< [m/s] relative velocity afterwards if no multiplier acted
+  double impulse, change;         ///< [N s] so far, and what a sweep adds
+  double gap;                     ///< [m]
+};
+
+/// Friction of one apex, or of one node over a rigid plane: it sticks as far as it can.
+struct FrictionCondition {
+  Touch touch;
+  double coefficient;    ///< [-]
+  double per_mass;       ///< [1/kg] slip rate per impulse, at most
+  double bound;          ///< [1/kg] the same of all impulses together
+  Vec3 before;           ///< [m/s] slip rate in the step before
+  Vec3 impulse, change;  ///< [N s]
+  double work = 0;       ///< [J] in this step
+};
+
+/// The conditions of one apex, or of one node over a rigid plane.
+struct Contactor {
+  Restitution* memory;
+  Index first, last;     ///< its conditions
+  int nodes;             ///< of each condition
+  Index friction;        ///< in Multipliers::frictions, or -1
+  double impedance;      ///< [N s/m] of its area
+  double square;         ///< [-] of the coefficient of restitution
+  double work = 0;       ///< [J] of its impulses in this step
+  double lost = 0;       ///< [J] of what it held as it let go
+};
+
+/// Contactors that pay for each other, and what the others of them hold of what they took. [J]
+struct Pool {
+  Index first, last;
+  double* lent;
+};
+
+/// What multipliers work with and may throw away between steps.
+struct Multipliers {
+  Vectors ahead;        ///< [m] [nodes] where the nodes would be after the step to come
+  Vectors way;          ///< [m/s] [nodes] mean velocity from the start of the step that led to t up to there
+  Vectors velocity;     ///< [m/s] [nodes] in the step to come, with the impulses so far
+  Vectors spin;         ///< [rad/s] [plate nodes] the same of angular velocities
+  Scalars shared;       ///< [-] [nodes] sum of the weights of all conditions
+  std::vector<Condition> conditions;
+  std::vector<FrictionCondition> frictions;
+  std::vector<Contactor> contactors;
+  std::vector<Index> first;  ///< [interfaces, then planes, then one] of their contactors
+  std::vector<Pool> pools;
+  int sweeps = 0;            ///< of the last step
+};
+
+/// Room for all conditions that can be expected, so that a step takes no memory.
+Multipliers make_multipliers(std::span<const Interface>, std::span<const RigidPlane>, Index nodes, Index plate_nodes);
+
+/// The relative normal velocity. [m/s]
+inline double rate(const Condition& c, int nodes, const Vectors& v) {
+  double sum = 0;
+  for (int j = 0; j < nodes; ++j) sum += c.weight[j] * c.normal.dot(v.col(c.node[j]));
+  return sum;
+}
+
+/// Adds to velocities what one more impulse makes of them.
+inline void give(const Condition& c, int nodes, double impulse, Vectors& v) {
+  for (int j = 0; j < nodes; ++j) v.col(c.node[j]) += impulse * c.response[j];
+}
+
+/// The work of its impulse, with the relative velocity afterwards. [J]
+inline double work(const Condition& c, const Parts& part, double after) {
+  return c.impulse * (part.before * c.before + part.after * after);
+}
+
+/// The same of friction.
+inline Vec3 rate(const FrictionCondition& condition, const Motion& m, const Multipliers& all) {
+  return slip_rate(condition.touch, all.velocity, all.spin, m.rotation_of_node);
+}
+
+inline double work(const FrictionCondition& condition, const Parts& part, const Vec3& after) {
+  return condition.impulse.dot(part.before * condition.before + part.after * after);
+}
+
+inline void give(const FrictionCondition& condition, const Vec3& impulse, const Motion& m, Multipliers& all) {
+  const auto let = [](const Mat3* allowed, const Vec3& change) { return allowed ? Vec3(*allowed * change) : change; };
+  const FrictionShares shares = share_friction(condition.touch, impulse);
+  for (int i = 0; i < 4; ++i) {
+    const Index node = shares.node[i], turned = m.rotation_of_node[node];
+    all.velocity.col(node) += let(m.allowed[node], shares.force[i] / m.mass(node));
+    if (shares.turns[i]) all.spin.col(turned) += let(m.allowed_rotation[turned], shares.moment[i] / m.inertia(turned));
+  }
+}
+
+/// The sum of its normal impulses. [N s]
+inline double impulse_of(const Contactor& one, const Multipliers& all) {
+  double sum = 0;
+  for (Index i = one.first; i < one.last; ++i) sum += all.conditions[i].impulse;
+  return sum;
+}
+
+/// Finds the conditions of an interface or of a rigid plane, with the impulses of the step before as a first guess.
+///
+/// Needs  look_ahead() for its nodes
+void find_conditions(const Interface&, const Motion&, const Parts&, Memory&, Workspace&, Multipliers&);
+void find_conditions(const RigidPlane&, const Motion&, const Parts&, PlaneMemory&, Multipliers&);
+
+/// Sets what the nodes do in the step to come without multipliers.
+void look_ahead(const Subset& nodes, const Motion&, Multipliers&);
+
+/// Adds the changes to all impulses, and what they do to the velocities, in the order of the contactors.
+void apply_changes(const Motion&, Multipliers&);
+
+/// The works of all impulses as they stand. [J]
+void find_work(const Motion&, const Parts&, Multipliers&);
+
+}  // namespace nereid::contact

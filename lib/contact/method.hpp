@@ -1,0 +1,24 @@
+#pragma once
+
+namespace nereid::contact {
+
+/// How an impulse is found that keeps two surfaces apart.
+enum class Method {
+  penalty,     ///< a spring that is pressed
+  multiplier,  ///< the smallest after which no gap is negative, see multiplier.hpp
+};
+
+/// What a multiplier has taken from a node that it stopped, and gives back as it lets go: docs/theory/multipliers.md.
+struct Restitution {
+  double held = 0;        ///< [J]
+  double mean_force = 0;  ///< [N] over twice the time that a wave takes through the node's own mass
+  double last_loss = 0;   ///< [s] when it last took energy
+};
+
+/// Whether a contact or rigid plane acts by multipliers.
+template <class Contact>
+bool by_multipliers(const Contact& contact) {
+  return contact.method == Method::multiplier;
+}
+
+}  // namespace nereid::contact

@@ -1,0 +1,290 @@
+#include "contact/multiplier.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/parallel.hpp"
+#include "contact/apex.hpp"
+#include "contact/restitution.hpp"
+
+namespace nereid::contact {
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr int usual_sweeps = 8, most_sweeps = 100;
+constexpr double may_gain = 1e-4;  // of the energy that the impulses exchange: sweeps go on while single contactors gain more
+
+/// Books the half of a step that ends at t, in which the forces of the memory have acted.
+void book_half(const Interface& interface, const Motion& m, double later, Memory& memory) {
+  const double half = 0.5 * m.dt;
+  for (const Near& near : memory.near) {
+    if (!near.element.closed) continue;
+    memory.work += half * power(interface, m.v, near.apex, near.element);
+    memory.angular_impulse += half * moment(interface, m.x, m.v, later, near.apex, near.element);
+    if (!near.friction.acts) continue;
+    memory.work += half * near.friction.force.dot(slip_rate(near.friction.touch, m.v, m.omega, m.rotation_of_node));
+    if (!interface.allowed.empty() || interface.weights == Weights::paper)
+      memory.angular_impulse += half * moment_of_friction(near.friction.touch, near.friction.force, m.x, m.v, later);
+  }
+}
+
+/// Bounds of what all impulses together change in each rate: a sweep by them overshoots nowhere, whatever the order.
+///
+///     sum over the nodes of |w| S |P n| / m,   S = sum of |w| of all conditions at the node
+void find_bounds(const Motion& m, Multipliers& all) {
+  for (const Contactor& one : all.contactors)
+    for (Index i = one.first; i < one.last; ++i)
+      for (int j = 0; j < one.nodes; ++j) all.shared(all.conditions[i].node[j]) = 0;
+  for (const Contactor& one : all.contactors)
+    for (Index i = one.first; i < one.last; ++i)
+      for (int j = 0; j < one.nodes; ++j) all.shared(all.conditions[i].node[j]) += std::abs(all.conditions[i].weight[j]);
+  for (const Contactor& one : all.contactors) {
+    for (Index i = one.first; i < one.last; ++i) {
+      Condition& c = all.conditions[i];
+      c.bound = 0;
+      for (int j = 0; j < one.nodes; ++j) c.bound += c.response[j].norm() * all.shared(c.node[j]);
+    }
+    if (one.friction < 0) continue;
+    FrictionCondition& condition = all.frictions[one.friction];
+    const Condition& c = all.conditions[one.first];
+    double alone = 0, together = 0;
+    for (int j = 0; j < one.nodes; ++j) {
+      alone += c.weight[j] * c.weight[j] / m.mass(c.node[j]);
+      together += std::abs(c.weight[j]) * all.shared(c.node[j]) / m.mass(c.node[j]);
+    }
+    condition.bound = condition.per_mass * together / alone;
+  }
+}
+
+/// One sweep: all impulses are changed by the rates that all of them have made so far, so no order counts.
+void sweep(const Motion& m, Multipliers& all) {
+  parallel_for(static_cast<Index>(all.contactors.size()), 128, [&](Index k) {
+    const Contactor& one = all.contactors[k];
+    double pressed = 0;
+    for (Index i = one.first; i < one.last; ++i) {
+      Condition& c = all.conditions[i];
+      c.change = std::max(-c.impulse, (c.least - rate(c, one.nodes, all.velocity)) / c.bound);
+      pressed += c.impulse + c.change;
+    }
+    if (one.friction < 0) return;
+    FrictionCondition& condition = all.frictions[one.friction];
+    const double limit = condition.coefficient * pressed;
+    condition.change.setZero();
+    if (!(limit > 0) && condition.impulse.isZero(0)) return;
+    Vec3 now = condition.impulse - rate(condition, m, all) / condition.bound;
+    const double size = now.norm();
+    if (size > limit) now *= limit / size;
+    condition.change = now - condition.impulse;
+  });
+  apply_changes(m, all);
+}
+
+/// Sweeps until no contactor gains energy that counts.
+void solve(const Motion& m, const Parts& part, Multipliers& all) {
+  find_bounds(m, all);
+  for (const Contactor& one : all.contactors)
+    for (Index i = one.first; i < one.last; ++i)
+      if (all.conditions[i].impulse > 0) give(all.conditions[i], one.nodes, all.conditions[i].impulse, all.velocity);
+  for (const FrictionCondition& condition : all.frictions)
+    if (!condition.impulse.isZero(0)) give(condition, condition.impulse, m, all);
+  for (all.sweeps = 0; all.sweeps < most_sweeps;) {
+    sweep(m, all);
+    ++all.sweeps;
+    if (all.sweeps < usual_sweeps || all.sweeps % 2 > 0) continue;
+    double gained = 0, exchanged = 0;
+    for (const Contactor& one : all.contactors) {
+      double sum = 0;
+      for (Index i = one.first; i < one.last; ++i) {
+        const Condition& c = all.conditions[i];
+        sum += work(c, part, rate(c, one.nodes, all.velocity));
+        exchanged += 0.5 * c.impulse * c.impulse * c.per_mass;
+      }
+      gained += std::max(0.0, sum);
+    }
+    if (!(gained > may_gain * exchanged)) return;
+  }
+}
+
+/// What friction has taken. [J]
+double rubbed(Index first, Index last, const Multipliers& all) {
+  double sum = 0;
+  for (Index k = first; k < last; ++k)
+    if (all.contactors[k].friction >= 0) sum -= all.frictions[all.contactors[k].friction].work;
+  return std::max(0.0, sum);
+}
+
+/// Work that all impulses of some contactors have still to do in the half step that begins. [J]
+double work_to_come(const Motion& m, double h, Index first, Index last, const Multipliers& all) {
+  double sum = 0;
+  for (Index k = first; k < last; ++k) {
+    const Contactor& one = all.contactors[k];
+    for (Index i = one.first; i < one.last; ++i) {
+      const Condition& c = all.conditions[i];
+      if (c.impulse > 0) sum += 0.5 * m.next / h * c.impulse * rate(c, one.nodes, all.velocity);
+    }
+    if (one.friction >= 0) sum += 0.5 * m.next / h * all.frictions[one.friction].impulse.dot(rate(all.frictions[one.friction], m, all));
+  }
+  return sum;
+}
+
+/// Writes impulses into the memory of an interface as forces, and books them.
+void take_over(const Interface& interface, const Motion& m, double h, double t, Index first, Index last, Memory& memory, Multipliers& all) {
+  const double to_come = work_to_come(m, h, first, last, all);
+  Index at = first < last ? all.contactors[first].first : 0, contactor = first;
+  memory.deepest_now = 0;
+  for (Near& near : memory.near) {
+    ElementForces& element = near.element;
+    memory.stored[near.apex] = 0;
+    element.closed = false;
+    element.scale = 1;
+    element.apex.setZero();
+    element.depth = 0;
+    double gap = infinite;
+    for (int s = 0; s < element.count; ++s) {
+      Stencil& stencil = element.stencil[s];
+      if (stencil.apex == 0) continue;
+      const Condition& c = all.conditions[at++];
+      gap = std::min(gap, c.gap);
+      element.depth = std::max(element.depth, interface.contact_height(near.apex) - c.gap - stencil.level);
+      stencil.push *= c.impulse / h;
+      element.apex += stencil.push;
+      element.closed = element.closed || c.impulse > 0;
+    }
+    near.friction.acts = false;
+    near.friction.force.setZero();
+    if (gap < infinite) {
+      const Contactor& one = all.contactors[contactor++];
+      if (one.friction >= 0 && element.closed) {
+        near.friction.touch = all.frictions[one.friction].touch;
+        near.friction.force = all.frictions[one.friction].impulse / h;
+        near.friction.acts = true;
+      }
+    }
+    if (gap < infinite) memory.gap[near.apex] = gap, memory.status[near.apex] = element.closed ? Status::closed : Status::open;
+    memory.deepest_now = std::max(memory.deepest_now, element.depth);
+    if (element.depth > memory.deepest) see_depth(interface, m.x, near, memory), memory.deepest_time = t;
+    memory.lost += element.lost;
+    if (element.moved && !near.rests) ++memory.walks, ++memory.reconnections[near.apex];
+  }
+  book_half(interface, m, 0, memory);
+  memory.to_come = to_come + held(first, last, all) + memory.lent;
+}
+
+/// The same for a rigid plane.
+void take_over(const RigidPlane& plane, const Motion& m, double h, double t, Index first, Index last, PlaneMemory& memory,
+               Multipliers& all) {
+  const double to_come = work_to_come(m, h, first, last, all), deepest = memory.deepest;
+  std::size_t i = 0;
+  for (Index k = first; k < last; ++k) {
+    const Condition& c = all.conditions[all.contactors[k].first];
+    while (plane.nodes[i] != c.node[0]) ++i;
+    memory.next_force[i] = c.impulse / h;
+    if (all.contactors[k].friction >= 0) memory.next_rub[i] = all.frictions[all.contactors[k].friction].impulse / h;
+  }
+  advance(plane, m.x, m.v, m.dt, memory);
+  if (memory.deepest > deepest) memory.deepest_time = t;
+  memory.stored = to_come + held(first, last, all) + memory.lent;
+}
+
+/// Finds the conditions of all contacts by multipliers, their impulses, and the work of these.
+void find_impulses(std::span<const Interface> interfaces, std::span<const RigidPlane> planes, const Motion& m, const Parts& part,
+                   std::span<Memory> memories, std::span<PlaneMemory> of_planes, std::span<Workspace> workspaces, Multipliers& all) {
+  all.conditions.clear();
+  all.contactors.clear();
+  all.frictions.clear();
+  all.first.assign(1, 0);
+  for (std::size_t i = 0; i < interfaces.size(); ++i) {
+    if (!by_multipliers(interfaces[i])) continue;
+    look_ahead(interfaces[i].apexes, m, all);
+    look_ahead(interfaces[i].base_nodes, m, all);
+  }
+  for (const RigidPlane& plane : planes)
+    if (by_multipliers(plane)) look_ahead(plane.nodes, m, all);
+  for (std::size_t i = 0; i < interfaces.size(); ++i) {
+    if (by_multipliers(interfaces[i])) find_conditions(interfaces[i], m, part, memories[i], workspaces[i], all);
+    all.first.push_back(static_cast<Index>(all.contactors.size()));
+  }
+  for (std::size_t p = 0; p < planes.size(); ++p) {
+    if (by_multipliers(planes[p])) find_conditions(planes[p], m, part, of_planes[p], all);
+    all.first.push_back(static_cast<Index>(all.contactors.size()));
+  }
+  solve(m, part, all);
+  find_work(m, part, all);
+}
+
+}  // namespace
+
+bool any_by_multipliers(std::span<const Interface> interfaces, std::span<const RigidPlane> planes) {
+  return std::any_of(interfaces.begin(), interfaces.end(), [](const Interface& i) { return by_multipliers(i); }) ||
+         std::any_of(planes.begin(), planes.end(), [](const RigidPlane& p) { return by_multipliers(p); });
+}
+
+void stop_at_start(std::span<const Interface> interfaces, std::span<const RigidPlane> planes, const Motion& m, double t,
+                   std::span<Memory> memories, std::span<PlaneMemory> of_planes, std::span<Workspace> workspaces, Multipliers& all,
+                   Vectors& v) {
+  find_impulses(interfaces, planes, m, {0.5, 0.5}, memories, of_planes, workspaces, all);
+  const auto book = [&](Index first, Index last, auto& memory) {
+    for (Index k = first; k < last; ++k) {
+      const Contactor& one = all.contactors[k];
+      memory.work += one.work;
+      for (Index i = one.first; i < one.last; ++i) give(all.conditions[i], one.nodes, all.conditions[i].impulse, v);
+    }
+    memory.impact += keep(m, t, first, last, all);
+    forget_debts(first, last, all);
+  };
+  for (std::size_t i = 0; i < interfaces.size(); ++i)
+    if (by_multipliers(interfaces[i])) book(all.first[i], all.first[i + 1], memories[i]);
+  for (std::size_t p = 0; p < planes.size(); ++p) {
+    const std::size_t at = interfaces.size() + p;
+    if (!by_multipliers(planes[p])) continue;
+    for (Index k = all.first[at]; k < all.first[at + 1]; ++k) {
+      const Condition& c = all.conditions[all.contactors[k].first];
+      of_planes[p].impulse += c.impulse * c.normal;
+      of_planes[p].angular_impulse += c.impulse * m.x.col(c.node[0]).cross(c.normal);
+    }
+    book(all.first[at], all.first[at + 1], of_planes[p]);
+  }
+}
+
+void enforce(std::span<const Interface> interfaces, std::span<const RigidPlane> planes, const Motion& m, double t,
+             std::span<Memory> memories, std::span<PlaneMemory> of_planes, std::span<Workspace> workspaces, Multipliers& all) {
+  const double h = 0.5 * (m.dt + m.next);
+  const Parts part{0.5 * m.dt / h, 0.5 * m.next / h};
+  for (std::size_t i = 0; i < interfaces.size(); ++i)
+    if (by_multipliers(interfaces[i])) book_half(interfaces[i], m, -m.dt, memories[i]);
+  find_impulses(interfaces, planes, m, part, memories, of_planes, workspaces, all);
+  if (m.dt > 0) let_go(m, part, t, all);
+  std::vector<Pool>& pools = all.pools;
+  pools.clear();
+  for (std::size_t i = 0; i < interfaces.size(); ++i) {
+    const Index first = all.first[i], last = all.first[i + 1];
+    if (!by_multipliers(interfaces[i])) continue;
+    memories[i].friction_dissipated += rubbed(first, last, all);
+    memories[i].impact += keep(m, t, first, last, all);
+    pools.push_back({first, last, &memories[i].lent});
+    pay({&pools.back(), 1}, all);
+    if (interfaces[i].pass == Pass::back) pay({&pools.back() - 1, 2}, all);
+  }
+  for (std::size_t p = 0; p < planes.size(); ++p) {
+    const std::size_t at = interfaces.size() + p;
+    const Index first = all.first[at], last = all.first[at + 1];
+    if (!by_multipliers(planes[p])) continue;
+    of_planes[p].friction_dissipated += rubbed(first, last, all);
+    of_planes[p].impact += keep(m, t, first, last, all);
+    pools.push_back({first, last, &of_planes[p].lent});
+    pay({&pools.back(), 1}, all);
+  }
+  pay(pools, all);
+  forget_debts(0, static_cast<Index>(all.contactors.size()), all);
+  for (std::size_t i = 0; i < interfaces.size(); ++i)
+    if (by_multipliers(interfaces[i])) take_over(interfaces[i], m, h, t, all.first[i], all.first[i + 1], memories[i], all);
+  for (std::size_t p = 0; p < planes.size(); ++p) {
+    const std::size_t at = interfaces.size() + p;
+    if (by_multipliers(planes[p])) take_over(planes[p], m, h, t, all.first[at], all.first[at + 1], of_planes[p], all);
+  }
+}
+
+}  // namespace nereid::contact

@@ -1,0 +1,35 @@
+#pragma once
+// Contact without a penalty: in each step the smallest impulses after which no gap is negative at its end.
+//
+// An apex over a feature of its base is one condition on the relative normal velocity v = n . (v_apex - sum of w_I v_I) of the step to
+// come, from t to t + dt', with the gap g at t and v_b the velocity of the step before:
+//
+//     v >= min(-g / dt', -v_b),   J >= 0,   one of both an equality
+//
+// so it never goes faster apart than it came, but for what energy it holds; of a penetration a fifth is mended in a step. The impulses J n
+// on the apex and -w_I J n on the base act at t, as forces J / h over the half steps around it, h = (dt + dt') / 2. Sweeps find them that
+// do not depend on any order: docs/theory/multipliers.md.
+
+#include <span>
+
+#include "contact/condition.hpp"
+
+namespace nereid::contact {
+
+/// Whether any contact is by multipliers.
+bool any_by_multipliers(std::span<const Interface>, std::span<const RigidPlane>);
+
+/// Takes from the velocities at the start what would close gaps in the first step: bodies that begin in contact stop at once.
+///
+/// m  without forces, its `dt` zero
+void stop_at_start(std::span<const Interface>, std::span<const RigidPlane>, const Motion& m, double t, std::span<Memory>,
+                   std::span<PlaneMemory>, std::span<Workspace>, Multipliers&, Vectors& v);
+
+/// Finds the impulses of all contacts by multipliers for the step to come, and books the work of the step that led to t.
+///
+/// Writes the forces into the memories, from where add_forces() takes them.
+/// t  [s] now, for where the deepest penetrations were
+void enforce(std::span<const Interface>, std::span<const RigidPlane>, const Motion&, double t, std::span<Memory>, std::span<PlaneMemory>,
+             std::span<Workspace>, Multipliers&);
+
+}  // namespace nereid::contact

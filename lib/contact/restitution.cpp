@@ -1,0 +1,125 @@
+#include "contact/restitution.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nereid::contact {
+
+namespace {
+
+constexpr double of_its_own = 0.5;  // [-] of the force with which a wave leaves a node that moves with what is held
+constexpr double worth_a_wait = 1e-3;  // of what is held: less is taken in a step without a wait before it is given back
+constexpr int passes = 8;           // in which gaps are closed again
+
+/// The condition of a contactor that presses hardest.
+Condition& hardest(const Contactor& one, Multipliers& all) {
+  Index best = one.first;
+  for (Index i = one.first + 1; i < one.last; ++i)
+    if (all.conditions[i].impulse > all.conditions[best].impulse) best = i;
+  return all.conditions[best];
+}
+
+/// What one more impulse d of each condition adds to the energy, at most the sum of  d (B + a A d),  where the changes of all other
+/// conditions are in v - v_free and A bounds what they change in each other.
+struct Gain {
+  double B, aA;
+  double of(double d) const { return d * (B + aA * d); }
+  double impulse_for(double energy) const { return std::max(0.0, (-B + std::sqrt(std::max(0.0, B * B + 4 * aA * energy))) / (2 * aA)); }
+};
+Gain gain(const Condition& c, const Parts& part, double after) {
+  return {part.before * c.before + part.after * (2 * after - c.free), part.after * c.bound};
+}
+
+}  // namespace
+
+void let_go(const Motion& m, const Parts& part, double t, Multipliers& all) {
+  const double h = 0.5 * (m.dt + m.next);
+  bool any = false;
+  for (FrictionCondition& condition : all.frictions) condition.change.setZero();
+  for (Contactor& one : all.contactors) {
+    for (Index i = one.first; i < one.last; ++i) all.conditions[i].change = 0;
+    const Restitution& memory = *one.memory;
+    const double left = memory.held - one.work;
+    if (!(memory.held > 0) || !(left > 0)) continue;
+    Condition& c = hardest(one, all);
+    const double pressed = impulse_of(one, all) / h;
+    const double own = of_its_own * one.impedance * std::sqrt(2 * memory.held * c.per_mass);
+    if (pressed >= own) continue;
+    const double time = 1 / (c.per_mass * one.impedance);
+    if (pressed > 0 && (t - memory.last_loss < time - 0.5 * h || memory.mean_force >= own)) continue;
+    const Gain by = gain(c, part, rate(c, one.nodes, all.velocity));
+    if (by.B < 0) continue;  // on its way in
+    c.change = by.impulse_for(one.square * left);
+    one.lost = (1 - one.square) * left;
+    one.work += one.square * left;
+    any = any || c.change > 0;
+  }
+  if (!any) return;
+  apply_changes(m, all);
+  for (int pass = 0; pass < passes; ++pass) {  // gaps that this has made negative, with what each holds itself
+    for (Contactor& one : all.contactors)
+      for (Index i = one.first; i < one.last; ++i) {
+        Condition& c = all.conditions[i];
+        const double after = rate(c, one.nodes, all.velocity);
+        const Gain by = gain(c, part, after);
+        const double left = std::max(0.0, one.memory->held - one.work - one.lost);
+        c.change = std::max(0.0, (c.least - after) / c.bound);
+        if (c.change > 0 && by.of(c.change) > left) c.change = by.impulse_for(left);
+        one.work += by.of(c.change);
+      }
+    apply_changes(m, all);
+  }
+  find_work(m, part, all);
+}
+
+double keep(const Motion& m, double t, Index first, Index last, Multipliers& all) {
+  const double h = 0.5 * (m.dt + m.next);
+  double lost = 0;
+  for (Index k = first; k < last; ++k) {
+    const Contactor& one = all.contactors[k];
+    Restitution& memory = *one.memory;
+    if (-one.work > worth_a_wait * memory.held) memory.last_loss = t;
+    memory.held -= one.work + one.lost;
+    lost += one.lost;
+    const double pressed = impulse_of(one, all) / h;
+    const double time = 2 / (hardest(one, all).per_mass * one.impedance);
+    memory.mean_force += (pressed - memory.mean_force) * (time > m.next ? m.next / time : 1);
+  }
+  return lost;
+}
+
+double held(Index first, Index last, const Multipliers& all) {
+  double sum = 0;
+  for (Index k = first; k < last; ++k) sum += all.contactors[k].memory->held;
+  return sum;
+}
+
+void pay(std::span<const Pool> pools, Multipliers& all) {
+  double held_by_all = 0, owed = 0;
+  for (const Pool& pool : pools)
+    for (Index k = pool.first; k < pool.last; ++k) {
+      const double one = all.contactors[k].memory->held;
+      (one < 0 ? owed : held_by_all) += std::abs(one);
+    }
+  if (!(owed > 0)) return;
+  const double paid = std::min(1.0, held_by_all / owed), left = owed < held_by_all ? 1 - owed / held_by_all : 0;
+  for (const Pool& pool : pools) {
+    const double before = held(pool.first, pool.last, all);
+    for (Index k = pool.first; k < pool.last; ++k) {
+      double& one = all.contactors[k].memory->held;
+      one = one > 0 ? left * one : (1 - paid) * one;
+    }
+    *pool.lent += before - held(pool.first, pool.last, all);
+  }
+}
+
+void forget_debts(Index first, Index last, Multipliers& all) {
+  for (Index k = first; k < last; ++k) all.contactors[k].memory->held = std::max(0.0, all.contactors[k].memory->held);
+}
+
+void lose(Restitution& memory, double& impact) {
+  impact += memory.held;
+  memory = {};
+}
+
+}  // namespace nereid::contact

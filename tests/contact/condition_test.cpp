@@ -1,0 +1,98 @@
+#include "contact/condition.hpp"
+
+#include <random>
+
+#include "tests/contact/pressed.hpp"
+
+namespace nereid::contact {
+namespace {
+
+using namespace pressed;
+
+/// An apex close above a sheet, with masses and velocities at random, and what a condition needs of them.
+struct Setting {
+  pressed::Scene scene;
+  Vectors v, force, no_spins{3, 0};
+  Scalars mass, none_turns;
+  std::vector<Index> rotation_of_node;
+  std::vector<const Mat3*> allowed, allowed_rotation;
+  Multipliers all;
+  double friction = 0;
+
+  explicit Setting(const Vec3& apex, double coefficient = 0) : scene(press(sheet(4, 4, flat), {apex}, 0)), friction(coefficient) {
+    scene.interface.method = Method::multiplier;
+    scene.interface.friction.coefficient = coefficient;
+    scene.interface.depth = 1, scene.interface.impedance = 1;
+    scene.memory.restitution.resize(1);
+    const Index nodes = static_cast<Index>(scene.x.cols());
+    std::mt19937 engine(4);
+    std::uniform_real_distribution<double> number(-1, 1);
+    v = force = Vectors::Zero(3, nodes);
+    mass = Scalars::Zero(nodes);
+    for (Index n = 0; n < nodes; ++n) {
+      mass(n) = 2 + number(engine);
+      for (int i = 0; i < 3; ++i) v(i, n) = number(engine), force(i, n) = number(engine);
+    }
+    rotation_of_node.assign(nodes, -1);
+    allowed.assign(nodes, nullptr);
+    all = make_multipliers({&scene.interface, 1}, {}, nodes, 0);
+  }
+  Motion motion(double dt) const {
+    return {scene.x, v, no_spins, force, no_spins, mass, none_turns, rotation_of_node, allowed, allowed_rotation, dt, dt};
+  }
+  const Condition& find(double dt) {
+    const Motion m = motion(dt);
+    look_ahead(scene.interface.apexes, m, all);
+    look_ahead(scene.interface.base_nodes, m, all);
+    find_conditions(scene.interface, m, {0.5, 0.5}, scene.memory, scene.workspace, all);
+    EXPECT_EQ(all.conditions.size(), 1U);
+    return all.conditions[0];
+  }
+};
+
+TEST(Condition, HasTheGapTheFootAndTheRatesOfItsNodes) {
+  Setting at(Vec3(1.3, 2.1, 1e-3));
+  const Condition& c = at.find(1e-3);
+  EXPECT_NEAR(c.gap, 1e-3, 1e-15);
+  EXPECT_NEAR(c.weight[1] + c.weight[2] + c.weight[3], -1, 1e-15);
+  Vec3 arm = at.scene.x.col(c.node[0]);
+  double before = at.v(2, c.node[0]), free = before + 1e-3 * at.force(2, c.node[0]) / at.mass(c.node[0]), per_mass = 1 / at.mass(c.node[0]);
+  for (int j = 1; j < 4; ++j) {
+    arm += c.weight[j] * at.scene.x.col(c.node[j]);
+    before += c.weight[j] * at.v(2, c.node[j]);
+    free += c.weight[j] * (at.v(2, c.node[j]) + 1e-3 * at.force(2, c.node[j]) / at.mass(c.node[j]));
+    per_mass += c.weight[j] * c.weight[j] / at.mass(c.node[j]);
+  }
+  EXPECT_LT((arm - 1e-3 * Vec3::UnitZ()).norm(), 1e-15);  // the push makes no moment
+  EXPECT_NEAR(c.before, before, 1e-15);
+  EXPECT_NEAR(c.free, free, 1e-15);
+  EXPECT_NEAR(c.per_mass, per_mass, 1e-15);
+}
+
+TEST(Condition, AnImpulseChangesItsRateByWhatItSays) {
+  Setting at(Vec3(1.3, 2.1, 1e-3));
+  const Mat3 slanted = Mat3::Identity() - Vec3(0.6, 0, 0.8) * Vec3(0.6, 0, 0.8).transpose();  // one node moves on a plane
+  at.allowed[at.scene.interface.base.facets(0, at.scene.near().element.stencil[0].facet)] = &slanted;
+  const Condition c = at.find(1e-3);
+  const double before = rate(c, 4, at.all.velocity);
+  give(c, 4, 0.7, at.all.velocity);
+  EXPECT_NEAR(rate(c, 4, at.all.velocity) - before, 0.7 * c.per_mass, 1e-14);
+}
+
+TEST(Condition, FrictionChangesTheSlipRateByNoMoreThanItSays) {
+  Setting at(Vec3(1.3, 2.1, 1e-3), 0.3);
+  at.find(1e-3);
+  ASSERT_EQ(at.all.frictions.size(), 1U);
+  const FrictionCondition f = at.all.frictions[0];
+  const Motion m = at.motion(1e-3);
+  for (const Vec3& push : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0.6, -0.8, 0)}) {
+    const Vec3 before = rate(f, m, at.all);
+    give(f, push, m, at.all);
+    const Vec3 change = rate(f, m, at.all) - before;
+    EXPECT_LE(change.norm(), f.per_mass * (1 + 1e-12));
+    EXPECT_GT(change.dot(push), 0.9 * f.per_mass);
+  }
+}
+
+}  // namespace
+}  // namespace nereid::contact

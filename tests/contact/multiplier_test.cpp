@@ -1,0 +1,94 @@
+#include "contact/multiplier.hpp"
+
+#include <gtest/gtest.h>
+
+namespace nereid::contact {
+namespace {
+
+/// A node of unit mass over the plane z = 0, moved by leapfrog as a run does it.
+struct Setting {
+  Vectors x, v, force, none{3, 0};
+  Scalars mass = Scalars::Ones(1), no_inertia;
+  std::vector<Index> turns{-1};
+  std::vector<const Mat3*> allowed{nullptr}, no_rotations;
+  RigidPlane plane;
+  PlaneMemory memory;
+  Multipliers all;
+  double dt = 1e-3, t = 0;
+
+  explicit Setting(double height, const Vec3& velocity, double friction = 0, double restitution = 1) {
+    x = v = force = Vectors::Zero(3, 1);
+    x(2, 0) = height;
+    v.col(0) = velocity;
+    plane.name = "plane", plane.point = Vec3::Zero(), plane.normal = Vec3::UnitZ(), plane.nodes = {0};
+    plane.area = Scalars::Ones(1), plane.method = Method::multiplier;
+    plane.impedance = 1, plane.restitution = restitution, plane.friction.coefficient = friction;
+    memory = initial_memory(plane);
+    all = make_multipliers({}, {&plane, 1}, 1, 0);
+  }
+  Motion motion() const { return {x, v, none, force, none, mass, no_inertia, turns, allowed, no_rotations, dt, dt}; }
+  void step() {  // v is that of the step that led to x
+    enforce({}, {&plane, 1}, motion(), t, {}, {&memory, 1}, {}, all);
+    Vectors sum = force;
+    add_forces(plane, memory, sum);
+    v += dt * sum;
+    x += dt * v;
+    t += dt;
+  }
+};
+
+TEST(Multiplier, ClosesAGapExactlyAndNoMore) {
+  Setting at(2.5e-3, {0, 0, -1}, 0, 0);
+  for (int i = 0; i < 2; ++i) at.step();
+  EXPECT_NEAR(at.x(2, 0), 0.5e-3, 1e-15);
+  EXPECT_EQ(at.memory.force[0], 0);
+  at.step();
+  EXPECT_NEAR(at.x(2, 0), 0, 1e-16);
+  EXPECT_NEAR(at.v(2, 0), -0.5, 1e-12);
+}
+
+TEST(Multiplier, GivesBackAllButNotMoreAndTheLossStandsWhereItBelongs) {
+  for (const double restitution : {1.0, 0.6, 0.0}) {
+    Setting at(2.5e-3, {0, 0, -1}, 0, restitution);
+    for (int i = 0; i < 10; ++i) at.step();
+    EXPECT_NEAR(at.v(2, 0), restitution, 1e-12);
+    EXPECT_NEAR(at.memory.impact, 0.5 * (1 - restitution * restitution), 1e-12);
+    EXPECT_NEAR(at.memory.work, 0.5 * (restitution * restitution - 1), 1e-12);
+  }
+}
+
+TEST(Multiplier, CarriesAWeightWithoutAChatter) {
+  Setting at(0, {0, 0, 0});
+  at.force(2, 0) = -10;
+  for (int i = 0; i < 1000; ++i) {
+    at.step();
+    EXPECT_NEAR(at.memory.force[0], 10, 1e-9);
+    EXPECT_NEAR(at.x(2, 0), 0, 1e-15);
+  }
+}
+
+TEST(Multiplier, MendsAPenetrationByAFifthInAStepAndOnlyWithWhatItHolds) {
+  Setting at(-1e-3, {0, 0, -1});
+  at.step();
+  EXPECT_NEAR(at.v(2, 0), 0.2, 1e-12);
+  EXPECT_NEAR(at.x(2, 0), -0.8e-3, 1e-15);
+  Setting deep(-1e-3, {0, 0, 0});
+  deep.force(2, 0) = -10;
+  deep.step();
+  EXPECT_NEAR(deep.v(2, 0), 0, 1e-12);  // nothing is held: it goes no deeper
+}
+
+TEST(Multiplier, FrictionHoldsBelowItsLimitAndSlidesAtIt) {
+  Setting sticks(0, {0, 0, 0}, 0.5), slides(0, {0, 0, 0}, 0.5);
+  sticks.force.col(0) = Vec3(3, -3, -10);
+  slides.force.col(0) = Vec3(6, 0, -10);
+  for (int i = 0; i < 100; ++i) sticks.step(), slides.step();
+  EXPECT_LT(sticks.v.col(0).norm(), 1e-12);
+  EXPECT_NEAR(sticks.memory.rub[0].x(), -3, 1e-9);
+  EXPECT_NEAR(slides.memory.rub[0].x(), -5, 1e-9);
+  EXPECT_NEAR(slides.v(0, 0), 0.1, 1e-9);
+  EXPECT_GT(slides.memory.friction_dissipated, 0);
+}
+
+}  // namespace
+}  // namespace nereid::contact

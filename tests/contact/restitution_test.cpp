@@ -1,0 +1,87 @@
+#include "contact/restitution.hpp"
+
+#include <gtest/gtest.h>
+
+namespace nereid::contact {
+namespace {
+
+/// Nodes of unit mass over a plane z = 0, one condition each, that move away with unit speed and hold energy.
+struct Setting {
+  Vectors x, v, none{3, 0};
+  Scalars mass, no_inertia;
+  std::vector<Index> turns;
+  std::vector<const Mat3*> allowed, no_rotations;
+  std::vector<Restitution> memory;
+  Multipliers all;
+
+  explicit Setting(std::vector<double> held, double square = 1) : memory(held.size()) {
+    const Index count = static_cast<Index>(held.size());
+    x = v = Vectors::Zero(3, count);
+    v.row(2).setOnes();
+    mass = Scalars::Ones(count);
+    turns.assign(count, -1);
+    allowed.assign(count, nullptr);
+    all = make_multipliers(count);
+    for (Index n = 0; n < count; ++n) {
+      memory[n].held = held[n];
+      Condition c{};
+      c.node = {n, -1, -1, -1}, c.weight = {1, 0, 0, 0}, c.response[0] = c.normal = Vec3::UnitZ();
+      c.per_mass = c.bound = 1, c.before = c.free = 1, c.least = -1;
+      all.conditions.push_back(c);
+      all.contactors.push_back(
+          {.memory = &memory[n], .first = n, .last = n + 1, .nodes = 1, .friction = -1, .impedance = 1, .square = square});
+    }
+    all.velocity = v;
+  }
+  Multipliers make_multipliers(Index nodes) const { return contact::make_multipliers({}, {}, nodes, 0); }
+  Motion motion() const { return {x, v, none, none, none, mass, no_inertia, turns, allowed, no_rotations, 1e-3, 1e-3}; }
+};
+constexpr Parts halves{0.5, 0.5};
+
+TEST(Restitution, IsGivenBackToTheLastBitOfEnergyByANodeThatLetsGo) {
+  for (const double coefficient : {1.0, 0.5, 0.0}) {
+    Setting at({0.375}, coefficient * coefficient);
+    let_go(at.motion(), halves, 1, at.all);
+    const double given = coefficient * coefficient * 0.375, speed = at.all.velocity(2, 0);
+    EXPECT_NEAR(0.5 * at.all.conditions[0].impulse * (1 + speed), given, 1e-15);  // the work of the impulse
+    EXPECT_NEAR(keep(at.motion(), 1, 0, 1, at.all), 0.375 - given, 1e-15);
+    EXPECT_NEAR(at.memory[0].held, 0, 1e-15);
+  }
+}
+
+TEST(Restitution, StaysWithANodeThatIsPressedOrOnItsWayIn) {
+  Setting pressed({0.375}), entering({0.375});
+  pressed.all.conditions[0].impulse = 1;  // over 1e-3 s: a force far above that of what it holds
+  entering.all.conditions[0].before = -1, entering.all.conditions[0].free = -1, entering.all.velocity(2, 0) = -1;
+  for (Setting* at : {&pressed, &entering}) {
+    const Vectors before = at->all.velocity;
+    let_go(at->motion(), halves, 1, at->all);
+    EXPECT_EQ((at->all.velocity - before).norm(), 0);
+  }
+}
+
+TEST(Restitution, PaysWhatNeighboursGaveTooMuchInProportion) {
+  Setting at({3, -1, 1});
+  double lent[] = {0, 0};
+  const Pool pools[] = {{0, 2, &lent[0]}, {2, 3, &lent[1]}};
+  pay(pools, at.all);
+  EXPECT_NEAR(at.memory[0].held, 2.25, 1e-15);
+  EXPECT_EQ(at.memory[1].held, 0);
+  EXPECT_NEAR(at.memory[2].held, 0.75, 1e-15);
+  EXPECT_NEAR(lent[0], -0.25, 1e-15);
+  EXPECT_NEAR(lent[1], 0.25, 1e-15);
+}
+
+TEST(Restitution, WhatNobodyCanPayStaysOwed) {
+  Setting at({1, -3});
+  double lent = 0;
+  const Pool pool{0, 2, &lent};
+  pay({&pool, 1}, at.all);
+  EXPECT_EQ(at.memory[0].held, 0);
+  EXPECT_NEAR(at.memory[1].held, -2, 1e-15);
+  forget_debts(0, 2, at.all);
+  EXPECT_EQ(held(0, 2, at.all), 0);
+}
+
+}  // namespace
+}  // namespace nereid::contact
