@@ -18,6 +18,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double steps_to_touch = 4;   // open apexes that can touch within so many steps have a condition too
 constexpr double mended = 0.2;         // of a penetration in a step
 constexpr double no_direction = 1e-3;  // of the size of a face: an edge or vertex that is nearer has no normal of its own
+constexpr double along = 0.5;          // cosine between a push and the normal of a facet that takes it over
 constexpr double faces_below = 0.3;    // cosine between the normals of an apex and of what it may touch
 
 /// Finds which apexes are in contact, or near to it, where the nodes would be.
@@ -55,8 +56,11 @@ bool make(const Interface& interface, const Motion& m, const Multipliers& all, c
     if (here.past == 0) stencil.facet = here.feature.facet, stencil.kind = here.feature.kind, stencil.local = here.feature.local;
   }
   FeatureHeight over = height_over(interface.base, m.x, {stencil.facet, stencil.kind, stencil.local}, p);
-  if (stencil.kind != geometry::Kind::facet && std::abs(over.height) < no_direction * interface.base.size(stencil.facet))
-    has_moment = true, over.normal = push > 0 ? Vec3(stencil.push / push) : facet_normal(interface.base, m.x, stencil.facet);
+  if (stencil.kind != geometry::Kind::facet && std::abs(over.height) < no_direction * interface.base.size(stencil.facet)) {
+    const Vec3 facet = facet_normal(interface.base, m.x, stencil.facet);
+    if (push > 0 && facet.dot(stencil.push) < along * push) has_moment = true, over.normal = stencil.push / push;
+    else stencil.kind = geometry::Kind::facet, over = height_over(interface.base, m.x, {stencil.facet, stencil.kind, 0}, p);
+  }
   if (push > 0 && over.normal.dot(stencil.push) < 0) over.normal = -over.normal, over.height = -over.height;
   stencil.weight = over.weight;
   c.gap = over.height - stencil.level;
@@ -68,7 +72,8 @@ bool make(const Interface& interface, const Motion& m, const Multipliers& all, c
     double fastest = 0;
     for (int I = 1; I < 4; ++I) fastest = std::max(fastest, (all.velocity.col(apex) - all.velocity.col(c.node[I])).squaredNorm());
     if (c.gap > std::max(multipliers_reach * interface.depth, steps_to_touch * m.next * std::sqrt(fastest))) return false;
-    if (interface.own.facets.cols() > 0 && !(node_normal(interface.own, m.x, apex).dot(c.normal) < faces_below)) return false;
+    const bool faced = near.tracks.count > 0 || interface.own.facets.cols() == 0;
+    if (!faced && !(node_normal(interface.own, m.x, apex).dot(c.normal) < faces_below)) return false;
   }
   return true;
 }
@@ -228,6 +233,16 @@ void find_conditions(const RigidPlane& plane, const Motion& m, const Parts& part
                               .impedance = plane.impedance * plane.area(static_cast<Eigen::Index>(i)),
                               .square = plane.restitution * plane.restitution});
   }
+}
+
+void find_change(double pressed, const Motion& m, const Multipliers& all, FrictionCondition& friction) {
+  const double limit = friction.coefficient * pressed;
+  friction.change.setZero();
+  if (!(limit > 0) && friction.impulse.isZero(0)) return;
+  Vec3 now = friction.impulse - rate(friction, m, all) / friction.bound;
+  const double size = now.norm();
+  if (size > limit) now *= limit / size;
+  friction.change = now - friction.impulse;
 }
 
 void apply_changes(const Motion& m, Multipliers& all) {

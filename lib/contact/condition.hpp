@@ -149,6 +149,9 @@ void look_ahead(const Subset& nodes, const Motion&, Multipliers&);
 /// Adds the changes to all impulses, and what they do to the velocities, in the order of the contactors.
 void apply_changes(const Motion&, Multipliers&);
 
+/// Sets the change with which a friction sticks, or slides where it would take more than its coefficient times the normal impulse [N s].
+void find_change(double pressed, const Motion&, const Multipliers&, FrictionCondition&);
+
 /// The works of all impulses as they stand. [J]
 void find_work(const Motion&, const Parts&, Multipliers&);
 

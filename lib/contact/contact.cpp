@@ -117,7 +117,7 @@ void post(const Interface&, const Memory& memory, Account& account) {
   account.hold(Stored::restitution, memory.to_come);
   account.hold(Stored::tangential_penalty, tangential_stored(memory));
   account.dissipated[Dissipated::damping] = memory.damped;
-  account.dissipated[Dissipated::friction] = memory.friction_dissipated;
+  account.dissipated[Dissipated::friction] = memory.friction_dissipated - memory.friction_to_come;
   account.dissipated[Dissipated::inelastic_impact] = memory.impact;
   account.created_by_reconnection = memory.created_by_reconnection;
   account.angular_impulse = memory.angular_impulse;

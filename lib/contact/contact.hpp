@@ -11,7 +11,8 @@
 // Four rooms:  find       which parts of the surface an apex has come into contact with, and where it stands there
 //                         (search.hpp, near.hpp, tracking.hpp, stand.hpp)
 //              stencil    nodes, weights and push of one contact (stencil.hpp)
-//              enforce    the shortest way out d, with the potential  1/2 (area/delta) |d|^2 (way_out.hpp, projection.hpp, friction.hpp)
+//              enforce    the shortest way out d, with the potential  1/2 (area/delta) |d|^2 (way_out.hpp, projection.hpp, friction.hpp);
+//                         or by multipliers, without a penalty (multiplier.hpp, condition.hpp, restitution.hpp)
 //              account    work, what is stored, dissipated and created: here, with forces, time step and output
 //              apex.hpp goes with one apex through all of them.
 //
@@ -169,6 +170,7 @@ struct Memory {
   double work = 0;                          ///< [J] done on the nodes
   double damped = 0;                        ///< [J] dissipated by contact damping
   double friction_dissipated = 0;           ///< [J] dissipated by friction
+  double friction_to_come = 0;              ///< [J] part of it that multipliers will only take in the half step that begins
   std::vector<Restitution> restitution;     ///< [apexes] of multipliers; else empty
   double impact = 0;                        ///< [J] kinetic energy lost as multipliers stopped nodes
   double lent = 0;                          ///< [J] of what multipliers have taken here, that others hold
@@ -240,7 +242,7 @@ InitialGaps connect(Interface&, const Vectors& x, double reach, const ContactHei
 /// reach  [m] apexes farther away have no base
 Memory tried_out(const Interface&, const Vectors& x, double reach, Workspace&);
 
-/// Moves the apexes of an interface to the closest features at x, and computes their forces.
+/// Moves the apexes of an interface to the closest features at x, and computes their forces by the penalty.
 ///
 /// v  [m/s] and omega [rad/s] (of plate nodes) constant over the step that led to x;  dt  [s], zero at the start
 /// Work is posted by the trapezoid rule, with the forces found in the memory and the new ones.

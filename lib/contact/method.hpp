@@ -1,11 +1,12 @@
 #pragma once
+// How contact is enforced, and what multipliers remember of a node.
 
 namespace nereid::contact {
 
-/// How an impulse is found that keeps two surfaces apart.
+/// What keeps two surfaces apart.
 enum class Method {
   penalty,     ///< a spring that is pressed
-  multiplier,  ///< the smallest after which no gap is negative, see multiplier.hpp
+  multiplier,  ///< the smallest impulses after which no gap is negative, see multiplier.hpp
 };
 
 /// What a multiplier has taken from a node that it stopped, and gives back as it lets go: docs/theory/multipliers.md.

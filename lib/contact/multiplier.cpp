@@ -69,15 +69,7 @@ void sweep(const Motion& m, Multipliers& all) {
       c.change = std::max(-c.impulse, (c.least - rate(c, one.nodes, all.velocity)) / c.bound);
       pressed += c.impulse + c.change;
     }
-    if (one.friction < 0) return;
-    FrictionCondition& condition = all.frictions[one.friction];
-    const double limit = condition.coefficient * pressed;
-    condition.change.setZero();
-    if (!(limit > 0) && condition.impulse.isZero(0)) return;
-    Vec3 now = condition.impulse - rate(condition, m, all) / condition.bound;
-    const double size = now.norm();
-    if (size > limit) now *= limit / size;
-    condition.change = now - condition.impulse;
+    if (one.friction >= 0) find_change(pressed, m, all, all.frictions[one.friction]);
   });
   apply_changes(m, all);
 }
@@ -108,31 +100,38 @@ void solve(const Motion& m, const Parts& part, Multipliers& all) {
   }
 }
 
-/// What friction has taken. [J]
-double rubbed(Index first, Index last, const Multipliers& all) {
-  double sum = 0;
-  for (Index k = first; k < last; ++k)
-    if (all.contactors[k].friction >= 0) sum -= all.frictions[all.contactors[k].friction].work;
-  return std::max(0.0, sum);
+/// What friction takes in a step, and how much of that in the half that begins. [J]
+struct Rubbed {
+  double all = 0, to_come = 0;
+};
+Rubbed rubbed(const Motion& m, const Parts& part, Index first, Index last, const Multipliers& all) {
+  Rubbed sum;
+  for (Index k = first; k < last; ++k) {
+    if (all.contactors[k].friction < 0) continue;
+    const FrictionCondition& friction = all.frictions[all.contactors[k].friction];
+    sum.all -= friction.work;
+    sum.to_come -= part.after * friction.impulse.dot(rate(friction, m, all));
+  }
+  return sum.all > 0 ? sum : Rubbed{0, sum.to_come};
 }
 
-/// Work that all impulses of some contactors have still to do in the half step that begins. [J]
-double work_to_come(const Motion& m, double h, Index first, Index last, const Multipliers& all) {
+/// Work that the normal impulses of some contactors have still to do in the half step that begins. [J]
+double work_to_come(const Parts& part, Index first, Index last, const Multipliers& all) {
   double sum = 0;
   for (Index k = first; k < last; ++k) {
     const Contactor& one = all.contactors[k];
     for (Index i = one.first; i < one.last; ++i) {
       const Condition& c = all.conditions[i];
-      if (c.impulse > 0) sum += 0.5 * m.next / h * c.impulse * rate(c, one.nodes, all.velocity);
+      if (c.impulse > 0) sum += part.after * c.impulse * rate(c, one.nodes, all.velocity);
     }
-    if (one.friction >= 0) sum += 0.5 * m.next / h * all.frictions[one.friction].impulse.dot(rate(all.frictions[one.friction], m, all));
   }
   return sum;
 }
 
 /// Writes impulses into the memory of an interface as forces, and books them.
-void take_over(const Interface& interface, const Motion& m, double h, double t, Index first, Index last, Memory& memory, Multipliers& all) {
-  const double to_come = work_to_come(m, h, first, last, all);
+void take_over(const Interface& interface, const Motion& m, const Parts& part, double h, double t, Index first, Index last, Memory& memory,
+               Multipliers& all) {
+  const double to_come = work_to_come(part, first, last, all);
   Index at = first < last ? all.contactors[first].first : 0, contactor = first;
   memory.deepest_now = 0;
   for (Near& near : memory.near) {
@@ -148,7 +147,7 @@ void take_over(const Interface& interface, const Motion& m, double h, double t, 
       if (stencil.apex == 0) continue;
       const Condition& c = all.conditions[at++];
       gap = std::min(gap, c.gap);
-      element.depth = std::max(element.depth, interface.contact_height(near.apex) - c.gap - stencil.level);
+      element.depth = std::max(element.depth, -c.gap);
       stencil.push *= c.impulse / h;
       element.apex += stencil.push;
       element.closed = element.closed || c.impulse > 0;
@@ -174,9 +173,9 @@ void take_over(const Interface& interface, const Motion& m, double h, double t, 
 }
 
 /// The same for a rigid plane.
-void take_over(const RigidPlane& plane, const Motion& m, double h, double t, Index first, Index last, PlaneMemory& memory,
-               Multipliers& all) {
-  const double to_come = work_to_come(m, h, first, last, all), deepest = memory.deepest;
+void take_over(const RigidPlane& plane, const Motion& m, const Parts& part, double h, double t, Index first, Index last,
+               PlaneMemory& memory, Multipliers& all) {
+  const double to_come = work_to_come(part, first, last, all), deepest = memory.deepest;
   std::size_t i = 0;
   for (Index k = first; k < last; ++k) {
     const Condition& c = all.conditions[all.contactors[k].first];
@@ -262,7 +261,9 @@ void enforce(std::span<const Interface> interfaces, std::span<const RigidPlane> 
   for (std::size_t i = 0; i < interfaces.size(); ++i) {
     const Index first = all.first[i], last = all.first[i + 1];
     if (!by_multipliers(interfaces[i])) continue;
-    memories[i].friction_dissipated += rubbed(first, last, all);
+    const Rubbed friction = rubbed(m, part, first, last, all);
+    memories[i].friction_dissipated += friction.all;
+    memories[i].friction_to_come = friction.to_come;
     memories[i].impact += keep(m, t, first, last, all);
     pools.push_back({first, last, &memories[i].lent});
     pay({&pools.back(), 1}, all);
@@ -272,7 +273,9 @@ void enforce(std::span<const Interface> interfaces, std::span<const RigidPlane> 
     const std::size_t at = interfaces.size() + p;
     const Index first = all.first[at], last = all.first[at + 1];
     if (!by_multipliers(planes[p])) continue;
-    of_planes[p].friction_dissipated += rubbed(first, last, all);
+    const Rubbed friction = rubbed(m, part, first, last, all);
+    of_planes[p].friction_dissipated += friction.all;
+    of_planes[p].friction_to_come = friction.to_come;
     of_planes[p].impact += keep(m, t, first, last, all);
     pools.push_back({first, last, &of_planes[p].lent});
     pay({&pools.back(), 1}, all);
@@ -280,10 +283,10 @@ void enforce(std::span<const Interface> interfaces, std::span<const RigidPlane> 
   pay(pools, all);
   forget_debts(0, static_cast<Index>(all.contactors.size()), all);
   for (std::size_t i = 0; i < interfaces.size(); ++i)
-    if (by_multipliers(interfaces[i])) take_over(interfaces[i], m, h, t, all.first[i], all.first[i + 1], memories[i], all);
+    if (by_multipliers(interfaces[i])) take_over(interfaces[i], m, part, h, t, all.first[i], all.first[i + 1], memories[i], all);
   for (std::size_t p = 0; p < planes.size(); ++p) {
     const std::size_t at = interfaces.size() + p;
-    if (by_multipliers(planes[p])) take_over(planes[p], m, h, t, all.first[at], all.first[at + 1], of_planes[p], all);
+    if (by_multipliers(planes[p])) take_over(planes[p], m, part, h, t, all.first[at], all.first[at + 1], of_planes[p], all);
   }
 }
 

@@ -69,6 +69,12 @@ void let_go(const Motion& m, const Parts& part, double t, Multipliers& all) {
       }
     apply_changes(m, all);
   }
+  for (Condition& c : all.conditions) c.change = 0;
+  for (int pass = 0; pass < passes && !all.frictions.empty(); ++pass) {  // what is given back presses, and so rubs, too
+    for (const Contactor& one : all.contactors)
+      if (one.friction >= 0) find_change(impulse_of(one, all), m, all, all.frictions[one.friction]);
+    apply_changes(m, all);
+  }
   find_work(m, part, all);
 }
 

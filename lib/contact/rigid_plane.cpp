@@ -119,7 +119,7 @@ void post(const RigidPlane& plane, const PlaneMemory& memory, Account& account) 
   account.work = memory.work;
   account.hold(by_multipliers(plane) ? Stored::restitution : Stored::penalty, memory.stored);
   account.hold(Stored::tangential_penalty, memory.tangential_stored);
-  account.dissipated[Dissipated::friction] = memory.friction_dissipated;
+  account.dissipated[Dissipated::friction] = memory.friction_dissipated - memory.friction_to_come;
   account.dissipated[Dissipated::inelastic_impact] = memory.impact;
   account.impulse = memory.impulse;
   account.angular_impulse = memory.angular_impulse;

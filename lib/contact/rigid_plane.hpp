@@ -33,6 +33,7 @@ struct PlaneMemory {
   std::vector<Vec3> rub, next_rub;      ///< [N] friction by multipliers, the same
   std::vector<Vec3> slip;               ///< [m] elastic part of the slip, [nodes]; empty without friction
   double work = 0, stored = 0;          ///< [J] stored by the penalty
+  double friction_to_come = 0;          ///< [J] part of what friction takes by multipliers, in the half step that begins
   double tangential_stored = 0, friction_dissipated = 0;  ///< [J] stored by the elastic stick, dissipated by friction
   double lent = 0;                      ///< [J] of what multipliers have taken here, that others hold
   double impact = 0;                    ///< [J] kinetic energy lost as multipliers stopped nodes

@@ -83,15 +83,22 @@ struct Pressed {
 
 /// A block over another, so many cells each and so far above it; the apexes of one stand over the inside of facets of the other.
 Pressed pressed(const Eigen::Vector3i& above, const Eigen::Vector3i& below, double gap, bool joined, const material::J2Bilinear& law,
-                const element::Hexahedron::Options& options) {
+                const element::Hexahedron::Options& options, contact::Method method = contact::Method::penalty) {
   dynamics::Model model;
   const Vec3 low(-0.25, -0.25, 1 + gap), high(1.25, 1.25, 2 + gap);
   model.mesh = mesh::join(mesh::box("base", {low, high, below}), mesh::box("block", {Vec3(0.003, 0.007, 0), Vec3(1.003, 1.007, 1), above}));
   model.blocks.push_back(element::solids(model.mesh, "base", law, options));
   model.blocks.push_back(element::solids(model.mesh, "block", law, options));
+  if (method == contact::Method::multiplier) {  // which push only what is pressed
+    model.gravity = -Vec3::UnitZ();
+    load::Plane held;
+    held.name = "held", held.kind = load::PlaneKind::fixed, held.nodes = mesh::node_set(model.mesh, "block");
+    model.constraints.planes.push_back(held);
+  }
   dynamics::finalize(model);
   dynamics::InterfaceOptions joint;
   joint.height = {.from_initial_height = false, .clearance = 0, .given = 0};
+  joint.method = method;
   std::vector<contact::Memory> memories;
   if (joined)
     for (auto& pass : dynamics::connect(model, "joint", "block.z_high", "base.z_low", joint)) memories.push_back(std::move(pass.memory));
@@ -101,8 +108,9 @@ Pressed pressed(const Eigen::Vector3i& above, const Eigen::Vector3i& below, doub
   return {std::move(model), std::move(state), std::move(forces)};
 }
 
-/// Moves the base down until all apexes are in contact.
+/// Moves the base down until all apexes are in contact; to multipliers its weight does.
 void close(Pressed& scene) {
+  if (contact::by_multipliers(scene.model.interfaces[0])) return;
   const Index base = static_cast<Index>(mesh::node_set(scene.model.mesh, "base").size());
   scene.state.v.row(2).leftCols(base).setConstant(-1e-9);
   scene.state.x.row(2).leftCols(base).array() -= 1e-10;
@@ -126,10 +134,14 @@ double step_cost(Pressed& scene, int steps) {
   return (seconds() - began) * 1e9 / steps;
 }
 
-/// What contact adds to the step where a tenth of the nodes lies on the interface, all apexes closed. [-]
-double share_of_contact(int n, int steps, const material::J2Bilinear& law, const element::Hexahedron::Options& options) {
+/// What contact adds to the step where a tenth of the nodes lies on the interface, all apexes closed.
+struct Added {
+  double share, per_apex;  // [-] [ns]
+};
+Added share_of_contact(int n, int steps, const material::J2Bilinear& law, const element::Hexahedron::Options& options,
+                       contact::Method method) {
   const Eigen::Vector3i cells(n, n, 9);
-  Pressed with = pressed(cells, cells, 0, true, law, options), without = pressed(cells, cells, 0, false, law, options);
+  Pressed with = pressed(cells, cells, 0, true, law, options, method), without = pressed(cells, cells, 0, false, law, options, method);
   close(with);
   double least_with = INFINITY, least_without = INFINITY;
   for (int round = 0; round < 5; ++round) {
@@ -137,7 +149,7 @@ double share_of_contact(int n, int steps, const material::J2Bilinear& law, const
     least_without = std::min(least_without, step_cost(without, steps / 5));
   }
   if (closed_apexes(with) != (n + 1) * (n + 1)) std::printf("%d of %d apexes are closed\n", closed_apexes(with), (n + 1) * (n + 1));
-  return least_with / least_without - 1;
+  return {least_with / least_without - 1, (least_with - least_without) / ((n + 1) * (n + 1))};
 }
 
 int contact_costs(int n, int steps, const material::J2Bilinear& law, const element::Hexahedron::Options& options) {
@@ -155,10 +167,13 @@ int contact_costs(int n, int steps, const material::J2Bilinear& law, const eleme
   const contact::Memory& memory = far.state.interfaces[0];
   const double bytes = static_cast<double>(memory.near.size() * sizeof(contact::Near)) / apexes + sizeof(Index) + sizeof(contact::Feature) +
                        sizeof(contact::Status) + 2 * sizeof(double) + sizeof(std::int64_t) + 3 * sizeof(double);
+  const Added penalty = share_of_contact(n, steps, law, options, contact::Method::penalty);
+  const Added multiplier = share_of_contact(n, steps, law, options, contact::Method::multiplier);
   std::printf("contact apexes %.0f (%d closed)  closed %.2f  open %.2f  far %.3f ns per apex and step; elements %.2f ns; "
-              "an apex that is near takes %zu bytes, one that is far %.0f; contact of a tenth of the nodes adds %.1f %%\n",
+              "an apex that is near takes %zu bytes, one that is far %.0f; contact of a tenth of the nodes adds %.1f %%, "
+              "by multipliers %.1f %%, %.1f ns per apex\n",
               apexes, in_contact, of_closed, of_open, of_far, element_step / elements, sizeof(contact::Near), bytes,
-              100 * share_of_contact(n, steps, law, options));
+              100 * penalty.share, 100 * multiplier.share, multiplier.per_apex);
   return 0;
 }
 

@@ -94,7 +94,7 @@ inline std::vector<std::pair<std::string, std::vector<double>>> numbers(const St
       add(f.touch.apex, f.touch.base_rotates);
     }
     add(c.work, c.damped, c.friction_dissipated, c.created_by_reconnection, c.deepest, c.deepest_apex, c.deepest_time, c.walks);
-    add(c.lost, c.recovered, c.impact, c.lent, c.to_come);
+    add(c.lost, c.recovered, c.impact, c.lent, c.to_come, c.friction_to_come);
     for (const contact::Restitution& r : c.restitution) add(r.held, r.mean_force, r.last_loss);
     add(c.searches, c.deepest_now, c.margin), all(c.apexes_then), all(c.base_then), all(c.mean_way);
   }
@@ -103,7 +103,7 @@ inline std::vector<std::pair<std::string, std::vector<double>>> numbers(const St
         add(p.work, p.stored, p.tangential_stored, p.friction_dissipated, p.deepest, p.deepest_node, p.deepest_time);
     for (const Vec3& slip : p.slip) all(slip);
     for (const Vec3& rub : p.rub) all(rub);
-    add(p.impact, p.lent);
+    add(p.impact, p.lent, p.friction_to_come);
     for (const contact::Restitution& r : p.restitution) add(r.held, r.mean_force, r.last_loss);
   }
   part("constraints");
@@ -124,7 +124,7 @@ inline std::vector<std::pair<std::string, std::vector<double>>> numbers(const St
       s.relaxation.since);
   all(s.relaxation.impulse), all(s.relaxation.angular_impulse);
   part("ledger"), add(s.ledger.initial_kinetic, s.ledger.initial_available, s.ledger.kinetic, s.ledger.integration, s.ledger.external_work,
-                      s.ledger.integration_kept, s.ledger.worst_kept, s.ledger.most_integration);
+                      s.ledger.integration_kept, s.ledger.worst_kept, s.ledger.most_integration, s.ledger.last_integration);
   all(s.ledger.momentum), all(s.ledger.angular_momentum), all(s.ledger.initial_momentum), all(s.ledger.initial_angular_momentum);
   for (const Account& a : s.ledger.accounts) {
     part("account"), add(a.work, a.created_by_reconnection), all(a.impulse), all(a.angular_impulse);
