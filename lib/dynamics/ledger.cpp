@@ -56,9 +56,7 @@ double swing_part(const Ledger& ledger) {
 }
 
 void see_flows(Ledger& ledger) {
-  const double swing = std::abs(ledger.integration);
-  ledger.most_integration = std::max(ledger.most_integration, std::min(swing, ledger.last_integration));
-  ledger.last_integration = swing;
+  ledger.most_integration = std::max(ledger.most_integration, std::abs(ledger.integration));
   const double kept = kept_part(ledger);
   if (std::abs(kept) > std::abs(ledger.worst_kept)) ledger.worst_kept = kept;
   for (std::size_t a = 0; a < ledger.accounts.size(); ++a) {

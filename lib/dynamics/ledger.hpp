@@ -40,8 +40,7 @@ struct Ledger {
   /// [J] The part of `integration` that stays: the rest, dt^2/8 f.f/m now less that at the start, comes back as the forces fall.
   double integration_kept = 0;
   double worst_kept = 0;   ///< [-] kept_part() where it was largest so far, with its sign
-  double last_integration = 0;  ///< [J] `integration` of the step before, without its sign
-  double most_integration = 0;  ///< [J] the same where two steps in a row were largest so far: one alone is an impact of nodes
+  double most_integration = 0;  ///< [J] `integration` where it was largest so far, without its sign
 };
 
 /// What all stores held at the start together. [J]
