@@ -216,13 +216,17 @@ void update_element(const Interface& interface, const Vectors& x, const Vectors&
     near.area = area_facing(interface, x, a, near.tracks.track[0].facet);
   }
 
-  WayOut out = way_out(interface.base, x, x.col(node), contact_height, allowed, moved, near.tracks, near.element.stencil, interface.stays);
+  const auto find_way_out = [&] {
+    return way_out(interface.base, x, x.col(node), contact_height, allowed, moved, near.tracks, near.element.stencil,
+                   interface.release_height);
+  };
+  WayOut out = find_way_out();
   if (moved + out.length >= near.clear) {
     const Index other = other_part(sweep, before, near.tracks);
     if (other >= 0) {
       const int lost = out.lost;
       near.tracks.begin(other, contact_height);
-      out = way_out(interface.base, x, x.col(node), contact_height, allowed, moved, near.tracks, near.element.stencil, interface.stays);
+      out = find_way_out();
       out.lost += lost;
     }
     near.clear = other >= 0 ? -infinite : nearest_other_part(sweep, near.tracks) - moved - out.length - contact_height;

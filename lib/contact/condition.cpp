@@ -14,9 +14,8 @@ namespace nereid::contact {
 
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double steps_to_touch = 4;   // open apexes that can touch within so many steps have a condition too
-constexpr double mended = 0.2;         // of a penetration in a step
+constexpr double corrected = 0.2;      // of a penetration in a step
 constexpr double no_direction = 1e-3;  // of the size of a face: an edge or vertex that is nearer has no normal of its own
 constexpr double along = 0.5;          // cosine between a push and the normal of a facet that takes it over
 constexpr double faces_below = 0.3;    // cosine between the normals of an apex and of what it may touch
@@ -24,12 +23,7 @@ constexpr double faces_below = 0.3;    // cosine between the normals of an apex 
 /// Finds which apexes are in contact, or near to it, where the nodes would be.
 void find(const Interface& interface, const Motion& m, Memory& memory, Workspace& workspace, Multipliers& all) {
   const auto look = [&](const Vectors& x, const Vectors& way, double dt) {
-    double moved = memory.searches == 0 ? infinite : moved_since_search(interface, x, memory);
-    if (moved > 0.5 * memory.margin) {
-      memory.margin = margin_of(interface, way);
-      search(interface, x, memory, workspace);
-      moved = 0;
-    }
+    const double moved = search_where_due(interface, x, way, memory, workspace);
     parallel_for(static_cast<Index>(memory.near.size()), 64, [&](Index i) {
       Near& near = memory.near[i];
       if (near.rests && moved < near.clear) return;
@@ -91,9 +85,9 @@ bool complete(const Motion& m, const Parts& part, const Vectors& free, int nodes
     c.before += c.weight[j] * c.normal.dot(m.v.col(node));
     c.free += c.weight[j] * c.normal.dot(free.col(node));
   }
-  const double closing = (c.gap > 0 ? -c.gap : -mended * c.gap) / m.next, impulse = 0.5 * pressed * (m.dt + m.next);
-  const double paid = impulse > 0 ? held / impulse : 0;
-  c.least = std::min(closing, (paid - part.before * c.before) / part.after);
+  const double closing = (c.gap > 0 ? -c.gap : -corrected * c.gap) / m.next, impulse = 0.5 * pressed * (m.dt + m.next);
+  const double from_held = impulse > 0 ? held / impulse : 0;
+  c.least = std::min(closing, (from_held - part.before * c.before) / part.after);
   return c.per_mass > 1e-9 / m.mass(c.node[0]);
 }
 
@@ -187,7 +181,7 @@ void find_conditions(const Interface& interface, const Motion& m, const Parts& p
     const auto last = static_cast<Index>(all.conditions.size());
     Restitution& restitution = memory.restitution[near.apex];
     if (last == first) {
-      lose(restitution, memory.impact);
+      discard(restitution, memory.impact);
       continue;
     }
     Index friction = -1;
@@ -203,7 +197,7 @@ void find_conditions(const Interface& interface, const Motion& m, const Parts& p
                               .square = interface.restitution * interface.restitution});
   }
   for (std::size_t a = 0; a < memory.restitution.size(); ++a)
-    if (memory.slot[a] < 0 && memory.restitution[a].held > 0) lose(memory.restitution[a], memory.impact);
+    if (memory.slot[a] < 0 && memory.restitution[a].held > 0) discard(memory.restitution[a], memory.impact);
 }
 
 void find_conditions(const RigidPlane& plane, const Motion& m, const Parts& part, PlaneMemory& memory, Multipliers& all) {
@@ -215,9 +209,9 @@ void find_conditions(const RigidPlane& plane, const Motion& m, const Parts& part
     const auto first = static_cast<Index>(all.conditions.size());
     const bool far = c.gap > 0 && m.next * -plane.normal.dot(all.velocity.col(node)) < c.gap && !(memory.force[i] > 0);
     if (far || !complete(m, part, all.velocity, 1, m.dt > 0 ? memory.force[i] : 0, memory.restitution[i].held, c)) {
-      lose(memory.restitution[i], memory.impact);
+      discard(memory.restitution[i], memory.impact);
       memory.next_force[i] = 0;
-      if (!memory.next_rub.empty()) memory.next_rub[i].setZero();
+      if (!memory.next_friction.empty()) memory.next_friction[i].setZero();
       continue;
     }
     c.impulse = memory.force[i] * 0.5 * (m.dt + m.next);
@@ -227,7 +221,7 @@ void find_conditions(const RigidPlane& plane, const Motion& m, const Parts& part
       Touch touch;
       touch.normal = plane.normal, touch.apex = node, touch.node = {node, node, node};
       friction = static_cast<Index>(all.frictions.size());
-      all.frictions.push_back(friction_on(touch, plane.friction.coefficient, memory.rub[i], m));
+      all.frictions.push_back(friction_on(touch, plane.friction.coefficient, memory.friction[i], m));
     }
     all.contactors.push_back({.memory = &memory.restitution[i], .first = first, .last = first + 1, .nodes = 1, .friction = friction,
                               .impedance = plane.impedance * plane.area(static_cast<Eigen::Index>(i)),

@@ -67,13 +67,13 @@ struct Contactor {
   double impedance;      ///< [N s/m] of its area
   double square;         ///< [-] of the coefficient of restitution
   double work = 0;       ///< [J] of its impulses in this step
-  double lost = 0;       ///< [J] of what it held as it let go
+  double lost = 0;       ///< [J] of what it held, as it was released
 };
 
-/// Contactors that pay for each other, and what the others of them hold of what they took. [J]
+/// Contactors that share what they hold, and how much of it others of the pool have received. [J]
 struct Pool {
   Index first, last;
-  double* lent;
+  double* transferred;
 };
 
 /// What multipliers work with and may throw away between steps.
@@ -88,7 +88,6 @@ struct Multipliers {
   std::vector<Contactor> contactors;
   std::vector<Index> first;  ///< [interfaces, then planes, then one] of their contactors
   std::vector<Pool> pools;
-  int sweeps = 0;            ///< of the last step
 };
 
 /// Room for all conditions that can be expected, so that a step takes no memory.

@@ -13,7 +13,6 @@ namespace nereid::contact {
 
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double depth_to_check = 0.25;  // of the depth of an element: half of what is warned of
 
 }  // namespace
@@ -49,15 +48,8 @@ double tangential_stored(const Memory& memory) {
 
 void advance(const Interface& interface, const Vectors& x, const Vectors& v, const Vectors& omega, double dt, Memory& memory,
              Workspace& workspace) {
-  double moved = 0;
-  if (interface.kind == InterfaceKind::contact) {
-    moved = memory.searches == 0 ? infinite : moved_since_search(interface, x, memory);
-    if (moved > 0.5 * memory.margin) {
-      memory.margin = margin_of(interface, v);
-      search(interface, x, memory, workspace);
-      moved = 0;
-    }
-  }
+  const bool searches = interface.kind == InterfaceKind::contact;
+  const double moved = searches ? search_where_due(interface, x, v, memory, workspace) : 0;
   parallel_for(static_cast<Index>(memory.near.size()), 64, [&](Index i) {
     Near& near = memory.near[i];
     if (near.rests && moved < near.clear) return;
@@ -114,7 +106,7 @@ Source source(const Interface& interface) {
 void post(const Interface&, const Memory& memory, Account& account) {
   account.work = memory.work;
   account.hold(Stored::penalty, stored(memory));
-  account.hold(Stored::restitution, memory.to_come);
+  account.hold(Stored::restitution, memory.held);
   account.hold(Stored::tangential_penalty, tangential_stored(memory));
   account.dissipated[Dissipated::damping] = memory.damped;
   account.dissipated[Dissipated::friction] = memory.friction_dissipated - memory.friction_to_come;

@@ -80,7 +80,7 @@ struct Interface {
   Scalars contact_height;        ///< [m] h_c, [apexes]
   double penalty = 0;            ///< [Pa/m] 1/delta; the mean over the area where `spring` is given
   Scalars spring;                ///< [N/m] stiffness of each apex where it was taken from masses; else empty
-  double restitution = 1;        ///< [-] speed of a node that a multiplier lets go over that with which it was stopped
+  double restitution = 1;        ///< [-] speed of a node released by a multiplier over that with which it was stopped
   double impedance = 0;          ///< [Pa s/m] rho c of both sides in series, of both passes together
   Coulomb friction;
   /// [nodes] column of a plate node's angular velocity, or -1; empty where no node of the interface turns
@@ -89,7 +89,7 @@ struct Interface {
   std::vector<Bond> bonds;             ///< [apexes] of a bonded interface; set by connect()
   double impact_step_factor = 0.1410;  ///< [-] dt sqrt(k/m) of the vote: impact_step_factor_for(0.005)
   Pass pass = Pass::only;
-  double stays = 0;                    ///< [m] an apex that multipliers have let go counts as touching up to so far above h_c
+  double release_height = 0;           ///< [m] above h_c up to which an apex stays tracked that multipliers have released
   double pass_factor = 1;              ///< [-] part of the stiffness between its nodes: 1/2 in each of two passes
   /// [s] a closed element pushes with k (|d| + damping_time d|d|/dt), never pulls. It takes
   /// the chatter out of an interface; what it dissipates is booked.
@@ -173,8 +173,8 @@ struct Memory {
   double friction_to_come = 0;              ///< [J] part of it that multipliers will only take in the half step that begins
   std::vector<Restitution> restitution;     ///< [apexes] of multipliers; else empty
   double impact = 0;                        ///< [J] kinetic energy lost as multipliers stopped nodes
-  double lent = 0;                          ///< [J] of what multipliers have taken here, that others hold
-  double to_come = 0;                       ///< [J] what they hold, and their work in the half step that begins
+  double transferred = 0;                   ///< [J] of what multipliers have taken here, that other contacts hold
+  double held = 0;                          ///< [J] what multipliers hold, with their work in the half step that begins
   double created_by_reconnection = 0;       ///< [J] created in steps in which the apex changed its base
   /// [N m s] about the origin: what weights of the paper lose, what the mirror images of bases at a symmetry plane give, and what
   /// pushes leave that are found by iteration; else zero.

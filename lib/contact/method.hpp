@@ -9,7 +9,7 @@ enum class Method {
   multiplier,  ///< the smallest impulses after which no gap is negative, see multiplier.hpp
 };
 
-/// What a multiplier has taken from a node that it stopped, and gives back as it lets go: docs/theory/multipliers.md.
+/// What a multiplier has taken from a node that it stopped, and gives back at its release: docs/theory/multipliers.md.
 struct Restitution {
   double held = 0;        ///< [J]
   double mean_force = 0;  ///< [N] over twice the time that a wave takes through the node's own mass

@@ -82,10 +82,9 @@ void solve(const Motion& m, const Parts& part, Multipliers& all) {
       if (all.conditions[i].impulse > 0) give(all.conditions[i], one.nodes, all.conditions[i].impulse, all.velocity);
   for (const FrictionCondition& condition : all.frictions)
     if (!condition.impulse.isZero(0)) give(condition, condition.impulse, m, all);
-  for (all.sweeps = 0; all.sweeps < most_sweeps;) {
+  for (int sweeps = 1; sweeps <= most_sweeps; ++sweeps) {
     sweep(m, all);
-    ++all.sweeps;
-    if (all.sweeps < usual_sweeps || all.sweeps % 2 > 0) continue;
+    if (sweeps < usual_sweeps || sweeps % 2 > 0) continue;
     double gained = 0, exchanged = 0;
     for (const Contactor& one : all.contactors) {
       double sum = 0;
@@ -101,18 +100,18 @@ void solve(const Motion& m, const Parts& part, Multipliers& all) {
 }
 
 /// What friction takes in a step, and how much of that in the half that begins. [J]
-struct Rubbed {
+struct FrictionLoss {
   double all = 0, to_come = 0;
 };
-Rubbed rubbed(const Motion& m, const Parts& part, Index first, Index last, const Multipliers& all) {
-  Rubbed sum;
+FrictionLoss friction_loss(const Motion& m, const Parts& part, Index first, Index last, const Multipliers& all) {
+  FrictionLoss sum;
   for (Index k = first; k < last; ++k) {
     if (all.contactors[k].friction < 0) continue;
     const FrictionCondition& friction = all.frictions[all.contactors[k].friction];
     sum.all -= friction.work;
     sum.to_come -= part.after * friction.impulse.dot(rate(friction, m, all));
   }
-  return sum.all > 0 ? sum : Rubbed{0, sum.to_come};
+  return sum.all > 0 ? sum : FrictionLoss{0, sum.to_come};
 }
 
 /// Work that the normal impulses of some contactors have still to do in the half step that begins. [J]
@@ -169,7 +168,7 @@ void take_over(const Interface& interface, const Motion& m, const Parts& part, d
     if (element.moved && !near.rests) ++memory.walks, ++memory.reconnections[near.apex];
   }
   book_half(interface, m, 0, memory);
-  memory.to_come = to_come + held(first, last, all) + memory.lent;
+  memory.held = to_come + held(first, last, all) + memory.transferred;
 }
 
 /// The same for a rigid plane.
@@ -181,38 +180,69 @@ void take_over(const RigidPlane& plane, const Motion& m, const Parts& part, doub
     const Condition& c = all.conditions[all.contactors[k].first];
     while (plane.nodes[i] != c.node[0]) ++i;
     memory.next_force[i] = c.impulse / h;
-    if (all.contactors[k].friction >= 0) memory.next_rub[i] = all.frictions[all.contactors[k].friction].impulse / h;
+    if (all.contactors[k].friction >= 0) memory.next_friction[i] = all.frictions[all.contactors[k].friction].impulse / h;
   }
   advance(plane, m.x, m.v, m.dt, memory);
   if (memory.deepest > deepest) memory.deepest_time = t;
-  memory.stored = to_come + held(first, last, all) + memory.lent;
+  memory.stored = to_come + held(first, last, all) + memory.transferred;
 }
 
+/// What acts by multipliers, and where its contactors begin in Multipliers::first.
+struct Acting {
+  std::span<const Interface> interfaces;
+  std::span<const RigidPlane> planes;
+  std::span<Memory> memories;
+  std::span<PlaneMemory> of_planes;
+
+  /// Calls visit(place, contact, memory) for each, interfaces first.
+  template <class Visit>
+  void for_each(Visit&& visit) const {
+    for (std::size_t i = 0; i < interfaces.size(); ++i)
+      if (by_multipliers(interfaces[i])) visit(i, interfaces[i], memories[i]);
+    for (std::size_t p = 0; p < planes.size(); ++p)
+      if (by_multipliers(planes[p])) visit(interfaces.size() + p, planes[p], of_planes[p]);
+  }
+};
+
+bool is_back_pass(const Interface& interface) { return interface.pass == Pass::back; }
+bool is_back_pass(const RigidPlane&) { return false; }
+
 /// Finds the conditions of all contacts by multipliers, their impulses, and the work of these.
-void find_impulses(std::span<const Interface> interfaces, std::span<const RigidPlane> planes, const Motion& m, const Parts& part,
-                   std::span<Memory> memories, std::span<PlaneMemory> of_planes, std::span<Workspace> workspaces, Multipliers& all) {
+void find_impulses(const Acting& acting, const Motion& m, const Parts& part, std::span<Workspace> workspaces, Multipliers& all) {
   all.conditions.clear();
   all.contactors.clear();
   all.frictions.clear();
-  all.first.assign(1, 0);
-  for (std::size_t i = 0; i < interfaces.size(); ++i) {
-    if (!by_multipliers(interfaces[i])) continue;
-    look_ahead(interfaces[i].apexes, m, all);
-    look_ahead(interfaces[i].base_nodes, m, all);
+  all.first.assign(acting.interfaces.size() + acting.planes.size() + 1, 0);
+  for (const Interface& interface : acting.interfaces) {
+    if (!by_multipliers(interface)) continue;
+    look_ahead(interface.apexes, m, all);
+    look_ahead(interface.base_nodes, m, all);
   }
-  for (const RigidPlane& plane : planes)
+  for (const RigidPlane& plane : acting.planes)
     if (by_multipliers(plane)) look_ahead(plane.nodes, m, all);
-  for (std::size_t i = 0; i < interfaces.size(); ++i) {
-    if (by_multipliers(interfaces[i])) find_conditions(interfaces[i], m, part, memories[i], workspaces[i], all);
-    all.first.push_back(static_cast<Index>(all.contactors.size()));
+  for (std::size_t i = 0; i < acting.interfaces.size(); ++i) {
+    if (by_multipliers(acting.interfaces[i])) find_conditions(acting.interfaces[i], m, part, acting.memories[i], workspaces[i], all);
+    all.first[i + 1] = static_cast<Index>(all.contactors.size());
   }
-  for (std::size_t p = 0; p < planes.size(); ++p) {
-    if (by_multipliers(planes[p])) find_conditions(planes[p], m, part, of_planes[p], all);
-    all.first.push_back(static_cast<Index>(all.contactors.size()));
+  for (std::size_t p = 0; p < acting.planes.size(); ++p) {
+    if (by_multipliers(acting.planes[p])) find_conditions(acting.planes[p], m, part, acting.of_planes[p], all);
+    all.first[acting.interfaces.size() + p + 1] = static_cast<Index>(all.contactors.size());
   }
   solve(m, part, all);
   find_work(m, part, all);
 }
+
+/// Gives the nodes the impulse of a condition, and books where they are what moment this has.
+void apply(const Condition& c, int nodes, const Vectors& x, Vectors& impulse, Vec3& moment) {
+  for (int j = 0; j < nodes; ++j) {
+    const Vec3 part = c.impulse * c.weight[j] * c.normal;
+    impulse.col(c.node[j]) += part;
+    moment += x.col(c.node[j]).cross(part);
+  }
+}
+
+void book_impulse(const Condition&, Memory&) {}  // what the apex gets the base loses
+void book_impulse(const Condition& c, PlaneMemory& memory) { memory.impulse += c.impulse * c.normal; }
 
 }  // namespace
 
@@ -223,71 +253,50 @@ bool any_by_multipliers(std::span<const Interface> interfaces, std::span<const R
 
 void stop_at_start(std::span<const Interface> interfaces, std::span<const RigidPlane> planes, const Motion& m, double t,
                    std::span<Memory> memories, std::span<PlaneMemory> of_planes, std::span<Workspace> workspaces, Multipliers& all,
-                   Vectors& v) {
-  find_impulses(interfaces, planes, m, {0.5, 0.5}, memories, of_planes, workspaces, all);
-  const auto book = [&](Index first, Index last, auto& memory) {
+                   Vectors& impulse) {
+  const Acting acting{interfaces, planes, memories, of_planes};
+  find_impulses(acting, m, {0.5, 0.5}, workspaces, all);
+  acting.for_each([&](std::size_t at, const auto&, auto& memory) {
+    const Index first = all.first[at], last = all.first[at + 1];
     for (Index k = first; k < last; ++k) {
       const Contactor& one = all.contactors[k];
       memory.work += one.work;
-      for (Index i = one.first; i < one.last; ++i) give(all.conditions[i], one.nodes, all.conditions[i].impulse, v);
+      for (Index i = one.first; i < one.last; ++i) {
+        apply(all.conditions[i], one.nodes, m.x, impulse, memory.angular_impulse);
+        book_impulse(all.conditions[i], memory);
+      }
     }
-    memory.impact += keep(m, t, first, last, all);
-    forget_debts(first, last, all);
-  };
-  for (std::size_t i = 0; i < interfaces.size(); ++i)
-    if (by_multipliers(interfaces[i])) book(all.first[i], all.first[i + 1], memories[i]);
-  for (std::size_t p = 0; p < planes.size(); ++p) {
-    const std::size_t at = interfaces.size() + p;
-    if (!by_multipliers(planes[p])) continue;
-    for (Index k = all.first[at]; k < all.first[at + 1]; ++k) {
-      const Condition& c = all.conditions[all.contactors[k].first];
-      of_planes[p].impulse += c.impulse * c.normal;
-      of_planes[p].angular_impulse += c.impulse * m.x.col(c.node[0]).cross(c.normal);
-    }
-    book(all.first[at], all.first[at + 1], of_planes[p]);
-  }
+    memory.impact += update_restitution(m, t, first, last, all);
+    drop_deficits(first, last, all);
+  });
 }
 
 void enforce(std::span<const Interface> interfaces, std::span<const RigidPlane> planes, const Motion& m, double t,
              std::span<Memory> memories, std::span<PlaneMemory> of_planes, std::span<Workspace> workspaces, Multipliers& all) {
   const double h = 0.5 * (m.dt + m.next);
   const Parts part{0.5 * m.dt / h, 0.5 * m.next / h};
+  const Acting acting{interfaces, planes, memories, of_planes};
   for (std::size_t i = 0; i < interfaces.size(); ++i)
     if (by_multipliers(interfaces[i])) book_half(interfaces[i], m, -m.dt, memories[i]);
-  find_impulses(interfaces, planes, m, part, memories, of_planes, workspaces, all);
-  if (m.dt > 0) let_go(m, part, t, all);
+  find_impulses(acting, m, part, workspaces, all);
+  if (m.dt > 0) release(m, part, t, all);
   std::vector<Pool>& pools = all.pools;
   pools.clear();
-  for (std::size_t i = 0; i < interfaces.size(); ++i) {
-    const Index first = all.first[i], last = all.first[i + 1];
-    if (!by_multipliers(interfaces[i])) continue;
-    const Rubbed friction = rubbed(m, part, first, last, all);
-    memories[i].friction_dissipated += friction.all;
-    memories[i].friction_to_come = friction.to_come;
-    memories[i].impact += keep(m, t, first, last, all);
-    pools.push_back({first, last, &memories[i].lent});
-    pay({&pools.back(), 1}, all);
-    if (interfaces[i].pass == Pass::back) pay({&pools.back() - 1, 2}, all);
-  }
-  for (std::size_t p = 0; p < planes.size(); ++p) {
-    const std::size_t at = interfaces.size() + p;
+  acting.for_each([&](std::size_t at, const auto& contact, auto& memory) {
     const Index first = all.first[at], last = all.first[at + 1];
-    if (!by_multipliers(planes[p])) continue;
-    const Rubbed friction = rubbed(m, part, first, last, all);
-    of_planes[p].friction_dissipated += friction.all;
-    of_planes[p].friction_to_come = friction.to_come;
-    of_planes[p].impact += keep(m, t, first, last, all);
-    pools.push_back({first, last, &of_planes[p].lent});
-    pay({&pools.back(), 1}, all);
-  }
-  pay(pools, all);
-  forget_debts(0, static_cast<Index>(all.contactors.size()), all);
-  for (std::size_t i = 0; i < interfaces.size(); ++i)
-    if (by_multipliers(interfaces[i])) take_over(interfaces[i], m, part, h, t, all.first[i], all.first[i + 1], memories[i], all);
-  for (std::size_t p = 0; p < planes.size(); ++p) {
-    const std::size_t at = interfaces.size() + p;
-    if (by_multipliers(planes[p])) take_over(planes[p], m, part, h, t, all.first[at], all.first[at + 1], of_planes[p], all);
-  }
+    const FrictionLoss friction = friction_loss(m, part, first, last, all);
+    memory.friction_dissipated += friction.all;
+    memory.friction_to_come = friction.to_come;
+    memory.impact += update_restitution(m, t, first, last, all);
+    pools.push_back({first, last, &memory.transferred});
+    balance({&pools.back(), 1}, all);
+    if (is_back_pass(contact)) balance({&pools.back() - 1, 2}, all);
+  });
+  balance(pools, all);
+  drop_deficits(0, static_cast<Index>(all.contactors.size()), all);
+  acting.for_each([&](std::size_t at, const auto& contact, auto& memory) {
+    take_over(contact, m, part, h, t, all.first[at], all.first[at + 1], memory, all);
+  });
 }
 
 }  // namespace nereid::contact

@@ -6,9 +6,9 @@
 //
 //     v >= min(-g / dt', -v_b),   J >= 0,   one of both an equality
 //
-// so it never goes faster apart than it came, but for what energy it holds; of a penetration a fifth is mended in a step. The impulses J n
-// on the apex and -w_I J n on the base act at t, as forces J / h over the half steps around it, h = (dt + dt') / 2. Sweeps find them that
-// do not depend on any order: docs/theory/multipliers.md.
+// so it never goes faster apart than it came, but for what energy it holds; of a penetration a fifth is corrected in a step. The impulses
+// J n on the apex and -w_I J n on the base act at t, as forces J / h over the half steps around it, h = (dt + dt') / 2. Sweeps find them
+// that do not depend on any order: docs/theory/multipliers.md.
 
 #include <span>
 
@@ -19,11 +19,12 @@ namespace nereid::contact {
 /// Whether any contact is by multipliers.
 bool any_by_multipliers(std::span<const Interface>, std::span<const RigidPlane>);
 
-/// Takes from the velocities at the start what would close gaps in the first step: bodies that begin in contact stop at once.
+/// Finds the impulses that stop, at the start, what would close gaps in the first step, and books them.
 ///
-/// m  without forces, its `dt` zero
+/// m        without forces, its `dt` zero
+/// impulse  [N s] on the nodes, added to
 void stop_at_start(std::span<const Interface>, std::span<const RigidPlane>, const Motion& m, double t, std::span<Memory>,
-                   std::span<PlaneMemory>, std::span<Workspace>, Multipliers&, Vectors& v);
+                   std::span<PlaneMemory>, std::span<Workspace>, Multipliers&, Vectors& impulse);
 
 /// Finds the impulses of all contacts by multipliers for the step to come, and books the work of the step that led to t.
 ///

@@ -113,4 +113,12 @@ void search(const Interface& interface, const Vectors& x, Memory& memory, Worksp
   });
 }
 
+double search_where_due(const Interface& interface, const Vectors& x, const Vectors& v, Memory& memory, Workspace& workspace) {
+  const double moved = memory.searches == 0 ? infinite : moved_since_search(interface, x, memory);
+  if (!(moved > 0.5 * memory.margin)) return moved;
+  memory.margin = margin_of(interface, v);
+  search(interface, x, memory, workspace);
+  return 0;
+}
+
 }  // namespace nereid::contact

@@ -42,4 +42,10 @@ double margin_of(const Interface&, const Vectors& v);
 /// very state, and the run ends.
 void search(const Interface&, const Vectors& x, Memory&, Workspace&);
 
+/// Searches if apexes and base have moved by half of the margin since the last search.
+///
+/// v  [m/s] that they may go on with
+/// returns  how far they have moved since the last search, at most [m]
+double search_where_due(const Interface&, const Vectors& x, const Vectors& v, Memory&, Workspace&);
+
 }  // namespace nereid::contact

@@ -7,9 +7,9 @@ namespace nereid::contact {
 
 namespace {
 
-constexpr double of_its_own = 0.5;  // [-] of the force with which a wave leaves a node that moves with what is held
-constexpr double worth_a_wait = 1e-3;  // of what is held: less is taken in a step without a wait before it is given back
-constexpr int passes = 8;           // in which gaps are closed again
+constexpr double own_share = 0.5;       // [-] of the force with which a wave leaves a node that moves with what is held
+constexpr double small_loss = 1e-3;     // of what is held: less, taken in a step, delays no release
+constexpr int passes = 8;               // in which gaps are closed again
 
 /// The condition of a contactor that presses hardest.
 Condition& hardest(const Contactor& one, Multipliers& all) {
@@ -32,7 +32,7 @@ Gain gain(const Condition& c, const Parts& part, double after) {
 
 }  // namespace
 
-void let_go(const Motion& m, const Parts& part, double t, Multipliers& all) {
+void release(const Motion& m, const Parts& part, double t, Multipliers& all) {
   const double h = 0.5 * (m.dt + m.next);
   bool any = false;
   for (FrictionCondition& condition : all.frictions) condition.change.setZero();
@@ -43,8 +43,8 @@ void let_go(const Motion& m, const Parts& part, double t, Multipliers& all) {
     if (!(memory.held > 0) || !(left > 0)) continue;
     Condition& c = hardest(one, all);
     const double pressed = impulse_of(one, all) / h;
-    const double own = of_its_own * one.impedance * std::sqrt(2 * memory.held * c.per_mass);
-    if (pressed >= own) continue;
+    const double own = own_share * one.impedance * std::sqrt(2 * memory.held * c.per_mass);
+    if (pressed > 0 && pressed >= own) continue;
     const double time = 1 / (c.per_mass * one.impedance);
     if (pressed > 0 && (t - memory.last_loss < time - 0.5 * h || memory.mean_force >= own)) continue;
     const Gain by = gain(c, part, rate(c, one.nodes, all.velocity));
@@ -70,7 +70,7 @@ void let_go(const Motion& m, const Parts& part, double t, Multipliers& all) {
     apply_changes(m, all);
   }
   for (Condition& c : all.conditions) c.change = 0;
-  for (int pass = 0; pass < passes && !all.frictions.empty(); ++pass) {  // what is given back presses, and so rubs, too
+  for (int pass = 0; pass < passes && !all.frictions.empty(); ++pass) {  // what is given back presses, too, and friction follows
     for (const Contactor& one : all.contactors)
       if (one.friction >= 0) find_change(impulse_of(one, all), m, all, all.frictions[one.friction]);
     apply_changes(m, all);
@@ -78,13 +78,13 @@ void let_go(const Motion& m, const Parts& part, double t, Multipliers& all) {
   find_work(m, part, all);
 }
 
-double keep(const Motion& m, double t, Index first, Index last, Multipliers& all) {
+double update_restitution(const Motion& m, double t, Index first, Index last, Multipliers& all) {
   const double h = 0.5 * (m.dt + m.next);
   double lost = 0;
   for (Index k = first; k < last; ++k) {
     const Contactor& one = all.contactors[k];
     Restitution& memory = *one.memory;
-    if (-one.work > worth_a_wait * memory.held) memory.last_loss = t;
+    if (-one.work > small_loss * memory.held) memory.last_loss = t;
     memory.held -= one.work + one.lost;
     lost += one.lost;
     const double pressed = impulse_of(one, all) / h;
@@ -100,30 +100,30 @@ double held(Index first, Index last, const Multipliers& all) {
   return sum;
 }
 
-void pay(std::span<const Pool> pools, Multipliers& all) {
-  double held_by_all = 0, owed = 0;
+void balance(std::span<const Pool> pools, Multipliers& all) {
+  double held_by_all = 0, deficit = 0;
   for (const Pool& pool : pools)
     for (Index k = pool.first; k < pool.last; ++k) {
       const double one = all.contactors[k].memory->held;
-      (one < 0 ? owed : held_by_all) += std::abs(one);
+      (one < 0 ? deficit : held_by_all) += std::abs(one);
     }
-  if (!(owed > 0)) return;
-  const double paid = std::min(1.0, held_by_all / owed), left = owed < held_by_all ? 1 - owed / held_by_all : 0;
+  if (!(deficit > 0)) return;
+  const double covered = std::min(1.0, held_by_all / deficit), left = deficit < held_by_all ? 1 - deficit / held_by_all : 0;
   for (const Pool& pool : pools) {
     const double before = held(pool.first, pool.last, all);
     for (Index k = pool.first; k < pool.last; ++k) {
       double& one = all.contactors[k].memory->held;
-      one = one > 0 ? left * one : (1 - paid) * one;
+      one = one > 0 ? left * one : (1 - covered) * one;
     }
-    *pool.lent += before - held(pool.first, pool.last, all);
+    *pool.transferred += before - held(pool.first, pool.last, all);
   }
 }
 
-void forget_debts(Index first, Index last, Multipliers& all) {
+void drop_deficits(Index first, Index last, Multipliers& all) {
   for (Index k = first; k < last; ++k) all.contactors[k].memory->held = std::max(0.0, all.contactors[k].memory->held);
 }
 
-void lose(Restitution& memory, double& impact) {
+void discard(Restitution& memory, double& impact) {
   impact += memory.held;
   memory = {};
 }

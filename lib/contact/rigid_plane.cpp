@@ -12,8 +12,8 @@ PlaneMemory initial_memory(const RigidPlane& plane) {
   if (by_multipliers(plane)) {
     memory.next_force.assign(plane.nodes.size(), 0.0);
     memory.restitution.resize(plane.nodes.size());
-    if (plane.friction.coefficient > 0) memory.rub.assign(plane.nodes.size(), Vec3::Zero());
-    memory.next_rub = memory.rub;
+    if (plane.friction.coefficient > 0) memory.friction.assign(plane.nodes.size(), Vec3::Zero());
+    memory.next_friction = memory.friction;
     return memory;
   }
   if (plane.friction.coefficient > 0) memory.slip.assign(plane.nodes.size(), Vec3::Zero());
@@ -59,12 +59,12 @@ void advance(const RigidPlane& plane, const Vectors& x, const Vectors& v, double
     memory.work += 0.5 * (before + after) * moved.dot(plane.normal);
     memory.impulse += 0.5 * dt * (before + after) * plane.normal;
     memory.angular_impulse += 0.5 * dt * (before * (at - moved) + after * at).cross(plane.normal);
-    if (!memory.rub.empty()) {
-      const Vec3 mean = 0.5 * (memory.rub[i] + memory.next_rub[i]);
+    if (!memory.friction.empty()) {
+      const Vec3 mean = 0.5 * (memory.friction[i] + memory.next_friction[i]);
       memory.work += mean.dot(moved);
       memory.impulse += dt * mean;
-      memory.angular_impulse += 0.5 * dt * ((at - moved).cross(memory.rub[i]) + at.cross(memory.next_rub[i]));
-      memory.rub[i] = memory.next_rub[i];
+      memory.angular_impulse += 0.5 * dt * ((at - moved).cross(memory.friction[i]) + at.cross(memory.next_friction[i]));
+      memory.friction[i] = memory.next_friction[i];
     }
     if (memory.slip.empty()) continue;
     const Vec3 held = memory.slip[i];
@@ -77,7 +77,7 @@ void advance(const RigidPlane& plane, const Vectors& x, const Vectors& v, double
 namespace {
 Vec3 force_on(const RigidPlane& plane, const PlaneMemory& memory, std::size_t i) {
   Vec3 force = memory.force[i] * plane.normal;
-  if (!memory.rub.empty()) force += memory.rub[i];
+  if (!memory.friction.empty()) force += memory.friction[i];
   if (!memory.slip.empty())
     force -= plane.friction.tangential_penalty * plane.penalty * plane.area(static_cast<Eigen::Index>(i)) * memory.slip[i];
   return force;

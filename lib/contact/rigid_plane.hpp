@@ -18,7 +18,7 @@ struct RigidPlane {
   Subset nodes;
   Scalars area;                        ///< [m2] tributary area, [nodes]
   Method method = Method::penalty;
-  double restitution = 1;              ///< [-] speed of a node that a multiplier lets go over that with which it was stopped
+  double restitution = 1;              ///< [-] speed of a node released by a multiplier over that with which it was stopped
   double impedance = 0;                ///< [Pa s/m] rho c of what is behind the nodes
   double penalty = 0;                  ///< [Pa/m]
   double impact_step_factor = 0.1410;  ///< [-] dt sqrt(k/m) of the vote, see contact/impact_step.hpp
@@ -30,12 +30,12 @@ struct PlaneMemory {
   std::vector<double> force;            ///< [N] along the normal, [nodes]
   std::vector<Restitution> restitution; ///< [nodes] of multipliers; else empty
   std::vector<double> next_force;       ///< [N] by multipliers, [nodes]: what advance() takes; empty of a penalty
-  std::vector<Vec3> rub, next_rub;      ///< [N] friction by multipliers, the same
+  std::vector<Vec3> friction, next_friction;      ///< [N] friction by multipliers, the same
   std::vector<Vec3> slip;               ///< [m] elastic part of the slip, [nodes]; empty without friction
-  double work = 0, stored = 0;          ///< [J] stored by the penalty
+  double work = 0, stored = 0;          ///< [J] stored by the penalty, or held by multipliers with their work still to come
   double friction_to_come = 0;          ///< [J] part of what friction takes by multipliers, in the half step that begins
   double tangential_stored = 0, friction_dissipated = 0;  ///< [J] stored by the elastic stick, dissipated by friction
-  double lent = 0;                      ///< [J] of what multipliers have taken here, that others hold
+  double transferred = 0;               ///< [J] of what multipliers have taken here, that other contacts hold
   double impact = 0;                    ///< [J] kinetic energy lost as multipliers stopped nodes
   double deepest = 0;                   ///< [m] penetration of any node since the start, not negative
   Index deepest_node = -1;              ///< where that was, -1 before any contact

@@ -180,7 +180,7 @@ Index face_across(const BaseSurface& base, const Vectors& x, const Vec3& point, 
 }
 
 /// The way out over the inside of one facet.
-WayOut over_one_facet(const FeatureHeight& over, double contact_height, double stays, Tracks& tracks, Stencil* stencils) {
+WayOut over_one_facet(const FeatureHeight& over, double contact_height, double release_height, Tracks& tracks, Stencil* stencils) {
   WayOut out;
   out.stencil = stencils;
   Track& track = tracks.track[0];
@@ -191,7 +191,7 @@ WayOut over_one_facet(const FeatureHeight& over, double contact_height, double s
   if (depth > 0) {
     add({.facet = track.facet, .apex = 1, .weight = over.weight, .push = depth * over.normal, .level = track.height}, out);
     out.length = depth, out.squared = depth * depth;
-  } else if (over.height >= contact_height + stays) {
+  } else if (over.height >= contact_height + release_height) {
     tracks.count = 0;
   }
   tracks.out = {tracks.count > 0 ? track.facet : -1, over.weight, std::max(over.height, track.height)};
@@ -202,15 +202,15 @@ WayOut over_one_facet(const FeatureHeight& over, double contact_height, double s
 }  // namespace
 
 WayOut way_out(const BaseSurface& base, const Vectors& x, const Vec3& p, double contact_height, const Mat3* allowed, double moved,
-               Tracks& tracks, std::array<Stencil, most_stencils>& stencils, double stays) {
+               Tracks& tracks, std::array<Stencil, most_stencils>& stencils, double release_height) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   if (tracks.count == 1 && allowed == nullptr) {  // well inside a facet
     Track& track = tracks.track[0];
     const FeatureHeight over = height_over(base, x, {track.facet, Kind::facet, 0}, p);
-    if (moved < tracks.owned) return over_one_facet(over, contact_height, stays, tracks, stencils.data());
+    if (moved < tracks.owned) return over_one_facet(over, contact_height, release_height, tracks, stencils.data());
     const Ownership owner = ownership(base, x, track.facet, over, std::max(std::abs(over.height), track.height));
     tracks.owned = owner.room - moved;
-    if (owner.whole) return over_one_facet(over, contact_height, stays, tracks, stencils.data());
+    if (owner.whole) return over_one_facet(over, contact_height, release_height, tracks, stencils.data());
   }
   tracks.owned = -infinite;
   WayOut out;
@@ -318,7 +318,7 @@ WayOut way_out(const BaseSurface& base, const Vectors& x, const Vec3& p, double 
     Track track = tracks.track[i];
     if (ends[i]) continue;
     if (height[i] < infinite) {
-      if (height[i] >= contact_height + stays && !acts[i]) continue;
+      if (height[i] >= contact_height + release_height && !acts[i]) continue;
       track.height = std::max(track.height, std::min(height[i], contact_height));
     }
     tracks.track[kept++] = track;

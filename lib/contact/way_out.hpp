@@ -32,8 +32,8 @@ struct WayOut {
 /// allowed   directions of an apex on a symmetry plane, or null
 /// moved     [m] way of apexes and base against each other since a state at which Tracks::owned was cleared; infinite: not known
 /// stencils  where the pushes are written
-/// stays     [m] so far above the contact height an apex has not left yet
+/// release_height  [m] above the contact height up to which an apex has not left yet
 WayOut way_out(const BaseSurface&, const Vectors& x, const Vec3& apex, double contact_height, const Mat3* allowed, double moved, Tracks&,
-               std::array<Stencil, most_stencils>& stencils, double stays = 0);
+               std::array<Stencil, most_stencils>& stencils, double release_height = 0);
 
 }  // namespace nereid::contact

@@ -163,7 +163,7 @@ Connected connect_one_pass(Model& model, const std::string& name, const std::str
   interface.impedance = 1 / (1 / surface_impedance(model, apexes) + 1 / surface_impedance(model, base));
   const double depths[] = {surface_depth(model, apexes), surface_depth(model, base)};
   interface.depth = depths[0] > 0 && depths[1] > 0 ? std::min(depths[0], depths[1]) : std::max(depths[0], depths[1]);
-  interface.stays = options.method == contact::Method::multiplier ? contact::multipliers_reach * interface.depth : 0;
+  interface.release_height = options.method == contact::Method::multiplier ? contact::multipliers_reach * interface.depth : 0;
   interface.margin = std::sqrt(2 * interface.facet_area.mean());  // about the side of a face: a search costs as much as some steps
   interface.longest_step = element_step(model);
   interface.friction = options.friction;

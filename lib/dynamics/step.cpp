@@ -108,13 +108,17 @@ contact::Motion motion_of(const Model& model, const Vectors& force, double dt, c
           next_length(now.votes, pace, now.t)};
 }
 
-/// Stops what begins in contact.
+/// Stops what begins in contact; what constraints hold of the impulses goes to their accounts.
 void stop_at_start(const Model& model, const Pace& pace, State& now, Forces& f) {
   see_constraints(now, f);
   f.dx.setZero();
+  Vectors impulse = Vectors::Zero(3, now.v.cols());
   const contact::Motion motion = motion_of(model, f.dx, 0, pace, now, f);
   contact::stop_at_start(model.interfaces, model.rigid_planes, motion, now.t, now.interfaces, now.rigid_planes, f.interfaces,
-                         f.multipliers, now.v);
+                         f.multipliers, impulse);
+  for (Eigen::Index node = 0; node < now.v.cols(); ++node) now.v.col(node) += impulse.col(node) / model.mass(node);
+  const Vectors no_moment = Vectors::Zero(3, now.omega.cols());
+  load::constrain(model.constraints, {impulse, no_moment, model.mass, model.inertia, 1, 0}, now.x, now.v, now.omega, now.constraints);
 }
 
 /// Finds the forces of contacts that act by multipliers, which need all others, and adds them.

@@ -131,9 +131,12 @@ void check_contact(const Contact& contact, Faults& faults) {
   const Part here = part("contact", contact);
   const dynamics::InterfaceOptions& o = contact.interface;
   check(faults, here, of_friction(o.friction, o.energy_gain_limit));
-  check(faults, here, {kind("kind", o.kind, contact::InterfaceKind::bonded), kind("penalty_from", o.penalty_from, PenaltyFrom::masses),
+  check(faults, here, {kind("kind", o.kind, contact::InterfaceKind::bonded), kind("method", o.method, contact::Method::multiplier),
+                       kind("penalty_from", o.penalty_from, PenaltyFrom::masses), {"restitution", o.restitution, range::restitution},
                        {"damping_ratio", o.damping_ratio, range::damping_ratio},
                        {"clearance", o.height.clearance, not_negative, "m"}, {"height", o.height.given, not_negative, "m"}});
+  if (o.kind == contact::InterfaceKind::bonded && o.method == contact::Method::multiplier)
+    refuse(faults, here, "method", "'method' is multiplier: a bonded interface needs penalty");
   if (o.penalty_from == PenaltyFrom::value) check(faults, here, {{"penalty", o.penalty, positive, "Pa/m"}});
   if (o.penalty_from == PenaltyFrom::stiffness) check(faults, here, {{"penalty_scale", o.penalty_scale, positive}});
   if (o.penalty_from == PenaltyFrom::masses) check(faults, here, {{"step_share", o.step_share, positive}});
@@ -154,6 +157,7 @@ void check_wall(const RigidPlane& plane, Faults& faults) {
   check(faults, here, components("point", plane.point));
   check_direction(faults, here, "normal", plane.normal);
   check(faults, here, {{"penalty", plane.penalty.value_or(1), positive, "Pa/m"}, {"penalty_scale", plane.penalty_scale, positive}});
+  check(faults, here, {kind("method", plane.method, contact::Method::multiplier), {"restitution", plane.restitution, range::restitution}});
   check(faults, here, of_friction(plane.friction, plane.energy_gain_limit));
 }
 

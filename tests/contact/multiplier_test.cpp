@@ -67,7 +67,7 @@ TEST(Multiplier, CarriesAWeightWithoutAChatter) {
   }
 }
 
-TEST(Multiplier, MendsAPenetrationByAFifthInAStepAndOnlyWithWhatItHolds) {
+TEST(Multiplier, CorrectsAPenetrationByAFifthInAStepAndOnlyWithWhatItHolds) {
   Setting at(-1e-3, {0, 0, -1});
   at.step();
   EXPECT_NEAR(at.v(2, 0), 0.2, 1e-12);
@@ -84,8 +84,8 @@ TEST(Multiplier, FrictionHoldsBelowItsLimitAndSlidesAtIt) {
   slides.force.col(0) = Vec3(6, 0, -10);
   for (int i = 0; i < 100; ++i) sticks.step(), slides.step();
   EXPECT_LT(sticks.v.col(0).norm(), 1e-12);
-  EXPECT_NEAR(sticks.memory.rub[0].x(), -3, 1e-9);
-  EXPECT_NEAR(slides.memory.rub[0].x(), -5, 1e-9);
+  EXPECT_NEAR(sticks.memory.friction[0].x(), -3, 1e-9);
+  EXPECT_NEAR(slides.memory.friction[0].x(), -5, 1e-9);
   EXPECT_NEAR(slides.v(0, 0), 0.1, 1e-9);
   EXPECT_GT(slides.memory.friction_dissipated, 0);
 }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace nereid::contact {
 namespace {
 
@@ -38,13 +40,13 @@ struct Setting {
 };
 constexpr Parts halves{0.5, 0.5};
 
-TEST(Restitution, IsGivenBackToTheLastBitOfEnergyByANodeThatLetsGo) {
+TEST(Restitution, IsGivenBackToTheLastBitOfEnergyAtRelease) {
   for (const double coefficient : {1.0, 0.5, 0.0}) {
     Setting at({0.375}, coefficient * coefficient);
-    let_go(at.motion(), halves, 1, at.all);
+    release(at.motion(), halves, 1, at.all);
     const double given = coefficient * coefficient * 0.375, speed = at.all.velocity(2, 0);
     EXPECT_NEAR(0.5 * at.all.conditions[0].impulse * (1 + speed), given, 1e-15);  // the work of the impulse
-    EXPECT_NEAR(keep(at.motion(), 1, 0, 1, at.all), 0.375 - given, 1e-15);
+    EXPECT_NEAR(update_restitution(at.motion(), 1, 0, 1, at.all), 0.375 - given, 1e-15);
     EXPECT_NEAR(at.memory[0].held, 0, 1e-15);
   }
 }
@@ -55,31 +57,40 @@ TEST(Restitution, StaysWithANodeThatIsPressedOrOnItsWayIn) {
   entering.all.conditions[0].before = -1, entering.all.conditions[0].free = -1, entering.all.velocity(2, 0) = -1;
   for (Setting* at : {&pressed, &entering}) {
     const Vectors before = at->all.velocity;
-    let_go(at->motion(), halves, 1, at->all);
+    release(at->motion(), halves, 1, at->all);
     EXPECT_EQ((at->all.velocity - before).norm(), 0);
   }
 }
 
-TEST(Restitution, PaysWhatNeighboursGaveTooMuchInProportion) {
+TEST(Restitution, IsGivenBackWithoutAForceWhateverTheImpedance) {
+  for (const double impedance : {0.0, 1.0, std::numeric_limits<double>::infinity()}) {
+    Setting at({0.375});
+    at.all.contactors[0].impedance = impedance;
+    release(at.motion(), halves, 1, at.all);
+    EXPECT_NEAR(at.all.contactors[0].work, 0.375, 1e-15);
+  }
+}
+
+TEST(Restitution, CoversTheDeficitsOfNeighboursInProportion) {
   Setting at({3, -1, 1});
-  double lent[] = {0, 0};
-  const Pool pools[] = {{0, 2, &lent[0]}, {2, 3, &lent[1]}};
-  pay(pools, at.all);
+  double transferred[] = {0, 0};
+  const Pool pools[] = {{0, 2, &transferred[0]}, {2, 3, &transferred[1]}};
+  balance(pools, at.all);
   EXPECT_NEAR(at.memory[0].held, 2.25, 1e-15);
   EXPECT_EQ(at.memory[1].held, 0);
   EXPECT_NEAR(at.memory[2].held, 0.75, 1e-15);
-  EXPECT_NEAR(lent[0], -0.25, 1e-15);
-  EXPECT_NEAR(lent[1], 0.25, 1e-15);
+  EXPECT_NEAR(transferred[0], -0.25, 1e-15);
+  EXPECT_NEAR(transferred[1], 0.25, 1e-15);
 }
 
-TEST(Restitution, WhatNobodyCanPayStaysOwed) {
+TEST(Restitution, LeavesADeficitThatNothingCovers) {
   Setting at({1, -3});
-  double lent = 0;
-  const Pool pool{0, 2, &lent};
-  pay({&pool, 1}, at.all);
+  double transferred = 0;
+  const Pool pool{0, 2, &transferred};
+  balance({&pool, 1}, at.all);
   EXPECT_EQ(at.memory[0].held, 0);
   EXPECT_NEAR(at.memory[1].held, -2, 1e-15);
-  forget_debts(0, 2, at.all);
+  drop_deficits(0, 2, at.all);
   EXPECT_EQ(held(0, 2, at.all), 0);
 }
 

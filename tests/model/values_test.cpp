@@ -74,6 +74,12 @@ const std::vector<Wrong> numbers{
     {"contact 'touch': 'clearance'", [](Scene& s, double v) { s.contacts[0].interface.height.clearance = v; }, {-1, nan}},
     {"contact 'touch': 'kind'", [](Scene& s, double v) {
        s.contacts[0].interface.kind = static_cast<contact::InterfaceKind>(static_cast<int>(v)); }, {-1, 2}},
+    {"contact 'touch': 'method'", [](Scene& s, double v) {
+       s.contacts[0].interface.method = static_cast<contact::Method>(static_cast<int>(v)); }, {-1, 2}},
+    {"contact 'touch': 'method'", [](Scene& s, double v) {  // a bond by multipliers would hold nothing
+       s.contacts[0].interface.kind = static_cast<contact::InterfaceKind>(static_cast<int>(v));
+       s.contacts[0].interface.method = contact::Method::multiplier; }, {1}},
+    {"contact 'touch': 'restitution'", [](Scene& s, double v) { s.contacts[0].interface.restitution = v; }, {-1, 2, nan}},
     {"plane 'side': 'kind'", [](Scene& s, double v) { s.planes[0].kind = static_cast<load::PlaneKind>(static_cast<int>(v)); }, {-1, 99}},
     {"plane 'side': 'point'", [](Scene& s, double v) { s.planes[0].point.x() = v; }, {nan, infinity}},
     {"plane 'side': 'normal'", [](Scene& s, double v) { s.planes[0].normal.x() = v; }, {0, 2, nan}},
@@ -81,6 +87,9 @@ const std::vector<Wrong> numbers{
     {"plane 'ground': 'normal'", [](Scene& s, double v) { s.rigid_planes[0].normal.x() = v; }, {0, 2, nan}},
     {"plane 'ground': 'penalty'", [](Scene& s, double v) { s.rigid_planes[0].penalty = v; }, {0, -1, nan, infinity}},
     {"plane 'ground': 'penalty_scale'", [](Scene& s, double v) { s.rigid_planes[0].penalty_scale = v; }, {0, -1, nan}},
+    {"plane 'ground': 'method'", [](Scene& s, double v) {
+       s.rigid_planes[0].method = static_cast<contact::Method>(static_cast<int>(v)); }, {-1, 2}},
+    {"plane 'ground': 'restitution'", [](Scene& s, double v) { s.rigid_planes[0].restitution = v; }, {-1, 2, nan}},
     {"plane 'ground': 'friction'", [](Scene& s, double v) { s.rigid_planes[0].friction.coefficient = v; }, {-1, nan}},
     {"plane 'ground': 'energy_gain_limit'", [](Scene& s, double v) { s.rigid_planes[0].energy_gain_limit = v; }, {0, nan}},
     {"load 'push': 'kind'", [](Scene& s, double v) { s.loads[0].kind = static_cast<LoadKind>(static_cast<int>(v)); }, {-1, 9}},
