@@ -75,7 +75,7 @@ bool make(const Interface& interface, const Motion& m, const Multipliers& all, c
 /// What follows from these; false where constraints hold all its nodes.
 ///
 /// pressed  [N] by all conditions of the contactor in the step before;  held  [J] by it
-bool complete(const Motion& m, const Parts& part, const Vectors& free, int nodes, double pressed, double held, Condition& c) {
+bool complete(const Motion& m, const Vectors& free, int nodes, double pressed, double held, Condition& c) {
   c.per_mass = c.before = c.free = 0;
   for (int j = 0; j < nodes; ++j) {
     const Index node = c.node[j];
@@ -87,7 +87,7 @@ bool complete(const Motion& m, const Parts& part, const Vectors& free, int nodes
   }
   const double closing = (c.gap > 0 ? -c.gap : -corrected * c.gap) / m.next, impulse = 0.5 * pressed * (m.dt + m.next);
   const double from_held = impulse > 0 ? held / impulse : 0;
-  c.least = std::min(closing, (from_held - part.before * c.before) / part.after);
+  c.least = std::min(closing, 2 * from_held - c.before);
   return c.per_mass > 1e-9 / m.mass(c.node[0]);
 }
 
@@ -158,8 +158,7 @@ void look_ahead(const Subset& nodes, const Motion& m, Multipliers& all) {
   }
 }
 
-void find_conditions(const Interface& interface, const Motion& m, const Parts& part, Memory& memory, Workspace& workspace,
-                     Multipliers& all) {
+void find_conditions(const Interface& interface, const Motion& m, Memory& memory, Workspace& workspace, Multipliers& all) {
   const double h = 0.5 * (m.dt + m.next);
   for (Near& near : memory.near) near.pressed = near.element.closed && m.dt > 0 ? near.element.apex.norm() : 0;
   find(interface, m, memory, workspace, all);
@@ -169,7 +168,7 @@ void find_conditions(const Interface& interface, const Motion& m, const Parts& p
       Stencil& stencil = near.element.stencil[s];
       Condition c;
       const bool counts = !std::isnan(stencil.level) && make(interface, m, all, near, stencil, near.element.has_moment, c) &&
-                          complete(m, part, all.velocity, 4, near.pressed, memory.restitution[near.apex].held, c);
+                          complete(m, all.velocity, 4, near.pressed, memory.restitution[near.apex].held, c);
       if (!counts) {
         stencil.apex = 0, stencil.weight = {}, stencil.push.setZero();
         continue;
@@ -200,7 +199,7 @@ void find_conditions(const Interface& interface, const Motion& m, const Parts& p
     if (memory.slot[a] < 0 && memory.restitution[a].held > 0) discard(memory.restitution[a], memory.impact);
 }
 
-void find_conditions(const RigidPlane& plane, const Motion& m, const Parts& part, PlaneMemory& memory, Multipliers& all) {
+void find_conditions(const RigidPlane& plane, const Motion& m, PlaneMemory& memory, Multipliers& all) {
   for (std::size_t i = 0; i < plane.nodes.size(); ++i) {
     const Index node = plane.nodes[i];
     Condition c;
@@ -208,7 +207,7 @@ void find_conditions(const RigidPlane& plane, const Motion& m, const Parts& part
     c.gap = (m.x.col(node) - plane.point).dot(plane.normal);
     const auto first = static_cast<Index>(all.conditions.size());
     const bool far = c.gap > 0 && m.next * -plane.normal.dot(all.velocity.col(node)) < c.gap && !(memory.force[i] > 0);
-    if (far || !complete(m, part, all.velocity, 1, m.dt > 0 ? memory.force[i] : 0, memory.restitution[i].held, c)) {
+    if (far || !complete(m, all.velocity, 1, m.dt > 0 ? memory.force[i] : 0, memory.restitution[i].held, c)) {
       discard(memory.restitution[i], memory.impact);
       memory.next_force[i] = 0;
       if (!memory.next_friction.empty()) memory.next_friction[i].setZero();
@@ -254,13 +253,13 @@ void apply_changes(const Motion& m, Multipliers& all) {
   }
 }
 
-void find_work(const Motion& m, const Parts& part, Multipliers& all) {
+void find_work(const Motion& m, Multipliers& all) {
   for (Contactor& one : all.contactors) {
     one.work = 0;
     for (Index i = one.first; i < one.last; ++i)
-      one.work += work(all.conditions[i], part, rate(all.conditions[i], one.nodes, all.velocity));
+      one.work += work(all.conditions[i], rate(all.conditions[i], one.nodes, all.velocity));
   }
-  for (FrictionCondition& condition : all.frictions) condition.work = work(condition, part, rate(condition, m, all));
+  for (FrictionCondition& condition : all.frictions) condition.work = work(condition, rate(condition, m, all));
 }
 
 }  // namespace nereid::contact

@@ -27,10 +27,14 @@ struct Motion {
   double dt, next;         ///< [s] of the step that led to t, of that which begins there
 };
 
-/// The parts of a step before and after t: the work of an impulse is J (before v_b + after v).
-struct Parts {
-  double before, after;
-};
+/// The share of an impulse at t that acts in the half step which begins there. [-]
+inline double share_to_come(const Motion& m) { return m.next / (m.dt + m.next); }
+
+/// The mean of a velocity over the half step that begins at t, `before` in the step that ends there and `after` in the next.
+template <class Value>
+Value mean_to_come(const Value& before, const Value& after, double share) {
+  return after - 0.5 * share * (after - before);
+}
 
 /// One condition: an apex over a feature, or a node over a rigid plane.
 struct Condition {
@@ -105,18 +109,16 @@ inline void give(const Condition& c, int nodes, double impulse, Vectors& v) {
   for (int j = 0; j < nodes; ++j) v.col(c.node[j]) += impulse * c.response[j];
 }
 
-/// The work of its impulse, with the relative velocity afterwards. [J]
-inline double work(const Condition& c, const Parts& part, double after) {
-  return c.impulse * (part.before * c.before + part.after * after);
-}
+/// The work of its impulse, with the relative velocity afterwards: the mean of both velocities, whatever the steps. [J]
+inline double work(const Condition& c, double after) { return 0.5 * c.impulse * (c.before + after); }
 
 /// The same of friction.
 inline Vec3 rate(const FrictionCondition& condition, const Motion& m, const Multipliers& all) {
   return slip_rate(condition.touch, all.velocity, all.spin, m.rotation_of_node);
 }
 
-inline double work(const FrictionCondition& condition, const Parts& part, const Vec3& after) {
-  return condition.impulse.dot(part.before * condition.before + part.after * after);
+inline double work(const FrictionCondition& condition, const Vec3& after) {
+  return 0.5 * condition.impulse.dot(condition.before + after);
 }
 
 inline void give(const FrictionCondition& condition, const Vec3& impulse, const Motion& m, Multipliers& all) {
@@ -139,8 +141,8 @@ inline double impulse_of(const Contactor& one, const Multipliers& all) {
 /// Finds the conditions of an interface or of a rigid plane, with the impulses of the step before as a first guess.
 ///
 /// Needs  look_ahead() for its nodes
-void find_conditions(const Interface&, const Motion&, const Parts&, Memory&, Workspace&, Multipliers&);
-void find_conditions(const RigidPlane&, const Motion&, const Parts&, PlaneMemory&, Multipliers&);
+void find_conditions(const Interface&, const Motion&, Memory&, Workspace&, Multipliers&);
+void find_conditions(const RigidPlane&, const Motion&, PlaneMemory&, Multipliers&);
 
 /// Sets what the nodes do in the step to come without multipliers.
 void look_ahead(const Subset& nodes, const Motion&, Multipliers&);
@@ -152,6 +154,6 @@ void apply_changes(const Motion&, Multipliers&);
 void find_change(double pressed, const Motion&, const Multipliers&, FrictionCondition&);
 
 /// The works of all impulses as they stand. [J]
-void find_work(const Motion&, const Parts&, Multipliers&);
+void find_work(const Motion&, Multipliers&);
 
 }  // namespace nereid::contact

@@ -75,7 +75,7 @@ void sweep(const Motion& m, Multipliers& all) {
 }
 
 /// Sweeps until no contactor gains energy that counts.
-void solve(const Motion& m, const Parts& part, Multipliers& all) {
+void solve(const Motion& m, Multipliers& all) {
   find_bounds(m, all);
   for (const Contactor& one : all.contactors)
     for (Index i = one.first; i < one.last; ++i)
@@ -90,7 +90,7 @@ void solve(const Motion& m, const Parts& part, Multipliers& all) {
       double sum = 0;
       for (Index i = one.first; i < one.last; ++i) {
         const Condition& c = all.conditions[i];
-        sum += work(c, part, rate(c, one.nodes, all.velocity));
+        sum += work(c, rate(c, one.nodes, all.velocity));
         exchanged += 0.5 * c.impulse * c.impulse * c.per_mass;
       }
       gained += std::max(0.0, sum);
@@ -103,34 +103,53 @@ void solve(const Motion& m, const Parts& part, Multipliers& all) {
 struct FrictionLoss {
   double all = 0, to_come = 0;
 };
-FrictionLoss friction_loss(const Motion& m, const Parts& part, Index first, Index last, const Multipliers& all) {
+FrictionLoss friction_loss(const Motion& m, Index first, Index last, const Multipliers& all) {
+  const double share = share_to_come(m);
   FrictionLoss sum;
   for (Index k = first; k < last; ++k) {
     if (all.contactors[k].friction < 0) continue;
     const FrictionCondition& friction = all.frictions[all.contactors[k].friction];
     sum.all -= friction.work;
-    sum.to_come -= part.after * friction.impulse.dot(rate(friction, m, all));
+    sum.to_come -= share * friction.impulse.dot(mean_to_come(friction.before, rate(friction, m, all), share));
   }
   return sum.all > 0 ? sum : FrictionLoss{0, sum.to_come};
 }
 
 /// Work that the normal impulses of some contactors have still to do in the half step that begins. [J]
-double work_to_come(const Parts& part, Index first, Index last, const Multipliers& all) {
+double work_to_come(const Motion& m, Index first, Index last, const Multipliers& all) {
+  const double share = share_to_come(m);
   double sum = 0;
   for (Index k = first; k < last; ++k) {
     const Contactor& one = all.contactors[k];
     for (Index i = one.first; i < one.last; ++i) {
       const Condition& c = all.conditions[i];
-      if (c.impulse > 0) sum += part.after * c.impulse * rate(c, one.nodes, all.velocity);
+      if (c.impulse > 0) sum += share * c.impulse * mean_to_come(c.before, rate(c, one.nodes, all.velocity), share);
     }
   }
   return sum;
 }
 
+/// Sum of force times acceleration of what some contactors do, friction included. [W/s]
+double power_rate(const Motion& m, Index first, Index last, const Multipliers& all) {
+  double sum = 0;
+  for (Index k = first; k < last; ++k) {
+    const Contactor& one = all.contactors[k];
+    for (Index i = one.first; i < one.last; ++i) {
+      const Condition& c = all.conditions[i];
+      if (c.impulse > 0) sum += c.impulse * (rate(c, one.nodes, all.velocity) - c.before);
+    }
+    if (one.friction < 0) continue;
+    const FrictionCondition& friction = all.frictions[one.friction];
+    sum += friction.impulse.dot(rate(friction, m, all) - friction.before);
+  }
+  const double h = 0.5 * (m.dt + m.next);
+  return sum / (h * h);
+}
+
 /// Writes impulses into the memory of an interface as forces, and books them.
-void take_over(const Interface& interface, const Motion& m, const Parts& part, double h, double t, Index first, Index last, Memory& memory,
-               Multipliers& all) {
-  const double to_come = work_to_come(part, first, last, all);
+void take_over(const Interface& interface, const Motion& m, double h, double t, Index first, Index last, Memory& memory,
+               const Multipliers& all) {
+  const double to_come = work_to_come(m, first, last, all);
   Index at = first < last ? all.contactors[first].first : 0, contactor = first;
   memory.deepest_now = 0;
   for (Near& near : memory.near) {
@@ -172,9 +191,9 @@ void take_over(const Interface& interface, const Motion& m, const Parts& part, d
 }
 
 /// The same for a rigid plane.
-void take_over(const RigidPlane& plane, const Motion& m, const Parts& part, double h, double t, Index first, Index last,
-               PlaneMemory& memory, Multipliers& all) {
-  const double to_come = work_to_come(part, first, last, all), deepest = memory.deepest;
+void take_over(const RigidPlane& plane, const Motion& m, double h, double t, Index first, Index last, PlaneMemory& memory,
+               const Multipliers& all) {
+  const double to_come = work_to_come(m, first, last, all), deepest = memory.deepest;
   std::size_t i = 0;
   for (Index k = first; k < last; ++k) {
     const Condition& c = all.conditions[all.contactors[k].first];
@@ -208,7 +227,7 @@ bool is_back_pass(const Interface& interface) { return interface.pass == Pass::b
 bool is_back_pass(const RigidPlane&) { return false; }
 
 /// Finds the conditions of all contacts by multipliers, their impulses, and the work of these.
-void find_impulses(const Acting& acting, const Motion& m, const Parts& part, std::span<Workspace> workspaces, Multipliers& all) {
+void find_impulses(const Acting& acting, const Motion& m, std::span<Workspace> workspaces, Multipliers& all) {
   all.conditions.clear();
   all.contactors.clear();
   all.frictions.clear();
@@ -221,15 +240,15 @@ void find_impulses(const Acting& acting, const Motion& m, const Parts& part, std
   for (const RigidPlane& plane : acting.planes)
     if (by_multipliers(plane)) look_ahead(plane.nodes, m, all);
   for (std::size_t i = 0; i < acting.interfaces.size(); ++i) {
-    if (by_multipliers(acting.interfaces[i])) find_conditions(acting.interfaces[i], m, part, acting.memories[i], workspaces[i], all);
+    if (by_multipliers(acting.interfaces[i])) find_conditions(acting.interfaces[i], m, acting.memories[i], workspaces[i], all);
     all.first[i + 1] = static_cast<Index>(all.contactors.size());
   }
   for (std::size_t p = 0; p < acting.planes.size(); ++p) {
-    if (by_multipliers(acting.planes[p])) find_conditions(acting.planes[p], m, part, acting.of_planes[p], all);
+    if (by_multipliers(acting.planes[p])) find_conditions(acting.planes[p], m, acting.of_planes[p], all);
     all.first[acting.interfaces.size() + p + 1] = static_cast<Index>(all.contactors.size());
   }
-  solve(m, part, all);
-  find_work(m, part, all);
+  solve(m, all);
+  find_work(m, all);
 }
 
 /// Gives the nodes the impulse of a condition, and books where they are what moment this has.
@@ -255,7 +274,7 @@ void stop_at_start(std::span<const Interface> interfaces, std::span<const RigidP
                    std::span<Memory> memories, std::span<PlaneMemory> of_planes, std::span<Workspace> workspaces, Multipliers& all,
                    Vectors& impulse) {
   const Acting acting{interfaces, planes, memories, of_planes};
-  find_impulses(acting, m, {0.5, 0.5}, workspaces, all);
+  find_impulses(acting, m, workspaces, all);
   acting.for_each([&](std::size_t at, const auto&, auto& memory) {
     const Index first = all.first[at], last = all.first[at + 1];
     for (Index k = first; k < last; ++k) {
@@ -274,17 +293,16 @@ void stop_at_start(std::span<const Interface> interfaces, std::span<const RigidP
 void enforce(std::span<const Interface> interfaces, std::span<const RigidPlane> planes, const Motion& m, double t,
              std::span<Memory> memories, std::span<PlaneMemory> of_planes, std::span<Workspace> workspaces, Multipliers& all) {
   const double h = 0.5 * (m.dt + m.next);
-  const Parts part{0.5 * m.dt / h, 0.5 * m.next / h};
   const Acting acting{interfaces, planes, memories, of_planes};
   for (std::size_t i = 0; i < interfaces.size(); ++i)
     if (by_multipliers(interfaces[i])) book_half(interfaces[i], m, -m.dt, memories[i]);
-  find_impulses(acting, m, part, workspaces, all);
-  if (m.dt > 0) release(m, part, t, all);
+  find_impulses(acting, m, workspaces, all);
+  if (m.dt > 0) release(m, t, all);
   std::vector<Pool>& pools = all.pools;
   pools.clear();
   acting.for_each([&](std::size_t at, const auto& contact, auto& memory) {
     const Index first = all.first[at], last = all.first[at + 1];
-    const FrictionLoss friction = friction_loss(m, part, first, last, all);
+    const FrictionLoss friction = friction_loss(m, first, last, all);
     memory.friction_dissipated += friction.all;
     memory.friction_to_come = friction.to_come;
     memory.impact += update_restitution(m, t, first, last, all);
@@ -295,7 +313,11 @@ void enforce(std::span<const Interface> interfaces, std::span<const RigidPlane> 
   balance(pools, all);
   drop_deficits(0, static_cast<Index>(all.contactors.size()), all);
   acting.for_each([&](std::size_t at, const auto& contact, auto& memory) {
-    take_over(contact, m, part, h, t, all.first[at], all.first[at + 1], memory, all);
+    const Index first = all.first[at], last = all.first[at + 1];
+    take_over(contact, m, h, t, first, last, memory, all);
+    const double rate_now = power_rate(m, first, last, all);
+    memory.work += m.dt * m.dt / 8 * (rate_now - memory.power_rate);
+    memory.power_rate = rate_now;
   });
 }
 

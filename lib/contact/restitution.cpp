@@ -19,20 +19,18 @@ Condition& hardest(const Contactor& one, Multipliers& all) {
   return all.conditions[best];
 }
 
-/// What one more impulse d of each condition adds to the energy, at most the sum of  d (B + a A d),  where the changes of all other
+/// What one more impulse d of each condition adds to the energy, at most the sum of  d (B + A/2 d),  where the changes of all other
 /// conditions are in v - v_free and A bounds what they change in each other.
 struct Gain {
-  double B, aA;
-  double of(double d) const { return d * (B + aA * d); }
-  double impulse_for(double energy) const { return std::max(0.0, (-B + std::sqrt(std::max(0.0, B * B + 4 * aA * energy))) / (2 * aA)); }
+  double B, A;
+  double of(double d) const { return d * (B + 0.5 * A * d); }
+  double impulse_for(double energy) const { return std::max(0.0, (-B + std::sqrt(std::max(0.0, B * B + 2 * A * energy))) / A); }
 };
-Gain gain(const Condition& c, const Parts& part, double after) {
-  return {part.before * c.before + part.after * (2 * after - c.free), part.after * c.bound};
-}
+Gain gain(const Condition& c, double after) { return {0.5 * (c.before - c.free) + after, c.bound}; }
 
 }  // namespace
 
-void release(const Motion& m, const Parts& part, double t, Multipliers& all) {
+void release(const Motion& m, double t, Multipliers& all) {
   const double h = 0.5 * (m.dt + m.next);
   bool any = false;
   for (FrictionCondition& condition : all.frictions) condition.change.setZero();
@@ -47,7 +45,7 @@ void release(const Motion& m, const Parts& part, double t, Multipliers& all) {
     if (pressed > 0 && pressed >= own) continue;
     const double time = 1 / (c.per_mass * one.impedance);
     if (pressed > 0 && (t - memory.last_loss < time - 0.5 * h || memory.mean_force >= own)) continue;
-    const Gain by = gain(c, part, rate(c, one.nodes, all.velocity));
+    const Gain by = gain(c, rate(c, one.nodes, all.velocity));
     if (by.B < 0) continue;  // on its way in
     c.change = by.impulse_for(one.square * left);
     one.lost = (1 - one.square) * left;
@@ -61,7 +59,7 @@ void release(const Motion& m, const Parts& part, double t, Multipliers& all) {
       for (Index i = one.first; i < one.last; ++i) {
         Condition& c = all.conditions[i];
         const double after = rate(c, one.nodes, all.velocity);
-        const Gain by = gain(c, part, after);
+        const Gain by = gain(c, after);
         const double left = std::max(0.0, one.memory->held - one.work - one.lost);
         c.change = std::max(0.0, (c.least - after) / c.bound);
         if (c.change > 0 && by.of(c.change) > left) c.change = by.impulse_for(left);
@@ -75,7 +73,7 @@ void release(const Motion& m, const Parts& part, double t, Multipliers& all) {
       if (one.friction >= 0) find_change(impulse_of(one, all), m, all, all.frictions[one.friction]);
     apply_changes(m, all);
   }
-  find_work(m, part, all);
+  find_work(m, all);
 }
 
 double update_restitution(const Motion& m, double t, Index first, Index last, Multipliers& all) {

@@ -6,7 +6,7 @@
 namespace nereid::contact {
 
 /// Gives back what released contactors hold: those without a force, or with one that only what they hold could make.
-void release(const Motion&, const Parts&, double t, Multipliers&);
+void release(const Motion&, double t, Multipliers&);
 
 /// Brings what is held up to date with the works of the step.
 ///

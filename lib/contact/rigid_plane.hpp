@@ -37,6 +37,7 @@ struct PlaneMemory {
   double tangential_stored = 0, friction_dissipated = 0;  ///< [J] stored by the elastic stick, dissipated by friction
   double transferred = 0;               ///< [J] of what multipliers have taken here, that other contacts hold
   double impact = 0;                    ///< [J] kinetic energy lost as multipliers stopped nodes
+  double power_rate = 0;                ///< [W/s] force times acceleration of multipliers, see Memory
   double deepest = 0;                   ///< [m] penetration of any node since the start, not negative
   Index deepest_node = -1;              ///< where that was, -1 before any contact
   double deepest_time = 0;              ///< [s] when; set by the caller of advance()

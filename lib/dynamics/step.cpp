@@ -144,6 +144,14 @@ void gather(const Model& model, const State& now, Forces& f) {
   for (std::size_t l = 0; l < model.loads.size(); ++l) load::add_forces(model.loads[l], now.loads[l], f.force, f.moment);
 }
 
+/// What f.f/m has of contacts by multipliers, which book it as their own work. [W/s]
+double power_rate_of_multipliers(const State& now) {
+  double sum = 0;
+  for (const contact::Memory& memory : now.interfaces) sum += memory.power_rate;
+  for (const contact::PlaneMemory& memory : now.rigid_planes) sum += memory.power_rate;
+  return sum;
+}
+
 /// Angular impulse of gravity over a step, by the trapezoid rule: the centre of mass in its middle.
 void post_moment_of_gravity(const Model& model, double dt, State& now) {
   if (model.gravity.isZero(0)) return;
@@ -233,7 +241,8 @@ void open_ledger(const Model& model, State& now) {
 }  // namespace
 
 const Votes& step(const Model& model, double dt, const Pace& pace, State& now, Forces& f) {
-  const double before = kick(model, dt / 2, now.t + dt / 2, Half::first, now, f);  // v at the half step
+  const double of_multipliers = power_rate_of_multipliers(now);
+  const double before = kick(model, dt / 2, now.t + dt / 2, Half::first, now, f) - of_multipliers;  // v at the half step
   load::find_impacts(model.constraints, model.mass, now.x, f.force, dt, now.v, now.constraints);
   f.dx = dt * now.v;
   f.rotation = dt * now.omega;
@@ -245,7 +254,7 @@ const Votes& step(const Model& model, double dt, const Pace& pace, State& now, F
   gather(model, now, f);
   enforce(model, dt, pace, now, f);
   load::finish_impacts(model.constraints, model.mass, now.x, f.force, dt, now.v, now.constraints);
-  const double after = kick(model, dt / 2, now.t, Half::second, now, f);  // v at t + dt
+  const double after = kick(model, dt / 2, now.t, Half::second, now, f) - power_rate_of_multipliers(now);  // v at t + dt
   now.ledger.integration += dt * dt / 8 * (after - before);
   if (now.step > 0) now.ledger.integration_kept -= (dt * dt - now.dt * now.dt) / 8 * before;
   now.dt = dt;

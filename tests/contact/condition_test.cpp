@@ -44,7 +44,7 @@ struct Setting {
     const Motion m = motion(dt);
     look_ahead(scene.interface.apexes, m, all);
     look_ahead(scene.interface.base_nodes, m, all);
-    find_conditions(scene.interface, m, {0.5, 0.5}, scene.memory, scene.workspace, all);
+    find_conditions(scene.interface, m, scene.memory, scene.workspace, all);
     EXPECT_EQ(all.conditions.size(), 1U);
     return all.conditions[0];
   }

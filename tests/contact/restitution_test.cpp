@@ -38,12 +38,11 @@ struct Setting {
   Multipliers make_multipliers(Index nodes) const { return contact::make_multipliers({}, {}, nodes, 0); }
   Motion motion() const { return {x, v, none, none, none, mass, no_inertia, turns, allowed, no_rotations, 1e-3, 1e-3}; }
 };
-constexpr Parts halves{0.5, 0.5};
 
 TEST(Restitution, IsGivenBackToTheLastBitOfEnergyAtRelease) {
   for (const double coefficient : {1.0, 0.5, 0.0}) {
     Setting at({0.375}, coefficient * coefficient);
-    release(at.motion(), halves, 1, at.all);
+    release(at.motion(), 1, at.all);
     const double given = coefficient * coefficient * 0.375, speed = at.all.velocity(2, 0);
     EXPECT_NEAR(0.5 * at.all.conditions[0].impulse * (1 + speed), given, 1e-15);  // the work of the impulse
     EXPECT_NEAR(update_restitution(at.motion(), 1, 0, 1, at.all), 0.375 - given, 1e-15);
@@ -57,7 +56,7 @@ TEST(Restitution, StaysWithANodeThatIsPressedOrOnItsWayIn) {
   entering.all.conditions[0].before = -1, entering.all.conditions[0].free = -1, entering.all.velocity(2, 0) = -1;
   for (Setting* at : {&pressed, &entering}) {
     const Vectors before = at->all.velocity;
-    release(at->motion(), halves, 1, at->all);
+    release(at->motion(), 1, at->all);
     EXPECT_EQ((at->all.velocity - before).norm(), 0);
   }
 }
@@ -66,7 +65,7 @@ TEST(Restitution, IsGivenBackWithoutAForceWhateverTheImpedance) {
   for (const double impedance : {0.0, 1.0, std::numeric_limits<double>::infinity()}) {
     Setting at({0.375});
     at.all.contactors[0].impedance = impedance;
-    release(at.motion(), halves, 1, at.all);
+    release(at.motion(), 1, at.all);
     EXPECT_NEAR(at.all.contactors[0].work, 0.375, 1e-15);
   }
 }

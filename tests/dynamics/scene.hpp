@@ -94,7 +94,7 @@ inline std::vector<std::pair<std::string, std::vector<double>>> numbers(const St
       add(f.touch.apex, f.touch.base_rotates);
     }
     add(c.work, c.damped, c.friction_dissipated, c.created_by_reconnection, c.deepest, c.deepest_apex, c.deepest_time, c.walks);
-    add(c.lost, c.recovered, c.impact, c.transferred, c.held, c.friction_to_come);
+    add(c.lost, c.recovered, c.impact, c.transferred, c.held, c.power_rate, c.friction_to_come);
     for (const contact::Restitution& r : c.restitution) add(r.held, r.mean_force, r.last_loss);
     add(c.searches, c.deepest_now, c.margin), all(c.apexes_then), all(c.base_then), all(c.mean_way);
   }
@@ -103,7 +103,7 @@ inline std::vector<std::pair<std::string, std::vector<double>>> numbers(const St
         add(p.work, p.stored, p.tangential_stored, p.friction_dissipated, p.deepest, p.deepest_node, p.deepest_time);
     for (const Vec3& slip : p.slip) all(slip);
     for (const Vec3& force : p.friction) all(force);
-    add(p.impact, p.transferred, p.friction_to_come);
+    add(p.impact, p.transferred, p.power_rate, p.friction_to_come);
     for (const contact::Restitution& r : p.restitution) add(r.held, r.mean_force, r.last_loss);
   }
   part("constraints");
