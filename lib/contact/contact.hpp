@@ -175,7 +175,7 @@ struct Memory {
   double impact = 0;                        ///< [J] kinetic energy lost as multipliers stopped nodes
   double transferred = 0;                   ///< [J] of what multipliers have taken here, that other contacts hold
   double held = 0;                          ///< [J] what multipliers hold, with their work in the half step that begins
-  double power_rate = 0;                    ///< [W/s] force times acceleration of multipliers: dt^2/8 of it is their work, not `integration`
+  double power_rate = 0;                    ///< [W/s] force times acceleration of multipliers: dt^2/8 of it is their work
   double created_by_reconnection = 0;       ///< [J] created in steps in which the apex changed its base
   /// [N m s] about the origin: what weights of the paper lose, what the mirror images of bases at a symmetry plane give, and what
   /// pushes leave that are found by iteration; else zero.

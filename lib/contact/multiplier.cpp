@@ -94,6 +94,10 @@ void solve(const Motion& m, Multipliers& all) {
         exchanged += 0.5 * c.impulse * c.impulse * c.per_mass;
       }
       gained += std::max(0.0, sum);
+      if (one.friction < 0) continue;
+      const FrictionCondition& friction = all.frictions[one.friction];
+      gained += std::max(0.0, work(friction, rate(friction, m, all)));
+      exchanged += 0.5 * friction.impulse.squaredNorm() * friction.per_mass;
     }
     if (!(gained > may_gain * exchanged)) return;
   }

@@ -154,7 +154,7 @@ std::vector<std::string> energy_notes(const Simulation& simulation) {
   }
   look("time integration", ledger.worst_kept, "of the scene", limit);
   const double swing = dynamics::swing_part(ledger);
-  if (swing > worth_a_warning * limit && !(std::abs(ledger.worst_kept) > worth_a_warning * limit))  // one of both is said
+  if (swing > limit && !(std::abs(ledger.worst_kept) > worth_a_warning * limit))  // one of both is said; what swings comes back
     notes.push_back(row("time integration: the kinetic energy swung by %.2g of the energy of the scene; it goes with the square of the "
                         "step",
                         swing));
