@@ -15,21 +15,8 @@
 
 #include "drivers/driver.hpp"
 #include "dynamics/displace.hpp"
-#include "model/values.hpp"
 
 using namespace nereid;
-
-/// A rigid plane has fewer keys than an interface: how hard it is, how rough, and what a bounce may create.
-model::RigidPlane read_plane(const input::Section& section) {
-  const bool given = section.has("penalty");
-  model::RigidPlane plane{.name = "contact", .surface = "block.z_low", .at = "contact"};
-  const double penalty = section.when(given).quantity("penalty", dim::penalty, input::positive);
-  if (given) plane.penalty = penalty;
-  plane.penalty_scale = section.when(!given).number_or("penalty_scale", plane.penalty_scale, input::positive);
-  plane.friction = input::read_friction(section);
-  plane.energy_gain_limit = section.number_or("energy_gain_limit", plane.energy_gain_limit, model::range::energy_gain_limit);
-  return plane;
-}
 
 /// A body from its lowest corner on.
 model::Body box(const std::string& name, const std::array<double, 3>& size, const std::array<int, 3>& cells, const Vec3& low) {
@@ -45,16 +32,22 @@ load::OverSpace eased(double pull, double ease) {
   };
 }
 
+/// By how much the sole stands in the base under a pressure [Pa]. [m]
+double overlap(const dynamics::Model& model, double pressure) {
+  if (contact::any_by_multipliers(model.interfaces, model.rigid_planes)) return 0;
+  return pressure / (model.rigid_planes.empty() ? model.interfaces[0].penalty * static_cast<double>(model.interfaces.size())
+                                                : model.rigid_planes[0].penalty);
+}
+
 /// The block starts where its weight has pressed it: its sole in the base by weight over penalty, and itself
 /// shortened as a column is. Exact for poisson = 0; otherwise what is left is a small bounce.
 void press(double weight, double height, double young, model::Simulation& simulation) {
   const dynamics::Model& model = simulation.model;
-  const double penalty = model.rigid_planes.empty() ? model.interfaces[0].penalty * static_cast<double>(model.interfaces.size())
-                                                    : model.rigid_planes[0].penalty;
+  const double sole = -overlap(model, weight * height);
   Vectors u = Vectors::Zero(3, model.mesh.X.cols());
   for (const Index node : mesh::node_set(model.mesh, "block")) {
     const double z = model.mesh.X(2, node);
-    u(2, node) = -weight * height / penalty - weight / young * (height * z - z * z / 2);
+    u(2, node) = sole - weight / young * (height * z - z * z / 2);
   }
   dynamics::displace(model, simulation.state, u, {});
 }
@@ -118,7 +111,8 @@ model::Simulation build(const input::CaseFile& file) {
                        .interface = input::read_solid_interface(contact), .at = "contact"}};
   } else {
     input::read_solid_interface(contact.when(false));  // keys of the other kind are checked too
-    scene.rigid_planes = {read_plane(contact)};
+    scene.rigid_planes = {{.name = "contact", .surface = "block.z_low", .at = "contact"}};
+    input::read_rigid_contact(contact, scene.rigid_planes[0]);
   }
   for (model::Body& body : scene.bodies) body.law = law, body.solid = element;
   scene.gravity = gravity * Vec3(0, 0, -std::cos(slope));

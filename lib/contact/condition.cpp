@@ -183,6 +183,7 @@ void find_conditions(const Interface& interface, const Motion& m, Memory& memory
       discard(restitution, memory.impact);
       continue;
     }
+    const double area = interface.area(near.apex);
     Index friction = -1;
     if (interface.friction.coefficient > 0 && m.dt > 0) {
       const Feature below{facet_below(near.element), geometry::Kind::facet, 0};
@@ -192,7 +193,7 @@ void find_conditions(const Interface& interface, const Motion& m, Memory& memory
       all.frictions.push_back(friction_on(touch, interface.friction.coefficient, force, m));
     }
     all.contactors.push_back({.memory = &restitution, .first = first, .last = last, .nodes = 4, .friction = friction,
-                              .impedance = interface.pass_factor * interface.impedance * interface.area(near.apex),
+                              .area = area, .impedance = interface.pass_factor * interface.impedance * area,
                               .square = interface.restitution * interface.restitution});
   }
   for (std::size_t a = 0; a < memory.restitution.size(); ++a)
@@ -213,6 +214,7 @@ void find_conditions(const RigidPlane& plane, const Motion& m, PlaneMemory& memo
       if (!memory.next_friction.empty()) memory.next_friction[i].setZero();
       continue;
     }
+    const double area = plane.area(static_cast<Eigen::Index>(i));
     c.impulse = memory.force[i] * 0.5 * (m.dt + m.next);
     all.conditions.push_back(c);
     Index friction = -1;
@@ -223,7 +225,7 @@ void find_conditions(const RigidPlane& plane, const Motion& m, PlaneMemory& memo
       all.frictions.push_back(friction_on(touch, plane.friction.coefficient, memory.friction[i], m));
     }
     all.contactors.push_back({.memory = &memory.restitution[i], .first = first, .last = first + 1, .nodes = 1, .friction = friction,
-                              .impedance = plane.impedance * plane.area(static_cast<Eigen::Index>(i)),
+                              .area = area, .impedance = plane.impedance * area,
                               .square = plane.restitution * plane.restitution});
   }
 }

@@ -68,6 +68,7 @@ struct Contactor {
   Index first, last;     ///< its conditions
   int nodes;             ///< of each condition
   Index friction;        ///< in Multipliers::frictions, or -1
+  double area;           ///< [m2] tributary
   double impedance;      ///< [N s/m] of its area
   double square;         ///< [-] of the coefficient of restitution
   double work = 0;       ///< [J] of its impulses in this step
@@ -86,7 +87,7 @@ struct Multipliers {
   Vectors way;          ///< [m/s] [nodes] mean velocity from the start of the step that led to t up to there
   Vectors velocity;     ///< [m/s] [nodes] in the step to come, with the impulses so far
   Vectors spin;         ///< [rad/s] [plate nodes] the same of angular velocities
-  Scalars shared;       ///< [-] [nodes] sum of the weights of all conditions
+  Scalars shared;       ///< [m2] [nodes] sum of the weights of all conditions times their areas
   std::vector<Condition> conditions;
   std::vector<FrictionCondition> frictions;
   std::vector<Contactor> contactors;

@@ -33,19 +33,22 @@ void book_half(const Interface& interface, const Motion& m, double later, Memory
 
 /// Bounds of what all impulses together change in each rate: a sweep by them overshoots nowhere, whatever the order.
 ///
-///     sum over the nodes of |w| S |P n| / m,   S = sum of |w| of all conditions at the node
+///     1/a  sum over the nodes of |w| S |P n| / m,   S = sum of |w| a of all conditions at the node
+///
+/// with any a > 0 (Gershgorin's circles of the matrix with rows and columns scaled). Impulses go with the areas, so these are good, and
+/// half a body on its symmetry plane has nearly the sweeps of the whole one.
 void find_bounds(const Motion& m, Multipliers& all) {
   for (const Contactor& one : all.contactors)
     for (Index i = one.first; i < one.last; ++i)
       for (int j = 0; j < one.nodes; ++j) all.shared(all.conditions[i].node[j]) = 0;
   for (const Contactor& one : all.contactors)
     for (Index i = one.first; i < one.last; ++i)
-      for (int j = 0; j < one.nodes; ++j) all.shared(all.conditions[i].node[j]) += std::abs(all.conditions[i].weight[j]);
+      for (int j = 0; j < one.nodes; ++j) all.shared(all.conditions[i].node[j]) += one.area * std::abs(all.conditions[i].weight[j]);
   for (const Contactor& one : all.contactors) {
     for (Index i = one.first; i < one.last; ++i) {
       Condition& c = all.conditions[i];
       c.bound = 0;
-      for (int j = 0; j < one.nodes; ++j) c.bound += c.response[j].norm() * all.shared(c.node[j]);
+      for (int j = 0; j < one.nodes; ++j) c.bound += c.response[j].norm() * all.shared(c.node[j]) / one.area;
     }
     if (one.friction < 0) continue;
     FrictionCondition& condition = all.frictions[one.friction];
@@ -53,7 +56,7 @@ void find_bounds(const Motion& m, Multipliers& all) {
     double alone = 0, together = 0;
     for (int j = 0; j < one.nodes; ++j) {
       alone += c.weight[j] * c.weight[j] / m.mass(c.node[j]);
-      together += std::abs(c.weight[j]) * all.shared(c.node[j]) / m.mass(c.node[j]);
+      together += std::abs(c.weight[j]) * all.shared(c.node[j]) / (one.area * m.mass(c.node[j]));
     }
     condition.bound = condition.per_mass * together / alone;
   }

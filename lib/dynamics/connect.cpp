@@ -145,7 +145,7 @@ Connected connect_one_pass(Model& model, const std::string& name, const std::str
   contact::Interface interface;
   interface.name = name;
   interface.kind = options.kind;
-  interface.method = options.method;
+  interface.method = options.kind == contact::InterfaceKind::bonded ? contact::Method::penalty : options.method;
   interface.base = contact::base_surface(base, model.mesh.X);
   interface.own = contact::fans(apexes.facets, static_cast<Index>(model.mesh.X.cols()));
   interface.apexes = mesh::surface_nodes(apexes);
@@ -163,7 +163,7 @@ Connected connect_one_pass(Model& model, const std::string& name, const std::str
   interface.impedance = 1 / (1 / surface_impedance(model, apexes) + 1 / surface_impedance(model, base));
   const double depths[] = {surface_depth(model, apexes), surface_depth(model, base)};
   interface.depth = depths[0] > 0 && depths[1] > 0 ? std::min(depths[0], depths[1]) : std::max(depths[0], depths[1]);
-  interface.release_height = options.method == contact::Method::multiplier ? contact::multipliers_reach * interface.depth : 0;
+  interface.release_height = contact::by_multipliers(interface) ? contact::multipliers_reach * interface.depth : 0;
   interface.margin = std::sqrt(2 * interface.facet_area.mean());  // about the side of a face: a search costs as much as some steps
   interface.longest_step = element_step(model);
   interface.friction = options.friction;

@@ -18,18 +18,18 @@ enum class PenaltyFrom {
 /// How an interface is wanted.
 struct InterfaceOptions {
   contact::InterfaceKind kind = contact::InterfaceKind::contact;
-  contact::Method method = contact::Method::penalty;
+  contact::Method method = contact::Method::multiplier;  ///< of a contact: bonds have a penalty
   double restitution = 1;     ///< [-] of nodes that multipliers stop
   PenaltyFrom penalty_from = PenaltyFrom::stiffness;
   double penalty = 0;         ///< [Pa/m] where it is given
   double penalty_scale = 20;  ///< [-] chosen penalty over the stiffness of the softer side
   double step_share = 1;      ///< [-] of the elements' first step, to which a penalty from masses is made
-  contact::Coulomb friction;
+  contact::Coulomb friction = {};
   bool two_passes = false;   ///< each surface has apexes over the other, with half the penalty each
   double damping_ratio = 0;  ///< [-] of an apex on its base, over the critical damping of the stiffest pair
   contact::Weights weights = contact::Weights::consistent;
   contact::Area area = contact::Area::apex;
-  contact::ContactHeight height;
+  contact::ContactHeight height = {};
   contact::InitialPenetration initial_penetration = contact::InitialPenetration::refuse;
   double energy_gain_limit = 0.005;  ///< [-] bound on the energy of a single bounce
 };

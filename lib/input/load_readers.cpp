@@ -90,19 +90,8 @@ void read_motion(const Section& section, bool held, bool driven, model::Plane& p
 
 /// What a rigid plane has beside name, point and normal.
 void read_wall(const Section& section, bool rigid, model::RigidPlane& plane) {
-  const Section if_rigid = section.when(rigid);
-  const model::RigidPlane usual;
-  plane.surface = if_rigid.word("surface");
-  const bool multiplier = if_rigid.choice_or("method", "penalty", {"penalty", "multiplier"}) == "multiplier" && rigid;
-  plane.method = multiplier ? contact::Method::multiplier : contact::Method::penalty;
-  plane.restitution = if_rigid.when(multiplier).number_or("restitution", usual.restitution, model::range::restitution);
-  const Section by_penalty = if_rigid.when(!multiplier);
-  const bool given = !multiplier && section.has("penalty");
-  plane.penalty_scale = by_penalty.when(!given).number_or("penalty_scale", usual.penalty_scale, positive);
-  plane.friction = read_friction(if_rigid, multiplier);
-  plane.energy_gain_limit = by_penalty.number_or("energy_gain_limit", usual.energy_gain_limit, model::range::energy_gain_limit);
-  const double penalty = by_penalty.when(given).quantity("penalty", dim::penalty, positive);
-  if (given) plane.penalty = penalty;
+  plane.surface = section.when(rigid).word("surface");
+  read_rigid_contact(section.when(rigid), plane);
 }
 
 load::PlaneKind plane_kind(const std::string& word) {

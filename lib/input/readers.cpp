@@ -98,6 +98,11 @@ element::Plate::Options read_plate_options(const Section& section) {
   return options;
 }
 
+namespace {
+
+bool read_method(const Section& section) { return section.choice_or("method", "multiplier", {"multiplier", "penalty"}) == "multiplier"; }
+
+/// `friction` [-] and, where it is not zero and not found by multipliers, `tangential_penalty` in (0, 1]; both optional.
 contact::Coulomb read_friction(const Section& section, bool multiplier) {
   contact::Coulomb friction;
   friction.coefficient = section.number_or("friction", friction.coefficient, model::range::friction);
@@ -106,12 +111,27 @@ contact::Coulomb read_friction(const Section& section, bool multiplier) {
   return friction;
 }
 
+}  // namespace
+
+void read_rigid_contact(const Section& section, model::RigidPlane& plane) {
+  const bool multiplier = read_method(section);
+  plane.method = multiplier ? contact::Method::multiplier : contact::Method::penalty;
+  plane.restitution = section.when(multiplier).number_or("restitution", plane.restitution, model::range::restitution);
+  const Section by_penalty = section.when(!multiplier);
+  const bool given = !multiplier && section.has("penalty");
+  plane.penalty_scale = by_penalty.when(!given).number_or("penalty_scale", plane.penalty_scale, positive);
+  plane.friction = read_friction(section, multiplier);
+  plane.energy_gain_limit = by_penalty.number_or("energy_gain_limit", plane.energy_gain_limit, model::range::energy_gain_limit);
+  const double penalty = by_penalty.when(given).quantity("penalty", dim::penalty, positive);
+  if (given) plane.penalty = penalty;
+}
+
 dynamics::InterfaceOptions read_solid_interface(const Section& section) {
   using dynamics::PenaltyFrom;
   dynamics::InterfaceOptions options;
   const bool bonded = section.choice_or("kind", "contact", {"contact", "bonded"}) == "bonded";
   options.kind = bonded ? contact::InterfaceKind::bonded : contact::InterfaceKind::contact;
-  const bool multiplier = section.when(!bonded).choice_or("method", "penalty", {"penalty", "multiplier"}) == "multiplier" && !bonded;
+  const bool multiplier = read_method(section.when(!bonded)) && !bonded;
   options.method = multiplier ? contact::Method::multiplier : contact::Method::penalty;
   options.restitution = section.when(multiplier).number_or("restitution", options.restitution, model::range::restitution);
   const Section by_penalty = section.when(!multiplier);

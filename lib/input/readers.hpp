@@ -31,14 +31,15 @@ element::AnyHexahedronOptions read_hexahedron_options(const Section&, std::strin
 /// `thickness`, optional `layers` (1 to 9), `rotary_inertia: scaled | physical`, and the viscosity.
 element::Plate::Options read_plate_options(const Section&);
 
-/// `friction` [-] and, where it is not zero and not found by multipliers, `tangential_penalty` in (0, 1]; both optional.
-contact::Coulomb read_friction(const Section&, bool multiplier = false);
-
-/// `kind: contact | bonded`; `penalty`, or `penalty_from: stiffness` with `penalty_scale`, or `mass_and_step` with
-/// `step_share`; `passes: one | two`; `area: apex | base`. Of a contact also `friction`, `tangential_penalty`, `weights:
-/// consistent | paper`, `damping_ratio`, `energy_gain_limit`. All optional. For solid
-/// bodies, which touch at h = 0.
+/// `kind: contact | bonded`, `passes: one | two`; of a contact also `method: multiplier | penalty` and `friction`; by multipliers
+/// `restitution`. By a penalty, as bonds are: `penalty`, or `penalty_from: stiffness` with `penalty_scale`, or `mass_and_step` with
+/// `step_share`; `area: apex | base`; and of a contact `tangential_penalty`, `weights: consistent | paper`, `damping_ratio`,
+/// `energy_gain_limit`. All optional. For solid bodies, which touch at h = 0.
 dynamics::InterfaceOptions read_solid_interface(const Section&);
+
+/// The same keys as far as a rigid plane has them: `method`, `restitution`, `penalty`, `penalty_scale`, `friction`, `tangential_penalty`,
+/// `energy_gain_limit`.
+void read_rigid_contact(const Section&, model::RigidPlane&);
 
 /// The same, and for plates, whose mid-surface stands off:
 /// `contact_height: initial | given`, `clearance` (with initial), `height` (with given),

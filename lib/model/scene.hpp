@@ -87,11 +87,11 @@ struct Plane {
   std::string at = {};
 };
 
-/// A wall that pushes the nodes of a surface back by a penalty.
+/// A wall that nodes of a surface do not pass.
 struct RigidPlane {
   std::string name, surface;
   Vec3 point = Vec3::Zero(), normal = Vec3::UnitZ();  ///< [m]; unit vector to the side of the nodes
-  contact::Method method = contact::Method::penalty;
+  contact::Method method = dynamics::InterfaceOptions{}.method;
   double restitution = 1;                             ///< [-] of nodes that multipliers stop
   std::optional<double> penalty = {};                 ///< [Pa/m] without it `penalty_scale` counts
   double penalty_scale = dynamics::InterfaceOptions{}.penalty_scale;  ///< [-] penalty over the stiffness of the surface

@@ -135,8 +135,6 @@ void check_contact(const Contact& contact, Faults& faults) {
                        kind("penalty_from", o.penalty_from, PenaltyFrom::masses), {"restitution", o.restitution, range::restitution},
                        {"damping_ratio", o.damping_ratio, range::damping_ratio},
                        {"clearance", o.height.clearance, not_negative, "m"}, {"height", o.height.given, not_negative, "m"}});
-  if (o.kind == contact::InterfaceKind::bonded && o.method == contact::Method::multiplier)
-    refuse(faults, here, "method", "'method' is multiplier: a bonded interface needs penalty");
   if (o.penalty_from == PenaltyFrom::value) check(faults, here, {{"penalty", o.penalty, positive, "Pa/m"}});
   if (o.penalty_from == PenaltyFrom::stiffness) check(faults, here, {{"penalty_scale", o.penalty_scale, positive}});
   if (o.penalty_from == PenaltyFrom::masses) check(faults, here, {{"step_share", o.step_share, positive}});

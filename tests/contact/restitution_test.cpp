@@ -31,7 +31,7 @@ struct Setting {
       c.per_mass = c.bound = 1, c.before = c.free = 1, c.least = -1;
       all.conditions.push_back(c);
       all.contactors.push_back(
-          {.memory = &memory[n], .first = n, .last = n + 1, .nodes = 1, .friction = -1, .impedance = 1, .square = square});
+          {.memory = &memory[n], .first = n, .last = n + 1, .nodes = 1, .friction = -1, .area = 1, .impedance = 1, .square = square});
     }
     all.velocity = v;
   }

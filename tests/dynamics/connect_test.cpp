@@ -113,7 +113,7 @@ TEST(SurfaceStiffness, OfASurfaceWithoutElementsIsZero) {
 TEST(Connect, ThePenaltyChosenIsHardnessTimesTheSofterSide) {
   for (const bool swapped : {false, true}) {
     Model model = two_boxes(0.01);
-    InterfaceOptions options;
+    InterfaceOptions options{.method = contact::Method::penalty};
     options.penalty_scale = 7;
     const char* names[] = {"above.z_low", "below.z_high"};
     connect(model, "joint", names[swapped], names[!swapped], options);
@@ -151,7 +151,7 @@ TEST(Connect, SurfacesNeedNotMatch) {
 
 TEST(Connect, AGivenPenaltyIsTaken) {
   Model model = two_boxes(0.01);
-  InterfaceOptions options;
+  InterfaceOptions options{.method = contact::Method::penalty};
   options.penalty_from = PenaltyFrom::value;
   options.penalty = 3e9;
   options.energy_gain_limit = 1e-3;
@@ -177,7 +177,7 @@ TEST(Connect, ApexesCarryTheAreaOfTheirSurface) {
 
 TEST(Connect, ContactHeightFromTheInitialHeightLeavesTheClearance) {
   Model model = two_boxes(0.01);
-  InterfaceOptions options;
+  InterfaceOptions options{.method = contact::Method::penalty};
   options.height.clearance = 0.002;
   const Connected joint = connect(model, "joint", "above.z_low", "below.z_high", options).front();
   EXPECT_EQ(joint.gaps.apexes, 16);
@@ -190,7 +190,7 @@ TEST(Connect, ContactHeightFromTheInitialHeightLeavesTheClearance) {
 
 TEST(Connect, AGivenContactHeightLeavesTheGapOfTheGeometry) {
   Model model = two_boxes(0.01);
-  InterfaceOptions options;
+  InterfaceOptions options{.method = contact::Method::penalty};
   options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
   const Connected joint = connect(model, "joint", "above.z_low", "below.z_high", options).front();
   EXPECT_NEAR(joint.gaps.least, 0.01, 1e-15);
@@ -201,7 +201,7 @@ TEST(Connect, PenetrationsAreReportedAndWhereAcceptedRemoved) {
   for (const auto wanted :
        {contact::InitialPenetration::refuse, contact::InitialPenetration::accept}) {
     Model model = two_boxes(0.01);
-    InterfaceOptions options;
+    InterfaceOptions options{.method = contact::Method::penalty};
     options.height = {.from_initial_height = false, .clearance = 0, .given = 0.015};
     options.initial_penetration = wanted;
     const Connected joint = connect(model, "joint", "above.z_low", "below.z_high", options).front();
@@ -220,7 +220,7 @@ TEST(Connect, RoundOffIsNoPenetration) {
                             mesh::box("above", {{0, 0, -depth}, {1, 1, 0.4}, {3, 3, 2}}));
     for (const char* name : {"below", "above"}) model.blocks.push_back(element::hexahedra(model.mesh, name, soft, {}));
     finalize(model);
-    InterfaceOptions options;
+    InterfaceOptions options{.method = contact::Method::penalty};
     options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
     const Connected joint = connect(model, "joint", "above.z_low", "below.z_high", options)[0];
     EXPECT_EQ(joint.gaps.penetrating, depth > 1e-12 ? 16 : 0);
@@ -268,7 +268,7 @@ TEST(Connect, ApexesOnSymmetryPlanesKnowTheDirectionsTheseAllow) {
 
 TEST(Connect, TwoPassesAreTwoInterfacesOfHalfThePenalty) {
   Model model = two_boxes(0.01);
-  InterfaceOptions options;
+  InterfaceOptions options{.method = contact::Method::penalty};
   options.two_passes = true;
   const std::vector<Connected> passes = connect(model, "joint", "above.z_low", "below.z_high", options);
   ASSERT_EQ(passes.size(), 2U);
@@ -281,7 +281,7 @@ TEST(Connect, APenaltyFromMassesNeverAsksForLessThanItsShareOfTheElementsStep) {
   for (const double share : {1.0, 0.5}) {
     for (const bool swapped : {false, true}) {
       Model model = two_boxes(1e-6);
-      InterfaceOptions options;
+      InterfaceOptions options{.method = contact::Method::penalty};
       options.penalty_from = PenaltyFrom::masses;
       options.step_share = share;
       options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
@@ -317,7 +317,7 @@ Votes votes_of_matching_boxes(InterfaceOptions options, bool two_passes) {
 TEST(Connect, TwoPassesOverTheSameNodesKeepTheBoundTogether) {
   // Where the grids match, two passes are one: half the springs from either side between the same pairs of nodes.
   for (const auto kind : {contact::InterfaceKind::contact, contact::InterfaceKind::bonded}) {
-    InterfaceOptions options;
+    InterfaceOptions options{.method = contact::Method::penalty};
     options.kind = kind;
     const double one = votes_of_matching_boxes(options, false).contact.step, two = votes_of_matching_boxes(options, true).contact.step;
     EXPECT_NEAR(two / one, 1, 1e-12);  // round-off
@@ -325,7 +325,7 @@ TEST(Connect, TwoPassesOverTheSameNodesKeepTheBoundTogether) {
 }
 
 TEST(Connect, TwoPassesWithAPenaltyFromMassesUseTheWholeStep) {
-  InterfaceOptions options;
+  InterfaceOptions options{.method = contact::Method::penalty};
   options.penalty_from = PenaltyFrom::masses;
   for (const bool two_passes : {false, true}) {
     const Votes votes = votes_of_matching_boxes(options, two_passes);

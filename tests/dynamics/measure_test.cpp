@@ -93,7 +93,7 @@ TEST(OfBody, IsTheMeanOverTheVolumeOrTheLargestElement) {
 
 TEST(ContactForce, IsPenaltyTimesAreaTimesDepthOnTheApexes) {
   Scene scene({{"left", 0}, {"right", 2}});
-  InterfaceOptions options;
+  InterfaceOptions options{.method = contact::Method::penalty};
   options.penalty_from = PenaltyFrom::value;
   options.penalty = 1e6;
   options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
@@ -116,7 +116,7 @@ TEST(ContactForce, IsPenaltyTimesAreaTimesDepthOnTheApexes) {
 
 TEST(ContactForce, IsZeroWhereSurfacesAreApart) {
   Scene scene({{"left", 0}, {"right", 2.5}});
-  InterfaceOptions options;
+  InterfaceOptions options{.method = contact::Method::penalty};
   options.penalty_from = PenaltyFrom::value;
   options.penalty = 1e6;
   options.height = {.from_initial_height = false, .clearance = 0, .given = 0};

@@ -21,7 +21,7 @@ Scene closing(double speed, double penalty = 0) {
   s.model.mesh = mesh::join(cube("a", 0), cube("b", 1.1));
   for (const char* name : {"a", "b"}) s.model.blocks.push_back(element::hexahedra(s.model.mesh, name, rubber, {}));
   finalize(s.model);
-  InterfaceOptions options;
+  InterfaceOptions options{.method = contact::Method::penalty};
   options.penalty_from = PenaltyFrom::value, options.penalty = penalty;
   if (penalty > 0) s.joined("touch", "a.x_high", "b.x_low", options);
   s.ready();
@@ -109,7 +109,7 @@ Scene over_plate(double height, const contact::ContactHeight& at, contact::Inter
   plate.thickness = 0.1;
   s.model.blocks.push_back(element::plates(s.model.mesh, "plate", rubber, plate));
   finalize(s.model);
-  InterfaceOptions options;
+  InterfaceOptions options{.method = contact::Method::penalty};
   options.kind = kind, options.height = at;
   s.joined("touch", "block.z_low", "plate.top", options);
   s.ready();

@@ -52,7 +52,7 @@ Collision collide(bool swapped, const element::Hexahedron::Options& element, dou
   s.model.blocks.push_back(element::hexahedra(s.model.mesh, "A", steel, element));
   s.model.blocks.push_back(element::hexahedra(s.model.mesh, "B", steel, element));
   finalize(s.model);
-  InterfaceOptions options;
+  InterfaceOptions options{.method = contact::Method::penalty};
   options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
   options.penalty_scale = penalty_scale;
   if (swapped)
@@ -234,7 +234,7 @@ Scene sliding() {
 
 TEST(Run, StopsWhenTheStepCollapsesAndSaysWhoAskedForIt) {
   Scene s = sliding();
-  InterfaceOptions options;
+  InterfaceOptions options{.method = contact::Method::penalty};
   options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
   options.penalty_from = PenaltyFrom::value;
   options.penalty = 1e25;
@@ -260,7 +260,7 @@ void add_boxes(Scene& s) {
 
 /// An interface of these boxes that asks for steps far too long.
 void join_carelessly(Scene& s) {
-  InterfaceOptions options;
+  InterfaceOptions options{.method = contact::Method::penalty};
   options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
   options.penalty_scale = 30;
   s.joined("joint", "above.z_low", "below.z_high", options);

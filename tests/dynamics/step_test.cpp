@@ -63,7 +63,8 @@ Subset both(Subset a, const Subset& b) {
 }
 
 /// The cask of the paper, coarse: lead in a steel tube, falling on a floor.
-Scene cask(mesh::Revolution rotation, int n, const element::Viscosity& viscosity = {}) {
+Scene cask(mesh::Revolution rotation, int n, const element::Viscosity& viscosity = {},
+           contact::Method method = contact::Method::multiplier) {
   const double radius = 0.1525, length = 0.914, thickness = 0.00635;
   const material::J2Bilinear lead{11082, 1.912e8, 0.42, 2.96e7, 1.814e7},
       steel{7845, 1.922e11, 0.33, 3.1e8, 1.912e9};
@@ -89,7 +90,7 @@ Scene cask(mesh::Revolution rotation, int n, const element::Viscosity& viscosity
     }
   }
   finalize(s.model);
-  s.joined("interface", "lead.side", "cladding.inside", {});
+  s.joined("interface", "lead.side", "cladding.inside", {.method = method});
   s.ready();
   s.state.v.row(2).setConstant(-13.33);
   return s;
@@ -240,7 +241,7 @@ TEST(Residual, IsRoundOffWithWeightsOfThePaper) {
   s.model.blocks.push_back(element::hexahedra(s.model.mesh, "below", rubber, {}));
   s.model.blocks.push_back(element::hexahedra(s.model.mesh, "above", rubber, {}));
   finalize(s.model);
-  InterfaceOptions options;
+  InterfaceOptions options{.method = contact::Method::penalty};
   options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
   options.weights = contact::Weights::paper;
   options.friction.coefficient = 0.3;
@@ -268,7 +269,7 @@ Scene askew(const InterfaceOptions& options, int finer = 1) {
 }
 
 InterfaceOptions solid_contact(double friction) {
-  InterfaceOptions options;
+  InterfaceOptions options{.method = contact::Method::penalty};
   options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
   options.friction.coefficient = friction;
   return options;
@@ -316,7 +317,7 @@ TEST(Friction, OnAPlateTurnsItsNodesByTheMomentOfHalfTheThickness) {
   finalize(s.model);
   for (const bool swapped : {false, true}) {
     Scene here = s;
-    InterfaceOptions options;
+    InterfaceOptions options{.method = contact::Method::penalty};
     options.friction.coefficient = 0.5;
     if (swapped) here.joined("joint", "tube.inside", "core.side", options);
     else here.joined("joint", "core.side", "tube.inside", options);
@@ -355,7 +356,7 @@ Scene core_in_a_tube(const InterfaceOptions& options, double gap) {
 }
 
 TEST(Residual, IsRoundOffWithFrictionOnSymmetryPlanes) {
-  InterfaceOptions options;
+  InterfaceOptions options{.method = contact::Method::penalty};
   options.friction.coefficient = 0.4;
   Scene s = core_in_a_tube(options, 0.01);
   go(s, 300);
@@ -1487,11 +1488,12 @@ TEST(Resume, HasTheBitsOfARunWithoutABreakForTheCaskWithViscosity) {
 
 TEST(Resume, HasTheBitsOfARunWithoutABreakForEveryContact) {
   const auto rubbing = [](contact::Weights weights) {
-    InterfaceOptions options;
+    InterfaceOptions options{.method = contact::Method::penalty};
     options.friction = {0.3, 1}, options.weights = weights;
     return options;
   };
-  InterfaceOptions plain, two_passes = rubbing(contact::Weights::consistent), damped, bonded, from_masses, by_base, accepted;
+  InterfaceOptions plain{.method = contact::Method::penalty}, two_passes = rubbing(contact::Weights::consistent), damped = plain;
+  InterfaceOptions bonded = plain, from_masses = plain, by_base = plain, accepted = plain;
   InterfaceOptions multiplier = rubbing(contact::Weights::consistent);
   multiplier.method = contact::Method::multiplier;
   by_base.area = contact::Area::base;
@@ -1536,7 +1538,7 @@ TEST(Resume, HasTheBitsOfARunWithoutABreakForPlatesThatRubAndArePulledAlong) {
     slow.velocity = [](double t) { return 0.1 + t; };
     s.model.constraints.planes = {plane("clamp", PlaneKind::fixed, Vec3::UnitZ(), mesh::node_set(s.model.mesh, "below.z_low")), slow,
                                   plane("mirror", PlaneKind::symmetry, Vec3::UnitY(), mesh::node_set(s.model.mesh, "below.y_low"))};
-    InterfaceOptions options;
+    InterfaceOptions options{.method = contact::Method::penalty};
     options.friction = {0.3, 1};
     if (bonded) options.friction = {}, options.kind = contact::InterfaceKind::bonded;
     s.joined("joint", "below.z_high", "sheet.bottom", options);
@@ -1617,21 +1619,24 @@ TEST(Symmetry, ASectorOneElementWideMovesLikeOneOfThree) {
 }
 
 TEST(Symmetry, AQuarterOfTheCaskSettlesLikeTheWhole) {
-  use_threads(2);
-  std::array<double, 2> settlement{};
-  for (const auto rotation : {mesh::Revolution::full, mesh::Revolution::quarter}) {
-    Scene s = cask(rotation, 2);
-    Votes votes = start(s.model, s.state, s.forces);
-    const double end = 2e-3;
-    const int steps = 100 * static_cast<int>(std::ceil(end / (30 * least(votes))));  // the same for both, whatever they vote later
-    for (int n = 0; n < steps; ++n) votes = step(s.model, end / steps, s.state, s.forces);
-    update_ledger(s.model, s.state);
-    expect_closed(s);
-    settlement[rotation == mesh::Revolution::quarter] = mean_settlement(s, 0.914);
+  for (const auto method : {contact::Method::penalty, contact::Method::multiplier}) {
+    use_threads(2);
+    std::array<double, 2> settlement{};
+    for (const auto rotation : {mesh::Revolution::full, mesh::Revolution::quarter}) {
+      Scene s = cask(rotation, 2, {}, method);
+      Votes votes = start(s.model, s.state, s.forces);
+      const double end = 2e-3;
+      const int steps = 100 * static_cast<int>(std::ceil(end / (30 * least(votes))));  // the same for both, whatever they vote later
+      for (int n = 0; n < steps; ++n) votes = step(s.model, end / steps, s.state, s.forces);
+      update_ledger(s.model, s.state);
+      expect_closed(s);
+      settlement[rotation == mesh::Revolution::quarter] = mean_settlement(s, 0.914);
+    }
+    use_threads(1);
+    const double off = settlement[1] / settlement[0] - 1;
+    std::printf("quarter / full - 1 = %.2e\n", off);
+    EXPECT_LT(std::abs(off), contact::Method::penalty == method ? 1e-10 : 5e-4);  // sweeps end at a part of the energy
   }
-  use_threads(1);
-  std::printf("quarter / full - 1 = %.2e\n", settlement[1] / settlement[0] - 1);
-  EXPECT_NEAR(settlement[1] / settlement[0], 1, 1e-10);
 }
 
 }  // namespace

@@ -148,12 +148,12 @@ TEST(ReadHexahedron, WithEightPointsListsWhatOnePointWouldUse) {
 
 TEST(ReadInterface, LetsTheCodeChooseUnlessAPenaltyIsGiven) {
   using dynamics::PenaltyFrom;
-  EXPECT_EQ(read("penalty_scale: 5\n", read_interface).penalty_from, PenaltyFrom::stiffness);
-  EXPECT_EQ(read("penalty_scale: 5\n", read_interface).penalty_scale, 5);
-  EXPECT_EQ(read("penalty: 5e13 Pa/m\n", read_interface).penalty_from, PenaltyFrom::value);
-  EXPECT_EQ(read("penalty: 5e13 Pa/m\n", read_interface).penalty, 5e13);
-  EXPECT_EQ(read("penalty_from: mass_and_step\nstep_share: 0.5\n", read_interface).penalty_from, PenaltyFrom::masses);
-  EXPECT_EQ(read("penalty_from: mass_and_step\nstep_share: 0.5\n", read_interface).step_share, 0.5);
+  EXPECT_EQ(read("method: penalty\npenalty_scale: 5\n", read_interface).penalty_from, PenaltyFrom::stiffness);
+  EXPECT_EQ(read("method: penalty\npenalty_scale: 5\n", read_interface).penalty_scale, 5);
+  EXPECT_EQ(read("method: penalty\npenalty: 5e13 Pa/m\n", read_interface).penalty_from, PenaltyFrom::value);
+  EXPECT_EQ(read("method: penalty\npenalty: 5e13 Pa/m\n", read_interface).penalty, 5e13);
+  EXPECT_EQ(read("method: penalty\npenalty_from: mass_and_step\nstep_share: 0.5\n", read_interface).penalty_from, PenaltyFrom::masses);
+  EXPECT_EQ(read("method: penalty\npenalty_from: mass_and_step\nstep_share: 0.5\n", read_interface).step_share, 0.5);
 }
 
 TEST(ReadInterface, DefaultsToTheBetterForms) {

@@ -42,6 +42,7 @@ TEST(CheckColumns, RefusesNamesThatGiveTheHistoryAColumnTwice) {
   scene.contacts = {{.name = "c", .apexes = "bar.x_high", .base = "wall.x_low"},
                     {.name = "c_tangential", .apexes = "wall.x_low", .base = "bar.x_high"}};
   scene.contacts[0].interface.friction.coefficient = 0.1;
+  for (Contact& contact : scene.contacts) contact.interface.method = contact::Method::penalty;
   EXPECT_TRUE(says(refusal(scene), "both give the history a column 'energy_c_tangential_penalty'")) << refusal(scene);
 }
 

@@ -11,6 +11,8 @@ TEST(GapTable, HasTwoLinesForEachInterface) {
   Scene scene = with({bar(), wall()});
   EXPECT_TRUE(gap_table(build(scene)).empty());
   scene.contacts = {{.name = "touch", .apexes = "bar.x_high", .base = "wall.x_low"}};
+  ASSERT_EQ(gap_table(build(scene)).size(), 2U);
+  scene.contacts[0].interface.method = contact::Method::penalty;
   const auto table = gap_table(build(scene));
   ASSERT_EQ(table.size(), 3U);
   EXPECT_TRUE(says(table[1], "touch"));
@@ -48,7 +50,7 @@ TEST(RoundingNotes, SayThatASceneLiesFarFromTheOrigin) {
 
 TEST(DepthNotes, SayThatARigidPlaneWasPenetratedTooDeep) {
   Scene scene = with({bar()});
-  scene.rigid_planes = {{.name = "ground", .surface = "bar.z_low", .penalty = 1e6}};
+  scene.rigid_planes = {{.name = "ground", .surface = "bar.z_low", .method = contact::Method::penalty, .penalty = 1e6}};
   scene.initial = {{.body = "bar", .value = uniform(Vec3(0, 0, -1000))}};
   Simulation simulation = build(scene);
   EXPECT_TRUE(depth_notes(simulation).empty());

@@ -76,9 +76,6 @@ const std::vector<Wrong> numbers{
        s.contacts[0].interface.kind = static_cast<contact::InterfaceKind>(static_cast<int>(v)); }, {-1, 2}},
     {"contact 'touch': 'method'", [](Scene& s, double v) {
        s.contacts[0].interface.method = static_cast<contact::Method>(static_cast<int>(v)); }, {-1, 2}},
-    {"contact 'touch': 'method'", [](Scene& s, double v) {  // a bond by multipliers would hold nothing
-       s.contacts[0].interface.kind = static_cast<contact::InterfaceKind>(static_cast<int>(v));
-       s.contacts[0].interface.method = contact::Method::multiplier; }, {1}},
     {"contact 'touch': 'restitution'", [](Scene& s, double v) { s.contacts[0].interface.restitution = v; }, {-1, 2, nan}},
     {"plane 'side': 'kind'", [](Scene& s, double v) { s.planes[0].kind = static_cast<load::PlaneKind>(static_cast<int>(v)); }, {-1, 99}},
     {"plane 'side': 'point'", [](Scene& s, double v) { s.planes[0].point.x() = v; }, {nan, infinity}},
