@@ -207,7 +207,8 @@ void find_conditions(const RigidPlane& plane, const Motion& m, PlaneMemory& memo
     c.node[0] = node, c.weight[0] = 1, c.normal = plane.normal;
     c.gap = (m.x.col(node) - plane.point).dot(plane.normal);
     const auto first = static_cast<Index>(all.conditions.size());
-    const bool far = c.gap > 0 && m.next * -plane.normal.dot(all.velocity.col(node)) < c.gap && !(memory.force[i] > 0);
+    const double way = steps_to_touch * m.next * std::abs(plane.normal.dot(all.velocity.col(node)));
+    const bool far = !(memory.force[i] > 0) && c.gap > std::max(multipliers_reach * plane.depth, way);
     if (far || !complete(m, all.velocity, 1, m.dt > 0 ? memory.force[i] : 0, memory.restitution[i].held, c)) {
       discard(memory.restitution[i], memory.impact);
       memory.next_force[i] = 0;

@@ -205,8 +205,9 @@ Outcome run(const Model& model, State& now, Forces& forces, const Time& time, do
        next = choose_step(now.votes, time.safety)) {
     if (next.dt < progress.smallest.dt) progress.smallest = next;
     progress.largest_step = std::max(progress.largest_step, next.dt);
-    const bool last = time.end - now.t <= next.dt;
-    step(model, next_length(now.votes, pace, now.t), pace, now, forces);
+    const double dt = next_length(now.votes, pace, now.t, now.dt);
+    const bool last = dt >= time.end - now.t;
+    step(model, dt, pace, now, forces);
     if (last) now.t = time.end;
     const bool rests = model.relaxation && relax(model, now, forces);
     progress.ledger_is_current = last || rests || now.t >= static_cast<double>(progress.updates + 1) * update_every;

@@ -105,7 +105,7 @@ void see_constraints(const State& now, Forces& f) {
 
 contact::Motion motion_of(const Model& model, const Vectors& force, double dt, const Pace& pace, const State& now, const Forces& f) {
   return {now.x, now.v, now.omega, force, f.moment, model.mass, model.inertia, model.rotation_of_node, f.allowed, f.allowed_rotation, dt,
-          next_length(now.votes, pace, now.t)};
+          next_length(now.votes, pace, now.t, dt)};
 }
 
 /// Stops what begins in contact; what constraints hold of the impulses goes to their accounts.

@@ -1,5 +1,7 @@
 #include "dynamics/votes.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace nereid::dynamics {
@@ -10,11 +12,13 @@ Step choose_step(const Votes& votes, double safety) {
   return {elements, votes.elements.source, votes.elements.at, safety};
 }
 
-double next_length(const Votes& votes, const Pace& pace, double t) {
+double next_length(const Votes& votes, const Pace& pace, double t, double last) {
+  constexpr double grows_by = 1.05, shared = 20;
   if (pace.fixed > 0) return pace.fixed;
-  const double chosen = choose_step(votes, pace.safety).dt, left = pace.end - t;
-  if (left >= 2 * chosen || !(left > 1e-12 * pace.end)) return chosen;  // at the end as if the run went on
-  return left <= chosen ? left : 0.5 * left;
+  const double most = choose_step(votes, pace.safety).dt, left = pace.end - t;
+  const double chosen = most < grows_by * last ? std::min(most, last) : most;
+  if (left >= shared * chosen || !(left > 1e-12 * pace.end)) return chosen;  // at the end as if the run went on
+  return left / std::max(1.0, std::ceil(left / chosen - 1e-9));
 }
 
 std::string limited_by(const Step& step, const std::vector<Source>& sources) {

@@ -48,9 +48,11 @@ struct Pace {
 /// Chooses the next step: the smaller of `safety` times the limit of the elements and the limit of contact.
 Step choose_step(const Votes&, double safety);
 
-/// The length of the step that begins at t: as chosen, but the last two before the end share what is left, so that none is vanishingly
-/// short. [s]
-double next_length(const Votes&, const Pace&, double t);
+/// The length of the step that begins at t: as chosen, but it grows only by a twentieth or more, because every change of the step costs
+/// energy; and the last twenty share what is left evenly, so that none is vanishingly short. [s]
+///
+/// last  [s] the step that led to t; 0: none
+double next_length(const Votes&, const Pace&, double t, double last);
 
 /// What limits a step, in words: "element 17 of 'lead', 0.9 of its stable step", "contact 'skin', apex at node 204".
 std::string limited_by(const Step&, const std::vector<Source>&);

@@ -41,6 +41,26 @@ TEST(Step, NamesTheApexOfTheContactThatLimitsIt) {
   EXPECT_EQ(limited_by(step, sources), "contact 'skin', apex at node 204");
 }
 
+TEST(Step, FallsAtOnceAndGrowsByATwentiethOrMore) {
+  const Pace pace{.end = 100, .safety = 0.9};
+  EXPECT_EQ(next_length(votes(1, 5), pace, 0, 0), 0.9);
+  EXPECT_EQ(next_length(votes(1, 5), pace, 0, 1), 0.9);
+  EXPECT_EQ(next_length(votes(1, 5), pace, 0, 0.88), 0.88);
+  EXPECT_EQ(next_length(votes(1, 5), pace, 0, 0.5), 0.9);
+}
+
+TEST(Step, SharesWhatIsLeftEvenly) {
+  const Pace pace{.end = 100, .safety = 1};
+  EXPECT_EQ(next_length(votes(1, 5), pace, 50, 1), 1);
+  int steps = 0;
+  for (double t = 90.5, last = 1; t < 100; ++steps) {
+    const double next = next_length(votes(1, 5), pace, t, last);
+    EXPECT_NEAR(next, 0.95, 1e-12);
+    t += last = next;
+  }
+  EXPECT_EQ(steps, 10);
+}
+
 TEST(Step, NamesPlanesAndSpringsAndNothing) {
   EXPECT_EQ(limited_by({1, 2, 5, 1}, sources), "rigid plane 'wall', node 5");
   EXPECT_EQ(limited_by({1, 3, -1, 0.5}, sources), "spring 'strut', 0.5 of its stable step");

