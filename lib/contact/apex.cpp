@@ -116,8 +116,7 @@ std::array<double, 3> weights_of(const Interface& interface, const Vectors& x, I
   return geometry::closest_on_triangle(corners(interface.base, x, facet), position(x, interface.apexes[a])).weight;
 }
 
-double stiffness(const Interface& interface, Index apex, const Feature& feature, double area) {
-  if (interface.spring.size() > 0) return interface.spring(apex);
+double stiffness(const Interface& interface, const Feature& feature, double area) {
   if (interface.area_kind == Area::apex) return interface.penalty * area;
   if (feature.kind == Kind::facet) return interface.penalty * interface.facet_area(feature.facet);
   double sum = 0;
@@ -140,7 +139,7 @@ void vote_over(const Interface& interface, const Vectors& x, Index a, const Feat
   element.count = 1;
   element.stencil[0] = {.facet = feature.facet, .apex = 1, .weight = weight, .push = Vec3::Zero(),
                         .kind = feature.kind, .local = feature.local, .level = level};
-  element.stiffness = stiffness(interface, a, feature, interface.area(a));
+  element.stiffness = stiffness(interface, feature, interface.area(a));
   share_stiffness(interface, x, a, element);
 }
 
@@ -155,7 +154,7 @@ void hold_bond(const Interface& interface, const Vectors& x, Near& near, Memory&
   const Vec3 n = area / twice_area;
   Vec3 d = x.col(interface.apexes[a]) - bond.height * n;
   for (int I = 0; I < 3; ++I) d -= bond.weight[I] * corner[I];
-  const double k = stiffness(interface, a, memory.feature[a], interface.area(a));
+  const double k = stiffness(interface, memory.feature[a], interface.area(a));
   Stencil hold{.facet = bond.facet, .apex = 1, .weight = bond.weight, .push = -k * d}, couple{.facet = bond.facet, .apex = 0};
   couple.push = k * bond.height * n;
   for (int I = 0; I < 3; ++I) {
@@ -241,7 +240,7 @@ void update_element(const Interface& interface, const Vectors& x, const Vectors&
     memory.gap[a] = std::max(0.0, out.gap);
     return vote_over(interface, x, a, out.strongest, weights_of(interface, x, a, out.strongest.facet), out.level, element);
   }
-  const double k = stiffness(interface, a, out.strongest, near.area > 0 ? near.area : interface.area(a));
+  const double k = stiffness(interface, out.strongest, near.area > 0 ? near.area : interface.area(a));
   memory.status[a] = Status::closed;
   memory.feature[a] = out.strongest;
   memory.gap[a] = -out.length;

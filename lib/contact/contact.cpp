@@ -159,10 +159,10 @@ ElementView view(const Interface& interface, const Vectors& x, const Memory& mem
     v.slides = v.shear_traction >= (1 - 1e-9) * interface.friction.coefficient * v.traction;
     return v;
   }
-  const double per_area = interface.spring.size() > 0 ? interface.spring(apex) / interface.area(apex) : interface.penalty;
+  const double per_area = interface.penalty;
   v.traction = -per_area * v.gap;
   if (interface.kind == InterfaceKind::bonded) {
-    const double k = stiffness(interface, apex, v.feature, interface.area(apex)), along = k * v.gap;
+    const double k = stiffness(interface, v.feature, interface.area(apex)), along = k * v.gap;
     const double all = 2 * k * memory.stored[apex];  // |k d|^2
     v.shear_traction = per_area / k * std::sqrt(std::max(0.0, all - along * along));
   } else if (!memory.slip.empty()) {

@@ -78,8 +78,7 @@ struct Interface {
   mesh::FacesAround faces;       ///< [apexes] what the tributary area lies on; may be empty
   Scalars facet_area;            ///< [m2] of the reference, [facets]
   Scalars contact_height;        ///< [m] h_c, [apexes]
-  double penalty = 0;            ///< [Pa/m] 1/delta; the mean over the area where `spring` is given
-  Scalars spring;                ///< [N/m] stiffness of each apex where it was taken from masses; else empty
+  double penalty = 0;            ///< [Pa/m] 1/delta
   double restitution = 1;        ///< [-] speed of a node released by a multiplier over that with which it was stopped
   double impedance = 0;          ///< [Pa s/m] rho c of both sides in series, of both passes together
   Coulomb friction;
@@ -290,9 +289,9 @@ ElementView view(const Interface&, const Vectors& x, const Memory&, Index apex);
 /// reach  [m] NaN if none is nearer
 double least_gap(const Interface&, const Vectors& x, const Memory&, double reach);
 
-/// Stiffness of an apex over a feature: penalty times the chosen area, once, or the spring of the apex. [N/m]
+/// Stiffness of an apex over a feature: penalty times the chosen area. [N/m]
 ///
 /// area  [m2] tributary, of the sides that are in contact
-double stiffness(const Interface&, Index apex, const Feature&, double area);
+double stiffness(const Interface&, const Feature&, double area);
 
 }  // namespace nereid::contact

@@ -113,29 +113,6 @@ double element_step(const Model& model) {
   return step;
 }
 
-/// Springs that the nodes' masses allow at a given step: 1/2 omega^2 m at each apex, and no more than that
-/// in sum at each base node. [N/m] [apexes]
-Scalars springs_from_masses(const contact::Interface& interface, const Scalars& mass, double step, const contact::Memory& memory) {
-  const double rate = interface.impact_step_factor / step, half = 0.5 * rate * rate;
-  const auto count = static_cast<Index>(interface.apexes.size());
-  Scalars spring(count), sum = Scalars::Zero(mass.size());
-  for (Index a = 0; a < count; ++a) spring(a) = half * mass(interface.apexes[a]);
-  const auto visit = [&interface](const contact::Near& near, auto&& see) {
-    for (int i = 0; i < near.element.count; ++i)
-      for (int I = 0; I < 3; ++I) {
-        const contact::Stencil& stencil = near.element.stencil[i];
-        if (stencil.share[I] > 0) see(interface.base.facets(I, stencil.facet), stencil.share[I]);
-      }
-  };
-  for (const contact::Near& near : memory.near) visit(near, [&](Index node, double weight) { sum(node) += weight * spring(near.apex); });
-  for (const contact::Near& near : memory.near) {
-    double share = 1;
-    visit(near, [&](Index node, double) { share = std::min(share, half * mass(node) / sum(node)); });
-    spring(near.apex) *= share;
-  }
-  return spring;
-}
-
 Connected connect_one_pass(Model& model, const std::string& name, const std::string& apex_surface, const std::string& base_surface,
                            const InterfaceOptions& options, contact::Pass pass) {
   const double share = pass == contact::Pass::only ? 1 : 0.5;
@@ -152,9 +129,8 @@ Connected connect_one_pass(Model& model, const std::string& name, const std::str
   interface.area = mesh::tributary_areas(model.mesh, apexes, interface.apexes);
   interface.faces = mesh::faces_around(model.mesh, apexes, interface.apexes);
   interface.facet_area = mesh::facet_areas(model.mesh, base);
-  interface.penalty = share * (options.penalty_from == PenaltyFrom::value
-                                   ? options.penalty
-                                   : options.penalty_scale * std::min(surface_stiffness(model, apexes), surface_stiffness(model, base)));
+  const double softer = std::min(surface_stiffness(model, apexes), surface_stiffness(model, base));
+  interface.penalty = share * options.penalty.value_or(options.penalty_scale * softer);
   check(interface.penalty > 0, "an interface needs a penalty or elements on both sides");
   interface.impact_step_factor = contact::impact_step_factor_for(options.energy_gain_limit);
   interface.pass = pass;
@@ -184,11 +160,6 @@ Connected connect_one_pass(Model& model, const std::string& name, const std::str
   const double reach = (model.mesh.X.rowwise().maxCoeff() - model.mesh.X.rowwise().minCoeff()).norm();
   connected.gaps =
       contact::connect(interface, model.mesh.X, reach, options.height, options.initial_penetration, connected.memory, workspace);
-  if (options.penalty_from == PenaltyFrom::masses) {
-    const contact::Memory trial = contact::tried_out(interface, model.mesh.X, reach, workspace);
-    interface.spring = share * springs_from_masses(interface, model.mass, options.step_share * element_step(model), trial);
-    interface.penalty = interface.spring.sum() / interface.area.sum();
-  }
   if (options.damping_ratio > 0) {
     const contact::Memory trial = contact::tried_out(interface, model.mesh.X, reach, workspace);
     const double step = contact::stable_step(interface, model.mass, model.inertia, trial, workspace).step;

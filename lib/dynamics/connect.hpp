@@ -8,22 +8,13 @@
 
 namespace nereid::dynamics {
 
-/// Where an interface takes its stiffness from.
-enum class PenaltyFrom {
-  value,     ///< given
-  stiffness, ///< penalty scale times the stiffness of the softer side: hard against what it presses on
-  masses,    ///< of the nodes and the elements' first step: the interface does not ask for a smaller one
-};
-
 /// How an interface is wanted.
 struct InterfaceOptions {
   contact::InterfaceKind kind = contact::InterfaceKind::contact;
   contact::Method method = contact::Method::multiplier;  ///< of a contact: bonds have a penalty
   double restitution = 1;     ///< [-] of nodes that multipliers stop
-  PenaltyFrom penalty_from = PenaltyFrom::stiffness;
-  double penalty = 0;         ///< [Pa/m] where it is given
+  std::optional<double> penalty = {};  ///< [Pa/m] without it `penalty_scale` counts
   double penalty_scale = 20;  ///< [-] chosen penalty over the stiffness of the softer side
-  double step_share = 1;      ///< [-] of the elements' first step, to which a penalty from masses is made
   contact::Coulomb friction = {};
   bool two_passes = false;   ///< each surface has apexes over the other, with half the penalty each
   double damping_ratio = 0;  ///< [-] of an apex on its base, over the critical damping of the stiffest pair
@@ -60,10 +51,7 @@ double surface_depth(const Model&, const mesh::Surface&);
 
 /// Adds an interface between the apexes of one surface and the bases of another.
 ///
-/// PenaltyFrom::stiffness  penalty scale times the stiffness of the softer side: refined with the mesh.
-/// PenaltyFrom::masses     with omega the frequency at which the vote is step_share of the elements' step,
-///                         a spring of at most 1/2 omega^2 m at each apex and in sum at each base node.
-/// Either is fixed from here on: smaller steps later do not stiffen it.
+/// A penalty that is not given is `penalty_scale` times the stiffness of the softer side: refined with the mesh.
 ///
 /// Needs    a model after finalize(), with its symmetry planes
 /// returns  one interface, or two passes: `name`, and `name`_back with the sides exchanged

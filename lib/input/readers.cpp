@@ -127,7 +127,6 @@ void read_rigid_contact(const Section& section, model::RigidPlane& plane) {
 }
 
 dynamics::InterfaceOptions read_solid_interface(const Section& section) {
-  using dynamics::PenaltyFrom;
   dynamics::InterfaceOptions options;
   const bool bonded = section.choice_or("kind", "contact", {"contact", "bonded"}) == "bonded";
   options.kind = bonded ? contact::InterfaceKind::bonded : contact::InterfaceKind::contact;
@@ -136,14 +135,11 @@ dynamics::InterfaceOptions read_solid_interface(const Section& section) {
   options.restitution = section.when(multiplier).number_or("restitution", options.restitution, model::range::restitution);
   const Section by_penalty = section.when(!multiplier);
   const bool given = !multiplier && section.has("penalty");
-  options.penalty = by_penalty.when(given).quantity("penalty", dim::penalty, positive);
-  const Section chosen = by_penalty.when(!given);
-  const bool masses = chosen.choice_or("penalty_from", "stiffness", {"stiffness", "mass_and_step"}) == "mass_and_step" && !given;
-  options.penalty_from = given ? PenaltyFrom::value : masses ? PenaltyFrom::masses : PenaltyFrom::stiffness;
-  options.penalty_scale = chosen.when(!masses).number_or("penalty_scale", options.penalty_scale, positive);
-  options.step_share = chosen.when(masses).number_or("step_share", options.step_share, positive);
+  const double penalty = by_penalty.when(given).quantity("penalty", dim::penalty, positive);
+  if (given) options.penalty = penalty;
+  options.penalty_scale = by_penalty.when(!given).number_or("penalty_scale", options.penalty_scale, positive);
   options.two_passes = section.choice_or("passes", "one", {"one", "two"}) == "two";
-  const bool base_area = by_penalty.when(!masses).choice_or("area", "apex", {"apex", "base"}) == "base" && !masses;
+  const bool base_area = by_penalty.choice_or("area", "apex", {"apex", "base"}) == "base";
   options.area = base_area ? contact::Area::base : contact::Area::apex;
   const Section unilateral = section.when(!bonded);
   options.friction = read_friction(unilateral, multiplier);

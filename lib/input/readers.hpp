@@ -32,9 +32,8 @@ element::AnyHexahedronOptions read_hexahedron_options(const Section&, std::strin
 element::Plate::Options read_plate_options(const Section&);
 
 /// `kind: contact | bonded`, `passes: one | two`; of a contact also `method: multiplier | penalty` and `friction`; by multipliers
-/// `restitution`. By a penalty, as bonds are: `penalty`, or `penalty_from: stiffness` with `penalty_scale`, or `mass_and_step` with
-/// `step_share`; `area: apex | base`; and of a contact `tangential_penalty`, `weights: consistent | paper`, `damping_ratio`,
-/// `energy_gain_limit`. All optional. For solid bodies, which touch at h = 0.
+/// `restitution`. By a penalty, as bonds are: `penalty` or `penalty_scale`, `area: apex | base`; and of a contact `tangential_penalty`,
+/// `weights: consistent | paper`, `damping_ratio`, `energy_gain_limit`. All optional. For solid bodies, which touch at h = 0.
 dynamics::InterfaceOptions read_solid_interface(const Section&);
 
 /// The same keys as far as a rigid plane has them: `method`, `restitution`, `penalty`, `penalty_scale`, `friction`, `tangential_penalty`,

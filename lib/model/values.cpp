@@ -127,17 +127,13 @@ Values of_friction(const contact::Coulomb& friction, double energy_gain_limit) {
 }
 
 void check_contact(const Contact& contact, Faults& faults) {
-  using dynamics::PenaltyFrom;
   const Part here = part("contact", contact);
   const dynamics::InterfaceOptions& o = contact.interface;
   check(faults, here, of_friction(o.friction, o.energy_gain_limit));
   check(faults, here, {kind("kind", o.kind, contact::InterfaceKind::bonded), kind("method", o.method, contact::Method::multiplier),
-                       kind("penalty_from", o.penalty_from, PenaltyFrom::masses), {"restitution", o.restitution, range::restitution},
-                       {"damping_ratio", o.damping_ratio, range::damping_ratio},
+                       {"penalty", o.penalty.value_or(1), positive, "Pa/m"}, {"penalty_scale", o.penalty_scale, positive},
+                       {"restitution", o.restitution, range::restitution}, {"damping_ratio", o.damping_ratio, range::damping_ratio},
                        {"clearance", o.height.clearance, not_negative, "m"}, {"height", o.height.given, not_negative, "m"}});
-  if (o.penalty_from == PenaltyFrom::value) check(faults, here, {{"penalty", o.penalty, positive, "Pa/m"}});
-  if (o.penalty_from == PenaltyFrom::stiffness) check(faults, here, {{"penalty_scale", o.penalty_scale, positive}});
-  if (o.penalty_from == PenaltyFrom::masses) check(faults, here, {{"step_share", o.step_share, positive}});
 }
 
 void check_plane(const Plane& plane, Faults& faults) {

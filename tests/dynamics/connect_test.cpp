@@ -152,7 +152,6 @@ TEST(Connect, SurfacesNeedNotMatch) {
 TEST(Connect, AGivenPenaltyIsTaken) {
   Model model = two_boxes(0.01);
   InterfaceOptions options{.method = contact::Method::penalty};
-  options.penalty_from = PenaltyFrom::value;
   options.penalty = 3e9;
   options.energy_gain_limit = 1e-3;
   connect(model, "joint", "above.z_low", "below.z_high", options);
@@ -277,27 +276,6 @@ TEST(Connect, TwoPassesAreTwoInterfacesOfHalfThePenalty) {
   for (const auto& pass : model.interfaces) EXPECT_NEAR(pass.penalty / (0.5 * 20 * modulus(soft) / 0.1), 1, 1e-12);
 }
 
-TEST(Connect, APenaltyFromMassesNeverAsksForLessThanItsShareOfTheElementsStep) {
-  for (const double share : {1.0, 0.5}) {
-    for (const bool swapped : {false, true}) {
-      Model model = two_boxes(1e-6);
-      InterfaceOptions options{.method = contact::Method::penalty};
-      options.penalty_from = PenaltyFrom::masses;
-      options.step_share = share;
-      options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
-      const char* names[] = {"above.z_low", "below.z_high"};
-      std::vector<Connected> joint = connect(model, "joint", names[swapped], names[!swapped], options);
-      ASSERT_EQ(model.interfaces[0].spring.size(), static_cast<Eigen::Index>(model.interfaces[0].apexes.size()));
-      State state = initial_state(model, {joint[0].memory});
-      Forces forces = make_forces(model);
-      const Votes votes = start(model, state, forces);
-      EXPECT_GE(votes.contact.step, share * votes.elements.step * (1 - 1e-12));
-      EXPECT_LT(votes.contact.step, 2 * share * votes.elements.step);
-    }
-  }
-}
-
-/// The vote of an interface, with one pass or two, between boxes whose grids match.
 Votes votes_of_matching_boxes(InterfaceOptions options, bool two_passes) {
   Model model;
   model.mesh = mesh::join(mesh::box("below", {{0, 0, 0}, {1, 1, 0.4}, {3, 3, 2}}),
@@ -321,15 +299,6 @@ TEST(Connect, TwoPassesOverTheSameNodesKeepTheBoundTogether) {
     options.kind = kind;
     const double one = votes_of_matching_boxes(options, false).contact.step, two = votes_of_matching_boxes(options, true).contact.step;
     EXPECT_NEAR(two / one, 1, 1e-12);  // round-off
-  }
-}
-
-TEST(Connect, TwoPassesWithAPenaltyFromMassesUseTheWholeStep) {
-  InterfaceOptions options{.method = contact::Method::penalty};
-  options.penalty_from = PenaltyFrom::masses;
-  for (const bool two_passes : {false, true}) {
-    const Votes votes = votes_of_matching_boxes(options, two_passes);
-    EXPECT_NEAR(votes.contact.step / votes.elements.step, 1, 1e-12) << two_passes;  // pairs of equal masses: the bound is met exactly
   }
 }
 

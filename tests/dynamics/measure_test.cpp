@@ -94,7 +94,6 @@ TEST(OfBody, IsTheMeanOverTheVolumeOrTheLargestElement) {
 TEST(ContactForce, IsPenaltyTimesAreaTimesDepthOnTheApexes) {
   Scene scene({{"left", 0}, {"right", 2}});
   InterfaceOptions options{.method = contact::Method::penalty};
-  options.penalty_from = PenaltyFrom::value;
   options.penalty = 1e6;
   options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
   Connected connected = std::move(connect(scene.model, "touch", "left.x_high", "right.x_low", options)[0]);
@@ -117,7 +116,6 @@ TEST(ContactForce, IsPenaltyTimesAreaTimesDepthOnTheApexes) {
 TEST(ContactForce, IsZeroWhereSurfacesAreApart) {
   Scene scene({{"left", 0}, {"right", 2.5}});
   InterfaceOptions options{.method = contact::Method::penalty};
-  options.penalty_from = PenaltyFrom::value;
   options.penalty = 1e6;
   options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
   Connected connected = std::move(connect(scene.model, "touch", "left.x_high", "right.x_low", options)[0]);

@@ -22,7 +22,7 @@ Scene closing(double speed, double penalty = 0) {
   for (const char* name : {"a", "b"}) s.model.blocks.push_back(element::hexahedra(s.model.mesh, name, rubber, {}));
   finalize(s.model);
   InterfaceOptions options{.method = contact::Method::penalty};
-  options.penalty_from = PenaltyFrom::value, options.penalty = penalty;
+  options.penalty = penalty;
   if (penalty > 0) s.joined("touch", "a.x_high", "b.x_low", options);
   s.ready();
   s.move("b", {-speed, 0, 0});

@@ -236,7 +236,6 @@ TEST(Run, StopsWhenTheStepCollapsesAndSaysWhoAskedForIt) {
   Scene s = sliding();
   InterfaceOptions options{.method = contact::Method::penalty};
   options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
-  options.penalty_from = PenaltyFrom::value;
   options.penalty = 1e25;
   s.joined("joint", "above.z_low", "below.z_high", options);
   s.ready();

@@ -1493,7 +1493,7 @@ TEST(Resume, HasTheBitsOfARunWithoutABreakForEveryContact) {
     return options;
   };
   InterfaceOptions plain{.method = contact::Method::penalty}, two_passes = rubbing(contact::Weights::consistent), damped = plain;
-  InterfaceOptions bonded = plain, from_masses = plain, by_base = plain, accepted = plain;
+  InterfaceOptions bonded = plain, by_base = plain, accepted = plain;
   InterfaceOptions multiplier = rubbing(contact::Weights::consistent);
   multiplier.method = contact::Method::multiplier;
   by_base.area = contact::Area::base;
@@ -1501,8 +1501,7 @@ TEST(Resume, HasTheBitsOfARunWithoutABreakForEveryContact) {
   two_passes.two_passes = true;
   damped.damping_ratio = 0.3;
   bonded.kind = contact::InterfaceKind::bonded;
-  from_masses.penalty_from = PenaltyFrom::masses;
-  for (InterfaceOptions options : {plain, two_passes, damped, bonded, from_masses, by_base, accepted, multiplier,
+  for (InterfaceOptions options : {plain, two_passes, damped, bonded, by_base, accepted, multiplier,
                                    rubbing(contact::Weights::consistent), rubbing(contact::Weights::paper)}) {
     options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
     Scene s;

@@ -147,17 +147,15 @@ TEST(ReadHexahedron, WithEightPointsListsWhatOnePointWouldUse) {
 }
 
 TEST(ReadInterface, LetsTheCodeChooseUnlessAPenaltyIsGiven) {
-  using dynamics::PenaltyFrom;
-  EXPECT_EQ(read("method: penalty\npenalty_scale: 5\n", read_interface).penalty_from, PenaltyFrom::stiffness);
   EXPECT_EQ(read("method: penalty\npenalty_scale: 5\n", read_interface).penalty_scale, 5);
-  EXPECT_EQ(read("method: penalty\npenalty: 5e13 Pa/m\n", read_interface).penalty_from, PenaltyFrom::value);
+  EXPECT_FALSE(read("method: penalty\npenalty_scale: 5\n", read_interface).penalty.has_value());
   EXPECT_EQ(read("method: penalty\npenalty: 5e13 Pa/m\n", read_interface).penalty, 5e13);
-  EXPECT_EQ(read("method: penalty\npenalty_from: mass_and_step\nstep_share: 0.5\n", read_interface).penalty_from, PenaltyFrom::masses);
-  EXPECT_EQ(read("method: penalty\npenalty_from: mass_and_step\nstep_share: 0.5\n", read_interface).step_share, 0.5);
 }
 
 TEST(ReadInterface, DefaultsToTheBetterForms) {
   const auto options = read("clearance: 0.5 mm\n", read_interface);
+  EXPECT_EQ(options.method, contact::Method::multiplier);
+  EXPECT_EQ(options.restitution, 1);
   EXPECT_EQ(options.weights, contact::Weights::consistent);
   EXPECT_EQ(options.area, contact::Area::apex);
   EXPECT_EQ(options.damping_ratio, 0);

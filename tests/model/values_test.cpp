@@ -63,9 +63,7 @@ const std::vector<Wrong> numbers{
     {"point 'tip': 'near'", [](Scene& s, double v) { s.bodies[0].points[0].near.x() = v; }, {nan, infinity}},
     {"contact 'touch': 'penalty_scale'", [](Scene& s, double v) { s.contacts[0].interface.penalty_scale = v; }, {0, -1, nan}},
     {"contact 'touch': 'penalty'", [](Scene& s, double v) {
-       s.contacts[0].interface.penalty_from = dynamics::PenaltyFrom::value, s.contacts[0].interface.penalty = v; }, {0, -1, nan}},
-    {"contact 'touch': 'step_share'", [](Scene& s, double v) {
-       s.contacts[0].interface.penalty_from = dynamics::PenaltyFrom::masses, s.contacts[0].interface.step_share = v; }, {0, -1, nan}},
+       s.contacts[0].interface.penalty = v; }, {0, -1, nan}},
     {"contact 'touch': 'friction'", [](Scene& s, double v) { s.contacts[0].interface.friction.coefficient = v; }, {-1, 11, nan}},
     {"'tangential_penalty'", [](Scene& s, double v) { s.contacts[0].interface.friction.tangential_penalty = v; }, {0, 2, nan}},
     {"contact 'touch': 'damping_ratio'", [](Scene& s, double v) { s.contacts[0].interface.damping_ratio = v; }, {-1, 2, nan}},

@@ -1,6 +1,6 @@
 """How close is close enough, why, and what must break."""
 from reference import VM265, reference
-from verify import Breaks, Check, Falls, Figure, Pair, created
+from verify import Breaks, Check, Falls, Figure, Pair, Report, created
 
 CATALOGUE = ("I-1",)
 CLAIM = "A bar that hits a rigid wall exerts rho c V A for 2L/c and rebounds with its initial speed."
@@ -41,25 +41,29 @@ def impulse(run):
     return Pair(-run.account("wall")["impulse"]["value"][0], 2 * EXACT["momentum"], "N s")
 
 
+USUAL = {"bodies[0].element.viscosity.linear": 0.06, "bodies[0].element.viscosity.quadratic": 1.2}
+
 CHECKS = [
     Check("impact time", impact_time, 0.005, "the time between two samples is 0.2 % of it"),
     Check("plateau force", plateau_force, 0.01, "ringing averages out over the middle 80 % of the contact"),
-    Check("duration", duration, 0.02, "the wall's penalty is compliant and the end of the pulse is not sharp"),
+    Check("duration", duration, 0.01, "the end of the pulse is some elements wide"),
     Check("rebound speed", rebound, 0.005, "what stays behind as ringing is energy of the second order in its amplitude"),
     Check("impulse of the wall", impulse, 0.005, "as the rebound"),
-    Check("created energy", created, 0.005, "the vote for the step lets a bounce create no more"),
+    Report("rebound speed with the usual bulk viscosity", lambda run: rebound(run.again(USUAL)),
+           "the viscosity takes the ringing and 4 % of the energy, whatever the contact is"),
+    Check("created energy", created, 0.005, "multipliers create nothing; far above what is seen"),
 ]
 
 STUDIES = [
     Falls("rebound speed", along="bodies[0].mesh.cells[0]", values=[100, 200, 400]),
-    Falls("duration", along="planes[0].penalty_scale", values=[0.125, 0.25, 0.5, 1]),
+    Falls("duration", along="bodies[0].mesh.cells[0]", values=[100, 200, 400]),
 ]
 
 BREAKS = [
     Breaks("impact time", "the gap in millimetres", {"planes[0].point": "[254.01 mm, 0 mm, 0 mm]"}),
     Breaks("plateau force", "weight per volume taken for density", {"bodies[0].material.density": "0.282 lbf*s^2/in^4"}),
-    Breaks("plateau force", "a wall two hundred times too soft", {"planes[0].penalty_scale": 0.005}),
-    Breaks("duration", "a wall two hundred times too soft", {"planes[0].penalty_scale": 0.005}),
+    Breaks("plateau force", "a wall two hundred times too soft", {"planes[0].method": "penalty", "planes[0].penalty_scale": 0.005}),
+    Breaks("duration", "a wall two hundred times too soft", {"planes[0].method": "penalty", "planes[0].penalty_scale": 0.005}),
     Breaks("rebound speed", "viscosity that swallows the wave", {"bodies[0].element.viscosity.linear": 1}),
     Breaks("impulse of the wall", "a wall that keeps what it catches",
            {"planes[0].kind": "floor", "planes[0].nodes": "[bar.x_high]"}),

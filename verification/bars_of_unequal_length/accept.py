@@ -62,11 +62,11 @@ CHECKS = [
 ]
 
 STUDIES = [
-    Falls("restitution", along="contacts[0].penalty_scale", values=[0.5, 1, 2]),
+    Falls("duration at half height", along="bodies[0].mesh.cells[0]", values=[25, 50, 100]),
 ]
 
 BREAKS = [
-    Breaks("plateau force", "a penalty a hundred times too soft", {"contacts[0].penalty_scale": 0.02}),
+    Breaks("plateau force", "a penalty a hundred times too soft", {"contacts[0].method": "penalty", "contacts[0].penalty_scale": 0.02}),
     Breaks("duration at half height", "both bars of one length", {"bodies[0].mesh.low": "[-1 m, 0 m, 0 m]",
                                                                   "bodies[0].mesh.cells": "[200, 1, 1]"}),
     Breaks("velocity of the short bar over V", "ends that do not let go: bonded", {"contacts[0].kind": "bonded"}),

@@ -75,10 +75,7 @@ FORMULATIONS = [
     ("friction 0.3, two passes", {"contacts[0].friction": 0.3, "contacts[0].passes": "two"}), ("bonded", {"contacts[0].kind": "bonded"}),
     ("damping 0.1", {"contacts[0].damping_ratio": 0.1}),
     ("penalty scale 40", {"contacts[0].penalty_scale": 40}), ("penalty scale 0.4", {"contacts[0].penalty_scale": 0.4}),
-    ("a penalty given, 2e7 Pa/m", {"contacts[0].penalty": "2e7 Pa/m"}), ("penalty from mass and step",
-        {"contacts[0].penalty_from": "mass_and_step"}),
-    ("the same, half the step", {"contacts[0].penalty_from": "mass_and_step", "contacts[0].step_share": 0.5}),
-    ("the same, two passes", {"contacts[0].penalty_from": "mass_and_step", "contacts[0].passes": "two"}),
+    ("a penalty given, 2e7 Pa/m", {"contacts[0].penalty": "2e7 Pa/m"}),
     ("eight points in each element", {"bodies[0].element.kind": "full", "bodies[1].element.kind": "full"}),
 ]
 

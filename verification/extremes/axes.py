@@ -6,7 +6,7 @@ from typing import Callable
 import scenes
 from scenes import DENSITY, SIZE, SOUND, YOUNG, material
 
-TWO, MASS = {"passes": "two"}, {"penalty_from": "mass_and_step"}
+TWO, PENALTY = {"passes": "two"}, {"method": "penalty"}
 ALL = {"faces": {"skins": False}, "skins": {}, "skins, two passes": TWO}
 OFFSET = (0.0013, 0.0007)  # [m]
 
@@ -47,27 +47,24 @@ def time_step():
     found = []
     for v in (0.1, 0.25, 0.5, 0.75, 0.9, 1.0, 1.05, 1.1):
         found += with_options("time step", v, "bars", scenes.bars, {"faces": {}, "eight points": {"element": {"kind": "full"}},
-                                                                   "mass and step": MASS}, step=v)
+                                                                   "penalty": PENALTY}, step=v)
         found += with_options("time step", v, "drop", scenes.drop, {"skins": {}, "skins, two passes": TWO}, step=v)
         found += [cell("time step", v, "plate", "", scenes.plate_hit, step=v)]
     return found
 
 
 def penalty():
-    """Penalty over the stiffness of the softer side, or the share of the step."""
+    """Penalty over the stiffness of the softer side."""
     found = []
     for v in (1e-4, 1e-3, 1e-2, 0.1, 1.0, 10.0, 100.0, 1e3, 1e4):
-        found += with_options("penalty", v, "bars", scenes.bars, {"faces": {}, "faces, two passes": TWO}, penalty_scale=v)
-        found += with_options("penalty", v, "drop", scenes.drop, {"skins": {}, "skins, two passes": TWO}, penalty_scale=v)
-        found += [cell("penalty", v, "plate", "", scenes.plate_hit, penalty_scale=v)]
-    for v in (0.1, 0.5, 2.0, 10.0):
-        found += [cell("penalty", v, "bars", "step share", scenes.bars, **MASS, step_share=v),
-                  cell("penalty", v, "drop", "step share", scenes.drop, **MASS, step_share=v)]
+        found += with_options("penalty", v, "bars", scenes.bars, {"faces": {}, "faces, two passes": TWO}, method="penalty", penalty_scale=v)
+        found += with_options("penalty", v, "drop", scenes.drop, {"skins": {}, "skins, two passes": TWO}, method="penalty", penalty_scale=v)
+        found += [cell("penalty", v, "plate", "", scenes.plate_hit, method="penalty", penalty_scale=v)]
     return found
 
 
 RATIOS = (1e-6, 1e-4, 1e-2, 0.1, 10.0, 1e2, 1e4, 1e6)
-PENALTIES = {"": {}, "two passes": TWO, "mass and step": MASS}
+PENALTIES = {"": {}, "two passes": TWO, "penalty": PENALTY}
 
 
 def stiffness():
@@ -172,10 +169,10 @@ def speed():
     for v in (1e-9, 1e-6, 1e-4, 1e-3, 0.01, 0.03, 0.1, 0.2, 0.3, 0.5, 1.0, 2.0):
         keys = {"speed": v * SOUND, "gap": SIZE / 50 * min(1.0, 100 * v)}
         found += with_options("speed", v, "bars", scenes.bars, {"flush": {}, "offset, two passes": {"offset": OFFSET, **TWO}}, **keys)
-        found += with_options("speed", v, "drop", scenes.drop, {"skins": {}, "skins, two passes": TWO, "mass and step": MASS}, **keys)
+        found += with_options("speed", v, "drop", scenes.drop, {"skins": {}, "skins, two passes": TWO, "penalty": PENALTY}, **keys)
         found += [cell("speed", v, "plate", "", scenes.plate_hit, **keys)]
         if v >= 0.01:
-            found += with_options("speed", v, "walls", scenes.two_walls, {"": {}, "mass and step": MASS}, speed=v * SOUND)
+            found += with_options("speed", v, "walls", scenes.two_walls, {"": {}, "penalty": PENALTY}, speed=v * SOUND)
             found += [cell("speed", v, "under the table", "", scenes.table, offset=0.005, height=-0.031, speed=v * SOUND,
                            time=0.1 / (v * SOUND), answers=[("untouched", "block")])]
     return found
@@ -186,7 +183,7 @@ def thickness():
     found = []
     for v in (1e-5, 1e-4, 1e-3, 0.01, 0.03, 0.1, 0.3, 1.0):
         t = 6 * SIZE * v
-        found += with_options("thickness", v, "plate", scenes.plate_hit, {"": {}, "mass and step": MASS}, thickness=t, most=1.0,
+        found += with_options("thickness", v, "plate", scenes.plate_hit, {"": {}, "penalty": PENALTY}, thickness=t, most=1.0,
                               speed=0.01 * SOUND)
         found += [cell("thickness", v, "two sides", "", scenes.sandwich, thickness=t, both=True, end=4e-3),
                   cell("thickness", v, "between plates", "", scenes.sandwich, thickness=t, end=10e-3),

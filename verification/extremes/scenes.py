@@ -136,8 +136,6 @@ def drop(fine=1, speed=0.05 * SOUND, skins=True, cells=(3, 3, 3), base_cells=(5,
     names = ("a.skin", "b.skin") if skins else ("a.z_low", "b.z_high")
     if accept:
         keys["initial_penetration"] = "accept"
-    if keys.get("penalty_from") == "mass_and_step":
-        time *= 3  # softer by far
     end = abs(gap) / speed + time * wave
     return scene([body("a", cube, np.add(at, (shift[0], shift[1], gap + turned_up)), turned, of, element),
                   body("b", base, at, None, base_of, element)],
@@ -493,7 +491,8 @@ def bounces(fine=1, number_of=100, base="walls", speed=0.01 * SOUND, cells=(1, 1
 
 def stays_at_rest(fine=1, passes="one", skins=True, friction=0.0, gravity=10.0, end=0.1, damping=0.0, kind="cube", **keys):
     """A cube lies on a block under gravity and goes on lying there."""
-    made = drop(fine, speed=1e-6, skins=skins, gap=1e-9, passes=passes, friction=friction, damping_ratio=damping, **keys)
+    made = drop(fine, speed=1e-6, skins=skins, gap=1e-9, passes=passes, friction=friction,
+                **({"method": "penalty", "damping_ratio": damping} if damping else {}), **keys)
     made.case["gravity"] = vector((0, 0, -gravity), "m/s^2")
     made.case["initial"] = []
     made.case["time"] = {"end": f"{end!r} s"}
@@ -545,7 +544,7 @@ def thrown(fine=1, seed=0, bodies=None, plates=True):
     rng = random.Random(seed)
     many = bodies or rng.choice([2, 2, 2, 3, 4])
     passes, friction = rng.choice(["one", "two"]), rng.choice([0.0, 0.0, 0.2, 0.5, 1.0])
-    penalty = rng.choice([{}, {}, {"penalty_from": "mass_and_step"}, {"penalty_scale": rng.choice([2.0, 100.0])}])
+    penalty = rng.choice([{}, {}, {"method": "penalty"}, {"method": "penalty", "penalty_scale": rng.choice([2.0, 100.0])}])
     speed = SOUND * 10 ** rng.uniform(-1.5, -0.7)
     found, contacts, velocities = [], [], {}
     radius = 0.0

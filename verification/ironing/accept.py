@@ -14,7 +14,7 @@ BEGIN, END = window(1e-3, 2e-3, 2)   # the way over two cells of the slab, at th
 CONTACT = "contacts[0]"
 RUBS = {f"{CONTACT}.friction": FRICTION}
 TWO = {f"{CONTACT}.passes": "two"}
-DAMPED = {f"{CONTACT}.damping_ratio": 0.1}
+DAMPED = {f"{CONTACT}.method": "penalty", f"{CONTACT}.damping_ratio": 0.1}
 EXCHANGED = {f"{CONTACT}.apexes": "slab.z_high", f"{CONTACT}.base": "die.z_low"}
 ROLLING = "verification/ironing/rolling.yaml"
 
@@ -120,7 +120,8 @@ STUDIES = [
 
 BREAKS = [
     Breaks("drag without friction, over the push", "friction that nobody asked for", {f"{CONTACT}.friction": 0.02}),
-    Breaks("drag over push with friction", "a stick ten thousand times too soft", {f"{CONTACT}.tangential_penalty": 1e-4}),
+    Breaks("drag over push with friction", "a stick ten thousand times too soft", {f"{CONTACT}.method": "penalty",
+                                                                                   f"{CONTACT}.tangential_penalty": 1e-4}),
 ]
 
 

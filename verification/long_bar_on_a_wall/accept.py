@@ -1,6 +1,6 @@
 """How close is close enough, why, and what must break."""
 from reference import INCH, VM85, reference, shortening
-from verify import Breaks, Check, Falls, Figure, Pair, created
+from verify import Breaks, Check, Falls, Figure, Pair, Report, created
 
 CATALOGUE = ("I-1b",)
 CLAIM = "A long bar stopped by a wall is shortened by V L/c when the front reaches its free end, and all its energy is then strain energy."
@@ -35,28 +35,32 @@ def at_rest(run):
     return Pair(kinetic[values.index(max(values))] / kinetic[0], 0, "", scale=1)
 
 
+USUAL = {"bodies[0].element.viscosity.linear": 0.06, "bodies[0].element.viscosity.quadratic": 1.2}
+
 CHECKS = [
-    Check("impact time", impact_time, 0.005, "the time between two samples is 0.3 % of it"),
+    Check("impact time", impact_time, 0.04, "the first force acts within a step of the impact, and a step of 200 elements is 3 % of it"),
     Check("largest shortening", largest, 0.01, "the catalogue's bound; the front is some elements wide"),
     Check("time of the largest shortening", when, 0.01,
-          "the catalogue's bound; the wall's penalty delays the front by less than an element"),
+          "the catalogue's bound; the front is some elements wide"),
     Check("kinetic energy at the largest shortening", at_rest, 0.01,
           "exact: none; what is left is the ringing behind the front, which falls with the mesh"),
-    Check("created energy", created, 0.005, "the vote for the step lets a bounce create no more"),
+    Report("largest shortening with the usual bulk viscosity", lambda run: largest(run.again(USUAL)),
+           "the viscosity takes the ringing and 3 % of the energy, whatever the contact is"),
+    Check("created energy", created, 0.005, "multipliers create nothing; far above what is seen"),
 ]
 
 STUDIES = [
-    Falls("largest shortening", along="bodies[0].mesh.cells[0]", values=[50, 100, 200], fixed={"planes[0].penalty_scale": 1}),
-    Falls("kinetic energy at the largest shortening", along="bodies[0].mesh.cells[0]", values=[50, 100, 200],
-          fixed={"planes[0].penalty_scale": 1}),
-    Falls("time of the largest shortening", along="planes[0].penalty_scale", values=[0.5, 1, 2]),
+    Falls("largest shortening", along="bodies[0].mesh.cells[0]", values=[50, 100, 200]),
+    Falls("kinetic energy at the largest shortening", along="bodies[0].mesh.cells[0]", values=[50, 100, 200]),
+    Falls("time of the largest shortening", along="bodies[0].mesh.cells[0]", values=[50, 100, 200]),
 ]
 
 BREAKS = [
     Breaks("impact time", "the gap in millimetres", {"planes[0].point": "[254000.64 mm, 0 mm, 0 mm]"}),
     Breaks("largest shortening", "weight per volume taken for density", {"bodies[0].material.density": "0.282 lbf*s^2/in^4"}),
     Breaks("time of the largest shortening", "29e6 psi for 30e6 psi, as some tables have it", {"bodies[0].material.young": "29e6 psi"}),
-    Breaks("kinetic energy at the largest shortening", "a wall a hundred times too soft", {"planes[0].penalty_scale": 0.01}),
+    Breaks("kinetic energy at the largest shortening", "a wall a hundred times too soft", {"planes[0].method": "penalty",
+                                                                                           "planes[0].penalty_scale": 0.01}),
     Breaks("kinetic energy at the largest shortening", "five elements for the whole bar", {"bodies[0].mesh.cells": "[5, 1, 1]"}),
 ]
 

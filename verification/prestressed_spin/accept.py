@@ -14,7 +14,7 @@ TURNS = 10
 
 
 def rows(run):
-    """Time and stress as the body sees it, until the last turn is over; the two steps behind it are shorter."""
+    """Time and stress as the body sees it, until the last turn is over; the last twenty steps behind it are shorter."""
     columns = [run.column("stress_" + c) for c in ("xx", "yy", "zz", "xy", "yz", "xz")]
     for t, xx, yy, zz, xy, yz, xz in zip(run.column("time"), *columns):
         if t < TURNS + 0.01:

@@ -96,7 +96,8 @@ BREAKS = [
     Breaks("force of the plane", "gravity left on", {"gravity": "[0 m/s^2, 0 m/s^2, -9.81 m/s^2]"}),
     Breaks("friction of the block that slides", "a coefficient of 0.29", {"planes[0].friction": 0.29}),
     Breaks("friction of the block that stays", "friction below the push", {"planes[0].friction": 0.25}),
-    Breaks("creep before the slip", "a stick a million times too soft", {"planes[0].tangential_penalty": 1e-6}),
+    Breaks("creep before the slip", "a stick a million times too soft", {"planes[0].method": "penalty", "planes[0].penalty": "1e9 Pa/m",
+                                                                         "planes[0].tangential_penalty": 1e-6}),
     Breaks("speed at the end", "the coefficient doubled, as where both faces rub", {"planes[0].friction": 0.6}),
 ]
 

@@ -1,6 +1,6 @@
 """How close is close enough, why, and what must break."""
 from reference import BARS, reference, speeds
-from verify import Breaks, Check, Figure, Pair, Table, created, crossings
+from verify import Breaks, Check, Figure, Pair, Report, Table, created, crossings
 
 CATALOGUE = ("I-10",)
 CLAIM = "Of three equal bars in a row the first two end at rest, and the third leaves with the initial speed of the first."
@@ -39,18 +39,23 @@ def gap(run):
     return Pair(run.column("gap_one")[-1], EXACT["gap"], "m")
 
 
+USUAL = {f"bodies[{body}].element.viscosity.{key}": value for body in range(3)
+         for key, value in (("linear", 0.06), ("quadratic", 1.2))}
+
 CHECKS = [
     Check("velocity of the third bar", speed_of("third"), 0.01, "the catalogue's bound; each impact leaves some ringing behind"),
     Check("velocity of the first bar over V", speed_of("first"), 0.01, "the catalogue's bound; exact: at rest"),
     Check("velocity of the second bar over V", speed_of("second"), 0.01, "the catalogue's bound; exact: at rest"),
     Check("time of the first impact", impact("one", 0), 0.01, "a sample is 0.4 % of it"),
     Check("time of the second impact", impact("two", 1), 0.02,
-          "the first contact is as compliant as an element or two, and the far end swings to V and does not jump; 0.4 % with 400 cells"),
+          "the far end swings to V and does not jump"),
     Check("first impact lasts", duration("one"), 0.02,
-          "the penalty of mass and step is as compliant as an element or two, and their travel time is 0.5 % each"),
+          "the ends of the pulse are some elements wide, and their travel time is 0.5 % each"),
     Check("second impact lasts", duration("two"), 0.02, "as the first"),
     Check("gap between first and second at the end", gap, 0.02, "it drifts with the velocities that are left, 0.3 % of V for 9 ms"),
-    Check("created energy", created, 0.005, "the vote for the step lets a bounce create no more"),
+    Report("velocity of the third bar with the usual bulk viscosity", lambda run: speed_of("third")(run.again(USUAL)),
+           "the viscosity takes the ringing and 5 % of the energy, whatever the contact is"),
+    Check("created energy", created, 0.005, "multipliers create nothing; far above what is seen"),
 ]
 
 def meshes(run):
@@ -65,6 +70,7 @@ def meshes(run):
 STUDIES = [Table("Velocities over V at the end, duration of the first impact and time of the second [ms]; exactly 0, 0, 1, 2 and 11.",
                  ["cells per bar", *NAMES, "duration", "second impact"], meshes, full=True)]
 
+SOFT = {f"contacts[{c}].{key}": value for c in (0, 1) for key, value in (("method", "penalty"), ("penalty", "2e8 Pa/m"))}
 BREAKS = [
     Breaks("velocity of the third bar", "ends that do not let go: bonded", {"contacts[1].kind": "bonded"}),
     Breaks("velocity of the second bar over V", "ends that do not let go: bonded", {"contacts[1].kind": "bonded"}),
@@ -74,8 +80,8 @@ BREAKS = [
     Breaks("time of the first impact", "the first gap a tenth too wide", {"bodies[0].move": "[-5 mm, 0 m, 0 m]"}),
     Breaks("first impact lasts", "uniaxial strain of a metal: E 1.2 times too stiff", {"bodies[0].material.young": "1.2 GPa",
         "bodies[1].material.young": "1.2 GPa"}),
-    Breaks("second impact lasts", "penalties a thousand times too soft", {"contacts[0].penalty": "2e8 Pa/m",
-        "contacts[1].penalty": "2e8 Pa/m", "time.overlap_limit": "2"}),  # bars go through each other, and no audit stops that
+    Breaks("second impact lasts", "penalties a thousand times too soft", {**SOFT, "time.overlap_limit": "2"}),
+      # bars go through each other, and no audit stops that
 ]
 
 

@@ -1,12 +1,14 @@
 """How close is close enough, why, and what must break."""
 from reference import reference
-from verify import Breaks, Check, Falls, Figure, Pair, Waiver, created
+from verify import Breaks, Check, Falls, Figure, Pair, Report, Waiver, created
 
 CATALOGUE = ("I-3",)
 CLAIM = "The interface carries the stress rho c v/2 for the time 2L/c; then the bars separate with their velocities exchanged."
 EVIDENCE = "exact"
 DRIVER = "two_blocks"
 CASE = "cases/two_blocks/bars.yaml"
+PENALTY = {"contact.method": "penalty"}
+USUAL = {"element.viscosity.linear": 0.06, "element.viscosity.quadratic": 1.2}
 
 
 def exact(run):
@@ -33,15 +35,17 @@ def momentum(run):
 
 CHECKS = [
     Check("plateau stress", plateau_stress, 0.01, "ringing averages out over the middle 80 % of the contact"),
-    Check("contact time", contact_time, 0.03, "the penalty itself is compliant; the error falls with it, see the study"),
+    Check("contact time", contact_time, 0.01, "the catalogue's bound; contact lasts some steps longer, and these fall with the mesh"),
     Check("velocity of A", velocity_of("A"), 0.01, "some energy stays behind as ringing; it falls with the mesh"),
     Check("velocity of B", velocity_of("B"), 0.01, "as A, by symmetry"),
-    Check("created energy", created, 0.005, "the vote for the step lets a bounce create no more"),
+    Report("velocity of A with the usual bulk viscosity", lambda run: velocity_of("A")(run.again(USUAL)),
+           "the viscosity takes the ringing and 4 % of the energy, whatever the contact is"),
+    Check("created energy", created, 0.005, "multipliers create nothing but where sweeps end too early; far above what is seen"),
     Check("momentum", momentum, 1e-12, "contact gives what it takes: round-off"),
 ]
 
 STUDIES = [
-    Falls("contact time", along="contact.penalty_scale", values=[0.25, 0.5, 1]),
+    Falls("contact time", along="blocks.cells_along", values=[50, 100, 200]),
     Falls("velocity of A", along="blocks.cells_along", values=[50, 100, 200]),
 ]
 
@@ -51,12 +55,12 @@ WAIVERS = [
 ]
 
 BREAKS = [
-    Breaks("plateau stress", "a penalty a hundred times too soft", {"contact.penalty": "5e11 Pa/m"}),
-    Breaks("contact time", "a penalty a hundred times too soft", {"contact.penalty": "5e11 Pa/m"}),
+    Breaks("plateau stress", "a penalty a hundred times too soft", {**PENALTY, "contact.penalty": "5e11 Pa/m"}),
+    Breaks("contact time", "a penalty a hundred times too soft", {**PENALTY, "contact.penalty": "5e11 Pa/m"}),
     Breaks("velocity of A", "viscosity that swallows the wave", {"element.viscosity.linear": 1}),
     Breaks("velocity of B", "viscosity that swallows the wave", {"element.viscosity.linear": 1}),
     Breaks("created energy", "two cells, a stiff interface, and a step beyond the bound of a bounce",
-           {"contact.energy_gain_limit": 0.04, "blocks.cells_along": 2, "contact.penalty_scale": 50}),
+           {**PENALTY, "contact.energy_gain_limit": 0.04, "blocks.cells_along": 2, "contact.penalty_scale": 50}),
 ]
 
 
