@@ -56,7 +56,7 @@ void press(double weight, double height, double young, model::Simulation& simula
 Vec3 force(const dynamics::View& view) {
   if (!view.model.rigid_planes.empty()) return contact::force(view.model.rigid_planes[0], view.now.rigid_planes[0]);
   Vec3 sum = Vec3::Zero();
-  for (std::size_t pass = 0; pass < view.model.interfaces.size(); ++pass) sum += (pass == 0 ? 1 : -1) * dynamics::contact_force(view, pass);
+  for (std::size_t pass = 0; pass < view.model.interfaces.size(); ++pass) sum += (pass == 0 ? 1 : -1) * view.now.interfaces[pass].force;
   return sum;
 }
 

@@ -26,13 +26,6 @@ dynamics::Probe velocity(const std::string& block, const model::Simulation& simu
           }};
 }
 
-/// What pushes the blocks apart. [N]
-double force(const dynamics::View& view) {
-  double sum = 0;
-  for (const auto& near : view.now.interfaces[0].near) sum -= near.element.apex.x();
-  return sum;
-}
-
 model::Simulation build(const input::CaseFile& file) {
   const input::Section root = file.root(), blocks = root.section("blocks");
   const double length = blocks.quantity("length", dim::length, input::positive),
@@ -61,16 +54,19 @@ model::Simulation build(const input::CaseFile& file) {
                                                               " elements: expected at most a hundred million");
   model::Simulation simulation = input::build(file, scene);
   const double area = width * width;
-  simulation.probes = {{"interface_stress", "Pa", [area](const auto& view, auto&) { return force(view) / area; }, true},
-                       velocity("A", simulation),
-                       velocity("B", simulation)};
+  const auto mean_stress = [area](const dynamics::View& view, dynamics::ProbeMemory& memory) {
+    return -dynamics::mean_contact_force(view, {0}, memory).x() / area;
+  };
+  const auto stress = [area](const dynamics::View& view, dynamics::ProbeMemory&) { return -view.now.interfaces[0].force.x() / area; };
+  simulation.probes = {{"interface_stress", "Pa", mean_stress}, velocity("A", simulation), velocity("B", simulation),
+                       {"", "Pa", stress, true}};
   return simulation;
 }
 
 std::vector<output::Result> results(const model::Simulation& simulation) {
   const auto& seen = simulation.state.probes;  // in the order in which build() added them
-  const double duration = seen[0].first_above_zero < 0 ? 0 : seen[0].last_above_zero - seen[0].first_above_zero;
-  const double area = simulation.model.interfaces[0].area.sum(), stress_time = seen[0].integral;
+  const double duration = seen[3].first_above_zero < 0 ? 0 : seen[3].last_above_zero - seen[3].first_above_zero;
+  const double area = simulation.model.interfaces[0].area.sum(), stress_time = seen[3].integral;
   return {{"interface_stress_mean", duration > 0 ? stress_time / duration : 0, "Pa"},
           {"interface_stress_peak", std::max(0.0, seen[0].largest), "Pa"},
           {"contact_time", duration, "s"},

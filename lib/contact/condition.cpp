@@ -86,7 +86,7 @@ bool complete(const Motion& m, const Vectors& free, int nodes, double pressed, d
     c.free += c.weight[j] * c.normal.dot(free.col(node));
   }
   const double closing = (c.gap > 0 ? -c.gap : -corrected * c.gap) / m.next, impulse = 0.5 * pressed * (m.dt + m.next);
-  const double from_held = impulse > 0 ? held / impulse : 0;
+  const double from_held = impulse > 0 ? std::max(0.0, held) / impulse : 0;
   c.least = std::min(closing, 2 * from_held - c.before);
   return c.per_mass > 1e-9 / m.mass(c.node[0]);
 }
@@ -197,7 +197,7 @@ void find_conditions(const Interface& interface, const Motion& m, Memory& memory
                               .square = interface.restitution * interface.restitution});
   }
   for (std::size_t a = 0; a < memory.restitution.size(); ++a)
-    if (memory.slot[a] < 0 && memory.restitution[a].held > 0) discard(memory.restitution[a], memory.impact);
+    if (memory.slot[a] < 0 && memory.restitution[a].held != 0) discard(memory.restitution[a], memory.impact);
 }
 
 void find_conditions(const RigidPlane& plane, const Motion& m, PlaneMemory& memory, Multipliers& all) {

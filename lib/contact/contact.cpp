@@ -34,6 +34,16 @@ Workspace::Workspace(const Interface& interface)
   near.reserve(interface.apexes.size());
 }
 
+void sum_force(double dt, Memory& memory) {
+  const Vec3 before = memory.force;
+  memory.force.setZero();
+  for (const Near& near : memory.near) {
+    if (near.element.closed) memory.force += near.element.scale * near.element.apex;
+    if (near.friction.acts) memory.force += near.friction.force;
+  }
+  memory.impulse += 0.5 * dt * (before + memory.force);
+}
+
 double stored(const Memory& memory) {
   double sum = 0;
   for (const double energy : memory.stored) sum += energy;
@@ -77,6 +87,7 @@ void advance(const Interface& interface, const Vectors& x, const Vectors& v, con
     ++memory.walks;
     ++memory.reconnections[near.apex];
   }
+  sum_force(dt, memory);
 }
 
 void add_forces(const Interface& interface, const Memory& memory, Vectors& force, Vectors& moment) {

@@ -172,6 +172,8 @@ struct Memory {
   double friction_to_come = 0;              ///< [J] part of it that multipliers will only take in the half step that begins
   std::vector<Restitution> restitution;     ///< [apexes] of multipliers; else empty
   double impact = 0;                        ///< [J] kinetic energy lost as multipliers stopped nodes
+  Vec3 force = Vec3::Zero();                ///< [N] on all apexes, with friction; on the bases it is the opposite
+  Vec3 impulse = Vec3::Zero();              ///< [N s] of that force since the start
   double transferred = 0;                   ///< [J] of what multipliers have taken here, that other contacts hold
   double held = 0;                          ///< [J] what multipliers hold, with their work in the half step that begins
   double power_rate = 0;                    ///< [W/s] force times acceleration of multipliers: dt^2/8 of it is their work
@@ -194,6 +196,9 @@ struct Memory {
 inline const Near* near(const Memory& memory, Index apex) {
   return memory.slot[apex] < 0 ? nullptr : &memory.near[memory.slot[apex]];
 }
+
+/// Sums the force on the apexes, and adds to its impulse that of the step dt [s] that led here.
+void sum_force(double dt, Memory&);
 
 double stored(const Memory&);             ///< [J] by the penalty
 double tangential_stored(const Memory&);  ///< [J] by the elastic stick of friction

@@ -194,6 +194,7 @@ void take_over(const Interface& interface, const Motion& m, double h, double t, 
     if (element.moved && !near.rests) ++memory.walks, ++memory.reconnections[near.apex];
   }
   book_half(interface, m, 0, memory);
+  sum_force(m.dt, memory);
   memory.held = to_come + held(first, last, all) + memory.transferred;
 }
 
@@ -267,9 +268,6 @@ void apply(const Condition& c, int nodes, const Vectors& x, Vectors& impulse, Ve
   }
 }
 
-void book_impulse(const Condition&, Memory&) {}  // what the apex gets the base loses
-void book_impulse(const Condition& c, PlaneMemory& memory) { memory.impulse += c.impulse * c.normal; }
-
 }  // namespace
 
 bool any_by_multipliers(std::span<const Interface> interfaces, std::span<const RigidPlane> planes) {
@@ -289,11 +287,10 @@ void stop_at_start(std::span<const Interface> interfaces, std::span<const RigidP
       memory.work += one.work;
       for (Index i = one.first; i < one.last; ++i) {
         apply(all.conditions[i], one.nodes, m.x, impulse, memory.angular_impulse);
-        book_impulse(all.conditions[i], memory);
+        memory.impulse += all.conditions[i].impulse * all.conditions[i].normal;
       }
     }
     memory.impact += update_restitution(m, t, first, last, all);
-    drop_deficits(first, last, all);
   });
 }
 
@@ -318,7 +315,6 @@ void enforce(std::span<const Interface> interfaces, std::span<const RigidPlane> 
     if (is_back_pass(contact)) balance({&pools.back() - 1, 2}, all);
   });
   balance(pools, all);
-  drop_deficits(0, static_cast<Index>(all.contactors.size()), all);
   acting.for_each([&](std::size_t at, const auto& contact, auto& memory) {
     const Index first = all.first[at], last = all.first[at + 1];
     take_over(contact, m, h, t, first, last, memory, all);

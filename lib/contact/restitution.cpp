@@ -94,7 +94,7 @@ double update_restitution(const Motion& m, double t, Index first, Index last, Mu
 
 double held(Index first, Index last, const Multipliers& all) {
   double sum = 0;
-  for (Index k = first; k < last; ++k) sum += all.contactors[k].memory->held;
+  for (Index k = first; k < last; ++k) sum += std::max(0.0, all.contactors[k].memory->held);
   return sum;
 }
 
@@ -107,22 +107,17 @@ void balance(std::span<const Pool> pools, Multipliers& all) {
     }
   if (!(deficit > 0)) return;
   const double covered = std::min(1.0, held_by_all / deficit), left = deficit < held_by_all ? 1 - deficit / held_by_all : 0;
-  for (const Pool& pool : pools) {
-    const double before = held(pool.first, pool.last, all);
+  for (const Pool& pool : pools)
     for (Index k = pool.first; k < pool.last; ++k) {
       double& one = all.contactors[k].memory->held;
-      one = one > 0 ? left * one : (1 - covered) * one;
+      const double before = one;
+      one *= one > 0 ? left : 1 - covered;
+      *pool.transferred += before - one;
     }
-    *pool.transferred += before - held(pool.first, pool.last, all);
-  }
-}
-
-void drop_deficits(Index first, Index last, Multipliers& all) {
-  for (Index k = first; k < last; ++k) all.contactors[k].memory->held = std::max(0.0, all.contactors[k].memory->held);
 }
 
 void discard(Restitution& memory, double& impact) {
-  impact += memory.held;
+  impact += std::max(0.0, memory.held);
   memory = {};
 }
 

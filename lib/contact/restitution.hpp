@@ -13,13 +13,11 @@ void release(const Motion&, double t, Multipliers&);
 /// returns  what was taken for good [J]
 double update_restitution(const Motion&, double t, Index first, Index last, Multipliers&);
 
-/// Covers the deficits of contactors, that have given more than they held, from all of some pools in proportion to what each holds.
+/// Covers the deficits of contactors, that have given more than they held, from all of some pools in proportion to what each holds. What
+/// remains is created energy, until they take it back from the nodes.
 void balance(std::span<const Pool>, Multipliers&);
 
-/// Sets the deficits that nothing covered to zero: the ledger then shows them as created.
-void drop_deficits(Index first, Index last, Multipliers&);
-
-/// What contactors hold. [J]
+/// What contactors hold, without deficits. [J]
 double held(Index first, Index last, const Multipliers&);
 
 /// Books what a node holds as lost that is no longer near what it touched.

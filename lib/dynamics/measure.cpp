@@ -77,15 +77,6 @@ double of_body(const View& view, const std::vector<std::size_t>& blocks, std::st
   return take == Take::largest ? largest : sum / all;
 }
 
-Vec3 contact_force(const View& view, std::size_t interface) {
-  Vec3 sum = Vec3::Zero();
-  for (const contact::Near& near : view.now.interfaces[interface].near) {
-    if (near.element.closed) sum += near.element.scale * near.element.apex;
-    if (near.friction.acts) sum += near.friction.force;
-  }
-  return sum;
-}
-
 double area_across(const View& view, std::size_t c, Index apex, const Vec3& force) {
   const contact::Interface& interface = view.model.interfaces[c];
   if (interface.faces.begin.empty()) return interface.area(apex);
@@ -111,12 +102,29 @@ double least_gap(const View& view, std::size_t c) {
   return contact::least_gap(interface, view.now.x, memory, extent.norm());
 }
 
+namespace {
+
+/// By how much an impulse has grown since the last sample, over the time since then; `first` [N s] is where it began.
+Vec3 growth(const Vec3& impulse, const Vec3& first, double t, ProbeMemory& memory) {
+  const double elapsed = t - memory.since;
+  if (memory.samples == 0) memory.impulse = first, memory.since = t;
+  else if (elapsed > 0) memory.force = (impulse - memory.impulse) / elapsed, memory.impulse = impulse, memory.since = t;
+  return memory.force;
+}
+
+}  // namespace
+
+Vec3 mean_contact_force(const View& view, const std::vector<std::size_t>& passes, ProbeMemory& memory) {
+  Vec3 impulse = view.now.interfaces[passes[0]].impulse;
+  for (std::size_t p = 1; p < passes.size(); ++p) impulse -= view.now.interfaces[passes[p]].impulse;
+  return growth(impulse, Vec3::Zero(), view.now.t, memory);
+}
+
 Vec3 mean_force(const View& view, std::size_t source, ProbeMemory& memory) {
   const Vec3& impulse = view.now.ledger.accounts[source].impulse;
-  const double elapsed = view.now.t - memory.since;
-  if (memory.samples == 0) memory.impulse = impulse, memory.since = view.now.t;
-  if (elapsed > 0) memory.force = (impulse - memory.impulse) / elapsed, memory.impulse = impulse, memory.since = view.now.t;
-  return memory.force;
+  const std::size_t first = view.model.blocks.size() + view.model.interfaces.size();
+  const bool rigid = source >= first && source < first + view.model.rigid_planes.size();
+  return growth(impulse, rigid ? Vec3(Vec3::Zero()) : impulse, view.now.t, memory);
 }
 
 namespace {

@@ -35,8 +35,10 @@ enum class Take {
 /// Throws InternalError if the body has no such field.
 double of_body(const View&, const std::vector<std::size_t>& blocks, std::string_view field, int component, Take);
 
-/// Force of an interface on all its apexes, at this moment, with friction; on the bases it is the opposite. [N]
-Vec3 contact_force(const View&, std::size_t interface);
+/// Force of an interface on all its apexes, with friction, as a mean over the time between two samples of a probe. [N]
+///
+/// passes  places in Model::interfaces: of a second pass the force on its bases
+Vec3 mean_contact_force(const View&, const std::vector<std::size_t>& passes, ProbeMemory&);
 
 /// An interface as a whole.
 struct ContactState {
@@ -54,7 +56,8 @@ double least_gap(const View&, std::size_t interface);
 /// Force of a source, as a mean over the time between two samples of a probe: what its impulse grew by. [N]
 ///
 /// source  in sources(model)
-/// Needs  views whose ledger is current; zero at the first sample and where no time has passed
+/// Needs  views whose ledger is current; zero at the first sample and where no time has passed. What a rigid plane stopped at the start
+/// belongs to the first interval.
 Vec3 mean_force(const View&, std::size_t source, ProbeMemory&);
 
 /// Columns of the history that are a source's own: its channels, and what it created.

@@ -77,13 +77,6 @@ struct Measuring {
   }
 };
 
-/// On the surface with the apexes: of a second pass it is what pushes back.
-Vec3 force_on_apexes(const View& view, const std::vector<std::size_t>& passes) {
-  Vec3 sum = dynamics::contact_force(view, passes[0]);
-  for (std::size_t p = 1; p < passes.size(); ++p) sum -= dynamics::contact_force(view, passes[p]);
-  return sum;
-}
-
 Measure of_body(const Probe& probe, int row, const dynamics::Model& model, const dynamics::State& at_start, Faults& faults) {
   std::vector<std::size_t> blocks;  // a body from a file may have several regions
   bool measured = true;
@@ -115,7 +108,9 @@ Measure of_source(const Probe& probe, const std::string& along, const dynamics::
   if (along == "normal" && normal.isZero(0))
     refuse(faults, part("probe", probe), "component", "'component' = normal: " + probe.of + " is no plane and has no normal");
   if (!interfaces.empty())
-    return component(along, normal, [interfaces](const View& view, ProbeMemory&) { return force_on_apexes(view, interfaces); });
+    return component(along, normal, [interfaces](const View& view, ProbeMemory& memory) {
+      return dynamics::mean_contact_force(view, interfaces, memory);
+    });
   for (std::size_t l = 0; l < model.loads.size(); ++l)
     if (load::name(model.loads[l]) == probe.of && load::is_spring(model.loads[l]))
       return component(along, normal, [l](const View& view, ProbeMemory&) -> Vec3 { return view.now.loads[l].force.col(0); });

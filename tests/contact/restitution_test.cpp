@@ -89,8 +89,11 @@ TEST(Restitution, LeavesADeficitThatNothingCovers) {
   balance({&pool, 1}, at.all);
   EXPECT_EQ(at.memory[0].held, 0);
   EXPECT_NEAR(at.memory[1].held, -2, 1e-15);
-  drop_deficits(0, 2, at.all);
   EXPECT_EQ(held(0, 2, at.all), 0);
+  EXPECT_EQ(transferred, 0);
+  double impact = 0;
+  discard(at.memory[1], impact);
+  EXPECT_EQ(impact, 0);  // it stays created
 }
 
 }  // namespace

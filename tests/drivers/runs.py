@@ -164,12 +164,13 @@ class Stops(InATemporaryFolder):
         self.assertIn("volume or area", ending["reason"])
 
     def test_inverted_element_of_a_block(self):
-        ending = self.stop("two_blocks", [*BARS, "closing_speed=20 km/s", "time.created_limit=1e6"], "inverted_element")
+        ending = self.stop("two_blocks", [*BARS, "closing_speed=8 km/s", "time.created_limit=1e6"], "inverted_element")
         self.assertIn(ending["block"], ("A", "B"))
         self.assertTrue(0 <= ending["element"] < 20, ending["element"])
 
     def test_energy_lost(self):
-        ending = self.stop("two_blocks", [*BARS, "closing_speed=5 km/s", "time.created_limit=1e-3"], "energy_lost")
+        by_penalty = ["contact.method=penalty", "contact.penalty_scale=1"]
+        ending = self.stop("two_blocks", [*BARS, *by_penalty, "closing_speed=5 km/s", "time.created_limit=1e-3"], "energy_lost")
         self.assertEqual((ending["block"], ending["element"]), ("time integration", None))
         self.assertIn("the limit is 0.001", ending["reason"])
 
@@ -188,7 +189,7 @@ class Summary(InATemporaryFolder):
         for name, unit in results.items():
             self.assertEqual(summary["results"][name]["unit"], unit, name)
             self.assertIsInstance(summary["results"][name]["value"], float, name)
-        self.assertGreater(summary["cost"]["steps"], 100)
+        self.assertGreater(summary["cost"]["steps"], 50)
         self.assertEqual(summary["cost"]["element_updates"],
                          summary["cost"]["elements"] * (summary["cost"]["steps"] + 1))
         provenance = summary["provenance"]
@@ -246,7 +247,7 @@ class Summary(InATemporaryFolder):
 
     def test_every_variant_of_the_cask(self):
         for change in ("cladding.kind=none", "interface.kind=bonded", "interface.friction=0.3", "element.lead=full",
-                       "interface.passes=two", "interface.penalty_from=mass_and_step", "steel.hardening=kinematic"):
+                       "interface.passes=two", "interface.method=penalty", "steel.hardening=kinematic"):
             with self.subTest(change):
                 values = [*QUARTER, change]
                 if "none" in change:  # without steel the steps are twenty times longer
@@ -254,9 +255,7 @@ class Summary(InATemporaryFolder):
                 if "two" in change:
                     self.assertIn("interface_back", self.run_to_end("cask_drop", values, out="two").summary()["ledger"]["accounts"])
                     continue
-                # a penalty that does not cost the thin skin its step lets the lead through by more than its thickness
-                values += ["time.overlap_limit=1"] if "mass" in change else []
-                self.check_cask(values, ["floor", "x_plane", "y_plane"], "too soft a penalty" if "mass" in change else "")
+                self.check_cask(values, ["floor", "x_plane", "y_plane"])
 
     def test_sector_of_the_cask(self):
         sector = [*CASK, "model.kind=sector", "mesh.level=2"]
@@ -272,7 +271,7 @@ class Summary(InATemporaryFolder):
         run = self.run_to_end("two_blocks", BARS)
         summary = self.check_form(run, "two_blocks", {
             "interface_stress_mean": "Pa", "interface_stress_peak": "Pa", "contact_time": "s", "impulse": "N s",
-            "velocity_A": "m/s", "velocity_B": "m/s", "contact_penalty": "Pa/m", "smallest_step": "s"})
+            "velocity_A": "m/s", "velocity_B": "m/s", "smallest_step": "s"})
         self.assertEqual([*summary["ledger"]["accounts"]], ["A", "B", "contact"])
         self.check_ledger(summary["ledger"])
 
@@ -310,7 +309,7 @@ class Summary(InATemporaryFolder):
     def test_oblique_impact(self):
         run = self.run_to_end("scene.oblique", [])
         gap = run.history()["gap [m]"][-1]
-        summary = self.check_form(run, "scene.oblique", {"normal_force_largest": "N", "area_largest": "m^2", "sole_penalty": "Pa/m"},
+        summary = self.check_form(run, "scene.oblique", {"normal_force_largest": "N", "area_largest": "m^2"},
                                   ending=("stopped_by_condition", f"gap is {gap:.6g} m, above 0.0002 m"))
         self.check_extremes(run, {"normal_force": "N", "speed": "m/s", "gap": "m", "area": "m^2", "stress": "Pa"})
         self.check_ledger(summary["ledger"])
@@ -377,7 +376,7 @@ class Summary(InATemporaryFolder):
             self.check_ledger(summary["ledger"])
 
     def test_sliding_block_stops(self):
-        summary = self.run_to_end("sliding", ["speed=1 m/s", "time.end=0.5 s"]).summary()
+        summary = self.run_to_end("sliding", ["speed=1 m/s", "time.end=0.5 s"], warning="hourglass energy reached").summary()  # one layer
         self.check_ledger(summary["ledger"])
         results, exact = summary["results"], {"way": 1 / (2 * 0.3 * 9.81), "stop_time": 1 / (0.3 * 9.81)}
         self.assertAlmostEqual(results["way"]["value"] / exact["way"], 1, delta=0.01)
@@ -395,7 +394,7 @@ class Summary(InATemporaryFolder):
         self.assertAlmostEqual(goes.summary()["results"]["acceleration"]["value"] / 3.20586, 1, delta=0.01)
 
     def test_block_over_facets(self):
-        summary = self.run_to_end("sliding.over_facets", ["time.end=0.2 s"]).summary()
+        summary = self.run_to_end("sliding.over_facets", ["time.end=0.2 s"], warning="hourglass energy reached").summary()
         self.check_ledger(summary["ledger"])
         self.assertGreater(summary["results"]["contact_walks"]["value"], 50)
         self.assertLess(summary["results"]["normal_force_ripple"]["value"], 0.06)
@@ -415,7 +414,7 @@ class Summary(InATemporaryFolder):
     def test_resolved_case_tells_defaults(self):
         resolved = self.run_to_end("two_blocks", BARS).summary()["provenance"]["resolved"]
         self.assertEqual(resolved["time"]["safety"], {"value": 0.9, "unit": "1", "default": True})
-        self.assertEqual(resolved["contact"]["area"], {"value": "apex", "unit": None, "default": True})
+        self.assertEqual(resolved["contact"]["method"], {"value": "multiplier", "unit": None, "default": True})
 
     def test_history_has_units(self):
         history = self.run_to_end("cask_drop", CASK).history()
@@ -438,7 +437,7 @@ class NotUsed(InATemporaryFolder):
         self.assertNotIn("yield", summary["provenance"]["resolved"]["steel"])
 
     def test_hardness_beside_a_given_penalty(self):
-        values = [*BARS, "time.end=1 us", "contact.penalty_scale=2", "contact.penalty=5e13 Pa/m"]
+        values = [*BARS, "time.end=1 us", "contact.method=penalty", "contact.penalty_scale=2", "contact.penalty=5e13 Pa/m"]
         run = Run("two_blocks", values, self.folder / "out")
         self.assertEqual(run.status, 0)
         self.assertIn("not used: contact.penalty_scale (--set contact.penalty_scale=2:9)\n", run.stdout)
@@ -470,7 +469,9 @@ class Folders(InATemporaryFolder):
         self.assertEqual([*self.folder.iterdir()], [])
 
     def test_quiet_says_nothing(self):
-        run = Run("two_blocks", [*BARS, "contact.penalty_scale=2", "contact.penalty=5e13 Pa/m"], self.folder / "out", "--quiet")
+        run = Run("two_blocks", [*BARS, "contact.method=penalty", "contact.penalty_scale=2", "contact.penalty=5e13 Pa/m"],
+                  self.folder / "out",
+                  "--quiet")
         self.assertEqual((run.status, run.stdout, run.stderr), (0, "", ""))
         self.assertEqual(len(run.summary()["not_used"]), 1)  # told there all the same
 

@@ -96,7 +96,7 @@ inline std::vector<std::pair<std::string, std::vector<double>>> numbers(const St
     add(c.work, c.damped, c.friction_dissipated, c.created_by_reconnection, c.deepest, c.deepest_apex, c.deepest_time, c.walks);
     add(c.lost, c.recovered, c.impact, c.transferred, c.held, c.power_rate, c.friction_to_come);
     for (const contact::Restitution& r : c.restitution) add(r.held, r.mean_force, r.last_loss);
-    add(c.searches, c.deepest_now, c.margin), all(c.apexes_then), all(c.base_then), all(c.mean_way);
+    all(c.force), all(c.impulse), add(c.searches, c.deepest_now, c.margin), all(c.apexes_then), all(c.base_then), all(c.mean_way);
   }
   for (const contact::PlaneMemory& p : s.rigid_planes) {
     part("rigid plane"), all(p.force), all(p.impulse), all(p.angular_impulse),

@@ -1221,6 +1221,10 @@ TEST(Multipliers, KeepMomentaAndCreateNothingBetweenUnlikeGrids) {
         const Ledger& l = s.state.ledger;
         EXPECT_LT((l.momentum - l.initial_momentum).norm(), 1e-12 * l.initial_momentum.norm());
         EXPECT_LT((l.angular_momentum - l.initial_angular_momentum).norm(), 1e-12 * l.initial_momentum.norm());
+        Vec3 gained = Vec3::Zero(), given = s.state.interfaces[0].impulse;
+        for (const Index node : mesh::node_set(s.model.mesh, "above")) gained += s.model.mass(node) * s.state.v.col(node);
+        if (two_passes) given -= s.state.interfaces[1].impulse;
+        EXPECT_LT((gained - l.initial_momentum - given).norm(), 1e-12 * l.initial_momentum.norm());
         double lost = 0;
         for (const char* name : {"joint", "joint_back"}) {
           if (name == std::string("joint_back") && !two_passes) continue;
