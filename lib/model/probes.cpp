@@ -50,6 +50,12 @@ std::vector<std::size_t> passes(const dynamics::Model& model, const std::string&
 // Gap and area of the surface with the apexes; pressures of two passes act together.
 double gap(const View& view, const std::vector<std::size_t>& passes) { return dynamics::least_gap(view, passes[0]); }
 double contact_area(const View& view, const std::vector<std::size_t>& passes) { return dynamics::contact_state(view, passes[0]).area; }
+/// On the surface with the apexes: of a second pass it is what pushes back.
+Vec3 current_force(const View& view, const std::vector<std::size_t>& passes) {
+  Vec3 sum = view.now.interfaces[passes[0]].force;
+  for (std::size_t p = 1; p < passes.size(); ++p) sum -= view.now.interfaces[passes[p]].force;
+  return sum;
+}
 double contact_pressure(const View& view, const std::vector<std::size_t>& passes) {
   double sum = 0;
   for (const std::size_t pass : passes) sum += dynamics::contact_state(view, pass).largest_pressure;
@@ -71,6 +77,9 @@ struct Measuring {
   }
   Measure operator()(double (*value)(const View&, const Subset&, int)) const {
     return [value, nodes = nodes, axis = along[0] - 'x'](const View& view, ProbeMemory&) { return value(view, nodes, axis); };
+  }
+  Measure operator()(Vec3 (*value)(const View&, const std::vector<std::size_t>&)) const {
+    return component(along, Vec3::Zero(), [value, passes = passes](const View& view, ProbeMemory&) { return value(view, passes); });
   }
   Measure operator()(double (*value)(const View&, const std::vector<std::size_t>&)) const {
     return [value, passes = passes](const View& view, ProbeMemory&) { return value(view, passes); };
@@ -152,6 +161,7 @@ const std::vector<Measurable>& measurables() {
         {"momentum", "kg m/s", Of::nodes, of_vectors, false, dynamics::momentum},
         {"kinetic_energy", "J", Of::nodes, {}, false, dynamics::kinetic_energy},
         {"force", "N", Of::source, of_forces},
+        {"current_force", "N", Of::contact, of_vectors, false, current_force},
         {"gap", "m", Of::contact, {}, false, gap},
         {"contact_pressure", "Pa", Of::contact, {}, false, contact_pressure},
         {"contact_area", "m^2", Of::contact, {}, false, contact_area},

@@ -15,6 +15,7 @@ enum class Of { nodes, body, contact, source };
 using Measurement = std::variant<std::monostate, Vec3 (*)(const dynamics::View&, const Subset& nodes),
                                  double (*)(const dynamics::View&, const Subset& nodes),
                                  double (*)(const dynamics::View&, const Subset& nodes, int axis),
+                                 Vec3 (*)(const dynamics::View&, const std::vector<std::size_t>& passes),
                                  double (*)(const dynamics::View&, const std::vector<std::size_t>& passes)>;
 
 /// What a probe can measure.
