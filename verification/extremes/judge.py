@@ -328,7 +328,7 @@ def came_with(seen, name):
                 return np.array([number(f"{value} {initial['unit']}") for value in initial["velocity"]])
             except ValueError:
                 return seen.velocity(name, seen.frames[0])
-    return seen.velocity(name, seen.frames[0])
+    return np.zeros(3) if seen.case.get("initial") else seen.velocity(name, seen.frames[0])
 
 
 def separates(seen, one, other, axis, least=0.0, most=1.001):

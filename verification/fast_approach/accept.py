@@ -26,8 +26,9 @@ MATCHING = {"bodies[1].mesh.cells": "[4, 4, 2]"}
 OVERLAP = moved("-10 mm")
 SPEEDS = (0.1, 0.3, 0.4, 0.5, 1, 10, 100)
 ROWS = [*((f"{v:g} c", "case", at(v), DEPTH) for v in SPEEDS),
-        *((f"{v:g} c, a penalty of {h:g} of the stiffness", "case", {**at(v), "contacts[0].penalty_scale": h}, DEPTH) for v,
-          h in ((0.1, 0.1), (0.1, 0.01), (0.3, 0.1))),
+        *((f"{v:g} c, a penalty of {h:g} of the stiffness", "case",
+           {**at(v), "contacts[0].method": "penalty", "contacts[0].penalty_scale": h}, DEPTH)
+          for v, h in ((0.1, 0.1), (0.1, 0.01), (0.3, 0.1))),
         *((f"{v:g} c, plate of 5 mm", "plate", at(v), THICKNESS) for v in (0.1, 1, 3)),
         ("overlap of 9 mm", "case", OVERLAP, DEPTH), ("overlap of 9 mm, accepted", "case",
                                                       {**OVERLAP, "contacts[0].initial_penetration": "accept"}, DEPTH),
