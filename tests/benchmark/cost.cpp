@@ -99,6 +99,7 @@ Pressed pressed(const Eigen::Vector3i& above, const Eigen::Vector3i& below, doub
   dynamics::InterfaceOptions joint;
   joint.height = {.from_initial_height = false, .clearance = 0, .given = 0};
   joint.method = method;
+  joint.restitution = 0;  // nothing bounces
   std::vector<contact::Memory> memories;
   if (joined)
     for (auto& pass : dynamics::connect(model, "joint", "block.z_high", "base.z_low", joint)) memories.push_back(std::move(pass.memory));
