@@ -241,8 +241,8 @@ struct ContactHeight {
 /// caller to refuse: nothing is pushed.
 InitialGaps connect(Interface&, const Vectors& x, double reach, const ContactHeight&, InitialPenetration, Memory&, Workspace&);
 
-/// The memory of an interface whose apexes all stand over their nearest facets, also those that are far: for what is chosen by the
-/// stiffness and masses of all.
+/// The memory of an interface whose apexes all stand over their nearest facets, also those that are far: for damping, which goes by the
+/// stiffest pair of all.
 ///
 /// reach  [m] apexes farther away have no base
 Memory tried_out(const Interface&, const Vectors& x, double reach, Workspace&);
