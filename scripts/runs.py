@@ -40,13 +40,15 @@ class Store:
     scratch     where a case may write case files of its own
     threads     of each run where none are asked for; results do not depend on them, so they do not tell runs apart
     may_run     False: only finds runs, those of another build of the program too
+
+    `done` holds each run once, `given` every answer in turn.
     """
 
     def __init__(self, drivers, folder, scratch=None, threads=1, patience=3600, may_run=True):
         self.drivers, self.folder = Path(drivers).resolve(), Path(folder).resolve()
         self.scratch = Path(scratch or self.folder / "scratch").resolve()
         self.threads, self.patience, self.may_run = threads, patience, may_run
-        self.digests, self.done = {}, {}
+        self.digests, self.done, self.given = {}, {}, []
         self.folder.mkdir(parents=True, exist_ok=True)
         self.scratch.mkdir(parents=True, exist_ok=True)
 
@@ -60,6 +62,7 @@ class Store:
         known = self.done.get(key)
         if known is None or not same_inputs(known.asked, case.parent):
             known = self.done[key] = self.find_or_make(driver, case, dict(overrides), threads, asked)
+        self.given.append(known)
         return known
 
     def find_or_make(self, driver, case, overrides, threads, asked):

@@ -10,6 +10,7 @@ import re
 
 import markdown
 
+import defaults
 import figure as drawing
 import verification_tables as tables
 import verify
@@ -87,7 +88,8 @@ def overview(outcomes, missing, level):
         of_section = [out for out in outcomes.values() if tables.section_of(out.catalogue, out.evidence) == letter]
         if of_section:
             text += [f"<h2>{title}</h2>", "<table><tr><th>case</th><th>claim</th><th>evidence</th><th>closest check</th><th>error</th>"
-                     "<th>limit</th><th></th><th>breaks</th><th></th></tr>", *(overview_row(out) for out in of_section), "</table>"]
+                     "<th>limit</th><th></th><th>defaults</th><th>breaks</th><th></th></tr>",
+                     *(overview_row(out) for out in of_section), "</table>"]
     return "\n".join([*text, "</section>"])
 
 
@@ -104,6 +106,7 @@ def overview_row(out):
     return ("<tr><td><a "
             f"href='#{out.name}'>{out.name.replace('_', ' ')}</a>{number}</td><td>{inline(out.claim)}</td><td>{out.evidence}</td>"
             f"<td>{name}</td><td class='number'>{error}</td><td class='number'>{limit}</td><td>{bar}</td>"
+            f"<td>{plain(defaults.of_checks(out.gated()))}</td>"
             f"<td class='number'>{sum(row.good for row in breaks)}/{len(breaks)}</td><td class='word {word.split()[-1]}'>{word}</td></tr>")
 
 
@@ -125,6 +128,9 @@ def case_page(out):
     if reasons:
         parts += ["<h3>Reasons of the limits</h3><ul>", *(f"<li>{inline(row.name)}: {inline(row.because)}.</li>" for row in reasons),
                   "</ul>"]
+    if out.departures:
+        lines = (f"<li>{inline(line[2:])}</li>" for line in tables.departure_lines(out))
+        parts += ["<h3>What is not the default</h3><ul>", *lines, "</ul>"]
     parts += [ledger(out), cost(out), provenance(out), "</section>"]
     return "\n".join(parts)
 

@@ -5,6 +5,7 @@ hundredth of its limit: another processor rounds otherwise; and below 1e-8, wher
 """
 import re
 
+import defaults
 import verify
 
 BEGIN, END = "<!-- written by scripts/verify.py -->", "<!-- end of what scripts/verify.py writes -->"
@@ -26,11 +27,20 @@ def case_block(out):
     if reasons:
         lines += ["", "Reasons of the limits:", ""]
         lines += [f"- {row.name}: {row.because}." for row in reasons]
+    if out.departures:
+        lines += ["", "What is not the default:", "", *departure_lines(out)]
     for title, columns, body in out.tables:
         lines += ["", title, "", "| " + " | ".join(columns) + " |", "|" + "---|" * len(columns)]
         lines += ["| " + " | ".join(line) + " |" for line in body]
     lines += ["", f"All {out.runs} runs together take about {rough(out.seconds)} s on one core.", "", END]
     return "\n".join(lines)
+
+
+def departure_lines(out):
+    """Numerics of the checks that are not the defaults, and why; words of one reason together."""
+    found = [one for row in out.gated() for one in row.departs]
+    return [f"- {defaults.shown([one for one in found if out.departures.get(one[0]) == why])}: {why}."
+            for why in dict.fromkeys(out.departures.values())]
 
 
 def case_line(row):
@@ -68,7 +78,7 @@ def suite_line(out):
     status = "FAIL" if not out.good() else f"{missed} MISS" if missed else "pass"
     numbers = f" {', '.join(out.catalogue)}" if out.catalogue else ""
     case = f"[{out.name}](../verification/{out.name}/README.md){numbers}"
-    return f"| {case} | {out.claim} | {out.evidence} | {name} | {error} | {limit} | {status} |"
+    return f"| {case} | {out.claim} | {out.evidence} | {name} | {error} | {limit} | {defaults.of_checks(quick.gated())} | {status} |"
 
 
 def suite_block(lines, sections):
@@ -77,7 +87,8 @@ def suite_block(lines, sections):
     for letter, title in SECTIONS.items():
         of_section = [lines[name] for name in sorted(lines) if sections[name] == letter]
         if of_section:
-            text += [f"**{title}**", "", "| case | claim | evidence | closest check | error | limit | |", "|---|---|---|---|---|---|---|",
+            text += [f"**{title}**", "", "| case | claim | evidence | closest check | error | limit | defaults | |",
+                     "|---|---|---|---|---|---|---|---|",
                      *of_section, ""]
     return "\n".join([*text, END])
 
@@ -156,6 +167,7 @@ def stale_case(folder, out):
             faults.append(f"{path}: has no row '{row.name}'; scripts/verify {out.name} --full --write makes it")
         elif not same_row(written[row.name], row):
             faults.append(f"{path}: is stale:\n  {written[row.name]}\n  {case_line(row)}")
+    faults += [f"{path}: does not say why {word} is not the default" for word, why in out.departures.items() if f": {why}.\n" not in text]
     faults += [f"{folder / one}.svg: is missing" for one, _, _ in out.figures if one and not (folder / f"{one}.svg").is_file()]
     return faults
 

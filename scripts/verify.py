@@ -23,6 +23,7 @@ A case is a folder with `accept.py`, which has
     BREAKS             Breaks: a plausible mistake and the check that must notice it; at least one
     FIGURES            Figure: curves of the run over the exact ones; at least one
     WAIVERS            Waiver: runs that need not keep a gate that holds for every run, and why; optional
+    DEPARTURES         {numerics that checks set away from the program's defaults: why}; several words have a comma between them
 
 and imports what it needs from `reference.py` beside it, which imports nothing of ours. Needs nothing but Python;
 figures need matplotlib.
@@ -42,6 +43,7 @@ import time
 import traceback
 from pathlib import Path
 
+import defaults
 import gates
 from convergence import order_between
 from runs import ROOT, CannotRun, Run, Store, crossings, interpolate, mean_over, read_fields, straight_line  # noqa: F401  (for cases)
@@ -207,6 +209,7 @@ class Row:
     size: float | None = None    # the error as a number
     within: float | None = None  # its limit
     full: bool = False           # not in the quick suite
+    departs: list = dataclasses.field(default_factory=list)  # [word, value] of numerics that are not the defaults
 
 
 @dataclasses.dataclass
@@ -223,6 +226,7 @@ class Outcome:
     tables: list = dataclasses.field(default_factory=list)   # (title, columns, rows of texts)
     studies: list = dataclasses.field(default_factory=list)  # (title, along, sizes, errors)
     figures: list = dataclasses.field(default_factory=list)  # (name, caption, SVG)
+    departures: dict = dataclasses.field(default_factory=dict)  # why, by word
     ledger: dict = dataclasses.field(default_factory=dict)
     provenance: dict = dataclasses.field(default_factory=dict)
     cost: dict = dataclasses.field(default_factory=dict)
@@ -235,6 +239,9 @@ class Outcome:
 
     def misses(self):
         return [row for row in self.rows if row.kind == "miss"]
+
+    def gated(self):
+        return [row for row in self.rows if row.kind in ("check", "miss")]
 
     def closest(self):
         """The check whose error is the largest part of its limit."""
@@ -436,7 +443,7 @@ class Case:
         for one in [*self.accept.CHECKS, *self.studies(), *self.accept.BREAKS]:
             if one.full and not full:
                 continue
-            seen = len(out.rows)
+            seen, asked = len(out.rows), len(run.runner.given)
             try:
                 if isinstance(one, Table):
                     out.tables.append((one.title, one.columns, [[cell(entry) for entry in line] for line in one.rows(run)]))
@@ -451,9 +458,47 @@ class Case:
                 out.rows.append(fault_row(name, error))
             for row in out.rows[seen:]:
                 row.full = one.full
+                if row.kind in ("check", "miss"):
+                    used = run.runner.given[asked:] or [run]
+                    row.departs = sorted({(word, value) for each in used for _, word, value, _ in defaults.departures(each)}, key=str)
+        self.judge_departures(out, run, full)
         waivers = [one for one in getattr(self.accept, "WAIVERS", []) if full or not one.full]
         self.draw(out, run, full, with_figures)
         out.rows[:0] = gate_rows(run.runner.done.values(), waivers)
+
+    def judge_departures(self, out, run, full):
+        """Every departure of a check has its reason, and no reason is left over; a case with contact shows what the defaults give."""
+        reasons = {word: why for words, why in getattr(self.accept, "DEPARTURES", {}).items() for word in words.split(", ")}
+        departs = dict.fromkeys(word for row in out.gated() for word, _ in row.departs)
+        missing, spare = [word for word in departs if not reasons.get(word)], [word for word in reasons if full and word not in departs]
+        if missing:
+            out.rows.append(fault_row("departures", CannotRun(f"not the defaults, without a reason in DEPARTURES: {', '.join(missing)}")))
+        if spare:
+            out.rows.append(fault_row("departures", CannotRun(f"in DEPARTURES, and no check departs in it: {', '.join(spare)}")))
+        out.departures = {word: reasons[word] for word in departs if word in reasons}
+        lines = self.with_defaults(out, run) if defaults.with_contact(run) else []
+        if lines:
+            out.tables.append(("The same checks with the defaults, which gate nothing:", ["check", "error", "with the defaults"], lines))
+
+    def with_defaults(self, out, run):
+        """[check, error, error with the defaults] of each check of a contact whose case departs from them."""
+        store, lines = defaults.ByDefault(run.runner), []
+        checks = {one.name: one for one in self.accept.CHECKS}
+        try:
+            base = store.base(run)
+            ending = "" if base.ending in GOOD_ENDINGS else f"ends as {base.ending}"
+        except CannotRun:
+            base, ending = run, "is refused"
+        of_base = store.changed
+        for row in out.gated():
+            store.changed = of_base
+            try:
+                error = checks[row.name].measure(base).error() if not row.full and not ending else math.nan
+            except Exception:  # a measure may divide by a force that is zero now
+                error = math.nan
+            if store.changed and not row.full:
+                lines.append([row.name, row.error, ending or (share(error) if math.isfinite(error) else "no number")])
+        return lines
 
     def draw(self, out, run, full, with_figures):
         """The figures of the case and of its studies; without figures their curves are computed all the same."""

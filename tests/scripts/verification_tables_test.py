@@ -16,7 +16,9 @@ def outcome(error=0.005, limit=0.01, name="bar", full_error=0.3):
                        limit),
             verify.Row("check", "fine speed", "1 m/s", "1 m/s", "30 %", "40 %", "pass", True, "seen", full_error, 0.4, full=True),
             verify.Row("break", "*must fail:* slow → speed", "1", "2", "100 %", "1 %", "fails, as it must", True)]
+    rows[0].departs = [["viscosity", 0.0]]
     return verify.Outcome(name, "quick", claim="it moves", evidence="exact", catalogue=["I-3"], rows=rows,
+                          departures={"viscosity": "the exact bar has none"},
                           figures=[("speed", "Speed over time.", "<svg/>")], runs=2, seconds=3.4)
 
 
@@ -82,7 +84,18 @@ class TablesTest(unittest.TestCase):
 
     def test_the_table_of_all_shows_what_the_quick_suite_can_see(self):
         line = tables.lines_of(self.page.read_text())["bar"]
-        self.assertIn("| speed | 0.5 % | 1 % | pass |", line)
+        self.assertIn("| speed | 0.5 % | 1 % | no: viscosity 0 | pass |", line)
+
+    def test_a_departure_from_the_defaults_is_told_with_its_reason(self):
+        self.assertIn("- viscosity 0: the exact bar has none.\n", (self.root / "verification" / "bar" / "README.md").read_text())
+
+    def test_another_reason_and_another_departure_are_stale(self):
+        other = outcome()
+        other.departures = {"viscosity": "nobody knows"}
+        self.assertIn("does not say why viscosity", self.stale(other)[0])
+        other = outcome()
+        other.rows[0].departs = []
+        self.assertIn("the line of bar is stale", self.stale(other)[-1])
 
     def test_errors_at_rounding_need_only_stay_within_their_limit(self):
         self.assertTrue(tables.same_error("2.0e-13", "9.0e-12", 1e-10))

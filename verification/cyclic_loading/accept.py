@@ -105,6 +105,8 @@ def plastic_strain_of_element(run):
 
 ALONE = "a straight path: the return is exact for any increment, and round-off is left; the catalogue's bound of a law alone"
 AT_REST = "the catalogue's bound; at a turning point nothing moves"
+DEPARTURES = {"integration": "the law is checked in every kind of element; one of the checks is of eight points"}
+
 CHECKS = [
     *[Check(f"law, {name}, {kind}: the cycle", cycle_of_law(metal, kind), 1e-12, ALONE)
       for name, metal in (("lead", LEAD), ("steel", STEEL)) for kind in SHARES],

@@ -74,6 +74,8 @@ def options(run):
             for name, one in ((name, run.again(change)) for name, change in OPTIONS)]
 
 
+DEPARTURES = {"method, penalty": "a penalty so soft that it moves nothing: force over depth is then known exactly"}
+
 CHECKS = [
     Check("push over what the depth asks for", normal, 1e-6, "the block turns by some 1e-8 of its depth under its own weak push"),
     Check("ripple of the push", ripple, 1e-6, "as the push; the catalogue allows 1 %, a flat plane with areas of the apexes has none"),

@@ -107,6 +107,8 @@ def table(run):
             ((name, tell(run, *row)) for name, *row in ROWS)]
 
 
+DEPARTURES = {"method, penalty_scale": "one check is of the depth under penalties of many stiffnesses; multipliers let nothing in"}
+
 CHECKS = [
     Check("runs that go wrong in silence", in_silence, 0,
           "the catalogue's: never silent. Wrong is energy from nowhere, 5 % or more, or an apex deeper than half an element"),

@@ -65,6 +65,8 @@ def not_less(run):
 
 
 ROUND_OFF = "the catalogue's bound: round-off"
+DEPARTURES = {"integration": "the claim is of every kind of element", "rotary_inertia": "the claim is of both rotary inertias"}
+
 CHECKS = [
     *(Check(f"a/g of {body}", acceleration(body), 1e-12, ROUND_OFF) for body in MASSES),
     Check("worst fall of all", fall, 1e-12, ROUND_OFF),

@@ -58,6 +58,10 @@ def by_column(measure):
     return lambda run: measure(run.other("scene", COLUMN, {k: v for k, v in run.overrides.items() if k == "gravity"}))
 
 
+DEPARTURES = {
+    "method, penalty": "the spring of the oscillator is the penalty of the plane: its stiffness belongs to the scene",
+    "viscosity": "the exact oscillator is not damped"}
+
 CHECKS = [
     Check("impact time", impact_time, 0.001, "the catalogue's bound; central differences fall exactly"),
     Check("impact speed", impact_speed, 0.001, "the catalogue's bound"),

@@ -27,6 +27,11 @@ def same(scene):
     return lambda run: Pair(scenes.difference(run, scene, mirrored), 0, "", scale=1)
 
 
+DEPARTURES = {
+    "area, damping_ratio, hourglass, hourglass_kind, integration, layers, method, passes, penalty, "
+    "penalty_scale, rotary_inertia, tangential_penalty, viscosity, weights":
+        "invariances must hold for every option, so these scenes use many at once"}
+
 CHECKS = [Check(f"{scene}: in the mirror", same(scene), scenes.ROUND_OFF[scene], scenes.because(scene)) for scene in scenes.FROM_FILES]
 
 STUDIES = [Table("In the mirror: the largest relative differences.", scenes.COLUMNS,

@@ -41,6 +41,11 @@ def same(scene, which):
     return lambda run: Pair(scenes.difference(run, scene, MAKE[which]), 0, "", scale=1)
 
 
+DEPARTURES = {
+    "area, damping_ratio, hourglass, hourglass_kind, integration, layers, method, passes, penalty, "
+    "penalty_scale, rotary_inertia, tangential_penalty, viscosity, weights":
+        "invariances must hold for every option, so these scenes use many at once"}
+
 CHECKS = [
     *(Check(f"{scene}: sizes, masses and times by powers of two", same(scene, "twos"), 0,
             "the same bits: such factors are exact, so any length, mass or time that is written into the code shows")

@@ -50,6 +50,10 @@ def swapped(measure):
     return lambda run: measure(run.again(SWAPPED))
 
 
+DEPARTURES = {
+    "method, penalty": "depths are measured by a penalty so soft that it moves nothing: the subject is the gap",
+    "overlap_limit": "the boxes overlap by more than half an element by design"}
+
 CHECKS = [
     Check("gap of every apex", gap, 1e-8, "round-off of some hundred steps; the catalogue's bound"),
     Check("pressure of every apex", pressure, 1e-8, "as the gap"),

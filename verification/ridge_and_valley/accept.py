@@ -125,6 +125,10 @@ def thrown(run):
 
 
 ROUND_OFF = "the motion is prescribed and the geometry has edges only where the case puts them, so that nothing but round-off is left"
+DEPARTURES = {
+    "method, penalty": "the subject is the way of a penalty's force over a ridge: penalty times area times depth",
+    "overlap_limit": "the node is driven through the surface by design, far deeper than an element"}
+
 CHECKS = [
     Check("rows without contact of an apex", worst(missed, 0, 0, GROUPS), 0, "the catalogue's bound: no frame is missed"),
     Check("largest force over the exact one of its row", worst(excess, 1, EXACTLY, GROUPS), EXACTLY,

@@ -35,6 +35,11 @@ def disturbed(run, base, scene):
     return scenes.put_down(tree, scenes.scratch_of(run), f"disturbed_{scene}"), scenes.Carry()
 
 
+DEPARTURES = {
+    "area, damping_ratio, hourglass, hourglass_kind, integration, layers, method, passes, penalty, "
+    "penalty_scale, rotary_inertia, tangential_penalty, viscosity, weights":
+        "invariances must hold for every option, so these scenes use many at once"}
+
 CHECKS = [Check(f"{scene}: turned and moved", same(scene), scenes.ROUND_OFF[scene], scenes.because(scene)) for scene in scenes.SCENES]
 
 STUDIES = [

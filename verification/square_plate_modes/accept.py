@@ -99,6 +99,11 @@ def exact_numbers(_run):
     return [(f"{support}, exact", list(range(1, COUNT[support] + 1)), EXACT[support][:COUNT[support]]) for support in FILES]
 
 
+DEPARTURES = {
+    "layers": "the plate is elastic: two layers integrate its bending exactly",
+    "rotary_inertia": "frequencies are those of the physical inertia; the scaled one is for larger steps only",
+    "viscosity": "modes have none"}
+
 CHECKS = [
     Check("simply supported: worst of 7 frequencies", worst("simply supported"), 0.01, "the catalogue's bound"),
     Check("free: worst of 6 frequencies", worst("free"), 0.015, "the catalogue's bound, against Ritz's numbers, which are exact to 1e-5"),

@@ -70,6 +70,10 @@ def table(run):
     return rows
 
 
+DEPARTURES = {
+    "area, damping_ratio, integration, layers, method, passes, penalty, penalty_scale, rotary_inertia":
+        "two passes, to which the sides are equal, are a penalty's; their scenes use many options at once"}
+
 CHECKS = [
     *(Check(f"{scene}, two passes: sides changed", in_two_passes(scene), 1e-12,
             "the same forces, of which two are added in the other order at most") for scene in IN_TWO_PASSES),

@@ -101,6 +101,8 @@ def shear_of_element(case="shear.yaml", change=()):
 STEEL_SHEAR = {"path[0].strain.xy": 0.005}
 ALONE = "a straight path: the return is exact for any increment; the catalogue's bound of a law alone"
 ELEMENT = "the catalogue's bound; the strain of the middle of a step is its logarithm to the second order, the study has that"
+DEPARTURES = {"integration": "the law is checked in every kind of element; two of the checks are of eight points"}
+
 CHECKS = [
     Check("law, uniaxial strain, lead: stress along", of_law(LEAD, 0), 1e-12, ALONE),
     Check("law, uniaxial strain, lead: stress across", of_law(LEAD, 1), 1e-12, ALONE),

@@ -95,6 +95,8 @@ def curve_of_element(run):
     return farthest(run.column("stress_xx"), [KGF * stress(LEAD, e) for e in log_strain(run)], KGF * LEAD["yield"])
 
 
+DEPARTURES = {"integration": "the law is checked in every kind of element; one of the checks is of eight points"}
+
 CHECKS = [
     Check("law, lead", curve_of_law(LEAD), 1e-12,
           "a straight path: the return is exact for any increment; the catalogue's bound of a law alone"),
