@@ -70,6 +70,13 @@ def new_figure(width=SINGLE_COLUMN, height=66.0, rows=1, ratios=None):
     return figure, (axes[0, 0] if rows == 1 else axes[:, 0])
 
 
+def new_row(columns, width=DOUBLE_COLUMN, height=66.0, ratios=None):
+    """A figure of width x height [mm] and its axes, one beside the other."""
+    use_style()
+    return plt.subplots(1, columns, figsize=(width / 25.4, height / 25.4), gridspec_kw={"width_ratios": ratios or [1] * columns},
+                        constrained_layout=True)
+
+
 def save(figure, path, png=True):
     """Writes the figure as SVG and, if wanted, as PNG, `path` with either ending; no date, so the same bytes."""
     path = Path(path)
@@ -146,6 +153,12 @@ def draw_curve(axes, x, y, number, label=None, marks=9):
 def draw_band(axes, x, y, number, label=None):
     """A curve that rings, in the colour of its number: thin, without dashes and markers, below the others."""
     return axes.plot(x, y, label=label, color=CURVES[number % len(CURVES)]["color"], linewidth=0.4, alpha=0.8, zorder=1)[0]
+
+
+def draw_points(axes, x, y, number, label=None):
+    """A few points of a study, joined, in the style of their number."""
+    return axes.plot(x, y, label=label, **CURVES[number % len(CURVES)], markersize=4, markerfacecolor="white", markeredgewidth=0.8,
+                     zorder=3, clip_on=False)[0]
 
 
 def draw_faces(axes, polygons, face, edge="#333333", width=0.35):

@@ -21,7 +21,7 @@ def left(value):
 
 BAR = {"bodies": [{"name": said("bar"), "mesh": {"kind": said("box")},
                    "element": {"kind": said("full"), "viscosity": {"linear": said(0.0), "quadratic": said(0.0)}}},
-                  {"name": said("other"), "element": {"kind": said("one_point"), "hourglass": said(0.1), "viscosity": {"linear": left(0.06)}}}],
+                  {"name": said("other"), "element": {"kind": said("one_point"), "hourglass": said(0.1)}}],
        "contacts": [{"kind": said("contact"), "method": said("penalty"), "penalty": said(1e9), "friction": said(0.3)}],
        "time": {"end": said(1.0), "safety": left(0.9)}}
 AS_USUAL = {"bodies": [{"element": {"kind": said("one_point")}}], "time": {"end": said(1.0)}}
