@@ -74,16 +74,17 @@ class ByDefault:
     """
 
     def __init__(self, store):
-        self.store, self.scratch, self.changed = store, store.scratch, False
+        self.store, self.scratch, self.changed, self.of_case = store, store.scratch, False, {}
 
     def base(self, run):
         """The base run of a case with the defaults."""
-        return self.run(run.driver, run.case_file, run.overrides, of_check=())
+        self.of_case = dict(run.overrides)
+        return self.run(run.driver, run.case_file, run.overrides)
 
-    def run(self, driver, case, overrides, threads=None, of_check=None):
-        kept = tuple(overrides if of_check is None else of_check)
+    def run(self, driver, case, overrides, threads=None):
+        of_check = tuple(key for key, value in overrides.items() if (key, value) not in self.of_case.items())
         back = {path: default for path, _, _, default in departures(self.store.run(driver, case, overrides, threads))
-                if default is not None and not path.startswith(kept)}
+                if default is not None and not path.startswith(of_check)}
         self.changed |= bool(back)
         run = self.store.run(driver, case, {**overrides, **back}, threads)
-        return Run(self, driver, run.case_file, run.overrides, run.folder, False)
+        return Run(self, driver, run.case_file, overrides, run.folder, False)  # a check may hand its overrides to another case

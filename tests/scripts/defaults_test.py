@@ -107,6 +107,16 @@ class ByDefaultTest(unittest.TestCase):
         self.assertEqual((hard.case("contact.method"), hard.case("element.viscosity.linear")), ("penalty", 0.06))
         self.assertEqual(base.again({"element.viscosity.linear": 0.5}).case("element.viscosity.linear"), 0.5)
 
+    def test_what_the_case_changes_in_all_its_runs_is_set_back_too(self):
+        by_default = defaults.ByDefault(self.store)
+        base = by_default.base(self.store.run("scene", "case.yaml", {"contact.method": "penalty"}))
+        self.assertEqual(base.case("contact.method"), "multiplier")
+        self.assertEqual(base.again({"time.end": "1 s"}).case("contact.method"), "multiplier")
+
+    def test_the_keys_that_a_check_hands_on_are_those_of_the_case(self):
+        by_default = defaults.ByDefault(self.store)
+        self.assertEqual(by_default.base(self.run_of_file).overrides, {})
+
     def test_another_case_of_a_check_is_set_back_too(self):
         by_default = defaults.ByDefault(self.store)
         self.assertEqual(by_default.base(self.run_of_file).other("scene", "b.yaml").case("element.viscosity.linear"), 0.06)
