@@ -97,8 +97,8 @@ CHECKS = [
     Check("on ice: speed that is kept", kept({}), 1e-4, "nothing draws; faces are flat but for 1e-8 m"),
     Miss("on ice, nodes of the larger block as apexes: speed that is kept", kept(SWAPPED), 1e-3, "as with those of the smaller one",
          why="nodes of the larger block slide off the rim of the smaller one. From 5 % of a face past the rim on the contact has a force "
-         "along the way, and it draws the block back. So it is where the larger block has the apexes, or in two passes; a penalty gives "
-         "2.22 m/s"),
+         "along the way, and it draws the block back, where the gap is minus the distance to the rim. The same in two passes; a penalty "
+         "gives 2.22 m/s"),
 ]
 
 
