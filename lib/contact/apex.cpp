@@ -291,6 +291,7 @@ void advance_friction(const Interface& interface, const Vectors& x, const Vector
   if (!element.closed || !(push > 0)) {
     friction.acts = false;
     friction.force.setZero();
+    friction.sliding = 0;
     memory.slip[a].setZero();
     memory.tangential_stored[a] = 0;
     friction.work = work;
@@ -306,7 +307,9 @@ void advance_friction(const Interface& interface, const Vectors& x, const Vector
   if (friction.acts) trial += 0.5 * dt * (carried(rate_before, rotation, touch.normal) + rate);
   if (!interface.allowed.empty()) trial = interface.allowed[a] * trial;
   friction.stiffness = interface.friction.tangential_penalty * element.stiffness;
-  const Slip slip = stick_or_slide(trial, friction.stiffness, interface.friction.coefficient * push);
+  friction.coefficient = coefficient_at(interface.friction, friction.sliding);
+  const Slip slip = stick_or_slide(trial, friction.stiffness, friction.coefficient * push);
+  friction.sliding = dt > 0 ? slip.slid.norm() / dt : 0;
   friction.acts = true;
   friction.touch = touch;
   friction.force = -friction.stiffness * slip.elastic;

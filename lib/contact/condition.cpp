@@ -18,6 +18,9 @@ constexpr double steps_to_touch = 4;   // open apexes that can touch within so m
 constexpr double corrected = 0.2;      // of a penetration in a step
 constexpr double no_direction = 1e-3;  // of the size of a face: an edge or vertex that is nearer has no normal of its own
 constexpr double along = 0.5;          // cosine between a push and the normal of a facet that takes it over
+constexpr double paid_back = 0.2;      // of what friction owes, in a step
+constexpr double most_yield = 1e-6;    // of the depth of an element: way by which a stick yields for that in a step
+constexpr double no_response = 1e-9;   // of that of a free apex: constraints hold all nodes
 constexpr double faces_below = 0.3;    // cosine between the normals of an apex and of what it may touch
 
 /// Finds which apexes are in contact, or near to it, where the nodes would be.
@@ -55,6 +58,8 @@ bool make(const Interface& interface, const Motion& m, const Multipliers& all, c
     if (push > 0 && facet.dot(stencil.push) < along * push) has_moment = true, over.normal = stencil.push / push;
     else stencil.kind = geometry::Kind::facet, over = height_over(interface.base, m.x, {stencil.facet, stencil.kind, 0}, p);
   }
+  // beside a rim, below its level: the normal from there to the apex leads along the surface, and nothing was penetrated
+  if (stencil.kind != geometry::Kind::facet && near.tracks.count == 0 && over.height < 0) return false;
   if (push > 0 && over.normal.dot(stencil.push) < 0) over.normal = -over.normal, over.height = -over.height;
   stencil.weight = over.weight;
   c.gap = over.height - stencil.level;
@@ -88,7 +93,7 @@ bool complete(const Motion& m, const Vectors& free, int nodes, double pressed, d
   const double closing = (c.gap > 0 ? -c.gap : -corrected * c.gap) / m.next, impulse = 0.5 * pressed * (m.dt + m.next);
   const double from_held = impulse > 0 ? std::max(0.0, held) / impulse : 0;
   c.least = std::min(closing, 2 * from_held - c.before);
-  return c.per_mass > 1e-9 / m.mass(c.node[0]);
+  return c.per_mass > no_response / m.mass(c.node[0]);
 }
 
 /// How much slip rate an impulse makes, at most. [1/kg]
@@ -108,11 +113,29 @@ double response(const Touch& touch, const Motion& m) {
   return std::max(product(one, one), product(other, other)) + std::abs(product(one, other));
 }
 
-/// Friction of a contactor, with the force of the step before as a first guess.
-FrictionCondition friction_on(const Touch& touch, double coefficient, const Vec3& force, const Motion& m) {
+/// Adds the friction of a contactor, with the force of the step before as a first guess; -1 where constraints leave nothing to slide.
+Index add_friction(const Touch& touch, const Coulomb& law, const Vec3& force, const Motion& m, Multipliers& all) {
+  const double per_mass = response(touch, m);
+  if (!(per_mass > no_response / m.mass(touch.apex))) return -1;
   const Vec3 impulse = 0.5 * (m.dt + m.next) * (force - touch.normal.dot(force) * touch.normal);
-  return {.touch = touch, .coefficient = coefficient, .per_mass = response(touch, m), .bound = 0,
-          .before = slip_rate(touch, m.v, m.omega, m.rotation_of_node), .impulse = impulse, .change = Vec3::Zero()};
+  const Vec3 before = slip_rate(touch, m.v, m.omega, m.rotation_of_node);
+  all.frictions.push_back({.touch = touch, .coefficient = coefficient_at(law, before.norm()), .per_mass = per_mass, .bound = 0,
+                           .before = before, .stuck = Vec3::Zero(), .impulse = impulse, .change = Vec3::Zero()});
+  return static_cast<Index>(all.frictions.size()) - 1;
+}
+
+/// Lets sticks yield against their forces, so that friction takes back what it owes [J].
+void let_yield(double owed, double depth, const Motion& m, std::size_t first, Multipliers& all) {
+  if (!(owed > 0)) return;
+  double sum = 0;
+  for (std::size_t k = first; k < all.frictions.size(); ++k) sum += all.frictions[k].impulse.norm();
+  if (!(sum > 0)) return;
+  const double speed = std::min(paid_back * owed / sum, most_yield * depth / m.next);
+  for (std::size_t k = first; k < all.frictions.size(); ++k) {
+    FrictionCondition& friction = all.frictions[k];
+    const double size = friction.impulse.norm();
+    if (size > 0) friction.stuck = -speed / size * friction.impulse;
+  }
 }
 
 /// The base facet of the first condition of an apex.
@@ -160,6 +183,7 @@ void look_ahead(const Subset& nodes, const Motion& m, Multipliers& all) {
 
 void find_conditions(const Interface& interface, const Motion& m, Memory& memory, Workspace& workspace, Multipliers& all) {
   const double h = 0.5 * (m.dt + m.next);
+  const std::size_t first_friction = all.frictions.size();
   for (Near& near : memory.near) near.pressed = near.element.closed && m.dt > 0 ? near.element.apex.norm() : 0;
   find(interface, m, memory, workspace, all);
   for (Near& near : memory.near) {
@@ -189,8 +213,7 @@ void find_conditions(const Interface& interface, const Motion& m, Memory& memory
       const Feature below{facet_below(near.element), geometry::Kind::facet, 0};
       const Touch touch = touch_of(interface, m.x, near.apex, below, all.conditions[first].normal);
       const Vec3 force = near.friction.acts ? near.friction.force : Vec3(Vec3::Zero());
-      friction = static_cast<Index>(all.frictions.size());
-      all.frictions.push_back(friction_on(touch, interface.friction.coefficient, force, m));
+      friction = add_friction(touch, interface.friction, force, m, all);
     }
     all.contactors.push_back({.memory = &restitution, .first = first, .last = last, .nodes = 4, .friction = friction,
                               .area = area, .impedance = interface.pass_factor * interface.impedance * area,
@@ -198,9 +221,11 @@ void find_conditions(const Interface& interface, const Motion& m, Memory& memory
   }
   for (std::size_t a = 0; a < memory.restitution.size(); ++a)
     if (memory.slot[a] < 0 && memory.restitution[a].held != 0) discard(memory.restitution[a], memory.impact);
+  let_yield(memory.friction_owed, interface.depth, m, first_friction, all);
 }
 
 void find_conditions(const RigidPlane& plane, const Motion& m, PlaneMemory& memory, Multipliers& all) {
+  const std::size_t first_friction = all.frictions.size();
   for (std::size_t i = 0; i < plane.nodes.size(); ++i) {
     const Index node = plane.nodes[i];
     Condition c;
@@ -222,20 +247,20 @@ void find_conditions(const RigidPlane& plane, const Motion& m, PlaneMemory& memo
     if (plane.friction.coefficient > 0 && m.dt > 0) {
       Touch touch;
       touch.normal = plane.normal, touch.apex = node, touch.node = {node, node, node};
-      friction = static_cast<Index>(all.frictions.size());
-      all.frictions.push_back(friction_on(touch, plane.friction.coefficient, memory.friction[i], m));
+      friction = add_friction(touch, plane.friction, memory.friction[i], m, all);
     }
     all.contactors.push_back({.memory = &memory.restitution[i], .first = first, .last = first + 1, .nodes = 1, .friction = friction,
                               .area = area, .impedance = plane.impedance * area,
                               .square = plane.restitution * plane.restitution});
   }
+  let_yield(memory.friction_owed, plane.depth, m, first_friction, all);
 }
 
 void find_change(double pressed, const Motion& m, const Multipliers& all, FrictionCondition& friction) {
   const double limit = friction.coefficient * pressed;
   friction.change.setZero();
   if (!(limit > 0) && friction.impulse.isZero(0)) return;
-  Vec3 now = friction.impulse - rate(friction, m, all) / friction.bound;
+  Vec3 now = friction.impulse - (rate(friction, m, all) - friction.stuck) / friction.bound;
   const double size = now.norm();
   if (size > limit) now *= limit / size;
   friction.change = now - friction.impulse;

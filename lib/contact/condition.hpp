@@ -54,10 +54,11 @@ struct Condition {
 /// Friction of one apex, or of one node over a rigid plane: it sticks as far as it can.
 struct FrictionCondition {
   Touch touch;
-  double coefficient;    ///< [-]
+  double coefficient;    ///< [-] at the slip rate of the step before
   double per_mass;       ///< [1/kg] slip rate per impulse, at most
   double bound;          ///< [1/kg] the same of all impulses together
   Vec3 before;           ///< [m/s] slip rate in the step before
+  Vec3 stuck;            ///< [m/s] slip rate of a stick: zero, but where energy is owed it yields slowly against its force
   Vec3 impulse, change;  ///< [N s]
   double work = 0;       ///< [J] in this step
 };
@@ -79,6 +80,7 @@ struct Contactor {
 struct Pool {
   Index first, last;
   double* transferred;
+  double rubbed;         ///< what friction has taken in this step, less what it owes
 };
 
 /// What multipliers work with and may throw away between steps.

@@ -135,6 +135,8 @@ struct FrictionForces {
   Touch touch;
   Vec3 force = Vec3::Zero();                     ///< [N] on the apex
   double stiffness = 0;                          ///< [N/m] of the stick
+  double coefficient = 0;                        ///< [-] at the speed of sliding in the last step
+  double sliding = 0;                            ///< [m/s] that speed, by a penalty
   double work = 0, dissipated = 0, created = 0;  ///< [J] in the last step
 };
 
@@ -170,6 +172,7 @@ struct Memory {
   double damped = 0;                        ///< [J] dissipated by contact damping
   double friction_dissipated = 0;           ///< [J] dissipated by friction
   double friction_to_come = 0;              ///< [J] part of it that multipliers will only take in the half step that begins
+  double friction_owed = 0;                ///< [J] that friction gave, as a stick sways, and has not taken back: created until then
   std::vector<Restitution> restitution;     ///< [apexes] of multipliers; else empty
   double impact = 0;                        ///< [J] kinetic energy lost as multipliers stopped nodes
   Vec3 force = Vec3::Zero();                ///< [N] on all apexes, with friction; on the bases it is the opposite

@@ -2,16 +2,27 @@
 // Coulomb's friction with an elastic stick, and where it acts on a base.
 
 #include <array>
+#include <cmath>
 
 #include "base/types.hpp"
 
 namespace nereid::contact {
 
-/// Coulomb's friction: sticks elastically up to coefficient times the normal force, then slides.
+/// Coulomb's friction: sticks up to the static coefficient times the normal force, then slides.
 struct Coulomb {
-  double coefficient = 0;         ///< [-] zero: frictionless
+  double coefficient = 0;         ///< [-] static; zero: frictionless
+  double kinetic = 0;             ///< [-] of fast sliding, where there is a decay
+  double decay = 0;               ///< [s/m] of the difference of both with the speed; zero: the static coefficient always
   double tangential_penalty = 1;  ///< [-] stiffness of the elastic stick over that of the penalty
 };
+
+/// The coefficient of friction at a speed of sliding [m/s], Benson & Hallquist's exponential decay.
+///
+///     kinetic + (static - kinetic) exp(-decay speed)
+inline double coefficient_at(const Coulomb& friction, double speed) {
+  if (friction.decay == 0) return friction.coefficient;
+  return friction.kinetic + (friction.coefficient - friction.kinetic) * std::exp(-friction.decay * speed);
+}
 
 /// The elastic part of a slip and the part that slid.
 struct Slip {

@@ -119,7 +119,7 @@ FrictionLoss friction_loss(const Motion& m, Index first, Index last, const Multi
     sum.all -= friction.work;
     sum.to_come -= share * friction.impulse.dot(mean_to_come(friction.before, rate(friction, m, all), share));
   }
-  return sum.all > 0 ? sum : FrictionLoss{0, sum.to_come};
+  return sum;
 }
 
 /// Work that the normal impulses of some contactors have still to do in the half step that begins. [J]
@@ -183,6 +183,7 @@ void take_over(const Interface& interface, const Motion& m, double h, double t, 
       const Contactor& one = all.contactors[contactor++];
       if (one.friction >= 0 && element.closed) {
         near.friction.touch = all.frictions[one.friction].touch;
+        near.friction.coefficient = all.frictions[one.friction].coefficient;
         near.friction.force = all.frictions[one.friction].impulse / h;
         near.friction.acts = true;
       }
@@ -307,14 +308,23 @@ void enforce(std::span<const Interface> interfaces, std::span<const RigidPlane> 
   acting.for_each([&](std::size_t at, const auto& contact, auto& memory) {
     const Index first = all.first[at], last = all.first[at + 1];
     const FrictionLoss friction = friction_loss(m, first, last, all);
-    memory.friction_dissipated += friction.all;
     memory.friction_to_come = friction.to_come;
     memory.impact += update_restitution(m, t, first, last, all);
-    pools.push_back({first, last, &memory.transferred});
+    pools.push_back({first, last, &memory.transferred, friction.all - memory.friction_owed});
     balance({&pools.back(), 1}, all);
-    if (is_back_pass(contact)) balance({&pools.back() - 1, 2}, all);
+    if (!is_back_pass(contact)) return;
+    balance({&pools.back() - 1, 2}, all);
+    balance_friction({&pools.back() - 1, 2});
   });
   balance(pools, all);
+  balance_friction(pools);
+  std::size_t pool = 0;
+  acting.for_each([&](std::size_t, const auto&, auto& memory) {
+    pay_for_friction(pools[pool], all);
+    const double rubbed = pools[pool++].rubbed;
+    memory.friction_dissipated += std::max(0.0, rubbed);
+    memory.friction_owed = std::max(0.0, -rubbed);
+  });
   acting.for_each([&](std::size_t at, const auto& contact, auto& memory) {
     const Index first = all.first[at], last = all.first[at + 1];
     take_over(contact, m, h, t, first, last, memory, all);

@@ -116,6 +116,30 @@ void balance(std::span<const Pool> pools, Multipliers& all) {
     }
 }
 
+void balance_friction(std::span<Pool> pools) {
+  double taken = 0, given = 0;
+  for (const Pool& pool : pools) (pool.rubbed < 0 ? given : taken) += std::abs(pool.rubbed);
+  if (!(given > 0) || !(taken > 0)) return;
+  const double covered = std::min(1.0, taken / given), left = std::max(0.0, 1 - given / taken);
+  for (Pool& pool : pools) {
+    const double before = pool.rubbed;
+    pool.rubbed *= before > 0 ? left : 1 - covered;
+    *pool.transferred += before - pool.rubbed;
+  }
+}
+
+void pay_for_friction(Pool& pool, Multipliers& all) {
+  if (!(pool.rubbed < 0)) return;
+  const double sum = held(pool.first, pool.last, all);
+  if (!(sum > 0)) return;
+  const double paid = std::min(sum, -pool.rubbed);
+  for (Index k = pool.first; k < pool.last; ++k) {
+    double& one = all.contactors[k].memory->held;
+    if (one > 0) one *= 1 - paid / sum;
+  }
+  pool.rubbed += paid;
+}
+
 void discard(Restitution& memory, double& impact) {
   impact += std::max(0.0, memory.held);
   memory = {};

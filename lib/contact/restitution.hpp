@@ -17,6 +17,12 @@ double update_restitution(const Motion&, double t, Index first, Index last, Mult
 /// remains is created energy, until they take it back from the nodes.
 void balance(std::span<const Pool>, Multipliers&);
 
+/// The same of what friction has given in a step: that of the other pools covers it as far as it reaches.
+void balance_friction(std::span<Pool>);
+
+/// Covers what friction has given in a step and no other friction took from what the contactors of its own pool hold.
+void pay_for_friction(Pool&, Multipliers&);
+
 /// What contactors hold, without deficits. [J]
 double held(Index first, Index last, const Multipliers&);
 

@@ -16,24 +16,26 @@ PlaneMemory initial_memory(const RigidPlane& plane) {
     memory.next_friction = memory.friction;
     return memory;
   }
-  if (plane.friction.coefficient > 0) memory.slip.assign(plane.nodes.size(), Vec3::Zero());
+  if (plane.friction.coefficient > 0) memory.slip.assign(plane.nodes.size(), Vec3::Zero()), memory.sliding.assign(plane.nodes.size(), 0);
   return memory;
 }
 
 namespace {
 
 /// Friction on one node over the step `moved` [m] that led to `at`; returns its mean force. [N]
-Vec3 advance_friction(const RigidPlane& plane, double k, double push_before, double push, const Vec3& moved, Vec3& slip,
-                      PlaneMemory& memory) {
+Vec3 advance_friction(const RigidPlane& plane, double k, double push_before, double push, const Vec3& moved, double dt, Vec3& slip,
+                      double& sliding, PlaneMemory& memory) {
   const double stiffness = plane.friction.tangential_penalty * k;
   const Vec3 held = slip, slid_by = moved - moved.dot(plane.normal) * plane.normal;
   if (push > 0) {
     const Vec3 trial = push_before > 0 ? Vec3(held + slid_by) : held;  // a node that has just come down has not slid yet
-    const Slip now = stick_or_slide(trial, stiffness, plane.friction.coefficient * push);
+    const Slip now = stick_or_slide(trial, stiffness, coefficient_at(plane.friction, sliding) * push);
     slip = now.elastic;
+    sliding = dt > 0 ? now.slid.norm() / dt : 0;
     memory.friction_dissipated += std::max(0.0, 0.5 * stiffness * (held + slip).dot(now.slid));
   } else {
     slip.setZero();
+    sliding = 0;
     memory.friction_dissipated += std::max(0.0, 0.5 * stiffness * (held.squaredNorm() + held.dot(slid_by)));  // the stick lets go
   }
   memory.tangential_stored += 0.5 * stiffness * slip.squaredNorm();
@@ -68,7 +70,7 @@ void advance(const RigidPlane& plane, const Vectors& x, const Vectors& v, double
     }
     if (memory.slip.empty()) continue;
     const Vec3 held = memory.slip[i];
-    const Vec3 mean = advance_friction(plane, k, before, after, moved, memory.slip[i], memory);
+    const Vec3 mean = advance_friction(plane, k, before, after, moved, dt, memory.slip[i], memory.sliding[i], memory);
     memory.impulse += dt * mean;
     memory.angular_impulse -= 0.5 * dt * plane.friction.tangential_penalty * k * ((at - moved).cross(held) + at.cross(memory.slip[i]));
   }

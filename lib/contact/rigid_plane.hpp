@@ -32,8 +32,10 @@ struct PlaneMemory {
   std::vector<double> next_force;       ///< [N] by multipliers, [nodes]: what advance() takes; empty of a penalty
   std::vector<Vec3> friction, next_friction;      ///< [N] friction by multipliers, the same
   std::vector<Vec3> slip;               ///< [m] elastic part of the slip, [nodes]; empty without friction
+  std::vector<double> sliding;          ///< [m/s] how fast they slid in the last step, the same
   double work = 0, stored = 0;          ///< [J] stored by the penalty, or held by multipliers with their work still to come
   double friction_to_come = 0;          ///< [J] part of what friction takes by multipliers, in the half step that begins
+  double friction_owed = 0;             ///< [J] that friction gave, as a stick sways, and has not taken back: created until then
   double tangential_stored = 0, friction_dissipated = 0;  ///< [J] stored by the elastic stick, dissipated by friction
   double transferred = 0;               ///< [J] of what multipliers have taken here, that other contacts hold
   double impact = 0;                    ///< [J] kinetic energy lost as multipliers stopped nodes

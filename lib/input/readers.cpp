@@ -102,11 +102,17 @@ namespace {
 
 bool read_method(const Section& section) { return section.choice_or("method", "multiplier", {"multiplier", "penalty"}) == "multiplier"; }
 
-/// `friction` [-] and, where it is not zero and not found by multipliers, `tangential_penalty` in (0, 1]; both optional.
+/// `friction` [-], optional. Where it is not zero, `kinetic_friction` [-] with `friction_decay` [s/m], optional; and, by a penalty,
+/// `tangential_penalty` in (0, 1], optional.
 contact::Coulomb read_friction(const Section& section, bool multiplier) {
   contact::Coulomb friction;
   friction.coefficient = section.number_or("friction", friction.coefficient, model::range::friction);
-  const Section sticking = section.when(friction.coefficient > 0 && !multiplier);
+  const Section sliding = section.when(friction.coefficient > 0);
+  const bool decays = sliding.has("kinetic_friction") || sliding.has("friction_decay");
+  const double kinetic = sliding.when(decays).number("kinetic_friction", model::range::friction);
+  const double decay = sliding.when(decays).quantity("friction_decay", dim::slowness, positive);
+  if (decays) friction.kinetic = kinetic, friction.decay = decay;
+  const Section sticking = sliding.when(!multiplier);
   friction.tangential_penalty = sticking.number_or("tangential_penalty", friction.tangential_penalty, model::range::tangential_penalty);
   return friction;
 }

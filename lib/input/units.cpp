@@ -305,6 +305,7 @@ constexpr std::array names{
     Name{dim::stiffness, "N/m"},
     Name{dim::viscosity, "Pa s"},
     Name{dim::curvature, "1/m"},
+    Name{dim::slowness, "s/m"},
     Name{dim::specific_heat, "J/(kg*K)"},
     Name{dim::stress / dim::area, "Pa/m^2"},
     Name{dim::mass / dim::time, "kg/s"},

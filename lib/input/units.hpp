@@ -54,6 +54,7 @@ inline constexpr Dimension penalty = stress / length;     // [Pa/m]
 inline constexpr Dimension stiffness = force / length;    // [N/m]
 inline constexpr Dimension viscosity = stress * time;     // [Pa s]
 inline constexpr Dimension curvature = none / length;     // [1/m]
+inline constexpr Dimension slowness = time / length;      // [s/m]
 inline constexpr Dimension specific_heat = energy / mass / temperature;  // [J/(kg K)]
 
 }  // namespace nereid::dim

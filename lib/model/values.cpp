@@ -122,6 +122,8 @@ void check_body(const Body& body, Faults& faults) {
 
 Values of_friction(const contact::Coulomb& friction, double energy_gain_limit) {
   return {{"friction", friction.coefficient, range::friction},
+          {"kinetic_friction", friction.kinetic, range::friction},
+          {"friction_decay", friction.decay, not_negative, "s/m"},
           {"tangential_penalty", friction.tangential_penalty, range::tangential_penalty},
           {"energy_gain_limit", energy_gain_limit, range::energy_gain_limit}};
 }

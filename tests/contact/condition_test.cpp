@@ -94,5 +94,26 @@ TEST(Condition, FrictionChangesTheSlipRateByNoMoreThanItSays) {
   }
 }
 
+TEST(Condition, BesideARimAndBelowItsLevelThereIsNone) {
+  Setting at(Vec3(4.05, 2.1, -1e-6));
+  at.v.setZero(), at.force.setZero();
+  const Motion m = at.motion(1e-3);
+  look_ahead(at.scene.interface.apexes, m, at.all);
+  look_ahead(at.scene.interface.base_nodes, m, at.all);
+  find_conditions(at.scene.interface, m, at.scene.memory, at.scene.workspace, at.all);
+  for (const Condition& c : at.all.conditions) EXPECT_GT(std::abs(c.normal.z()), 0.9) << "the way past the rim is no penetration";
+}
+
+TEST(Condition, WithoutAFreeTangentThereIsNoFriction) {
+  Setting at(Vec3(1.3, 2.1, 0), 0.3);  // without an arm, so that friction does not turn the facet
+  const Mat3 upwards = Vec3::UnitZ() * Vec3::UnitZ().transpose();
+  at.allowed.assign(at.allowed.size(), &upwards);
+  at.v.topRows(2).setZero();
+  at.force.topRows(2).setZero();
+  at.find(1e-3);
+  EXPECT_TRUE(at.all.frictions.empty());
+  EXPECT_EQ(at.all.contactors[0].friction, -1);
+}
+
 }  // namespace
 }  // namespace nereid::contact

@@ -55,6 +55,15 @@ TEST(StickOrSlide, HoldsUpToTheLimitAndSlidesTheRest) {
   EXPECT_EQ(stick_or_slide(trial, 100, 0).elastic, Vec3::Zero());
 }
 
+TEST(CoefficientAt, FallsFromTheStaticToTheKineticOne) {
+  Coulomb friction{.coefficient = 0.5};
+  EXPECT_EQ(coefficient_at(friction, 7), 0.5);
+  friction.kinetic = 0.2, friction.decay = 3;
+  EXPECT_EQ(coefficient_at(friction, 0), 0.5);
+  EXPECT_NEAR(coefficient_at(friction, 1 / 3.0), 0.2 + 0.3 / std::exp(1.0), 1e-15);
+  EXPECT_NEAR(coefficient_at(friction, 100), 0.2, 1e-15);
+}
+
 TEST(SlipRate, IsZeroInARigidMotion) {
   for (const auto& [base, apex] : sides) {
     const Pair pair(base, apex);

@@ -90,5 +90,21 @@ TEST(Multiplier, FrictionHoldsBelowItsLimitAndSlidesAtIt) {
   EXPECT_GT(slides.memory.friction_dissipated, 0);
 }
 
+TEST(Multiplier, FrictionHoldsByTheStaticAndSlidesByTheKineticCoefficient) {
+  Setting sticks(0, {0, 0, 0}, 0.5), slides(0, {0, 0, 0}, 0.5), stops(0, {2, 0, 0}, 0.5);
+  for (Setting* at : {&sticks, &slides, &stops}) at->plane.friction.kinetic = 0.2, at->plane.friction.decay = 1e3, at->dt = 1e-2;
+  sticks.force.col(0) = Vec3(4.9, 0, -10);
+  slides.force.col(0) = Vec3(5.1, 0, -10);
+  stops.force.col(0) = Vec3(0, 0, -10);
+  for (int i = 0; i < 50; ++i) sticks.step(), slides.step(), stops.step();
+  EXPECT_LT(sticks.v.col(0).norm(), 1e-12);
+  EXPECT_NEAR(slides.memory.friction[0].x(), -2, 1e-9);
+  EXPECT_NEAR(stops.memory.friction[0].x(), -2, 1e-9);
+  EXPECT_NEAR(stops.v(0, 0), 1, 0.01);
+  for (int i = 0; i < 100; ++i) stops.step();
+  EXPECT_LT(stops.v.col(0).norm(), 1e-12);
+  EXPECT_NEAR(stops.memory.friction_dissipated, 2, 0.01);  // all that it had, but for what the stick of the first step took
+}
+
 }  // namespace
 }  // namespace nereid::contact

@@ -73,7 +73,7 @@ TEST(Restitution, IsGivenBackWithoutAForceWhateverTheImpedance) {
 TEST(Restitution, CoversTheDeficitsOfNeighboursInProportion) {
   Setting at({3, -1, 1});
   double transferred[] = {0, 0};
-  const Pool pools[] = {{0, 2, &transferred[0]}, {2, 3, &transferred[1]}};
+  const Pool pools[] = {{0, 2, &transferred[0], 0}, {2, 3, &transferred[1], 0}};
   balance(pools, at.all);
   EXPECT_NEAR(at.memory[0].held, 2.25, 1e-15);
   EXPECT_EQ(at.memory[1].held, 0);
@@ -85,7 +85,7 @@ TEST(Restitution, CoversTheDeficitsOfNeighboursInProportion) {
 TEST(Restitution, LeavesADeficitThatNothingCovers) {
   Setting at({1, -3});
   double transferred = 0;
-  const Pool pool{0, 2, &transferred};
+  const Pool pool{0, 2, &transferred, 0};
   balance({&pool, 1}, at.all);
   EXPECT_EQ(at.memory[0].held, 0);
   EXPECT_NEAR(at.memory[1].held, -2, 1e-15);
@@ -94,6 +94,21 @@ TEST(Restitution, LeavesADeficitThatNothingCovers) {
   double impact = 0;
   discard(at.memory[1], impact);
   EXPECT_EQ(impact, 0);  // it stays created
+}
+
+TEST(Restitution, WhatFrictionGaveIsCoveredByWhatOtherFrictionTookThenByWhatIsHeld) {
+  Setting at({1, 1, -1});
+  double transferred[] = {0, 0};
+  Pool pools[] = {{0, 2, &transferred[0], -3}, {2, 3, &transferred[1], 0.5}};
+  balance_friction(pools);
+  EXPECT_NEAR(pools[0].rubbed, -2.5, 1e-15);
+  EXPECT_EQ(pools[1].rubbed, 0);
+  EXPECT_NEAR(transferred[0], -0.5, 1e-15);
+  EXPECT_NEAR(transferred[1], 0.5, 1e-15);
+  pay_for_friction(pools[0], at.all);
+  EXPECT_NEAR(pools[0].rubbed, -0.5, 1e-15);  // what nothing covers is owed
+  EXPECT_EQ(at.memory[0].held, 0);
+  EXPECT_EQ(at.memory[2].held, -1);
 }
 
 }  // namespace

@@ -166,6 +166,15 @@ TEST(ReadInterface, DefaultsToTheBetterForms) {
   EXPECT_DOUBLE_EQ(options.height.clearance, 5e-4);
 }
 
+TEST(ReadInterface, WantsBothOfKineticFrictionAndItsDecay) {
+  const auto options = read("friction: 0.4\nkinetic_friction: 0.3\nfriction_decay: 20 ms/m\n", read_interface);
+  EXPECT_EQ(options.friction.kinetic, 0.3);
+  EXPECT_DOUBLE_EQ(options.friction.decay, 0.02);
+  EXPECT_EQ(read("friction: 0.4\n", read_interface).friction.decay, 0);
+  EXPECT_THROW(read("friction: 0.4\nkinetic_friction: 0.3\n", read_interface), CaseError);
+  EXPECT_THROW(read("friction: 0.4\nfriction_decay: 1 s/m\n", read_interface), CaseError);
+}
+
 TEST(ReadRecording, GivesFourHundredRowsAndFortyFramesByDefault) {
   const model::Recording recording = read("precision: double\n", [](const Section& s) { return read_recording(s, 8e-3); });
   EXPECT_DOUBLE_EQ(recording.history, 2e-5);

@@ -65,6 +65,8 @@ const std::vector<Wrong> numbers{
     {"contact 'touch': 'penalty'", [](Scene& s, double v) {
        s.contacts[0].interface.penalty = v; }, {0, -1, nan}},
     {"contact 'touch': 'friction'", [](Scene& s, double v) { s.contacts[0].interface.friction.coefficient = v; }, {-1, 11, nan}},
+    {"'kinetic_friction'", [](Scene& s, double v) { s.contacts[0].interface.friction.kinetic = v; }, {-1, 11, nan}},
+    {"'friction_decay'", [](Scene& s, double v) { s.contacts[0].interface.friction.decay = v; }, {-1, nan, infinity}},
     {"'tangential_penalty'", [](Scene& s, double v) { s.contacts[0].interface.friction.tangential_penalty = v; }, {0, 2, nan}},
     {"contact 'touch': 'damping_ratio'", [](Scene& s, double v) { s.contacts[0].interface.damping_ratio = v; }, {-1, 2, nan}},
     {"contact 'touch': 'energy_gain_limit'", [](Scene& s, double v) { s.contacts[0].interface.energy_gain_limit = v; }, {0, 1, nan}},

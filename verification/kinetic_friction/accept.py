@@ -1,0 +1,96 @@
+"""How close is close enough, why, and what must break."""
+from reference import coefficient, pulled, stop
+from verify import Breaks, Check, Figure, Pair, crossings
+
+CATALOGUE = ("C-5",)
+CLAIM = ("Friction holds by its static coefficient, slides by one that falls to the kinetic one with the speed, and heats by what it takes, "
+         "on rigid planes and on bodies.")
+EVIDENCE = "exact"
+DRIVER = "scene"
+
+LAW = dict(static=0.4, kinetic=0.2, decay=1)
+TIME, WAY = stop(5, **LAW, gravity=9.81)
+MASS, PULL = 16, 5   # [kg], [m/s3]
+WEAKER = dict(static=0.4, kinetic=0.2, decay=5)
+SLIP, SPEED, HEAT = pulled(PULL, 1.2, **WEAKER, gravity=9.81)
+PENALTY = {"planes[0].method": "penalty"}
+
+
+def stop_time(run):
+    return Pair((crossings(run.column("time"), run.column("speed"), rising=False) or [float("nan")])[0], TIME, "s")
+
+
+def way(run):
+    return Pair(run.column("way")[-1], WAY, "m")
+
+
+def ratio(run):
+    """Largest difference of friction over push from the coefficient at the speed, while it slides."""
+    rows = zip(run.column("time"), run.column("speed"), run.column("friction"), run.column("normal_force"))
+    return Pair(max(abs(-f / n - coefficient(v, **LAW)) for t, v, f, n in rows if 0.01 < t < 0.95 * TIME), 0, "", LAW["static"])
+
+
+def heat(run):
+    return Pair(run.account("ground")["dissipated"]["friction"]["value"], run.ledger("initial_kinetic"), "J")
+
+
+def pull(run, change=None):
+    return run.other("scene", "verification/kinetic_friction/pulled.yaml", change)
+
+
+def held(change=None):
+    """Largest friction before the block slides, over what the static coefficient allows."""
+    return lambda run: Pair(-pull(run, change).result("friction_smallest"), WEAKER["static"] * MASS * 9.81, "N")
+
+
+def slips(run):
+    """When it has 0.1 m/s: later than it lets go by as much as the closed form has it."""
+    late = next(SLIP + 1e-4 * i for i in range(1, 10000)
+                if pulled(PULL, SLIP + 1e-4 * i, **WEAKER, gravity=9.81, parts=100)[1] > 0.1)
+    one = pull(run)
+    return Pair(next(t for t, v in zip(one.column("time"), one.column("speed")) if v > 0.1), late, "s")
+
+
+def last_speed(run, change=None):
+    return Pair(pull(run, change).column("speed")[-1], SPEED, "m/s")
+
+
+def heat_of_pulled(run):
+    return Pair(pull(run).account("touch")["dissipated"]["friction"]["value"], MASS * HEAT, "J")
+
+
+CHECKS = [
+    Check("time to stop", stop_time, 0.01, "as of constant friction: what the block yields"),
+    Check("way", way, 0.01, "as the time"),
+    Check("friction over push, from the law", ratio, 0.01, "the coefficient is that of the step before, and nodes move apart by waves"),
+    Check("heat of friction", heat, 0.01, "what the block keeps as vibration is far smaller"),
+    Check("pulled: largest friction before it slides", held(), 0.01, "rear nodes let go a little before front ones do"),
+    Check("pulled: time at which it slides", slips, 0.01, "as the largest friction"),
+    Check("pulled: speed at the end", last_speed, 0.01, "as the largest friction"),
+    Check("pulled: heat of friction", heat_of_pulled, 0.01, "as the speed"),
+    Check("by a penalty: way", lambda run: way(run.again(PENALTY)), 0.01, "the same law; a stick yields by micrometres"),
+    Check("by a penalty, pulled: speed at the end", lambda run: last_speed(run, {"contacts[0].method": "penalty"}), 0.01, "as the way"),
+]
+
+BREAKS = [
+    Breaks("time to stop", "the static coefficient throughout", {"planes[0].kinetic_friction": 0.4}),
+    Breaks("way", "a decay of half", {"planes[0].friction_decay": "0.5 s/m"}),
+    Breaks("friction over push, from the law", "a decay of half", {"planes[0].friction_decay": "0.5 s/m"}),
+    Breaks("by a penalty: way", "a decay of half", {"planes[0].friction_decay": "0.5 s/m"}),
+    Breaks("heat of friction", "stopped while it slides", {"time.end": "2 s"}),
+]
+
+
+def speed_over_time(run):
+    return [("slides to rest", run.column("time"), run.column("speed")), ("pulled", pull(run).column("time"), pull(run).column("speed"))]
+
+
+def exact_speed(_):
+    times = [SLIP + (1.2 - SLIP) * i / 60 for i in range(61)]
+    slides = [5 * i / 60 for i in range(60, -1, -1)]
+    return [("exact", [TIME - stop(v, **LAW, gravity=9.81)[0] if v > 0 else TIME for v in slides], slides),
+            ("exact, pulled", times, [pulled(PULL, t, **WEAKER, gravity=9.81, parts=400)[1] if t > SLIP else 0 for t in times])]
+
+
+FIGURES = [Figure("speed", "time [s]", "speed [m/s]", speed_over_time, exact=exact_speed, error=False,
+                  caption="Speed of a block that slides to rest, and of one that is pulled until it slides.")]
