@@ -53,7 +53,9 @@ def shown(found):
 
 
 def of_checks(rows):
-    """How many of these rows depart from nothing, in a few words: 'yes', or what the others depart in."""
+    """How many of these rows depart from nothing, in a few words: 'yes', or what the others depart in; nothing where there is no row."""
+    if not rows:
+        return ""
     kept = sum(not row.departs for row in rows)
     words = shown([one for row in rows for one in row.departs]).split(", ")
     said = ", ".join(words[:4]) + (f" and {len(words) - 4} more" if len(words) > 4 else "")

@@ -62,6 +62,7 @@ class DeparturesTest(unittest.TestCase):
 
     def test_checks_are_counted(self):
         bare, viscous = [], [("viscosity", 0.0)]
+        self.assertEqual(defaults.of_checks([]), "")
         self.assertEqual(defaults.of_checks(rows_of(bare, bare)), "yes")
         self.assertEqual(defaults.of_checks(rows_of(viscous, viscous)), "no: viscosity 0")
         self.assertEqual(defaults.of_checks(rows_of(bare, viscous)), "1 of 2 checks; others viscosity 0")

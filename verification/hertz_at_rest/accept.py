@@ -156,7 +156,7 @@ def what_is_left(run):
     return rows
 
 
-DEPARTURES = {"residual": "the default moves force and pressure by 0.1 % in a third more steps"}
+DEPARTURES = {"residual": "the default moves the force by 0.1 %, in more steps"}
 
 CHECKS = [
     Check("approach", approach, 1e-4, "the equator moves as it is told, in some thousand steps"),

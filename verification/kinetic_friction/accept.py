@@ -59,6 +59,8 @@ def heat_of_pulled(run):
     return Pair(pull(run).account("touch")["dissipated"]["friction"]["value"], MASS * HEAT, "J")
 
 
+DEPARTURES = {"method": "two checks are of the same law by a penalty; all others are by default"}
+
 CHECKS = [
     Check("time to stop", stop_time, 0.01, "as of constant friction: what the block yields"),
     Check("way", way, 0.01, "as the time"),
