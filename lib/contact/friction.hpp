@@ -11,9 +11,9 @@ namespace nereid::contact {
 /// Coulomb's friction: sticks up to the static coefficient times the normal force, then slides.
 struct Coulomb {
   double coefficient = 0;         ///< [-] static; zero: frictionless
+  double tangential_penalty = 1;  ///< [-] stiffness of the elastic stick over that of the penalty
   double kinetic = 0;             ///< [-] of fast sliding, where there is a decay
   double decay = 0;               ///< [s/m] of the difference of both with the speed; zero: the static coefficient always
-  double tangential_penalty = 1;  ///< [-] stiffness of the elastic stick over that of the penalty
 };
 
 /// The coefficient of friction at a speed of sliding [m/s], Benson & Hallquist's exponential decay.

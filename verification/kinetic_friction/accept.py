@@ -3,8 +3,8 @@ from reference import coefficient, pulled, stop
 from verify import Breaks, Check, Figure, Pair, crossings
 
 CATALOGUE = ("C-5",)
-CLAIM = ("Friction holds by its static coefficient, slides by one that falls to the kinetic one with the speed, and heats by what it takes, "
-         "on rigid planes and on bodies.")
+CLAIM = ("Friction holds by its static coefficient, slides by one that falls to the kinetic one with the speed, and heats by what it "
+         "takes, on rigid planes and on bodies.")
 EVIDENCE = "exact"
 DRIVER = "scene"
 
