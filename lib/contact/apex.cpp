@@ -139,6 +139,7 @@ void vote_over(const Interface& interface, const Vectors& x, Index a, const Feat
   element.count = 1;
   element.stencil[0] = {.facet = feature.facet, .apex = 1, .weight = weight, .push = Vec3::Zero(),
                         .kind = feature.kind, .local = feature.local, .level = level};
+  if (by_multipliers(interface)) return;  // they vote for no step
   element.stiffness = stiffness(interface, feature, interface.area(a));
   share_stiffness(interface, x, a, element);
 }
@@ -238,7 +239,9 @@ void update_element(const Interface& interface, const Vectors& x, const Vectors&
     memory.status[a] = Status::open;
     memory.feature[a] = out.strongest;
     memory.gap[a] = std::max(0.0, out.gap);
-    return vote_over(interface, x, a, out.strongest, weights_of(interface, x, a, out.strongest.facet), out.level, element);
+    const bool votes = !by_multipliers(interface);
+    const auto weight = votes ? weights_of(interface, x, a, out.strongest.facet) : std::array<double, 3>{};
+    return vote_over(interface, x, a, out.strongest, weight, out.level, element);
   }
   const double k = stiffness(interface, out.strongest, near.area > 0 ? near.area : interface.area(a));
   memory.status[a] = Status::closed;
@@ -255,7 +258,7 @@ void update_element(const Interface& interface, const Vectors& x, const Vectors&
     stencil.push *= k;
     element.apex += stencil.apex * stencil.push;
   }
-  share_stiffness(interface, x, a, element);
+  if (!by_multipliers(interface)) share_stiffness(interface, x, a, element);
 }
 
 /// Rotation of the base over the step that led to x, from its positions in the middle, where a rigid

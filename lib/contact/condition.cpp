@@ -120,7 +120,8 @@ Index add_friction(const Touch& touch, const Coulomb& law, const Vec3& force, co
   const Vec3 impulse = 0.5 * (m.dt + m.next) * (force - touch.normal.dot(force) * touch.normal);
   const Vec3 before = slip_rate(touch, m.v, m.omega, m.rotation_of_node);
   all.frictions.push_back({.touch = touch, .coefficient = coefficient_at(law, before.norm()), .per_mass = per_mass, .bound = 0,
-                           .before = before, .stuck = Vec3::Zero(), .impulse = impulse, .change = Vec3::Zero()});
+                           .before = before, .stuck = Vec3::Zero(), .impulse = impulse, .change = Vec3::Zero(),
+                           .after = before});
   return static_cast<Index>(all.frictions.size()) - 1;
 }
 
@@ -284,10 +285,16 @@ void apply_changes(const Motion& m, Multipliers& all) {
 void find_work(const Motion& m, Multipliers& all) {
   for (Contactor& one : all.contactors) {
     one.work = 0;
-    for (Index i = one.first; i < one.last; ++i)
-      one.work += work(all.conditions[i], rate(all.conditions[i], one.nodes, all.velocity));
+    for (Index i = one.first; i < one.last; ++i) {
+      Condition& c = all.conditions[i];
+      c.after = rate(c, one.nodes, all.velocity);
+      one.work += work(c, c.after);
+    }
   }
-  for (FrictionCondition& condition : all.frictions) condition.work = work(condition, rate(condition, m, all));
+  for (FrictionCondition& condition : all.frictions) {
+    condition.after = rate(condition, m, all);
+    condition.work = work(condition, condition.after);
+  }
 }
 
 }  // namespace nereid::contact

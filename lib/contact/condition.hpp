@@ -47,6 +47,7 @@ struct Condition {
   double before;                  ///< [m/s] relative velocity in the step before
   double least;                   ///< [m/s] that may be afterwards
   double free;                    ///< [m/s] relative velocity afterwards if no multiplier acted
+  double after;                   ///< [m/s] relative velocity afterwards, set by find_work()
   double impulse, change;         ///< [N s] so far, and what a sweep adds
   double gap;                     ///< [m]
 };
@@ -60,6 +61,7 @@ struct FrictionCondition {
   Vec3 before;           ///< [m/s] slip rate in the step before
   Vec3 stuck;            ///< [m/s] slip rate of a stick: zero, but where energy is owed it yields slowly against its force
   Vec3 impulse, change;  ///< [N s]
+  Vec3 after;            ///< [m/s] slip rate afterwards, set by find_work()
   double work = 0;       ///< [J] in this step
 };
 
@@ -156,7 +158,7 @@ void apply_changes(const Motion&, Multipliers&);
 /// Sets the change with which a friction sticks, or slides where it would take more than its coefficient times the normal impulse [N s].
 void find_change(double pressed, const Motion&, const Multipliers&, FrictionCondition&);
 
-/// The works of all impulses as they stand. [J]
+/// Sets the velocities that all impulses lead to as they stand, and their works. [J]
 void find_work(const Motion&, Multipliers&);
 
 }  // namespace nereid::contact

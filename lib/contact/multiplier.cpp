@@ -15,6 +15,7 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr int usual_sweeps = 8, most_sweeps = 100;
+constexpr double still = 1e-12;     // of the energy that the impulses exchange: sweeps end as soon as their changes exchange less
 constexpr double may_gain = 1e-4;  // of the energy that the impulses exchange: sweeps go on while single contactors gain more
 
 /// Books the half of a step that ends at t, in which the forces of the memory have acted.
@@ -77,7 +78,20 @@ void sweep(const Motion& m, Multipliers& all) {
   apply_changes(m, all);
 }
 
-/// Sweeps until no contactor gains energy that counts.
+/// Whether the last sweep changed next to nothing.
+bool is_still(const Multipliers& all) {
+  double changed = 0, exchanged = 0;
+  for (const Contactor& one : all.contactors)
+    for (Index i = one.first; i < one.last; ++i) {
+      const Condition& c = all.conditions[i];
+      changed += c.change * c.change * c.per_mass, exchanged += c.impulse * c.impulse * c.per_mass;
+    }
+  for (const FrictionCondition& friction : all.frictions)
+    changed += friction.change.squaredNorm() * friction.per_mass, exchanged += friction.impulse.squaredNorm() * friction.per_mass;
+  return changed <= still * exchanged;
+}
+
+/// Sweeps until nothing changes, or no contactor gains energy that counts.
 void solve(const Motion& m, Multipliers& all) {
   find_bounds(m, all);
   for (const Contactor& one : all.contactors)
@@ -87,6 +101,7 @@ void solve(const Motion& m, Multipliers& all) {
     if (!condition.impulse.isZero(0)) give(condition, condition.impulse, m, all);
   for (int sweeps = 1; sweeps <= most_sweeps; ++sweeps) {
     sweep(m, all);
+    if (is_still(all)) return;
     if (sweeps < usual_sweeps || sweeps % 2 > 0) continue;
     double gained = 0, exchanged = 0;
     for (const Contactor& one : all.contactors) {
@@ -117,7 +132,7 @@ FrictionLoss friction_loss(const Motion& m, Index first, Index last, const Multi
     if (all.contactors[k].friction < 0) continue;
     const FrictionCondition& friction = all.frictions[all.contactors[k].friction];
     sum.all -= friction.work;
-    sum.to_come -= share * friction.impulse.dot(mean_to_come(friction.before, rate(friction, m, all), share));
+    sum.to_come -= share * friction.impulse.dot(mean_to_come(friction.before, friction.after, share));
   }
   return sum;
 }
@@ -130,7 +145,7 @@ double work_to_come(const Motion& m, Index first, Index last, const Multipliers&
     const Contactor& one = all.contactors[k];
     for (Index i = one.first; i < one.last; ++i) {
       const Condition& c = all.conditions[i];
-      if (c.impulse > 0) sum += share * c.impulse * mean_to_come(c.before, rate(c, one.nodes, all.velocity), share);
+      if (c.impulse > 0) sum += share * c.impulse * mean_to_come(c.before, c.after, share);
     }
   }
   return sum;
@@ -143,11 +158,11 @@ double power_rate(const Motion& m, Index first, Index last, const Multipliers& a
     const Contactor& one = all.contactors[k];
     for (Index i = one.first; i < one.last; ++i) {
       const Condition& c = all.conditions[i];
-      if (c.impulse > 0) sum += c.impulse * (rate(c, one.nodes, all.velocity) - c.before);
+      if (c.impulse > 0) sum += c.impulse * (c.after - c.before);
     }
     if (one.friction < 0) continue;
     const FrictionCondition& friction = all.frictions[one.friction];
-    sum += friction.impulse.dot(rate(friction, m, all) - friction.before);
+    sum += friction.impulse.dot(friction.after - friction.before);
   }
   const double h = 0.5 * (m.dt + m.next);
   return sum / (h * h);
