@@ -98,8 +98,8 @@ CHECKS = [
            "penalty gives 0.11"),
     Check("on ice: speed that is kept", kept({}), 1e-4, "nothing draws; faces are flat but for 1e-8 m"),
     Miss("on ice, nodes of the larger block as apexes: speed that is kept", kept(SWAPPED), 1e-3, "as with those of the smaller one",
-         why="the border of the smaller block sinks in between the nodes of the larger one, more behind than ahead, so that the press works: "
-         "a drag of 4e-5 of its force. A penalty gives 2.22 m/s"),
+         why="the border of the smaller block sinks in between the nodes of the larger one, more behind than ahead, so that the press "
+         "works: a drag of 4e-5 of its force. A penalty gives 2.22 m/s"),
     Check("on ice, two passes: speed that is kept", kept({**SWAPPED, "contacts[0].passes": "two"}), 1e-4, "no node sinks in"),
 ]
 
