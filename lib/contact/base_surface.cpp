@@ -109,6 +109,13 @@ void measure_edges(BaseSurface& base, const Vectors& X) {
 
 }  // namespace
 
+namespace {
+double lean_of(double cosine) {
+  cosine = cosine > least_cosine ? cosine : least_cosine;
+  return 1.5 * std::sqrt((1 - cosine) / (1 + cosine));
+}
+}  // namespace
+
 double lean(const BaseSurface& base, const Vectors& x, Index facet) {
   double cosine = 1;
   for (int a = 0; a < 3; ++a) {
@@ -125,8 +132,19 @@ double lean(const BaseSurface& base, const Vectors& x, Index facet) {
       }
     }
   }
-  if (!(cosine > least_cosine)) cosine = least_cosine;
-  return 1.5 * std::sqrt((1 - cosine) / (1 + cosine));
+  return lean_of(cosine);
+}
+
+double lean_at_edges(const BaseSurface& base, const Vectors& x, Index facet) {
+  const Vec3 n = area_vector(base, x, facet);
+  double cosine = 1;
+  for (int e = 0; e < 3; ++e) {
+    const Index other = base.neighbour(e, facet);
+    if (other < 0 || base.wall[facet][e]) continue;
+    const Vec3 m = area_vector(base, x, other);
+    cosine = std::min(cosine, n.dot(m) / std::sqrt(n.squaredNorm() * m.squaredNorm()));
+  }
+  return lean_of(cosine);
 }
 
 Fans fans(const Table<3>& facets, Index nodes_of_mesh) {

@@ -72,6 +72,9 @@ Vec3 node_normal(const Fans&, const Vectors& x, Index node);
 /// between two of them without a wall, as the surface stands at x; 6 or less. [-]
 double lean(const BaseSurface&, const Vectors& x, Index facet);
 
+/// The same over its own edges alone: no more than lean(), and cheaper.
+double lean_at_edges(const BaseSurface&, const Vectors& x, Index facet);
+
 /// Twice the area of a facet along its normal. [m2]
 inline Vec3 area_vector(const Fans& base, const Vectors& x, Index facet) {
   const Vec3 a = x.col(base.facets(1, facet)) - x.col(base.facets(0, facet));

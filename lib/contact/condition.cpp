@@ -21,7 +21,7 @@ constexpr double along = 0.5;          // cosine between a push and the normal o
 constexpr double paid_back = 0.2;      // of what friction owes, in a step
 constexpr double most_yield = 1e-6;    // of the depth of an element: way by which a stick yields for that in a step
 constexpr double blended = 0.02;       // of the size of a face: band along edges in which normals go over into each other
-constexpr double one_patch = 0.1;      // cosine between normals: beyond it an edge is a wall
+constexpr double one_patch = 0.9;      // cosine between the normals of facets for which that is done
 constexpr double no_response = 1e-9;   // of that of a free apex: constraints hold all nodes
 constexpr double faces_below = 0.3;    // cosine between the normals of an apex and of what it may touch
 
@@ -42,42 +42,42 @@ void find(const Interface& interface, const Motion& m, Memory& memory, Workspace
   look(all.ahead, all.way, m.dt + m.next);
 }
 
-/// How far a point lies inside a facet, or outside for negative, from the nearest of the lines of its edges; at most `most`. [m]
-double inside(const BaseSurface& base, const Vectors& x, Index facet, const std::array<double, 3>& weight, double most) {
-  const double twice_area = area_vector(base, x, facet).norm();
-  for (int i = 0; i < 3; ++i) {
-    const Vec3 edge = x.col(base.facets((i + 2) % 3, facet)) - x.col(base.facets((i + 1) % 3, facet));
-    most = std::min(most, weight[i] * twice_area / edge.norm());
+/// The mean normal of the facets around a node that belong to the patch of a facet with this normal.
+Vec3 patch_normal(const BaseSurface& base, const Vectors& x, Index node, const Vec3& normal) {
+  Vec3 sum = Vec3::Zero();
+  for (Index r = base.ring_begin[node]; r < base.ring_begin[node + 1]; ++r) {
+    const Vec3 area = area_vector(base, x, base.ring[r]);
+    if (area.dot(normal) > one_patch * area.norm()) sum += area;
   }
-  return most;
+  return sum.normalized();
 }
 
-/// Lets the normal go evenly from facet to facet, so that an apex over an edge can come to rest: n is the mean of the normals of facets
-/// that are nearer than the width of a band, each with how far the point lies inside plus that width. Foot and gap are along n.
+/// Lets the normal go evenly from facet to facet in a band along edges, so that an apex over an edge can come to rest. The foot is along
+/// that normal, so that a push makes no moment; the height is that over the facet.
 ///
-/// allowed  null, or of an apex on a symmetry plane: the images of facets take from the sum what leads out of it
+/// allowed  null, or of an apex on a symmetry plane: images of facets take from a normal what leads out of it
 void blend(const BaseSurface& base, const Vectors& x, const Vec3& p, Index facet, const Mat3* allowed, FeatureHeight& over) {
-  const double band = blended * base.size(facet), own = inside(base, x, facet, over.weight, band);
-  if (!(own < band)) return;
-  int far = 0;  // the node that is farthest: the facets at the other two can be near
-  for (int I = 1; I < 3; ++I)
-    if (over.weight[I] < over.weight[far]) far = I;
-  Vec3 sum = (band + own) * over.normal;
-  const auto add = [&](Index other) {
-    if (other < 0 || other == facet) return;
-    const FeatureHeight there = height_over(base, x, {other, geometry::Kind::facet, 0}, p);
-    const double share = band + inside(base, x, other, there.weight, band);
-    if (share > 0 && there.normal.dot(over.normal) > one_patch) sum += share * there.normal;
-  };
-  const Index first = base.facets((far + 1) % 3, facet), second = base.facets((far + 2) % 3, facet);
-  const auto around = [&](Index node) {
-    for (Index r = base.ring_begin[node]; r < base.ring_begin[node + 1]; ++r) add(base.ring[r]);
-  };
-  around(over.weight[(far + 1) % 3] > over.weight[(far + 2) % 3] ? first : second);
-  const Vec3 n = (allowed ? Vec3(*allowed * sum) : sum).normalized();
-  const double height = over.height / n.dot(over.normal);
-  over.weight = height_over(base, x, {facet, geometry::Kind::facet, 0}, p - height * n).weight;
-  over.height = height;
+  const double band = blended * base.size(facet);
+  int low = 0, high = 0;  // the node whose opposite edge is nearest, and the nearest node
+  for (int I = 1; I < 3; ++I) {
+    if (over.weight[I] < over.weight[low]) low = I;
+    if (over.weight[I] > over.weight[high]) high = I;
+  }
+  const int e = (low + 1) % 3;
+  const Index node = base.facets(high, facet), other = base.neighbour(e, facet);
+  const Vec3 edge = x.col(base.facets((e + 1) % 3, facet)) - x.col(base.facets(e, facet));
+  const double to_edge = over.weight[low] * area_vector(base, x, facet).norm() / edge.norm();
+  if (!(to_edge < band)) return;
+  Vec3 n = over.normal;
+  if (other >= 0) {
+    const Vec3 there = facet_normal(base, x, other);
+    if (there.dot(n) > one_patch) n += 0.5 * std::min(1.0, 1 - to_edge / band) * (there - n);
+  }
+  const double to_node = (p - over.height * over.normal - x.col(node)).norm();
+  if (to_node < band) n += (1 - to_node / band) * (patch_normal(base, x, node, over.normal) - n);
+  if (allowed) n = *allowed * n;
+  n.normalize();
+  over.weight = height_over(base, x, {facet, geometry::Kind::facet, 0}, p - over.height / n.dot(over.normal) * n).weight;
   over.normal = n;
 }
 
@@ -102,7 +102,9 @@ bool make(const Interface& interface, const Motion& m, const Multipliers& all, c
   // beside a rim, below its level: the normal from there to the apex leads along the surface, and nothing was penetrated
   if (stencil.kind != geometry::Kind::facet && near.tracks.count == 0 && over.height < 0) return false;
   if (push > 0 && over.normal.dot(stencil.push) < 0) over.normal = -over.normal, over.height = -over.height;
-  if (stencil.kind == geometry::Kind::facet) blend(interface.base, m.x, p, stencil.facet, allowed_of(interface, near.apex), over);
+  const bool on_facet = stencil.kind == geometry::Kind::facet && near.element.count == 1;
+  if (on_facet && stencil.level < blended * interface.base.size(stencil.facet))  // over plates the foot would leave its node
+    blend(interface.base, m.x, p, stencil.facet, allowed_of(interface, near.apex), over);
   stencil.weight = over.weight;
   c.gap = over.height - stencil.level;
   c.normal = over.normal;
