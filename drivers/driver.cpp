@@ -184,6 +184,9 @@ int run_case(const std::string& name, const CommandLine& line, output::RunFolder
       std::fprintf(stderr, "warning: %s\n", note.c_str());
     }
   }
+  const std::vector<std::string> of_steps = model::step_notes(simulation);
+  notes.insert(notes.end(), of_steps.begin(), of_steps.end());
+  if (!line.quiet) print(of_steps);
   const output::Summary summary = summarise(name, line, file, simulation, outcome, results(simulation), notes);
   output::write_summary(line.out, summary);
   if (!line.quiet) {

@@ -27,6 +27,7 @@
 #include "contact/friction.hpp"
 #include "contact/method.hpp"
 #include "contact/search.hpp"
+#include "contact/step_factor.hpp"
 #include "contact/stencil.hpp"
 #include "contact/way_out.hpp"
 
@@ -87,6 +88,7 @@ struct Interface {
   double arm_of_apex = 0;              ///< [-] share of the apex, a plate, in the arm of friction; the base has the rest
   std::vector<Bond> bonds;             ///< [apexes] of a bonded interface; set by connect()
   double impact_step_factor = 0.1410;  ///< [-] dt sqrt(k/m) of the vote: impact_step_factor_for(0.005)
+  double first_step_factor = 0;        ///< [-] the same until the contact has created too much, where it is larger: step_factor.hpp
   Pass pass = Pass::only;
   double release_height = 0;           ///< [m] above h_c up to which an apex stays tracked that multipliers have released
   double pass_factor = 1;              ///< [-] part of the stiffness between its nodes: 1/2 in each of two passes
@@ -187,6 +189,7 @@ struct Memory {
   double deepest = 0;        ///< [m] penetration of any apex since the start, not negative
   Index deepest_apex = -1;   ///< node of that apex, -1 before any contact
   double deepest_time = 0;   ///< [s] when; set by the caller of advance()
+  StepFactorMemory step_factor;
   double deepest_now = 0;    ///< [m] of apexes in contact at the last update
   std::int64_t walks = 0;      ///< to another feature, since the start
   std::int64_t lost = 0;       ///< parts of the surface left over a wall in contact
@@ -259,7 +262,8 @@ void advance(const Interface&, const Vectors& x, const Vectors& v, const Vectors
 /// Adds the forces of all elements to the nodes [N], and their moments to plate nodes [N m], apex by apex.
 void add_forces(const Interface&, const Memory&, Vectors& force, Vectors& moment);
 
-/// The largest step at which a bounce creates no more energy than the interface's bound, and the apex that sets it.
+/// The largest step of an interface, and the apex that sets it: step_factor() / omega. With the impact step factor a bounce creates no more
+/// energy than the interface's bound.
 ///
 /// An apex and its base are a spring,  omega^2 = k (1/m_apex + sum of w_I S_I / (k m_I)),  where S_I
 /// sums the stiffness of all springs at base node I: springs that share nodes add up. What never opens

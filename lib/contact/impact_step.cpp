@@ -24,6 +24,8 @@ double energy_created_in_a_bounce(double step) {
   return worst;
 }
 
+double most_created_in_a_bounce(double step) { return step * step / (4 - step * step); }
+
 double impact_step_factor_for(double bound) {
   check(bound > 0 && bound < 1, "the energy a bounce may create lies between 0 and 1");
   return std::min(0.5, 2 * std::sqrt(bound / (1 + bound)));

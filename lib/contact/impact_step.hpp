@@ -13,6 +13,11 @@ namespace nereid::contact {
 /// returns  [-] (rebound speed / impact speed)^2 - 1, not negative
 double energy_created_in_a_bounce(double step);
 
+/// The most that a bounce creates at any step up to this one:  step^2 / (4 - step^2). [-]
+///
+/// step  [-] dt sqrt(k/m), below 2
+double most_created_in_a_bounce(double step);
+
 /// The largest step such that neither it nor any smaller step creates more than `bound`.
 /// [-] dt sqrt(k/m)
 ///

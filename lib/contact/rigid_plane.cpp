@@ -96,7 +96,7 @@ Vec3 force(const RigidPlane& plane, const PlaneMemory& memory) {
   return sum;
 }
 
-StepLimit stable_step(const RigidPlane& plane, const Scalars& mass) {
+StepLimit stable_step(const RigidPlane& plane, const Scalars& mass, const StepFactorMemory& memory) {
   if (by_multipliers(plane)) return {};
   double most = 0;
   Index at = -1;
@@ -105,7 +105,7 @@ StepLimit stable_step(const RigidPlane& plane, const Scalars& mass) {
     if (omega_squared > most) most = omega_squared, at = plane.nodes[i];
   }
   if (at < 0) return {};
-  return {plane.impact_step_factor / std::sqrt(most * std::max(1.0, plane.friction.tangential_penalty)), at};
+  return {step_factor(plane, memory) / std::sqrt(most * std::max(1.0, plane.friction.tangential_penalty)), at};
 }
 
 Source source(const RigidPlane& plane) {

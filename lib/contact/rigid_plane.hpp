@@ -8,6 +8,7 @@
 #include "base/step_limit.hpp"
 #include "contact/friction.hpp"
 #include "contact/method.hpp"
+#include "contact/step_factor.hpp"
 #include "mesh/mesh.hpp"
 
 namespace nereid::contact {
@@ -22,6 +23,7 @@ struct RigidPlane {
   double impedance = 0;                ///< [Pa s/m] rho c of what is behind the nodes
   double penalty = 0;                  ///< [Pa/m]
   double impact_step_factor = 0.1410;  ///< [-] dt sqrt(k/m) of the vote, see contact/impact_step.hpp
+  double first_step_factor = 0;        ///< [-] the same until the plane has created too much, where it is larger
   Coulomb friction;
   double depth = 0;    ///< [m] of the flattest element behind the nodes: what a penetration is held against
 };
@@ -40,6 +42,7 @@ struct PlaneMemory {
   double transferred = 0;               ///< [J] of what multipliers have taken here, that other contacts hold
   double impact = 0;                    ///< [J] kinetic energy lost as multipliers stopped nodes
   double power_rate = 0;                ///< [W/s] force times acceleration of multipliers, see Memory
+  StepFactorMemory step_factor;
   double deepest = 0;                   ///< [m] penetration of any node since the start, not negative
   Index deepest_node = -1;              ///< where that was, -1 before any contact
   double deepest_time = 0;              ///< [s] when; set by the caller of advance()
@@ -56,8 +59,8 @@ void add_forces(const RigidPlane&, const PlaneMemory&, Vectors& force);
 /// Sum of the forces on all nodes, with friction. [N]
 Vec3 force(const RigidPlane&, const PlaneMemory&);
 
-/// The largest step at which a bounce creates no more energy than the plane's bound, and the node that sets it.
-StepLimit stable_step(const RigidPlane&, const Scalars& mass);
+/// The largest step of a plane, and the node that sets it: step_factor() / omega.
+StepLimit stable_step(const RigidPlane&, const Scalars& mass, const StepFactorMemory&);
 
 /// The schema of a plane in the ledger, and its values now.
 Source source(const RigidPlane&);

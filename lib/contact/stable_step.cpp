@@ -71,7 +71,7 @@ StepLimit stable_step(const Interface& interface, const Scalars& mass, const Sca
   const double omega_squared = normal.omega_squared / interface.pass_factor;
   const Index apex = interface.apexes[normal.apex];
   if (interface.kind == InterfaceKind::bonded) return {linear_step / std::sqrt(omega_squared), apex};
-  const StepLimit bounce{interface.impact_step_factor / std::sqrt(omega_squared), apex};
+  const StepLimit bounce{step_factor(interface, memory.step_factor) / std::sqrt(omega_squared), apex};
   if (memory.slip.empty()) return bounce;
   // sticks are parallel to the normal springs, and their moments turn plate nodes besides
   const Fastest turning = moments_of_friction(interface, inertia, memory, workspace);

@@ -133,6 +133,7 @@ Connected connect_one_pass(Model& model, const std::string& name, const std::str
   interface.penalty = share * options.penalty.value_or(options.penalty_scale * softer);
   check(interface.penalty > 0, "an interface needs a penalty or elements on both sides");
   interface.impact_step_factor = contact::impact_step_factor_for(options.energy_gain_limit);
+  interface.first_step_factor = options.step_factor;
   interface.pass = pass;
   interface.pass_factor = share;
   interface.restitution = options.restitution;
@@ -163,7 +164,7 @@ Connected connect_one_pass(Model& model, const std::string& name, const std::str
   if (options.damping_ratio > 0) {
     const contact::Memory trial = contact::tried_out(interface, model.mesh.X, reach, workspace);
     const double step = contact::stable_step(interface, model.mass, model.inertia, trial, workspace).step;
-    interface.damping_time = 2 * options.damping_ratio * step / interface.impact_step_factor;  // 2 zeta / omega
+    interface.damping_time = 2 * options.damping_ratio * step / contact::step_factor(interface, trial.step_factor);  // 2 zeta / omega
   }
   model.interfaces.push_back(std::move(interface));
   return connected;

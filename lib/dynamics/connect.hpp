@@ -22,7 +22,9 @@ struct InterfaceOptions {
   contact::Area area = contact::Area::apex;
   contact::ContactHeight height = {};
   contact::InitialPenetration initial_penetration = contact::InitialPenetration::refuse;
-  double energy_gain_limit = 0.005;  ///< [-] bound on the energy of a single bounce
+  /// [-] part of its energy that one bounce may gain; with a `step_factor`, all bounces together before the step is lowered
+  double energy_gain_limit = 0.005;
+  double step_factor = 0;  ///< [-] dt omega until then; 0: from the start no bounce creates more than the limit
 };
 
 /// An interface joined to a model, with the memory that its state needs.

@@ -45,6 +45,19 @@ double spurious_part(const Ledger& ledger, std::size_t source) {
   return std::copysign(std::max(0.0, std::abs(excess) - flow.recent), excess) / flow.passed;
 }
 
+double steady_scale(const Ledger& ledger) {
+  double outside = 0;
+  for (const Account& account : ledger.accounts)
+    if (account.stored[Stored::external_work] != 0) outside += std::max(0.0, account.work);
+  return std::max({ledger.initial_available, initial_stored(ledger), outside});
+}
+
+double part_of_flow(const Ledger& ledger, std::size_t source, double energy, double scale) {
+  const double passed = ledger.flows[source].passed;
+  if (!(passed > least_share * scale)) return 0;
+  return energy / (scale > 0 ? std::min(passed, scale) : passed);
+}
+
 double kept_part(const Ledger& ledger) {
   const double scale = energy_scale(ledger);
   return scale > 0 ? ledger.integration_kept / scale : 0;

@@ -67,6 +67,16 @@ constexpr double least_share = 1e-4;
 /// Zero of sources below least_share.
 double spurious_part(const Ledger&, std::size_t source);
 
+/// The energy scale without the work of gravity, which is only known at updates of the ledger: it does not depend on them. [J]
+double steady_scale(const Ledger&);
+
+/// An energy over what passed through a source, or over the scale where that is less. [-]
+///
+///     energy / min(passed, scale)
+///
+/// scale  [J] steady_scale(); zero: what passed alone counts.  Zero of sources below least_share
+double part_of_flow(const Ledger&, std::size_t source, double energy, double scale);
+
 /// What time integration has created, or lost where negative, for good, over the energy scale; 0 without a scale. [-]
 double kept_part(const Ledger&);
 

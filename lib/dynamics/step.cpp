@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/parallel.hpp"
+#include "contact/impact_step.hpp"
 #include "load/floor.hpp"
 
 namespace nereid::dynamics {
@@ -75,7 +76,7 @@ void update(const Model& model, double dt, State& now, Forces& f) {
     const double deepest = memory.deepest;
     contact::advance(model.rigid_planes[p], now.x, now.v, dt, memory);
     if (memory.deepest > deepest) memory.deepest_time = now.t;
-    votes.contact.see(contact::stable_step(model.rigid_planes[p], model.mass), source);
+    votes.contact.see(contact::stable_step(model.rigid_planes[p], model.mass, memory.step_factor), source);
   }
   for (std::size_t l = 0; l < model.loads.size(); ++l)
     load::advance(model.loads[l], model.mesh.X, now.x, now.v, now.omega, now.t, dt, now.loads[l]);
@@ -225,6 +226,26 @@ std::vector<Account>::iterator post_sources(const Model& model, State& now) {
   return account;
 }
 
+/// Lowers the votes of penalties that have created or lost too much, for good. The works of this step must have been seen.
+void lower_votes(const Model& model, State& now) {
+  std::size_t source = model.blocks.size();
+  const double scale = steady_scale(now.ledger);
+  const auto look = [&](const auto& contact, contact::StepFactorMemory& memory) {
+    const std::size_t at = source++;
+    if (!(contact::step_factor(contact, memory) > contact.impact_step_factor)) return;
+    const Account& account = now.ledger.accounts[at];
+    const double made = created(account), limit = contact::most_created_in_a_bounce(contact.impact_step_factor);
+    double spurious = made - memory.least_created - now.ledger.flows[at].recent;
+    if (stored(account) == 0) {  // while an apex presses, its release is still to give back what its first touch took
+      memory.least_created = std::min(memory.least_created, made), memory.most_created = std::max(memory.most_created, made);
+      spurious = std::max(spurious, memory.most_created - made);
+    }
+    if (part_of_flow(now.ledger, at, spurious, scale) > limit) memory.lowered_at = now.t;
+  };
+  for (std::size_t c = 0; c < model.interfaces.size(); ++c) look(model.interfaces[c], now.interfaces[c].step_factor);
+  for (std::size_t p = 0; p < model.rigid_planes.size(); ++p) look(model.rigid_planes[p], now.rigid_planes[p].step_factor);
+}
+
 /// What the stores hold now counts as held at the start.
 void open_ledger(const Model& model, State& now) {
   for (Account& account : now.ledger.accounts) account.at_start = {};
@@ -261,6 +282,7 @@ const Votes& step(const Model& model, double dt, const Pace& pace, State& now, F
   ++now.step;
   post_sources(model, now);
   see_flows(now.ledger);
+  lower_votes(model, now);
   return now.votes;
 }
 

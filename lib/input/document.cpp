@@ -65,7 +65,7 @@ std::string hint_for(const Entry& unknown, const Node& map) {
   std::string hint = nearest(unknown.key, absent);
   if (hint.empty()) hint = nearest(unknown.key, map.known);
   if (hint.empty() && unknown.key.find(':') != std::string::npos) return blank_needed;
-  constexpr std::size_t most = 12;  // words one still reads
+  constexpr std::size_t most = 13;  // words one still reads
   if (hint.empty() && !map.known.empty() && map.known.size() <= most) {
     return "known here: " + joined(map.known);
   }

@@ -128,6 +128,7 @@ void read_rigid_contact(const Section& section, model::RigidPlane& plane) {
   plane.penalty_scale = by_penalty.when(!given).number_or("penalty_scale", plane.penalty_scale, positive);
   plane.friction = read_friction(section, multiplier);
   plane.energy_gain_limit = by_penalty.number_or("energy_gain_limit", plane.energy_gain_limit, model::range::energy_gain_limit);
+  plane.step_factor = by_penalty.number_or("step_factor", plane.step_factor, model::range::step_factor);
   const double penalty = by_penalty.when(given).quantity("penalty", dim::penalty, positive);
   if (given) plane.penalty = penalty;
 }
@@ -156,6 +157,7 @@ dynamics::InterfaceOptions read_solid_interface(const Section& section) {
   options.damping_ratio = spring.number_or("damping_ratio", options.damping_ratio, model::range::damping_ratio);
   if (bonded) options.damping_ratio = 0;
   options.energy_gain_limit = spring.number_or("energy_gain_limit", options.energy_gain_limit, model::range::energy_gain_limit);
+  options.step_factor = spring.number_or("step_factor", options.step_factor, model::range::step_factor);
   options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
   return options;
 }

@@ -218,6 +218,7 @@ void add_rigid_planes(const Scene& scene, dynamics::Model& model, Faults& faults
                                   .impedance = dynamics::surface_impedance(model, surface),
                                   .penalty = plane.penalty.value_or(plane.penalty_scale * dynamics::surface_stiffness(model, surface)),
                                   .impact_step_factor = contact::impact_step_factor_for(plane.energy_gain_limit),
+                                  .first_step_factor = plane.step_factor,
                                   .friction = plane.friction,
                                   .depth = dynamics::surface_depth(model, surface)});
     refuse_nodes_behind(faults, part("plane", plane), model.rigid_planes.back(), model.mesh);

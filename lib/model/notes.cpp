@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <limits>
 
+#include "contact/impact_step.hpp"
 #include "dynamics/overlaps.hpp"
 #include "dynamics/quality.hpp"
 #include "element/width.hpp"
@@ -158,6 +159,21 @@ std::vector<std::string> energy_notes(const Simulation& simulation) {
     notes.push_back(row("time integration: the kinetic energy swung by %.2g of the energy of the scene; it goes with the square of the "
                         "step",
                         swing));
+  return notes;
+}
+
+std::vector<std::string> step_notes(const Simulation& simulation) {
+  std::vector<std::string> notes;
+  const auto look = [&notes](const auto& contact, const contact::StepFactorMemory& memory) {
+    if (memory.lowered_at < 0) return;
+    notes.push_back(row("%s: created or lost more than %.3g of the energy that passed through it, so its steps "
+                        "are %.3g times shorter from %.6g s on",
+                        contact.name.c_str(), contact::most_created_in_a_bounce(contact.impact_step_factor),
+                        contact.first_step_factor / contact.impact_step_factor, memory.lowered_at));
+  };
+  const dynamics::Model& model = simulation.model;
+  for (std::size_t c = 0; c < model.interfaces.size(); ++c) look(model.interfaces[c], simulation.state.interfaces[c].step_factor);
+  for (std::size_t p = 0; p < model.rigid_planes.size(); ++p) look(model.rigid_planes[p], simulation.state.rigid_planes[p].step_factor);
   return notes;
 }
 

@@ -32,6 +32,9 @@ std::vector<std::string> quality_notes(const Simulation&);
 /// passed through it, one a line. Beyond the limit the run stops.
 std::vector<std::string> energy_notes(const Simulation&);
 
+/// Each interface and rigid plane by a penalty whose steps became shorter because of what it created, one a line.
+std::vector<std::string> step_notes(const Simulation&);
+
 /// Elements of all blocks.
 std::int64_t count_elements(const dynamics::Model&);
 

@@ -97,6 +97,7 @@ struct RigidPlane {
   double penalty_scale = dynamics::InterfaceOptions{}.penalty_scale;  ///< [-] penalty over the stiffness of the surface
   contact::Coulomb friction = {};
   double energy_gain_limit = dynamics::InterfaceOptions{}.energy_gain_limit;  ///< [-]
+  double step_factor = dynamics::InterfaceOptions{}.step_factor;              ///< [-] dt omega until the plane has created too much
   std::string at = {};
 };
 

@@ -120,18 +120,19 @@ void check_body(const Body& body, Faults& faults) {
 
 // How surfaces touch.
 
-Values of_friction(const contact::Coulomb& friction, double energy_gain_limit) {
+Values of_friction(const contact::Coulomb& friction, double energy_gain_limit, double step_factor) {
   return {{"friction", friction.coefficient, range::friction},
           {"kinetic_friction", friction.kinetic, range::friction},
           {"friction_decay", friction.decay, not_negative, "s/m"},
           {"tangential_penalty", friction.tangential_penalty, range::tangential_penalty},
-          {"energy_gain_limit", energy_gain_limit, range::energy_gain_limit}};
+          {"energy_gain_limit", energy_gain_limit, range::energy_gain_limit},
+          {"step_factor", step_factor, range::step_factor}};
 }
 
 void check_contact(const Contact& contact, Faults& faults) {
   const Part here = part("contact", contact);
   const dynamics::InterfaceOptions& o = contact.interface;
-  check(faults, here, of_friction(o.friction, o.energy_gain_limit));
+  check(faults, here, of_friction(o.friction, o.energy_gain_limit, o.step_factor));
   check(faults, here, {kind("kind", o.kind, contact::InterfaceKind::bonded), kind("method", o.method, contact::Method::multiplier),
                        {"penalty", o.penalty.value_or(1), positive, "Pa/m"}, {"penalty_scale", o.penalty_scale, positive},
                        {"restitution", o.restitution, range::restitution}, {"damping_ratio", o.damping_ratio, range::damping_ratio},
@@ -154,7 +155,7 @@ void check_wall(const RigidPlane& plane, Faults& faults) {
   check_direction(faults, here, "normal", plane.normal);
   check(faults, here, {{"penalty", plane.penalty.value_or(1), positive, "Pa/m"}, {"penalty_scale", plane.penalty_scale, positive}});
   check(faults, here, {kind("method", plane.method, contact::Method::multiplier), {"restitution", plane.restitution, range::restitution}});
-  check(faults, here, of_friction(plane.friction, plane.energy_gain_limit));
+  check(faults, here, of_friction(plane.friction, plane.energy_gain_limit, plane.step_factor));
 }
 
 void check_load(const Load& load, Faults& faults) {

@@ -91,8 +91,8 @@ TEST(RigidPlane, VotesForTheStepThatKeepsTheBoundOfABounce) {
   plane.impact_step_factor = impact_step_factor_for(0.005);
   Scalars mass(3);
   mass << 1, 1e-9, 30;
-  EXPECT_DOUBLE_EQ(stable_step(plane, mass).step, plane.impact_step_factor / std::sqrt(200.0));
-  const double dt = stable_step(plane, mass).step;
+  EXPECT_DOUBLE_EQ(stable_step(plane, mass, {}).step, plane.impact_step_factor / std::sqrt(200.0));
+  const double dt = stable_step(plane, mass, {}).step;
   double worst = 0;
   for (int phase = 0; phase < 50; ++phase) {
     PlaneMemory memory;
@@ -117,7 +117,7 @@ TEST(RigidPlane, WithoutNodesVotesForNothing) {
   RigidPlane plane = inclined();
   plane.nodes.clear();
   plane.area.resize(0);
-  EXPECT_GT(stable_step(plane, Scalars::Ones(3)).step, 1e200);
+  EXPECT_GT(stable_step(plane, Scalars::Ones(3), {}).step, 1e200);
 }
 
 }  // namespace

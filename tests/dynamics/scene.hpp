@@ -95,12 +95,14 @@ inline std::vector<std::pair<std::string, std::vector<double>>> numbers(const St
     }
     add(c.work, c.damped, c.friction_dissipated, c.created_by_reconnection, c.deepest, c.deepest_apex, c.deepest_time, c.walks);
     add(c.lost, c.recovered, c.impact, c.transferred, c.held, c.power_rate, c.friction_to_come);
+    add(c.step_factor.lowered_at, c.step_factor.least_created, c.step_factor.most_created);
     for (const contact::Restitution& r : c.restitution) add(r.held, r.mean_force, r.last_loss);
     all(c.force), all(c.impulse), add(c.searches, c.deepest_now, c.margin), all(c.apexes_then), all(c.base_then), all(c.mean_way);
   }
   for (const contact::PlaneMemory& p : s.rigid_planes) {
     part("rigid plane"), all(p.force), all(p.impulse), all(p.angular_impulse),
-        add(p.work, p.stored, p.tangential_stored, p.friction_dissipated, p.deepest, p.deepest_node, p.deepest_time);
+        add(p.work, p.stored, p.tangential_stored, p.friction_dissipated, p.deepest, p.deepest_node, p.deepest_time,
+            p.step_factor.lowered_at, p.step_factor.least_created, p.step_factor.most_created);
     for (const Vec3& slip : p.slip) all(slip);
     for (const Vec3& force : p.friction) all(force);
     add(p.impact, p.transferred, p.power_rate, p.friction_to_come);

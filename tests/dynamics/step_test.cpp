@@ -12,6 +12,7 @@
 #include <random>
 
 #include "base/parallel.hpp"
+#include "contact/impact_step.hpp"
 #include "dynamics/relax.hpp"
 #include "mesh/box.hpp"
 #include "mesh/skin.hpp"
@@ -1640,6 +1641,87 @@ TEST(Symmetry, AQuarterOfTheCaskSettlesLikeTheWhole) {
     std::printf("quarter / full - 1 = %.2e\n", off);
     EXPECT_LT(std::abs(off), contact::Method::penalty == method ? 1e-10 : 5e-4);  // sweeps end at a part of the energy
   }
+}
+
+// --- step factor of a penalty ----------------------------------------------------------------------
+
+contact::RigidPlane wall(const std::string& name, const Model& model, const std::string& surface, const Vec3& point, const Vec3& normal,
+                         double first) {
+  contact::RigidPlane plane;
+  plane.name = name, plane.point = point, plane.normal = normal;
+  const mesh::Surface& of = mesh::surface(model.mesh, surface);
+  plane.nodes = mesh::surface_nodes(of);
+  plane.area = mesh::tributary_areas(model.mesh, of, plane.nodes);
+  plane.penalty = 20 * surface_stiffness(model, of);
+  plane.impact_step_factor = contact::impact_step_factor_for(0.005);
+  plane.first_step_factor = first;
+  return plane;
+}
+
+/// A brick of one element that bounces between two planes, whose apexes hold half of its mass.
+Scene rattling(double first, double gap = 1e-3) {
+  Scene s;
+  s.model.mesh = mesh::box("brick", {{0, 0, gap / 2}, {0.1, 0.1, 0.1 + gap / 2}, {1, 1, 1}});
+  const element::Hexahedron::Options undamped{.hourglass = 0.1, .viscosity = {0, 0}};
+  s.model.blocks.push_back(element::hexahedra(s.model.mesh, "brick", material::Elastic{1000, 2e7, 0}, undamped));
+  finalize(s.model);
+  s.model.rigid_planes.push_back(wall("ground", s.model, "brick.z_low", Vec3::Zero(), Vec3::UnitZ(), first));
+  s.model.rigid_planes.push_back(wall("roof", s.model, "brick.z_high", Vec3(0, 0, 0.1 + gap), -Vec3::UnitZ(), first));
+  s.ready();
+  s.move("brick", {0, 0, -1});
+  return s;
+}
+
+/// The largest energy that a plane had created or lost at any step, over the energy of the scene.
+double worst_of(Scene& s, double end) {
+  double worst = 0;
+  const std::vector<Observer> observers{[&worst](const View& view) {
+    for (const std::size_t plane : {1U, 2U})
+      worst = std::max(worst, std::abs(created(view.now.ledger.accounts[plane])) / view.now.ledger.initial_kinetic);
+  }};
+  s.run_to(end, 1e300, observers, 10);
+  return worst;
+}
+
+TEST(StepFactor, CreatedEnergyThatGrowsIsContained) {
+  Scene never = rattling(0.5), lowered = rattling(0.5);
+  for (contact::RigidPlane& plane : never.model.rigid_planes) plane.impact_step_factor = 0.5;  // as if nothing was seen
+  const double grows = worst_of(never, 0.2), contained = worst_of(lowered, 0.2);
+  std::printf("rattling brick: created at most %.3g of its energy; %.3g with steps that are lowered\n", grows, contained);
+  EXPECT_GT(grows, 0.05);  // the run would be stopped
+  EXPECT_LT(contained, grows / 4);
+  for (const contact::PlaneMemory& memory : lowered.state.rigid_planes) EXPECT_GT(memory.step_factor.lowered_at, 0);
+  for (const contact::PlaneMemory& memory : never.state.rigid_planes) EXPECT_LT(memory.step_factor.lowered_at, 0);
+}
+
+TEST(StepFactor, TheVoteFallsOnceAndStaysLow) {
+  Scene s = rattling(0.5);
+  std::vector<double> votes;
+  const std::vector<Observer> observers{[&votes](const View& view) { votes.push_back(view.now.votes.contact.step); }};
+  s.run_to(0.2, 1e300, observers, 10);
+  int falls = 0;
+  for (std::size_t i = 1; i < votes.size(); ++i) {
+    EXPECT_LE(votes[i], votes[i - 1]);
+    falls += votes[i] < votes[i - 1];
+  }
+  EXPECT_EQ(falls, 1);  // both planes are as stiff: the first that is lowered sets the vote
+  EXPECT_NEAR(votes.front() / votes.back(), 0.5 / contact::impact_step_factor_for(0.005), 1e-12);
+}
+
+TEST(StepFactor, LoweringIsTheSameForAnyRowsOfTheHistory) {
+  Scene few = rattling(0.5), many = rattling(0.5);
+  few.run_to(0.05, 1e300, {}, 10);
+  many.run_to(0.05, 1e-4, {}, 10);
+  for (const std::size_t p : {0U, 1U})
+    EXPECT_EQ(few.state.rigid_planes[p].step_factor.lowered_at, many.state.rigid_planes[p].step_factor.lowered_at);
+  EXPECT_EQ(few.state.x, many.state.x);
+}
+
+TEST(StepFactor, WithNoFirstFactorEveryBounceKeepsTheLimit) {
+  Scene s = rattling(0);
+  const double worst = worst_of(s, 0.05);
+  EXPECT_LT(worst, 0.02);
+  for (const contact::PlaneMemory& memory : s.state.rigid_planes) EXPECT_LT(memory.step_factor.lowered_at, 0);
 }
 
 }  // namespace

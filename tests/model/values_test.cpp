@@ -70,6 +70,7 @@ const std::vector<Wrong> numbers{
     {"'tangential_penalty'", [](Scene& s, double v) { s.contacts[0].interface.friction.tangential_penalty = v; }, {0, 2, nan}},
     {"contact 'touch': 'damping_ratio'", [](Scene& s, double v) { s.contacts[0].interface.damping_ratio = v; }, {-1, 2, nan}},
     {"contact 'touch': 'energy_gain_limit'", [](Scene& s, double v) { s.contacts[0].interface.energy_gain_limit = v; }, {0, 1, nan}},
+    {"contact 'touch': 'step_factor'", [](Scene& s, double v) { s.contacts[0].interface.step_factor = v; }, {-0.1, 0.6, nan}},
     {"contact 'touch': 'height'", [](Scene& s, double v) { s.contacts[0].interface.height.given = v; }, {-1, nan}},
     {"contact 'touch': 'clearance'", [](Scene& s, double v) { s.contacts[0].interface.height.clearance = v; }, {-1, nan}},
     {"contact 'touch': 'kind'", [](Scene& s, double v) {
@@ -89,6 +90,7 @@ const std::vector<Wrong> numbers{
     {"plane 'ground': 'restitution'", [](Scene& s, double v) { s.rigid_planes[0].restitution = v; }, {-1, 2, nan}},
     {"plane 'ground': 'friction'", [](Scene& s, double v) { s.rigid_planes[0].friction.coefficient = v; }, {-1, nan}},
     {"plane 'ground': 'energy_gain_limit'", [](Scene& s, double v) { s.rigid_planes[0].energy_gain_limit = v; }, {0, nan}},
+    {"plane 'ground': 'step_factor'", [](Scene& s, double v) { s.rigid_planes[0].step_factor = v; }, {-0.1, 0.6, nan}},
     {"load 'push': 'kind'", [](Scene& s, double v) { s.loads[0].kind = static_cast<LoadKind>(static_cast<int>(v)); }, {-1, 9}},
     {"spring 'coil': 'stiffness'", [](Scene& s, double v) { s.springs[0].stiffness = v; }, {-1, nan, infinity}},
     {"spring 'coil': 'damping'", [](Scene& s, double v) { s.springs[0].damping = v; }, {-1, nan}},
