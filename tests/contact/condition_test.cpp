@@ -94,6 +94,18 @@ TEST(Condition, FrictionChangesTheSlipRateByNoMoreThanItSays) {
   }
 }
 
+TEST(Condition, TheNormalGoesEvenlyFromFacetToFacet) {
+  const auto normal_at = [](double aside) {
+    Setting at(Vec3(2, 2, 0) + aside * Vec3(0.7, -0.4, 0));
+    Vectors& x = at.scene.x;
+    for (Index n = 0; n < at.scene.apex(); ++n) x(2, n) = -0.02 * (x.col(n).head<2>() - Eigen::Vector2d(2, 2)).squaredNorm();
+    at.v.setZero(), at.force.setZero();
+    return at.find(1e-3).normal;
+  };
+  EXPECT_LT((normal_at(1e-9) - normal_at(-1e-9)).norm(), 1e-6);  // over the top of a dome of facets
+  EXPECT_GT((normal_at(0.1) - normal_at(-0.1)).norm(), 1e-2);
+}
+
 TEST(Condition, BesideARimAndBelowItsLevelThereIsNone) {
   Setting at(Vec3(4.05, 2.1, -1e-6));
   at.v.setZero(), at.force.setZero();

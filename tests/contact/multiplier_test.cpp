@@ -78,6 +78,18 @@ TEST(Multiplier, CorrectsAPenetrationByAFifthInAStepAndOnlyWithWhatItHolds) {
   EXPECT_NEAR(deep.v(2, 0), 0, 1e-12);  // nothing is held: it goes no deeper
 }
 
+TEST(Multiplier, APenetrationThatCannotBePaidForDoesNotChatter) {
+  Setting at(-1e-3, {0, 0, -0.2});
+  at.force(2, 0) = -1000;
+  for (int i = 0; i < 20; ++i) at.step();
+  const double rests = at.x(2, 0);
+  for (int i = 0; i < 20; ++i) {
+    at.step();
+    EXPECT_NEAR(at.x(2, 0), rests, 1e-6);
+    EXPECT_NEAR(at.memory.force[0], 1000, 1);
+  }
+}
+
 TEST(Multiplier, FrictionHoldsBelowItsLimitAndSlidesAtIt) {
   Setting sticks(0, {0, 0, 0}, 0.5), slides(0, {0, 0, 0}, 0.5);
   sticks.force.col(0) = Vec3(3, -3, -10);

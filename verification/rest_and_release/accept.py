@@ -10,7 +10,7 @@ CLAIM = ("A stack at rest stays at rest and carries its weights; bodies that wer
 EVIDENCE = "exact"
 DRIVER = "scene"
 
-SQUEEZED, PULL = (f"verification/rest_and_release/{name}.yaml" for name in ("squeezed_bars", "pulled_off"))
+SQUEEZED, PULL, BALLS = (f"verification/rest_and_release/{name}.yaml" for name in ("squeezed_bars", "pulled_off", "two_balls"))
 UNLIKE = {"bodies[0].mesh.cells": "[3, 3, 1]", "bodies[1].mesh.cells": "[2, 2, 1]", "bodies[2].mesh.cells": "[3, 3, 1]",
           **{f"bodies[{body}].material.poisson": 0.3 for body in range(3)}}
 FINER = {**UNLIKE, "bodies[0].mesh.cells": "[5, 5, 3]", "bodies[1].mesh.cells": "[3, 3, 2]", "bodies[2].mesh.cells": "[4, 4, 2]"}
@@ -142,6 +142,22 @@ def lifted(run):
     return Pair(one.column("gap")[-1], pulled(one.column("time")[-1])[1], "m")
 
 
+def balls(run):
+    return run if str(run.case_file).endswith(BALLS) else run.other("scene", BALLS)
+
+
+def balance(run):
+    """Force on the equator of a ball over that between the balls, at rest."""
+    one = balls(run)
+    return Pair(one.column("reaction")[-1], -one.column("force")[-1], "N")
+
+
+def stands(run):
+    """Kinetic energy over the elastic energy of the balls."""
+    one = balls(run)
+    return Pair(one.column("energy_kinetic")[-1], 0, "J", scale=one.column("energy_ball_elastic")[-1])
+
+
 CHECKS = [
     Check("stack of like meshes: largest velocity over the speed of sound", speed, 1e-12,
           "its start is in equilibrium to round-off, a thousandth of this"),
@@ -156,6 +172,8 @@ CHECKS = [
           "what sticks give as they sway is taken back; a thousandth would not be seen"),
     Check("finer stack of unlike meshes, 100 ms: created over what the weights store",
           lambda run: made(unlike(run, {**FINER, **LONG})), 1e-3, "the same", full=True),
+    Check("two balls: force on the equator over that between them", balance, 1e-3, "to the residual over all forces in the balls"),
+    Check("two balls: kinetic energy over the elastic", stands, 1e-6, "they come to rest; nothing chatters"),
     Check("bars: force before the release", plateau, 1e-3, "the strain is 1e-3, and stress goes with its logarithm: half of it"),
     Check("bars: time of the release", released, 0.01, "the front is two of two hundred cells wide"),
     Check("bars: force after the release", rest_of_force, 5e-3, "the tail that bulk viscosity gives the front"),
@@ -226,6 +244,8 @@ BREAKS = [
            {"bodies[2].move": "[0 mm, 0 mm, 0.02 mm]"}),
     Breaks("stack of unlike meshes: forces over the weights above, mean of the second half", "gravity of 9.7 m/s2",
            {"gravity": "[0 m/s^2, 0 m/s^2, -9.7 m/s^2]"}),
+    Breaks("two balls: force on the equator over that between them", "a coarser residual", {"relaxation.residual": 0.05}, BALLS),
+    Breaks("two balls: kinetic energy over the elastic", "a coarser residual", {"relaxation.residual": 0.05}, BALLS),
     Breaks("bars: force before the release", "a pressure of 209 MPa that is not that of the start",
            {"loads[0].value": '"t < 10e-6 ? 209e6 : 0"'}, SQUEEZED),
     Breaks("bars: time of the release", "a load that goes after 11 us", {"loads[0].value": '"t < 11e-6 ? 210e6 : 0"'}, SQUEEZED),
