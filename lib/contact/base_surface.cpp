@@ -107,13 +107,13 @@ void measure_edges(BaseSurface& base, const Vectors& X) {
   for (Index f = 0; f < count; ++f) base.sharpest = std::max(base.sharpest, lean(base, X, f));
 }
 
-}  // namespace
+double cosine_between(const Vec3& a, const Vec3& b) { return a.dot(b) / std::sqrt(a.squaredNorm() * b.squaredNorm()); }
 
-namespace {
 double lean_of(double cosine) {
-  cosine = cosine > least_cosine ? cosine : least_cosine;
+  if (!(cosine > least_cosine)) cosine = least_cosine;
   return 1.5 * std::sqrt((1 - cosine) / (1 + cosine));
 }
+
 }  // namespace
 
 double lean(const BaseSurface& base, const Vectors& x, Index facet) {
@@ -127,8 +127,7 @@ double lean(const BaseSurface& base, const Vectors& x, Index facet) {
         const Index other = base.neighbour(e, one);
         const bool at_node = base.facets(e, one) == node || base.facets((e + 1) % 3, one) == node;
         if (other < one || !at_node || base.wall[one][e]) continue;  // the other is seen from its own side
-        const Vec3 m = area_vector(base, x, other);
-        cosine = std::min(cosine, n.dot(m) / std::sqrt(n.squaredNorm() * m.squaredNorm()));
+        cosine = std::min(cosine, cosine_between(n, area_vector(base, x, other)));
       }
     }
   }
@@ -141,8 +140,7 @@ double lean_at_edges(const BaseSurface& base, const Vectors& x, Index facet) {
   for (int e = 0; e < 3; ++e) {
     const Index other = base.neighbour(e, facet);
     if (other < 0 || base.wall[facet][e]) continue;
-    const Vec3 m = area_vector(base, x, other);
-    cosine = std::min(cosine, n.dot(m) / std::sqrt(n.squaredNorm() * m.squaredNorm()));
+    cosine = std::min(cosine, cosine_between(n, area_vector(base, x, other)));
   }
   return lean_of(cosine);
 }

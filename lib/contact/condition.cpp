@@ -75,7 +75,10 @@ void blend(const BaseSurface& base, const Vectors& x, const Vec3& p, Index facet
   }
   const double to_node = (p - over.height * over.normal - x.col(node)).norm();
   if (to_node < band) n += (1 - to_node / band) * (patch_normal(base, x, node, over.normal) - n);
-  if (allowed) n = *allowed * n;
+  if (allowed) {  // the image of the facet belongs to its patch as well
+    const Vec3 let = *allowed * n;
+    if (2 * let.squaredNorm() - n.squaredNorm() > one_patch * n.squaredNorm()) n = let;
+  }
   n.normalize();
   over.weight = height_over(base, x, {facet, geometry::Kind::facet, 0}, p - over.height / n.dot(over.normal) * n).weight;
   over.normal = n;

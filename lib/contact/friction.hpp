@@ -16,7 +16,7 @@ struct Coulomb {
   double decay = 0;               ///< [s/m] of the difference of both with the speed; zero: the static coefficient always
 };
 
-/// The coefficient of friction at a speed of sliding [m/s], Benson & Hallquist's exponential decay.
+/// The coefficient of friction at a speed of sliding [m/s], with the exponential decay of LS-DYNA and Abaqus.
 ///
 ///     kinetic + (static - kinetic) exp(-decay speed)
 inline double coefficient_at(const Coulomb& friction, double speed) {

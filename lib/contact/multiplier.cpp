@@ -15,7 +15,7 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr int usual_sweeps = 8, most_sweeps = 100;
-constexpr double still = 1e-12;     // of the energy that the impulses exchange: sweeps end as soon as their changes exchange less
+constexpr double still = 1e-6;      // of an impulse: sweeps end as soon as none changes by more
 constexpr double may_gain = 1e-4;  // of the energy that the impulses exchange: sweeps go on while single contactors gain more
 
 /// Books the half of a step that ends at t, in which the forces of the memory have acted.
@@ -78,17 +78,12 @@ void sweep(const Motion& m, Multipliers& all) {
   apply_changes(m, all);
 }
 
-/// Whether the last sweep changed next to nothing.
+/// Whether the last sweep changed next to nothing, by each impulse's own measure: a light body may touch beside heavy ones.
 bool is_still(const Multipliers& all) {
-  double changed = 0, exchanged = 0;
-  for (const Contactor& one : all.contactors)
-    for (Index i = one.first; i < one.last; ++i) {
-      const Condition& c = all.conditions[i];
-      changed += c.change * c.change * c.per_mass, exchanged += c.impulse * c.impulse * c.per_mass;
-    }
-  for (const FrictionCondition& friction : all.frictions)
-    changed += friction.change.squaredNorm() * friction.per_mass, exchanged += friction.impulse.squaredNorm() * friction.per_mass;
-  return changed <= still * exchanged;
+  return std::all_of(all.conditions.begin(), all.conditions.end(),
+                     [](const Condition& c) { return std::abs(c.change) <= still * c.impulse; }) &&
+         std::all_of(all.frictions.begin(), all.frictions.end(),
+                     [](const FrictionCondition& f) { return f.change.norm() <= still * f.impulse.norm(); });
 }
 
 /// Sweeps until nothing changes, or no contactor gains energy that counts.

@@ -61,8 +61,9 @@ Ownership ownership(const BaseSurface& base, const Vectors& x, Index facet, cons
   const double longest = base.longest(facet), least = std::min({over.weight[0], over.weight[1], over.weight[2]});
   if (!(height < shallow * longest) || least < -round_off) return {};
   const double altitude = area_vector(base, x, facet).norm() / longest;
-  if (!(least * altitude - height * lean_at_edges(base, x, facet) >= -round_off * altitude)) return {};
-  const double leans = lean(base, x, facet), room = least * altitude - height * leans;
+  const auto room_with = [&](double leans) { return least * altitude - height * leans; };
+  if (!(room_with(lean_at_edges(base, x, facet)) >= -round_off * altitude)) return {};
+  const double leans = lean(base, x, facet), room = room_with(leans);
   if (!(room >= -round_off * altitude)) return {};
   const double rate = 2 * (1 + leans + 4 * height / altitude * (1 + leans * leans));  // twice what the first order of a small way gives
   return {true, std::min(room / rate, shallow * longest - height)};
