@@ -84,7 +84,7 @@ Vec3 moment(const Interface& interface, const Vectors& x, const Vectors& v, doub
   return element.scale * sum;
 }
 
-Touch touch_of(const Interface& interface, const Vectors& x, Index a, const Feature& feature, const Vec3& normal) {
+Touch touch_of(const Interface& interface, const Vectors& x, Index a, const Feature& feature, const Vec3& normal, const Stencil* foot) {
   Touch touch;
   touch.normal = normal;
   touch.apex = interface.apexes[a];
@@ -103,9 +103,11 @@ Touch touch_of(const Interface& interface, const Vectors& x, Index a, const Feat
         if (base.node[b] == touch.node[I]) touch.weight[I] = 1.0 / base.count;
     return touch;
   }
-  touch.weight = geometry::closest_on_triangle(c, {at.x(), at.y(), at.z()}).weight;
+  const std::array<double, 3> weight = foot ? foot->weight : geometry::closest_on_triangle(c, {at.x(), at.y(), at.z()}).weight;
+  std::copy(weight.begin(), weight.end(), touch.weight.begin());
+  if (foot && foot->fourth != 0) touch.nodes = 4, touch.node[3] = interface.base.half[feature.facet].fourth, touch.weight[3] = foot->fourth;
   touch.arm = at;
-  for (int I = 0; I < 3; ++I) touch.arm -= touch.weight[I] * corner[I];
+  for (int I = 0; I < touch.nodes; ++I) touch.arm -= touch.weight[I] * x.col(touch.node[I]);
   touch.apex_arm = interface.arm_of_apex * touch.arm;
   touch.base_arm = touch.arm - touch.apex_arm;
   touch.base_rotates = !interface.rotation_of_node.empty() && interface.rotation_of_node[touch.node[0]] >= 0;

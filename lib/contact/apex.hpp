@@ -14,6 +14,7 @@ inline const Mat3* allowed_of(const Interface& interface, Index a) {
 template <class Visit>
 void for_each_node(const Interface& interface, const Stencil& stencil, Visit&& visit) {
   for (int I = 0; I < 3; ++I) visit(interface.base.facets(I, stencil.facet), stencil.weight[I], stencil.share[I]);
+  if (stencil.fourth != 0) visit(interface.base.half[stencil.facet].fourth, stencil.fourth, 0.0);
 }
 
 /// Weights of the point of a facet that is closest to an apex.
@@ -26,7 +27,9 @@ void vote_over(const Interface&, const Vectors& x, Index apex, const Feature&, c
                ElementForces&);
 
 /// Where the apex stands on its base, for friction.
-Touch touch_of(const Interface&, const Vectors& x, Index apex, const Feature&, const Vec3& normal);
+///
+/// foot  its stencil by multipliers, whose weights friction has too; else null
+Touch touch_of(const Interface&, const Vectors& x, Index apex, const Feature&, const Vec3& normal, const Stencil* foot = nullptr);
 
 /// Power of the forces of one apex and its bases, without Interface::damping_time. [W]
 double power(const Interface&, const Vectors& v, Index apex, const ElementForces&);

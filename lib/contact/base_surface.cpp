@@ -172,6 +172,7 @@ BaseSurface base_surface(const mesh::Surface& surface, const Vectors& X) {
     const auto other = directed.find({edge.second, edge.first});
     if (other != directed.end()) base.neighbour(place.second, place.first) = other->second.first;
   }
+  base.half.assign(base.facets.cols(), {});
   measure_edges(base, X);
   measure_thickness(base, X);
   return base;
@@ -183,6 +184,28 @@ void goes_on_behind(BaseSurface& base, const Subset& nodes) {
     for (int e = 0; e < 3; ++e)
       if (base.neighbour(e, f) < 0 && on_plane(base.facets(e, f)) && on_plane(base.facets((e + 1) % 3, f)))
         base.neighbour(e, f) = image_of_facet, base.wall[f][e] = false;
+}
+
+void mark_halves(BaseSurface& base, const Table<4>& faces) {
+  for (const auto& face : faces.colwise()) {
+    if (face(3) < 0) continue;
+    const auto around = [&](Index node) { return (face.array() == node).any(); };
+    for (Index r = base.ring_begin[face(0)]; r < base.ring_begin[face(0) + 1]; ++r) {
+      const Index f = base.ring[r];
+      for (int e = 0; e < 3; ++e) {
+        const Index other = base.neighbour(e, f);
+        if (other < 0) continue;
+        const auto whole = [&](Index facet) {
+          return around(base.facets(0, facet)) && around(base.facets(1, facet)) && around(base.facets(2, facet));
+        };
+        if (!whole(f) || !whole(other)) continue;
+        for (const auto& [one, across] : {std::pair{f, other}, std::pair{other, f}}) {
+          const int cut = edge_to(base, one, across), apart = edge_to(base, across, one);
+          base.half[one] = {cut, base.facets((apart + 2) % 3, across)};
+        }
+      }
+    }
+  }
 }
 
 bool at_wall(const BaseSurface& base, Index node) {

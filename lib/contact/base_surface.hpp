@@ -31,12 +31,19 @@ struct Fans {
 };
 Fans fans(const Table<3>& facets, Index nodes_of_mesh);
 
+/// Whether a facet is half of a face of a hexahedron.
+struct Half {
+  int cut = -1;       ///< edge 0-1, 1-2 or 2-0 behind which the other half lies; -1: it is a face of its own
+  Index fourth = -1;  ///< node of the other half
+};
+
 /// Facets of a surface, what lies around them, and what the reference geometry says of the body behind. Constant in time.
 ///
 /// An edge is a *wall* if the surface ends there, or if it turns there by more than 84 degrees to the outside. A *patch* is what is
 /// connected without crossing a wall: an apex slides within a patch, and its force fades past a wall.
 struct BaseSurface : Fans {         // the normal of a facet points to the side of the apexes
   Table<3> neighbour;               ///< facet across the edges 0-1, 1-2, 2-0, or at the border one of the two above, below 0
+  std::vector<Half> half;           ///< [facets]
   std::vector<std::array<bool, 3>> wall;  ///< [facets] of the edges 0-1, 1-2, 2-0
   Scalars thickness;  ///< [m] way along -n from the centre of the facet to the first facet that faces back; infinite without one
   Scalars size;       ///< [m] of the face that the facet is half of: the root of twice its area
@@ -58,6 +65,11 @@ BaseSurface base_surface(const mesh::Surface&, const Vectors& X);
 ///
 /// nodes    on the plane, ascending
 void goes_on_behind(BaseSurface&, const Subset& nodes);
+
+/// Marks the facets that are halves of faces of hexahedra.
+///
+/// faces  nodes around each, the fourth -1 where a facet is a face of its own: mesh::faces()
+void mark_halves(BaseSurface&, const Table<4>& faces);
 
 /// Whether a wall ends in a node.
 bool at_wall(const BaseSurface&, Index node);

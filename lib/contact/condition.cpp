@@ -6,6 +6,7 @@
 
 #include "base/parallel.hpp"
 #include "contact/apex.hpp"
+#include "contact/foot.hpp"
 #include "contact/near.hpp"
 #include "contact/restitution.hpp"
 #include "contact/stand.hpp"
@@ -20,8 +21,6 @@ constexpr double no_direction = 1e-3;  // of the size of a face: an edge or vert
 constexpr double along = 0.5;          // cosine between a push and the normal of a facet that takes it over
 constexpr double paid_back = 0.2;      // of what friction owes, in a step
 constexpr double most_yield = 1e-6;    // of the depth of an element: way by which a stick yields for that in a step
-constexpr double blended = 0.02;       // of the size of a face: band along edges in which normals go over into each other
-constexpr double one_patch = 0.9;      // cosine between the normals of facets for which that is done
 constexpr double no_response = 1e-9;   // of that of a free apex: constraints hold all nodes
 constexpr double faces_below = 0.3;    // cosine between the normals of an apex and of what it may touch
 
@@ -40,48 +39,6 @@ void find(const Interface& interface, const Motion& m, Memory& memory, Workspace
   };
   if (!(m.dt > 0)) look(m.x, m.v, 0);  // at the start apexes may stand behind the surface
   look(all.ahead, all.way, m.dt + m.next);
-}
-
-/// The mean normal of the facets around a node that belong to the patch of a facet with this normal.
-Vec3 patch_normal(const BaseSurface& base, const Vectors& x, Index node, const Vec3& normal) {
-  Vec3 sum = Vec3::Zero();
-  for (Index r = base.ring_begin[node]; r < base.ring_begin[node + 1]; ++r) {
-    const Vec3 area = area_vector(base, x, base.ring[r]);
-    if (area.dot(normal) > one_patch * area.norm()) sum += area;
-  }
-  return sum.normalized();
-}
-
-/// Lets the normal go evenly from facet to facet in a band along edges, so that an apex over an edge can come to rest. The foot is along
-/// that normal, so that a push makes no moment; the height is that over the facet.
-///
-/// allowed  null, or of an apex on a symmetry plane: images of facets take from a normal what leads out of it
-void blend(const BaseSurface& base, const Vectors& x, const Vec3& p, Index facet, const Mat3* allowed, FeatureHeight& over) {
-  const double band = blended * base.size(facet);
-  int low = 0, high = 0;  // the node whose opposite edge is nearest, and the nearest node
-  for (int I = 1; I < 3; ++I) {
-    if (over.weight[I] < over.weight[low]) low = I;
-    if (over.weight[I] > over.weight[high]) high = I;
-  }
-  const int e = (low + 1) % 3;
-  const Index node = base.facets(high, facet), other = base.neighbour(e, facet);
-  const Vec3 edge = x.col(base.facets((e + 1) % 3, facet)) - x.col(base.facets(e, facet));
-  const double to_edge = over.weight[low] * area_vector(base, x, facet).norm() / edge.norm();
-  if (!(to_edge < band)) return;
-  Vec3 n = over.normal;
-  if (other >= 0) {
-    const Vec3 there = facet_normal(base, x, other);
-    if (there.dot(n) > one_patch) n += 0.5 * std::min(1.0, 1 - to_edge / band) * (there - n);
-  }
-  const double to_node = (p - over.height * over.normal - x.col(node)).norm();
-  if (to_node < band) n += (1 - to_node / band) * (patch_normal(base, x, node, over.normal) - n);
-  if (allowed) {  // the image of the facet belongs to its patch as well
-    const Vec3 let = *allowed * n;
-    if (2 * let.squaredNorm() - n.squaredNorm() > one_patch * n.squaredNorm()) n = let;
-  }
-  n.normalize();
-  over.weight = height_over(base, x, {facet, geometry::Kind::facet, 0}, p - over.height / n.dot(over.normal) * n).weight;
-  over.normal = n;
 }
 
 /// Nodes, weights, normal and gap of an apex over the feature of a stencil where the nodes are at t; false if it is out of reach.
@@ -105,18 +62,21 @@ bool make(const Interface& interface, const Motion& m, const Multipliers& all, c
   // beside a rim, below its level: the normal from there to the apex leads along the surface, and nothing was penetrated
   if (stencil.kind != geometry::Kind::facet && near.tracks.count == 0 && over.height < 0) return false;
   if (push > 0 && over.normal.dot(stencil.push) < 0) over.normal = -over.normal, over.height = -over.height;
-  const bool on_facet = stencil.kind == geometry::Kind::facet && near.element.count == 1;
-  if (on_facet && stencil.level < blended * interface.base.size(stencil.facet))  // over plates the foot would leave its node
-    blend(interface.base, m.x, p, stencil.facet, allowed_of(interface, near.apex), over);
+  const bool alone = near.element.count == 1;
+  const bool blends = alone && stencil.level < blended * interface.base.size(stencil.facet);  // over plates the foot would leave its node
+  const Feature feature{stencil.facet, stencil.kind, stencil.local};
+  stencil.fourth = spread(interface.base, m.x, p, feature, blends, allowed_of(interface, near.apex), over);
   stencil.weight = over.weight;
   c.gap = over.height - stencil.level;
   c.normal = over.normal;
   c.node[0] = apex;
   c.weight[0] = 1;
   for (int I = 0; I < 3; ++I) c.node[I + 1] = interface.base.facets(I, stencil.facet), c.weight[I + 1] = -over.weight[I];
+  c.nodes = 4;
+  if (stencil.fourth != 0) c.nodes = 5, c.node[4] = interface.base.half[stencil.facet].fourth, c.weight[4] = -stencil.fourth;
   if (!(push > 0)) {
     double fastest = 0;
-    for (int I = 1; I < 4; ++I) fastest = std::max(fastest, (all.velocity.col(apex) - all.velocity.col(c.node[I])).squaredNorm());
+    for (int I = 1; I < c.nodes; ++I) fastest = std::max(fastest, (all.velocity.col(apex) - all.velocity.col(c.node[I])).squaredNorm());
     if (c.gap > std::max(multipliers_reach * interface.depth, steps_to_touch * m.next * std::sqrt(fastest))) return false;
     const bool faced = near.tracks.count > 0 || interface.own.facets.cols() == 0;
     if (!faced && !(node_normal(interface.own, m.x, apex).dot(c.normal) < faces_below)) return false;
@@ -124,12 +84,22 @@ bool make(const Interface& interface, const Motion& m, const Multipliers& all, c
   return true;
 }
 
+/// Whether a stencil before this one has the other half of its face: both are one bilinear surface.
+bool is_same_face(const BaseSurface& base, const ElementForces& element, int s) {
+  const Half& half = base.half[element.stencil[s].facet];
+  if (half.cut < 0) return false;
+  const Index other = base.neighbour(half.cut, element.stencil[s].facet);
+  for (int before = 0; before < s; ++before)
+    if (element.stencil[before].apex != 0 && element.stencil[before].facet == other) return true;
+  return false;
+}
+
 /// What follows from these; false where constraints hold all its nodes.
 ///
 /// pressed  [N] by all conditions of the contactor in the step before;  held  [J] by it
-bool complete(const Motion& m, const Vectors& free, int nodes, double pressed, double held, Condition& c) {
+bool complete(const Motion& m, const Vectors& free, double pressed, double held, Condition& c) {
   c.per_mass = c.before = c.free = 0;
-  for (int j = 0; j < nodes; ++j) {
+  for (int j = 0; j < c.nodes; ++j) {
     const Index node = c.node[j];
     c.response[j] = c.weight[j] / m.mass(node) * c.normal;
     if (m.allowed[node]) c.response[j] = *m.allowed[node] * c.response[j];
@@ -150,7 +120,7 @@ double response(const Touch& touch, const Motion& m) {
   const FrictionShares one = share_friction(touch, first), other = share_friction(touch, second);
   const auto product = [&](const FrictionShares& a, const FrictionShares& b) {
     double sum = 0;
-    for (int i = 0; i < 4; ++i) {
+    for (int i = 0; i < a.count; ++i) {
       const Index node = a.node[i];
       const Vec3 let = m.allowed[node] ? Vec3(*m.allowed[node] * b.force[i]) : b.force[i];
       sum += a.force[i].dot(let) / m.mass(node);
@@ -187,11 +157,11 @@ void let_yield(double owed, double depth, const Motion& m, std::size_t first, Mu
   }
 }
 
-/// The base facet of the first condition of an apex.
-Index facet_below(const ElementForces& element) {
+/// The stencil of the first condition of an apex.
+const Stencil& first_of(const ElementForces& element) {
   int s = 0;
   while (element.stencil[s].apex == 0) ++s;
-  return element.stencil[s].facet;
+  return element.stencil[s];
 }
 
 }  // namespace
@@ -240,10 +210,11 @@ void find_conditions(const Interface& interface, const Motion& m, Memory& memory
     for (int s = 0; s < near.element.count; ++s) {
       Stencil& stencil = near.element.stencil[s];
       Condition c;
-      const bool counts = !std::isnan(stencil.level) && make(interface, m, all, near, stencil, near.element.has_moment, c) &&
-                          complete(m, all.velocity, 4, near.pressed, memory.restitution[near.apex].held, c);
+      const bool counts = !std::isnan(stencil.level) && !is_same_face(interface.base, near.element, s) &&
+                          make(interface, m, all, near, stencil, near.element.has_moment, c) &&
+                          complete(m, all.velocity, near.pressed, memory.restitution[near.apex].held, c);
       if (!counts) {
-        stencil.apex = 0, stencil.weight = {}, stencil.push.setZero();
+        stencil.apex = 0, stencil.weight = {}, stencil.fourth = 0, stencil.push.setZero();
         continue;
       }
       c.impulse = near.element.count == 1 ? near.pressed * h : 0;
@@ -259,12 +230,12 @@ void find_conditions(const Interface& interface, const Motion& m, Memory& memory
     const double area = interface.area(near.apex);
     Index friction = -1;
     if (interface.friction.coefficient > 0 && m.dt > 0) {
-      const Feature below{facet_below(near.element), geometry::Kind::facet, 0};
-      const Touch touch = touch_of(interface, m.x, near.apex, below, all.conditions[first].normal);
+      const Stencil& foot = first_of(near.element);
+      const Touch touch = touch_of(interface, m.x, near.apex, {foot.facet, geometry::Kind::facet, 0}, all.conditions[first].normal, &foot);
       const Vec3 force = near.friction.acts ? near.friction.force : Vec3(Vec3::Zero());
       friction = add_friction(touch, interface.friction, force, m, all);
     }
-    all.contactors.push_back({.memory = &restitution, .first = first, .last = last, .nodes = 4, .friction = friction,
+    all.contactors.push_back({.memory = &restitution, .first = first, .last = last, .friction = friction,
                               .area = area, .impedance = interface.pass_factor * interface.impedance * area,
                               .square = interface.restitution * interface.restitution});
   }
@@ -278,12 +249,12 @@ void find_conditions(const RigidPlane& plane, const Motion& m, PlaneMemory& memo
   for (std::size_t i = 0; i < plane.nodes.size(); ++i) {
     const Index node = plane.nodes[i];
     Condition c;
-    c.node[0] = node, c.weight[0] = 1, c.normal = plane.normal;
+    c.nodes = 1, c.node[0] = node, c.weight[0] = 1, c.normal = plane.normal;
     c.gap = (m.x.col(node) - plane.point).dot(plane.normal);
     const auto first = static_cast<Index>(all.conditions.size());
     const double way = steps_to_touch * m.next * std::abs(plane.normal.dot(all.velocity.col(node)));
     const bool far = !(memory.force[i] > 0) && c.gap > std::max(multipliers_reach * plane.depth, way);
-    if (far || !complete(m, all.velocity, 1, m.dt > 0 ? memory.force[i] : 0, memory.restitution[i].held, c)) {
+    if (far || !complete(m, all.velocity, m.dt > 0 ? memory.force[i] : 0, memory.restitution[i].held, c)) {
       discard(memory.restitution[i], memory.impact);
       memory.next_force[i] = 0;
       if (!memory.next_friction.empty()) memory.next_friction[i].setZero();
@@ -295,10 +266,10 @@ void find_conditions(const RigidPlane& plane, const Motion& m, PlaneMemory& memo
     Index friction = -1;
     if (plane.friction.coefficient > 0 && m.dt > 0) {
       Touch touch;
-      touch.normal = plane.normal, touch.apex = node, touch.node = {node, node, node};
+      touch.normal = plane.normal, touch.apex = node, touch.nodes = 0;
       friction = add_friction(touch, plane.friction, memory.friction[i], m, all);
     }
-    all.contactors.push_back({.memory = &memory.restitution[i], .first = first, .last = first + 1, .nodes = 1, .friction = friction,
+    all.contactors.push_back({.memory = &memory.restitution[i], .first = first, .last = first + 1, .friction = friction,
                               .area = area, .impedance = plane.impedance * area,
                               .square = plane.restitution * plane.restitution});
   }
@@ -321,7 +292,7 @@ void apply_changes(const Motion& m, Multipliers& all) {
       Condition& c = all.conditions[i];
       if (c.change == 0) continue;
       c.impulse += c.change;
-      give(c, one.nodes, c.change, all.velocity);
+      give(c, c.change, all.velocity);
     }
     if (one.friction < 0 || all.frictions[one.friction].change.isZero(0)) continue;
     FrictionCondition& condition = all.frictions[one.friction];
@@ -335,7 +306,7 @@ void find_work(const Motion& m, Multipliers& all) {
     one.work = 0;
     for (Index i = one.first; i < one.last; ++i) {
       Condition& c = all.conditions[i];
-      c.after = rate(c, one.nodes, all.velocity);
+      c.after = rate(c, all.velocity);
       one.work += work(c, c.after);
     }
   }

@@ -38,9 +38,10 @@ Value mean_to_come(const Value& before, const Value& after, double share) {
 
 /// One condition: an apex over a feature, or a node over a rigid plane.
 struct Condition {
-  std::array<Index, 4> node;      ///< the apex, then those of the facet; of a node over a plane the first alone counts
-  std::array<double, 4> weight;   ///< 1, then minus those of the foot
-  std::array<Vec3, 4> response;   ///< [m/s per N s] velocity of each node per impulse
+  int nodes;                      ///< 1 over a rigid plane, 4 over a facet, 5 over a face of a hexahedron
+  std::array<Index, 5> node;      ///< the apex, then those of the base
+  std::array<double, 5> weight;   ///< 1, then minus those of the foot
+  std::array<Vec3, 5> response;   ///< [m/s per N s] velocity of each node per impulse
   Vec3 normal;                    ///< unit vector, from the base to the apex
   double per_mass;                ///< [1/kg] relative velocity per impulse
   double bound;                   ///< [1/kg] of what all impulses together change in it
@@ -69,7 +70,6 @@ struct FrictionCondition {
 struct Contactor {
   Restitution* memory;
   Index first, last;     ///< its conditions
-  int nodes;             ///< of each condition
   Index friction;        ///< in Multipliers::frictions, or -1
   double area;           ///< [m2] tributary
   double impedance;      ///< [N s/m] of its area
@@ -103,15 +103,15 @@ struct Multipliers {
 Multipliers make_multipliers(std::span<const Interface>, std::span<const RigidPlane>, Index nodes, Index plate_nodes);
 
 /// The relative normal velocity. [m/s]
-inline double rate(const Condition& c, int nodes, const Vectors& v) {
+inline double rate(const Condition& c, const Vectors& v) {
   double sum = 0;
-  for (int j = 0; j < nodes; ++j) sum += c.weight[j] * c.normal.dot(v.col(c.node[j]));
+  for (int j = 0; j < c.nodes; ++j) sum += c.weight[j] * c.normal.dot(v.col(c.node[j]));
   return sum;
 }
 
 /// Adds to velocities what one more impulse makes of them.
-inline void give(const Condition& c, int nodes, double impulse, Vectors& v) {
-  for (int j = 0; j < nodes; ++j) v.col(c.node[j]) += impulse * c.response[j];
+inline void give(const Condition& c, double impulse, Vectors& v) {
+  for (int j = 0; j < c.nodes; ++j) v.col(c.node[j]) += impulse * c.response[j];
 }
 
 /// The work of its impulse, with the relative velocity afterwards: the mean of both velocities, whatever the steps. [J]
@@ -129,7 +129,7 @@ inline double work(const FrictionCondition& condition, const Vec3& after) {
 inline void give(const FrictionCondition& condition, const Vec3& impulse, const Motion& m, Multipliers& all) {
   const auto let = [](const Mat3* allowed, const Vec3& change) { return allowed ? Vec3(*allowed * change) : change; };
   const FrictionShares shares = share_friction(condition.touch, impulse);
-  for (int i = 0; i < 4; ++i) {
+  for (int i = 0; i < shares.count; ++i) {
     const Index node = shares.node[i], turned = m.rotation_of_node[node];
     all.velocity.col(node) += let(m.allowed[node], shares.force[i] / m.mass(node));
     if (shares.turns[i]) all.spin.col(turned) += let(m.allowed_rotation[turned], shares.moment[i] / m.inertia(turned));

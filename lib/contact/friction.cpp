@@ -33,7 +33,7 @@ Vec3 slip_rate(const Touch& touch, const Vectors& v, const Vectors& omega, const
   if (!touch.apex_arm.isZero(0)) rate -= Vec3(omega.col(rotation_of_node[touch.apex])).cross(touch.apex_arm);
   Vec3 spin = Vec3::Zero();
   if (!touch.base_rotates && !touch.base_arm.isZero(0)) spin = spin_of_base(touch, v);
-  for (int I = 0; I < 3; ++I) {
+  for (int I = 0; I < touch.nodes; ++I) {
     rate -= touch.weight[I] * v.col(touch.node[I]);
     if (touch.base_rotates && touch.weight[I] != 0) spin += touch.weight[I] * omega.col(rotation_of_node[touch.node[I]]);
   }
@@ -42,13 +42,16 @@ Vec3 slip_rate(const Touch& touch, const Vectors& v, const Vectors& omega, const
 }
 
 FrictionShares share_friction(const Touch& touch, const Vec3& friction) {
-  FrictionShares shares{.node = {touch.apex, touch.node[0], touch.node[1], touch.node[2]}, .force = {friction}, .turns = {}, .moment = {}};
+  FrictionShares shares;
+  shares.count = touch.nodes + 1;
+  shares.node[0] = touch.apex, shares.force[0] = friction, shares.turns = {};
   if (!touch.apex_arm.isZero(0)) shares.turns[0] = true, shares.moment[0] = -touch.apex_arm.cross(friction);
   const Vec3 on_base = -touch.base_arm.cross(friction);
   const bool turns_facet = !touch.base_rotates && !touch.base_arm.isZero(0);
-  for (int I = 0; I < 3; ++I) {
+  for (int I = 0; I < touch.nodes; ++I) {
+    shares.node[I + 1] = touch.node[I];
     shares.force[I + 1] = -touch.weight[I] * friction;
-    if (turns_facet) shares.force[I + 1] += couple(touch, on_base, I);
+    if (turns_facet && I < 3) shares.force[I + 1] += couple(touch, on_base, I);
     if (touch.base_rotates && touch.weight[I] != 0) shares.turns[I + 1] = true, shares.moment[I + 1] = touch.weight[I] * on_base;
   }
   return shares;
@@ -56,7 +59,7 @@ FrictionShares share_friction(const Touch& touch, const Vec3& friction) {
 
 void add_friction(const Touch& touch, const Vec3& friction, const std::vector<Index>& rotation_of_node, Vectors& force, Vectors& moment) {
   const FrictionShares shares = share_friction(touch, friction);
-  for (int i = 0; i < 4; ++i) {
+  for (int i = 0; i < shares.count; ++i) {
     force.col(shares.node[i]) += shares.force[i];
     if (shares.turns[i]) moment.col(rotation_of_node[shares.node[i]]) += shares.moment[i];
   }
@@ -67,9 +70,9 @@ Vec3 moment_of_friction(const Touch& touch, const Vec3& friction, const Vectors&
   const Vec3 on_base = -touch.base_arm.cross(friction);
   Vec3 sum = at(touch.apex).cross(friction) - touch.apex_arm.cross(friction);
   const bool turns_facet = !touch.base_rotates && !touch.base_arm.isZero(0);
-  for (int I = 0; I < 3; ++I) {
+  for (int I = 0; I < touch.nodes; ++I) {
     sum -= touch.weight[I] * at(touch.node[I]).cross(friction);
-    if (turns_facet) sum += at(touch.node[I]).cross(couple(touch, on_base, I));
+    if (turns_facet && I < 3) sum += at(touch.node[I]).cross(couple(touch, on_base, I));
   }
   return touch.base_rotates ? Vec3(sum + on_base) : sum;
 }

@@ -42,7 +42,7 @@ inline Slip stick_or_slide(const Vec3& trial, double stiffness, double limit) {
   return {elastic, trial - elastic};
 }
 
-/// A point of contact between an apex and three nodes of its base.
+/// A point of contact between an apex and the nodes of its base: none of a rigid plane, four of a face of a hexahedron.
 ///
 /// Friction f acts on the apex and -f on the base at one point between them. Forces at nodes alone would
 /// turn the pair by arm x f, so each side gets the moment of its part of the arm: plates as moments on
@@ -51,19 +51,20 @@ struct Touch {
   Vec3 normal = Vec3::UnitZ();     ///< unit vector from the base to the side of the apex
   Vec3 arm = Vec3::Zero();         ///< [m] from the foot to the apex
   Index apex = -1;                 ///< node
-  std::array<Index, 3> node{};     ///< of the base
-  std::array<double, 3> weight{};  ///< of the foot; they sum to one
+  int nodes = 3;                   ///< of the base
+  std::array<Index, 4> node{};     ///< of the base, those of the facet first
+  std::array<double, 4> weight{};  ///< of the foot; they sum to one
   Vec3 base_arm = Vec3::Zero();    ///< [m] part of the arm whose moment the base takes
   Vec3 apex_arm = Vec3::Zero();    ///< [m] part whose moment the apex takes, a plate
   bool base_rotates = false;       ///< the base is a plate, whose nodes have angular velocities
-  std::array<Vec3, 3> offset;      ///< [m] of the base nodes from their mean
+  std::array<Vec3, 3> offset;      ///< [m] of the facet's nodes from their mean
   Mat3 per_inertia = Mat3::Zero(); ///< [1/m2] inverse of the sum of |offset|^2 1 - offset offset^T
 };
 
-/// Sets Touch::offset and per_inertia from the positions of the base nodes.
+/// Sets Touch::offset and per_inertia from the positions of the facet's nodes.
 void measure_base(const std::array<Vec3, 3>& corner, Touch&);
 
-/// The angular velocity that fits the velocities of the base nodes best. [rad/s]
+/// The angular velocity that fits the velocities of the facet's nodes best. [rad/s]
 ///
 ///     per_inertia . sum of offset_I x v_I;  exact for a rigid motion
 Vec3 spin_of_base(const Touch&, const Vectors& v);
@@ -78,10 +79,11 @@ Vec3 slip_rate(const Touch&, const Vectors& v, const Vectors& omega, const std::
 
 /// What a friction on the apex and what balances it are at the nodes: the apex, then those of the base.
 struct FrictionShares {
-  std::array<Index, 4> node;
-  std::array<Vec3, 4> force;   ///< [N]
-  std::array<bool, 4> turns;   ///< whether there is a moment too
-  std::array<Vec3, 4> moment;  ///< [N m] of plate nodes
+  int count;
+  std::array<Index, 5> node;
+  std::array<Vec3, 5> force;   ///< [N]
+  std::array<bool, 5> turns;   ///< whether there is a moment too
+  std::array<Vec3, 5> moment;  ///< [N m] of plate nodes
 };
 FrictionShares share_friction(const Touch&, const Vec3& friction);
 

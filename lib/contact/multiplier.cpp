@@ -41,21 +41,23 @@ void book_half(const Interface& interface, const Motion& m, double later, Memory
 void find_bounds(const Motion& m, Multipliers& all) {
   for (const Contactor& one : all.contactors)
     for (Index i = one.first; i < one.last; ++i)
-      for (int j = 0; j < one.nodes; ++j) all.shared(all.conditions[i].node[j]) = 0;
+      for (int j = 0; j < all.conditions[i].nodes; ++j) all.shared(all.conditions[i].node[j]) = 0;
   for (const Contactor& one : all.contactors)
-    for (Index i = one.first; i < one.last; ++i)
-      for (int j = 0; j < one.nodes; ++j) all.shared(all.conditions[i].node[j]) += one.area * std::abs(all.conditions[i].weight[j]);
+    for (Index i = one.first; i < one.last; ++i) {
+      const Condition& c = all.conditions[i];
+      for (int j = 0; j < c.nodes; ++j) all.shared(c.node[j]) += one.area * std::abs(c.weight[j]);
+    }
   for (const Contactor& one : all.contactors) {
     for (Index i = one.first; i < one.last; ++i) {
       Condition& c = all.conditions[i];
       c.bound = 0;
-      for (int j = 0; j < one.nodes; ++j) c.bound += c.response[j].norm() * all.shared(c.node[j]) / one.area;
+      for (int j = 0; j < c.nodes; ++j) c.bound += c.response[j].norm() * all.shared(c.node[j]) / one.area;
     }
     if (one.friction < 0) continue;
     FrictionCondition& condition = all.frictions[one.friction];
     const Condition& c = all.conditions[one.first];
     double alone = 0, together = 0;
-    for (int j = 0; j < one.nodes; ++j) {
+    for (int j = 0; j < c.nodes; ++j) {
       alone += c.weight[j] * c.weight[j] / m.mass(c.node[j]);
       together += std::abs(c.weight[j]) * all.shared(c.node[j]) / (one.area * m.mass(c.node[j]));
     }
@@ -70,7 +72,7 @@ void sweep(const Motion& m, Multipliers& all) {
     double pressed = 0;
     for (Index i = one.first; i < one.last; ++i) {
       Condition& c = all.conditions[i];
-      c.change = std::max(-c.impulse, (c.least - rate(c, one.nodes, all.velocity)) / c.bound);
+      c.change = std::max(-c.impulse, (c.least - rate(c, all.velocity)) / c.bound);
       pressed += c.impulse + c.change;
     }
     if (one.friction >= 0) find_change(pressed, m, all, all.frictions[one.friction]);
@@ -91,7 +93,7 @@ void solve(const Motion& m, Multipliers& all) {
   find_bounds(m, all);
   for (const Contactor& one : all.contactors)
     for (Index i = one.first; i < one.last; ++i)
-      if (all.conditions[i].impulse > 0) give(all.conditions[i], one.nodes, all.conditions[i].impulse, all.velocity);
+      if (all.conditions[i].impulse > 0) give(all.conditions[i], all.conditions[i].impulse, all.velocity);
   for (const FrictionCondition& condition : all.frictions)
     if (!condition.impulse.isZero(0)) give(condition, condition.impulse, m, all);
   for (int sweeps = 1; sweeps <= most_sweeps; ++sweeps) {
@@ -103,7 +105,7 @@ void solve(const Motion& m, Multipliers& all) {
       double sum = 0;
       for (Index i = one.first; i < one.last; ++i) {
         const Condition& c = all.conditions[i];
-        sum += work(c, rate(c, one.nodes, all.velocity));
+        sum += work(c, rate(c, all.velocity));
         exchanged += 0.5 * c.impulse * c.impulse * c.per_mass;
       }
       gained += std::max(0.0, sum);
@@ -271,8 +273,8 @@ void find_impulses(const Acting& acting, const Motion& m, std::span<Workspace> w
 }
 
 /// Gives the nodes the impulse of a condition, and books where they are what moment this has.
-void apply(const Condition& c, int nodes, const Vectors& x, Vectors& impulse, Vec3& moment) {
-  for (int j = 0; j < nodes; ++j) {
+void apply(const Condition& c, const Vectors& x, Vectors& impulse, Vec3& moment) {
+  for (int j = 0; j < c.nodes; ++j) {
     const Vec3 part = c.impulse * c.weight[j] * c.normal;
     impulse.col(c.node[j]) += part;
     moment += x.col(c.node[j]).cross(part);
@@ -297,7 +299,7 @@ void stop_at_start(std::span<const Interface> interfaces, std::span<const RigidP
       const Contactor& one = all.contactors[k];
       memory.work += one.work;
       for (Index i = one.first; i < one.last; ++i) {
-        apply(all.conditions[i], one.nodes, m.x, impulse, memory.angular_impulse);
+        apply(all.conditions[i], m.x, impulse, memory.angular_impulse);
         memory.impulse += all.conditions[i].impulse * all.conditions[i].normal;
       }
     }

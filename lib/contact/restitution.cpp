@@ -45,7 +45,7 @@ void release(const Motion& m, double t, Multipliers& all) {
     if (pressed > 0 && pressed >= own) continue;
     const double time = 1 / (c.per_mass * one.impedance);
     if (pressed > 0 && (t - memory.last_loss < time - 0.5 * h || memory.mean_force >= own)) continue;
-    const Gain by = gain(c, rate(c, one.nodes, all.velocity));
+    const Gain by = gain(c, rate(c, all.velocity));
     if (by.B < 0) continue;  // on its way in
     c.change = by.impulse_for(one.square * left);
     one.lost = (1 - one.square) * left;
@@ -58,7 +58,7 @@ void release(const Motion& m, double t, Multipliers& all) {
     for (Contactor& one : all.contactors)
       for (Index i = one.first; i < one.last; ++i) {
         Condition& c = all.conditions[i];
-        const double after = rate(c, one.nodes, all.velocity);
+        const double after = rate(c, all.velocity);
         const Gain by = gain(c, after);
         const double left = std::max(0.0, one.memory->held - one.work - one.lost);
         c.change = std::max(0.0, (c.least - after) / c.bound);

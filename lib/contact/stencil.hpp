@@ -10,12 +10,13 @@ namespace nereid::contact {
 
 /// A push of the apex by `apex` times `push`, and of node I of the facet by minus weight_I times `push`.
 ///
-/// Over a facet, an edge or a vertex the weights are those of the foot, and apex is one. The weights of a couple sum to zero, and apex
-/// is zero: it turns the facet.
+/// Over a facet, an edge or a vertex the weights are those of the foot, and apex is one; by multipliers they are bilinear over a face of
+/// a hexahedron. The weights of a couple sum to zero, and apex is zero: it turns the facet.
 struct Stencil {
   Index facet = -1;
   double apex = 1;
   std::array<double, 3> weight{};
+  double fourth = 0;               ///< weight of Half::fourth
   Vec3 push = Vec3::Zero();        ///< [N]
   std::array<double, 3> share{};   ///< of the spring's stiffness at the nodes; a node that several stencils of an apex share has it once
   geometry::Kind kind = geometry::Kind::facet;  ///< of the feature of the facet that the apex is over

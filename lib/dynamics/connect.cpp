@@ -124,6 +124,7 @@ Connected connect_one_pass(Model& model, const std::string& name, const std::str
   interface.kind = options.kind;
   interface.method = options.kind == contact::InterfaceKind::bonded ? contact::Method::penalty : options.method;
   interface.base = contact::base_surface(base, model.mesh.X);
+  contact::mark_halves(interface.base, mesh::faces(model.mesh, base));
   interface.own = contact::fans(apexes.facets, static_cast<Index>(model.mesh.X.cols()));
   interface.apexes = mesh::surface_nodes(apexes);
   interface.area = mesh::tributary_areas(model.mesh, apexes, interface.apexes);

@@ -27,11 +27,11 @@ struct Setting {
     for (Index n = 0; n < count; ++n) {
       memory[n].held = held[n];
       Condition c{};
-      c.node = {n, -1, -1, -1}, c.weight = {1, 0, 0, 0}, c.response[0] = c.normal = Vec3::UnitZ();
+      c.nodes = 1, c.node[0] = n, c.weight[0] = 1, c.response[0] = c.normal = Vec3::UnitZ();
       c.per_mass = c.bound = 1, c.before = c.free = 1, c.least = -1;
       all.conditions.push_back(c);
       all.contactors.push_back(
-          {.memory = &memory[n], .first = n, .last = n + 1, .nodes = 1, .friction = -1, .area = 1, .impedance = 1, .square = square});
+          {.memory = &memory[n], .first = n, .last = n + 1, .friction = -1, .area = 1, .impedance = 1, .square = square});
     }
     all.velocity = v;
   }
