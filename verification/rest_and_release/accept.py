@@ -255,6 +255,8 @@ BREAKS = [
     Breaks("bars: time when the gap opens", "a held bar of half the density", HALF, SQUEEZED),
     Breaks("bars: velocity at which the gap opens", "a held bar of half the density", HALF, SQUEEZED),
     Breaks("bars: velocity of the free bar at the end", "bars that stick", HELD, SQUEEZED),
+    Breaks("bars: created by the contact", "a penalty in its place", {"contacts[0].method": "penalty"}, SQUEEZED),
+    Breaks("block: created by the contact", "a penalty in its place", {"contacts[0].method": "penalty"}, PULL),
     Breaks("block: force beside the load", "half a millisecond of pulse left out",
            {"loads[0].value": '["0", "0", "t < 1e-3 ? -1e4*sin(pi*max(0,t-5e-4)/5e-4)^2 : 1e5*((t-1e-3)/1e-3)"]'}, PULL),
     Breaks("block: force once it is pulled", "a block that sticks", HELD, PULL),
