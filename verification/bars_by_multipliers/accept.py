@@ -5,8 +5,8 @@ from reference import at_finite_strain, reference
 from verify import Breaks, Check, Figure, Miss, Pair, Report, Table, crossings
 
 CATALOGUE = ("I-3",)
-CLAIM = ("Multipliers hold the plateau of two bars that collide, ask for no step of their own, create nothing, and give back what they "
-         "took from the nodes that they stopped.")
+CLAIM = ("Multipliers hold the plateau of two bars that collide, also at a fifth of the speed of sound, ask for no step of their own, "
+         "create nothing, and give back what they took from the nodes that they stopped.")
 EVIDENCE = "exact"
 DRIVER = "two_blocks"
 
@@ -135,11 +135,11 @@ CHECKS = [
           "each impulse is bounded by what it found: round-off"),
     Check("energy lost at first touch", lambda run: Pair(of_kinetic(run, "energy_contact_inelastic_impact"), 0, "", 1), 1e-9,
           "all of it is given back as the bars part"),
-    Check("bars of 4 cells, slower than after a hard penalty", short_of_hard(4), 0.05, "what a hard penalty on the same mesh gives, or "
-          "more: it leaves more in the vibration of the bars"),
-    Check("bars of 8 cells, slower than after a hard penalty", short_of_hard(8), 0.01, "as of 4 cells"),
-    *(Check(f"bars of {cells} cells, the usual viscosity, slower than after a hard penalty", short_of_hard(cells, {}), within,
-            "as without viscosity") for cells, within in ((4, 0.05), (8, 0.01))),
+    Check("bars of 4 cells, slower than after a hard penalty", short_of_hard(4), 1e-3, "no slower than after a hard penalty on the "
+          "same mesh, which leaves more in the vibration of the bars"),
+    Check("bars of 8 cells, slower than after a hard penalty", short_of_hard(8), 1e-3, "as of 4 cells"),
+    *(Check(f"bars of {cells} cells, the usual viscosity, slower than after a hard penalty", short_of_hard(cells, {}), 1e-3,
+            "as without viscosity") for cells in (4, 8)),
     Check("V/c = 0.05, 0.1, 0.2: stress of the plateau, worst", worst_plateau, 5e-3,
           "the front is some cells wide at 5 % of the time; small strains would miss by 0.6, 1.3 and 2.6 %; the reference is exact"),
     Check("V/c = 0.2: time at which the stress falls through half", fast_half, 0.01, "the front is two of two hundred cells wide"),
@@ -162,8 +162,8 @@ def few(run):
 STUDIES = [
     Table("Speed of bars of few cells after the impact, over that before; without viscosity, but for the last two.",
           ["contact", "1", "2", "4", "8 cells"], few),
-    Table("Finite strain, by closing speed over the speed of sound: exact stress over that of small strains; errors of the plateau and of the "
-          "time at which it falls through half; speed after over before.",
+    Table("Finite strain, by closing speed over the speed of sound: exact stress over that of small strains; errors of the plateau and of "
+          "the time at which it falls through half; speed after over before.",
           ["V/c", "bars", "over small strains", "plateau", "time", "speed", "exact"], finite_strain, full=True),
 ]
 
@@ -175,6 +175,9 @@ BREAKS = [
     Breaks("plateau of the interface stress", "the usual penalty", PENALTY),
     Breaks("step over that of the elements", "the usual penalty", PENALTY),
     Breaks("velocity of A without viscosity", "stopped while the bars are in contact", {"time.end": "20 us"}),
+    Breaks("created energy of the contact", "a penalty that may create 4 % of a bounce", {**PENALTY, "contact.energy_gain_limit": 0.04}),
+    *(Breaks(f"bars of {cells} cells, the usual viscosity, slower than after a hard penalty", "nodes that give nothing back", PLASTIC)
+      for cells in (4, 8)),
     Breaks("energy lost at first touch", "nodes that give nothing back", PLASTIC),
     Breaks("bars of 4 cells, slower than after a hard penalty", "nodes that give nothing back", PLASTIC),
     Breaks("bars of 8 cells, slower than after a hard penalty", "nodes that give nothing back", PLASTIC),

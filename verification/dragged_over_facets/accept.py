@@ -96,8 +96,8 @@ def pressed_friction(run):
 
 def pressed_direction(run):
     one = pressed(run)
-    return Pair(max(abs((a * ASIDE - b * ACROSS) / (a * ACROSS + b * ASIDE)) for a, b in zip(sliding(one, "across"), sliding(one, "aside"))),
-                0, "", scale=1)
+    forces = zip(sliding(one, "across"), sliding(one, "aside"))
+    return Pair(max(abs((a * ASIDE - b * ACROSS) / (a * ACROSS + b * ASIDE)) for a, b in forces), 0, "", scale=1)
 
 
 def pressed_jump(component):
@@ -115,7 +115,8 @@ BY_DEFAULT = [
           "friction tilts the block about its upper face, which is drawn along, and it sways by 1e-3 of the load"),
     Check("pressed: ripple of the push", lambda run: ripple_of(pressed(run)), 4e-3, "twice the push; the catalogue allows 1 %"),
     Check("pressed: friction over push", pressed_friction, 1e-6, "Coulomb's law holds at each apex, so it holds in the sum"),
-    Check("pressed: friction across the way", pressed_direction, 1e-3, "each apex is rubbed against its own slip, and they sway at 1e-4 of the speed"),
+    Check("pressed: friction across the way", pressed_direction, 1e-3,
+          "each apex is rubbed against its own slip, and they sway at 1e-4 of the speed"),
     Check("pressed: jump of a base node's push", pressed_jump(2), 0.08,
           "between two frames an apex moves by 4 % of a facet's side, and inner ones in front carry a quarter more than the mean"),
     Check("pressed: jump of a base node's friction", pressed_jump(0), 0.08, "as above"),
@@ -150,8 +151,8 @@ CHECKS = [
     *BY_DEFAULT,
     Check("pressed: errors beyond those by a penalty, over the limits", beyond(BY_DEFAULT, USUAL, PRESSED), 0.05,
           "no worse than by the usual penalty; what both leave is the block's sway and the way between two frames"),
-    Check("pressed on an elastic disc: ripple and jumps beyond those by a penalty, over a tenth of the push", beyond(ON_ELASTIC, USUAL, PRESSED),
-          0.05, "no worse than by the usual penalty", full=True),
+    Check("pressed on an elastic disc: ripple and jumps beyond those by a penalty, over a tenth of the push",
+          beyond(ON_ELASTIC, USUAL, PRESSED), 0.05, "no worse than by the usual penalty", full=True),
     Report("pressed on an elastic disc: ripple of the push", lambda run: ripple_of(pressed(run, ELASTIC)),
            "the disc gives way in facets, so its face is not flat"),
 ]
@@ -185,7 +186,10 @@ BREAKS = [
            {**USUAL, "contacts[0].weights": "paper"}, PRESSED, full=True),
     Breaks("pressed on an elastic disc: ripple and jumps beyond those by a penalty, over a tenth of the push",
            "a load that comes in at once", {"loads[0].value": '"t < 0.2 ? 0 : 1e3"'}, PRESSED, full=True),
-    Breaks("pressed: errors beyond those by a penalty, over the limits", "a coefficient of 0.251", {"contacts[0].friction": 0.251}, PRESSED),
+    Breaks("pressed: errors beyond those by a penalty, over the limits", "a coefficient of 0.251", {"contacts[0].friction": 0.251},
+           PRESSED),
+    Breaks("friction across the way", "thrown a degree aside", {**FEW, "initial[0].velocity": '["0.5", "0.11", "-1e-3"]'}),
+    Breaks("jump of a base node's push", "two passes: apexes of the disc come and go", {"contacts[0].passes": "two"}),
     Breaks("ripple of the push", "the area of the facet in place of the apex's own", {**FEW, "contacts[0].area": "base"}),
     Breaks("jump of a base node's friction", "equal weights for friction, as the paper has them", {"contacts[0].weights": "paper"}),
     Breaks("friction over push", "a stick a million times too soft", {**FEW, "contacts[0].tangential_penalty": 1e-6}),

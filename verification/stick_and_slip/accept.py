@@ -144,6 +144,7 @@ BREAKS = [
     Breaks("heat beside that of a rigid block", "a coefficient of 0.098", {"contacts[0].friction": 0.098}),
     Breaks("heat beside the limit times the way", "a coefficient of 0.101", {"contacts[0].friction": 0.101}),
     Breaks("created by the contact over the heat", "two passes, whose impulses are not unique", {"contacts[0].passes": "two"}),
+    Breaks("on ice, two passes: speed that is kept", "a coefficient of 0.001", {"contacts[0].friction": 0.001}, ICE),
     Breaks("on ice: speed that is kept", "a coefficient of 0.001", {"contacts[0].friction": 0.001}, ICE),
 ]
 
