@@ -183,6 +183,27 @@ def created(run):
     return Pair(run.created(), 0, "", scale=1)
 
 
+def beyond(checks, keys, case=None):
+    """A measure: by how much errors of these checks are larger than those of the case with these keys, over their limits; the worst.
+
+    The other run is of the case without what a break sets, so that a mistake is on one side only.
+    """
+    def measure(run):
+        other = run.other(run.driver, case or run.case_file, keys)
+        excess = [(one.measure(run).error() - one.measure(other).error()) / one.within for one in checks]
+        return Pair(math.nan if any(math.isnan(each) for each in excess) else max(0.0, *excess), 0, "", scale=1)
+    return measure
+
+
+def side_by_side(checks, keys, case=None):
+    """Rows of a Table: the errors of these checks as they are and with these keys, and the steps of both."""
+    def rows(run):
+        one, other = run.other(run.driver, case or run.case_file, {}), run.other(run.driver, case or run.case_file, keys)
+        return [*([check.name, share(check.measure(one).error()), share(check.measure(other).error())] for check in checks),
+                ["steps", *(str(each.summary["cost"]["steps"]) for each in (one, other))]]
+    return rows
+
+
 def number_in(text):
     """The first number of a value such as '5e13 Pa/m' or '[20, 1, 1]'."""
     found = re.match(r"[\s\[]*([-+]?[0-9.]+(?:[eE][-+]?[0-9]+)?)", str(text))

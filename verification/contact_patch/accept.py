@@ -2,7 +2,7 @@
 from math import sqrt
 
 from reference import reference
-from verify import Breaks, Check, Figure, Pair, Report, Table
+from verify import Breaks, Check, Figure, Miss, Pair, Report, Table, beyond
 
 CATALOGUE = ("C-2",)
 CLAIM = ("A uniform pressure passes exactly through matching meshes; for meshes that do not match, the error of every contact "
@@ -119,10 +119,44 @@ def formulations(run):
     return [row(name, run.again(change)) for name, change in FORMULATIONS]
 
 
+def ends(run):
+    """One if the relaxation came to rest, else zero."""
+    return Pair(float(run.ending == "relaxed"), 1)
+
+
+def spread(of, which):
+    """A norm of stresses or pressures over the pressure that the resultant stands for."""
+    def measure(run):
+        values, exact = (stresses(run), -mean_pressure(run)) if of == "stress" else (closed(run), mean_pressure(run))
+        return Pair(norms(values, exact)[which], 0, "", scale=1)
+    return measure
+
+
+def rows_by_default(run):
+    return [[title, *row("", run.again({**more, **change}))[1:], run.again({**more, **change}).ending,
+             str(run.again({**more, **change}).summary["cost"]["steps"])]
+            for cells, more in (("matching", MATCHING), ("3 x 3 on 4 x 4", {}), ("sides exchanged", EXCHANGED), ("two passes", TWO))
+            for title, change in ((f"{cells}, by default", DEFAULT), (f"{cells}, the usual penalty", USUAL))]
+
+
+DEFAULT = {"contacts[0].method": "multiplier", "contacts[0].penalty_scale": 20, "relaxation.residual": 1e-6}
+USUAL = {"contacts[0].penalty_scale": 20, "relaxation.residual": 1e-6}
+TWO = {"contacts[0].passes": "two"}
+SPREADS = [Check("stress, root mean square", spread("stress", 0), 1.0, "as it comes"),
+           Check("stress, largest", spread("stress", 1), 1.0, "as it comes"),
+           Check("pressure, root mean square", spread("pressure", 0), 1.0, "as it comes"),
+           Check("pressure, largest", spread("pressure", 1), 1.0, "as it comes")]
+
+
+def by_default(measure, more=None):
+    return lambda run: measure(run.again({**DEFAULT, **(more or {}), **run.overrides}))
+
+
 COLUMNS = ["", "stress, root mean square", "stress, largest", "pressure, root mean square", "pressure, largest", "apexes closed"]
 
 DEPARTURES = {
     "method, penalty_scale": "the exact state at the start has the depth of a penalty, and the check of depths is of it",
+    "passes": "two of them are the subject of a miss",
     "residual": "the default gives the same errors in a fifth more steps"}
 
 CHECKS = [
@@ -131,16 +165,35 @@ CHECKS = [
           "pressure over penalty at each apex, to the residual of the relaxation"),
     Check("stress of every element, matching grids", matching(stress_error(1)), 1e-5, "uniform, to the residual of the relaxation"),
     Check("force through blocks over interface, 3 x 3 on 4 x 4", balance, 1e-5, "equilibrium, to the residual of the relaxation"),
+    Check("by default: resultant, matching grids", by_default(resultant, MATCHING), 1e-5, "equilibrium, to the residual of the relaxation"),
+    Check("by default: stress of every element, matching grids", by_default(stress_error(1), MATCHING), 1e-5,
+          "uniform, to the residual of the relaxation"),
+    Check("by default: force through blocks over interface, 3 x 3 on 4 x 4", by_default(balance), 1e-5,
+          "equilibrium, to the residual of the relaxation"),
+    Check("by default: stresses and pressures on 3 x 3 on 4 x 4 beyond those by a penalty", by_default(beyond(SPREADS, USUAL)), 0.01,
+          "no worse than by the usual penalty: one facet under an apex is as uneven, and a penalty gives way by 1/20 of an element"),
+    Miss("by default, two passes: the relaxation ends", by_default(ends, TWO), 0,
+         "it ends at rest with one pass, and by a penalty with two",
+         why="impulses of two passes are not unique; one of them loses 5.6 % of the little that passes in the first steps, and the run "
+             "stops at 5 %"),
     Report("resultant, 3 x 3 on 4 x 4", resultant, "nodes between apexes stand off, so the interface is more compliant than its penalty"),
     Report("stress of every element, 3 x 3 on 4 x 4", stress_error(1), "an apex pushes one facet: no contact on nodes in one pass passes"),
 ]
 
 STUDIES = [
     Table("Errors of axial stress and contact pressure over their mean, by grid.", ["grid", *COLUMNS[1:]], grids, full=True),
+    Table("By default and by the usual penalty.", [*COLUMNS, "ends", "steps"], rows_by_default, full=True),
     Table("The same on 3 x 3 on 4 x 4, by formulation.", ["formulation", *COLUMNS[1:]], formulations, full=True),
 ]
 
+HALF = {"bodies[1].material.young": "0.5 MPa"}
 BREAKS = [
+    Breaks("by default: resultant, matching grids", "one block half as stiff as the state at the start has it", HALF),
+    Breaks("by default: stress of every element, matching grids", "one block half as stiff as the state at the start has it", HALF),
+    Breaks("by default: force through blocks over interface, 3 x 3 on 4 x 4", "gravity of 1e-5 m/s2 besides",
+           {"gravity": "[0 m/s^2, 0 m/s^2, -1e-5 m/s^2]"}),
+    Breaks("by default: stresses and pressures on 3 x 3 on 4 x 4 beyond those by a penalty", "a penalty with the area of the base",
+           {"contacts[0].method": "penalty", "contacts[0].area": "base"}),
     Breaks("overlap of every apex, matching grids", "a penalty twice as hard", {"contacts[0].penalty_scale": 8}),
     Breaks("overlap of every apex, matching grids", "the area of the base in place of the apex's own", {"contacts[0].area": "base"}),
     Breaks("stress of every element, matching grids", "the area of the base in place of the apex's own", {"contacts[0].area": "base"}),

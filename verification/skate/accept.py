@@ -2,7 +2,7 @@
 from math import sqrt
 
 from reference import friction_force, slip_time, speed, way
-from verify import Breaks, Check, Figure, Pair, Table
+from verify import Breaks, Check, Figure, Pair, Table, beyond, side_by_side
 
 CATALOGUE = ("C-7",)
 CLAIM = ("A block pressed on a plane by P and pushed along it by Q stays while Q is below mu P, slips at mu P, and then has the "
@@ -73,7 +73,10 @@ def meshes(run):
     return rows
 
 
-CHECKS = [
+PENALTY = {"planes[0].method": "penalty"}
+DEPARTURES = {"method": "one check is beside a penalty; all others are by default"}
+
+BY_DEFAULT = [
     Check("push at the slip", push_at_slip, 0.01, "the catalogue's bound: Q = mu P"),
     Check("force of the plane", balance_across, 0.01, "the catalogue's bound: P"),
     Check("friction of the block that stays", balance_along, 0.01,
@@ -87,11 +90,21 @@ CHECKS = [
           "the block gives way elastically and its sole slips at one edge: a thousandth of the way on ice"),
 ]
 
-STUDIES = [Table("Errors over the mesh.", ["cells", "push at the slip", "friction of the block that stays", "friction over push across",
+CHECKS = [
+    *BY_DEFAULT,
+    Check("errors beyond those by a penalty, over the limits", beyond(BY_DEFAULT, PENALTY), 0.05,
+          "no worse than by the usual penalty; the exact block is rigid, and what both leave is its compliance: a fifth with 100 MPa"),
+]
+
+STUDIES = [Table("Errors by default and by the usual penalty.", ["check", "by default", "by a penalty"], side_by_side(BY_DEFAULT, PENALTY)),
+           Table("Errors over the mesh.", ["cells", "push at the slip", "friction of the block that stays", "friction over push across",
                                            "speed at the end"],
                  meshes, full=True)]
 
 BREAKS = [
+    Breaks("errors beyond those by a penalty, over the limits", "a coefficient of 0.301", {"planes[0].friction": 0.301}),
+    Breaks("friction over push across", "a coefficient of 0.301", {"planes[0].friction": 0.301}),
+    Breaks("way at the end", "a coefficient of 0.29", {"planes[0].friction": 0.29}),
     Breaks("push at the slip", "a coefficient of 0.31", {"planes[0].friction": 0.31}),
     Breaks("force of the plane", "gravity left on", {"gravity": "[0 m/s^2, 0 m/s^2, -9.81 m/s^2]"}),
     Breaks("friction of the block that slides", "a coefficient of 0.29", {"planes[0].friction": 0.29}),
