@@ -101,8 +101,10 @@ bool complete(const Motion& m, const Vectors& free, double pressed, double held,
   c.per_mass = c.before = c.free = 0;
   for (int j = 0; j < c.nodes; ++j) {
     const Index node = c.node[j];
-    c.response[j] = c.weight[j] / m.mass(node) * c.normal;
-    if (m.allowed[node]) c.response[j] = *m.allowed[node] * c.response[j];
+    const double each = c.weight[j] / m.mass(node);
+    c.response[j] = each * c.normal;
+    c.size[j] = std::abs(each);
+    if (m.allowed[node]) c.response[j] = *m.allowed[node] * c.response[j], c.size[j] = c.response[j].norm();
     c.per_mass += c.weight[j] * c.normal.dot(c.response[j]);
     c.before += c.weight[j] * c.normal.dot(m.v.col(node));
     c.free += c.weight[j] * c.normal.dot(free.col(node));
@@ -138,8 +140,8 @@ Index add_friction(const Touch& touch, const Coulomb& law, const Vec3& force, co
   const Vec3 impulse = 0.5 * (m.dt + m.next) * (force - touch.normal.dot(force) * touch.normal);
   const Vec3 before = slip_rate(touch, m.v, m.omega, m.rotation_of_node);
   all.frictions.push_back({.touch = touch, .coefficient = coefficient_at(law, before.norm()), .per_mass = per_mass, .bound = 0,
-                           .before = before, .stuck = Vec3::Zero(), .impulse = impulse, .change = Vec3::Zero(),
-                           .after = before});
+                           .before = before, .stuck = Vec3::Zero(), .impulse = impulse, .change = Vec3::Zero(), .met = impulse,
+                           .moved = Vec3::Zero(), .after = before});
   return static_cast<Index>(all.frictions.size()) - 1;
 }
 
@@ -217,7 +219,7 @@ void find_conditions(const Interface& interface, const Motion& m, Memory& memory
         stencil.apex = 0, stencil.weight = {}, stencil.fourth = 0, stencil.push.setZero();
         continue;
       }
-      c.impulse = near.element.count == 1 ? near.pressed * h : 0;
+      c.impulse = c.met = near.element.count == 1 ? near.pressed * h : 0;
       stencil.push = c.normal;
       all.conditions.push_back(c);
     }
@@ -261,7 +263,7 @@ void find_conditions(const RigidPlane& plane, const Motion& m, PlaneMemory& memo
       continue;
     }
     const double area = plane.area(static_cast<Eigen::Index>(i));
-    c.impulse = memory.force[i] * 0.5 * (m.dt + m.next);
+    c.impulse = c.met = memory.force[i] * 0.5 * (m.dt + m.next);
     all.conditions.push_back(c);
     Index friction = -1;
     if (plane.friction.coefficient > 0 && m.dt > 0) {

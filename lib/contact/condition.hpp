@@ -42,6 +42,7 @@ struct Condition {
   std::array<Index, 5> node;      ///< the apex, then those of the base
   std::array<double, 5> weight;   ///< 1, then minus those of the foot
   std::array<Vec3, 5> response;   ///< [m/s per N s] velocity of each node per impulse
+  std::array<double, 5> size;     ///< [m/s per N s] of that
   Vec3 normal;                    ///< unit vector, from the base to the apex
   double per_mass;                ///< [1/kg] relative velocity per impulse
   double bound;                   ///< [1/kg] of what all impulses together change in it
@@ -50,6 +51,7 @@ struct Condition {
   double free;                    ///< [m/s] relative velocity afterwards if no multiplier acted
   double after;                   ///< [m/s] relative velocity afterwards, set by find_work()
   double impulse, change;         ///< [N s] so far, and what a sweep adds
+  double met, moved;              ///< [N s] what the last sweep found before it went on by its momentum, and by how much that moved
   double gap;                     ///< [m]
 };
 
@@ -62,6 +64,7 @@ struct FrictionCondition {
   Vec3 before;           ///< [m/s] slip rate in the step before
   Vec3 stuck;            ///< [m/s] slip rate of a stick: zero, but where energy is owed it yields slowly against its force
   Vec3 impulse, change;  ///< [N s]
+  Vec3 met, moved;       ///< [N s] as of a condition
   Vec3 after;            ///< [m/s] slip rate afterwards, set by find_work()
   double work = 0;       ///< [J] in this step
 };

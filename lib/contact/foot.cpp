@@ -11,6 +11,7 @@ namespace nereid::contact {
 namespace {
 
 constexpr double one_patch = 0.9;  // cosine between the normals of faces that go over into each other
+constexpr double equal = 1e-14;    // between unit normals
 constexpr double turned = 0.5;     // cosine between the normals of a face and of its half: a face that is warped more stays cut
 
 /// A facet, or the face that it is half of.
@@ -36,13 +37,24 @@ Face face_of(const BaseSurface& base, Index facet) {
           {base.neighbour(from_first, other), base.neighbour(from_fourth, other), beyond(cut + 1), beyond(cut + 2)}};
 }
 
-/// The normal of a face at its point (a, b): of the bilinear surface, or of the facet.
-Vec3 normal_at(const Face& face, const Vectors& x, double a, double b) {
-  const auto corner = [&](int i) { return x.col(face.node[i]); };
-  if (face.corners == 3) return Vec3(corner(1) - corner(0)).cross(Vec3(corner(2) - corner(0))).normalized();
-  const Vec3 by_a = (1 - b) * (corner(1) - corner(0)) + b * (corner(2) - corner(3));
-  const Vec3 by_b = (1 - a) * (corner(3) - corner(0)) + a * (corner(2) - corner(1));
-  return by_a.cross(by_b).normalized();
+/// How the point (a, b) of a bilinear face moves with a and b, and the area it sweeps.
+struct Tangents {
+  Vec3 by_a, by_b, area;
+};
+Tangents tangents_at(const Face& face, const Vectors& x, double a, double b) {
+  const Vec3 corner[4] = {x.col(face.node[0]), x.col(face.node[1]), x.col(face.node[2]), x.col(face.node[3])};
+  Tangents at;
+  at.by_a = (1 - b) * (corner[1] - corner[0]) + b * (corner[2] - corner[3]);
+  at.by_b = (1 - a) * (corner[3] - corner[0]) + a * (corner[2] - corner[1]);
+  at.area = at.by_a.cross(at.by_b);
+  return at;
+}
+
+/// Whether the point (a, b) is nearer to an edge of its face than a band.
+bool is_within(double band, const Tangents& at, double a, double b) {
+  const double along = std::min(a, 1 - a), across = std::min(b, 1 - b), limit = band * band, area = at.area.squaredNorm();
+  return !(along > 0 && across > 0 && along * along * area > limit * at.by_b.squaredNorm() &&
+           across * across * area > limit * at.by_a.squaredNorm());
 }
 
 /// The normal of the face behind an edge, at a point of that edge.
@@ -50,8 +62,11 @@ Vec3 normal_behind(const BaseSurface& base, const Vectors& x, Index facet, Index
   const Face face = face_of(base, facet);
   if (face.corners == 3) return facet_normal(base, x, facet);
   constexpr double along[4][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}}, start[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-  for (int e = 0; e < 4; ++e)  // it runs the other way round
-    if (face.node[e] == to) return normal_at(face, x, start[e][0] + (1 - way) * along[e][0], start[e][1] + (1 - way) * along[e][1]);
+  for (int e = 0; e < 4; ++e) {  // it runs the other way round
+    if (face.node[e] != to) continue;
+    const double back = 1 - way;
+    return tangents_at(face, x, start[e][0] + back * along[e][0], start[e][1] + back * along[e][1]).area.normalized();
+  }
   return facet_normal(base, x, facet);
 }
 
@@ -112,12 +127,15 @@ double spread(const BaseSurface& base, const Vectors& x, const Vec3& p, const Fe
   const auto foot = [&] { return Vec3(weight[0] * corner[0] + weight[1] * corner[1] + weight[2] * corner[2] + weight[3] * corner[3]); };
   if (!geometry::bilinear_weights(corner, p, over.normal, a, b, weight)) return 0;
   a = weight[1] + weight[2], b = weight[2] + weight[3];
-  Vec3 n = normal_at(face, x, a, b);
+  const Tangents at = tangents_at(face, x, a, b);
+  Vec3 n = at.area.normalized();
   if (!(n.dot(over.normal) > turned)) return 0;
-  if (blends) blend(base, x, face, foot(), band, allowed, n);
-  if (!geometry::bilinear_weights(corner, p, n, a, b, weight)) return 0;
-  over.normal = n;
-  over.height = n.dot(p - foot());
+  if (blends && is_within(band, at, a, b)) blend(base, x, face, foot(), band, allowed, n);
+  if ((n - over.normal).squaredNorm() > equal * equal) {
+    if (!geometry::bilinear_weights(corner, p, n, a, b, weight)) return 0;
+    over.normal = n;
+  }
+  over.height = over.normal.dot(p - foot());
   over.weight[first] = weight[0], over.weight[second] = weight[2], over.weight[third] = weight[3];
   return weight[1];
 }

@@ -15,7 +15,8 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr int usual_sweeps = 8, most_sweeps = 100;
-constexpr double still = 1e-6;      // of an impulse: sweeps end as soon as none changes by more
+constexpr double still = 1e-6;     // of what the impulses do: sweeps end as soon as one changes less
+constexpr double settled = 1e-5;   // the same: fewer sweeps than usual will do
 constexpr double may_gain = 1e-4;  // of the energy that the impulses exchange: sweeps go on while single contactors gain more
 
 /// Books the half of a step that ends at t, in which the forces of the memory have acted.
@@ -51,7 +52,8 @@ void find_bounds(const Motion& m, Multipliers& all) {
     for (Index i = one.first; i < one.last; ++i) {
       Condition& c = all.conditions[i];
       c.bound = 0;
-      for (int j = 0; j < c.nodes; ++j) c.bound += c.response[j].norm() * all.shared(c.node[j]) / one.area;
+      for (int j = 0; j < c.nodes; ++j) c.bound += c.size[j] * all.shared(c.node[j]);
+      c.bound /= one.area;
     }
     if (one.friction < 0) continue;
     FrictionCondition& condition = all.frictions[one.friction];
@@ -65,27 +67,84 @@ void find_bounds(const Motion& m, Multipliers& all) {
   }
 }
 
-/// One sweep: all impulses are changed by the rates that all of them have made so far, so no order counts.
-void sweep(const Motion& m, Multipliers& all) {
+/// One sweep: all impulses are changed by the rates that all of them have made so far, so no order counts, and go on by some of what they
+/// moved (Nesterov's momentum).
+///
+/// returns  whether they turn back: the momentum is to begin anew (O'Donoghue & Candes 2015)
+bool sweep(const Motion& m, double momentum, Multipliers& all) {
   parallel_for(static_cast<Index>(all.contactors.size()), 128, [&](Index k) {
     const Contactor& one = all.contactors[k];
     double pressed = 0;
     for (Index i = one.first; i < one.last; ++i) {
       Condition& c = all.conditions[i];
-      c.change = std::max(-c.impulse, (c.least - rate(c, all.velocity)) / c.bound);
-      pressed += c.impulse + c.change;
+      const double now = std::max(0.0, c.impulse + (c.least - rate(c, all.velocity)) / c.bound);
+      c.moved = now - c.met;
+      c.change = now + momentum * c.moved - c.impulse;
+      c.met = now;
+      pressed += now;
     }
-    if (one.friction >= 0) find_change(pressed, m, all, all.frictions[one.friction]);
+    if (one.friction < 0) return;
+    FrictionCondition& friction = all.frictions[one.friction];
+    find_change(pressed, m, all, friction);
+    const Vec3 now = friction.impulse + friction.change;
+    friction.moved = now - friction.met;
+    friction.change += momentum * friction.moved;
+    friction.met = now;
   });
+  double turns = 0;
+  for (const Condition& c : all.conditions) turns += c.bound * (c.met - c.impulse) * c.moved;
+  for (const FrictionCondition& f : all.frictions) turns += f.bound * (f.met - f.impulse).dot(f.moved);
+  apply_changes(m, all);
+  return turns < 0;
+}
+
+/// Takes back the momentum of the last sweep, so that no impulse pulls.
+void come_to_rest(const Motion& m, Multipliers& all) {
+  for (Condition& c : all.conditions) c.change = c.met - c.impulse;
+  for (FrictionCondition& f : all.frictions) f.change = f.met - f.impulse;
   apply_changes(m, all);
 }
 
-/// Whether the last sweep changed next to nothing, by each impulse's own measure: a light body may touch beside heavy ones.
-bool is_still(const Multipliers& all) {
-  return std::all_of(all.conditions.begin(), all.conditions.end(),
-                     [](const Condition& c) { return std::abs(c.change) <= still * c.impulse; }) &&
-         std::all_of(all.frictions.begin(), all.frictions.end(),
-                     [](const FrictionCondition& f) { return f.change.norm() <= still * f.impulse.norm(); });
+/// What the last sweep changed, over all that the impulses do, of the contact where that is most; by velocities, so that light bodies
+/// count beside heavy ones. [-]
+double unrest(const Multipliers& all) {
+  double most = 0;
+  for (std::size_t contact = 0; contact + 1 < all.first.size(); ++contact) {
+    double changed = 0, made = 0;
+    for (Index k = all.first[contact]; k < all.first[contact + 1]; ++k) {
+      const Contactor& one = all.contactors[k];
+      for (Index i = one.first; i < one.last; ++i) {
+        const Condition& c = all.conditions[i];
+        const double A2 = c.per_mass * c.per_mass;
+        changed += c.moved * c.moved * A2, made += c.impulse * c.impulse * A2;
+      }
+      if (one.friction < 0) continue;
+      const FrictionCondition& friction = all.frictions[one.friction];
+      const double A2 = friction.per_mass * friction.per_mass;
+      changed += friction.moved.squaredNorm() * A2, made += friction.impulse.squaredNorm() * A2;
+    }
+    if (changed > 0) most = std::max(most, changed / made);
+  }
+  return std::sqrt(most);
+}
+
+/// Whether single contactors gain energy that counts.
+bool gains(const Motion& m, const Multipliers& all) {
+  double gained = 0, exchanged = 0;
+  for (const Contactor& one : all.contactors) {
+    double sum = 0;
+    for (Index i = one.first; i < one.last; ++i) {
+      const Condition& c = all.conditions[i];
+      sum += work(c, rate(c, all.velocity));
+      exchanged += 0.5 * c.impulse * c.impulse * c.per_mass;
+    }
+    gained += std::max(0.0, sum);
+    if (one.friction < 0) continue;
+    const FrictionCondition& friction = all.frictions[one.friction];
+    gained += std::max(0.0, work(friction, rate(friction, m, all)));
+    exchanged += 0.5 * friction.impulse.squaredNorm() * friction.per_mass;
+  }
+  return gained > may_gain * exchanged;
 }
 
 /// Sweeps until nothing changes, or no contactor gains energy that counts.
@@ -96,26 +155,17 @@ void solve(const Motion& m, Multipliers& all) {
       if (all.conditions[i].impulse > 0) give(all.conditions[i], all.conditions[i].impulse, all.velocity);
   for (const FrictionCondition& condition : all.frictions)
     if (!condition.impulse.isZero(0)) give(condition, condition.impulse, m, all);
+  double t = 1;
   for (int sweeps = 1; sweeps <= most_sweeps; ++sweeps) {
-    sweep(m, all);
-    if (is_still(all)) return;
-    if (sweeps < usual_sweeps || sweeps % 2 > 0) continue;
-    double gained = 0, exchanged = 0;
-    for (const Contactor& one : all.contactors) {
-      double sum = 0;
-      for (Index i = one.first; i < one.last; ++i) {
-        const Condition& c = all.conditions[i];
-        sum += work(c, rate(c, all.velocity));
-        exchanged += 0.5 * c.impulse * c.impulse * c.per_mass;
-      }
-      gained += std::max(0.0, sum);
-      if (one.friction < 0) continue;
-      const FrictionCondition& friction = all.frictions[one.friction];
-      gained += std::max(0.0, work(friction, rate(friction, m, all)));
-      exchanged += 0.5 * friction.impulse.squaredNorm() * friction.per_mass;
-    }
-    if (!(gained > may_gain * exchanged)) return;
+    const double next = 0.5 * (1 + std::sqrt(1 + 4 * t * t));
+    t = sweep(m, sweeps > 1 ? (t - 1) / next : 0, all) ? 1 : next;
+    if (sweeps % 2 > 0) continue;
+    const double left = unrest(all);
+    if (!(left > still)) break;
+    if (sweeps < usual_sweeps && left > settled) continue;
+    if (!gains(m, all)) break;
   }
+  come_to_rest(m, all);
 }
 
 /// What friction takes in a step, and how much of that in the half that begins. [J]
