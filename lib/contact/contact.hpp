@@ -134,6 +134,7 @@ struct ElementForces {
 /// Friction on one apex, and what its last step did.
 struct FrictionForces {
   bool acts = false;
+  bool stuck = false;                            ///< by multipliers, in the last step
   Touch touch;
   Vec3 force = Vec3::Zero();                     ///< [N] on the apex
   double stiffness = 0;                          ///< [N/m] of the stick
