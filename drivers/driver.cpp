@@ -166,6 +166,10 @@ int run_case(const std::string& name, const CommandLine& line, output::RunFolder
     print_not_used(file);
     print(notes);
   }
+  for (const std::string& note : model::coarseness_notes(simulation)) {
+    notes.push_back(note);
+    std::fprintf(stderr, "warning: %s\n", note.c_str());
+  }
   if (line.dry_run) return dry_run(simulation, line.quiet);
 
   folder.clear();

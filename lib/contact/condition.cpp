@@ -134,14 +134,16 @@ double response(const Touch& touch, const Motion& m) {
 }
 
 /// Adds the friction of a contactor, with the force of the step before as a first guess; -1 where constraints leave nothing to slide.
-Index add_friction(const Touch& touch, const Coulomb& law, const Vec3& force, const Motion& m, Multipliers& all) {
+///
+/// stuck  in the step before: what sweeps have left of its slip rate is no sliding
+Index add_friction(const Touch& touch, const Coulomb& law, const Vec3& force, bool stuck, const Motion& m, Multipliers& all) {
   const double per_mass = response(touch, m);
   if (!(per_mass > no_response / m.mass(touch.apex))) return -1;
   const Vec3 impulse = 0.5 * (m.dt + m.next) * (force - touch.normal.dot(force) * touch.normal);
   const Vec3 before = slip_rate(touch, m.v, m.omega, m.rotation_of_node);
-  all.frictions.push_back({.touch = touch, .coefficient = coefficient_at(law, before.norm()), .per_mass = per_mass, .bound = 0,
-                           .before = before, .stuck = Vec3::Zero(), .impulse = impulse, .change = Vec3::Zero(), .met = impulse,
-                           .moved = Vec3::Zero(), .after = before});
+  all.frictions.push_back({.touch = touch, .coefficient = coefficient_at(law, stuck ? 0 : before.norm()), .per_mass = per_mass,
+                           .bound = 0, .before = before, .stuck = Vec3::Zero(), .impulse = impulse, .change = Vec3::Zero(),
+                           .met = impulse, .moved = Vec3::Zero(), .after = before});
   return static_cast<Index>(all.frictions.size()) - 1;
 }
 
@@ -235,7 +237,7 @@ void find_conditions(const Interface& interface, const Motion& m, Memory& memory
       const Stencil& foot = first_of(near.element);
       const Touch touch = touch_of(interface, m.x, near.apex, {foot.facet, geometry::Kind::facet, 0}, all.conditions[first].normal, &foot);
       const Vec3 force = near.friction.acts ? near.friction.force : Vec3(Vec3::Zero());
-      friction = add_friction(touch, interface.friction, force, m, all);
+      friction = add_friction(touch, interface.friction, force, near.friction.stuck, m, all);
     }
     all.contactors.push_back({.memory = &restitution, .first = first, .last = last, .friction = friction,
                               .area = area, .impedance = interface.pass_factor * interface.impedance * area,
@@ -259,7 +261,7 @@ void find_conditions(const RigidPlane& plane, const Motion& m, PlaneMemory& memo
     if (far || !complete(m, all.velocity, m.dt > 0 ? memory.force[i] : 0, memory.restitution[i].held, c)) {
       discard(memory.restitution[i], memory.impact);
       memory.next_force[i] = 0;
-      if (!memory.next_friction.empty()) memory.next_friction[i].setZero();
+      if (!memory.next_friction.empty()) memory.next_friction[i].setZero(), memory.stuck[i] = 0;
       continue;
     }
     const double area = plane.area(static_cast<Eigen::Index>(i));
@@ -269,7 +271,7 @@ void find_conditions(const RigidPlane& plane, const Motion& m, PlaneMemory& memo
     if (plane.friction.coefficient > 0 && m.dt > 0) {
       Touch touch;
       touch.normal = plane.normal, touch.apex = node, touch.nodes = 0;
-      friction = add_friction(touch, plane.friction, memory.friction[i], m, all);
+      friction = add_friction(touch, plane.friction, memory.friction[i], memory.stuck[i] != 0, m, all);
     }
     all.contactors.push_back({.memory = &memory.restitution[i], .first = first, .last = first + 1, .friction = friction,
                               .area = area, .impedance = plane.impedance * area,
@@ -284,7 +286,8 @@ void find_change(double pressed, const Motion& m, const Multipliers& all, Fricti
   if (!(limit > 0) && friction.impulse.isZero(0)) return;
   Vec3 now = friction.impulse - (rate(friction, m, all) - friction.stuck) / friction.bound;
   const double size = now.norm();
-  if (size > limit) now *= limit / size;
+  friction.slides = size > limit;
+  if (friction.slides) now *= limit / size;
   friction.change = now - friction.impulse;
 }
 

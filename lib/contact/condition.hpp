@@ -58,7 +58,7 @@ struct Condition {
 /// Friction of one apex, or of one node over a rigid plane: it sticks as far as it can.
 struct FrictionCondition {
   Touch touch;
-  double coefficient;    ///< [-] at the slip rate of the step before
+  double coefficient;    ///< [-] at the slip rate of the step before, static of what stuck in it
   double per_mass;       ///< [1/kg] slip rate per impulse, at most
   double bound;          ///< [1/kg] the same of all impulses together
   Vec3 before;           ///< [m/s] slip rate in the step before
@@ -66,6 +66,7 @@ struct FrictionCondition {
   Vec3 impulse, change;  ///< [N s]
   Vec3 met, moved;       ///< [N s] as of a condition
   Vec3 after;            ///< [m/s] slip rate afterwards, set by find_work()
+  bool slides = false;   ///< at its limit, set by find_change()
   double work = 0;       ///< [J] in this step
 };
 

@@ -134,6 +134,7 @@ struct ElementForces {
 /// Friction on one apex, and what its last step did.
 struct FrictionForces {
   bool acts = false;
+  bool stuck = false;                            ///< by multipliers, in the last step
   Touch touch;
   Vec3 force = Vec3::Zero();                     ///< [N] on the apex
   double stiffness = 0;                          ///< [N/m] of the stick
@@ -223,6 +224,12 @@ struct Workspace {
   Scalars rotation_sum;    ///< [N] [nodes of the mesh] the same for the moments of friction
 };
 
+/// Spacing of the nodes of one surface over that of the other, in the direction of the surface where it is largest. [-]
+struct Coarseness {
+  double apexes = 0;  ///< of the apexes over the base; zero where none was looked for, or no apex faces the base
+  double base = 0;    ///< of the base over the apexes: what it would be with the sides exchanged
+};
+
 /// What the broad search found before the first step.
 struct InitialGaps {
   double least = 0, mean = 0, largest = 0;  ///< [m] over the apexes that have a base
@@ -231,6 +238,7 @@ struct InitialGaps {
   Index free = 0;                           ///< apexes of a bonded interface that stand past its border or have no base: nothing holds them
   double deepest = 0;                       ///< [m] penetration, positive
   std::array<Index, 4> by_kind{};           ///< apexes by Kind of feature
+  Coarseness coarseness;                    ///< of a single pass: see coarseness.hpp
 };
 
 /// How h_c is chosen: from the initial heights so that the initial gap is the clearance, or given.

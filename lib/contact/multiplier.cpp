@@ -239,10 +239,11 @@ void take_over(const Interface& interface, const Motion& m, double h, double t, 
       element.apex += stencil.push;
       element.closed = element.closed || c.impulse > 0;
     }
-    near.friction.acts = false;
+    near.friction.acts = near.friction.stuck = false;
     near.friction.force.setZero();
     if (gap < infinite) {
       const Contactor& one = all.contactors[contactor++];
+      near.friction.stuck = element.closed && (one.friction < 0 || !all.frictions[one.friction].slides);
       if (one.friction >= 0 && element.closed) {
         near.friction.touch = all.frictions[one.friction].touch;
         near.friction.coefficient = all.frictions[one.friction].coefficient;
@@ -270,7 +271,9 @@ void take_over(const RigidPlane& plane, const Motion& m, double h, double t, Ind
     const Condition& c = all.conditions[all.contactors[k].first];
     while (plane.nodes[i] != c.node[0]) ++i;
     memory.next_force[i] = c.impulse / h;
-    if (all.contactors[k].friction >= 0) memory.next_friction[i] = all.frictions[all.contactors[k].friction].impulse / h;
+    const Index friction = all.contactors[k].friction;
+    if (friction >= 0) memory.next_friction[i] = all.frictions[friction].impulse / h;
+    if (!memory.stuck.empty()) memory.stuck[i] = c.impulse > 0 && (friction < 0 || !all.frictions[friction].slides);
   }
   advance(plane, m.x, m.v, m.dt, memory);
   if (memory.deepest > deepest) memory.deepest_time = t;

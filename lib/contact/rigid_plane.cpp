@@ -14,6 +14,7 @@ PlaneMemory initial_memory(const RigidPlane& plane) {
     memory.restitution.resize(plane.nodes.size());
     if (plane.friction.coefficient > 0) memory.friction.assign(plane.nodes.size(), Vec3::Zero());
     memory.next_friction = memory.friction;
+    memory.stuck.assign(memory.friction.size(), 0);
     return memory;
   }
   if (plane.friction.coefficient > 0) memory.slip.assign(plane.nodes.size(), Vec3::Zero()), memory.sliding.assign(plane.nodes.size(), 0);

@@ -33,6 +33,7 @@ struct PlaneMemory {
   std::vector<Restitution> restitution; ///< [nodes] of multipliers; else empty
   std::vector<double> next_force;       ///< [N] by multipliers, [nodes]: what advance() takes; empty of a penalty
   std::vector<Vec3> friction, next_friction;      ///< [N] friction by multipliers, the same
+  std::vector<char> stuck;              ///< whether it held them in the last step, the same
   std::vector<Vec3> slip;               ///< [m] elastic part of the slip, [nodes]; empty without friction
   std::vector<double> sliding;          ///< [m/s] how fast they slid in the last step, the same
   double work = 0, stored = 0;          ///< [J] stored by the penalty, or held by multipliers with their work still to come

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/check.hpp"
+#include "contact/coarseness.hpp"
 #include "contact/impact_step.hpp"
 
 namespace nereid::dynamics {
@@ -162,6 +163,10 @@ Connected connect_one_pass(Model& model, const std::string& name, const std::str
   const double reach = (model.mesh.X.rowwise().maxCoeff() - model.mesh.X.rowwise().minCoeff()).norm();
   connected.gaps =
       contact::connect(interface, model.mesh.X, reach, options.height, options.initial_penetration, connected.memory, workspace);
+  if (pass == contact::Pass::only) {
+    const mesh::FacesAround around = mesh::faces_around(model.mesh, base, interface.base_nodes);
+    connected.gaps.coarseness = contact::coarseness(interface, around, model.mesh.X, reach, workspace);
+  }
   if (options.damping_ratio > 0) {
     const contact::Memory trial = contact::tried_out(interface, model.mesh.X, reach, workspace);
     const double step = contact::stable_step(interface, model.mass, model.inertia, trial, workspace).step;

@@ -1,5 +1,6 @@
 #include "model/notes.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -48,6 +49,27 @@ std::vector<std::string> width_notes(const Simulation& simulation) {
                         "(%.3g, %.3g, %.3g) and %.3g m across; that width makes its step %.3g times smaller",
                         element::name(block).c_str(), at.element, at.centre.x(), at.centre.y(), at.centre.z(), at.width(0),
                         at.direction.x(), at.direction.y(), at.direction.z(), at.width(1), at.gain));
+  }
+  return notes;
+}
+
+std::vector<std::string> coarseness_notes(const Simulation& simulation) {
+  constexpr double worth_saying = 1.25 - 1e-6;  // [-] up to 1.2 exchanged sides err as much: docs/contact_methods.md
+  std::vector<std::string> notes;
+  const load::Memory& constraints = simulation.state.constraints;
+  const auto held = [&constraints](Index node) {
+    const Index row = constraints.row_of_node[node];
+    return row >= 0 && constraints.nodes[row].allowed.isZero(0);
+  };
+  for (std::size_t c = 0; c < simulation.gaps.size(); ++c) {
+    const contact::Coarseness& seen = simulation.gaps[c].coarseness;
+    const contact::Interface& interface = simulation.model.interfaces[c];
+    if (!(seen.apexes >= worth_saying)) continue;
+    if (std::all_of(interface.base_nodes.begin(), interface.base_nodes.end(), held)) continue;  // a base that cannot give way
+    const bool exchange = seen.base < worth_saying;
+    notes.push_back(row("%s: its apexes are %.3g times as far apart as the nodes of its base, so that nodes of the base between them are "
+                        "not held and the stress beside the interface is wrong by 10 to 300 %%: %s'passes: two'",
+                        interface.name.c_str(), seen.apexes, exchange ? "exchange 'apexes' and 'base', or take " : "take "));
   }
   return notes;
 }

@@ -1,6 +1,6 @@
 #pragma once
-// What a simulation says of itself in words: gaps at the start, what sets its step, penetrations that are too deep,
-// elements that are too distorted, energy that appears or vanishes.
+// What a simulation says of itself in words: gaps at the start, apexes that are too coarse, what sets its step, penetrations that are too
+// deep, elements that are too distorted, energy that appears or vanishes.
 
 #include <string>
 #include <vector>
@@ -14,6 +14,10 @@ std::vector<std::string> gap_table(const Simulation&);
 
 /// Of each block whose step a narrow element sets, what that width costs, one block a line.
 std::vector<std::string> width_notes(const Simulation&);
+
+/// Each contact and bond in one pass whose apexes are a quarter or more farther apart than the nodes of the base below them, unless all of
+/// these are held.
+std::vector<std::string> coarseness_notes(const Simulation&);
 
 /// The body that lies farthest from the origin for its elements, if round-off of its positions is more than 1e-12 of its smallest element.
 std::vector<std::string> rounding_notes(const Simulation&);

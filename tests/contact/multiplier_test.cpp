@@ -118,5 +118,21 @@ TEST(Multiplier, FrictionHoldsByTheStaticAndSlidesByTheKineticCoefficient) {
   EXPECT_NEAR(stops.memory.friction_dissipated, 2, 0.01);  // all that it had, but for what the stick of the first step took
 }
 
+TEST(Multiplier, WhatOthersLeaveOfTheSlipRateOfAStickIsNoSliding) {
+  Setting sticks(0, {0, 0, 0}, 0.5), lands(1e-3, {5, 0, -2}, 0.5, 0);
+  for (Setting* at : {&sticks, &lands}) at->plane.friction.kinetic = 0.2, at->plane.friction.decay = 1e12;
+  sticks.force.col(0) = Vec3(4, 0, -10);
+  for (int i = 0; i < 100; ++i) {
+    sticks.step();
+    EXPECT_NEAR(sticks.memory.friction[0].x(), -4, 1e-5);
+    sticks.v(0, 0) += 1e-9;  // as unfinished sweeps do
+  }
+  sticks.force(0, 0) = 6;
+  for (int i = 0; i < 3; ++i) sticks.step();
+  EXPECT_NEAR(sticks.memory.friction[0].x(), -2, 1e-9);  // beyond the static limit it slides
+  while (lands.memory.force[0] == 0) lands.step();
+  EXPECT_NEAR(lands.memory.friction[0].x() / lands.memory.force[0], -0.2, 1e-12);  // what comes down slides already
+}
+
 }  // namespace
 }  // namespace nereid::contact

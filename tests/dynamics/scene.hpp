@@ -88,7 +88,7 @@ inline std::vector<std::pair<std::string, std::vector<double>>> numbers(const St
         add(e.stencil[i].facet, e.stencil[i].apex, static_cast<int>(e.stencil[i].kind), e.stencil[i].local, e.stencil[i].level),
             all(e.stencil[i].weight), all(e.stencil[i].push), all(e.stencil[i].share);
       const contact::FrictionForces& f = near.friction;
-      all(f.force), add(f.acts, f.stiffness, f.work, f.dissipated, f.created);
+      all(f.force), add(f.acts, f.stuck, f.sliding, f.stiffness, f.work, f.dissipated, f.created);
       if (!f.acts) continue;
       all(f.touch.normal), all(f.touch.arm), all(f.touch.node), all(f.touch.weight), all(f.touch.base_arm), all(f.touch.apex_arm);
       add(f.touch.apex, f.touch.base_rotates);
@@ -105,6 +105,8 @@ inline std::vector<std::pair<std::string, std::vector<double>>> numbers(const St
             p.step_factor.lowered_at, p.step_factor.least_created, p.step_factor.most_created);
     for (const Vec3& slip : p.slip) all(slip);
     for (const Vec3& force : p.friction) all(force);
+    for (const char stuck : p.stuck) add(stuck);
+    all(p.sliding);
     add(p.impact, p.transferred, p.power_rate, p.friction_to_come);
     for (const contact::Restitution& r : p.restitution) add(r.held, r.mean_force, r.last_loss);
   }

@@ -38,6 +38,33 @@ TEST(WidthNotes, SayWhatANarrowElementCosts) {
   ASSERT_EQ(width_notes(build(scene)).size(), 1U);
 }
 
+TEST(CoarsenessNotes, SayThatApexesAreTooFarApartAndWhatToDo) {
+  Scene scene = with({bar(), wall()});
+  scene.contacts = {{.name = "touch", .apexes = "bar.x_high", .base = "wall.x_low"}};
+  const auto cells = [&scene](std::size_t body, int y, int z) {
+    const double at = body == 0 ? 0 : 2;
+    scene.bodies[body].mesh = mesh::Box{Vec3(at, 0, 0), Vec3(at + 2, 1, 1), {2, y, z}};
+  };
+  const auto notes = [&scene] { return coarseness_notes(build(scene)); };
+  EXPECT_TRUE(notes().empty());
+  cells(0, 5, 5), cells(1, 6, 6);
+  EXPECT_TRUE(notes().empty());
+  cells(0, 4, 4), cells(1, 6, 5);
+  ASSERT_EQ(notes().size(), 1U);
+  EXPECT_TRUE(says(notes()[0], "touch: its apexes are 1.5 times as far apart as the nodes of its base")) << notes()[0];
+  EXPECT_TRUE(says(notes()[0], "exchange 'apexes' and 'base', or take 'passes: two'")) << notes()[0];
+  scene.contacts[0].interface.kind = contact::InterfaceKind::bonded;
+  EXPECT_EQ(notes().size(), 1U) << "nodes between the apexes of a bond are free as well";
+  cells(1, 6, 2);  // coarser the other way
+  ASSERT_EQ(notes().size(), 1U);
+  EXPECT_FALSE(says(notes()[0], "exchange")) << notes()[0];
+  scene.contacts[0].interface.two_passes = true;
+  EXPECT_TRUE(notes().empty());
+  scene.contacts[0].interface.two_passes = false;
+  scene.planes = {{.name = "held", .kind = load::PlaneKind::fixed, .nodes = {"wall"}}};
+  EXPECT_TRUE(notes().empty()) << "a base that is held gives way nowhere";
+}
+
 TEST(RoundingNotes, SayThatASceneLiesFarFromTheOrigin) {
   Scene scene = with({bar()});
   scene.bodies[0].place.move = Vec3(0, 1000, 0);

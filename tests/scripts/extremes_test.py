@@ -383,6 +383,13 @@ class Verdicts(unittest.TestCase):
                 far = Folder(places, motion, case=TOUCH)
                 self.assertEqual(verdict(far, said=said.format(claimed), twin=(pair(way).finished(), 1.0, 1e-6))[0], found)
 
+    def test_coarse_apexes_are_warned_of_and_excuse_nothing(self):
+        said = "warning: touch: its apexes are 1.33 times as far apart as the nodes of its base, so that: exchange, or take 'passes: two'\n"
+        one, other, deep = cube(), cube((0, 0, 1.0)), cube((0, 0, 0.7))
+        for second, found in ((other, judge.GOOD), (deep, judge.BROKEN)):
+            rests = Folder([("a", one), ("b", second)], lambda X, t: (X, np.zeros_like(X)), case=TOUCH)
+            self.assertEqual(verdict(rests, said=said)[0], found)
+
     def test_a_warning_does_not_cover_momentum(self):
         one, other = cube(), cube((0.3, 0.2, 1.0))
 

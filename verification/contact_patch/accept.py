@@ -152,6 +152,29 @@ def by_default(measure, more=None):
     return lambda run: measure(run.again({**DEFAULT, **(more or {}), **run.overrides}))
 
 
+def beside(run):
+    """Axial stress of the elements of both blocks beside the interface. [Pa]"""
+    fields = run.frame("body")[1]
+    ends, found = [0, *fields["offsets"]], []
+    for begin, end, stress, kind in zip(ends, ends[1:], fields["stress"], fields["types"]):
+        if kind == 12 and any(abs(fields["points"][n][2] - 0.5) < 1e-3 for n in fields["connectivity"][begin:end]):
+            found.append(stress[2])
+    return found
+
+
+def spacings(run):
+    """Cubic elements by multipliers, apexes on the upper block: root of the mean square beside the interface."""
+    def error(upper, lower, change):
+        cells = {f"bodies[{b}].mesh.cells": f"[{n}, {n}, {max(2, round(n / 2))}]" for b, n in ((0, lower), (1, upper))}
+        one = run.again({**cells, "contacts[0].method": "multiplier", "time.end": "60 s", "output.frames_every": "60 s", **change})
+        values = beside(one)
+        return f"{100 * norms(values, sum(values) / len(values))[0]:.2g} %" + ("" if one.ending == "relaxed" else f" ({one.ending})")
+
+    grids = ((8, 8), (10, 12), (8, 10), (6, 8), (4, 6), (4, 8), (3, 9))
+    return [[f"{b / a:.3g}", f"{a} on {b}", *(error(a, b, change) for change in ({}, {"contacts[0].kind": "bonded"}, EXCHANGED,
+            {"contacts[0].passes": "two"}))] for a, b in grids]
+
+
 COLUMNS = ["", "stress, root mean square", "stress, largest", "pressure, root mean square", "pressure, largest", "apexes closed"]
 
 DEPARTURES = {
@@ -183,7 +206,9 @@ CHECKS = [
 STUDIES = [
     Table("Errors of axial stress and contact pressure over their mean, by grid.", ["grid", *COLUMNS[1:]], grids, full=True),
     Table("By default and by the usual penalty.", [*COLUMNS, "ends", "steps"], rows_by_default, full=True),
-    Table("The same on 3 x 3 on 4 x 4, by formulation.", ["formulation", *COLUMNS[1:]], formulations, full=True),
+    Table("Errors beside the interface by the spacing of the apexes over that of the base.",
+          ["spacing", "cells", "contact", "bonded", "sides exchanged", "two passes"], spacings, full=True),
+    Table("The same as the first on 3 x 3 on 4 x 4, by formulation.", ["formulation", *COLUMNS[1:]], formulations, full=True),
 ]
 
 HALF = {"bodies[1].material.young": "0.5 MPa"}

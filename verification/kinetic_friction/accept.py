@@ -57,6 +57,24 @@ def last_speed(run, change=None):
     return Pair(pull(run, change).column("speed")[-1], SPEED, "m/s")
 
 
+SUDDEN = dict(WEAKER, decay=1e12)
+AT_ITS_FOOT = {"loads[0].value": '["z < 0.05 ? 10*t : 0", "0", "0"]', "contacts[0].friction_decay": "1e12 s/m"}
+
+
+def suddenly(run):
+    """The block pulled at its lower nodes, half its mass: no moment, so all of them reach their limit at once. The law of `run` counts."""
+    law = {key.replace("planes", "contacts"): value for key, value in run.overrides.items() if "friction" in key}
+    return pull(run, {**AT_ITS_FOOT, **law})
+
+
+def sudden_hold(run):
+    return Pair(-suddenly(run).result("friction_smallest"), SUDDEN["static"] * MASS * 9.81, "N")
+
+
+def sudden_speed(run):
+    return Pair(suddenly(run).column("speed")[-1], pulled(PULL, 1.2, **SUDDEN, gravity=9.81)[1], "m/s")
+
+
 def heat_of_pulled(run):
     return Pair(pull(run).account("touch")["dissipated"]["friction"]["value"], MASS * HEAT, "J")
 
@@ -77,6 +95,8 @@ CHECKS = [
     Check("by a penalty: way", lambda run: way(run.again(PENALTY)), 2e-3, "the same law; a stick yields by micrometres"),
     Check("by a penalty, pulled: speed at the end", lambda run: last_speed(run, {"contacts[0].method": "penalty"}), 3e-3,
           "as by multipliers; nodes let go one after another, as their sticks yield"),
+    Check("a sudden decay: largest friction", sudden_hold, 5e-3, "statics; what sweeps leave of a stick's slip rate is no sliding"),
+    Check("a sudden decay: speed at the end", sudden_speed, 5e-3, "as the largest friction"),
 ]
 
 SLOWER = {"contacts[0].friction_decay": "4.9 s/m"}
@@ -91,6 +111,8 @@ BREAKS = [
     Breaks("pulled: heat of friction", "a kinetic coefficient of 0.203", {"contacts[0].kinetic_friction": 0.203}, PULLED),
     Breaks("by a penalty: way", "a decay of half", {"planes[0].friction_decay": "0.5 s/m"}),
     Breaks("by a penalty, pulled: speed at the end", "a decay of 4.9 s/m", SLOWER, PULLED),
+    Breaks("a sudden decay: largest friction", "a static coefficient of 0.3", {"planes[0].friction": 0.3}),
+    Breaks("a sudden decay: speed at the end", "a slow decay", {"planes[0].friction_decay": "5 s/m"}),
 ]
 
 
