@@ -203,14 +203,24 @@ Multipliers make_multipliers(std::span<const Interface> interfaces, std::span<co
   all.spin = Vectors::Zero(3, plate_nodes);
   all.shared = Scalars::Zero(nodes);
   std::size_t apexes = 0;
-  for (const Interface& interface : interfaces) apexes += by_multipliers(interface) ? interface.apexes.size() : 0;
+  for (const Interface& interface : interfaces)
+    if (by_multipliers(interface) && !bonded_by_multipliers(interface)) apexes += interface.apexes.size();
   for (const RigidPlane& plane : planes) apexes += by_multipliers(plane) ? plane.nodes.size() : 0;
   all.conditions.reserve(most_of_an_apex * apexes);
   all.frictions.reserve(apexes);
   all.contactors.reserve(apexes);
   all.first.reserve(interfaces.size() + planes.size() + 1);
   all.pools.reserve(interfaces.size() + planes.size());
+  all.bonds = make_bonds(interfaces, nodes);
   return all;
+}
+
+void see_ahead(const Subset& nodes, const Motion& m, Multipliers& all) {
+  for (const Index node : nodes) {
+    const Vec3 way = m.next * all.velocity.col(node);
+    all.ahead.col(node) = m.x.col(node) + way;
+    all.way.col(node) = (m.dt * m.v.col(node) + way) / (m.dt + m.next);
+  }
 }
 
 void look_ahead(const Subset& nodes, const Motion& m, Multipliers& all) {
@@ -219,15 +229,13 @@ void look_ahead(const Subset& nodes, const Motion& m, Multipliers& all) {
     Vec3 change = h / m.mass(node) * m.force.col(node);
     if (m.allowed[node]) change = *m.allowed[node] * change;
     all.velocity.col(node) = m.v.col(node) + change;
-    const Vec3 way = m.next * all.velocity.col(node);
-    all.ahead.col(node) = m.x.col(node) + way;
-    all.way.col(node) = (m.dt * m.v.col(node) + way) / (m.dt + m.next);
     const Index turns = m.rotation_of_node[node];
     if (turns < 0) continue;
     Vec3 turn = h / m.inertia(turns) * m.moment.col(turns);
     if (m.allowed_rotation[turns]) turn = *m.allowed_rotation[turns] * turn;
     all.spin.col(turns) = m.omega.col(turns) + turn;
   }
+  see_ahead(nodes, m, all);
 }
 
 void find_conditions(const Interface& interface, const Motion& m, Memory& memory, Workspace& workspace, Multipliers& all) {
@@ -328,6 +336,7 @@ void apply_changes(const Motion& m, Multipliers& all) {
     condition.impulse += condition.change;
     give(condition, condition.change, m, all);
   }
+  if (all.bonds.touched) hold(m, all.velocity, all.bonds);
 }
 
 void find_work(const Motion& m, Multipliers& all) {
