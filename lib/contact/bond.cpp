@@ -14,7 +14,8 @@ namespace nereid::contact {
 
 namespace {
 
-constexpr double still = 1e-11;          // of the impulses of an interface: the solver ends when all that is missing would take less
+constexpr double still = 1e-13;          // of the impulses of an interface: the solver ends when all that is missing would take less
+constexpr double corrected = 0.2;        // of d in a step: it is round-off of positions, and to take all of it at once is five times its noise
 constexpr double round_off = 1e-14;      // of the speed of a bond's nodes: slower is standing still
 constexpr double no_response = 1e-9;     // of that of free nodes: constraints hold this direction
 constexpr double contradiction = 1e-14;  // of what is missing, by energy: no impulses do more to it
@@ -31,12 +32,12 @@ Edges edges(const HeldBond& b, const Vectors& x) {
   return {x.col(b.node[2]) - x.col(b.node[1]), x.col(b.node[3]) - x.col(b.node[1])};
 }
 
-/// The rate with which d would vanish at the end of the step to come, less that which the nodes have. [m/s]
+/// The rate with which d would be smaller by `corrected` at the end of the step to come, less that which the nodes have. [m/s]
 ///
 /// Facets turn during the step: beyond the linear rate d changes by -h (n' - n - dn). All differences are of edges, so they keep their
 /// digits far from the origin.
 Vec3 missing(const HeldBond& b, const Motion& m, const Vectors& v) {
-  const Vec3 linear = -b.off / m.next - rate(b, v);
+  const Vec3 linear = -corrected / m.next * b.off - rate(b, v);
   if (b.height == 0) return linear;
   const Edges here = edges(b, m.x), change = edges(b, v);
   const Edges there{here.second + m.next * change.second, here.third + m.next * change.third};
@@ -54,6 +55,7 @@ void place(const Interface& interface, Index a, const Vectors& x, HeldBond& b) {
   b.normal = area / twice_area;
   b.off = x.col(b.node[0]) - b.height * b.normal;
   for (int I = 0; I < 3; ++I) {
+    b.weight[I + 1] = -bond.weight[I];
     b.off -= bond.weight[I] * x.col(b.node[I + 1]);
     const Vec3 opposite = x.col(b.node[1 + (I + 2) % 3]) - x.col(b.node[1 + (I + 1) % 3]);
     b.gradient[I] = b.normal.cross(opposite) / twice_area;
@@ -206,8 +208,7 @@ Bonds make_bonds(std::span<const Interface> interfaces, Index nodes) {
         if (bond.facet < 0) continue;
         HeldBond b;
         b.node[0] = interface.apexes[a], b.weight[0] = 1;
-        for (int I = 0; I < 3; ++I) b.node[I + 1] = interface.base.facets(I, bond.facet), b.weight[I + 1] = -bond.weight[I];
-        all.any_height = all.any_height || bond.height != 0;
+        for (int I = 0; I < 3; ++I) b.node[I + 1] = interface.base.facets(I, bond.facet);
         all.held.push_back(b);
       }
     all.first.push_back(static_cast<Index>(all.held.size()));
@@ -233,8 +234,10 @@ Bonds make_bonds(std::span<const Interface> interfaces, Index nodes) {
 void find_bonds(std::span<const Interface> interfaces, const Motion& m, std::span<const Memory> memories, Vectors& velocity, Bonds& all) {
   if (all.held.empty()) return;
   const double h = 0.5 * (m.dt + m.next);
+  all.any_height = false;
   for (std::size_t i = 0; i < interfaces.size(); ++i) {
     if (all.first[i] == all.first[i + 1]) continue;
+    for (const Bond& bond : interfaces[i].bonds) all.any_height = all.any_height || bond.height != 0;
     const std::vector<Near>& near = memories[i].near;
     parallel_for(static_cast<Index>(near.size()), grain, [&](Index k) {
       HeldBond& b = all.held[all.first[i] + k];

@@ -48,7 +48,7 @@ struct Bonds {
   std::vector<bool> has;         ///< [nodes of the mesh]
   Vectors change;                ///< [m/s] [nodes of the mesh] what the impulses of the solver do
   std::vector<double> partial;   ///< sums of ranges, in order
-  bool any_height = false;
+  bool any_height = false;       ///< some bond has one
   bool touched = false;          ///< a contact acts on a node of a bond
   std::int64_t iterations = 0;   ///< of the solver, since the start
 };
