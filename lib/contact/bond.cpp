@@ -234,6 +234,8 @@ Bonds make_bonds(std::span<const Interface> interfaces, Index nodes) {
 void find_bonds(std::span<const Interface> interfaces, const Motion& m, std::span<const Memory> memories, Vectors& velocity, Bonds& all) {
   if (all.held.empty()) return;
   const double h = 0.5 * (m.dt + m.next);
+  if (m.driven)
+    for (const Index node : all.nodes) velocity.col(node) += m.driven->col(node);
   all.any_height = false;
   for (std::size_t i = 0; i < interfaces.size(); ++i) {
     if (all.first[i] == all.first[i + 1]) continue;

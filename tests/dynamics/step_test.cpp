@@ -1419,6 +1419,20 @@ TEST(Step, AllocatesNothing) {
 #endif
 
 #ifdef NEREID_COUNTS_ALLOCATIONS
+TEST(Step, AllocatesNothingForBondsByMultipliersEither) {
+  InterfaceOptions options = solid_contact(0);
+  options.kind = contact::InterfaceKind::bonded, options.method = contact::Method::multiplier;
+  Scene s = askew(options);
+  const Step first = choose_step(start(s.model, s.state, s.forces), 0.5);
+  for (int i = 0; i < 10; ++i) step(s.model, first.dt, s.state, s.forces);
+  const long before = allocations;
+  for (int i = 0; i < 50; ++i) step(s.model, first.dt, s.state, s.forces);
+  EXPECT_EQ(allocations - before, 0);
+  EXPECT_GT(s.state.interfaces[0].force.norm(), 0);
+}
+#endif
+
+#ifdef NEREID_COUNTS_ALLOCATIONS
 TEST(Step, AllocatesNothingForLoadsEither) {
   Scene s = loaded();
   Votes votes = start(s.model, s.state, s.forces);
@@ -1499,14 +1513,15 @@ TEST(Resume, HasTheBitsOfARunWithoutABreakForEveryContact) {
   };
   InterfaceOptions plain{.method = contact::Method::penalty}, two_passes = rubbing(contact::Weights::consistent), damped = plain;
   InterfaceOptions bonded = plain, by_base = plain, accepted = plain;
-  InterfaceOptions multiplier = rubbing(contact::Weights::consistent);
-  multiplier.method = contact::Method::multiplier;
+  InterfaceOptions multiplier = rubbing(contact::Weights::consistent), bonded_by_multipliers = plain;
+  multiplier.method = bonded_by_multipliers.method = contact::Method::multiplier;
+  bonded_by_multipliers.kind = contact::InterfaceKind::bonded;
   by_base.area = contact::Area::base;
   accepted.initial_penetration = contact::InitialPenetration::accept;
   two_passes.two_passes = true;
   damped.damping_ratio = 0.3;
   bonded.kind = contact::InterfaceKind::bonded;
-  for (InterfaceOptions options : {plain, two_passes, damped, bonded, by_base, accepted, multiplier,
+  for (InterfaceOptions options : {plain, two_passes, damped, bonded, by_base, accepted, multiplier, bonded_by_multipliers,
                                    rubbing(contact::Weights::consistent), rubbing(contact::Weights::paper)}) {
     options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
     Scene s;
@@ -1528,7 +1543,8 @@ TEST(Resume, HasTheBitsOfARunWithoutABreakForEveryContact) {
 }
 
 TEST(Resume, HasTheBitsOfARunWithoutABreakForPlatesThatRubAndArePulledAlong) {
-  for (const bool bonded : {false, true}) {
+  for (const auto& [bonded, method] : {std::pair(false, contact::Method::penalty), std::pair(true, contact::Method::penalty),
+                                       std::pair(true, contact::Method::multiplier)}) {
     Scene s;
     s.model.mesh = mesh::join(mesh::box("below", {{0, 0, 0}, {0.4, 0.4, 0.2}, {4, 4, 2}}),
                               mesh::moved(mesh::sheet("sheet", {.length = 0.3, .width = 0.3, .cells_along = 3, .cells_across = 3}),
@@ -1542,7 +1558,7 @@ TEST(Resume, HasTheBitsOfARunWithoutABreakForPlatesThatRubAndArePulledAlong) {
     slow.velocity = [](double t) { return 0.1 + t; };
     s.model.constraints.planes = {plane("clamp", PlaneKind::fixed, Vec3::UnitZ(), mesh::node_set(s.model.mesh, "below.z_low")), slow,
                                   plane("mirror", PlaneKind::symmetry, Vec3::UnitY(), mesh::node_set(s.model.mesh, "below.y_low"))};
-    InterfaceOptions options{.method = contact::Method::penalty};
+    InterfaceOptions options{.method = method};
     options.friction = {0.3, 1};
     if (bonded) options.friction = {}, options.kind = contact::InterfaceKind::bonded;
     s.joined("joint", "below.z_high", "sheet.bottom", options);
