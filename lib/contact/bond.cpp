@@ -14,14 +14,15 @@ namespace nereid::contact {
 
 namespace {
 
-constexpr double still = 1e-13;          // of the impulses of an interface: the solver ends when all that is missing would take less
+constexpr double still = 1e-12;          // of the impulses of an interface: the solver ends when all that is missing would take less
 constexpr double corrected = 0.2;        // of d in a step: it is round-off of positions, and to take all of it at once is five times its noise
 constexpr double round_off = 1e-14;      // of the speed of a bond's nodes: slower is standing still
 constexpr double no_response = 1e-9;     // of that of free nodes: constraints hold this direction
 constexpr double contradiction = 1e-14;  // of what is missing, by energy: no impulses do more to it
 constexpr int most_iterations = 200;
 constexpr int most_turns = 8;            // of linear solutions, where facets turn under bonds with a height
-constexpr Index grain = 256;
+constexpr double of_a_turn = 1e-9;       // of what is missing, by energy: one of them need not be better, since facets turn by more
+constexpr Index grain = 2048;            // a thread takes longer to wake than to do less
 
 /// Twice the area of a facet along its normal, from its edges. [m2]
 struct Edges {
@@ -62,11 +63,12 @@ void place(const Interface& interface, Index a, const Vectors& x, HeldBond& b) {
   }
 }
 
-/// What an impulse on a bond does to its own rate, and the inverse of that where nodes can move.
+/// What an impulse on a bond does to its own rate, and the inverse of that where nodes can move. A direction in which they are held and
+/// only the facet can turn counts as held.
 ///
 /// allowed  null, or of an apex on a symmetry plane: what leads out of it the images of facets take
 void respond(const Motion& m, const Mat3* allowed, HeldBond& b) {
-  Mat3 all = Mat3::Zero();
+  Mat3 all = Mat3::Zero(), shifts = all;
   bool constrained = allowed != nullptr;
   double most = 0;
   for (int j = 0; j < 4; ++j) {
@@ -75,21 +77,22 @@ void respond(const Motion& m, const Mat3* allowed, HeldBond& b) {
     const Mat3* let = m.allowed[b.node[j]];
     constrained = constrained || let;
     most += by.squaredNorm() / (3 * m.mass(b.node[j]));
-    if (let) all += by * *let * by.transpose() / m.mass(b.node[j]);
-    else all += by * by.transpose() / m.mass(b.node[j]);
+    const double shift = b.weight[j] * b.weight[j] / m.mass(b.node[j]);
+    if (let) all += by * *let * by.transpose() / m.mass(b.node[j]), shifts += shift * *let;
+    else all += by * by.transpose() / m.mass(b.node[j]), shifts.diagonal().array() += shift;
   }
   b.per_mass = most;
   if (!constrained) {
     b.inverse = all.inverse();
     return;
   }
-  if (allowed) all = *allowed * all * *allowed;
-  const Eigen::SelfAdjointEigenSolver<Mat3> solved(all);
-  b.inverse.setZero();
-  for (int k = 0; k < 3; ++k) {
-    const double one = solved.eigenvalues()(k);
-    if (one > no_response * most) b.inverse += solved.eigenvectors().col(k) * solved.eigenvectors().col(k).transpose() / one;
-  }
+  if (allowed) shifts = *allowed * shifts * *allowed;
+  const Eigen::SelfAdjointEigenSolver<Mat3> moves(shifts);
+  Mat3 let = Mat3::Zero();
+  for (int k = 0; k < 3; ++k)
+    if (moves.eigenvalues()(k) > no_response * most) let += moves.eigenvectors().col(k) * moves.eigenvectors().col(k).transpose();
+  // outside of where nodes can move it is the identity, and left out of the inverse
+  b.inverse = let * (let * all * let + most * (Mat3::Identity() - let)).inverse() * let;
 }
 
 /// Velocities that impulses give to the nodes, `of` telling that of a bond, into Bonds::change.
@@ -122,7 +125,11 @@ double sum(Bonds& all, Term&& term) {
 }
 
 /// Whether what is missing is small against the impulses, interface by interface, by energy.
-bool is_held(Bonds& all) {
+///
+/// enough  [J] of all of it
+bool is_held(Bonds& all, double enough = 0) {
+  double left = 0;
+  bool held = true;
   for (std::size_t i = 0; i + 1 < all.first.size(); ++i) {
     const Index first = all.first[i], last = all.first[i + 1];
     if (first == last) continue;
@@ -130,9 +137,10 @@ bool is_held(Bonds& all) {
     const double counts = sum(all, first, last, [](const HeldBond& b) {
       return still * still * b.per_mass * (b.impulse + b.change).squaredNorm() + b.still * b.still / b.per_mass;
     });
-    if (missing > counts) return false;
+    left += missing;
+    held = held && missing <= counts;
   }
-  return true;
+  return held || left <= enough;
 }
 
 /// Sets what is missing with these velocities.
@@ -155,6 +163,7 @@ void solve(const Motion& m, Bonds& all) {
     return sum(all, [](const HeldBond& b) { return b.guess.dot(b.answer); });
   };
   double power = answer();
+  const double enough = all.any_height ? of_a_turn * sum(all, [](const HeldBond& b) { return b.residual.dot(b.guess); }) : 0;
   for (HeldBond& b : all.held) b.way = b.guess, b.way_answer = b.answer;
   for (int k = 0; k < most_iterations; ++k) {
     ++all.iterations;
@@ -167,7 +176,7 @@ void solve(const Motion& m, Bonds& all) {
       b.residual -= step * b.way_answer;
       b.guess -= step * (b.inverse * b.way_answer);
     });
-    if (is_held(all)) return;
+    if (is_held(all, enough)) return;
     const double before = power;
     power = answer();
     if (!(power > contradiction * sum(all, [](const HeldBond& b) { return b.guess.dot(b.residual); }))) return;
