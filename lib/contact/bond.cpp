@@ -15,7 +15,7 @@ namespace nereid::contact {
 namespace {
 
 constexpr double still = 1e-12;          // of the impulses of an interface: the solver ends when all that is missing would take less
-constexpr double corrected = 0.2;        // of d in a step: it is round-off of positions, and to take all of it at once is five times its noise
+constexpr double corrected = 0.2;        // of d in a step: it is round-off of positions, and all of it at once has five times its noise
 constexpr double round_off = 1e-14;      // of the speed of a bond's nodes: slower is standing still
 constexpr double no_response = 1e-9;     // of that of free nodes: constraints hold this direction
 constexpr double contradiction = 1e-14;  // of what is missing, by energy: no impulses do more to it
@@ -154,7 +154,7 @@ bool look(const Motion& m, const Vectors& velocity, Bonds& all) {
   return is_held(all);
 }
 
-/// Adds to the impulses those that take what is missing at linear rates: conjugate residuals, each bond's own response for a preconditioner.
+/// Adds to the impulses those that take what is missing at linear rates: conjugate residuals, preconditioned by each bond's own response.
 void solve(const Motion& m, Bonds& all) {
   const auto count = static_cast<Index>(all.held.size());
   const auto answer = [&] {

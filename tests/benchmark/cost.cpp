@@ -207,7 +207,8 @@ int bonded_costs(int n, int steps, const material::J2Bilinear& law, const elemen
   for (const auto& [above, below, gap] : {std::tuple(n, n, 0.0), std::tuple(n, n, 0.02), std::tuple(n, 3 * n / 4, 0.0),
                                           std::tuple(3 * n / 4, n, 0.0), std::tuple(n, 3 * n / 4, 0.02), std::tuple(n, n / 4, 0.0)})
     for (const auto method : {contact::Method::multiplier, contact::Method::penalty}) {
-      Pressed with = in_waves(above, below, gap, true, method, law, options), without = in_waves(above, below, gap, false, method, law, options);
+      Pressed with = in_waves(above, below, gap, true, method, law, options);
+      Pressed without = in_waves(above, below, gap, false, method, law, options);
       const double dt = 0.5 * with.state.votes.elements.step;
       const double smaller = std::max(1.0, 0.9 * with.state.votes.elements.step / with.state.votes.contact.step);
       const auto cost = [&](Pressed& scene) {
@@ -220,7 +221,8 @@ int bonded_costs(int n, int steps, const material::J2Bilinear& law, const elemen
       for (int round = 0; round < 3; ++round)
         least_with = std::min(least_with, cost(with)), least_without = std::min(least_without, cost(without));
       const double bonds = (above + 1.0) * (above + 1.0);
-      std::printf("bonded %d x %d on %d x %d, gap %g, %s: %.0f ns per bond and step, step %.1f %% dearer, steps %.1f times those of the elements",
+      std::printf("bonded %d x %d on %d x %d, gap %g, %s: %.0f ns per bond and step, step %.1f %% dearer, %.1f times the steps of the "
+                  "elements",
                   above, above, below, below, gap, method == contact::Method::penalty ? "penalty" : "multiplier",
                   (least_with - least_without) / bonds, 100 * (least_with / least_without - 1),
                   method == contact::Method::penalty ? smaller : 1.0);

@@ -117,7 +117,8 @@ TEST(BondByMultipliers, HoldsAtTheEndOfEveryStepAndKeepsMomenta) {
   for (int s = 0; s < 50; ++s) {
     at.step();
     for (const HeldBond& b : at.all.bonds.held) {
-      const Vec3 n = area_vector(at.scene.interface.base, at.scene.x, at.scene.interface.bonds[&b - at.all.bonds.held.data()].facet).normalized();
+      const Interface& glue = at.scene.interface;
+      const Vec3 n = facet_normal(glue.base, at.scene.x, glue.bonds[&b - at.all.bonds.held.data()].facet);
       Vec3 d = at.scene.x.col(b.node[0]) - b.height * n;
       for (int j = 1; j < 4; ++j) d += b.weight[j] * at.scene.x.col(b.node[j]);
       EXPECT_LT(d.norm(), 1e-13) << s;
