@@ -72,8 +72,8 @@ def methods(run):
     for name, change in (("like grids", {}), ("3 x 3 on 2 x 2", UNLIKE), ("2 x 2 on 3 x 3", COARSE), ("like grids, a gap", APART)):
         for method, how in (("multiplier", {}), ("penalty 20", PENALTY), ("penalty 200", {**PENALTY, "contacts[0].penalty_scale": 200})):
             one = run.again({**change, **how})
-            rows.append([name, method, f"{100 * field(1, GAP if change == APART else 0)(one).error:.2g} %", str(one.summary["cost"]["steps"]),
-                         f"{created(one).error:.1e}"])
+            velocity = field(1, GAP if change == APART else 0)(one)
+            rows.append([name, method, f"{100 * velocity.error():.2g} %", str(one.summary["cost"]["steps"]), f"{created(one).error():.1e}"])
     return rows
 
 
