@@ -116,15 +116,15 @@ bool complete(const Motion& m, const Vectors& free, double pressed, double held,
   return c.per_mass > no_response / m.mass(c.node[0]);
 }
 
-/// How much slip rate an impulse makes, at most. [1/kg]
-double response(const Touch& touch, const Motion& m) {
+/// How much slip rate an impulse makes, at most: with the constraints, or as if all nodes were free. [1/kg]
+double response(const Touch& touch, const Motion& m, bool constrained) {
   const Vec3 first = touch.normal.unitOrthogonal(), second = touch.normal.cross(first);
   const FrictionShares one = share_friction(touch, first), other = share_friction(touch, second);
   const auto product = [&](const FrictionShares& a, const FrictionShares& b) {
     double sum = 0;
     for (int i = 0; i < a.count; ++i) {
       const Index node = a.node[i];
-      const Vec3 let = m.allowed[node] ? Vec3(*m.allowed[node] * b.force[i]) : b.force[i];
+      const Vec3 let = constrained && m.allowed[node] ? Vec3(*m.allowed[node] * b.force[i]) : b.force[i];
       sum += a.force[i].dot(let) / m.mass(node);
       if (a.turns[i] && b.turns[i]) sum += a.moment[i].dot(b.moment[i]) / m.inertia(m.rotation_of_node[node]);
     }
@@ -133,12 +133,13 @@ double response(const Touch& touch, const Motion& m) {
   return std::max(product(one, one), product(other, other)) + std::abs(product(one, other));
 }
 
-/// Adds the friction of a contactor, with the force of the step before as a first guess; -1 where constraints leave nothing to slide.
+/// Adds the friction of a contactor, with the force of the step before as a first guess. Where constraints hold or drive all nodes along
+/// the plane, no impulse changes the slip rate; it grows to what the normal impulse allows, and they take it.
 ///
 /// stuck  in the step before: what sweeps have left of its slip rate is no sliding
 Index add_friction(const Touch& touch, const Coulomb& law, const Vec3& force, bool stuck, const Motion& m, Multipliers& all) {
-  const double per_mass = response(touch, m);
-  if (!(per_mass > no_response / m.mass(touch.apex))) return -1;
+  double per_mass = response(touch, m, true);
+  if (!(per_mass > no_response / m.mass(touch.apex))) per_mass = response(touch, m, false);
   const Vec3 impulse = 0.5 * (m.dt + m.next) * (force - touch.normal.dot(force) * touch.normal);
   const Vec3 before = slip_rate(touch, m.v, m.omega, m.rotation_of_node);
   all.frictions.push_back({.touch = touch, .coefficient = coefficient_at(law, stuck ? 0 : before.norm()), .per_mass = per_mass,
@@ -177,14 +178,24 @@ Multipliers make_multipliers(std::span<const Interface> interfaces, std::span<co
   all.spin = Vectors::Zero(3, plate_nodes);
   all.shared = Scalars::Zero(nodes);
   std::size_t apexes = 0;
-  for (const Interface& interface : interfaces) apexes += by_multipliers(interface) ? interface.apexes.size() : 0;
+  for (const Interface& interface : interfaces)
+    if (by_multipliers(interface) && !bonded_by_multipliers(interface)) apexes += interface.apexes.size();
   for (const RigidPlane& plane : planes) apexes += by_multipliers(plane) ? plane.nodes.size() : 0;
   all.conditions.reserve(most_of_an_apex * apexes);
   all.frictions.reserve(apexes);
   all.contactors.reserve(apexes);
   all.first.reserve(interfaces.size() + planes.size() + 1);
   all.pools.reserve(interfaces.size() + planes.size());
+  all.bonds = make_bonds(interfaces, nodes);
   return all;
+}
+
+void see_ahead(const Subset& nodes, const Motion& m, Multipliers& all) {
+  for (const Index node : nodes) {
+    const Vec3 way = m.next * all.velocity.col(node);
+    all.ahead.col(node) = m.x.col(node) + way;
+    all.way.col(node) = (m.dt * m.v.col(node) + way) / (m.dt + m.next);
+  }
 }
 
 void look_ahead(const Subset& nodes, const Motion& m, Multipliers& all) {
@@ -193,15 +204,13 @@ void look_ahead(const Subset& nodes, const Motion& m, Multipliers& all) {
     Vec3 change = h / m.mass(node) * m.force.col(node);
     if (m.allowed[node]) change = *m.allowed[node] * change;
     all.velocity.col(node) = m.v.col(node) + change;
-    const Vec3 way = m.next * all.velocity.col(node);
-    all.ahead.col(node) = m.x.col(node) + way;
-    all.way.col(node) = (m.dt * m.v.col(node) + way) / (m.dt + m.next);
     const Index turns = m.rotation_of_node[node];
     if (turns < 0) continue;
     Vec3 turn = h / m.inertia(turns) * m.moment.col(turns);
     if (m.allowed_rotation[turns]) turn = *m.allowed_rotation[turns] * turn;
     all.spin.col(turns) = m.omega.col(turns) + turn;
   }
+  see_ahead(nodes, m, all);
 }
 
 void find_conditions(const Interface& interface, const Motion& m, Memory& memory, Workspace& workspace, Multipliers& all) {
@@ -304,6 +313,7 @@ void apply_changes(const Motion& m, Multipliers& all) {
     condition.impulse += condition.change;
     give(condition, condition.change, m, all);
   }
+  if (all.bonds.touched) hold(m, all.velocity, all.bonds);
 }
 
 void find_work(const Motion& m, Multipliers& all) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <span>
 
+#include "contact/bond.hpp"
 #include "contact/contact.hpp"
 #include "contact/rigid_plane.hpp"
 
@@ -25,6 +26,7 @@ struct Motion {
   const std::vector<const Mat3*>& allowed;            ///< [nodes] projector onto the velocities that constraints allow; null: all
   const std::vector<const Mat3*>& allowed_rotation;   ///< [plate nodes] the same of angular velocities
   double dt, next;         ///< [s] of the step that led to t, of that which begins there
+  const Vectors* driven = nullptr;  ///< [m/s] what planes that move add to velocities by the step to come; null: none moves
 };
 
 /// The share of an impulse at t that acts in the half step which begins there. [-]
@@ -101,6 +103,7 @@ struct Multipliers {
   std::vector<Contactor> contactors;
   std::vector<Index> first;  ///< [interfaces, then planes, then one] of their contactors
   std::vector<Pool> pools;
+  Bonds bonds;
 };
 
 /// Room for all conditions that can be expected, so that a step takes no memory.
@@ -156,7 +159,10 @@ void find_conditions(const RigidPlane&, const Motion&, PlaneMemory&, Multipliers
 /// Sets what the nodes do in the step to come without multipliers.
 void look_ahead(const Subset& nodes, const Motion&, Multipliers&);
 
-/// Adds the changes to all impulses, and what they do to the velocities, in the order of the contactors.
+/// Sets where nodes will be with these velocities.
+void see_ahead(const Subset& nodes, const Motion&, Multipliers&);
+
+/// Adds the changes to all impulses, and what they do to the velocities, in the order of the contactors. Bonds that they act on follow.
 void apply_changes(const Motion&, Multipliers&);
 
 /// Sets the change with which a friction sticks, or slides where it would take more than its coefficient times the normal impulse [N s].

@@ -46,7 +46,7 @@ void prepare(const Interface& interface, Memory& memory) {
     memory.slip.assign(count, Vec3::Zero());
     memory.tangential_stored.assign(count, 0.0);
   }
-  if (by_multipliers(interface)) memory.restitution.resize(count);
+  if (by_multipliers(interface) && interface.kind != InterfaceKind::bonded) memory.restitution.resize(count);
   memory.reconnections.assign(count, 0);
 }
 
@@ -56,7 +56,9 @@ bool bond(const Vectors& x, Index a, const Start& start, Interface& interface, M
   const Index facet = start.stand.feature.facet;
   if (start.stand.past > bond_past_border * std::sqrt(area_vector(interface.base, x, facet).norm())) return false;
   const FeatureHeight over = height_over(interface.base, x, {facet, Kind::facet, 0}, x.col(interface.apexes[a]));
-  interface.bonds[a] = {facet, over.weight, over.height};
+  // a height of round-off is none: a bond without one is simpler
+  const double height = std::abs(over.height) < 1e-9 * interface.base.longest(facet) ? 0 : over.height;
+  interface.bonds[a] = {facet, over.weight, height};
   memory.feature[a] = {facet, Kind::facet, 0};
   memory.status[a] = Status::open;
   memory.slot[a] = static_cast<Index>(memory.near.size());

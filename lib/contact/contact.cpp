@@ -7,6 +7,7 @@
 
 #include "base/parallel.hpp"
 #include "contact/apex.hpp"
+#include "contact/bond.hpp"
 #include "contact/near.hpp"
 
 namespace nereid::contact {
@@ -106,6 +107,7 @@ void add_forces(const Interface& interface, const Memory& memory, Vectors& force
 
 Source source(const Interface& interface) {
   const bool has_friction = interface.friction.coefficient > 0;
+  if (bonded_by_multipliers(interface)) return {interface.name, SourceKind::interface, {}, {Dissipated::inelastic_impact}};
   if (by_multipliers(interface))
     return {interface.name, SourceKind::interface, {Stored::restitution},
             has_friction ? std::vector{Dissipated::friction, Dissipated::inelastic_impact} : std::vector{Dissipated::inelastic_impact}};
@@ -114,10 +116,10 @@ Source source(const Interface& interface) {
           has_friction ? std::vector{Dissipated::damping, Dissipated::friction} : std::vector{Dissipated::damping}};
 }
 
-void post(const Interface&, const Memory& memory, Account& account) {
+void post(const Interface& interface, const Memory& memory, Account& account) {
   account.work = memory.work;
   account.hold(Stored::penalty, stored(memory));
-  account.hold(Stored::restitution, memory.held);
+  if (!bonded_by_multipliers(interface)) account.hold(Stored::restitution, memory.held);
   account.hold(Stored::tangential_penalty, tangential_stored(memory));
   account.dissipated[Dissipated::damping] = memory.damped;
   account.dissipated[Dissipated::friction] = memory.friction_dissipated - memory.friction_to_come;
@@ -164,6 +166,12 @@ ElementView view(const Interface& interface, const Vectors& x, const Memory& mem
     v.weight = geometry::closest_on_triangle(c, position(x, v.apex)).weight;
   }
   if (v.status != Status::closed) return v;
+  if (bonded_by_multipliers(interface)) {
+    const Vec3 force = near->element.apex, normal = facet_normal(interface.base, x, v.feature.facet);
+    v.traction = force.dot(normal) / interface.area(apex);
+    v.shear_traction = (force - force.dot(normal) * normal).norm() / interface.area(apex);
+    return v;
+  }
   if (by_multipliers(interface)) {
     v.traction = near->element.apex.norm() / interface.area(apex);
     v.shear_traction = near->friction.acts ? near->friction.force.norm() / interface.area(apex) : 0;

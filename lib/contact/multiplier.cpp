@@ -155,6 +155,7 @@ void solve(const Motion& m, Multipliers& all) {
       if (all.conditions[i].impulse > 0) give(all.conditions[i], all.conditions[i].impulse, all.velocity);
   for (const FrictionCondition& condition : all.frictions)
     if (!condition.impulse.isZero(0)) give(condition, condition.impulse, m, all);
+  if (all.bonds.touched) hold(m, all.velocity, all.bonds);
   double t = 1;
   for (int sweeps = 1; sweeps <= most_sweeps; ++sweeps) {
     const double next = 0.5 * (1 + std::sqrt(1 + 4 * t * t));
@@ -287,18 +288,35 @@ struct Acting {
   std::span<Memory> memories;
   std::span<PlaneMemory> of_planes;
 
-  /// Calls visit(place, contact, memory) for each, interfaces first.
+  /// Calls visit(place, contact, memory) for each that may part, interfaces first.
   template <class Visit>
   void for_each(Visit&& visit) const {
     for (std::size_t i = 0; i < interfaces.size(); ++i)
-      if (by_multipliers(interfaces[i])) visit(i, interfaces[i], memories[i]);
+      if (by_multipliers(interfaces[i]) && !bonded_by_multipliers(interfaces[i])) visit(i, interfaces[i], memories[i]);
     for (std::size_t p = 0; p < planes.size(); ++p)
       if (by_multipliers(planes[p])) visit(interfaces.size() + p, planes[p], of_planes[p]);
+  }
+
+  /// The same of bonds: visit(interface, bonds, memory).
+  template <class Visit>
+  void for_each_bond(const Bonds& all, Visit&& visit) const {
+    for (std::size_t i = 0; i < interfaces.size(); ++i)
+      if (bonded_by_multipliers(interfaces[i])) visit(interfaces[i], bonds_of(all, i), memories[i]);
   }
 };
 
 bool is_back_pass(const Interface& interface) { return interface.pass == Pass::back; }
 bool is_back_pass(const RigidPlane&) { return false; }
+
+/// Whether a contact acts on a node of a bond.
+bool any_touched(const Multipliers& all) {
+  if (all.bonds.held.empty()) return false;
+  for (const Contactor& one : all.contactors)
+    for (Index i = one.first; i < one.last; ++i)
+      for (int j = 0; j < all.conditions[i].nodes; ++j)
+        if (all.bonds.has[all.conditions[i].node[j]]) return true;
+  return false;
+}
 
 /// Finds the conditions of all contacts by multipliers, their impulses, and the work of these.
 void find_impulses(const Acting& acting, const Motion& m, std::span<Workspace> workspaces, Multipliers& all) {
@@ -313,14 +331,19 @@ void find_impulses(const Acting& acting, const Motion& m, std::span<Workspace> w
   }
   for (const RigidPlane& plane : acting.planes)
     if (by_multipliers(plane)) look_ahead(plane.nodes, m, all);
+  find_bonds(acting.interfaces, m, acting.memories, all.velocity, all.bonds);
+  see_ahead(all.bonds.nodes, m, all);
   for (std::size_t i = 0; i < acting.interfaces.size(); ++i) {
-    if (by_multipliers(acting.interfaces[i])) find_conditions(acting.interfaces[i], m, acting.memories[i], workspaces[i], all);
+    const Interface& interface = acting.interfaces[i];
+    if (by_multipliers(interface) && !bonded_by_multipliers(interface))
+      find_conditions(interface, m, acting.memories[i], workspaces[i], all);
     all.first[i + 1] = static_cast<Index>(all.contactors.size());
   }
   for (std::size_t p = 0; p < acting.planes.size(); ++p) {
     if (by_multipliers(acting.planes[p])) find_conditions(acting.planes[p], m, acting.of_planes[p], all);
     all.first[acting.interfaces.size() + p + 1] = static_cast<Index>(all.contactors.size());
   }
+  all.bonds.touched = any_touched(all);
   solve(m, all);
   find_work(m, all);
 }
@@ -357,6 +380,9 @@ void stop_at_start(std::span<const Interface> interfaces, std::span<const RigidP
       }
     }
     memory.impact += update_restitution(m, t, first, last, all);
+  });
+  acting.for_each_bond(all.bonds, [&](const Interface&, std::span<const HeldBond> bonds, Memory& memory) {
+    book_start(m, bonds, all.velocity, memory, impulse);
   });
 }
 
@@ -396,6 +422,9 @@ void enforce(std::span<const Interface> interfaces, std::span<const RigidPlane> 
     const double rate_now = power_rate(m, first, last, all);
     memory.work += m.dt * m.dt / 8 * (rate_now - memory.power_rate);
     memory.power_rate = rate_now;
+  });
+  acting.for_each_bond(all.bonds, [&](const Interface& interface, std::span<const HeldBond> bonds, Memory& memory) {
+    take_over(interface, m, bonds, all.velocity, memory);
   });
 }
 

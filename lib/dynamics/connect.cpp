@@ -123,7 +123,7 @@ Connected connect_one_pass(Model& model, const std::string& name, const std::str
   contact::Interface interface;
   interface.name = name;
   interface.kind = options.kind;
-  interface.method = options.kind == contact::InterfaceKind::bonded ? contact::Method::penalty : options.method;
+  interface.method = options.method;
   interface.base = contact::base_surface(base, model.mesh.X);
   contact::mark_halves(interface.base, mesh::faces(model.mesh, base));
   interface.own = contact::fans(apexes.facets, static_cast<Index>(model.mesh.X.cols()));

@@ -89,6 +89,9 @@ Forces make_forces(const Model& model) {
                                                    static_cast<Index>(model.inertia.size()));
     forces.allowed_rotation.assign(static_cast<std::size_t>(model.inertia.size()), nullptr);
     forces.allowed.assign(static_cast<std::size_t>(model.mesh.X.cols()), nullptr);
+    const auto& planes = model.constraints.planes;
+    if (std::any_of(planes.begin(), planes.end(), [](const load::Plane& plane) { return load::moves(plane); }))
+      forces.driven = Vectors::Zero(3, model.mesh.X.cols());
   }
   if (model.relaxation) forces.source_force = forces.force, forces.source_moment = forces.moment;
   return forces;

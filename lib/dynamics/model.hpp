@@ -135,6 +135,7 @@ struct Forces {
   audit::Workspace audit;                          ///< the surfaces of the model
   contact::Multipliers multipliers;
   std::vector<const Mat3*> allowed, allowed_rotation;  ///< [nodes] [plate nodes] for multipliers: null or a projector in the state
+  Vectors driven;                                  ///< [m/s] for them too: what planes that move change in velocities; empty if none moves
   Vectors source_force, source_moment;             ///< only while a model relaxes: of one source, or all that resist
 };
 

@@ -106,7 +106,7 @@ void see_constraints(const State& now, Forces& f) {
 
 contact::Motion motion_of(const Model& model, const Vectors& force, double dt, const Pace& pace, const State& now, const Forces& f) {
   return {now.x, now.v, now.omega, force, f.moment, model.mass, model.inertia, model.rotation_of_node, f.allowed, f.allowed_rotation, dt,
-          next_length(now.votes, pace, now.t, dt)};
+          next_length(now.votes, pace, now.t, dt), nullptr};
 }
 
 /// Stops what begins in contact; what constraints hold of the impulses goes to their accounts.
@@ -122,13 +122,30 @@ void stop_at_start(const Model& model, const Pace& pace, State& now, Forces& f) 
   load::constrain(model.constraints, {impulse, no_moment, model.mass, model.inertia, 1, 0}, now.x, now.v, now.omega, now.constraints);
 }
 
+/// What planes that move change in the velocities of their nodes by the time t [s].
+void see_speeds(const Model& model, double t, State& now, Forces& f) {
+  load::set_speeds(model.constraints, model.mesh.X, t, now.constraints);  // the next kick sets its own
+  for (const Index row : now.constraints.active) {
+    const load::ConstrainedNode& node = now.constraints.nodes[row];
+    if (!node.moves) continue;
+    const Vec3 v = now.v.col(node.node);
+    Vec3 change = node.allowed * v - v;
+    for (int p = 0; p < node.count; ++p) change += node.speed[p] * node.reaction[p];
+    f.driven.col(node.node) = change;
+  }
+}
+
 /// Finds the forces of contacts that act by multipliers, which need all others, and adds them.
 ///
 /// dt  [s] of the step that led here, zero at the start
 void enforce(const Model& model, double dt, const Pace& pace, State& now, Forces& f) {
   if (f.allowed.empty()) return;
   see_constraints(now, f);
-  const contact::Motion motion = motion_of(model, f.force, dt, pace, now, f);
+  contact::Motion motion = motion_of(model, f.force, dt, pace, now, f);
+  if (f.driven.cols() > 0) {
+    see_speeds(model, now.t + 0.5 * motion.next, now, f);
+    motion.driven = &f.driven;
+  }
   contact::enforce(model.interfaces, model.rigid_planes, motion, now.t, now.interfaces, now.rigid_planes, f.interfaces, f.multipliers);
   add_contact_forces(model, now, true, f);
 }

@@ -137,9 +137,9 @@ dynamics::InterfaceOptions read_solid_interface(const Section& section) {
   dynamics::InterfaceOptions options;
   const bool bonded = section.choice_or("kind", "contact", {"contact", "bonded"}) == "bonded";
   options.kind = bonded ? contact::InterfaceKind::bonded : contact::InterfaceKind::contact;
-  const bool multiplier = read_method(section.when(!bonded)) && !bonded;
+  const bool multiplier = read_method(section);
   options.method = multiplier ? contact::Method::multiplier : contact::Method::penalty;
-  options.restitution = section.when(multiplier).number_or("restitution", options.restitution, model::range::restitution);
+  options.restitution = section.when(multiplier && !bonded).number_or("restitution", options.restitution, model::range::restitution);
   const Section by_penalty = section.when(!multiplier);
   const bool given = !multiplier && section.has("penalty");
   const double penalty = by_penalty.when(given).quantity("penalty", dim::penalty, positive);

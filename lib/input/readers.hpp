@@ -31,8 +31,8 @@ element::AnyHexahedronOptions read_hexahedron_options(const Section&, std::strin
 /// `thickness`, optional `layers` (1 to 9), `rotary_inertia: scaled | physical`, and the viscosity.
 element::Plate::Options read_plate_options(const Section&);
 
-/// `kind: contact | bonded`, `passes: one | two`; of a contact also `method: multiplier | penalty` and `friction`; by multipliers
-/// `restitution`. By a penalty, as bonds are: `penalty` or `penalty_scale`, `area: apex | base`; and of a contact `tangential_penalty`,
+/// `kind: contact | bonded`, `method: multiplier | penalty`, `passes: one | two`; of a contact also `friction`, and by multipliers
+/// `restitution`. By a penalty `penalty` or `penalty_scale`, `area: apex | base`; and of a contact `tangential_penalty`,
 /// `weights: consistent | paper`, `damping_ratio`, `energy_gain_limit`. All optional. For solid bodies, which touch at h = 0.
 dynamics::InterfaceOptions read_solid_interface(const Section&);
 

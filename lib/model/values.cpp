@@ -137,6 +137,8 @@ void check_contact(const Contact& contact, Faults& faults) {
                        {"penalty", o.penalty.value_or(1), positive, "Pa/m"}, {"penalty_scale", o.penalty_scale, positive},
                        {"restitution", o.restitution, range::restitution}, {"damping_ratio", o.damping_ratio, range::damping_ratio},
                        {"clearance", o.height.clearance, not_negative, "m"}, {"height", o.height.given, not_negative, "m"}});
+  if (o.kind == contact::InterfaceKind::bonded && o.method == contact::Method::multiplier && o.two_passes)
+    refuse(faults, here, "passes", "a bond by multipliers has one pass, since two would stiffen the bodies; or say 'method: penalty'");
 }
 
 void check_plane(const Plane& plane, Faults& faults) {

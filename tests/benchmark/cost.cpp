@@ -1,12 +1,13 @@
 // What one update of an element costs in Nereid, to be put beside tests/benchmark/floor.cpp.
 //
-//     cost hexahedra|viscous|full|plates|contact N STEPS
+//     cost hexahedra|viscous|full|plates|contact|bonded N STEPS
 //
 // A block of N^3 hexahedra (one point with springs or dashpots, or eight points), or a sheet of about 2 N^2 plates, plastic, on one thread.
 // Prints the nanoseconds per element update of the element kernels alone and of the whole step with its ledger. Contact presses a block of
 // 2N x 2N x N cells on one of N x N x N/2, and prints the nanoseconds of the interface per near apex and step, closed and open, beside the
 // step of the elements, the bytes that an apex takes that is near and one that is far, and what contact adds to the step of a scene
-// with a tenth of its nodes on the interface.
+// with a tenth of its nodes on the interface. Bonded joins two blocks of N x N x 9 and M x M x 9 cells in which waves go, and prints what
+// the bond adds per bonded apex and step of the elements, and the iterations of its solver.
 
 #include <algorithm>
 #include <chrono>
@@ -14,6 +15,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <string>
+#include <tuple>
 
 #include "base/parallel.hpp"
 #include "dynamics/connect.hpp"
@@ -180,6 +182,59 @@ int contact_costs(int n, int steps, const material::J2Bilinear& law, const eleme
   return 0;
 }
 
+/// Two blocks with a bond between them or none, in which waves go.
+Pressed in_waves(int above, int below, double gap, bool joined, contact::Method method, const material::J2Bilinear& law,
+                 const element::Hexahedron::Options& options) {
+  dynamics::Model model;
+  model.mesh = mesh::join(mesh::box("base", {Vec3(0, 0, 1 + gap), Vec3(1, 1, 2 + gap), {below, below, 9}}),
+                          mesh::box("block", {Vec3::Zero(), Vec3::Ones(), {above, above, 9}}));
+  for (const char* name : {"base", "block"}) model.blocks.push_back(element::solids(model.mesh, name, law, options));
+  dynamics::finalize(model);
+  dynamics::InterfaceOptions joint;
+  joint.kind = contact::InterfaceKind::bonded, joint.method = method;
+  std::vector<contact::Memory> memories;
+  if (joined)
+    for (auto& pass : dynamics::connect(model, "joint", "block.z_high", "base.z_low", joint)) memories.push_back(std::move(pass.memory));
+  dynamics::State state = dynamics::initial_state(model, std::move(memories));
+  dynamics::Forces forces = dynamics::make_forces(model);
+  for (Eigen::Index node = 0; node < state.v.cols(); ++node) {
+    const Vec3 X = model.mesh.X.col(node);
+    state.v.col(node) = 1e-4 * Vec3(std::sin(5 * X.y() + 3 * X.z()), std::cos(7 * X.x() + X.z()), std::sin(4 * X.x() * X.z() + X.y()));
+  }
+  dynamics::start(model, state, forces);
+  return {std::move(model), std::move(state), std::move(forces)};
+}
+
+int bonded_costs(int n, int steps, const material::J2Bilinear& law, const element::Hexahedron::Options& options) {
+  for (const auto& [above, below, gap] : {std::tuple(n, n, 0.0), std::tuple(n, n, 0.02), std::tuple(n, 3 * n / 4, 0.0),
+                                          std::tuple(3 * n / 4, n, 0.0), std::tuple(n, 3 * n / 4, 0.02), std::tuple(n, n / 4, 0.0)})
+    for (const auto method : {contact::Method::multiplier, contact::Method::penalty}) {
+      Pressed with = in_waves(above, below, gap, true, method, law, options);
+      Pressed without = in_waves(above, below, gap, false, method, law, options);
+      const double dt = 0.5 * with.state.votes.elements.step;
+      const double smaller = std::max(1.0, 0.9 * with.state.votes.elements.step / with.state.votes.contact.step);
+      const auto cost = [&](Pressed& scene) {
+        const double began = seconds();
+        for (int s = 0; s < steps; ++s)
+          dynamics::step(scene.model, method == contact::Method::penalty ? dt / smaller : dt, scene.state, scene.forces);
+        return (seconds() - began) * 1e9 / steps;
+      };
+      double least_with = INFINITY, least_without = INFINITY;
+      for (int round = 0; round < 3; ++round)
+        least_with = std::min(least_with, cost(with)), least_without = std::min(least_without, cost(without));
+      const double bonds = (above + 1.0) * (above + 1.0);
+      std::printf("bonded %d x %d on %d x %d, gap %g, %s: %.0f ns per bond and step, step %.1f %% dearer, %.1f times the steps of the "
+                  "elements",
+                  above, above, below, below, gap, method == contact::Method::penalty ? "penalty" : "multiplier",
+                  (least_with - least_without) / bonds, 100 * (least_with / least_without - 1),
+                  method == contact::Method::penalty ? smaller : 1.0);
+      if (method == contact::Method::multiplier)
+        std::printf(", %.1f iterations", static_cast<double>(with.forces.multipliers.bonds.iterations) / (3.0 * steps));
+      std::printf("\n");
+    }
+  return 0;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -191,6 +246,7 @@ int main(int argc, char** argv) {
   const auto control = kind == "viscous" ? Hexahedron::Hourglass::viscous : Hexahedron::Hourglass::stiffness;
   const Hexahedron::Options one_point{.viscosity = {}, .hourglass_kind = control};
   if (kind == "contact") return contact_costs(n, steps, law, one_point);
+  if (kind == "bonded") return bonded_costs(n, steps, law, one_point);
   const dynamics::Model model = kind == "plates" ? plates(n, law)
                                 : kind == "full" ? hexahedra(n, law, element::FullHexahedron::Options{})
                                                  : hexahedra(n, law, one_point);

@@ -116,15 +116,22 @@ TEST(Condition, BesideARimAndBelowItsLevelThereIsNone) {
   for (const Condition& c : at.all.conditions) EXPECT_GT(std::abs(c.normal.z()), 0.9) << "the way past the rim is no penetration";
 }
 
-TEST(Condition, WithoutAFreeTangentThereIsNoFriction) {
+TEST(Condition, FrictionOfNodesThatAreHeldAlongThePlaneIsThatOfTheirSlip) {
   Setting at(Vec3(1.3, 2.1, 0), 0.3);  // without an arm, so that friction does not turn the facet
   const Mat3 upwards = Vec3::UnitZ() * Vec3::UnitZ().transpose();
   at.allowed.assign(at.allowed.size(), &upwards);
   at.v.topRows(2).setZero();
   at.force.topRows(2).setZero();
-  at.find(1e-3);
-  EXPECT_TRUE(at.all.frictions.empty());
-  EXPECT_EQ(at.all.contactors[0].friction, -1);
+  for (const double speed : {0.0, 2.0}) {
+    at.v(0, at.scene.apex()) = speed;
+    at.all.conditions.clear(), at.all.contactors.clear(), at.all.frictions.clear();
+    at.find(1e-3);
+    ASSERT_EQ(at.all.frictions.size(), 1U);
+    FrictionCondition& friction = at.all.frictions[0];
+    friction.bound = friction.per_mass;
+    find_change(1e-3, at.motion(1e-3), at.all, friction);
+    EXPECT_LT((friction.change - Vec3(speed > 0 ? -0.3e-3 : 0, 0, 0)).norm(), 1e-18);
+  }
 }
 
 TEST(Condition, TheSlipRateOfTheStepBeforeCountsUnlessItStuckThen) {

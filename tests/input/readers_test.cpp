@@ -166,6 +166,12 @@ TEST(ReadInterface, DefaultsToTheBetterForms) {
   EXPECT_DOUBLE_EQ(options.height.clearance, 5e-4);
 }
 
+TEST(ReadInterface, BondsHaveAMethodToo) {
+  EXPECT_EQ(read("kind: bonded\n", read_interface).method, contact::Method::multiplier);
+  EXPECT_EQ(read("kind: bonded\nmethod: penalty\npenalty_scale: 5\n", read_interface).penalty_scale, 5);
+  EXPECT_EQ(read("kind: bonded\nmethod: penalty\npenalty_scale: 5\n", read_interface).method, contact::Method::penalty);
+}
+
 TEST(ReadInterface, WantsBothOfKineticFrictionAndItsDecay) {
   const auto options = read("friction: 0.4\nkinetic_friction: 0.3\nfriction_decay: 20 ms/m\n", read_interface);
   EXPECT_EQ(options.friction.kinetic, 0.3);

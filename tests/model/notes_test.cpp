@@ -25,8 +25,15 @@ TEST(GapTable, ListsTheFreeApexesOfABond) {
   scene.contacts = {{.name = "glue", .apexes = "bar.x_high", .base = "wall.x_low"}};
   scene.contacts[0].interface.kind = contact::InterfaceKind::bonded;
   const auto table = gap_table(build(scene));
-  ASSERT_EQ(table.size(), 4U);
-  EXPECT_TRUE(says(table[3], "2 of 4 apexes are free")) << table[3];
+  ASSERT_EQ(table.size(), 3U);
+  EXPECT_TRUE(says(table[2], "2 of 4 apexes are free")) << table[2];
+  scene.contacts[0].interface.method = contact::Method::penalty;
+  EXPECT_EQ(gap_table(build(scene)).size(), 4U);
+  scene.contacts[0].interface.two_passes = true;
+  EXPECT_EQ(gap_table(build(scene)).size(), 7U);
+  scene.contacts[0].interface.method = contact::Method::multiplier;
+  EXPECT_TRUE(says(refusal(scene), "contact 'glue': a bond by multipliers has one pass")) << refusal(scene);
+  scene.contacts[0].interface.two_passes = false;
   scene.bodies[1].place.move = Vec3(0, 1.5, 0);
   EXPECT_TRUE(says(refusal(scene), "contact 'glue': none of the 4 apexes of 'bar.x_high' stands over 'wall.x_low'")) << refusal(scene);
 }

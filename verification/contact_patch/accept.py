@@ -73,6 +73,7 @@ FORMULATIONS = [
     ("friction 0.3", {"contacts[0].friction": 0.3}),
     ("friction 0.3, tangential penalty 0.1", {"contacts[0].friction": 0.3, "contacts[0].tangential_penalty": 0.1}),
     ("friction 0.3, two passes", {"contacts[0].friction": 0.3, "contacts[0].passes": "two"}), ("bonded", {"contacts[0].kind": "bonded"}),
+    ("bonded by multipliers", {"contacts[0].kind": "bonded", "contacts[0].method": "multiplier"}),
     ("damping 0.1", {"contacts[0].damping_ratio": 0.1}),
     ("penalty scale 40", {"contacts[0].penalty_scale": 40}), ("penalty scale 0.4", {"contacts[0].penalty_scale": 0.4}),
     ("a penalty given, 2e7 Pa/m", {"contacts[0].penalty": "2e7 Pa/m"}),

@@ -73,9 +73,11 @@ STUDIES = [Table("Velocities over V at the end, duration of the first impact and
                  ["cells per bar", *NAMES, "duration", "second impact"], meshes, full=True)]
 
 SOFT = {f"contacts[{c}].{key}": value for c in (0, 1) for key, value in (("method", "penalty"), ("penalty", "2e8 Pa/m"))}
+# after 16 ms the wave in two bars that are one stands where it stands in bars that have parted
+BONDED = {"contacts[1].kind": "bonded", "time.end": "15 ms"}
 BREAKS = [
-    Breaks("velocity of the third bar", "ends that do not let go: bonded", {"contacts[1].kind": "bonded"}),
-    Breaks("velocity of the second bar over V", "ends that do not let go: bonded", {"contacts[1].kind": "bonded"}),
+    Breaks("velocity of the third bar", "ends that do not let go: bonded, after 15 ms", BONDED),
+    Breaks("velocity of the second bar over V", "ends that do not let go: bonded, after 15 ms", BONDED),
     Breaks("velocity of the first bar over V", "another density in the second bar: 1100 kg/m^3",
            {"bodies[1].material.density": "1100 kg/m^3"}),
     Breaks("time of the second impact", "the second gap a tenth too wide", {"bodies[2].move": "[2.105 m, 0 m, 0 m]"}),

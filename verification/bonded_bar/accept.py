@@ -1,0 +1,105 @@
+"""How close is close enough, why, and what must break."""
+from reference import BOND, INPUTS, TIME, largest_velocity, pulse
+from verify import Breaks, Check, Figure, Pair, Report, Table
+
+CATALOGUE = ()
+CLAIM = "A bar of two bonded parts carries a pulse as one bar does, in the steps of its elements."
+EVIDENCE = "exact"
+DRIVER = "scene"
+
+SCALE = (INPUTS["height"] / 2, largest_velocity(**INPUTS))
+GAP = 1e-3
+UNLIKE = {"bodies[0].mesh.cells": "[500, 3, 3]"}
+COARSE = {"bodies[1].mesh.cells": "[400, 3, 3]"}
+APART = {"bodies[1].move": f"[{GAP} m, 0 m, 0 m]"}
+PENALTY = {"contacts[0].method": "penalty"}
+
+
+def line(run):
+    """Means over the cross-sections along the bar at the end of the run: {m: (m, m/s)}."""
+    _, fields = run.frame("body", -1)
+    sums = {}
+    for (x, _, _), (u, _, _), (v, _, _) in zip(fields["points"], fields["displacement"], fields["velocity"]):
+        there = sums.setdefault(round(x, 7), [0, 0.0, 0.0])
+        there[0] += 1
+        there[1] += u
+        there[2] += v
+    return {x: (u / count, v / count) for x, (count, u, v) in sums.items()}
+
+
+def field(which, gap=0.0):
+    """The largest error over all cross-sections, over the height of a pulse or its largest velocity."""
+    def measure(run):
+        worst = max(abs(got[which] - pulse(x - (gap if x > BOND + gap / 2 else 0), TIME, **INPUTS)[which]) for x, got in line(run).items())
+        return Pair(worst, 0, ("m", "m/s")[which], scale=SCALE[which])
+    return measure
+
+
+def of(change, measure):
+    return lambda run: measure(run.again({**change, **run.overrides}))
+
+
+def steps(run):
+    """Against those of the same bar without a bond, which fall apart."""
+    apart = run.again({**run.overrides, "contacts": "[]"})
+    return Pair(run.summary["cost"]["steps"], apart.summary["cost"]["steps"])
+
+
+def created(run):
+    """Of the bond, over the energy of the pulse."""
+    ledger = run.summary["ledger"]
+    elastic = max(run.column("energy_kinetic"))
+    return Pair(ledger["accounts"]["glue"]["created"]["value"], 0, "J", scale=elastic)
+
+
+PHASE = "phase of the shortest waves: (k c t)(k h)^2/24 (1 - C^2) with C = 0.9 is 2e-4 for 1/k of the pulse's width"
+NOT_ALIKE = "as on like grids, and what apexes on faces do not share out evenly: they load four nodes by more than their share"
+DEPARTURES = {"viscosity": "the exact bar has none"}
+
+CHECKS = [
+    Check("displacement of all cross-sections", field(0), 1e-3, PHASE),
+    Check("velocity of all cross-sections", field(1), 2e-3, PHASE),
+    Check("velocity, over a gap of an element", of(APART, field(1, GAP)), 2e-3, PHASE),
+    Check("velocity, 3 x 3 on 2 x 2", of(UNLIKE, field(1)), 0.02, NOT_ALIKE),
+    Check("steps over those of the parts alone", steps, 1e-9, "a bond by multipliers has no step of its own"),
+    Report("velocity, 2 x 2 on 3 x 3", of(COARSE, field(1)), "nodes of a base between its apexes lag: take the finer grid for the apexes"),
+    Report("energy created by the bond", created, "round-off"),
+]
+
+
+def methods(run):
+    rows = []
+    for name, change in (("like grids", {}), ("3 x 3 on 2 x 2", UNLIKE), ("2 x 2 on 3 x 3", COARSE), ("like grids, a gap", APART)):
+        for method, how in (("multiplier", {}), ("penalty 20", PENALTY), ("penalty 200", {**PENALTY, "contacts[0].penalty_scale": 200})):
+            one = run.again({**change, **how})
+            velocity = field(1, GAP if change == APART else 0)(one)
+            rows.append([name, method, f"{100 * velocity.error():.2g} %", str(one.summary["cost"]["steps"]), f"{created(one).error():.1e}"])
+    return rows
+
+
+STUDIES = [Table("Largest error of velocity over that of a pulse, steps, and energy created by the bond over that of the pulse.",
+                 ["grids", "method", "velocity", "steps", "created"], methods, full=True)]
+
+OPENS = {"contacts[0].kind": "contact"}
+SOFT = {**PENALTY, "contacts[0].penalty": "5e11 Pa/m"}
+BREAKS = [
+    Breaks("displacement of all cross-sections", "a contact where a bond is meant", OPENS),
+    Breaks("velocity of all cross-sections", "a soft layer: a penalty of half the stiffness of an element", SOFT),
+    Breaks("velocity, over a gap of an element", "a contact where a bond is meant", OPENS),
+    Breaks("velocity, 3 x 3 on 2 x 2", "a soft layer: a penalty of half the stiffness of an element", SOFT),
+    Breaks("steps over those of the parts alone", "a penalty", PENALTY),
+]
+
+
+def curves(run):
+    points = sorted(line(run).items())[::3]
+    return [("Nereid", [1e3 * x for x, _ in points], [1e6 * v for _, (_, v) in points])]
+
+
+def exact(run):
+    places = [i * 1e-3 - 0.4 for i in range(901)]
+    return [("d'Alembert", [1e3 * x for x in places], [1e6 * pulse(x, TIME, **INPUTS)[1] for x in places])]
+
+
+FIGURES = [Figure("velocity", "position [mm]", "velocity [um/s]", curves, exact=exact,
+                  caption="Velocity after 200 us, every third node; the bond is at 100 mm, and one pulse has crossed it.")]
