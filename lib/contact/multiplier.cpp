@@ -105,25 +105,26 @@ void come_to_rest(const Motion& m, Multipliers& all) {
   apply_changes(m, all);
 }
 
-/// What the last sweep changed, over all that the impulses do, of the contact where that is most; by velocities, so that light bodies
-/// count beside heavy ones. [-]
+/// What the last sweep changed, over all that the impulses do, of the contact where that is most, friction for itself; by velocities, so
+/// that light bodies count beside heavy ones. [-]
 double unrest(const Multipliers& all) {
   double most = 0;
   for (std::size_t contact = 0; contact + 1 < all.first.size(); ++contact) {
-    double changed = 0, made = 0;
+    double moved = 0, made = 0, moved_along = 0, made_along = 0;
     for (Index k = all.first[contact]; k < all.first[contact + 1]; ++k) {
       const Contactor& one = all.contactors[k];
       for (Index i = one.first; i < one.last; ++i) {
         const Condition& c = all.conditions[i];
         const double A2 = c.per_mass * c.per_mass;
-        changed += c.moved * c.moved * A2, made += c.impulse * c.impulse * A2;
+        moved += c.moved * c.moved * A2, made += c.impulse * c.impulse * A2;
       }
       if (one.friction < 0) continue;
       const FrictionCondition& friction = all.frictions[one.friction];
       const double A2 = friction.per_mass * friction.per_mass;
-      changed += friction.moved.squaredNorm() * A2, made += friction.impulse.squaredNorm() * A2;
+      moved_along += friction.moved.squaredNorm() * A2, made_along += friction.impulse.squaredNorm() * A2;
     }
-    if (changed > 0) most = std::max(most, changed / made);
+    if (moved > 0) most = std::max(most, moved / made);
+    if (moved_along > 0) most = std::max(most, moved_along / made_along);
   }
   return std::sqrt(most);
 }
@@ -163,7 +164,7 @@ void solve(const Motion& m, Multipliers& all) {
     if (sweeps % 2 > 0) continue;
     const double left = unrest(all);
     if (!(left > still)) break;
-    if (sweeps < usual_sweeps && left > settled) continue;
+    if (sweeps < usual_sweeps && !(left < settled && all.frictions.empty())) continue;
     if (!gains(m, all)) break;
   }
   come_to_rest(m, all);

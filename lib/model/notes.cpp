@@ -66,10 +66,13 @@ std::vector<std::string> coarseness_notes(const Simulation& simulation) {
     const contact::Interface& interface = simulation.model.interfaces[c];
     if (!(seen.apexes >= worth_saying)) continue;
     if (std::all_of(interface.base_nodes.begin(), interface.base_nodes.end(), held)) continue;  // a base that cannot give way
-    const bool exchange = seen.base < worth_saying;
+    const bool bonded = interface.kind == contact::InterfaceKind::bonded;  // which has one pass
+    const char* instead = seen.base >= worth_saying ? (bonded ? "refine its side" : "take 'passes: two'")
+                          : bonded                  ? "exchange 'apexes' and 'base'"
+                                                    : "exchange 'apexes' and 'base', or take 'passes: two'";
     notes.push_back(row("%s: its apexes are %.3g times as far apart as the nodes of its base, so that nodes of the base between them are "
-                        "not held and the stress beside the interface is wrong by 10 to 300 %%: %s'passes: two'",
-                        interface.name.c_str(), seen.apexes, exchange ? "exchange 'apexes' and 'base', or take " : "take "));
+                        "not held and the stress beside the interface is wrong by 10 to 300 %%: %s",
+                        interface.name.c_str(), seen.apexes, instead));
   }
   return notes;
 }
