@@ -121,21 +121,23 @@ double spread(const BaseSurface& base, const Vectors& x, const Vec3& p, const Fe
     return 0;
   }
   const int first = half.cut, second = (first + 1) % 3, third = (first + 2) % 3;
-  const std::array<Vec3, 4> corner{x.col(face.node[0]), x.col(face.node[1]), x.col(face.node[2]), x.col(face.node[3])};
+  const std::array<Vec3, 4> corner{x.col(face.node[0]) - p, x.col(face.node[1]) - p, x.col(face.node[2]) - p, x.col(face.node[3]) - p};
   std::array<double, 4> weight;
   double a = over.weight[second], b = a + over.weight[third];
-  const auto foot = [&] { return Vec3(weight[0] * corner[0] + weight[1] * corner[1] + weight[2] * corner[2] + weight[3] * corner[3]); };
-  if (!geometry::bilinear_weights(corner, p, over.normal, a, b, weight)) return 0;
+  const auto foot = [&] {  // from the apex
+    return Vec3(weight[0] * corner[0] + weight[1] * corner[1] + weight[2] * corner[2] + weight[3] * corner[3]);
+  };
+  if (!geometry::bilinear_weights(corner, Vec3::Zero(), over.normal, a, b, weight)) return 0;
   a = weight[1] + weight[2], b = weight[2] + weight[3];
   const Tangents at = tangents_at(face, x, a, b);
   Vec3 n = at.area.normalized();
   if (!(n.dot(over.normal) > turned)) return 0;
-  if (blends && is_within(band, at, a, b)) blend(base, x, face, foot(), band, allowed, n);
+  if (blends && is_within(band, at, a, b)) blend(base, x, face, p + foot(), band, allowed, n);
   if ((n - over.normal).squaredNorm() > equal * equal) {
-    if (!geometry::bilinear_weights(corner, p, n, a, b, weight)) return 0;
+    if (!geometry::bilinear_weights(corner, Vec3::Zero(), n, a, b, weight)) return 0;
     over.normal = n;
   }
-  over.height = over.normal.dot(p - foot());
+  over.height = -over.normal.dot(foot());
   over.weight[first] = weight[0], over.weight[second] = weight[2], over.weight[third] = weight[3];
   return weight[1];
 }

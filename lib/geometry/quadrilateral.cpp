@@ -10,8 +10,9 @@ bool bilinear_weights(const std::array<Vec3, 4>& corner, const Vec3& p, const Ve
   constexpr double round_off = 1e-14;  // of a side
   constexpr double beyond = 0.25;      // of a side
   const Vec3 along = corner[1] - corner[0], across = corner[3] - corner[0], twist = corner[2] - corner[1] - across;
+  const Vec3 start = corner[0] - p;  // first, so that places far from the origin lose no digits
   for (int round = 0; round < most_rounds; ++round) {
-    const Vec3 by_a = along + b * twist, by_b = across + a * twist, left = corner[0] + a * by_a + b * across - p;
+    const Vec3 by_a = along + b * twist, by_b = across + a * twist, left = start + a * by_a + b * across;
     const double area = n.dot(by_a.cross(by_b));
     const double da = -n.dot(left.cross(by_b)) / area, db = -n.dot(by_a.cross(left)) / area;
     if (!(std::abs(da) + std::abs(db) < 1e6)) return false;

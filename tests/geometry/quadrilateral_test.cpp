@@ -29,6 +29,19 @@ TEST(Quadrilateral, WeightsLeadToThePointUnderAnApexAlongTheNormal) {
   }
 }
 
+TEST(Quadrilateral, FarFromTheOriginThereAreWeightsAsWell) {
+  const Vec3 far(1e6 / 3, -1e6 / 7, 1e5 / 9);
+  std::array<Vec3, 4> corner{Vec3(0, 0, 0), Vec3(2, 0, 0.1), Vec3(2.2, 1, 0), Vec3(0, 1, 0)};
+  for (Vec3& at : corner) at += far;
+  std::array<double, 4> weight;
+  for (double a = 0; a <= 1; a += 0.05)
+    for (double b = 0; b <= 1; b += 0.05) {
+      const Vec3 p = point_of(corner, {(1 - a) * (1 - b), a * (1 - b), a * b, (1 - a) * b}) + 0.1 * Vec3::UnitZ();
+      ASSERT_TRUE(bilinear_weights(corner, p, Vec3::UnitZ(), 0.5, 0.5, weight)) << a << ' ' << b;
+      EXPECT_NEAR(weight[2], a * b, 1e-9);
+    }
+}
+
 TEST(Quadrilateral, ThereAreNoWeightsFarBesideAFaceOrAlongIt) {
   const std::array<Vec3, 4> square{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 1, 0), Vec3(0, 1, 0)};
   std::array<double, 4> weight;
