@@ -306,7 +306,8 @@ Found overlap_with_itself(Workspace& work, Index index) {
         const auto looks_at_it = [&](Index other) {
           return counts(other) && normal(surface, one.placed, other).dot(out) < 0;
         };
-        depth = std::min(std::abs(std::min(up_a, up_b)), nearest(surface, one.placed, end, 0, looks_at_it).distance);
+        const double behind = std::abs(std::min(up_a, up_b));  // or it is the other that has come out: no more than that counts
+        depth = std::min({depth, behind, nearest(surface, one.placed, end, 0, looks_at_it).distance});
       } else {
         depth = std::min(depth, from_rim(one, at));
       }

@@ -158,11 +158,12 @@ void hold_bond(const Interface& interface, const Vectors& x, Near& near, Memory&
   Vec3 d = x.col(interface.apexes[a]) - bond.height * n;
   for (int I = 0; I < 3; ++I) d -= bond.weight[I] * corner[I];
   const double k = stiffness(interface, memory.feature[a], interface.area(a));
-  Stencil hold{.facet = bond.facet, .apex = 1, .weight = bond.weight, .push = -k * d}, couple{.facet = bond.facet, .apex = 0};
+  Stencil hold{.facet = bond.facet, .apex = 1, .push = -k * d}, couple{.facet = bond.facet, .apex = 0};
   couple.push = k * bond.height * n;
   for (int I = 0; I < 3; ++I) {
     const Vec3 gradient = n.cross(corner[(I + 2) % 3] - corner[(I + 1) % 3]) / twice_area;
     couple.weight[I] = d.dot(gradient);
+    hold.weight[I] = bond.weight[I];
     hold.share[I] = std::abs(bond.weight[I]) + std::abs(bond.height) * gradient.norm();
   }
   element.closed = true;

@@ -9,6 +9,7 @@
 #include "base/parallel.hpp"
 #include "contact/apex.hpp"
 #include "contact/condition.hpp"
+#include "contact/foot.hpp"
 
 namespace nereid::contact {
 
@@ -24,43 +25,75 @@ constexpr int most_turns = 8;            // of linear solutions, where facets tu
 constexpr double of_a_turn = 1e-9;       // of what is missing, by energy: one of them need not be better, since facets turn by more
 constexpr Index grain = 2048;            // a thread takes longer to wake than to do less
 
-/// Twice the area of a facet along its normal, from its edges. [m2]
-struct Edges {
-  Vec3 second, third;  // from the first node
-  Vec3 area() const { return second.cross(third); }
+/// Derivatives of the shape functions of a facet or face at the point of a bond. [-]
+struct Slopes {
+  std::array<double, 4> by_a, by_b;
 };
-Edges edges(const HeldBond& b, const Vectors& x) {
-  return {x.col(b.node[2]) - x.col(b.node[1]), x.col(b.node[3]) - x.col(b.node[1])};
+Slopes slopes(const HeldBond& bond) {
+  if (bond.nodes == 4) return {{-1, 1, 0, 0}, {-1, 0, 1, 0}};
+  const double a = -bond.weight[2] - bond.weight[4], b = -bond.weight[2] - bond.weight[3];
+  return {{b - 1, b, -b, 1 - b}, {a - 1, a, 1 - a, -a}};
+}
+
+/// How a point of the base moves with its coordinates. [m]
+struct Tangents {
+  Vec3 by_a, by_b;
+  Vec3 area() const { return by_a.cross(by_b); }
+};
+Tangents tangents(const HeldBond& b, const Slopes& slope, const Vectors& x) {
+  Tangents sum{Vec3::Zero(), Vec3::Zero()};
+  for (int I = 1; I < b.nodes - 1; ++I) {  // differences, so that they keep their digits far from the origin
+    const Vec3 side = x.col(b.node[I + 1]) - x.col(b.node[1]);
+    sum.by_a += slope.by_a[I] * side, sum.by_b += slope.by_b[I] * side;
+  }
+  return sum;
+}
+
+/// A bond with its nodes.
+HeldBond held_bond(const Interface& interface, Index a) {
+  const Bond& bond = interface.bonds[a];
+  const Half& half = interface.base.half[bond.facet];
+  HeldBond b;
+  b.nodes = bond.on_face ? 5 : 4;
+  b.first = bond.on_face ? half.cut : 0;
+  b.node[0] = interface.apexes[a], b.weight[0] = 1;
+  for (int I = 0; I < 3; ++I) b.node[I + 1] = interface.base.facets((b.first + I) % 3, bond.facet);
+  b.node[4] = half.fourth;
+  return b;
+}
+void set_weights(const Bond& bond, HeldBond& b) {
+  b.height = bond.height;
+  for (int I = 0; I < 3; ++I) b.weight[I + 1] = -bond.weight[(b.first + I) % 3];
+  b.weight[4] = -bond.weight[3];
 }
 
 /// The rate with which d would be smaller by `corrected` at the end of the step to come, less that which the nodes have. [m/s]
 ///
-/// Facets turn during the step: beyond the linear rate d changes by -h (n' - n - dn). All differences are of edges, so they keep their
-/// digits far from the origin.
+/// The base turns during the step: beyond the linear rate d changes by -h (n' - n - dn).
 Vec3 missing(const HeldBond& b, const Motion& m, const Vectors& v) {
   const Vec3 linear = -corrected / m.next * b.off - rate(b, v);
   if (b.height == 0) return linear;
-  const Edges here = edges(b, m.x), change = edges(b, v);
-  const Edges there{here.second + m.next * change.second, here.third + m.next * change.third};
+  const Slopes slope = slopes(b);
+  const Tangents here = tangents(b, slope, m.x), change = tangents(b, slope, v);
+  const Tangents there{here.by_a + m.next * change.by_a, here.by_b + m.next * change.by_b};
   Vec3 turn = (there.area().normalized() - b.normal) / m.next;
-  for (int I = 0; I < 3; ++I) turn += b.normal.dot(v.col(b.node[I + 1])) * b.gradient[I];
+  for (int I = 0; I < b.nodes - 1; ++I) turn += b.normal.dot(v.col(b.node[I + 1])) * b.gradient[I];
   return linear + b.height * turn;
 }
 
 /// Geometry of a bond at t.
 void place(const Interface& interface, Index a, const Vectors& x, HeldBond& b) {
-  const Bond& bond = interface.bonds[a];
-  b.height = bond.height;
-  const Vec3 area = edges(b, x).area();
-  const double twice_area = area.norm();
-  b.normal = area / twice_area;
+  set_weights(interface.bonds[a], b);
+  const Slopes slope = slopes(b);
+  const Tangents along = tangents(b, slope, x);
+  const Vec3 area = along.area();
+  const double size = area.norm();
+  b.normal = area / size;
   b.off = x.col(b.node[0]) - b.height * b.normal;
-  for (int I = 0; I < 3; ++I) {
-    b.weight[I + 1] = -bond.weight[I];
-    b.off -= bond.weight[I] * x.col(b.node[I + 1]);
-    const Vec3 opposite = x.col(b.node[1 + (I + 2) % 3]) - x.col(b.node[1 + (I + 1) % 3]);
-    b.gradient[I] = b.normal.cross(opposite) / twice_area;
-  }
+  for (int I = 1; I < b.nodes; ++I) b.off += b.weight[I] * x.col(b.node[I]);
+  if (b.height == 0) return;
+  const Vec3 of_a = along.by_b.cross(b.normal) / size, of_b = b.normal.cross(along.by_a) / size;  // gradients of a and b
+  for (int I = 0; I < b.nodes - 1; ++I) b.gradient[I] = slope.by_a[I] * of_a + slope.by_b[I] * of_b;
 }
 
 /// What an impulse on a bond does to its own rate, and the inverse of that where nodes can move. A direction in which they are held and
@@ -68,14 +101,23 @@ void place(const Interface& interface, Index a, const Vectors& x, HeldBond& b) {
 ///
 /// allowed  null, or of an apex on a symmetry plane: what leads out of it the images of facets take
 void respond(const Motion& m, const Mat3* allowed, HeldBond& b) {
-  Mat3 all = Mat3::Zero(), shifts = all;
   bool constrained = allowed != nullptr;
   double most = 0;
-  for (int j = 0; j < 4; ++j) {
+  for (int j = 0; j < b.nodes; ++j) {
+    constrained = constrained || m.allowed[b.node[j]];
+    most += b.weight[j] * b.weight[j] / m.mass(b.node[j]);
+  }
+  if (b.height == 0 && !constrained) {
+    b.per_mass = most;
+    b.inverse = Mat3::Identity() / most;
+    return;
+  }
+  Mat3 all = Mat3::Zero(), shifts = all;
+  most = 0;
+  for (int j = 0; j < b.nodes; ++j) {
     Mat3 by = b.weight[j] * Mat3::Identity();
-    if (j > 0) by += b.height * b.gradient[j - 1] * b.normal.transpose();
+    if (j > 0 && b.height != 0) by += b.height * b.gradient[j - 1] * b.normal.transpose();
     const Mat3* let = m.allowed[b.node[j]];
-    constrained = constrained || let;
     most += by.squaredNorm() / (3 * m.mass(b.node[j]));
     const double shift = b.weight[j] * b.weight[j] / m.mass(b.node[j]);
     if (let) all += by * *let * by.transpose() / m.mass(b.node[j]), shifts += shift * *let;
@@ -97,7 +139,7 @@ void respond(const Motion& m, const Mat3* allowed, HeldBond& b) {
 
 /// Velocities that impulses give to the nodes, `of` telling that of a bond, into Bonds::change.
 template <class Of>
-void spread(const Motion& m, Bonds& all, Of&& of) {
+void set_change(const Motion& m, Bonds& all, Of&& of) {
   parallel_for(static_cast<Index>(all.nodes.size()), grain, [&](Index i) {
     const Index node = all.nodes[i];
     Vec3 sum = Vec3::Zero();
@@ -158,7 +200,7 @@ bool look(const Motion& m, const Vectors& velocity, Bonds& all) {
 void solve(const Motion& m, Bonds& all) {
   const auto count = static_cast<Index>(all.held.size());
   const auto answer = [&] {
-    spread(m, all, [](const HeldBond& b) { return b.guess; });
+    set_change(m, all, [](const HeldBond& b) { return b.guess; });
     parallel_for(count, grain, [&](Index i) { all.held[i].answer = rate(all.held[i], all.change); });
     return sum(all, [](const HeldBond& b) { return b.guess.dot(b.answer); });
   };
@@ -194,9 +236,9 @@ Vec3 rate_before(const HeldBond& b, const Motion& m) { return rate(b, m.v); }
 
 Vec3 rate(const HeldBond& b, const Vectors& v) {
   Vec3 sum = v.col(b.node[0]);
-  for (int I = 1; I < 4; ++I) sum += b.weight[I] * v.col(b.node[I]);
+  for (int I = 1; I < b.nodes; ++I) sum += b.weight[I] * v.col(b.node[I]);
   if (b.height == 0) return sum;
-  for (int I = 0; I < 3; ++I) sum += b.height * b.normal.dot(v.col(b.node[I + 1])) * b.gradient[I];
+  for (int I = 0; I < b.nodes - 1; ++I) sum += b.height * b.normal.dot(v.col(b.node[I + 1])) * b.gradient[I];
   return sum;
 }
 
@@ -212,20 +254,14 @@ Bonds make_bonds(std::span<const Interface> interfaces, Index nodes) {
   all.first.assign(1, 0);
   for (const Interface& interface : interfaces) {
     if (bonded_by_multipliers(interface))
-      for (std::size_t a = 0; a < interface.bonds.size(); ++a) {
-        const Bond& bond = interface.bonds[a];
-        if (bond.facet < 0) continue;
-        HeldBond b;
-        b.node[0] = interface.apexes[a], b.weight[0] = 1;
-        for (int I = 0; I < 3; ++I) b.node[I + 1] = interface.base.facets(I, bond.facet);
-        all.held.push_back(b);
-      }
+      for (std::size_t a = 0; a < interface.bonds.size(); ++a)
+        if (interface.bonds[a].facet >= 0) all.held.push_back(held_bond(interface, static_cast<Index>(a)));
     all.first.push_back(static_cast<Index>(all.held.size()));
   }
   if (all.held.empty()) return all;
   std::vector<std::vector<Bonds::Use>> of_node(static_cast<std::size_t>(nodes));
   for (std::size_t b = 0; b < all.held.size(); ++b)
-    for (int j = 0; j < 4; ++j) of_node[all.held[b].node[j]].push_back({static_cast<Index>(b), j});
+    for (int j = 0; j < all.held[b].nodes; ++j) of_node[all.held[b].node[j]].push_back({static_cast<Index>(b), j});
   all.has.assign(static_cast<std::size_t>(nodes), false);
   for (Index node = 0; node < nodes; ++node) {
     if (of_node[node].empty()) continue;
@@ -255,12 +291,12 @@ void find_bonds(std::span<const Interface> interfaces, const Motion& m, std::spa
       place(interfaces[i], near[k].apex, m.x, b);
       respond(m, allowed_of(interfaces[i], near[k].apex), b);
       double fastest = 0;
-      for (const Index node : b.node) fastest = std::max(fastest, velocity.col(node).squaredNorm());
+      for (int j = 0; j < b.nodes; ++j) fastest = std::max(fastest, velocity.col(b.node[j]).squaredNorm());
       b.still = round_off * std::sqrt(fastest);
       b.impulse = near[k].element.closed && m.dt > 0 ? Vec3(h * near[k].element.apex) : Vec3(Vec3::Zero());
     });
   }
-  spread(m, all, [](const HeldBond& b) { return b.impulse; });
+  set_change(m, all, [](const HeldBond& b) { return b.impulse; });
   give(all, velocity);
   hold(m, velocity, all);
 }
@@ -270,7 +306,7 @@ void hold(const Motion& m, Vectors& velocity, Bonds& all) {
   for (int turn = 0; turn < most_turns; ++turn) {
     if (look(m, velocity, all)) return;
     solve(m, all);
-    spread(m, all, [](const HeldBond& b) { return b.change; });
+    set_change(m, all, [](const HeldBond& b) { return b.change; });
     give(all, velocity);
     for (HeldBond& b : all.held) b.impulse += b.change;
     if (!all.any_height) return;
@@ -288,10 +324,17 @@ void take_over(const Interface& interface, const Motion& m, std::span<const Held
     const Vec3 force = b.impulse / h, before = rate_before(b, m), after = rate(b, velocity);
     Stencil& hold = element.stencil[0] = {};
     Stencil& couple = element.stencil[1] = {};
-    hold.facet = couple.facet = interface.bonds[near.apex].facet;
+    const Bond& bond = interface.bonds[near.apex];
+    hold.facet = couple.facet = bond.facet;
     hold.push = force, couple.apex = 0, couple.push = -b.height * b.normal;
-    for (int I = 0; I < 3; ++I) hold.weight[I] = -b.weight[I + 1], couple.weight[I] = force.dot(b.gradient[I]);
-    element.count = b.height != 0 ? 2 : 1;
+    for (int I = 0; I < 3; ++I) hold.weight[I] = bond.weight[I];
+    if (bond.on_face) hold.fourth = bond.weight[3];
+    element.count = 1;
+    if (b.height != 0) {
+      element.count = 2;
+      for (int I = 0; I < 3; ++I) couple.weight[(b.first + I) % 3] = force.dot(b.gradient[I]);
+      if (bond.on_face) couple.fourth = force.dot(b.gradient[3]);
+    }
     element.closed = true;
     element.scale = 1;
     element.apex = force;
@@ -311,7 +354,7 @@ void book_start(const Motion& m, std::span<const HeldBond> bonds, const Vectors&
   double work = 0;
   for (const HeldBond& b : bonds) {
     work += 0.5 * b.impulse.dot(rate_before(b, m) + rate(b, velocity));
-    for (int j = 0; j < 4; ++j) {
+    for (int j = 0; j < b.nodes; ++j) {
       const Vec3 one = part(b, j, b.impulse);
       impulse.col(b.node[j]) += one;
       memory.angular_impulse += m.x.col(b.node[j]).cross(one);
@@ -322,13 +365,29 @@ void book_start(const Motion& m, std::span<const HeldBond> bonds, const Vectors&
   memory.impact += std::max(0.0, -work);
 }
 
+Bond bond_over(const Interface& interface, const Vectors& x, Index apex, Index facet) {
+  const Vec3 p = x.col(interface.apexes[apex]);
+  const Feature feature{facet, geometry::Kind::facet, 0};
+  FeatureHeight over = height_over(interface.base, x, feature, p);
+  Bond bond{.facet = facet};
+  bond.on_face = by_multipliers(interface) && stand_on_face(interface.base, x, p, feature, false, nullptr, over, bond.weight[3]);
+  std::copy(over.weight.begin(), over.weight.end(), bond.weight.begin());
+  // a height of round-off is none: a bond without one is simpler
+  bond.height = std::abs(over.height) < 1e-9 * interface.base.longest(facet) ? 0 : over.height;
+  return bond;
+}
+
 void bond_here(const Vectors& x, Interface& interface) {
   for (std::size_t a = 0; a < interface.bonds.size(); ++a) {
     Bond& bond = interface.bonds[a];
-    if (bond.facet < 0) continue;
-    const FeatureHeight over = height_over(interface.base, x, {bond.facet, geometry::Kind::facet, 0}, x.col(interface.apexes[a]));
-    bond.weight = over.weight, bond.height = std::abs(over.height) < 1e-9 * interface.base.longest(bond.facet) ? 0 : over.height;
+    if (bond.facet >= 0) bond = bond_over(interface, x, static_cast<Index>(a), bond.facet);
   }
+}
+
+Vec3 normal_of(const Interface& interface, Index apex, const Vectors& x) {
+  HeldBond b = held_bond(interface, apex);
+  set_weights(interface.bonds[apex], b);
+  return tangents(b, slopes(b), x).area().normalized();
 }
 
 }  // namespace nereid::contact

@@ -1,8 +1,12 @@
 #pragma once
 // Bonds without a penalty: in each step the impulses after which every bonded apex is over its point of the base again.
 //
-// With d = x_apex - sum of w_I x_I - h n of a bond, G_I the gradients of the shape functions of its facet, and
-// dn = - sum of (n . dx_I) G_I, the rate of d and the nodes' parts of an impulse J on the apex are
+// Its point of the base is the point (a, b) of a bilinear face of a hexahedron, else of a facet. There t_a and t_b are the derivatives of
+// place, n = t_a x t_b / A with A = |t_a x t_b|, and the gradients of the shape functions in the surface are
+//
+//     G_I = (dN_I/da t_b x n + dN_I/db n x t_a) / A,        so dn = - sum of (n . dx_I) G_I
+//
+// With d = x_apex - sum of w_I x_I - h n of a bond the rate of d and the nodes' parts of an impulse J on the apex are
 //
 //     r = v_apex - sum of w_I v_I + h sum of (n . v_I) G_I,        apex  J,    base nodes  -w_I J + h (G_I . J) n
 //
@@ -20,10 +24,12 @@ struct Motion;
 
 /// One bonded apex in a step.
 struct HeldBond {
-  std::array<Index, 4> node;     ///< the apex, then those of the facet
-  std::array<double, 4> weight;  ///< 1, then minus those of the bond
-  std::array<Vec3, 3> gradient;  ///< [1/m] of the shape functions, at t
-  Vec3 normal;                   ///< of the facet at t
+  int nodes;                     ///< 4 over a facet, 5 over a face of a hexahedron
+  int first;                     ///< of the facet's nodes: that where the cut of the face begins
+  std::array<Index, 5> node;     ///< the apex, then those of the facet from `first` on, then Half::fourth
+  std::array<double, 5> weight;  ///< 1, then minus those of the bond
+  std::array<Vec3, 4> gradient;  ///< [1/m] of the shape functions, at t; of a bond with a height
+  Vec3 normal;                   ///< of the base at the point of the bond, at t
   double height;                 ///< [m]
   Vec3 off;                      ///< [m] d at t
   Mat3 inverse;                  ///< [kg] of what an impulse on it does to its own rate; without directions in which nothing moves
@@ -65,6 +71,7 @@ inline std::span<const HeldBond> bonds_of(const Bonds& all, std::size_t interfac
 }
 
 /// nodes  of the mesh
+/// Needs  bond_here() where that is called
 Bonds make_bonds(std::span<const Interface>, Index nodes);
 
 /// Starts a step: bonds as they stand at t, with the impulses of the step before as a first guess, and solves them.
@@ -92,7 +99,13 @@ void take_over(const Interface&, const Motion&, std::span<const HeldBond> bonds,
 /// impulse  [N s] on the nodes, added to
 void book_start(const Motion&, std::span<const HeldBond> bonds, const Vectors& velocity, Memory&, Vectors& impulse);
 
+/// The bond of an apex at x over a facet; by multipliers over the face that this is half of.
+Bond bond_over(const Interface&, const Vectors& x, Index apex, Index facet);
+
 /// Puts the bonds of an interface where its apexes are at x.
 void bond_here(const Vectors& x, Interface&);
+
+/// The normal of the base at the point where an apex is bonded. Unit vector.
+Vec3 normal_of(const Interface&, Index apex, const Vectors& x);
 
 }  // namespace nereid::contact

@@ -24,13 +24,28 @@ constexpr double most_yield = 1e-6;    // of the depth of an element: way by whi
 constexpr double no_response = 1e-9;   // of that of a free apex: constraints hold all nodes
 constexpr double faces_below = 0.3;    // cosine between the normals of an apex and of what it may touch
 
+/// Whether an apex that is pressed stays over the inside of the one facet that it slides on, and comes to no other part: its stencil of the
+/// step before says which, and conditions need no more.
+bool stays(const Interface& interface, double moved, const Near& near) {
+  const Tracks& tracks = near.tracks;
+  const ElementForces& element = near.element;
+  return near.pressed > 0 && moved < tracks.owned && 2 * moved + element.depth < near.clear && tracks.count == 1 && element.count == 1 &&
+         !(tracks.track[0].height < interface.contact_height(near.apex)) && allowed_of(interface, near.apex) == nullptr;
+}
+
 /// Finds which apexes are in contact, or near to it, where the nodes would be.
 void find(const Interface& interface, const Motion& m, Memory& memory, Workspace& workspace, Multipliers& all) {
   const auto look = [&](const Vectors& x, const Vectors& way, double dt) {
     const double moved = search_where_due(interface, x, way, memory, workspace);
     parallel_for(static_cast<Index>(memory.near.size()), 64, [&](Index i) {
       Near& near = memory.near[i];
+      near.pressed = near.element.closed && m.dt > 0 ? near.element.apex.norm() : 0;
       if (near.rests && moved < near.clear) return;
+      if (stays(interface, moved, near)) {
+        near.element.moved = false;
+        near.element.lost = 0;
+        return;
+      }
       const Feature before = memory.feature[near.apex];
       find_contact(interface, x, way, dt, moved, near, memory);
       near.element.moved = near.pressed > 0 && !same(memory.feature[near.apex], before);
@@ -49,23 +64,31 @@ bool make(const Interface& interface, const Motion& m, const Multipliers& all, c
   const Index apex = interface.apexes[near.apex];
   const Vec3 p = m.x.col(apex);
   const double push = stencil.push.norm();
+  FeatureHeight over;
+  const auto feature = [&] { return Feature{stencil.facet, stencil.kind, stencil.local}; };
   if (stencil.kind != geometry::Kind::facet) {  // where the apex would be; now it may be over a facet beside
     const Stand here = stand(interface.base, m.x, p, stencil.facet);
     if (here.past == 0) stencil.facet = here.feature.facet, stencil.kind = here.feature.kind, stencil.local = here.feature.local;
+    over = height_over(interface.base, m.x, feature(), p);
   }
-  FeatureHeight over = height_over(interface.base, m.x, {stencil.facet, stencil.kind, stencil.local}, p);
   if (stencil.kind != geometry::Kind::facet && std::abs(over.height) < no_direction * interface.base.size(stencil.facet)) {
     const Vec3 facet = facet_normal(interface.base, m.x, stencil.facet);
     if (push > 0 && facet.dot(stencil.push) < along * push) has_moment = true, over.normal = stencil.push / push;
-    else stencil.kind = geometry::Kind::facet, over = height_over(interface.base, m.x, {stencil.facet, stencil.kind, 0}, p);
+    else stencil.kind = geometry::Kind::facet;
   }
   // beside a rim, below its level: the normal from there to the apex leads along the surface, and nothing was penetrated
   if (stencil.kind != geometry::Kind::facet && near.tracks.count == 0 && over.height < 0) return false;
-  if (push > 0 && over.normal.dot(stencil.push) < 0) over.normal = -over.normal, over.height = -over.height;
-  const bool alone = near.element.count == 1;
-  const bool blends = alone && stencil.level < blended * interface.base.size(stencil.facet);  // over plates the foot would leave its node
-  const Feature feature{stencil.facet, stencil.kind, stencil.local};
-  stencil.fourth = spread(interface.base, m.x, p, feature, blends, allowed_of(interface, near.apex), over);
+  if (stencil.kind == geometry::Kind::facet) over.weight = stencil.weight;
+  else if (push > 0 && over.normal.dot(stencil.push) < 0) over.normal = -over.normal, over.height = -over.height;
+  // over plates the foot would leave its node, and where several push each has its own
+  const bool blends = near.element.count == 1 && stencil.level < blended * interface.base.size(stencil.facet);
+  const Mat3* allowed = allowed_of(interface, near.apex);
+  if (!stand_on_face(interface.base, m.x, p, feature(), blends, allowed, over, stencil.fourth)) {
+    stencil.fourth = 0;
+    if (stencil.kind == geometry::Kind::facet) over = height_over(interface.base, m.x, feature(), p);
+    if (blends && stencil.kind == geometry::Kind::facet && interface.base.half[stencil.facet].cut < 0)
+      blend_over_facet(interface.base, m.x, p, feature(), allowed, over);
+  }
   stencil.weight = over.weight;
   c.gap = over.height - stencil.level;
   c.normal = over.normal;
@@ -98,14 +121,14 @@ bool is_same_face(const BaseSurface& base, const ElementForces& element, int s) 
 ///
 /// pressed  [N] by all conditions of the contactor in the step before;  held  [J] by it
 bool complete(const Motion& m, const Vectors& free, double pressed, double held, Condition& c) {
+  c.constrained = false;
   c.per_mass = c.before = c.free = 0;
   for (int j = 0; j < c.nodes; ++j) {
     const Index node = c.node[j];
-    const double each = c.weight[j] / m.mass(node);
-    c.response[j] = each * c.normal;
-    c.size[j] = std::abs(each);
-    if (m.allowed[node]) c.response[j] = *m.allowed[node] * c.response[j], c.size[j] = c.response[j].norm();
-    c.per_mass += c.weight[j] * c.normal.dot(c.response[j]);
+    c.response[j] = c.weight[j] / m.mass(node);
+    const double let = m.allowed[node] ? c.normal.dot(*m.allowed[node] * c.normal) : 1;
+    c.constrained = c.constrained || m.allowed[node];
+    c.per_mass += let * c.weight[j] * c.response[j];
     c.before += c.weight[j] * c.normal.dot(m.v.col(node));
     c.free += c.weight[j] * c.normal.dot(free.col(node));
   }
@@ -190,49 +213,55 @@ Multipliers make_multipliers(std::span<const Interface> interfaces, std::span<co
   return all;
 }
 
+namespace {
+
+void see_ahead(Index node, const Motion& m, Multipliers& all) {
+  const Vec3 way = m.next * all.velocity.col(node);
+  all.ahead.col(node) = m.x.col(node) + way;
+  all.way.col(node) = (m.dt * m.v.col(node) + way) / (m.dt + m.next);
+}
+
+}  // namespace
+
 void see_ahead(const Subset& nodes, const Motion& m, Multipliers& all) {
-  for (const Index node : nodes) {
-    const Vec3 way = m.next * all.velocity.col(node);
-    all.ahead.col(node) = m.x.col(node) + way;
-    all.way.col(node) = (m.dt * m.v.col(node) + way) / (m.dt + m.next);
-  }
+  for (const Index node : nodes) see_ahead(node, m, all);
 }
 
 void look_ahead(const Subset& nodes, const Motion& m, Multipliers& all) {
   const double h = 0.5 * (m.dt + m.next);
   for (const Index node : nodes) {
+    all.shared(node) = 0;
     Vec3 change = h / m.mass(node) * m.force.col(node);
     if (m.allowed[node]) change = *m.allowed[node] * change;
     all.velocity.col(node) = m.v.col(node) + change;
+    see_ahead(node, m, all);
     const Index turns = m.rotation_of_node[node];
     if (turns < 0) continue;
     Vec3 turn = h / m.inertia(turns) * m.moment.col(turns);
     if (m.allowed_rotation[turns]) turn = *m.allowed_rotation[turns] * turn;
     all.spin.col(turns) = m.omega.col(turns) + turn;
   }
-  see_ahead(nodes, m, all);
 }
 
 void find_conditions(const Interface& interface, const Motion& m, Memory& memory, Workspace& workspace, Multipliers& all) {
   const double h = 0.5 * (m.dt + m.next);
   const std::size_t first_friction = all.frictions.size();
-  for (Near& near : memory.near) near.pressed = near.element.closed && m.dt > 0 ? near.element.apex.norm() : 0;
   find(interface, m, memory, workspace, all);
   for (Near& near : memory.near) {
     const auto first = static_cast<Index>(all.conditions.size());
     for (int s = 0; s < near.element.count; ++s) {
       Stencil& stencil = near.element.stencil[s];
-      Condition c;
+      Condition& c = all.conditions.emplace_back();
       const bool counts = !std::isnan(stencil.level) && !is_same_face(interface.base, near.element, s) &&
                           make(interface, m, all, near, stencil, near.element.has_moment, c) &&
                           complete(m, all.velocity, near.pressed, memory.restitution[near.apex].held, c);
       if (!counts) {
         stencil.apex = 0, stencil.weight = {}, stencil.fourth = 0, stencil.push.setZero();
+        all.conditions.pop_back();
         continue;
       }
       c.impulse = c.met = near.element.count == 1 ? near.pressed * h : 0;
       stencil.push = c.normal;
-      all.conditions.push_back(c);
     }
     const auto last = static_cast<Index>(all.conditions.size());
     Restitution& restitution = memory.restitution[near.apex];
@@ -249,7 +278,8 @@ void find_conditions(const Interface& interface, const Motion& m, Memory& memory
       friction = add_friction(touch, interface.friction, force, near.friction.stuck, m, all);
     }
     all.contactors.push_back({.memory = &restitution, .first = first, .last = last, .friction = friction,
-                              .area = area, .impedance = interface.pass_factor * interface.impedance * area,
+                              .area = area, .depth = interface.depth,
+                              .impedance = interface.pass_factor * interface.impedance * area,
                               .square = interface.restitution * interface.restitution});
   }
   for (std::size_t a = 0; a < memory.restitution.size(); ++a)
@@ -261,21 +291,21 @@ void find_conditions(const RigidPlane& plane, const Motion& m, PlaneMemory& memo
   const std::size_t first_friction = all.frictions.size();
   for (std::size_t i = 0; i < plane.nodes.size(); ++i) {
     const Index node = plane.nodes[i];
-    Condition c;
+    const auto first = static_cast<Index>(all.conditions.size());
+    Condition& c = all.conditions.emplace_back();
     c.nodes = 1, c.node[0] = node, c.weight[0] = 1, c.normal = plane.normal;
     c.gap = (m.x.col(node) - plane.point).dot(plane.normal);
-    const auto first = static_cast<Index>(all.conditions.size());
     const double way = steps_to_touch * m.next * std::abs(plane.normal.dot(all.velocity.col(node)));
     const bool far = !(memory.force[i] > 0) && c.gap > std::max(multipliers_reach * plane.depth, way);
     if (far || !complete(m, all.velocity, m.dt > 0 ? memory.force[i] : 0, memory.restitution[i].held, c)) {
       discard(memory.restitution[i], memory.impact);
       memory.next_force[i] = 0;
       if (!memory.next_friction.empty()) memory.next_friction[i].setZero(), memory.stuck[i] = 0;
+      all.conditions.pop_back();
       continue;
     }
     const double area = plane.area(static_cast<Eigen::Index>(i));
     c.impulse = c.met = memory.force[i] * 0.5 * (m.dt + m.next);
-    all.conditions.push_back(c);
     Index friction = -1;
     if (plane.friction.coefficient > 0 && m.dt > 0) {
       Touch touch;
@@ -283,7 +313,7 @@ void find_conditions(const RigidPlane& plane, const Motion& m, PlaneMemory& memo
       friction = add_friction(touch, plane.friction, memory.friction[i], memory.stuck[i] != 0, m, all);
     }
     all.contactors.push_back({.memory = &memory.restitution[i], .first = first, .last = first + 1, .friction = friction,
-                              .area = area, .impedance = plane.impedance * area,
+                              .area = area, .depth = plane.depth, .impedance = plane.impedance * area,
                               .square = plane.restitution * plane.restitution});
   }
   let_yield(memory.friction_owed, plane.depth, m, first_friction, all);
@@ -306,7 +336,7 @@ void apply_changes(const Motion& m, Multipliers& all) {
       Condition& c = all.conditions[i];
       if (c.change == 0) continue;
       c.impulse += c.change;
-      give(c, c.change, all.velocity);
+      give(c, c.change, m, all.velocity);
     }
     if (one.friction < 0 || all.frictions[one.friction].change.isZero(0)) continue;
     FrictionCondition& condition = all.frictions[one.friction];

@@ -38,23 +38,23 @@ Value mean_to_come(const Value& before, const Value& after, double share) {
   return after - 0.5 * share * (after - before);
 }
 
-/// One condition: an apex over a feature, or a node over a rigid plane.
+/// One condition: an apex over a feature, or a node over a rigid plane. What sweeps read and write comes first.
 struct Condition {
-  int nodes;                      ///< 1 over a rigid plane, 4 over a facet, 5 over a face of a hexahedron
-  std::array<Index, 5> node;      ///< the apex, then those of the base
-  std::array<double, 5> weight;   ///< 1, then minus those of the foot
-  std::array<Vec3, 5> response;   ///< [m/s per N s] velocity of each node per impulse
-  std::array<double, 5> size;     ///< [m/s per N s] of that
-  Vec3 normal;                    ///< unit vector, from the base to the apex
-  double per_mass;                ///< [1/kg] relative velocity per impulse
-  double bound;                   ///< [1/kg] of what all impulses together change in it
-  double before;                  ///< [m/s] relative velocity in the step before
-  double least;                   ///< [m/s] that may be afterwards
-  double free;                    ///< [m/s] relative velocity afterwards if no multiplier acted
-  double after;                   ///< [m/s] relative velocity afterwards, set by find_work()
-  double impulse, change;         ///< [N s] so far, and what a sweep adds
-  double met, moved;              ///< [N s] what the last sweep found before it went on by its momentum, and by how much that moved
-  double gap;                     ///< [m]
+  double impulse, change;          ///< [N s] so far, and what a sweep adds
+  double met, moved;               ///< [N s] what the last sweep found before it went on by its momentum, and by how much that moved
+  double per_mass;                 ///< [1/kg] relative velocity per impulse
+  double bound;                    ///< [1/kg] of what all impulses together change in it
+  double least;                    ///< [m/s] relative velocity that may be afterwards
+  int nodes;                       ///< 1 over a rigid plane, 4 over a facet, 5 over a face of a hexahedron
+  bool constrained;                ///< some of its nodes are
+  std::array<Index, 5> node;       ///< the apex, then those of the base
+  std::array<double, 5> weight;    ///< 1, then minus those of the foot
+  Vec3 normal;                     ///< unit vector, from the base to the apex
+  std::array<double, 5> response;  ///< [m/s per N s] velocity of each node along the normal per impulse, without constraints
+  double before;                   ///< [m/s] relative velocity in the step before
+  double free;                     ///< [m/s] relative velocity afterwards if no multiplier acted
+  double after;                    ///< [m/s] relative velocity afterwards, set by find_work()
+  double gap;                      ///< [m]
 };
 
 /// Friction of one apex, or of one node over a rigid plane: it sticks as far as it can.
@@ -78,6 +78,7 @@ struct Contactor {
   Index first, last;     ///< its conditions
   Index friction;        ///< in Multipliers::frictions, or -1
   double area;           ///< [m2] tributary
+  double depth;          ///< [m] of the flattest element of its contact
   double impedance;      ///< [N s/m] of its area
   double square;         ///< [-] of the coefficient of restitution
   double work = 0;       ///< [J] of its impulses in this step
@@ -89,6 +90,7 @@ struct Pool {
   Index first, last;
   double* transferred;
   double rubbed;         ///< what friction has taken in this step, less what it owes
+  bool owes = false;     ///< some of them have given more than they held
 };
 
 /// What multipliers work with and may throw away between steps.
@@ -97,7 +99,7 @@ struct Multipliers {
   Vectors way;          ///< [m/s] [nodes] mean velocity from the start of the step that led to t up to there
   Vectors velocity;     ///< [m/s] [nodes] in the step to come, with the impulses so far
   Vectors spin;         ///< [rad/s] [plate nodes] the same of angular velocities
-  Scalars shared;       ///< [m2] [nodes] sum of the weights of all conditions times their areas
+  Scalars shared;       ///< [m2] [nodes] sum of the weights of all conditions times their areas; look_ahead() begins it
   std::vector<Condition> conditions;
   std::vector<FrictionCondition> frictions;
   std::vector<Contactor> contactors;
@@ -117,8 +119,12 @@ inline double rate(const Condition& c, const Vectors& v) {
 }
 
 /// Adds to velocities what one more impulse makes of them.
-inline void give(const Condition& c, double impulse, Vectors& v) {
-  for (int j = 0; j < c.nodes; ++j) v.col(c.node[j]) += impulse * c.response[j];
+inline void give(const Condition& c, double impulse, const Motion& m, Vectors& v) {
+  const Vec3 along = impulse * c.normal;
+  for (int j = 0; j < c.nodes; ++j) {
+    if (c.constrained && m.allowed[c.node[j]]) v.col(c.node[j]) += c.response[j] * (*m.allowed[c.node[j]] * along);
+    else v.col(c.node[j]) += c.response[j] * along;
+  }
 }
 
 /// The work of its impulse, with the relative velocity afterwards: the mean of both velocities, whatever the steps. [J]

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "contact/apex.hpp"
+#include "contact/bond.hpp"
 #include "contact/near.hpp"
 #include "contact/stand.hpp"
 
@@ -55,10 +56,7 @@ bool bond(const Vectors& x, Index a, const Start& start, Interface& interface, M
   if (start.facet < 0) return false;
   const Index facet = start.stand.feature.facet;
   if (start.stand.past > bond_past_border * std::sqrt(area_vector(interface.base, x, facet).norm())) return false;
-  const FeatureHeight over = height_over(interface.base, x, {facet, Kind::facet, 0}, x.col(interface.apexes[a]));
-  // a height of round-off is none: a bond without one is simpler
-  const double height = std::abs(over.height) < 1e-9 * interface.base.longest(facet) ? 0 : over.height;
-  interface.bonds[a] = {facet, over.weight, height};
+  interface.bonds[a] = bond_over(interface, x, a, facet);
   memory.feature[a] = {facet, Kind::facet, 0};
   memory.status[a] = Status::open;
   memory.slot[a] = static_cast<Index>(memory.near.size());

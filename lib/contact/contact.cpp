@@ -101,6 +101,7 @@ void add_forces(const Interface& interface, const Memory& memory, Vectors& force
       for_each_node(interface, element.stencil[i], [&](Index node, double weight, double) { force.col(node) -= weight * push; });
     }
   }
+  if (!(interface.friction.coefficient > 0)) return;
   for (const Near& near : memory.near)
     if (near.friction.acts) add_friction(near.friction.touch, near.friction.force, interface.rotation_of_node, force, moment);
 }
@@ -167,7 +168,7 @@ ElementView view(const Interface& interface, const Vectors& x, const Memory& mem
   }
   if (v.status != Status::closed) return v;
   if (bonded_by_multipliers(interface)) {
-    const Vec3 force = near->element.apex, normal = facet_normal(interface.base, x, v.feature.facet);
+    const Vec3 force = near->element.apex, normal = normal_of(interface, apex, x);
     v.traction = force.dot(normal) / interface.area(apex);
     v.shear_traction = (force - force.dot(normal) * normal).norm() / interface.area(apex);
     return v;

@@ -12,7 +12,8 @@
 //                         (search.hpp, near.hpp, tracking.hpp, stand.hpp)
 //              stencil    nodes, weights and push of one contact (stencil.hpp)
 //              enforce    the shortest way out d, with the potential  1/2 (area/delta) |d|^2 (way_out.hpp, projection.hpp, friction.hpp);
-//                         or by multipliers, without a penalty (multiplier.hpp, condition.hpp, restitution.hpp)
+//                         or by multipliers, without a penalty (multiplier.hpp, condition.hpp, foot.hpp,
+//                         restitution.hpp; bond.hpp)
 //              account    work, what is stored, dissipated and created: here, with forces, time step and output
 //              apex.hpp goes with one apex through all of them.
 //
@@ -60,11 +61,12 @@ enum class InitialPenetration {
   accept,  ///< the penetration becomes an offset of the apex: no force at the start, see Track::height
 };
 
-/// Where a bonded apex belongs: over fixed weights of a facet's nodes, at a fixed height.
+/// Where a bonded apex belongs: over fixed weights of the nodes of a facet, or of the face that it is half of, at a fixed height.
 struct Bond {
   Index facet = -1;                ///< -1: the apex found no base and is free
-  std::array<double, 3> weight{};
-  double height = 0;               ///< [m] along the facet's normal
+  bool on_face = false;            ///< of a hexahedron, by bilinear weights
+  std::array<double, 4> weight{};  ///< of the nodes of the facet, then of Half::fourth
+  double height = 0;               ///< [m] along the normal of the facet, or of the face at that point
 };
 
 /// Apexes over a base surface. Constant in time.

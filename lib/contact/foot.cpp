@@ -11,7 +11,6 @@ namespace nereid::contact {
 namespace {
 
 constexpr double one_patch = 0.9;  // cosine between the normals of faces that go over into each other
-constexpr double equal = 1e-14;    // between unit normals
 constexpr double turned = 0.5;     // cosine between the normals of a face and of its half: a face that is warped more stays cut
 
 /// A facet, or the face that it is half of.
@@ -37,24 +36,21 @@ Face face_of(const BaseSurface& base, Index facet) {
           {base.neighbour(from_first, other), base.neighbour(from_fourth, other), beyond(cut + 1), beyond(cut + 2)}};
 }
 
-/// How the point (a, b) of a bilinear face moves with a and b, and the area it sweeps.
-struct Tangents {
-  Vec3 by_a, by_b, area;
-};
-Tangents tangents_at(const Face& face, const Vectors& x, double a, double b) {
+/// The normal of a bilinear face at (a, b).
+Vec3 normal_at(const Face& face, const Vectors& x, double a, double b) {
   const Vec3 corner[4] = {x.col(face.node[0]), x.col(face.node[1]), x.col(face.node[2]), x.col(face.node[3])};
-  Tangents at;
-  at.by_a = (1 - b) * (corner[1] - corner[0]) + b * (corner[2] - corner[3]);
-  at.by_b = (1 - a) * (corner[3] - corner[0]) + a * (corner[2] - corner[1]);
-  at.area = at.by_a.cross(at.by_b);
-  return at;
+  const Vec3 by_a = (1 - b) * (corner[1] - corner[0]) + b * (corner[2] - corner[3]);
+  const Vec3 by_b = (1 - a) * (corner[3] - corner[0]) + a * (corner[2] - corner[1]);
+  return by_a.cross(by_b).normalized();
 }
 
-/// Whether the point (a, b) is nearer to an edge of its face than a band.
-bool is_within(double band, const Tangents& at, double a, double b) {
-  const double along = std::min(a, 1 - a), across = std::min(b, 1 - b), limit = band * band, area = at.area.squaredNorm();
-  return !(along > 0 && across > 0 && along * along * area > limit * at.by_b.squaredNorm() &&
-           across * across * area > limit * at.by_a.squaredNorm());
+/// Whether a point of a face is nearer to an edge than a band.
+///
+/// area2  squared area of its tangents
+bool is_within(double band, const geometry::OnQuadrilateral& at, double area2) {
+  const double along = std::min(at.a, 1 - at.a), across = std::min(at.b, 1 - at.b), limit = band * band;
+  return !(along > 0 && across > 0 && along * along * area2 > limit * at.by_b.squaredNorm() &&
+           across * across * area2 > limit * at.by_a.squaredNorm());
 }
 
 /// The normal of the face behind an edge, at a point of that edge.
@@ -65,7 +61,7 @@ Vec3 normal_behind(const BaseSurface& base, const Vectors& x, Index facet, Index
   for (int e = 0; e < 4; ++e) {  // it runs the other way round
     if (face.node[e] != to) continue;
     const double back = 1 - way;
-    return tangents_at(face, x, start[e][0] + back * along[e][0], start[e][1] + back * along[e][1]).area.normalized();
+    return normal_at(face, x, start[e][0] + back * along[e][0], start[e][1] + back * along[e][1]);
   }
   return facet_normal(base, x, facet);
 }
@@ -106,40 +102,44 @@ void blend(const BaseSurface& base, const Vectors& x, const Face& face, const Ve
 
 }  // namespace
 
-double spread(const BaseSurface& base, const Vectors& x, const Vec3& p, const Feature& feature, bool blends, const Mat3* allowed,
-              FeatureHeight& over) {
+bool stand_on_face(const BaseSurface& base, const Vectors& x, const Vec3& p, const Feature& feature, bool blends, const Mat3* allowed,
+                   FeatureHeight& over, double& fourth) {
   const Half& half = base.half[feature.facet];
-  const bool on_facet = feature.kind == geometry::Kind::facet;
-  if (!on_facet && (half.cut < 0 || feature.kind != geometry::Kind::edge || feature.local != half.cut)) return 0;
-  const double band = blends ? blended * base.size(feature.facet) : 0;
-  const Face face = face_of(base, feature.facet);
-  if (face.corners == 3) {
-    if (!blends) return 0;
-    const Vec3 facet = over.normal;
-    blend(base, x, face, p - over.height * facet, band, allowed, over.normal);
-    over.weight = height_over(base, x, feature, p - over.height / over.normal.dot(facet) * over.normal).weight;
-    return 0;
-  }
+  const bool on_cut = feature.kind == geometry::Kind::edge && feature.local == half.cut;
+  if (half.cut < 0 || !(feature.kind == geometry::Kind::facet || on_cut)) return false;
   const int first = half.cut, second = (first + 1) % 3, third = (first + 2) % 3;
-  const std::array<Vec3, 4> corner{x.col(face.node[0]) - p, x.col(face.node[1]) - p, x.col(face.node[2]) - p, x.col(face.node[3]) - p};
-  std::array<double, 4> weight;
-  double a = over.weight[second], b = a + over.weight[third];
-  const auto foot = [&] {  // from the apex
-    return Vec3(weight[0] * corner[0] + weight[1] * corner[1] + weight[2] * corner[2] + weight[3] * corner[3]);
-  };
-  if (!geometry::bilinear_weights(corner, Vec3::Zero(), over.normal, a, b, weight)) return 0;
-  a = weight[1] + weight[2], b = weight[2] + weight[3];
-  const Tangents at = tangents_at(face, x, a, b);
-  Vec3 n = at.area.normalized();
-  if (!(n.dot(over.normal) > turned)) return 0;
-  if (blends && is_within(band, at, a, b)) blend(base, x, face, p + foot(), band, allowed, n);
-  if ((n - over.normal).squaredNorm() > equal * equal) {
-    if (!geometry::bilinear_weights(corner, Vec3::Zero(), n, a, b, weight)) return 0;
-    over.normal = n;
+  const auto corner = [&](Index node) { return Vec3(x.col(node) - p); };
+  const auto node = [&](int local) { return base.facets(local, feature.facet); };
+  const std::array<Vec3, 4> corners{corner(node(first)), corner(half.fourth), corner(node(second)), corner(node(third))};
+  geometry::OnQuadrilateral at;
+  at.a = over.weight[second] + fourth, at.b = over.weight[second] + over.weight[third];
+  if (!geometry::closest_on_quadrilateral(corners, Vec3::Zero(), at)) return false;
+  const Vec3 area = at.by_a.cross(at.by_b), facet = (corners[2] - corners[0]).cross(corners[3] - corners[0]);
+  const double area2 = area.squaredNorm(), same_way = area.dot(facet);
+  if (!(same_way > 0 && same_way * same_way > turned * turned * area2 * facet.squaredNorm())) return false;
+  Vec3 n = 1 / std::sqrt(area2) * area, way = at.way;
+  std::array<double, 4> weight = geometry::weights_at(at.a, at.b);
+  const double band = blended * base.size(feature.facet);
+  if (blends && is_within(band, at, area2)) {
+    const Vec3 of_face = n;
+    blend(base, x, face_of(base, feature.facet), p - way, band, allowed, n);
+    if (n != of_face) {
+      if (!geometry::bilinear_weights(corners, Vec3::Zero(), n, at.a, at.b, weight)) return false;
+      way = -(weight[0] * corners[0] + weight[1] * corners[1] + weight[2] * corners[2] + weight[3] * corners[3]);
+    }
   }
-  over.height = -over.normal.dot(foot());
+  over.normal = n;
+  over.height = n.dot(way);
   over.weight[first] = weight[0], over.weight[second] = weight[2], over.weight[third] = weight[3];
-  return weight[1];
+  fourth = weight[1];
+  return true;
+}
+
+void blend_over_facet(const BaseSurface& base, const Vectors& x, const Vec3& p, const Feature& feature, const Mat3* allowed,
+                      FeatureHeight& over) {
+  const Vec3 facet = over.normal;
+  blend(base, x, face_of(base, feature.facet), p - over.height * facet, blended * base.size(feature.facet), allowed, over.normal);
+  over.weight = height_over(base, x, feature, p - over.height / over.normal.dot(facet) * over.normal).weight;
 }
 
 }  // namespace nereid::contact

@@ -15,21 +15,30 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr int usual_sweeps = 8, most_sweeps = 100;
+constexpr int most_for_overlaps = 1000;  // of thin elements
 constexpr double still = 1e-6;     // of what the impulses do: sweeps end as soon as one changes less
-constexpr double settled = 1e-5;   // the same: fewer sweeps than usual will do
+constexpr double settled = 1e-5;   // the same: fewer sweeps than usual will do without friction, whose sticks need more beside heavy loads
 constexpr double may_gain = 1e-4;  // of the energy that the impulses exchange: sweeps go on while single contactors gain more
+constexpr double may_close = 0.02;  // of the depth of an element: the same, while a gap would be more negative in the step to come
 
-/// Books the half of a step that ends at t, in which the forces of the memory have acted.
-void book_half(const Interface& interface, const Motion& m, double later, Memory& memory) {
+/// Books the moments of one apex in half of a step, where its forces can have one.
+///
+/// later  [s] at which positions they count, after t
+void book_moments(const Interface& interface, const Motion& m, double later, const Near& near, Memory& memory) {
+  const double half = 0.5 * m.dt;
+  memory.angular_impulse += half * moment(interface, m.x, m.v, later, near.apex, near.element);
+  if (near.friction.acts && (!interface.allowed.empty() || interface.weights == Weights::paper))
+    memory.angular_impulse += half * moment_of_friction(near.friction.touch, near.friction.force, m.x, m.v, later);
+}
+
+/// Books the first half of the step that led to t, in which the forces of the memory have acted.
+void book_first_half(const Interface& interface, const Motion& m, Memory& memory) {
   const double half = 0.5 * m.dt;
   for (const Near& near : memory.near) {
     if (!near.element.closed) continue;
     memory.work += half * power(interface, m.v, near.apex, near.element);
-    memory.angular_impulse += half * moment(interface, m.x, m.v, later, near.apex, near.element);
-    if (!near.friction.acts) continue;
-    memory.work += half * near.friction.force.dot(slip_rate(near.friction.touch, m.v, m.omega, m.rotation_of_node));
-    if (!interface.allowed.empty() || interface.weights == Weights::paper)
-      memory.angular_impulse += half * moment_of_friction(near.friction.touch, near.friction.force, m.x, m.v, later);
+    if (near.friction.acts) memory.work += half * near.friction.force.dot(slip_rate(near.friction.touch, m.v, m.omega, m.rotation_of_node));
+    book_moments(interface, m, -m.dt, near, memory);
   }
 }
 
@@ -41,9 +50,6 @@ void book_half(const Interface& interface, const Motion& m, double later, Memory
 /// half a body on its symmetry plane has nearly the sweeps of the whole one.
 void find_bounds(const Motion& m, Multipliers& all) {
   for (const Contactor& one : all.contactors)
-    for (Index i = one.first; i < one.last; ++i)
-      for (int j = 0; j < all.conditions[i].nodes; ++j) all.shared(all.conditions[i].node[j]) = 0;
-  for (const Contactor& one : all.contactors)
     for (Index i = one.first; i < one.last; ++i) {
       const Condition& c = all.conditions[i];
       for (int j = 0; j < c.nodes; ++j) all.shared(c.node[j]) += one.area * std::abs(c.weight[j]);
@@ -52,7 +58,10 @@ void find_bounds(const Motion& m, Multipliers& all) {
     for (Index i = one.first; i < one.last; ++i) {
       Condition& c = all.conditions[i];
       c.bound = 0;
-      for (int j = 0; j < c.nodes; ++j) c.bound += c.size[j] * all.shared(c.node[j]);
+      for (int j = 0; j < c.nodes; ++j) {
+        const Mat3* allowed = c.constrained ? m.allowed[c.node[j]] : nullptr;
+        c.bound += (allowed ? (*allowed * c.normal).norm() : 1) * std::abs(c.response[j]) * all.shared(c.node[j]);
+      }
       c.bound /= one.area;
     }
     if (one.friction < 0) continue;
@@ -67,11 +76,9 @@ void find_bounds(const Motion& m, Multipliers& all) {
   }
 }
 
-/// One sweep: all impulses are changed by the rates that all of them have made so far, so no order counts, and go on by some of what they
-/// moved (Nesterov's momentum).
-///
-/// returns  whether they turn back: the momentum is to begin anew (O'Donoghue & Candes 2015)
-bool sweep(const Motion& m, double momentum, Multipliers& all) {
+/// One sweep: all impulses are to change by the rates that all of them have made so far, so no order counts, and to go on by some of what
+/// they moved (Nesterov's momentum).
+void sweep(const Motion& m, double momentum, Multipliers& all) {
   parallel_for(static_cast<Index>(all.contactors.size()), 128, [&](Index k) {
     const Contactor& one = all.contactors[k];
     double pressed = 0;
@@ -91,24 +98,17 @@ bool sweep(const Motion& m, double momentum, Multipliers& all) {
     friction.change += momentum * friction.moved;
     friction.met = now;
   });
-  double turns = 0;
-  for (const Condition& c : all.conditions) turns += c.bound * (c.met - c.impulse) * c.moved;
-  for (const FrictionCondition& f : all.frictions) turns += f.bound * (f.met - f.impulse).dot(f.moved);
-  apply_changes(m, all);
-  return turns < 0;
 }
 
-/// Takes back the momentum of the last sweep, so that no impulse pulls.
-void come_to_rest(const Motion& m, Multipliers& all) {
-  for (Condition& c : all.conditions) c.change = c.met - c.impulse;
-  for (FrictionCondition& f : all.frictions) f.change = f.met - f.impulse;
-  apply_changes(m, all);
-}
-
-/// What the last sweep changed, over all that the impulses do, of the contact where that is most, friction for itself; by velocities, so
-/// that light bodies count beside heavy ones. [-]
-double unrest(const Multipliers& all) {
-  double most = 0;
+/// What a sweep has done.
+struct Progress {
+  double turned = 0;  ///< [J] work of what moved against where it moved to: below zero, and the momentum is to begin anew
+                      ///< (O'Donoghue & Candes 2015)
+  double change = 0;  ///< [-] of the impulses over all that they do, of the contact where that is most, friction for itself; by
+                      ///< velocities, so that light bodies count beside heavy ones
+};
+Progress progress(const Multipliers& all) {
+  Progress sum;
   for (std::size_t contact = 0; contact + 1 < all.first.size(); ++contact) {
     double moved = 0, made = 0, moved_along = 0, made_along = 0;
     for (Index k = all.first[contact]; k < all.first[contact + 1]; ++k) {
@@ -116,17 +116,26 @@ double unrest(const Multipliers& all) {
       for (Index i = one.first; i < one.last; ++i) {
         const Condition& c = all.conditions[i];
         const double A2 = c.per_mass * c.per_mass;
-        moved += c.moved * c.moved * A2, made += c.impulse * c.impulse * A2;
+        moved += c.moved * c.moved * A2, made += c.met * c.met * A2;
+        sum.turned += c.bound * (c.met - c.impulse) * c.moved;
       }
       if (one.friction < 0) continue;
-      const FrictionCondition& friction = all.frictions[one.friction];
-      const double A2 = friction.per_mass * friction.per_mass;
-      moved_along += friction.moved.squaredNorm() * A2, made_along += friction.impulse.squaredNorm() * A2;
+      const FrictionCondition& f = all.frictions[one.friction];
+      const double A2 = f.per_mass * f.per_mass;
+      moved_along += f.moved.squaredNorm() * A2, made_along += f.met.squaredNorm() * A2;
+      sum.turned += f.bound * (f.met - f.impulse).dot(f.moved);
     }
-    if (moved > 0) most = std::max(most, moved / made);
-    if (moved_along > 0) most = std::max(most, moved_along / made_along);
+    if (moved > 0) sum.change = std::max(sum.change, moved / made);
+    if (moved_along > 0) sum.change = std::max(sum.change, moved_along / made_along);
   }
-  return std::sqrt(most);
+  sum.change = std::sqrt(sum.change);
+  return sum;
+}
+
+/// Leaves out the momentum of the last sweep, so that no impulse pulls.
+void leave_out_momentum(Multipliers& all) {
+  for (Condition& c : all.conditions) c.change = c.met - c.impulse;
+  for (FrictionCondition& f : all.frictions) f.change = f.met - f.impulse;
 }
 
 /// Whether single contactors gain energy that counts.
@@ -148,26 +157,39 @@ bool gains(const Motion& m, const Multipliers& all) {
   return gained > may_gain * exchanged;
 }
 
-/// Sweeps until nothing changes, or no contactor gains energy that counts.
+/// Whether what sweeps have left of a rate would penetrate by what counts of an element: thin ones are less deep than the way of a step, of
+/// which a part is soon too much, and light ones beside heavy ones take many sweeps.
+bool overlaps(const Motion& m, const Multipliers& all) {
+  for (const Contactor& one : all.contactors)
+    for (Index i = one.first; i < one.last; ++i) {
+      const Condition& c = all.conditions[i];
+      if (one.depth > 0 && (c.least - rate(c, all.velocity)) * m.next > may_close * one.depth) return true;
+    }
+  return false;
+}
+
+/// Sweeps until nothing changes, or no contactor gains energy that counts nor penetrates by what counts.
 void solve(const Motion& m, Multipliers& all) {
   find_bounds(m, all);
   for (const Contactor& one : all.contactors)
     for (Index i = one.first; i < one.last; ++i)
-      if (all.conditions[i].impulse > 0) give(all.conditions[i], all.conditions[i].impulse, all.velocity);
+      if (all.conditions[i].impulse > 0) give(all.conditions[i], all.conditions[i].impulse, m, all.velocity);
   for (const FrictionCondition& condition : all.frictions)
     if (!condition.impulse.isZero(0)) give(condition, condition.impulse, m, all);
   if (all.bonds.touched) hold(m, all.velocity, all.bonds);
   double t = 1;
-  for (int sweeps = 1; sweeps <= most_sweeps; ++sweeps) {
+  for (int sweeps = 1; sweeps <= most_for_overlaps; ++sweeps) {
     const double next = 0.5 * (1 + std::sqrt(1 + 4 * t * t));
-    t = sweep(m, sweeps > 1 ? (t - 1) / next : 0, all) ? 1 : next;
-    if (sweeps % 2 > 0) continue;
-    const double left = unrest(all);
-    if (!(left > still)) break;
-    if (sweeps < usual_sweeps && !(left < settled && all.frictions.empty())) continue;
-    if (!gains(m, all)) break;
+    sweep(m, sweeps > 1 ? (t - 1) / next : 0, all);
+    const Progress made = progress(all);
+    t = made.turned < 0 ? 1 : next;
+    if (!(made.change > still)) break;
+    apply_changes(m, all);
+    if (sweeps % 2 > 0 || (sweeps < usual_sweeps && !(made.change < settled && all.frictions.empty()))) continue;
+    if (!(sweeps < most_sweeps && gains(m, all)) && !overlaps(m, all)) break;
   }
-  come_to_rest(m, all);
+  leave_out_momentum(all);
+  apply_changes(m, all);
 }
 
 /// What friction takes in a step, and how much of that in the half that begins. [J]
@@ -177,6 +199,7 @@ struct FrictionLoss {
 FrictionLoss friction_loss(const Motion& m, Index first, Index last, const Multipliers& all) {
   const double share = share_to_come(m);
   FrictionLoss sum;
+  if (all.frictions.empty()) return sum;
   for (Index k = first; k < last; ++k) {
     if (all.contactors[k].friction < 0) continue;
     const FrictionCondition& friction = all.frictions[all.contactors[k].friction];
@@ -186,41 +209,36 @@ FrictionLoss friction_loss(const Motion& m, Index first, Index last, const Multi
   return sum;
 }
 
-/// Work that the normal impulses of some contactors have still to do in the half step that begins. [J]
-double work_to_come(const Motion& m, Index first, Index last, const Multipliers& all) {
-  const double share = share_to_come(m);
-  double sum = 0;
+/// What the impulses of some contactors do around t.
+struct Doing {
+  double work = 0;        ///< [J] in the half step that ends
+  double to_come = 0;     ///< [J] of the normal impulses in the half step that begins
+  double power_rate = 0;  ///< [W/s] force times acceleration
+};
+Doing doing(const Motion& m, Index first, Index last, const Multipliers& all) {
+  const double share = share_to_come(m), h = 0.5 * (m.dt + m.next);
+  Doing sum;
   for (Index k = first; k < last; ++k) {
     const Contactor& one = all.contactors[k];
     for (Index i = one.first; i < one.last; ++i) {
       const Condition& c = all.conditions[i];
-      if (c.impulse > 0) sum += share * c.impulse * mean_to_come(c.before, c.after, share);
-    }
-  }
-  return sum;
-}
-
-/// Sum of force times acceleration of what some contactors do, friction included. [W/s]
-double power_rate(const Motion& m, Index first, Index last, const Multipliers& all) {
-  double sum = 0;
-  for (Index k = first; k < last; ++k) {
-    const Contactor& one = all.contactors[k];
-    for (Index i = one.first; i < one.last; ++i) {
-      const Condition& c = all.conditions[i];
-      if (c.impulse > 0) sum += c.impulse * (c.after - c.before);
+      if (!(c.impulse > 0)) continue;
+      sum.work += c.impulse * c.before;
+      sum.to_come += c.impulse * mean_to_come(c.before, c.after, share);
+      sum.power_rate += c.impulse * (c.after - c.before);
     }
     if (one.friction < 0) continue;
     const FrictionCondition& friction = all.frictions[one.friction];
-    sum += friction.impulse.dot(friction.after - friction.before);
+    sum.work += friction.impulse.dot(friction.before);
+    sum.power_rate += friction.impulse.dot(friction.after - friction.before);
   }
-  const double h = 0.5 * (m.dt + m.next);
-  return sum / (h * h);
+  return {0.5 * m.dt / h * sum.work, share * sum.to_come, sum.power_rate / (h * h)};
 }
 
 /// Writes impulses into the memory of an interface as forces, and books them.
-void take_over(const Interface& interface, const Motion& m, double h, double t, Index first, Index last, Memory& memory,
+void take_over(const Interface& interface, const Motion& m, double h, double t, Index first, Index last, const Doing& now, Memory& memory,
                const Multipliers& all) {
-  const double to_come = work_to_come(m, first, last, all);
+  const bool rubs = interface.friction.coefficient > 0;
   Index at = first < last ? all.contactors[first].first : 0, contactor = first;
   memory.deepest_now = 0;
   for (Near& near : memory.near) {
@@ -241,9 +259,11 @@ void take_over(const Interface& interface, const Motion& m, double h, double t, 
       element.apex += stencil.push;
       element.closed = element.closed || c.impulse > 0;
     }
-    near.friction.acts = near.friction.stuck = false;
-    near.friction.force.setZero();
-    if (gap < infinite) {
+    if (rubs) {
+      near.friction.acts = near.friction.stuck = false;
+      near.friction.force.setZero();
+    }
+    if (rubs && gap < infinite) {
       const Contactor& one = all.contactors[contactor++];
       near.friction.stuck = element.closed && (one.friction < 0 || !all.frictions[one.friction].slides);
       if (one.friction >= 0 && element.closed) {
@@ -258,16 +278,17 @@ void take_over(const Interface& interface, const Motion& m, double h, double t, 
     if (element.depth > memory.deepest) see_depth(interface, m.x, near, memory), memory.deepest_time = t;
     memory.lost += element.lost;
     if (element.moved && !near.rests) ++memory.walks, ++memory.reconnections[near.apex];
+    if (element.closed) book_moments(interface, m, 0, near, memory);
   }
-  book_half(interface, m, 0, memory);
+  memory.work += now.work;
   sum_force(m.dt, memory);
-  memory.held = to_come + held(first, last, all) + memory.transferred;
+  memory.held = now.to_come + held(first, last, all) + memory.transferred;
 }
 
 /// The same for a rigid plane.
-void take_over(const RigidPlane& plane, const Motion& m, double h, double t, Index first, Index last, PlaneMemory& memory,
+void take_over(const RigidPlane& plane, const Motion& m, double h, double t, Index first, Index last, const Doing& now, PlaneMemory& memory,
                const Multipliers& all) {
-  const double to_come = work_to_come(m, first, last, all), deepest = memory.deepest;
+  const double deepest = memory.deepest;
   std::size_t i = 0;
   for (Index k = first; k < last; ++k) {
     const Condition& c = all.conditions[all.contactors[k].first];
@@ -279,7 +300,7 @@ void take_over(const RigidPlane& plane, const Motion& m, double h, double t, Ind
   }
   advance(plane, m.x, m.v, m.dt, memory);
   if (memory.deepest > deepest) memory.deepest_time = t;
-  memory.stored = to_come + held(first, last, all) + memory.transferred;
+  memory.stored = now.to_come + held(first, last, all) + memory.transferred;
 }
 
 /// What acts by multipliers, and where its contactors begin in Multipliers::first.
@@ -380,7 +401,8 @@ void stop_at_start(std::span<const Interface> interfaces, std::span<const RigidP
         memory.impulse += all.conditions[i].impulse * all.conditions[i].normal;
       }
     }
-    memory.impact += update_restitution(m, t, first, last, all);
+    Pool alone{first, last, &memory.transferred, 0};
+    memory.impact += update_restitution(m, t, alone, all);
   });
   acting.for_each_bond(all.bonds, [&](const Interface&, std::span<const HeldBond> bonds, Memory& memory) {
     book_start(m, bonds, all.velocity, memory, impulse);
@@ -392,7 +414,7 @@ void enforce(std::span<const Interface> interfaces, std::span<const RigidPlane> 
   const double h = 0.5 * (m.dt + m.next);
   const Acting acting{interfaces, planes, memories, of_planes};
   for (std::size_t i = 0; i < interfaces.size(); ++i)
-    if (by_multipliers(interfaces[i])) book_half(interfaces[i], m, -m.dt, memories[i]);
+    if (by_multipliers(interfaces[i])) book_first_half(interfaces[i], m, memories[i]);
   find_impulses(acting, m, workspaces, all);
   if (m.dt > 0) release(m, t, all);
   std::vector<Pool>& pools = all.pools;
@@ -401,8 +423,8 @@ void enforce(std::span<const Interface> interfaces, std::span<const RigidPlane> 
     const Index first = all.first[at], last = all.first[at + 1];
     const FrictionLoss friction = friction_loss(m, first, last, all);
     memory.friction_to_come = friction.to_come;
-    memory.impact += update_restitution(m, t, first, last, all);
     pools.push_back({first, last, &memory.transferred, friction.all - memory.friction_owed});
+    memory.impact += update_restitution(m, t, pools.back(), all);
     balance({&pools.back(), 1}, all);
     if (!is_back_pass(contact)) return;
     balance({&pools.back() - 1, 2}, all);
@@ -419,10 +441,10 @@ void enforce(std::span<const Interface> interfaces, std::span<const RigidPlane> 
   });
   acting.for_each([&](std::size_t at, const auto& contact, auto& memory) {
     const Index first = all.first[at], last = all.first[at + 1];
-    take_over(contact, m, h, t, first, last, memory, all);
-    const double rate_now = power_rate(m, first, last, all);
-    memory.work += m.dt * m.dt / 8 * (rate_now - memory.power_rate);
-    memory.power_rate = rate_now;
+    const Doing now = doing(m, first, last, all);
+    take_over(contact, m, h, t, first, last, now, memory, all);
+    memory.work += m.dt * m.dt / 8 * (now.power_rate - memory.power_rate);
+    memory.power_rate = now.power_rate;
   });
   acting.for_each_bond(all.bonds, [&](const Interface& interface, std::span<const HeldBond> bonds, Memory& memory) {
     take_over(interface, m, bonds, all.velocity, memory);

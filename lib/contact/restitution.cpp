@@ -76,14 +76,15 @@ void release(const Motion& m, double t, Multipliers& all) {
   find_work(m, all);
 }
 
-double update_restitution(const Motion& m, double t, Index first, Index last, Multipliers& all) {
+double update_restitution(const Motion& m, double t, Pool& pool, Multipliers& all) {
   const double h = 0.5 * (m.dt + m.next);
   double lost = 0;
-  for (Index k = first; k < last; ++k) {
+  for (Index k = pool.first; k < pool.last; ++k) {
     const Contactor& one = all.contactors[k];
     Restitution& memory = *one.memory;
     if (-one.work > small_loss * memory.held) memory.last_loss = t;
     memory.held -= one.work + one.lost;
+    pool.owes = pool.owes || memory.held < 0;
     lost += one.lost;
     const double pressed = impulse_of(one, all) / h;
     const double time = 2 / (hardest(one, all).per_mass * one.impedance);
@@ -98,22 +99,24 @@ double held(Index first, Index last, const Multipliers& all) {
   return sum;
 }
 
-void balance(std::span<const Pool> pools, Multipliers& all) {
+void balance(std::span<Pool> pools, Multipliers& all) {
+  if (std::none_of(pools.begin(), pools.end(), [](const Pool& pool) { return pool.owes; })) return;
   double held_by_all = 0, deficit = 0;
   for (const Pool& pool : pools)
     for (Index k = pool.first; k < pool.last; ++k) {
       const double one = all.contactors[k].memory->held;
       (one < 0 ? deficit : held_by_all) += std::abs(one);
     }
-  if (!(deficit > 0)) return;
   const double covered = std::min(1.0, held_by_all / deficit), left = deficit < held_by_all ? 1 - deficit / held_by_all : 0;
-  for (const Pool& pool : pools)
+  for (Pool& pool : pools) {
+    pool.owes = pool.owes && covered < 1;
     for (Index k = pool.first; k < pool.last; ++k) {
       double& one = all.contactors[k].memory->held;
       const double before = one;
       one *= one > 0 ? left : 1 - covered;
       *pool.transferred += before - one;
     }
+  }
 }
 
 void balance_friction(std::span<Pool> pools) {

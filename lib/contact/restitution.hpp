@@ -11,11 +11,11 @@ void release(const Motion&, double t, Multipliers&);
 /// Brings what is held up to date with the works of the step.
 ///
 /// returns  what was taken for good [J]
-double update_restitution(const Motion&, double t, Index first, Index last, Multipliers&);
+double update_restitution(const Motion&, double t, Pool&, Multipliers&);
 
 /// Covers the deficits of contactors, that have given more than they held, from all of some pools in proportion to what each holds. What
 /// remains is created energy, until they take it back from the nodes.
-void balance(std::span<const Pool>, Multipliers&);
+void balance(std::span<Pool>, Multipliers&);
 
 /// The same of what friction has given in a step: that of the other pools covers it as far as it reaches.
 void balance_friction(std::span<Pool>);

@@ -15,7 +15,13 @@ double dissipated(const Account& account) {
   for (std::size_t c = 0; c < words_of_dissipated.size(); ++c) sum += account.dissipated[static_cast<Dissipated>(c)];
   return sum;
 }
-double created(const Account& a) { return a.work + stored(a) + dissipated(a); }
+double overdrawn(const Account& a) {
+  double sum = 0;
+  for (const Stored channel : {Stored::elastic, Stored::transverse_shear})
+    sum += std::max(0.0, -(a.stored[channel] + a.at_start[channel]));
+  return sum;
+}
+double created(const Account& a) { return a.work + stored(a) + dissipated(a) + overdrawn(a); }
 
 double initial_stored(const Ledger& ledger) {
   double sum = 0;
@@ -66,6 +72,16 @@ double kept_part(const Ledger& ledger) {
 double swing_part(const Ledger& ledger) {
   const double scale = energy_scale(ledger);
   return scale > 0 ? ledger.most_integration / scale : 0;
+}
+
+void see_created(Ledger& ledger) {
+  const double scale = energy_scale(ledger);
+  if (!(scale > 0)) return;
+  for (std::size_t a = 0; a < ledger.accounts.size(); ++a) {
+    const double part = created(ledger.accounts[a]) / scale;
+    double& worst = ledger.flows[a].worst_of_scene;
+    if (std::abs(part) > std::abs(worst)) worst = part;
+  }
 }
 
 void see_flows(Ledger& ledger) {

@@ -11,8 +11,10 @@ namespace nereid::dynamics {
 
 double stored(const Account&);      ///< [J] sum of the channels
 double dissipated(const Account&);  ///< [J] sum of the channels
+/// What the law of a block has given and never took: its store is an integral over the path, and none holds less than nothing. [J]
+double overdrawn(const Account&);
 /// Work that the source can neither take from its store nor has dissipated: nobody can explain it.
-double created(const Account&);     ///< [J] work + stored + dissipated
+double created(const Account&);     ///< [J] work + stored + dissipated + overdrawn
 
 /// What passed through a source, summed step by step.
 struct Flow {
@@ -20,6 +22,7 @@ struct Flow {
   double work = 0;       ///< [J] done up to now, as the account has it
   double recent = 0;     ///< [J] |work in a step|: the largest so far, halved with each step since
   double worst = 0;      ///< [-] spurious_part() where it was largest so far, with its sign
+  double worst_of_scene = 0;  ///< [-] created energy over the energy scale where it was largest at any update of the ledger, with its sign
 };
 
 struct Ledger {
@@ -83,6 +86,9 @@ double kept_part(const Ledger&);
 /// By how much the kinetic energy was too large at worst, over the energy scale now: `integration`, which but for kept_part() comes back as
 /// the forces fall. 0 without a scale. [-]
 double swing_part(const Ledger&);
+
+/// Notes what each source has created of the energy of the scene, at an update of the ledger.
+void see_created(Ledger&);
 
 /// Brings the flows up to the works that stand in the accounts, at the end of a step.
 void see_flows(Ledger&);

@@ -97,6 +97,7 @@ struct Quality {
   Index element = -1;                  ///< whose it was
   double time = 0;                     ///< [s] when
   double hourglass = 0, internal = 0;  ///< [J] the largest at any update of the ledger
+  bool inverted = false;               ///< whether a corner was at the last look
 };
 
 /// Where the simulation stands: exactly what a restart needs.

@@ -86,14 +86,20 @@ std::map<std::array<Index, 2>, double> allowed_overlaps(const Model& model, cons
   return allowed;
 }
 
+double audits_due(double every, const State& now) {  // as frames are
+  return every > 0 ? std::floor(now.t / every + 1e-9) : static_cast<double>(now.step);
+}
+
+bool audit_is_due(double every, const State& now) { return now.audit.looks == 0 || audits_due(every, now) > now.progress.audits; }
+
 void see_overlaps(const Model& model, bool last, double every, State& now, Forces& forces) {
   Progress& progress = now.progress;
-  const double due = every > 0 ? std::floor(now.t / every + 1e-9) : static_cast<double>(now.step);  // as frames are
-  const bool just_looked = progress.audited == now.step && progress.audited_itself == now.step;
-  if (now.audit.looks > 0 && (last ? just_looked : due <= progress.audits)) return;
-  progress.audits = due, progress.audited = now.step;
+  const bool just_looked = now.audit.looks > 0 && progress.audited == now.step && progress.audited_itself == now.step;
+  if (last ? just_looked : !audit_is_due(every, now)) return;
+  progress.audits = audits_due(every, now), progress.audited = now.step;
   const std::int64_t updates = elements(model) * (now.step - progress.audited_itself);
-  const bool also_itself = last || now.audit.looks == 0 || updates >= updates_per_edge * edges(forces.audit.surfaces);
+  const bool folds = std::any_of(now.quality.begin(), now.quality.end(), [](const Quality& seen) { return seen.inverted; });
+  const bool also_itself = last || now.audit.looks == 0 || folds || updates >= updates_per_edge * edges(forces.audit.surfaces);
   if (also_itself) progress.audited_itself = now.step;
   audit::look(now.x, now.t, also_itself, forces.audit, now.audit);
 }

@@ -15,6 +15,9 @@ std::map<std::array<Index, 2>, double> allowed_overlaps(const Model&, const audi
 /// time of a run.
 constexpr std::int64_t updates_per_edge = 200;
 
+/// Whether a look is due: `every` seconds, or at each update of the ledger where that is zero.
+bool audit_is_due(double every, const State&);
+
 /// Looks at the overlaps of all bodies where a look is due, or in any case if the run ends here. Needs a state whose ledger is current.
 ///
 /// every  [s] between two looks; zero: at each update of the ledger

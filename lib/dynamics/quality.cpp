@@ -13,8 +13,8 @@ constexpr double round_off = 1e-9;  // [-] of the energy scale: what is stored b
 
 }  // namespace
 
-void see_quality(const Model& model, bool last, State& now) {
-  const bool looks = last || now.step - now.progress.corners_seen >= corners_every;
+void see_quality(const Model& model, bool look, State& now) {
+  const bool looks = look || now.step - now.progress.corners_seen >= corners_every;
   if (looks) now.progress.corners_seen = now.step;
   for (std::size_t b = 0; b < model.blocks.size(); ++b) {
     Quality& seen = now.quality[b];
@@ -23,6 +23,7 @@ void see_quality(const Model& model, bool last, State& now) {
     seen.internal = std::max(seen.internal, stored(account) + dissipated(account));
     if (!looks) continue;
     const element::Corner corner = element::smallest_corner(model.blocks[b], model.mesh.X, now.x);
+    seen.inverted = corner.element >= 0 && !(corner.ratio > 0);
     if (corner.element < 0 || !(corner.ratio < seen.corner)) continue;
     seen.corner = corner.ratio, seen.element = corner.element, seen.time = now.t;
   }

@@ -10,8 +10,8 @@ constexpr std::int64_t corners_every = 500;
 
 /// Notes what the elements of each block have come to. Needs a ledger that is current.
 ///
-/// last  whether the run ends here; then corners are looked at in any case
-void see_quality(const Model&, bool last, State&);
+/// look  whether corners are looked at in any case: as a look for overlaps is due, or the run ends
+void see_quality(const Model&, bool look, State&);
 
 /// The largest hourglass energy of a block over its largest internal energy so far; zero where the latter is round-off. [-]
 ///

@@ -214,7 +214,7 @@ Outcome run(const Model& model, State& now, Forces& forces, const Time& time, do
     if (progress.ledger_is_current) {
       progress.updates = static_cast<std::int64_t>(now.t / update_every);
       update_ledger(model, now);
-      see_quality(model, false, now);
+      see_quality(model, audit_is_due(time.audit_every, now), now);
       if (now.votes.volume_ratio > 0) see_overlaps(model, last || rests, time.audit_every, now, forces);
     }
     show();

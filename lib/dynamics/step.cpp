@@ -288,7 +288,10 @@ const Votes& step(const Model& model, double dt, const Pace& pace, State& now, F
   now.t += dt;
   load::put_on_floors(model.constraints, now.constraints, now.x);
   post_moment_of_gravity(model, dt, now);
+  const Votes before_it = now.votes;
   update(model, dt, now, f);  // memory: stress, connectivity; forces by source; votes
+  const double scale = steady_scale(now.ledger);
+  see_growth(before_it, pace, dt, scale > 0 ? now.ledger.integration_kept / scale : 0, now.votes);
   gather(model, now, f);
   enforce(model, dt, pace, now, f);
   load::finish_impacts(model.constraints, model.mass, now.x, f.force, dt, now.v, now.constraints);
@@ -336,6 +339,7 @@ void update_ledger(const Model& model, State& now) {
   if (model.relaxation) post_relaxation(now.relaxation, *account++);
   if (!model.gravity.isZero(0)) post_gravity(model, now, *account);
   ledger.external_work = std::max(ledger.external_work, work_from_loads(ledger));
+  see_created(ledger);
 }
 
 }  // namespace nereid::dynamics

@@ -6,6 +6,14 @@
 
 namespace nereid::dynamics {
 
+namespace {
+
+constexpr double grows_by = 1.05;          // [-] or not at all
+constexpr int patience = 20;               // steps: more than a period of what rings at the limit of the step
+constexpr double worth_a_warning = 0.01;   // of the energy of the scene: a fifth of the usual created_limit
+
+}  // namespace
+
 Step choose_step(const Votes& votes, double safety) {
   const double elements = safety * votes.elements.step;
   if (votes.contact.step < elements) return {votes.contact.step, votes.contact.source, votes.contact.at, 1};
@@ -13,12 +21,18 @@ Step choose_step(const Votes& votes, double safety) {
 }
 
 double next_length(const Votes& votes, const Pace& pace, double t, double last) {
-  constexpr double grows_by = 1.05, shared = 20;
+  constexpr double shared = 20;
   if (pace.fixed > 0) return pace.fixed;
   const double most = choose_step(votes, pace.safety).dt, left = pace.end - t;
-  const double chosen = most < grows_by * last ? std::min(most, last) : most;
+  const bool waits = votes.costly && votes.may_grow < patience;
+  const double chosen = most < grows_by * last || waits ? std::min(most, last > 0 ? last : most) : most;
   if (left >= shared * chosen || !(left > 1e-12 * pace.end)) return chosen;  // at the end as if the run went on
   return left / std::max(1.0, std::ceil(left / chosen - 1e-9));
+}
+
+void see_growth(const Votes& before, const Pace& pace, double dt, double created, Votes& now) {
+  now.may_grow = choose_step(now, pace.safety).dt < grows_by * dt ? 0 : before.may_grow + 1;
+  now.costly = before.costly || created > worth_a_warning;
 }
 
 std::string limited_by(const Step& step, const std::vector<Source>& sources) {

@@ -28,6 +28,8 @@ struct Votes {
   double volume_ratio = 1e300;  ///< [-] smallest volume or area ratio; not positive or NaN: inverted
   int smallest_block = -1; ///< in sources(model)
   Index smallest_element = -1;
+  int may_grow = 0;             ///< steps in a row after which the next one might have been longer by a twentieth; see see_growth()
+  bool costly = false;          ///< whether changes of the step have created what is worth a warning
 };
 
 /// The length of a step, and what limits it.
@@ -51,8 +53,17 @@ Step choose_step(const Votes&, double safety);
 /// The length of the step that begins at t: as chosen, but it grows only by a twentieth or more, because every change of the step costs
 /// energy; and the last twenty share what is left evenly, so that none is vanishingly short. [s]
 ///
+/// Where bodies ring at the limit of the step, it falls as they are pressed and grows as they let go: energy is created in each cycle,
+/// dt^2/8 f.f/m being large in the one and small in the other. So once that is worth a warning, the step grows only where twenty in a row
+/// would have let it.
+///
 /// last  [s] the step that led to t; 0: none
 double next_length(const Votes&, const Pace&, double t, double last);
+
+/// Brings up to date what next_length() asks of the steps before.
+///
+/// before   the votes for the step dt that has been done;  created  [-] what changes of the step have created, over steady_scale()
+void see_growth(const Votes& before, const Pace&, double dt, double created, Votes& now);
 
 /// What limits a step, in words: "element 17 of 'lead', 0.9 of its stable step", "contact 'skin', apex at node 204".
 std::string limited_by(const Step&, const std::vector<Source>&);

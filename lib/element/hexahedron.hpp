@@ -1,6 +1,6 @@
 #pragma once
-// The 8-node hexahedron with uniform strain and hourglass control by springs or dashpots
-// (Flanagan & Belytschko, Int. J. Num. Meth. Engng 17, 1981), worked out in modes.
+// The 8-node hexahedron with uniform strain and hourglass control by springs, dashpots
+// (Flanagan & Belytschko, Int. J. Num. Meth. Engng 17, 1981) or assumed strains, worked out in modes.
 //
 // Eight nodal vectors are eight modes: the mean, three linear ones (xi, eta, zeta) and four hourglass
 // ones (eta zeta, zeta xi, xi eta, xi eta zeta). In modes, volume, gradient, the gradient of an increment
@@ -10,6 +10,7 @@
 #include <array>
 
 #include "base/tensor.hpp"
+#include "element/assumed_strain.hpp"
 #include "element/report.hpp"
 #include "element/viscosity.hpp"
 #include "material/law.hpp"
@@ -161,6 +162,27 @@ NEREID_HOT T largest_frequency_squared(const Symmetric<T>& G, T per_volume, T pe
          (T(larger(moduli.lambda, N(0.0))) * trace(G) + T(N(2.0) * moduli.mu) * largest_eigenvalue_bound(G));
 }
 
+/// What coupling of strain and hourglass modes raises the squared frequencies by, with the stiffness of assumed strains. [-]
+///
+///     2/3 + sqrt(1/9 + c^2/3),   c^2 = min(1, 8 sum of d_a . G^-1 d_a),   d_a = g_a - G H_a / V
+///
+/// from two positive forms, the second at most a third of the first, between whose ranges the smallest angle is arccos c. One for a
+/// parallelepiped, for which the third is exact; for others it was compared with exact frequencies.
+template <class T>
+NEREID_HOT T coupling_of_hourglass(const Symmetric<T>& G, const Gradient<T>& g, const Modes<T>& X) {
+  const Symmetric<T> a{G.yy * G.zz - G.yz * G.yz, G.xx * G.zz - G.xz * G.xz, G.xx * G.yy - G.xy * G.xy,
+                       G.xz * G.yz - G.xy * G.zz, G.xy * G.xz - G.yz * G.xx, G.xy * G.yz - G.xz * G.yy};  // adjugate
+  const T determinant = G.xx * a.xx + G.xy * a.xy + G.xz * a.xz;
+  T sum(0.0);
+  for (int m = 0; m < 4; ++m) {
+    Vector<T> d = -(g.per_volume * (G * X.hourglass[m]));
+    if (m < 3) d = d + g.hourglass[m];
+    sum = sum + dot(d, a * d);
+  }
+  const T c2 = smaller(T(1.0), T(8.0) * sum / determinant);
+  return T(2.0 / 3.0) + root(T(1.0 / 9.0) + T(1.0 / 3.0) * c2);
+}
+
 /// A pressure against the rate of volume change of a hexahedron, and what it asks of the step.
 template <class T>
 struct ViscousPressure {
@@ -186,21 +208,23 @@ struct Hexahedron {
   static constexpr std::array dissipated_channels{Dissipated::plastic, Dissipated::viscous, Dissipated::hourglass};
 
   enum class Hourglass {
-    stiffness,  ///< springs: they hold under load, and store what they take
-    viscous,    ///< dashpots: they add no stiffness, and dissipate what they take
+    stiffness,       ///< springs: they hold under load, and store what they take
+    viscous,         ///< dashpots: they add no stiffness, and dissipate what they take
+    assumed_strain,  ///< the element's own bending stiffness: assumed_strain.hpp
   };
 
   struct Options {
-    double hourglass = usual_stiffness;  ///< [-] coefficient of springs, or of dashpots
+    double hourglass = usual_stiffness;  ///< [-] coefficient of springs, or of dashpots; part of the stiffness of assumed strains
     Viscosity viscosity;
     Hourglass hourglass_kind = Hourglass::stiffness;
   };
   static constexpr double usual_stiffness = 0.1;  ///< 1 would give a cube with poisson = 0 its full bending stiffness
   static constexpr double usual_viscous = 0.05;   ///< fraction of critical at the bound of the frequencies
+  static constexpr double usual_assumed = 1;      ///< all of it
 
   /// Whether an element with these options uses a channel: springs store, dashpots dissipate.
   static bool has(const Options& options, Stored channel) {
-    return channel != Stored::hourglass || options.hourglass_kind == Hourglass::stiffness;
+    return channel != Stored::hourglass || options.hourglass_kind != Hourglass::viscous;
   }
   static bool has(const Options& options, Dissipated channel) {
     return channel != Dissipated::hourglass || options.hourglass_kind == Hourglass::viscous;
@@ -214,7 +238,7 @@ struct Hexahedron {
   template <class T>
   struct Constants {
     T mass, per_mass;  ///< [kg] and its inverse
-    T hourglass;       ///< [N/m] against gamma . dx; viscous: [N s/m] against the hourglass rate gamma . dx / dt
+    T hourglass;       ///< [N/m] against gamma . dx; viscous: [N s/m] against the hourglass rate gamma . dx / dt; assumed strains: [-]
     template <class F>
     void each_row(F&& f) { f(mass), f(per_mass), f(hourglass); }
     static constexpr int rows = 3;
@@ -227,16 +251,17 @@ struct Hexahedron {
     material::Internal<T, Law, Symmetric> internal;  ///< of the law
     std::array<Vector<T>, 4> hourglass;             ///< [N]
     T viscous;                                      ///< [Pa] viscous pressure, positive in compression
+    T bent;                                         ///< [J] that assumed strains store
     template <class F>
     void each_row(F&& f) {
       stress.each_row(f);
       internal.each_row(f);
       for (auto& q : hourglass) f(q.x), f(q.y), f(q.z);
-      f(viscous);
+      f(viscous), f(bent);
     }
     template <class F>
     void each_internal(F&& f) { f(internal); }
-    static constexpr int rows = 6 + material::Internal<T, Law, Symmetric>::rows + 12 + 1;
+    static constexpr int rows = 6 + material::Internal<T, Law, Symmetric>::rows + 12 + 2;
   };
 };
 
@@ -250,6 +275,75 @@ NEREID_HOT Symmetric<T> rotated_by(const Vector<T>& w, const Symmetric<T>& e) {
           e.xy + w.z * (e.xx - e.yy) + w.y * e.yz - w.x * e.xz,
           e.yz + w.x * (e.yy - e.zz) + w.z * e.xz - w.y * e.xy,
           e.xz + w.y * (e.zz - e.xx) + w.x * e.xy - w.z * e.yz};
+}
+
+/// Where the work against hourglass control went. [J]
+template <class T>
+struct HourglassWork {
+  T stored, dissipated;
+};
+
+/// What the mean stress of an element did in a step.
+template <class T>
+struct MeanFlow {
+  Symmetric<T> strain;         ///< [-]
+  Symmetric<T> before, after;  ///< [Pa] turned to the end of the step
+  T dissipated;                ///< [J/m3] above zero where it flowed
+};
+
+/// Brings the hourglass forces of assumed strains over a step: elastic, then what flow leaves of them.
+///
+/// Where the mean stress flows, moments along its deviator go, and the others fall as the trial stress falls to the yield surface.
+/// Everywhere they are at most those of a fully plastic section, whose stresses of bending have an rms of sqrt(3)/2 of yield:
+/// docs/theory/hexahedron.md.
+///
+/// share   of the stiffness;  frame, q  in the middle of the step, turned to its end;  volume  [m3] there, and its inverse
+/// forces  [N] of the step before, turned to the end of this one;  bent  [J]
+template <class T, class Law>
+NEREID_HOT HourglassWork<T> hold_by_assumed_strain(const Law& law, const T& share, const CentreFrame<T>& frame,
+                                                   const std::array<Vector<T>, 4>& q, T volume, T per_volume,
+                                                   const material::Moduli<T>& moduli, const MeanFlow<T>& mean,
+                                                   const material::Internal<T, Law, Symmetric>& internal, std::array<Vector<T>, 4>& forces,
+                                                   T& bent) {
+  const auto change = forces_of(frame, moments_from(frame, q, volume, share * moduli.lambda, share * moduli.mu));
+  std::array<Vector<T>, 4> now;
+  T trial(0.0);
+  for (int a = 0; a < 4; ++a) now[a] = forces[a] + change[a], trial = trial + dot(forces[a] + now[a], q[a]);
+  const T before = bent;
+  bent = larger(bent + T(4.0) * trial, T(0.0));
+  constexpr bool flows = requires { yield_stress(law, internal.scalar); };
+  if constexpr (flows) {
+    const auto flowing = mean.dissipated > T(0.0);
+    if (any(flowing)) {
+      const double mu = material::lame(law).mu;
+      const T none(1e-300), one(1.0);
+      Symmetric<T> shape = material::deviator(mean.after);
+      if constexpr (Law::tensors.size() > 0) shape = shape - internal.tensor[0];
+      const Symmetric<T> flowed = material::deviator(mean.strain - T(0.5 / mu) * (mean.after - mean.before));
+      const T size = root(contract(shape, shape)), more = T(2.0 * mu) * root(contract(flowed, flowed));
+      HourglassMoments<T> m = moments_of(frame, now);
+      const T whole = energy_of(frame, m, per_volume, law.young, law.poisson);
+      take_along(frame, shape, select(flowing, one, T(0.0)), m);
+      const T keeps = select(flowing, size / (size + more + none), one);
+      const T left = keeps * keeps * energy_of(frame, m, per_volume, law.young, law.poisson);
+      bent = bent * select(flowing, left / larger(whole, left + none), one);
+      const auto kept = forces_of(frame, m);
+      for (int a = 0; a < 4; ++a) {
+        now[a].x = select(flowing, keeps * kept[a].x, now[a].x);
+        now[a].y = select(flowing, keeps * kept[a].y, now[a].y);
+        now[a].z = select(flowing, keeps * kept[a].z, now[a].z);
+      }
+    }
+    const T yield = yield_stress(law, internal.scalar);
+    const T most = T(0.375 / law.young) * share * yield * yield * volume, room = most / larger(most, bent), part = root(room);
+    bent = room * bent;
+    for (auto& force : now) force = part * force;
+  }
+  T work(0.0);
+  for (int a = 0; a < 4; ++a) work = work + T(4.0) * dot(forces[a] + now[a], q[a]);
+  forces = now;
+  const T dissipated = flows ? larger(work - (bent - before), T(0.0)) : T(0.0);
+  return {work - dissipated, dissipated};
 }
 
 /// Brings one hexahedron from the old to the new positions and gives its nodal forces.
@@ -281,24 +375,42 @@ NEREID_HOT Report<T, Hexahedron> advance(const Law& law, const Hexahedron::Optio
   for (Symmetric<T>& tensor : memory.internal.tensor) tensor = rotate(Q, tensor);
   const material::Increment<T, Symmetric> increment{
       .strain = rotated_by(half * spin, strain), .dt = dt, .volume = at_middle.volume * T(law.density) * constants.per_mass};
+  const Symmetric<T> before = memory.stress;
   const auto [work, moduli] = update_stress(law, increment, memory.stress, memory.internal);
 
-  const bool springs = options.hourglass_kind == Hexahedron::Hourglass::stiffness;
-  const T keeps(springs ? 1.0 : 0.0), grows = constants.hourglass * (springs ? T(1.0) : per_dt);
-  T hourglass_work(0.0);
+  const T zero(0.0);
+  using Kind = Hexahedron::Hourglass;
+  const Kind kind = options.hourglass_kind;
+  HourglassWork<T> hourglass{zero, zero};
+  std::array<Vector<T>, 4> bent;
   for (int a = 0; a < 4; ++a) {
     const Vector<T> there = eight * (D.hourglass[a] - L * middle.hourglass[a]);
-    const Vector<T> bent = there + cross(half * spin, there);
-    const Vector<T> old = Q * memory.hourglass[a];
-    const Vector<T> now = keeps * old + grows * bent;
-    hourglass_work = hourglass_work + half * dot(old + now, bent);
-    memory.hourglass[a] = now;
+    bent[a] = there + cross(half * spin, there);
+    memory.hourglass[a] = Q * memory.hourglass[a];
+  }
+  if (kind == Kind::assumed_strain) {
+    const auto turned = [&spin, &half](const Vector<T>& g) { return g + cross(half * spin, g); };
+    std::array<Vector<T>, 4> q;
+    for (int a = 0; a < 4; ++a) q[a] = eighth * bent[a];
+    const auto frame = centre_frame<T>({turned(middle.xi), turned(middle.eta), turned(middle.zeta)});
+    hourglass = hold_by_assumed_strain(law, constants.hourglass, frame, q, at_middle.volume, at_middle.per_volume,
+                                       {T(moduli.lambda), T(moduli.mu)}, {increment.strain, before, memory.stress, work.dissipated},
+                                       memory.internal, memory.hourglass, memory.bent);
+  } else {
+    const bool springs = kind == Kind::stiffness;
+    const T keeps(springs ? 1.0 : 0.0), grows = constants.hourglass * (springs ? T(1.0) : per_dt);
+    for (int a = 0; a < 4; ++a) {
+      const Vector<T> old = memory.hourglass[a], now = keeps * old + grows * bent[a];
+      hourglass.stored = hourglass.stored + half * dot(old + now, bent[a]);
+      memory.hourglass[a] = now;
+    }
   }
 
   // at the end of the step: stable step, viscous pressure, forces
   const Gradient<T> at_end = volume_gradient(X);
   const Symmetric<T> G = gradient_products(at_end);
-  const T omega_squared = largest_frequency_squared(G, at_end.per_volume, constants.per_mass, moduli);
+  T omega_squared = largest_frequency_squared(G, at_end.per_volume, constants.per_mass, moduli);
+  if (kind == Kind::assumed_strain) omega_squared = omega_squared * coupling_of_hourglass(G, at_end, X);
   const T growth = L.x.x + L.y.y + L.z.z;
   const auto bulk = viscous_pressure(options.viscosity, material::wave_speed(moduli, law.density), growth * per_dt, omega_squared, trace(G),
                                      constants.mass, constants.per_mass, at_end.per_volume);
@@ -315,9 +427,10 @@ NEREID_HOT Report<T, Hexahedron> advance(const Law& law, const Hexahedron::Optio
   for (int a = 0; a < 3; ++a) F.hourglass[a] = F.hourglass[a] + S * at_end.hourglass[a];
   force = nodal_values(scaled(T(-1.0), F));
 
-  const T zero(0.0), damping = springs ? bulk.damping : bulk.damping + T(32.0) * constants.hourglass * constants.per_mass;
-  return {.stored = {work.stored * at_middle.volume, springs ? hourglass_work : zero},
-          .dissipated = {work.dissipated * at_middle.volume, -viscous_work, springs ? zero : hourglass_work},
+  const bool dashpots = kind == Kind::viscous;
+  const T damping = dashpots ? bulk.damping + T(32.0) * constants.hourglass * constants.per_mass : bulk.damping;
+  return {.stored = {work.stored * at_middle.volume, dashpots ? zero : hourglass.stored},
+          .dissipated = {work.dissipated * at_middle.volume + hourglass.dissipated, -viscous_work, dashpots ? hourglass.stored : zero},
           .step = stable_step(omega_squared, damping),
           .volume_ratio = at_end.volume * T(law.density) * constants.per_mass};
 }
@@ -334,11 +447,14 @@ NEREID_HOT Hexahedron::Constants<T> constants(const Law& law, const Hexahedron::
   const Gradient<T> g = volume_gradient(scaled(T(0.125), sums_by_mode(X)));
   const auto [lambda, mu] = material::lame(law);
   const T mass = T(law.density) * g.volume, products = trace(gradient_products(g)) * g.per_volume;
-  const bool springs = options.hourglass_kind == Hexahedron::Hourglass::stiffness;
+  using Kind = Hexahedron::Hourglass;
+  const Kind kind = options.hourglass_kind;
   return {.mass = mass,
           .per_mass = T(1.0) / mass,
-          .hourglass = springs ? T(options.hourglass * 2.0 * mu / 72.0) * products
-                               : T(options.hourglass / 32.0) * root(T(8.0 / 3.0 * (lambda + 2.0 * mu)) * products * mass)};
+          .hourglass = kind == Kind::assumed_strain ? T(options.hourglass)
+                       : kind == Kind::stiffness
+                           ? T(options.hourglass * 2.0 * mu / 72.0) * products
+                           : T(options.hourglass / 32.0) * root(T(8.0 / 3.0 * (lambda + 2.0 * mu)) * products * mass)};
 }
 
 }  // namespace nereid::element

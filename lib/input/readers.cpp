@@ -72,11 +72,15 @@ element::Viscosity read_viscosity(const Section& section) {
 
 element::Hexahedron::Options read_one_point_options(const Section& section) {
   using element::Hexahedron;
-  const bool springs = section.choice_or("hourglass_kind", "stiffness", {"stiffness", "viscous"}) == "stiffness";
-  const double usual = springs ? Hexahedron::usual_stiffness : Hexahedron::usual_viscous;
+  using Kind = Hexahedron::Hourglass;
+  const auto word = section.choice_or("hourglass_kind", "stiffness", {"stiffness", "viscous", "assumed_strain"});
+  const Kind kind = word == "stiffness" ? Kind::stiffness : word == "viscous" ? Kind::viscous : Kind::assumed_strain;
+  const double usual = kind == Kind::stiffness ? Hexahedron::usual_stiffness
+                       : kind == Kind::viscous ? Hexahedron::usual_viscous
+                                               : Hexahedron::usual_assumed;
   return {.hourglass = section.number_or("hourglass", usual, model::range::hourglass),
           .viscosity = read_viscosity(section),
-          .hourglass_kind = springs ? Hexahedron::Hourglass::stiffness : Hexahedron::Hourglass::viscous};
+          .hourglass_kind = kind};
 }
 
 element::AnyHexahedronOptions read_hexahedron_options(const Section& section, std::string_view kind_key) {

@@ -39,6 +39,10 @@ template <class T>
 NEREID_HOT T yield_stress(const J2Mixed& law, const T& plastic_strain) {
   return T(law.yield) + T(hardening_moduli(law).isotropic) * plastic_strain;
 }
+template <class T>
+NEREID_HOT T yield_stress(const J2Mixed& law, const std::array<T, 1>& scalar) {
+  return yield_stress(law, scalar[0]);
+}
 
 /// Where in space the yield surface has its centre: the back stress itself.
 template <class T>

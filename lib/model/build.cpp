@@ -251,10 +251,10 @@ Simulation build(const Scene& scene) {
     memories.push_back(std::move(one.memory));
   }
   simulation.state = dynamics::initial_state(model, std::move(memories));
-  simulation.forces = dynamics::make_forces(model);
   set_initial(scene, model, simulation.state, faults);
   for (contact::Interface& interface : model.interfaces)
     if (contact::bonded_by_multipliers(interface)) contact::bond_here(simulation.state.x, interface);
+  simulation.forces = dynamics::make_forces(model);
   for (const Probe& probe : scene.probes) simulation.probes.push_back(make_probe(probe, model, simulation.state, faults));
   throw_if_any(faults);
 

@@ -67,7 +67,7 @@ std::vector<std::string> coarseness_notes(const Simulation& simulation) {
     if (!(seen.apexes >= worth_saying)) continue;
     if (std::all_of(interface.base_nodes.begin(), interface.base_nodes.end(), held)) continue;  // a base that cannot give way
     const bool bonded = interface.kind == contact::InterfaceKind::bonded;  // which has one pass
-    const char* instead = seen.base >= worth_saying ? (bonded ? "refine its side" : "take 'passes: two'")
+    const char* instead = seen.base >= worth_saying ? (bonded ? "refine the surface of the apexes" : "take 'passes: two'")
                           : bonded                  ? "exchange 'apexes' and 'base'"
                                                     : "exchange 'apexes' and 'base', or take 'passes: two'";
     notes.push_back(row("%s: its apexes are %.3g times as far apart as the nodes of its base, so that nodes of the base between them are "
@@ -172,11 +172,10 @@ std::vector<std::string> energy_notes(const Simulation& simulation) {
   };
   const dynamics::Ledger& ledger = simulation.state.ledger;
   const std::vector<Source> all = dynamics::sources(simulation.model);
-  const double scale = dynamics::energy_scale(ledger);
   for (std::size_t s = 0; s < all.size(); ++s) {
     const double stops = limit * dynamics::times_the_limit(simulation.model, static_cast<int>(s));
     look(all[s].name, ledger.flows[s].worst, "that passed through it", stops);
-    if (scale > 0) look(all[s].name, dynamics::created(ledger.accounts[s]) / scale, "of the scene", limit);
+    look(all[s].name, ledger.flows[s].worst_of_scene, "of the scene", limit);
   }
   look("time integration", ledger.worst_kept, "of the scene", limit);
   const double swing = dynamics::swing_part(ledger);

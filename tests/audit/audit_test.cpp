@@ -236,6 +236,22 @@ TEST(OverlapWithItself, OfAFoldedStripIsTheDepthOfOneLayerInTheOther) {
   EXPECT_NEAR(found(work, folded(strip, 0.5, 0.33).X, 0, 0).deepest, 0.03, 1e-9);
 }
 
+TEST(OverlapWithItself, OfANodeThatComesOutBelowAThinLayerIsHowFarItHasComeOut) {
+  mesh::Mesh layered = mesh::box("box", {Vec3::Zero(), Vec3(2, 2, 2), {2, 2, 2}});
+  Index rim = -1;
+  for (Index n = 0; n < layered.X.cols(); ++n) {
+    if (layered.X(2, n) == 2) layered.X(2, n) = 1.001;
+    if ((layered.X.col(n) - Vec3(1, 2, 1.001)).norm() < 1e-9) rim = n;
+  }
+  Workspace work = workspace_of(layered);
+  Vectors x = layered.X;
+  EXPECT_EQ(found(work, x, 0, 0).deepest, 0);
+  x.col(rim) = Vec3(1.01, 2.0005, 0.998);  // before the face below; the other end of its edge is a metre behind that, where it belongs
+  const Found here = found(work, x, 0, 0);
+  EXPECT_GT(here.deepest, 1e-4);
+  EXPECT_LT(here.deepest, 3e-3) << "so far it is below its layer";
+}
+
 TEST(OverlapWithItself, OfASheetIsFoundWhereItGoesThroughItself) {
   const mesh::Mesh sheet = mesh::sheet("sheet", {5.53, 1, 40, 4});
   Workspace work = workspace_of(sheet);

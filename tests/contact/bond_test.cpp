@@ -12,7 +12,9 @@ namespace {
 
 using namespace pressed;
 
-/// Apexes bonded to a sheet, with masses, velocities and forces at random.
+enum class Base { facets, faces };
+
+/// Apexes bonded to a warped sheet of facets or of faces of hexahedra, with masses, velocities and forces at random.
 struct Bonded {
   pressed::Scene scene;
   Vectors v, force, none{3, 0};
@@ -22,16 +24,17 @@ struct Bonded {
   Multipliers all;
   double dt = 1e-3;
 
-  static pressed::Scene made(const std::vector<Vec3>& apexes) {
-    const Shape shape = sheet(4, 4, [](double x, double y) { return 0.1 * x + 0.05 * y * y; }, 0.2);
+  static pressed::Scene made(const std::vector<Vec3>& apexes, Base base) {
+    const Shape shape = sheet(4, 4, [](double x, double y) { return 0.1 * x * (1 + 0.3 * y) + 0.05 * y * y; }, 0.2);
     Vectors x(3, shape.x.cols() + static_cast<Index>(apexes.size()));
     x.leftCols(shape.x.cols()) = shape.x;
     for (std::size_t a = 0; a < apexes.size(); ++a) x.col(shape.x.cols() + static_cast<Index>(a)) = apexes[a];
     Interface in = interface_over(shape, static_cast<Index>(apexes.size()));
     in.kind = InterfaceKind::bonded, in.method = Method::multiplier;
+    if (base == Base::faces) mark_halves(in.base, faces_of_sheet(4, 4));
     return scene_of(std::move(x), std::move(in), {true, 0, 0});
   }
-  explicit Bonded(const std::vector<Vec3>& apexes) : scene(made(apexes)) {
+  explicit Bonded(const std::vector<Vec3>& apexes, Base base = Base::faces) : scene(made(apexes, base)) {
     const Index nodes = static_cast<Index>(scene.x.cols());
     std::mt19937 engine(4);
     std::uniform_real_distribution<double> number(-1, 1);
@@ -70,9 +73,17 @@ struct Bonded {
 
 const std::vector<Vec3> above{{1.3, 1.6, 0.4}, {1.4, 1.5, 0.5}, {2.2, 2.9, 0.9}};
 
-TEST(BondByMultipliers, ItsRateIsTheDerivativeOfWhatItHoldsAndItsImpulsesAreTheTranspose) {
-  Bonded at(above);
+class BondByMultipliersOver : public testing::TestWithParam<Base> {};
+INSTANTIATE_TEST_SUITE_P(AllBases, BondByMultipliersOver, testing::Values(Base::facets, Base::faces),
+                         [](const auto& base) { return base.param == Base::facets ? "Facets" : "Faces"; });
+
+TEST_P(BondByMultipliersOver, ItsRateIsTheDerivativeOfWhatItHoldsAndItsImpulsesAreTheTranspose) {
+  Bonded at(above, GetParam());
   for (const Vec3& d : at.off()) EXPECT_LT(d.norm(), 1e-14);
+  for (const HeldBond& b : at.all.bonds.held) {
+    EXPECT_EQ(b.nodes, GetParam() == Base::faces ? 5 : 4);
+    EXPECT_GT(std::abs(b.height), 0.01);
+  }
   std::mt19937 engine(8);
   std::uniform_real_distribution<double> number(-1, 1);
   for (Index n = 0; n < at.scene.x.cols(); ++n)  // away from where it holds
@@ -90,7 +101,7 @@ TEST(BondByMultipliers, ItsRateIsTheDerivativeOfWhatItHoldsAndItsImpulsesAreTheT
     const Vec3 impulse(0.3, -0.7, 0.5);
     double power = 0;
     Vec3 resultant = Vec3::Zero(), moment = Vec3::Zero();
-    for (int j = 0; j < 4; ++j) {
+    for (int j = 0; j < here[k].nodes; ++j) {
       const Vec3 one = part(here[k], j, impulse), place = x.col(here[k].node[j]);
       power += one.dot(at.v.col(here[k].node[j]));
       resultant += one, moment += place.cross(one);
@@ -101,8 +112,8 @@ TEST(BondByMultipliers, ItsRateIsTheDerivativeOfWhatItHoldsAndItsImpulsesAreTheT
   }
 }
 
-TEST(BondByMultipliers, HoldsAtTheEndOfEveryStepAndKeepsMomenta) {
-  Bonded at(above);
+TEST_P(BondByMultipliersOver, HoldsAtTheEndOfEveryStepAndKeepsMomenta) {
+  Bonded at(above, GetParam());
   const auto momenta = [&] {
     Eigen::Matrix<double, 6, 1> sum = Eigen::Matrix<double, 6, 1>::Zero();
     for (Index n = 0; n < at.v.cols(); ++n) {
@@ -118,9 +129,9 @@ TEST(BondByMultipliers, HoldsAtTheEndOfEveryStepAndKeepsMomenta) {
     at.step();
     for (const HeldBond& b : at.all.bonds.held) {
       const Interface& glue = at.scene.interface;
-      const Vec3 n = facet_normal(glue.base, at.scene.x, glue.bonds[&b - at.all.bonds.held.data()].facet);
+      const Vec3 n = normal_of(glue, static_cast<Index>(&b - at.all.bonds.held.data()), at.scene.x);
       Vec3 d = at.scene.x.col(b.node[0]) - b.height * n;
-      for (int j = 1; j < 4; ++j) d += b.weight[j] * at.scene.x.col(b.node[j]);
+      for (int j = 1; j < b.nodes; ++j) d += b.weight[j] * at.scene.x.col(b.node[j]);
       EXPECT_LT(d.norm(), 1e-13) << s;
     }
   }
@@ -139,7 +150,7 @@ TEST(BondByMultipliers, FindsTheImpulsesOfADenseSolution) {
   for (Index n = 0; n < nodes; ++n) inverse_mass.block<3, 3>(3 * n, 3 * n) = Mat3::Identity() / at.mass(n);
   for (Index k = 0; k < count; ++k) {
     const HeldBond& b = at.all.bonds.held[k];
-    for (int j = 0; j < 4; ++j) G.block<3, 3>(3 * k, 3 * b.node[j]) += b.weight[j] * Mat3::Identity();
+    for (int j = 0; j < b.nodes; ++j) G.block<3, 3>(3 * k, 3 * b.node[j]) += b.weight[j] * Mat3::Identity();
     missing.segment<3>(3 * k) = -0.2 * b.off / at.dt - rate(b, at.all.velocity);
   }
   const Eigen::VectorXd exact = (G * inverse_mass * G.transpose()).ldlt().solve(missing);
@@ -159,6 +170,40 @@ TEST(BondByMultipliers, CollectsNothingInDirectionsInWhichNothingCanMove) {
     EXPECT_GT(b.impulse.norm(), 0);
     EXPECT_GT(b.off.norm(), 0.01) << "there is something to correct";
   }
+}
+
+TEST(BondByMultipliers, NormalOverAFaceIsThatOfItsBilinearSurface) {
+  const Bonded at(above);
+  const Interface& glue = at.scene.interface;
+  for (std::size_t k = 0; k < above.size(); ++k) {
+    const HeldBond& b = at.all.bonds.held[k];
+    const auto corner = [&](int I) { return Vec3(at.scene.x.col(b.node[I])); };  // first, second, third, fourth: see HeldBond
+    const Bond& bond = glue.bonds[k];
+    const double second = bond.weight[(b.first + 1) % 3], third = bond.weight[(b.first + 2) % 3];
+    const double across = second + bond.weight[3], up = second + third;
+    const auto point = [&](double u, double w) {
+      return Vec3((1 - u) * (1 - w) * corner(1) + u * w * corner(2) + (1 - u) * w * corner(3) + u * (1 - w) * corner(4));
+    };
+    constexpr double small = 1e-5;
+    const Vec3 n = (point(across + small, up) - point(across - small, up)).cross(point(across, up + small) - point(across, up - small));
+    EXPECT_LT((normal_of(glue, static_cast<Index>(k), at.scene.x) - n.normalized()).norm(), 1e-10);
+    EXPECT_LT((point(across, up) + bond.height * n.normalized() - above[k]).norm(), 1e-10);
+    EXPECT_GT((facet_normal(glue.base, at.scene.x, bond.facet) - n.normalized()).norm(), 1e-3) << "the face is warped";
+  }
+}
+
+TEST(BondByMultipliers, FaceThatIsWarpedTooMuchStaysCut) {
+  Bonded at(above);
+  Interface glue = at.scene.interface;
+  Vectors x = at.scene.x;
+  const HeldBond& b = at.all.bonds.held[0];
+  x.col(b.node[4]) += Vec3(0, 0, 4);
+  bond_here(x, glue);
+  EXPECT_FALSE(glue.bonds[0].on_face);
+  EXPECT_EQ(make_bonds({&glue, 1}, static_cast<Index>(x.cols())).held[0].nodes, 4);
+  bond_here(at.scene.x, glue);
+  EXPECT_TRUE(glue.bonds[0].on_face);
+  EXPECT_EQ(glue.bonds[0].weight, at.scene.interface.bonds[0].weight);
 }
 
 TEST(BondByMultipliers, TwoThatSayTheSameShareTheImpulse) {

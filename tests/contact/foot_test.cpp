@@ -18,16 +18,13 @@ struct Sheet {
   BaseSurface base;
 
   explicit Sheet(bool turned, double jitter = 0.1) : shape(sheet(4, 4, wavy, jitter)) {
-    Table<4> faces(4, 16);
-    for (Index j = 0, f = 0; j < 4; ++j)
-      for (Index i = 0; i < 4; ++i, ++f) {
-        const Index a = 5 * j + i, b = a + 1, c = a + 6, d = a + 5;
-        faces.col(f) = Eigen::Matrix<Index, 4, 1>(a, b, c, d);
-        if (!turned) continue;
-        const bool up = shape.facets(2, 2 * f) == c;
-        shape.facets.col(2 * f) = up ? Eigen::Vector3i(a, b, d) : Eigen::Vector3i(a, b, c);
-        shape.facets.col(2 * f + 1) = up ? Eigen::Vector3i(b, c, d) : Eigen::Vector3i(a, c, d);
-      }
+    const Table<4> faces = faces_of_sheet(4, 4);
+    for (Index f = 0; f < (turned ? faces.cols() : 0); ++f) {
+      const Index a = faces(0, f), b = faces(1, f), c = faces(2, f), d = faces(3, f);
+      const bool up = shape.facets(2, 2 * f) == c;
+      shape.facets.col(2 * f) = up ? Eigen::Vector3i(a, b, d) : Eigen::Vector3i(a, b, c);
+      shape.facets.col(2 * f + 1) = up ? Eigen::Vector3i(b, c, d) : Eigen::Vector3i(a, c, d);
+    }
     base = base_of(shape);
     mark_halves(base, faces);
   }
@@ -47,7 +44,8 @@ struct Sheet {
     }
     const Stand at = stand(base, shape.x, p, nearest);
     Found found{at.feature, at.over, 0, Vec3::Zero()};
-    found.fourth = spread(base, shape.x, p, found.feature, blends, nullptr, found.over);
+    if (!stand_on_face(base, shape.x, p, found.feature, blends, nullptr, found.over, found.fourth) && blends && base.half[nearest].cut < 0)
+      blend_over_facet(base, shape.x, p, found.feature, nullptr, found.over);
     for (int I = 0; I < 3; ++I) found.foot += found.over.weight[I] * shape.x.col(base.facets(I, found.feature.facet));
     if (found.fourth != 0) found.foot += found.fourth * shape.x.col(base.half[found.feature.facet].fourth);
     return found;

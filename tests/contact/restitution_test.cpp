@@ -27,11 +27,12 @@ struct Setting {
     for (Index n = 0; n < count; ++n) {
       memory[n].held = held[n];
       Condition c{};
-      c.nodes = 1, c.node[0] = n, c.weight[0] = 1, c.response[0] = c.normal = Vec3::UnitZ();
+      c.nodes = 1, c.node[0] = n, c.weight[0] = 1, c.response[0] = 1, c.normal = Vec3::UnitZ();
       c.per_mass = c.bound = 1, c.before = c.free = 1, c.least = -1;
       all.conditions.push_back(c);
       all.contactors.push_back(
-          {.memory = &memory[n], .first = n, .last = n + 1, .friction = -1, .area = 1, .impedance = 1, .square = square});
+          {.memory = &memory[n], .first = n, .last = n + 1, .friction = -1, .area = 1, .depth = 0, .impedance = 1,
+           .square = square});
     }
     all.velocity = v;
   }
@@ -45,7 +46,9 @@ TEST(Restitution, IsGivenBackToTheLastBitOfEnergyAtRelease) {
     release(at.motion(), 1, at.all);
     const double given = coefficient * coefficient * 0.375, speed = at.all.velocity(2, 0);
     EXPECT_NEAR(0.5 * at.all.conditions[0].impulse * (1 + speed), given, 1e-15);  // the work of the impulse
-    EXPECT_NEAR(update_restitution(at.motion(), 1, 0, 1, at.all), 0.375 - given, 1e-15);
+    double transferred = 0;
+    Pool pool{0, 1, &transferred, 0};
+    EXPECT_NEAR(update_restitution(at.motion(), 1, pool, at.all), 0.375 - given, 1e-15);
     EXPECT_NEAR(at.memory[0].held, 0, 1e-15);
   }
 }
@@ -73,7 +76,7 @@ TEST(Restitution, IsGivenBackWithoutAForceWhateverTheImpedance) {
 TEST(Restitution, CoversTheDeficitsOfNeighboursInProportion) {
   Setting at({3, -1, 1});
   double transferred[] = {0, 0};
-  const Pool pools[] = {{0, 2, &transferred[0], 0}, {2, 3, &transferred[1], 0}};
+  Pool pools[] = {{0, 2, &transferred[0], 0, true}, {2, 3, &transferred[1], 0}};
   balance(pools, at.all);
   EXPECT_NEAR(at.memory[0].held, 2.25, 1e-15);
   EXPECT_EQ(at.memory[1].held, 0);
@@ -85,8 +88,9 @@ TEST(Restitution, CoversTheDeficitsOfNeighboursInProportion) {
 TEST(Restitution, LeavesADeficitThatNothingCovers) {
   Setting at({1, -3});
   double transferred = 0;
-  const Pool pool{0, 2, &transferred, 0};
+  Pool pool{0, 2, &transferred, 0, true};
   balance({&pool, 1}, at.all);
+  EXPECT_TRUE(pool.owes);
   EXPECT_EQ(at.memory[0].held, 0);
   EXPECT_NEAR(at.memory[1].held, -2, 1e-15);
   EXPECT_EQ(held(0, 2, at.all), 0);

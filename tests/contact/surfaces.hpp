@@ -43,6 +43,17 @@ Shape sheet(int cells_x, int cells_y, Height&& height, double jitter = 0) {
   return shape;
 }
 
+/// Nodes around the faces of hexahedra of which a sheet has the halves.
+inline Table<4> faces_of_sheet(int cells_x, int cells_y) {
+  Table<4> faces(4, cells_x * cells_y);
+  for (Index j = 0, f = 0; j < cells_y; ++j)
+    for (Index i = 0; i < cells_x; ++i, ++f) {
+      const Index a = j * (cells_x + 1) + i, d = a + cells_x + 1;
+      faces.col(f) = Eigen::Matrix<Index, 4, 1>(a, a + 1, d + 1, d);
+    }
+  return faces;
+}
+
 /// The unit sphere: an octahedron whose facets are quartered `times` times, normals outwards.
 inline Shape ball(int times) {
   std::vector<Vec3> points{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};

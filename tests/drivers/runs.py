@@ -164,7 +164,7 @@ class Stops(InATemporaryFolder):
         self.assertIn("volume or area", ending["reason"])
 
     def test_inverted_element_of_a_block(self):
-        ending = self.stop("two_blocks", [*BARS, "closing_speed=8 km/s", "time.created_limit=1e6"], "inverted_element")
+        ending = self.stop("two_blocks", [*BARS, "closing_speed=10 km/s", "time.created_limit=1e6"], "inverted_element")
         self.assertIn(ending["block"], ("A", "B"))
         self.assertTrue(0 <= ending["element"] < 20, ending["element"])
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace nereid::dynamics {
 namespace {
 
@@ -21,6 +23,40 @@ TEST(Ledger, CreatedIsWhatASourceNeitherStoredNorDissipated) {
   a.work = -9;  // took less from the nodes than it holds
   EXPECT_EQ(created(a), 0.5);
   EXPECT_EQ(created(Account{}), 0);
+}
+
+TEST(Ledger, WhatAStoreGaveAndNeverHeldIsCreated) {
+  Account a;
+  a.work = -4, a.hold(Stored::elastic, 4);
+  EXPECT_EQ(created(a), 0);
+  a.work = 2, a.hold(Stored::elastic, -2);  // a law in rates, on a path that does not close
+  EXPECT_EQ(stored(a), -2);
+  EXPECT_EQ(created(a), 2);
+  a.at_start[Stored::elastic] = 3;
+  a.work = 2, a.hold(Stored::elastic, 1);  // it began with 3
+  EXPECT_EQ(created(a), 0);
+  a.work = 4, a.hold(Stored::elastic, -1);
+  EXPECT_EQ(created(a), 1);
+  a.hold(Stored::elastic, NAN);
+  EXPECT_TRUE(std::isnan(created(a))) << "a run says so";
+  Account load;
+  load.work = 5, load.hold(Stored::external_work, -5);
+  EXPECT_EQ(created(load), 0) << "from outside";
+}
+
+TEST(Ledger, RemembersTheMostThatASourceHasCreatedOfTheScene) {
+  Ledger ledger;
+  ledger.accounts.resize(2), ledger.flows.resize(2);
+  see_created(ledger);  // no scale yet
+  EXPECT_EQ(ledger.flows[0].worst_of_scene, 0);
+  ledger.initial_available = ledger.initial_kinetic = 100;
+  const auto look = [&](double first, double second) {
+    ledger.accounts[0].work = first, ledger.accounts[1].work = second;
+    see_created(ledger);
+  };
+  look(3, -4), look(0, 1), look(-2, -3);
+  EXPECT_EQ(ledger.flows[0].worst_of_scene, 0.03);
+  EXPECT_EQ(ledger.flows[1].worst_of_scene, -0.04);
 }
 
 TEST(Ledger, WorkOfAllSourcesAndTheIntegrationExplainTheKineticEnergy) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "dynamics/overlaps.hpp"
 #include "mesh/box.hpp"
 #include "tests/dynamics/scene.hpp"
 
@@ -11,7 +12,9 @@ namespace {
 const material::Elastic rubber{1000, 1e6, 0.3};
 
 /// A block clamped below, whose middle of the top is pushed down, as a scene of one-point elements.
-Scene pushed(double speed) {
+///
+/// back  [s] from when on it is pulled up again
+Scene pushed(double speed, double back = 1e300) {
   Scene s;
   s.model.mesh = mesh::box("box", {Vec3(-1, -1, 0), Vec3(1, 1, 1), {2, 2, 2}});
   s.model.blocks.push_back(element::hexahedra(s.model.mesh, "box", rubber, {}));
@@ -20,7 +23,7 @@ Scene pushed(double speed) {
     if ((s.model.mesh.X.col(n) - Vec3::UnitZ()).norm() < 1e-9) middle = n;
   load::Plane push = plane("push", load::PlaneKind::driven, Vec3::UnitZ(), {middle});
   const auto none = [](double, double, double, double) { return 0.0; };
-  push.field = {none, none, [speed](double, double, double, double) { return -speed; }};
+  push.field = {none, none, [=](double, double, double, double t) { return t < back ? -speed : speed; }};
   s.model.constraints.planes = {plane("clamp", load::PlaneKind::fixed, Vec3::UnitZ(), mesh::node_set(s.model.mesh, "box.z_low")), push};
   finalize(s.model);
   s.ready();
@@ -36,6 +39,31 @@ TEST(Quality, OfANodePushedThroughItsElementsIsAnInvertedCornerAndHourglassEnerg
   EXPECT_GE(s.state.quality[0].element, 4) << "one of the upper four";
   EXPECT_GT(s.state.quality[0].time, 0.5);
   EXPECT_GT(hourglass_fraction(s.state.quality[0], energy_scale(s.state.ledger)), 0.1);
+}
+
+TEST(Quality, OfCornersIsSeenInAShortRunToo) {
+  Scene s = pushed(1, 0.8);
+  Time time;
+  time.end = 1.5, time.created_limit = time.overlap_limit = 1e300, time.audit_every = 0.1;
+  run(s.model, s.state, s.forces, time, 0.01);
+  EXPECT_LT(s.state.step, corners_every);
+  EXPECT_LT(s.state.quality[0].corner, 0);
+  EXPECT_NEAR(s.state.quality[0].time, 0.8, 0.11);
+  EXPECT_FALSE(s.state.quality[0].inverted) << "it has come back";
+}
+
+TEST(Quality, OfAnInvertedCornerHasABodyLookedAtForOverlapsWithItself) {
+  Scene s = pushed(1);
+  Time time;
+  time.end = 1.2, time.created_limit = time.overlap_limit = 1e300, time.audit_every = 0.1;
+  std::vector<std::int64_t> looks;
+  const Observer see = [&](const View& view) {
+    const Progress& progress = view.now.progress;
+    if (view.now.t < 1.15 && (looks.empty() || looks.back() != progress.audited_itself)) looks.push_back(progress.audited_itself);
+  };
+  run(s.model, s.state, s.forces, time, 0.01, {.observers = {&see, 1}});
+  EXPECT_LT(s.state.step, updates_per_edge);
+  EXPECT_GT(looks.size(), 2) << "not at the start and at the end alone";
 }
 
 TEST(Quality, IsLookedAtWhereverARunEndsAlsoByACondition) {

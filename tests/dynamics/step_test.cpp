@@ -1212,6 +1212,27 @@ Scene bar(int cells, double restitution, double gap) {
 
 double speed(const Scene& s, int axis) { return s.state.ledger.momentum(axis) / s.model.mass.sum(); }
 
+TEST(Multipliers, SweepUntilThinPlatesArePassedByNoStep) {
+  const double thin = 6e-7, span = 0.06;  // a thousand times lighter than what falls on it, and a fiftieth of the way of a step
+  Scene s;
+  mesh::Mesh block = mesh::box("block", {{-0.0037, -0.0043, 0.0001}, {0.0063, 0.0057, 0.0101}, {2, 2, 2}});
+  mesh::Mesh sheet = mesh::sheet("sheet", {span, span, 6, 6});
+  sheet.X.colwise() -= Vec3(span / 2, span / 2, 0);
+  s.model.mesh = mesh::join(block, sheet);
+  const material::Elastic soft{1000, 1e6, 0.3};
+  s.model.blocks.push_back(element::hexahedra(s.model.mesh, "block", soft, {}));
+  element::Plate::Options plate;
+  plate.thickness = thin;
+  s.model.blocks.push_back(element::plates(s.model.mesh, "sheet", soft, plate));
+  finalize(s.model);
+  s.joined("touch", "block.z_low", "sheet.top", by_multipliers(1));
+  s.ready();
+  s.move("block", {0, 0, -0.37});
+  s.run_to(0.0008);
+  EXPECT_NE(account(s, "touch").work, 0);
+  EXPECT_LT(s.state.interfaces[0].deepest, 0.25 * thin) << "half of what stops a run";
+}
+
 TEST(Multipliers, KeepMomentaAndCreateNothingBetweenUnlikeGrids) {
   for (const bool two_passes : {false, true})
     for (const double restitution : {1.0, 0.5, 0.0})
@@ -1751,11 +1772,11 @@ InterfaceOptions bonded(contact::Method method = contact::Method::multiplier) {
 }
 
 /// Boxes that share faces along x.
-Scene boxes(std::vector<std::pair<std::string, mesh::Box>> all, bool symmetric = false) {
+Scene boxes(std::vector<std::pair<std::string, mesh::Box>> all, bool symmetric = false, const material::Elastic& law = rubber) {
   Scene s;
   s.model.mesh = mesh::box(all[0].first, all[0].second);
   for (std::size_t b = 1; b < all.size(); ++b) s.model.mesh = mesh::join(s.model.mesh, mesh::box(all[b].first, all[b].second));
-  for (const auto& [name, shape] : all) s.model.blocks.push_back(element::hexahedra(s.model.mesh, name, rubber, inviscid));
+  for (const auto& [name, shape] : all) s.model.blocks.push_back(element::hexahedra(s.model.mesh, name, law, inviscid));
   if (symmetric) {
     Subset nodes;
     for (Index n = 0; n < s.model.mesh.X.cols(); ++n)
@@ -1855,6 +1876,52 @@ TEST(BondByMultipliers, KeepsMomentaAndAlmostAllEnergyOverAGap) {
     before = made;
     for (const contact::HeldBond& b : s.forces.multipliers.bonds.held) EXPECT_LT(b.off.norm(), 1e-12);
     EXPECT_TRUE(std::isinf(s.state.votes.contact.step) || s.state.votes.contact.step > 1e100);
+  }
+}
+
+TEST(BondByMultipliers, DoesNotKnowAlongWhichDiagonalAFaceIsCut) {
+  const auto cut = [](bool otherwise) {
+    Scene s = boxes({{"left", {{0, 0, 0}, {0.4, 0.3, 0.3}, {4, 4, 4}}}, {"right", {{0.42, 0, 0}, {0.8, 0.3, 0.3}, {4, 3, 3}}}});
+    for (mesh::Surface& surface : s.model.mesh.surfaces) {
+      if (surface.name != "right.x_low") continue;
+      for (Index f = 0; otherwise && f < surface.facets.cols(); f += 2) {  // halves of a face
+        auto one = surface.facets.col(f), other = surface.facets.col(f + 1);
+        const auto lone = [](const auto& in, const auto& out) {  // the corner that only one of them has
+          int k = 0;
+          while ((out.array() == in(k)).any()) ++k;
+          return k;
+        };
+        const int k = lone(one, other);
+        const Index a = one(k), b = one((k + 1) % 3), c = other(lone(other, one)), d = one((k + 2) % 3);
+        one << a, b, c;
+        other << a, c, d;
+      }
+    }
+    s.joined("glue", "left.x_high", "right.x_low", bonded());
+    s.ready();
+    move(s, [](const Vec3& X) { return Vec3(0.2 * wave(X) + Vec3(0, 4, 5).cross(X)); });
+    s.run_to(0.05);
+    return s;
+  };
+  const Scene one = cut(false), other = cut(true);
+  EXPECT_NE(one.model.interfaces[0].base.facets, other.model.interfaces[0].base.facets);
+  EXPECT_LT(apart(one, other), 1e-10);
+}
+
+TEST(BondByMultipliers, SectionsOfABarStayPlaneWhereABaseHasCoarserFaces) {
+  for (const double gap : {0.0, 0.02}) {
+    Scene s = boxes({{"left", {{0, 0, 0}, {0.8, 0.3, 0.3}, {8, 3, 3}}}, {"right", {{0.8 + gap, 0, 0}, {1.6, 0.3, 0.3}, {8, 1, 1}}}}, false,
+                    {1000, 1e6, 0});
+    s.joined("glue", "left.x_high", "right.x_low", bonded());
+    s.ready(), move(s, [](const Vec3& X) { return Vec3(std::sin(9 * X.x()), 0, 0); });
+    s.run_to(0.05);
+    const contact::Interface& glue = s.model.interfaces[0];
+    double least = 1e300, most = -1e300;
+    for (const Subset* side : {&glue.apexes, &glue.base_nodes})
+      for (const Index n : *side) least = std::min(least, s.state.v(0, n)), most = std::max(most, s.state.v(0, n));
+    EXPECT_LT(most - least, 1e-11);
+    EXPECT_GT(s.state.interfaces[0].force.norm(), 1);
+    expect_closed(s);
   }
 }
 

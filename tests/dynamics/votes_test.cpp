@@ -49,6 +49,35 @@ TEST(Step, FallsAtOnceAndGrowsByATwentiethOrMore) {
   EXPECT_EQ(next_length(votes(1, 5), pace, 0, 0.5), 0.9);
 }
 
+TEST(Step, ThatHasCostEnergyByItsChangesGrowsOnlyWhereTwentyInARowWouldHaveLetIt) {
+  const Pace pace{.end = 1e6, .safety = 1};
+  Votes now = votes(1, 5);
+  double dt = 1;
+  int changes = 0;
+  for (int step = 0; step < 200; ++step) {  // rings: pressed and free in turn
+    const Votes before = now;
+    now = votes(step % 4 < 2 ? 1 : 0.9, 5);
+    see_growth(before, pace, dt, 0.02, now);
+    const double next = next_length(now, pace, 0, dt);
+    changes += next != dt ? 1 : 0;
+    dt = next;
+  }
+  EXPECT_EQ(dt, 0.9);
+  EXPECT_EQ(changes, 1);
+  int steps = 0;
+  for (; dt < 1 && steps < 100; ++steps) {
+    const Votes before = now;
+    now = votes(1, 5);
+    see_growth(before, pace, dt, 0, now);  // it goes on to be costly
+    dt = next_length(now, pace, 0, dt);
+  }
+  EXPECT_GE(steps, 18);
+  EXPECT_LE(steps, 20);
+  Votes cheap = votes(1, 5);
+  see_growth(votes(0.9, 5), pace, 0.9, 0.005, cheap);
+  EXPECT_EQ(next_length(cheap, pace, 0, 0.9), 1);
+}
+
 TEST(Step, SharesWhatIsLeftEvenly) {
   const Pace pace{.end = 100, .safety = 1};
   EXPECT_EQ(next_length(votes(1, 5), pace, 50, 1), 1);

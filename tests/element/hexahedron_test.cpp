@@ -111,6 +111,8 @@ TEST(Hexahedron, LargestEigenvalueBoundIsNeverBelowAndExactIfTheSmallerOnesAreEq
 
 using OnePoint = WithEachLaw<Hexahedron, Laws>::type;
 INSTANTIATE_TYPED_TEST_SUITE_P(OfOnePoint, EverySolid, OnePoint);
+using ByAssumedStrain = WithEachLaw<AssumedStrain, Laws>::type;
+INSTANTIATE_TYPED_TEST_SUITE_P(OfAssumedStrain, EverySolid, ByAssumedStrain);
 
 template <class Law>
 class HexahedronOf : public ::testing::Test {};
@@ -412,6 +414,78 @@ TYPED_TEST(HexahedronOf, WithDashpotsWorkAndEnergyDifferInTheThirdOrderOfTheStep
     return work + report.stored[0] + report[Dissipated::plastic] + report[Dissipated::hourglass];
   };
   EXPECT_NEAR(error(2e-4) / error(1e-4), 8.0, 0.3);
+}
+
+// ------------------------------------------------------------------------------------------------
+// Hourglass stiffness by assumed strains
+
+constexpr Hexahedron::Options assumed{.hourglass = 1, .viscosity = no_viscosity, .hourglass_kind = Hexahedron::Hourglass::assumed_strain};
+
+TEST(AssumedStrain, OfABrickHasEighteenStiffnessesAndBendsAsABeamAtAnyPoissonsRatio) {
+  for (const double poisson : {-0.5, 0.0, 0.3, 0.4999})
+    for (const double length : {0.1, 1.0, 10.0}) {
+      const Corners X = brick(length, 1.0, 1.0);
+      Element<Elastic> e{metal<Elastic>(poisson), assumed, X};
+      const auto values = eigenvalues(e);
+      EXPECT_LT(std::abs(values(5)), 1e-9 * values(23));
+      EXPECT_GT(values(6), 1e-9 * values(23));
+      // the nodes of a beam in bending, with the waist that it asks for: u_y has no mode of a hexahedron
+      const double curvature = 1e-6;
+      Corners u;
+      for (int i = 0; i < 8; ++i) u[i] = {curvature * X[i].x * X[i].y, 0, 0};
+      const auto report = e.move(sum(X, u));
+      const double beam = 0.5 * e.law.young / 12 * curvature * curvature * length;
+      // sides are held, so a plane's part 1/(1 - nu^2) is what one mode alone has
+      EXPECT_NEAR(report[Stored::hourglass] / beam, 1 / (1 - poisson * poisson), 1e-4) << poisson << ' ' << length;
+    }
+}
+
+TEST(AssumedStrain, IsBlindToAffineMotion) {
+  for (int trial = 0; trial < 20; ++trial) {
+    Element<Elastic> e{metal<Elastic>(), assumed, distorted(0.3)};
+    e.move(times(Mat3(Mat3::Identity() + 0.1 * Mat3::Random()), e.X));
+    for (const Point& q : e.memory.hourglass) EXPECT_LT(norm(q), 1e-14);
+  }
+}
+
+TEST(AssumedStrain, FrequencyBoundIsNeverBelowTheExactOne) {
+  double closest = 0;
+  for (int trial = 0; trial < 1000; ++trial) {
+    const Element<Elastic> e{metal<Elastic>(random(0.0, 0.49)), assumed, random_shape(0.4 * random(0, 1))};
+    closest = std::max(closest, largest_eigenvalue_of(e) / hot_bound(e));
+  }
+  EXPECT_LE(closest, 1 + 1e-6);
+  EXPECT_GT(closest, 0.9);
+}
+
+TEST(AssumedStrain, OfAParallelepipedTakesNoStep) {
+  const Mat3 skew = (Mat3() << 1, 0.4, 0.2, 0, 1, -0.3, 0, 0, 1).finished();
+  const Corners X = times(skew, brick(1.0, 0.7, 1.3));
+  const Element<Elastic> with{metal<Elastic>(), assumed, X}, without{metal<Elastic>(), {.hourglass = 0, .viscosity = no_viscosity}, X};
+  EXPECT_NEAR(hot_bound(with), hot_bound(without), 1e-10 * hot_bound(without));
+}
+
+TEST(AssumedStrain, BendsPlasticallyUpToTheFullyPlasticMoment) {
+  const double h = 1;
+  const Corners X = brick(h, h, h);
+  Element<J2Bilinear> e{metal<J2Bilinear>(), assumed, X};
+  const double yield = e.law.flow.yield;
+  double stored = 0, dissipated = 0, work = 0;
+  for (int step = 0; step < 2000; ++step) {
+    Corners u = e.x;
+    const double curvature = 5e-3 * yield / e.law.young;
+    for (int i = 0; i < 8; ++i) u[i].x += curvature * X[i].x * X[i].y;
+    const Corners before = e.force, from = e.x;
+    const auto report = e.move(u);
+    stored += report[Stored::hourglass], dissipated += report[Dissipated::plastic];
+    work -= 0.5 * (product(sum(before, e.force), sum(u, from, -1.0)));
+    EXPECT_GE(report[Dissipated::plastic], 0);
+  }
+  double moment = 0;
+  for (int i = 0; i < 8; ++i)
+    if (X[i].x > 0) moment -= e.force[i].x * X[i].y;
+  EXPECT_NEAR(moment / (yield * h * h * h / 4), 1, 0.15);  // of plane stress between held sides, and a cap of all modes together
+  EXPECT_NEAR(stored + dissipated, work, 1e-3 * work);
 }
 
 // ------------------------------------------------------------------------------------------------

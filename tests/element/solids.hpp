@@ -19,7 +19,19 @@ struct WithEachLaw<Kind, ::testing::Types<Laws...>> {
   using type = ::testing::Types<Solid<Kind, Laws>...>;
 };
 
+/// The one-point element with its own bending stiffness.
+struct AssumedStrain : Hexahedron {};
+
+inline Hexahedron::Options usual_of(Hexahedron) { return {}; }
+inline Hexahedron::Options usual_of(AssumedStrain) {
+  return {.hourglass = 1, .viscosity = {}, .hourglass_kind = Hexahedron::Hourglass::assumed_strain};
+}
+inline FullHexahedron::Options usual_of(FullHexahedron) { return {}; }
+
 /// Options without bulk viscosity, and with hourglass springs that show.
+inline Hexahedron::Options inviscid_of(AssumedStrain) {
+  return {.hourglass = 1, .viscosity = no_viscosity, .hourglass_kind = Hexahedron::Hourglass::assumed_strain};
+}
 inline Hexahedron::Options inviscid_of(Hexahedron) { return {.hourglass = 0.4, .viscosity = no_viscosity}; }
 inline FullHexahedron::Options inviscid_of(FullHexahedron) { return {.viscosity = no_viscosity}; }
 
@@ -48,7 +60,7 @@ class EverySolid : public ::testing::Test {
   using Kind = typename Of::Kind;
   using Law = typename Of::Law;
   using One = OneElement<Kind, Law>;
-  static One usual(const Corners& X) { return {metal<Law>(), {}, X}; }
+  static One usual(const Corners& X) { return {metal<Law>(), usual_of(Kind{}), X}; }
   static One inviscid(const Corners& X) { return {metal<Law>(), inviscid_of(Kind{}), X}; }
 };
 TYPED_TEST_SUITE_P(EverySolid);

@@ -1,5 +1,6 @@
 #include "geometry/quadrilateral.hpp"
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -26,6 +27,70 @@ TEST(Quadrilateral, WeightsLeadToThePointUnderAnApexAlongTheNormal) {
     std::array<double, 4> weight;
     ASSERT_TRUE(bilinear_weights(corner, p, n, 0.5, 0.5, weight)) << round;
     for (int i = 0; i < 4; ++i) EXPECT_NEAR(weight[i], wanted[i], 1e-13) << round;
+  }
+}
+
+/// A face that is warped and skewed, and a point over it.
+struct Warped {
+  std::array<Vec3, 4> corner{Vec3(0, 0, 0), Vec3(2, 0, 0), Vec3(2, 1, 0), Vec3(0, 1, 0)};
+  double a, b, height;
+  Vec3 normal, p;
+  explicit Warped(std::mt19937& engine) {
+    std::uniform_real_distribution<double> number(0, 1);
+    const auto random = [&] { return number(engine) - 0.5; };
+    for (Vec3& at : corner) at += 0.4 * Vec3(random(), random(), random());
+    a = number(engine), b = number(engine), height = 0.5 * random();
+    const Vec3 by_a = (1 - b) * (corner[1] - corner[0]) + b * (corner[2] - corner[3]);
+    const Vec3 by_b = (1 - a) * (corner[3] - corner[0]) + a * (corner[2] - corner[1]);
+    normal = by_a.cross(by_b).normalized();
+    p = point_of(corner, weights_at(a, b)) + height * normal;
+  }
+};
+
+TEST(Quadrilateral, TheClosestPointIsWhereTheWayIsAlongTheNormal) {
+  std::mt19937 engine(8);
+  for (int round = 0; round < 1000; ++round) {
+    const Warped face(engine);
+    OnQuadrilateral at{.a = 0.5, .b = 0.5, .by_a = {}, .by_b = {}, .way = {}};
+    ASSERT_TRUE(closest_on_quadrilateral(face.corner, face.p, at)) << round;
+    EXPECT_NEAR(at.a, face.a, 1e-12) << round;
+    EXPECT_NEAR(at.b, face.b, 1e-12) << round;
+    EXPECT_LT((at.way - face.height * face.normal).norm(), 1e-13) << round;
+    EXPECT_LT(at.by_a.cross(at.by_b).normalized().cross(face.normal).norm(), 1e-12) << round;
+  }
+}
+
+TEST(Quadrilateral, TheHeightOverItChangesByItsNormalAndWeights) {
+  std::mt19937 engine(9);
+  std::uniform_real_distribution<double> number(-1, 1);
+  const auto height = [](const std::array<Vec3, 4>& corner, const Vec3& p, const Warped& face) {
+    OnQuadrilateral at{.a = face.a, .b = face.b, .by_a = {}, .by_b = {}, .way = {}};
+    EXPECT_TRUE(closest_on_quadrilateral(corner, p, at));
+    return at.by_a.cross(at.by_b).normalized().dot(at.way);
+  };
+  for (int round = 0; round < 100; ++round) {
+    const Warped face(engine);
+    const auto any = [&] { return Vec3(number(engine), number(engine), number(engine)); };
+    const std::array<Vec3, 4> turn{any(), any(), any(), any()};
+    const Vec3 way = any();
+    double rate = face.normal.dot(way);
+    const auto weight = weights_at(face.a, face.b);
+    for (int I = 0; I < 4; ++I) rate -= weight[I] * face.normal.dot(turn[I]);
+    constexpr double h = 1e-6;
+    const auto moved = [&](double by) {
+      std::array<Vec3, 4> corner = face.corner;
+      for (int I = 0; I < 4; ++I) corner[I] += by * turn[I];
+      return height(corner, face.p + by * way, face);
+    };
+    EXPECT_NEAR((moved(h) - moved(-h)) / (2 * h), rate, 1e-8) << round;
+  }
+}
+
+TEST(Quadrilateral, ThereIsNoClosestPointFarBesideAFace) {
+  const std::array<Vec3, 4> square{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 1, 0), Vec3(0, 1, 0)};
+  for (const double x : {-0.4, 1.4, std::nan("")}) {
+    OnQuadrilateral at{.a = 0.5, .b = 0.5, .by_a = {}, .by_b = {}, .way = {}};
+    EXPECT_FALSE(closest_on_quadrilateral(square, Vec3(x, 0.5, 1), at)) << x;
   }
 }
 

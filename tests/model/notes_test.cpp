@@ -64,7 +64,7 @@ TEST(CoarsenessNotes, SayThatApexesAreTooFarApartAndWhatToDo) {
   EXPECT_EQ(notes().size(), 1U) << "nodes between the apexes of a bond are free as well";
   cells(1, 6, 2);  // coarser the other way
   ASSERT_EQ(notes().size(), 1U);
-  EXPECT_TRUE(says(notes()[0], "refine its side")) << notes()[0];
+  EXPECT_TRUE(says(notes()[0], "refine the surface of the apexes")) << notes()[0];
   scene.contacts[0].interface.kind = contact::InterfaceKind::contact;
   EXPECT_TRUE(says(notes()[0], "300 %: take 'passes: two'")) << notes()[0];
   scene.contacts[0].interface.two_passes = true;

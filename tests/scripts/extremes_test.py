@@ -156,6 +156,17 @@ class Geometry(unittest.TestCase):
             bodies = [measure.Body(cells, x, 1.0) for cells in Folder.cells_of([("a", one), ("b", other)])]
             self.assertAlmostEqual(measure.overlap(*bodies, x)[0] / depth, 1, places=5)
 
+    def test_an_overlap_is_held_against_the_element_there_and_not_a_flat_one_elsewhere(self):
+        upper = meshes.brick((0, 0, 0), (1, 1, 1), (1, 1, 1))
+        lower = meshes.grid(np.array([-3.0, -2.999, -1.0, 2.0]), np.array([-1.0, 2.0]), np.array([-1.0, 0.0]))
+        for at, expected in ((0.0, 0.01), (-3.5, 10.0)):  # over the wide element, and over the narrow one
+            x = np.concatenate([upper.points + (at, 0, -0.01), lower.points])
+            bodies = [measure.Body(cells, x, 1.0) for cells in Folder.cells_of([("a", upper), ("b", lower)])]
+            deep, _, part = measure.overlap(*bodies, x)
+            self.assertAlmostEqual(deep, 0.01, places=9)
+            self.assertAlmostEqual(part / expected, 1, places=6)
+            self.assertAlmostEqual(measure.overlap(*bodies, x, allowed=0.004)[2] / expected, 0.6, places=6)
+
     def test_no_overlap_at_a_distance_however_small(self):
         one, other = cube(), cube((0.3, 0.2, 1.0 + 1e-12))
         x = np.concatenate([one.points, other.points])

@@ -31,3 +31,12 @@ def largest_velocity(young, density, height, width):
     '0.000151633'
     """
     return height / 2 * sqrt(young / density) / width * exp(-0.5)
+
+
+def largest_stress(young, density, height, width):
+    """Of one pulse: rho c times its velocity. [Pa]
+
+    >>> f"{largest_stress(**INPUTS):.6g}"
+    '151.633'
+    """
+    return sqrt(young * density) * largest_velocity(young, density, height, width)

@@ -138,6 +138,7 @@ def options(run):
 
 
 USUAL = {"contacts[0].method": "penalty"}
+THROUGHOUT = {"planes[1].nodes": "[block]", "planes[2].nodes": "[block]"}
 DEPARTURES = {"method, penalty": "checks of a push at a given depth have a penalty so soft that it moves nothing: force over depth is then "
                                  "known exactly. A block that is pressed is by default, and one check compares it with a penalty"}
 
@@ -153,6 +154,8 @@ CHECKS = [
           "no worse than by the usual penalty; what both leave is the block's sway and the way between two frames"),
     Check("pressed on an elastic disc: ripple and jumps beyond those by a penalty, over a tenth of the push",
           beyond(ON_ELASTIC, USUAL, PRESSED), 0.05, "no worse than by the usual penalty", full=True),
+    Check("driven throughout: friction over push", lambda run: pressed_friction(pressed(run, THROUGHOUT)), 1e-6,
+          "no impulse changes the slip of a block whose nodes are all driven along; Coulomb's law holds all the same"),
     Report("pressed on an elastic disc: ripple of the push", lambda run: ripple_of(pressed(run, ELASTIC)),
            "the disc gives way in facets, so its face is not flat"),
 ]
@@ -180,6 +183,7 @@ BREAKS = [
     Breaks("pressed: push over the load", "a load that comes in at once", {"loads[0].value": '"t < 0.2 ? 0 : 1e3"', **FEW}, PRESSED),
     Breaks("pressed: ripple of the push", "a load that comes in at once", {"loads[0].value": '"t < 0.2 ? 0 : 1e3"', **FEW}, PRESSED),
     Breaks("pressed: friction over push", "a coefficient of 0.251", {"contacts[0].friction": 0.251, **FEW}, PRESSED),
+    Breaks("driven throughout: friction over push", "a coefficient of 0.251", {"contacts[0].friction": 0.251, **FEW}, PRESSED),
     Breaks("pressed: friction across the way", "dragged 2 degrees aside", {"planes[2].velocity.value": '"0.1175"', **FEW}, PRESSED),
     Breaks("pressed: jump of a base node's push", "two passes: apexes of the disc come and go", {"contacts[0].passes": "two"}, PRESSED),
     Breaks("pressed: jump of a base node's friction", "equal weights for friction, as the paper has them",

@@ -21,7 +21,7 @@ ENERGY = 0.01        # [-] of the energy of the bodies that touch, that may come
 SWING = 0.05         # [-] the same with what the kinetic energy of a single instant has too much, as `energy_integration` tells
 MOMENTUM = 1e-10     # [-] of the scale of the momenta
 KINETIC = 1e-6       # [-] between our kinetic energy and that of the history
-OVERLAP = 0.5        # [-] of the flattest element, and of how deep a point can be in a body
+OVERLAP = 0.5        # [-] of the flatter element there, and of how deep a point can be in a body
 ITSELF = 0.25        # [-] of the flattest element: how far a body may go behind its own face
 TRUE_DEPTH = 2.0     # [-] between a depth that is warned of and ours
 FULL = 0.7           # [-] of how deep a point can be: what is deeper below the face it came through is nearer to another
@@ -245,7 +245,8 @@ def momentum_faults(seen):
 # Bodies in each other and in themselves
 
 def depths(seen, expected):
-    """[(pair, deepest, below the named surfaces, what half of it is the limit, whether deeper cannot be)]; kept, since it is slow.
+    """[(pair, deepest [m], below the named surfaces [m], part of an element, the flattest element, whether deeper cannot be)]; kept,
+    since it is slow.
 
     An overlap that the case accepts at the start does not count until the bodies part.
     """
@@ -257,14 +258,14 @@ def depths(seen, expected):
         room = min(measure.room(body, seen.X) for body in (one, other))
         size = min(one.depth, other.depth, room)
         bases = tuple(named(seen, name) for name in pair)
-        worst, allowed = (0.0, 0.0), None
+        worst, most, allowed = (0.0, 0.0), 0.0, None
         for frame in seen.frames:
-            deep, below = measure.overlap(one, other, frame.x, bases)
             if allowed is None:
-                allowed = deep if seen.accepts(pair) else 0.0
+                allowed = measure.overlap(one, other, frame.x, bases)[0] if seen.accepts(pair) else 0.0
+            deep, below, part = measure.overlap(one, other, frame.x, bases, room, allowed)
             allowed = allowed if deep > 0 else 0.0  # once they have parted, what was accepted is past
-            worst = max(worst, (deep - allowed, below - allowed))
-        found.append((pair, *worst, size, worst[0] > FULL * room))
+            worst, most = max(worst, (deep - allowed, below - allowed)), max(most, part)
+        found.append((pair, *worst, most, size, worst[0] > FULL * room))
     seen.cache["depths"] = found
     return found
 
@@ -285,9 +286,9 @@ def named(seen, name):
 
 
 def overlap_faults(seen, expected):
-    """Bodies deeper in each other than half of the flattest element and of what can be."""
-    return [Fault("overlap", deep / size, f"{pair[0]} and {pair[1]} overlap by {deep:.3g} m, {deep / size:.2g} of an element or body")
-            for pair, deep, _, size, _ in depths(seen, expected) if deep > OVERLAP * size]
+    """Bodies deeper in each other than half of the flatter element there and of what can be."""
+    return [Fault("overlap", part, f"{pair[0]} and {pair[1]} overlap by {deep:.3g} m, {part:.2g} of an element or body")
+            for pair, deep, _, part, *_ in depths(seen, expected) if part > OVERLAP]
 
 
 def looked_at(frames):
@@ -526,7 +527,7 @@ def is_true(warning, seen, expected, faults):
     if OF_DEPTH.search(warning):
         claimed = [float(value) for value in re.findall(NUMBER + r" m\b", warning)]
         named = any(re.search(rf"\b{name}\b", warning) for name in seen.bodies)
-        sizes = [(ours, full) for pair, *both, size, full in depths(seen, expected) for ours in both if ours > SEEN * size
+        sizes = [(ours, full) for pair, *both, _, size, full in depths(seen, expected) for ours in both if ours > SEEN * size
                  and (not named or any(re.search(rf"\b{name}\b", warning) for name in pair))]
         return wall_is_passed(seen, claimed) or any(
             not claimed or ours / TRUE_DEPTH <= claimed[0] and (full or claimed[0] <= ours * TRUE_DEPTH) for ours, full in sizes)

@@ -87,8 +87,13 @@ class Body:
         for corner in range(cells.shape[1]):
             np.add.at(self.mass, cells[:, corner], weights / cells.shape[1])
         self.volumes = weights / density
-        self.faces = cells if self.is_plate else outer_faces(cells)
-        self.depth = thickness if self.is_plate else flattest(cells, X, self.volumes)
+        self.faces, owners = (cells, np.arange(len(cells))) if self.is_plate else outer_faces(cells)
+        depths = np.full(len(cells), float(thickness)) if self.is_plate else element_depths(cells, X, self.volumes)
+        self.depth = float(np.min(depths))  # of the flattest element
+        self.face_depth = depths[owners]    # of the element behind each face
+        self.node_depth = np.full(len(X), np.inf)
+        for corner in range(self.faces.shape[1]):
+            np.minimum.at(self.node_depth, self.faces[:, corner], self.face_depth)
 
 
 def read_frames(folder):
@@ -159,20 +164,21 @@ def areas(corners):
     return 0.5 * np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
 
 
-def flattest(cells, X, volume):
-    """The least volume over largest side of any hexahedron [m]."""
+def element_depths(cells, X, volume):
+    """Volume over largest side of each hexahedron [m]."""
     largest = np.zeros(len(cells))
     for side in SIDES:
         p = X[cells[:, side]]
         largest = np.maximum(largest, 0.5 * np.linalg.norm(np.cross(p[:, 2] - p[:, 0], p[:, 3] - p[:, 1]), axis=1))
-    return float(np.min(volume / largest))
+    return volume / largest
 
 
 def outer_faces(cells):
-    """The sides of hexahedra that belong to one alone, with normals outwards."""
+    """(the sides of hexahedra that belong to one alone, with normals outwards; whose they are)."""
     sides = cells[:, SIDES].reshape(-1, 4)
     _, first, count = np.unique(np.sort(sides, axis=1), axis=0, return_index=True, return_counts=True)
-    return sides[np.sort(first[count == 1])]
+    outer = np.sort(first[count == 1])
+    return sides[outer], outer // len(SIDES)
 
 
 def edges_of(faces):
@@ -231,6 +237,21 @@ def samples(body, x):
     return np.concatenate(found)
 
 
+def depths_of_samples(body):
+    """Beside samples(): the depth of the flattest element there [m]."""
+    edges = edges_of(body.faces)
+    along = body.node_depth[edges].min(axis=1)
+    once = np.concatenate([body.node_depth[np.unique(body.faces)], body.face_depth, *(along for _ in ALONG)])
+    return np.tile(once, 2 if body.is_plate else 1)
+
+
+def depths_of_triangles(body, triangles):
+    """Beside closed_surface(): the depth of the element behind [m]."""
+    if body.is_plate:
+        return np.full(len(triangles), body.thickness)
+    return np.tile(body.face_depth, 4)
+
+
 def winding_numbers(points, triangles):
     """How often the triangles go around each point."""
     a, b, c = (triangles[None, :, k] - points[:, None] for k in range(3))
@@ -273,32 +294,52 @@ def in_pieces(function, points, triangles):
     return np.concatenate(parts) if parts else np.zeros(0)
 
 
+def which_inside(points, triangles):
+    """Places of those of the points that the triangles enclose."""
+    low, high = triangles.min(axis=(0, 1)), triangles.max(axis=(0, 1))
+    near = np.flatnonzero(np.all((points > low) & (points < high), axis=1))
+    return near[in_pieces(winding_numbers, points[near], triangles) > INSIDE] if len(near) else near
+
+
 def points_inside(points, triangles):
     """Those of the points that the triangles enclose."""
-    low, high = triangles.min(axis=(0, 1)), triangles.max(axis=(0, 1))
-    near = points[np.all((points > low) & (points < high), axis=1)]
-    return near[in_pieces(winding_numbers, near, triangles) > INSIDE] if len(near) else near
+    return points[which_inside(points, triangles)]
 
 
-def depth_in(points, triangles, base=None):
-    """(deepest below the closest triangle, deepest below the base triangles) of the points inside [m]."""
-    inside = points_inside(points, triangles)
+def closest(points, triangles):
+    """For each point the distance to the closest triangle [m], and which that is."""
+    away = all_distances(points, triangles)
+    return np.stack([away.min(axis=1), away.argmin(axis=1)], axis=1)
+
+
+def depth_in(body, other, x, triangles, base, room, allowed):
+    """(deepest below the closest triangle [m], deepest below the base triangles [m], largest part of an element) of a body's points
+    in another. The element is the flatter one of those at the point and behind the triangle, or what room there is; the part is of
+    what is deeper than allowed."""
+    points = samples(body, x)
+    inside = which_inside(points, triangles)
     if not len(inside):
-        return 0.0, 0.0
-    deepest = float(in_pieces(distances, inside, triangles).max())
-    return deepest, deepest if base is None or not len(base) else float(in_pieces(distances, inside, base).max())
+        return 0.0, 0.0, 0.0
+    found = in_pieces(closest, points[inside], triangles)
+    depth, at = found[:, 0], found[:, 1].astype(int)
+    deepest = float(depth.max())
+    size = np.minimum(np.minimum(depths_of_samples(body)[inside], depths_of_triangles(other, triangles)[at]), room)
+    below = deepest if base is None or not len(base) else float(in_pieces(distances, points[inside], base).max())
+    return deepest, below, float(np.max((depth - allowed) / size))
 
 
-def overlap(one, other, x, bases=(None, None)):
-    """(deepest, deepest below the named surfaces) of two bodies in each other [m]; bases: faces of each, or None."""
+def overlap(one, other, x, bases=(None, None), room=np.inf, allowed=0.0):
+    """(deepest [m], deepest below the named surfaces [m], largest part of an element) of two bodies in each other; bases: faces of
+    each, or None; room: how deep a point can be [m]; allowed: [m] what does not count for the part."""
     first, second = closed_surface(one, x), closed_surface(other, x)
     if np.any(first.max(axis=(0, 1)) < second.min(axis=(0, 1))) or np.any(second.max(axis=(0, 1)) < first.min(axis=(0, 1))):
-        return 0.0, 0.0
+        return 0.0, 0.0, 0.0
     named = [None if faces is None else in_four(x[faces]) if faces.shape[1] == 4 else x[faces] for faces in bases]
-    a = depth_in(samples(one, x), second, named[1])
-    b = depth_in(samples(other, x), first, named[0])
+    a = depth_in(one, other, x, second, named[1], room, allowed)
+    b = depth_in(other, one, x, first, named[0], room, allowed)
     through = max(through_plate(one, other, x), through_plate(other, one, x))
-    return max(a[0], b[0], through), max(a[1], b[1], through)
+    part = (through - allowed) / min(one.depth, other.depth, room)
+    return max(a[0], b[0], through), max(a[1], b[1], through), max(a[2], b[2], part, 0.0)
 
 
 def through_plate(body, plate, x):

@@ -1,0 +1,43 @@
+#include "element/assumed_strain.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/element/solids.hpp"
+
+namespace nereid::element {
+namespace {
+
+TEST(AssumedStrain, MomentsAndForcesOnModesAreInverses) {
+  for (int trial = 0; trial < 20; ++trial) {
+    const auto frame = centre_frame<double>({random_point(1), random_point(1), random_point(1)});
+    HourglassMoments<double> m;
+    for (auto& p : m.plane) p = {random(-1, 1), random(-1, 1), random(-1, 1)};
+    for (double& a : m.along) a = random(-1, 1);
+    const auto back = moments_of(frame, forces_of(frame, m));
+    for (int k = 0; k < 3; ++k) {
+      EXPECT_NEAR(back.plane[k].ii, m.plane[k].ii, 1e-10);
+      EXPECT_NEAR(back.plane[k].jj, m.plane[k].jj, 1e-10);
+      EXPECT_NEAR(back.plane[k].ij, m.plane[k].ij, 1e-10);
+      EXPECT_NEAR(back.along[k], m.along[k], 1e-10);
+    }
+  }
+}
+
+TEST(AssumedStrain, EnergyOfTheMomentsIsTheirWork) {
+  const double young = 3, poisson = 0.3, mu = young / (2 * (1 + poisson)), lambda = 2 * mu * poisson / (1 - 2 * poisson);
+  for (int trial = 0; trial < 20; ++trial) {
+    const auto frame = centre_frame<double>({random_point(1), random_point(1), random_point(1)});
+    const double volume = 8 * std::abs(dot(frame.g[0], cross(frame.g[1], frame.g[2])));
+    const std::array<Point, 4> q{random_point(1), random_point(1), random_point(1), random_point(1)};
+    const auto m = moments_from(frame, q, volume, lambda, mu);
+    const auto Q = forces_of(frame, m);
+    double work = 0;
+    for (int a = 0; a < 4; ++a) work += 4 * dot(Q[a], q[a]);
+    EXPECT_NEAR(energy_of(frame, m, 1 / volume, young, poisson), work, 1e-12 * work);
+  }
+}
+
+}  // namespace
+}  // namespace nereid::element
