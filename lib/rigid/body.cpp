@@ -133,6 +133,39 @@ void set_node_velocities(const Body& body, const State& now, Vectors& v) {
     v.col(body.nodes[i]) = of_centre + spin.cross(turned(now.turn, body.arm.col(static_cast<Eigen::Index>(i))));
 }
 
+Twist fit(const Body& body, const Vectors& v) {
+  const auto count = static_cast<double>(body.nodes.size());
+  const Vec3 middle = body.arm.rowwise().mean();
+  Vec3 mean = Vec3::Zero(), turning = Vec3::Zero();
+  Mat3 inertia = Mat3::Zero();
+  for (const Index node : body.nodes) mean += v.col(node) / count;
+  for (std::size_t i = 0; i < body.nodes.size(); ++i) {
+    const Vec3 r = body.arm.col(static_cast<Eigen::Index>(i)) - middle;
+    turning += r.cross(v.col(body.nodes[i]) - mean);
+    inertia += r.squaredNorm() * Mat3::Identity() - r * r.transpose();
+  }
+  const Vec3 spin = inertia.inverse() * turning;
+  return {mean - spin.cross(middle), spin};
+}
+
+Scalars shares_of_mass(const Body& body, const Scalars& mass) {
+  const auto count = static_cast<Eigen::Index>(body.nodes.size());
+  Scalars share(count);
+  double sum = 0;
+  Vec3 first = Vec3::Zero();
+  Mat3 second = Mat3::Zero();
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Vec3 r = body.arm.col(i);
+    share(i) = mass(body.nodes[static_cast<std::size_t>(i)]);
+    sum += share(i), first += share(i) * r, second += share(i) * r * r.transpose();
+  }
+  // k (1 + b . r) with  sum + b . first = mass / k  and  first + second b = 0
+  const Vec3 b = -second.inverse() * first;
+  const double k = body.mass.mass / (sum + b.dot(first));
+  for (Eigen::Index i = 0; i < count; ++i) share(i) *= k * (1 + b.dot(body.arm.col(i)));
+  return share;
+}
+
 double safe_share(const Body& body, const Scalars& mass) {
   using Mat6 = Eigen::Matrix<double, 6, 6>;
   double size2 = 0;

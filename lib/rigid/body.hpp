@@ -93,6 +93,15 @@ void place_nodes(const Body&, const State&, const Vectors& X, Vectors& x);
 /// Their velocities at this instant. [m/s]
 void set_node_velocities(const Body&, const State&, Vectors& v);
 
+/// The rigid motion that fits velocities of the nodes best, with equal weights, at a body that stands as in the reference: of the centre,
+/// and the spin.
+Twist fit(const Body&, const Vectors& v);
+
+/// Shares of the mass at the nodes that have its sum and its centre: shares of a mesh, times a linear function of place. [kg] [nodes]
+///
+/// mass  [kg] of all nodes of the mesh, as its elements share it out
+Scalars shares_of_mass(const Body&, const Scalars& mass);
+
 /// The largest factor s with which masses m_i at nodes answer impulses no less than the body does: s times their mass matrix,
 /// of rigid motions, is at most that of the body. What holds the body makes it answer less. [-]
 double safe_share(const Body&, const Scalars& mass);

@@ -142,3 +142,22 @@ TEST(RigidBody, MassesThatAreSafeAnswerNoLess) {
   }
   EXPECT_LT(closest, 0.5);  // nor far less than they could
 }
+
+TEST(RigidBody, AFitFindsARigidMotion) {
+  const Body body = top();
+  const Vec3 velocity(1, -2, 3), spin(0.4, 0.5, -0.6);
+  Vectors v(3, 4);
+  for (int i = 0; i < 4; ++i) v.col(i) = velocity + spin.cross(Vec3(body.arm.col(i)));
+  const rigid::Twist found = rigid::fit(body, v);
+  EXPECT_LT((found.velocity - velocity).norm(), 1e-14);
+  EXPECT_LT((found.spin - spin).norm(), 1e-14);
+}
+
+TEST(RigidBody, SharesOfItsMassHaveItsCentre) {
+  const Body body = top();
+  Scalars mass(4);
+  mass << 0.4, 0.5, 0.6, 0.5;
+  const Scalars share = rigid::shares_of_mass(body, mass);
+  EXPECT_NEAR(share.sum(), body.mass.mass, 1e-14);
+  EXPECT_LT((body.arm * share).norm(), 1e-14);
+}
