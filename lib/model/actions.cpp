@@ -138,6 +138,12 @@ load::BodyForce body_force(const Load& load, const dynamics::Model& model, Fault
     force.mass(static_cast<Eigen::Index>(i)) = mass(nodes[i]);
     refuse_infinite_start(faults, part("load", load), "value", load.value, model.mesh.X.col(nodes[i]));
   }
+  for (const rigid::Body& body : model.rigid_bodies) {
+    if (body.name != load.on) continue;
+    force.mass = rigid::shares_of_mass(body, mass);
+    if (!(force.mass.minCoeff() > 0))
+      refuse(faults, part("load", load), "body", "the centre of " + quote(load.on) + " is too far out of its mesh for a body force");
+  }
   return force;
 }
 
@@ -146,7 +152,9 @@ load::NodalMoment moment_on(const Load& load, const dynamics::Model& model, cons
   for (const Index node : moment.nodes) {
     moment.rotations.push_back(model.rotation_of_node[node]);
     if (moment.rotations.back() < 0)
-      refuse(faults, part("load", load), "nodes", "a moment acts on nodes of plates only: " + quote(load.on) + " has others");
+      refuse(faults, part("load", load), "nodes",
+             dynamics::is_rigid_node(model, node) ? "a moment on a rigid body is not there yet: use two forces"
+                                                  : "a moment acts on nodes of plates only: " + quote(load.on) + " has others");
   }
   return moment;
 }
@@ -233,8 +241,8 @@ void add_loads(const Scene& scene, dynamics::Model& model, Faults& faults) {
   for (const Plane& plane : scene.planes) {
     if (!plane.angular_velocity[0]) continue;
     const Subset nodes = with_nodes(plane, model.mesh).nodes;
-    if (std::none_of(nodes.begin(), nodes.end(), [&](Index node) { return model.rotation_of_node[node] >= 0; }))
-      refuse(faults, part_of(plane), "angular_velocity", "'angular_velocity' is of nodes of plates: " + quote(plane.name) + " has none");
+    if (std::none_of(nodes.begin(), nodes.end(), [&](Index node) { return model.rotation_of_node[node] >= 0 || dynamics::is_rigid_node(model, node); }))
+      refuse(faults, part_of(plane), "angular_velocity", "'angular_velocity' is of nodes of plates and rigid bodies: " + quote(plane.name) + " has none");
   }
 }
 
