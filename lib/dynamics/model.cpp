@@ -131,8 +131,8 @@ State initial_state(const Model& model, std::vector<contact::Memory> interfaces)
   state.interfaces = std::move(interfaces);
   for (const auto& plane : model.rigid_planes) state.rigid_planes.push_back(contact::initial_memory(plane));
   state.rigid_bodies.resize(model.rigid_bodies.size());
-  state.constraints = load::prepare(model.rigid_bodies.empty() ? model.constraints : without_rigid_nodes(model), static_cast<Index>(model.mesh.X.cols()),
-                                    model.rotation_of_node);
+  const load::Constraints& of_nodes = model.rigid_bodies.empty() ? model.constraints : without_rigid_nodes(model);
+  state.constraints = load::prepare(of_nodes, static_cast<Index>(model.mesh.X.cols()), model.rotation_of_node);
   for (const auto& any : model.loads) state.loads.push_back(load::initial_memory(any));
   if (model.relaxation) {
     RelaxationMemory& memory = state.relaxation;

@@ -90,7 +90,8 @@ void post_reactions(const Model& model, std::size_t b, const rigid::State& befor
     for (const HeldBody::Row& row : held.rows) {
       const Vec3 share = row.reaction.dot(reaction) * row.normal;
       const bool moves = load::moves(model.constraints.planes[row.plane]);
-      post(row.plane, share, moves ? 0.5 * share.dot(v0 + v1) + quarter_step * row.reaction.dot(forces.force) * row.normal.dot(v1 - v0) : 0);
+      const double late = quarter_step * row.reaction.dot(forces.force) * row.normal.dot(v1 - v0);
+      post(row.plane, share, moves ? 0.5 * share.dot(v0 + v1) + late : 0);
     }
   }
   accounts[first].angular_impulse += turning;
@@ -155,8 +156,8 @@ void drift_rigid_bodies(const Model& model, double dt, State& now, Forces& f) {
     if (held.driver >= 0) twist = {rigid::velocity(body, state), rigid::angular_velocity(body, state)};
     rigid::drift(body, twist, dt, state);
     if (held.driver >= 0) rigid::set_velocities(body, twist.velocity, twist.spin, state);
-    if (held.driver >= 0 || body.hold.turns == 1)
-      now.constraints.account[held.driver >= 0 ? held.driver : held.first].angular_impulse += state.angular_momentum - before.angular_momentum;
+    const int plane = held.driver >= 0 ? held.driver : body.hold.turns == 1 ? held.first : -1;
+    if (plane >= 0) now.constraints.account[plane].angular_impulse += state.angular_momentum - before.angular_momentum;
     for (const Index node : body.nodes) now.v.col(node) = rigid::velocity_at(twist, now.x.col(node) - centre, dt);
     forces.work = 0.5 * forces.force.dot(state.shift - before.shift) +
                   0.5 * (rigid::matrix(state.turn) - rigid::matrix(before.turn)).cwiseProduct(forces.spread).sum();

@@ -187,8 +187,10 @@ void post_moment_of_gravity(const Model& model, double dt, State& now) {
   Vec3 middle = Vec3::Zero();
   for (Eigen::Index n = 0; n < now.x.cols(); ++n)
     if (!is_rigid_node(model, static_cast<Index>(n))) middle += model.mass(n) * (now.x.col(n) - 0.5 * dt * now.v.col(n));
-  for (std::size_t b = 0; b < model.rigid_bodies.size(); ++b)
-    middle += model.rigid_bodies[b].mass.mass * rigid::centre(model.rigid_bodies[b], now.rigid_bodies[b]) - 0.5 * dt * now.rigid_bodies[b].momentum;
+  for (std::size_t b = 0; b < model.rigid_bodies.size(); ++b) {
+    const rigid::Body& body = model.rigid_bodies[b];
+    middle += body.mass.mass * rigid::centre(body, now.rigid_bodies[b]) - 0.5 * dt * now.rigid_bodies[b].momentum;
+  }
   now.ledger.accounts.back().angular_impulse += dt * middle.cross(model.gravity);
 }
 

@@ -62,7 +62,8 @@ void set_rows(const Scene& scene, const load::Constraints& constraints, const st
         held.rows.push_back({p, normal, Vec3::Zero()});
         free -= rest.normalized() * rest.normalized().transpose();
       } else if (load::moves(plane)) {
-        refuse(faults, part_of(scene, plane), "velocity", quote(plane.name) + " moves a rigid body in a direction that another plane holds");
+        refuse(faults, part_of(scene, plane), "velocity",
+               quote(plane.name) + " moves a rigid body in a direction that another plane holds");
       }
     }
   }
