@@ -60,7 +60,7 @@ def turning(run):
 
 
 CHECKS = [
-    Check("kinetic energy over a hundred turns, the farthest", energy, 1e-6, "the bound of the task; the method keeps it to round-off"),
+    Check("kinetic energy over a hundred turns, the farthest", energy, 1e-6, "a millionth; the method keeps it to round-off"),
     Check("angular momentum about the origin, the largest change", momentum, 1e-10,
           "nothing changes it; the moment of the flight, positions times momenta, is rounded"),
     Check("length of an edge, the farthest", length, 1e-6, "positions follow from one rotation; the history has seven digits or more"),

@@ -13,7 +13,8 @@ DRIVER = "scene"
 GRAVITY, MASS, SLOPE = 9.81, 16.0, 30            # [m/s2] [kg] [degrees]
 SLIDES = {"contacts[0].friction": 0.2}
 TALL = {"bodies[0].mesh.high": "[0.4 m, 0.4 m, 0.8 m]", "contacts[0].friction": 5, "time.end": "0.05 s", "output.history_every": "1 ms"}
-ON_A_PLANE = {"planes[1]": "{name: sole_plane, kind: rigid, surface: block.z_low, point: [0 m, 0 m, 0 m], normal: [0, 0, 1], friction: 0.2}",
+ON_A_PLANE = {"planes[1]": "{name: sole_plane, kind: rigid, surface: block.z_low, point: [0 m, 0 m, 0 m], normal: [0, 0, 1], "
+                           "friction: 0.2}",
               "contacts": "[]", "probes": "[{name: speed, quantity: velocity, of: block, component: x}]"}
 SETTLED = 0.1                                    # [s]
 
@@ -104,4 +105,5 @@ def speeds(run):
 
 STUDIES = [Table("The sliding block by method: a penalty lets a block that is laid on it bounce.",
                  ["method", "error of the acceleration", "created energy", "largest spin [rad/s]"], by_methods)]
-FIGURES = [Figure("speed", "time [s]", "speed down the incline [m/s]", speeds, caption="Speed of a rigid block on an incline of 30 degrees.")]
+FIGURES = [Figure("speed", "time [s]", "speed down the incline [m/s]", speeds,
+                  caption="Speed of a rigid block on an incline of 30 degrees.")]
