@@ -79,7 +79,7 @@ Scene cask(mesh::Revolution rotation, int n, const element::Viscosity& viscosity
   plate.thickness = thickness;
   plate.viscosity = viscosity;
   s.model.blocks.push_back(
-      element::hexahedra(s.model.mesh, "lead", lead, {.viscosity = viscosity}));
+      element::hexahedra(s.model.mesh, "lead", lead, {.hourglass = 0.1, .viscosity = viscosity}));
   s.model.blocks.push_back(element::plates(s.model.mesh, "cladding", steel, plate));
   s.model.constraints.planes.push_back(
       plane("floor", PlaneKind::floor, Vec3::UnitZ(), all_nodes(s.model.mesh)));
@@ -112,7 +112,7 @@ Scene box(const Eigen::Vector3i& cells, const element::AnyLaw& law,
   return s;
 }
 
-const element::Hexahedron::Options inviscid{.viscosity = {0, 0}};
+const element::Hexahedron::Options inviscid{.hourglass = 0.1, .viscosity = {0, 0}};
 const element::Hexahedron::Options dashpots{
     .hourglass = 0.05, .viscosity = {0, 0}, .hourglass_kind = element::Hexahedron::Hourglass::viscous};
 const element::FullHexahedron::Options eight_points{.viscosity = {0, 0}};
@@ -1701,7 +1701,7 @@ contact::RigidPlane wall(const std::string& name, const Model& model, const std:
 Scene rattling(double first, double gap = 1e-3) {
   Scene s;
   s.model.mesh = mesh::box("brick", {{0, 0, gap / 2}, {0.1, 0.1, 0.1 + gap / 2}, {1, 1, 1}});
-  const element::Hexahedron::Options undamped{.viscosity = {0, 0}};
+  const element::Hexahedron::Options undamped{.hourglass = 0.1, .viscosity = {0, 0}};
   s.model.blocks.push_back(element::hexahedra(s.model.mesh, "brick", material::Elastic{1000, 2e7, 0}, undamped));
   finalize(s.model);
   s.model.rigid_planes.push_back(wall("ground", s.model, "brick.z_low", Vec3::Zero(), Vec3::UnitZ(), first));
