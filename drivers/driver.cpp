@@ -115,7 +115,7 @@ void print(const std::vector<output::Result>& results) {
 
 void print_size(const dynamics::Model& model) {
   std::printf("%ld nodes, %ld elements, mass %.6g kg\n", static_cast<long>(model.mesh.X.cols()),
-              static_cast<long>(model::count_elements(model)), model.mass.sum());
+              static_cast<long>(model::count_elements(model)), dynamics::total_mass(model));
 }
 
 void print_not_used(const input::CaseFile& file) {

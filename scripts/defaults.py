@@ -5,7 +5,7 @@ contact heights and intervals of output are none. A departure is a numeric that 
 """
 from runs import CannotRun, Run
 
-ELEMENT = {"kind": "one_point", "hourglass_kind": "stiffness", "hourglass": 0.1, "layers": 5, "rotary_inertia": "scaled",
+ELEMENT = {"kind": "one_point", "hourglass_kind": "assumed_strain", "hourglass": 1, "layers": 5, "rotary_inertia": "scaled",
            "lead": "one_point"}  # the last is `kind` in cask_drop
 CONTACT = {"method": "multiplier", "restitution": 1, "passes": "one", "weights": "consistent", "penalty": None, "penalty_scale": 20,
            "tangential_penalty": 1, "damping_ratio": 0, "area": "apex", "energy_gain_limit": 0.005}
@@ -14,6 +14,7 @@ CONTACT = {"method": "multiplier", "restitution": 1, "passes": "one", "weights":
 NUMERICS = {"element": ELEMENT, "viscosity": {"linear": 0.06, "quadratic": 1.2},
             "contacts": CONTACT, "planes": CONTACT, "contact": CONTACT, "interface": CONTACT, "base": CONTACT,
             "time": {"safety": 0.9, "created_limit": 0.05, "overlap_limit": 0.5}, "relaxation": {"residual": 1e-6, "samples": 5}}
+OF_KIND = {"stiffness": 0.1, "viscous": 0.05}  # the default of `hourglass`
 WORDS = {"kind": "integration", "lead": "integration", "linear": "viscosity", "quadratic": "viscosity"}
 
 
@@ -40,8 +41,8 @@ def departures(run):
 
 def usual(section, key, node):
     """The default of a key beside the others of its section."""
-    viscous = node.get("hourglass_kind", {}).get("value") == "viscous"
-    return 0.05 if key == "hourglass" and viscous else NUMERICS[section][key]
+    kind = node.get("hourglass_kind", {}).get("value")
+    return OF_KIND.get(kind, NUMERICS[section][key]) if key == "hourglass" else NUMERICS[section][key]
 
 
 def shown(found):

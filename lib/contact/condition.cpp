@@ -9,6 +9,7 @@
 #include "contact/foot.hpp"
 #include "contact/near.hpp"
 #include "contact/restitution.hpp"
+#include "contact/rigid_nodes.hpp"
 #include "contact/stand.hpp"
 
 namespace nereid::contact {
@@ -132,6 +133,7 @@ bool complete(const Motion& m, const Vectors& free, double pressed, double held,
     c.before += c.weight[j] * c.normal.dot(m.v.col(node));
     c.free += c.weight[j] * c.normal.dot(free.col(node));
   }
+  if (m.rigid) c.per_mass = per_mass(*m.rigid, m, c);
   const double closing = (c.gap > 0 ? -c.gap : -corrected * c.gap) / m.next, impulse = 0.5 * pressed * (m.dt + m.next);
   const double from_held = impulse > 0 ? std::max(0.0, held) / impulse : 0;
   const double may = 2 * from_held - c.before;  // the work of this step; to stop again takes as much as to go apart
@@ -144,9 +146,11 @@ double response(const Touch& touch, const Motion& m, bool constrained) {
   const Vec3 first = touch.normal.unitOrthogonal(), second = touch.normal.cross(first);
   const FrictionShares one = share_friction(touch, first), other = share_friction(touch, second);
   const auto product = [&](const FrictionShares& a, const FrictionShares& b) {
-    double sum = 0;
+    const bool of_bodies = constrained && m.rigid;
+    double sum = of_bodies ? product_of_bodies(*m.rigid, a, b, m.x) : 0;
     for (int i = 0; i < a.count; ++i) {
       const Index node = a.node[i];
+      if (of_bodies && m.rigid->of_node[node] >= 0) continue;
       const Vec3 let = constrained && m.allowed[node] ? Vec3(*m.allowed[node] * b.force[i]) : b.force[i];
       sum += a.force[i].dot(let) / m.mass(node);
       if (a.turns[i] && b.turns[i]) sum += a.moment[i].dot(b.moment[i]) / m.inertia(m.rotation_of_node[node]);
@@ -343,6 +347,7 @@ void apply_changes(const Motion& m, Multipliers& all) {
     condition.impulse += condition.change;
     give(condition, condition.change, m, all);
   }
+  if (m.rigid) settle(*m.rigid, m, all.velocity);
   if (all.bonds.touched) hold(m, all.velocity, all.bonds);
 }
 

@@ -13,6 +13,8 @@ namespace nereid::contact {
 /// [-] of the depth of an element: apexes that are nearer to their base have a condition.
 constexpr double multipliers_reach = 0.02;
 
+struct RigidNodes;
+
 /// How nodes move when no multiplier acts, and how easily an impulse moves them.
 struct Motion {
   const Vectors& x;        ///< [m] at t
@@ -27,6 +29,7 @@ struct Motion {
   const std::vector<const Mat3*>& allowed_rotation;   ///< [plate nodes] the same of angular velocities
   double dt, next;         ///< [s] of the step that led to t, of that which begins there
   const Vectors* driven = nullptr;  ///< [m/s] what planes that move add to velocities by the step to come; null: none moves
+  RigidNodes* rigid = nullptr;      ///< rigid bodies in the step to come; null: there are none
 };
 
 /// The share of an impulse at t that acts in the half step which begins there. [-]

@@ -8,6 +8,7 @@
 #include "base/parallel.hpp"
 #include "contact/apex.hpp"
 #include "contact/restitution.hpp"
+#include "contact/rigid_nodes.hpp"
 
 namespace nereid::contact {
 
@@ -54,6 +55,7 @@ void find_bounds(const Motion& m, Multipliers& all) {
       const Condition& c = all.conditions[i];
       for (int j = 0; j < c.nodes; ++j) all.shared(c.node[j]) += one.area * std::abs(c.weight[j]);
     }
+  if (m.rigid) leave_out(*m.rigid, all);
   for (const Contactor& one : all.contactors) {
     for (Index i = one.first; i < one.last; ++i) {
       Condition& c = all.conditions[i];
@@ -74,6 +76,7 @@ void find_bounds(const Motion& m, Multipliers& all) {
     }
     condition.bound = condition.per_mass * together / alone;
   }
+  if (m.rigid) add_bounds(*m.rigid, m, all);
 }
 
 /// One sweep: all impulses are to change by the rates that all of them have made so far, so no order counts, and to go on by some of what
@@ -176,6 +179,7 @@ void solve(const Motion& m, Multipliers& all) {
       if (all.conditions[i].impulse > 0) give(all.conditions[i], all.conditions[i].impulse, m, all.velocity);
   for (const FrictionCondition& condition : all.frictions)
     if (!condition.impulse.isZero(0)) give(condition, condition.impulse, m, all);
+  if (m.rigid) settle(*m.rigid, m, all.velocity);
   if (all.bonds.touched) hold(m, all.velocity, all.bonds);
   double t = 1;
   for (int sweeps = 1; sweeps <= most_for_overlaps; ++sweeps) {
@@ -353,6 +357,7 @@ void find_impulses(const Acting& acting, const Motion& m, std::span<Workspace> w
   }
   for (const RigidPlane& plane : acting.planes)
     if (by_multipliers(plane)) look_ahead(plane.nodes, m, all);
+  if (m.rigid) look_ahead(*m.rigid, m, all);
   find_bonds(acting.interfaces, m, acting.memories, all.velocity, all.bonds);
   see_ahead(all.bonds.nodes, m, all);
   for (std::size_t i = 0; i < acting.interfaces.size(); ++i) {

@@ -101,11 +101,13 @@ double half_thickness(const Model& model, const mesh::Surface& surface) {
   return 0;
 }
 
-/// The stable step of the elements as they stand, without safety. [s]
+/// The stable step of the elements as they stand, without safety; of rigid bodies alone the longest of the model. [s]
 double element_step(const Model& model) {
   const Vectors rest = Vectors::Zero(3, model.mesh.X.cols()), no_rotation = Vectors::Zero(3, model.inertia.size());
-  double step = 1e300;
-  for (const auto& block : model.blocks) {
+  double step = model.longest_step;
+  for (std::size_t b = 0; b < model.blocks.size(); ++b) {
+    const auto& block = model.blocks[b];
+    if (is_rigid_block(model, b)) continue;
     element::Memory memory = element::initial_memory(block);
     element::TileForces tiles = element::tile_forces(block);
     element::TileReports reports = element::tile_reports(block);
@@ -189,7 +191,8 @@ double surface_impedance(const Model& model, const mesh::Surface& surface) {
   double most = 0;
   for (const auto& block : model.blocks) {
     if (elements_behind(block, model.mesh, surface).empty()) continue;
-    if (element::thickness(block) > 0) return std::numeric_limits<double>::infinity();
+    const auto place = static_cast<std::size_t>(&block - model.blocks.data());
+    if (element::thickness(block) > 0 || is_rigid_block(model, place)) return std::numeric_limits<double>::infinity();
     most = std::max(most, std::visit([](const auto& b) {
                       const material::Lame lame = material::lame(b.law);
                       return std::sqrt(b.law.density * (lame.lambda + 2 * lame.mu));

@@ -43,7 +43,7 @@ double surface_stiffness(const Model&, const mesh::Surface&);
 
 /// Impedance of a wave that goes into a body across a surface, at its stiffest element: rho c = sqrt(rho (lambda + 2 mu)).
 ///
-/// returns  [Pa s/m]; infinite for plates, whose thickness moves as one; zero if no element has a face on the surface
+/// returns  [Pa s/m]; infinite for plates, whose thickness moves as one, and rigid bodies; zero if no element has a face on the surface
 double surface_impedance(const Model&, const mesh::Surface&);
 
 /// Depth along the normal of the flattest element behind a face of a surface: of hexahedra V/A, of plates the thickness.

@@ -19,8 +19,9 @@ Vec3 half_curl(const Mat3& L) { return 0.5 * Vec3(L(2, 1) - L(1, 2), L(0, 2) - L
 /// Normals of the plates at their nodes in the reference, weighted by area. [3 x plate nodes]
 Vectors normals(const Model& model) {
   Vectors normal = Vectors::Zero(3, model.inertia.size());
-  for (const auto& block : model.blocks) {
-    if (!element::rotates(block)) continue;
+  for (std::size_t b = 0; b < model.blocks.size(); ++b) {
+    const auto& block = model.blocks[b];
+    if (!element::rotates(block) || is_rigid_block(model, b)) continue;
     const element::Connectivity& nodes = element::nodes(block);
     for (Eigen::Index e = 0; e < nodes.cols(); ++e) {
       const Vec3 first = model.mesh.X.col(nodes(0, e));
@@ -59,6 +60,7 @@ element::Vote displace(const Model& model, State& now, const Vectors& u, const s
     }
     now.x = model.mesh.X + (static_cast<double>(s + 1) / steps) * u;
     for (std::size_t b = 0; b < model.blocks.size(); ++b) {
+      if (is_rigid_block(model, b)) continue;
       const element::Vote vote =
           element::advance(model.blocks[b], now.x, du, rotations, duration / steps, now.blocks[b], now.tiles[b], reports[b]);
       if (vote.volume_ratio < smallest.volume_ratio || std::isnan(vote.volume_ratio)) smallest = vote;

@@ -1,5 +1,7 @@
 #include "dynamics/measure.hpp"
 
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -31,16 +33,67 @@ Vec3 mean_velocity(const View& view, const Subset& nodes) {
   return mean(nodes, [&](Index node) -> Vec3 { return view.now.v.col(node); });
 }
 
+namespace {
+
+/// Calls visit(body, state) for each rigid body of which a set has all nodes, and returns which these are.
+template <class Visit>
+std::vector<char> whole_bodies(const View& view, const Subset& nodes, Visit&& visit) {
+  std::vector<char> whole(view.model.rigid_bodies.size(), 0);
+  for (std::size_t b = 0; b < whole.size(); ++b) {
+    const rigid::Body& body = view.model.rigid_bodies[b];
+    whole[b] = std::includes(nodes.begin(), nodes.end(), body.nodes.begin(), body.nodes.end());
+    if (whole[b]) visit(body, view.now.rigid_bodies[b]);
+  }
+  return whole;
+}
+
+/// The mass at a node; zero if it belongs to a rigid body that counts as a whole. Of a part of a rigid body, what its elements have. [kg]
+double mass_at(const View& view, Index node, const std::vector<char>& whole) {
+  if (!is_rigid_node(view.model, node)) return view.model.mass(node);
+  const Index body = view.model.rigid_of_node[node];
+  return whole[static_cast<std::size_t>(body)] ? 0 : view.model.mass(node) / view.model.rigid_share(body);
+}
+
+}  // namespace
+
 Vec3 momentum(const View& view, const Subset& nodes) {
   Vec3 sum = Vec3::Zero();
-  for (const Index node : nodes) sum += view.model.mass(node) * view.now.v.col(node);
+  const auto whole = whole_bodies(view, nodes, [&](const rigid::Body&, const rigid::State& state) { sum += state.momentum; });
+  for (const Index node : nodes) sum += mass_at(view, node, whole) * view.now.v.col(node);
   return sum;
+}
+
+Vec3 angular_momentum(const View& view, const Subset& nodes) {
+  Vec3 sum = Vec3::Zero();
+  const auto whole = whole_bodies(view, nodes, [&](const rigid::Body& body, const rigid::State& state) {
+    sum += rigid::centre(body, state).cross(state.momentum) + state.angular_momentum;
+  });
+  for (const Index node : nodes) {
+    sum += mass_at(view, node, whole) * Vec3(view.now.x.col(node)).cross(Vec3(view.now.v.col(node)));
+    const Index rotation = view.model.rotation_of_node[node];
+    if (rotation >= 0) sum += view.model.inertia(rotation) * view.now.omega.col(rotation);
+  }
+  return sum;
+}
+
+Vec3 mean_spin(const View& view, const Subset& nodes) {
+  const Vec3 at = mean_position(view, nodes), speed = mean_velocity(view, nodes);
+  Vec3 turning = Vec3::Zero();
+  Mat3 inertia = Mat3::Zero();
+  for (const Index node : nodes) {
+    const Vec3 r = view.now.x.col(node) - at;
+    turning += r.cross(Vec3(view.now.v.col(node) - speed));
+    inertia += r.squaredNorm() * Mat3::Identity() - r * r.transpose();
+  }
+  return inertia.ldlt().solve(turning);
 }
 
 double kinetic_energy(const View& view, const Subset& nodes) {
   double sum = 0;
+  const auto whole =
+      whole_bodies(view, nodes, [&](const rigid::Body& body, const rigid::State& state) { sum += rigid::kinetic_energy(body, state); });
   for (const Index node : nodes) {
-    sum += 0.5 * view.model.mass(node) * view.now.v.col(node).squaredNorm();
+    sum += 0.5 * mass_at(view, node, whole) * view.now.v.col(node).squaredNorm();
     const Index rotation = view.model.rotation_of_node[node];
     if (rotation >= 0) sum += 0.5 * view.model.inertia(rotation) * view.now.omega.col(rotation).squaredNorm();
   }

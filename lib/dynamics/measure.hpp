@@ -12,8 +12,12 @@ Vec3 mean_position(const View&, const Subset& nodes);      ///< [m]
 Vec3 mean_displacement(const View&, const Subset& nodes);  ///< [m] from the reference
 Vec3 mean_velocity(const View&, const Subset& nodes);      ///< [m/s]
 
-// Sums over a node set.
+/// The rigid rotation that fits the velocities of a node set best, each node with the same weight. [rad/s]
+Vec3 mean_spin(const View&, const Subset& nodes);
+
+// Sums over a node set. A rigid body of which it has all nodes counts with its own mass and inertia.
 Vec3 momentum(const View&, const Subset& nodes);          ///< [kg m/s]
+Vec3 angular_momentum(const View&, const Subset& nodes);  ///< [kg m2/s] about the origin
 double kinetic_energy(const View&, const Subset& nodes);  ///< [J] with that of turning
 
 /// Length of a node set along a coordinate axis (0: x, 1: y, 2: z), from its lowest to its highest node. [m]

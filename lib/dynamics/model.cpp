@@ -1,5 +1,6 @@
 #include "dynamics/model.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 
 #include "base/check.hpp"
@@ -7,16 +8,82 @@
 
 namespace nereid::dynamics {
 
+namespace {
+
+/// The smallest mass with which a rigid body answers an impulse at a node. [kg]
+double least_mass_at(const rigid::Body& body, Index place) {
+  const Vec3 r = body.arm.col(place);
+  const Mat3 inverse = body.inverse;
+  double most = 0;  // of r x n . J^-1 (r x n): no more than the sum over three directions
+  for (int axis = 0; axis < 3; ++axis) {
+    const Vec3 turn = r.cross(Vec3::Unit(axis));
+    most += turn.dot(inverse * turn);
+  }
+  return 1 / (1 / body.mass.mass + most);
+}
+
+/// Masses that springs pull on: at a rigid body, all ends of springs on it share what it has there.
+Scalars masses_of_springs(const Model& model) {
+  Scalars mass = model.mass;
+  std::vector<Index> ends;
+  for (const auto& any : model.loads)
+    if (const auto* spring = std::get_if<load::Spring>(&any)) {
+      ends.push_back(spring->from);
+      if (spring->to >= 0) ends.push_back(spring->to);
+    }
+  for (std::size_t b = 0; b < model.rigid_bodies.size(); ++b) {
+    const auto on_body = std::count_if(ends.begin(), ends.end(), [&](Index n) { return model.rigid_of_node[n] == static_cast<Index>(b); });
+    const rigid::Body& body = model.rigid_bodies[b];
+    for (std::size_t i = 0; on_body > 0 && i < body.nodes.size(); ++i)
+      mass(body.nodes[i]) = least_mass_at(body, static_cast<Index>(i)) / static_cast<double>(on_body);
+  }
+  return mass;
+}
+
+/// Tells nodes which rigid body they belong to, and makes bounds of their masses.
+void share_out_rigid_mass(Model& model) {
+  model.rigid_of_node.clear();
+  model.rigid_share = Scalars::Ones(static_cast<Eigen::Index>(model.rigid_bodies.size()));
+  if (model.rigid_bodies.empty()) return;
+  model.rigid_of_node.assign(static_cast<std::size_t>(model.mesh.X.cols()), -1);
+  model.held_bodies.resize(model.rigid_bodies.size());
+  for (std::size_t b = 0; b < model.rigid_bodies.size(); ++b) {
+    const rigid::Body& body = model.rigid_bodies[b];
+    const double share = rigid::safe_share(body, model.mass);
+    model.rigid_share(static_cast<Eigen::Index>(b)) = share;
+    for (const Index node : body.nodes) model.rigid_of_node[node] = static_cast<Index>(b), model.mass(node) *= share;
+  }
+}
+
+/// The constraints of nodes one by one: those of rigid bodies are in Model::held_bodies.
+load::Constraints without_rigid_nodes(const Model& model) {
+  load::Constraints left = model.constraints;
+  for (load::Plane& plane : left.planes) std::erase_if(plane.nodes, [&](Index node) { return is_rigid_node(model, node); });
+  return left;
+}
+
+}  // namespace
+
+double total_mass(const Model& model) {
+  if (model.rigid_bodies.empty()) return model.mass.sum();
+  double sum = 0;
+  for (Eigen::Index n = 0; n < model.mass.size(); ++n)
+    if (!is_rigid_node(model, static_cast<Index>(n))) sum += model.mass(n);
+  for (const rigid::Body& body : model.rigid_bodies) sum += body.mass.mass;
+  return sum;
+}
+
 void finalize(Model& model) {
   const auto nodes = static_cast<Index>(model.mesh.X.cols());
   model.mass = Scalars::Zero(nodes);
   model.rotation_of_node.assign(nodes, -1);
   model.node_of_rotation.clear();
   model.node_sums.clear();
-  for (const auto& block : model.blocks) {
+  for (std::size_t b = 0; b < model.blocks.size(); ++b) {
+    const auto& block = model.blocks[b];
     element::add_mass(block, model.mass);
     model.node_sums.push_back(element::node_sums(element::tiling(block)));
-    if (!element::rotates(block)) continue;
+    if (!element::rotates(block) || is_rigid_block(model, b)) continue;
     for (const Index node : model.node_sums.back().node) {
       if (model.rotation_of_node[node] >= 0) continue;
       model.rotation_of_node[node] = static_cast<Index>(model.node_of_rotation.size());
@@ -26,9 +93,11 @@ void finalize(Model& model) {
   for (const load::PointMass& point : model.point_masses)
     for (const Index node : point.nodes) model.mass(node) += point.mass / static_cast<double>(point.nodes.size());
   check((model.mass.array() > 0).all(), "a node has neither an element nor a point mass");
+  share_out_rigid_mass(model);
   model.inertia = Scalars::Zero(static_cast<Eigen::Index>(model.node_of_rotation.size()));
-  for (auto& block : model.blocks) {
-    if (!element::rotates(block)) continue;
+  for (std::size_t b = 0; b < model.blocks.size(); ++b) {
+    auto& block = model.blocks[b];
+    if (!element::rotates(block) || is_rigid_block(model, b)) continue;
     element::set_rotations(block, model.rotation_of_node);
     element::add_rotary_inertia(block, model.inertia);
   }
@@ -36,7 +105,10 @@ void finalize(Model& model) {
 
 std::vector<Source> sources(const Model& model) {
   std::vector<Source> list;
-  for (const auto& block : model.blocks) list.push_back(element::source(block));
+  for (std::size_t b = 0; b < model.blocks.size(); ++b) {
+    list.push_back(element::source(model.blocks[b]));
+    if (is_rigid_block(model, b)) list.back().stored.clear(), list.back().dissipated.clear();
+  }
   for (const auto& interface : model.interfaces) list.push_back(contact::source(interface));
   for (const auto& plane : model.rigid_planes) list.push_back(contact::source(plane));
   for (const auto& plane : model.constraints.planes) list.push_back(load::source(plane));
@@ -58,7 +130,9 @@ State initial_state(const Model& model, std::vector<contact::Memory> interfaces)
   }
   state.interfaces = std::move(interfaces);
   for (const auto& plane : model.rigid_planes) state.rigid_planes.push_back(contact::initial_memory(plane));
-  state.constraints = load::prepare(model.constraints, static_cast<Index>(model.mesh.X.cols()), model.rotation_of_node);
+  state.rigid_bodies.resize(model.rigid_bodies.size());
+  const load::Constraints& of_nodes = model.rigid_bodies.empty() ? model.constraints : without_rigid_nodes(model);
+  state.constraints = load::prepare(of_nodes, static_cast<Index>(model.mesh.X.cols()), model.rotation_of_node);
   for (const auto& any : model.loads) state.loads.push_back(load::initial_memory(any));
   if (model.relaxation) {
     RelaxationMemory& memory = state.relaxation;
@@ -81,7 +155,7 @@ Forces make_forces(const Model& model) {
   forces.force = Vectors::Zero(3, model.mesh.X.cols());
   forces.moment = Vectors::Zero(3, model.inertia.size());
   forces.partial.reserve(static_cast<std::size_t>(model.mesh.X.cols()));
-  forces.springs = load::spring_rates(model.loads, model.mass);
+  forces.springs = load::spring_rates(model.loads, model.rigid_bodies.empty() ? model.mass : masses_of_springs(model));
   forces.audit = audit::make_workspace(audited_surfaces(model));
   forces.audit.allowed = allowed_overlaps(model, forces.audit.surfaces);
   if (contact::any_by_multipliers(model.interfaces, model.rigid_planes)) {
@@ -93,6 +167,10 @@ Forces make_forces(const Model& model) {
     if (std::any_of(planes.begin(), planes.end(), [](const load::Plane& plane) { return load::moves(plane); }))
       forces.driven = Vectors::Zero(3, model.mesh.X.cols());
   }
+  forces.rigid_bodies.resize(model.rigid_bodies.size());
+  forces.rigid_before.resize(model.rigid_bodies.size());
+  if (!model.rigid_bodies.empty())
+    forces.rigid_nodes = contact::make_rigid_nodes(model.interfaces, model.rigid_planes, model.rigid_bodies, model.rigid_of_node);
   if (model.relaxation) forces.source_force = forces.force, forces.source_moment = forces.moment;
   return forces;
 }

@@ -9,6 +9,7 @@
 #include "audit/audit.hpp"
 #include "contact/contact.hpp"
 #include "contact/multiplier.hpp"
+#include "contact/rigid_nodes.hpp"
 #include "contact/rigid_plane.hpp"
 #include "dynamics/ledger.hpp"
 #include "dynamics/votes.hpp"
@@ -16,6 +17,7 @@
 #include "element/node_sums.hpp"
 #include "load/constraints.hpp"
 #include "load/loads.hpp"
+#include "rigid/body.hpp"
 
 namespace nereid::dynamics {
 
@@ -24,6 +26,18 @@ struct Relaxation {
   double residual = 1e-6;  ///< [-] unbalanced over all forces at which a state counts as balanced
   double after = 0;        ///< [s] not before: loads that grow must have grown
   int samples = 5;         ///< samples in a row that must be balanced
+};
+
+/// What planes of the constraints do to a rigid body; Body::hold is what they leave to it.
+struct HeldBody {
+  struct Row {
+    int plane;      ///< in Constraints::planes
+    Vec3 normal;    ///< that it holds
+    Vec3 reaction;  ///< component of a reaction that belongs to it
+  };
+  std::vector<Row> rows;
+  int first = -1;   ///< plane that takes the moments, or -1: nothing holds the body
+  int driver = -1;  ///< plane that drives it, or -1
 };
 
 /// What is simulated. Built once, then only ever passed as const.
@@ -37,9 +51,16 @@ struct Model {
   std::vector<load::PointMass> point_masses;
   Vec3 gravity = Vec3::Zero();      ///< [m/s2]
   std::optional<Relaxation> relaxation;
+  std::vector<rigid::Body> rigid_bodies;
+  std::vector<HeldBody> held_bodies;    ///< beside rigid_bodies
+  std::vector<Index> rigid_of_block;    ///< beside blocks: the rigid body that it belongs to, or -1; empty without any
+  double longest_step = 1e300;          ///< [s] where there are rigid bodies: nothing else may limit the step
 
   // set by finalize()
-  Scalars mass;                     ///< [kg] lumped, [nodes]
+  /// [kg] lumped, [nodes]. Those of a rigid body are bounds: its nodes, if they were free, would move no less by any impulses
+  Scalars mass;
+  std::vector<Index> rigid_of_node;     ///< [nodes] the same as of blocks; empty without any
+  Scalars rigid_share;                  ///< [-] [rigid bodies] by which masses of their nodes are bounds, of what their elements have
   Scalars inertia;                  ///< [kg m2] isotropic, [plate nodes]
   std::vector<Index> rotation_of_node;  ///< [nodes] column of the angular velocity, or -1
   Subset node_of_rotation;              ///< [plate nodes]
@@ -49,6 +70,7 @@ struct Model {
 /// Computes what follows from blocks and point masses: masses, columns of angular velocities, orders of summing.
 ///
 /// Throws InternalError if a node has no mass, neither of an element nor of a point mass.
+/// Needs  rigid bodies and the blocks that belong to them
 void finalize(Model&);
 
 /// What a search for the static equilibrium took away, and how near it is.
@@ -112,6 +134,7 @@ struct State {
   std::vector<element::TileForces> tiles;          ///< beside Model::blocks: at t, for the work of the next step
   std::vector<contact::Memory> interfaces;         ///< beside Model::interfaces
   std::vector<contact::PlaneMemory> rigid_planes;  ///< beside Model::rigid_planes
+  std::vector<rigid::State> rigid_bodies;          ///< beside Model::rigid_bodies
   load::Memory constraints;
   std::vector<load::LoadMemory> loads;             ///< beside Model::loads
   RelaxationMemory relaxation;
@@ -121,6 +144,16 @@ struct State {
   std::vector<Quality> quality;                    ///< beside Model::blocks
   audit::Memory audit;                             ///< what overlaps
   std::vector<ProbeMemory> probes;                 ///< beside the probes of the run
+};
+
+/// What acts on a rigid body, and what a step does to it.
+struct RigidForces {
+  Vec3 force = Vec3::Zero();   ///< [N]
+  Mat3 spread = Mat3::Zero();  ///< [N m] sum of f A^T over the nodes, with their arms in the reference
+  double kinetic = 0;          ///< [J] at the start of the step
+  double work = 0;             ///< [J] of half of the forces at the start and half of those at the end
+  double driven = 0;           ///< [J] by planes that move it
+  double square = 0;           ///< [W/s] F.F/m + M.J^-1.M at the start, of what is free to move
 };
 
 /// Sums and scratch of a step; resume() makes them from model and state.
@@ -137,8 +170,20 @@ struct Forces {
   contact::Multipliers multipliers;
   std::vector<const Mat3*> allowed, allowed_rotation;  ///< [nodes] [plate nodes] for multipliers: null or a projector in the state
   Vectors driven;                                  ///< [m/s] for them too: what planes that move change in velocities; empty if none moves
+  std::vector<RigidForces> rigid_bodies;           ///< beside Model::rigid_bodies
+  std::vector<rigid::State> rigid_before;          ///< the same at the start of the step
+  contact::RigidNodes rigid_nodes;                 ///< for multipliers
   Vectors source_force, source_moment;             ///< only while a model relaxes: of one source, or all that resist
 };
+
+/// Whether a block is of a rigid body, or a node: nothing is to be done for them one by one.
+inline bool is_rigid_block(const Model& model, std::size_t block) {
+  return !model.rigid_of_block.empty() && model.rigid_of_block[block] >= 0;
+}
+inline bool is_rigid_node(const Model& model, Index node) { return !model.rigid_of_node.empty() && model.rigid_of_node[node] >= 0; }
+
+/// The mass of all bodies. [kg]
+double total_mass(const Model&);
 
 /// The state at rest in the reference positions. Interfaces must have been connected: their
 /// memories are taken over as they are.

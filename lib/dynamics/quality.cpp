@@ -21,7 +21,7 @@ void see_quality(const Model& model, bool look, State& now) {
     const Account& account = now.ledger.accounts[b];  // blocks come first
     seen.hourglass = std::max(seen.hourglass, account.stored[Stored::hourglass] + account.dissipated[Dissipated::hourglass]);
     seen.internal = std::max(seen.internal, stored(account) + dissipated(account));
-    if (!looks) continue;
+    if (!looks || is_rigid_block(model, b)) continue;
     const element::Corner corner = element::smallest_corner(model.blocks[b], model.mesh.X, now.x);
     seen.inverted = corner.element >= 0 && !(corner.ratio > 0);
     if (corner.element < 0 || !(corner.ratio < seen.corner)) continue;

@@ -6,6 +6,7 @@
 
 #include "base/parallel.hpp"
 #include "contact/impact_step.hpp"
+#include "dynamics/rigid_step.hpp"
 #include "load/floor.hpp"
 
 namespace nereid::dynamics {
@@ -40,7 +41,7 @@ double kick(const Model& model, double dt, double t, Half half, State& now, Forc
   });
   const load::Kick given{f.force, f.moment, model.mass, model.inertia, dt, half == Half::first ? -dt / 2 : dt / 2};
   load::constrain(model.constraints, given, now.x, now.v, now.omega, constraints);
-  return nodes + rotations;
+  return nodes + rotations + (model.rigid_bodies.empty() ? 0 : kick_rigid_bodies(model, dt, t, half == Half::first, now, f));
 }
 
 /// The stable step of elements and springs together, named after the springs where they govern.
@@ -56,6 +57,10 @@ void update(const Model& model, double dt, State& now, Forces& f) {
   Votes votes;
   int source = 0;
   for (std::size_t b = 0; b < model.blocks.size(); ++b, ++source) {
+    if (is_rigid_block(model, b)) {
+      votes.contact.see({rigid_step_limit(model, now, static_cast<std::size_t>(model.rigid_of_block[b])), -1}, source);
+      continue;
+    }
     const element::Vote vote = element::advance(model.blocks[b], now.x, f.dx, f.rotation, dt, now.blocks[b], now.tiles[b], f.reports[b]);
     votes.elements.see({vote.step, vote.step_element}, source);
     if (vote.volume_ratio < votes.volume_ratio || std::isnan(vote.volume_ratio)) {  // once found, a NaN stays
@@ -104,9 +109,10 @@ void see_constraints(const State& now, Forces& f) {
   }
 }
 
-contact::Motion motion_of(const Model& model, const Vectors& force, double dt, const Pace& pace, const State& now, const Forces& f) {
+contact::Motion motion_of(const Model& model, const Vectors& force, double dt, const Pace& pace, const State& now, Forces& f) {
+  const double next = next_length(now.votes, pace, now.t, dt);
   return {now.x, now.v, now.omega, force, f.moment, model.mass, model.inertia, model.rotation_of_node, f.allowed, f.allowed_rotation, dt,
-          next_length(now.votes, pace, now.t, dt), nullptr};
+          next, nullptr, see_rigid_bodies(model, &force == &f.force ? 0.5 * (dt + next) : 0, next, now, f)};
 }
 
 /// Stops what begins in contact; what constraints hold of the impulses goes to their accounts.
@@ -118,6 +124,7 @@ void stop_at_start(const Model& model, const Pace& pace, State& now, Forces& f) 
   contact::stop_at_start(model.interfaces, model.rigid_planes, motion, now.t, now.interfaces, now.rigid_planes, f.interfaces,
                          f.multipliers, impulse);
   for (Eigen::Index node = 0; node < now.v.cols(); ++node) now.v.col(node) += impulse.col(node) / model.mass(node);
+  push_rigid_bodies(model, impulse, now);
   const Vectors no_moment = Vectors::Zero(3, now.omega.cols());
   load::constrain(model.constraints, {impulse, no_moment, model.mass, model.inertia, 1, 0}, now.x, now.v, now.omega, now.constraints);
 }
@@ -148,18 +155,22 @@ void enforce(const Model& model, double dt, const Pace& pace, State& now, Forces
   }
   contact::enforce(model.interfaces, model.rigid_planes, motion, now.t, now.interfaces, now.rigid_planes, f.interfaces, f.multipliers);
   add_contact_forces(model, now, true, f);
+  gather_rigid_forces(model, f);
 }
 
 /// Forces on the nodes, summed over sources in a fixed order; without contact by multipliers.
 void gather(const Model& model, const State& now, Forces& f) {
   for (Eigen::Index node = 0; node < f.force.cols(); ++node) f.force.col(node) = model.mass(node) * model.gravity;
   f.moment.setZero();
+  begin_rigid_forces(model, f);
   for (std::size_t b = 0; b < model.blocks.size(); ++b) {
+    if (is_rigid_block(model, b)) continue;
     element::add_by_node(model.node_sums[b], now.tiles[b].force, f.force);
     if (now.tiles[b].moment.cols() > 0) element::add_by_node(model.node_sums[b], now.tiles[b].moment, model.rotation_of_node, f.moment);
   }
   add_contact_forces(model, now, false, f);
   for (std::size_t l = 0; l < model.loads.size(); ++l) load::add_forces(model.loads[l], now.loads[l], f.force, f.moment);
+  gather_rigid_forces(model, f);
 }
 
 /// What f.f/m has of contacts by multipliers, which book it as their own work. [W/s]
@@ -174,34 +185,44 @@ double power_rate_of_multipliers(const State& now) {
 void post_moment_of_gravity(const Model& model, double dt, State& now) {
   if (model.gravity.isZero(0)) return;
   Vec3 middle = Vec3::Zero();
-  for (Eigen::Index n = 0; n < now.x.cols(); ++n) middle += model.mass(n) * (now.x.col(n) - 0.5 * dt * now.v.col(n));
+  for (Eigen::Index n = 0; n < now.x.cols(); ++n)
+    if (!is_rigid_node(model, static_cast<Index>(n))) middle += model.mass(n) * (now.x.col(n) - 0.5 * dt * now.v.col(n));
+  for (std::size_t b = 0; b < model.rigid_bodies.size(); ++b) {
+    const rigid::Body& body = model.rigid_bodies[b];
+    middle += body.mass.mass * rigid::centre(body, now.rigid_bodies[b]) - 0.5 * dt * now.rigid_bodies[b].momentum;
+  }
   now.ledger.accounts.back().angular_impulse += dt * middle.cross(model.gravity);
 }
 
 double kinetic_energy(const Model& model, const State& now) {
   double sum = 0;
-  for (Eigen::Index n = 0; n < now.v.cols(); ++n) sum += 0.5 * model.mass(n) * now.v.col(n).squaredNorm();
+  for (Eigen::Index n = 0; n < now.v.cols(); ++n)
+    if (!is_rigid_node(model, static_cast<Index>(n))) sum += 0.5 * model.mass(n) * now.v.col(n).squaredNorm();
   for (Eigen::Index n = 0; n < now.omega.cols(); ++n) sum += 0.5 * model.inertia(n) * now.omega.col(n).squaredNorm();
-  return sum;
+  return sum + rigid_kinetic_energy(model, now);
 }
 
 void momenta(const Model& model, const State& now, Vec3& linear, Vec3& angular) {
   linear.setZero();
   angular.setZero();
   for (Eigen::Index n = 0; n < now.v.cols(); ++n) {
+    if (is_rigid_node(model, static_cast<Index>(n))) continue;
     const Vec3 p = model.mass(n) * now.v.col(n), at = now.x.col(n);
     linear += p;
     angular += at.cross(p);
   }
   for (Eigen::Index n = 0; n < now.omega.cols(); ++n) angular += model.inertia(n) * now.omega.col(n);
+  add_rigid_momenta(model, now, linear, angular);
 }
 
 void post_gravity(const Model& model, const State& now, Account& account) {
   Vec3 fallen = Vec3::Zero();
-  for (Eigen::Index n = 0; n < now.x.cols(); ++n) fallen += model.mass(n) * (now.x.col(n) - model.mesh.X.col(n));
+  for (Eigen::Index n = 0; n < now.x.cols(); ++n)
+    if (!is_rigid_node(model, static_cast<Index>(n))) fallen += model.mass(n) * (now.x.col(n) - model.mesh.X.col(n));
+  for (std::size_t b = 0; b < model.rigid_bodies.size(); ++b) fallen += model.rigid_bodies[b].mass.mass * now.rigid_bodies[b].shift;
   account.hold(Stored::potential, -fallen.dot(model.gravity));
   account.work = -account.stored[Stored::potential];
-  account.impulse = model.mass.sum() * now.t * model.gravity;
+  account.impulse = total_mass(model) * now.t * model.gravity;
 }
 
 void post_relaxation(const RelaxationMemory& memory, Account& account) {
@@ -220,8 +241,10 @@ bool is_free(const Model& model) {
 void constrain_start(const Model& model, State& now, Forces& f) {
   f.force.setZero();
   f.moment.setZero();
+  std::fill(f.rigid_bodies.begin(), f.rigid_bodies.end(), RigidForces{});
   const double unrestrained = now.ledger.initial_kinetic;
   kick(model, 0, now.t, Half::second, now, f);
+  for (std::size_t b = 0; b < model.rigid_bodies.size(); ++b) rigid::set_node_velocities(model.rigid_bodies[b], now.rigid_bodies[b], now.v);
   double removed = unrestrained - kinetic_energy(model, now);
   for (const load::PlaneAccount& plane : now.constraints.account) removed += plane.driven - plane.stopped;  // booked already
   for (load::PlaneAccount& plane : now.constraints.account) {
@@ -282,9 +305,11 @@ const Votes& step(const Model& model, double dt, const Pace& pace, State& now, F
   const double of_multipliers = power_rate_of_multipliers(now);
   const double before = kick(model, dt / 2, now.t + dt / 2, Half::first, now, f) - of_multipliers;  // v at the half step
   load::find_impacts(model.constraints, model.mass, now.x, f.force, dt, now.v, now.constraints);
+  drift_rigid_bodies(model, dt, now, f);
   f.dx = dt * now.v;
   f.rotation = dt * now.omega;
   now.x += f.dx;
+  place_rigid_nodes(model, now);
   now.t += dt;
   load::put_on_floors(model.constraints, now.constraints, now.x);
   post_moment_of_gravity(model, dt, now);
@@ -296,7 +321,9 @@ const Votes& step(const Model& model, double dt, const Pace& pace, State& now, F
   enforce(model, dt, pace, now, f);
   load::finish_impacts(model.constraints, model.mass, now.x, f.force, dt, now.v, now.constraints);
   const double after = kick(model, dt / 2, now.t, Half::second, now, f) - power_rate_of_multipliers(now);  // v at t + dt
-  now.ledger.integration += dt * dt / 8 * (after - before);
+  const double of_rotation = finish_rigid_step(model, dt, now, f);
+  now.ledger.integration += dt * dt / 8 * (after - before) + of_rotation;
+  now.ledger.integration_kept += of_rotation;
   if (now.step > 0) now.ledger.integration_kept -= (dt * dt - now.dt * now.dt) / 8 * before;
   now.dt = dt;
   ++now.step;
@@ -307,9 +334,10 @@ const Votes& step(const Model& model, double dt, const Pace& pace, State& now, F
 }
 
 const Votes& start(const Model& model, const Pace& pace, State& now, Forces& f) {
+  start_rigid_bodies(model, now);
   now.ledger.initial_kinetic = kinetic_energy(model, now);
   momenta(model, now, now.ledger.initial_momentum, now.ledger.initial_angular_momentum);
-  const double of_centre = is_free(model) ? 0.5 * now.ledger.initial_momentum.squaredNorm() / model.mass.sum() : 0;
+  const double of_centre = is_free(model) ? 0.5 * now.ledger.initial_momentum.squaredNorm() / total_mass(model) : 0;
   now.ledger.initial_available = now.ledger.initial_kinetic - of_centre;
   constrain_start(model, now, f);
   load::find_impacts(model.constraints, model.mass, now.x, f.force, 0, now.v, now.constraints);
@@ -329,6 +357,7 @@ const Votes& start(const Model& model, const Pace& pace, State& now, Forces& f) 
 void resume(const Model& model, const State& now, Forces& f) {
   gather(model, now, f);
   add_contact_forces(model, now, true, f);
+  gather_rigid_forces(model, f);
 }
 
 void update_ledger(const Model& model, State& now) {

@@ -42,7 +42,8 @@ std::string limited_by(const Step& step, const std::vector<Source>& sources) {
   char part[40] = "";
   if (step.safety != 1) std::snprintf(part, sizeof part, ", %.4g of its stable step", step.safety);
   switch (source.kind) {
-    case SourceKind::block: return "element " + at + " of " + name + part;
+    case SourceKind::block: if (step.at < 0) return "the motion of " + name;
+      return "element " + at + " of " + name + part;
     case SourceKind::interface: return "contact " + name + ", apex at node " + at;
     case SourceKind::rigid_plane: return "rigid plane " + name + ", node " + at;
     default: return std::string(word(source.kind)) + " " + name + part;

@@ -129,24 +129,30 @@ NEREID_HOT T energy_of(const CentreFrame<T>& f, const HourglassMoments<T>& m, T 
 }
 
 /// Takes from the moments what the flow of the mean stress does not leave. All points of the element are on the yield surface then, so
-/// a stress that is linear in the coordinates has no part along the deviator of the mean.
+/// a stress that is linear in the coordinates has no part along the deviator s of the mean. It goes along the flow, which lets the energy
+/// fall:
 ///
-/// shape  [Pa] that deviator, less the back stress;  flows  1 where the mean stress flows, else 0
+///     m -= (m : s)/(s : u) u,    u = A s A + nu/(1 - nu) (A : s) A       of each plane
+///
+/// shape   [Pa] that deviator, less the back stress;  part  1: all of it
 template <class T>
-NEREID_HOT void take_along(const CentreFrame<T>& f, const Symmetric<T>& shape, T flows, HourglassMoments<T>& m) {
+NEREID_HOT void take_along(const CentreFrame<T>& f, const Symmetric<T>& shape, T part, double poisson, HourglassMoments<T>& m) {
   const std::array<Vector<T>, 3> s{shape * f.g[0], shape * f.g[1], shape * f.g[2]};
-  const T size = contract(shape, shape) + T(1e-300);
+  const T size = contract(shape, shape) + T(1e-300), widening(poisson / (1 - poisson));
   const std::array<T, 3> equal{dot(f.g[0], s[0]), dot(f.g[1], s[1]), dot(f.g[2], s[2])};
   const std::array<T, 3> mixed{dot(f.g[1], s[2]), dot(f.g[2], s[0]), dot(f.g[0], s[1])};
   for (int k = 0; k < 3; ++k) {
     const T ii = equal[(k + 1) % 3], jj = equal[(k + 2) % 3], ij = mixed[k];
-    const PlaneTensor<T> u = raised<T>(f.raised[k], ii, jj, ij);
+    const auto& A = f.raised[k];
+    PlaneTensor<T> u = raised<T>(A, ii, jj, ij);
+    const T wide = widening * u.trace;
+    u.ii = u.ii + wide * A.ii, u.jj = u.jj + wide * A.jj, u.ij = u.ij + wide * A.ij;
     auto& p = m.plane[k];
     const T within = u.ii * ii + u.jj * jj + T(2.0) * u.ij * ij;
-    const T take = flows * (p.ii * ii + p.jj * jj + T(2.0) * p.ij * ij) / larger(within, T(1e-3) * size);
+    const T take = part * (p.ii * ii + p.jj * jj + T(2.0) * p.ij * ij) / larger(within, T(1e-3) * size);
     p.ii = p.ii - take * u.ii, p.jj = p.jj - take * u.jj, p.ij = p.ij - take * u.ij;
     const T t = equal[k] / f.equal[k];
-    m.along[k] = m.along[k] * (T(1.0) - flows * smaller(T(1.0), T(1.5) * t * t / size));
+    m.along[k] = m.along[k] * (T(1.0) - part * smaller(T(1.0), T(1.5) * t * t / size));
   }
 }
 

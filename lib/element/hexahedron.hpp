@@ -208,15 +208,15 @@ struct Hexahedron {
   static constexpr std::array dissipated_channels{Dissipated::plastic, Dissipated::viscous, Dissipated::hourglass};
 
   enum class Hourglass {
+    assumed_strain,  ///< the element's own bending stiffness: assumed_strain.hpp
     stiffness,       ///< springs: they hold under load, and store what they take
     viscous,         ///< dashpots: they add no stiffness, and dissipate what they take
-    assumed_strain,  ///< the element's own bending stiffness: assumed_strain.hpp
   };
 
   struct Options {
-    double hourglass = usual_stiffness;  ///< [-] coefficient of springs, or of dashpots; part of the stiffness of assumed strains
+    double hourglass = usual_assumed;  ///< [-] part of the stiffness of assumed strains; coefficient of springs, or of dashpots
     Viscosity viscosity;
-    Hourglass hourglass_kind = Hourglass::stiffness;
+    Hourglass hourglass_kind = Hourglass::assumed_strain;
   };
   static constexpr double usual_stiffness = 0.1;  ///< 1 would give a cube with poisson = 0 its full bending stiffness
   static constexpr double usual_viscous = 0.05;   ///< fraction of critical at the bound of the frequencies
@@ -293,9 +293,9 @@ struct MeanFlow {
 
 /// Brings the hourglass forces of assumed strains over a step: elastic, then what flow leaves of them.
 ///
-/// Where the mean stress flows, moments along its deviator go, and the others fall as the trial stress falls to the yield surface.
-/// Everywhere they are at most those of a fully plastic section, whose stresses of bending have an rms of sqrt(3)/2 of yield:
-/// docs/theory/hexahedron.md.
+/// Moments along the deviator of the mean stress are at most those of a plastic section beside it, M = M_p (1 - (s/yield)^2): where it
+/// they go. There the others fall as the trial stress falls to the yield surface. Everywhere all together are at most those of a fully
+/// plastic section, whose stresses of bending have an rms of sqrt(3)/2 of yield: docs/theory/hexahedron.md.
 ///
 /// share   of the stiffness;  frame, q  in the middle of the step, turned to its end;  volume  [m3] there, and its inverse
 /// forces  [N] of the step before, turned to the end of this one;  bent  [J]
@@ -313,29 +313,35 @@ NEREID_HOT HourglassWork<T> hold_by_assumed_strain(const Law& law, const T& shar
   bent = larger(bent + T(4.0) * trial, T(0.0));
   constexpr bool flows = requires { yield_stress(law, internal.scalar); };
   if constexpr (flows) {
-    const auto flowing = mean.dissipated > T(0.0);
-    if (any(flowing)) {
-      const double mu = material::lame(law).mu;
-      const T none(1e-300), one(1.0);
-      Symmetric<T> shape = material::deviator(mean.after);
-      if constexpr (Law::tensors.size() > 0) shape = shape - internal.tensor[0];
-      const Symmetric<T> flowed = material::deviator(mean.strain - T(0.5 / mu) * (mean.after - mean.before));
-      const T size = root(contract(shape, shape)), more = T(2.0 * mu) * root(contract(flowed, flowed));
+    const T none(1e-300), zero(0.0), one(1.0);
+    const T yield = yield_stress(law, internal.scalar), per_yield = one / larger(yield, none);
+    Symmetric<T> shape = material::deviator(mean.after);
+    if constexpr (Law::tensors.size() > 0) shape = shape - internal.tensor[0];
+    const T size2 = contract(shape, shape), left_of_section = larger(one - T(1.5) * size2 * per_yield * per_yield, zero);
+    const T most = T(0.375 / law.young) * share * yield * yield * volume;
+    const auto flowing = mean.dissipated > zero;
+    const T most_along = select(flowing, zero, most * left_of_section * left_of_section);
+    if (any(bent > most_along)) {
       HourglassMoments<T> m = moments_of(frame, now);
       const T whole = energy_of(frame, m, per_volume, law.young, law.poisson);
-      take_along(frame, shape, select(flowing, one, T(0.0)), m);
+      HourglassMoments<T> across = m;
+      take_along(frame, shape, one, law.poisson, across);
+      const T along = larger(whole - energy_of(frame, across, per_volume, law.young, law.poisson), none);
+      take_along(frame, shape, one - root(smaller(one, most_along / along)), law.poisson, m);
+      const Symmetric<T> flowed = material::deviator(mean.strain - T(0.5 / material::lame(law).mu) * (mean.after - mean.before));
+      const T size = root(size2), more = T(2.0 * material::lame(law).mu) * root(contract(flowed, flowed));
       const T keeps = select(flowing, size / (size + more + none), one);
       const T left = keeps * keeps * energy_of(frame, m, per_volume, law.young, law.poisson);
-      bent = bent * select(flowing, left / larger(whole, left + none), one);
       const auto kept = forces_of(frame, m);
+      const auto hot = bent > most_along;
+      bent = bent * select(hot, left / larger(whole, left + none), one);
       for (int a = 0; a < 4; ++a) {
-        now[a].x = select(flowing, keeps * kept[a].x, now[a].x);
-        now[a].y = select(flowing, keeps * kept[a].y, now[a].y);
-        now[a].z = select(flowing, keeps * kept[a].z, now[a].z);
+        now[a].x = select(hot, keeps * kept[a].x, now[a].x);
+        now[a].y = select(hot, keeps * kept[a].y, now[a].y);
+        now[a].z = select(hot, keeps * kept[a].z, now[a].z);
       }
     }
-    const T yield = yield_stress(law, internal.scalar);
-    const T most = T(0.375 / law.young) * share * yield * yield * volume, room = most / larger(most, bent), part = root(room);
+    const T room = most / larger(most, bent), part = root(room);
     bent = room * bent;
     for (auto& force : now) force = part * force;
   }

@@ -73,11 +73,11 @@ element::Viscosity read_viscosity(const Section& section) {
 element::Hexahedron::Options read_one_point_options(const Section& section) {
   using element::Hexahedron;
   using Kind = Hexahedron::Hourglass;
-  const auto word = section.choice_or("hourglass_kind", "stiffness", {"stiffness", "viscous", "assumed_strain"});
-  const Kind kind = word == "stiffness" ? Kind::stiffness : word == "viscous" ? Kind::viscous : Kind::assumed_strain;
-  const double usual = kind == Kind::stiffness ? Hexahedron::usual_stiffness
-                       : kind == Kind::viscous ? Hexahedron::usual_viscous
-                                               : Hexahedron::usual_assumed;
+  const auto word = section.choice_or("hourglass_kind", "assumed_strain", {"assumed_strain", "stiffness", "viscous"});
+  const Kind kind = word == "assumed_strain" ? Kind::assumed_strain : word == "stiffness" ? Kind::stiffness : Kind::viscous;
+  const double usual = kind == Kind::assumed_strain ? Hexahedron::usual_assumed
+                       : kind == Kind::stiffness    ? Hexahedron::usual_stiffness
+                                                    : Hexahedron::usual_viscous;
   return {.hourglass = section.number_or("hourglass", usual, model::range::hourglass),
           .viscosity = read_viscosity(section),
           .hourglass_kind = kind};
@@ -195,6 +195,7 @@ dynamics::Time read_time(const Section& section) {
   time.safety = section.number_or("safety", time.safety, model::range::safety);
   time.created_limit = section.number_or("created_limit", time.created_limit, positive);
   time.overlap_limit = section.number_or("overlap_limit", time.overlap_limit, positive);
+  if (section.has("largest_step")) time.largest_step = section.quantity("largest_step", dim::time, positive);
   return time;
 }
 

@@ -20,7 +20,7 @@ element::AnyLaw read_plate_law(const Section&);
 /// Optional `viscosity: {linear, quadratic}` of a body.
 element::Viscosity read_viscosity(const Section&);
 
-/// Optional `hourglass_kind: stiffness | viscous`, its coefficient `hourglass` in (0, 1], and the viscosity.
+/// Optional `hourglass_kind: assumed_strain | stiffness | viscous`, its coefficient `hourglass` in (0, 1], and the viscosity.
 element::Hexahedron::Options read_one_point_options(const Section&);
 
 /// Optional `kind: one_point | full`; options of the former as above, of the latter the viscosity alone.

@@ -49,6 +49,23 @@ model::Placement read_placement(const Section& body) {
   return place;
 }
 
+/// `mass`, `centre` and `inertia` of a rigid body, all optional; the latter [xx, yy, zz, xy, yz, xz].
+model::GivenMass read_given_mass(const Section& section) {
+  model::GivenMass given;
+  if (section.has("mass")) given.mass = section.quantity("mass", dim::mass, positive);
+  if (section.has("centre")) given.centre = read_vector(section, "centre", dim::length);
+  if (!section.has("inertia")) return given;
+  const std::vector<double> J = section.quantities("inertia", dim::mass * dim::length * dim::length, any, 6);
+  if (J.size() != 6) {
+    section.fault("inertia", "'inertia' has six values: xx, yy, zz, xy, yz, xz");
+    return given;
+  }
+  Mat3 inertia;
+  inertia << J[0], J[3], J[5], J[3], J[1], J[4], J[5], J[4], J[2];
+  given.inertia = inertia;
+  return given;
+}
+
 model::Body read_body(const Section& section, Names& taken) {
   const Section mesh = section.section("mesh");
   model::Body body{.name = read_name(section, taken, sources),
@@ -59,7 +76,13 @@ model::Body read_body(const Section& section, Names& taken) {
                    .law = {},
                    .solid = {},
                    .plate = {},
+                   .rigid = section.flag_or("rigid", false),
+                   .given = {},
                    .at = section.path()};
+  if (section.has("mass_properties")) {
+    const model::GivenMass given = read_given_mass(section.when(body.rigid).section("mass_properties"));
+    if (body.rigid) body.given = given;
+  }
   const Section material = section.section("material");
   body.law = model::has_plates(body.mesh) ? read_plate_law(material) : read_law(material);
   const Section element = section.section_or_empty("element");
@@ -154,6 +177,8 @@ model::Scene read_scene_at_rest(const Section& root) {
   model::Scene scene = read_scene(root, false);
   scene.probes.clear(), scene.stops.clear();
   scene.time = {.end = 1}, scene.recording = {};  // [s] none passes
+  for (const Section& body : root.list("bodies", 1))
+    if (body.flag_or("rigid", false)) body.fault("rigid", "a rigid body has no modes of its own: take it out, or hold what it touches");
   if (!scene.contacts.empty())
     root.fault("contacts", "'contacts' open and close, which no small motion about rest keeps: take them out");
   for (const Section& plane : root.list("planes")) {

@@ -1,6 +1,7 @@
 #include "load/loads.hpp"
 
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>
@@ -65,6 +66,19 @@ void set_forces(const NodalForce& load, const Vectors&, const Vectors&, const Ve
 
 void set_forces(const NodalMoment& load, const Vectors&, const Vectors&, const Vectors&, double t, double, LoadMemory& memory) {
   memory.moment.colwise() = at(load.moment, t) / static_cast<double>(load.nodes.size());
+}
+
+void set_forces(const Couple& load, const Vectors&, const Vectors& x, const Vectors&, double t, double, LoadMemory& memory) {
+  Vec3 middle = Vec3::Zero();
+  for (const Index node : load.nodes) middle += x.col(node) / static_cast<double>(load.nodes.size());
+  Mat3 inertia = Mat3::Zero();
+  for (const Index node : load.nodes) {
+    const Vec3 r = x.col(node) - middle;
+    inertia += r.squaredNorm() * Mat3::Identity() - r * r.transpose();
+  }
+  const Vec3 turn = inertia.inverse() * at(load.moment, t);
+  for (std::size_t i = 0; i < load.nodes.size(); ++i)
+    memory.force.col(static_cast<Eigen::Index>(i)) = turn.cross(Vec3(x.col(load.nodes[i]) - middle));
 }
 
 void set_forces(const Spring& load, const Vectors&, const Vectors& x, const Vectors& v, double, double dt, LoadMemory& memory) {
@@ -152,7 +166,8 @@ const std::string& name(const AnyLoad& any) {
 }
 
 Source source(const AnyLoad& any) {
-  constexpr std::array kinds{SourceKind::body_force, SourceKind::pressure, SourceKind::force, SourceKind::moment, SourceKind::spring};
+  constexpr std::array kinds{SourceKind::body_force, SourceKind::pressure, SourceKind::force,  SourceKind::moment,
+                             SourceKind::moment,     SourceKind::spring};
   static_assert(std::variant_size_v<AnyLoad> == kinds.size());
   if (is_spring(any)) return {name(any), SourceKind::spring, {Stored::elastic}, {Dissipated::damping}};
   return {name(any), kinds[any.index()], {Stored::external_work}, {}};

@@ -51,6 +51,15 @@ struct NodalMoment {
   std::array<OverTime, 3> moment;  ///< [N m] on all nodes together
 };
 
+/// A moment on nodes that do not turn one by one, as those of a rigid body: forces that have it, and no resultant.
+///
+///     f_I = (T^-1 M) x r_I,   T = sum of |r_I|^2 1 - r_I r_I^T,   r_I from the mean of the nodes
+struct Couple {
+  std::string name;
+  Subset nodes;                    ///< not on one line
+  std::array<OverTime, 3> moment;  ///< [N m]
+};
+
 /// A spring with a dashpot along the line between two nodes, or between a node and a fixed point.
 ///
 /// Tension k (l - l0) + c dl/dt with the length's rate in the step that led here. To a fixed point
@@ -65,7 +74,7 @@ struct Spring {
 };
 
 /// Every load that exists.
-using AnyLoad = std::variant<BodyForce, Pressure, NodalForce, NodalMoment, Spring>;
+using AnyLoad = std::variant<BodyForce, Pressure, NodalForce, NodalMoment, Couple, Spring>;
 
 /// Mass that belongs to no element, shared equally among nodes.
 struct PointMass {

@@ -138,6 +138,12 @@ load::BodyForce body_force(const Load& load, const dynamics::Model& model, Fault
     force.mass(static_cast<Eigen::Index>(i)) = mass(nodes[i]);
     refuse_infinite_start(faults, part("load", load), "value", load.value, model.mesh.X.col(nodes[i]));
   }
+  for (const rigid::Body& body : model.rigid_bodies) {
+    if (body.name != load.on) continue;
+    force.mass = rigid::shares_of_mass(body, mass);
+    if (!(force.mass.minCoeff() > 0))
+      refuse(faults, part("load", load), "body", "the centre of " + quote(load.on) + " is too far out of its mesh for a body force");
+  }
   return force;
 }
 
@@ -146,9 +152,14 @@ load::NodalMoment moment_on(const Load& load, const dynamics::Model& model, cons
   for (const Index node : moment.nodes) {
     moment.rotations.push_back(model.rotation_of_node[node]);
     if (moment.rotations.back() < 0)
-      refuse(faults, part("load", load), "nodes", "a moment acts on nodes of plates only: " + quote(load.on) + " has others");
+      refuse(faults, part("load", load), "nodes",
+             "a moment acts on nodes of plates or on rigid bodies only: " + quote(load.on) + " has others");
   }
   return moment;
+}
+
+bool is_rigid_body(const dynamics::Model& model, const std::string& name) {
+  return std::any_of(model.rigid_bodies.begin(), model.rigid_bodies.end(), [&](const rigid::Body& body) { return body.name == name; });
 }
 
 void add_load(const Load& load, dynamics::Model& model, Faults& faults) {
@@ -166,7 +177,10 @@ void add_load(const Load& load, dynamics::Model& model, Faults& faults) {
     case LoadKind::force:
       model.loads.emplace_back(load::NodalForce{.name = load.name, .nodes = mesh::node_set(model.mesh, load.on), .force = values});
       break;
-    case LoadKind::moment: model.loads.emplace_back(moment_on(load, model, values, faults)); break;
+    case LoadKind::moment:
+      if (is_rigid_body(model, load.on)) model.loads.emplace_back(load::Couple{load.name, mesh::node_set(model.mesh, load.on), values});
+      else model.loads.emplace_back(moment_on(load, model, values, faults));
+      break;
     case LoadKind::body_force: break;  // above
   }
 }
@@ -233,8 +247,10 @@ void add_loads(const Scene& scene, dynamics::Model& model, Faults& faults) {
   for (const Plane& plane : scene.planes) {
     if (!plane.angular_velocity[0]) continue;
     const Subset nodes = with_nodes(plane, model.mesh).nodes;
-    if (std::none_of(nodes.begin(), nodes.end(), [&](Index node) { return model.rotation_of_node[node] >= 0; }))
-      refuse(faults, part_of(plane), "angular_velocity", "'angular_velocity' is of nodes of plates: " + quote(plane.name) + " has none");
+    const auto turns = [&](Index node) { return model.rotation_of_node[node] >= 0 || dynamics::is_rigid_node(model, node); };
+    if (std::none_of(nodes.begin(), nodes.end(), turns))
+      refuse(faults, part_of(plane), "angular_velocity",
+             "'angular_velocity' is of nodes of plates or rigid bodies: " + quote(plane.name) + " has none");
   }
 }
 

@@ -12,6 +12,7 @@
 #include "model/meshes.hpp"
 #include "model/names.hpp"
 #include "model/probes.hpp"
+#include "model/rigid_bodies.hpp"
 #include "model/values.hpp"
 
 namespace nereid::model {
@@ -238,6 +239,9 @@ Simulation build(const Scene& scene) {
   add_elements(scene, model);
   add_planes(scene, model, faults);
   if (!have_masses(scene, model, faults)) throw_if_any(faults);
+  const std::size_t before = faults.size();
+  add_rigid_bodies(scene, model, faults);
+  if (faults.size() > before) throw_if_any(faults);
   dynamics::finalize(model);
   add_rigid_planes(scene, model, faults);
   add_loads(scene, model, faults);
@@ -252,6 +256,7 @@ Simulation build(const Scene& scene) {
   }
   simulation.state = dynamics::initial_state(model, std::move(memories));
   set_initial(scene, model, simulation.state, faults);
+  check_rigid_bodies(scene, model, simulation.state, faults);
   for (contact::Interface& interface : model.interfaces)
     if (contact::bonded_by_multipliers(interface)) contact::bond_here(simulation.state.x, interface);
   simulation.forces = dynamics::make_forces(model);

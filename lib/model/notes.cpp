@@ -154,7 +154,7 @@ std::vector<std::string> quality_notes(const Simulation& simulation) {
                           name, seen.element, seen.corner, seen.time));
     const double fraction = dynamics::hourglass_fraction(seen, scale);
     if (fraction > worth_saying)
-      notes.push_back(row("%s: hourglass energy reached %.3g of the internal energy; above %.3g the shape of single elements decides the "
+      notes.push_back(row("%s: hourglass energy reached %.3g of the internal energy; above %.3g the bending of single elements decides the "
                           "result: take a finer mesh, or elements of the kind 'full'",
                           name, fraction, worth_saying));
   }

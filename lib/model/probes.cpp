@@ -93,6 +93,8 @@ Measure of_body(const Probe& probe, int row, const dynamics::Model& model, const
     const std::string& region = element::name(model.blocks[b]);
     if (region != probe.of && region.rfind(probe.of + ".", 0) != 0) continue;
     blocks.push_back(b);
+    if (dynamics::is_rigid_block(model, b))
+      refuse(faults, part("probe", probe), "of", "'of' = " + probe.of + " is a rigid body and has no " + probe.quantity);
     const auto fields = element::fields(model.blocks[b], at_start.x, at_start.blocks[b]);
     measured =
         measured && std::any_of(fields.begin(), fields.end(), [&](const nereid::Field& field) { return field.name == probe.quantity; });
@@ -160,6 +162,8 @@ const std::vector<Measurable>& measurables() {
         {"radius", "m", Of::nodes, axes, true, dynamics::radius},
         {"momentum", "kg m/s", Of::nodes, of_vectors, false, dynamics::momentum},
         {"kinetic_energy", "J", Of::nodes, {}, false, dynamics::kinetic_energy},
+        {"angular_velocity", "rad/s", Of::nodes, of_vectors, false, dynamics::mean_spin},
+        {"angular_momentum", "N*m*s", Of::nodes, of_vectors, false, dynamics::angular_momentum},
         {"force", "N", Of::source, of_forces},
         {"current_force", "N", Of::contact, of_vectors, false, current_force},
         {"gap", "m", Of::contact, {}, false, gap},

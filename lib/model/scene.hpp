@@ -54,6 +54,13 @@ struct Point {
   std::string at = {};
 };
 
+/// Mass properties of a rigid body that are given; what is not follows from mesh and density.
+struct GivenMass {
+  std::optional<double> mass = {};     ///< [kg]
+  std::optional<Vec3> centre = {};     ///< [m] where the body stands
+  std::optional<Mat3> inertia = {};    ///< [kg m2] about the centre, in the axes of the scene
+};
+
 /// One body: its mesh, where it stands, and what it is made of.
 struct Body {
   std::string name;
@@ -64,6 +71,8 @@ struct Body {
   element::AnyLaw law = {};
   element::AnyHexahedronOptions solid = {};   ///< of the solids in the mesh
   element::Plate::Options plate = {};         ///< of the plates in the mesh
+  bool rigid = false;                         ///< it moves as one, and its elements compute nothing
+  GivenMass given = {};                       ///< of a rigid body
   std::string at = {};
 };
 

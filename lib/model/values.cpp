@@ -115,6 +115,8 @@ void check_body(const Body& body, Faults& faults) {
   check(faults, here, {{"rotate.angle", body.place.angle}});
   if (body.place.angle != 0) check_direction(faults, here, "rotate.axis", body.place.axis);
   check(faults, here, components("rotate.about", body.place.about)), check(faults, here, components("move", body.place.move));
+  if (body.given.mass) check(faults, here, {{"mass_properties.mass", *body.given.mass, positive, "kg"}});
+  if (body.given.centre) check(faults, here, components("mass_properties.centre", *body.given.centre));
   for (const Point& point : body.points) check(faults, part("point", point), components("near", point.near));
 }
 

@@ -1,13 +1,13 @@
 // What one update of an element costs in Nereid, to be put beside tests/benchmark/floor.cpp.
 //
-//     cost hexahedra|viscous|full|plates|contact|bonded N STEPS
+//     cost hexahedra|springs|viscous|full|plates|contact|bonded N STEPS
 //
-// A block of N^3 hexahedra (one point with springs or dashpots, or eight points), or a sheet of about 2 N^2 plates, plastic, on one thread.
-// Prints the nanoseconds per element update of the element kernels alone and of the whole step with its ledger. Contact presses a block of
-// 2N x 2N x N cells on one of N x N x N/2, and prints the nanoseconds of the interface per near apex and step, closed and open, beside the
-// step of the elements, the bytes that an apex takes that is near and one that is far, and what contact adds to the step of a scene
-// with a tenth of its nodes on the interface. Bonded joins two blocks of N x N x 9 and M x M x 9 cells in which waves go, and prints what
-// the bond adds per bonded apex and step of the elements, and the iterations of its solver.
+// A block of N^3 hexahedra (one point with assumed strains, springs or dashpots, or eight points), or a sheet of about 2 N^2 plates,
+// plastic, on one thread. Prints the nanoseconds per element update of the element kernels alone and of the whole step with its ledger.
+// Contact presses a block of 2N x 2N x N cells on one of N x N x N/2, and prints the nanoseconds of the interface per near apex and
+// step, closed and open, beside the step of the elements, the bytes that an apex takes that is near and one that is far, and what
+// contact adds to the step of a scene with a tenth of its nodes on the interface. Bonded joins two blocks of N x N x 9 and M x M x 9
+// cells in which waves go, and prints what the bond adds per bonded apex and step of the elements, and the iterations of its solver.
 
 #include <algorithm>
 #include <chrono>
@@ -243,8 +243,12 @@ int main(int argc, char** argv) {
   use_threads(1);
   const material::J2Bilinear law{1.0, 1.0, 0.3, 1e-3, 0.1};
   using element::Hexahedron;
-  const auto control = kind == "viscous" ? Hexahedron::Hourglass::viscous : Hexahedron::Hourglass::stiffness;
-  const Hexahedron::Options one_point{.viscosity = {}, .hourglass_kind = control};
+  using Control = Hexahedron::Hourglass;
+  const auto control = kind == "viscous" ? Control::viscous : kind == "springs" ? Control::stiffness : Control::assumed_strain;
+  const double coefficient = kind == "viscous"   ? Hexahedron::usual_viscous
+                             : kind == "springs" ? Hexahedron::usual_stiffness
+                                                 : Hexahedron::usual_assumed;
+  const Hexahedron::Options one_point{.hourglass = coefficient, .viscosity = {}, .hourglass_kind = control};
   if (kind == "contact") return contact_costs(n, steps, law, one_point);
   if (kind == "bonded") return bonded_costs(n, steps, law, one_point);
   const dynamics::Model model = kind == "plates" ? plates(n, law)

@@ -14,7 +14,7 @@ namespace nereid::dynamics {
 namespace {
 
 const material::Elastic rubber{1000, 1e6, 0.25};
-const element::Hexahedron::Options inviscid{.hourglass = 0.1, .viscosity = {0, 0}};
+const element::Hexahedron::Options inviscid{.viscosity = {0, 0}};
 
 /// Boxes of unit section along x, two cells each, with what a view needs.
 struct Scene {

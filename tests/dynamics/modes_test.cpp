@@ -22,7 +22,8 @@ const element::Viscosity none{0, 0};
 Model solid(const mesh::Mesh& mesh, const Elastic& law, bool full = false) {
   Model model;
   model.mesh = mesh;
-  element::AnyHexahedronOptions options = element::Hexahedron::Options{.viscosity = none};
+  element::AnyHexahedronOptions options = element::Hexahedron::Options{
+      .hourglass = element::Hexahedron::usual_stiffness, .viscosity = none, .hourglass_kind = element::Hexahedron::Hourglass::stiffness};
   if (full) options = element::FullHexahedron::Options{.viscosity = none};
   model.blocks.push_back(element::solids(mesh, "a", law, options));
   return model;

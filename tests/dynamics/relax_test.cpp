@@ -13,7 +13,7 @@ namespace {
 
 using load::PlaneKind;
 
-const element::Hexahedron::Options usual{.hourglass = 0.1, .viscosity = {}};
+const element::Hexahedron::Options usual{.viscosity = {}};
 
 /// The ledger closes, and relaxation holds what everyone else lost.
 void expect_closed(const Scene& s) {

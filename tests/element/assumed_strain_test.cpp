@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "material/law.hpp"
 #include "tests/element/solids.hpp"
 
 namespace nereid::element {
@@ -36,6 +37,31 @@ TEST(AssumedStrain, EnergyOfTheMomentsIsTheirWork) {
     double work = 0;
     for (int a = 0; a < 4; ++a) work += 4 * dot(Q[a], q[a]);
     EXPECT_NEAR(energy_of(frame, m, 1 / volume, young, poisson), work, 1e-12 * work);
+  }
+}
+
+TEST(AssumedStrain, FlowTakesWhatIsAlongItAndTheEnergyFalls) {
+  const double young = 3, poisson = 0.3, mu = young / (2 * (1 + poisson)), lambda = 2 * mu * poisson / (1 - 2 * poisson);
+  for (int trial = 0; trial < 100; ++trial) {
+    const auto frame = centre_frame<double>({random_point(1), random_point(1), random_point(1)});
+    const double volume = 8 * std::abs(dot(frame.g[0], cross(frame.g[1], frame.g[2])));
+    const std::array<Point, 4> q{random_point(1), random_point(1), random_point(1), random_point(1)};
+    auto m = moments_from(frame, q, volume, lambda, mu);
+    const Symmetric<double> s = material::deviator(
+        Symmetric<double>{random(-1, 1), random(-1, 1), random(-1, 1), random(-1, 1), random(-1, 1), random(-1, 1)});
+    const double before = energy_of(frame, m, 1 / volume, young, poisson);
+    take_along(frame, s, 0.5, poisson, m);
+    const double half = energy_of(frame, m, 1 / volume, young, poisson);
+    take_along(frame, s, 1.0, poisson, m);
+    const double after = energy_of(frame, m, 1 / volume, young, poisson);
+    EXPECT_LE(half, before * (1 + 1e-12));
+    EXPECT_LE(after, half * (1 + 1e-12));
+    for (int k = 0; k < 3; ++k) {
+      const Point &a = frame.g[(k + 1) % 3], &b = frame.g[(k + 2) % 3];
+      const auto& p = m.plane[k];
+      const double left = p.ii * dot(a, s * a) + p.jj * dot(b, s * b) + 2 * p.ij * dot(a, s * b);
+      EXPECT_NEAR(left, 0, 1e-10 * (std::abs(p.ii) + std::abs(p.jj) + std::abs(p.ij)) + 1e-12) << k;
+    }
   }
 }
 

@@ -204,7 +204,7 @@ TEST(Block, WorkIsStoredOrDissipatedUpToTheSecondOrderOfTheStep) {
 TEST(Block, ElasticCycleGivesItsWorkBack) {
   const Viscosity none{.linear = 0, .quadratic = 0};
   for (const AnyHexahedronOptions& options :
-       {AnyHexahedronOptions(Hexahedron::Options{.hourglass = 0.1, .viscosity = none}),
+       {AnyHexahedronOptions(Hexahedron::Options{.viscosity = none}),
         AnyHexahedronOptions(FullHexahedron::Options{.viscosity = none})}) {
     Scene s = solids(elastic, options);
     double most = 0;

@@ -22,17 +22,17 @@ struct WithEachLaw<Kind, ::testing::Types<Laws...>> {
 /// The one-point element with its own bending stiffness.
 struct AssumedStrain : Hexahedron {};
 
-inline Hexahedron::Options usual_of(Hexahedron) { return {}; }
-inline Hexahedron::Options usual_of(AssumedStrain) {
-  return {.hourglass = 1, .viscosity = {}, .hourglass_kind = Hexahedron::Hourglass::assumed_strain};
+constexpr auto springs = Hexahedron::Hourglass::stiffness;
+
+inline Hexahedron::Options usual_of(Hexahedron) {
+  return {.hourglass = Hexahedron::usual_stiffness, .viscosity = {}, .hourglass_kind = springs};
 }
+inline Hexahedron::Options usual_of(AssumedStrain) { return {}; }
 inline FullHexahedron::Options usual_of(FullHexahedron) { return {}; }
 
 /// Options without bulk viscosity, and with hourglass springs that show.
-inline Hexahedron::Options inviscid_of(AssumedStrain) {
-  return {.hourglass = 1, .viscosity = no_viscosity, .hourglass_kind = Hexahedron::Hourglass::assumed_strain};
-}
-inline Hexahedron::Options inviscid_of(Hexahedron) { return {.hourglass = 0.4, .viscosity = no_viscosity}; }
+inline Hexahedron::Options inviscid_of(AssumedStrain) { return {.viscosity = no_viscosity}; }
+inline Hexahedron::Options inviscid_of(Hexahedron) { return {.hourglass = 0.4, .viscosity = no_viscosity, .hourglass_kind = springs}; }
 inline FullHexahedron::Options inviscid_of(FullHexahedron) { return {.viscosity = no_viscosity}; }
 
 /// What round-off leaves of an elastic energy that is zero, and of what is remembered after a rotation, by the size of the stress.

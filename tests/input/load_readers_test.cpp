@@ -149,7 +149,7 @@ TEST(ReadActions, RefuseASpringThatDoesNotEndAtSingleNodes) {
 
 TEST(ReadActions, RefuseAMomentOnNodesOfSolids) {
   EXPECT_EQ(faults_of("loads:\n  - {name: m, kind: moment, nodes: box.tip, value: [1, 0, 0], unit: N*m}\n"),
-            "2:36: a moment acts on nodes of plates only: 'box.tip' has others\n");
+            "2:36: a moment acts on nodes of plates or on rigid bodies only: 'box.tip' has others\n");
 }
 
 TEST(ReadActions, RefusePlanesThatMoveNodesAgainstOneAnother) {
@@ -183,7 +183,7 @@ TEST(ReadActions, RefuseDrivenNodesThatCannotBe) {
   EXPECT_EQ(faults_of(a + "velocity: {value: [1/x, 0, 0], unit: m/s}}\n"), "2:67: 'value' is infinite at x = 0, y = 0, z = 0, t = 0\n");
   EXPECT_EQ(faults_of(a + "velocity: {value: 1, unit: m/s}}\n").substr(0, 5), "2:67:");
   EXPECT_EQ(faults_of(a + "velocity: {value: [1, 0, 0], unit: m/s}, angular_velocity: {value: [1, 0, 0], unit: rad/s}}\n"),
-            "2:108: 'angular_velocity' is of nodes of plates: 'a' has none\n");
+            "2:108: 'angular_velocity' is of nodes of plates or rigid bodies: 'a' has none\n");
   EXPECT_EQ(faults_of(a + "velocity: {value: [1, 0, 0], unit: m}}\n").substr(0, 24), "2:84: 'unit' = m has the");
   EXPECT_NE(faults_of(a + "}\n").find("missing section 'velocity'"), std::string::npos);
 }

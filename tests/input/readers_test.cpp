@@ -121,12 +121,15 @@ TEST(ReadPlateLaw, DoesNotMissTheConstantsOfALawThatPlatesMayNotHave) {
   }
 }
 
-TEST(ReadHexahedron, HasOnePointAndSpringsUnlessToldOtherwise) {
+TEST(ReadHexahedron, HasOnePointAndAssumedStrainsUnlessToldOtherwise) {
   using element::FullHexahedron;
   using element::Hexahedron;
   const auto usual = std::get<Hexahedron::Options>(read("{}\n", hexahedron));
-  EXPECT_EQ(usual.hourglass_kind, Hexahedron::Hourglass::stiffness);
-  EXPECT_EQ(usual.hourglass, Hexahedron::usual_stiffness);
+  EXPECT_EQ(usual.hourglass_kind, Hexahedron::Hourglass::assumed_strain);
+  EXPECT_EQ(usual.hourglass, 1);
+  const auto springs = std::get<Hexahedron::Options>(read("hourglass_kind: stiffness\n", hexahedron));
+  EXPECT_EQ(springs.hourglass_kind, Hexahedron::Hourglass::stiffness);
+  EXPECT_EQ(springs.hourglass, Hexahedron::usual_stiffness);
   const auto viscous = std::get<Hexahedron::Options>(read("kind: one_point\nhourglass_kind: viscous\n", hexahedron));
   EXPECT_EQ(viscous.hourglass_kind, Hexahedron::Hourglass::viscous);
   EXPECT_EQ(viscous.hourglass, Hexahedron::usual_viscous);

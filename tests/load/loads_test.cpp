@@ -116,6 +116,18 @@ TEST(NodalForce, IsSharedEquallyAndBooksWorkAndImpulsesByTheTrapezoidRule) {
   EXPECT_NEAR((memory.angular_impulse - angular).norm(), 0, 1e-15);
 }
 
+TEST(Couple, HasItsMomentAndNoResultant) {
+  Vectors x(3, 4), still = Vectors::Zero(3, 4), none(3, 0);
+  x << 1, 0, 0, 3, 0, 1, 0, 5, 0, 0, 1, 2;
+  const AnyLoad load = Couple{"m", {0, 1, 2, 3}, constant(Vec3(3, 4, -2))};
+  LoadMemory memory = initial_memory(load);
+  advance(load, x, x, still, none, 0, 0, memory);
+  Vec3 moment = Vec3::Zero();
+  for (int i = 0; i < 4; ++i) moment += Vec3(x.col(i)).cross(Vec3(memory.force.col(i)));
+  EXPECT_LT(resultant(memory).norm(), 1e-14);
+  EXPECT_LT((moment - Vec3(3, 4, -2)).norm(), 1e-13);
+}
+
 TEST(NodalMoment, ActsOnTurnsAndGivesAngularImpulseOnly) {
   const Vectors X = random_vectors(3, 1, 6), omega = random_vectors(2, 1, 7), v = Vectors::Zero(3, 3);
   const AnyLoad load = NodalMoment{"m", {0, 2}, {1, 0}, constant(Vec3(0, 4, 2))};

@@ -80,7 +80,7 @@ TEST(AddLoads, RefuseMomentsOnSolidsSpringsOnManyNodesAndValuesThatAreNoNumber) 
                  {.name = "b", .kind = LoadKind::body_force, .on = "bar", .value = uniform(Vec3(0, 0, infinity - infinity))}};
   scene.springs = {{.name = "k", .from = "bar.x_low", .to = "ground", .stiffness = 1}};
   const std::string said = refusal(scene);
-  EXPECT_TRUE(says(said, "load 'm': a moment acts on nodes of plates only: 'bar.x_low' has others"));
+  EXPECT_TRUE(says(said, "load 'm': a moment acts on nodes of plates or on rigid bodies only: 'bar.x_low' has others"));
   EXPECT_TRUE(says(said, "load 'p': 'value' is infinite at t = 0"));
   EXPECT_TRUE(says(said, "load 'b': 'value' is no number at x = 0, y = 0, z = 0, t = 0"));
   EXPECT_TRUE(says(said, "spring 'k': the node set 'bar.x_low' has 4 nodes: a spring ends at a single one"));
@@ -92,7 +92,7 @@ TEST(AddLoads, TurningIsOfPlates) {
                    .angular_velocity = uniform(Vec3::UnitZ())}};
   EXPECT_EQ(refusal(scene), "");
   scene.planes[0].nodes = {"bar"};
-  EXPECT_TRUE(says(refusal(scene), "'angular_velocity' is of nodes of plates: 'spin' has none"));
+  EXPECT_TRUE(says(refusal(scene), "'angular_velocity' is of nodes of plates or rigid bodies: 'spin' has none"));
 }
 
 TEST(SetInitial, AddsUpVelocitiesAndRefusesDisplacementsThatInvertElements) {

@@ -21,7 +21,7 @@ def left(value):
 
 BAR = {"bodies": [{"name": said("bar"), "mesh": {"kind": said("box")},
                    "element": {"kind": said("full"), "viscosity": {"linear": said(0.0), "quadratic": said(0.0)}}},
-                  {"name": said("other"), "element": {"kind": said("one_point"), "hourglass": said(0.1)}}],
+                  {"name": said("other"), "element": {"kind": said("one_point"), "hourglass": said(1.0)}}],
        "contacts": [{"kind": said("contact"), "method": said("penalty"), "penalty": said(1e9), "friction": said(0.3)}],
        "time": {"end": said(1.0), "safety": left(0.9)}}
 AS_USUAL = {"bodies": [{"element": {"kind": said("one_point")}}], "time": {"end": said(1.0)}}
@@ -53,7 +53,8 @@ class DeparturesTest(unittest.TestCase):
             element = {"hourglass_kind": said(kind), "hourglass": said(coefficient)}
             return [word for _, word, *_ in defaults.departures(run_of({"bodies": [{"element": element}]}))]
         self.assertEqual(words("viscous", 0.05), ["hourglass_kind"])
-        self.assertEqual(words("stiffness", 0.05), ["hourglass"])
+        self.assertEqual(words("stiffness", 0.1), ["hourglass_kind"])
+        self.assertEqual(words("assumed_strain", 0.1), ["hourglass"])
 
     def test_they_are_shown_with_the_value_that_is_the_only_one(self):
         found = [(word, value) for _, word, value, _ in defaults.departures(run_of(BAR))]

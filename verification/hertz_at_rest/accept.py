@@ -192,7 +192,7 @@ BREAKS = [
     Breaks("force", "a plane two hundred times too soft", penalty(0.1)),
     Breaks(NODES, "a plane two hundred times too soft", penalty(0.1)),
     Breaks(CIRCLE, "half as many elements", cells(5)),
-    Breaks(NODES, "half as many elements", cells(5)),
+    Breaks(NODES, "a third of the elements", cells(4)),
     Breaks(CIRCLE, "relaxed to a hundredth only", {"relaxation.residual": 1e-2}),
     Breaks("force on the equator over that of the plane", "relaxed to a hundredth only", {"relaxation.residual": 1e-2}),
     Breaks("approach", "stopped early", {**cells(5), "relaxation.residual": 0.5, "relaxation.after": "5 us"}),

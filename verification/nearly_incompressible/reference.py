@@ -32,14 +32,14 @@ def cylinder(inner, outer, young, poisson, pressure):
     return (1 + poisson) * pressure * inner**2 * ((1 - 2 * poisson) * inner + outer**2 / inner) / shell
 
 
-def bent(length, height, young, poisson, density, slope, couple=1.0, stiffness=1.0):
-    """Deflection of the end of the bar, c L^3/3 + d h^2 L/40, with factors on the couple and on the bending stiffness [m].
+def bent(length, height, young, poisson, density, slope, couple=1.0):
+    """Deflection of the end of the bar, c L^3/3 + d h^2 L/40, with a factor on the couple [m].
 
     >>> round(bent(1, 0.2, 1, 0, 1, 1), 6), round(bent(1, 0.2, 1, 0.5, 1, 1), 6)
     (0.333333, 0.25075)
     """
     c, d = density * slope * (1 - poisson**2) / young, density * slope * poisson * (1 + poisson) / young
-    return couple / stiffness * c * length**3 / 3 + d * height**2 * length / 40
+    return couple * c * length**3 / 3 + d * height**2 * length / 40
 
 
 def lumped_couple(layers):
@@ -49,12 +49,3 @@ def lumped_couple(layers):
     True
     """
     return 1 + 2 / layers**2
-
-
-def layers_stiffness(layers):
-    """Share of the bending stiffness that n one-point layers carry.
-
-    >>> layers_stiffness(4)
-    0.9375
-    """
-    return 1 - 1 / layers**2

@@ -1,11 +1,10 @@
 """How close is close enough, why, and what must break."""
-import math
-
-from reference import OUTERMOST, bending, bending_energy, displacement, membrane, shear_energy, shear_resultant, von_mises
-from verify import Breaks, Check, Figure, Pair, Waiver
+from reference import OUTERMOST, THICKNESS, bending, bending_energy, displacement, kept, membrane, shear_energy, shear_resultant, von_mises
+from verify import Breaks, Check, Figure, Miss, Pair, Table
 
 CATALOGUE = ("E-1",)
-CLAIM = "Distorted plate triangles reproduce constant membrane strain, curvature and transverse shear, and an affine motion."
+CLAIM = ("Distorted plate triangles reproduce constant membrane strain and curvature and an affine motion; transverse shear has the "
+         "stiffness that residual bending flexibility leaves, all of it where triangles are small beside the thickness.")
 EVIDENCE = "exact"
 DRIVER = "scene"
 
@@ -57,12 +56,28 @@ def shear_in_bending(run):
 
 
 def energy_of_shear(run):
-    return Pair(stored(case(run, "shear.yaml"), "transverse_shear"), shear_energy(SIZE), "J")
+    return Pair(stored(case(run, "shear.yaml"), "transverse_shear"), kept() * shear_energy(SIZE), "J")
 
 
 def force_inside(run):
     forces = [case(run, "shear.yaml").column(f"force_{n}")[-1] for n in (4, 5, 6, 7)]
     return Pair(max(forces), 0, "N", scale=0.12 * norm(shear_resultant(SIZE)))
+
+
+def of_thickness(run, times):
+    """The sheared patch, so many times as thick, as heavy as before."""
+    return case(run, "shear.yaml").again({"bodies[0].element.thickness": f"{times * THICKNESS!r} m",
+                                          "bodies[0].material.density": f"{1 / times!r} kg/m^3"})
+
+
+def thicknesses(run):
+    rows = []
+    for times in (1, 10, 100, 1000, 10000):
+        there, whole = of_thickness(run, times), times * shear_energy(SIZE)
+        force = max(there.column(f"force_{n}")[-1] for n in (4, 5, 6, 7)) / (times * 0.12 * norm(shear_resultant(SIZE)))
+        rows.append([f"{times * THICKNESS:g} m", f"{stored(there, 'transverse_shear') / whole:.6f}", f"{kept(times * THICKNESS):.6f}",
+                     f"{force:.1e}"])
+    return rows
 
 
 def frames(run):
@@ -95,8 +110,11 @@ CHECKS = [
     Check("membrane stress in bending", membrane_of_bending, 1e-12, BOUND + "over the stress at the surface"),
     Check("energy of bending", energy_of_bending, 1e-12, BOUND + "moments times curvatures"),
     Check("energy of shear in bending", shear_in_bending, 1e-12, BOUND + "an element that locks stores here"),
-    Check("energy of transverse shear", energy_of_shear, 1e-12, BOUND + "resultant times shear"),
-    Check("force inside in transverse shear", force_inside, 1e-12, BOUND + "over what goes through the patch"),
+    Check("energy of transverse shear", energy_of_shear, 1e-12, BOUND + "resultant times shear times the share that each triangle keeps"),
+    Miss("force inside in transverse shear", force_inside, 1e-12, BOUND + "over what goes through the patch",
+         "triangles of unlike size keep unlike shares of their shear stiffness, which frees clamped plates from locking. The state is one "
+         "of couples on all normals; a plate that is loaded by forces has moments with gradients. It falls with the square of side over "
+         "thickness, to 3e-5 where the plate is 10 m thick, and is 16 % at worst, where the thickness is a side"),
     Check("place in motion", place, 1e-12, BOUND + "sums of a thousand steps"),
     Check("unevenness of the stress in motion", unevenness, 1e-10,
           "stress turns against sides of triangles to the second order of the step (docs/theory/plate.md): 1.8e-13, 1.8e-11, 4.3e-9 at "
@@ -108,14 +126,13 @@ def ramp(text, size=SIZE):
     return f'"t < 0.02 ? ({text}) * {50 * size} * 128/35 * sin(50*pi*t)^8 : 0"'
 
 
-BENDING, SHEAR, MOVING = HERE + "bending.yaml", HERE + "shear.yaml", HERE + "moving.yaml"
-TURNED_TOO_FAR = f"[{ramp('1.001*(x/2 + y)', CURVATURE)}, {ramp('-1.001*(x + y/2)', CURVATURE)}, 0]"
-WAIVERS = [
-    Waiver("unexplained momentum over the largest that passed", lambda run: str(run.case_file).endswith("shear.yaml"),
-           "its nodes are driven from rest to rest without a resultant and both frames are at rest, so nothing gives a scale: 6e-29 kg m/s "
-           "is left", up_to=math.inf),
+STUDIES = [
+    Table("Constant transverse shear, by thickness: energy over that of the whole stiffness, what residual flexibility leaves of it, and "
+          "the largest force inside over what goes through the patch.", ["thickness", "energy", "left", "force inside"], thicknesses),
 ]
 
+BENDING, SHEAR, MOVING = HERE + "bending.yaml", HERE + "shear.yaml", HERE + "moving.yaml"
+TURNED_TOO_FAR = f"[{ramp('1.001*(x/2 + y)', CURVATURE)}, {ramp('-1.001*(x + y/2)', CURVATURE)}, 0]"
 BREAKS = [
     Breaks("membrane stress", "corners that do not move affinely",
            {"planes[0].velocity.value": f"[{ramp('x + y/2 + 0.01*x*y')}, {ramp('x/2 + y')}, 0]"}),
@@ -128,7 +145,7 @@ BREAKS = [
     Breaks("membrane stress in bending", "corners that are pulled a little as well",
            {"planes[0].velocity.value": f"[{ramp('1e-9*x', CURVATURE)}, 0, {ramp('(x^2 + x*y + y^2)/2', CURVATURE)}]"}, case=BENDING),
     Breaks("energy of transverse shear", "Poisson's ratio forgotten in the shear modulus", {"bodies[0].material.poisson": 0}, case=SHEAR),
-    Breaks("force inside in transverse shear", "one node a part in a million beside the plane",
+    Breaks("energy of transverse shear", "one node a part in a million beside the plane",
            {"planes[1].velocity.value": f"[0, 0, {ramp('1.000001*(0.3*x - 0.8*y)')}]"}, case=SHEAR),
     Breaks("place in motion", "a body force two per mille too small", {"loads[0].value": '["99.8*(x + y/2)", "99.8*(x/2 + 0.75*y)", "0"]'},
            case=MOVING),

@@ -1,6 +1,6 @@
 """How close is close enough, why, and what must break."""
 from reference import SPEED, STEEL, large_strains, profile, small_strains
-from verify import Breaks, Check, Figure, Pair, Report, Table
+from verify import Breaks, Check, Figure, Miss, Pair, Report, Table
 
 CATALOGUE = ("I-2",)
 CLAIM = "A bilinear bar that hits a wall has the stress sigma_y + rho c_p (V - V_y) behind its plastic front."
@@ -58,14 +58,23 @@ def meshes(run):
     return rows
 
 
+FULL = {"bodies[0].element.kind": "full"}
+WIDENS = ("0.3 % of stress: the bar widens as it flows, and rings across; where a cell of one point flows, nothing resists that its ends "
+          "widen by turns. With springs, which do not flow, it is -0.8 %, with eight points 0.3 %")
+DEPARTURES = {"integration": "the strain behind the front is also checked with eight points"}
+
 CHECKS = [
     Check("plateau stress, small strains", lambda run: Pair(wall_stress(run), SMALL["stress"], "Pa"), 0.01,
           "the catalogue's bound; the plastic front rings and is some elements wide"),
-    Check("strain behind the front, small strains", lambda run: Pair(shortening(run), SMALL["strain"], "1"), 0.01,
+    Check("strain behind the front, eight points, small strains", lambda run: Pair(shortening(run.again(FULL)), SMALL["strain"], "1"), 0.01,
           "the catalogue's bound; the stress's error divided by the slope of hardening: 0.15 % of stress are 0.8 % of strain"),
+    Miss("strain behind the front, small strains", lambda run: Pair(shortening(run), SMALL["strain"], "1"), 0.01, "the same", WIDENS),
     Check("plateau stress, full speed", lambda run: Pair(wall_stress(big(run)), LARGE["stress"], "Pa"), 0.01,
           "the catalogue's bound, against the theory for large strains"),
-    Check("strain behind the front, full speed", lambda run: Pair(shortening(big(run)), LARGE["strain"], "1"), 0.01, "as at small strains"),
+    Check("strain behind the front, eight points, full speed",
+          lambda run: Pair(shortening(big(run.again(FULL))), LARGE["strain"], "1"), 0.01, "as at small strains"),
+    Miss("strain behind the front, full speed", lambda run: Pair(shortening(big(run)), LARGE["strain"], "1"), 0.01, "as at small strains",
+         WIDENS),
     Report("plateau stress, full speed, against the theory for small strains",
            lambda run: Pair(wall_stress(big(run)), small_strains(**STEEL, speed=SPEED)["stress"], "Pa"),
            "force per initial area: the section grows by 4 %, which stiffens the bar against the front"),
@@ -77,9 +86,9 @@ STUDIES = [Table("Errors over the number of cells along the bar.",
 NOMINAL = {"bodies[0].material.tangent": "2.4 GPa"}  # E_t + sigma_y: the slope of force per initial area at full speed
 BREAKS = [
     Breaks("plateau stress, small strains", "a digit lost in the tangent", {"bodies[0].material.tangent": "0.2 GPa"}),
-    Breaks("strain behind the front, small strains", "the slope of force per initial area taken for that of stress", NOMINAL),
+    Breaks("strain behind the front, eight points, small strains", "the slope of force per initial area taken for that of stress", NOMINAL),
     Breaks("plateau stress, full speed", "a digit lost in the tangent", {"bodies[0].material.tangent": "0.2 GPa"}),
-    Breaks("strain behind the front, full speed", "a section too wide to follow: lateral inertia",
+    Breaks("strain behind the front, eight points, full speed", "a section too wide to follow: lateral inertia",
            {"bodies[0].mesh.high": "[1 m, 200 mm, 200 mm]"}),
 ]
 

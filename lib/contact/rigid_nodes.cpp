@@ -1,0 +1,214 @@
+#include "contact/rigid_nodes.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+
+namespace nereid::contact {
+
+namespace {
+
+/// A force and its moment about the centre of a body, per impulse of a condition.
+struct OnBody {
+  Index body = -1;
+  Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
+};
+
+/// What acts on rigid bodies: contact has two sides, so no more than two of them.
+struct OnBodies {
+  std::array<OnBody, 2> on;
+
+  void add(const RigidNodes& all, const Vectors& x, Index node, const Vec3& force) {
+    const Index body = all.of_node[node];
+    if (body < 0) return;
+    OnBody& here = on[0].body < 0 || on[0].body == body ? on[0] : on[1];
+    here.body = body;
+    here.force += force;
+    here.moment += (x.col(node) - all.bodies[body].centre).cross(force);
+  }
+};
+
+double product(const MovingBody& body, const OnBody& a, const OnBody& b) {
+  return a.force.dot(body.shift * b.force) + a.moment.dot(body.turn * b.moment);
+}
+
+OnBodies of_condition(const RigidNodes& all, const Vectors& x, const Condition& c) {
+  OnBodies sum;
+  for (int j = 0; j < c.nodes; ++j) sum.add(all, x, c.node[j], c.weight[j] * c.normal);
+  return sum;
+}
+
+OnBodies of_shares(const RigidNodes& all, const Vectors& x, const FrictionShares& shares) {
+  OnBodies sum;
+  for (int i = 0; i < shares.count; ++i) sum.add(all, x, shares.node[i], shares.force[i]);
+  return sum;
+}
+
+/// q of a condition or a friction and one body.
+double size(const RigidNodes& all, const OnBody& on) { return on.body < 0 ? 0 : std::sqrt(product(all.bodies[on.body], on, on)); }
+
+/// Friction along two directions of its plane.
+struct Along {
+  FrictionShares first, second;
+};
+Along along(const Touch& touch) {
+  const Vec3 one = touch.normal.unitOrthogonal();
+  return {share_friction(touch, one), share_friction(touch, touch.normal.cross(one))};
+}
+
+bool is_rigid(const RigidNodes& all, const Condition& c) {
+  return std::any_of(c.node.begin(), c.node.begin() + c.nodes, [&](Index node) { return all.of_node[node] >= 0; });
+}
+
+/// Calls visit(on, q) for each body that a contactor acts on: its conditions one by one, then its friction in all directions.
+template <class Visit>
+void for_each_body(const RigidNodes& all, const Motion& m, const Multipliers& multipliers, const Contactor& one, Visit&& visit) {
+  for (Index i = one.first; i < one.last; ++i) {
+    const OnBodies on = of_condition(all, m.x, multipliers.conditions[i]);
+    for (const OnBody& here : on.on)
+      if (here.body >= 0) visit(here.body, size(all, here), i);
+  }
+  if (one.friction < 0) return;
+  const Along both = along(multipliers.frictions[one.friction].touch);
+  const OnBodies first = of_shares(all, m.x, both.first), second = of_shares(all, m.x, both.second);
+  for (int k = 0; k < 2; ++k)
+    if (first.on[k].body >= 0) visit(first.on[k].body, std::hypot(size(all, first.on[k]), size(all, second.on[k])), Index{-1});
+}
+
+/// What friction does to its slip rate through nodes that are not rigid, alone and with all that share them. [1/kg]
+double bound_of_nodes(const RigidNodes& all, const Motion& m, const Multipliers& multipliers, const Contactor& one) {
+  const Condition& c = multipliers.conditions[one.first];
+  const Along both = along(multipliers.frictions[one.friction].touch);
+  const auto product = [&](const FrictionShares& a, const FrictionShares& b) {
+    double sum = 0;
+    for (int i = 0; i < a.count; ++i) {
+      const Index node = a.node[i];
+      if (all.of_node[node] >= 0) continue;
+      sum += a.force[i].dot(m.allowed[node] ? Vec3(*m.allowed[node] * b.force[i]) : b.force[i]) / m.mass(node);
+      if (a.turns[i] && b.turns[i]) sum += a.moment[i].dot(b.moment[i]) / m.inertia(m.rotation_of_node[node]);
+    }
+    return sum;
+  };
+  double alone = 0, together = 0;
+  for (int j = 0; j < c.nodes; ++j) {
+    if (all.of_node[c.node[j]] >= 0) continue;
+    alone += c.weight[j] * c.weight[j] / m.mass(c.node[j]);
+    together += std::abs(c.weight[j]) * multipliers.shared(c.node[j]) / (one.area * m.mass(c.node[j]));
+  }
+  if (!(alone > 0)) return 0;
+  const double most = std::max(product(both.first, both.first), product(both.second, both.second));
+  return (most + std::abs(product(both.first, both.second))) * together / alone;
+}
+
+}  // namespace
+
+RigidNodes make_rigid_nodes(std::span<const Interface> interfaces, std::span<const RigidPlane> planes, std::span<const rigid::Body> bodies,
+                            const std::vector<Index>& of_node) {
+  RigidNodes all;
+  all.of_node = of_node;
+  all.bodies.resize(bodies.size());
+  const auto add = [&](const Subset& nodes) {
+    for (const Index node : nodes)
+      if (of_node[node] >= 0) all.bodies[of_node[node]].nodes.push_back(node);
+  };
+  for (const Interface& interface : interfaces)
+    if (by_multipliers(interface)) add(interface.apexes), add(interface.base_nodes);
+  for (const RigidPlane& plane : planes)
+    if (by_multipliers(plane)) add(plane.nodes);
+  for (MovingBody& body : all.bodies) {
+    std::sort(body.nodes.begin(), body.nodes.end());
+    body.nodes.erase(std::unique(body.nodes.begin(), body.nodes.end()), body.nodes.end());
+  }
+  return all;
+}
+
+void begin(const rigid::Body& body, const rigid::State& state, double next, MovingBody& moving) {
+  moving.body = &body;
+  moving.driven = false;
+  moving.centre = rigid::centre(body, state);
+  moving.shift = rigid::response_of_shift(body);
+  moving.turn = rigid::response_of_spin(body, state);
+  moving.state = state;
+  moving.twist = rigid::twist_of(body, state, next);
+}
+
+void begin_driven(const rigid::Body& body, const rigid::State& state, const rigid::Twist& twist, MovingBody& moving) {
+  moving.body = &body;
+  moving.driven = true;
+  moving.centre = rigid::centre(body, state);
+  moving.shift.setZero(), moving.turn.setZero();
+  moving.state = state;
+  moving.twist = twist;
+}
+
+void look_ahead(RigidNodes& all, const Motion& m, Multipliers& multipliers) {
+  for (MovingBody& body : all.bodies) {
+    for (const Index node : body.nodes)
+      multipliers.velocity.col(node) = rigid::velocity_at(body.twist, m.x.col(node) - body.centre, m.next);
+    see_ahead(body.nodes, m, multipliers);
+  }
+}
+
+void settle(RigidNodes& all, const Motion& m, Vectors& velocity) {
+  for (MovingBody& body : all.bodies) {
+    Vec3 impulse = Vec3::Zero(), angular = Vec3::Zero();
+    bool moved = false;
+    for (const Index node : body.nodes) {
+      const Vec3 r = m.x.col(node) - body.centre, change = velocity.col(node) - rigid::velocity_at(body.twist, r, m.next);
+      if (change.isZero(0)) continue;
+      const Vec3 one = m.mass(node) * change;
+      impulse += one, angular += r.cross(one);
+      moved = true;
+    }
+    if (!moved) continue;
+    if (!body.driven) {
+      rigid::kick(*body.body, impulse, angular, body.state);
+      body.twist = rigid::twist_of(*body.body, body.state, m.next);
+    }
+    for (const Index node : body.nodes) velocity.col(node) = rigid::velocity_at(body.twist, m.x.col(node) - body.centre, m.next);
+  }
+}
+
+double per_mass(const RigidNodes& all, const Motion& m, const Condition& c) {
+  double sum = 0;
+  for (int j = 0; j < c.nodes; ++j) {
+    const Index node = c.node[j];
+    if (all.of_node[node] < 0) sum += (m.allowed[node] ? c.normal.dot(*m.allowed[node] * c.normal) : 1) * c.weight[j] * c.response[j];
+  }
+  for (const OnBody& on : of_condition(all, m.x, c).on)
+    if (on.body >= 0) sum += product(all.bodies[on.body], on, on);
+  return sum;
+}
+
+double product_of_bodies(const RigidNodes& all, const FrictionShares& a, const FrictionShares& b, const Vectors& x) {
+  const OnBodies first = of_shares(all, x, a), second = of_shares(all, x, b);
+  double sum = 0;
+  for (int k = 0; k < 2; ++k)
+    if (first.on[k].body >= 0) sum += product(all.bodies[first.on[k].body], first.on[k], second.on[k]);
+  return sum;
+}
+
+void leave_out(const RigidNodes& all, Multipliers& multipliers) {
+  for (const MovingBody& body : all.bodies)
+    for (const Index node : body.nodes) multipliers.shared(node) = 0;
+}
+
+void add_bounds(const RigidNodes& all, const Motion& m, Multipliers& multipliers) {
+  std::vector<double> shared(all.bodies.size(), 0);
+  for (const Contactor& one : multipliers.contactors)
+    for_each_body(all, m, multipliers, one, [&](Index body, double q, Index) { shared[body] += one.area * q; });
+  for (const Contactor& one : multipliers.contactors) {
+    if (!is_rigid(all, multipliers.conditions[one.first])) continue;
+    double of_friction = one.friction < 0 ? 0 : bound_of_nodes(all, m, multipliers, one);
+    for_each_body(all, m, multipliers, one, [&](Index body, double q, Index condition) {
+      const double bound = q * shared[body] / one.area;
+      if (condition >= 0) multipliers.conditions[condition].bound += bound;
+      else of_friction += bound;
+    });
+    if (one.friction < 0) continue;
+    FrictionCondition& friction = multipliers.frictions[one.friction];
+    friction.bound = of_friction > 0 ? of_friction : friction.per_mass;  // held: what it would be alone
+  }
+}
+
+}  // namespace nereid::contact

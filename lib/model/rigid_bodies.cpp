@@ -1,0 +1,180 @@
+#include "model/rigid_bodies.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+
+#include "base/words.hpp"
+#include "rigid/hold.hpp"
+
+namespace nereid::model {
+
+namespace {
+
+constexpr double steps_of_rigid_scenes = 1000;  // in a run, at least
+constexpr double round_off = 1e-6;              // of velocities: expressions of place have some digits
+
+bool belongs(const std::string& name, const Body& body) { return name.substr(0, name.find('.')) == body.name; }
+
+double density(const element::AnyLaw& law) {
+  return std::visit([](const auto& one) { return one.density; }, law);
+}
+
+rigid::MassProperties mass_of(const Body& body, const dynamics::Model& model, const Subset& nodes) {
+  const Vec3 about = model.mesh.X.col(nodes.front());
+  rigid::Moments sum;
+  for (const mesh::Hexahedra& region : model.mesh.hexahedra)
+    if (belongs(region.name, body)) rigid::add_hexahedra(model.mesh.X, region.nodes, density(body.law), about, sum);
+  for (const mesh::Triangles& region : model.mesh.triangles)
+    if (belongs(region.name, body)) rigid::add_plates(model.mesh.X, region.nodes, density(body.law), body.plate.thickness, about, sum);
+  for (const load::PointMass& point : model.point_masses)
+    for (const Index node : point.nodes)
+      if (std::binary_search(nodes.begin(), nodes.end(), node))
+        rigid::add_point(model.mesh.X.col(node), point.mass / static_cast<double>(point.nodes.size()), about, sum);
+  rigid::MassProperties mass = rigid::properties(sum, about);
+  if (body.given.mass) mass.inertia *= *body.given.mass / mass.mass, mass.mass = *body.given.mass;
+  if (body.given.centre) mass.centre = *body.given.centre;
+  if (body.given.inertia) mass.inertia = *body.given.inertia;
+  return mass;
+}
+
+/// Directions in which a plane holds its nodes.
+std::vector<Vec3> normals_of(const load::Plane& plane) {
+  if (plane.kind == load::PlaneKind::fixed) return {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
+  return {plane.normal};
+}
+
+Part part_of(const Scene& scene, const load::Plane& plane) {
+  for (const Plane& one : scene.planes)
+    if (one.name == plane.name) return part("plane", one);
+  return {"", "plane '" + plane.name + "'"};
+}
+
+/// Which directions planes hold of a body, each once, and the share of a reaction that belongs to each.
+void set_rows(const Scene& scene, const load::Constraints& constraints, const std::vector<int>& planes, dynamics::HeldBody& held,
+              Faults& faults) {
+  Mat3 free = Mat3::Identity();
+  for (const int p : planes) {
+    const load::Plane& plane = constraints.planes[static_cast<std::size_t>(p)];
+    for (const Vec3& normal : normals_of(plane)) {
+      const Vec3 rest = free * normal;
+      if (rest.norm() > round_off) {
+        held.rows.push_back({p, normal, Vec3::Zero()});
+        free -= rest.normalized() * rest.normalized().transpose();
+      } else if (load::moves(plane)) {
+        refuse(faults, part_of(scene, plane), "velocity",
+               quote(plane.name) + " moves a rigid body in a direction that another plane holds");
+      }
+    }
+  }
+  Eigen::MatrixXd normals(3, static_cast<Eigen::Index>(held.rows.size()));
+  for (std::size_t r = 0; r < held.rows.size(); ++r) normals.col(static_cast<Eigen::Index>(r)) = held.rows[r].normal;
+  const Eigen::MatrixXd inverse = Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>(normals).pseudoInverse();
+  for (std::size_t r = 0; r < held.rows.size(); ++r) held.rows[r].reaction = inverse.row(static_cast<Eigen::Index>(r)).transpose();
+}
+
+/// What the planes of the scene do to a body.
+dynamics::HeldBody hold(const Scene& scene, const load::Constraints& constraints, rigid::Body& body, Faults& faults) {
+  dynamics::HeldBody held;
+  std::vector<rigid::HeldNode> nodes;
+  std::vector<int> planes;
+  double size = 0;
+  for (Eigen::Index i = 0; i < body.arm.cols(); ++i) size = std::max(size, body.arm.col(i).norm());
+  for (std::size_t p = 0; p < constraints.planes.size(); ++p) {
+    const load::Plane& plane = constraints.planes[p];
+    const Part here = part_of(scene, plane);
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < body.nodes.size(); ++i) {
+      if (!std::binary_search(plane.nodes.begin(), plane.nodes.end(), body.nodes[i])) continue;
+      ++count;
+      if (plane.kind == load::PlaneKind::driven || plane.kind == load::PlaneKind::floor) continue;
+      for (const Vec3& normal : normals_of(plane)) nodes.push_back({body.arm.col(static_cast<Eigen::Index>(i)), normal});
+    }
+    if (count == 0) continue;
+    if (plane.kind == load::PlaneKind::floor)
+      refuse(faults, here, "nodes", "a floor has nodes of the rigid body " + quote(body.name) + ": take a plane of the kind 'rigid'");
+    else if (plane.kind != load::PlaneKind::driven)
+      planes.push_back(static_cast<int>(p));
+    else if (count < body.nodes.size())
+      refuse(faults, here, "nodes", quote(plane.name) + " drives a part of the rigid body " + quote(body.name) + ": name the whole body");
+    else if (held.driver < 0)
+      held.driver = static_cast<int>(p);
+  }
+  if (planes.empty()) return held;
+  const Part here = part_of(scene, constraints.planes[static_cast<std::size_t>(planes.front())]);
+  if (held.driver >= 0) {
+    refuse(faults, here, "nodes", "the rigid body " + quote(body.name) + " is driven: no other plane may hold it");
+    return held;
+  }
+  const std::optional<rigid::Hold> found = rigid::hold_of(nodes, size);
+  if (!found)
+    refuse(faults, here, "nodes",
+           "planes would leave the rigid body " + quote(body.name) + " a turn that is not about one axis through its centre: a hinge or a "
+           "ball joint is not there yet; hold a whole face, or use springs");
+  else
+    body.hold = *found;
+  held.first = planes.front();
+  set_rows(scene, constraints, planes, held, faults);
+  return held;
+}
+
+}  // namespace
+
+void add_rigid_bodies(const Scene& scene, dynamics::Model& model, Faults& faults) {
+  if (std::none_of(scene.bodies.begin(), scene.bodies.end(), [](const Body& body) { return body.rigid; })) return;
+  model.rigid_of_block.assign(model.blocks.size(), -1);
+  for (const Body& body : scene.bodies) {
+    if (!body.rigid) continue;
+    const Subset& nodes = mesh::node_set(model.mesh, body.name);
+    const rigid::MassProperties mass = mass_of(body, model, nodes);
+    if (!(mass.mass > 0) || !rigid::is_possible(mass.inertia)) {
+      refuse(faults, part("body", body), body.given.inertia ? "mass_properties.inertia" : "rigid",
+             "no body has the inertia of " + quote(body.name) + ": each principal moment is positive and at most the sum of the others");
+      continue;
+    }
+    for (std::size_t b = 0; b < model.blocks.size(); ++b)
+      if (belongs(element::name(model.blocks[b]), body)) model.rigid_of_block[b] = static_cast<Index>(model.rigid_bodies.size());
+    model.rigid_bodies.push_back(rigid::make_body(body.name, mass, model.mesh.X, nodes));
+    model.held_bodies.push_back(hold(scene, model.constraints, model.rigid_bodies.back(), faults));
+  }
+  const bool all = std::none_of(model.rigid_of_block.begin(), model.rigid_of_block.end(), [](Index body) { return body < 0; });
+  if (scene.time.largest_step > 0) model.longest_step = scene.time.largest_step;
+  else if (all) model.longest_step = scene.time.end / steps_of_rigid_scenes;
+}
+
+void check_rigid_bodies(const Scene& scene, const dynamics::Model& model, const dynamics::State& state, Faults& faults) {
+  if (model.rigid_bodies.empty()) return;
+  const auto find = [&](const std::string& body) {
+    return std::find_if(model.rigid_bodies.begin(), model.rigid_bodies.end(), [&](const rigid::Body& one) { return one.name == body; });
+  };
+  const auto is_of_rigid = [&](const std::string& surface) {
+    return find(surface.substr(0, surface.find('.'))) != model.rigid_bodies.end();
+  };
+  if (scene.relaxation)
+    refuse(faults, {"relaxation", "relaxation"}, "", "a scene with rigid bodies cannot be relaxed yet: damp it by loads or contacts");
+  for (const Contact& contact : scene.contacts) {
+    const bool bonded = contact.interface.kind == contact::InterfaceKind::bonded;
+    if (bonded && contact.interface.method == contact::Method::multiplier && (is_of_rigid(contact.apexes) || is_of_rigid(contact.base)))
+      refuse(faults, part("contact", contact), "kind", "a bond to a rigid body is not there yet by multipliers: say 'method: penalty'");
+  }
+  for (const Initial& initial : scene.initial) {
+    const Part here{initial.at, "initial motion of '" + initial.body + "'"};
+    const auto body = find(initial.body);
+    if (body == model.rigid_bodies.end()) continue;
+    if (initial.displacement) {
+      refuse(faults, here, "displacement", "a rigid body starts where 'rotate' and 'move' put it, and has no displacement");
+      continue;
+    }
+    const rigid::Twist twist = rigid::fit(*body, state.v);
+    double most = 0, off = 0;
+    for (std::size_t i = 0; i < body->nodes.size(); ++i) {
+      const Vec3 v = state.v.col(body->nodes[i]);
+      most = std::max(most, v.norm());
+      off = std::max(off, (v - rigid::velocity_at(twist, body->arm.col(static_cast<Eigen::Index>(i)), 0)).norm());
+    }
+    if (off > round_off * most)
+      refuse(faults, here, "velocity", "the velocity is no rigid motion of " + quote(initial.body) + ": v + w x (x - c) is one");
+  }
+}
+
+}  // namespace nereid::model

@@ -1,0 +1,71 @@
+#include "model/rigid_bodies.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/model/scenes.hpp"
+
+namespace nereid::model {
+namespace {
+
+Body rigid(Body body) {
+  body.rigid = true;
+  return body;
+}
+
+TEST(RigidBodies, HaveTheMassOfTheirMesh) {
+  const dynamics::Model model = build(with({rigid(bar()), wall()})).model;
+  ASSERT_EQ(model.rigid_bodies.size(), 1U);
+  EXPECT_NEAR(model.rigid_bodies[0].mass.mass, 16000, 1e-8);
+  EXPECT_NEAR(dynamics::total_mass(model), 32000, 1e-8);
+  EXPECT_LT((model.rigid_bodies[0].mass.centre - Vec3(1, 0.5, 0.5)).norm(), 1e-12);
+  EXPECT_EQ(model.rigid_of_block[0], 0);
+  EXPECT_EQ(model.rigid_of_block[1], -1);
+  EXPECT_EQ(model.longest_step, 1e300);
+}
+
+TEST(RigidBodies, TakeMassPropertiesThatAreGiven) {
+  Body body = rigid(bar());
+  body.given = {.mass = 5, .centre = Vec3(1, 0.5, 0.4), .inertia = Mat3(Vec3(3, 4, 5).asDiagonal())};
+  const dynamics::Model model = build(with({body})).model;
+  EXPECT_EQ(model.rigid_bodies[0].mass.mass, 5);
+  EXPECT_EQ(model.rigid_bodies[0].mass.centre, Vec3(1, 0.5, 0.4));
+  EXPECT_EQ(model.rigid_bodies[0].mass.inertia(2, 2), 5);
+  EXPECT_EQ(model.longest_step, 1e-6);  // a thousandth of the run: nothing else limits it
+  body.given.inertia = Mat3(Vec3(1, 1, 5).asDiagonal());
+  EXPECT_TRUE(says(refusal(with({body})), "no body has the inertia of 'bar'"));
+}
+
+TEST(RigidBodies, OfPlatesHaveNoTurnsOfTheirNodes) {
+  const dynamics::Model model = build(with({rigid(sheet())})).model;
+  EXPECT_EQ(model.inertia.size(), 0);
+  EXPECT_NEAR(model.rigid_bodies[0].mass.mass, 32, 1e-11);
+}
+
+TEST(RigidBodies, AreRefusedWhatTheyCannotDo) {
+  Scene scene = with({rigid(bar()), wall()});
+  scene.planes = {{.name = "hinge", .kind = load::PlaneKind::constrained, .nodes = {"bar.x_low"}, .normal = Vec3::UnitX()},
+                  {.name = "line", .kind = load::PlaneKind::floor, .nodes = {"bar.z_low"}, .normal = Vec3::UnitZ()}};
+  EXPECT_TRUE(says(refusal(scene), "plane 'line': a floor has nodes of the rigid body 'bar'"));
+  scene.planes.pop_back();
+  EXPECT_EQ(refusal(scene), "");  // a whole face
+  scene.bodies[0].points = {{.name = "corner", .near = Vec3(0, 0, 0)}};
+  scene.planes[0].nodes = {"bar.corner"};
+  EXPECT_TRUE(says(refusal(scene), "not about one axis through its centre"));
+  scene.planes = {{.name = "spin", .kind = load::PlaneKind::driven, .nodes = {"bar.x_low"}, .field = uniform(Vec3::UnitX())}};
+  EXPECT_TRUE(says(refusal(scene), "plane 'spin': 'spin' drives a part of the rigid body 'bar'"));
+  scene.planes.clear();
+  scene.initial = {{.body = "bar", .value = {[](double x, double, double, double) { return x; }, constant(0), constant(0)}}};
+  EXPECT_TRUE(says(refusal(scene), "the velocity is no rigid motion of 'bar'"));
+  scene.initial = {{.body = "bar", .displacement = true, .value = uniform(Vec3::UnitX())}};
+  EXPECT_TRUE(says(refusal(scene), "has no displacement"));
+  scene.initial.clear();
+  scene.relaxation = dynamics::Relaxation{};
+  EXPECT_TRUE(says(refusal(scene), "cannot be relaxed yet"));
+  scene.relaxation.reset();
+  scene.contacts = {{.name = "glue", .apexes = "bar.x_high", .base = "wall.x_low"}};
+  scene.contacts[0].interface.kind = contact::InterfaceKind::bonded;
+  EXPECT_TRUE(says(refusal(scene), "contact 'glue': a bond to a rigid body is not there yet by multipliers"));
+}
+
+}  // namespace
+}  // namespace nereid::model

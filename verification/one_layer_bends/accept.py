@@ -1,0 +1,121 @@
+"""How close is close enough, why, and what must break."""
+from reference import SLENDER, TWISTED, deflection
+from verify import Breaks, Check, Figure, Miss, Pair, Table
+
+CATALOGUE = ("E-3",)
+CLAIM = "A cantilever of one layer of one-point elements bends as a beam, whatever their aspect ratio; of four layers within 1 %."
+EVIDENCE = "exact"
+DRIVER = "scene"
+
+HEIGHT, YOUNG = 0.1, 210e9  # [m] of the beam, also its width [Pa]
+SHAPES = {  # of the six cells of the slender beam: z leans by 45 degrees, in turns or all alike, but not at the ends
+    "rectangles": ["x", "y", "z"],
+    "trapezoids": ["x + cos(pi*x)*(z - 0.1)*(x > 0.5)*(x < 5.5)", "y", "z"],
+    "parallelograms": ["x + (z - 0.1)*(x > 0.5)*(x < 5.5)", "y", "z"]}
+
+
+def beam(aspect, layers=1, cells=10):
+    """A beam of cells that are so much longer than high."""
+    length = HEIGHT / layers * aspect * cells
+    return {"bodies[0].mesh.high": f"[{length} m, {HEIGHT} m, {HEIGHT} m]", "bodies[0].mesh.cells": f"[{cells}, {layers}, {layers}]"}
+
+
+def tip(run):
+    return -run.column("tip")[-1]
+
+
+def thin(aspect):
+    def measure(run):
+        return Pair(tip(run.again(beam(aspect))), deflection(YOUNG, 0.3, HEIGHT * aspect * 10, HEIGHT, HEIGHT, 1), "m")
+    return measure
+
+
+def thick(aspect):
+    """Four layers of forty cells."""
+    def measure(run):
+        return Pair(tip(run.again(beam(aspect, 4, 40))), deflection(YOUNG, 0.3, HEIGHT * aspect * 10, HEIGHT, HEIGHT, 1), "m")
+    return measure
+
+
+def slender(shape, load="in plane", **more):
+    """MacNeal and Harder's beam of six cells."""
+    def measure(run):
+        y, z = (0.1, 0.2) if load == "in plane" else (0.2, 0.1)
+        there = run.again({"bodies[0].mesh.high": f"[6 m, {y} m, {z} m]", "bodies[0].mesh.cells": "[6, 1, 1]",
+                           "bodies[0].mesh.map": str(SHAPES[shape]).replace("'", '"'), "bodies[0].material.young": "1e7 Pa",
+                           "bodies[0].material.density": "1 kg/m^3", "loads[0].value": '["0", "0", "-1e-3"]', **more})
+        return Pair(1e3 * tip(there), SLENDER[load], "m")
+    return measure
+
+
+def twisted(load, along=12, across=2, through=1, **more):
+    """MacNeal and Harder's twisted beam; at its tip the side of 1.1 lies along z."""
+    def measure(run):
+        turn = "pi*x/24"
+        sides = {"in plane": ("0", "0", "-1e-3"), "out of plane": ("0", "-1e-3", "0")}[load]
+        there = run.again({"bodies[0].mesh.low": "[0 m, -0.55 m, -0.16 m]", "bodies[0].mesh.high": "[12 m, 0.55 m, 0.16 m]",
+                           "bodies[0].mesh.cells": f"[{along}, {across}, {through}]",
+                           "bodies[0].mesh.map": f'["x", "y*cos({turn}) - z*sin({turn})", "y*sin({turn}) + z*cos({turn})"]',
+                           "bodies[0].material.young": "29e6 Pa", "bodies[0].material.poisson": 0.22,
+                           "bodies[0].material.density": "1 kg/m^3",
+                           "loads[0].value": str(list(sides)).replace("'", '"'), **more})
+        return Pair(-1e3 * there.column("tip" if load == "in plane" else "aside")[-1], TWISTED[load], "m")
+    return measure
+
+
+KINDS = {"assumed strains": {}, "springs": {"bodies[0].element.hourglass_kind": "stiffness"},
+         "eight points": {"bodies[0].element.kind": "full"}}
+
+
+def kinds(run):
+    rows = []
+    for name, kind in KINDS.items():
+        row = [name]
+        for aspect in (1, 2, 5, 10):
+            row.append(f"{tip(run.again({**beam(aspect), **kind})) / thin(aspect)(run).expected:.3f}")
+        for aspect in (1, 5):
+            row.append(f"{tip(run.again({**beam(aspect, 4, 40), **kind})) / thick(aspect)(run).expected:.3f}")
+        row += [f"{pair.got / pair.expected:.3f}" for pair in
+                [slender(shape, **kind)(run) for shape in SHAPES] + [twisted(load, **kind)(run) for load in TWISTED]]
+        rows.append(row)
+    return rows
+
+
+CHECKS = [
+    *(Check(f"one layer, aspect ratio {aspect}", thin(aspect), 0.05,
+            "ten cells, each with a constant moment, miss 0.25 %; the wall also holds the sides, which stiffens the beam")
+      for aspect in (1, 2, 5, 10)),
+    *(Check(f"four layers, aspect ratio {aspect}", thick(aspect), 0.01, "the wall also holds the sides, which stiffens the beam by 0.6 %",
+            full=aspect == 5)
+      for aspect in (1, 2, 5)),
+    Check("six rectangles, in plane", slender("rectangles"), 0.03, "each has a constant moment: 0.7 %; the wall holds the sides"),
+    Check("six rectangles, out of plane", slender("rectangles", "out of plane"), 0.03, "the same"),
+    Miss("six parallelograms, in plane", slender("parallelograms"), 0.1, "MacNeal and Harder's B",
+         "no element of eight nodes bends right where its sides lean and passes the patch test (MacNeal 1987)"),
+    Miss("six trapezoids, in plane", slender("trapezoids"), 0.1, "MacNeal and Harder's B", "the same, and this is its worst case"),
+    Check("twisted beam, in plane", twisted("in plane"), 0.02, "MacNeal and Harder's A"),
+    Check("twisted beam, out of plane", twisted("out of plane"), 0.02, "MacNeal and Harder's A"),
+]
+
+STUDIES = [Table("Deflection over the exact one.",
+                 ["element", "1 layer, 1", "2", "5", "10", "4 layers, 1", "5", "rectangles", "trapezoids", "parallelograms",
+                  "twisted, in plane", "out of plane"], kinds, full=True)]
+
+BREAKS = [
+    Breaks("one layer, aspect ratio 1", "hourglass springs of the usual coefficient", {"bodies[0].element.hourglass_kind": "stiffness"}),
+    Breaks("one layer, aspect ratio 10", "eight points, which shear as they bend", {"bodies[0].element.kind": "full"}),
+    Breaks("four layers, aspect ratio 1", "no hourglass stiffness to speak of", {"bodies[0].element.hourglass": 0.01}),
+    Breaks("six rectangles, in plane", "eight points", {"bodies[0].element.kind": "full"}),
+    Breaks("twisted beam, in plane", "half the hourglass stiffness", {"bodies[0].element.hourglass": 0.5}),
+]
+
+
+def over_aspect(run):
+    return [(name, list(ASPECTS), [tip(run.again({**beam(a), **kind})) / thin(a)(run).expected for a in ASPECTS])
+            for name, kind in KINDS.items()]
+
+
+ASPECTS = (1, 2, 3, 5, 7, 10)
+FIGURES = [Figure("aspect", "length over height of a cell", "deflection over the beam's", over_aspect,
+                  exact=lambda _: [("beam", [1, 10], [1, 1])],
+                  caption="Deflection of a cantilever of one layer of ten cells over Timoshenko's.")]
