@@ -1678,7 +1678,9 @@ TEST(Symmetry, AQuarterOfTheCaskSettlesLikeTheWhole) {
     use_threads(1);
     const double off = settlement[1] / settlement[0] - 1;
     std::printf("quarter / full - 1 = %.2e\n", off);
-    EXPECT_LT(std::abs(off), contact::Method::penalty == method ? 1e-10 : 5e-4);  // sweeps end at a part of the energy
+    // A penalty: round-off that grew. Multipliers: nodes of the top of the cladding start just over the rim of the lead, so that round-off
+    // decides which of them the first wave takes off it (after 0.2 ms); from there on the runs differ.
+    EXPECT_LT(std::abs(off), contact::Method::penalty == method ? 1e-9 : 2e-3);
   }
 }
 

@@ -88,6 +88,8 @@ STUDIES = [
 ]
 
 COARSE = {"bodies[0].mesh.cells_core": 2, "bodies[0].mesh.cells_ring": 2, "bodies[0].mesh.cells_along": 40}
+DEPARTURES = {"integration": "the radius of the foot is held against that of eight points"}
+
 BREAKS = [
     Breaks("final radius of the foot", "hardening forgotten", {**COARSE, "bodies[0].material.tangent": "0.01 MPa"}),
     Breaks("final radius of the foot", "ten times the hardening", {**COARSE, "bodies[0].material.tangent": "1 GPa"}),
