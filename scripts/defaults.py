@@ -13,7 +13,8 @@ CONTACT = {"method": "multiplier", "restitution": 1, "passes": "one", "weights":
 # {section: {key: default}}; None where the default is no value of the key
 NUMERICS = {"element": ELEMENT, "viscosity": {"linear": 0.06, "quadratic": 1.2},
             "contacts": CONTACT, "planes": CONTACT, "contact": CONTACT, "interface": CONTACT, "base": CONTACT,
-            "time": {"safety": 0.9, "created_limit": 0.05, "overlap_limit": 0.5}, "relaxation": {"residual": 1e-6, "samples": 5}}
+            "time": {"safety": 0.9, "created_limit": 0.05, "overlap_limit": 0.5, "corner_limit": 0},
+            "relaxation": {"residual": 1e-6, "samples": 5}}
 OF_KIND = {"stiffness": 0.1, "viscous": 0.05}  # the default of `hourglass`
 WORDS = {"kind": "integration", "lead": "integration", "linear": "viscosity", "quadratic": "viscosity"}
 

@@ -106,6 +106,8 @@ struct Progress {
   std::int64_t updates = 0;     ///< of the ledger: multiples of the interval between two that have passed
   bool ledger_is_current = false;
   std::int64_t corners_seen = 0;  ///< step of the last look at the corners of elements
+  std::int64_t corners_next = 0;  ///< step of the next one, at the latest
+  double corner = 1;              ///< [-] the smallest one at the last look
   double audits = 0;            ///< looks for overlaps: multiples of the interval between two that have passed
   std::int64_t audited = 0;     ///< step of the last look for overlaps
   std::int64_t audited_itself = 0;  ///< step of the last look for overlaps of bodies with themselves

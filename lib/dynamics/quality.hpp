@@ -1,17 +1,25 @@
 #pragma once
-// The quality of elements during a run: inverted corners and hourglass energy, which stop nothing and spoil results.
+// The quality of elements during a run: inverted corners, which end it, and hourglass energy, which spoils results.
 
 #include "dynamics/model.hpp"
 
 namespace nereid::dynamics {
 
-/// Steps between two looks at the corners of all elements: less than a hundredth of the time of a step each.
-constexpr std::int64_t corners_every = 500;
-
-/// Notes what the elements of each block have come to. Needs a ledger that is current.
+/// Steps between two looks at the corners of all elements: most, where they keep their shape, and least, where one is about to invert.
 ///
-/// look  whether corners are looked at in any case: as a look for overlaps is due, or the run ends
-void see_quality(const Model&, bool look, State&);
+/// A look takes about as long as five steps.
+constexpr std::int64_t corners_every = 500, corners_least = 50;
+
+/// Looks at the corners of all elements if it is time: at half of the steps after which the smallest would invert at the pace of late.
+///
+/// look  whether to look in any case: as a look for overlaps is due, or the run ends
+void see_corners(const Model&, bool look, State&);
+
+/// The block whose smallest corner so far is at or below a limit, or -1.
+int inverted_block(const State&, double limit);
+
+/// Notes how much hourglass energy each block has. Needs a ledger that is current.
+void see_hourglass_energy(const Model&, State&);
 
 /// The largest hourglass energy of a block over its largest internal energy so far; zero where the latter is round-off. [-]
 ///

@@ -123,6 +123,19 @@ bool overlap_too_much(const Model& model, const State& now, const Forces& forces
   return true;
 }
 
+/// Stops the run where a corner of an element has inverted.
+bool corner_inverted(const Model& model, const State& now, const Time& time, Outcome& outcome) {
+  const int block = inverted_block(now, time.corner_limit);
+  if (block < 0) return false;
+  const Quality& seen = now.quality[static_cast<std::size_t>(block)];
+  outcome.ending = Ending::inverted_element;
+  outcome.reason = text("the Jacobian of a corner is %.3g of the reference; the limit is %.3g", seen.corner, time.corner_limit) +
+                   made_before(model, now.ledger, time.created_limit, block);
+  outcome.block = name(model, block);
+  outcome.element = seen.element;
+  return true;
+}
+
 /// Stops the run where a source has created or lost too much of what passed through it, or time integration of the scene; after any step.
 bool too_much_of_what_passed(const Model& model, const Ledger& ledger, double created_limit, Outcome& outcome) {
   const Suspect one = suspect(model, ledger);
@@ -211,14 +224,16 @@ Outcome run(const Model& model, State& now, Forces& forces, const Time& time, do
     if (last) now.t = time.end;
     const bool rests = model.relaxation && relax(model, now, forces);
     progress.ledger_is_current = last || rests || now.t >= static_cast<double>(progress.updates + 1) * update_every;
+    see_corners(model, progress.ledger_is_current && audit_is_due(time.audit_every, now), now);
     if (progress.ledger_is_current) {
       progress.updates = static_cast<std::int64_t>(now.t / update_every);
       update_ledger(model, now);
-      see_quality(model, audit_is_due(time.audit_every, now), now);
+      see_hourglass_energy(model, now);
       if (now.votes.volume_ratio > 0) see_overlaps(model, last || rests, time.audit_every, now, forces);
     }
     show();
     if (!(now.votes.volume_ratio > 0)) continue;  // stop() says so
+    if (corner_inverted(model, now, time, outcome)) break;
     if (progress.ledger_is_current && too_much_of_the_scene(model, now.ledger, time.created_limit, outcome)) break;
     if (too_much_of_what_passed(model, now.ledger, time.created_limit, outcome)) break;
     if (progress.ledger_is_current && overlap_too_much(model, now, forces, time.overlap_limit, outcome)) break;
@@ -237,8 +252,10 @@ Outcome run(const Model& model, State& now, Forces& forces, const Time& time, do
     progress.ledger_is_current = true;
     show(true);
   }
-  see_quality(model, true, now);
+  see_hourglass_energy(model, now);
+  see_corners(model, true, now);
   if (now.votes.volume_ratio > 0) see_overlaps(model, true, time.audit_every, now, forces);
+  if (good(outcome.ending)) corner_inverted(model, now, time, outcome);
   if (good(outcome.ending)) overlap_too_much(model, now, forces, time.overlap_limit, outcome);
   outcome.wall_seconds = std::chrono::duration<double>(clock() - began).count();
   outcome.element_updates = elements(model) * (now.step + 1);

@@ -16,6 +16,7 @@ struct Time {
   double safety = 0.9;         ///< [-] fraction of the elements' stable step; contact votes by its own bound
   double created_limit = 0.05; ///< [-] created or lost energy of any source over energy_scale(), and over what passed: times_the_limit()
   double overlap_limit = 0.5;  ///< [-] elements by which bodies may go into each other or themselves, beyond what they did at the start
+  double corner_limit = 0;     ///< [-] Jacobian of a corner of an element over that of the reference, below one: there a run ends
   double audit_every = 0;      ///< [s] between two looks for overlaps; zero: at each update of the ledger
   /// [s] of scenes with rigid bodies; zero: a thousandth of `end` where all bodies are rigid, else none
   double largest_step = 0;

@@ -195,6 +195,7 @@ dynamics::Time read_time(const Section& section) {
   time.safety = section.number_or("safety", time.safety, model::range::safety);
   time.created_limit = section.number_or("created_limit", time.created_limit, positive);
   time.overlap_limit = section.number_or("overlap_limit", time.overlap_limit, positive);
+  time.corner_limit = section.number_or("corner_limit", time.corner_limit, below(1));
   if (section.has("largest_step")) time.largest_step = section.quantity("largest_step", dim::time, positive);
   return time;
 }

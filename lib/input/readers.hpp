@@ -56,7 +56,7 @@ enum class HeightFrom {
 /// refuse | accept`, all optional but `height`. Where thickness is the usual one, `thickness` is a word too.
 HeightFrom read_contact_height(const Section&, HeightFrom usual, dynamics::InterfaceOptions&);
 
-/// `end`, and optional `safety` in (0, 10], `created_limit` and `overlap_limit`.
+/// `end`, and optional `safety` in (0, 10], `created_limit`, `overlap_limit` and `corner_limit`.
 dynamics::Time read_time(const Section&);
 
 /// `history_every`, `frames_every`, `precision: single | double`; all optional, by default 400 rows

@@ -149,8 +149,8 @@ std::vector<std::string> quality_notes(const Simulation& simulation) {
     const dynamics::Quality& seen = simulation.state.quality[b];
     const char* name = element::name(simulation.model.blocks[b]).c_str();
     if (!(seen.corner > 0) && seen.element >= 0)
-      notes.push_back(row("%s: a corner of element %d was inverted, its Jacobian %.3g of the reference at %.4g s, which the volume does "
-                          "not show: the mesh is too coarse there or the load acts on one node",
+      notes.push_back(row("%s: a corner of element %d was inverted, its Jacobian %.3g of the reference at %.4g s: the mesh is too "
+                          "coarse there or the load acts on one node",
                           name, seen.element, seen.corner, seen.time));
     const double fraction = dynamics::hourglass_fraction(seen, scale);
     if (fraction > worth_saying)

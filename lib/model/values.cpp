@@ -174,7 +174,8 @@ void check_run(const Scene& scene, Faults& faults) {
   check(faults, {"", "the scene"}, components("gravity", scene.gravity));
   check(faults, {"time", "time"}, {{"end", scene.time.end, positive, "s"}, {"safety", scene.time.safety, range::safety},
                                    {"created_limit", scene.time.created_limit, positive},
-                                   {"overlap_limit", scene.time.overlap_limit, positive}});
+                                   {"overlap_limit", scene.time.overlap_limit, positive},
+                                   {"corner_limit", scene.time.corner_limit, below(1)}});
   check(faults, {"output", "recording"}, {{"history_every", scene.recording.history, not_negative, "s"},
                                           {"frames_every", scene.recording.frames, not_negative, "s"}});
   check(faults, {"relaxation", "relaxation"}, {{"residual", relaxation.residual, range::residual},

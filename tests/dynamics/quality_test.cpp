@@ -30,10 +30,23 @@ Scene pushed(double speed, double back = 1e300) {
   return s;
 }
 
+TEST(Quality, OfACornerThatInvertsEndsTheRunWithItsElement) {
+  Scene s = pushed(1);
+  Time time;
+  time.end = 1.2, time.created_limit = time.overlap_limit = 1e300;
+  const Outcome outcome = run(s.model, s.state, s.forces, time, 0.01);
+  EXPECT_EQ(outcome.ending, Ending::inverted_element);
+  EXPECT_GE(outcome.element, 4) << "one of the upper four";
+  EXPECT_EQ(outcome.block, "box");
+  EXPECT_NE(outcome.reason.find("the Jacobian of a corner is"), std::string::npos) << outcome.reason;
+  EXPECT_GT(s.state.quality[0].corner, -0.5) << "it has looked in time";
+  EXPECT_EQ(s.state.quality[0].time, s.state.t);
+}
+
 TEST(Quality, OfANodePushedThroughItsElementsIsAnInvertedCornerAndHourglassEnergy) {
   Scene s = pushed(1);
   Time time;
-  time.end = 1.2, time.created_limit = time.overlap_limit = 1e300;  // it goes out at the bottom, too
+  time.end = 1.2, time.created_limit = time.overlap_limit = 1e300, time.corner_limit = -1e300;  // it goes out at the bottom, too
   EXPECT_TRUE(good(run(s.model, s.state, s.forces, time, 0.01).ending)) << "volumes stay positive";
   EXPECT_LT(s.state.quality[0].corner, 0);
   EXPECT_GE(s.state.quality[0].element, 4) << "one of the upper four";
@@ -44,7 +57,7 @@ TEST(Quality, OfANodePushedThroughItsElementsIsAnInvertedCornerAndHourglassEnerg
 TEST(Quality, OfCornersIsSeenInAShortRunToo) {
   Scene s = pushed(1, 0.8);
   Time time;
-  time.end = 1.5, time.created_limit = time.overlap_limit = 1e300, time.audit_every = 0.1;
+  time.end = 1.5, time.created_limit = time.overlap_limit = 1e300, time.corner_limit = -1e300, time.audit_every = 0.1;
   run(s.model, s.state, s.forces, time, 0.01);
   EXPECT_LT(s.state.step, corners_every);
   EXPECT_LT(s.state.quality[0].corner, 0);
@@ -55,7 +68,7 @@ TEST(Quality, OfCornersIsSeenInAShortRunToo) {
 TEST(Quality, OfAnInvertedCornerHasABodyLookedAtForOverlapsWithItself) {
   Scene s = pushed(1);
   Time time;
-  time.end = 1.2, time.created_limit = time.overlap_limit = 1e300, time.audit_every = 0.1;
+  time.end = 1.2, time.created_limit = time.overlap_limit = 1e300, time.corner_limit = -1e300, time.audit_every = 0.1;
   std::vector<std::int64_t> looks;
   const Observer see = [&](const View& view) {
     const Progress& progress = view.now.progress;

@@ -1473,7 +1473,8 @@ void expect_resumed_bits(Scene s, int steps, const std::vector<Probe>& probes = 
   State trial = s.state, kept;
   start(s.model, trial, s.forces);
   Time time;
-  time.end = steps * choose_step(trial.votes, time.safety).dt, time.created_limit = time.overlap_limit = 1e300;
+  time.end = steps * choose_step(trial.votes, time.safety).dt;
+  time.created_limit = time.overlap_limit = 1e300, time.corner_limit = -1e300;
   const Observer keep = [&](const View& view) {
     if (view.now.step == steps / 3) kept = view.now;
   };
