@@ -8,7 +8,7 @@ namespace nereid::dynamics {
 
 namespace {
 
-constexpr double most_turn = 0.02;  // [rad] in a step: the phase of a rotation is then off by 3e-5 of it
+constexpr double most_turn = 0.02;  // [rad] in a step: the phase of a free rotation is then off by 1e-8 of it
 
 /// Calls visit(place, body, state, forces) for each rigid body.
 template <class Visit>

@@ -10,7 +10,8 @@
 //     S' = S + dt S_m x W,   S_m = (S + S')/2,   W = J^-1 S_m,   R' = R cay(dt W),       S = R^T L
 //
 // whose turn takes S to S', so L is exact; it keeps every quadratic invariant, so S . J^-1 S, twice the energy, is exact too, whatever the
-// step (Simo & Wong, Int. J. Numer. Meth. Eng. 31 (1991) 19; Austin, Krishnaprasad & Wang, J. Comput. Phys. 107 (1993) 105).
+// step (Simo & Wong, Int. J. Numer. Meth. Eng. 31 (1991) 19; Austin, Krishnaprasad & Wang, J. Comput. Phys. 107 (1993) 105). A step has
+// three such parts, forth, back and forth, whose lengths make it of fourth order (Yoshida, Phys. Lett. A 150 (1990) 262).
 // docs/theory/rigid.md
 
 #include <string>
