@@ -192,15 +192,15 @@ contact::RigidNodes* see_rigid_bodies(const Model& model, double h, double next,
     const rigid::Body& body = model.rigid_bodies[b];
     const HeldBody& held = model.held_bodies[b];
     contact::MovingBody& moving = f.rigid_nodes.bodies[b];
-    const double t = now.t + 0.5 * next;
+    const double step = h > 0 ? next : 0, t = now.t + 0.5 * step;
     if (held.driver >= 0) {
-      contact::begin_driven(body, now.rigid_bodies[b], driven_twist(model.constraints.planes[held.driver], body, t), moving);
+      contact::begin_driven(body, now.rigid_bodies[b], driven_twist(model.constraints.planes[held.driver], body, t), step, moving);
       continue;
     }
     rigid::State state = now.rigid_bodies[b];
     const RigidForces& forces = f.rigid_bodies[b];
     set_momenta(model, b, h * forces.force, h * moment_of(forces, state.turn), t, state);
-    contact::begin(body, state, next, moving);
+    contact::begin(body, state, step, moving);
   }
   return &f.rigid_nodes;
 }

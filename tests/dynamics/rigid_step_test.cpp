@@ -144,6 +144,31 @@ TEST(RigidStep, BodiesThatCollideKeepMomentumAndEnergy) {
     }
 }
 
+TEST(RigidStep, WhatItsTurnStopsAtTheStartIsAccountedFor) {
+  for (const bool driven : {false, true}) {
+    Scene s = blocks({{0, 0, 0}, {0.1, 0, 0}}, {1, 0});  // they touch
+    s.model.longest_step = 5e-6;
+    if (driven) {
+      load::Plane driver = plane("driver", load::PlaneKind::driven, Vec3::UnitZ(), mesh::node_set(s.model.mesh, "a"));
+      driver.field[0] = [](double, double, double, double t) { return 10 + 1e5 * t; };
+      driver.angular_velocity[2] = [](double, double, double, double) { return 300.0; };
+      s.model.constraints.planes = {driver};
+      s.model.held_bodies[0] = {.rows = {}, .first = -1, .driver = 0};
+    }
+    finalize(s.model);
+    InterfaceOptions options;
+    options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
+    options.method = contact::Method::multiplier;
+    options.friction.coefficient = 0.2;
+    s.joined("touch", "b.x_low", "a.x_high", options);
+    s.ready();
+    spin(s, "a", {10, 0, 0}, {0, 50, 300}, {0.05, 0.1, 0.025});
+    s.run_to(1e-4);
+    EXPECT_GT(s.state.interfaces[0].impulse.norm(), 1);
+    expect_balance(s, 100 * s.state.ledger.initial_kinetic, 100 * s.state.ledger.initial_momentum.norm());
+  }
+}
+
 TEST(RigidStep, EqualBallsOfOneNodeEachExchangeTheirVelocities) {
   // face to face and through the centres: the first stops
   Scene s = blocks({{0, 0, 0}, {0.11, 0, 0}}, {1, 1});
