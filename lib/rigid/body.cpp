@@ -141,6 +141,11 @@ Vec3 velocity_at(const Twist& twist, const Vec3& arm, double dt) {
   return twist.velocity + (along + 0.5 * dt * twist.spin.cross(along)) / (1 + 0.25 * dt * dt * twist.spin.squaredNorm());
 }
 
+Mat3 turn_in_step(const Twist& twist, const Turn& before, double dt) {
+  const Mat3 w = cross_matrix(twist.spin);
+  return dt / (1 + 0.25 * dt * dt * twist.spin.squaredNorm()) * (w + 0.5 * dt * w * w) * matrix(before);
+}
+
 void place_nodes(const Body& body, const State& now, const Vectors& X, Vectors& x) {
   for (std::size_t i = 0; i < body.nodes.size(); ++i) {
     const Index node = body.nodes[i];

@@ -89,6 +89,9 @@ void drift(const Body&, const Twist&, double dt, State&);
 ///     V + (w x r + dt/2 w x (w x r)) / (1 + |dt w|^2/4):    dt times it is exactly the way of the point
 Vec3 velocity_at(const Twist&, const Vec3& arm, double dt);
 
+/// R' - R of a step from this rotation, to the last digit of the difference; with the formula above of every point.
+Mat3 turn_in_step(const Twist&, const Turn& before, double dt);
+
 /// Positions of the nodes. [m] [3 x nodes of the mesh]
 void place_nodes(const Body&, const State&, const Vectors& X, Vectors& x);
 /// Their velocities at this instant. [m/s]

@@ -109,7 +109,9 @@ TEST(RigidBody, NodesStayWhereTheyAreInIt) {
     before = x;
     const rigid::Twist twist = rigid::twist_of(body, now, dt);
     const Vec3 centre = rigid::centre(body, now);
+    const Mat3 R = rigid::matrix(now.turn), turned = rigid::turn_in_step(twist, now.turn, dt);
     rigid::drift(body, twist, dt, now);
+    EXPECT_LT((rigid::matrix(now.turn) - R - turned).norm(), 1e-14);
     rigid::place_nodes(body, now, X, x);
     for (int i = 0; i < 4; ++i)
       EXPECT_LT((x.col(i) - before.col(i) - dt * rigid::velocity_at(twist, before.col(i) - centre, dt)).norm(), 1e-11);
