@@ -184,6 +184,24 @@ TEST(RigidStep, EqualBallsOfOneNodeEachExchangeTheirVelocities) {
   EXPECT_NEAR(s.state.rigid_bodies[1].momentum.x(), s.model.rigid_bodies[1].mass.mass, 1e-5 * s.model.rigid_bodies[1].mass.mass);
 }
 
+TEST(RigidStep, BodiesPartWithTheirRestitution) {
+  for (const double restitution : {0.3, 0.5, 0.9}) {
+    Scene s = blocks({{0, 0, 0}, {0.11, 0, 0}}, {1, 1});
+    s.model.longest_step = 1e-4;
+    finalize(s.model);
+    InterfaceOptions options;
+    options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
+    options.method = contact::Method::multiplier;
+    options.restitution = restitution;
+    s.joined("touch", "b.x_low", "a.x_high", options);
+    s.ready();
+    spin(s, "a", {1, 0, 0}, Vec3::Zero(), Vec3::Zero());
+    s.run_to(0.03);
+    const double parted = (s.state.rigid_bodies[1].momentum - s.state.rigid_bodies[0].momentum).x() / s.model.rigid_bodies[0].mass.mass;
+    EXPECT_NEAR(parted, restitution, 2e-3);  // the step of the first touch ends where they meet, so that a little speed is left
+  }
+}
+
 TEST(RigidStep, APlaneHoldsAFaceAndTakesItsReaction) {
   Scene s = blocks({{0, 0, 0}}, {1});
   rigid::Body& body = s.model.rigid_bodies[0];
