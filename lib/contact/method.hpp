@@ -12,6 +12,7 @@ enum class Method {
 /// What a multiplier has taken from a node that it stopped, and gives back at its release: docs/theory/multipliers.md.
 struct Restitution {
   double held = 0;        ///< [J]; negative: a deficit, more than it held was given
+  double kept = 0;        ///< [J] part of it that is given back whole: its loss was taken at an earlier release
   double mean_force = 0;  ///< [N] over twice the time that a wave takes through the node's own mass
   double last_loss = 0;   ///< [s] when it last took energy
 };

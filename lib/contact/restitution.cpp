@@ -47,9 +47,10 @@ void release(const Motion& m, double t, Multipliers& all) {
     if (pressed > 0 && (t - memory.last_loss < time - 0.5 * h || memory.mean_force >= own)) continue;
     const Gain by = gain(c, rate(c, all.velocity));
     if (by.B < 0) continue;  // on its way in
-    c.change = by.impulse_for(one.square * left);
-    one.lost = (1 - one.square) * left;
-    one.work += one.square * left;
+    one.lost = (1 - one.square) * std::max(0.0, left - memory.kept);
+    one.memory->kept = left - one.lost;
+    c.change = by.impulse_for(left - one.lost);
+    one.work += left - one.lost;
     any = any || c.change > 0;
   }
   if (!any) return;
@@ -84,6 +85,7 @@ double update_restitution(const Motion& m, double t, Pool& pool, Multipliers& al
     Restitution& memory = *one.memory;
     if (-one.work > small_loss * memory.held) memory.last_loss = t;
     memory.held -= one.work + one.lost;
+    memory.kept = std::clamp(memory.held, 0.0, memory.kept);
     pool.owes = pool.owes || memory.held < 0;
     lost += one.lost;
     const double pressed = impulse_of(one, all) / h;

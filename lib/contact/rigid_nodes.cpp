@@ -129,22 +129,24 @@ void begin(const rigid::Body& body, const rigid::State& state, double next, Movi
   moving.shift = rigid::response_of_shift(body);
   moving.turn = rigid::response_of_spin(body, state);
   moving.state = state;
+  moving.next = next;
   moving.twist = rigid::twist_of(body, state, next);
 }
 
-void begin_driven(const rigid::Body& body, const rigid::State& state, const rigid::Twist& twist, MovingBody& moving) {
+void begin_driven(const rigid::Body& body, const rigid::State& state, const rigid::Twist& twist, double next, MovingBody& moving) {
   moving.body = &body;
   moving.driven = true;
   moving.centre = rigid::centre(body, state);
   moving.shift.setZero(), moving.turn.setZero();
   moving.state = state;
+  moving.next = next;
   moving.twist = twist;
 }
 
 void look_ahead(RigidNodes& all, const Motion& m, Multipliers& multipliers) {
   for (MovingBody& body : all.bodies) {
     for (const Index node : body.nodes)
-      multipliers.velocity.col(node) = rigid::velocity_at(body.twist, m.x.col(node) - body.centre, m.next);
+      multipliers.velocity.col(node) = rigid::velocity_at(body.twist, m.x.col(node) - body.centre, body.next);
     see_ahead(body.nodes, m, multipliers);
   }
 }
@@ -154,7 +156,7 @@ void settle(RigidNodes& all, const Motion& m, Vectors& velocity) {
     Vec3 impulse = Vec3::Zero(), angular = Vec3::Zero();
     bool moved = false;
     for (const Index node : body.nodes) {
-      const Vec3 r = m.x.col(node) - body.centre, change = velocity.col(node) - rigid::velocity_at(body.twist, r, m.next);
+      const Vec3 r = m.x.col(node) - body.centre, change = velocity.col(node) - rigid::velocity_at(body.twist, r, body.next);
       if (change.isZero(0)) continue;
       const Vec3 one = m.mass(node) * change;
       impulse += one, angular += r.cross(one);
@@ -163,9 +165,9 @@ void settle(RigidNodes& all, const Motion& m, Vectors& velocity) {
     if (!moved) continue;
     if (!body.driven) {
       rigid::kick(*body.body, impulse, angular, body.state);
-      body.twist = rigid::twist_of(*body.body, body.state, m.next);
+      body.twist = rigid::twist_of(*body.body, body.state, body.next);
     }
-    for (const Index node : body.nodes) velocity.col(node) = rigid::velocity_at(body.twist, m.x.col(node) - body.centre, m.next);
+    for (const Index node : body.nodes) velocity.col(node) = rigid::velocity_at(body.twist, m.x.col(node) - body.centre, body.next);
   }
 }
 

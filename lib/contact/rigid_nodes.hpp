@@ -22,7 +22,8 @@ struct MovingBody {
   Vec3 centre = Vec3::Zero();    ///< [m] at t
   Mat3 shift, turn;              ///< [1/kg] [1/(kg m2)] what impulses do to its velocity and spin; zero if it is driven
   rigid::State state;            ///< at t, with the momenta that all impulses so far lead to
-  rigid::Twist twist;            ///< what follows from them for the step to come
+  double next = 0;               ///< [s] of the step to come, along which nodes go straight; 0: velocities are those of this instant
+  rigid::Twist twist;            ///< what follows from them for that step
   bool driven = false;           ///< nothing changes its twist
 };
 
@@ -36,10 +37,10 @@ RigidNodes make_rigid_nodes(std::span<const Interface>, std::span<const RigidPla
 
 /// Begins a body in the step to come: what impulses do to it, and its twist.
 ///
-/// state  at t, with the momenta that all forces but multipliers lead to
+/// state  at t, with the momenta that all forces but multipliers lead to;  next  [s] of the step, or 0 for velocities of this instant
 void begin(const rigid::Body&, const rigid::State&, double next, MovingBody&);
 /// The same of a body whose twist is prescribed.
-void begin_driven(const rigid::Body&, const rigid::State&, const rigid::Twist&, MovingBody&);
+void begin_driven(const rigid::Body&, const rigid::State&, const rigid::Twist&, double next, MovingBody&);
 
 /// Sets the velocities of the nodes in the step to come, and where they will be.
 void look_ahead(RigidNodes&, const Motion&, Multipliers&);

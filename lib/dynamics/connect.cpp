@@ -91,6 +91,20 @@ bool rotates(const Model& model, const mesh::Surface& surface) {
   return node >= 0 && model.rotation_of_node[node] >= 0;
 }
 
+/// Whether a surface is of a rigid body.
+bool is_rigid(const Model& model, const mesh::Surface& surface) {
+  const Index node = surface.facets.size() > 0 ? surface.facets(0, 0) : -1;
+  return std::any_of(model.rigid_bodies.begin(), model.rigid_bodies.end(),
+                     [&](const rigid::Body& body) { return std::binary_search(body.nodes.begin(), body.nodes.end(), node); });
+}
+
+/// Stiffness of the softer of two sides; a rigid body gives way nowhere, and only between two of them its modulus counts. [Pa/m]
+double softer_stiffness(const Model& model, const mesh::Surface& apexes, const mesh::Surface& base) {
+  const double of_apexes = surface_stiffness(model, apexes), of_base = surface_stiffness(model, base);
+  if (is_rigid(model, apexes) == is_rigid(model, base)) return std::min(of_apexes, of_base);
+  return is_rigid(model, apexes) ? of_base : of_apexes;
+}
+
 /// Half the thickness of the plates of a surface. [m]
 double half_thickness(const Model& model, const mesh::Surface& surface) {
   for (const auto& block : model.blocks) {
@@ -133,8 +147,7 @@ Connected connect_one_pass(Model& model, const std::string& name, const std::str
   interface.area = mesh::tributary_areas(model.mesh, apexes, interface.apexes);
   interface.faces = mesh::faces_around(model.mesh, apexes, interface.apexes);
   interface.facet_area = mesh::facet_areas(model.mesh, base);
-  const double softer = std::min(surface_stiffness(model, apexes), surface_stiffness(model, base));
-  interface.penalty = share * options.penalty.value_or(options.penalty_scale * softer);
+  interface.penalty = share * options.penalty.value_or(options.penalty_scale * softer_stiffness(model, apexes, base));
   check(interface.penalty > 0, "an interface needs a penalty or elements on both sides");
   interface.impact_step_factor = contact::impact_step_factor_for(options.energy_gain_limit);
   interface.first_step_factor = options.step_factor;

@@ -168,7 +168,6 @@ Forces make_forces(const Model& model) {
       forces.driven = Vectors::Zero(3, model.mesh.X.cols());
   }
   forces.rigid_bodies.resize(model.rigid_bodies.size());
-  forces.rigid_before.resize(model.rigid_bodies.size());
   if (!model.rigid_bodies.empty())
     forces.rigid_nodes = contact::make_rigid_nodes(model.interfaces, model.rigid_planes, model.rigid_bodies, model.rigid_of_node);
   if (model.relaxation) forces.source_force = forces.force, forces.source_moment = forces.moment;

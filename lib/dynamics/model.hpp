@@ -156,6 +156,8 @@ struct RigidForces {
   double work = 0;             ///< [J] of half of the forces at the start and half of those at the end
   double driven = 0;           ///< [J] by planes that move it
   double square = 0;           ///< [W/s] F.F/m + M.J^-1.M at the start, of what is free to move
+  Vec3 way = Vec3::Zero();     ///< [m] of the centre in the step
+  Mat3 turned = Mat3::Zero();  ///< [-] what the step changed in the rotation
 };
 
 /// Sums and scratch of a step; resume() makes them from model and state.
@@ -173,7 +175,6 @@ struct Forces {
   std::vector<const Mat3*> allowed, allowed_rotation;  ///< [nodes] [plate nodes] for multipliers: null or a projector in the state
   Vectors driven;                                  ///< [m/s] for them too: what planes that move change in velocities; empty if none moves
   std::vector<RigidForces> rigid_bodies;           ///< beside Model::rigid_bodies
-  std::vector<rigid::State> rigid_before;          ///< the same at the start of the step
   contact::RigidNodes rigid_nodes;                 ///< for multipliers
   Vectors source_force, source_moment;             ///< only while a model relaxes: of one source, or all that resist
 };

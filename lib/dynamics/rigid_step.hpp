@@ -35,7 +35,8 @@ double finish_rigid_step(const Model&, double dt, State&, Forces&);
 
 /// Tells multipliers how bodies go on, by the forces so far; null without bodies.
 ///
-/// h     [s] for which the forces act from the middle of the step that led here;  next  [s] of the step to come
+/// h     [s] for which the forces act from the middle of the step that led here; 0 at the start, where velocities are those of t
+/// next  [s] of the step to come
 contact::RigidNodes* see_rigid_bodies(const Model&, double h, double next, const State&, Forces&);
 
 /// Gives bodies impulses at their nodes. [N s]

@@ -73,6 +73,23 @@ void set_rows(const Scene& scene, const load::Constraints& constraints, const st
   for (std::size_t r = 0; r < held.rows.size(); ++r) held.rows[r].reaction = inverse.row(static_cast<Eigen::Index>(r)).transpose();
 }
 
+/// Whether a prescribed velocity is the same at all nodes of a body: at the start, at the end and between.
+bool is_uniform(const Field& field, const rigid::Body& body, double end) {
+  const auto at = [&](int axis, const Vec3& X, double t) { return field[axis] ? field[axis](X.x(), X.y(), X.z(), t) : 0; };
+  const Vec3& C = body.mass.centre;
+  for (const double t : {0.0, 0.3 * end, end}) {
+    double most = 0, off = 0;
+    for (int axis = 0; axis < 3; ++axis)
+      for (Eigen::Index i = 0; i < body.arm.cols(); ++i) {
+        const double here = at(axis, C + body.arm.col(i), t);
+        most = std::max(most, std::abs(here));
+        off = std::max(off, std::abs(here - at(axis, C, t)));
+      }
+    if (off > round_off * most) return false;
+  }
+  return true;
+}
+
 /// What the planes of the scene do to a body.
 dynamics::HeldBody hold(const Scene& scene, const load::Constraints& constraints, rigid::Body& body, Faults& faults) {
   dynamics::HeldBody held;
@@ -97,6 +114,13 @@ dynamics::HeldBody hold(const Scene& scene, const load::Constraints& constraints
       planes.push_back(static_cast<int>(p));
     else if (count < body.nodes.size())
       refuse(faults, here, "nodes", quote(plane.name) + " drives a part of the rigid body " + quote(body.name) + ": name the whole body");
+    else if (!is_uniform(plane.field, body, scene.time.end))
+      refuse(faults, here, "velocity",
+             "the velocity of " + quote(plane.name) + " differs over the rigid body " + quote(body.name) +
+                 ": give that of its centre, and its spin as 'angular_velocity'");
+    else if (!is_uniform(plane.angular_velocity, body, scene.time.end))
+      refuse(faults, here, "angular_velocity",
+             "the angular velocity of " + quote(plane.name) + " differs over the rigid body " + quote(body.name) + ", which has one only");
     else if (held.driver < 0)
       held.driver = static_cast<int>(p);
   }

@@ -10,7 +10,8 @@
 //     S' = S + dt S_m x W,   S_m = (S + S')/2,   W = J^-1 S_m,   R' = R cay(dt W),       S = R^T L
 //
 // whose turn takes S to S', so L is exact; it keeps every quadratic invariant, so S . J^-1 S, twice the energy, is exact too, whatever the
-// step (Simo & Wong, Int. J. Numer. Meth. Eng. 31 (1991) 19; Austin, Krishnaprasad & Wang, J. Comput. Phys. 107 (1993) 105).
+// step (Simo & Wong, Int. J. Numer. Meth. Eng. 31 (1991) 19; Austin, Krishnaprasad & Wang, J. Comput. Phys. 107 (1993) 105). A step has
+// three such parts, forth, back and forth, whose lengths make it of fourth order (Yoshida, Phys. Lett. A 150 (1990) 262).
 // docs/theory/rigid.md
 
 #include <string>
@@ -87,6 +88,9 @@ void drift(const Body&, const Twist&, double dt, State&);
 ///
 ///     V + (w x r + dt/2 w x (w x r)) / (1 + |dt w|^2/4):    dt times it is exactly the way of the point
 Vec3 velocity_at(const Twist&, const Vec3& arm, double dt);
+
+/// R' - R of a step from this rotation, to the last digit of the difference; with the formula above of every point.
+Mat3 turn_in_step(const Twist&, const Turn& before, double dt);
 
 /// Positions of the nodes. [m] [3 x nodes of the mesh]
 void place_nodes(const Body&, const State&, const Vectors& X, Vectors& x);

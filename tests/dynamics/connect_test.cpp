@@ -110,6 +110,23 @@ TEST(SurfaceStiffness, OfASurfaceWithoutElementsIsZero) {
   EXPECT_EQ(surface_stiffness(model, mesh::surface(model.mesh, "above.z_low")), 0);
 }
 
+TEST(Connect, ThePenaltyOfARigidBodyIsThatOfTheOtherSide) {
+  for (const int rigid : {0, 1, 2}) {  // the soft one below, the hard one above, both
+    Model model = two_boxes(0.01);
+    model.rigid_of_block = {rigid == 1 ? -1 : 0, rigid == 0 ? -1 : rigid == 1 ? 0 : 1};
+    for (const char* name : {"below", "above"})
+      if (rigid == 2 || (rigid == 0) == (std::string_view(name) == "below"))
+        model.rigid_bodies.push_back(
+            rigid::make_body(name, {1, Vec3::Zero(), Mat3::Identity()}, model.mesh.X, mesh::node_set(model.mesh, name)));
+    model.held_bodies.resize(model.rigid_bodies.size());
+    model.longest_step = 1e-3;
+    finalize(model);
+    connect(model, "joint", "above.z_low", "below.z_high", {});
+    const double soft_side = modulus(soft) / 0.1, hard_side = modulus(hard) / 0.3;
+    EXPECT_NEAR(model.interfaces[0].penalty / (20 * (rigid == 0 ? hard_side : soft_side)), 1, 1e-12) << rigid;
+  }
+}
+
 TEST(Connect, ThePenaltyChosenIsHardnessTimesTheSofterSide) {
   for (const bool swapped : {false, true}) {
     Model model = two_boxes(0.01);

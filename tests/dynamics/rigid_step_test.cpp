@@ -144,6 +144,31 @@ TEST(RigidStep, BodiesThatCollideKeepMomentumAndEnergy) {
     }
 }
 
+TEST(RigidStep, WhatItsTurnStopsAtTheStartIsAccountedFor) {
+  for (const bool driven : {false, true}) {
+    Scene s = blocks({{0, 0, 0}, {0.1, 0, 0}}, {1, 0});  // they touch
+    s.model.longest_step = 5e-6;
+    if (driven) {
+      load::Plane driver = plane("driver", load::PlaneKind::driven, Vec3::UnitZ(), mesh::node_set(s.model.mesh, "a"));
+      driver.field[0] = [](double, double, double, double t) { return 10 + 1e5 * t; };
+      driver.angular_velocity[2] = [](double, double, double, double) { return 300.0; };
+      s.model.constraints.planes = {driver};
+      s.model.held_bodies[0] = {.rows = {}, .first = -1, .driver = 0};
+    }
+    finalize(s.model);
+    InterfaceOptions options;
+    options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
+    options.method = contact::Method::multiplier;
+    options.friction.coefficient = 0.2;
+    s.joined("touch", "b.x_low", "a.x_high", options);
+    s.ready();
+    spin(s, "a", {10, 0, 0}, {0, 50, 300}, {0.05, 0.1, 0.025});
+    s.run_to(1e-4);
+    EXPECT_GT(s.state.interfaces[0].impulse.norm(), 1);
+    expect_balance(s, 100 * s.state.ledger.initial_kinetic, 100 * s.state.ledger.initial_momentum.norm());
+  }
+}
+
 TEST(RigidStep, EqualBallsOfOneNodeEachExchangeTheirVelocities) {
   // face to face and through the centres: the first stops
   Scene s = blocks({{0, 0, 0}, {0.11, 0, 0}}, {1, 1});
@@ -157,6 +182,24 @@ TEST(RigidStep, EqualBallsOfOneNodeEachExchangeTheirVelocities) {
   s.run_to(0.03);
   EXPECT_NEAR(s.state.rigid_bodies[0].momentum.x(), 0, 1e-5 * s.model.rigid_bodies[0].mass.mass);
   EXPECT_NEAR(s.state.rigid_bodies[1].momentum.x(), s.model.rigid_bodies[1].mass.mass, 1e-5 * s.model.rigid_bodies[1].mass.mass);
+}
+
+TEST(RigidStep, BodiesPartWithTheirRestitution) {
+  for (const double restitution : {0.3, 0.5, 0.9}) {
+    Scene s = blocks({{0, 0, 0}, {0.11, 0, 0}}, {1, 1});
+    s.model.longest_step = 1e-4;
+    finalize(s.model);
+    InterfaceOptions options;
+    options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
+    options.method = contact::Method::multiplier;
+    options.restitution = restitution;
+    s.joined("touch", "b.x_low", "a.x_high", options);
+    s.ready();
+    spin(s, "a", {1, 0, 0}, Vec3::Zero(), Vec3::Zero());
+    s.run_to(0.03);
+    const double parted = (s.state.rigid_bodies[1].momentum - s.state.rigid_bodies[0].momentum).x() / s.model.rigid_bodies[0].mass.mass;
+    EXPECT_NEAR(parted, restitution, 2e-3);  // the step of the first touch ends where they meet, so that a little speed is left
+  }
 }
 
 TEST(RigidStep, APlaneHoldsAFaceAndTakesItsReaction) {

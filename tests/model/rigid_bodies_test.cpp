@@ -53,6 +53,11 @@ TEST(RigidBodies, AreRefusedWhatTheyCannotDo) {
   EXPECT_TRUE(says(refusal(scene), "not about one axis through its centre"));
   scene.planes = {{.name = "spin", .kind = load::PlaneKind::driven, .nodes = {"bar.x_low"}, .field = uniform(Vec3::UnitX())}};
   EXPECT_TRUE(says(refusal(scene), "plane 'spin': 'spin' drives a part of the rigid body 'bar'"));
+  scene.planes[0].nodes = {"bar"};
+  scene.planes[0].field[1] = [](double x, double, double, double t) { return x * t; };
+  EXPECT_TRUE(says(refusal(scene), "plane 'spin': the velocity of 'spin' differs over the rigid body 'bar'"));
+  scene.planes[0].field[1] = [](double, double, double, double t) { return t; };
+  EXPECT_EQ(refusal(scene), "");
   scene.planes.clear();
   scene.initial = {{.body = "bar", .value = {[](double x, double, double, double) { return x; }, constant(0), constant(0)}}};
   EXPECT_TRUE(says(refusal(scene), "the velocity is no rigid motion of 'bar'"));
