@@ -22,6 +22,10 @@ void see_quality(const Model& model, bool look, State& now) {
     seen.hourglass = std::max(seen.hourglass, account.stored[Stored::hourglass] + account.dissipated[Dissipated::hourglass]);
     seen.internal = std::max(seen.internal, stored(account) + dissipated(account));
     if (!looks || is_rigid_block(model, b)) continue;
+    if (element::thickness(model.blocks[b]) > 0 && !element::thins(model.blocks[b])) {
+      const element::Thinned thinned = element::thinned(model.blocks[b], now.x, now.blocks[b]);
+      if (std::abs(std::log(thinned.ratio)) > std::abs(std::log(seen.thinned.ratio))) seen.thinned = thinned, seen.thinned_at = now.t;
+    }
     const element::Corner corner = element::smallest_corner(model.blocks[b], model.mesh.X, now.x);
     seen.inverted = corner.element >= 0 && !(corner.ratio > 0);
     if (corner.element < 0 || !(corner.ratio < seen.corner)) continue;

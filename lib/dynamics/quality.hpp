@@ -1,5 +1,6 @@
 #pragma once
-// The quality of elements during a run: inverted corners and hourglass energy, which stop nothing and spoil results.
+// The quality of elements during a run: inverted corners, hourglass energy and thicknesses that should have changed, which stop nothing and
+// spoil results.
 
 #include "dynamics/model.hpp"
 

@@ -142,7 +142,8 @@ std::vector<std::string> overlap_notes(const Simulation& simulation) {
 }
 
 std::vector<std::string> quality_notes(const Simulation& simulation) {
-  constexpr double worth_saying = 0.1;  // [-] the usual bound on hourglass energy
+  constexpr double worth_saying = 0.1;             // [-] the usual bound on hourglass energy
+  constexpr double thickness_worth_saying = 1.05;  // [-] a bar has that at a plastic strain of a tenth
   std::vector<std::string> notes;
   const double scale = dynamics::energy_scale(simulation.state.ledger);
   for (std::size_t b = 0; b < simulation.model.blocks.size(); ++b) {
@@ -152,6 +153,10 @@ std::vector<std::string> quality_notes(const Simulation& simulation) {
       notes.push_back(row("%s: a corner of element %d was inverted, its Jacobian %.3g of the reference at %.4g s, which the volume does "
                           "not show: the mesh is too coarse there or the load acts on one node",
                           name, seen.element, seen.corner, seen.time));
+    if (std::abs(std::log(seen.thinned.ratio)) > std::log(thickness_worth_saying))
+      notes.push_back(row("%s: plates keep their thickness, and the strain of element %d asks for %.3g of it at %.4g s: its forces are off "
+                          "by as much; 'thinning: follows_strain' lets the thickness change",
+                          name, seen.thinned.element, seen.thinned.ratio, seen.thinned_at));
     const double fraction = dynamics::hourglass_fraction(seen, scale);
     if (fraction > worth_saying)
       notes.push_back(row("%s: hourglass energy reached %.3g of the internal energy; above %.3g the bending of single elements decides the "

@@ -4,6 +4,7 @@
 
 #include "dynamics/overlaps.hpp"
 #include "mesh/box.hpp"
+#include "mesh/disc.hpp"
 #include "tests/dynamics/scene.hpp"
 
 namespace nereid::dynamics {
@@ -39,6 +40,28 @@ TEST(Quality, OfANodePushedThroughItsElementsIsAnInvertedCornerAndHourglassEnerg
   EXPECT_GE(s.state.quality[0].element, 4) << "one of the upper four";
   EXPECT_GT(s.state.quality[0].time, 0.5);
   EXPECT_GT(hourglass_fraction(s.state.quality[0], energy_scale(s.state.ledger)), 0.1);
+}
+
+TEST(Quality, OfPlatesThatKeepTheirThicknessIsHowFarItIsOff) {
+  for (const auto thinning : {element::Plate::Thinning::constant, element::Plate::Thinning::by_law}) {
+    Scene s;
+    s.model.mesh = mesh::sheet("sheet", {1, 1, 2, 2, mesh::Cuts::columns});
+    const material::J2Bilinear metal{1000, 1e9, 0.3, {1e6, 1e7}};
+    s.model.blocks.push_back(element::plates(s.model.mesh, "sheet", metal, {.thickness = 0.1, .viscosity = {}, .thinning = thinning}));
+    finalize(s.model);
+    s.ready();
+    for (Eigen::Index n = 0; n < s.state.v.cols(); ++n)
+      s.state.v.col(n) = 70 * (s.model.mesh.X.col(n) - Vec3(0.5, 0.5, 0)).cwiseProduct(Vec3(1, 1, 0));
+    s.run_to(0.01, 1e-3);
+    if (thinning == element::Plate::Thinning::by_law) {
+      EXPECT_EQ(s.state.quality[0].thinned.element, -1);
+      EXPECT_LT(s.state.tiles[0].thickness.mean(), 0.09);
+    } else {
+      EXPECT_GE(s.state.quality[0].thinned.element, 0);
+      EXPECT_LT(s.state.quality[0].thinned.ratio, 0.9);
+      EXPECT_GT(s.state.quality[0].thinned_at, 0);
+    }
+  }
 }
 
 TEST(Quality, OfCornersIsSeenInAShortRunToo) {

@@ -10,6 +10,7 @@
 #include <random>
 
 #include "base/types.hpp"
+#include "material/mixed_control.hpp"
 #include "tests/element/metal.hpp"
 
 namespace nereid::element {
@@ -96,7 +97,7 @@ struct Element {
       for (auto& tensor : memory.layers[l].internal.tensor)
         tensor = 0.3 * material::deviator(Plane<double>{stress * random(), stress * random(), stress * random()});
     }
-    memory.shear = {stress * random() * options.thickness, stress * random() * options.thickness};
+    memory.shear = {stress * random(), stress * random()};
   }
   double work(const Corners& du, const Corners& turn) const {
     return product(force, du) + product(moment, turn);
@@ -158,7 +159,7 @@ Resultants resultants(const Element<Law>& e) {
     r.membrane += e.layers.weight[l] * s;
     r.bending += e.layers.weight[l] * e.layers.z[l] * e.options.thickness * s;
   }
-  r.shear = Q * Eigen::Vector2d(e.memory.shear.x, e.memory.shear.y);
+  r.shear = e.options.thickness * Q * Eigen::Vector2d(e.memory.shear.x, e.memory.shear.y);
   return r;
 }
 
@@ -426,6 +427,96 @@ TYPED_TEST(PlateOf, InPlaneCompressionIsDampedByViscosity) {
   for (int a = 0; a < 3; ++a) du[a] = -1e-3 * (e.X[a] - centre);
   for (int step = 0; step < 5; ++step)
     EXPECT_GT(e.step(sum(e.x, du), du, Corners{}, 0.01)[Dissipated::viscous], 0);
+}
+
+// ------------------------------------------------------------------------------------------------
+// Thickness
+
+/// Stretches an element by strain increments xx and yy of the middle of each step.
+template <class Law>
+void stretch(Element<Law>& e, double xx, double yy) {
+  Corners to;
+  for (int a = 0; a < 3; ++a) to[a] = {e.x[a].x * (1 + xx / 2) / (1 - xx / 2), e.x[a].y * (1 + yy / 2) / (1 - yy / 2), 0};
+  e.step(to, sum(to, e.x, -1.0), Corners{});
+}
+
+TYPED_TEST(PlateOf, FollowsTheStrainThatItsLawHasInSpaceWhereTheThicknessIsFree) {
+  for (const auto& [xx, yy] : {std::pair{1e-3, -0.4e-3}, {1e-3, 1e-3}, {-0.5e-3, 0.1e-3}}) {
+    Plate::Options options = thick(0.1);
+    options.thinning = Plate::Thinning::follows_strain;
+    Element<TypeParam> e{metal<TypeParam>(), options, flat_triangle(1.0, 0.3, 0.8)};
+    auto point = material::point_of<Symmetric>(e.law);
+    for (int step = 0; step < 500; ++step) {
+      stretch(e, xx, yy);
+      material::Goal<Symmetric> goal;
+      goal.target[0] = xx * (step + 1), goal.target[1] = yy * (step + 1), goal.strain[2] = false;
+      ASSERT_TRUE(advance(e.law, goal, point).found);
+    }
+    const double theta = point.strain.xx + point.strain.yy + point.strain.zz;
+    const double thickness = thickness_left(e.law, e.layers, e.constants, e.x, e.memory);
+    // an increment a of the middle's strain is a logarithm of a + a^3/12
+    EXPECT_NEAR(std::log(thickness / 0.1), point.strain.zz, 1e-7 + 1.1 * std::pow(std::abs(theta), 5) / 720);
+  }
+}
+
+/// Work of the nodal forces on a path of stretch and bending far beyond yield, less what was stored and dissipated, over the work.
+template <class Law>
+double unbooked(int steps) {
+  Plate::Options options = thick(0.1);
+  options.thinning = Plate::Thinning::follows_strain;
+  Element<Law> e{metal<Law>(), options, flat_triangle(1.0, 0.3, 0.8)};
+  double work = 0, booked = 0;
+  for (int s = 0; s < steps; ++s) {
+    const double h = 0.5 / steps;
+    Corners to, turn{};
+    for (int a = 0; a < 3; ++a) {
+      to[a] = {e.x[a].x * (1 + h / 2) / (1 - h / 2), e.x[a].y * (1 - 0.1 * h) / (1 + 0.1 * h), 0};
+      turn[a] = {0, 0.4 * h * e.X[a].x, 0};
+    }
+    const Corners du = sum(to, e.x, -1.0), force = e.force, moment = e.moment;
+    const auto report = e.step(to, du, turn);
+    work -= 0.5 * (product(force, du) + product(moment, turn) + e.work(du, turn));
+    booked += report.stored[0] + report.stored[1] + report.dissipated[0];
+  }
+  return (work - booked) / work;
+}
+
+TYPED_TEST(PlateOf, ThinningDoesTheWorkThatItsLawStoresAndDissipates) {
+  const double coarse = unbooked<TypeParam>(500), fine = unbooked<TypeParam>(2000);
+  EXPECT_LT(std::abs(coarse), 1e-4);
+  EXPECT_LT(std::abs(fine), 0.15 * std::abs(coarse)) << "a trapezoid rule, of second order but at the step that yields first";
+}
+
+TYPED_TEST(PlateOf, ThatKeepsItsThicknessHasTheSameStressAndTheForcesOfItsThickness) {
+  Plate::Options keeps = thick(0.1), follows = thick(0.1);
+  keeps.thinning = Plate::Thinning::constant, follows.thinning = Plate::Thinning::follows_strain;
+  Element<TypeParam> one{metal<TypeParam>(), keeps, flat_triangle(1.0, 0.3, 0.8)}, other{metal<TypeParam>(), follows, one.X};
+  for (int step = 0; step < 100; ++step) stretch(one, 2e-3, 1e-3), stretch(other, 2e-3, 1e-3);
+  const double ratio = thickness_left(other.law, other.layers, other.constants, other.x, other.memory) / 0.1;
+  EXPECT_LT(ratio, 0.9);
+  EXPECT_EQ(one.memory.layers[0].stress.xx, other.memory.layers[0].stress.xx);
+  EXPECT_LT(largest(sum(other.force, one.force, -ratio)), 1e-12 * largest(one.force));
+}
+
+TEST(Plate, ThinsByItselfWhereItsLawFlows) {
+  EXPECT_FALSE(Plate::thins<Elastic>({.viscosity = {}}));
+  EXPECT_TRUE(Plate::thins<J2Bilinear>({.viscosity = {}}));
+  EXPECT_TRUE(Plate::thins<J2Mixed>({.viscosity = {}}));
+  EXPECT_FALSE(Plate::thins<J2Mixed>({.viscosity = {}, .thinning = Plate::Thinning::constant}));
+  EXPECT_TRUE(Plate::thins<Elastic>({.viscosity = {}, .thinning = Plate::Thinning::follows_strain}));
+}
+
+/// A plate that keeps its thickness gains volume and no mass: its step is that of the stiffness that it has.
+TEST(Plate, StretchedWithItsThicknessKeptHasAStepShorterByTheRootOfItsArea) {
+  Plate::Options options = thick(0.1);
+  options.thinning = Plate::Thinning::constant;
+  Element<J2Bilinear> e{metal<J2Bilinear>(), options, flat_triangle(1.0, 0.3, 0.8)};
+  for (int step = 0; step < 200; ++step) stretch(e, 3e-3, 3e-3);
+  const auto report = e.step(e.x, Corners{}, Corners{});
+  const PlateShape<double> now = plate_shape(e.x), before = plate_shape(e.X);
+  const auto bound = largest_frequencies_squared(material::lame(e.law), e.law.density, 0.1, e.constants.gyration, now);
+  const double worst = std::max(bound.membrane, bound.bending_and_shear);
+  EXPECT_NEAR(report.step, 2 / std::sqrt(worst) * std::sqrt(before.area / now.area), 1e-12 * report.step);
 }
 
 // ------------------------------------------------------------------------------------------------

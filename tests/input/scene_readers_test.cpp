@@ -45,6 +45,7 @@ TEST(ReadBody, TakesMeshMaterialAndElement) {
   EXPECT_TRUE(std::holds_alternative<element::Hexahedron::Options>(scene.bodies[0].solid));
   EXPECT_TRUE(model::has_plates(scene.bodies[1].mesh));
   EXPECT_EQ(scene.bodies[1].plate.thickness, 2e-3);
+  EXPECT_EQ(scene.bodies[1].plate.thinning, element::Plate::Thinning::by_law);
   EXPECT_EQ(scene.bodies[1].plate.layers, 3);
 }
 
