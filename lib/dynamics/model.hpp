@@ -113,6 +113,13 @@ struct Progress {
   double largest_step = 0;      ///< [s]
 };
 
+/// Kinetic energy of plate nodes that turn about their normals and faster than the plate around them, which nothing resists.
+struct Spin {
+  double energy = 0;  ///< [J] of all nodes of a block at one look
+  Index node = -1;    ///< the fastest of them
+  double time = 0;    ///< [s] when
+};
+
 /// What a run has seen of the elements of a block.
 struct Quality {
   double corner = 1;                   ///< [-] smallest corner Jacobian over that of the reference
@@ -122,6 +129,7 @@ struct Quality {
   bool inverted = false;               ///< whether a corner was at the last look
   element::Thinned thinned;            ///< of plates that keep their thickness: how far it is off at most, at any look
   double thinned_at = 0;               ///< [s] when
+  Spin spin;                           ///< of plates without drilling stiffness: the largest at any look
 };
 
 /// Where the simulation stands: exactly what a restart needs.

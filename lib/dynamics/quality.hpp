@@ -1,6 +1,6 @@
 #pragma once
-// The quality of elements during a run: inverted corners, hourglass energy and thicknesses that should have changed, which stop nothing and
-// spoil results.
+// The quality of elements during a run: inverted corners, hourglass energy, thicknesses that should have changed and nodes of plates that
+// spin about their normals, which stop nothing and spoil results.
 
 #include "dynamics/model.hpp"
 
@@ -8,6 +8,11 @@ namespace nereid::dynamics {
 
 /// Steps between two looks at the corners of all elements: less than a hundredth of the time of a step each.
 constexpr std::int64_t corners_every = 500;
+
+/// The energy of nodes of a block of plates that spin about their normals, beyond that of the plate's own rotation in its plane:
+///     sum over nodes of  1/2 inertia max(0, (omega . n)^2 - w^2)
+/// Where plates meet at an angle each resists the spin of the other: nodes whose normals differ by more than some degrees are left out.
+Spin free_spin(const Model&, std::size_t block, const State&);
 
 /// Notes what the elements of each block have come to. Needs a ledger that is current.
 ///

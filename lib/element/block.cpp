@@ -109,6 +109,15 @@ double thickness(const AnyBlock& any) {
   return std::visit([]<class Kind, class Law>(const Block<Kind, Law>& block) { return Kind::thickness(block.options); }, any);
 }
 
+double drilling(const AnyBlock& any) {
+  return std::visit(
+      []<class Kind, class Law>(const Block<Kind, Law>& block) {
+        if constexpr (Kind::layered) return block.options.drilling;
+        return 0.0;
+      },
+      any);
+}
+
 bool thins(const AnyBlock& any) {
   return std::visit(
       []<class Kind, class Law>(const Block<Kind, Law>& block) {

@@ -114,6 +114,8 @@ std::vector<Dissipated> dissipated_channels(const AnyBlock&);
 double depth(const AnyBlock&, const Vectors& X, Index element, double area);
 /// Distance between the two faces of plates in the reference; zero of solids. [m]
 double thickness(const AnyBlock&);
+/// Stiffness of spins about the normal of plates, over the shear modulus; zero of solids. [-]
+double drilling(const AnyBlock&);
 /// Whether the thickness of its elements follows their strain.
 bool thins(const AnyBlock&);
 /// Which of its plates has thinned most, or would have if its thickness followed its strain.

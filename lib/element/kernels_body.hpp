@@ -16,7 +16,7 @@ constexpr Index most_slots = 128 * 8;  // of a tile: 128 elements that share no 
 template <class Kind, class Law>
 int memory_rows(const Block<Kind, Law>& block) {
   if constexpr (Kind::layered) {
-    return Kind::template Memory<double, Law>::rows(block.layers.count);
+    return Kind::template Memory<double, Law>::rows(block.options);
   } else {
     return Kind::template Memory<double, Law>::rows;
   }
@@ -30,7 +30,7 @@ void each_row(const Block<Kind, Law>& block, Memory& memory, double* at, Visit&&
     at += lanes;
   };
   if constexpr (Kind::layered) {
-    memory.each_row(next, block.layers.count);
+    memory.each_row(next, block.options);
   } else {
     memory.each_row(next);
   }

@@ -111,7 +111,7 @@ Layers gauss_layers(int count);
 struct Plate {
   static constexpr int nodes = 3, dimensions = 2;
   static constexpr bool rotates = true, layered = true;
-  static constexpr std::array stored_channels{Stored::elastic, Stored::transverse_shear};
+  static constexpr std::array stored_channels{Stored::elastic, Stored::transverse_shear, Stored::drilling};
   static constexpr std::array dissipated_channels{Dissipated::plastic, Dissipated::viscous};
   static constexpr int most_layers = 9;
   static constexpr double shear_factor = 5.0 / 6.0;  ///< [-] of a homogeneous section
@@ -133,9 +133,10 @@ struct Plate {
     RotaryInertia rotary_inertia = RotaryInertia::scaled;
     Viscosity viscosity;
     Thinning thinning = Thinning::by_law;
+    double drilling = 0;  ///< [-] stiffness of spins about the normal, over the shear modulus
   };
 
-  static bool has(const Options&, Stored) { return true; }
+  static bool has(const Options& options, Stored channel) { return channel != Stored::drilling || options.drilling > 0; }
   static bool has(const Options&, Dissipated) { return true; }
   /// How deep the element is behind its face, whatever its volume and area. [m]
   static double depth(const Options& options, double, double) { return options.thickness; }
@@ -168,21 +169,24 @@ struct Plate {
     std::array<Layer<T, Law>, most_layers> layers;
     InPlane<T> shear;  ///< [Pa] transverse shear resultant per thickness
     T viscous;         ///< [Pa] viscous pressure in the plane, positive in compression
+    std::array<T, 3> drilling;  ///< [Pa] moments about the normal at the nodes per third of the volume; not stored without a stiffness
     template <class F>
-    void each_row(F&& f, int count) {
-      for (int l = 0; l < count; ++l) {
+    void each_row(F&& f, const Options& options) {
+      for (int l = 0; l < options.layers; ++l) {
         auto& layer = layers[l];
         layer.stress.each_row(f);
         layer.internal.each_row(f);
       }
       f(shear.x), f(shear.y), f(viscous);
+      if (options.drilling > 0)
+        for (T& each : drilling) f(each);
     }
     template <class F>
     void each_internal(F&& f) {
       for (auto& layer : layers) f(layer.internal);
     }
-    static constexpr int rows(int count) {
-      return count * (3 + material::Internal<T, Law, Plane>::rows) + 3;
+    static constexpr int rows(const Options& options) {
+      return options.layers * (3 + material::Internal<T, Law, Plane>::rows) + 3 + (options.drilling > 0 ? 3 : 0);
     }
   };
 };
@@ -252,11 +256,31 @@ NEREID_HOT PlateFrequencies<T> largest_frequencies_squared(const material::Modul
           .bending_and_shear = T(1.0 / 12.0) * thickness * thickness * per_gyration * membrane + shear};
 }
 
+/// How the mean rotation of a plate in its plane follows from the displacement of a node,
+///     w = 1/2 sum of  dN/dx u_y - dN/dy u_x
+template <class T>
+NEREID_HOT Vector<T> gradient_of_spin(const PlateShape<T>& s, int a) {
+  const T half(0.5);
+  return (half * s.gradient_x[a]) * s.frame.e2 - (half * s.gradient_y[a]) * s.frame.e1;
+}
+
+/// Bound on the squared frequency that drilling adds to that of the membrane. [1/s2]
+///
+/// The moments k = drilling mu volume / 3 (turn_a - w), with m/3 and m gyration/3 at each node, have in all modes of one plate no more than
+///     3 k / m (1/gyration + 3 sum of |grad_a w|^2) = drilling mu / density (1/gyration + 3/4 tr G)
+template <class T>
+NEREID_HOT T drilling_frequency_squared(double stiffness, double density, T gyration, T trace) {
+  return T(stiffness / density) * (T(1.0) / gyration + T(0.75) * trace);
+}
+
 /// Brings one plate from the old to the new positions and gives its nodal forces and moments.
 ///
 /// Strains come from the triangle in the middle of the step. The element's axes follow side 1-2; the
 /// material spins by minus the shear strain against them, and the stress and the tensors of the law with it, so that
 /// the numbering of the nodes does not matter.
+///
+/// With `drilling` each node is held to turn about the normal as the plate does in its plane: moments of a spring of that part of the shear
+/// modulus times a third of the volume, and forces that balance them (Hughes & Brezzi 1989).
 ///
 /// A plate that follows its strain has the thickness that the law leaves: in the middle of the step with the stress of its beginning, at
 /// the end with that of the end.
@@ -347,6 +371,18 @@ NEREID_HOT Report<T, Plate> advance(const Law& law, const Plate::Options& option
   const T shear_stored = half * ((old.x + now.x) * slide.x + (old.y + now.y) * slide.y);
   memory.shear = now;
 
+  T drilling_stored(0.0);
+  const double drilling_stiffness = options.drilling * material::lame(law).mu;
+  if (options.drilling > 0) {
+    T mean(0.0);
+    for (int a = 0; a < 3; ++a) mean = mean + dot(gradient_of_spin(middle, a), dx[a]);
+    for (int a = 0; a < 3; ++a) {
+      const T turn = dot(rotation[a], middle.frame.e3) - mean, before = memory.drilling[a];
+      memory.drilling[a] = before + T(drilling_stiffness) * turn;
+      drilling_stored = drilling_stored + T(1.0 / 6.0) * (before + memory.drilling[a]) * turn;
+    }
+  }
+
   // at the end of the step: stable step, viscous pressure, forces and moments
   const PlateShape<T> end = plate_shape(x);
   const T volume = thins ? volume_left(law, layers, constants, memory) : end.area * given;
@@ -383,11 +419,20 @@ NEREID_HOT Report<T, Plate> advance(const Law& law, const Plate::Options& option
   T squares = zero;
   for (int a = 0; a < 3; ++a)
     squares = squares + end.gradient_x[a] * end.gradient_x[a] + end.gradient_y[a] * end.gradient_y[a];
+  T in_plane = omega_squared.membrane;
+  if (options.drilling > 0) {
+    in_plane = in_plane + drilling_frequency_squared(drilling_stiffness, law.density, constants.gyration, squares);
+    const T third = T(1.0 / 3.0) * volume, all = third * (memory.drilling[0] + memory.drilling[1] + memory.drilling[2]);
+    for (int a = 0; a < 3; ++a) {
+      moment[a] = moment[a] - (third * memory.drilling[a]) * end.frame.e3;
+      force[a] = force[a] + all * gradient_of_spin(end, a);
+    }
+  }
   const T damping = T(1.5) * eta * squares / density;
   const T lighter = T(law.density) / density;  // a plate that keeps its thickness gains volume as it stretches, and no mass
-  return {.stored = {stored * middle_volume, shear_stored * middle_volume},
+  return {.stored = {stored * middle_volume, shear_stored * middle_volume, drilling_stored * middle_volume},
           .dissipated = {dissipated * middle_volume, -viscous_work},
-          .step = stable_step(lighter * larger(omega_squared.membrane, omega_squared.bending_and_shear), damping),
+          .step = stable_step(lighter * larger(in_plane, omega_squared.bending_and_shear), damping),
           .volume_ratio = end.area * T(law.density * options.thickness) / constants.mass};
 }
 

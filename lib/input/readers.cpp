@@ -101,6 +101,7 @@ element::Plate::Options read_plate_options(const Section& section) {
                                : Inertia::physical;
   const auto thinning = section.choice_or("thinning", "by_law", {"by_law", "constant", "follows_strain"});
   options.thinning = thinning == "by_law" ? Thinning::by_law : thinning == "constant" ? Thinning::constant : Thinning::follows_strain;
+  options.drilling = section.number_or("drilling", options.drilling, model::range::drilling);
   options.viscosity = read_viscosity(section);
   return options;
 }

@@ -98,6 +98,7 @@ struct Element {
         tensor = 0.3 * material::deviator(Plane<double>{stress * random(), stress * random(), stress * random()});
     }
     memory.shear = {stress * random(), stress * random()};
+    for (double& each : memory.drilling) each = stress * options.drilling * random();
   }
   double work(const Corners& du, const Corners& turn) const {
     return product(force, du) + product(moment, turn);
@@ -373,9 +374,9 @@ TYPED_TEST(PlateOf, PacksAndDoublesAgree) {
   std::array<Vector<Pack>, 3> xs, dxs, turns, fs, ms;
   Plate::Constants<Pack> constants;
   Plate::Memory<Pack, TypeParam> memory;
+  const Plate::Options options{.thickness = 0.1, .viscosity = {}, .drilling = 0.01};
   for (int l = 0; l < lanes; ++l) {
-    one[l] =
-        Element<TypeParam>{metal<TypeParam>(), {.thickness = 0.1, .viscosity = {}}, triangle()};
+    one[l] = Element<TypeParam>{metal<TypeParam>(), options, triangle()};
     one[l].randomise(0.02);
     to[l] = sum(one[l].X, random_field(0.05)), dx[l] = random_field(0.03), turn[l] = random_field(0.03);
     for (int i = 0; i < 9; ++i) {
@@ -385,10 +386,10 @@ TYPED_TEST(PlateOf, PacksAndDoublesAgree) {
     }
     constants.mass[l] = one[l].constants.mass, constants.gyration[l] = one[l].constants.gyration;
     std::vector<double> rows;
-    one[l].memory.each_row([&](double& row) { rows.push_back(row); }, 5);
+    one[l].memory.each_row([&](double& row) { rows.push_back(row); }, options);
     std::size_t r = 0;
-    memory.each_row([&](Pack& row) { row[l] = rows[r++]; }, 5);
-    EXPECT_EQ(static_cast<int>(r), (Plate::Memory<double, TypeParam>::rows(5)));
+    memory.each_row([&](Pack& row) { row[l] = rows[r++]; }, options);
+    EXPECT_EQ(static_cast<int>(r), (Plate::Memory<double, TypeParam>::rows(options)));
   }
   const auto all = advance(one[0].law, one[0].options, one[0].layers, constants, xs, dxs, turns,
                                    Pack(0.1), memory, fs, ms);
@@ -403,6 +404,7 @@ TYPED_TEST(PlateOf, PacksAndDoublesAgree) {
     EXPECT_NEAR(all.step[l], report.step, 1e-13 * report.step);
     EXPECT_NEAR(all.stored[0][l], report.stored[0], 1e-15);
     EXPECT_NEAR(all.stored[1][l], report.stored[1], 1e-15);
+    EXPECT_NEAR(all.stored[2][l], report.stored[2], 1e-15);
     EXPECT_NEAR(all[Dissipated::plastic][l], report[Dissipated::plastic], 1e-15);
     EXPECT_NEAR(all[Dissipated::viscous][l], report[Dissipated::viscous], 1e-15);
   }
@@ -728,6 +730,49 @@ TEST(Plate, HasThreeStrainsThreeCurvaturesAndTwoShearsAndNoOtherStiffness) {
   EXPECT_GT(values(10), 1e-4);
 }
 
+TEST(Plate, WithDrillingStiffnessHasThreeMoreStiffnesses) {
+  Plate::Options options = thick(0.3);
+  options.drilling = 0.5;
+  const Eigen::SelfAdjointEigenSolver<Matrix18> solver(stiffness(metal<Elastic>(), options, flat_triangle(1.0, 0.3, 0.8)));
+  EXPECT_LT(std::abs(solver.eigenvalues()(6)), 1e-10) << "six rigid motions and the swirl of the normals";
+  EXPECT_GT(solver.eigenvalues()(7), 1e-4);
+}
+
+/// Nodes that turn by an angle about the normal store mu times the part times volume times half its square, and plates that turn with them
+/// nothing.
+TEST(Plate, DrillingStoresTheSpinOfNodesBesideThatOfThePlate) {
+  Plate::Options options = thick(0.1);
+  options.drilling = 0.02;
+  Element<Elastic> e{metal<Elastic>(), options, flat_triangle(1.0, 0.3, 0.8)};
+  const Point up{0, 0, 1};
+  const auto report = e.step(e.X, Corners{}, {0.01 * up, 0.01 * up, 0.01 * up});
+  EXPECT_NEAR(report.stored[2], 0.5 * 0.02 * material::shear_modulus(e.law) * 0.1 * 0.4 * 1e-4, 1e-15);
+  const auto before = e.memory.drilling;
+  const auto [du, turn] = rigid(e.x, Vec3(0, 0.6, 0.8), 0.01);
+  EXPECT_NEAR(e.move(du, turn).stored[2], 0, 1e-9 * report.stored[2]);
+  for (int a = 0; a < 3; ++a) EXPECT_NEAR(e.memory.drilling[a], before[a], 1e-9 * before[a]);
+}
+
+TYPED_TEST(PlateOf, DrillingHasNoNetForceNorMomentAndIsTheGradientOfItsEnergy) {
+  for (int trial = 0; trial < 10; ++trial) {
+    Plate::Options options = thick(0.3);
+    options.drilling = 0.5;
+    const Corners X = triangle(), u = random_field(1e-5), t = random_field(1e-5), du = random_field(1e-6), turn = random_field(1e-6);
+    const auto stored = [&](double s) {
+      Element<TypeParam> e{metal<TypeParam>(), options, X};
+      const auto report = e.move(sum(u, du, s), sum(t, turn, s));
+      return report.stored[0] + report.stored[1] + report.stored[2];
+    };
+    Element<TypeParam> e{metal<TypeParam>(), options, X};
+    EXPECT_GT(e.move(u, t).stored[2], 0);
+    EXPECT_NEAR(-2 * e.work(du, turn), stored(1) - stored(-1), 1e-4 * 2 * largest(e.force) * largest(du));
+    Point force{}, moment{};
+    for (int a = 0; a < 3; ++a) force = force + e.force[a], moment = moment + e.moment[a] + cross(e.x[a], e.force[a]);
+    EXPECT_LT(norm(force), 1e-13 * largest(e.force));
+    EXPECT_LT(norm(moment), 1e-13 * largest(e.force));
+  }
+}
+
 // ------------------------------------------------------------------------------------------------
 // Shear locking
 
@@ -889,6 +934,29 @@ TEST(Plate, FrequencyBoundsAreNeverBelowTheExactOnes) {
     EXPECT_GE(closest[m], 1 - 1e-9);
     EXPECT_LT(farthest[m], 1.6);
   }
+}
+
+TEST(Plate, FrequencyBoundHoldsWithDrillingStiffness) {
+  double farthest = 0;
+  for (int trial = 0; trial < 400; ++trial) {
+    Plate::Options options = thick(std::pow(10.0, random(-2.0, -0.5)));
+    options.drilling = std::pow(10.0, random(-4.0, 0.0));
+    Element<Elastic> e{metal<Elastic>(random(-0.9, 0.49)), options, any_triangle()};
+    const Matrix18 K = stiffness(e.law, e.options, e.X);
+    Eigen::Matrix<double, 18, 1> per_root;
+    for (int i = 0; i < 18; ++i)
+      per_root(i) = 1 / std::sqrt(e.constants.mass / 3 * (i % 6 < 3 ? 1.0 : e.constants.gyration));
+    Matrix18 in_plane = per_root.asDiagonal() * K * per_root.asDiagonal();
+    for (int i = 0; i < 18; ++i)
+      if (i % 6 >= 2 && i % 6 <= 4) in_plane.row(i).setZero(), in_plane.col(i).setZero();  // u, v and the spin
+    const auto bound = largest_frequencies_squared(material::lame(e.law), e.law.density, options.thickness, e.constants.gyration,
+                                                   plate_shape(e.X));
+    const double exact = Eigen::SelfAdjointEigenSolver<Matrix18>(in_plane).eigenvalues().maxCoeff();
+    const double step = e.step(e.X, Corners{}, Corners{}).step, here = 4 / (step * step);
+    EXPECT_GE(here, std::max(exact, bound.bending_and_shear) * (1 - 1e-9));
+    if (here > bound.bending_and_shear * (1 + 1e-9)) farthest = std::max(farthest, here / exact);
+  }
+  EXPECT_LT(farthest, 2);
 }
 
 TEST(Plate, WithScaledRotaryInertiaBendingNeverSetsTheStep) {
