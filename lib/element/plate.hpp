@@ -115,6 +115,7 @@ struct Plate {
   static constexpr std::array dissipated_channels{Dissipated::plastic, Dissipated::viscous};
   static constexpr int most_layers = 9;
   static constexpr double shear_factor = 5.0 / 6.0;  ///< [-] of a homogeneous section
+  static constexpr double drilling_limit = 0.2;      ///< [-] adds at most a fifteenth to the membrane's squared frequency
 
   enum class RotaryInertia {
     physical,  ///< thickness^2 / 12 per mass
@@ -133,7 +134,7 @@ struct Plate {
     RotaryInertia rotary_inertia = RotaryInertia::scaled;
     Viscosity viscosity;
     Thinning thinning = Thinning::by_law;
-    double drilling = 0;  ///< [-] stiffness of spins about the normal, over the shear modulus
+    double drilling = 0.1;  ///< [-] stiffness of spins about the normal, over the shear modulus; see drilling_part
   };
 
   static bool has(const Options& options, Stored channel) { return channel != Stored::drilling || options.drilling > 0; }
@@ -264,13 +265,28 @@ NEREID_HOT Vector<T> gradient_of_spin(const PlateShape<T>& s, int a) {
   return (half * s.gradient_x[a]) * s.frame.e2 - (half * s.gradient_y[a]) * s.frame.e1;
 }
 
+/// tr G, the sum of the squares of the gradients. [1/m2]
+template <class T>
+NEREID_HOT T trace_of_gradients(const PlateShape<T>& s) {
+  T sum(0.0);
+  for (int a = 0; a < 3; ++a) sum = sum + s.gradient_x[a] * s.gradient_x[a] + s.gradient_y[a] * s.gradient_y[a];
+  return sum;
+}
+
+/// The part of the shear modulus that resists drilling: no more than Plate::drilling_limit gyration tr G, so that the step of plates that
+/// are thin beside their sides is not that of their spin. [-]
+template <class T>
+NEREID_HOT T drilling_part(double part, T gyration, T trace) {
+  return smaller(T(part), T(Plate::drilling_limit) * gyration * trace);
+}
+
 /// Bound on the squared frequency that drilling adds to that of the membrane. [1/s2]
 ///
-/// The moments k = drilling mu volume / 3 (turn_a - w), with m/3 and m gyration/3 at each node, have in all modes of one plate no more than
-///     3 k / m (1/gyration + 3 sum of |grad_a w|^2) = drilling mu / density (1/gyration + 3/4 tr G)
+/// The moments k (turn_a - w), k = part mu volume / 3, with m/3 and m gyration/3 at each node, have in all modes of one plate no more than
+///     3 k / m (1/gyration + 3 sum of |grad_a w|^2) = part mu / density (1/gyration + 3/4 tr G)
 template <class T>
-NEREID_HOT T drilling_frequency_squared(double stiffness, double density, T gyration, T trace) {
-  return T(stiffness / density) * (T(1.0) / gyration + T(0.75) * trace);
+NEREID_HOT T drilling_frequency_squared(T part, double mu, double density, T gyration, T trace) {
+  return part * T(mu / density) * (T(1.0) / gyration + T(0.75) * trace);
 }
 
 /// Brings one plate from the old to the new positions and gives its nodal forces and moments.
@@ -372,13 +388,14 @@ NEREID_HOT Report<T, Plate> advance(const Law& law, const Plate::Options& option
   memory.shear = now;
 
   T drilling_stored(0.0);
-  const double drilling_stiffness = options.drilling * material::lame(law).mu;
+  const double elastic_mu = material::lame(law).mu;
   if (options.drilling > 0) {
+    const T stiffness = T(elastic_mu) * drilling_part(options.drilling, constants.gyration, trace_of_gradients(middle));
     T mean(0.0);
     for (int a = 0; a < 3; ++a) mean = mean + dot(gradient_of_spin(middle, a), dx[a]);
     for (int a = 0; a < 3; ++a) {
       const T turn = dot(rotation[a], middle.frame.e3) - mean, before = memory.drilling[a];
-      memory.drilling[a] = before + T(drilling_stiffness) * turn;
+      memory.drilling[a] = before + stiffness * turn;
       drilling_stored = drilling_stored + T(1.0 / 6.0) * (before + memory.drilling[a]) * turn;
     }
   }
@@ -416,12 +433,11 @@ NEREID_HOT Report<T, Plate> advance(const Law& law, const Plate::Options& option
     moment[a] = bend_y * e1 - bend_x * e2;  // beta = (theta_y, -theta_x)
   }
 
-  T squares = zero;
-  for (int a = 0; a < 3; ++a)
-    squares = squares + end.gradient_x[a] * end.gradient_x[a] + end.gradient_y[a] * end.gradient_y[a];
+  const T squares = trace_of_gradients(end);
   T in_plane = omega_squared.membrane;
   if (options.drilling > 0) {
-    in_plane = in_plane + drilling_frequency_squared(drilling_stiffness, law.density, constants.gyration, squares);
+    const T part = drilling_part(options.drilling, constants.gyration, squares);
+    in_plane = in_plane + drilling_frequency_squared(part, elastic_mu, law.density, constants.gyration, squares);
     const T third = T(1.0 / 3.0) * volume, all = third * (memory.drilling[0] + memory.drilling[1] + memory.drilling[2]);
     for (int a = 0; a < 3; ++a) {
       moment[a] = moment[a] - (third * memory.drilling[a]) * end.frame.e3;
