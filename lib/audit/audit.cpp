@@ -204,7 +204,7 @@ void look_through(const Side& one, const Side& sheet, std::vector<char>& where, 
       const bool at_an_end = s < touching || s > 1 - touching;
       if (at_an_end && group[first] == group[last]) return;  // it touches from one side
       const Vec3 at = a + s * (b - a);
-      double depth = std::min(reach[first], reach[last]) + sheet.surface.half(sheet.surface.faces(0, face));
+      double depth = std::min(reach[first], reach[last]) + sheet.placed.half(sheet.surface.faces(0, face));
       if (depth > enough(here, size, sheet.surface)) depth = std::min(depth, from_rim(sheet, at));
       note(here, {depth, std::min(size, sheet.surface.face_size(face)), at, {surface.region[first], sheet.surface.face_region[face]}});
     });
@@ -270,8 +270,8 @@ Workspace make_workspace(Surfaces surfaces) {
 
 void place(const Vectors& x, Workspace& work) {
   for (std::size_t s = 0; s < work.placed.size(); ++s) {
-    place(work.surfaces.list[s], x, work.placed[s]);
-    place(work.surfaces.shells[s], x, work.shells[s]);
+    place(work.surfaces.list[s], x, work.placed[s], work.half_growth);
+    place(work.surfaces.shells[s], x, work.shells[s], work.half_growth);
   }
 }
 

@@ -56,6 +56,7 @@ struct Workspace {
   std::vector<Found> parts;     ///< of ranges of points, faces or edges, in order
   std::vector<Index> group;     ///< [points] of a surface that a sheet cuts: connected on one side of the sheet
   std::vector<double> reach;    ///< [m] [points] how far from the sheet
+  Scalars half_growth;          ///< [m] [nodes] by which half the thickness of plates has grown since the start; empty where it has not
 };
 
 Workspace make_workspace(Surfaces);

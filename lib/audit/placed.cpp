@@ -68,8 +68,8 @@ void stand_off(const Surface& surface, Placed& placed) {
     if (inward.squaredNorm() > 0) n -= inward.dot(n) / inward.squaredNorm() * inward;
     const double size = n.norm();
     if (!(size > 0)) continue;
-    placed.at.col(p) += surface.half(p) / size * n;
-    placed.at.col(p + points) -= surface.half(p) / size * n;
+    placed.at.col(p) += placed.half(p) / size * n;
+    placed.at.col(p + points) -= placed.half(p) / size * n;
   }
 }
 
@@ -78,15 +78,18 @@ void stand_off(const Surface& surface, Placed& placed) {
 Placed make_placed(const Surface& surface) {
   Placed placed;
   placed.at = Vectors::Zero(3, static_cast<Eigen::Index>(surface.nodes.size()) + surface.faces.cols());
+  placed.half = surface.half;
   placed.normals = Vectors::Zero(3, surface.closed ? static_cast<Eigen::Index>(surface.nodes.size()) : 0);
   placed.boxes.assign(surface.tree.nodes.size(), {Vec3::Zero(), Vec3::Zero()});
   placed.looks = placed.boxes;
   return placed;
 }
 
-void place(const Surface& surface, const Vectors& x, Placed& placed) {
+void place(const Surface& surface, const Vectors& x, Placed& placed, const Scalars& half_growth) {
   const auto points = static_cast<Index>(surface.nodes.size());
   for (Index p = 0; p < points; ++p) placed.at.col(p) = x.col(surface.nodes[p]);
+  if (half_growth.size() > 0)
+    for (Index p = 0; p < points; ++p) placed.half(p) = surface.half(p) + half_growth(surface.nodes[p]);
   placed.finite = placed.at.leftCols(points).allFinite();
   if (surface.plates > 0) stand_off(surface, placed);
   for (Index f = 0; f < surface.faces.cols(); ++f) {

@@ -27,6 +27,7 @@ inline bool holds(const Box& box, const Vec3& p) { return (box.low.array() <= p.
 /// Positions of a surface and the boxes around its triangles.
 struct Placed {
   Vectors at;              ///< [m] points, then centres of the faces of four corners
+  Scalars half;            ///< [m] [points] half the thickness of plates, as Surface::half
   Vectors normals;         ///< [m2] of the points of a skin or shell: of the faces around each, added up
   std::vector<Box> looks;  ///< [-] beside Surface::tree: around the unit normals of its triangles
   std::vector<Box> boxes;  ///< beside Surface::tree; a little larger than what they hold
@@ -38,8 +39,10 @@ Placed make_placed(const Surface&);
 /// Brings positions and boxes up to date; allocates nothing. The points of a shell stand off the mid-surface by half the thickness, along
 /// the normals of the plates around them, weighted by area.
 ///
-/// x  [m] of all nodes of the mesh
-void place(const Surface&, const Vectors& x, Placed&);
+/// x            [m] of all nodes of the mesh
+/// half_growth  [m] of all nodes too: by which half the thickness of plates has grown since the start; empty where it has not
+void place(const Surface&, const Vectors& x, Placed&, const Scalars& half_growth = {});
+
 
 inline Vec3 corner(const Surface& surface, const Placed& placed, Index triangle, int i) {
   return placed.at.col(surface.triangles(i, triangle));

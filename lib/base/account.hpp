@@ -15,15 +15,19 @@ namespace nereid {
 
 /// Energy that a source holds and can give back.
 ///
-/// `restitution` is kinetic energy of nodes that multipliers stopped, as long as these press.
-enum class Stored { elastic, hourglass, transverse_shear, penalty, tangential_penalty, restitution, potential, external_work };
+/// `restitution` is kinetic energy of nodes that multipliers stopped, as long as these press; `drilling` is of plates whose nodes turn
+/// about their normals.
+enum class Stored { elastic, hourglass, transverse_shear, drilling, penalty, tangential_penalty, restitution, potential, external_work };
 /// Energy that a source took for good.
-enum class Dissipated { plastic, viscous, hourglass, damping, friction, inelastic_impact, removed };
+///
+/// `thinning` is what a penalty loses as the plates that it presses become thinner.
+enum class Dissipated { plastic, viscous, hourglass, damping, friction, inelastic_impact, removed, thinning };
 
-constexpr std::array<std::string_view, 8> words_of_stored{"elastic",     "hourglass", "transverse_shear", "penalty", "tangential_penalty",
-                                                          "restitution", "potential", "external_work"};
-constexpr std::array<std::string_view, 7> words_of_dissipated{"plastic", "viscous", "hourglass", "damping",
-                                                              "friction", "inelastic_impact", "removed"};
+constexpr std::array<std::string_view, 9> words_of_stored{"elastic", "hourglass",          "transverse_shear", "drilling",
+                                                          "penalty", "tangential_penalty", "restitution",      "potential",
+                                                          "external_work"};
+constexpr std::array<std::string_view, 8> words_of_dissipated{"plastic",  "viscous",          "hourglass", "damping",
+                                                              "friction", "inelastic_impact", "removed",   "thinning"};
 
 constexpr std::string_view word(Stored channel) { return words_of_stored[static_cast<std::size_t>(channel)]; }
 constexpr std::string_view word(Dissipated channel) { return words_of_dissipated[static_cast<std::size_t>(channel)]; }
@@ -36,9 +40,9 @@ class Channels {
   double operator[](Channel channel) const { return value_[static_cast<std::size_t>(channel)]; }
 
  private:
-  std::array<double, 8> value_{};
+  std::array<double, 9> value_{};
 };
-static_assert(words_of_stored.size() <= 8 && words_of_dissipated.size() <= 8);
+static_assert(words_of_stored.size() <= 9 && words_of_dissipated.size() <= 9);
 
 /// What makes forces.
 enum class SourceKind {

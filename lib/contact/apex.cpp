@@ -188,21 +188,22 @@ void look_around(const Interface& interface, const Vectors& x, const Vectors& v,
   memory.status[a] = nearest.feature.facet < 0 ? Status::unpaired : Status::open;
   memory.gap[a] = std::numeric_limits<double>::quiet_NaN();
   if (nearest.feature.facet < 0) return;
-  memory.gap[a] = nearest.distance() - interface.contact_height(a);
+  const double contact_height = contact::contact_height(interface, memory, a);
+  memory.gap[a] = nearest.distance() - contact_height;
   double soon = infinite;
   if (interface.depth > 0) {
     const double speed = speed_over(interface, v, a, nearest.feature.facet);
     soon = std::max(votes_within * interface.depth, steps_ahead * speed * interface.longest_step);
   }
   const bool votes = memory.gap[a] <= soon;
-  near.clear = nearest.clear - interface.contact_height(a) - moved - (votes ? 0 : soon);
-  if (votes) vote_over(interface, x, a, nearest.feature, nearest.closest.weight, interface.contact_height(a), near.element);
+  near.clear = nearest.clear - contact_height - moved - (votes ? 0 : soon);
+  if (votes) vote_over(interface, x, a, nearest.feature, nearest.closest.weight, contact_height, near.element);
 }
 
 /// Finds what an apex is in contact with, and its forces.
 void update_element(const Interface& interface, const Vectors& x, const Vectors& v, double dt, double moved, Near& near, Memory& memory) {
   const Index a = near.apex;
-  const double contact_height = interface.contact_height(a);
+  const double contact_height = contact::contact_height(interface, memory, a);
   const Mat3* allowed = allowed_of(interface, a);
   const Index node = interface.apexes[a];
   const Sweep sweep{interface.base, interface.own, x, v, dt, near_facets(memory, near), node, allowed, contact_height};

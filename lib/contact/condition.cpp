@@ -27,11 +27,11 @@ constexpr double faces_below = 0.3;    // cosine between the normals of an apex 
 
 /// Whether an apex that is pressed stays over the inside of the one facet that it slides on, and comes to no other part: its stencil of the
 /// step before says which, and conditions need no more.
-bool stays(const Interface& interface, double moved, const Near& near) {
+bool stays(const Interface& interface, const Memory& memory, double moved, const Near& near) {
   const Tracks& tracks = near.tracks;
   const ElementForces& element = near.element;
   return near.pressed > 0 && moved < tracks.owned && 2 * moved + element.depth < near.clear && tracks.count == 1 && element.count == 1 &&
-         !(tracks.track[0].height < interface.contact_height(near.apex)) && allowed_of(interface, near.apex) == nullptr;
+         !(tracks.track[0].height < contact_height(interface, memory, near.apex)) && allowed_of(interface, near.apex) == nullptr;
 }
 
 /// Finds which apexes are in contact, or near to it, where the nodes would be.
@@ -42,7 +42,7 @@ void find(const Interface& interface, const Motion& m, Memory& memory, Workspace
       Near& near = memory.near[i];
       near.pressed = near.element.closed && m.dt > 0 ? near.element.apex.norm() : 0;
       if (near.rests && moved < near.clear) return;
-      if (stays(interface, moved, near)) {
+      if (stays(interface, memory, moved, near)) {
         near.element.moved = false;
         near.element.lost = 0;
         return;

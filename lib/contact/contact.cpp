@@ -22,7 +22,7 @@ void see_depth(const Interface& interface, const Vectors& x, const Near& near, M
   double depth = near.element.depth;
   if (depth > depth_to_check * interface.depth) {
     const Nearest nearest = nearest_of(interface, x, near.apex, near_facets(memory, near));
-    depth = std::min(depth, interface.contact_height(near.apex) + nearest.distance());
+    depth = std::min(depth, contact_height(interface, memory, near.apex) + nearest.distance());
   }
   if (depth > memory.deepest) memory.deepest = depth, memory.deepest_apex = interface.apexes[near.apex];
 }
@@ -33,6 +33,34 @@ Workspace::Workspace(const Interface& interface)
       spring_sum(Scalars::Zero(static_cast<Eigen::Index>(interface.base.ring_begin.size()) - 1)),
       rotation_sum(Scalars::Zero(interface.friction.coefficient > 0 && !interface.rotation_of_node.empty() ? spring_sum.size() : 0)) {
   near.reserve(interface.apexes.size());
+}
+
+void follow_thickness(const Interface& interface, const Scalars& half_growth, Memory& memory) {
+  constexpr double worth_following = 1e-5;  // of h_c
+  if (!interface.follows_thickness) return;
+  memory.thicker.resize(interface.apexes.size(), 0);
+  for (std::size_t i = 0; i < interface.apexes.size(); ++i) {
+    const auto a = static_cast<Index>(i);
+    Near* near = memory.slot[a] < 0 ? nullptr : &memory.near[memory.slot[a]];
+    const Index facet = near && near->tracks.count > 0 ? near->tracks.track[0].facet : memory.feature[a].facet;
+    double wanted = half_growth(interface.apexes[a]);
+    if (facet >= 0)
+      for (int I = 0; I < 3; ++I) wanted += half_growth(interface.base.facets(I, facet)) / 3;
+    double change = wanted - memory.thicker[a];
+    if (near && near->tracks.count == 0 && change > 0) change = std::min(change, std::max(0.0, 0.5 * memory.gap[a]));
+    if (!(std::abs(change) > worth_following * interface.contact_height(a))) continue;
+    memory.thicker[a] += change;
+    if (!near) continue;
+    near->clear = -std::numeric_limits<double>::infinity();
+    near->rests = false;
+    const double height = contact_height(interface, memory, a);
+    for (int t = 0; t < near->tracks.count; ++t) {
+      double& level = near->tracks.track[t].height;
+      if (!(level > height)) continue;
+      if (near->element.closed && !by_multipliers(interface)) memory.thinned += near->element.apex.norm() * (level - height);
+      level = height;
+    }
+  }
 }
 
 void sum_force(double dt, Memory& memory) {
@@ -112,9 +140,11 @@ Source source(const Interface& interface) {
   if (by_multipliers(interface))
     return {interface.name, SourceKind::interface, {Stored::restitution},
             has_friction ? std::vector{Dissipated::friction, Dissipated::inelastic_impact} : std::vector{Dissipated::inelastic_impact}};
+  std::vector<Dissipated> takes{Dissipated::damping};
+  if (interface.follows_thickness) takes.push_back(Dissipated::thinning);
+  if (has_friction) takes.push_back(Dissipated::friction);
   return {interface.name, SourceKind::interface,
-          has_friction ? std::vector{Stored::penalty, Stored::tangential_penalty} : std::vector{Stored::penalty},
-          has_friction ? std::vector{Dissipated::damping, Dissipated::friction} : std::vector{Dissipated::damping}};
+          has_friction ? std::vector{Stored::penalty, Stored::tangential_penalty} : std::vector{Stored::penalty}, takes};
 }
 
 void post(const Interface& interface, const Memory& memory, Account& account) {
@@ -123,6 +153,7 @@ void post(const Interface& interface, const Memory& memory, Account& account) {
   if (!bonded_by_multipliers(interface)) account.hold(Stored::restitution, memory.held);
   account.hold(Stored::tangential_penalty, tangential_stored(memory));
   account.dissipated[Dissipated::damping] = memory.damped;
+  account.dissipated[Dissipated::thinning] = memory.thinned;
   account.dissipated[Dissipated::friction] = memory.friction_dissipated - memory.friction_to_come;
   account.dissipated[Dissipated::inelastic_impact] = memory.impact;
   account.created_by_reconnection = memory.created_by_reconnection;
@@ -137,14 +168,14 @@ double least_gap(const Interface& interface, const Vectors& x, const Memory& mem
   for (const Near& near : memory.near) {
     if (near.element.closed) see(memory.gap[near.apex]);
     else if (near.facets > 0)
-      see(nearest_of(interface, x, near.apex, near_facets(memory, near)).distance() - interface.contact_height(near.apex));
+      see(nearest_of(interface, x, near.apex, near_facets(memory, near)).distance() - contact_height(interface, memory, near.apex));
   }
   if (!memory.near.empty()) return least;  // who is not near is farther away
   BroadSearch broad(static_cast<Index>(interface.base.facets.cols()));
   if (!broad.sort(interface.base, x)) return least;
   for (std::size_t a = 0; a < interface.apexes.size(); ++a) {
     const Vector<double> p = position(x, interface.apexes[a]);
-    const double height = interface.contact_height(static_cast<Eigen::Index>(a));
+    const double height = contact_height(interface, memory, static_cast<Index>(a));
     const Index facet = broad.nearest(interface.base, x, p, std::isnan(least) ? reach : least + height);
     if (facet < 0) continue;
     see(std::sqrt(geometry::closest_on_triangle(corners(interface.base, x, facet), p).distance_squared) - height);
@@ -160,7 +191,7 @@ ElementView view(const Interface& interface, const Vectors& x, const Memory& mem
   if (v.status == Status::open && near && near->facets > 0 && near->tracks.count == 0) {  // where it stands now, not when last looked at
     const Nearest nearest = nearest_of(interface, x, apex, near_facets(memory, *near));
     v.feature = nearest.feature;
-    v.gap = nearest.distance() - interface.contact_height(apex);
+    v.gap = nearest.distance() - contact_height(interface, memory, apex);
   }
   if (v.feature.facet >= 0) {
     const auto c = corners(interface.base, x, v.feature.facet);

@@ -80,7 +80,8 @@ struct Interface {
   Scalars area;                  ///< [m2] tributary area, [apexes]
   mesh::FacesAround faces;       ///< [apexes] what the tributary area lies on; may be empty
   Scalars facet_area;            ///< [m2] of the reference, [facets]
-  Scalars contact_height;        ///< [m] h_c, [apexes]
+  Scalars contact_height;        ///< [m] h_c, [apexes], with plates as thick as at the start
+  bool follows_thickness = false;  ///< whether h_c changes as plates do: see Memory::thicker
   double penalty = 0;            ///< [Pa/m] 1/delta
   double restitution = 1;        ///< [-] speed of a node released by a multiplier over that with which it was stopped
   double impedance = 0;          ///< [Pa s/m] rho c of both sides in series, of both passes together
@@ -173,8 +174,10 @@ struct Memory {
   std::vector<Vec3> slip;                   ///< [m] elastic part of the slip, [apexes]; empty without friction
   std::vector<double> tangential_stored;    ///< [J] by the elastic stick, [apexes]; empty without friction
   std::vector<std::int64_t> reconnections;  ///< [apexes] walks to another feature
+  std::vector<double> thicker;              ///< [m] [apexes] by which h_c has grown since the start; empty where it does not change
   double work = 0;                          ///< [J] done on the nodes
   double damped = 0;                        ///< [J] dissipated by contact damping
+  double thinned = 0;                       ///< [J] by the penalty, as plates thinned under it
   double friction_dissipated = 0;           ///< [J] dissipated by friction
   double friction_to_come = 0;              ///< [J] part of it that multipliers will only take in the half step that begins
   double friction_owed = 0;                 ///< [J] that friction gave, as a stick sways, and has not taken back: created until then
@@ -205,6 +208,19 @@ struct Memory {
 inline const Near* near(const Memory& memory, Index apex) {
   return memory.slot[apex] < 0 ? nullptr : &memory.near[memory.slot[apex]];
 }
+
+/// h_c of an apex now. [m]
+inline double contact_height(const Interface& interface, const Memory& memory, Index apex) {
+  return interface.contact_height(apex) + (memory.thicker.empty() ? 0 : memory.thicker[apex]);
+}
+
+/// Lets the contact height follow the thickness of plates: that of an apex and that of the base below it.
+///
+/// What presses never becomes thicker: an h_c that falls takes tracks with it, and one that rises lets them rise as the apex leaves, since
+/// a track that rose by itself would push in one step. An apex near its base is given no more than half its gap.
+///
+/// half_growth  [m] [nodes] by which half the thickness of plates has grown since the start; zero elsewhere
+void follow_thickness(const Interface&, const Scalars& half_growth, Memory&);
 
 /// Sums the force on the apexes, and adds to its impulse that of the step dt [s] that led here.
 void sum_force(double dt, Memory&);
@@ -248,6 +264,7 @@ struct ContactHeight {
   bool from_initial_height = true;
   double clearance = 0;  ///< [m]
   double given = 0;      ///< [m]
+  bool from_thickness = false;  ///< given is that of plates, and follows it where it changes
 };
 
 /// Finds the first feature of every apex, sets h_c and reports the initial gaps.

@@ -76,7 +76,7 @@ void search(const Interface& interface, const Vectors& x, Memory& memory, Worksp
   ++memory.searches;
   const auto count = static_cast<Index>(interface.apexes.size());
   const auto visit_near = [&](Index a, auto&& visit) {
-    const double reach = interface.contact_height(a) + memory.margin;
+    const double reach = contact_height(interface, memory, a) + memory.margin;
     workspace.broad.within(interface.base, x, position(x, interface.apexes[a]), reach, [&](Index facet, double) { visit(facet); });
   };
   parallel_for(count, 64, [&](Index a) {

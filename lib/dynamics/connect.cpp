@@ -115,6 +115,13 @@ double half_thickness(const Model& model, const mesh::Surface& surface) {
   return 0;
 }
 
+/// Whether a surface has plates whose thickness changes.
+bool thins(const Model& model, const mesh::Surface& surface) {
+  return std::any_of(model.blocks.begin(), model.blocks.end(), [&](const auto& block) {
+    return element::thins(block) && (element::nodes(block).array() == surface.facets(0, 0)).any();
+  });
+}
+
 /// The stable step of the elements as they stand, without safety; of rigid bodies alone the longest of the model. [s]
 double element_step(const Model& model) {
   const Vectors rest = Vectors::Zero(3, model.mesh.X.cols()), no_rotation = Vectors::Zero(3, model.inertia.size());
@@ -171,6 +178,9 @@ Connected connect_one_pass(Model& model, const std::string& name, const std::str
     const double apex_half = half_thickness(model, apexes), base_half = half_thickness(model, base);
     interface.arm_of_apex = apex_half / (apex_half + base_half);
   }
+
+  interface.follows_thickness = options.height.from_thickness && options.kind == contact::InterfaceKind::contact &&
+                                (thins(model, apexes) || thins(model, base));
 
   Connected connected;
   contact::Workspace workspace(interface);

@@ -156,6 +156,13 @@ Forces make_forces(const Model& model) {
   forces.moment = Vectors::Zero(3, model.inertia.size());
   forces.partial.reserve(static_cast<std::size_t>(model.mesh.X.cols()));
   forces.springs = load::spring_rates(model.loads, model.rigid_bodies.empty() ? model.mass : masses_of_springs(model));
+  if (std::any_of(model.blocks.begin(), model.blocks.end(), element::thins)) {
+    forces.half_growth = forces.plate_mass = Scalars::Zero(model.mesh.X.cols());
+    for (const auto& block : model.blocks)
+      if (element::thickness(block) > 0) element::add_mass(block, forces.plate_mass);
+    for (const auto& block : model.blocks)
+      forces.element_mass.push_back(element::thins(block) ? element::element_masses(block) : Scalars());
+  }
   forces.audit = audit::make_workspace(audited_surfaces(model));
   forces.audit.allowed = allowed_overlaps(model, forces.audit.surfaces);
   if (contact::any_by_multipliers(model.interfaces, model.rigid_planes)) {

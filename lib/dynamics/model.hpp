@@ -115,6 +115,13 @@ struct Progress {
   double largest_step = 0;      ///< [s]
 };
 
+/// Kinetic energy of plate nodes that turn about their normals and faster than the plate around them, which nothing resists.
+struct Spin {
+  double energy = 0;  ///< [J] of all nodes of a block at one look
+  Index node = -1;    ///< the fastest of them
+  double time = 0;    ///< [s] when
+};
+
 /// What a run has seen of the elements of a block.
 struct Quality {
   double corner = 1;                   ///< [-] smallest corner Jacobian over that of the reference
@@ -122,6 +129,9 @@ struct Quality {
   double time = 0;                     ///< [s] when
   double hourglass = 0, internal = 0;  ///< [J] the largest at any update of the ledger
   bool inverted = false;               ///< whether a corner was at the last look
+  element::Thinned thinned;            ///< of plates that keep their thickness: how far it is off at most, at any look
+  double thinned_at = 0;               ///< [s] when
+  Spin spin;                           ///< of plates without drilling stiffness: the largest at any look
 };
 
 /// Where the simulation stands: exactly what a restart needs.
@@ -171,6 +181,9 @@ struct Forces {
   std::vector<double> partial;                     ///< sums of node ranges, in order
   load::SpringRates springs;                       ///< of the model: for the vote
   audit::Workspace audit;                          ///< the surfaces of the model
+  Scalars half_growth;  ///< [m] [nodes] by which half the thickness of plates has grown since the start; empty where none changes
+  Scalars plate_mass;   ///< [kg] [nodes] of the plates there; empty likewise
+  std::vector<Scalars> element_mass;  ///< [kg] [elements] beside Model::blocks, of plates whose thickness changes; empty likewise
   contact::Multipliers multipliers;
   std::vector<const Mat3*> allowed, allowed_rotation;  ///< [nodes] [plate nodes] for multipliers: null or a projector in the state
   Vectors driven;                                  ///< [m/s] for them too: what planes that move change in velocities; empty if none moves

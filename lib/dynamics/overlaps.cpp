@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "dynamics/thickness.hpp"
+
 namespace nereid::dynamics {
 
 namespace {
@@ -101,6 +103,8 @@ void see_overlaps(const Model& model, bool last, double every, State& now, Force
   const bool folds = std::any_of(now.quality.begin(), now.quality.end(), [](const Quality& seen) { return seen.inverted; });
   const bool also_itself = last || now.audit.looks == 0 || folds || updates >= updates_per_edge * edges(forces.audit.surfaces);
   if (also_itself) progress.audited_itself = now.step;
+  see_thickness(model, now, forces);
+  forces.audit.half_growth = forces.half_growth;
   audit::look(now.x, now.t, also_itself, forces.audit, now.audit);
 }
 

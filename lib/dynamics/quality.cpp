@@ -1,5 +1,6 @@
 #include "dynamics/quality.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -11,15 +12,57 @@ namespace {
 
 constexpr double round_off = 1e-9;  // [-] of the energy scale: what is stored below it says nothing
 
+/// Whether a block has nodes whose spin about the normal nothing resists.
+bool spins_freely(const element::AnyBlock& block) { return element::rotates(block) && element::drilling(block) == 0; }
+
 }  // namespace
 
-void see_corners(const Model& model, bool look, State& now) {
+Spin free_spin(const Model& model, std::size_t block, const State& now) {
+  constexpr double one_plane = 0.99;  // [-] what normals add up to over the sum of their areas
+  const element::Connectivity& nodes = element::nodes(model.blocks[block]);
+  Vectors normal = Vectors::Zero(3, now.omega.cols());
+  Scalars area = Scalars::Zero(now.omega.cols()), turning = area;
+  for (Eigen::Index e = 0; e < nodes.cols(); ++e) {
+    const auto x = [&](int a) -> Vec3 { return now.x.col(nodes(a, e)); };
+    const Vec3 twice = (x(1) - x(0)).cross(x(2) - x(0));
+    const double size = twice.norm();
+    if (!(size > 0)) continue;
+    double w = 0;  // [m2/s] times twice the area: the circulation of the linear velocity around the plate
+    for (int a = 0; a < 3; ++a) w += 0.5 * (x((a + 1) % 3) - x((a + 2) % 3)).dot(now.v.col(nodes(a, e)));
+    for (int a = 0; a < 3; ++a) {
+      const Index r = model.rotation_of_node[nodes(a, e)];
+      normal.col(r) += twice, area(r) += size, turning(r) += w;
+    }
+  }
+  Spin spin{.energy = 0, .node = -1, .time = now.t};
+  double fastest = 0;
+  for (Eigen::Index r = 0; r < now.omega.cols(); ++r) {
+    const double size = normal.col(r).norm();
+    if (!(size > one_plane * area(r)) || size == 0) continue;
+    const double turns = now.omega.col(r).dot(normal.col(r)) / size, w = turning(r) / area(r);
+    const double squares = turns * turns - w * w;
+    if (!(squares > 0)) continue;
+    spin.energy += 0.5 * model.inertia(r) * squares;
+    if (squares > fastest) fastest = squares, spin.node = model.node_of_rotation[r];
+  }
+  return spin;
+}
+
+void see_elements(const Model& model, bool look, State& now) {
   Progress& progress = now.progress;
   if (!look && now.step < progress.corners_next) return;
   double smallest = 1;
   for (std::size_t b = 0; b < model.blocks.size(); ++b) {
     if (is_rigid_block(model, b)) continue;
     Quality& seen = now.quality[b];
+    if (element::thickness(model.blocks[b]) > 0 && !element::thins(model.blocks[b])) {
+      const element::Thinned thinned = element::thinned(model.blocks[b], now.x, now.blocks[b]);
+      if (std::abs(std::log(thinned.ratio)) > std::abs(std::log(seen.thinned.ratio))) seen.thinned = thinned, seen.thinned_at = now.t;
+    }
+    if (spins_freely(model.blocks[b])) {
+      const Spin spin = free_spin(model, b, now);
+      if (spin.energy > seen.spin.energy) seen.spin = spin;
+    }
     const element::Corner corner = element::smallest_corner(model.blocks[b], model.mesh.X, now.x);
     seen.inverted = corner.element >= 0 && !(corner.ratio > 0);
     if (corner.element < 0) continue;

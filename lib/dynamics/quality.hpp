@@ -1,19 +1,25 @@
 #pragma once
-// The quality of elements during a run: inverted corners, which end it, and hourglass energy, which spoils results.
+// The quality of elements during a run: inverted corners, which end it; hourglass energy, thicknesses that should have changed and nodes of
+// plates that spin about their normals, which spoil results.
 
 #include "dynamics/model.hpp"
 
 namespace nereid::dynamics {
 
-/// Steps between two looks at the corners of all elements: most, where they keep their shape, and least, where one is about to invert.
+/// The energy of nodes of a block of plates that spin about their normals, beyond that of the plate's own rotation in its plane:
+///     sum over nodes of  1/2 inertia max(0, (omega . n)^2 - w^2)
+/// Where plates meet at an angle each resists the spin of the other: nodes whose normals differ by more than some degrees are left out.
+Spin free_spin(const Model&, std::size_t block, const State&);
+
+/// Steps between two looks at the shapes of all elements: most, where they keep their shape, and least, where one is about to invert.
 ///
 /// A look takes about as long as five steps.
 constexpr std::int64_t corners_every = 500, corners_least = 50;
 
-/// Looks at the corners of all elements if it is time: at half of the steps after which the smallest would invert at the pace of late.
+/// Looks at the shapes of all elements if it is time: at half of the steps after which the smallest corner would invert at the pace of late.
 ///
 /// look  whether to look in any case: as a look for overlaps is due, or the run ends
-void see_corners(const Model&, bool look, State&);
+void see_elements(const Model&, bool look, State&);
 
 /// The block whose smallest corner so far is at or below a limit, or -1.
 int inverted_block(const State&, double limit);

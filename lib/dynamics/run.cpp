@@ -224,7 +224,7 @@ Outcome run(const Model& model, State& now, Forces& forces, const Time& time, do
     if (last) now.t = time.end;
     const bool rests = model.relaxation && relax(model, now, forces);
     progress.ledger_is_current = last || rests || now.t >= static_cast<double>(progress.updates + 1) * update_every;
-    see_corners(model, progress.ledger_is_current && audit_is_due(time.audit_every, now), now);
+    see_elements(model, progress.ledger_is_current && audit_is_due(time.audit_every, now), now);
     if (progress.ledger_is_current) {
       progress.updates = static_cast<std::int64_t>(now.t / update_every);
       update_ledger(model, now);
@@ -253,7 +253,7 @@ Outcome run(const Model& model, State& now, Forces& forces, const Time& time, do
     show(true);
   }
   see_hourglass_energy(model, now);
-  see_corners(model, true, now);
+  see_elements(model, true, now);
   if (now.votes.volume_ratio > 0) see_overlaps(model, true, time.audit_every, now, forces);
   if (good(outcome.ending)) corner_inverted(model, now, time, outcome);
   if (good(outcome.ending)) overlap_too_much(model, now, forces, time.overlap_limit, outcome);

@@ -7,6 +7,7 @@
 #include "base/parallel.hpp"
 #include "contact/impact_step.hpp"
 #include "dynamics/rigid_step.hpp"
+#include "dynamics/thickness.hpp"
 #include "load/floor.hpp"
 
 namespace nereid::dynamics {
@@ -67,7 +68,9 @@ void update(const Model& model, double dt, State& now, Forces& f) {
       votes.volume_ratio = vote.volume_ratio, votes.smallest_block = source, votes.smallest_element = vote.volume_element;
     }
   }
+  see_thickness(model, now, f);
   for (std::size_t c = 0; c < model.interfaces.size(); ++c, ++source) {
+    if (f.half_growth.size() > 0) contact::follow_thickness(model.interfaces[c], f.half_growth, now.interfaces[c]);
     if (contact::by_multipliers(model.interfaces[c])) continue;
     contact::Memory& memory = now.interfaces[c];
     const double deepest = memory.deepest;

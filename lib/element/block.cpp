@@ -109,6 +109,28 @@ double thickness(const AnyBlock& any) {
   return std::visit([]<class Kind, class Law>(const Block<Kind, Law>& block) { return Kind::thickness(block.options); }, any);
 }
 
+double drilling(const AnyBlock& any) {
+  return std::visit(
+      []<class Kind, class Law>(const Block<Kind, Law>& block) {
+        if constexpr (Kind::layered) return block.options.drilling;
+        return 0.0;
+      },
+      any);
+}
+
+bool thins(const AnyBlock& any) {
+  return std::visit(
+      []<class Kind, class Law>(const Block<Kind, Law>& block) {
+        if constexpr (Kind::layered) return Kind::template thins<Law>(block.options);
+        return false;
+      },
+      any);
+}
+
+Thinned thinned(const AnyBlock& any, const Vectors& x, const Memory& memory) {
+  return with_kernels(any, [&](const auto& block, auto kernels) { return kernels.thinned(block, x, memory); });
+}
+
 Source source(const AnyBlock& any) { return {name(any), SourceKind::block, stored_channels(any), dissipated_channels(any)}; }
 
 bool plates_may_have(const AnyLaw& any) {
@@ -144,7 +166,8 @@ TileForces tile_forces(const AnyBlock& any) {
   const Tiling& t = tiling(any);
   const auto slots = static_cast<Eigen::Index>(t.node.size());
   return {.force = Vectors::Zero(3, slots),
-          .moment = Vectors::Zero(3, rotates(any) ? slots : 0)};
+          .moment = Vectors::Zero(3, rotates(any) ? slots : 0),
+          .thickness = Scalars::Constant(thins(any) ? t.elements : 0, thickness(any))};
 }
 
 TileReports tile_reports(const AnyBlock& any) { return TileReports(tiling(any).tiles.size()); }

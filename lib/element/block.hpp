@@ -67,6 +67,13 @@ struct Memory {
 struct TileForces {
   Vectors force;   ///< [N]   [3 x slots]
   Vectors moment;  ///< [N m] [3 x slots], plates only
+  Scalars thickness;  ///< [m] [elements] of plates whose thickness follows their strain; empty of all others
+};
+
+/// The element whose law asks for a thickness that is farthest from that of the reference; of plates.
+struct Thinned {
+  double ratio = 1;    ///< [-] what the law leaves over that of the reference
+  Index element = -1;  ///< -1: none is off
 };
 
 /// What one tile reports of a step: energies in the order of Memory, the step vote and the smallest volume ratio.
@@ -105,8 +112,14 @@ std::vector<Stored> stored_channels(const AnyBlock&);
 std::vector<Dissipated> dissipated_channels(const AnyBlock&);
 /// How deep an element is behind a face of that area in the reference positions X. [m]
 double depth(const AnyBlock&, const Vectors& X, Index element, double area);
-/// Distance between the two faces of plates; zero of solids. [m]
+/// Distance between the two faces of plates in the reference; zero of solids. [m]
 double thickness(const AnyBlock&);
+/// Stiffness of spins about the normal of plates, over the shear modulus; zero of solids. [-]
+double drilling(const AnyBlock&);
+/// Whether the thickness of its elements follows their strain.
+bool thins(const AnyBlock&);
+/// Which of its plates has thinned most, or would have if its thickness followed its strain.
+Thinned thinned(const AnyBlock&, const Vectors& x, const Memory&);
 
 /// The schema of a block in the ledger, and its values now.
 Source source(const AnyBlock&);

@@ -17,6 +17,7 @@ struct Kernels {
   static Memory initial_memory(const Block<Kind, Law>&);
   static Vote advance(const Block<Kind, Law>&, const Vectors& x, const Vectors& dx, const Vectors& rotation, double dt, Memory&,
                       TileForces&, TileReports&);
+  static Thinned thinned(const Block<Kind, Law>&, const Vectors& x, const Memory&);
   static std::vector<Field> fields(const Block<Kind, Law>&, const Vectors& x, const Memory&);
 };
 

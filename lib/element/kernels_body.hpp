@@ -16,7 +16,7 @@ constexpr Index most_slots = 128 * 8;  // of a tile: 128 elements that share no 
 template <class Kind, class Law>
 int memory_rows(const Block<Kind, Law>& block) {
   if constexpr (Kind::layered) {
-    return Kind::template Memory<double, Law>::rows(block.layers.count);
+    return Kind::template Memory<double, Law>::rows(block.options);
   } else {
     return Kind::template Memory<double, Law>::rows;
   }
@@ -30,7 +30,7 @@ void each_row(const Block<Kind, Law>& block, Memory& memory, double* at, Visit&&
     at += lanes;
   };
   if constexpr (Kind::layered) {
-    memory.each_row(next, block.layers.count);
+    memory.each_row(next, block.options);
   } else {
     memory.each_row(next);
   }
@@ -131,6 +131,12 @@ void advance_tile(const Block<Kind, Law>& block, const Tile& tile, const Vectors
       here = advance(block.law, block.options, constants, xs, dxs, Pack(dt), memory, fs);
     }
     for (int a = 0; a < corners; ++a) scatter(fs[a], slot + a * lanes, filled, force_here);
+    if constexpr (Kind::layered) {
+      if (Kind::template thins<Law>(block.options)) {
+        const Pack thickness = thickness_left(block.law, block.layers, constants, xs, memory);
+        for (int l = 0; l < filled; ++l) forces.thickness(block.tiling.element[pack * lanes + l]) = thickness[l];
+      }
+    }
     each_row(block, memory, at, [](const Pack& row, double* to) { write_lanes(row, to); });
 
     const auto own = lane < Pack(static_cast<double>(filled));
@@ -320,6 +326,22 @@ void Kernels<Kind, Law>::add_rotary_inertia([[maybe_unused]] const Block<Kind, L
 }
 
 template <class Kind, class Law>
+Thinned Kernels<Kind, Law>::thinned([[maybe_unused]] const Block<Kind, Law>& block, [[maybe_unused]] const Vectors& x,
+                                    [[maybe_unused]] const Memory& memory) {
+  Thinned most;
+  if constexpr (Kind::layered) {
+    each_element(block, [&](std::size_t pack, int lane, const auto& constants) {
+      const Index element = block.tiling.element[pack * lanes + lane];
+      const std::array corners{column(x, block.nodes(0, element)), column(x, block.nodes(1, element)), column(x, block.nodes(2, element))};
+      const double left = thickness_left(block.law, block.layers, constants, corners, read_memory(block, memory, pack, lane));
+      const double ratio = left / block.options.thickness;
+      if (std::abs(std::log(ratio)) > std::abs(std::log(most.ratio))) most = {ratio, element};
+    });
+  }
+  return most;
+}
+
+template <class Kind, class Law>
 std::vector<Field> Kernels<Kind, Law>::fields(const Block<Kind, Law>& block, const Vectors& x, const Memory& memory) {
   const Index count = block.tiling.elements;
   std::vector<Field> list;
@@ -327,15 +349,24 @@ std::vector<Field> Kernels<Kind, Law>::fields(const Block<Kind, Law>& block, con
   list.push_back({"von_mises", "Pa", {}, Eigen::MatrixXd(1, count)});
   list.push_back({"pressure", "Pa", {}, Eigen::MatrixXd(1, count)});
   for (const auto& [name, unit] : Law::internal) list.push_back({std::string(name), std::string(unit), {}, Eigen::MatrixXd(1, count)});
-  each_element(block, [&](std::size_t pack, int lane, const auto&) {
+  const auto thickness = static_cast<Index>(list.size());  // its place, if there is one
+  if constexpr (Kind::layered)
+    if (Kind::template thins<Law>(block.options)) list.push_back({"thickness", "m", {}, Eigen::MatrixXd(1, count)});
+  each_element(block, [&](std::size_t pack, int lane, [[maybe_unused]] const auto& constants) {
     const Index element = block.tiling.element[pack * lanes + lane];
     double mises = 0;
     std::array<double, Law::internal.size()> internal{};
-    const Symmetric<double> s = output_of(read_memory(block, memory, pack, lane), block, x, element, mises, internal);
+    const auto here = read_memory(block, memory, pack, lane);
+    const Symmetric<double> s = output_of(here, block, x, element, mises, internal);
     list[0].values.col(element) << s.xx, s.yy, s.zz, s.xy, s.yz, s.xz;
     list[1].values(0, element) = mises;
     list[2].values(0, element) = -(s.xx + s.yy + s.zz) / 3.0;
     for (std::size_t i = 0; i < internal.size(); ++i) list[3 + i].values(0, element) = internal[i];
+    if constexpr (Kind::layered) {
+      if (thickness == static_cast<Index>(list.size())) return;
+      const std::array corners{column(x, block.nodes(0, element)), column(x, block.nodes(1, element)), column(x, block.nodes(2, element))};
+      list[thickness].values(0, element) = thickness_left(block.law, block.layers, constants, corners, here);
+    }
   });
   return list;
 }
@@ -344,7 +375,8 @@ template <class Kind, class Law>
 constexpr auto kernels_of() {
   if constexpr (may_have<Kind, Law>) {
     using K = Kernels<Kind, Law>;
-    return std::tuple(&K::make, &K::add_mass, &K::element_masses, &K::add_rotary_inertia, &K::initial_memory, &K::advance, &K::fields);
+    return std::tuple(&K::make, &K::add_mass, &K::element_masses, &K::add_rotary_inertia, &K::initial_memory, &K::advance, &K::thinned,
+                      &K::fields);
   } else {
     return std::tuple();
   }

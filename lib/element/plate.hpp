@@ -85,11 +85,11 @@ NEREID_HOT std::array<InPlane<T>, 3> edges(const PlateShape<T>& s) {
 ///
 /// returns  [-] in (0, 1]
 template <class T, class N>
-NEREID_HOT T share_of_shear(const material::Moduli<N>& moduli, double shear_factor, double thickness, const PlateShape<T>& s) {
+NEREID_HOT T share_of_shear(const material::Moduli<N>& moduli, double shear_factor, T thickness, const PlateShape<T>& s) {
   const T third_side = s.x3 - s.x2;
   const T squares = s.x2 * s.x2 + third_side * third_side + s.x3 * s.x3 + T(2.0) * s.y3 * s.y3;
   const N shear_over_bending = N(shear_factor) * moduli.mu / (material::plane_lambda(moduli) + N(2.0) * moduli.mu);
-  return T(1.0) / (T(1.0) + T(shear_over_bending * N(1.0 / (6.0 * thickness * thickness))) * squares);
+  return T(1.0) / (T(1.0) + T(shear_over_bending * N(1.0 / 6.0)) * squares / (thickness * thickness));
 }
 
 /// Largest eigenvalue of [[xx, xy], [xy, yy]].
@@ -111,29 +111,43 @@ Layers gauss_layers(int count);
 struct Plate {
   static constexpr int nodes = 3, dimensions = 2;
   static constexpr bool rotates = true, layered = true;
-  static constexpr std::array stored_channels{Stored::elastic, Stored::transverse_shear};
+  static constexpr std::array stored_channels{Stored::elastic, Stored::transverse_shear, Stored::drilling};
   static constexpr std::array dissipated_channels{Dissipated::plastic, Dissipated::viscous};
   static constexpr int most_layers = 9;
   static constexpr double shear_factor = 5.0 / 6.0;  ///< [-] of a homogeneous section
+  static constexpr double drilling_limit = 0.2;      ///< [-] adds at most a fifteenth to the membrane's squared frequency
 
   enum class RotaryInertia {
     physical,  ///< thickness^2 / 12 per mass
     scaled,    ///< raised until bending and transverse shear need no smaller step than the membrane
   };
 
+  enum class Thinning {
+    by_law,          ///< follows_strain where the law flows, else constant
+    constant,        ///< the thickness stays, whatever the strain
+    follows_strain,  ///< the thickness is the volume that the law leaves, over the area
+  };
+
   struct Options {
-    double thickness = 0;  ///< [m] constant in time
+    double thickness = 0;  ///< [m] of the reference
     int layers = 5;
     RotaryInertia rotary_inertia = RotaryInertia::scaled;
     Viscosity viscosity;
+    Thinning thinning = Thinning::by_law;
+    double drilling = 0.1;  ///< [-] stiffness of spins about the normal, over the shear modulus; see drilling_part
   };
 
-  static bool has(const Options&, Stored) { return true; }
+  static bool has(const Options& options, Stored channel) { return channel != Stored::drilling || options.drilling > 0; }
   static bool has(const Options&, Dissipated) { return true; }
   /// How deep the element is behind its face, whatever its volume and area. [m]
   static double depth(const Options& options, double, double) { return options.thickness; }
-  /// Distance between the two faces of a plate; zero of a solid. [m]
+  /// Distance between the two faces of a plate in the reference; zero of a solid. [m]
   static double thickness(const Options& options) { return options.thickness; }
+  /// Whether the thickness changes with the strain.
+  template <class Law>
+  static bool thins(const Options& options) {
+    return options.thinning == Thinning::follows_strain || (options.thinning == Thinning::by_law && material::flows<Law>);
+  }
 
   template <class T>
   struct Constants {
@@ -154,26 +168,54 @@ struct Plate {
   template <class T, class Law>
   struct Memory {
     std::array<Layer<T, Law>, most_layers> layers;
-    InPlane<T> shear;  ///< [N/m] transverse shear resultant
+    InPlane<T> shear;  ///< [Pa] transverse shear resultant per thickness
     T viscous;         ///< [Pa] viscous pressure in the plane, positive in compression
+    std::array<T, 3> drilling;  ///< [Pa] moments about the normal at the nodes per third of the volume; not stored without a stiffness
     template <class F>
-    void each_row(F&& f, int count) {
-      for (int l = 0; l < count; ++l) {
+    void each_row(F&& f, const Options& options) {
+      for (int l = 0; l < options.layers; ++l) {
         auto& layer = layers[l];
         layer.stress.each_row(f);
         layer.internal.each_row(f);
       }
       f(shear.x), f(shear.y), f(viscous);
+      if (options.drilling > 0)
+        for (T& each : drilling) f(each);
     }
     template <class F>
     void each_internal(F&& f) {
       for (auto& layer : layers) f(layer.internal);
     }
-    static constexpr int rows(int count) {
-      return count * (3 + material::Internal<T, Law, Plane>::rows) + 3;
+    static constexpr int rows(const Options& options) {
+      return options.layers * (3 + material::Internal<T, Law, Plane>::rows) + 3 + (options.drilling > 0 ? 3 : 0);
     }
   };
 };
+
+/// The strain of volume of a plate, a mean over its layers. [-]
+template <class T, class Law>
+NEREID_HOT T volume_strain(const Law& law, const Layers& layers, const Plate::Memory<T, Law>& memory) {
+  T sum(0.0);
+  for (int l = 0; l < layers.count; ++l) sum = sum + T(layers.weight[l]) * material::volume_strain(law, memory.layers[l].stress);
+  return sum;
+}
+
+/// The volume that the law leaves a plate: the strain of volume theta is logarithmic,
+///     exp(theta) = (12 + 6 theta + theta^2) / (12 - 6 theta + theta^2),     theta^5 / 720 off in its logarithm.
+///
+/// returns  [m3] above zero
+template <class T, class Law>
+NEREID_HOT T volume_left(const Law& law, const Layers& layers, const Plate::Constants<T>& constants, const Plate::Memory<T, Law>& memory) {
+  const T theta = volume_strain(law, layers, memory), even = T(12.0) + theta * theta, odd = T(6.0) * theta;
+  return constants.mass * (even + odd) / (T(law.density) * (even - odd));
+}
+
+/// The thickness that the law leaves a plate: its volume over its area. [m]
+template <class T, class Law>
+NEREID_HOT T thickness_left(const Law& law, const Layers& layers, const Plate::Constants<T>& constants, const std::array<Vector<T>, 3>& x,
+                            const Plate::Memory<T, Law>& memory) {
+  return volume_left(law, layers, constants, memory) / (T(0.5) * norm(cross(x[1] - x[0], x[2] - x[0])));
+}
 
 /// Bounds on the squared frequencies of one plate, a third of its mass at each node. [1/s2]
 template <class T>
@@ -187,7 +229,7 @@ struct PlateFrequencies {
 ///           the edges' shear follows the rotations, and the share is share_of_shear; bending and shear share
 ///           the rotations, so their bounds are added.
 template <class T, class N>
-NEREID_HOT PlateFrequencies<T> largest_frequencies_squared(const material::Moduli<N>& moduli, double density, double thickness,
+NEREID_HOT PlateFrequencies<T> largest_frequencies_squared(const material::Moduli<N>& moduli, double density, T thickness,
                                                            T gyration, const PlateShape<T>& s) {
   const N mu = moduli.mu;
   // a trace is no smaller than its largest eigenvalue, so for poisson < 0 the first term is left out
@@ -212,7 +254,39 @@ NEREID_HOT PlateFrequencies<T> largest_frequencies_squared(const material::Modul
   const T shear = three_by_density * T(N(Plate::shear_factor) * mu) * share_of_shear(moduli, Plate::shear_factor, thickness, s) *
                   (largest_eigenvalue(G) + per_gyration * largest_eigenvalue(C));
   return {.membrane = membrane,
-          .bending_and_shear = T(thickness * thickness / 12.0) * per_gyration * membrane + shear};
+          .bending_and_shear = T(1.0 / 12.0) * thickness * thickness * per_gyration * membrane + shear};
+}
+
+/// How the mean rotation of a plate in its plane follows from the displacement of a node,
+///     w = 1/2 sum of  dN/dx u_y - dN/dy u_x
+template <class T>
+NEREID_HOT Vector<T> gradient_of_spin(const PlateShape<T>& s, int a) {
+  const T half(0.5);
+  return (half * s.gradient_x[a]) * s.frame.e2 - (half * s.gradient_y[a]) * s.frame.e1;
+}
+
+/// tr G, the sum of the squares of the gradients. [1/m2]
+template <class T>
+NEREID_HOT T trace_of_gradients(const PlateShape<T>& s) {
+  T sum(0.0);
+  for (int a = 0; a < 3; ++a) sum = sum + s.gradient_x[a] * s.gradient_x[a] + s.gradient_y[a] * s.gradient_y[a];
+  return sum;
+}
+
+/// The part of the shear modulus that resists drilling: no more than Plate::drilling_limit gyration tr G, so that the step of plates that
+/// are thin beside their sides is not that of their spin. [-]
+template <class T>
+NEREID_HOT T drilling_part(double part, T gyration, T trace) {
+  return smaller(T(part), T(Plate::drilling_limit) * gyration * trace);
+}
+
+/// Bound on the squared frequency that drilling adds to that of the membrane. [1/s2]
+///
+/// The moments k (turn_a - w), k = part mu volume / 3, with m/3 and m gyration/3 at each node, have in all modes of one plate no more than
+///     3 k / m (1/gyration + 3 sum of |grad_a w|^2) = part mu / density (1/gyration + 3/4 tr G)
+template <class T>
+NEREID_HOT T drilling_frequency_squared(T part, double mu, double density, T gyration, T trace) {
+  return part * T(mu / density) * (T(1.0) / gyration + T(0.75) * trace);
 }
 
 /// Brings one plate from the old to the new positions and gives its nodal forces and moments.
@@ -220,6 +294,12 @@ NEREID_HOT PlateFrequencies<T> largest_frequencies_squared(const material::Modul
 /// Strains come from the triangle in the middle of the step. The element's axes follow side 1-2; the
 /// material spins by minus the shear strain against them, and the stress and the tensors of the law with it, so that
 /// the numbering of the nodes does not matter.
+///
+/// With `drilling` each node is held to turn about the normal as the plate does in its plane: moments of a spring of that part of the shear
+/// modulus times a third of the volume, and forces that balance them (Hughes & Brezzi 1989).
+///
+/// A plate that follows its strain has the thickness that the law leaves: in the middle of the step with the stress of its beginning, at
+/// the end with that of the end.
 ///
 /// x  [m] at the end of the step;  dx [m] and rotation [rad] increments of position and rotation over the step;
 /// dt  [s] above zero; rates are increments / dt
@@ -230,8 +310,8 @@ NEREID_HOT Report<T, Plate> advance(const Law& law, const Plate::Options& option
                   const std::array<Vector<T>, 3>& dx, const std::array<Vector<T>, 3>& rotation, T dt,
                   Plate::Memory<T, Law>& memory, std::array<Vector<T>, 3>& force,
                   std::array<Vector<T>, 3>& moment) {
-  const T half(0.5), zero(0.0);
-  const double thickness = options.thickness;
+  const T half(0.5), zero(0.0), given(options.thickness);
+  const bool thins = Plate::thins<Law>(options);
 
   // in the middle of the step: increments of membrane strain, curvature and transverse shear
   std::array<Vector<T>, 3> x_middle;
@@ -279,38 +359,55 @@ NEREID_HOT Report<T, Plate> advance(const Law& law, const Plate::Options& option
   const Plane<T> stretch = rotated_by(strain), bend = rotated_by(curvature);
   const InPlane<T> slide{shear.x - half * spin * shear.y, shear.y + half * spin * shear.x};
 
-  const T area_ratio = middle.area * T(law.density * thickness) / constants.mass;  // thickness is constant
+  const T volume_before = thins ? volume_left(law, layers, constants, memory) : middle.area * given;
+  const T thickness = thins ? volume_before / middle.area : given;
+  const T volume_ratio = volume_before * T(law.density) / constants.mass;
   material::ModuliOf<T, Plane, Law> moduli{};
   T stored(0.0), dissipated(0.0);
-  Plane<T> membrane{zero, zero, zero}, bending = membrane;  // [Pa] resultants per thickness, [Pa m]
+  Plane<T> membrane{zero, zero, zero}, bending = membrane;  // [Pa] resultants per thickness and per its square
   for (int l = 0; l < layers.count; ++l) {
     auto& layer = memory.layers[l];
     layer.stress = turned(layer.stress);
     for (Plane<T>& tensor : layer.internal.tensor) tensor = turned(tensor);
-    const T z(layers.z[l] * thickness), weight(layers.weight[l]);
+    const T z = T(layers.z[l]) * thickness, weight(layers.weight[l]);
     const auto [work, here] =
-        update_stress(law, material::Increment<T, Plane>{stretch + z * bend, dt, area_ratio}, layer.stress, layer.internal);
+        update_stress(law, material::Increment<T, Plane>{stretch + z * bend, dt, volume_ratio}, layer.stress, layer.internal);
     moduli = l == 0 ? here : stiffer(moduli, here);
     stored = stored + weight * work.stored;
     dissipated = dissipated + weight * work.dissipated;
     membrane = membrane + weight * layer.stress;
-    bending = bending + (weight * z) * layer.stress;
+    bending = bending + (weight * T(layers.z[l])) * layer.stress;
   }
 
   const T shear_stiffness =
-      T(moduli.mu * decltype(moduli.mu)(Plate::shear_factor * thickness)) * share_of_shear(moduli, Plate::shear_factor, thickness, middle);
+      T(moduli.mu * decltype(moduli.mu)(Plate::shear_factor)) * share_of_shear(moduli, Plate::shear_factor, thickness, middle);
   const InPlane<T> old{cosine * memory.shear.x - sine * memory.shear.y,
                        sine * memory.shear.x + cosine * memory.shear.y};
   const InPlane<T> now{old.x + shear_stiffness * slide.x, old.y + shear_stiffness * slide.y};
   const T shear_stored = half * ((old.x + now.x) * slide.x + (old.y + now.y) * slide.y);
   memory.shear = now;
 
+  T drilling_stored(0.0);
+  const double elastic_mu = material::lame(law).mu;
+  if (options.drilling > 0) {
+    const T stiffness = T(elastic_mu) * drilling_part(options.drilling, constants.gyration, trace_of_gradients(middle));
+    T mean(0.0);
+    for (int a = 0; a < 3; ++a) mean = mean + dot(gradient_of_spin(middle, a), dx[a]);
+    for (int a = 0; a < 3; ++a) {
+      const T turn = dot(rotation[a], middle.frame.e3) - mean, before = memory.drilling[a];
+      memory.drilling[a] = before + stiffness * turn;
+      drilling_stored = drilling_stored + T(1.0 / 6.0) * (before + memory.drilling[a]) * turn;
+    }
+  }
+
   // at the end of the step: stable step, viscous pressure, forces and moments
   const PlateShape<T> end = plate_shape(x);
-  const auto omega_squared = largest_frequencies_squared(moduli, law.density, thickness, constants.gyration, end);
-  const auto speed = material::plate_wave_speed(moduli, law.density);
-  const T volume = end.area * T(thickness), middle_volume = middle.area * T(thickness);
+  const T volume = thins ? volume_left(law, layers, constants, memory) : end.area * given;
+  const T middle_volume = thins ? half * (volume_before + volume) : volume_before;
+  const T thickness_now = thins ? volume / end.area : given;
   const T density = constants.mass / volume;
+  const auto omega_squared = largest_frequencies_squared(moduli, law.density, thickness_now, constants.gyration, end);
+  const auto speed = material::plate_wave_speed(moduli, law.density);
   const T length = T(decltype(moduli.mu)(2.0) * speed) / root(omega_squared.membrane);
   const T growth = strain.xx + strain.yy, rate = growth / dt;
   const T eta = bulk_viscosity(options.viscosity, density, length, speed, rate);
@@ -319,11 +416,12 @@ NEREID_HOT Report<T, Plate> advance(const Law& law, const Plate::Options& option
   memory.viscous = viscous;
 
   const T nx = volume * (membrane.xx - viscous), ny = volume * (membrane.yy - viscous), nxy = volume * membrane.xy;
-  const T mx = volume * bending.xx, my = volume * bending.yy, mxy = volume * bending.xy;
+  const T arm = volume * thickness_now;
+  const T mx = arm * bending.xx, my = arm * bending.yy, mxy = arm * bending.xy;
   const auto by_edge = shear_by_edge(end);
   const auto edge = edges(end);
   std::array<T, 3> q;  // [N m / m] work of the shear resultant per edge shear g
-  for (int a = 0; a < 3; ++a) q[a] = end.area * (now.x * by_edge[a].x + now.y * by_edge[a].y);
+  for (int a = 0; a < 3; ++a) q[a] = volume * (now.x * by_edge[a].x + now.y * by_edge[a].y);
   for (int a = 0; a < 3; ++a) {
     const int before = (a + 2) % 3;
     const auto& [e1, e2, e3] = end.frame;
@@ -335,14 +433,23 @@ NEREID_HOT Report<T, Plate> advance(const Law& law, const Plate::Options& option
     moment[a] = bend_y * e1 - bend_x * e2;  // beta = (theta_y, -theta_x)
   }
 
-  T squares = zero;
-  for (int a = 0; a < 3; ++a)
-    squares = squares + end.gradient_x[a] * end.gradient_x[a] + end.gradient_y[a] * end.gradient_y[a];
+  const T squares = trace_of_gradients(end);
+  T in_plane = omega_squared.membrane;
+  if (options.drilling > 0) {
+    const T part = drilling_part(options.drilling, constants.gyration, squares);
+    in_plane = in_plane + drilling_frequency_squared(part, elastic_mu, law.density, constants.gyration, squares);
+    const T third = T(1.0 / 3.0) * volume, all = third * (memory.drilling[0] + memory.drilling[1] + memory.drilling[2]);
+    for (int a = 0; a < 3; ++a) {
+      moment[a] = moment[a] - (third * memory.drilling[a]) * end.frame.e3;
+      force[a] = force[a] + all * gradient_of_spin(end, a);
+    }
+  }
   const T damping = T(1.5) * eta * squares / density;
-  return {.stored = {stored * middle_volume, shear_stored * middle.area},
+  const T lighter = T(law.density) / density;  // a plate that keeps its thickness gains volume as it stretches, and no mass
+  return {.stored = {stored * middle_volume, shear_stored * middle_volume, drilling_stored * middle_volume},
           .dissipated = {dissipated * middle_volume, -viscous_work},
-          .step = stable_step(larger(omega_squared.membrane, omega_squared.bending_and_shear), damping),
-          .volume_ratio = volume * T(law.density) / constants.mass};
+          .step = stable_step(lighter * larger(in_plane, omega_squared.bending_and_shear), damping),
+          .volume_ratio = end.area * T(law.density * options.thickness) / constants.mass};
 }
 
 /// Constants of a plate in its reference positions.
@@ -357,8 +464,10 @@ NEREID_HOT Plate::Constants<T> constants(const Law& law, const Plate::Options& o
   Plate::Constants<T> c{.mass = T(law.density * options.thickness) * s.area, .gyration = T(physical)};
   if (options.rotary_inertia == Plate::RotaryInertia::scaled) {
     // bending_and_shear = a/gyration + b, by two samples; at the size of the element, where both terms are alike
-    const auto at_one = largest_frequencies_squared(material::lame(law), law.density, options.thickness, s.area, s);
-    const auto at_two = largest_frequencies_squared(material::lame(law), law.density, options.thickness, T(2.0) * s.area, s);
+    const auto with = [&](T gyration) {
+      return largest_frequencies_squared(material::lame(law), law.density, T(options.thickness), gyration, s);
+    };
+    const auto at_one = with(s.area), at_two = with(T(2.0) * s.area);
     const T a_by_area = T(2.0) * (at_one.bending_and_shear - at_two.bending_and_shear);
     const T b = at_one.bending_and_shear - a_by_area;
     c.gyration = larger(c.gyration, s.area * a_by_area / (at_one.membrane - b));

@@ -92,12 +92,16 @@ element::AnyHexahedronOptions read_hexahedron_options(const Section& section, st
 
 element::Plate::Options read_plate_options(const Section& section) {
   using Inertia = element::Plate::RotaryInertia;
+  using Thinning = element::Plate::Thinning;
   element::Plate::Options options;
   options.thickness = section.quantity("thickness", dim::length, positive);
   options.layers = section.count_or("layers", options.layers, 1, element::Plate::most_layers);
   options.rotary_inertia = section.choice_or("rotary_inertia", "scaled", {"scaled", "physical"}) == "scaled"
                                ? Inertia::scaled
                                : Inertia::physical;
+  const auto thinning = section.choice_or("thinning", "by_law", {"by_law", "constant", "follows_strain"});
+  options.thinning = thinning == "by_law" ? Thinning::by_law : thinning == "constant" ? Thinning::constant : Thinning::follows_strain;
+  options.drilling = section.number_or("drilling", options.drilling, model::range::drilling);
   options.viscosity = read_viscosity(section);
   return options;
 }

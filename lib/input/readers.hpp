@@ -28,7 +28,8 @@ element::Hexahedron::Options read_one_point_options(const Section&);
 /// kind_key  a driver may call the kind by the name of the body
 element::AnyHexahedronOptions read_hexahedron_options(const Section&, std::string_view kind_key = "kind");
 
-/// `thickness`, optional `layers` (1 to 9), `rotary_inertia: scaled | physical`, and the viscosity.
+/// `thickness`, optional `layers` (1 to 9), `rotary_inertia: scaled | physical`, `thinning: by_law | constant |
+/// follows_strain`, `drilling`, and the viscosity.
 element::Plate::Options read_plate_options(const Section&);
 
 /// `kind: contact | bonded`, `method: multiplier | penalty`, `passes: one | two`; of a contact also `friction`, and by multipliers

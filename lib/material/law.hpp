@@ -196,6 +196,23 @@ NEREID_HOT Symmetric<T> deviator(const Symmetric<T>& a) {
   return {a.xx - mean, a.yy - mean, a.zz - mean, a.xy, a.yz, a.xz};
 }
 
+/// The logarithmic strain of volume at a stress in a plate:  tr s / 3 K = (1 - 2 nu) / E (xx + yy).
+///
+/// It holds, at any strain and after any flow, for every law that adds Hooke's stress and whose flow keeps volume; a rotation does
+/// not change the trace.
+template <Isotropic L, class T>
+NEREID_HOT T volume_strain(const L& law, const Plane<T>& stress) {
+  return T((1.0 - 2.0 * law.poisson) / law.young) * (stress.xx + stress.yy);
+}
+
+/// Whether a law flows: it remembers a plastic strain.
+template <class L>
+constexpr bool flows = [] {
+  for (const Variable& variable : L::internal)
+    if (variable.name == "plastic_strain") return true;
+  return false;
+}();
+
 /// The deviator, in the plane, of a tensor whose zz component is zero.
 ///
 /// Its zz component is minus the sum of the two normal ones. For a strain that is plastic, and so

@@ -195,7 +195,8 @@ std::vector<dynamics::Connected> add_contacts(const Scene& scene, dynamics::Mode
     if (contact.height_from_thickness)
       options.height = {.from_initial_height = false,
                         .clearance = 0,
-                        .given = stand_off(scene.bodies, model.mesh, contact.apexes) + stand_off(scene.bodies, model.mesh, contact.base)};
+                        .given = stand_off(scene.bodies, model.mesh, contact.apexes) + stand_off(scene.bodies, model.mesh, contact.base),
+                        .from_thickness = true};
     for (dynamics::Connected& pass : dynamics::connect(model, contact.name, contact.apexes, contact.base, options)) {
       refuse_penetration(contact, pass.gaps, faults);
       refuse_empty_bond(contact, pass.gaps, faults);

@@ -142,7 +142,9 @@ std::vector<std::string> overlap_notes(const Simulation& simulation) {
 }
 
 std::vector<std::string> quality_notes(const Simulation& simulation) {
-  constexpr double worth_saying = 0.1;  // [-] the usual bound on hourglass energy
+  constexpr double worth_saying = 0.1;             // [-] the usual bound on hourglass energy
+  constexpr double thickness_worth_saying = 1.05;  // [-] a bar has that at a plastic strain of a tenth
+  constexpr double spin_worth_saying = 0.01;       // [-] of the energy of the scene
   std::vector<std::string> notes;
   const double scale = dynamics::energy_scale(simulation.state.ledger);
   for (std::size_t b = 0; b < simulation.model.blocks.size(); ++b) {
@@ -152,6 +154,14 @@ std::vector<std::string> quality_notes(const Simulation& simulation) {
       notes.push_back(row("%s: a corner of element %d was inverted, its Jacobian %.3g of the reference at %.4g s: the mesh is too "
                           "coarse there or the load acts on one node",
                           name, seen.element, seen.corner, seen.time));
+    if (std::abs(std::log(seen.thinned.ratio)) > std::log(thickness_worth_saying))
+      notes.push_back(row("%s: plates keep their thickness, and the strain of element %d asks for %.3g of it at %.4g s: its forces are off "
+                          "by as much; 'thinning: follows_strain' lets the thickness change",
+                          name, seen.thinned.element, seen.thinned.ratio, seen.thinned_at));
+    if (scale > 0 && seen.spin.energy > spin_worth_saying * scale)
+      notes.push_back(row("%s: nodes that spin about their normals, node %d fastest, had %.3g of the energy at %.4g s; plates do not "
+                          "resist that: a moment should act on a body or along an edge, or 'drilling: 0.01' gives them a stiffness",
+                          name, seen.spin.node, seen.spin.energy / scale, seen.spin.time));
     const double fraction = dynamics::hourglass_fraction(seen, scale);
     if (fraction > worth_saying)
       notes.push_back(row("%s: hourglass energy reached %.3g of the internal energy; above %.3g the bending of single elements decides the "

@@ -102,7 +102,8 @@ Values own(const element::Hexahedron::Options& options) { return {{"element.hour
 Values own(const element::FullHexahedron::Options&) { return {}; }
 Values own(const element::Plate::Options& options) {
   return {{"element.thickness", options.thickness, positive, "m"},
-          {"element.layers", static_cast<double>(options.layers), within(1, element::Plate::most_layers)}};
+          {"element.layers", static_cast<double>(options.layers), within(1, element::Plate::most_layers)},
+          {"element.drilling", options.drilling, range::drilling}};
 }
 
 void check_body(const Body& body, Faults& faults) {

@@ -10,7 +10,8 @@ namespace nereid::model {
 /// Ranges of values that are not just positive or not negative.
 namespace range {
 inline constexpr Range poisson = between(-1, 0.5), share = within(0, 1), hardening_exponent = above(0).up_to(1),
-                       thermal_exponent = above(0).up_to(10), hourglass = above(0).up_to(1), linear_viscosity = within(0, 1),
+                       thermal_exponent = above(0).up_to(10), hourglass = above(0).up_to(1), drilling = within(0, 1),
+                       linear_viscosity = within(0, 1),
                        quadratic_viscosity = within(0, 10), friction = within(0, 10), tangential_penalty = above(0).up_to(1),
                        damping_ratio = within(0, 1), energy_gain_limit = within(1e-5, 0.04), step_factor = within(0, 0.5),
                        safety = above(0).up_to(10), residual = between(0, 1), restitution = within(0, 1);

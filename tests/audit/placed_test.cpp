@@ -49,6 +49,21 @@ TEST(Winding, OfAShellIsOneBetweenItsSides) {
     }
 }
 
+TEST(Place, GivesAShellTheThicknessThatItsPlatesHaveNow) {
+  const mesh::Mesh sheet = plate("sheet", 2, 2, 4, 4);
+  const Surfaces all = surfaces(sheet, {0.1});
+  Placed placed = make_placed(all.shells[0]);
+  Scalars growth = Scalars::Zero(sheet.X.cols());
+  for (Eigen::Index n = 0; n < growth.size(); ++n) growth(n) = -0.01 * (2 + sheet.X(0, n));
+  place(all.shells[0], sheet.X, placed, growth);
+  const auto points = static_cast<Index>(all.shells[0].nodes.size()) / 2;
+  for (Index p = 0; p < points; ++p) {
+    const double half = 0.05 + growth(all.shells[0].nodes[p]);
+    EXPECT_NEAR(placed.half(p), half, 1e-15);
+    EXPECT_NEAR((placed.at.col(p) - placed.at.col(p + points)).norm(), 2 * half, 1e-14);
+  }
+}
+
 TEST(Nearest, IsTheSmallestOfAllDistances) {
   const Standing box(block("box", {1, 2, 3}, {3, 4, 5}));
   std::mt19937 random(2);

@@ -10,8 +10,9 @@ TEST(Account, EveryChannelHasAWordOfItsOwn) {
   EXPECT_EQ(std::set(words_of_stored.begin(), words_of_stored.end()).size(), words_of_stored.size());
   EXPECT_EQ(std::set(words_of_dissipated.begin(), words_of_dissipated.end()).size(), words_of_dissipated.size());
   EXPECT_EQ(word(Stored::elastic), "elastic");
+  EXPECT_EQ(word(Stored::drilling), "drilling");
   EXPECT_EQ(word(Stored::external_work), words_of_stored.back());
-  EXPECT_EQ(word(Dissipated::removed), words_of_dissipated.back());
+  EXPECT_EQ(word(Dissipated::thinning), words_of_dissipated.back());
   EXPECT_EQ(word(SourceKind::gravity), words_of_source_kinds.back());
 }
 

@@ -1,9 +1,10 @@
 // What one update of an element costs in Nereid, to be put beside tests/benchmark/floor.cpp.
 //
-//     cost hexahedra|springs|viscous|full|plates|contact|bonded N STEPS
+//     cost hexahedra|springs|viscous|full|plates|kept|contact|bonded N STEPS
 //
-// A block of N^3 hexahedra (one point with assumed strains, springs or dashpots, or eight points), or a sheet of about 2 N^2 plates,
-// plastic, on one thread. Prints the nanoseconds per element update of the element kernels alone and of the whole step with its ledger.
+// A block of N^3 hexahedra (one point with assumed strains, springs or dashpots, or eight points), or a sheet of about 2 N^2 plates
+// whose thickness follows their strain or is kept, plastic, on one thread. Prints the nanoseconds per element update of the element
+// kernels alone and of the whole step with its ledger.
 // Contact presses a block of 2N x 2N x N cells on one of N x N x N/2, and prints the nanoseconds of the interface per near apex and
 // step, closed and open, beside the step of the elements, the bytes that an apex takes that is near and one that is far, and what
 // contact adds to the step of a scene with a tenth of its nodes on the interface. Bonded joins two blocks of N x N x 9 and M x M x 9
@@ -39,7 +40,7 @@ dynamics::Model hexahedra(int n, const material::J2Bilinear& law, const element:
 }
 
 /// One face of a box as a sheet.
-dynamics::Model plates(int n, const material::J2Bilinear& law) {
+dynamics::Model plates(int n, const material::J2Bilinear& law, element::Plate::Thinning thinning) {
   const mesh::Mesh box = mesh::box("block", {Vec3::Zero(), Vec3::Ones(), {n, n, 1}});
   const mesh::Surface& face = mesh::surface(box, "block.z_low");
   const Subset nodes = mesh::surface_nodes(face);
@@ -55,6 +56,7 @@ dynamics::Model plates(int n, const material::J2Bilinear& law) {
   model.mesh.triangles = {{"sheet", triangles}};
   element::Plate::Options options;
   options.thickness = 0.1 / n;
+  options.thinning = thinning;
   model.blocks.push_back(element::plates(model.mesh, "sheet", law, options));
   dynamics::finalize(model);
   return model;
@@ -251,7 +253,8 @@ int main(int argc, char** argv) {
   const Hexahedron::Options one_point{.hourglass = coefficient, .viscosity = {}, .hourglass_kind = control};
   if (kind == "contact") return contact_costs(n, steps, law, one_point);
   if (kind == "bonded") return bonded_costs(n, steps, law, one_point);
-  const dynamics::Model model = kind == "plates" ? plates(n, law)
+  const dynamics::Model model = kind == "plates" ? plates(n, law, element::Plate::Thinning::by_law)
+                                : kind == "kept" ? plates(n, law, element::Plate::Thinning::constant)
                                 : kind == "full" ? hexahedra(n, law, element::FullHexahedron::Options{})
                                                  : hexahedra(n, law, one_point);
   dynamics::State state = dynamics::initial_state(model, {});

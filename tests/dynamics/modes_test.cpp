@@ -33,12 +33,12 @@ Model box(const Vec3& size, const Eigen::Vector3i& cells, const Elastic& law, bo
   return solid(mesh::box("a", {Vec3::Zero(), size, cells}), law, full);
 }
 
-Model sheet(double side, int cells, double thickness, double angle = 0) {
+Model sheet(double side, int cells, double thickness, double angle = 0, double drilling = element::Plate::Options{}.drilling) {
   Model model;
   model.mesh = mesh::sheet("a", {.length = side, .width = side, .cells_along = cells, .cells_across = cells, .cuts = mesh::Cuts::crossed});
   if (angle != 0) model.mesh = mesh::rotated_about(std::move(model.mesh), Vec3(1, 2, 3).normalized(), angle, Vec3::Zero());
   const element::Plate::Options options{.thickness = thickness, .layers = 2, .rotary_inertia = element::Plate::RotaryInertia::physical,
-                                        .viscosity = none};
+                                        .viscosity = none, .drilling = drilling};
   model.blocks.push_back(element::plates(model.mesh, "a", steel, options));
   return model;
 }
@@ -117,7 +117,7 @@ TEST(Modes, OfAFreeSolidBeginWithSixRigidOnes) {
 
 TEST(Modes, OfAPlateLeaveOutTurnsAboutItsNormal) {
   for (const double angle : {0.0, 0.7}) {
-    Model model = sheet(1, 8, 0.01, angle);
+    Model model = sheet(1, 8, 0.01, angle, 0);
     finalize(model);
     const Modes modes = find_modes(model, 12, 1);
     const Eigen::Index nodes = model.mesh.X.cols();
@@ -130,6 +130,16 @@ TEST(Modes, OfAPlateLeaveOutTurnsAboutItsNormal) {
       EXPECT_NEAR(mass_of(model, mode), 1, 1e-9);
     }
   }
+}
+
+TEST(Modes, OfAPlateThatResistsDrillingHaveAllTurnsAndTheSameLowFrequencies) {
+  Model with = sheet(1, 8, 0.01), without = sheet(1, 8, 0.01, 0, 0);
+  finalize(with), finalize(without);
+  const Modes some = find_modes(with, 12, 1), others = find_modes(without, 12, 1);
+  EXPECT_EQ(some.drilling, 0);
+  EXPECT_EQ(some.freedoms, 6 * with.mesh.X.cols());
+  EXPECT_EQ(some.without_stiffness, 6);
+  for (std::size_t i = 6; i < 12; ++i) EXPECT_NEAR(some.lowest[i].frequency, others.lowest[i].frequency, 1e-6 * others.lowest[i].frequency);
 }
 
 TEST(Modes, ComeInPairsWhereTheShapeIsSymmetric) {

@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
 #include "dynamics/overlaps.hpp"
 #include "mesh/box.hpp"
+#include "mesh/disc.hpp"
 #include "tests/dynamics/scene.hpp"
 
 namespace nereid::dynamics {
@@ -52,6 +55,77 @@ TEST(Quality, OfANodePushedThroughItsElementsIsAnInvertedCornerAndHourglassEnerg
   EXPECT_GE(s.state.quality[0].element, 4) << "one of the upper four";
   EXPECT_GT(s.state.quality[0].time, 0.5);
   EXPECT_GT(hourglass_fraction(s.state.quality[0], energy_scale(s.state.ledger)), 0.1);
+}
+
+TEST(Quality, OfPlatesThatKeepTheirThicknessIsHowFarItIsOff) {
+  for (const auto thinning : {element::Plate::Thinning::constant, element::Plate::Thinning::by_law}) {
+    Scene s;
+    s.model.mesh = mesh::sheet("sheet", {1, 1, 2, 2, mesh::Cuts::columns});
+    const material::J2Bilinear metal{1000, 1e9, 0.3, {1e6, 1e7}};
+    s.model.blocks.push_back(element::plates(s.model.mesh, "sheet", metal, {.thickness = 0.1, .viscosity = {}, .thinning = thinning}));
+    finalize(s.model);
+    s.ready();
+    for (Eigen::Index n = 0; n < s.state.v.cols(); ++n)
+      s.state.v.col(n) = 70 * (s.model.mesh.X.col(n) - Vec3(0.5, 0.5, 0)).cwiseProduct(Vec3(1, 1, 0));
+    s.run_to(0.01, 1e-3);
+    if (thinning == element::Plate::Thinning::by_law) {
+      EXPECT_EQ(s.state.quality[0].thinned.element, -1);
+      EXPECT_LT(s.state.tiles[0].thickness.mean(), 0.09);
+    } else {
+      EXPECT_GE(s.state.quality[0].thinned.element, 0);
+      EXPECT_LT(s.state.quality[0].thinned.ratio, 0.9);
+      EXPECT_GT(s.state.quality[0].thinned_at, 0);
+    }
+  }
+}
+
+/// A square of rubber plates whose middle node is given a spin about the normal.
+Scene spun(double drilling) {
+  Scene s;
+  s.model.mesh = mesh::sheet("sheet", {1, 1, 4, 4, mesh::Cuts::columns});
+  s.model.blocks.push_back(element::plates(s.model.mesh, "sheet", material::Elastic{1000, 1e6, 0.3},
+                                           {.thickness = 0.1, .viscosity = {}, .drilling = drilling}));
+  finalize(s.model);
+  s.ready();
+  return s;
+}
+Index middle(const Scene& s) {
+  for (Index n = 0; n < static_cast<Index>(s.model.mesh.X.cols()); ++n)
+    if ((s.model.mesh.X.col(n) - Vec3(0.5, 0.5, 0)).norm() < 1e-9) return n;
+  return -1;
+}
+
+TEST(Quality, OfPlatesWhoseNodesSpinAboutTheirNormalsIsTheEnergyOfThat) {
+  Scene s = spun(0);
+  const Index node = middle(s), r = s.model.rotation_of_node[node];
+  s.state.omega.col(r) = Vec3(0, 0, 2);
+  s.run_to(0.1);
+  EXPECT_EQ(s.state.quality[0].spin.node, node);
+  EXPECT_NEAR(s.state.quality[0].spin.energy, 0.5 * s.model.inertia(r) * 4, 1e-12);
+  EXPECT_NEAR(s.state.omega(2, r), 2, 1e-12) << "nothing resists it";
+}
+
+TEST(Quality, OfPlatesThatTurnWithTheirNodesHasNoSpin) {
+  Scene s = spun(0);
+  for (Eigen::Index n = 0; n < s.state.v.cols(); ++n) s.state.v.col(n) = Vec3(0, 0, 2).cross(Vec3(s.model.mesh.X.col(n)));
+  for (Eigen::Index r = 0; r < s.state.omega.cols(); ++r) s.state.omega.col(r) = Vec3(0, 0, 2);
+  EXPECT_NEAR(free_spin(s.model, 0, s.state).energy, 0, 1e-12);
+}
+
+TEST(Quality, OfASpinThatDrillingStiffnessTakesUpIsNotLookedAtAndItsEnergyIsAccountedFor) {
+  Scene s = spun(0.01);
+  const Index node = middle(s), r = s.model.rotation_of_node[node];
+  s.state.omega.col(r) = Vec3(0, 0, 2);
+  const double kinetic = 0.5 * s.model.inertia(r) * 4;
+  double most = 0;
+  for (int i = 1; i <= 50; ++i) {
+    s.run_to(0.01 * i);
+    most = std::max(most, account(s, "sheet").stored[Stored::drilling]);
+  }
+  EXPECT_EQ(s.state.quality[0].spin.energy, 0);
+  EXPECT_GT(most, 0.3 * kinetic);
+  EXPECT_LT(most, 1.01 * kinetic);
+  EXPECT_LT(std::abs(created(account(s, "sheet"))), 1e-3 * kinetic);
 }
 
 TEST(Quality, OfCornersIsSeenInAShortRunToo) {

@@ -10,6 +10,7 @@
 #include <random>
 
 #include "base/types.hpp"
+#include "material/mixed_control.hpp"
 #include "tests/element/metal.hpp"
 
 namespace nereid::element {
@@ -70,7 +71,8 @@ Plate::Options thick(double thickness,
   return {.thickness = thickness,
           .layers = 5,
           .rotary_inertia = inertia,
-          .viscosity = {.linear = 0, .quadratic = 0}};
+          .viscosity = {.linear = 0, .quadratic = 0},
+          .drilling = 0};
 }
 
 template <class Law>
@@ -96,7 +98,8 @@ struct Element {
       for (auto& tensor : memory.layers[l].internal.tensor)
         tensor = 0.3 * material::deviator(Plane<double>{stress * random(), stress * random(), stress * random()});
     }
-    memory.shear = {stress * random() * options.thickness, stress * random() * options.thickness};
+    memory.shear = {stress * random(), stress * random()};
+    for (double& each : memory.drilling) each = stress * options.drilling * random();
   }
   double work(const Corners& du, const Corners& turn) const {
     return product(force, du) + product(moment, turn);
@@ -158,7 +161,7 @@ Resultants resultants(const Element<Law>& e) {
     r.membrane += e.layers.weight[l] * s;
     r.bending += e.layers.weight[l] * e.layers.z[l] * e.options.thickness * s;
   }
-  r.shear = Q * Eigen::Vector2d(e.memory.shear.x, e.memory.shear.y);
+  r.shear = e.options.thickness * Q * Eigen::Vector2d(e.memory.shear.x, e.memory.shear.y);
   return r;
 }
 
@@ -372,9 +375,9 @@ TYPED_TEST(PlateOf, PacksAndDoublesAgree) {
   std::array<Vector<Pack>, 3> xs, dxs, turns, fs, ms;
   Plate::Constants<Pack> constants;
   Plate::Memory<Pack, TypeParam> memory;
+  const Plate::Options options{.thickness = 0.1, .viscosity = {}, .drilling = 0.01};
   for (int l = 0; l < lanes; ++l) {
-    one[l] =
-        Element<TypeParam>{metal<TypeParam>(), {.thickness = 0.1, .viscosity = {}}, triangle()};
+    one[l] = Element<TypeParam>{metal<TypeParam>(), options, triangle()};
     one[l].randomise(0.02);
     to[l] = sum(one[l].X, random_field(0.05)), dx[l] = random_field(0.03), turn[l] = random_field(0.03);
     for (int i = 0; i < 9; ++i) {
@@ -384,10 +387,10 @@ TYPED_TEST(PlateOf, PacksAndDoublesAgree) {
     }
     constants.mass[l] = one[l].constants.mass, constants.gyration[l] = one[l].constants.gyration;
     std::vector<double> rows;
-    one[l].memory.each_row([&](double& row) { rows.push_back(row); }, 5);
+    one[l].memory.each_row([&](double& row) { rows.push_back(row); }, options);
     std::size_t r = 0;
-    memory.each_row([&](Pack& row) { row[l] = rows[r++]; }, 5);
-    EXPECT_EQ(static_cast<int>(r), (Plate::Memory<double, TypeParam>::rows(5)));
+    memory.each_row([&](Pack& row) { row[l] = rows[r++]; }, options);
+    EXPECT_EQ(static_cast<int>(r), (Plate::Memory<double, TypeParam>::rows(options)));
   }
   const auto all = advance(one[0].law, one[0].options, one[0].layers, constants, xs, dxs, turns,
                                    Pack(0.1), memory, fs, ms);
@@ -402,6 +405,7 @@ TYPED_TEST(PlateOf, PacksAndDoublesAgree) {
     EXPECT_NEAR(all.step[l], report.step, 1e-13 * report.step);
     EXPECT_NEAR(all.stored[0][l], report.stored[0], 1e-15);
     EXPECT_NEAR(all.stored[1][l], report.stored[1], 1e-15);
+    EXPECT_NEAR(all.stored[2][l], report.stored[2], 1e-15);
     EXPECT_NEAR(all[Dissipated::plastic][l], report[Dissipated::plastic], 1e-15);
     EXPECT_NEAR(all[Dissipated::viscous][l], report[Dissipated::viscous], 1e-15);
   }
@@ -426,6 +430,96 @@ TYPED_TEST(PlateOf, InPlaneCompressionIsDampedByViscosity) {
   for (int a = 0; a < 3; ++a) du[a] = -1e-3 * (e.X[a] - centre);
   for (int step = 0; step < 5; ++step)
     EXPECT_GT(e.step(sum(e.x, du), du, Corners{}, 0.01)[Dissipated::viscous], 0);
+}
+
+// ------------------------------------------------------------------------------------------------
+// Thickness
+
+/// Stretches an element by strain increments xx and yy of the middle of each step.
+template <class Law>
+void stretch(Element<Law>& e, double xx, double yy) {
+  Corners to;
+  for (int a = 0; a < 3; ++a) to[a] = {e.x[a].x * (1 + xx / 2) / (1 - xx / 2), e.x[a].y * (1 + yy / 2) / (1 - yy / 2), 0};
+  e.step(to, sum(to, e.x, -1.0), Corners{});
+}
+
+TYPED_TEST(PlateOf, FollowsTheStrainThatItsLawHasInSpaceWhereTheThicknessIsFree) {
+  for (const auto& [xx, yy] : {std::pair{1e-3, -0.4e-3}, {1e-3, 1e-3}, {-0.5e-3, 0.1e-3}}) {
+    Plate::Options options = thick(0.1);
+    options.thinning = Plate::Thinning::follows_strain;
+    Element<TypeParam> e{metal<TypeParam>(), options, flat_triangle(1.0, 0.3, 0.8)};
+    auto point = material::point_of<Symmetric>(e.law);
+    for (int step = 0; step < 500; ++step) {
+      stretch(e, xx, yy);
+      material::Goal<Symmetric> goal;
+      goal.target[0] = xx * (step + 1), goal.target[1] = yy * (step + 1), goal.strain[2] = false;
+      ASSERT_TRUE(advance(e.law, goal, point).found);
+    }
+    const double theta = point.strain.xx + point.strain.yy + point.strain.zz;
+    const double thickness = thickness_left(e.law, e.layers, e.constants, e.x, e.memory);
+    // an increment a of the middle's strain is a logarithm of a + a^3/12
+    EXPECT_NEAR(std::log(thickness / 0.1), point.strain.zz, 1e-7 + 1.1 * std::pow(std::abs(theta), 5) / 720);
+  }
+}
+
+/// Work of the nodal forces on a path of stretch and bending far beyond yield, less what was stored and dissipated, over the work.
+template <class Law>
+double unbooked(int steps) {
+  Plate::Options options = thick(0.1);
+  options.thinning = Plate::Thinning::follows_strain;
+  Element<Law> e{metal<Law>(), options, flat_triangle(1.0, 0.3, 0.8)};
+  double work = 0, booked = 0;
+  for (int s = 0; s < steps; ++s) {
+    const double h = 0.5 / steps;
+    Corners to, turn{};
+    for (int a = 0; a < 3; ++a) {
+      to[a] = {e.x[a].x * (1 + h / 2) / (1 - h / 2), e.x[a].y * (1 - 0.1 * h) / (1 + 0.1 * h), 0};
+      turn[a] = {0, 0.4 * h * e.X[a].x, 0};
+    }
+    const Corners du = sum(to, e.x, -1.0), force = e.force, moment = e.moment;
+    const auto report = e.step(to, du, turn);
+    work -= 0.5 * (product(force, du) + product(moment, turn) + e.work(du, turn));
+    booked += report.stored[0] + report.stored[1] + report.dissipated[0];
+  }
+  return (work - booked) / work;
+}
+
+TYPED_TEST(PlateOf, ThinningDoesTheWorkThatItsLawStoresAndDissipates) {
+  const double coarse = unbooked<TypeParam>(500), fine = unbooked<TypeParam>(2000);
+  EXPECT_LT(std::abs(coarse), 1e-4);
+  EXPECT_LT(std::abs(fine), 0.15 * std::abs(coarse)) << "a trapezoid rule, of second order but at the step that yields first";
+}
+
+TYPED_TEST(PlateOf, ThatKeepsItsThicknessHasTheSameStressAndTheForcesOfItsThickness) {
+  Plate::Options keeps = thick(0.1), follows = thick(0.1);
+  keeps.thinning = Plate::Thinning::constant, follows.thinning = Plate::Thinning::follows_strain;
+  Element<TypeParam> one{metal<TypeParam>(), keeps, flat_triangle(1.0, 0.3, 0.8)}, other{metal<TypeParam>(), follows, one.X};
+  for (int step = 0; step < 100; ++step) stretch(one, 2e-3, 1e-3), stretch(other, 2e-3, 1e-3);
+  const double ratio = thickness_left(other.law, other.layers, other.constants, other.x, other.memory) / 0.1;
+  EXPECT_LT(ratio, 0.9);
+  EXPECT_EQ(one.memory.layers[0].stress.xx, other.memory.layers[0].stress.xx);
+  EXPECT_LT(largest(sum(other.force, one.force, -ratio)), 1e-12 * largest(one.force));
+}
+
+TEST(Plate, ThinsByItselfWhereItsLawFlows) {
+  EXPECT_FALSE(Plate::thins<Elastic>({.viscosity = {}}));
+  EXPECT_TRUE(Plate::thins<J2Bilinear>({.viscosity = {}}));
+  EXPECT_TRUE(Plate::thins<J2Mixed>({.viscosity = {}}));
+  EXPECT_FALSE(Plate::thins<J2Mixed>({.viscosity = {}, .thinning = Plate::Thinning::constant}));
+  EXPECT_TRUE(Plate::thins<Elastic>({.viscosity = {}, .thinning = Plate::Thinning::follows_strain}));
+}
+
+/// A plate that keeps its thickness gains volume and no mass: its step is that of the stiffness that it has.
+TEST(Plate, StretchedWithItsThicknessKeptHasAStepShorterByTheRootOfItsArea) {
+  Plate::Options options = thick(0.1);
+  options.thinning = Plate::Thinning::constant;
+  Element<J2Bilinear> e{metal<J2Bilinear>(), options, flat_triangle(1.0, 0.3, 0.8)};
+  for (int step = 0; step < 200; ++step) stretch(e, 3e-3, 3e-3);
+  const auto report = e.step(e.x, Corners{}, Corners{});
+  const PlateShape<double> now = plate_shape(e.x), before = plate_shape(e.X);
+  const auto bound = largest_frequencies_squared(material::lame(e.law), e.law.density, 0.1, e.constants.gyration, now);
+  const double worst = std::max(bound.membrane, bound.bending_and_shear);
+  EXPECT_NEAR(report.step, 2 / std::sqrt(worst) * std::sqrt(before.area / now.area), 1e-12 * report.step);
 }
 
 // ------------------------------------------------------------------------------------------------
@@ -637,6 +731,52 @@ TEST(Plate, HasThreeStrainsThreeCurvaturesAndTwoShearsAndNoOtherStiffness) {
   EXPECT_GT(values(10), 1e-4);
 }
 
+TEST(Plate, WithDrillingStiffnessHasThreeMoreStiffnesses) {
+  Plate::Options options = thick(0.3);
+  options.drilling = 0.5;
+  const Eigen::SelfAdjointEigenSolver<Matrix18> solver(stiffness(metal<Elastic>(), options, flat_triangle(1.0, 0.3, 0.8)));
+  EXPECT_LT(std::abs(solver.eigenvalues()(6)), 1e-10) << "six rigid motions and the swirl of the normals";
+  EXPECT_GT(solver.eigenvalues()(7), 1e-4);
+}
+
+/// Nodes that turn by an angle about the normal store mu times the part times volume times half its square, and plates that turn with them
+/// nothing.
+TEST(Plate, DrillingStoresTheSpinOfNodesBesideThatOfThePlate) {
+  Plate::Options options = thick(0.1);
+  options.drilling = 0.02;
+  Element<Elastic> e{metal<Elastic>(), options, flat_triangle(1.0, 0.3, 0.8)};
+  options.thickness = 1;  // thick beside its sides: the part is what is asked for
+  e = {metal<Elastic>(), options, e.X};
+  ASSERT_EQ(drilling_part(0.02, e.constants.gyration, trace_of_gradients(plate_shape(e.X))), 0.02);
+  const Point up{0, 0, 1};
+  const auto report = e.step(e.X, Corners{}, {0.01 * up, 0.01 * up, 0.01 * up});
+  EXPECT_NEAR(report.stored[2], 0.5 * 0.02 * material::shear_modulus(e.law) * 0.4 * 1e-4, 1e-14);
+  const auto before = e.memory.drilling;
+  const auto [du, turn] = rigid(e.x, Vec3(0, 0.6, 0.8), 0.01);
+  EXPECT_NEAR(e.move(du, turn).stored[2], 0, 1e-9 * report.stored[2]);
+  for (int a = 0; a < 3; ++a) EXPECT_NEAR(e.memory.drilling[a], before[a], 1e-9 * before[a]);
+}
+
+TYPED_TEST(PlateOf, DrillingHasNoNetForceNorMomentAndIsTheGradientOfItsEnergy) {
+  for (int trial = 0; trial < 10; ++trial) {
+    Plate::Options options = thick(0.3);
+    options.drilling = 0.5;
+    const Corners X = triangle(), u = random_field(1e-5), t = random_field(1e-5), du = random_field(1e-6), turn = random_field(1e-6);
+    const auto stored = [&](double s) {
+      Element<TypeParam> e{metal<TypeParam>(), options, X};
+      const auto report = e.move(sum(u, du, s), sum(t, turn, s));
+      return report.stored[0] + report.stored[1] + report.stored[2];
+    };
+    Element<TypeParam> e{metal<TypeParam>(), options, X};
+    EXPECT_GT(e.move(u, t).stored[2], 0);
+    EXPECT_NEAR(-2 * e.work(du, turn), stored(1) - stored(-1), 1e-4 * 2 * largest(e.force) * largest(du));
+    Point force{}, moment{};
+    for (int a = 0; a < 3; ++a) force = force + e.force[a], moment = moment + e.moment[a] + cross(e.x[a], e.force[a]);
+    EXPECT_LT(norm(force), 1e-13 * largest(e.force));
+    EXPECT_LT(norm(moment), 1e-13 * largest(e.force));
+  }
+}
+
 // ------------------------------------------------------------------------------------------------
 // Shear locking
 
@@ -798,6 +938,43 @@ TEST(Plate, FrequencyBoundsAreNeverBelowTheExactOnes) {
     EXPECT_GE(closest[m], 1 - 1e-9);
     EXPECT_LT(farthest[m], 1.6);
   }
+}
+
+/// However thin the plate: the step is no more than 5 % shorter.
+TEST(Plate, DrillingHardlyChangesTheStep) {
+  for (const auto inertia : {Plate::RotaryInertia::physical, Plate::RotaryInertia::scaled})
+    for (int trial = 0; trial < 200; ++trial) {
+      Plate::Options options = thick(std::pow(10.0, random(-3.0, 0.5)), inertia);
+      Element<Elastic> e{metal<Elastic>(random(0.0, 0.49)), options, any_triangle()};
+      const double without = e.step(e.X, Corners{}, Corners{}).step;
+      e.options.drilling = 0.1;
+      const double with = e.step(e.X, Corners{}, Corners{}).step;
+      EXPECT_LE(with, without * (1 + 1e-12));
+      EXPECT_GT(with, 0.95 * without);
+    }
+}
+
+TEST(Plate, FrequencyBoundHoldsWithDrillingStiffness) {
+  double farthest = 0;
+  for (int trial = 0; trial < 400; ++trial) {
+    Plate::Options options = thick(std::pow(10.0, random(-2.0, -0.5)));
+    options.drilling = std::pow(10.0, random(-4.0, 0.0));
+    Element<Elastic> e{metal<Elastic>(random(-0.9, 0.49)), options, any_triangle()};
+    const Matrix18 K = stiffness(e.law, e.options, e.X);
+    Eigen::Matrix<double, 18, 1> per_root;
+    for (int i = 0; i < 18; ++i)
+      per_root(i) = 1 / std::sqrt(e.constants.mass / 3 * (i % 6 < 3 ? 1.0 : e.constants.gyration));
+    Matrix18 in_plane = per_root.asDiagonal() * K * per_root.asDiagonal();
+    for (int i = 0; i < 18; ++i)
+      if (i % 6 >= 2 && i % 6 <= 4) in_plane.row(i).setZero(), in_plane.col(i).setZero();  // u, v and the spin
+    const auto bound = largest_frequencies_squared(material::lame(e.law), e.law.density, options.thickness, e.constants.gyration,
+                                                   plate_shape(e.X));
+    const double exact = Eigen::SelfAdjointEigenSolver<Matrix18>(in_plane).eigenvalues().maxCoeff();
+    const double step = e.step(e.X, Corners{}, Corners{}).step, here = 4 / (step * step);
+    EXPECT_GE(here, std::max(exact, bound.bending_and_shear) * (1 - 1e-9));
+    if (here > bound.bending_and_shear * (1 + 1e-9)) farthest = std::max(farthest, here / exact);
+  }
+  EXPECT_LT(farthest, 2);
 }
 
 TEST(Plate, WithScaledRotaryInertiaBendingNeverSetsTheStep) {

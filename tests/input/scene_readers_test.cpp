@@ -15,7 +15,7 @@ const std::string bar =
     "    material: " + steel + "\n";
 const std::string skin =
     "  - name: skin\n    mesh: {kind: tube, radius: 1 m, length: 1 m, turn: full, cells_core: 2, cells_along: 2}\n"
-    "    material: " + steel + "\n    element: {thickness: 2 mm, layers: 3}\n";
+    "    material: " + steel + "\n    element: {thickness: 2 mm, layers: 3, drilling: 0.01}\n";
 const std::string time = "time: {end: 1 ms}\n";
 
 model::Scene read(const std::string& text) {
@@ -45,6 +45,8 @@ TEST(ReadBody, TakesMeshMaterialAndElement) {
   EXPECT_TRUE(std::holds_alternative<element::Hexahedron::Options>(scene.bodies[0].solid));
   EXPECT_TRUE(model::has_plates(scene.bodies[1].mesh));
   EXPECT_EQ(scene.bodies[1].plate.thickness, 2e-3);
+  EXPECT_EQ(scene.bodies[1].plate.thinning, element::Plate::Thinning::by_law);
+  EXPECT_EQ(scene.bodies[1].plate.drilling, 0.01);
   EXPECT_EQ(scene.bodies[1].plate.layers, 3);
 }
 

@@ -120,12 +120,37 @@ TEST(OverlapNotes, SayNothingOfWhatTheCaseAccepts) {
   EXPECT_TRUE(overlap_notes(simulation).empty());
 }
 
+TEST(QualityNotes, SayWhichPlatesAreNoLongerAsThickAsTheyShouldBe) {
+  Simulation simulation = build(with({sheet()}));
+  run(simulation);
+  EXPECT_TRUE(quality_notes(simulation).empty());
+  simulation.state.quality[0].thinned = {0.96, 2};
+  EXPECT_TRUE(quality_notes(simulation).empty());
+  simulation.state.quality[0].thinned = {0.8, 2};
+  const auto notes = quality_notes(simulation);
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_TRUE(says(notes[0], "sheet: plates keep their thickness, and the strain of element 2 asks for 0.8 of it")) << notes[0];
+}
+
+TEST(QualityNotes, SayWhichPlatesHaveNodesThatSpin) {
+  Simulation simulation = build(with({sheet()}));
+  run(simulation);
+  simulation.state.ledger.initial_available = simulation.state.ledger.initial_kinetic = 1;
+  simulation.state.quality[0].spin = {.energy = 0.009, .node = 5, .time = 1e-3};
+  EXPECT_TRUE(quality_notes(simulation).empty());
+  simulation.state.quality[0].spin.energy = 0.1;
+  const auto notes = quality_notes(simulation);
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_TRUE(says(notes[0], "sheet: nodes that spin about their normals, node 5 fastest, had 0.1 of the energy at 0.001 s")) << notes[0];
+}
+
 TEST(QualityNotes, SayWhichCornerIsInvertedAndHowMuchEnergyIsInHourglasses) {
   Simulation simulation = build(with({bar()}));
   run(simulation);
   EXPECT_TRUE(quality_notes(simulation).empty());
   simulation.state.ledger.initial_available = simulation.state.ledger.initial_kinetic = 1;
-  simulation.state.quality[0] = {.corner = -0.25, .element = 3, .time = 1e-3, .hourglass = 0.3, .internal = 0.5};
+  simulation.state.quality[0] = {.corner = -0.25, .element = 3, .time = 1e-3, .hourglass = 0.3, .internal = 0.5, .thinned = {},
+                                 .thinned_at = 0, .spin = {}};
   const auto notes = quality_notes(simulation);
   ASSERT_EQ(notes.size(), 2U);
   EXPECT_TRUE(says(notes[0], "bar: a corner of element 3 was inverted, its Jacobian -0.25 of the reference at 0.001 s")) << notes[0];

@@ -15,7 +15,7 @@ TWO = {"contacts[0].passes": "two"}
 FRICTION = {"contacts[0].friction": 0.3}
 PENALTY = {"contacts[0].method": "penalty"}
 COARSE = {"contacts[0].apexes": "upper.z_low", "contacts[0].base": "lower.z_high"}
-ON = {"time.overlap_limit": 1000}  # runs that fold go on
+ON = {"time.overlap_limit": 1000, "time.corner_limit": -1000}  # runs that fold go on
 SPRINGS = {f"bodies[{body}].element.hourglass_kind": "stiffness" for body in range(2)}
 EIGHT = {f"bodies[{body}].element.kind": "full" for body in range(2)}
 

@@ -90,10 +90,11 @@ STUDIES = [
 COARSE = {"bodies[0].mesh.cells_core": 2, "bodies[0].mesh.cells_ring": 2, "bodies[0].mesh.cells_along": 40}
 DEPARTURES = {"integration": "the radius of the foot is held against that of eight points"}
 
+ON = {"time.corner_limit": -1000}  # softer bars fold and go on
 BREAKS = [
-    Breaks("final radius of the foot", "hardening forgotten", {**COARSE, "bodies[0].material.tangent": "0.01 MPa"}),
+    Breaks("final radius of the foot", "hardening forgotten", {**COARSE, **ON, "bodies[0].material.tangent": "0.01 MPa"}),
     Breaks("final radius of the foot", "ten times the hardening", {**COARSE, "bodies[0].material.tangent": "1 GPa"}),
-    Breaks("final length", "a yield stress of 314 MPa, of another source", {**COARSE, "bodies[0].material.yield": "314 MPa"}),
+    Breaks("final length", "a yield stress of 314 MPa, of another source", {**COARSE, **ON, "bodies[0].material.yield": "314 MPa"}),
     Breaks("radius of the foot against eight points, worst of three meshes", "springs, which do not flow",
            {"bodies[0].element.hourglass_kind": "stiffness"}, full=True),
     Breaks("kinetic energy left", "stopped early", {**COARSE, "time.end": "40 us"}),
