@@ -16,7 +16,7 @@ Spin free_spin(const Model&, std::size_t block, const State&);
 /// A look takes about as long as five steps.
 constexpr std::int64_t corners_every = 500, corners_least = 50;
 
-/// Looks at the shapes of all elements if it is time: at half of the steps after which the smallest corner would invert at the pace of late.
+/// Looks at the shapes of all elements if it is time: at half of the steps after which the smallest corner would invert at its pace.
 ///
 /// look  whether to look in any case: as a look for overlaps is due, or the run ends
 void see_elements(const Model&, bool look, State&);

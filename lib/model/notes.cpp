@@ -71,7 +71,7 @@ std::vector<std::string> coarseness_notes(const Simulation& simulation) {
                           : bonded                  ? "exchange 'apexes' and 'base'"
                                                     : "exchange 'apexes' and 'base', or take 'passes: two'";
     notes.push_back(row("%s: its apexes are %.3g times as far apart as the nodes of its base, so that nodes of the base between them are "
-                        "not held and the stress beside the interface is wrong by 10 to 300 %%: %s",
+                        "not held and the stress beside the interface is wrong by 2 to 150 %%: %s",
                         interface.name.c_str(), seen.apexes, instead));
   }
   return notes;
