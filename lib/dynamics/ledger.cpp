@@ -23,10 +23,15 @@ double overdrawn(const Account& a) {
 }
 double created(const Account& a) { return a.work + stored(a) + dissipated(a) + overdrawn(a); }
 
+double initial_stored(const Account& account) {
+  double sum = 0;
+  for (std::size_t c = 0; c < words_of_stored.size(); ++c) sum += account.at_start[static_cast<Stored>(c)];
+  return sum;
+}
+
 double initial_stored(const Ledger& ledger) {
   double sum = 0;
-  for (const Account& account : ledger.accounts)
-    for (std::size_t c = 0; c < words_of_stored.size(); ++c) sum += account.at_start[static_cast<Stored>(c)];
+  for (const Account& account : ledger.accounts) sum += initial_stored(account);
   return sum;
 }
 

@@ -46,7 +46,8 @@ struct Ledger {
   double most_integration = 0;  ///< [J] `integration` where it was largest so far, without its sign
 };
 
-/// What all stores held at the start together. [J]
+/// What the stores of an account, or all stores together, held at the start. [J]
+double initial_stored(const Account&);
 double initial_stored(const Ledger&);
 
 /// Work that gravity and all sources that take it from outside have done, those that took energy out left aside. [J]

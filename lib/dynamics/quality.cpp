@@ -85,8 +85,9 @@ void see_hourglass_energy(const Model& model, State& now) {
   for (std::size_t b = 0; b < model.blocks.size(); ++b) {
     Quality& seen = now.quality[b];
     const Account& account = now.ledger.accounts[b];  // blocks come first
-    seen.hourglass = std::max(seen.hourglass, account.stored[Stored::hourglass] + account.dissipated[Dissipated::hourglass]);
-    seen.internal = std::max(seen.internal, stored(account) + dissipated(account));
+    const double held = account.stored[Stored::hourglass] + account.at_start[Stored::hourglass];
+    seen.hourglass = std::max(seen.hourglass, held + account.dissipated[Dissipated::hourglass]);
+    seen.internal = std::max(seen.internal, stored(account) + initial_stored(account) + dissipated(account));
   }
 }
 

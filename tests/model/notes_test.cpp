@@ -66,7 +66,7 @@ TEST(CoarsenessNotes, SayThatApexesAreTooFarApartAndWhatToDo) {
   ASSERT_EQ(notes().size(), 1U);
   EXPECT_TRUE(says(notes()[0], "refine the surface of the apexes")) << notes()[0];
   scene.contacts[0].interface.kind = contact::InterfaceKind::contact;
-  EXPECT_TRUE(says(notes()[0], "300 %: take 'passes: two'")) << notes()[0];
+  EXPECT_TRUE(says(notes()[0], "150 %: take 'passes: two'")) << notes()[0];
   scene.contacts[0].interface.two_passes = true;
   EXPECT_TRUE(notes().empty());
   scene.contacts[0].interface.two_passes = false;
