@@ -159,8 +159,9 @@ std::vector<std::string> quality_notes(const Simulation& simulation) {
                           "by as much; 'thinning: follows_strain' lets the thickness change",
                           name, seen.thinned.element, seen.thinned.ratio, seen.thinned_at));
     if (scale > 0 && seen.spin.energy > spin_worth_saying * scale)
-      notes.push_back(row("%s: nodes that spin about their normals, node %d fastest, had %.3g of the energy at %.4g s; plates do not "
-                          "resist that: a moment should act on a body or along an edge, or 'drilling: 0.01' gives them a stiffness",
+      notes.push_back(row("%s: nodes that spin about their normals, node %d fastest, had %.3g of the energy at %.4g s; with "
+                          "'drilling: 0' plates do not resist that: a moment should act on a body or along an edge; 'drilling: 0.1', the "
+                          "default, gives them a stiffness",
                           name, seen.spin.node, seen.spin.energy / scale, seen.spin.time));
     const double fraction = dynamics::hourglass_fraction(seen, scale);
     if (fraction > worth_saying)

@@ -88,6 +88,8 @@ STUDIES = [Table("The largest compression of 5, 10, 15, 20, 25, 30, 40 and 50 % 
 BREAKS = [
     Breaks("force at every time", "hourglass springs of the usual coefficient", {**SPRINGS, **ON}),
     Breaks("force at every time", "the coarser grid has the apexes", {**COARSE, **ON}),
+    Breaks("hourglass energy over internal", "hourglass springs of the usual coefficient", {**SPRINGS, **ON}),
+    Breaks("overlap over an element", "the coarser grid has the apexes", {**COARSE, **ON}),
     Breaks("friction, 50 %: force at every time", "hourglass springs of the usual coefficient", {**SPRINGS, **ON}),
 ]
 
