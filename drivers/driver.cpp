@@ -64,6 +64,7 @@ void add_common_results(const model::Simulation& simulation, const dynamics::Out
     const dynamics::Quality& seen = simulation.state.quality[b];
     if (seen.element >= 0) results.push_back({body + "_smallest_corner", seen.corner, "1"});
     results.push_back({body + "_hourglass_fraction", dynamics::hourglass_fraction(seen, scale), "1"});
+    results.push_back({body + "_uneven_hourglass_fraction", dynamics::uneven_fraction(seen, scale), "1"});
   }
   for (std::size_t p = 0; p < simulation.model.rigid_planes.size(); ++p)
     results.push_back({simulation.model.rigid_planes[p].name + "_deepest", simulation.state.rigid_planes[p].deepest, "m"});

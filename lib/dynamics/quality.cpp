@@ -82,17 +82,24 @@ int inverted_block(const State& now, double limit) {
 }
 
 void see_hourglass_energy(const Model& model, State& now) {
+  constexpr double worth_comparing = 0.1, more = 1.05;  // [-] of the internal energy; of the hourglass energy compared last
   for (std::size_t b = 0; b < model.blocks.size(); ++b) {
     Quality& seen = now.quality[b];
     const Account& account = now.ledger.accounts[b];  // blocks come first
     const double held = account.stored[Stored::hourglass] + account.at_start[Stored::hourglass];
-    seen.hourglass = std::max(seen.hourglass, held + account.dissipated[Dissipated::hourglass]);
+    const double hourglass = held + account.dissipated[Dissipated::hourglass];
+    seen.hourglass = std::max(seen.hourglass, hourglass);
     seen.internal = std::max(seen.internal, stored(account) + initial_stored(account) + dissipated(account));
+    if (!(hourglass > worth_comparing * seen.internal) || !(hourglass > more * seen.compared)) continue;
+    seen.compared = hourglass;
+    seen.uneven = std::max(seen.uneven, hourglass * element::uneven_bending(model.blocks[b], now.x, now.blocks[b]));
   }
 }
 
 double hourglass_fraction(const Quality& seen, double scale) {
   return seen.internal > round_off * scale ? seen.hourglass / seen.internal : 0;
 }
+
+double uneven_fraction(const Quality& seen, double scale) { return seen.internal > round_off * scale ? seen.uneven / seen.internal : 0; }
 
 }  // namespace nereid::dynamics

@@ -24,7 +24,8 @@ void see_elements(const Model&, bool look, State&);
 /// The block whose smallest corner so far is at or below a limit, or -1.
 int inverted_block(const State&, double limit);
 
-/// Notes how much hourglass energy each block has. Needs a ledger that is current.
+/// Notes how much hourglass energy each block has and, where that is more than a tenth of its internal energy and grows, how much of it is
+/// uneven (element::uneven_bending). Needs a ledger that is current.
 void see_hourglass_energy(const Model&, State&);
 
 /// The largest hourglass energy of a block over its largest internal energy so far; zero where the latter is round-off. [-]
@@ -32,5 +33,7 @@ void see_hourglass_energy(const Model&, State&);
 /// Internal energy is all that the block stores and has dissipated, hourglass energy included.
 /// scale  [J] energy_scale() of the ledger
 double hourglass_fraction(const Quality&, double scale);
+/// The same of hourglass energy that is uneven; zero where hourglass energy never was a tenth. [-]
+double uneven_fraction(const Quality&, double scale);
 
 }  // namespace nereid::dynamics

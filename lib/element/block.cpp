@@ -1,5 +1,7 @@
 #include "element/block.hpp"
 
+#include <algorithm>
+
 #include "base/check.hpp"
 #include "element/kernels.hpp"
 
@@ -129,6 +131,29 @@ bool thins(const AnyBlock& any) {
 
 Thinned thinned(const AnyBlock& any, const Vectors& x, const Memory& memory) {
   return with_kernels(any, [&](const auto& block, auto kernels) { return kernels.thinned(block, x, memory); });
+}
+
+double uneven_bending(const AnyBlock& any, const Vectors& x, const Memory& memory) {
+  const std::vector<Bending> all = with_kernels(any, [&](const auto& block, auto kernels) { return kernels.bending(block, x, memory); });
+  const Connectivity& corners = nodes(any);
+  Eigen::Matrix<double, 18, Eigen::Dynamic> sum = Eigen::Matrix<double, 18, Eigen::Dynamic>::Zero(18, x.cols());
+  Scalars counted = Scalars::Zero(x.cols()), squares = counted, own = counted;  // own: of those that do not lean
+  for (std::size_t e = 0; e < all.size(); ++e) {
+    const Eigen::Map<const Eigen::Matrix<double, 18, 1>> moment(all[e].moment.data());
+    const double square = moment.squaredNorm();
+    for (Index a = 0; a < corners.rows(); ++a) {
+      const Index node = corners(a, static_cast<Index>(e));
+      counted(node) += 1, squares(node) += square;
+      if (!all[e].leans) sum.col(node) += moment, own(node) += square;
+    }
+  }
+  double alike = 0, most = 0;
+  for (Index n = 0; n < x.cols(); ++n) {
+    if (counted(n) < 2) continue;
+    alike += sum.col(n).squaredNorm() - own(n);
+    most += (counted(n) - 1) * squares(n);
+  }
+  return most > 0 ? 1 - std::clamp(alike / most, 0.0, 1.0) : 1;
 }
 
 Source source(const AnyBlock& any) { return {name(any), SourceKind::block, stored_channels(any), dissipated_channels(any)}; }

@@ -76,6 +76,12 @@ struct Thinned {
   Index element = -1;  ///< -1: none is off
 };
 
+/// How one element bends by itself.
+struct Bending {
+  std::array<double, 18> moment;  ///< [N m2] second moments of the hourglass forces about the centre, xx yy zz xy yz xz of each component
+  bool leans;                     ///< whether its sides lean so much that it is far too stiff
+};
+
 /// What one tile reports of a step: energies in the order of Memory, the step vote and the smallest volume ratio.
 struct TileReport {
   double work;
@@ -120,6 +126,14 @@ double drilling(const AnyBlock&);
 bool thins(const AnyBlock&);
 /// Which of its plates has thinned most, or would have if its thickness followed its strain.
 Thinned thinned(const AnyBlock&, const Vectors& x, const Memory&);
+
+/// How much of the bending within the cells of a block is uneven: of cells that bend unlike their neighbours, or whose sides lean. [-]
+///
+///     1 - sum over nodes of sum over pairs of their cells of 2 M_a . M_b  /  sum over nodes of (cells - 1) sum of |M|^2,    from 0 to 1
+///
+/// M is Bending::moment; of a cell whose sides lean too much it is left out above and not below. A beam that bends has almost none, cells
+/// that bend in turns all of it; so have cells without neighbours, springs and dashpots.
+double uneven_bending(const AnyBlock&, const Vectors& x, const Memory&);
 
 /// The schema of a block in the ledger, and its values now.
 Source source(const AnyBlock&);

@@ -1,9 +1,9 @@
 #pragma once
-// The 8-node hexahedron with eight points (2 x 2 x 2 of Gauss) and mean dilatation: the B-bar element of
-// Hughes (Int. J. Num. Meth. Engng 15, 1980) in the modes of hexahedron.hpp, in rates.
+// The 8-node hexahedron with eight points (2 x 2 x 2 of Gauss) and assumed strains.
 //
-// It needs no hourglass control, and no volumetric locking is left; bending is too stiff, as in every
-// hexahedron whose shear is taken at all eight points. docs/theory/hexahedron.md.
+// The strains are those of the one-point hexahedron, taken at eight points: the mean one, and what assumed_strain.hpp makes of the
+// hourglass motions, linear in the coordinates. So it bends as a beam and as a plate do at any aspect ratio, it does not lock as it becomes
+// incompressible, and it needs no hourglass control. Plasticity is followed at each point. docs/theory/hexahedron.md.
 
 #include <algorithm>
 #include <array>
@@ -12,112 +12,43 @@
 
 namespace nereid::element {
 
-/// Derivatives of a trilinear field by xi, eta and zeta at the eight points of Gauss.
-///
-/// The derivative by xi does not depend on xi: four values are enough. They stand at (-,-), (+,-), (-,+),
-/// (+,+) in the two other coordinates, taken in cyclic order: (eta, zeta), (zeta, xi), (xi, eta).
+/// A tensor field of a hexahedron over the signs of its points: linear[k] goes with coordinate k, product[k] with the two others.
 template <class T>
-struct Tangents {
-  std::array<Vector<T>, 4> xi, eta, zeta;
+struct PointField {
+  Symmetric<T> mean;
+  std::array<Symmetric<T>, 3> linear, product;
 };
 
-/// Where point p, numbered like the nodes, finds its derivatives in Tangents.
-constexpr int xi_at[8] = {0, 0, 1, 1, 2, 2, 3, 3}, eta_at[8] = {0, 2, 2, 0, 1, 3, 3, 1},
-              zeta_at[8] = {0, 1, 3, 2, 0, 1, 3, 2};
+/// Values at the eight points, numbered like the nodes:  mean + sum of s_k linear_k + s_i s_j product_k,   s = -1 or 1
+template <class T>
+NEREID_HOT std::array<Symmetric<T>, 8> at_points(const PointField<T>& f) {
+  std::array<Symmetric<T>, 8> at;
+  const auto four = [&at](int first, const Symmetric<T>& mean, const Symmetric<T>& xi, const Symmetric<T>& eta, const Symmetric<T>& both) {
+    const Symmetric<T> low = mean - eta, high = mean + eta, low_xi = xi - both, high_xi = xi + both;
+    at[first] = low - low_xi, at[first + 1] = low + low_xi, at[first + 2] = high + high_xi, at[first + 3] = high - high_xi;
+  };
+  four(0, f.mean - f.linear[2], f.linear[0] - f.product[1], f.linear[1] - f.product[0], f.product[2]);
+  four(4, f.mean + f.linear[2], f.linear[0] + f.product[1], f.linear[1] + f.product[0], f.product[2]);
+  return at;
+}
+
+/// The transpose of at_points(): sums of eight values with the signs of each part.
+template <class T>
+NEREID_HOT PointField<T> sums_over_points(const std::array<Symmetric<T>, 8>& at) {
+  struct Four {
+    Symmetric<T> mean, xi, eta, both;
+  };
+  const auto four = [&at](int first) {
+    const Symmetric<T> low = at[first + 1] + at[first], high = at[first + 2] + at[first + 3];
+    const Symmetric<T> low_xi = at[first + 1] - at[first], high_xi = at[first + 2] - at[first + 3];
+    return Four{high + low, high_xi + low_xi, high - low, high_xi - low_xi};
+  };
+  const Four low = four(0), high = four(4);
+  return {.mean = high.mean + low.mean, .linear = {high.xi + low.xi, high.eta + low.eta, high.mean - low.mean},
+          .product = {high.eta - low.eta, high.xi - low.xi, high.both + low.both}};
+}
 
 constexpr double gauss = 0.57735026918962576451;  // 1/sqrt(3), where the points are
-
-/// Derivatives at the points of a field with modal amplitudes a, for example
-///     d/d xi = a_xi + a_3 eta + a_2 zeta + a_4 eta zeta,     eta, zeta = -+ 1/sqrt(3)
-template <class T>
-NEREID_HOT Tangents<T> tangents(const Modes<T>& a) {
-  const T g(gauss), g2(1.0 / 3.0);
-  const Vector<T> h1 = g * a.hourglass[0], h2 = g * a.hourglass[1], h3 = g * a.hourglass[2], h4 = g2 * a.hourglass[3];
-  const auto four = [&h4](const Vector<T>& mean, const Vector<T>& first, const Vector<T>& second) {
-    const Vector<T> low = mean - second, high = mean + second, low_first = first - h4, high_first = first + h4;
-    return std::array<Vector<T>, 4>{low - low_first, low + low_first, high - high_first, high + high_first};
-  };
-  return {.xi = four(a.xi, h3, h2), .eta = four(a.eta, h1, h3), .zeta = four(a.zeta, h2, h1)};
-}
-
-/// The transpose of tangents: what pulls at derivatives, gathered by mode.
-template <class T>
-NEREID_HOT Modes<T> pulls_by_mode(const Tangents<T>& f) {
-  const T g(gauss), g2(1.0 / 3.0);
-  struct Four {
-    Vector<T> mean, first, second, both;
-  };
-  const auto four = [](const std::array<Vector<T>, 4>& q) {
-    const Vector<T> low = q[1] + q[0], high = q[3] + q[2], low_first = q[1] - q[0], high_first = q[3] - q[2];
-    return Four{high + low, high_first + low_first, high - low, high_first - low_first};
-  };
-  const Four xi = four(f.xi), eta = four(f.eta), zeta = four(f.zeta);
-  return {.xi = xi.mean, .eta = eta.mean, .zeta = zeta.mean,
-          .hourglass = {g * (eta.first + zeta.second), g * (xi.second + zeta.first), g * (xi.first + eta.second),
-                        g2 * (xi.both + eta.both + zeta.both)}};
-}
-
-/// Gradients of the coordinates at one point, times the determinant: areas of the parallelepiped that the
-/// tangents a, b, c span. The gradient of a field with tangents u, v, w is (u xi + v eta + w zeta) / volume.
-template <class T>
-struct Cofactors {
-  Vector<T> xi, eta, zeta;  // b x c, c x a, a x b
-  T volume;                 // a . (b x c)
-};
-
-template <class T>
-NEREID_HOT Cofactors<T> cofactors(const Tangents<T>& x, int point) {
-  const Vector<T>&a = x.xi[xi_at[point]], &b = x.eta[eta_at[point]], &c = x.zeta[zeta_at[point]];
-  const Vector<T> area = cross(b, c);
-  return {.xi = area, .eta = cross(c, a), .zeta = cross(a, b), .volume = dot(a, area)};
-}
-
-/// Products of the gradients of the coordinates at one point, times its volume:  J grad xi_i . grad xi_j.
-template <class T>
-struct Metric {
-  std::array<Vector<T>, 8> equal;  // [m] xi xi, eta eta, zeta zeta
-  std::array<Vector<T>, 8> mixed;  // [m] xi eta, eta zeta, zeta xi
-};
-
-/// Upper bound on  sum over points of J |grad phi|^2  over  |nodal values of phi|^2.
-///
-/// In amplitudes by mode the sum is a matrix; with norms of its linear block (3 x 3), of its hourglass block
-/// (4 x 4) and of what couples them, the bound is the largest eigenvalue of [[l, c], [c, h]]:
-///     (l + h)/2 + sqrt((l - h)^2/4 + c^2)
-/// where l and h are bounds by trace and deviator (Wolkowicz & Styan 1980) and c is Frobenius's norm. On a
-/// parallelepiped c = 0 and h < l, and the bound is l: that of the one-point element. [m]
-template <class T>
-NEREID_HOT T laplacian_bound(const Metric<T>& metric) {
-  Vector<T> E = metric.equal[0], M = metric.mixed[0];
-  for (int p = 1; p < 8; ++p) E = E + metric.equal[p], M = M + metric.mixed[p];
-  const Modes<T> e = sums_by_mode(metric.equal), m = sums_by_mode(metric.mixed);
-  const auto& [e1, e2, e3, e4] = e.hourglass;
-  const auto& [m1, m2, m3, m4] = m.hourglass;
-  (void)e4;
-  const T linear = largest_eigenvalue_bound(Symmetric<T>{E.x, E.y, E.z, M.x, M.y, M.z});
-
-  const T two(2.0), g2(1.0 / 3.0);
-  const auto norm2 = [](T a, T b, T c) { return a * a + b * b + c * c; };
-  const T coupling = root(g2 * (norm2(m.zeta.x + m.eta.z, e.zeta.y + m.eta.y, m.zeta.y + e.eta.z) +
-                                norm2(e.zeta.x + m.xi.z, m.zeta.x + m.xi.y, m.zeta.z + e.xi.z) +
-                                norm2(e.eta.x + m.xi.x, m.eta.x + e.xi.y, m.eta.z + m.xi.y) +
-                                g2 * norm2(e1.x + m2.x + m3.z, m1.x + e2.y + m3.y, m1.z + m2.y + e3.z)));
-
-  // the hourglass block over 1/3
-  const T h11 = E.y + E.z + two * m1.y, h22 = E.x + E.z + two * m2.z, h33 = E.x + E.y + two * m3.x;
-  const T h44 = g2 * (E.x + E.y + E.z + two * (m1.y + m2.z + m3.x));
-  const T between = norm2(M.x + m2.y + m1.z + e3.z, m1.x + e2.y + M.z + m3.y, e1.x + m2.x + m3.z + M.y);
-  const T to_last = norm2(m.eta.x + e.xi.y + two * m4.y + m.zeta.z + e.xi.z,
-                          e.eta.x + m.xi.x + two * m4.z + m.zeta.y + e.eta.z,
-                          e.zeta.x + two * m4.x + m.xi.z + e.zeta.y + m.eta.y);
-  const T mean = T(0.25) * (h11 + h22 + h33 + h44);
-  const T squares = norm2(h11 - mean, h22 - mean, h33 - mean) + (h44 - mean) * (h44 - mean) +
-                    two * (between + g2 * to_last);
-  const T hourglass = g2 * (mean + root(T(0.75) * squares));
-
-  const T half(0.5), difference = half * (linear - hourglass);
-  return T(0.125) * (half * (linear + hourglass) + root(difference * difference + coupling * coupling));
-}
 
 /// The fully integrated hexahedron as a kind of element.
 struct FullHexahedron {
@@ -152,31 +83,110 @@ struct FullHexahedron {
     material::Internal<T, Law, Symmetric> internal;  ///< of the law
   };
 
-  /// What one element remembers from step to step; in the global frame, turned with each point.
+  /// What one element remembers from step to step; in the global frame, turned with the element.
   template <class T, class Law>
   struct Memory {
     std::array<Point<T, Law>, gauss_points> points;  ///< numbered like the nodes
+    std::array<T, 3> across;                         ///< [Pa] sums over the points of +- the stress across each plane of the centre
     T viscous;                                       ///< [Pa] viscous pressure, positive in compression
     template <class F>
     void each_row(F&& f) {
       for (auto& point : points) point.stress.each_row(f), point.internal.each_row(f);
+      for (T& left : across) f(left);
       f(viscous);
     }
     template <class F>
     void each_internal(F&& f) {
       for (auto& point : points) f(point.internal);
     }
-    static constexpr int rows = FullHexahedron::gauss_points * (6 + material::Internal<T, Law, Symmetric>::rows) + 1;
+    static constexpr int rows = FullHexahedron::gauss_points * (6 + material::Internal<T, Law, Symmetric>::rows) + 4;
   };
 };
 
+/// Vectors of plane k of a centre frame: dual to its tangents i and j, and the unit normal.
+template <class T>
+struct PlaneBasis {
+  Vector<T> i, j;  ///< [1/m]
+  Vector<T> normal;
+};
+template <class T>
+NEREID_HOT PlaneBasis<T> plane_basis(const CentreFrame<T>& f, int k) {
+  const Vector<T>&a = f.g[(k + 1) % 3], &b = f.g[(k + 2) % 3], area = cross(a, b);
+  const auto& A = f.raised[k];
+  return {.i = A.ii * a + A.ij * b, .j = A.ij * a + A.jj * b, .normal = (T(1.0) / norm(area)) * area};
+}
+
+/// a (x) b where the sum of all such terms is symmetric.
+template <class T>
+NEREID_HOT Symmetric<T> outer(const Vector<T>& a, const Vector<T>& b) {
+  return {a.x * b.x, a.y * b.y, a.z * b.z, a.x * b.y, a.y * b.z, a.x * b.z};
+}
+
+/// The assumed strains at the points; see moments_from() for e.
+///
+///     mean + s_k/sqrt(3) (e_ii a^i a^i + e_jj a^j a^j + e_ij (a^i a^j + a^j a^i)) + s_k c_k n n     of each plane
+///          + s_i s_j/3 (g_k . q_3)/(g_k . g_k) (3/2 u u - 1/2)                                     along each tangent, u = g_k/|g_k|
+///
+/// c_k makes the stress across the plane what an incompatible mode makes it, nothing: by its elastic growth, and by what is left of it
+/// from the step before, as fast as the element is strained (at rest nothing changes).
+///
+/// mean    [-] increment of the mean strain;  q  [m] increments of the hourglass amplitudes
+/// left    [Pa] sums over the points of s_k n . stress n before the step
+/// across  [-] the strains c_k
+template <class T>
+NEREID_HOT PointField<T> assumed_strains(const CentreFrame<T>& f, const Symmetric<T>& mean, const std::array<Vector<T>, 4>& q,
+                                         T lambda, T mu, const std::array<T, 3>& left, std::array<T, 3>& across) {
+  PointField<T> field{.mean = mean, .linear = {}, .product = {}};
+  const T g(gauss), half(0.5), stiff = T(1.0) / (lambda + T(2.0) * mu);
+  const std::array<T, 3> own{dot(f.g[0], q[0]), dot(f.g[1], q[1]), dot(f.g[2], q[2])};
+  T squares = contract(mean, mean);
+  for (int k = 0; k < 3; ++k) {
+    const int i = (k + 1) % 3, j = (k + 2) % 3;
+    const PlaneBasis<T> a = plane_basis(f, k);
+    const T ii = g * dot(f.g[i], q[j]), jj = g * dot(f.g[j], q[i]), ij = g * half * (own[i] + own[j]);
+    field.linear[k] = outer(ii * a.i + ij * a.j, a.i) + outer(ij * a.i + jj * a.j, a.j);
+    squares = squares + contract(field.linear[k], field.linear[k]);
+    const T per = T(1.0) / f.equal[k], stretch = T(1.0 / 3.0) * per * dot(f.g[k], q[3]), side = half * stretch;
+    const Symmetric<T> along = (T(1.5) * per * stretch) * outer(f.g[k], f.g[k]);
+    field.product[k] = {along.xx - side, along.yy - side, along.zz - side, along.xy, along.yz, along.xz};
+  }
+  const T most = root(larger(squares - T(1e-26), T(0.0)));  // a rotation leaves 1e-16
+  for (int k = 0; k < 3; ++k) {
+    const Vector<T> n = plane_basis(f, k).normal;
+    const T owed = T(0.125) * stiff * left[k];
+    across[k] = -(stiff * lambda * trace(field.linear[k]) + larger(-most, smaller(most, owed)));
+    field.linear[k] = field.linear[k] + across[k] * outer(n, n);
+  }
+  return field;
+}
+
+/// Moments of the stresses at the points: the transpose of assumed_strains() without what c_k adds. [N/m]
+///
+/// sums  [Pa] of the stresses over the points;  eighth_of_volume  [m3] that belongs to each
+template <class T>
+NEREID_HOT HourglassMoments<T> moments_of(const CentreFrame<T>& f, const PointField<T>& sums, T eighth_of_volume,
+                                          std::array<T, 3>& left) {
+  HourglassMoments<T> m;
+  const T eighth(0.125), weight = T(gauss) * eighth * eighth_of_volume, weight2 = T(1.0 / 3.0) * eighth * eighth_of_volume;
+  for (int k = 0; k < 3; ++k) {
+    const PlaneBasis<T> a = plane_basis(f, k);
+    const Symmetric<T>& s = sums.linear[k];
+    const Vector<T> si = s * a.i, sj = s * a.j;
+    m.plane[k] = {weight * dot(a.i, si), weight * dot(a.j, sj), weight * dot(a.i, sj)};
+    left[k] = dot(a.normal, s * a.normal);
+    const Symmetric<T>& t = sums.product[k];
+    const T per = T(1.0) / f.equal[k];
+    m.along[k] = weight2 * per * (T(1.5) * per * dot(f.g[k], t * f.g[k]) - T(0.5) * trace(t));
+  }
+  return m;
+}
+
 /// Brings one hexahedron from the old to the new positions and gives its nodal forces.
 ///
-/// Each point does what the one-point element does: strain and spin in the middle of the step, stress and
-/// tensors of the law turned by Hughes & Winget's rotation, forces with the gradient at the end. The trace
-/// of the strain is everywhere the mean one, which is that of the exact volume:
-///     strain = sym L + (growth - tr L)/3 1,     L the gradient of dx,     growth = dV/V
-/// so that, by the transpose, the mean stress in the forces is everywhere its mean over the volume.
+/// As with one point, strain and spin come from the middle of the step, stress and tensors of the law are turned by the mean rotation, and
+/// forces are taken at the end. The points have equal parts of the volume, so that a constant stress gives the forces of the mean
+/// gradient and no others. What the strain across the planes does, half the sum of `across` before and after times it, is no work of
+/// nodes; it is of second order in the step, and goes off the dissipation, or the energy of a law that has none.
 ///
 /// x  [m] at the end of the step;  dx  [m] increment of x over the step;  dt  [s] above zero; rates are dx / dt
 /// force  [N] by which the element pulls its nodes
@@ -185,81 +195,67 @@ NEREID_HOT Report<T, FullHexahedron> advance(const Law& law, const FullHexahedro
                   const FullHexahedron::Constants<T>& constants, const std::array<Vector<T>, 8>& x,
                   const std::array<Vector<T>, 8>& dx, T dt, FullHexahedron::Memory<T, Law>& memory,
                   std::array<Vector<T>, 8>& force) {
-  const T eighth(0.125), half(0.5), third(1.0 / 3.0), zero(0.0);
+  const T eighth(0.125), half(0.5), zero(0.0);
   const Modes<T> X = scaled(eighth, sums_by_mode(x)), D = scaled(eighth, sums_by_mode(dx));
-  const Gradient<T> at_middle = volume_gradient(subtracted(X, half, D)), at_end = volume_gradient(X);
-  const T growth = mean_divergence(D, at_middle), volume = at_middle.volume * T(law.density) * constants.per_mass;
+  const Modes<T> middle = subtracted(X, half, D);
 
-  const Tangents<T> end = tangents(X), change = tangents(D);
-  Tangents<T> middle, pull;
-  const Vector<T> none{zero, zero, zero};
-  for (int i = 0; i < 4; ++i) {
-    middle.xi[i] = end.xi[i] - half * change.xi[i];
-    middle.eta[i] = end.eta[i] - half * change.eta[i];
-    middle.zeta[i] = end.zeta[i] - half * change.zeta[i];
-    pull.xi[i] = pull.eta[i] = pull.zeta[i] = none;
-  }
-  Metric<T> metric;
+  const Gradient<T> at_middle = volume_gradient(middle);
+  const Matrix<T> L = mean_gradient(D, at_middle);  // of the increment
+  const Symmetric<T> strain{L.x.x, L.y.y, L.z.z, half * (L.x.y + L.y.x), half * (L.y.z + L.z.y), half * (L.x.z + L.z.x)};
+  const Vector<T> spin = half * Vector<T>{L.z.y - L.y.z, L.x.z - L.z.x, L.y.x - L.x.y};
+  const Matrix<T> Q = cayley_rotation(spin);
+  const auto turned = [&spin, &half](const Vector<T>& g) { return g + cross(half * spin, g); };
+  std::array<Vector<T>, 4> q;
+  for (int a = 0; a < 4; ++a) q[a] = turned(D.hourglass[a] - L * middle.hourglass[a]);
+  const auto there = centre_frame<T>({turned(middle.xi), turned(middle.eta), turned(middle.zeta)});
+  const auto lame = material::lame(law);
+  std::array<T, 3> across, left;
+  const auto strains = at_points(assumed_strains(there, rotated_by(half * spin, strain), q, T(lame.lambda), T(lame.mu),
+                                                 memory.across, across));
+
+  const T volume = at_middle.volume * T(law.density) * constants.per_mass;
   material::ModuliOf<T, Symmetric, Law> moduli{};
-  T stored = zero, dissipated = zero, mean_stress = zero, least = at_end.volume;  // NaN stays
+  T stored = zero, dissipated = zero;
+  std::array<Symmetric<T>, 8> stresses;
   for (int p = 0; p < FullHexahedron::gauss_points; ++p) {
     auto& point = memory.points[p];
-    {
-      const Cofactors<T> c = cofactors(middle, p);
-      const T scale = T(1.0) / c.volume;
-      const Vector<T> xi = scale * c.xi, eta = scale * c.eta, zeta = scale * c.zeta;
-      const Vector<T>&a = change.xi[xi_at[p]], &b = change.eta[eta_at[p]], &d = change.zeta[zeta_at[p]];
-      Matrix<T> L{a.x * xi, a.y * xi, a.z * xi};  // gradient of the increment
-      add_outer(b, eta, L);
-      add_outer(d, zeta, L);
-      const T more = third * (growth - (L.x.x + L.y.y + L.z.z));
-      const Symmetric<T> strain{L.x.x + more, L.y.y + more, L.z.z + more, half * (L.x.y + L.y.x),
-                                half * (L.y.z + L.z.y), half * (L.x.z + L.z.x)};
-      const Vector<T> half_spin = T(0.25) * (Vector<T>{L.z.y - L.y.z, L.x.z - L.z.x, L.y.x - L.x.y});
-      const Matrix<T> Q = cayley_rotation(T(2.0) * half_spin);
-      point.stress = rotate(Q, point.stress);
-      for (Symmetric<T>& tensor : point.internal.tensor) tensor = rotate(Q, tensor);
-      const auto [work, here] = update_stress(law, material::Increment<T, Symmetric>{rotated_by(half_spin, strain), dt, volume},
-                                              point.stress, point.internal);
-      moduli = p == 0 ? here : stiffer(moduli, here);
-      stored = stored + c.volume * work.stored;
-      dissipated = dissipated + c.volume * work.dissipated;
-    }
-    const Cofactors<T> c = cofactors(end, p);
-    const T third_of_trace = third * trace(point.stress);
-    mean_stress = mean_stress + c.volume * third_of_trace;
-    least = smaller(T(8.0) * c.volume, least);
-    const Symmetric<T>& s = point.stress;
-    const Symmetric<T> shape{s.xx - third_of_trace, s.yy - third_of_trace, s.zz - third_of_trace, s.xy, s.yz, s.xz};
-    Vector<T>&along_xi = pull.xi[xi_at[p]], &along_eta = pull.eta[eta_at[p]], &along_zeta = pull.zeta[zeta_at[p]];
-    along_xi = along_xi + shape * c.xi;
-    along_eta = along_eta + shape * c.eta;
-    along_zeta = along_zeta + shape * c.zeta;
-    const T per_volume = T(1.0) / c.volume;
-    metric.equal[p] = per_volume * Vector<T>{dot(c.xi, c.xi), dot(c.eta, c.eta), dot(c.zeta, c.zeta)};
-    metric.mixed[p] = per_volume * Vector<T>{dot(c.xi, c.eta), dot(c.eta, c.zeta), dot(c.zeta, c.xi)};
+    point.stress = rotate(Q, point.stress);
+    for (Symmetric<T>& tensor : point.internal.tensor) tensor = rotate(Q, tensor);
+    const auto [work, here] = update_stress(law, material::Increment<T, Symmetric>{strains[p], dt, volume}, point.stress, point.internal);
+    moduli = p == 0 ? here : stiffer(moduli, here);
+    stored = stored + work.stored;
+    dissipated = dissipated + work.dissipated;
+    stresses[p] = point.stress;
   }
-  mean_stress = mean_stress * at_end.per_volume;
+  const PointField<T> sums = sums_over_points(stresses);
 
-  const T trace_of_products = trace(gradient_products(at_end));
-  const T omega_squared = T(8.0) * constants.per_mass *
-                          (T(larger(moduli.lambda, decltype(moduli.lambda)(0.0))) * trace_of_products * at_end.per_volume +
-                           T(decltype(moduli.mu)(2.0) * moduli.mu) * laplacian_bound(metric));
-  const auto bulk = viscous_pressure(options.viscosity, material::wave_speed(moduli, law.density), growth / dt, omega_squared,
-                                     trace_of_products, constants.mass, constants.per_mass, at_end.per_volume);
+  const Gradient<T> at_end = volume_gradient(X);
+  const auto frame = centre_frame<T>({X.xi, X.eta, X.zeta});
+  const std::array<Vector<T>, 4> Qs = forces_of(frame, moments_of(frame, sums, eighth * at_end.volume, left));
+  const T part = eighth * at_middle.volume;
+  T slack = zero;
+  for (int k = 0; k < 3; ++k) slack = slack + half * across[k] * (memory.across[k] + left[k]);
+  memory.across = left;
+  stored = part * stored, dissipated = part * dissipated, slack = part * slack;
+  constexpr bool flows = requires { yield_stress(law, memory.points[0].internal.scalar); };
+  (flows ? dissipated : stored) = (flows ? dissipated : stored) - slack;
+
+  const Symmetric<T> G = gradient_products(at_end);
+  const T omega_squared = largest_frequency_squared(G, at_end.per_volume, constants.per_mass, moduli) * coupling_of_hourglass(G, at_end, X);
+  const T growth = L.x.x + L.y.y + L.z.z;
+  const auto bulk = viscous_pressure(options.viscosity, material::wave_speed(moduli, law.density), growth / dt, omega_squared, trace(G),
+                                     constants.mass, constants.per_mass, at_end.per_volume);
   const T viscous_work = half * (memory.viscous + bulk.pressure) * growth * at_middle.volume;
   memory.viscous = bulk.pressure;
 
-  Modes<T> F = scaled(eighth, pulls_by_mode(pull));
-  const T mean = mean_stress - bulk.pressure;
-  F.xi = F.xi + mean * at_end.xi, F.eta = F.eta + mean * at_end.eta, F.zeta = F.zeta + mean * at_end.zeta;
-  for (int a = 0; a < 3; ++a) F.hourglass[a] = F.hourglass[a] + mean * at_end.hourglass[a];
-  force = nodal_values(scaled(T(-1.0), F));
+  const Symmetric<T> s = eighth * sums.mean;
+  const Matrix<T> S{{s.xx - bulk.pressure, s.xy, s.xz}, {s.xy, s.yy - bulk.pressure, s.yz}, {s.xz, s.yz, s.zz - bulk.pressure}};
+  force = forces_of_stress(S, Qs, X, at_end);
 
   return {.stored = {stored},
           .dissipated = {dissipated, -viscous_work},
           .step = stable_step(omega_squared, bulk.damping),
-          .volume_ratio = least * T(law.density) * constants.per_mass};
+          .volume_ratio = at_end.volume * T(law.density) * constants.per_mass};
 }
 
 /// Constants of a fully integrated hexahedron in its reference positions.

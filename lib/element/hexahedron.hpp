@@ -352,6 +352,23 @@ NEREID_HOT HourglassWork<T> hold_by_assumed_strain(const Law& law, const T& shar
   return {work - dissipated, dissipated};
 }
 
+/// Nodal forces of a mean stress and of forces on the hourglass amplitudes.
+///
+///     S = stress - 8/V sum of Q_a (x) H_a,     F_m = S g_m (+ Q_a of the hourglass modes),     minus the nodal values of F
+///
+/// The second term of S is what the hourglass forces owe to the linear field. S need not be symmetric.
+///
+/// S  [Pa] mean stress with its viscous part;  Q  [N] over eight;  X  [m] amplitudes of the positions, and their gradient
+template <class T>
+NEREID_HOT std::array<Vector<T>, 8> forces_of_stress(Matrix<T> S, const std::array<Vector<T>, 4>& Q, const Modes<T>& X,
+                                                     const Gradient<T>& gradient) {
+  const T share = T(-8.0) * gradient.per_volume;
+  for (int a = 0; a < 4; ++a) add_outer(share * Q[a], X.hourglass[a], S);
+  Modes<T> F{S * gradient.xi, S * gradient.eta, S * gradient.zeta, Q};
+  for (int a = 0; a < 3; ++a) F.hourglass[a] = F.hourglass[a] + S * gradient.hourglass[a];
+  return nodal_values(scaled(T(-1.0), F));
+}
+
 /// Brings one hexahedron from the old to the new positions and gives its nodal forces.
 ///
 /// Strain and spin come from the gradient in the middle of the step, where a rigid rotation gives
@@ -424,14 +441,9 @@ NEREID_HOT Report<T, Hexahedron> advance(const Law& law, const Hexahedron::Optio
   const T viscous_work = half * (memory.viscous + viscous) * growth * at_middle.volume;
   memory.viscous = viscous;
 
-  // S turns a gradient into a force: stress, and what the hourglass forces owe to the linear field
   const Symmetric<T>& s = memory.stress;
-  Matrix<T> S{{s.xx - viscous, s.xy, s.xz}, {s.xy, s.yy - viscous, s.yz}, {s.xz, s.yz, s.zz - viscous}};
-  const T share = -(eight * at_end.per_volume);
-  for (int a = 0; a < 4; ++a) add_outer(share * memory.hourglass[a], X.hourglass[a], S);
-  Modes<T> F{S * at_end.xi, S * at_end.eta, S * at_end.zeta, memory.hourglass};
-  for (int a = 0; a < 3; ++a) F.hourglass[a] = F.hourglass[a] + S * at_end.hourglass[a];
-  force = nodal_values(scaled(T(-1.0), F));
+  force = forces_of_stress({{s.xx - viscous, s.xy, s.xz}, {s.xy, s.yy - viscous, s.yz}, {s.xz, s.yz, s.zz - viscous}}, memory.hourglass,
+                           X, at_end);
 
   const bool dashpots = kind == Kind::viscous;
   const T damping = dashpots ? bulk.damping + T(32.0) * constants.hourglass * constants.per_mass : bulk.damping;

@@ -18,6 +18,7 @@ struct Kernels {
   static Vote advance(const Block<Kind, Law>&, const Vectors& x, const Vectors& dx, const Vectors& rotation, double dt, Memory&,
                       TileForces&, TileReports&);
   static Thinned thinned(const Block<Kind, Law>&, const Vectors& x, const Memory&);
+  static std::vector<Bending> bending(const Block<Kind, Law>&, const Vectors& x, const Memory&);
   static std::vector<Field> fields(const Block<Kind, Law>&, const Vectors& x, const Memory&);
 };
 

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "base/parallel.hpp"
+#include "element/bending.hpp"
 #include "element/kernels.hpp"
 
 namespace nereid::element {
@@ -342,6 +343,23 @@ Thinned Kernels<Kind, Law>::thinned([[maybe_unused]] const Block<Kind, Law>& blo
 }
 
 template <class Kind, class Law>
+std::vector<Bending> Kernels<Kind, Law>::bending(const Block<Kind, Law>& block, [[maybe_unused]] const Vectors& x,
+                                                 [[maybe_unused]] const Memory& memory) {
+  std::vector<Bending> all;
+  if constexpr (std::is_same_v<Kind, Hexahedron>) {
+    if (block.options.hourglass_kind != Hexahedron::Hourglass::assumed_strain) return all;
+    all.resize(static_cast<std::size_t>(block.tiling.elements));
+    each_element(block, [&](std::size_t pack, int lane, const auto&) {
+      const Index element = block.tiling.element[pack * lanes + lane];
+      std::array<Vector<double>, 8> corners;
+      for (int a = 0; a < 8; ++a) corners[a] = column(x, block.nodes(a, element));
+      all[static_cast<std::size_t>(element)] = bending_of(corners, read_memory(block, memory, pack, lane).hourglass);
+    });
+  }
+  return all;
+}
+
+template <class Kind, class Law>
 std::vector<Field> Kernels<Kind, Law>::fields(const Block<Kind, Law>& block, const Vectors& x, const Memory& memory) {
   const Index count = block.tiling.elements;
   std::vector<Field> list;
@@ -376,7 +394,7 @@ constexpr auto kernels_of() {
   if constexpr (may_have<Kind, Law>) {
     using K = Kernels<Kind, Law>;
     return std::tuple(&K::make, &K::add_mass, &K::element_masses, &K::add_rotary_inertia, &K::initial_memory, &K::advance, &K::thinned,
-                      &K::fields);
+                      &K::bending, &K::fields);
   } else {
     return std::tuple();
   }

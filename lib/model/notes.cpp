@@ -163,11 +163,11 @@ std::vector<std::string> quality_notes(const Simulation& simulation) {
                           "'drilling: 0' plates do not resist that: a moment should act on a body or along an edge; 'drilling: 0.1', the "
                           "default, gives them a stiffness",
                           name, seen.spin.node, seen.spin.energy / scale, seen.spin.time));
-    const double fraction = dynamics::hourglass_fraction(seen, scale);
-    if (fraction > worth_saying)
-      notes.push_back(row("%s: hourglass energy reached %.3g of the internal energy; above %.3g the bending of single elements decides the "
-                          "result: take a finer mesh, or elements of the kind 'full'",
-                          name, fraction, worth_saying));
+    const double uneven = dynamics::uneven_fraction(seen, scale);
+    if (uneven > worth_saying)
+      notes.push_back(row("%s: hourglass energy reached %.3g of the internal energy, and %.3g is of elements that bend unlike their "
+                          "neighbours, or whose sides lean; above %.3g the size of the elements decides the result: take a finer mesh",
+                          name, dynamics::hourglass_fraction(seen, scale), uneven, worth_saying));
   }
   return notes;
 }

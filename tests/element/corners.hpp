@@ -157,6 +157,7 @@ struct OneElement {
     for (auto* s : stresses(memory)) *s = random_tensor(stress);
     for (auto* tensor : tensors(memory)) *tensor = 0.3 * material::deviator(random_tensor(stress));
     for (Point* q : hourglasses(memory)) *q = random_point(stress);
+    rest();  // what it remembers of stresses besides follows
   }
   /// turns all that the memory holds
   void turn(const Mat3& R) {

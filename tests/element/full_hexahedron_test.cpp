@@ -19,121 +19,27 @@ using Element = OneElement<FullHexahedron, Law>;
 const FullHexahedron::Options inviscid{.viscosity = no_viscosity};
 
 // ------------------------------------------------------------------------------------------------
-// Tangents, cofactors and the bound on the Laplacian
+// Fields at the points
 
-/// Gradients of the shape functions and the determinant at each point, in the order of the points.
-struct AtPoint {
-  Eigen::Matrix<double, 3, 8> gradients;
-  double volume;
-};
-std::vector<AtPoint> at_points(const Corners& x) {
-  std::vector<AtPoint> all;
-  integrate(x, [&](const auto& gradients, double det) { all.push_back({gradients, det}); });
-  return all;
-}
-Mat3 gradient_of(const Corners& u, const AtPoint& at) {
-  Mat3 L = Mat3::Zero();
-  for (int i = 0; i < 8; ++i) L += Vec3(u[i].x, u[i].y, u[i].z) * at.gradients.col(i).transpose();
-  return L;
-}
-
-TEST(FullHexahedron, GradientsAtThePointsAreThoseOfTheTrilinearField) {
-  for (int trial = 0; trial < 20; ++trial) {
-    const Corners x = distorted(0.3), u = random_field(1.0);
-    const auto shape = tangents(amplitudes(x)), field = tangents(amplitudes(u));
-    const auto exact = at_points(x);
-    for (int p = 0; p < 8; ++p) {
-      const auto c = cofactors(shape, p);
-      Matrix<double> L{};
-      add_outer(field.xi[xi_at[p]], c.xi, L);
-      add_outer(field.eta[eta_at[p]], c.eta, L);
-      add_outer(field.zeta[zeta_at[p]], c.zeta, L);
-      const Mat3 expected = gradient_of(u, exact[p]);
-      EXPECT_NEAR(c.volume, exact[p].volume, 1e-15);
-      for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j) EXPECT_NEAR(L[i][j] / c.volume, expected(i, j), 1e-13);
-    }
-  }
-}
-
-TEST(FullHexahedron, PullsByModeAreTheTransposeOfTangents) {
-  for (int trial = 0; trial < 20; ++trial) {
-    const Corners u = random_field(1.0);
-    const Modes<double> modes = amplitudes(u);
-    const auto field = tangents(modes);
-    Tangents<double> pull{};
-    double at_points = 0;
-    for (int i = 0; i < 4; ++i) {
-      pull.xi[i] = random_point(1), pull.eta[i] = random_point(1), pull.zeta[i] = random_point(1);
-      at_points += dot(pull.xi[i], field.xi[i]) + dot(pull.eta[i], field.eta[i]) + dot(pull.zeta[i], field.zeta[i]);
-    }
-    const Modes<double> m = pulls_by_mode(pull);
-    double by_mode = dot(m.xi, modes.xi) + dot(m.eta, modes.eta) + dot(m.zeta, modes.zeta);
-    for (int h = 0; h < 4; ++h) by_mode += dot(m.hourglass[h], modes.hourglass[h]);
-    EXPECT_NEAR(by_mode, at_points, 1e-13);
-  }
-}
-
-TEST(FullHexahedron, VolumesOfThePointsAndTheirGradientsSumToThoseOfTheElement) {
-  using D = Dual<24>;
-  const Corners x = distorted(0.4);
-  std::array<Vector<D>, 8> variable;
-  for (int i = 0; i < 24; ++i) variable[i / 3][i % 3] = D(0.125) * D::variable(x[i / 3][i % 3], i);
-  const auto modes = sums_by_mode(variable);
-  const auto shape = tangents(modes);
-  D sum(0.0);
-  for (int p = 0; p < 8; ++p) sum = sum + cofactors(shape, p).volume;
-  const D volume = volume_gradient(modes).volume;
-  EXPECT_NEAR(sum.value, volume.value, 1e-14);
-  for (int i = 0; i < 24; ++i) EXPECT_NEAR(sum.by[i], volume.by[i], 1e-14);
-}
-
-Metric<double> metric_of(const Corners& x) {
-  const auto shape = tangents(amplitudes(x));
-  Metric<double> metric;
+TEST(FullHexahedron, FieldsAtThePointsAreSumsOfSignsAndTheirTransposeSumsThem) {
+  PointField<double> field{.mean = random_tensor(1), .linear = {}, .product = {}};
+  for (int k = 0; k < 3; ++k) field.linear[k] = random_tensor(1), field.product[k] = random_tensor(1);
+  std::array<Symmetric<double>, 8> pull;
+  const auto at = at_points(field);
+  const Corners signs = brick(2, 2, 2);
+  double at_the_points = 0;
   for (int p = 0; p < 8; ++p) {
-    const auto c = cofactors(shape, p);
-    metric.equal[p] = (1 / c.volume) * Point{dot(c.xi, c.xi), dot(c.eta, c.eta), dot(c.zeta, c.zeta)};
-    metric.mixed[p] = (1 / c.volume) * Point{dot(c.xi, c.eta), dot(c.eta, c.zeta), dot(c.zeta, c.xi)};
+    const Point& s = signs[p];
+    Symmetric<double> expected = field.mean + s.y * s.z * field.product[0] + s.z * s.x * field.product[1] + s.x * s.y * field.product[2];
+    for (int k = 0; k < 3; ++k) expected = expected + s[k] * field.linear[k];
+    EXPECT_LT(contract(at[p] - expected, at[p] - expected), 1e-28);
+    pull[p] = random_tensor(1);
+    at_the_points += contract(pull[p], at[p]);
   }
-  return metric;
-}
-
-TEST(FullHexahedron, LaplacianBoundIsNeverBelowTheExactOne) {
-  double smallest = 1e300, highest = 0;
-  for (int trial = 0; trial < 2000; ++trial) {
-    const Corners x = random_shape(0.3);
-    Eigen::Matrix<double, 8, 8> laplacian = Eigen::Matrix<double, 8, 8>::Zero();
-    for (const auto& at : at_points(x)) laplacian += at.volume * at.gradients.transpose() * at.gradients;
-    const double exact = Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 8, 8>>(laplacian).eigenvalues().maxCoeff();
-    const double ratio = laplacian_bound(metric_of(x)) / exact;
-    smallest = std::min(smallest, ratio), highest = std::max(highest, ratio);
-  }
-  RecordProperty("smallest", std::to_string(smallest));
-  RecordProperty("largest", std::to_string(highest));
-  EXPECT_GE(smallest, 1 - 1e-12);
-  EXPECT_LT(highest, 1.5);  // of the square of a frequency
-}
-
-TEST(FullHexahedron, LaplacianBoundOfAParallelepipedIsThatOfTheOnePointElement) {
-  for (int trial = 0; trial < 50; ++trial) {
-    const Corners x = times(Mat3(Mat3::Identity() + 0.5 * Mat3::Random()), brick(random(0.3, 2), random(0.3, 2), random(0.3, 2)));
-    const auto g = volume_gradient(amplitudes(x));
-    const double one_point = largest_eigenvalue_bound(gradient_products(g)) / g.volume;
-    EXPECT_NEAR(laplacian_bound(metric_of(x)), one_point, 1e-12 * one_point);
-  }
-}
-
-TEST(FullHexahedron, LaplacianBoundDoesNotDependOnTheNumberingOfTheNodes) {
-  const Corners x = distorted(0.3);
-  const double bound = laplacian_bound(metric_of(x));
-  const int about_z[8] = {1, 2, 3, 0, 5, 6, 7, 4}, about_x[8] = {3, 2, 6, 7, 0, 1, 5, 4};
-  for (const auto& order : {about_z, about_x}) {
-    Corners y;
-    for (int i = 0; i < 8; ++i) y[i] = x[order[i]];
-    EXPECT_GT(volume_gradient(amplitudes(y)).volume, 0);
-    EXPECT_NEAR(laplacian_bound(metric_of(y)), bound, 1e-13 * bound);
-  }
+  const auto sums = sums_over_points(pull);
+  double by_part = contract(sums.mean, field.mean);
+  for (int k = 0; k < 3; ++k) by_part += contract(sums.linear[k], field.linear[k]) + contract(sums.product[k], field.product[k]);
+  EXPECT_NEAR(by_part, at_the_points, 1e-13);
 }
 
 // ------------------------------------------------------------------------------------------------
@@ -151,23 +57,22 @@ TYPED_TEST(FullHexahedronOf, ForcesAreTheTransposeOfTheRateOfStrain) {
     Element<TypeParam> e{metal<TypeParam>(), inviscid, distorted(0.2)};
     e.randomise(0.01);
     e.rest();
-    const Corners w = random_field(1.0);
-    const auto points = at_points(e.x);
-    double mean = 0, volume = 0;
-    for (const auto& at : points) mean += at.volume * gradient_of(w, at).trace(), volume += at.volume;
-    mean /= volume;
+    const auto X = amplitudes(e.x), w = amplitudes(random_field(1.0));
+    const auto gradient = volume_gradient(X);
+    const Matrix<double> L = mean_gradient(w, gradient);
+    std::array<Point, 4> q;
+    for (int a = 0; a < 4; ++a) q[a] = w.hourglass[a] - L * X.hourglass[a];
+    const Symmetric<double> mean{L.x.x, L.y.y, L.z.z, (L.x.y + L.y.x) / 2, (L.y.z + L.z.y) / 2, (L.x.z + L.z.x) / 2};
+    std::array<double, 3> across;  // without stiffness across the planes nothing strains there
+    const auto rates = at_points(assumed_strains(centre_frame<double>({X.xi, X.eta, X.zeta}), mean, q, 0.0, 1.0, {0.0, 0.0, 0.0}, across));
     double power = 0;
-    for (int p = 0; p < 8; ++p) {
-      Mat3 L = gradient_of(w, points[p]);
-      L += (mean - L.trace()) / 3 * Mat3::Identity();
-      power += points[p].volume * (full(e.memory.points[p].stress).array() * L.array()).sum();
-    }
-    EXPECT_NEAR(-product(e.force, w), power, 1e-14 * 10 * largest(e.force));
+    for (int p = 0; p < 8; ++p) power += gradient.volume / 8 * contract(e.memory.points[p].stress, rates[p]);
+    EXPECT_NEAR(-product(e.force, nodal_values(w)), power, 1e-14 * 10 * largest(e.force));
   }
 }
 
 // ------------------------------------------------------------------------------------------------
-// Patch test, stiffness, mean dilatation
+// Patch test, stiffness, locking, compression
 
 TEST(FullHexahedron, PatchOfSevenDistortedElementsHasConstantStress) {
   const SevenElements patch = seven_elements();
@@ -213,28 +118,111 @@ TEST(FullHexahedron, OnlyTheChangeOfVolumeFeelsTheBulkModulus) {
   }
 }
 
-TEST(FullHexahedron, PressureIsTheSameAtAllPointsAndFollowsTheExactVolume) {
+TEST(FullHexahedron, ElasticBendsAsWithOnePointAndAssumedStrains) {
+  // but for xi eta zeta, which takes no volume here and a uniaxial stress there
   for (int trial = 0; trial < 20; ++trial) {
-    Element<Elastic> e{metal<Elastic>(), inviscid, distorted(0.2)};
-    const Corners to = sum(e.X, random_field(1e-4));
-    const double before = volume_gradient(amplitudes(e.X)).volume, after = volume_gradient(amplitudes(to)).volume;
-    e.move(to);
-    const double expected = 3 * material::bulk_modulus(e.law) * std::log(after / before);
-    for (const auto* s : stresses(e.memory))
-      EXPECT_NEAR(trace(*s), expected, 1e-10);  // third order in the strain of 1e-4, times the modulus
+    const double poisson = random(-0.4, 0.49);
+    const Corners X = distorted(0.3);
+    Element<Elastic> eight{metal<Elastic>(poisson), inviscid, X};
+    OneElement<Hexahedron, Elastic> one{eight.law, {.viscosity = no_viscosity}, X};
+    Modes<double> u = amplitudes(random_field(1e-7));
+    u.hourglass[3] = mean_gradient(u, volume_gradient(amplitudes(X))) * amplitudes(X).hourglass[3];
+    const Corners to = sum(X, nodal_values(u));
+    eight.move(to), one.move(to);
+    EXPECT_LT(largest(sum(eight.force, one.force, -1.0)), 1e-6 * largest(one.force));
+    for (const double left : eight.memory.across) EXPECT_LT(std::abs(left), 1e-6 * largest(one.force));
   }
 }
 
-TEST(FullHexahedron, BendingOfABrickHasItsClosedForm) {
-  // u_x = a xi eta: stretch 2 a eta/L, whose trace has no mean, and shear 2 a xi/h, which a beam has not
-  for (const double L : {0.7, 1.4}) {
-    const double a = 1e-4, h = 0.7, width = 0.7;
-    Element<Elastic> e{metal<Elastic>(0.0), inviscid, brick(L, h, width)};
-    const double beam = material::shear_modulus(e.law) * (4 * a * a / (L * L) / 3) * L * h * width;
-    Modes<double> m{};
-    m.hourglass[2].x = a;
-    EXPECT_NEAR(e.move(sum(e.X, nodal_values(m))).stored[0] / beam, 2.0 / 3 + 0.5 * (L / h) * (L / h), 1e-6);
+TEST(FullHexahedron, BendsPlasticallyToTheFullyPlasticMoment) {
+  // Points at 1/sqrt(3) of the half depth carry 4/(sqrt(3) 4) of the area's moment at yield: 2/sqrt(3) of the exact one. Held sides add
+  // their 2/sqrt(3) of plane strain.
+  const double h = 1;
+  const Corners X = brick(h, h, h);
+  for (const int steps : {500, 2000}) {
+    Element<J2Bilinear> e{metal<J2Bilinear>(), inviscid, X};
+    e.law.flow.tangent = 0;
+    const double yield = e.law.flow.yield;
+    double gone = 0, work = 0, left = 0;
+    for (int step = 0; step < steps; ++step) {
+      Corners u = e.x;
+      const double curvature = 10.0 / steps * yield / e.law.young;
+      for (int i = 0; i < 8; ++i) u[i].x += curvature * X[i].x * X[i].y;
+      const Corners before = e.force, from = e.x;
+      const auto report = e.move(u);
+      gone += report[Stored::elastic] + report[Dissipated::plastic];
+      work -= 0.5 * (product(sum(before, e.force), sum(u, from, -1.0)));
+      for (const double at : e.memory.across) left = std::max(left, std::abs(at) / 8 / yield);
+    }
+    double moment = 0;
+    for (int i = 0; i < 8; ++i)
+      if (X[i].x > 0) moment -= e.force[i].x * X[i].y;
+    std::printf("bent to ten times the yield curvature in %d steps: moment over the plastic one %.4f, most across %.3g of yield\n", steps,
+                moment / (yield * h * h * h / 4), left);
+    EXPECT_NEAR(moment / (yield * h * h * h / 4), 4.0 / 3, 0.1);
+    EXPECT_NEAR(gone, work, 1e-3 * work);
   }
+}
+
+/// The smallest stiffness of the inner nodes of 4 x 4 x 4 cubes that were squeezed along z, stresses included, over Young's modulus times
+/// their side; sides are held, or move outwards as those of a free bar. The nodes outside stand.
+template <class Kind>
+double least_stiffness(double squeezed, bool sides_held, const typename Kind::Options& options) {
+  using One = OneElement<Kind, Elastic>;
+  constexpr int n = 4, inner = n - 1, steps = 200;
+  constexpr double small = 1e-6;
+  const Elastic law = metal<Elastic>();
+  const double wide = sides_held ? 0 : law.poisson;
+  const double width = std::pow(squeezed, -wide);
+  One squeezed_cube{law, options, brick(1, 1, 1)};
+  for (int i = 1; i <= steps; ++i) {
+    const double z = 1 - (1 - squeezed) * i / steps, side = std::pow(z, -wide);
+    squeezed_cube.move(times(Vec3(side, side, z).asDiagonal().toDenseMatrix(), squeezed_cube.X));
+  }
+  // all cubes are alike: what one node's motion pulls at the others follows from its eight
+  const auto forces = [&](int corner, int axis, double by) {
+    One e = squeezed_cube;
+    Corners to = e.x;
+    to[static_cast<std::size_t>(corner)][axis] += by;
+    e.move(to);
+    return e.force;
+  };
+  const auto row = [](int i, int j, int k) { return 3 * ((k * inner + j) * inner + i); };
+  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(3 * inner * inner * inner, 3 * inner * inner * inner);
+  for (int corner = 0; corner < 8; ++corner)
+    for (int axis = 0; axis < 3; ++axis) {
+      const Corners pull = sum(forces(corner, axis, small), forces(corner, axis, -small), -1);
+      for (int at = 0; at < 8; ++at)
+        for (int k = 0; k < n; ++k)
+          for (int j = 0; j < n; ++j)
+            for (int i = 0; i < n; ++i) {  // cube i, j, k: its corner of sign + is node i, j, k inside
+              const auto inside = [&](int a, std::array<int, 3>& node) {
+                const int cube[3] = {i, j, k};
+                for (int d = 0; d < 3; ++d) node[static_cast<std::size_t>(d)] = cube[d] - (sign[a][d] < 0);
+                return std::ranges::all_of(node, [](int d) { return d >= 0 && d < inner; });
+              };
+              std::array<int, 3> moved, pulled;
+              if (!inside(corner, moved) || !inside(at, pulled)) continue;
+              for (int d = 0; d < 3; ++d)
+                K(row(pulled[0], pulled[1], pulled[2]) + d, row(moved[0], moved[1], moved[2]) + axis) -=
+                    pull[static_cast<std::size_t>(at)][d] / (2 * small);
+            }
+    }
+  const Eigen::MatrixXd both = 0.5 * (K + K.transpose());
+  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(both).eigenvalues().minCoeff() / law.young / width;
+}
+
+TEST(FullHexahedron, HoldsASqueezedBlockTogether) {
+  // squeezed to 0.3 the law itself gives way: its stress is of the size of its moduli
+  for (const bool held : {true, false})
+    for (const double to : {1.0, 0.9, 0.7, 0.5, 2.0}) {
+      const double eight = least_stiffness<FullHexahedron>(to, held, inviscid);
+      const double one = least_stiffness<Hexahedron>(to, held, {.viscosity = no_viscosity});
+      std::printf("squeezed to %.1f, sides %s: least stiffness %.3f with eight points, %.3f with one\n", to, held ? "held" : "free",
+                  eight, one);
+      EXPECT_GT(eight, 0.3);
+      EXPECT_GT(one, 0.3);
+    }
 }
 
 /// Displacement of the bore of a thick tube under inner pressure in plane strain, over Lame's, by static
@@ -337,17 +325,14 @@ TEST(FullHexahedron, FrequencyBoundIsExactForACube) {
 
 TEST(FullHexahedron, FrequencyBoundIsNeverBelowTheExactOne) {
   for (const double part : {0.1, 0.3, 0.4}) {
-    double smallest = 1e300, highest = 0, of_one_point = 1e300;
+    double smallest = 1e300, highest = 0;
     for (int trial = 0; trial < 700; ++trial) {
       const Element<Elastic> e{metal<Elastic>(random(-0.5, 0.499)), inviscid, random_shape(part)};
       if (Element<Elastic>(e).step(e.X, Corners{}, 1.0).volume_ratio <= 0) continue;
-      const double exact = largest_eigenvalue_of(e), ratio = std::sqrt(hot_bound(e) / exact);
+      const double ratio = std::sqrt(hot_bound(e) / largest_eigenvalue_of(e));
       smallest = std::min(smallest, ratio), highest = std::max(highest, ratio);
-      const OneElement<Hexahedron, Elastic> one{e.law, {.hourglass = 0.1, .viscosity = no_viscosity}, e.X};
-      of_one_point = std::min(of_one_point, std::sqrt(hot_bound(one) / exact));
     }
-    std::printf("corners moved by up to %.1f of the shortest side: bound over exact frequency %.4f to %.4f; that of one point "
-                "would be %.4f\n", part, smallest, highest, of_one_point);
+    std::printf("corners moved by up to %.1f of the shortest side: bound over exact frequency %.4f to %.4f\n", part, smallest, highest);
     EXPECT_GE(smallest, 1 - 1e-9);
     EXPECT_LT(highest, 1.3);
   }
@@ -384,14 +369,6 @@ TEST(FullHexahedron, InvertedElementHasNegativeSize) {
   Corners inside_out = e.X;
   for (Point& p : inside_out) p.z = -p.z;
   EXPECT_LT(e.step(inside_out, Corners{}, 1.0).volume_ratio, 0);
-}
-
-TEST(FullHexahedron, OneInvertedPointIsFoundWhereTheVolumeIsStillPositive) {
-  Element<Elastic> e{metal<Elastic>(), {}, brick(1, 1, 1)};
-  Corners dented = e.X;
-  dented[6] = {-0.3, -0.3, -0.3};
-  EXPECT_GT(volume_gradient(amplitudes(dented)).volume, 0);
-  EXPECT_LT(e.step(dented, Corners{}, 1.0).volume_ratio, 0);
 }
 
 }  // namespace

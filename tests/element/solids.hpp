@@ -38,6 +38,8 @@ inline FullHexahedron::Options inviscid_of(FullHexahedron) { return {.viscosity 
 /// What round-off leaves of an elastic energy that is zero, and of what is remembered after a rotation, by the size of the stress.
 inline double energy_round_off(Hexahedron) { return 1e-16; }
 inline double energy_round_off(FullHexahedron) { return 1e-15; }
+inline double flow_round_off(Hexahedron) { return 0; }
+inline double flow_round_off(FullHexahedron) { return 1e-17; }  // the strain across its planes does work of second order
 inline double memory_round_off(Hexahedron, double stress) { return 1e-12 * stress; }
 inline double memory_round_off(FullHexahedron, double) { return 1e-13; }
 
@@ -78,7 +80,7 @@ TYPED_TEST_P(EverySolid, RigidRotationByAFiniteAngleTurnsStressAndNothingElse) {
     EXPECT_LT(difference_of_memory(e, before, Q), 1e-13);
     EXPECT_NEAR(report[Stored::elastic], 0, energy_round_off(typename TypeParam::Kind{}));
     EXPECT_NEAR(report[Stored::hourglass], 0, 1e-15);
-    EXPECT_EQ(report[Dissipated::plastic], 0);
+    EXPECT_NEAR(report[Dissipated::plastic], 0, flow_round_off(typename TypeParam::Kind{}));
     EXPECT_NEAR(report[Dissipated::viscous], 0, 1e-16);
     EXPECT_NEAR(report.volume_ratio, size, 1e-14);
   }

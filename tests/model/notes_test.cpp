@@ -149,12 +149,14 @@ TEST(QualityNotes, SayWhichCornerIsInvertedAndHowMuchEnergyIsInHourglasses) {
   run(simulation);
   EXPECT_TRUE(quality_notes(simulation).empty());
   simulation.state.ledger.initial_available = simulation.state.ledger.initial_kinetic = 1;
-  simulation.state.quality[0] = {.corner = -0.25, .element = 3, .time = 1e-3, .hourglass = 0.3, .internal = 0.5, .thinned = {},
-                                 .thinned_at = 0, .spin = {}};
+  simulation.state.quality[0] = {.corner = -0.25, .element = 3, .time = 1e-3, .hourglass = 0.3, .internal = 0.5,
+                                 .uneven = 0.2, .compared = 0.3, .thinned = {}, .thinned_at = 0, .spin = {}};
   const auto notes = quality_notes(simulation);
   ASSERT_EQ(notes.size(), 2U);
   EXPECT_TRUE(says(notes[0], "bar: a corner of element 3 was inverted, its Jacobian -0.25 of the reference at 0.001 s")) << notes[0];
-  EXPECT_TRUE(says(notes[1], "bar: hourglass energy reached 0.6 of the internal energy")) << notes[1];
+  EXPECT_TRUE(says(notes[1], "bar: hourglass energy reached 0.6 of the internal energy, and 0.4 is of elements that bend")) << notes[1];
+  simulation.state.quality[0].uneven = 0.04;
+  EXPECT_EQ(quality_notes(simulation).size(), 1U) << "a beam of one layer bends as it should";
 }
 
 TEST(EnergyNotes, NameTheSourceThatMadeEnergyAndWhatItIsHeldAgainst) {

@@ -73,7 +73,7 @@ def formulations(run):
     beam = deflection(load=LOAD, **BEAM)
     rows = []
     kinds = [("one point, dashpots", cells), ("one point, springs 0.01", lambda n: stiff(n, 0.01)), ("one point, springs 0.1", stiff),
-             ("one point, springs 1", lambda n: stiff(n, 1)), ("eight points, mean dilatation", full)]
+             ("one point, springs 1", lambda n: stiff(n, 1)), ("eight points", full)]
     for name, change in kinds:
         row = [name]
         for layers in (1, 2, 4, 8):

@@ -1,0 +1,71 @@
+#include "element/bending.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "mesh/box.hpp"
+
+namespace nereid::element {
+namespace {
+
+using Displacement = std::function<Vec3(const Vec3&)>;
+
+/// What is uneven of a mesh whose nodes were displaced a little.
+double uneven(mesh::Mesh mesh, const Displacement& u, const Hexahedron::Options& options = {}) {
+  const AnyBlock block = hexahedra(mesh, "box", material::Elastic{1, 2, 0.3}, options);
+  Memory memory = initial_memory(block);
+  TileForces forces = tile_forces(block);
+  TileReports reports = tile_reports(block);
+  Vectors dx(3, mesh.X.cols());
+  for (Eigen::Index n = 0; n < dx.cols(); ++n) dx.col(n) = 1e-6 * u(mesh.X.col(n));
+  const Vectors x = mesh.X + dx;
+  advance(block, x, dx, Vectors(), 1.0, memory, forces, reports);
+  return uneven_bending(block, x, memory);
+}
+
+mesh::Mesh box(const Vec3& size, const Eigen::Vector3i& cells) { return mesh::box("box", {Vec3::Zero(), size, cells}); }
+
+/// Of a cantilever under a force at its end.
+Vec3 beam(const Vec3& X) { return {(X.z() - 0.5) * (X.x() - 0.05 * X.x() * X.x()), 0, 0}; }
+
+TEST(UnevenBending, OfABeamOfOneLayerIsSmall) {
+  EXPECT_LT(uneven(box({10, 1, 1}, {10, 1, 1}), beam), 0.05);
+  EXPECT_LT(uneven(box({10, 4, 1}, {10, 4, 1}), beam), 0.05);
+  EXPECT_LT(uneven(box({10, 1, 1}, {3, 1, 1}), beam), 0.3);
+}
+
+TEST(UnevenBending, OfCellsThatBendInTurnsIsAll) {
+  const Displacement in_turns = [](const Vec3& X) -> Vec3 { return {(X.z() - 0.5) * std::cos(pi * X.x()), 0, 0}; };
+  EXPECT_NEAR(uneven(box({10, 1, 1}, {10, 1, 1}), in_turns), 1, 1e-9);
+  const Displacement board = [](const Vec3& X) -> Vec3 { return {0, 0, std::cos(pi * X.x()) * std::cos(pi * X.y())}; };
+  EXPECT_NEAR(uneven(box({6, 6, 6}, {6, 6, 6}), board), 1, 0.1);
+}
+
+TEST(UnevenBending, OfCellsWithoutNeighboursAndOfSpringsIsAll) {
+  EXPECT_EQ(uneven(box({1, 1, 1}, {1, 1, 1}), beam), 1);
+  EXPECT_EQ(uneven(box({10, 1, 1}, {10, 1, 1}), beam,
+                   {.hourglass = 0.1, .viscosity = {}, .hourglass_kind = Hexahedron::Hourglass::stiffness}), 1);
+}
+
+TEST(UnevenBending, OfABeamWhoseCellsLeanIsAll) {
+  for (const double by : {0.2, 0.5}) {
+    mesh::Mesh all_alike = box({10, 1, 1}, {10, 1, 1}), in_turns = all_alike;
+    for (Eigen::Index n = 0; n < all_alike.X.cols(); ++n) {
+      const Vec3 X = all_alike.X.col(n);
+      all_alike.X(0, n) += by * (X.z() - 0.5);
+      in_turns.X(0, n) += by * (X.z() - 0.5) * std::cos(pi * X.x());
+    }
+    if (by < 0.35) {
+      EXPECT_LT(uneven(all_alike, beam), 0.1);
+      EXPECT_LT(uneven(in_turns, beam), 0.3);
+    } else {
+      EXPECT_EQ(uneven(all_alike, beam), 1);
+      EXPECT_EQ(uneven(in_turns, beam), 1);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace nereid::element
