@@ -19,7 +19,6 @@ using geometry::Kind;
 constexpr double sharp = 0.1;           // cosine between the normals at a ridge: below it the edge is a wall
 constexpr double least_cosine = -0.94;  // between two facets, so that the tangent of half the angle stays finite
 
-Vec3 eigen(const Vector<double>& a) { return {a.x, a.y, a.z}; }
 
 Vec3 centre(const BaseSurface& base, const Vectors& x, Index facet) {
   return (x.col(base.facets(0, facet)) + x.col(base.facets(1, facet)) + x.col(base.facets(2, facet))) / 3.0;

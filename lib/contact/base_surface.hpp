@@ -95,6 +95,7 @@ inline Vec3 area_vector(const Fans& base, const Vectors& x, Index facet) {
 }
 inline Vec3 facet_normal(const Fans& base, const Vectors& x, Index facet) { return area_vector(base, x, facet).normalized(); }
 
+inline Vec3 eigen(const Vector<double>& a) { return {a.x, a.y, a.z}; }
 inline Vector<double> position(const Vectors& x, Index node) {
   return {x(0, node), x(1, node), x(2, node)};
 }

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/gather.hpp"
 #include "base/parallel.hpp"
 #include "contact/apex.hpp"
+#include "contact/face.hpp"
 #include "contact/foot.hpp"
 #include "contact/near.hpp"
 #include "contact/restitution.hpp"
@@ -42,7 +44,8 @@ void find(const Interface& interface, const Motion& m, Memory& memory, Workspace
       Near& near = memory.near[i];
       near.pressed = near.element.closed && m.dt > 0 ? near.element.apex.norm() : 0;
       if (near.rests && moved < near.clear) return;
-      if (stays(interface, memory, moved, near)) {
+      near.stays = stays(interface, memory, moved, near);
+      if (near.stays) {
         near.element.moved = false;
         near.element.lost = 0;
         return;
@@ -118,27 +121,107 @@ bool is_same_face(const BaseSurface& base, const ElementForces& element, int s) 
   return false;
 }
 
+/// n . P n of what constraints let through at a node; remembers P n if there are any. To be asked node after node.
+NEREID_HOT double let_through(const Motion& m, int j, Condition& c, Multipliers& all) {
+  const Mat3* allowed = m.allowed[c.node[j]];
+  if (!allowed) return 1;
+  if (c.constrained == 0) c.along = static_cast<Index>(all.along.size());
+  c.constrained |= 1U << j;
+  all.along.push_back(*allowed * c.normal);
+  return c.normal.dot(all.along.back());
+}
+
 /// What follows from these; false where constraints hold all its nodes.
 ///
 /// pressed  [N] by all conditions of the contactor in the step before;  held  [J] by it
-bool complete(const Motion& m, const Vectors& free, double pressed, double held, Condition& c) {
-  c.constrained = false;
-  c.per_mass = c.before = c.free = 0;
-  for (int j = 0; j < c.nodes; ++j) {
-    const Index node = c.node[j];
-    c.response[j] = c.weight[j] / m.mass(node);
-    const double let = m.allowed[node] ? c.normal.dot(*m.allowed[node] * c.normal) : 1;
-    c.constrained = c.constrained || m.allowed[node];
-    c.per_mass += let * c.weight[j] * c.response[j];
-    c.before += c.weight[j] * c.normal.dot(m.v.col(node));
-    c.free += c.weight[j] * c.normal.dot(free.col(node));
-  }
-  if (m.rigid) c.per_mass = per_mass(*m.rigid, m, c);
+bool complete(const Motion& m, double pressed, double held, Multipliers& all, Condition& c) {
+  c.constrained = 0;
+  double sum = 0;
+  each_node(c, [&](int j) {
+    const double response = c.weight[j] * all.mobility(c.node[j]);
+    c.response[j] = response;
+    sum += let_through(m, j, c, all) * c.weight[j] * response;
+  });
+  c.per_mass = m.rigid ? per_mass(*m.rigid, m, c) : sum;
+  Vec3 before = Vec3::Zero(), free = Vec3::Zero();
+  each_node(c, [&](int j) { before += c.weight[j] * m.v.col(c.node[j]), free += c.weight[j] * all.velocity.col(c.node[j]); });
+  c.before = c.normal.dot(before), c.free = c.normal.dot(free);
   const double closing = (c.gap > 0 ? -c.gap : -corrected * c.gap) / m.next, impulse = 0.5 * pressed * (m.dt + m.next);
   const double from_held = impulse > 0 ? std::max(0.0, held) / impulse : 0;
   const double may = 2 * from_held - c.before;  // the work of this step; to stop again takes as much as to go apart
   c.least = std::min(closing, may > 0 ? 0.5 * may : may);
-  return c.per_mass > no_response / m.mass(c.node[0]);
+  return c.per_mass * m.mass(c.node[0]) > no_response;
+}
+
+/// Where the apexes stand that come next in the list of near ones and stay over one bilinear face each.
+struct Ahead {
+  int count = 0, next = 0;
+  std::array<bool, lanes> stands;                  ///< false: this is to be found alone
+  std::array<std::array<Index, lanes>, 4> corner;  ///< around the face, from the first of its cut
+  alignas(64) std::array<std::array<double, lanes>, 4> weight;
+  alignas(64) std::array<std::array<double, lanes>, 3> normal;
+  alignas(64) std::array<double, lanes> height;
+};
+
+constexpr std::array<int, 3> next_corner{1, 2, 0};
+
+bool stays_over_face(const Interface& interface, const Near& near) {
+  const Stencil& stencil = near.element.stencil[0];
+  return near.stays && stencil.kind == geometry::Kind::facet && interface.base.half[stencil.facet].cut >= 0;
+}
+
+/// Finds where the apexes stand that come next, from a place in the list of near ones on.
+void look_ahead(const Interface& interface, const Vectors& x, const Memory& memory, std::size_t from, Ahead& ahead) {
+  std::array<Index, lanes> apex;
+  alignas(64) std::array<double, lanes> a, b, band;
+  ahead.count = ahead.next = 0;
+  for (std::size_t i = from; i < memory.near.size() && ahead.count < lanes; ++i) {
+    const Near& near = memory.near[i];
+    if (!stays_over_face(interface, near)) continue;
+    const Stencil& stencil = near.element.stencil[0];
+    const Half& half = interface.base.half[stencil.facet];
+    const int lane = ahead.count++, first = half.cut, second = next_corner[first], third = next_corner[second];
+    const auto corner = [&](int local) { return interface.base.facets(local, stencil.facet); };
+    apex[lane] = interface.apexes[near.apex];
+    ahead.corner[0][lane] = corner(first), ahead.corner[1][lane] = half.fourth;
+    ahead.corner[2][lane] = corner(second), ahead.corner[3][lane] = corner(third);
+    a[lane] = stencil.weight[second] + stencil.fourth, b[lane] = stencil.weight[second] + stencil.weight[third];
+    const double width = blended * interface.base.size(stencil.facet);
+    band[lane] = stencil.level < width ? width : 0;
+  }
+  for (int lane = ahead.count; lane < lanes; ++lane) {  // fillers
+    apex[lane] = apex[0], a[lane] = a[0], b[lane] = b[0], band[lane] = band[0];
+    for (auto& row : ahead.corner) row[lane] = row[0];
+  }
+  const Vector<Pack> place = gather(x.data(), apex.data());
+  std::array<Vector<Pack>, 4> corner;
+  for (int I = 0; I < 4; ++I) corner[I] = gather(x.data(), ahead.corner[I].data()) - place;
+  OverFace<Pack> over;
+  Pack width;
+  read_lanes(a.data(), over.at.a), read_lanes(b.data(), over.at.b), read_lanes(band.data(), width);
+  const Mask<Pack> stands = stand_over(corner, over) && !(width > Pack(0.0) && is_within(width, over));
+  for (int lane = 0; lane < ahead.count; ++lane) ahead.stands[lane] = stands[lane];
+  for (int I = 0; I < 4; ++I) write_lanes(over.weight[I], ahead.weight[I].data());
+  for (int axis = 0; axis < 3; ++axis) write_lanes(over.normal[axis], ahead.normal[axis].data());
+  write_lanes(over.height, ahead.height.data());
+}
+
+/// Makes the condition of a near apex as make() does, if it stays over a bilinear face. To be asked apex after apex.
+bool make_ahead(const Interface& interface, const Vectors& x, const Memory& memory, Near& near, Ahead& ahead, Condition& c) {
+  if (!stays_over_face(interface, near)) return false;
+  if (ahead.next == ahead.count) look_ahead(interface, x, memory, static_cast<std::size_t>(&near - memory.near.data()), ahead);
+  const int lane = ahead.next++;
+  if (!ahead.stands[lane]) return false;
+  Stencil& stencil = near.element.stencil[0];
+  const int first = interface.base.half[stencil.facet].cut, second = next_corner[first], third = next_corner[second];
+  c.nodes = 5;
+  c.node[0] = interface.apexes[near.apex], c.weight[0] = 1;
+  for (int I = 0; I < 4; ++I) c.node[I + 1] = ahead.corner[I][lane], c.weight[I + 1] = -ahead.weight[I][lane];
+  stencil.weight[first] = ahead.weight[0][lane], stencil.fourth = ahead.weight[1][lane];
+  stencil.weight[second] = ahead.weight[2][lane], stencil.weight[third] = ahead.weight[3][lane];
+  c.normal = {ahead.normal[0][lane], ahead.normal[1][lane], ahead.normal[2][lane]};
+  c.gap = ahead.height[lane] - stencil.level;
+  return true;
 }
 
 /// How much slip rate an impulse makes, at most: with the constraints, or as if all nodes were free. [1/kg]
@@ -189,6 +272,25 @@ void let_yield(double owed, double depth, const Motion& m, std::size_t first, Mu
   }
 }
 
+/// Finds the condition of a stencil; false if there is none.
+bool find(const Interface& interface, const Motion& m, const Memory& memory, Near& near, int s, Ahead& ahead, Multipliers& all,
+          Condition& c) {
+  Stencil& stencil = near.element.stencil[s];
+  const bool made = make_ahead(interface, m.x, memory, near, ahead, c) ||
+                    (!std::isnan(stencil.level) && !is_same_face(interface.base, near.element, s) &&
+                     make(interface, m, all, near, stencil, near.element.has_moment, c));
+  return made && complete(m, near.pressed, memory.restitution[near.apex].held, all, c);
+}
+
+/// Adds a contactor, with what it adds to Multipliers::shared.
+NEREID_HOT void add(const Contactor& one, Multipliers& all) {
+  all.contactors.push_back(one);
+  for (Index i = one.first; i < one.last; ++i) {
+    const Condition& c = all.conditions[i];
+    each_node(c, [&](int j) { all.shared(c.node[j]) += one.area * std::abs(c.weight[j]); });
+  }
+}
+
 /// The stencil of the first condition of an apex.
 const Stencil& first_of(const ElementForces& element) {
   int s = 0;
@@ -203,15 +305,30 @@ Multipliers make_multipliers(std::span<const Interface> interfaces, std::span<co
   Multipliers all;
   all.ahead = all.way = all.velocity = Vectors::Zero(3, nodes);
   all.spin = Vectors::Zero(3, plate_nodes);
-  all.shared = Scalars::Zero(nodes);
+  all.shared = all.mobility = Scalars::Zero(nodes);
   std::size_t apexes = 0;
-  for (const Interface& interface : interfaces)
-    if (by_multipliers(interface) && !bonded_by_multipliers(interface)) apexes += interface.apexes.size();
-  for (const RigidPlane& plane : planes) apexes += by_multipliers(plane) ? plane.nodes.size() : 0;
+  std::vector<bool> acts(static_cast<std::size_t>(nodes), false);
+  const auto see = [&](const Subset& some) {
+    for (const Index node : some) acts[static_cast<std::size_t>(node)] = true;
+  };
+  for (const Interface& interface : interfaces) {
+    if (!by_multipliers(interface)) continue;
+    see(interface.apexes), see(interface.base_nodes);
+    if (!bonded_by_multipliers(interface)) apexes += interface.apexes.size();
+  }
+  for (const RigidPlane& plane : planes) {
+    if (!by_multipliers(plane)) continue;
+    see(plane.nodes);
+    apexes += plane.nodes.size();
+  }
+  for (Index node = 0; node < nodes; ++node)
+    if (acts[static_cast<std::size_t>(node)]) all.nodes.push_back(node);
   all.conditions.reserve(most_of_an_apex * apexes);
+  all.along.reserve(5 * most_of_an_apex * apexes);
   all.frictions.reserve(apexes);
   all.contactors.reserve(apexes);
   all.first.reserve(interfaces.size() + planes.size() + 1);
+  all.progress.reserve(apexes / contactors_of_a_range + 1);
   all.pools.reserve(interfaces.size() + planes.size());
   all.bonds = make_bonds(interfaces, nodes);
   return all;
@@ -219,26 +336,29 @@ Multipliers make_multipliers(std::span<const Interface> interfaces, std::span<co
 
 namespace {
 
-void see_ahead(Index node, const Motion& m, Multipliers& all) {
+/// per_time  [1/s] of this step and the next one together
+NEREID_HOT void see_ahead(Index node, double per_time, const Motion& m, Multipliers& all) {
   const Vec3 way = m.next * all.velocity.col(node);
   all.ahead.col(node) = m.x.col(node) + way;
-  all.way.col(node) = (m.dt * m.v.col(node) + way) / (m.dt + m.next);
+  all.way.col(node) = per_time * (m.dt * m.v.col(node) + way);
 }
 
 }  // namespace
 
 void see_ahead(const Subset& nodes, const Motion& m, Multipliers& all) {
-  for (const Index node : nodes) see_ahead(node, m, all);
+  const double per_time = 1 / (m.dt + m.next);
+  for (const Index node : nodes) see_ahead(node, per_time, m, all);
 }
 
 void look_ahead(const Subset& nodes, const Motion& m, Multipliers& all) {
-  const double h = 0.5 * (m.dt + m.next);
+  const double h = 0.5 * (m.dt + m.next), per_time = 1 / (m.dt + m.next);
   for (const Index node : nodes) {
     all.shared(node) = 0;
-    Vec3 change = h / m.mass(node) * m.force.col(node);
+    all.mobility(node) = 1 / m.mass(node);
+    Vec3 change = h * all.mobility(node) * m.force.col(node);
     if (m.allowed[node]) change = *m.allowed[node] * change;
     all.velocity.col(node) = m.v.col(node) + change;
-    see_ahead(node, m, all);
+    see_ahead(node, per_time, m, all);
     const Index turns = m.rotation_of_node[node];
     if (turns < 0) continue;
     Vec3 turn = h / m.inertia(turns) * m.moment.col(turns);
@@ -251,15 +371,13 @@ void find_conditions(const Interface& interface, const Motion& m, Memory& memory
   const double h = 0.5 * (m.dt + m.next);
   const std::size_t first_friction = all.frictions.size();
   find(interface, m, memory, workspace, all);
+  Ahead ahead;
   for (Near& near : memory.near) {
     const auto first = static_cast<Index>(all.conditions.size());
     for (int s = 0; s < near.element.count; ++s) {
       Stencil& stencil = near.element.stencil[s];
       Condition& c = all.conditions.emplace_back();
-      const bool counts = !std::isnan(stencil.level) && !is_same_face(interface.base, near.element, s) &&
-                          make(interface, m, all, near, stencil, near.element.has_moment, c) &&
-                          complete(m, all.velocity, near.pressed, memory.restitution[near.apex].held, c);
-      if (!counts) {
+      if (!find(interface, m, memory, near, s, ahead, all, c)) {
         stencil.apex = 0, stencil.weight = {}, stencil.fourth = 0, stencil.push.setZero();
         all.conditions.pop_back();
         continue;
@@ -281,10 +399,8 @@ void find_conditions(const Interface& interface, const Motion& m, Memory& memory
       const Vec3 force = near.friction.acts ? near.friction.force : Vec3(Vec3::Zero());
       friction = add_friction(touch, interface.friction, force, near.friction.stuck, m, all);
     }
-    all.contactors.push_back({.memory = &restitution, .first = first, .last = last, .friction = friction,
-                              .area = area, .depth = interface.depth,
-                              .impedance = interface.pass_factor * interface.impedance * area,
-                              .square = interface.restitution * interface.restitution});
+    add({.memory = &restitution, .first = first, .last = last, .friction = friction, .area = area, .depth = interface.depth,
+         .impedance = interface.pass_factor * interface.impedance * area, .square = interface.restitution * interface.restitution}, all);
   }
   for (std::size_t a = 0; a < memory.restitution.size(); ++a)
     if (memory.slot[a] < 0 && memory.restitution[a].held != 0) discard(memory.restitution[a], memory.impact);
@@ -301,7 +417,7 @@ void find_conditions(const RigidPlane& plane, const Motion& m, PlaneMemory& memo
     c.gap = (m.x.col(node) - plane.point).dot(plane.normal);
     const double way = steps_to_touch * m.next * std::abs(plane.normal.dot(all.velocity.col(node)));
     const bool far = !(memory.force[i] > 0) && c.gap > std::max(multipliers_reach * plane.depth, way);
-    if (far || !complete(m, all.velocity, m.dt > 0 ? memory.force[i] : 0, memory.restitution[i].held, c)) {
+    if (far || !complete(m, m.dt > 0 ? memory.force[i] : 0, memory.restitution[i].held, all, c)) {
       discard(memory.restitution[i], memory.impact);
       memory.next_force[i] = 0;
       if (!memory.next_friction.empty()) memory.next_friction[i].setZero(), memory.stuck[i] = 0;
@@ -316,9 +432,8 @@ void find_conditions(const RigidPlane& plane, const Motion& m, PlaneMemory& memo
       touch.normal = plane.normal, touch.apex = node, touch.nodes = 0;
       friction = add_friction(touch, plane.friction, memory.friction[i], memory.stuck[i] != 0, m, all);
     }
-    all.contactors.push_back({.memory = &memory.restitution[i], .first = first, .last = first + 1, .friction = friction,
-                              .area = area, .depth = plane.depth, .impedance = plane.impedance * area,
-                              .square = plane.restitution * plane.restitution});
+    add({.memory = &memory.restitution[i], .first = first, .last = first + 1, .friction = friction, .area = area, .depth = plane.depth,
+         .impedance = plane.impedance * area, .square = plane.restitution * plane.restitution}, all);
   }
   let_yield(memory.friction_owed, plane.depth, m, first_friction, all);
 }
@@ -340,7 +455,7 @@ void apply_changes(const Motion& m, Multipliers& all) {
       Condition& c = all.conditions[i];
       if (c.change == 0) continue;
       c.impulse += c.change;
-      give(c, c.change, m, all.velocity);
+      give(c, c.change, all);
     }
     if (one.friction < 0 || all.frictions[one.friction].change.isZero(0)) continue;
     FrictionCondition& condition = all.frictions[one.friction];

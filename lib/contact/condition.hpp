@@ -13,6 +13,9 @@ namespace nereid::contact {
 /// [-] of the depth of an element: apexes that are nearer to their base have a condition.
 constexpr double multipliers_reach = 0.02;
 
+/// A sweep sums what it has done over so many contactors at a time, whatever the number of threads.
+constexpr Index contactors_of_a_range = 256;
+
 struct RigidNodes;
 
 /// How nodes move when no multiplier acts, and how easily an impulse moves them.
@@ -49,7 +52,8 @@ struct Condition {
   double bound;                    ///< [1/kg] of what all impulses together change in it
   double least;                    ///< [m/s] relative velocity that may be afterwards
   int nodes;                       ///< 1 over a rigid plane, 4 over a facet, 5 over a face of a hexahedron
-  bool constrained;                ///< some of its nodes are
+  unsigned constrained;            ///< a bit for each of its nodes on which constraints act
+  Index along;                     ///< of the first of these in Multipliers::along
   std::array<Index, 5> node;       ///< the apex, then those of the base
   std::array<double, 5> weight;    ///< 1, then minus those of the foot
   Vec3 normal;                     ///< unit vector, from the base to the apex
@@ -92,8 +96,15 @@ struct Contactor {
 struct Pool {
   Index first, last;
   double* transferred;
-  double rubbed;         ///< what friction has taken in this step, less what it owes
-  bool owes = false;     ///< some of them have given more than they held
+  double rubbed;             ///< what friction has taken in this step, less what it owes
+  double held = 0, owed = 0; ///< what some of them hold, and what others have given beyond what they held
+};
+
+/// What a sweep, or a part of it, has done to the impulses of a contact.
+struct Progress {
+  double turned = 0;       ///< [J] work of what moved against where it moved to
+  double moved = 0, made = 0;              ///< [m2/s2] sums of (A J)^2: of what the sweep moved, and of all
+  double moved_along = 0, made_along = 0;  ///< the same of friction
 };
 
 /// What multipliers work with and may throw away between steps.
@@ -103,10 +114,14 @@ struct Multipliers {
   Vectors velocity;     ///< [m/s] [nodes] in the step to come, with the impulses so far
   Vectors spin;         ///< [rad/s] [plate nodes] the same of angular velocities
   Scalars shared;       ///< [m2] [nodes] sum of the weights of all conditions times their areas; look_ahead() begins it
+  Scalars mobility;     ///< [1/kg] [nodes] of what was looked ahead for
+  Subset nodes;         ///< on which multipliers can act, ascending
   std::vector<Condition> conditions;
+  std::vector<Vec3> along;   ///< what constraints let through of the normals of conditions, node by node that they act on
   std::vector<FrictionCondition> frictions;
   std::vector<Contactor> contactors;
   std::vector<Index> first;  ///< [interfaces, then planes, then one] of their contactors
+  std::vector<Progress> progress;  ///< of a sweep by ranges of contactors
   std::vector<Pool> pools;
   Bonds bonds;
 };
@@ -114,20 +129,34 @@ struct Multipliers {
 /// Room for all conditions that can be expected, so that a step takes no memory.
 Multipliers make_multipliers(std::span<const Interface>, std::span<const RigidPlane>, Index nodes, Index plate_nodes);
 
+/// Calls visit(j) for the nodes of a condition; over a face of a hexahedron without a loop.
+template <class Visit>
+NEREID_HOT void each_node(const Condition& c, Visit&& visit) {
+  if (c.nodes == 5) {
+    for (int j = 0; j < 5; ++j) visit(j);
+  } else {
+    for (int j = 0; j < c.nodes; ++j) visit(j);
+  }
+}
+
+/// Calls visit(j, P n) for the nodes of a condition, with what constraints let through of its normal.
+template <class Visit>
+NEREID_HOT void each_node_along(const Condition& c, const Multipliers& all, Visit&& visit) {
+  if (c.constrained == 0) return each_node(c, [&](int j) { visit(j, c.normal); });
+  const Vec3* along = &all.along[static_cast<std::size_t>(c.along)];
+  each_node(c, [&](int j) { visit(j, c.constrained >> j & 1 ? *along++ : c.normal); });
+}
+
 /// The relative normal velocity. [m/s]
 inline double rate(const Condition& c, const Vectors& v) {
-  double sum = 0;
-  for (int j = 0; j < c.nodes; ++j) sum += c.weight[j] * c.normal.dot(v.col(c.node[j]));
-  return sum;
+  Vec3 sum = Vec3::Zero();
+  each_node(c, [&](int j) { sum += c.weight[j] * v.col(c.node[j]); });
+  return c.normal.dot(sum);
 }
 
 /// Adds to velocities what one more impulse makes of them.
-inline void give(const Condition& c, double impulse, const Motion& m, Vectors& v) {
-  const Vec3 along = impulse * c.normal;
-  for (int j = 0; j < c.nodes; ++j) {
-    if (c.constrained && m.allowed[c.node[j]]) v.col(c.node[j]) += c.response[j] * (*m.allowed[c.node[j]] * along);
-    else v.col(c.node[j]) += c.response[j] * along;
-  }
+inline void give(const Condition& c, double impulse, Multipliers& all) {
+  each_node_along(c, all, [&](int j, const Vec3& along) { all.velocity.col(c.node[j]) += c.response[j] * impulse * along; });
 }
 
 /// The work of its impulse, with the relative velocity afterwards: the mean of both velocities, whatever the steps. [J]

@@ -156,10 +156,11 @@ struct Near {
   double clear = 0;
   double area = 0;        ///< [m2] of the sides of the apex that faced the base as it came into contact; zero: all
   bool rests = false;     ///< free, and its forces are booked: nothing is to do while it is clear
+  bool stays = false;     ///< pressed by multipliers, over the inside of the one facet that it slides on, and comes to no other part
   double pressed = 0;     ///< [N] by multipliers in the step before: where the sweeps of the next one begin
   Tracks tracks;
-  ElementForces element;
   FrictionForces friction;
+  ElementForces element;  // last: most of its stencils are not in use
 };
 
 /// What an interface remembers. The forces are those at the end of the last step: the work of the next one needs them.

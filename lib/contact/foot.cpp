@@ -4,14 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/quadrilateral.hpp"
+#include "contact/face.hpp"
 
 namespace nereid::contact {
 
 namespace {
 
 constexpr double one_patch = 0.9;  // cosine between the normals of faces that go over into each other
-constexpr double turned = 0.5;     // cosine between the normals of a face and of its half: a face that is warped more stays cut
 
 /// A facet, or the face that it is half of.
 struct Face {
@@ -42,15 +41,6 @@ Vec3 normal_at(const Face& face, const Vectors& x, double a, double b) {
   const Vec3 by_a = (1 - b) * (corner[1] - corner[0]) + b * (corner[2] - corner[3]);
   const Vec3 by_b = (1 - a) * (corner[3] - corner[0]) + a * (corner[2] - corner[1]);
   return by_a.cross(by_b).normalized();
-}
-
-/// Whether a point of a face is nearer to an edge than a band.
-///
-/// area2  squared area of its tangents
-bool is_within(double band, const geometry::OnQuadrilateral& at, double area2) {
-  const double along = std::min(at.a, 1 - at.a), across = std::min(at.b, 1 - at.b), limit = band * band;
-  return !(along > 0 && across > 0 && along * along * area2 > limit * at.by_b.squaredNorm() &&
-           across * across * area2 > limit * at.by_a.squaredNorm());
 }
 
 /// The normal of the face behind an edge, at a point of that edge.
@@ -108,28 +98,27 @@ bool stand_on_face(const BaseSurface& base, const Vectors& x, const Vec3& p, con
   const bool on_cut = feature.kind == geometry::Kind::edge && feature.local == half.cut;
   if (half.cut < 0 || !(feature.kind == geometry::Kind::facet || on_cut)) return false;
   const int first = half.cut, second = (first + 1) % 3, third = (first + 2) % 3;
-  const auto corner = [&](Index node) { return Vec3(x.col(node) - p); };
+  const auto corner = [&](Index node) { return Vector<double>{x(0, node) - p.x(), x(1, node) - p.y(), x(2, node) - p.z()}; };
   const auto node = [&](int local) { return base.facets(local, feature.facet); };
-  const std::array<Vec3, 4> corners{corner(node(first)), corner(half.fourth), corner(node(second)), corner(node(third))};
-  geometry::OnQuadrilateral at;
-  at.a = over.weight[second] + fourth, at.b = over.weight[second] + over.weight[third];
-  if (!geometry::closest_on_quadrilateral(corners, Vec3::Zero(), at)) return false;
-  const Vec3 area = at.by_a.cross(at.by_b), facet = (corners[2] - corners[0]).cross(corners[3] - corners[0]);
-  const double area2 = area.squaredNorm(), same_way = area.dot(facet);
-  if (!(same_way > 0 && same_way * same_way > turned * turned * area2 * facet.squaredNorm())) return false;
-  Vec3 n = 1 / std::sqrt(area2) * area, way = at.way;
-  std::array<double, 4> weight = geometry::weights_at(at.a, at.b);
+  const std::array<Vector<double>, 4> corners{corner(node(first)), corner(half.fourth), corner(node(second)), corner(node(third))};
+  OverFace<double> on;
+  on.at.a = over.weight[second] + fourth, on.at.b = over.weight[second] + over.weight[third];
+  if (!stand_over(corners, on)) return false;
+  Vec3 n = eigen(on.normal);
+  double height = on.height;
+  std::array<double, 4> weight = on.weight;
   const double band = blended * base.size(feature.facet);
-  if (blends && is_within(band, at, area2)) {
+  if (blends && is_within(band, on)) {
     const Vec3 of_face = n;
-    blend(base, x, face_of(base, feature.facet), p - way, band, allowed, n);
+    blend(base, x, face_of(base, feature.facet), p - eigen(on.at.way), band, allowed, n);
     if (n != of_face) {
-      if (!geometry::bilinear_weights(corners, Vec3::Zero(), n, at.a, at.b, weight)) return false;
-      way = -(weight[0] * corners[0] + weight[1] * corners[1] + weight[2] * corners[2] + weight[3] * corners[3]);
+      const std::array<Vec3, 4> from_p{eigen(corners[0]), eigen(corners[1]), eigen(corners[2]), eigen(corners[3])};
+      if (!geometry::bilinear_weights(from_p, Vec3::Zero(), n, on.at.a, on.at.b, weight)) return false;
+      height = -n.dot(weight[0] * from_p[0] + weight[1] * from_p[1] + weight[2] * from_p[2] + weight[3] * from_p[3]);
     }
   }
   over.normal = n;
-  over.height = n.dot(way);
+  over.height = height;
   over.weight[first] = weight[0], over.weight[second] = weight[2], over.weight[third] = weight[3];
   fourth = weight[1];
   return true;

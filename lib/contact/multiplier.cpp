@@ -22,24 +22,29 @@ constexpr double settled = 1e-5;   // the same: fewer sweeps than usual will do 
 constexpr double may_gain = 1e-4;  // of the energy that the impulses exchange: sweeps go on while single contactors gain more
 constexpr double may_close = 0.02;  // of the depth of an element: the same, while a gap would be more negative in the step to come
 
-/// Books the moments of one apex in half of a step, where its forces can have one.
+/// Whether the forces of all apexes can have a moment, and not only of those that say so.
+bool all_have_moments(const Interface& interface) { return !interface.allowed.empty() || interface.weights == Weights::paper; }
+
+/// Books the moments of one apex in half of a step.
 ///
 /// later  [s] at which positions they count, after t
 void book_moments(const Interface& interface, const Motion& m, double later, const Near& near, Memory& memory) {
   const double half = 0.5 * m.dt;
   memory.angular_impulse += half * moment(interface, m.x, m.v, later, near.apex, near.element);
-  if (near.friction.acts && (!interface.allowed.empty() || interface.weights == Weights::paper))
+  if (near.friction.acts && all_have_moments(interface))
     memory.angular_impulse += half * moment_of_friction(near.friction.touch, near.friction.force, m.x, m.v, later);
 }
 
 /// Books the first half of the step that led to t, in which the forces of the memory have acted.
 void book_first_half(const Interface& interface, const Motion& m, Memory& memory) {
   const double half = 0.5 * m.dt;
+  const bool rubs = interface.friction.coefficient > 0, turns = all_have_moments(interface);
   for (const Near& near : memory.near) {
     if (!near.element.closed) continue;
     memory.work += half * power(interface, m.v, near.apex, near.element);
-    if (near.friction.acts) memory.work += half * near.friction.force.dot(slip_rate(near.friction.touch, m.v, m.omega, m.rotation_of_node));
-    book_moments(interface, m, -m.dt, near, memory);
+    if (rubs && near.friction.acts)
+      memory.work += half * near.friction.force.dot(slip_rate(near.friction.touch, m.v, m.omega, m.rotation_of_node));
+    if (turns || near.element.has_moment) book_moments(interface, m, -m.dt, near, memory);
   }
 }
 
@@ -50,21 +55,16 @@ void book_first_half(const Interface& interface, const Motion& m, Memory& memory
 /// with any a > 0 (Gershgorin's circles of the matrix with rows and columns scaled). Impulses go with the areas, so these are good, and
 /// half a body on its symmetry plane has nearly the sweeps of the whole one.
 void find_bounds(const Motion& m, Multipliers& all) {
-  for (const Contactor& one : all.contactors)
-    for (Index i = one.first; i < one.last; ++i) {
-      const Condition& c = all.conditions[i];
-      for (int j = 0; j < c.nodes; ++j) all.shared(c.node[j]) += one.area * std::abs(c.weight[j]);
-    }
   if (m.rigid) leave_out(*m.rigid, all);
   for (const Contactor& one : all.contactors) {
+    const double per_area = 1 / one.area;
     for (Index i = one.first; i < one.last; ++i) {
       Condition& c = all.conditions[i];
-      c.bound = 0;
-      for (int j = 0; j < c.nodes; ++j) {
-        const Mat3* allowed = c.constrained ? m.allowed[c.node[j]] : nullptr;
-        c.bound += (allowed ? (*allowed * c.normal).norm() : 1) * std::abs(c.response[j]) * all.shared(c.node[j]);
-      }
-      c.bound /= one.area;
+      double sum = 0;
+      each_node_along(c, all, [&](int j, const Vec3& along) {
+        sum += (&along == &c.normal ? 1 : along.norm()) * std::abs(c.response[j]) * all.shared(c.node[j]);
+      });
+      c.bound = per_area * sum;
     }
     if (one.friction < 0) continue;
     FrictionCondition& condition = all.frictions[one.friction];
@@ -79,60 +79,64 @@ void find_bounds(const Motion& m, Multipliers& all) {
   if (m.rigid) add_bounds(*m.rigid, m, all);
 }
 
-/// One sweep: all impulses are to change by the rates that all of them have made so far, so no order counts, and to go on by some of what
-/// they moved (Nesterov's momentum).
-void sweep(const Motion& m, double momentum, Multipliers& all) {
-  parallel_for(static_cast<Index>(all.contactors.size()), 128, [&](Index k) {
-    const Contactor& one = all.contactors[k];
-    double pressed = 0;
-    for (Index i = one.first; i < one.last; ++i) {
-      Condition& c = all.conditions[i];
-      const double now = std::max(0.0, c.impulse + (c.least - rate(c, all.velocity)) / c.bound);
-      c.moved = now - c.met;
-      c.change = now + momentum * c.moved - c.impulse;
-      c.met = now;
-      pressed += now;
-    }
-    if (one.friction < 0) return;
-    FrictionCondition& friction = all.frictions[one.friction];
-    find_change(pressed, m, all, friction);
-    const Vec3 now = friction.impulse + friction.change;
-    friction.moved = now - friction.met;
-    friction.change += momentum * friction.moved;
-    friction.met = now;
-  });
+/// Lets one contactor sweep: its impulses are to change by the rates that all impulses have made so far, and to go on by some of what they
+/// moved (Nesterov's momentum).
+void sweep(const Motion& m, double momentum, const Contactor& one, Multipliers& all, Progress& sum) {
+  double pressed = 0;
+  for (Index i = one.first; i < one.last; ++i) {
+    Condition& c = all.conditions[i];
+    const double now = std::max(0.0, c.impulse + (c.least - rate(c, all.velocity)) / c.bound), A2 = c.per_mass * c.per_mass;
+    c.moved = now - c.met;
+    c.change = now + momentum * c.moved - c.impulse;
+    c.met = now;
+    pressed += now;
+    sum.moved += c.moved * c.moved * A2, sum.made += now * now * A2;
+    sum.turned += c.bound * (now - c.impulse) * c.moved;
+  }
+  if (one.friction < 0) return;
+  FrictionCondition& friction = all.frictions[one.friction];
+  find_change(pressed, m, all, friction);
+  const Vec3 now = friction.impulse + friction.change;
+  const double A2 = friction.per_mass * friction.per_mass;
+  friction.moved = now - friction.met;
+  friction.change += momentum * friction.moved;
+  friction.met = now;
+  sum.moved_along += friction.moved.squaredNorm() * A2, sum.made_along += now.squaredNorm() * A2;
+  sum.turned += friction.bound * (now - friction.impulse).dot(friction.moved);
 }
 
-/// What a sweep has done.
-struct Progress {
-  double turned = 0;  ///< [J] work of what moved against where it moved to: below zero, and the momentum is to begin anew
-                      ///< (O'Donoghue & Candes 2015)
+/// What a sweep has done to all contacts.
+struct Swept {
+  double turned = 0;  ///< [J] below zero, and the momentum is to begin anew (O'Donoghue & Candes 2015)
   double change = 0;  ///< [-] of the impulses over all that they do, of the contact where that is most, friction for itself; by
                       ///< velocities, so that light bodies count beside heavy ones
 };
-Progress progress(const Multipliers& all) {
-  Progress sum;
+
+/// One sweep of all contactors, in any order: none sees what another changes.
+Swept sweep(const Motion& m, double momentum, Multipliers& all) {
+  Swept swept;
   for (std::size_t contact = 0; contact + 1 < all.first.size(); ++contact) {
-    double moved = 0, made = 0, moved_along = 0, made_along = 0;
-    for (Index k = all.first[contact]; k < all.first[contact + 1]; ++k) {
-      const Contactor& one = all.contactors[k];
-      for (Index i = one.first; i < one.last; ++i) {
-        const Condition& c = all.conditions[i];
-        const double A2 = c.per_mass * c.per_mass;
-        moved += c.moved * c.moved * A2, made += c.met * c.met * A2;
-        sum.turned += c.bound * (c.met - c.impulse) * c.moved;
-      }
-      if (one.friction < 0) continue;
-      const FrictionCondition& f = all.frictions[one.friction];
-      const double A2 = f.per_mass * f.per_mass;
-      moved_along += f.moved.squaredNorm() * A2, made_along += f.met.squaredNorm() * A2;
-      sum.turned += f.bound * (f.met - f.impulse).dot(f.moved);
+    const Index first = all.first[contact], last = all.first[contact + 1];
+    const Index ranges = (last - first + contactors_of_a_range - 1) / contactors_of_a_range;
+    all.progress.assign(static_cast<std::size_t>(ranges), {});
+    parallel_for(ranges, 1, [&](Index r) {
+      Progress sum;
+      const Index begin = first + r * contactors_of_a_range, end = std::min(last, begin + contactors_of_a_range);
+      for (Index k = begin; k < end; ++k) sweep(m, momentum, all.contactors[k], all, sum);
+      all.progress[r] = sum;
+    });
+    Progress sum;
+    for (const Progress& part : all.progress) {
+      sum.turned += part.turned;
+      sum.moved += part.moved, sum.made += part.made;
+      sum.moved_along += part.moved_along, sum.made_along += part.made_along;
     }
-    if (moved > 0) sum.change = std::max(sum.change, moved / made);
-    if (moved_along > 0) sum.change = std::max(sum.change, moved_along / made_along);
+    swept.turned += sum.turned;
+    if (sum.moved > 0) swept.change = std::max(swept.change, sum.moved / sum.made);
+    if (sum.moved_along > 0) swept.change = std::max(swept.change, sum.moved_along / sum.made_along);
   }
-  sum.change = std::sqrt(sum.change);
-  return sum;
+  swept.change = std::sqrt(swept.change);
+  return swept;
 }
 
 /// Leaves out the momentum of the last sweep, so that no impulse pulls.
@@ -176,7 +180,7 @@ void solve(const Motion& m, Multipliers& all) {
   find_bounds(m, all);
   for (const Contactor& one : all.contactors)
     for (Index i = one.first; i < one.last; ++i)
-      if (all.conditions[i].impulse > 0) give(all.conditions[i], all.conditions[i].impulse, m, all.velocity);
+      if (all.conditions[i].impulse > 0) give(all.conditions[i], all.conditions[i].impulse, all);
   for (const FrictionCondition& condition : all.frictions)
     if (!condition.impulse.isZero(0)) give(condition, condition.impulse, m, all);
   if (m.rigid) settle(*m.rigid, m, all.velocity);
@@ -184,8 +188,7 @@ void solve(const Motion& m, Multipliers& all) {
   double t = 1;
   for (int sweeps = 1; sweeps <= most_for_overlaps; ++sweeps) {
     const double next = 0.5 * (1 + std::sqrt(1 + 4 * t * t));
-    sweep(m, sweeps > 1 ? (t - 1) / next : 0, all);
-    const Progress made = progress(all);
+    const Swept made = sweep(m, sweeps > 1 ? (t - 1) / next : 0, all);
     t = made.turned < 0 ? 1 : next;
     if (!(made.change > still)) break;
     apply_changes(m, all);
@@ -242,9 +245,11 @@ Doing doing(const Motion& m, Index first, Index last, const Multipliers& all) {
 /// Writes impulses into the memory of an interface as forces, and books them.
 void take_over(const Interface& interface, const Motion& m, double h, double t, Index first, Index last, const Doing& now, Memory& memory,
                const Multipliers& all) {
-  const bool rubs = interface.friction.coefficient > 0;
+  const bool rubs = interface.friction.coefficient > 0, turns = all_have_moments(interface);
   Index at = first < last ? all.contactors[first].first : 0, contactor = first;
   memory.deepest_now = 0;
+  const Vec3 force_before = memory.force;
+  memory.force.setZero();
   for (Near& near : memory.near) {
     ElementForces& element = near.element;
     memory.stored[near.apex] = 0;
@@ -282,10 +287,12 @@ void take_over(const Interface& interface, const Motion& m, double h, double t, 
     if (element.depth > memory.deepest) see_depth(interface, m.x, near, memory), memory.deepest_time = t;
     memory.lost += element.lost;
     if (element.moved && !near.rests) ++memory.walks, ++memory.reconnections[near.apex];
-    if (element.closed) book_moments(interface, m, 0, near, memory);
+    if (element.closed) memory.force += element.apex;
+    if (element.closed && (turns || element.has_moment)) book_moments(interface, m, 0, near, memory);
+    if (rubs && near.friction.acts) memory.force += near.friction.force;
   }
   memory.work += now.work;
-  sum_force(m.dt, memory);
+  memory.impulse += 0.5 * m.dt * (force_before + memory.force);
   memory.held = now.to_come + held(first, last, all) + memory.transferred;
 }
 
@@ -347,16 +354,11 @@ bool any_touched(const Multipliers& all) {
 /// Finds the conditions of all contacts by multipliers, their impulses, and the work of these.
 void find_impulses(const Acting& acting, const Motion& m, std::span<Workspace> workspaces, Multipliers& all) {
   all.conditions.clear();
+  all.along.clear();
   all.contactors.clear();
   all.frictions.clear();
   all.first.assign(acting.interfaces.size() + acting.planes.size() + 1, 0);
-  for (const Interface& interface : acting.interfaces) {
-    if (!by_multipliers(interface)) continue;
-    look_ahead(interface.apexes, m, all);
-    look_ahead(interface.base_nodes, m, all);
-  }
-  for (const RigidPlane& plane : acting.planes)
-    if (by_multipliers(plane)) look_ahead(plane.nodes, m, all);
+  look_ahead(all.nodes, m, all);
   if (m.rigid) look_ahead(*m.rigid, m, all);
   find_bonds(acting.interfaces, m, acting.memories, all.velocity, all.bonds);
   see_ahead(all.bonds.nodes, m, all);

@@ -9,6 +9,7 @@ namespace {
 
 constexpr double own_share = 0.5;       // [-] of the force with which a wave leaves a node that moves with what is held
 constexpr double small_loss = 1e-3;     // of what is held: less, taken in a step, delays no release
+constexpr double round_off = 1e-14;     // of the energy with which a node goes apart: so much of what it held is no force
 constexpr int passes = 8;               // in which gaps are closed again
 
 /// The condition of a contactor that presses hardest.
@@ -46,7 +47,7 @@ void release(const Motion& m, double t, Multipliers& all) {
     const double time = 1 / (c.per_mass * one.impedance);
     if (pressed > 0 && (t - memory.last_loss < time - 0.5 * h || memory.mean_force >= own)) continue;
     const Gain by = gain(c, rate(c, all.velocity));
-    if (by.B < 0) continue;  // on its way in
+    if (by.B < 0 || left * by.A < round_off * by.B * by.B) continue;  // on its way in, or released before
     one.lost = (1 - one.square) * std::max(0.0, left - memory.kept);
     one.memory->kept = left - one.lost;
     c.change = by.impulse_for(left - one.lost);
@@ -86,7 +87,7 @@ double update_restitution(const Motion& m, double t, Pool& pool, Multipliers& al
     if (-one.work > small_loss * memory.held) memory.last_loss = t;
     memory.held -= one.work + one.lost;
     memory.kept = std::clamp(memory.held, 0.0, memory.kept);
-    pool.owes = pool.owes || memory.held < 0;
+    (memory.held < 0 ? pool.owed : pool.held) += std::abs(memory.held);
     lost += one.lost;
     const double pressed = impulse_of(one, all) / h;
     const double time = 2 / (hardest(one, all).per_mass * one.impedance);
@@ -102,16 +103,12 @@ double held(Index first, Index last, const Multipliers& all) {
 }
 
 void balance(std::span<Pool> pools, Multipliers& all) {
-  if (std::none_of(pools.begin(), pools.end(), [](const Pool& pool) { return pool.owes; })) return;
-  double held_by_all = 0, deficit = 0;
-  for (const Pool& pool : pools)
-    for (Index k = pool.first; k < pool.last; ++k) {
-      const double one = all.contactors[k].memory->held;
-      (one < 0 ? deficit : held_by_all) += std::abs(one);
-    }
-  const double covered = std::min(1.0, held_by_all / deficit), left = deficit < held_by_all ? 1 - deficit / held_by_all : 0;
+  double held_by_all = 0, owed = 0;
+  for (const Pool& pool : pools) held_by_all += pool.held, owed += pool.owed;
+  if (!(owed > 0)) return;
+  const double covered = std::min(1.0, held_by_all / owed), left = owed < held_by_all ? 1 - owed / held_by_all : 0;
   for (Pool& pool : pools) {
-    pool.owes = pool.owes && covered < 1;
+    pool.held *= left, pool.owed *= 1 - covered;
     for (Index k = pool.first; k < pool.last; ++k) {
       double& one = all.contactors[k].memory->held;
       const double before = one;

@@ -28,7 +28,6 @@ constexpr double shallow = 0.2;       // of the longest edge: nor from deeper, b
 constexpr double far_side = -0.5;     // cosine: facets that are turned so far are not round the corner
 constexpr double like_neighbours = 2;  // times the deepest contact of the step before
 
-Vec3 eigen(const Vector<double>& a) { return {a.x, a.y, a.z}; }
 
 using Corners = std::array<Vector<double>, 3>;
 

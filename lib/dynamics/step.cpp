@@ -103,11 +103,14 @@ void add_contact_forces(const Model& model, const State& now, bool by_multiplier
       contact::add_forces(model.rigid_planes[p], now.rigid_planes[p], f.force);
 }
 
+/// Shows multipliers the constraints of the nodes that they can act on.
 void see_constraints(const State& now, Forces& f) {
   const load::Memory& constraints = now.constraints;
-  for (const Index row : constraints.active) {
+  for (const Index at : f.multipliers.nodes) {
+    const Index row = constraints.row_of_node[at];
+    if (row < 0 || constraints.nodes[row].count == 0) continue;
     const load::ConstrainedNode& node = constraints.nodes[row];
-    f.allowed[node.node] = &node.allowed;
+    f.allowed[at] = &node.allowed;
     if (node.rotation >= 0) f.allowed_rotation[node.rotation] = &node.allowed_rotation;
   }
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "base/gather.hpp"
 #include "base/parallel.hpp"
 #include "element/bending.hpp"
 #include "element/kernels.hpp"
@@ -35,15 +36,6 @@ void each_row(const Block<Kind, Law>& block, Memory& memory, double* at, Visit&&
   } else {
     memory.each_row(next);
   }
-}
-
-/// One nodal vector for each lane, gathered from the tile's slots. Built in registers: a detour over
-/// memory would read a pack that was just written in pieces, and wait for it.
-NEREID_HOT Vector<Pack> gather(const double* local, const Index* slot) {
-  const auto component = [&](int axis) {
-    return Pack([&](auto lane) { return local[3 * slot[static_cast<int>(lane)] + axis]; });
-  };
-  return {component(0), component(1), component(2)};
 }
 
 inline void scatter(const Vector<Pack>& v, const Index* slot, int filled, double* local) {

@@ -75,7 +75,7 @@ TEST(Condition, AnImpulseChangesItsRateByWhatItSays) {
   at.allowed[at.scene.interface.base.facets(0, at.scene.near().element.stencil[0].facet)] = &slanted;
   const Condition c = at.find(1e-3);
   const double before = rate(c, at.all.velocity);
-  give(c, 0.7, at.motion(1e-3), at.all.velocity);
+  give(c, 0.7, at.all);
   EXPECT_NEAR(rate(c, at.all.velocity) - before, 0.7 * c.per_mass, 1e-14);
 }
 

@@ -64,6 +64,13 @@ TEST(Restitution, StaysWithANodeThatIsPressedOrOnItsWayIn) {
   }
 }
 
+TEST(Restitution, OfRoundOffMakesNoForceAfterARelease) {
+  Setting at({1e-18});
+  release(at.motion(), 1, at.all);
+  EXPECT_EQ(at.all.conditions[0].impulse, 0);
+  EXPECT_EQ(at.memory[0].held, 1e-18);  // it is taken for good where the node is no longer near
+}
+
 TEST(Restitution, IsGivenBackWithoutAForceWhateverTheImpedance) {
   for (const double impedance : {0.0, 1.0, std::numeric_limits<double>::infinity()}) {
     Setting at({0.375});
@@ -76,7 +83,7 @@ TEST(Restitution, IsGivenBackWithoutAForceWhateverTheImpedance) {
 TEST(Restitution, CoversTheDeficitsOfNeighboursInProportion) {
   Setting at({3, -1, 1});
   double transferred[] = {0, 0};
-  Pool pools[] = {{0, 2, &transferred[0], 0, true}, {2, 3, &transferred[1], 0}};
+  Pool pools[] = {{0, 2, &transferred[0], 0, 3, 1}, {2, 3, &transferred[1], 0, 1, 0}};
   balance(pools, at.all);
   EXPECT_NEAR(at.memory[0].held, 2.25, 1e-15);
   EXPECT_EQ(at.memory[1].held, 0);
@@ -88,9 +95,9 @@ TEST(Restitution, CoversTheDeficitsOfNeighboursInProportion) {
 TEST(Restitution, LeavesADeficitThatNothingCovers) {
   Setting at({1, -3});
   double transferred = 0;
-  Pool pool{0, 2, &transferred, 0, true};
+  Pool pool{0, 2, &transferred, 0, 1, 3};
   balance({&pool, 1}, at.all);
-  EXPECT_TRUE(pool.owes);
+  EXPECT_NEAR(pool.owed, 2, 1e-15);
   EXPECT_EQ(at.memory[0].held, 0);
   EXPECT_NEAR(at.memory[1].held, -2, 1e-15);
   EXPECT_EQ(held(0, 2, at.all), 0);

@@ -66,8 +66,8 @@ TEST(RigidNodes, ImpulsesAtNodesMoveTheWholeBodyExactly) {
   Setting at;
   look_ahead(at.rigid, at.motion(), at.all);
   at.add(0, -1, {1, 2, 3}), at.add(3, 8, {0, 0, 1});
-  give(at.all.conditions[0], 0.3, at.motion(), at.all.velocity);
-  give(at.all.conditions[1], 0.7, at.motion(), at.all.velocity);
+  give(at.all.conditions[0], 0.3, at.all);
+  give(at.all.conditions[1], 0.7, at.all);
   settle(at.rigid, at.motion(), at.all.velocity);
   const Vec3 first = 0.3 * Vec3(1, 2, 3).normalized(), second(0, 0, 0.7), centre(0.1, 0, 0.05);
   rigid::State end = at.state;
@@ -85,7 +85,7 @@ TEST(RigidNodes, ResponsesAreDifferencesOfRates) {
   at.add(1, 9, {1, -2, 3});
   const Condition& c = at.all.conditions[0];
   const double before = rate(c, at.all.velocity), small = 1e-5;
-  give(c, small, at.motion(), at.all.velocity);
+  give(c, small, at.all);
   settle(at.rigid, at.motion(), at.all.velocity);
   const double found = (rate(c, at.all.velocity) - before) / small;
   EXPECT_NEAR(per_mass(at.rigid, at.motion(), c), found, 0.01 * found);  // the turn of the step, |w| dt = 0.01, is in the rates
@@ -101,7 +101,7 @@ TEST(RigidNodes, BoundsHoldAndAreExactWhereAllPushAlike) {
     at.all.velocity.setZero();
     at.rigid.bodies[0].state = {};
     at.rigid.bodies[0].twist = {};
-    give(at.all.conditions[k], 1e-6, m, at.all.velocity);
+    give(at.all.conditions[k], 1e-6, at.all);
     settle(at.rigid, m, at.all.velocity);
     for (int l = 0; l < 4; ++l) A(l, k) = rate(at.all.conditions[l], at.all.velocity) / 1e-6;
   }

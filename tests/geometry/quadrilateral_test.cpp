@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <random>
+#include <vector>
 
 namespace nereid::geometry {
 namespace {
@@ -30,6 +31,10 @@ TEST(Quadrilateral, WeightsLeadToThePointUnderAnApexAlongTheNormal) {
   }
 }
 
+Vector<double> place(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
+Vec3 eigen(const Vector<double>& p) { return {p.x, p.y, p.z}; }
+std::array<Vector<double>, 4> places(const std::array<Vec3, 4>& p) { return {place(p[0]), place(p[1]), place(p[2]), place(p[3])}; }
+
 /// A face that is warped and skewed, and a point over it.
 struct Warped {
   std::array<Vec3, 4> corner{Vec3(0, 0, 0), Vec3(2, 0, 0), Vec3(2, 1, 0), Vec3(0, 1, 0)};
@@ -51,12 +56,38 @@ TEST(Quadrilateral, TheClosestPointIsWhereTheWayIsAlongTheNormal) {
   std::mt19937 engine(8);
   for (int round = 0; round < 1000; ++round) {
     const Warped face(engine);
-    OnQuadrilateral at{.a = 0.5, .b = 0.5, .by_a = {}, .by_b = {}, .way = {}};
-    ASSERT_TRUE(closest_on_quadrilateral(face.corner, face.p, at)) << round;
+    OnQuadrilateral<double> at{.a = 0.5, .b = 0.5, .by_a = {}, .by_b = {}, .way = {}};
+    ASSERT_TRUE(closest_on_quadrilateral(places(face.corner), place(face.p), at)) << round;
     EXPECT_NEAR(at.a, face.a, 1e-12) << round;
     EXPECT_NEAR(at.b, face.b, 1e-12) << round;
-    EXPECT_LT((at.way - face.height * face.normal).norm(), 1e-13) << round;
-    EXPECT_LT(at.by_a.cross(at.by_b).normalized().cross(face.normal).norm(), 1e-12) << round;
+    EXPECT_LT((eigen(at.way) - face.height * face.normal).norm(), 1e-13) << round;
+    EXPECT_LT(eigen(cross(at.by_a, at.by_b)).normalized().cross(face.normal).norm(), 1e-12) << round;
+  }
+}
+
+TEST(Quadrilateral, AllLanesOfAPackHaveClosestPointsOfTheirOwn) {
+  std::mt19937 engine(10);
+  for (int round = 0; round < 100; ++round) {
+    std::vector<Warped> faces;
+    for (int lane = 0; lane < lanes; ++lane) faces.emplace_back(engine);
+    faces[round % lanes].p.x() += 5;  // far beside its face
+    const auto row = [&](auto&& number) { return Pack([&](auto lane) { return number(faces[static_cast<std::size_t>(lane)]); }); };
+    std::array<Vector<Pack>, 4> corner;
+    Vector<Pack> p;
+    for (int axis = 0; axis < 3; ++axis) {
+      for (int I = 0; I < 4; ++I) corner[I][axis] = row([&](const Warped& face) { return face.corner[I][axis]; });
+      p[axis] = row([&](const Warped& face) { return face.p[axis]; });
+    }
+    OnQuadrilateral<Pack> all;
+    all.a = all.b = Pack(0.5);
+    const auto found = closest_on_quadrilateral(corner, p, all);
+    for (int lane = 0; lane < lanes; ++lane) {
+      EXPECT_EQ(found[lane], lane != round % lanes) << round;
+      if (!found[lane]) continue;
+      EXPECT_NEAR(all.a[lane], faces[lane].a, 1e-12) << round;
+      EXPECT_NEAR(all.b[lane], faces[lane].b, 1e-12) << round;
+      EXPECT_NEAR(all.way.x[lane], faces[lane].height * faces[lane].normal.x(), 1e-13) << round;
+    }
   }
 }
 
@@ -64,9 +95,9 @@ TEST(Quadrilateral, TheHeightOverItChangesByItsNormalAndWeights) {
   std::mt19937 engine(9);
   std::uniform_real_distribution<double> number(-1, 1);
   const auto height = [](const std::array<Vec3, 4>& corner, const Vec3& p, const Warped& face) {
-    OnQuadrilateral at{.a = face.a, .b = face.b, .by_a = {}, .by_b = {}, .way = {}};
-    EXPECT_TRUE(closest_on_quadrilateral(corner, p, at));
-    return at.by_a.cross(at.by_b).normalized().dot(at.way);
+    OnQuadrilateral<double> at{.a = face.a, .b = face.b, .by_a = {}, .by_b = {}, .way = {}};
+    EXPECT_TRUE(closest_on_quadrilateral(places(corner), place(p), at));
+    return eigen(cross(at.by_a, at.by_b)).normalized().dot(eigen(at.way));
   };
   for (int round = 0; round < 100; ++round) {
     const Warped face(engine);
@@ -89,8 +120,8 @@ TEST(Quadrilateral, TheHeightOverItChangesByItsNormalAndWeights) {
 TEST(Quadrilateral, ThereIsNoClosestPointFarBesideAFace) {
   const std::array<Vec3, 4> square{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 1, 0), Vec3(0, 1, 0)};
   for (const double x : {-0.4, 1.4, std::nan("")}) {
-    OnQuadrilateral at{.a = 0.5, .b = 0.5, .by_a = {}, .by_b = {}, .way = {}};
-    EXPECT_FALSE(closest_on_quadrilateral(square, Vec3(x, 0.5, 1), at)) << x;
+    OnQuadrilateral<double> at{.a = 0.5, .b = 0.5, .by_a = {}, .by_b = {}, .way = {}};
+    EXPECT_FALSE(closest_on_quadrilateral(places(square), {x, 0.5, 1}, at)) << x;
   }
 }
 
