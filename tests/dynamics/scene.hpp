@@ -140,8 +140,8 @@ inline std::vector<std::pair<std::string, std::vector<double>>> numbers(const St
   part("audit"), add(s.audit.looks, s.progress.audits, s.progress.audited, s.progress.audited_itself);
   for (const audit::Overlap& o : s.audit.overlaps) {
     add(o.surface[0], o.surface[1], o.at_start, o.accepted, o.allowed, o.deepest, o.grown, o.time, o.worst.depth, o.worst.size,
-        o.worst.region[0], o.worst.region[1]);
-    all(o.worst.place);
+        o.worst.region[0], o.worst.region[1], o.worst.open, o.sure, o.sure_time, o.surest.depth, o.surest.size, o.surest.open);
+    all(o.worst.place), all(o.surest.place);
   }
   part("votes"), add(s.votes.elements.step, s.votes.elements.source, s.votes.elements.at, s.votes.contact.step, s.votes.contact.source,
                      s.votes.contact.at, s.votes.volume_ratio, s.votes.smallest_block, s.votes.smallest_element, s.votes.may_grow,
