@@ -134,7 +134,7 @@ inline std::vector<std::pair<std::string, std::vector<double>>> numbers(const St
     part("account"), add(a.work, a.created_by_reconnection), all(a.impulse), all(a.angular_impulse);
     for (std::size_t c = 0; c < words_of_stored.size(); ++c) add(a.stored[Stored(c)], a.at_start[Stored(c)], a.dissipated[Dissipated(c)]);
   }
-  for (const Flow& f : s.ledger.flows) part("flow"), add(f.passed, f.work, f.recent, f.worst, f.worst_of_scene);
+  for (const Flow& f : s.ledger.flows) part("flow"), add(f.passed, f.work, f.recent, f.owed, f.worst, f.worst_of_scene);
   part("quality"), add(s.progress.corners_seen), add(s.progress.corners_next), add(s.progress.corner);
   for (const Quality& seen : s.quality) add(seen.corner, seen.element, seen.time, seen.hourglass, seen.internal, seen.inverted);
   part("audit"), add(s.audit.looks, s.progress.audits, s.progress.audited, s.progress.audited_itself);

@@ -31,9 +31,9 @@ def cell(axis, value, scene, option, function, clock=0.0, **keys):
     return Cell(axis, text, scene, option, lambda fine=1: function(fine, **keys), clock)
 
 
-def with_options(axis, value, scene, function, options, **keys):
+def with_options(axis, value, scene, function, options, clock=0.0, **keys):
     """A cell for each of the options: {name: keys}."""
-    return [cell(axis, value, scene, name, function, **{**keys, **more}) for name, more in options.items()]
+    return [cell(axis, value, scene, name, function, clock, **{**keys, **more}) for name, more in options.items()]
 
 
 PASSES = {"": {}, "two passes": TWO}
@@ -188,8 +188,8 @@ def thickness():
                               speed=0.01 * SOUND)
         found += [cell("thickness", v, "two sides", "", scenes.sandwich, thickness=t, both=True, end=4e-3),
                   cell("thickness", v, "between plates", "", scenes.sandwich, thickness=t, end=10e-3),
-                  cell("thickness", v, "thin wall", "", scenes.two_walls, thickness=0.04 * v, walls=1, speed=0.02 * SOUND),
-                  cell("thickness", v, "thin wall", "two passes", scenes.two_walls, thickness=0.04 * v, walls=1, speed=0.02 * SOUND, **TWO)]
+                  *with_options("thickness", v, "thin wall", scenes.two_walls, PASSES, clock=120.0 if v < 1e-4 else 0.0, thickness=0.04 * v,
+                                walls=1, speed=0.02 * SOUND)]
     return found
 
 
