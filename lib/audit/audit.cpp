@@ -16,6 +16,7 @@ constexpr double along[] = {0.5, 0.25, 0.75};  // [-] where the inside part of a
 /// Takes over what another look found.
 void join(Found& found, const Found& other) {
   if (in_elements(other.worst) > in_elements(found.worst)) found.worst = other.worst;
+  if (surely_in_elements(other.surest) > surely_in_elements(found.surest)) found.surest = other.surest;
   found.deepest = std::max(found.deepest, other.deepest);
 }
 
@@ -48,22 +49,31 @@ Vec3 off_planes(const Side& side, Index p) {
 /// A depth below which a point of an element of that size, in that surface, is of no interest any more.
 double enough(const Found& found, double size, const Surface& other) {
   const double least = std::min(size, other.smallest);
-  return std::max(touching * least, std::min(found.deepest, in_elements(found.worst) * least));
+  return std::max(touching * least, std::min(found.deepest, surely_in_elements(found.surest) * least));
 }
 
 void note(Found& found, const Depth& at) {
   if (!(at.depth > touching * at.size) || !std::isfinite(at.depth)) return;
   if (in_elements(at) > in_elements(found.worst)) found.worst = at;
+  if (surely_in_elements(at) > surely_in_elements(found.surest)) found.surest = at;
   found.deepest = std::max(found.deepest, at.depth);
 }
 
+/// What a point of a body has of its own.
+struct Own {
+  double size, open;  // [m] of its element
+  Index region;
+};
+
 /// Notes the depth of a point that is inside a skin.
-void note_inside(const Side& skin, const Vec3& p, double size, Index region, Found& found) {
+void note_inside(const Side& skin, const Vec3& p, const Own& own, Found& found) {
+  const double size = own.size;
   const auto counts = [&](Index t) { return skin.surface.cut[skin.surface.face_of[t]] == 0; };
   const Nearest at = nearest(skin.surface, skin.placed, p, enough(found, size, skin.surface), counts);
   if (at.triangle < 0) return;
   const Index face = skin.surface.face_of[at.triangle];
-  note(found, {at.distance, std::min(size, skin.surface.face_size(face)), p, {region, skin.surface.face_region[face]}});
+  note(found, {at.distance, std::min(size, skin.surface.face_size(face)), own.open + skin.placed.open(face), p,
+               {own.region, skin.surface.face_region[face]}});
 }
 
 bool is_inside(const Side& skin, const Vec3& p) {
@@ -96,6 +106,9 @@ Vec3 outward(const Side& side, Index face) {
   return size > 0 ? Vec3(n / size) : Vec3(Vec3::Zero());
 }
 
+/// What a face that has the edge leaves open. [m]
+double open_along(const Side& side, Index edge) { return side.placed.open(side.surface.face_of[side.surface.owner[edge]]); }
+
 /// Points, faces and edges of a surface that are inside a skin.
 void look_inside(const Side& one, const Side& skin, std::vector<char>& inside, std::vector<Found>& parts, Found& found) {
   const Surface& surface = one.surface;
@@ -104,7 +117,7 @@ void look_inside(const Side& one, const Side& skin, std::vector<char>& inside, s
   in_ranges(points, parts, found, [&](Index p, Found& here) {
     const Vec3 at = off_planes(one, p);
     inside[p] = is_inside(skin, at);
-    if (inside[p]) note_inside(skin, at, surface.size(p), surface.region[p], here);
+    if (inside[p]) note_inside(skin, at, {surface.size(p), one.placed.open_at(p), surface.region[p]}, here);
   });
   in_ranges(static_cast<Index>(surface.faces.cols()), parts, found, [&](Index f, Found& here) {
     if (surface.cut[f] != 0) return;
@@ -112,10 +125,11 @@ void look_inside(const Side& one, const Side& skin, std::vector<char>& inside, s
                                                     point(one, surface.faces(2, f))) / 3)
                                             : point(one, points + f);
     const double size = surface.face_size(f);
-    if (is_inside(skin, at)) note_inside(skin, at, size, surface.face_region[f], here);
+    const Own own{size, one.placed.open(f), surface.face_region[f]};
+    if (is_inside(skin, at)) note_inside(skin, at, own, here);
     if (!surface.closed || (surface.plates > 0 && f >= surface.plates)) return;  // both sides of a plate have the same middle
     const Vec3 behind = at - 0.5 * size * outward(one, f);  // also of bodies whose skins are the same
-    if (is_inside(skin, behind)) note_inside(skin, behind, size, surface.face_region[f], here);
+    if (is_inside(skin, behind)) note_inside(skin, behind, own, here);
   });
   in_ranges(static_cast<Index>(surface.edges.cols()), parts, found, [&](Index e, Found& here) {
     const Index first = surface.edges(0, e), last = surface.edges(1, e);
@@ -123,12 +137,12 @@ void look_inside(const Side& one, const Side& skin, std::vector<char>& inside, s
     if (!meet(box_of(a, b), box)) return;
     const Cuts at = cuts(skin, a, b);
     if (at.count == 2 && !inside[first]) return;
-    const double size = std::min(surface.size(first), surface.size(last));
+    const Own own{std::min(surface.size(first), surface.size(last)), open_along(one, e), surface.region[first]};
     for (int i = 0; i + 1 < at.count; ++i) {
       if (at.s[i + 1] - at.s[i] < touching) continue;
       const auto between = [&](double part) { return Vec3(a + (at.s[i] + part * (at.s[i + 1] - at.s[i])) * (b - a)); };
       if (at.count > 2 && !is_inside(skin, between(0.5))) continue;
-      for (const double part : along) note_inside(skin, between(part), size, surface.region[first], here);
+      for (const double part : along) note_inside(skin, between(part), own, here);
     }
   });
 }
@@ -186,8 +200,27 @@ bool crosses(const Side& one, const Side& sheet) {
   return false;
 }
 
+/// How far an edge whose ends stand on one side of a sheet is on the other side in between, where a crease of the sheet cuts it; zero
+/// where it is not. [m]
+double behind_crease(const Side& sheet, const Vec3& a, const Vec3& b) {
+  const Cuts at = cuts(sheet, a, b);
+  const auto over = [&](const Vec3& p, double& distance) {
+    const Nearest found = nearest(sheet.surface, sheet.placed, p, 0, all);
+    distance = found.distance;
+    return found.triangle >= 0 && (p - found.foot).dot(normal(sheet.surface, sheet.placed, found.triangle)) >= 0;
+  };
+  double away = 0, most = 0;
+  const bool side = over(a, away);
+  for (int i = 1; i + 2 < at.count; ++i) {
+    if (at.s[i + 1] - at.s[i] < touching) continue;
+    for (const double part : along)
+      if (over(a + (at.s[i] + part * (at.s[i + 1] - at.s[i])) * (b - a), away) != side) most = std::max(most, away);
+  }
+  return most;
+}
+
 /// Edges of a surface that go through a sheet: how far it is to where they do no longer, along the body and out of half the thickness of
-/// the sheet, or across the sheet.
+/// the sheet, or across the sheet. Where both ends stand on one side it is a crease of the sheet that has come in.
 void look_through(const Side& one, const Side& sheet, std::vector<char>& where, std::vector<Index>& group, std::vector<double>& reach,
                   std::vector<Found>& parts, Found& found) {
   if (!crosses(one, sheet)) return;
@@ -198,15 +231,20 @@ void look_through(const Side& one, const Side& sheet, std::vector<char>& where, 
     const Index first = surface.edges(0, e), last = surface.edges(1, e);
     const Vec3 a = point(one, first), b = point(one, last);
     if (!meet(box_of(a, b), box)) return;
-    const double size = std::min(surface.size(first), surface.size(last));
+    const double size = std::min(surface.size(first), surface.size(last)), open = open_along(one, e);
+    const bool one_side = group[first] == group[last];
+    double crease = -1;  // not known
     crossings(sheet.surface, sheet.placed, a, b, -1, all, [&](Index t, double s) {
       const Index face = sheet.surface.face_of[t];
       const bool at_an_end = s < touching || s > 1 - touching;
-      if (at_an_end && group[first] == group[last]) return;  // it touches from one side
+      if (at_an_end && one_side) return;  // it touches from one side
       const Vec3 at = a + s * (b - a);
-      double depth = std::min(reach[first], reach[last]) + sheet.placed.half(sheet.surface.faces(0, face));
+      if (one_side && crease < 0) crease = behind_crease(sheet, a, b);
+      const double way = crease > 0 ? crease : std::min(reach[first], reach[last]);
+      double depth = way + sheet.placed.half(sheet.surface.faces(0, face));
       if (depth > enough(here, size, sheet.surface)) depth = std::min(depth, from_rim(sheet, at));
-      note(here, {depth, std::min(size, sheet.surface.face_size(face)), at, {surface.region[first], sheet.surface.face_region[face]}});
+      note(here, {depth, std::min(size, sheet.surface.face_size(face)), open + sheet.placed.open(face), at,
+                  {surface.region[first], sheet.surface.face_region[face]}});
     });
   });
 }
@@ -238,12 +276,15 @@ void remember(std::array<Index, 2> pair, const Found& found, double allowed, dou
   if (!overlaps) overlap.accepted = 0;
   if (memory.looks == 0) overlap.at_start = overlap.accepted = found.deepest;
   overlap.deepest = std::max(overlap.deepest, found.deepest);
-  const double grown = (found.worst.depth - std::max(overlap.accepted, allowed)) / found.worst.size;
+  const double start = std::max(overlap.accepted, allowed);
+  const double grown = (found.worst.depth - start) / found.worst.size;
+  const double sure = (found.surest.depth - unsure(found.surest) - start) / found.surest.size;
   if (overlaps && (overlap.worst.depth == 0 || grown > overlap.grown)) {
     overlap.grown = std::max(grown, 0.0);
     overlap.worst = found.worst;
     overlap.time = t;
   }
+  if (overlaps && sure > overlap.sure) overlap.sure = sure, overlap.surest = found.surest, overlap.sure_time = t;
 }
 
 }  // namespace
@@ -312,7 +353,8 @@ Found overlap_with_itself(Workspace& work, Index index) {
         depth = std::min(depth, from_rim(one, at));
       }
       const Index face = surface.face_of[t];
-      note(here, {depth, std::min(size, surface.face_size(face)), at, {surface.region[first], surface.face_region[face]}});
+      const double open = one.placed.open(face) + open_along(one, e);
+      note(here, {depth, std::min(size, surface.face_size(face)), open, at, {surface.region[first], surface.face_region[face]}});
     });
   });
   return found;
@@ -337,6 +379,13 @@ const Overlap* worst(const Memory& memory) {
   const Overlap* most = nullptr;
   for (const Overlap& overlap : memory.overlaps)
     if (most == nullptr || overlap.grown > most->grown) most = &overlap;
+  return most;
+}
+
+const Overlap* surest(const Memory& memory) {
+  const Overlap* most = nullptr;
+  for (const Overlap& overlap : memory.overlaps)
+    if (most == nullptr || overlap.sure > most->sure) most = &overlap;
   return most;
 }
 

@@ -15,15 +15,21 @@ namespace nereid::audit {
 struct Depth {
   double depth = 0;           ///< [m]
   double size = 1;            ///< [m] of the smaller element there
+  double open = 0;            ///< [m] what the faces of both leave open there: left_open()
   Vec3 place = Vec3::Zero();  ///< [m]
   std::array<Index, 2> region{-1, -1};  ///< places in Surfaces::names: whose point it is, and what it is in
 };
 
 inline double in_elements(const Depth& at) { return at.depth / at.size; }
+/// By how much a depth is unsure: what the faces leave open, where that is more than the elements are thick. [m]
+inline double unsure(const Depth& at) { return std::max(0.0, at.open - at.size); }
+/// What is sure of a depth, in elements; below zero where nothing is.
+inline double surely_in_elements(const Depth& at) { return (at.depth - unsure(at)) / at.size; }
 
 /// What one look finds of two surfaces.
 struct Found {
   Depth worst;         ///< the largest part of an element
+  Depth surest;        ///< where the sure part is largest
   double deepest = 0;  ///< [m] the largest depth, which may be elsewhere
 };
 
@@ -37,6 +43,9 @@ struct Overlap {
   double grown = 0;                      ///< [-] elements, beyond what was accepted or is allowed; the largest so far
   Depth worst;                           ///< where that was
   double time = 0;                       ///< [s] when
+  double sure = 0;                       ///< [-] the same of what is sure of the depths
+  Depth surest;                          ///< where that was
+  double sure_time = 0;                  ///< [s] when
 };
 
 /// What a restart needs of the audit.
@@ -78,5 +87,7 @@ void look(const Vectors& x, double t, bool also_itself, Workspace&, Memory&);
 
 /// The overlap that has grown most, in elements; null if there is none.
 const Overlap* worst(const Memory&);
+/// The same of what is sure of the depths.
+const Overlap* surest(const Memory&);
 
 }  // namespace nereid::audit

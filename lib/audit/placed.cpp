@@ -80,6 +80,8 @@ Placed make_placed(const Surface& surface) {
   placed.at = Vectors::Zero(3, static_cast<Eigen::Index>(surface.nodes.size()) + surface.faces.cols());
   placed.half = surface.half;
   placed.normals = Vectors::Zero(3, surface.closed ? static_cast<Eigen::Index>(surface.nodes.size()) : 0);
+  placed.open = Scalars::Zero(surface.faces.cols());
+  placed.open_at = Scalars::Zero(static_cast<Eigen::Index>(surface.nodes.size()));
   placed.boxes.assign(surface.tree.nodes.size(), {Vec3::Zero(), Vec3::Zero()});
   placed.looks = placed.boxes;
   return placed;
@@ -98,6 +100,12 @@ void place(const Surface& surface, const Vectors& x, Placed& placed, const Scala
     placed.at.col(points + f) = at(3) < 0 ? Vec3(three / 3) : Vec3((three + placed.at.col(at(3))) / 4);
   }
   if (surface.closed) add_normals(surface, static_cast<Index>(surface.faces.cols()), placed);
+  placed.open_at.setZero();
+  for (Index f = 0; f < surface.faces.cols(); ++f) {
+    placed.open(f) = left_open(surface, placed, f);
+    for (int i = 0; i < 4; ++i)
+      if (surface.faces(i, f) >= 0) placed.open_at(surface.faces(i, f)) = std::max(placed.open_at(surface.faces(i, f)), placed.open(f));
+  }
   for (auto n = static_cast<Index>(surface.tree.nodes.size()) - 1; n >= 0; --n) {
     const Tree::Node& node = surface.tree.nodes[n];
     if (node.second == 0) {
@@ -116,6 +124,27 @@ Vec3 face_normal(const Surface& surface, const Placed& placed, Index face) {
   if (at(3) < 0) return cross(b - a, c - a);
   const Vec3 d = placed.at.col(at(3));
   return cross(c - a, d - b);
+}
+
+double left_open(const Surface& surface, const Placed& placed, Index face) {
+  constexpr double an_edge = 0.5;  // [-] cosine: the border of a face that is meant to be one
+  const auto at = surface.faces.col(face);
+  const int corners = at(3) < 0 ? 3 : 4;
+  const Vec3 n = face_normal(surface, placed, face);
+  const double size = n.norm();
+  if (!(size > 0)) return 0;
+  const auto p = [&](int i) -> Vec3 { return placed.at.col(at(i)); };
+  double open = corners == 4 ? 0.25 * (p(0) - p(1) + p(2) - p(3)).norm() : 0;
+  for (int i = 0; i < corners; ++i) {
+    const Index other = surface.beside(i, face);
+    if (other < 0) continue;
+    const Vec3 m = face_normal(surface, placed, other);
+    const double side = (p((i + 1) % corners) - p(i)).norm(), both = size * m.norm();
+    if (!(n.dot(m) > an_edge * both) || !(side > 0)) continue;
+    const double width = (corners == 4 ? 0.5 : 1) * size / side;
+    open = std::max(open, 0.125 * width * (n / size - m.normalized()).norm());
+  }
+  return open;
 }
 
 int winding(const Surface& surface, const Placed& placed, const Vec3& p) {

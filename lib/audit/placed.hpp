@@ -29,6 +29,7 @@ struct Placed {
   Vectors at;              ///< [m] points, then centres of the faces of four corners
   Scalars half;            ///< [m] [points] half the thickness of plates, as Surface::half
   Vectors normals;         ///< [m2] of the points of a skin or shell: of the faces around each, added up
+  Scalars open, open_at;   ///< [m] [faces] what a face leaves open, see left_open(); [points] the most of the faces around
   std::vector<Box> looks;  ///< [-] beside Surface::tree: around the unit normals of its triangles
   std::vector<Box> boxes;  ///< beside Surface::tree; a little larger than what they hold
   bool finite = false;     ///< whether all positions are numbers; if not, nothing may be asked
@@ -56,6 +57,12 @@ inline Vec3 normal(const Surface& surface, const Placed& placed, Index triangle)
 
 /// The normal of a face, from its diagonals or sides, twice its area long. [m2]
 Vec3 face_normal(const Surface&, const Placed&, Index face);
+
+/// How far a face may be from the surface that its nodes stand for: half of what its two diagonals are apart, and the sagitta of an arc
+/// over it and the face beside it, where these are at an angle t of less than 60 degrees. [m]
+///
+///     max(|a - b + c - d| / 4,  w |n - n'| / 8),   w the width of the face across that side,  |n - n'| = 2 sin(t/2)
+double left_open(const Surface&, const Placed&, Index face);
 
 /// How often a skin goes around a point: 1 inside, 0 outside, more where the skin overlaps itself.
 ///

@@ -182,6 +182,27 @@ void find_owners(Surface& surface) {
     }
 }
 
+/// Finds the face across each side of a face.
+void find_beside(Surface& surface) {
+  const auto count = static_cast<Index>(surface.faces.cols());
+  std::vector<std::array<Index, 4>> sides;  // two points, a face, which of its sides
+  const auto corners = [&](Index f) { return surface.faces(3, f) < 0 ? 3 : 4; };
+  for (Index f = 0; f < count; ++f)
+    for (int i = 0; i < corners(f); ++i) {
+      const Index a = surface.faces(i, f), b = surface.faces((i + 1) % corners(f), f);
+      sides.push_back({std::min(a, b), std::max(a, b), f, i});
+    }
+  std::sort(sides.begin(), sides.end());
+  surface.beside.setConstant(4, count, -1);
+  const auto same = [](const auto& one, const auto& other) { return one[0] == other[0] && one[1] == other[1]; };
+  for (std::size_t s = 0, next = 0; s < sides.size(); s = next) {
+    while (next < sides.size() && same(sides[s], sides[next])) ++next;
+    if (next - s != 2) continue;
+    surface.beside(sides[s][3], sides[s][2]) = sides[s + 1][2];
+    surface.beside(sides[s + 1][3], sides[s + 1][2]) = sides[s][2];
+  }
+}
+
 /// Cuts the faces into triangles and puts a tree around them.
 void cut_into_triangles(const Vectors& X, Surface& surface) {
   const auto points = static_cast<Index>(surface.nodes.size());
@@ -280,6 +301,7 @@ Surface surface_of(const Vectors& X, const std::vector<Face>& faces, const Vecto
   for (std::size_t e = 0; e < edges.size(); ++e) surface.edges.col(e) << edges[e].first, edges[e].second;
   cut_into_triangles(X, surface);
   find_owners(surface);
+  find_beside(surface);
   return surface;
 }
 

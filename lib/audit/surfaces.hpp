@@ -45,6 +45,7 @@ struct Surface {
   Table<2> edges;                 ///< [edges] points; each once
   std::vector<Index> owner;       ///< [edges] a triangle that has it
   Table<4> faces;                 ///< [faces] points, seen from outside; the fourth of a triangle is -1
+  Table<4> beside;                ///< [faces] the face across each side, in the order of its points; -1: none, or not just one
   Scalars face_size;              ///< [m] [faces] element size, see surfaces()
   std::vector<Index> face_region; ///< [faces] place in Surfaces::names
   std::vector<char> cut;          ///< [faces] whether it is no outside: on a plane of symmetry, or a wall between plates

@@ -26,6 +26,15 @@ void pay_for_friction(Pool&, Multipliers&);
 /// What contactors hold, without deficits. [J]
 double held(Index first, Index last, const Multipliers&);
 
+/// What a contact or rigid plane by multipliers has given without having held it, and has not taken back yet: the deficits of its nodes and
+/// of its friction. It is created until then. [J]
+template <class Memory>
+double owed(const Memory& memory) {
+  double sum = memory.friction_owed;
+  for (const Restitution& one : memory.restitution) sum += one.held < 0 ? -one.held : 0;
+  return sum;
+}
+
 /// Books what a node holds as lost that is no longer near what it touched.
 void discard(Restitution&, double& impact);
 

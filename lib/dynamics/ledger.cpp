@@ -52,8 +52,8 @@ double spurious_part(const Ledger& ledger, std::size_t source) {
   const Flow& flow = ledger.flows[source];
   const double scale = energy_scale(ledger);
   if (!(scale > 0 && flow.passed > least_share * scale)) return 0;
-  const double excess = created(ledger.accounts[source]);
-  return std::copysign(std::max(0.0, std::abs(excess) - flow.recent), excess) / flow.passed;
+  const double excess = created(ledger.accounts[source]), waits = excess > 0 ? std::min(flow.owed, least_share * scale) : 0;
+  return std::copysign(std::max(0.0, std::abs(excess) - flow.recent - waits), excess) / flow.passed;
 }
 
 double steady_scale(const Ledger& ledger) {

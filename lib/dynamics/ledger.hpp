@@ -21,6 +21,7 @@ struct Flow {
   double passed = 0;     ///< [J] sum over the steps of |work in the step|
   double work = 0;       ///< [J] done up to now, as the account has it
   double recent = 0;     ///< [J] |work in a step|: the largest so far, halved with each step since
+  double owed = 0;       ///< [J] the part of created() that it knows of and takes back as soon as it takes energy: of multipliers
   double worst = 0;      ///< [-] spurious_part() where it was largest so far, with its sign
   double worst_of_scene = 0;  ///< [-] created energy over the energy scale where it was largest at any update of the ledger, with its sign
 };
@@ -64,10 +65,11 @@ constexpr double least_share = 1e-4;
 
 /// Created energy of a source over what passed through it: positive where energy appears, negative where it vanishes. [-]
 ///
-///     sign(c) max(0, |c| - w) / passed,   c = created(account),  w = Flow::recent
+///     sign(c) max(0, |c| - w - o) / passed,   c = created(account),  w = Flow::recent,  o = min(Flow::owed, 1e-4 scale) if c > 0
 ///
 /// Work and store of one step differ by up to the work of that step while a contact closes or opens, which the next steps make good: with
-/// the longest steps an impact is over after two or three.
+/// the longest steps an impact is over after two or three. What a contact owes it pays from what it takes next; of that least_share of the
+/// scene waits, no more than may be created unseen.
 /// Zero of sources below least_share.
 double spurious_part(const Ledger&, std::size_t source);
 

@@ -111,15 +111,19 @@ bool too_much_of_the_scene(const Model& model, const Ledger& ledger, double limi
 }
 
 bool overlap_too_much(const Model& model, const State& now, const Forces& forces, double limit, Outcome& outcome) {
-  const audit::Overlap* worst = audit::worst(now.audit);
-  if (worst == nullptr || !(worst->grown > limit)) return false;
+  const audit::Overlap* surest = audit::surest(now.audit);
+  if (surest == nullptr || !(surest->sure > limit)) return false;
+  audit::Overlap most = *surest;
+  most.worst = most.surest, most.time = most.sure_time;
   outcome.ending = Ending::bodies_overlap;
   const audit::Surfaces& surfaces = forces.audit.surfaces;
   const bool joined = std::any_of(model.interfaces.begin(), model.interfaces.end(),
-                                  [&](const contact::Interface& interface) { return joins(interface, surfaces, *worst); });
-  outcome.reason = in_words(surfaces, *worst) + text(worst->at_start > 0 ? ", %.3g m of it at the start" : "", worst->at_start, 0) +
+                                  [&](const contact::Interface& interface) { return joins(interface, surfaces, most); });
+  const double open = audit::unsure(most.worst);
+  outcome.reason = in_words(surfaces, most) + text(most.at_start > 0 ? ", %.3g m of it at the start" : "", most.at_start, 0) +
+                   text(open > 0 ? ", %.3g m of it within what bent faces leave open" : "", open, 0) +
                    (joined ? "" : ", without a contact between them") + text("; the limit is %.3g of an element", limit, 0);
-  outcome.block = surfaces.names[static_cast<std::size_t>(worst->worst.region[0])];
+  outcome.block = surfaces.names[static_cast<std::size_t>(most.worst.region[0])];
   return true;
 }
 

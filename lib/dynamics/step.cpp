@@ -6,6 +6,7 @@
 
 #include "base/parallel.hpp"
 #include "contact/impact_step.hpp"
+#include "contact/restitution.hpp"
 #include "dynamics/rigid_step.hpp"
 #include "dynamics/thickness.hpp"
 #include "load/floor.hpp"
@@ -272,6 +273,18 @@ std::vector<Account>::iterator post_sources(const Model& model, State& now) {
   return account;
 }
 
+/// Sees what contacts by multipliers have given and not taken back yet.
+void see_debts(const Model& model, State& now) {
+  std::size_t source = model.blocks.size();
+  const auto look = [&](const auto& contact, const auto& memory) {
+    Flow& flow = now.ledger.flows[source];
+    flow.owed = contact::by_multipliers(contact) && created(now.ledger.accounts[source]) > 0 ? contact::owed(memory) : 0;
+    ++source;
+  };
+  for (std::size_t c = 0; c < model.interfaces.size(); ++c) look(model.interfaces[c], now.interfaces[c]);
+  for (std::size_t p = 0; p < model.rigid_planes.size(); ++p) look(model.rigid_planes[p], now.rigid_planes[p]);
+}
+
 /// Lowers the votes of penalties that have created or lost too much, for good. The works of this step must have been seen.
 void lower_votes(const Model& model, State& now) {
   std::size_t source = model.blocks.size();
@@ -334,6 +347,7 @@ const Votes& step(const Model& model, double dt, const Pace& pace, State& now, F
   now.dt = dt;
   ++now.step;
   post_sources(model, now);
+  see_debts(model, now);
   see_flows(now.ledger);
   lower_votes(model, now);
   return now.votes;

@@ -120,6 +120,55 @@ TEST(Overlap, OfABlockInAPlateIsTheDepthFromEitherSide) {
       }
 }
 
+/// A plate with a crease along y, `rise` high, under a block whose nodes all stand over it, `gap` over its flat parts.
+mesh::Mesh creased(double rise, double gap) {
+  mesh::Mesh sheet = plate("plate", 4, 4, 8, 8);
+  for (Index n = 0; n < sheet.X.cols(); ++n)
+    if (std::abs(sheet.X(0, n)) < 1e-9) sheet.X(2, n) = rise;
+  return mesh::join(mesh::moved(block("block", {2, 2, 1}, {1, 1, 1}), Vec3(0.01, 0.02, 0.5 + gap)), sheet);
+}
+
+TEST(Overlap, OfACreaseOfAPlateBetweenTheNodesOfABlockIsHowFarTheBlockIsBehindIt) {
+  const double thickness = 1e-3, rise = 0.05, gap = 0.03;
+  const double slope = std::atan(rise / 0.5);  // of the flanks
+  const Found at = found(creased(rise, gap), 0, 1, thickness);
+  // of the edge along x: at half of the piece that is behind the crease it is nearly below its top; not the height of the block
+  EXPECT_NEAR(at.deepest, (rise - gap) * std::cos(slope) + thickness / 2, 0.1 * (rise - gap));
+  EXPECT_EQ(found(creased(rise, rise + thickness), 0, 1, thickness).deepest, 0);
+}
+
+/// A wall of one layer whose face is warped by `way`, and a block that is in it by `depth`.
+mesh::Mesh warped_wall(double thickness, double way, double depth) {
+  mesh::Mesh wall = block("wall", {4, 4, thickness}, {1, 1, 1});
+  for (Index n = 0; n < wall.X.cols(); ++n) wall.X(2, n) += 0.25 * way * wall.X(0, n) * wall.X(1, n);
+  return mesh::join(mesh::moved(block("block", {0.1, 0.1, 1}, {1, 1, 1}), Vec3(0, 0, 0.5 + thickness / 2 - depth)), wall);
+}
+
+TEST(Overlap, IsNotSureWhereBentFacesLeaveMoreOpenThanElementsAreThick) {
+  const double thickness = 0.1;
+  const Found flat = found(warped_wall(thickness, 0, 0.04));
+  EXPECT_NEAR(in_elements(flat.worst), 0.4, 1e-9);
+  EXPECT_NEAR(surely_in_elements(flat.surest), 0.4, 1e-9);
+  const Found slightly = found(warped_wall(thickness, 0.09, 0.04));  // less than the thickness
+  EXPECT_NEAR(slightly.worst.open, 0.09, 1e-9);
+  EXPECT_EQ(unsure(slightly.worst), 0);
+  EXPECT_NEAR(surely_in_elements(slightly.surest), in_elements(slightly.worst), 1e-12);
+  const Found bent = found(warped_wall(thickness, 0.3, 0.04));
+  EXPECT_NEAR(unsure(bent.worst), 0.3 - thickness, 1e-9);
+  EXPECT_GT(in_elements(bent.worst), 0.2);
+  EXPECT_EQ(bent.surest.depth, 0) << "none of it is sure";
+}
+
+TEST(Overlap, OfABlockThatIsThroughABentFoilIsSure) {
+  const double thickness = 1e-5;
+  mesh::Mesh foil = plate("foil", 4, 4, 8, 8);
+  for (Index n = 0; n < foil.X.cols(); ++n) foil.X(2, n) = 0.02 * foil.X.col(n).head<2>().squaredNorm();
+  const mesh::Mesh cube = mesh::moved(block("block", Vec3::Ones(), {2, 2, 2}), Vec3(0.1, 0.2, 0.2));
+  const Found through = found(mesh::join(cube, foil), 0, 1, thickness);
+  EXPECT_GT(unsure(through.worst), 50 * thickness);
+  EXPECT_GT(surely_in_elements(through.surest), 1e4);
+}
+
 TEST(Overlap, OfAPlateWhollyInABlockIsThatOfItsDeepestPoint) {
   const mesh::Mesh inner = mesh::moved(plate("plate", 0.5, 0.5, 2, 2), Vec3(0, 0, 0.2));
   const mesh::Mesh bodies = mesh::join(block("block", Vec3::Ones(), {3, 3, 3}), inner);
@@ -310,6 +359,21 @@ TEST(Look, CountsOnlyWhatGrowsAndAfterPartingAll) {
   EXPECT_NEAR(worst(memory)->grown, 0.12 / 0.25, 1e-9);
   EXPECT_NEAR(worst(memory)->deepest, 0.15, 1e-12);
   EXPECT_EQ(memory.looks, 4);
+}
+
+TEST(Look, KeepsWhatIsSureBesideWhatIsDeepest) {
+  const mesh::Mesh apart = warped_wall(0.1, 0.3, -0.5);
+  Workspace work = workspace_of(apart);
+  Memory memory;
+  look(apart.X, 0, true, work, memory);
+  look(warped_wall(0.1, 0.3, 0.04).X, 1, true, work, memory);
+  ASSERT_EQ(memory.overlaps.size(), 1U);
+  EXPECT_GT(worst(memory)->grown, 0.2);
+  EXPECT_EQ(surest(memory)->sure, 0);
+  look(warped_wall(0.1, 0, 0.03).X, 2, true, work, memory);
+  EXPECT_NEAR(surest(memory)->sure, 0.3, 1e-9);
+  EXPECT_EQ(surest(memory)->sure_time, 2);
+  EXPECT_EQ(worst(memory)->time, 1);
 }
 
 TEST(Look, CountsOfAPlateWhatGrows) {

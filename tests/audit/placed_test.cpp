@@ -18,6 +18,24 @@ struct Standing {
   Placed placed;
 };
 
+TEST(LeftOpen, IsTheSagittaOfAnArcAndHalfOfWhatDiagonalsAreApart) {
+  const double radius = 10, angle = 0.1;
+  mesh::Mesh arc = plate("arc", 8, 1, 8, 1);
+  for (Index n = 0; n < arc.X.cols(); ++n) {
+    const double t = arc.X(0, n) * angle;
+    arc.X(0, n) = radius * std::sin(t), arc.X(2, n) = radius * std::cos(t);
+  }
+  const Standing bent(arc);
+  EXPECT_NEAR(bent.placed.open.maxCoeff() / (radius * (1 - std::cos(angle / 2))), 1, 1e-3);
+  EXPECT_EQ(bent.placed.open_at.maxCoeff(), bent.placed.open.maxCoeff());
+
+  mesh::Mesh cube = block("cube", Vec3::Ones(), {1, 1, 1});
+  EXPECT_EQ(Standing(cube).placed.open.maxCoeff(), 0) << "its edges are meant";
+  for (Index n = 0; n < 8; ++n)
+    if (cube.X(0, n) > 0 && cube.X(1, n) > 0) cube.X(2, n) += 0.2;
+  EXPECT_NEAR(Standing(cube).placed.open.maxCoeff(), 0.05, 1e-12) << "half of the 0.1 between the middles of its diagonals";
+}
+
 TEST(Winding, TellsInsideFromOutsideAlsoOnTheLinesOfTheMesh) {
   const Standing box(block("box", Vec3::Ones(), {4, 4, 4}));
   std::mt19937 random(1);

@@ -127,6 +127,18 @@ TEST(SpuriousPart, DoesNotCountWhatTheNextStepsMayMakeGood) {
   EXPECT_NEAR(spurious_part(after({-0.01, 0, 0}, 0.01), 1), 0.75, 1e-12);
 }
 
+TEST(SpuriousPart, DoesNotCountWhatAContactStillOwesUpToWhatMayBeCreatedUnseen) {
+  Ledger ledger = after({-0.01, 0.01}, 0.002);  // of 0.02 that passed
+  ledger.flows[1].recent = 0;
+  EXPECT_NEAR(spurious_part(ledger, 1), 0.1, 1e-6);
+  ledger.flows[1].owed = 0.5 * least_share;
+  EXPECT_NEAR(spurious_part(ledger, 1), 0.1 - 0.5 * least_share / 0.02, 1e-6);
+  ledger.flows[1].owed = 0.002;
+  EXPECT_NEAR(spurious_part(ledger, 1), 0.1 - least_share / 0.02, 1e-6);
+  ledger.accounts[1].stored[Stored::penalty] -= 0.004;  // lost
+  EXPECT_NEAR(spurious_part(ledger, 1), -0.1, 1e-6) << "what is lost is no debt";
+}
+
 TEST(SpuriousPart, LeavesOutChatterAndScenesInWhichNothingMoved) {
   EXPECT_EQ(spurious_part(after({0.4 * least_share, -0.4 * least_share, 0}, 0.1), 1), 0);
   EXPECT_NE(spurious_part(after({0.6 * least_share, -0.6 * least_share, 0}, 0.1), 1), 0);

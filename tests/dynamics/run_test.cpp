@@ -370,6 +370,42 @@ TEST(Run, AnInvertedElementBlamesNoBodyThatIsWithinItsLimit) {
   }
 }
 
+/// A cube that falls on one a million times lighter, which stands on the ground.
+Scene heavy_on_light() {
+  const double speed = 0.7;
+  Scene s;
+  s.model.mesh = mesh::join(mesh::box("a", {Vec3(-0.0039, -0.0043, 0.0002), Vec3(0.0061, 0.0057, 0.0102), {2, 2, 2}}),
+                            mesh::box("b", {Vec3(-0.012, -0.012, -0.01), Vec3(0.012, 0.012, 0), {3, 3, 1}}));
+  for (const auto& [name, density] : {std::pair{"a", 1e3}, std::pair{"b", 1e-3}})
+    s.model.blocks.push_back(element::hexahedra(s.model.mesh, name, material::Elastic{density, 1e6, 0.3}, {}));
+  s.model.constraints.planes = {plane("ground", load::PlaneKind::fixed, Vec3::UnitZ(), mesh::node_set(s.model.mesh, "b.z_low"))};
+  finalize(s.model);
+  s.joined("touch", "a.z_low", "b.z_high", {});
+  s.ready();
+  s.move("a", {0, 0, -speed});
+  return s;
+}
+
+TEST(Run, WhatAContactCreatesWhereMassesDifferIsADebtThatItPays) {
+  Scene s = heavy_on_light();
+  double most = 0, differs = 0, as_creation = 0;
+  const Observer observer = [&](const View& view) {
+    const Ledger& ledger = view.now.ledger;
+    const Flow& flow = ledger.flows[2];
+    const double made = created(ledger.accounts[2]);
+    if (made > 0) differs = std::max(differs, std::abs(made - flow.owed));
+    if (flow.passed > least_share * energy_scale(ledger)) as_creation = std::max(as_creation, (made - flow.recent) / flow.passed);
+    most = std::max(most, made);
+  };
+  const Outcome outcome = s.run_to(1.2e-3, 1e300, std::span(&observer, 1));
+  EXPECT_EQ(outcome.ending, Ending::reached_end) << outcome.reason;
+  const double scale = energy_scale(s.state.ledger);
+  EXPECT_GT(most, 1e-6 * scale);
+  EXPECT_GT(as_creation, 0.02) << "if it were judged as if it stayed";
+  EXPECT_LT(differs, 0.1 * most) << "but for what apexes owe that went away";
+  EXPECT_LT(std::abs(created(s.state.ledger.accounts[2])), 0.2 * most);
+}
+
 TEST(Run, StopsWhenTimeIntegrationCreatesEnergy) {
   Scene s;
   s.model.mesh = mesh::box("cube", {{0, 0, 0}, {1, 1, 1}, {4, 4, 4}});

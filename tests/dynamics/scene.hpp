@@ -134,14 +134,14 @@ inline std::vector<std::pair<std::string, std::vector<double>>> numbers(const St
     part("account"), add(a.work, a.created_by_reconnection), all(a.impulse), all(a.angular_impulse);
     for (std::size_t c = 0; c < words_of_stored.size(); ++c) add(a.stored[Stored(c)], a.at_start[Stored(c)], a.dissipated[Dissipated(c)]);
   }
-  for (const Flow& f : s.ledger.flows) part("flow"), add(f.passed, f.work, f.recent, f.worst, f.worst_of_scene);
+  for (const Flow& f : s.ledger.flows) part("flow"), add(f.passed, f.work, f.recent, f.owed, f.worst, f.worst_of_scene);
   part("quality"), add(s.progress.corners_seen), add(s.progress.corners_next), add(s.progress.corner);
   for (const Quality& seen : s.quality) add(seen.corner, seen.element, seen.time, seen.hourglass, seen.internal, seen.inverted);
   part("audit"), add(s.audit.looks, s.progress.audits, s.progress.audited, s.progress.audited_itself);
   for (const audit::Overlap& o : s.audit.overlaps) {
     add(o.surface[0], o.surface[1], o.at_start, o.accepted, o.allowed, o.deepest, o.grown, o.time, o.worst.depth, o.worst.size,
-        o.worst.region[0], o.worst.region[1]);
-    all(o.worst.place);
+        o.worst.region[0], o.worst.region[1], o.worst.open, o.sure, o.sure_time, o.surest.depth, o.surest.size, o.surest.open);
+    all(o.worst.place), all(o.surest.place);
   }
   part("votes"), add(s.votes.elements.step, s.votes.elements.source, s.votes.elements.at, s.votes.contact.step, s.votes.contact.source,
                      s.votes.contact.at, s.votes.volume_ratio, s.votes.smallest_block, s.votes.smallest_element, s.votes.may_grow,

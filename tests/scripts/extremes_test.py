@@ -201,6 +201,20 @@ class Geometry(unittest.TestCase):
         up = x + np.where(np.isin(np.arange(len(x)), block.nodes), 0.0011, 0.0)[:, None] * (0, 0, 1)
         self.assertEqual(measure.through_plate(block, plate, up), 0)
 
+    def test_a_crease_of_a_plate_is_as_deep_as_an_edge_is_behind_it_and_not_as_its_ends_stand_out(self):
+        plate, block = meshes.sheet((-2, -2), (2, 2), (8, 8)), meshes.brick((-0.99, -0.98, 0.03), (1.01, 1.02, 1.03), (1, 1, 1))
+        plate = plate.mapped(lambda x, y, z: (x, y, 0.05 if abs(x) < 1e-9 else 0.0))
+        x = np.concatenate([plate.points, block.points])
+        thin, solid = Folder.cells_of([("p", plate), ("b", block)])
+        deep = measure.through_plate(measure.Body(solid, x, 1.0), measure.Body(thin, x, 1.0, 1e-3), x)
+        self.assertAlmostEqual(deep, 0.02 + 0.5e-3, delta=2e-3)
+
+    def test_an_edge_through_a_foil_is_seen_between_its_samples(self):
+        foil, block = meshes.brick((-1, -1, 0), (2, 2, 1e-6), (1, 1, 1)), cube((1.1, 1.2, -0.33), 0.5, (1, 1, 1))
+        x = np.concatenate([foil.points, block.points])
+        bodies = [measure.Body(cells, x, 1.0) for cells in Folder.cells_of([("f", foil), ("b", block)])]
+        self.assertAlmostEqual(measure.overlap(*bodies, x)[0], 0.5e-6, places=12)
+
     def test_rotated_bodies_of_any_kind(self):
         turn = judge.rotation((1, 2, 3), 1.1)
         mesh = meshes.prism([(0, 0), (1, 0), (0, 1)], 1.0, 2)
@@ -427,6 +441,24 @@ class Verdicts(unittest.TestCase):
             self.assertEqual(found, judge.BROKEN)
             self.assertIn("without cause", reason)
         self.assertEqual(verdict(folder, status=3, said="scene: stopped\n", again=lambda change: wrong.finished())[0], judge.BROKEN)
+
+    def test_a_stop_for_an_overlap_that_is_there_has_a_cause_whatever_a_finer_mesh_does(self):
+        said = "scene: stopped at 1 s: bodies_overlap in a: a and b overlap by {} m, 0.6 of an element; the limit is 0.5 of an element\n"
+        fine = pair(0.5)
+        for way, claimed, found in ((-0.3, 0.3, judge.REFUSED), (-0.3, 0.14, judge.BROKEN), (-0.2, 0.2, judge.BROKEN)):
+            with self.subTest(way=way, claimed=claimed):
+                stopped = verdict(pair(way), status=3, said=said.format(claimed), again=lambda change: fine.finished())
+                self.assertEqual(stopped[0], found)
+
+    def test_a_warning_of_a_thickness_is_held_against_the_areas(self):
+        said = "warning: p: plates keep their thickness, and the strain of element 0 asks for {:.3g} of it at 1 s: its forces are off\n"
+        grown = Folder([("p", meshes.sheet((0, 0), (1, 1), (2, 2)))], lambda X, t: (X * (1 + 0.05 * t), 0 * X), thickness=0.1,
+                       columns={"energy_kinetic": [0, 0]})
+        grown.case["bodies"][0]["material"]["poisson"] = 0.3
+        asks = 1.05 ** (-2 * 0.3 / 0.7)
+        for claimed, found in ((asks, judge.WARNED), (asks**1.5, judge.BROKEN), (1 / asks, judge.BROKEN)):
+            with self.subTest(claimed=claimed):
+                self.assertEqual(verdict(grown, said=said.format(claimed))[0], found)
 
     def test_a_stop_where_nothing_touches(self):
         expected = judge.Expected(answers=[("untouched", "a")])

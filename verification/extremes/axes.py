@@ -31,9 +31,9 @@ def cell(axis, value, scene, option, function, clock=0.0, **keys):
     return Cell(axis, text, scene, option, lambda fine=1: function(fine, **keys), clock)
 
 
-def with_options(axis, value, scene, function, options, **keys):
+def with_options(axis, value, scene, function, options, clock=0.0, **keys):
     """A cell for each of the options: {name: keys}."""
-    return [cell(axis, value, scene, name, function, **{**keys, **more}) for name, more in options.items()]
+    return [cell(axis, value, scene, name, function, clock, **{**keys, **more}) for name, more in options.items()]
 
 
 PASSES = {"": {}, "two passes": TWO}
@@ -143,11 +143,12 @@ def column(fine=1, ratio=10.0, **keys):
 
 
 def sheared(fine=1, ratio=10.0, **keys):
-    """A cube falls on a block of slivers: elements sheared along x until their angles are one over the ratio."""
+    """A cube falls on a block of slivers: elements sheared along x until their angles are one over the root of the ratio. From a hundred on
+    the block is a slab that hangs over, as thick as a twentieth of its length: it gives way for long, and slows the cube down."""
     w = SIZE
     shear = math.sqrt(max(ratio, 1.0)) - 1
     base = scenes.brick((-w, -w, -SIZE / 2), (w, w, 0), (4 * fine, 4 * fine, 2 * fine)).mapped(lambda x, y, z: (x + shear * z, y, z))
-    return scenes.two((3 * fine,) * 3, base, time=16, **keys)
+    return scenes.two((3 * fine,) * 3, base, time=16, least=-0.2 if ratio < 50 else -0.9, **keys)
 
 
 def poisson():
@@ -187,8 +188,8 @@ def thickness():
                               speed=0.01 * SOUND)
         found += [cell("thickness", v, "two sides", "", scenes.sandwich, thickness=t, both=True, end=4e-3),
                   cell("thickness", v, "between plates", "", scenes.sandwich, thickness=t, end=10e-3),
-                  cell("thickness", v, "thin wall", "", scenes.two_walls, thickness=0.04 * v, walls=1, speed=0.02 * SOUND),
-                  cell("thickness", v, "thin wall", "two passes", scenes.two_walls, thickness=0.04 * v, walls=1, speed=0.02 * SOUND, **TWO)]
+                  *with_options("thickness", v, "thin wall", scenes.two_walls, PASSES, clock=120.0 if v < 1e-4 else 0.0, thickness=0.04 * v,
+                                walls=1, speed=0.02 * SOUND)]
     return found
 
 

@@ -271,10 +271,12 @@ def depths(seen, expected):
 
 
 def depth_of_pair(seen, one, other):
-    """(deepest of any two bodies in each other [m], whether deeper cannot be); what was there at the start counts too."""
+    """(deepest of any two bodies in each other [m], whether deeper cannot be seen); what was there at the start counts too. Through plates
+    any depth is seen."""
     one, other = seen.bodies[one], seen.bodies[other]
     deepest = max(measure.overlap(one, other, frame.x)[0] for frame in seen.frames)
-    return deepest, deepest > FULL * min(measure.room(body, seen.X) for body in (one, other))
+    room = min(measure.room(body, seen.X) for body in (one, other))
+    return deepest, not (one.is_plate or other.is_plate) and deepest > FULL * room
 
 
 def named(seen, name):
@@ -468,16 +470,18 @@ OF_SWING = re.compile(r"time integration: the kinetic energy swung by " + NUMBER
 OF_COARSE_APEXES = re.compile(r"\w+: its apexes are " + NUMBER + " times as far apart as the nodes of its base")
 OF_ROUNDING = re.compile(r"(\w+): so far from the origin positions are rounded by " + NUMBER + " m")
 AT_TIME = re.compile(r" at " + NUMBER + r" s\b")
+OF_THICKNESS = re.compile(r"(\w+): plates keep their thickness, and the strain of element (\d+) asks for " + NUMBER)
 OF_CORNER = re.compile(r"(\w+): a corner of element \d+ was inverted")
 COARSE = 4.0        # [-] between an energy that was lost or made between two rows and what the rows show
 CHATTER = 0.02      # [-] of the speeds: twice what round-off has come to in a scene whose contact chatters
 TRUE_SHARE = 1.5    # [-] between a share of energies that is claimed and ours
+TRUE_STRAIN = 0.2   # [-] of a strain through the thickness that is claimed: frames lie between the looks of the program
 NEARLY_FLAT = 0.25  # [-] a corner that was inverted between two frames stands at no more in one of them
 
 
 def of_elements(warning):
     """Whether a warning is about the shape of elements and not about contact."""
-    return OF_HOURGLASS.match(warning) is not None or OF_CORNER.match(warning) is not None
+    return any(one.match(warning) is not None for one in (OF_HOURGLASS, OF_CORNER, OF_THICKNESS))
 
 
 def energy_fraction(seen, expected, source, scene):
@@ -502,6 +506,15 @@ def hourglass_fraction(seen, body):
     return float(np.max(own[f"energy_{body}_hourglass"] + twice)) / internal if internal > 0 else 0.0
 
 
+def thickness_asked_for(seen, body):
+    """The part of its thickness that an elastic plate would have by its strain, (A0/A)^(nu/(1 - nu)), where that is farthest from one."""
+    poisson = float(next(entry for entry in seen.case["bodies"] if entry["name"] == body)["material"]["poisson"])
+    cells = seen.bodies[body].cells
+    before = measure.areas(seen.X[cells])
+    logs = [poisson / (1 - poisson) * np.log(before / measure.areas(frame.x[cells])) for frame in seen.frames]
+    return math.exp(max((float(one[np.argmax(np.abs(one))]) for one in logs), key=abs))
+
+
 def is_true(warning, seen, expected, faults):
     """Whether the judge sees what a warning names; a depth within a factor of two."""
     if (hourglass := OF_HOURGLASS.match(warning)) is not None:
@@ -509,6 +522,9 @@ def is_true(warning, seen, expected, faults):
         return ours / TRUE_SHARE <= float(hourglass[2]) <= ours * TRUE_SHARE
     if (corner := OF_CORNER.match(warning)) is not None:
         return min(measure.inside_out(seen.bodies[corner[1]], frame.x, seen.X) for frame in seen.frames) < NEARLY_FLAT
+    if (thickness := OF_THICKNESS.match(warning)) is not None:
+        claimed = math.log(float(thickness[3]))
+        return abs(math.log(thickness_asked_for(seen, thickness[1])) - claimed) <= TRUE_STRAIN * abs(claimed)
     if (energy := OF_ENERGY.match(warning)) is not None:  # rows of a history are far between, so that ours is coarse
         return energy_fraction(seen, expected, energy[1], "scene" in energy[3]) > float(energy[2]) / COARSE
     if (swing := OF_SWING.match(warning)) is not None:
@@ -635,8 +651,23 @@ def verdict_of(run, expected, again=None, initial=None, twin=None):
     return verdict_of_end(run, seen, expected, faults, again)
 
 
+def names_what_is_seen(run, expected):
+    """Whether a run stops for an overlap that the judge finds in what it left: a fault by his own limits, and as deep as is said."""
+    pair = OF_OVERLAP.search(last_line(run.said))
+    if pair is None:
+        return False
+    seen = look(run, expected)
+    if any(name not in seen.bodies for name in pair.groups()[:2]) or not overlap_faults(seen, expected):
+        return False
+    ours, full = depth_of_pair(seen, pair[1], pair[2])
+    deeper = OF_DEEPER.search(last_line(run.said))
+    claimed = float(pair[3] if deeper is None else deeper[1])
+    return ours / TRUE_DEPTH <= claimed and (full or claimed <= ours * TRUE_DEPTH)
+
+
 def verdict_of_stop(run, expected, again):
-    """A stop is right if it gives its reason, keeps its state, and neither half the step nor a finer mesh passes."""
+    """A stop is right if it gives its reason, keeps its state, and names an overlap that the judge sees too, or neither half the step nor a
+    finer mesh passes."""
     said = last_line(run.said)
     if not gives_reason(run):
         return BROKEN, "stopped without a reason: " + said, []
@@ -644,6 +675,8 @@ def verdict_of_stop(run, expected, again):
         return BROKEN, "stopped, and the last state is lost: " + said, []
     if any(word == "untouched" for word, *_ in expected.answers):
         return BROKEN, "stopped without cause, nothing touches: " + said, []
+    if names_what_is_seen(run, expected):
+        return REFUSED, said, []
     for change, words in (("step", "at half the step"), ("mesh", "on a finer mesh")):
         other = again(change) if again else None
         if other is not None and other.status == DONE and not faults_of(look(other, expected), expected):

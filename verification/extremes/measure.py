@@ -223,18 +223,40 @@ def closed_surface(body, x):
     return np.concatenate([above[body.faces], below[body.faces[:, ::-1]], in_four(walls)])
 
 
+def layers(body, x):
+    """Positions of the nodes of a solid; of a plate on its two sides."""
+    if not body.is_plate:
+        return [x]
+    way = node_normals(body.faces, x) * body.thickness / 2
+    return [x + way, x - way]
+
+
 def samples(body, x):
     """Points on the surface of a body: nodes, points along its edges, middles of its faces."""
     edges = edges_of(body.faces)
-    layers = [x]
-    if body.is_plate:
-        way = node_normals(body.faces, x) * body.thickness / 2
-        layers = [x + way, x - way]
     found = []
-    for at in layers:
+    for at in layers(body, x):
         a, b = at[edges[:, 0]], at[edges[:, 1]]
         found += [at[np.unique(body.faces)], at[body.faces].mean(axis=1), *(a + s * (b - a) for s in ALONG)]
     return np.concatenate(found)
+
+
+def between_crossings(body, x, triangles):
+    """(points, depths of the flattest elements there [m]): the middles of those pieces of a body's edges that two crossings of a surface
+    bound. What is much thinner than an edge is long lies between two samples."""
+    edges = edges_of(body.faces)
+    along = body.node_depth[edges].min(axis=1)
+    points, sizes = [np.zeros((0, 3))], [np.zeros(0)]
+    for at in layers(body, x):
+        a, b = at[edges[:, 0]], at[edges[:, 1]]
+        line, _, where = crossings(a, b, triangles)
+        part = np.einsum("ni,ni->n", where - a[line], (b - a)[line])
+        order = np.lexsort((part, line))
+        line, where = line[order], where[order]
+        same = line[1:] == line[:-1]
+        points.append(((where[1:] + where[:-1]) / 2)[same])
+        sizes.append(along[line[1:][same]])
+    return np.concatenate(points), np.concatenate(sizes)
 
 
 def depths_of_samples(body):
@@ -316,14 +338,15 @@ def depth_in(body, other, x, triangles, base, room, allowed):
     """(deepest below the closest triangle [m], deepest below the base triangles [m], largest part of an element) of a body's points
     in another. The element is the flatter one of those at the point and behind the triangle, or what room there is; the part is of
     what is deeper than allowed."""
-    points = samples(body, x)
+    pieces, sizes = between_crossings(body, x, triangles)
+    points, sizes = np.concatenate([samples(body, x), pieces]), np.concatenate([depths_of_samples(body), sizes])
     inside = which_inside(points, triangles)
     if not len(inside):
         return 0.0, 0.0, 0.0
     found = in_pieces(closest, points[inside], triangles)
     depth, at = found[:, 0], found[:, 1].astype(int)
     deepest = float(depth.max())
-    size = np.minimum(np.minimum(depths_of_samples(body)[inside], depths_of_triangles(other, triangles)[at]), room)
+    size = np.minimum(np.minimum(sizes[inside], depths_of_triangles(other, triangles)[at]), room)
     below = deepest if base is None or not len(base) else float(in_pieces(distances, points[inside], base).max())
     return deepest, below, float(np.max((depth - allowed) / size))
 
@@ -344,13 +367,23 @@ def overlap(one, other, x, bases=(None, None), room=np.inf, allowed=0.0):
 
 def through_plate(body, plate, x):
     """How far edges of a body have come through the middle of a plate and half its thickness, or from its rim [m]: of a corner no point of
-    the plate need be in the body."""
+    the plate need be in the body. An edge that a crease of the plate cuts twice is no farther behind it than between the two."""
     if not plate.is_plate:
         return 0.0
     edges, rim = edges_of(body.faces), rim_of(plate.faces)
-    beyond, at = pierced(x[edges[:, 0]], x[edges[:, 1]], x[plate.faces])
+    a, b = x[edges[:, 0]], x[edges[:, 1]]
+    line, beyond, at = crossings(a, b, x[plate.faces])
     if not len(beyond):
         return 0.0
+    for one in np.flatnonzero(np.bincount(line) % 2 == 0):
+        mine = np.flatnonzero(line == one)
+        if not len(mine):
+            continue
+        mine = mine[np.argsort((at[mine] - a[one]) @ (b[one] - a[one]))]
+        for first, last in zip(mine[::2], mine[1::2]):
+            points = at[first] + np.array([[0.25], [0.5], [0.75]]) * (at[last] - at[first])
+            behind = float(distances(points, x[plate.faces]).max())
+            beyond[[first, last]] = np.minimum(beyond[[first, last]], behind)
     from_rim = distances(at, x[rim[:, [0, 1, 1]]]) if len(rim) else np.inf
     return float(np.max(np.minimum(beyond + plate.thickness / 2, from_rim)))
 
@@ -385,6 +418,12 @@ def pierced(a, b, triangles, counts=None):
 
     counts(line, triangle) says which pairs are looked at.
     """
+    _, nearer, at = crossings(a, b, triangles, counts)
+    return nearer, at
+
+
+def crossings(a, b, triangles, counts=None):
+    """The same with the lines: (which line, how far its nearer end is [m], the point)."""
     low, high = np.minimum(a, b), np.maximum(a, b)
     first, last = triangles.min(axis=1), triangles.max(axis=1)
     e, t = np.nonzero(np.all((low[:, None] < last[None]) & (high[:, None] > first[None]), axis=2))
@@ -401,7 +440,7 @@ def pierced(a, b, triangles, counts=None):
     for k in range(3):
         side = np.cross(corners[:, (k + 1) % 3] - corners[:, k], at - corners[:, k])
         crosses &= np.einsum("ni,ni->n", side, normal) > 0
-    return np.minimum(np.abs(ha), np.abs(hb))[crosses], at[crosses]
+    return e[crosses], np.minimum(np.abs(ha), np.abs(hb))[crosses], at[crosses]
 
 
 def inside_out(body, x, X):
