@@ -21,6 +21,7 @@
 #include "base/parallel.hpp"
 #include "dynamics/connect.hpp"
 #include "dynamics/step.hpp"
+#include "element/corners.hpp"
 #include "mesh/box.hpp"
 
 using namespace nereid;
@@ -272,8 +273,18 @@ int main(int argc, char** argv) {
     element::advance(model.blocks[0], state.x, forces.dx, forces.rotation, 1e-9 * dt, state.blocks[0], state.tiles[0], forces.reports[0]);
   const double kernel_seconds = seconds() - began;
 
+  constexpr int looks = 10;
+  began = seconds();
+  double seen = 0;
+  for (int look = 0; look < looks; ++look) seen += element::smallest_corner(model.blocks[0], model.mesh.X, state.x).ratio;
+  const double corner_seconds = (seconds() - began) / looks;
+  began = seconds();
+  for (int look = 0; look < looks; ++look) seen += element::uneven_bending(model.blocks[0], state.x, state.blocks[0]);
+  const double bending_seconds = (seconds() - began) / looks, one_step = step_seconds / steps;
+
   const double updates = static_cast<double>(element::tiling(model.blocks[0]).elements) * steps;
-  std::printf("%s lanes %d elements %d  kernel %.2f  step %.2f ns per element update  (work %.6g)\n", kind.c_str(), lanes,
-              element::tiling(model.blocks[0]).elements, kernel_seconds * 1e9 / updates, step_seconds * 1e9 / updates,
-              state.blocks[0].work);
+  std::printf("%s lanes %d elements %d  kernel %.2f  step %.2f ns per element update; looks at corners %.1f and at bending %.1f steps  "
+              "(work %.6g, seen %.6g)\n",
+              kind.c_str(), lanes, element::tiling(model.blocks[0]).elements, kernel_seconds * 1e9 / updates, step_seconds * 1e9 / updates,
+              corner_seconds / one_step, bending_seconds / one_step, state.blocks[0].work, seen);
 }

@@ -38,7 +38,7 @@ def meshes(run):
     return rows
 
 
-DEPARTURES = {"layers": "plastic bending needs more layers: five are 1 % off seven, nine add 0.1 %"}
+DEPARTURES = {"layers": "plastic bending needs more layers: five are 1 % off seven, nine add 0.3 %"}
 
 CHECKS = [
     Check("largest deflection", lambda run: Pair(largest(run), expected("plane stress", "peak"), "m"), 0.04, "the catalogue's bound"),
