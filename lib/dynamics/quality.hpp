@@ -13,7 +13,7 @@ Spin free_spin(const Model&, std::size_t block, const State&);
 
 /// Steps between two looks at the shapes of all elements: most, where they keep their shape, and least, where one is about to invert.
 ///
-/// A look takes about as long as five steps.
+/// A look takes about as long as a step.
 constexpr std::int64_t corners_every = 500, corners_least = 50;
 
 /// Looks at the shapes of all elements if it is time: at half of the steps after which the smallest corner would invert at its pace.
