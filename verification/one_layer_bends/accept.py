@@ -90,7 +90,7 @@ CHECKS = [
       for aspect in (1, 5, 10, 20)),
     *(Check(f"four layers, aspect ratio {aspect}", thick(aspect), 0.01, "the wall also holds the sides, which stiffens the beam by 0.6 %",
             full=aspect >= 5)
-      for aspect in (1, 2, 5, 10)),
+      for aspect in (1, 2, 5)),
     Check("four layers, aspect ratio 1, eight points", thick(1, **FULL), 0.01, "the same", full=True),
     Check("six rectangles, in plane", slender("rectangles"), 0.03, "each has a constant moment: 0.7 %; the wall holds the sides"),
     Check("six rectangles, out of plane", slender("rectangles", "out of plane"), 0.03, "the same"),
