@@ -3,8 +3,8 @@
 A result's reference is exact, or the finest of at least three meshes. Then it has an uncertainty, by Richardson's extrapolation and
 Roache's index (convergence.py). An error below it says nothing: the point is not judged, and counts as if its error were this large.
 
-A coarse mesh may be right by luck, where an error goes through zero. So the error that counts is the largest of the point's own and those of
-the next two finer meshes of the sweep with the same settings.
+A coarse mesh may be right by luck, where an error goes through zero. So the error that counts is the largest of the point's own and
+those of the next two finer meshes of the sweep with the same settings.
 """
 import csv
 import dataclasses
@@ -264,7 +264,8 @@ def front_table(points, result, references):
     uncertainty = references[result].uncertainty
     return table(["", "settings", "element updates", "processor time", "error", "error that counts", "finer meshes", "front of"],
                  [[number + 1, point.name(), count_text(point.updates), f"{point.seconds:.2f} s",
-                   error_text(point.errors[result], uncertainty), share(counted(point, result, points, references)), len(finer_of(point, points)), which]
+                   error_text(point.errors[result], uncertainty), share(counted(point, result, points, references)),
+                   len(finer_of(point, points)), which]
                   for number, (point, which) in enumerate(front_points(points, result, references))])
 
 
