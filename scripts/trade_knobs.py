@@ -121,6 +121,11 @@ def mesh_settings(resolved, factor):
     return {} if texts == now else texts
 
 
+def factor_of(knob, label):
+    """How much finer the mesh of this label is; its keys may be a case's own."""
+    return float(label.removeprefix("x")) if knob.path == MESH else 1.0
+
+
 def label(value, times=False):
     return f"x{value:.3g}" if times else text_of(value)
 

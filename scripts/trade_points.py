@@ -15,6 +15,7 @@ from convergence import tendency
 
 MESH = "mesh"  # the knob of the mesh
 FINER = 2      # meshes that must bear a point out
+BETTER = 0.95  # [-] of the error of a cheaper run: less of a gain is none
 ENOUGH = 0.9  # [-] of the cost or the error of the defaults: from here on a value pays, and is tried in pairs
 
 
@@ -76,7 +77,7 @@ class Point:
     """One run of a sweep.
 
     knobs     {name: label} of what differs from the case; empty for the case itself
-    ending    'good', or why there is no number: 'stopped: ...', 'refused: ...', 'left out'
+    ending    'good', or why there is no number: 'stopped: ...', 'refused: ...', 'not used: ...', 'left out'
     errors    {result: error [-]}
     """
     knobs: dict
@@ -120,10 +121,10 @@ def counted(point, result, points, references):
 
 
 def front(points, cost, error):
-    """The points that no other one beats in both, cheapest first; of several that are alike the first."""
+    """The points that no other one beats in both, cheapest first; a dearer one must be better by a twentieth."""
     best, found = math.inf, []
     for point in sorted((one for one in points if math.isfinite(error(one))), key=lambda one: (cost(one), error(one))):
-        if error(point) < best:
+        if error(point) < BETTER * best:
             best = error(point)
             found.append(point)
     return found

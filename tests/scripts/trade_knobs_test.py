@@ -74,6 +74,11 @@ class ChosenTest(unittest.TestCase):
     def test_a_case_has_its_own_values(self):
         self.assertEqual(self.values("mesh"), {"mesh": {"x0.5": 0.5, "x2": 2}})
 
+    def test_meshes_may_be_keys_of_the_case_and_keep_their_factor(self):
+        (mesh, labels), *_ = knobs.of_case({"mesh": {"x2": {"bodies[0].mesh.cells": "[8, 1, 2]"}}})
+        self.assertEqual(knobs.settings(mesh, labels["x2"], RESOLVED), {"bodies[0].mesh.cells": "[8, 1, 2]"})
+        self.assertEqual([knobs.factor_of(mesh, "x2"), knobs.factor_of(knob("step"), "0.9")], [2, 1])
+
     def test_values_of_the_command_line(self):
         self.assertEqual(self.values("step=0.45,0.9", "element=full", "mesh=x2,3"),
                          {"step": {"0.45": 0.45, "0.9": 0.9}, "element": {"full": "full"}, "mesh": {"x2": 2, "x3": 3}})

@@ -28,6 +28,10 @@ class FrontTest(unittest.TestCase):
         a, b, c, d = point(1, 0.3, k="a"), point(2, 0.4, k="b"), point(3, 0.1, k="c"), point(4, 0.1, k="d")
         self.assertEqual(front([d, c, b, a]), [a, c])
 
+    def test_a_dearer_run_that_is_hardly_better_is_not_on_the_front(self):
+        a, b = point(1, 0.100, k="a"), point(2, 0.097, k="b")
+        self.assertEqual(front([a, b]), [a])
+
     def test_runs_without_a_number_are_on_no_front(self):
         stopped = point(1, 0.0, ending="stopped: energy_created", k="a")
         self.assertEqual(front([stopped, point(2, 0.1)]), [point(2, 0.1)])

@@ -39,7 +39,8 @@ resolved = {{"mesh": {{"cells": {{"value": cells, "unit": "1", "default": False}
 word = "energy_created" if safety > 1.5 else "reached_end"
 cost = {{"elements": cells, "steps": int(cells / safety), "element_updates": int(cells**2 / safety), "wall_seconds": 0.1, "threads": 1}}
 (out / "summary.json").write_text(json.dumps({{"ending": {{"word": word}}, "results": {{"depth": {{"value": depth, "unit": "m"}}}},
-    "cost": cost, "ledger": {{"accounts": {{"body": {{"created_relative": {{"value": 0.0}}}}}}}}, "provenance": {{"resolved": resolved}}}}))
+    "cost": cost, "ledger": {{"accounts": {{"body": {{"created_relative": {{"value": 0.0}}}}}}}},
+    "provenance": {{"resolved": resolved}}, "not_used": ["element.kind (--set:19)"] if kind == "spare" else []}}))
 """
 
 
@@ -64,12 +65,13 @@ class SweepTest(unittest.TestCase):
         return {point.name(): point for point in found}, base, references
 
     def test_every_value_alone_and_pairs_of_those_that_pay(self):
-        found, base, references = self.sweep("--knobs", "mesh=0.5,2", "step=0.9,1.2,2", "element")
+        found, base, references = self.sweep("--knobs", "mesh=0.5,2", "step=0.9,1.2,2", "element=full,spare")
         self.assertEqual(references["depth"].known, "observed order 2.00")
         self.assertAlmostEqual(base.errors["depth"], 0.01, delta=1e-4)
         self.assertAlmostEqual(found["mesh x2"].errors["depth"], 0.0025, delta=1e-4)
         self.assertEqual(found["step 2"].ending, "stopped: energy_created")
         self.assertEqual(found["element full"].ending, "refused: 'kind' is not there")
+        self.assertEqual(found["element spare"].ending, "not used: element.kind")
         self.assertIn("mesh x0.5, step 1.2", found)
         self.assertNotIn("step 0.9", found)  # as the case has it
 
