@@ -11,7 +11,8 @@ COSTS = ((points.updates_of, "element updates"), (points.seconds_of, "processor 
 
 
 def trade_figure(found, base, references):
-    """Every good point: grey those that another one beats, joined those of the front, with the numbers of the table."""
+    """Every good point: grey those that another one beats, hollow those that finer meshes do not bear out; those of the front are joined
+    and have the numbers of the table."""
     drawn, rows = figure.new_grid(len(COSTS), len(references), height=130.0)
     for row, (cost, across) in zip(rows, COSTS):
         for axes, name in zip(row, references):
@@ -36,10 +37,13 @@ def draw_panel(axes, found, base, name, references, cost):
     def error(point):
         return 100 * max(points.counted(point, name, found, references), LEAST)
 
-    best = points.front_of(found, name, references, cost)
-    beaten = [one for one in found if one not in best]
-    axes.plot([cost(one) for one in beaten], [error(one) for one in beaten], linestyle="none", marker="o", markersize=3, color=DOMINATED,
-              label="beaten by another", zorder=1)
+    best = points.front_of(found, name, references, cost, surely=True)
+    sure = points.borne_out(found)
+    beaten = [one for one in sure if one not in best]
+    alone = [one for one in found if one not in sure]
+    for some, label, face in ((beaten, "beaten by another", DOMINATED), (alone, "without two finer meshes", "white")):
+        axes.plot([cost(one) for one in some], [error(one) for one in some], linestyle="none", marker="o", markersize=3, color=DOMINATED,
+                  markerfacecolor=face, markeredgewidth=0.6, label=label, zorder=1)
     figure.draw_points(axes, [cost(one) for one in best], [error(one) for one in best], 1, "front")
     axes.plot([cost(base)], [error(base)], linestyle="none", marker="*", markersize=8, color="#D55E00", markeredgecolor="black",
               markeredgewidth=0.4, label="as the case has it", zorder=4)

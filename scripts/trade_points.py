@@ -4,7 +4,7 @@ A result's reference is exact, or the finest of at least three meshes. Then it h
 Roache's index (convergence.py). An error below it says nothing: the point is not judged, and counts as if its error were this large.
 
 A coarse mesh may be right by luck, where an error goes through zero. So the error that counts is the largest of the point's own and
-those of the next two finer meshes of the sweep with the same settings.
+those of the next two finer meshes of the sweep with the same settings, and a point without these is on no front.
 """
 import csv
 import dataclasses
@@ -130,9 +130,16 @@ def front(points, cost, error):
     return found
 
 
-def front_of(points, result, references, cost):
-    """The front of one result; points that have no number do not count."""
-    return front([one for one in points if one.good()], cost, lambda one: counted(one, result, points, references))
+def borne_out(points):
+    """The points that count: those with two finer meshes, or as many as any point of a sweep with fewer meshes."""
+    finer = [len(finer_of(one, points)) for one in points]
+    return [one for one, number in zip(points, finer) if number >= min(FINER, max(finer))]
+
+
+def front_of(points, result, references, cost, surely=False):
+    """The front of one result; points that have no number do not count, and `surely` none that finer meshes do not bear out."""
+    good = [one for one in points if one.good()]
+    return front(borne_out(good) if surely else good, cost, lambda one: counted(one, result, good, references))
 
 
 def updates_of(point):
@@ -254,7 +261,7 @@ def alone_table(points, base, references):
 
 def front_points(points, result, references):
     """[(point, which front it is on)] of one result, cheapest first."""
-    by_updates, by_seconds = (front_of(points, result, references, cost) for cost in (updates_of, seconds_of))
+    by_updates, by_seconds = (front_of(points, result, references, cost, surely=True) for cost in (updates_of, seconds_of))
     union = [one for one in points if one in by_updates or one in by_seconds]
     return [(one, "both" if one in by_updates and one in by_seconds else "updates" if one in by_updates else "time")
             for one in sorted(union, key=lambda one: (one.updates, one.seconds))]
@@ -263,10 +270,9 @@ def front_points(points, result, references):
 def front_table(points, result, references):
     """The points of a result that no other one beats, by either cost."""
     uncertainty = references[result].uncertainty
-    return table(["", "settings", "element updates", "processor time", "error", "error that counts", "finer meshes", "front of"],
+    return table(["", "settings", "element updates", "processor time", "error", "error that counts", "front of"],
                  [[number + 1, point.name(), count_text(point.updates), f"{point.seconds:.2f} s",
-                   error_text(point.errors[result], uncertainty), share(counted(point, result, points, references)),
-                   len(finer_of(point, points)), which]
+                   error_text(point.errors[result], uncertainty), share(counted(point, result, points, references)), which]
                   for number, (point, which) in enumerate(front_points(points, result, references))])
 
 
@@ -276,7 +282,8 @@ def as_csv(points, references):
     out = csv.writer(stream, lineterminator="\n")
     out.writerow(["settings", "ending", "elements", "steps", "element updates", "processor seconds [s]", "created energy [-]", "warnings",
                   *(f"error of {name} [-]" for name in references), *(f"error that counts of {name} [-]" for name in references),
-                  *(f"judged: {name}" for name in references)])
+                  *(f"judged: {name}" for name in references), "finer meshes"])
+    good = [one for one in points if one.good()]
     for one in points:
         if one.good():
             errors = [one.errors[name] for name in references]
@@ -284,7 +291,7 @@ def as_csv(points, references):
                           one.warnings, *(f"{error:.6g}" for error in errors),
                           *(f"{counted(one, name, points, references):.6g}" for name in references),
                           *("yes" if judged(error, ref.uncertainty) else "below the reference's uncertainty"
-                            for error, ref in zip(errors, references.values()))])
+                            for error, ref in zip(errors, references.values())), len(finer_of(one, good))])
         else:
-            out.writerow([one.name(), one.ending, *[""] * (6 + 3 * len(references))])
+            out.writerow([one.name(), one.ending, *[""] * (7 + 3 * len(references))])
     return stream.getvalue()

@@ -1,4 +1,4 @@
-"""What accuracy costs on Taylor's bar: no exact value, so the finest of three meshes is the reference."""
+"""What accuracy costs on Taylor's bar: no exact value, so the finest of three meshes, 14 cells across and 140 along, is the reference."""
 from trade_points import Converged, Meshes
 
 TITLE = "Taylor's bar"
@@ -9,7 +9,7 @@ def last(name):
 
 
 RESULTS = [Converged("final length", last("length"), "m"), Converged("radius of the foot", last("foot_radius"), "m")]
-MESHES = Meshes((4 / 3, 5 / 3, 2))
+MESHES = Meshes((5 / 3, 2, 7 / 3))
 GRADE = "0.0324*((1 - {0:g})*(z/0.0324) + {0:g}*(z/0.0324)^2)"
 KNOBS = {
     "mesh": (1 / 3, 2 / 3, 4 / 3, 5 / 3),
