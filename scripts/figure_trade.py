@@ -23,7 +23,7 @@ def trade_figure(found, base, references):
         axes.set_title(name)
     drawn.get_layout_engine().set(rect=(0, 0, 1, 0.95), w_pad=0.05)
     said = {label: handle for axes in rows[0] for handle, label in zip(*axes.get_legend_handles_labels())}
-    drawn.legend(said.values(), said.keys(), loc="upper center", ncol=len(said))
+    drawn.legend(said.values(), said.keys(), loc="upper center", ncol=len(said), columnspacing=1.0, handlelength=1.8)
     return drawn
 
 
