@@ -77,6 +77,13 @@ def new_row(columns, width=DOUBLE_COLUMN, height=66.0, ratios=None):
                         constrained_layout=True)
 
 
+def new_grid(rows, columns, width=DOUBLE_COLUMN, height=130.0):
+    """A figure of width x height [mm] and its axes, a list for each row."""
+    use_style()
+    figure, axes = plt.subplots(rows, columns, squeeze=False, figsize=(width / 25.4, height / 25.4), constrained_layout=True)
+    return figure, [list(row) for row in axes]
+
+
 def save(figure, path, png=True):
     """Writes the figure as SVG and, if wanted, as PNG, `path` with either ending; no date, so the same bytes."""
     path = Path(path)

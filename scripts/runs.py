@@ -11,6 +11,7 @@ import hashlib
 import json
 import math
 import re
+import resource
 import shutil
 import struct
 import subprocess
@@ -97,17 +98,19 @@ class Store:
         words = [str(program), str(case), "--out", str(unfinished), "--quiet", "--threads", str(threads)]
         for key, value in overrides.items():
             words += ["--set", f"{key}={value}"]
-        started, began = time.perf_counter(), time.time_ns()
+        started, began, processor = time.perf_counter(), time.time_ns(), processor_seconds()
         try:
             done = subprocess.run(words, capture_output=True, text=True, timeout=self.patience)
             if done.returncode not in (0, STOPPED):
                 raise CannotRun(f"status {done.returncode} of {' '.join(words)}\n{done.stderr}")
-            seconds = time.perf_counter() - started
+            seconds, processor = time.perf_counter() - started, processor_seconds() - processor
             inputs = inputs_of(unfinished, case.parent)
             for path in [program, case, *(case.parent / one for one in inputs)]:
                 if path.stat().st_mtime_ns > began:
                     raise CannotRun(f"{path} changed while {driver} ran; start again")
-            record = {**asked, "seconds": seconds, "inputs": {path: digest_of_file(case.parent / path) for path in inputs},
+            record = {**asked, "seconds": seconds, "processor_seconds": processor,
+                      "warnings": [line for line in done.stderr.splitlines() if line.startswith("warning: ")],
+                      "inputs": {path: digest_of_file(case.parent / path) for path in inputs},
                       "files": files_of(unfinished)}
             (unfinished / RECORD).write_text(json.dumps(record, indent=1), encoding="utf-8")
             try:
@@ -138,6 +141,12 @@ class Store:
     def seconds(self):
         """What all runs that were asked for took when they were made. [s]"""
         return sum(run.seconds for run in self.done.values())
+
+
+def processor_seconds():
+    """Of all programs that this process started and that have ended. [s]"""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
 
 
 def digest(data):
@@ -218,6 +227,8 @@ class Run:
         self.folder, self.made = folder, made
         self.asked = json.loads((folder / RECORD).read_text(encoding="utf-8"))
         self.seconds = self.asked["seconds"]
+        self.processor_seconds = self.asked.get("processor_seconds")  # [s] with start and files; None of runs made before this
+        self.warnings = self.asked.get("warnings", [])
         self.summary = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
         self.ending = self.summary["ending"]["word"]
         with (folder / "history.csv").open(newline="", encoding="utf-8") as stream:
