@@ -48,6 +48,7 @@ def energy_figure(folder, curves=7):
             draw_curve(lower, time, np.where(made[name] == 0, np.nan, np.abs(made[name])), number,
                        plain[name] if np.any(made[name]) else f"{plain[name]} (none)", marks=12)
         lower.set_yscale("log")
+        lower.set_ylim(bottom=max(lower.get_ylim()[0], 1e-18))  # what is below is round-off of nearly nothing
         lower.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
     else:
         lower.text(0.5, 0.5, "none", transform=lower.transAxes, ha="center", va="center")
