@@ -130,6 +130,7 @@ struct Quality {
   double hourglass = 0, internal = 0;  ///< [J] the largest at any update of the ledger
   double uneven = 0;                   ///< [J] the largest hourglass energy of cells that bend unlike their neighbours, or whose sides lean
   double compared = 0;                 ///< [J] hourglass energy when neighbours were last compared
+  std::int64_t compared_at = 0;        ///< the step of that
   bool inverted = false;               ///< whether a corner was at the last look
   element::Thinned thinned;            ///< of plates that keep their thickness: how far it is off at most, at any look
   double thinned_at = 0;               ///< [s] when

@@ -81,7 +81,7 @@ int inverted_block(const State& now, double limit) {
   return -1;
 }
 
-void see_hourglass_energy(const Model& model, State& now) {
+void see_hourglass_energy(const Model& model, bool look, State& now) {
   constexpr double worth_comparing = 0.1, more = 1.05;  // [-] of the internal energy; of the hourglass energy compared last
   for (std::size_t b = 0; b < model.blocks.size(); ++b) {
     Quality& seen = now.quality[b];
@@ -90,8 +90,9 @@ void see_hourglass_energy(const Model& model, State& now) {
     const double hourglass = held + account.dissipated[Dissipated::hourglass];
     seen.hourglass = std::max(seen.hourglass, hourglass);
     seen.internal = std::max(seen.internal, stored(account) + initial_stored(account) + dissipated(account));
-    if (!(hourglass > worth_comparing * seen.internal) || !(hourglass > more * seen.compared)) continue;
-    seen.compared = hourglass;
+    if (!(hourglass > worth_comparing * seen.internal)) continue;
+    if (!look && !(hourglass > more * seen.compared) && now.step < seen.compared_at + compared_every) continue;
+    seen.compared = hourglass, seen.compared_at = now.step;
     seen.uneven = std::max(seen.uneven, hourglass * element::uneven_bending(model.blocks[b], now.x, now.blocks[b]));
   }
 }

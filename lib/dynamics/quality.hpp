@@ -24,9 +24,16 @@ void see_elements(const Model&, bool look, State&);
 /// The block whose smallest corner so far is at or below a limit, or -1.
 int inverted_block(const State&, double limit);
 
-/// Notes how much hourglass energy each block has and, where that is more than a tenth of its internal energy and grows, how much of it is
-/// uneven (element::uneven_bending). Needs a ledger that is current.
-void see_hourglass_energy(const Model&, State&);
+/// Steps between two comparisons of how neighbouring elements bend, at most, where hourglass energy is more than a tenth of the internal.
+///
+/// A comparison takes about as long as two steps.
+constexpr std::int64_t compared_every = 100;
+
+/// Notes how much hourglass energy each block has and, where that is more than a tenth of its internal energy, how much of it is uneven
+/// (element::uneven_bending): where it has grown, after compared_every steps, or where that is wanted. Needs a ledger that is current.
+///
+/// look  whether to compare in any case: as the run ends
+void see_hourglass_energy(const Model&, bool look, State&);
 
 /// The largest hourglass energy of a block over its largest internal energy so far; zero where the latter is round-off. [-]
 ///

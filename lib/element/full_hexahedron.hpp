@@ -197,21 +197,15 @@ NEREID_HOT Report<T, FullHexahedron> advance(const Law& law, const FullHexahedro
                   std::array<Vector<T>, 8>& force) {
   const T eighth(0.125), half(0.5), zero(0.0);
   const Modes<T> X = scaled(eighth, sums_by_mode(x)), D = scaled(eighth, sums_by_mode(dx));
-  const Modes<T> middle = subtracted(X, half, D);
+  const auto [middle, at_middle, L, strain, half_spin, Q, growth] = mean_motion(X, D);
 
-  const Gradient<T> at_middle = volume_gradient(middle);
-  const Matrix<T> L = mean_gradient(D, at_middle);  // of the increment
-  const Symmetric<T> strain{L.x.x, L.y.y, L.z.z, half * (L.x.y + L.y.x), half * (L.y.z + L.z.y), half * (L.x.z + L.z.x)};
-  const Vector<T> spin = half * Vector<T>{L.z.y - L.y.z, L.x.z - L.z.x, L.y.x - L.x.y};
-  const Matrix<T> Q = cayley_rotation(spin);
-  const auto turned = [&spin, &half](const Vector<T>& g) { return g + cross(half * spin, g); };
   std::array<Vector<T>, 4> q;
-  for (int a = 0; a < 4; ++a) q[a] = turned(D.hourglass[a] - L * middle.hourglass[a]);
-  const auto there = centre_frame<T>({turned(middle.xi), turned(middle.eta), turned(middle.zeta)});
+  for (int a = 0; a < 4; ++a) q[a] = rotated_by(half_spin, D.hourglass[a] - L * middle.hourglass[a]);
+  const auto there =
+      centre_frame<T>({rotated_by(half_spin, middle.xi), rotated_by(half_spin, middle.eta), rotated_by(half_spin, middle.zeta)});
   const auto lame = material::lame(law);
   std::array<T, 3> across, left;
-  const auto strains = at_points(assumed_strains(there, rotated_by(half * spin, strain), q, T(lame.lambda), T(lame.mu),
-                                                 memory.across, across));
+  const auto strains = at_points(assumed_strains(there, strain, q, T(lame.lambda), T(lame.mu), memory.across, across));
 
   const T volume = at_middle.volume * T(law.density) * constants.per_mass;
   material::ModuliOf<T, Symmetric, Law> moduli{};
@@ -242,7 +236,6 @@ NEREID_HOT Report<T, FullHexahedron> advance(const Law& law, const FullHexahedro
 
   const Symmetric<T> G = gradient_products(at_end);
   const T omega_squared = largest_frequency_squared(G, at_end.per_volume, constants.per_mass, moduli) * coupling_of_hourglass(G, at_end, X);
-  const T growth = L.x.x + L.y.y + L.z.z;
   const auto bulk = viscous_pressure(options.viscosity, material::wave_speed(moduli, law.density), growth / dt, omega_squared, trace(G),
                                      constants.mass, constants.per_mass, at_end.per_volume);
   const T viscous_work = half * (memory.viscous + bulk.pressure) * growth * at_middle.volume;

@@ -277,6 +277,38 @@ NEREID_HOT Symmetric<T> rotated_by(const Vector<T>& w, const Symmetric<T>& e) {
           e.xz + w.y * (e.zz - e.xx) + w.x * e.xy - w.z * e.yz};
 }
 
+/// A vector turned by a small angle:  v + w x v.
+template <class T>
+NEREID_HOT Vector<T> rotated_by(const Vector<T>& w, const Vector<T>& v) { return v + cross(w, v); }
+
+/// The mean motion of a hexahedron in a step, taken in the middle of it, where a rigid rotation gives no strain at all.
+template <class T>
+struct MeanMotion {
+  Modes<T> middle;         ///< [m] amplitudes of the positions
+  Gradient<T> at_middle;   ///< theirs
+  Matrix<T> L;             ///< [-] gradient of the increment
+  Symmetric<T> strain;     ///< [-] its symmetric part, turned by half the rotation to meet the stress of the end
+  Vector<T> half_spin;     ///< [rad] half of its axial vector
+  Matrix<T> Q;             ///< the rotation of Hughes & Winget
+  T growth;                ///< [-] of the volume
+};
+
+/// X, D  [m] amplitudes of the positions at the end of the step, and of their increments
+template <class T>
+NEREID_HOT MeanMotion<T> mean_motion(const Modes<T>& X, const Modes<T>& D) {
+  const T half(0.5);
+  MeanMotion<T> m{.middle = subtracted(X, half, D), .at_middle = {}, .L = {}, .strain = {}, .half_spin = {}, .Q = {}, .growth = {}};
+  m.at_middle = volume_gradient(m.middle);
+  const Matrix<T> L = m.L = mean_gradient(D, m.at_middle);
+  const Vector<T> spin = half * Vector<T>{L.z.y - L.y.z, L.x.z - L.z.x, L.y.x - L.x.y};
+  m.half_spin = half * spin;
+  m.Q = cayley_rotation(spin);
+  m.strain = rotated_by(m.half_spin, Symmetric<T>{L.x.x, L.y.y, L.z.z, half * (L.x.y + L.y.x), half * (L.y.z + L.z.y),
+                                                  half * (L.x.z + L.z.x)});
+  m.growth = L.x.x + L.y.y + L.z.z;
+  return m;
+}
+
 /// Where the work against hourglass control went. [J]
 template <class T>
 struct HourglassWork {
@@ -385,19 +417,12 @@ NEREID_HOT Report<T, Hexahedron> advance(const Law& law, const Hexahedron::Optio
                   std::array<Vector<T>, 8>& force) {
   const T eighth(0.125), eight(8.0), half(0.5), per_dt = T(1.0) / dt;
   const Modes<T> X = scaled(eighth, sums_by_mode(x)), D = scaled(eighth, sums_by_mode(dx));
-  const Modes<T> middle = subtracted(X, half, D);
-
-  // in the middle of the step: increments of strain, spin and hourglass
-  const Gradient<T> at_middle = volume_gradient(middle);
-  const Matrix<T> L = mean_gradient(D, at_middle);  // of the increment
-  const Symmetric<T> strain{L.x.x, L.y.y, L.z.z, half * (L.x.y + L.y.x), half * (L.y.z + L.z.y), half * (L.x.z + L.z.x)};
-  const Vector<T> spin = half * Vector<T>{L.z.y - L.y.z, L.x.z - L.z.x, L.y.x - L.x.y};
-  const Matrix<T> Q = cayley_rotation(spin);
+  const auto [middle, at_middle, L, strain, half_spin, Q, growth] = mean_motion(X, D);
 
   memory.stress = rotate(Q, memory.stress);
   for (Symmetric<T>& tensor : memory.internal.tensor) tensor = rotate(Q, tensor);
   const material::Increment<T, Symmetric> increment{
-      .strain = rotated_by(half * spin, strain), .dt = dt, .volume = at_middle.volume * T(law.density) * constants.per_mass};
+      .strain = strain, .dt = dt, .volume = at_middle.volume * T(law.density) * constants.per_mass};
   const Symmetric<T> before = memory.stress;
   const auto [work, moduli] = update_stress(law, increment, memory.stress, memory.internal);
 
@@ -407,15 +432,14 @@ NEREID_HOT Report<T, Hexahedron> advance(const Law& law, const Hexahedron::Optio
   HourglassWork<T> hourglass{zero, zero};
   std::array<Vector<T>, 4> bent;
   for (int a = 0; a < 4; ++a) {
-    const Vector<T> there = eight * (D.hourglass[a] - L * middle.hourglass[a]);
-    bent[a] = there + cross(half * spin, there);
+    bent[a] = rotated_by(half_spin, eight * (D.hourglass[a] - L * middle.hourglass[a]));
     memory.hourglass[a] = Q * memory.hourglass[a];
   }
   if (kind == Kind::assumed_strain) {
-    const auto turned = [&spin, &half](const Vector<T>& g) { return g + cross(half * spin, g); };
     std::array<Vector<T>, 4> q;
     for (int a = 0; a < 4; ++a) q[a] = eighth * bent[a];
-    const auto frame = centre_frame<T>({turned(middle.xi), turned(middle.eta), turned(middle.zeta)});
+    const auto frame =
+        centre_frame<T>({rotated_by(half_spin, middle.xi), rotated_by(half_spin, middle.eta), rotated_by(half_spin, middle.zeta)});
     hourglass = hold_by_assumed_strain(law, constants.hourglass, frame, q, at_middle.volume, at_middle.per_volume,
                                        {T(moduli.lambda), T(moduli.mu)}, {increment.strain, before, memory.stress, work.dissipated},
                                        memory.internal, memory.hourglass, memory.bent);
@@ -434,7 +458,6 @@ NEREID_HOT Report<T, Hexahedron> advance(const Law& law, const Hexahedron::Optio
   const Symmetric<T> G = gradient_products(at_end);
   T omega_squared = largest_frequency_squared(G, at_end.per_volume, constants.per_mass, moduli);
   if (kind == Kind::assumed_strain) omega_squared = omega_squared * coupling_of_hourglass(G, at_end, X);
-  const T growth = L.x.x + L.y.y + L.z.z;
   const auto bulk = viscous_pressure(options.viscosity, material::wave_speed(moduli, law.density), growth * per_dt, omega_squared, trace(G),
                                      constants.mass, constants.per_mass, at_end.per_volume);
   const T viscous = bulk.pressure;

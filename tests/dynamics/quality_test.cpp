@@ -180,6 +180,32 @@ TEST(Quality, CountsTheEnergyThatABlockHasAtTheStart) {
   EXPECT_LT(fraction, 0.3);
 }
 
+TEST(Quality, SeesThatBendingBecomesUnevenWithoutMoreOfIt) {
+  Scene s;
+  s.model.mesh = mesh::box("box", {Vec3::Zero(), Vec3(10, 1, 1), {10, 1, 1}});
+  s.model.blocks.push_back(element::hexahedra(s.model.mesh, "box", rubber, {}));
+  finalize(s.model);
+  s.ready();
+  const Vectors& X = s.model.mesh.X;
+  Vectors bent = Vectors::Zero(3, X.cols()), in_turns = bent;
+  for (Eigen::Index n = 0; n < X.cols(); ++n) {
+    bent(0, n) = 1e-3 * (X(2, n) - 0.5) * X(0, n), bent(2, n) = -0.5e-3 * X(0, n) * X(0, n);
+    in_turns(0, n) = 0.5e-3 * (X(2, n) - 0.5) * std::cos(pi * X(0, n));
+  }
+  const auto see = [&](const Vectors& u, bool look) {
+    displace(s.model, s.state, u, {});
+    update_ledger(s.model, s.state);
+    see_hourglass_energy(s.model, look, s.state);
+    return s.state.quality[0].uneven / s.state.quality[0].internal;
+  };
+  EXPECT_LT(see(bent, false), 0.01);
+  const Vectors less = in_turns - bent;
+  EXPECT_LT(see(less, false), 0.01) << "no more energy than before, and few steps since";
+  EXPECT_GT(see(Vectors::Zero(3, X.cols()), true), 0.5);
+  s.state.quality[0].uneven = 0, s.state.step += compared_every;
+  EXPECT_GT(see(Vectors::Zero(3, X.cols()), false), 0.5);
+}
+
 TEST(Quality, OfABlockThatMovesAsOneIsThatOfTheReference) {
   Scene s;
   s.model.mesh = mesh::box("box", {Vec3::Zero(), Vec3::Ones(), {2, 2, 2}});

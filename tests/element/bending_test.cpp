@@ -49,7 +49,18 @@ TEST(UnevenBending, OfCellsWithoutNeighboursAndOfSpringsIsAll) {
                    {.hourglass = 0.1, .viscosity = {}, .hourglass_kind = Hexahedron::Hourglass::stiffness}), 1);
 }
 
-TEST(UnevenBending, OfABeamWhoseCellsLeanIsAll) {
+TEST(UnevenBending, OfCellsOfUnlikeLengthThatBendAlikeIsAFifthForTwiceAndHalfForFourTimes) {
+  // M goes with the length: 1 - 2 a b/(a^2 + b^2)
+  const Displacement alike = [](const Vec3& X) -> Vec3 { return {(X.z() - 0.5) * X.x(), 0, 0}; };
+  for (const double times : {1.0, 2.0, 4.0}) {
+    mesh::Mesh mesh = box({2, 1, 1}, {2, 1, 1});
+    for (Eigen::Index n = 0; n < mesh.X.cols(); ++n)
+      if (mesh.X(0, n) > 1.5) mesh.X(0, n) = 1 + times;
+    EXPECT_NEAR(uneven(mesh, alike), 1 - 2 * times / (1 + times * times), 1e-6) << times;
+  }
+}
+
+TEST(UnevenBending, OfABeamWhoseCellsLeanTooMuchIsAll) {
   for (const double by : {0.2, 0.5}) {
     mesh::Mesh all_alike = box({10, 1, 1}, {10, 1, 1}), in_turns = all_alike;
     for (Eigen::Index n = 0; n < all_alike.X.cols(); ++n) {

@@ -150,7 +150,7 @@ TEST(QualityNotes, SayWhichCornerIsInvertedAndHowMuchEnergyIsInHourglasses) {
   EXPECT_TRUE(quality_notes(simulation).empty());
   simulation.state.ledger.initial_available = simulation.state.ledger.initial_kinetic = 1;
   simulation.state.quality[0] = {.corner = -0.25, .element = 3, .time = 1e-3, .hourglass = 0.3, .internal = 0.5,
-                                 .uneven = 0.2, .compared = 0.3, .thinned = {}, .thinned_at = 0, .spin = {}};
+                                 .uneven = 0.2, .compared = 0.3, .compared_at = 0, .thinned = {}, .thinned_at = 0, .spin = {}};
   const auto notes = quality_notes(simulation);
   ASSERT_EQ(notes.size(), 2U);
   EXPECT_TRUE(says(notes[0], "bar: a corner of element 3 was inverted, its Jacobian -0.25 of the reference at 0.001 s")) << notes[0];

@@ -1,4 +1,6 @@
 """How close is close enough, why, and what must break."""
+import math
+
 from reference import SLENDER, TWISTED, deflection
 from verify import Breaks, Check, Figure, Miss, Pair, Table
 
@@ -82,6 +84,27 @@ def kinds(run):
     return rows
 
 
+def leaning(shape, degrees, result=None):
+    """The slender beam of cells that lean by so much: deflection over that of a beam, or a result."""
+    def measure(run):
+        slope = math.tan(math.radians(degrees))
+        map_ = {"trapezoids": f"x + {slope}*cos(pi*x)*(z - 0.1)*(x > 0.5)*(x < 5.5)",
+                "parallelograms": f"x + {slope}*(z - 0.1)*(x > 0.5)*(x < 5.5)"}[shape]
+        there = run.again({"bodies[0].mesh.high": "[6 m, 0.1 m, 0.2 m]", "bodies[0].mesh.cells": "[6, 1, 1]",
+                           "bodies[0].mesh.map": f'["{map_}", "y", "z"]', "bodies[0].material.young": "1e7 Pa",
+                           "bodies[0].material.density": "1 kg/m^3", "loads[0].value": '["0", "0", "-1e-3"]'})
+        return there.result(result) if result else 1e3 * tip(there) / SLENDER["in plane"]
+    return measure
+
+
+UNEVEN = "beam_uneven_hourglass_fraction"
+
+
+def lean(run):
+    return [[shape, f"{degrees}", *(f"{leaning(shape, degrees, result)(run):.3f}" for result in (None, UNEVEN))]
+            for shape in ("parallelograms", "trapezoids") for degrees in (0, 2, 5, 10, 20, 45)]
+
+
 CHECKS = [
     *(Check(f"one layer, aspect ratio {aspect}", thin(aspect), 0.05,
             "ten cells, each with a constant moment, miss 0.25 %; the wall also holds the sides, which stiffens the beam")
@@ -99,11 +122,18 @@ CHECKS = [
     Miss("six trapezoids, in plane", slender("trapezoids"), 0.1, "MacNeal and Harder's B", "the same, and this is its worst case"),
     Check("six rectangles, in plane, eight points", slender("rectangles", **FULL), 0.03, "the same"),
     Miss("six trapezoids, in plane, eight points", slender("trapezoids", **FULL), 0.1, "MacNeal and Harder's B", "the same", full=True),
+    Check("uneven hourglass energy of six rectangles", lambda run: Pair(leaning("trapezoids", 0, UNEVEN)(run), 0, scale=1), 0.1,
+          "the bound of the warning: such a beam is right, and nothing is said"),
+    Check("uneven hourglass energy left out of six trapezoids of 20 degrees, over the whole",
+          lambda run: Pair(leaning("trapezoids", 20, UNEVEN)(run), leaning("trapezoids", 20, "beam_hourglass_fraction")(run)), 0.1,
+          "they deflect by a fifth of what they should; all is uneven but what bends in the end cells"),
     Check("twisted beam, in plane", twisted("in plane"), 0.02, "MacNeal and Harder's A"),
     Check("twisted beam, out of plane", twisted("out of plane"), 0.02, "MacNeal and Harder's A"),
 ]
 
-STUDIES = [Table("Deflection over the exact one.",
+STUDIES = [Table("Six cells that lean, in plane: deflection over the exact one, and uneven hourglass energy; the program warns above 0.1.",
+                 ["shape", "degrees", "deflection", "uneven"], lean, full=True),
+           Table("Deflection over the exact one.",
                  ["element", "1 layer, 1", "2", "5", "10", "4 layers, 1", "5", "rectangles", "trapezoids", "parallelograms",
                   "twisted, in plane", "out of plane"], kinds, full=True)]
 

@@ -82,8 +82,8 @@ CHECKS = [
 ]
 
 STUDIES = [
-    Table("Three meshes, with Roache's index. Millimetres.", 
-          ["mesh", "length", "radius", "plastic strain", "hourglass energy", "radius with eight points"], meshes,          full=True),
+    Table("Three meshes, with Roache's index. Millimetres.",
+          ["mesh", "length", "radius", "plastic strain", "hourglass energy", "radius with eight points"], meshes, full=True),
     Table("Other codes. Millimetres.", ["code", "length", "radius", "plastic strain"], codes),
 ]
 
