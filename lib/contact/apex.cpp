@@ -167,7 +167,7 @@ void hold_bond(const Interface& interface, const Vectors& x, Near& near, Memory&
     hold.share[I] = std::abs(bond.weight[I]) + std::abs(bond.height) * gradient.norm();
   }
   element.closed = true;
-  element.stiffness = k;
+  element.penalty = element.stiffness = k;
   element.apex = hold.push;
   element.stencil[0] = hold;
   element.stencil[1] = couple;
@@ -254,6 +254,7 @@ void update_element(const Interface& interface, const Vectors& x, const Vectors&
   memory.stored[a] = 0.5 * k * out.squared;
   element.closed = true;
   element.has_moment = out.has_moment;
+  element.penalty = k;
   element.stiffness = k * out.steepest;
   element.depth = out.depth;
   element.count = out.count;
@@ -309,11 +310,13 @@ void advance_friction(const Interface& interface, const Vectors& x, const Vector
   const Touch touch = touch_of(interface, x, a, memory.feature[a], pushed.normalized());
   const Vec3 rotation = rotation_of_base(touch, x, v, dt);
   const Vec3 rate = slip_rate(touch, v, omega, interface.rotation_of_node);
-  const Vec3 held = carried(memory.slip[a], rotation, touch.normal);
+  const double stiffness_before = friction.stiffness;
+  friction.stiffness = interface.friction.tangential_penalty * element.penalty;
+  Vec3 held = carried(memory.slip[a], rotation, touch.normal);
+  if (friction.acts) held *= std::sqrt(stiffness_before / friction.stiffness);  // of the paper's areas: the stick keeps its energy
   Vec3 trial = held;
   if (friction.acts) trial += 0.5 * dt * (carried(rate_before, rotation, touch.normal) + rate);
   if (!interface.allowed.empty()) trial = interface.allowed[a] * trial;
-  friction.stiffness = interface.friction.tangential_penalty * element.stiffness;
   friction.coefficient = coefficient_at(interface.friction, friction.sliding);
   const Slip slip = stick_or_slide(trial, friction.stiffness, friction.coefficient * push);
   friction.sliding = dt > 0 ? slip.slid.norm() / dt : 0;

@@ -124,7 +124,8 @@ struct ElementForces {
   bool moved = false;                    ///< to another feature in the last step
   int lost = 0;                          ///< parts of the surface that the apex left over a wall in the last step
   int count = 0;                         ///< of stencils; of an open apex that votes for the time step one without a push
-  double stiffness = 0;                  ///< [N/m] of the spring between the apex and its bases
+  double penalty = 0;                    ///< [N/m] of the apex
+  double stiffness = 0;                  ///< [N/m] of the spring between the apex and its bases: past a wall more than the penalty
   double scale = 1;                      ///< of all these forces: 1 + damping_time d|d|/dt / |d|, not negative
   double depth = 0;                      ///< [m] penetration without the offset
   double work = 0, created = 0;          ///< [J] in the last step

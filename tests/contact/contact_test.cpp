@@ -54,8 +54,8 @@ TEST(Force, OfConsistentWeightsBooksNoAngularImpulse) {
 struct Rubbing {
   Scene scene;
   Vectors v;
-  Rubbing(double coefficient, double stick, Weights weights = Weights::consistent)
-      : scene(press(sheet(6, 4, flat, 0.2), {{1.33, 1.21, -0.03}}, 0)), v(Vectors::Zero(3, scene.x.cols())) {
+  Rubbing(double coefficient, double stick, Weights weights = Weights::consistent, const Vec3& at = {1.33, 1.21, -0.03})
+      : scene(press(sheet(6, 4, flat, 0.2), {at}, 0)), v(Vectors::Zero(3, scene.x.cols())) {
     scene.interface.friction = {coefficient, stick};
     scene.interface.weights = weights;
     scene.workspace = Workspace(scene.interface);
@@ -125,6 +125,16 @@ TEST(Friction, GoesOnOverFacetEdgesWithoutAJump) {
       EXPECT_GT(force_jump, 0.3 * friction);
     }
   }
+}
+
+TEST(Friction, PastAWallMakesNoEnergy) {
+  Rubbing r(5, 1, Weights::consistent, {1.33, 0.02, -0.03});
+  const double start = r.created();
+  r.drag({0, -1e-4, 0}, 1, 1000);  // past the border its push fades, and its spring is steeper
+  EXPECT_EQ(r.scene.memory.status[0], Status::closed);
+  EXPECT_GT(r.scene.near().element.stiffness, 1.2 * r.scene.near().element.penalty);
+  EXPECT_GT(tangential_stored(r.scene.memory), 0.1);
+  EXPECT_LT(std::abs(r.created() - start), 1e-3 * tangential_stored(r.scene.memory));
 }
 
 TEST(Friction, OfThePapersWeightsLosesTheAngularMomentumThatIsBooked) {

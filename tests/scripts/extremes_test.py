@@ -191,6 +191,16 @@ class Geometry(unittest.TestCase):
         bodies = [measure.Body(thin, x, 1.0, 0.1), measure.Body(solid, x, 1.0)]
         self.assertAlmostEqual(measure.overlap(*bodies, x)[0], 0.02, places=9)
 
+    def test_a_rim_is_round_where_a_contact_says_how_deep_it_went(self):
+        plate, block = meshes.sheet((0, 0), (1, 1), (2, 2)), cube((1.02, 0, -0.5))
+        x = np.concatenate([plate.points, block.points])
+        thin, solid = Folder.cells_of([("p", plate), ("b", block)])
+        plate, block = measure.Body(thin, x, 1.0, 0.1), measure.Body(solid, x, 1.0)
+        self.assertEqual(measure.overlap(plate, block, x)[0], 0)
+        self.assertAlmostEqual(measure.depth_of_rounded(plate, block, x), 0.03, places=9)
+        x[plate.nodes, 0] += 0.05
+        self.assertAlmostEqual(measure.depth_of_rounded(plate, block, x), 0.08, places=9)
+
     def test_a_corner_that_came_through_a_plate_is_seen_between_its_nodes(self):
         plate, block = meshes.sheet((-1, -1), (2, 2), (1, 1)), cube((0.1, 0.2, -0.001))
         x = np.concatenate([plate.points, block.points])

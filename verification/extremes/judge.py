@@ -279,6 +279,15 @@ def depth_of_pair(seen, one, other):
     return deepest, not (one.is_plate or other.is_plate) and deepest > FULL * room
 
 
+def depth_at_rims(seen, contact):
+    """How deep nodes of plates went in a contact, whose rims it rounds [m]."""
+    pair = next(([entry[key].partition(".")[0] for key in ("apexes", "base")] for entry in seen.case.get("contacts", [])
+                 if entry["name"] == contact), [])
+    bodies = [seen.bodies[name] for name in pair]
+    return max((measure.depth_of_rounded(plate, other, frame.x) for plate, other in zip(bodies, bodies[::-1]) if plate.is_plate
+                for frame in seen.frames), default=0.0)
+
+
 def named(seen, name):
     """The faces of a body that contacts name, together; None where one contact means all of them."""
     surfaces = {contact[key] for contact in seen.case.get("contacts", []) for key in ("apexes", "base")
@@ -462,6 +471,7 @@ OF_DEPTH = re.compile(r"deep|overlap|penetrat|inside|through|pass", re.IGNORECAS
 
 
 OF_HOURGLASS = re.compile(r"(\w+): hourglass energy reached " + NUMBER + " of the internal energy")
+OF_NODE = re.compile(r"(\w+): node \d+ went " + NUMBER + " m deep")
 OF_OVERLAP = re.compile(r"(\w+)[\w.]* and (\w+)[\w.]* overlap by " + NUMBER + " m")
 OF_DEEPER = re.compile(r"and by " + NUMBER + " m where elements are larger")
 OF_ITSELF = re.compile(r"(\w+)[\w.]* overlaps itself by " + NUMBER + " m")
@@ -540,6 +550,10 @@ def is_true(warning, seen, expected, faults):
     if (itself := OF_ITSELF.match(warning)) is not None:  # ours is the smaller part of an edge, theirs the way out
         body = seen.bodies[itself[1]]
         return max(measure.self_overlap(body, frame.x) for frame in seen.frames) > SEEN * body.depth
+    if (node := OF_NODE.match(warning)) is not None:
+        ours = depth_at_rims(seen, node[1])
+        if ours > 0 and ours / TRUE_DEPTH <= float(node[2]) <= ours * TRUE_DEPTH:
+            return True
     if OF_DEPTH.search(warning):
         claimed = [float(value) for value in re.findall(NUMBER + r" m\b", warning)]
         named = any(re.search(rf"\b{name}\b", warning) for name in seen.bodies)

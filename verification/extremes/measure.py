@@ -388,6 +388,14 @@ def through_plate(body, plate, x):
     return float(np.max(np.minimum(beyond + plate.thickness / 2, from_rim)))
 
 
+def depth_of_rounded(plate, other, x):
+    """How deep the nodes of a plate are in another body if each is a ball of the plate's thickness, as where a rim is round [m]."""
+    triangles, points = closed_surface(other, x), x[plate.nodes]
+    away = in_pieces(distances, points, triangles)
+    away[which_inside(points, triangles)] *= -1
+    return float(np.max(plate.thickness / 2 - away))
+
+
 def room(body, x):
     """How deep a point can be inside a body [m]: the largest distance of a node or of an element's middle from its surface."""
     if body.is_plate:
