@@ -64,7 +64,10 @@ std::string run_to_target(const Target& target, const std::vector<int>& known, c
       if (found == nullptr || levels.size() < looks) return;
       std::vector<Level> all = levels;
       all.push_back({refine, found->value, ran.updates, ran.seconds});
+      double updates = 0;
+      for (const Level& level : all) updates += level.updates;
       results.push_back({found->name + "_mesh_error", mesh_error(all).error, found->unit});
+      results.push_back({"element_updates_in_all", updates, "1"});
     };
     const Ran ran = run(refine, levels.size() < looks, judge);
     if (ran.status != 0) {  // a coarse mesh may fold where a finer one does not
