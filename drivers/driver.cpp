@@ -11,6 +11,7 @@
 #include "base/parallel.hpp"
 #include "base/words.hpp"
 #include "drivers/accuracy.hpp"
+#include "drivers/forecast.hpp"
 #include "drivers/recorder.hpp"
 #include "dynamics/overlaps.hpp"
 #include "dynamics/quality.hpp"
@@ -146,17 +147,14 @@ void check_inputs(const CommandLine& line, const input::CaseFile& file, output::
   });
 }
 
-/// What would be run, and what limits its step.
-int dry_run(model::Simulation& simulation, bool quiet) {
-  if (quiet) return done;
-  const dynamics::Votes& votes = dynamics::start(simulation.model, simulation.state, simulation.forces);
-  const dynamics::Step first = dynamics::choose_step(votes, simulation.time.safety);
-  print_size(simulation.model);
+void print_forecast(const dynamics::Model& model, const Forecast& forecast) {
+  print_size(model);
+  const dynamics::Step& first = forecast.expected.first;
   std::printf("first step %.4g s, limited by %s (stable step of elements %.4g s", first.dt,
-              dynamics::limited_by(first, dynamics::sources(simulation.model)).c_str(), votes.elements.step);
-  if (votes.contact.step < 1e299) std::printf(", contact %.4g s", votes.contact.step);
-  std::printf("); about %.0f steps\n", simulation.time.end / first.dt);
-  return done;
+              dynamics::limited_by(first, dynamics::sources(model)).c_str(), forecast.votes.elements.step);
+  if (forecast.votes.contact.step < 1e299) std::printf(", contact %.4g s", forecast.votes.contact.step);
+  std::printf(")\nforecast to the end of time: %s\n", in_words(forecast).c_str());
+  print(forecast.advice);
 }
 
 Ran run_case(const std::string& name, const CommandLine& line, output::RunFolder& folder, const Build& build, const Results& results,
@@ -176,7 +174,15 @@ Ran run_case(const std::string& name, const CommandLine& line, output::RunFolder
     notes.push_back(note);
     std::fprintf(stderr, "warning: %s\n", note.c_str());
   }
-  if (line.dry_run) return {dry_run(simulation, line.quiet), {}};
+  if (!line.quiet) {
+    const auto summary = [&] { return output::text_of(summarise(name, line, file, simulation, {}, results(simulation), notes)).size(); };
+    print_forecast(simulation.model, forecast(simulation, summary));
+  }
+  if (line.dry_run) return {};
+  if (!line.quiet) {  // what was rehearsed is no start of a run
+    simulation = {};
+    simulation = build(input::CaseFile::read(line.case_path, line.overrides));
+  }
 
   folder.clear();
   Recorder recorder(simulation, line.out, line.quiet);
@@ -231,7 +237,7 @@ int run_to_accuracy(const std::string& name, const CommandLine& line, output::Ru
   check_inputs(line, file, folder);
   const RunOnce run = [&](double refine, bool first_look, const Judge& judge) {
     CommandLine finer = line;
-    finer.overrides.push_back("refine=" + shortest(refine));
+    finer.overrides.push_back("refine=" + shortest(refine)), finer.quiet = true;
     return first_look ? look_at_case(finer, build, results) : run_case(name, finer, folder, build, results, judge);
   };
   const auto say = [&](const std::string& text) {
@@ -307,7 +313,7 @@ int from_command_line(int argc, char** argv, const std::string& name, bool meshe
       ->allow_extra_args(false)  // else it would swallow the case that follows it
       ->take_all();
   app.add_option("--threads", line.threads, "threads; results do not depend on them")->check(CLI::Range(1, most_threads));
-  app.add_flag("--dry-run", line.dry_run, "check the case, show initial gaps and the first step, and stop");
+  app.add_flag("--dry-run", line.dry_run, "check the case, show initial gaps, forecast the run, and stop");
   app.add_flag("--quiet", line.quiet, "print faults only");
   const auto is_part = [](const std::string& text) {
     return part_of(text) > 0 ? std::string() : "'" + text + "' is no accuracy: expected as in 2%";

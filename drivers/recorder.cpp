@@ -4,14 +4,11 @@
 
 namespace nereid::driver {
 
-namespace {
-
-output::Precision precision(const model::Recording& recording) {
+output::Precision output_precision(const model::Recording& recording) {
   return recording.full_precision ? output::Precision::full : output::Precision::single;
 }
 
-/// Those with a name, and the ledger.
-std::vector<output::Column> columns(const std::vector<dynamics::Probe>& probes, const std::vector<dynamics::Probe>& ledger) {
+std::vector<output::Column> columns_of(const std::vector<dynamics::Probe>& probes, const std::vector<dynamics::Probe>& ledger) {
   std::vector<output::Column> all;
   for (const auto* list : {&probes, &ledger})
     for (const dynamics::Probe& probe : *list)
@@ -19,27 +16,30 @@ std::vector<output::Column> columns(const std::vector<dynamics::Probe>& probes, 
   return all;
 }
 
-}  // namespace
+std::vector<double> row_of(const dynamics::View& view, const std::vector<dynamics::Probe>& probes,
+                           const std::vector<dynamics::Probe>& ledger) {
+  std::vector<double> row;
+  for (std::size_t p = 0; p < probes.size(); ++p)
+    if (!probes[p].name.empty()) row.push_back(view.now.probes[p].last);
+  dynamics::ProbeMemory none;
+  for (const dynamics::Probe& probe : ledger) row.push_back(probe.value(view, none));
+  return row;
+}
 
 Recorder::Recorder(const model::Simulation& simulation, const std::filesystem::path& out, bool quiet)
     : probes_(simulation.probes),
       ledger_(dynamics::ledger_probes(simulation.model)),
       frames_every_(simulation.recording.frames),
       progress_(simulation.time.end, quiet),
-      history_(out / "history.csv", columns(probes_, ledger_)),
-      body_(out, "body", output::GridKind::volume, precision(simulation.recording)),
-      contact_(out, "contact", output::GridKind::surface, precision(simulation.recording)),
-      walls_(out, "walls", output::GridKind::surface, precision(simulation.recording)) {}
+      history_(out / "history.csv", columns_of(probes_, ledger_)),
+      body_(out, "body", output::GridKind::volume, output_precision(simulation.recording)),
+      contact_(out, "contact", output::GridKind::surface, output_precision(simulation.recording)),
+      walls_(out, "walls", output::GridKind::surface, output_precision(simulation.recording)) {}
 
 void Recorder::operator()(const dynamics::View& view) {
   progress_.show(view.now.t, view.now.step, view.now.dt);
   if (!view.ledger_is_current) return;
-  row_.clear();
-  for (std::size_t p = 0; p < probes_.size(); ++p)
-    if (!probes_[p].name.empty()) row_.push_back(view.now.probes[p].last);
-  dynamics::ProbeMemory none;
-  for (const dynamics::Probe& probe : ledger_) row_.push_back(probe.value(view, none));
-  history_.add(view.now.t, row_);
+  history_.add(view.now.t, row_of(view, probes_, ledger_));
   const auto due = static_cast<std::int64_t>(view.now.t / frames_every_ + 1e-9);
   if (view.now.step > 0 && due <= frame_) return;
   frame_ = due;

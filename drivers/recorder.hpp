@@ -10,6 +10,12 @@
 
 namespace nereid::driver {
 
+output::Precision output_precision(const model::Recording&);
+
+/// Columns of the history behind the time: the probes with a name, and the ledger; and a row of them.
+std::vector<output::Column> columns_of(const std::vector<dynamics::Probe>&, const std::vector<dynamics::Probe>& ledger);
+std::vector<double> row_of(const dynamics::View&, const std::vector<dynamics::Probe>&, const std::vector<dynamics::Probe>& ledger);
+
 /// An observer of a run: columns are the probes of the simulation that have a name, then the ledger.
 class Recorder {
  public:
@@ -31,7 +37,6 @@ class Recorder {
   output::Progress progress_;
   output::History history_;
   output::Collection body_, contact_, walls_;
-  std::vector<double> row_;
   std::int64_t frame_ = 0;
 };
 

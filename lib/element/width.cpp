@@ -34,32 +34,49 @@ Mat3 gradient_tensor(const std::array<Vector<double>, 3>& corners) {
 }
 
 template <class Kind, class Law>
+Mat3 gradient_tensor(const Block<Kind, Law>& block, const Vectors& x, Index element) {
+  std::array<Vector<double>, Kind::nodes> corners;
+  for (int a = 0; a < Kind::nodes; ++a) {
+    const Index node = block.nodes(a, element);
+    corners[a] = {x(0, node), x(1, node), x(2, node)};
+  }
+  return gradient_tensor(corners);
+}
+
+/// The squared frequency of an element but for a factor, from the ascending eigenvalues g of B B^T.
+template <class Kind, class Law>
+double squared_frequency(const Block<Kind, Law>& block, const Vec3& g) {
+  const material::Lame lame = material::lame(block.law);
+  const double lambda = Kind::dimensions == 2 ? 2 * lame.lambda * lame.mu / (lame.lambda + 2 * lame.mu) : lame.lambda;  // of plane stress
+  return lambda * g.sum() + 2 * lame.mu * g(2);
+}
+
+/// Of all elements.
+template <class Kind, class Law>
+Scalars squared_frequencies(const Block<Kind, Law>& block, const Vectors& x) {
+  Scalars squared(block.nodes.cols());
+  Eigen::SelfAdjointEigenSolver<Mat3> solver;
+  for (Index element = 0; element < block.nodes.cols(); ++element) {
+    solver.computeDirect(gradient_tensor(block, x, element), Eigen::EigenvaluesOnly);
+    squared(element) = squared_frequency(block, solver.eigenvalues());
+  }
+  return squared;
+}
+
+template <class Kind, class Law>
 Narrowest narrowest(const Block<Kind, Law>& block, const Vectors& x) {
   const Connectivity& nodes = block.nodes;
   constexpr bool plate = Kind::dimensions == 2;
-  const material::Lame lame = material::lame(block.law);
-  const double lambda = plate ? 2 * lame.lambda * lame.mu / (lame.lambda + 2 * lame.mu) : lame.lambda;  // of plane stress
-  const auto tensor = [&](Index element) {
-    std::array<Vector<double>, Kind::nodes> corners;
-    for (int a = 0; a < Kind::nodes; ++a) {
-      const Index node = nodes(a, element);
-      corners[a] = {x(0, node), x(1, node), x(2, node)};
-    }
-    return gradient_tensor(corners);
-  };
-  const auto squared = [&](const Vec3& g) { return lambda * g.sum() + 2 * lame.mu * g(2); };
+  const auto squared = [&](const Vec3& g) { return squared_frequency(block, g); };
 
   Narrowest found;
   double most = -1;
-  Eigen::SelfAdjointEigenSolver<Mat3> solver;
-  for (Index element = 0; element < nodes.cols(); ++element) {
-    solver.computeDirect(tensor(element), Eigen::EigenvaluesOnly);
-    const double here = squared(solver.eigenvalues());
-    if (here > most) most = here, found.element = element;
-  }
+  const Scalars all = squared_frequencies(block, x);
+  for (Index element = 0; element < nodes.cols(); ++element)
+    if (all(element) > most) most = all(element), found.element = element;
   if (found.element < 0) return found;
 
-  solver.compute(tensor(found.element));
+  Eigen::SelfAdjointEigenSolver<Mat3> solver(gradient_tensor(block, x, found.element));
   const Vec3 g = solver.eigenvalues();  // ascending
   const double scale = plate ? 1.5 : 0.5;
   for (int i = 0; i < 3; ++i) found.width(i) = plate && i == 2 ? 0.0 : std::sqrt(scale / g(2 - i));
@@ -73,6 +90,11 @@ Narrowest narrowest(const Block<Kind, Law>& block, const Vectors& x) {
 
 Narrowest narrowest(const AnyBlock& any, const Vectors& x) {
   return std::visit([&x](const auto& block) { return narrowest(block, x); }, any);
+}
+
+Scalars relative_steps(const AnyBlock& any, const Vectors& x) {
+  const Scalars squared = std::visit([&x](const auto& block) { return squared_frequencies(block, x); }, any);
+  return (squared.maxCoeff() / squared.array()).sqrt();
 }
 
 }  // namespace nereid::element

@@ -21,4 +21,9 @@ struct Narrowest {
 /// (plates: 1.5 for 1/2, and the lambda of plane stress): the bound of docs/theory/hexahedron.md.
 Narrowest narrowest(const AnyBlock&, const Vectors& x);
 
+/// The stable step of each element of a block over the smallest of them, by omega(g) of the same bound. [-] [elements]
+///
+/// Votes of elements that bend stiffly also have their bending in them: of bricks up to seven times as long as wide they differ by 7 %.
+Scalars relative_steps(const AnyBlock&, const Vectors& x);
+
 }  // namespace nereid::element

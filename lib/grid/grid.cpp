@@ -248,21 +248,34 @@ vtkSmartPointer<vtkPointSet> surface_of(const Grid& grid) {
 }
 
 template <class Writer>
-void write_file(vtkPointSet& data, const std::filesystem::path& file) {
-  vtkNew<Writer> writer;
-  writer->SetFileName(file.c_str());
+vtkSmartPointer<Writer> writer_of(vtkPointSet& data) {
+  auto writer = vtkSmartPointer<Writer>::New();
   writer->SetInputData(&data);
   // Never appended: ParaView 5.11 of Debian 12 cannot read that, in any encoding.
   writer->SetDataModeToBinary();
   writer->SetCompressorTypeToZLib();
   writer->SetHeaderTypeToUInt64();
+  return writer;
+}
+
+template <class Writer>
+void write_file(vtkPointSet& data, const std::filesystem::path& file) {
+  const auto writer = writer_of<Writer>(data);
+  writer->SetFileName(file.c_str());
   if (writer->Write() != 1 || writer->GetErrorCode() != 0)
     throw MachineError("cannot write " + file.string());
 }
 
-/// Writes one frame; returns what was lost by field, in the order written.
-std::vector<Lost> write_frame(const Grid& grid, GridKind kind, Precision precision, const std::filesystem::path& file) {
-  std::vector<Lost> counts;
+template <class Writer>
+std::size_t written_bytes(vtkPointSet& data) {
+  const auto writer = writer_of<Writer>(data);
+  writer->WriteToOutputStringOn();
+  writer->Write();
+  return writer->GetOutputString().size();
+}
+
+/// One frame as VTK holds it; what was lost by field is added to `counts`, in the order written.
+vtkSmartPointer<vtkPointSet> frame_of(const Grid& grid, GridKind kind, Precision precision, std::vector<Lost>& counts) {
   const auto data = kind == GridKind::volume ? volume_of(grid) : surface_of(grid);
   vtkNew<vtkStringArray> units;
   units->SetName("units");
@@ -294,7 +307,13 @@ std::vector<Lost> write_frame(const Grid& grid, GridKind kind, Precision precisi
   time->InsertNextValue(grid.time);
   data->GetFieldData()->AddArray(time);
   data->GetFieldData()->AddArray(units);
+  return data;
+}
 
+/// Writes one frame; returns what was lost by field, in the order written.
+std::vector<Lost> write_frame(const Grid& grid, GridKind kind, Precision precision, const std::filesystem::path& file) {
+  std::vector<Lost> counts;
+  const auto data = frame_of(grid, kind, precision, counts);
   if (kind == GridKind::volume)
     write_file<vtkXMLUnstructuredGridWriter>(*data, file);
   else
@@ -411,6 +430,16 @@ Contents read_vtu(const std::filesystem::path&, std::string& fault) {
   return {};
 }
 #endif
+
+std::size_t bytes_of([[maybe_unused]] const Grid& grid, [[maybe_unused]] GridKind kind, [[maybe_unused]] Precision precision) {
+#ifdef NEREID_WITH_VTK
+  std::vector<Lost> counts;
+  const auto data = frame_of(grid, kind, precision, counts);
+  return kind == GridKind::volume ? written_bytes<vtkXMLUnstructuredGridWriter>(*data) : written_bytes<vtkXMLPolyDataWriter>(*data);
+#else
+  return 0;
+#endif
+}
 
 bool vtk_available() {
 #ifdef NEREID_WITH_VTK

@@ -81,6 +81,9 @@ class Collection {
   std::set<std::string> warned_;  ///< fields whose warnings have been given, with what was wrong
 };
 
+/// How long the file of a frame would be; zero without VTK. [bytes]
+std::size_t bytes_of(const Grid&, GridKind, Precision = Precision::single);
+
 /// The files of a collection that are in a directory: its .pvd, the draft of one, and its frames, of whatever run and kind.
 std::vector<std::filesystem::path> collection_files(const std::filesystem::path& directory, const std::string& name);
 

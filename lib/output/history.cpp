@@ -39,15 +39,28 @@ void check_columns(const std::vector<Column>& columns, const std::string& first)
 
 }  // namespace
 
+std::string head_text(const std::vector<Column>& columns, const Column& first) {
+  std::string text = first.name + " [" + first.unit + "]";
+  for (const Column& column : columns) text += "," + column.name + " [" + column.unit + "]";
+  return text + "\n";
+}
+
+void append_row(double first, std::span<const double> row, std::string& text) {
+  append_number(first, text);
+  for (const double value : row) {
+    text += ',';
+    append_number(value, text);
+  }
+  text += '\n';
+}
+
 History::History(std::filesystem::path file, std::vector<Column> columns, const Column& first)
     : file_(std::move(file)), columns_(columns.size()) {
   check_columns(columns, first.name);
   if (file_.has_parent_path()) make_folder(file_.parent_path());
   stream_.open(file_, std::ios::binary | std::ios::trunc);
   if (!stream_) throw MachineError("cannot write " + file_.string());
-  lines_ = first.name + " [" + first.unit + "]";
-  for (const Column& column : columns) lines_ += "," + column.name + " [" + column.unit + "]";
-  lines_ += "\n";
+  lines_ = head_text(columns, first);
   flush();
 }
 
@@ -60,12 +73,7 @@ void History::add(double first, std::span<const double> row) {
   if (row.size() != columns_)
     throw InternalError("history: a row of " + std::to_string(row.size()) + " values for " +
                         std::to_string(columns_) + " columns");
-  append_number(first, lines_);
-  for (const double value : row) {
-    lines_ += ',';
-    append_number(value, lines_);
-  }
-  lines_ += '\n';
+  append_row(first, row, lines_);
   if (lines_.size() > enough) write_lines();
 }
 

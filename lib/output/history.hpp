@@ -13,6 +13,10 @@ struct Column {
   std::string unit;  ///< "Pa", "m", "1" for a pure number
 };
 
+/// The first line of a history, and one more of its lines.
+std::string head_text(const std::vector<Column>& columns, const Column& first = {"time", "s"});
+void append_row(double first, std::span<const double> row, std::string& text);
+
 /// A table over time as CSV: `time [s],settlement_mean [m],...`, one row per add(); or over another number.
 ///
 /// Numbers have 17 digits, so that reading them gives the same bits; what is no number is `nan`.

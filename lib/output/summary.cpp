@@ -205,7 +205,7 @@ Provenance provenance() {
   return from;
 }
 
-void write_summary(const std::filesystem::path& directory, const Summary& summary) {
+std::string text_of(const Summary& summary) {
   const Json json = {{"driver", summary.driver},
                      {"ending", ending_of(summary.ending)},
                      {"results", results_of(summary.results)},
@@ -215,10 +215,14 @@ void write_summary(const std::filesystem::path& directory, const Summary& summar
                      {"provenance", provenance_of(summary)},
                      {"not_used", summary.not_used},
                      {"notes", summary.notes}};
-  make_folder(directory);
   // Bytes that are no UTF-8, say in a file name, must not cost the summary of a whole run.
-  replace_file(directory / "summary.json",
-               json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+void write_summary(const std::filesystem::path& directory, const Summary& summary) {
+  const std::string text = text_of(summary);
+  make_folder(directory);
+  replace_file(directory / "summary.json", text);
 }
 
 }  // namespace nereid::output

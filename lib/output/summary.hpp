@@ -67,6 +67,9 @@ struct Provenance {
 
 Provenance provenance();
 
+/// What summary.json holds. Needs names that come once, else InternalError.
+std::string text_of(const Summary&);
+
 /// Writes DIRECTORY/summary.json; in one go, so that half a summary never stands there.
 ///
 /// Every physical quantity is {"value", "unit"}; what is no number is null.

@@ -174,6 +174,14 @@ TEST_F(Fields, EqualGridsGiveEqualBytes) {
   }
 }
 
+TEST_F(Fields, KnowHowLongAFileWouldBe) {
+  for (const Precision precision : {Precision::single, Precision::full}) {
+    const fs::path folder = fresh_folder(precision == Precision::full ? "full" : "single");
+    Collection(folder, "body", GridKind::volume, precision).add(ring(1e-3));
+    EXPECT_EQ(bytes_of(ring(1e-3), GridKind::volume, precision), fs::file_size(folder / "body/body_000000.vtu"));
+  }
+}
+
 TEST_F(Fields, WhatAFileCannotHoldIsReplacedCountedAndWarnedOfOnce) {
   Collection body(fresh_folder("nan"), "body", GridKind::volume);
   Grid grid = ring(0);

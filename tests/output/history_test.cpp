@@ -52,6 +52,12 @@ TEST(History, MayCountSomethingElseThanTime) {
   EXPECT_THROW(History(file, {{"mode", "1"}}, {"mode", "1"}), InternalError);
 }
 
+TEST(History, HasLinesThatCanBeHadWithoutAFile) {
+  std::string text = head_text(two);
+  append_row(0, std::vector<double>{0.1, -203e6}, text);
+  EXPECT_EQ(text, "time [s],settlement_mean [m],interface_stress [Pa]\n0,0.10000000000000001,-203000000\n");
+}
+
 TEST(History, NotANumberHasNoSign) {
   const fs::path file = fresh_file("nan");
   History history(file, two);

@@ -28,6 +28,7 @@ std::string written(const Summary& summary) {
   std::ifstream stream(folder / "summary.json");
   std::stringstream text;
   text << stream.rdbuf();
+  EXPECT_EQ(text.str(), text_of(summary));
   std::string packed;
   bool word = false;
   for (const char c : text.str()) {

@@ -1,0 +1,172 @@
+#include "drivers/forecast.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+
+#include "base/memory.hpp"
+#include "drivers/recorder.hpp"
+#include "dynamics/overlaps.hpp"
+#include "dynamics/quality.hpp"
+
+namespace nereid::driver {
+
+namespace {
+
+constexpr int least_steps = 5, most_steps = 50;
+constexpr double long_enough = 0.02;     // [s] for the steps of a rehearsal
+constexpr double strain = 0.01;          // [-] that shaking leads to: beyond the yield point of metals
+constexpr double waves = 2.7;            // [-] in a body: no multiple of its cells
+
+double seconds_of(const std::function<void()>& work) {
+  const auto began = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+}
+
+/// Whether the nodes of a block lie at more than two places along an axis: a bar of one cell across does not, and nothing varies there.
+bool varies(const Vectors& X, const element::Connectivity& nodes, int axis) {
+  double low = 1e300, high = -1e300;
+  for (const Index node : nodes.reshaped()) low = std::min(low, X(axis, node)), high = std::max(high, X(axis, node));
+  const double close = 1e-6 * (high - low);
+  const auto between = [&](Index node) { return X(axis, node) > low + close && X(axis, node) < high - close; };
+  const auto all = nodes.reshaped();
+  return std::any_of(all.begin(), all.end(), between);
+}
+
+/// Adds waves to the velocities of all bodies, so that all that a frame shows is in motion. Where nothing varies, nothing is added.
+void shake(const dynamics::Model& model, double duration, dynamics::State& now) {
+  const Vectors& X = model.mesh.X;
+  const Vec3 size = X.rowwise().maxCoeff() - X.rowwise().minCoeff();
+  std::vector<char> shaken(static_cast<std::size_t>(X.cols()), 0);
+  for (std::size_t b = 0; b < model.blocks.size(); ++b) {
+    if (dynamics::is_rigid_block(model, b)) continue;
+    const element::Connectivity& nodes = element::nodes(model.blocks[b]);
+    Vec3 wave = Vec3::Zero();  // [1/m]
+    for (int axis = 0; axis < 3; ++axis)
+      if (varies(X, nodes, axis)) wave(axis) = 2 * pi * waves * (1 + 0.1 * axis) / size(axis);
+    const bool plates = element::rotates(model.blocks[b]);
+    if (wave.isZero(0)) wave = Vec3::Constant(2 * pi / size.norm());
+    const double speed = strain / (duration * wave.norm());
+    for (const Index node : nodes.reshaped()) {
+      if (shaken[static_cast<std::size_t>(node)]) continue;
+      shaken[static_cast<std::size_t>(node)] = 1;
+      for (int axis = 0; axis < 3; ++axis)
+        if (plates || wave(axis) > 0) now.v(axis, node) += speed * std::sin(wave.dot(X.col(node)) + axis);
+    }
+  }
+}
+
+/// What a rehearsal measures: times [s] and bytes, each of one.
+struct Costs {
+  double step = 0, row = 0, frame = 0, look = 0;
+  double row_bytes = 0, frame_bytes = 0, first_frame_bytes = 0, walls_bytes = 0, summary_bytes = 0;
+};
+
+double bytes_of_frame(const dynamics::View& view, output::Precision precision) {
+  std::size_t sum = grid::bytes_of(output::body_grid(view), output::GridKind::volume, precision);
+  sum += grid::bytes_of(output::contact_grid(view), output::GridKind::surface, precision);
+  return static_cast<double>(sum);
+}
+
+/// One line of a .pvd for each frame, and its four others.
+double bytes_of_index(const std::string& name, double frames) {
+  if (!grid::vtk_available()) return 0;
+  return 113 + frames * (71 + 2 * static_cast<double>(name.size()));
+}
+
+/// Runs on to a time, and returns what a step takes that is no row. [s]
+double seconds_of_a_step(model::Simulation& simulation, double end) {
+  std::vector<double> stamps, steps;
+  const dynamics::Observer stamp = [&stamps](const dynamics::View&) {
+    stamps.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count());
+  };
+  dynamics::Time time = simulation.time;
+  time.end = end;
+  dynamics::run(simulation.model, simulation.state, simulation.forces, time, end,
+                {.probes = simulation.probes, .observers = {&stamp, 1}, .until = {}});
+  for (std::size_t s = 1; s < stamps.size(); ++s) steps.push_back(stamps[s] - stamps[s - 1]);
+  if (steps.empty()) return 0;
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  return *middle;
+}
+
+/// Steps of the scene, then what a row, a frame and a look for overlaps take.
+///
+/// dt  [s] of a step
+/// Needs  a simulation that has been started by a run
+Costs rehearse(model::Simulation& simulation, double dt, const std::function<std::size_t()>& summary) {
+  const dynamics::Model& model = simulation.model;
+  dynamics::State& now = simulation.state;
+  dynamics::Forces& forces = simulation.forces;
+  const output::Precision precision = output_precision(simulation.recording);
+  const auto view = [&] { return dynamics::View{model, now, forces, true}; };
+  Costs costs;
+  costs.first_frame_bytes = bytes_of_frame(view(), precision);
+  costs.walls_bytes = static_cast<double>(grid::bytes_of(output::walls_grid(view()), output::GridKind::surface, precision));
+  costs.look = seconds_of([&] { dynamics::see_overlaps(model, true, 0, now, forces); });
+  costs.step = seconds_of_a_step(simulation, least_steps * dt);
+  if (costs.step * least_steps < long_enough) costs.step = seconds_of_a_step(simulation, most_steps * dt);
+  const dynamics::Pace pace{.safety = simulation.time.safety};
+  shake(model, least_steps * dynamics::choose_step(now.votes, pace.safety).dt, now);
+  for (int s = 0; s < least_steps && now.votes.volume_ratio > 0; ++s)
+    dynamics::step(model, dynamics::next_length(now.votes, pace, now.t, now.dt), pace, now, forces);
+
+  const std::vector<dynamics::Probe> ledger = dynamics::ledger_probes(model);
+  std::string text;
+  const auto add_row = [&] {
+    text.clear();
+    dynamics::update_ledger(model, now);
+    dynamics::see_hourglass_energy(model, false, now);
+    for (std::size_t p = 0; p < now.probes.size(); ++p)
+      if (!simulation.probes[p].every_step) dynamics::sample(simulation.probes[p], view(), now.probes[p]);
+    output::append_row(now.t, row_of(view(), simulation.probes, ledger), text);
+  };
+  add_row();  // the first one takes longer than all others
+  costs.row = seconds_of(add_row);
+  costs.row_bytes = static_cast<double>(text.size());
+  costs.summary_bytes = static_cast<double>(summary());
+  costs.frame = seconds_of([&] { costs.frame_bytes = bytes_of_frame(view(), precision); });
+  return costs;
+}
+
+}  // namespace
+
+Forecast forecast(model::Simulation& simulation, const std::function<std::size_t()>& summary) {
+  const dynamics::Time& time = simulation.time;
+  Forecast found;
+  dynamics::Time none = time;
+  none.end = 0;
+  // a run of no time starts it
+  dynamics::run(simulation.model, simulation.state, simulation.forces, none, time.end,
+                {.probes = simulation.probes, .observers = {}, .until = {}});
+  found.votes = simulation.state.votes;
+  found.expected = model::expected_steps(simulation);
+  found.advice = model::step_advice(simulation, found.expected);
+  for (const std::string& note : model::strain_notes(simulation)) found.advice.push_back(note);
+  found.steps = model::count(found.expected, time.end);
+  const auto times = [&](double every) { return 1 + std::min(found.steps, std::ceil(time.end / every - 1e-9)); };
+  found.rows = times(simulation.recording.history);
+  found.frames = std::min(found.rows, times(simulation.recording.frames));
+  const double looks = std::min(found.rows, times(time.audit_every));
+
+  const Costs costs = rehearse(simulation, found.expected.first.dt, summary);
+  const auto head = output::head_text(columns_of(simulation.probes, dynamics::ledger_probes(simulation.model)));
+  found.seconds = found.steps * costs.step + found.rows * costs.row + found.frames * costs.frame + looks * costs.look;
+  const double frames = costs.first_frame_bytes + (found.frames - 1) * costs.frame_bytes + costs.walls_bytes;
+  const double indices = bytes_of_index("body", found.frames) + bytes_of_index("contact", found.frames) + bytes_of_index("walls", 1);
+  found.bytes = static_cast<double>(head.size()) + found.rows * costs.row_bytes + frames + indices + costs.summary_bytes;
+  found.memory = most_resident();
+  return found;
+}
+
+std::string in_words(const Forecast& forecast) {
+  char text[200];
+  std::snprintf(text, sizeof text, "%.0f steps, %.3g s, %.0f rows, %.0f frames, %.5g MB of files, %.5g MB of memory", forecast.steps,
+                forecast.seconds, forecast.rows, forecast.frames, forecast.bytes / 1e6, forecast.memory / 1e6);
+  return text;
+}
+
+}  // namespace nereid::driver

@@ -1,0 +1,146 @@
+#include "model/advice.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <tuple>
+
+#include "element/width.hpp"
+
+namespace nereid::model {
+
+namespace {
+
+constexpr double worth_saying = 1.5;  // [-] times as many steps
+
+std::string row(const char* format, auto... values) {
+  std::array<char, 300> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), format, values...);
+  return buffer.data();
+}
+
+/// The largest step of an interface by a penalty once its lowest apexes touch. [s]
+double step_in_touch(const Simulation& simulation, std::size_t c) {
+  const dynamics::Model& model = simulation.model;
+  const contact::Interface& interface = model.interfaces[c];
+  const contact::InitialGaps& gaps = simulation.gaps[c];
+  if (contact::by_multipliers(interface) || gaps.apexes == gaps.without_base || interface.contact_height.size() == 0) return 1e300;
+  const double reach = std::max(gaps.least, 0.0) + interface.contact_height.maxCoeff() + interface.depth;
+  contact::Workspace workspace(interface);
+  const contact::Memory touching = contact::tried_out(interface, simulation.state.x, reach, workspace);
+  return contact::stable_step(interface, model.mass, model.inertia, touching, workspace).step;
+}
+
+/// One element and its stable step.
+struct Sized {
+  double step;  // [s]
+  std::size_t block;
+  Index element;
+};
+
+/// The elements of all blocks that set steps, smallest steps first.
+std::vector<Sized> by_step(const Simulation& simulation) {
+  std::vector<Sized> all;
+  for (std::size_t b = 0; b < simulation.model.blocks.size(); ++b) {
+    if (dynamics::is_rigid_block(simulation.model, b)) continue;
+    double smallest = 1e300;
+    for (const element::TileReport& tile : simulation.forces.reports[b]) smallest = std::min(smallest, tile.step);
+    const Scalars relative = element::relative_steps(simulation.model.blocks[b], simulation.state.x);
+    for (Index e = 0; e < static_cast<Index>(relative.size()); ++e) all.push_back({smallest * relative(e), b, e});
+  }
+  std::sort(all.begin(), all.end(), [](const Sized& one, const Sized& other) {
+    return std::tie(one.step, one.block, one.element) < std::tie(other.step, other.block, other.element);
+  });
+  return all;
+}
+
+/// How many of the elements are few and much smaller than the others; zero: none.
+std::size_t few(const std::vector<Sized>& all) {
+  const std::size_t most = std::max<std::size_t>(1, all.size() / 20);
+  if (all.size() < 2) return 0;
+  std::size_t found = 0;
+  double widest = 1;
+  for (std::size_t n = 1; n <= most; ++n)
+    if (all[n].step > widest * all[n - 1].step) widest = all[n].step / all[n - 1].step, found = n;
+  return found > 0 && all[found].step > worth_saying * all[0].step ? found : 0;
+}
+
+std::vector<std::string> element_advice(const Simulation& simulation, const ExpectedSteps& expected) {
+  const dynamics::Votes& votes = simulation.state.votes;
+  if (expected.dt < expected.elements || votes.elements.source >= static_cast<int>(simulation.model.blocks.size())) return {};
+  const std::vector<Sized> all = by_step(simulation);
+  const std::size_t n = few(all);
+  if (n == 0) return {};
+  const double then = std::min(simulation.time.safety * all[n].step, votes.contact.step) / expected.dt;
+  if (!(then > worth_saying)) return {};
+  const char* body = element::name(simulation.model.blocks[all[0].block]).c_str();
+  if (n == 1) return {row("element %d of '%s' sets the step; without it the step is about %.2g times larger", all[0].element, body, then)};
+  return {row("element %d of '%s' and %zu more set the step; without these %zu of %zu elements the step is about %.2g times larger",
+              all[0].element, body, n - 1, n, all.size(), then)};
+}
+
+/// Stress at which a block begins to flow, times its volume; zero of what is elastic. [J]
+double plastic_capacity(const element::AnyBlock& any) {
+  return std::visit(
+      [&any]<class Kind, class Law>(const element::Block<Kind, Law>& block) {
+        const auto fresh = material::fresh<double, Symmetric>(block.law);
+        if constexpr (requires { yield_stress(block.law, fresh.scalar); })
+          return yield_stress(block.law, fresh.scalar) * element::element_masses(any).sum() / block.law.density;
+        return 0.0;
+      },
+      any);
+}
+
+}  // namespace
+
+ExpectedSteps expected_steps(const Simulation& simulation) {
+  const dynamics::Model& model = simulation.model;
+  const dynamics::State& now = simulation.state;
+  ExpectedSteps expected;
+  expected.first = dynamics::choose_step(now.votes, simulation.time.safety);
+  expected.elements = simulation.time.safety * now.votes.elements.step;
+  if (!model.rigid_bodies.empty()) expected.elements = std::min(expected.elements, model.longest_step);
+  expected.dt = expected.first.dt;
+  for (std::size_t c = 0; c < model.interfaces.size(); ++c) expected.interfaces.push_back(step_in_touch(simulation, c));
+  for (std::size_t p = 0; p < model.rigid_planes.size(); ++p) {
+    const contact::RigidPlane& plane = model.rigid_planes[p];
+    const bool none = contact::by_multipliers(plane);
+    expected.rigid_planes.push_back(none ? 1e300 : contact::stable_step(plane, model.mass, now.rigid_planes[p].step_factor).step);
+  }
+  for (const double step : expected.interfaces) expected.dt = std::min(expected.dt, step);
+  return expected;
+}
+
+double count(const ExpectedSteps& expected, double end) { return std::ceil(end / expected.dt - 1e-9); }
+
+std::vector<std::string> step_advice(const Simulation& simulation, const ExpectedSteps& expected) {
+  std::vector<std::string> advice;
+  const auto look = [&](const char* what, const std::string& name, double step) {
+    if (step * worth_saying < expected.elements)
+      advice.push_back(row("%s '%s' makes this run %.3g times longer than its elements; 'method: multiplier' would not", what, name.c_str(),
+                           expected.elements / step));
+  };
+  for (std::size_t c = 0; c < expected.interfaces.size(); ++c) {
+    const contact::Interface& interface = simulation.model.interfaces[c];
+    if (interface.pass != contact::Pass::back) look("contact", interface.name, expected.interfaces[c]);
+  }
+  for (std::size_t p = 0; p < expected.rigid_planes.size(); ++p)
+    look("rigid plane", simulation.model.rigid_planes[p].name, expected.rigid_planes[p]);
+  for (const std::string& line : element_advice(simulation, expected)) advice.push_back(line);
+  return advice;
+}
+
+std::vector<std::string> strain_notes(const Simulation& simulation) {
+  constexpr double worth_a_note = 0.05;
+  double capacity = 0;
+  for (std::size_t b = 0; b < simulation.model.blocks.size(); ++b)
+    if (!dynamics::is_rigid_block(simulation.model, b)) capacity += plastic_capacity(simulation.model.blocks[b]);
+  const double part = simulation.state.ledger.initial_available / capacity;
+  if (!(capacity > 0 && part > worth_a_note)) return {};
+  return {row("the kinetic energy at the start is %.3g of yield stress times volume: elements may be strained by as much and more, and the "
+              "forecast does not know how that changes the step",
+              part)};
+}
+
+}  // namespace nereid::model
