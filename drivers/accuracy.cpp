@@ -52,7 +52,8 @@ double part_of(const std::string& text) {
 std::string run_to_target(const Target& target, const std::vector<int>& known, const RunOnce& run,
                           const std::function<void(const std::string&)>& say, int& status) {
   constexpr std::size_t looks = 2;  // before the third mesh nothing can be said of an error
-  if (known.empty()) return "the case has no counts of cells to make finer";
+  constexpr int bad_case = 2;
+  if (known.empty()) return status = bad_case, "the case has no counts of cells to make finer";
   const std::vector<double> even = even_factors(known);
   std::vector<Level> levels;
   std::string name = target.of;
@@ -73,11 +74,11 @@ std::string run_to_target(const Target& target, const std::vector<int>& known, c
     if (ran.status != 0) {  // a coarse mesh may fold where a finer one does not
       status = ran.status;
       if (++stopped > static_cast<int>(looks) || levels.size() >= looks) return "the run with refine " + rounded(refine) + " stopped";
-      refine = *std::upper_bound(even.begin(), even.end(), 1.4 * refine);
+      refine = *std::upper_bound(even.begin(), even.end(), 1.5 * refine);
       continue;
     }
     const output::Result* found = find(ran.results, name);
-    if (found == nullptr) return quote(name) + " is no result of this case; there are " + names_of(ran.results);
+    if (found == nullptr) return status = bad_case, quote(name) + " is no result of this case; there are " + names_of(ran.results);
     if (!std::isfinite(found->value)) return quote(found->name) + " is no number with refine " + rounded(refine);
     name = found->name;
     levels.push_back({refine, found->value, ran.updates, ran.seconds});

@@ -21,7 +21,7 @@ struct MeshError {
 
 /// The error of the finest level by the finest three, whose ratios need not be equal.
 ///
-///     1.25 |f2 - f1| / ((h2/h1)^p - 1),   p at most 2,   (f3 - f2)/(f2 - f1) = (h3^p - h2^p)/(h2^p - h1^p)
+///     1.25 |f2 - f1| / ((h2/h1)^p - 1),   p at most 3/2,   (f3 - f2)/(f2 - f1) = (h3^p - h2^p)/(h2^p - h1^p)
 ///
 /// Where there is no p between 0.5 and 3, it is three times the spread of the three (Roache 1994).
 ///

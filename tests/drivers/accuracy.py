@@ -1,0 +1,66 @@
+"""What `--accuracy 2%` does, seen from outside: meshes that become finer, an estimate within the target, and clear refusals.
+
+    python3 tests/drivers/accuracy.py DRIVERS      DRIVERS: the folder with the programs
+"""
+import json
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+BARS = ROOT / "cases/two_blocks/bars.yaml"
+LINE = re.compile(r"^refine ([\d.]+): contact_time = ([\d.e-]+) s(?:, estimated error ([\d.e-]+) %)?$", re.MULTILINE)
+
+
+class Accuracy(unittest.TestCase):
+    drivers = None
+
+    def ask(self, *words):
+        """(status, what it said, what it complained of, results of the summary)"""
+        with tempfile.TemporaryDirectory() as folder:
+            done = subprocess.run([Accuracy.drivers / "two_blocks", BARS, "--out", f"{folder}/out", *words], capture_output=True, text=True,
+                                  check=False)
+            summary = Path(folder) / "out/summary.json"
+            results = json.loads(summary.read_text(encoding="utf-8"))["results"] if summary.is_file() else {}
+        return done.returncode, done.stdout, done.stderr, results
+
+    def test_meshes_become_finer_until_the_estimate_is_within_the_target(self):
+        for target in (2.0, 0.3):
+            status, said, _, results = self.ask("--accuracy", f"{target}%", "--of", "contact_time")
+            self.assertEqual(status, 0)
+            lines = LINE.findall(said)
+            factors = [float(factor) for factor, *_ in lines]
+            self.assertEqual(factors, sorted(set(factors)))
+            self.assertEqual([bool(error) for *_, error in lines], [False, False] + [True] * (len(lines) - 2))
+            part = results["contact_time_mesh_error"]["value"] / results["contact_time"]["value"]
+            self.assertLessEqual(part, target / 100)
+            self.assertAlmostEqual(100 * part, float(lines[-1][2]), delta=0.06 * target)
+            for *_, error in lines[2:-1]:
+                self.assertGreater(float(error), target)
+
+    def test_the_last_run_is_that_of_its_refine(self):
+        status, said, _, results = self.ask("--accuracy", "2%", "--of", "contact_time")
+        self.assertEqual(status, 0)
+        _, _, _, alone = self.ask("--set", f"refine={LINE.findall(said)[-1][0]}")
+        self.assertAlmostEqual(results["contact_time"]["value"] / alone["contact_time"]["value"], 1, delta=1e-5)
+
+    def test_a_target_that_takes_too_long_is_refused_before_the_run(self):
+        status, _, complaint, _ = self.ask("--accuracy", "0.01%", "--of", "contact_time", "--longest", "1e-6")
+        self.assertEqual(status, 3)
+        self.assertRegex(complaint, r"0\.01% is not reached: the next mesh, refine [\d.]+, would take about 1 min")
+
+    def test_what_is_no_result_or_no_target_is_a_fault(self):
+        status, _, complaint, _ = self.ask("--accuracy", "2%", "--of", "velocity")
+        self.assertEqual(status, 2)
+        self.assertIn("velocity_A", complaint)
+        for words in (("--accuracy", "two"), ("--accuracy", "200%"), ("--of", "contact_time"), ("--accuracy", "2%", "--dry-run"),
+                      ("--accuracy", "2%", "--set", "refine=2")):
+            self.assertEqual(self.ask(*words)[0], 2, words)
+
+
+if __name__ == "__main__":
+    Accuracy.drivers = Path(sys.argv.pop(1)).resolve()
+    unittest.main()
