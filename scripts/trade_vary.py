@@ -17,7 +17,6 @@ import re
 import subprocess
 from pathlib import Path
 
-import sensitivity
 import trade_points as points
 import verify
 from runs import ROOT, CannotRun
@@ -152,7 +151,8 @@ def dry_run(definition, drivers, settings):
 # Points
 
 def points_of(inputs, number, sampling, seed):
-    """number points u in [-1, 1]^inputs. Sobol's sequence keeps its balance with a power of two, which the number is raised to."""
+    """Points u in [-1, 1]^inputs, as many as asked for; of Sobol's sequence a power of two, which keeps its balance."""
+    import sensitivity  # needs numpy, which a sweep does not
     try:
         from scipy.stats import qmc
     except ImportError as error:
@@ -219,6 +219,7 @@ def value_of(result, run):
 
 def studies_of(sweep, rows, base):
     """The Study of each result; base is the run of the case itself, and the references of the sweep are set."""
+    import sensitivity
     good = [row for row in rows if row.ending == "good"]
     u = [row.u for row in good]
     found = []
