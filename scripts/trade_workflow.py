@@ -20,7 +20,7 @@ from pathlib import Path
 from runs import ROOT, CannotRun, Store, digest, digest_of_case
 
 FEW = 4    # stages of a study or of values alone: the case, its references, the rest, and one that needs nothing
-MANY = 12  # with pairs and six rounds of finer meshes
+MANY = 14  # with pairs and six rounds of finer meshes, and some to spare
 
 SNAKEFILE = """# Written by scripts/trade --snakemake; in this folder: snakemake --cores N
 TRADE = {trade}
