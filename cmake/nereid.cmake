@@ -96,9 +96,10 @@ endfunction()
 # One program per question, drivers/<name>.cpp; what they share stands in drivers/driver.cpp and recorder.cpp.
 function(nereid_drivers)
   file(GLOB names CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/drivers ${PROJECT_SOURCE_DIR}/drivers/*.cpp)
-  list(REMOVE_ITEM names driver.cpp recorder.cpp)
+  list(REMOVE_ITEM names accuracy.cpp driver.cpp recorder.cpp)
   list(TRANSFORM names REPLACE "\\.cpp$" "")
-  add_library(nereid_driver STATIC ${PROJECT_SOURCE_DIR}/drivers/driver.cpp ${PROJECT_SOURCE_DIR}/drivers/recorder.cpp)
+  add_library(nereid_driver STATIC ${PROJECT_SOURCE_DIR}/drivers/accuracy.cpp ${PROJECT_SOURCE_DIR}/drivers/driver.cpp
+              ${PROJECT_SOURCE_DIR}/drivers/recorder.cpp)
   target_link_libraries(nereid_driver PUBLIC nereid::input nereid::output PRIVATE CLI11::CLI11)
   add_custom_target(drivers DEPENDS ${names})
   foreach(name ${names})

@@ -10,6 +10,7 @@
 #include "base/check.hpp"
 #include "base/parallel.hpp"
 #include "base/words.hpp"
+#include "drivers/accuracy.hpp"
 #include "drivers/recorder.hpp"
 #include "dynamics/overlaps.hpp"
 #include "dynamics/quality.hpp"
@@ -29,6 +30,8 @@ struct CommandLine {
   std::vector<std::string> overrides;
   int threads = 0;
   bool dry_run = false, quiet = false;
+  std::string accuracy, of;  ///< a target, as in 2%, and the result it is of
+  double longest = 60;       ///< [min] that a run may take to meet it, as foreseen
 };
 
 /// The part of a summary that does not depend on what was computed.
@@ -156,7 +159,8 @@ int dry_run(model::Simulation& simulation, bool quiet) {
   return done;
 }
 
-int run_case(const std::string& name, const CommandLine& line, output::RunFolder& folder, const Build& build, const Results& results) {
+Ran run_case(const std::string& name, const CommandLine& line, output::RunFolder& folder, const Build& build, const Results& results,
+             const Judge& judge = {}) {
   if (line.threads > 0) use_threads(line.threads);
   const input::CaseFile file = input::CaseFile::read(line.case_path, line.overrides);
   model::Simulation simulation = build(file);
@@ -165,13 +169,14 @@ int run_case(const std::string& name, const CommandLine& line, output::RunFolder
   for (const std::string& note : model::width_notes(simulation)) notes.push_back(note);
   if (!line.quiet) {
     print_not_used(file);
+    print(file.preset_lines());
     print(notes);
   }
   for (const std::string& note : model::coarseness_notes(simulation)) {
     notes.push_back(note);
     std::fprintf(stderr, "warning: %s\n", note.c_str());
   }
-  if (line.dry_run) return dry_run(simulation, line.quiet);
+  if (line.dry_run) return {dry_run(simulation, line.quiet), {}};
 
   folder.clear();
   Recorder recorder(simulation, line.out, line.quiet);
@@ -192,18 +197,51 @@ int run_case(const std::string& name, const CommandLine& line, output::RunFolder
   const std::vector<std::string> of_steps = model::step_notes(simulation);
   notes.insert(notes.end(), of_steps.begin(), of_steps.end());
   if (!line.quiet) print(of_steps);
-  const output::Summary summary = summarise(name, line, file, simulation, outcome, results(simulation), notes);
+  Ran ran{done, results(simulation), static_cast<double>(outcome.element_updates), outcome.wall_seconds};
+  if (judge) judge(ran, ran.results);
+  const output::Summary summary = summarise(name, line, file, simulation, outcome, ran.results, notes);
   output::write_summary(line.out, summary);
   if (!line.quiet) {
     print(summary.results);
     std::printf("%ld steps in %.2f s, %.1f ns per element update; results in %s\n", static_cast<long>(summary.cost.steps),
                 outcome.wall_seconds, summary.cost.nanoseconds_per_element_update, line.out.c_str());
   }
-  if (dynamics::good(outcome.ending)) return done;
+  if (dynamics::good(outcome.ending)) return ran;
+  ran.status = stopped;
   std::fprintf(stderr, "%s: stopped at %.6g s: %s%s%s: %s\n", name.c_str(), simulation.state.t, summary.ending.word.c_str(),
                outcome.block.empty() ? "" : (" in " + outcome.block).c_str(),
                outcome.element < 0 ? "" : (", element " + std::to_string(outcome.element)).c_str(), outcome.reason.c_str());
-  return stopped;
+  return ran;
+}
+
+/// The same without files and words.
+Ran look_at_case(const CommandLine& line, const Build& build, const Results& results) {
+  const input::CaseFile file = input::CaseFile::read(line.case_path, line.overrides);
+  model::Simulation simulation = build(file);
+  const dynamics::Outcome outcome = model::run(simulation, {});
+  return {dynamics::good(outcome.ending) ? done : stopped, results(simulation), static_cast<double>(outcome.element_updates),
+          outcome.wall_seconds};
+}
+
+int run_to_accuracy(const std::string& name, const CommandLine& line, output::RunFolder& folder, const Build& build,
+                    const Results& results) {
+  const Target target{part_of(line.accuracy), line.of, 60 * line.longest};
+  const input::CaseFile file = input::CaseFile::read(line.case_path, line.overrides);
+  build(file);  // its faults come first
+  check_inputs(line, file, folder);
+  const RunOnce run = [&](double refine, bool first_look, const Judge& judge) {
+    CommandLine finer = line;
+    finer.overrides.push_back("refine=" + shortest(refine));
+    return first_look ? look_at_case(finer, build, results) : run_case(name, finer, folder, build, results, judge);
+  };
+  const auto say = [&](const std::string& text) {
+    if (!line.quiet) std::printf("%s\n", text.c_str());
+  };
+  int status = done;
+  const std::string why = run_to_target(target, file.counts_of_cells(), run, say, status);
+  if (why.empty()) return done;
+  std::fprintf(stderr, "%s: %s is not reached: %s\n", name.c_str(), line.accuracy.c_str(), why.c_str());
+  return status == done ? stopped : status;
 }
 
 /// An answer that is no number is none.
@@ -253,7 +291,9 @@ int answer_case(const std::string& name, const CommandLine& line, output::RunFol
 }
 
 /// Reads the command line, and turns what `work` throws into words and an exit status.
-int from_command_line(int argc, char** argv, const std::string& name,
+///
+/// meshes  whether the program may be asked for an accuracy
+int from_command_line(int argc, char** argv, const std::string& name, bool meshes,
                       const std::function<int(const CommandLine&, output::RunFolder&)>& work) {
   CommandLine line;
   CLI::App app("Nereid " + name, name);
@@ -269,6 +309,16 @@ int from_command_line(int argc, char** argv, const std::string& name,
   app.add_option("--threads", line.threads, "threads; results do not depend on them")->check(CLI::Range(1, most_threads));
   app.add_flag("--dry-run", line.dry_run, "check the case, show initial gaps and the first step, and stop");
   app.add_flag("--quiet", line.quiet, "print faults only");
+  const auto is_part = [](const std::string& text) {
+    return part_of(text) > 0 ? std::string() : "'" + text + "' is no accuracy: expected as in 2%";
+  };
+  if (meshes) {
+    const auto accuracy = app.add_option("--accuracy", line.accuracy, "as in 2%: run on finer meshes until a result is that close")
+                              ->check(is_part)->excludes("--dry-run");
+    app.add_option("--of", line.of, "the result that is meant; the first without it")->needs(accuracy);
+    app.add_option("--longest", line.longest, "minutes that a run may take to get there, as foreseen")->needs(accuracy)
+        ->check(CLI::PositiveNumber)->capture_default_str();
+  }
   try {
     app.parse(argc, argv);
     if (line.out.empty() && !line.dry_run) throw CLI::RequiredError("--out");
@@ -298,12 +348,14 @@ int from_command_line(int argc, char** argv, const std::string& name,
 }  // namespace
 
 int drive(int argc, char** argv, const std::string& name, const Build& build, const Results& results) {
-  return from_command_line(argc, argv, name,
-                           [&](const auto& line, auto& folder) { return run_case(name, line, folder, build, results); });
+  return from_command_line(argc, argv, name, true, [&](const auto& line, auto& folder) {
+    return line.accuracy.empty() ? run_case(name, line, folder, build, results).status
+                                 : run_to_accuracy(name, line, folder, build, results);
+  });
 }
 
 int answer(int argc, char** argv, const std::string& name, const Plan& plan) {
-  return from_command_line(argc, argv, name, [&](const auto& line, auto& folder) { return answer_case(name, line, folder, plan); });
+  return from_command_line(argc, argv, name, false, [&](const auto& line, auto& folder) { return answer_case(name, line, folder, plan); });
 }
 
 }  // namespace nereid::driver

@@ -127,6 +127,29 @@ void Document::fault(const std::string& path, std::string message, std::string h
   findings.push_back({place, std::move(message), std::move(hint)});
 }
 
+Entry* Document::from_preset(Node& section, const std::string& section_path, std::string_view key) {
+  const Setting* setting = preset == nullptr ? nullptr : find_setting(*preset, section_path, key);
+  if (setting == nullptr) return nullptr;
+  section.entries.push_back(std::make_unique<Entry>());
+  Entry& entry = *section.entries.back();
+  entry.key = key;
+  entry.place = preset_place;
+  entry.of_preset = true;
+  entry.value = std::make_unique<Node>();
+  entry.value->kind = Node::Kind::scalar;
+  entry.value->place = preset_place;
+  entry.value->text = setting->value;
+  of_preset_.emplace_back(join(section_path, entry.key), &entry);
+  return &entry;
+}
+
+std::vector<std::string> Document::preset_lines() const {
+  std::vector<std::string> lines;
+  for (const auto& [path, entry] : of_preset_)
+    if (entry->used) lines.push_back(path + " = " + entry->value->text);
+  return lines;
+}
+
 bool Document::sound() const {
   return std::all_of(findings.begin(), findings.end(),
                      [](const Finding& finding) { return finding.tentative != nullptr; });
@@ -281,6 +304,7 @@ void Document::find_not_used(const Node& node, const std::string& path,
   }
   for (const auto& entry : node.entries) {
     const std::string here = join(path, entry->key);
+    if (entry->of_preset) continue;
     if (entry->asked && !entry->used) {
       result.push_back(here + " (" + text_of(entry->place) + ")");
     } else if (entry->asked) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/resolved.hpp"
+#include "input/preset.hpp"
 #include "input/section.hpp"
 #include "input/yaml.hpp"
 
@@ -33,6 +34,11 @@ class Document {
   void throw_if_any() const;
   std::vector<std::string> not_used() const;
 
+  /// What the preset says of a key that a section does not have, as if it had it; null if it says nothing.
+  Entry* from_preset(Node& section, const std::string& section_path, std::string_view key);
+  /// `path = value` of all that the preset has set and a reader uses.
+  std::vector<std::string> preset_lines() const;
+
   /// A value that looks like 'key:value' was meant to be a key.
   static std::string colon_hint(const Node& node);
 
@@ -43,6 +49,11 @@ class Document {
     std::string path;
     Place place;
   };
+
+  const Preset* preset = nullptr;   // of `accuracy`
+  Place preset_place;
+  double refine = 1;                // what counts of cells were multiplied by
+  std::vector<int> counts_of_cells; // those above one, before
 
   std::vector<NamedFile> files;
   std::vector<Finding> findings;
@@ -61,6 +72,7 @@ class Document {
   std::deque<Source> sources_;
   std::unique_ptr<Node> root_;
   std::deque<Node> extra_;
+  std::vector<std::pair<std::string, const Entry*>> of_preset_;
   std::map<std::string, int> set_;  // path: number of the override
 };
 

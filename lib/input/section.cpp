@@ -20,6 +20,8 @@ namespace nereid::input {
 
 namespace {
 
+constexpr double most_refined = 64;  // [-] a count of cells is multiplied by no more, and divided
+
 /// A value as it may be shown within a message of one line.
 std::string shown(const Node& scalar) {
   constexpr std::size_t longest = 60;
@@ -74,6 +76,7 @@ Entry* Section::ask(std::string_view key) const {
   auto& known = node_->known;
   if (std::find(known.begin(), known.end(), key) == known.end()) known.emplace_back(key);
   Entry* entry = find(*node_, key);
+  if (entry == nullptr) entry = document_->from_preset(*node_, path_, key);
   if (entry != nullptr) entry->asked = true;
   return entry;
 }
@@ -624,7 +627,36 @@ CaseFile CaseFile::read(const std::string& path, const std::vector<std::string>&
 
 CaseFile CaseFile::parse(const std::string& text, const std::string& path,
                          const std::vector<std::string>& overrides) {
-  return CaseFile(std::make_shared<Document>(path, text, overrides));
+  CaseFile file(std::make_shared<Document>(path, text, overrides));
+  file.set_accuracy();
+  return file;
+}
+
+void CaseFile::set_accuracy() {
+  const Section root = this->root();
+  const auto has = [this](std::string_view key) { return find(*document_->root(), key) != nullptr; };
+  std::vector<std::string> names;
+  for (const Preset& preset : presets()) names.emplace_back(preset.name);
+  const Preset* preset = has("accuracy") ? find_preset(root.choice("accuracy", names)) : nullptr;
+  const double of_preset = preset == nullptr ? 1 : preset->refine;
+  document_->refine = has("refine") ? root.number("refine", within(1.0 / most_refined, most_refined)) : of_preset;
+  const bool refined = refine(*document_->root(), document_->refine, document_->counts_of_cells);
+  if (!refined && has("refine")) root.fault("refine", "'refine' multiplies counts of cells, and this case has none");
+  if (preset == nullptr) return;
+  document_->preset_place = find(*document_->root(), "accuracy")->value->place;
+  document_->preset = preset;
+}
+
+double CaseFile::refine_factor() const { return document_->refine; }
+
+const std::vector<int>& CaseFile::counts_of_cells() const { return document_->counts_of_cells; }
+
+std::vector<std::string> CaseFile::preset_lines() const {
+  if (document_->preset == nullptr) return {};
+  const std::string name = "accuracy " + std::string(document_->preset->name);
+  std::vector<std::string> lines{name + ": counts of cells times " + shortest(document_->refine)};
+  for (const std::string& line : document_->preset_lines()) lines.push_back(name + ": " + line);
+  return lines;
 }
 
 Section CaseFile::root() const { return {document_, document_->root(), "", Section::Use::used}; }

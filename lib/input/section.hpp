@@ -246,6 +246,15 @@ class CaseFile {
   /// Keys that the chosen kinds do not use, as in "contact.penalty_scale (cases/bars.yaml:12:5)".
   std::vector<std::string> not_used() const;
 
+  /// What counts of cells were multiplied by: `refine` of the case, else that of its preset `accuracy`, else 1. [-]
+  double refine_factor() const;
+
+  /// Counts of cells above one, as they stand in the case.
+  const std::vector<int>& counts_of_cells() const;
+
+  /// What the preset `accuracy` has set, a line each; nothing without one. Needs all reading done.
+  std::vector<std::string> preset_lines() const;
+
   /// Every value that is used, defaults included, in the order of reading.
   const std::vector<Resolved>& resolved() const;
 
@@ -257,6 +266,7 @@ class CaseFile {
 
  private:
   explicit CaseFile(std::shared_ptr<Document> document) : document_(std::move(document)) {}
+  void set_accuracy();
   std::shared_ptr<Document> document_;
 };
 

@@ -41,6 +41,7 @@ struct Entry {
   Place place;  // of the key
   std::unique_ptr<Node> value;
 
+  bool of_preset = false;  // the case does not have it
   bool asked = false;   // a reader knows the key
   bool used = false;    // and needs its value, or might
   bool needed = false;  // by the chosen kind

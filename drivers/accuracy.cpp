@@ -1,0 +1,103 @@
+#include "drivers/accuracy.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "base/words.hpp"
+
+namespace nereid::driver {
+
+namespace {
+
+std::string percent(double part) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2g %%", 100 * part);
+  return text;
+}
+
+std::string rounded(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
+/// The result of a name, or the first that is a number and not zero; null if there is none.
+const output::Result* find(const std::vector<output::Result>& results, const std::string& name) {
+  for (const output::Result& result : results)
+    if (name.empty() ? std::isfinite(result.value) && result.value != 0 : result.name == name) return &result;
+  return nullptr;
+}
+
+std::string names_of(const std::vector<output::Result>& results) {
+  std::vector<std::string> names;
+  for (const output::Result& result : results) names.push_back(result.name);
+  return listed(names);
+}
+
+}  // namespace
+
+double part_of(const std::string& text) {
+  double value = 0;
+  const char* last = text.data() + text.size();
+  const auto read = std::from_chars(text.data(), last, value);
+  if (read.ec != std::errc{}) return 0;
+  std::string_view unit(read.ptr, static_cast<std::size_t>(last - read.ptr));
+  while (!unit.empty() && unit.front() == ' ') unit.remove_prefix(1);
+  if (!unit.empty() && unit != "%") return 0;
+  const double part = unit.empty() ? value : value / 100;
+  return part > 0 && part < 1 ? part : 0;
+}
+
+std::string run_to_target(const Target& target, const std::vector<int>& known, const RunOnce& run,
+                          const std::function<void(const std::string&)>& say, int& status) {
+  constexpr std::size_t looks = 2;  // before the third mesh nothing can be said of an error
+  if (known.empty()) return "the case has no counts of cells to make finer";
+  const std::vector<double> even = even_factors(known);
+  std::vector<Level> levels;
+  std::string name = target.of;
+  double refine = first_factor(even, known);
+  for (int stopped = 0; refine > 0;) {
+    double error = 0;
+    const Judge judge = [&](const Ran& ran, std::vector<output::Result>& results) {
+      const output::Result* found = find(ran.results, name);
+      if (found == nullptr || levels.size() < looks) return;
+      std::vector<Level> all = levels;
+      all.push_back({refine, found->value, ran.updates, ran.seconds});
+      double updates = 0;
+      for (const Level& level : all) updates += level.updates;
+      results.push_back({found->name + "_mesh_error", mesh_error(all).error, found->unit});
+      results.push_back({"element_updates_in_all", updates, "1"});
+    };
+    const Ran ran = run(refine, levels.size() < looks, judge);
+    if (ran.status != 0) {  // a coarse mesh may fold where a finer one does not
+      status = ran.status;
+      if (++stopped > static_cast<int>(looks) || levels.size() >= looks) return "the run with refine " + rounded(refine) + " stopped";
+      refine = *std::upper_bound(even.begin(), even.end(), 1.4 * refine);
+      continue;
+    }
+    const output::Result* found = find(ran.results, name);
+    if (found == nullptr) return quote(name) + " is no result of this case; there are " + names_of(ran.results);
+    if (!std::isfinite(found->value)) return quote(found->name) + " is no number with refine " + rounded(refine);
+    name = found->name;
+    levels.push_back({refine, found->value, ran.updates, ran.seconds});
+    std::string line = "refine " + rounded(refine) + ": " + name + " = " + rounded(found->value) + " " + found->unit;
+    const double wanted = target.part * std::abs(found->value);
+    if (levels.size() > looks) {
+      error = mesh_error(levels).error;
+      line += ", estimated error " + (found->value != 0 ? percent(error / std::abs(found->value)) : rounded(error) + " " + found->unit);
+    }
+    say(line);
+    status = 0;
+    if (levels.size() > looks && error <= wanted) return "";
+    if (levels.size() > looks && !(wanted > 0)) return name + " is zero, so no part of it can be asked for";
+    const double next = next_factor(even, levels, wanted);
+    const double seconds = next > 0 ? levels.back().seconds * updates_at(levels, next) / std::max(1.0, levels.back().updates) : 0;
+    if (seconds > target.longest)
+      return "the next mesh, refine " + rounded(next) + ", would take about " + rounded(std::ceil(seconds / 60)) + " min";
+    refine = next;
+  }
+  return "no finer mesh keeps the proportions of the cells";
+}
+
+}  // namespace nereid::driver

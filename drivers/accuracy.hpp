@@ -1,0 +1,45 @@
+#pragma once
+// --accuracy 2% --of RESULT: the same case on finer and finer meshes, until the error of a result is within a target.
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "base/convergence.hpp"
+#include "output/summary.hpp"
+
+namespace nereid::driver {
+
+struct Target {
+  double part = 0;       ///< [-] of the result; zero: none is asked for
+  std::string of;        ///< the result; empty: the first that is not zero
+  double longest = 3600; ///< [s] that a run may take, as foreseen
+};
+
+/// The part that a text says, as in `2%` and `0.02`; 0 if it says none between 0 and 1.
+double part_of(const std::string& text);
+
+/// How a run ended and what it answered with.
+struct Ran {
+  int status = 0;
+  std::vector<output::Result> results;
+  double updates = 0, seconds = 0;
+};
+
+/// Adds what is known of the error of a run to its results, before its summary is written.
+using Judge = std::function<void(const Ran&, std::vector<output::Result>&)>;
+
+/// Runs the case with its counts of cells times a factor [-]; a first look writes nothing and may stop without a word.
+using RunOnce = std::function<Ran(double refine, bool first_look, const Judge&)>;
+
+/// Runs on a coarse mesh and then on finer ones until the estimated error of the result (mesh_error()) is within the target.
+///
+/// The last run is the one that is written, with RESULT_mesh_error among its results.
+///
+/// known    [-] counts of cells of the case, above one
+/// say      takes a line for each mesh
+/// returns  an empty text, or why the target is not met: before a run that is foreseen to take too long
+std::string run_to_target(const Target&, const std::vector<int>& known, const RunOnce&, const std::function<void(const std::string&)>& say,
+                          int& status);
+
+}  // namespace nereid::driver

@@ -1,0 +1,82 @@
+#include "input/preset.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "input/readers.hpp"
+
+namespace nereid::input {
+namespace {
+
+/// A case with counts of cells and a time, as a reader with defaults sees it.
+struct Read {
+  std::array<int, 3> cells{};
+  int along = 0, level = 0, other = 0;
+  explicit Read(const CaseFile& file) {
+    const Section root = file.root(), mesh = root.section("mesh");
+    cells = mesh.counts("cells");
+    along = mesh.count("cells_along"), level = mesh.count("level");
+    other = root.count("level");
+    file.finish();
+  }
+};
+
+const std::string text = "mesh: {cells: [4, 1, 5], cells_along: 3, level: 2}\nlevel: 7\n";
+
+CaseFile parse(const std::vector<std::string>& overrides) { return CaseFile::parse(text, "case.yaml", overrides); }
+
+std::string fault_of(const std::string& of, const std::vector<std::string>& overrides) {
+  try {
+    const CaseFile file = CaseFile::parse(of, "case.yaml", overrides);
+    file.root().when(false).section("mesh");
+    file.finish();
+  } catch (const CaseError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Refine, MultipliesAllCountsOfCellsAndKeepsWhatHasNoMesh) {
+  const Read finer(parse({"refine=1.5"}));
+  EXPECT_EQ(finer.cells, (std::array<int, 3>{6, 1, 8}));
+  EXPECT_EQ(finer.along, 5);
+  EXPECT_EQ(finer.level, 3);
+  EXPECT_EQ(finer.other, 7) << "no count of a mesh";
+  const Read coarser(parse({"refine=0.1"}));
+  EXPECT_EQ(coarser.cells, (std::array<int, 3>{1, 1, 1}));
+  std::vector<int> counts = parse({"refine=1.5"}).counts_of_cells();
+  std::sort(counts.begin(), counts.end());
+  EXPECT_EQ(counts, (std::vector<int>{2, 3, 4, 5})) << "as in the case";
+}
+
+TEST(Refine, ComesFromThePresetUnlessTheCaseHasIt) {
+  EXPECT_EQ(Read(parse({})).along, 3);
+  EXPECT_EQ(Read(parse({"accuracy=balanced"})).along, 3);
+  EXPECT_EQ(Read(parse({"accuracy=reference"})).along, 6);
+  EXPECT_EQ(Read(parse({"accuracy=reference", "refine=1"})).along, 3);
+  EXPECT_EQ(parse({"accuracy=fast"}).refine_factor(), find_preset("fast")->refine);
+}
+
+TEST(Refine, OfACaseWithoutCountsIsAFault) {
+  EXPECT_NE(fault_of("mesh: {path: a.vtu}", {"refine=2"}).find("this case has none"), std::string::npos);
+  EXPECT_EQ(fault_of("mesh: {path: a.vtu}", {"accuracy=fast"}).find("none"), std::string::npos) << "the preset has other keys";
+  EXPECT_NE(fault_of("mesh: {cells: 3}", {"refine=0"}).find("refine"), std::string::npos);
+}
+
+TEST(Preset, OfAnUnknownNameIsAFaultThatNamesThem) {
+  const std::string said = fault_of("mesh: {cells: 3}", {"accuracy=quick"});
+  for (const Preset& preset : presets()) EXPECT_NE(said.find(preset.name), std::string::npos) << said;
+}
+
+TEST(Preset, SetsAKeyInEverySectionOfItsNameThatDoesNotHaveIt) {
+  const Preset preset{"mine", 1, {{"element", "hourglass", "0.5"}, {"contacts", "passes", "two"}}};
+  ASSERT_NE(find_setting(preset, "bodies[3].element", "hourglass"), nullptr);
+  EXPECT_EQ(find_setting(preset, "bodies[3].element", "hourglass")->value, "0.5");
+  EXPECT_NE(find_setting(preset, "contacts[0]", "passes"), nullptr);
+  EXPECT_EQ(find_setting(preset, "bodies[3]", "hourglass"), nullptr);
+  EXPECT_EQ(find_setting(preset, "", "element"), nullptr);
+}
+
+}  // namespace
+}  // namespace nereid::input
