@@ -41,6 +41,7 @@ DOORS = [
     ("a test framework", r"#\s*include\s*<(gtest|gmock|catch2|doctest)/", "lib drivers", []),
     ("matplotlib", r"^\s*(import|from)\s+(matplotlib|pylab|mpl_toolkits)\b",
      "scripts verification tests drivers cases docs", ["scripts/figure.py"]),
+    ("SciPy", r"^\s*(import|from)\s+scipy\b", "scripts verification tests drivers cases docs", ["scripts/trade_vary.py"]),
     ("Python-Markdown", r"^\s*(import|from)\s+markdown\b", "scripts verification tests drivers cases docs",
      ["scripts/verification_report.py"]),
 ]

@@ -41,8 +41,10 @@ class SettingsTest(unittest.TestCase):
         self.assertEqual(knobs.settings(knob("mesh"), 2, RESOLVED),
                          {"bodies[0].mesh.cells": "[8, 1, 4]", "bodies[1].mesh.cells_along": "16"})
 
-    def test_the_level_of_a_case_without_counts_is_its_mesh(self):
+    def test_the_level_of_a_case_is_its_mesh(self):
         self.assertEqual(knobs.settings(knob("mesh"), 2, {"mesh": {"level": entry(3)}}), {"mesh.level": "6"})
+        sector = {"model": {"cells_around": entry(1)}, "mesh": {"level": entry(3)}}
+        self.assertEqual(knobs.settings(knob("mesh"), 2, sector), {"mesh.level": "6"})
 
     def test_a_quantity_is_multiplied_with_its_unit(self):
         self.assertEqual(knobs.settings(knob("history"), 4, RESOLVED), {"output.history_every": "8e-07 s"})
