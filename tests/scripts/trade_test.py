@@ -130,6 +130,13 @@ class PageTest(unittest.TestCase):
         with self.assertRaises(trade.CannotRun):
             trade.put(page, "y", "new\n")
 
+    def test_the_page_has_what_the_committed_points_say(self):
+        page = trade.PAGE.read_text(encoding="utf-8")
+        self.assertEqual(trade.put(page, "--worst", trade.worst()), page, "scripts/trade --worst --write brings the table up to date")
+        for path in sorted((trade.ROOT / "verification").glob("*/trade.csv")):
+            lines = len(path.read_text(encoding="utf-8").splitlines()) - 1
+            self.assertIn(f"of {lines} runs have a result", page.split(trade.markers(path.parent.name)[0])[1][:80])
+
     def test_all_definitions_of_the_tree_can_be_read(self):
         for path in sorted((trade.ROOT / "verification").glob("*/trade.py")):
             with self.subTest(path.parent.name):

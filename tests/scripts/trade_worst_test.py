@@ -42,6 +42,12 @@ class WorstTest(unittest.TestCase):
         self.assertAlmostEqual(found.made, 0.04)
         self.assertEqual((found.row.case, found.row.knobs, found.cost, found.tried), ("a", {"step": "1"}, 1.0, 3))
 
+    def test_where_the_case_is_not_judged_the_uncertainty_is_taken_off(self):
+        found = worst.rows_of(io.StringIO(HEAD + line("as the case has it", 0.02, judged="below the reference's uncertainty")
+                                          + line("step 1", 0.05)), "a", {"step"})
+        self.assertAlmostEqual(one("step", found).made, 0.03)
+        self.assertIn("| step | 5 % | below 2 % | 1 |", worst.worst_table(found, {"a": "a case"}))
+
     def test_runs_that_warn_or_stop_are_counted_and_make_none(self):
         found = one("step", rows(line("step 1", 0.5, warnings=1), line("step 2", 0, ending="stopped: x"), line("step 0.5", 0.02)))
         self.assertAlmostEqual(found.made, 0.01)
@@ -54,10 +60,16 @@ class WorstTest(unittest.TestCase):
         found = one("step", rows(line("mesh x2, step 1", 0.9), line("step 0.9", 0.0105), line("step 0.8", 0, ending="left out")))
         self.assertEqual((found.made, found.row, found.tried), (0.0, None, 1))
 
+    def test_a_setting_pays_where_a_run_with_it_is_on_a_front(self):
+        found = worst.worst_of(rows(line("step 1", 0.009, updates=150), line("mesh x0.5", 0.02, updates=12), line("method penalty", 0.2)))
+        self.assertEqual([(name, one.pays, one.results) for name, one in sorted(found.items())],
+                         [("mesh", 1, 1), ("method", 0, 1), ("step", 1, 1)])
+
     def test_the_table_has_the_worst_first_and_says_where(self):
         found = rows(line("step 1", 0.05), line("mesh x0.5", 0.5, updates=12), line("method penalty", 0.01))
         lines = worst.worst_table(found, {"a": "a case"}).splitlines()
-        self.assertEqual(lines[2], "| mesh | 50 % | 1 % | x0.5 | depth: a case | x0.12 | 1 |  |  |")
+        self.assertIn("4 runs of 1 cases, 4 of them with a result, in 0 minutes", worst.said_of(found, {"a": "a case"}))
+        self.assertEqual(lines[2], "| mesh | 50 % | 1 % | x0.5 | depth: a case | x0.12 | 1 |  |  | 1 of 1 |")
         self.assertEqual([row.split(" | ")[0] for row in lines[2:]], ["| mesh", "| step", "| method"])
         self.assertIn("| method | none |", lines[4])
 
