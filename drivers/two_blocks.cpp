@@ -10,6 +10,7 @@
 // Run       two_blocks cases/two_blocks/bars.yaml --out out/two_blocks
 
 #include <cmath>
+#include <numeric>
 
 #include "drivers/driver.hpp"
 #include "model/meshes.hpp"
@@ -54,10 +55,16 @@ model::Simulation build(const input::CaseFile& file) {
                                                               " elements: expected at most a hundred million");
   model::Simulation simulation = input::build(file, scene);
   const double area = width * width;
-  const auto mean_stress = [area](const dynamics::View& view, dynamics::ProbeMemory& memory) {
-    return -dynamics::mean_contact_force(view, {0}, memory).x() / area;
+  std::vector<std::size_t> passes(simulation.model.interfaces.size());  // of two passes each carries a part of the stress
+  std::iota(passes.begin(), passes.end(), std::size_t{0});
+  const auto mean_stress = [area, passes](const dynamics::View& view, dynamics::ProbeMemory& memory) {
+    return -dynamics::mean_contact_force(view, passes, memory).x() / area;
   };
-  const auto stress = [area](const dynamics::View& view, dynamics::ProbeMemory&) { return -view.now.interfaces[0].force.x() / area; };
+  const auto stress = [area](const dynamics::View& view, dynamics::ProbeMemory&) {
+    double force = view.now.interfaces[0].force.x();
+    for (std::size_t back = 1; back < view.now.interfaces.size(); ++back) force -= view.now.interfaces[back].force.x();
+    return -force / area;
+  };
   simulation.probes = {{"interface_stress", "Pa", mean_stress}, velocity("A", simulation), velocity("B", simulation),
                        {"", "Pa", stress, true}};
   return simulation;

@@ -21,6 +21,7 @@ import numpy as np  # noqa: E402
 from matplotlib import font_manager, mathtext  # noqa: E402
 from matplotlib.collections import LineCollection, PolyCollection  # noqa: E402, F401  (for the figures)
 from matplotlib.patches import Rectangle  # noqa: E402
+from matplotlib.ticker import LogLocator, NullFormatter, StrMethodFormatter  # noqa: E402
 
 SINGLE_COLUMN, DOUBLE_COLUMN = 88.0, 180.0  # [mm]
 
@@ -166,6 +167,13 @@ def draw_points(axes, x, y, number, label=None):
     """A few points of a study, joined, in the style of their number."""
     return axes.plot(x, y, label=label, **CURVES[number % len(CURVES)], markersize=4, markerfacecolor="white", markeredgewidth=0.8,
                      zorder=3, clip_on=False)[0]
+
+
+def plain_ticks(axis):
+    """A logarithmic axis with 1, 2 and 5 of each decade, written as they are."""
+    axis.set_major_locator(LogLocator(10, (1, 2, 5)))
+    axis.set_major_formatter(StrMethodFormatter("{x:g}"))
+    axis.set_minor_formatter(NullFormatter())
 
 
 def draw_faces(axes, polygons, face, edge="#333333", width=0.35):

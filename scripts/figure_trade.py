@@ -7,6 +7,7 @@ import trade_points as points
 DOMINATED = "#b8b8b8"
 LEAST = 1e-8    # [-] where round-off is drawn
 BAND = 0.4      # [-] of the uncertainty: how far down its band is drawn
+NEAR = 0.4      # [-] ratio of costs, as a logarithm, of points that get one name
 COSTS = ((points.updates_of, "element updates"), (points.seconds_of, "processor time [s]"))
 
 
@@ -54,3 +55,38 @@ def draw_panel(axes, found, base, name, references, cost):
     numbers = {id(one): number + 1 for number, (one, _) in enumerate(points.front_points(found, name, references))}
     for one in best:
         axes.annotate(str(numbers[id(one)]), (cost(one), error(one)), xytext=(3, 3), textcoords="offset points", fontsize=7)
+
+
+def series_figure(lines, wanted, references):
+    """The error that counts of one result over processor time, a line for each series; hollow and not joined are the finest meshes, which
+    no two finer ones bear out."""
+    drawn, axes = figure.new_figure(width=figure.DOUBLE_COLUMN, height=90.0)
+    found = [one for some in lines.values() for one in some]
+    uncertainty = references[wanted.result].uncertainty
+
+    def place(some):
+        return [one.seconds for one in some], [100 * points.counted(one, wanted.result, found, references) for one in some]
+
+    named = []
+    for number, (line, some) in enumerate(lines.items()):
+        style = figure.CURVES[number % len(figure.CURVES)]
+        sure = [one for one in some if len(points.finer_of(one, found)) >= points.FINER]
+        axes.plot(*place(sure), label=line, **style, markersize=4.5, zorder=3)
+        name_points(axes, sure, place(sure), wanted, named)
+        axes.plot(*place([one for one in some if one not in sure]), linestyle="none", marker=style["marker"], color=style["color"],
+                  markersize=4.5, markerfacecolor="white", markeredgewidth=0.7, zorder=2)
+    axes.set(xscale="log", yscale="log", xlabel="processor time [s]", ylabel=f"error of the {wanted.result} that counts [%]")
+    axes.axhspan(100 * BAND * uncertainty, 100 * uncertainty, facecolor="#f0f0f0", edgecolor="#c8c8c8", hatch="////", linewidth=0,
+                 label="below the reference's uncertainty", zorder=0)
+    axes.set_ylim(bottom=100 * BAND * uncertainty)
+    figure.plain_ticks(axes.yaxis)
+    axes.legend(loc="upper right")
+    return drawn
+
+
+def name_points(axes, some, places, wanted, named):
+    """Writes the meshes beside their points, once where points of two lines all but coincide; `named` has what is there already."""
+    for one, x, y in zip(some, *places):
+        if not any(mesh == one.mesh and abs(math.log(x / other)) < NEAR for mesh, other in named):
+            axes.annotate(wanted.name_of(one.mesh), (x, y), xytext=(4, 4), textcoords="offset points", fontsize=7)
+            named.append((one.mesh, x))

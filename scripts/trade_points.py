@@ -39,9 +39,28 @@ class Converged:
 
 @dataclasses.dataclass(frozen=True)
 class Meshes:
-    """The meshes that make the reference of Converged results: factors on the counts of cells, and keys that are set in all of them."""
+    """The meshes that make the reference of Converged results.
+
+    factors   on the counts of cells
+    settings  keys that are set in all of them
+    of        keys of the mesh of a factor, where more than counts of cells belongs to it
+    beside    {name: keys} of more runs with the mesh of the case; how far their results lie apart adds to the uncertainty
+    """
     factors: tuple
     settings: dict = dataclasses.field(default_factory=dict)
+    of: object = None
+    beside: dict = dataclasses.field(default_factory=dict)
+
+
+@dataclasses.dataclass(frozen=True)
+class Series:
+    """Lines of a figure of their own, error of one result over processor time: {line: {knob: label}}; meshes are the points of a line.
+
+    name_of  what a mesh is called, of its factor
+    """
+    result: str
+    lines: dict
+    name_of: object = "x{:g}".format
 
 
 @dataclasses.dataclass
@@ -60,13 +79,15 @@ def exact_reference():
     return Reference(None, "", 0.0, "exact")
 
 
-def converged_reference(factors, values, unit):
-    """The finest mesh, and how far the finer ones would go."""
+def converged_reference(factors, values, unit, beside=None):
+    """The finest mesh, and how far the finer ones would go; with how far the results `beside`, {name: value}, lie apart."""
     said, _, uncertainty = tendency(factors, values)
     finest = max(zip(factors, values))[1]
     if uncertainty is None or finest == 0 or not math.isfinite(uncertainty):
         return Reference(finest, unit, math.inf, said)
-    return Reference(finest, unit, uncertainty / abs(finest), said)
+    apart = max(beside.values()) - min(beside.values()) if beside else 0.0
+    said += f"; and {share(apart / abs(finest))} between {', '.join(beside)}" if beside else ""
+    return Reference(finest, unit, (uncertainty + apart) / abs(finest), said)
 
 
 # ------------------------------------------------------------------------------------------------
@@ -113,6 +134,13 @@ def finer_of(point, points):
     """The next two finer meshes of the sweep with the same settings, as far as they have a result."""
     same = [one for one in points if one.good() and one.mesh > point.mesh and series_of(one) == series_of(point)]
     return sorted(same, key=lambda one: one.mesh)[:FINER]
+
+
+def series(wanted, points):
+    """{line: its points with a result, coarse meshes first}; a value that the case has anyway is in no point's knobs."""
+    different = {pair for point in points for pair in point.knobs.items()}
+    return {line: sorted((one for one in points if one.good() and series_of(one) == frozenset(values.items() & different)),
+                         key=lambda one: one.mesh) for line, values in wanted.lines.items()}
 
 
 def counted(point, result, points, references):

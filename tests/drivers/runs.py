@@ -274,6 +274,11 @@ class Summary(InATemporaryFolder):
             "velocity_A": "m/s", "velocity_B": "m/s", "smallest_step": "s"})
         self.assertEqual([*summary["ledger"]["accounts"]], ["A", "B", "contact"])
         self.check_ledger(summary["ledger"])
+        for number, method in enumerate(("multiplier", "penalty")):  # two passes share one stress
+            one, two = (self.run_to_end("two_blocks", [*BARS, f"contact.method={method}", f"contact.passes={passes}"],
+                                        out=f"{passes}{number}").summary()["results"] for passes in ("one", "two"))
+            for name in ("interface_stress_mean", "interface_stress_peak", "impulse"):
+                self.assertAlmostEqual(two[name]["value"] / one[name]["value"], 1, delta=1e-6)
 
     def check_extremes(self, run, probes):
         """Results of probes are those of their columns, at the times that stand there."""

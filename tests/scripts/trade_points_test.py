@@ -80,6 +80,16 @@ class PairsTest(unittest.TestCase):
         self.assertEqual(found[0][1].settings, {"of.mesh": "x2", "of.step": "1"})
 
 
+class SeriesTest(unittest.TestCase):
+    def test_a_line_has_its_meshes_and_what_the_case_has_anyway_is_no_difference(self):
+        base, fine, other = point(4, 0.3), point(16, 0.2, 2), point(1, 0.3, 1, kind="sector")
+        wanted = points.Series("depth", {"quarter": {"kind": "quarter"}, "sector": {"kind": "sector"}, "full": {"kind": "full"}})
+        found = points.series(wanted, [fine, other, base, point(2, 0.1, 1, kind="full", ending="left out"), point(1, 0.1, 1, step="1")])
+        self.assertEqual(found["quarter"], [base, fine])
+        self.assertEqual(found["sector"], [other])
+        self.assertEqual(found["full"], [])
+
+
 class ReferenceTest(unittest.TestCase):
     def test_three_meshes_of_an_order_have_the_index_of_the_finest(self):
         one = points.converged_reference([1, 2, 4], [7 + 0.3 / n**2 for n in (1, 2, 4)], "m")
@@ -88,6 +98,12 @@ class ReferenceTest(unittest.TestCase):
 
     def test_meshes_without_an_order_have_three_times_their_spread(self):
         self.assertAlmostEqual(points.converged_reference([1, 2, 4], [1.0, 1.2, 1.1], "m").uncertainty, 3 * 0.2 / 1.1)
+
+    def test_settings_beside_the_meshes_add_how_far_they_lie_apart(self):
+        alone = points.converged_reference([1, 2, 4], [7 + 0.3 / n**2 for n in (1, 2, 4)], "m")
+        one = points.converged_reference([1, 2, 4], [7 + 0.3 / n**2 for n in (1, 2, 4)], "m", {"two": 6.9, "three": 7.0, "four": 6.95})
+        self.assertAlmostEqual((one.uncertainty - alone.uncertainty) * one.value, 0.1)
+        self.assertIn("between two, three, four", one.known)
 
     def test_two_meshes_are_no_reference(self):
         self.assertEqual(points.converged_reference([1, 2], [1.0, 1.1], "m").uncertainty, math.inf)

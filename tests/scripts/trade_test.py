@@ -81,6 +81,27 @@ class SweepTest(unittest.TestCase):
         found, _, _ = self.sweep("--knobs", "mesh=2,4", "step=1.2")
         self.assertIn("mesh x4, step 1.2", found)
 
+    def test_every_combination_of_what_is_crossed_is_run_once(self):
+        options = trade.options_of([str(self.root / "case.yaml"), "--result", "depth", "--drivers", str(self.root / "drivers"), "--out",
+                                    str(self.root / "out"), "--jobs", "1", "--finest", "4,8,16", "--knobs", "mesh=2,4", "step=0.7,0.45"])
+        definition = trade.of_file(options)
+        definition.cross = [{"mesh": ("x1", "x2", "x4"), "step": ("0.9", "0.45"), "layers": ("2",)}]
+        with contextlib.redirect_stdout(io.StringIO()):
+            names = [point.name() for point in trade.sweep(definition, options)[0]]
+        self.assertEqual(len(names), len(set(names)))
+        self.assertLess({"mesh x2, step 0.45", "mesh x4, step 0.45", "step 0.45", "as the case has it"}, set(names))
+
+    def test_runs_beside_the_meshes_count_and_meshes_may_have_keys_of_their_own(self):
+        options = trade.options_of([str(self.root / "case.yaml"), "--result", "depth", "--drivers", str(self.root / "drivers"), "--out",
+                                    str(self.root / "out"), "--jobs", "1", "--knobs", "step=0.7", "--no-pairs"])
+        definition = trade.of_file(options)
+        definition.meshes = trade.points.Meshes((1, 2, 4), of=lambda factor: {"mesh.cells": f"{4 * factor}"},
+                                                beside={"0.7": {"time.safety": "0.7"}, "0.9": {"time.safety": "0.9"}})
+        with contextlib.redirect_stdout(io.StringIO()):
+            _, _, references = trade.sweep(definition, options)
+        self.assertAlmostEqual(references["depth"].value, 1 + 0.4 / 256 * 0.4)
+        self.assertGreater(references["depth"].uncertainty, 0.4 / 16 * 0.2)
+
     def test_runs_are_found_again(self):
         self.sweep("--knobs", "mesh", "step")
         before = self.count.read_text()
@@ -108,6 +129,13 @@ class PageTest(unittest.TestCase):
         self.assertTrue(new.startswith("a\n<!-- written") and new.endswith("writes -->\nb\n") and "new" in new and "old" not in new)
         with self.assertRaises(trade.CannotRun):
             trade.put(page, "y", "new\n")
+
+    def test_the_page_has_what_the_committed_points_say(self):
+        page = trade.PAGE.read_text(encoding="utf-8")
+        self.assertEqual(trade.put(page, "--worst", trade.worst()), page, "scripts/trade --worst --write brings the table up to date")
+        for path in sorted((trade.ROOT / "verification").glob("*/trade.csv")):
+            lines = len(path.read_text(encoding="utf-8").splitlines()) - 1
+            self.assertIn(f"of {lines} runs have a result", page.split(trade.markers(path.parent.name)[0])[1][:80])
 
     def test_all_definitions_of_the_tree_can_be_read(self):
         for path in sorted((trade.ROOT / "verification").glob("*/trade.py")):
