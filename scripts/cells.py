@@ -3,16 +3,16 @@
 UNEVEN = 0.02     # [-] a count of cells that rounding moves by more does not follow its factor
 
 
-def counts_of_cells(resolved, path=""):
-    """{path of the key: its value} of all keys that count cells, in a case as a driver resolved it."""
+def counts_of_cells(resolved, path="", name=""):
+    """{path of the key: its value} of all keys that count cells, `level` of a `mesh` too, in a case as a driver resolved it."""
     found = {}
     items = resolved.items() if isinstance(resolved, dict) else enumerate(resolved) if isinstance(resolved, list) else ()
     for key, value in items:
         here = f"{path}[{key}]" if isinstance(resolved, list) else f"{path}.{key}" if path else key
-        if isinstance(key, str) and key.startswith("cells"):
+        if isinstance(key, str) and (key.startswith("cells") or (name, key) == ("mesh", "level")):
             found[here] = number_of(value)
         elif isinstance(value, (dict, list)):
-            found.update(counts_of_cells(value, here))
+            found.update(counts_of_cells(value, here, key))
     return found
 
 

@@ -113,9 +113,8 @@ def factor_on(now, factor):
 
 
 def mesh_settings(resolved, factor):
-    """The level of the cask times the factor, with which its cells follow; every count of cells of a case that has none."""
-    counts = {f"{path}.level": number_of(node["level"]) for path, node in places(resolved, "mesh") if "level" in node} \
-        or counts_of_cells(resolved)
+    """Every count of cells times the factor; of the cask its level too."""
+    counts = counts_of_cells(resolved)
     texts, _ = settings_of(counts, factor)
     now, _ = settings_of(counts, 1)
     return {} if texts == now else texts

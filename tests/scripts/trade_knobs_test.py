@@ -44,7 +44,7 @@ class SettingsTest(unittest.TestCase):
     def test_the_level_of_a_case_is_its_mesh(self):
         self.assertEqual(knobs.settings(knob("mesh"), 2, {"mesh": {"level": entry(3)}}), {"mesh.level": "6"})
         sector = {"model": {"cells_around": entry(1)}, "mesh": {"level": entry(3)}}
-        self.assertEqual(knobs.settings(knob("mesh"), 2, sector), {"mesh.level": "6"})
+        self.assertEqual(knobs.settings(knob("mesh"), 2, sector), {"model.cells_around": "1", "mesh.level": "6"})
 
     def test_a_quantity_is_multiplied_with_its_unit(self):
         self.assertEqual(knobs.settings(knob("history"), 4, RESOLVED), {"output.history_every": "8e-07 s"})
