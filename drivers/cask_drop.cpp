@@ -96,7 +96,11 @@ model::Simulation build(const input::CaseFile& file) {
   scene.time = input::read_time(root.section("time"));
   scene.recording = input::read_recording(root.section_or_empty("output"), scene.time.end);
 
+  const std::vector<input::Measured> measured{
+      {"settlement_mean", "m"}, {"settlement_centre", "m"}, {"floor_force", "N"}, {"floor_impulse", "N s"}, {"bulge", "m"}};
+  const auto stops = input::read_stops(root, measured, scene.recording);
   model::Simulation simulation = input::build(file, scene);
+  simulation.stops = stops;
   const mesh::Mesh& mesh = simulation.model.mesh;
   const Subset outside = mesh::node_set(mesh, clad ? "cladding" : "lead.side");
   simulation.probes = settlements(mesh);

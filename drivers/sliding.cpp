@@ -126,7 +126,10 @@ model::Simulation build(const input::CaseFile& file) {
   if (root.sound() && flat(size)) block.fault("size", "'size' must be positive in each direction");
   if (root.sound() && mesh_below && flat(base_size)) base.fault("size", "'size' must be positive in each direction");
 
+  const std::vector<input::Measured> measured{{"way", "m"}, {"speed", "m/s"}, {"normal_force", "N"}, {"friction_force", "N"}};
+  const auto stops = input::read_stops(root, measured, scene.recording);
   model::Simulation simulation = input::build(file, scene);
+  simulation.stops = stops;
   const double density = std::visit([](const auto& one) { return one.density; }, law);
   press(density * gravity * std::cos(slope), size[2], std::visit([](const auto& one) { return one.young; }, law), simulation);
   simulation.probes = probes(simulation.model, scene.time.end);

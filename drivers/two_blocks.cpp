@@ -53,7 +53,9 @@ model::Simulation build(const input::CaseFile& file) {
     blocks.fault_between({"cells_along", "cells_across"}, "'cells_along' and 'cells_across' make " +
                                                               std::to_string(std::llround(elements)) +
                                                               " elements: expected at most a hundred million");
+  const auto stops = input::read_stops(root, {{"interface_stress", "Pa"}, {"velocity_A", "m/s"}, {"velocity_B", "m/s"}}, scene.recording);
   model::Simulation simulation = input::build(file, scene);
+  simulation.stops = stops;
   const double area = width * width;
   std::vector<std::size_t> passes(simulation.model.interfaces.size());  // of two passes each carries a part of the stress
   std::iota(passes.begin(), passes.end(), std::size_t{0});

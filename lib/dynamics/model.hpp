@@ -99,6 +99,17 @@ struct ProbeMemory {
   double since = 0;                                   ///< [s]
 };
 
+/// What a condition that may end a run remembers of what it has been shown so far.
+struct ConditionMemory {
+  static constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  double first = none, last = none;             ///< values
+  double time = -1;                             ///< [s] of the last one; -1: there was none
+  double extreme = none, time_of_extreme = -1;  ///< the largest value, or the smallest, and when it was there first [s]
+  double since = -1;                            ///< [s] when a window began, or since when the condition holds; -1: it does not
+  double integral = 0;                          ///< over the window so far
+  double mean = none;                           ///< over the window before
+};
+
 /// What a run keeps from step to step.
 struct Progress {
   bool started = false;
@@ -159,6 +170,7 @@ struct State {
   std::vector<Quality> quality;                    ///< beside Model::blocks
   audit::Memory audit;                             ///< what overlaps
   std::vector<ProbeMemory> probes;                 ///< beside the probes of the run
+  std::vector<ConditionMemory> conditions;         ///< of conditions that may end the run
 };
 
 /// What acts on a rigid body, and what a step does to it.

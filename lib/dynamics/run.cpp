@@ -200,7 +200,7 @@ Outcome run(const Model& model, State& now, Forces& forces, const Time& time, do
     for (const Observer& observer : watch.observers) observer(view);
   };
   const auto enough = [&] {  // as the case has it
-    if (watch.until && progress.ledger_is_current) outcome.reason = watch.until({model, now, forces, true});
+    if (watch.until && progress.ledger_is_current) outcome.reason = watch.until({model, now, forces, true}, now.conditions);
     if (!outcome.reason.empty()) outcome.ending = Ending::stopped_by_condition;
     return outcome.ending == Ending::stopped_by_condition;
   };

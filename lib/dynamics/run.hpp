@@ -45,8 +45,9 @@ struct Outcome {
 /// Looks at the state at the start, after every step, and at the end. Does not look again where a run goes on.
 using Observer = std::function<void(const View&)>;
 
-/// Asked wherever the ledger is brought up to date, after probes and observers: why the run should stop there, empty to go on.
-using Until = std::function<std::string(const View&)>;
+/// Asked wherever the ledger is brought up to date, after probes and observers: why the run should stop there, empty to go on. What it
+/// remembers is State::conditions; a run that goes on asks once more where it was left.
+using Until = std::function<std::string(const View&, std::vector<ConditionMemory>&)>;
 
 /// What looks at a run and never touches it. Probes are sampled first; their memories are State::probes.
 struct Watch {

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 
+#include "base/words.hpp"
 #include "input/load_readers.hpp"
 #include "input/mesh_readers.hpp"
 #include "input/readers.hpp"
 #include "model/meshes.hpp"
 #include "model/names.hpp"
 #include "model/probes.hpp"
+#include "model/values.hpp"
 
 namespace nereid::input {
 
@@ -127,25 +129,71 @@ model::Probe read_probe(const Section& section, Names& taken) {
   return probe;
 }
 
-model::Stop read_stop(const Section& section, const std::vector<model::Probe>& probes) {
-  model::Stop stop{.probe = section.word("probe"), .above = section.has("above"), .value = 0, .after = 0, .at = section.path()};
-  stop.after = section.quantity_or("after", 0, dim::time, not_negative);
-  const char* key = stop.above ? "above" : "below";
-  const auto probe = std::find_if(probes.begin(), probes.end(), [&](const auto& one) { return one.name == stop.probe; });
-  if (probe == probes.end()) {
-    Names names;
-    for (const model::Probe& one : probes) names.push_back(one.name);
-    section.unknown_name("probe", stop.probe, "probes", names);
-    section.has("below");
+/// The one condition of the section; empty after a fault.
+std::string condition_of(const Section& section) {
+  static const Names conditions{"above", "below", "peaked", "dipped", "steady", "rest"};
+  std::string found;
+  for (const std::string& key : conditions) {
+    if (!section.has(key)) continue;
+    if (!found.empty()) {
+      section.fault(key, quote(found) + " and " + quote(key) + " are two conditions: write them one by one");
+      return "";
+    }
+    found = key;
+  }
+  if (found.empty()) section.fault("above", "a condition needs one of " + joined(conditions));
+  return found;
+}
+
+model::Stop read_rest(const Section& section) {
+  const Section rest = section.section("rest");
+  return {.kind = model::StopKind::rest,
+          .part = rest.number("part", model::range::rest_part),
+          .span = rest.quantity("for", dim::time, positive),
+          .of_scene = rest.choice_or("of", "largest", {"largest", "scene"}) == "scene",
+          .at = section.path()};
+}
+
+model::Stop read_peak(const Section& section, const std::string& key) {
+  const Section peak = section.section(key);
+  if (!peak.has("fallen") && !peak.has("for")) section.fault(key, quote(key) + " needs 'fallen', 'for' or both");
+  return {.above = key == "peaked",
+          .kind = model::StopKind::peak,
+          .part = peak.has("fallen") ? peak.number("fallen", model::range::fallen) : 0,
+          .span = peak.has("for") ? peak.quantity("for", dim::time, positive) : 0};
+}
+
+model::Stop read_steady(const Section& section, Dimension dimension, double row) {
+  const Section steady = section.section("steady");
+  const model::Stop stop{.value = steady.quantity("within", dimension, positive),
+                         .kind = model::StopKind::steady,
+                         .span = steady.quantity("window", dim::time, positive)};
+  if (stop.span < 2 * row) steady.fault("window", model::window_too_short(stop.span, row));
+  return stop;
+}
+
+model::Stop read_stop(const Section& section, const std::vector<Measured>& probes, double row) {
+  const std::string condition = condition_of(section);
+  const double after = section.quantity_or("after", 0, dim::time, not_negative);
+  model::Stop stop;
+  if (condition == "rest") {
+    stop = read_rest(section);
+    stop.after = after;
     return stop;
   }
-  const model::Measurable* quantity = model::find_measurable(probe->quantity);
-  if (stop.above && section.has("below"))
-    section.fault("below", "'above' and 'below' are two conditions: write them one by one");
-  else if (!stop.above && !section.has("below"))
-    section.fault("above", "a condition needs 'above' or 'below'");
-  else if (quantity != nullptr)  // else the probe is at fault
-    stop.value = section.quantity(key, dimension_of(quantity->unit));
+  const std::string name = section.word("probe");
+  const auto probe = std::find_if(probes.begin(), probes.end(), [&](const auto& one) { return one.name == name; });
+  if (probe == probes.end()) {
+    Names names;
+    for (const Measured& one : probes) names.push_back(one.name);
+    section.unknown_name("probe", name, "probes", names);
+  }
+  const bool known = probe != probes.end() && !probe->unit.empty();  // else the probe is at fault, or its name
+  if (condition == "peaked" || condition == "dipped") stop = read_peak(section, condition);
+  if (condition == "steady" && known) stop = read_steady(section, dimension_of(probe->unit), row);
+  if (condition == "above" || condition == "below") stop.above = condition == "above";
+  if ((condition == "above" || condition == "below") && known) stop.value = section.quantity(condition, dimension_of(probe->unit));
+  stop.probe = name, stop.after = after, stop.at = section.path();
   return stop;
 }
 
@@ -164,12 +212,23 @@ model::Scene read_scene(const Section& root, bool runs) {
   check_names(root.list("planes")), check_names(run.list("loads"));
   check_names(root.list("springs")), check_names(root.list("point_masses"));
   for (const Section& probe : run.list("probes")) scene.probes.push_back(read_probe(probe, probes));
-  for (const Section& stop : run.list("stop")) scene.stops.push_back(read_stop(stop, scene.probes));
   scene.recording = read_recording(run.section_or_empty("output"), scene.time.end);
+  std::vector<Measured> measured;
+  for (const model::Probe& probe : scene.probes) {
+    const model::Measurable* quantity = model::find_measurable(probe.quantity);
+    measured.push_back({probe.name, quantity == nullptr ? "" : quantity->unit});
+  }
+  scene.stops = read_stops(run, measured, scene.recording);
   return scene;
 }
 
 }  // namespace
+
+std::vector<model::Stop> read_stops(const Section& root, const std::vector<Measured>& probes, const model::Recording& recording) {
+  std::vector<model::Stop> stops;
+  for (const Section& stop : root.list("stop")) stops.push_back(read_stop(stop, probes, recording.history));
+  return stops;
+}
 
 model::Scene read_scene(const Section& root) { return read_scene(root, true); }
 

@@ -12,6 +12,15 @@ namespace nereid::input {
 /// Reads a scene, with all faults that can be found without meshes: names given twice, conditions on no probe.
 model::Scene read_scene(const Section& root);
 
+/// A probe as conditions see it.
+struct Measured {
+  std::string name;
+  std::string unit;  ///< SI; empty where the probe is at fault
+};
+
+/// Reads the list `stop`, for drivers with probes of their own: what a driver reads here it puts into Simulation::stops.
+std::vector<model::Stop> read_stops(const Section& root, const std::vector<Measured>& probes, const model::Recording&);
+
 /// Reads of a scene what it is at rest: bodies, planes, springs and point masses. The rest is listed as not used.
 ///
 /// Faults: contacts, floors and rigid planes, which are nothing that small motions about rest could keep.

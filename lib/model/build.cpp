@@ -13,6 +13,7 @@
 #include "model/names.hpp"
 #include "model/probes.hpp"
 #include "model/rigid_bodies.hpp"
+#include "model/stops.hpp"
 #include "model/values.hpp"
 
 namespace nereid::model {
@@ -55,7 +56,7 @@ void check_probes(const Scene& scene, const mesh::Mesh& mesh, Faults& faults) {
     }
   }
   for (const Stop& stop : scene.stops)
-    expect(faults, {stop.at, "condition to stop"}, "probe", stop.probe, "probes", names_of(scene.probes));
+    if (stop.kind != StopKind::rest) expect(faults, {stop.at, "condition to stop"}, "probe", stop.probe, "probes", names_of(scene.probes));
 }
 
 /// Whether every body has its mesh, so that a name which names nothing is a fault of its own.
@@ -206,22 +207,6 @@ std::vector<dynamics::Connected> add_contacts(const Scene& scene, dynamics::Mode
   return connected;
 }
 
-/// Why a run should stop where it stands, or nothing.
-std::string wanted_stop(const Simulation& simulation, const dynamics::View& view) {
-  for (const Stop& stop : simulation.stops) {
-    const auto named = [&](const auto& one) { return one.name == stop.probe; };
-    const auto at = std::find_if(simulation.probes.begin(), simulation.probes.end(), named) - simulation.probes.begin();
-    const double now = view.now.probes[static_cast<std::size_t>(at)].last;
-    if (view.now.t < stop.after || !(stop.above ? now > stop.value : now < stop.value)) continue;
-    const char* unit = simulation.probes[static_cast<std::size_t>(at)].unit.c_str();
-    std::array<char, 200> text{};
-    std::snprintf(text.data(), text.size(), "%s is %.6g %s, %s %.6g %s", stop.probe.c_str(), now, unit, stop.above ? "above" : "below",
-                  stop.value, unit);
-    return text.data();
-  }
-  return "";
-}
-
 }  // namespace
 
 Simulation build(const Scene& scene) {
@@ -275,7 +260,8 @@ Simulation build(const Scene& scene) {
 
 dynamics::Outcome run(Simulation& simulation, std::span<const dynamics::Observer> observers) {
   dynamics::Watch watch{.probes = simulation.probes, .observers = observers, .until = {}};
-  if (!simulation.stops.empty()) watch.until = [&simulation](const dynamics::View& view) { return wanted_stop(simulation, view); };
+  if (!simulation.stops.empty())
+    watch.until = [&simulation](const dynamics::View& view, auto& memories) { return wanted_stop(simulation, view, memories); };
   return dynamics::run(simulation.model, simulation.state, simulation.forces, simulation.time, simulation.recording.history, watch);
 }
 

@@ -163,12 +163,25 @@ struct Probe {
   std::string at = {};
 };
 
+/// What a condition that ends the run looks for.
+enum class StopKind {
+  level,   ///< a probe is above or below a value
+  peak,    ///< a probe has passed its first maximum, or minimum
+  steady,  ///< the mean of a probe over a window is that over the window before
+  rest,    ///< the kinetic energy of all bodies stays small
+};
+
 /// A condition that ends the run.
 struct Stop {
-  std::string probe;
-  bool above = true;                         ///< else below
-  double value = 0;                          ///< in the unit of the probe
+  std::string probe = {};                    ///< of all kinds but rest
+  bool above = true;                         ///< level: else below; peak: a maximum, else a minimum
+  double value = 0;                          ///< in the unit of the probe; level: the bound; steady: the most that the mean may change
   double after = 0;                          ///< [s] not looked at before
+  StopKind kind = StopKind::level;
+  /// [-] peak: part of its rise to the maximum by which it has fallen, 0: by any; rest: kinetic energy over the largest one
+  double part = 0;
+  double span = 0;                           ///< [s] peak, rest: for how long; steady: the window
+  bool of_scene = false;                     ///< rest: over the energy of the scene, and not over the largest kinetic energy
   std::string at = {};
 };
 

@@ -170,6 +170,24 @@ void check_load(const Load& load, Faults& faults) {
   else if (!load.value[0]) refuse(faults, here, "value", "'value' needs a function");
 }
 
+void check_stop(const Stop& stop, double row, Faults& faults) {
+  const Part here{stop.at, "condition to stop"};
+  if (!check(faults, here, {kind("kind", stop.kind, StopKind::rest), {"after", stop.after, not_negative, "s"}})) return;
+  const std::string peak = stop.above ? "peaked" : "dipped";
+  switch (stop.kind) {
+    case StopKind::level: check(faults, here, {{stop.above ? "above" : "below", stop.value}}); break;
+    case StopKind::peak:
+      check(faults, here, {{peak + ".fallen", stop.part, range::share}, {peak + ".for", stop.span, not_negative, "s"}});
+      if (!(stop.part > 0 || stop.span > 0)) refuse(faults, here, peak, quote(peak) + " needs 'fallen', 'for' or both");
+      break;
+    case StopKind::steady:
+      check(faults, here, {{"steady.within", stop.value, positive}, {"steady.window", stop.span, positive, "s"}});
+      if (stop.span < 2 * row) refuse(faults, here, "steady.window", window_too_short(stop.span, row));
+      break;
+    case StopKind::rest: check(faults, here, {{"rest.part", stop.part, range::rest_part}, {"rest.for", stop.span, positive, "s"}}); break;
+  }
+}
+
 void check_run(const Scene& scene, Faults& faults) {
   const dynamics::Relaxation relaxation = scene.relaxation.value_or(dynamics::Relaxation{});
   check(faults, {"", "the scene"}, components("gravity", scene.gravity));
@@ -182,11 +200,15 @@ void check_run(const Scene& scene, Faults& faults) {
   check(faults, {"relaxation", "relaxation"}, {{"residual", relaxation.residual, range::residual},
                                                {"after", relaxation.after, not_negative, "s"},
                                                {"samples", static_cast<double>(relaxation.samples), at_least(1)}});
-  for (const Stop& stop : scene.stops)
-    check(faults, {stop.at, "condition to stop"}, {{stop.above ? "above" : "below", stop.value}, {"after", stop.after, not_negative, "s"}});
+  const double row = scene.recording.history > 0 ? scene.recording.history : scene.time.end / 400;
+  for (const Stop& stop : scene.stops) check_stop(stop, row, faults);
 }
 
 }  // namespace
+
+std::string window_too_short(double window, double row) {
+  return "'window' = " + shortest(window) + " s is shorter than two rows of the history, which are " + shortest(row) + " s apart";
+}
 
 void check_values(const Scene& scene, Faults& faults) {
   for (const Body& body : scene.bodies) check_body(body, faults);

@@ -14,11 +14,15 @@ inline constexpr Range poisson = between(-1, 0.5), share = within(0, 1), hardeni
                        linear_viscosity = within(0, 1),
                        quadratic_viscosity = within(0, 10), friction = within(0, 10), tangential_penalty = above(0).up_to(1),
                        damping_ratio = within(0, 1), energy_gain_limit = within(1e-5, 0.04), step_factor = within(0, 0.5),
-                       safety = above(0).up_to(10), residual = between(0, 1), restitution = within(0, 1);
+                       safety = above(0).up_to(10), residual = between(0, 1), restitution = within(0, 1), fallen = above(0).up_to(1),
+                       rest_part = between(0, 1);
 }  // namespace range
 
 inline constexpr const char* plates_may_have_other_laws =
     "plates may have the laws elastic and j2_bilinear: this one has no return in plane stress";
+
+/// Why a window over which a condition to stop takes a mean is refused. [s]
+std::string window_too_short(double window, double row);
 
 /// Faults: values that are no finite number or out of their range, directions that are no unit vectors, functions that are
 /// empty, laws that plates may not have, planes on no nodes.

@@ -158,7 +158,7 @@ TEST(Quality, IsLookedAtWhereverARunEndsAlsoByACondition) {
   Scene s = pushed(1);
   Time time;
   time.end = 1.2, time.created_limit = 1e300;
-  const Until enough = [](const View& view) { return view.now.t > 0.3 ? std::string("enough") : std::string(); };
+  const Until enough = [](const View& view, auto&) { return view.now.t > 0.3 ? std::string("enough") : std::string(); };
   EXPECT_EQ(run(s.model, s.state, s.forces, time, 0.01, {.until = enough}).ending, Ending::stopped_by_condition);
   EXPECT_EQ(s.state.progress.corners_seen, s.state.step);
   EXPECT_LT(s.state.quality[0].corner, 0.9);

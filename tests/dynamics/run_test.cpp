@@ -525,7 +525,7 @@ TEST(Until, EndsARunAtTheFirstSampleThatSaysWhy) {
   s.move("box", {1, 0, 0});
   const auto moved = [](const View& view) { return view.now.x(0, 0) - view.model.mesh.X(0, 0); };
   std::vector<double> asked;
-  const Until until = [&](const View& view) -> std::string {
+  const Until until = [&](const View& view, std::vector<ConditionMemory>&) -> std::string {
     asked.push_back(view.now.t);
     EXPECT_TRUE(view.ledger_is_current);
     return moved(view) > 0.045 ? "far enough" : "";
@@ -546,7 +546,7 @@ TEST(Until, MayEndARunBeforeItsFirstStep) {
   Scene s = box();
   Time time;
   time.end = 1;
-  const Outcome outcome = run(s.model, s.state, s.forces, time, 1e-3, {.until = [](const View&) { return "at once"; }});
+  const Outcome outcome = run(s.model, s.state, s.forces, time, 1e-3, {.until = [](const View&, auto&) { return "at once"; }});
   EXPECT_EQ(outcome.ending, Ending::stopped_by_condition);
   EXPECT_EQ(s.state.step, 0);
 }
@@ -556,7 +556,7 @@ TEST(Until, LeavesARunAloneThatNeverMeetsIt) {
   s.move("box", {1, 0, 0}), alone.move("box", {1, 0, 0});
   Time time;
   time.end = 0.01;
-  EXPECT_EQ(run(s.model, s.state, s.forces, time, 1e-3, {.until = [](const View&) { return ""; }}).ending, Ending::reached_end);
+  EXPECT_EQ(run(s.model, s.state, s.forces, time, 1e-3, {.until = [](const View&, auto&) { return ""; }}).ending, Ending::reached_end);
   run(alone.model, alone.state, alone.forces, time, 1e-3);
   EXPECT_EQ(s.state.x, alone.state.x);
 }

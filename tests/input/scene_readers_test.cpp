@@ -130,6 +130,30 @@ TEST(ReadStop, IsInTheDimensionOfItsProbe) {
   EXPECT_TRUE(says(refusal(probes + "stop:\n  - {probe: w, below: 1 N}\n" + time), "'probe' = w is unknown: probes are u"));
 }
 
+TEST(ReadStop, HasOneConditionWithItsOwnKeys) {
+  const std::string probes = bar + "probes:\n  - {name: u, quantity: displacement, of: bar, component: x}\n";
+  const auto stop = [&](const std::string& what) { return probes + "stop:\n  - {" + what + "}\n" + time; };
+  const model::Stop peak = read(stop("probe: u, peaked: {fallen: 0.1, for: 1 us}, after: 2 us")).stops[0];
+  EXPECT_TRUE(peak.kind == model::StopKind::peak && peak.above);
+  EXPECT_EQ(std::vector({peak.part, peak.span, peak.after}), std::vector({0.1, 1e-6, 2e-6}));
+  EXPECT_FALSE(read(stop("probe: u, dipped: {for: 1 us}")).stops[0].above);
+  const model::Stop steady = read(stop("probe: u, steady: {window: 100 us, within: 1 mm}")).stops[0];
+  EXPECT_TRUE(steady.kind == model::StopKind::steady);
+  EXPECT_EQ(std::vector({steady.span, steady.value}), std::vector({1e-4, 1e-3}));
+  const model::Stop rest = read(stop("rest: {part: 1e-3, for: 1 us, of: scene}")).stops[0];
+  EXPECT_TRUE(rest.kind == model::StopKind::rest && rest.of_scene && rest.probe.empty());
+  EXPECT_EQ(std::vector({rest.part, rest.span}), std::vector({1e-3, 1e-6}));
+  EXPECT_FALSE(read(stop("rest: {part: 1e-3, for: 1 us}")).stops[0].of_scene);
+
+  EXPECT_TRUE(says(refusal(stop("probe: u, peaked: {for: 1 us}, rest: {part: 1e-3, for: 1 us}")), "are two conditions"));
+  EXPECT_TRUE(says(refusal(stop("probe: u, peaked: {after: 1 us}")), "'peaked' needs 'fallen', 'for' or both"));
+  EXPECT_TRUE(says(refusal(stop("probe: u, peaked: {fallen: 1.5}")), "out of range"));
+  EXPECT_TRUE(says(refusal(stop("probe: u, steady: {window: 100 us, within: 1 N}")), "has the dimension"));
+  EXPECT_TRUE(says(refusal(stop("probe: u, steady: {window: 0.001 us, within: 1 mm}")), "is shorter than two rows of the history"));
+  EXPECT_TRUE(says(refusal(stop("rest: {part: 1e-3}")), "missing 'for'"));
+  EXPECT_TRUE(says(refusal(stop("probe: w, steady: {window: 1 ms, within: 1 mm}")), "'probe' = w is unknown: probes are u"));
+}
+
 TEST(Kinds, ThatAreUnknownOrMissingAreTheOnlyFault) {
   const std::string load = "loads:\n  - {name: pull, nodes: bar, value: [\"1\", \"0\", \"0\"], unit: N";
   const std::string driven = "planes:\n  - {name: end, nodes: [bar], velocity: {value: [\"t\", \"0\", \"0\"], unit: m/s}";

@@ -97,6 +97,14 @@ const std::vector<Wrong> numbers{
     {"spring 'coil': 'rest_length'", [](Scene& s, double v) { s.springs[0].length = v; }, {-1, nan}},
     {"point mass 'weight': 'mass'", [](Scene& s, double v) { s.point_masses[0].mass = v; }, {0, -1, nan, infinity}},
     {"condition to stop: 'above'", [](Scene& s, double v) { s.stops[0].value = v; }, {nan, infinity}},
+    {"condition to stop: 'fallen'", [](Scene& s, double v) {
+       s.stops[0] = {.probe = "speed", .kind = StopKind::peak, .part = v, .span = 1}; }, {-1, 2, nan}},
+    {"condition to stop: 'within'", [](Scene& s, double v) {
+       s.stops[0] = {.probe = "speed", .value = v, .kind = StopKind::steady, .span = 1}; }, {0, -1, nan}},
+    {"condition to stop: 'part'", [](Scene& s, double v) { s.stops[0] = {.kind = StopKind::rest, .part = v, .span = 1}; }, {0, 1, nan}},
+    {"condition to stop: 'for'", [](Scene& s, double v) { s.stops[0] = {.kind = StopKind::rest, .part = 0.1, .span = v}; }, {0, -1, nan}},
+    {"condition to stop: 'window'", [](Scene& s, double v) {
+       s.stops[0] = {.probe = "speed", .value = 1, .kind = StopKind::steady, .span = v}; }, {0, 1e-9, nan}},
     {"condition to stop: 'after'", [](Scene& s, double v) { s.stops[0].after = v; }, {-1, nan}},
     {"relaxation: 'residual'", [](Scene& s, double v) { s.relaxation = dynamics::Relaxation{.residual = v}; }, {0, 1, nan}},
     {"relaxation: 'samples'", [](Scene& s, double v) { s.relaxation = dynamics::Relaxation{.samples = static_cast<int>(v)}; }, {0, -1}},
