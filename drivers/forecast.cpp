@@ -76,6 +76,24 @@ double bytes_of_index(const std::string& name, double frames) {
   return 113 + frames * (71 + 2 * static_cast<double>(name.size()));
 }
 
+/// A row of the history as it will be when contacts that are open have closed: no probe is zero, and nothing that they hold.
+std::vector<double> filled(std::vector<double> row, const std::vector<output::Column>& columns, const dynamics::Model& model) {
+  constexpr double long_number = 1e-7 / 3;  // has as many digits as most
+  std::vector<std::string> of_contacts;
+  const auto add = [&of_contacts](const std::string& name) {
+    for (const char* what : {"_restitution", "_penalty", "_friction"}) of_contacts.push_back("energy_" + name + what);
+    of_contacts.push_back("energy_created_" + name);
+  };
+  for (const contact::Interface& interface : model.interfaces) add(interface.name);
+  for (const contact::RigidPlane& plane : model.rigid_planes) add(plane.name);
+  for (std::size_t c = 0; c < row.size(); ++c) {
+    const std::string& name = columns[c].name;
+    const bool is_probe = name.rfind("energy_", 0) != 0 && !of_contacts.empty();
+    if (row[c] == 0 && (is_probe || std::find(of_contacts.begin(), of_contacts.end(), name) != of_contacts.end())) row[c] = long_number;
+  }
+  return row;
+}
+
 /// Runs on to a time, and returns what a step takes that is no row. [s]
 double seconds_of_a_step(model::Simulation& simulation, double end) {
   std::vector<double> stamps, steps;
@@ -122,7 +140,7 @@ Costs rehearse(model::Simulation& simulation, double dt, const std::function<std
     dynamics::see_hourglass_energy(model, false, now);
     for (std::size_t p = 0; p < now.probes.size(); ++p)
       if (!simulation.probes[p].every_step) dynamics::sample(simulation.probes[p], view(), now.probes[p]);
-    output::append_row(now.t, row_of(view(), simulation.probes, ledger), text);
+    output::append_row(now.t, filled(row_of(view(), simulation.probes, ledger), columns_of(simulation.probes, ledger), model), text);
   };
   add_row();  // the first one takes longer than all others
   costs.row = seconds_of(add_row);

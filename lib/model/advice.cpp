@@ -20,14 +20,16 @@ std::string row(const char* format, auto... values) {
   return buffer.data();
 }
 
-/// The largest step of an interface by a penalty once its lowest apexes touch. [s]
+/// The largest step of an interface by a penalty: its vote, or what that is once the lowest apexes touch. [s]
 double step_in_touch(const Simulation& simulation, std::size_t c) {
   const dynamics::Model& model = simulation.model;
   const contact::Interface& interface = model.interfaces[c];
   const contact::InitialGaps& gaps = simulation.gaps[c];
   if (contact::by_multipliers(interface) || gaps.apexes == gaps.without_base || interface.contact_height.size() == 0) return 1e300;
-  const double reach = std::max(gaps.least, 0.0) + interface.contact_height.maxCoeff() + interface.depth;
   contact::Workspace workspace(interface);
+  const double vote = contact::stable_step(interface, model.mass, model.inertia, simulation.state.interfaces[c], workspace).step;
+  if (vote < 1e299) return vote;
+  const double reach = std::max(gaps.least, 0.0) + interface.contact_height.maxCoeff() + interface.depth;
   const contact::Memory touching = contact::tried_out(interface, simulation.state.x, reach, workspace);
   return contact::stable_step(interface, model.mass, model.inertia, touching, workspace).step;
 }
@@ -57,8 +59,7 @@ std::vector<Sized> by_step(const Simulation& simulation) {
 
 /// How many of the elements are few and much smaller than the others; zero: none.
 std::size_t few(const std::vector<Sized>& all) {
-  const std::size_t most = std::max<std::size_t>(1, all.size() / 20);
-  if (all.size() < 2) return 0;
+  const std::size_t most = all.size() / 20;
   std::size_t found = 0;
   double widest = 1;
   for (std::size_t n = 1; n <= most; ++n)
