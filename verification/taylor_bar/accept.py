@@ -81,9 +81,33 @@ CHECKS = [
            f"a value of one element, {LEAST_STRAIN} to {MOST_STRAIN} in the catalogue's own code from 10 x 50 on"),
 ]
 
+def drawn(part):
+    """Keys of a mesh whose cells at the foot are 1 - part times as tall as even ones."""
+    return {"bodies[0].mesh.map": f'["x", "y", "0.0324*({1 - part:g}*(z/0.0324) + {part:g}*(z/0.0324)^2)"]'}
+
+
+def corners(run):
+    """Smallest corner of any element at any time; runs go on when one folds."""
+    rows = []
+    for name, change in (("the case", {}), ("a step of 0.7", {"time.safety": 0.7}),
+                         ("no linear viscosity", {"bodies[0].element.viscosity.linear": 0}),
+                         ("no quadratic viscosity", {"bodies[0].element.viscosity.quadratic": 0}),
+                         ("a tenth of the hourglass stiffness", {"bodies[0].element.hourglass": 0.1}),
+                         ("eight points", {"bodies[0].element.kind": "full"}), ("restitution 0", {"planes[2].restitution": 0})):
+        rows.append([name])
+        for mesh in ({}, drawn(-0.5), {"bodies[0].mesh.cells_along": 40}):
+            one = run.again({**ON, **mesh, **change})
+            corner = one.result("bar_smallest_corner")
+            rows[-1] += [f"{corner:.2f}" if corner > 0 else "folds", f"{1e3 * one.column('foot_radius')[-1]:.3f}" if corner > 0 else ""]
+    return rows
+
+
 STUDIES = [
     Table("Three meshes, with Roache's index. Millimetres.",
           ["mesh", "length", "radius", "plastic strain", "hourglass energy", "radius with eight points"], meshes, full=True),
+    Table("Smallest corner of an element over that at the start, and radius of the foot in millimetres, on three meshes: of the case, with "
+          "cells 1.5 times as tall at the foot, with 40 along.",
+          ["", "of the case", "radius", "taller at the foot", "radius", "40 along", "radius"], corners, full=True),
     Table("Other codes. Millimetres.", ["code", "length", "radius", "plastic strain"], codes),
 ]
 
