@@ -12,7 +12,7 @@ constexpr double formal_order = 1.5;                 // no error is taken to fal
 constexpr double least_order = 0.5, most_order = 3;  // outside, these meshes are not fine enough to tell
 constexpr double of_index = 1.25, of_spread = 3;     // Roache's factors with an order and without one
 constexpr double uneven = 0.02;                      // [-] of a count: rounding moves it no farther
-constexpr double parts = 12, finest = 64;
+constexpr double parts = 6, finest = 64;
 constexpr double wider = 1.5, least_step = 1.2, most_step = 2;  // [-] between neighbouring levels
 
 /// The order through three levels, by bisection of a ratio that rises with it; NaN where there is none.

@@ -28,7 +28,7 @@ struct MeshError {
 /// levels  by rising refine
 MeshError mesh_error(const std::vector<Level>& levels);
 
-/// Factors on counts of cells that rounding moves by no more than a fiftieth, twelfths from 1/12 to 64, rising.
+/// Factors on counts of cells that rounding moves by no more than a fiftieth, sixths from 1/6 to 64, rising.
 ///
 /// counts  of the case, above one
 std::vector<double> even_factors(const std::vector<int>& counts);

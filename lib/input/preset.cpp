@@ -29,7 +29,11 @@ bool refine_count(Node& node, double factor, std::vector<int>& counts) {
 }  // namespace
 
 const std::vector<Preset>& presets() {
-  static const std::vector<Preset> all{{"fast", 0.5, {}}, {"balanced", 1, {}}, {"reference", 2, {}}};
+  static const std::vector<Preset> all{
+      {"fast", 0.5, {}},
+      {"balanced", 1, {}},
+      {"reference", 2, {{"element", "layers", "9"}, {"cladding", "layers", "9"}}},
+  };
   return all;
 }
 

@@ -78,5 +78,22 @@ TEST(Preset, SetsAKeyInEverySectionOfItsNameThatDoesNotHaveIt) {
   EXPECT_EQ(find_setting(preset, "", "element"), nullptr);
 }
 
+TEST(Preset, LeavesWhatTheCaseHasAndTellsWhatItSet) {
+  const std::string two = "accuracy: reference\nbodies: [{element: {layers: 3}}, {element: {kind: thin}}]\n";
+  const CaseFile file = CaseFile::parse(two, "case.yaml", {});
+  std::vector<int> layers;
+  for (const Section& body : file.root().list("bodies")) {
+    const Section element = body.section("element");
+    element.word_or("kind", "thick");
+    layers.push_back(element.count_or("layers", 5));
+  }
+  file.finish();
+  EXPECT_EQ(layers, (std::vector<int>{3, 9}));
+  ASSERT_EQ(file.preset_lines().size(), 2U);
+  EXPECT_NE(file.preset_lines()[0].find("counts of cells times 2"), std::string::npos);
+  EXPECT_NE(file.preset_lines()[1].find("bodies[1].element.layers = 9"), std::string::npos);
+  EXPECT_TRUE(file.not_used().empty());
+}
+
 }  // namespace
 }  // namespace nereid::input
