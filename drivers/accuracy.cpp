@@ -51,8 +51,8 @@ double part_of(const std::string& text) {
 
 std::string run_to_target(const Target& target, const std::vector<int>& known, const RunOnce& run,
                           const std::function<void(const std::string&)>& say, int& status) {
-  constexpr std::size_t looks = 2;  // before the third mesh nothing can be said of an error
-  constexpr int bad_case = 2;
+  constexpr std::size_t looks = 1;  // before the second mesh nothing can be said of an error
+  constexpr int bad_case = 2, most_folded = 2;
   if (known.empty()) return status = bad_case, "the case has no counts of cells to make finer";
   const std::vector<double> even = even_factors(known);
   std::vector<Level> levels;
@@ -73,7 +73,7 @@ std::string run_to_target(const Target& target, const std::vector<int>& known, c
     const Ran ran = run(refine, levels.size() < looks, judge);
     if (ran.status != 0) {  // a coarse mesh may fold where a finer one does not
       status = ran.status;
-      if (++stopped > static_cast<int>(looks) || levels.size() >= looks) return "the run with refine " + rounded(refine) + " stopped";
+      if (++stopped > most_folded || levels.size() >= looks) return "the run with refine " + rounded(refine) + " stopped";
       refine = *std::upper_bound(even.begin(), even.end(), 1.5 * refine);
       continue;
     }

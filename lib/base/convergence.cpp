@@ -10,7 +10,7 @@ namespace {
 
 constexpr double formal_order = 1.5;                 // no error is taken to fall faster, whatever three meshes show: docs/accuracy.md
 constexpr double least_order = 0.5, most_order = 3;  // outside, these meshes are not fine enough to tell
-constexpr double of_index = 1.25, of_spread = 3;     // Roache's factors with an order and without one
+constexpr double of_index = 1.25, of_two = 3, of_spread = 3;  // Roache's factors: with an order, of two meshes, without an order
 constexpr double uneven = 0.02;                      // [-] of a count: rounding moves it no farther
 constexpr double parts = 6, finest = 64;
 constexpr double wider = 1.5, least_step = 1.2, most_step = 2;  // [-] between neighbouring levels
@@ -41,7 +41,9 @@ double at_least_of(const std::vector<double>& even, double least) {
 
 MeshError mesh_error(const std::vector<Level>& levels) {
   const std::size_t n = levels.size();
-  if (n < 3) return {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()};
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  if (n < 2) return {std::numeric_limits<double>::infinity(), none};
+  if (n < 3) return {of_two * std::abs(levels[0].value - levels[1].value) / (levels[1].refine / levels[0].refine - 1), none};
   const Level &coarse = levels[n - 3], &middle = levels[n - 2], &fine = levels[n - 1];
   const double order = observed_order(coarse, middle, fine);
   if (std::isnan(order)) {
@@ -73,7 +75,7 @@ double first_factor(const std::vector<double>& even, const std::vector<int>& cou
 double next_factor(const std::vector<double>& even, const std::vector<Level>& levels, double target) {
   const double now = levels.back().refine;
   const MeshError seen = mesh_error(levels);
-  if (!std::isfinite(seen.error)) return at_least_of(even, wider * now);
+  if (levels.size() < 3) return at_least_of(even, wider * now);
   const double order = std::isnan(seen.order) ? 1 : std::min(seen.order, formal_order);
   const double wanted = std::pow(seen.error / target, 1 / order);
   return at_least_of(even, now * std::clamp(wanted, least_step, most_step));

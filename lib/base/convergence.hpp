@@ -15,7 +15,7 @@ struct Level {
 
 /// Error of the finest of some levels.
 struct MeshError {
-  double error;  ///< in the unit of the result; infinite with fewer than three levels
+  double error;  ///< in the unit of the result; infinite with one level
   double order;  ///< p of f(h) = f0 + C h^p through the finest three; NaN where they show none
 };
 
@@ -23,7 +23,8 @@ struct MeshError {
 ///
 ///     1.25 |f2 - f1| / ((h2/h1)^p - 1),   p at most 3/2,   (f3 - f2)/(f2 - f1) = (h3^p - h2^p)/(h2^p - h1^p)
 ///
-/// Where there is no p between 0.5 and 3, it is three times the spread of the three (Roache 1994).
+/// Where there is no p between 0.5 and 3, it is three times the spread of the three; of two levels it is 3 |f2 - f1| / (h2/h1 - 1), as of
+/// an order of one (Roache 1994).
 ///
 /// levels  by rising refine
 MeshError mesh_error(const std::vector<Level>& levels);
@@ -36,7 +37,7 @@ std::vector<double> even_factors(const std::vector<int>& counts);
 /// The mesh to begin with: a quarter of the cells in a direction, but at least two.
 double first_factor(const std::vector<double>& even, const std::vector<int>& counts);
 
-/// The next mesh on the way to a target, or 0 where even factors end: half as fine again until an order can be seen, then as
+/// The next mesh on the way to a target, or 0 where even factors end: half as fine again until there are three, then as
 /// fine as that order asks for, but no more than twice as fine.
 ///
 /// target  in the unit of the result

@@ -15,6 +15,7 @@ RESULTS = [Converged("settlement", settlement, "m"), Converged("its time", time_
 MESHES = Meshes((2, 3, 4))
 KNOBS = {"mesh": (0.5, 1.5, 2, 3)}
 CROSS = [{"mesh": ("x0.5", "x1", "x1.5", "x2", "x3"), "symmetry": ("full", "quarter", "sector"), "element": ("one_point", "full")}]
+PRESETS = {2: ": fast", 3: ": balanced"}  # of cases/cask_drop/neptune.yaml, which has level 3; `reference` has 6
 SERIES = Series("settlement", {f"{kind}, {points}": {"symmetry": kind, "element": element} for kind in ("full", "quarter", "sector")
                                for points, element in (("one point", "one_point"), ("eight points", "full"))},
-                name_of=lambda factor: f"level {2 * factor:g}")
+                name_of=lambda factor: f"level {2 * factor:g}{PRESETS.get(2 * factor, '')}")
