@@ -73,7 +73,7 @@ std::string run_to_target(const Target& target, const std::vector<int>& known, c
     const Ran ran = run(refine, levels.size() < looks, judge);
     if (ran.status != 0) {  // a coarse mesh may fold where a finer one does not
       status = ran.status;
-      if (++stopped > most_folded || levels.size() >= looks) return "the run with refine " + rounded(refine) + " stopped";
+      if (++stopped > most_folded) return "the run with refine " + rounded(refine) + " stopped";
       refine = *std::upper_bound(even.begin(), even.end(), 1.5 * refine);
       continue;
     }
