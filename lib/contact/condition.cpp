@@ -25,6 +25,7 @@ constexpr double along = 0.5;          // cosine between a push and the normal o
 constexpr double paid_back = 0.2;      // of what friction owes, in a step
 constexpr double most_yield = 1e-6;    // of the depth of an element: way by which a stick yields for that in a step
 constexpr double no_response = 1e-9;   // of that of a free apex: constraints hold all nodes
+constexpr double entered = 1e-3;       // of the depth of an element: deeper, an apex without a track is no contact
 constexpr double faces_below = 0.3;    // cosine between the normals of an apex and of what it may touch
 
 /// Whether an apex that is pressed stays over the inside of the one facet that it slides on, and comes to no other part: its stencil of the
@@ -60,6 +61,19 @@ void find(const Interface& interface, const Motion& m, Memory& memory, Workspace
   look(all.ahead, all.way, m.dt + m.next);
 }
 
+/// Where an open apex is over a facet but past a wall of it, the stencil gets the edge or vertex there; false if it is below the facet's
+/// plane, where nothing is to be touched.
+bool comes_past_wall(const BaseSurface& base, const Vectors& x, const Vec3& p, Stencil& stencil) {
+  const FeatureHeight over = height_over(base, x, {stencil.facet, geometry::Kind::facet, 0}, p);
+  if (*std::min_element(over.weight.begin(), over.weight.end()) >= 0) return true;
+  const Stand here = stand(base, x, p, stencil.facet);
+  const double whole = here.past > 0 && ends_at(base, here.wall) ? whole_past_wall * base.size(here.feature.facet) : 0;
+  if (!(here.past > whole)) return true;
+  if (here.over.height < 0) return false;
+  stencil.facet = here.wall.facet, stencil.kind = here.wall.kind, stencil.local = here.wall.local;
+  return true;
+}
+
 /// Nodes, weights, normal and gap of an apex over the feature of a stencil where the nodes are at t; false if it is out of reach.
 ///
 /// A stencil with a push was found where the nodes would be: it counts however far the apex is now, and the push has the direction.
@@ -75,6 +89,8 @@ bool make(const Interface& interface, const Motion& m, const Multipliers& all, c
     if (here.past == 0) stencil.facet = here.feature.facet, stencil.kind = here.feature.kind, stencil.local = here.feature.local;
     over = height_over(interface.base, m.x, feature(), p);
   }
+  if (!(push > 0) && stencil.kind == geometry::Kind::facet && !comes_past_wall(interface.base, m.x, p, stencil)) return false;
+  if (stencil.kind != geometry::Kind::facet && !(push > 0)) over = height_over(interface.base, m.x, feature(), p);
   if (stencil.kind != geometry::Kind::facet && std::abs(over.height) < no_direction * interface.base.size(stencil.facet)) {
     const Vec3 facet = facet_normal(interface.base, m.x, stencil.facet);
     if (push > 0 && facet.dot(stencil.push) < along * push) has_moment = true, over.normal = stencil.push / push;
@@ -105,6 +121,7 @@ bool make(const Interface& interface, const Motion& m, const Multipliers& all, c
     double fastest = 0;
     for (int I = 1; I < c.nodes; ++I) fastest = std::max(fastest, (all.velocity.col(apex) - all.velocity.col(c.node[I])).squaredNorm());
     if (c.gap > std::max(multipliers_reach * interface.depth, steps_to_touch * m.next * std::sqrt(fastest))) return false;
+    if (near.tracks.count == 0 && c.gap < -entered * interface.depth) return false;  // it is inside and has not entered
     const bool faced = near.tracks.count > 0 || interface.own.facets.cols() == 0;
     if (!faced && !(node_normal(interface.own, m.x, apex).dot(c.normal) < faces_below)) return false;
   }

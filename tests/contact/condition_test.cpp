@@ -19,7 +19,8 @@ struct Setting {
   Multipliers all;
   double friction = 0;
 
-  explicit Setting(const Vec3& apex, double coefficient = 0) : scene(press(sheet(4, 4, flat), {apex}, 0)), friction(coefficient) {
+  explicit Setting(const Vec3& apex, double coefficient = 0, const Shape& shape = sheet(4, 4, flat), double contact_height = 0)
+      : scene(press(shape, {apex}, contact_height)), friction(coefficient) {
     scene.interface.method = Method::multiplier;
     scene.interface.friction.coefficient = coefficient;
     scene.interface.depth = 1, scene.interface.impedance = 1;
@@ -114,6 +115,29 @@ TEST(Condition, BesideARimAndBelowItsLevelThereIsNone) {
   look_ahead(at.scene.interface.base_nodes, m, at.all);
   find_conditions(at.scene.interface, m, at.scene.memory, at.scene.workspace, at.all);
   for (const Condition& c : at.all.conditions) EXPECT_GT(std::abs(c.normal.z()), 0.9) << "the way past the rim is no penetration";
+}
+
+TEST(Condition, OfAnApexThatIsOpenOverAnEdgeHasItsDistance) {
+  Setting at(Vec3(0.3, -0.099, -0.0316), 0, corner(false), 0.1);  // over the edge of two faces, 0.1039 away, 0.0316 from one plane
+  at.scene.interface.release_height = 0.01;
+  at.v.setZero(), at.force.setZero();
+  Near& near = at.scene.memory.near[0];
+  near.tracks.count = 0;
+  near.tracks.begin(0, 0.1);  // it has been over that face
+  const Condition& c = at.find(1e-3);
+  EXPECT_NEAR(c.gap, std::hypot(0.099, 0.0316) - 0.1, 1e-9);
+  EXPECT_NEAR(c.normal.y(), -0.099 / std::hypot(0.099, 0.0316), 1e-9);
+}
+
+TEST(Condition, OfAnApexThatIsInsideTheLayerWithoutATrackIsNone) {
+  Setting at(Vec3(1.3, 2.1, 0.05), 0, sheet(4, 4, flat), 0.1);
+  at.v.setZero(), at.force.setZero();
+  at.scene.memory.near[0].tracks.count = 0;
+  const Motion m = at.motion(1e-3);
+  look_ahead(at.scene.interface.apexes, m, at.all);
+  look_ahead(at.scene.interface.base_nodes, m, at.all);
+  find_conditions(at.scene.interface, m, at.scene.memory, at.scene.workspace, at.all);
+  EXPECT_TRUE(at.all.conditions.empty()) << "it has not come in through the surface";
 }
 
 TEST(Condition, FrictionOfNodesThatAreHeldAlongThePlaneIsThatOfTheirSlip) {
