@@ -25,7 +25,6 @@ constexpr double along = 0.5;          // cosine between a push and the normal o
 constexpr double paid_back = 0.2;      // of what friction owes, in a step
 constexpr double most_yield = 1e-6;    // of the depth of an element: way by which a stick yields for that in a step
 constexpr double no_response = 1e-9;   // of that of a free apex: constraints hold all nodes
-constexpr double entered = 1e-3;       // of the depth of an element: deeper, an apex without a track is no contact
 constexpr double faces_below = 0.3;    // cosine between the normals of an apex and of what it may touch
 
 /// Whether an apex that is pressed stays over the inside of the one facet that it slides on, and comes to no other part: its stencil of the
@@ -121,7 +120,6 @@ bool make(const Interface& interface, const Motion& m, const Multipliers& all, c
     double fastest = 0;
     for (int I = 1; I < c.nodes; ++I) fastest = std::max(fastest, (all.velocity.col(apex) - all.velocity.col(c.node[I])).squaredNorm());
     if (c.gap > std::max(multipliers_reach * interface.depth, steps_to_touch * m.next * std::sqrt(fastest))) return false;
-    if (near.tracks.count == 0 && c.gap < -entered * interface.depth) return false;  // it is inside and has not entered
     const bool faced = near.tracks.count > 0 || interface.own.facets.cols() == 0;
     if (!faced && !(node_normal(interface.own, m.x, apex).dot(c.normal) < faces_below)) return false;
   }

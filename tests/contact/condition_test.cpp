@@ -129,17 +129,6 @@ TEST(Condition, OfAnApexThatIsOpenOverAnEdgeHasItsDistance) {
   EXPECT_NEAR(c.normal.y(), -0.099 / std::hypot(0.099, 0.0316), 1e-9);
 }
 
-TEST(Condition, OfAnApexThatIsInsideTheLayerWithoutATrackIsNone) {
-  Setting at(Vec3(1.3, 2.1, 0.05), 0, sheet(4, 4, flat), 0.1);
-  at.v.setZero(), at.force.setZero();
-  at.scene.memory.near[0].tracks.count = 0;
-  const Motion m = at.motion(1e-3);
-  look_ahead(at.scene.interface.apexes, m, at.all);
-  look_ahead(at.scene.interface.base_nodes, m, at.all);
-  find_conditions(at.scene.interface, m, at.scene.memory, at.scene.workspace, at.all);
-  EXPECT_TRUE(at.all.conditions.empty()) << "it has not come in through the surface";
-}
-
 TEST(Condition, FrictionOfNodesThatAreHeldAlongThePlaneIsThatOfTheirSlip) {
   Setting at(Vec3(1.3, 2.1, 0), 0.3);  // without an arm, so that friction does not turn the facet
   const Mat3 upwards = Vec3::UnitZ() * Vec3::UnitZ().transpose();
