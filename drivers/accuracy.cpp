@@ -71,10 +71,10 @@ std::string run_to_target(const Target& target, const std::vector<int>& known, c
       results.push_back({"element_updates_in_all", updates, "1"});
     };
     const Ran ran = run(refine, levels.size() < looks, judge);
-    if (ran.status != 0) {  // a coarse mesh may fold where a finer one does not
+    if (ran.status != 0) {  // a coarse mesh may fold, or be refused, where a finer one is not
       status = ran.status;
-      if (++stopped > most_folded) return "the run with refine " + rounded(refine) + " stopped";
-      refine = *std::upper_bound(even.begin(), even.end(), 1.5 * refine);
+      if (++stopped > most_folded) return "the runs stopped, the last with refine " + rounded(refine);
+      refine = next_factor(even, {{refine, 0, 0, 0}}, 0);
       continue;
     }
     const output::Result* found = find(ran.results, name);

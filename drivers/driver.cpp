@@ -1,6 +1,7 @@
 #include "drivers/driver.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -231,14 +232,19 @@ Ran look_at_case(const CommandLine& line, const Build& build, const Results& res
 
 int run_to_accuracy(const std::string& name, const CommandLine& line, output::RunFolder& folder, const Build& build,
                     const Results& results) {
+  if (line.threads > 0) use_threads(line.threads);
   const Target target{part_of(line.accuracy), line.of, 60 * line.longest};
   const input::CaseFile file = input::CaseFile::read(line.case_path, line.overrides);
-  build(file);  // its faults come first
+  build(file);  // its faults come first: what is wrong with a mesh of another factor is none of the case
   check_inputs(line, file, folder);
   const RunOnce run = [&](double refine, bool first_look, const Judge& judge) {
     CommandLine finer = line;
     finer.overrides.push_back("refine=" + shortest(refine)), finer.quiet = true;
-    return first_look ? look_at_case(finer, build, results) : run_case(name, finer, folder, build, results, judge);
+    try {
+      return first_look ? look_at_case(finer, build, results) : run_case(name, finer, folder, build, results, judge);
+    } catch (const input::CaseError&) {
+      return Ran{bad_case, {}};
+    }
   };
   const auto say = [&](const std::string& text) {
     if (!line.quiet) std::printf("%s\n", text.c_str());
@@ -328,6 +334,9 @@ int from_command_line(int argc, char** argv, const std::string& name, bool meshe
   try {
     app.parse(argc, argv);
     if (line.out.empty() && !line.dry_run) throw CLI::RequiredError("--out");
+    const auto refines = [](const std::string& text) { return text.rfind("refine", 0) == 0 && text.find_first_of("= ") == 6; };
+    if (!line.accuracy.empty() && std::any_of(line.overrides.begin(), line.overrides.end(), refines))
+      throw CLI::ValidationError("--accuracy", "it chooses 'refine' itself, so '--set refine' does not go with it");
   } catch (const CLI::ParseError& error) {
     const int status = app.exit(error);
     return status == 0 ? done : bad_case;

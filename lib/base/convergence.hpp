@@ -34,7 +34,7 @@ MeshError mesh_error(const std::vector<Level>& levels);
 /// counts  of the case, above one
 std::vector<double> even_factors(const std::vector<int>& counts);
 
-/// The mesh to begin with: a quarter of the cells in a direction, but at least two.
+/// The first even factor that leaves a quarter of the cells in a direction, and at least two.
 double first_factor(const std::vector<double>& even, const std::vector<int>& counts);
 
 /// The next mesh on the way to a target, or 0 where even factors end: half as fine again until there are three, then as

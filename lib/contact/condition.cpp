@@ -60,17 +60,10 @@ void find(const Interface& interface, const Motion& m, Memory& memory, Workspace
   look(all.ahead, all.way, m.dt + m.next);
 }
 
-/// Where an open apex is over a facet but past a wall of it, the stencil gets the edge or vertex there; false if it is below the facet's
-/// plane, where nothing is to be touched.
-bool comes_past_wall(const BaseSurface& base, const Vectors& x, const Vec3& p, Stencil& stencil) {
-  const FeatureHeight over = height_over(base, x, {stencil.facet, geometry::Kind::facet, 0}, p);
-  if (*std::min_element(over.weight.begin(), over.weight.end()) >= 0) return true;
-  const Stand here = stand(base, x, p, stencil.facet);
-  const double whole = here.past > 0 && ends_at(base, here.wall) ? whole_past_wall * base.size(here.feature.facet) : 0;
-  if (!(here.past > whole)) return true;
-  if (here.over.height < 0) return false;
-  stencil.facet = here.wall.facet, stencil.kind = here.wall.kind, stencil.local = here.wall.local;
-  return true;
+/// Whether the foot of a point on the plane of a facet is outside of that facet.
+bool has_foot_outside(const BaseSurface& base, const Vectors& x, const Vec3& p, Index facet) {
+  const auto weight = height_over(base, x, {facet, geometry::Kind::facet, 0}, p).weight;
+  return *std::min_element(weight.begin(), weight.end()) < 0;
 }
 
 /// Nodes, weights, normal and gap of an apex over the feature of a stencil where the nodes are at t; false if it is out of reach.
@@ -83,13 +76,17 @@ bool make(const Interface& interface, const Motion& m, const Multipliers& all, c
   const double push = stencil.push.norm();
   FeatureHeight over;
   const auto feature = [&] { return Feature{stencil.facet, stencil.kind, stencil.local}; };
+  // its height over the plane of a facet is no distance for an open apex past a wall of it, and below that plane there is nothing to touch
+  if (!(push > 0) && stencil.kind == geometry::Kind::facet && has_foot_outside(interface.base, m.x, p, stencil.facet)) {
+    const Stand here = stand_whole(interface.base, m.x, p, stencil.facet);
+    if (here.past > 0 && here.over.height < 0) return false;
+    if (here.past > 0) stencil.facet = here.wall.facet, stencil.kind = here.wall.kind, stencil.local = here.wall.local;
+  }
   if (stencil.kind != geometry::Kind::facet) {  // where the apex would be; now it may be over a facet beside
     const Stand here = stand(interface.base, m.x, p, stencil.facet);
     if (here.past == 0) stencil.facet = here.feature.facet, stencil.kind = here.feature.kind, stencil.local = here.feature.local;
     over = height_over(interface.base, m.x, feature(), p);
   }
-  if (!(push > 0) && stencil.kind == geometry::Kind::facet && !comes_past_wall(interface.base, m.x, p, stencil)) return false;
-  if (stencil.kind != geometry::Kind::facet && !(push > 0)) over = height_over(interface.base, m.x, feature(), p);
   if (stencil.kind != geometry::Kind::facet && std::abs(over.height) < no_direction * interface.base.size(stencil.facet)) {
     const Vec3 facet = facet_normal(interface.base, m.x, stencil.facet);
     if (push > 0 && facet.dot(stencil.push) < along * push) has_moment = true, over.normal = stencil.push / push;

@@ -100,4 +100,10 @@ Stand stand(const BaseSurface& base, const Vectors& x, const Vec3& point, Index 
   return found;
 }
 
+Stand stand_whole(const BaseSurface& base, const Vectors& x, const Vec3& point, Index from) {
+  Stand at = stand(base, x, point, from);
+  if (at.past > 0 && at.past <= whole_past_wall * base.size(at.feature.facet) && ends_at(base, at.wall)) at.past = 0;
+  return at;
+}
+
 }  // namespace nereid::contact

@@ -34,4 +34,7 @@ Ownership ownership(const BaseSurface&, const Vectors& x, Index facet, const Fea
 /// from     facet to start from
 Stand stand(const BaseSurface&, const Vectors& x, const Vec3& point, Index from);
 
+/// The same, if the surface reached so far past its open borders as a force stays whole.
+Stand stand_whole(const BaseSurface&, const Vectors& x, const Vec3& point, Index from);
+
 }  // namespace nereid::contact

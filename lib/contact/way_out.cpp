@@ -154,13 +154,6 @@ Below below_wall(double height, double past) {
   return {past - a * w, w - u * slope, 1 - slope / 3};
 }
 
-/// Where a point stands, if the surface reached so far past its open borders as a force stays whole.
-Stand stand_whole(const BaseSurface& base, const Vectors& x, const Vec3& point, Index from) {
-  Stand at = stand(base, x, point, from);
-  if (at.past > 0 && at.past <= whole_past_wall * base.size(at.feature.facet) && ends_at(base, at.wall)) at.past = 0;
-  return at;
-}
-
 /// Of the faces across the wall where a point stands, the nearest that has it in front; -1 if there is none.
 Index face_across(const BaseSurface& base, const Vectors& x, const Vec3& point, const Feature& wall) {
   Index best = -1;

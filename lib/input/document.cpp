@@ -57,8 +57,9 @@ std::vector<Step> split_path(const std::string& path, int number) {
   }
 }
 
-std::string hint_for(const Entry& unknown, const Node& map) {
-  std::vector<std::string> absent;
+/// also  keys that may stand here and that no reader asks for where they do not
+std::string hint_for(const Entry& unknown, const Node& map, const std::vector<std::string>& also) {
+  std::vector<std::string> absent = also;
   for (const std::string& key : map.known) {
     if (find(map, key) == nullptr) absent.push_back(key);
   }
@@ -287,12 +288,13 @@ void Document::find_unknown(const Node& node, const std::string& path, std::vect
     find_unknown(*node.items[item], path + "[" + std::to_string(item) + "]", all);
   }
   if (!node.opened) return;  // read as something else, which is a fault of its own
+  const std::vector<std::string> of_root = path.empty() ? std::vector<std::string>{"accuracy", "refine"} : std::vector<std::string>{};
   for (const auto& entry : node.entries) {
     if (entry->asked) {
       find_unknown(*entry->value, join(path, entry->key), all);
     } else {
       const std::string now = renamed(path, entry->key);
-      all.push_back({entry->place, "unknown key " + quote(entry->key) + inside(path), now.empty() ? hint_for(*entry, node) : now});
+      all.push_back({entry->place, "unknown key " + quote(entry->key) + inside(path), now.empty() ? hint_for(*entry, node, of_root) : now});
     }
   }
 }

@@ -654,7 +654,8 @@ const std::vector<int>& CaseFile::counts_of_cells() const { return document_->co
 std::vector<std::string> CaseFile::preset_lines() const {
   if (document_->preset == nullptr) return {};
   const std::string name = "accuracy " + std::string(document_->preset->name);
-  std::vector<std::string> lines{name + ": counts of cells times " + shortest(document_->refine)};
+  std::vector<std::string> lines;
+  if (!document_->counts_of_cells.empty()) lines.push_back(name + ": counts of cells times " + shortest(document_->refine));
   for (const std::string& line : document_->preset_lines()) lines.push_back(name + ": " + line);
   return lines;
 }

@@ -59,6 +59,7 @@ class Accuracy(unittest.TestCase):
         for words in (("--accuracy", "two"), ("--accuracy", "200%"), ("--of", "contact_time"), ("--accuracy", "2%", "--dry-run"),
                       ("--accuracy", "2%", "--set", "refine=2")):
             self.assertEqual(self.ask(*words)[0], 2, words)
+        self.assertIn("chooses 'refine' itself", self.ask("--accuracy", "2%", "--set", "refine=2")[2])
 
 
 if __name__ == "__main__":

@@ -61,7 +61,14 @@ TEST(Refine, ComesFromThePresetUnlessTheCaseHasIt) {
 TEST(Refine, OfACaseWithoutCountsIsAFault) {
   EXPECT_NE(fault_of("mesh: {path: a.vtu}", {"refine=2"}).find("this case has none"), std::string::npos);
   EXPECT_EQ(fault_of("mesh: {path: a.vtu}", {"accuracy=fast"}).find("none"), std::string::npos) << "the preset has other keys";
-  EXPECT_NE(fault_of("mesh: {cells: 3}", {"refine=0"}).find("refine"), std::string::npos);
+}
+
+TEST(Refine, IsAPureNumberWithinItsRange) {
+  for (const char* wrong : {"0", "-1", "65", "nan", "inf", "2 m", "fine", "[2]"})
+    EXPECT_NE(fault_of("mesh: {cells: 3}", {std::string("refine=") + wrong}).find("refine"), std::string::npos) << wrong;
+  EXPECT_EQ(fault_of("mesh: {cells: 3}\nrefine: 64", {}).find("refine"), std::string::npos) << "the range has its ends";
+  EXPECT_NE(fault_of("mesh: {cells: 3}\nrefin: 2", {}).find("did you mean 'refine'"), std::string::npos);
+  EXPECT_NE(fault_of("mesh: {cells: 3}\nacuracy: fast", {}).find("did you mean 'accuracy'"), std::string::npos);
 }
 
 TEST(Preset, OfAnUnknownNameIsAFaultThatNamesThem) {
@@ -89,9 +96,8 @@ TEST(Preset, LeavesWhatTheCaseHasAndTellsWhatItSet) {
   }
   file.finish();
   EXPECT_EQ(layers, (std::vector<int>{3, 9}));
-  ASSERT_EQ(file.preset_lines().size(), 2U);
-  EXPECT_NE(file.preset_lines()[0].find("counts of cells times 2"), std::string::npos);
-  EXPECT_NE(file.preset_lines()[1].find("bodies[1].element.layers = 9"), std::string::npos);
+  ASSERT_EQ(file.preset_lines().size(), 1U);  // without a count of cells there is no factor to tell of
+  EXPECT_NE(file.preset_lines()[0].find("bodies[1].element.layers = 9"), std::string::npos);
   EXPECT_TRUE(file.not_used().empty());
 }
 

@@ -1,13 +1,14 @@
 """scripts/runs.py keeps runs and finds them again, with a driver that is made up here."""
 import base64
 import json
-import stat
 import struct
 import sys
 import tempfile
 import unittest
 import zlib
 from pathlib import Path
+
+import made_up
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
 import runs  # noqa: E402  (after the path)
@@ -36,22 +37,14 @@ resolved = {{"mesh": {{"kind": {{"value": "file"}}, "path": {{"value": named[0]}
 
 class StoreTest(unittest.TestCase):
     def setUp(self):
-        holder = tempfile.TemporaryDirectory()
-        self.addCleanup(holder.cleanup)
-        self.root = Path(holder.name)
-        self.count = self.root / "count"
-        self.count.write_text("0")
-        self.case = self.root / "case.yaml"
-        self.case.write_text("mesh: {kind: file, path: mesh.vtu}\n")
+        self.root = made_up.folder(self, "mesh: {kind: file, path: mesh.vtu}\n")
+        self.count, self.case = self.root / "count", self.root / "case.yaml"
         (self.root / "mesh.vtu").write_text("one mesh")
         self.build("")
 
     def build(self, comment, read='["mesh.vtu"]'):
         """`read` is how the made-up driver finds the mesh in the case."""
-        (self.root / "drivers").mkdir(exist_ok=True)
-        program = self.root / "drivers" / "made_up"
-        program.write_text(DRIVER.format(python=sys.executable, count=str(self.count), read=read) + comment)
-        program.chmod(program.stat().st_mode | stat.S_IXUSR)
+        made_up.driver(self.root, "made_up", DRIVER + comment, read=read)
 
     def run_it(self, settings=None, threads=None):
         return runs.Store(self.root / "drivers", self.root / "runs").run("made_up", self.case, settings or {}, threads)

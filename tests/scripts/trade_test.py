@@ -3,11 +3,11 @@ import contextlib
 import importlib.machinery
 import importlib.util
 import io
-import stat
 import sys
-import tempfile
 import unittest
 from pathlib import Path
+
+import made_up
 
 SCRIPTS = Path(__file__).resolve().parents[2] / "scripts"
 sys.path.insert(0, str(SCRIPTS))
@@ -46,16 +46,9 @@ cost = {{"elements": cells, "steps": int(cells / safety), "element_updates": int
 
 class SweepTest(unittest.TestCase):
     def setUp(self):
-        holder = tempfile.TemporaryDirectory()
-        self.addCleanup(holder.cleanup)
-        self.root = Path(holder.name)
+        self.root = made_up.folder(self, "mesh: {cells: 4}\n")
         self.count = self.root / "count"
-        self.count.write_text("0")
-        (self.root / "drivers").mkdir()
-        (self.root / "case.yaml").write_text("mesh: {cells: 4}\n")
-        program = self.root / "drivers" / "scene"
-        program.write_text(DRIVER.format(python=sys.executable, count=str(self.count)))
-        program.chmod(program.stat().st_mode | stat.S_IXUSR)
+        made_up.driver(self.root, "scene", DRIVER)
 
     def sweep(self, *words):
         options = trade.options_of([str(self.root / "case.yaml"), "--result", "depth", "--drivers", str(self.root / "drivers"), "--out",

@@ -3,11 +3,11 @@ import contextlib
 import importlib.machinery
 import importlib.util
 import io
-import stat
 import sys
-import tempfile
 import unittest
 from pathlib import Path
+
+import made_up
 
 SCRIPTS = Path(__file__).resolve().parents[2] / "scripts"
 sys.path.insert(0, str(SCRIPTS))
@@ -59,17 +59,10 @@ word = "body_inverted" if KEYS["gap"] > 0.15 else "reached_end"
 
 class VaryTest(unittest.TestCase):
     def setUp(self):
-        holder = tempfile.TemporaryDirectory()
-        self.addCleanup(holder.cleanup)
-        self.root = Path(holder.name)
+        self.root = made_up.folder(self, "mesh: {cells: 4}\nload: 2 kN\nbodies: [{stiffness: 20 kN/m}]\ngap: 0 m\nspare: 1\n"
+                                         "speed: 1 m/s\n")
         self.count = self.root / "count"
-        self.count.write_text("0")
-        (self.root / "drivers").mkdir()
-        (self.root / "case.yaml").write_text("mesh: {cells: 4}\nload: 2 kN\nbodies: [{stiffness: 20 kN/m}]\ngap: 0 m\nspare: 1\n"
-                                             "speed: 1 m/s\n")
-        program = self.root / "drivers" / "scene"
-        program.write_text(DRIVER.format(python=sys.executable, count=str(self.count)))
-        program.chmod(program.stat().st_mode | stat.S_IXUSR)
+        made_up.driver(self.root, "scene", DRIVER)
 
     def options(self, *words):
         return trade.options_of([str(self.root / "case.yaml"), "--result", "depth", "--drivers", str(self.root / "drivers"), "--out",

@@ -2,29 +2,18 @@
 import contextlib
 import io
 import shutil
-import stat
 import subprocess
-import sys
-import tempfile
 import unittest
-from pathlib import Path
-
+import made_up
 from trade_test import DRIVER, trade
 import trade_workflow as workflow
 
 
 class WorkflowTest(unittest.TestCase):
     def setUp(self):
-        holder = tempfile.TemporaryDirectory()
-        self.addCleanup(holder.cleanup)
-        self.root = Path(holder.name)
+        self.root = made_up.folder(self, "mesh: {cells: 4}\n")
         self.count, self.flow = self.root / "count", self.root / "flow"
-        self.count.write_text("0")
-        (self.root / "drivers").mkdir()
-        (self.root / "case.yaml").write_text("mesh: {cells: 4}\n")
-        program = self.root / "drivers" / "scene"
-        program.write_text(DRIVER.format(python=sys.executable, count=str(self.count)))
-        program.chmod(program.stat().st_mode | stat.S_IXUSR)
+        made_up.driver(self.root, "scene", DRIVER)
         self.words = [str(self.root / "case.yaml"), "--result", "depth", "--drivers", str(self.root / "drivers"), "--jobs", "1",
                       "--finest", "4,8,16", "--knobs", "mesh=0.5,2", "step=1.2,2", "element=full"]
 
