@@ -55,6 +55,27 @@ bool walk_on(const BaseSurface& base, const Vectors& x, const Vector<double>& p,
   return facet != from;
 }
 
+/// Past a border at a vertex: of the facets of the patch that are as close there, the one on whose side of the plane that halves the angle
+/// between two neighbours the point stands. There both have it at the same height, so that the height has no jump where the facet changes.
+void turn_around_vertex(const BaseSurface& base, const Vectors& x, const Vec3& point, Index& facet, Closest& closest) {
+  const Vector<double> p{point.x(), point.y(), point.z()};
+  const Index vertex = base.facets(closest.local, facet);
+  for (Index here = -1, hop = 0; here != facet && hop < most_hops; ++hop) {
+    here = facet;
+    for (const int e : {closest.local, (closest.local + 2) % 3}) {  // the edges that end there
+      const Index next = base.neighbour(e, here);
+      if (next < 0 || base.wall[here][e]) continue;
+      const Closest there = geometry::closest_on_triangle(corners(base, x, next), p);
+      if (there.kind != Kind::vertex || base.facets(there.local, next) != vertex) continue;
+      const Vec3 along = x.col(base.facets((e + 1) % 3, here)) - x.col(base.facets(e, here));
+      const Vec3 to_here = (facet_normal(base, x, here) + facet_normal(base, x, next)).cross(along);
+      if (!((point - x.col(vertex)).dot(to_here) < 0)) continue;
+      facet = next, closest = there;
+      break;
+    }
+  }
+}
+
 }  // namespace
 
 Ownership ownership(const BaseSurface& base, const Vectors& x, Index facet, const FeatureHeight& over, double height) {
@@ -86,6 +107,7 @@ Stand stand(const BaseSurface& base, const Vectors& x, const Vec3& point, Index 
     found.over = height_over(base, x, found.feature, point);
     return found;
   }
+  if (closest.kind == Kind::vertex) turn_around_vertex(base, x, point, facet, closest);
   found.feature = {facet, Kind::facet, 0};
   found.over = height_over(base, x, found.feature, point);
   const Vec3 way = point - foot_of(base, x, facet, closest.weight) - found.over.height * found.over.normal;

@@ -102,6 +102,28 @@ TEST(Stand, PastAWallIsOverThePlaneOfItsFacet) {
   EXPECT_NEAR(end.over.normal.z(), 1, 1e-14);
 }
 
+/// Goes around the corner of a warped face, past both of its borders: the height has no jump, and does not depend on the way there.
+void turns_around_a_corner(double warp) {
+  const Shape shape = sheet(1, 1, [&](double x, double y) { return warp * (x + y - 2 * x * y); });
+  const BaseSurface base = base_of(shape);
+  double least = 1, largest = -1, before = 0;
+  for (int degree = 165; degree <= 285; ++degree) {
+    const double angle = degree * std::acos(-1.0) / 180;
+    const Vec3 p(0.03 * std::cos(angle), 0.03 * std::sin(angle), -0.001);
+    const double height = stand(base, shape.x, p, 0).over.height;
+    EXPECT_NEAR(stand(base, shape.x, p, 1).over.height, height, 1e-15);
+    if (degree > 165) {
+      EXPECT_NEAR(height, before, 1.5 * std::abs(warp) * 0.03 * std::acos(-1.0) / 180) << degree;
+    }
+    before = height, least = std::min(least, height), largest = std::max(largest, height);
+  }
+  EXPECT_GT(largest - least, 0.2 * std::abs(warp) * 0.03);
+}
+TEST(Stand, PastACornerOfAWarpedFaceHasNoJump) {
+  turns_around_a_corner(0.1);
+  turns_around_a_corner(-0.1);
+}
+
 TEST(Stand, StaysOnItsSideOfAThinBody) {
   const Shape shape = skin();
   const BaseSurface base = base_of(shape);
