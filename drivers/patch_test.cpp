@@ -43,7 +43,7 @@ Error stress_error(const dynamics::View& view, double pressure) {
 /// Of the contact pressure of all apexes; where there are two passes the mean over both is half the pressure.
 Error pressure_error(const dynamics::View& view, double pressure) {
   Error error;
-  const std::size_t passes = view.model.interfaces.size();
+  const std::size_t passes = contact::passes_of(view.model.interfaces);
   for (std::size_t c = 0; c < passes; ++c)
     for (Index a = 0; a < static_cast<Index>(view.model.interfaces[c].apexes.size()); ++a)
       error.see(contact::view(view.model.interfaces[c], view.now.x, view.now.interfaces[c], a).traction,

@@ -63,8 +63,9 @@ model::Simulation build(const input::CaseFile& file) {
     return -dynamics::mean_contact_force(view, passes, memory).x() / area;
   };
   const auto stress = [area](const dynamics::View& view, dynamics::ProbeMemory&) {
-    double force = view.now.interfaces[0].force.x();
-    for (std::size_t back = 1; back < view.now.interfaces.size(); ++back) force -= view.now.interfaces[back].force.x();
+    double force = 0;
+    for (std::size_t c = 0; c < view.now.interfaces.size(); ++c)
+      force += contact::side_of(view.model.interfaces[c]) * view.now.interfaces[c].force.x();
     return -force / area;
   };
   simulation.probes = {{"interface_stress", "Pa", mean_stress}, velocity("A", simulation), velocity("B", simulation),

@@ -7,6 +7,7 @@
 #include "base/gather.hpp"
 #include "base/parallel.hpp"
 #include "contact/apex.hpp"
+#include "contact/crossing.hpp"
 #include "contact/face.hpp"
 #include "contact/foot.hpp"
 #include "contact/near.hpp"
@@ -25,6 +26,9 @@ constexpr double along = 0.5;          // cosine between a push and the normal o
 constexpr double paid_back = 0.2;      // of what friction owes, in a step
 constexpr double most_yield = 1e-6;    // of the depth of an element: way by which a stick yields for that in a step
 constexpr double no_response = 1e-9;   // of that of a free apex: constraints hold all nodes
+constexpr double just_on = 1e-9;       // of a face: so near a ridge an apex stands on it
+constexpr double at_ridge = 0.05;      // weight of the third node of a facet: with less on both sides an apex is on the ridge between them
+constexpr double as_much = 0.5;        // of the larger push of both sides
 constexpr double faces_below = 0.3;    // cosine between the normals of an apex and of what it may touch
 
 /// Whether an apex that is pressed stays over the inside of the one facet that it slides on, and comes to no other part: its stencil of the
@@ -66,6 +70,36 @@ bool has_foot_outside(const BaseSurface& base, const Vectors& x, const Vec3& p, 
   return *std::min_element(weight.begin(), weight.end()) < 0;
 }
 
+}  // namespace
+
+bool can_touch(const Interface& interface, const Motion& m, double gap, double speed) {
+  return gap <= std::max(multipliers_reach * interface.depth, steps_to_touch * m.next * speed);
+}
+
+namespace {
+
+/// The edge of a facet at which a ridge begins and on which a point stands but for round-off; -1 if it stands on none. The way out leads
+/// between both sides there, whichever of them the point has come through by round-off.
+int ridge_below(const BaseSurface& base, const Vectors& x, const Vec3& p, Index facet) {
+  const auto& wall = base.wall[facet];
+  if (!wall[0] && !wall[1] && !wall[2]) return -1;
+  const FeatureHeight over = height_over(base, x, {facet, geometry::Kind::facet, 0}, p);
+  if (!(std::abs(over.height) < just_on * base.size(facet))) return -1;
+  for (int e = 0; e < 3; ++e)
+    if (wall[e] && base.neighbour(e, facet) >= 0 && std::abs(over.weight[(e + 2) % 3]) < just_on) return e;
+  return -1;
+}
+
+/// Sets nodes, weights, normal and gap of an apex over a facet.
+void set(const Interface& interface, Index apex, const Stencil& stencil, const Vec3& normal, double gap, Condition& c) {
+  c.gap = gap;
+  c.normal = normal;
+  c.node[0] = apex;
+  c.weight[0] = 1;
+  for (int I = 0; I < 3; ++I) c.node[I + 1] = interface.base.facets(I, stencil.facet), c.weight[I + 1] = -stencil.weight[I];
+  c.nodes = 4;
+}
+
 /// Nodes, weights, normal and gap of an apex over the feature of a stencil where the nodes are at t; false if it is out of reach.
 ///
 /// A stencil with a push was found where the nodes would be: it counts however far the apex is now, and the push has the direction.
@@ -82,6 +116,15 @@ bool make(const Interface& interface, const Motion& m, const Multipliers& all, c
     if (here.past > 0 && here.over.height < 0) return false;
     if (here.past > 0) stencil.facet = here.wall.facet, stencil.kind = here.wall.kind, stencil.local = here.wall.local;
   }
+  if (stencil.on_ridge) {
+    over = height_over(interface.base, m.x, feature(), p);
+    Vec3 foot = Vec3::Zero();
+    for (int I = 0; I < 3; ++I) foot += over.weight[I] * m.x.col(interface.base.facets(I, stencil.facet));
+    stencil.weight = over.weight;
+    set(interface, apex, stencil, stencil.push / push, (p - foot).dot(stencil.push) / push - stencil.level, c);
+    has_moment = true;
+    return true;
+  }
   if (stencil.kind != geometry::Kind::facet) {  // where the apex would be; now it may be over a facet beside
     const Stand here = stand(interface.base, m.x, p, stencil.facet);
     if (here.past == 0) stencil.facet = here.feature.facet, stencil.kind = here.feature.kind, stencil.local = here.feature.local;
@@ -89,8 +132,19 @@ bool make(const Interface& interface, const Motion& m, const Multipliers& all, c
   }
   if (stencil.kind != geometry::Kind::facet && std::abs(over.height) < no_direction * interface.base.size(stencil.facet)) {
     const Vec3 facet = facet_normal(interface.base, m.x, stencil.facet);
-    if (push > 0 && facet.dot(stencil.push) < along * push) has_moment = true, over.normal = stencil.push / push;
-    else stencil.kind = geometry::Kind::facet;
+    if (push > 0 && facet.dot(stencil.push) < along * push) {
+      has_moment = true, over.normal = stencil.push / push;
+    } else {
+      stencil.kind = geometry::Kind::facet;
+    }
+  }
+  const int ridge = stencil.kind == geometry::Kind::facet ? ridge_below(interface.base, m.x, p, stencil.facet) : -1;
+  if (ridge >= 0) {
+    over = height_over(interface.base, m.x, {stencil.facet, geometry::Kind::facet, 0}, p);
+    const Vec3 beside = facet_normal(interface.base, m.x, interface.base.neighbour(ridge, stencil.facet));
+    stencil.weight = over.weight;
+    set(interface, apex, stencil, (over.normal + beside).normalized(), over.height - stencil.level, c);
+    return has_moment = true;
   }
   // beside a rim, below its level: the normal from there to the apex leads along the surface, and nothing was penetrated
   if (stencil.kind != geometry::Kind::facet && near.tracks.count == 0 && over.height < 0) return false;
@@ -106,21 +160,35 @@ bool make(const Interface& interface, const Motion& m, const Multipliers& all, c
       blend_over_facet(interface.base, m.x, p, feature(), allowed, over);
   }
   stencil.weight = over.weight;
-  c.gap = over.height - stencil.level;
-  c.normal = over.normal;
-  c.node[0] = apex;
-  c.weight[0] = 1;
-  for (int I = 0; I < 3; ++I) c.node[I + 1] = interface.base.facets(I, stencil.facet), c.weight[I + 1] = -over.weight[I];
-  c.nodes = 4;
+  set(interface, apex, stencil, over.normal, over.height - stencil.level, c);
   if (stencil.fourth != 0) c.nodes = 5, c.node[4] = interface.base.half[stencil.facet].fourth, c.weight[4] = -stencil.fourth;
   if (!(push > 0)) {
     double fastest = 0;
     for (int I = 1; I < c.nodes; ++I) fastest = std::max(fastest, (all.velocity.col(apex) - all.velocity.col(c.node[I])).squaredNorm());
-    if (c.gap > std::max(multipliers_reach * interface.depth, steps_to_touch * m.next * std::sqrt(fastest))) return false;
+    if (!can_touch(interface, m, c.gap, std::sqrt(fastest))) return false;
     const bool faced = near.tracks.count > 0 || interface.own.facets.cols() == 0;
     if (!faced && !(node_normal(interface.own, m.x, apex).dot(c.normal) < faces_below)) return false;
   }
   return true;
+}
+
+/// Where an apex is just on a ridge and both sides of it push, makes one stencil of theirs: to press on one side, and on the other, would
+/// turn a blow on a ridge aside, and what was held could not be given back along the way it was taken.
+void join_on_ridge(const BaseSurface& base, ElementForces& element) {
+  if (element.count != 2) return;
+  Stencil &one = element.stencil[0], &other = element.stencil[1];
+  if (one.kind != geometry::Kind::facet || other.kind != geometry::Kind::facet || one.apex == 0 || other.apex == 0) return;
+  const double pushes[] = {one.push.norm(), other.push.norm()};
+  if (std::min(pushes[0], pushes[1]) <= as_much * std::max(pushes[0], pushes[1])) return;
+  for (int e = 0; e < 3; ++e) {
+    if (base.neighbour(e, one.facet) != other.facet || !base.wall[one.facet][e] || one.weight[(e + 2) % 3] > at_ridge) continue;
+    for (int back = 0; back < 3; ++back)
+      if (base.neighbour(back, other.facet) == one.facet && other.weight[(back + 2) % 3] > at_ridge) return;
+    one.kind = geometry::Kind::edge, one.local = e, one.on_ridge = true;
+    one.push += other.push;
+    element.count = 1;
+    return;
+  }
 }
 
 /// Whether a stencil before this one has the other half of its face: both are one bilinear surface.
@@ -143,9 +211,8 @@ NEREID_HOT double let_through(const Motion& m, int j, Condition& c, Multipliers&
   return c.normal.dot(all.along.back());
 }
 
-/// What follows from these; false where constraints hold all its nodes.
-///
-/// pressed  [N] by all conditions of the contactor in the step before;  held  [J] by it
+}  // namespace
+
 bool complete(const Motion& m, double pressed, double held, Multipliers& all, Condition& c) {
   c.constrained = 0;
   double sum = 0;
@@ -164,6 +231,8 @@ bool complete(const Motion& m, double pressed, double held, Multipliers& all, Co
   c.least = std::min(closing, may > 0 ? 0.5 * may : may);
   return c.per_mass * m.mass(c.node[0]) > no_response;
 }
+
+namespace {
 
 /// Where the apexes stand that come next in the list of near ones and stay over one bilinear face each.
 struct Ahead {
@@ -255,13 +324,11 @@ double response(const Touch& touch, const Motion& m, bool constrained) {
   return std::max(product(one, one), product(other, other)) + std::abs(product(one, other));
 }
 
-/// Adds the friction of a contactor, with the force of the step before as a first guess. Where constraints hold or drive all nodes along
-/// the plane, no impulse changes the slip rate; it grows to what the normal impulse allows, and they take it.
-///
-/// stuck  in the step before: what sweeps have left of its slip rate is no sliding
+}  // namespace
+
 Index add_friction(const Touch& touch, const Coulomb& law, const Vec3& force, bool stuck, const Motion& m, Multipliers& all) {
   double per_mass = response(touch, m, true);
-  if (!(per_mass > no_response / m.mass(touch.apex))) per_mass = response(touch, m, false);
+  if (!(per_mass > no_response / m.mass(touch.apex >= 0 ? touch.apex : touch.node[0]))) per_mass = response(touch, m, false);
   const Vec3 impulse = 0.5 * (m.dt + m.next) * (force - touch.normal.dot(force) * touch.normal);
   const Vec3 before = slip_rate(touch, m.v, m.omega, m.rotation_of_node);
   all.frictions.push_back({.touch = touch, .coefficient = coefficient_at(law, stuck ? 0 : before.norm()), .per_mass = per_mass,
@@ -269,6 +336,8 @@ Index add_friction(const Touch& touch, const Coulomb& law, const Vec3& force, bo
                            .met = impulse, .moved = Vec3::Zero(), .after = before});
   return static_cast<Index>(all.frictions.size()) - 1;
 }
+
+namespace {
 
 /// Lets sticks yield against their forces, so that friction takes back what it owes [J].
 void let_yield(double owed, double depth, const Motion& m, std::size_t first, Multipliers& all) {
@@ -294,14 +363,17 @@ bool find(const Interface& interface, const Motion& m, const Memory& memory, Nea
   return made && complete(m, near.pressed, memory.restitution[near.apex].held, all, c);
 }
 
-/// Adds a contactor, with what it adds to Multipliers::shared.
-NEREID_HOT void add(const Contactor& one, Multipliers& all) {
+}  // namespace
+
+void add(const Contactor& one, Multipliers& all) {
   all.contactors.push_back(one);
   for (Index i = one.first; i < one.last; ++i) {
     const Condition& c = all.conditions[i];
     each_node(c, [&](int j) { all.shared(c.node[j]) += one.area * std::abs(c.weight[j]); });
   }
 }
+
+namespace {
 
 /// The stencil of the first condition of an apex.
 const Stencil& first_of(const ElementForces& element) {
@@ -380,12 +452,14 @@ void look_ahead(const Subset& nodes, const Motion& m, Multipliers& all) {
 }
 
 void find_conditions(const Interface& interface, const Motion& m, Memory& memory, Workspace& workspace, Multipliers& all) {
+  if (interface.kind == InterfaceKind::edges) return find_crossings(interface, m, memory, workspace, all);
   const double h = 0.5 * (m.dt + m.next);
   const std::size_t first_friction = all.frictions.size();
   find(interface, m, memory, workspace, all);
   Ahead ahead;
   for (Near& near : memory.near) {
     const auto first = static_cast<Index>(all.conditions.size());
+    join_on_ridge(interface.base, near.element);
     for (int s = 0; s < near.element.count; ++s) {
       Stencil& stencil = near.element.stencil[s];
       Condition& c = all.conditions.emplace_back();

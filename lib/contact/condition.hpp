@@ -90,6 +90,7 @@ struct Contactor {
   double square;         ///< [-] of the coefficient of restitution
   double work = 0;       ///< [J] of its impulses in this step
   double lost = 0;       ///< [J] of what it held, as it was released
+  bool lets_go = false;  ///< it gives back what it holds in this step
 };
 
 /// Contactors that share what they hold, and how much of it others of the pool have received. [J]
@@ -193,6 +194,26 @@ inline double impulse_of(const Contactor& one, const Multipliers& all) {
 /// Needs  look_ahead() for its nodes
 void find_conditions(const Interface&, const Motion&, Memory&, Workspace&, Multipliers&);
 void find_conditions(const RigidPlane&, const Motion&, PlaneMemory&, Multipliers&);
+
+/// Sets what follows from nodes, weights, normal and gap of a condition; false where constraints hold all its nodes.
+///
+/// pressed  [N] by all conditions of the contactor in the step before;  held  [J] by it
+bool complete(const Motion&, double pressed, double held, Multipliers&, Condition&);
+
+/// Adds the friction of a contactor, with the force of the step before as a first guess. Where constraints hold or drive all nodes along
+/// the plane, no impulse changes the slip rate; it grows to what the normal impulse allows, and they take it.
+///
+/// stuck    in the step before: what sweeps have left of its slip rate is no sliding
+/// returns  its place in Multipliers::frictions
+Index add_friction(const Touch&, const Coulomb&, const Vec3& force, bool stuck, const Motion&, Multipliers&);
+
+/// Adds a contactor, with what it adds to Multipliers::shared.
+void add(const Contactor&, Multipliers&);
+
+/// Whether a gap is so small, or closes so fast, that it counts in the step to come.
+///
+/// speed  [m/s] of the nodes against each other
+bool can_touch(const Interface&, const Motion&, double gap, double speed);
 
 /// Sets what the nodes do in the step to come without multipliers.
 void look_ahead(const Subset& nodes, const Motion&, Multipliers&);

@@ -4,6 +4,7 @@
 
 #include "contact/apex.hpp"
 #include "contact/bond.hpp"
+#include "contact/crossing.hpp"
 #include "contact/near.hpp"
 #include "contact/stand.hpp"
 
@@ -136,6 +137,23 @@ InitialGaps connect(Interface& interface, const Vectors& x, double reach, const 
   const Index connected = gaps.apexes - gaps.without_base;
   if (connected == 0) gaps.least = gaps.largest = 0;
   else gaps.mean /= connected;
+  return gaps;
+}
+
+InitialGaps connect_edges(const Interface& interface, const Vectors& x, Memory& memory, Workspace& workspace) {
+  prepare(interface, memory);
+  memory.margin = interface.margin;
+  search_crossings(interface, x, memory, workspace);
+  memory.searches = 0;
+  InitialGaps gaps;
+  gaps.pairs = static_cast<Index>(memory.crossings.size());
+  for (const Crossing& crossing : memory.crossings) {
+    const Over at = over(interface, x, crossing.edge, crossing.base_edge, 0);
+    const double depth = interface.edge_height - at.height;
+    if (!at.is || !(depth > 1e-12 * interface.margin) || depth > interface.depth) continue;
+    ++gaps.penetrating;
+    gaps.deepest = std::max(gaps.deepest, depth);
+  }
   return gaps;
 }
 

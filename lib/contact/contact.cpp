@@ -30,7 +30,7 @@ void see_depth(const Interface& interface, const Vectors& x, const Near& near, M
 Workspace::Workspace(const Interface& interface)
     : broad(static_cast<Index>(interface.base.facets.cols())),
       facets(interface.apexes.size(), 0),
-      spring_sum(Scalars::Zero(static_cast<Eigen::Index>(interface.base.ring_begin.size()) - 1)),
+      spring_sum(Scalars::Zero(std::max<Eigen::Index>(1, static_cast<Eigen::Index>(interface.base.ring_begin.size())) - 1)),
       rotation_sum(Scalars::Zero(interface.friction.coefficient > 0 && !interface.rotation_of_node.empty() ? spring_sum.size() : 0)) {
   near.reserve(interface.apexes.size());
 }
@@ -129,6 +129,12 @@ void add_forces(const Interface& interface, const Memory& memory, Vectors& force
       for_each_node(interface, element.stencil[i], [&](Index node, double weight, double) { force.col(node) -= weight * push; });
     }
   }
+  for (const Crossing& crossing : memory.crossings) {
+    if (!crossing.closed) continue;
+    for (std::size_t j = 0; j < 4; ++j) force.col(crossing.node[j]) += crossing.weight[j] * crossing.push;
+    if (crossing.friction.acts)
+      add_friction(crossing.friction.touch, crossing.friction.force, interface.rotation_of_node, force, moment);
+  }
   if (!(interface.friction.coefficient > 0)) return;
   for (const Near& near : memory.near)
     if (near.friction.acts) add_friction(near.friction.touch, near.friction.force, interface.rotation_of_node, force, moment);
@@ -162,6 +168,7 @@ void post(const Interface& interface, const Memory& memory, Account& account) {
 
 double least_gap(const Interface& interface, const Vectors& x, const Memory& memory, double reach) {
   double least = std::numeric_limits<double>::quiet_NaN();
+  if (interface.kind == InterfaceKind::edges) return least;  // of edges that cross nothing is known before
   const auto see = [&least](double gap) {
     if (!(gap >= least)) least = gap;
   };

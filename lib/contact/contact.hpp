@@ -1,5 +1,5 @@
 #pragma once
-// Contact: apexes over a base surface, with the adaptive connectivity of Kulak & Fiala.
+// Contact: apexes over a base surface, with the adaptive connectivity of Kulak & Fiala; and edges over edges (crossing.hpp).
 //
 //            apex  *                An apex interacts with the closest feature of the base surface:
 //                  |  h             a facet (tetrahedral element), an edge (triangular) or a vertex
@@ -21,10 +21,13 @@
 // become one, so a tributary area counts exactly once: docs/theory/contact.md. A closed element may also rub, and a bonded one
 // neither opens nor slides: docs/theory/friction.md.
 
+#include <algorithm>
+#include <span>
 #include <string>
 
 #include "base/account.hpp"
 #include "base/step_limit.hpp"
+#include "contact/edges.hpp"
 #include "contact/friction.hpp"
 #include "contact/method.hpp"
 #include "contact/search.hpp"
@@ -38,6 +41,7 @@ namespace nereid::contact {
 enum class InterfaceKind {
   contact,  ///< unilateral: pushes only, and the apex slides from base to base
   bonded,   ///< the apex stays over the point of its base where it began, pulled as well as pushed
+  edges,    ///< of a contact: edges of the surface of its apexes over edges of its base, always by multipliers
 };
 
 /// How friction on an apex is shared out over its base, and against what its sliding is measured.
@@ -109,7 +113,19 @@ struct Interface {
   double margin = 0;
   double longest_step = 0;  ///< [s] stable step of the elements at the start: no step is much longer
   Subset base_nodes;  ///< ascending; set by connect()
+  /// Of kind `edges`: those of both sides. Then `apexes` and `base_nodes` are their nodes_of(), and there is no base.
+  Edges edges, base_edges;
+  double edge_height = 0;  ///< [m] h_c between them
 };
+
+/// 1, or -1 of a back pass, whose apexes are on the other side of the contact. [-]
+inline double side_of(const Interface& interface) { return interface.pass == Pass::back ? -1 : 1; }
+
+/// How many of interfaces are passes of nodes, and not edges.
+inline std::size_t passes_of(std::span<const Interface> interfaces) {
+  return static_cast<std::size_t>(
+      std::count_if(interfaces.begin(), interfaces.end(), [](const Interface& one) { return one.kind != InterfaceKind::edges; }));
+}
 
 enum class Status : int {
   unpaired = -1,  ///< farther from its base than the margin
@@ -164,9 +180,26 @@ struct Near {
   ElementForces element;  // last: most of its stencils are not in use
 };
 
+/// An edge of the surface of the apexes near an edge of the base: a contact element where they cross.
+struct Crossing {
+  Index edge = -1, base_edge = -1;   ///< in Interface::edges and base_edges
+  int side = 0;                      ///< sign of the normal on the product of both edges; 0: they are not over each other
+  double level = 0;                  ///< [m] h_c less the offset with which it came in sideways, as of a track
+  bool acts = false;                 ///< it has a condition in the step to come
+  bool closed = false;
+  std::array<Index, 4> node{};       ///< of the edge, then of the base edge
+  std::array<double, 4> weight{};    ///< of the point of the edge, positive, then of that of the base edge, negative
+  Vec3 push = Vec3::Zero();          ///< [N] on the edge
+  double gap = 0;                    ///< [m]
+  double pressed = 0;                ///< [N] in the step before
+  Restitution restitution;
+  FrictionForces friction;
+};
+
 /// What an interface remembers. The forces are those at the end of the last step: the work of the next one needs them.
 struct Memory {
   std::vector<Near> near;                   ///< ascending apexes; of a bonded interface all that have a bond
+  std::vector<Crossing> crossings;          ///< of kind `edges`: pairs within the margin, ascending
   Subset near_facets;                       ///< facets within the margin of each near apex, ascending
   Subset slot;                              ///< [apexes] place in `near`, or -1
   std::vector<Feature> feature;             ///< [apexes] the element in use
@@ -234,12 +267,20 @@ double tangential_stored(const Memory&);  ///< [J] by the elastic stick of frict
 Source source(const Interface&);
 void post(const Interface&, const Memory&, Account&);
 
+/// An edge in a search, with the box around it.
+struct EdgeBox {
+  Index edge;
+  Vec3 low, high;  ///< [m]
+};
+
 /// What an interface works with and may throw away between steps.
 struct Workspace {
   explicit Workspace(const Interface&);
   BroadSearch broad;
   Subset facets;           ///< [apexes] how many facets a search found near
   std::vector<Near> near;  ///< the next list of near apexes
+  std::vector<EdgeBox> edges, base_edges;  ///< what a search looks at
+  std::vector<Crossing> crossings;         ///< the next list of them
   Scalars spring_sum;      ///< [N/m] [nodes of the mesh] stiffness of all springs at a base node
   Scalars rotation_sum;    ///< [N] [nodes of the mesh] the same for the moments of friction
 };
@@ -257,6 +298,7 @@ struct InitialGaps {
   Index penetrating = 0;                    ///< apexes nearer than h_c at the start
   Index free = 0;                           ///< apexes of a bonded interface that stand past its border or have no base: nothing holds them
   double deepest = 0;                       ///< [m] penetration, positive
+  Index pairs = 0;                          ///< of edges within the margin, of kind `edges`; the numbers above are then of these
   std::array<Index, 4> by_kind{};           ///< apexes by Kind of feature
   Coarseness coarseness;                    ///< of a single pass: see coarseness.hpp
 };
@@ -275,6 +317,9 @@ struct ContactHeight {
 /// Penetrations are reported and, where InitialPenetration::accept is not asked for, left for the
 /// caller to refuse: nothing is pushed.
 InitialGaps connect(Interface&, const Vectors& x, double reach, const ContactHeight&, InitialPenetration, Memory&, Workspace&);
+
+/// Finds the edges that are near each other at the start. Those that stand below the level at which they touch count as penetrating.
+InitialGaps connect_edges(const Interface&, const Vectors& x, Memory&, Workspace&);
 
 /// The memory of an interface whose apexes all stand over their nearest facets, also those that are far: for damping, which goes by the
 /// stiffest pair of all.

@@ -29,12 +29,14 @@ Vec3 spin_of_base(const Touch& touch, const Vectors& v) {
 }
 
 Vec3 slip_rate(const Touch& touch, const Vectors& v, const Vectors& omega, const std::vector<Index>& rotation_of_node) {
-  Vec3 rate = v.col(touch.apex);
+  Vec3 rate = Vec3::Zero();
+  if (touch.apex >= 0) rate = v.col(touch.apex);
   if (!touch.apex_arm.isZero(0)) rate -= Vec3(omega.col(rotation_of_node[touch.apex])).cross(touch.apex_arm);
   Vec3 spin = Vec3::Zero();
   if (!touch.base_rotates && !touch.base_arm.isZero(0)) spin = spin_of_base(touch, v);
   for (int I = 0; I < touch.nodes; ++I) {
     rate -= touch.weight[I] * v.col(touch.node[I]);
+    if (touch.apex < 0) rate += touch.normal.dot(v.col(touch.node[I])) * touch.lift[I];
     if (touch.base_rotates && touch.weight[I] != 0) spin += touch.weight[I] * omega.col(rotation_of_node[touch.node[I]]);
   }
   rate -= spin.cross(touch.base_arm);
@@ -43,16 +45,19 @@ Vec3 slip_rate(const Touch& touch, const Vectors& v, const Vectors& omega, const
 
 FrictionShares share_friction(const Touch& touch, const Vec3& friction) {
   FrictionShares shares;
-  shares.count = touch.nodes + 1;
+  const int first = touch.apex >= 0 ? 1 : 0;
+  shares.count = touch.nodes + first;
   shares.node[0] = touch.apex, shares.force[0] = friction, shares.turns = {};
   if (!touch.apex_arm.isZero(0)) shares.turns[0] = true, shares.moment[0] = -touch.apex_arm.cross(friction);
   const Vec3 on_base = -touch.base_arm.cross(friction);
   const bool turns_facet = !touch.base_rotates && !touch.base_arm.isZero(0);
   for (int I = 0; I < touch.nodes; ++I) {
-    shares.node[I + 1] = touch.node[I];
-    shares.force[I + 1] = -touch.weight[I] * friction;
-    if (turns_facet && I < 3) shares.force[I + 1] += couple(touch, on_base, I);
-    if (touch.base_rotates && touch.weight[I] != 0) shares.turns[I + 1] = true, shares.moment[I + 1] = touch.weight[I] * on_base;
+    const int at = I + first;
+    shares.node[at] = touch.node[I];
+    shares.force[at] = -touch.weight[I] * friction;
+    if (turns_facet && I < 3) shares.force[at] += couple(touch, on_base, I);
+    if (touch.apex < 0) shares.force[at] += touch.lift[I].dot(friction) * touch.normal;
+    if (touch.base_rotates && touch.weight[I] != 0) shares.turns[at] = true, shares.moment[at] = touch.weight[I] * on_base;
   }
   return shares;
 }

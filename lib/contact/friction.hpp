@@ -42,18 +42,21 @@ inline Slip stick_or_slide(const Vec3& trial, double stiffness, double limit) {
   return {elastic, trial - elastic};
 }
 
-/// A point of contact between an apex and the nodes of its base: none of a rigid plane, four of a face of a hexahedron.
+/// A point of contact between an apex and the nodes of its base: none of a rigid plane, four of a face of a hexahedron. Where edges cross
+/// there is no apex: the nodes are those of the base edge and then, with negative weights, those of the other edge.
 ///
 /// Friction f acts on the apex and -f on the base at one point between them. Forces at nodes alone would
 /// turn the pair by arm x f, so each side gets the moment of its part of the arm: plates as moments on
-/// their nodes, solids as forces q x r_I on the facet that make that moment and no net force.
+/// their nodes, solids as forces q x r_I on the facet that make that moment and no net force, and edges that cross as
+/// forces (lift_I . f) n.
 struct Touch {
   Vec3 normal = Vec3::UnitZ();     ///< unit vector from the base to the side of the apex
   Vec3 arm = Vec3::Zero();         ///< [m] from the foot to the apex
-  Index apex = -1;                 ///< node
-  int nodes = 3;                   ///< of the base
-  std::array<Index, 4> node{};     ///< of the base, those of the facet first
-  std::array<double, 4> weight{};  ///< of the foot; they sum to one
+  Index apex = -1;                 ///< node; -1 where edges cross
+  int nodes = 3;
+  std::array<Index, 4> node{};     ///< those of the facet first
+  std::array<double, 4> weight{};  ///< of the foot; they sum to one, with those of an edge instead of an apex to zero
+  std::array<Vec3, 4> lift{};      ///< [-] where edges cross; read where there is no apex
   Vec3 base_arm = Vec3::Zero();    ///< [m] part of the arm whose moment the base takes
   Vec3 apex_arm = Vec3::Zero();    ///< [m] part whose moment the apex takes, a plate
   bool base_rotates = false;       ///< the base is a plate, whose nodes have angular velocities
@@ -93,7 +96,7 @@ FrictionShares share_friction(const Touch&, const Vec3& friction);
 /// Invariants  no net force; no net moment where the arm parts add up to the arm.
 void add_friction(const Touch&, const Vec3& friction, const std::vector<Index>& rotation_of_node, Vectors& force, Vectors& moment);
 
-/// Moment about the origin of the same forces and moments, at the positions `later` [s] after x. [N m]
+/// Moment about the origin of the same forces and moments on an apex and its base, at the positions `later` [s] after x. [N m]
 Vec3 moment_of_friction(const Touch&, const Vec3& friction, const Vectors& x, const Vectors& v, double later);
 
 /// A vector carried along with the base: turned by its rotation [rad], laid into the plane across the

@@ -7,6 +7,7 @@
 
 #include "base/parallel.hpp"
 #include "contact/apex.hpp"
+#include "contact/crossing.hpp"
 #include "contact/restitution.hpp"
 #include "contact/rigid_nodes.hpp"
 
@@ -39,6 +40,7 @@ void book_moments(const Interface& interface, const Motion& m, double later, con
 void book_first_half(const Interface& interface, const Motion& m, Memory& memory) {
   const double half = 0.5 * m.dt;
   const bool rubs = interface.friction.coefficient > 0, turns = all_have_moments(interface);
+  book_first_half_of_crossings(m, memory);
   for (const Near& near : memory.near) {
     if (!near.element.closed) continue;
     memory.work += half * power(interface, m.v, near.apex, near.element);
@@ -291,6 +293,7 @@ void take_over(const Interface& interface, const Motion& m, double h, double t, 
     if (element.closed && (turns || element.has_moment)) book_moments(interface, m, 0, near, memory);
     if (rubs && near.friction.acts) memory.force += near.friction.force;
   }
+  if (interface.kind == InterfaceKind::edges) take_over_crossings(interface, h, t, first, last, all, memory);
   memory.work += now.work;
   memory.impulse += 0.5 * m.dt * (force_before + memory.force);
   memory.held = now.to_come + held(first, last, all) + memory.transferred;

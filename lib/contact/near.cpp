@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/parallel.hpp"
+#include "contact/crossing.hpp"
 
 namespace nereid::contact {
 
@@ -68,12 +69,16 @@ double margin_of(const Interface& interface, const Vectors& v) {
   return std::max(interface.margin, std::isfinite(way) ? way : 0.0);
 }
 
-void search(const Interface& interface, const Vectors& x, Memory& memory, Workspace& workspace) {
-  if (!workspace.broad.sort(interface.base, x)) return;
+void keep_search(const Interface& interface, const Vectors& x, Memory& memory) {
   keep_positions(interface.apexes, x, memory.apexes_then);
   keep_positions(interface.base_nodes, x, memory.base_then);
   memory.mean_way.setZero();
   ++memory.searches;
+}
+
+void search(const Interface& interface, const Vectors& x, Memory& memory, Workspace& workspace) {
+  if (!workspace.broad.sort(interface.base, x)) return;
+  keep_search(interface, x, memory);
   const auto count = static_cast<Index>(interface.apexes.size());
   const auto visit_near = [&](Index a, auto&& visit) {
     const double reach = contact_height(interface, memory, a) + memory.margin;
@@ -117,7 +122,8 @@ double search_where_due(const Interface& interface, const Vectors& x, const Vect
   const double moved = memory.searches == 0 ? infinite : moved_since_search(interface, x, memory);
   if (!(moved > 0.5 * memory.margin)) return moved;
   memory.margin = margin_of(interface, v);
-  search(interface, x, memory, workspace);
+  if (interface.kind == InterfaceKind::edges) search_crossings(interface, x, memory, workspace);
+  else search(interface, x, memory, workspace);
   return 0;
 }
 

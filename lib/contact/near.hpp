@@ -42,6 +42,9 @@ double margin_of(const Interface&, const Vectors& v);
 /// very state, and the run ends.
 void search(const Interface&, const Vectors& x, Memory&, Workspace&);
 
+/// Notes where a search has found apexes and base.
+void keep_search(const Interface&, const Vectors& x, Memory&);
+
 /// Searches if apexes and base have moved by half of the margin since the last search.
 ///
 /// v  [m/s] that they may go on with

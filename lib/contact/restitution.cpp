@@ -10,6 +10,8 @@ namespace {
 constexpr double own_share = 0.5;       // [-] of the force with which a wave leaves a node that moves with what is held
 constexpr double small_loss = 1e-3;     // of what is held: less, taken in a step, delays no release
 constexpr double round_off = 1e-14;     // of the energy with which a node goes apart: so much of what it held is no force
+constexpr double small_rest = 1e-6;     // of what is held: less is not worth another round
+constexpr int rounds_of_rigid = 30;     // in which contactors of rigid bodies give back what they hold
 constexpr int passes = 8;               // in which gaps are closed again
 
 /// The condition of a contactor that presses hardest.
@@ -31,31 +33,65 @@ Gain gain(const Condition& c, double after) { return {0.5 * (c.before - c.free) 
 
 }  // namespace
 
-void release(const Motion& m, double t, Multipliers& all) {
+namespace {
+
+/// Whether a contactor is without a force, or has one that only what it holds could make.
+bool lets_go(const Contactor& one, const Condition& c, double pressed, double h, double t) {
+  const Restitution& memory = *one.memory;
+  const double own = own_share * one.impedance * std::sqrt(2 * memory.held * c.per_mass);
+  if (pressed > 0 && pressed >= own) return false;
+  const double time = 1 / (c.per_mass * one.impedance);
+  return !(pressed > 0) || (t - memory.last_loss >= time - 0.5 * h && memory.mean_force < own);
+}
+
+double left_of(const Contactor& one) { return one.memory->held - one.work - one.lost; }
+
+/// Gives back what contactors hold, as far as the bounds of what they change in each other let them.
+///
+/// first     whether they are to be asked if they let go; else those that have go on together: what one has given too much, by what others
+///           gave, they have less
+/// returns   whether any gave something
+bool give_back(const Motion& m, double t, bool first, Multipliers& all) {
   const double h = 0.5 * (m.dt + m.next);
   bool any = false;
-  for (FrictionCondition& condition : all.frictions) condition.change.setZero();
+  double sum = 0, positive = 0, held = 0;
+  for (const Contactor& one : all.contactors) {
+    if (first || !one.lets_go) continue;
+    sum += left_of(one), positive += std::max(0.0, left_of(one)), held += one.memory->held;
+  }
+  const double part = first ? 1 : sum / positive;
+  if (!first && !(sum > small_rest * held)) return false;
   for (Contactor& one : all.contactors) {
     for (Index i = one.first; i < one.last; ++i) all.conditions[i].change = 0;
     const Restitution& memory = *one.memory;
-    const double left = memory.held - one.work;
+    const double left = part * left_of(one);
     if (!(memory.held > 0) || !(left > 0)) continue;
     Condition& c = hardest(one, all);
-    const double pressed = impulse_of(one, all) / h;
-    const double own = own_share * one.impedance * std::sqrt(2 * memory.held * c.per_mass);
-    if (pressed > 0 && pressed >= own) continue;
-    const double time = 1 / (c.per_mass * one.impedance);
-    if (pressed > 0 && (t - memory.last_loss < time - 0.5 * h || memory.mean_force >= own)) continue;
+    if (first) one.lets_go = lets_go(one, c, impulse_of(one, all) / h, h, t);
+    if (!one.lets_go) continue;
     const Gain by = gain(c, rate(c, all.velocity));
     if (by.B < 0 || left * by.A < round_off * by.B * by.B) continue;  // on its way in, or released before
-    one.lost = (1 - one.square) * std::max(0.0, left - memory.kept);
-    one.memory->kept = left - one.lost;
-    c.change = by.impulse_for(left - one.lost);
-    one.work += left - one.lost;
+    const double lost = (1 - one.square) * std::max(0.0, left - memory.kept);
+    one.lost += lost;
+    one.memory->kept = left - lost;
+    c.change = by.impulse_for(left - lost);
+    one.work += left - lost;
     any = any || c.change > 0;
   }
-  if (!any) return;
-  apply_changes(m, all);
+  if (any) apply_changes(m, all);
+  return any;
+}
+
+}  // namespace
+
+void release(const Motion& m, double t, Multipliers& all) {
+  for (FrictionCondition& condition : all.frictions) condition.change.setZero();
+  if (!give_back(m, t, true, all)) return;
+  // rigid bodies leave in one step, and what several contactors hold of one blow is to be gone by then
+  for (int round = 1; m.rigid && round < rounds_of_rigid; ++round) {
+    find_work(m, all);
+    if (!give_back(m, t, false, all)) break;
+  }
   for (int pass = 0; pass < passes; ++pass) {  // gaps that this has made negative, with what each holds itself
     for (Contactor& one : all.contactors)
       for (Index i = one.first; i < one.last; ++i) {

@@ -21,6 +21,7 @@ struct Stencil {
   std::array<double, 3> share{};   ///< of the spring's stiffness at the nodes; a node that several stencils of an apex share has it once
   geometry::Kind kind = geometry::Kind::facet;  ///< of the feature of the facet that the apex is over
   int local = 0;                                ///< which edge or vertex of the facet that is
+  bool on_ridge = false;           ///< by multipliers: both sides of that edge push the apex, which goes out between them
   /// [m] over the feature at which a contact closes; NaN: the stencil only goes with another one
   double level = std::numeric_limits<double>::quiet_NaN();
 };

@@ -23,6 +23,7 @@ constexpr double overlap = 1e-3;      // of a facet's weights: neighbours overla
 constexpr double round_off = 1e-9;    // of the longest edge
 constexpr double of_places = 1e-15;   // of the coordinates
 constexpr double at_once = 1e-9;      // of a step: crossings that are as early as each other
+constexpr double on_ridge = 1e-3;     // of a step: sides of a ridge that are crossed as early as each other
 constexpr double material = 0.9;      // of the thickness: no contact begins from deeper
 constexpr double shallow = 0.2;       // of the longest edge: nor from deeper, but through the front
 constexpr double far_side = -0.5;     // cosine: facets that are turned so far are not round the corner
@@ -79,6 +80,7 @@ bool reaches(const BaseSurface& base, Index facet, const Corners& c, const Vecto
 struct Crossing {
   Index facet = -1;
   bool faced = true;
+  double at = 0;  // [-] of the step
 };
 
 /// The path p0 - p1 in the frame of each near facet, against its plane at a height.
@@ -113,7 +115,8 @@ Crossing crossed(const Sweep& s, const Vec3& p0, const Vec3& p1, double level, b
     }
     if (t < first - at_once || fall > steepest) best.facet = f, steepest = fall, first = std::min(t, first);
   }
-  if (best.facet < 0 && not_faced >= 0) best = {not_faced, false};
+  best.at = first;
+  if (best.facet < 0 && not_faced >= 0) best = {not_faced, false, first};
   return best;
 }
 
@@ -191,6 +194,13 @@ bool around(const Sweep& s, const Tracks& tracks, Index facet) {
   return false;
 }
 
+/// Whether two facets meet at a wall.
+bool is_across_wall(const BaseSurface& base, Index facet, Index other) {
+  for (int e = 0; e < 3; ++e)
+    if (base.wall[facet][e] && base.neighbour(e, facet) == other) return true;
+  return false;
+}
+
 }  // namespace
 
 Vec3 at(const Place& place, const BaseSurface& base, const Vectors& x, const Vectors& v, double earlier) {
@@ -224,7 +234,12 @@ void enter(const Sweep& s, double deepest, Tracks& tracks) {
       const auto weight = geometry::facet_height(corners(s.base, s.x, through.facet), place(p1)).weight;
       if (least(weight) < overlap) return;  // along the border of that side, as a node in the plane of the block's sole
     }
-    return tracks.begin(through.facet, s.contact_height);
+    tracks.begin(through.facet, s.contact_height);
+    // just on a ridge it comes through both sides at once, and both push it back
+    const auto beside = [&](Index f) { return !is_across_wall(s.base, through.facet, f); };
+    const Crossing other = crossed(s, p0, p1, s.contact_height, true, beside);
+    if (other.facet >= 0 && other.faced && std::abs(other.at - through.at) < on_ridge) tracks.begin(other.facet, s.contact_height);
+    return;
   }
   if (s.contact_height > 0) {
     // between the layers of two facets, and through the surface itself

@@ -58,7 +58,7 @@ struct Sweep {
 /// It has where its path crosses the plane of a near facet, at h_c or at the surface itself, from the front, inside the facet, and its own
 /// surface faces the facet. Without facing it came over a wall: the track begins at the shallowest facet that it faces, with an offset, so
 /// that nothing springs. So does what comes in edgeways close below a facet that it looks at, and what comes in under an open border, down
-/// to twice the deepest contact of the step before.
+/// to twice the deepest contact of the step before. Just on a ridge whose sides are walls it gets a track on both.
 ///
 /// deepest  [m] contact of any apex in the step before
 void enter(const Sweep&, double deepest, Tracks&);

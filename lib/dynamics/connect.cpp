@@ -137,6 +137,18 @@ double element_step(const Model& model) {
   return step;
 }
 
+/// What nodes of the surfaces of a contact and of its edges have in common, but for the passes.
+void set_sides(const Model& model, const mesh::Surface& apexes, const mesh::Surface& base, const InterfaceOptions& options,
+               contact::Interface& interface) {
+  interface.restitution = options.restitution;
+  interface.impedance = 1 / (1 / surface_impedance(model, apexes) + 1 / surface_impedance(model, base));
+  const double depths[] = {surface_depth(model, apexes), surface_depth(model, base)};
+  interface.depth = depths[0] > 0 && depths[1] > 0 ? std::min(depths[0], depths[1]) : std::max(depths[0], depths[1]);
+  interface.margin = std::sqrt(2 * mesh::facet_areas(model.mesh, base).mean());  // the side of a face: a search costs as much as some steps
+  interface.longest_step = element_step(model);
+  interface.friction = options.friction;
+}
+
 Connected connect_one_pass(Model& model, const std::string& name, const std::string& apex_surface, const std::string& base_surface,
                            const InterfaceOptions& options, contact::Pass pass) {
   const double share = pass == contact::Pass::only ? 1 : 0.5;
@@ -160,14 +172,8 @@ Connected connect_one_pass(Model& model, const std::string& name, const std::str
   interface.first_step_factor = options.step_factor;
   interface.pass = pass;
   interface.pass_factor = share;
-  interface.restitution = options.restitution;
-  interface.impedance = 1 / (1 / surface_impedance(model, apexes) + 1 / surface_impedance(model, base));
-  const double depths[] = {surface_depth(model, apexes), surface_depth(model, base)};
-  interface.depth = depths[0] > 0 && depths[1] > 0 ? std::min(depths[0], depths[1]) : std::max(depths[0], depths[1]);
+  set_sides(model, apexes, base, options, interface);
   interface.release_height = contact::by_multipliers(interface) ? contact::multipliers_reach * interface.depth : 0;
-  interface.margin = std::sqrt(2 * interface.facet_area.mean());  // about the side of a face: a search costs as much as some steps
-  interface.longest_step = element_step(model);
-  interface.friction = options.friction;
   interface.weights = options.weights;
   interface.area_kind = options.area;
   interface.allowed = allowed_directions(model, interface.apexes);
@@ -197,6 +203,41 @@ Connected connect_one_pass(Model& model, const std::string& name, const std::str
     const double step = contact::stable_step(interface, model.mass, model.inertia, trial, workspace).step;
     interface.damping_time = 2 * options.damping_ratio * step / contact::step_factor(interface, trial.step_factor);  // 2 zeta / omega
   }
+  model.interfaces.push_back(std::move(interface));
+  return connected;
+}
+
+/// Whether one of the edges of a surface is a ridge or a rim.
+bool has_ridges(const contact::Edges& edges, const Vectors& X) {
+  for (Index e = 0; e < edges.nodes.cols(); ++e)
+    if (contact::is_ridge(edges, X, e)) return true;
+  return false;
+}
+
+/// Adds the edges of a contact, if both surfaces have such that can cross.
+std::optional<Connected> connect_edges(Model& model, const std::string& name, const std::string& apex_surface,
+                                       const std::string& base_surface, const InterfaceOptions& options) {
+  const mesh::Surface& apexes = mesh::surface(model.mesh, apex_surface);
+  const mesh::Surface& base = mesh::surface(model.mesh, base_surface);
+  std::vector<Subset> planes;
+  for (const load::Plane& plane : model.constraints.planes)
+    if (plane.kind == load::PlaneKind::symmetry) planes.push_back(plane.nodes);
+  contact::Interface interface;
+  interface.edges = contact::edges_of(model.mesh, apexes, planes);
+  interface.base_edges = contact::edges_of(model.mesh, base, planes);
+  if (!has_ridges(interface.edges, model.mesh.X) || !has_ridges(interface.base_edges, model.mesh.X)) return std::nullopt;
+  interface.name = name + "_edges";
+  interface.kind = contact::InterfaceKind::edges;
+  interface.method = contact::Method::multiplier;
+  interface.apexes = contact::nodes_of(interface.edges);
+  interface.base_nodes = contact::nodes_of(interface.base_edges);
+  set_sides(model, apexes, base, options, interface);
+  interface.edge_height =
+      options.height.from_initial_height ? half_thickness(model, apexes) + half_thickness(model, base) : options.height.given;
+  if (rotates(model, apexes) || rotates(model, base)) interface.rotation_of_node = model.rotation_of_node;
+  Connected connected;
+  contact::Workspace workspace(interface);
+  connected.gaps = contact::connect_edges(interface, model.mesh.X, connected.memory, workspace);
   model.interfaces.push_back(std::move(interface));
   return connected;
 }
@@ -237,10 +278,13 @@ std::vector<Connected> connect(Model& model, const std::string& name, const std:
   std::vector<Connected> passes;
   if (!options.two_passes) {
     passes.push_back(connect_one_pass(model, name, apex_surface, base_surface, options, contact::Pass::only));
-    return passes;
+  } else {
+    passes.push_back(connect_one_pass(model, name, apex_surface, base_surface, options, contact::Pass::forth));
+    passes.push_back(connect_one_pass(model, name + "_back", base_surface, apex_surface, options, contact::Pass::back));
   }
-  passes.push_back(connect_one_pass(model, name, apex_surface, base_surface, options, contact::Pass::forth));
-  passes.push_back(connect_one_pass(model, name + "_back", base_surface, apex_surface, options, contact::Pass::back));
+  if (options.kind == contact::InterfaceKind::bonded || !options.edges) return passes;
+  std::optional<Connected> edges = connect_edges(model, name, apex_surface, base_surface, options);
+  if (edges) passes.push_back(std::move(*edges));
   return passes;
 }
 

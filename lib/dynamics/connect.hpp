@@ -16,6 +16,7 @@ struct InterfaceOptions {
   std::optional<double> penalty = {};  ///< [Pa/m] without it `penalty_scale` counts
   double penalty_scale = 20;  ///< [-] chosen penalty over the stiffness of the softer side
   contact::Coulomb friction = {};
+  bool edges = true;         ///< of both surfaces touch each other too, by multipliers
   bool two_passes = false;   ///< each surface has apexes over the other, with half the penalty each
   double damping_ratio = 0;  ///< [-] of an apex on its base, over the critical damping of the stiffest pair
   contact::Weights weights = contact::Weights::consistent;
@@ -56,7 +57,8 @@ double surface_depth(const Model&, const mesh::Surface&);
 /// A penalty that is not given is `penalty_scale` times the stiffness of the softer side: refined with the mesh.
 ///
 /// Needs    a model after finalize(), with its symmetry planes
-/// returns  one interface, or two passes: `name`, and `name`_back with the sides exchanged
+/// returns  one interface, or two passes: `name`, and `name`_back with the sides exchanged; then `name`_edges, where both surfaces have
+///          ridges or rims
 /// Penetrations are reported in Connected::gaps; where InitialPenetration::refuse is asked for, the
 /// caller refuses the scene.
 std::vector<Connected> connect(Model&, const std::string& name, const std::string& apex_surface,

@@ -168,8 +168,8 @@ Vec3 growth(const Vec3& impulse, const Vec3& first, double t, ProbeMemory& memor
 }  // namespace
 
 Vec3 mean_contact_force(const View& view, const std::vector<std::size_t>& passes, ProbeMemory& memory) {
-  Vec3 impulse = view.now.interfaces[passes[0]].impulse;
-  for (std::size_t p = 1; p < passes.size(); ++p) impulse -= view.now.interfaces[passes[p]].impulse;
+  Vec3 impulse = Vec3::Zero();
+  for (const std::size_t pass : passes) impulse += contact::side_of(view.model.interfaces[pass]) * view.now.interfaces[pass].impulse;
   return growth(impulse, Vec3::Zero(), view.now.t, memory);
 }
 

@@ -73,7 +73,7 @@ std::map<std::array<Index, 2>, double> allowed_overlaps(const Model& model, cons
   std::map<std::array<Index, 2>, double> allowed;
   const auto count = static_cast<Index>(all.list.size());
   for (const contact::Interface& interface : model.interfaces) {
-    if (interface.kind == contact::InterfaceKind::bonded) continue;  // it stays where it was at the start, which is accepted
+    if (interface.kind != contact::InterfaceKind::contact) continue;  // bonds stay where they were at the start, which is accepted
     for (Index one = 0; one < count; ++one) {
       const double height = std::max(0.0, least_height(interface, all.list[one]));
       if (std::isinf(height)) continue;

@@ -157,6 +157,7 @@ dynamics::InterfaceOptions read_solid_interface(const Section& section) {
   const bool base_area = by_penalty.choice_or("area", "apex", {"apex", "base"}) == "base";
   options.area = base_area ? contact::Area::base : contact::Area::apex;
   const Section unilateral = section.when(!bonded);
+  options.edges = unilateral.flag_or("edges", options.edges);
   options.friction = read_friction(unilateral, multiplier);
   if (bonded) options.friction = {};
   const Section rubbing = unilateral.when(options.friction.coefficient > 0);

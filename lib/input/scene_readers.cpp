@@ -106,6 +106,7 @@ model::Contact read_contact(const Section& section, Names& taken) {
                          .at = section.path()};
   contact.height_from_thickness = read_contact_height(section, HeightFrom::thickness, contact.interface) == HeightFrom::thickness;
   if (contact.interface.two_passes) taken.push_back(contact.name + "_back");
+  if (contact.interface.edges) taken.push_back(contact.name + "_edges");
   return contact;
 }
 

@@ -156,9 +156,10 @@ void refuse_penetration(const Contact& contact, const contact::InitialGaps& gaps
   const bool given = !contact.height_from_thickness && !contact.interface.height.from_initial_height && contact.interface.height.given > 0;
   std::array<char, 200> text{};
   std::snprintf(text.data(), text.size(),
-                "%d of %d apexes start penetrated, by %.4g m at most: %smove the bodies apart, or say "
+                "%d of %d %s start penetrated, by %.4g m at most: %smove the bodies apart, or say "
                 "'initial_penetration: accept'",
-                static_cast<int>(gaps.penetrating), static_cast<int>(gaps.apexes), gaps.deepest, given ? "lower 'height', " : "");
+                static_cast<int>(gaps.penetrating), static_cast<int>(gaps.pairs > 0 ? gaps.pairs : gaps.apexes),
+                gaps.pairs > 0 ? "pairs of edges" : "apexes", gaps.deepest, given ? "lower 'height', " : "");
   refuse(faults, part("contact", contact), "initial_penetration", text.data());
 }
 
@@ -185,6 +186,26 @@ bool can_touch(const Contact& contact, const dynamics::Model& model, Faults& fau
   look("base", base);
   if (contact.interface.two_passes) look("apexes", apexes);
   return faults.size() == before;
+}
+
+/// Takes what lies in a symmetry plane out of the skins of bodies: there the body goes on as its image.
+void open_skins(dynamics::Model& model) {
+  std::vector<char> in_plane(static_cast<std::size_t>(model.mesh.X.cols()));
+  for (const load::Plane& plane : model.constraints.planes) {
+    if (plane.kind != load::PlaneKind::symmetry) continue;
+    std::fill(in_plane.begin(), in_plane.end(), 0);
+    for (const Index node : plane.nodes) in_plane[static_cast<std::size_t>(node)] = 1;
+    for (mesh::Surface& surface : model.mesh.surfaces) {
+      if (surface.name.size() < 5 || surface.name.compare(surface.name.size() - 5, 5, ".skin") != 0) continue;
+      Index kept = 0;
+      for (Index f = 0; f < surface.facets.cols(); ++f) {
+        const auto nodes = surface.facets.col(f);
+        if (std::all_of(nodes.begin(), nodes.end(), [&](Index node) { return in_plane[static_cast<std::size_t>(node)] != 0; })) continue;
+        surface.facets.col(kept++) = surface.facets.col(f).eval();
+      }
+      surface.facets.conservativeResize(3, kept);
+    }
+  }
 }
 
 /// Adds the contacts to a model that is finished.
@@ -224,6 +245,7 @@ Simulation build(const Scene& scene) {
 
   add_elements(scene, model);
   add_planes(scene, model, faults);
+  open_skins(model);
   if (!have_masses(scene, model, faults)) throw_if_any(faults);
   const std::size_t before = faults.size();
   add_rigid_bodies(scene, model, faults);

@@ -155,6 +155,21 @@ bool has_solids(const MeshOptions& options) {
   return !has_plates(options);
 }
 
+namespace {
+
+/// The mesh with its skin as a surface and a node set, if it has solids and no such surface yet.
+mesh::Mesh with_skin(const std::string& name, mesh::Mesh mesh) {
+  const std::string skin = name + ".skin";
+  const auto is_skin = [&](const auto& one) { return one.name == skin; };
+  if (mesh.hexahedra.empty() || std::any_of(mesh.surfaces.begin(), mesh.surfaces.end(), is_skin)) return mesh;
+  mesh.surfaces.push_back({skin, mesh::skin(mesh.X, mesh.hexahedra).facets});
+  if (std::none_of(mesh.node_sets.begin(), mesh.node_sets.end(), is_skin))
+    mesh.node_sets.push_back({skin, mesh::surface_nodes(mesh.surfaces.back())});
+  return mesh;
+}
+
+}  // namespace
+
 mesh::Mesh make_mesh(const std::string& name, const MeshOptions& options) {
   struct Make {
     const std::string& name;
@@ -169,7 +184,7 @@ mesh::Mesh make_mesh(const std::string& name, const MeshOptions& options) {
     mesh::Mesh operator()(const mesh::Sheet& one) const { return mesh::sheet(name, one); }
     mesh::Mesh operator()(const mesh::Mesh& one) const { return with_names(name, one); }
   };
-  return std::visit(Make{name}, options);
+  return with_skin(name, std::visit(Make{name}, options));
 }
 
 mesh::Mesh mapped(const Field& map, mesh::Mesh mesh, const Part& part, Faults& faults) {

@@ -30,6 +30,12 @@ std::vector<std::string> gap_table(const Simulation& simulation) {
   for (std::size_t c = 0; c < simulation.gaps.size(); ++c) {
     const contact::InitialGaps& g = simulation.gaps[c];
     const contact::Interface& interface = simulation.model.interfaces[c];
+    if (interface.kind == contact::InterfaceKind::edges) {
+      table.push_back(row("%-14s %d and %d edges, %d pairs within %.4g m, %d of them penetrating", interface.name.c_str(),
+                          static_cast<int>(interface.edges.nodes.cols()), static_cast<int>(interface.base_edges.nodes.cols()), g.pairs,
+                          interface.margin, g.penetrating));
+      continue;
+    }
     table.push_back(row("%-14s %6d  %8d  %7d  %9d  %7d  %11d  %-11.4g  %-11.4g  %-11.4g", interface.name.c_str(), g.apexes, g.by_kind[3],
                         g.by_kind[2], g.by_kind[1], g.without_base, g.penetrating, g.least, g.mean, g.largest));
     if (!contact::by_multipliers(interface)) table.push_back(row("%-14s penalty %.4g Pa/m", "", interface.penalty));

@@ -39,11 +39,12 @@ Measure component(const std::string& name, const Vec3& normal, Value&& value) {
   return [value, axis](const View& view, ProbeMemory& memory) -> double { return value(view, memory)(axis); };
 }
 
-/// Places of the interfaces of a contact: one, or two passes with the sides exchanged.
+/// Places of the interfaces of a contact: one, or two passes with the sides exchanged; and of its edges.
 std::vector<std::size_t> passes(const dynamics::Model& model, const std::string& contact) {
   std::vector<std::size_t> found;
   for (std::size_t c = 0; c < model.interfaces.size(); ++c)
-    if (model.interfaces[c].name == contact || model.interfaces[c].name == contact + "_back") found.push_back(c);
+    for (const char* part : {"", "_back", "_edges"})
+      if (model.interfaces[c].name == contact + part) found.push_back(c);
   return found;
 }
 
@@ -52,8 +53,8 @@ double gap(const View& view, const std::vector<std::size_t>& passes) { return dy
 double contact_area(const View& view, const std::vector<std::size_t>& passes) { return dynamics::contact_state(view, passes[0]).area; }
 /// On the surface with the apexes: of a second pass it is what pushes back.
 Vec3 current_force(const View& view, const std::vector<std::size_t>& passes) {
-  Vec3 sum = view.now.interfaces[passes[0]].force;
-  for (std::size_t p = 1; p < passes.size(); ++p) sum -= view.now.interfaces[passes[p]].force;
+  Vec3 sum = Vec3::Zero();
+  for (const std::size_t pass : passes) sum += contact::side_of(view.model.interfaces[pass]) * view.now.interfaces[pass].force;
   return sum;
 }
 double contact_pressure(const View& view, const std::vector<std::size_t>& passes) {

@@ -80,7 +80,8 @@ Grid body_grid(const dynamics::View& view) {
 Grid contact_grid(const dynamics::View& view) {
   const dynamics::Model& model = view.model;
   Eigen::Index count = 0;
-  for (const auto& interface : model.interfaces) count += static_cast<Eigen::Index>(interface.apexes.size());
+  for (const auto& interface : model.interfaces)
+    if (interface.kind != contact::InterfaceKind::edges) count += static_cast<Eigen::Index>(interface.apexes.size());
   // five points for each element: foot, apex and the corners of the facet
   Grid grid;
   grid.time = view.now.t;
@@ -98,6 +99,7 @@ Grid contact_grid(const dynamics::View& view) {
   Eigen::Index e = 0;
   for (std::size_t c = 0; c < model.interfaces.size(); ++c) {
     const auto& interface = model.interfaces[c];
+    if (interface.kind == contact::InterfaceKind::edges) continue;
     for (Index a = 0; a < static_cast<Index>(interface.apexes.size()); ++a, ++e) {
       const auto element = contact::view(interface, view.now.x, view.now.interfaces[c], a);
       const bool lost = element.feature.facet < 0;

@@ -93,7 +93,7 @@ TEST(OfBody, IsTheMeanOverTheVolumeOrTheLargestElement) {
 
 TEST(ContactForce, IsPenaltyTimesAreaTimesDepthOnTheApexes) {
   Scene scene({{"left", 0}, {"right", 2}});
-  InterfaceOptions options{.method = contact::Method::penalty};
+  InterfaceOptions options{.method = contact::Method::penalty, .edges = false};
   options.penalty = 1e6;
   options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
   Connected connected = std::move(connect(scene.model, "touch", "left.x_high", "right.x_low", options)[0]);
@@ -115,7 +115,7 @@ TEST(ContactForce, IsPenaltyTimesAreaTimesDepthOnTheApexes) {
 
 TEST(ContactForce, IsZeroWhereSurfacesAreApart) {
   Scene scene({{"left", 0}, {"right", 2.5}});
-  InterfaceOptions options{.method = contact::Method::penalty};
+  InterfaceOptions options{.method = contact::Method::penalty, .edges = false};
   options.penalty = 1e6;
   options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
   Connected connected = std::move(connect(scene.model, "touch", "left.x_high", "right.x_low", options)[0]);

@@ -11,6 +11,9 @@ TEST(GapTable, HasTwoLinesForEachInterface) {
   Scene scene = with({bar(), wall()});
   EXPECT_TRUE(gap_table(build(scene)).empty());
   scene.contacts = {{.name = "touch", .apexes = "bar.x_high", .base = "wall.x_low"}};
+  ASSERT_EQ(gap_table(build(scene)).size(), 3U);
+  EXPECT_TRUE(says(gap_table(build(scene))[2], "pairs"));
+  scene.contacts[0].interface.edges = false;
   ASSERT_EQ(gap_table(build(scene)).size(), 2U);
   scene.contacts[0].interface.method = contact::Method::penalty;
   const auto table = gap_table(build(scene));

@@ -22,7 +22,7 @@ struct Scene {
     model.blocks.push_back(element::solids(model.mesh, "B", law, element::FullHexahedron::Options{{0, 0}}));
     model.constraints.planes.push_back({"floor", load::PlaneKind::floor, Vec3::Zero(), Vec3::UnitZ(), mesh::node_set(model.mesh, "A")});
     dynamics::finalize(model);
-    const auto connected = dynamics::connect(model, "contact", "A.x_high", "B.x_low", {}).front();
+    const auto connected = dynamics::connect(model, "contact", "A.x_high", "B.x_low", {.edges = false}).front();
     std::vector<contact::Memory> memories{connected.memory};
     state = dynamics::initial_state(model, memories);
     forces = dynamics::make_forces(model);

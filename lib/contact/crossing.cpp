@@ -1,0 +1,274 @@
+#include "contact/crossing.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "base/check.hpp"
+#include "contact/restitution.hpp"
+#include "geometry/crossing.hpp"
+
+namespace nereid::contact {
+
+namespace {
+
+constexpr double parallel = 1e-3;    // sine between edges: with less, an edge 1 m long is over the other where its nodes are, within 1 mm
+constexpr double bent = 0.05;        // sine: bodies bend, and a face that lies on an edge may rise by so much above it
+constexpr double past_end = 1e-6;    // of an edge: two that follow one another have no gap
+constexpr double left_to_nodes = 0.02;  // of an edge at its ends, where it lies in a face of the other body: its node is over that
+constexpr double sideways = 0.1;     // of the depth of an element: so far below an edge may come in with an offset; farther is far behind
+
+Vec3 node_of(const Edges& edges, const Vectors& x, int end, Index edge) { return x.col(edges.nodes(end, edge)); }
+
+/// Positions of both edges, less that of the first node, so that differences keep their digits.
+std::array<Vector<double>, 4> ends_of(const Interface& interface, const Vectors& x, Index edge, Index base_edge) {
+  const Vec3 origin = node_of(interface.edges, x, 0, edge);
+  std::array<Vector<double>, 4> ends;
+  for (int i = 0; i < 4; ++i) {
+    const Vec3 at = (i < 2 ? node_of(interface.edges, x, i, edge) : node_of(interface.base_edges, x, i - 2, base_edge)) - origin;
+    ends[static_cast<std::size_t>(i)] = {at.x(), at.y(), at.z()};
+  }
+  return ends;
+}
+
+/// Whether a place is within an edge; where its body lies in a face of the other one, not at its ends.
+bool is_within(double place, bool lies_flat) {
+  const double end = lies_flat ? left_to_nodes : -past_end;
+  return place >= end && place <= 1 - end;
+}
+
+/// Lines of two edges where they are closest, whatever their ends and what is in front of them; false if they are parallel.
+bool between_lines(const Interface& interface, const Vectors& x, Index edge, Index base_edge, int side, Over& at) {
+  const auto p = ends_of(interface, x, edge, base_edge);
+  const Vector<double> L1 = p[1] - p[0], L2 = p[3] - p[2];
+  if (!(norm(cross(L1, L2)) > parallel * norm(L1) * norm(L2))) return false;
+  const geometry::Crossing<double> lines = geometry::crossing(p[0], p[1], p[2], p[3]);
+  at = {.is = false, .side = side, .normal = side * eigen(lines.normal), .height = side * lines.height, .first = lines.first,
+        .second = lines.second};
+  return true;
+}
+
+/// A box around each edge that is a ridge or a rim, and one around all of them.
+Eigen::AlignedBox3d boxes_of(const Edges& edges, const Vectors& x, double reach, std::vector<EdgeBox>& boxes) {
+  Eigen::AlignedBox3d all;
+  boxes.clear();
+  for (Index e = 0; e < edges.nodes.cols(); ++e) {
+    if (!is_ridge(edges, x, e)) continue;
+    const Vec3 a = node_of(edges, x, 0, e), b = node_of(edges, x, 1, e), beside = Vec3::Constant(reach);
+    boxes.push_back({e, a.cwiseMin(b) - beside, a.cwiseMax(b) + beside});
+    all.extend(boxes.back().low), all.extend(boxes.back().high);
+  }
+  return all;
+}
+
+bool meet(const EdgeBox& one, const EdgeBox& other) {
+  return (one.low.array() <= other.high.array()).all() && (other.low.array() <= one.high.array()).all();
+}
+
+void leave_out(const Eigen::AlignedBox3d& all, std::vector<EdgeBox>& boxes) {
+  const auto outside = [&](const EdgeBox& box) { return !all.intersects(Eigen::AlignedBox3d(box.low, box.high)); };
+  boxes.erase(std::remove_if(boxes.begin(), boxes.end(), outside), boxes.end());
+}
+
+bool before(const Crossing& a, const Crossing& b) { return std::tie(a.edge, a.base_edge) < std::tie(b.edge, b.base_edge); }
+
+/// Ends what a crossing was.
+void let_go(Crossing& crossing, Memory& memory) {
+  discard(crossing.restitution, memory.impact);
+  crossing.acts = false;
+  crossing.pressed = 0;
+  crossing.friction.acts = crossing.friction.stuck = false;
+}
+
+/// Brings a crossing up to date with where its edges are, and would be after the step; false if they can not touch in it.
+bool follow(const Interface& interface, const Motion& m, const Multipliers& all, Crossing& crossing, Over& at) {
+  at = over(interface, m.x, crossing.edge, crossing.base_edge, crossing.side);
+  if (!at.is) {
+    const Over ahead = over(interface, all.ahead, crossing.edge, crossing.base_edge, crossing.side);
+    if (!ahead.is || !between_lines(interface, m.x, crossing.edge, crossing.base_edge, ahead.side, at)) {
+      crossing.side = 0;
+      return false;
+    }
+  }
+  if (crossing.side == 0) {
+    const double offset = std::max(0.0, interface.edge_height - at.height);
+    if (offset > sideways * interface.depth) return false;
+    crossing.level = interface.edge_height - offset;
+  }
+  crossing.side = at.side;
+  crossing.level = std::max(crossing.level, std::min(at.height, interface.edge_height));
+  crossing.gap = at.height - crossing.level;
+  return true;
+}
+
+/// Sets nodes, weights, normal and gap of the condition of a crossing.
+void make(const Interface& interface, const Over& at, Crossing& crossing, Condition& c) {
+  crossing.node = {interface.edges.nodes(0, crossing.edge), interface.edges.nodes(1, crossing.edge),
+                   interface.base_edges.nodes(0, crossing.base_edge), interface.base_edges.nodes(1, crossing.base_edge)};
+  crossing.weight = {1 - at.first, at.first, at.second - 1, -at.second};
+  c.nodes = 4;
+  std::copy(crossing.node.begin(), crossing.node.end(), c.node.begin());
+  std::copy(crossing.weight.begin(), crossing.weight.end(), c.weight.begin());
+  c.normal = crossing.push = at.normal;
+  c.gap = crossing.gap;
+}
+
+/// Where friction acts: on both edges, by the weights of the points that touch. With these a height h apart along n they would be turned by
+/// h n x f; forces b_1 n and b_2 n at the ends of both edges, up at one and down at the other, take that back:
+///
+///     h f = b_1 L1 + b_2 L2,   b_1 = h (L2 x n) . f / n . (L1 x L2),   b_2 = h (n x L1) . f / n . (L1 x L2)
+Touch touch_of(const Vectors& x, const Crossing& crossing) {
+  Touch touch;
+  touch.normal = crossing.push;
+  touch.nodes = 4;
+  touch.node = {crossing.node[2], crossing.node[3], crossing.node[0], crossing.node[1]};
+  touch.weight = {-crossing.weight[2], -crossing.weight[3], -crossing.weight[0], -crossing.weight[1]};
+  const auto at = [&](std::size_t j) { return Vec3(x.col(crossing.node[j])); };
+  const Vec3 L1 = at(1) - at(0), L2 = at(3) - at(2), n = touch.normal;
+  double height = 0;
+  for (std::size_t j = 0; j < 4; ++j) height += crossing.weight[j] * n.dot(at(j) - at(0));
+  const double scale = height / n.dot(L1.cross(L2));
+  const Vec3 first = scale * L2.cross(n), second = scale * n.cross(L1);
+  touch.lift = {-second, second, -first, first};
+  return touch;
+}
+
+Vec3 relative(const Crossing& crossing, const Vectors& v) {
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t j = 0; j < 4; ++j) sum += crossing.weight[j] * v.col(crossing.node[j]);
+  return sum;
+}
+
+}  // namespace
+
+Over over(const Interface& interface, const Vectors& x, Index edge, Index base_edge, int side) {
+  Over at;
+  for (const int sign : {1, -1}) {
+    if (side != 0 && sign != side) continue;
+    Over found;
+    if (!between_lines(interface, x, edge, base_edge, sign, found)) return at;
+    const auto in_front = [&](double tolerance) {
+      return std::array{is_in_front(interface.edges, x, edge, -found.normal, tolerance),
+                        is_in_front(interface.base_edges, x, base_edge, found.normal, tolerance)};
+    };
+    const auto touches = in_front(bent);
+    if (!touches[0] || !touches[1]) continue;
+    const auto within = in_front(-bent);  // else an edge lies flat in a face beside the other one
+    if (!is_within(found.first, !within[1]) || !is_within(found.second, !within[0])) continue;
+    found.is = true;
+    if (!at.is || found.height > at.height) at = found;
+  }
+  return at;
+}
+
+void search_crossings(const Interface& interface, const Vectors& x, Memory& memory, Workspace& workspace) {
+  keep_search(interface, x, memory);
+  const double reach = interface.edge_height + memory.margin;
+  std::vector<EdgeBox>&edges = workspace.edges, &base = workspace.base_edges;
+  const Eigen::AlignedBox3d all = boxes_of(interface.edges, x, 0.5 * reach, edges);
+  const Eigen::AlignedBox3d of_base = boxes_of(interface.base_edges, x, 0.5 * reach, base);
+  leave_out(of_base, edges), leave_out(all, base);
+  const auto is_before = [](const EdgeBox& a, const EdgeBox& b) { return std::tie(a.low.x(), a.edge) < std::tie(b.low.x(), b.edge); };
+  std::sort(base.begin(), base.end(), is_before);
+  double widest = 0;
+  for (const EdgeBox& box : base) widest = std::max(widest, box.high.x() - box.low.x());
+  std::vector<Crossing>& next = workspace.crossings;
+  next.clear();
+  for (const EdgeBox& one : edges) {
+    const auto low = [](const EdgeBox& box, double value) { return box.low.x() < value; };
+    for (auto other = std::lower_bound(base.begin(), base.end(), one.low.x() - widest, low); other != base.end(); ++other) {
+      if (other->low.x() > one.high.x()) break;
+      if (!meet(one, *other)) continue;
+      const auto p = ends_of(interface, x, one.edge, other->edge);
+      if (!(geometry::segments_squared(p[0], p[1], p[2], p[3]) < reach * reach)) continue;
+      next.emplace_back();
+      next.back().edge = one.edge, next.back().base_edge = other->edge;
+    }
+  }
+  std::sort(next.begin(), next.end(), before);
+  for (Crossing& was : memory.crossings) {
+    const auto at = std::lower_bound(next.begin(), next.end(), was, before);
+    if (at != next.end() && at->edge == was.edge && at->base_edge == was.base_edge) *at = was;
+    else let_go(was, memory);
+  }
+  std::swap(memory.crossings, next);
+}
+
+void find_crossings(const Interface& interface, const Motion& m, Memory& memory, Workspace& workspace, Multipliers& all) {
+  const double h = 0.5 * (m.dt + m.next);
+  search_where_due(interface, m.x, all.way, memory, workspace);
+  for (Crossing& crossing : memory.crossings) {
+    Over at;
+    bool acts = follow(interface, m, all, crossing, at);
+    const auto first = static_cast<Index>(all.conditions.size());
+    if (acts) {
+      Condition& c = all.conditions.emplace_back();
+      make(interface, at, crossing, c);
+      const double speed = relative(crossing, all.velocity).norm();
+      acts = can_touch(interface, m, c.gap, speed) && complete(m, crossing.pressed, crossing.restitution.held, all, c);
+      if (!acts) all.conditions.pop_back();
+    }
+    if (!acts) {
+      let_go(crossing, memory);
+      continue;
+    }
+    crossing.acts = true;
+    Condition& c = all.conditions[first];
+    c.impulse = c.met = crossing.pressed * h;
+    Index friction = -1;
+    if (interface.friction.coefficient > 0 && m.dt > 0) {
+      const Vec3 force = crossing.friction.acts ? crossing.friction.force : Vec3(Vec3::Zero());
+      friction = add_friction(touch_of(m.x, crossing), interface.friction, force, crossing.friction.stuck, m, all);
+    }
+    const double area = std::min(interface.edges.area(crossing.edge), interface.base_edges.area(crossing.base_edge));
+    add({.memory = &crossing.restitution, .first = first, .last = first + 1, .friction = friction, .area = area, .depth = interface.depth,
+         .impedance = interface.impedance * area, .square = interface.restitution * interface.restitution}, all);
+  }
+}
+
+void book_first_half_of_crossings(const Motion& m, Memory& memory) {
+  const double half = 0.5 * m.dt;
+  for (const Crossing& crossing : memory.crossings) {
+    if (!crossing.closed) continue;
+    memory.work += half * crossing.push.dot(relative(crossing, m.v));
+    if (!crossing.friction.acts) continue;
+    memory.work += half * crossing.friction.force.dot(slip_rate(crossing.friction.touch, m.v, m.omega, m.rotation_of_node));
+  }
+}
+
+void take_over_crossings(const Interface& interface, double h, double t, Index first, Index last, const Multipliers& all,
+                         Memory& memory) {
+  Index contactor = first;
+  memory.deepest_now = 0;
+  for (Crossing& crossing : memory.crossings) {
+    crossing.closed = crossing.friction.acts = crossing.friction.stuck = false;
+    crossing.friction.force.setZero();
+    crossing.pressed = 0;
+    if (!crossing.acts) {
+      crossing.push.setZero();
+      continue;
+    }
+    const Contactor& one = all.contactors[contactor++];
+    const Condition& c = all.conditions[one.first];
+    crossing.closed = c.impulse > 0;
+    crossing.pressed = c.impulse / h;
+    crossing.push = crossing.pressed * c.normal;
+    memory.force += crossing.push;
+    crossing.friction.stuck = crossing.closed && (one.friction < 0 || !all.frictions[one.friction].slides);
+    if (one.friction >= 0 && crossing.closed) {
+      const FrictionCondition& friction = all.frictions[one.friction];
+      crossing.friction.acts = true;
+      crossing.friction.touch = friction.touch;
+      crossing.friction.coefficient = friction.coefficient;
+      crossing.friction.force = friction.impulse / h;
+      memory.force += crossing.friction.force;
+    }
+    const double depth = interface.edge_height - crossing.level - c.gap;
+    memory.deepest_now = std::max(memory.deepest_now, depth);
+    if (depth > memory.deepest) memory.deepest = depth, memory.deepest_apex = crossing.node[0], memory.deepest_time = t;
+  }
+  check(contactor == last, "every contactor of an interface of edges is a crossing");
+}
+
+}  // namespace nereid::contact

@@ -1,0 +1,35 @@
+#pragma once
+// The edges of a surface that another surface's edges can cross: its ridges and rims.
+
+#include <span>
+
+#include "mesh/mesh.hpp"
+
+namespace nereid::contact {
+
+/// Edges of a surface, with the facets of its body on both sides. Constant in time.
+struct Edges {
+  Table<2> nodes;     ///< of each edge; the first facet has it in this order
+  Table<2> across;    ///< third nodes of both facets; -1 where a plate ends
+  Scalars area;       ///< [m2] of half its length: mean of the tributary areas of its nodes on the surface
+  bool plates = false;  ///< they have two sides
+};
+
+/// Finds the edges of a surface, but not the cuts of quadrilateral faces, edges of more than two faces, and edges in symmetry planes.
+///
+/// What a solid has beside the surface counts too: the border of a named face is a ridge of its body.
+Edges edges_of(const mesh::Mesh&, const mesh::Surface&, std::span<const Subset> symmetry_planes);
+
+/// The nodes of all edges and of the facets at them, ascending, each once.
+Subset nodes_of(const Edges&);
+
+/// Whether the body turns outward at an edge by more than 20 degrees; plates to either side. A rim does always.
+bool is_ridge(const Edges&, const Vectors& x, Index edge);
+
+/// Whether what is in front of an edge can be touched along a direction: none of its facets rises more than `tolerance` above the plane
+/// across that direction.
+///
+///     t . d <= tolerance |t|,   t the way in a facet from the edge to its third node
+bool is_in_front(const Edges&, const Vectors& x, Index edge, const Vec3& direction, double tolerance);
+
+}  // namespace nereid::contact
