@@ -78,16 +78,21 @@ bool can_touch(const Interface& interface, const Motion& m, double gap, double s
 
 namespace {
 
-/// The edge of a facet at which a ridge begins and on which a point stands but for round-off; -1 if it stands on none. The way out leads
-/// between both sides there, whichever of them the point has come through by round-off.
-int ridge_below(const BaseSurface& base, const Vectors& x, const Vec3& p, Index facet) {
-  const auto& wall = base.wall[facet];
-  if (!wall[0] && !wall[1] && !wall[2]) return -1;
-  const FeatureHeight over = height_over(base, x, {facet, geometry::Kind::facet, 0}, p);
-  if (!(std::abs(over.height) < just_on * base.size(facet))) return -1;
-  for (int e = 0; e < 3; ++e)
-    if (wall[e] && base.neighbour(e, facet) >= 0 && std::abs(over.weight[(e + 2) % 3]) < just_on) return e;
-  return -1;
+/// Whether a point stands on a ridge or corner of a facet but for round-off, and the normal there: the way out leads between the sides,
+/// whichever of them the point has come through by round-off.
+bool stands_on_ridge(const BaseSurface& base, const Vectors& x, Index facet, const FeatureHeight& over, Vec3& normal) {
+  if (!(std::abs(over.height) < just_on * base.size(facet))) return false;
+  const auto on = [&](int e) {
+    return base.wall[facet][e] && base.neighbour(e, facet) >= 0 && std::abs(over.weight[(e + 2) % 3]) < just_on;
+  };
+  for (int e = 0; e < 3; ++e) {
+    if (!on(e)) continue;
+    const int corner = std::abs(over.weight[e]) < just_on ? (e + 1) % 3 : std::abs(over.weight[(e + 1) % 3]) < just_on ? e : -1;
+    normal = corner >= 0 ? node_normal(base, x, base.facets(corner, facet))
+                         : Vec3((over.normal + facet_normal(base, x, base.neighbour(e, facet))).normalized());
+    return true;
+  }
+  return false;
 }
 
 /// Sets nodes, weights, normal and gap of an apex over a facet.
@@ -138,13 +143,15 @@ bool make(const Interface& interface, const Motion& m, const Multipliers& all, c
       stencil.kind = geometry::Kind::facet;
     }
   }
-  const int ridge = stencil.kind == geometry::Kind::facet ? ridge_below(interface.base, m.x, p, stencil.facet) : -1;
-  if (ridge >= 0) {
-    over = height_over(interface.base, m.x, {stencil.facet, geometry::Kind::facet, 0}, p);
-    const Vec3 beside = facet_normal(interface.base, m.x, interface.base.neighbour(ridge, stencil.facet));
-    stencil.weight = over.weight;
-    set(interface, apex, stencil, (over.normal + beside).normalized(), over.height - stencil.level, c);
-    return has_moment = true;
+  const auto& wall = interface.base.wall[stencil.facet];
+  if (stencil.kind == geometry::Kind::facet && (wall[0] || wall[1] || wall[2])) {
+    over = height_over(interface.base, m.x, feature(), p);
+    Vec3 normal;
+    if (stands_on_ridge(interface.base, m.x, stencil.facet, over, normal)) {
+      stencil.weight = over.weight;
+      set(interface, apex, stencil, normal, over.height - stencil.level, c);
+      return has_moment = true;
+    }
   }
   // beside a rim, below its level: the normal from there to the apex leads along the surface, and nothing was penetrated
   if (stencil.kind != geometry::Kind::facet && near.tracks.count == 0 && over.height < 0) return false;
@@ -172,23 +179,53 @@ bool make(const Interface& interface, const Motion& m, const Multipliers& all, c
   return true;
 }
 
-/// Where an apex is just on a ridge and both sides of it push, makes one stencil of theirs: to press on one side, and on the other, would
-/// turn a blow on a ridge aside, and what was held could not be given back along the way it was taken.
-void join_on_ridge(const BaseSurface& base, ElementForces& element) {
-  if (element.count != 2) return;
-  Stencil &one = element.stencil[0], &other = element.stencil[1];
-  if (one.kind != geometry::Kind::facet || other.kind != geometry::Kind::facet || one.apex == 0 || other.apex == 0) return;
-  const double pushes[] = {one.push.norm(), other.push.norm()};
-  if (std::min(pushes[0], pushes[1]) <= as_much * std::max(pushes[0], pushes[1])) return;
-  for (int e = 0; e < 3; ++e) {
-    if (base.neighbour(e, one.facet) != other.facet || !base.wall[one.facet][e] || one.weight[(e + 2) % 3] > at_ridge) continue;
-    for (int back = 0; back < 3; ++back)
-      if (base.neighbour(back, other.facet) == one.facet && other.weight[(back + 2) % 3] > at_ridge) return;
-    one.kind = geometry::Kind::edge, one.local = e, one.on_ridge = true;
-    one.push += other.push;
-    element.count = 1;
-    return;
+/// The corner of a facet that is nearest to a foot on it.
+int nearest_corner(const std::array<double, 3>& weight) {
+  return static_cast<int>(std::max_element(weight.begin(), weight.end()) - weight.begin());
+}
+
+/// Whether a foot is within at_ridge of the nodes that a facet shares with another one, and how many these are.
+int shared_nodes(const BaseSurface& base, const Stencil& one, Index other) {
+  int shared = 0;
+  for (int I = 0; I < 3; ++I) {
+    const bool has = (base.facets.col(other).array() == base.facets(I, one.facet)).any();
+    if (!has && std::abs(one.weight[I]) > at_ridge) return 0;
+    shared += has;
   }
+  return shared;
+}
+
+/// Where an apex is just on a ridge or a corner and its sides push it alike, makes one stencil of theirs: to press on one side, and on
+/// another, would turn a blow aside, and what was held could not be given back along the way it was taken.
+void join_on_ridge(const BaseSurface& base, ElementForces& element) {
+  if (element.count < 2 || element.count > 3) return;
+  Stencil& one = element.stencil[0];
+  double least = one.push.norm(), most = least;
+  bool corner = element.count > 2;
+  for (int s = 0; s < element.count; ++s) {
+    const Stencil& stencil = element.stencil[s];
+    if (stencil.kind != geometry::Kind::facet || stencil.apex == 0) return;
+    least = std::min(least, stencil.push.norm()), most = std::max(most, stencil.push.norm());
+    for (int other = 0; other < element.count; ++other) {
+      if (other == s) continue;
+      const int shared = shared_nodes(base, stencil, element.stencil[other].facet);
+      if (shared == 0 || shared == 3) return;
+      corner = corner || shared == 1;
+    }
+  }
+  if (least <= as_much * most) return;
+  if (corner) {
+    const int nearest = nearest_corner(one.weight);
+    if (one.weight[static_cast<std::size_t>(nearest)] < 1 - 2 * at_ridge) return;
+    one.kind = geometry::Kind::vertex, one.local = nearest;
+  } else {
+    one.kind = geometry::Kind::edge;
+    for (int e = 0; e < 3; ++e)
+      if (base.neighbour(e, one.facet) == element.stencil[1].facet) one.local = e;
+  }
+  one.on_ridge = true;
+  for (int s = 1; s < element.count; ++s) one.push += element.stencil[s].push;
+  element.count = 1;
 }
 
 /// Whether a stencil before this one has the other half of its face: both are one bilinear surface.

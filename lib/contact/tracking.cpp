@@ -24,6 +24,7 @@ constexpr double round_off = 1e-9;    // of the longest edge
 constexpr double of_places = 1e-15;   // of the coordinates
 constexpr double at_once = 1e-9;      // of a step: crossings that are as early as each other
 constexpr double on_ridge = 1e-3;     // of a step: sides of a ridge that are crossed as early as each other
+constexpr double far_turn = 0.1;      // cosine between sides of a ridge, as at a wall
 constexpr double material = 0.9;      // of the thickness: no contact begins from deeper
 constexpr double shallow = 0.2;       // of the longest edge: nor from deeper, but through the front
 constexpr double far_side = -0.5;     // cosine: facets that are turned so far are not round the corner
@@ -194,11 +195,14 @@ bool around(const Sweep& s, const Tracks& tracks, Index facet) {
   return false;
 }
 
-/// Whether two facets meet at a wall.
-bool is_across_wall(const BaseSurface& base, Index facet, Index other) {
-  for (int e = 0; e < 3; ++e)
-    if (base.wall[facet][e] && base.neighbour(e, facet) == other) return true;
-  return false;
+/// Whether a facet is the other side of a ridge, or another side of a corner, of all tracks.
+bool is_other_side(const Sweep& s, const Tracks& tracks, Index facet) {
+  const Vec3 normal = facet_normal(s.base, s.x, facet);
+  for (int k = 0; k < tracks.count; ++k) {
+    const Index tracked = tracks.track[k].facet;
+    if (!share_a_node(s.base, tracked, facet) || normal.dot(facet_normal(s.base, s.x, tracked)) > far_turn) return false;
+  }
+  return true;
 }
 
 }  // namespace
@@ -235,10 +239,13 @@ void enter(const Sweep& s, double deepest, Tracks& tracks) {
       if (least(weight) < overlap) return;  // along the border of that side, as a node in the plane of the block's sole
     }
     tracks.begin(through.facet, s.contact_height);
-    // just on a ridge it comes through both sides at once, and both push it back
-    const auto beside = [&](Index f) { return !is_across_wall(s.base, through.facet, f); };
-    const Crossing other = crossed(s, p0, p1, s.contact_height, true, beside);
-    if (other.facet >= 0 && other.faced && std::abs(other.at - through.at) < on_ridge) tracks.begin(other.facet, s.contact_height);
+    // just on a ridge or corner it comes through its sides at once, and all push it back
+    const auto not_beside = [&](Index f) { return !is_other_side(s, tracks, f); };
+    while (tracks.count < most_tracks) {
+      const Crossing other = crossed(s, p0, p1, s.contact_height, true, not_beside);
+      if (other.facet < 0 || !other.faced || !(std::abs(other.at - through.at) < on_ridge)) break;
+      tracks.begin(other.facet, s.contact_height);
+    }
     return;
   }
   if (s.contact_height > 0) {
