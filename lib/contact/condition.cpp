@@ -28,6 +28,7 @@ constexpr double most_yield = 1e-6;    // of the depth of an element: way by whi
 constexpr double no_response = 1e-9;   // of that of a free apex: constraints hold all nodes
 constexpr double just_on = 1e-9;       // of a face: so near a ridge an apex stands on it
 constexpr double at_ridge = 0.05;      // weight of the third node of a facet: with less on both sides an apex is on the ridge between them
+constexpr double far_turn = 0.1;       // cosine between sides of a ridge, as at a wall
 constexpr double as_much = 0.5;        // of the larger push of both sides
 constexpr double faces_below = 0.3;    // cosine between the normals of an apex and of what it may touch
 
@@ -184,8 +185,13 @@ int nearest_corner(const std::array<double, 3>& weight) {
   return static_cast<int>(std::max_element(weight.begin(), weight.end()) - weight.begin());
 }
 
-/// Whether a foot is within at_ridge of the nodes that a facet shares with another one, and how many these are.
-int shared_nodes(const BaseSurface& base, const Stencil& one, Index other) {
+/// How many nodes a facet shares with another one that turns far away from it, outward; 0 if the foot is not within at_ridge of them.
+int shared_nodes(const BaseSurface& base, const Vectors& x, const Stencil& one, Index other) {
+  if (facet_normal(base, x, one.facet).dot(facet_normal(base, x, other)) > far_turn) return 0;
+  for (int I = 0; I < 3; ++I) {  // a valley
+    const Vec3 node = x.col(base.facets(I, other));
+    if (height_over(base, x, {one.facet, geometry::Kind::facet, 0}, node).height > just_on * base.size(one.facet)) return 0;
+  }
   int shared = 0;
   for (int I = 0; I < 3; ++I) {
     const bool has = (base.facets.col(other).array() == base.facets(I, one.facet)).any();
@@ -197,7 +203,7 @@ int shared_nodes(const BaseSurface& base, const Stencil& one, Index other) {
 
 /// Where an apex is just on a ridge or a corner and its sides push it alike, makes one stencil of theirs: to press on one side, and on
 /// another, would turn a blow aside, and what was held could not be given back along the way it was taken.
-void join_on_ridge(const BaseSurface& base, ElementForces& element) {
+void join_on_ridge(const BaseSurface& base, const Vectors& x, ElementForces& element) {
   if (element.count < 2 || element.count > 3) return;
   Stencil& one = element.stencil[0];
   double least = one.push.norm(), most = least;
@@ -208,7 +214,7 @@ void join_on_ridge(const BaseSurface& base, ElementForces& element) {
     least = std::min(least, stencil.push.norm()), most = std::max(most, stencil.push.norm());
     for (int other = 0; other < element.count; ++other) {
       if (other == s) continue;
-      const int shared = shared_nodes(base, stencil, element.stencil[other].facet);
+      const int shared = shared_nodes(base, x, stencil, element.stencil[other].facet);
       if (shared == 0 || shared == 3) return;
       corner = corner || shared == 1;
     }
@@ -496,7 +502,7 @@ void find_conditions(const Interface& interface, const Motion& m, Memory& memory
   Ahead ahead;
   for (Near& near : memory.near) {
     const auto first = static_cast<Index>(all.conditions.size());
-    join_on_ridge(interface.base, near.element);
+    join_on_ridge(interface.base, m.x, near.element);
     for (int s = 0; s < near.element.count; ++s) {
       Stencil& stencil = near.element.stencil[s];
       Condition& c = all.conditions.emplace_back();

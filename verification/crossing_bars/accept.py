@@ -1,0 +1,112 @@
+"""How close is close enough, why, and what must break."""
+from math import cos, radians, sin
+
+from reference import BAR, inertia, speeds_after
+from verify import Breaks, Check, Figure, Pair, Report, Table, created
+
+CATALOGUE = ("C-10",)
+CLAIM = ("Bars that cross ridge on ridge, at any angle down to parallel, and cubes that meet corner on corner, exchange their momenta as "
+         "rigid bodies do; no node needs to come into the other body.")
+EVIDENCE = "exact"
+DRIVER = "scene"
+
+HERE = "verification/crossing_bars/"
+V = 1.0  # [m/s]
+MASS, _ = inertia(**BAR)
+CUBE = 7850 * 0.02**3
+LIMIT = 0.01
+ANGLES = (90, 45, 5, 1, 0.1, 0)
+
+
+def turned(degrees):
+    """The upper bar turned from the lower one about the vertical."""
+    c, s = cos(radians(degrees)), sin(radians(degrees))
+    return {"bodies[1].mesh.map": f'["{c!r}*x - {s!r}*(y - z)/sqrt(2)", "{s!r}*x + {c!r}*(y - z)/sqrt(2)", "(y + z)/sqrt(2)"]'}
+
+
+def speeds(run, mass=MASS):
+    """Of the upper and of the lower body at the end, along the way of the upper one."""
+    return -run.column("upper_z")[-1] / mass, -run.column("lower_z")[-1] / mass
+
+
+def lower(degrees):
+    return lambda run: Pair(speeds(run.again(turned(degrees)) if degrees != 90 else run)[1], V, "m/s")
+
+
+OFF = 0.02  # [m] from the centre of the lower bar
+STRUCK = {"bodies[1].move": f"[{OFF} m, 0 m, 14.3 mm]"}
+
+
+def off_centre(run):
+    return Pair(speeds(run.again({**STRUCK, **run.overrides}))[1], speeds_after(V, 0, OFF)[1], "m/s")
+
+
+def corners(run):
+    there = run.other("scene", HERE + "corners.yaml", run.overrides)
+    return Pair(speeds(there, CUBE)[1], V, "m/s")
+
+
+ELASTIC = {"bodies[0].rigid": "false", "bodies[1].rigid": "false"}
+EXCHANGED = {"contacts[0].apexes": "lower.skin", "contacts[0].base": "upper.skin"}
+
+
+def made(run):
+    """Created energy of elastic bars, of all sources at any time."""
+    return created(run.again({**ELASTIC, **run.overrides}))
+
+
+def elastic(run):
+    return Pair(speeds(run.again(ELASTIC))[1], V, "m/s")
+
+
+def sides(run):
+    one, other = speeds(run.again(ELASTIC)), speeds(run.again({**ELASTIC, **EXCHANGED}))
+    return Pair(other[1], one[1], "m/s", scale=V)
+
+
+def one_pass(run):
+    return Pair(speeds(run.again({"contacts[0].passes": "one"}))[1], V, "m/s")
+
+
+DEPARTURES = {"passes": "where ridges are parallel the nodes of both bars touch, and one pass would see those of one bar alone"}
+
+CHECKS = [
+    *(Check(f"speed of the lower bar, {angle} degrees", lower(angle), LIMIT, "the catalogue's bound; far above what is seen")
+      for angle in ANGLES),
+    Check("speed of the lower bar, struck off its centre", off_centre, LIMIT, "the catalogue's bound; the bars turn"),
+    Check("speed of the lower cube, corner on corner", corners, LIMIT, "the catalogue's bound"),
+    Check("speed of the lower bar, one pass", one_pass, LIMIT, "edges need no second pass"),
+    Check("created energy of elastic bars", made, 0.001, "the catalogue's bound for contact"),
+    Check("elastic bars with the sides exchanged", sides, 1e-9, "edges are the same from both sides, and two passes have all nodes"),
+    Report("speed of an elastic lower bar", elastic, "a tenth of the momentum stays, and the bars ring: no bar is rigid"),
+]
+
+BREAKS = [
+    Breaks("speed of the lower bar, 90 degrees", "no edges: the bars go through each other",
+           {"contacts[0].edges": "false", "time.overlap_limit": "100"}),
+    Breaks("speed of the lower bar, 5 degrees", "a lower bar that is 5 % heavier", {"bodies[0].material.density": "8240 kg/m^3"}),
+    Breaks("speed of the lower bar, struck off its centre", "restitution 0.9", {"contacts[0].restitution": "0.9"}),
+]
+
+
+def by_angle(run):
+    rows = []
+    for angle in ANGLES:
+        rigid, soft = run.again(turned(angle)), run.again({**turned(angle), **ELASTIC})
+        a, b, c, d = *speeds(rigid), *speeds(soft)
+        rows.append([f"{angle:g}", f"{abs(b - a) / V:.9f}", f"{d - c:.4f}", f"{soft.result('touch_edges_deepest') * 1e6:.3g}"])
+    return rows
+
+
+STUDIES = [Table("Speed apart over the speed of approach, of rigid bars (exactly 1) and of elastic ones, which keep ringing, and how deep ridges "
+                 "of these went [um].", ["angle [degrees]", "rigid", "elastic", "deepest"], by_angle, full=True)]
+
+
+def momenta(run):
+    soft = run.again(ELASTIC)
+    return [(label, [1e3 * t for t in one.column("time")], [-p / MASS for p in one.column(name)])
+            for one, body in ((run, "rigid"), (soft, "elastic")) for name, label in (("upper_z", f"{body}, upper"), ("lower_z", f"{body}, lower"))]
+
+
+FIGURES = [Figure("speeds", "time [ms]", "speed down [m/s]", momenta,
+                  caption="Speeds of two bars that cross at 90 degrees: the lower one takes over what the upper one brings.")]
