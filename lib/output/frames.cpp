@@ -1,6 +1,8 @@
 #include "output/frames.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace nereid::output {
@@ -47,6 +49,11 @@ std::vector<Field> element_fields(const dynamics::View& view, Eigen::Index total
   return all;
 }
 
+constexpr double of_edges = 4;  // kind of an element, after those of features
+
+/// Whether an edge is over another one, so that both are an element.
+bool is_over(const contact::Crossing& crossing) { return crossing.side != 0 && !(crossing.weight[0] == 0 && crossing.weight[1] == 0); }
+
 }  // namespace
 
 Grid body_grid(const dynamics::View& view) {
@@ -80,9 +87,12 @@ Grid body_grid(const dynamics::View& view) {
 Grid contact_grid(const dynamics::View& view) {
   const dynamics::Model& model = view.model;
   Eigen::Index count = 0;
-  for (const auto& interface : model.interfaces)
-    if (interface.kind != contact::InterfaceKind::edges) count += static_cast<Eigen::Index>(interface.apexes.size());
-  // five points for each element: foot, apex and the corners of the facet
+  for (std::size_t c = 0; c < model.interfaces.size(); ++c) {
+    const auto& crossings = view.now.interfaces[c].crossings;
+    if (model.interfaces[c].kind != contact::InterfaceKind::edges) count += static_cast<Eigen::Index>(model.interfaces[c].apexes.size());
+    else count += std::count_if(crossings.begin(), crossings.end(), is_over);
+  }
+  // five points for each element: foot, apex and the corners of the facet; of edges that cross their points, and the base edge with one
   Grid grid;
   grid.time = view.now.t;
   grid.reference = Vectors::Zero(3, 5 * count);
@@ -97,38 +107,53 @@ Grid contact_grid(const dynamics::View& view) {
                               scalar("slides", "1", 2 * count, true),        scalar("contact_status", "1", 2 * count, true),
                               scalar("reconnect_count", "1", 2 * count, true)};
   Eigen::Index e = 0;
+  const auto add = [&](const std::array<std::array<Vec3, 2>, 5>& points, const std::array<double, 11>& values) {
+    for (Eigen::Index k = 0; k < 5; ++k) {
+      const auto& [reference, now] = points[static_cast<std::size_t>(k)];
+      grid.reference.col(5 * e + k) = reference;
+      grid.displacement.col(5 * e + k) = now - reference;
+    }
+    const auto first = static_cast<Index>(5 * e);
+    lines.nodes.col(e) << first, first + 1;
+    facets.nodes.col(e) << first + 2, first + 3, first + 4;
+    for (std::size_t f = 0; f < cells.size(); ++f) {
+      cells[f].values(0, e) = values[f];
+      cells[f].values(0, count + e) = f == 0 ? 1.0 : values[f];
+    }
+    ++e;
+  };
+  const auto at = [&](Index node) { return std::array<Vec3, 2>{model.mesh.X.col(node), view.now.x.col(node)}; };
   for (std::size_t c = 0; c < model.interfaces.size(); ++c) {
     const auto& interface = model.interfaces[c];
-    if (interface.kind == contact::InterfaceKind::edges) continue;
-    for (Index a = 0; a < static_cast<Index>(interface.apexes.size()); ++a, ++e) {
+    const bool apexes = interface.kind != contact::InterfaceKind::edges;
+    for (Index a = 0; apexes && a < static_cast<Index>(interface.apexes.size()); ++a) {
       const auto element = contact::view(interface, view.now.x, view.now.interfaces[c], a);
       const bool lost = element.feature.facet < 0;
-      const Index apex = element.apex;
-      const auto put = [&](Eigen::Index point, const Vec3& reference, const Vec3& now) {
-        grid.reference.col(5 * e + point) = reference;
-        grid.displacement.col(5 * e + point) = now - reference;
-      };
-      Vec3 foot = Vec3::Zero(), foot_reference = Vec3::Zero();
+      std::array<std::array<Vec3, 2>, 5> points;
+      points[0] = {Vec3::Zero(), Vec3::Zero()};
+      points[1] = at(element.apex);
       for (int k = 0; k < 3; ++k) {
-        const Index node = lost ? apex : interface.base.facets(k, element.feature.facet);
+        const Index node = lost ? element.apex : interface.base.facets(k, element.feature.facet);
         const double weight = lost ? 1.0 / 3.0 : element.weight[k];
-        put(2 + k, model.mesh.X.col(node), view.now.x.col(node));
-        foot += weight * view.now.x.col(node);
-        foot_reference += weight * model.mesh.X.col(node);
+        points[static_cast<std::size_t>(2 + k)] = at(node);
+        for (std::size_t when = 0; when < 2; ++when) points[0][when] += weight * at(node)[when];
       }
-      put(0, foot_reference, foot);
-      put(1, model.mesh.X.col(apex), view.now.x.col(apex));
-      const auto first = static_cast<Index>(5 * e);
-      lines.nodes.col(e) << first, first + 1;
-      facets.nodes.col(e) << first + 2, first + 3, first + 4;
-      const double values[] = {0.0, static_cast<double>(c), lost ? 0.0 : static_cast<double>(element.feature.kind),
-                               static_cast<double>(element.feature.facet), static_cast<double>(apex),
-                               lost ? interface.margin : element.gap, element.traction, element.shear_traction,
-                               element.slides ? 1.0 : 0.0, static_cast<double>(element.status), static_cast<double>(element.reconnections)};
-      for (std::size_t f = 0; f < cells.size(); ++f) {
-        cells[f].values(0, e) = values[f];
-        cells[f].values(0, count + e) = f == 0 ? 1.0 : values[f];
+      add(points, {0.0, static_cast<double>(c), lost ? 0.0 : static_cast<double>(element.feature.kind),
+                   static_cast<double>(element.feature.facet), static_cast<double>(element.apex), lost ? interface.margin : element.gap,
+                   element.traction, element.shear_traction, element.slides ? 1.0 : 0.0, static_cast<double>(element.status),
+                   static_cast<double>(element.reconnections)});
+    }
+    for (const contact::Crossing& crossing : view.now.interfaces[c].crossings) {
+      if (!is_over(crossing)) continue;
+      std::array<std::array<Vec3, 2>, 5> points;
+      for (std::size_t when = 0; when < 2; ++when) {
+        points[0][when] = -crossing.weight[2] * at(crossing.node[2])[when] - crossing.weight[3] * at(crossing.node[3])[when];
+        points[1][when] = crossing.weight[0] * at(crossing.node[0])[when] + crossing.weight[1] * at(crossing.node[1])[when];
       }
+      points[2] = at(crossing.node[2]), points[3] = at(crossing.node[3]), points[4] = points[1];
+      const bool slides = crossing.friction.acts && !crossing.friction.stuck;
+      add(points, {0.0, static_cast<double>(c), of_edges, static_cast<double>(crossing.base_edge), static_cast<double>(crossing.node[0]),
+                   crossing.gap, 0.0, 0.0, slides ? 1.0 : 0.0, crossing.closed ? 1.0 : 0.0, 0.0});
     }
   }
   grid.cells = {lines, facets};

@@ -96,6 +96,20 @@ TEST(EntryOfAnApex, IntoTwoPartsOfASurfaceIsPushedOutOfBoth) {
   EXPECT_LT((Vec3(scene.forces().col(scene.apex())) - penalty * Vec3(-0.02, 0, 0.03)).norm(), 1e-9);
 }
 
+TEST(EntryOfAnApex, OnARidgeOrACornerIsThroughAllItsSides) {
+  const Shape block = skin();  // 1 x 1 x 0.3 m
+  const auto tracks = [&](const Vec3& from, const Vec3& to) {
+    Scene scene = press(block, {from}, 0);
+    step_to(scene, 0, to);
+    const Vec3 push = scene.forces().col(scene.apex());
+    EXPECT_GT(push.dot(from - to), 0.999 * push.norm() * (from - to).norm());  // back the way it came
+    return scene.near().tracks.count;
+  };
+  EXPECT_EQ(tracks({0.5, 0.4, 0.31}, {0.5, 0.4, 0.29}), 1);
+  EXPECT_EQ(tracks({1.01, 0.4, 0.31}, {0.99, 0.4, 0.29}), 2);
+  EXPECT_EQ(tracks({1.01, 1.01, 0.31}, {0.99, 0.99, 0.29}), 3);
+}
+
 TEST(EntryOfAnApex, PastAnOpenBorderIsSeenHoweverSlowlyItComesDown) {
   // as far past the border as a force stays whole, the facet is nearer below than beside
   Scene scene = press(sheet(4, 4, flat), {{4.04, 2.3, 0.2}}, 0);

@@ -81,6 +81,30 @@ TEST(ContactGrid, PutsTheFootOnTheBaseAndTheApexWhereItIs) {
   }
 }
 
+TEST(ContactGrid, ShowsEdgesWhereTheyCross) {
+  using contact::Crossing;
+  Scene scene;
+  dynamics::State state = scene.state;
+  dynamics::Model& model = scene.model;
+  const Eigen::Index before = contact_grid(scene.view()).cells[0].nodes.cols();
+  contact::Interface edges;
+  edges.kind = contact::InterfaceKind::edges;
+  model.interfaces.push_back(edges);
+  contact::Memory memory;
+  Crossing crossing;
+  crossing.side = 1;
+  crossing.node = {0, 1, 2, 3}, crossing.weight = {0.5, 0.5, -0.25, -0.75};
+  memory.crossings = {crossing, Crossing{}};  // the second is not over its base edge
+  state.interfaces.push_back(memory);
+  const Grid grid = contact_grid({model, state, scene.forces, true});
+  ASSERT_EQ(grid.cells[0].nodes.cols(), before + 1);
+  const Eigen::Index last = 5 * before;
+  const Vectors& X = model.mesh.X;
+  EXPECT_LT((grid.reference.col(last) - 0.25 * X.col(2) - 0.75 * X.col(3)).norm(), 1e-15);
+  EXPECT_LT((grid.reference.col(last + 1) - 0.5 * X.col(0) - 0.5 * X.col(1)).norm(), 1e-15);
+  EXPECT_EQ(field(grid.cell_fields, "kind").values(0, before), 4);
+}
+
 TEST(WallsGrid, ShowsEachFloorAsARectangleInItsPlane) {
   const Scene scene;
   const Grid grid = walls_grid(scene.view());

@@ -98,14 +98,16 @@ def by_angle(run):
     return rows
 
 
-STUDIES = [Table("Speed apart over the speed of approach, of rigid bars (exactly 1) and of elastic ones, which keep ringing, and how deep ridges "
-                 "of these went [um].", ["angle [degrees]", "rigid", "elastic", "deepest"], by_angle, full=True)]
+STUDIES = [Table("Speed apart over the speed of approach, of rigid bars (exactly 1) and of elastic ones, which keep ringing, and how deep "
+                 "ridges of these went [um].", ["angle [degrees]", "rigid", "elastic", "deepest"], by_angle, full=True)]
 
 
 def momenta(run):
-    soft = run.again(ELASTIC)
-    return [(label, [1e3 * t for t in one.column("time")], [-p / MASS for p in one.column(name)])
-            for one, body in ((run, "rigid"), (soft, "elastic")) for name, label in (("upper_z", f"{body}, upper"), ("lower_z", f"{body}, lower"))]
+    curves = []
+    for body, one in (("rigid", run), ("elastic", run.again(ELASTIC))):
+        for name in ("upper", "lower"):
+            curves.append((f"{body}, {name}", [1e3 * t for t in one.column("time")], [-p / MASS for p in one.column(f"{name}_z")]))
+    return curves
 
 
 FIGURES = [Figure("speeds", "time [ms]", "speed down [m/s]", momenta,
