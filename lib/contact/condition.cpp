@@ -27,6 +27,7 @@ constexpr double paid_back = 0.2;      // of what friction owes, in a step
 constexpr double most_yield = 1e-6;    // of the depth of an element: way by which a stick yields for that in a step
 constexpr double no_response = 1e-9;   // of that of a free apex: constraints hold all nodes
 constexpr double just_on = 1e-9;       // of a face: so near a ridge an apex stands on it
+constexpr double straight = 0.7;       // cosine between the way from a ridge to an apex on it and its push
 constexpr double at_ridge = 0.05;      // weight of the third node of a facet: with less on both sides an apex is on the ridge between them
 constexpr double far_turn = 0.1;       // cosine between sides of a ridge, as at a wall
 constexpr double as_much = 0.5;        // of the larger push of both sides
@@ -127,8 +128,11 @@ bool make(const Interface& interface, const Motion& m, const Multipliers& all, c
     Vec3 foot = Vec3::Zero();
     for (int I = 0; I < 3; ++I) foot += over.weight[I] * m.x.col(interface.base.facets(I, stencil.facet));
     stencil.weight = over.weight;
-    set(interface, apex, stencil, stencil.push / push, (p - foot).dot(stencil.push) / push - stencil.level, c);
-    has_moment = true;
+    const Vec3 arm = p - foot, out = stencil.push / push;
+    const double distance = std::copysign(arm.norm(), arm.dot(out));
+    const bool too_near = !(std::abs(distance) > just_on * interface.base.size(stencil.facet));  // for a direction
+    set(interface, apex, stencil, too_near ? out : Vec3(arm / distance), distance - stencil.level, c);
+    has_moment = has_moment || too_near;
     return true;
   }
   if (stencil.kind != geometry::Kind::facet) {  // where the apex would be; now it may be over a facet beside
@@ -180,57 +184,56 @@ bool make(const Interface& interface, const Motion& m, const Multipliers& all, c
   return true;
 }
 
-/// The corner of a facet that is nearest to a foot on it.
-int nearest_corner(const std::array<double, 3>& weight) {
-  return static_cast<int>(std::max_element(weight.begin(), weight.end()) - weight.begin());
-}
-
-/// How many nodes a facet shares with another one that turns far away from it, outward; 0 if the foot is not within at_ridge of them.
-int shared_nodes(const BaseSurface& base, const Vectors& x, const Stencil& one, Index other) {
-  if (facet_normal(base, x, one.facet).dot(facet_normal(base, x, other)) > far_turn) return 0;
-  for (int I = 0; I < 3; ++I) {  // a valley
-    const Vec3 node = x.col(base.facets(I, other));
-    if (height_over(base, x, {one.facet, geometry::Kind::facet, 0}, node).height > just_on * base.size(one.facet)) return 0;
-  }
-  int shared = 0;
+/// Whether another facet turns far away from that of a stencil, outward, and shares the nodes with it that its foot is at.
+bool is_other_side(const BaseSurface& base, const Vectors& x, const Stencil& one, Index other) {
+  if (facet_normal(base, x, one.facet).dot(facet_normal(base, x, other)) > far_turn) return false;
+  bool shares = false;
   for (int I = 0; I < 3; ++I) {
     const bool has = (base.facets.col(other).array() == base.facets(I, one.facet)).any();
-    if (!has && std::abs(one.weight[I]) > at_ridge) return 0;
-    shared += has;
+    if (!has && std::abs(one.weight[I]) > at_ridge) return false;
+    shares = shares || has;
+    const Vec3 node = x.col(base.facets(I, other));  // above the plane of the first in a valley
+    if (height_over(base, x, {one.facet, geometry::Kind::facet, 0}, node).height > just_on * base.size(one.facet)) return false;
   }
-  return shared;
+  return shares;
 }
 
 /// Where an apex is just on a ridge or a corner and its sides push it alike, makes one stencil of theirs: to press on one side, and on
 /// another, would turn a blow aside, and what was held could not be given back along the way it was taken.
-void join_on_ridge(const BaseSurface& base, const Vectors& x, ElementForces& element) {
+void join_on_ridge(const BaseSurface& base, const Vectors& x, const Vec3& p, ElementForces& element) {
   if (element.count < 2 || element.count > 3) return;
   Stencil& one = element.stencil[0];
   double least = one.push.norm(), most = least;
-  bool corner = element.count > 2;
   for (int s = 0; s < element.count; ++s) {
     const Stencil& stencil = element.stencil[s];
     if (stencil.kind != geometry::Kind::facet || stencil.apex == 0) return;
     least = std::min(least, stencil.push.norm()), most = std::max(most, stencil.push.norm());
-    for (int other = 0; other < element.count; ++other) {
-      if (other == s) continue;
-      const int shared = shared_nodes(base, x, stencil, element.stencil[other].facet);
-      if (shared == 0 || shared == 3) return;
-      corner = corner || shared == 1;
-    }
+    for (int other = 0; other < element.count; ++other)
+      if (other != s && !is_other_side(base, x, stencil, element.stencil[other].facet)) return;
   }
   if (least <= as_much * most) return;
-  if (corner) {
-    const int nearest = nearest_corner(one.weight);
-    if (one.weight[static_cast<std::size_t>(nearest)] < 1 - 2 * at_ridge) return;
-    one.kind = geometry::Kind::vertex, one.local = nearest;
+  const auto nearest = std::max_element(one.weight.begin(), one.weight.end());
+  int edge = -1;
+  for (int e = 0; e < 3; ++e)
+    if (base.wall[one.facet][e] && base.neighbour(e, one.facet) >= 0 && std::abs(one.weight[(e + 2) % 3]) <= at_ridge) edge = e;
+  if (element.count > 2 && *nearest >= 1 - 2 * at_ridge) {
+    one.kind = geometry::Kind::vertex, one.local = static_cast<int>(nearest - one.weight.begin());
+  } else if (element.count == 2 && edge >= 0) {
+    one.kind = geometry::Kind::edge, one.local = edge;
   } else {
-    one.kind = geometry::Kind::edge;
-    for (int e = 0; e < 3; ++e)
-      if (base.neighbour(e, one.facet) == element.stencil[1].facet) one.local = e;
+    return;
+  }
+  const Feature ridge{one.facet, one.kind, one.local};
+  const auto weight = height_over(base, x, ridge, p).weight;
+  Vec3 arm = p, out = Vec3::Zero();
+  for (int I = 0; I < 3; ++I) arm -= weight[I] * x.col(base.facets(I, one.facet));
+  for (int s = 0; s < element.count; ++s) out += element.stencil[s].push;
+  if (arm.norm() > just_on * base.size(one.facet) && std::abs(arm.dot(out)) < straight * arm.norm() * out.norm()) {
+    one.kind = geometry::Kind::facet;  // it has gone off to one side
+    return;
   }
   one.on_ridge = true;
-  for (int s = 1; s < element.count; ++s) one.push += element.stencil[s].push;
+  one.push = out;
   element.count = 1;
 }
 
@@ -502,7 +505,7 @@ void find_conditions(const Interface& interface, const Motion& m, Memory& memory
   Ahead ahead;
   for (Near& near : memory.near) {
     const auto first = static_cast<Index>(all.conditions.size());
-    join_on_ridge(interface.base, m.x, near.element);
+    join_on_ridge(interface.base, m.x, m.x.col(interface.apexes[near.apex]), near.element);
     for (int s = 0; s < near.element.count; ++s) {
       Stencil& stencil = near.element.stencil[s];
       Condition& c = all.conditions.emplace_back();

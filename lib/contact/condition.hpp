@@ -90,7 +90,7 @@ struct Contactor {
   double square;         ///< [-] of the coefficient of restitution
   double work = 0;       ///< [J] of its impulses in this step
   double lost = 0;       ///< [J] of what it held, as it was released
-  bool lets_go = false;  ///< it gives back what it holds in this step
+  bool lets_go = false;  ///< it gives back in this step what it holds of a blow
 };
 
 /// Contactors that share what they hold, and how much of it others of the pool have received. [J]

@@ -10,6 +10,7 @@ namespace {
 constexpr double own_share = 0.5;       // [-] of the force with which a wave leaves a node that moves with what is held
 constexpr double small_loss = 1e-3;     // of what is held: less, taken in a step, delays no release
 constexpr double round_off = 1e-14;     // of the energy with which a node goes apart: so much of what it held is no force
+constexpr double much_faster = 10;      // times the change of speed by forces in a step
 constexpr double small_rest = 1e-6;     // of what is held: less is not worth another round
 constexpr int rounds_of_rigid = 30;     // in which contactors of rigid bodies give back what they hold
 constexpr int passes = 8;               // in which gaps are closed again
@@ -44,12 +45,18 @@ bool lets_go(const Contactor& one, const Condition& c, double pressed, double h,
   return !(pressed > 0) || (t - memory.last_loss >= time - 0.5 * h && memory.mean_force < own);
 }
 
+/// Whether what a contactor holds is of a blow, and not of forces that press it in every step: it leaves much faster than these move it.
+bool is_blow(const Contactor& one, const Condition& c) {
+  const double in_a_step = much_faster * (c.free - c.before);
+  return 2 * one.memory->held * c.per_mass > in_a_step * in_a_step;
+}
+
 double left_of(const Contactor& one) { return one.memory->held - one.work - one.lost; }
 
 /// Gives back what contactors hold, as far as the bounds of what they change in each other let them.
 ///
-/// first     whether they are to be asked if they let go; else those that have go on together: what one has given too much, by what others
-///           gave, they have less
+/// first     whether they are to be asked if they let go; else those that have after a blow go on together: what one has given too much, by
+///           what others gave, they have less
 /// returns   whether any gave something
 bool give_back(const Motion& m, double t, bool first, Multipliers& all) {
   const double h = 0.5 * (m.dt + m.next);
@@ -67,8 +74,9 @@ bool give_back(const Motion& m, double t, bool first, Multipliers& all) {
     const double left = part * left_of(one);
     if (!(memory.held > 0) || !(left > 0)) continue;
     Condition& c = hardest(one, all);
-    if (first) one.lets_go = lets_go(one, c, impulse_of(one, all) / h, h, t);
-    if (!one.lets_go) continue;
+    const bool goes = first ? lets_go(one, c, impulse_of(one, all) / h, h, t) : one.lets_go;
+    if (!goes) continue;
+    if (first) one.lets_go = is_blow(one, c);
     const Gain by = gain(c, rate(c, all.velocity));
     if (by.B < 0 || left * by.A < round_off * by.B * by.B) continue;  // on its way in, or released before
     const double lost = (1 - one.square) * std::max(0.0, left - memory.kept);
