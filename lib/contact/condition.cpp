@@ -127,7 +127,7 @@ bool make(const Interface& interface, const Motion& m, const Multipliers& all, c
     over = height_over(interface.base, m.x, feature(), p);
     Vec3 foot = Vec3::Zero();
     for (int I = 0; I < 3; ++I) foot += over.weight[I] * m.x.col(interface.base.facets(I, stencil.facet));
-    stencil.weight = over.weight;
+    stencil.weight = over.weight, stencil.fourth = 0;
     const Vec3 arm = p - foot, out = stencil.push / push;
     const double distance = std::copysign(arm.norm(), arm.dot(out));
     const bool too_near = !(std::abs(distance) > just_on * interface.base.size(stencil.facet));  // for a direction
@@ -153,7 +153,7 @@ bool make(const Interface& interface, const Motion& m, const Multipliers& all, c
     over = height_over(interface.base, m.x, feature(), p);
     Vec3 normal;
     if (stands_on_ridge(interface.base, m.x, stencil.facet, over, normal)) {
-      stencil.weight = over.weight;
+      stencil.weight = over.weight, stencil.fourth = 0;
       set(interface, apex, stencil, normal, over.height - stencil.level, c);
       return has_moment = true;
     }
@@ -214,8 +214,13 @@ void join_on_ridge(const BaseSurface& base, const Vectors& x, const Vec3& p, Ele
   if (least <= as_much * most) return;
   const auto nearest = std::max_element(one.weight.begin(), one.weight.end());
   int edge = -1;
-  for (int e = 0; e < 3; ++e)
-    if (base.wall[one.facet][e] && base.neighbour(e, one.facet) >= 0 && std::abs(one.weight[(e + 2) % 3]) <= at_ridge) edge = e;
+  double likest = 0;  // the facet across the ridge is of the side of the other stencil
+  for (int e = 0; e < 3; ++e) {
+    const Index across = base.neighbour(e, one.facet);
+    if (across < 0 || !base.wall[one.facet][e] || std::abs(one.weight[(e + 2) % 3]) > at_ridge) continue;
+    const double like = facet_normal(base, x, across).dot(facet_normal(base, x, element.stencil[1].facet));
+    if (like > likest) likest = like, edge = e;
+  }
   if (element.count > 2 && *nearest >= 1 - 2 * at_ridge) {
     one.kind = geometry::Kind::vertex, one.local = static_cast<int>(nearest - one.weight.begin());
   } else if (element.count == 2 && edge >= 0) {

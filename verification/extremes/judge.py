@@ -39,12 +39,10 @@ class Expected:
     pairs       bodies that must not be in each other: (name, name); none: those of all contacts
     answers     what must come out: see ANSWERS
     scale       [J] of energies, where those of the run do not say it; 0: they do
-    edges       whether contact of edges with edges would find what touches
     """
     pairs: list = None
     answers: list = dataclasses.field(default_factory=list)
     scale: float = 0.0
-    edges: bool = False
 
 
 @dataclasses.dataclass

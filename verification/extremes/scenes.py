@@ -62,7 +62,7 @@ def contact(apexes, base, name="t", **keys):
     return {"name": name, "apexes": apexes, "base": base, **keys}
 
 
-def scene(bodies, contacts, velocities, end, frames=60, answers=(), pairs=None, scale=0.0, edges=False, planes=(), **more):
+def scene(bodies, contacts, velocities, end, frames=60, answers=(), pairs=None, scale=0.0, planes=(), **more):
     """Puts a scene together; velocities are {body: three numbers or expressions}."""
     case = {"bodies": [entry for entry, _ in bodies]}
     if contacts:
@@ -75,7 +75,7 @@ def scene(bodies, contacts, velocities, end, frames=60, answers=(), pairs=None, 
     case["time"] = {"end": f"{float(end)!r} s", **case.get("time", {})}
     case["output"] = {"frames_every": f"{float(end) / frames!r} s", "history_every": f"{float(end) / 400!r} s", "precision": "double"}
     meshes = {f"{entry['name']}.vtu": mesh for entry, mesh in bodies if isinstance(mesh, Mesh)}
-    return Scene(case, meshes, Expected(pairs, list(answers), scale, edges))
+    return Scene(case, meshes, Expected(pairs, list(answers), scale))
 
 
 def fixed(*sets, name="hold"):
@@ -194,7 +194,7 @@ def crossing(fine=1, angle=90.0, corner=True, speed=0.02 * SOUND, cells=(10, 1, 
     return scene([body("a", mesh, (0, 0, up + 0.00025)), body("b", other, (0, 0, -up - 0.00025), (Z, angle))],
                  [contact("a.skin", "b.skin", passes=passes, **keys)], {"a": (0, 0, -speed), "b": (0, 0, speed)}, end,
                  enough(2 * speed * end, depth=SIZE / 4),
-                 [("order", "a", "b", Z)] if corner else [], edges=corner)  # flat bars of one layer bend past each other's centres
+                 [("order", "a", "b", Z)] if corner else [])  # flat bars of one layer bend past each other's centres
 
 
 def on_ridge(fine=1, angle=90.0, speed=0.03 * SOUND, passes="one", apex="block", shift=0.0004, across=2 * SIZE, **keys):
@@ -206,7 +206,7 @@ def on_ridge(fine=1, angle=90.0, speed=0.03 * SOUND, passes="one", apex="block",
     return scene([body("block", block, (shift, SIZE + 0.0003, SIZE / 50)), body("roof", roof)],
                  [contact(*names, passes=passes, **keys)], {"block": (0, 0, -speed)}, end, enough(speed * end),
                  [("returns", "block", Z, -speed, -0.35, 1.001)] if angle > 20 else [],  # a sharper one may give way for long
-                 planes=[fixed("roof.z_low")], edges=True)
+                 planes=[fixed("roof.z_low")])
 
 
 def in_valley(fine=1, angle=90.0, speed=0.03 * SOUND, passes="one", body_kind="edge", shift=0.0004, **keys):
