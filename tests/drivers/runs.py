@@ -228,6 +228,8 @@ class Summary(InATemporaryFolder):
             "settlement_mean": "m", "time_of_settlement_mean": "s", "settlement_centre": "m", "bulge": "m",
             "smallest_step": "s", "largest_step": "s"})
         bodies = ["lead"] if "cladding.kind=none" in values else ["lead", "cladding", "interface"]
+        if len(bodies) > 1 and "interface.kind=bonded" not in values:
+            bodies.append("interface_edges")
         self.assertEqual([*summary["ledger"]["accounts"]], [*bodies, *planes])
         self.check_ledger(summary["ledger"])
         results = summary["results"]
@@ -272,7 +274,7 @@ class Summary(InATemporaryFolder):
         summary = self.check_form(run, "two_blocks", {
             "interface_stress_mean": "Pa", "interface_stress_peak": "Pa", "contact_time": "s", "impulse": "N s",
             "velocity_A": "m/s", "velocity_B": "m/s", "smallest_step": "s"})
-        self.assertEqual([*summary["ledger"]["accounts"]], ["A", "B", "contact"])
+        self.assertEqual([*summary["ledger"]["accounts"]], ["A", "B", "contact", "contact_edges"])
         self.check_ledger(summary["ledger"])
         for number, method in enumerate(("multiplier", "penalty")):  # two passes share one stress
             one, two = (self.run_to_end("two_blocks", [*BARS, f"contact.method={method}", f"contact.passes={passes}"],
