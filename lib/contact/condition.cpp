@@ -152,7 +152,9 @@ bool make(const Interface& interface, const Motion& m, const Multipliers& all, c
   if (stencil.kind == geometry::Kind::facet && (wall[0] || wall[1] || wall[2])) {
     over = height_over(interface.base, m.x, feature(), p);
     Vec3 normal;
-    if (stands_on_ridge(interface.base, m.x, stencil.facet, over, normal)) {
+    // its own surface faces between both sides, and not one of them alone, as at the rim of a block on a block of the same size
+    const auto faces_it = [&] { return interface.own.facets.cols() == 0 || node_normal(interface.own, m.x, apex).dot(normal) < -straight; };
+    if (stands_on_ridge(interface.base, m.x, stencil.facet, over, normal) && faces_it()) {
       stencil.weight = over.weight, stencil.fourth = 0;
       set(interface, apex, stencil, normal, over.height - stencil.level, c);
       return has_moment = true;
