@@ -54,6 +54,7 @@ void add_common_results(const model::Simulation& simulation, const dynamics::Out
     const auto& memory = simulation.state.interfaces[c];
     if (!contact::by_multipliers(interface)) results.push_back({interface.name + "_penalty", interface.penalty, "Pa/m"});
     results.push_back({interface.name + "_deepest", memory.deepest, "m"});
+    if (interface.kind == contact::InterfaceKind::edges) continue;  // which walk nowhere
     results.push_back({interface.name + "_walks", static_cast<double>(memory.walks), "1"});
     results.push_back({interface.name + "_lost", static_cast<double>(memory.lost), "1"});
     results.push_back({interface.name + "_recovered", static_cast<double>(memory.recovered), "1"});

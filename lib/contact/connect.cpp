@@ -147,12 +147,13 @@ InitialGaps connect_edges(const Interface& interface, const Vectors& x, Memory& 
   memory.searches = 0;
   InitialGaps gaps;
   gaps.pairs = static_cast<Index>(memory.crossings.size());
-  for (const Crossing& crossing : memory.crossings) {
+  for (Crossing& crossing : memory.crossings) {
     const Over at = over(interface, x, crossing.edge, crossing.base_edge, 0);
     const double depth = interface.edge_height - at.height;
     if (!at.is || !(depth > 1e-12 * interface.margin) || depth > interface.depth) continue;
     ++gaps.penetrating;
     gaps.deepest = std::max(gaps.deepest, depth);
+    crossing.side = at.side, crossing.level = at.height;  // an offset, if the caller accepts it
   }
   return gaps;
 }

@@ -54,8 +54,9 @@ Eigen::AlignedBox3d boxes_of(const Edges& edges, const Vectors& x, double reach,
   Eigen::AlignedBox3d all;
   boxes.clear();
   for (Index e = 0; e < edges.nodes.cols(); ++e) {
-    if (!is_ridge(edges, x, e)) continue;
     const Vec3 a = node_of(edges, x, 0, e), b = node_of(edges, x, 1, e), beside = Vec3::Constant(reach);
+    const auto can_be_searched = [](const Vec3& place) { return (place.array().abs() <= farthest_place).all(); };
+    if (!can_be_searched(a) || !can_be_searched(b) || !is_ridge(edges, x, e)) continue;  // the elements say so, and the run ends
     boxes.push_back({e, a.cwiseMin(b) - beside, a.cwiseMax(b) + beside});
     all.extend(boxes.back().low), all.extend(boxes.back().high);
   }

@@ -137,18 +137,6 @@ double element_step(const Model& model) {
   return step;
 }
 
-/// What nodes of the surfaces of a contact and of its edges have in common, but for the passes.
-void set_sides(const Model& model, const mesh::Surface& apexes, const mesh::Surface& base, const InterfaceOptions& options,
-               contact::Interface& interface) {
-  interface.restitution = options.restitution;
-  interface.impedance = 1 / (1 / surface_impedance(model, apexes) + 1 / surface_impedance(model, base));
-  const double depths[] = {surface_depth(model, apexes), surface_depth(model, base)};
-  interface.depth = depths[0] > 0 && depths[1] > 0 ? std::min(depths[0], depths[1]) : std::max(depths[0], depths[1]);
-  interface.margin = std::sqrt(2 * mesh::facet_areas(model.mesh, base).mean());  // the side of a face: a search costs as much as some steps
-  interface.longest_step = element_step(model);
-  interface.friction = options.friction;
-}
-
 Connected connect_one_pass(Model& model, const std::string& name, const std::string& apex_surface, const std::string& base_surface,
                            const InterfaceOptions& options, contact::Pass pass) {
   const double share = pass == contact::Pass::only ? 1 : 0.5;
@@ -172,8 +160,14 @@ Connected connect_one_pass(Model& model, const std::string& name, const std::str
   interface.first_step_factor = options.step_factor;
   interface.pass = pass;
   interface.pass_factor = share;
-  set_sides(model, apexes, base, options, interface);
+  interface.restitution = options.restitution;
+  interface.impedance = 1 / (1 / surface_impedance(model, apexes) + 1 / surface_impedance(model, base));
+  const double depths[] = {surface_depth(model, apexes), surface_depth(model, base)};
+  interface.depth = depths[0] > 0 && depths[1] > 0 ? std::min(depths[0], depths[1]) : std::max(depths[0], depths[1]);
   interface.release_height = contact::by_multipliers(interface) ? contact::multipliers_reach * interface.depth : 0;
+  interface.margin = std::sqrt(2 * interface.facet_area.mean());  // about the side of a face: a search costs as much as some steps
+  interface.longest_step = element_step(model);
+  interface.friction = options.friction;
   interface.weights = options.weights;
   interface.area_kind = options.area;
   interface.allowed = allowed_directions(model, interface.apexes);
@@ -214,7 +208,8 @@ bool has_ridges(const contact::Edges& edges, const Vectors& X) {
   return false;
 }
 
-/// Adds the edges of a contact, if both surfaces have such that can cross.
+/// Adds the edges of a contact, if both surfaces have such that can cross. What the passes have of both sides together is theirs too;
+/// needs one of these at the end of the model.
 std::optional<Connected> connect_edges(Model& model, const std::string& name, const std::string& apex_surface,
                                        const std::string& base_surface, const InterfaceOptions& options) {
   const mesh::Surface& apexes = mesh::surface(model.mesh, apex_surface);
@@ -222,6 +217,7 @@ std::optional<Connected> connect_edges(Model& model, const std::string& name, co
   std::vector<Subset> planes;
   for (const load::Plane& plane : model.constraints.planes)
     if (plane.kind == load::PlaneKind::symmetry) planes.push_back(plane.nodes);
+  const contact::Interface& pass = model.interfaces.back();
   contact::Interface interface;
   interface.edges = contact::edges_of(model.mesh, apexes, planes);
   interface.base_edges = contact::edges_of(model.mesh, base, planes);
@@ -231,10 +227,15 @@ std::optional<Connected> connect_edges(Model& model, const std::string& name, co
   interface.method = contact::Method::multiplier;
   interface.apexes = contact::nodes_of(interface.edges);
   interface.base_nodes = contact::nodes_of(interface.base_edges);
-  set_sides(model, apexes, base, options, interface);
+  interface.restitution = pass.restitution;
+  interface.impedance = pass.impedance;
+  interface.depth = pass.depth;
+  interface.margin = pass.margin;
+  interface.longest_step = pass.longest_step;
+  interface.friction = pass.friction;
+  interface.rotation_of_node = pass.rotation_of_node;
   interface.edge_height =
       options.height.from_initial_height ? half_thickness(model, apexes) + half_thickness(model, base) : options.height.given;
-  if (rotates(model, apexes) || rotates(model, base)) interface.rotation_of_node = model.rotation_of_node;
   Connected connected;
   contact::Workspace workspace(interface);
   connected.gaps = contact::connect_edges(interface, model.mesh.X, connected.memory, workspace);

@@ -93,7 +93,23 @@ TEST(ConnectEdges, SeesRidgesThatStartInEachOther) {
   EXPECT_EQ(gaps(apart).penetrating, 0);
   EXPECT_EQ(gaps(in_each_other).penetrating, 1);
   EXPECT_NEAR(gaps(in_each_other).deepest, 0.01, 1e-12);
+  for (const Crossing& crossing : in_each_other.memory.crossings) {
+    if (crossing.side == 0) continue;
+    EXPECT_NEAR(crossing.level, -0.01, 1e-12);  // what is accepted makes no force
+  }
   EXPECT_EQ(gaps(through).penetrating, 0);  // the ridges behind are far behind: the audit sees that overlap
+}
+
+TEST(SearchCrossings, LeavesOutEdgesThatAreNowhere) {
+  Bars bars(90, 0.01);
+  Workspace workspace(bars.interface);
+  connect_edges(bars.interface, bars.mesh.X, bars.memory, workspace);
+  EXPECT_FALSE(bars.memory.crossings.empty());
+  for (const double nowhere : {std::nan(""), HUGE_VAL, 1e200}) {
+    for (const Index node : mesh::node_set(bars.mesh, "upper")) bars.mesh.X(node % 3, node) = nowhere;
+    search_crossings(bars.interface, bars.mesh.X, bars.memory, workspace);
+    EXPECT_TRUE(bars.memory.crossings.empty());
+  }
 }
 
 TEST(SearchCrossings, KeepsWhatPairsRemember) {
