@@ -4,11 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <unsupported/Eigen/BVH>
 
-#include "base/check.hpp"
 #include "geometry/height.hpp"
+#include "mesh/adjacency.hpp"
 
 namespace nereid::contact {
 
@@ -77,6 +76,7 @@ void measure_thickness(BaseSurface& base, const Vectors& X) {
   if (count == 0) return;
   const Eigen::KdBVH<double, 3, Index> tree(all.begin(), all.end(), boxes.begin(), boxes.end());
   for (Index f = 0; f < count; ++f) {
+    if (is_sheet(base, f)) continue;  // what is behind it is its other side
     Ray ray{base, X, centre(base, X, f), -facet_normal(base, X, f), f};
     Eigen::BVIntersect(tree, ray);
     base.thickness(f) = ray.first;
@@ -97,7 +97,7 @@ void measure_edges(BaseSurface& base, const Vectors& X) {
       if (across < 0) continue;
       const double cosine = std::clamp(n.dot(facet_normal(base, X, across)), -1.0, 1.0);
       const bool convex = n.dot(centre(base, X, across) - Vec3(X.col(one))) < 0;
-      base.wall[f][e] = convex && cosine < sharp;
+      base.wall[f][e] = base.other_side[f] == across || (convex && cosine < sharp);
     }
   }
   for (Index f = 0; f < count; ++f)  // both sides see the same wall, whatever round-off says
@@ -145,7 +145,7 @@ double lean_at_edges(const BaseSurface& base, const Vectors& x, Index facet) {
 }
 
 Fans fans(const Table<3>& facets, Index nodes_of_mesh) {
-  Fans made{.facets = facets, .ring_begin = std::vector<Index>(nodes_of_mesh + 1, 0), .ring = {}};
+  Fans made{.facets = facets, .other_side = mesh::other_sides(facets), .ring_begin = std::vector<Index>(nodes_of_mesh + 1, 0), .ring = {}};
   for (Index f = 0; f < facets.cols(); ++f)
     for (int a = 0; a < 3; ++a) ++made.ring_begin[facets(a, f) + 1];
   for (Index n = 0; n < nodes_of_mesh; ++n) made.ring_begin[n + 1] += made.ring_begin[n];
@@ -159,18 +159,7 @@ Fans fans(const Table<3>& facets, Index nodes_of_mesh) {
 BaseSurface base_surface(const mesh::Surface& surface, const Vectors& X) {
   BaseSurface base;
   static_cast<Fans&>(base) = fans(surface.facets, static_cast<Index>(X.cols()));
-  base.neighbour = Table<3>::Constant(3, surface.facets.cols(), no_facet);
-  std::map<std::pair<Index, Index>, std::pair<Index, int>> directed;
-  for (Index f = 0; f < base.facets.cols(); ++f) {
-    for (int e = 0; e < 3; ++e) {
-      const bool is_new = directed.try_emplace({base.facets(e, f), base.facets((e + 1) % 3, f)}, f, e).second;
-      check(is_new, "an edge of a base surface belongs to two facets in the same direction");
-    }
-  }
-  for (const auto& [edge, place] : directed) {
-    const auto other = directed.find({edge.second, edge.first});
-    if (other != directed.end()) base.neighbour(place.second, place.first) = other->second.first;
-  }
+  base.neighbour = mesh::neighbours(X, surface.facets);
   base.half.assign(base.facets.cols(), {});
   measure_edges(base, X);
   measure_thickness(base, X);
@@ -181,7 +170,8 @@ void goes_on_behind(BaseSurface& base, const Subset& nodes) {
   const auto on_plane = [&](Index node) { return std::binary_search(nodes.begin(), nodes.end(), node); };
   for (Index f = 0; f < base.facets.cols(); ++f)
     for (int e = 0; e < 3; ++e)
-      if (base.neighbour(e, f) < 0 && on_plane(base.facets(e, f)) && on_plane(base.facets((e + 1) % 3, f)))
+      if ((base.neighbour(e, f) < 0 || base.neighbour(e, f) == base.other_side[static_cast<std::size_t>(f)]) &&
+          on_plane(base.facets(e, f)) && on_plane(base.facets((e + 1) % 3, f)))
         base.neighbour(e, f) = image_of_facet, base.wall[f][e] = false;
 }
 
@@ -231,6 +221,7 @@ Vec3 node_normal(const Fans& base, const Vectors& x, Index node) {
   Vec3 sum = Vec3::Zero();
   for (Index r = base.ring_begin[node]; r < base.ring_begin[node + 1]; ++r) {
     const Index f = base.ring[r];
+    if (is_sheet(base, f)) continue;  // both sides cancel
     int a = 0;
     while (base.facets(a, f) != node) ++a;
     const Vec3 side = x.col(base.facets((a + 1) % 3, f)) - x.col(node), other = x.col(base.facets((a + 2) % 3, f)) - x.col(node);
@@ -239,6 +230,28 @@ Vec3 node_normal(const Fans& base, const Vectors& x, Index node) {
   }
   return sum.normalized();
 }
+
+namespace {
+
+/// The normal on whose side a vertex has points in front. Of a sheet with both sides that of the facets around it on the side of one; zero
+/// at its rim, where all is in front.
+Vec3 front_of_vertex(const BaseSurface& base, const Vectors& x, Index facet, int local) {
+  const Index node = base.facets(local, facet);
+  if (!is_sheet(base, facet)) return node_normal(base, x, node);
+  Vec3 sum = facet_normal(base, x, facet);
+  Index here = facet;
+  for (Index hop = base.ring_begin[node]; hop < base.ring_begin[node + 1]; ++hop) {  // around it: no more than its facets
+    int at = 0;
+    while (base.facets(at, here) != node) ++at;
+    const Index next = base.neighbour(at, here);
+    if (next == facet) return sum.normalized();
+    if (next < 0 || next == base.other_side[static_cast<std::size_t>(here)]) return Vec3::Zero();
+    sum += facet_normal(base, x, here = next);
+  }
+  return Vec3::Zero();
+}
+
+}  // namespace
 
 FeatureNodes nodes_of(const BaseSurface& base, const Feature& f) {
   const auto at = [&](int local) { return base.facets(local % 3, f.facet); };
@@ -261,15 +274,17 @@ FeatureHeight height_over(const BaseSurface& base, const Vectors& x, const Featu
     const auto at = geometry::edge_height(std::array{c[f.local], c[(f.local + 1) % 3]}, p);
     over.height = at.height, over.normal = eigen(at.normal);
     over.weight[f.local] = at.weight[0], over.weight[(f.local + 1) % 3] = at.weight[1];
-    mean = facet_normal(base, x, f.facet);
-    if (base.neighbour(f.local, f.facet) >= 0) mean += facet_normal(base, x, base.neighbour(f.local, f.facet));
+    const Index across = base.neighbour(f.local, f.facet);
+    const bool rim_of_sheet = across >= 0 && across == base.other_side[static_cast<std::size_t>(f.facet)];
+    mean = rim_of_sheet ? Vec3::Zero() : facet_normal(base, x, f.facet);
+    if (across >= 0 && !rim_of_sheet) mean += facet_normal(base, x, across);
   } else {
     const auto at = geometry::vertex_height(std::array{c[f.local]}, p);
     over.height = at.height, over.normal = eigen(at.normal);
     over.weight[f.local] = 1;
-    mean = node_normal(base, x, base.facets(f.local, f.facet));
+    mean = front_of_vertex(base, x, f.facet, f.local);
   }
-  if (!(over.height > 0)) over.normal = mean.normalized();  // on it
+  if (!(over.height > 0)) over.normal = mean.isZero(0) ? facet_normal(base, x, f.facet) : Vec3(mean.normalized());  // on it
   else if (over.normal.dot(mean) < 0) over.height = -over.height, over.normal = -over.normal;
   return over;
 }

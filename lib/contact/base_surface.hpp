@@ -26,10 +26,14 @@ constexpr Index image_of_facet = -2;  ///< behind a border edge in a symmetry pl
 /// Facets and, for each node, those around it.
 struct Fans {
   Table<3> facets;                ///< nodes
+  std::vector<Index> other_side;  ///< [facets] that on the same nodes, of a sheet with both sides; or -1
   std::vector<Index> ring_begin;  ///< [nodes of the mesh + 1] where the facets around a node begin
   Subset ring;                    ///< facets around each node, ascending
 };
 Fans fans(const Table<3>& facets, Index nodes_of_mesh);
+
+/// Whether a facet is one side of a sheet that has both.
+inline bool is_sheet(const Fans& surface, Index facet) { return surface.other_side[static_cast<std::size_t>(facet)] >= 0; }
 
 /// Whether a facet is half of a face of a hexahedron.
 struct Half {
@@ -39,7 +43,8 @@ struct Half {
 
 /// Facets of a surface, what lies around them, and what the reference geometry says of the body behind. Constant in time.
 ///
-/// An edge is a *wall* if the surface ends there, or if it turns there by more than 84 degrees to the outside. A *patch* is what is
+/// An edge is a *wall* if the surface ends there, or if it turns there by more than 84 degrees to the outside, as to the other side of a
+/// sheet. A *patch* is what is
 /// connected without crossing a wall: an apex slides within a patch, and its force fades past a wall.
 struct BaseSurface : Fans {         // the normal of a facet points to the side of the apexes
   Table<3> neighbour;               ///< facet across the edges 0-1, 1-2, 2-0, or at the border one of the two above, below 0
@@ -57,8 +62,7 @@ constexpr double whole_past_wall = 0.05;
 /// Builds the adjacency table of a surface, and what is measured in the reference.
 ///
 /// X        [m] reference positions of all nodes of the mesh
-/// Throws InternalError if an edge belongs to more than two facets, or if two neighbours disagree
-/// about which side is which.
+/// Throws InternalError if neighbours disagree about which side is which: mesh::goes_on().
 BaseSurface base_surface(const mesh::Surface&, const Vectors& X);
 
 /// Marks the border edges that lie in a symmetry plane: the surface goes on behind them as its image, and they are no walls.
@@ -77,7 +81,8 @@ bool at_wall(const BaseSurface&, Index node);
 /// Whether the surface ends at an edge or vertex: not where it goes on as its image.
 bool ends_at(const BaseSurface&, const Feature&);
 
-/// The normal of a node: that of its facets, weighted by their angles (Baerentzen & Aanaes 2005). Unit vector.
+/// The normal of a node: that of its facets, weighted by their angles (Baerentzen & Aanaes 2005). Unit vector; zero where all are sheets
+/// with both sides, which face everywhere.
 Vec3 node_normal(const Fans&, const Vectors& x, Index node);
 
 /// How far the nearest points of the facets around one may be from its own, over the height above it: 1.5 tan of half the largest turn

@@ -85,7 +85,9 @@ namespace {
 bool stands_on_ridge(const BaseSurface& base, const Vectors& x, Index facet, const FeatureHeight& over, Vec3& normal) {
   if (!(std::abs(over.height) < just_on * base.size(facet))) return false;
   const auto on = [&](int e) {
-    return base.wall[facet][e] && base.neighbour(e, facet) >= 0 && std::abs(over.weight[(e + 2) % 3]) < just_on;
+    const Index across = base.neighbour(e, facet);
+    const bool ridge = base.wall[facet][e] && across >= 0 && across != base.other_side[static_cast<std::size_t>(facet)];
+    return ridge && std::abs(over.weight[(e + 2) % 3]) < just_on;
   };
   for (int e = 0; e < 3; ++e) {
     if (!on(e)) continue;
@@ -153,7 +155,10 @@ bool make(const Interface& interface, const Motion& m, const Multipliers& all, c
     over = height_over(interface.base, m.x, feature(), p);
     Vec3 normal;
     // its own surface faces between both sides, and not one of them alone, as at the rim of a block on a block of the same size
-    const auto faces_it = [&] { return interface.own.facets.cols() == 0 || node_normal(interface.own, m.x, apex).dot(normal) < -straight; };
+    const auto faces_it = [&] {
+      const Vec3 mine = interface.own.facets.cols() == 0 ? Vec3(Vec3::Zero()) : node_normal(interface.own, m.x, apex);
+      return mine.isZero(0) || mine.dot(normal) < -straight;
+    };
     if (stands_on_ridge(interface.base, m.x, stencil.facet, over, normal) && faces_it()) {
       stencil.weight = over.weight, stencil.fourth = 0;
       set(interface, apex, stencil, normal, over.height - stencil.level, c);
@@ -181,7 +186,7 @@ bool make(const Interface& interface, const Motion& m, const Multipliers& all, c
     for (int I = 1; I < c.nodes; ++I) fastest = std::max(fastest, (all.velocity.col(apex) - all.velocity.col(c.node[I])).squaredNorm());
     if (!can_touch(interface, m, c.gap, std::sqrt(fastest))) return false;
     const bool faced = near.tracks.count > 0 || interface.own.facets.cols() == 0;
-    if (!faced && !(node_normal(interface.own, m.x, apex).dot(c.normal) < faces_below)) return false;
+    if (!faced && !(node_normal(interface.own, m.x, apex).dot(c.normal) < faces_below)) return false;  // sheets face everywhere: zero
   }
   return true;
 }
@@ -235,6 +240,7 @@ void join_on_ridge(const BaseSurface& base, const Vectors& x, const Vec3& p, Ele
   Vec3 arm = p, out = Vec3::Zero();
   for (int I = 0; I < 3; ++I) arm -= weight[I] * x.col(base.facets(I, one.facet));
   for (int s = 0; s < element.count; ++s) out += element.stencil[s].push;
+  if (!(out.norm() > straight * least)) return;  // of both sides of a sheet
   if (arm.norm() > just_on * base.size(one.facet) && std::abs(arm.dot(out)) < straight * arm.norm() * out.norm()) {
     one.kind = geometry::Kind::facet;  // it has gone off to one side
     return;

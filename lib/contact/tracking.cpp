@@ -49,7 +49,7 @@ double facing(const Sweep& s, const Vec3& normal) {
   if (s.own.facets.cols() == 0) return -1;
   Vec3 mine = node_normal(s.own, s.x, s.apex);
   if (s.allowed) mine = (*s.allowed * mine).normalized();
-  return mine.dot(normal);
+  return mine.isZero(0) ? -1 : mine.dot(normal);
 }
 bool faces(const Sweep& s, const Vec3& normal) { return facing(s, normal) < faces_below; }
 
@@ -141,8 +141,11 @@ Index shallowest(const Sweep& s, const Vec3& p, Deepest&& deepest, const Vec3* n
   return best;
 }
 
+/// [m] So deep behind a facet there is its body: behind one side of a sheet there is the other.
+double depth_of_body(const BaseSurface& base, Index facet) { return is_sheet(base, facet) ? 0 : material * base.thickness(facet); }
+
 double deepest_entry(const BaseSurface& base, Index facet) {
-  return std::min(material * base.thickness(facet), shallow * base.longest(facet));
+  return std::min(depth_of_body(base, facet), shallow * base.longest(facet));
 }
 
 /// The edge or vertex nearer than h_c that a free apex has come in front of, where it was nowhere within h_c before; -1 if there is none.
@@ -279,7 +282,7 @@ Index other_part(const Sweep& s, const Tracks& before_step, const Tracks& after)
 }
 
 Index behind(const Sweep& s, double deepest, double& depth) {
-  const auto limit = [&](Index f) { return std::min(material * s.base.thickness(f), deepest); };
+  const auto limit = [&](Index f) { return std::min(depth_of_body(s.base, f), deepest); };
   Index nearest = -1;
   double least_squared = infinite;
   for (const Index f : s.near) {

@@ -6,9 +6,21 @@
 #include <set>
 
 #include "base/check.hpp"
+#include "mesh/adjacency.hpp"
 
 namespace nereid::mesh {
 namespace {
+
+/// A surface without the second side of sheets that have both.
+Surface one_side(const Surface& surface) {
+  const std::vector<Index> other = other_sides(surface.facets);
+  Surface one = surface;
+  Index kept = 0;
+  for (Index f = 0; f < surface.facets.cols(); ++f)
+    if (other[static_cast<std::size_t>(f)] < 0 || f < other[static_cast<std::size_t>(f)]) one.facets.col(kept++) = surface.facets.col(f);
+  one.facets.conservativeResize(3, kept);
+  return one;
+}
 
 template <class Named>
 const Named& find(const std::vector<Named>& all, std::string_view name, const char* kind) {
@@ -171,7 +183,7 @@ void share_out(const Vectors& X, const Eigen::Matrix<Index, 4, 1>& face, Give&& 
 }  // namespace
 
 Scalars tributary_areas(const Mesh& mesh, const Surface& surface, const Subset& nodes) {
-  const Table<4> all = faces(mesh, surface);
+  const Table<4> all = faces(mesh, one_side(surface));
   Scalars at_node = Scalars::Zero(mesh.X.cols());
   for (Index f = 0; f < all.cols(); ++f) share_out(mesh.X, all.col(f), [&](int a, double area) { at_node(all(a, f)) += area; });
   Scalars wanted(nodes.size());

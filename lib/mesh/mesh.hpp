@@ -70,7 +70,7 @@ Table<4> faces(const Mesh&, const Surface&);
 ///
 /// The latter is the integral of the node's bilinear shape function over a flat face: a quarter on a
 /// parallelogram, and it does not know along which diagonal the face was cut.
-/// The sum over the nodes of the surface is its area; of a warped face, the mean of its two cuts.
+/// The sum over the nodes of the surface is its area; of a warped face, the mean of its two cuts. Of a sheet with both sides one counts.
 Scalars tributary_areas(const Mesh&, const Surface&, const Subset& nodes);
 
 /// The faces of a surface at each of some nodes, and what each gives to the tributary area of the node.

@@ -8,6 +8,7 @@
 #include "base/words.hpp"
 #include "contact/impact_step.hpp"
 #include "dynamics/displace.hpp"
+#include "mesh/adjacency.hpp"
 #include "model/meshes.hpp"
 
 namespace nereid::model {
@@ -172,6 +173,9 @@ void add_load(const Load& load, dynamics::Model& model, Faults& faults) {
   const std::array<load::OverTime, 3> values{over_time(load.value[0]), over_time(load.value[1]), over_time(load.value[2])};
   switch (load.kind) {
     case LoadKind::pressure:
+      if (mesh::has_both_sides(mesh::surface(model.mesh, load.on).facets))
+        refuse(faults, part("load", load), "surface",
+               quote(load.on) + " has plates from both sides, on which a pressure cancels: expected one side of them");
       model.loads.emplace_back(load::pressure_on(load.name, model.mesh, mesh::surface(model.mesh, load.on), values[0]));
       break;
     case LoadKind::force:

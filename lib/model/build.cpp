@@ -4,10 +4,10 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <set>
 
 #include "base/check.hpp"
 #include "base/words.hpp"
+#include "mesh/adjacency.hpp"
 #include "model/actions.hpp"
 #include "model/meshes.hpp"
 #include "model/names.hpp"
@@ -142,15 +142,6 @@ double stand_off(const std::vector<Body>& bodies, const mesh::Mesh& mesh, const 
   return 0;
 }
 
-/// A base goes on from facet to facet: no edge belongs to two of them in the same direction.
-bool goes_on(const mesh::Surface& surface) {
-  std::set<std::pair<Index, Index>> edges;
-  for (Index f = 0; f < surface.facets.cols(); ++f)
-    for (int e = 0; e < 3; ++e)
-      if (!edges.insert({surface.facets(e, f), surface.facets((e + 1) % 3, f)}).second) return false;
-  return true;
-}
-
 void refuse_penetration(const Contact& contact, const contact::InitialGaps& gaps, Faults& faults) {
   if (gaps.penetrating == 0 || contact.interface.initial_penetration == contact::InitialPenetration::accept) return;
   const bool given = !contact.height_from_thickness && !contact.interface.height.from_initial_height && contact.interface.height.given > 0;
@@ -179,7 +170,7 @@ bool can_touch(const Contact& contact, const dynamics::Model& model, Faults& fau
   if (std::find_first_of(of_apexes.begin(), of_apexes.end(), of_base.begin(), of_base.end()) != of_apexes.end())
     refuse(faults, here, "base", "'apexes' and 'base' share nodes: a surface does not touch itself");
   const auto look = [&](const char* key, const mesh::Surface& surface) {
-    if (!goes_on(surface))
+    if (!mesh::goes_on(surface.facets))
       refuse(faults, here, key,
              quote(key) + " = " + surface.name + ": an edge belongs to two facets in the same direction: their normals do not agree");
   };

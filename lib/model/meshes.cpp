@@ -7,6 +7,7 @@
 
 #include "base/check.hpp"
 #include "base/words.hpp"
+#include "mesh/adjacency.hpp"
 #include "mesh/placement.hpp"
 #include "mesh/skin.hpp"
 
@@ -157,14 +158,29 @@ bool has_solids(const MeshOptions& options) {
 
 namespace {
 
-/// The mesh with its skin as a surface and a node set, if it has solids and no such surface yet.
+/// Both sides of the plates of a mesh, without those whose nodes all belong to other facets: these lie on the skin of solids.
+Table<3> sides_of_plates(const mesh::Mesh& mesh, const Table<3>& facets) {
+  const Subset taken = mesh::surface_nodes({"", facets});
+  const auto is_taken = [&](Index node) { return std::binary_search(taken.begin(), taken.end(), node); };
+  std::vector<Index> nodes;
+  for (const mesh::Triangles& region : mesh.triangles)
+    for (const auto& triangle : region.nodes.colwise())
+      if (!std::all_of(triangle.begin(), triangle.end(), is_taken)) nodes.insert(nodes.end(), triangle.begin(), triangle.end());
+  return mesh::both_sides(Eigen::Map<const Table<3>>(nodes.data(), 3, static_cast<Eigen::Index>(nodes.size() / 3)));
+}
+
+/// The mesh with its skin as a surface and a node set: the outer faces of solids, and both sides of plates.
 mesh::Mesh with_skin(const std::string& name, mesh::Mesh mesh) {
   const std::string skin = name + ".skin";
   const auto is_skin = [&](const auto& one) { return one.name == skin; };
-  if (mesh.hexahedra.empty() || std::any_of(mesh.surfaces.begin(), mesh.surfaces.end(), is_skin)) return mesh;
-  mesh.surfaces.push_back({skin, mesh::skin(mesh.X, mesh.hexahedra).facets});
-  if (std::none_of(mesh.node_sets.begin(), mesh.node_sets.end(), is_skin))
-    mesh.node_sets.push_back({skin, mesh::surface_nodes(mesh.surfaces.back())});
+  auto surface = std::find_if(mesh.surfaces.begin(), mesh.surfaces.end(), is_skin);
+  if (surface == mesh.surfaces.end()) surface = mesh.surfaces.insert(surface, {skin, mesh::skin(mesh.X, mesh.hexahedra).facets});
+  const Table<3> solids = surface->facets, plates = sides_of_plates(mesh, solids);
+  surface->facets.resize(3, solids.cols() + plates.cols());
+  surface->facets << solids, plates;
+  const auto set = std::find_if(mesh.node_sets.begin(), mesh.node_sets.end(), is_skin);
+  if (set == mesh.node_sets.end()) mesh.node_sets.push_back({skin, mesh::surface_nodes(*surface)});
+  else set->nodes = mesh::surface_nodes(*surface);
   return mesh;
 }
 

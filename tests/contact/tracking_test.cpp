@@ -1,5 +1,6 @@
 #include "contact/tracking.hpp"
 
+#include "mesh/adjacency.hpp"
 #include "tests/contact/pressed.hpp"
 
 namespace nereid::contact {
@@ -116,6 +117,61 @@ TEST(EntryOfAnApex, PastAnOpenBorderIsSeenHoweverSlowlyItComesDown) {
   for (double z = 0.199; z > -0.02; z -= 0.001) step_to(scene, 0, {4.04, 2.3, z});
   EXPECT_EQ(scene.near().tracks.count, 1);
   EXPECT_NEAR(scene.forces()(2, scene.apex()), -penalty * scene.x(2, scene.apex()), 1e-9);
+}
+
+Shape with_both_sides(Shape shape) {
+  shape.facets = mesh::both_sides(shape.facets);
+  return shape;
+}
+
+TEST(EntryOfAnApex, OverASheetWithBothSidesIsOnTheSideFromWhichItComes) {
+  for (const double side : {1.0, -1.0}) {
+    Scene scene = press(with_both_sides(sheet(4, 4, flat)), {{1.2, 1.3, 0.2 * side}}, 0.1);
+    step_to(scene, 0, {1.25, 1.3, 0.07 * side});
+    EXPECT_NEAR(scene.forces()(2, scene.apex()), side * penalty * 0.03, 1e-9);
+    step_to(scene, 0, {1.25, 1.3, -0.02 * side});  // through the middle it is still on that side
+    EXPECT_NEAR(scene.forces()(2, scene.apex()), side * penalty * 0.12, 1e-9);
+  }
+}
+
+TEST(EntryOfAnApex, BetweenBothSidesOfASheetAtTheStartIsOnTheNearerSide) {
+  for (const double side : {1.0, -1.0}) {
+    Shape shape = with_both_sides(sheet(4, 4, flat));
+    Vectors x(3, shape.x.cols() + 1);
+    x << shape.x, Vec3(1.2, 1.3, 0.06 * side);
+    const Scene scene = scene_of(x, interface_over(shape, 1), {false, 0, 0.1});
+    EXPECT_EQ(scene.gaps.penetrating, 1);
+    EXPECT_NEAR(scene.gaps.deepest, 0.04, 1e-15);
+  }
+}
+
+TEST(EntryOfAnApex, SlidesAroundTheRimOfASheetWithBothSides) {
+  constexpr double h = 0.1, deep = 0.02;
+  const auto round = [](double way) {  // along the top, around the rim at x = 4, and along the bottom
+    const double r = h - deep, arc = EIGEN_PI * r;
+    if (way < 0.5) return Vec3(3.5 + way, 2.3, r);
+    const double angle = (way - 0.5) / r;
+    return way < 0.5 + arc ? Vec3(4 + r * std::sin(angle), 2.3, r * std::cos(angle)) : Vec3(4 - (way - 0.5 - arc), 2.3, -r);
+  };
+  Scene scene = press(with_both_sides(sheet(4, 4, flat)), {{3.5, 2.3, 0.2}}, h);
+  for (double way = 0; way < 1.2; way += 0.003) {
+    step_to(scene, 0, round(way));
+    ASSERT_EQ(scene.near().tracks.count, 1) << way;
+    const Vec3 foot(std::min(4.0, round(way).x()), 2.3, 0), out = (round(way) - foot).normalized();
+    EXPECT_LT((scene.forces().col(scene.apex()) - penalty * deep * out).norm(), 1e-6 * penalty * deep) << way;
+  }
+  EXPECT_LT(std::abs(scene.memory.created_by_reconnection), 1e-3 * stored(scene.memory));
+  EXPECT_LT(scene.forces().rowwise().sum().norm(), 1e-12);
+}
+
+TEST(EntryOfAnApex, OntoTheRimOfASheetWithBothSides) {
+  for (const double up : {0.02, 0.0, -0.02}) {
+    Scene scene = press(with_both_sides(sheet(4, 4, flat)), {{4.2, 2.3, up}}, 0.1);
+    step_to(scene, 0, {4.07, 2.3, up});
+    const Vec3 push = scene.forces().col(scene.apex());
+    EXPECT_NEAR(push.norm(), penalty * (0.1 - std::hypot(0.07, up)), 1e-6) << up;
+    EXPECT_NEAR(push.z() / push.norm(), up / std::hypot(0.07, up), 1e-6) << up;
+  }
 }
 
 TEST(EntryOfAnApex, PastAWallOfOnePartAndIntoAnotherBooksTheMomentThatIsLeft) {
