@@ -52,7 +52,8 @@ void add_common_results(const model::Simulation& simulation, const dynamics::Out
   for (std::size_t c = 0; c < simulation.model.interfaces.size(); ++c) {
     const auto& interface = simulation.model.interfaces[c];
     const auto& memory = simulation.state.interfaces[c];
-    if (!contact::by_multipliers(interface)) results.push_back({interface.name + "_penalty", interface.penalty, "Pa/m"});
+    if (!contact::by_multipliers(interface) && interface.bodies.count() == 0)
+      results.push_back({interface.name + "_penalty", interface.penalty, "Pa/m"});
     results.push_back({interface.name + "_deepest", memory.deepest, "m"});
     if (interface.kind == contact::InterfaceKind::edges) continue;  // which walk nowhere
     results.push_back({interface.name + "_walks", static_cast<double>(memory.walks), "1"});

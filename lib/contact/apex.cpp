@@ -108,7 +108,7 @@ Touch touch_of(const Interface& interface, const Vectors& x, Index a, const Feat
   if (foot && foot->fourth != 0) touch.nodes = 4, touch.node[3] = interface.base.half[feature.facet].fourth, touch.weight[3] = foot->fourth;
   touch.arm = at;
   for (int I = 0; I < touch.nodes; ++I) touch.arm -= touch.weight[I] * x.col(touch.node[I]);
-  touch.apex_arm = interface.arm_of_apex * touch.arm;
+  touch.apex_arm = between(interface, a, feature.facet).arm_of_apex * touch.arm;
   touch.base_arm = touch.arm - touch.apex_arm;
   touch.base_rotates = !interface.rotation_of_node.empty() && interface.rotation_of_node[touch.node[0]] >= 0;
   return touch;
@@ -118,9 +118,10 @@ std::array<double, 3> weights_of(const Interface& interface, const Vectors& x, I
   return geometry::closest_on_triangle(corners(interface.base, x, facet), position(x, interface.apexes[a])).weight;
 }
 
-double stiffness(const Interface& interface, const Feature& feature, double area) {
-  if (interface.area_kind == Area::apex) return interface.penalty * area;
-  if (feature.kind == Kind::facet) return interface.penalty * interface.facet_area(feature.facet);
+double stiffness(const Interface& interface, Index a, const Feature& feature, double area) {
+  const double penalty = between(interface, a, feature.facet).penalty;
+  if (interface.area_kind == Area::apex) return penalty * area;
+  if (feature.kind == Kind::facet) return penalty * interface.facet_area(feature.facet);
   double sum = 0;
   int count = 0;
   const auto add = [&](Index facet) {
@@ -133,7 +134,7 @@ double stiffness(const Interface& interface, const Feature& feature, double area
     const Index node = interface.base.facets(feature.local, feature.facet);
     for (Index r = interface.base.ring_begin[node]; r < interface.base.ring_begin[node + 1]; ++r) add(interface.base.ring[r]);
   }
-  return interface.penalty * sum / count;
+  return penalty * sum / count;
 }
 
 void vote_over(const Interface& interface, const Vectors& x, Index a, const Feature& feature, const std::array<double, 3>& weight,
@@ -142,7 +143,7 @@ void vote_over(const Interface& interface, const Vectors& x, Index a, const Feat
   element.stencil[0] = {.facet = feature.facet, .apex = 1, .weight = weight, .push = Vec3::Zero(),
                         .kind = feature.kind, .local = feature.local, .level = level};
   if (by_multipliers(interface)) return;  // they vote for no step
-  element.stiffness = stiffness(interface, feature, interface.area(a));
+  element.stiffness = stiffness(interface, a, feature, interface.area(a));
   share_stiffness(interface, x, a, element);
 }
 
@@ -157,7 +158,7 @@ void hold_bond(const Interface& interface, const Vectors& x, Near& near, Memory&
   const Vec3 n = area / twice_area;
   Vec3 d = x.col(interface.apexes[a]) - bond.height * n;
   for (int I = 0; I < 3; ++I) d -= bond.weight[I] * corner[I];
-  const double k = stiffness(interface, memory.feature[a], interface.area(a));
+  const double k = stiffness(interface, a, memory.feature[a], interface.area(a));
   Stencil hold{.facet = bond.facet, .apex = 1, .push = -k * d}, couple{.facet = bond.facet, .apex = 0};
   couple.push = k * bond.height * n;
   for (int I = 0; I < 3; ++I) {
@@ -179,6 +180,24 @@ void hold_bond(const Interface& interface, const Vectors& x, Near& near, Memory&
 
 namespace {
 
+/// Ends the tracks of an apex on parts of its own body that it has come beside in the mesh; true if there was one.
+bool leave_beside(const Interface& interface, Index a, const WayOut& out, Tracks& tracks) {
+  if (interface.bodies.beside_begin.empty()) return false;
+  const Index apex = interface.apexes[a];
+  const auto beside = [&](Index facet) {
+    const auto nodes = interface.base.facets.col(facet);
+    return std::any_of(nodes.begin(), nodes.end(), [&](Index node) { return is_beside(interface.bodies, apex, node); });
+  };
+  bool any = false;
+  for (int s = 0; s < out.count; ++s) any = any || beside(out.stencil[s].facet);
+  int kept = 0;
+  for (int t = 0; t < tracks.count; ++t)
+    if (!beside(tracks.track[t].facet)) tracks.track[kept++] = tracks.track[t];
+  any = any || kept < tracks.count;
+  tracks.count = kept;
+  return any;
+}
+
 /// An apex that is in contact with nothing: how far it is, whether it votes, and how long it need not be looked at.
 void look_around(const Interface& interface, const Vectors& x, const Vectors& v, double moved, Near& near, Memory& memory) {
   const Index a = near.apex;
@@ -188,16 +207,18 @@ void look_around(const Interface& interface, const Vectors& x, const Vectors& v,
   memory.status[a] = nearest.feature.facet < 0 ? Status::unpaired : Status::open;
   memory.gap[a] = std::numeric_limits<double>::quiet_NaN();
   if (nearest.feature.facet < 0) return;
-  const double contact_height = contact::contact_height(interface, memory, a);
-  memory.gap[a] = nearest.distance() - contact_height;
+  const Index facet = nearest.feature.facet;
+  const double contact_height = contact::contact_height(interface, memory, a), level = contact::level(interface, memory, a, facet);
+  memory.gap[a] = nearest.distance() - level;
   double soon = infinite;
-  if (interface.depth > 0) {
-    const double speed = speed_over(interface, v, a, nearest.feature.facet);
-    soon = std::max(votes_within * interface.depth, steps_ahead * speed * interface.longest_step);
+  const double depth = between(interface, a, facet).depth;
+  if (depth > 0) {
+    const double speed = speed_over(interface, v, a, facet);
+    soon = std::max(votes_within * depth, steps_ahead * speed * interface.longest_step);
   }
   const bool votes = memory.gap[a] <= soon;
   near.clear = nearest.clear - contact_height - moved - (votes ? 0 : soon);
-  if (votes) vote_over(interface, x, a, nearest.feature, nearest.closest.weight, contact_height, near.element);
+  if (votes) vote_over(interface, x, a, nearest.feature, nearest.closest.weight, level, near.element);
 }
 
 /// Finds what an apex is in contact with, and its forces.
@@ -212,7 +233,7 @@ void update_element(const Interface& interface, const Vectors& x, const Vectors&
   if (before.count == 0 && !(dt > 0)) {  // at the start, displaced from the reference
     double depth = 0;
     const Index facet = behind(sweep, interface.depth > 0 ? interface.depth : infinite, depth);
-    if (facet >= 0) near.tracks.begin(facet, contact_height);
+    if (facet >= 0) near.tracks.begin(facet, sweep.level(facet));
   }
   if (near.tracks.count == 0) return look_around(interface, x, v, moved, near, memory);
   if (before.count == 0) near.clear = -infinite;
@@ -220,16 +241,18 @@ void update_element(const Interface& interface, const Vectors& x, const Vectors&
     near.area = area_facing(interface, x, a, near.tracks.track[0].facet);
   }
 
+  const double release_height = between(interface, a, near.tracks.track[0].facet).release_height;
   const auto find_way_out = [&] {
-    return way_out(interface.base, x, x.col(node), contact_height, allowed, moved, near.tracks, near.element.stencil,
-                   interface.release_height);
+    WayOut out = way_out(interface.base, x, x.col(node), contact_height, allowed, moved, near.tracks, near.element.stencil, release_height);
+    if (!leave_beside(interface, a, out, near.tracks)) return out;
+    return way_out(interface.base, x, x.col(node), contact_height, allowed, moved, near.tracks, near.element.stencil, release_height);
   };
   WayOut out = find_way_out();
   if (moved + out.length >= near.clear) {
     const Index other = other_part(sweep, before, near.tracks);
     if (other >= 0) {
       const int lost = out.lost;
-      near.tracks.begin(other, contact_height);
+      near.tracks.begin(other, sweep.level(other));
       out = find_way_out();
       out.lost += lost;
     }
@@ -247,7 +270,7 @@ void update_element(const Interface& interface, const Vectors& x, const Vectors&
     const auto weight = votes ? weights_of(interface, x, a, out.strongest.facet) : std::array<double, 3>{};
     return vote_over(interface, x, a, out.strongest, weight, out.level, element);
   }
-  const double k = stiffness(interface, out.strongest, near.area > 0 ? near.area : interface.area(a));
+  const double k = stiffness(interface, a, out.strongest, near.area > 0 ? near.area : interface.area(a));
   memory.status[a] = Status::closed;
   memory.feature[a] = out.strongest;
   memory.gap[a] = -out.length;

@@ -2,6 +2,7 @@
 // The base surface of an interface: facets, the adjacency table along which apexes walk, and the body behind.
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "geometry/closest.hpp"
@@ -53,6 +54,7 @@ struct BaseSurface : Fans {         // the normal of a facet points to the side 
   Scalars thickness;  ///< [m] way along -n from the centre of the facet to the first facet that faces back; infinite without one
   Scalars size;       ///< [m] of the face that the facet is half of: the root of twice its area
   Scalars longest;    ///< [m] its longest edge
+  Scalars stand_off;  ///< [m] [facets] half the thickness of plates there, which comes to h_c of an apex; empty: h_c has it
   double sharpest = 0;  ///< [-] the largest lean() of any facet: how far a walk must look in its sharpest valley
 };
 
@@ -74,6 +76,16 @@ void goes_on_behind(BaseSurface&, const Subset& nodes);
 ///
 /// faces  nodes around each, the fourth -1 where a facet is a face of its own: mesh::faces()
 void mark_halves(BaseSurface&, const Table<4>& faces);
+
+/// What a facet adds to h_c of an apex. [m]
+inline double stand_off(const BaseSurface& base, Index facet) { return base.stand_off.size() > 0 ? base.stand_off(facet) : 0; }
+
+/// The squared distance of a point from a facet less what this stands off, negative within: by it one of several facets is nearest. [m2]
+inline double squared_gap(const BaseSurface& base, Index facet, double distance_squared) {
+  if (base.stand_off.size() == 0) return distance_squared;
+  const double gap = std::sqrt(distance_squared) - base.stand_off(facet);
+  return gap * std::abs(gap);
+}
 
 /// Whether a wall ends in a node.
 bool at_wall(const BaseSurface&, Index node);

@@ -60,12 +60,12 @@ double median(std::vector<Facing>& list, double Facing::* value) {
 
 Coarseness coarseness(const Interface& interface, const mesh::FacesAround& base_faces, const Vectors& x, double reach,
                       Workspace& workspace) {
-  if (interface.faces.begin.empty() || !workspace.broad.sort(interface.base, x)) return {};
+  if (interface.faces.begin.empty() || !workspace.broad[0].sort(interface.base, x)) return {};
   std::vector<Facing> list;
   double nearest = std::numeric_limits<double>::infinity();
   for (Index a = 0; a < static_cast<Index>(interface.apexes.size()); ++a) {
     const Vec3 p = x.col(interface.apexes[a]);
-    const Index start = workspace.broad.nearest(interface.base, x, position(x, interface.apexes[a]), reach);
+    const Index start = workspace.broad[0].nearest(interface.base, x, position(x, interface.apexes[a]), reach);
     if (start < 0) continue;
     const Stand here = stand(interface.base, x, p, start);
     const Index facet = here.feature.facet;

@@ -38,8 +38,9 @@ constexpr double faces_below = 0.3;    // cosine between the normals of an apex 
 bool stays(const Interface& interface, const Memory& memory, double moved, const Near& near) {
   const Tracks& tracks = near.tracks;
   const ElementForces& element = near.element;
-  return near.pressed > 0 && moved < tracks.owned && 2 * moved + element.depth < near.clear && tracks.count == 1 && element.count == 1 &&
-         !(tracks.track[0].height < contact_height(interface, memory, near.apex)) && allowed_of(interface, near.apex) == nullptr;
+  if (tracks.count != 1 || tracks.track[0].height < level(interface, memory, near.apex, tracks.track[0].facet)) return false;
+  return near.pressed > 0 && moved < tracks.owned && 2 * moved + element.depth < near.clear && element.count == 1 &&
+         allowed_of(interface, near.apex) == nullptr;
 }
 
 /// Finds which apexes are in contact, or near to it, where the nodes would be.
@@ -74,8 +75,8 @@ bool has_foot_outside(const BaseSurface& base, const Vectors& x, const Vec3& p, 
 
 }  // namespace
 
-bool can_touch(const Interface& interface, const Motion& m, double gap, double speed) {
-  return gap <= std::max(multipliers_reach * interface.depth, steps_to_touch * m.next * speed);
+bool can_touch(const Between& pair, const Motion& m, double gap, double speed) {
+  return gap <= std::max(multipliers_reach * pair.depth, steps_to_touch * m.next * speed);
 }
 
 namespace {
@@ -184,7 +185,7 @@ bool make(const Interface& interface, const Motion& m, const Multipliers& all, c
   if (!(push > 0)) {
     double fastest = 0;
     for (int I = 1; I < c.nodes; ++I) fastest = std::max(fastest, (all.velocity.col(apex) - all.velocity.col(c.node[I])).squaredNorm());
-    if (!can_touch(interface, m, c.gap, std::sqrt(fastest))) return false;
+    if (!can_touch(between(interface, near.apex, stencil.facet), m, c.gap, std::sqrt(fastest))) return false;
     const bool faced = near.tracks.count > 0 || interface.own.facets.cols() == 0;
     if (!faced && !(node_normal(interface.own, m.x, apex).dot(c.normal) < faces_below)) return false;  // sheets face everywhere: zero
   }
@@ -544,8 +545,9 @@ void find_conditions(const Interface& interface, const Motion& m, Memory& memory
       const Vec3 force = near.friction.acts ? near.friction.force : Vec3(Vec3::Zero());
       friction = add_friction(touch, interface.friction, force, near.friction.stuck, m, all);
     }
-    add({.memory = &restitution, .first = first, .last = last, .friction = friction, .area = area, .depth = interface.depth,
-         .impedance = interface.pass_factor * interface.impedance * area, .square = interface.restitution * interface.restitution}, all);
+    const Between& pair = between(interface, near.apex, first_of(near.element).facet);
+    add({.memory = &restitution, .first = first, .last = last, .friction = friction, .area = area, .depth = pair.depth,
+         .impedance = interface.pass_factor * pair.impedance * area, .square = interface.restitution * interface.restitution}, all);
   }
   for (std::size_t a = 0; a < memory.restitution.size(); ++a)
     if (memory.slot[a] < 0 && memory.restitution[a].held != 0) discard(memory.restitution[a], memory.impact);

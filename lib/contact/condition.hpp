@@ -213,7 +213,7 @@ void add(const Contactor&, Multipliers&);
 /// Whether a gap is so small, or closes so fast, that it counts in the step to come.
 ///
 /// speed  [m/s] of the nodes against each other
-bool can_touch(const Interface&, const Motion&, double gap, double speed);
+bool can_touch(const Between&, const Motion&, double gap, double speed);
 
 /// Sets what the nodes do in the step to come without multipliers.
 void look_ahead(const Subset& nodes, const Motion&, Multipliers&);

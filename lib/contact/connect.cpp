@@ -76,7 +76,7 @@ InitialGaps connect(Interface& interface, const Vectors& x, double reach, const 
   interface.base_nodes.erase(std::unique(interface.base_nodes.begin(), interface.base_nodes.end()), interface.base_nodes.end());
   prepare(interface, memory);
   interface.bonds.assign(bonded ? count : 0, Bond{});
-  interface.contact_height = Scalars::Constant(count, height.given);
+  if (interface.contact_height.size() == 0) interface.contact_height = Scalars::Constant(count, height.given);
   memory.margin = interface.margin;
 
   InitialGaps gaps;
@@ -84,9 +84,10 @@ InitialGaps connect(Interface& interface, const Vectors& x, double reach, const 
   gaps.least = infinite;
   gaps.largest = -infinite;
   std::vector<double> initial(count, std::numeric_limits<double>::quiet_NaN());
-  workspace.broad.sort(interface.base, x);
-  for (Index a = 0; a < count; ++a) {
-    const Start start = start_of(interface, x, a, reach, workspace.broad);
+  const bool one_pair = interface.bodies.count() == 0;
+  if (one_pair) workspace.broad[0].sort(interface.base, x);
+  for (Index a = 0; one_pair && a < count; ++a) {
+    const Start start = start_of(interface, x, a, reach, workspace.broad[0]);
     if (bonded && !bond(x, a, start, interface, memory)) ++gaps.free;
     if (start.facet < 0) {
       ++gaps.without_base;
@@ -110,15 +111,19 @@ InitialGaps connect(Interface& interface, const Vectors& x, double reach, const 
   for (Near& near : memory.near) {
     if (bonded) break;
     const Index a = near.apex, node = interface.apexes[a];
-    const double contact_height = interface.contact_height(a);
+    double contact_height = interface.contact_height(a);
     const Mat3* allowed = allowed_of(interface, a);
     const Sweep sweep{interface.base, interface.own, x, rest, 0, near_facets(memory, near), node, allowed, contact_height};
     const Nearest nearest = nearest_of(interface, x, a, sweep.near);
     memory.feature[a] = nearest.feature;
-    memory.gap[a] = nearest.distance() - contact_height;
+    if (nearest.feature.facet < 0) continue;
+    memory.gap[a] = nearest.distance() - sweep.level(nearest.feature.facet);
+    if (!one_pair) initial[a] = memory.gap[a], ++gaps.by_kind[static_cast<int>(nearest.feature.kind)];
     double depth = 0;
-    const Index facet = behind(sweep, interface.depth > 0 ? interface.depth : infinite, depth);
+    const double deepest = between(interface, a, nearest.feature.facet).depth;
+    const Index facet = behind(sweep, deepest > 0 ? deepest : infinite, depth);
     if (facet < 0) continue;
+    contact_height = sweep.level(facet);
     // positions are no more exact than their distance from the origin allows, and differences no more than the facet's size
     const double round_off = 1e-12 * (std::abs(depth) + 2 * std::abs(contact_height) + interface.base.longest(facet));
     const bool counts = depth > round_off, accepted = !counts || penetration == InitialPenetration::accept;
@@ -134,6 +139,7 @@ InitialGaps connect(Interface& interface, const Vectors& x, double reach, const 
     gaps.largest = std::max(gaps.largest, gap);
     gaps.mean += gap;
   }
+  if (!one_pair) gaps.without_base = count - static_cast<Index>(memory.near.size());
   const Index connected = gaps.apexes - gaps.without_base;
   if (connected == 0) gaps.least = gaps.largest = 0;
   else gaps.mean /= connected;
@@ -149,8 +155,9 @@ InitialGaps connect_edges(const Interface& interface, const Vectors& x, Memory& 
   gaps.pairs = static_cast<Index>(memory.crossings.size());
   for (Crossing& crossing : memory.crossings) {
     const Over at = over(interface, x, crossing.edge, crossing.base_edge, 0);
-    const double depth = interface.edge_height - at.height;
-    if (!at.is || !(depth > 1e-12 * interface.margin) || depth > interface.depth) continue;
+    const double depth = height_between(interface, crossing.edge, crossing.base_edge) - at.height;
+    if (!at.is || !(depth > 1e-12 * interface.margin)) continue;
+    if (depth > between_edges(interface, crossing.edge, crossing.base_edge).depth) continue;
     ++gaps.penetrating;
     gaps.deepest = std::max(gaps.deepest, depth);
     crossing.side = at.side, crossing.level = at.height;  // an offset, if the caller accepts it
@@ -161,10 +168,10 @@ InitialGaps connect_edges(const Interface& interface, const Vectors& x, Memory& 
 Memory tried_out(const Interface& interface, const Vectors& x, double reach, Workspace& workspace) {
   Memory trial;
   prepare(interface, trial);
-  if (!workspace.broad.sort(interface.base, x)) return trial;
+  if (!workspace.broad[0].sort(interface.base, x)) return trial;
   const auto count = static_cast<Index>(interface.apexes.size());
   for (Index a = 0; a < count; ++a) {
-    const Start start = start_of(interface, x, a, reach, workspace.broad);
+    const Start start = start_of(interface, x, a, reach, workspace.broad[0]);
     const bool bonded = interface.kind == InterfaceKind::bonded;
     if (start.facet < 0 || (bonded && interface.bonds[a].facet < 0)) continue;
     trial.slot[a] = static_cast<Index>(trial.near.size());

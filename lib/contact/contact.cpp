@@ -22,17 +22,22 @@ void see_depth(const Interface& interface, const Vectors& x, const Near& near, M
   double depth = near.element.depth;
   if (depth > depth_to_check * interface.depth) {
     const Nearest nearest = nearest_of(interface, x, near.apex, near_facets(memory, near));
-    depth = std::min(depth, contact_height(interface, memory, near.apex) + nearest.distance());
+    const double h_c = nearest.feature.facet < 0 ? contact_height(interface, memory, near.apex)
+                                                 : level(interface, memory, near.apex, nearest.feature.facet);
+    depth = std::min(depth, h_c + nearest.distance());
   }
   if (depth > memory.deepest) memory.deepest = depth, memory.deepest_apex = interface.apexes[near.apex];
 }
 
 Workspace::Workspace(const Interface& interface)
-    : broad(static_cast<Index>(interface.base.facets.cols())),
-      facets(interface.apexes.size(), 0),
+    : facets(interface.apexes.size(), 0),
       spring_sum(Scalars::Zero(std::max<Eigen::Index>(1, static_cast<Eigen::Index>(interface.base.ring_begin.size())) - 1)),
       rotation_sum(Scalars::Zero(interface.friction.coefficient > 0 && !interface.rotation_of_node.empty() ? spring_sum.size() : 0)) {
   near.reserve(interface.apexes.size());
+  const Bodies& bodies = interface.bodies;
+  if (bodies.count() == 0) broad.emplace_back(static_cast<Index>(interface.base.facets.cols()));
+  for (Index b = 0; interface.kind != InterfaceKind::edges && b < bodies.count(); ++b)
+    broad.emplace_back(bodies.first_facet[b + 1] - bodies.first_facet[b], bodies.first_facet[b]);
 }
 
 void follow_thickness(const Interface& interface, const Scalars& half_growth, Memory& memory) {
@@ -56,9 +61,10 @@ void follow_thickness(const Interface& interface, const Scalars& half_growth, Me
     const double height = contact_height(interface, memory, a);
     for (int t = 0; t < near->tracks.count; ++t) {
       double& level = near->tracks.track[t].height;
-      if (!(level > height)) continue;
-      if (near->element.closed && !by_multipliers(interface)) memory.thinned += near->element.apex.norm() * (level - height);
-      level = height;
+      const double most = height + stand_off(interface.base, near->tracks.track[t].facet);
+      if (!(level > most)) continue;
+      if (near->element.closed && !by_multipliers(interface)) memory.thinned += near->element.apex.norm() * (level - most);
+      level = most;
     }
   }
 }
@@ -174,10 +180,12 @@ double least_gap(const Interface& interface, const Vectors& x, const Memory& mem
   };
   for (const Near& near : memory.near) {
     if (near.element.closed) see(memory.gap[near.apex]);
-    else if (near.facets > 0)
-      see(nearest_of(interface, x, near.apex, near_facets(memory, near)).distance() - contact_height(interface, memory, near.apex));
+    else if (near.facets > 0) {
+      const Nearest nearest = nearest_of(interface, x, near.apex, near_facets(memory, near));
+      see(nearest.distance() - level(interface, memory, near.apex, nearest.feature.facet));
+    }
   }
-  if (!memory.near.empty()) return least;  // who is not near is farther away
+  if (!memory.near.empty() || interface.bodies.count() > 0) return least;  // who is not near is farther away
   BroadSearch broad(static_cast<Index>(interface.base.facets.cols()));
   if (!broad.sort(interface.base, x)) return least;
   for (std::size_t a = 0; a < interface.apexes.size(); ++a) {
@@ -198,7 +206,7 @@ ElementView view(const Interface& interface, const Vectors& x, const Memory& mem
   if (v.status == Status::open && near && near->facets > 0 && near->tracks.count == 0) {  // where it stands now, not when last looked at
     const Nearest nearest = nearest_of(interface, x, apex, near_facets(memory, *near));
     v.feature = nearest.feature;
-    v.gap = nearest.distance() - contact_height(interface, memory, apex);
+    v.gap = nearest.distance() - level(interface, memory, apex, nearest.feature.facet);
   }
   if (v.feature.facet >= 0) {
     const auto c = corners(interface.base, x, v.feature.facet);
@@ -217,10 +225,10 @@ ElementView view(const Interface& interface, const Vectors& x, const Memory& mem
     v.slides = v.shear_traction >= (1 - 1e-9) * near->friction.coefficient * v.traction;
     return v;
   }
-  const double per_area = interface.penalty;
+  const double per_area = between(interface, apex, v.feature.facet).penalty;
   v.traction = -per_area * v.gap;
   if (interface.kind == InterfaceKind::bonded) {
-    const double k = stiffness(interface, v.feature, interface.area(apex)), along = k * v.gap;
+    const double k = stiffness(interface, apex, v.feature, interface.area(apex)), along = k * v.gap;
     const double all = 2 * k * memory.stored[apex];  // |k d|^2
     v.shear_traction = per_area / k * std::sqrt(std::max(0.0, all - along * along));
   } else if (!memory.slip.empty()) {

@@ -27,6 +27,7 @@
 
 #include "base/account.hpp"
 #include "base/step_limit.hpp"
+#include "contact/bodies.hpp"
 #include "contact/edges.hpp"
 #include "contact/friction.hpp"
 #include "contact/method.hpp"
@@ -74,7 +75,9 @@ struct Bond {
 };
 
 /// Apexes over a base surface. Constant in time.
-struct Interface {
+///
+/// What it is between is that of its two surfaces; of many bodies the least depth and the largest penalty of all pairs.
+struct Interface : Between {
   std::string name;
   InterfaceKind kind = InterfaceKind::contact;
   Method method = Method::penalty;
@@ -86,18 +89,14 @@ struct Interface {
   Scalars facet_area;            ///< [m2] of the reference, [facets]
   Scalars contact_height;        ///< [m] h_c, [apexes], with plates as thick as at the start
   bool follows_thickness = false;  ///< whether h_c changes as plates do: see Memory::thicker
-  double penalty = 0;            ///< [Pa/m] 1/delta
   double restitution = 1;        ///< [-] speed of a node released by a multiplier over that with which it was stopped
-  double impedance = 0;          ///< [Pa s/m] rho c of both sides in series, of both passes together
   Coulomb friction;
   /// [nodes] column of a plate node's angular velocity, or -1; empty where no node of the interface turns
   std::vector<Index> rotation_of_node;
-  double arm_of_apex = 0;              ///< [-] share of the apex, a plate, in the arm of friction; the base has the rest
   std::vector<Bond> bonds;             ///< [apexes] of a bonded interface; set by connect()
   double impact_step_factor = 0.1410;  ///< [-] dt sqrt(k/m) of the vote: impact_step_factor_for(0.005)
   double first_step_factor = 0;        ///< [-] the same until the contact has created too much, where it is larger: step_factor.hpp
   Pass pass = Pass::only;
-  double release_height = 0;           ///< [m] above h_c up to which an apex stays tracked that multipliers have released
   double pass_factor = 1;              ///< [-] part of the stiffness between its nodes: 1/2 in each of two passes
   /// [s] a closed element pushes with k (|d| + damping_time d|d|/dt), never pulls. It takes
   /// the chatter out of an interface; what it dissipates is booked.
@@ -107,7 +106,6 @@ struct Interface {
   /// An apex on a symmetry plane meets the mirror images of its bases too: [apexes] projector onto
   /// the directions the plane allows; empty where there are no planes.
   std::vector<Mat3> allowed;
-  double depth = 0;  ///< [m] of the flattest element behind either surface: what a penetration is held against
   /// [m] Only apexes nearer to their base than h_c and this are looked at, or than they can move in some steps. A search is due when
   /// apexes and base have moved by half of it since the last one, so that no apex comes into contact unseen.
   double margin = 0;
@@ -115,8 +113,15 @@ struct Interface {
   Subset base_nodes;  ///< ascending; set by connect()
   /// Of kind `edges`: those of both sides. Then `apexes` and `base_nodes` are their nodes_of(), and there is no base.
   Edges edges, base_edges;
-  double edge_height = 0;  ///< [m] h_c between them
+  double edge_height = 0;  ///< [m] h_c between them, beside Edges::half
+  Bodies bodies;           ///< of an automatic contact
 };
+
+/// What an apex has together with a facet.
+inline const Between& between(const Interface& interface, Index apex, Index facet) {
+  const Bodies& bodies = interface.bodies;
+  return bodies.names.empty() ? interface : bodies.between[bodies.pair(bodies.of_apex[apex], bodies.of_facet[facet])];
+}
 
 /// 1, or -1 of a back pass, whose apexes are on the other side of the contact. [-]
 inline double side_of(const Interface& interface) { return interface.pass == Pass::back ? -1 : 1; }
@@ -249,6 +254,11 @@ inline double contact_height(const Interface& interface, const Memory& memory, I
   return interface.contact_height(apex) + (memory.thicker.empty() ? 0 : memory.thicker[apex]);
 }
 
+/// The height over a facet at which contact with an apex closes. [m]
+inline double level(const Interface& interface, const Memory& memory, Index apex, Index facet) {
+  return contact_height(interface, memory, apex) + stand_off(interface.base, facet);
+}
+
 /// Lets the contact height follow the thickness of plates: that of an apex and that of the base below it.
 ///
 /// What presses never becomes thicker: an h_c that falls takes tracks with it, and one that rises lets them rise as the apex leaves, since
@@ -267,6 +277,11 @@ double tangential_stored(const Memory&);  ///< [J] by the elastic stick of frict
 Source source(const Interface&);
 void post(const Interface&, const Memory&, Account&);
 
+/// A box around the facets of a body.
+struct BodyBox {
+  Vec3 low, high;  ///< [m]
+};
+
 /// An edge in a search, with the box around it.
 struct EdgeBox {
   Index edge;
@@ -276,7 +291,9 @@ struct EdgeBox {
 /// What an interface works with and may throw away between steps.
 struct Workspace {
   explicit Workspace(const Interface&);
-  BroadSearch broad;
+  std::vector<BroadSearch> broad;            ///< of the base, or [bodies]
+  std::vector<BodyBox> boxes;                ///< [bodies] around the facets
+  Subset first_partner, partners;            ///< [bodies + 1] bodies whose boxes are near that of each
   Subset facets;           ///< [apexes] how many facets a search found near
   std::vector<Near> near;  ///< the next list of near apexes
   std::vector<EdgeBox> edges, base_edges;  ///< what a search looks at
@@ -378,6 +395,6 @@ double least_gap(const Interface&, const Vectors& x, const Memory&, double reach
 /// Stiffness of an apex over a feature: penalty times the chosen area. [N/m]
 ///
 /// area  [m2] tributary, of the sides that are in contact
-double stiffness(const Interface&, const Feature&, double area);
+double stiffness(const Interface&, Index apex, const Feature&, double area);
 
 }  // namespace nereid::contact

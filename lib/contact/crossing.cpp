@@ -72,6 +72,20 @@ void leave_out(const Eigen::AlignedBox3d& all, std::vector<EdgeBox>& boxes) {
   boxes.erase(std::remove_if(boxes.begin(), boxes.end(), outside), boxes.end());
 }
 
+/// Whether two edges of an automatic contact may touch: of bodies that do, each pair once, and not beside each other in the mesh.
+bool can_cross(const Interface& interface, Index edge, Index base_edge) {
+  const Bodies& bodies = interface.bodies;
+  if (bodies.count() == 0) return true;
+  if (base_edge <= edge) return false;
+  const Index one = interface.edges.body[edge], other = interface.base_edges.body[base_edge];
+  if (bodies.touch[bodies.pair(one, other)] == 0) return false;
+  if (one != other) return true;
+  for (int i = 0; i < 2; ++i)
+    for (int j = 0; j < 2; ++j)
+      if (is_beside(bodies, interface.edges.nodes(i, edge), interface.base_edges.nodes(j, base_edge))) return false;
+  return true;
+}
+
 bool before(const Crossing& a, const Crossing& b) { return std::tie(a.edge, a.base_edge) < std::tie(b.edge, b.base_edge); }
 
 /// Ends what a crossing was.
@@ -92,13 +106,14 @@ bool follow(const Interface& interface, const Motion& m, const Multipliers& all,
       return false;
     }
   }
+  const double height = height_between(interface, crossing.edge, crossing.base_edge);
   if (crossing.side == 0) {
-    const double offset = std::max(0.0, interface.edge_height - at.height);
-    if (offset > sideways * interface.depth) return false;
-    crossing.level = interface.edge_height - offset;
+    const double offset = std::max(0.0, height - at.height);
+    if (offset > sideways * between_edges(interface, crossing.edge, crossing.base_edge).depth) return false;
+    crossing.level = height - offset;
   }
   crossing.side = at.side;
-  crossing.level = std::max(crossing.level, std::min(at.height, interface.edge_height));
+  crossing.level = std::max(crossing.level, std::min(at.height, height));
   crossing.gap = at.height - crossing.level;
   return true;
 }
@@ -165,7 +180,8 @@ Over over(const Interface& interface, const Vectors& x, Index edge, Index base_e
 
 void search_crossings(const Interface& interface, const Vectors& x, Memory& memory, Workspace& workspace) {
   keep_search(interface, x, memory);
-  const double reach = interface.edge_height + memory.margin;
+  const double thickest = interface.edges.half.size() > 0 ? interface.edges.half.maxCoeff() + interface.base_edges.half.maxCoeff() : 0;
+  const double reach = interface.edge_height + thickest + memory.margin;
   std::vector<EdgeBox>&edges = workspace.edges, &base = workspace.base_edges;
   const Eigen::AlignedBox3d all = boxes_of(interface.edges, x, 0.5 * reach, edges);
   const Eigen::AlignedBox3d of_base = boxes_of(interface.base_edges, x, 0.5 * reach, base);
@@ -180,7 +196,7 @@ void search_crossings(const Interface& interface, const Vectors& x, Memory& memo
     const auto low = [](const EdgeBox& box, double value) { return box.low.x() < value; };
     for (auto other = std::lower_bound(base.begin(), base.end(), one.low.x() - widest, low); other != base.end(); ++other) {
       if (other->low.x() > one.high.x()) break;
-      if (!meet(one, *other)) continue;
+      if (!meet(one, *other) || !can_cross(interface, one.edge, other->edge)) continue;
       const auto p = ends_of(interface, x, one.edge, other->edge);
       if (!(geometry::segments_squared(p[0], p[1], p[2], p[3]) < reach * reach)) continue;
       next.emplace_back();
@@ -207,7 +223,8 @@ void find_crossings(const Interface& interface, const Motion& m, Memory& memory,
       Condition& c = all.conditions.emplace_back();
       make(interface, at, crossing, c);
       const double speed = relative(crossing, all.velocity).norm();
-      acts = can_touch(interface, m, c.gap, speed) && complete(m, crossing.pressed, crossing.restitution.held, all, c);
+      acts = can_touch(between_edges(interface, crossing.edge, crossing.base_edge), m, c.gap, speed) &&
+             complete(m, crossing.pressed, crossing.restitution.held, all, c);
       if (!acts) all.conditions.pop_back();
     }
     if (!acts) {
@@ -223,8 +240,9 @@ void find_crossings(const Interface& interface, const Motion& m, Memory& memory,
       friction = add_friction(touch_of(m.x, crossing), interface.friction, force, crossing.friction.stuck, m, all);
     }
     const double area = std::min(interface.edges.area(crossing.edge), interface.base_edges.area(crossing.base_edge));
-    add({.memory = &crossing.restitution, .first = first, .last = first + 1, .friction = friction, .area = area, .depth = interface.depth,
-         .impedance = interface.impedance * area, .square = interface.restitution * interface.restitution}, all);
+    const Between& pair = between_edges(interface, crossing.edge, crossing.base_edge);
+    add({.memory = &crossing.restitution, .first = first, .last = first + 1, .friction = friction, .area = area, .depth = pair.depth,
+         .impedance = pair.impedance * area, .square = interface.restitution * interface.restitution}, all);
   }
 }
 
@@ -265,7 +283,7 @@ void take_over_crossings(const Interface& interface, double h, double t, Index f
       crossing.friction.force = friction.impulse / h;
       memory.force += crossing.friction.force;
     }
-    const double depth = interface.edge_height - crossing.level - c.gap;
+    const double depth = height_between(interface, crossing.edge, crossing.base_edge) - crossing.level - c.gap;
     memory.deepest_now = std::max(memory.deepest_now, depth);
     if (depth > memory.deepest) memory.deepest = depth, memory.deepest_apex = crossing.node[0], memory.deepest_time = t;
   }

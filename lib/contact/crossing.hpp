@@ -24,6 +24,19 @@ struct Over {
   double first = 0, second = 0;    ///< [-] places along the edge and the base edge
 };
 
+/// h_c between two edges. [m]
+inline double height_between(const Interface& interface, Index edge, Index base_edge) {
+  const Scalars &one = interface.edges.half, &other = interface.base_edges.half;
+  return interface.edge_height + (one.size() > 0 ? one(edge) + other(base_edge) : 0);
+}
+
+/// What two edges have together.
+inline const Between& between_edges(const Interface& interface, Index edge, Index base_edge) {
+  const Bodies& bodies = interface.bodies;
+  if (bodies.count() == 0) return interface;
+  return bodies.between[bodies.pair(interface.edges.body[edge], interface.base_edges.body[base_edge])];
+}
+
 /// How an edge stands over a base edge.
 ///
 /// side  if it is known; 0: to be found. Between rims both sides may be right, then it is the one with a positive height

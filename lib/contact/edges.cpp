@@ -94,9 +94,9 @@ Vec3 into(const Edges& edges, const Vectors& x, Index edge, int side) {
 
 Edges edges_of(const mesh::Mesh& mesh, const mesh::Surface& surface, std::span<const Subset> symmetry_planes) {
   Edges edges;
-  edges.plates = has_plates(mesh, surface);
+  const bool plates = has_plates(mesh, surface);
   const Subset nodes = mesh::surface_nodes(surface);
-  const Sides sides = sides_of(faces_of_bodies(mesh, nodes, edges.plates));
+  const Sides sides = sides_of(faces_of_bodies(mesh, nodes, plates));
   const Scalars area = mesh::tributary_areas(mesh, surface, nodes);
   const auto area_of = [&](Index node) { return area(std::lower_bound(nodes.begin(), nodes.end(), node) - nodes.begin()); };
   const auto in_plane = [&](const Ends& ends) {
@@ -113,6 +113,7 @@ Edges edges_of(const mesh::Mesh& mesh, const mesh::Surface& surface, std::span<c
     }
   const auto count = static_cast<Eigen::Index>(found.size());
   edges.nodes.resize(2, count), edges.across.resize(2, count), edges.area.resize(count);
+  edges.of_plates.assign(found.size(), plates ? 1 : 0);
   Eigen::Index e = 0;
   for (const auto& [ends, around] : found) {
     edges.nodes.col(e) << around->nodes[0], around->nodes[1];
@@ -120,6 +121,16 @@ Edges edges_of(const mesh::Mesh& mesh, const mesh::Surface& surface, std::span<c
     edges.area(e++) = 0.5 * (area_of(ends[0]) + area_of(ends[1]));
   }
   return edges;
+}
+
+void add_edges(const Edges& more, double half, Index body, Edges& all) {
+  const Eigen::Index before = all.nodes.cols(), count = before + more.nodes.cols();
+  all.nodes.conservativeResize(2, count), all.across.conservativeResize(2, count);
+  all.area.conservativeResize(count), all.half.conservativeResize(count);
+  all.nodes.rightCols(more.nodes.cols()) = more.nodes, all.across.rightCols(more.nodes.cols()) = more.across;
+  all.area.tail(more.area.size()) = more.area, all.half.tail(more.area.size()).setConstant(half);
+  all.of_plates.insert(all.of_plates.end(), more.of_plates.begin(), more.of_plates.end());
+  all.body.resize(static_cast<std::size_t>(count), body);
 }
 
 Subset nodes_of(const Edges& edges) {
@@ -136,7 +147,8 @@ bool is_ridge(const Edges& edges, const Vectors& x, Index edge) {
   const Vec3 L = along(edges, x, edge), first = into(edges, x, edge, 0), second = into(edges, x, edge, 1);
   const double sizes = first.norm() * second.norm();
   if (!(first.dot(second) > -ridge * sizes)) return false;
-  return edges.plates || L.cross(first).dot(second) < 0;  // the normal of the first facet leads away from the second one
+  if (edges.of_plates[static_cast<std::size_t>(edge)] != 0) return true;
+  return L.cross(first).dot(second) < 0;  // the normal of the first facet leads away from the second one
 }
 
 bool is_in_front(const Edges& edges, const Vectors& x, Index edge, const Vec3& direction, double tolerance) {

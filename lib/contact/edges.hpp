@@ -2,6 +2,7 @@
 // The edges of a surface that another surface's edges can cross: its ridges and rims.
 
 #include <span>
+#include <vector>
 
 #include "mesh/mesh.hpp"
 
@@ -12,8 +13,14 @@ struct Edges {
   Table<2> nodes;     ///< of each edge; the first facet has it in this order
   Table<2> across;    ///< third nodes of both facets; -1 where a plate ends
   Scalars area;       ///< [m2] of half its length: mean of the tributary areas of its nodes on the surface
-  bool plates = false;  ///< they have two sides
+  std::vector<char> of_plates;  ///< [edges] these have two sides
+  // of an automatic contact, else empty
+  Scalars half;  ///< [m] [edges] half the thickness of plates
+  Subset body;   ///< [edges]
 };
+
+/// Adds the edges of a body, whose plates have half a thickness there. [m]
+void add_edges(const Edges&, double half, Index body, Edges& all);
 
 /// Finds the edges of a surface, but not the cuts of quadrilateral faces, edges of more than two faces, and edges in symmetry planes.
 ///

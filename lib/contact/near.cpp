@@ -43,8 +43,10 @@ Nearest nearest_of(const Interface& interface, const Vectors& x, Index a, std::s
   const Vector<double> p = position(x, interface.apexes[a]);
   for (const Index f : facets) {
     const geometry::Closest there = geometry::closest_on_triangle(corners(interface.base, x, f), p);
-    if (there.distance_squared < best.closest.distance_squared) best.feature = {f, there.kind, there.local}, best.closest = there;
-    best.clear = std::min(best.clear, std::sqrt(there.distance_squared) - whole_past_wall * interface.base.size(f));
+    const double gap = squared_gap(interface.base, f, there.distance_squared);
+    if (gap < best.least_gap) best.feature = {f, there.kind, there.local}, best.closest = there, best.least_gap = gap;
+    const double reaches = whole_past_wall * interface.base.size(f) + stand_off(interface.base, f);
+    best.clear = std::min(best.clear, std::sqrt(there.distance_squared) - reaches);
   }
   return best;
 }
@@ -53,8 +55,9 @@ double moved_since_search(const Interface& interface, const Vectors& x, Memory& 
   if (interface.base_nodes.empty()) return 0;
   const Vec3 first = x.col(interface.base_nodes[0]) - memory.base_then.col(0), common = first + memory.mean_way;
   Vec3 of_apexes = Vec3::Zero(), of_base = Vec3::Zero();
-  const double apexes = farthest_moved(interface.apexes, x, memory.apexes_then, common, of_apexes);
   const double base = farthest_moved(interface.base_nodes, x, memory.base_then, common, of_base);
+  const bool same = interface.bodies.count() > 0;  // all are apexes and base
+  const double apexes = same ? base : farthest_moved(interface.apexes, x, memory.apexes_then, common, of_apexes);
   memory.mean_way = of_base / static_cast<double>(interface.base_nodes.size()) - first;
   return std::sqrt(apexes) + std::sqrt(base);
 }
@@ -76,17 +79,83 @@ void keep_search(const Interface& interface, const Vectors& x, Memory& memory) {
   ++memory.searches;
 }
 
+namespace {
+
+/// Whether a facet has a node beside an apex in the mesh.
+bool has_beside(const Interface& interface, Index a, Index facet) {
+  const Index apex = interface.apexes[a];
+  for (int I = 0; I < 3; ++I)
+    if (is_beside(interface.bodies, apex, interface.base.facets(I, facet))) return true;
+  return false;
+}
+
+/// Finds which bodies are so near to each other that they may touch before the next search.
+void find_partners(const Interface& interface, const Vectors& x, double margin, Workspace& workspace) {
+  const Bodies& bodies = interface.bodies;
+  const Index count = bodies.count();
+  workspace.boxes.resize(static_cast<std::size_t>(count));
+  for (Index b = 0; b < count; ++b) {
+    BodyBox& box = workspace.boxes[static_cast<std::size_t>(b)];
+    box = {Vec3::Constant(infinite), Vec3::Constant(-infinite)};
+    for (Index f = bodies.first_facet[b]; f < bodies.first_facet[b + 1]; ++f)
+      for (int I = 0; I < 3; ++I) {
+        const auto corner = x.col(interface.base.facets(I, f));
+        box.low = box.low.cwiseMin(corner), box.high = box.high.cwiseMax(corner);
+      }
+  }
+  workspace.first_partner.assign(1, 0);
+  workspace.partners.clear();
+  for (Index a = 0; a < count; ++a) {
+    for (Index b = 0; b < count; ++b) {
+      const double reach = margin + bodies.thickest(a) + bodies.thickest(b);
+      const BodyBox &one = workspace.boxes[static_cast<std::size_t>(a)], &other = workspace.boxes[static_cast<std::size_t>(b)];
+      const bool apart = ((one.low - other.high).array() > reach).any() || ((other.low - one.high).array() > reach).any();
+      if (bodies.touch[bodies.pair(a, b)] != 0 && !apart) workspace.partners.push_back(b);
+    }
+    workspace.first_partner.push_back(static_cast<Index>(workspace.partners.size()));
+  }
+}
+
+/// Sorts the facets that may be near an apex by where they are; false where positions cannot be searched.
+bool sort(const Interface& interface, const Vectors& x, double margin, Workspace& workspace) {
+  if (interface.bodies.count() == 0) return workspace.broad[0].sort(interface.base, x);
+  find_partners(interface, x, margin, workspace);
+  std::vector<char> wanted(static_cast<std::size_t>(interface.bodies.count()), 0);
+  for (const Index partner : workspace.partners) wanted[static_cast<std::size_t>(partner)] = 1;
+  for (std::size_t b = 0; b < wanted.size(); ++b)
+    if (wanted[b] != 0 && !workspace.broad[b].sort(interface.base, x)) return false;
+  return true;
+}
+
+/// Calls visit(facet) for the facets nearer to an apex than its h_c and the margin, that it may touch.
+template <class Visit>
+void visit_near(const Interface& interface, const Vectors& x, const Memory& memory, const Workspace& workspace, Index a, Visit&& visit) {
+  const Vector<double> p = position(x, interface.apexes[a]);
+  const double reach = contact_height(interface, memory, a) + memory.margin;
+  const Bodies& bodies = interface.bodies;
+  if (bodies.count() == 0) return workspace.broad[0].within(interface.base, x, p, reach, [&](Index facet, double) { visit(facet); });
+  const Index own = bodies.of_apex[a];
+  for (Index i = workspace.first_partner[own]; i < workspace.first_partner[own + 1]; ++i) {
+    const Index other = workspace.partners[i];
+    const auto body = static_cast<std::size_t>(other);
+    const double farther = reach + bodies.thickest(other);
+    const BodyBox& box = workspace.boxes[body];
+    if (((box.low - eigen(p)).array() > farther).any() || ((eigen(p) - box.high).array() > farther).any()) continue;
+    workspace.broad[body].within(interface.base, x, p, farther, [&](Index facet, double) {
+      if (own != other || !has_beside(interface, a, facet)) visit(facet);
+    });
+  }
+}
+
+}  // namespace
+
 void search(const Interface& interface, const Vectors& x, Memory& memory, Workspace& workspace) {
-  if (!workspace.broad.sort(interface.base, x)) return;
+  if (!sort(interface, x, memory.margin, workspace)) return;
   keep_search(interface, x, memory);
   const auto count = static_cast<Index>(interface.apexes.size());
-  const auto visit_near = [&](Index a, auto&& visit) {
-    const double reach = contact_height(interface, memory, a) + memory.margin;
-    workspace.broad.within(interface.base, x, position(x, interface.apexes[a]), reach, [&](Index facet, double) { visit(facet); });
-  };
   parallel_for(count, 64, [&](Index a) {
     Index found = 0;
-    visit_near(a, [&](Index) { ++found; });
+    visit_near(interface, x, memory, workspace, a, [&](Index) { ++found; });
     workspace.facets[a] = found;
   });
   workspace.near.clear();
@@ -113,7 +182,7 @@ void search(const Interface& interface, const Vectors& x, Memory& memory, Worksp
   parallel_for(static_cast<Index>(memory.near.size()), 64, [&](Index i) {
     const Near& one = memory.near[i];
     Index at = one.first_facet;
-    visit_near(one.apex, [&](Index facet) { memory.near_facets[at++] = facet; });
+    visit_near(interface, x, memory, workspace, one.apex, [&](Index facet) { memory.near_facets[at++] = facet; });
     std::sort(memory.near_facets.begin() + one.first_facet, memory.near_facets.begin() + at);
   });
 }

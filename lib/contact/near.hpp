@@ -21,8 +21,9 @@ inline std::span<const Index> near_facets(const Memory& memory, const Near& near
 struct Nearest {
   Feature feature;  ///< facet -1: none is near
   geometry::Closest closest{geometry::Kind::facet, 0, {}, std::numeric_limits<double>::infinity()};
-  /// [m] way to where the first of the facets can be entered, which may reach past a border
+  /// [m] way to where the first of the facets can be entered, but for h_c of the apex; it may reach past a border
   double clear = std::numeric_limits<double>::infinity();
+  double least_gap = std::numeric_limits<double>::infinity();  ///< [m2] squared_gap()
   double distance() const { return std::sqrt(closest.distance_squared); }
 };
 Nearest nearest_of(const Interface&, const Vectors& x, Index apex, std::span<const Index> facets);

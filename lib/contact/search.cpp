@@ -22,8 +22,8 @@ int cell_number(double place, int first, int last) {
 }
 }  // namespace
 
-BroadSearch::BroadSearch(Index facets)
-    : begin_(cells_per_facet * (static_cast<std::size_t>(facets) + 1) + 1, 0), facets_(facets) {}
+BroadSearch::BroadSearch(Index facets, Index first)
+    : begin_(cells_per_facet * (static_cast<std::size_t>(facets) + 1) + 1, 0), facets_(facets), first_(first) {}
 
 Index BroadSearch::cell_of(const Vec3& point) const {
   const Vec3 at = (point - low_) / cell_;
@@ -32,17 +32,17 @@ Index BroadSearch::cell_of(const Vec3& point) const {
 }
 
 bool BroadSearch::sort(const BaseSurface& base, const Vectors& x) {
-  const auto facets = static_cast<Index>(facets_.size());
+  const auto facets = static_cast<Index>(facets_.size()), last_facet = first_ + facets;
   sorted_ = false;
-  for (Index f = 0; f < facets; ++f)
+  for (Index f = first_; f < last_facet; ++f)
     for (int a = 0; a < 3; ++a)
       if (!can_be_searched(x.col(base.facets(a, f)))) return false;
   Vec3 high = Vec3::Zero();
   radius_ = 0;
-  for (Index f = 0; f < facets; ++f) {
+  for (Index f = first_; f < last_facet; ++f) {
     const Vec3 c = centre(base, x, f);
-    low_ = f == 0 ? c : low_.cwiseMin(c);
-    high = f == 0 ? c : high.cwiseMax(c);
+    low_ = f == first_ ? c : low_.cwiseMin(c);
+    high = f == first_ ? c : high.cwiseMax(c);
     for (int a = 0; a < 3; ++a) radius_ = std::max(radius_, (x.col(base.facets(a, f)) - c).norm());
   }
   const Vec3 extent = high - low_;
@@ -54,9 +54,9 @@ bool BroadSearch::sort(const BaseSurface& base, const Vectors& x) {
   // counting sort: how many facets in each cell, where each cell ends, then fill from the end
   const Index last = count_.prod();
   std::fill_n(begin_.begin(), last + 1, 0);
-  for (Index f = 0; f < facets; ++f) ++begin_[cell_of(centre(base, x, f))];
+  for (Index f = first_; f < last_facet; ++f) ++begin_[cell_of(centre(base, x, f))];
   for (Index c = 0; c < last; ++c) begin_[c + 1] += begin_[c];
-  for (Index f = facets - 1; f >= 0; --f) facets_[--begin_[cell_of(centre(base, x, f))]] = f;
+  for (Index f = last_facet - 1; f >= first_; --f) facets_[--begin_[cell_of(centre(base, x, f))]] = f;
   sorted_ = true;
   return true;
 }

@@ -13,7 +13,8 @@ constexpr double farthest_place = 1e150;
 /// Facets sorted into a grid of cells. Memory is taken when it is made; sorting again for new positions takes none.
 class BroadSearch {
  public:
-  explicit BroadSearch(Index facets);
+  /// Of all facets of a surface from `first` on, or of so many.
+  explicit BroadSearch(Index facets, Index first = 0);
   /// Sorts the facets by where they are; false, and nothing is found, where a corner is not finite or farther than farthest_place.
   bool sort(const BaseSurface& base, const Vectors& x);
   /// The facet nearest to a point, or -1 if none is nearer than `reach` [m] or the point is not finite or farther than
@@ -32,6 +33,7 @@ class BroadSearch {
   Eigen::Vector3i count_ = Eigen::Vector3i::Ones();
   std::vector<Index> begin_;  // of each cell in facets_
   Subset facets_;
+  Index first_;
   bool sorted_ = false;
   Index cell_of(int i, int j, int k) const { return (k * count_.y() + j) * count_.x() + i; }
   Index cell_of(const Vec3& point) const;

@@ -84,12 +84,12 @@ struct Crossing {
   double at = 0;  // [-] of the step
 };
 
-/// The path p0 - p1 in the frame of each near facet, against its plane at a height.
+/// The path p0 - p1 in the frame of each near facet, against its plane at h_c or, at_surface, itself.
 ///
 /// must_face  facets that the apex does not face count only if there is no other
 /// skip(facet)  true for facets that do not count
 template <class Skip>
-Crossing crossed(const Sweep& s, const Vec3& p0, const Vec3& p1, double level, bool must_face, Skip&& skip) {
+Crossing crossed(const Sweep& s, const Vec3& p0, const Vec3& p1, bool at_surface, bool must_face, Skip&& skip) {
   const Vector<double> from = place(p0), to = place(p1);
   Crossing best;
   Index not_faced = -1;
@@ -97,6 +97,7 @@ Crossing crossed(const Sweep& s, const Vec3& p0, const Vec3& p1, double level, b
   for (const Index f : s.near) {
     const Corners c1 = corners(s.base, s.x, f);
     const auto end = geometry::facet_height(c1, to);
+    const double level = at_surface ? 0 : s.level(f);
     if (!(end.height < level)) continue;
     const Corners c0 = corners_before(s, f);
     const auto start = geometry::facet_height(c0, from);
@@ -131,7 +132,7 @@ Index shallowest(const Sweep& s, const Vec3& p, Deepest&& deepest, const Vec3* n
   height = -infinite;
   for (const Index f : s.near) {
     const auto over = geometry::facet_height(corners(s.base, s.x, f), place(p));
-    if (!(over.height < s.contact_height) || over.height < -deepest(f) || over.height <= height) continue;
+    if (!(over.height < s.level(f)) || over.height < -deepest(f) || over.height <= height) continue;
     if (least(over.weight) < -overlap) continue;
     const Vec3 normal = eigen(over.normal);
     if (not_opposite && normal.dot(*not_opposite) < far_side) continue;
@@ -152,16 +153,16 @@ double deepest_entry(const BaseSurface& base, Index facet) {
 Index entered_round_layer(const Sweep& s) {
   const Vec3 p0 = before(s), p1 = now(s);
   Index best = -1;
-  double nearest = s.contact_height;
+  double deepest = 0;
   for (const Index f : s.near) {
     const Reach now = reach_of(s.base, f, corners(s.base, s.x, f), place(p1));
-    if (now.kind == Kind::facet || now.height < 0 || !(now.distance < nearest)) continue;
+    if (now.kind == Kind::facet || now.height < 0 || !(s.level(f) - now.distance > deepest)) continue;
     if (now.aside < 1e-6 * s.base.longest(f)) continue;  // over an edge of a plain
-    best = f, nearest = now.distance;
+    best = f, deepest = s.level(f) - now.distance;
   }
   if (best < 0) return -1;
   for (const Index f : s.near)
-    if (reach_of(s.base, f, corners_before(s, f), place(p0)).distance < s.contact_height * (1 - 1e-9)) return -1;
+    if (reach_of(s.base, f, corners_before(s, f), place(p0)).distance < s.level(f) * (1 - 1e-9)) return -1;
   return best;
 }
 
@@ -174,8 +175,8 @@ Index entered_under_border(const Sweep& s, double deepest, double& height) {
     const bool open = s.base.neighbour(0, f) == no_facet || s.base.neighbour(1, f) == no_facet || s.base.neighbour(2, f) == no_facet;
     if (!open) continue;
     const auto over = geometry::facet_height(corners(s.base, s.x, f), place(p1));
-    if (!(over.height < s.contact_height) || over.height <= height || least(over.weight) < 0) continue;
-    if (s.contact_height - over.height > like_neighbours * deepest) continue;
+    if (!(over.height < s.level(f)) || over.height <= height || least(over.weight) < 0) continue;
+    if (s.level(f) - over.height > like_neighbours * deepest) continue;
     const auto was = geometry::facet_height(corners_before(s, f), place(p0));
     bool from_outside = false;
     for (int e = 0; e < 3; ++e) from_outside = from_outside || (s.base.neighbour(e, f) == no_facet && was.weight[(e + 2) % 3] < 0);
@@ -226,7 +227,7 @@ Vec3 at(const Place& place, const BaseSurface& base, const Vectors& x) {
 void enter(const Sweep& s, double deepest, Tracks& tracks) {
   const auto all = [](Index) { return false; };
   const Vec3 p0 = before(s), p1 = now(s);
-  Crossing through = crossed(s, p0, p1, s.contact_height, true, all);
+  Crossing through = crossed(s, p0, p1, false, true, all);
   double height = 0;
   if (through.facet >= 0 && through.faced) {
     // what comes in edgeways, as a node of a floor before a block that slides on it, belongs to the face that it looks at; but not from
@@ -241,34 +242,36 @@ void enter(const Sweep& s, double deepest, Tracks& tracks) {
       const auto weight = geometry::facet_height(corners(s.base, s.x, through.facet), place(p1)).weight;
       if (least(weight) < overlap) return;  // along the border of that side, as a node in the plane of the block's sole
     }
-    tracks.begin(through.facet, s.contact_height);
+    tracks.begin(through.facet, s.level(through.facet));
     // just on a ridge or corner it comes through its sides at once, and all push it back
     const auto not_beside = [&](Index f) { return !is_other_side(s, tracks, f); };
     while (tracks.count < most_tracks) {
-      const Crossing other = crossed(s, p0, p1, s.contact_height, true, not_beside);
+      const Crossing other = crossed(s, p0, p1, false, true, not_beside);
       if (other.facet < 0 || !other.faced || !(std::abs(other.at - through.at) < on_ridge)) break;
-      tracks.begin(other.facet, s.contact_height);
+      tracks.begin(other.facet, s.level(other.facet));
     }
     return;
   }
-  if (s.contact_height > 0) {
+  const bool has_layer = s.contact_height > 0 || s.base.stand_off.size() > 0;
+  if (has_layer) {
     // between the layers of two facets, and through the surface itself
-    const Crossing surface = crossed(s, p0, p1, 0, true, all);
+    const Crossing surface = crossed(s, p0, p1, true, true, all);
     if (surface.facet >= 0 && surface.faced) {
       const double was = geometry::closest_on_triangle(corners_before(s, surface.facet), place(p0)).distance_squared;
       height = geometry::facet_height(corners(s.base, s.x, surface.facet), place(p1)).height;
-      return tracks.begin(surface.facet, was < s.contact_height * s.contact_height ? height : s.contact_height);
+      const double level = s.level(surface.facet);
+      return tracks.begin(surface.facet, was < level * level ? height : level);
     }
     through = {};  // within the layer a facet that it does not face is the far side of what holds it
   }
   if (through.facet >= 0) {
     const Vec3 normal = facet_normal(s.base, s.x, through.facet);
     const Index faced = shallowest(s, p1, [&](Index f) { return deepest_entry(s.base, f); }, &normal, height);
-    return faced >= 0 ? tracks.begin(faced, height) : tracks.begin(through.facet, s.contact_height);
+    return faced >= 0 ? tracks.begin(faced, height) : tracks.begin(through.facet, s.level(through.facet));
   }
-  if (s.contact_height > 0) {
+  if (has_layer) {
     const Index round = entered_round_layer(s);
-    if (round >= 0) return tracks.begin(round, s.contact_height);
+    if (round >= 0) return tracks.begin(round, s.level(round));
   }
   const Index sideways = entered_under_border(s, deepest, height);
   if (sideways >= 0) tracks.begin(sideways, height);
@@ -278,28 +281,29 @@ Index other_part(const Sweep& s, const Tracks& before_step, const Tracks& after)
   const Vec3 from = before_step.out.facet >= 0 ? at(before_step.out, s.base, s.x, s.v, s.dt) : before(s);
   const Vec3 to = after.count > 0 && after.out.facet >= 0 ? at(after.out, s.base, s.x) : now(s);
   const auto skip = [&](Index f) { return around(s, after, f); };
-  return crossed(s, from, to, s.contact_height, false, skip).facet;
+  return crossed(s, from, to, false, false, skip).facet;
 }
 
 Index behind(const Sweep& s, double deepest, double& depth) {
   const auto limit = [&](Index f) { return std::min(depth_of_body(s.base, f), deepest); };
   Index nearest = -1;
-  double least_squared = infinite;
+  double least_squared = infinite, least_gap = infinite;
   for (const Index f : s.near) {
     const double squared = geometry::closest_on_triangle(corners(s.base, s.x, f), place(now(s))).distance_squared;
-    if (squared < least_squared) nearest = f, least_squared = squared;
+    const double gap = squared_gap(s.base, f, squared);
+    if (gap < least_gap) nearest = f, least_gap = gap, least_squared = squared;
   }
   if (nearest >= 0) {  // also in the layer over ridges and borders, and below valleys
     const Stand there = stand(s.base, s.x, now(s), nearest);
     const double over = there.over.height, height = there.past > 0 && over >= 0 ? std::sqrt(least_squared) : over;
     const bool faced = faces(s, there.over.normal);
-    depth = s.contact_height - height;
+    depth = s.level(nearest) - height;
     if (over >= 0) return depth > 0 && faced ? there.feature.facet : -1;
     if (there.past == 0 && over >= -limit(nearest) && faced) return there.feature.facet;
   }
   double height = 0;
   const Index facet = shallowest(s, now(s), limit, nullptr, height);
-  depth = s.contact_height - height;
+  depth = (facet < 0 ? s.contact_height : s.level(facet)) - height;
   return facet;
 }
 
@@ -309,7 +313,8 @@ double nearest_other_part(const Sweep& s, const Tracks& tracks) {
   for (const Index f : s.near) {
     if (around(s, tracks, f)) continue;
     const double squared = geometry::closest_on_triangle(corners(s.base, s.x, f), p).distance_squared;
-    nearest = std::min(nearest, std::sqrt(squared) - whole_past_wall * s.base.size(f));  // as far as a facet can reach past a border
+    // as far as a facet can reach past a border
+    nearest = std::min(nearest, std::sqrt(squared) - whole_past_wall * s.base.size(f) - stand_off(s.base, f));
   }
   return nearest;
 }

@@ -50,7 +50,9 @@ struct Sweep {
   std::span<const Index> near;  ///< facets that can have been reached
   Index apex;                   ///< node
   const Mat3* allowed;          ///< directions of an apex on a symmetry plane, or null
-  double contact_height;        ///< [m] h_c
+  double contact_height;        ///< [m] h_c, beside BaseSurface::stand_off
+
+  double level(Index facet) const { return contact_height + stand_off(base, facet); }
 };
 
 /// Looks whether a free apex has come into contact in a step, and begins a track if it has.

@@ -173,7 +173,7 @@ Index face_across(const BaseSurface& base, const Vectors& x, const Vec3& point, 
 }
 
 /// The way out over the inside of one facet.
-WayOut over_one_facet(const FeatureHeight& over, double contact_height, double release_height, Tracks& tracks, Stencil* stencils) {
+WayOut over_one_facet(const FeatureHeight& over, double level, double release_height, Tracks& tracks, Stencil* stencils) {
   WayOut out;
   out.stencil = stencils;
   Track& track = tracks.track[0];
@@ -184,11 +184,11 @@ WayOut over_one_facet(const FeatureHeight& over, double contact_height, double r
   if (depth > 0) {
     add({.facet = track.facet, .apex = 1, .weight = over.weight, .push = depth * over.normal, .level = track.height}, out);
     out.length = depth, out.squared = depth * depth;
-  } else if (over.height >= contact_height + release_height) {
+  } else if (over.height >= level + release_height) {
     tracks.count = 0;
   }
   tracks.out = {tracks.count > 0 ? track.facet : -1, over.weight, std::max(over.height, track.height)};
-  if (tracks.count > 0) track.height = std::max(track.height, std::min(over.height, contact_height));
+  if (tracks.count > 0) track.height = std::max(track.height, std::min(over.height, level));
   return out;
 }
 
@@ -197,13 +197,14 @@ WayOut over_one_facet(const FeatureHeight& over, double contact_height, double r
 WayOut way_out(const BaseSurface& base, const Vectors& x, const Vec3& p, double contact_height, const Mat3* allowed, double moved,
                Tracks& tracks, std::array<Stencil, most_stencils>& stencils, double release_height) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
+  const auto level = [&](Index facet) { return contact_height + stand_off(base, facet); };
   if (tracks.count == 1 && allowed == nullptr) {  // well inside a facet
     Track& track = tracks.track[0];
     const FeatureHeight over = height_over(base, x, {track.facet, Kind::facet, 0}, p);
-    if (moved < tracks.owned) return over_one_facet(over, contact_height, release_height, tracks, stencils.data());
+    if (moved < tracks.owned) return over_one_facet(over, level(track.facet), release_height, tracks, stencils.data());
     const Ownership owner = ownership(base, x, track.facet, over, std::max(std::abs(over.height), track.height));
     tracks.owned = owner.room - moved;
-    if (owner.whole) return over_one_facet(over, contact_height, release_height, tracks, stencils.data());
+    if (owner.whole) return over_one_facet(over, level(track.facet), release_height, tracks, stencils.data());
   }
   tracks.owned = -infinite;
   WayOut out;
@@ -239,7 +240,7 @@ WayOut way_out(const BaseSurface& base, const Vectors& x, const Vec3& p, double 
           const double depth = track.height - below.height;
           out.gap = std::min(out.gap, -depth);
           if (depth > 0) push(at, {depth, below.by_normal, below.by_way}, track.height, all.d, out);
-          else ends[i] = below.height >= contact_height;
+          else ends[i] = below.height >= level(track.facet);
           if (depth > 0) out.depth = std::max(out.depth, depth), acts[i] = true;
           continue;
         }
@@ -258,7 +259,7 @@ WayOut way_out(const BaseSurface& base, const Vectors& x, const Vec3& p, double 
     const double depth = track.height - at.over.height;
     out.gap = std::min(out.gap, -depth);
     if (at.past > 0) {
-      if (at.over.height >= contact_height) {
+      if (at.over.height >= level(track.facet)) {
         ends[i] = true;
       } else if (!(depth > 0)) {
         track.height = at.over.height;
@@ -311,8 +312,8 @@ WayOut way_out(const BaseSurface& base, const Vectors& x, const Vec3& p, double 
     Track track = tracks.track[i];
     if (ends[i]) continue;
     if (height[i] < infinite) {
-      if (height[i] >= contact_height + release_height && !acts[i]) continue;
-      track.height = std::max(track.height, std::min(height[i], contact_height));
+      if (height[i] >= level(track.facet) + release_height && !acts[i]) continue;
+      track.height = std::max(track.height, std::min(height[i], level(track.facet)));
     }
     tracks.track[kept++] = track;
   }

@@ -9,6 +9,7 @@
 #include "base/check.hpp"
 #include "contact/coarseness.hpp"
 #include "contact/impact_step.hpp"
+#include "dynamics/side.hpp"
 
 namespace nereid::dynamics {
 
@@ -67,76 +68,6 @@ std::vector<Behind> elements_behind(const element::AnyBlock& any, const mesh::Me
   return list;
 }
 
-/// For each apex on a symmetry plane the directions the plane allows; empty without such planes.
-std::vector<Mat3> allowed_directions(const Model& model, const Subset& apexes) {
-  const auto& planes = model.constraints.planes;
-  const bool any = std::any_of(planes.begin(), planes.end(), [](const auto& p) { return p.kind == load::PlaneKind::symmetry; });
-  if (!any) return {};
-  load::Constraints symmetry;
-  for (const auto& plane : planes)
-    if (plane.kind == load::PlaneKind::symmetry) symmetry.planes.push_back(plane);
-  const std::vector<Index> no_turns(model.mesh.X.cols(), -1);
-  const load::Memory memory = load::prepare(symmetry, static_cast<Index>(model.mesh.X.cols()), no_turns);
-  std::vector<Mat3> allowed(apexes.size(), Mat3::Identity());
-  for (std::size_t a = 0; a < apexes.size(); ++a) {
-    const Index place = memory.row_of_node[apexes[a]];
-    if (place >= 0) allowed[a] = memory.nodes[place].allowed;
-  }
-  return allowed;
-}
-
-/// Whether all nodes of a surface are plate nodes.
-bool rotates(const Model& model, const mesh::Surface& surface) {
-  const Index node = surface.facets.size() > 0 ? surface.facets(0, 0) : -1;
-  return node >= 0 && model.rotation_of_node[node] >= 0;
-}
-
-/// Whether a surface is of a rigid body.
-bool is_rigid(const Model& model, const mesh::Surface& surface) {
-  const Index node = surface.facets.size() > 0 ? surface.facets(0, 0) : -1;
-  return std::any_of(model.rigid_bodies.begin(), model.rigid_bodies.end(),
-                     [&](const rigid::Body& body) { return std::binary_search(body.nodes.begin(), body.nodes.end(), node); });
-}
-
-/// Stiffness of the softer of two sides; a rigid body gives way nowhere, and only between two of them its modulus counts. [Pa/m]
-double softer_stiffness(const Model& model, const mesh::Surface& apexes, const mesh::Surface& base) {
-  const double of_apexes = surface_stiffness(model, apexes), of_base = surface_stiffness(model, base);
-  if (is_rigid(model, apexes) == is_rigid(model, base)) return std::min(of_apexes, of_base);
-  return is_rigid(model, apexes) ? of_base : of_apexes;
-}
-
-/// Half the thickness of the plates of a surface. [m]
-double half_thickness(const Model& model, const mesh::Surface& surface) {
-  for (const auto& block : model.blocks) {
-    const bool has = (element::nodes(block).array() == surface.facets(0, 0)).any();
-    const double half = has ? element::thickness(block) / 2 : 0;
-    if (half > 0) return half;
-  }
-  return 0;
-}
-
-/// Whether a surface has plates whose thickness changes.
-bool thins(const Model& model, const mesh::Surface& surface) {
-  return std::any_of(model.blocks.begin(), model.blocks.end(), [&](const auto& block) {
-    return element::thins(block) && (element::nodes(block).array() == surface.facets(0, 0)).any();
-  });
-}
-
-/// The stable step of the elements as they stand, without safety; of rigid bodies alone the longest of the model. [s]
-double element_step(const Model& model) {
-  const Vectors rest = Vectors::Zero(3, model.mesh.X.cols()), no_rotation = Vectors::Zero(3, model.inertia.size());
-  double step = model.longest_step;
-  for (std::size_t b = 0; b < model.blocks.size(); ++b) {
-    const auto& block = model.blocks[b];
-    if (is_rigid_block(model, b)) continue;
-    element::Memory memory = element::initial_memory(block);
-    element::TileForces tiles = element::tile_forces(block);
-    element::TileReports reports = element::tile_reports(block);
-    step = std::min(step, element::advance(block, model.mesh.X, rest, no_rotation, 0, memory, tiles, reports).step);
-  }
-  return step;
-}
-
 Connected connect_one_pass(Model& model, const std::string& name, const std::string& apex_surface, const std::string& base_surface,
                            const InterfaceOptions& options, contact::Pass pass) {
   const double share = pass == contact::Pass::only ? 1 : 0.5;
@@ -154,34 +85,24 @@ Connected connect_one_pass(Model& model, const std::string& name, const std::str
   interface.area = mesh::tributary_areas(model.mesh, apexes, interface.apexes);
   interface.faces = mesh::faces_around(model.mesh, apexes, interface.apexes);
   interface.facet_area = mesh::facet_areas(model.mesh, base);
-  interface.penalty = share * options.penalty.value_or(options.penalty_scale * softer_stiffness(model, apexes, base));
+  const Side of_apexes = side_of(model, apexes), of_base = side_of(model, base);
+  static_cast<contact::Between&>(interface) = between(of_apexes, of_base, options, share);
   check(interface.penalty > 0, "an interface needs a penalty or elements on both sides");
   interface.impact_step_factor = contact::impact_step_factor_for(options.energy_gain_limit);
   interface.first_step_factor = options.step_factor;
   interface.pass = pass;
   interface.pass_factor = share;
   interface.restitution = options.restitution;
-  interface.impedance = 1 / (1 / surface_impedance(model, apexes) + 1 / surface_impedance(model, base));
-  const double depths[] = {surface_depth(model, apexes), surface_depth(model, base)};
-  interface.depth = depths[0] > 0 && depths[1] > 0 ? std::min(depths[0], depths[1]) : std::max(depths[0], depths[1]);
-  interface.release_height = contact::by_multipliers(interface) ? contact::multipliers_reach * interface.depth : 0;
   interface.margin = std::sqrt(2 * interface.facet_area.mean());  // about the side of a face: a search costs as much as some steps
   interface.longest_step = element_step(model);
   interface.friction = options.friction;
   interface.weights = options.weights;
   interface.area_kind = options.area;
   interface.allowed = allowed_directions(model, interface.apexes);
-  for (const load::Plane& plane : model.constraints.planes)
-    if (plane.kind == load::PlaneKind::symmetry) contact::goes_on_behind(interface.base, plane.nodes);
-  if (rotates(model, apexes) || rotates(model, base)) {
-    interface.rotation_of_node = model.rotation_of_node;
-    const double apex_half = half_thickness(model, apexes), base_half = half_thickness(model, base);
-    interface.arm_of_apex = apex_half / (apex_half + base_half);
-  }
-
+  for (const Subset& plane : symmetry_planes(model)) contact::goes_on_behind(interface.base, plane);
+  if (of_apexes.turns || of_base.turns) interface.rotation_of_node = model.rotation_of_node;
   interface.follows_thickness = options.height.from_thickness && options.kind == contact::InterfaceKind::contact &&
-                                (thins(model, apexes) || thins(model, base));
-
+                                (of_apexes.thins || of_base.thins);
   Connected connected;
   contact::Workspace workspace(interface);
   // the whole scene: an apex may start far from its base, and no farther
@@ -201,22 +122,13 @@ Connected connect_one_pass(Model& model, const std::string& name, const std::str
   return connected;
 }
 
-/// Whether one of the edges of a surface is a ridge or a rim.
-bool has_ridges(const contact::Edges& edges, const Vectors& X) {
-  for (Index e = 0; e < edges.nodes.cols(); ++e)
-    if (contact::is_ridge(edges, X, e)) return true;
-  return false;
-}
-
 /// Adds the edges of a contact, if both surfaces have such that can cross. What the passes have of both sides together is theirs too;
 /// needs one of these at the end of the model.
 std::optional<Connected> connect_edges(Model& model, const std::string& name, const std::string& apex_surface,
                                        const std::string& base_surface, const InterfaceOptions& options) {
   const mesh::Surface& apexes = mesh::surface(model.mesh, apex_surface);
   const mesh::Surface& base = mesh::surface(model.mesh, base_surface);
-  std::vector<Subset> planes;
-  for (const load::Plane& plane : model.constraints.planes)
-    if (plane.kind == load::PlaneKind::symmetry) planes.push_back(plane.nodes);
+  const std::vector<Subset> planes = symmetry_planes(model);
   const contact::Interface& pass = model.interfaces.back();
   contact::Interface interface;
   interface.edges = contact::edges_of(model.mesh, apexes, planes);
@@ -234,8 +146,9 @@ std::optional<Connected> connect_edges(Model& model, const std::string& name, co
   interface.longest_step = pass.longest_step;
   interface.friction = pass.friction;
   interface.rotation_of_node = pass.rotation_of_node;
-  interface.edge_height =
-      options.height.from_initial_height ? half_thickness(model, apexes) + half_thickness(model, base) : options.height.given;
+  interface.edge_height = options.height.from_initial_height
+                              ? side_of(model, apexes).half_thickness + side_of(model, base).half_thickness
+                              : options.height.given;
   Connected connected;
   contact::Workspace workspace(interface);
   connected.gaps = contact::connect_edges(interface, model.mesh.X, connected.memory, workspace);

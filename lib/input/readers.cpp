@@ -141,18 +141,36 @@ void read_rigid_contact(const Section& section, model::RigidPlane& plane) {
   if (given) plane.penalty = penalty;
 }
 
-dynamics::InterfaceOptions read_solid_interface(const Section& section) {
-  dynamics::InterfaceOptions options;
-  const bool bonded = section.choice_or("kind", "contact", {"contact", "bonded"}) == "bonded";
-  options.kind = bonded ? contact::InterfaceKind::bonded : contact::InterfaceKind::contact;
-  const bool multiplier = read_method(section);
-  options.method = multiplier ? contact::Method::multiplier : contact::Method::penalty;
-  options.restitution = section.when(multiplier && !bonded).number_or("restitution", options.restitution, model::range::restitution);
+namespace {
+
+contact::InitialPenetration read_initial_penetration(const Section& section) {
+  return section.choice_or("initial_penetration", "refuse", {"refuse", "accept"}) == "accept" ? contact::InitialPenetration::accept
+                                                                                              : contact::InitialPenetration::refuse;
+}
+
+/// `penalty`, or `penalty_scale`, both optional.
+void read_penalty(const Section& section, bool multiplier, dynamics::InterfaceOptions& options) {
   const Section by_penalty = section.when(!multiplier);
   const bool given = !multiplier && section.has("penalty");
   const double penalty = by_penalty.when(given).quantity("penalty", dim::penalty, positive);
   if (given) options.penalty = penalty;
   options.penalty_scale = by_penalty.when(!given).number_or("penalty_scale", options.penalty_scale, positive);
+}
+
+}  // namespace
+
+dynamics::InterfaceOptions read_solid_interface(const Section& section) {
+  return read_solid_interface(section, section.choice_or("kind", "contact", {"contact", "bonded"}) == "bonded");
+}
+
+dynamics::InterfaceOptions read_solid_interface(const Section& section, bool bonded) {
+  dynamics::InterfaceOptions options;
+  options.kind = bonded ? contact::InterfaceKind::bonded : contact::InterfaceKind::contact;
+  const bool multiplier = read_method(section);
+  options.method = multiplier ? contact::Method::multiplier : contact::Method::penalty;
+  options.restitution = section.when(multiplier && !bonded).number_or("restitution", options.restitution, model::range::restitution);
+  const Section by_penalty = section.when(!multiplier);
+  read_penalty(section, multiplier, options);
   options.two_passes = section.choice_or("passes", "one", {"one", "two"}) == "two";
   const bool base_area = by_penalty.choice_or("area", "apex", {"apex", "base"}) == "base";
   options.area = base_area ? contact::Area::base : contact::Area::apex;
@@ -188,10 +206,23 @@ HeightFrom read_contact_height(const Section& section, HeightFrom usual, dynamic
   options.height.clearance = unilateral.when(initial).quantity_or("clearance", 0, dim::length, not_negative);
   const double height = unilateral.when(given).quantity("height", dim::length, not_negative);
   options.height.given = given ? height : 0;
-  options.initial_penetration = unilateral.choice_or("initial_penetration", "refuse", {"refuse", "accept"}) == "accept"
-                                    ? contact::InitialPenetration::accept
-                                    : contact::InitialPenetration::refuse;
+  options.initial_penetration = read_initial_penetration(unilateral);
   return initial ? HeightFrom::initial : given ? HeightFrom::given : HeightFrom::thickness;
+}
+
+dynamics::InterfaceOptions read_automatic_interface(const Section& section) {
+  dynamics::InterfaceOptions options;
+  const bool multiplier = read_method(section);
+  options.method = multiplier ? contact::Method::multiplier : contact::Method::penalty;
+  options.restitution = section.when(multiplier).number_or("restitution", options.restitution, model::range::restitution);
+  read_penalty(section, multiplier, options);
+  options.edges = section.flag_or("edges", options.edges);
+  options.friction = read_friction(section, multiplier);
+  const Section spring = section.when(!multiplier);
+  options.energy_gain_limit = spring.number_or("energy_gain_limit", options.energy_gain_limit, model::range::energy_gain_limit);
+  options.step_factor = spring.number_or("step_factor", options.step_factor, model::range::step_factor);
+  options.initial_penetration = read_initial_penetration(section);
+  return options;
 }
 
 dynamics::Time read_time(const Section& section) {

@@ -36,6 +36,12 @@ element::Plate::Options read_plate_options(const Section&);
 /// `restitution`. By a penalty `penalty` or `penalty_scale`, `area: apex | base`; and of a contact `tangential_penalty`,
 /// `weights: consistent | paper`, `damping_ratio`, `energy_gain_limit`. All optional. For solid bodies, which touch at h = 0.
 dynamics::InterfaceOptions read_solid_interface(const Section&);
+/// The same without `kind`, which says whether it is bonded.
+dynamics::InterfaceOptions read_solid_interface(const Section&, bool bonded);
+
+/// Of an automatic contact: `method`, `restitution`, `penalty`, `penalty_scale`, `edges`, `friction` with its keys, `energy_gain_limit`,
+/// `step_factor` and `initial_penetration`, all optional.
+dynamics::InterfaceOptions read_automatic_interface(const Section&);
 
 /// The same keys as far as a rigid plane has them: `method`, `restitution`, `penalty`, `penalty_scale`, `friction`, `tangential_penalty`,
 /// `energy_gain_limit`.

@@ -97,12 +97,22 @@ model::Body read_body(const Section& section, Names& taken) {
   return body;
 }
 
-model::Contact read_contact(const Section& section, Names& taken) {
+model::AutomaticContact read_automatic_contact(const Section& section, Names& taken) {
+  model::AutomaticContact contact{.name = read_name(section, taken, sources),
+                                  .bodies = section.has("bodies") ? section.words("bodies") : Names{},
+                                  .self_contact = section.flag_or("self_contact", true),
+                                  .interface = read_automatic_interface(section),
+                                  .at = section.path()};
+  if (contact.interface.edges) taken.push_back(contact.name + "_edges");
+  return contact;
+}
+
+model::Contact read_contact(const Section& section, bool bonded, Names& taken) {
   model::Contact contact{.name = read_name(section, taken, sources),
                          .apexes = section.word("apexes"),
                          .base = section.word("base"),
                          .height_from_thickness = false,
-                         .interface = read_solid_interface(section),
+                         .interface = read_solid_interface(section, bonded),
                          .at = section.path()};
   contact.height_from_thickness = read_contact_height(section, HeightFrom::thickness, contact.interface) == HeightFrom::thickness;
   if (contact.interface.two_passes) taken.push_back(contact.name + "_back");
@@ -205,7 +215,11 @@ model::Scene read_scene(const Section& root, bool runs) {
   scene.time = read_time(run.section("time"));
   Names taken{"gravity", "relaxation"}, probes;
   for (const Section& body : root.list("bodies", 1)) scene.bodies.push_back(read_body(body, taken));
-  for (const Section& contact : root.list("contacts")) scene.contacts.push_back(read_contact(contact, taken));
+  for (const Section& contact : root.list("contacts")) {
+    const std::string kind = contact.choice_or("kind", "contact", {"contact", "bonded", "automatic"});
+    if (kind == "automatic") scene.automatic_contacts.push_back(read_automatic_contact(contact, taken));
+    else scene.contacts.push_back(read_contact(contact, kind == "bonded", taken));
+  }
   read_actions(root, runs, scene);
   const auto check_names = [&taken](const std::vector<Section>& sections) {
     for (const Section& section : sections) check_name(section, section.word("name"), taken, sources);
@@ -239,7 +253,7 @@ model::Scene read_scene_at_rest(const Section& root) {
   scene.time = {.end = 1}, scene.recording = {};  // [s] none passes
   for (const Section& body : root.list("bodies", 1))
     if (body.flag_or("rigid", false)) body.fault("rigid", "a rigid body has no modes of its own: take it out, or hold what it touches");
-  if (!scene.contacts.empty())
+  if (!scene.contacts.empty() || !scene.automatic_contacts.empty())
     root.fault("contacts", "'contacts' open and close, which no small motion about rest keeps: take them out");
   for (const Section& plane : root.list("planes")) {
     const std::string kind = plane.choice("kind", {"symmetry", "constrained", "fixed", "floor", "rigid", "driven"});

@@ -4,9 +4,11 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <set>
 
 #include "base/check.hpp"
 #include "base/words.hpp"
+#include "dynamics/automatic.hpp"
 #include "mesh/adjacency.hpp"
 #include "model/actions.hpp"
 #include "model/meshes.hpp"
@@ -36,7 +38,7 @@ void check_probes(const Scene& scene, const mesh::Mesh& mesh, Faults& faults) {
   Names regions = names_of(scene.bodies), quantities;
   for (const std::string& name : names_of(mesh.hexahedra, mesh.triangles))
     if (name.find('.') != std::string::npos) regions.push_back(name);
-  const Names sets = names_of(mesh.node_sets), contacts = names_of(scene.contacts);
+  const Names sets = names_of(mesh.node_sets), contacts = names_of(scene.contacts);  // an automatic contact has both sides in one
   const Names sources = names_of(scene.contacts, scene.planes, scene.rigid_planes, scene.loads, scene.springs);
   for (const Measurable& one : measurables()) quantities.push_back(one.name);
   for (const Probe& probe : scene.probes) {
@@ -73,6 +75,9 @@ void check_names(const Scene& scene, const mesh::Mesh& mesh, Faults& faults) {
     expect(faults, part("contact", contact), "apexes", contact.apexes, "surfaces", surfaces);
     expect(faults, part("contact", contact), "base", contact.base, "surfaces", surfaces);
   }
+  for (const AutomaticContact& contact : scene.automatic_contacts)
+    for (std::size_t i = 0; i < contact.bodies.size(); ++i)
+      expect(faults, part("contact", contact), "bodies[" + std::to_string(i) + "]", contact.bodies[i], "bodies", bodies);
   for (const Plane& plane : scene.planes)
     for (std::size_t i = 0; i < plane.nodes.size(); ++i)
       expect(faults, part("plane", plane), "nodes[" + std::to_string(i) + "]", plane.nodes[i], "node sets", sets);
@@ -142,9 +147,8 @@ double stand_off(const std::vector<Body>& bodies, const mesh::Mesh& mesh, const 
   return 0;
 }
 
-void refuse_penetration(const Contact& contact, const contact::InitialGaps& gaps, Faults& faults) {
+void refuse_penetration(const auto& contact, bool given, const contact::InitialGaps& gaps, Faults& faults) {
   if (gaps.penetrating == 0 || contact.interface.initial_penetration == contact::InitialPenetration::accept) return;
-  const bool given = !contact.height_from_thickness && !contact.interface.height.from_initial_height && contact.interface.height.given > 0;
   std::array<char, 200> text{};
   std::snprintf(text.data(), text.size(),
                 "%d of %d %s start penetrated, by %.4g m at most: %smove the bodies apart, or say "
@@ -199,6 +203,26 @@ void open_skins(dynamics::Model& model) {
   }
 }
 
+std::string name_of_body(const std::string& surface) { return surface.substr(0, surface.find('.')); }
+
+/// Adds the automatic contacts: each pair of bodies that no contact or bond joins, nor an automatic contact before.
+void add_automatic_contacts(const Scene& scene, dynamics::Model& model, std::vector<dynamics::Connected>& connected, Faults& faults) {
+  std::vector<std::pair<std::string, std::string>> apart;
+  for (const Contact& contact : scene.contacts) apart.emplace_back(name_of_body(contact.apexes), name_of_body(contact.base));
+  std::set<std::string> touching_itself;
+  for (const AutomaticContact& contact : scene.automatic_contacts) {
+    const Names names = contact.bodies.empty() ? names_of(scene.bodies) : contact.bodies;
+    std::vector<dynamics::TouchingBody> bodies;
+    for (const std::string& name : names) bodies.push_back({name, contact.self_contact && touching_itself.insert(name).second});
+    for (dynamics::Connected& one : dynamics::connect_automatic(model, contact.name, bodies, apart, contact.interface)) {
+      refuse_penetration(contact, false, one.gaps, faults);
+      connected.push_back(std::move(one));
+    }
+    for (const std::string& one : names)
+      for (const std::string& other : names) apart.emplace_back(one, other);
+  }
+}
+
 /// Adds the contacts to a model that is finished.
 std::vector<dynamics::Connected> add_contacts(const Scene& scene, dynamics::Model& model, Faults& faults) {
   std::vector<dynamics::Connected> connected;
@@ -211,11 +235,13 @@ std::vector<dynamics::Connected> add_contacts(const Scene& scene, dynamics::Mode
                         .given = stand_off(scene.bodies, model.mesh, contact.apexes) + stand_off(scene.bodies, model.mesh, contact.base),
                         .from_thickness = true};
     for (dynamics::Connected& pass : dynamics::connect(model, contact.name, contact.apexes, contact.base, options)) {
-      refuse_penetration(contact, pass.gaps, faults);
+      const auto& height = contact.interface.height;
+      refuse_penetration(contact, !contact.height_from_thickness && !height.from_initial_height && height.given > 0, pass.gaps, faults);
       refuse_empty_bond(contact, pass.gaps, faults);
       connected.push_back(std::move(pass));
     }
   }
+  add_automatic_contacts(scene, model, connected, faults);
   return connected;
 }
 

@@ -23,7 +23,8 @@ std::vector<Named> sources_of(const Scene& scene) {
   const auto add = [&all](const char* kind, const auto& list) {
     for (const auto& one : list) all.push_back({one.name, part(kind, one)});
   };
-  add("body", scene.bodies), add("contact", scene.contacts), add("plane", scene.planes), add("plane", scene.rigid_planes);
+  add("body", scene.bodies), add("contact", scene.contacts), add("contact", scene.automatic_contacts);
+  add("plane", scene.planes), add("plane", scene.rigid_planes);
   add("load", scene.loads), add("spring", scene.springs), add("point mass", scene.point_masses);
   return all;
 }

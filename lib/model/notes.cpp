@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <map>
 
 #include "contact/impact_step.hpp"
 #include "dynamics/overlaps.hpp"
@@ -19,6 +20,46 @@ std::string row(const char* format, auto... values) {
   std::array<char, 300> buffer{};
   std::snprintf(buffer.data(), buffer.size(), format, values...);
   return buffer.data();
+}
+
+}  // namespace
+
+namespace {
+
+int pairs_that_touch(const contact::Bodies& bodies) {
+  int count = 0;
+  for (Index a = 0; a < bodies.count(); ++a)
+    for (Index b = a; b < bodies.count(); ++b) count += bodies.touch[bodies.pair(a, b)] != 0;
+  return count;
+}
+
+/// The pairs of bodies of an automatic contact that are near each other at the start. Each apex counts for the body of its nearest facet.
+std::vector<std::string> pairs_found(const Simulation& simulation, std::size_t c) {
+  const contact::Interface& interface = simulation.model.interfaces[c];
+  const contact::Memory& memory = simulation.state.interfaces[c];
+  const contact::Bodies& bodies = interface.bodies;
+  struct Pair {
+    int apexes = 0;
+    double least = INFINITY;
+  };
+  std::map<std::pair<Index, Index>, Pair> found;
+  for (const contact::Near& near : memory.near) {
+    const Index facet = memory.feature[static_cast<std::size_t>(near.apex)].facet;
+    if (bodies.count() == 0 || facet < 0) continue;
+    const Index one = bodies.of_apex[static_cast<std::size_t>(near.apex)], other = bodies.of_facet[static_cast<std::size_t>(facet)];
+    Pair& pair = found[{std::min(one, other), std::max(one, other)}];
+    ++pair.apexes, pair.least = std::min(pair.least, memory.gap[static_cast<std::size_t>(near.apex)]);
+  }
+  std::vector<std::string> rows;
+  for (const auto& [pair, seen] : found) {
+    const std::string& one = bodies.names[static_cast<std::size_t>(pair.first)];
+    const std::string other = pair.first == pair.second ? "itself" : bodies.names[static_cast<std::size_t>(pair.second)];
+    rows.push_back(row("%-14s %s and %s: %d apexes within %.4g m, least gap %.4g m", "", one.c_str(), other.c_str(), seen.apexes,
+                       interface.margin, seen.least));
+  }
+  if (bodies.count() > 0)
+    rows.push_back(row("%-14s %zu pairs of bodies are near of %d that may touch", "", found.size(), pairs_that_touch(bodies)));
+  return rows;
 }
 
 }  // namespace
@@ -38,7 +79,9 @@ std::vector<std::string> gap_table(const Simulation& simulation) {
     }
     table.push_back(row("%-14s %6d  %8d  %7d  %9d  %7d  %11d  %-11.4g  %-11.4g  %-11.4g", interface.name.c_str(), g.apexes, g.by_kind[3],
                         g.by_kind[2], g.by_kind[1], g.without_base, g.penetrating, g.least, g.mean, g.largest));
-    if (!contact::by_multipliers(interface)) table.push_back(row("%-14s penalty %.4g Pa/m", "", interface.penalty));
+    for (const std::string& pair : pairs_found(simulation, c)) table.push_back(pair);
+    if (!contact::by_multipliers(interface) && interface.bodies.count() == 0)
+      table.push_back(row("%-14s penalty %.4g Pa/m", "", interface.penalty));
     if (g.free > 0)
       table.push_back(row("%-14s %d of %d apexes are free: they stand past the border of the base or have none", "", g.free, g.apexes));
   }

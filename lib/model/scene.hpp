@@ -84,6 +84,15 @@ struct Contact {
   std::string at = {};
 };
 
+/// The skins of bodies, each over every other; pairs of bodies that a Contact joins are left to it.
+struct AutomaticContact {
+  std::string name;
+  std::vector<std::string> bodies = {};      ///< empty: all
+  bool self_contact = true;                  ///< each body touches itself too; rigid bodies do not
+  dynamics::InterfaceOptions interface = {};  ///< without passes, heights, areas and damping
+  std::string at = {};
+};
+
 /// Nodes that are constrained, driven, or stopped by a floor.
 struct Plane {
   std::string name;
@@ -195,6 +204,7 @@ struct Recording {
 struct Scene {
   std::vector<Body> bodies;
   std::vector<Contact> contacts;
+  std::vector<AutomaticContact> automatic_contacts;
   std::vector<Plane> planes;
   std::vector<RigidPlane> rigid_planes;
   Vec3 gravity = Vec3::Zero();               ///< [m/s2]

@@ -144,6 +144,14 @@ void check_contact(const Contact& contact, Faults& faults) {
     refuse(faults, here, "passes", "a bond by multipliers has one pass, since two would stiffen the bodies; or say 'method: penalty'");
 }
 
+void check_contact(const AutomaticContact& contact, Faults& faults) {
+  const Part here = part("contact", contact);
+  const dynamics::InterfaceOptions& o = contact.interface;
+  check(faults, here, of_friction(o.friction, o.energy_gain_limit, o.step_factor));
+  check(faults, here, {kind("method", o.method, contact::Method::multiplier), {"penalty", o.penalty.value_or(1), positive, "Pa/m"},
+                       {"penalty_scale", o.penalty_scale, positive}, {"restitution", o.restitution, range::restitution}});
+}
+
 void check_plane(const Plane& plane, Faults& faults) {
   const Part here = part("plane", plane);
   check(faults, here, {kind("kind", plane.kind, load::PlaneKind::driven)});
@@ -213,6 +221,7 @@ std::string window_too_short(double window, double row) {
 void check_values(const Scene& scene, Faults& faults) {
   for (const Body& body : scene.bodies) check_body(body, faults);
   for (const Contact& contact : scene.contacts) check_contact(contact, faults);
+  for (const AutomaticContact& contact : scene.automatic_contacts) check_contact(contact, faults);
   for (const Plane& plane : scene.planes) check_plane(plane, faults);
   for (const RigidPlane& plane : scene.rigid_planes) check_wall(plane, faults);
   for (const Load& load : scene.loads) check_load(load, faults);

@@ -24,11 +24,11 @@ TEST(MakeMesh, GivesPlatesASkinOfBothSidesAndSolidsOneOfTheirOuterFaces) {
   EXPECT_EQ(mesh::node_set(plate, "p.skin").size(), 6U);
   const mesh::Mesh box = make_mesh("b", mesh::Box{Vec3(0, 0, 0), Vec3(1, 1, 1), {1, 1, 1}});
   EXPECT_EQ(mesh::surface(box, "b.skin").facets.cols(), 12);
-  mesh::Mesh both{.X = Vectors::Zero(3, 10), .hexahedra = box.hexahedra, .triangles = {{"region_1", Table<3>(3, 2)}}, .surfaces = {},
-                  .node_sets = {}};
+  mesh::Mesh both{.X = Vectors::Zero(3, 10), .hexahedra = box.hexahedra, .triangles = {{".region_1", Table<3>(3, 2)}}, .surfaces = {},
+                  .node_sets = {{"", {0, 1, 2, 3, 4, 5, 6, 7, 8, 9}}}};
   both.X.leftCols(8) = box.X;
   both.X.col(8) = Vec3(3, 0, 0), both.X.col(9) = Vec3(3, 1, 0);
-  both.hexahedra[0].name = "region_0";
+  both.hexahedra[0].name = ".region_0";
   const auto corners = box.hexahedra[0].nodes.col(0);
   both.triangles[0].nodes << corners(0), corners(1), corners(1), 8, corners(2), 9;  // one on the box, one beside it
   EXPECT_EQ(mesh::surface(make_mesh("m", both), "m.skin").facets.cols(), 12 + 2);
@@ -36,8 +36,11 @@ TEST(MakeMesh, GivesPlatesASkinOfBothSidesAndSolidsOneOfTheirOuterFaces) {
 
 TEST(Build, RefusesAPressureOnBothSidesOfPlates) {
   Scene scene = with({bar()});
-  scene.bodies.push_back({.name = "plate", .mesh = mesh::Sheet{.length = 2, .width = 1, .cells_along = 2, .cells_across = 1},
-                          .place = {.move = Vec3(0, 0, 9)}, .law = material::Elastic{1, 1, 0}, .plate = {.thickness = 0.1}});
+  Body plate{.name = "plate", .mesh = mesh::Sheet{.length = 2, .width = 1, .cells_along = 2, .cells_across = 1}};
+  plate.place.move = Vec3(0, 0, 9);
+  plate.law = material::Elastic{1, 1, 0};
+  plate.plate.thickness = 0.1;
+  scene.bodies.push_back(plate);
   scene.loads = {{.name = "p", .kind = LoadKind::pressure, .on = "plate.skin", .value = uniform(Vec3(1, 0, 0))}};
   EXPECT_TRUE(says(refusal(scene), "'plate.skin' has plates from both sides, on which a pressure cancels")) << refusal(scene);
 }

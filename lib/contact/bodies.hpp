@@ -1,0 +1,52 @@
+#pragma once
+// Many bodies in one contact: which of them touch, and what each two of them have together.
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "contact/base_surface.hpp"
+
+namespace nereid::contact {
+
+/// What two surfaces have together.
+struct Between {
+  double penalty = 0;         ///< [Pa/m] 1/delta
+  double impedance = 0;       ///< [Pa s/m] rho c of both sides in series, of both passes together
+  double arm_of_apex = 0;     ///< [-] share of the apex, a plate, in the arm of friction; the base has the rest
+  double depth = 0;           ///< [m] of the flattest element behind either surface: what a penetration is held against
+  double release_height = 0;  ///< [m] above h_c up to which an apex stays tracked that multipliers have released
+};
+
+/// The bodies of an automatic contact. All their skins are apexes and base at once, so each pair has two passes. Empty for a pair of
+/// surfaces.
+struct Bodies {
+  std::vector<std::string> names;
+  Subset of_apex, of_facet;      ///< [apexes] [facets] body
+  Subset first_facet;            ///< [bodies + 1] where the facets of each begin
+  Scalars thickest;              ///< [m] [bodies] the largest BaseSurface::stand_off
+  std::vector<Between> between;  ///< [bodies x bodies] by the body of the apex, then that of the base
+  std::vector<char> touch;       ///< [bodies x bodies] whether they touch; on the diagonal whether a body touches itself
+  /// Nodes beside each node in the mesh, of bodies that touch themselves, ascending: a facet with one of them is none that it can touch.
+  std::vector<Index> beside_begin;  ///< [nodes of the mesh + 1]; empty where no body touches itself
+  Subset beside;
+
+  Index count() const { return static_cast<Index>(names.size()); }
+  std::size_t pair(Index apex, Index base) const { return static_cast<std::size_t>(apex) * names.size() + static_cast<std::size_t>(base); }
+};
+
+/// Whether a node is beside another one in the mesh, or the same.
+inline bool is_beside(const Bodies& bodies, Index node, Index other) {
+  if (bodies.beside_begin.empty()) return false;
+  const auto first = bodies.beside.begin() + bodies.beside_begin[static_cast<std::size_t>(node)];
+  return std::binary_search(first, bodies.beside.begin() + bodies.beside_begin[static_cast<std::size_t>(node) + 1], other);
+}
+
+/// The nodes beside each node of a surface, as Bodies has them: those to which the way along the edges of its facets is no longer than a
+/// reach, and all that share a facet with one of these.
+///
+/// X      [m] reference positions of all nodes
+/// reach  [m] [nodes] 1.5 times the thickness of plates: a plate that folds over half its thickness is in contact with what is farther
+void add_beside(const Table<3>& facets, const Vectors& X, const Scalars& reach, Bodies&);
+
+}  // namespace nereid::contact

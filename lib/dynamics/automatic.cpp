@@ -1,0 +1,211 @@
+#include "dynamics/automatic.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/check.hpp"
+#include "contact/impact_step.hpp"
+#include "dynamics/side.hpp"
+#include "mesh/adjacency.hpp"
+
+namespace nereid::dynamics {
+
+namespace {
+
+constexpr double share = 0.5;  // of the penalty in each of two passes
+constexpr double fold = 1.5;   // times the thickness: a plate folded over half of it, along pi/2 of it, touches what is farther
+
+/// The facets of a skin that are solids, or plates from both sides.
+mesh::Surface part_of(const mesh::Surface& skin, bool plates) {
+  const std::vector<Index> others = mesh::other_sides(skin.facets);
+  mesh::Surface part = skin;
+  Index kept = 0;
+  for (Index f = 0; f < skin.facets.cols(); ++f)
+    if ((others[static_cast<std::size_t>(f)] >= 0) == plates) part.facets.col(kept++) = skin.facets.col(f);
+  part.facets.conservativeResize(3, kept);
+  return part;
+}
+
+/// A body with what its skin brings into a contact. Where it has solids and plates, the stiffer and the thinner of both count.
+struct Skin {
+  const mesh::Surface* surface = nullptr;
+  Side side;
+  double half = 0;  // [m] of its plates
+};
+
+std::vector<Skin> skins_of(const Model& model, const std::vector<TouchingBody>& bodies) {
+  std::vector<Skin> skins;
+  for (const TouchingBody& body : bodies) {
+    const mesh::Surface& surface = mesh::surface(model.mesh, body.name + ".skin");
+    const mesh::Surface plates = part_of(surface, true);
+    Side side = side_of(model, surface);
+    const double half = plates.facets.cols() > 0 ? side_of(model, plates).half_thickness : 0;
+    side.turns = half > 0, side.half_thickness = half;
+    skins.push_back({&surface, side, half});
+  }
+  return skins;
+}
+
+/// Which bodies touch, what each pair has together, and which nodes are beside each other.
+contact::Bodies bodies_of(const Model& model, const std::vector<TouchingBody>& list, const std::vector<Skin>& skins,
+                          const std::vector<std::pair<std::string, std::string>>& apart, const InterfaceOptions& options) {
+  contact::Bodies bodies;
+  const auto count = list.size();
+  bodies.thickest = Scalars::Zero(static_cast<Eigen::Index>(count));
+  bodies.first_facet.assign(1, 0);
+  Scalars reach = Scalars::Zero(model.mesh.X.cols());
+  std::vector<Index> folding;
+  for (std::size_t b = 0; b < count; ++b) {
+    bodies.names.push_back(list[b].name);
+    bodies.thickest(static_cast<Eigen::Index>(b)) = skins[b].half;
+    const Table<3>& facets = skins[b].surface->facets;
+    bodies.first_facet.push_back(bodies.first_facet.back() + static_cast<Index>(facets.cols()));
+    bodies.of_facet.resize(static_cast<std::size_t>(bodies.first_facet.back()), static_cast<Index>(b));
+    if (!list[b].touches_itself) continue;
+    folding.insert(folding.end(), facets.data(), facets.data() + facets.size());
+    for (const Index node : facets.reshaped()) reach(node) = fold * 2 * skins[b].half;
+  }
+  if (!folding.empty())
+    contact::add_beside(Eigen::Map<const Table<3>>(folding.data(), 3, static_cast<Eigen::Index>(folding.size() / 3)), model.mesh.X, reach,
+                        bodies);
+  const auto are_apart = [&](const std::string& one, const std::string& other) {
+    return std::any_of(apart.begin(), apart.end(), [&](const auto& pair) {
+      return (pair.first == one && pair.second == other) || (pair.first == other && pair.second == one);
+    });
+  };
+  for (std::size_t a = 0; a < count; ++a)
+    for (std::size_t b = 0; b < count; ++b) {
+      bodies.between.push_back(between(skins[a].side, skins[b].side, options, share));
+      const bool itself = a == b && list[a].touches_itself && !skins[a].side.is_rigid;
+      bodies.touch.push_back(a != b ? !are_apart(list[a].name, list[b].name) : itself);
+    }
+  return bodies;
+}
+
+/// All skins as one surface, in the order of the bodies.
+mesh::Surface joined(const std::string& name, const std::vector<Skin>& skins) {
+  Index count = 0;
+  for (const Skin& skin : skins) count += static_cast<Index>(skin.surface->facets.cols());
+  mesh::Surface all{name, Table<3>(3, count)};
+  count = 0;
+  for (const Skin& skin : skins) {
+    all.facets.middleCols(count, skin.surface->facets.cols()) = skin.surface->facets;
+    count += static_cast<Index>(skin.surface->facets.cols());
+  }
+  return all;
+}
+
+/// What an interface has of all its pairs: the least depth, the largest penalty.
+contact::Between of_all(const contact::Bodies& bodies) {
+  contact::Between all;
+  all.depth = all.release_height = std::numeric_limits<double>::infinity();
+  for (const contact::Between& pair : bodies.between) {
+    all.penalty = std::max(all.penalty, pair.penalty), all.impedance = std::max(all.impedance, pair.impedance);
+    if (pair.depth > 0) all.depth = std::min(all.depth, pair.depth), all.release_height = std::min(all.release_height, pair.release_height);
+  }
+  if (std::isinf(all.depth)) all.depth = all.release_height = 0;
+  return all;
+}
+
+/// What both interfaces of an automatic contact have.
+contact::Interface common_to_both(const Model& model, const std::string& name, const contact::Bodies& bodies, const mesh::Surface& surface,
+                                  const InterfaceOptions& options) {
+  contact::Interface interface;
+  static_cast<contact::Between&>(interface) = of_all(bodies);
+  interface.name = name;
+  interface.bodies = bodies;
+  interface.restitution = options.restitution;
+  interface.friction = options.friction;
+  interface.margin = std::sqrt(2 * mesh::facet_areas(model.mesh, surface).mean());
+  interface.longest_step = element_step(model);
+  if (model.inertia.size() > 0) interface.rotation_of_node = model.rotation_of_node;
+  return interface;
+}
+
+Connected connect_nodes(Model& model, const std::string& name, const contact::Bodies& bodies, const std::vector<Skin>& skins,
+                        const mesh::Surface& surface, const InterfaceOptions& options) {
+  contact::Interface interface = common_to_both(model, name, bodies, surface, options);
+  const auto nodes_of_mesh = static_cast<Index>(model.mesh.X.cols());
+  interface.method = options.method;
+  interface.base = contact::base_surface(surface, model.mesh.X);
+  contact::mark_halves(interface.base, mesh::faces(model.mesh, surface));
+  for (const Subset& plane : symmetry_planes(model)) contact::goes_on_behind(interface.base, plane);
+  interface.own = contact::fans(surface.facets, nodes_of_mesh);
+  interface.apexes = mesh::surface_nodes(surface);
+  interface.area = mesh::tributary_areas(model.mesh, surface, interface.apexes);
+  interface.faces = mesh::faces_around(model.mesh, surface, interface.apexes);
+  interface.facet_area = mesh::facet_areas(model.mesh, surface);
+  interface.impact_step_factor = contact::impact_step_factor_for(options.energy_gain_limit);
+  interface.first_step_factor = options.step_factor;
+  interface.pass_factor = share;
+  interface.allowed = allowed_directions(model, interface.apexes);
+  interface.follows_thickness = std::any_of(skins.begin(), skins.end(), [](const Skin& skin) { return skin.side.thins; });
+
+  Subset body_of_node(static_cast<std::size_t>(nodes_of_mesh), -1);
+  Scalars half = Scalars::Zero(nodes_of_mesh);
+  interface.base.stand_off = Scalars::Zero(surface.facets.cols());
+  for (Index f = 0; f < surface.facets.cols(); ++f) {
+    const Index body = bodies.of_facet[static_cast<std::size_t>(f)];
+    const double here = contact::is_sheet(interface.base, f) ? skins[static_cast<std::size_t>(body)].half : 0;
+    interface.base.stand_off(f) = here;
+    for (const Index node : surface.facets.col(f)) {
+      body_of_node[static_cast<std::size_t>(node)] = body;
+      half(node) = std::max(half(node), here);
+    }
+  }
+  if (interface.base.stand_off.isZero(0)) interface.base.stand_off.resize(0);
+  interface.contact_height.resize(static_cast<Eigen::Index>(interface.apexes.size()));
+  for (std::size_t a = 0; a < interface.apexes.size(); ++a) {
+    interface.contact_height(static_cast<Eigen::Index>(a)) = half(interface.apexes[a]);
+    interface.bodies.of_apex.push_back(body_of_node[static_cast<std::size_t>(interface.apexes[a])]);
+  }
+
+  Connected connected;
+  contact::Workspace workspace(interface);
+  connected.gaps = contact::connect(interface, model.mesh.X, 0, {.from_initial_height = false, .clearance = 0, .given = 0},
+                                    options.initial_penetration, connected.memory, workspace);
+  model.interfaces.push_back(std::move(interface));
+  return connected;
+}
+
+std::vector<Connected> connect_edges(Model& model, const std::string& name, const contact::Bodies& bodies, const std::vector<Skin>& skins,
+                                     const mesh::Surface& surface, const InterfaceOptions& options) {
+  contact::Interface interface = common_to_both(model, name + "_edges", bodies, surface, options);
+  const std::vector<Subset> planes = symmetry_planes(model);
+  for (std::size_t b = 0; b < skins.size(); ++b)
+    for (const bool plates : {false, true}) {
+      const mesh::Surface part = part_of(*skins[b].surface, plates);
+      if (part.facets.cols() == 0) continue;
+      contact::add_edges(contact::edges_of(model.mesh, part, planes), plates ? skins[b].half : 0, static_cast<Index>(b), interface.edges);
+    }
+  if (!has_ridges(interface.edges, model.mesh.X)) return {};
+  interface.kind = contact::InterfaceKind::edges;
+  interface.method = contact::Method::multiplier;
+  interface.base_edges = interface.edges;
+  interface.apexes = interface.base_nodes = contact::nodes_of(interface.edges);
+  Connected connected;
+  contact::Workspace workspace(interface);
+  connected.gaps = contact::connect_edges(interface, model.mesh.X, connected.memory, workspace);
+  model.interfaces.push_back(std::move(interface));
+  std::vector<Connected> list;
+  list.push_back(std::move(connected));
+  return list;
+}
+
+}  // namespace
+
+std::vector<Connected> connect_automatic(Model& model, const std::string& name, const std::vector<TouchingBody>& list,
+                                         const std::vector<std::pair<std::string, std::string>>& apart, const InterfaceOptions& options) {
+  check(model.mass.size() == model.mesh.X.cols(), "finalize() a model before it gets an interface");
+  const std::vector<Skin> skins = skins_of(model, list);
+  const contact::Bodies bodies = bodies_of(model, list, skins, apart, options);
+  const mesh::Surface surface = joined(name, skins);
+  std::vector<Connected> connected;
+  connected.push_back(connect_nodes(model, name, bodies, skins, surface, options));
+  if (!options.edges) return connected;
+  for (Connected& edges : connect_edges(model, name, bodies, skins, surface, options)) connected.push_back(std::move(edges));
+  return connected;
+}
+
+}  // namespace nereid::dynamics

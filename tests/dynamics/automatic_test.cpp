@@ -1,0 +1,129 @@
+#include "dynamics/automatic.hpp"
+
+#include <gtest/gtest.h>
+
+#include "dynamics/side.hpp"
+#include "dynamics/step.hpp"
+#include "mesh/adjacency.hpp"
+#include "mesh/box.hpp"
+#include "mesh/disc.hpp"
+#include "mesh/placement.hpp"
+#include "mesh/skin.hpp"
+
+namespace nereid::dynamics {
+namespace {
+
+const material::Elastic soft{1000, 1e8, 0.3}, hard{8000, 2e11, 0.25};
+
+mesh::Mesh box(const std::string& name, const Vec3& low, const Vec3& high) {
+  mesh::Mesh mesh = mesh::box(name, {low, high, {3, 3, 2}});
+  mesh.surfaces.push_back({name + ".skin", mesh::skin(mesh.X, mesh.hexahedra).facets});
+  return mesh;
+}
+
+mesh::Mesh plate(const std::string& name, const Vec3& at) {
+  mesh::Mesh mesh = mesh::moved(mesh::sheet(name, {.length = 1, .width = 1, .cells_along = 5, .cells_across = 5}), at);
+  mesh.surfaces.push_back({name + ".skin", mesh::both_sides(mesh.triangles[0].nodes)});
+  return mesh;
+}
+
+/// A soft box below, a plate 0.02 thick 0.05 above it, and a hard box 0.05 above that.
+Model pile() {
+  Model model;
+  const mesh::Mesh lower = mesh::join(box("below", {0, 0, 0}, {1, 1, 0.4}), plate("plate", {0, 0, 0.45}));
+  model.mesh = mesh::join(lower, box("above", {0, 0, 0.5}, {1, 1, 1}));
+  model.blocks.push_back(element::hexahedra(model.mesh, "below", soft, {}));
+  model.blocks.push_back(element::hexahedra(model.mesh, "above", hard, {}));
+  element::Plate::Options options;
+  options.thickness = 0.02;
+  model.blocks.push_back(element::plates(model.mesh, "plate", hard, options));
+  finalize(model);
+  return model;
+}
+const std::vector<TouchingBody> all{{"below", false}, {"plate", true}, {"above", false}};
+
+TEST(ConnectAutomatic, HasOfEachPairWhatTheirSkinsHaveTogether) {
+  Model model = pile();
+  const std::vector<Connected> connected = connect_automatic(model, "all", all, {}, {});
+  ASSERT_EQ(connected.size(), 2U);
+  const contact::Interface& nodes = model.interfaces[0];
+  EXPECT_EQ(nodes.name, "all");
+  EXPECT_EQ(model.interfaces[1].name, "all_edges");
+  const auto side = [&](const char* name) { return side_of(model, mesh::surface(model.mesh, std::string(name) + ".skin")); };
+  for (std::size_t a = 0; a < nodes.apexes.size(); a += 7)
+    for (Index f = 0; f < static_cast<Index>(nodes.base.facets.cols()); f += 11) {
+      const Index one = nodes.bodies.of_apex[a], other = nodes.bodies.of_facet[static_cast<std::size_t>(f)];
+      const contact::Between expected = between(side(all[static_cast<std::size_t>(one)].name.c_str()),
+                                                side(all[static_cast<std::size_t>(other)].name.c_str()), {}, 0.5);
+      const contact::Between& pair = contact::between(nodes, static_cast<Index>(a), f);
+      EXPECT_EQ(pair.penalty, expected.penalty);
+      EXPECT_EQ(pair.impedance, expected.impedance);
+      EXPECT_EQ(pair.depth, expected.depth);
+      EXPECT_EQ(pair.arm_of_apex, expected.arm_of_apex);
+    }
+}
+
+TEST(ConnectAutomatic, StandsOffByHalfOfThePlatesOfBothSides) {
+  Model model = pile();
+  const std::vector<Connected> connected = connect_automatic(model, "all", all, {}, {});
+  const contact::Interface& nodes = model.interfaces[0];
+  EXPECT_EQ(connected[0].gaps.penetrating, 0);
+  EXPECT_NEAR(connected[0].gaps.least, 0.04, 1e-15);  // of boxes over the plate, and of the plate over boxes
+  for (std::size_t a = 0; a < nodes.apexes.size(); ++a)
+    EXPECT_EQ(nodes.contact_height(static_cast<Index>(a)), nodes.bodies.of_apex[a] == 1 ? 0.01 : 0);
+  for (Index f = 0; f < static_cast<Index>(nodes.base.facets.cols()); ++f)
+    EXPECT_EQ(contact::stand_off(nodes.base, f), nodes.bodies.of_facet[static_cast<std::size_t>(f)] == 1 ? 0.01 : 0);
+}
+
+TEST(ConnectAutomatic, LeavesPairsToOthers) {
+  Model model = pile();
+  const std::vector<Connected> connected = connect_automatic(model, "all", all, {{"plate", "below"}}, {});
+  const contact::Interface& nodes = model.interfaces[0];
+  for (const contact::Near& near : connected[0].memory.near)
+    for (Index i = 0; i < near.facets; ++i) {
+      const Index facet = connected[0].memory.near_facets[static_cast<std::size_t>(near.first_facet + i)];
+      const Index one = nodes.bodies.of_apex[static_cast<std::size_t>(near.apex)];
+      const Index other = nodes.bodies.of_facet[static_cast<std::size_t>(facet)];
+      EXPECT_FALSE(one + other == 1) << "below and plate";
+      EXPECT_FALSE(one == other && one != 1) << "a box touches itself";
+    }
+  EXPECT_GT(connected[0].memory.near.size(), 0U);
+}
+
+TEST(ConnectAutomatic, OfABodyWithItselfLooksOnlyAtWhatIsNotBesideInTheMesh) {
+  Model model;
+  model.mesh = mesh::sheet("strip", {.length = 4, .width = 1, .cells_along = 20, .cells_across = 5});
+  for (auto x : model.mesh.X.colwise())  // folded, both halves 0.1 apart
+    if (x(0) > 2) x = Vec3(4 - x(0), x(1), 0.1);
+  model.mesh.surfaces.push_back({"strip.skin", mesh::both_sides(model.mesh.triangles[0].nodes)});
+  element::Plate::Options options;
+  options.thickness = 0.04;
+  model.blocks.push_back(element::plates(model.mesh, "strip", hard, options));
+  finalize(model);
+  const std::vector<Connected> connected = connect_automatic(model, "all", {{"strip", true}}, {}, {});
+  const contact::Interface& nodes = model.interfaces[0];
+  const contact::Memory& memory = connected[0].memory;
+  int seen = 0;
+  for (const contact::Near& near : memory.near)
+    for (Index i = 0; i < near.facets; ++i, ++seen) {
+      const Index facet = memory.near_facets[static_cast<std::size_t>(near.first_facet + i)];
+      for (const Index node : nodes.base.facets.col(facet))
+        EXPECT_FALSE(contact::is_beside(nodes.bodies, nodes.apexes[static_cast<std::size_t>(near.apex)], node));
+    }
+  EXPECT_GT(seen, 100);
+  EXPECT_NEAR(connected[0].gaps.least, 0.06, 1e-12);
+}
+
+TEST(ConnectAutomatic, OfAPlateThatIsThickerThanItsElementsAreLongStartsApartFromItself) {
+  Model model;
+  model.mesh = mesh::sheet("strip", {.length = 4, .width = 1, .cells_along = 40, .cells_across = 10});
+  model.mesh.surfaces.push_back({"strip.skin", mesh::both_sides(model.mesh.triangles[0].nodes)});
+  element::Plate::Options options;
+  options.thickness = 0.4;
+  model.blocks.push_back(element::plates(model.mesh, "strip", hard, options));
+  finalize(model);
+  for (const Connected& one : connect_automatic(model, "all", {{"strip", true}}, {}, {})) EXPECT_EQ(one.gaps.penetrating, 0);
+}
+
+}  // namespace
+}  // namespace nereid::dynamics
