@@ -60,6 +60,7 @@ NEEDS_NO_TEST = {
     "lib/contact/apex.hpp": "tested through contact.hpp, whose functions it stands behind",
     "lib/contact/near.hpp": "the same",
     "lib/contact/method.hpp": "data only",
+    "lib/contact/bodies.hpp": "data only, made by dynamics/automatic.hpp",
     "lib/base/types.hpp": "names only",
     "lib/base/step_limit.hpp": "one struct of two numbers",
     "lib/base/check.hpp": "two exception types and one line, used by every test of a fault",

@@ -180,24 +180,6 @@ void hold_bond(const Interface& interface, const Vectors& x, Near& near, Memory&
 
 namespace {
 
-/// Ends the tracks of an apex on parts of its own body that it has come beside in the mesh; true if there was one.
-bool leave_beside(const Interface& interface, Index a, const WayOut& out, Tracks& tracks) {
-  if (interface.bodies.beside_begin.empty()) return false;
-  const Index apex = interface.apexes[a];
-  const auto beside = [&](Index facet) {
-    const auto nodes = interface.base.facets.col(facet);
-    return std::any_of(nodes.begin(), nodes.end(), [&](Index node) { return is_beside(interface.bodies, apex, node); });
-  };
-  bool any = false;
-  for (int s = 0; s < out.count; ++s) any = any || beside(out.stencil[s].facet);
-  int kept = 0;
-  for (int t = 0; t < tracks.count; ++t)
-    if (!beside(tracks.track[t].facet)) tracks.track[kept++] = tracks.track[t];
-  any = any || kept < tracks.count;
-  tracks.count = kept;
-  return any;
-}
-
 /// An apex that is in contact with nothing: how far it is, whether it votes, and how long it need not be looked at.
 void look_around(const Interface& interface, const Vectors& x, const Vectors& v, double moved, Near& near, Memory& memory) {
   const Index a = near.apex;
@@ -243,9 +225,7 @@ void update_element(const Interface& interface, const Vectors& x, const Vectors&
 
   const double release_height = between(interface, a, near.tracks.track[0].facet).release_height;
   const auto find_way_out = [&] {
-    WayOut out = way_out(interface.base, x, x.col(node), contact_height, allowed, moved, near.tracks, near.element.stencil, release_height);
-    if (!leave_beside(interface, a, out, near.tracks)) return out;
-    return way_out(interface.base, x, x.col(node), contact_height, allowed, moved, near.tracks, near.element.stencil, release_height);
+    return way_out(interface.base, x, x.col(node), contact_height, allowed, moved, near.tracks, near.element.stencil, release_height, node);
   };
   WayOut out = find_way_out();
   if (moved + out.length >= near.clear) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "contact/beside.hpp"
 #include "geometry/closest.hpp"
 #include "mesh/mesh.hpp"
 
@@ -55,11 +56,19 @@ struct BaseSurface : Fans {         // the normal of a facet points to the side 
   Scalars size;       ///< [m] of the face that the facet is half of: the root of twice its area
   Scalars longest;    ///< [m] its longest edge
   Scalars stand_off;  ///< [m] [facets] half the thickness of plates there, which comes to h_c of an apex; empty: h_c has it
+  Beside beside;      ///< of bodies that touch themselves
   double sharpest = 0;  ///< [-] the largest lean() of any facet: how far a walk must look in its sharpest valley
 };
 
 /// [-] of the size of a face: so far past a wall a facet is still the base, for half of what a border apex stands for is inside.
 constexpr double whole_past_wall = 0.05;
+
+/// Whether a facet has a node beside an apex that is of the same surface; false for -1, an apex of another one.
+inline bool is_beside(const BaseSurface& base, Index self, Index facet) {
+  if (self < 0 || base.beside.begin.empty()) return false;
+  return is_beside(base.beside, self, base.facets(0, facet)) || is_beside(base.beside, self, base.facets(1, facet)) ||
+         is_beside(base.beside, self, base.facets(2, facet));
+}
 
 /// Builds the adjacency table of a surface, and what is measured in the reference.
 ///

@@ -1,7 +1,6 @@
 #pragma once
 // Many bodies in one contact: which of them touch, and what each two of them have together.
 
-#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -27,26 +26,9 @@ struct Bodies {
   Scalars thickest;              ///< [m] [bodies] the largest BaseSurface::stand_off
   std::vector<Between> between;  ///< [bodies x bodies] by the body of the apex, then that of the base
   std::vector<char> touch;       ///< [bodies x bodies] whether they touch; on the diagonal whether a body touches itself
-  /// Nodes beside each node in the mesh, of bodies that touch themselves, ascending: a facet with one of them is none that it can touch.
-  std::vector<Index> beside_begin;  ///< [nodes of the mesh + 1]; empty where no body touches itself
-  Subset beside;
 
   Index count() const { return static_cast<Index>(names.size()); }
   std::size_t pair(Index apex, Index base) const { return static_cast<std::size_t>(apex) * names.size() + static_cast<std::size_t>(base); }
 };
-
-/// Whether a node is beside another one in the mesh, or the same.
-inline bool is_beside(const Bodies& bodies, Index node, Index other) {
-  if (bodies.beside_begin.empty()) return false;
-  const auto first = bodies.beside.begin() + bodies.beside_begin[static_cast<std::size_t>(node)];
-  return std::binary_search(first, bodies.beside.begin() + bodies.beside_begin[static_cast<std::size_t>(node) + 1], other);
-}
-
-/// The nodes beside each node of a surface, as Bodies has them: those to which the way along the edges of its facets is no longer than a
-/// reach, and all that share a facet with one of these.
-///
-/// X      [m] reference positions of all nodes
-/// reach  [m] [nodes] 1.5 times the thickness of plates: a plate that folds over half its thickness is in contact with what is farther
-void add_beside(const Table<3>& facets, const Vectors& X, const Scalars& reach, Bodies&);
 
 }  // namespace nereid::contact

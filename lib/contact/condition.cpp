@@ -122,7 +122,7 @@ bool make(const Interface& interface, const Motion& m, const Multipliers& all, c
   const auto feature = [&] { return Feature{stencil.facet, stencil.kind, stencil.local}; };
   // its height over the plane of a facet is no distance for an open apex past a wall of it, and below that plane there is nothing to touch
   if (!(push > 0) && stencil.kind == geometry::Kind::facet && has_foot_outside(interface.base, m.x, p, stencil.facet)) {
-    const Stand here = stand_whole(interface.base, m.x, p, stencil.facet);
+    const Stand here = stand_whole(interface.base, m.x, p, stencil.facet, apex);
     if (here.past > 0 && here.over.height < 0) return false;
     if (here.past > 0) stencil.facet = here.wall.facet, stencil.kind = here.wall.kind, stencil.local = here.wall.local;
   }
@@ -139,7 +139,7 @@ bool make(const Interface& interface, const Motion& m, const Multipliers& all, c
     return true;
   }
   if (stencil.kind != geometry::Kind::facet) {  // where the apex would be; now it may be over a facet beside
-    const Stand here = stand(interface.base, m.x, p, stencil.facet);
+    const Stand here = stand(interface.base, m.x, p, stencil.facet, apex);
     if (here.past == 0) stencil.facet = here.feature.facet, stencil.kind = here.feature.kind, stencil.local = here.feature.local;
     over = height_over(interface.base, m.x, feature(), p);
   }

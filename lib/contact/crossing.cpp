@@ -82,7 +82,7 @@ bool can_cross(const Interface& interface, Index edge, Index base_edge) {
   if (one != other) return true;
   for (int i = 0; i < 2; ++i)
     for (int j = 0; j < 2; ++j)
-      if (is_beside(bodies, interface.edges.nodes(i, edge), interface.base_edges.nodes(j, base_edge))) return false;
+      if (is_beside(interface.base.beside, interface.edges.nodes(i, edge), interface.base_edges.nodes(j, base_edge))) return false;
   return true;
 }
 

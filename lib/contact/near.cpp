@@ -81,14 +81,6 @@ void keep_search(const Interface& interface, const Vectors& x, Memory& memory) {
 
 namespace {
 
-/// Whether a facet has a node beside an apex in the mesh.
-bool has_beside(const Interface& interface, Index a, Index facet) {
-  const Index apex = interface.apexes[a];
-  for (int I = 0; I < 3; ++I)
-    if (is_beside(interface.bodies, apex, interface.base.facets(I, facet))) return true;
-  return false;
-}
-
 /// Finds which bodies are so near to each other that they may touch before the next search.
 void find_partners(const Interface& interface, const Vectors& x, double margin, Workspace& workspace) {
   const Bodies& bodies = interface.bodies;
@@ -142,7 +134,7 @@ void visit_near(const Interface& interface, const Vectors& x, const Memory& memo
     const BodyBox& box = workspace.boxes[body];
     if (((box.low - eigen(p)).array() > farther).any() || ((eigen(p) - box.high).array() > farther).any()) continue;
     workspace.broad[body].within(interface.base, x, p, farther, [&](Index facet, double) {
-      if (own != other || !has_beside(interface, a, facet)) visit(facet);
+      if (own != other || !is_beside(interface.base, interface.apexes[a], facet)) visit(facet);
     });
   }
 }

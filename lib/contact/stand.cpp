@@ -28,7 +28,7 @@ Vec3 foot_of(const BaseSurface& base, const Vectors& x, Index facet, const std::
 /// The closest feature of the patch from a facet on, among facets near the foot; changes facet and closest.
 ///
 /// returns  whether a closer facet was found
-bool walk_on(const BaseSurface& base, const Vectors& x, const Vector<double>& p, Index& facet, Closest& closest) {
+bool walk_on(const BaseSurface& base, const Vectors& x, const Vector<double>& p, Index self, Index& facet, Closest& closest) {
   const Index from = facet;
   const Closest here = closest;
   const Vec3 foot = foot_of(base, x, from, here.weight);
@@ -43,7 +43,7 @@ bool walk_on(const BaseSurface& base, const Vectors& x, const Vector<double>& p,
     for (int e = 0; e < 3; ++e) {
       const Index next = base.neighbour(e, queue[i]);
       if (next < 0 || base.wall[queue[i]][e] || count == most_facets) continue;
-      if (std::find(queue.begin(), queue.begin() + count, next) != queue.begin() + count) continue;
+      if (std::find(queue.begin(), queue.begin() + count, next) != queue.begin() + count || is_beside(base, self, next)) continue;
       const Vec3 a = x.col(base.facets(e, queue[i])), along = Vec3(x.col(base.facets((e + 1) % 3, queue[i]))) - a;
       const double u = std::clamp((foot - a).dot(along) / along.squaredNorm(), 0.0, 1.0);
       if ((a + u * along - foot).squaredNorm() > reach * reach) continue;
@@ -57,14 +57,14 @@ bool walk_on(const BaseSurface& base, const Vectors& x, const Vector<double>& p,
 
 /// Past a border at a vertex: of the facets of the patch that are as close there, the one on whose side of the plane that halves the angle
 /// between two neighbours the point stands. There both have it at the same height, so that the height has no jump where the facet changes.
-void turn_around_vertex(const BaseSurface& base, const Vectors& x, const Vec3& point, Index& facet, Closest& closest) {
+void turn_around_vertex(const BaseSurface& base, const Vectors& x, const Vec3& point, Index self, Index& facet, Closest& closest) {
   const Vector<double> p{point.x(), point.y(), point.z()};
   const Index vertex = base.facets(closest.local, facet);
   for (Index here = -1, hop = 0; here != facet && hop < most_hops; ++hop) {
     here = facet;
     for (const int e : {closest.local, (closest.local + 2) % 3}) {  // the edges that end there
       const Index next = base.neighbour(e, here);
-      if (next < 0 || base.wall[here][e]) continue;
+      if (next < 0 || base.wall[here][e] || is_beside(base, self, next)) continue;
       const Closest there = geometry::closest_on_triangle(corners(base, x, next), p);
       if (there.kind != Kind::vertex || base.facets(there.local, next) != vertex) continue;
       const Vec3 along = x.col(base.facets((e + 1) % 3, here)) - x.col(base.facets(e, here));
@@ -90,14 +90,14 @@ Ownership ownership(const BaseSurface& base, const Vectors& x, Index facet, cons
   return {true, std::min(room / rate, shallow * longest - height)};
 }
 
-Stand stand(const BaseSurface& base, const Vectors& x, const Vec3& point, Index from) {
+Stand stand(const BaseSurface& base, const Vectors& x, const Vec3& point, Index from, Index self) {
   const Vector<double> p{point.x(), point.y(), point.z()};
   Index facet = from;
   const FeatureHeight over = height_over(base, x, {facet, Kind::facet, 0}, point);
   if (ownership(base, x, facet, over, std::abs(over.height)).whole) return {.feature = {facet, Kind::facet, 0}, .over = over};
 
   Closest closest = geometry::closest_on_triangle(corners(base, x, facet), p);
-  for (int hop = 0; hop < most_hops && walk_on(base, x, p, facet, closest); ++hop) continue;
+  for (int hop = 0; hop < most_hops && walk_on(base, x, p, self, facet, closest); ++hop) continue;
 
   Stand found{.feature = {facet, closest.kind, closest.local}, .over = {}};
   const bool wall = closest.kind == Kind::edge     ? base.wall[facet][closest.local]
@@ -107,7 +107,7 @@ Stand stand(const BaseSurface& base, const Vectors& x, const Vec3& point, Index 
     found.over = height_over(base, x, found.feature, point);
     return found;
   }
-  if (closest.kind == Kind::vertex) turn_around_vertex(base, x, point, facet, closest);
+  if (closest.kind == Kind::vertex) turn_around_vertex(base, x, point, self, facet, closest);
   found.feature = {facet, Kind::facet, 0};
   found.over = height_over(base, x, found.feature, point);
   const Vec3 way = point - foot_of(base, x, facet, closest.weight) - found.over.height * found.over.normal;
@@ -122,8 +122,8 @@ Stand stand(const BaseSurface& base, const Vectors& x, const Vec3& point, Index 
   return found;
 }
 
-Stand stand_whole(const BaseSurface& base, const Vectors& x, const Vec3& point, Index from) {
-  Stand at = stand(base, x, point, from);
+Stand stand_whole(const BaseSurface& base, const Vectors& x, const Vec3& point, Index from, Index self) {
+  Stand at = stand(base, x, point, from, self);
   if (at.past > 0 && at.past <= whole_past_wall * base.size(at.feature.facet) && ends_at(base, at.wall)) at.past = 0;
   return at;
 }

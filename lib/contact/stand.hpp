@@ -32,9 +32,10 @@ Ownership ownership(const BaseSurface&, const Vectors& x, Index facet, const Fea
 /// From deeper than 0.45 of the thickness behind a facet it goes nowhere: the far side of the body is nearer there.
 ///
 /// from     facet to start from
-Stand stand(const BaseSurface&, const Vectors& x, const Vec3& point, Index from);
+/// self     the node at the point if it is of the same surface: the walk leaves out what is beside it in the mesh; or -1
+Stand stand(const BaseSurface&, const Vectors& x, const Vec3& point, Index from, Index self = -1);
 
 /// The same, if the surface reached so far past its open borders as a force stays whole.
-Stand stand_whole(const BaseSurface&, const Vectors& x, const Vec3& point, Index from);
+Stand stand_whole(const BaseSurface&, const Vectors& x, const Vec3& point, Index from, Index self = -1);
 
 }  // namespace nereid::contact

@@ -294,7 +294,7 @@ Index behind(const Sweep& s, double deepest, double& depth) {
     if (gap < least_gap) nearest = f, least_gap = gap, least_squared = squared;
   }
   if (nearest >= 0) {  // also in the layer over ridges and borders, and below valleys
-    const Stand there = stand(s.base, s.x, now(s), nearest);
+    const Stand there = stand(s.base, s.x, now(s), nearest, s.apex);
     const double over = there.over.height, height = there.past > 0 && over >= 0 ? std::sqrt(least_squared) : over;
     const bool faced = faces(s, there.over.normal);
     depth = s.level(nearest) - height;

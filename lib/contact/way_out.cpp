@@ -155,13 +155,13 @@ Below below_wall(double height, double past) {
 }
 
 /// Of the faces across the wall where a point stands, the nearest that has it in front; -1 if there is none.
-Index face_across(const BaseSurface& base, const Vectors& x, const Vec3& point, const Feature& wall) {
+Index face_across(const BaseSurface& base, const Vectors& x, const Vec3& point, const Feature& wall, Index self) {
   Index best = -1;
   double nearest = std::numeric_limits<double>::infinity();
   for (int e = 0; e < 3; ++e) {
     const bool here = e == wall.local || (wall.kind == Kind::vertex && (e + 1) % 3 == wall.local);
     const Index across = base.neighbour(e, wall.facet);
-    if (!here || !base.wall[wall.facet][e] || across < 0) continue;
+    if (!here || !base.wall[wall.facet][e] || across < 0 || is_beside(base, self, across)) continue;
     const Vector<double> p{point.x(), point.y(), point.z()};
     const auto c = corners(base, x, across);
     const double squared = geometry::closest_on_triangle(c, p).distance_squared;
@@ -195,7 +195,7 @@ WayOut over_one_facet(const FeatureHeight& over, double level, double release_he
 }  // namespace
 
 WayOut way_out(const BaseSurface& base, const Vectors& x, const Vec3& p, double contact_height, const Mat3* allowed, double moved,
-               Tracks& tracks, std::array<Stencil, most_stencils>& stencils, double release_height) {
+               Tracks& tracks, std::array<Stencil, most_stencils>& stencils, double release_height, Index self) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   const auto level = [&](Index facet) { return contact_height + stand_off(base, facet); };
   if (tracks.count == 1 && allowed == nullptr) {  // well inside a facet
@@ -217,8 +217,8 @@ WayOut way_out(const BaseSurface& base, const Vectors& x, const Vec3& p, double 
   for (int i = 0; i < tracks.count; ++i) {
     Track& track = tracks.track[i];
     int g = 0;
-    Stand at = stand_whole(base, x, p + way[0].d, track.facet);
-    if (way[0].opposes(at.over.normal)) g = 1, at = stand_whole(base, x, p + way[1].d, track.facet);
+    Stand at = stand_whole(base, x, p + way[0].d, track.facet, self);
+    if (way[0].opposes(at.over.normal)) g = 1, at = stand_whole(base, x, p + way[1].d, track.facet, self);
     Together& all = way[g];
     track.facet = at.feature.facet;
     for (int j = 0; j < i; ++j) ends[i] = ends[i] || (!ends[j] && tracks.track[j].facet == track.facet);  // two parts have met
@@ -235,7 +235,7 @@ WayOut way_out(const BaseSurface& base, const Vectors& x, const Vec3& p, double 
       if (open || h < 0) {
         const double distance = std::hypot(h, past);
         const Below below = h < 0 ? below_wall(h, past) : Below{distance, h / distance, past / distance};
-        const Index across = open || past < -3 * h ? -1 : face_across(base, x, p + all.d, at.wall);
+        const Index across = open || past < -3 * h ? -1 : face_across(base, x, p + all.d, at.wall, self);
         if (across < 0) {
           const double depth = track.height - below.height;
           out.gap = std::min(out.gap, -depth);
@@ -244,7 +244,7 @@ WayOut way_out(const BaseSurface& base, const Vectors& x, const Vec3& p, double 
           if (depth > 0) out.depth = std::max(out.depth, depth), acts[i] = true;
           continue;
         }
-        at = stand_whole(base, x, p + all.d, across);
+        at = stand_whole(base, x, p + all.d, across, self);
         track.facet = at.feature.facet;
       }
       if (at.past > 0 && at.over.height >= 0) {  // outside the layer is round
@@ -277,7 +277,7 @@ WayOut way_out(const BaseSurface& base, const Vectors& x, const Vec3& p, double 
     add(base, x, p, allowed, {at.feature, at.over, track.height, i, outside, nearest}, all);
     // is the end of the way high enough over what is there?
     for (int look = 0; look < most_looks && track.height > 0 && all.count > 0 && all.lambda[all.count - 1] > 0; ++look) {
-      const Stand end = stand_whole(base, x, p + all.d, track.facet);
+      const Stand end = stand_whole(base, x, p + all.d, track.facet, self);
       const bool high = end.over.height > track.height - high_enough * base.longest(track.facet);
       if (end.past > 0 || high) break;
       if (all.opposes(end.over.normal)) {  // the other side of a slot or of a sharp valley

@@ -47,28 +47,35 @@ std::vector<Skin> skins_of(const Model& model, const std::vector<TouchingBody>& 
   return skins;
 }
 
-/// Which bodies touch, what each pair has together, and which nodes are beside each other.
-contact::Bodies bodies_of(const Model& model, const std::vector<TouchingBody>& list, const std::vector<Skin>& skins,
+/// Which nodes are beside each other, of the bodies that touch themselves.
+contact::Beside beside_of(const Model& model, const std::vector<TouchingBody>& list, const std::vector<Skin>& skins) {
+  Scalars reach = Scalars::Zero(model.mesh.X.cols());
+  std::vector<Index> folding;
+  for (std::size_t b = 0; b < list.size(); ++b) {
+    if (!list[b].touches_itself || skins[b].side.is_rigid) continue;
+    const Table<3>& facets = skins[b].surface->facets;
+    folding.insert(folding.end(), facets.data(), facets.data() + facets.size());
+    for (const Index node : facets.reshaped()) reach(node) = fold * 2 * skins[b].half;
+  }
+  if (folding.empty()) return {};
+  const Eigen::Map<const Table<3>> facets(folding.data(), 3, static_cast<Eigen::Index>(folding.size() / 3));
+  return contact::find_beside(facets, model.mesh.X, reach);
+}
+
+/// Which bodies touch, and what each pair has together.
+contact::Bodies bodies_of(const std::vector<TouchingBody>& list, const std::vector<Skin>& skins,
                           const std::vector<std::pair<std::string, std::string>>& apart, const InterfaceOptions& options) {
   contact::Bodies bodies;
   const auto count = list.size();
   bodies.thickest = Scalars::Zero(static_cast<Eigen::Index>(count));
   bodies.first_facet.assign(1, 0);
-  Scalars reach = Scalars::Zero(model.mesh.X.cols());
-  std::vector<Index> folding;
   for (std::size_t b = 0; b < count; ++b) {
     bodies.names.push_back(list[b].name);
     bodies.thickest(static_cast<Eigen::Index>(b)) = skins[b].half;
     const Table<3>& facets = skins[b].surface->facets;
     bodies.first_facet.push_back(bodies.first_facet.back() + static_cast<Index>(facets.cols()));
     bodies.of_facet.resize(static_cast<std::size_t>(bodies.first_facet.back()), static_cast<Index>(b));
-    if (!list[b].touches_itself) continue;
-    folding.insert(folding.end(), facets.data(), facets.data() + facets.size());
-    for (const Index node : facets.reshaped()) reach(node) = fold * 2 * skins[b].half;
   }
-  if (!folding.empty())
-    contact::add_beside(Eigen::Map<const Table<3>>(folding.data(), 3, static_cast<Eigen::Index>(folding.size() / 3)), model.mesh.X, reach,
-                        bodies);
   const auto are_apart = [&](const std::string& one, const std::string& other) {
     return std::any_of(apart.begin(), apart.end(), [&](const auto& pair) {
       return (pair.first == one && pair.second == other) || (pair.first == other && pair.second == one);
@@ -123,8 +130,8 @@ contact::Interface common_to_both(const Model& model, const std::string& name, c
   return interface;
 }
 
-Connected connect_nodes(Model& model, const std::string& name, const contact::Bodies& bodies, const std::vector<Skin>& skins,
-                        const mesh::Surface& surface, const InterfaceOptions& options) {
+Connected connect_nodes(Model& model, const std::string& name, const contact::Bodies& bodies, const contact::Beside& beside,
+                        const std::vector<Skin>& skins, const mesh::Surface& surface, const InterfaceOptions& options) {
   contact::Interface interface = common_to_both(model, name, bodies, surface, options);
   const auto nodes_of_mesh = static_cast<Index>(model.mesh.X.cols());
   interface.method = options.method;
@@ -144,6 +151,7 @@ Connected connect_nodes(Model& model, const std::string& name, const contact::Bo
 
   Subset body_of_node(static_cast<std::size_t>(nodes_of_mesh), -1);
   Scalars half = Scalars::Zero(nodes_of_mesh);
+  interface.base.beside = beside;
   interface.base.stand_off = Scalars::Zero(surface.facets.cols());
   for (Index f = 0; f < surface.facets.cols(); ++f) {
     const Index body = bodies.of_facet[static_cast<std::size_t>(f)];
@@ -169,8 +177,8 @@ Connected connect_nodes(Model& model, const std::string& name, const contact::Bo
   return connected;
 }
 
-std::vector<Connected> connect_edges(Model& model, const std::string& name, const contact::Bodies& bodies, const std::vector<Skin>& skins,
-                                     const mesh::Surface& surface, const InterfaceOptions& options) {
+std::vector<Connected> connect_edges(Model& model, const std::string& name, const contact::Bodies& bodies, const contact::Beside& beside,
+                                     const std::vector<Skin>& skins, const mesh::Surface& surface, const InterfaceOptions& options) {
   contact::Interface interface = common_to_both(model, name + "_edges", bodies, surface, options);
   const std::vector<Subset> planes = symmetry_planes(model);
   for (std::size_t b = 0; b < skins.size(); ++b)
@@ -181,6 +189,7 @@ std::vector<Connected> connect_edges(Model& model, const std::string& name, cons
     }
   if (!has_ridges(interface.edges, model.mesh.X)) return {};
   interface.kind = contact::InterfaceKind::edges;
+  interface.base.beside = beside;
   interface.method = contact::Method::multiplier;
   interface.base_edges = interface.edges;
   interface.apexes = interface.base_nodes = contact::nodes_of(interface.edges);
@@ -199,12 +208,13 @@ std::vector<Connected> connect_automatic(Model& model, const std::string& name, 
                                          const std::vector<std::pair<std::string, std::string>>& apart, const InterfaceOptions& options) {
   check(model.mass.size() == model.mesh.X.cols(), "finalize() a model before it gets an interface");
   const std::vector<Skin> skins = skins_of(model, list);
-  const contact::Bodies bodies = bodies_of(model, list, skins, apart, options);
+  const contact::Bodies bodies = bodies_of(list, skins, apart, options);
+  const contact::Beside beside = beside_of(model, list, skins);
   const mesh::Surface surface = joined(name, skins);
   std::vector<Connected> connected;
-  connected.push_back(connect_nodes(model, name, bodies, skins, surface, options));
+  connected.push_back(connect_nodes(model, name, bodies, beside, skins, surface, options));
   if (!options.edges) return connected;
-  for (Connected& edges : connect_edges(model, name, bodies, skins, surface, options)) connected.push_back(std::move(edges));
+  for (Connected& edges : connect_edges(model, name, bodies, beside, skins, surface, options)) connected.push_back(std::move(edges));
   return connected;
 }
 

@@ -108,7 +108,7 @@ TEST(ConnectAutomatic, OfABodyWithItselfLooksOnlyAtWhatIsNotBesideInTheMesh) {
     for (Index i = 0; i < near.facets; ++i, ++seen) {
       const Index facet = memory.near_facets[static_cast<std::size_t>(near.first_facet + i)];
       for (const Index node : nodes.base.facets.col(facet))
-        EXPECT_FALSE(contact::is_beside(nodes.bodies, nodes.apexes[static_cast<std::size_t>(near.apex)], node));
+        EXPECT_FALSE(contact::is_beside(nodes.base.beside, nodes.apexes[static_cast<std::size_t>(near.apex)], node));
     }
   EXPECT_GT(seen, 100);
   EXPECT_NEAR(connected[0].gaps.least, 0.06, 1e-12);

@@ -1,5 +1,7 @@
-#include "contact/bodies.hpp"
+#include "contact/beside.hpp"
 
+#include <algorithm>
+#include <functional>
 #include <map>
 #include <queue>
 #include <set>
@@ -29,7 +31,7 @@ std::map<Index, double> reached(const Ways& ways, Index from, double reach) {
 
 }  // namespace
 
-void add_beside(const Table<3>& facets, const Vectors& X, const Scalars& reach, Bodies& bodies) {
+Beside find_beside(const Table<3>& facets, const Vectors& X, const Scalars& reach) {
   const auto nodes = static_cast<std::size_t>(X.cols());
   Ways ways(nodes);
   for (const auto& facet : facets.colwise())
@@ -51,8 +53,13 @@ void add_beside(const Table<3>& facets, const Vectors& X, const Scalars& reach, 
     }
     begin.push_back(static_cast<Index>(all.size()));
   }
-  bodies.beside_begin = std::move(begin);
-  bodies.beside = std::move(all);
+  return {std::move(begin), std::move(all)};
+}
+
+bool is_beside(const Beside& beside, Index node, Index other) {
+  if (beside.begin.empty()) return false;
+  const auto first = beside.nodes.begin() + beside.begin[static_cast<std::size_t>(node)];
+  return std::binary_search(first, beside.nodes.begin() + beside.begin[static_cast<std::size_t>(node) + 1], other);
 }
 
 }  // namespace nereid::contact
