@@ -80,12 +80,17 @@ def moved(data, factor):
 
 
 def half(data):
-    """What lies at y >= 0."""
+    """What lies at y >= 0; of contact elements those that lie there whole, since a clipped list of lines and triangles loses which is which."""
     plane = vtk.vtkPlane()
     plane.SetNormal(0, 1, 0)
-    clip = vtk.vtkClipPolyData() if data.IsA("vtkPolyData") else vtk.vtkTableBasedClipDataSet()
+    if data.IsA("vtkPolyData"):
+        clip = vtk.vtkExtractPolyDataGeometry()
+        clip.SetImplicitFunction(plane)
+        clip.ExtractInsideOff()
+    else:
+        clip = vtk.vtkTableBasedClipDataSet()
+        clip.SetClipFunction(plane)
     clip.SetInputData(data)
-    clip.SetClipFunction(plane)
     clip.Update()
     return clip.GetOutput()
 

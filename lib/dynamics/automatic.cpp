@@ -115,6 +115,14 @@ contact::Between of_all(const contact::Bodies& bodies) {
   return all;
 }
 
+/// About the side of a face: of bodies with fine and coarse meshes that which as many have longer as shorter. [m]
+double usual_side(const mesh::Mesh& mesh, const mesh::Surface& surface) {
+  Scalars areas = mesh::facet_areas(mesh, surface);
+  const auto middle = areas.begin() + areas.size() / 2;
+  std::nth_element(areas.begin(), middle, areas.end());
+  return std::sqrt(2 * *middle);
+}
+
 /// What both interfaces of an automatic contact have.
 contact::Interface common_to_both(const Model& model, const std::string& name, const contact::Bodies& bodies, const mesh::Surface& surface,
                                   const InterfaceOptions& options) {
@@ -124,7 +132,7 @@ contact::Interface common_to_both(const Model& model, const std::string& name, c
   interface.bodies = bodies;
   interface.restitution = options.restitution;
   interface.friction = options.friction;
-  interface.margin = std::sqrt(2 * mesh::facet_areas(model.mesh, surface).mean());
+  interface.margin = usual_side(model.mesh, surface);
   interface.longest_step = element_step(model);
   if (model.inertia.size() > 0) interface.rotation_of_node = model.rotation_of_node;
   return interface;

@@ -145,6 +145,15 @@ TEST(EntryOfAnApex, BetweenBothSidesOfASheetAtTheStartIsOnTheNearerSide) {
   }
 }
 
+TEST(NearestOf, ASheetWithBothSidesIsTheSideInFront) {
+  for (const double side : {1.0, -1.0}) {
+    const Scene scene = press(with_both_sides(sheet(4, 4, flat)), {{1.2, 1.3, 0.2 * side}}, 0.1);
+    const Feature& feature = scene.memory.feature[0];
+    EXPECT_EQ(facet_normal(scene.interface.base, scene.x, feature.facet).z(), side);
+    EXPECT_NEAR(scene.memory.gap[0], 0.1, 1e-15);
+  }
+}
+
 TEST(EntryOfAnApex, SlidesAroundTheRimOfASheetWithBothSides) {
   constexpr double h = 0.1, deep = 0.02;
   const auto round = [](double way) {  // along the top, around the rim at x = 4, and along the bottom
