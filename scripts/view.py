@@ -80,7 +80,7 @@ def moved(data, factor):
 
 
 def half(data):
-    """What lies at y >= 0; of contact elements those that lie there whole, since a clipped list of lines and triangles loses which is which."""
+    """What lies at y >= 0; contact elements stay whole, since a clipped list of lines and triangles loses which is which."""
     plane = vtk.vtkPlane()
     plane.SetNormal(0, 1, 0)
     if data.IsA("vtkPolyData"):
