@@ -46,7 +46,9 @@ bool stays(const Interface& interface, const Memory& memory, double moved, const
 /// Finds which apexes are in contact, or near to it, where the nodes would be.
 void find(const Interface& interface, const Motion& m, Memory& memory, Workspace& workspace, Multipliers& all) {
   const auto look = [&](const Vectors& x, const Vectors& way, double dt) {
-    const double moved = search_where_due(interface, x, way, memory, workspace);
+    const bool automatic = interface.bodies.count() > 0;  // which has been searched for
+    const double ahead = &x == &all.ahead ? all.way_apart : 0;
+    const double moved = automatic ? memory.way + ahead : search_where_due(interface, x, way, memory, workspace);
     parallel_for(static_cast<Index>(memory.near.size()), 64, [&](Index i) {
       Near& near = memory.near[i];
       near.pressed = near.element.closed && m.dt > 0 ? near.element.apex.norm() : 0;
@@ -451,13 +453,16 @@ Multipliers make_multipliers(std::span<const Interface> interfaces, std::span<co
   all.spin = Vectors::Zero(3, plate_nodes);
   all.shared = all.mobility = Scalars::Zero(nodes);
   std::size_t apexes = 0;
-  std::vector<bool> acts(static_cast<std::size_t>(nodes), false);
-  const auto see = [&](const Subset& some) {
-    for (const Index node : some) acts[static_cast<std::size_t>(node)] = true;
+  std::vector<char> acts(static_cast<std::size_t>(nodes), 0), always = acts;
+  const auto see = [&](const Subset& some, bool is_automatic = false) {
+    for (const Index node : some) acts[static_cast<std::size_t>(node)] = 1;
+    for (const Index node : some)
+      if (!is_automatic) always[static_cast<std::size_t>(node)] = 1;
   };
   for (const Interface& interface : interfaces) {
     if (!by_multipliers(interface)) continue;
-    see(interface.apexes), see(interface.base_nodes);
+    const bool is_automatic = interface.bodies.count() > 0;
+    see(interface.apexes, is_automatic), see(interface.base_nodes, is_automatic);
     if (!bonded_by_multipliers(interface)) apexes += interface.apexes.size();
   }
   for (const RigidPlane& plane : planes) {
@@ -466,7 +471,9 @@ Multipliers make_multipliers(std::span<const Interface> interfaces, std::span<co
     apexes += plane.nodes.size();
   }
   for (Index node = 0; node < nodes; ++node)
-    if (acts[static_cast<std::size_t>(node)]) all.nodes.push_back(node);
+    if (acts[static_cast<std::size_t>(node)] != 0) all.nodes.push_back(node);
+  for (const Index node : all.nodes)
+    if (always[static_cast<std::size_t>(node)] != 0) all.always.push_back(node);
   all.conditions.reserve(most_of_an_apex * apexes);
   all.along.reserve(5 * most_of_an_apex * apexes);
   all.frictions.reserve(apexes);
@@ -549,8 +556,6 @@ void find_conditions(const Interface& interface, const Motion& m, Memory& memory
     add({.memory = &restitution, .first = first, .last = last, .friction = friction, .area = area, .depth = pair.depth,
          .impedance = interface.pass_factor * pair.impedance * area, .square = interface.restitution * interface.restitution}, all);
   }
-  for (std::size_t a = 0; a < memory.restitution.size(); ++a)
-    if (memory.slot[a] < 0 && memory.restitution[a].held != 0) discard(memory.restitution[a], memory.impact);
   let_yield(memory.friction_owed, interface.depth, m, first_friction, all);
 }
 

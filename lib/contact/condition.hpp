@@ -117,6 +117,10 @@ struct Multipliers {
   Scalars shared;       ///< [m2] [nodes] sum of the weights of all conditions times their areas; look_ahead() begins it
   Scalars mobility;     ///< [1/kg] [nodes] of what was looked ahead for
   Subset nodes;         ///< on which multipliers can act, ascending
+  Subset always;        ///< of these what is not only of automatic contacts
+  Subset looked_at;     ///< that and the skins of bodies that are awake, ascending
+  bool has_looked = false;  ///< whether `looked_at` is listed
+  double way_apart = 0;  ///< [m] in an automatic contact, that nodes go against each other in the step to come, at most
   std::vector<Condition> conditions;
   std::vector<Vec3> along;   ///< what constraints let through of the normals of conditions, node by node that they act on
   std::vector<FrictionCondition> frictions;

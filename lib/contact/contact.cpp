@@ -161,7 +161,7 @@ Source source(const Interface& interface) {
 
 void post(const Interface& interface, const Memory& memory, Account& account) {
   account.work = memory.work;
-  account.hold(Stored::penalty, stored(memory));
+  account.hold(Stored::penalty, by_multipliers(interface) ? 0 : stored(memory));
   if (!bonded_by_multipliers(interface)) account.hold(Stored::restitution, memory.held);
   account.hold(Stored::tangential_penalty, tangential_stored(memory));
   account.dissipated[Dissipated::damping] = memory.damped;

@@ -214,7 +214,7 @@ void search_crossings(const Interface& interface, const Vectors& x, Memory& memo
 
 void find_crossings(const Interface& interface, const Motion& m, Memory& memory, Workspace& workspace, Multipliers& all) {
   const double h = 0.5 * (m.dt + m.next);
-  search_where_due(interface, m.x, all.way, memory, workspace);
+  if (interface.bodies.count() == 0) search_where_due(interface, m.x, all.way, memory, workspace);
   for (Crossing& crossing : memory.crossings) {
     Over at;
     bool acts = follow(interface, m, all, crossing, at);

@@ -354,6 +354,45 @@ bool any_touched(const Multipliers& all) {
   return false;
 }
 
+bool is_automatic(const Interface& interface) { return interface.bodies.count() > 0 && by_multipliers(interface); }
+bool any_automatic(const Acting& acting) { return std::any_of(acting.interfaces.begin(), acting.interfaces.end(), is_automatic); }
+
+/// Searches for automatic contacts, and lists the nodes that are to be looked at.
+void wake(const Acting& acting, const Motion& m, std::span<Workspace> workspaces, Multipliers& all) {
+  if (!any_automatic(acting)) {
+    if (!all.has_looked) all.looked_at = all.nodes, all.has_looked = true;
+    return;
+  }
+  const double apart = speed_apart(m.v);
+  bool searched = !all.has_looked;
+  for (std::size_t i = 0; i < acting.interfaces.size(); ++i)
+    if (is_automatic(acting.interfaces[i]))
+      searched = search_bodies_where_due(acting.interfaces[i], m.x, m.v, m.dt * apart, m.next * apart, acting.memories[i], workspaces[i]) ||
+                 searched;
+  if (!searched) return;
+  std::vector<char> looked_at(static_cast<std::size_t>(m.x.cols()), 0);
+  const auto look_at = [&](Index node) {
+    if (node >= 0) looked_at[static_cast<std::size_t>(node)] = 1;
+  };
+  for (const Index node : all.always) look_at(node);
+  for (std::size_t i = 0; i < acting.interfaces.size(); ++i) {
+    if (!is_automatic(acting.interfaces[i])) continue;
+    const Interface& interface = acting.interfaces[i];
+    const auto awake = [&](Index body) { return acting.memories[i].awake[static_cast<std::size_t>(body)] != 0; };
+    for (std::size_t a = 0; a < interface.bodies.of_apex.size(); ++a)
+      if (awake(interface.bodies.of_apex[a])) look_at(interface.apexes[a]);
+    for (std::size_t e = 0; e < interface.edges.body.size(); ++e)
+      for (int end = 0; end < 2 && awake(interface.edges.body[e]); ++end) {
+        const auto edge = static_cast<Eigen::Index>(e);
+        look_at(interface.edges.nodes(end, edge)), look_at(interface.edges.across(end, edge));
+      }
+  }
+  all.has_looked = true;
+  all.looked_at.clear();
+  for (std::size_t node = 0; node < looked_at.size(); ++node)
+    if (looked_at[node] != 0) all.looked_at.push_back(static_cast<Index>(node));
+}
+
 /// Finds the conditions of all contacts by multipliers, their impulses, and the work of these.
 void find_impulses(const Acting& acting, const Motion& m, std::span<Workspace> workspaces, Multipliers& all) {
   all.conditions.clear();
@@ -361,7 +400,9 @@ void find_impulses(const Acting& acting, const Motion& m, std::span<Workspace> w
   all.contactors.clear();
   all.frictions.clear();
   all.first.assign(acting.interfaces.size() + acting.planes.size() + 1, 0);
-  look_ahead(all.nodes, m, all);
+  wake(acting, m, workspaces, all);
+  look_ahead(all.looked_at, m, all);
+  all.way_apart = any_automatic(acting) ? m.next * speed_apart(all.velocity, all.looked_at) : 0;
   if (m.rigid) look_ahead(*m.rigid, m, all);
   find_bonds(acting.interfaces, m, acting.memories, all.velocity, all.bonds);
   see_ahead(all.bonds.nodes, m, all);

@@ -1,11 +1,13 @@
 #include "contact/near.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 #include "base/parallel.hpp"
 #include "contact/crossing.hpp"
+#include "contact/restitution.hpp"
 #include "geometry/height.hpp"
 
 namespace nereid::contact {
@@ -13,6 +15,10 @@ namespace nereid::contact {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// Cosine between the normals of an apex and a facet of one solid: with a larger one they do not come to face each other before the next
+/// search. It leaves next to nothing of a body that does not fold.
+constexpr double looks_away = 0.5;
 
 /// The largest squared way of nodes from where they were, less a common way; adds up the ways. [m2]
 double farthest_moved(const Subset& nodes, const Vectors& x, const Vectors& then, const Vec3& common, Vec3& sum) {
@@ -31,6 +37,7 @@ void keep_positions(const Subset& nodes, const Vectors& x, Vectors& then) {
 
 /// Leaves an apex alone until a search finds it near its base again.
 void unpair(Index a, Memory& memory) {
+  if (!memory.restitution.empty()) discard(memory.restitution[a], memory.impact);
   memory.feature[a].facet = -1;
   memory.status[a] = Status::unpaired;
   memory.gap[a] = std::numeric_limits<double>::quiet_NaN();
@@ -111,10 +118,29 @@ void find_partners(const Interface& interface, const Vectors& x, double margin, 
   }
 }
 
+/// Computes the normals of the facets of bodies that touch themselves.
+void find_normals(const Interface& interface, const Vectors& x, Workspace& workspace) {
+  const Bodies& bodies = interface.bodies;
+  workspace.normals.resize(3, interface.base.facets.cols());
+  for (Index b = 0; b < bodies.count(); ++b) {
+    if (bodies.touch[bodies.pair(b, b)] == 0) continue;
+    for (Index f = bodies.first_facet[b]; f < bodies.first_facet[b + 1]; ++f) workspace.normals.col(f) = facet_normal(interface.base, x, f);
+  }
+}
+
+/// The mean normal of the facets of solids at an apex; zero on sheets.
+Vec3 mean_normal(const BaseSurface& base, const Vectors& normals, Index node) {
+  Vec3 sum = Vec3::Zero();
+  for (Index r = base.ring_begin[node]; r < base.ring_begin[node + 1]; ++r)
+    if (!is_sheet(base, base.ring[r])) sum += normals.col(base.ring[r]);
+  return sum.isZero(0) ? sum : Vec3(sum.normalized());
+}
+
 /// Sorts the facets that may be near an apex by where they are; false where positions cannot be searched.
 bool sort(const Interface& interface, const Vectors& x, double margin, Workspace& workspace) {
   if (interface.bodies.count() == 0) return workspace.broad[0].sort(interface.base, x);
   find_partners(interface, x, margin, workspace);
+  find_normals(interface, x, workspace);
   std::vector<char> wanted(static_cast<std::size_t>(interface.bodies.count()), 0);
   for (const Index partner : workspace.partners) wanted[static_cast<std::size_t>(partner)] = 1;
   for (std::size_t b = 0; b < wanted.size(); ++b)
@@ -136,8 +162,14 @@ void visit_near(const Interface& interface, const Vectors& x, const Memory& memo
     const double farther = reach + bodies.thickest(other);
     const BodyBox& box = workspace.boxes[body];
     if (((box.low - eigen(p)).array() > farther).any() || ((eigen(p) - box.high).array() > farther).any()) continue;
-    workspace.broad[body].within(interface.base, x, p, farther, [&](Index facet, double) {
-      if (own != other || !is_beside(interface.base, interface.apexes[a], facet)) visit(facet);
+    const auto see = [&](Index facet, double) { visit(facet); };
+    if (own != other) {
+      workspace.broad[body].within(interface.base, x, p, farther, see);
+      continue;
+    }
+    const Vec3 mine = mean_normal(interface.base, workspace.normals, interface.apexes[a]);
+    workspace.broad[body].within(interface.base, x, p, farther, see, [&](Index facet) {
+      return mine.dot(workspace.normals.col(facet)) < looks_away && !is_beside(interface.base, interface.apexes[a], facet);
     });
   }
 }
@@ -180,6 +212,53 @@ void search(const Interface& interface, const Vectors& x, Memory& memory, Worksp
     visit_near(interface, x, memory, workspace, one.apex, [&](Index facet) { memory.near_facets[at++] = facet; });
     std::sort(memory.near_facets.begin() + one.first_facet, memory.near_facets.begin() + at);
   });
+}
+
+double speed_apart(const Vectors& v) {
+  constexpr Eigen::Index columns = 4;  // at a time, so that a whole number of registers is full
+  std::array<double, 3 * columns> low, high;
+  low.fill(infinite), high.fill(-infinite);
+  const double* at = v.data();
+  const Eigen::Index whole = v.cols() / columns * columns;
+  for (Eigen::Index i = 0; i < 3 * whole; i += 3 * columns)
+    for (std::size_t k = 0; k < low.size(); ++k) {
+      const double value = at[static_cast<std::size_t>(i) + k];
+      low[k] = value < low[k] ? value : low[k];
+      high[k] = value > high[k] ? value : high[k];
+    }
+  Vec3 least = Vec3::Constant(infinite), most = -least;
+  for (std::size_t k = 0; k < low.size(); ++k) {
+    const auto axis = static_cast<Eigen::Index>(k % 3);
+    least(axis) = std::min(least(axis), low[k]), most(axis) = std::max(most(axis), high[k]);
+  }
+  for (Eigen::Index i = whole; i < v.cols(); ++i) least = least.cwiseMin(v.col(i)), most = most.cwiseMax(v.col(i));
+  return v.cols() > 0 ? (most - least).norm() : 0;
+}
+
+double speed_apart(const Vectors& v, const Subset& nodes) {
+  Vec3 least = Vec3::Constant(infinite), most = -least;
+  for (const Index node : nodes) least = least.cwiseMin(v.col(node)), most = most.cwiseMax(v.col(node));
+  return nodes.empty() ? 0 : (most - least).norm();
+}
+
+bool search_bodies_where_due(const Interface& interface, const Vectors& x, const Vectors& v, double way, double ahead, Memory& memory,
+                             Workspace& workspace) {
+  memory.way += way;
+  if (memory.searches > 0 && memory.way + ahead <= 0.5 * memory.margin) return false;
+  memory.margin = margin_of(interface, v);
+  memory.way = 0;
+  if (interface.kind == InterfaceKind::edges) search_crossings(interface, x, memory, workspace);
+  else search(interface, x, memory, workspace);
+  memory.awake.assign(static_cast<std::size_t>(interface.bodies.count()), 0);
+  for (const Near& near : memory.near) {
+    memory.awake[static_cast<std::size_t>(interface.bodies.of_apex[near.apex])] = 1;
+    for (const Index facet : near_facets(memory, near)) memory.awake[static_cast<std::size_t>(interface.bodies.of_facet[facet])] = 1;
+  }
+  for (const Crossing& crossing : memory.crossings) {
+    memory.awake[static_cast<std::size_t>(interface.edges.body[crossing.edge])] = 1;
+    memory.awake[static_cast<std::size_t>(interface.base_edges.body[crossing.base_edge])] = 1;
+  }
+  return true;
 }
 
 double search_where_due(const Interface& interface, const Vectors& x, const Vectors& v, Memory& memory, Workspace& workspace) {

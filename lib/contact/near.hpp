@@ -46,6 +46,17 @@ void search(const Interface&, const Vectors& x, Memory&, Workspace&);
 /// Notes where a search has found apexes and base.
 void keep_search(const Interface&, const Vectors& x, Memory&);
 
+/// The largest speed of nodes against each other, at most: the diagonal of the box around their velocities. [m/s]
+double speed_apart(const Vectors& v);
+double speed_apart(const Vectors& v, const Subset& nodes);
+
+/// Searches for an automatic contact if its bodies may have gone by half of the margin since the last search, and looks which are awake.
+///
+/// way    [m] that nodes have gone against each other at most in the step that led to x
+/// ahead  [m] the same of the step to come
+/// returns  whether it has searched
+bool search_bodies_where_due(const Interface&, const Vectors& x, const Vectors& v, double way, double ahead, Memory&, Workspace&);
+
 /// Searches if apexes and base have moved by half of the margin since the last search.
 ///
 /// v  [m/s] that they may go on with

@@ -20,9 +20,14 @@ class BroadSearch {
   /// The facet nearest to a point, or -1 if none is nearer than `reach` [m] or the point is not finite or farther than
   /// farthest_place; after sort() at the same x.
   Index nearest(const BaseSurface& base, const Vectors& x, const Vector<double>& point, double reach) const;
-  /// Calls visit(facet, distance squared) for all facets nearer to a point than `reach`; after sort() at the same x.
+  /// Calls visit(facet, distance squared) for all facets nearer to a point than `reach` that are wanted(facet), which is asked first;
+  /// after sort() at the same x.
+  template <class Visit, class Wanted>
+  void within(const BaseSurface& base, const Vectors& x, const Vector<double>& point, double reach, Visit&& visit, Wanted&& wanted) const;
   template <class Visit>
-  void within(const BaseSurface& base, const Vectors& x, const Vector<double>& point, double reach, Visit&& visit) const;
+  void within(const BaseSurface& base, const Vectors& x, const Vector<double>& point, double reach, Visit&& visit) const {
+    within(base, x, point, reach, visit, [](Index) { return true; });
+  }
 
  private:
   struct Box {
@@ -41,14 +46,16 @@ class BroadSearch {
   Box cells_around(const Vector<double>& point, double reach) const;  ///< those with the centres of all facets nearer than reach
 };
 
-template <class Visit>
-void BroadSearch::within(const BaseSurface& base, const Vectors& x, const Vector<double>& point, double reach, Visit&& visit) const {
+template <class Visit, class Wanted>
+void BroadSearch::within(const BaseSurface& base, const Vectors& x, const Vector<double>& point, double reach, Visit&& visit,
+                         Wanted&& wanted) const {
   if (!can_find(point)) return;
   const Box box = cells_around(point, reach);
   for (int k = box.first.z(); k <= box.last.z(); ++k)
     for (int j = box.first.y(); j <= box.last.y(); ++j)
       for (int i = box.first.x(); i <= box.last.x(); ++i)
         for (Index at = begin_[cell_of(i, j, k)]; at < begin_[cell_of(i, j, k) + 1]; ++at) {
+          if (!wanted(facets_[at])) continue;
           const double squared = geometry::closest_on_triangle(corners(base, x, facets_[at]), point).distance_squared;
           if (squared < reach * reach) visit(facets_[at], squared);
         }

@@ -40,9 +40,9 @@ std::vector<Skin> skins_of(const Model& model, const std::vector<TouchingBody>& 
     const mesh::Surface& surface = mesh::surface(model.mesh, body.name + ".skin");
     const mesh::Surface plates = part_of(surface, true);
     Side side = side_of(model, surface);
-    const double half = plates.facets.cols() > 0 ? side_of(model, plates).half_thickness : 0;
-    side.turns = half > 0, side.half_thickness = half;
-    skins.push_back({&surface, side, half});
+    const Side of_plates = plates.facets.cols() > 0 ? side_of(model, plates) : Side{};
+    side.turns = of_plates.turns, side.half_thickness = of_plates.half_thickness;
+    skins.push_back({&surface, side, of_plates.half_thickness});
   }
   return skins;
 }

@@ -58,7 +58,15 @@ struct Behind {
   double depth, stiffness;  // [m] [Pa/m]
 };
 
+/// Whether a block may have an element on a surface: not where the numbers of their nodes lie apart, as those of different bodies do.
+bool may_be_behind(const element::AnyBlock& any, const mesh::Surface& surface) {
+  const auto& nodes = element::nodes(any);
+  if (nodes.size() == 0 || surface.facets.size() == 0) return false;
+  return nodes.minCoeff() <= surface.facets.maxCoeff() && surface.facets.minCoeff() <= nodes.maxCoeff();
+}
+
 std::vector<Behind> elements_behind(const element::AnyBlock& any, const mesh::Mesh& mesh, const mesh::Surface& surface) {
+  if (!may_be_behind(any, surface)) return {};
   const material::Lame lame = std::visit([](const auto& block) { return material::lame(block.law); }, any);
   std::vector<Behind> list;
   for (const Face& face : faces(element::nodes(any), mesh, surface)) {

@@ -59,8 +59,7 @@ contact::Between between(const Side& apexes, const Side& base, const InterfaceOp
   pair.depth = apexes.depth > 0 && base.depth > 0 ? std::min(apexes.depth, base.depth) : std::max(apexes.depth, base.depth);
   const bool multipliers = options.method == contact::Method::multiplier;
   pair.release_height = multipliers ? contact::multipliers_reach * pair.depth : 0;
-  const double halves = apexes.half_thickness + base.half_thickness;
-  if (apexes.turns || base.turns) pair.arm_of_apex = apexes.half_thickness / halves;
+  if (apexes.turns) pair.arm_of_apex = apexes.half_thickness / (apexes.half_thickness + base.half_thickness);
   return pair;
 }
 

@@ -22,6 +22,8 @@ Side side_of(const Model&, const mesh::Surface&);
 /// What two surfaces have together. A penalty that is not given is `penalty_scale` times the stiffness of the softer side; a rigid body
 /// gives way nowhere, and only between two of them its modulus counts.
 ///
+/// Apexes that do not turn, as those of rigid plates, take no part of the arm of friction: the base has all of it.
+///
 /// share  [-] of the penalty: 1, or 1/2 in each of two passes
 contact::Between between(const Side& apexes, const Side& base, const InterfaceOptions&, double share);
 

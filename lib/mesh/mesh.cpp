@@ -117,8 +117,11 @@ namespace {
 constexpr int face_corners[6][4] = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 4, 7, 3}, {1, 2, 6, 5}};
 
 /// A number for the hexahedron and face that a facet lies in, or -1: the first that has all its nodes.
-std::int64_t face_of(const Mesh& mesh, const std::vector<std::vector<std::int64_t>>& elements_of, const Eigen::Matrix<Index, 3, 1>& facet) {
-  for (const std::int64_t at : elements_of[facet(0)]) {
+///
+/// elements_of  those of each node from `first` on
+std::int64_t face_of(const Mesh& mesh, const std::vector<std::vector<std::int64_t>>& elements_of, Index first,
+                     const Eigen::Matrix<Index, 3, 1>& facet) {
+  for (const std::int64_t at : elements_of[static_cast<std::size_t>(facet(0) - first)]) {
     const auto region = static_cast<std::size_t>(at >> 32);
     const auto corners = mesh.hexahedra[region].nodes.col(static_cast<Eigen::Index>(at & 0xffffffff));
     for (int f = 0; f < 6; ++f) {
@@ -134,17 +137,22 @@ std::int64_t face_of(const Mesh& mesh, const std::vector<std::vector<std::int64_
 }  // namespace
 
 Table<4> faces(const Mesh& mesh, const Surface& surface) {
-  std::vector<std::vector<std::int64_t>> elements_of(static_cast<std::size_t>(mesh.X.cols()));
+  if (surface.facets.cols() == 0) return Table<4>(4, 0);
+  const Index first_node = surface.facets.minCoeff(), last_node = surface.facets.maxCoeff();  // of one body, of many
+  std::vector<std::vector<std::int64_t>> elements_of(static_cast<std::size_t>(last_node - first_node) + 1);
   for (std::size_t region = 0; region < mesh.hexahedra.size(); ++region) {
     const auto& nodes = mesh.hexahedra[region].nodes;
+    if (nodes.cols() == 0 || nodes.minCoeff() > last_node || nodes.maxCoeff() < first_node) continue;
     for (Index element = 0; element < nodes.cols(); ++element)
-      for (const Index node : nodes.col(element)) elements_of[node].push_back(static_cast<std::int64_t>(region) << 32 | element);
+      for (const Index node : nodes.col(element))
+        if (node >= first_node && node <= last_node)
+          elements_of[static_cast<std::size_t>(node - first_node)].push_back(static_cast<std::int64_t>(region) << 32 | element);
   }
   std::vector<Eigen::Matrix<Index, 4, 1>> all;
   std::map<std::int64_t, std::size_t> half;  // faces of which one facet has been seen
   for (Index f = 0; f < surface.facets.cols(); ++f) {
     const Eigen::Matrix<Index, 3, 1> facet = surface.facets.col(f);
-    const std::int64_t face = face_of(mesh, elements_of, facet);
+    const std::int64_t face = face_of(mesh, elements_of, first_node, facet);
     const auto other = face < 0 ? half.end() : half.find(face);
     if (other == half.end()) {
       if (face >= 0) half[face] = all.size();

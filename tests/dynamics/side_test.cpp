@@ -62,6 +62,8 @@ TEST(Between, SharesTheArmOfFrictionByThickness) {
   EXPECT_DOUBLE_EQ(between(plate, other, {}, 1).arm_of_apex, 0.75);
   EXPECT_EQ(between(solid, plate, {}, 1).arm_of_apex, 0);
   EXPECT_EQ(between(plate, solid, {}, 1).arm_of_apex, 1);
+  other.turns = false;
+  EXPECT_EQ(between(other, plate, {}, 1).arm_of_apex, 0) << "a rigid plate has no angular velocities of its nodes";
   EXPECT_DOUBLE_EQ(between(solid, plate, {}, 1).impedance, 7);
 }
 

@@ -1,0 +1,84 @@
+"""How close is close enough, why, and what must break."""
+from reference import nearest
+from verify import Breaks, Check, Figure, Pair, Report, created
+
+CATALOGUE = ()
+CLAIM = ("Bodies touch themselves: a tube is crushed to a third of its length, a strip of plates folds, and a ring of bricks closes, with "
+         "one automatic contact and no declared pair; nothing passes through itself at any frame.")
+EVIDENCE = "invariant"
+DRIVER = "scene"
+
+HERE = "verification/self_contact/"
+THICKNESS = 2e-3  # [m] of the strip
+APART = 10        # segments of the strip, 2.5 mm each: farther than it can bend
+
+
+def of(name):
+    return lambda run: run if name == "case" else run.other("scene", f"{HERE}{name}.yaml", run.overrides)
+
+
+def overlap(name):
+    return lambda run: Pair(of(name)(run).result("audit_overlap_elements"), 0, "", scale=1)
+
+
+def made(name):
+    return lambda run: created(of(name)(run))
+
+
+def lines(run):
+    """The nodes of the strip at the end, line by line, in the order along it."""
+    _, fields = of("strip")(run).frame("body")
+    rows = {}
+    for (x, y, z), u in zip(fields["points"], fields["displacement"]):
+        rows.setdefault(round(y, 6), []).append((x, (x + u[0], z + u[2])))
+    return [[place for _, place in sorted(row)] for row in rows.values()]
+
+
+def closest(run):
+    return Pair(min(nearest(line, APART) for line in lines(run)), THICKNESS, "m")
+
+
+def drilling(run):
+    """Of the energy that the tube took, what went into turns of its nodes about the normal, which stand for nothing."""
+    took = sum(run.column(f"energy_tube_{what}")[-1] for what in ("elastic", "plastic", "transverse_shear", "drilling", "viscous"))
+    return Pair(run.column("energy_tube_drilling")[-1] / took, 0, "", scale=1)
+
+
+DEPARTURES = {}
+
+WHY = "the bound of the audit's warning; what is seen is the way of a step and less"
+CHECKS = [
+    Check("deepest overlap of the crushed tube, in elements", overlap("case"), 0.1, WHY),
+    Check("deepest overlap of the folded strip, in elements", overlap("strip"), 0.1, WHY),
+    Check("deepest overlap of the closed ring, in elements", overlap("ring"), 0.1, WHY),
+    Check("created energy, tube", made("case"), 0.001, "a tenth of a per cent of what passed"),
+    Check("created energy, strip", made("strip"), 0.001, "a tenth of a per cent of what passed"),
+    Check("created energy, ring", made("ring"), 0.001, "a tenth of a per cent of what passed"),
+    Check("distance of the strip from itself", closest, 0.02,
+          "it touches at half of its thickness on both sides, and between two lines of nodes as well as on them"),
+    Report("energy of drilling over all that the tube took", drilling, "a penalty of the plate that coarse folds load: theory/plate.md"),
+]
+
+GO_ON = {"contacts[0].self_contact": "false", "time.overlap_limit": "1e9"}
+BREAKS = [
+    Breaks("deepest overlap of the crushed tube, in elements", "no contact with itself", GO_ON),
+    Breaks("deepest overlap of the folded strip, in elements", "no contact with itself", GO_ON),
+    Breaks("deepest overlap of the closed ring, in elements", "no contact with itself", GO_ON),
+    Breaks("distance of the strip from itself", "no contact with itself", GO_ON),
+]
+
+
+def folded(run):
+    places = lines(run)[0]
+    return [("mid-surface of one side", [1e3 * x for x, _ in places], [1e3 * z for _, z in places])]
+
+
+def pushed(run):
+    return [("tube", [20e3 * t for t in run.column("time")], [-4e-3 * f for f in run.column("force")])]
+
+
+FIGURES = [
+    Figure("strip", "x [mm]", "z [mm]", folded, caption="The strip at the end: it touches itself at its thickness."),
+    Figure("tube", "way of the ram [mm]", "force on a whole tube [kN]", pushed,
+           caption="Force on the ram as the tube is crushed to a third of its length: a peak for each fold."),
+]
