@@ -15,7 +15,8 @@
 //                         or by multipliers, without a penalty (multiplier.hpp, condition.hpp, foot.hpp,
 //                         restitution.hpp; bond.hpp)
 //              account    work, what is stored, dissipated and created: here, with forces, time step and output
-//              apex.hpp goes with one apex through all of them.
+//              apex.hpp goes with one apex through all of them. Of many bodies in one contact bodies.hpp has what pairs of them have,
+//              and beside.hpp what a node does not touch on its own body.
 //
 // On a plain and on a ridge the potential is the paper's element; in a valley both flanks push, and as the valley flattens the two
 // become one, so a tributary area counts exactly once: docs/theory/contact.md. A closed element may also rub, and a bonded one

@@ -12,7 +12,7 @@ DRIVER = "scene"
 
 SPEED, WAY = 10.0, 36e-3  # [m/s] [m] of the ram
 SHAPE = {key: TUBE[key] for key in ("radius", "thickness")}
-MESHES = {30: 3, 45: 4, 60: 6, 90: 8}  # cells along 60 mm, and of a core
+MESHES = {30: 3, 45: 4, 60: 6}  # cells along 60 mm, and of a core
 
 
 def meshed(run, cells):

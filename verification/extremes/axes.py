@@ -324,10 +324,24 @@ def at_random(first=0, count=29):
     return [cell("random", str(seed), "thrown", "", scenes.thrown, seed=seed) for seed in range(first, first + count)]
 
 
+def automatic(first=0, count=24):
+    """One contact of all bodies: thrown at random with plates from both sides, folds, piles."""
+    found = [cell("automatic", str(seed), "thrown", "", scenes.thrown, seed=seed, automatic=True) for seed in range(first, first + count)]
+    found += [cell("automatic", "fold", "strip", "solid", scenes.strip, automatic=True),
+              cell("automatic", "fold half", "strip", "solid", scenes.strip, automatic=True, squeeze=0.3)]
+    found += [cell("automatic", f"fold {v:g} thick", "strip", "plates", scenes.strip, automatic=True, plates=True, thickness=v)
+              for v in (0.0005, 0.001, 0.002, 0.004)]
+    found += [cell("automatic", f"fold {v} cells", "strip", "plates", scenes.strip, automatic=True, plates=True, cells=v)
+              for v in (20, 80)]
+    found += [cell("automatic", f"pile {v:g} steps", "ten cubes", name, scenes.pile, 600.0, steps=v, friction=mu)
+              for v in (1e4, 1e5) for name, mu in (("", 0.0), ("friction", 0.3))]
+    return found
+
+
 AXES = {"time step": time_step, "penalty": penalty, "stiffness ratio": stiffness, "density ratio": density, "mesh ratio": mesh_ratio,
         "aspect ratio": aspect, "Poisson": poisson, "speed": speed, "thickness": thickness, "friction": friction, "gap": gap,
         "ridge": ridges, "valley": valleys, "shapes": shapes, "ties": ties, "scale": scale, "distance": distance, "long": long_runs,
-        "random": at_random}
+        "random": at_random, "automatic": automatic}
 
 
 def cells(axis=None):

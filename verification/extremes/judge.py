@@ -74,6 +74,17 @@ def number(quantity):
     return float(value) * {"mm": 1e-3, "um": 1e-6, "ms": 1e-3, "us": 1e-6, "MPa": 1e6, "GPa": 1e9, "deg": math.pi / 180}.get(unit, 1.0)
 
 
+def declared(case):
+    """The contacts of a case, an automatic one as a pair of skins for each two of its bodies."""
+    found = []
+    for contact in case.get("contacts", []):
+        if contact.get("kind") != "automatic":
+            found.append(contact)
+            continue
+        names = contact.get("bodies") or [entry["name"] for entry in case["bodies"]]
+        found += [{**contact, "apexes": f"{one}.skin", "base": f"{other}.skin"} for n, one in enumerate(names) for other in names[:n]]
+    return found
+
 class Seen:
     """A finished run as the judge sees it."""
 
@@ -91,7 +102,7 @@ class Seen:
 
     def touching(self):
         """Names of bodies in any contact or at any rigid plane; of all bodies if there is none."""
-        surfaces = [contact[key] for contact in self.case.get("contacts", []) for key in ("apexes", "base")]
+        surfaces = [contact[key] for contact in declared(self.case) for key in ("apexes", "base")]
         surfaces += [plane["surface"] for plane in self.case.get("planes", []) if "surface" in plane]
         return {surface.partition(".")[0] for surface in surfaces} or set(self.bodies)
 
@@ -99,13 +110,13 @@ class Seen:
         """Bodies that must not be in each other."""
         if expected.pairs is not None:
             return [tuple(pair) for pair in expected.pairs]
-        found = [tuple(contact[key].partition(".")[0] for key in ("apexes", "base")) for contact in self.case.get("contacts", [])]
+        found = [tuple(contact[key].partition(".")[0] for key in ("apexes", "base")) for contact in declared(self.case)]
         return sorted({tuple(sorted(pair)) for pair in found})
 
     def accepts(self, pair):
         """Whether the case accepts that two bodies start in each other."""
         return any({contact[key].partition(".")[0] for key in ("apexes", "base")} == set(pair)
-                   for contact in self.case.get("contacts", []) if contact.get("initial_penetration") == "accept")
+                   for contact in declared(self.case) if contact.get("initial_penetration") == "accept")
 
     def is_free(self):
         """Whether nothing from outside acts, gravity apart."""
@@ -279,7 +290,7 @@ def depth_of_pair(seen, one, other):
 
 def depth_at_rims(seen, contact):
     """How deep nodes of plates went in a contact, whose rims it rounds [m]."""
-    pair = next(([entry[key].partition(".")[0] for key in ("apexes", "base")] for entry in seen.case.get("contacts", [])
+    pair = next(([entry[key].partition(".")[0] for key in ("apexes", "base")] for entry in declared(seen.case)
                  if entry["name"] == contact), [])
     bodies = [seen.bodies[name] for name in pair]
     return max((measure.depth_of_rounded(plate, other, frame.x) for plate, other in zip(bodies, bodies[::-1]) if plate.is_plate
@@ -288,7 +299,7 @@ def depth_at_rims(seen, contact):
 
 def named(seen, name):
     """The faces of a body that contacts name, together; None where one contact means all of them."""
-    surfaces = {contact[key] for contact in seen.case.get("contacts", []) for key in ("apexes", "base")
+    surfaces = {contact[key] for contact in declared(seen.case) for key in ("apexes", "base")
                 if contact[key].partition(".")[0] == name}
     faces = [seen.named_faces(surface) for surface in surfaces]
     return None if not faces or any(one is None for one in faces) else np.concatenate(faces)
@@ -775,5 +786,5 @@ def initial_depth(case, folder):
         count += len(here)
     X = np.concatenate(points)
     made = {name: measure.Body(cells, X, 1.0, thickness) for name, (cells, thickness) in bodies.items()}
-    pairs = {tuple(sorted(contact[key].partition(".")[0] for key in ("apexes", "base"))) for contact in case.get("contacts", [])}
+    pairs = {tuple(sorted(contact[key].partition(".")[0] for key in ("apexes", "base"))) for contact in declared(case)}
     return max((measure.overlap(made[one], made[other], X)[0] for one, other in pairs if one != other), default=0.0)

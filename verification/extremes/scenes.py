@@ -314,15 +314,16 @@ def bond(fine=1, offset=0.0, **keys):
                  {"a": (0, 0, 0.2)}, 0.01, 60, [("stands", "a", Z, 0.0, 0.001)], pairs=[], planes=[fixed("b.z_low")])
 
 
-def strip(fine=1, plates=False, squeeze=1.0, rows=2):
-    """A strip is folded by its ends until it goes through itself: only its own contact could find that."""
-    element = {"thickness": length(0.002)} if plates else None
-    straight = sheet((0, 0), (0.2, 0.01), (40 * fine, 2)) if plates else brick((0, 0, 0), (0.2, 0.01, 0.004), (40 * fine, 1, rows))
+def strip(fine=1, plates=False, squeeze=1.0, rows=2, automatic=False, thickness=0.002, cells=40):
+    """A strip is folded by its ends until it goes through itself: only its own contact finds that."""
+    element = {"thickness": length(thickness)} if plates else None
+    straight = sheet((0, 0), (0.2, 0.01), (cells * fine, 2)) if plates else brick((0, 0, 0), (0.2, 0.01, 0.004), (cells * fine, 1, rows))
     mesh = straight.mapped(lambda x, y, z: (x, y, z + 0.002 * math.sin(math.pi * x / 0.2)))
     mesh.sets = {"left": np.flatnonzero(mesh.points[:, 0] < 1e-9), "right": np.flatnonzero(mesh.points[:, 0] > 0.2 - 1e-9)}
     planes = [{"name": "left", "kind": "driven", "nodes": ["strip.left"], "velocity": {"value": ["1", "0", "0"], "unit": "m/s"}},
               {"name": "right", "kind": "driven", "nodes": ["strip.right"], "velocity": {"value": ["-1", "0", "0"], "unit": "m/s"}}]
-    return scene([body("strip", mesh, element=element)], [], {}, 0.14 * squeeze, 20, planes=planes)
+    contacts = [{"name": "all", "kind": "automatic"}] if automatic else []
+    return scene([body("strip", mesh, element=element)], contacts, {}, 0.14 * squeeze, 20, planes=planes)
 
 
 def sandwich(fine=1, thickness=1e-3, speed=0.02 * SOUND, both=False, end=None, **keys):
@@ -505,6 +506,21 @@ def stays_at_rest(fine=1, passes="one", skins=True, friction=0.0, gravity=10.0, 
     return made
 
 
+def pile(fine=1, bodies=10, steps=1e5, gravity=10.0, friction=0.0):
+    """Cubes that lie on each other under gravity, and the lowest on a block that is held; they go on lying there."""
+    half, name = SIZE / 2, "abcdefghij"
+    found = [body("base", box((-SIZE, -SIZE, -half), (SIZE, SIZE, 0), (3, 3, 1), fine))]
+    for n in range(bodies):
+        found.append(body(name[n], box((-half, -half, n * SIZE), (half, half, (n + 1) * SIZE), (2, 2, 2), fine)))
+    end = steps * 0.5 * half / SOUND
+    made = scene(found, [{"name": "all", "kind": "automatic", "friction": friction}], {}, end, 40,
+                 [("stands", name[n], axis, 0.0, SIZE / 100) for n in range(bodies) for axis in (X, Z)], planes=[fixed("base")],
+                 gravity=vector((0, 0, -gravity), "m/s^2"))
+    made.case["initial"] = []
+    made.expected.scale = DENSITY * SIZE**3 * gravity * SIZE / 10
+    return made
+
+
 def spin(fine=1, turns=1.0, speed=0.02 * SOUND, element=None, cells=(3, 3, 3), plates=False, pair=False):
     """A body spins freely, and keeps its energy and its shape; or two, with a contact between them that never closes."""
     omega = speed / SIZE
@@ -541,8 +557,9 @@ def shape(rng, fine, plates):
     return brick([-s / 2 for s in sides], [s / 2 for s in sides], [rng.randint(1, 3) * fine for _ in range(3)]), 0.0
 
 
-def thrown(fine=1, seed=0, bodies=None, plates=True):
-    """Bodies of random shape, turned and thrown at one another, with contact between all of them; the first may be a plate, of apexes."""
+def thrown(fine=1, seed=0, bodies=None, plates=True, automatic=False):
+    """Bodies of random shape, turned and thrown at one another, with contact between all of them; the first may be a plate, of apexes.
+    By an automatic contact any may be a plate, and they touch from both sides."""
     rng = random.Random(seed)
     many = bodies or rng.choice([2, 2, 2, 3, 4])
     passes, friction = rng.choice(["one", "two"]), rng.choice([0.0, 0.0, 0.2, 0.5, 1.0])
@@ -553,7 +570,7 @@ def thrown(fine=1, seed=0, bodies=None, plates=True):
     placed = []
     for n in range(many):
         state = rng.random()
-        mesh, thickness = shape(random.Random(f"{seed} {n} {state}"), fine, plates and n == 0)
+        mesh, thickness = shape(random.Random(f"{seed} {n} {state}"), fine, plates and (automatic or n == 0))
         mesh.points -= (mesh.points.min(axis=0) + mesh.points.max(axis=0)) / 2
         radius = float(np.linalg.norm(mesh.points, axis=1).max()) + thickness
         axis, angle = [rng.gauss(0, 1) for _ in range(3)], rng.uniform(0, 360)
@@ -578,6 +595,8 @@ def thrown(fine=1, seed=0, bodies=None, plates=True):
             plate = found[j][1].cells.shape[1] == 3
             contacts.append(contact(f"body{j}.{'top' if plate else 'skin'}", f"body{i}.skin", f"t{j}{i}", passes="one" if plate else passes,
                                     friction=friction, **penalty))
+    if automatic:
+        contacts = [{"name": "all", "kind": "automatic", "friction": friction, **penalty}]
     longest = max(np.linalg.norm(centre) for centre, _ in placed)
     end = 1.2 * longest / speed + 6 * SIZE / SOUND
     return scene(found, contacts, velocities, end, enough(speed * end, most=150))
