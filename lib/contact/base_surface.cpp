@@ -32,6 +32,7 @@ int edge_to(const BaseSurface& base, Index from, Index to) {
 struct Ray {
   const BaseSurface& base;
   const Vectors& X;
+  const Subset& body_of_facet;  // or empty
   Vec3 from, along;
   Index not_this;
   double first = std::numeric_limits<double>::infinity();
@@ -50,6 +51,8 @@ struct Ray {
   bool intersectObject(Index facet) {
     const Vec3 area = area_vector(base, X, facet);
     const double through = area.dot(along);
+    if (!body_of_facet.empty() && body_of_facet[static_cast<std::size_t>(facet)] != body_of_facet[static_cast<std::size_t>(not_this)])
+      return false;  // two bodies that touch or overlap
     if (facet == not_this || !(through > 1e-9 * area.norm())) return false;
     const auto c = corners(base, X, facet);
     const double way = area.dot(Vec3(X.col(base.facets(0, facet))) - from) / through;
@@ -62,7 +65,7 @@ struct Ray {
   }
 };
 
-void measure_thickness(BaseSurface& base, const Vectors& X) {
+void measure_thickness(BaseSurface& base, const Vectors& X, const Subset& body_of_facet) {
   const auto count = static_cast<Index>(base.facets.cols());
   Subset all(count);
   std::vector<Eigen::AlignedBox3d> boxes(count);
@@ -77,7 +80,7 @@ void measure_thickness(BaseSurface& base, const Vectors& X) {
   const Eigen::KdBVH<double, 3, Index> tree(all.begin(), all.end(), boxes.begin(), boxes.end());
   for (Index f = 0; f < count; ++f) {
     if (is_sheet(base, f)) continue;  // what is behind it is its other side
-    Ray ray{base, X, centre(base, X, f), -facet_normal(base, X, f), f};
+    Ray ray{base, X, body_of_facet, centre(base, X, f), -facet_normal(base, X, f), f};
     Eigen::BVIntersect(tree, ray);
     base.thickness(f) = ray.first;
   }
@@ -97,7 +100,7 @@ void measure_edges(BaseSurface& base, const Vectors& X) {
       if (across < 0) continue;
       const double cosine = std::clamp(n.dot(facet_normal(base, X, across)), -1.0, 1.0);
       const bool convex = n.dot(centre(base, X, across) - Vec3(X.col(one))) < 0;
-      base.wall[f][e] = base.other_side[f] == across || (convex && cosine < sharp);
+      base.wall[f][e] = is_rim_of_sheet(base, f, e) || (convex && cosine < sharp);
     }
   }
   for (Index f = 0; f < count; ++f)  // both sides see the same wall, whatever round-off says
@@ -156,13 +159,13 @@ Fans fans(const Table<3>& facets, Index nodes_of_mesh) {
   return made;
 }
 
-BaseSurface base_surface(const mesh::Surface& surface, const Vectors& X) {
+BaseSurface base_surface(const mesh::Surface& surface, const Vectors& X, const Subset& body_of_facet) {
   BaseSurface base;
   static_cast<Fans&>(base) = fans(surface.facets, static_cast<Index>(X.cols()));
   base.neighbour = mesh::neighbours(X, surface.facets);
   base.half.assign(base.facets.cols(), {});
   measure_edges(base, X);
-  measure_thickness(base, X);
+  measure_thickness(base, X, body_of_facet);
   return base;
 }
 
@@ -170,8 +173,7 @@ void goes_on_behind(BaseSurface& base, const Subset& nodes) {
   const auto on_plane = [&](Index node) { return std::binary_search(nodes.begin(), nodes.end(), node); };
   for (Index f = 0; f < base.facets.cols(); ++f)
     for (int e = 0; e < 3; ++e)
-      if ((base.neighbour(e, f) < 0 || base.neighbour(e, f) == base.other_side[static_cast<std::size_t>(f)]) &&
-          on_plane(base.facets(e, f)) && on_plane(base.facets((e + 1) % 3, f)))
+      if ((base.neighbour(e, f) < 0 || is_rim_of_sheet(base, f, e)) && on_plane(base.facets(e, f)) && on_plane(base.facets((e + 1) % 3, f)))
         base.neighbour(e, f) = image_of_facet, base.wall[f][e] = false;
 }
 
@@ -239,16 +241,20 @@ Vec3 front_of_vertex(const BaseSurface& base, const Vectors& x, Index facet, int
   const Index node = base.facets(local, facet);
   if (!is_sheet(base, facet)) return node_normal(base, x, node);
   Vec3 sum = facet_normal(base, x, facet);
-  Index here = facet;
-  for (Index hop = base.ring_begin[node]; hop < base.ring_begin[node + 1]; ++hop) {  // around it: no more than its facets
-    int at = 0;
-    while (base.facets(at, here) != node) ++at;
-    const Index next = base.neighbour(at, here);
-    if (next == facet) return sum.normalized();
-    if (next < 0 || next == base.other_side[static_cast<std::size_t>(here)]) return Vec3::Zero();
-    sum += facet_normal(base, x, here = next);
+  for (const int before : {0, 2}) {  // across the edge that begins at the node, then across that which ends there
+    Index here = facet;
+    for (Index hop = base.ring_begin[node]; hop < base.ring_begin[node + 1]; ++hop) {  // around it: no more than its facets
+      int at = 0;
+      while (base.facets(at, here) != node) ++at;
+      const int edge = (at + before) % 3;
+      if (is_rim_of_sheet(base, here, edge)) return Vec3::Zero();
+      here = base.neighbour(edge, here);
+      if (here == facet) return sum.normalized();
+      if (here < 0) break;  // in a symmetry plane
+      sum += facet_normal(base, x, here);
+    }
   }
-  return Vec3::Zero();
+  return sum.normalized();
 }
 
 }  // namespace
@@ -275,9 +281,11 @@ FeatureHeight height_over(const BaseSurface& base, const Vectors& x, const Featu
     over.height = at.height, over.normal = eigen(at.normal);
     over.weight[f.local] = at.weight[0], over.weight[(f.local + 1) % 3] = at.weight[1];
     const Index across = base.neighbour(f.local, f.facet);
-    const bool rim_of_sheet = across >= 0 && across == base.other_side[static_cast<std::size_t>(f.facet)];
-    mean = rim_of_sheet ? Vec3::Zero() : facet_normal(base, x, f.facet);
-    if (across >= 0 && !rim_of_sheet) mean += facet_normal(base, x, across);
+    mean.setZero();
+    if (!is_rim_of_sheet(base, f.facet, f.local)) {  // else all is in front
+      mean = facet_normal(base, x, f.facet);
+      if (across >= 0) mean += facet_normal(base, x, across);
+    }
   } else {
     const auto at = geometry::vertex_height(std::array{c[f.local]}, p);
     over.height = at.height, over.normal = eigen(at.normal);

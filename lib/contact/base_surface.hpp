@@ -72,9 +72,10 @@ inline bool is_beside(const BaseSurface& base, Index self, Index facet) {
 
 /// Builds the adjacency table of a surface, and what is measured in the reference.
 ///
-/// X        [m] reference positions of all nodes of the mesh
+/// X              [m] reference positions of all nodes of the mesh
+/// body_of_facet  of several bodies, each of which has its own material behind its facets; empty for one
 /// Throws InternalError if neighbours disagree about which side is which: mesh::goes_on().
-BaseSurface base_surface(const mesh::Surface&, const Vectors& X);
+BaseSurface base_surface(const mesh::Surface&, const Vectors& X, const Subset& body_of_facet = {});
 
 /// Marks the border edges that lie in a symmetry plane: the surface goes on behind them as its image, and they are no walls.
 ///
@@ -85,6 +86,12 @@ void goes_on_behind(BaseSurface&, const Subset& nodes);
 ///
 /// faces  nodes around each, the fourth -1 where a facet is a face of its own: mesh::faces()
 void mark_halves(BaseSurface&, const Table<4>& faces);
+
+/// Whether an edge of a facet is a rim, behind which its sheet goes on as its other side.
+inline bool is_rim_of_sheet(const BaseSurface& base, Index facet, int edge) {
+  const Index across = base.neighbour(edge, facet);
+  return across >= 0 && across == base.other_side[static_cast<std::size_t>(facet)];
+}
 
 /// What a facet adds to h_c of an apex. [m]
 inline double stand_off(const BaseSurface& base, Index facet) { return base.stand_off.size() > 0 ? base.stand_off(facet) : 0; }

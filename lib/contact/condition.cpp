@@ -88,8 +88,7 @@ namespace {
 bool stands_on_ridge(const BaseSurface& base, const Vectors& x, Index facet, const FeatureHeight& over, Vec3& normal) {
   if (!(std::abs(over.height) < just_on * base.size(facet))) return false;
   const auto on = [&](int e) {
-    const Index across = base.neighbour(e, facet);
-    const bool ridge = base.wall[facet][e] && across >= 0 && across != base.other_side[static_cast<std::size_t>(facet)];
+    const bool ridge = base.wall[facet][e] && base.neighbour(e, facet) >= 0 && !is_rim_of_sheet(base, facet, e);
     return ridge && std::abs(over.weight[(e + 2) % 3]) < just_on;
   };
   for (int e = 0; e < 3; ++e) {

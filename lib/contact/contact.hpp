@@ -236,6 +236,7 @@ struct Memory {
   double deepest = 0;        ///< [m] penetration of any apex since the start, not negative
   Index deepest_apex = -1;   ///< node of that apex, -1 before any contact
   double deepest_time = 0;   ///< [s] when; set by the caller of advance()
+  double deepest_in = 0;     ///< [m] Between::depth of the pair of bodies that it was in
   StepFactorMemory step_factor;
   double deepest_now = 0;    ///< [m] of apexes in contact at the last update
   std::int64_t walks = 0;      ///< to another feature, since the start

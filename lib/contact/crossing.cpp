@@ -285,7 +285,9 @@ void take_over_crossings(const Interface& interface, double h, double t, Index f
     }
     const double depth = height_between(interface, crossing.edge, crossing.base_edge) - crossing.level - c.gap;
     memory.deepest_now = std::max(memory.deepest_now, depth);
-    if (depth > memory.deepest) memory.deepest = depth, memory.deepest_apex = crossing.node[0], memory.deepest_time = t;
+    if (!(depth > memory.deepest)) continue;
+    memory.deepest = depth, memory.deepest_apex = crossing.node[0], memory.deepest_time = t;
+    memory.deepest_in = between_edges(interface, crossing.edge, crossing.base_edge).depth;
   }
   check(contactor == last, "every contactor of an interface of edges is a crossing");
 }

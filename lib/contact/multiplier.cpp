@@ -402,10 +402,10 @@ void find_impulses(const Acting& acting, const Motion& m, std::span<Workspace> w
   all.first.assign(acting.interfaces.size() + acting.planes.size() + 1, 0);
   wake(acting, m, workspaces, all);
   look_ahead(all.looked_at, m, all);
-  all.way_apart = any_automatic(acting) ? m.next * speed_apart(all.velocity, all.looked_at) : 0;
   if (m.rigid) look_ahead(*m.rigid, m, all);
   find_bonds(acting.interfaces, m, acting.memories, all.velocity, all.bonds);
   see_ahead(all.bonds.nodes, m, all);
+  all.way_apart = any_automatic(acting) ? m.next * speed_apart(all.velocity, all.looked_at) : 0;
   for (std::size_t i = 0; i < acting.interfaces.size(); ++i) {
     const Interface& interface = acting.interfaces[i];
     if (by_multipliers(interface) && !bonded_by_multipliers(interface))

@@ -16,8 +16,8 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// Cosine between the normals of an apex and a facet of one solid: with a larger one they do not come to face each other before the next
-/// search. It leaves next to nothing of a body that does not fold.
+/// Cosine between the normals of an apex and a facet of one solid: with a larger one they are taken not to come to face each other before
+/// the next search, for which they would turn by 30 degrees and more. It leaves next to nothing of a body that does not fold.
 constexpr double looks_away = 0.5;
 
 /// The largest squared way of nodes from where they were, less a common way; adds up the ways. [m2]

@@ -64,7 +64,7 @@ contact::Beside beside_of(const Model& model, const std::vector<TouchingBody>& l
 
 /// Which bodies touch, and what each pair has together.
 contact::Bodies bodies_of(const std::vector<TouchingBody>& list, const std::vector<Skin>& skins,
-                          const std::vector<std::pair<std::string, std::string>>& apart, const InterfaceOptions& options) {
+                          const PairsApart& apart, const InterfaceOptions& options) {
   contact::Bodies bodies;
   const auto count = list.size();
   bodies.thickest = Scalars::Zero(static_cast<Eigen::Index>(count));
@@ -76,16 +76,11 @@ contact::Bodies bodies_of(const std::vector<TouchingBody>& list, const std::vect
     bodies.first_facet.push_back(bodies.first_facet.back() + static_cast<Index>(facets.cols()));
     bodies.of_facet.resize(static_cast<std::size_t>(bodies.first_facet.back()), static_cast<Index>(b));
   }
-  const auto are_apart = [&](const std::string& one, const std::string& other) {
-    return std::any_of(apart.begin(), apart.end(), [&](const auto& pair) {
-      return (pair.first == one && pair.second == other) || (pair.first == other && pair.second == one);
-    });
-  };
   for (std::size_t a = 0; a < count; ++a)
     for (std::size_t b = 0; b < count; ++b) {
       bodies.between.push_back(between(skins[a].side, skins[b].side, options, share));
       const bool itself = a == b && list[a].touches_itself && !skins[a].side.is_rigid;
-      bodies.touch.push_back(a != b ? !are_apart(list[a].name, list[b].name) : itself);
+      bodies.touch.push_back(a != b ? !are_apart(apart, list[a].name, list[b].name) : itself);
     }
   return bodies;
 }
@@ -143,7 +138,7 @@ Connected connect_nodes(Model& model, const std::string& name, const contact::Bo
   contact::Interface interface = common_to_both(model, name, bodies, surface, options);
   const auto nodes_of_mesh = static_cast<Index>(model.mesh.X.cols());
   interface.method = options.method;
-  interface.base = contact::base_surface(surface, model.mesh.X);
+  interface.base = contact::base_surface(surface, model.mesh.X, bodies.of_facet);
   contact::mark_halves(interface.base, mesh::faces(model.mesh, surface));
   for (const Subset& plane : symmetry_planes(model)) contact::goes_on_behind(interface.base, plane);
   interface.own = contact::fans(surface.facets, nodes_of_mesh);
@@ -212,8 +207,14 @@ std::vector<Connected> connect_edges(Model& model, const std::string& name, cons
 
 }  // namespace
 
+bool are_apart(const PairsApart& apart, const std::string& one, const std::string& other) {
+  return std::any_of(apart.begin(), apart.end(), [&](const auto& pair) {
+    return (pair.first == one && pair.second == other) || (pair.first == other && pair.second == one);
+  });
+}
+
 std::vector<Connected> connect_automatic(Model& model, const std::string& name, const std::vector<TouchingBody>& list,
-                                         const std::vector<std::pair<std::string, std::string>>& apart, const InterfaceOptions& options) {
+                                         const PairsApart& apart, const InterfaceOptions& options) {
   check(model.mass.size() == model.mesh.X.cols(), "finalize() a model before it gets an interface");
   const std::vector<Skin> skins = skins_of(model, list);
   const contact::Bodies bodies = bodies_of(list, skins, apart, options);

@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "grid/boundary.hpp"
 #include "mesh/facets.hpp"
 #include "mesh/skin.hpp"
 
@@ -121,6 +122,36 @@ std::map<int, Part> parts(const Contents& file, const std::string& region_array,
   return found;
 }
 
+/// Takes from the parts those triangles that are a boundary of solids.
+std::vector<Boundary> take_boundaries(std::map<int, Part>& parts, std::vector<std::string>& faults) {
+  std::vector<std::array<Index, 8>> hexahedra;
+  for (const auto& [number, part] : parts) hexahedra.insert(hexahedra.end(), part.hexahedra.begin(), part.hexahedra.end());
+  const FacesOfSolids faces(hexahedra);
+  std::vector<Boundary> boundaries;
+  for (auto& [number, part] : parts) {
+    const Table<3> triangles = part.triangles.table();
+    Boundary boundary{number < 0 ? "boundary" : "boundary_" + std::to_string(number), {}};
+    std::int64_t on = 0;
+    for (const auto& t : triangles.colwise()) {
+      const Corners one = corners(t(0), t(1), t(2));
+      if (!faces.has(one)) continue;
+      ++on;
+      faces.add_to(boundary, one);
+    }
+    if (on == 0) continue;
+    if (on < triangles.cols()) {
+      faults.push_back((number < 0 ? std::string("its") : "of its region " + std::to_string(number) + " the") +
+                       " triangles and quadrilaterals lie on faces of hexahedra in part; give those another number in the region array, "
+                       "or say 'boundary_cells: plates'");
+      continue;
+    }
+    part.triangles = {};
+    part.cell_of_triangle.clear();
+    boundaries.push_back(std::move(boundary));
+  }
+  return boundaries;
+}
+
 /// Adds the regions to a mesh that has its points, and says which cells are no elements.
 void add_regions(const std::string& name, const std::map<int, Part>& parts, mesh::Mesh& mesh, std::vector<std::string>& faults) {
   Wrong inside_out, flat;
@@ -184,8 +215,8 @@ void add_surface(mesh::Mesh& mesh, const std::string& name, const Table<3>& face
   if (facets.cols() > 0) mesh.surfaces.push_back({name, facets});
 }
 
-void add_names(const std::string& name, const Contents& file, const std::vector<Index>& number, mesh::Mesh& mesh,
-               std::vector<std::string>& faults) {
+void add_names(const std::string& name, const Contents& file, const std::vector<Boundary>& boundaries, const std::vector<Index>& number,
+               mesh::Mesh& mesh, std::vector<std::string>& faults) {
   const mesh::Skin skin = mesh::skin(mesh.X, mesh.hexahedra);
   if (skin.crowded > 0) faults.push_back(std::to_string(skin.crowded) + " of its faces belong to more than two hexahedra");
   Table<3> plates(3, 0);
@@ -199,22 +230,32 @@ void add_names(const std::string& name, const Contents& file, const std::vector<
   if (skin.facets.cols() > 0) mesh.node_sets.push_back({name + ".skin", mesh::surface_nodes(mesh.surfaces.back())});
   add_surface(mesh, name + ".top", plates);
   add_surface(mesh, name + ".bottom", mesh::reversed(plates));
-  for (const Field& field : file.point_fields) {
-    if (!is_set(field)) continue;
+  const auto add_set = [&](const std::string& set, const Subset& nodes) {
     std::vector<char> in_set(static_cast<std::size_t>(mesh.X.cols()), 0);
-    Subset nodes;
-    for (std::size_t point = 0; point < number.size(); ++point) {
-      if (number[point] < 0 || field.values(0, static_cast<Eigen::Index>(point)) == 0) continue;
-      in_set[static_cast<std::size_t>(number[point])] = 1;
-      nodes.push_back(number[point]);
-    }
-    if (nodes.empty()) continue;  // only points of no cell
-    const std::string set = name + "." + field.name;
+    for (const Index node : nodes) in_set[static_cast<std::size_t>(node)] = 1;
     mesh.node_sets.push_back({set, nodes});
     add_surface(mesh, set, facets_within(skin.facets, in_set));
     const Table<3> top = facets_within(plates, in_set);
     add_surface(mesh, set + "_top", top);
     add_surface(mesh, set + "_bottom", mesh::reversed(top));
+  };
+  const auto add_region = [&](const auto& region) {
+    if (region.name == name) return;  // the set of all
+    const std::set<Index> nodes(region.nodes.data(), region.nodes.data() + region.nodes.size());
+    add_set(region.name, {nodes.begin(), nodes.end()});
+  };
+  for (const auto& region : mesh.hexahedra) add_region(region);
+  for (const auto& region : mesh.triangles) add_region(region);
+  for (const Boundary& boundary : boundaries) {
+    mesh.node_sets.push_back({name + "." + boundary.name, nodes_on(boundary)});
+    add_surface(mesh, name + "." + boundary.name, facets_on(skin.facets, boundary));
+  }
+  for (const Field& field : file.point_fields) {
+    if (!is_set(field)) continue;
+    Subset nodes;
+    for (std::size_t point = 0; point < number.size(); ++point)
+      if (number[point] >= 0 && field.values(0, static_cast<Eigen::Index>(point)) != 0) nodes.push_back(number[point]);
+    if (!nodes.empty()) add_set(name + "." + field.name, nodes);  // else only points of no cell
   }
   const auto twice = [&](const auto& all, const char* kind) {
     std::set<std::string> names;
@@ -229,15 +270,18 @@ void add_names(const std::string& name, const Contents& file, const std::vector<
 
 }  // namespace
 
-FileMesh file_mesh(const std::string& name, const Contents& file, const std::string& region_array) {
+FileMesh file_mesh(const std::string& name, const Contents& file, const std::string& region_array, BoundaryCells boundary_cells) {
   FileMesh result;
   result.mesh.X = file.points;
   if (!file.points.allFinite()) result.faults.push_back("some of its points are no numbers");
-  const std::map<int, Part> found = parts(file, region_array, result.faults);
+  std::map<int, Part> found = parts(file, region_array, result.faults);
+  std::vector<Boundary> boundaries;
+  if (boundary_cells == BoundaryCells::surfaces) boundaries = take_boundaries(found, result.faults);
   if (file.points.allFinite()) add_regions(name, found, result.mesh, result.faults);
   if (result.faults.empty()) {
     const std::vector<Index> number = drop_lonely_points(result.mesh);
-    add_names(name, file, number, result.mesh, result.faults);
+    for (Boundary& boundary : boundaries) renumber(boundary, number);
+    add_names(name, file, boundaries, number, result.mesh, result.faults);
   }
   if (!result.faults.empty()) result.mesh = {};
   return result;

@@ -15,19 +15,25 @@ struct FileMesh {
   std::vector<std::string> faults;  ///< each part of a sentence about the file; the mesh is empty if there are any
 };
 
+/// What cells with three or four corners are where they lie on faces of hexahedra.
+enum class BoundaryCells { surfaces, plates };
+
 /// Makes a mesh of what a file holds: hexahedra, triangles, and quadrilaterals cut in two from first to third corner.
 ///
-/// Regions   by the cell array `region_array`, whole numbers n: `name.region_n`. Without that array all cells are
-///           region `name`; where there are solids and plates these are `name.hexahedra` and `name.triangles`.
-/// Node sets `name` (all), and `name.<array>` for each point array of whole numbers that are 0 or 1, not all 0.
-/// Surfaces  of solids `name.skin`, the outer faces with normals outwards and its node set, and for each node set the
-///           part `name.<array>` of the skin all of whose corners are in the set, if any. Of plates `name.top` (normals as
-///           those of the triangles) and `name.bottom`, and for each node set `name.<array>_top`, `name.<array>_bottom`.
+/// Regions    by the cell array `region_array`, whole numbers n: `name.region_n`. Without that array all cells are
+///            region `name`; where there are solids and plates these are `name.hexahedra` and `name.triangles`.
+/// Boundaries triangles and quadrilaterals of one number n that all lie on faces of hexahedra, unless they are said to be plates: no
+///            elements, but a node set and, of outer faces, a surface `name.boundary_n`. Without numbers `name.boundary`.
+/// Node sets  `name` (all), one of each region, and `name.<array>` for each point array of whole numbers that are 0 or 1, not all 0.
+/// Surfaces   of solids `name.skin`, the outer faces with normals outwards and its node set, and for each node set the
+///            part of the skin all of whose corners are in the set, if any. Of plates `name.top` (normals as
+///            those of the triangles) and `name.bottom`, and for each node set `name.<array>_top`, `name.<array>_bottom`.
 ///
 /// Points of no cell are dropped; those that stay keep their order. Faces of hexahedra are cut as mesh::cut_of_face()
 /// says, whatever their numbers. Faults are other kinds of cells, by name and number; hexahedra whose volume and
-/// triangles whose area is not positive; points that are no numbers; regions that are no whole numbers or hold
-/// both solids and plates; faces of more than two hexahedra; names that are given twice.
-FileMesh file_mesh(const std::string& name, const Contents&, const std::string& region_array = "region");
+/// triangles whose area is not positive; points that are no numbers; regions that are no whole numbers, hold
+/// both solids and plates or both plates and a boundary; faces of more than two hexahedra; names that are given twice.
+FileMesh file_mesh(const std::string& name, const Contents&, const std::string& region_array = "region",
+                   BoundaryCells = BoundaryCells::surfaces);
 
 }  // namespace nereid::grid

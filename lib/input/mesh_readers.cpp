@@ -12,14 +12,14 @@ namespace nereid::input {
 namespace {
 
 /// A mesh without its body's name, with all its faults told at `path`.
-mesh::Mesh read_file(const Section& section, const std::string& path, const std::string& region_array) {
+mesh::Mesh read_file(const Section& section, const std::string& path, const std::string& region_array, grid::BoundaryCells boundary_cells) {
   std::string fault;
   const grid::Contents contents = grid::read_vtu(section.beside_case("path", path), fault);
   if (!fault.empty()) {
     section.fault("path", "'path' = " + path + ": " + fault);
     return {};
   }
-  grid::FileMesh read = grid::file_mesh("", contents, region_array);
+  grid::FileMesh read = grid::file_mesh("", contents, region_array, boundary_cells);
   std::string all;
   for (const std::string& one : read.faults) all += (all.empty() ? "" : "; ") + one;
   if (!all.empty()) section.fault("path", "'path' = " + path + ": " + all);
@@ -78,9 +78,12 @@ model::MeshOptions read_mesh_options(const Section& section) {
 
   const Section if_file = section.when(is("file"));
   const std::string path = if_file.word("path"), region_array = if_file.word_or("region_array", "region");
+  const grid::BoundaryCells boundary_cells = if_file.choice_or("boundary_cells", "surfaces", {"surfaces", "plates"}) == "plates"
+                                                 ? grid::BoundaryCells::plates
+                                                 : grid::BoundaryCells::surfaces;
 
   model::MeshOptions options = box;
-  if (is("file") && !path.empty()) options = read_file(section, path, region_array);
+  if (is("file") && !path.empty()) options = read_file(section, path, region_array, boundary_cells);
   if (is("cylinder")) options = mesh::Cylinder{radius, length, turn, cells_core, cells_ring, cells_along};
   if (is("tube")) options = mesh::Tube{radius, length, turn, cells_core, cells_along};
   if (is("tube") && sector) options = mesh::WedgeTube{radius, length, angle, cells_around, cells_along};

@@ -217,6 +217,10 @@ model::Scene read_scene(const Section& root, bool runs) {
   for (const Section& body : root.list("bodies", 1)) scene.bodies.push_back(read_body(body, taken));
   for (const Section& contact : root.list("contacts")) {
     const std::string kind = contact.choice_or("kind", "contact", {"contact", "bonded", "automatic"});
+    if (!contact.decided()) {  // which keys it has, nobody knows
+      for (const std::string& key : contact.keys()) contact.has(key);
+      continue;
+    }
     if (kind == "automatic") scene.automatic_contacts.push_back(read_automatic_contact(contact, taken));
     else scene.contacts.push_back(read_contact(contact, kind == "bonded", taken));
   }

@@ -9,9 +9,6 @@
 namespace nereid::mesh {
 namespace {
 
-/// Corners of each face of a hexahedron, counter-clockwise seen from outside.
-constexpr int face_corners[6][4] = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
-
 /// A face with its different corners in order, and in ascending order to find it again.
 struct Face {
   std::array<Index, 4> corner{-1, -1, -1, -1}, key{-1, -1, -1, -1};
@@ -45,7 +42,7 @@ Scalars volumes(const Mesh& mesh, const Hexahedra& region) {
   for (Index e = 0; e < all.size(); ++e) {
     const Vec3 origin = mesh.X.col(region.nodes(0, e));  // differences keep their digits far from the origin
     double sum = 0;
-    for (const auto& at : face_corners) {
+    for (const auto& at : corners_of_faces) {
       Vec3 x[4];
       for (int a = 0; a < 4; ++a) x[a] = mesh.X.col(region.nodes(at[a], e)) - origin;
       // both ways to cut a bilinear patch, and their mean: six times the volume under it, exactly
@@ -60,7 +57,7 @@ Skin skin(const Vectors& X, const std::vector<Hexahedra>& regions) {
   std::vector<Face> faces;
   for (const Hexahedra& region : regions)
     for (Index e = 0; e < region.nodes.cols(); ++e)
-      for (const auto& at : face_corners) {
+      for (const auto& at : corners_of_faces) {
         const Face one = face(region.nodes, e, at);
         if (one.corners > 2) faces.push_back(one);
       }

@@ -5,6 +5,9 @@
 
 namespace nereid::mesh {
 
+/// Corners of each face of a hexahedron, counter-clockwise seen from outside.
+inline constexpr int corners_of_faces[6][4] = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+
 /// Volume of each hexahedron, exact for every trilinear shape, negative if it is turned inside out. [m3] [elements]
 ///
 ///     V = sum over the faces of the flux of x/3 through the bilinear patch of each

@@ -76,8 +76,13 @@ void check_names(const Scene& scene, const mesh::Mesh& mesh, Faults& faults) {
     expect(faults, part("contact", contact), "base", contact.base, "surfaces", surfaces);
   }
   for (const AutomaticContact& contact : scene.automatic_contacts)
-    for (std::size_t i = 0; i < contact.bodies.size(); ++i)
-      expect(faults, part("contact", contact), "bodies[" + std::to_string(i) + "]", contact.bodies[i], "bodies", bodies);
+    for (std::size_t i = 0; i < contact.bodies.size(); ++i) {
+      const std::string key = "bodies[" + std::to_string(i) + "]", &name = contact.bodies[i];
+      const auto here = contact.bodies.begin() + static_cast<std::ptrdiff_t>(i);
+      const Part of = part("contact", contact);
+      expect(faults, of, key, name, "bodies", bodies);
+      if (std::find(contact.bodies.begin(), here, name) != here) refuse(faults, of, key, quote(name) + " is given twice");
+    }
   for (const Plane& plane : scene.planes)
     for (std::size_t i = 0; i < plane.nodes.size(); ++i)
       expect(faults, part("plane", plane), "nodes[" + std::to_string(i) + "]", plane.nodes[i], "node sets", sets);
@@ -205,15 +210,40 @@ void open_skins(dynamics::Model& model) {
 
 std::string name_of_body(const std::string& surface) { return surface.substr(0, surface.find('.')); }
 
+/// Whether any two bodies are left to an automatic contact, or one that touches itself and is not rigid.
+bool any_touch(const Scene& scene, const std::vector<dynamics::TouchingBody>& bodies, const dynamics::PairsApart& apart) {
+  const auto is_rigid = [&](const std::string& name) {
+    return std::any_of(scene.bodies.begin(), scene.bodies.end(), [&](const Body& body) { return body.name == name && body.rigid; });
+  };
+  for (const dynamics::TouchingBody& one : bodies) {
+    if (one.touches_itself && !is_rigid(one.name)) return true;
+    for (const dynamics::TouchingBody& other : bodies)
+      if (one.name != other.name && !dynamics::are_apart(apart, one.name, other.name)) return true;
+  }
+  return false;
+}
+
 /// Adds the automatic contacts: each pair of bodies that no contact or bond joins, nor an automatic contact before.
 void add_automatic_contacts(const Scene& scene, dynamics::Model& model, std::vector<dynamics::Connected>& connected, Faults& faults) {
-  std::vector<std::pair<std::string, std::string>> apart;
+  dynamics::PairsApart apart;
   for (const Contact& contact : scene.contacts) apart.emplace_back(name_of_body(contact.apexes), name_of_body(contact.base));
   std::set<std::string> touching_itself;
   for (const AutomaticContact& contact : scene.automatic_contacts) {
     const Names names = contact.bodies.empty() ? names_of(scene.bodies) : contact.bodies;
+    const Part here = part("contact", contact);
     std::vector<dynamics::TouchingBody> bodies;
-    for (const std::string& name : names) bodies.push_back({name, contact.self_contact && touching_itself.insert(name).second});
+    const std::size_t before = faults.size();
+    for (const std::string& name : names) {
+      if (!mesh::goes_on(mesh::surface(model.mesh, name + ".skin").facets))
+        refuse(faults, here, "bodies", "the skin of " + quote(name) + " has an edge of several facets whose normals do not agree");
+      bodies.push_back({name, contact.self_contact && touching_itself.insert(name).second});
+    }
+    if (faults.size() > before) continue;
+    if (!any_touch(scene, bodies, apart)) {
+      refuse(faults, here, contact.self_contact ? "bodies" : "self_contact",
+             "nothing is left that touches: other contacts have all pairs of these bodies, and none touches itself");
+      continue;
+    }
     for (dynamics::Connected& one : dynamics::connect_automatic(model, contact.name, bodies, apart, contact.interface)) {
       refuse_penetration(contact, false, one.gaps, faults);
       connected.push_back(std::move(one));

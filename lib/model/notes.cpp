@@ -147,17 +147,21 @@ std::vector<std::string> rounding_notes(const Simulation& simulation) {
 
 std::vector<std::string> depth_notes(const Simulation& simulation) {
   std::vector<std::string> notes;
-  const auto look = [&notes](const auto& contact, const auto& memory, Index node) {
-    if (contact.depth > 0 && memory.deepest > (0.5 + 1e-6) * contact.depth)  // more than round-off beyond
+  const auto look = [&notes](const auto& contact, double element, const auto& memory, Index node) {
+    if (element > 0 && memory.deepest > (0.5 + 1e-6) * element)  // more than round-off beyond
       notes.push_back(row("%s: node %d went %.3g m deep, %.3g of the depth of an element, at %.8g s: %stoo fast an approach",
-                          contact.name.c_str(), node, memory.deepest, memory.deepest / contact.depth, memory.deepest_time,
+                          contact.name.c_str(), node, memory.deepest, memory.deepest / element, memory.deepest_time,
                           contact::by_multipliers(contact) ? "" : "too soft a penalty or "));
   };
   const dynamics::Model& model = simulation.model;
-  for (std::size_t c = 0; c < model.interfaces.size(); ++c)
-    look(model.interfaces[c], simulation.state.interfaces[c], simulation.state.interfaces[c].deepest_apex);
-  for (std::size_t p = 0; p < model.rigid_planes.size(); ++p)
-    look(model.rigid_planes[p], simulation.state.rigid_planes[p], simulation.state.rigid_planes[p].deepest_node);
+  for (std::size_t c = 0; c < model.interfaces.size(); ++c) {
+    const auto& memory = simulation.state.interfaces[c];
+    look(model.interfaces[c], memory.deepest_in, memory, memory.deepest_apex);
+  }
+  for (std::size_t p = 0; p < model.rigid_planes.size(); ++p) {
+    const auto& memory = simulation.state.rigid_planes[p];
+    look(model.rigid_planes[p], model.rigid_planes[p].depth, memory, memory.deepest_node);
+  }
   return notes;
 }
 

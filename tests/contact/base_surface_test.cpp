@@ -9,6 +9,7 @@
 
 #include "base/check.hpp"
 #include "geometry/height.hpp"
+#include "mesh/adjacency.hpp"
 #include "mesh/box.hpp"
 #include "mesh/cylinder.hpp"
 #include "tests/contact/surfaces.hpp"
@@ -85,12 +86,44 @@ TEST(BaseSurface, HasWallsAtTheEdgesOfABoxAndNoneElsewhere) {
   EXPECT_EQ(walls, 2 * (8 * 3 + 4));
 }
 
+TEST(BaseSurface, OfASheetWithBothSidesHasAFrontAtAVertexInASymmetryPlaneAndNoneAtARim) {
+  Shape shape = sheet(2, 2, [](double, double) { return 0.0; });
+  shape.facets = mesh::both_sides(shape.facets);
+  BaseSurface base = base_of(shape);
+  const auto over_vertex = [&](Index node, double side) {
+    for (Index f = 0; f < base.facets.cols(); ++f)
+      for (int a = 0; a < 3; ++a)
+        if (base.facets(a, f) == node && facet_normal(base, shape.x, f).z() > 0)
+          return height_over(base, shape.x, {f, geometry::Kind::vertex, a}, shape.x.col(node) + Vec3(0, 0, 0.1 * side));
+    return FeatureHeight{};
+  };
+  const Index on_edge = 3, inside = 4;  // (0, 1) and (1, 1)
+  EXPECT_NEAR(over_vertex(on_edge, -1).height, 0.1, 1e-15);  // around a rim all is in front
+  goes_on_behind(base, {0, 3, 6});
+  EXPECT_NEAR(over_vertex(on_edge, 1).height, 0.1, 1e-15);
+  EXPECT_NEAR(over_vertex(on_edge, -1).height, -0.1, 1e-15);
+  EXPECT_NEAR(over_vertex(inside, -1).height, -0.1, 1e-15);
+}
+
 TEST(BaseSurface, KnowsTheMaterialBehindEachFacet) {
   const Shape shape = skin();
   const BaseSurface base = base_of(shape);
   for (Index f = 0; f < base.facets.cols(); ++f)
     EXPECT_NEAR(base.thickness(f), std::abs(facet_normal(base, shape.x, f).z()) > 0.5 ? 0.3 : 1.0, 1e-12);
   EXPECT_TRUE(std::isinf(base_of(sheet(2, 2, [](double, double) { return 0.0; })).thickness(0)));
+}
+
+TEST(BaseSurface, OfBodiesThatOverlapHasTheMaterialOfEach) {
+  const Shape low = block({0, 0, 0}, {2, 2, 2}, {1, 1, 1}), high = block({0, 0, 1.9}, {2, 2, 2.9}, {1, 1, 1});
+  Vectors X(3, low.x.cols() + high.x.cols());
+  X << low.x, high.x;
+  Table<3> facets(3, low.facets.cols() + high.facets.cols());
+  facets << low.facets, (high.facets.array() + static_cast<Index>(low.x.cols())).matrix();
+  Subset body(static_cast<std::size_t>(low.facets.cols()), 0);
+  body.resize(static_cast<std::size_t>(facets.cols()), 1);
+  const BaseSurface base = base_surface({"both", facets}, X, body);
+  for (Index f = 0; f < facets.cols(); ++f)
+    EXPECT_NEAR(base.thickness(f), f >= low.facets.cols() && std::abs(facet_normal(base, X, f).z()) > 0.5 ? 1 : 2, 1e-12);
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
 #include <filesystem>
 #include <fstream>
 
@@ -111,6 +113,72 @@ TEST(FileMesh, MakesARegionOfEachNumberAndOneOfEachKindWithoutNumbers) {
   EXPECT_EQ(only_fault(file_mesh("b", file, "part")), "its region 3 holds solids and plates; give them different numbers");
   file.cell_fields[0].values(0, 20) = 3.5;
   EXPECT_EQ(only_fault(file_mesh("b", file, "part")), "its cell array 'part' does not hold one whole number a cell");
+}
+
+/// A bar of two bricks along x, with quadrilaterals on its end, on its bottom and between the two.
+Contents bar_with_boundaries() {
+  const mesh::Mesh bar = mesh::box("a", {Vec3(0, 0, 0), Vec3(2, 1, 1), {2, 1, 1}});
+  Contents file = contents_of(bar);
+  const auto at = [&](double x, double y, double z) {
+    for (Index n = 0; n < bar.X.cols(); ++n)
+      if (bar.X(0, n) == x && bar.X(1, n) == y && bar.X(2, n) == z) return n;
+    return Index{-1};
+  };
+  add_cell(file, 9, {at(2, 0, 0), at(2, 0, 1), at(2, 1, 1), at(2, 1, 0)});                      // the end, normal inwards
+  add_cell(file, 9, {at(0, 0, 0), at(1, 0, 0), at(1, 1, 0), at(0, 1, 0)});                      // half of the bottom
+  add_cell(file, 5, {at(1, 0, 0), at(2, 0, 0), at(2, 1, 0)});                                   // and of the other half a triangle
+  add_cell(file, 9, {at(1, 0, 0), at(1, 1, 0), at(1, 1, 1), at(1, 0, 1)});                      // between the bricks
+  Field region{"region", "", {}, Eigen::MatrixXd(1, 6), true};
+  region.values << 1, 2, 1, 5, 5, 6;
+  file.cell_fields = {region};
+  return file;
+}
+
+TEST(FileMesh, MakesSurfacesOfCellsThatLieOnFacesOfSolids) {
+  const FileMesh read = file_mesh("b", bar_with_boundaries());
+  ASSERT_TRUE(read.faults.empty()) << read.faults[0];
+  EXPECT_TRUE(read.mesh.triangles.empty());
+  const auto area = [&](const std::string& name) { return mesh::facet_areas(read.mesh, mesh::surface(read.mesh, name)).sum(); };
+  EXPECT_DOUBLE_EQ(area("b.boundary_1"), 1);
+  EXPECT_DOUBLE_EQ(area("b.boundary_5"), 2);
+  EXPECT_EQ(mesh::node_set(read.mesh, "b.boundary_1").size(), 4U);
+  EXPECT_EQ(mesh::node_set(read.mesh, "b.boundary_5").size(), 6U);
+  EXPECT_EQ(mesh::node_set(read.mesh, "b.boundary_6").size(), 4U);  // of inner faces there is no surface
+  EXPECT_THROW(mesh::surface(read.mesh, "b.boundary_6"), std::exception);
+  const Table<3>& end = mesh::surface(read.mesh, "b.boundary_1").facets;
+  for (const auto& f : end.colwise()) {
+    const Vec3 one = read.mesh.X.col(f(1)) - read.mesh.X.col(f(0)), other = read.mesh.X.col(f(2)) - read.mesh.X.col(f(0));
+    EXPECT_GT(one.cross(other).x(), 0);  // outwards, whatever the order in the file
+  }
+}
+
+TEST(FileMesh, MakesANodeSetAndASurfaceOfEachRegion) {
+  const FileMesh read = file_mesh("b", bar_with_boundaries());
+  EXPECT_EQ(mesh::node_set(read.mesh, "b.region_2").size(), 8U);
+  EXPECT_EQ(mesh::facet_areas(read.mesh, mesh::surface(read.mesh, "b.region_2")).sum(), 5);
+}
+
+TEST(FileMesh, MakesPlatesOnSolidsWhereThatIsSaid) {
+  const FileMesh read = file_mesh("b", bar_with_boundaries(), "region", BoundaryCells::plates);
+  EXPECT_EQ(only_fault(read), "its region 1 holds solids and plates; give them different numbers");
+  Contents file = bar_with_boundaries();
+  file.cell_fields[0].values(0, 2) = 7;
+  EXPECT_EQ(file_mesh("b", file, "region", BoundaryCells::plates).mesh.triangles.size(), 3U);
+}
+
+TEST(FileMesh, RefusesCellsOfOneNumberOnAndOffFacesOfSolids) {
+  Contents file = bar_with_boundaries();
+  file.points.conservativeResize(3, file.points.cols() + 1);
+  file.points.rightCols(1) << 3, 0, 0;
+  const auto last = static_cast<Index>(file.points.cols() - 1);
+  add_cell(file, 5, {file.nodes[1], file.nodes[2], last});
+  file.cell_fields[0].values.conservativeResize(1, 7);
+  file.cell_fields[0].values(0, 6) = 5;
+  EXPECT_EQ(only_fault(file_mesh("b", file)),
+            "of its region 5 the triangles and quadrilaterals lie on faces of hexahedra in part; give those another number in the region "
+            "array, or say 'boundary_cells: plates'");
+  file.cell_fields.clear();
+  EXPECT_EQ(only_fault(file_mesh("b", file)).substr(0, 32), "its triangles and quadrilaterals");
 }
 
 TEST(FileMesh, NamesNodeSetsAndTheirPartOfTheSkin) {

@@ -54,6 +54,21 @@ TEST(Build, RefusesASurfaceThatTouchesItself) {
   EXPECT_TRUE(says(refusal(scene), "contact 'touch': 'apexes' and 'base' share nodes"));
 }
 
+TEST(Build, RefusesAnAutomaticContactThatLeavesNothingToTouch) {
+  Scene scene = with({bar(), wall()});
+  scene.contacts = {touch("bar.x_high", "wall.x_low")};
+  scene.automatic_contacts = {{.name = "all", .self_contact = false}};
+  EXPECT_TRUE(says(refusal(scene), "contact 'all': nothing is left that touches")) << refusal(scene);
+  scene.automatic_contacts[0].self_contact = true;
+  EXPECT_EQ(refusal(scene), "");
+  scene.bodies[0].rigid = scene.bodies[1].rigid = true;
+  EXPECT_TRUE(says(refusal(scene), "contact 'all': nothing is left that touches")) << refusal(scene);
+  scene.contacts.clear();
+  EXPECT_EQ(refusal(scene), "");
+  scene.automatic_contacts[0].bodies = {"bar", "wall", "bar"};
+  EXPECT_TRUE(says(refusal(scene), "contact 'all': 'bar' is given twice")) << refusal(scene);
+}
+
 TEST(Build, RefusesPenetrationUnlessAccepted) {
   Scene scene = with({bar(), wall()});
   scene.bodies[1].place.move = Vec3(-0.1, 0, 0);
