@@ -186,6 +186,18 @@ Index entered_under_border(const Sweep& s, double deepest, double& height) {
   return best;
 }
 
+/// Whether a point at a wall of a facet is in front of the facet across it, outside of the body.
+bool is_beyond_ridge(const Sweep& s, Index facet, const Vec3& p) {
+  const auto weight = geometry::facet_height(corners(s.base, s.x, facet), place(p)).weight;
+  for (int e = 0; e < 3; ++e) {
+    const Index across = s.base.neighbour(e, facet);
+    if (!s.base.wall[facet][e] || across < 0 || weight[(e + 2) % 3] > overlap) continue;
+    const double height = geometry::facet_height(corners(s.base, s.x, across), place(p)).height;
+    if (height > -round_off * s.base.longest(across)) return true;
+  }
+  return false;
+}
+
 bool share_a_node(const BaseSurface& base, Index f, Index g) {
   for (int a = 0; a < 3; ++a)
     if ((base.facets.col(g).array() == base.facets(a, f)).any()) return true;
@@ -267,7 +279,9 @@ void enter(const Sweep& s, double deepest, Tracks& tracks) {
   if (through.facet >= 0) {
     const Vec3 normal = facet_normal(s.base, s.x, through.facet);
     const Index faced = shallowest(s, p1, [&](Index f) { return deepest_entry(s.base, f); }, &normal, height);
-    return faced >= 0 ? tracks.begin(faced, height) : tracks.begin(through.facet, s.level(through.facet));
+    if (faced >= 0) return tracks.begin(faced, height);
+    if (!is_beyond_ridge(s, through.facet, p1)) tracks.begin(through.facet, s.level(through.facet));
+    return;
   }
   if (has_layer) {
     const Index round = entered_round_layer(s);

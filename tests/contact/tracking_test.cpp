@@ -231,6 +231,23 @@ TEST(EntryOfAnApex, NeedsASurfaceThatFacesTheFacet) {
   }
 }
 
+TEST(EntryOfAnApex, OverARidgeByRoundOffIsNone) {
+  // the rim of a block that lies flush on a block of its size, and slides on it
+  Scene scene = press(block({0, 0, 0}, {4, 4, 1}, {4, 4, 1}), {{-1e-12, 2.1, 1 + 1e-12}}, 0);
+  Table<3> own(3, 1);
+  const Index apex = scene.apex();
+  scene.x.conservativeResize(3, apex + 3);
+  scene.x.col(apex + 1) = Vec3(-0.5, 2.1, 1.5), scene.x.col(apex + 2) = Vec3(0, 2.6, 1);  // it looks back and down
+  own << apex, apex + 1, apex + 2;
+  scene.interface.own = fans(own, apex + 3);
+  for (const double x : {1e-12, 0.02}) {
+    step_to(scene, 0, {x, 2.1, 1 + 1e-12});
+    ASSERT_EQ(scene.near().tracks.count, 0);
+  }
+  step_to(scene, 0, {0.02, 2.1, 0.99});
+  EXPECT_LT((Vec3(scene.forces().col(apex)) - Vec3(0, 0, 0.01 * penalty)).norm(), 1e-9);
+}
+
 TEST(Penetration, OfAnApexNearAnotherFaceIsReportedNoDeeperThanThatIsFar) {
   Scene scene = press(block({0, 0, 0}, {4, 4, 1}, {4, 4, 1}), {{0.06, 2.1, 1.1}}, 0);
   for (double z = 1; z > 0.45; z -= 0.05) step_to(scene, 0, {0.06, 2.1, z});

@@ -333,8 +333,8 @@ def automatic(first=0, count=24):
               for v in (0.0005, 0.001, 0.002, 0.004)]
     found += [cell("automatic", f"fold {v} cells", "strip", "plates", scenes.strip, automatic=True, plates=True, cells=v)
               for v in (20, 80)]
-    found += [cell("automatic", f"pile {v:g} steps", "ten cubes", name, scenes.pile, 120.0, steps=v, friction=mu)
-              for v in (1e4, 1e5) for name, mu in (("", 0.0), ("friction", 0.3))]
+    found += [cell("automatic", f"pile {v:g} steps", "ten cubes", name, scenes.pile, 120.0, steps=v, friction=mu, gravity=g)
+              for v in (1e4, 1e5) for name, mu, g in (("", 0.0, 1.0), ("friction", 0.3, 10.0))]
     return found
 
 
