@@ -23,6 +23,7 @@ struct Bodies {
   std::vector<std::string> names;
   Subset of_apex, of_facet;      ///< [apexes] [facets] body
   Subset first_facet;            ///< [bodies + 1] where the facets of each begin
+  Subset nodes, first_node;      ///< nodes of the facets of each body, and [bodies + 1] where they begin
   Scalars thickest;              ///< [m] [bodies] the largest BaseSurface::stand_off
   std::vector<Between> between;  ///< [bodies x bodies] by the body of the apex, then that of the base
   std::vector<char> touch;       ///< [bodies x bodies] whether they touch; on the diagonal whether a body touches itself

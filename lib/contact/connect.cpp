@@ -50,6 +50,8 @@ void prepare(const Interface& interface, Memory& memory) {
   }
   if (by_multipliers(interface) && interface.kind != InterfaceKind::bonded) memory.restitution.resize(count);
   memory.reconnections.assign(count, 0);
+  memory.apart_from_itself.assign(static_cast<std::size_t>(interface.bodies.count()), 0);
+  memory.apart_then = Vectors::Zero(3, static_cast<Eigen::Index>(interface.bodies.nodes.size()));
 }
 
 /// Puts a bonded apex over its point of the base, unless it stands past the border.

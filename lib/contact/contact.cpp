@@ -32,7 +32,9 @@ void see_depth(const Interface& interface, const Vectors& x, const Near& near, M
 }
 
 Workspace::Workspace(const Interface& interface)
-    : facets(interface.apexes.size(), 0),
+    : near_itself(static_cast<std::size_t>(interface.bodies.count()), 0),
+      apex_near_itself(interface.apexes.size(), 0),
+      facets(interface.apexes.size(), 0),
       spring_sum(Scalars::Zero(std::max<Eigen::Index>(1, static_cast<Eigen::Index>(interface.base.ring_begin.size())) - 1)),
       rotation_sum(Scalars::Zero(interface.friction.coefficient > 0 && !interface.rotation_of_node.empty() ? spring_sum.size() : 0)) {
   near.reserve(interface.apexes.size());

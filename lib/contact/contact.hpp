@@ -245,6 +245,8 @@ struct Memory {
   std::int64_t searches = 0;
   double margin = 0;               ///< [m] of the last search
   double way = 0;                  ///< [m] of an automatic contact: what bodies have gone against each other since the last search, at most
+  std::vector<double> apart_from_itself;  ///< [m] [bodies] beyond h_c, by which folds of each were apart when it was last searched, or zero
+  Vectors apart_then;                     ///< [m] positions then, beside Bodies::nodes
   std::vector<char> awake;         ///< [bodies] whether a body was near another one, or folds of it near each other, at the last search
   Vectors apexes_then, base_then;  ///< [m] positions at the last search, beside Interface::apexes and base_nodes
   Vec3 mean_way = Vec3::Zero();    ///< [m] of the base nodes since then, beyond that of the first of them, at the step before
@@ -298,6 +300,8 @@ struct Workspace {
   std::vector<BroadSearch> broad;            ///< of the base, or [bodies]
   std::vector<BodyBox> boxes;                ///< [bodies] around the facets
   Subset first_partner, partners;            ///< [bodies + 1] bodies whose boxes are near that of each
+  std::vector<char> near_itself;             ///< [bodies] whether folds of each are nearer than was asked: Memory::apart_from_itself
+  std::vector<char> apex_near_itself;        ///< [apexes] of which node this is so
   Vectors normals;                           ///< [facets] of bodies that touch themselves
   Subset facets;           ///< [apexes] how many facets a search found near
   std::vector<Near> near;  ///< the next list of near apexes

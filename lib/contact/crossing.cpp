@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "base/check.hpp"
+#include "contact/partners.hpp"
 #include "contact/restitution.hpp"
 #include "geometry/crossing.hpp"
 
@@ -50,10 +51,13 @@ bool between_lines(const Interface& interface, const Vectors& x, Index edge, Ind
 }
 
 /// A box around each edge that is a ridge or a rim, and one around all of them.
-Eigen::AlignedBox3d boxes_of(const Edges& edges, const Vectors& x, double reach, std::vector<EdgeBox>& boxes) {
+/// is_wanted(edge)  false for edges that are left out
+template <class Wanted>
+Eigen::AlignedBox3d boxes_of(const Edges& edges, const Vectors& x, double reach, std::vector<EdgeBox>& boxes, Wanted&& is_wanted) {
   Eigen::AlignedBox3d all;
   boxes.clear();
   for (Index e = 0; e < edges.nodes.cols(); ++e) {
+    if (!is_wanted(e)) continue;
     const Vec3 a = node_of(edges, x, 0, e), b = node_of(edges, x, 1, e), beside = Vec3::Constant(reach);
     const auto can_be_searched = [](const Vec3& place) { return (place.array().abs() <= farthest_place).all(); };
     if (!can_be_searched(a) || !can_be_searched(b) || !is_ridge(edges, x, e)) continue;  // the elements say so, and the run ends
@@ -180,11 +184,16 @@ Over over(const Interface& interface, const Vectors& x, Index edge, Index base_e
 
 void search_crossings(const Interface& interface, const Vectors& x, Memory& memory, Workspace& workspace) {
   keep_search(interface, x, memory);
+  const bool one_pair = interface.bodies.count() == 0;
+  if (!one_pair) find_partners(interface, x, memory, workspace);
+  std::fill(workspace.near_itself.begin(), workspace.near_itself.end(), char{0});
   const double thickest = interface.edges.half.size() > 0 ? interface.edges.half.maxCoeff() + interface.base_edges.half.maxCoeff() : 0;
   const double reach = interface.edge_height + thickest + memory.margin;
+  const double asked = one_pair ? reach : reach + farther_from_itself * memory.margin;  // of edges of one body
+  const auto is_wanted = [&](Index edge) { return one_pair || has_partners(workspace, interface.edges.body[edge]); };
   std::vector<EdgeBox>&edges = workspace.edges, &base = workspace.base_edges;
-  const Eigen::AlignedBox3d all = boxes_of(interface.edges, x, 0.5 * reach, edges);
-  const Eigen::AlignedBox3d of_base = boxes_of(interface.base_edges, x, 0.5 * reach, base);
+  const Eigen::AlignedBox3d all = boxes_of(interface.edges, x, 0.5 * asked, edges, is_wanted);
+  const Eigen::AlignedBox3d of_base = boxes_of(interface.base_edges, x, 0.5 * asked, base, is_wanted);
   leave_out(of_base, edges), leave_out(all, base);
   const auto is_before = [](const EdgeBox& a, const EdgeBox& b) { return std::tie(a.low.x(), a.edge) < std::tie(b.low.x(), b.edge); };
   std::sort(base.begin(), base.end(), is_before);
@@ -198,11 +207,17 @@ void search_crossings(const Interface& interface, const Vectors& x, Memory& memo
       if (other->low.x() > one.high.x()) break;
       if (!meet(one, *other) || !can_cross(interface, one.edge, other->edge)) continue;
       const auto p = ends_of(interface, x, one.edge, other->edge);
-      if (!(geometry::segments_squared(p[0], p[1], p[2], p[3]) < reach * reach)) continue;
+      const double squared = geometry::segments_squared(p[0], p[1], p[2], p[3]);
+      if (!one_pair && interface.edges.body[one.edge] == interface.base_edges.body[other->edge]) {
+        if (!(squared < asked * asked)) continue;
+        workspace.near_itself[static_cast<std::size_t>(interface.edges.body[one.edge])] = 1;
+      }
+      if (!(squared < reach * reach)) continue;
       next.emplace_back();
       next.back().edge = one.edge, next.back().base_edge = other->edge;
     }
   }
+  if (!one_pair) keep_apart_from_itself(interface, x, workspace, memory);
   std::sort(next.begin(), next.end(), before);
   for (Crossing& was : memory.crossings) {
     const auto at = std::lower_bound(next.begin(), next.end(), was, before);

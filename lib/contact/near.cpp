@@ -7,6 +7,7 @@
 
 #include "base/parallel.hpp"
 #include "contact/crossing.hpp"
+#include "contact/partners.hpp"
 #include "contact/restitution.hpp"
 #include "geometry/height.hpp"
 
@@ -91,39 +92,12 @@ void keep_search(const Interface& interface, const Vectors& x, Memory& memory) {
 
 namespace {
 
-/// Finds which bodies are so near to each other that they may touch before the next search.
-void find_partners(const Interface& interface, const Vectors& x, double margin, Workspace& workspace) {
-  const Bodies& bodies = interface.bodies;
-  const Index count = bodies.count();
-  workspace.boxes.resize(static_cast<std::size_t>(count));
-  for (Index b = 0; b < count; ++b) {
-    BodyBox& box = workspace.boxes[static_cast<std::size_t>(b)];
-    box = {Vec3::Constant(infinite), Vec3::Constant(-infinite)};
-    for (Index f = bodies.first_facet[b]; f < bodies.first_facet[b + 1]; ++f)
-      for (int I = 0; I < 3; ++I) {
-        const auto corner = x.col(interface.base.facets(I, f));
-        box.low = box.low.cwiseMin(corner), box.high = box.high.cwiseMax(corner);
-      }
-  }
-  workspace.first_partner.assign(1, 0);
-  workspace.partners.clear();
-  for (Index a = 0; a < count; ++a) {
-    for (Index b = 0; b < count; ++b) {
-      const double reach = margin + bodies.thickest(a) + bodies.thickest(b);
-      const BodyBox &one = workspace.boxes[static_cast<std::size_t>(a)], &other = workspace.boxes[static_cast<std::size_t>(b)];
-      const bool apart = ((one.low - other.high).array() > reach).any() || ((other.low - one.high).array() > reach).any();
-      if (bodies.touch[bodies.pair(a, b)] != 0 && !apart) workspace.partners.push_back(b);
-    }
-    workspace.first_partner.push_back(static_cast<Index>(workspace.partners.size()));
-  }
-}
-
-/// Computes the normals of the facets of bodies that touch themselves.
+/// Computes the normals of the facets of bodies that are searched near themselves.
 void find_normals(const Interface& interface, const Vectors& x, Workspace& workspace) {
   const Bodies& bodies = interface.bodies;
   workspace.normals.resize(3, interface.base.facets.cols());
   for (Index b = 0; b < bodies.count(); ++b) {
-    if (bodies.touch[bodies.pair(b, b)] == 0) continue;
+    if (!searches_itself(workspace, b)) continue;
     for (Index f = bodies.first_facet[b]; f < bodies.first_facet[b + 1]; ++f) workspace.normals.col(f) = facet_normal(interface.base, x, f);
   }
 }
@@ -137,9 +111,9 @@ Vec3 mean_normal(const BaseSurface& base, const Vectors& normals, Index node) {
 }
 
 /// Sorts the facets that may be near an apex by where they are; false where positions cannot be searched.
-bool sort(const Interface& interface, const Vectors& x, double margin, Workspace& workspace) {
+bool sort(const Interface& interface, const Vectors& x, const Memory& memory, Workspace& workspace) {
   if (interface.bodies.count() == 0) return workspace.broad[0].sort(interface.base, x);
-  find_partners(interface, x, margin, workspace);
+  find_partners(interface, x, memory, workspace);
   find_normals(interface, x, workspace);
   std::vector<char> wanted(static_cast<std::size_t>(interface.bodies.count()), 0);
   for (const Index partner : workspace.partners) wanted[static_cast<std::size_t>(partner)] = 1;
@@ -148,13 +122,18 @@ bool sort(const Interface& interface, const Vectors& x, double margin, Workspace
   return true;
 }
 
-/// Calls visit(facet) for the facets nearer to an apex than its h_c and the margin, that it may touch.
+/// Calls visit(facet) for the facets nearer to an apex than its h_c and the margin, that it may touch; returns whether it is nearer than
+/// was asked to its own body.
 template <class Visit>
-void visit_near(const Interface& interface, const Vectors& x, const Memory& memory, const Workspace& workspace, Index a, Visit&& visit) {
+bool visit_near(const Interface& interface, const Vectors& x, const Memory& memory, const Workspace& workspace, Index a, Visit&& visit) {
   const Vector<double> p = position(x, interface.apexes[a]);
   const double reach = contact_height(interface, memory, a) + memory.margin;
   const Bodies& bodies = interface.bodies;
-  if (bodies.count() == 0) return workspace.broad[0].within(interface.base, x, p, reach, [&](Index facet, double) { visit(facet); });
+  bool near_itself = false;
+  if (bodies.count() == 0) {
+    workspace.broad[0].within(interface.base, x, p, reach, [&](Index facet, double) { visit(facet); });
+    return near_itself;
+  }
   const Index own = bodies.of_apex[a];
   for (Index i = workspace.first_partner[own]; i < workspace.first_partner[own + 1]; ++i) {
     const Index other = workspace.partners[i];
@@ -162,29 +141,37 @@ void visit_near(const Interface& interface, const Vectors& x, const Memory& memo
     const double farther = reach + bodies.thickest(other);
     const BodyBox& box = workspace.boxes[body];
     if (((box.low - eigen(p)).array() > farther).any() || ((eigen(p) - box.high).array() > farther).any()) continue;
-    const auto see = [&](Index facet, double) { visit(facet); };
     if (own != other) {
-      workspace.broad[body].within(interface.base, x, p, farther, see);
+      workspace.broad[body].within(interface.base, x, p, farther, [&](Index facet, double) { visit(facet); });
       continue;
     }
+    const auto see = [&](Index facet, double squared) {
+      near_itself = true;
+      if (squared < farther * farther) visit(facet);
+    };
     const Vec3 mine = mean_normal(interface.base, workspace.normals, interface.apexes[a]);
-    workspace.broad[body].within(interface.base, x, p, farther, see, [&](Index facet) {
+    workspace.broad[body].within(interface.base, x, p, farther + farther_from_itself * memory.margin, see, [&](Index facet) {
       return mine.dot(workspace.normals.col(facet)) < looks_away && !is_beside(interface.base, interface.apexes[a], facet);
     });
   }
+  return near_itself;
 }
 
 }  // namespace
 
 void search(const Interface& interface, const Vectors& x, Memory& memory, Workspace& workspace) {
-  if (!sort(interface, x, memory.margin, workspace)) return;
+  if (!sort(interface, x, memory, workspace)) return;
   keep_search(interface, x, memory);
   const auto count = static_cast<Index>(interface.apexes.size());
   parallel_for(count, 64, [&](Index a) {
     Index found = 0;
-    visit_near(interface, x, memory, workspace, a, [&](Index) { ++found; });
+    workspace.apex_near_itself[a] = visit_near(interface, x, memory, workspace, a, [&](Index) { ++found; });
     workspace.facets[a] = found;
   });
+  std::fill(workspace.near_itself.begin(), workspace.near_itself.end(), char{0});
+  for (std::size_t a = 0; a < interface.bodies.of_apex.size(); ++a)
+    if (workspace.apex_near_itself[a] != 0) workspace.near_itself[static_cast<std::size_t>(interface.bodies.of_apex[a])] = 1;
+  keep_apart_from_itself(interface, x, workspace, memory);
   workspace.near.clear();
   Index facets = 0;
   for (Index a = 0; a < count; ++a) {

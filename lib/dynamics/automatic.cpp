@@ -69,12 +69,16 @@ contact::Bodies bodies_of(const std::vector<TouchingBody>& list, const std::vect
   const auto count = list.size();
   bodies.thickest = Scalars::Zero(static_cast<Eigen::Index>(count));
   bodies.first_facet.assign(1, 0);
+  bodies.first_node.assign(1, 0);
   for (std::size_t b = 0; b < count; ++b) {
     bodies.names.push_back(list[b].name);
     bodies.thickest(static_cast<Eigen::Index>(b)) = skins[b].half;
     const Table<3>& facets = skins[b].surface->facets;
     bodies.first_facet.push_back(bodies.first_facet.back() + static_cast<Index>(facets.cols()));
     bodies.of_facet.resize(static_cast<std::size_t>(bodies.first_facet.back()), static_cast<Index>(b));
+    const Subset nodes = mesh::surface_nodes(*skins[b].surface);
+    bodies.nodes.insert(bodies.nodes.end(), nodes.begin(), nodes.end());
+    bodies.first_node.push_back(static_cast<Index>(bodies.nodes.size()));
   }
   for (std::size_t a = 0; a < count; ++a)
     for (std::size_t b = 0; b < count; ++b) {

@@ -509,9 +509,9 @@ def stays_at_rest(fine=1, passes="one", skins=True, friction=0.0, gravity=10.0, 
 def pile(fine=1, bodies=10, steps=1e5, gravity=10.0, friction=0.0):
     """Cubes that lie on each other under gravity, and the lowest on a block that is held; they go on lying there.
 
-    Without friction a tall pile is not stable: what slides aside tilts what is below, and the tilt lets it slide on. Ten of these cubes under
-    10 m/s^2 go apart by a factor e in 0.12 s (cubes as rigid bodies on springs of rotation E a^3 / 12), 50 times in 1e5 steps; under 1 m/s^2
-    6 times.
+    Without friction a tall pile is not stable: what slides aside tilts what is below, and the tilt lets it slide on. Ten of these cubes
+    under 10 m/s^2 go apart by a factor e in 0.12 s (cubes as rigid bodies on springs of rotation E a^3 / 12), 50 times in 1e5 steps;
+    under 1 m/s^2 6 times.
     """
     half, name = SIZE / 2, "abcdefghij"
     found = [body("base", box((-SIZE, -SIZE, -half), (SIZE, SIZE, 0), (3, 3, 1), fine))]
