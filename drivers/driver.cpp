@@ -14,6 +14,8 @@
 #include "drivers/accuracy.hpp"
 #include "drivers/forecast.hpp"
 #include "drivers/recorder.hpp"
+#include "drivers/restart.hpp"
+#include "dynamics/archive.hpp"
 #include "dynamics/overlaps.hpp"
 #include "dynamics/quality.hpp"
 #include "model/notes.hpp"
@@ -25,7 +27,7 @@ namespace {
 
 constexpr int most_threads = 1024;  // beyond it the system may refuse, in words of its own
 
-enum Status { done = 0, bad_case = 2, stopped = 3, our_fault = 4, machine = 5 };
+enum Status { done = 0, bad_case = 2, stopped = 3, our_fault = 4, machine = 5, interrupted = 6 };
 
 struct CommandLine {
   std::string case_path, out;
@@ -34,6 +36,8 @@ struct CommandLine {
   bool dry_run = false, quiet = false;
   std::string accuracy, of;  ///< a target, as in 2%, and the result it is of
   double longest = 60;       ///< [min] that a run may take to meet it, as foreseen
+  std::string checkpoint_every;  ///< a time of the simulation, as in 1 ms; empty: no checkpoints
+  bool resume = false;
 };
 
 /// The part of a summary that does not depend on what was computed.
@@ -160,12 +164,65 @@ void print_forecast(const dynamics::Model& model, const Forecast& forecast) {
   print(forecast.advice);
 }
 
+/// What a checkpoint of this run says, but for state and results.
+Checkpoint checkpoint_of(const std::string& name, const input::CaseFile& file, const dynamics::Model& model) {
+  return {.driver = name, .case_hash = file.hash(), .resolved = lines_of(file.resolved()), .fingerprint = dynamics::fingerprint(model),
+          .time = 0, .results = {}, .state = {}};
+}
+
+/// A time with its unit, as in "1 ms"; zero if it is none. [s]
+double time_of(const std::string& text) {
+  const auto read = input::parse_quantity(text);
+  const auto* quantity = std::get_if<input::Quantity>(&read);
+  return quantity != nullptr && quantity->dimension == dim::time && quantity->value > 0 ? quantity->value : 0;
+}
+
+/// Where a run begins.
+struct Beginning {
+  std::optional<Checkpoint> checkpoint;  ///< empty: at the start
+  bool is_over = false;                  ///< nothing is left to do
+  int status = done;                     ///< of the run that is over
+};
+
+Beginning beginning(const std::string& name, const CommandLine& line, const input::CaseFile& file) {
+  Beginning found;
+  if (!line.resume) return found;
+  found.checkpoint = read_checkpoint(line.out);
+  if (found.checkpoint) return found;
+  const output::Ended last = output::ended(line.out);
+  if (!last.word.empty() && last.case_hash != file.hash())
+    throw BadCheckpoint("there is no checkpoint in " + line.out + ", and its results are of another case; choose another --out");
+  found.is_over = !last.word.empty() && last.word != "interrupted";
+  if (found.is_over && last.word != "reached_end" && last.word != "stopped_by_condition" && last.word != "relaxed") found.status = stopped;
+  const std::string said = found.is_over ? "nothing is left to do: the run in " + line.out + " ended with " + last.word
+                                         : "there is no checkpoint in " + line.out + ": the run starts anew";
+  std::fprintf(stderr, "%s: %s\n", name.c_str(), said.c_str());
+  return found;
+}
+
+/// Writes a checkpoint where one is due, after steps.
+dynamics::Interrupt checkpoints(const std::string& name, const CommandLine& line, const input::CaseFile& file,
+                                const model::Simulation& simulation, Recorder& recorder) {
+  const double every = line.checkpoint_every.empty() ? 0 : time_of(line.checkpoint_every);
+  if (!(every > 0)) return {};
+  return [&, every, due = std::floor(simulation.state.t / every) + 1, next = checkpoint_of(name, file, simulation.model)](
+             const dynamics::View& view) mutable {
+    if (view.now.t < due * every) return false;
+    due = std::floor(view.now.t / every) + 1;
+    next.time = view.now.t, next.results = recorder.mark(), next.state = dynamics::bytes_of(view.model, view.now);
+    write_checkpoint(line.out, next);
+    return false;
+  };
+}
+
 Ran run_case(const std::string& name, const CommandLine& line, output::RunFolder& folder, const Build& build, const Results& results,
              const Judge& judge = {}) {
   if (line.threads > 0) use_threads(line.threads);
   const input::CaseFile file = input::CaseFile::read(line.case_path, line.overrides);
   model::Simulation simulation = build(file);
   check_inputs(line, file, folder);
+  const Beginning begins = beginning(name, line, file);
+  if (begins.is_over) return {begins.status, {}};
   std::vector<std::string> notes = model::gap_table(simulation);
   for (const std::string& note : model::width_notes(simulation)) notes.push_back(note);
   if (!line.quiet) {
@@ -177,20 +234,28 @@ Ran run_case(const std::string& name, const CommandLine& line, output::RunFolder
     notes.push_back(note);
     std::fprintf(stderr, "warning: %s\n", note.c_str());
   }
-  if (!line.quiet) {
+  if (!line.quiet && !begins.checkpoint) {
     const auto summary = [&] { return output::text_of(summarise(name, line, file, simulation, {}, results(simulation), notes)).size(); };
     print_forecast(simulation.model, forecast(simulation, summary));
   }
   if (line.dry_run) return {};
-  if (!line.quiet) {  // what was rehearsed is no start of a run
+  if (!line.quiet && !begins.checkpoint) {  // what was rehearsed is no start of a run
     simulation = {};
     simulation = build(input::CaseFile::read(line.case_path, line.overrides));
   }
 
-  folder.clear();
-  Recorder recorder(simulation, line.out, line.quiet);
+  if (begins.checkpoint) {
+    go_back_to(*begins.checkpoint, checkpoint_of(name, file, simulation.model), simulation);
+    if (!line.quiet) std::printf("the run goes on from its checkpoint at %.8g s\n", begins.checkpoint->time);
+  } else {
+    folder.clear();
+  }
+  std::optional<Recorder> results_of_run;
+  if (begins.checkpoint) results_of_run.emplace(simulation, line.out, line.quiet, begins.checkpoint->results);
+  else results_of_run.emplace(simulation, line.out, line.quiet);
+  Recorder& recorder = *results_of_run;
   const std::vector<dynamics::Observer> observers{[&recorder](const dynamics::View& view) { recorder(view); }};
-  const dynamics::Outcome outcome = model::run(simulation, observers);
+  const dynamics::Outcome outcome = model::run(simulation, observers, checkpoints(name, line, file, simulation, recorder));
   recorder.finish(model::view(simulation));
 
   if (recorder.replaced() > 0)
@@ -210,13 +275,14 @@ Ran run_case(const std::string& name, const CommandLine& line, output::RunFolder
   if (judge) judge(ran, ran.results);
   const output::Summary summary = summarise(name, line, file, simulation, outcome, ran.results, notes);
   output::write_summary(line.out, summary);
+  if (outcome.ending != dynamics::Ending::interrupted) remove_checkpoint(line.out);
   if (!line.quiet) {
     print(summary.results);
     std::printf("%ld steps in %.2f s, %.1f ns per element update; results in %s\n", static_cast<long>(summary.cost.steps),
                 outcome.wall_seconds, summary.cost.nanoseconds_per_element_update, line.out.c_str());
   }
   if (dynamics::good(outcome.ending)) return ran;
-  ran.status = stopped;
+  ran.status = outcome.ending == dynamics::Ending::interrupted ? interrupted : stopped;
   std::fprintf(stderr, "%s: stopped at %.6g s: %s%s%s: %s\n", name.c_str(), simulation.state.t, summary.ending.word.c_str(),
                outcome.block.empty() ? "" : (" in " + outcome.block).c_str(),
                outcome.element < 0 ? "" : (", element " + std::to_string(outcome.element)).c_str(), outcome.reason.c_str());
@@ -327,8 +393,13 @@ int from_command_line(int argc, char** argv, const std::string& name, bool meshe
     return part_of(text) > 0 ? std::string() : "'" + text + "' is no accuracy: expected as in 2%";
   };
   if (meshes) {
+    const auto is_time = [](const std::string& text) {
+      return time_of(text) > 0 ? std::string() : "'" + text + "' is no time: expected as in '1 ms'";
+    };
+    app.add_option("--checkpoint-every", line.checkpoint_every, "time of the simulation between checkpoints, as in '1 ms'")->check(is_time);
+    const auto resume = app.add_flag("--resume", line.resume, "go on from the last checkpoint in --out")->excludes("--dry-run");
     const auto accuracy = app.add_option("--accuracy", line.accuracy, "as in 2%: run on finer meshes until a result is that close")
-                              ->check(is_part)->excludes("--dry-run");
+                              ->check(is_part)->excludes("--dry-run")->excludes("--checkpoint-every")->excludes(resume);
     app.add_option("--of", line.of, "the result that is meant; the first without it")->needs(accuracy);
     app.add_option("--longest", line.longest, "minutes that a run may take to get there, as foreseen")->needs(accuracy)
         ->check(CLI::PositiveNumber)->capture_default_str();
@@ -345,10 +416,13 @@ int from_command_line(int argc, char** argv, const std::string& name, bool meshe
   }
   try {
     check_case_path(line);
-    output::RunFolder folder(line.dry_run ? "" : line.out);
+    output::RunFolder folder(line.dry_run ? "" : line.out, line.resume);
     return work(line, folder);
   } catch (const input::CaseError& error) {
     std::fprintf(stderr, "%s\n", error.what());
+    return bad_case;
+  } catch (const BadCheckpoint& error) {
+    std::fprintf(stderr, "%s: %s\n", name.c_str(), error.what());
     return bad_case;
   } catch (const InternalError& error) {
     std::fprintf(stderr, "%s: this is a fault of the program, not of the case: %s\n", name.c_str(), error.what());

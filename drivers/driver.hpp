@@ -1,9 +1,9 @@
 #pragma once
 // What all drivers share: the command line, the files, the exit status.
 //
-//     DRIVER CASE.yaml --out DIR [--set key=value]... [--threads N] [--dry-run] [--quiet]
+//     DRIVER CASE.yaml --out DIR [--set key=value]... [--threads N] [--dry-run] [--quiet] [--checkpoint-every TIME] [--resume]
 //
-// Exit status  0 done   2 the case is wrong   3 the physics stopped   4 our fault   5 the machine
+// Exit status  0 done   2 the case is wrong   3 the physics stopped   4 our fault   5 the machine   6 interrupted
 
 #include <functional>
 #include <string>

@@ -36,6 +36,22 @@ Recorder::Recorder(const model::Simulation& simulation, const std::filesystem::p
       contact_(out, "contact", output::GridKind::surface, output_precision(simulation.recording)),
       walls_(out, "walls", output::GridKind::surface, output_precision(simulation.recording)) {}
 
+Recorder::Recorder(const model::Simulation& simulation, const std::filesystem::path& out, bool quiet, const RecorderMark& mark)
+    : probes_(simulation.probes),
+      ledger_(dynamics::ledger_probes(simulation.model)),
+      frames_every_(simulation.recording.frames),
+      progress_(simulation.time.end, quiet),
+      history_(out / "history.csv", columns_of(probes_, ledger_), mark.history),
+      body_(out, "body", output::GridKind::volume, output_precision(simulation.recording), mark.body),
+      contact_(out, "contact", output::GridKind::surface, output_precision(simulation.recording), mark.contact),
+      walls_(out, "walls", output::GridKind::surface, output_precision(simulation.recording), mark.walls),
+      frame_(mark.frame) {}
+
+RecorderMark Recorder::mark() {
+  history_.flush();
+  return {history_.bytes(), frame_, body_.mark(), contact_.mark(), walls_.mark()};
+}
+
 void Recorder::operator()(const dynamics::View& view) {
   progress_.show(view.now.t, view.now.step, view.now.dt);
   if (!view.ledger_is_current) return;

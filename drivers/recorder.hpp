@@ -16,15 +16,27 @@ output::Precision output_precision(const model::Recording&);
 std::vector<output::Column> columns_of(const std::vector<dynamics::Probe>&, const std::vector<dynamics::Probe>& ledger);
 std::vector<double> row_of(const dynamics::View&, const std::vector<dynamics::Probe>&, const std::vector<dynamics::Probe>& ledger);
 
+/// How far the results of a run have come: what a checkpoint counts on.
+struct RecorderMark {
+  std::uint64_t history = 0;  ///< [bytes] of history.csv
+  std::int64_t frame = 0;     ///< the last one, as multiple of the interval
+  grid::CollectionMark body, contact, walls;
+};
+
 /// An observer of a run: columns are the probes of the simulation that have a name, then the ledger.
 class Recorder {
  public:
   /// The simulation must outlive the recorder.
   Recorder(const model::Simulation&, const std::filesystem::path& out, bool quiet);
+  /// Goes on with results where they were; what was written after that is dropped.
+  Recorder(const model::Simulation&, const std::filesystem::path& out, bool quiet, const RecorderMark&);
 
   void operator()(const dynamics::View&);
   /// The last state, whatever the run ended with.
   void finish(const dynamics::View&);
+
+  /// Puts all on the disk and says how far it has come.
+  RecorderMark mark();
 
   std::int64_t replaced() const { return body_.replaced() + contact_.replaced(); }
 

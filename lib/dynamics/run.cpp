@@ -168,6 +168,7 @@ std::string_view word(Ending ending) {
   switch (ending) {
     case Ending::reached_end: return "reached_end";
     case Ending::stopped_by_condition: return "stopped_by_condition";
+    case Ending::interrupted: return "interrupted";
     case Ending::inverted_element: return "inverted_element";
     case Ending::not_finite: return "not_finite";
     case Ending::step_too_small: return "step_too_small";
@@ -220,6 +221,10 @@ Outcome run(const Model& model, State& now, Forces& forces, const Time& time, do
   for (Step next = choose_step(now.votes, time.safety);
        !stop(model, now, next, time, outcome) && !wanted && now.t < time.end;  // also the last step is looked at
        next = choose_step(now.votes, time.safety)) {
+    if (watch.interrupt && now.step > 0 && watch.interrupt({model, now, forces, progress.ledger_is_current})) {
+      outcome.ending = Ending::interrupted;
+      break;
+    }
     if (next.dt < progress.smallest.dt) progress.smallest = next;
     progress.largest_step = std::max(progress.largest_step, next.dt);
     const double dt = next_length(now.votes, pace, now.t, now.dt);

@@ -24,7 +24,7 @@ struct Time {
 
 enum class Ending {
   reached_end, stopped_by_condition, relaxed,
-  inverted_element, not_finite, step_too_small, energy_created, energy_lost, bodies_overlap, not_relaxed
+  interrupted, inverted_element, not_finite, step_too_small, energy_created, energy_lost, bodies_overlap, not_relaxed
 };
 std::string_view word(Ending);
 /// Whether the run did what it was asked for: it reached its end, a condition of the case or its equilibrium.
@@ -49,11 +49,16 @@ using Observer = std::function<void(const View&)>;
 /// remembers is State::conditions; a run that goes on asks once more where it was left.
 using Until = std::function<std::string(const View&, std::vector<ConditionMemory>&)>;
 
+/// Asked after each step that the run has done with: whether it is interrupted there. A run that goes on from the state that it is shown
+/// has the bits of one that went on at once.
+using Interrupt = std::function<bool(const View&)>;
+
 /// What looks at a run and never touches it. Probes are sampled first; their memories are State::probes.
 struct Watch {
   std::span<const Probe> probes = {};
   std::span<const Observer> observers = {};
   Until until = {};
+  Interrupt interrupt = {};
 };
 
 /// Runs to the end, to the static equilibrium of a model with `relaxation`, or to what stops it: from a state that has not

@@ -469,6 +469,23 @@ Collection::Collection(std::filesystem::path directory, std::string name, GridKi
   write_index();
 }
 
+Collection::Collection(std::filesystem::path directory, std::string name, GridKind kind, Precision precision, const CollectionMark& mark)
+    : directory_(std::move(directory)), name_(std::move(name)), kind_(kind), precision_(precision), times_(mark.times),
+      replaced_(mark.replaced) {
+  if (!vtk_available()) return;
+  std::error_code error;
+  std::set<std::filesystem::path> kept;
+  for (int frame = 0; frame < frames(); ++frame) {
+    const auto file = directory_ / frame_name(frame);
+    if (!std::filesystem::is_regular_file(file, error)) throw MachineError(file.string() + " is missing, which a checkpoint counts on");
+    kept.insert(file);
+  }
+  for (const auto& path : frames_in(directory_ / name_, name_, error))
+    if (kept.count(path) == 0) std::filesystem::remove(path, error);
+  if (error) throw MachineError("cannot clear " + (directory_ / name_).string() + ": " + error.message());
+  write_index();
+}
+
 void Collection::add(const Grid& grid) {
   if (!std::isfinite(grid.time)) wrong(name_, "a frame whose time is no number");
   if (!times_.empty() && grid.time < times_.back()) wrong(name_, "a frame before the last one");

@@ -46,6 +46,12 @@ enum class Precision {
   full     ///< everything as Float64, for verification
 };
 
+/// How far a Collection has come.
+struct CollectionMark {
+  std::vector<double> times;  ///< [s] of its frames
+  std::int64_t replaced = 0;
+};
+
 /// One data set over time: DIRECTORY/NAME.pvd with its frames in DIRECTORY/NAME/NAME_000000.vtu.
 ///
 /// The .pvd is complete after every frame, and frames of an earlier run of the same name are
@@ -58,6 +64,9 @@ class Collection {
   Collection(std::filesystem::path directory, std::string name, GridKind kind,
              Precision precision = Precision::single);
 
+  /// Goes on with a collection after some of its frames; those behind them are removed. MachineError where frames are missing.
+  Collection(std::filesystem::path directory, std::string name, GridKind kind, Precision precision, const CollectionMark&);
+
   /// Writes one frame; one at the time of the last frame replaces it.
   ///
   /// Needs  times that do not fall and the same arrays in the same order in every frame, else
@@ -66,6 +75,7 @@ class Collection {
 
   int frames() const { return static_cast<int>(times_.size()); }  ///< written so far; 0 without VTK
   std::int64_t replaced() const { return replaced_; }             ///< values replaced by 0 so far
+  CollectionMark mark() const { return {times_, replaced_}; }
 
  private:
   std::string frame_name(int frame) const;  ///< relative to the directory

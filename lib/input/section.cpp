@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "input/document.hpp"
+#include "base/checksum.hpp"
 #include "base/words.hpp"
 #include "input/retired.hpp"
 
@@ -681,12 +682,9 @@ std::vector<std::string> CaseFile::not_used() const { return document_->not_used
 const std::vector<Resolved>& CaseFile::resolved() const { return document_->resolved; }
 
 std::string CaseFile::hash() const {
-  std::uint64_t state = 0xcbf29ce484222325U;  // FNV-1a, 64 bit: offset and prime as published
+  std::uint64_t state = checksum("");
   const auto add = [&](std::string_view text) {
-    for (const char c : text) {
-      state = (state ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
-    }
-    state *= 0x100000001b3U;  // as a byte of value zero, so that "ab", "c" differs from "a", "bc"
+    state = checksum({"\0", 1}, checksum(text, state));  // a byte of value zero behind each, so that "ab", "c" differs from "a", "bc"
   };
   struct Text {
     std::string operator()(double value) const { return shortest(value); }

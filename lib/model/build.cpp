@@ -327,8 +327,8 @@ Simulation build(const Scene& scene) {
   return simulation;
 }
 
-dynamics::Outcome run(Simulation& simulation, std::span<const dynamics::Observer> observers) {
-  dynamics::Watch watch{.probes = simulation.probes, .observers = observers, .until = {}};
+dynamics::Outcome run(Simulation& simulation, std::span<const dynamics::Observer> observers, const dynamics::Interrupt& interrupt) {
+  dynamics::Watch watch{.probes = simulation.probes, .observers = observers, .until = {}, .interrupt = interrupt};
   if (!simulation.stops.empty())
     watch.until = [&simulation](const dynamics::View& view, auto& memories) { return wanted_stop(simulation, view, memories); };
   return dynamics::run(simulation.model, simulation.state, simulation.forces, simulation.time, simulation.recording.history, watch);

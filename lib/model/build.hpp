@@ -29,7 +29,7 @@ struct Simulation {
 Simulation build(const Scene&);
 
 /// Runs a simulation to its end, to what its conditions ask for, or to what stops it; or on from where it was left.
-dynamics::Outcome run(Simulation&, std::span<const dynamics::Observer> observers = {});
+dynamics::Outcome run(Simulation&, std::span<const dynamics::Observer> observers = {}, const dynamics::Interrupt& interrupt = {});
 
 /// What observers and probes would see of a simulation as it stands.
 dynamics::View view(const Simulation&);

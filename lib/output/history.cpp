@@ -64,6 +64,16 @@ History::History(std::filesystem::path file, std::vector<Column> columns, const 
   flush();
 }
 
+History::History(std::filesystem::path file, std::vector<Column> columns, std::uint64_t bytes)
+    : file_(std::move(file)), columns_(columns.size()), bytes_(bytes) {
+  std::error_code error;
+  const auto there = std::filesystem::file_size(file_, error);
+  if (error || there < bytes) throw MachineError(file_.string() + " has not the rows that a checkpoint counts on");
+  std::filesystem::resize_file(file_, bytes, error);
+  stream_.open(file_, std::ios::binary | std::ios::app);
+  if (error || !stream_) throw MachineError("cannot write " + file_.string());
+}
+
 History::~History() {
   // A destructor must not throw; who needs to know has called flush().
   stream_ << lines_;
@@ -85,6 +95,7 @@ void History::flush() {
 
 void History::write_lines() {
   stream_ << lines_;
+  bytes_ += lines_.size();
   lines_.clear();
   if (!stream_) throw MachineError("cannot write " + file_.string());
 }

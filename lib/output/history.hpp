@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <span>
@@ -27,6 +28,8 @@ class History {
  public:
   /// columns  those after the first
   History(std::filesystem::path file, std::vector<Column> columns, const Column& first = {"time", "s"});
+  /// Goes on with a file after so many of its bytes; the rest is dropped. MachineError where it has fewer, or writing fails.
+  History(std::filesystem::path file, std::vector<Column> columns, std::uint64_t bytes);
   ~History();
   History(const History&) = delete;
   History& operator=(const History&) = delete;
@@ -35,12 +38,15 @@ class History {
   void add(double first, std::span<const double> row);
   /// Puts all rows on the disk. MachineError where that fails.
   void flush();
+  /// Of the file, after flush().
+  std::uint64_t bytes() const { return bytes_; }
 
  private:
   void write_lines();
 
   std::filesystem::path file_;
   std::size_t columns_;
+  std::uint64_t bytes_ = 0;  ///< given to the stream
   std::string lines_;  ///< not yet given to the stream
   std::ofstream stream_;
 };

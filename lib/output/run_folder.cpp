@@ -77,6 +77,7 @@ std::vector<fs::path> result_files(const fs::path& folder) {
   };
   for (const char* name : judged_by) add(folder / name), add(stale(folder / name));
   add(folder / "summary.json.tmp");  // the draft of a run that was killed
+  add(folder / "checkpoint"), add(folder / "checkpoint.tmp");
   add(folder / lock_name);
   for (const char* name : collections)
     for (const fs::path& file : grid::collection_files(folder, name)) files.push_back(file);
@@ -91,12 +92,13 @@ fs::path result_that_is(const fs::path& folder, const fs::path& file) {
   return {};
 }
 
-RunFolder::RunFolder(fs::path folder) : folder_(std::move(folder)) {
+RunFolder::RunFolder(fs::path folder, bool goes_on) : folder_(std::move(folder)) {
   std::error_code error;
   if (folder_.empty() || !fs::is_directory(folder_, error)) return;
   hold();
   for (const char* name : judged_by) {
     const fs::path file = folder_ / name;
+    if (goes_on) break;
     if (!fs::exists(fs::symlink_status(file, error)) || begins_like_a_mesh(file)) continue;
     fs::rename(file, stale(file), error);
     if (error) throw MachineError("cannot rename " + file.string() + ": " + error.message());

@@ -7,7 +7,7 @@
 namespace nereid::output {
 
 /// Files of a folder that a run writes or clears, of those that are there: summary.json, history.csv, these two with
-/// `.stale` behind, run.lock, and index and frames of the collections body, contact and walls.
+/// `.stale` behind, checkpoint, run.lock, and index and frames of the collections body, contact and walls.
 std::vector<std::filesystem::path> result_files(const std::filesystem::path& folder);
 
 /// The one of result_files() that is this very file, by whatever name or link; empty if none is, or there is no such file.
@@ -19,10 +19,11 @@ std::filesystem::path result_that_is(const std::filesystem::path& folder, const 
 /// touched, where another run holds the folder. A file system that cannot lock gives a warning on stderr.
 class RunFolder {
  public:
+  /// goes_on  whether the run goes on with the results that are there: it holds the folder, and nothing becomes stale.
   /// Holds a folder that is there, and adds `.stale` to the names of what an older run would be judged by: summary.json
   /// and history.csv, unless one begins like a mesh, with '<', and so may be an input. A folder that is not there is left
   /// so; "" is none at all.
-  explicit RunFolder(std::filesystem::path folder);
+  explicit RunFolder(std::filesystem::path folder, bool goes_on = false);
   /// Removes what is stale, and the lock.
   ~RunFolder();
   RunFolder(const RunFolder&) = delete;

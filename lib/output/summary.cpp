@@ -219,6 +219,16 @@ std::string text_of(const Summary& summary) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+Ended ended(const std::filesystem::path& directory) {
+  std::ifstream stream(directory / "summary.json", std::ios::binary);
+  const Json summary = Json::parse(stream, nullptr, false);  // what is no summary has not ended
+  const auto word = [&](const char* place) {
+    const Json::json_pointer at(place);
+    return summary.is_object() && summary.contains(at) && summary[at].is_string() ? summary[at].get<std::string>() : std::string();
+  };
+  return {word("/ending/word"), word("/provenance/case_hash")};
+}
+
 void write_summary(const std::filesystem::path& directory, const Summary& summary) {
   const std::string text = text_of(summary);
   make_folder(directory);

@@ -70,6 +70,12 @@ Provenance provenance();
 /// What summary.json holds. Needs names that come once, else InternalError.
 std::string text_of(const Summary&);
 
+/// How a run ended that has left a summary, and of which case it was; empty without one.
+struct Ended {
+  std::string word, case_hash;
+};
+Ended ended(const std::filesystem::path& directory);
+
 /// Writes DIRECTORY/summary.json; in one go, so that half a summary never stands there.
 ///
 /// Every physical quantity is {"value", "unit"}; what is no number is null.

@@ -1,0 +1,132 @@
+#include "drivers/restart.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
+#include "base/archive.hpp"
+#include "base/check.hpp"
+#include "base/checksum.hpp"
+#include "base/replace_file.hpp"
+#include "base/words.hpp"
+#include "dynamics/archive.hpp"
+
+namespace nereid::grid {
+
+template <class Archive>
+void visit(Archive& archive, CollectionMark& mark) {
+  auto& [times, replaced] = mark;
+  archive(times, replaced);
+}
+
+}  // namespace nereid::grid
+
+namespace nereid::driver {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view head = "Nereid checkpoint ";  // then the version, and the end of the line
+constexpr int version = 1;
+
+fs::path file_in(const fs::path& folder) { return folder / "checkpoint"; }
+
+template <class Archive>
+void visit(Archive& archive, RecorderMark& mark) {
+  auto& [history, frame, body, contact, walls] = mark;
+  archive(history, frame, body, contact, walls);
+}
+
+template <class Archive>
+void visit(Archive& archive, Checkpoint& one) {
+  auto& [driver, case_hash, resolved, fingerprint, time, results, state] = one;
+  archive(driver, case_hash, resolved, fingerprint, time);
+  visit(archive, results);
+  archive(state);
+}
+
+struct Text {
+  std::string operator()(double value) const { return shortest(value); }
+  std::string operator()(std::int64_t value) const { return std::to_string(value); }
+  std::string operator()(bool value) const { return value ? "true" : "false"; }
+  std::string operator()(const std::string& value) const { return value; }
+  std::string operator()(const std::vector<double>& values) const {
+    std::vector<std::string> words;
+    for (const double value : values) words.push_back(shortest(value));
+    return "[" + joined(words) + "]";
+  }
+  std::string operator()(const std::vector<std::string>& values) const { return "[" + joined(values) + "]"; }
+};
+
+/// Why a case is not that of a checkpoint: the first line that differs.
+std::string difference(const std::vector<std::string>& then, const std::vector<std::string>& now) {
+  const auto [there, here] = std::mismatch(then.begin(), then.end(), now.begin(), now.end());
+  return (there == then.end() ? "it has nothing of this" : "it says '" + *there + "'") + ", and " +
+         (here == now.end() ? "this case has nothing of it" : "this case '" + *here + "'");
+}
+
+}  // namespace
+
+std::vector<std::string> lines_of(const std::vector<Resolved>& resolved) {
+  std::vector<std::string> lines;
+  for (const Resolved& one : resolved)
+    lines.push_back(one.path + " = " + std::visit(Text{}, one.value) + (one.unit.empty() || one.unit == "1" ? "" : " " + one.unit));
+  return lines;
+}
+
+void write_checkpoint(const fs::path& folder, const Checkpoint& checkpoint) {
+  Writer body, file;
+  visit(body, const_cast<Checkpoint&>(checkpoint));  // which names members and changes none
+  file(checksum(body.bytes()), body.bytes());
+  replace_file(file_in(folder), std::string(head) + std::to_string(version) + "\n" + file.bytes());
+}
+
+std::optional<Checkpoint> read_checkpoint(const fs::path& folder) {
+  const fs::path path = file_in(folder);
+  std::error_code error;
+  if (!fs::exists(path, error)) return {};
+  std::ifstream stream(path, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+  const auto bad = [&](const std::string& why) { return BadCheckpoint(path.string() + ": " + why); };
+  if (!stream.good() && !stream.eof()) throw bad("it cannot be read");
+  if (bytes.rfind(head, 0) != 0) throw bad("it is no checkpoint");
+  const std::string mine = std::to_string(version) + "\n";
+  if (bytes.compare(head.size(), mine.size(), mine) != 0) {
+    const std::size_t end = bytes.find('\n');
+    throw bad("it is of version '" + bytes.substr(head.size(), std::min<std::size_t>(end - head.size(), 20)) +
+              "', and this program reads version " + std::to_string(version));
+  }
+  try {
+    Reader file(std::string_view(bytes).substr(head.size() + mine.size()));
+    std::uint64_t sum = 0;
+    std::string body;
+    file(sum, body);
+    if (sum != checksum(body) || !file.is_at_end()) throw bad("it is damaged: its checksum is another one");
+    Reader reader(body);
+    Checkpoint checkpoint;
+    visit(reader, checkpoint);
+    return checkpoint;
+  } catch (const DamagedArchive& damaged) {
+    throw bad(damaged.what());
+  }
+}
+
+void remove_checkpoint(const fs::path& folder) {
+  std::error_code error;  // one that stays does no harm: the end would be reached again
+  fs::remove(file_in(folder), error);
+}
+
+void go_back_to(const Checkpoint& then, const Checkpoint& now, model::Simulation& simulation) {
+  if (then.driver != now.driver) throw BadCheckpoint("the checkpoint is of driver '" + then.driver + "'");
+  if (then.resolved != now.resolved || then.case_hash != now.case_hash)
+    throw BadCheckpoint("the checkpoint is of another case: " + difference(then.resolved, now.resolved));
+  if (then.fingerprint != now.fingerprint) throw BadCheckpoint("the checkpoint is of another mesh: a file that the case reads has changed");
+  try {
+    simulation.state = dynamics::state_of(simulation.model, then.state);
+  } catch (const DamagedArchive& damaged) {
+    throw BadCheckpoint(std::string("the state in the checkpoint is not of this model: ") + damaged.what());
+  }
+}
+
+}  // namespace nereid::driver

@@ -1,0 +1,354 @@
+#include "dynamics/archive.hpp"
+
+#include "base/archive.hpp"
+#include "base/checksum.hpp"
+
+namespace nereid {
+
+template <class Archive, class Channel>
+void visit(Archive& archive, Channels<Channel>& channels) {
+  auto values = std::bit_cast<std::array<double, sizeof(Channels<Channel>) / sizeof(double)>>(channels);
+  archive(values);
+  channels = std::bit_cast<Channels<Channel>>(values);
+}
+
+template <class Archive>
+void visit(Archive& archive, Account& account) {
+  auto& [work, stored, at_start, dissipated, by_reconnection, impulse, angular_impulse] = account;
+  archive(work, stored, at_start, dissipated, by_reconnection, impulse, angular_impulse);
+}
+
+namespace contact {
+
+template <class Archive>
+void visit(Archive& archive, Feature& feature) {
+  auto& [facet, kind, local] = feature;
+  archive(facet, kind, local);
+}
+
+template <class Archive>
+void visit(Archive& archive, Restitution& one) {
+  auto& [held, kept, mean_force, last_loss] = one;
+  archive(held, kept, mean_force, last_loss);
+}
+
+template <class Archive>
+void visit(Archive& archive, StepFactorMemory& memory) {
+  auto& [lowered_at, least_created, most_created] = memory;
+  archive(lowered_at, least_created, most_created);
+}
+
+template <class Archive>
+void visit(Archive& archive, Track& track) {
+  auto& [facet, height] = track;
+  archive(facet, height);
+}
+
+template <class Archive>
+void visit(Archive& archive, Place& place) {
+  auto& [facet, weight, height] = place;
+  archive(facet, weight, height);
+}
+
+template <class Archive>
+void visit(Archive& archive, Tracks& tracks) {
+  auto& [count, track, owned, out] = tracks;
+  archive(count, track, owned, out);
+}
+
+template <class Archive>
+void visit(Archive& archive, Stencil& stencil) {
+  auto& [facet, apex, weight, fourth, push, share, kind, local, on_ridge, level] = stencil;
+  archive(facet, apex, weight, fourth, push, share, kind, local, on_ridge, level);
+}
+
+template <class Archive>
+void visit(Archive& archive, ElementForces& element) {
+  auto& [closed, has_moment, moved, lost, count, penalty, stiffness, scale, depth, work, created, dissipated, apex, angular_impulse,
+         stencil] = element;
+  archive(closed, has_moment, moved, lost, count, penalty, stiffness, scale, depth, work, created, dissipated, apex, angular_impulse,
+          stencil);
+}
+
+template <class Archive>
+void visit(Archive& archive, Touch& touch) {
+  auto& [normal, arm, apex, nodes, node, weight, lift, base_arm, apex_arm, base_rotates, offset, per_inertia] = touch;
+  archive(normal, arm, apex, nodes, node, weight, lift, base_arm, apex_arm, base_rotates, offset, per_inertia);
+}
+
+template <class Archive>
+void visit(Archive& archive, FrictionForces& friction) {
+  auto& [acts, stuck, touch, force, stiffness, coefficient, sliding, work, dissipated, created] = friction;
+  archive(acts, stuck, touch, force, stiffness, coefficient, sliding, work, dissipated, created);
+}
+
+template <class Archive>
+void visit(Archive& archive, Near& near) {
+  auto& [apex, first_facet, facets, clear, area, rests, stays, pressed, tracks, friction, element] = near;
+  archive(apex, first_facet, facets, clear, area, rests, stays, pressed, tracks, friction, element);
+}
+
+template <class Archive>
+void visit(Archive& archive, Crossing& crossing) {
+  auto& [edge, base_edge, side, level, acts, closed, node, weight, push, gap, pressed, restitution, friction] = crossing;
+  archive(edge, base_edge, side, level, acts, closed, node, weight, push, gap, pressed, restitution, friction);
+}
+
+template <class Archive>
+void visit(Archive& archive, Memory& memory) {
+  auto& [near, crossings, near_facets, slot, feature, status, gap, stored, slip, tangential_stored, reconnections, thicker, work, damped,
+         thinned, friction_dissipated, friction_to_come, friction_owed, restitution, impact, force, impulse, transferred, held, power_rate,
+         created_by_reconnection, angular_impulse, deepest, deepest_apex, deepest_time, deepest_in, step_factor, deepest_now, walks, lost,
+         recovered, searches, margin, way, apart_from_itself, apart_then, awake, apexes_then, base_then, mean_way] = memory;
+  archive(near, crossings, near_facets, slot, feature, status, gap, stored, slip, tangential_stored, reconnections, thicker, work, damped,
+          thinned, friction_dissipated, friction_to_come, friction_owed, restitution, impact, force, impulse, transferred, held, power_rate,
+          created_by_reconnection, angular_impulse, deepest, deepest_apex, deepest_time, deepest_in, step_factor, deepest_now, walks, lost,
+          recovered, searches, margin, way, apart_from_itself, apart_then, awake, apexes_then, base_then, mean_way);
+}
+
+template <class Archive>
+void visit(Archive& archive, PlaneMemory& memory) {
+  auto& [force, restitution, next_force, friction, next_friction, stuck, slip, sliding, work, stored, friction_to_come, friction_owed,
+         tangential_stored, friction_dissipated, transferred, impact, power_rate, step_factor, deepest, deepest_node, deepest_time, impulse,
+         angular_impulse] = memory;
+  archive(force, restitution, next_force, friction, next_friction, stuck, slip, sliding, work, stored, friction_to_come, friction_owed,
+          tangential_stored, friction_dissipated, transferred, impact, power_rate, step_factor, deepest, deepest_node, deepest_time,
+          impulse, angular_impulse);
+}
+
+}  // namespace contact
+
+namespace rigid {
+
+template <class Archive>
+void visit(Archive& archive, Turn& turn) {
+  auto& [real, vector] = turn;
+  archive(real, vector);
+}
+
+template <class Archive>
+void visit(Archive& archive, State& state) {
+  auto& [shift, turn, momentum, angular_momentum] = state;
+  archive(shift, turn, momentum, angular_momentum);
+}
+
+}  // namespace rigid
+
+namespace load {
+
+template <class Archive>
+void visit(Archive& archive, ConstrainedNode& one) {
+  auto& [node, rotation, count, moves, rotation_constrained, driver, plane, normal, reaction, speed, angular_velocity, allowed,
+         allowed_rotation] = one;
+  archive(node, rotation, count, moves, rotation_constrained, driver, plane, normal, reaction, speed, angular_velocity, allowed,
+          allowed_rotation);
+}
+
+template <class Archive>
+void visit(Archive& archive, PlaneAccount& account) {
+  auto& [impulse, angular_impulse, stopped, driven] = account;
+  archive(impulse, angular_impulse, stopped, driven);
+}
+
+template <class Archive>
+void visit(Archive& archive, Memory& memory) {
+  auto& [nodes, row_of_node, account, stopped, active, impacting, speed] = memory;
+  archive(nodes, row_of_node, account, stopped, active, impacting, speed);
+}
+
+template <class Archive>
+void visit(Archive& archive, LoadMemory& memory) {
+  auto& [force, moment, work, stored, dissipated, impulse, angular_impulse] = memory;
+  archive(force, moment, work, stored, dissipated, impulse, angular_impulse);
+}
+
+}  // namespace load
+
+namespace audit {
+
+template <class Archive>
+void visit(Archive& archive, Depth& at) {
+  auto& [depth, size, open, place, region] = at;
+  archive(depth, size, open, place, region);
+}
+
+template <class Archive>
+void visit(Archive& archive, Overlap& overlap) {
+  auto& [surface, at_start, accepted, allowed, deepest, grown, worst, time, sure, surest, sure_time] = overlap;
+  archive(surface, at_start, accepted, allowed, deepest, grown, worst, time, sure, surest, sure_time);
+}
+
+template <class Archive>
+void visit(Archive& archive, Memory& memory) {
+  auto& [overlaps, looks] = memory;
+  archive(overlaps, looks);
+}
+
+}  // namespace audit
+
+namespace element {
+
+template <class Archive>
+void visit(Archive& archive, TileForces& forces) {
+  auto& [force, moment, thickness] = forces;  // slots are numbered element by element
+  archive(force, moment, thickness);
+}
+
+template <class Archive>
+void visit(Archive& archive, Thinned& thinned) {
+  auto& [ratio, element] = thinned;
+  archive(ratio, element);
+}
+
+}  // namespace element
+
+namespace dynamics {
+
+template <class Archive>
+void visit(Archive& archive, RelaxationMemory& memory) {
+  auto& [removed, impulse, angular_impulse, residual, most_force, most_kinetic, balanced, since, x, rotated, force, moment, omega] = memory;
+  archive(removed, impulse, angular_impulse, residual, most_force, most_kinetic, balanced, since, x, rotated, force, moment, omega);
+}
+
+template <class Archive>
+void visit(Archive& archive, ProbeMemory& memory) {
+  auto& [last, largest, smallest, time_of_largest, time_of_smallest, integral, first_above_zero, last_above_zero, samples, impulse, force,
+         since] = memory;
+  archive(last, largest, smallest, time_of_largest, time_of_smallest, integral, first_above_zero, last_above_zero, samples, impulse, force,
+          since);
+}
+
+template <class Archive>
+void visit(Archive& archive, ConditionMemory& memory) {
+  auto& [first, last, time, extreme, time_of_extreme, since, integral, mean] = memory;
+  archive(first, last, time, extreme, time_of_extreme, since, integral, mean);
+}
+
+template <class Archive>
+void visit(Archive& archive, Step& step) {
+  auto& [dt, source, at, safety] = step;
+  archive(dt, source, at, safety);
+}
+
+template <class Archive>
+void visit(Archive& archive, Progress& progress) {
+  auto& [started, first_step, updates, ledger_is_current, corners_seen, corners_next, corner, audits, audited, audited_itself, smallest,
+         largest_step] = progress;
+  archive(started, first_step, updates, ledger_is_current, corners_seen, corners_next, corner, audits, audited, audited_itself, smallest,
+          largest_step);
+}
+
+template <class Archive>
+void visit(Archive& archive, Spin& spin) {
+  auto& [energy, node, time] = spin;
+  archive(energy, node, time);
+}
+
+template <class Archive>
+void visit(Archive& archive, Quality& quality) {
+  auto& [corner, element, time, hourglass, internal, uneven, compared, compared_at, inverted, thinned, thinned_at, spin] = quality;
+  archive(corner, element, time, hourglass, internal, uneven, compared, compared_at, inverted, thinned, thinned_at, spin);
+}
+
+template <class Archive>
+void visit(Archive& archive, Flow& flow) {
+  auto& [passed, work, recent, owed, worst, worst_of_scene] = flow;
+  archive(passed, work, recent, owed, worst, worst_of_scene);
+}
+
+template <class Archive>
+void visit(Archive& archive, Ledger& ledger) {
+  auto& [initial_kinetic, kinetic, initial_available, integration, external_work, initial_momentum, momentum, initial_angular_momentum,
+         angular_momentum, accounts, flows, integration_kept, worst_kept, most_integration] = ledger;
+  archive(initial_kinetic, kinetic, initial_available, integration, external_work, initial_momentum, momentum, initial_angular_momentum,
+          angular_momentum, accounts, flows, integration_kept, worst_kept, most_integration);
+}
+
+template <class Archive>
+void visit(Archive& archive, Vote& vote) {
+  auto& [step, source, at] = vote;
+  archive(step, source, at);
+}
+
+template <class Archive>
+void visit(Archive& archive, Votes& votes) {
+  auto& [elements, contact, volume_ratio, smallest_block, smallest_element, may_grow, costly] = votes;
+  archive(elements, contact, volume_ratio, smallest_block, smallest_element, may_grow, costly);
+}
+
+/// All of a state but what blocks remember.
+template <class Archive>
+void visit_rest(Archive& archive, State& state) {
+  auto& [t, step, dt, x, v, omega, blocks, tiles, interfaces, rigid_planes, rigid_bodies, constraints, loads, relaxation, ledger, votes,
+         progress, quality, audit, probes, conditions] = state;
+  archive(t, step, dt, x, v, omega, tiles, interfaces, rigid_planes, rigid_bodies, constraints, loads, relaxation, ledger, votes, progress,
+          quality, audit, probes, conditions);
+}
+
+namespace {
+
+constexpr auto width = static_cast<std::size_t>(lanes);
+
+/// Rows of a block's memory, element after element in the order of its tiles.
+std::vector<double> by_element(const element::Tiling& tiling, const std::vector<double>& rows) {
+  const std::size_t packs = tiling.filled.size(), count = packs == 0 ? 0 : rows.size() / (packs * width);
+  std::vector<double> values;
+  values.reserve(count * static_cast<std::size_t>(tiling.elements));
+  for (std::size_t pack = 0; pack < packs; ++pack)
+    for (int lane = 0; lane < tiling.filled[pack]; ++lane)
+      for (std::size_t row = 0; row < count; ++row) values.push_back(rows[(pack * count + row) * width + static_cast<std::size_t>(lane)]);
+  return values;
+}
+
+/// The same back; fillers repeat the last element of their pack.
+void by_lane(const element::Tiling& tiling, const std::vector<double>& values, std::vector<double>& rows) {
+  const std::size_t packs = tiling.filled.size(), count = packs == 0 ? 0 : rows.size() / (packs * width);
+  if (values.size() != count * static_cast<std::size_t>(tiling.elements)) throw DamagedArchive("its elements remember something else");
+  std::size_t first = 0;
+  for (std::size_t pack = 0; pack < packs; ++pack) {
+    const auto filled = static_cast<std::size_t>(tiling.filled[pack]);
+    for (std::size_t lane = 0; lane < width; ++lane)
+      for (std::size_t row = 0; row < count; ++row)
+        rows[(pack * count + row) * width + lane] = values[first + std::min(lane, filled - 1) * count + row];
+    first += filled * count;
+  }
+}
+
+}  // namespace
+
+std::string bytes_of(const Model& model, const State& state) {
+  Writer writer;
+  for (std::size_t b = 0; b < model.blocks.size(); ++b) {
+    const auto& [rows, work, stored, dissipated] = state.blocks[b];
+    writer(by_element(element::tiling(model.blocks[b]), rows), work, stored, dissipated);
+  }
+  visit_rest(writer, const_cast<State&>(state));  // which names members and changes none
+  return writer.bytes();
+}
+
+State state_of(const Model& model, std::string_view bytes) {
+  Reader reader(bytes);
+  State state;
+  for (const element::AnyBlock& block : model.blocks) {
+    element::Memory memory = element::initial_memory(block);
+    std::vector<double> values;
+    reader(values, memory.work, memory.stored, memory.dissipated);
+    by_lane(element::tiling(block), values, memory.rows);
+    state.blocks.push_back(std::move(memory));
+  }
+  visit_rest(reader, state);
+  if (!reader.is_at_end()) throw DamagedArchive("something is behind its end");
+  return state;
+}
+
+std::uint64_t fingerprint(const Model& model) {
+  Writer writer;
+  writer(model.mesh.X, model.mass, model.inertia);
+  for (const element::AnyBlock& block : model.blocks) writer(element::name(block), element::nodes(block));
+  for (const contact::Interface& interface : model.interfaces) writer(interface.name, interface.apexes, interface.base.facets);
+  for (const contact::RigidPlane& plane : model.rigid_planes) writer(plane.name, plane.nodes);
+  return checksum(writer.bytes());
+}
+
+}  // namespace dynamics
+}  // namespace nereid

@@ -1,0 +1,68 @@
+#include "dynamics/archive.hpp"
+
+#include "base/archive.hpp"
+#include "mesh/box.hpp"
+#include "tests/dynamics/scene.hpp"
+
+namespace nereid::dynamics {
+namespace {
+
+const material::Elastic rubber{1000, 1e6, 0.3};
+
+/// A block that falls askew on another one, with friction. 30 elements and 8: no multiple of what a vector holds.
+Scene blocks(contact::Method method) {
+  Scene s;
+  s.model.mesh = mesh::join(mesh::box("below", {{0, 0, 0}, {0.4, 0.4, 0.2}, {5, 3, 2}}),
+                            mesh::box("above", {{0.05, 0.05, 0.201}, {0.35, 0.35, 0.4}, {2, 2, 2}}));
+  for (const char* name : {"below", "above"}) s.model.blocks.push_back(element::hexahedra(s.model.mesh, name, rubber, {}));
+  finalize(s.model);
+  InterfaceOptions options;
+  options.method = method;
+  options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
+  options.friction.coefficient = 0.4;
+  s.joined("joint", "above.z_low", "below.z_high", options);
+  s.ready();
+  s.move("above", Vec3(1, 0.5, -3));
+  return s;
+}
+
+TEST(StateAsBytes, ThatIsReadAgainGoesOnWithTheSameBits) {
+  for (const auto method : {contact::Method::penalty, contact::Method::multiplier}) {
+    Scene whole = blocks(method), broken = blocks(method);
+    std::string half;
+    int steps = 0;
+    const Observer keep = [&](const View& view) {
+      if (++steps == 30) half = bytes_of(view.model, view.now);
+    };
+    whole.run_to(0.01, 1e300, {&keep, 1});
+    ASSERT_GT(steps, 40);
+    broken.state = state_of(broken.model, half);
+    EXPECT_EQ(bytes_of(broken.model, broken.state), half);
+    broken.run_to(0.01);
+    const auto one = numbers(whole.state), other = numbers(broken.state);  // what is not in use may differ
+    ASSERT_EQ(one.size(), other.size());
+    for (std::size_t i = 0; i < one.size(); ++i) {
+      ASSERT_EQ(one[i].second.size(), other[i].second.size()) << one[i].first;
+      EXPECT_EQ(std::memcmp(one[i].second.data(), other[i].second.data(), one[i].second.size() * sizeof(double)), 0) << one[i].first;
+    }
+    EXPECT_NE(whole.state.interfaces[0].work, 0);
+  }
+}
+
+TEST(StateAsBytes, OfAnotherModelIsRefused) {
+  const Scene one = blocks(contact::Method::penalty);
+  const std::string bytes = bytes_of(one.model, one.state);
+  Scene other;
+  other.model.mesh = mesh::box("below", {{0, 0, 0}, {0.4, 0.4, 0.2}, {5, 3, 2}});
+  other.model.blocks.push_back(element::hexahedra(other.model.mesh, "below", rubber, {}));
+  finalize(other.model);
+  other.ready();
+  EXPECT_THROW(state_of(other.model, bytes), DamagedArchive);
+  EXPECT_THROW(state_of(one.model, bytes + "x"), DamagedArchive);
+  EXPECT_THROW(state_of(one.model, std::string_view(bytes).substr(0, bytes.size() - 1)), DamagedArchive);
+  EXPECT_NE(fingerprint(one.model), fingerprint(other.model));
+  EXPECT_EQ(fingerprint(one.model), fingerprint(blocks(contact::Method::penalty).model));
+}
+
+}  // namespace
+}  // namespace nereid::dynamics
