@@ -93,14 +93,16 @@ function(nereid_package)
                 ${PROJECT_SOURCE_DIR}/cmake/dependencies.cmake DESTINATION ${folder} COMPONENT library)
 endfunction()
 
-# One program per question, drivers/<name>.cpp; what they share stands in the five that make the library.
+# One program per question, drivers/<name>.cpp; what they share has headers and makes the library.
 function(nereid_drivers)
-  file(GLOB names CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/drivers ${PROJECT_SOURCE_DIR}/drivers/*.cpp)
-  list(REMOVE_ITEM names accuracy.cpp driver.cpp forecast.cpp recorder.cpp restart.cpp)
+  set(folder ${PROJECT_SOURCE_DIR}/drivers)
+  file(GLOB names CONFIGURE_DEPENDS RELATIVE ${folder} ${folder}/*.cpp)
+  file(GLOB shared CONFIGURE_DEPENDS RELATIVE ${folder} ${folder}/*.hpp)
+  list(TRANSFORM shared REPLACE "\\.hpp$" ".cpp")
+  list(REMOVE_ITEM names ${shared})
   list(TRANSFORM names REPLACE "\\.cpp$" "")
-  set(shared ${PROJECT_SOURCE_DIR}/drivers)
-  add_library(nereid_driver STATIC ${shared}/accuracy.cpp ${shared}/driver.cpp ${shared}/forecast.cpp ${shared}/recorder.cpp
-    ${shared}/restart.cpp)
+  list(TRANSFORM shared PREPEND ${folder}/)
+  add_library(nereid_driver STATIC ${shared})
   target_link_libraries(nereid_driver PUBLIC nereid::input nereid::output PRIVATE CLI11::CLI11)
   add_custom_target(drivers DEPENDS ${names})
   foreach(name ${names})

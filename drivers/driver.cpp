@@ -15,6 +15,7 @@
 #include "drivers/forecast.hpp"
 #include "drivers/recorder.hpp"
 #include "drivers/restart.hpp"
+#include "drivers/signals.hpp"
 #include "dynamics/archive.hpp"
 #include "dynamics/overlaps.hpp"
 #include "dynamics/quality.hpp"
@@ -200,18 +201,18 @@ Beginning beginning(const std::string& name, const CommandLine& line, const inpu
   return found;
 }
 
-/// Writes a checkpoint where one is due, after steps.
+/// Writes a checkpoint where one is due, and where a signal ends the run.
 dynamics::Interrupt checkpoints(const std::string& name, const CommandLine& line, const input::CaseFile& file,
                                 const model::Simulation& simulation, Recorder& recorder) {
-  const double every = line.checkpoint_every.empty() ? 0 : time_of(line.checkpoint_every);
-  if (!(every > 0)) return {};
+  const double every = line.checkpoint_every.empty() ? INFINITY : time_of(line.checkpoint_every);
   return [&, every, due = std::floor(simulation.state.t / every) + 1, next = checkpoint_of(name, file, simulation.model)](
-             const dynamics::View& view) mutable {
-    if (view.now.t < due * every) return false;
+             const dynamics::View& view) mutable -> std::string {
+    const std::string signal = heard_signal();
+    if (signal.empty() && !(view.now.t >= due * every)) return "";
     due = std::floor(view.now.t / every) + 1;
     next.time = view.now.t, next.results = recorder.mark(), next.state = dynamics::bytes_of(view.model, view.now);
     write_checkpoint(line.out, next);
-    return false;
+    return signal.empty() ? "" : "by " + signal + "; --resume goes on from here";
   };
 }
 
@@ -239,6 +240,7 @@ Ran run_case(const std::string& name, const CommandLine& line, output::RunFolder
     print_forecast(simulation.model, forecast(simulation, summary));
   }
   if (line.dry_run) return {};
+  stop_if_interrupted("there are no results");
   if (!line.quiet && !begins.checkpoint) {  // what was rehearsed is no start of a run
     simulation = {};
     simulation = build(input::CaseFile::read(line.case_path, line.overrides));
@@ -280,8 +282,12 @@ Ran run_case(const std::string& name, const CommandLine& line, output::RunFolder
     print(summary.results);
     std::printf("%ld steps in %.2f s, %.1f ns per element update; results in %s\n", static_cast<long>(summary.cost.steps),
                 outcome.wall_seconds, summary.cost.nanoseconds_per_element_update, line.out.c_str());
+    std::printf("%s\n", model::energy_line(simulation).c_str());
   }
-  if (dynamics::good(outcome.ending)) return ran;
+  if (dynamics::good(outcome.ending)) {
+    if (!line.quiet) std::printf("ended at %.6g s: %s\n", simulation.state.t, summary.ending.word.c_str());
+    return ran;
+  }
   ran.status = outcome.ending == dynamics::Ending::interrupted ? interrupted : stopped;
   std::fprintf(stderr, "%s: stopped at %.6g s: %s%s%s: %s\n", name.c_str(), simulation.state.t, summary.ending.word.c_str(),
                outcome.block.empty() ? "" : (" in " + outcome.block).c_str(),
@@ -293,7 +299,7 @@ Ran run_case(const std::string& name, const CommandLine& line, output::RunFolder
 Ran look_at_case(const CommandLine& line, const Build& build, const Results& results) {
   const input::CaseFile file = input::CaseFile::read(line.case_path, line.overrides);
   model::Simulation simulation = build(file);
-  const dynamics::Outcome outcome = model::run(simulation, {});
+  const dynamics::Outcome outcome = model::run(simulation, {}, [](const dynamics::View&) { return heard_signal(); });
   return {dynamics::good(outcome.ending) ? done : stopped, results(simulation), static_cast<double>(outcome.element_updates),
           outcome.wall_seconds};
 }
@@ -309,7 +315,9 @@ int run_to_accuracy(const std::string& name, const CommandLine& line, output::Ru
     CommandLine finer = line;
     finer.overrides.push_back("refine=" + shortest(refine)), finer.quiet = true;
     try {
-      return first_look ? look_at_case(finer, build, results) : run_case(name, finer, folder, build, results, judge);
+      const Ran ran = first_look ? look_at_case(finer, build, results) : run_case(name, finer, folder, build, results, judge);
+      stop_if_interrupted(line.accuracy + " is not reached");
+      return ran;
     } catch (const input::CaseError&) {
       return Ran{bad_case, {}};
     }
@@ -341,6 +349,7 @@ int answer_case(const std::string& name, const CommandLine& line, output::RunFol
   folder.clear();
   const auto began = std::chrono::steady_clock::now();
   Answer found = compute();
+  stop_if_interrupted("there are no results");
   stop_if_not_finite(found);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
 
@@ -414,6 +423,7 @@ int from_command_line(int argc, char** argv, const std::string& name, bool meshe
     const int status = app.exit(error);
     return status == 0 ? done : bad_case;
   }
+  hear_signals();
   try {
     check_case_path(line);
     output::RunFolder folder(line.dry_run ? "" : line.out, line.resume);
@@ -424,6 +434,9 @@ int from_command_line(int argc, char** argv, const std::string& name, bool meshe
   } catch (const BadCheckpoint& error) {
     std::fprintf(stderr, "%s: %s\n", name.c_str(), error.what());
     return bad_case;
+  } catch (const Interrupted& error) {
+    std::fprintf(stderr, "%s: %s\n", name.c_str(), error.what());
+    return interrupted;
   } catch (const InternalError& error) {
     std::fprintf(stderr, "%s: this is a fault of the program, not of the case: %s\n", name.c_str(), error.what());
     return our_fault;

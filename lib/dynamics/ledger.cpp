@@ -70,8 +70,9 @@ double part_of_flow(const Ledger& ledger, std::size_t source, double energy, dou
 }
 
 double kept_part(const Ledger& ledger) {
-  const double scale = energy_scale(ledger);
-  return scale > 0 ? ledger.integration_kept / scale : 0;
+  const double scale = energy_scale(ledger), kept = ledger.integration_kept, now = ledger.integration;
+  if (!(scale > 0) || (kept > 0) != (now > 0)) return 0;
+  return std::copysign(std::min(std::abs(kept), std::abs(now)), kept) / scale;
 }
 
 double swing_part(const Ledger& ledger) {

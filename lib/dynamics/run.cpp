@@ -221,7 +221,8 @@ Outcome run(const Model& model, State& now, Forces& forces, const Time& time, do
   for (Step next = choose_step(now.votes, time.safety);
        !stop(model, now, next, time, outcome) && !wanted && now.t < time.end;  // also the last step is looked at
        next = choose_step(now.votes, time.safety)) {
-    if (watch.interrupt && now.step > 0 && watch.interrupt({model, now, forces, progress.ledger_is_current})) {
+    if (watch.interrupt && now.step > 0) outcome.reason = watch.interrupt({model, now, forces, progress.ledger_is_current});
+    if (!outcome.reason.empty()) {
       outcome.ending = Ending::interrupted;
       break;
     }

@@ -49,9 +49,9 @@ using Observer = std::function<void(const View&)>;
 /// remembers is State::conditions; a run that goes on asks once more where it was left.
 using Until = std::function<std::string(const View&, std::vector<ConditionMemory>&)>;
 
-/// Asked after each step that the run has done with: whether it is interrupted there. A run that goes on from the state that it is shown
-/// has the bits of one that went on at once.
-using Interrupt = std::function<bool(const View&)>;
+/// Asked after each step that the run has done with: why it is interrupted there, empty to go on. A run that goes on from the state that it
+/// is shown has the bits of one that went on at once.
+using Interrupt = std::function<std::string(const View&)>;
 
 /// What looks at a run and never touches it. Probes are sampled first; their memories are State::probes.
 struct Watch {

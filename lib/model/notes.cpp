@@ -265,6 +265,22 @@ std::vector<std::string> step_notes(const Simulation& simulation) {
   return notes;
 }
 
+std::string energy_line(const Simulation& simulation) {
+  const dynamics::Ledger& ledger = simulation.state.ledger;
+  double outside = 0, stored = dynamics::initial_stored(ledger), dissipated = 0, created = 0;
+  for (const Account& account : ledger.accounts) {
+    const double given = account.stored[Stored::external_work] + account.stored[Stored::potential];
+    outside -= given;
+    stored += dynamics::stored(account) - given;
+    dissipated += dynamics::dissipated(account);
+    created += dynamics::created(account) - dynamics::overdrawn(account);
+  }
+  return row("energy: %.4g J at the start and %.4g J from outside are now %.4g J kinetic, %.4g J stored, %.4g J dissipated; created %.2g J, "
+             "time integration %.2g J",
+             ledger.initial_kinetic + dynamics::initial_stored(ledger), outside, ledger.kinetic, stored, dissipated, created,
+             ledger.integration);
+}
+
 std::int64_t count_elements(const dynamics::Model& model) {
   std::int64_t sum = 0;
   for (const auto& block : model.blocks) sum += element::tiling(block).elements;

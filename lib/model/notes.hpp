@@ -44,4 +44,7 @@ std::vector<std::string> step_notes(const Simulation&);
 /// Elements of all blocks.
 std::int64_t count_elements(const dynamics::Model&);
 
+/// Where the energy of a run went, in one line: what was there at the start and what came in, and what both have become. [J]
+std::string energy_line(const Simulation&);
+
 }  // namespace nereid::model

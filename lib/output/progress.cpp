@@ -9,7 +9,7 @@
 namespace nereid::output {
 
 namespace {
-constexpr std::chrono::milliseconds pause{200};  // five lines a second: people read no faster
+constexpr std::chrono::milliseconds on_terminal{200};  // five lines a second: people read no faster
 }  // namespace
 
 std::string spoken(double seconds) {
@@ -26,33 +26,30 @@ std::string spoken(double seconds) {
   return text;
 }
 
-std::string progress_line(double time, double end_time, std::int64_t step, double dt,
-                          double elapsed) {
-  const double share = end_time > 0 ? std::clamp(time / end_time, 0.0, 1.0) : 0;
-  const double rest = share > 0 ? elapsed * (1 - share) / share : NAN;
+std::string progress_line(double time, double begin, double end, std::int64_t step, double dt, double elapsed) {
+  const double share = end > 0 ? std::clamp(time / end, 0.0, 1.0) : 0;
+  const double rest = time > begin ? elapsed * std::max(0.0, end - time) / (time - begin) : NAN;
   char text[192];
-  std::snprintf(text, sizeof text, "%5.1f %%  %.4g of %.4g s  step %lld  dt %.3g s  %s to go",
-                100 * share, time, end_time, static_cast<long long>(step), dt,
-                spoken(rest).c_str());
+  std::snprintf(text, sizeof text, "%5.1f %%  %.4g of %.4g s  step %lld  dt %.3g s  %s to go", 100 * share, time, end,
+                static_cast<long long>(step), dt, spoken(rest).c_str());
   return text;
 }
 
-Progress::Progress(double end_time, bool quiet)
-    : end_time_(end_time),
-      silent_(quiet || isatty(STDERR_FILENO) == 0),
-      start_(Clock::now()),
-      last_(start_ - pause) {}
+Progress::Progress(double begin, double end, bool quiet, std::chrono::milliseconds pause)
+    : begin_(begin), end_(end), silent_(quiet), terminal_(isatty(STDERR_FILENO) != 0), pause_(terminal_ ? on_terminal : pause),
+      start_(Clock::now()), last_(terminal_ ? start_ - pause_ : start_) {}
 
 void Progress::show(double time, std::int64_t step, double dt) {
   if (silent_) return;
   const auto now = Clock::now();
-  if (now - last_ < pause) return;
+  if (now - last_ < pause_) return;
   last_ = now;
   const double elapsed = std::chrono::duration<double>(now - start_).count();
-  // Back to the start of the line, write, clear what a longer line left behind.
-  std::fprintf(stderr, "\r%s\033[K", progress_line(time, end_time_, step, dt, elapsed).c_str());
+  const std::string line = progress_line(time, begin_, end_, step, dt, elapsed);
+  // On a terminal: back to the start of the line, write, clear what a longer line left behind.
+  std::fprintf(stderr, terminal_ ? "\r%s\033[K" : "%s\n", line.c_str());
   std::fflush(stderr);
-  open_ = true;
+  open_ = terminal_;
 }
 
 void Progress::done() {

@@ -3,8 +3,8 @@
     python3 tests/drivers/restart.py DRIVERS              DRIVERS: the folder with the programs
     python3 tests/drivers/restart.py DRIVERS --all N      every case of verification/ that `scene` runs in N seconds at most: takes long
 
-A killed run ends by SIGKILL at moments drawn from a seed, also while it writes, and goes on until it is done. All files are compared, byte
-by byte, but for what summary.json says of times and of the machine.
+A killed run ends by SIGKILL, SIGTERM, SIGINT or SIGHUP at moments drawn from a seed, also while it writes, and goes on until it is done.
+All files are compared, byte by byte, but for what summary.json says of times and of the machine.
 """
 import json
 import random
@@ -21,6 +21,8 @@ ROOT = Path(__file__).resolve().parents[2]
 PATIENCE = 300    # [s]
 CHECKPOINTS = 12  # in a run
 KILLS = 4         # at most, of one run
+SIGNALS = [signal.SIGKILL, signal.SIGKILL, signal.SIGTERM, signal.SIGINT, signal.SIGHUP]
+INTERRUPTED = 6   # exit status
 
 # together: every element and law, every kind of contact, friction, bonds, floors, planes, loads, relaxation, rigid bodies, probes, stops
 CASES = {
@@ -77,8 +79,11 @@ def killed(driver, case, sets, out, every, seconds, rng):
             process.communicate(timeout=rng.uniform(0, 0.7 * seconds) if kills < KILLS else PATIENCE)
             return process.returncode, kills
         except subprocess.TimeoutExpired:
-            process.send_signal(signal.SIGKILL)
+            number = rng.choice(SIGNALS)
+            process.send_signal(number)
             process.communicate()
+            if process.returncode not in (-number, INTERRUPTED):  # a process that has not yet begun ends by any signal
+                return process.returncode, kills
             kills, resume = kills + 1, ["--resume"]
 
 
@@ -181,6 +186,55 @@ class Words(unittest.TestCase):
             self.assertIn(f"'{text}' is no time", done.stderr)
 
 
+class Signals(unittest.TestCase):
+    """What a run leaves that is asked to end."""
+    drivers = None
+
+    def test_results_are_whole_and_the_run_goes_on(self):
+        case = ROOT / "verification/crossing_bars/case.yaml"
+        for number, name in ((signal.SIGINT, "SIGINT"), (signal.SIGTERM, "SIGTERM"), (signal.SIGHUP, "SIGHUP")):
+            with self.subTest(name), tempfile.TemporaryDirectory() as folder:
+                out = Path(folder) / "out"
+                process = subprocess.Popen([self.drivers / "scene", case, "--out", out, "--quiet", "--set", "time.end=1 s"],
+                                           stderr=subprocess.PIPE, text=True)
+                while not (out / "body/body_000001.vtu").exists():
+                    time.sleep(0.01)
+                process.send_signal(number)
+                _, said = process.communicate(timeout=PATIENCE)
+                self.assertEqual(process.returncode, INTERRUPTED)
+                self.assertIn(f": interrupted: by {name}; --resume goes on from here", said)
+                summary = json.loads((out / "summary.json").read_text(encoding="utf-8"))
+                self.assertEqual(summary["ending"]["word"], "interrupted")
+                ended = summary["ending"]["time"]["value"]
+                rows = (out / "history.csv").read_text(encoding="utf-8").splitlines()
+                self.assertEqual(float(rows[-1].split(",")[0]), ended)
+                index = (out / "body.pvd").read_text(encoding="utf-8")
+                self.assertEqual(float(index.rsplit('timestep="', 1)[1].split('"')[0]), ended)
+                self.assertTrue((out / "checkpoint").is_file())
+
+    def test_before_the_first_step(self):
+        """A case whose mesh takes a while: there is nothing to keep."""
+        case = Path(__file__).resolve().parent / "cases/block.yaml"
+        with tempfile.TemporaryDirectory() as folder:
+            out = Path(folder) / "out"
+            process = subprocess.Popen([self.drivers / "scene", case, "--out", out, "--quiet", "--set", "refine=40"],
+                                       stderr=subprocess.PIPE, text=True)
+            time.sleep(0.2)
+            process.send_signal(signal.SIGTERM)
+            _, said = process.communicate(timeout=PATIENCE)
+            self.assertEqual(process.returncode, INTERRUPTED, said)
+            self.assertIn("interrupted", said)
+
+    def test_what_is_ignored_stays_so(self):
+        case = Path(__file__).resolve().parent / "cases/block.yaml"
+        with tempfile.TemporaryDirectory() as folder:
+            process = subprocess.Popen([self.drivers / "scene", case, "--out", Path(folder) / "out", "--quiet"], stderr=subprocess.PIPE,
+                                       text=True, preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN))  # as nohup does
+            process.send_signal(signal.SIGHUP)
+            _, said = process.communicate(timeout=PATIENCE)
+            self.assertEqual(process.returncode, 0, said)
+
+
 def all_cases(driver, limit):
     """Every case that `scene` runs in so many seconds; prints what differs."""
     failed = 0
@@ -204,7 +258,7 @@ def all_cases(driver, limit):
 
 
 if __name__ == "__main__":
-    Restart.drivers = Words.drivers = Path(sys.argv[1]).resolve()
+    Restart.drivers = Words.drivers = Signals.drivers = Path(sys.argv[1]).resolve()
     if "--all" in sys.argv:
         sys.exit(all_cases(Restart.drivers / "scene", float(sys.argv[sys.argv.index("--all") + 1])) > 0)
     unittest.main(argv=[sys.argv[0], *sys.argv[2:]])

@@ -151,12 +151,21 @@ TEST(SpuriousPart, LeavesOutChatterAndScenesInWhichNothingMoved) {
 
 TEST(KeptPart, IsThatOfTheIntegrationOverTheScaleWithBothSigns) {
   Ledger ledger = after({}, 0);
-  ledger.initial_available = ledger.initial_kinetic = 4, ledger.integration_kept = -1;
+  ledger.initial_available = ledger.initial_kinetic = 4, ledger.integration_kept = ledger.integration = -1;
   see_flows(ledger);
   EXPECT_EQ(kept_part(ledger), -0.25);
-  ledger.integration_kept = 0.5;
+  ledger.integration_kept = ledger.integration = 0.5;
   see_flows(ledger);
   EXPECT_EQ(ledger.worst_kept, -0.25);
+}
+
+TEST(KeptPart, LeavesOutWhatTheForcesNowMakeUpFor) {
+  Ledger ledger = after({}, 0);
+  ledger.initial_available = ledger.initial_kinetic = 4, ledger.integration_kept = -1;
+  for (const auto& [integration, part] : {std::pair{0.3, 0.0}, {0.0, 0.0}, {-0.4, -0.1}, {-1.0, -0.25}, {-3.0, -0.25}}) {
+    ledger.integration = integration;
+    EXPECT_EQ(kept_part(ledger), part) << integration;
+  }
 }
 
 TEST(SwingPart, IsWhatComesBackOverTheScale) {

@@ -24,18 +24,23 @@ TEST(Progress, SpansOfTimeAreSpokenAsPeopleDo) {
 }
 
 TEST(Progress, LineGuessesTheRestAtTheSameSpeed) {
-  EXPECT_EQ(progress_line(1.5e-3, 6e-3, 12345, 1.2345e-7, 100),
+  EXPECT_EQ(progress_line(1.5e-3, 0, 6e-3, 12345, 1.2345e-7, 100),
             " 25.0 %  0.0015 of 0.006 s  step 12345  dt 1.23e-07 s  5 min 00 s to go");
-  EXPECT_NE(progress_line(0, 6e-3, 0, 1e-7, 0).find("? to go"), std::string::npos);
-  EXPECT_NE(progress_line(7e-3, 6e-3, 0, 1e-7, 9).find("100.0 %"), std::string::npos);
+  EXPECT_EQ(progress_line(1.5e-3, 1e-3, 6e-3, 12345, 1.2345e-7, 10),  // a run that went on at 1 ms
+            " 25.0 %  0.0015 of 0.006 s  step 12345  dt 1.23e-07 s  1 min 30 s to go");
+  EXPECT_NE(progress_line(0, 0, 6e-3, 0, 1e-7, 0).find("? to go"), std::string::npos);
+  EXPECT_NE(progress_line(7e-3, 0, 6e-3, 0, 1e-7, 9).find("100.0 %"), std::string::npos);
 }
 
-TEST(Progress, IsSilentWhereNobodyLooks) {
-  testing::internal::CaptureStderr();
-  Progress progress(1, false);  // a file takes the place of the terminal
-  progress.show(0.5, 1, 0.1);
-  progress.done();
-  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+TEST(Progress, WritesALineNowAndThenWhereThereIsNoTerminal) {
+  testing::internal::CaptureStderr();  // a file takes the place of the terminal
+  {
+    Progress minute(0, 1, false), often(0, 1, false, std::chrono::milliseconds(0)), quiet(0, 1, true, std::chrono::milliseconds(0));
+    for (Progress* one : {&minute, &often, &quiet}) one->show(0.5, 1, 0.1), one->done();
+  }
+  const std::string text = testing::internal::GetCapturedStderr();
+  EXPECT_EQ(text.rfind(" 50.0 %  0.5 of 1 s", 0), 0u) << text;
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1) << text;
 }
 
 /// What Progress writes when stderr is a terminal, in how many seconds.
@@ -48,7 +53,7 @@ std::string on_a_terminal(bool quiet, double* seconds = nullptr) {
   dup2(screen, STDERR_FILENO);
   const auto began = std::chrono::steady_clock::now();
   {
-    Progress progress(1, quiet);
+    Progress progress(0, 1, quiet);
     for (int step = 0; step < 1000; ++step) progress.show(1e-3 * step, step, 1e-3);
   }
   if (seconds != nullptr) *seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
