@@ -80,6 +80,8 @@ void add_common_results(const model::Simulation& simulation, const dynamics::Out
   }
   for (std::size_t p = 0; p < simulation.model.rigid_planes.size(); ++p)
     results.push_back({simulation.model.rigid_planes[p].name + "_deepest", simulation.state.rigid_planes[p].deepest, "m"});
+  for (std::size_t k = 1; k < simulation.state.progress.stages.size(); ++k)
+    results.push_back({simulation.stages[k].name + "_began", simulation.state.progress.stages[k], "s"});
   results.push_back({"smallest_step", outcome.smallest_step, "s"});
   results.push_back({"largest_step", outcome.largest_step, "s"});
 }

@@ -10,6 +10,7 @@
 #include "base/replace_file.hpp"
 #include "base/words.hpp"
 #include "dynamics/archive.hpp"
+#include "model/stages.hpp"
 
 namespace nereid::grid {
 
@@ -124,6 +125,7 @@ void go_back_to(const Checkpoint& then, const Checkpoint& now, model::Simulation
   if (then.fingerprint != now.fingerprint) throw BadCheckpoint("the checkpoint is of another mesh: a file that the case reads has changed");
   try {
     simulation.state = dynamics::state_of(simulation.model, then.state);
+    if (!simulation.stages.empty()) model::set_model_of_stage(simulation);
   } catch (const DamagedArchive& damaged) {
     throw BadCheckpoint(std::string("the state in the checkpoint is not of this model: ") + damaged.what());
   }

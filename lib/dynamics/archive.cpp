@@ -232,10 +232,10 @@ void visit(Archive& archive, Step& step) {
 
 template <class Archive>
 void visit(Archive& archive, Progress& progress) {
-  auto& [started, first_step, updates, ledger_is_current, corners_seen, corners_next, corner, audits, audited, audited_itself, smallest,
-         largest_step] = progress;
-  archive(started, first_step, updates, ledger_is_current, corners_seen, corners_next, corner, audits, audited, audited_itself, smallest,
-          largest_step);
+  auto& [started, stages, first_step, updates, ledger_is_current, corners_seen, corners_next, corner, audits, audited, audited_itself,
+         smallest, largest_step] = progress;
+  archive(started, stages, first_step, updates, ledger_is_current, corners_seen, corners_next, corner, audits, audited, audited_itself,
+          smallest, largest_step);
 }
 
 template <class Archive>

@@ -85,8 +85,8 @@ double part_of_flow(const Ledger&, std::size_t source, double energy, double sca
 
 /// What time integration has created, or lost where negative, for good, over the energy scale; 0 without a scale. [-]
 ///
-/// The smaller of `integration_kept` and `integration` where both have one sign, else zero: what the forces now still make up for is no loss
-/// of the kinetic energy yet, and comes to be one as they fall.
+/// The smaller of `integration_kept` and `integration` where both have one sign, else zero: what the forces now still make up for is no
+/// loss of the kinetic energy yet, and comes to be one as they fall.
 double kept_part(const Ledger&);
 
 /// By how much the kinetic energy was too large at worst, over the energy scale now: `integration`, which but for kept_part() comes back as

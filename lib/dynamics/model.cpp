@@ -55,14 +55,13 @@ void share_out_rigid_mass(Model& model) {
   }
 }
 
-/// The constraints of nodes one by one: those of rigid bodies are in Model::held_bodies.
-load::Constraints without_rigid_nodes(const Model& model) {
+}  // namespace
+
+load::Constraints constraints_of_nodes(const Model& model) {
   load::Constraints left = model.constraints;
   for (load::Plane& plane : left.planes) std::erase_if(plane.nodes, [&](Index node) { return is_rigid_node(model, node); });
   return left;
 }
-
-}  // namespace
 
 double total_mass(const Model& model) {
   if (model.rigid_bodies.empty()) return model.mass.sum();
@@ -131,8 +130,7 @@ State initial_state(const Model& model, std::vector<contact::Memory> interfaces)
   state.interfaces = std::move(interfaces);
   for (const auto& plane : model.rigid_planes) state.rigid_planes.push_back(contact::initial_memory(plane));
   state.rigid_bodies.resize(model.rigid_bodies.size());
-  const load::Constraints& of_nodes = model.rigid_bodies.empty() ? model.constraints : without_rigid_nodes(model);
-  state.constraints = load::prepare(of_nodes, static_cast<Index>(model.mesh.X.cols()), model.rotation_of_node);
+  state.constraints = load::prepare(constraints_of_nodes(model), static_cast<Index>(model.mesh.X.cols()), model.rotation_of_node);
   for (const auto& any : model.loads) state.loads.push_back(load::initial_memory(any));
   if (model.relaxation) {
     RelaxationMemory& memory = state.relaxation;

@@ -51,6 +51,7 @@ struct Model {
   std::vector<load::PointMass> point_masses;
   Vec3 gravity = Vec3::Zero();      ///< [m/s2]
   std::optional<Relaxation> relaxation;
+  bool relaxes = true;              ///< whether `relaxation`, if any, acts: it need not in every stage of a run
   std::vector<rigid::Body> rigid_bodies;
   std::vector<HeldBody> held_bodies;    ///< beside rigid_bodies
   std::vector<Index> rigid_of_block;    ///< beside blocks: the rigid body that it belongs to, or -1; empty without any
@@ -113,6 +114,7 @@ struct ConditionMemory {
 /// What a run keeps from step to step.
 struct Progress {
   bool started = false;
+  std::vector<double> stages;   ///< [s] when each stage began, up to the one that runs; empty for a run without stages
   double first_step = 0;        ///< [s] chosen at the start
   std::int64_t updates = 0;     ///< of the ledger: multiples of the interval between two that have passed
   bool ledger_is_current = false;
@@ -215,6 +217,9 @@ inline bool is_rigid_node(const Model& model, Index node) { return !model.rigid_
 
 /// The mass of all bodies. [kg]
 double total_mass(const Model&);
+
+/// The planes of a model without what they hold of rigid bodies, which is in Model::held_bodies.
+load::Constraints constraints_of_nodes(const Model&);
 
 /// The state at rest in the reference positions. Interfaces must have been connected: their
 /// memories are taken over as they are.

@@ -76,6 +76,14 @@ double damp(const Model& model, double factor, State& now) {
   return left;
 }
 
+/// What moves from now on is held against this state; `f` has the forces that resist.
+void take_as_reference(State& now, const Forces& f) {
+  RelaxationMemory& memory = now.relaxation;
+  memory.x = now.x, memory.rotated = Vectors::Zero(3, now.omega.cols());
+  memory.force = f.source_force, memory.moment = f.source_moment;
+  memory.since = now.t;
+}
+
 double square(const Model& model, const Vectors& force, const Vectors& moment) {
   double sum = 0;
   for (Eigen::Index n = 0; n < force.cols(); ++n) sum += force.col(n).squaredNorm() / model.mass(n);
@@ -114,6 +122,14 @@ double unbalanced(const Model& model, const State& now, const Forces& f) {
 
 }  // namespace
 
+void begin_relaxation(const Model& model, State& now, Forces& f) {
+  RelaxationMemory& memory = now.relaxation;
+  memory.residual = 1, memory.most_force = memory.most_kinetic = 0, memory.balanced = 0;
+  find_resistance(model, now, f);
+  take_as_reference(now, f);
+  memory.omega = now.omega;
+}
+
 bool relax(const Model& model, State& now, Forces& f) {
   RelaxationMemory& memory = now.relaxation;
   find_resistance(model, now, f);
@@ -121,11 +137,7 @@ bool relax(const Model& model, State& now, Forces& f) {
   const double omega = now.step > 1 ? frequency(model, now, f) : 0;  // the first step has nothing before it
   const double kinetic = damp(model, std::exp(-2 * omega * now.dt), now);
   memory.omega = now.omega;
-  if (omega * (now.t - memory.since) >= 1 || omega == 0) {  // a radian of what moves is enough to know its frequency
-    memory.x = now.x, memory.rotated.setZero();
-    memory.force = f.source_force, memory.moment = f.source_moment;
-    memory.since = now.t;
-  }
+  if (omega * (now.t - memory.since) >= 1 || omega == 0) take_as_reference(now, f);  // a radian is enough to know a frequency
   memory.most_kinetic = std::max(memory.most_kinetic, kinetic);
   if (now.step % steps_per_sample != 0) return false;
   memory.most_force = std::max(memory.most_force, std::sqrt(forces_by_source(model, now, f)));

@@ -9,6 +9,9 @@
 
 namespace nereid::dynamics {
 
+/// Begins to look for an equilibrium from a state that has moved: forgets all samples and takes the state as reference of the frequency.
+void begin_relaxation(const Model&, State&, Forces&);
+
 /// Damps the state after a step and samples its balance every tenth step.
 ///
 ///     omega^2 = sum df . df / m / (- sum dx . df)             over the last 1/omega, plates' turns too

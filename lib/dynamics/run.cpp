@@ -232,7 +232,7 @@ Outcome run(const Model& model, State& now, Forces& forces, const Time& time, do
     const bool last = dt >= time.end - now.t;
     step(model, dt, pace, now, forces);
     if (last) now.t = time.end;
-    const bool rests = model.relaxation && relax(model, now, forces);
+    const bool rests = model.relaxation && model.relaxes && relax(model, now, forces);
     progress.ledger_is_current = last || rests || now.t >= static_cast<double>(progress.updates + 1) * update_every;
     see_elements(model, progress.ledger_is_current && audit_is_due(time.audit_every, now), now);
     if (progress.ledger_is_current) {
@@ -253,7 +253,7 @@ Outcome run(const Model& model, State& now, Forces& forces, const Time& time, do
     }
     wanted = enough();
   }
-  if (model.relaxation && outcome.ending == Ending::reached_end) {
+  if (model.relaxation && model.relaxes && outcome.ending == Ending::reached_end) {
     outcome.ending = Ending::not_relaxed;
     outcome.reason = text("not relaxed: residual %.3g, the limit is %.3g", now.relaxation.residual, model.relaxation->residual);
   }

@@ -7,6 +7,7 @@
 #include "base/parallel.hpp"
 #include "contact/impact_step.hpp"
 #include "contact/restitution.hpp"
+#include "dynamics/relax.hpp"
 #include "dynamics/rigid_step.hpp"
 #include "dynamics/thickness.hpp"
 #include "load/floor.hpp"
@@ -244,19 +245,23 @@ bool is_free(const Model& model) {
   return model.rigid_planes.empty() && model.constraints.planes.empty() && model.loads.empty() && !model.relaxation;
 }
 
-/// Removes from the first velocities what the constraints do not allow, and books the energy that this takes.
-void constrain_start(const Model& model, State& now, Forces& f) {
+/// Removes from the velocities what the constraints do not allow, and books the energy that this takes.
+///
+/// kinetic  [J] before
+void constrain_velocities(const Model& model, double kinetic, State& now, Forces& f) {
   f.force.setZero();
   f.moment.setZero();
   std::fill(f.rigid_bodies.begin(), f.rigid_bodies.end(), RigidForces{});
-  const double unrestrained = now.ledger.initial_kinetic;
+  const std::vector<load::PlaneAccount> before = now.constraints.account;
   kick(model, 0, now.t, Half::second, now, f);
   for (std::size_t b = 0; b < model.rigid_bodies.size(); ++b) rigid::set_node_velocities(model.rigid_bodies[b], now.rigid_bodies[b], now.v);
-  double removed = unrestrained - kinetic_energy(model, now);
-  for (const load::PlaneAccount& plane : now.constraints.account) removed += plane.driven - plane.stopped;  // booked already
-  for (load::PlaneAccount& plane : now.constraints.account) {
-    if (removed == 0 || (plane.impulse.isZero(0) && plane.angular_impulse.isZero(0))) continue;
-    plane.stopped += removed;  // by the first plane that had to act
+  double removed = kinetic - kinetic_energy(model, now);
+  std::vector<load::PlaneAccount>& after = now.constraints.account;
+  for (std::size_t p = 0; p < after.size(); ++p)  // booked already
+    removed += (after[p].driven - before[p].driven) - (after[p].stopped - before[p].stopped);
+  for (std::size_t p = 0; p < after.size(); ++p) {
+    if (removed == 0 || (after[p].impulse == before[p].impulse && after[p].angular_impulse == before[p].angular_impulse)) continue;
+    after[p].stopped += removed;  // by the first plane that had to act
     break;
   }
 }
@@ -359,7 +364,7 @@ const Votes& start(const Model& model, const Pace& pace, State& now, Forces& f) 
   momenta(model, now, now.ledger.initial_momentum, now.ledger.initial_angular_momentum);
   const double of_centre = is_free(model) ? 0.5 * now.ledger.initial_momentum.squaredNorm() / total_mass(model) : 0;
   now.ledger.initial_available = now.ledger.initial_kinetic - of_centre;
-  constrain_start(model, now, f);
+  constrain_velocities(model, now.ledger.initial_kinetic, now, f);
   load::find_impacts(model.constraints, model.mass, now.x, f.force, 0, now.v, now.constraints);
   load::finish_impacts(model.constraints, model.mass, now.x, f.force, 0, now.v, now.constraints);
   f.dx.setZero(), f.rotation.setZero();
@@ -378,6 +383,30 @@ void resume(const Model& model, const State& now, Forces& f) {
   gather(model, now, f);
   add_contact_forces(model, now, true, f);
   gather_rigid_forces(model, f);
+}
+
+void change(const Model& model, const Vectors& velocity, const Vectors& spin, State& now, Forces& f) {
+  const auto nodes = static_cast<Index>(now.x.cols());
+  now.constraints = load::in_place_of(now.constraints, constraints_of_nodes(model), nodes, model.rotation_of_node);
+  Ledger& ledger = now.ledger;
+  const double before = kinetic_energy(model, now);
+  Vec3 linear, angular, given, given_angular;
+  momenta(model, now, linear, angular);
+  if (!velocity.isZero(0) || !spin.isZero(0)) {
+    now.v += velocity, now.omega += spin;
+    start_rigid_bodies(model, now);
+  }
+  const double kinetic = kinetic_energy(model, now);
+  momenta(model, now, given, given_angular);
+  ledger.initial_kinetic += kinetic - before, ledger.initial_available += kinetic - before;
+  ledger.initial_momentum += given - linear, ledger.initial_angular_momentum += given_angular - angular;
+  constrain_velocities(model, kinetic, now, f);
+  for (std::size_t l = 0; l < model.loads.size(); ++l)
+    load::advance(model.loads[l], model.mesh.X, now.x, now.v, now.omega, now.t, 0, now.loads[l]);
+  update_ledger(model, now);
+  if (!model.relaxation || !model.relaxes) return;
+  resume(model, now, f);
+  begin_relaxation(model, now, f);
 }
 
 void update_ledger(const Model& model, State& now) {

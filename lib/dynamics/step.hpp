@@ -15,6 +15,13 @@ inline const Votes& start(const Model& model, State& now, Forces& forces) { retu
 /// have the bits of a run that was never interrupted.
 void resume(const Model&, const State&, Forces&);
 
+/// Goes on in a model of which planes, loads or relaxation have changed, and with velocities that bodies are given: resume() follows.
+///
+/// Their energy and momenta count as initial ones; what planes that act now take from all velocities, these book. Loads have their new
+/// forces at once.
+/// velocity, spin  [m/s] [rad/s] added to nodes and plate nodes
+void change(const Model&, const Vectors& velocity, const Vectors& spin, State&, Forces&);
+
 /// Advances the state by dt.
 ///
 /// pace  how long the step after this one will be: contact by multipliers looks ahead

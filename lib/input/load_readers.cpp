@@ -148,6 +148,18 @@ std::variant<model::Plane, model::RigidPlane> read_plane(const Section& section)
   return plane;
 }
 
+std::vector<model::Stage> read_stages(const Section& root) {
+  std::vector<model::Stage> stages;
+  for (const Section& section : root.list("stages")) {
+    model::Stage stage{.name = section.word("name"), .duration = section.quantity("duration", dim::time, positive), .at = section.path()};
+    stage.relaxation = read_relaxation(section);
+    stage.off = section.words("off", 0);
+    for (const Section& initial : section.list("initial")) stage.initial.push_back(read_initial(initial));
+    stages.push_back(std::move(stage));
+  }
+  return stages;
+}
+
 std::optional<dynamics::Relaxation> read_relaxation(const Section& root) {
   if (!root.has("relaxation")) return std::nullopt;
   const Section section = root.section_or_empty("relaxation");

@@ -16,6 +16,9 @@ void read_actions(const Section& root, bool runs, model::Scene&);
 /// `relaxation: {residual, after, samples}`; nothing if the case has no such section.
 std::optional<dynamics::Relaxation> read_relaxation(const Section& root);
 
+/// `stages: [{name, duration, relaxation, off, initial}]`, in the order in which they run; `off` names planes and loads.
+std::vector<model::Stage> read_stages(const Section& root);
+
 /// `kind: symmetry | constrained | fixed | floor | rigid | driven`, `name`, `nodes`, `normal`, of a floor `point`, of constrained
 /// nodes optionally `velocity: {value, unit}`, of driven ones `velocity` and optionally `angular_velocity` with three values; of a
 /// rigid plane `surface`, `point`, `penalty` or `penalty_scale`, `friction`, `tangential_penalty`, `energy_gain_limit`.

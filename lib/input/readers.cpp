@@ -225,9 +225,10 @@ dynamics::InterfaceOptions read_automatic_interface(const Section& section) {
   return options;
 }
 
-dynamics::Time read_time(const Section& section) {
+dynamics::Time read_time(const Section& section, bool has_end) {
   dynamics::Time time;
-  time.end = section.quantity("end", dim::time, positive);
+  if (has_end) time.end = section.quantity("end", dim::time, positive);
+  else if (section.has("end")) section.fault("end", "'end' follows from the durations of the 'stages': leave it out");
   time.safety = section.number_or("safety", time.safety, model::range::safety);
   time.created_limit = section.number_or("created_limit", time.created_limit, positive);
   time.overlap_limit = section.number_or("overlap_limit", time.overlap_limit, positive);

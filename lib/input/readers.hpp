@@ -64,7 +64,7 @@ enum class HeightFrom {
 HeightFrom read_contact_height(const Section&, HeightFrom usual, dynamics::InterfaceOptions&);
 
 /// `end`, and optional `safety` in (0, 10], `created_limit`, `overlap_limit` and `corner_limit`.
-dynamics::Time read_time(const Section&);
+dynamics::Time read_time(const Section&, bool has_end = true);
 
 /// `history_every`, `frames_every`, `precision: single | double`; all optional, by default 400 rows
 /// and 40 frames over the time to `end`.

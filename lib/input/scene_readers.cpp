@@ -212,7 +212,8 @@ model::Stop read_stop(const Section& section, const std::vector<Measured>& probe
 model::Scene read_scene(const Section& root, bool runs) {
   const Section run = root.when(runs);
   model::Scene scene;
-  scene.time = read_time(run.section("time"));
+  const bool has_stages = run.has("stages");
+  scene.time = has_stages ? read_time(run.section_or_empty("time"), false) : read_time(run.section("time"));
   Names taken{"gravity", "relaxation"}, probes;
   for (const Section& body : root.list("bodies", 1)) scene.bodies.push_back(read_body(body, taken));
   for (const Section& contact : root.list("contacts")) {
@@ -225,6 +226,8 @@ model::Scene read_scene(const Section& root, bool runs) {
     else scene.contacts.push_back(read_contact(contact, kind == "bonded", taken));
   }
   read_actions(root, runs, scene);
+  scene.stages = read_stages(run);
+  for (const model::Stage& stage : scene.stages) scene.time.end += stage.duration;
   const auto check_names = [&taken](const std::vector<Section>& sections) {
     for (const Section& section : sections) check_name(section, section.word("name"), taken, sources);
   };
@@ -253,7 +256,7 @@ model::Scene read_scene(const Section& root) { return read_scene(root, true); }
 
 model::Scene read_scene_at_rest(const Section& root) {
   model::Scene scene = read_scene(root, false);
-  scene.probes.clear(), scene.stops.clear();
+  scene.probes.clear(), scene.stops.clear(), scene.stages.clear();
   scene.time = {.end = 1}, scene.recording = {};  // [s] none passes
   for (const Section& body : root.list("bodies", 1))
     if (body.flag_or("rigid", false)) body.fault("rigid", "a rigid body has no modes of its own: take it out, or hold what it touches");

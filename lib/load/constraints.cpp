@@ -95,6 +95,23 @@ Memory prepare(const Constraints& constraints, Index nodes, const std::vector<In
   return memory;
 }
 
+Memory in_place_of(const Memory& before, const Constraints& constraints, Index nodes, const std::vector<Index>& rotation_of_node) {
+  Memory memory = prepare(constraints, nodes, rotation_of_node);
+  memory.account = before.account;
+  for (std::size_t p = 0; p < constraints.planes.size(); ++p) {
+    const Plane& plane = constraints.planes[p];
+    if (plane.kind != PlaneKind::floor) continue;
+    memory.stopped[p] = before.stopped[p];
+    for (std::size_t i = 0; i < plane.nodes.size(); ++i) {
+      if (memory.stopped[p][i] == 0) continue;
+      const Index row = memory.row_of_node[plane.nodes[i]];
+      if (memory.nodes[row].count == 0) memory.active.push_back(row);
+      add_plane(constraints, memory.nodes[row], static_cast<int>(p));
+    }
+  }
+  return memory;
+}
+
 void restrain(const Constraints&, const ConstrainedNode& node, const Vec3& x, double mass, Vec3& v,
               std::vector<PlaneAccount>& accounts) {
   if (node.count == 0) return;

@@ -88,6 +88,10 @@ struct Memory {
 /// Throws InternalError if a node needs more than ConstrainedNode::most_rows rows (a fixed or driven one takes three).
 Memory prepare(const Constraints&, Index nodes, const std::vector<Index>& rotation_of_node);
 
+/// The memory of constraints that take the place of others, of the same planes with other nodes: planes keep their accounts, and floors the
+/// nodes that they have stopped.
+Memory in_place_of(const Memory& before, const Constraints&, Index nodes, const std::vector<Index>& rotation_of_node);
+
 /// Adds `plane` to those that constrain this node.
 void add_plane(const Constraints&, ConstrainedNode&, int plane);
 

@@ -161,6 +161,18 @@ Spring spring_to_point(const std::string& name, const Vectors& X, Index from, co
   return make_spring(name, X, from, -1, ground, stiffness, damping, length);
 }
 
+AnyLoad in_stage(const AnyLoad& any, bool is_on, double start) {
+  AnyLoad changed = any;
+  const auto set = [&](auto& value) { value = load::in_stage(value, is_on, start); };
+  const auto set_all = [&](auto& values) { for (auto& value : values) set(value); };
+  if (auto* force = std::get_if<BodyForce>(&changed)) set_all(force->acceleration);
+  if (auto* pressure = std::get_if<Pressure>(&changed)) set(pressure->pressure);
+  if (auto* force = std::get_if<NodalForce>(&changed)) set_all(force->force);
+  if (auto* moment = std::get_if<NodalMoment>(&changed)) set_all(moment->moment);
+  if (auto* couple = std::get_if<Couple>(&changed)) set_all(couple->moment);
+  return changed;
+}
+
 const std::string& name(const AnyLoad& any) {
   return std::visit([](const auto& load) -> const std::string& { return load.name; }, any);
 }

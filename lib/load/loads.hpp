@@ -101,6 +101,9 @@ Spring spring_between(const std::string& name, const Vectors& X, Index from, Ind
 Spring spring_to_point(const std::string& name, const Vectors& X, Index from, const Vec3& ground, double stiffness,
                        double damping, const double* length = nullptr);
 
+/// The same load with its time counted from `start` [s]; where it is off, without a force. Springs stay as they are.
+AnyLoad in_stage(const AnyLoad&, bool is_on, double start);
+
 const std::string& name(const AnyLoad&);
 /// The schema of a load in the ledger, and its values now. What a load does, it takes from outside; a spring stores it.
 Source source(const AnyLoad&);

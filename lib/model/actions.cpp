@@ -10,6 +10,7 @@
 #include "dynamics/displace.hpp"
 #include "mesh/adjacency.hpp"
 #include "model/meshes.hpp"
+#include "model/stages.hpp"
 
 namespace nereid::model {
 
@@ -201,6 +202,34 @@ Mat3 gradient_at(const Field& field, const Vec3& X, double size) {
   return gradient;
 }
 
+Part part_of_initial(const Initial& initial) { return {initial.at, "initial motion of '" + initial.body + "'"}; }
+
+/// What bodies are given at the start: at nodes, and its gradient at plate nodes.
+struct InitialField {
+  Vectors value;
+  std::vector<Mat3> gradient;
+};
+
+/// The sum of all velocities, or of all displacements.
+InitialField field_of(const std::vector<Initial>& all, bool displacements, const dynamics::Model& model, Faults& faults) {
+  InitialField sum{Vectors::Zero(3, model.mesh.X.cols()), std::vector<Mat3>(model.node_of_rotation.size(), Mat3::Zero())};
+  const double size = diagonal(model.mesh);
+  for (const Initial& initial : all) {
+    if (initial.displacement != displacements) continue;
+    for (const Index node : mesh::node_set(model.mesh, initial.body)) {
+      const Vec3 X = model.mesh.X.col(node);
+      for (int axis = 0; axis < 3; ++axis) {
+        const double value = initial.value[axis](X.x(), X.y(), X.z(), 0);
+        refuse_infinite(faults, part_of_initial(initial), displacements ? "displacement" : "velocity", value, at_place(X));
+        sum.value(axis, node) += value;
+      }
+      const Index turn = model.rotation_of_node[node];
+      if (turn >= 0) sum.gradient[turn] += gradient_at(initial.value, X, size);
+    }
+  }
+  return sum;
+}
+
 }  // namespace
 
 void add_planes(const Scene& scene, dynamics::Model& model, Faults& faults) {
@@ -217,7 +246,10 @@ void add_planes(const Scene& scene, dynamics::Model& model, Faults& faults) {
     if (plane.kind == load::PlaneKind::floor) refuse_nodes_behind(faults, part_of(plane), last, model.mesh);
     if (plane.kind == load::PlaneKind::symmetry) refuse_nodes_beside(faults, part_of(plane), last, model.mesh);
   }
-  if (!conflict(scene.planes, made, faults)) model.constraints.planes = std::move(made.planes);
+  bool conflicts = false;
+  if (scene.stages.empty()) conflicts = conflict(scene.planes, made, faults);
+  for (const Stage& stage : scene.stages) conflicts = conflicts || conflict(scene.planes, constraints_in(stage, made), faults);
+  if (!conflicts) model.constraints.planes = std::move(made.planes);
   for (const PointMass& point : scene.point_masses)
     model.point_masses.push_back({point.name, mesh::node_set(model.mesh, point.nodes), point.mass});
 }
@@ -245,7 +277,7 @@ void add_rigid_planes(const Scene& scene, dynamics::Model& model, Faults& faults
 
 void add_loads(const Scene& scene, dynamics::Model& model, Faults& faults) {
   model.gravity = scene.gravity;
-  model.relaxation = scene.relaxation;
+  model.relaxation = any_relaxation(scene);
   for (const Load& load : scene.loads) add_load(load, model, faults);
   for (const Spring& spring : scene.springs) add_spring(spring, model, faults);
   for (const Plane& plane : scene.planes) {
@@ -258,36 +290,20 @@ void add_loads(const Scene& scene, dynamics::Model& model, Faults& faults) {
   }
 }
 
+void add_velocities(const std::vector<Initial>& all, const dynamics::Model& model, Vectors& velocity, Vectors& spin, Faults& faults) {
+  const InitialField given = field_of(all, false, model, faults);
+  velocity += given.value;
+  spin += dynamics::angular_velocities_of(model, given.gradient);
+}
+
 void set_initial(const Scene& scene, const dynamics::Model& model, dynamics::State& state, Faults& faults) {
-  Vectors displacement = Vectors::Zero(3, model.mesh.X.cols());
-  std::vector<Mat3> gradient(model.node_of_rotation.size(), Mat3::Zero()), rate = gradient;
-  const double size = diagonal(model.mesh);
-  const auto part_of_initial = [](const Initial& initial) { return Part{initial.at, "initial motion of '" + initial.body + "'"}; };
-  const Initial* displaced = nullptr;
-  for (const Initial& initial : scene.initial) {
-    const std::string key = initial.displacement ? "displacement" : "velocity";
-    for (const Index node : mesh::node_set(model.mesh, initial.body)) {
-      const Vec3 X = model.mesh.X.col(node);
-      Vec3 value;
-      for (int axis = 0; axis < 3; ++axis) {
-        value(axis) = initial.value[axis](X.x(), X.y(), X.z(), 0);
-        refuse_infinite(faults, part_of_initial(initial), key, value(axis), at_place(X));
-      }
-      const Index turn = model.rotation_of_node[node];
-      if (turn >= 0) (initial.displacement ? gradient : rate)[turn] += gradient_at(initial.value, X, size);
-      if (initial.displacement) {
-        displacement.col(node) += value;
-      } else {
-        state.v.col(node) += value;
-      }
-    }
-    if (initial.displacement) displaced = &initial;
-  }
-  state.omega += dynamics::angular_velocities_of(model, rate);
-  if (displaced == nullptr || !faults.empty()) return;
-  const element::Vote smallest = dynamics::displace(model, state, displacement, gradient);
+  add_velocities(scene.initial, model, state.v, state.omega, faults);
+  const InitialField displacement = field_of(scene.initial, true, model, faults);
+  const auto last = std::find_if(scene.initial.rbegin(), scene.initial.rend(), [](const Initial& one) { return one.displacement; });
+  if (last == scene.initial.rend() || !faults.empty()) return;
+  const element::Vote smallest = dynamics::displace(model, state, displacement.value, displacement.gradient);
   if (!(smallest.volume_ratio > 0))
-    refuse(faults, part_of_initial(*displaced), "displacement",
+    refuse(faults, part_of_initial(*last), "displacement",
            "'displacement' turns element " + std::to_string(smallest.volume_element) + " inside out");
 }
 

@@ -23,6 +23,11 @@ void add_rigid_planes(const Scene&, dynamics::Model&, Faults&);
 /// a plane that rotates nodes of which none is one of plates.
 void add_loads(const Scene&, dynamics::Model&, Faults&);
 
+/// Adds velocities that bodies are given, and the angular velocities of plate nodes that follow from their gradients. [m/s] [rad/s]
+///
+/// Faults: values that are no number
+void add_velocities(const std::vector<Initial>&, const dynamics::Model&, Vectors& velocity, Vectors& spin, Faults&);
+
 /// Sets velocities and walks the bodies to their initial displacements; before dynamics::start.
 ///
 /// Faults: values that are no number, displacements that turn elements inside out

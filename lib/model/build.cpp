@@ -15,6 +15,7 @@
 #include "model/names.hpp"
 #include "model/probes.hpp"
 #include "model/rigid_bodies.hpp"
+#include "model/stages.hpp"
 #include "model/stops.hpp"
 #include "model/values.hpp"
 
@@ -102,6 +103,9 @@ void check_names(const Scene& scene, const mesh::Mesh& mesh, Faults& faults) {
   for (const PointMass& mass : scene.point_masses) expect(faults, part("point mass", mass), "nodes", mass.nodes, "node sets", sets);
   for (const Initial& initial : scene.initial)
     expect(faults, {initial.at, "initial motion of '" + initial.body + "'"}, "body", initial.body, "bodies", bodies);
+  for (const Stage& stage : scene.stages)
+    for (const Initial& initial : stage.initial)
+      expect(faults, {initial.at, "initial motion of '" + initial.body + "'"}, "body", initial.body, "bodies", bodies);
   check_probes(scene, mesh, faults);
 }
 
@@ -282,6 +286,7 @@ Simulation build(const Scene& scene) {
   if (scene.bodies.empty()) refuse(faults, {"", "the scene"}, "bodies", "there are no bodies");
   check_names_given(scene, faults);
   check_values(scene, faults);
+  check_stages(scene, faults);
   throw_if_any(faults);
 
   Simulation simulation;
@@ -292,10 +297,13 @@ Simulation build(const Scene& scene) {
 
   add_elements(scene, model);
   add_planes(scene, model, faults);
+  const load::Constraints all_planes = model.constraints;
+  if (!scene.stages.empty()) model.constraints = constraints_in(scene.stages.front(), all_planes);
   open_skins(model);
   if (!have_masses(scene, model, faults)) throw_if_any(faults);
   const std::size_t before = faults.size();
   add_rigid_bodies(scene, model, faults);
+  simulation.stages = make_stages(scene, all_planes, model, faults);
   if (faults.size() > before) throw_if_any(faults);
   dynamics::finalize(model);
   add_rigid_planes(scene, model, faults);
@@ -311,6 +319,7 @@ Simulation build(const Scene& scene) {
   }
   simulation.state = dynamics::initial_state(model, std::move(memories));
   set_initial(scene, model, simulation.state, faults);
+  set_velocities_of_stages(scene, simulation, faults);
   check_rigid_bodies(scene, model, simulation.state, faults);
   for (contact::Interface& interface : model.interfaces)
     if (contact::bonded_by_multipliers(interface)) contact::bond_here(simulation.state.x, interface);
@@ -329,9 +338,21 @@ Simulation build(const Scene& scene) {
 
 dynamics::Outcome run(Simulation& simulation, std::span<const dynamics::Observer> observers, const dynamics::Interrupt& interrupt) {
   dynamics::Watch watch{.probes = simulation.probes, .observers = observers, .until = {}, .interrupt = interrupt};
+  dynamics::Until until;
   if (!simulation.stops.empty())
-    watch.until = [&simulation](const dynamics::View& view, auto& memories) { return wanted_stop(simulation, view, memories); };
-  return dynamics::run(simulation.model, simulation.state, simulation.forces, simulation.time, simulation.recording.history, watch);
+    until = [&simulation](const dynamics::View& view, auto& memories) { return wanted_stop(simulation, view, memories); };
+  const std::vector<double>& began = simulation.state.progress.stages;
+  for (double seconds = 0;;) {
+    const bool last = began.size() >= simulation.stages.size();
+    dynamics::Time time = simulation.time;
+    if (!began.empty()) time.end = began.back() + simulation.stages[began.size() - 1].duration;
+    watch.until = last ? until : dynamics::Until();
+    dynamics::Outcome outcome =
+        dynamics::run(simulation.model, simulation.state, simulation.forces, time, simulation.recording.history, watch);
+    outcome.wall_seconds = seconds += outcome.wall_seconds;
+    if (last || !dynamics::good(outcome.ending)) return outcome;
+    begin_next_stage(simulation);
+  }
 }
 
 dynamics::View view(const Simulation& simulation) {

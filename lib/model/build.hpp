@@ -8,6 +8,18 @@
 
 namespace nereid::model {
 
+/// A stage of a run: what it changes in the model.
+struct StageOfRun {
+  std::string name;
+  double duration = 0;                             ///< [s] at most
+  std::optional<dynamics::Relaxation> relaxation;  ///< empty: it does not relax
+  std::vector<std::string> off;                    ///< planes and loads that do not act
+  load::Constraints constraints = {};              ///< planes; those that are off have no nodes
+  std::vector<dynamics::HeldBody> held = {};       ///< beside Model::rigid_bodies
+  std::vector<rigid::Hold> holds = {};             ///< the same
+  Vectors velocity = {}, spin = {};                ///< [m/s] [rad/s] that it gives to nodes and plate nodes as it begins
+};
+
 /// Everything that a run needs. Only build() makes one, so nothing in it is half built.
 struct Simulation {
   dynamics::Model model;
@@ -18,7 +30,9 @@ struct Simulation {
   Recording recording;
   /// Those of the scene, and what a driver adds before the run. A probe without a name is no column of the history.
   std::vector<dynamics::Probe> probes;
-  std::vector<Stop> stops;
+  std::vector<Stop> stops;               ///< looked at in the last stage
+  std::vector<StageOfRun> stages;        ///< empty: the run has none; the one that runs is the last of Progress::stages
+  std::vector<load::AnyLoad> all_loads;  ///< as the scene has them; the model has those of the stage that runs
 };
 
 /// Builds meshes, elements, planes, loads and contacts, and the state at the start.
@@ -28,7 +42,7 @@ struct Simulation {
 /// no number.
 Simulation build(const Scene&);
 
-/// Runs a simulation to its end, to what its conditions ask for, or to what stops it; or on from where it was left.
+/// Runs a simulation through its stages to its end, to what its conditions ask for, or to what stops it; or on from where it was left.
 dynamics::Outcome run(Simulation&, std::span<const dynamics::Observer> observers = {}, const dynamics::Interrupt& interrupt = {});
 
 /// What observers and probes would see of a simulation as it stands.

@@ -275,8 +275,8 @@ std::string energy_line(const Simulation& simulation) {
     dissipated += dynamics::dissipated(account);
     created += dynamics::created(account) - dynamics::overdrawn(account);
   }
-  return row("energy: %.4g J at the start and %.4g J from outside are now %.4g J kinetic, %.4g J stored, %.4g J dissipated; created %.2g J, "
-             "time integration %.2g J",
+  return row("energy: %.4g J at the start and %.4g J from outside are now %.4g J kinetic, %.4g J stored, %.4g J dissipated; "
+             "created %.2g J, time integration %.2g J",
              ledger.initial_kinetic + dynamics::initial_stored(ledger), outside, ledger.kinetic, stored, dissipated, created,
              ledger.integration);
 }

@@ -159,11 +159,59 @@ void add_rigid_bodies(const Scene& scene, dynamics::Model& model, Faults& faults
     for (std::size_t b = 0; b < model.blocks.size(); ++b)
       if (belongs(element::name(model.blocks[b]), body)) model.rigid_of_block[b] = static_cast<Index>(model.rigid_bodies.size());
     model.rigid_bodies.push_back(rigid::make_body(body.name, mass, model.mesh.X, nodes));
-    model.held_bodies.push_back(hold(scene, model.constraints, model.rigid_bodies.back(), faults));
   }
+  hold_rigid_bodies(scene, model.constraints, model, faults);
   const bool all = std::none_of(model.rigid_of_block.begin(), model.rigid_of_block.end(), [](Index body) { return body < 0; });
   if (scene.time.largest_step > 0) model.longest_step = scene.time.largest_step;
   else if (all) model.longest_step = scene.time.end / steps_of_rigid_scenes;
+}
+
+void hold_rigid_bodies(const Scene& scene, const load::Constraints& constraints, dynamics::Model& model, Faults& faults) {
+  model.held_bodies.clear();
+  for (rigid::Body& body : model.rigid_bodies) {
+    body.hold = {};
+    model.held_bodies.push_back(hold(scene, constraints, body, faults));
+  }
+}
+
+void refuse_to_relax_free_bodies(const Part& part, const dynamics::Model& model, Faults& faults) {
+  for (std::size_t b = 0; b < model.rigid_bodies.size(); ++b) {
+    const rigid::Body& body = model.rigid_bodies[b];
+    const bool is_held = model.held_bodies[b].driver < 0 && body.hold.shift.isZero(0) && body.hold.turns == 0;
+    if (!is_held)
+      refuse(faults, part, "relaxation", "relaxation does not damp the rigid body " + quote(body.name) + ": hold it by a fixed plane");
+  }
+}
+
+void refuse_late_holds(const Scene& scene, const load::Constraints& before, const load::Constraints& after, const dynamics::Model& model,
+                       Faults& faults) {
+  for (std::size_t p = 0; p < after.planes.size(); ++p) {
+    const load::Plane& plane = after.planes[p];
+    if (!before.planes[p].nodes.empty() || plane.kind != load::PlaneKind::constrained) continue;
+    for (const rigid::Body& body : model.rigid_bodies)
+      if (std::find_first_of(body.nodes.begin(), body.nodes.end(), plane.nodes.begin(), plane.nodes.end()) != body.nodes.end())
+        refuse(faults, part_of(scene, plane), "nodes",
+               quote(plane.name) + " would come to hold the rigid body " + quote(body.name) +
+                   ", which may have turned: let it act from the start, or say 'fixed'");
+  }
+}
+
+void refuse_no_rigid_motions(const std::vector<Initial>& all, const dynamics::Model& model, const Vectors& velocity, Faults& faults) {
+  for (const Initial& initial : all) {
+    const auto body = std::find_if(model.rigid_bodies.begin(), model.rigid_bodies.end(),
+                                   [&](const rigid::Body& one) { return one.name == initial.body; });
+    if (body == model.rigid_bodies.end()) continue;
+    const rigid::Twist twist = rigid::fit(*body, velocity);
+    double most = 0, off = 0;
+    for (std::size_t i = 0; i < body->nodes.size(); ++i) {
+      const Vec3 v = velocity.col(body->nodes[i]);
+      most = std::max(most, v.norm());
+      off = std::max(off, (v - rigid::velocity_at(twist, body->arm.col(static_cast<Eigen::Index>(i)), 0)).norm());
+    }
+    if (off > round_off * most)
+      refuse(faults, {initial.at, "initial motion of '" + initial.body + "'"}, "velocity",
+             "the velocity is no rigid motion of " + quote(initial.body) + ": v + w x (x - c) is one");
+  }
 }
 
 void check_rigid_bodies(const Scene& scene, const dynamics::Model& model, const dynamics::State& state, Faults& faults) {
@@ -174,31 +222,17 @@ void check_rigid_bodies(const Scene& scene, const dynamics::Model& model, const 
   const auto is_of_rigid = [&](const std::string& surface) {
     return find(surface.substr(0, surface.find('.'))) != model.rigid_bodies.end();
   };
-  if (scene.relaxation)
-    refuse(faults, {"relaxation", "relaxation"}, "", "a scene with rigid bodies cannot be relaxed yet: damp it by loads or contacts");
+  if (scene.relaxation) refuse_to_relax_free_bodies({"", "the scene"}, model, faults);
   for (const Contact& contact : scene.contacts) {
     const bool bonded = contact.interface.kind == contact::InterfaceKind::bonded;
     if (bonded && contact.interface.method == contact::Method::multiplier && (is_of_rigid(contact.apexes) || is_of_rigid(contact.base)))
       refuse(faults, part("contact", contact), "kind", "a bond to a rigid body is not there yet by multipliers: say 'method: penalty'");
   }
-  for (const Initial& initial : scene.initial) {
-    const Part here{initial.at, "initial motion of '" + initial.body + "'"};
-    const auto body = find(initial.body);
-    if (body == model.rigid_bodies.end()) continue;
-    if (initial.displacement) {
-      refuse(faults, here, "displacement", "a rigid body starts where 'rotate' and 'move' put it, and has no displacement");
-      continue;
-    }
-    const rigid::Twist twist = rigid::fit(*body, state.v);
-    double most = 0, off = 0;
-    for (std::size_t i = 0; i < body->nodes.size(); ++i) {
-      const Vec3 v = state.v.col(body->nodes[i]);
-      most = std::max(most, v.norm());
-      off = std::max(off, (v - rigid::velocity_at(twist, body->arm.col(static_cast<Eigen::Index>(i)), 0)).norm());
-    }
-    if (off > round_off * most)
-      refuse(faults, here, "velocity", "the velocity is no rigid motion of " + quote(initial.body) + ": v + w x (x - c) is one");
-  }
+  for (const Initial& initial : scene.initial)
+    if (initial.displacement && find(initial.body) != model.rigid_bodies.end())
+      refuse(faults, {initial.at, "initial motion of '" + initial.body + "'"}, "displacement",
+             "a rigid body starts where 'rotate' and 'move' put it, and has no displacement");
+  refuse_no_rigid_motions(scene.initial, model, state.v, faults);
 }
 
 }  // namespace nereid::model

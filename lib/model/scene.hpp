@@ -162,6 +162,17 @@ struct Initial {
   std::string at = {};
 };
 
+/// A part of a run: until its equilibrium where it relaxes, else for its duration. Contacts, rigid planes, floors, symmetry planes, springs
+/// and gravity are on in all stages.
+struct Stage {
+  std::string name;
+  double duration = 0;                       ///< [s]; of a stage that relaxes, at most
+  std::optional<dynamics::Relaxation> relaxation = {};
+  std::vector<std::string> off = {};         ///< planes and loads that do not act
+  std::vector<Initial> initial = {};         ///< velocities that bodies are given as it begins, in addition to what they have
+  std::string at = {};
+};
+
 /// A number that is measured, a column of the history.
 struct Probe {
   std::string name;
@@ -212,7 +223,8 @@ struct Scene {
   std::vector<Spring> springs;
   std::vector<PointMass> point_masses;
   std::vector<Initial> initial;
-  std::optional<dynamics::Relaxation> relaxation;
+  std::optional<dynamics::Relaxation> relaxation;  ///< of a scene without stages
+  std::vector<Stage> stages;                 ///< one after the other; time.end is the sum of their durations
   std::vector<Probe> probes;
   std::vector<Stop> stops;
   dynamics::Time time;

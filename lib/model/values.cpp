@@ -197,7 +197,6 @@ void check_stop(const Stop& stop, double row, Faults& faults) {
 }
 
 void check_run(const Scene& scene, Faults& faults) {
-  const dynamics::Relaxation relaxation = scene.relaxation.value_or(dynamics::Relaxation{});
   check(faults, {"", "the scene"}, components("gravity", scene.gravity));
   check(faults, {"time", "time"}, {{"end", scene.time.end, positive, "s"}, {"safety", scene.time.safety, range::safety},
                                    {"created_limit", scene.time.created_limit, positive},
@@ -205,14 +204,20 @@ void check_run(const Scene& scene, Faults& faults) {
                                    {"corner_limit", scene.time.corner_limit, below(1)}});
   check(faults, {"output", "recording"}, {{"history_every", scene.recording.history, not_negative, "s"},
                                           {"frames_every", scene.recording.frames, not_negative, "s"}});
-  check(faults, {"relaxation", "relaxation"}, {{"residual", relaxation.residual, range::residual},
-                                               {"after", relaxation.after, not_negative, "s"},
-                                               {"samples", static_cast<double>(relaxation.samples), at_least(1)}});
+  if (scene.relaxation) check_relaxation({"relaxation", "relaxation"}, "", *scene.relaxation, faults);
   const double row = scene.recording.history > 0 ? scene.recording.history : scene.time.end / 400;
   for (const Stop& stop : scene.stops) check_stop(stop, row, faults);
 }
 
 }  // namespace
+
+void check_relaxation(const Part& here, const std::string& before, const dynamics::Relaxation& relaxation, Faults& faults) {
+  check(faults, here, {{before + "residual", relaxation.residual, range::residual},
+                       {before + "after", relaxation.after, not_negative, "s"},
+                       {before + "samples", static_cast<double>(relaxation.samples), at_least(1)}});
+}
+
+void check_duration(const Part& here, double duration, Faults& faults) { check(faults, here, {{"duration", duration, positive, "s"}}); }
 
 std::string window_too_short(double window, double row) {
   return "'window' = " + shortest(window) + " s is shorter than two rows of the history, which are " + shortest(row) + " s apart";
@@ -230,9 +235,13 @@ void check_values(const Scene& scene, Faults& faults) {
                                            {"damping", spring.damping, not_negative, "N s/m"},
                                            {"rest_length", spring.length.value_or(0), not_negative, "m"}});
   for (const PointMass& mass : scene.point_masses) check(faults, part("point mass", mass), {{"mass", mass.mass, positive, "kg"}});
-  for (const Initial& initial : scene.initial)
-    check_functions(faults, {initial.at, "initial motion of '" + initial.body + "'"}, initial.displacement ? "displacement" : "velocity",
-                    initial.value, false);
+  const auto look = [&](const std::vector<Initial>& all) {
+    for (const Initial& initial : all)
+      check_functions(faults, {initial.at, "initial motion of '" + initial.body + "'"}, initial.displacement ? "displacement" : "velocity",
+                      initial.value, false);
+  };
+  look(scene.initial);
+  for (const Stage& stage : scene.stages) look(stage.initial);
   check_run(scene, faults);
 }
 

@@ -24,6 +24,10 @@ inline constexpr const char* plates_may_have_other_laws =
 /// Why a window over which a condition to stop takes a mean is refused. [s]
 std::string window_too_short(double window, double row);
 
+/// Faults of one part: `before` stands in front of the keys.
+void check_relaxation(const Part&, const std::string& before, const dynamics::Relaxation&, Faults&);
+void check_duration(const Part&, double duration, Faults&);
+
 /// Faults: values that are no finite number or out of their range, directions that are no unit vectors, functions that are
 /// empty, laws that plates may not have, planes on no nodes.
 void check_values(const Scene&, Faults&);

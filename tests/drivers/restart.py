@@ -43,6 +43,8 @@ CASES = {
     "strain rate and heat": ("johnson_cook_impact/case.yaml", {}),
     "mixed hardening": ("cyclic_loading/plate.yaml", {}),
     "relaxation": ("nearly_incompressible/cylinder.yaml", {}),
+    "stages: a load that goes off": ("stages/case.yaml", {}),
+    "stages: a rigid ram that is let go": ("stages/struck.yaml", {}),
     "a condition to stop": ("long_bar_on_a_wall/case.yaml", {}),
     "a mesh from a file": ("invariance_scenes/strike.yaml", {}),
 }

@@ -65,6 +65,15 @@ TEST(ReadActions, OfAnEmptyCaseAreNone) {
   EXPECT_EQ(c.model.gravity, Vec3(0, 0, 0));
 }
 
+TEST(ReadActions, ReadHowARunRelaxes) {
+  Case c("relaxation: {residual: 1e-5, after: 1 ms, samples: 3}\n");
+  c.start();
+  EXPECT_TRUE(c.faults().empty()) << c.faults()[0].text;
+  EXPECT_EQ(c.model.relaxation->residual, 1e-5);
+  EXPECT_EQ(c.model.relaxation->samples, 3);
+  EXPECT_EQ(c.model.relaxation->after, 1e-3);
+}
+
 TEST(ReadActions, BuildEverythingThatTheSyntaxHas) {
   Case c(R"case(
 gravity: [0 m/s^2, 0 m/s^2, -9.81 m/s^2]
@@ -88,7 +97,6 @@ initial:
   - {body: box, velocity: ["-3*y", "3*x", "0"], unit: m/s}
   - {body: box, displacement: ["1e-3*x", "0", "0"], unit: m}
   - {body: tube, velocity: ["-3*y", "3*x", "0"], unit: m/s}
-relaxation: {residual: 1e-5, after: 1 ms, samples: 3}
 )case");
   c.start();
   EXPECT_TRUE(c.faults().empty()) << c.faults()[0].text;
@@ -112,8 +120,6 @@ relaxation: {residual: 1e-5, after: 1 ms, samples: 3}
   EXPECT_EQ(std::get<load::Spring>(c.model.loads[4]).length, 0.01);
   EXPECT_EQ(std::get<load::Spring>(c.model.loads[5]).length, 0);
   EXPECT_NEAR(c.model.mass.head(27).sum(), 17, 1e-12);
-  EXPECT_EQ(c.model.relaxation->samples, 3);
-  EXPECT_EQ(c.model.relaxation->after, 1e-3);
   EXPECT_EQ(c.model.gravity, Vec3(0, 0, -9.81));
   for (Index n = 0; n < c.state.v.cols(); ++n) {
     const Vec3 X = c.model.mesh.X.col(n);

@@ -313,5 +313,20 @@ TEST(FindOverheld, CountsAFixedPlaneThreeTimes) {
   EXPECT_EQ(find_overconstrained(many), 0);
 }
 
+TEST(InPlaceOf, KeepsAccountsAndWhatFloorsHaveStopped) {
+  Constraints before{{plane(PlaneKind::floor, Vec3::UnitZ()), plane(PlaneKind::fixed, Vec3::UnitX())}};
+  Memory memory = prepare(before, 1, {0});
+  memory.account[1].stopped = 7;
+  memory.stopped[0][0] = 1;  // as finish_impacts() does
+  add_plane(before, memory.nodes[0], 0);
+  Constraints after = before;
+  after.planes[1].nodes.clear();
+  const Memory changed = in_place_of(memory, after, 1, {0});
+  EXPECT_EQ(changed.account[1].stopped, 7);
+  ASSERT_EQ(changed.active, Subset{0});
+  EXPECT_EQ(changed.nodes[0].count, 1) << "the floor still holds it, the other plane does not";
+  EXPECT_EQ(changed.nodes[0].allowed, Mat3(Vec3(1, 1, 0).asDiagonal()));
+}
+
 }  // namespace
 }  // namespace nereid::load

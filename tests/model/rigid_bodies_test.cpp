@@ -65,7 +65,7 @@ TEST(RigidBodies, AreRefusedWhatTheyCannotDo) {
   EXPECT_TRUE(says(refusal(scene), "has no displacement"));
   scene.initial.clear();
   scene.relaxation = dynamics::Relaxation{};
-  EXPECT_TRUE(says(refusal(scene), "cannot be relaxed yet"));
+  EXPECT_TRUE(says(refusal(scene), "relaxation does not damp the rigid body"));
   scene.relaxation.reset();
   scene.contacts = {{.name = "glue", .apexes = "bar.x_high", .base = "wall.x_low"}};
   scene.contacts[0].interface.kind = contact::InterfaceKind::bonded;

@@ -106,9 +106,15 @@ const std::vector<Wrong> numbers{
     {"condition to stop: 'window'", [](Scene& s, double v) {
        s.stops[0] = {.probe = "speed", .value = 1, .kind = StopKind::steady, .span = v}; }, {0, 1e-9, nan}},
     {"condition to stop: 'after'", [](Scene& s, double v) { s.stops[0].after = v; }, {-1, nan}},
-    {"relaxation: 'residual'", [](Scene& s, double v) { s.relaxation = dynamics::Relaxation{.residual = v}; }, {0, 1, nan}},
-    {"relaxation: 'samples'", [](Scene& s, double v) { s.relaxation = dynamics::Relaxation{.samples = static_cast<int>(v)}; }, {0, -1}},
+    {"relaxation: 'residual'", [](Scene& s, double v) { relax(s, {.residual = v}); }, {0, 1, nan}},
+    {"relaxation: 'samples'", [](Scene& s, double v) { relax(s, {.samples = static_cast<int>(v)}); }, {0, -1}},
 };
+
+/// A scene in which nothing is given a velocity, and which relaxes.
+void relax(Scene& scene, const dynamics::Relaxation& relaxation) {
+  scene.initial.clear();
+  scene.relaxation = relaxation;
+}
 
 TEST(CheckValues, RefusesEachNumberThatIsOutOfItsRange) {
   for (const Wrong& wrong : numbers)

@@ -1,0 +1,125 @@
+#include "model/stages.hpp"
+
+#include <gtest/gtest.h>
+
+#include "dynamics/ledger.hpp"
+#include "tests/model/scenes.hpp"
+
+namespace nereid::model {
+namespace {
+
+using load::PlaneKind;
+
+/// A bar that is pulled until it is at rest, while a block is held; then the block is let go with a velocity and the bar is not pulled.
+Scene staged() {
+  Body block{.name = "block", .mesh = mesh::Box{Vec3(3, 0, 0), Vec3(4, 1, 1), {1, 1, 1}}, .law = steel};
+  Scene scene = with({bar(), block});
+  scene.planes = {{.name = "foot", .kind = PlaneKind::fixed, .nodes = {"bar.x_low"}},
+                  {.name = "hold", .kind = PlaneKind::fixed, .nodes = {"block"}}};
+  scene.loads = {{.name = "pull", .kind = LoadKind::force, .on = "bar.x_high",
+                  .value = {[](double, double, double, double t) { return 1e6 * std::min(1.0, t / 1e-3); }, constant(0), constant(0)}},
+                 {.name = "late", .kind = LoadKind::force, .on = "block.x_high",
+                  .value = {[](double, double, double, double t) { return 1e6 * t; }, constant(0), constant(0)}}};
+  const dynamics::Relaxation relaxation{.residual = 1e-4, .after = 1e-3};
+  scene.stages = {{.name = "preload", .duration = 0.2, .relaxation = relaxation, .off = {"late"}},
+                  {.name = "go", .duration = 1e-3, .off = {"hold", "pull"}, .initial = {{.body = "block", .value = uniform({2, 0, 0})}}}};
+  scene.time.end = 0.201;
+  return scene;
+}
+
+TEST(Stages, RunOneAfterTheOtherInOneLedger) {
+  Simulation simulation = build(staged());
+  double at_rest = 0, start = 0;
+  const std::vector<dynamics::Observer> observers{[&](const dynamics::View& view) {
+    const Index tip = mesh::node_set(view.model.mesh, "bar.x_high").front();
+    if (view.now.progress.stages.size() == 1) at_rest = view.now.x(0, tip) - view.model.mesh.X(0, tip), start = view.now.t;
+  }};
+  const dynamics::Outcome outcome = run(simulation, observers);
+  EXPECT_EQ(outcome.ending, dynamics::Ending::reached_end);
+  const dynamics::State& end = simulation.state;
+  ASSERT_EQ(end.progress.stages.size(), 2U);
+  EXPECT_EQ(end.progress.stages[1], start);
+  EXPECT_LT(start, 0.2);
+  EXPECT_DOUBLE_EQ(end.t, start + 1e-3);
+  EXPECT_NEAR(at_rest, 1e6 * 2 / 200e9, 0.2 * 1e6 * 2 / 200e9) << "the foot holds the bar from becoming thinner";
+  // the block: 8000 kg at 2 m/s, and a force that grows from the beginning of its stage
+  const Index node = mesh::node_set(simulation.model.mesh, "block.x_low").front();
+  EXPECT_NEAR(end.x(0, node) - simulation.model.mesh.X(0, node), 2e-3, 1e-5);
+  EXPECT_NEAR(end.loads[1].impulse.x(), 0.5 * 1e6 * 1e-6, 1e-3);
+  const dynamics::Ledger& ledger = end.ledger;
+  EXPECT_NEAR(ledger.initial_kinetic, 0.5 * 8000 * 4, 1e-9 * 16000);
+  EXPECT_NEAR(ledger.initial_momentum.x(), 16000, 1e-9 * 16000);
+  EXPECT_LT(std::abs(dynamics::energy_residual(ledger)), 1e-10 * 16000);
+  EXPECT_LT(dynamics::momentum_residual(ledger).norm(), 1e-10 * 16000);
+  EXPECT_LT(dynamics::angular_momentum_residual(ledger).norm(), 1e-10 * 16000);
+}
+
+TEST(Stages, APlaneThatComesLateBooksWhatItStops) {
+  Scene scene = with({bar()});
+  scene.planes = {{.name = "wall", .kind = PlaneKind::constrained, .nodes = {"bar"}, .normal = Vec3::UnitX()}};
+  scene.initial = {{.body = "bar", .value = uniform({3, 1, 0})}};
+  scene.stages = {{.name = "free", .duration = 5e-4, .off = {"wall"}}, {.name = "held", .duration = 5e-4}};
+  Simulation simulation = build(scene);
+  run(simulation);
+  const dynamics::Ledger& ledger = simulation.state.ledger;
+  EXPECT_NEAR(ledger.kinetic, 0.5 * 16000 * 1, 1e-6);
+  EXPECT_NEAR(simulation.state.constraints.account[0].stopped, 0.5 * 16000 * 9, 1e-6);
+  EXPECT_LT(std::abs(dynamics::energy_residual(ledger)), 1e-10 * 80000);
+  EXPECT_LT(dynamics::momentum_residual(ledger).norm(), 1e-10 * 48000);
+}
+
+TEST(Stages, AreTheSameAsARunWithoutWhereNothingChanges) {
+  Scene one = with({bar()});
+  one.planes = {{.name = "foot", .kind = PlaneKind::fixed, .nodes = {"bar.x_low"}}};
+  one.initial = {{.body = "bar", .value = uniform({1, 0, 0})}};
+  Scene same = one;
+  same.stages = {{.name = "all", .duration = one.time.end}};
+  Simulation first = build(one), second = build(same);
+  run(first), run(second);
+  EXPECT_EQ(first.state.x, second.state.x);
+  EXPECT_EQ(first.state.ledger.kinetic, second.state.ledger.kinetic);
+}
+
+TEST(CheckStages, RefusesWhatCannotBe) {
+  EXPECT_EQ(refusal(staged()), "");
+  const auto with_change = [](auto change) {
+    Scene scene = staged();
+    change(scene);
+    return refusal(scene);
+  };
+  EXPECT_TRUE(says(with_change([](Scene& s) { s.initial = {{.body = "bar", .value = uniform({1, 0, 0})}}; }),
+                   "'bar' is meant to move, and relaxation would bring it to rest: give the velocity in a later stage"));
+  EXPECT_TRUE(says(with_change([](Scene& s) { s.stages[0].initial = {{.body = "bar", .value = uniform({1, 0, 0})}}; }),
+                   "'bar' is meant to move, and this stage would bring it to rest"));
+  EXPECT_TRUE(says(with_change([](Scene& s) { s.stages[1].initial[0].displacement = true; }), "a stage gives velocities"));
+  EXPECT_TRUE(says(with_change([](Scene& s) { s.stages[1].off = {"gravity"}; }), "'gravity' is gravity, which is on in all stages"));
+  EXPECT_TRUE(says(with_change([](Scene& s) { s.stages[1].off = {"holt"}; }), "'off' = holt is unknown"));
+  EXPECT_TRUE(says(with_change([](Scene& s) { s.stages[1].name = "preload"; }), "'name' = preload is given twice"));
+  EXPECT_TRUE(says(with_change([](Scene& s) { s.stages[1].duration = 0; }), "'duration' = 0 is out of range"));
+  EXPECT_TRUE(says(with_change([](Scene& s) { s.time.end = 1; }), "is not the sum of the stages, 0.201 s"));
+  EXPECT_TRUE(says(with_change([](Scene& s) { s.relaxation = dynamics::Relaxation{}; }), "'relaxation' belongs to a stage"));
+  Scene relaxed = with({bar()});
+  relaxed.relaxation = dynamics::Relaxation{};
+  relaxed.initial = {{.body = "bar", .value = uniform({1, 0, 0})}};
+  EXPECT_TRUE(says(refusal(relaxed), "'bar' is meant to move"));
+}
+
+TEST(CheckStages, AsksRigidBodiesToBeHeldWhereTheyRelax) {
+  Scene scene = staged();
+  scene.bodies[1].rigid = true;
+  EXPECT_EQ(refusal(scene), "");
+  Simulation simulation = build(scene);
+  EXPECT_EQ(run(simulation).ending, dynamics::Ending::reached_end);
+  EXPECT_NEAR(simulation.state.rigid_bodies[0].shift.x(), 2e-3, 1e-5);
+  EXPECT_LT(std::abs(dynamics::energy_residual(simulation.state.ledger)), 1e-10 * 16000);
+  scene.stages[0].off = {"late", "hold"};
+  EXPECT_TRUE(says(refusal(scene), "relaxation does not damp the rigid body 'block': hold it by a fixed plane"));
+  scene = staged();
+  scene.bodies[1].rigid = true;
+  scene.planes.push_back({.name = "rail", .kind = PlaneKind::constrained, .nodes = {"block.y_low"}, .normal = Vec3::UnitY()});
+  scene.stages[0].off.push_back("rail");
+  EXPECT_TRUE(says(refusal(scene), "'rail' would come to hold the rigid body 'block'"));
+}
+
+}  // namespace
+}  // namespace nereid::model
