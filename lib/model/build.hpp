@@ -4,6 +4,7 @@
 #include "contact/contact.hpp"
 #include "dynamics/measure.hpp"
 #include "model/fault.hpp"
+#include "model/meshes.hpp"
 #include "model/scene.hpp"
 
 namespace nereid::model {
@@ -19,6 +20,7 @@ struct Simulation {
   /// Those of the scene, and what a driver adds before the run. A probe without a name is no column of the history.
   std::vector<dynamics::Probe> probes;
   std::vector<Stop> stops;
+  MeshWarnings mesh_warnings;
 };
 
 /// Builds meshes, elements, planes, loads and contacts, and the state at the start.
