@@ -20,6 +20,7 @@
 #include "dynamics/overlaps.hpp"
 #include "dynamics/quality.hpp"
 #include "model/notes.hpp"
+#include "output/offenders.hpp"
 #include "output/run_folder.hpp"
 
 namespace nereid::driver {
@@ -128,7 +129,9 @@ void print(const std::vector<output::Result>& results) {
   for (const output::Result& result : results) std::printf("%-28s %.8g %s\n", result.name.c_str(), result.value, result.unit.c_str());
 }
 
-void print_size(const dynamics::Model& model) {
+void print_size(const model::Simulation& simulation) {
+  const dynamics::Model& model = simulation.model;
+  print(model::body_table(simulation));
   std::printf("%ld nodes, %ld elements, mass %.6g kg\n", static_cast<long>(model.mesh.X.cols()),
               static_cast<long>(model::count_elements(model)), dynamics::total_mass(model));
 }
@@ -157,8 +160,23 @@ void check_inputs(const CommandLine& line, const input::CaseFile& file, output::
   });
 }
 
-void print_forecast(const dynamics::Model& model, const Forecast& forecast) {
-  print_size(model);
+/// What `work` makes of a case; if it is refused for elements of a mesh, these go to the folder of results first.
+template <class Work>
+auto or_show_offenders(const CommandLine& line, const input::CaseFile& file, const Work& work) {
+  try {
+    return work(file);
+  } catch (const input::CaseError&) {
+    const std::vector<std::string> inputs = file.files();
+    const bool overwrites_any =
+        std::any_of(inputs.begin(), inputs.end(), [&](const auto& input) { return !overwrites(line, input).empty(); });
+    if (!line.dry_run && !overwrites_any) output::write_offenders(line.out, file.offenders());
+    throw;
+  }
+}
+
+void print_forecast(const model::Simulation& simulation, const Forecast& forecast) {
+  const dynamics::Model& model = simulation.model;
+  print_size(simulation);
   const dynamics::Step& first = forecast.expected.first;
   std::printf("first step %.4g s, limited by %s (stable step of elements %.4g s", first.dt,
               dynamics::limited_by(first, dynamics::sources(model)).c_str(), forecast.votes.elements.step);
@@ -222,7 +240,7 @@ Ran run_case(const std::string& name, const CommandLine& line, output::RunFolder
              const Judge& judge = {}) {
   if (line.threads > 0) use_threads(line.threads);
   const input::CaseFile file = input::CaseFile::read(line.case_path, line.overrides);
-  model::Simulation simulation = build(file);
+  model::Simulation simulation = or_show_offenders(line, file, build);
   check_inputs(line, file, folder);
   const Beginning begins = beginning(name, line, file);
   if (begins.is_over) return {begins.status, {}};
@@ -233,13 +251,15 @@ Ran run_case(const std::string& name, const CommandLine& line, output::RunFolder
     print(file.preset_lines());
     print(notes);
   }
-  for (const std::string& note : model::coarseness_notes(simulation)) {
-    notes.push_back(note);
-    std::fprintf(stderr, "warning: %s\n", note.c_str());
+  for (const auto& warnings : {simulation.mesh_warnings.texts, model::coarseness_notes(simulation)}) {
+    for (const std::string& note : warnings) {
+      notes.push_back(note);
+      std::fprintf(stderr, "warning: %s\n", note.c_str());
+    }
   }
   if (!line.quiet && !begins.checkpoint) {
     const auto summary = [&] { return output::text_of(summarise(name, line, file, simulation, {}, results(simulation), notes)).size(); };
-    print_forecast(simulation.model, forecast(simulation, summary));
+    print_forecast(simulation, forecast(simulation, summary));
   }
   if (line.dry_run) return {};
   stop_if_interrupted("there are no results");
@@ -253,6 +273,7 @@ Ran run_case(const std::string& name, const CommandLine& line, output::RunFolder
     if (!line.quiet) std::printf("the run goes on from its checkpoint at %.8g s\n", begins.checkpoint->time);
   } else {
     folder.clear();
+    output::write_offenders(line.out, simulation.mesh_warnings.offenders);
   }
   std::optional<Recorder> results_of_run;
   if (begins.checkpoint) results_of_run.emplace(simulation, line.out, line.quiet, begins.checkpoint->results);
@@ -311,7 +332,7 @@ int run_to_accuracy(const std::string& name, const CommandLine& line, output::Ru
   if (line.threads > 0) use_threads(line.threads);
   const Target target{part_of(line.accuracy), line.of, 60 * line.longest};
   const input::CaseFile file = input::CaseFile::read(line.case_path, line.overrides);
-  build(file);  // its faults come first: what is wrong with a mesh of another factor is none of the case
+  or_show_offenders(line, file, build);  // its faults come first: what is wrong with a mesh of another factor is none of the case
   check_inputs(line, file, folder);
   const RunOnce run = [&](double refine, bool first_look, const Judge& judge) {
     CommandLine finer = line;
@@ -344,7 +365,7 @@ void stop_if_not_finite(Answer& found) {
 int answer_case(const std::string& name, const CommandLine& line, output::RunFolder& folder, const Plan& plan) {
   if (line.threads > 0) use_threads(line.threads);
   const input::CaseFile file = input::CaseFile::read(line.case_path, line.overrides);
-  const std::function<Answer()> compute = plan(file);
+  const std::function<Answer()> compute = or_show_offenders(line, file, plan);
   check_inputs(line, file, folder);
   if (!line.quiet) print_not_used(file);
   if (line.dry_run) return done;

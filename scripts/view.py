@@ -96,10 +96,10 @@ def half(data):
 
 
 def unit_of(data, field):
-    """The unit of a field, from the strings "stress [Pa]" that every file carries."""
-    units = data.GetFieldData().GetAbstractArray("units")
-    for i in range(units.GetNumberOfValues() if units else 0):
-        name, _, unit = units.GetValue(i).partition(" ")
+    """The unit of a field, from the names "stress [Pa]" of the components of an array that every file carries."""
+    units = data.GetFieldData().GetArray("units")
+    for i in range(units.GetNumberOfComponents() if units else 0):
+        name, _, unit = units.GetComponentName(i).partition(" ")
         if name == field:
             return unit.strip("[]")
     return ""

@@ -1,5 +1,6 @@
 #include "grid/file_mesh.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -76,11 +77,24 @@ bool is_set(const Field& field) {
          (field.values.array() == 0 || field.values.array() == 1).all() && (field.values.array() == 1).any();
 }
 
+/// Whether the halves of a quadrilateral that is cut from its first corner to its third face away from each other.
+bool is_folded(const Vectors& X, const std::array<Index, 4>& at) {
+  const Vec3 a = X.col(at[0]), cut = X.col(at[2]) - a;
+  return (X.col(at[1]) - a).cross(cut).dot(cut.cross(X.col(at[3]) - a)) < 0;
+}
+
+/// Where to cut a quadrilateral: from its first corner, unless that folds it and the other cut does not.
+mesh::Cut cut_of(const Vectors& X, const std::array<Index, 4>& at) {
+  const bool other = is_folded(X, at) && !is_folded(X, {at[1], at[2], at[3], at[0]});
+  return other ? mesh::Cut::second_to_fourth : mesh::Cut::first_to_third;
+}
+
 /// Cells by region and kind; -1 stands for the one region of a file without regions.
 std::map<int, Part> parts(const Contents& file, const std::string& region_array, std::vector<std::string>& faults) {
   const Field* region = array_called(file.cell_fields, region_array);
-  if (region != nullptr && !(whole(*region) && region->values.cwiseAbs().maxCoeff() <= 1e9)) {
-    faults.push_back("its cell array '" + region_array + "' does not hold one whole number a cell");
+  if (region != nullptr && region->values.size() > 0 &&
+      !(whole(*region) && region->values.minCoeff() >= 0 && region->values.maxCoeff() <= 1e9)) {
+    faults.push_back("its cell array '" + region_array + "' does not hold one whole number, 0 or above, a cell");
     region = nullptr;
   }
   std::map<int, Part> found;
@@ -107,7 +121,8 @@ std::map<int, Part> parts(const Contents& file, const std::string& region_array,
       part.triangles.add(nodes[0], nodes[1], nodes[2]);
       part.cell_of_triangle.push_back(cell);
     } else {
-      part.triangles.add({nodes[0], nodes[1], nodes[2], nodes[3]}, mesh::Cut::first_to_third);
+      const std::array<Index, 4> at{nodes[0], nodes[1], nodes[2], nodes[3]};
+      part.triangles.add(at, cut_of(file.points, at));
       part.cell_of_triangle.insert(part.cell_of_triangle.end(), 2, cell);
     }
   }
@@ -152,32 +167,55 @@ std::vector<Boundary> take_boundaries(std::map<int, Part>& parts, std::vector<st
   return boundaries;
 }
 
-/// Adds the regions to a mesh that has its points, and says which cells are no elements.
+/// Adds the regions to a mesh that has its points.
 void add_regions(const std::string& name, const std::map<int, Part>& parts, mesh::Mesh& mesh, std::vector<std::string>& faults) {
-  Wrong inside_out, flat;
   for (const auto& [number, part] : parts) {
     const Table<3> triangles = part.triangles.table();
     const bool solid = !part.hexahedra.empty(), plates = triangles.cols() > 0;
     if (solid && plates && number >= 0)
       faults.push_back("its region " + std::to_string(number) + " holds solids and plates; give them different numbers");
     const std::string region = number < 0 ? name : name + ".region_" + std::to_string(number);
-    if (solid) {
-      mesh.hexahedra.push_back({plates ? name + ".hexahedra" : region, table(part.hexahedra)});
-      const Scalars volume = mesh::volumes(mesh, mesh.hexahedra.back());
-      for (Index e = 0; e < volume.size(); ++e)
-        if (!(volume(e) > 0)) inside_out.cells.push_back(part.cell_of_hexahedron[static_cast<std::size_t>(e)]);
-    }
-    if (plates) {
-      mesh.triangles.push_back({solid ? name + ".triangles" : region, triangles});
-      const Scalars area = mesh::facet_areas(mesh, {"", triangles});
-      for (Index e = 0; e < area.size(); ++e)
-        if (!(area(e) > 0)) flat.cells.push_back(part.cell_of_triangle[static_cast<std::size_t>(e)]);
-    }
+    if (solid) mesh.hexahedra.push_back({plates ? name + ".hexahedra" : region, table(part.hexahedra)});
+    if (plates) mesh.triangles.push_back({solid ? name + ".triangles" : region, triangles});
   }
-  std::sort(inside_out.cells.begin(), inside_out.cells.end());
-  std::sort(flat.cells.begin(), flat.cells.end());
-  inside_out.tell(" of its hexahedra have no positive volume, so their corners are in the wrong order or their shape is: cells ", faults);
-  flat.tell(" of its triangles have no area: cells ", faults);
+}
+
+/// What the elements of a mesh that add_regions() made are called in the file.
+std::vector<std::int64_t> numbers_of(const std::map<int, Part>& parts) {
+  std::vector<std::int64_t> numbers;
+  for (const auto& [number, part] : parts) numbers.insert(numbers.end(), part.cell_of_hexahedron.begin(), part.cell_of_hexahedron.end());
+  for (const auto& [number, part] : parts) numbers.insert(numbers.end(), part.cell_of_triangle.begin(), part.cell_of_triangle.end());
+  return numbers;
+}
+
+/// Says which cells are no elements.
+void judge(FileMesh& result) {
+  const std::vector<mesh::Finding> found = mesh::refused(mesh::judge(result.mesh, result.origin));
+  for (const mesh::Finding& one : found) result.faults.push_back("it has " + mesh::in_words(one, result.origin, "cells"));
+  if (!found.empty()) result.offenders = mesh::offenders("", result.mesh, result.origin, found);
+}
+
+/// Says which triangles have nodes of their own at those of a face of hexahedra: a boundary whose nodes were not merged.
+void refuse_loose_boundaries(FileMesh& result) {
+  const mesh::Mesh& mesh = result.mesh;
+  if (mesh.hexahedra.empty() || mesh.triangles.empty()) return;
+  const std::vector<Index> place = mesh::places(mesh);
+  const auto at = [&](Index node) { return place[static_cast<std::size_t>(node)]; };
+  std::vector<std::array<Index, 8>> hexahedra;
+  for (const auto& region : mesh.hexahedra)
+    for (const auto& nodes : region.nodes.colwise())
+      for (auto& to = hexahedra.emplace_back(); const int a : {0, 1, 2, 3, 4, 5, 6, 7}) to[static_cast<std::size_t>(a)] = at(nodes(a));
+  const FacesOfSolids faces(hexahedra);
+  Wrong loose;
+  std::size_t element = hexahedra.size();
+  for (const auto& region : mesh.triangles)
+    for (const auto& t : region.nodes.colwise()) {
+      const std::int64_t cell = result.origin.numbers[element++];
+      if (!faces.has(corners(at(t(0)), at(t(1)), at(t(2))))) continue;
+      if (loose.cells.empty() || loose.cells.back() != cell) loose.cells.push_back(cell);
+    }
+  loose.tell(" of its triangles and quadrilaterals lie on faces of hexahedra and have nodes of their own; merge the nodes, or say "
+             "'boundary_cells: plates': cells ", result.faults);
 }
 
 /// New number of each point, or -1 for one of no cell; they keep their order.
@@ -218,7 +256,6 @@ void add_surface(mesh::Mesh& mesh, const std::string& name, const Table<3>& face
 void add_names(const std::string& name, const Contents& file, const std::vector<Boundary>& boundaries, const std::vector<Index>& number,
                mesh::Mesh& mesh, std::vector<std::string>& faults) {
   const mesh::Skin skin = mesh::skin(mesh.X, mesh.hexahedra);
-  if (skin.crowded > 0) faults.push_back(std::to_string(skin.crowded) + " of its faces belong to more than two hexahedra");
   Table<3> plates(3, 0);
   for (const auto& region : mesh.triangles) {
     const Eigen::Index before = plates.cols();
@@ -277,9 +314,15 @@ FileMesh file_mesh(const std::string& name, const Contents& file, const std::str
   std::map<int, Part> found = parts(file, region_array, result.faults);
   std::vector<Boundary> boundaries;
   if (boundary_cells == BoundaryCells::surfaces) boundaries = take_boundaries(found, result.faults);
-  if (file.points.allFinite()) add_regions(name, found, result.mesh, result.faults);
+  if (file.points.allFinite()) {
+    add_regions(name, found, result.mesh, result.faults);
+    result.origin.numbers = numbers_of(found);
+    judge(result);
+    if (boundary_cells == BoundaryCells::surfaces && result.faults.empty()) refuse_loose_boundaries(result);
+  }
   if (result.faults.empty()) {
     const std::vector<Index> number = drop_lonely_points(result.mesh);
+    result.origin.lonely = std::count(number.begin(), number.end(), -1);
     for (Boundary& boundary : boundaries) renumber(boundary, number);
     add_names(name, file, boundaries, number, result.mesh, result.faults);
   }

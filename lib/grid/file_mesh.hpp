@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "grid/grid.hpp"
+#include "mesh/judge.hpp"
 #include "mesh/mesh.hpp"
 
 namespace nereid::grid {
@@ -12,13 +13,16 @@ namespace nereid::grid {
 /// A mesh, or all that is wrong with what was to become one.
 struct FileMesh {
   mesh::Mesh mesh;                  ///< names start with the body's
+  mesh::Origin origin;              ///< the numbers of its cells
   std::vector<std::string> faults;  ///< each part of a sentence about the file; the mesh is empty if there are any
+  mesh::Offenders offenders;        ///< the elements that faults are about; none of faults about anything else
 };
 
 /// What cells with three or four corners are where they lie on faces of hexahedra.
 enum class BoundaryCells { surfaces, plates };
 
-/// Makes a mesh of what a file holds: hexahedra, triangles, and quadrilaterals cut in two from first to third corner.
+/// Makes a mesh of what a file holds: hexahedra, triangles, and quadrilaterals cut in two from first to third corner, or from second to
+/// fourth where only that cut lies inside.
 ///
 /// Regions    by the cell array `region_array`, whole numbers n: `name.region_n`. Without that array all cells are
 ///            region `name`; where there are solids and plates these are `name.hexahedra` and `name.triangles`.
@@ -30,9 +34,9 @@ enum class BoundaryCells { surfaces, plates };
 ///            those of the triangles) and `name.bottom`, and for each node set `name.<array>_top`, `name.<array>_bottom`.
 ///
 /// Points of no cell are dropped; those that stay keep their order. Faces of hexahedra are cut as mesh::cut_of_face()
-/// says, whatever their numbers. Faults are other kinds of cells, by name and number; hexahedra whose volume and
-/// triangles whose area is not positive; points that are no numbers; regions that are no whole numbers, hold
-/// both solids and plates or both plates and a boundary; faces of more than two hexahedra; names that are given twice.
+/// says, whatever their numbers. Faults are other kinds of cells, by name and number; elements that mesh::judge() refuses;
+/// points that are no numbers; regions that are no whole numbers from 0 on, hold both solids and plates or both plates and a boundary, or
+/// whose cells lie at the places of faces of hexahedra without their nodes; names that are given twice.
 FileMesh file_mesh(const std::string& name, const Contents&, const std::string& region_array = "region",
                    BoundaryCells = BoundaryCells::surfaces);
 

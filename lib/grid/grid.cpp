@@ -29,7 +29,6 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
-#include <vtkStringArray.h>
 #include <vtkTypeInt32Array.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
@@ -277,11 +276,10 @@ std::size_t written_bytes(vtkPointSet& data) {
 /// One frame as VTK holds it; what was lost by field is added to `counts`, in the order written.
 vtkSmartPointer<vtkPointSet> frame_of(const Grid& grid, GridKind kind, Precision precision, std::vector<Lost>& counts) {
   const auto data = kind == GridKind::volume ? volume_of(grid) : surface_of(grid);
-  vtkNew<vtkStringArray> units;
-  units->SetName("units");
+  std::vector<std::string> units;
   const auto lost_of = [&](const std::string& name) -> Lost& { return counts.emplace_back(Lost{name}); };
   const auto noted = [&](const std::string& name, const std::string& unit) {
-    units->InsertNextValue(name + " [" + unit + "]");
+    units.push_back(name + " [" + unit + "]");
   };
 
   vtkNew<vtkPoints> points;
@@ -306,7 +304,9 @@ vtkSmartPointer<vtkPointSet> frame_of(const Grid& grid, GridKind kind, Precision
   time->SetName("TimeValue");
   time->InsertNextValue(grid.time);
   data->GetFieldData()->AddArray(time);
-  data->GetFieldData()->AddArray(units);
+  // units as names of the components of one array of numbers: some readers know no arrays of texts
+  data->GetFieldData()->AddArray(array_of<vtkFloatArray>(
+      "units", units, Eigen::VectorXd::Ones(static_cast<Eigen::Index>(units.size())), lost_of("units")));
   return data;
 }
 

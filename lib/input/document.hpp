@@ -57,6 +57,7 @@ class Document {
 
   std::vector<NamedFile> files;
   std::vector<Finding> findings;
+  std::vector<mesh::Offenders> offenders;  // elements that findings are about
   std::vector<Resolved> resolved;
   std::set<std::string> recorded;
 

@@ -12,7 +12,8 @@ namespace nereid::input {
 namespace {
 
 /// A mesh without its body's name, with all its faults told at `path`.
-mesh::Mesh read_file(const Section& section, const std::string& path, const std::string& region_array, grid::BoundaryCells boundary_cells) {
+mesh::Mesh read_file(const Section& section, const std::string& path, const std::string& region_array, grid::BoundaryCells boundary_cells,
+                     mesh::Origin* origin) {
   std::string fault;
   const grid::Contents contents = grid::read_vtu(section.beside_case("path", path), fault);
   if (!fault.empty()) {
@@ -22,7 +23,12 @@ mesh::Mesh read_file(const Section& section, const std::string& path, const std:
   grid::FileMesh read = grid::file_mesh("", contents, region_array, boundary_cells);
   std::string all;
   for (const std::string& one : read.faults) all += (all.empty() ? "" : "; ") + one;
-  if (!all.empty()) section.fault("path", "'path' = " + path + ": " + all);
+  if (!all.empty()) section.fault("path", "'path' = " + path + ": " + all, read.offenders.numbers.empty() ? "" : mesh::where_shown);
+  if (!read.offenders.numbers.empty()) {
+    read.offenders.of = path;
+    section.show(std::move(read.offenders));
+  }
+  if (origin != nullptr) *origin = std::move(read.origin);
   return std::move(read.mesh);
 }
 
@@ -35,7 +41,7 @@ mesh::SpherePart part(const std::string& word) {
 
 }  // namespace
 
-model::MeshOptions read_mesh_options(const Section& section) {
+model::MeshOptions read_mesh_options(const Section& section, mesh::Origin* origin) {
   const std::string kind = section.choice("kind", {"box", "cylinder", "tube", "sector", "sphere", "disc", "sheet", "file"});
   const auto is = [&kind](auto... kinds) { return ((kind == kinds) || ...); };
 
@@ -83,7 +89,7 @@ model::MeshOptions read_mesh_options(const Section& section) {
                                                  : grid::BoundaryCells::surfaces;
 
   model::MeshOptions options = box;
-  if (is("file") && !path.empty()) options = read_file(section, path, region_array, boundary_cells);
+  if (is("file") && !path.empty()) options = read_file(section, path, region_array, boundary_cells, origin);
   if (is("cylinder")) options = mesh::Cylinder{radius, length, turn, cells_core, cells_ring, cells_along};
   if (is("tube")) options = mesh::Tube{radius, length, turn, cells_core, cells_along};
   if (is("tube") && sector) options = mesh::WedgeTube{radius, length, angle, cells_around, cells_along};
@@ -102,6 +108,8 @@ model::MeshOptions read_mesh_options(const Section& section) {
                               " elements: expected at most a hundred million");
   return options;
 }
+
+double read_scale(const Section& mesh) { return mesh.quantity_or("scale", 1, dim::length, positive); }
 
 model::Field read_map(const Section& mesh) { return mesh.has("map") ? read_expressions(mesh, "map", of_place) : model::Field{}; }
 

@@ -11,7 +11,12 @@ namespace nereid::input {
 ///
 /// More than a hundred million elements are a fault, as are corners in the wrong order. A file is read at once, so
 /// that what is wrong with it is told with all else.
-model::MeshOptions read_mesh_options(const Section& mesh);
+///
+/// origin  of a mesh from a file
+model::MeshOptions read_mesh_options(const Section& mesh, mesh::Origin* origin = nullptr);
+
+/// `scale` of a body's `mesh` section: the length that a coordinate of 1 becomes; 1 m if there is none. [m]
+double read_scale(const Section& mesh);
 
 /// `map` of a body's `mesh` section: three texts over x, y, z; empty if there is none.
 model::Field read_map(const Section& mesh);

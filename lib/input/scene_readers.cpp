@@ -70,8 +70,10 @@ model::GivenMass read_given_mass(const Section& section) {
 
 model::Body read_body(const Section& section, Names& taken) {
   const Section mesh = section.section("mesh");
+  mesh::Origin origin;
   model::Body body{.name = read_name(section, taken, sources),
-                   .mesh = read_mesh_options(mesh),
+                   .mesh = read_mesh_options(mesh, &origin),
+                   .scale = read_scale(mesh),
                    .map = read_map(mesh),
                    .place = read_placement(section),
                    .points = {},
@@ -80,7 +82,9 @@ model::Body read_body(const Section& section, Names& taken) {
                    .plate = {},
                    .rigid = section.flag_or("rigid", false),
                    .given = {},
+                   .origin = {},
                    .at = section.path()};
+  body.origin = std::move(origin);
   if (section.has("mass_properties")) {
     const model::GivenMass given = read_given_mass(section.when(body.rigid).section("mass_properties"));
     if (body.rigid) body.given = given;
@@ -275,6 +279,8 @@ model::Simulation build(const CaseFile& file, const model::Scene& scene) {
   try {
     return model::build(scene);
   } catch (const model::SceneError& error) {
+    for (const model::Fault& fault : error.faults)
+      for (const mesh::Offenders& one : fault.offenders) file.show(one);
     for (const model::Fault& fault : error.faults)
       file.fault(fault.at.empty() || fault.key.empty() ? fault.at + fault.key : fault.at + "." + fault.key, fault.message, fault.hint);
     file.finish();

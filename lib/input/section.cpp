@@ -574,6 +574,8 @@ void Section::fault(std::string_view key, std::string message, std::string hint)
   }
 }
 
+void Section::show(mesh::Offenders one) const { document_->offenders.push_back(std::move(one)); }
+
 void Section::fault_between(std::initializer_list<std::string_view> keys, std::string message) const {
   const auto set = [this](std::string_view key) {
     const Entry* entry = ask(key);
@@ -667,6 +669,10 @@ void CaseFile::fault(const std::string& path, std::string message, std::string h
   document_->fault(path, std::move(message), std::move(hint));
 }
 
+void CaseFile::show(mesh::Offenders one) const { document_->offenders.push_back(std::move(one)); }
+
+const std::vector<mesh::Offenders>& CaseFile::offenders() const { return document_->offenders; }
+
 void CaseFile::finish() const { document_->throw_if_any(); }
 
 void CaseFile::check_files(const FileCheck& check) const {
@@ -675,6 +681,12 @@ void CaseFile::check_files(const FileCheck& check) const {
     if (!wrong.empty()) document_->findings.push_back({file.place, std::move(wrong), ""});
   }
   finish();
+}
+
+std::vector<std::string> CaseFile::files() const {
+  std::vector<std::string> paths;
+  for (const Document::NamedFile& file : document_->files) paths.push_back(file.path);
+  return paths;
 }
 
 std::vector<std::string> CaseFile::not_used() const { return document_->not_used(); }

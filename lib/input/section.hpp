@@ -33,6 +33,7 @@
 #include "base/range.hpp"
 #include "base/resolved.hpp"
 #include "input/units.hpp"
+#include "mesh/judge.hpp"
 
 namespace nereid::input {
 
@@ -161,6 +162,9 @@ class Section {
   /// is absent. Ignored if the value of this key is already at fault.
   void fault(std::string_view key, std::string message, std::string hint = "") const;
 
+  /// Keeps the elements that a fault is about: CaseFile::offenders().
+  void show(mesh::Offenders) const;
+
   /// Values of several keys do not go together: `message` at the one that was set last, on the command line, else at the first.
   void fault_between(std::initializer_list<std::string_view> keys, std::string message) const;
 
@@ -233,6 +237,10 @@ class CaseFile {
   /// the case has. Call finish() afterwards.
   void fault(const std::string& path, std::string message, std::string hint = "") const;
 
+  /// Keeps the elements that a fault is about.
+  void show(mesh::Offenders) const;
+  const std::vector<mesh::Offenders>& offenders() const;
+
   /// Throws CaseError with all faults, by place, if there are any. Reports the keys that nobody has
   /// asked for; call it after all reading.
   void finish() const;
@@ -242,6 +250,9 @@ class CaseFile {
 
   /// Asks `check` of each file that the case names, so far as it has been read. Throws CaseError, each fault at its key.
   void check_files(const FileCheck& check) const;
+
+  /// Paths of the files that the case names, so far as it has been read.
+  std::vector<std::string> files() const;
 
   /// Keys that the chosen kinds do not use, as in "contact.penalty_scale (cases/bars.yaml:12:5)".
   std::vector<std::string> not_used() const;

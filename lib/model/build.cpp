@@ -291,7 +291,7 @@ Simulation build(const Scene& scene) {
 
   Simulation simulation;
   dynamics::Model& model = simulation.model;
-  model.mesh = make_mesh(scene, faults);
+  model.mesh = make_mesh(scene, faults, simulation.mesh_warnings);
   if (is_whole(scene, model.mesh)) check_names(scene, model.mesh, faults);
   throw_if_any(faults);
 

@@ -4,6 +4,7 @@
 #include "contact/contact.hpp"
 #include "dynamics/measure.hpp"
 #include "model/fault.hpp"
+#include "model/meshes.hpp"
 #include "model/scene.hpp"
 
 namespace nereid::model {
@@ -33,6 +34,7 @@ struct Simulation {
   std::vector<Stop> stops;               ///< looked at in the last stage
   std::vector<StageOfRun> stages;        ///< empty: the run has none; the one that runs is the last of Progress::stages
   std::vector<load::AnyLoad> all_loads;  ///< as the scene has them; the model has those of the stage that runs
+  MeshWarnings mesh_warnings;
 };
 
 /// Builds meshes, elements, planes, loads and contacts, and the state at the start.

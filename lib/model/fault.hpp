@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "mesh/judge.hpp"
+
 namespace nereid::model {
 
 /// One thing that is wrong with a scene.
@@ -15,6 +17,7 @@ struct Fault {
   std::string part;     ///< the part in words, as in "contact 'touch'"
   std::string message;  ///< one line
   std::string hint;     ///< as in "did you mean 'bar.x_high'?", or empty
+  std::vector<mesh::Offenders> offenders = {};  ///< elements that it is about
 };
 using Faults = std::vector<Fault>;
 

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <map>
+#include <set>
 
 #include "base/check.hpp"
 #include "base/words.hpp"
@@ -115,15 +117,39 @@ void name_points(const Body& body, mesh::Mesh& mesh, Faults& faults) {
   }
 }
 
+/// Refuses or warns of what is wrong with the elements of a body where it stands. Shapes as they are built can only have lost their digits.
+void judge(const Body& body, const Part& here, const mesh::Mesh& mesh, Faults& faults, MeshWarnings& warnings) {
+  const bool is_given = std::holds_alternative<mesh::Mesh>(body.mesh), is_mapped = static_cast<bool>(body.map[0]);
+  const std::vector<mesh::Finding> all = is_given || is_mapped ? mesh::judge(mesh, body.origin) : mesh::judge_digits(mesh);
+  const std::vector<mesh::Finding> wrong = mesh::refused(all), doubtful = mesh::refused(all, false);
+  const auto words = [&](const mesh::Finding& one) {
+    return mesh::in_words(one, body.origin, body.origin.numbers.empty() ? "elements" : "cells");
+  };
+  std::string said;
+  for (const mesh::Finding& one : wrong) said += (said.empty() ? "" : "; ") + words(one);
+  if (!wrong.empty()) {
+    refuse(faults, here, is_mapped ? "map" : "", (is_mapped ? "'map' makes a mesh with " : "the mesh has ") + said, mesh::where_shown);
+    faults.back().offenders = {mesh::offenders(body.name, mesh, body.origin, wrong)};
+    return;
+  }
+  for (const mesh::Finding& one : doubtful) warnings.texts.push_back(body.name + ": " + words(one) + " (" + mesh::where_shown + ")");
+  if (!doubtful.empty()) warnings.offenders.push_back(mesh::offenders(body.name, mesh, body.origin, doubtful));
+  if (body.origin.lonely > 0)
+    warnings.texts.push_back(body.name + ": " + counted(static_cast<std::size_t>(body.origin.lonely), "point") +
+                             " of its file without an element, left out");
+}
+
 /// The mesh of one body where it stands.
-mesh::Mesh placed_mesh(const Body& body, Faults& faults) {
+mesh::Mesh placed_mesh(const Body& body, Faults& faults, MeshWarnings& warnings) {
   Part here = part("body", body);
   if (!here.at.empty()) here.at += ".mesh";
+  const std::size_t before = faults.size();
   mesh::Mesh mesh = make_mesh(body.name, body.mesh);
   if (std::holds_alternative<mesh::Mesh>(body.mesh)) {
     const std::string said = flat_or_inverted(mesh, mesh.X);
     if (!said.empty()) refuse(faults, here, "", "the mesh " + said);
   }
+  if (body.scale != 1) mesh.X *= body.scale;
   if (body.map[0]) mesh = mapped(body.map, std::move(mesh), here, faults);
   if (body.place.angle != 0) mesh = mesh::rotated_about(std::move(mesh), body.place.axis, body.place.angle, body.place.about);
   if (!body.place.move.isZero(0)) mesh = mesh::moved(std::move(mesh), body.place.move);
@@ -133,7 +159,22 @@ mesh::Mesh placed_mesh(const Body& body, Faults& faults) {
            finite ? text("a node stands %.4g m from the origin: expected less than %g m", mesh.X.cwiseAbs().maxCoeff(), farthest)
                   : "a node stands at no finite place");
   }
+  if (faults.size() == before) judge(body, here, mesh, faults, warnings);
   return mesh;
+}
+
+/// Warns of bodies that are laid over each other, element on element, before a run that would find it at its end.
+void warn_of_overlays(const mesh::Mesh& all, MeshWarnings& warnings) {
+  constexpr std::size_t most = 8;  // named
+  const auto body = [](const std::string& region) { return region.substr(0, region.find('.')); };
+  std::map<std::string, std::set<std::string>> over;
+  for (const mesh::Overlay& one : mesh::overlays(all))
+    if (body(one.regions[0]) != body(one.regions[1])) over[body(one.regions[0])].insert(body(one.regions[1]));
+  for (const auto& [under, bodies] : over) {
+    std::vector<std::string> names(bodies.begin(), bodies.end());
+    if (names.size() > most) names.resize(most), names.push_back("…");
+    warnings.texts.push_back(under + ": elements of " + joined(names) + " are at the places of its own: the same body several times?");
+  }
 }
 
 }  // namespace
@@ -220,18 +261,20 @@ mesh::Mesh mapped(const Field& map, mesh::Mesh mesh, const Part& part, Faults& f
   return mesh;
 }
 
-mesh::Mesh make_mesh(const Scene& scene, Faults& faults) {
+mesh::Mesh make_mesh(const Scene& scene, Faults& faults, MeshWarnings& warnings) {
+  const std::size_t before = faults.size();
   mesh::Mesh all;
   for (const Body& body : scene.bodies) {
     try {
       if (!(count_elements(body.mesh) <= most_elements)) throw InternalError("the mesh would have more than a hundred million elements");
-      mesh::Mesh here = placed_mesh(body, faults);
+      mesh::Mesh here = placed_mesh(body, faults, warnings);
       name_points(body, here, faults);
       all = all.X.cols() == 0 ? here : mesh::join(all, here);
     } catch (const InternalError& error) {  // readers have refused such options, scenes made in C++ may have them
       refuse(faults, part("body", body), "mesh", error.what());
     }
   }
+  if (scene.bodies.size() > 1 && faults.size() == before) warn_of_overlays(all, warnings);
   return all;
 }
 

@@ -25,11 +25,17 @@ mesh::Mesh make_mesh(const std::string& name, const MeshOptions&);
 /// Faults, with the mesh as it was: places that are no number, elements whose volume or area is not positive
 mesh::Mesh mapped(const Field& map, mesh::Mesh, const Part&, Faults&);
 
+/// What may be wrong with meshes and is not refused.
+struct MeshWarnings {
+  std::vector<std::string> texts;          ///< a line each
+  std::vector<mesh::Offenders> offenders;  ///< the elements that they are about, by body
+};
+
 /// The meshes of all bodies, each where it stands.
 ///
-/// Faults: options that no mesh has, maps that turn elements inside out, positions whose cubes are no number, points
-/// beside their body, points named like a node set. Bodies without a mesh are left out.
-mesh::Mesh make_mesh(const Scene&, Faults&);
+/// Faults: options that no mesh has, maps that turn elements inside out, positions whose cubes are no number, elements
+/// that mesh::judge() refuses, points beside their body, points named like a node set. Bodies without a mesh are left out.
+mesh::Mesh make_mesh(const Scene&, Faults&, MeshWarnings&);
 
 /// Length of the diagonal of the box around all nodes. [m]
 double diagonal(const mesh::Mesh&);

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <limits>
 #include <map>
+#include <set>
 
 #include "contact/impact_step.hpp"
 #include "dynamics/overlaps.hpp"
@@ -63,6 +64,42 @@ std::vector<std::string> pairs_found(const Simulation& simulation, std::size_t c
 }
 
 }  // namespace
+
+std::vector<std::string> body_table(const Simulation& simulation) {
+  const dynamics::Model& model = simulation.model;
+  struct Size {
+    std::string name;
+    std::size_t nodes = 0;
+    std::int64_t elements = 0;
+    double mass = 0;
+  };
+  std::vector<std::vector<Size>> bodies;  // each body with its regions behind it
+  for (const element::AnyBlock& block : model.blocks) {
+    const std::string& region = element::name(block);
+    const std::string body = region.substr(0, region.find('.'));
+    auto at = std::find_if(bodies.begin(), bodies.end(), [&](const auto& one) { return one[0].name == body; });
+    if (at == bodies.end()) at = bodies.insert(at, {{body, mesh::node_set(model.mesh, body).size()}});
+    Scalars mass = Scalars::Zero(model.mesh.X.cols());
+    element::add_mass(block, mass);
+    const auto nodes = element::nodes(block).reshaped();
+    const Size size{region, std::set<Index>(nodes.begin(), nodes.end()).size(), element::tiling(block).elements, mass.sum()};
+    (*at)[0].elements += size.elements, (*at)[0].mass += size.mass;
+    at->push_back(size);
+  }
+  for (std::vector<Size>& body : bodies)
+    for (const rigid::Body& rigid : model.rigid_bodies)
+      if (rigid.name == body[0].name) body[0].mass = rigid.mass.mass;  // which may be given
+  std::vector<std::string> table{"bodies                     nodes   elements  mass [kg]"};
+  const auto add = [&](const std::string& name, const Size& size) {
+    table.push_back(row("%-22s %9zu  %9lld  %.6g", name.c_str(), size.nodes, static_cast<long long>(size.elements), size.mass));
+  };
+  for (const std::vector<Size>& body : bodies) {
+    add(body[0].name, body[0]);
+    if (body.size() == 2 && body[1].name == body[0].name) continue;
+    for (std::size_t r = 1; r < body.size(); ++r) add("  " + body[r].name.substr(body[0].name.size()), body[r]);
+  }
+  return table;
+}
 
 std::vector<std::string> gap_table(const Simulation& simulation) {
   std::vector<std::string> table;

@@ -1,6 +1,6 @@
 #pragma once
-// What a simulation says of itself in words: gaps at the start, apexes that are too coarse, what sets its step, penetrations that are too
-// deep, elements that are too distorted, energy that appears or vanishes.
+// What a simulation says of itself in words: its bodies, gaps at the start, apexes that are too coarse, what sets its step, penetrations
+// that are too deep, elements that are too distorted, energy that appears or vanishes.
 
 #include <string>
 #include <vector>
@@ -8,6 +8,9 @@
 #include "model/build.hpp"
 
 namespace nereid::model {
+
+/// The table of bodies and their regions with nodes, elements and mass, each region below its body if it is not all of it.
+std::vector<std::string> body_table(const Simulation&);
 
 /// The table of initial gaps, one interface a line, with its penalty; empty without contacts.
 std::vector<std::string> gap_table(const Simulation&);

@@ -21,6 +21,7 @@
 #include "mesh/box.hpp"
 #include "mesh/cylinder.hpp"
 #include "mesh/disc.hpp"
+#include "mesh/judge.hpp"
 #include "mesh/sphere.hpp"
 #include "mesh/wedge.hpp"
 
@@ -65,6 +66,7 @@ struct GivenMass {
 struct Body {
   std::string name;
   MeshOptions mesh;
+  double scale = 1;                           ///< [m] what a coordinate of 1 becomes, before `map`
   Field map = {};                             ///< [m] where the nodes of the mesh go before it is placed; empty: they stay
   Placement place = {};
   std::vector<Point> points = {};
@@ -73,6 +75,7 @@ struct Body {
   element::Plate::Options plate = {};         ///< of the plates in the mesh
   bool rigid = false;                         ///< it moves as one, and its elements compute nothing
   GivenMass given = {};                       ///< of a rigid body
+  mesh::Origin origin = {};                   ///< of a given mesh, which has its names from a file
   std::string at = {};
 };
 

@@ -113,6 +113,7 @@ void check_body(const Body& body, Faults& faults) {
   check_functions(faults, here, "map", body.map, true);
   if (has_solids(body.mesh)) std::visit(look, body.solid);
   if (has_plates(body.mesh)) look(body.plate);
+  check(faults, here, {{"mesh.scale", body.scale, positive, "m"}});
   check(faults, here, {{"rotate.angle", body.place.angle}});
   if (body.place.angle != 0) check_direction(faults, here, "rotate.axis", body.place.axis);
   check(faults, here, components("rotate.about", body.place.about)), check(faults, here, components("move", body.place.move));

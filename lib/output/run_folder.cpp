@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* lock_name = "run.lock";
 constexpr const char* judged_by[] = {"summary.json", "history.csv"};
-constexpr const char* collections[] = {"body", "contact", "walls"};
+constexpr const char* collections[] = {"body", "contact", "walls", "offenders"};
 
 /// Whether two descriptions are of the same file.
 bool same_file(const struct stat& a, const struct stat& b) { return a.st_dev == b.st_dev && a.st_ino == b.st_ino; }

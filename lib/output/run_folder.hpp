@@ -7,7 +7,7 @@
 namespace nereid::output {
 
 /// Files of a folder that a run writes or clears, of those that are there: summary.json, history.csv, these two with
-/// `.stale` behind, checkpoint, run.lock, and index and frames of the collections body, contact and walls.
+/// `.stale` behind, checkpoint, run.lock, and index and frames of the collections body, contact, walls and offenders.
 std::vector<std::filesystem::path> result_files(const std::filesystem::path& folder);
 
 /// The one of result_files() that is this very file, by whatever name or link; empty if none is, or there is no such file.

@@ -101,6 +101,48 @@ class Inputs(InAFolder):
                 case.unlink()
 
 
+class Offenders(InAFolder):
+    """Elements of a mesh at fault are results of the run that found them."""
+
+    SHOWN = ["out/offenders.pvd", "out/offenders/offenders_000000.vtu"]
+
+    def setUp(self):
+        super().setUp()
+        self.case = self.copy("block_from_file.yaml")
+        shutil.copy(CASES.parent / "bad_cases/scene/mesh_twisted.vtu", self.folder / "mesh.vtu")
+
+    def shown(self):
+        return sorted(name for name in self.files() if "offenders" in name)
+
+    def test_a_refused_mesh_is_shown_until_the_next_run(self):
+        self.assertEqual(self.run_case(self.case).returncode, 2)
+        self.assertEqual(self.shown(), self.SHOWN)
+        self.run_to_end(CASES / "block.yaml")
+        self.assertEqual(self.shown(), [])
+
+    def test_a_dry_run_writes_nothing(self):
+        self.assertEqual(self.run_case(self.case, "--dry-run").returncode, 2)
+        self.assertFalse(self.out.exists())
+
+    def test_a_mesh_of_offenders_is_not_overwritten(self):
+        self.assertEqual(self.run_case(self.case).returncode, 2)
+        before = self.files()
+        done = self.run_case(self.case, "--set", "bodies[0].mesh.path=out/offenders/offenders_000000.vtu")
+        self.assertEqual(done.returncode, 2)
+        self.assertEqual(self.files(), before)
+
+    def test_what_is_warned_of_is_shown_beside_the_results(self):
+        ring = ("{kind: box, low: [1 m, 0 m, 0 m], high: [2 m, 6.283185307179586 m, 1 m], cells: [1, 12, 1], "
+                "map: [x*cos(y), x*sin(y), z]}")
+        self.case.write_text(self.case.read_text(encoding="utf-8").replace("{kind: file, path: mesh.vtu}", ring), encoding="utf-8")
+        done = self.run_case(self.case)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("warning: a: 2 elements with a node at the place of another node", done.stderr)
+        self.assertEqual(self.shown(), self.SHOWN)
+        notes = json.loads((self.out / "summary.json").read_text(encoding="utf-8"))["notes"]
+        self.assertTrue(any("at the place of another node" in note for note in notes), notes)
+
+
 class Stale(InAFolder):
     """Results of an older run are never there as those of this one."""
 

@@ -4,7 +4,8 @@
     read_back.py GRID_TEST_PROGRAM
 
 The program writes its example into a temporary folder; every number is then checked by name and
-component.  Ends with 77, "skipped", where Python has no VTK or the program was built without it.
+component; the body by meshio as well, where Python has it.  Ends with 77, "skipped", where Python
+has no VTK or the program was built without it.
 """
 
 import os
@@ -42,8 +43,8 @@ def check_body(vtk, folder):
         assert data.GetCellType(0) == vtk.VTK_HEXAHEDRON
         assert data.GetCell(0).GetPointIds().GetId(1) == 1
         assert data.GetFieldData().GetArray("TimeValue").GetValue(0) == time
-        units = data.GetFieldData().GetAbstractArray("units")
-        assert [units.GetValue(i) for i in range(units.GetNumberOfValues())] == [
+        units = data.GetFieldData().GetArray("units")
+        assert [units.GetComponentName(i) for i in range(units.GetNumberOfComponents())] == [
             "displacement [m]", "velocity [m/s]", "node_id [1]", "stress [Pa]", "von_mises [Pa]"]
 
         stress = data.GetCellData().GetArray("stress")
@@ -81,6 +82,20 @@ def check_contact(vtk, folder):
                 assert data.GetCellData().GetArray("contact_status").GetValue(cell) == cell % 3
 
 
+def check_meshio(folder):
+    """meshio reads what we write; says whether it is there."""
+    try:
+        import meshio
+    except ImportError:
+        return "without meshio, which Python does not have"
+    for _, file in frames(folder, "body"):
+        found = meshio.read(file)
+        assert [(block.type, len(block.data)) for block in found.cells] == [("hexahedron", 288)], found
+        assert found.points.shape == (504, 3) and found.cell_data["stress"][0].shape == (288, 6), found
+        assert "units" in found.field_data, found
+    return "with meshio too"
+
+
 def main(program):
     try:
         import vtk
@@ -98,7 +113,8 @@ def main(program):
         check_contact(vtk, folder)
         assert [time for time, _ in frames(folder, "walls")] == [0.0]
         assert read(vtk, frames(folder, "walls")[0][1]).GetNumberOfCells() == 2
-    print("read back: body, contact, walls")
+        meshio = check_meshio(folder)
+    print("read back: body, contact, walls,", meshio)
     return 0
 
 

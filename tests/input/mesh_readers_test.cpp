@@ -94,24 +94,26 @@ TEST(ReadMesh, SectorsThatCannotBeAreRefused) {
   EXPECT_TRUE(says(refusal("kind: tube\nradius: 1 m\nlength: 2 m\nturn: sector\ncells_along: 1\n"), "missing 'angle'"));
 }
 
+/// Writes a file of one cell on the corners of a cube.
+void write_file(const std::filesystem::path& file, const std::string& nodes, int count, int kind) {
+  std::ofstream(file) << "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\"><UnstructuredGrid>"
+      "<Piece NumberOfPoints=\"8\" NumberOfCells=\"1\"><CellData><DataArray type=\"Int32\" Name=\"grain\" format=\"ascii\">5"
+      "</DataArray></CellData><Points><DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">"
+      "0 0 0 1 0 0 1 1 0 0 1 0 0 0 1 1 0 1 1 1 1 0 1 1</DataArray></Points>"
+      "<Cells><DataArray type=\"Int32\" Name=\"connectivity\" format=\"ascii\">" << nodes << "</DataArray>"
+      "<DataArray type=\"Int32\" Name=\"offsets\" format=\"ascii\">" << count << "</DataArray>"
+      "<DataArray type=\"UInt8\" Name=\"types\" format=\"ascii\">" << kind << "</DataArray></Cells>"
+      "</Piece></UnstructuredGrid></VTKFile>";
+}
+
 /// A folder with a case and, beside it, a file of one hexahedron or of one tetrahedron.
 std::filesystem::path folder_with_files() {
   // one for each test: they may run side by side
   const auto* test = testing::UnitTest::GetInstance()->current_test_info();
   const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / (std::string("nereid_mesh_readers_") + test->name());
   std::filesystem::create_directories(folder);
-  const auto write = [&](const std::string& name, const std::string& nodes, int count, int kind) {
-    std::ofstream(folder / name) << "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\"><UnstructuredGrid>"
-        "<Piece NumberOfPoints=\"8\" NumberOfCells=\"1\"><CellData><DataArray type=\"Int32\" Name=\"grain\" format=\"ascii\">5"
-        "</DataArray></CellData><Points><DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">"
-        "0 0 0 1 0 0 1 1 0 0 1 0 0 0 1 1 0 1 1 1 1 0 1 1</DataArray></Points>"
-        "<Cells><DataArray type=\"Int32\" Name=\"connectivity\" format=\"ascii\">" << nodes << "</DataArray>"
-        "<DataArray type=\"Int32\" Name=\"offsets\" format=\"ascii\">" << count << "</DataArray>"
-        "<DataArray type=\"UInt8\" Name=\"types\" format=\"ascii\">" << kind << "</DataArray></Cells>"
-        "</Piece></UnstructuredGrid></VTKFile>";
-  };
-  write("cube.vtu", "0 1 2 3 4 5 6 7", 8, 12);
-  write("tetrahedron.vtu", "0 1 2 4", 4, 10);
+  write_file(folder / "cube.vtu", "0 1 2 3 4 5 6 7", 8, 12);
+  write_file(folder / "tetrahedron.vtu", "0 1 2 4", 4, 10);
   return folder;
 }
 
@@ -155,6 +157,43 @@ TEST(ReadMesh, AFileThatIsNoMeshIsAFaultOfTheCaseWithItsPlace) {
   EXPECT_TRUE(says(refusal_beside("kind: file\n"), "missing 'path'"));
   const std::string both = refusal_beside("kind: file\npath: none.vtu\nradius: 1 m\ncolour: red\n");
   EXPECT_TRUE(says(both, "there is no such file") && says(both, "unknown key 'colour'")) << both;
+}
+
+TEST(ReadMesh, AFileTellsTheNumbersOfItsCellsAndShowsThoseAtFault) {
+  if (!grid::vtk_available()) GTEST_SKIP() << "built without VTK";
+  const auto folder = folder_with_files();
+  write_file(folder / "twisted.vtu", "1 0 2 3 4 5 6 7", 8, 12);
+  std::ofstream(folder / "case.yaml") << "kind: file\npath: cube.vtu\n";
+  mesh::Origin origin;
+  read_mesh_options(CaseFile::read((folder / "case.yaml").string()).root(), &origin);
+  EXPECT_EQ(origin.numbers, std::vector<std::int64_t>{0});
+  std::ofstream(folder / "case.yaml") << "kind: file\npath: twisted.vtu\n";
+  const CaseFile file = CaseFile::read((folder / "case.yaml").string());
+  read_mesh_options(file.root());
+  ASSERT_EQ(file.offenders().size(), 1U);
+  EXPECT_EQ(file.offenders()[0].of, "twisted.vtu");
+  EXPECT_EQ(file.files(), std::vector<std::string>{(folder / "twisted.vtu").string()});
+  try {
+    file.finish();
+    FAIL();
+  } catch (const CaseError& error) {
+    EXPECT_TRUE(says(error.what(), "case.yaml:2:7: 'path' = twisted.vtu: it has 1 element whose Jacobian is not positive at a Gauss"));
+    EXPECT_TRUE(says(error.what(), "a run with --out shows them in offenders.pvd")) << error.what();
+  }
+}
+
+TEST(ReadMesh, ScaleIsTheLengthOfOneAndAMetreWithoutIt) {
+  const auto scale = [](const std::string& text) {
+    const CaseFile file = CaseFile::parse(box + text, "case.yaml");
+    read_mesh_options(file.root());
+    const double found = read_scale(file.root());
+    file.finish();
+    return found;
+  };
+  EXPECT_EQ(scale(""), 1);
+  EXPECT_EQ(scale("scale: 1 mm\n"), 1e-3);
+  EXPECT_THROW(scale("scale: 0 mm\n"), CaseError);
+  EXPECT_THROW(scale("scale: 0.001\n"), CaseError);
 }
 
 TEST(ReadMesh, KeysOfAnotherKindAreListedAsNotUsed) {

@@ -110,6 +110,77 @@ TEST(MakeMesh, RefusesAGivenMeshThatCannotBeOne) {
   EXPECT_TRUE(says(said_of(given), "the mesh has no node set '' of all its nodes")) << said_of(given);
 }
 
+/// A given mesh of a bar with its second cell on nodes of its own, and what a file calls its elements.
+Body cut_bar() {
+  const mesh::Mesh half = mesh::box("", {Vec3(0, 0, 0), Vec3(1, 1, 1), {1, 1, 1}});
+  mesh::Mesh both{.X = Vectors(3, 16), .hexahedra = {{"", Table<8>(8, 2)}}, .triangles = {}, .surfaces = {}, .node_sets = {{"", {}}}};
+  both.X << half.X, half.X.colwise() + Vec3(1, 0, 0);
+  both.hexahedra[0].nodes << half.hexahedra[0].nodes, (half.hexahedra[0].nodes.array() + 8).matrix();
+  for (Index node = 0; node < 16; ++node) both.node_sets[0].nodes.push_back(node);
+  return {.name = "bar", .mesh = both, .law = steel, .origin = {{40, 41}, 3}};
+}
+
+TEST(MakeMesh, WarnsOfWhatMayBeMeantWithTheNamesOfTheFile) {
+  Scene scene = with({cut_bar()});
+  scene.bodies[0].place.move = Vec3(0, 0, 7);
+  const MeshWarnings warnings = build(scene).mesh_warnings;
+  ASSERT_EQ(warnings.texts.size(), 2U);
+  EXPECT_EQ(warnings.texts[0], "bar: 2 elements with a node at the place of another node, so that nothing joins them there: cells 40, 41 "
+                               "(a run with --out shows them in offenders.pvd)");
+  EXPECT_EQ(warnings.texts[1], "bar: 3 points of its file without an element, left out");
+  ASSERT_EQ(warnings.offenders.size(), 1U);
+  EXPECT_EQ(warnings.offenders[0].of, "bar");
+  EXPECT_EQ(warnings.offenders[0].numbers, (std::vector<std::int64_t>{40, 41}));
+  EXPECT_EQ(warnings.offenders[0].X.row(2).minCoeff(), 7);  // where the body stands
+  EXPECT_TRUE(build(with({bar(), wall()})).mesh_warnings.texts.empty());  // bodies that touch are no overlay
+}
+
+TEST(MakeMesh, WarnsOfABodyThatIsLaidOverAnother) {
+  Scene scene = with({bar(), bar()});
+  scene.bodies[1].name = "copy";
+  const MeshWarnings warnings = build(scene).mesh_warnings;
+  ASSERT_EQ(warnings.texts.size(), 1U);
+  EXPECT_EQ(warnings.texts[0], "bar: elements of copy are at the places of its own: the same body several times?");
+}
+
+TEST(MakeMesh, RefusesElementsThatCannotBeMeantAndShowsThem) {
+  Body body = cut_bar();
+  auto& nodes = std::get<mesh::Mesh>(body.mesh).hexahedra[0].nodes;
+  std::swap(nodes(0, 1), nodes(1, 1));  // its volume is still positive
+  try {
+    build(with({body}));
+    FAIL();
+  } catch (const SceneError& error) {
+    ASSERT_EQ(error.faults.size(), 1U);
+    EXPECT_EQ(error.faults[0].message, "the mesh has 1 element whose Jacobian is not positive at a Gauss point, as where two nodes are "
+                                       "exchanged: cells 41");
+    ASSERT_EQ(error.faults[0].offenders.size(), 1U);
+    EXPECT_EQ(error.faults[0].offenders[0].numbers, std::vector<std::int64_t>{41});
+  }
+}
+
+TEST(MakeMesh, JudgesMappedMeshesAndPlacesAsWell) {
+  Scene scene = with({bar()});
+  scene.bodies[0].map = {[](double x, double y, double z, double) { return x == 0 && y == 0 && z == 0 ? 0.7 : x; },
+                         [](double x, double y, double z, double) { return x == 0 && y == 0 && z == 0 ? 0.7 : y; },
+                         [](double x, double y, double z, double) { return x == 0 && y == 0 && z == 0 ? 0.7 : z; }};
+  EXPECT_TRUE(says(refusal(scene), "body 'bar': 'map' makes a mesh with 1 element whose Jacobian is not positive")) << refusal(scene);
+  scene = with({bar()});
+  scene.bodies[0].place.move = Vec3(1e15, 0, 0);
+  EXPECT_TRUE(says(refusal(scene), "2 elements so far from the origin that fewer than six digits are left")) << refusal(scene);
+}
+
+TEST(MakeMesh, ScalesBeforeItMaps) {
+  Scene scene = with({bar()});
+  scene.bodies[0].scale = 1e-3;
+  scene.bodies[0].map = {[](double x, double, double, double) { return x + 1; }, [](double, double y, double, double) { return y; },
+                         [](double, double, double z, double) { return z; }};
+  const mesh::Mesh mesh = build(scene).model.mesh;
+  EXPECT_LT((mesh.X.rowwise().maxCoeff() - Vec3(1.002, 1e-3, 1e-3)).norm(), 1e-15);
+  scene.bodies[0].scale = -1;
+  EXPECT_TRUE(says(refusal(scene), "body 'bar': 'scale' = -1 is out of range")) << refusal(scene);
+}
+
 TEST(NamePoints, NamesTheNearestNodeAndRefusesWhatLiesBesideTheBody) {
   Scene scene = with({bar()});
   scene.bodies[0].points = {{.name = "tip", .near = Vec3(2, 0, 0)}};

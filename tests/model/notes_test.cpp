@@ -2,10 +2,35 @@
 
 #include <gtest/gtest.h>
 
+#include <sstream>
+
 #include "tests/model/scenes.hpp"
 
 namespace nereid::model {
 namespace {
+
+TEST(BodyTable, HasNodesElementsAndMassOfBodiesAndOfTheirRegions) {
+  mesh::Mesh given = mesh::box("", {Vec3(0, 0, 0), Vec3(2, 1, 1), {2, 1, 1}});
+  const Table<8> nodes = given.hexahedra[0].nodes;
+  given.hexahedra = {{".region_1", nodes.col(0)}, {".region_2", nodes.col(1)}};
+  Body rigid = wall();
+  rigid.rigid = true, rigid.given.mass = 5, rigid.place.move = Vec3(9, 0, 0);
+  const std::vector<std::string> table = body_table(build(with({{.name = "two", .mesh = given, .law = steel}, sheet(), rigid})));
+  ASSERT_EQ(table.size(), 6U);
+  const auto numbers = [](const std::string& line) {
+    std::istringstream stream(line);
+    std::string name, rest, all;
+    stream >> name;
+    for (all = name; stream >> rest;) all += " " + rest;
+    return all;
+  };
+  EXPECT_EQ(numbers(table[0]), "bodies nodes elements mass [kg]");
+  EXPECT_EQ(numbers(table[1]), "two 12 2 16000");
+  EXPECT_EQ(numbers(table[2]), ".region_1 8 1 8000");
+  EXPECT_EQ(numbers(table[3]), ".region_2 8 1 8000");
+  EXPECT_EQ(numbers(table[4]), "sheet 6 4 32");
+  EXPECT_EQ(numbers(table[5]), "wall 12 2 5");
+}
 
 TEST(GapTable, HasTwoLinesForEachInterface) {
   Scene scene = with({bar(), wall()});
