@@ -79,7 +79,7 @@ bool is_set(const Field& field) {
 /// Cells by region and kind; -1 stands for the one region of a file without regions.
 std::map<int, Part> parts(const Contents& file, const std::string& region_array, std::vector<std::string>& faults) {
   const Field* region = array_called(file.cell_fields, region_array);
-  if (region != nullptr && !(whole(*region) && region->values.cwiseAbs().maxCoeff() <= 1e9)) {
+  if (region != nullptr && !(whole(*region) && (region->values.array().abs() <= 1e9).all())) {
     faults.push_back("its cell array '" + region_array + "' does not hold one whole number a cell");
     region = nullptr;
   }
