@@ -1,6 +1,7 @@
 #include "model/values.hpp"
 
 #include <cmath>
+#include <cstdio>
 
 #include "base/words.hpp"
 #include "model/meshes.hpp"
@@ -205,6 +206,11 @@ void check_run(const Scene& scene, Faults& faults) {
                                    {"corner_limit", scene.time.corner_limit, below(1)}});
   check(faults, {"output", "recording"}, {{"history_every", scene.recording.history, not_negative, "s"},
                                           {"frames_every", scene.recording.frames, not_negative, "s"}});
+  const model::Recording& recording = scene.recording;
+  for (const auto& [key, every] : {std::pair("history_every", recording.history), std::pair("frames_every", recording.frames)}) {
+    const std::string said = too_many(key, every, scene.time.end);
+    if (!said.empty()) refuse(faults, {"output", "recording"}, key, said);
+  }
   check(faults, {"relaxation", "relaxation"}, {{"residual", relaxation.residual, range::residual},
                                                {"after", relaxation.after, not_negative, "s"},
                                                {"samples", static_cast<double>(relaxation.samples), at_least(1)}});
@@ -213,6 +219,16 @@ void check_run(const Scene& scene, Faults& faults) {
 }
 
 }  // namespace
+
+std::string too_many(const std::string& key, double every, double end) {
+  const bool frames = key == "frames_every";
+  const double most = frames ? most_frames : most_rows, count = end / every;
+  if (!(every > 0) || count <= most) return "";
+  char asked[40];
+  std::snprintf(asked, sizeof asked, "%.3g", count);
+  return quote(key) + " = " + shortest(every) + " s asks for " + asked + (frames ? " frames" : " rows") + " by the end at " + shortest(end) +
+         " s: expected at most " + (frames ? "a million" : "ten million");
+}
 
 std::string window_too_short(double window, double row) {
   return "'window' = " + shortest(window) + " s is shorter than two rows of the history, which are " + shortest(row) + " s apart";
