@@ -1,12 +1,17 @@
 #include "drivers/driver.hpp"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <new>
+#include <system_error>
 
 #include "base/check.hpp"
 #include "base/parallel.hpp"
@@ -236,6 +241,27 @@ dynamics::Interrupt checkpoints(const std::string& name, const CommandLine& line
   };
 }
 
+/// Refuses a case whose end no run would reach.
+void check_reach(const input::CaseFile& file, const model::Simulation& simulation, const dynamics::Step& first) {
+  const double steps = std::ceil(simulation.time.end / first.dt);
+  if (!(steps > dynamics::most_steps)) return;
+  char counted_steps[100];
+  std::snprintf(counted_steps, sizeof counted_steps, "'end' = %.8g s takes %.3g steps of %.3g s, limited by ", simulation.time.end, steps,
+                first.dt);
+  file.fault("time.end", counted_steps + dynamics::limited_by(first, dynamics::sources(simulation.model)) + ": expected at most a billion",
+             "");
+  file.finish();
+}
+
+/// What a dry run ends with: as a run would at its start.
+int status_of_start(const std::string& name, const dynamics::Outcome& start) {
+  if (dynamics::good(start.ending)) return done;
+  std::fprintf(stderr, "%s: a run would stop at its start: %s%s%s: %s\n", name.c_str(), std::string(dynamics::word(start.ending)).c_str(),
+               start.block.empty() ? "" : (" in " + start.block).c_str(),
+               start.element < 0 ? "" : (", element " + std::to_string(start.element)).c_str(), start.reason.c_str());
+  return stopped;
+}
+
 Ran run_case(const std::string& name, const CommandLine& line, output::RunFolder& folder, const Build& build, const Results& results,
              const Judge& judge = {}) {
   if (line.threads > 0) use_threads(line.threads);
@@ -257,11 +283,18 @@ Ran run_case(const std::string& name, const CommandLine& line, output::RunFolder
       std::fprintf(stderr, "warning: %s\n", note.c_str());
     }
   }
+  if (line.quiet && line.dry_run) {
+    const Start start = start_of(simulation);
+    check_reach(file, simulation, start.first);
+    return {status_of_start(name, start.outcome), {}};
+  }
   if (!line.quiet && !begins.checkpoint) {
     const auto summary = [&] { return output::text_of(summarise(name, line, file, simulation, {}, results(simulation), notes)).size(); };
-    print_forecast(simulation, forecast(simulation, summary));
+    const Forecast found = forecast(simulation, summary);
+    check_reach(file, simulation, found.expected.first);
+    print_forecast(simulation, found);
+    if (line.dry_run) return {status_of_start(name, found.start), {}};
   }
-  if (line.dry_run) return {};
   stop_if_interrupted("there are no results");
   if (!line.quiet && !begins.checkpoint) {  // what was rehearsed is no start of a run
     simulation = {};
@@ -279,8 +312,19 @@ Ran run_case(const std::string& name, const CommandLine& line, output::RunFolder
   if (begins.checkpoint) results_of_run.emplace(simulation, line.out, line.quiet, begins.checkpoint->results);
   else results_of_run.emplace(simulation, line.out, line.quiet);
   Recorder& recorder = *results_of_run;
-  const std::vector<dynamics::Observer> observers{[&recorder](const dynamics::View& view) { recorder(view); }};
-  const dynamics::Outcome outcome = model::run(simulation, observers, checkpoints(name, line, file, simulation, recorder));
+  const std::vector<dynamics::Observer> observers{[&](const dynamics::View& view) {
+    if (view.now.step == 0) check_reach(file, simulation, dynamics::choose_step(view.now.votes, simulation.time.safety));
+    recorder(view);
+  }};
+  const auto run = [&] {
+    try {
+      return model::run(simulation, observers, checkpoints(name, line, file, simulation, recorder));
+    } catch (const input::CaseError&) {  // which is known only once the run has started
+      results_of_run.reset(), folder.clear();
+      throw;
+    }
+  };
+  const dynamics::Outcome outcome = run();
   recorder.finish(model::view(simulation));
 
   if (recorder.replaced() > 0)
@@ -402,15 +446,33 @@ int answer_case(const std::string& name, const CommandLine& line, output::RunFol
   return stopped;
 }
 
+/// Leaves to the calls that write what the system would else answer with a signal: a reader that has gone, a file that may not grow. And
+/// opens what may be closed of standard input, output and error, so that no file of results takes their place.
+void expect_failing_writes() {
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
+  for (const int one : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (::fcntl(one, F_GETFD) == -1) ::open("/dev/null", O_RDWR);  // takes the lowest number that is free
+}
+
+/// The status, or that of the machine where what was said did not reach its reader.
+int told(const std::string& name, int status) {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
+  std::fprintf(stderr, "%s: cannot write to standard output\n", name.c_str());
+  return status == done ? machine : status;
+}
+
 /// Reads the command line, and turns what `work` throws into words and an exit status.
 ///
 /// meshes  whether the program may be asked for an accuracy
 int from_command_line(int argc, char** argv, const std::string& name, bool meshes,
                       const std::function<int(const CommandLine&, output::RunFolder&)>& work) {
+  expect_failing_writes();
   CommandLine line;
   CLI::App app("Nereid " + name, name);
   app.failure_message([&name](const CLI::App*, const CLI::Error& error) {
-    return name + ": " + error.what() + "; '" + name + " --help' lists what may be given\n";
+    constexpr std::size_t longest = 600;  // [bytes]
+    return name + ": " + clipped(error.what(), longest) + "; '" + name + " --help' lists what may be given\n";
   });
   app.add_option("case", line.case_path, "case file, YAML with units")->required();
   app.add_option("--out", line.out, "folder for results; made if it is not there");
@@ -450,7 +512,7 @@ int from_command_line(int argc, char** argv, const std::string& name, bool meshe
   try {
     check_case_path(line);
     output::RunFolder folder(line.dry_run ? "" : line.out, line.resume);
-    return work(line, folder);
+    return told(name, work(line, folder));
   } catch (const input::CaseError& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return bad_case;
@@ -460,15 +522,18 @@ int from_command_line(int argc, char** argv, const std::string& name, bool meshe
   } catch (const Interrupted& error) {
     std::fprintf(stderr, "%s: %s\n", name.c_str(), error.what());
     return interrupted;
-  } catch (const InternalError& error) {
-    std::fprintf(stderr, "%s: this is a fault of the program, not of the case: %s\n", name.c_str(), error.what());
-    return our_fault;
+  } catch (const MachineError& error) {
+    std::fprintf(stderr, "%s: %s\n", name.c_str(), error.what());
+    return machine;
+  } catch (const std::system_error& error) {  // of a file, or of a thread that cannot be started
+    std::fprintf(stderr, "%s: %s\n", name.c_str(), error.what());
+    return machine;
   } catch (const std::bad_alloc&) {
     std::fprintf(stderr, "%s: memory does not suffice for a case of this size\n", name.c_str());
     return machine;
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s: %s\n", name.c_str(), error.what());
-    return machine;
+    std::fprintf(stderr, "%s: this is a fault of the program, not of the case: %s\n", name.c_str(), error.what());
+    return our_fault;
   }
 }
 

@@ -152,14 +152,19 @@ Costs rehearse(model::Simulation& simulation, double dt, const std::function<std
 
 }  // namespace
 
+Start start_of(model::Simulation& simulation) {
+  dynamics::Time none = simulation.time;
+  none.end = 0;
+  dynamics::Outcome outcome = dynamics::run(simulation.model, simulation.state, simulation.forces, none, simulation.time.end,
+                                            {.probes = simulation.probes, .observers = {}, .until = {}});
+  if (outcome.ending == dynamics::Ending::not_relaxed) outcome = {};  // it has not had the time
+  return {outcome, dynamics::choose_step(simulation.state.votes, simulation.time.safety)};
+}
+
 Forecast forecast(model::Simulation& simulation, const std::function<std::size_t()>& summary) {
   const dynamics::Time& time = simulation.time;
   Forecast found;
-  dynamics::Time none = time;
-  none.end = 0;
-  // a run of no time starts it
-  dynamics::run(simulation.model, simulation.state, simulation.forces, none, time.end,
-                {.probes = simulation.probes, .observers = {}, .until = {}});
+  found.start = start_of(simulation).outcome;
   found.votes = simulation.state.votes;
   found.expected = model::expected_steps(simulation);
   found.advice = model::step_advice(simulation, found.expected);

@@ -19,6 +19,7 @@
 namespace nereid::driver {
 
 struct Forecast {
+  dynamics::Outcome start;          ///< how the run would end at its start; good() if it would not
   model::ExpectedSteps expected;
   dynamics::Votes votes;            ///< of the start
   double steps = 0, rows = 0, frames = 0;
@@ -27,6 +28,15 @@ struct Forecast {
   double memory = 0;                ///< [bytes] resident at most
   std::vector<std::string> advice;  ///< what would make it shorter, and what it does not know
 };
+
+/// How a run begins.
+struct Start {
+  dynamics::Outcome outcome;  ///< good() unless it would end there
+  dynamics::Step first;
+};
+
+/// Starts a simulation, as a run of no time does.
+Start start_of(model::Simulation&);
 
 /// Rehearses a run. The simulation is worn by that: whoever wants to run it builds it again. So no copy is held beside it, and a rehearsal
 /// takes no more memory than the run.

@@ -75,7 +75,6 @@ NEEDS_NO_TEST = {
     "lib/input/yaml.hpp": "tested through section",
     "lib/input/document.hpp": "tested through section",
     "lib/mesh/revolution.hpp": "tested through cylinder, tube and sphere",
-    "lib/base/replace_file.hpp": "tested through history and summary",
 }
 
 WORDS_IN = "lib drivers cases tests verification scripts docs cmake .ci"

@@ -30,6 +30,12 @@ std::string listed(const std::vector<std::string>& words) {
   return joined({words.begin(), words.begin() + most}) + " and " + std::to_string(words.size() - most) + " more";
 }
 
+std::string clipped(std::string_view text, std::size_t most) {
+  if (text.size() <= most) return std::string(text);
+  while (most > 0 && (static_cast<unsigned char>(text[most]) & 0xC0U) == 0x80U) --most;  // not between the bytes of one character
+  return std::string(text.substr(0, most)) + "...";
+}
+
 std::string inside(const std::string& path) {
   return path.empty() ? std::string{} : " in " + quote(path);
 }

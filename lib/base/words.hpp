@@ -19,6 +19,9 @@ std::string joined(const std::vector<std::string>& words);  ///< "a, b, c"
 /// The same, but no more than one still reads.
 std::string listed(const std::vector<std::string>& words);
 
+/// The text, or as much of its beginning as so many bytes hold, with "..." behind.
+std::string clipped(std::string_view text, std::size_t most);
+
 /// " in 'bodies[0]'", or nothing for the root.
 std::string inside(const std::string& path);
 

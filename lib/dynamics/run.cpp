@@ -16,7 +16,6 @@ namespace nereid::dynamics {
 namespace {
 
 constexpr double smallest_fraction = 1e-4;  // of the first step: something has collapsed
-constexpr double most_steps = 1e9;           // a run that would take more does not end in a lifetime
 
 std::string text(const char* format, double a, double b) {
   char buffer[200];

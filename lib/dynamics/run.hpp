@@ -22,6 +22,8 @@ struct Time {
   double largest_step = 0;
 };
 
+inline constexpr double most_steps = 1e9;  ///< [-] a run that would take more does not end in a lifetime
+
 enum class Ending {
   reached_end, stopped_by_condition, relaxed,
   interrupted, inverted_element, not_finite, step_too_small, energy_created, energy_lost, bodies_overlap, not_relaxed

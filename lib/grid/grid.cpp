@@ -3,15 +3,22 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
+#include <fstream>
 #include <iostream>
 #include <limits>
+#include <new>
 #include <system_error>
 #include <type_traits>
 #include <utility>
 
+#include "base/archive.hpp"
 #include "base/check.hpp"
+#include "base/child.hpp"
+#include "base/memory.hpp"
 #include "base/replace_file.hpp"
 #include "base/words.hpp"
+#include "grid/vtu_check.hpp"
 
 #ifdef NEREID_WITH_VTK
 #include <vtkCellArray.h>
@@ -37,9 +44,27 @@
 #include <vtkXMLUnstructuredGridWriter.h>
 #endif
 
+namespace nereid {
+
+template <class Archive>
+void visit(Archive& archive, Field& field) {
+  auto& [name, unit, components, values, integer] = field;
+  archive(name, unit, components, values, integer);
+}
+
+}  // namespace nereid
+
 namespace nereid::grid {
 
+template <class Archive>
+void visit(Archive& archive, Contents& contents) {
+  auto& [points, kind, begin, nodes, point_fields, cell_fields] = contents;
+  archive(points, kind, begin, nodes, point_fields, cell_fields);
+}
+
 namespace {
+
+namespace fs = std::filesystem;
 
 [[noreturn]] void wrong(const std::string& collection, const std::string& what) {
   throw InternalError("results '" + collection + "': " + what);
@@ -131,11 +156,12 @@ std::string arrays_of(const Grid& grid) {
 
 const char* extension(GridKind kind) { return kind == GridKind::volume ? ".vtu" : ".vtp"; }
 
-/// Frames of a collection, of whatever run and kind.
+/// Frames of a collection, of whatever run and kind, and drafts of them.
 std::vector<std::filesystem::path> frames_in(const std::filesystem::path& folder, const std::string& name, std::error_code& error) {
   std::vector<std::filesystem::path> frames;
   for (std::filesystem::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
-    const std::string stem = at->path().stem().string(), kind = at->path().extension().string();
+    const fs::path file = at->path().extension() == ".tmp" ? at->path().stem() : at->path().filename();
+    const std::string stem = file.stem().string(), kind = file.extension().string();
     const std::string number = stem.substr(std::min(stem.size(), name.size() + 1));
     if (stem.rfind(name + "_", 0) == 0 && number.size() >= 6 && (kind == ".vtu" || kind == ".vtp") &&
         number.find_first_not_of("0123456789") == std::string::npos)
@@ -257,24 +283,26 @@ vtkSmartPointer<Writer> writer_of(vtkPointSet& data) {
   return writer;
 }
 
+/// The bytes of a file. VTK writes into memory, never to the disk: VTK 9.1 frees memory twice where a disk is full.
 template <class Writer>
-void write_file(vtkPointSet& data, const std::filesystem::path& file) {
-  const auto writer = writer_of<Writer>(data);
-  writer->SetFileName(file.c_str());
-  if (writer->Write() != 1 || writer->GetErrorCode() != 0)
-    throw MachineError("cannot write " + file.string());
-}
-
-template <class Writer>
-std::size_t written_bytes(vtkPointSet& data) {
+std::string written(vtkPointSet& data) {
   const auto writer = writer_of<Writer>(data);
   writer->WriteToOutputStringOn();
-  writer->Write();
-  return writer->GetOutputString().size();
+  if (writer->Write() != 1 || writer->GetErrorCode() != 0) throw std::bad_alloc();  // nothing else can be short
+  return writer->GetOutputString();
 }
+
+std::string written(vtkPointSet& data, GridKind kind) {
+  return kind == GridKind::volume ? written<vtkXMLUnstructuredGridWriter>(data) : written<vtkXMLPolyDataWriter>(data);
+}
+
+/// Keeps VTK from starting threads: it needs none here, a machine may refuse them, and a child process must not wait for those of its
+/// parent.
+void use_no_threads() { ::setenv("VTK_SMP_BACKEND_IN_USE", "Sequential", 1); }  // its header of threads is no C++20
 
 /// One frame as VTK holds it; what was lost by field is added to `counts`, in the order written.
 vtkSmartPointer<vtkPointSet> frame_of(const Grid& grid, GridKind kind, Precision precision, std::vector<Lost>& counts) {
+  use_no_threads();
   const auto data = kind == GridKind::volume ? volume_of(grid) : surface_of(grid);
   std::vector<std::string> units;
   const auto lost_of = [&](const std::string& name) -> Lost& { return counts.emplace_back(Lost{name}); };
@@ -310,16 +338,14 @@ vtkSmartPointer<vtkPointSet> frame_of(const Grid& grid, GridKind kind, Precision
   return data;
 }
 
-/// Writes one frame; returns what was lost by field, in the order written.
+/// Writes one frame in one go; returns what was lost by field, in the order written.
 std::vector<Lost> write_frame(const Grid& grid, GridKind kind, Precision precision, const std::filesystem::path& file) {
   std::vector<Lost> counts;
-  const auto data = frame_of(grid, kind, precision, counts);
-  if (kind == GridKind::volume)
-    write_file<vtkXMLUnstructuredGridWriter>(*data, file);
-  else
-    write_file<vtkXMLPolyDataWriter>(*data, file);
+  replace_file(file, written(*frame_of(grid, kind, precision, counts), kind));
   return counts;
 }
+
+constexpr const char* unreadable = "VTK cannot read it: it is damaged, or written in a form that this VTK does not know";
 
 /// Arrays of numbers, in the order of the file.
 std::vector<Field> fields_of(vtkDataSetAttributes& attributes) {
@@ -335,6 +361,42 @@ std::vector<Field> fields_of(vtkDataSetAttributes& attributes) {
     fields.push_back(std::move(field));
   }
   return fields;
+}
+
+/// The grid in our arrays; where its cells have points that are none, why it cannot be.
+Contents contents_of(vtkUnstructuredGrid& data, std::string& fault) {
+  Contents contents;
+  vtkIdType lost = 0;  // cells with points that are none
+  contents.points.resize(3, data.GetNumberOfPoints());
+  for (vtkIdType point = 0; point < data.GetNumberOfPoints(); ++point) data.GetPoint(point, contents.points.col(point).data());
+  contents.begin.push_back(0);
+  vtkNew<vtkIdList> nodes;
+  for (vtkIdType cell = 0; cell < data.GetNumberOfCells(); ++cell) {
+    contents.kind.push_back(data.GetCellType(cell));
+    data.GetCellPoints(cell, nodes);
+    bool all_there = true;
+    for (vtkIdType a = 0; a < nodes->GetNumberOfIds(); ++a) {
+      all_there = all_there && nodes->GetId(a) >= 0 && nodes->GetId(a) < data.GetNumberOfPoints();
+      contents.nodes.push_back(static_cast<Index>(nodes->GetId(a)));
+    }
+    if (!all_there) ++lost;
+    contents.begin.push_back(static_cast<std::int64_t>(contents.nodes.size()));
+  }
+  if (lost > 0) {
+    fault = std::to_string(lost) + " of its cells have a point that is none of its " + std::to_string(contents.points.cols());
+    return contents;
+  }
+  contents.point_fields = fields_of(*data.GetPointData());
+  contents.cell_fields = fields_of(*data.GetCellData());
+  const auto look = [&fault](const std::vector<Field>& fields, vtkIdType things, const char* what) {
+    for (const Field& field : fields)
+      if (field.values.cols() != things)
+        fault = "its array " + quote(clipped(field.name, 40)) + " has " + std::to_string(field.values.cols()) + " values for its " +
+                std::to_string(things) + " " + what;
+  };
+  look(contents.point_fields, data.GetNumberOfPoints(), "points");
+  look(contents.cell_fields, data.GetNumberOfCells(), "cells");
+  return contents;
 }
 
 /// Hears what VTK would tell the terminal; the case's report is the place for it.
@@ -374,54 +436,81 @@ class Listening {
 }  // namespace
 
 #ifdef NEREID_WITH_VTK
-Contents read_vtu(const std::filesystem::path& file, std::string& fault) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error)) {
-    fault = "there is no such file";
-    return {};
-  }
+namespace {
+
+constexpr double most_file = 16e9;  // [bytes]
+constexpr double patience = 600;    // [s] for the largest file on a slow disk
+
+/// The bytes of a file; why it cannot be read is added to `fault`.
+std::string bytes_in(const std::filesystem::path& file, double size, std::string& fault) {
+  std::string bytes(static_cast<std::size_t>(size), '\0');
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  if (!stream || stream.peek() != std::ifstream::traits_type::eof()) fault = "it cannot be read to its end";
+  return bytes;
+}
+
+/// What VTK makes of a file that check_vtu() has found sound.
+Contents read_by_vtk(const std::filesystem::path& file, std::string& fault) {
+  use_no_threads();
   const Listening here;
   vtkNew<vtkXMLUnstructuredGridReader> reader;
-  if (reader->CanReadFile(file.c_str()) == 0) {
-    fault = "it is no .vtu file";
-    return {};
-  }
   reader->SetFileName(file.c_str());
   reader->Update();
   vtkUnstructuredGrid* data = reader->GetOutput();
   // an error code does not tell everything, as a file that ends too early
   if (here.listener->heard_an_error || reader->GetErrorCode() != 0 || data == nullptr) {
-    fault = "VTK cannot read it: it is damaged, or written in a form that this VTK does not know";
+    fault = unreadable;
     return {};
   }
   if (data->GetNumberOfPoints() > std::numeric_limits<Index>::max()) {
     fault = "it has more points than can be numbered";
     return {};
   }
-  Contents contents;
-  vtkIdType lost = 0;  // cells with points that are none
-  contents.points.resize(3, data->GetNumberOfPoints());
-  for (vtkIdType point = 0; point < data->GetNumberOfPoints(); ++point)
-    data->GetPoint(point, contents.points.col(point).data());
-  contents.begin.push_back(0);
-  vtkNew<vtkIdList> nodes;
-  for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell) {
-    contents.kind.push_back(data->GetCellType(cell));
-    data->GetCellPoints(cell, nodes);
-    bool all_there = true;
-    for (vtkIdType a = 0; a < nodes->GetNumberOfIds(); ++a) {
-      all_there = all_there && nodes->GetId(a) >= 0 && nodes->GetId(a) < data->GetNumberOfPoints();
-      contents.nodes.push_back(static_cast<Index>(nodes->GetId(a)));
-    }
-    if (!all_there) ++lost;
-    contents.begin.push_back(static_cast<std::int64_t>(contents.nodes.size()));
-  }
-  if (lost > 0) {
-    fault = std::to_string(lost) + " of its cells have a point that is none of its " + std::to_string(contents.points.cols());
+  return contents_of(*data, fault);
+}
+
+}  // namespace
+
+Contents read_vtu(const std::filesystem::path& file, std::string& fault) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) {
+    fault = std::filesystem::exists(file, error) ? "it is a device, a pipe or a folder, and no file" : "there is no such file";
     return {};
   }
-  contents.point_fields = fields_of(*data->GetPointData());
-  contents.cell_fields = fields_of(*data->GetCellData());
+  const auto size = static_cast<double>(std::filesystem::file_size(file, error));
+  if (error || size > most_file) {
+    fault = error ? error.message() : "it is larger than " + shortest(most_file / 1e9) + " GB";
+    return {};
+  }
+  double unpacked = 0;
+  {
+    const std::string bytes = bytes_in(file, size, fault);
+    if (!fault.empty()) return {};
+    const VtuCheck found = check_vtu(bytes);
+    fault = found.fault, unpacked = found.unpacked;
+  }
+  if (!fault.empty()) return {};
+  const auto work = [&file] {
+    std::string seen;
+    Writer writer;
+    Contents contents = read_by_vtk(file, seen);
+    writer(seen);
+    visit(writer, contents);
+    return writer.bytes();
+  };
+  // [bytes] what VTK has of the arrays, what we make of them, and that in bytes
+  const OfChild read = in_child(work, {.memory = 1e9 + 4 * size + 40 * unpacked, .seconds = patience});
+  if (read.out_of_memory && memory_is_limited()) throw std::bad_alloc();
+  if (!read.why.empty()) {
+    fault = std::string(unreadable) + " (" + read.why + ")";
+    return {};
+  }
+  Contents contents;
+  Reader reader(read.bytes);
+  reader(fault);
+  if (!fault.empty()) return {};
+  visit(reader, contents);
   return contents;
 }
 #else
@@ -434,8 +523,7 @@ Contents read_vtu(const std::filesystem::path&, std::string& fault) {
 std::size_t bytes_of([[maybe_unused]] const Grid& grid, [[maybe_unused]] GridKind kind, [[maybe_unused]] Precision precision) {
 #ifdef NEREID_WITH_VTK
   std::vector<Lost> counts;
-  const auto data = frame_of(grid, kind, precision, counts);
-  return kind == GridKind::volume ? written_bytes<vtkXMLUnstructuredGridWriter>(*data) : written_bytes<vtkXMLPolyDataWriter>(*data);
+  return written(*frame_of(grid, kind, precision, counts), kind).size();
 #else
   return 0;
 #endif

@@ -54,9 +54,9 @@ struct CollectionMark {
 
 /// One data set over time: DIRECTORY/NAME.pvd with its frames in DIRECTORY/NAME/NAME_000000.vtu.
 ///
-/// The .pvd is complete after every frame, and frames of an earlier run of the same name are
-/// removed first. A value that is no number, or beyond the range of Float32, is written as 0 and
-/// counted, with one warning of each per field.
+/// Frames and .pvd are written aside and renamed, the .pvd after its frame: what it lists is there and whole, whatever the
+/// disk does. Frames of an earlier run of the same name are removed first. A value that is no number, or beyond the range of
+/// Float32, is written as 0 and counted, with one warning of each per field.
 ///
 /// Invariants  equal grids give equal bytes, in any run.
 class Collection {
@@ -94,7 +94,7 @@ class Collection {
 /// How long the file of a frame would be; zero without VTK. [bytes]
 std::size_t bytes_of(const Grid&, GridKind, Precision = Precision::single);
 
-/// The files of a collection that are in a directory: its .pvd, the draft of one, and its frames, of whatever run and kind.
+/// The files of a collection that are in a directory: its .pvd and its frames, of whatever run and kind, and drafts of them.
 std::vector<std::filesystem::path> collection_files(const std::filesystem::path& directory, const std::string& name);
 
 /// What a file of ParaView's holds, as it stands there.

@@ -11,7 +11,12 @@ namespace nereid::input {
 
 namespace {
 
-constexpr std::size_t gutter = 5;  // width of a line number in a report
+constexpr std::size_t gutter = 5;          // width of a line number in a report
+constexpr std::size_t most_faults = 50;    // that are told; one mends no more at a time
+constexpr std::size_t longest_said = 600;  // [bytes] of a message, of a hint
+constexpr std::size_t longest_set = 100;   // [bytes] that are shown of --set
+constexpr std::size_t before_fault = 80, behind_fault = 120;  // [bytes] that are shown of a longer line
+constexpr std::size_t most_steps = 100;    // keys of a path
 
 /// A key of a path on the command line, with the items of lists behind it.
 struct Step {
@@ -51,6 +56,7 @@ std::vector<Step> split_path(const std::string& path, int number) {
       step.path += "[" + std::to_string(index) + "]";
       bracket = static_cast<std::size_t>(read.ptr + 1 - part.data());
     }
+    if (steps.size() == most_steps) throw Stop{step.place, "the path has more than " + std::to_string(most_steps) + " keys", ""};
     steps.push_back(std::move(step));
     if (end == path.size()) return steps;
     start = end + 1;
@@ -71,6 +77,23 @@ std::string hint_for(const Entry& unknown, const Node& map, const std::vector<st
     return "known here: " + joined(map.known);
   }
   return hint;
+}
+
+/// A part of a line, and where in it a fault is.
+struct Excerpt {
+  std::string text;
+  std::size_t byte, length;
+};
+
+/// What is shown of a line: all of it, or what is around the fault.
+Excerpt excerpt(std::string_view line, std::size_t byte, std::size_t length) {
+  if (line.size() <= before_fault + behind_fault) return {std::string(line), byte, length};
+  const auto begins = [line](std::size_t at) { return at >= line.size() || (static_cast<unsigned char>(line[at]) & 0xC0U) != 0x80U; };
+  std::size_t from = byte - std::min(byte, before_fault), to = std::min(line.size(), byte + behind_fault);
+  while (!begins(from)) --from;
+  while (!begins(to)) ++to;
+  const std::string left = from > 0 ? "..." : "", right = to < line.size() ? "..." : "";
+  return {left + std::string(line.substr(from, to - from)) + right, left.size() + byte - from, std::min(length, to - byte)};
 }
 
 }  // namespace
@@ -97,7 +120,7 @@ Document::Document(std::string path, std::string text, const std::vector<std::st
   }
   for (const std::string& override_text : overrides) {
     const int number = static_cast<int>(sources_.size());
-    sources_.emplace_back("--set " + override_text, false, override_text);
+    sources_.emplace_back("--set " + clipped(override_text, longest_set), false, override_text);
     try {
       apply(override_text, number);
     } catch (Stop& stop) {
@@ -170,12 +193,13 @@ void Document::throw_if_any() const {
            std::tie(b.place.source, b.place.line, b.place.byte);
   });
   std::vector<Fault> faults;
-  std::set<std::string> seen;  // what is read twice or through aliases is at fault once
+  std::set<std::tuple<int, int, int, std::string_view>> seen;  // what is read twice or through aliases is at fault once
   for (const Finding& finding : all) {
-    Fault fault = report(finding);
-    if (seen.insert(fault.text).second) faults.push_back(std::move(fault));
+    const Place& at = finding.place;
+    if (seen.emplace(at.source, at.line, at.byte, finding.message).second && faults.size() < most_faults) faults.push_back(report(finding));
   }
-  throw CaseError(sources_[0].name, std::move(faults));
+  const std::size_t told = faults.size();
+  throw CaseError(sources_[0].name, std::move(faults), seen.size() - told);
 }
 
 std::vector<std::string> Document::not_used() const {
@@ -294,7 +318,8 @@ void Document::find_unknown(const Node& node, const std::string& path, std::vect
       find_unknown(*entry->value, join(path, entry->key), all);
     } else {
       const std::string now = renamed(path, entry->key);
-      all.push_back({entry->place, "unknown key " + quote(entry->key) + inside(path), now.empty() ? hint_for(*entry, node, of_root) : now});
+      all.push_back({entry->place, "unknown key " + quote(entry->key) + inside(path), now});
+      if (now.empty()) all.back().late_hint = [&one = *entry, &node, of_root] { return hint_for(one, node, of_root); };
     }
   }
 }
@@ -332,19 +357,22 @@ Fault Document::report(const Finding& finding) const {
   const Place& place = finding.place;
   const Source& from = source(place.source);
   const bool placed = place.line >= 0;
+  const std::string message = clipped(finding.message, longest_said);
+  const std::string hint = clipped(finding.late_hint ? finding.late_hint() : finding.hint, longest_said);
   Fault fault{from.name,
               placed && from.is_file ? place.line + 1 : 0,
               placed ? column(place) : 0,
-              finding.message,
-              finding.hint,
-              text_of(place) + ": " + finding.message};
+              message,
+              hint,
+              text_of(place) + ": " + message};
   if (!placed || place.line >= static_cast<int>(from.lines.size())) {
-    if (!finding.hint.empty()) fault.text += "; " + finding.hint;
+    if (!hint.empty()) fault.text += "; " + hint;
     return fault;
   }
-  const std::string_view line = from.line(place.line);
-  const auto byte = std::min(static_cast<std::size_t>(place.byte), line.size());
-  const auto length = static_cast<std::size_t>(std::max(place.length, 0));
+  const std::string_view whole = from.line(place.line);
+  const auto [shown, byte, length] = excerpt(whole, std::min(static_cast<std::size_t>(place.byte), whole.size()),
+                                             static_cast<std::size_t>(std::max(place.length, 0)));
+  const std::string_view line = shown;
   std::string number = from.is_file ? std::to_string(place.line + 1) : "";
   if (number.size() < gutter) number.insert(0, gutter - number.size(), ' ');
 
@@ -361,7 +389,7 @@ Fault Document::report(const Finding& finding) const {
   underline.append(
       static_cast<std::size_t>(std::max(characters(line.substr(byte, length)) - 1, 0)), '~');
   fault.text += "\n" + number + " | " + std::string(line) + "\n" + underline;
-  if (!finding.hint.empty()) fault.text += "  " + finding.hint;
+  if (!hint.empty()) fault.text += "  " + hint;
   return fault;
 }
 

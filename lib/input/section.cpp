@@ -21,18 +21,15 @@ namespace nereid::input {
 
 namespace {
 
+constexpr std::size_t most_text = 10'000'000;  // [bytes] of a case
+constexpr std::size_t longest_name = 4096;     // [bytes] that is shown of a path
 constexpr double most_refined = 64;  // [-] a count of cells is multiplied by no more, and divided
 
 /// A value as it may be shown within a message of one line.
 std::string shown(const Node& scalar) {
   constexpr std::size_t longest = 60;
-  std::string text = scalar.text.substr(0, longest);
-  while (!text.empty() && text.size() < scalar.text.size() &&
-         (static_cast<unsigned char>(scalar.text[text.size()]) & 0xC0U) == 0x80U) {
-    text.pop_back();  // not between the bytes of one character
-  }
+  std::string text = clipped(scalar.text, longest);
   std::replace(text.begin(), text.end(), '\n', ' ');
-  if (text.size() < scalar.text.size()) text += "...";
   return text;
 }
 
@@ -606,26 +603,32 @@ std::string Section::beside_case(std::string_view key, std::string_view path) co
 
 bool Section::sound() const { return document_->sound(); }
 
-CaseError::CaseError(std::string case_path, std::vector<Fault> all)
+CaseError::CaseError(std::string case_path, std::vector<Fault> all, std::size_t more)
     : path(std::move(case_path)), faults(std::move(all)) {
   for (const Fault& fault : faults) text_ += fault.text + "\n";
-  text_ += counted(faults.size(), "fault") + " in " + path;
+  text_ += counted(faults.size() + more, "fault") + " in " + path;
+  if (more > 0) text_ += ": these are the first " + std::to_string(faults.size());
 }
 
 CaseFile CaseFile::read(const std::string& path, const std::vector<std::string>& overrides) {
   const auto refuse = [&](const std::string& why) {
-    const std::string message = "cannot be read: " + why;
-    throw CaseError(path, {Fault{path, 0, 0, message, "", path + ": " + message}});
+    const std::string called = clipped(path, longest_name), message = "cannot be read: " + why;
+    throw CaseError(called, {Fault{called, 0, 0, message, "", called + ": " + message}});
   };
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) refuse("it is a folder");
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(path, error);
+  if (std::filesystem::is_directory(status)) refuse("it is a folder");
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) refuse("it is a device or a pipe and no file");
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   if (!file) refuse(errno == 0 ? "it cannot be opened" : std::strerror(errno));
-  std::ostringstream text;
-  text << file.rdbuf();
+  std::string text(most_text + 1, '\0');  // whatever the system says of its size
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
   if (file.bad()) refuse("reading it failed");
-  return parse(text.str(), path, overrides);
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  if (text.size() > most_text)
+    refuse("it is larger than " + std::to_string(most_text / 1'000'000) + " MB, and a case is a text of some pages");
+  return parse(text, path, overrides);
 }
 
 CaseFile CaseFile::parse(const std::string& text, const std::string& path,

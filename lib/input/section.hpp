@@ -54,11 +54,12 @@ struct Fault {
 /// The case is wrong. Exit status 2.
 class CaseError : public std::exception {
  public:
-  CaseError(std::string case_path, std::vector<Fault> all);
+  /// more  how many faults there are beside those that are told
+  CaseError(std::string case_path, std::vector<Fault> all, std::size_t more = 0);
   const char* what() const noexcept override { return text_.c_str(); }
 
   std::string path;
-  std::vector<Fault> faults;  ///< by place: down the file, then along the command line
+  std::vector<Fault> faults;  ///< the first of them by place: down the file, then along the command line
 
  private:
   std::string text_;

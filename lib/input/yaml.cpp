@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <unordered_map>
 
 #include "base/words.hpp"
 
@@ -22,9 +23,12 @@ Entry* find(const Node& map, std::string_view key) {
 namespace {
 
 constexpr std::size_t most_nodes = 1'000'000;  // so that aliases of aliases end before memory does
+constexpr std::size_t most_depth = 500;        // of sections and lists within each other: yaml-cpp goes as deep
 constexpr const char* open_bracket = "are all brackets closed?";
 
-std::unique_ptr<Node> copy(const Node& node, std::size_t& count) {
+/// depth  of the node
+std::unique_ptr<Node> copy(const Node& node, std::size_t& count, std::size_t depth) {
+  if (depth > most_depth) throw Stop{node.place, "aliases stand too deep within each other", ""};
   if (++count > most_nodes) throw Stop{node.place, "aliases repeat too many values", ""};
   auto result = std::make_unique<Node>();
   result->kind = node.kind;
@@ -32,11 +36,11 @@ std::unique_ptr<Node> copy(const Node& node, std::size_t& count) {
   result->text = node.text;
   result->quoted = node.quoted;
   for (const auto& entry : node.entries) {
-    auto value = copy(*entry->value, count);
+    auto value = copy(*entry->value, count, depth + 1);
     result->entries.push_back(std::make_unique<Entry>(Entry{entry->key, entry->place, {}}));
     result->entries.back()->value = std::move(value);
   }
-  for (const auto& item : node.items) result->items.push_back(copy(*item, count));
+  for (const auto& item : node.items) result->items.push_back(copy(*item, count, depth + 1));
   return result;
 }
 
@@ -71,7 +75,7 @@ class Builder : public YAML::EventHandler {
     for (const Frame& frame : frames_) {
       if (frame.node == original) throw Stop{at, "the alias repeats itself without end", ""};
     }
-    auto repeated = copy(*original, count_);
+    auto repeated = copy(*original, count_, frames_.size());
     repeated->place = at;
     add(std::move(repeated), 0);
   }
@@ -112,6 +116,7 @@ class Builder : public YAML::EventHandler {
     std::string path;
     std::optional<std::string> key;
     Place key_place;
+    std::unordered_map<std::string, const Entry*> keys;  // of a map, by name
   };
 
   bool expects_key() const {
@@ -129,7 +134,7 @@ class Builder : public YAML::EventHandler {
       path += "[" + std::to_string(frames_.back().node->items.size()) + "]";
     }
     Node* node = add(kind, at, anchor);
-    frames_.push_back({node, std::move(path), std::nullopt, {}});
+    frames_.push_back({node, std::move(path), std::nullopt, {}, {}});
   }
 
   Node* add(Node::Kind kind, const Place& at, YAML::anchor_t anchor) {
@@ -161,10 +166,10 @@ class Builder : public YAML::EventHandler {
     if (entry->key == "<<") {
       findings_.push_back({entry->place, "the merge key '<<' is not read: write its keys out", ""});
       unwanted_.push_back(std::move(entry));
-    } else if (const Entry* first = find(*frame.node, entry->key)) {
+    } else if (const auto [first, fresh] = frame.keys.emplace(entry->key, entry.get()); !fresh) {
       findings_.push_back({entry->place,
                            "repeated key " + quote(entry->key) + inside(frame.path) +
-                               ": first given in line " + std::to_string(first->place.line + 1),
+                               ": first given in line " + std::to_string(first->second->place.line + 1),
                            ""});
       unwanted_.push_back(std::move(entry));
     } else {

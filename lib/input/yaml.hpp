@@ -1,6 +1,7 @@
 #pragma once
 // A case as a tree of our own, and the one door to yaml-cpp that builds it.
 
+#include <functional>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -81,6 +82,7 @@ struct Finding {
   Place place;
   std::string message, hint;
   const Entry* tentative = nullptr;  // does not count if this entry turns out to be in order
+  std::function<std::string()> late_hint = {};  // of findings of which there may be thousands: asked for those that are told
 };
 
 /// What usually lies behind a value that looks like 'key:value'.

@@ -17,7 +17,8 @@ namespace nereid::model {
 
 namespace {
 
-constexpr double farthest = 1e60;  // [m] of any node: volumes, and squares of these, are still numbers
+constexpr double farthest = 1e60;   // [m] of any node: volumes, and squares of these, are still numbers
+constexpr double smallest = 1e-40;  // [m] of any body: the same
 
 double parts(mesh::Revolution turn) { return turn == mesh::Revolution::full ? 4 : 1; }
 
@@ -158,6 +159,8 @@ mesh::Mesh placed_mesh(const Body& body, Faults& faults, MeshWarnings& warnings)
     refuse(faults, here, "",
            finite ? text("a node stands %.4g m from the origin: expected less than %g m", mesh.X.cwiseAbs().maxCoeff(), farthest)
                   : "a node stands at no finite place");
+  } else if (!(diagonal(mesh) > smallest)) {
+    refuse(faults, here, "", text("the body is %.4g m across: expected more than %g m", diagonal(mesh), smallest));
   }
   if (faults.size() == before) judge(body, here, mesh, faults, warnings);
   return mesh;

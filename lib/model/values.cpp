@@ -1,6 +1,7 @@
 #include "model/values.hpp"
 
 #include <cmath>
+#include <cstdio>
 
 #include "base/words.hpp"
 #include "model/meshes.hpp"
@@ -205,6 +206,11 @@ void check_run(const Scene& scene, Faults& faults) {
                                    {"corner_limit", scene.time.corner_limit, below(1)}});
   check(faults, {"output", "recording"}, {{"history_every", scene.recording.history, not_negative, "s"},
                                           {"frames_every", scene.recording.frames, not_negative, "s"}});
+  const model::Recording& recording = scene.recording;
+  for (const auto& [key, every] : {std::pair("history_every", recording.history), std::pair("frames_every", recording.frames)}) {
+    const std::string said = too_many(key, every, scene.time.end);
+    if (!said.empty()) refuse(faults, {"output", "recording"}, key, said);
+  }
   if (scene.relaxation) check_relaxation({"relaxation", "relaxation"}, "", *scene.relaxation, faults);
   const double row = scene.recording.history > 0 ? scene.recording.history : scene.time.end / 400;
   for (const Stop& stop : scene.stops) check_stop(stop, row, faults);
@@ -219,6 +225,16 @@ void check_relaxation(const Part& here, const std::string& before, const dynamic
 }
 
 void check_duration(const Part& here, double duration, Faults& faults) { check(faults, here, {{"duration", duration, positive, "s"}}); }
+
+std::string too_many(const std::string& key, double every, double end) {
+  const bool frames = key == "frames_every";
+  const double most = frames ? most_frames : most_rows, count = end / every;
+  if (!(every > 0) || count <= most) return "";
+  char asked[40];
+  std::snprintf(asked, sizeof asked, "%.3g", count);
+  return quote(key) + " = " + shortest(every) + " s asks for " + asked + (frames ? " frames" : " rows") + " by the end at " + shortest(end) +
+         " s: expected at most " + (frames ? "a million" : "ten million");
+}
 
 std::string window_too_short(double window, double row) {
   return "'window' = " + shortest(window) + " s is shorter than two rows of the history, which are " + shortest(row) + " s apart";

@@ -21,6 +21,15 @@ inline constexpr Range poisson = between(-1, 0.5), share = within(0, 1), hardeni
 inline constexpr const char* plates_may_have_other_laws =
     "plates may have the laws elastic and j2_bilinear: this one has no return in plane stress";
 
+// Bounds on what one run writes and computes.
+inline constexpr double most_rows = 1e7, most_frames = 1e6;
+
+/// Why an interval of rows or frames is refused; empty if it is not.
+///
+/// key         as in "frames_every"
+/// every, end  [s]
+std::string too_many(const std::string& key, double every, double end);
+
 /// Why a window over which a condition to stop takes a mean is refused. [s]
 std::string window_too_short(double window, double row);
 

@@ -58,10 +58,9 @@ History::History(std::filesystem::path file, std::vector<Column> columns, const 
     : file_(std::move(file)), columns_(columns.size()) {
   check_columns(columns, first.name);
   if (file_.has_parent_path()) make_folder(file_.parent_path());
-  stream_.open(file_, std::ios::binary | std::ios::trunc);
-  if (!stream_) throw MachineError("cannot write " + file_.string());
-  lines_ = head_text(columns, first);
-  flush();
+  const std::string head = head_text(columns, first);
+  append_to_file(file_, 0, head);
+  bytes_ = head.size();
 }
 
 History::History(std::filesystem::path file, std::vector<Column> columns, std::uint64_t bytes)
@@ -69,14 +68,15 @@ History::History(std::filesystem::path file, std::vector<Column> columns, std::u
   std::error_code error;
   const auto there = std::filesystem::file_size(file_, error);
   if (error || there < bytes) throw MachineError(file_.string() + " has not the rows that a checkpoint counts on");
-  std::filesystem::resize_file(file_, bytes, error);
-  stream_.open(file_, std::ios::binary | std::ios::app);
-  if (error || !stream_) throw MachineError("cannot write " + file_.string());
+  append_to_file(file_, bytes, "");
 }
 
 History::~History() {
-  // A destructor must not throw; who needs to know has called flush().
-  stream_ << lines_;
+  try {
+    flush();
+  } catch (const MachineError&) {
+    // A destructor must not throw; who needs to know has called flush().
+  }
 }
 
 void History::add(double first, std::span<const double> row) {
@@ -84,20 +84,14 @@ void History::add(double first, std::span<const double> row) {
     throw InternalError("history: a row of " + std::to_string(row.size()) + " values for " +
                         std::to_string(columns_) + " columns");
   append_row(first, row, lines_);
-  if (lines_.size() > enough) write_lines();
+  if (lines_.size() > enough) flush();
 }
 
 void History::flush() {
-  write_lines();
-  stream_.flush();
-  if (!stream_) throw MachineError("cannot write " + file_.string());
-}
-
-void History::write_lines() {
-  stream_ << lines_;
+  if (lines_.empty()) return;
+  append_to_file(file_, bytes_, lines_);
   bytes_ += lines_.size();
   lines_.clear();
-  if (!stream_) throw MachineError("cannot write " + file_.string());
 }
 
 }  // namespace nereid::output

@@ -1,7 +1,6 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <span>
 #include <string>
 #include <vector>
@@ -21,7 +20,8 @@ void append_row(double first, std::span<const double> row, std::string& text);
 /// A table over time as CSV: `time [s],settlement_mean [m],...`, one row per add(); or over another number.
 ///
 /// Numbers have 17 digits, so that reading them gives the same bits; what is no number is `nan`.
-/// Rows reach the disk at flush(), which belongs beside the frames, and when the history goes.
+/// Rows reach the disk at flush(), which belongs beside the frames, and when the history goes. Where the disk takes no more, the file ends
+/// behind a whole row.
 ///
 /// Invariants  equal rows give equal bytes.
 class History {
@@ -42,13 +42,10 @@ class History {
   std::uint64_t bytes() const { return bytes_; }
 
  private:
-  void write_lines();
-
   std::filesystem::path file_;
   std::size_t columns_;
-  std::uint64_t bytes_ = 0;  ///< given to the stream
-  std::string lines_;  ///< not yet given to the stream
-  std::ofstream stream_;
+  std::uint64_t bytes_ = 0;  ///< on the disk
+  std::string lines_;        ///< not yet there
 };
 
 }  // namespace nereid::output

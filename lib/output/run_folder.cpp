@@ -38,6 +38,8 @@ void remove_file(const fs::path& file) {
 fs::path stale(fs::path file) { return file += ".stale"; }
 
 bool begins_like_a_mesh(const fs::path& file) {
+  std::error_code error;
+  if (!fs::is_regular_file(file, error)) return false;  // to open a pipe takes as long as nobody writes to it
   std::ifstream stream(file, std::ios::binary);
   return stream.peek() == '<';
 }
@@ -76,7 +78,7 @@ std::vector<fs::path> result_files(const fs::path& folder) {
     if (fs::exists(fs::symlink_status(file, error))) files.push_back(file);
   };
   for (const char* name : judged_by) add(folder / name), add(stale(folder / name));
-  add(folder / "summary.json.tmp");  // the draft of a run that was killed
+  add(draft_of(folder / "summary.json"));  // of a run that was killed
   add(folder / "checkpoint"), add(folder / "checkpoint.tmp");
   add(folder / lock_name);
   for (const char* name : collections)

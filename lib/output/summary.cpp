@@ -220,7 +220,10 @@ std::string text_of(const Summary& summary) {
 }
 
 Ended ended(const std::filesystem::path& directory) {
-  std::ifstream stream(directory / "summary.json", std::ios::binary);
+  std::error_code error;
+  const std::filesystem::path file = directory / "summary.json";
+  if (!std::filesystem::is_regular_file(file, error)) return {};
+  std::ifstream stream(file, std::ios::binary);
   const Json summary = Json::parse(stream, nullptr, false);  // what is no summary has not ended
   const auto word = [&](const char* place) {
     const Json::json_pointer at(place);

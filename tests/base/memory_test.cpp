@@ -1,6 +1,7 @@
 #include "base/memory.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <vector>
 
@@ -16,6 +17,23 @@ TEST(MostResident, GrowsByWhatIsWritten) {
   EXPECT_GT(after - before, 0.9 * size);
   EXPECT_LT(after - before, 1.2 * size);
   EXPECT_GE(most_resident(), after) << "what was freed still counts";
+}
+
+TEST(MemoryLeft, IsThatOfTheMachineOrWhatALimitLeaves) {
+  const double free = memory_left();
+  EXPECT_GT(free, 1e7);
+  EXPECT_LT(free, 1e15);
+#ifndef __SANITIZE_ADDRESS__
+  const bool limited_before = memory_is_limited();
+  rlimit before{};
+  getrlimit(RLIMIT_AS, &before);
+  const rlimit small{rlim_t{1} << 32, before.rlim_max};  // more than this test has, less than machines have
+  setrlimit(RLIMIT_AS, &small);
+  EXPECT_TRUE(memory_is_limited());
+  EXPECT_LT(memory_left(), 4.3e9);
+  setrlimit(RLIMIT_AS, &before);
+  EXPECT_EQ(memory_is_limited(), limited_before);
+#endif
 }
 
 }  // namespace

@@ -45,5 +45,12 @@ TEST(FindUnprintable, FindsControlBytesAndBrokenUtf8) {
   EXPECT_EQ(find_unprintable("a\xC3"), 1U);
 }
 
+TEST(Clipped, EndsBetweenCharacters) {
+  EXPECT_EQ(clipped("abc", 3), "abc");
+  EXPECT_EQ(clipped("abcd", 3), "abc...");
+  EXPECT_EQ(clipped("ab\xC3\xA9z", 3), "ab...");
+  EXPECT_EQ(clipped("\x80\x80\x80", 1), "...");
+}
+
 }  // namespace
 }  // namespace nereid

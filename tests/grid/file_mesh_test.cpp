@@ -69,6 +69,14 @@ TEST(FileMesh, TakesHexahedraWithTheirSkin) {
   EXPECT_NEAR(mesh::facet_areas(read.mesh, mesh::surface(read.mesh, "b.skin")).sum(), 24, 1e-13);  // round-off
 }
 
+TEST(FileMesh, WithoutCellsHasNone) {
+  Contents file;
+  file.points = Vectors::Zero(3, 2);
+  file.begin = {0};
+  file.cell_fields = {Field{"region", "", {}, Eigen::MatrixXd(1, 0), true}};
+  EXPECT_EQ(only_fault(file_mesh("b", file)), "it has no cells");
+}
+
 TEST(FileMesh, TakesWedgesThatAreHexahedraWithSharedNodes) {
   const mesh::Mesh sector = mesh::wedge("a", {0.3, 0.5, 0.2, 1, 3, 2});
   const FileMesh read = file_mesh("b", contents_of(sector));

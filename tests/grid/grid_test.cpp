@@ -1,9 +1,11 @@
 #include "grid/grid.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <limits>
@@ -214,10 +216,10 @@ TEST(CollectionFiles, AreItsIndexAndFramesAndNothingElse) {
   const fs::path folder = fresh_folder("files");
   fs::create_directories(folder / "body");
   for (const char* name : {"body.pvd", "body.pvd.tmp", "body.txt", "contact.pvd", "body/body_000000.vtu", "body/body_1234567.vtp",
-                           "body/body_12.vtu", "body/mesh.vtu", "body/body_000001.txt"})
+                           "body/body_12.vtu", "body/mesh.vtu", "body/body_000001.txt", "body/body_000002.vtu.tmp"})
     std::ofstream(folder / name) << "a text";
   const std::vector<fs::path> expected{folder / "body.pvd", folder / "body.pvd.tmp", folder / "body/body_000000.vtu",
-                                       folder / "body/body_1234567.vtp"};
+                                       folder / "body/body_000002.vtu.tmp", folder / "body/body_1234567.vtp"};
   std::vector<fs::path> found = collection_files(folder, "body");
   std::sort(found.begin(), found.end());
   EXPECT_EQ(found.size(), expected.size());
@@ -280,6 +282,86 @@ TEST_F(Fields, WrongShapesNamesAndOrdersAreRefused) {
 
 TEST_F(Fields, FolderThatCannotBeMadeIsTheMachinesFault) {
   EXPECT_THROW(Collection("/proc/nowhere", "body", GridKind::volume), MachineError);
+}
+
+TEST_F(Fields, AFullDiskLeavesWhatTheIndexLists) {
+  const fs::path folder = fresh_folder("full");
+  Collection body(folder, "body", GridKind::volume);
+  body.add(ring(0));
+  const std::string index = text_of(folder / "body.pvd"), frame = text_of(folder / "body/body_000000.vtu");
+  void (*const signal)(int) = std::signal(SIGXFSZ, SIG_IGN);
+  rlimit limit{};
+  getrlimit(RLIMIT_FSIZE, &limit);
+  const rlimit small{2000, limit.rlim_max};  // the index would find room, the frame does not
+  setrlimit(RLIMIT_FSIZE, &small);
+  EXPECT_THROW(body.add(ring(1)), MachineError);
+  setrlimit(RLIMIT_FSIZE, &limit);
+  std::signal(SIGXFSZ, signal);
+  EXPECT_EQ(text_of(folder / "body.pvd"), index);
+  EXPECT_EQ(text_of(folder / "body/body_000000.vtu"), frame);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder / "body"), fs::directory_iterator()), 1);
+}
+
+class Files : public Fields {
+ protected:
+  /// What is wrong with a file of these bytes.
+  std::string fault_of(const std::string& bytes) {
+    const fs::path folder = fresh_folder("file");
+    fs::create_directories(folder);
+    std::ofstream(folder / "a.vtu", std::ios::binary) << bytes;
+    std::string fault;
+    read_vtu(folder / "a.vtu", fault);
+    return fault;
+  }
+  std::string frame() {
+    const fs::path folder = fresh_folder("frame");
+    Collection(folder, "body", GridKind::volume).add(ring(0));
+    return text_of(folder / "body/body_000000.vtu");
+  }
+};
+
+TEST_F(Files, AreReadToTheLastBit) {
+  EXPECT_EQ(fault_of(frame()), "");
+  std::string fault;
+  const Contents read = read_vtu(fresh_folder("none") / "a.vtu", fault);
+  EXPECT_EQ(fault, "there is no such file");
+  const fs::path folder = fresh_folder("read");
+  Collection(folder, "body", GridKind::volume, Precision::full).add(ring(1e-3));
+  fault.clear();
+  const Contents file = read_vtu(folder / "body/body_000000.vtu", fault);
+  EXPECT_EQ(fault, "");
+  EXPECT_EQ(file.points, ring(1e-3).reference);
+  EXPECT_EQ(file.kind.size(), 24U * 6 * 2);
+  ASSERT_EQ(file.cell_fields.size(), 2U);
+  EXPECT_EQ(file.cell_fields[0].values, ring(1e-3).cell_fields[0].values);
+}
+
+TEST_F(Files, ThatCrashVtkAreFaults) {
+  // offsets of cells far beyond their points
+  const std::string text = R"(<VTKFile type="UnstructuredGrid" version="0.1" byte_order="LittleEndian"><UnstructuredGrid>
+<Piece NumberOfPoints="8" NumberOfCells="1"><Points><DataArray type="Float64" NumberOfComponents="3" format="ascii">
+0 0 0 1 0 0 1 1 0 0 1 0 0 0 1 1 0 1 1 1 1 0 1 1</DataArray></Points><Cells>
+<DataArray type="Int64" Name="connectivity" format="ascii">0 1 2 3 4 5 6 7</DataArray>
+<DataArray type="Int64" Name="offsets" format="ascii">1000000000000</DataArray>
+<DataArray type="UInt8" Name="types" format="ascii">12</DataArray></Cells></Piece></UnstructuredGrid></VTKFile>)";
+  EXPECT_EQ(fault_of(text).rfind("VTK cannot read it", 0), 0U) << fault_of(text);
+  std::string sound = text;
+  sound.replace(sound.find("1000000000000"), 13, "8");
+  EXPECT_EQ(fault_of(sound), "");
+}
+
+TEST_F(Files, ThatAreCutShortAreFaults) {
+  const std::string whole = frame();
+  for (std::size_t part = 0; part < 12; ++part) EXPECT_NE(fault_of(whole.substr(0, whole.size() * part / 12)), "") << part;
+}
+
+TEST_F(Files, ThatAreNoFilesAreNotOpened) {
+  std::string fault;
+  for (const char* name : {"/dev/zero", "/dev", "/proc/self/fd"}) {
+    fault.clear();
+    read_vtu(name, fault);
+    EXPECT_EQ(fault, "it is a device, a pipe or a folder, and no file") << name;
+  }
 }
 
 /// What read_back.py reads through VTK and view.py draws; its folder comes from the environment.

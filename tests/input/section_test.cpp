@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "base/words.hpp"
+
 namespace nereid::input {
 namespace {
 
@@ -616,6 +618,63 @@ TEST(Files, ThatCannotBeOpenedAreFaults) {
             "/no/such/case.yaml: cannot be read: No such file or directory\n"
             "1 fault in /no/such/case.yaml");
   EXPECT_EQ(what("/"), "/: cannot be read: it is a folder\n1 fault in /");
+  EXPECT_EQ(what("/dev/zero"), "/dev/zero: cannot be read: it is a device or a pipe and no file\n1 fault in /dev/zero");
+  EXPECT_LT(what(std::string(100'000, 'a')).size(), 10'000U);
+}
+
+TEST(Files, BeyondAnyCaseAreNotRead) {
+  const std::string path = testing::TempDir() + "nereid_large_case.yaml";
+  std::ofstream(path) << "a: 1\n";
+  std::filesystem::resize_file(path, 1'000'000'000);  // a hole
+  try {
+    CaseFile::read(path);
+    ADD_FAILURE();
+  } catch (const CaseError& error) {
+    EXPECT_EQ(error.faults.at(0).message, "cannot be read: it is larger than 10 MB, and a case is a text of some pages");
+  }
+  std::filesystem::remove(path);
+}
+
+TEST(Faults, ByTheThousandAreCountedAndTheFirstOnesTold) {
+  std::string text = "a: 1\n";
+  for (int key = 0; key < 40'000; ++key) text += "k" + std::to_string(key) + ": 1\n";
+  const std::string said = report(text, [](Section root) { root.number("a"); });
+  EXPECT_LT(said.size(), 10'000U);
+  EXPECT_NE(said.find("\n40000 faults in case.yaml: these are the first 50"), std::string::npos) << said;
+  EXPECT_NE(said.find("case.yaml:51:1: unknown key 'k49'"), std::string::npos);
+  EXPECT_EQ(said.find("unknown key 'k50'"), std::string::npos);
+}
+
+TEST(Faults, InALongLineShowWhatIsAroundThem) {
+  std::string text = "a: [";
+  for (int item = 0; item < 1000; ++item) text += "0 Pa \xC3\xA9, ";
+  const std::string said = report(text + "1]", [](Section root) { root.quantities("a", dim::stress, any, 1); });
+  EXPECT_LT(said.size(), 40'000U);
+  EXPECT_NE(said.find("1001 faults in case.yaml: these are the first 50"), std::string::npos) << said.substr(said.size() - 100);
+  EXPECT_EQ(nereid::find_unprintable(said), std::string::npos) << "characters stay whole";
+  const std::string last = report("a: [" + std::string(10'000, ' ') + "1 Q" + std::string(10'000, ' ') + "]",
+                                  [](Section root) { root.quantities("a", dim::stress, any, 1); });
+  EXPECT_EQ(last, "case.yaml:1:10007: cannot read 'a[0]' = 1 Q: unknown unit 'Q'\n    1 | ..." + std::string(78, ' ') + "1 Q" +
+                      std::string(119, ' ') + "...\n      | " + std::string(83, ' ') + "^\n1 fault in case.yaml");
+}
+
+TEST(Faults, OfLongWordsAreShort) {
+  const std::string word(100'000, 'k');
+  EXPECT_LT(report(word + ": 1\n", read_nothing).size(), 3000U);
+  EXPECT_LT(report("a: 1\n", [](Section root) { root.number("a"); }, {word + "=1", "a=" + word}).size(), 6000U);
+}
+
+TEST(Files, GoNoDeeperThanAnyCase) {
+  EXPECT_NE(report(std::string(10'000, '['), read_nothing), "");
+  EXPECT_NE(report("a: " + std::string(10'000, '{'), read_nothing), "");
+  std::string text;
+  for (int level = 0; level < 60; ++level)
+    text += "a" + std::to_string(level) + ": &a" + std::to_string(level) + " " + std::string(100, '[') +
+            (level > 0 ? "*a" + std::to_string(level - 1) : "1") + std::string(100, ']') + "\n";
+  EXPECT_NE(report(text, read_nothing).find("aliases stand too deep within each other"), std::string::npos);
+  std::string path;
+  for (int key = 0; key < 100'000; ++key) path += "a.";
+  EXPECT_NE(report("a: 1\n", read_nothing, {path + "a=1"}).find("the path has more than 100 keys"), std::string::npos);
 }
 
 TEST(Files, AreReadFromDisk) {

@@ -189,5 +189,15 @@ TEST(CheckValues, NamesThePlaceOfThePart) {
   }
 }
 
+TEST(TooMany, RowsAndFramesAreRefusedByTheirCount) {
+  EXPECT_EQ(too_many("history_every", 1e-3, 1), "");
+  EXPECT_EQ(too_many("frames_every", 1e-6, 1), "");
+  EXPECT_EQ(too_many("frames_every", 0, 1), "") << "the default";
+  EXPECT_EQ(too_many("frames_every", 1e-30, 1),
+            "'frames_every' = 1e-30 s asks for 1e+30 frames by the end at 1 s: expected at most a million");
+  EXPECT_EQ(too_many("history_every", 1e-8, 1),
+            "'history_every' = 1e-08 s asks for 1e+08 rows by the end at 1 s: expected at most ten million");
+}
+
 }  // namespace
 }  // namespace nereid::model

@@ -1,10 +1,13 @@
 #include "output/history.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <cstdlib>
+#include <fstream>
 #include <limits>
 #include <sstream>
 
@@ -114,6 +117,32 @@ TEST(History, FullDiskIsTheMachinesFault) {
   if (!fs::exists("/dev/full")) GTEST_SKIP();
   EXPECT_THROW(History("/dev/full", two), MachineError);
   EXPECT_THROW(History("/proc/nowhere/history.csv", two), MachineError);
+}
+
+TEST(History, AFullDiskLeavesWholeRows) {
+  const fs::path file = fresh_file("full");
+  History history(file, two);
+  history.add(1, std::vector<double>{0.1, 2});
+  history.flush();
+  const std::string before = text_of(file);
+  void (*const signal)(int) = std::signal(SIGXFSZ, SIG_IGN);
+  rlimit limit{};
+  getrlimit(RLIMIT_FSIZE, &limit);
+  const rlimit small{before.size() + 10, limit.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &small);
+  history.add(2, std::vector<double>{0.1, 2});
+  EXPECT_THROW(history.flush(), MachineError);
+  setrlimit(RLIMIT_FSIZE, &limit);
+  std::signal(SIGXFSZ, signal);
+  EXPECT_EQ(text_of(file), before);
+}
+
+TEST(History, AFileThatHasVanishedIsTheMachinesFault) {
+  const fs::path file = fresh_file("vanished");
+  History history(file, two);
+  fs::remove(file);
+  history.add(1, std::vector<double>{0.1, 2});
+  EXPECT_THROW(history.flush(), MachineError);
 }
 
 }  // namespace
