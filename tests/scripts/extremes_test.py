@@ -446,10 +446,11 @@ class Verdicts(unittest.TestCase):
     def test_stops(self):
         folder, wrong = pair(0.5), pair(-0.3)
         self.assertEqual(verdict(folder, status=3, said=STOP, again=lambda change: wrong.finished())[0], judge.REFUSED)
-        for change in ("step", "mesh"):
-            found, reason, _ = verdict(folder, status=3, said=STOP, again=lambda asked: (folder if asked == change else wrong).finished())
-            self.assertEqual(found, judge.BROKEN)
-            self.assertIn("without cause", reason)
+        for passes, expected in ((("half", "quarter"), judge.BROKEN), (("mesh",), judge.BROKEN), (("half",), judge.REFUSED),
+                                 (("quarter",), judge.REFUSED)):
+            found, reason, _ = verdict(folder, status=3, said=STOP, again=lambda asked: (folder if asked in passes else wrong).finished())
+            self.assertEqual(found, expected, passes)
+            self.assertEqual("without cause" in reason, expected == judge.BROKEN)
         self.assertEqual(verdict(folder, status=3, said="scene: stopped\n", again=lambda change: wrong.finished())[0], judge.BROKEN)
 
     def test_a_stop_for_an_overlap_that_is_there_has_a_cause_whatever_a_finer_mesh_does(self):
@@ -516,9 +517,10 @@ class Matrix(unittest.TestCase):
         loader = importlib.machinery.SourceFileLoader("extremes", str(ROOT / "scripts/extremes"))
         command = importlib.util.module_from_spec(importlib.util.spec_from_loader("extremes", loader))
         loader.exec_module(command)
-        made = command.changed(scenes.drop().case, "step")
-        self.assertEqual(made["time"]["safety"], 0.45)
-        self.assertEqual(made["contacts"][0]["energy_gain_limit"], 0.00125)
+        for change, safety, gain in (("half", 0.45, 0.00125), ("quarter", 0.225, 0.0003125)):
+            made = command.changed(scenes.drop().case, change)
+            self.assertEqual(made["time"]["safety"], safety)
+            self.assertEqual(made["contacts"][0]["energy_gain_limit"], gain)
 
 
 def tearDownModule():

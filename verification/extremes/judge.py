@@ -650,8 +650,8 @@ def steps_of(run):
 def verdict_of(run, expected, again=None, initial=None, twin=None):
     """(verdict, reason, faults) of a run.
 
-    again     runs the same scene with half the step ("step"), on a finer mesh ("mesh"), with more frames ("frames"), or up to a time [s]:
-              a Finished
+    again     runs the same scene with half the step ("half") or a quarter ("quarter"), on a finer mesh ("mesh"), with more frames
+              ("frames"), or up to a time [s]: a Finished
     initial   how deep the bodies are in each other at the start, where it is known [m]
     twin      the same scene elsewhere: (its Finished, factor of speeds, how like they are)
     """
@@ -689,8 +689,8 @@ def names_what_is_seen(run, expected):
 
 
 def verdict_of_stop(run, expected, again):
-    """A stop is right if it gives its reason, keeps its state, and names an overlap that the judge sees too, or neither half the step nor a
-    finer mesh passes."""
+    """A stop is right if it gives its reason, keeps its state, and names an overlap that the judge sees too, or neither shorter steps nor a
+    finer mesh pass. Of the steps both half and a quarter must: a scene that passes with one of them by chance is not better for it."""
     said = last_line(run.said)
     if not gives_reason(run):
         return BROKEN, "stopped without a reason: " + said, []
@@ -700,10 +700,14 @@ def verdict_of_stop(run, expected, again):
         return BROKEN, "stopped without cause, nothing touches: " + said, []
     if names_what_is_seen(run, expected):
         return REFUSED, said, []
-    for change, words in (("step", "at half the step"), ("mesh", "on a finer mesh")):
+    def passes(change):
         other = again(change) if again else None
-        if other is not None and other.status == DONE and not faults_of(look(other, expected), expected):
-            return BROKEN, f"stopped without cause, passes {words}: {said}", []
+        return other is not None and other.status == DONE and not faults_of(look(other, expected), expected)
+
+    if passes("half") and passes("quarter"):
+        return BROKEN, f"stopped without cause, passes at half the step and at a quarter: {said}", []
+    if passes("mesh"):
+        return BROKEN, f"stopped without cause, passes on a finer mesh: {said}", []
     return REFUSED, said, []
 
 
