@@ -427,6 +427,7 @@ int answer_case(const std::string& name, const CommandLine& line, output::RunFol
     output::Collection bodies(line.out, "body", output::GridKind::volume, output::Precision::single);
     for (const output::Grid& frame : found.frames) bodies.add(frame);
   }
+  output::write_offenders(line.out, found.offenders);
   output::Summary summary = summary_of(name, line, file);
   const double last = found.time.empty() ? 0 : found.time.back();
   summary.ending = {found.stopped.empty() ? "reached_end" : found.stopped, found.reason, last, "", -1};

@@ -11,6 +11,7 @@
 
 #include "input/readers.hpp"
 #include "input/scene_readers.hpp"
+#include "mesh/judge.hpp"
 #include "output/frames.hpp"
 #include "output/history.hpp"
 #include "output/summary.hpp"
@@ -38,6 +39,7 @@ struct Answer {
   output::Column counted = {"time", "s"};  ///< the first column
   std::vector<output::Grid> frames = {};   ///< of body.pvd, which is not written without them
   std::vector<std::string> notes = {};
+  std::vector<mesh::Offenders> offenders = {};  ///< of offenders.pvd, the same
   std::int64_t elements = 0;
 };
 

@@ -73,7 +73,12 @@ std::function<driver::Answer()> plan(const input::CaseFile& file) {
   const input::Section modes = file.root().section_or_empty("modes");
   const int lowest = modes.count_or("lowest", 10, 1, 1000), highest = modes.count_or("highest", 1, 1, 1000);
   model::Simulation simulation = input::build(file, scene);
-  return [model = std::move(simulation.model), lowest, highest] { return answer(model, lowest, highest); };
+  return [model = std::move(simulation.model), warnings = std::move(simulation.mesh_warnings), lowest, highest] {
+    driver::Answer found = answer(model, lowest, highest);
+    found.notes.insert(found.notes.begin(), warnings.texts.begin(), warnings.texts.end());
+    found.offenders = warnings.offenders;
+    return found;
+  };
 }
 
 int main(int argc, char** argv) { return driver::answer(argc, argv, "modes", plan); }
