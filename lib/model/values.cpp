@@ -226,8 +226,8 @@ std::string too_many(const std::string& key, double every, double end) {
   if (!(every > 0) || count <= most) return "";
   char asked[40];
   std::snprintf(asked, sizeof asked, "%.3g", count);
-  return quote(key) + " = " + shortest(every) + " s asks for " + asked + (frames ? " frames" : " rows") + " by the end at " + shortest(end) +
-         " s: expected at most " + (frames ? "a million" : "ten million");
+  return quote(key) + " = " + shortest(every) + " s asks for " + asked + (frames ? " frames" : " rows") + " by the end at " +
+         shortest(end) + " s: expected at most " + (frames ? "a million" : "ten million");
 }
 
 std::string window_too_short(double window, double row) {
