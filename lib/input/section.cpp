@@ -1,6 +1,7 @@
 #include "input/section.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <charconv>
 #include <cmath>
@@ -622,10 +623,11 @@ CaseFile CaseFile::read(const std::string& path, const std::vector<std::string>&
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   if (!file) refuse(errno == 0 ? "it cannot be opened" : std::strerror(errno));
-  std::string text(most_text + 1, '\0');  // whatever the system says of its size
-  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  std::string text;
+  std::array<char, 1 << 14> part;  // whatever the system says of its size
+  while (text.size() <= most_text && (file.read(part.data(), part.size()), file.gcount() > 0))
+    text.append(part.data(), static_cast<std::size_t>(file.gcount()));
   if (file.bad()) refuse("reading it failed");
-  text.resize(static_cast<std::size_t>(file.gcount()));
   if (text.size() > most_text)
     refuse("it is larger than " + std::to_string(most_text / 1'000'000) + " MB, and a case is a text of some pages");
   return parse(text, path, overrides);
