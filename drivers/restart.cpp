@@ -87,15 +87,16 @@ std::optional<Checkpoint> read_checkpoint(const fs::path& folder) {
   const fs::path path = file_in(folder);
   std::error_code error;
   if (!fs::exists(path, error)) return {};
+  const auto refuse = [&](const std::string& why) { return BadCheckpoint(path.string() + ": " + why); };
+  if (!fs::is_regular_file(path, error)) throw refuse("it is no file");  // to open a pipe takes as long as nobody writes to it
   std::ifstream stream(path, std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-  const auto bad = [&](const std::string& why) { return BadCheckpoint(path.string() + ": " + why); };
-  if (!stream.good() && !stream.eof()) throw bad("it cannot be read");
-  if (bytes.rfind(head, 0) != 0) throw bad("it is no checkpoint");
+  if (!stream.good() && !stream.eof()) throw refuse("it cannot be read");
+  if (bytes.rfind(head, 0) != 0) throw refuse("it is no checkpoint");
   const std::string mine = std::to_string(version) + "\n";
   if (bytes.compare(head.size(), mine.size(), mine) != 0) {
     const std::size_t end = bytes.find('\n');
-    throw bad("it is of version '" + bytes.substr(head.size(), std::min<std::size_t>(end - head.size(), 20)) +
+    throw refuse("it is of version '" + bytes.substr(head.size(), std::min<std::size_t>(end - head.size(), 20)) +
               "', and this program reads version " + std::to_string(version));
   }
   try {
@@ -103,13 +104,13 @@ std::optional<Checkpoint> read_checkpoint(const fs::path& folder) {
     std::uint64_t sum = 0;
     std::string body;
     file(sum, body);
-    if (sum != checksum(body) || !file.is_at_end()) throw bad("it is damaged: its checksum is another one");
+    if (sum != checksum(body) || !file.is_at_end()) throw refuse("it is damaged: its checksum is another one");
     Reader reader(body);
     Checkpoint checkpoint;
     visit(reader, checkpoint);
     return checkpoint;
   } catch (const DamagedArchive& damaged) {
-    throw bad(damaged.what());
+    throw refuse(damaged.what());
   }
 }
 

@@ -53,7 +53,7 @@ double spurious_part(const Ledger& ledger, std::size_t source) {
   const double scale = energy_scale(ledger);
   if (!(scale > 0 && flow.passed > least_share * scale)) return 0;
   const double excess = created(ledger.accounts[source]), waits = excess > 0 ? std::min(flow.owed, least_share * scale) : 0;
-  return std::copysign(std::max(0.0, std::abs(excess) - flow.recent - waits), excess) / flow.passed;
+  return std::copysign(std::max(0.0, std::abs(excess) - flow.recent - waits), excess) / std::max(flow.passed, least_flow * scale);
 }
 
 double steady_scale(const Ledger& ledger) {

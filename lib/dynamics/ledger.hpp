@@ -62,10 +62,14 @@ double energy_scale(const Ledger&);
 /// Sources through which less than this part of the energy scale has passed are not judged. [-] The work of what
 /// they may create unseen is less than that; most of it is round-off and chatter.
 constexpr double least_share = 1e-4;
+/// What passed through a source counts at least as this part of the energy scale. [-] Else the first bounce of a source whose flow has just
+/// become worth judging would count as all that ever passes; at the usual limit 5e-5 of the scale are created unseen, half of least_share.
+constexpr double least_flow = 1e-3;
 
 /// Created energy of a source over what passed through it: positive where energy appears, negative where it vanishes. [-]
 ///
-///     sign(c) max(0, |c| - w - o) / passed,   c = created(account),  w = Flow::recent,  o = min(Flow::owed, 1e-4 scale) if c > 0
+///     sign(c) max(0, |c| - w - o) / max(passed, 1e-3 scale),   c = created(account),  w = Flow::recent,
+///                                                              o = min(Flow::owed, 1e-4 scale) if c > 0
 ///
 /// Work and store of one step differ by up to the work of that step while a contact closes or opens, which the next steps make good: with
 /// the longest steps an impact is over after two or three. What a contact owes it pays from what it takes next; of that least_share of the

@@ -7,6 +7,7 @@ A killed run ends by SIGKILL, SIGTERM, SIGINT or SIGHUP at moments drawn from a 
 All files are compared, byte by byte, but for what summary.json says of times and of the machine.
 """
 import json
+import os
 import random
 import shutil
 import signal
@@ -175,6 +176,9 @@ class Words(unittest.TestCase):
         self.refused("it is of version '9', and this program reads version 1", *flags)
         file.write_bytes(b"something else")
         self.refused("it is no checkpoint", *flags)
+        file.unlink()
+        os.mkfifo(file)
+        self.refused("it is no file", *flags)
 
     def test_a_run_from_the_start_clears_an_old_checkpoint(self):
         file = self.checkpoint()

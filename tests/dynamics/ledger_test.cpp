@@ -121,6 +121,12 @@ TEST(SpuriousPart, IsHeldAgainstWhatPassedThroughThatSourceWithBothSigns) {
   }
 }
 
+TEST(SpuriousPart, CountsALittleFlowAsAThousandthOfTheScene) {
+  const double little = 0.1 * least_flow;  // passes in each of both directions
+  const Ledger ledger = after({-little, little, 0, 0, 0, 0, 0, 0, 0, 0}, 0.5 * little);
+  EXPECT_NEAR(spurious_part(ledger, 1), 0.05, 1e-3);
+}
+
 TEST(SpuriousPart, DoesNotCountWhatTheNextStepsMayMakeGood) {
   EXPECT_EQ(spurious_part(after({-0.01}, 0.01), 1), 0);
   EXPECT_NEAR(spurious_part(after({-0.01, 0}, 0.01), 1), 0.5, 1e-12);

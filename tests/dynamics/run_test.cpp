@@ -394,7 +394,8 @@ TEST(Run, WhatAContactCreatesWhereMassesDifferIsADebtThatItPays) {
     const Flow& flow = ledger.flows[2];
     const double made = created(ledger.accounts[2]);
     if (made > 0) differs = std::max(differs, std::abs(made - flow.owed));
-    if (flow.passed > least_share * energy_scale(ledger)) as_creation = std::max(as_creation, (made - flow.recent) / flow.passed);
+    const double scale = energy_scale(ledger), passed = std::max(flow.passed, least_flow * scale);
+    if (flow.passed > least_share * scale) as_creation = std::max(as_creation, (made - flow.recent) / passed);
     most = std::max(most, made);
   };
   const Outcome outcome = s.run_to(1.2e-3, 1e300, std::span(&observer, 1));

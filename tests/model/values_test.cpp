@@ -39,6 +39,12 @@ struct Wrong {
   std::vector<double> values;
 };
 
+/// A scene in which nothing is given a velocity, and which relaxes.
+void relax(Scene& scene, const dynamics::Relaxation& relaxation) {
+  scene.initial.clear();
+  scene.relaxation = relaxation;
+}
+
 const std::vector<Wrong> numbers{
     {"time: 'end'", [](Scene& s, double v) { s.time.end = v; }, {0, -1, nan, infinity}},
     {"time: 'safety'", [](Scene& s, double v) { s.time.safety = v; }, {0, -1, 11, nan}},
@@ -109,12 +115,6 @@ const std::vector<Wrong> numbers{
     {"relaxation: 'residual'", [](Scene& s, double v) { relax(s, {.residual = v}); }, {0, 1, nan}},
     {"relaxation: 'samples'", [](Scene& s, double v) { relax(s, {.samples = static_cast<int>(v)}); }, {0, -1}},
 };
-
-/// A scene in which nothing is given a velocity, and which relaxes.
-void relax(Scene& scene, const dynamics::Relaxation& relaxation) {
-  scene.initial.clear();
-  scene.relaxation = relaxation;
-}
 
 TEST(CheckValues, RefusesEachNumberThatIsOutOfItsRange) {
   for (const Wrong& wrong : numbers)
