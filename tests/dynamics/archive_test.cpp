@@ -34,11 +34,11 @@ TEST(StateAsBytes, ThatIsReadAgainGoesOnWithTheSameBits) {
     const Observer keep = [&](const View& view) {
       if (++steps == 30) half = bytes_of(view.model, view.now);
     };
-    whole.run_to(0.01, 1e300, {&keep, 1});
+    whole.run_to(0.06, 1e300, {&keep, 1});
     ASSERT_GT(steps, 40);
     broken.state = state_of(broken.model, half);
     EXPECT_EQ(bytes_of(broken.model, broken.state), half);
-    broken.run_to(0.01);
+    broken.run_to(0.06);
     const auto one = numbers(whole.state), other = numbers(broken.state);  // what is not in use may differ
     ASSERT_EQ(one.size(), other.size());
     for (std::size_t i = 0; i < one.size(); ++i) {

@@ -402,7 +402,7 @@ TEST(Run, WhatAContactCreatesWhereMassesDifferIsADebtThatItPays) {
   EXPECT_EQ(outcome.ending, Ending::reached_end) << outcome.reason;
   const double scale = energy_scale(s.state.ledger);
   EXPECT_GT(most, 1e-6 * scale);
-  EXPECT_GT(as_creation, 0.02) << "if it were judged as if it stayed";
+  EXPECT_GT(as_creation, 0.01) << "judged as if it stayed, it would be warned of";
   EXPECT_LT(differs, 0.1 * most) << "but for what apexes owe that went away";
   EXPECT_LT(std::abs(created(s.state.ledger.accounts[2])), 0.2 * most);
 }
