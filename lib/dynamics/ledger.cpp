@@ -81,6 +81,7 @@ double swing_part(const Ledger& ledger) {
 }
 
 void see_created(Ledger& ledger) {
+  ledger.most_integration = std::max(ledger.most_integration, std::abs(ledger.integration));
   const double scale = energy_scale(ledger);
   if (!(scale > 0)) return;
   for (std::size_t a = 0; a < ledger.accounts.size(); ++a) {
@@ -91,7 +92,6 @@ void see_created(Ledger& ledger) {
 }
 
 void see_flows(Ledger& ledger) {
-  ledger.most_integration = std::max(ledger.most_integration, std::abs(ledger.integration));
   const double kept = kept_part(ledger);
   if (std::abs(kept) > std::abs(ledger.worst_kept)) ledger.worst_kept = kept;
   for (std::size_t a = 0; a < ledger.accounts.size(); ++a) {

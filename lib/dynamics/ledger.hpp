@@ -44,7 +44,7 @@ struct Ledger {
   /// [J] The part of `integration` that stays: the rest, dt^2/8 f.f/m now less that at the start, comes back as the forces fall.
   double integration_kept = 0;
   double worst_kept = 0;   ///< [-] kept_part() where it was largest so far, with its sign
-  double most_integration = 0;  ///< [J] `integration` where it was largest so far, without its sign
+  double most_integration = 0;  ///< [J] `integration` where it was largest at any update, without its sign
 };
 
 /// What the stores of an account, or all stores together, held at the start. [J]
@@ -97,7 +97,7 @@ double kept_part(const Ledger&);
 /// the forces fall. 0 without a scale. [-]
 double swing_part(const Ledger&);
 
-/// Notes what each source has created of the energy of the scene, at an update of the ledger.
+/// Notes what each source has created of the energy of the scene, and `integration`, at an update of the ledger.
 void see_created(Ledger&);
 
 /// Brings the flows up to the works that stand in the accounts, at the end of a step.

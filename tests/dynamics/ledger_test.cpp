@@ -174,13 +174,13 @@ TEST(KeptPart, LeavesOutWhatTheForcesNowMakeUpFor) {
   }
 }
 
-TEST(SwingPart, IsWhatComesBackOverTheScale) {
+TEST(SwingPart, IsWhatComesBackOverTheScaleAtUpdatesOfTheLedger) {
   Ledger ledger = after({}, 0);
   ledger.initial_available = 4, ledger.integration = 2;
-  see_flows(ledger);
+  see_created(ledger);
   EXPECT_EQ(swing_part(ledger), 0.5);
   ledger.integration = 0;
-  see_flows(ledger);
+  see_created(ledger);
   EXPECT_EQ(swing_part(ledger), 0.5);
   ledger.external_work = 8;
   EXPECT_EQ(swing_part(ledger), 0.25);
