@@ -43,6 +43,7 @@ import time
 import traceback
 from pathlib import Path
 
+import command_line
 import defaults
 import gates
 from convergence import order_between
@@ -631,16 +632,17 @@ def remove_unused(folder, used):
 
 
 def options_of(arguments):
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = command_line.Parser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("names", nargs="*", metavar="NAME", help="folder of verification/; without one, all")
     level = parser.add_mutually_exclusive_group()
     level.add_argument("--quick", action="store_true", help="leave out what is marked as long (default)")
     level.add_argument("--full", action="store_true", help="run everything")
     level.add_argument("--stale", action="store_true", help="only compare tables in the tree with the quick outcomes of FOLDER")
-    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="cases at once (default: all cores)")
-    parser.add_argument("--threads", type=int, default=1, help="of each run; results do not depend on them")
-    parser.add_argument("--drivers", type=Path, default=ROOT / "build/release/drivers", help="folder of the programs")
-    parser.add_argument("--out", type=Path, default=ROOT / "out/verify", help="folder of runs, outcomes and report")
+    parser.add_argument("--jobs", type=command_line.count, default=os.cpu_count() or 1, help="cases at once (default: all cores)")
+    parser.add_argument("--threads", type=command_line.count, default=1, help="of each run; results do not depend on them")
+    parser.add_argument("--drivers", type=command_line.folder_of_programs, default=ROOT / "build/release/drivers",
+                        help="folder of the programs")
+    parser.add_argument("--out", type=command_line.folder_to_write, default=ROOT / "out/verify", help="folder of runs, outcomes and report")
     parser.add_argument("--write", action="store_true", help="write tables and figures into the tree; needs --full for what is long")
     parser.add_argument("--no-figures", dest="figures", action="store_false", help="judge only: no figures and no report")
     parser.add_argument("--verbose", action="store_true", help="print every row of every case")
