@@ -10,6 +10,7 @@ import csv
 import hashlib
 import json
 import math
+import os
 import re
 import resource
 import shutil
@@ -22,13 +23,38 @@ import xml.etree.ElementTree as xml
 import zlib
 from pathlib import Path
 
+import processes
+
 ROOT = Path(__file__).resolve().parent.parent
 STOPPED = 3  # exit status of a driver whose physics stopped: a result, not a fault
+UNFINISHED = "unfinished_"  # begins the name of the folder of a run that goes on; the number of its process follows
 RECORD = "asked.json"  # in the folder of a run; written last, so a folder with it is whole
 
 
 class CannotRun(Exception):
     """A program is missing or refuses its case; says which and what it said."""
+
+
+def is_of_a_living_run(folder):
+    """Whether a folder is that of a run that goes on now."""
+    found = re.match(UNFINISHED + r"(\d+)_", folder.name)
+    return found is not None and processes.is_alive(int(found.group(1)))
+
+
+def remove_abandoned(folder):
+    """Removes what runs have left whose process was killed."""
+    for left in folder.glob(UNFINISHED + "*"):
+        if not is_of_a_living_run(left):
+            shutil.rmtree(left, ignore_errors=True)
+
+
+def remove_unused(folder, used):
+    """Removes the runs of this tree's suite that are not among `used`; those of another tree and those that go on stay."""
+    for run in folder.iterdir():
+        record = record_of(run)
+        of_others = record is not None and record.get("suite", str(ROOT)) != str(ROOT)
+        if run.name not in used and not of_others and not is_of_a_living_run(run):
+            shutil.rmtree(run, ignore_errors=True)
 
 
 # ------------------------------------------------------------------------------------------------
@@ -52,6 +78,7 @@ class Store:
         self.threads, self.patience, self.may_run = threads, patience, may_run
         self.digests, self.done, self.given = {}, {}, []
         self.folder.mkdir(parents=True, exist_ok=True)
+        remove_abandoned(self.folder)
         self.scratch.mkdir(parents=True, exist_ok=True)
 
     def run(self, driver, case, overrides, threads=None):
@@ -94,14 +121,14 @@ class Store:
 
     def make(self, driver, case, overrides, threads, folder, asked):
         """Runs in a folder beside `folder` and renames it when all is there, so that an interruption leaves nothing."""
-        unfinished = Path(tempfile.mkdtemp(prefix="unfinished_", dir=self.folder))
+        unfinished = Path(tempfile.mkdtemp(prefix=f"{UNFINISHED}{os.getpid()}_", dir=self.folder))
         program = self.drivers / driver
         words = [str(program), str(case), "--out", str(unfinished), "--quiet", "--threads", str(threads)]
         for key, value in overrides.items():
             words += ["--set", f"{key}={value}"]
         started, began, processor = time.perf_counter(), time.time_ns(), processor_seconds()
         try:
-            done = subprocess.run(words, capture_output=True, text=True, timeout=self.patience)
+            done = processes.run(words, capture_output=True, text=True, timeout=self.patience)
             if done.returncode not in (0, STOPPED):
                 raise CannotRun(f"status {done.returncode} of {' '.join(words)}\n{done.stderr}")
             seconds, processor = time.perf_counter() - started, processor_seconds() - processor
@@ -109,7 +136,7 @@ class Store:
             for path in [program, case, *(case.parent / one for one in inputs)]:
                 if path.stat().st_mtime_ns > began:
                     raise CannotRun(f"{path} changed while {driver} ran; start again")
-            record = {**asked, "seconds": seconds, "processor_seconds": processor,
+            record = {**asked, "suite": str(ROOT), "seconds": seconds, "processor_seconds": processor,
                       "warnings": [line for line in done.stderr.splitlines() if line.startswith("warning: ")],
                       "inputs": {path: digest_of_file(case.parent / path) for path in inputs},
                       "files": files_of(unfinished)}
@@ -160,7 +187,7 @@ def run_alone(words, patience=3600):
     A program starts with what its parent has resident, and its largest counts that; so a small process starts it.
     """
     words = [sys.executable, "-S", "-c", ALONE, "", "timeout", str(patience), *map(str, words)]
-    done = subprocess.run(words, capture_output=True, text=True)
+    done = processes.run(words, capture_output=True, text=True)
     status, memory = map(int, done.stdout.split())
     return None if status == 124 else status, done.stderr, memory
 

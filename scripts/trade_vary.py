@@ -14,9 +14,9 @@ import dataclasses
 import io
 import math
 import re
-import subprocess
 from pathlib import Path
 
+import processes
 import trade_points as points
 import verify
 from runs import ROOT, CannotRun
@@ -142,7 +142,7 @@ def dry_run(definition, drivers, settings):
     for key, value in {**definition.change, **settings}.items():
         words += ["--set", f"{key}={value}"]
     try:
-        return subprocess.run(words, capture_output=True, text=True)
+        return processes.run(words, capture_output=True, text=True)
     except OSError as error:
         raise CannotRun(f"{program} is not built") from error
 

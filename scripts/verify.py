@@ -46,6 +46,8 @@ from pathlib import Path
 import command_line
 import defaults
 import gates
+import processes
+import runs
 from convergence import order_between
 from runs import ROOT, CannotRun, Run, Store, crossings, interpolate, mean_over, read_fields, straight_line  # noqa: F401  (for cases)
 
@@ -600,7 +602,9 @@ def judge_all(names, options):
         for name in names:
             keep(*judge_case(name, options))
     else:
-        with concurrent.futures.ProcessPoolExecutor(options.jobs, multiprocessing.get_context("fork")) as pool:
+        workers = concurrent.futures.ProcessPoolExecutor(options.jobs, multiprocessing.get_context("fork"), processes.ends_with_parent,
+                                                         (os.getpid(),))
+        with workers as pool:
             for done in concurrent.futures.as_completed([pool.submit(judge_case_apart, name, options) for name in names]):
                 keep(*done.result())
     return outcomes, used
@@ -621,14 +625,6 @@ def print_outcome(out, whole):
     missing = f", {len(out.misses())} MISS" if out.misses() else ""
     print(f"{'pass' if out.good() else 'FAIL'}  {out.name}: {len(out.rows)} rows{missing}, {out.runs} runs of {out.seconds:.1f} s, "
           f"{out.made} of them new", flush=True)
-
-
-def remove_unused(folder, used):
-    """Runs that no case asked for any more; called when all cases have run in full."""
-    import shutil
-    for run in folder.iterdir():
-        if run.name not in used:
-            shutil.rmtree(run, ignore_errors=True)
 
 
 def options_of(arguments):
@@ -674,7 +670,7 @@ def main(arguments=None):
         path = report.write(options.out, "full" if options.full else "quick", names_of_all())
         print(f"report: {path}")
     if options.full and not options.names:
-        remove_unused(options.out / "runs", used)
+        runs.remove_unused(options.out / "runs", used)
     checks = sum(row.kind == "check" for out in outcomes.values() for row in out.rows)
     breaks = sum(row.kind == "break" for out in outcomes.values() for row in out.rows)
     misses = sum(len(out.misses()) for out in outcomes.values())

@@ -1,7 +1,9 @@
 """scripts/runs.py keeps runs and finds them again, with a driver that is made up here."""
 import base64
 import json
+import os
 import struct
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -56,6 +58,22 @@ class StoreTest(unittest.TestCase):
         self.assertEqual(self.count.read_text(), "1")
         self.assertEqual(again.at("depth", 0.5), 1.0)
         self.assertEqual(again.result("depth"), len("one mesh"))
+
+    def test_what_a_killed_run_has_left_goes_and_one_that_goes_on_stays(self):
+        folder = self.root / "runs"
+        gone = subprocess.Popen(["true"])
+        gone.wait()
+        for name in (f"unfinished_{gone.pid}_a", f"unfinished_{os.getpid()}_b", "unfinished_c"):
+            (folder / name).mkdir(parents=True)
+        self.run_it()
+        self.assertEqual([path.name for path in folder.glob("unfinished_*")], [f"unfinished_{os.getpid()}_b"])
+
+    def test_runs_that_nobody_asked_for_go_but_for_those_of_another_tree(self):
+        used, mine, other = self.run_it(), self.run_it({"a": 1}), self.run_it({"a": 2})
+        record = json.loads((other.folder / runs.RECORD).read_text(encoding="utf-8"))
+        (other.folder / runs.RECORD).write_text(json.dumps({**record, "suite": "/elsewhere"}), encoding="utf-8")
+        runs.remove_unused(self.root / "runs", {used.folder.name})
+        self.assertEqual([one.folder.exists() for one in (used, mine, other)], [True, False, True])
 
     def test_whatever_may_change_it_makes_it_anew(self):
         self.run_it()

@@ -1,0 +1,35 @@
+"""Programs and workers that end with the script that started them, however that ends."""
+import ctypes
+import os
+import signal
+import subprocess
+import sys
+
+PR_SET_PDEATHSIG = 1  # of Linux, see prctl(2)
+LIBC = ctypes.CDLL(None, use_errno=True) if sys.platform == "linux" else None
+
+
+def ends_with_parent(parent):
+    """To be called in a new process: kills it when its parent, the process of this number, ends. Does nothing but on Linux."""
+    if LIBC is None:
+        return
+    LIBC.prctl(PR_SET_PDEATHSIG, signal.SIGKILL, 0, 0, 0)
+    if os.getppid() != parent:  # it ended before the call
+        os._exit(1)
+
+
+def run(words, **options):
+    """As subprocess.run; the program does not outlive this process."""
+    parent = os.getpid()
+    return subprocess.run(words, preexec_fn=lambda: ends_with_parent(parent), **options)
+
+
+def is_alive(number):
+    """Whether there is a process of this number."""
+    try:
+        os.kill(number, 0)
+    except ProcessLookupError:
+        return False
+    except PermissionError:
+        pass
+    return True
