@@ -509,8 +509,8 @@ def energy_fraction(seen, expected, source, scene):
         column = seen.history["energy_integration" if source == "time integration" else f"energy_created_{source}"]
         return float(np.max(np.abs(column))) / max(energy_scale(seen, expected), 1e-300)
     created = seen.history[f"energy_created_{source}"]
-    own = sum(values for name, values in seen.history.items()
-              if name.startswith(f"energy_{source}_") and name != f"energy_created_{source}")
+    others = tuple(f"energy_{source}_{part}_" for part in ("back", "edges"))  # sources of their own
+    own = sum(values for name, values in seen.history.items() if name.startswith(f"energy_{source}_") and not name.startswith(others))
     passed = np.cumsum(np.abs(np.diff(own, prepend=own[0])))
     seen_late = passed > 0
     return float(np.max(np.abs(created[seen_late]) / passed[seen_late])) if seen_late.any() else 0.0
