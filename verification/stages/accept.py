@@ -86,6 +86,10 @@ BREAKS = [
     Breaks("lowest place after the release", "the load stays on", {"stages[1].off": "[]"}),
     Breaks("stretched at the end of the preload", "a preload that does not come to rest", {"stages[0].relaxation.residual": 0.01}),
     Breaks("time from the release to no load", "the density of aluminium", {"bodies[0].material.density": "2700 kg/m^3"}),
+    Breaks("pressed at the end of the preload", "half of the load", {"loads[0].value": "25e6*min(1, t/2e-4)"}, STRUCK),
+    Breaks("time from the release of the ram to its blow", "a ram that is slower by a tenth",
+           {"stages[1].initial[0].velocity": "['0.9', '0', '0']"}, STRUCK),
+    Breaks("speed of the ram, the farthest", "a bar of aluminium's density", {"bodies[0].material.density": "2700 kg/m^3"}, STRUCK),
 ]
 
 
