@@ -22,6 +22,7 @@
 #include "drivers/restart.hpp"
 #include "drivers/signals.hpp"
 #include "dynamics/archive.hpp"
+#include "dynamics/measure.hpp"
 #include "dynamics/overlaps.hpp"
 #include "dynamics/quality.hpp"
 #include "model/notes.hpp"
@@ -71,6 +72,12 @@ void add_common_results(const model::Simulation& simulation, const dynamics::Out
     results.push_back({interface.name + "_lost", static_cast<double>(memory.lost), "1"});
     results.push_back({interface.name + "_recovered", static_cast<double>(memory.recovered), "1"});
   }
+  for (const dynamics::Touched& one : dynamics::touched(simulation.model, simulation.state)) {
+    if (one.sides[0] != "apexes") continue;  // of bodies in an automatic contact the summary has a list
+    results.push_back({one.contact + "_first_touch", one.first, "s"});
+    results.push_back({one.contact + "_last_touch", one.last, "s"});
+    results.push_back({one.contact + "_impulse", one.impulse.norm(), "N*s"});
+  }
   double deepest = 0, grown = 0;
   for (const audit::Overlap& overlap : simulation.state.audit.overlaps)
     deepest = std::max(deepest, overlap.deepest), grown = std::max(grown, overlap.grown);
@@ -118,6 +125,7 @@ output::Summary summarise(const std::string& name, const CommandLine& line, cons
   summary.sources = dynamics::sources(simulation.model);
   summary.ledger = simulation.state.ledger;
   summary.overlaps = overlaps_of(simulation);
+  summary.touched = dynamics::touched(simulation.model, simulation.state);
   const auto updates = static_cast<double>(outcome.element_updates);
   summary.cost = {model::count_elements(simulation.model), simulation.state.step, outcome.element_updates, outcome.wall_seconds,
                   updates > 0 ? outcome.wall_seconds * 1e9 / updates : 0, threads()};

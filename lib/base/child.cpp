@@ -22,6 +22,12 @@ namespace nereid {
 
 namespace {
 
+#ifdef NEREID_SANITIZED
+constexpr bool limits_memory = false;  // sanitizers take a large address space and no memory
+#else
+constexpr bool limits_memory = true;
+#endif
+
 enum Exit { returned = 0, no_memory = 10, threw = 11 };
 
 /// Address space that this process has. [bytes]
@@ -47,9 +53,7 @@ void limit(int what, double most) {
   const int nowhere = ::open("/dev/null", O_RDWR);
   for (const int one : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) ::dup2(nowhere, one);
   limit(RLIMIT_CORE, 0);
-#ifndef __SANITIZE_ADDRESS__  // which takes a large address space and no memory
-  if (most.memory > 0) limit(RLIMIT_AS, address_space() + most.memory);
-#endif
+  if (limits_memory && most.memory > 0) limit(RLIMIT_AS, address_space() + most.memory);
   try {
     const std::string bytes = work();
     for (std::size_t begin = 0; begin < bytes.size();) {

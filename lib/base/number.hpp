@@ -8,14 +8,24 @@
 // A kernel therefore has no `if` on a number: it selects. The functions below are all it needs.
 
 #include <cmath>
-#include <experimental/simd>
 
+#ifdef NEREID_ONE_LANE
+#include "base/one_lane.hpp"
+#define NEREID_HOT inline
+namespace nereid {
+namespace stdx = one_lane;
+}
+#else
+#include <experimental/simd>
 /// Kernels are made of small functions on packs; left to itself the compiler calls them one by one.
 #define NEREID_HOT [[gnu::always_inline]] inline
+namespace nereid {
+namespace stdx = std::experimental;
+}
+#endif
 
 namespace nereid {
 
-namespace stdx = std::experimental;
 using Pack = stdx::native_simd<double>;
 constexpr int lanes = static_cast<int>(Pack::size());
 

@@ -22,6 +22,7 @@ struct Between {
 struct Bodies {
   std::vector<std::string> names;
   Subset of_apex, of_facet;      ///< [apexes] [facets] body
+  Subset of_node;                ///< [nodes of the mesh] body, or -1
   Subset first_facet;            ///< [bodies + 1] where the facets of each begin
   Subset nodes, first_node;      ///< nodes of the facets of each body, and [bodies + 1] where they begin
   Scalars thickest;              ///< [m] [bodies] the largest BaseSurface::stand_off

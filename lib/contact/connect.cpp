@@ -5,6 +5,7 @@
 #include "contact/apex.hpp"
 #include "contact/bond.hpp"
 #include "contact/crossing.hpp"
+#include "contact/meeting.hpp"
 #include "contact/near.hpp"
 #include "contact/stand.hpp"
 
@@ -50,6 +51,7 @@ void prepare(const Interface& interface, Memory& memory) {
   }
   if (by_multipliers(interface) && interface.kind != InterfaceKind::bonded) memory.restitution.resize(count);
   memory.reconnections.assign(count, 0);
+  make_room_for_meetings(interface, memory);
   memory.apart_from_itself.assign(static_cast<std::size_t>(interface.bodies.count()), 0);
   memory.apart_then = Vectors::Zero(3, static_cast<Eigen::Index>(interface.bodies.nodes.size()));
 }

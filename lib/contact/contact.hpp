@@ -202,6 +202,14 @@ struct Crossing {
   FrictionForces friction;
 };
 
+/// Two bodies of an automatic contact that have touched, or both sides of a declared one.
+struct Meeting {
+  Index one = -1, other = -1;      ///< bodies, the first not behind the other; -1: the side of the apexes and that of the base
+  double first = 0, last = 0;      ///< [s] steps at which they touched
+  Vec3 impulse = Vec3::Zero();     ///< [N s] on `one` since the start, with friction; zero of a body and itself
+  Vec3 now = Vec3::Zero(), before = Vec3::Zero();  ///< [N] of an automatic contact: at the last step, and the one before
+};
+
 /// What an interface remembers. The forces are those at the end of the last step: the work of the next one needs them.
 struct Memory {
   std::vector<Near> near;                   ///< ascending apexes; of a bonded interface all that have a bond
@@ -233,6 +241,7 @@ struct Memory {
   /// [N m s] about the origin: what weights of the paper lose, what the mirror images of bases at a symmetry plane give, and what
   /// pushes leave that are found by iteration; else zero.
   Vec3 angular_impulse = Vec3::Zero();
+  std::vector<Meeting> meetings;            ///< ascending bodies: see meeting.hpp
   double deepest = 0;        ///< [m] penetration of any apex since the start, not negative
   Index deepest_apex = -1;   ///< node of that apex, -1 before any contact
   double deepest_time = 0;   ///< [s] when; set by the caller of advance()

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 #include "base/parallel.hpp"
 #include "contact/apex.hpp"
 #include "contact/crossing.hpp"
+#include "contact/meeting.hpp"
 #include "contact/restitution.hpp"
 #include "contact/rigid_nodes.hpp"
 
@@ -442,7 +444,7 @@ void stop_at_start(std::span<const Interface> interfaces, std::span<const RigidP
                    Vectors& impulse) {
   const Acting acting{interfaces, planes, memories, of_planes};
   find_impulses(acting, m, workspaces, all);
-  acting.for_each([&](std::size_t at, const auto&, auto& memory) {
+  acting.for_each([&](std::size_t at, const auto& contact, auto& memory) {
     const Index first = all.first[at], last = all.first[at + 1];
     for (Index k = first; k < last; ++k) {
       const Contactor& one = all.contactors[k];
@@ -450,6 +452,7 @@ void stop_at_start(std::span<const Interface> interfaces, std::span<const RigidP
       for (Index i = one.first; i < one.last; ++i) {
         apply(all.conditions[i], m.x, impulse, memory.angular_impulse);
         memory.impulse += all.conditions[i].impulse * all.conditions[i].normal;
+        if constexpr (std::is_same_v<std::decay_t<decltype(contact)>, Interface>) meet_at_start(contact, all.conditions[i], t, memory);
       }
     }
     Pool alone{first, last, &memory.transferred, 0};

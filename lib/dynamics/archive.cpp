@@ -95,15 +95,21 @@ void visit(Archive& archive, Crossing& crossing) {
 }
 
 template <class Archive>
+void visit(Archive& archive, Meeting& meeting) {
+  auto& [one, other, first, last, impulse, now, before] = meeting;
+  archive(one, other, first, last, impulse, now, before);
+}
+
+template <class Archive>
 void visit(Archive& archive, Memory& memory) {
   auto& [near, crossings, near_facets, slot, feature, status, gap, stored, slip, tangential_stored, reconnections, thicker, work, damped,
          thinned, friction_dissipated, friction_to_come, friction_owed, restitution, impact, force, impulse, transferred, held, power_rate,
-         created_by_reconnection, angular_impulse, deepest, deepest_apex, deepest_time, deepest_in, step_factor, deepest_now, walks, lost,
-         recovered, searches, margin, way, apart_from_itself, apart_then, awake, apexes_then, base_then, mean_way] = memory;
+         created_by_reconnection, angular_impulse, meetings, deepest, deepest_apex, deepest_time, deepest_in, step_factor, deepest_now,
+         walks, lost, recovered, searches, margin, way, apart_from_itself, apart_then, awake, apexes_then, base_then, mean_way] = memory;
   archive(near, crossings, near_facets, slot, feature, status, gap, stored, slip, tangential_stored, reconnections, thicker, work, damped,
           thinned, friction_dissipated, friction_to_come, friction_owed, restitution, impact, force, impulse, transferred, held, power_rate,
-          created_by_reconnection, angular_impulse, deepest, deepest_apex, deepest_time, deepest_in, step_factor, deepest_now, walks, lost,
-          recovered, searches, margin, way, apart_from_itself, apart_then, awake, apexes_then, base_then, mean_way);
+          created_by_reconnection, angular_impulse, meetings, deepest, deepest_apex, deepest_time, deepest_in, step_factor, deepest_now,
+          walks, lost, recovered, searches, margin, way, apart_from_itself, apart_then, awake, apexes_then, base_then, mean_way);
 }
 
 template <class Archive>
@@ -276,13 +282,19 @@ void visit(Archive& archive, Votes& votes) {
   archive(elements, contact, volume_ratio, smallest_block, smallest_element, may_grow, costly);
 }
 
+template <class Archive>
+void visit(Archive& archive, SectionMemory& memory) {
+  auto& [force, moment, impulse] = memory;
+  archive(force, moment, impulse);
+}
+
 /// All of a state but what blocks remember.
 template <class Archive>
 void visit_rest(Archive& archive, State& state) {
-  auto& [t, step, dt, x, v, omega, blocks, tiles, interfaces, rigid_planes, rigid_bodies, constraints, loads, relaxation, ledger, votes,
-         progress, quality, audit, probes, conditions] = state;
-  archive(t, step, dt, x, v, omega, tiles, interfaces, rigid_planes, rigid_bodies, constraints, loads, relaxation, ledger, votes, progress,
-          quality, audit, probes, conditions);
+  auto& [t, step, dt, x, v, omega, blocks, tiles, interfaces, rigid_planes, rigid_bodies, constraints, loads, sections, relaxation, ledger,
+         votes, progress, quality, audit, probes, conditions] = state;
+  archive(t, step, dt, x, v, omega, tiles, interfaces, rigid_planes, rigid_bodies, constraints, loads, sections, relaxation, ledger, votes,
+          progress, quality, audit, probes, conditions);
 }
 
 namespace {

@@ -63,11 +63,12 @@ contact::Beside beside_of(const Model& model, const std::vector<TouchingBody>& l
 }
 
 /// Which bodies touch, and what each pair has together.
-contact::Bodies bodies_of(const std::vector<TouchingBody>& list, const std::vector<Skin>& skins,
+contact::Bodies bodies_of(const Model& model, const std::vector<TouchingBody>& list, const std::vector<Skin>& skins,
                           const PairsApart& apart, const InterfaceOptions& options) {
   contact::Bodies bodies;
   const auto count = list.size();
   bodies.thickest = Scalars::Zero(static_cast<Eigen::Index>(count));
+  bodies.of_node.assign(static_cast<std::size_t>(model.mesh.X.cols()), -1);
   bodies.first_facet.assign(1, 0);
   bodies.first_node.assign(1, 0);
   for (std::size_t b = 0; b < count; ++b) {
@@ -78,6 +79,7 @@ contact::Bodies bodies_of(const std::vector<TouchingBody>& list, const std::vect
     bodies.of_facet.resize(static_cast<std::size_t>(bodies.first_facet.back()), static_cast<Index>(b));
     const Subset nodes = mesh::surface_nodes(*skins[b].surface);
     bodies.nodes.insert(bodies.nodes.end(), nodes.begin(), nodes.end());
+    for (const Index node : nodes) bodies.of_node[static_cast<std::size_t>(node)] = static_cast<Index>(b);
     bodies.first_node.push_back(static_cast<Index>(bodies.nodes.size()));
   }
   for (std::size_t a = 0; a < count; ++a)
@@ -156,7 +158,6 @@ Connected connect_nodes(Model& model, const std::string& name, const contact::Bo
   interface.allowed = allowed_directions(model, interface.apexes);
   interface.follows_thickness = std::any_of(skins.begin(), skins.end(), [](const Skin& skin) { return skin.side.thins; });
 
-  Subset body_of_node(static_cast<std::size_t>(nodes_of_mesh), -1);
   Scalars half = Scalars::Zero(nodes_of_mesh);
   interface.base.beside = beside;
   interface.base.stand_off = Scalars::Zero(surface.facets.cols());
@@ -165,7 +166,6 @@ Connected connect_nodes(Model& model, const std::string& name, const contact::Bo
     const double here = contact::is_sheet(interface.base, f) ? skins[static_cast<std::size_t>(body)].half : 0;
     interface.base.stand_off(f) = here;
     for (const Index node : surface.facets.col(f)) {
-      body_of_node[static_cast<std::size_t>(node)] = body;
       half(node) = std::max(half(node), here);
     }
   }
@@ -173,7 +173,7 @@ Connected connect_nodes(Model& model, const std::string& name, const contact::Bo
   interface.contact_height.resize(static_cast<Eigen::Index>(interface.apexes.size()));
   for (std::size_t a = 0; a < interface.apexes.size(); ++a) {
     interface.contact_height(static_cast<Eigen::Index>(a)) = half(interface.apexes[a]);
-    interface.bodies.of_apex.push_back(body_of_node[static_cast<std::size_t>(interface.apexes[a])]);
+    interface.bodies.of_apex.push_back(bodies.of_node[static_cast<std::size_t>(interface.apexes[a])]);
   }
 
   Connected connected;
@@ -221,7 +221,7 @@ std::vector<Connected> connect_automatic(Model& model, const std::string& name, 
                                          const PairsApart& apart, const InterfaceOptions& options) {
   check(model.mass.size() == model.mesh.X.cols(), "finalize() a model before it gets an interface");
   const std::vector<Skin> skins = skins_of(model, list);
-  const contact::Bodies bodies = bodies_of(list, skins, apart, options);
+  const contact::Bodies bodies = bodies_of(model, list, skins, apart, options);
   const contact::Beside beside = beside_of(model, list, skins);
   const mesh::Surface surface = joined(name, skins);
   std::vector<Connected> connected;

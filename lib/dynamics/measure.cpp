@@ -180,6 +180,31 @@ Vec3 mean_force(const View& view, std::size_t source, ProbeMemory& memory) {
   return growth(impulse, rigid ? Vec3(Vec3::Zero()) : impulse, view.now.t, memory);
 }
 
+Vec3 mean_section_force(const View& view, std::size_t section, ProbeMemory& memory) {
+  return growth(view.now.sections[section].impulse, Vec3::Zero(), view.now.t, memory);
+}
+
+std::vector<Touched> touched(const Model& model, const State& now) {
+  std::vector<Touched> all;
+  std::string contact;  // whose passes and edges follow it
+  for (std::size_t c = 0; c < model.interfaces.size(); ++c) {
+    const contact::Interface& interface = model.interfaces[c];
+    const bool follows = interface.pass == contact::Pass::back || interface.kind == contact::InterfaceKind::edges;
+    if (!follows) contact = interface.name;
+    for (const contact::Meeting& one : now.interfaces[c].meetings) {
+      const auto& names = interface.bodies.names;
+      const std::array<std::string, 2> sides =
+          names.empty() ? std::array<std::string, 2>{"apexes", "base"}
+                        : std::array<std::string, 2>{names[static_cast<std::size_t>(one.one)], names[static_cast<std::size_t>(one.other)]};
+      auto at = std::find_if(all.begin(), all.end(), [&](const Touched& t) { return t.contact == contact && t.sides == sides; });
+      if (at == all.end()) at = all.insert(all.end(), {contact, sides, one.first, one.last, Vec3::Zero()});
+      at->first = std::min(at->first, one.first), at->last = std::max(at->last, one.last);
+      at->impulse += contact::side_of(interface) * one.impulse;
+    }
+  }
+  return all;
+}
+
 namespace {
 
 template <class Channel>

@@ -1,7 +1,10 @@
 #pragma once
 // What one measures of a state: of node sets, of bodies, of contacts and of all other sources of force.
 
+#include <array>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "dynamics/probe.hpp"
 
@@ -63,6 +66,20 @@ double least_gap(const View&, std::size_t interface);
 /// Needs  views whose ledger is current; zero at the first sample and where no time has passed. What a rigid plane stopped at the start
 /// belongs to the first interval.
 Vec3 mean_force(const View&, std::size_t source, ProbeMemory&);
+
+/// Force of a section on what is ahead of it, as a mean over the time between two samples of a probe. [N]
+Vec3 mean_section_force(const View&, std::size_t section, ProbeMemory&);
+
+/// A contact whose sides have touched, or two bodies in an automatic one.
+struct Touched {
+  std::string contact;
+  std::array<std::string, 2> sides;  ///< bodies; of a declared contact "apexes" and "base"
+  double first = 0, last = 0;        ///< [s] steps at which they touched
+  Vec3 impulse = Vec3::Zero();       ///< [N s] on the first side since the start, with friction; zero of a body and itself
+};
+
+/// Who has touched, contact by contact in the order of the model, with both passes and edges of each together.
+std::vector<Touched> touched(const Model&, const State&);
 
 /// Columns of the history that are a source's own: its channels, and what it created.
 std::vector<std::string> ledger_columns(const Source&);

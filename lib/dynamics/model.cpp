@@ -128,6 +128,7 @@ State initial_state(const Model& model, std::vector<contact::Memory> interfaces)
     state.tiles.push_back(element::tile_forces(block));
   }
   state.interfaces = std::move(interfaces);
+  state.sections.resize(model.sections.size());
   for (const auto& plane : model.rigid_planes) state.rigid_planes.push_back(contact::initial_memory(plane));
   state.rigid_bodies.resize(model.rigid_bodies.size());
   state.constraints = load::prepare(constraints_of_nodes(model), static_cast<Index>(model.mesh.X.cols()), model.rotation_of_node);

@@ -40,6 +40,18 @@ struct HeldBody {
   int driver = -1;  ///< plane that drives it, or -1
 };
 
+/// A plane through a body, across which forces are seen: section.hpp.
+struct Section {
+  struct Part {
+    std::size_t block;         ///< in Model::blocks
+    std::vector<Index> slots;  ///< of its tiles that have nodes on both sides: those of the nodes ahead of the plane
+    Subset nodes;              ///< of these slots
+  };
+  std::string name;
+  Vec3 point;  ///< [m] about which moments are taken
+  std::vector<Part> parts;
+};
+
 /// What is simulated. Built once, then only ever passed as const.
 struct Model {
   mesh::Mesh mesh;
@@ -55,6 +67,7 @@ struct Model {
   std::vector<rigid::Body> rigid_bodies;
   std::vector<HeldBody> held_bodies;    ///< beside rigid_bodies
   std::vector<Index> rigid_of_block;    ///< beside blocks: the rigid body that it belongs to, or -1; empty without any
+  std::vector<Section> sections;
   double longest_step = 1e300;          ///< [s] where there are rigid bodies: nothing else may limit the step
 
   // set by finalize()
@@ -150,6 +163,13 @@ struct Quality {
   Spin spin;                           ///< of plates without drilling stiffness: the largest at any look
 };
 
+/// What the material behind a section exerts on that ahead of it.
+struct SectionMemory {
+  Vec3 force = Vec3::Zero();    ///< [N]
+  Vec3 moment = Vec3::Zero();   ///< [N m]
+  Vec3 impulse = Vec3::Zero();  ///< [N s] since the start
+};
+
 /// Where the simulation stands: exactly what a restart needs.
 struct State {
   double t = 0;                                    ///< [s]
@@ -165,6 +185,7 @@ struct State {
   std::vector<rigid::State> rigid_bodies;          ///< beside Model::rigid_bodies
   load::Memory constraints;
   std::vector<load::LoadMemory> loads;             ///< beside Model::loads
+  std::vector<SectionMemory> sections;             ///< beside Model::sections
   RelaxationMemory relaxation;
   Ledger ledger;
   Votes votes;                                     ///< for the next step

@@ -6,9 +6,11 @@
 
 #include "base/parallel.hpp"
 #include "contact/impact_step.hpp"
+#include "contact/meeting.hpp"
 #include "contact/restitution.hpp"
 #include "dynamics/relax.hpp"
 #include "dynamics/rigid_step.hpp"
+#include "dynamics/section.hpp"
 #include "dynamics/thickness.hpp"
 #include "load/floor.hpp"
 
@@ -343,6 +345,8 @@ const Votes& step(const Model& model, double dt, const Pace& pace, State& now, F
   see_growth(before_it, pace, dt, scale > 0 ? now.ledger.integration_kept / scale : 0, now.votes);
   gather(model, now, f);
   enforce(model, dt, pace, now, f);
+  for (std::size_t c = 0; c < model.interfaces.size(); ++c) contact::see_meetings(model.interfaces[c], dt, now.t, now.interfaces[c]);
+  see_sections(model, dt, now);
   load::finish_impacts(model.constraints, model.mass, now.x, f.force, dt, now.v, now.constraints);
   const double after = kick(model, dt / 2, now.t, Half::second, now, f) - power_rate_of_multipliers(now);  // v at t + dt
   const double of_rotation = finish_rigid_step(model, dt, now, f);
@@ -376,6 +380,8 @@ const Votes& start(const Model& model, const Pace& pace, State& now, Forces& f) 
     enforce(model, 0, pace, now, f);
     update_ledger(model, now);
   }
+  for (std::size_t c = 0; c < model.interfaces.size(); ++c) contact::see_meetings(model.interfaces[c], 0, now.t, now.interfaces[c]);
+  see_sections(model, 0, now);
   return now.votes;
 }
 

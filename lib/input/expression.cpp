@@ -2,20 +2,72 @@
 
 #include <muParser.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
+#include <utility>
 
 #include "base/types.hpp"
+#include "base/words.hpp"
+#include "input/table.hpp"
+#include "input/text_file.hpp"
 
 namespace nereid::input {
 
 namespace {
 
-/// A parser with the variables it is bound to; it must stay where it is.
+/// A parser with the variables and tables it is bound to; it must stay where it is.
 struct Bound {
   mu::Parser parser;
   double x = 0, y = 0, z = 0, t = 0;
+  std::map<std::string, Table> tables;
+  double unit = 1;  ///< in which these answer
 };
+
+/// What muParser calls for table("name", argument).
+double ask_table(void* bound, const char* name, double argument) {
+  const auto& [parser, x, y, z, t, tables, unit] = *static_cast<const Bound*>(bound);
+  const auto found = tables.find(name);
+  return found == tables.end() ? std::nan("") : value_at(found->second, argument) / unit;
+}
+
+/// The names of files in a text, as in table("slug.csv", t), with where they stand.
+std::vector<std::pair<std::string, std::size_t>> named_tables(const std::string& text) {
+  std::vector<std::pair<std::string, std::size_t>> names;
+  constexpr std::string_view word = "table", blanks = " \t\n";
+  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
+    const std::size_t open = text.find_first_not_of(blanks, at + word.size());
+    if (open == std::string::npos || text[open] != '(') continue;
+    const std::size_t quoted = text.find_first_not_of(blanks, open + 1);
+    if (quoted == std::string::npos || text[quoted] != '"') continue;
+    const std::size_t end = text.find('"', quoted + 1);
+    if (end != std::string::npos) names.emplace_back(text.substr(quoted + 1, end - quoted - 1), quoted + 1);
+  }
+  return names;
+}
+
+/// Reads the table of a name, as in "slug.csv" or "slug.csv:pressure"; what is wrong with it.
+std::string read_table(const std::string& name, Variables variables, const InUnit& unit, const ReadFile& read,
+                       std::map<std::string, Table>& tables) {
+  const std::size_t colon = name.rfind(':');
+  const std::string file = name.substr(0, colon), column = colon == std::string::npos ? "" : name.substr(colon + 1);
+  std::string why = "tables cannot be read here";
+  const std::optional<std::string> bytes = read ? read(file, why) : std::nullopt;
+  if (!bytes) return quote(file) + ": " + why;
+  const auto parsed = parse_table(*bytes, column);
+  if (const auto* wrong = std::get_if<std::string>(&parsed)) return quote(file) + ": " + *wrong;
+  const Table& table = std::get<Table>(parsed);
+  const bool of_time = variables.time && table.of_argument == dim::time, of_place = variables.place && table.of_argument == dim::length;
+  if (!of_time && !of_place)
+    return quote(file) + ": the first column has the dimension [" + describe(table.of_argument) + "]: expected a " +
+           (variables.time ? variables.place ? "time or a length" : "time" : "length");
+  if (!(table.of_value == unit.dimension))
+    return quote(file) + ": its values have the dimension [" + describe(table.of_value) + "]: expected [" + describe(unit.dimension) +
+           "], for example '" + si_unit(unit.dimension) + "'";
+  tables[name] = table;
+  return "";
+}
 
 std::string allowed(Variables variables) {
   return std::string(variables.place ? "x, y, z, " : "") + (variables.time ? "t, " : "") + "pi";
@@ -52,12 +104,19 @@ TextFault fault_of(const mu::Parser::exception_type& error, const std::string& t
 
 }  // namespace
 
-std::variant<Expression, TextFault> parse_expression(const std::string& text, Variables variables) {
+std::variant<Expression, TextFault> parse_expression(const std::string& text, Variables variables, const InUnit& unit,
+                                                     const ReadFile& read) {
   if (const auto fault = find_assignment(text)) return *fault;
   const auto bound = std::make_shared<Bound>();
+  bound->unit = unit.size;
+  for (const auto& [name, at] : named_tables(text)) {
+    const std::string wrong = read_table(name, variables, unit, read, bound->tables);
+    if (!wrong.empty()) return TextFault{static_cast<int>(at) + 1, static_cast<int>(std::max<std::size_t>(1, name.size())), wrong};
+  }
   try {
     bound->parser.ClearConst();
     bound->parser.DefineConst("pi", pi);
+    bound->parser.DefineFunUserData("table", ask_table, bound.get(), false);
     if (variables.place) {
       bound->parser.DefineVar("x", &bound->x);
       bound->parser.DefineVar("y", &bound->y);
@@ -83,29 +142,43 @@ std::variant<Expression, TextFault> parse_expression(const std::string& text, Va
 
 namespace {
 
-Section::TextCheck check_for(Variables variables) {
-  return [variables](const std::string& text) -> std::optional<TextFault> {
-    const auto parsed = parse_expression(text, variables);
+/// Reads the files that the expressions of a key name, each once.
+ReadFile files_of(const Section& section, std::string_view key) {
+  const auto known = std::make_shared<std::map<std::string, std::string>>();
+  return [section, key = std::string(key), known](const std::string& name, std::string& why) -> std::optional<std::string> {
+    const auto found = known->find(name);
+    if (found != known->end()) return found->second;
+    const std::optional<std::string> bytes = read_text(section.beside_case(key, name), why);
+    if (bytes) section.saw(key, name, *bytes), (*known)[name] = *bytes;
+    return bytes;
+  };
+}
+
+Section::TextCheck check_for(Variables variables, const InUnit& unit, const ReadFile& read) {
+  return [=](const std::string& text) -> std::optional<TextFault> {
+    const auto parsed = parse_expression(text, variables, unit, read);
     if (const auto* fault = std::get_if<TextFault>(&parsed)) return *fault;
     return std::nullopt;
   };
 }
 
-Expression in_unit(const std::string& text, Variables variables, double unit) {
-  auto expression = std::get<Expression>(parse_expression(text, variables));
-  if (unit == 1) return expression;
-  return [expression, unit](double x, double y, double z, double t) { return unit * expression(x, y, z, t); };
+Expression in_si(const std::string& text, Variables variables, const InUnit& unit, const ReadFile& read) {
+  auto expression = std::get<Expression>(parse_expression(text, variables, unit, read));
+  if (unit.size == 1) return expression;
+  return [expression, size = unit.size](double x, double y, double z, double t) { return size * expression(x, y, z, t); };
 }
 
 }  // namespace
 
-Expression read_expression(const Section& section, std::string_view key, Variables variables, double unit) {
-  return in_unit(section.text(key, check_for(variables)), variables, unit);
+Expression read_expression(const Section& section, std::string_view key, Variables variables, const InUnit& unit) {
+  const ReadFile read = files_of(section, key);
+  return in_si(section.text(key, check_for(variables, unit, read)), variables, unit, read);
 }
 
-std::array<Expression, 3> read_expressions(const Section& section, std::string_view key, Variables variables, double unit) {
-  const std::array<std::string, 3> texts = section.texts(key, check_for(variables));
-  return {in_unit(texts[0], variables, unit), in_unit(texts[1], variables, unit), in_unit(texts[2], variables, unit)};
+std::array<Expression, 3> read_expressions(const Section& section, std::string_view key, Variables variables, const InUnit& unit) {
+  const ReadFile read = files_of(section, key);
+  const std::array<std::string, 3> texts = section.texts(key, check_for(variables, unit, read));
+  return {in_si(texts[0], variables, unit, read), in_si(texts[1], variables, unit, read), in_si(texts[2], variables, unit, read)};
 }
 
 }  // namespace nereid::input

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "input/section.hpp"
+#include "input/units.hpp"
 
 namespace nereid::input {
 
@@ -26,15 +27,26 @@ inline constexpr Variables of_time{.place = false, .time = true};
 inline constexpr Variables of_place{.place = true, .time = false};
 inline constexpr Variables of_both{.place = true, .time = true};
 
-/// Reads a text such as "1e6 * min(1, t/1e-3)".
+/// What an expression is multiplied by to be in SI, and of what it is.
+struct InUnit {
+  double size = 1;
+  Dimension dimension = dim::none;
+};
+
+/// The text of a file that an expression names; nothing, and why, where there is none.
+using ReadFile = std::function<std::optional<std::string>(const std::string& name, std::string& why)>;
+
+/// Reads a text such as "1e6 * min(1, t/1e-3)" or "2*table(\"slug.csv\", t - 1e-3)".
 ///
 /// It is one value: no assignment, no list. What it gives may still be no finite number somewhere.
-std::variant<Expression, TextFault> parse_expression(const std::string& text, Variables);
+/// A table gives its values in the unit of the expression, and must be of its dimension; its argument is in SI, a time where the
+/// expression may speak of it, or a length where it may speak of places.
+std::variant<Expression, TextFault> parse_expression(const std::string& text, Variables, const InUnit& = {}, const ReadFile& = {});
 
-/// The expression of a key, times `unit`; zero after a fault. Faults point into the text.
-Expression read_expression(const Section&, std::string_view key, Variables, double unit = 1);
+/// The expression of a key in SI; zero after a fault. Faults point into the text.
+Expression read_expression(const Section&, std::string_view key, Variables, const InUnit&);
 
 /// Three expressions, as in `["0", "0", "-9.81"]`.
-std::array<Expression, 3> read_expressions(const Section&, std::string_view key, Variables, double unit = 1);
+std::array<Expression, 3> read_expressions(const Section&, std::string_view key, Variables, const InUnit&);
 
 }  // namespace nereid::input

@@ -28,7 +28,7 @@ model::Load read_load(const Section& section) {
     section.has("unit"), section.has("value");
     return load;
   }
-  const double unit = read_unit(section, dimension_of(syntax.unit));
+  const InUnit unit = read_unit(section, dimension_of(syntax.unit));
   const Variables variables = syntax.over_place ? of_both : of_time;
   load.value = syntax.is_vector ? read_expressions(section, "value", variables, unit)
                                 : model::Field{read_expression(section, "value", variables, unit), model::constant(0), model::constant(0)};
@@ -60,7 +60,7 @@ model::Initial read_initial(const Section& section) {
     section.fault("velocity", "'velocity' and 'displacement' have units of their own: make two items of 'initial'");
   if (!section.has("displacement") && !section.has("velocity"))
     section.fault("velocity", "expected 'velocity' or 'displacement'" + inside(section.path()));
-  const double unit = read_unit(section, initial.displacement ? dim::length : dim::speed);
+  const InUnit unit = read_unit(section, initial.displacement ? dim::length : dim::speed);
   if (initial.displacement) initial.value = read_expressions(section, "displacement", of_place, unit);
   else if (section.has("velocity")) initial.value = read_expressions(section, "velocity", of_place, unit);
   return initial;
@@ -82,7 +82,7 @@ void read_motion(const Section& section, bool held, bool driven, model::Plane& p
     plane.field = read_expressions(velocity, "value", of_both, read_unit(velocity, dim::speed));
   } else if (section.has("velocity")) {
     const Section velocity = section.when(held).section("velocity");
-    const double unit = read_unit(velocity, dim::speed);
+    const InUnit unit = read_unit(velocity, dim::speed);
     const Expression value = read_expression(velocity, "value", of_time, unit);
     if (held) plane.velocity = [value](double t) { return value(0, 0, 0, t); };
   }
@@ -115,21 +115,22 @@ Dimension dimension_of(const std::string& unit) {
   return unit == "1" ? dim::none : std::get<Quantity>(parse_quantity("1 " + unit)).dimension;
 }
 
-double read_unit(const Section& section, Dimension dimension) {
+InUnit read_unit(const Section& section, Dimension dimension) {
+  const InUnit si{1, dimension};
   const std::string text = section.word("unit");
-  if (text.empty()) return 1;
+  if (text.empty()) return si;
   const auto parsed = parse_quantity("1 " + text);
   if (const auto* fault = std::get_if<TextFault>(&parsed)) {
     section.fault("unit", "cannot read 'unit' = " + text + ": " + fault->message);
-    return 1;
+    return si;
   }
   const auto& quantity = std::get<Quantity>(parsed);
   if (quantity.dimension != dimension) {
     section.fault("unit", "'unit' = " + text + " has the dimension [" + describe(quantity.dimension) + "]: expected [" +
                               describe(dimension) + "], for example '" + si_unit(dimension) + "'");
-    return 1;
+    return si;
   }
-  return quantity.value;
+  return {quantity.value, dimension};
 }
 
 std::variant<model::Plane, model::RigidPlane> read_plane(const Section& section) {

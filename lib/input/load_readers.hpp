@@ -25,7 +25,7 @@ std::vector<model::Stage> read_stages(const Section& root);
 std::variant<model::Plane, model::RigidPlane> read_plane(const Section&);
 
 /// The unit of a text's value as a factor to SI; a fault if it has another dimension.
-double read_unit(const Section&, Dimension);
+InUnit read_unit(const Section&, Dimension);
 
 /// The dimension of an SI unit such as "kg m/s"; of "1" none.
 Dimension dimension_of(const std::string& unit);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/words.hpp"
 #include "grid/file_mesh.hpp"
 #include "input/readers.hpp"
 #include "model/meshes.hpp"
@@ -39,11 +40,64 @@ mesh::SpherePart part(const std::string& word) {
                              : mesh::SpherePart::eighth;
 }
 
+/// Numbers of cells between lines; as many as `lines` less one.
+std::vector<int> read_cells(const Section& section, const char* key, const char* lines, std::size_t wanted) {
+  std::vector<int> cells;
+  for (const double number : section.quantities(key, dim::none, between(0, 1e8))) {
+    if (number != std::floor(number)) section.fault(key, quote(key) + ": " + shortest(number) + " is no whole number");
+    cells.push_back(static_cast<int>(number));
+  }
+  if (section.sound() && cells.size() != wanted)
+    section.fault(key, quote(key) + " has " + counted(cells.size(), "number") + ": expected " + std::to_string(wanted) +
+                           ", one between each two of " + quote(lines));
+  return cells;
+}
+
+std::vector<double> read_lines(const Section& section, const char* key, Range range) {
+  const std::vector<double> lines = section.quantities(key, dim::length, range, 2);
+  for (std::size_t i = 1; i < lines.size() && section.sound(); ++i)
+    if (!(lines[i] > lines[i - 1])) section.fault(key, quote(key) + ": expected ascending lengths");
+  return lines;
+}
+
+mesh::Revolved read_revolved(const Section& section) {
+  mesh::Revolved body{.radii = read_lines(section, "radii", positive), .heights = read_lines(section, "heights", any),
+                      .cells_radial = {}, .cells_along = {}, .filled = section.words("filled"),
+                      .angle = section.quantity("angle", dim::angle, between(0, 2 * pi * (1 + 1e-12))),
+                      .cells_around = section.count("cells_around")};
+  const std::size_t radial = body.radii.empty() ? 0 : body.radii.size() - 1, along = body.heights.empty() ? 0 : body.heights.size() - 1;
+  body.cells_radial = read_cells(section, "cells_radial", "radii", radial);
+  body.cells_along = read_cells(section, "cells_along", "heights", along);
+  if (!section.sound()) return body;
+  if (body.filled.size() != along)
+    section.fault("filled", "'filled' has " + counted(body.filled.size(), "row") + ": expected " + std::to_string(along) +
+                                ", from the top down one between each two of 'heights'");
+  bool any_filled = false;
+  for (const std::string& row : body.filled) {
+    const bool plain = row.find_first_not_of("x.") == std::string::npos;
+    if (row.size() != radial || !plain)
+      section.fault("filled", "'filled': " + quote(row) + ": expected " + counted(radial, "letter") +
+                                  ", one between each two of 'radii': x for material, . for none");
+    any_filled = any_filled || row.find('x') != std::string::npos;
+  }
+  if (!any_filled) section.fault("filled", "'filled' has no x: the body is empty");
+  if (section.sound() && !(body.angle < pi * body.cells_around))
+    section.fault_between({"cells_around", "angle"}, "each of the 'cells_around' must take less than half a turn");
+  return body;
+}
+
 }  // namespace
 
 model::MeshOptions read_mesh_options(const Section& section, mesh::Origin* origin) {
-  const std::string kind = section.choice("kind", {"box", "cylinder", "tube", "sector", "sphere", "disc", "sheet", "file"});
+  const std::string kind = section.choice("kind", {"box", "cylinder", "tube", "sector", "revolved", "sphere", "disc", "sheet", "file"});
   const auto is = [&kind](auto... kinds) { return ((kind == kinds) || ...); };
+  if (is("revolved")) {
+    const mesh::Revolved body = read_revolved(section);
+    if (section.sound() && mesh::count(body) > model::most_elements)
+      section.fault_between({"cells_around", "cells_radial", "cells_along"}, "the mesh would have " + shortest(mesh::count(body)) +
+                                                                               " elements: expected at most a hundred million");
+    return body;
+  }
 
   const Section if_box = section.when(is("box"));
   const mesh::Box box{.low = read_vector(if_box, "low", dim::length),
@@ -111,6 +165,8 @@ model::MeshOptions read_mesh_options(const Section& section, mesh::Origin* origi
 
 double read_scale(const Section& mesh) { return mesh.quantity_or("scale", 1, dim::length, positive); }
 
-model::Field read_map(const Section& mesh) { return mesh.has("map") ? read_expressions(mesh, "map", of_place) : model::Field{}; }
+model::Field read_map(const Section& mesh) {
+  return mesh.has("map") ? read_expressions(mesh, "map", of_place, {1, dim::length}) : model::Field{};
+}
 
 }  // namespace nereid::input

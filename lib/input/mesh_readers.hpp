@@ -6,8 +6,8 @@
 
 namespace nereid::input {
 
-/// Reads a body's `mesh` section, `kind: box | cylinder | tube | sector | sphere | disc | sheet |
-/// file` and the keys of that kind: docs/meshes.md.
+/// Reads a body's `mesh` section, `kind: box | cylinder | tube | sector | revolved | sphere | disc |
+/// sheet | file` and the keys of that kind: docs/meshes.md.
 ///
 /// More than a hundred million elements are a fault, as are corners in the wrong order. A file is read at once, so
 /// that what is wrong with it is told with all else.

@@ -20,7 +20,7 @@ using Names = std::vector<std::string>;
 
 bool has(const Names& names, const std::string& name) { return std::find(names.begin(), names.end(), name) != names.end(); }
 
-constexpr const char* sources = "bodies, contacts, planes, loads and springs";
+constexpr const char* sources = "bodies, contacts, planes, loads, springs and sections";
 
 /// Refuses a name that is none, or taken.
 void check_name(const Section& section, const std::string& name, const Names& taken, const std::string& whose) {
@@ -212,6 +212,13 @@ model::Stop read_stop(const Section& section, const std::vector<Measured>& probe
   return stop;
 }
 
+model::Section read_section(const Section& section, Names& taken) {
+  model::Section cut{.name = read_name(section, taken, sources), .body = section.word("body"), .at = section.path()};
+  const auto point = section.vector("point", dim::length);
+  cut.point = Vec3(point.data()), cut.normal = read_direction(section, "normal");
+  return cut;
+}
+
 /// runs  whether time passes
 model::Scene read_scene(const Section& root, bool runs) {
   const Section run = root.when(runs);
@@ -237,6 +244,7 @@ model::Scene read_scene(const Section& root, bool runs) {
   };
   check_names(root.list("planes")), check_names(run.list("loads"));
   check_names(root.list("springs")), check_names(root.list("point_masses"));
+  for (const Section& section : run.list("sections")) scene.sections.push_back(read_section(section, taken));
   for (const Section& probe : run.list("probes")) scene.probes.push_back(read_probe(probe, probes));
   scene.recording = read_recording(run.section_or_empty("output"), scene.time.end);
   std::vector<Measured> measured;
@@ -260,7 +268,7 @@ model::Scene read_scene(const Section& root) { return read_scene(root, true); }
 
 model::Scene read_scene_at_rest(const Section& root) {
   model::Scene scene = read_scene(root, false);
-  scene.probes.clear(), scene.stops.clear(), scene.stages.clear();
+  scene.probes.clear(), scene.stops.clear(), scene.stages.clear(), scene.sections.clear();
   scene.time = {.end = 1}, scene.recording = {};  // [s] none passes
   for (const Section& body : root.list("bodies", 1))
     if (body.flag_or("rigid", false)) body.fault("rigid", "a rigid body has no modes of its own: take it out, or hold what it touches");

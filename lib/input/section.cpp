@@ -2,29 +2,27 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
+#include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <sstream>
 #include <system_error>
 #include <utility>
 
-#include "input/document.hpp"
 #include "base/checksum.hpp"
 #include "base/words.hpp"
+#include "input/document.hpp"
 #include "input/retired.hpp"
+#include "input/text_file.hpp"
 
 namespace nereid::input {
 
 namespace {
 
-constexpr std::size_t most_text = 10'000'000;  // [bytes] of a case
-constexpr std::size_t longest_name = 4096;     // [bytes] that is shown of a path
-constexpr double most_refined = 64;  // [-] a count of cells is multiplied by no more, and divided
+constexpr std::size_t longest_name = 4096;  // [bytes] that is shown of a path
+constexpr double most_refined = 64;         // [-] a count of cells is multiplied by no more, and divided
 
 /// A value as it may be shown within a message of one line.
 std::string shown(const Node& scalar) {
@@ -602,6 +600,12 @@ std::string Section::beside_case(std::string_view key, std::string_view path) co
   return file;
 }
 
+void Section::saw(std::string_view key, const std::string& path, const std::string& bytes) const {
+  char text[17];
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(checksum(bytes)));
+  record(std::string(key) + "(" + path + ")", std::string(text), "", false);
+}
+
 bool Section::sound() const { return document_->sound(); }
 
 CaseError::CaseError(std::string case_path, std::vector<Fault> all, std::size_t more)
@@ -616,21 +620,10 @@ CaseFile CaseFile::read(const std::string& path, const std::vector<std::string>&
     const std::string called = clipped(path, longest_name), message = "cannot be read: " + why;
     throw CaseError(called, {Fault{called, 0, 0, message, "", called + ": " + message}});
   };
-  std::error_code error;
-  const std::filesystem::file_status status = std::filesystem::status(path, error);
-  if (std::filesystem::is_directory(status)) refuse("it is a folder");
-  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) refuse("it is a device or a pipe and no file");
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  if (!file) refuse(errno == 0 ? "it cannot be opened" : std::strerror(errno));
-  std::string text;
-  std::array<char, 1 << 14> part;  // whatever the system says of its size
-  while (text.size() <= most_text && (file.read(part.data(), part.size()), file.gcount() > 0))
-    text.append(part.data(), static_cast<std::size_t>(file.gcount()));
-  if (file.bad()) refuse("reading it failed");
-  if (text.size() > most_text)
-    refuse("it is larger than " + std::to_string(most_text / 1'000'000) + " MB, and a case is a text of some pages");
-  return parse(text, path, overrides);
+  std::string why;
+  const std::optional<std::string> text = read_text(path, why);
+  if (!text) refuse(why);
+  return parse(*text, path, overrides);
 }
 
 CaseFile CaseFile::parse(const std::string& text, const std::string& path,

@@ -219,14 +219,15 @@ template <class Visit>
 void faces_against(const FacesAround& around, const Vectors& x, Index place, const Vec3& direction, Visit&& visit) {
   const double length = direction.norm();
   for (Index s = around.begin[place]; s < around.begin[place + 1]; ++s) {
-    const auto& [face, area] = around.shares[s];
+    const FacesAround::Share& share = around.shares[s];
+    const Index face = share.face;
     const auto corner = [&](int a) { return Vec3(x.col(around.faces(a, face))); };
     const bool triangle = around.faces(3, face) < 0;
     // twice the area and along the normal: of a quadrilateral by its diagonals
     const Vec3 across = triangle ? Vec3(corner(0) - corner(1)) : Vec3(corner(3) - corner(1));
     const Vec3 normal = (corner(2) - corner(0)).cross(across);
     const double size = normal.norm() * length;
-    visit(area, size > 0 ? normal.dot(direction) / size : -1);
+    visit(share.area, size > 0 ? normal.dot(direction) / size : -1);
   }
 }
 

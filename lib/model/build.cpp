@@ -10,6 +10,7 @@
 #include "base/memory.hpp"
 #include "base/words.hpp"
 #include "dynamics/automatic.hpp"
+#include "dynamics/section.hpp"
 #include "mesh/adjacency.hpp"
 #include "model/actions.hpp"
 #include "model/meshes.hpp"
@@ -41,7 +42,7 @@ void check_probes(const Scene& scene, const mesh::Mesh& mesh, Faults& faults) {
   for (const std::string& name : names_of(mesh.hexahedra, mesh.triangles))
     if (name.find('.') != std::string::npos) regions.push_back(name);
   const Names sets = names_of(mesh.node_sets), contacts = names_of(scene.contacts);  // an automatic contact has both sides in one
-  const Names sources = names_of(scene.contacts, scene.planes, scene.rigid_planes, scene.loads, scene.springs);
+  const Names sources = names_of(scene.contacts, scene.planes, scene.rigid_planes, scene.loads, scene.springs, scene.sections);
   for (const Measurable& one : measurables()) quantities.push_back(one.name);
   for (const Probe& probe : scene.probes) {
     const Part here = part("probe", probe);
@@ -56,7 +57,8 @@ void check_probes(const Scene& scene, const mesh::Mesh& mesh, Faults& faults) {
         break;
       case Of::body: expect(faults, here, "of", probe.of, "bodies and regions", regions); break;
       case Of::contact: expect(faults, here, "of", probe.of, "contacts", contacts); break;
-      case Of::source: expect(faults, here, "of", probe.of, "contacts, planes, loads and springs", sources); break;
+      case Of::source: expect(faults, here, "of", probe.of, "contacts, planes, loads, springs and sections", sources); break;
+      case Of::section: expect(faults, here, "of", probe.of, "sections", names_of(scene.sections)); break;
     }
   }
   for (const Stop& stop : scene.stops)
@@ -101,6 +103,7 @@ void check_names(const Scene& scene, const mesh::Mesh& mesh, Faults& faults) {
     expect(faults, part("spring", spring), "from", spring.from, "node sets", sets);
     expect(faults, part("spring", spring), "to", spring.to, "the ends of springs", ends);
   }
+  for (const Section& section : scene.sections) expect(faults, part("section", section), "body", section.body, "bodies", bodies);
   for (const PointMass& mass : scene.point_masses) expect(faults, part("point mass", mass), "nodes", mass.nodes, "node sets", sets);
   for (const Initial& initial : scene.initial)
     expect(faults, {initial.at, "initial motion of '" + initial.body + "'"}, "body", initial.body, "bodies", bodies);
@@ -280,6 +283,26 @@ std::vector<dynamics::Connected> add_contacts(const Scene& scene, dynamics::Mode
   return connected;
 }
 
+void add_sections(const Scene& scene, dynamics::Model& model, Faults& faults) {
+  for (const Section& section : scene.sections) {
+    std::vector<std::size_t> blocks;
+    bool rigid = false;
+    for (std::size_t b = 0; b < model.blocks.size(); ++b) {
+      const std::string& region = element::name(model.blocks[b]);
+      if (region != section.body && region.rfind(section.body + ".", 0) != 0) continue;
+      blocks.push_back(b), rigid = rigid || dynamics::is_rigid_block(model, b);
+    }
+    const Part here = part("section", section);
+    if (rigid) {
+      refuse(faults, here, "body", "'body' = " + section.body + " is a rigid body: no stress carries a force across it");
+      continue;
+    }
+    model.sections.push_back(dynamics::make_section(model, section.name, blocks, section.point, section.normal));
+    if (model.sections.back().parts.empty())
+      refuse(faults, here, "point", "the plane does not cut " + section.body + ": all its nodes are on one side");
+  }
+}
+
 /// Throws MachineError where the elements alone would take more memory than there is: the system would end this program, or another one.
 void check_memory(const Scene& scene) {
   constexpr double least = 1000;  // [bytes] an element takes in a run; measured 1300 to 1800
@@ -325,6 +348,7 @@ Simulation build(const Scene& scene) {
   add_rigid_planes(scene, model, faults);
   add_loads(scene, model, faults);
   std::vector<dynamics::Connected> connected = add_contacts(scene, model, faults);
+  add_sections(scene, model, faults);
   check_columns(scene, model, faults);
   throw_if_any(faults);
 

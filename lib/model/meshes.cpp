@@ -32,6 +32,7 @@ double elements(const mesh::Box& box) { return box.cells.cast<double>().prod(); 
 double elements(const mesh::Cylinder& c) { return parts(c.turn) * cells_of_quarter(c.cells_core, c.cells_ring) * c.cells_along; }
 double elements(const mesh::Tube& t) { return parts(t.turn) * 4.0 * t.cells_core * t.cells_along; }
 double elements(const mesh::Wedge& w) { return 1.0 * w.cells_around * w.cells_radial * w.cells_along; }
+double elements(const mesh::Revolved& r) { return mesh::count(r); }
 double elements(const mesh::WedgeTube& t) { return 2.0 * t.cells_around * t.cells_along; }
 double elements(const mesh::Sphere& s) {
   const double core = s.cells_core;
@@ -237,6 +238,7 @@ mesh::Mesh make_mesh(const std::string& name, const MeshOptions& options) {
     mesh::Mesh operator()(const mesh::Cylinder& one) const { return mesh::cylinder(name, one); }
     mesh::Mesh operator()(const mesh::Tube& one) const { return mesh::tube(name, one); }
     mesh::Mesh operator()(const mesh::Wedge& one) const { return mesh::wedge(name, one); }
+    mesh::Mesh operator()(const mesh::Revolved& one) const { return mesh::revolved(name, one); }
     mesh::Mesh operator()(const mesh::WedgeTube& one) const { return mesh::wedge_tube(name, one); }
     mesh::Mesh operator()(const mesh::Sphere& one) const { return mesh::sphere(name, one); }
     mesh::Mesh operator()(const mesh::Disc& one) const { return mesh::disc(name, one); }

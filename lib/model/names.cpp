@@ -25,7 +25,7 @@ std::vector<Named> sources_of(const Scene& scene) {
   };
   add("body", scene.bodies), add("contact", scene.contacts), add("contact", scene.automatic_contacts);
   add("plane", scene.planes), add("plane", scene.rigid_planes);
-  add("load", scene.loads), add("spring", scene.springs), add("point mass", scene.point_masses);
+  add("load", scene.loads), add("spring", scene.springs), add("point mass", scene.point_masses), add("section", scene.sections);
   return all;
 }
 

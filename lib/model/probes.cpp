@@ -119,10 +119,26 @@ Measure of_source(const Probe& probe, const std::string& along, const dynamics::
   if (plane != model.constraints.planes.end()) normal = plane->normal;
   if (along == "normal" && normal.isZero(0))
     refuse(faults, part("probe", probe), "component", "'component' = normal: " + probe.of + " is no plane and has no normal");
+  const bool total = probe.quantity == "impulse";
+  for (std::size_t s = 0; s < model.sections.size(); ++s) {
+    if (model.sections[s].name != probe.of) continue;
+    if (total) return component(along, normal, [s](const View& view, ProbeMemory&) { return view.now.sections[s].impulse; });
+    return component(along, normal, [s](const View& view, ProbeMemory& memory) { return dynamics::mean_section_force(view, s, memory); });
+  }
+  if (!interfaces.empty() && total)
+    return component(along, normal, [interfaces](const View& view, ProbeMemory&) {
+      Vec3 sum = Vec3::Zero();
+      for (const std::size_t pass : interfaces) sum += contact::side_of(view.model.interfaces[pass]) * view.now.interfaces[pass].impulse;
+      return sum;
+    });
   if (!interfaces.empty())
     return component(along, normal, [interfaces](const View& view, ProbeMemory& memory) {
       return dynamics::mean_contact_force(view, interfaces, memory);
     });
+  if (total) {
+    const std::size_t source = dynamics::source_of(model, probe.of);
+    return component(along, normal, [source](const View& view, ProbeMemory&) { return view.now.ledger.accounts[source].impulse; });
+  }
   for (std::size_t l = 0; l < model.loads.size(); ++l)
     if (load::name(model.loads[l]) == probe.of && load::is_spring(model.loads[l]))
       return component(along, normal, [l](const View& view, ProbeMemory&) -> Vec3 { return view.now.loads[l].force.col(0); });
@@ -147,6 +163,10 @@ Measure measure(const Probe& probe, const Measurable& quantity, const dynamics::
   const std::string along = quantity.components.empty() ? "x" : quantity.components[static_cast<std::size_t>(row)];
   if (quantity.of == Of::body) return of_body(probe, row, model, at_start, faults);
   if (quantity.of == Of::source) return of_source(probe, along, model, faults);
+  if (quantity.of == Of::section)
+    for (std::size_t s = 0; s < model.sections.size(); ++s)
+      if (model.sections[s].name == probe.of)
+        return component(along, Vec3::Zero(), [s](const View& view, ProbeMemory&) { return view.now.sections[s].moment; });
   const Subset nodes = quantity.of == Of::nodes ? mesh::node_set(model.mesh, probe.of) : Subset{};
   return std::visit(Measuring{along, nodes, passes(model, probe.of)}, quantity.measurement);
 }
@@ -166,6 +186,8 @@ const std::vector<Measurable>& measurables() {
         {"angular_velocity", "rad/s", Of::nodes, of_vectors, false, dynamics::mean_spin},
         {"angular_momentum", "N*m*s", Of::nodes, of_vectors, false, dynamics::angular_momentum},
         {"force", "N", Of::source, of_forces},
+        {"impulse", "N*s", Of::source, of_forces},
+        {"section_moment", "N*m", Of::section, of_vectors},
         {"current_force", "N", Of::contact, of_vectors, false, current_force},
         {"gap", "m", Of::contact, {}, false, gap},
         {"contact_pressure", "Pa", Of::contact, {}, false, contact_pressure},

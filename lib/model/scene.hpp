@@ -22,6 +22,7 @@
 #include "mesh/cylinder.hpp"
 #include "mesh/disc.hpp"
 #include "mesh/judge.hpp"
+#include "mesh/revolved.hpp"
 #include "mesh/sphere.hpp"
 #include "mesh/wedge.hpp"
 
@@ -37,7 +38,7 @@ inline load::OverSpace constant(double value) {
 inline Field uniform(const Vec3& value) { return {constant(value.x()), constant(value.y()), constant(value.z())}; }
 
 /// What a body's mesh is made from: the options of one generator, or a mesh whose names are yet without the body's.
-using MeshOptions = std::variant<mesh::Box, mesh::Cylinder, mesh::Tube, mesh::Wedge, mesh::WedgeTube, mesh::Sphere,
+using MeshOptions = std::variant<mesh::Box, mesh::Cylinder, mesh::Tube, mesh::Wedge, mesh::WedgeTube, mesh::Revolved, mesh::Sphere,
                                  mesh::Disc, mesh::WedgeDisc, mesh::Sheet, mesh::Mesh>;
 
 /// A rigid motion of a mesh before anything else happens: a rotation, then a shift.
@@ -186,6 +187,15 @@ struct Probe {
   std::string at = {};
 };
 
+/// A plane through a body, across which forces are seen.
+struct Section {
+  std::string name;
+  std::string body;
+  Vec3 point = Vec3::Zero();                 ///< [m] in the reference
+  Vec3 normal = Vec3::UnitX();               ///< forces are those on what is ahead of it
+  std::string at = {};
+};
+
 /// What a condition that ends the run looks for.
 enum class StopKind {
   level,   ///< a probe is above or below a value
@@ -228,6 +238,7 @@ struct Scene {
   std::vector<Initial> initial;
   std::optional<dynamics::Relaxation> relaxation;  ///< of a scene without stages
   std::vector<Stage> stages;                 ///< one after the other; time.end is the sum of their durations
+  std::vector<Section> sections;
   std::vector<Probe> probes;
   std::vector<Stop> stops;
   dynamics::Time time;

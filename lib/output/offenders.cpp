@@ -1,6 +1,9 @@
 #include "output/offenders.hpp"
 
 #include <algorithm>
+#include <system_error>
+
+#include "base/check.hpp"
 
 namespace nereid::output {
 
@@ -38,6 +41,12 @@ grid::Grid grid_of(const std::vector<mesh::Offenders>& all) {
 }
 
 void write_offenders(const std::filesystem::path& directory, const std::vector<mesh::Offenders>& all) {
+  if (directory.empty()) return;
+  for (const std::filesystem::path& file : grid::collection_files(directory, "offenders")) {
+    std::error_code error;
+    std::filesystem::remove(file, error);
+    if (error) throw MachineError("cannot remove " + file.string() + ": " + error.message());
+  }
   const bool any = std::any_of(all.begin(), all.end(), [](const mesh::Offenders& one) { return !one.numbers.empty(); });
   if (any) grid::Collection(directory, "offenders", grid::GridKind::volume).add(grid_of(all));
 }

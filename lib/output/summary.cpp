@@ -119,6 +119,17 @@ Json overlaps_of(const std::vector<Overlap>& overlaps) {
   return list;
 }
 
+Json touched_of(const std::vector<dynamics::Touched>& touched) {
+  Json list = Json::array();
+  for (const dynamics::Touched& one : touched)
+    list.push_back({{"contact", one.contact},
+                    {"sides", one.sides},
+                    {"first_touch", quantity(one.first, "s")},
+                    {"last_touch", quantity(one.last, "s")},
+                    {"impulse", quantity(one.impulse, "N*s")}});
+  return list;
+}
+
 Json cost_of(const Cost& cost) {
   return {{"elements", cost.elements},
           {"steps", cost.steps},
@@ -211,6 +222,7 @@ std::string text_of(const Summary& summary) {
                      {"results", results_of(summary.results)},
                      {"ledger", ledger_of(summary.sources, summary.ledger)},
                      {"overlaps", overlaps_of(summary.overlaps)},
+                     {"touched", touched_of(summary.touched)},
                      {"cost", cost_of(summary.cost)},
                      {"provenance", provenance_of(summary)},
                      {"not_used", summary.not_used},

@@ -9,6 +9,7 @@
 
 #include "base/resolved.hpp"
 #include "dynamics/ledger.hpp"
+#include "dynamics/measure.hpp"
 
 namespace nereid::output {
 
@@ -50,6 +51,7 @@ struct Summary {
   std::vector<Source> sources;  ///< of the ledger
   dynamics::Ledger ledger;
   std::vector<Overlap> overlaps;
+  std::vector<dynamics::Touched> touched;
   Cost cost;
   std::vector<Resolved> resolved;
   std::vector<std::string> not_used;  ///< paths of the case that this driver did not read

@@ -1,6 +1,6 @@
 // What one update of an element costs in Nereid, to be put beside tests/benchmark/floor.cpp.
 //
-//     cost hexahedra|springs|viscous|full|plates|kept|contact|bonded N STEPS
+//     cost hexahedra|springs|viscous|full|plates|kept|contact|automatic|bonded N STEPS
 //
 // A block of N^3 hexahedra (one point with assumed strains, springs or dashpots, or eight points), or a sheet of about 2 N^2 plates
 // whose thickness follows their strain or is kept, plastic, on one thread. Prints the nanoseconds per element update of the element
@@ -9,8 +9,11 @@
 // step, closed and open, beside the step of the elements, the bytes that an apex takes that is near and one that is far, and what
 // contact adds to the step of a scene with a tenth of its nodes on the interface. Bonded joins two blocks of N x N x 9 and M x M x 9
 // cells in which waves go, and prints what the bond adds per bonded apex and step of the elements, and the iterations of its solver.
+// Automatic prints what an automatic contact adds to the step of a hundred bodies of N^3 cells that are far apart and swing, how often it
+// searches and how many steps a search takes; then what it adds to the step of two bodies pressed together, beside a declared contact.
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -19,10 +22,12 @@
 #include <tuple>
 
 #include "base/parallel.hpp"
-#include "dynamics/connect.hpp"
+#include "contact/near.hpp"
+#include "dynamics/automatic.hpp"
 #include "dynamics/step.hpp"
 #include "element/corners.hpp"
 #include "mesh/box.hpp"
+#include "mesh/skin.hpp"
 
 using namespace nereid;
 
@@ -79,6 +84,10 @@ double contact_cost(const dynamics::Model& model, dynamics::State& state, dynami
   return spent * 1e9 / (static_cast<double>(steps) * static_cast<double>(interface.apexes.size()));
 }
 
+void add_skin(mesh::Mesh& mesh, const std::string& name) {
+  mesh.surfaces.push_back({name + ".skin", mesh::skin(mesh.X, mesh.hexahedra).facets});
+}
+
 /// Two blocks, and the state of a run.
 struct Pressed {
   dynamics::Model model;
@@ -86,12 +95,17 @@ struct Pressed {
   dynamics::Forces forces;
 };
 
+enum class Joined { no, declared, automatic };
+
 /// A block over another, so many cells each and so far above it; the apexes of one stand over the inside of facets of the other.
-Pressed pressed(const Eigen::Vector3i& above, const Eigen::Vector3i& below, double gap, bool joined, const material::J2Bilinear& law,
+Pressed pressed(const Eigen::Vector3i& above, const Eigen::Vector3i& below, double gap, Joined joined, const material::J2Bilinear& law,
                 const element::Hexahedron::Options& options, contact::Method method = contact::Method::penalty) {
   dynamics::Model model;
   const Vec3 low(-0.25, -0.25, 1 + gap), high(1.25, 1.25, 2 + gap);
-  model.mesh = mesh::join(mesh::box("base", {low, high, below}), mesh::box("block", {Vec3(0.003, 0.007, 0), Vec3(1.003, 1.007, 1), above}));
+  mesh::Mesh base = mesh::box("base", {low, high, below});
+  mesh::Mesh block = mesh::box("block", {Vec3(0.003, 0.007, 0), Vec3(1.003, 1.007, 1), above});
+  add_skin(base, "base"), add_skin(block, "block");
+  model.mesh = mesh::join(base, block);
   model.blocks.push_back(element::solids(model.mesh, "base", law, options));
   model.blocks.push_back(element::solids(model.mesh, "block", law, options));
   if (method == contact::Method::multiplier) {  // which push only what is pressed
@@ -106,8 +120,10 @@ Pressed pressed(const Eigen::Vector3i& above, const Eigen::Vector3i& below, doub
   joint.method = method;
   joint.restitution = 0;  // nothing bounces
   std::vector<contact::Memory> memories;
-  if (joined)
-    for (auto& pass : dynamics::connect(model, "joint", "block.z_high", "base.z_low", joint)) memories.push_back(std::move(pass.memory));
+  std::vector<dynamics::Connected> connected;
+  if (joined == Joined::declared) connected = dynamics::connect(model, "joint", "block.z_high", "base.z_low", joint);
+  if (joined == Joined::automatic) connected = dynamics::connect_automatic(model, "joint", {{"base"}, {"block"}}, {}, joint);
+  for (auto& one : connected) memories.push_back(std::move(one.memory));
   dynamics::State state = dynamics::initial_state(model, std::move(memories));
   dynamics::Forces forces = dynamics::make_forces(model);
   dynamics::start(model, state, forces);
@@ -149,7 +165,8 @@ struct Added {
 Added share_of_contact(int n, int steps, const material::J2Bilinear& law, const element::Hexahedron::Options& options,
                        contact::Method method) {
   const Eigen::Vector3i cells(n, n, 9);
-  Pressed with = pressed(cells, cells, 0, true, law, options, method), without = pressed(cells, cells, 0, false, law, options, method);
+  Pressed with = pressed(cells, cells, 0, Joined::declared, law, options, method);
+  Pressed without = pressed(cells, cells, 0, Joined::no, law, options, method);
   close(with);
   double least_with = INFINITY, least_without = INFINITY;
   for (int round = 0; round < 5; ++round) {
@@ -161,7 +178,7 @@ Added share_of_contact(int n, int steps, const material::J2Bilinear& law, const 
 }
 
 int contact_costs(int n, int steps, const material::J2Bilinear& law, const element::Hexahedron::Options& options) {
-  const auto over = [&](double gap) { return pressed({n, n, n / 2}, {2 * n, 2 * n, n}, gap, true, law, options); };
+  const auto over = [&](double gap) { return pressed({n, n, n / 2}, {2 * n, 2 * n, n}, gap, Joined::declared, law, options); };
   Pressed closed = over(0), open = over(0.3 / n), far = over(5);
   close(closed);
   const Index in_contact = closed_apexes(closed);
@@ -183,6 +200,29 @@ int contact_costs(int n, int steps, const material::J2Bilinear& law, const eleme
               apexes, in_contact, of_closed, of_open, of_far, element_step / elements, sizeof(contact::Near), bytes,
               100 * penalty.share, 100 * multiplier.share, multiplier.per_apex);
   return 0;
+}
+
+/// A hundred blocks of N^3 cells, two edges apart, in an automatic contact, that swing with strains of up to so much.
+Pressed far_and_swinging(int n, double strain, const material::J2Bilinear& law, const element::Hexahedron::Options& options) {
+  constexpr int rows = 10;
+  dynamics::Model model;
+  std::vector<dynamics::TouchingBody> bodies;
+  for (int i = 0; i < rows * rows; ++i) {
+    bodies.push_back({"block" + std::to_string(i)});
+    const Vec3 low(3 * (i % rows), 3 * (i / rows), 0);  // NOLINT(bugprone-integer-division): rows and columns
+    mesh::Mesh block = mesh::box(bodies.back().name, {low, low + Vec3::Ones(), {n, n, n}});
+    add_skin(block, bodies.back().name);
+    model.mesh = i == 0 ? block : mesh::join(model.mesh, block);
+  }
+  for (const auto& body : bodies) model.blocks.push_back(element::solids(model.mesh, body.name, law, options));
+  dynamics::finalize(model);
+  std::vector<contact::Memory> memories;
+  for (auto& one : dynamics::connect_automatic(model, "all", bodies, {}, {})) memories.push_back(std::move(one.memory));
+  dynamics::State state = dynamics::initial_state(model, std::move(memories));
+  dynamics::Forces forces = dynamics::make_forces(model);
+  for (Eigen::Index node = 0; node < state.v.cols(); ++node) state.v(0, node) = strain * std::sin(7 * model.mesh.X(0, node));
+  dynamics::start(model, state, forces);
+  return {std::move(model), std::move(state), std::move(forces)};
 }
 
 /// Two blocks with a bond between them or none, in which waves go.
@@ -238,6 +278,55 @@ int bonded_costs(int n, int steps, const material::J2Bilinear& law, const elemen
   return 0;
 }
 
+/// Takes the contacts out of a scene, or puts them back.
+void swap_contacts(Pressed& scene, Pressed& kept) {
+  std::swap(scene.model.interfaces, kept.model.interfaces);
+  std::swap(scene.state.interfaces, kept.state.interfaces);
+  std::swap(scene.forces.interfaces, kept.forces.interfaces);
+}
+
+/// The median step of a scene with its contacts and of the same without, which take turns on the same memory. [ns] [ns]
+std::array<double, 2> with_and_without(Pressed& scene, double dt, int steps) {
+  constexpr int rounds = 41;
+  std::vector<double> with, without;
+  Pressed taken_out;
+  const auto cost = [&] {
+    const double began = seconds();
+    for (int s = 0; s < steps / rounds; ++s) dynamics::step(scene.model, dt, scene.state, scene.forces);
+    return (seconds() - began) * 1e9 / (steps / rounds);
+  };
+  for (int round = 0; round < rounds; ++round) {
+    with.push_back(cost());
+    swap_contacts(scene, taken_out);
+    without.push_back(cost());
+    swap_contacts(scene, taken_out);
+  }
+  for (auto* costs : {&with, &without}) std::nth_element(costs->begin(), costs->begin() + rounds / 2, costs->end());
+  return {with[rounds / 2], without[rounds / 2]};
+}
+
+int automatic_costs(int n, int steps, const material::J2Bilinear& law, const element::Hexahedron::Options& options) {
+  const material::J2Bilinear elastic{1.0, 1.0, 0.3, 1e3, 0.1};
+  for (const double strain : {1e-9, 1e-3, 1e-2, 3e-2}) {
+    Pressed scene = far_and_swinging(n, strain, elastic, options);
+    const auto [with, without] = with_and_without(scene, 0.5 * scene.state.votes.elements.step, steps);
+    contact::Memory& memory = scene.state.interfaces[0];
+    const auto searches = memory.searches;
+    const double began = seconds();
+    contact::search(scene.model.interfaces[0], scene.state.x, memory, scene.forces.interfaces[0]);
+    std::printf("automatic, 100 bodies that swing by %g: adds %.1f %% to a step, %lld searches in %d steps, one takes %.1f steps\n", strain,
+                100 * (with / without - 1), static_cast<long long>(searches), steps, (seconds() - began) * 1e9 / without);
+  }
+  const Eigen::Vector3i cells(2 * n, 2 * n, 9);
+  const auto scene = [&](Joined joined) { return pressed(cells, cells, 0, joined, law, options, contact::Method::multiplier); };
+  Pressed declared = scene(Joined::declared), automatic = scene(Joined::automatic);
+  const auto [with, alone] = with_and_without(automatic, instant, steps);
+  const auto [with_declared, alone_declared] = with_and_without(declared, instant, steps);
+  std::printf("automatic, two bodies on each other: adds %.1f %% to a step, declared %.1f %%; %.2f of the step with the declared contact\n",
+              100 * (with / alone - 1), 100 * (with_declared / alone_declared - 1), with / with_declared);
+  return 0;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -253,6 +342,7 @@ int main(int argc, char** argv) {
                                                  : Hexahedron::usual_assumed;
   const Hexahedron::Options one_point{.hourglass = coefficient, .viscosity = {}, .hourglass_kind = control};
   if (kind == "contact") return contact_costs(n, steps, law, one_point);
+  if (kind == "automatic") return automatic_costs(n, steps, law, one_point);
   if (kind == "bonded") return bonded_costs(n, steps, law, one_point);
   const dynamics::Model model = kind == "plates" ? plates(n, law, element::Plate::Thinning::by_law)
                                 : kind == "kept" ? plates(n, law, element::Plate::Thinning::constant)

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stdexcept>
 
 #include "base/types.hpp"
 
@@ -21,7 +22,7 @@ TextFault fault(const std::string& text, Variables variables = of_both) {
 /// The first fault of a case that has one.
 std::string first_fault(const std::string& text, Variables variables) {
   const CaseFile file = CaseFile::parse(text, "case.yaml");
-  read_expression(file.root(), "value", variables);
+  read_expression(file.root(), "value", variables, {1, dim::stress});
   try {
     file.finish();
   } catch (const CaseError& error) {
@@ -70,6 +71,39 @@ TEST(Expression, FaultsSayWhereAndWhatIsExpected) {
   EXPECT_NE(fault(" ").message, "");
 }
 
+/// What a text with a table of time [ms] and force [kN] gives at a time, in a unit.
+double with_table(const std::string& text, const InUnit& unit, double t) {
+  const ReadFile read = [](const std::string& name, std::string& why) -> std::optional<std::string> {
+    if (name == "push.csv") return "time [ms], force [kN]\n0, 0\n10, 5\n";
+    why = "No such file";
+    return std::nullopt;
+  };
+  const auto parsed = parse_expression(text, of_time, unit, read);
+  if (const auto* wrong = std::get_if<TextFault>(&parsed)) throw std::runtime_error(std::to_string(wrong->column) + ": " + wrong->message);
+  return std::get<Expression>(parsed)(0, 0, 0, t);
+}
+
+TEST(Expression, HasTablesInTheUnitOfTheKey) {
+  EXPECT_DOUBLE_EQ(with_table("table(\"push.csv\", t)", {1, dim::force}, 4e-3), 2000);
+  EXPECT_DOUBLE_EQ(with_table("2*table( \"push.csv\", t - 1e-3) + 1", {1000, dim::force}, 5e-3), 5);
+}
+
+TEST(Expression, TablesMustFit) {
+  const auto said = [](const std::string& text, const InUnit& unit) {
+    try {
+      with_table(text, unit, 0);
+    } catch (const std::runtime_error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(said("3*table(\"pull.csv\", t)", {1, dim::force}), "10: 'pull.csv': No such file");
+  EXPECT_EQ(said("table(\"push.csv\", t)", {1, dim::stress}),
+            "8: 'push.csv': its values have the dimension [kg m s^-2]: expected [kg m^-1 s^-2], for example 'Pa'");
+  EXPECT_NE(said("table(\"push.csv\")", {1, dim::force}), "");
+  EXPECT_NE(said("table(t)", {1, dim::force}), "");
+}
+
 TEST(ReadExpression, PointsIntoTheText) {
   EXPECT_EQ(first_fault("value: \"2 * sim(t)\"\n", of_time),
             "case.yaml:1:13: cannot read 'value' = 2 * sim(t): 'sim' is unknown: expected t, pi, or a function such as sin, min, exp\n"
@@ -81,9 +115,9 @@ TEST(ReadExpression, PointsIntoTheText) {
 
 TEST(ReadExpression, TakesAConstantWithOrWithoutQuotesAndItsUnit) {
   const CaseFile file = CaseFile::parse("a: 3\nb: \"3\"\nc: [0, \"t\", 2*t]\n", "case.yaml");
-  EXPECT_EQ(read_expression(file.root(), "a", of_time)(0, 0, 0, 0), 3);
-  EXPECT_EQ(read_expression(file.root(), "b", of_time, 1000)(0, 0, 0, 0), 3000);
-  const auto c = read_expressions(file.root(), "c", of_time, 10);
+  EXPECT_EQ(read_expression(file.root(), "a", of_time, {})(0, 0, 0, 0), 3);
+  EXPECT_EQ(read_expression(file.root(), "b", of_time, {1000, dim::force})(0, 0, 0, 0), 3000);
+  const auto c = read_expressions(file.root(), "c", of_time, {10, dim::force});
   EXPECT_EQ(c[1](0, 0, 0, 7), 70);
   EXPECT_EQ(c[2](0, 0, 0, 7), 140);
   file.finish();
@@ -91,7 +125,7 @@ TEST(ReadExpression, TakesAConstantWithOrWithoutQuotesAndItsUnit) {
 
 TEST(ReadExpression, WantsThreeOfThem) {
   const CaseFile file = CaseFile::parse("c: [0, 1]\n", "case.yaml");
-  EXPECT_EQ(read_expressions(file.root(), "c", of_time)[2](0, 0, 0, 0), 0);
+  EXPECT_EQ(read_expressions(file.root(), "c", of_time, {})[2](0, 0, 0, 0), 0);
   EXPECT_THROW(file.finish(), CaseError);
 }
 

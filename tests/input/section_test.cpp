@@ -630,7 +630,7 @@ TEST(Files, BeyondAnyCaseAreNotRead) {
     CaseFile::read(path);
     ADD_FAILURE();
   } catch (const CaseError& error) {
-    EXPECT_EQ(error.faults.at(0).message, "cannot be read: it is larger than 10 MB, and a case is a text of some pages");
+    EXPECT_EQ(error.faults.at(0).message, "cannot be read: it is larger than 10 MB");
   }
   std::filesystem::remove(path);
 }

@@ -203,7 +203,8 @@ TEST(CountElements, KnowsEveryGenerator) {
   EXPECT_EQ(count_elements(sheet().mesh), 4);
   for (const MeshOptions& options : std::initializer_list<MeshOptions>{
            mesh::Cylinder{1, 1, mesh::Revolution::full, 2, 1, 3}, mesh::Tube{1, 1, mesh::Revolution::quarter, 2, 3},
-           mesh::Wedge{1, 1, 1, 2, 3, 4}, mesh::WedgeTube{1, 1, 1, 2, 3}, mesh::Sphere{1, mesh::SpherePart::half, 2, 1},
+           mesh::Wedge{1, 1, 1, 2, 3, 4}, mesh::Revolved{{1, 2, 3}, {0, 1, 2}, {2, 1}, {1, 3}, {"x.", "xx"}, 1, 2},
+           mesh::WedgeTube{1, 1, 1, 2, 3}, mesh::Sphere{1, mesh::SpherePart::half, 2, 1},
            mesh::Disc{1, mesh::Revolution::full, 2, 1}, mesh::WedgeDisc{1, 1, 2, 3}})
     EXPECT_EQ(count_elements(options), count_elements(make_mesh("a", options)));
 }

@@ -44,6 +44,8 @@ TEST(OffendersFiles, AreResultsOfTheFolderAndOnlyWrittenIfThereAreAny) {
   EXPECT_EQ(result_files(folder), (std::vector<fs::path>{folder / "offenders/offenders_000000.vtu", folder / "offenders.pvd"}));
   std::string fault;
   EXPECT_EQ(grid::read_vtu(folder / "offenders/offenders_000000.vtu", fault).kind, (std::vector<int>{12, 12, 5}));
+  write_offenders(folder, {});
+  EXPECT_TRUE(result_files(folder).empty()) << "they would be taken for those of this run";
 }
 
 }  // namespace

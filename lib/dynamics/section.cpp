@@ -1,0 +1,47 @@
+#include "dynamics/section.hpp"
+
+#include <Eigen/Geometry>
+#include <utility>
+
+namespace nereid::dynamics {
+
+Section make_section(const Model& model, const std::string& name, const std::vector<std::size_t>& blocks, const Vec3& point,
+                     const Vec3& normal) {
+  Section section{name, point, {}};
+  for (const std::size_t b : blocks) {
+    const element::Tiling& tiling = element::tiling(model.blocks[b]);
+    Section::Part part{b, {}, {}};
+    for (const element::Tile& tile : tiling.tiles) {
+      const std::size_t before = part.slots.size();
+      for (Index slot = tile.first_node; slot < tile.first_node + tile.nodes; ++slot) {
+        const Index node = tiling.node[static_cast<std::size_t>(slot)];
+        if ((model.mesh.X.col(node) - point).dot(normal) > 0) part.slots.push_back(slot), part.nodes.push_back(node);
+      }
+      const bool all_ahead = part.slots.size() == before + static_cast<std::size_t>(tile.nodes);
+      if (all_ahead) part.slots.resize(before), part.nodes.resize(before);  // their forces sum to nothing
+    }
+    if (!part.slots.empty()) section.parts.push_back(std::move(part));
+  }
+  return section;
+}
+
+void see_sections(const Model& model, double dt, State& now) {
+  for (std::size_t s = 0; s < model.sections.size(); ++s) {
+    const Section& section = model.sections[s];
+    SectionMemory& memory = now.sections[s];
+    const Vec3 before = memory.force;
+    memory.force.setZero(), memory.moment.setZero();
+    for (const Section::Part& part : section.parts) {
+      const element::TileForces& tiles = now.tiles[part.block];
+      for (std::size_t i = 0; i < part.slots.size(); ++i) {
+        const Vec3 force = tiles.force.col(part.slots[i]);
+        memory.force += force;
+        memory.moment += (now.x.col(part.nodes[i]) - section.point).cross(force);
+        if (tiles.moment.cols() > 0) memory.moment += tiles.moment.col(part.slots[i]);
+      }
+    }
+    memory.impulse += 0.5 * dt * (before + memory.force);
+  }
+}
+
+}  // namespace nereid::dynamics
