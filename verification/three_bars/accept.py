@@ -1,104 +1,229 @@
 """How close is close enough, why, and what must break."""
-from reference import BARS, reference, speeds
-from verify import Breaks, Check, Figure, Pair, Report, Table, created, crossings
+from reference import BARS, NARROW, characteristics
+from verify import Breaks, Check, Figure, Miss, Pair, Report, Table, created, crossings, share
 
 CATALOGUE = ("I-10",)
 CLAIM = "Of three equal bars in a row the first two end at rest, and the third leaves with the initial speed of the first."
 EVIDENCE = "exact"
 DRIVER = "scene"
 
-EXACT = reference(**BARS)
-NAMES = ("first", "second", "third")
+EXACT, CLOSE = characteristics(**BARS), characteristics(**NARROW)
+NAMES, JUNCTURES = ("first", "second", "third"), ("one", "two")
+SPEED, MOMENTUM = BARS["speed"], EXACT["momentum"]
+INVISCID = {f"bodies[{body}].element.viscosity.{key}": 0 for body in range(3) for key in ("linear", "quadratic")}
+NEAR = {"bodies[1].move": "[1.005 m, 0 m, 0 m]", "bodies[2].move": "[2.01 m, 0 m, 0 m]"}
 
 
 def speed(bar, run):
-    return run.column(f"{bar}_momentum")[-1] / EXACT["momentum"] * BARS["speed"]
+    return run.column(f"{bar}_momentum")[-1] / MOMENTUM * SPEED
 
 
-def speed_of(bar):
-    return lambda run: Pair(speed(bar, run), EXACT["speeds"][bar], "m/s", scale=BARS["speed"])
+def speed_of(bar, exact=EXACT):
+    expected = round(exact["momenta"][-1][NAMES.index(bar)] / MOMENTUM * SPEED, 9)  # sums of a thousand steps
+    return lambda run: Pair(speed(bar, run), expected, "m/s", scale=SPEED)
 
 
-def half_force(contact, run):
+def force(juncture, run):
+    """Positive where it presses. [N]"""
+    return [-f for f in run.column(f"force_{JUNCTURES[juncture]}")]
+
+
+def half_force(juncture, run):
     """Times at which the force passes half of the exact one."""
-    times = crossings(run.column("time"), [-f for f in run.column(f"force_{contact}")], level=EXACT["force"] / 2)
-    return times or [float("nan")]
+    return crossings(run.column("time"), force(juncture, run), level=EXACT["forces"][juncture] / 2) or [float("nan")]
 
 
-def impact(contact, number):
+def impact(juncture, exact=EXACT):
     """First touch."""
-    return lambda run: Pair(next((t for t, f in zip(run.column("time"), run.column(f"force_{contact}")) if f < 0), float("nan")),
-                            EXACT["impacts"][number], "s")
+    return lambda run: Pair(next((t for t, f in zip(run.column("time"), force(juncture, run)) if f > 0), float("nan")),
+                            exact["closures"][juncture], "s")
 
 
-def duration(contact):
-    return lambda run: Pair(half_force(contact, run)[-1] - half_force(contact, run)[0], EXACT["duration"], "s")
+def separation(juncture, exact=EXACT):
+    """The last fall through half of the force: a front is some elements wide."""
+    return lambda run: Pair(half_force(juncture, run)[-1], exact["separations"][juncture], "s")
+
+
+def duration(juncture, exact=EXACT):
+    return lambda run: Pair(half_force(juncture, run)[-1] - half_force(juncture, run)[0],
+                            exact["separations"][juncture] - exact["closures"][juncture], "s")
+
+
+def plateau(juncture, exact=EXACT):
+    """Mean of the force over the middle 80 % of the contact."""
+    start, end = exact["closures"][juncture], exact["separations"][juncture]
+    first, last = start + 0.1 * (end - start), end - 0.1 * (end - start)
+    return lambda run: Pair(-run.mean(f"force_{JUNCTURES[juncture]}", first, last), exact["forces"][juncture], "N")
+
+
+def impulse(juncture, exact=EXACT):
+    """Forces are means since the row before."""
+    def measure(run):
+        times = run.column("time")
+        return Pair(sum(f * (b - a) for a, b, f in zip(times, times[1:], force(juncture, run)[1:])), exact["impulses"][juncture], "N s")
+    return measure
 
 
 def gap(run):
-    return Pair(run.column("gap_one")[-1], EXACT["gap"], "m")
+    return Pair(run.column("gap_one")[-1], EXACT["gaps"][0], "m")
 
 
-USUAL = {f"bodies[{body}].element.viscosity.{key}": value for body in range(3)
-         for key, value in (("linear", 0.06), ("quadratic", 1.2))}
+def momentum(run):
+    return Pair(sum(run.column(f"{bar}_momentum")[-1] for bar in NAMES), MOMENTUM, "N s")
 
-DEPARTURES = {"viscosity": "the exact bars keep their energy; the usual viscosity takes 5 % of it in two impacts"}
+
+def bare(measure, change=None):
+    """Without viscosity."""
+    return lambda run: measure(run.again({**INVISCID, **(change or {})}))
+
+
+def dip(run):
+    """The least force of the second juncture in the middle 80 % of its contact."""
+    start, end = CLOSE["closures"][1], CLOSE["separations"][1]
+    inside = [f for t, f in zip(run.column("time"), force(1, run)) if 0.1 < (t - start) / (end - start) < 0.9]
+    return Pair(min(inside), CLOSE["forces"][1], "N")
+
+
+def near(measure):
+    return lambda run: measure(run.again(NEAR))
+
+
+def worst(measures):
+    """The largest error of several."""
+    def measure(run):
+        errors = [one(run).error() for one in measures]
+        return Pair(float("nan") if any(error != error for error in errors) else max(errors), 0, "", scale=1)
+    return measure
+
+
+BOUND = "the catalogue's bound"
+TAKES = ("the usual bulk viscosity takes 4 % of the energy in two impacts, whatever the contact is; it falls slowly with the mesh, 1.4 % "
+         "of the speed is missing with 400 cells; without viscosity see below")
+DEPARTURES = {"viscosity": "checks that say so are of the bars without it, as in the exact solution; all others are by default"}
 
 CHECKS = [
-    Check("velocity of the third bar", speed_of("third"), 0.01, "the catalogue's bound; each impact leaves some ringing behind"),
-    Check("velocity of the first bar over V", speed_of("first"), 0.01, "the catalogue's bound; exact: at rest"),
-    Check("velocity of the second bar over V", speed_of("second"), 0.01, "the catalogue's bound; exact: at rest"),
-    Check("time of the first impact", impact("one", 0), 0.01, "a sample is 0.4 % of it"),
-    Check("time of the second impact", impact("two", 1), 0.02,
-          "the far end swings to V and does not jump"),
-    Check("first impact lasts", duration("one"), 0.02,
-          "the ends of the pulse are some elements wide, and their travel time is 0.5 % each"),
-    Check("second impact lasts", duration("two"), 0.02, "as the first"),
-    Check("gap between first and second at the end", gap, 0.02, "it drifts with the velocities that are left, 0.3 % of V for 9 ms"),
-    Report("velocity of the third bar with the usual bulk viscosity", lambda run: speed_of("third")(run.again(USUAL)),
-           "the viscosity takes the ringing and 5 % of the energy, whatever the contact is"),
+    Miss("velocity of the third bar", speed_of("third"), 0.01, BOUND, why=TAKES),
+    Miss("velocity of the first bar over V", speed_of("first"), 0.01, f"{BOUND}; exact: at rest", why=TAKES),
+    Miss("velocity of the second bar over V", speed_of("second"), 0.01, f"{BOUND}; exact: at rest", why=TAKES),
+    Miss("impulse of the first juncture", impulse(0), 0.01, BOUND, why=TAKES),
+    Miss("impulse of the second juncture", impulse(1), 0.01, BOUND, why=TAKES),
+    Check("plateau of the force, first juncture", plateau(0), 0.01, BOUND),
+    Miss("plateau of the force, second juncture", plateau(1), 0.01, BOUND, why=TAKES),
+    Check("time of the first impact", impact(0), 0.01, "a sample is 0.4 % of it"),
+    Check("time of the second impact", impact(1), 0.02, "the far end swings to V and does not jump"),
+    Check("first separation", separation(0), 0.01, f"{BOUND}; the fall is some elements wide, and its middle counts"),
+    Check("second separation", separation(1), 0.01, "as the first"),
+    Check("first impact lasts", duration(0), 0.02, "the ends of the pulse are some elements wide, and their travel time is 0.5 % each"),
+    Check("second impact lasts", duration(1), 0.02, "as the first"),
+    Check("gap between first and second at the end", gap, 0.02, "it drifts for 9 ms with the difference of the velocities that are left"),
+    Check("momentum", momentum, 1e-12, "contacts give what they take: round-off"),
     Check("created energy", created, 0.005, "multipliers create nothing; far above what is seen"),
+    Check("without viscosity: velocity of the third bar", bare(speed_of("third")), 0.01,
+          f"{BOUND}; each impact leaves some ringing behind"),
+    Check("without viscosity: velocity of the first bar over V", bare(speed_of("first")), 0.01, f"{BOUND}; exact: at rest"),
+    Check("without viscosity: velocity of the second bar over V", bare(speed_of("second")), 0.01, f"{BOUND}; exact: at rest"),
+    Check("without viscosity: impulses, the worst of both", bare(worst([impulse(0), impulse(1)])), 0.01, BOUND),
+    Check("without viscosity: plateaus, the worse of both", bare(worst([plateau(0), plateau(1)])), 0.01, BOUND),
+    Check("without viscosity: times of impacts and separations, the worst of four",
+          bare(worst([impact(0), impact(1), separation(0), separation(1)])), 0.01, BOUND),
+    Check("both junctures closed at once: separations, the worse of both", near(worst([separation(0, CLOSE), separation(1, CLOSE)])), 0.02,
+          "the fronts are some elements wide, and the time is a third of that above"),
+    Report("both junctures closed at once: least force of the second, middle 80 % of its contact", near(dip),
+           "it comes a transit time after the end of the first contact, and does not fall with the mesh"),
+    Report("both junctures closed at once, without viscosity: least force of the second", bare(dip, NEAR), "the same"),
+    Check("both junctures closed at once, without viscosity: velocities over V, the worst of three",
+          bare(worst([speed_of(bar, CLOSE) for bar in NAMES]), NEAR), 0.01, BOUND),
+    Check("both junctures closed at once, without viscosity: impulses, the worst of both",
+          bare(worst([impulse(0, CLOSE), impulse(1, CLOSE)]), NEAR), 0.01, BOUND),
+    Check("both junctures closed at once, without viscosity: plateaus, the worse of both",
+          bare(worst([plateau(0, CLOSE), plateau(1, CLOSE)]), NEAR), 0.01, BOUND),
 ]
 
-def meshes(run):
-    rows = []
-    for cells in (50, 100, 200, 400):
-        fine = run.again({f"bodies[{body}].mesh.cells": f"[{cells}, 1, 1]" for body in range(3)})
-        rows.append([str(cells), *(f"{speed(bar, fine) / BARS['speed']:.4f}" for bar in NAMES), f"{duration('one')(fine).got * 1e3:.4f}",
-                     f"{impact('two', 1)(fine).got * 1e3:.3f}"])
+
+def meshes(change):
+    def rows(run):
+        found = []
+        for cells in (50, 100, 200, 400):
+            fine = run.again({**change, **{f"bodies[{body}].mesh.cells": f"[{cells}, 1, 1]" for body in range(3)}})
+            found.append([str(cells), *(f"{speed(bar, fine) / SPEED:.4f}" for bar in NAMES),
+                          *(f"{measure(j)(fine).got / exact[j]:.4f}" for measure, exact in
+                            ((impulse, EXACT["impulses"]), (plateau, EXACT["forces"])) for j in (0, 1)),
+                          f"{1e3 * impact(1)(fine).got:.3f}", f"{1e3 * separation(1)(fine).got:.3f}", share(taken(fine))])
+        return found
     return rows
 
 
-STUDIES = [Table("Velocities over V at the end, duration of the first impact and time of the second [ms]; exactly 0, 0, 1, 2 and 11.",
-                 ["cells per bar", *NAMES, "duration", "second impact"], meshes, full=True)]
+def taken(run):
+    """What the viscosity has taken at the end, over the energy of the start."""
+    return sum(run.account(bar)["dissipated"]["viscous"]["value"] for bar in NAMES) / run.column("energy_kinetic")[0]
+
+
+COLUMNS = ["cells per bar", *NAMES, "impulse 1", "impulse 2", "plateau 1", "plateau 2", "second impact", "second separation",
+           "viscosity takes"]
+EXACTLY = "exactly 0, 0, 1, four times 1, 11 and 13, 0"
+STUDIES = [
+    Table("By default: velocities over V at the end, impulses and plateaus over the exact ones, times [ms], energy that the viscosity "
+          f"takes; {EXACTLY}.", COLUMNS, meshes({}), full=True),
+    Table(f"The same without viscosity; {EXACTLY}.", COLUMNS, meshes(INVISCID), full=True),
+]
 
 SOFT = {f"contacts[{c}].{key}": value for c in (0, 1) for key, value in (("method", "penalty"), ("penalty", "2e8 Pa/m"))}
+SOFT["time.overlap_limit"] = "2"  # bars go through each other, and no audit stops that
 # after 16 ms the wave in two bars that are one stands where it stands in bars that have parted
 BONDED = {"contacts[1].kind": "bonded", "time.end": "15 ms"}
+HEAVY = {"bodies[1].material.density": "1100 kg/m^3"}
+STIFF = {f"bodies[{body}].material.young": "1.2 GPa" for body in (0, 1)}
+WIDE = {"bodies[2].move": "[2.105 m, 0 m, 0 m]"}
+BACK = {"bodies[0].move": "[-5 mm, 0 m, 0 m]"}
+SPLIT, METAL = "ends that do not let go: bonded, after 15 ms", "uniaxial strain of a metal: E 1.2 times too stiff"
+DENSE, APART, BEHIND = "another density in the second bar: 1100 kg/m^3", "the second gap a tenth too wide", "the first gap a tenth too wide"
+AT_ONCE = "both junctures closed at once, without viscosity: "
 BREAKS = [
-    Breaks("velocity of the third bar", "ends that do not let go: bonded, after 15 ms", BONDED),
-    Breaks("velocity of the second bar over V", "ends that do not let go: bonded, after 15 ms", BONDED),
-    Breaks("velocity of the first bar over V", "another density in the second bar: 1100 kg/m^3",
-           {"bodies[1].material.density": "1100 kg/m^3"}),
-    Breaks("time of the second impact", "the second gap a tenth too wide", {"bodies[2].move": "[2.105 m, 0 m, 0 m]"}),
-    Breaks("time of the first impact", "the first gap a tenth too wide", {"bodies[0].move": "[-5 mm, 0 m, 0 m]"}),
-    Breaks("first impact lasts", "uniaxial strain of a metal: E 1.2 times too stiff", {"bodies[0].material.young": "1.2 GPa",
-        "bodies[1].material.young": "1.2 GPa"}),
-    Breaks("second impact lasts", "penalties a thousand times too soft", {**SOFT, "time.overlap_limit": "2"}),
-      # bars go through each other, and no audit stops that
+    Breaks("plateau of the force, first juncture", METAL, STIFF),
+    Breaks("time of the first impact", BEHIND, BACK),
+    Breaks("time of the second impact", APART, WIDE),
+    Breaks("first separation", BEHIND, BACK),
+    Breaks("second separation", APART, WIDE),
+    Breaks("first impact lasts", METAL, STIFF),
+    Breaks("second impact lasts", "penalties a thousand times too soft", SOFT),
+    Breaks("momentum", "gravity left on along the bars", {"gravity": "[9.81 m/s^2, 0 m/s^2, 0 m/s^2]"}),
+    Breaks("without viscosity: velocity of the third bar", SPLIT, BONDED),
+    Breaks("without viscosity: velocity of the second bar over V", SPLIT, BONDED),
+    Breaks("without viscosity: velocity of the first bar over V", DENSE, HEAVY),
+    Breaks("without viscosity: impulses, the worst of both", DENSE, HEAVY),
+    Breaks("without viscosity: plateaus, the worse of both", DENSE, HEAVY),
+    Breaks("without viscosity: times of impacts and separations, the worst of four", APART, WIDE),
+    Breaks("both junctures closed at once: separations, the worse of both", METAL, STIFF),
+    Breaks(f"{AT_ONCE}velocities over V, the worst of three", DENSE, HEAVY),
+    Breaks(f"{AT_ONCE}impulses, the worst of both", DENSE, HEAVY),
+    Breaks(f"{AT_ONCE}plateaus, the worse of both", METAL, STIFF),
 ]
 
 
 def speeds_over_time(run):
-    return [(bar, [1e3 * t for t in run.column("time")], [p / EXACT["momentum"] * BARS["speed"] for p in run.column(f"{bar}_momentum")])
-            for bar in NAMES]
+    return [(bar, [1e3 * t for t in run.column("time")], [p / MOMENTUM * SPEED for p in run.column(f"{bar}_momentum")]) for bar in NAMES]
 
 
-def exact_speeds(run):
-    corners = sorted({0.0, *EXACT["impacts"], *(t + EXACT["duration"] for t in EXACT["impacts"]), run.column("time")[-1]})
-    return [(f"exact, {bar}", [1e3 * t for t in corners], [speeds(EXACT, BARS["speed"], t)[i] for t in corners])
+def exact_speeds(_):
+    return [(f"exact, {bar}", [1e3 * t for t in EXACT["times"]], [row[i] / MOMENTUM * SPEED for row in EXACT["momenta"]])
             for i, bar in enumerate(NAMES)]
 
 
-FIGURES = [Figure("velocities", "time [ms]", "mean velocity [m/s]", speeds_over_time, exact=exact_speeds,
-                  caption="Mean velocities of the three bars: it is handed on from bar to bar.")]
+def forces_over_time(run):
+    run = run.again(NEAR)
+    inside = [t <= 5e-3 for t in run.column("time")]
+    return [(f"{name} juncture", [1e3 * t for t, keep in zip(run.column("time"), inside) if keep],
+             [f for f, keep in zip(force(j, run), inside) if keep]) for j, name in enumerate(("first", "second"))]
+
+
+def exact_forces(_):
+    return [(f"exact, {name}", [1e3 * t for t in (0, start, start, end, end, 5e-3)], [0, 0, peak, peak, 0, 0])
+            for name, start, end, peak in zip(("first", "second"), CLOSE["closures"], CLOSE["separations"], CLOSE["forces"])]
+
+
+FIGURES = [
+    Figure("velocities", "time [ms]", "mean velocity [m/s]", speeds_over_time, exact=exact_speeds,
+           caption="Mean velocities of the three bars: it is handed on from bar to bar."),
+    Figure("forces", "time [ms]", "force [N]", forces_over_time, exact=exact_forces, error=False,
+           caption="Forces of both junctures with gaps of 5 mm: both are closed for half a millisecond."),
+]
