@@ -124,6 +124,10 @@ class Tree:
                 if path.is_file() and "__pycache__" not in path.parts:
                     yield path.relative_to(self.root).as_posix()
 
+    def top(self):
+        """Names of the files at the root; `.git` is one in a further working tree."""
+        return sorted(path.name for path in self.root.iterdir() if path.is_file() and path.name != ".git")
+
     def lines(self, path):
         """(number, text) of each line; none if the file is not text."""
         try:
@@ -235,7 +239,7 @@ def doors(tree):
 
 def words(tree):
     """Words, paths and open ends that must not stand in the tree."""
-    top = sorted(path.name for path in tree.root.iterdir() if path.is_file())
+    top = tree.top()
     for path in [*top, *tree.files(WORDS_IN)]:
         if path in SAYS_THE_WORDS:
             continue
@@ -284,7 +288,7 @@ def may_be_long(path, text, in_table):
 
 def width(tree):
     """Lines have at most 140 characters."""
-    top = sorted(path.name for path in tree.root.iterdir() if path.is_file())
+    top = tree.top()
     for path in [*top, *tree.files(WORDS_IN)]:
         if any(fnmatch.fnmatch(path, pattern) for pattern in ANY_WIDTH):
             continue
@@ -302,7 +306,7 @@ def retired(tree):
     """Words of case files that have a new name stand nowhere any more."""
     if not table_of_words.RETIRED:
         return
-    top = sorted(path.name for path in tree.root.iterdir() if path.is_file())
+    top = tree.top()
     for path in [*top, *tree.files(WORDS_IN)]:
         if path in SAYS_RETIRED:
             continue

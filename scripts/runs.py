@@ -1,12 +1,14 @@
 """Runs of drivers, kept and found again: what verification, refinement and anyone else asks of a run.
 
-A run is found again if program, case file, settings and threads are the same, if every file that the program read is what it was,
-and if every file that it wrote still lies there unchanged. What it read is what it says itself: the paths in the resolved case of
-summary.json. A study that was interrupted goes on where it stopped, and one that is repeated makes only what changed. Needs
-nothing but Python.
+A run is found again if program, values of the case, settings and threads are the same, if every file that the program read is what it was,
+and if every file that it wrote still lies there unchanged, byte by byte. Comments, layout and order of keys of a case file do not count
+(case_values.py). No dry run gives the case with the defaults filled in, so these count as part of the program. What a run read is what it
+says itself: the paths in the resolved case of summary.json. A study that was interrupted goes on where it stopped, and one that is repeated
+makes only what changed. Needs nothing but Python; without its yaml a case file counts byte by byte.
 """
 import base64
 import csv
+import fcntl
 import hashlib
 import json
 import math
@@ -23,12 +25,16 @@ import xml.etree.ElementTree as xml
 import zlib
 from pathlib import Path
 
+import case_values
 import processes
 
 ROOT = Path(__file__).resolve().parent.parent
 STOPPED = 3  # exit status of a driver whose physics stopped: a result, not a fault
 UNFINISHED = "unfinished_"  # begins the name of the folder of a run that goes on; the number of its process follows
 RECORD = "asked.json"  # in the folder of a run; written last, so a folder with it is whole
+USED_BY = "used_by_"  # begins the name of a file in the folder of a run: another tree than that which made it uses it too
+LOCK = ".lock"  # in a folder of runs; every process that uses runs there holds it until it ends, and one that removes runs holds it alone
+HELD = {}  # {folder of runs: its open lock}
 
 
 class CannotRun(Exception):
@@ -48,13 +54,59 @@ def remove_abandoned(folder):
             shutil.rmtree(left, ignore_errors=True)
 
 
+def hold(folder):
+    """Keeps others from removing runs of a folder as long as this process lasts."""
+    if folder not in HELD:
+        folder.mkdir(parents=True, exist_ok=True)
+        HELD[folder] = (folder / LOCK).open("a", encoding="utf-8")
+        lock(folder, fcntl.LOCK_SH)
+
+
+def lock(folder, how):
+    """Whether the lock of a folder was to be had so; a file system may have none."""
+    try:
+        fcntl.flock(HELD[folder], how)
+    except OSError:
+        return False
+    return True
+
+
 def remove_unused(folder, used):
-    """Removes the runs of this tree's suite that are not among `used`; those of another tree and those that go on stay."""
-    for run in folder.iterdir():
-        record = record_of(run)
-        of_others = record is not None and record.get("suite", str(ROOT)) != str(ROOT)
-        if run.name not in used and not of_others and not is_of_a_living_run(run):
+    """Removes the runs of this tree's suite that are not among `used`. False: nothing was removed, another process uses the folder.
+
+    Runs that another tree's suite made or found stay, and so do those that go on.
+    """
+    folder = Path(folder).resolve()
+    hold(folder)
+    alone = lock(folder, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    for run in folder.iterdir() if alone else ():
+        if run.is_dir() and run.name not in used and not is_of_a_living_run(run) and not is_of_others(run):
             shutil.rmtree(run, ignore_errors=True)
+    lock(folder, fcntl.LOCK_SH)
+    return alone
+
+
+def mark_of(tree):
+    return USED_BY + digest(str(tree).encode())[:16]
+
+
+def is_of_others(run):
+    """Whether the suite of another tree made a run or uses it; takes this tree's mark away."""
+    (run / mark_of(ROOT)).unlink(missing_ok=True)
+    try:
+        made_by = json.loads((run / RECORD).read_text(encoding="utf-8")).get("suite", str(ROOT))
+    except (OSError, ValueError, AttributeError):
+        made_by = str(ROOT)
+    return made_by != str(ROOT) or any(run.glob(USED_BY + "*"))
+
+
+def say_used(run):
+    """Marks a run that another tree's suite made, so that it stays when that one needs it no more."""
+    if record_of(run).get("suite", str(ROOT)) != str(ROOT):
+        try:
+            (run / mark_of(ROOT)).write_text(f"{ROOT}\n", encoding="utf-8")
+        except OSError:  # a folder of somebody else's
+            pass
 
 
 # ------------------------------------------------------------------------------------------------
@@ -78,13 +130,15 @@ class Store:
         self.threads, self.patience, self.may_run = threads, patience, may_run
         self.digests, self.done, self.given = {}, {}, []
         self.folder.mkdir(parents=True, exist_ok=True)
+        hold(self.folder)
         remove_abandoned(self.folder)
         self.scratch.mkdir(parents=True, exist_ok=True)
 
     def run(self, driver, case, overrides, threads=None):
         """The run of `driver` on the case file, seen from the root of the tree, with these keys set."""
         case = ROOT / case
-        asked = {"driver": driver, "case": digest_of_case(case), "settings": {k: str(v) for k, v in sorted(overrides.items())},
+        settings = {k: str(v) for k, v in sorted(overrides.items())}
+        asked = {"driver": driver, "case": digest_of_case(case), "settings": settings, "named": digests_of_named(case, settings),
                  "threads": threads}
         # the folder counts too: a path in a case is seen from where the case lies
         key = json.dumps([asked, str(case.parent)])
@@ -100,24 +154,27 @@ class Store:
         asked = {**asked, "program": self.digest_of_program(driver)}
         name = digest(json.dumps(asked, sort_keys=True).encode())[:16]
         folder = self.folder / f"{driver}_{name}"
-        made = not self.is_whole(folder, case.parent)
+        made = not self.is_whole(folder, case.parent, asked)
         if made:
             self.make(driver, case, overrides, threads or self.threads, folder, asked)
+        else:
+            say_used(folder)
         return Run(self, driver, case, overrides, folder, made)
 
     def newest(self, asked, case):
         """The folder of the newest whole run of this case and these settings, whatever build of the program made it."""
         found = [folder for folder in self.folder.glob(f"{asked['driver']}_*")
-                 if asked.items() <= (record_of(folder) or {}).items() and self.is_whole(folder, case.parent)]
+                 if self.is_whole(folder, case.parent, asked)]
         if not found:
             settings = ", ".join(f"{key}={value}" for key, value in asked["settings"].items())
             raise CannotRun(f"{self.folder} holds no run of {asked['driver']} {case.name} {settings}")
         return max(found, key=lambda folder: (folder / RECORD).stat().st_mtime_ns)
 
-    def is_whole(self, folder, beside):
-        """Whether a folder holds a finished run whose inputs are what they were and whose files are as they were written."""
+    def is_whole(self, folder, beside, asked):
+        """Whether a folder holds a finished run of what is asked, whose inputs are what they were and whose files are as written."""
         record = record_of(folder)
-        return record is not None and same_inputs(record, beside) and record["files"] == files_of(folder)
+        return (record is not None and all(record.get(key) == value for key, value in asked.items()) and same_inputs(record, beside)
+                and record["files"] == files_of(folder))
 
     def make(self, driver, case, overrides, threads, folder, asked):
         """Runs in a folder beside `folder` and renames it when all is there, so that an interruption leaves nothing."""
@@ -136,15 +193,17 @@ class Store:
             for path in [program, case, *(case.parent / one for one in inputs)]:
                 if path.stat().st_mtime_ns > began:
                     raise CannotRun(f"{path} changed while {driver} ran; start again")
+            if digest_of_case(case) != asked["case"]:
+                raise CannotRun(f"{case} changed before {driver} ran; start again")
             record = {**asked, "suite": str(ROOT), "seconds": seconds, "processor_seconds": processor,
                       "warnings": [line for line in done.stderr.splitlines() if line.startswith("warning: ")],
                       "inputs": {path: digest_of_file(case.parent / path) for path in inputs},
                       "files": files_of(unfinished)}
-            (unfinished / RECORD).write_text(json.dumps(record, indent=1), encoding="utf-8")
+            write_record(unfinished, record)
             try:
                 unfinished.rename(folder)
             except OSError:  # another process made the same run meanwhile
-                if not self.is_whole(folder, case.parent):  # or something that is not this run is in the way
+                if not self.is_whole(folder, case.parent, asked):  # or something that is not this run is in the way
                     shutil.rmtree(folder)
                     unfinished.rename(folder)
         except FileNotFoundError as error:
@@ -196,11 +255,22 @@ def digest(data):
     return hashlib.sha256(data).hexdigest()
 
 
-def digest_of_case(case):
+def read_case(case):
     try:
-        return digest(case.read_bytes())
+        return case_values.read(case.read_bytes())
     except OSError as error:
         raise CannotRun(f"{case}: {error.strerror}") from error
+
+
+def digest_of_case(case):
+    """The same for case files with the same values."""
+    return read_case(case)[0]
+
+
+def digests_of_named(case, settings):
+    """{path: digest} of the files that values of the case, or what is set in it, name, seen from the folder of the case."""
+    texts = {*read_case(case)[1], *settings.values()}
+    return {text: digest_of_file(case.parent / text) for text in sorted(texts) if is_name_of_file(text, case.parent)}
 
 
 def digest_of_file(path):
@@ -217,12 +287,22 @@ def same_inputs(record, beside):
 
 
 def record_of(folder):
-    """What was asked of a finished run and what it read and wrote; None where there is none."""
+    """What was asked of a finished run and what it read and wrote; None where there is none, or it is not as it was written."""
     try:
         record = json.loads((folder / RECORD).read_text(encoding="utf-8"))
-    except (OSError, ValueError):
+        whole = record.pop("checksum") == checksum_of(record)
+    except (OSError, ValueError, AttributeError, KeyError):
         return None
-    return record if isinstance(record, dict) and "inputs" in record and "files" in record else None
+    return record if whole and "inputs" in record and "files" in record else None
+
+
+def write_record(folder, record):
+    text = json.dumps({**record, "checksum": checksum_of(record)}, indent=1)
+    (folder / RECORD).write_text(text, encoding="utf-8")
+
+
+def checksum_of(record):
+    return digest(json.dumps(record, sort_keys=True).encode())
 
 
 def inputs_of(folder, beside):
@@ -238,12 +318,12 @@ def inputs_of(folder, beside):
                 yield from texts(part)
 
     resolved = json.loads((folder / "summary.json").read_text(encoding="utf-8")).get("provenance", {}).get("resolved", {})
-    return sorted({text for text in texts(resolved) if text and len(text) < 4096 and "\0" not in text and is_file(beside / text)})
+    return sorted({text for text in texts(resolved) if is_name_of_file(text, beside)})
 
 
-def is_file(path):
+def is_name_of_file(text, beside):
     try:
-        return path.is_file()
+        return bool(text) and len(text) < 4096 and "\0" not in text and (beside / text).is_file()
     except OSError:  # a long text is no name of a file
         return False
 
@@ -253,7 +333,7 @@ def files_of(folder):
     found = {}
     for path in sorted(folder.rglob("*")):
         name = path.relative_to(folder).as_posix()
-        if path.is_file() and name != RECORD:
+        if path.is_file() and name != RECORD and not name.startswith(USED_BY):
             data = path.read_bytes()
             found[name] = [len(data), digest(data)]
     return found
@@ -268,7 +348,7 @@ class Run:
     def __init__(self, runner, driver, case, overrides, folder, made):
         self.runner, self.driver, self.case_file, self.overrides = runner, driver, case, dict(overrides)
         self.folder, self.made = folder, made
-        self.asked = json.loads((folder / RECORD).read_text(encoding="utf-8"))
+        self.asked = record_of(folder)
         self.seconds = self.asked["seconds"]
         self.processor_seconds = self.asked.get("processor_seconds")  # [s] with start and files; None of runs made before this
         self.warnings = self.asked.get("warnings", [])

@@ -6,7 +6,7 @@
     scripts/verify.py --stale [--out FOLDER]
 
 NAME is a folder of verification/; without one, all. `--quick` (the default) leaves out what a case marks as long, `--full` runs
-everything. Runs are kept in FOLDER (out/verify) and made anew only when program, case or settings change, so
+everything. Runs are kept in FOLDER (out/verify) and made anew only when program, values of the case or settings change, so
 an interrupted suite goes on where it stopped. The report is FOLDER/report.html, for each level (quick, full) the newest
 outcome of every case is in FOLDER/quick or FOLDER/full. `--write` puts table and figures into the folders of the cases
 and the table of all into docs/verified.md; `--stale` runs nothing and says where these differ from the quick outcomes in FOLDER.
@@ -670,7 +670,8 @@ def main(arguments=None):
         path = report.write(options.out, "full" if options.full else "quick", names_of_all())
         print(f"report: {path}")
     if options.full and not options.names:
-        runs.remove_unused(options.out / "runs", used)
+        if not runs.remove_unused(options.out / "runs", used):
+            print("runs that no case asks for stay: another process uses the folder")
     checks = sum(row.kind == "check" for out in outcomes.values() for row in out.rows)
     breaks = sum(row.kind == "break" for out in outcomes.values() for row in out.rows)
     misses = sum(len(out.misses()) for out in outcomes.values())

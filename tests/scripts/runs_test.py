@@ -13,7 +13,8 @@ from pathlib import Path
 import made_up
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
-import runs  # noqa: E402  (after the path)
+import case_values  # noqa: E402  (after the path)
+import runs  # noqa: E402
 
 # A driver that reads a mesh named in its case, by the key or by --set, and says so as drivers do: in the resolved case.
 DRIVER = """#!{python}
@@ -70,10 +71,38 @@ class StoreTest(unittest.TestCase):
 
     def test_runs_that_nobody_asked_for_go_but_for_those_of_another_tree(self):
         used, mine, other = self.run_it(), self.run_it({"a": 1}), self.run_it({"a": 2})
-        record = json.loads((other.folder / runs.RECORD).read_text(encoding="utf-8"))
-        (other.folder / runs.RECORD).write_text(json.dumps({**record, "suite": "/elsewhere"}), encoding="utf-8")
-        runs.remove_unused(self.root / "runs", {used.folder.name})
+        runs.write_record(other.folder, {**runs.record_of(other.folder), "suite": "/elsewhere"})
+        self.assertTrue(runs.remove_unused(self.root / "runs", {used.folder.name}))
         self.assertEqual([one.folder.exists() for one in (used, mine, other)], [True, False, True])
+
+    def test_a_run_that_two_trees_use_stays_until_neither_does(self):
+        folder = self.run_it().folder
+        here = runs.ROOT
+        self.addCleanup(setattr, runs, "ROOT", here)
+        runs.ROOT = Path("/elsewhere")
+        self.assertFalse(self.run_it().made)
+        runs.ROOT = here
+        runs.remove_unused(self.root / "runs", set())
+        self.assertTrue(folder.exists())
+        self.assertFalse(self.run_it().made)
+        runs.ROOT = Path("/elsewhere")
+        runs.remove_unused(self.root / "runs", set())  # made by the other tree
+        self.assertTrue(folder.exists())
+        runs.ROOT = here
+        runs.remove_unused(self.root / "runs", set())
+        self.assertFalse(folder.exists())
+
+    def test_nothing_goes_while_another_process_uses_the_folder(self):
+        folder = self.run_it().folder
+        words = [sys.executable, "-c", "import sys, runs; runs.Store(*sys.argv[1:]); print('there', flush=True); sys.stdin.read()",
+                 self.root / "drivers", self.root / "runs"]
+        with subprocess.Popen(words, cwd=runs.ROOT / "scripts", stdin=subprocess.PIPE, stdout=subprocess.PIPE) as other:
+            self.assertEqual(other.stdout.readline(), b"there\n")
+            self.assertFalse(runs.remove_unused(self.root / "runs", set()))
+            self.assertTrue(folder.exists())
+            other.kill()
+        self.assertTrue(runs.remove_unused(self.root / "runs", set()))
+        self.assertFalse(folder.exists())
 
     def test_whatever_may_change_it_makes_it_anew(self):
         self.run_it()
@@ -85,6 +114,47 @@ class StoreTest(unittest.TestCase):
                 self.assertTrue(self.run_it().made)
         self.assertTrue(self.run_it({"key": 1}).made)
         self.assertTrue(self.run_it(threads=2).made)
+
+    @unittest.skipUnless(case_values.yaml, "without yaml a case counts byte by byte")
+    def test_comments_layout_and_order_do_not_count_and_values_do(self):
+        self.case.write_text("mesh: {kind: file, path: mesh.vtu}\ntime: {end: 1 ms}\n")
+        self.run_it()
+        for same in ("# why\nmesh: {kind: file, path: mesh.vtu}\ntime: {end: 1 ms}\n",
+                     "time: {end: 1 ms}\nmesh: {path: mesh.vtu, kind: file}\n",
+                     "time:\n  end: 1 ms  # long enough\nmesh:\n\n  path: mesh.vtu\n  kind: file\n"):
+            self.case.write_text(same)
+            with self.subTest(same):
+                self.assertFalse(self.run_it().made)
+        for other in ("mesh: {kind: file, path: mesh.vtu}\ntime: {end: 2 ms}\n", "mesh: {kind: file, path: mesh.vtu}\n",
+                      "mesh: {kind: file, path: mesh.vtu}\ntime: {end: 1e-3 s}\n",
+                      "mesh: {kind: file, path: mesh.vtu}\ntime: {end: '1 ms'}\n"):
+            self.case.write_text(other)
+            with self.subTest(other):
+                self.assertTrue(self.run_it().made)
+
+    def test_a_run_of_an_earlier_mesh_or_value_is_found_again(self):
+        self.run_it()
+        (self.root / "mesh.vtu").write_text("another mesh")
+        self.run_it()
+        (self.root / "mesh.vtu").write_text("one mesh")
+        self.assertEqual(self.run_it().result("depth"), len("one mesh"))
+        self.assertEqual(self.count.read_text(), "2")
+
+    def test_another_program_makes_it_anew(self):
+        self.run_it()
+        made_up.driver(self.root, "another", DRIVER, read='["mesh.vtu"]')
+        self.assertTrue(runs.Store(self.root / "drivers", self.root / "runs").run("another", self.case, {}).made)
+
+    def test_a_flipped_bit_in_any_file_makes_it_anew(self):
+        folder = self.run_it().folder
+        files = [path for path in folder.rglob("*") if path.is_file()]
+        self.assertIn(folder / runs.RECORD, files)
+        for path in files:
+            data = bytearray(path.read_bytes())
+            for at in {0, len(data) // 2, len(data) - 1}:
+                path.write_bytes(data[:at] + bytes([data[at] ^ 1]) + data[at + 1:])
+                with self.subTest(path=path.name, at=at):
+                    self.assertTrue(self.run_it().made)
 
     def test_a_changed_mesh_makes_it_anew_however_the_case_names_it(self):
         for text, settings in (("kind: file\n", {"mesh.path": "mesh.vtu"}), ("there: &where mesh.vtu\nmesh: {path: *where}\n", {}),
@@ -154,7 +224,7 @@ class StoreTest(unittest.TestCase):
     def test_a_refused_case_leaves_nothing_and_tells_what_the_driver_said(self):
         with self.assertRaisesRegex(runs.CannotRun, "there is a mistake"):
             self.run_it({"mistake": 1})
-        self.assertEqual([path.name for path in (self.root / "runs").iterdir()], ["scratch"])
+        self.assertEqual({path.name for path in (self.root / "runs").iterdir()}, {"scratch", runs.LOCK})
 
     def test_an_unfinished_run_is_not_found(self):
         folder = self.run_it().folder
