@@ -5,6 +5,7 @@ import signal
 import subprocess
 import sys
 
+NOTHING = subprocess.DEVNULL
 PR_SET_PDEATHSIG = 1  # of Linux, see prctl(2)
 LIBC = ctypes.CDLL(None, use_errno=True) if sys.platform == "linux" else None
 

@@ -236,19 +236,12 @@ def processor_seconds():
     return used.ru_utime + used.ru_stime
 
 
-ALONE = ("import os, subprocess, sys; done = subprocess.Popen(sys.argv[2:], stdout=sys.stderr); _, status, used = os.wait4(done.pid, 0); "
-         "print(os.waitstatus_to_exitcode(status), 1024 * used.ru_maxrss)")
-
-
 def run_alone(words, patience=3600):
-    """(status, what it said, the most memory that was resident [bytes]) of a program; a status of None: it took too long.
-
-    A program starts with what its parent has resident, and its largest counts that; so a small process starts it.
-    """
-    words = [sys.executable, "-S", "-c", ALONE, "", "timeout", str(patience), *map(str, words)]
+    """(status, what it said, the most memory that was resident [bytes]) of a program; a status of None: it took too long."""
+    words = [sys.executable, "-S", str(ROOT / "scripts/alone.py"), str(patience), *map(str, words)]
     done = processes.run(words, capture_output=True, text=True)
-    status, memory = map(int, done.stdout.split())
-    return None if status == 124 else status, done.stderr, memory
+    status, memory = done.stdout.split()
+    return None if status == "None" else int(status), done.stderr, int(memory)
 
 
 def digest(data):
