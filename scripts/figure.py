@@ -13,6 +13,7 @@ import io
 import sys
 from pathlib import Path
 
+import command_line
 import matplotlib
 
 matplotlib.use("Agg")
@@ -185,23 +186,24 @@ def draw_faces(axes, polygons, face, edge="#333333", width=0.35):
 # The command
 
 def main(arguments=None):
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = command_line.Parser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     figures = parser.add_subparsers(dest="figure", required=True)
     settlement = figures.add_parser("settlement", help="head settlement of the cask over time, with its references")
-    settlement.add_argument("runs", nargs="+", metavar="RUN")
+    settlement.add_argument("runs", nargs="+", type=command_line.folder_to_read, metavar="RUN")
     energy = figures.add_parser("energy", help="where the energy of a run is, and what was created")
-    energy.add_argument("run", metavar="RUN")
+    energy.add_argument("run", type=command_line.folder_to_read, metavar="RUN")
     for figure in (settlement, energy):
-        figure.add_argument("--out", required=True, metavar="FILE", help="the SVG; a PNG is written beside it")
+        figure.add_argument("--out", type=command_line.file_to_write, required=True, metavar="FILE",
+                            help="the SVG; a PNG is written beside it")
     options = parser.parse_args(arguments)
+    command_line.need_writable(options.out.parent)
     import figure_cask  # these rest on this module
     import figure_energy
     import run_files
     try:
         drawn = figure_cask.settlement_figure(options.runs) if options.figure == "settlement" else figure_energy.energy_figure(options.run)
     except run_files.Unreadable as error:
-        print(error, file=sys.stderr)
-        return 1
+        command_line.refuse(error)
     save(drawn, options.out)
     return 0
 

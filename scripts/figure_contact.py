@@ -7,8 +7,8 @@ The scene is verification/bars_by_multipliers: two bars that collide, with a pla
 out/contact_methods and are made anew only when program, case or settings change; all together take half a minute.
 """
 import argparse
-from pathlib import Path
 
+import command_line
 import figure
 import verify
 from runs import ROOT, Store
@@ -63,10 +63,12 @@ def draw(run, bars):
 
 
 def main(arguments=None):
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--drivers", type=Path, default=ROOT / "build/release/drivers", help="folder of the programs")
+    parser = command_line.Parser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--drivers", type=command_line.folder_of_programs, default=ROOT / "build/release/drivers",
+                        help="folder of the programs")
     options = parser.parse_args(arguments)
     case = verify.Case("bars_by_multipliers")
+    command_line.need_programs(options.drivers, [case.accept.DRIVER])
     run = case.base_run(Store(options.drivers, ROOT / "out/contact_methods"))
     figure.save(draw(run, case.accept), ROOT / "docs/figures/contact_trade.svg", png=False)
 

@@ -18,6 +18,7 @@ import re
 import sys
 from pathlib import Path
 
+import command_line
 import words as table_of_words
 
 CODE = {".hpp", ".cpp"}
@@ -320,12 +321,10 @@ CHECKS = {"floors": floors, "doors": doors, "words": words, "mirror": mirror, "w
 
 
 def main(arguments=None):
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = command_line.Parser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("check", choices=[*CHECKS, "all"])
-    parser.add_argument("--root", type=Path, default=Path(__file__).resolve().parent.parent)
+    parser.add_argument("--root", type=command_line.folder_to_read, default=Path(__file__).resolve().parent.parent)
     options = parser.parse_args(arguments)
-    if not options.root.is_dir():
-        parser.error(f"{options.root} is no folder")
     tree = Tree(options.root)
     for name in CHECKS if options.check == "all" else [options.check]:
         CHECKS[name](tree)

@@ -13,6 +13,7 @@ import io
 import re
 import sys
 
+import command_line
 import verify
 
 TABLE, PAGE, HEADING = "verification/limits.csv", "docs/verification.md", "## Limits that were widened"
@@ -93,7 +94,7 @@ def faults(known, today, lines):
 
 
 def main(arguments=None):
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = command_line.Parser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--write", action="store_true", help=f"bring {TABLE} up to date")
     options = parser.parse_args(arguments)
     table = verify.ROOT / TABLE

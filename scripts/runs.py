@@ -29,6 +29,7 @@ import case_values
 import processes
 
 ROOT = Path(__file__).resolve().parent.parent
+BAD_CASE = 2  # exit status of a driver that refuses its case
 STOPPED = 3  # exit status of a driver whose physics stopped: a result, not a fault
 UNFINISHED = "unfinished_"  # begins the name of the folder of a run that goes on; the number of its process follows
 RECORD = "asked.json"  # in the folder of a run; written last, so a folder with it is whole
@@ -39,6 +40,19 @@ HELD = {}  # {folder of runs: its open lock}
 
 class CannotRun(Exception):
     """A program is missing or refuses its case; says which and what it said."""
+
+
+class Refused(CannotRun):
+    """A program refuses its case, `said` in one line."""
+
+    def __init__(self, words, stderr):
+        super().__init__(f"status {BAD_CASE} of {' '.join(words)}\n{stderr}")
+        lines = [line.strip() for line in stderr.splitlines() if line.strip()]
+        self.said = f"{Path(words[0]).name} refuses {words[1]}" + (f": {lines[0]}" if lines else "")
+
+
+class BadArgument(CannotRun):
+    """What a script is asked for is not there; says what, and what is."""
 
 
 def is_of_a_living_run(folder):
@@ -186,6 +200,8 @@ class Store:
         started, began, processor = time.perf_counter(), time.time_ns(), processor_seconds()
         try:
             done = processes.run(words, capture_output=True, text=True, timeout=self.patience)
+            if done.returncode == BAD_CASE:
+                raise Refused(words, done.stderr)
             if done.returncode not in (0, STOPPED):
                 raise CannotRun(f"status {done.returncode} of {' '.join(words)}\n{done.stderr}")
             seconds, processor = time.perf_counter() - started, processor_seconds() - processor

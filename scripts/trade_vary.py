@@ -16,10 +16,11 @@ import math
 import re
 from pathlib import Path
 
+import command_line
 import processes
 import trade_points as points
 import verify
-from runs import ROOT, CannotRun
+from runs import ROOT, BadArgument, CannotRun
 
 PER_INPUT = 8  # runs for each input, where no number is asked for
 NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
@@ -132,8 +133,8 @@ def try_end(one, u, definition, drivers):
 
 def refuse_fault(said, word, only=""):
     if said.returncode != 0 and only in said.stderr:
-        lines = [line for line in said.stderr.splitlines() if line.strip()]
-        raise NoInput("\n".join([f"'{word}' is refused:", *lines[:3]]))
+        lines = [line.strip() for line in said.stderr.splitlines() if line.strip()]
+        raise NoInput(f"'{word}' is refused" + (f": {lines[0]}" if lines else ""))
 
 
 def dry_run(definition, drivers, settings):
@@ -347,7 +348,7 @@ def put(text, name, page):
     before, found, rest = text.partition(begin)
     _, ended, after = rest.partition(end)
     if not (found and ended):
-        raise CannotRun(f"the page has no '{begin}' with its end '{end}'")
+        raise BadArgument(f"the page has no '{begin}' with its end '{end}'")
     return f"{before}{begin}\n\n{page}\n{end}{after}"
 
 
@@ -379,8 +380,10 @@ def write(sweep, words, runs_of):
 
 def add_options(parser):
     parser.add_argument("--vary", nargs="+", metavar="KEY=RANGE", help="uncertain inputs: KEY=±10%%, KEY=±0.1 or KEY=LOW..HIGH")
-    parser.add_argument("--points", type=int, metavar="N", help="of --vary: runs (default: 8 for each input; Sobol: a power of two)")
+    parser.add_argument("--points", type=command_line.count, metavar="N",
+                        help="of --vary: runs (default: 8 for each input; Sobol: a power of two)")
     parser.add_argument("--sampling", choices=("sobol", "latin"), default="sobol", help="of --vary: the points")
-    parser.add_argument("--seed", type=int, default=1, help="of --vary: another one gives other points")
+    parser.add_argument("--seed", type=command_line.seed, default=1, help="of --vary: another one gives other points")
     parser.add_argument("--name", help="of --vary: what the files are called (default: NAME_vary)")
-    parser.add_argument("--into", type=Path, metavar="PAGE", help="of --vary: a page with markers for this name, and its figures/")
+    parser.add_argument("--into", type=command_line.file_to_read, metavar="PAGE",
+                        help="of --vary: a page with markers for this name, and its figures/")

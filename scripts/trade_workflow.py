@@ -17,7 +17,8 @@ import shlex
 import sys
 from pathlib import Path
 
-from runs import ROOT, CannotRun, Store, digest, digest_of_case
+import command_line
+from runs import ROOT, BadArgument, Store, digest, digest_of_case
 
 FEW = 4    # stages of a study or of values alone: the case, its references, the rest, and one that needs nothing
 MANY = 14  # with pairs and six rounds of finer meshes, and some to spare
@@ -122,7 +123,7 @@ def do_part(folder, part, sweep, make):
         task = json.loads((folder / "wanted" / f"{which}.json").read_text(encoding="utf-8"))
         put(folder / "ended" / f"{which}.json", {"end": make((*(task[name] for name in TASK), float("inf")))})
     else:
-        raise CannotRun(f"'{part}' is no part of the workflow in {folder}; expected is next-N, run-KEY or tables")
+        raise BadArgument(f"'{part}' is no part of the workflow in {folder}; expected is next-N, run-KEY or tables")
 
 
 def plain(value):
@@ -142,5 +143,6 @@ def put(path, found):
 # Options
 
 def add_options(parser):
-    parser.add_argument("--snakemake", type=Path, metavar="FOLDER", help="make no run, write the sweep as a workflow")
+    parser.add_argument("--snakemake", type=command_line.folder_to_write, metavar="FOLDER",
+                        help="make no run, write the sweep as a workflow")
     parser.add_argument("--part", help="of a workflow: what its rules call")

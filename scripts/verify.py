@@ -635,20 +635,37 @@ def options_of(arguments):
     level.add_argument("--full", action="store_true", help="run everything")
     level.add_argument("--stale", action="store_true", help="only compare tables in the tree with the quick outcomes of FOLDER")
     parser.add_argument("--jobs", type=command_line.count, default=os.cpu_count() or 1, help="cases at once (default: all cores)")
-    parser.add_argument("--threads", type=command_line.count, default=1, help="of each run; results do not depend on them")
+    parser.add_argument("--threads", type=command_line.threads, default=1, help="of each run; results do not depend on them")
     parser.add_argument("--drivers", type=command_line.folder_of_programs, default=ROOT / "build/release/drivers",
                         help="folder of the programs")
     parser.add_argument("--out", type=command_line.folder_to_write, default=ROOT / "out/verify", help="folder of runs, outcomes and report")
     parser.add_argument("--write", action="store_true", help="write tables and figures into the tree; needs --full for what is long")
     parser.add_argument("--no-figures", dest="figures", action="store_false", help="judge only: no figures and no report")
     parser.add_argument("--verbose", action="store_true", help="print every row of every case")
+    parser.add_argument("--only-check", action="store_true", help="only say what is wrong with these words; run nothing")
     options = parser.parse_args(arguments)
     unknown = [name for name in options.names if name not in names_of_all()]
     if unknown:
         parser.error(f"no folder of verification/ is called {', '.join(unknown)}; there are {', '.join(names_of_all())}")
     if options.write and not options.figures:
         parser.error("--write draws figures; leave --no-figures away")
+    if options.only_check:
+        sys.exit(0)
+    if not options.stale:
+        command_line.need_programs(options.drivers, programs_of(options.names or names_of_all()))
+        command_line.need_writable(options.out)
     return options
+
+
+def programs_of(names):
+    """Programs of the cases; a case that cannot be read is told as one that fails."""
+    found = []
+    for name in names:
+        try:
+            found.append(Case(name).accept.DRIVER)
+        except Exception:  # an accept.py may hold any mistake
+            pass
+    return found
 
 
 def main(arguments=None):

@@ -15,30 +15,93 @@ import sys
 import xml.etree.ElementTree as xml
 from math import cos, radians, sin
 
+import command_line
+
 STATUS = [("unpaired", (0.75, 0.55, 0.10)), ("open", (0.55, 0.55, 0.55)), ("closed", (0.85, 0.10, 0.10))]
+DATA_SETS = ("body", "contact", "walls")
+PREFERRED = {"body": ("von_mises", "displacement"), "contact": ("contact_status", "gap")}
+MOST_PIXELS = 16384  # of a picture, either way
 DARK = (0.1, 0.1, 0.1)
 
 
 def arguments():
-    parser = argparse.ArgumentParser(
+    parser = command_line.Parser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     add = parser.add_argument
-    add("folder", help="where body.pvd and contact.pvd stand")
+    add("folder", type=command_line.folder_to_read, help="where body.pvd and contact.pvd stand")
     add("--field", help="what colours the body (default: von_mises, else displacement)")
     add("--component", help="its component, such as ZZ (default: the magnitude of a vector)")
     add("--contact-field", help="what colours contact (default: contact_status, else gap)")
-    add("--time", type=float, help="[s]; the nearest frame is drawn (default: the last)")
-    add("--out", help="PNG to write (default: view.png in the folder)")
+    add("--time", type=command_line.finite, help="[s]; the nearest frame is drawn (default: the last)")
+    add("--out", type=command_line.file_to_write, help="PNG to write (default: view.png in the folder)")
     add("--cut", action="store_true", help="take away the half y < 0, to look inside")
-    add("--show", default="body,contact,walls", help="which data sets, with commas between")
-    add("--warp", type=float, default=1.0, help="factor on the displacement (default: 1)")
-    add("--range", type=float, nargs=2, metavar=("LOW", "HIGH"), help="of the body's colours")
-    add("--opacity", type=float, default=1.0, help="of the body")
+    add("--show", type=data_sets, default="body,contact,walls", help="which data sets, with commas between")
+    add("--warp", type=command_line.finite, default=1.0, help="factor on the displacement (default: 1)")
+    add("--range", type=command_line.finite, nargs=2, metavar=("LOW", "HIGH"), help="of the body's colours")
+    add("--opacity", type=part, default=1.0, help="of the body")
     add("--edges", action="store_true", help="draw the edges of the body's elements")
-    add("--elevation", type=float, default=12.0, help="[degrees] of the eye above ground")
-    add("--azimuth", type=float, default=0.0, help="[degrees] of the eye about z, from -y")
-    add("--size", type=int, nargs=2, default=(1400, 1000), metavar=("WIDTH", "HEIGHT"))
-    return parser.parse_args()
+    add("--elevation", type=command_line.finite, default=12.0, help="[degrees] of the eye above ground")
+    add("--azimuth", type=command_line.finite, default=0.0, help="[degrees] of the eye about z, from -y")
+    add("--size", type=pixels, nargs=2, default=(1400, 1000), metavar=("WIDTH", "HEIGHT"))
+    asked = parser.parse_args()
+    if asked.range and not asked.range[0] < asked.range[1]:
+        parser.error("argument --range: LOW is not below HIGH")
+    asked.out = asked.out or asked.folder / "view.png"
+    check_names(asked)
+    command_line.need_writable(asked.out.parent)
+    return asked
+
+
+def data_sets(text):
+    found = text.split(",")
+    for name in found:
+        if name not in DATA_SETS:
+            raise argparse.ArgumentTypeError(f"'{name}' is no data set: expected are some of {','.join(DATA_SETS)}")
+    return found
+
+
+def part(text):
+    found = command_line.number(text)
+    if not 0 <= found <= 1:
+        raise argparse.ArgumentTypeError(f"'{text}' is no number from 0 to 1")
+    return found
+
+
+def pixels(text):
+    found = command_line.count(text)
+    if found > MOST_PIXELS:
+        raise argparse.ArgumentTypeError(f"'{text}' is too many: expected are {MOST_PIXELS} pixels at most")
+    return found
+
+
+def check_names(asked):
+    """Refuses a folder with nothing to draw, and a field or component that its files do not have, before there is a screen."""
+    drawn = [name for name in asked.show if chosen_file(asked.folder, name, asked.time)[1]]
+    if not drawn:
+        wanted = " or ".join(f"{name}.pvd" for name in asked.show)
+        command_line.refuse(f"nothing to draw in {asked.folder}: there is no {wanted} with a frame")
+    for name, field, component in (("body", asked.field, asked.component), ("contact", asked.contact_field, None)):
+        if name not in drawn or not (field or component):
+            continue
+        there = fields_of(asked.folder / chosen_file(asked.folder, name, asked.time)[1])
+        if field and field not in there:
+            command_line.refuse(command_line.unknown("field", field, there))
+        field = field or next((one for one in PREFERRED[name] if one in there), None)
+        components = there.get(field, [])
+        if component and len(components) > 1 and component not in components:
+            command_line.refuse(f"'{field}' has the components {', '.join(components)}")
+        if not component and len(components) not in (1, 3):
+            command_line.refuse(f"say which component of '{field}' is meant; there are: {', '.join(components)}")
+
+
+def fields_of(path):
+    """{name: names of its components} of the fields of a ParaView file."""
+    found = {}
+    for part_of_file in xml.parse(path).getroot().iter():
+        for array in part_of_file if part_of_file.tag in ("PointData", "CellData") else ():
+            number = int(array.get("NumberOfComponents", "1"))
+            found[array.get("Name")] = [array.get(f"ComponentName{i}", str(i)) for i in range(number)]
+    return found
 
 
 def give_a_screen():
@@ -52,16 +115,26 @@ def give_a_screen():
     os.execv(xvfb, [xvfb, "-a", "-s", "-screen 0 1600x1200x24", sys.executable, *sys.argv])
 
 
-def frame(folder, name, time):
-    """Time and data of the frame nearest to a time; (None, None) if there is none."""
+def chosen_file(folder, name, time):
+    """Time and file of the frame nearest to a time; (None, None) if there is none."""
     index = os.path.join(folder, name + ".pvd")
     if not os.path.exists(index):
         return None, None
-    found = [(float(one.get("timestep")), one.get("file"))
-             for one in xml.parse(index).getroot().iter("DataSet")]
+    try:
+        found = [(float(one.get("timestep")), one.get("file"))
+                 for one in xml.parse(index).getroot().iter("DataSet")]
+    except (xml.ParseError, TypeError, ValueError):
+        command_line.refuse(f"{index} is no collection of ParaView")
     if not found:
         return None, None
-    at, file = found[-1] if time is None else min(found, key=lambda one: abs(one[0] - time))
+    return found[-1] if time is None else min(found, key=lambda one: abs(one[0] - time))
+
+
+def frame(folder, name, time):
+    """Time and data of the frame nearest to a time; (None, None) if there is none."""
+    at, file = chosen_file(folder, name, time)
+    if file is None:
+        return None, None
     surface = file.endswith(".vtp")
     reader = vtk.vtkXMLPolyDataReader() if surface else vtk.vtkXMLUnstructuredGridReader()
     reader.SetFileName(os.path.join(folder, file))
@@ -228,7 +301,7 @@ def add_body(renderer, data, asked):
     actor.GetProperty().SetOpacity(asked.opacity)
     actor.GetProperty().SetEdgeVisibility(asked.edges)
     actor.GetProperty().SetEdgeColor(0.35, 0.35, 0.35)
-    field = chosen(data, asked.field, ("von_mises", "displacement"))
+    field = chosen(data, asked.field, PREFERRED["body"])
     if field:
         mapper.ScalarVisibilityOn()
         # The range is that of the whole body: a cut must not change what a colour means.
@@ -274,7 +347,7 @@ def add_contact(renderer, data, asked):
         data = half(data)
     if data.GetNumberOfCells() == 0:
         return
-    field = chosen(data, asked.contact_field, ("contact_status", "gap"))
+    field = chosen(data, asked.contact_field, PREFERRED["contact"])
     has_status = data.GetCellData().GetArray("contact_status") is not None
     closed = cells_where(data, 1, 255) if has_status and not asked.contact_field else data
     # Contact lies in the faces of the bodies: it is drawn a hair nearer to the eye.
@@ -357,7 +430,7 @@ def main():
     renderer.SetBackground(1, 1, 1)
     bounds, time, drawn = vtk.vtkBoundingBox(), asked.time, []
     for name, add in (("body", add_body), ("contact", add_contact), ("walls", add_walls)):
-        if name not in asked.show.split(","):
+        if name not in asked.show:
             continue
         at, data = frame(asked.folder, name, time)
         if data is None or data.GetNumberOfPoints() == 0:
@@ -387,11 +460,10 @@ def main():
     shot.SetInput(window)
     shot.ReadFrontBufferOff()
     writer = vtk.vtkPNGWriter()
-    out = asked.out or os.path.join(asked.folder, "view.png")
-    writer.SetFileName(out)
+    writer.SetFileName(str(asked.out))
     writer.SetInputConnection(shot.GetOutputPort())
     writer.Write()
-    print(out)
+    print(asked.out)
 
 
 if __name__ == "__main__":

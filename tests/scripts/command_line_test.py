@@ -1,4 +1,7 @@
-"""Bad arguments of scripts get one sentence on stderr and exit status 2."""
+"""Bad arguments of scripts get one sentence on stderr and exit status 2, and nothing else."""
+import argparse
+import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -6,38 +9,201 @@ import unittest
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
+SCRIPTS = ROOT / "scripts"
+sys.path.insert(0, str(SCRIPTS))
+import command_line  # noqa: E402  (after the path)
+
+BARS = "cases/two_blocks/bars.yaml"
+
+# A driver that refuses whatever `--set` gives, as a driver says it, and knows no other results than `depth`.
+DRIVER = """#!/usr/bin/env python3
+import json, sys
+from pathlib import Path
+if "--set" in sys.argv:
+    print("--set nosuch=1:1: unknown key 'nosuch'\\n      | nosuch=1\\n      | ^~~~~~  known here: mesh", file=sys.stderr)
+    sys.exit(2)
+if "--dry-run" not in sys.argv:
+    out = Path(sys.argv[sys.argv.index("--out") + 1])
+    (out / "history.csv").write_text("time [s]\\n0\\n")
+    (out / "summary.json").write_text(json.dumps({"ending": {"word": "reached_end"}, "results": {"depth": {"value": 1, "unit": "m"}},
+                                                  "cost": {}, "provenance": {"resolved": {"mesh": {"cells": {"value": 4}}}}}))
+"""
+
+NAME = "is called 'nosuch'"
+COUNT, NUMBER, FINITE = "expected is 1 or more", "is no positive number", "is no finite number"
+NO_COUNTS, NO_NUMBERS, NO_FINITE, NO_SEEDS = ("0",), ("nan",), ("inf",), ("-1",)  # one of them each; the test of types has all
+CHOICE, SEED = "invalid choice: 'nosuch'", "is no seed"
+NEEDS, NOT_BUILT, NO_FOLDER = "arguments are required", "is not built", "is no folder"
+
+# (script, words, what the sentence says). In words {file} is a file, {there} a folder, {programs} one with made-up programs,
+# {run} that of a run. `{one}` stands for each of what is listed behind.
+TABLE = [
+    ("accuracy", "--only nosuch", CHOICE), ("accuracy", "--target={one}", "is no accuracy", "2 nan% 0% 1.2.3%".split()),
+    ("accuracy", "--patience={one}", NUMBER, NO_NUMBERS), ("accuracy", "--patience 1e300", "is too long"),
+    ("accuracy", "nosuch", "unrecognized"),
+    ("benchmark", "--rounds={one}", COUNT, NO_COUNTS), ("benchmark", "nosuch", "unrecognized"),
+    ("cask_study", "--levels={one}", COUNT, ("0,1,2",)), ("cask_study", "--levels 1,2 --default 2", "three levels"),
+    ("cask_study", "--default={one}", COUNT, NO_COUNTS), ("cask_study", "--threads={one}", COUNT, NO_COUNTS),
+    ("extremes", "--axis nosuch", CHOICE),
+    ("extremes", "--cell nosuch --drivers {programs} --out {there}", "no cell has 'nosuch' in its name"),
+    ("extremes", "--axis speed --cell nosuch --drivers {programs} --out {there}", "on the axis speed"),
+    ("extremes", "--one {one} --drivers {programs} --out {there}", "no cell is called", ("nosuch", '["random","x"]')),
+    ("extremes", "--jobs={one}", COUNT, NO_COUNTS), ("extremes", "--random={one}", COUNT, NO_COUNTS),
+    ("extremes", "--seed={one}", SEED, NO_SEEDS),
+    ("extremes", "--clock={one}", NUMBER, NO_NUMBERS), ("extremes", "--known --out {there}", "has no verdicts"),
+    ("figure.py", "", NEEDS), ("figure.py", "nosuch", CHOICE), ("figure.py", "energy nosuch --out {there}/a.svg", NO_FOLDER),
+    ("figure.py", "energy {there}", NEEDS), ("figure.py", "energy {there} --out {there}", "is a folder: expected is a file"),
+    ("figure.py", "energy {there} --out {file}/a.svg", "is a file: expected is a folder"),
+    ("figure.py", "energy {there} --out /proc/nosuch/a.svg", "cannot be written"),
+    ("figure.py", "energy {there} --out {there}/a.svg", "history.csv: No such file"),
+    ("figure.py", "settlement {there} nosuch --out {there}/a.svg", NO_FOLDER),
+    ("forecast", "nosuch --drivers {programs}", NAME), ("forecast", "{there} --drivers {programs}", "has no case"),
+    ("forecast", "--patience={one}", NUMBER, NO_NUMBERS), ("forecast", "{root}/cases/scenes --drivers {programs}", "is called"),
+    ("house.py", "", NEEDS), ("house.py", "nosuch", CHOICE), ("house.py", "all --root nosuch", NO_FOLDER),
+    ("limits.py", "nosuch", "unrecognized"),
+    ("refine", "", NEEDS), ("refine", "nosuch.yaml", "is no file"), ("refine", "{case} --by={one}", NUMBER, ("1,nan",)),
+    ("refine", "{case} --levels={one}", COUNT, NO_COUNTS), ("refine", "{case} --threads={one}", COUNT, NO_COUNTS),
+    ("refine", "{case} --threads 2000", "1024 at most"), ("refine", "{case} --set nosuch", "is no KEY=VALUE"),
+    ("refine", "{case} --driver nosuch --drivers {programs} --out {there}", NOT_BUILT),
+    ("refine", "{case} --drivers {programs} --out {there} --csv {there}", "is a folder: expected is a file"),
+    ("refine", "{case} --drivers {programs} --out {there} --csv {file}/a.csv", "is a file: expected is a folder"),
+    ("refine", "{case} --drivers {programs} --out {there} --csv /proc/nosuch/a.csv", "cannot be written"),
+    ("refine", "{case} --drivers {programs} --out {there} --set nosuch=1", "unknown key 'nosuch'"),
+    ("refine", "{case} --drivers {programs} --out {there} --along nosuch", "the case has no 'nosuch'; counts of cells are: mesh.cells"),
+    ("refine", "{case} --drivers {programs} --out {there} --result nosuch", "no result is called 'nosuch'; there are: depth"),
+    ("stops", "nosuch", "unrecognized"),
+    ("trade", "", "expected is CASE, or --worst"), ("trade", "nosuch", NAME), ("trade", "taylor_ba", "did you mean taylor_bar?"),
+    ("trade", "two_blocks --knobs nosuch --drivers {programs} --out {there}", "'nosuch' is no knob"),
+    ("trade", "two_blocks --knobs step=x --drivers {programs} --out {there}", "'x' is no value of step"),
+    ("trade", "two_blocks --budget={one}", NUMBER, NO_NUMBERS), ("trade", "two_blocks --jobs={one}", COUNT, NO_COUNTS),
+    ("trade", "two_blocks --points={one}", COUNT, NO_COUNTS), ("trade", "two_blocks --seed={one}", SEED, NO_SEEDS),
+    ("trade", "two_blocks --finest={one}", NUMBER, ("1,2,nan",)), ("trade", "two_blocks --finest=1,2", "three factors"),
+    ("trade", "two_blocks --sampling nosuch", CHOICE), ("trade", "two_blocks --set nosuch", "is no KEY=VALUE"),
+    ("trade", "two_blocks --into nosuch.md", "is no file"), ("trade", "two_blocks --name a/b", "is no name of a file"),
+    ("trade", "two_blocks --snakemake {file}/within", "expected is a folder"),
+    ("trade", "{case}", "needs --result"), ("trade", "{case} --result depth --driver nosuch --drivers {programs}", NOT_BUILT),
+    ("trade", "{case} --result nosuch --drivers {programs} --out {there}", "no result is called 'nosuch'; there are: depth"),
+    ("trade", "{case} --result depth --set nosuch=1 --drivers {programs} --out {there}", "unknown key 'nosuch'"),
+    ("trade", "{case} --result depth --vary nosuch --drivers {programs} --out {there}", "'nosuch' is no input"),
+    ("trade", "{case} --result depth --vary nosuch=1..2 --drivers {programs} --out {there}", "is refused: --set nosuch=1:1: unknown key"),
+    ("update_case", "", NEEDS), ("update_case", "nosuch.yaml", "nosuch.yaml: No such file or directory"),
+    ("update_case", "{there}", "Is a directory"),
+    ("verify.py", "nosuch", "no folder of verification/ is called nosuch"), ("verify.py", "--quick --full", "not allowed"),
+    ("verify.py", "--jobs={one}", COUNT, NO_COUNTS), ("verify.py", "--threads={one}", COUNT, NO_COUNTS),
+    ("verify.py", "--threads 2000", "1024 at most"),
+    ("verify.py", "--write --no-figures", "leave --no-figures away"),
+    ("verify", "nosuch", "no folder of verification/ is called nosuch"), ("verify", "--jobs=0", COUNT),
+    ("view.py", "", NEEDS), ("view.py", "nosuch", NO_FOLDER), ("view.py", "{there}", "nothing to draw"), ("view.py", "{file}", NO_FOLDER),
+    ("view.py", "{run} --field nosuch", "no field is called 'nosuch'; there are: displacement, stress"),
+    ("view.py", "{run} --field stress", "say which component"),
+    ("view.py", "{run} --field stress --component Q", "has the components XX, YY"),
+    ("view.py", "{run} --show nosuch", "expected are some of body,contact,walls"), ("view.py", "{run} --show contact", "nothing to draw"),
+    ("view.py", "{run} --time={one}", FINITE, NO_FINITE), ("view.py", "{run} --warp={one}", FINITE, NO_FINITE),
+    ("view.py", "{run} --elevation={one}", FINITE, NO_FINITE), ("view.py", "{run} --azimuth={one}", FINITE, NO_FINITE),
+    ("view.py", "{run} --range {one}", "--range", ("nan 1", "2 1")), ("view.py", "{run} --opacity={one}", "from 0 to 1", ("nan",)),
+    ("view.py", "{run} --size {one}", "--size", ("0 1", "99999 1")), ("view.py", "{run} --out {there}", "expected is a file"),
+    ("view.py", "{run} --out {file}/a.png", "expected is a folder"), ("view.py", "{run} --out /proc/nosuch/a.png", "cannot be written"),
+]
+CASE_OF = {"accuracy": "", "extremes": "", "refine": "{case}", "stops": "", "trade": "two_blocks", "verify.py": "", "forecast": "",
+           "figure_contact.py": ""}
+FOR_PROGRAMS = [one for script, case in CASE_OF.items() for one in (
+    (script, f"{case} --drivers nosuch", "expected is the folder of the programs"),
+    (script, f"{case} --drivers {{file}}", "expected is the folder"),
+    (script, f"{case} --drivers {{there}}", NOT_BUILT))]
+FOR_RESULTS = [one for script, case in CASE_OF.items() if script not in ("forecast", "figure_contact.py") for one in (
+    (script, f"{case} --out {{file}}/within --drivers {{programs}}", "expected is a folder"),
+    (script, f"{case} --out {'x' * 300}/{{file}} --drivers {{programs}}", "is no name of a folder"),
+    (script, f"{case} --out /proc/nosuch --drivers {{programs}}", "cannot be written"))]
+WITHOUT_ARGUMENTS = {"words.py"}
+OTHERS = {"run_tests", "reproduce_cask_drop", "cask_inputs"}  # they pass their words on: to ctest, the driver and scripts/trade
+
+
+def made_up_run(folder):
+    """A folder with a frame of a body."""
+    (folder / "body.pvd").write_text('<VTKFile><Collection><DataSet timestep="0" file="0.vtu"/></Collection></VTKFile>', encoding="utf-8")
+    components = " ".join(f'ComponentName{i}="{name}"' for i, name in enumerate(("XX", "YY", "ZZ", "XY", "YZ", "XZ")))
+    (folder / "0.vtu").write_text('<VTKFile><PointData><DataArray Name="displacement" NumberOfComponents="3"/></PointData><CellData>'
+                                  f'<DataArray Name="stress" NumberOfComponents="6" {components}/></CellData></VTKFile>', encoding="utf-8")
 
 
 class BadArguments(unittest.TestCase):
-    def refused(self, *words, says):
-        done = subprocess.run([sys.executable, *words], cwd=ROOT / "scripts", capture_output=True, text=True, timeout=60)
+    def setUp(self):
+        holder = tempfile.TemporaryDirectory()
+        self.addCleanup(holder.cleanup)
+        self.root = Path(holder.name)
+        for name in ("there", "programs", "run"):
+            (self.root / name).mkdir()
+        (self.root / "file").write_text("")
+        for name in ("scene", "two_blocks", "cask_drop", "sliding", "contact_elements", "material_point", "modes", "patch_test",
+                     "penalty_oscillator"):
+            (self.root / "programs" / name).write_text(DRIVER)
+            (self.root / "programs" / name).chmod(0o755)
+        made_up_run(self.root / "run")
+        self.case = self.root / "case.yaml"
+        self.case.write_text("mesh: {cells: 4}\n")
+
+    def refused(self, script, words, says, scripts=SCRIPTS):
+        names = {name: self.root / name for name in ("file", "there", "programs", "run")}
+        words = [word.format(**names, case=self.case, root=ROOT) if not word.startswith("[") else word for word in words.split()]
+        start = ["bash"] if script == "verify" else [sys.executable]
+        done = subprocess.run([*start, scripts / script, *words], cwd=self.root, capture_output=True, text=True, timeout=120)
+        if done.returncode == 77:
+            return
         self.assertEqual((done.returncode, done.stdout), (2, ""), done.stderr)
         self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
         self.assertIn(says, done.stderr)
 
-    def test_counts(self):
-        for script, option in (("verify.py", "--jobs"), ("verify.py", "--threads"), ("trade", "--jobs"), ("refine", "--levels"),
-                               ("benchmark", "--rounds")):
-            for bad in ("0", "-1", "x", "1.5"):
-                with self.subTest(script=script, option=option, bad=bad):
-                    self.refused(script, f"{option}={bad}", says="expected is 1 or more")
+    def each(self, rows):
+        for script, words, says, *values in rows:
+            for one in values[0] if values else [""]:
+                said = words.replace("{one}", one)
+                with self.subTest(script=script, words=said):
+                    self.refused(script, said, says)
 
-    def test_numbers_above_zero(self):
-        for script, option in (("trade", "--budget"), ("accuracy", "--patience"), ("forecast", "--patience")):
-            for bad in ("nan", "inf", "0", "-1", "x"):
-                with self.subTest(script=script, bad=bad):
-                    self.refused(script, f"{option}={bad}", says="is no positive number")
+    def test_every_script_tells_what_is_wrong_in_one_sentence(self):
+        self.each(TABLE)
 
-    def test_folders(self):
-        with tempfile.NamedTemporaryFile() as file:
-            for script in ("verify.py", "trade", "refine", "accuracy", "stops"):
-                with self.subTest(script):
-                    self.refused(script, "--out", f"{file.name}/within", says="expected is a folder")
-                    self.refused(script, "--drivers", f"{file.name}_missing", says="expected is the folder of the programs")
+    def test_types_refuse_what_makes_no_sense(self):
+        no_words = ("", "x", "nan", "1,5", "1e", "9" * 5000 + "x")
+        for read, good, bad in (
+                (command_line.count, ("1", "7"), ("0", "-1", "1.5", "inf")),
+                (command_line.seed, ("0", "7"), ("-1", "1.5", "inf")),
+                (command_line.threads, ("1", "1024"), ("0", "1025", "1.5")),
+                (command_line.finite, ("-1", "0", "1e3"), ("inf", "-inf")),
+                (command_line.positive, ("1e-9", "1e300"), ("0", "-1", "inf", "1e999")),
+                (command_line.seconds, ("0.5", "1e6"), ("0", "-1", "inf", "1e7"))):
+            for text in good:
+                self.assertEqual(read(text), float(text))
+            for text in (*no_words, *bad):
+                with self.subTest(read=read.__name__, text=text[:9]), self.assertRaises(argparse.ArgumentTypeError):
+                    read(text)
+        self.assertEqual(command_line.counts("3,1,3"), [1, 3])
+        self.assertEqual(command_line.positives("2,1.5"), [2.0, 1.5])
+        for read in (command_line.counts, command_line.positives):
+            for text in ("", "1,", "1,0", "1,-1", "1,nan", "1,x"):
+                with self.subTest(read=read.__name__, text=text), self.assertRaises(argparse.ArgumentTypeError):
+                    read(text)
 
-    def test_unknown_names(self):
-        self.refused("verify.py", "no_such_case", says="no folder of verification/ is called no_such_case")
-        self.refused("refine", "no_such_case.yaml", says="is no file")
+    def test_programs_that_are_not_there_are_told(self):
+        self.each(FOR_PROGRAMS)
+
+    def test_results_that_cannot_be_written_are_told(self):
+        self.each(FOR_RESULTS)
+
+    def test_a_tree_where_nothing_is_built_is_told(self):
+        tree = self.root / "tree"
+        shutil.copytree(SCRIPTS, tree / "scripts", ignore=shutil.ignore_patterns("__pycache__"))
+        for name in ("cases", "docs", "verification"):
+            (tree / name).symlink_to(ROOT / name)
+        for script, case in {**CASE_OF, "cask_study": "", "benchmark": ""}.items():
+            with self.subTest(script):
+                self.refused(script, case, "is no build folder" if script == "benchmark" else NOT_BUILT, tree / "scripts")
+
+    def test_every_script_that_takes_arguments_is_in_the_table(self):
+        programs = {path.name for path in SCRIPTS.iterdir() if path.is_file() and path.stat().st_mode & 0o100 and "." in path.name
+                    or path.is_file() and "." not in path.name}
+        programs = {name for name in programs if re.match(r"#!", (SCRIPTS / name).read_text(encoding="utf-8"))}
+        self.assertEqual(programs - WITHOUT_ARGUMENTS - OTHERS, {row[0] for row in [*TABLE, *FOR_PROGRAMS]})
 
 
 if __name__ == "__main__":
