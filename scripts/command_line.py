@@ -24,11 +24,14 @@ def refuse(said, name=None):
     sys.exit(2)
 
 
+def near(name, known):
+    return difflib.get_close_matches(name, sorted(known))
+
+
 def unknown(what, name, known):
     """The sentence that there is no such name, with those that are near, or all."""
-    known = sorted(known)
-    near = difflib.get_close_matches(name, known)
-    there = f"did you mean {' or '.join(near)}?" if near else f"there are: {', '.join(known) or 'none'}"
+    found = near(name, known)
+    there = f"did you mean {' or '.join(found)}?" if found else f"there are: {', '.join(sorted(known)) or 'none'}"
     return f"no {what} is called '{name}'; {there}"
 
 

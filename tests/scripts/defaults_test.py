@@ -8,6 +8,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
 import defaults  # noqa: E402  (after the path)
+import runs  # noqa: E402
 import verify  # noqa: E402
 
 
@@ -82,7 +83,7 @@ class Store:
     def __init__(self, folder):
         self.folder = self.scratch = folder
         (folder / "history.csv").write_text("time [s]\n0\n")
-        (folder / "asked.json").write_text('{"seconds": 0}')
+        runs.write_record(folder, {"seconds": 0, "inputs": {}, "files": {}})
 
     def run(self, driver, case, overrides, threads=None):
         linear = overrides.get("element.viscosity.linear", 0.0)

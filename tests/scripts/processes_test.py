@@ -33,10 +33,10 @@ open(os.path.join({numbers!r}, str(os.getpid())), "w")
 time.sleep(60)
 """
 
-# Program, script and its words, for each script that starts programs.
+# Programs, script and its words, for each script that starts programs.
 SCRIPTS_WITH_PROGRAMS = [
     ("sliding", "forecast", str(SCRIPTS.parent / "cases/sliding")),
-    ("two_blocks", "verify.py", "--jobs", "2", "--out", "{out}", "two_blocks", "bars_of_unequal_length"),
+    ("two_blocks scene", "verify.py", "--jobs", "2", "--out", "{out}", "two_blocks", "bars_of_unequal_length"),
     ("two_blocks", "verify.py", "--jobs", "1", "--out", "{out}", "two_blocks"),
     ("two_blocks", "trade", "two_blocks", "--jobs", "2", "--out", "{out}"),
     ("two_blocks", "refine", str(SCRIPTS.parent / "cases/two_blocks/bars.yaml"), "--out", "{out}"),
@@ -92,10 +92,11 @@ class ProcessesTest(unittest.TestCase):
 
     @unittest.skipUnless(sys.platform == "linux", "the system has no such signal")
     def test_programs_and_workers_of_each_script_end_with_it(self):
-        for name, script, *words in SCRIPTS_WITH_PROGRAMS:
+        for names, script, *words in SCRIPTS_WITH_PROGRAMS:
             with self.subTest(script), tempfile.TemporaryDirectory() as folder:
                 root = Path(folder)
-                made_up.driver(root, name, ENDLESS, numbers=str(root / "numbers"))
+                for name in names.split():
+                    made_up.driver(root, name, ENDLESS, numbers=str(root / "numbers"))
                 (root / "numbers").mkdir()
                 words = [word.format(out=root / "out") for word in words]
                 with subprocess.Popen([sys.executable, script, "--drivers", root / "drivers", *words], cwd=SCRIPTS,
