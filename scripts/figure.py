@@ -3,6 +3,8 @@
 
     scripts/figure.py settlement RUN [RUN ...] --out figure5.svg
     scripts/figure.py energy RUN --out energy.svg
+    scripts/figure.py plugs RUN --out plugs.svg
+    scripts/figure.py plates RUN [RUN ...] --out plates.svg
 
 RUN is the folder a driver wrote (history.csv, summary.json). Besides the SVG a PNG of the same name
 is written. The same data give the same bytes.
@@ -192,16 +194,23 @@ def main(arguments=None):
     settlement.add_argument("runs", nargs="+", type=command_line.folder_to_read, metavar="RUN")
     energy = figures.add_parser("energy", help="where the energy of a run is, and what was created")
     energy.add_argument("run", type=command_line.folder_to_read, metavar="RUN")
-    for figure in (settlement, energy):
+    plugs = figures.add_parser("plugs", help="forces at the junctures of plugs, and their velocities")
+    plugs.add_argument("run", type=command_line.folder_to_read, metavar="RUN")
+    plates = figures.add_parser("plates", help="velocities of a stack of plates, one run below the other")
+    plates.add_argument("runs", nargs="+", type=command_line.folder_to_read, metavar="RUN")
+    for figure in (settlement, energy, plugs, plates):
         figure.add_argument("--out", type=command_line.file_to_write, required=True, metavar="FILE",
                             help="the SVG; a PNG is written beside it")
     options = parser.parse_args(arguments)
     command_line.need_writable(options.out.parent)
     import figure_cask  # these rest on this module
     import figure_energy
+    import figure_head
     import run_files
+    draw = {"settlement": lambda: figure_cask.settlement_figure(options.runs), "energy": lambda: figure_energy.energy_figure(options.run),
+            "plugs": lambda: figure_head.plugs_figure(options.run), "plates": lambda: figure_head.plates_figure(options.runs)}
     try:
-        drawn = figure_cask.settlement_figure(options.runs) if options.figure == "settlement" else figure_energy.energy_figure(options.run)
+        drawn = draw[options.figure]()
     except run_files.Unreadable as error:
         command_line.refuse(error)
     save(drawn, options.out)
