@@ -65,6 +65,7 @@ TABLE = [
     ("refine", "", NEEDS), ("refine", "nosuch.yaml", "is no file"), ("refine", "{case} --by={one}", NUMBER, ("1,nan",)),
     ("refine", "{case} --levels={one}", COUNT, NO_COUNTS), ("refine", "{case} --threads={one}", COUNT, NO_COUNTS),
     ("refine", "{case} --threads 2000", "1024 at most"), ("refine", "{case} --set nosuch", "is no KEY=VALUE"),
+    ("prove", "nosuch", "there is no build 'nosuch'"), ("prove", "address nosuch", "there is no build 'nosuch'"),
     ("refine", "{case} --driver nosuch --drivers {programs} --out {there}", NOT_BUILT),
     ("refine", "{case} --drivers {programs} --out {there} --csv {there}", "is a folder: expected is a file"),
     ("refine", "{case} --drivers {programs} --out {there} --csv {file}/a.csv", "is a file: expected is a folder"),
@@ -136,7 +137,7 @@ class BadArguments(unittest.TestCase):
             (self.root / name).mkdir()
         (self.root / "file").write_text("")
         for name in ("scene", "two_blocks", "cask_drop", "sliding", "contact_elements", "material_point", "modes", "patch_test",
-                     "penalty_oscillator"):
+                     "penalty_oscillator", "plug_juncture", "shield_plates"):
             (self.root / "programs" / name).write_text(DRIVER)
             (self.root / "programs" / name).chmod(0o755)
         made_up_run(self.root / "run")
@@ -146,7 +147,7 @@ class BadArguments(unittest.TestCase):
     def refused(self, script, words, says, scripts=SCRIPTS):
         names = {name: self.root / name for name in ("file", "there", "programs", "run")}
         words = [word.format(**names, case=self.case, root=ROOT) if not word.startswith("[") else word for word in words.split()]
-        start = ["bash"] if script == "verify" else [sys.executable]
+        start = ["bash"] if script in ("verify", "prove") else [sys.executable]
         done = subprocess.run([*start, scripts / script, *words], cwd=self.root, capture_output=True, text=True, timeout=120)
         if done.returncode == 77:
             return

@@ -1,0 +1,62 @@
+"""How close is close enough, why, and what must break."""
+from reference import closing_time, impulse
+from verify import Breaks, Check, Figure, Pair, created
+
+CATALOGUE = ()
+CLAIM = ("Three plugs in a reactor's head hand on exactly the momentum that a pressure gives the first; it closes its gap as a rigid plug "
+         "does, and a sector is the quarter's part.")
+EVIDENCE = "invariant"
+DRIVER = "plug_juncture"
+CASE = "cases/plug_juncture/slug.yaml"
+CELLS = 48   # around the whole turn, at level 2
+HIGHER = '1.001*table("slug.csv", t)'
+SLOPPY = {"mesh.level": 1, "contact.method": "penalty", "contact.energy_gain_limit": 0.04}
+PLUGS = ("small", "intermediate", "large")
+
+
+def closes(run):
+    return Pair(run.result("closes_1"), closing_time(CELLS), "s")
+
+
+def given(run):
+    """What the plugs have at the end and what the flange took, over the impulse of the pressure."""
+    kept = sum(run.result(f"momentum_{plug}") for plug in PLUGS)
+    return Pair(kept + run.result("impulse_3"), impulse(CELLS), "N s")
+
+
+def small_plug(run):
+    """The small plug has what the pressure gave it less what the first juncture handed on."""
+    return Pair(run.result("momentum_small"), impulse(CELLS) - run.result("impulse_1"), "N s", scale=impulse(CELLS))
+
+
+def quarter(run):
+    other = run.other(run.driver, CASE, {"model.kind": "quarter"})
+    names = [f"{what}_{k}" for what in ("closes", "impulse", "peak_force") for k in (1, 2, 3)]
+    return Pair(max(abs(other.result(name) / run.result(name) - 1) for name in names), 0, "", scale=1)
+
+
+CHECKS = [
+    Check("closing of the first gap", closes, 0.01, "the plug rings while it flies: its shoulder is up to 0.5 % of the gap ahead"),
+    Check("momentum of plugs and flange", given, 1e-4,
+          "the pressure acts on the surface as it is, whose area changes by strains of some 1e-5; all else is round-off"),
+    Check("momentum of the small plug", small_plug, 1e-4, "the same, of one body; without friction only its ledge takes anything along z"),
+    Check("quarter against sector", quarter, 1e-6, "the same polygons, turned: round-off, which grows with every strike"),
+    Check("created energy", created, 1e-3, "the bound of the scene; multipliers create less than a thousandth of it"),
+]
+
+
+BREAKS = [
+    Breaks("closing of the first gap", "gaps a fiftieth wider", {"head.axial_gap": "5.1 mm"}),
+    Breaks("momentum of plugs and flange", "a pressure a thousandth higher", {"struck_by.value": HIGHER}),
+    Breaks("momentum of the small plug", "a pressure a thousandth higher", {"struck_by.value": HIGHER}),
+    Breaks("quarter against sector", "a pressure a thousandth higher in one of both", {"struck_by.value": HIGHER}),
+    Breaks("created energy", "a stiff penalty that may create what a bounce may not", SLOPPY),
+]
+
+
+def forces(run):
+    return [(f"juncture {k}", [1e3 * t for t in run.column("time")], [-1e-6 * f for f in run.column(f"force_{k}")]) for k in (1, 2, 3)]
+
+
+FIGURES = [Figure("forces", "time [ms]", "force of the sector [MN]", forces,
+                  caption="Forces that the ledges of a sector carry, means over 20 us.")]

@@ -1,0 +1,38 @@
+"""What is known of the head before any program runs: a plug that moves as one, masses of turned polygons, and impulses."""
+import math
+
+DENSITY, HEIGHT, HOLE, SHOULDER, SIDE = 7850.0, 0.56, 0.2, 0.95, 0.85   # [kg/m3] [m], of the small plug
+HALF = HEIGHT / 2                                                       # [m] of what is below and above the shoulder
+GAP, PEAK, PULSE = 5e-3, 10e6, 4e-3                                     # [m] [Pa] [s]
+
+
+def part_of_circle(cells):
+    """Of the area of a circle, what a polygon of so many corners has."""
+    angle = 2 * math.pi / cells
+    return math.sin(angle) / angle
+
+
+def mass(cells):
+    """Of the small plug. [kg]"""
+    lower, upper = SHOULDER**2 - HOLE**2, SIDE**2 - HOLE**2
+    return DENSITY * math.pi * (lower + upper) * HALF * part_of_circle(cells)
+
+
+def force(cells):
+    """Of the pressure at its peak. [N]"""
+    return PEAK * math.pi * (SHOULDER**2 - HOLE**2) * part_of_circle(cells)
+
+
+def impulse(cells):
+    """Of the whole pulse, a triangle. [N s]"""
+    return force(cells) * PULSE / 2
+
+
+def closing_time(cells):
+    """When a rigid plug has gone through the gap:  x = F/m (t^2/2 - t^3/(6 T)). [s]"""
+    low, high = 0.0, PULSE
+    for _ in range(100):
+        t = (low + high) / 2
+        way = force(cells) / mass(cells) * (t**2 / 2 - t**3 / (6 * PULSE))
+        low, high = (t, high) if way < GAP else (low, t)
+    return low
