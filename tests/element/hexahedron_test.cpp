@@ -422,7 +422,7 @@ TYPED_TEST(HexahedronOf, WithDashpotsWorkAndEnergyDifferInTheThirdOrderOfTheStep
 // ------------------------------------------------------------------------------------------------
 // Hourglass stiffness by assumed strains
 
-constexpr Hexahedron::Options assumed{.viscosity = no_viscosity};
+const Hexahedron::Options assumed{.viscosity = no_viscosity};
 
 TEST(AssumedStrain, OfABrickHasEighteenStiffnessesAndBendsAsABeamAtAnyPoissonsRatio) {
   for (const double poisson : {-0.5, 0.0, 0.3, 0.4999})
