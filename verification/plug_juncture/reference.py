@@ -13,7 +13,11 @@ def part_of_circle(cells):
 
 
 def mass(cells):
-    """Of the small plug. [kg]"""
+    """Of the small plug. [kg]
+
+    >>> round(mass(10**6) / 1e3, 1)
+    10.7
+    """
     lower, upper = SHOULDER**2 - HOLE**2, SIDE**2 - HOLE**2
     return DENSITY * math.pi * (lower + upper) * HALF * part_of_circle(cells)
 
@@ -29,7 +33,13 @@ def impulse(cells):
 
 
 def closing_time(cells):
-    """When a rigid plug has gone through the gap:  x = F/m (t^2/2 - t^3/(6 T)). [s]"""
+    """When a rigid plug has gone through the gap:  x = F/m (t^2/2 - t^3/(6 T)). [s]
+
+    >>> t = closing_time(48)
+    >>> way = force(48) / mass(48) * (t**2 / 2 - t**3 / (6 * PULSE))
+    >>> round(way / GAP, 12)
+    1.0
+    """
     low, high = 0.0, PULSE
     for _ in range(100):
         t = (low + high) / 2
