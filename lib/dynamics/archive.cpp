@@ -1,5 +1,7 @@
 #include "dynamics/archive.hpp"
 
+#include <cmath>
+
 #include "base/archive.hpp"
 #include "base/checksum.hpp"
 
@@ -354,9 +356,12 @@ State state_of(const Model& model, std::string_view bytes) {
 }
 
 std::uint64_t fingerprint(const Model& model) {
+  constexpr double digits = 1e9, aside = 0.2371;  // so that round-off of another build changes no number, even of even coordinates
   Writer writer;
-  writer(model.mesh.X, model.mass, model.inertia);
-  for (const element::AnyBlock& block : model.blocks) writer(element::name(block), element::nodes(block));
+  const double extent = model.mesh.X.cwiseAbs().maxCoeff();
+  writer(Vectors((model.mesh.X * (digits / (extent > 0 ? extent : 1))).array().unaryExpr([](double x) { return std::round(x + aside); })));
+  for (const element::AnyBlock& block : model.blocks)
+    writer(element::name(block), element::nodes(block), element::tiling(block).node, element::tiling(block).elements);
   for (const contact::Interface& interface : model.interfaces) writer(interface.name, interface.apexes, interface.base.facets);
   for (const contact::RigidPlane& plane : model.rigid_planes) writer(plane.name, plane.nodes);
   return checksum(writer.bytes());

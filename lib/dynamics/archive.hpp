@@ -15,7 +15,8 @@ std::string bytes_of(const Model&, const State&);
 /// The state in bytes_of() the same model. DamagedArchive where they are something else.
 State state_of(const Model&, std::string_view bytes);
 
-/// A number that tells models apart: by their meshes, masses and what is connected.
+/// A number that tells models apart: by their positions, to nine digits, what is connected, and the order in which elements are kept.
+/// Builds with other instructions find the same.
 std::uint64_t fingerprint(const Model&);
 
 }  // namespace nereid::dynamics

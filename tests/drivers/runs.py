@@ -178,7 +178,7 @@ class Stops(InATemporaryFolder):
 class Summary(InATemporaryFolder):
     """summary.json: the documented keys, the case in SI, results, and books that balance."""
 
-    KEYS = ["driver", "ending", "results", "ledger", "overlaps", "cost", "provenance", "not_used", "notes"]
+    KEYS = ["driver", "ending", "results", "ledger", "overlaps", "touched", "cost", "provenance", "not_used", "notes"]
 
     def check_form(self, run, driver, results, ending=("reached_end", "")):
         summary = run.summary()
