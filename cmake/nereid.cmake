@@ -131,8 +131,8 @@ function(nereid_tests name)
   if(sources)
     add_executable(${name}_test ${sources})
     target_link_libraries(${name}_test PRIVATE nereid::${name} ${TESTS_LINK} GTest::gtest GTest::gtest_main)
-    # clang asks for braces that the standard does not, and warns of what is for GCC alone
-    target_compile_options(${name}_test PRIVATE "$<$<CXX_COMPILER_ID:Clang>:-Wno-missing-braces;-Wno-unknown-pragmas>")
+    # clang asks for braces that the standard does not, and knows no pragma that is for GCC alone
+    target_compile_options(${name}_test PRIVATE "$<$<CXX_COMPILER_ID:Clang>:-Wno-error=missing-braces;-Wno-error=unknown-pragmas>")
     target_compile_definitions(${name}_test PRIVATE NEREID_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
     gtest_discover_tests(${name}_test TEST_PREFIX ${name}. DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
                          PROPERTIES LABELS unit TIMEOUT 300)
