@@ -1,4 +1,4 @@
-// The plugs of a reactor's head are struck from below and close the gaps at their junctures: Kulak & Fiala, chapter 1.
+// The plugs of a reactor's head are struck from below and close the gaps at their junctures: Kulak & Fiala, section 1.
 //
 //    axis     |    |           |    |          |    |         |    |
 //      .      |    |___     ___|    |___    ___|    |___   ___|    | <- held
@@ -18,7 +18,6 @@
 #include "drivers/driver.hpp"
 #include "dynamics/measure.hpp"
 #include "input/load_readers.hpp"
-#include "model/probes.hpp"
 
 using namespace nereid;
 
@@ -69,7 +68,7 @@ Part part_of(const std::string& kind, int level) {
 }
 
 /// Cells of about 0.2 m / level.
-int cells_in(double length, int level) { return std::max(1, static_cast<int>(std::lround(5 * level * length))); }
+int cells_in(double length, int level) { return static_cast<int>(std::clamp(std::round(5 * level * length), 1.0, 1e8)); }
 
 /// The section of plug b, or of the flange: a shoulder outside below half the height, a ledge in the bore above it.
 mesh::Revolved section_of(const Head& head, std::size_t b, int level, const Part& part) {
@@ -199,9 +198,7 @@ model::Simulation build(const input::CaseFile& file, Asked& asked) {
   scene.probes = probes_of_scene();
   scene.time = input::read_time(root.section("time"));
   scene.recording = input::read_recording(root.section_or_empty("output"), scene.time.end);
-  std::vector<input::Measured> measured;
-  for (const model::Probe& probe : scene.probes) measured.push_back({probe.name, model::find_measurable(probe.quantity)->unit});
-  scene.stops = input::read_stops(root, measured, scene.recording);
+  scene.stops = input::read_stops(root, input::measured_by(scene.probes), scene.recording);
   model::Simulation simulation = input::build(file, scene);
   for (std::size_t j = 0; j < junctures; ++j) {
     const Subset shoulder = mesh::node_set(simulation.model.mesh, face(j, "up_", 1)),

@@ -1,4 +1,4 @@
-// A stack of plates with gaps, as the shield plates below a reactor's head, is struck at its lowest plate: Kulak & Fiala, chapter 1.
+// A stack of plates with gaps, as the shield plates below a reactor's head, is struck at its lowest plate: Kulak & Fiala, section 1.
 //
 //      ===================  4          rigid   rigid bodies: a chain of collisions
 //      ===================  3          bars    a column of bricks in uniaxial strain: waves with steps of impedance
@@ -11,12 +11,12 @@
 // Run       shield_plates cases/shield_plates/rigid.yaml --out out/shield_plates
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "drivers/driver.hpp"
 #include "dynamics/measure.hpp"
 #include "input/load_readers.hpp"
-#include "model/probes.hpp"
 
 using namespace nereid;
 
@@ -67,7 +67,8 @@ std::vector<model::Body> bodies_of(const Stack& stack, const element::AnyLaw& la
   const double thinnest = *std::min_element(stack.thickness.begin(), stack.thickness.end());
   for (std::size_t i = 0; i < stack.plates(); ++i) {
     const double thickness = stack.thickness[i], low = bottom(stack, i), side = stack.side();
-    const int cells = stack.kind == Kind::rigid ? 1 : std::max(1, static_cast<int>(std::lround(10 * stack.level * thickness / thinnest)));
+    const double wanted = std::round(10 * stack.level * thickness / thinnest);
+    const int cells = stack.kind == Kind::rigid ? 1 : static_cast<int>(std::clamp(wanted, 1.0, 1e8));
     model::Body body{.name = plate(i), .mesh = mesh::Box{Vec3(0, 0, low), Vec3(side, side, low + thickness), {1, 1, cells}}, .law = law,
                      .rigid = stack.kind == Kind::rigid, .at = "stack"};
     if (stack.kind == Kind::plates) {
@@ -138,9 +139,7 @@ model::Simulation build(const input::CaseFile& file, Stack& asked) {
   add_probes(stack, scene);
   scene.time = input::read_time(root.section("time"));
   scene.recording = input::read_recording(root.section_or_empty("output"), scene.time.end);
-  std::vector<input::Measured> measured;
-  for (const model::Probe& probe : scene.probes) measured.push_back({probe.name, model::find_measurable(probe.quantity)->unit});
-  scene.stops = input::read_stops(root, measured, scene.recording);
+  scene.stops = input::read_stops(root, input::measured_by(scene.probes), scene.recording);
   model::Simulation simulation = input::build(file, scene);
   for (std::size_t i = 0; bends && i < stack.plates(); ++i) {
     const Subset centre = mesh::node_set(simulation.model.mesh, plate(i) + ".centre"),

@@ -1,5 +1,6 @@
 #include "dynamics/archive.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/archive.hpp"
@@ -358,8 +359,12 @@ State state_of(const Model& model, std::string_view bytes) {
 std::uint64_t fingerprint(const Model& model) {
   constexpr double digits = 1e9, aside = 0.2371;  // so that round-off of another build changes no number, even of even coordinates
   Writer writer;
-  const double extent = model.mesh.X.cwiseAbs().maxCoeff();
-  writer(Vectors((model.mesh.X * (digits / (extent > 0 ? extent : 1))).array().unaryExpr([](double x) { return std::round(x + aside); })));
+  const auto rounded = [](const Vectors& places, double extent) {
+    return Vectors((places * (digits / (extent > 0 ? extent : 1))).array().unaryExpr([](double x) { return std::round(x + aside); }));
+  };
+  const Vec3 low = model.mesh.X.rowwise().minCoeff(), high = model.mesh.X.rowwise().maxCoeff();
+  const double farthest = std::max(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff());
+  writer(rounded(low, farthest), rounded(model.mesh.X.colwise() - low, (high - low).maxCoeff()));
   for (const element::AnyBlock& block : model.blocks)
     writer(element::name(block), element::nodes(block), element::tiling(block).node, element::tiling(block).elements);
   for (const contact::Interface& interface : model.interfaces) writer(interface.name, interface.apexes, interface.base.facets);

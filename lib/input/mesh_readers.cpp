@@ -81,6 +81,8 @@ mesh::Revolved read_revolved(const Section& section) {
     any_filled = any_filled || row.find('x') != std::string::npos;
   }
   if (!any_filled) section.fault("filled", "'filled' has no x: the body is empty");
+  if (section.sound() && mesh::has_hinge(body))
+    section.fault("filled", "'filled' has rectangles that meet at a corner only: the body would hinge there");
   if (section.sound() && !(body.angle < pi * body.cells_around))
     section.fault_between({"cells_around", "angle"}, "each of the 'cells_around' must take less than half a turn");
   return body;

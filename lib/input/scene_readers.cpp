@@ -247,16 +247,20 @@ model::Scene read_scene(const Section& root, bool runs) {
   for (const Section& section : run.list("sections")) scene.sections.push_back(read_section(section, taken));
   for (const Section& probe : run.list("probes")) scene.probes.push_back(read_probe(probe, probes));
   scene.recording = read_recording(run.section_or_empty("output"), scene.time.end);
-  std::vector<Measured> measured;
-  for (const model::Probe& probe : scene.probes) {
-    const model::Measurable* quantity = model::find_measurable(probe.quantity);
-    measured.push_back({probe.name, quantity == nullptr ? "" : quantity->unit});
-  }
-  scene.stops = read_stops(run, measured, scene.recording);
+  scene.stops = read_stops(run, measured_by(scene.probes), scene.recording);
   return scene;
 }
 
 }  // namespace
+
+std::vector<Measured> measured_by(const std::vector<model::Probe>& probes) {
+  std::vector<Measured> measured;
+  for (const model::Probe& probe : probes) {
+    const model::Measurable* quantity = model::find_measurable(probe.quantity);
+    measured.push_back({probe.name, quantity == nullptr ? "" : quantity->unit});
+  }
+  return measured;
+}
 
 std::vector<model::Stop> read_stops(const Section& root, const std::vector<Measured>& probes, const model::Recording& recording) {
   std::vector<model::Stop> stops;

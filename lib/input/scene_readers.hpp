@@ -18,6 +18,9 @@ struct Measured {
   std::string unit;  ///< SI; empty where the probe is at fault
 };
 
+/// Probes of a scene as conditions see them.
+std::vector<Measured> measured_by(const std::vector<model::Probe>&);
+
 /// Reads the list `stop`, for drivers with probes of their own: what a driver reads here it puts into Simulation::stops.
 std::vector<model::Stop> read_stops(const Section& root, const std::vector<Measured>& probes, const model::Recording&);
 

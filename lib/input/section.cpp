@@ -603,7 +603,16 @@ std::string Section::beside_case(std::string_view key, std::string_view path) co
 void Section::saw(std::string_view key, const std::string& path, const std::string& bytes) const {
   char text[17];
   std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(checksum(bytes)));
-  record(std::string(key) + "(" + path + ")", std::string(text), "", false);
+  const Resolved::Value value = std::vector<std::string>{path, text};
+  std::string name = std::string(key) + "_file";
+  for (int number = 2;; ++number) {
+    const auto at = std::find_if(document_->resolved.begin(), document_->resolved.end(),
+                                 [&](const Resolved& one) { return one.path == path_of(name); });
+    if (at == document_->resolved.end()) break;
+    if (at->value == value) return;
+    name = std::string(key) + "_file_" + std::to_string(number);
+  }
+  record(name, value, "", false);
 }
 
 bool Section::sound() const { return document_->sound(); }

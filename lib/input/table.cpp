@@ -109,8 +109,8 @@ std::variant<Table, std::string> parse_table(std::string_view text, std::string_
     for (std::size_t i = 0; i < 2; ++i) {
       const std::size_t place = i == 0 ? 0 : of_values;
       const std::optional<double> read = number(parts[place]);
-      if (!read) return wrong(quote(clipped(parts[place], 40)) + " is no finite number");
-      point[i] = *read * columns[place].unit;
+      point[i] = read ? *read * columns[place].unit : 0;
+      if (!read || !std::isfinite(point[i])) return wrong(quote(clipped(parts[place], 40)) + " is no finite number");
     }
     if (!table.argument.empty() && !(point[0] > table.argument.back()))
       return wrong(quote(columns[0].name) + " does not grow: expected more than in the line before");

@@ -99,6 +99,7 @@ void check_section(const Revolved& one) {
   check(one.filled.size() == one.cells_along.size() &&
             std::all_of(one.filled.begin(), one.filled.end(), [&](const auto& row) { return row.size() == one.cells_radial.size(); }),
         "a section says of each of its rectangles whether it is filled");
+  check(!has_hinge(one), "rectangles of a section have sides together, or nothing");
   check(one.cells_around > 0 && one.angle > 0 && one.angle <= 2 * pi * (1 + 1e-12) && one.angle < pi * one.cells_around,
         "a section turns by no more than a whole turn, by less than half a turn for each cell");
 }
@@ -106,6 +107,16 @@ void check_section(const Revolved& one) {
 }  // namespace
 
 bool is_whole_turn(const Revolved& one) { return one.angle >= 2 * pi * (1 - 1e-12); }
+
+bool has_hinge(const Revolved& one) {
+  for (std::size_t row = 0; row + 1 < one.filled.size(); ++row)
+    for (std::size_t i = 0; i + 1 < one.cells_radial.size(); ++i) {
+      const bool a = one.filled[row][i] == 'x', b = one.filled[row][i + 1] == 'x';
+      const bool c = one.filled[row + 1][i] == 'x', d = one.filled[row + 1][i + 1] == 'x';
+      if (a == d && b == c && a != b) return true;
+    }
+  return false;
+}
 
 double count(const Revolved& one) {
   double sum = 0;

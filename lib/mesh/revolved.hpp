@@ -19,6 +19,9 @@ struct Revolved {
 
 bool is_whole_turn(const Revolved&);
 
+/// Whether two rectangles of material have a corner together and no side, so that the body would hinge there.
+bool has_hinge(const Revolved&);
+
 /// Number of hexahedra.
 double count(const Revolved&);
 
@@ -29,7 +32,7 @@ double count(const Revolved&);
 ///
 /// and, unless the turn is whole, node sets `name.first_plane`, `name.second_plane` as of a Wedge. Nodes and elements are numbered layer by
 /// layer along z, ray by ray within a layer. Nodes lie on circles, so of the volume there is the part sin(a) / a, a of one cell.
-/// Needs  at least one rectangle of material
+/// Needs  at least one rectangle of material, and no hinge
 Mesh revolved(const std::string& name, const Revolved&);
 
 }  // namespace nereid::mesh

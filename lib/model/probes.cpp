@@ -135,6 +135,10 @@ Measure of_source(const Probe& probe, const std::string& along, const dynamics::
     return component(along, normal, [interfaces](const View& view, ProbeMemory& memory) {
       return dynamics::mean_contact_force(view, interfaces, memory);
     });
+  const auto spring = std::find_if(model.loads.begin(), model.loads.end(), [&](const auto& load) { return load::name(load) == probe.of; });
+  if (total && spring != model.loads.end() && load::is_spring(*spring))
+    refuse(faults, part("probe", probe), "quantity",
+           "'quantity' = impulse: " + probe.of + " is a spring, which gives both of its ends opposite ones; its force is that on 'from'");
   if (total) {
     const std::size_t source = dynamics::source_of(model, probe.of);
     return component(along, normal, [source](const View& view, ProbeMemory&) { return view.now.ledger.accounts[source].impulse; });

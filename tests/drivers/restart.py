@@ -53,6 +53,7 @@ CASES = {
     "stages: a rigid ram that is let go": ("stages/struck.yaml", {}),
     "a condition to stop": ("long_bar_on_a_wall/case.yaml", {}),
     "a mesh from a file": ("invariance_scenes/strike.yaml", {}),
+    "a section, a table, a pair that touched": ("../tests/drivers/cases/pushed.yaml", {}),
 }
 # of these, all kinds of elements and of contact; none so chaotic that round-off grows
 WIDTHS = ["automatic contact by a penalty", "a bond", "a floor, plates on solids, plasticity", "rigid bodies on a plane, friction",

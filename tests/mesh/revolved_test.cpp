@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "base/check.hpp"
 #include "mesh/skin.hpp"
 #include "mesh/wedge.hpp"
 #include "tests/mesh/measures.hpp"
@@ -63,6 +64,14 @@ TEST(Revolved, HasNormalsOutwards) {
     enclosed += Vec3(mesh.X.col(facet[0])).dot(Vec3(mesh.X.col(facet[1])).cross(Vec3(mesh.X.col(facet[2])))) / 6;
   EXPECT_NEAR(enclosed, volume(mesh, hexahedra(mesh, "a").nodes), 1e-13);
   EXPECT_EQ(mesh.node_sets.size(), 1 + mesh.surfaces.size());
+}
+
+TEST(Revolved, RefusesAHinge) {
+  Revolved body = plug(1, 5);
+  EXPECT_FALSE(has_hinge(body));
+  body.filled = {"x..", ".xx"};
+  EXPECT_TRUE(has_hinge(body));
+  EXPECT_THROW(revolved("a", body), InternalError);
 }
 
 TEST(Revolved, HasItsPlanes) {

@@ -51,7 +51,11 @@ TEST(MakeProbe, RefusesWhatCannotBeMeasured) {
                   {.name = "b", .quantity = "force", .of = "touch", .component = "normal"},
                   {.name = "c", .quantity = "stress", .of = "bar"},
                   {.name = "d", .quantity = "velocity", .of = "bar", .component = "xx"}};
+  scene.springs = {{.name = "spring", .from = "bar.far", .to = "wall.far", .stiffness = 1}};
+  scene.bodies[0].points = {{.name = "far", .near = Vec3(0, 0, 0)}}, scene.bodies[1].points = {{.name = "far", .near = Vec3(4, 0, 0)}};
+  scene.probes.push_back({.name = "e", .quantity = "impulse", .of = "spring"});
   const std::string said = refusal(scene);
+  EXPECT_TRUE(says(said, "probe 'e': 'quantity' = impulse: spring is a spring"));
   EXPECT_TRUE(says(said, "probe 'a': 'quantity' = plastic_strain: the material of bar has no such variable"));
   EXPECT_TRUE(says(said, "probe 'b': 'component' = normal: touch is no plane and has no normal"));
   EXPECT_TRUE(says(said, "probe 'c': 'component' is missing: one of xx, yy"));
