@@ -136,8 +136,9 @@ void advance_tile(const Block<Kind, Law>& block, const Tile& tile, const Vectors
     const Pack zero(0.0), number = Pack(static_cast<double>(pack) * lanes) + lane;
     for (std::size_t c = 0; c < stored.size(); ++c) stored[c] += select(own, here.stored[c], zero);
     for (std::size_t c = 0; c < dissipated.size(); ++c) dissipated[c] += select(own, here.dissipated[c], zero);
-    step_at = select(here.step < step, number, step_at);
-    step = smaller(step, here.step);
+    const auto shorter = !(here.step >= step);  // also where either is NaN, so that `step_at` is always that of `step`
+    step_at = select(shorter, number, step_at);
+    step = select(shorter, here.step, step);
     const auto worse = here.volume_ratio < volume_ratio || here.volume_ratio != here.volume_ratio;  // NaN is worst, and stays
     volume_at = select(worse, number, volume_at);
     volume_ratio = select(worse, here.volume_ratio, volume_ratio);

@@ -238,8 +238,13 @@ void add_forces(const AnyLoad& any, const LoadMemory& memory, Vectors& force, Ve
       any);
 }
 
-Vec3 resultant(const LoadMemory& memory) { return memory.force.rowwise().sum(); }
-Vec3 resultant_moment(const LoadMemory& memory) { return memory.moment.rowwise().sum(); }
+namespace {
+/// Zero of none, for which Eigen would compute with a null pointer.
+Vec3 sum_of(const Vectors& all) { return all.cols() > 0 ? Vec3(all.rowwise().sum()) : Vec3(Vec3::Zero()); }
+}  // namespace
+
+Vec3 resultant(const LoadMemory& memory) { return sum_of(memory.force); }
+Vec3 resultant_moment(const LoadMemory& memory) { return sum_of(memory.moment); }
 
 SpringRates spring_rates(const std::vector<AnyLoad>& loads, const Scalars& mass) {
   std::unordered_map<Index, std::array<double, 2>> at_node;  // stiffness and damping over mass

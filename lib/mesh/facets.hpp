@@ -54,7 +54,7 @@ class Facets {
 /// The same facets seen from their other side; the first side of each stays the same, reversed.
 inline Table<3> reversed(const Table<3>& facets) {
   Table<3> result = facets;
-  result.row(0).swap(result.row(1));
+  if (facets.cols() > 0) result.row(0).swap(result.row(1));
   return result;
 }
 

@@ -40,7 +40,7 @@ TEST(InChild, TellsOfMemoryAndOfWhatIsThrown) {
   EXPECT_EQ(in_child([]() -> std::string { throw std::runtime_error("x"); }, {}).why, "it failed");
 }
 
-#ifndef __SANITIZE_ADDRESS__
+#ifndef NEREID_SANITIZED
 TEST(InChild, LimitsMemory) {
   const OfChild found = in_child([] { return std::string(std::size_t{1} << 30, 'x').substr(0, 1); }, {.memory = 1e8});
   EXPECT_TRUE(found.out_of_memory) << found.why;

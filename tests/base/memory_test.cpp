@@ -23,7 +23,7 @@ TEST(MemoryLeft, IsThatOfTheMachineOrWhatALimitLeaves) {
   const double free = memory_left();
   EXPECT_GT(free, 1e7);
   EXPECT_LT(free, 1e15);
-#ifndef __SANITIZE_ADDRESS__
+#ifndef NEREID_SANITIZED
   const bool limited_before = memory_is_limited();
   rlimit before{};
   getrlimit(RLIMIT_AS, &before);

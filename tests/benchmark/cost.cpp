@@ -328,7 +328,7 @@ std::array<double, 2> costs_of_pressed(int n, int steps, const material::J2Bilin
 }
 
 int automatic_costs(int n, int steps, const material::J2Bilinear& law, const element::Hexahedron::Options& options) {
-  const material::J2Bilinear elastic{1.0, 1.0, 0.3, 1e3, 0.1};
+  const material::J2Bilinear elastic{1.0, 1.0, 0.3, {1e3, 0.1}};
   for (const double strain : {1e-9, 1e-3, 1e-2, 3e-2}) {
     Pressed scene = far_and_swinging(n, strain, elastic, options);
     const auto [with, without] = with_and_without(scene, 0.5 * scene.state.votes.elements.step, steps);
@@ -351,7 +351,7 @@ int main(int argc, char** argv) {
   const std::string kind = argc > 1 ? argv[1] : "hexahedra";
   const int n = argc > 2 ? std::atoi(argv[2]) : 20, steps = argc > 3 ? std::atoi(argv[3]) : 400;
   use_threads(1);
-  const material::J2Bilinear law{1.0, 1.0, 0.3, 1e-3, 0.1};
+  const material::J2Bilinear law{1.0, 1.0, 0.3, {1e-3, 0.1}};
   using element::Hexahedron;
   using Control = Hexahedron::Hourglass;
   const auto control = kind == "viscous" ? Control::viscous : kind == "springs" ? Control::stiffness : Control::assumed_strain;

@@ -27,7 +27,7 @@
 
 // Allocations are counted where both operator new and Eigen's arrays end: in malloc. The sanitizers
 // have a malloc of their own.
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__)
+#if defined(__GLIBC__) && !defined(NEREID_SANITIZED)
 #define NEREID_COUNTS_ALLOCATIONS
 static std::atomic<long> allocations{0};
 extern "C" {

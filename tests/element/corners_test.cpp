@@ -27,10 +27,11 @@ TEST(SmallestCorner, IsOneAtRestAndTheDeterminantOfAnAffineMotion) {
 TEST(SmallestCorner, TurnsNegativeWhereTheVolumeDoesNot) {
   const mesh::Mesh mesh = mesh::box("a", {Vec3::Zero(), Vec3(3, 1, 1), {3, 1, 1}});
   Vectors x = mesh.X;
-  const Connectivity& nodes = element::nodes(solid(mesh));
+  const AnyBlock block = solid(mesh);
+  const Connectivity& nodes = element::nodes(block);
   const Index node = nodes(6, 2);  // pushed through the three faces opposite to it, by a fifth of an edge
   x.col(node) = mesh.X.col(nodes(0, 2)) - 0.2 * Vec3(1, 1, 1);
-  const Corner corner = smallest_corner(solid(mesh), mesh.X, x);
+  const Corner corner = smallest_corner(block, mesh.X, x);
   EXPECT_EQ(corner.element, 2);
   EXPECT_LT(corner.ratio, -0.9);
 }
