@@ -93,8 +93,7 @@ bool can_cross(const Interface& interface, Index edge, Index base_edge) {
 bool before(const Crossing& a, const Crossing& b) { return std::tie(a.edge, a.base_edge) < std::tie(b.edge, b.base_edge); }
 
 /// Ends what a crossing was.
-void let_go(Crossing& crossing, Memory& memory) {
-  discard(crossing.restitution, memory.impact);
+void let_go(Crossing& crossing) {
   crossing.acts = false;
   crossing.pressed = 0;
   crossing.friction.acts = crossing.friction.stuck = false;
@@ -222,7 +221,7 @@ void search_crossings(const Interface& interface, const Vectors& x, Memory& memo
   for (Crossing& was : memory.crossings) {
     const auto at = std::lower_bound(next.begin(), next.end(), was, before);
     if (at != next.end() && at->edge == was.edge && at->base_edge == was.base_edge) *at = was;
-    else let_go(was, memory);
+    else discard(was.restitution, memory.impact);
   }
   std::swap(memory.crossings, next);
 }
@@ -243,7 +242,8 @@ void find_crossings(const Interface& interface, const Motion& m, Memory& memory,
       if (!acts) all.conditions.pop_back();
     }
     if (!acts) {
-      let_go(crossing, memory);
+      leave_behind(crossing.node, crossing.restitution, memory, all);
+      let_go(crossing);
       continue;
     }
     crossing.acts = true;

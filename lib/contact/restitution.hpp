@@ -1,6 +1,9 @@
 #pragma once
 // The energy that multipliers take from nodes that they stop, and give back as these are released.
 
+#include <algorithm>
+#include <span>
+
 #include "contact/condition.hpp"
 
 namespace nereid::contact {
@@ -37,5 +40,24 @@ double owed(const Memory& memory) {
 
 /// Books what a node holds as lost that is no longer near what it touched.
 void discard(Restitution&, double& impact);
+
+/// Ends what a contactor between some nodes holds; hand_on() says what becomes of it.
+template <class Memory>
+void leave_behind(std::span<const Index> nodes, Restitution& restitution, Memory& memory, Multipliers& all) {
+  if (restitution.held > 0) {
+    LeftBehind& left = all.left_behind.emplace_back();
+    left.nodes = static_cast<int>(nodes.size());
+    std::copy(nodes.begin(), nodes.end(), left.node.begin());
+    left.held = restitution.held, left.kept = restitution.kept;
+    left.impact = &memory.impact, left.transferred = &memory.transferred;
+  }
+  restitution = {};
+}
+
+/// Spreads what has been left behind over the nodes where it was held and conditions act. What was held where none act is lost.
+void find_heirs(Multipliers&);
+
+/// Gives a contact's contactors, first to last, what was left behind at their nodes.
+void inherit(Index first, Index last, double& transferred, Multipliers&);
 
 }  // namespace nereid::contact

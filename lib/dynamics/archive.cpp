@@ -281,8 +281,8 @@ void visit(Archive& archive, Vote& vote) {
 
 template <class Archive>
 void visit(Archive& archive, Votes& votes) {
-  auto& [elements, contact, volume_ratio, smallest_block, smallest_element, may_grow, costly] = votes;
-  archive(elements, contact, volume_ratio, smallest_block, smallest_element, may_grow, costly);
+  auto& [elements, contact, volume_ratio, smallest_block, smallest_element, may_grow, costly, trend] = votes;
+  archive(elements, contact, volume_ratio, smallest_block, smallest_element, may_grow, costly, trend);
 }
 
 template <class Archive>

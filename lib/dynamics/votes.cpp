@@ -9,13 +9,14 @@ namespace nereid::dynamics {
 namespace {
 
 constexpr double grows_by = 1.05;          // [-] or not at all
+constexpr double steepest = 0.5;           // [-] of the trend: a limit that falls faster has jumped and does not go on so
 constexpr int patience = 20;               // steps: more than a period of what rings at the limit of the step
 constexpr double worth_a_warning = 0.01;   // of the energy of the scene: a fifth of the usual created_limit
 
 }  // namespace
 
 Step choose_step(const Votes& votes, double safety) {
-  const double elements = safety * votes.elements.step;
+  const double elements = safety * votes.trend * votes.elements.step;
   if (votes.contact.step < elements) return {votes.contact.step, votes.contact.source, votes.contact.at, 1};
   return {elements, votes.elements.source, votes.elements.at, safety};
 }
@@ -31,6 +32,8 @@ double next_length(const Votes& votes, const Pace& pace, double t, double last) 
 }
 
 void see_growth(const Votes& before, const Pace& pace, double dt, double created, Votes& now) {
+  const double ratio = now.elements.step / before.elements.step;
+  now.trend = ratio < 1 ? std::max(ratio, steepest) : 1;
   now.may_grow = choose_step(now, pace.safety).dt < grows_by * dt ? 0 : before.may_grow + 1;
   now.costly = before.costly || created > worth_a_warning;
 }

@@ -30,6 +30,7 @@ struct Votes {
   Index smallest_element = -1;
   int may_grow = 0;             ///< steps in a row after which the next one might have been longer by a twentieth; see see_growth()
   bool costly = false;          ///< whether changes of the step have created what is worth a warning
+  double trend = 1;             ///< [-] 0.5 to 1: the limit of the elements over the one a step before, where it falls; see choose_step()
 };
 
 /// The length of a step, and what limits it.
@@ -37,7 +38,7 @@ struct Step {
   double dt = 1e300;    ///< [s]
   int source = -1;      ///< in sources(model)
   Index at = -1;        ///< see Vote
-  double safety = 1;    ///< [-] dt over the limit that the source voted for
+  double safety = 1;    ///< [-] of the limit that the source voted for; dt is shorter where that limit falls
 };
 
 /// How long the steps of a run are.
@@ -48,6 +49,9 @@ struct Pace {
 };
 
 /// Chooses the next step: the smaller of `safety` times the limit of the elements and the limit of contact.
+///
+/// The limit of the elements is the one of their shape at the start of the step. Where it falls, as when elements are pressed, it is taken
+/// to fall as much again within the step.
 Step choose_step(const Votes&, double safety);
 
 /// The length of the step that begins at t: as chosen, but it grows only by a twentieth or more, because every change of the step costs
@@ -60,7 +64,7 @@ Step choose_step(const Votes&, double safety);
 /// last  [s] the step that led to t; 0: none
 double next_length(const Votes&, const Pace&, double t, double last);
 
-/// Brings up to date what next_length() asks of the steps before.
+/// Brings up to date what choose_step() and next_length() ask of the steps before.
 ///
 /// before   the votes for the step dt that has been done;  created  [-] what changes of the step have created, over steady_scale()
 void see_growth(const Votes& before, const Pace&, double dt, double created, Votes& now);

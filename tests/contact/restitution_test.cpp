@@ -122,5 +122,56 @@ TEST(Restitution, WhatFrictionGaveIsCoveredByWhatOtherFrictionTookThenByWhatIsHe
   EXPECT_EQ(at.memory[2].held, -1);
 }
 
+TEST(LeftBehind, GoesToWhatActsAtTheSameNodes) {
+  Setting at({1, 2, 4});  // a condition at each of three nodes
+  Memory from;
+  const std::array<Index, 2> nodes{0, 2};
+  Restitution ended{.held = 8, .kept = 2};
+  leave_behind(nodes, ended, from, at.all);
+  EXPECT_EQ(ended.held, 0);
+  find_heirs(at.all);
+  double to = 0;
+  inherit(0, 3, to, at.all);
+  EXPECT_EQ(at.memory[0].held, 5);
+  EXPECT_EQ(at.memory[1].held, 2);
+  EXPECT_EQ(at.memory[2].held, 8);
+  EXPECT_EQ(at.memory[0].kept, 1);
+  EXPECT_EQ(from.transferred, 8);
+  EXPECT_EQ(to, -8);
+  EXPECT_EQ(from.impact, 0);
+}
+
+TEST(LeftBehind, IsSharedByAllThatActAtANode) {
+  Setting at({0, 0});
+  at.all.conditions[1].node[0] = 0;  // both at one node
+  Memory from;
+  const std::array<Index, 2> nodes{0, 1};
+  Restitution ended{.held = 6};
+  leave_behind(nodes, ended, from, at.all);
+  find_heirs(at.all);
+  double first = 0, second = 0;
+  inherit(0, 1, first, at.all), inherit(1, 2, second, at.all);
+  EXPECT_EQ(at.memory[0].held, 3);
+  EXPECT_EQ(at.memory[1].held, 3);
+  EXPECT_EQ(from.transferred + first + second, 0);
+}
+
+TEST(LeftBehind, IsLostWhereNothingActsAndADebtIsNotHandedOn) {
+  Setting at({1});
+  Memory from;
+  const std::array<Index, 1> elsewhere{7}, here{0};
+  at.all.heirs.resize(8);
+  Restitution ended{.held = 3}, debt{.held = -2};
+  leave_behind(elsewhere, ended, from, at.all);
+  leave_behind(here, debt, from, at.all);
+  find_heirs(at.all);
+  double to = 0;
+  inherit(0, 1, to, at.all);
+  EXPECT_EQ(at.memory[0].held, 1);
+  EXPECT_EQ(from.impact, 3);
+  EXPECT_EQ(from.transferred, 0);
+  EXPECT_EQ(debt.held, 0);
+}
+
 }  // namespace
 }  // namespace nereid::contact

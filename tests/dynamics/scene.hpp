@@ -145,7 +145,7 @@ inline std::vector<std::pair<std::string, std::vector<double>>> numbers(const St
   }
   part("votes"), add(s.votes.elements.step, s.votes.elements.source, s.votes.elements.at, s.votes.contact.step, s.votes.contact.source,
                      s.votes.contact.at, s.votes.volume_ratio, s.votes.smallest_block, s.votes.smallest_element, s.votes.may_grow,
-                     s.votes.costly);
+                     s.votes.costly, s.votes.trend);
   part("progress"), add(s.progress.started, s.progress.first_step, s.progress.updates, s.progress.ledger_is_current,
                         s.progress.smallest.dt, s.progress.smallest.source, s.progress.smallest.at, s.progress.largest_step);
   for (const ProbeMemory& p : s.probes) {

@@ -62,7 +62,7 @@ TEST(Step, ThatHasCostEnergyByItsChangesGrowsOnlyWhereTwentyInARowWouldHaveLetIt
     changes += next != dt ? 1 : 0;
     dt = next;
   }
-  EXPECT_EQ(dt, 0.9);
+  EXPECT_NEAR(dt, 0.81, 1e-15) << "0.9, and as much again";
   EXPECT_EQ(changes, 1);
   int steps = 0;
   for (; dt < 1 && steps < 100; ++steps) {
@@ -76,6 +76,22 @@ TEST(Step, ThatHasCostEnergyByItsChangesGrowsOnlyWhereTwentyInARowWouldHaveLetIt
   Votes cheap = votes(1, 5);
   see_growth(votes(0.9, 5), pace, 0.9, 0.005, cheap);
   EXPECT_EQ(next_length(cheap, pace, 0, 0.9), 1);
+}
+
+TEST(Step, CountsOnTheLimitOfTheElementsToFallAsItFell) {
+  const Pace pace{.end = 1e6, .safety = 0.9};
+  const auto next = [&](double before, double now) {
+    Votes then = votes(now, 5);
+    see_growth(votes(before, 5), pace, 0.9 * before, 0, then);
+    return choose_step(then, pace.safety);
+  };
+  EXPECT_NEAR(next(1, 0.9).dt, 0.9 * 0.9 * 0.9, 1e-15);
+  EXPECT_EQ(next(1, 0.9).safety, 0.9);
+  EXPECT_EQ(next(1, 1).dt, 0.9);
+  EXPECT_EQ(next(0.9, 1).dt, 0.9) << "not on its growth";
+  EXPECT_NEAR(next(1, 0.01).dt, 0.9 * 0.5 * 0.01, 1e-15) << "a jump goes on by half at most";
+  EXPECT_EQ(next(1e300, 1e300).source, 1) << "no limit but that of contact";
+  EXPECT_EQ(next(1e300, 1e300).dt, 5);
 }
 
 TEST(Step, SharesWhatIsLeftEvenly) {

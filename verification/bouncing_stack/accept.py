@@ -97,7 +97,7 @@ DEPARTURES = {
 
 CHECKS = [
     Check("stack: drift of the total energy", drift, 0.01,
-          "the catalogue's bound; elements at the limit of their step make some tenths of a percent"),
+          "the catalogue's bound; the blocks are chaotic: heights of fall that differ by a micrometre give 0.3 to 0.5 %"),
     Check("stack: energy that time integration made for good", kept, 0.01,
           "the catalogue's bound; the blocks are chaotic: heights of fall that differ by a micrometre give 0.06 to 0.7 %"),
     Report("stack: swing of the kinetic energy", lambda run: Pair(run.ledger("integration_swing_relative"), 0, "", scale=1),
@@ -114,7 +114,7 @@ STUDIES = [Table("The stack by method.", ["method", "steps", "bounces", "drift",
 BREAKS = [
     Breaks("stack: drift of the total energy", "a plane that gives nothing back", {"planes[0].restitution": 0}),
     Breaks("stack: energy that time integration made for good", "a step beyond the limit",
-           {"time.safety": 1.1, "time.end": "0.15 s", "time.created_limit": 1e300, "time.overlap_limit": 2}),
+           {"time.safety": 1.103, "time.end": "0.15 s", "time.created_limit": 1e300, "time.overlap_limit": 2}),
     Breaks("stack: drift of the total energy", "viscosity that was not turned off", {"bodies[0].element.viscosity.linear": 0.06}),
     Breaks("stack: bounces that are missing of twenty", "a floor that keeps what it catches",
            {"planes[0].kind": "floor", "planes[0].nodes": "[low.z_low]", "time.created_limit": 1e300}),
