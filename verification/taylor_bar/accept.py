@@ -38,7 +38,8 @@ def with_eight_points(run, level):
 def beside_eight_points(levels):
     """Radius of the foot over that of eight points, on the mesh where they differ most."""
     def worst(run):
-        radii = [(of_level(run, level).column("foot_radius")[-1], with_eight_points(run, level).column("foot_radius")[-1]) for level in levels]
+        radii = [(of_level(run, level).column("foot_radius")[-1], with_eight_points(run, level).column("foot_radius")[-1])
+                 for level in levels]
         return Pair(*max(radii, key=lambda pair: abs(pair[0] / pair[1] - 1)), "m")
     return worst
 
