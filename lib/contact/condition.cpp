@@ -477,8 +477,8 @@ Multipliers make_multipliers(std::span<const Interface> interfaces, std::span<co
   all.along.reserve(5 * most_of_an_apex * apexes);
   all.frictions.reserve(apexes);
   all.contactors.reserve(apexes);
-  all.left_behind.reserve(apexes);
-  all.heirs.resize(static_cast<std::size_t>(nodes));
+  all.unreleased.reserve(apexes);
+  all.at_node.resize(static_cast<std::size_t>(nodes));
   all.first.reserve(interfaces.size() + planes.size() + 1);
   all.progress.reserve(apexes / contactors_of_a_range + 1);
   all.pools.reserve(interfaces.size() + planes.size());
@@ -542,7 +542,7 @@ void find_conditions(const Interface& interface, const Motion& m, Memory& memory
     const auto last = static_cast<Index>(all.conditions.size());
     Restitution& restitution = memory.restitution[near.apex];
     if (last == first) {
-      leave_behind({&interface.apexes[near.apex], 1}, restitution, memory, all);
+      end({&interface.apexes[near.apex], 1}, interface.restitution, restitution, memory, all);
       continue;
     }
     const double area = interface.area(near.apex);
@@ -571,7 +571,7 @@ void find_conditions(const RigidPlane& plane, const Motion& m, PlaneMemory& memo
     const double way = steps_to_touch * m.next * std::abs(plane.normal.dot(all.velocity.col(node)));
     const bool far = !(memory.force[i] > 0) && c.gap > std::max(multipliers_reach * plane.depth, way);
     if (far || !complete(m, m.dt > 0 ? memory.force[i] : 0, memory.restitution[i].held, all, c)) {
-      leave_behind({&node, 1}, memory.restitution[i], memory, all);
+      end({&node, 1}, plane.restitution, memory.restitution[i], memory, all);
       memory.next_force[i] = 0;
       if (!memory.next_friction.empty()) memory.next_friction[i].setZero(), memory.stuck[i] = 0;
       all.conditions.pop_back();

@@ -101,17 +101,17 @@ struct Pool {
   double held = 0, owed = 0; ///< what some of them hold, and what others have given beyond what they held
 };
 
-/// What a contactor held that has come to its end, as it slid off its facet or its edges do not cross any more.
-struct LeftBehind {
-  std::array<Index, 4> node;  ///< that it was between, as far as it has so many
+/// What a contactor held that ended without a release, as its apex slid off its facet or its edges do not cross any more.
+struct Unreleased {
+  std::array<Index, 4> node;     ///< that it was between, as far as it has so many
   int nodes;
-  double held, kept;          ///< [J] of Restitution
+  double energy;                 ///< [J] that its coefficient of restitution gives back
   double *impact, *transferred;  ///< [J] of its contact
 };
 
-/// What is left behind at a node, and how many conditions act there.
-struct Heirs {
-  double held = 0, kept = 0;  ///< [J]
+/// What of this falls to a node, and how many conditions act there.
+struct UnreleasedAtNode {
+  double energy = 0;  ///< [J]
   int conditions = 0;
 };
 
@@ -139,8 +139,8 @@ struct Multipliers {
   std::vector<Vec3> along;   ///< what constraints let through of the normals of conditions, node by node that they act on
   std::vector<FrictionCondition> frictions;
   std::vector<Contactor> contactors;
-  std::vector<LeftBehind> left_behind;  ///< in this step
-  std::vector<Heirs> heirs;  ///< [nodes]
+  std::vector<Unreleased> unreleased;  ///< of contactors that end in this step
+  std::vector<UnreleasedAtNode> at_node;  ///< [nodes] of these; set where there are any
   std::vector<Index> first;  ///< [interfaces, then planes, then one] of their contactors
   std::vector<Progress> progress;  ///< of a sweep by ranges of contactors
   std::vector<Pool> pools;

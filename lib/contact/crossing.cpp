@@ -242,7 +242,7 @@ void find_crossings(const Interface& interface, const Motion& m, Memory& memory,
       if (!acts) all.conditions.pop_back();
     }
     if (!acts) {
-      leave_behind(crossing.node, crossing.restitution, memory, all);
+      end(crossing.node, interface.restitution, crossing.restitution, memory, all);
       let_go(crossing);
       continue;
     }

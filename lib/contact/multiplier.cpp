@@ -400,7 +400,7 @@ void find_impulses(const Acting& acting, const Motion& m, std::span<Workspace> w
   all.conditions.clear();
   all.along.clear();
   all.contactors.clear();
-  all.left_behind.clear();
+  all.unreleased.clear();
   all.frictions.clear();
   all.first.assign(acting.interfaces.size() + acting.planes.size() + 1, 0);
   wake(acting, m, workspaces, all);
@@ -419,9 +419,11 @@ void find_impulses(const Acting& acting, const Motion& m, std::span<Workspace> w
     if (by_multipliers(acting.planes[p])) find_conditions(acting.planes[p], m, acting.of_planes[p], all);
     all.first[acting.interfaces.size() + p + 1] = static_cast<Index>(all.contactors.size());
   }
-  if (!all.left_behind.empty()) {
-    find_heirs(all);
-    acting.for_each([&](std::size_t at, const auto&, auto& memory) { inherit(all.first[at], all.first[at + 1], memory.transferred, all); });
+  if (!all.unreleased.empty()) {
+    spread_unreleased(all);
+    acting.for_each([&](std::size_t at, const auto&, auto& memory) {
+      take_unreleased(all.first[at], all.first[at + 1], memory.transferred, all);
+    });
   }
   all.bonds.touched = any_touched(all);
   solve(m, all);

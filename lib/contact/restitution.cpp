@@ -186,31 +186,30 @@ void pay_for_friction(Pool& pool, Multipliers& all) {
   pool.rubbed += paid;
 }
 
-void find_heirs(Multipliers& all) {
-  std::fill(all.heirs.begin(), all.heirs.end(), Heirs{});
+void spread_unreleased(Multipliers& all) {
+  std::fill(all.at_node.begin(), all.at_node.end(), UnreleasedAtNode{});
   for (const Condition& c : all.conditions)
-    for (int j = 0; j < c.nodes; ++j) ++all.heirs[c.node[j]].conditions;
-  for (const LeftBehind& left : all.left_behind) {
-    const std::span nodes(left.node.begin(), static_cast<std::size_t>(left.nodes));
-    const auto has_heirs = [&](Index node) { return all.heirs[node].conditions > 0; };
-    const auto count = std::count_if(nodes.begin(), nodes.end(), has_heirs);
-    if (count == 0) *left.impact += left.held;
-    else *left.transferred += left.held;
+    for (int j = 0; j < c.nodes; ++j) ++all.at_node[c.node[j]].conditions;
+  for (const Unreleased& one : all.unreleased) {
+    const std::span nodes(one.node.begin(), static_cast<std::size_t>(one.nodes));
+    const auto acts = [&](Index node) { return all.at_node[node].conditions > 0; };
+    const auto count = std::count_if(nodes.begin(), nodes.end(), acts);
+    (count == 0 ? *one.impact : *one.transferred) += one.energy;
     for (const Index node : nodes)
-      if (has_heirs(node)) all.heirs[node].held += left.held / count, all.heirs[node].kept += left.kept / count;
+      if (acts(node)) all.at_node[node].energy += one.energy / static_cast<double>(count);
   }
 }
 
-void inherit(Index first, Index last, double& transferred, Multipliers& all) {
+void take_unreleased(Index first, Index last, double& transferred, Multipliers& all) {
   for (Index k = first; k < last; ++k) {
     const Contactor& one = all.contactors[k];
     for (Index i = one.first; i < one.last; ++i) {
       const Condition& c = all.conditions[i];
       for (int j = 0; j < c.nodes; ++j) {
-        const Heirs& left = all.heirs[c.node[j]];
-        one.memory->held += left.held / left.conditions;
-        one.memory->kept += left.kept / left.conditions;
-        transferred -= left.held / left.conditions;
+        const UnreleasedAtNode& at = all.at_node[c.node[j]];
+        const double part = at.energy / at.conditions;
+        one.memory->held += part, one.memory->kept += part;
+        transferred -= part;
       }
     }
   }

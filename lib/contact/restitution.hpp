@@ -41,23 +41,26 @@ double owed(const Memory& memory) {
 /// Books what a node holds as lost that is no longer near what it touched.
 void discard(Restitution&, double& impact);
 
-/// Ends what a contactor between some nodes holds; hand_on() says what becomes of it.
+/// Ends a contactor: what its coefficient gives back of what it holds goes to Multipliers::unreleased, the rest is lost. A deficit stays
+/// created.
 template <class Memory>
-void leave_behind(std::span<const Index> nodes, Restitution& restitution, Memory& memory, Multipliers& all) {
+void end(std::span<const Index> nodes, double coefficient, Restitution& restitution, Memory& memory, Multipliers& all) {
   if (restitution.held > 0) {
-    LeftBehind& left = all.left_behind.emplace_back();
-    left.nodes = static_cast<int>(nodes.size());
-    std::copy(nodes.begin(), nodes.end(), left.node.begin());
-    left.held = restitution.held, left.kept = restitution.kept;
-    left.impact = &memory.impact, left.transferred = &memory.transferred;
+    const double lost = (1 - coefficient * coefficient) * std::max(0.0, restitution.held - restitution.kept);
+    memory.impact += lost;
+    Unreleased& one = all.unreleased.emplace_back();
+    one.nodes = static_cast<int>(nodes.size());
+    std::copy(nodes.begin(), nodes.end(), one.node.begin());
+    one.energy = restitution.held - lost;
+    one.impact = &memory.impact, one.transferred = &memory.transferred;
   }
   restitution = {};
 }
 
-/// Spreads what has been left behind over the nodes where it was held and conditions act. What was held where none act is lost.
-void find_heirs(Multipliers&);
+/// Spreads what ended contactors have not released over those of their nodes where conditions act. Where none acts it is lost.
+void spread_unreleased(Multipliers&);
 
-/// Gives a contact's contactors, first to last, what was left behind at their nodes.
-void inherit(Index first, Index last, double& transferred, Multipliers&);
+/// Gives the contactors of a contact, first to last, the part of this at their nodes; its loss has been taken.
+void take_unreleased(Index first, Index last, double& transferred, Multipliers&);
 
 }  // namespace nereid::contact

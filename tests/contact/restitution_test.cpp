@@ -122,51 +122,70 @@ TEST(Restitution, WhatFrictionGaveIsCoveredByWhatOtherFrictionTookThenByWhatIsHe
   EXPECT_EQ(at.memory[2].held, -1);
 }
 
-TEST(LeftBehind, GoesToWhatActsAtTheSameNodes) {
+TEST(Unreleased, GoesToWhatActsAtTheSameNodes) {
   Setting at({1, 2, 4});  // a condition at each of three nodes
   Memory from;
   const std::array<Index, 2> nodes{0, 2};
-  Restitution ended{.held = 8, .kept = 2};
-  leave_behind(nodes, ended, from, at.all);
+  Restitution ended{.held = 8};
+  end(nodes, 1, ended, from, at.all);
   EXPECT_EQ(ended.held, 0);
-  find_heirs(at.all);
+  spread_unreleased(at.all);
   double to = 0;
-  inherit(0, 3, to, at.all);
+  take_unreleased(0, 3, to, at.all);
   EXPECT_EQ(at.memory[0].held, 5);
   EXPECT_EQ(at.memory[1].held, 2);
   EXPECT_EQ(at.memory[2].held, 8);
-  EXPECT_EQ(at.memory[0].kept, 1);
+  EXPECT_EQ(at.memory[0].kept, 4);
   EXPECT_EQ(from.transferred, 8);
   EXPECT_EQ(to, -8);
   EXPECT_EQ(from.impact, 0);
 }
 
-TEST(LeftBehind, IsSharedByAllThatActAtANode) {
+TEST(Unreleased, LosesByItsOwnCoefficientAndNotByThatOfWhatTakesIt) {
+  for (const double coefficient : {0.0, 0.5}) {
+    Setting at({0}, 0.25);  // moves apart without a force, so that it is released
+    Memory from;
+    const std::array<Index, 1> nodes{0};
+    Restitution ended{.held = 8, .kept = 2};  // 2 of it has had its loss
+    end(nodes, coefficient, ended, from, at.all);
+    const double lost = (1 - coefficient * coefficient) * 6;
+    EXPECT_EQ(from.impact, lost);
+    spread_unreleased(at.all);
+    double to = 0;
+    take_unreleased(0, 1, to, at.all);
+    EXPECT_EQ(at.memory[0].held, 8 - lost);
+    release(at.motion(), 1, at.all);
+    EXPECT_EQ(at.all.contactors[0].lost, 0);
+    EXPECT_NEAR(at.all.contactors[0].work, 8 - lost, 1e-14);
+  }
+}
+
+TEST(Unreleased, IsSharedByAllThatActAtANode) {
   Setting at({0, 0});
   at.all.conditions[1].node[0] = 0;  // both at one node
   Memory from;
   const std::array<Index, 2> nodes{0, 1};
   Restitution ended{.held = 6};
-  leave_behind(nodes, ended, from, at.all);
-  find_heirs(at.all);
+  end(nodes, 1, ended, from, at.all);
+  spread_unreleased(at.all);
   double first = 0, second = 0;
-  inherit(0, 1, first, at.all), inherit(1, 2, second, at.all);
+  take_unreleased(0, 1, first, at.all), take_unreleased(1, 2, second, at.all);
   EXPECT_EQ(at.memory[0].held, 3);
   EXPECT_EQ(at.memory[1].held, 3);
   EXPECT_EQ(from.transferred + first + second, 0);
 }
 
-TEST(LeftBehind, IsLostWhereNothingActsAndADebtIsNotHandedOn) {
+TEST(Unreleased, IsLostWhereNothingActsAndADebtIsNotHandedOn) {
   Setting at({1});
   Memory from;
   const std::array<Index, 1> elsewhere{7}, here{0};
-  at.all.heirs.resize(8);
+  at.all.at_node.resize(8);
   Restitution ended{.held = 3}, debt{.held = -2};
-  leave_behind(elsewhere, ended, from, at.all);
-  leave_behind(here, debt, from, at.all);
-  find_heirs(at.all);
+  end(elsewhere, 1, ended, from, at.all);
+  end(here, 1, debt, from, at.all);
+  spread_unreleased(at.all);
   double to = 0;
-  inherit(0, 1, to, at.all);
+  take_unreleased(0, 1, to, at.all);
   EXPECT_EQ(at.memory[0].held, 1);
   EXPECT_EQ(from.impact, 3);
   EXPECT_EQ(from.transferred, 0);
