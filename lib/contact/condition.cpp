@@ -77,8 +77,10 @@ bool has_foot_outside(const BaseSurface& base, const Vectors& x, const Vec3& p, 
 
 }  // namespace
 
+double reach_of(const Between& pair, double way) { return std::max(multipliers_reach * pair.depth, steps_to_touch * way); }
+
 bool can_touch(const Between& pair, const Motion& m, double gap, double speed) {
-  return gap <= std::max(multipliers_reach * pair.depth, steps_to_touch * m.next * speed);
+  return gap <= reach_of(pair, m.next * speed);
 }
 
 namespace {

@@ -230,6 +230,9 @@ Index add_friction(const Touch&, const Coulomb&, const Vec3& force, bool stuck, 
 /// Adds a contactor, with what it adds to Multipliers::shared.
 void add(const Contactor&, Multipliers&);
 
+/// The gap up to which nodes that go such a way against each other in the step to come, in m, count in it. [m]
+double reach_of(const Between&, double way);
+
 /// Whether a gap is so small, or closes so fast, that it counts in the step to come.
 ///
 /// speed  [m/s] of the nodes against each other

@@ -156,15 +156,17 @@ InitialGaps connect_edges(const Interface& interface, const Vectors& x, Memory& 
   search_crossings(interface, x, memory, workspace);
   memory.searches = 0;
   InitialGaps gaps;
-  gaps.pairs = static_cast<Index>(memory.crossings.size());
-  for (Crossing& crossing : memory.crossings) {
-    const Over at = over(interface, x, crossing.edge, crossing.base_edge, 0);
-    const double depth = height_between(interface, crossing.edge, crossing.base_edge) - at.height;
+  gaps.pairs = static_cast<Index>(memory.edge_pairs.size());
+  memory.crossings.clear();
+  for (const EdgePair& pair : memory.edge_pairs) {
+    const Over at = over(interface, x, pair.edge, pair.base_edge, pair.in_face, 0);
+    const double depth = height_between(interface, pair.edge, pair.base_edge) - at.height;
     if (!at.is || !(depth > 1e-12 * interface.margin)) continue;
-    if (depth > between_edges(interface, crossing.edge, crossing.base_edge).depth) continue;
+    if (depth > between_edges(interface, pair.edge, pair.base_edge).depth) continue;
     ++gaps.penetrating;
     gaps.deepest = std::max(gaps.deepest, depth);
-    crossing.side = at.side, crossing.level = at.height;  // an offset, if the caller accepts it
+    Crossing& crossing = memory.crossings.emplace_back(crossing_of(pair));
+    crossing.side = at.side, crossing.normal = at.normal, crossing.level = at.height;  // an offset, if the caller accepts it
   }
   return gaps;
 }

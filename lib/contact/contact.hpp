@@ -186,10 +186,19 @@ struct Near {
   ElementForces element;  // last: most of its stencils are not in use
 };
 
+/// Two edges near each other at the last search.
+struct EdgePair {
+  Index edge = -1, base_edge = -1;  ///< in Interface::edges and base_edges
+  bool in_face = false;             ///< one of them is no ridge, but an edge between the elements of a face
+  double apart = 0;                 ///< [m] less h_c
+};
+
 /// An edge of the surface of the apexes near an edge of the base: a contact element where they cross.
 struct Crossing {
-  Index edge = -1, base_edge = -1;   ///< in Interface::edges and base_edges
+  Index edge = -1, base_edge = -1;   ///< as of the pair
+  bool in_face = false;              ///< as of the pair
   int side = 0;                      ///< sign of the normal on the product of both edges; 0: they are not over each other
+  Vec3 normal = Vec3::Zero();        ///< of that side, when last looked at
   double level = 0;                  ///< [m] h_c less the offset with which it came in sideways, as of a track
   bool acts = false;                 ///< it has a condition in the step to come
   bool closed = false;
@@ -213,7 +222,8 @@ struct Meeting {
 /// What an interface remembers. The forces are those at the end of the last step: the work of the next one needs them.
 struct Memory {
   std::vector<Near> near;                   ///< ascending apexes; of a bonded interface all that have a bond
-  std::vector<Crossing> crossings;          ///< of kind `edges`: pairs within the margin, ascending
+  std::vector<EdgePair> edge_pairs;         ///< of kind `edges`: within the margin at the last search, ascending
+  std::vector<Crossing> crossings;          ///< those of them that can touch in the step to come, ascending
   Subset near_facets;                       ///< facets within the margin of each near apex, ascending
   Subset slot;                              ///< [apexes] place in `near`, or -1
   std::vector<Feature> feature;             ///< [apexes] the element in use
@@ -300,6 +310,7 @@ struct BodyBox {
 /// An edge in a search, with the box around it.
 struct EdgeBox {
   Index edge;
+  bool ridge;      ///< else an edge in a face
   Vec3 low, high;  ///< [m]
 };
 
@@ -314,8 +325,9 @@ struct Workspace {
   Vectors normals;                           ///< [facets] of bodies that touch themselves
   Subset facets;           ///< [apexes] how many facets a search found near
   std::vector<Near> near;  ///< the next list of near apexes
-  std::vector<EdgeBox> edges, base_edges;  ///< what a search looks at
-  std::vector<Crossing> crossings;         ///< the next list of them
+  std::vector<EdgeBox> edges, base_edges, base_ridges;  ///< what a search looks at
+  std::vector<EdgePair> edge_pairs;        ///< the next list of them
+  std::vector<Crossing> crossings;
   Scalars spring_sum;      ///< [N/m] [nodes of the mesh] stiffness of all springs at a base node
   Scalars rotation_sum;    ///< [N] [nodes of the mesh] the same for the moments of friction
 };

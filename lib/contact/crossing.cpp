@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <tuple>
 
 #include "base/check.hpp"
@@ -16,6 +17,9 @@ namespace {
 
 constexpr double parallel = 1e-3;    // sine between edges: with less, an edge 1 m long is over the other where its nodes are, within 1 mm
 constexpr double bent = 0.05;        // sine: bodies bend, and a face that lies on an edge may rise by so much above it
+constexpr double steep = 0.2;        // sine: so far a ridge stands up that is held off edges in a face; flatter ones come in by a tenth
+constexpr double stays_steep = 0.1;  // the same while they are over each other
+constexpr double leans = 0.3;        // sine: the same while they are over each other, so that none goes through as a face leans to and fro
 constexpr double past_end = 1e-6;    // of an edge: two that follow one another have no gap
 constexpr double left_to_nodes = 0.02;  // of an edge at its ends, where it lies in a face of the other body: its node is over that
 constexpr double sideways = 0.1;     // of the depth of an element: so far below an edge may come in with an offset; farther is far behind
@@ -50,7 +54,7 @@ bool between_lines(const Interface& interface, const Vectors& x, Index edge, Ind
   return true;
 }
 
-/// A box around each edge that is a ridge or a rim, and one around all of them.
+/// A box around each edge, and one around all of them.
 /// is_wanted(edge)  false for edges that are left out
 template <class Wanted>
 Eigen::AlignedBox3d boxes_of(const Edges& edges, const Vectors& x, double reach, std::vector<EdgeBox>& boxes, Wanted&& is_wanted) {
@@ -60,8 +64,8 @@ Eigen::AlignedBox3d boxes_of(const Edges& edges, const Vectors& x, double reach,
     if (!is_wanted(e)) continue;
     const Vec3 a = node_of(edges, x, 0, e), b = node_of(edges, x, 1, e), beside = Vec3::Constant(reach);
     const auto can_be_searched = [](const Vec3& place) { return (place.array().abs() <= farthest_place).all(); };
-    if (!can_be_searched(a) || !can_be_searched(b) || !is_ridge(edges, x, e)) continue;  // the elements say so, and the run ends
-    boxes.push_back({e, a.cwiseMin(b) - beside, a.cwiseMax(b) + beside});
+    if (!can_be_searched(a) || !can_be_searched(b)) continue;  // the elements say so, and the run ends
+    boxes.push_back({e, is_ridge(edges, x, e), a.cwiseMin(b) - beside, a.cwiseMax(b) + beside});
     all.extend(boxes.back().low), all.extend(boxes.back().high);
   }
   return all;
@@ -90,7 +94,8 @@ bool can_cross(const Interface& interface, Index edge, Index base_edge) {
   return true;
 }
 
-bool before(const Crossing& a, const Crossing& b) { return std::tie(a.edge, a.base_edge) < std::tie(b.edge, b.base_edge); }
+/// The order of pairs, and of crossings as of their pairs.
+constexpr auto before = [](const auto& a, const auto& b) { return std::tie(a.edge, a.base_edge) < std::tie(b.edge, b.base_edge); };
 
 /// Ends what a crossing was.
 void let_go(Crossing& crossing) {
@@ -99,16 +104,39 @@ void let_go(Crossing& crossing) {
   crossing.friction.acts = crossing.friction.stuck = false;
 }
 
+/// Whether edges have turned past each other as parallel ones, where the product of both changes its sign: what was above then seems below.
+bool has_turned(const Vec3& normal, const Vec3& earlier) { return normal.dot(earlier) <= 0; }
+
+Vec3 relative(const Crossing& crossing, const Vectors& v) {
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t j = 0; j < 4; ++j) sum += crossing.weight[j] * v.col(crossing.node[j]);
+  return sum;
+}
+
+/// Whether edges are over each other as they were in the step before, with a height that follows from how their points have moved. Where
+/// their lines are across sweeps along nearly parallel edges, and takes the height with it.
+bool goes_on(const Interface& interface, const Motion& m, const Crossing& crossing, const Over& at) {
+  if (crossing.side == 0 || has_turned(at.normal, crossing.normal)) return false;
+  const double moved = m.dt * crossing.normal.dot(relative(crossing, m.v));
+  const double may_differ = sideways * between_edges(interface, crossing.edge, crossing.base_edge).depth;
+  return at.height >= crossing.level + crossing.gap + moved - may_differ;
+}
+
 /// Brings a crossing up to date with where its edges are, and would be after the step; false if they can not touch in it.
 bool follow(const Interface& interface, const Motion& m, const Multipliers& all, Crossing& crossing, Over& at) {
-  at = over(interface, m.x, crossing.edge, crossing.base_edge, crossing.side);
-  if (!at.is) {
-    const Over ahead = over(interface, all.ahead, crossing.edge, crossing.base_edge, crossing.side);
-    if (!ahead.is || !between_lines(interface, m.x, crossing.edge, crossing.base_edge, ahead.side, at)) {
-      crossing.side = 0;
-      return false;
-    }
-  }
+  const auto see = [&](const Vectors& x) {
+    return over(interface, x, crossing.edge, crossing.base_edge, crossing.in_face, crossing.side);
+  };
+  const auto find = [&] {
+    at = see(m.x);
+    if (at.is) return true;
+    const Over ahead = see(all.ahead);
+    return ahead.is && between_lines(interface, m.x, crossing.edge, crossing.base_edge, ahead.side, at) &&
+           !has_turned(at.normal, ahead.normal);
+  };
+  bool is = find();
+  if (crossing.side != 0 && !(is && goes_on(interface, m, crossing, at))) crossing.side = 0, is = find();
+  if (!is) return false;
   const double height = height_between(interface, crossing.edge, crossing.base_edge);
   if (crossing.side == 0) {
     const double offset = std::max(0.0, height - at.height);
@@ -116,6 +144,7 @@ bool follow(const Interface& interface, const Motion& m, const Multipliers& all,
     crossing.level = height - offset;
   }
   crossing.side = at.side;
+  crossing.normal = at.normal;
   crossing.level = std::max(crossing.level, std::min(at.height, height));
   crossing.gap = at.height - crossing.level;
   return true;
@@ -153,15 +182,9 @@ Touch touch_of(const Vectors& x, const Crossing& crossing) {
   return touch;
 }
 
-Vec3 relative(const Crossing& crossing, const Vectors& v) {
-  Vec3 sum = Vec3::Zero();
-  for (std::size_t j = 0; j < 4; ++j) sum += crossing.weight[j] * v.col(crossing.node[j]);
-  return sum;
-}
-
 }  // namespace
 
-Over over(const Interface& interface, const Vectors& x, Index edge, Index base_edge, int side) {
+Over over(const Interface& interface, const Vectors& x, Index edge, Index base_edge, bool in_face, int side) {
   Over at;
   for (const int sign : {1, -1}) {
     if (side != 0 && sign != side) continue;
@@ -171,8 +194,12 @@ Over over(const Interface& interface, const Vectors& x, Index edge, Index base_e
       return std::array{is_in_front(interface.edges, x, edge, -found.normal, tolerance),
                         is_in_front(interface.base_edges, x, base_edge, found.normal, tolerance)};
     };
-    const auto touches = in_front(bent);
+    const auto touches = in_front(side != 0 ? leans : bent);
     if (!touches[0] || !touches[1]) continue;
+    if (in_face) {
+      const auto stands = in_front(-(side != 0 ? stays_steep : steep));
+      if (!stands[0] && !stands[1]) continue;
+    }
     const auto within = in_front(-bent);  // else an edge lies flat in a face beside the other one
     if (!is_within(found.first, !within[1]) || !is_within(found.second, !within[0])) continue;
     found.is = true;
@@ -198,11 +225,15 @@ void search_crossings(const Interface& interface, const Vectors& x, Memory& memo
   std::sort(base.begin(), base.end(), is_before);
   double widest = 0;
   for (const EdgeBox& box : base) widest = std::max(widest, box.high.x() - box.low.x());
-  std::vector<Crossing>& next = workspace.crossings;
+  std::vector<EdgePair>& next = workspace.edge_pairs;
   next.clear();
+  std::vector<EdgeBox>& ridges = workspace.base_ridges;
+  ridges.clear();
+  std::copy_if(base.begin(), base.end(), std::back_inserter(ridges), [](const EdgeBox& box) { return box.ridge; });
   for (const EdgeBox& one : edges) {
     const auto low = [](const EdgeBox& box, double value) { return box.low.x() < value; };
-    for (auto other = std::lower_bound(base.begin(), base.end(), one.low.x() - widest, low); other != base.end(); ++other) {
+    const std::vector<EdgeBox>& others = one.ridge ? base : ridges;
+    for (auto other = std::lower_bound(others.begin(), others.end(), one.low.x() - widest, low); other != others.end(); ++other) {
       if (other->low.x() > one.high.x()) break;
       if (!meet(one, *other) || !can_cross(interface, one.edge, other->edge)) continue;
       const auto p = ends_of(interface, x, one.edge, other->edge);
@@ -212,24 +243,52 @@ void search_crossings(const Interface& interface, const Vectors& x, Memory& memo
         workspace.near_itself[static_cast<std::size_t>(interface.edges.body[one.edge])] = 1;
       }
       if (!(squared < reach * reach)) continue;
-      next.emplace_back();
-      next.back().edge = one.edge, next.back().base_edge = other->edge;
+      next.push_back({one.edge, other->edge, !one.ridge || !other->ridge,
+                      std::sqrt(squared) - height_between(interface, one.edge, other->edge)});
     }
   }
   if (!one_pair) keep_apart_from_itself(interface, x, workspace, memory);
   std::sort(next.begin(), next.end(), before);
-  for (Crossing& was : memory.crossings) {
-    const auto at = std::lower_bound(next.begin(), next.end(), was, before);
-    if (at != next.end() && at->edge == was.edge && at->base_edge == was.base_edge) *at = was;
+  std::swap(memory.edge_pairs, next);
+  const auto is_gone = [&](Crossing& was) {
+    const auto at = std::lower_bound(memory.edge_pairs.begin(), memory.edge_pairs.end(), was, before);
+    const bool is_there = at != memory.edge_pairs.end() && !before(was, *at);
+    if (is_there) was.in_face = at->in_face;
     else discard(was.restitution, memory.impact);
+    return !is_there;
+  };
+  memory.crossings.erase(std::remove_if(memory.crossings.begin(), memory.crossings.end(), is_gone), memory.crossings.end());
+}
+
+namespace {
+
+/// Lists the pairs that can touch in the step to come, or come over each other sideways, with what is known of them.
+///
+/// moved  [m] by which edges can have come nearer since the last search
+/// way    [m] by which they can in the step to come
+void list_crossings(const Interface& interface, double moved, double way, Memory& memory, std::vector<Crossing>& next) {
+  next.clear();
+  auto was = memory.crossings.begin();
+  for (const EdgePair& pair : memory.edge_pairs) {
+    const bool known = was != memory.crossings.end() && !before(pair, *was);
+    const Between& both = between_edges(interface, pair.edge, pair.base_edge);
+    const double reach = std::max(sideways * both.depth, reach_of(both, way));
+    if ((known && was->side != 0) || pair.apart - moved <= reach) next.push_back(known ? *was : crossing_of(pair));
+    if (known) ++was;
   }
   std::swap(memory.crossings, next);
 }
 
+}  // namespace
+
 void find_crossings(const Interface& interface, const Motion& m, Memory& memory, Workspace& workspace, Multipliers& all) {
   const double h = 0.5 * (m.dt + m.next);
-  if (interface.bodies.count() == 0) search_where_due(interface, m.x, all.way, memory, workspace);
+  const bool one_pair = interface.bodies.count() == 0;
+  const double moved = one_pair ? search_where_due(interface, m.x, all.way, memory, workspace) : memory.way;
+  const double way = one_pair ? m.next * speed_apart(all.velocity, {interface.apexes, interface.base_nodes}) : all.way_apart;
+  list_crossings(interface, moved, way, memory, workspace.crossings);
   for (Crossing& crossing : memory.crossings) {
+    const Between& pair = between_edges(interface, crossing.edge, crossing.base_edge);
     Over at;
     bool acts = follow(interface, m, all, crossing, at);
     const auto first = static_cast<Index>(all.conditions.size());
@@ -237,7 +296,7 @@ void find_crossings(const Interface& interface, const Motion& m, Memory& memory,
       Condition& c = all.conditions.emplace_back();
       make(interface, at, crossing, c);
       const double speed = relative(crossing, all.velocity).norm();
-      acts = can_touch(between_edges(interface, crossing.edge, crossing.base_edge), m, c.gap, speed) &&
+      acts = can_touch(pair, m, c.gap, speed) &&
              complete(m, crossing.pressed, crossing.restitution.held, all, c);
       if (!acts) all.conditions.pop_back();
     }
@@ -255,7 +314,6 @@ void find_crossings(const Interface& interface, const Motion& m, Memory& memory,
       friction = add_friction(touch_of(m.x, crossing), interface.friction, force, crossing.friction.stuck, m, all);
     }
     const double area = std::min(interface.edges.area(crossing.edge), interface.base_edges.area(crossing.base_edge));
-    const Between& pair = between_edges(interface, crossing.edge, crossing.base_edge);
     add({.memory = &crossing.restitution, .first = first, .last = first + 1, .friction = friction, .area = area, .depth = pair.depth,
          .impedance = pair.impedance * area, .square = interface.restitution * interface.restitution}, all);
   }

@@ -37,12 +37,21 @@ inline const Between& between_edges(const Interface& interface, Index edge, Inde
   return bodies.between[bodies.pair(interface.edges.body[edge], interface.base_edges.body[base_edge])];
 }
 
+/// A crossing of two edges that has not been looked at.
+inline Crossing crossing_of(const EdgePair& pair) {
+  Crossing crossing;
+  crossing.edge = pair.edge, crossing.base_edge = pair.base_edge, crossing.in_face = pair.in_face;
+  return crossing;
+}
+
 /// How an edge stands over a base edge.
 ///
-/// side  if it is known; 0: to be found. Between rims both sides may be right, then it is the one with a positive height
-Over over(const Interface&, const Vectors& x, Index edge, Index base_edge, int side);
+/// in_face  one of them is no ridge: the other has to stand on it, and not to lie flat in that face, where nodes keep both apart
+/// side     where they were over each other in the step before: faces beside them may lean farther over the other edge; 0: to be found.
+///          Between rims both sides may be right, then it is the one with a positive height
+Over over(const Interface&, const Vectors& x, Index edge, Index base_edge, bool in_face, int side);
 
-/// Lists the pairs of ridges and rims that are nearer than h_c and the margin.
+/// Lists the pairs of edges that are nearer than h_c and the margin, of which one at least is a ridge or a rim.
 void search_crossings(const Interface&, const Vectors& x, Memory&, Workspace&);
 
 /// Finds the conditions of crossings, with the impulses of the step before as a first guess. An edge that comes over another one sideways,

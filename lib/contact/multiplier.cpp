@@ -23,6 +23,7 @@ constexpr int most_for_overlaps = 1000;  // of thin elements
 constexpr double still = 1e-6;     // of what the impulses do: sweeps end as soon as one changes less
 constexpr double settled = 1e-5;   // the same: fewer sweeps than usual will do without friction, whose sticks need more beside heavy loads
 constexpr double may_gain = 1e-4;  // of the energy that the impulses exchange: sweeps go on while single contactors gain more
+constexpr double too_much = 0.1;    // the same of all contactors together: sweeps run away, and friction is left out of the step
 constexpr double may_close = 0.02;  // of the depth of an element: the same, while a gap would be more negative in the step to come
 
 /// Whether the forces of all apexes can have a moment, and not only of those that say so.
@@ -149,9 +150,12 @@ void leave_out_momentum(Multipliers& all) {
   for (FrictionCondition& f : all.frictions) f.change = f.met - f.impulse;
 }
 
-/// Whether single contactors gain energy that counts.
-bool gains(const Motion& m, const Multipliers& all) {
-  double gained = 0, exchanged = 0;
+/// Energy that contactors gain over that which all exchange: those alone that gain, and all together. [-]
+struct Gained {
+  double single = 0, all = 0;
+};
+Gained gained(const Motion& m, const Multipliers& all) {
+  double gains = 0, together = 0, exchanged = 0;
   for (const Contactor& one : all.contactors) {
     double sum = 0;
     for (Index i = one.first; i < one.last; ++i) {
@@ -159,13 +163,14 @@ bool gains(const Motion& m, const Multipliers& all) {
       sum += work(c, rate(c, all.velocity));
       exchanged += 0.5 * c.impulse * c.impulse * c.per_mass;
     }
-    gained += std::max(0.0, sum);
+    gains += std::max(0.0, sum), together += sum;
     if (one.friction < 0) continue;
     const FrictionCondition& friction = all.frictions[one.friction];
-    gained += std::max(0.0, work(friction, rate(friction, m, all)));
+    const double of_friction = work(friction, rate(friction, m, all));
+    gains += std::max(0.0, of_friction), together += of_friction;
     exchanged += 0.5 * friction.impulse.squaredNorm() * friction.per_mass;
   }
-  return gained > may_gain * exchanged;
+  return exchanged > 0 ? Gained{gains / exchanged, together / exchanged} : Gained{};
 }
 
 /// Whether what sweeps have left of a rate would penetrate by what counts of an element: thin ones are less deep than the way of a step, of
@@ -179,7 +184,33 @@ bool overlaps(const Motion& m, const Multipliers& all) {
   return false;
 }
 
+/// Takes all impulses back, and leaves friction out of this step.
+void leave_out_friction(const Motion& m, Multipliers& all) {
+  for (Condition& c : all.conditions) c.change = -c.impulse, c.met = 0;
+  for (FrictionCondition& f : all.frictions) f.change = -f.impulse, f.met.setZero(), f.coefficient = 0, f.slides = true;
+  apply_changes(m, all);
+  for (Condition& c : all.conditions) c.impulse = 0;
+  for (FrictionCondition& f : all.frictions) f.impulse.setZero();
+}
+
 /// Sweeps until nothing changes, or no contactor gains energy that counts nor penetrates by what counts.
+void sweep_to_the_end(const Motion& m, Multipliers& all) {
+  double t = 1;
+  for (int sweeps = 1; sweeps <= most_for_overlaps; ++sweeps) {
+    const double next = 0.5 * (1 + std::sqrt(1 + 4 * t * t));
+    const Swept made = sweep(m, sweeps > 1 ? (t - 1) / next : 0, all);
+    t = made.turned < 0 ? 1 : next;
+    if (!(made.change > still)) break;
+    apply_changes(m, all);
+    if (sweeps % 2 > 0 || (sweeps < usual_sweeps && !(made.change < settled && all.frictions.empty()))) continue;
+    if (!(sweeps < most_sweeps && gained(m, all).single > may_gain) && !overlaps(m, all)) break;
+  }
+  leave_out_momentum(all);
+  apply_changes(m, all);
+}
+
+/// Finds the impulses. What friction does to normal velocities, and these to friction, is in no bound: where sweeps by both do not come to
+/// an end, those by normal impulses alone do.
 void solve(const Motion& m, Multipliers& all) {
   find_bounds(m, all);
   for (const Contactor& one : all.contactors)
@@ -189,18 +220,10 @@ void solve(const Motion& m, Multipliers& all) {
     if (!condition.impulse.isZero(0)) give(condition, condition.impulse, m, all);
   if (m.rigid) settle(*m.rigid, m, all.velocity);
   if (all.bonds.touched) hold(m, all.velocity, all.bonds);
-  double t = 1;
-  for (int sweeps = 1; sweeps <= most_for_overlaps; ++sweeps) {
-    const double next = 0.5 * (1 + std::sqrt(1 + 4 * t * t));
-    const Swept made = sweep(m, sweeps > 1 ? (t - 1) / next : 0, all);
-    t = made.turned < 0 ? 1 : next;
-    if (!(made.change > still)) break;
-    apply_changes(m, all);
-    if (sweeps % 2 > 0 || (sweeps < usual_sweeps && !(made.change < settled && all.frictions.empty()))) continue;
-    if (!(sweeps < most_sweeps && gains(m, all)) && !overlaps(m, all)) break;
-  }
-  leave_out_momentum(all);
-  apply_changes(m, all);
+  sweep_to_the_end(m, all);
+  if (all.frictions.empty() || !(gained(m, all).all > too_much)) return;
+  leave_out_friction(m, all);
+  sweep_to_the_end(m, all);
 }
 
 /// What friction takes in a step, and how much of that in the half that begins. [J]
@@ -408,7 +431,7 @@ void find_impulses(const Acting& acting, const Motion& m, std::span<Workspace> w
   if (m.rigid) look_ahead(*m.rigid, m, all);
   find_bonds(acting.interfaces, m, acting.memories, all.velocity, all.bonds);
   see_ahead(all.bonds.nodes, m, all);
-  all.way_apart = any_automatic(acting) ? m.next * speed_apart(all.velocity, all.looked_at) : 0;
+  all.way_apart = any_automatic(acting) ? m.next * speed_apart(all.velocity, {all.looked_at}) : 0;
   for (std::size_t i = 0; i < acting.interfaces.size(); ++i) {
     const Interface& interface = acting.interfaces[i];
     if (by_multipliers(interface) && !bonded_by_multipliers(interface))

@@ -222,10 +222,11 @@ double speed_apart(const Vectors& v) {
   return v.cols() > 0 ? (most - least).norm() : 0;
 }
 
-double speed_apart(const Vectors& v, const Subset& nodes) {
+double speed_apart(const Vectors& v, std::initializer_list<std::reference_wrapper<const Subset>> nodes) {
   Vec3 least = Vec3::Constant(infinite), most = -least;
-  for (const Index node : nodes) least = least.cwiseMin(v.col(node)), most = most.cwiseMax(v.col(node));
-  return nodes.empty() ? 0 : (most - least).norm();
+  for (const Subset& some : nodes)
+    for (const Index node : some) least = least.cwiseMin(v.col(node)), most = most.cwiseMax(v.col(node));
+  return (most.array() < least.array()).any() ? 0 : (most - least).norm();
 }
 
 bool search_bodies_where_due(const Interface& interface, const Vectors& x, const Vectors& v, double way, double ahead, Memory& memory,
@@ -241,9 +242,9 @@ bool search_bodies_where_due(const Interface& interface, const Vectors& x, const
     memory.awake[static_cast<std::size_t>(interface.bodies.of_apex[near.apex])] = 1;
     for (const Index facet : near_facets(memory, near)) memory.awake[static_cast<std::size_t>(interface.bodies.of_facet[facet])] = 1;
   }
-  for (const Crossing& crossing : memory.crossings) {
-    memory.awake[static_cast<std::size_t>(interface.edges.body[crossing.edge])] = 1;
-    memory.awake[static_cast<std::size_t>(interface.base_edges.body[crossing.base_edge])] = 1;
+  for (const EdgePair& pair : memory.edge_pairs) {
+    memory.awake[static_cast<std::size_t>(interface.edges.body[pair.edge])] = 1;
+    memory.awake[static_cast<std::size_t>(interface.base_edges.body[pair.base_edge])] = 1;
   }
   return true;
 }

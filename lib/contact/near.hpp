@@ -1,6 +1,9 @@
 #pragma once
 // Near sets: which apexes can touch their base before the next search, and over which facets.
 
+#include <functional>
+#include <initializer_list>
+
 #include <cmath>
 #include <limits>
 #include <span>
@@ -48,7 +51,7 @@ void keep_search(const Interface&, const Vectors& x, Memory&);
 
 /// The largest speed of nodes against each other, at most: the diagonal of the box around their velocities. [m/s]
 double speed_apart(const Vectors& v);
-double speed_apart(const Vectors& v, const Subset& nodes);
+double speed_apart(const Vectors& v, std::initializer_list<std::reference_wrapper<const Subset>> nodes);
 
 /// Searches for an automatic contact if its bodies may have gone by half of the margin since the last search, and looks which are awake.
 ///

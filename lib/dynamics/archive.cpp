@@ -92,9 +92,15 @@ void visit(Archive& archive, Near& near) {
 }
 
 template <class Archive>
+void visit(Archive& archive, EdgePair& pair) {
+  auto& [edge, base_edge, in_face, apart] = pair;
+  archive(edge, base_edge, in_face, apart);
+}
+
+template <class Archive>
 void visit(Archive& archive, Crossing& crossing) {
-  auto& [edge, base_edge, side, level, acts, closed, node, weight, push, gap, pressed, restitution, friction] = crossing;
-  archive(edge, base_edge, side, level, acts, closed, node, weight, push, gap, pressed, restitution, friction);
+  auto& [edge, base_edge, in_face, side, normal, level, acts, closed, node, weight, push, gap, pressed, restitution, friction] = crossing;
+  archive(edge, base_edge, in_face, side, normal, level, acts, closed, node, weight, push, gap, pressed, restitution, friction);
 }
 
 template <class Archive>
@@ -105,14 +111,16 @@ void visit(Archive& archive, Meeting& meeting) {
 
 template <class Archive>
 void visit(Archive& archive, Memory& memory) {
-  auto& [near, crossings, near_facets, slot, feature, status, gap, stored, slip, tangential_stored, reconnections, thicker, work, damped,
-         thinned, friction_dissipated, friction_to_come, friction_owed, restitution, impact, force, impulse, transferred, held, power_rate,
-         created_by_reconnection, angular_impulse, meetings, deepest, deepest_apex, deepest_time, deepest_in, step_factor, deepest_now,
-         walks, lost, recovered, searches, margin, way, apart_from_itself, apart_then, awake, apexes_then, base_then, mean_way] = memory;
-  archive(near, crossings, near_facets, slot, feature, status, gap, stored, slip, tangential_stored, reconnections, thicker, work, damped,
-          thinned, friction_dissipated, friction_to_come, friction_owed, restitution, impact, force, impulse, transferred, held, power_rate,
-          created_by_reconnection, angular_impulse, meetings, deepest, deepest_apex, deepest_time, deepest_in, step_factor, deepest_now,
-          walks, lost, recovered, searches, margin, way, apart_from_itself, apart_then, awake, apexes_then, base_then, mean_way);
+  auto& [near, edge_pairs, crossings, near_facets, slot, feature, status, gap, stored, slip, tangential_stored, reconnections, thicker,
+         work, damped, thinned, friction_dissipated, friction_to_come, friction_owed, restitution, impact, force, impulse, transferred,
+         held, power_rate, created_by_reconnection, angular_impulse, meetings, deepest, deepest_apex, deepest_time, deepest_in,
+         step_factor, deepest_now, walks, lost, recovered, searches, margin, way, apart_from_itself, apart_then, awake, apexes_then,
+         base_then, mean_way] = memory;
+  archive(near, edge_pairs, crossings, near_facets, slot, feature, status, gap, stored, slip, tangential_stored, reconnections, thicker,
+          work, damped, thinned, friction_dissipated, friction_to_come, friction_owed, restitution, impact, force, impulse, transferred,
+          held, power_rate, created_by_reconnection, angular_impulse, meetings, deepest, deepest_apex, deepest_time, deepest_in,
+          step_factor, deepest_now, walks, lost, recovered, searches, margin, way, apart_from_itself, apart_then, awake, apexes_then,
+          base_then, mean_way);
 }
 
 template <class Archive>

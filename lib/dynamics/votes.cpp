@@ -9,6 +9,7 @@ namespace nereid::dynamics {
 namespace {
 
 constexpr double grows_by = 1.05;          // [-] or not at all
+constexpr double of_margin = 0.25;           // [-] that safety leaves: a fall may take so much of it before the step is shorter
 constexpr double steepest = 0.5;           // [-] of the trend: a limit that falls faster has jumped and does not go on so
 constexpr int patience = 20;               // steps: more than a period of what rings at the limit of the step
 constexpr double worth_a_warning = 0.01;   // of the energy of the scene: a fifth of the usual created_limit
@@ -16,9 +17,10 @@ constexpr double worth_a_warning = 0.01;   // of the energy of the scene: a fift
 }  // namespace
 
 Step choose_step(const Votes& votes, double safety) {
-  const double elements = safety * votes.trend * votes.elements.step;
+  const double most = safety + of_margin * std::max(0.0, 1 - safety);  // of the limit to come
+  const double part = std::min(safety, most * votes.trend), elements = part * votes.elements.step;
   if (votes.contact.step < elements) return {votes.contact.step, votes.contact.source, votes.contact.at, 1};
-  return {elements, votes.elements.source, votes.elements.at, safety};
+  return {elements, votes.elements.source, votes.elements.at, part};
 }
 
 double next_length(const Votes& votes, const Pace& pace, double t, double last) {

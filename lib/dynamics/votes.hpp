@@ -38,7 +38,7 @@ struct Step {
   double dt = 1e300;    ///< [s]
   int source = -1;      ///< in sources(model)
   Index at = -1;        ///< see Vote
-  double safety = 1;    ///< [-] of the limit that the source voted for; dt is shorter where that limit falls
+  double safety = 1;    ///< [-] of the limit that the source voted for
 };
 
 /// How long the steps of a run are.
@@ -51,7 +51,8 @@ struct Pace {
 /// Chooses the next step: the smaller of `safety` times the limit of the elements and the limit of contact.
 ///
 /// The limit of the elements is the one of their shape at the start of the step. Where it falls, as when elements are pressed, it is taken
-/// to fall as much again within the step.
+/// to fall as much again within the step, which then takes at most `safety` and a quarter of what that leaves of the limit to come. So
+/// small swings of the limit do not change the step.
 Step choose_step(const Votes&, double safety);
 
 /// The length of the step that begins at t: as chosen, but it grows only by a twentieth or more, because every change of the step costs

@@ -44,8 +44,8 @@ struct Bars {
     EXPECT_GT(gaps.pairs, 0);
     Over found;
     int count = 0;
-    for (const Crossing& crossing : memory.crossings) {
-      const Over at = over(interface, mesh.X, crossing.edge, crossing.base_edge, 0);
+    for (const EdgePair& pair : memory.edge_pairs) {
+      const Over at = over(interface, mesh.X, pair.edge, pair.base_edge, pair.in_face, 0);
       if (at.is && at.normal.z() > 0.99) found = at, ++count;  // and not at the ends of the bars
     }
     EXPECT_EQ(count, 1);
@@ -69,9 +69,9 @@ TEST(Over, ParallelRidgesAreLeftToTheirNodes) {
   Bars bars(0, 0.01);
   Workspace workspace(bars.interface);
   connect_edges(bars.interface, bars.mesh.X, bars.memory, workspace);
-  EXPECT_FALSE(bars.memory.crossings.empty());
-  for (const Crossing& crossing : bars.memory.crossings)
-    EXPECT_FALSE(over(bars.interface, bars.mesh.X, crossing.edge, crossing.base_edge, 0).is);
+  EXPECT_FALSE(bars.memory.edge_pairs.empty());
+  for (const EdgePair& pair : bars.memory.edge_pairs)
+    EXPECT_FALSE(over(bars.interface, bars.mesh.X, pair.edge, pair.base_edge, pair.in_face, 0).is);
 }
 
 TEST(Over, EndsWhereTheNextEdgeBegins) {
@@ -104,11 +104,11 @@ TEST(SearchCrossings, LeavesOutEdgesThatAreNowhere) {
   Bars bars(90, 0.01);
   Workspace workspace(bars.interface);
   connect_edges(bars.interface, bars.mesh.X, bars.memory, workspace);
-  EXPECT_FALSE(bars.memory.crossings.empty());
+  EXPECT_FALSE(bars.memory.edge_pairs.empty());
   for (const double nowhere : {std::nan(""), HUGE_VAL, 1e200}) {
     for (const Index node : mesh::node_set(bars.mesh, "upper")) bars.mesh.X(node % 3, node) = nowhere;
     search_crossings(bars.interface, bars.mesh.X, bars.memory, workspace);
-    EXPECT_TRUE(bars.memory.crossings.empty());
+    EXPECT_TRUE(bars.memory.edge_pairs.empty());
   }
 }
 
@@ -116,19 +116,116 @@ TEST(SearchCrossings, KeepsWhatPairsRemember) {
   Bars bars(90, 0.01);
   Workspace workspace(bars.interface);
   connect_edges(bars.interface, bars.mesh.X, bars.memory, workspace);
-  const auto touching = [&] {
-    return std::find_if(bars.memory.crossings.begin(), bars.memory.crossings.end(), [&](const Crossing& crossing) {
-      return over(bars.interface, bars.mesh.X, crossing.edge, crossing.base_edge, 0).is;
-    });
-  };
-  touching()->restitution.held = 3;
+  ASSERT_FALSE(bars.memory.edge_pairs.empty());
+  bars.memory.crossings = {crossing_of(bars.memory.edge_pairs[0])};
+  bars.memory.crossings[0].restitution.held = 3;
   search_crossings(bars.interface, bars.mesh.X, bars.memory, workspace);
-  ASSERT_NE(touching(), bars.memory.crossings.end());
-  EXPECT_EQ(touching()->restitution.held, 3);
+  ASSERT_EQ(bars.memory.crossings.size(), 1);
+  EXPECT_EQ(bars.memory.crossings[0].restitution.held, 3);
   for (const Index node : mesh::node_set(bars.mesh, "upper")) bars.mesh.X(2, node) += 5;
   search_crossings(bars.interface, bars.mesh.X, bars.memory, workspace);
+  EXPECT_TRUE(bars.memory.edge_pairs.empty());
   EXPECT_TRUE(bars.memory.crossings.empty());
   EXPECT_EQ(bars.memory.impact, 3);  // what is let go is lost
+}
+
+/// Finds the conditions of bars of unit masses, step after step.
+struct Steps {
+  static constexpr double h = 1e-3;  // s
+  const Vectors none{3, 0};
+  const Scalars no_inertia;
+  const std::vector<const Mat3*> no_rotations;
+  Vectors x;
+  Multipliers all;
+
+  explicit Steps(const Bars& bars) : x(bars.mesh.X), all(make_multipliers({&bars.interface, 1}, {}, static_cast<Index>(x.cols()), 0)) {}
+
+  /// With all nodes on their way to `next` within a step.
+  void find(Bars& bars, Workspace& workspace, const Vectors& next) {
+    const Vectors v = (next - x) / h, force = Vectors::Zero(3, x.cols());
+    const Scalars mass = Scalars::Ones(x.cols());
+    const std::vector<Index> turns(static_cast<std::size_t>(x.cols()), -1);
+    const std::vector<const Mat3*> allowed(static_cast<std::size_t>(x.cols()), nullptr);
+    const Motion m{x, v, none, force, none, mass, no_inertia, turns, allowed, no_rotations, h, h};
+    all.conditions.clear(), all.contactors.clear();
+    look_ahead(bars.interface.apexes, m, all), look_ahead(bars.interface.base_nodes, m, all);
+    find_crossings(bars.interface, m, bars.memory, workspace, all);
+    x = next;
+  }
+};
+
+TEST(FindCrossings, DoesNotTakeRidgesThatTurnPastEachOtherForOnesThatMeet) {
+  // the ridges away from each other, on top and below: parallel for a moment, where their lines are across moves past the end of both
+  const auto turned = [](double degrees, double across) {
+    Bars bars(degrees, 0.5, 1);
+    const double angle = degrees * std::acos(-1.0) / 180;
+    for (const Index node : mesh::node_set(bars.mesh, "lower")) bars.mesh.X.col(node) += Vec3(1, -std::tan(angle) * (across - 1), 0);
+    return bars;
+  };
+  Bars bars = turned(-1, 3.2);
+  bars.interface.margin = 4;  // so that a search lists them
+  Workspace workspace(bars.interface);
+  connect_edges(bars.interface, bars.mesh.X, bars.memory, workspace);
+  Steps steps(bars);
+  for (const double degrees : {1.0, 2.0}) {
+    steps.find(bars, workspace, turned(degrees, 2.5).mesh.X);
+    for (const Condition& c : steps.all.conditions) EXPECT_GT(c.gap, -0.1) << degrees;
+  }
+}
+
+TEST(FindCrossings, GoesOnWithAnOverlapThatWasAccepted) {
+  for (const double overlap : {0.002, 0.02, 0.2}) {  // 0.5 m is the depth of an element
+    Bars bars(90, -overlap);
+    Workspace workspace(bars.interface);
+    connect_edges(bars.interface, bars.mesh.X, bars.memory, workspace);
+    Steps steps(bars);
+    for (int step = 0; step < 2; ++step) {
+      steps.find(bars, workspace, steps.x);
+      ASSERT_EQ(steps.all.conditions.size(), 1) << overlap;
+      EXPECT_NEAR(steps.all.conditions[0].gap, 0, 1e-12);
+    }
+  }
+}
+
+TEST(FindCrossings, HoldsAFaceThatLeansWhereTheyAreOverEachOther) {
+  Bars bars(90, 0.001, 1);
+  Workspace workspace(bars.interface);
+  connect_edges(bars.interface, bars.mesh.X, bars.memory, workspace);
+  const EdgePair pair = bars.memory.edge_pairs.front();
+  const Over before = over(bars.interface, bars.mesh.X, pair.edge, pair.base_edge, false, 0);
+  ASSERT_TRUE(before.is);
+  for (const Index node : mesh::node_set(bars.mesh, "upper"))  // one flank of the upper bar comes down to 0.1 below its ridge
+    if (bars.mesh.X(1, node) > 0.1) bars.mesh.X(2, node) = bars.mesh.X(2, bars.interface.edges.nodes(0, pair.edge)) - 0.1;
+  EXPECT_FALSE(over(bars.interface, bars.mesh.X, pair.edge, pair.base_edge, false, 0).is);
+  EXPECT_TRUE(over(bars.interface, bars.mesh.X, pair.edge, pair.base_edge, false, before.side).is);
+}
+
+TEST(FindCrossings, HoldsARidgeOffTheEdgesWithinAFaceWhereItStandsUp) {
+  // the upper bar lies flat or on its ridge over the flat top of the lower one, between whose elements are edges
+  for (const bool stands : {true, false}) {
+    Bars bars(0, 0);
+    for (const Index node : mesh::node_set(bars.mesh, "lower")) {
+      const Vec3 X = bars.mesh.X.col(node);
+      bars.mesh.X.col(node) = Vec3(X.x() + 0.4, (X.y() + X.z()) / std::sqrt(2.0) + 0.1, (X.z() - X.y()) / std::sqrt(2.0) - 0.5);
+    }
+    for (const Index node : mesh::node_set(bars.mesh, "upper")) {
+      const double y = bars.mesh.X(1, node), z = bars.mesh.X(2, node) - std::sqrt(2.0);
+      if (stands) bars.mesh.X(2, node) = z + std::sqrt(0.5);
+      else bars.mesh.X(1, node) = (y + z) / std::sqrt(2.0), bars.mesh.X(2, node) = (z - y) / std::sqrt(2.0) + 0.5;
+    }
+    Workspace workspace(bars.interface);
+    connect_edges(bars.interface, bars.mesh.X, bars.memory, workspace);
+    int count = 0, listed = 0;
+    for (const EdgePair& pair : bars.memory.edge_pairs) {
+      if (!pair.in_face) continue;
+      ++listed;
+      const Over at = over(bars.interface, bars.mesh.X, pair.edge, pair.base_edge, true, 0);
+      if (at.is && std::abs(at.height) < 1e-9) ++count;
+    }
+    EXPECT_GT(listed, 0);
+    if (stands) EXPECT_GT(count, 0);
+    else EXPECT_EQ(count, 0);
+  }
 }
 
 }  // namespace

@@ -6,7 +6,7 @@ the other end of the range; beyond it the slope is Et again, whatever b is. So a
 
     -s_max  for isotropic hardening (b = 1),     s_max - 2 sy  for kinematic (b = 0),     s_max - 2 (sy + b H p)  between.
 
-Strains are logarithmic, stresses Cauchy's, in kgf/mm2. Lead and steel of Table II of Kulak & Fiala (1983), who do not say which.
+Strains are logarithmic, stresses Cauchy's, in kgf/mm2. Lead and steel of Table II of Kulak & Fiala, who do not say which.
 """
 LEAD = {"young": 19.5, "yield": 3.02, "tangent": 1.85}
 STEEL = {"young": 1.96e4, "yield": 31.6, "tangent": 195.0}

@@ -319,14 +319,20 @@ def long_runs():
     return found
 
 
-def at_random(first=0, count=29):
+# Seeds that were broken or went through each other once, beyond those from 0 on
+OF_RANDOM = (20400039, 31000193, 31000399)
+OF_AUTOMATIC = (1000, 1041, 1086, 1090, 1121)
+
+
+def at_random(first=0, count=29, also=OF_RANDOM):
     """Bodies of random shape, thrown at one another, by their seed."""
-    return [cell("random", str(seed), "thrown", "", scenes.thrown, seed=seed) for seed in range(first, first + count)]
+    return [cell("random", str(seed), "thrown", "", scenes.thrown, seed=seed) for seed in (*range(first, first + count), *also)]
 
 
 def automatic(first=0, count=24):
     """One contact of all bodies: thrown at random with plates from both sides, folds, piles."""
-    found = [cell("automatic", str(seed), "thrown", "", scenes.thrown, seed=seed, automatic=True) for seed in range(first, first + count)]
+    found = [cell("automatic", str(seed), "thrown", "", scenes.thrown, seed=seed, automatic=True)
+             for seed in (*range(first, first + count), *OF_AUTOMATIC)]
     found += [cell("automatic", "fold", "strip", "solid", scenes.strip, automatic=True),
               cell("automatic", "fold half", "strip", "solid", scenes.strip, automatic=True, squeeze=0.3)]
     found += [cell("automatic", f"fold {v:g} thick", "strip", "plates", scenes.strip, automatic=True, plates=True, thickness=v)

@@ -7,7 +7,7 @@ plastic strain, sy p + H p^2/2, is dissipated and s^2/(2 E) is stored.
 Strain and stress: the law adds increments of strain over increments of the *present* length, so its strain is the logarithm of
 the stretch; its stress is Cauchy's, force over present area. For small strains all strains agree.
 
-Numbers of Table II of Kulak & Fiala (1983), in kgf/mm^2.
+Numbers of Table II of Kulak & Fiala, in kgf/mm^2.
 """
 LEAD = {"young": 19.5, "yield": 3.02, "tangent": 1.85}
 STEEL = {"young": 1.96e4, "yield": 31.6, "tangent": 195.0}
