@@ -434,6 +434,9 @@ void add(const Contactor& one, Multipliers& all) {
     const Condition& c = all.conditions[i];
     each_node(c, [&](int j) { all.shared(c.node[j]) += one.area * std::abs(c.weight[j]); });
   }
+  if (one.friction < 0) return;
+  const Touch& touch = all.frictions[one.friction].touch;
+  for (int j = 0; touch.apex < 0 && j < touch.nodes; ++j) all.shared(touch.node[j]) += one.area * touch.lift[j].norm();
 }
 
 namespace {

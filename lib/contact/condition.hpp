@@ -128,7 +128,7 @@ struct Multipliers {
   Vectors way;          ///< [m/s] [nodes] mean velocity from the start of the step that led to t up to there
   Vectors velocity;     ///< [m/s] [nodes] in the step to come, with the impulses so far
   Vectors spin;         ///< [rad/s] [plate nodes] the same of angular velocities
-  Scalars shared;       ///< [m2] [nodes] sum of the weights of all conditions times their areas; look_ahead() begins it
+  Scalars shared;       ///< [m2] [nodes] sum of the weights and lifts of all conditions times their areas; look_ahead() begins it
   Scalars mobility;     ///< [1/kg] [nodes] of what was looked ahead for
   Subset nodes;         ///< on which multipliers can act, ascending
   Subset always;        ///< of these what is not only of automatic contacts

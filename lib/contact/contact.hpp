@@ -189,7 +189,7 @@ struct Near {
 /// Two edges near each other at the last search.
 struct EdgePair {
   Index edge = -1, base_edge = -1;  ///< in Interface::edges and base_edges
-  bool in_face = false;             ///< one of them is no ridge, but an edge between the elements of a face
+  bool in_face = false;             ///< one of them is no ridge, but between elements of a face or in a valley
   double apart = 0;                 ///< [m] less h_c
 };
 
@@ -310,7 +310,7 @@ struct BodyBox {
 /// An edge in a search, with the box around it.
 struct EdgeBox {
   Index edge;
-  bool ridge;      ///< else an edge in a face
+  bool ridge;      ///< or a rim
   Vec3 low, high;  ///< [m]
 };
 
@@ -326,8 +326,8 @@ struct Workspace {
   Subset facets;           ///< [apexes] how many facets a search found near
   std::vector<Near> near;  ///< the next list of near apexes
   std::vector<EdgeBox> edges, base_edges, base_ridges;  ///< what a search looks at
-  std::vector<EdgePair> edge_pairs;        ///< the next list of them
-  std::vector<Crossing> crossings;
+  std::vector<EdgePair> edge_pairs;        ///< the next list of pairs
+  std::vector<Crossing> crossings;         ///< the next list of them
   Scalars spring_sum;      ///< [N/m] [nodes of the mesh] stiffness of all springs at a base node
   Scalars rotation_sum;    ///< [N] [nodes of the mesh] the same for the moments of friction
 };

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double parallel = 1e-3;    // sine between edges: with less, an edge 1 m long is over the other where its nodes are, within 1 mm
 constexpr double bent = 0.05;        // sine: bodies bend, and a face that lies on an edge may rise by so much above it
-constexpr double steep = 0.2;        // sine: so far a ridge stands up that is held off edges in a face; flatter ones come in by a tenth
+constexpr double steep = 0.2;        // sine: so far a ridge stands up that is held off edges in a face; flatter ones come in by a fifth
 constexpr double stays_steep = 0.1;  // the same while they are over each other
 constexpr double leans = 0.3;        // sine: the same while they are over each other, so that none goes through as a face leans to and fro
 constexpr double past_end = 1e-6;    // of an edge: two that follow one another have no gap
@@ -107,6 +107,7 @@ void let_go(Crossing& crossing) {
 /// Whether edges have turned past each other as parallel ones, where the product of both changes its sign: what was above then seems below.
 bool has_turned(const Vec3& normal, const Vec3& earlier) { return normal.dot(earlier) <= 0; }
 
+/// The velocity of the point of the edge against that of the base edge, as they were last over each other.
 Vec3 relative(const Crossing& crossing, const Vectors& v) {
   Vec3 sum = Vec3::Zero();
   for (std::size_t j = 0; j < 4; ++j) sum += crossing.weight[j] * v.col(crossing.node[j]);
@@ -257,6 +258,7 @@ void search_crossings(const Interface& interface, const Vectors& x, Memory& memo
     else discard(was.restitution, memory.impact);
     return !is_there;
   };
+  memory.crossings.reserve(memory.edge_pairs.size()), workspace.crossings.reserve(memory.edge_pairs.size());  // a step takes no memory
   memory.crossings.erase(std::remove_if(memory.crossings.begin(), memory.crossings.end(), is_gone), memory.crossings.end());
 }
 
@@ -296,8 +298,7 @@ void find_crossings(const Interface& interface, const Motion& m, Memory& memory,
       Condition& c = all.conditions.emplace_back();
       make(interface, at, crossing, c);
       const double speed = relative(crossing, all.velocity).norm();
-      acts = can_touch(pair, m, c.gap, speed) &&
-             complete(m, crossing.pressed, crossing.restitution.held, all, c);
+      acts = can_touch(pair, m, c.gap, speed) && complete(m, crossing.pressed, crossing.restitution.held, all, c);
       if (!acts) all.conditions.pop_back();
     }
     if (!acts) {

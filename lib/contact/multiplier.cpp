@@ -23,7 +23,6 @@ constexpr int most_for_overlaps = 1000;  // of thin elements
 constexpr double still = 1e-6;     // of what the impulses do: sweeps end as soon as one changes less
 constexpr double settled = 1e-5;   // the same: fewer sweeps than usual will do without friction, whose sticks need more beside heavy loads
 constexpr double may_gain = 1e-4;  // of the energy that the impulses exchange: sweeps go on while single contactors gain more
-constexpr double too_much = 0.1;    // the same of all contactors together: sweeps run away, and friction is left out of the step
 constexpr double may_close = 0.02;  // of the depth of an element: the same, while a gap would be more negative in the step to come
 
 /// Whether the forces of all apexes can have a moment, and not only of those that say so.
@@ -58,7 +57,8 @@ void book_first_half(const Interface& interface, const Motion& m, Memory& memory
 ///     1/a  sum over the nodes of |w| S |P n| / m,   S = sum of |w| a of all conditions at the node
 ///
 /// with any a > 0 (Gershgorin's circles of the matrix with rows and columns scaled). Impulses go with the areas, so these are good, and
-/// half a body on its symmetry plane has nearly the sweeps of the whole one.
+/// half a body on its symmetry plane has nearly the sweeps of the whole one. Friction where edges cross acts along their normal too, by its
+/// lifts, which count as weights of both.
 void find_bounds(const Motion& m, Multipliers& all) {
   if (m.rigid) leave_out(*m.rigid, all);
   for (const Contactor& one : all.contactors) {
@@ -75,9 +75,18 @@ void find_bounds(const Motion& m, Multipliers& all) {
     FrictionCondition& condition = all.frictions[one.friction];
     const Condition& c = all.conditions[one.first];
     double alone = 0, together = 0;
-    for (int j = 0; j < c.nodes; ++j) {
-      alone += c.weight[j] * c.weight[j] / m.mass(c.node[j]);
-      together += std::abs(c.weight[j]) * all.shared(c.node[j]) / (one.area * m.mass(c.node[j]));
+    const auto see = [&](Index node, double square, double all_weights) {
+      alone += square / m.mass(node);
+      together += all_weights * all.shared(node) / (one.area * m.mass(node));
+    };
+    const Touch& touch = condition.touch;
+    if (touch.apex < 0) {
+      for (int j = 0; j < touch.nodes; ++j) {
+        const double weight = std::abs(touch.weight[j]), lift = touch.lift[j].norm();
+        see(touch.node[j], weight * weight + lift * lift, weight + lift);
+      }
+    } else {
+      for (int j = 0; j < c.nodes; ++j) see(c.node[j], c.weight[j] * c.weight[j], std::abs(c.weight[j]));
     }
     condition.bound = condition.per_mass * together / alone;
   }
@@ -150,12 +159,9 @@ void leave_out_momentum(Multipliers& all) {
   for (FrictionCondition& f : all.frictions) f.change = f.met - f.impulse;
 }
 
-/// Energy that contactors gain over that which all exchange: those alone that gain, and all together. [-]
-struct Gained {
-  double single = 0, all = 0;
-};
-Gained gained(const Motion& m, const Multipliers& all) {
-  double gains = 0, together = 0, exchanged = 0;
+/// Whether single contactors gain energy that counts.
+bool gains(const Motion& m, const Multipliers& all) {
+  double gained = 0, exchanged = 0;
   for (const Contactor& one : all.contactors) {
     double sum = 0;
     for (Index i = one.first; i < one.last; ++i) {
@@ -163,14 +169,13 @@ Gained gained(const Motion& m, const Multipliers& all) {
       sum += work(c, rate(c, all.velocity));
       exchanged += 0.5 * c.impulse * c.impulse * c.per_mass;
     }
-    gains += std::max(0.0, sum), together += sum;
+    gained += std::max(0.0, sum);
     if (one.friction < 0) continue;
     const FrictionCondition& friction = all.frictions[one.friction];
-    const double of_friction = work(friction, rate(friction, m, all));
-    gains += std::max(0.0, of_friction), together += of_friction;
+    gained += std::max(0.0, work(friction, rate(friction, m, all)));
     exchanged += 0.5 * friction.impulse.squaredNorm() * friction.per_mass;
   }
-  return exchanged > 0 ? Gained{gains / exchanged, together / exchanged} : Gained{};
+  return gained > may_gain * exchanged;
 }
 
 /// Whether what sweeps have left of a rate would penetrate by what counts of an element: thin ones are less deep than the way of a step, of
@@ -184,33 +189,7 @@ bool overlaps(const Motion& m, const Multipliers& all) {
   return false;
 }
 
-/// Takes all impulses back, and leaves friction out of this step.
-void leave_out_friction(const Motion& m, Multipliers& all) {
-  for (Condition& c : all.conditions) c.change = -c.impulse, c.met = 0;
-  for (FrictionCondition& f : all.frictions) f.change = -f.impulse, f.met.setZero(), f.coefficient = 0, f.slides = true;
-  apply_changes(m, all);
-  for (Condition& c : all.conditions) c.impulse = 0;
-  for (FrictionCondition& f : all.frictions) f.impulse.setZero();
-}
-
 /// Sweeps until nothing changes, or no contactor gains energy that counts nor penetrates by what counts.
-void sweep_to_the_end(const Motion& m, Multipliers& all) {
-  double t = 1;
-  for (int sweeps = 1; sweeps <= most_for_overlaps; ++sweeps) {
-    const double next = 0.5 * (1 + std::sqrt(1 + 4 * t * t));
-    const Swept made = sweep(m, sweeps > 1 ? (t - 1) / next : 0, all);
-    t = made.turned < 0 ? 1 : next;
-    if (!(made.change > still)) break;
-    apply_changes(m, all);
-    if (sweeps % 2 > 0 || (sweeps < usual_sweeps && !(made.change < settled && all.frictions.empty()))) continue;
-    if (!(sweeps < most_sweeps && gained(m, all).single > may_gain) && !overlaps(m, all)) break;
-  }
-  leave_out_momentum(all);
-  apply_changes(m, all);
-}
-
-/// Finds the impulses. What friction does to normal velocities, and these to friction, is in no bound: where sweeps by both do not come to
-/// an end, those by normal impulses alone do.
 void solve(const Motion& m, Multipliers& all) {
   find_bounds(m, all);
   for (const Contactor& one : all.contactors)
@@ -220,10 +199,18 @@ void solve(const Motion& m, Multipliers& all) {
     if (!condition.impulse.isZero(0)) give(condition, condition.impulse, m, all);
   if (m.rigid) settle(*m.rigid, m, all.velocity);
   if (all.bonds.touched) hold(m, all.velocity, all.bonds);
-  sweep_to_the_end(m, all);
-  if (all.frictions.empty() || !(gained(m, all).all > too_much)) return;
-  leave_out_friction(m, all);
-  sweep_to_the_end(m, all);
+  double t = 1;
+  for (int sweeps = 1; sweeps <= most_for_overlaps; ++sweeps) {
+    const double next = 0.5 * (1 + std::sqrt(1 + 4 * t * t));
+    const Swept made = sweep(m, sweeps > 1 ? (t - 1) / next : 0, all);
+    t = made.turned < 0 ? 1 : next;
+    if (!(made.change > still)) break;
+    apply_changes(m, all);
+    if (sweeps % 2 > 0 || (sweeps < usual_sweeps && !(made.change < settled && all.frictions.empty()))) continue;
+    if (!(sweeps < most_sweeps && gains(m, all)) && !overlaps(m, all)) break;
+  }
+  leave_out_momentum(all);
+  apply_changes(m, all);
 }
 
 /// What friction takes in a step, and how much of that in the half that begins. [J]

@@ -1,10 +1,9 @@
 #pragma once
 // Near sets: which apexes can touch their base before the next search, and over which facets.
 
+#include <cmath>
 #include <functional>
 #include <initializer_list>
-
-#include <cmath>
 #include <limits>
 #include <span>
 

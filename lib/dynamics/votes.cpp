@@ -9,7 +9,7 @@ namespace nereid::dynamics {
 namespace {
 
 constexpr double grows_by = 1.05;          // [-] or not at all
-constexpr double of_margin = 0.25;           // [-] that safety leaves: a fall may take so much of it before the step is shorter
+constexpr double of_margin = 0.25;         // [-] that safety leaves: a fall may take so much of it before the step is shorter
 constexpr double steepest = 0.5;           // [-] of the trend: a limit that falls faster has jumped and does not go on so
 constexpr int patience = 20;               // steps: more than a period of what rings at the limit of the step
 constexpr double worth_a_warning = 0.01;   // of the energy of the scene: a fifth of the usual created_limit

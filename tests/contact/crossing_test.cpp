@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
+#include "contact/multiplier.hpp"
 #include "mesh/box.hpp"
 #include "mesh/placement.hpp"
 #include "mesh/skin.hpp"
@@ -226,6 +228,63 @@ TEST(FindCrossings, HoldsARidgeOffTheEdgesWithinAFaceWhereItStandsUp) {
     if (stands) EXPECT_GT(count, 0);
     else EXPECT_EQ(count, 0);
   }
+}
+
+/// Two fans of rims of plates that cross and rub, from random places with random masses and speeds; nodes are shared within a fan.
+struct Fans {
+  Interface interface;
+  Memory memory;
+  Vectors x, v;
+  Scalars mass;
+
+  Fans(std::mt19937& random, int edges, double half) {
+    std::uniform_real_distribution<double> one(-1, 1);
+    const Eigen::Index nodes = 2 * (edges + 1);
+    x.resize(3, nodes), v.resize(3, nodes), mass.resize(nodes);
+    for (Eigen::Index node = 0; node < nodes; ++node) {
+      const bool above = node <= edges;
+      for (int i = 0; i < 3; ++i) x(i, node) = one(random), v(i, node) = one(random);
+      x(2, node) = (above ? 1 : -1) * (half + 0.02 * one(random));
+      v(2, node) -= above ? 2 : -2;
+      mass(node) = std::pow(10, one(random));
+    }
+    const auto fan = [&](Index first) {
+      Edges all;
+      all.nodes.resize(2, edges), all.across.setConstant(2, edges, -1), all.area.setOnes(edges), all.half.setConstant(edges, half);
+      for (Index e = 0; e < edges; ++e) all.nodes.col(e) << first, first + e + 1;
+      all.of_plates.assign(static_cast<std::size_t>(edges), 1);
+      return all;
+    };
+    interface.kind = InterfaceKind::edges, interface.method = Method::multiplier;
+    interface.edges = fan(0), interface.base_edges = fan(static_cast<Index>(edges) + 1);
+    interface.margin = 3, interface.depth = 1, interface.friction.coefficient = 1;
+    interface.apexes = nodes_of(interface.edges), interface.base_nodes = nodes_of(interface.base_edges);
+  }
+};
+
+TEST(Enforce, CreatesNothingWhereEdgesCrossAndRubWhateverTheMassesAndAngles) {
+  std::mt19937 random(7);
+  const Vectors none(3, 0);
+  const Scalars no_inertia;
+  const std::vector<const Mat3*> no_rotations;
+  int touching = 0;
+  for (int trial = 0; trial < 2000; ++trial) {
+    Fans fans(random, 3, 0.3);
+    Workspace workspace(fans.interface);
+    connect_edges(fans.interface, fans.x, fans.memory, workspace);
+    fans.memory.crossings.clear();
+    const auto nodes = static_cast<Index>(fans.x.cols());
+    const Vectors force = Vectors::Zero(3, nodes);
+    const std::vector<Index> turns(static_cast<std::size_t>(nodes), -1);
+    const std::vector<const Mat3*> allowed(static_cast<std::size_t>(nodes), nullptr);
+    const Motion m{fans.x, fans.v, none, force, none, fans.mass, no_inertia, turns, allowed, no_rotations, 0.01, 0.01};
+    Multipliers all = make_multipliers({&fans.interface, 1}, {}, nodes, 0);
+    enforce({&fans.interface, 1}, {}, m, 1, {&fans.memory, 1}, {}, {&workspace, 1}, all);
+    const auto energy = [&](const Vectors& v) { return 0.5 * (v.colwise().squaredNorm().transpose().array() * fans.mass.array()).sum(); };
+    touching += fans.memory.force.isZero(0) ? 0 : 1;
+    EXPECT_LT(energy(all.velocity), 1.01 * energy(fans.v)) << trial;  // sweeps end before every rate is zero
+  }
+  EXPECT_GT(touching, 500);
 }
 
 }  // namespace
