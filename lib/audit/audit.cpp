@@ -153,11 +153,14 @@ double distance(const Vec3& p, const Vec3& a, const Vec3& b) {
   return (p - a - s * (b - a)).norm();
 }
 
-/// How far a point of a sheet is from its rim; infinite if it has none. [m]
-double from_rim(const Side& sheet, const Vec3& p) {
+/// How far a point of a sheet is from its rim, but for the edge of two points that it lies on; infinite if there is none. [m]
+double from_rim(const Side& sheet, const Vec3& p, Index first = -1, Index last = -1) {
   double least = std::numeric_limits<double>::infinity();
-  for (Index e = 0; e < sheet.surface.rim_edges.cols(); ++e)
-    least = std::min(least, distance(p, point(sheet, sheet.surface.rim_edges(0, e)), point(sheet, sheet.surface.rim_edges(1, e))));
+  for (Index e = 0; e < sheet.surface.rim_edges.cols(); ++e) {
+    const Index a = sheet.surface.rim_edges(0, e), b = sheet.surface.rim_edges(1, e);
+    if ((a == first && b == last) || (a == last && b == first)) continue;
+    least = std::min(least, distance(p, point(sheet, a), point(sheet, b)));
+  }
   return least;
 }
 
@@ -350,7 +353,7 @@ Found overlap_with_itself(Workspace& work, Index index) {
         const double behind = std::abs(std::min(up_a, up_b));  // or it is the other that has come out: no more than that counts
         depth = std::min({depth, behind, nearest(surface, one.placed, end, 0, looks_at_it).distance});
       } else {
-        depth = std::min(depth, from_rim(one, at));
+        depth = std::min(depth, from_rim(one, at, first, last));
       }
       const Index face = surface.face_of[t];
       const double open = one.placed.open(face) + open_along(one, e);

@@ -274,6 +274,13 @@ NEREID_HOT double let_through(const Motion& m, int j, Condition& c, Multipliers&
   return c.normal.dot(all.along.back());
 }
 
+/// The rate a after a step in which a condition alone does the work E:  (a - free)/A (before + a)/2 = E.  The impulse of the step before
+/// tells as little of that which it takes as the steps have in common.
+double rate_for(double E, const Condition& c) {
+  const double difference = c.before - c.free;
+  return 0.5 * (std::sqrt(std::max(0.0, difference * difference + 4 * (c.before * c.free + 2 * c.per_mass * E))) - difference);
+}
+
 }  // namespace
 
 bool complete(const Motion& m, double pressed, double held, Multipliers& all, Condition& c) {
@@ -290,7 +297,8 @@ bool complete(const Motion& m, double pressed, double held, Multipliers& all, Co
   c.before = c.normal.dot(before), c.free = c.normal.dot(free);
   const double closing = (c.gap > 0 ? -c.gap : -corrected * c.gap) / m.next, impulse = 0.5 * pressed * (m.dt + m.next);
   const double from_held = impulse > 0 ? std::max(0.0, held) / impulse : 0;
-  const double may = 2 * from_held - c.before;  // the work of this step; to stop again takes as much as to go apart
+  double may = 2 * from_held - c.before;  // the work of this step; to stop again takes as much as to go apart
+  if (from_held > 0 && closing > -c.before) may = std::min(may, rate_for(held, c));
   c.least = std::min(closing, may > 0 ? 0.5 * may : may);
   return c.per_mass * m.mass(c.node[0]) > no_response;
 }

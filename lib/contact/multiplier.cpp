@@ -189,9 +189,19 @@ bool overlaps(const Motion& m, const Multipliers& all) {
   return false;
 }
 
-/// Sweeps until nothing changes, or no contactor gains energy that counts nor penetrates by what counts.
+/// Whether any contactor is between rigid bodies alone: nothing follows their blow that would even out what sweeps leave.
+bool any_between_rigid_bodies(const Motion& m, const Multipliers& all) {
+  if (!m.rigid) return false;
+  return std::any_of(all.contactors.begin(), all.contactors.end(), [&](const Contactor& one) {
+    const Condition& c = all.conditions[one.first];
+    return std::all_of(c.node.begin(), c.node.begin() + c.nodes, [&](Index node) { return m.rigid->of_node[node] >= 0; });
+  });
+}
+
+/// Sweeps until nothing changes, or no contactor gains energy that counts nor penetrates by what counts and none is between rigid bodies.
 void solve(const Motion& m, Multipliers& all) {
   find_bounds(m, all);
+  const bool to_the_end = any_between_rigid_bodies(m, all);
   for (const Contactor& one : all.contactors)
     for (Index i = one.first; i < one.last; ++i)
       if (all.conditions[i].impulse > 0) give(all.conditions[i], all.conditions[i].impulse, all);
@@ -207,7 +217,7 @@ void solve(const Motion& m, Multipliers& all) {
     if (!(made.change > still)) break;
     apply_changes(m, all);
     if (sweeps % 2 > 0 || (sweeps < usual_sweeps && !(made.change < settled && all.frictions.empty()))) continue;
-    if (!(sweeps < most_sweeps && gains(m, all)) && !overlaps(m, all)) break;
+    if (!(sweeps < most_sweeps && (to_the_end || gains(m, all))) && !overlaps(m, all)) break;
   }
   leave_out_momentum(all);
   apply_changes(m, all);

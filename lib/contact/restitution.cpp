@@ -8,8 +8,9 @@ namespace nereid::contact {
 namespace {
 
 constexpr double own_share = 0.5;       // [-] of the force with which a wave leaves a node that moves with what is held
-constexpr double small_loss = 1e-3;     // of what is held: less, taken in a step, delays no release
+constexpr double small_loss = 1e-3;     // of what is held: less, taken in a step, delays no release; what is taken, times this, is worth one
 constexpr double round_off = 1e-14;     // of the energy with which a node goes apart: so much of what it held is no force
+constexpr double stands = 1e-8;         // of the square of the rate with which a node leaves: one that goes in by less does so by round-off
 constexpr double much_faster = 10;      // times the change of speed by forces in a step
 constexpr double small_rest = 1e-6;     // of what is held: less is not worth another round
 constexpr int rounds_of_rigid = 30;     // in which contactors of rigid bodies give back what they hold
@@ -39,6 +40,7 @@ namespace {
 /// Whether a contactor is without a force, or has one that only what it holds could make.
 bool lets_go(const Contactor& one, const Condition& c, double pressed, double h, double t) {
   const Restitution& memory = *one.memory;
+  if (memory.held < small_loss * -one.work) return false;  // what is left of a blow before, as another begins
   const double own = own_share * one.impedance * std::sqrt(2 * memory.held * c.per_mass);
   if (pressed > 0 && pressed >= own) return false;
   const double time = 1 / (c.per_mass * one.impedance);
@@ -78,7 +80,8 @@ bool give_back(const Motion& m, double t, bool first, Multipliers& all) {
     if (!goes) continue;
     if (first) one.lets_go = is_blow(one, c);
     const Gain by = gain(c, rate(c, all.velocity));
-    if (by.B < 0 || left * by.A < round_off * by.B * by.B) continue;  // on its way in, or released before
+    if (by.B < 0 && by.B * by.B > stands * left * by.A) continue;  // on its way in
+    if (left * by.A < round_off * by.B * by.B) continue;           // released before
     const double lost = (1 - one.square) * std::max(0.0, left - memory.kept);
     one.lost += lost;
     one.memory->kept = left - lost;

@@ -17,7 +17,7 @@ double dissipated(const Account& account) {
 }
 double overdrawn(const Account& a) {
   double sum = 0;
-  for (const Stored channel : {Stored::elastic, Stored::transverse_shear, Stored::drilling})
+  for (const Stored channel : {Stored::elastic, Stored::hourglass, Stored::transverse_shear, Stored::drilling})
     sum += std::max(0.0, -(a.stored[channel] + a.at_start[channel]));
   return sum;
 }

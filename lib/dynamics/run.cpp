@@ -39,7 +39,7 @@ Suspect suspect(const Model& model, const Ledger& ledger, int except = -1) {
   double most = std::abs(worst.part);
   for (int a = 0; a < static_cast<int>(ledger.accounts.size()); ++a) {
     const double part = a == except ? 0 : spurious_part(ledger, static_cast<std::size_t>(a));
-    const double size = std::abs(part) / times_the_limit(model, a);
+    const double size = std::abs(part) / times_the_limit(model, ledger, a);
     if (size > most) worst = {a, part}, most = size;
   }
   return worst;
@@ -58,7 +58,8 @@ std::string deed(const Suspect& one) {
 /// except  the block whose element is lost: its own account is spoiled by that
 std::string made_before(const Model& model, const Ledger& ledger, double limit, int except = -1) {
   const Suspect one = suspect(model, ledger, except);
-  return std::abs(one.part) > limit * times_the_limit(model, one.source) ? "; before that " + name(model, one) + " had " + deed(one) : "";
+  const bool too_much = std::abs(one.part) > limit * times_the_limit(model, ledger, one.source);
+  return too_much ? "; before that " + name(model, one) + " had " + deed(one) : "";
 }
 
 /// Stops the run with a place if an element is lost, a number is no number or the step collapsed.
@@ -142,7 +143,7 @@ bool corner_inverted(const Model& model, const State& now, const Time& time, Out
 /// Stops the run where a source has created or lost too much of what passed through it, or time integration of the scene; after any step.
 bool too_much_of_what_passed(const Model& model, const Ledger& ledger, double created_limit, Outcome& outcome) {
   const Suspect one = suspect(model, ledger);
-  const double limit = created_limit * times_the_limit(model, one.source);
+  const double limit = created_limit * times_the_limit(model, ledger, one.source);
   if (!(std::abs(one.part) > limit)) return false;
   outcome.ending = one.part > 0 ? Ending::energy_created : Ending::energy_lost;
   outcome.reason = deed(one) + text("; the limit is %.3g", limit, 0);
@@ -158,9 +159,11 @@ std::int64_t elements(const Model& model) {
 
 }  // namespace
 
-double times_the_limit(const Model& model, int source) {
-  constexpr double of_a_block = 5;
-  return source >= 0 && source < static_cast<int>(model.blocks.size()) ? of_a_block : 1;
+double times_the_limit(const Model& model, const Ledger& ledger, int source) {
+  constexpr double of_a_block = 5, of_little = 5, little = 0.01;
+  if (source < 0) return 1;
+  if (source < static_cast<int>(model.blocks.size())) return of_a_block;
+  return ledger.flows[static_cast<std::size_t>(source)].passed < little * energy_scale(ledger) ? of_little : 1;
 }
 
 std::string_view word(Ending ending) {

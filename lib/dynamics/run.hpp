@@ -72,12 +72,13 @@ struct Watch {
 /// Invariants  a run that goes on from a copy of its state has the bits of one that was never interrupted.
 Outcome run(const Model&, State&, Forces&, const Time&, double update_every, const Watch& = {});
 
-/// How many times the limit on created energy holds for that of what passed through a source: five times for a block, else once. [-]
+/// How many times the limit on created energy holds for that of what passed through a source: five times for a block, and for any through
+/// which less than a hundredth of the energy of the scene has passed, else once. [-]
 ///
 /// A body makes what goes with the square of the step, and the little that it takes up in a few of the longest steps, as when it begins to
-/// spin, is no harm to the scene. A contact has a bound of its own on what it makes.
+/// spin, is no harm to the scene. So is a part of one weak blow of a contact, whose next steps make good what it makes.
 ///
 /// source  in sources(model); -1: time integration
-double times_the_limit(const Model&, int source);
+double times_the_limit(const Model&, const Ledger&, int source);
 
 }  // namespace nereid::dynamics

@@ -268,13 +268,14 @@ std::vector<std::string> energy_notes(const Simulation& simulation) {
   std::vector<std::string> notes;
   const auto look = [&](const std::string& name, double part, const char* of, double stops) {
     if (!(std::abs(part) > worth_a_warning * limit)) return;
-    notes.push_back(row("%s: %s %.2g of the energy %s at worst; the limit that stops a run is %.2g", name.c_str(),
-                        part > 0 ? "created" : "lost", std::abs(part), of, stops));
+    notes.push_back(row("%s: %s %.2g of the energy %s at worst%s; the limit that stops a run is %.2g", name.c_str(),
+                        part > 0 ? "created" : "lost", std::abs(part), of,
+                        std::abs(part) > stops ? ", while little had passed" : "", stops));
   };
   const dynamics::Ledger& ledger = simulation.state.ledger;
   const std::vector<Source> all = dynamics::sources(simulation.model);
   for (std::size_t s = 0; s < all.size(); ++s) {
-    const double stops = limit * dynamics::times_the_limit(simulation.model, static_cast<int>(s));
+    const double stops = limit * dynamics::times_the_limit(simulation.model, ledger, static_cast<int>(s));
     look(all[s].name, ledger.flows[s].worst, "that passed through it", stops);
     look(all[s].name, ledger.flows[s].worst_of_scene, "of the scene", limit);
   }

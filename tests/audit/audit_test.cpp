@@ -308,6 +308,21 @@ TEST(OverlapWithItself, OfASheetIsFoundWhereItGoesThroughItself) {
   EXPECT_NEAR(found(work, folded(sheet, 0.2, 0.23).X, 0, 0).deepest, 0.03, 1e-9);
 }
 
+TEST(OverlapWithItself, OfASheetIsFoundWhereItsRimGoesThroughIt) {
+  const mesh::Mesh sheet = mesh::sheet("sheet", {4, 4, 4, 4});
+  Workspace work = workspace_of(sheet);
+  Vectors x = sheet.X;
+  const auto at = [&](double X, double Y) {
+    Eigen::Index node = 0;
+    (sheet.X.colwise() - Vec3(X, Y, 0)).colwise().squaredNorm().minCoeff(&node);
+    return x.col(node);
+  };
+  const Vec3 corner = sheet.X.rowwise().minCoeff();
+  at(corner.x() + 1, corner.y()) += Vec3(0, 0, 0.3);
+  at(corner.x(), corner.y()) += Vec3(2.6, 1.6, -0.1);  // only an edge of the rim goes through the sheet
+  EXPECT_NEAR(found(work, x, 0, 0).deepest, 0.1, 1e-9) << "not zero, how far it is from itself";
+}
+
 TEST(Overlap, OnAPlaneOfSymmetryDoesNotHideBehindIt) {
   const auto two = [](double begin) {
     const mesh::Mesh a = mesh::box("a", {Vec3::Zero(), Vec3(4, 1, 1), {4, 1, 1}});

@@ -37,6 +37,9 @@ TEST(Ledger, WhatAStoreGaveAndNeverHeldIsCreated) {
   EXPECT_EQ(created(a), 0);
   a.work = 4, a.hold(Stored::elastic, -1);
   EXPECT_EQ(created(a), 1);
+  Account bent;
+  bent.work = 2, bent.hold(Stored::hourglass, -2);
+  EXPECT_EQ(created(bent), 2) << "what acts against hourglassing is a law in rates, too";
   a.hold(Stored::elastic, NAN);
   EXPECT_TRUE(std::isnan(created(a))) << "a run says so";
   Account load;

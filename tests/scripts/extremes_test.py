@@ -456,10 +456,31 @@ class Verdicts(unittest.TestCase):
     def test_a_stop_for_an_overlap_that_is_there_has_a_cause_whatever_a_finer_mesh_does(self):
         said = "scene: stopped at 1 s: bodies_overlap in a: a and b overlap by {} m, 0.6 of an element; the limit is 0.5 of an element\n"
         fine = pair(0.5)
-        for way, claimed, found in ((-0.3, 0.3, judge.REFUSED), (-0.3, 0.14, judge.BROKEN), (-0.2, 0.2, judge.BROKEN)):
+        for way, claimed, found in ((-0.3, 0.3, judge.REFUSED), (-0.3, 0.14, judge.BROKEN), (-0.2, 0.2, judge.REFUSED),
+                                    (-0.1, 0.1, judge.BROKEN)):
             with self.subTest(way=way, claimed=claimed):
                 stopped = verdict(pair(way), status=3, said=said.format(claimed), again=lambda change: fine.finished())
                 self.assertEqual(stopped[0], found)
+
+    def test_a_stop_for_an_inversion_has_a_cause_if_shorter_steps_come_to_it_too(self):
+        said = ("scene: stopped at 1 s: inverted_element in a, element 0: the Jacobian of a corner is -0.05 of the reference; the limit "
+                "is 0\n")
+
+        def bent(left):  # a corner of the unit cube that goes in by s has 1 - 3 s of its Jacobian left
+            def motion(X, t):
+                v = np.zeros_like(X)
+                v[0] = (1 - left) / 3
+                return X + v * t, v
+            return Folder([("a", cube(cells=(1, 1, 1)))], motion)
+
+        stops, near, far = bent(-0.05), bent(0.05), bent(0.2)
+        inverts = stops.finished(3, said)
+        comes_near, passes = near.finished(), far.finished()
+        for half, quarter, seen, found in ((comes_near, comes_near, stops, judge.REFUSED), (inverts, inverts, stops, judge.REFUSED),
+                                           (comes_near, inverts, stops, judge.REFUSED), (comes_near, passes, stops, judge.BROKEN),
+                                           (comes_near, comes_near, near, judge.BROKEN)):
+            again = {"half": half, "quarter": quarter, "mesh": passes}.get
+            self.assertEqual(verdict(seen, status=3, said=said, again=again)[0], found)
 
     def test_a_warning_of_a_thickness_is_held_against_the_areas(self):
         said = "warning: p: plates keep their thickness, and the strain of element 0 asks for {:.3g} of it at 1 s: its forces are off\n"

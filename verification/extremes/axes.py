@@ -320,7 +320,7 @@ def long_runs():
 
 
 # Seeds that were broken or went through each other once, beyond those from 0 on
-OF_RANDOM = (20400039, 31000193, 31000399)
+OF_RANDOM = (20400039, 31000028, 31000068, 31000193, 31000399, 33000125, 33000228, 33000404, 33000600, 33001407)
 OF_AUTOMATIC = (1000, 1041, 1086, 1090, 1121)
 
 

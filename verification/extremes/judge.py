@@ -305,10 +305,10 @@ def named(seen, name):
     return None if not faces or any(one is None for one in faces) else np.concatenate(faces)
 
 
-def overlap_faults(seen, expected):
-    """Bodies deeper in each other than half of the flatter element there and of what can be."""
+def overlap_faults(seen, expected, limit=OVERLAP):
+    """Bodies deeper in each other than a part of the flatter element there and of what can be, by default half."""
     return [Fault("overlap", part, f"{pair[0]} and {pair[1]} overlap by {deep:.3g} m, {part:.2g} of an element or body")
-            for pair, deep, _, part, *_ in depths(seen, expected) if part > OVERLAP]
+            for pair, deep, _, part, *_ in depths(seen, expected) if part > limit]
 
 
 def looked_at(frames):
@@ -491,6 +491,8 @@ OF_ROUNDING = re.compile(r"(\w+): so far from the origin positions are rounded b
 AT_TIME = re.compile(r" at " + NUMBER + r" s\b")
 OF_THICKNESS = re.compile(r"(\w+): plates keep their thickness, and the strain of element (\d+) asks for " + NUMBER)
 OF_CORNER = re.compile(r"(\w+): a corner of element \d+ was inverted")
+OF_INVERSION = re.compile(r"inverted_element in (\w+)")
+AS_GOOD_AS_INVERTED = 0.1  # [-] a corner with less of its reference is at the bound, wherever chance leaves it
 COARSE = 4.0        # [-] between an energy that was lost or made between two rows and what the rows show
 CHATTER = 0.02      # [-] of the speeds: twice what round-off has come to in a scene whose contact chatters
 TRUE_SHARE = 1.5    # [-] between a share of energies that is claimed and ours
@@ -675,12 +677,13 @@ def verdict_of(run, expected, again=None, initial=None, twin=None):
 
 
 def names_what_is_seen(run, expected):
-    """Whether a run stops for an overlap that the judge finds in what it left: a fault by his own limits, and as deep as is said."""
+    """Whether a run stops for an overlap that the judge finds in what it left: within a factor of two a fault by his own limits, and as
+    deep as is said."""
     pair = OF_OVERLAP.search(last_line(run.said))
     if pair is None:
         return False
     seen = look(run, expected)
-    if any(name not in seen.bodies for name in pair.groups()[:2]) or not overlap_faults(seen, expected):
+    if any(name not in seen.bodies for name in pair.groups()[:2]) or not overlap_faults(seen, expected, OVERLAP / TRUE_DEPTH):
         return False
     ours, full = depth_of_pair(seen, pair[1], pair[2])
     deeper = OF_DEEPER.search(last_line(run.said))
@@ -688,9 +691,28 @@ def names_what_is_seen(run, expected):
     return ours / TRUE_DEPTH <= claimed and (full or claimed <= ours * TRUE_DEPTH)
 
 
+def least_corner(run, expected, name):
+    """The least Jacobian of a corner of a body in the frames of a run, over the mean one of its element in the reference."""
+    seen = look(run, expected)
+    return min(measure.inside_out(seen.bodies[name], frame.x, seen.X) for frame in seen.frames)
+
+
+def is_of_the_mesh(run, expected, again):
+    """Whether a run stops for an inverted corner that the judge sees, and corners come as far with half the step and with a quarter: this
+    mesh then has no shape there for what acts on it, at any step."""
+    stop = OF_INVERSION.search(last_line(run.said))
+    if stop is None or not least_corner(run, expected, stop[1]) < 0:
+        return False
+    others = [again(change) if again else None for change in ("half", "quarter")]
+    return all(other is not None and other.status in (DONE, STOPPED) and
+               (OF_INVERSION.search(last_line(other.said)) or least_corner(other, expected, stop[1]) < AS_GOOD_AS_INVERTED)
+               for other in others)
+
+
 def verdict_of_stop(run, expected, again):
-    """A stop is right if it gives its reason, keeps its state, and names an overlap that the judge sees too, or neither shorter steps nor a
-    finer mesh pass. Of the steps both half and a quarter must: a scene that passes with one of them by chance is not better for it."""
+    """A stop is right if it gives its reason, keeps its state, and names an overlap that the judge sees too or an inversion that shorter
+    steps come to as well, or neither shorter steps nor a finer mesh pass. Of the steps both half and a quarter must: a scene that passes
+    with one of them by chance is not better for it."""
     said = last_line(run.said)
     if not gives_reason(run):
         return BROKEN, "stopped without a reason: " + said, []
@@ -698,8 +720,9 @@ def verdict_of_stop(run, expected, again):
         return BROKEN, "stopped, and the last state is lost: " + said, []
     if any(word == "untouched" for word, *_ in expected.answers):
         return BROKEN, "stopped without cause, nothing touches: " + said, []
-    if names_what_is_seen(run, expected):
+    if names_what_is_seen(run, expected) or is_of_the_mesh(run, expected, again):
         return REFUSED, said, []
+
     def passes(change):
         other = again(change) if again else None
         return other is not None and other.status == DONE and not faults_of(look(other, expected), expected)
