@@ -8,7 +8,7 @@ namespace nereid::contact {
 namespace {
 
 constexpr double own_share = 0.5;       // [-] of the force with which a wave leaves a node that moves with what is held
-constexpr double small_loss = 1e-3;     // of what is held: less, taken in a step, delays no release, and less than this of what is taken is not worth one
+constexpr double small_loss = 1e-3;     // of what is held: less, taken in a step, delays no release; less of what is taken is no cause of one
 constexpr double round_off = 1e-14;     // of the energy with which a node goes apart: so much of what it held is no force
 constexpr double stands = 1e-8;         // of the square of the rate with which a node leaves: one that goes in by less does so by round-off
 constexpr double much_faster = 10;      // times the change of speed by forces in a step
@@ -33,9 +33,25 @@ struct Gain {
 };
 Gain gain(const Condition& c, double after) { return {0.5 * (c.before - c.free) + after, c.bound}; }
 
-}  // namespace
+/// Calls visit(condition, share) for the conditions along which a contactor gives back what it holds: as it is pressed, so that a node on
+/// a ridge goes back along neither side; without an impulse along the one that presses hardest.
+template <class Visit>
+void each_share(const Contactor& one, Condition& hardest, Multipliers& all, Visit&& visit) {
+  const double pressed = impulse_of(one, all);
+  if (!(pressed > 0)) return visit(hardest, 1.0);
+  for (Index i = one.first; i < one.last; ++i) visit(all.conditions[i], all.conditions[i].impulse / pressed);
+}
 
-namespace {
+/// The same of one more impulse of a contactor in these shares.
+Gain gain(const Contactor& one, Condition& hardest, Multipliers& all) {
+  Gain sum{0, 0};
+  each_share(one, hardest, all, [&](Condition& c, double share) {
+    const Gain by = gain(c, rate(c, all.velocity));
+    sum.B += share * by.B, sum.A += share * share * by.A;
+  });
+  return sum;
+}
+
 
 /// Whether a contactor is without a force, or has one that only what it holds could make.
 bool lets_go(const Contactor& one, const Condition& c, double pressed, double h, double t) {
@@ -79,15 +95,16 @@ bool give_back(const Motion& m, double t, bool first, Multipliers& all) {
     const bool goes = first ? lets_go(one, c, impulse_of(one, all) / h, h, t) : one.lets_go;
     if (!goes) continue;
     if (first) one.lets_go = is_blow(one, c);
-    const Gain by = gain(c, rate(c, all.velocity));
+    const Gain by = gain(one, c, all);
     if (by.B < 0 && by.B * by.B > stands * left * by.A) continue;  // on its way in
     if (left * by.A < round_off * by.B * by.B) continue;           // released before
     const double lost = (1 - one.square) * std::max(0.0, left - memory.kept);
     one.lost += lost;
     one.memory->kept = left - lost;
-    c.change = by.impulse_for(left - lost);
+    const double impulse = by.impulse_for(left - lost);
+    each_share(one, c, all, [&](Condition& condition, double share) { condition.change = share * impulse; });
     one.work += left - lost;
-    any = any || c.change > 0;
+    any = any || impulse > 0;
   }
   if (any) apply_changes(m, all);
   return any;

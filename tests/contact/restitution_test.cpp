@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 namespace nereid::contact {
@@ -61,6 +62,38 @@ TEST(Restitution, StaysWithANodeThatIsPressedOrOnItsWayIn) {
     const Vectors before = at->all.velocity;
     release(at->motion(), 1, at->all);
     EXPECT_EQ((at->all.velocity - before).norm(), 0);
+  }
+}
+
+TEST(Restitution, IsGivenBackByANodeThatSweepsLeftGoingInByRoundOff) {
+  Setting at({0.375});
+  at.all.conditions[0].before = at.all.conditions[0].free = 0, at.all.velocity(2, 0) = -1e-6;
+  release(at.motion(), 1, at.all);
+  EXPECT_NEAR(at.all.velocity(2, 0), std::sqrt(2 * 0.375), 1e-5);
+}
+
+TEST(Restitution, OfABlowBeforeStaysWhereAnotherBegins) {
+  Setting at({1e-9});
+  at.all.contactors[0].work = -1;  // what round-off has left would let this one node give back in the step of the blow
+  release(at.motion(), 1, at.all);
+  EXPECT_EQ(at.all.conditions[0].impulse, 0);
+}
+
+TEST(Restitution, OfANodeOnARidgeGoesAlongNeitherSide) {
+  const double s = std::sqrt(0.5);
+  for (const double left_of_both : {0.5, 0.3}) {
+    Setting at({0.375});
+    Condition other = at.all.conditions[0];
+    for (Condition* c : {&at.all.conditions[0], &other}) c->before = c->free = s, c->bound = 2;
+    at.all.conditions[0].normal = Vec3(0, -s, s), other.normal = Vec3(0, s, s);
+    at.all.conditions[0].impulse = 1e-9 * left_of_both, other.impulse = 1e-9 * (1 - left_of_both);
+    at.all.conditions.push_back(other);
+    at.all.contactors[0].last = 2, at.all.contactors[0].impedance = std::numeric_limits<double>::infinity();
+    release(at.motion(), 1, at.all);
+    const Vec3 given = at.all.velocity.col(0) - Vec3::UnitZ();
+    EXPECT_GT(given.z(), 0.1);
+    EXPECT_NEAR(given.y() / given.z(), 1 - 2 * left_of_both, 1e-9) << "as it is pressed";
+    EXPECT_LE(0.5 * at.all.velocity.col(0).squaredNorm(), 0.5 + 0.375 + 1e-12);
   }
 }
 

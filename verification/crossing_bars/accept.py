@@ -89,7 +89,7 @@ CHECKS = [
     *(Check(f"speed of the lower bar, {angle} degrees", lower(angle), LIMIT, "the catalogue's bound; far above what is seen")
       for angle in ANGLES if angle > 0),
     Check("speed of the lower bar, 0 degrees", lower(0), LIMIT,
-          "the catalogue's bound; many nodes share the blow, and round-off decides how"),
+          "the catalogue's bound; many nodes share the blow"),
     Check("speed of the lower bar, struck off its centre", off_centre, LIMIT, "the catalogue's bound; the bars turn"),
     Check("speed of the lower cube, corner on corner", corners, LIMIT, "the catalogue's bound"),
     Check("speed of the lower plate, rim on rim", plates, LIMIT, "the catalogue's bound"),

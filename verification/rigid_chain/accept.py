@@ -129,15 +129,16 @@ CHECKS = [
     Check("times of all nine closures", times("case.yaml", 1, {}), 0.02, STEP),
     Check("momentum of all plates", total_momentum, 1e-12, "a contact gives what it takes: round-off"),
     Check("energy of all plates", total_energy, 1e-12, "blows give back what they took: round-off"),
-    Check("restitution 0.5: velocities, each over its own", velocities("case.yaml", 0.5, HALF), 0.01,
-          "the bound of the catalogue for impacts"),
-    Check("restitution 0.5: momentum through each juncture", handed_on("case.yaml", 0.5, HALF), 0.01, "as the velocities"),
+    Check("restitution 0.5: velocities, each over its own", velocities("case.yaml", 0.5, HALF), 1e-6,
+          "as with restitution 1"),
+    Check("restitution 0.5: momentum through each juncture", handed_on("case.yaml", 0.5, HALF), 1e-6, "as the velocities"),
     Check("restitution 0.5: times of all nine closures", times("case.yaml", 0.5, HALF), 0.02, STEP),
-    Check("restitution 0.5: energy that blows take", lost(0.5, HALF), 0.01, "as the velocities"),
-    Check("restitution 0: velocities, each over its own", velocities("case.yaml", 0, NONE), 0.01, "as with 0.5"),
-    Check("restitution 0: momentum through each juncture", handed_on("case.yaml", 0, NONE), 0.01, "as with 0.5"),
+    Check("restitution 0.5: energy that blows take", lost(0.5, HALF), 1e-6, "as the velocities"),
+    Check("restitution 0: velocities, each over its own", velocities("case.yaml", 0, NONE), 1e-3,
+          "plates that go on together touch in every step, and sweeps end at a millionth of an impulse"),
+    Check("restitution 0: momentum through each juncture", handed_on("case.yaml", 0, NONE), 1e-3, "as the velocities"),
     Check("restitution 0: first closure of each juncture", closures("case.yaml", 0, NONE), 0.02, STEP),
-    Check("restitution 0: energy that blows take", lost(0, NONE), 0.01, "as with 0.5"),
+    Check("restitution 0: energy that blows take", lost(0, NONE), 1e-3, "as the velocities"),
     Check("pushed: velocities of all plates over that of the pulse", velocities(SLUG, 1, {}, FULL_SPEED), 0.01,
           "the bound of the catalogue for impacts; the pulse lasts while the first blow does, so a step counts"),
     Check("pushed: times of all ten closures", times(SLUG, 1, {}), 0.02, STEP),
@@ -160,7 +161,7 @@ def by_cells(run):
 
 def by_steps(run):
     rows = []
-    for step in (10, 5, 2.5):
+    for step in (20, 10, 5):
         finer = {"time.largest_step": f"{step} us"}
         errors = [times("case.yaml", 1, finer)(run).error(), times("case.yaml", 0.5, {**HALF, **finer})(run).error(),
                   velocities("case.yaml", 0, {**NONE, **finer})(run).error(), velocities(SLUG, 1, finer, FULL_SPEED)(run).error()]
@@ -169,9 +170,7 @@ def by_steps(run):
 
 
 STUDIES = [
-    Falls("times of all nine closures", along="time.largest_step", values=["10 us", "5 us", "2.5 us"], order=0.5),
-    Falls("pushed: velocities of all plates over that of the pulse", along="time.largest_step", values=["10 us", "5 us", "2.5 us"],
-          order=0.5),
+    Falls("times of all nine closures", along="time.largest_step", values=["20 us", "10 us", "5 us"], order=0.5),
     Table("Worst error by the cells of each face; a face has a corner more along each side.",
           ["cells", "velocities over V", "restitution 0.5: velocities", "restitution 0: velocities", "restitution 0: momentum",
                         "restitution 0: closures"], by_cells),
