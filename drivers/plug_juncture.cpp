@@ -5,21 +5,25 @@
 //      .  hole| small  |   | intermediate  |  | large   | |  flange|
 //      .      |        | 1 |               | 2|         |3|        |       1, 2, 3  junctures: the shoulder of a plug
 //      .      |________|   |_______________|  |_________| |________|                 below the ledge of the next one
-//                 ^ ^ pressure or a block
+//             ==========
+//             ==========                                                         shield plates, if the case has any
+//                 ^ ^ pressure, a block or a velocity
 //
 // Question  When do the gaps close, what is handed from plug to plug, and what moves at the end?
 // Answer    docs/reactor_head.md
-// Run       plug_juncture cases/plug_juncture/slug.yaml --out out/plug_juncture
+// Run       plug_juncture cases/plug_juncture/slug.yaml --out out/plug_juncture      head.yaml: with shield plates
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "drivers/driver.hpp"
+#include "drivers/plates.hpp"
 #include "dynamics/measure.hpp"
 #include "input/load_readers.hpp"
 
 using namespace nereid;
+using driver::numbered, driver::plate;
 
 namespace {
 
@@ -53,6 +57,17 @@ Head read_head(const input::Section& section) {
   if (std::adjacent_find(lines.begin(), lines.end(), [](double a, double b) { return !(a < b); }) != lines.end())
     section.fault("juncture_radii", "'hole_radius', the ledges at 'juncture_radii' and 'flange_radius' must follow each other outwards");
   return head;
+}
+
+/// Shield plates below the small plug: rings with its hole. No plates where the case has none.
+driver::Plates read_shield_plates(const input::Section& root, const Head& head) {
+  if (!root.has("shield_plates")) return {};
+  const input::Section section = root.section("shield_plates");
+  driver::Plates plates = driver::read_plates(section, true);
+  const double most = head.radii[0] + head.width / 2;
+  if (section.sound() && !(plates.radius > head.hole && plates.radius <= most))
+    section.fault("radius", "'radius' must be above 'hole_radius' of the head and no more than the outer radius of the small plug");
+  return plates;
 }
 
 /// How much of the turn is modelled, in cells that are alike in all models of a level.
@@ -90,33 +105,61 @@ mesh::Revolved section_of(const Head& head, std::size_t b, int level, const Part
 int side_above(std::size_t b) { return b == 0 ? 1 : 2; }
 int side_below(std::size_t b) { return side_above(b) + 1; }
 
-std::string name_of(const char* what, std::size_t juncture) { return what + std::string("_") + std::to_string(juncture + 1); }
-
 std::string face(std::size_t b, const char* word, int line) { return names[b] + std::string(".") + word + std::to_string(line); }
 
-/// What strikes the head from below: a pressure on some plugs, or a block under the small one.
-void add_striker(const input::Section& section, const Head& head, int level, const Part& part, const element::AnyLaw& steel,
-                 const dynamics::InterfaceOptions& interface, model::Scene& scene) {
-  const bool pressed = section.choice("kind", {"pressure", "block"}) == "pressure";
-  const input::Section pressure = section.when(pressed), block = section.when(!pressed);
+/// Height of the lower face of a plate; that of the small plug is at zero. [m]
+double lower_face(const driver::Plates& plates, std::size_t i) { return driver::bottom(plates, i) - driver::bottom(plates, plates.size()); }
+
+mesh::Revolved ring(double hole, double radius, double low, double high, int level, int cells_along, const Part& part) {
+  return {{hole, radius}, {low, high}, {cells_in(radius - hole, level)}, {cells_along}, {"x"}, part.angle, part.cells};
+}
+
+/// Plates below the small plug, and contacts above each of them.
+void add_plates(const driver::Plates& plates, const Head& head, int level, const Part& part, const element::AnyLaw& law,
+                const element::AnyHexahedronOptions& element, const dynamics::InterfaceOptions& interface, model::Scene& scene) {
+  for (std::size_t i = 0; i < plates.size(); ++i) {
+    const double low = lower_face(plates, i);
+    const mesh::Revolved made = ring(head.hole, plates.radius, low, low + plates.thickness[i], level, 2 * level, part);
+    scene.bodies.push_back({.name = plate(i), .mesh = made, .law = law, .solid = element, .at = "shield_plates"});
+    scene.contacts.push_back({.name = numbered("gap_plate", i), .apexes = plate(i) + ".up_1",
+                              .base = i + 1 < plates.size() ? plate(i + 1) + ".down_0" : face(0, "down_", 0),
+                              .height_from_thickness = false, .interface = interface, .at = "contact"});
+  }
+}
+
+/// What strikes the head from below: a pressure on some plugs, a block under the small one, or a velocity of the lowest plate.
+///
+/// Plates stand in front of the small plug: what would strike that strikes the lowest of them.
+void add_striker(const input::Section& root, const Head& head, const driver::Plates& plates, int level, const Part& part,
+                 const element::AnyLaw& steel, const dynamics::InterfaceOptions& interface, model::Scene& scene) {
+  const input::Section section = root.section("struck_by");
+  const bool plated = root.has("shield_plates");
+  std::vector<std::string> kinds{"pressure", "block"};
+  if (plated) kinds.push_back("velocity");
+  const std::string kind = section.choice("kind", kinds);
+  const bool pressed = kind == "pressure", blocked = kind == "block";
+  const input::Section pressure = section.when(pressed), block = section.when(blocked);
   const bool all = pressure.choice_or("plugs", "small", {"small", "all"}) == "all";
   const auto value = input::read_expression(pressure, "value", input::of_time, input::read_unit(pressure, dim::stress));
-  const double speed = block.quantity("speed", dim::speed, input::positive),
+  const double speed = section.when(!pressed).quantity("speed", dim::speed, input::positive),
                height = block.quantity("height", dim::length, input::positive),
                gap = block.quantity_or("gap", 1e-3, dim::length, input::not_negative);
+  const std::string first = plated ? plate(0) : names[0], struck = first + ".down_0";
   if (pressed) {
     for (std::size_t b = 0; b < (all ? junctures : 1); ++b)
-      scene.loads.push_back({.name = "pressure_" + std::string(names[b]), .kind = model::LoadKind::pressure, .on = face(b, "down_", 0),
+      scene.loads.push_back({.name = "pressure_" + (b == 0 ? first : names[b]), .kind = model::LoadKind::pressure,
+                             .on = b == 0 ? struck : face(b, "down_", 0),
                              .value = {value, model::constant(0), model::constant(0)}, .at = "struck_by"});
     return;
   }
-  const double outside = head.radii[0] - head.width / 2;
-  const mesh::Revolved ring{{head.hole, outside}, {-gap - height, -gap}, {cells_in(outside - head.hole, level)}, {cells_in(height, level)},
-                            {"x"}, part.angle, part.cells};
-  scene.bodies.push_back({.name = "block", .mesh = ring, .law = steel, .at = "struck_by"});
-  scene.contacts.push_back({.name = "blow", .apexes = "block.up_1", .base = face(0, "down_", 0), .height_from_thickness = false,
-                            .interface = interface, .at = "contact"});
-  scene.initial = {{.body = "block", .value = model::uniform({0, 0, speed})}};
+  if (blocked) {
+    const double outside = plated ? plates.radius : head.radii[0] - head.width / 2, top = lower_face(plates, 0) - gap;
+    scene.bodies.push_back({.name = "block", .mesh = ring(head.hole, outside, top - height, top, level, cells_in(height, level), part),
+                            .law = steel, .at = "struck_by"});
+    scene.contacts.push_back({.name = "blow", .apexes = "block.up_1", .base = struck, .height_from_thickness = false,
+                              .interface = interface, .at = "contact"});
+  }
+  scene.initial = {{.body = blocked ? "block" : plate(0), .value = model::uniform({0, 0, speed})}};
 }
 
 /// Width by which the shoulder of a plug still lies below the next ledge, where it is least. [m]
@@ -148,23 +191,24 @@ std::vector<model::Plane> planes_of(const model::Scene& scene, const Part& part,
   return planes;
 }
 
-std::vector<model::Probe> probes_of_scene() {
-  std::vector<model::Probe> probes;
+void add_probes(const driver::Plates& plates, model::Scene& scene) {
   for (std::size_t j = 0; j < junctures; ++j) {
     const std::string plug = names[j];
-    probes.push_back({.name = name_of("force", j), .quantity = "force", .of = name_of("ledge", j), .component = "z"});
-    probes.push_back({.name = name_of("gap", j), .quantity = "gap", .of = name_of("ledge", j)});
-    probes.push_back({.name = "velocity_" + plug, .quantity = "velocity", .of = plug, .component = "z"});
-    probes.push_back({.name = "momentum_" + plug, .quantity = "momentum", .of = plug, .component = "z"});
-    probes.push_back({.name = "kinetic_energy_" + plug, .quantity = "kinetic_energy", .of = plug});
-    probes.push_back({.name = "rise_" + plug, .quantity = "displacement", .of = plug, .component = "z"});
+    driver::add_force(numbered("ledge", j), std::to_string(j + 1), scene);
+    scene.probes.push_back({.name = numbered("gap", j), .quantity = "gap", .of = numbered("ledge", j)});
+    driver::add_probes(plug, plug, scene);
+    scene.probes.push_back({.name = "rise_" + plug, .quantity = "displacement", .of = plug, .component = "z"});
   }
-  probes.push_back({.name = "hold_force", .quantity = "force", .of = "hold", .component = "z"});
-  return probes;
+  scene.probes.push_back({.name = "hold_force", .quantity = "force", .of = "hold", .component = "z"});
+  for (std::size_t i = 0; i < plates.size(); ++i) {
+    driver::add_force(numbered("gap_plate", i), plate(i), scene);
+    driver::add_probes(plate(i), plate(i), scene);
+  }
 }
 
 struct Asked {
   Head head;
+  driver::Plates plates;
   Part part;
 };
 
@@ -174,7 +218,8 @@ model::Simulation build(const input::CaseFile& file, Asked& asked) {
   const std::string kind = root.section("model").choice("kind", {"full", "quarter", "sector"});
   const int level = root.section("mesh").count("level", 1, 32);
   const Part part = part_of(kind, level);
-  asked = {head, part};
+  const driver::Plates plates = read_shield_plates(root, head);
+  asked = {head, plates, part};
   const auto law = input::read_law(root.section("material"));
   const auto element = input::read_hexahedron_options(root.section_or_empty("element"));
   const dynamics::InterfaceOptions interface = input::read_solid_interface(root.section_or_empty("contact"));
@@ -186,16 +231,17 @@ model::Simulation build(const input::CaseFile& file, Asked& asked) {
   }
   for (std::size_t j = 0; j < junctures; ++j) {
     const auto touch = [&](const char* what, const std::string& apexes, const std::string& base) {
-      scene.contacts.push_back({.name = name_of(what, j), .apexes = apexes, .base = base, .height_from_thickness = false,
+      scene.contacts.push_back({.name = numbered(what, j), .apexes = apexes, .base = base, .height_from_thickness = false,
                                 .interface = interface, .at = "contact"});
     };
     touch("ledge", face(j, "up_", 1), face(j + 1, "down_", 1));
     touch("low", face(j, "out_", side_below(j)), face(j + 1, "in_", 1));
     touch("up", face(j, "out_", side_above(j)), face(j + 1, "in_", 0));
   }
-  add_striker(root.section("struck_by"), head, level, part, law, interface, scene);
+  add_plates(plates, head, level, part, law, element, interface, scene);
+  add_striker(root, head, plates, level, part, law, interface, scene);
   scene.planes = planes_of(scene, part, kind == "full");
-  scene.probes = probes_of_scene();
+  add_probes(plates, scene);
   scene.time = input::read_time(root.section("time"));
   scene.recording = input::read_recording(root.section_or_empty("output"), scene.time.end);
   scene.stops = input::read_stops(root, input::measured_by(scene.probes), scene.recording);
@@ -203,35 +249,47 @@ model::Simulation build(const input::CaseFile& file, Asked& asked) {
   for (std::size_t j = 0; j < junctures; ++j) {
     const Subset shoulder = mesh::node_set(simulation.model.mesh, face(j, "up_", 1)),
                  ledge = mesh::node_set(simulation.model.mesh, face(j + 1, "down_", 1));
-    simulation.probes.push_back({name_of("overlap", j), "m", [shoulder, ledge](const dynamics::View& view, auto&) {
+    simulation.probes.push_back({numbered("overlap", j), "m", [shoulder, ledge](const dynamics::View& view, auto&) {
                                    return overlap(view, shoulder, ledge);
                                  }});
   }
   return simulation;
 }
 
+/// Upward momentum at the start, and what pressures have given since. [kg m/s]
+double given(const model::Simulation& simulation) {
+  const dynamics::Ledger& ledger = simulation.state.ledger;
+  const std::vector<Source> sources = dynamics::sources(simulation.model);
+  double sum = ledger.initial_momentum.z();
+  for (std::size_t k = 0; k < sources.size(); ++k)
+    if (sources[k].kind == SourceKind::pressure) sum += ledger.accounts[k].impulse.z();
+  return sum;
+}
+
 std::vector<output::Result> results(const model::Simulation& simulation, const Asked& asked) {
   const double turns = 2 * pi / asked.part.angle;  // of the model in the whole head
-  const auto touched = dynamics::touched(simulation.model, simulation.state);
   std::vector<output::Result> all;
   for (std::size_t j = 0; j < junctures; ++j) {
     const std::string number = std::to_string(j + 1);
-    const auto at = std::find_if(touched.begin(), touched.end(), [&](const auto& one) { return one.contact == name_of("ledge", j); });
-    const bool closed = at != touched.end();
-    if (closed) all.push_back({"closes_" + number, at->first, "s"});
-    const double impulse = closed ? -at->impulse.z() : 0, peak = -model::probe(simulation, name_of("force", j)).smallest;
+    driver::add_strike(simulation, numbered("ledge", j), number, turns, all);
     const double root = 2 * pi * (asked.head.radii[j] - asked.head.width / 2) * asked.head.height / 2;  // [m2] of the shoulder
-    all.push_back({"impulse_" + number, turns * impulse, "N*s"});
-    all.push_back({"peak_force_" + number, turns * std::max(0.0, peak), "N"});
-    all.push_back({"ledge_shear_" + number, turns * std::max(0.0, peak) / root, "Pa"});
-    all.push_back({"least_overlap_" + number, model::probe(simulation, name_of("overlap", j)).smallest, "m"});
+    all.push_back({"ledge_shear_" + number, all.back().value / root, "Pa"});
+    all.push_back({"least_overlap_" + number, model::probe(simulation, numbered("overlap", j)).smallest, "m"});
   }
-  for (std::size_t j = 0; j < junctures; ++j) {
-    const std::string name = names[j];
+  for (std::size_t i = 0; i < asked.plates.size(); ++i) driver::add_strike(simulation, numbered("gap_plate", i), plate(i), turns, all);
+  const auto add_body = [&](const std::string& name) {
     all.push_back({"momentum_" + name, turns * model::probe(simulation, "momentum_" + name).last, "kg m/s"});
     all.push_back({"kinetic_energy_" + name, turns * model::probe(simulation, "kinetic_energy_" + name).last, "J"});
     all.push_back({"velocity_" + name, model::probe(simulation, "velocity_" + name).last, "m/s"});
-    all.push_back({"largest_rise_" + name, model::probe(simulation, "rise_" + name).largest, "m"});
+  };
+  for (std::size_t j = 0; j < junctures; ++j) {
+    add_body(names[j]);
+    all.push_back({std::string("largest_rise_") + names[j], model::probe(simulation, std::string("rise_") + names[j]).largest, "m"});
+  }
+  const double whole = given(simulation);
+  for (std::size_t i = 0; i < asked.plates.size(); ++i) {
+    add_body(plate(i));
+    all.push_back({"part_of_momentum_" + plate(i), whole != 0 ? model::probe(simulation, "momentum_" + plate(i)).last / whole : 0, "1"});
   }
   return all;
 }

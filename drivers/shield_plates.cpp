@@ -12,26 +12,24 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "drivers/driver.hpp"
+#include "drivers/plates.hpp"
 #include "dynamics/measure.hpp"
 #include "input/load_readers.hpp"
 
 using namespace nereid;
+using driver::numbered, driver::plate;
 
 namespace {
 
 enum class Kind { rigid, bars, plates };
 
-struct Stack {
+struct Stack : driver::Plates {
   Kind kind = Kind::rigid;
-  std::vector<double> thickness, gap;  ///< [m] from below; a gap between each two
-  double radius = 0;                   ///< [m]
-  bool held = false;                   ///< at the rims
+  bool held = false;  ///< at the rims
   int level = 1;
 
-  std::size_t plates() const { return thickness.size(); }
   double side() const { return thickness.empty() ? 1 : *std::max_element(thickness.begin(), thickness.end()); }  ///< of a column [m]
   /// What is modelled of the area of the plates. [-]
   double part() const { return kind == Kind::plates ? 0.25 : side() * side() / (pi * radius * radius); }
@@ -40,32 +38,16 @@ struct Stack {
 Stack read_stack(const input::Section& root) {
   const std::string word = root.section("model").choice("kind", {"rigid", "bars", "plates"});
   const input::Section section = root.section("stack");
-  Stack stack{.kind = word == "rigid" ? Kind::rigid : word == "bars" ? Kind::bars : Kind::plates,
-              .thickness = section.quantities("thicknesses", dim::length, input::positive, 2),
-              .gap = section.quantities("gaps", dim::length, input::not_negative, 1),
-              .radius = section.quantity("radius", dim::length, input::positive)};
+  Stack stack{driver::read_plates(section, false), word == "rigid" ? Kind::rigid : word == "bars" ? Kind::bars : Kind::plates};
   stack.held = section.when(stack.kind == Kind::plates).choice_or("rim", "loose", {"loose", "held"}) == "held";
   stack.level = root.when(stack.kind != Kind::rigid).section_or_empty("mesh").count_or("level", 2, 1, 64);
-  if (section.sound() && stack.gap.size() + 1 != stack.thickness.size())
-    section.fault_between({"gaps", "thicknesses"}, "'gaps' has " + std::to_string(stack.gap.size()) + " lengths: expected " +
-                                                       std::to_string(stack.thickness.size() - 1) + ", one between each two plates");
   return stack;
-}
-
-std::string plate(std::size_t i) { return "plate_" + std::to_string(i + 1); }
-std::string numbered(const char* what, std::size_t i) { return what + std::string("_") + std::to_string(i + 1); }
-
-/// Where the lower face of a plate is. [m]
-double bottom(const Stack& stack, std::size_t i) {
-  const auto n = static_cast<std::ptrdiff_t>(i);
-  return std::accumulate(stack.thickness.begin(), stack.thickness.begin() + n, 0.0) +
-         std::accumulate(stack.gap.begin(), stack.gap.begin() + n, 0.0);
 }
 
 std::vector<model::Body> bodies_of(const Stack& stack, const element::AnyLaw& law) {
   std::vector<model::Body> bodies;
   const double thinnest = *std::min_element(stack.thickness.begin(), stack.thickness.end());
-  for (std::size_t i = 0; i < stack.plates(); ++i) {
+  for (std::size_t i = 0; i < stack.size(); ++i) {
     const double thickness = stack.thickness[i], low = bottom(stack, i), side = stack.side();
     const double wanted = std::round(10 * stack.level * thickness / thinnest);
     const int cells = stack.kind == Kind::rigid ? 1 : static_cast<int>(std::clamp(wanted, 1.0, 1e8));
@@ -85,7 +67,7 @@ std::vector<model::Plane> planes_of(const Stack& stack) {
   std::vector<model::Plane> planes;
   const auto add = [&](const std::string& name, load::PlaneKind kind, const std::string& ending, const Vec3& normal) {
     planes.push_back({.name = name, .kind = kind, .nodes = {}, .normal = normal, .at = "stack"});
-    for (std::size_t i = 0; i < stack.plates(); ++i) planes.back().nodes.push_back(plate(i) + ending);
+    for (std::size_t i = 0; i < stack.size(); ++i) planes.back().nodes.push_back(plate(i) + ending);
   };
   using load::PlaneKind;
   if (stack.kind == Kind::plates) {
@@ -112,13 +94,8 @@ void add_striker(const input::Section& section, const Stack& stack, model::Scene
 }
 
 void add_probes(const Stack& stack, model::Scene& scene) {
-  for (std::size_t i = 0; i < stack.plates(); ++i) {
-    scene.probes.push_back({.name = numbered("velocity", i), .quantity = "velocity", .of = plate(i), .component = "z"});
-    scene.probes.push_back({.name = numbered("momentum", i), .quantity = "momentum", .of = plate(i), .component = "z"});
-    scene.probes.push_back({.name = numbered("kinetic_energy", i), .quantity = "kinetic_energy", .of = plate(i)});
-  }
-  for (std::size_t i = 0; i + 1 < stack.plates(); ++i)
-    scene.probes.push_back({.name = numbered("force", i), .quantity = "force", .of = numbered("gap", i), .component = "z"});
+  for (std::size_t i = 0; i < stack.size(); ++i) driver::add_probes(plate(i), std::to_string(i + 1), scene);
+  for (std::size_t i = 0; i + 1 < stack.size(); ++i) driver::add_force(numbered("gap", i), std::to_string(i + 1), scene);
 }
 
 model::Simulation build(const input::CaseFile& file, Stack& asked) {
@@ -131,7 +108,7 @@ model::Simulation build(const input::CaseFile& file, Stack& asked) {
   const input::Section striker = root.section("struck_by");
   if (root.sound()) scene.bodies = bodies_of(stack, law);
   scene.planes = planes_of(stack);
-  for (std::size_t i = 0; i + 1 < stack.plates(); ++i)
+  for (std::size_t i = 0; i + 1 < stack.size(); ++i)
     scene.contacts.push_back({.name = numbered("gap", i), .apexes = plate(i) + (bends ? ".top" : ".z_high"),
                               .base = plate(i + 1) + (bends ? ".bottom" : ".z_low"), .height_from_thickness = bends,
                               .interface = interface, .at = "contact"});
@@ -141,7 +118,7 @@ model::Simulation build(const input::CaseFile& file, Stack& asked) {
   scene.recording = input::read_recording(root.section_or_empty("output"), scene.time.end);
   scene.stops = input::read_stops(root, input::measured_by(scene.probes), scene.recording);
   model::Simulation simulation = input::build(file, scene);
-  for (std::size_t i = 0; bends && i < stack.plates(); ++i) {
+  for (std::size_t i = 0; bends && i < stack.size(); ++i) {
     const Subset centre = mesh::node_set(simulation.model.mesh, plate(i) + ".centre"),
                  rim = mesh::node_set(simulation.model.mesh, plate(i) + ".rim");
     simulation.probes.push_back({numbered("deflection", i), "m", [centre, rim](const dynamics::View& view, auto&) -> double {
@@ -153,17 +130,12 @@ model::Simulation build(const input::CaseFile& file, Stack& asked) {
 
 /// All of the plates: what is modelled, over its part of their area.
 std::vector<output::Result> results(const model::Simulation& simulation, const Stack& stack) {
-  const auto touched = dynamics::touched(simulation.model, simulation.state);
   std::vector<output::Result> all;
-  for (std::size_t i = 0; i + 1 < stack.plates(); ++i) {
-    const auto at = std::find_if(touched.begin(), touched.end(), [&](const auto& one) { return one.contact == numbered("gap", i); });
-    if (at != touched.end()) all.push_back({numbered("closes", i), at->first, "s"});
-    all.push_back({numbered("impulse", i), at != touched.end() ? -at->impulse.z() / stack.part() : 0, "N*s"});
-    all.push_back({numbered("peak_force", i), std::max(0.0, -model::probe(simulation, numbered("force", i)).smallest) / stack.part(), "N"});
-  }
+  for (std::size_t i = 0; i + 1 < stack.size(); ++i)
+    driver::add_strike(simulation, numbered("gap", i), std::to_string(i + 1), 1 / stack.part(), all);
   double momentum = 0;
-  for (std::size_t i = 0; i < stack.plates(); ++i) momentum += model::probe(simulation, numbered("momentum", i)).last;
-  for (std::size_t i = 0; i < stack.plates(); ++i) {
+  for (std::size_t i = 0; i < stack.size(); ++i) momentum += model::probe(simulation, numbered("momentum", i)).last;
+  for (std::size_t i = 0; i < stack.size(); ++i) {
     const auto& of_plate = model::probe(simulation, numbered("momentum", i));
     all.push_back({numbered("velocity", i), model::probe(simulation, numbered("velocity", i)).last, "m/s"});
     all.push_back({numbered("momentum", i), of_plate.last / stack.part(), "kg m/s"});

@@ -8,17 +8,23 @@ PLUGS = ("small", "intermediate", "large")
 
 
 def plugs_figure(folder):
-    """Forces that the ledges carry, and the velocities of the plugs, of a run of plug_juncture."""
+    """Forces that the ledges carry, and the velocities of the plugs, of a run of plug_juncture, and those of its shield plates."""
     history = read_history(folder)
     time = column(history, "time", "s", folder) * 1e3
-    figure, (upper, lower) = new_figure(width=DOUBLE_COLUMN, height=110, rows=2, ratios=[1, 1])
-    for number, plug in enumerate(PLUGS):
-        force = column(history, f"force_{number + 1}", "N", folder)
-        draw_curve(upper, time, -force * 1e-6, number, f"juncture {number + 1}", marks=12)
-        draw_curve(lower, time, column(history, f"velocity_{plug}", "m/s", folder), number, plug, marks=12)
-    upper.set_ylabel("force of what is modelled [MN]")
-    lower.set_ylabel("upward velocity [m/s]")
-    finish(lower, upper, time)
+    plates = [name.removeprefix("velocity_") for name in history[0] if name.startswith("velocity_plate_")]
+    shown = [(plates, plates, [f"gap {i + 1}" for i in range(len(plates))])] if plates else []
+    shown.append((PLUGS, [str(i + 1) for i in range(len(PLUGS))], [f"juncture {i + 1}" for i in range(len(PLUGS))]))
+    figure, axes = new_figure(width=DOUBLE_COLUMN, height=55 * 2 * len(shown), rows=2 * len(shown), ratios=[1] * 2 * len(shown))
+    for row, (bodies, forces, strikes) in enumerate(shown):
+        upper, lower = axes[2 * row:2 * row + 2]
+        for number, (body, force, strike) in enumerate(zip(bodies, forces, strikes)):
+            draw_curve(upper, time, -column(history, f"force_{force}", "N", folder) * 1e-6, number, strike, marks=12)
+            draw_curve(lower, time, column(history, f"velocity_{body}", "m/s", folder), number, body.replace("_", " "), marks=12)
+        upper.set_ylabel("force of what is modelled [MN]")
+        lower.set_ylabel("upward velocity [m/s]")
+        finish(lower, upper, time)
+    for axis in axes[:-1]:
+        axis.set_xlabel("")
     return figure
 
 

@@ -1,8 +1,10 @@
 #!/usr/bin/python3
-"""Draws one moment of a run: body.pvd, contact.pvd and walls.pvd of an output folder, as a PNG.
+"""Draws one moment of a run, or every frame: body.pvd, contact.pvd and walls.pvd of an output folder, as PNG.
 
     scripts/view.py out/cask_drop --field von_mises --time 4.3e-3 --cut --out cask.png
+    scripts/view.py out/cask_drop --cut --frames out/cask_drop/frames     # frame_0000.png, frame_0001.png ...
 
+Frames have one camera and one range of colours: that of all frames together, unless --range gives it.
 Needs Debian's python3-vtk9 and, where there is no screen, xvfb; ParaView is not needed.  The
 bodies are moved by `displacement`; contact elements are coloured by status, or by a field of their
 own, and open ones are thin grey lines.  The view is that of an upright cylinder: z is up.
@@ -34,6 +36,7 @@ def arguments():
     add("--contact-field", help="what colours contact (default: contact_status, else gap)")
     add("--time", type=command_line.finite, help="[s]; the nearest frame is drawn (default: the last)")
     add("--out", type=command_line.file_to_write, help="PNG to write (default: view.png in the folder)")
+    add("--frames", type=command_line.folder_to_write, metavar="DIR", help="write every frame into this folder, for an animation")
     add("--cut", action="store_true", help="take away the half y < 0, to look inside")
     add("--show", type=data_sets, default="body,contact,walls", help="which data sets, with commas between")
     add("--warp", type=command_line.finite, default=1.0, help="factor on the displacement (default: 1)")
@@ -46,9 +49,12 @@ def arguments():
     asked = parser.parse_args()
     if asked.range and not asked.range[0] < asked.range[1]:
         parser.error("argument --range: LOW is not below HIGH")
+    if asked.frames and (asked.out or asked.time is not None):
+        parser.error("argument --frames: draws every frame; leave --time and --out away")
     asked.out = asked.out or asked.folder / "view.png"
+    asked.contact_range = None
     check_names(asked)
-    command_line.need_writable(asked.out.parent)
+    command_line.need_writable(asked.frames or asked.out.parent)
     return asked
 
 
@@ -115,16 +121,21 @@ def give_a_screen():
     os.execv(xvfb, [xvfb, "-a", "-s", "-screen 0 1600x1200x24", sys.executable, *sys.argv])
 
 
-def chosen_file(folder, name, time):
-    """Time and file of the frame nearest to a time; (None, None) if there is none."""
+def listed(folder, name):
+    """[(time [s], file)] of the frames of a data set."""
     index = os.path.join(folder, name + ".pvd")
     if not os.path.exists(index):
-        return None, None
+        return []
     try:
-        found = [(float(one.get("timestep")), one.get("file"))
-                 for one in xml.parse(index).getroot().iter("DataSet")]
+        return [(float(one.get("timestep")), one.get("file"))
+                for one in xml.parse(index).getroot().iter("DataSet")]
     except (xml.ParseError, TypeError, ValueError):
         command_line.refuse(f"{index} is no collection of ParaView")
+
+
+def chosen_file(folder, name, time):
+    """Time and file of the frame nearest to a time; (None, None) if there is none."""
+    found = listed(folder, name)
     if not found:
         return None, None
     return found[-1] if time is None else min(found, key=lambda one: abs(one[0] - time))
@@ -241,6 +252,21 @@ def cool_to_warm():
     return table
 
 
+def component_of(data, field, component):
+    """The number of a component of a field, -1 for the magnitude, and the title of its scalar bar."""
+    array, _ = array_of(data, field)
+    if array.GetNumberOfComponents() == 1:
+        return 0, field
+    if component:
+        names = [array.GetComponentName(c) for c in range(array.GetNumberOfComponents())]
+        if component not in names:
+            sys.exit(f"view.py: '{field}' has the components {', '.join(map(str, names))}")
+        return names.index(component), f"{field} {component}"
+    if array.GetNumberOfComponents() == 3:
+        return -1, f"|{field}|"
+    sys.exit(f"view.py: say which --component of '{field}'")
+
+
 def colour(mapper, data, field, component, limits):
     """Lets a mapper colour by a field; returns the title of its scalar bar and the colours."""
     array, of_cells = array_of(data, field)
@@ -250,18 +276,7 @@ def colour(mapper, data, field, component, limits):
         mapper.SetScalarModeToUsePointFieldData()
     mapper.SelectColorArray(field)
     table = cool_to_warm()
-    title, which = field, -1
-    if array.GetNumberOfComponents() == 1:
-        which = 0
-    elif component:
-        names = [array.GetComponentName(c) for c in range(array.GetNumberOfComponents())]
-        if component not in names:
-            sys.exit(f"view.py: '{field}' has the components {', '.join(map(str, names))}")
-        which, title = names.index(component), f"{field} {component}"
-    elif array.GetNumberOfComponents() == 3:
-        title = f"|{field}|"
-    else:
-        sys.exit(f"view.py: say which --component of '{field}'")
+    which, title = component_of(data, field, component)
     if which >= 0:
         table.SetVectorModeToComponent()
         table.SetVectorComponent(which)
@@ -368,7 +383,7 @@ def add_contact(renderer, data, asked):
         else:
             mapper.ScalarVisibilityOn()
             if field != "contact_status":
-                title, table = colour(mapper, data, field, None, None)
+                title, table = colour(mapper, data, field, None, asked.contact_range)
             else:
                 mapper.SetScalarModeToUseCellFieldData()
                 mapper.SelectColorArray(field)
@@ -420,16 +435,10 @@ def aim(renderer, bounds, asked):
     renderer.ResetCameraClippingRange()
 
 
-def main():
-    asked = arguments()
-    give_a_screen()
-    global vtk  # only now: loading it takes a second, and there may have been no screen
-    import vtk
-
-    renderer = vtk.vtkRenderer()
-    renderer.SetBackground(1, 1, 1)
-    bounds, time, drawn = vtk.vtkBoundingBox(), asked.time, []
-    for name, add in (("body", add_body), ("contact", add_contact), ("walls", add_walls)):
+def data_at(asked, time):
+    """The time of the frame nearest to a time, and {name: data as it stands} of the data sets asked for."""
+    there = {}
+    for name in DATA_SETS:
         if name not in asked.show:
             continue
         at, data = frame(asked.folder, name, time)
@@ -437,18 +446,41 @@ def main():
             continue
         if name != "walls":
             time = at  # contact at the moment of the body
-        data = moved(data, asked.warp)
-        add(renderer, data, asked)
-        drawn.append(name)
+        there[name] = moved(data, asked.warp)
+    if not there:
+        sys.exit(f"view.py: nothing to draw in {asked.folder}")
+    return time, there
+
+
+def add_bounds(bounds, there):
+    """Adds the bodies to a box, and walls only where there is nothing else."""
+    for name, data in there.items():
         if name != "walls" or not bounds.IsValid():
             bounds.AddBounds(data.GetBounds())
-    if not drawn:
-        sys.exit(f"view.py: nothing to draw in {asked.folder}")
-    if time is not None:
-        add_time(renderer, time)
+
+
+def box_of(bounds):
     box = [0.0] * 6
     bounds.GetBounds(box)
+    return box
 
+
+def joined(limits, data, field, component):
+    """A range of colours, or None, joined with that of a field."""
+    if not field or array_of(data, field)[0] is None:
+        return limits
+    low, high = array_of(data, field)[0].GetRange(component_of(data, field, component)[0])
+    return (min(low, limits[0]), max(high, limits[1])) if limits else (low, high)
+
+
+def draw(asked, time, there, box, out):
+    """Writes a picture of what is there, with the camera aimed at a box."""
+    renderer = vtk.vtkRenderer()
+    renderer.SetBackground(1, 1, 1)
+    for name, data in there.items():
+        {"body": add_body, "contact": add_contact, "walls": add_walls}[name](renderer, data, asked)
+    if time is not None:
+        add_time(renderer, time)
     window = vtk.vtkRenderWindow()
     window.SetOffScreenRendering(1)
     window.SetMultiSamples(4)
@@ -460,9 +492,42 @@ def main():
     shot.SetInput(window)
     shot.ReadFrontBufferOff()
     writer = vtk.vtkPNGWriter()
-    writer.SetFileName(str(asked.out))
+    writer.SetFileName(str(out))
     writer.SetInputConnection(shot.GetOutputPort())
     writer.Write()
+
+
+def draw_frames(asked):
+    """A picture of each frame, with one camera and one range of colours for all."""
+    names = [name for name in DATA_SETS if name in asked.show]
+    times = next(times for times in ([time for time, _ in listed(asked.folder, name)] for name in names) if times)
+    bounds, limits, of_contact = vtk.vtkBoundingBox(), None, None
+    for time in times:
+        _, there = data_at(asked, time)
+        add_bounds(bounds, there)
+        if "body" in there:
+            limits = joined(limits, there["body"], chosen(there["body"], asked.field, PREFERRED["body"]), asked.component)
+        if "contact" in there and asked.contact_field:
+            of_contact = joined(of_contact, there["contact"], asked.contact_field, None)
+    asked.range, asked.contact_range = asked.range or limits, of_contact
+    for number, time in enumerate(times):
+        draw(asked, *data_at(asked, time), box_of(bounds), asked.frames / f"frame_{number:04d}.png")
+    print(f"{asked.frames}: {len(times)} frames")
+
+
+def main():
+    asked = arguments()
+    give_a_screen()
+    global vtk  # only now: loading it takes a second, and there may have been no screen
+    import vtk
+
+    if asked.frames:
+        draw_frames(asked)
+        return
+    time, there = data_at(asked, asked.time)
+    bounds = vtk.vtkBoundingBox()
+    add_bounds(bounds, there)
+    draw(asked, time, there, box_of(bounds), asked.out)
     print(asked.out)
 
 

@@ -104,6 +104,8 @@ TABLE = [
     ("view.py", "{run} --elevation={one}", FINITE, NO_FINITE), ("view.py", "{run} --azimuth={one}", FINITE, NO_FINITE),
     ("view.py", "{run} --range {one}", "--range", ("nan 1", "2 1")), ("view.py", "{run} --opacity={one}", "from 0 to 1", ("nan",)),
     ("view.py", "{run} --size {one}", "--size", ("0 1", "99999 1")), ("view.py", "{run} --out {there}", "expected is a file"),
+    ("view.py", "{run} --frames {there} --time 1", "leave --time and --out away"),
+    ("view.py", "{run} --frames {file}", "expected is a folder"), ("view.py", "{run} --frames /proc/nosuch", "cannot be written"),
     ("view.py", "{run} --out {file}/a.png", "expected is a folder"), ("view.py", "{run} --out /proc/nosuch/a.png", "cannot be written"),
 ]
 CASE_OF = {"accuracy": "", "extremes": "", "refine": "{case}", "stops": "", "trade": "two_blocks", "verify.py": "", "forecast": "",
