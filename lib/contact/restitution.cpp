@@ -8,7 +8,7 @@ namespace nereid::contact {
 namespace {
 
 constexpr double own_share = 0.5;       // [-] of the force with which a wave leaves a node that moves with what is held
-constexpr double small_loss = 1e-3;     // of what is held: less, taken in a step, delays no release; less of what is taken is no cause of one
+constexpr double small_loss = 1e-3;     // of what is held: less, taken in a step, delays no release; of what is taken: less causes none
 constexpr double round_off = 1e-14;     // of the energy with which a node goes apart: so much of what it held is no force
 constexpr double stands = 1e-8;         // of the square of the rate with which a node leaves: one that goes in by less does so by round-off
 constexpr double much_faster = 10;      // times the change of speed by forces in a step
