@@ -13,7 +13,7 @@ Disc. Mindlin's plate, w and the rotation psi of normals, without nodal diameter
 
 J0(k r) and I0(q r) solve them, with D k^4 - (D s + rho t^3/12 omega^2) k^2 = rho omega^2 (t - s t^3/12) and s = 6 rho omega^2/(5 mu);
 the other root is k^2 = -q^2. Modes are orthogonal with rho t w w + rho t^3/12 psi psi, and an initial velocity is a sum of them.
-(R. D. Mindlin & H. Deresiewicz, J. Appl. Phys. 25, 1954, 1329; thin plates: Leissa, Vibration of Plates, NASA SP-160, 1969, table 2.2.)
+(R. D. Mindlin & H. Deresiewicz, J. Appl. Phys. 25, 1954, 1329; thin plates: Leissa, Vibration of Plates, NASA SP-160, 1969, section 2.1.)
 """
 from collections import deque
 from functools import lru_cache
@@ -159,7 +159,7 @@ def modes(count=15, **plate):
     >>> [round(omega * number, 3) for omega, _ in modes(3, **thin)]
     [4.935, 29.72, 74.156]
 
-    Shear and rotary inertia take 0.3 % of the first frequency of the shield plate, and of the fifth, 222.4 by Kirchhoff, 10 %.
+    Shear and rotary inertia take 0.3 % of the first frequency of the shield plate, and of the fifth, 222.2 by Kirchhoff, 10 %.
 
     >>> thick = {**STEEL, **DISC}
     >>> number = 0.9**2 * sqrt(7850 * DISC["thickness"] / stiffnesses(190e9, 0.3, DISC["thickness"])[0])
