@@ -18,7 +18,7 @@ namespace nereid::model {
 namespace {
 
 constexpr double farthest = 1e60;   // [m] of any node: volumes, and squares of these, are still numbers
-constexpr double smallest = 1e-40;  // [m] of any body: the same
+constexpr double smallest = 1e-40;  // [m] of any body, and any side of an element: the same
 
 double parts(mesh::Revolution turn) { return turn == mesh::Revolution::full ? 4 : 1; }
 
@@ -141,6 +141,22 @@ void judge(const Body& body, const Part& here, const mesh::Mesh& mesh, Faults& f
                              " of its file without an element, left out");
 }
 
+/// The shortest way between two nodes of an element that are not at one place: the largest of its components. [m]
+double shortest_side(const mesh::Mesh& mesh) {
+  double least = farthest;
+  const auto see = [&](const auto& nodes) {
+    for (Eigen::Index e = 0; e < nodes.cols(); ++e)
+      for (Eigen::Index a = 0; a < nodes.rows(); ++a)
+        for (Eigen::Index b = 0; b < a; ++b) {
+          const double side = (mesh.X.col(nodes(a, e)) - mesh.X.col(nodes(b, e))).cwiseAbs().maxCoeff();
+          if (side > 0) least = std::min(least, side);
+        }
+  };
+  for (const mesh::Hexahedra& region : mesh.hexahedra) see(region.nodes);
+  for (const mesh::Triangles& region : mesh.triangles) see(region.nodes);
+  return least;
+}
+
 /// The mesh of one body where it stands.
 mesh::Mesh placed_mesh(const Body& body, Faults& faults, MeshWarnings& warnings) {
   Part here = part("body", body);
@@ -162,6 +178,8 @@ mesh::Mesh placed_mesh(const Body& body, Faults& faults, MeshWarnings& warnings)
                   : "a node stands at no finite place");
   } else if (!(diagonal(mesh) > smallest)) {
     refuse(faults, here, "", text("the body is %.4g m across: expected more than %g m", diagonal(mesh), smallest));
+  } else if (!(shortest_side(mesh) > smallest)) {
+    refuse(faults, here, "", text("a side of an element is %.4g m long: expected more than %g m", shortest_side(mesh), smallest));
   }
   if (faults.size() == before) judge(body, here, mesh, faults, warnings);
   return mesh;
