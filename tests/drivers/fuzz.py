@@ -363,7 +363,8 @@ def judge(status, said, size):
     text = said.decode(errors="backslashreplace")
     if status != 0 and not text.strip():
         return f"status {status} without a word"
-    if status == 2 and not PLACE.search(text.split("\n", 1)[0]):
+    first = next((line for line in text.split("\n") if not line.startswith("warning: ")), "")
+    if status == 2 and not PLACE.search(first):
         return "status 2 without a place"
     return ""
 
