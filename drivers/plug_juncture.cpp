@@ -177,7 +177,7 @@ double overlap(const dynamics::View& view, const Subset& shoulder, const Subset&
 }
 
 /// Planes of symmetry, and the rim of the flange that is held.
-std::vector<model::Plane> planes_of(const model::Scene& scene, const Part& part, bool full) {
+std::vector<model::Plane> planes_of(const model::Scene& scene, const Part& part, bool full, bool rigid) {
   const auto plane = [&](const std::string& name, const Vec3& normal) {
     model::Plane made{.name = name, .kind = load::PlaneKind::symmetry, .nodes = {}, .normal = normal, .at = "model"};
     for (const model::Body& body : scene.bodies) made.nodes.push_back(body.name + "." + name);
@@ -185,6 +185,7 @@ std::vector<model::Plane> planes_of(const model::Scene& scene, const Part& part,
   };
   std::vector<model::Plane> planes{{.name = "hold", .kind = load::PlaneKind::constrained, .nodes = {face(junctures, "out_", 2)},
                                     .normal = Vec3::UnitZ(), .at = "head"}};
+  if (rigid) planes[0].kind = load::PlaneKind::fixed, planes[0].nodes = {names[junctures]};
   if (full) return planes;
   planes.push_back(plane("first_plane", mesh::first_plane_normal()));
   planes.push_back(plane("second_plane", mesh::second_plane_normal(part.angle)));
@@ -215,7 +216,10 @@ struct Asked {
 model::Simulation build(const input::CaseFile& file, Asked& asked) {
   const input::Section root = file.root();
   const Head head = read_head(root.section("head"));
-  const std::string kind = root.section("model").choice("kind", {"full", "quarter", "sector"});
+  const input::Section whole = root.section("model");
+  const std::string kind = whole.choice("kind", {"full", "quarter", "sector"});
+  const bool rigid = whole.flag_or("rigid", false);
+  if (rigid && kind != "full") whole.fault("kind", "rigid plugs need 'kind: full': a rigid body has no plane of symmetry");
   const int level = root.section("mesh").count("level", 1, 32);
   const Part part = part_of(kind, level);
   const driver::Plates plates = read_shield_plates(root, head);
@@ -226,7 +230,8 @@ model::Simulation build(const input::CaseFile& file, Asked& asked) {
 
   model::Scene scene;
   for (std::size_t b = 0; b < names.size(); ++b) {
-    scene.bodies.push_back({.name = names[b], .mesh = section_of(head, b, level, part), .law = law, .solid = element, .at = "head"});
+    scene.bodies.push_back({.name = names[b], .mesh = section_of(head, b, level, part), .law = law, .solid = element, .rigid = rigid,
+                            .at = "head"});
     scene.bodies.back().place.move = Vec3(0, 0, static_cast<double>(b) * head.axial_gap);
   }
   for (std::size_t j = 0; j < junctures; ++j) {
@@ -240,7 +245,7 @@ model::Simulation build(const input::CaseFile& file, Asked& asked) {
   }
   add_plates(plates, head, level, part, law, element, interface, scene);
   add_striker(root, head, plates, level, part, law, interface, scene);
-  scene.planes = planes_of(scene, part, kind == "full");
+  scene.planes = planes_of(scene, part, kind == "full", rigid);
   add_probes(plates, scene);
   scene.time = input::read_time(root.section("time"));
   scene.recording = input::read_recording(root.section_or_empty("output"), scene.time.end);

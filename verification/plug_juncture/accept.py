@@ -1,5 +1,5 @@
 """How close is close enough, why, and what must break."""
-from reference import closing_time, impulse
+from reference import closing_time, impulse, rigid_plugs
 from verify import Breaks, Check, Figure, Pair, created
 
 CATALOGUE = ()
@@ -12,6 +12,7 @@ CELLS = 48   # around the whole turn, at level 2
 HIGHER = '1.001*table("slug.csv", t)'
 SLOPPY = {"mesh.level": 1, "contact.method": "penalty", "contact.energy_gain_limit": 0.04}
 PLUGS = ("small", "intermediate", "large")
+END = 0.02   # [s]
 
 
 def closes(run):
@@ -35,6 +36,27 @@ def quarter(run):
     return Pair(max(abs(other.result(name) / run.result(name) - 1) for name in names), 0, "", scale=1)
 
 
+# ------------------------------------------------------------------------------------------------
+# Rigid plugs
+
+RIGID = {"model.kind": "full", "model.rigid": "true", "mesh.level": 1}
+RIGID_CELLS = 24
+
+
+def of_rigid_plugs(names, exact):
+    """The worst of some results of rigid plugs, each over its own exact value."""
+    def measure(run):
+        one, expected = run.again({**RIGID, **run.overrides}), exact(rigid_plugs(RIGID_CELLS, END))
+        return Pair(max(abs(one.result(name) / value - 1) for name, value in zip(names, expected)), 0, "", scale=1)
+    return measure
+
+
+def first_blows(found):
+    return [next(t for t, k, _ in found["blows"] if k == juncture) for juncture in (1, 2, 3)]
+
+
+BLOW = "a step is 1 % of the first time; a blow lasts two steps, in which the pressure gives 0.4 % of its impulse"
+
 CHECKS = [
     Check("closing of the first gap", closes, 0.005,
           "a step is 0.2 % of the time, and as the plug rings its shoulder is 0.2 % of the gap behind or ahead of the mean"),
@@ -42,6 +64,11 @@ CHECKS = [
           "the pressure acts on the surface as it is, whose area changes by strains of some 1e-5; all else is round-off"),
     Check("momentum of the small plug", small_plug, 1e-4, "the same, of one body; without friction only its ledge takes anything along z"),
     Check("quarter against sector", quarter, 1e-6, "the same polygons, turned: round-off, which grows with every strike"),
+    Check("rigid plugs: first closure of each juncture", of_rigid_plugs([f"closes_{k}" for k in (1, 2, 3)], first_blows), 0.01, BLOW),
+    Check("rigid plugs: momentum through each juncture", of_rigid_plugs([f"impulse_{k}" for k in (1, 2, 3)], lambda one: one["impulses"]),
+          0.004, BLOW),
+    Check("rigid plugs: velocities at the end", of_rigid_plugs([f"velocity_{plug}" for plug in PLUGS], lambda one: one["speeds"]), 0.01,
+          "what is handed on, less what was had: the same error counts two and a half times"),
     Check("created energy", created, 1e-3, "the bound of the scene; multipliers create less than a thousandth of it"),
 ]
 
@@ -51,6 +78,9 @@ BREAKS = [
     Breaks("momentum of plugs and flange", "a pressure a thousandth higher", {"struck_by.value": HIGHER}),
     Breaks("momentum of the small plug", "a pressure a thousandth higher", {"struck_by.value": HIGHER}),
     Breaks("quarter against sector", "a pressure a thousandth higher in one of both", {"struck_by.value": HIGHER}),
+    Breaks("rigid plugs: first closure of each juncture", "gaps a fiftieth wider", {"head.axial_gap": "5.1 mm"}),
+    Breaks("rigid plugs: momentum through each juncture", "a shoulder a tenth wider", {"head.ledge_width": "0.11 m"}),
+    Breaks("rigid plugs: velocities at the end", "restitution 0.95", {"contact.restitution": 0.95}),
     Breaks("created energy", "a stiff penalty that may create what a bounce may not", SLOPPY),
 ]
 

@@ -1,8 +1,18 @@
 """What is known of the head before any program runs: a plug that moves as one, masses of turned polygons, and impulses."""
+import importlib.util
 import math
+from pathlib import Path
+
+# The chain of rigid bodies is that of another folder.
+_spec = importlib.util.spec_from_file_location("chain_of_rigid_plates", Path(__file__).parents[1] / "rigid_chain" / "reference.py")
+_module = importlib.util.module_from_spec(_spec)
+_spec.loader.exec_module(_module)
+chain = _module.chain
 
 DENSITY, HEIGHT, HOLE, SHOULDER, SIDE = 7850.0, 0.56, 0.2, 0.95, 0.85   # [kg/m3] [m], of the small plug
 HALF = HEIGHT / 2                                                       # [m] of what is below and above the shoulder
+RADII, WIDTH, PLAY = (0.9, 1.9, 2.9), 0.1, 0.01                         # [m] of the ledges
+HELD = 1e15                                                             # [kg] of what does not move
 GAP, PEAK, PULSE = 5e-3, 10e6, 4e-3                                     # [m] [Pa] [s]
 
 
@@ -20,6 +30,30 @@ def mass(cells):
     """
     lower, upper = SHOULDER**2 - HOLE**2, SIDE**2 - HOLE**2
     return DENSITY * math.pi * (lower + upper) * HALF * part_of_circle(cells)
+
+
+def masses(cells):
+    """Of the three plugs: below half the height without a ledge in the bore, above it without a shoulder outside. [kg]
+
+    >>> abs(masses(48)[0] / mass(48) - 1) < 1e-12
+    True
+    """
+    found, bore = [], HOLE
+    for plug, radius in enumerate(RADII):
+        above = bore - WIDTH if plug > 0 else bore
+        areas = (radius + WIDTH / 2)**2 - bore**2, (radius - WIDTH / 2)**2 - above**2
+        found.append(DENSITY * math.pi * sum(areas) * HALF * part_of_circle(cells))
+        bore = radius + WIDTH / 2 + PLAY
+    return found
+
+
+def rigid_plugs(cells, end):
+    """Rigid plugs below a flange that is held: a chain of blows as of masses. A dictionary as of chain().
+
+    >>> [juncture for _, juncture, _ in rigid_plugs(48, 0.02)["blows"]]
+    [1, 2, 3, 2]
+    """
+    return chain([*masses(cells), HELD], [GAP] * 3, end, force=force(cells), pulse=PULSE)
 
 
 def force(cells):
