@@ -21,6 +21,7 @@ namespace {
 
 constexpr double steps_to_touch = 4;   // open apexes that can touch within so many steps have a condition too
 constexpr double corrected = 0.2;      // of a penetration in a step
+constexpr double far_more = 4;         // times the impulse of its last force: a correction takes it where the step has fallen
 constexpr double no_direction = 1e-3;  // of the size of a face: an edge or vertex that is nearer has no normal of its own
 constexpr double along = 0.5;          // cosine between a push and the normal of a facet that takes it over
 constexpr double paid_back = 0.2;      // of what friction owes, in a step
@@ -298,7 +299,8 @@ bool complete(const Motion& m, double pressed, double held, Multipliers& all, Co
   const double closing = (c.gap > 0 ? -c.gap : -corrected * c.gap) / m.next, impulse = 0.5 * pressed * (m.dt + m.next);
   const double from_held = impulse > 0 ? std::max(0.0, held) / impulse : 0;
   double may = 2 * from_held - c.before;  // the work of this step; to stop again takes as much as to go apart
-  if (from_held > 0 && closing > -c.before) may = std::min(may, rate_for(held, c));
+  const double asked = std::min(closing, 0.5 * may);
+  if (from_held > 0 && asked - c.free > far_more * c.per_mass * impulse) may = std::min(may, rate_for(held, c));  // the step fell
   c.least = std::min(closing, may > 0 ? 0.5 * may : may);
   return c.per_mass * m.mass(c.node[0]) > no_response;
 }
