@@ -1,5 +1,8 @@
 """How close is close enough, why, and what must break."""
-from reference import closing_time, impulse, rigid_plugs
+import importlib.util
+from pathlib import Path
+
+from reference import GAP, HELD, PULSE, closing_time, force, impulse, masses
 from verify import Breaks, Check, Figure, Pair, created
 
 CATALOGUE = ()
@@ -41,6 +44,15 @@ def quarter(run):
 
 RIGID = {"model.kind": "full", "model.rigid": "true", "mesh.level": 1}
 RIGID_CELLS = 24
+CHAINS = Path(__file__).resolve().parent.parent / "rigid_chain/reference.py"  # by its path: this folder has a reference.py, too
+FOUND = importlib.util.spec_from_file_location("rigid_chain_reference", CHAINS)
+rigid_chain = importlib.util.module_from_spec(FOUND)
+FOUND.loader.exec_module(rigid_chain)
+
+
+def rigid_plugs(cells, end):
+    """Rigid plugs below a flange that is held: a chain of blows as of masses. A dictionary as of chain()."""
+    return rigid_chain.chain([*masses(cells), HELD], [GAP] * 3, end, force=force(cells), pulse=PULSE)
 
 
 def of_rigid_plugs(names, exact):

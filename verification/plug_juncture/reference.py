@@ -1,13 +1,5 @@
 """What is known of the head before any program runs: a plug that moves as one, masses of turned polygons, and impulses."""
-import importlib.util
 import math
-from pathlib import Path
-
-# The chain of rigid bodies is that of another folder.
-_spec = importlib.util.spec_from_file_location("chain_of_rigid_plates", Path(__file__).parents[1] / "rigid_chain" / "reference.py")
-_module = importlib.util.module_from_spec(_spec)
-_spec.loader.exec_module(_module)
-chain = _module.chain
 
 DENSITY, HEIGHT, HOLE, SHOULDER, SIDE = 7850.0, 0.56, 0.2, 0.95, 0.85   # [kg/m3] [m], of the small plug
 HALF = HEIGHT / 2                                                       # [m] of what is below and above the shoulder
@@ -45,15 +37,6 @@ def masses(cells):
         found.append(DENSITY * math.pi * sum(areas) * HALF * part_of_circle(cells))
         bore = radius + WIDTH / 2 + PLAY
     return found
-
-
-def rigid_plugs(cells, end):
-    """Rigid plugs below a flange that is held: a chain of blows as of masses. A dictionary as of chain().
-
-    >>> [juncture for _, juncture, _ in rigid_plugs(48, 0.02)["blows"]]
-    [1, 2, 3, 2]
-    """
-    return chain([*masses(cells), HELD], [GAP] * 3, end, force=force(cells), pulse=PULSE)
 
 
 def force(cells):
