@@ -153,7 +153,9 @@ double distance(const Vec3& p, const Vec3& a, const Vec3& b) {
   return (p - a - s * (b - a)).norm();
 }
 
-/// How far a point of a sheet is from its rim, but for the edge of two points that it lies on; infinite if there is none. [m]
+/// How far a point of a sheet is from its rim; infinite if it has none. [m]
+///
+/// first, last  the points of an edge that is left out: one of the rim, on which the point lies itself
 double from_rim(const Side& sheet, const Vec3& p, Index first = -1, Index last = -1) {
   double least = std::numeric_limits<double>::infinity();
   for (Index e = 0; e < sheet.surface.rim_edges.cols(); ++e) {

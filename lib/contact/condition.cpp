@@ -21,7 +21,6 @@ namespace {
 
 constexpr double steps_to_touch = 4;   // open apexes that can touch within so many steps have a condition too
 constexpr double corrected = 0.2;      // of a penetration in a step
-constexpr double far_more = 4;         // times the impulse of its last force: a correction takes it where the step has fallen
 constexpr double no_direction = 1e-3;  // of the size of a face: an edge or vertex that is nearer has no normal of its own
 constexpr double along = 0.5;          // cosine between a push and the normal of a facet that takes it over
 constexpr double paid_back = 0.2;      // of what friction owes, in a step
@@ -275,8 +274,7 @@ NEREID_HOT double let_through(const Motion& m, int j, Condition& c, Multipliers&
   return c.normal.dot(all.along.back());
 }
 
-/// The rate a after a step in which a condition alone does the work E:  (a - free)/A (before + a)/2 = E.  The impulse of the step before
-/// tells as little of that which it takes as the steps have in common.
+/// The rate a after a step in which a condition alone does the work E:  (a - free)/A (before + a)/2 = E.
 double rate_for(double E, const Condition& c) {
   const double difference = c.before - c.free;
   return 0.5 * (std::sqrt(std::max(0.0, difference * difference + 4 * (c.before * c.free + 2 * c.per_mass * E))) - difference);
@@ -298,10 +296,10 @@ bool complete(const Motion& m, double pressed, double held, Multipliers& all, Co
   c.before = c.normal.dot(before), c.free = c.normal.dot(free);
   const double closing = (c.gap > 0 ? -c.gap : -corrected * c.gap) / m.next, impulse = 0.5 * pressed * (m.dt + m.next);
   const double from_held = impulse > 0 ? std::max(0.0, held) / impulse : 0;
-  double may = 2 * from_held - c.before;  // the work of this step; to stop again takes as much as to go apart
-  const double asked = std::min(closing, 0.5 * may);
-  if (from_held > 0 && asked - c.free > far_more * c.per_mass * impulse) may = std::min(may, rate_for(held, c));  // the step fell
+  const double may = 2 * from_held - c.before;  // the work of this step; to stop again takes as much as to go apart
   c.least = std::min(closing, may > 0 ? 0.5 * may : may);
+  // the last force makes a small impulse where the step has fallen, and what this rate takes alone is not
+  if (from_held > 0 && (c.least - c.free) * (c.least + c.before) > 2 * c.per_mass * held) c.least = std::min(c.least, rate_for(held, c));
   return c.per_mass * m.mass(c.node[0]) > no_response;
 }
 

@@ -8,8 +8,9 @@ namespace nereid::contact {
 namespace {
 
 constexpr double own_share = 0.5;       // [-] of the force with which a wave leaves a node that moves with what is held
-constexpr double small_loss = 1e-3;     // of what is held: less, taken in a step, delays no release; of what is taken: less causes none
+constexpr double small_loss = 1e-3;     // of what is held: less, taken in a step, delays no release
 constexpr double round_off = 1e-14;     // of the energy with which a node goes apart: so much of what it held is no force
+constexpr double least_held = 1e-3;     // of what is taken in a step: a contactor that holds less gives nothing back in that step
 constexpr double stands = 1e-8;         // of the square of the rate with which a node leaves: one that goes in by less does so by round-off
 constexpr double much_faster = 10;      // times the change of speed by forces in a step
 constexpr double small_rest = 1e-6;     // of what is held: less is not worth another round
@@ -52,11 +53,10 @@ Gain gain(const Contactor& one, Condition& hardest, Multipliers& all) {
   return sum;
 }
 
-
 /// Whether a contactor is without a force, or has one that only what it holds could make.
 bool lets_go(const Contactor& one, const Condition& c, double pressed, double h, double t) {
   const Restitution& memory = *one.memory;
-  if (memory.held < small_loss * -one.work) return false;  // what is left of a blow before, as another begins
+  if (memory.held < least_held * -one.work) return false;  // what is left of a blow before, as another begins
   const double own = own_share * one.impedance * std::sqrt(2 * memory.held * c.per_mass);
   if (pressed > 0 && pressed >= own) return false;
   const double time = 1 / (c.per_mass * one.impedance);

@@ -266,17 +266,18 @@ std::vector<std::string> energy_notes(const Simulation& simulation) {
   constexpr double worth_a_warning = 0.2;  // of the limit: a hundredth of the energy by default
   const double limit = simulation.time.created_limit;
   std::vector<std::string> notes;
-  const auto look = [&](const std::string& name, double part, const char* of, double stops) {
+  const auto look = [&](const std::string& name, double part, const char* of, double stops, const char* once = "") {
     if (!(std::abs(part) > worth_a_warning * limit)) return;
-    notes.push_back(row("%s: %s %.2g of the energy %s at worst%s; the limit that stops a run is %.2g", name.c_str(),
-                        part > 0 ? "created" : "lost", std::abs(part), of,
-                        std::abs(part) > stops ? ", while little had passed" : "", stops));
+    notes.push_back(row("%s: %s %.2g of the energy %s at worst; the limit that stops a run is %.2g%s", name.c_str(),
+                        part > 0 ? "created" : "lost", std::abs(part), of, stops, once));
   };
   const dynamics::Ledger& ledger = simulation.state.ledger;
   const std::vector<Source> all = dynamics::sources(simulation.model);
   for (std::size_t s = 0; s < all.size(); ++s) {
     const double stops = limit * dynamics::times_the_limit(simulation.model, ledger, static_cast<int>(s));
-    look(all[s].name, ledger.flows[s].worst, "that passed through it", stops);
+    const double worst = ledger.flows[s].worst;
+    const bool more = s >= simulation.model.blocks.size() && std::abs(worst) > stops;
+    look(all[s].name, worst, "that passed through it", stops, more ? " once a hundredth of the energy of the scene has passed" : "");
     look(all[s].name, ledger.flows[s].worst_of_scene, "of the scene", limit);
   }
   look("time integration", ledger.worst_kept, "of the scene", limit);

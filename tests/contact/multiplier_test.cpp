@@ -79,7 +79,7 @@ TEST(Multiplier, CorrectsAPenetrationByAFifthInAStepAndOnlyWithWhatItHolds) {
 }
 
 TEST(Multiplier, GivesBackNoMoreThanItHoldsWhereTheStepFalls) {
-  for (const double falls : {1.0, 3.0, 30.0, 1000.0}) {
+  for (const double falls : {1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 12.0, 30.0, 1000.0}) {
     Setting at(-1e-2, {0, 0, -1});
     at.next = at.dt / falls;
     for (int i = 0; i < 200; ++i) {

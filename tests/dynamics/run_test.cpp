@@ -449,6 +449,21 @@ TEST(Run, OfAFreeSceneIsJudgedAlikeByWhoMovesAlongAndWhoStands) {
   EXPECT_EQ(held.state.ledger.initial_available, held.state.ledger.initial_kinetic);
 }
 
+TEST(TimesTheLimit, IsFiveForBodiesAndWhereLessThanAHundredthOfTheEnergyOfTheSceneHasPassed) {
+  Model model;
+  model.interfaces.emplace_back();
+  Ledger ledger;
+  ledger.initial_kinetic = ledger.initial_available = 10;
+  ledger.flows.resize(1);
+  EXPECT_EQ(times_the_limit(model, ledger, -1), 1) << "time integration";
+  ledger.flows[0].passed = 0.099;
+  EXPECT_EQ(times_the_limit(model, ledger, 0), 5);
+  ledger.flows[0].passed = 0.101;
+  EXPECT_EQ(times_the_limit(model, ledger, 0), 1);
+  model.blocks.emplace_back();
+  EXPECT_EQ(times_the_limit(model, ledger, 0), 5);
+}
+
 TEST(Run, GoesOnWithinTheLimitOfCreatedEnergyThatItIsGiven) {
   Scene s = careless();
   EXPECT_EQ(s.run_to(0.01, 1e-4, {}, 1e9).ending, Ending::reached_end);

@@ -9,6 +9,7 @@ A fault is what the judge finds wrong: energy from nowhere, momentum that change
 other, a body in itself, elements inside out, numbers that are not finite.
 """
 import dataclasses
+import functools
 import math
 import re
 from pathlib import Path
@@ -720,6 +721,7 @@ def verdict_of_stop(run, expected, again):
         return BROKEN, "stopped, and the last state is lost: " + said, []
     if any(word == "untouched" for word, *_ in expected.answers):
         return BROKEN, "stopped without cause, nothing touches: " + said, []
+    again = functools.cache(again) if again else None
     if names_what_is_seen(run, expected) or is_of_the_mesh(run, expected, again):
         return REFUSED, said, []
 
