@@ -447,9 +447,12 @@ def data_at(asked, time):
         if name != "walls":
             time = at  # contact at the moment of the body
         there[name] = moved(data, asked.warp)
-    if not there:
-        sys.exit(f"view.py: nothing to draw in {asked.folder}")
     return time, there
+
+
+def check_bounds(bounds, asked):
+    if not bounds.IsValid():
+        sys.exit(f"view.py: nothing to draw in {asked.folder}")
 
 
 def add_bounds(bounds, there):
@@ -509,6 +512,7 @@ def draw_frames(asked):
             limits = joined(limits, there["body"], chosen(there["body"], asked.field, PREFERRED["body"]), asked.component)
         if "contact" in there and asked.contact_field:
             of_contact = joined(of_contact, there["contact"], asked.contact_field, None)
+    check_bounds(bounds, asked)
     asked.range, asked.contact_range = asked.range or limits, of_contact
     for number, time in enumerate(times):
         draw(asked, *data_at(asked, time), box_of(bounds), asked.frames / f"frame_{number:04d}.png")
@@ -527,6 +531,7 @@ def main():
     time, there = data_at(asked, asked.time)
     bounds = vtk.vtkBoundingBox()
     add_bounds(bounds, there)
+    check_bounds(bounds, asked)
     draw(asked, time, there, box_of(bounds), asked.out)
     print(asked.out)
 
