@@ -341,6 +341,7 @@ def automatic(first=0, count=24):
               for v in (20, 80)]
     found += [cell("automatic", f"pile {v:g} steps", "ten cubes", name, scenes.pile, 120.0, steps=v, friction=mu, gravity=g)
               for v in (1e4, 1e5) for name, mu, g in (("", 0.0, 1.0), ("friction", 0.3, 10.0))]
+    found.append(cell("automatic", "pile 100000 steps", "ten cubes", "at rest", scenes.pile, 120.0, steps=1e5, gravity=1.0, at_rest=True))
     return found
 
 
