@@ -308,12 +308,17 @@ def retired(tree):
     if not table_of_words.RETIRED:
         return
     top = tree.top()
+    patterns = [(one, re.compile(pattern, re.MULTILINE)) for one in table_of_words.RENAMED
+                for pattern in ([one.refuse] if one.refuse else []) + table_of_words.places(one)]
     for path in [*top, *tree.files(WORDS_IN)]:
         if path in SAYS_RETIRED:
             continue
-        for number, text in tree.lines(path):
+        lines = tree.lines(path)
+        whole = "\n".join(text for _, text in lines)
+        found = [one for one, pattern in patterns if one.old in whole and pattern.search(whole)]
+        for number, text in lines if found else []:
             for one in table_of_words.RENAMED:
-                if one.refuse and re.search(one.refuse, text) or any(re.search(place, text) for place in table_of_words.places(one)):
+                if any(of is one and pattern.search(text) for of, pattern in patterns):
                     tree.fault(path, number, f"'{one.old}' has a new name, '{one.new}'; scripts/update_case renames it in case files")
 
 
