@@ -192,15 +192,19 @@ void look_around(const Interface& interface, const Vectors& x, const Vectors& v,
   const Index facet = nearest.feature.facet;
   const double contact_height = contact::contact_height(interface, memory, a), level = contact::level(interface, memory, a, facet);
   memory.gap[a] = nearest.distance() - level;
-  double soon = infinite;
+  double soon = infinite, speed = 0;
   const double depth = between(interface, a, facet).depth;
   if (depth > 0) {
-    const double speed = speed_over(interface, v, a, facet);
+    speed = speed_over(interface, v, a, facet);
     soon = std::max(votes_within * depth, steps_ahead * speed * interface.longest_step);
   }
   const bool votes = memory.gap[a] <= soon;
   near.clear = nearest.clear - contact_height - moved - (votes ? 0 : soon);
-  if (votes) vote_over(interface, x, a, nearest.feature, nearest.closest.weight, level, near.element);
+  if (!votes) return;
+  vote_over(interface, x, a, nearest.feature, nearest.closest.weight, level, near.element);
+  if (!(speed > 0) || by_multipliers(interface)) return;
+  near.element.closes_in = std::max(0.0, memory.gap[a]) / speed;
+  near.clear = -infinite;  // speeds change, and this one lets the step be long
 }
 
 /// Finds what an apex is in contact with, and its forces.
@@ -337,7 +341,7 @@ void advance_friction(const Interface& interface, const Vectors& x, const Vector
 void find_contact(const Interface& interface, const Vectors& x, const Vectors& v, double dt, double moved, Near& near, Memory& memory) {
   ElementForces& element = near.element;
   element.closed = element.has_moment = false;
-  element.depth = 0;
+  element.depth = element.closes_in = 0;
   element.lost = 0;
   element.apex.setZero();
   element.count = 0;

@@ -150,6 +150,7 @@ struct ElementForces {
   double stiffness = 0;                  ///< [N/m] of the spring between the apex and its bases: past a wall more than the penalty
   double scale = 1;                      ///< of all these forces: 1 + damping_time d|d|/dt / |d|, not negative
   double depth = 0;                      ///< [m] penetration without the offset
+  double closes_in = 0;                  ///< [s] at the least, at the speeds of now, of an open apex that votes by a penalty; 0: not known
   double work = 0, created = 0;          ///< [J] in the last step
   double dissipated = 0;                 ///< [J] in the last step
   Vec3 apex = Vec3::Zero();              ///< [N]
@@ -395,10 +396,11 @@ void add_forces(const Interface&, const Memory&, Vectors& force, Vectors& moment
 /// by it. With omega_1^2 <= s omega^2 and omega_2^2 <= (1 - s) omega^2 both together are within omega^2.
 ///
 /// Closed elements vote, and those that may close in the next steps: nearer than a quarter of Interface::depth, or than twice the way of
-/// the longest step.
+/// the longest step. Where the spring of an open apex allows less than the last step, the step falls to 0.8 of that at a time as long as
+/// the apex cannot close within two steps: a step that falls at once makes energy of what rings (docs/theory/contact_energy.md).
 ///
-/// mass [kg] of the nodes;  inertia [kg m2] of the columns of omega
-StepLimit stable_step(const Interface&, const Scalars& mass, const Scalars& inertia, const Memory&, Workspace&);
+/// mass [kg] of the nodes;  inertia [kg m2] of the columns of omega;  last [s] step; 0: none, and open apexes vote as closed ones
+StepLimit stable_step(const Interface&, const Scalars& mass, const Scalars& inertia, const Memory&, Workspace&, double last = 0);
 
 /// [-] dt omega of a spring that never opens. The linear bound is 2; a quarter of it lowers the bound of
 /// the elements that share its nodes by 3 % at most, which the run's safety of 0.9 covers.

@@ -1,10 +1,13 @@
 #include <cmath>
 
 #include "contact/apex.hpp"
+#include "contact/near.hpp"
 
 namespace nereid::contact {
 
 namespace {
+
+constexpr double falls_to = 0.8;  // [-] of the last step, as long as an apex is open for some steps more
 
 /// The largest squared frequency among the apexes. [1/s2]
 struct Fastest {
@@ -36,8 +39,11 @@ Fastest moments_of_friction(const Interface& interface, const Scalars& inertia, 
   return fastest;
 }
 
-/// Largest squared frequency of the normal springs between apexes and bases.
-Fastest normal_springs(const Interface& interface, const Scalars& mass, const Memory& memory, Workspace& workspace) {
+/// Largest squared frequency of the normal springs between apexes and bases; of an open apex no more than lets the step fall bit by bit.
+///
+/// factor  [-] dt omega of the vote
+Fastest normal_springs(const Interface& interface, const Scalars& mass, const Memory& memory, double factor, double last,
+                       Workspace& workspace) {
   Scalars& sum = workspace.spring_sum;
   const auto shares = [&](const ElementForces& element, auto&& visit) {
     for (int i = 0; i < element.count; ++i)
@@ -56,6 +62,8 @@ Fastest normal_springs(const Interface& interface, const Scalars& mass, const Me
     if (element.count == 0) continue;
     double omega_squared = element.stiffness / mass(interface.apexes[near.apex]);
     shares(element, [&](Index node, double share) { omega_squared += share * sum(node) / mass(node); });
+    const double in_time = std::min(falls_to * last, element.closes_in / steps_ahead);
+    if (in_time > 0) omega_squared = std::min(omega_squared, interface.pass_factor * factor * factor / (in_time * in_time));
     fastest.see(omega_squared, near.apex);
   }
   return fastest;
@@ -64,14 +72,15 @@ Fastest normal_springs(const Interface& interface, const Scalars& mass, const Me
 }  // namespace
 
 StepLimit stable_step(const Interface& interface, const Scalars& mass, const Scalars& inertia, const Memory& memory,
-                      Workspace& workspace) {
+                      Workspace& workspace, double last) {
   if (by_multipliers(interface)) return {};
-  const Fastest normal = normal_springs(interface, mass, memory, workspace);
+  const double factor = step_factor(interface, memory.step_factor);
+  const Fastest normal = normal_springs(interface, mass, memory, factor, last, workspace);
   if (normal.apex < 0) return {};
   const double omega_squared = normal.omega_squared / interface.pass_factor;
   const Index apex = interface.apexes[normal.apex];
   if (interface.kind == InterfaceKind::bonded) return {linear_step / std::sqrt(omega_squared), apex};
-  const StepLimit bounce{step_factor(interface, memory.step_factor) / std::sqrt(omega_squared), apex};
+  const StepLimit bounce{factor / std::sqrt(omega_squared), apex};
   if (memory.slip.empty()) return bounce;
   // sticks are parallel to the normal springs, and their moments turn plate nodes besides
   const Fastest turning = moments_of_friction(interface, inertia, memory, workspace);

@@ -67,10 +67,10 @@ void visit(Archive& archive, Stencil& stencil) {
 
 template <class Archive>
 void visit(Archive& archive, ElementForces& element) {
-  auto& [closed, has_moment, moved, lost, count, penalty, stiffness, scale, depth, work, created, dissipated, apex, angular_impulse,
-         stencil] = element;
-  archive(closed, has_moment, moved, lost, count, penalty, stiffness, scale, depth, work, created, dissipated, apex, angular_impulse,
-          stencil);
+  auto& [closed, has_moment, moved, lost, count, penalty, stiffness, scale, depth, closes_in, work, created, dissipated, apex,
+         angular_impulse, stencil] = element;
+  archive(closed, has_moment, moved, lost, count, penalty, stiffness, scale, depth, closes_in, work, created, dissipated, apex,
+          angular_impulse, stencil);
 }
 
 template <class Archive>

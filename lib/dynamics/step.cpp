@@ -80,7 +80,7 @@ void update(const Model& model, double dt, State& now, Forces& f) {
     const double deepest = memory.deepest;
     contact::advance(model.interfaces[c], now.x, now.v, now.omega, dt, memory, f.interfaces[c]);
     if (memory.deepest > deepest) memory.deepest_time = now.t;
-    votes.contact.see(contact::stable_step(model.interfaces[c], model.mass, model.inertia, now.interfaces[c], f.interfaces[c]), source);
+    votes.contact.see(contact::stable_step(model.interfaces[c], model.mass, model.inertia, now.interfaces[c], f.interfaces[c], dt), source);
   }
   for (std::size_t p = 0; p < model.rigid_planes.size(); ++p, ++source) {
     if (contact::by_multipliers(model.rigid_planes[p])) continue;
