@@ -308,17 +308,14 @@ def retired(tree):
     if not table_of_words.RETIRED:
         return
     top = tree.top()
-    patterns = [(one, re.compile(pattern, re.MULTILINE)) for one in table_of_words.RENAMED
-                for pattern in ([one.refuse] if one.refuse else []) + table_of_words.places(one)]
+    compiled = [(one, re.compile(one.refuse or "(?!)"), [re.compile(place) for place in table_of_words.places(one)])
+                for one in table_of_words.RENAMED]
     for path in [*top, *tree.files(WORDS_IN)]:
         if path in SAYS_RETIRED:
             continue
-        lines = tree.lines(path)
-        whole = "\n".join(text for _, text in lines)
-        found = [one for one, pattern in patterns if one.old in whole and pattern.search(whole)]
-        for number, text in lines if found else []:
-            for one in table_of_words.RENAMED:
-                if any(of is one and pattern.search(text) for of, pattern in patterns):
+        for number, text in tree.lines(path):
+            for one, refused, places in compiled:
+                if refused.search(text) or one.old in text and any(place.search(text) for place in places):
                     tree.fault(path, number, f"'{one.old}' has a new name, '{one.new}'; scripts/update_case renames it in case files")
 
 

@@ -663,6 +663,12 @@ TEST(StableStep, FallsBitByBitAsAnApexComes) {
   EXPECT_NEAR(vote(1), 0.5 * (away.norm() - 0.1) / 2, 1e-9) << "it closes within two steps of this length";
   EXPECT_NEAR(vote(pressed), pressed, 1e-12);
   EXPECT_NEAR(vote(0), pressed, 1e-12);
+  const Vec3 nearer(-0.03, -0.04, -0.9);
+  go(nearer, 0.025);
+  EXPECT_NEAR(vote(1), 0.5 * (nearer.norm() - 0.1) / 2, 1e-9) << "it is looked at in every step, wherever it can close next";
+  v(2, scene.apex()) = 8;
+  go(nearer, 1e-9);
+  EXPECT_NEAR(vote(1), 0.5 * (nearer.norm() - 0.1) / 8, 1e-9) << "also where its speed alone has changed";
   go(Vec3(-0.03, -0.04, -0.05), 0.5);
   ASSERT_TRUE(scene.element().closed);
   EXPECT_NEAR(vote(1), pressed, 1e-12);
