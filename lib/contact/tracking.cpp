@@ -186,14 +186,24 @@ Index entered_under_border(const Sweep& s, double deepest, double& height) {
   return best;
 }
 
-/// Whether a point at a wall of a facet is in front of the facet across it, outside of the body.
+/// Whether a point at a wall of a facet, or at a corner of it, is in front of a facet that turns away there, outside of the body.
 bool is_beyond_ridge(const Sweep& s, Index facet, const Vec3& p) {
+  const auto in_front = [&](Index other) {
+    return geometry::facet_height(corners(s.base, s.x, other), place(p)).height > -round_off * s.base.longest(other);
+  };
   const auto weight = geometry::facet_height(corners(s.base, s.x, facet), place(p)).weight;
   for (int e = 0; e < 3; ++e) {
     const Index across = s.base.neighbour(e, facet);
-    if (!s.base.wall[facet][e] || across < 0 || weight[(e + 2) % 3] > overlap) continue;
-    const double height = geometry::facet_height(corners(s.base, s.x, across), place(p)).height;
-    if (height > -round_off * s.base.longest(across)) return true;
+    if (s.base.wall[facet][e] && across >= 0 && weight[(e + 2) % 3] <= overlap && in_front(across)) return true;
+  }
+  const Vec3 normal = facet_normal(s.base, s.x, facet);
+  for (int a = 0; a < 3; ++a) {
+    if (weight[a] < 1 - overlap) continue;
+    const Index node = s.base.facets(a, facet);
+    for (Index r = s.base.ring_begin[node]; r < s.base.ring_begin[node + 1]; ++r) {
+      const Index other = s.base.ring[r];
+      if (facet_normal(s.base, s.x, other).dot(normal) < far_turn && in_front(other)) return true;
+    }
   }
   return false;
 }

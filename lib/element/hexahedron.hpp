@@ -325,6 +325,9 @@ struct MeanFlow {
 
 /// Brings the hourglass forces of assumed strains over a step: elastic, then what flow leaves of them.
 ///
+/// The change of the forces follows from the increment and the frame of this step, and not from a potential: where a bent element is also
+/// strained, its forces would give back more than they took. They end with what they hold, so that `bent` is never below zero.
+///
 /// Moments along the deviator of the mean stress are at most those of a plastic section beside it, M = M_p (1 - (s/yield)^2): where it
 /// they go. There the others fall as the trial stress falls to the yield surface. Everywhere all together are at most those of a fully
 /// plastic section, whose stresses of bending have an rms of sqrt(3)/2 of yield: docs/theory/hexahedron.md.
@@ -339,13 +342,22 @@ NEREID_HOT HourglassWork<T> hold_by_assumed_strain(const Law& law, const T& shar
                                                    T& bent) {
   const auto change = forces_of(frame, moments_from(frame, q, volume, share * moduli.lambda, share * moduli.mu));
   std::array<Vector<T>, 4> now;
-  T trial(0.0);
-  for (int a = 0; a < 4; ++a) now[a] = forces[a] + change[a], trial = trial + dot(forces[a] + now[a], q[a]);
-  const T before = bent;
-  bent = larger(bent + T(4.0) * trial, T(0.0));
+  T old_work(0.0), new_work(0.0);
+  for (int a = 0; a < 4; ++a) {
+    now[a] = forces[a] + change[a];
+    old_work = old_work + T(4.0) * dot(forces[a], q[a]);
+    new_work = new_work + T(4.0) * dot(now[a], q[a]);
+  }
+  const T before = bent, none(1e-300), zero(0.0), one(1.0);
+  const auto too_much = before + old_work + new_work < T(-1e-6) * before;  // more than round-off
+  if (any(too_much)) {
+    const T room = larger(before + old_work, zero), part = select(new_work < zero, room / larger(-new_work, none), zero);
+    for (int a = 0; a < 4; ++a) now[a] = select(too_much, part, one) * now[a];
+    new_work = select(too_much, part, one) * new_work;
+  }
+  bent = larger(before + old_work + new_work, zero);
   constexpr bool flows = requires { yield_stress(law, internal.scalar); };
   if constexpr (flows) {
-    const T none(1e-300), zero(0.0), one(1.0);
     const T yield = yield_stress(law, internal.scalar), per_yield = one / larger(yield, none);
     Symmetric<T> shape = material::deviator(mean.after);
     if constexpr (Law::tensors.size() > 0) shape = shape - internal.tensor[0];

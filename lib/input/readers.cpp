@@ -239,12 +239,14 @@ dynamics::Time read_time(const Section& section, bool has_end) {
 
 model::Recording read_recording(const Section& section, double end) {
   model::Recording recording;
-  recording.history = section.quantity_or("history_every", end / 400, dim::time, positive);
   recording.frames = section.quantity_or("frames_every", end / 40, dim::time, positive);
+  recording.history = section.quantity_or("history_every", model::usual_rows(recording.frames, end), dim::time, positive);
   for (const auto& [key, every] : {std::pair("history_every", recording.history), std::pair("frames_every", recording.frames)}) {
     const std::string said = section.sound() ? model::too_many(key, every, end) : "";
     if (!said.empty()) section.fault(key, said);
   }
+  const std::string between = section.sound() ? model::frames_between_rows(recording.frames, recording.history) : "";
+  if (!between.empty()) section.fault("frames_every", between);
   recording.full_precision = section.choice_or("precision", "single", {"single", "double"}) == "double";
   return recording;
 }

@@ -46,11 +46,12 @@ void refuse_infinite_start(Faults& faults, const Part& part, const std::string& 
 /// A floor or wall has its nodes on its side; else the start would throw them out.
 template <class Plane>
 void refuse_nodes_behind(Faults& faults, const Part& part, const Plane& plane, const mesh::Mesh& mesh) {
+  const double behind = -round_off * diagonal(mesh);
   double deepest = 0;
   std::size_t count = 0;
   for (const Index node : plane.nodes) {
     const double height = (mesh.X.col(node) - plane.point).dot(plane.normal);
-    if (height < -round_off * diagonal(mesh)) ++count;
+    if (height < behind) ++count;
     deepest = std::min(deepest, height);
   }
   if (count == 0) return;

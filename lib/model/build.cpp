@@ -369,7 +369,7 @@ Simulation build(const Scene& scene) {
 
   simulation.time = scene.time;
   simulation.recording = scene.recording;
-  if (!(simulation.recording.history > 0)) simulation.recording.history = scene.time.end / 400;
+  if (!(simulation.recording.history > 0)) simulation.recording.history = usual_rows(scene.recording.frames, scene.time.end);
   if (!(simulation.recording.frames > 0)) simulation.recording.frames = scene.time.end / 40;
   if (!(simulation.time.audit_every > 0)) simulation.time.audit_every = simulation.recording.frames;
   simulation.stops = scene.stops;

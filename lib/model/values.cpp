@@ -1,5 +1,6 @@
 #include "model/values.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -211,8 +212,10 @@ void check_run(const Scene& scene, Faults& faults) {
     const std::string said = too_many(key, every, scene.time.end);
     if (!said.empty()) refuse(faults, {"output", "recording"}, key, said);
   }
+  const std::string between = frames_between_rows(recording.frames, recording.history);
+  if (!between.empty()) refuse(faults, {"output", "recording"}, "frames_every", between);
   if (scene.relaxation) check_relaxation({"relaxation", "relaxation"}, "", *scene.relaxation, faults);
-  const double row = scene.recording.history > 0 ? scene.recording.history : scene.time.end / 400;
+  const double row = recording.history > 0 ? recording.history : usual_rows(recording.frames, scene.time.end);
   for (const Stop& stop : scene.stops) check_stop(stop, row, faults);
 }
 
@@ -235,6 +238,14 @@ std::string too_many(const std::string& key, double every, double end) {
   return quote(key) + " = " + shortest(every) + " s asks for " + asked + (frames ? " frames" : " rows") + " by the end at " +
          shortest(end) + " s: expected at most " + (frames ? "a million" : "ten million");
 }
+
+std::string frames_between_rows(double frames, double rows) {
+  if (!(frames > 0) || !(rows > frames * (1 + 1e-9))) return "";
+  return "'frames_every' = " + shortest(frames) + " s is shorter than 'history_every' = " + shortest(rows) +
+         " s: a frame is written with a row of the history";
+}
+
+double usual_rows(double frames, double end) { return frames > 0 ? std::min(frames, end / 400) : end / 400; }
 
 std::string window_too_short(double window, double row) {
   return "'window' = " + shortest(window) + " s is shorter than two rows of the history, which are " + shortest(row) + " s apart";

@@ -30,6 +30,14 @@ inline constexpr double most_rows = 1e7, most_frames = 1e6;
 /// every, end  [s]
 std::string too_many(const std::string& key, double every, double end);
 
+/// Why an interval of frames is refused that is shorter than that of the rows at which they are written; empty if it is not.
+///
+/// frames, rows  [s]; 0: by default
+std::string frames_between_rows(double frames, double rows);
+
+/// The interval of rows by default: 400 to the end, but none longer than that of frames. [s]
+double usual_rows(double frames, double end);
+
 /// Why a window over which a condition to stop takes a mean is refused. [s]
 std::string window_too_short(double window, double row);
 

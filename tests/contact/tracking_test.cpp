@@ -248,6 +248,31 @@ TEST(EntryOfAnApex, OverARidgeByRoundOffIsNone) {
   EXPECT_LT((Vec3(scene.forces().col(apex)) - Vec3(0, 0, 0.01 * penalty)).norm(), 1e-9);
 }
 
+TEST(EntryOfAnApex, OverACornerByRoundOffIsNone) {
+  // a corner of a cube that lies on a cube of its size, within it by round-off along one side and by more along the other
+  for (const double far : {0.0, 4.0})
+    for (const double wide : {0.0, 4.0})
+      for (const bool along_x : {false, true}) {
+        const double in_x = far > 0 ? -1 : 1, in_y = wide > 0 ? -1 : 1, dx = along_x ? 1e-12 : 2e-9, dy = along_x ? 2e-9 : 1e-12;
+        Scene scene = press(block({0, 0, 0}, {4, 4, 1}, {4, 4, 1}), {{far + in_x * dx, wide + in_y * dy, 1}}, 0);
+        Table<3> own(3, 3);
+        const Index apex = scene.apex();
+        scene.x.conservativeResize(3, apex + 4);
+        const Vec3 at = scene.x.col(apex);
+        scene.x.col(apex + 1) = at + Vec3(in_x, 0, 0), scene.x.col(apex + 2) = at + Vec3(0, in_y, 0), scene.x.col(apex + 3) = at + Vec3(0, 0, 1);
+        const bool turned = in_x * in_y > 0;
+        for (int f = 0; f < 3; ++f) {
+          const Index one = apex + 1 + f, other = apex + 1 + (f + 1) % 3;
+          own.col(f) << apex, (turned ? other : one), (turned ? one : other);
+        }
+        scene.interface.own = fans(own, apex + 4);
+        const Vec3 normal = node_normal(scene.interface.own, scene.x, apex);
+        ASSERT_LT((normal - Vec3(-in_x, -in_y, -1).normalized()).norm(), 1e-6) << normal.transpose();
+        step_to(scene, 0, at + Vec3(in_x * 1e-13, in_y * 1e-13, 1e-13));
+        EXPECT_EQ(scene.near().tracks.count, 0) << far << ' ' << wide << ' ' << along_x;
+      }
+}
+
 TEST(Penetration, OfAnApexNearAnotherFaceIsReportedNoDeeperThanThatIsFar) {
   Scene scene = press(block({0, 0, 0}, {4, 4, 1}, {4, 4, 1}), {{0.06, 2.1, 1.1}}, 0);
   for (double z = 1; z > 0.45; z -= 0.05) step_to(scene, 0, {0.06, 2.1, z});

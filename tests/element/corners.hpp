@@ -135,6 +135,16 @@ std::vector<Point*> hourglasses(FullHexahedron::Memory<double, Law>&) {
   return {};
 }
 
+/// What the hourglass forces of an element hold as those of assumed strains. [J]
+template <class Law>
+void remember_store(const Law& law, const Corners& x, Hexahedron::Memory<double, Law>& memory) {
+  const Modes<double> X = amplitudes(x);
+  const auto frame = centre_frame<double>({X.xi, X.eta, X.zeta});
+  memory.bent = energy_of(frame, moments_of(frame, memory.hourglass), volume_gradient(X).per_volume, law.young, law.poisson);
+}
+template <class Law>
+void remember_store(const Law&, const Corners&, FullHexahedron::Memory<double, Law>&) {}
+
 /// One element of a kind.
 template <class Kind, class Law>
 struct OneElement {
@@ -156,7 +166,8 @@ struct OneElement {
   void randomise(double stress) {
     for (auto* s : stresses(memory)) *s = random_tensor(stress);
     for (auto* tensor : tensors(memory)) *tensor = 0.3 * material::deviator(random_tensor(stress));
-    for (Point* q : hourglasses(memory)) *q = random_point(stress);
+    for (Point* q : hourglasses(memory)) *q = random_point(0.1 * stress);  // below the fully plastic moment
+    remember_store(law, x, memory);
     rest();  // what it remembers of stresses besides follows
   }
   /// turns all that the memory holds

@@ -469,6 +469,38 @@ TEST(AssumedStrain, OfAParallelepipedTakesNoStep) {
   EXPECT_NEAR(hot_bound(with), hot_bound(without), 1e-10 * hot_bound(without));
 }
 
+TEST(AssumedStrain, GivesBackNoMoreThanItTookWhereABentElementIsStrained) {
+  const Corners X = brick(1, 1, 1);
+  for (const double stretch : {0.5, 1.0, 2.0})
+    for (int mode = 0; mode < 2; ++mode) {
+      Element<Elastic> e{metal<Elastic>(), assumed, X};
+      double stored = 0, largest_store = 0, work = 0;
+      const auto move = [&](double bent, double along) {  // u_x = xy bends, u_z = xy twists
+        Corners to = X;
+        for (int i = 0; i < 8; ++i) {
+          (mode == 0 ? to[i].x : to[i].z) += bent * X[i].x * X[i].y;
+          to[i].x *= along;
+        }
+        const Corners before = e.force, from = e.x;
+        const auto report = e.move(to);
+        stored += report[Stored::hourglass], largest_store = std::max(largest_store, stored);
+        work -= 0.5 * product(sum(before, e.force), sum(to, from, -1.0)) + report[Stored::elastic];
+        EXPECT_GE(stored, -2e-3 * largest_store) << stretch << ' ' << mode;
+        EXPECT_GE(e.memory.bent, 0);
+      };
+      const int steps = 200;
+      const auto part = [](int i) { return (i + 1.0) / steps; };
+      for (int i = 0; i < steps; ++i) move(0.05 * part(i), 1);
+      for (int i = 0; i < steps; ++i) move(0.05, 1 + (stretch - 1) * part(i));
+      for (int i = 0; i < steps; ++i) move(0.05 * (1 - part(i)), stretch);
+      for (int i = 0; i < steps; ++i) move(0, stretch + (1 - stretch) * part(i));
+      EXPECT_GT(largest_store, 0);
+      if (stretch != 1) continue;
+      EXPECT_NEAR(stored, 0, 1e-5 * largest_store) << mode;
+      EXPECT_NEAR(work, stored, 1e-4 * largest_store) << mode;
+    }
+}
+
 TEST(AssumedStrain, BendsPlasticallyUpToTheFullyPlasticMoment) {
   const double h = 1;
   const Corners X = brick(h, h, h);

@@ -191,5 +191,13 @@ TEST(ReadRecording, GivesFourHundredRowsAndFortyFramesByDefault) {
   EXPECT_TRUE(recording.full_precision);
 }
 
+TEST(ReadRecording, TakesNoFrameWithoutARow) {
+  const auto read_it = [](const Section& s) { return read_recording(s, 8e-3); };
+  EXPECT_DOUBLE_EQ(read("frames_every: 1 us\n", read_it).history, 1e-6);
+  EXPECT_DOUBLE_EQ(read("frames_every: 1 ms\n", read_it).history, 2e-5);
+  EXPECT_DOUBLE_EQ(read("{frames_every: 1 us, history_every: 1 us}\n", read_it).frames, 1e-6);
+  EXPECT_THROW(read("{frames_every: 1 us, history_every: 2 us}\n", read_it), CaseError);
+}
+
 }  // namespace
 }  // namespace nereid::input

@@ -199,5 +199,16 @@ TEST(TooMany, RowsAndFramesAreRefusedByTheirCount) {
             "'history_every' = 1e-08 s asks for 1e+08 rows by the end at 1 s: expected at most ten million");
 }
 
+TEST(FramesBetweenRows, AreRefused) {
+  EXPECT_EQ(frames_between_rows(0, 1), "") << "the default";
+  EXPECT_EQ(frames_between_rows(1e-3, 0), "");
+  EXPECT_EQ(frames_between_rows(1e-3, 1e-3), "");
+  EXPECT_EQ(frames_between_rows(1e-3, 2e-3),
+            "'frames_every' = 0.001 s is shorter than 'history_every' = 0.002 s: a frame is written with a row of the history");
+  EXPECT_EQ(usual_rows(0, 4), 0.01);
+  EXPECT_EQ(usual_rows(1e-3, 4), 1e-3);
+  EXPECT_EQ(usual_rows(1, 4), 0.01);
+}
+
 }  // namespace
 }  // namespace nereid::model

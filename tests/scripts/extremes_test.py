@@ -510,6 +510,16 @@ class Verdicts(unittest.TestCase):
         self.assertEqual(verdict(pair(0.5), twin=(pair(0.6).finished(), 1.0, 1e-6))[0], judge.BROKEN)
         self.assertEqual(verdict(pair(0.5), twin=(pair(0.25).finished(), 2.0, 1e-6))[0], judge.GOOD)
 
+    def test_a_place_that_a_nudge_decides_is_no_fault(self):
+        def of(nudged, nudge=1e-9, within=0.1):
+            known = judge.Expected(answers=[("stands", "b", (0, 0, 1), 0.0, within)], scale=1e6, nudge=nudge)
+            return verdict(pair(0.5), known, again=lambda change: pair(nudged[judge.NUDGED.index(change)]).finished())[0]
+
+        self.assertEqual(of([0.5, 0.5, 0.2]), judge.GOOD)      # one of three lies elsewhere by half of what it is off
+        self.assertEqual(of([0.5, 0.4, 0.3]), judge.BROKEN)    # the nudge does not decide it
+        self.assertEqual(of([0.1, 0.9, 0.2], nudge=0.0), judge.BROKEN)
+        self.assertEqual(of([], within=0.6), judge.GOOD)       # nothing is missed, nothing is run again
+
     def test_depth_before_a_run(self):
         made = scenes.drop(gap=-0.001, skins=False)
         self.assertAlmostEqual(judge.initial_depth(made.case, "."), 0.001, places=9)
@@ -542,6 +552,11 @@ class Matrix(unittest.TestCase):
             made = command.changed(scenes.drop().case, change)
             self.assertEqual(made["time"]["safety"], safety)
             self.assertEqual(made["contacts"][0]["energy_gain_limit"], gain)
+        moved = [[[judge.number(part) for part in body["move"]] for body in case["bodies"]]
+                 for case in (scenes.drop().case, *(command.changed(scenes.drop().case, change, 1e-3) for change in judge.NUDGED))]
+        self.assertEqual(len({tuple(map(tuple, places)) for places in moved}), 4)
+        self.assertTrue(np.allclose(moved[1:], moved[:1], atol=1e-3))
+        self.assertTrue(all(place[2] == start[2] for places in moved for place, start in zip(places, moved[0])))
 
 
 def tearDownModule():
