@@ -192,6 +192,18 @@ std::vector<model::Plane> planes_of(const model::Scene& scene, const Part& part,
   return planes;
 }
 
+/// Radius of the root of the shoulder of plug j. [m]
+double root_radius(const Head& head, std::size_t j) { return head.radii[j] - head.width / 2; }
+
+/// Cylinders through the roots of the shoulders, and the shear force that the plug exerts there on its shoulder.
+void add_roots(const Head& head, model::Scene& scene) {
+  for (std::size_t j = 0; j < junctures; ++j) {
+    scene.sections.push_back({.name = numbered("root", j), .body = names[j], .normal = Vec3::UnitZ(), .radius = root_radius(head, j),
+                              .at = "head"});
+    scene.probes.push_back({.name = numbered("root_force", j), .quantity = "force", .of = numbered("root", j), .component = "z"});
+  }
+}
+
 void add_probes(const driver::Plates& plates, model::Scene& scene) {
   for (std::size_t j = 0; j < junctures; ++j) {
     const std::string plug = names[j];
@@ -211,6 +223,7 @@ struct Asked {
   Head head;
   driver::Plates plates;
   Part part;
+  bool rigid;
 };
 
 model::Simulation build(const input::CaseFile& file, Asked& asked) {
@@ -223,7 +236,7 @@ model::Simulation build(const input::CaseFile& file, Asked& asked) {
   const int level = root.section("mesh").count("level", 1, 32);
   const Part part = part_of(kind, level);
   const driver::Plates plates = read_shield_plates(root, head);
-  asked = {head, plates, part};
+  asked = {head, plates, part, rigid};
   const auto law = input::read_law(root.section("material"));
   const auto element = input::read_hexahedron_options(root.section_or_empty("element"));
   const dynamics::InterfaceOptions interface = input::read_solid_interface(root.section_or_empty("contact"));
@@ -247,6 +260,7 @@ model::Simulation build(const input::CaseFile& file, Asked& asked) {
   add_striker(root, head, plates, level, part, law, interface, scene);
   scene.planes = planes_of(scene, part, kind == "full", rigid);
   add_probes(plates, scene);
+  if (!rigid) add_roots(head, scene);
   scene.time = input::read_time(root.section("time"));
   scene.recording = input::read_recording(root.section_or_empty("output"), scene.time.end);
   scene.stops = input::read_stops(root, input::measured_by(scene.probes), scene.recording);
@@ -277,8 +291,11 @@ std::vector<output::Result> results(const model::Simulation& simulation, const A
   for (std::size_t j = 0; j < junctures; ++j) {
     const std::string number = std::to_string(j + 1);
     driver::add_strike(simulation, numbered("ledge", j), number, turns, all);
-    const double root = 2 * pi * (asked.head.radii[j] - asked.head.width / 2) * asked.head.height / 2;  // [m2] of the shoulder
-    all.push_back({"ledge_shear_" + number, all.back().value / root, "Pa"});
+    if (!asked.rigid) {
+      const double root = 2 * pi * root_radius(asked.head, j) * asked.head.height / 2;  // [m2] of the shoulder
+      const double most = std::max(0.0, model::probe(simulation, numbered("root_force", j)).largest);
+      all.push_back({"root_shear_" + number, turns * most / root, "Pa"});
+    }
     all.push_back({"least_overlap_" + number, model::probe(simulation, numbered("overlap", j)).smallest, "m"});
   }
   for (std::size_t i = 0; i < asked.plates.size(); ++i) driver::add_strike(simulation, numbered("gap_plate", i), plate(i), turns, all);

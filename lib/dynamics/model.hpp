@@ -40,11 +40,11 @@ struct HeldBody {
   int driver = -1;  ///< plane that drives it, or -1
 };
 
-/// A plane through a body, across which forces are seen: section.hpp.
+/// A plane or a cylinder through a body, across which forces are seen: section.hpp.
 struct Section {
   struct Part {
     std::size_t block;         ///< in Model::blocks
-    std::vector<Index> slots;  ///< of its tiles that have nodes on both sides: those of the nodes ahead of the plane
+    std::vector<Index> slots;  ///< of its tiles that have nodes on both sides: those of the nodes ahead
     Subset nodes;              ///< of these slots
   };
   std::string name;

@@ -5,9 +5,20 @@
 
 namespace nereid::dynamics {
 
-Section make_section(const Model& model, const std::string& name, const std::vector<std::size_t>& blocks, const Vec3& point,
-                     const Vec3& normal) {
-  Section section{name, point, {}};
+namespace {
+
+constexpr double round_off = 1e-9;  // of the radius: nodes on the cylinder are within it
+
+bool is_ahead(const Cut& cut, const Vec3& place) {
+  const Vec3 way = place - cut.point;
+  const double along = way.dot(cut.normal);
+  return cut.radius > 0 ? (way - along * cut.normal).norm() > cut.radius * (1 + round_off) : along > 0;
+}
+
+}  // namespace
+
+Section make_section(const Model& model, const std::string& name, const std::vector<std::size_t>& blocks, const Cut& cut) {
+  Section section{name, cut.point, {}};
   for (const std::size_t b : blocks) {
     const element::Tiling& tiling = element::tiling(model.blocks[b]);
     Section::Part part{b, {}, {}};
@@ -15,7 +26,7 @@ Section make_section(const Model& model, const std::string& name, const std::vec
       const std::size_t before = part.slots.size();
       for (Index slot = tile.first_node; slot < tile.first_node + tile.nodes; ++slot) {
         const Index node = tiling.node[static_cast<std::size_t>(slot)];
-        if ((model.mesh.X.col(node) - point).dot(normal) > 0) part.slots.push_back(slot), part.nodes.push_back(node);
+        if (is_ahead(cut, model.mesh.X.col(node))) part.slots.push_back(slot), part.nodes.push_back(node);
       }
       const bool all_ahead = part.slots.size() == before + static_cast<std::size_t>(tile.nodes);
       if (all_ahead) part.slots.resize(before), part.nodes.resize(before);  // their forces sum to nothing

@@ -216,6 +216,7 @@ model::Section read_section(const Section& section, Names& taken) {
   model::Section cut{.name = read_name(section, taken, sources), .body = section.word("body"), .at = section.path()};
   const auto point = section.vector("point", dim::length);
   cut.point = Vec3(point.data()), cut.normal = read_direction(section, "normal");
+  if (section.has("radius")) cut.radius = section.quantity("radius", dim::length, positive);
   return cut;
 }
 

@@ -297,9 +297,11 @@ void add_sections(const Scene& scene, dynamics::Model& model, Faults& faults) {
       refuse(faults, here, "body", "'body' = " + section.body + " is a rigid body: no stress carries a force across it");
       continue;
     }
-    model.sections.push_back(dynamics::make_section(model, section.name, blocks, section.point, section.normal));
-    if (model.sections.back().parts.empty())
-      refuse(faults, here, "point", "the plane does not cut " + section.body + ": all its nodes are on one side");
+    model.sections.push_back(dynamics::make_section(model, section.name, blocks, {section.point, section.normal, section.radius}));
+    if (!model.sections.back().parts.empty()) continue;
+    const bool round = section.radius > 0;
+    refuse(faults, here, round ? "radius" : "point",
+           std::string(round ? "the cylinder" : "the plane") + " does not cut " + section.body + ": all its nodes are on one side");
   }
 }
 

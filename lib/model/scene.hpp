@@ -187,12 +187,13 @@ struct Probe {
   std::string at = {};
 };
 
-/// A plane through a body, across which forces are seen.
+/// A plane or a cylinder through a body, across which forces are seen.
 struct Section {
   std::string name;
   std::string body;
   Vec3 point = Vec3::Zero();                 ///< [m] in the reference
-  Vec3 normal = Vec3::UnitX();               ///< forces are those on what is ahead of it
+  Vec3 normal = Vec3::UnitX();               ///< forces are those on what is ahead of it; the axis of a cylinder
+  double radius = 0;                         ///< [m] of a cylinder: forces are those on what is outside; 0: a plane
   std::string at = {};
 };
 

@@ -199,6 +199,13 @@ void check_stop(const Stop& stop, double row, Faults& faults) {
   }
 }
 
+void check_section(const Section& section, Faults& faults) {
+  const Part here = part("section", section);
+  check_direction(faults, here, "normal", section.normal);
+  check(faults, here, components("point", section.point));
+  check(faults, here, {{"radius", section.radius, not_negative, "m"}});
+}
+
 void check_run(const Scene& scene, Faults& faults) {
   check(faults, {"", "the scene"}, components("gravity", scene.gravity));
   check(faults, {"time", "time"}, {{"end", scene.time.end, positive, "s"}, {"safety", scene.time.safety, range::safety},
@@ -257,6 +264,7 @@ void check_values(const Scene& scene, Faults& faults) {
   for (const AutomaticContact& contact : scene.automatic_contacts) check_contact(contact, faults);
   for (const Plane& plane : scene.planes) check_plane(plane, faults);
   for (const RigidPlane& plane : scene.rigid_planes) check_wall(plane, faults);
+  for (const Section& section : scene.sections) check_section(section, faults);
   for (const Load& load : scene.loads) check_load(load, faults);
   for (const Spring& spring : scene.springs)
     check(faults, part("spring", spring), {{"stiffness", spring.stiffness, not_negative, "N/m"},

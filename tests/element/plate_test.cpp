@@ -366,7 +366,7 @@ TYPED_TEST(PlateOf, NumberingOfTheNodesChangesResultsInTheThirdOrderOfTheStepOnl
            largest(sum(other.moment, shifted(e.moment), -1.0));
   };
   EXPECT_LT(difference(1e-5), 1e-12);
-  EXPECT_NEAR(difference(2e-3) / difference(1e-3), 8.0, 0.5);
+  EXPECT_NEAR(difference(4e-4) / difference(2e-4), 8.0, 0.5);  // so short that nothing flows: a kink has no order
 }
 
 TYPED_TEST(PlateOf, PacksAndDoublesAgree) {

@@ -62,11 +62,12 @@ TEST(MakeProbe, RefusesWhatCannotBeMeasured) {
   EXPECT_TRUE(says(said, "probe 'd': 'component' = xx is unknown: components of velocity are magnitude, x, y, z"));
 }
 
-/// What the nodes beyond a plane across x have. [kg m/s]
-Vec3 momentum_beyond(const Simulation& simulation, double x) {
+/// What the nodes have for which is_ahead(X). [kg m/s]
+template <class Ahead>
+Vec3 momentum_of(const Simulation& simulation, Ahead&& is_ahead) {
   Vec3 sum = Vec3::Zero();
   for (Eigen::Index n = 0; n < simulation.state.v.cols(); ++n)
-    if (simulation.model.mesh.X(0, n) > x) sum += simulation.model.mass(n) * simulation.state.v.col(n);
+    if (is_ahead(Vec3(simulation.model.mesh.X.col(n)))) sum += simulation.model.mass(n) * simulation.state.v.col(n);
   return sum;
 }
 
@@ -87,13 +88,28 @@ Scene swinging() {
 
 TEST(Sections, HandOverTheMomentumOfWhatIsAhead) {
   Simulation simulation = build(swinging());
-  const Vec3 before = momentum_beyond(simulation, 2.5);
+  const auto ahead = [](const Vec3& X) { return X.x() > 2.5; };
+  const Vec3 before = momentum_of(simulation, ahead);
   run(simulation);
-  const Vec3 gained = momentum_beyond(simulation, 2.5) - before, impulse = simulation.state.sections[0].impulse;
+  const Vec3 gained = momentum_of(simulation, ahead) - before, impulse = simulation.state.sections[0].impulse;
   EXPECT_GT(gained.norm(), 1000);
   EXPECT_LT((gained - impulse).norm(), 1e-10 * gained.norm());  // round-off
   EXPECT_LT((simulation.state.sections[1].impulse + impulse).norm(), 1e-10 * impulse.norm()) << "what is behind gets the opposite";
   EXPECT_NEAR(probe(simulation, "p").last, impulse.x(), 1e-12 * std::abs(impulse.x()));
+}
+
+TEST(Sections, OfACylinderHandOverTheMomentumOfWhatIsOutside) {
+  for (const double radius : {0.4, std::hypot(0.5, 1.0 / 6.0)}) {  // between nodes, and through some: these are within
+    Scene scene = swinging();
+    scene.sections.push_back({.name = "round", .body = "bar", .point = Vec3(7, 0.5, 0.5), .normal = Vec3::UnitX(), .radius = radius});
+    Simulation simulation = build(scene);
+    const auto outside = [&](const Vec3& X) { return std::hypot(X.y() - 0.5, X.z() - 0.5) > radius + 1e-6; };
+    const Vec3 before = momentum_of(simulation, outside);
+    run(simulation);
+    const Vec3 gained = momentum_of(simulation, outside) - before;
+    EXPECT_GT(gained.norm(), 10);
+    EXPECT_LT((gained - simulation.state.sections[2].impulse).norm(), 1e-10 * gained.norm());
+  }
 }
 
 TEST(Sections, HaveTheForceAndMomentOfAnEvenStress) {
@@ -116,6 +132,11 @@ TEST(Sections, AreRefusedWhereTheyCutNothing) {
   Scene scene = swinging();
   scene.sections[1] = {.name = "beside", .body = "bar", .point = Vec3(5, 0, 0), .normal = Vec3::UnitX()};
   EXPECT_TRUE(says(refusal(scene), "the plane does not cut bar: all its nodes are on one side"));
+  scene.sections[1] = {.name = "around", .body = "bar", .normal = Vec3::UnitX(), .radius = 2};
+  EXPECT_TRUE(says(refusal(scene), "the cylinder does not cut bar: all its nodes are on one side"));
+  scene.sections[1].radius = -1, scene.sections[1].normal = Vec3(1, 1, 0);
+  EXPECT_TRUE(says(refusal(scene), "'radius' = -1"));
+  EXPECT_TRUE(says(refusal(scene), "'normal'"));
   scene.sections[1] = {.name = "cut", .body = "bar"};
   EXPECT_TRUE(says(refusal(scene), "'name' = cut is given twice"));
   scene.sections[1] = {.name = "rod", .body = "rod"};
@@ -144,7 +165,7 @@ TEST(Touched, HandsOverTheMomentumOfTheBodies) {
       Simulation simulation = build(struck(automatic, method));
       EXPECT_TRUE(dynamics::touched(simulation.model, simulation.state).empty());
       run(simulation);
-      const Vec3 gained = momentum_beyond(simulation, 1.9995);
+      const Vec3 gained = momentum_of(simulation, [](const Vec3& X) { return X.x() > 1.9995; });
       const auto all = dynamics::touched(simulation.model, simulation.state);
       SCOPED_TRACE(std::string(automatic ? "automatic" : "declared") + (method == contact::Method::penalty ? " penalty" : " multiplier"));
       ASSERT_EQ(all.size(), 1U);
