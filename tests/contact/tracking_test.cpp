@@ -259,7 +259,8 @@ TEST(EntryOfAnApex, OverACornerByRoundOffIsNone) {
         const Index apex = scene.apex();
         scene.x.conservativeResize(3, apex + 4);
         const Vec3 at = scene.x.col(apex);
-        scene.x.col(apex + 1) = at + Vec3(in_x, 0, 0), scene.x.col(apex + 2) = at + Vec3(0, in_y, 0), scene.x.col(apex + 3) = at + Vec3(0, 0, 1);
+        scene.x.col(apex + 1) = at + Vec3(in_x, 0, 0), scene.x.col(apex + 2) = at + Vec3(0, in_y, 0);
+        scene.x.col(apex + 3) = at + Vec3(0, 0, 1);
         const bool turned = in_x * in_y > 0;
         for (int f = 0; f < 3; ++f) {
           const Index one = apex + 1 + f, other = apex + 1 + (f + 1) % 3;

@@ -513,8 +513,8 @@ def pile(fine=1, bodies=10, steps=1e5, gravity=10.0, friction=0.0, at_rest=False
     aside tilts what is below, and the tilt lets it slide on. Ten of these cubes under g go apart by a factor e in 1.2 m/s / g (cubes as
     rigid bodies on springs of rotation E a^3 / 12): under 10 m/s^2 50 times in 1e5 steps, under 1 m/s^2 6 times. So what is at rest stays
     within some 1e-8 of a cube, which is round-off that has grown. What swings hops, and what hops goes apart by a factor e in some 5
-    ms. It is held to a hundredth of a cube, and over few steps to what it swings down at first, twice the sag, times the growth of a pile at
-    rest; places aside only where a nudge by 1e-9 of a cube does not decide them.
+    ms. It is held to a hundredth of a cube, and over few steps to what it swings down at first, twice the sag, times the growth of a pile
+    at rest; places aside only where a nudge by 1e-9 of a cube does not decide them.
     """
     half, name = SIZE / 2, "abcdefghij"
     found = [body("base", box((-SIZE, -SIZE, -half), (SIZE, SIZE, 0), (3, 3, 1), fine))]
