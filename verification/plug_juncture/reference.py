@@ -49,10 +49,10 @@ def impulse(cells):
     return force(cells) * PULSE / 2
 
 
-def closing_time(cells):
-    """When a rigid plug has gone through the gap:  x = F/m (t^2/2 - t^3/(6 T)). [s]
+def closing_time(acceleration):
+    """When what moves as one has gone through the gap:  x = a (t^2/2 - t^3/(6 T)),  a [m/s2] under the peak of the pressure. [s]
 
-    >>> t = closing_time(48)
+    >>> t = closing_time(force(48) / mass(48))
     >>> way = force(48) / mass(48) * (t**2 / 2 - t**3 / (6 * PULSE))
     >>> round(way / GAP, 12)
     1.0
@@ -60,6 +60,21 @@ def closing_time(cells):
     low, high = 0.0, PULSE
     for _ in range(100):
         t = (low + high) / 2
-        way = force(cells) / mass(cells) * (t**2 / 2 - t**3 / (6 * PULSE))
+        way = acceleration * (t**2 / 2 - t**3 / (6 * PULSE))
         low, high = (t, high) if way < GAP else (low, t)
     return low
+
+
+# Shield plates below the small plug
+
+RIM, LOWEST = 0.9, 0.05   # [m] radius of the plates, thickness of the lowest
+
+
+def acceleration_of_lowest():
+    """Of the plate that the pressure strikes. [m/s2]"""
+    return PEAK / (DENSITY * LOWEST)
+
+
+def impulse_on_plate(cells):
+    """Of the pressure on the lowest plate. [N s]"""
+    return PEAK * math.pi * (RIM**2 - HOLE**2) * part_of_circle(cells) * PULSE / 2
