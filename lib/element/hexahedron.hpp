@@ -328,9 +328,9 @@ struct MeanFlow {
 /// The change of the forces follows from the increment and the frame of this step, and not from a potential: where a bent element is also
 /// strained, its forces would give back more than they took. They end with what they hold, so that `bent` is never below zero.
 ///
-/// Moments along the deviator of the mean stress are at most those of a plastic section beside it, M = M_p (1 - (s/yield)^2); where that
-/// flows they go. There the others fall as the trial stress falls to the yield surface. Everywhere all together are at most those of a fully
-/// plastic section, whose stresses of bending have an rms of sqrt(3)/2 of yield: docs/theory/hexahedron.md.
+/// Moments along the deviator of the mean stress are at most those of a plastic section beside it, M = M_p (1 - (s/yield)^2); where the
+/// mean stress flows they go. There the others fall as the trial stress falls to the yield surface. Everywhere all together are at most
+/// those of a fully plastic section, whose stresses of bending have an rms of sqrt(3)/2 of yield: docs/theory/hexahedron.md.
 ///
 /// share   of the stiffness;  frame, q  in the middle of the step, turned to its end;  volume  [m3] there, and its inverse
 /// forces  [N] of the step before, turned to the end of this one;  bent  [J]
