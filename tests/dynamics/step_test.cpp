@@ -1672,7 +1672,7 @@ TEST(Symmetry, AQuarterOfTheCaskSettlesLikeTheWhole) {
 #ifdef NEREID_ONE_LANE
       const double end = 4e-4;  // in a build that checks, ten times slower: past the first wave
 #else
-      const double end = 1e-3;
+      const double end = 2e-3;
 #endif
       const int steps = 100 * static_cast<int>(std::ceil(end / (30 * least(votes))));  // the same for both, whatever they vote later
       for (int n = 0; n < steps; ++n) votes = step(s.model, end / steps, s.state, s.forces);

@@ -485,8 +485,9 @@ TEST(AssumedStrain, GivesBackNoMoreThanItTookWhereABentElementIsStrained) {
         const auto report = e.move(to);
         stored += report[Stored::hourglass], largest_store = std::max(largest_store, stored);
         work -= 0.5 * product(sum(before, e.force), sum(to, from, -1.0)) + report[Stored::elastic];
+        // the force of the step before acts for half a step, of 200, that it cannot take back
         EXPECT_GE(stored, -2e-3 * largest_store) << stretch << ' ' << mode;
-        EXPECT_GE(e.memory.bent, 0);
+        EXPECT_NEAR(e.memory.bent, stored, 2e-3 * largest_store) << "what it remembers is what was booked";
       };
       const int steps = 200;
       const auto part = [](int i) { return (i + 1.0) / steps; };

@@ -38,7 +38,8 @@ inline FullHexahedron::Options inviscid_of(FullHexahedron) { return {.viscosity 
 /// What round-off leaves of an elastic energy that is zero, and of what is remembered after a rotation, by the size of the stress.
 inline double energy_round_off(Hexahedron) { return 1e-16; }
 inline double energy_round_off(FullHexahedron) { return 1e-15; }
-inline double flow_round_off(Hexahedron) { return 1e-19; }      // of what assumed strains store
+inline double flow_round_off(Hexahedron) { return 0; }
+inline double flow_round_off(AssumedStrain) { return 1e-19; }   // of what they store
 inline double flow_round_off(FullHexahedron) { return 1e-17; }  // the strain across its planes does work of second order
 inline double memory_round_off(Hexahedron, double stress) { return 1e-12 * stress; }
 inline double memory_round_off(FullHexahedron, double) { return 1e-13; }

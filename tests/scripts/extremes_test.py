@@ -124,6 +124,12 @@ def pair(way, contacts=TOUCH, **more):
     return Folder([("a", one), ("b", other)], moved(len(one.points), (0, 0, way)), case=contacts, **more)
 
 
+def slid(way, up=0.0):
+    """Two cubes side by side, the second of which goes aside by `way` and up by `up` in a second."""
+    one, other = cube(), cube((3.0, 0.2, 0.0))
+    return Folder([("a", one), ("b", other)], moved(len(one.points), (way, 0, up)), case=TOUCH)
+
+
 def verdict(folder, expected=None, status=0, said="", **more):
     return judge.verdict_of(folder.finished(status, said), expected or judge.Expected(), **more)
 
@@ -511,14 +517,21 @@ class Verdicts(unittest.TestCase):
         self.assertEqual(verdict(pair(0.5), twin=(pair(0.25).finished(), 2.0, 1e-6))[0], judge.GOOD)
 
     def test_a_place_that_a_nudge_decides_is_no_fault(self):
-        def of(nudged, nudge=1e-9, within=0.1):
-            known = judge.Expected(answers=[("stands", "b", (0, 0, 1), 0.0, within)], scale=1e6, nudge=nudge)
-            return verdict(pair(0.5), known, again=lambda change: pair(nudged[judge.NUDGED.index(change)]).finished())[0]
+        def of(nudged, nudge=1e-9, within=0.1, axis=(1, 0, 0), up=0.0):
+            answers = [("stands", "b", axis, 0.0, within), ("stands", "b", (0, 0, 1), 0.0, 0.1)]
+            known = judge.Expected(answers=answers, scale=1e6, nudge=nudge)
+            return verdict(slid(0.5, up), known, again=lambda change: nudged[judge.NUDGED.index(change)])[0]
 
-        self.assertEqual(of([0.5, 0.5, 0.2]), judge.GOOD)      # one of three lies elsewhere by half of what it is off
-        self.assertEqual(of([0.5, 0.4, 0.3]), judge.BROKEN)    # the nudge does not decide it
-        self.assertEqual(of([0.1, 0.9, 0.2], nudge=0.0), judge.BROKEN)
-        self.assertEqual(of([], within=0.6), judge.GOOD)       # nothing is missed, nothing is run again
+        def run(way, up=0.0, status=0):
+            return slid(way, up).finished(status)
+
+        self.assertEqual(of([run(0.5), run(0.5), run(0.2)]), judge.GOOD)      # one of three lies elsewhere by half of what it is off
+        self.assertEqual(of([run(0.5), run(0.4), run(0.3)]), judge.BROKEN)    # the nudge does not decide it
+        self.assertEqual(of([run(0.1), run(0.9), run(0.2)], nudge=0.0), judge.BROKEN)
+        self.assertEqual(of([], within=0.6), judge.GOOD)                      # nothing is missed, nothing is run again
+        self.assertEqual(of([run(0.1, 0.5), run(0.9), run(0.2)]), judge.BROKEN)            # a nudged run misses a height
+        self.assertEqual(of([run(0.1), run(0.9), run(0.2, status=3)]), judge.BROKEN)       # one does not come to its end
+        self.assertEqual(of([run(0.1), run(0.9), run(0.2)], axis=(0, 0, 1), up=0.5), judge.BROKEN)  # a height is no place aside
 
     def test_depth_before_a_run(self):
         made = scenes.drop(gap=-0.001, skins=False)

@@ -457,23 +457,37 @@ def answer_faults(seen, expected):
     return [Fault("answer", 1.0, text) for text in said if text]
 
 
-def decided(seen, expected, again):
-    """What is known without the places that chance decides.
+def is_aside(answer):
+    """Whether an answer is where a body stands along x or y, as nudges move bodies."""
+    return answer[0] == "stands" and answer[2][2] == 0
 
-    A body that is not where it should stand is where chance put it if it lies elsewhere by half of what it is off, or more, in one of three
-    runs whose bodies start aside by a nudge, each by one of its own. What the scene does not decide is no fault; all else of it is judged.
+
+def decided(seen, expected, again):
+    """(what is known without the places that chance decides, what is wrong with the runs that tell).
+
+    A body that does not stand where it should along x or y is where chance put it if it lies elsewhere by half of what it is off, or more,
+    in one of three runs whose bodies start aside by a nudge, each by one of its own. What the scene does not decide is no fault. All else
+    is judged, also of these runs, and so is whether they come to their end.
     """
-    missed = [answer for answer in expected.answers if answer[0] == "stands" and stands(seen, *answer[1:])]
+    missed = [answer for answer in expected.answers if is_aside(answer) and stands(seen, *answer[1:])]
     if not (missed and expected.nudge and again):
-        return expected
-    others = [look(other, expected) for other in map(again, NUDGED) if other is not None and other.status == DONE]
+        return expected, []
+    without = dataclasses.replace(expected, answers=[answer for answer in expected.answers if not is_aside(answer)])
+    others, faults = [], []
+    for change in NUDGED:
+        other = again(change)
+        if other is None or other.status != DONE:
+            faults.append(Fault("nudge", 1.0, f"{change}: the run does not come to its end"))
+            continue
+        others.append(look(other, expected))
+        faults += [Fault(fault.kind, fault.amount, f"{change}: {fault.text}") for fault in faults_of(others[-1], without)]
 
     def by_chance(body, axis, place, _):
         way = way_of(seen, body, axis)
         return any(abs(way_of(other, body, axis) - way) >= 0.5 * abs(way - place) for other in others)
 
     kept = [answer for answer in expected.answers if answer not in missed or not by_chance(*answer[1:])]
-    return dataclasses.replace(expected, answers=kept)
+    return dataclasses.replace(expected, answers=kept), faults
 
 
 def likeness(seen, twin, speed, within):
@@ -698,8 +712,8 @@ def verdict_of(run, expected, again=None, initial=None, twin=None):
     if run.status != DONE:
         return BROKEN, f"ended with status {run.status}: " + first_line(run.said), []
     seen = look(run, expected)
-    expected = decided(seen, expected, again)
-    faults = faults_of(seen, expected)
+    expected, faults = decided(seen, expected, again)
+    faults += faults_of(seen, expected)
     if twin is not None:
         faults += likeness(seen, look(twin[0], expected), *twin[1:])
     return verdict_of_end(run, seen, expected, faults, again)

@@ -104,11 +104,11 @@ CHECKS = [
           0.004, BLOW),
     Check("rigid plugs: velocities at the end", of_rigid_plugs([f"velocity_{plug}" for plug in PLUGS], lambda one: one["speeds"]), 0.01,
           "what is handed on, less what was had: the same error counts two and a half times"),
-    Check("with shield plates: closing of the first gap", head_closes, 0.02,
+    Check("with shield plates: closing of the first gap", head_closes, 0.015,
           "a step is 0.3 % of the time; the plate bends a little, as wedge-shaped cells share mass and pressure otherwise among their "
           "nodes: at levels 1, 2, 4 it is 1.5, 0.9, 0.4 % early"),
-    Check("with shield plates: momentum of all", head_given, 1e-3,
-          "the pressure acts on the surface as it is: it grows as the plate bends"),
+    Check("with shield plates: momentum of all", head_given, 1e-4,
+          "as above: the pressure acts on the surface as it is, whose area changes by strains"),
     Check("created energy", created, 1e-3, "the bound of the scene; multipliers create less than a thousandth of it"),
 ]
 
@@ -122,7 +122,7 @@ BREAKS = [
     Breaks("rigid plugs: momentum through each juncture", "a shoulder a tenth wider", {"head.ledge_width": "0.11 m"}),
     Breaks("rigid plugs: velocities at the end", "restitution 0.95", {"contact.restitution": 0.95}),
     Breaks("with shield plates: closing of the first gap", "steel a tenth denser", {"material.density": "8635 kg/m^3"}),
-    Breaks("with shield plates: momentum of all", "a pressure a fiftieth higher", {"struck_by.value": '1.02*table("slug.csv", t)'}),
+    Breaks("with shield plates: momentum of all", "a pressure a thousandth higher", {"struck_by.value": HIGHER}),
     Breaks("created energy", "a stiff penalty that may create what a bounce may not", SLOPPY),
 ]
 
