@@ -23,6 +23,7 @@
 // neither opens nor slides: docs/theory/friction.md.
 
 #include <algorithm>
+#include <limits>
 #include <span>
 #include <string>
 
@@ -192,6 +193,8 @@ struct EdgePair {
   Index edge = -1, base_edge = -1;  ///< in Interface::edges and base_edges
   bool in_face = false;             ///< one of them is no ridge, but between elements of a face or in a valley
   double apart = 0;                 ///< [m] less h_c
+  /// [m] As long as Memory::way is less, one edge lies flat in a face of the other and none comes over it.
+  double flat = -std::numeric_limits<double>::infinity();
 };
 
 /// An edge of the surface of the apexes near an edge of the base: a contact element where they cross.
@@ -263,8 +266,10 @@ struct Memory {
   std::int64_t lost = 0;       ///< parts of the surface left over a wall in contact
   std::int64_t recovered = 0;  ///< apexes that a search found near
   std::int64_t searches = 0;
+  int looks = 0;               ///< at how far apexes and base have moved, since the last search
   double margin = 0;               ///< [m] of the last search
-  double way = 0;                  ///< [m] of an automatic contact: what bodies have gone against each other since the last search, at most
+  /// [m] By which nodes have gone against each other at the most: of edges, and of an automatic contact since the last search.
+  double way = 0;
   std::vector<double> apart_from_itself;  ///< [m] [bodies] beyond h_c, by which folds of each were apart when it was last searched, or zero
   Vectors apart_then;                     ///< [m] positions then, beside Bodies::nodes
   std::vector<char> awake;         ///< [bodies] whether a body was near another one, or folds of it near each other, at the last search

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <tuple>
 
 #include "base/check.hpp"
@@ -22,6 +23,7 @@ constexpr double stays_steep = 0.1;  // the same while they are over each other
 constexpr double leans = 0.3;        // sine: the same while they are over each other, so that none goes through as a face leans to and fro
 constexpr double past_end = 1e-6;    // of an edge: two that follow one another have no gap
 constexpr double left_to_nodes = 0.02;  // of an edge at its ends, where it lies in a face of the other body: its node is over that
+constexpr double slow = 1e-3;        // of the depth of an element in a step: edges that lie flat in faces do so for some steps
 constexpr double sideways = 0.1;     // of the depth of an element: so far below an edge may come in with an offset; farther is far behind
 
 Vec3 node_of(const Edges& edges, const Vectors& x, int end, Index edge) { return x.col(edges.nodes(end, edge)); }
@@ -191,22 +193,31 @@ Over over(const Interface& interface, const Vectors& x, Index edge, Index base_e
     if (side != 0 && sign != side) continue;
     Over found;
     if (!between_lines(interface, x, edge, base_edge, sign, found)) return at;
-    const auto in_front = [&](double tolerance) {
-      return std::array{is_in_front(interface.edges, x, edge, -found.normal, tolerance),
-                        is_in_front(interface.base_edges, x, base_edge, found.normal, tolerance)};
-    };
-    const auto touches = in_front(side != 0 ? leans : bent);
-    if (!touches[0] || !touches[1]) continue;
-    if (in_face) {
-      const auto stands = in_front(-(side != 0 ? stays_steep : steep));
-      if (!stands[0] && !stands[1]) continue;
-    }
-    const auto within = in_front(-bent);  // else an edge lies flat in a face beside the other one
-    if (!is_within(found.first, !within[1]) || !is_within(found.second, !within[0])) continue;
+    if (!is_within(found.first, false) || !is_within(found.second, false)) continue;
+    const double first = rise(interface.edges, x, edge, -found.normal), second = rise(interface.base_edges, x, base_edge, found.normal);
+    const double touches = side != 0 ? leans : bent, stands = -(side != 0 ? stays_steep : steep);
+    if (!(first <= touches) || !(second <= touches)) continue;
+    if (in_face && !(first <= stands) && !(second <= stands)) continue;
+    if (!is_within(found.first, !(second <= -bent)) || !is_within(found.second, !(first <= -bent))) continue;  // beside the other edge
     found.is = true;
     if (!at.is || found.height > at.height) at = found;
   }
   return at;
+}
+
+double stays_flat(const Interface& interface, const Vectors& x, Index edge, Index base_edge) {
+  double room = -std::numeric_limits<double>::infinity();
+  const auto see = [&](const Edges& of_face, Index in_face, const Edges& of_ridge, Index ridge) {
+    if (of_face.across(0, in_face) < 0 || of_face.across(1, in_face) < 0) return;
+    const Vec3 first = into(of_face, x, in_face, 0).normalized(), second = into(of_face, x, in_face, 1).normalized();
+    const Vec3 normal = along(of_face, x, in_face).cross(first).normalized();
+    const double bend = (first + second).norm(), stands = std::max(-rise(of_ridge, x, ridge, normal), -rise(of_ridge, x, ridge, -normal));
+    const double turn = turn_of_facets(of_ridge, x, ridge) + 3 * turn_of_facets(of_face, x, in_face);
+    room = std::max(room, 0.5 * (steep - bent - bend - stands) / turn);
+  };
+  see(interface.edges, edge, interface.base_edges, base_edge);
+  see(interface.base_edges, base_edge, interface.edges, edge);
+  return room;
 }
 
 void search_crossings(const Interface& interface, const Vectors& x, Memory& memory, Workspace& workspace) {
@@ -269,15 +280,24 @@ namespace {
 /// moved  [m] by which edges can have come nearer since the last search
 /// way    [m] by which they can in the step to come
 void list_crossings(const Interface& interface, double moved, double way, Memory& memory, std::vector<Crossing>& next) {
+  /// Calls visit(pair, what is known of it or null, whether it is to be listed) until it says no more.
+  const auto each = [&](auto&& visit) {
+    auto was = memory.crossings.begin();
+    for (const EdgePair& pair : memory.edge_pairs) {
+      const Crossing* known = was != memory.crossings.end() && !before(pair, *was) ? &*was++ : nullptr;
+      const Between& both = between_edges(interface, pair.edge, pair.base_edge);
+      const double reach = std::max(sideways * both.depth, reach_of(both, way));
+      const bool lies_flat = memory.way + way < pair.flat;
+      if (!visit(pair, known, (known && known->side != 0) || (!lies_flat && pair.apart - moved <= reach))) return false;
+    }
+    return true;
+  };
+  if (each([](const EdgePair&, const Crossing* known, bool listed) { return listed == (known != nullptr); })) return;  // as they are
   next.clear();
-  auto was = memory.crossings.begin();
-  for (const EdgePair& pair : memory.edge_pairs) {
-    const bool known = was != memory.crossings.end() && !before(pair, *was);
-    const Between& both = between_edges(interface, pair.edge, pair.base_edge);
-    const double reach = std::max(sideways * both.depth, reach_of(both, way));
-    if ((known && was->side != 0) || pair.apart - moved <= reach) next.push_back(known ? *was : crossing_of(pair));
-    if (known) ++was;
-  }
+  each([&](const EdgePair& pair, const Crossing* known, bool listed) {
+    if (listed) next.push_back(known ? *known : crossing_of(pair));
+    return true;
+  });
   std::swap(memory.crossings, next);
 }
 
@@ -287,8 +307,11 @@ void find_crossings(const Interface& interface, const Motion& m, Memory& memory,
   const double h = 0.5 * (m.dt + m.next);
   const bool one_pair = interface.bodies.count() == 0;
   const double moved = one_pair ? search_where_due(interface, m.x, all.way, memory, workspace) : memory.way;
-  const double way = one_pair ? m.next * speed_apart(all.velocity, {interface.apexes, interface.base_nodes}) : all.way_apart;
+  const auto apart = [&](const Vectors& v) { return speed_apart(v, {interface.apexes, interface.base_nodes}); };
+  const double way = one_pair ? m.next * apart(all.velocity) : all.way_apart;
+  if (one_pair) memory.way += m.dt * apart(m.v);
   list_crossings(interface, moved, way, memory, workspace.crossings);
+  auto listed = memory.edge_pairs.begin();
   for (Crossing& crossing : memory.crossings) {
     const Between& pair = between_edges(interface, crossing.edge, crossing.base_edge);
     Over at;
@@ -304,6 +327,9 @@ void find_crossings(const Interface& interface, const Motion& m, Memory& memory,
     if (!acts) {
       end(crossing.node, interface.restitution, crossing.restitution, memory, all);
       let_go(crossing);
+      while (before(*listed, crossing)) ++listed;
+      if (crossing.in_face && crossing.side == 0 && way < slow * pair.depth)
+        listed->flat = memory.way + stays_flat(interface, m.x, crossing.edge, crossing.base_edge);
       continue;
     }
     crossing.acts = true;

@@ -51,6 +51,17 @@ inline Crossing crossing_of(const EdgePair& pair) {
 ///          Between rims both sides may be right, then it is the one with a positive height
 Over over(const Interface&, const Vectors& x, Index edge, Index base_edge, bool in_face, int side);
 
+/// So far nodes may move against each other while an edge of a pair in a face, that lies in it or beside it now, does not come over the
+/// other one; not positive where it may. [m]
+///
+/// With facets t_1 and t_2 of the edge in the face, unit vectors, a direction that leads out of both within the sine b of `over` leads out
+/// of the normal L x t_1 by b + |t_1 + t_2| at most. Neither facet of the ridge may stand less steep along it than s, so it is
+///
+///     s - b - |t_1 + t_2| - least facet of the ridge along the normal, over the turns of the facets
+///
+/// with a factor of two for turns that are not small.
+double stays_flat(const Interface&, const Vectors& x, Index edge, Index base_edge);
+
 /// Lists the pairs of edges that are nearer than h_c and the margin, of which one at least is a ridge or a rim.
 void search_crossings(const Interface&, const Vectors& x, Memory&, Workspace&);
 

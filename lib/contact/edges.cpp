@@ -82,15 +82,14 @@ Table<4> faces_of_bodies(const mesh::Mesh& mesh, const Subset& nodes, bool plate
   return faces;
 }
 
+}  // namespace
+
 Vec3 along(const Edges& edges, const Vectors& x, Index edge) { return x.col(edges.nodes(1, edge)) - x.col(edges.nodes(0, edge)); }
 
-/// The way in a facet from the edge to its third node, across the edge. [m]
 Vec3 into(const Edges& edges, const Vectors& x, Index edge, int side) {
   const Vec3 L = along(edges, x, edge), way = x.col(edges.across(side, edge)) - x.col(edges.nodes(0, edge));
   return way - way.dot(L) / L.squaredNorm() * L;
 }
-
-}  // namespace
 
 Edges edges_of(const mesh::Mesh& mesh, const mesh::Surface& surface, std::span<const Subset> symmetry_planes) {
   Edges edges;
@@ -151,13 +150,26 @@ bool is_ridge(const Edges& edges, const Vectors& x, Index edge) {
   return L.cross(first).dot(second) < 0;  // the normal of the first facet leads away from the second one
 }
 
-bool is_in_front(const Edges& edges, const Vectors& x, Index edge, const Vec3& direction, double tolerance) {
+double rise(const Edges& edges, const Vectors& x, Index edge, const Vec3& direction) {
+  double most = -1;
   for (int side = 0; side < 2; ++side) {
     if (edges.across(side, edge) < 0) continue;
     const Vec3 t = into(edges, x, edge, side);
-    if (!(t.dot(direction) <= tolerance * t.norm())) return false;
+    most = std::max(most, t.dot(direction) / t.norm());
   }
-  return true;
+  return most;
+}
+
+double turn_of_facets(const Edges& edges, const Vectors& x, Index edge) {
+  const Vec3 L = along(edges, x, edge);
+  double most = 0;
+  for (int side = 0; side < 2; ++side) {
+    if (edges.across(side, edge) < 0) continue;
+    const Vec3 way = x.col(edges.across(side, edge)) - x.col(edges.nodes(0, edge));
+    const double along_edge = std::abs(way.dot(L)) / L.squaredNorm();
+    most = std::max(most, (1 + along_edge) / into(edges, x, edge, side).norm() + 1 / L.norm());
+  }
+  return most;
 }
 
 }  // namespace nereid::contact

@@ -33,10 +33,17 @@ Subset nodes_of(const Edges&);
 /// Whether the body turns outward at an edge by more than 20 degrees; plates to either side. A rim does always.
 bool is_ridge(const Edges&, const Vectors& x, Index edge);
 
-/// Whether what is in front of an edge can be touched along a direction: none of its facets rises more than `tolerance` above the plane
-/// across that direction.
-///
-///     t . d <= tolerance |t|,   t the way in a facet from the edge to its third node
-bool is_in_front(const Edges&, const Vectors& x, Index edge, const Vec3& direction, double tolerance);
+/// The way from the first node of an edge to the second. [m]
+Vec3 along(const Edges&, const Vectors& x, Index edge);
+
+/// The way in a facet from an edge to its third node, across the edge; side 0 or 1. [m]
+Vec3 into(const Edges&, const Vectors& x, Index edge, int side);
+
+/// How far the facets at an edge rise above the plane across a direction, as a sine: the largest of  t . d / |t|  with t the way in a facet
+/// from the edge to its third node. What is in front of the edge along d can be touched where none rises.
+double rise(const Edges&, const Vectors& x, Index edge, const Vec3& direction);
+
+/// The most by which the facets at an edge turn per way of nodes against each other, as long as that is small. [rad/m]
+double turn_of_facets(const Edges&, const Vectors& x, Index edge);
 
 }  // namespace nereid::contact

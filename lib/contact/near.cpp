@@ -21,6 +21,9 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 /// the next search, for which they would turn by 30 degrees and more. It leaves next to nothing of a body that does not fold.
 constexpr double looks_away = 0.5;
 
+constexpr int looks_of_a_search = 256;  // what these spare, once apexes and base have moved, is worth a search
+constexpr double noticeable = 0.001;  // of the margin: with less way apexes well inside of their facets are left alone all the same
+
 /// The largest squared way of nodes from where they were, less a common way; adds up the ways. [m2]
 double farthest_moved(const Subset& nodes, const Vectors& x, const Vectors& then, const Vec3& common, Vec3& sum) {
   double most = 0;
@@ -86,6 +89,7 @@ double margin_of(const Interface& interface, const Vectors& v) {
 void keep_search(const Interface& interface, const Vectors& x, Memory& memory) {
   keep_positions(interface.apexes, x, memory.apexes_then);
   keep_positions(interface.base_nodes, x, memory.base_then);
+  memory.looks = 0;
   memory.mean_way.setZero();
   ++memory.searches;
 }
@@ -251,7 +255,9 @@ bool search_bodies_where_due(const Interface& interface, const Vectors& x, const
 
 double search_where_due(const Interface& interface, const Vectors& x, const Vectors& v, Memory& memory, Workspace& workspace) {
   const double moved = memory.searches == 0 ? infinite : moved_since_search(interface, x, memory);
-  if (!(moved > 0.5 * memory.margin)) return moved;
+  const bool has_near = !memory.near.empty() || !memory.edge_pairs.empty();
+  const bool worth_it = ++memory.looks > looks_of_a_search && moved > noticeable * memory.margin && has_near;
+  if (!(moved > 0.5 * memory.margin) && !worth_it) return moved;
   memory.margin = margin_of(interface, v);
   if (interface.kind == InterfaceKind::edges) search_crossings(interface, x, memory, workspace);
   else search(interface, x, memory, workspace);

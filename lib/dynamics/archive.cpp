@@ -93,8 +93,8 @@ void visit(Archive& archive, Near& near) {
 
 template <class Archive>
 void visit(Archive& archive, EdgePair& pair) {
-  auto& [edge, base_edge, in_face, apart] = pair;
-  archive(edge, base_edge, in_face, apart);
+  auto& [edge, base_edge, in_face, apart, flat] = pair;
+  archive(edge, base_edge, in_face, apart, flat);
 }
 
 template <class Archive>
@@ -114,12 +114,12 @@ void visit(Archive& archive, Memory& memory) {
   auto& [near, edge_pairs, crossings, near_facets, slot, feature, status, gap, stored, slip, tangential_stored, reconnections, thicker,
          work, damped, thinned, friction_dissipated, friction_to_come, friction_owed, restitution, impact, force, impulse, transferred,
          held, power_rate, created_by_reconnection, angular_impulse, meetings, deepest, deepest_apex, deepest_time, deepest_in,
-         step_factor, deepest_now, walks, lost, recovered, searches, margin, way, apart_from_itself, apart_then, awake, apexes_then,
+         step_factor, deepest_now, walks, lost, recovered, searches, looks, margin, way, apart_from_itself, apart_then, awake, apexes_then,
          base_then, mean_way] = memory;
   archive(near, edge_pairs, crossings, near_facets, slot, feature, status, gap, stored, slip, tangential_stored, reconnections, thicker,
           work, damped, thinned, friction_dissipated, friction_to_come, friction_owed, restitution, impact, force, impulse, transferred,
           held, power_rate, created_by_reconnection, angular_impulse, meetings, deepest, deepest_apex, deepest_time, deepest_in,
-          step_factor, deepest_now, walks, lost, recovered, searches, margin, way, apart_from_itself, apart_then, awake, apexes_then,
+          step_factor, deepest_now, walks, lost, recovered, searches, looks, margin, way, apart_from_itself, apart_then, awake, apexes_then,
           base_then, mean_way);
 }
 

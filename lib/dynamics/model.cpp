@@ -170,7 +170,8 @@ Forces make_forces(const Model& model) {
     forces.allowed_rotation.assign(static_cast<std::size_t>(model.inertia.size()), nullptr);
     forces.allowed.assign(static_cast<std::size_t>(model.mesh.X.cols()), nullptr);
     const auto& planes = model.constraints.planes;
-    if (std::any_of(planes.begin(), planes.end(), [](const load::Plane& plane) { return load::moves(plane); }))
+    const bool any_moves = std::any_of(planes.begin(), planes.end(), [](const load::Plane& plane) { return load::moves(plane); });
+    if (any_moves && std::any_of(model.interfaces.begin(), model.interfaces.end(), contact::bonded_by_multipliers))
       forces.driven = Vectors::Zero(3, model.mesh.X.cols());
   }
   forces.rigid_bodies.resize(model.rigid_bodies.size());

@@ -224,7 +224,7 @@ struct Forces {
   std::vector<Scalars> element_mass;  ///< [kg] [elements] beside Model::blocks, of plates whose thickness changes; empty likewise
   contact::Multipliers multipliers;
   std::vector<const Mat3*> allowed, allowed_rotation;  ///< [nodes] [plate nodes] for multipliers: null or a projector in the state
-  Vectors driven;                                  ///< [m/s] for them too: what planes that move change in velocities; empty if none moves
+  Vectors driven;                                  ///< [m/s] for bonds: what planes that move change in velocities; else empty
   std::vector<RigidForces> rigid_bodies;           ///< beside Model::rigid_bodies
   contact::RigidNodes rigid_nodes;                 ///< for multipliers
   Vectors source_force, source_moment;             ///< only while a model relaxes: of one source, or all that resist

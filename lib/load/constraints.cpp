@@ -118,10 +118,12 @@ void restrain(const Constraints&, const ConstrainedNode& node, const Vec3& x, do
   const Vec3 wanted = v;
   v = node.allowed * wanted;
   const Vec3 impulse = mass * (v - wanted);
-  for (int p = 0; p < node.count; ++p) {
-    const Vec3 share = node.reaction[p].dot(impulse) * node.normal[p];
-    accounts[node.plane[p]].impulse += share;
-    accounts[node.plane[p]].angular_impulse += x.cross(share);
+  for (int p = 0; p < node.count;) {
+    const int plane = node.plane[p];
+    Vec3 share = Vec3::Zero();  // of all its rows at once: sums wait for each other
+    for (; p < node.count && node.plane[p] == plane; ++p) share += node.reaction[p].dot(impulse) * node.normal[p];
+    accounts[plane].impulse += share;
+    accounts[plane].angular_impulse += x.cross(share);
   }
 }
 

@@ -7,7 +7,7 @@
 // kernels alone and of the whole step with its ledger.
 // Contact presses a block of 2N x 2N x N cells on one of N x N x N/2, and prints the nanoseconds of the interface per near apex and
 // step, closed and open, beside the step of the elements, the bytes that an apex takes that is near and one that is far, and what
-// contact adds to the step of a scene with a tenth of its nodes on the interface. Bonded joins two blocks of N x N x 9 and M x M x 9
+// contact adds to the step of two blocks that go against each other with waves in them, with a tenth of their nodes on the interface. Bonded joins two blocks of N x N x 9 and M x M x 9
 // cells in which waves go, and prints what the bond adds per bonded apex and step of the elements, and the iterations of its solver.
 // Automatic prints what an automatic contact adds to the step of a hundred bodies of N^3 cells that are far apart and swing, how often it
 // searches and how many steps a search takes; then what it adds to the step of two bodies pressed together, beside a declared contact.
@@ -97,23 +97,22 @@ struct Pressed {
 
 enum class Joined { no, declared, both_passes, automatic };
 
-/// A block over another, so many cells each and so far above it; the apexes of one stand over the inside of facets of the other.
+/// A block over another, so many cells each and so far above it, whose outer faces go against each other.
 Pressed pressed(const Eigen::Vector3i& above, const Eigen::Vector3i& below, double gap, Joined joined, const material::J2Bilinear& law,
                 const element::Hexahedron::Options& options, contact::Method method = contact::Method::penalty) {
   dynamics::Model model;
-  const Vec3 low(-0.25, -0.25, 1 + gap), high(1.25, 1.25, 2 + gap);
+  const Vec3 low(-0.2257, -0.2457, 1 + gap), high(1.2457, 1.2257, 2 + gap);  // so that apexes stand anywhere over facets
   mesh::Mesh base = mesh::box("base", {low, high, below});
-  mesh::Mesh block = mesh::box("block", {Vec3(0.003, 0.007, 0), Vec3(1.003, 1.007, 1), above});
+  mesh::Mesh block = mesh::box("block", {Vec3::Zero(), Vec3::Ones(), above});
   add_skin(base, "base"), add_skin(block, "block");
   model.mesh = mesh::join(base, block);
   model.blocks.push_back(element::solids(model.mesh, "base", law, options));
   model.blocks.push_back(element::solids(model.mesh, "block", law, options));
-  if (method == contact::Method::multiplier) {  // which push only what is pressed
-    model.gravity = -Vec3::UnitZ();
-    load::Plane held;
-    held.name = "held", held.kind = load::PlaneKind::fixed, held.nodes = mesh::node_set(model.mesh, "block");
-    model.constraints.planes.push_back(held);
-  }
+  load::Plane rests, presses;
+  rests.name = "rests", rests.nodes = mesh::node_set(model.mesh, "block.z_low");
+  presses.name = "presses", presses.nodes = mesh::node_set(model.mesh, "base.z_high");
+  presses.velocity = [](double) { return -1e-4; };
+  model.constraints.planes = {rests, presses};
   dynamics::finalize(model);
   dynamics::InterfaceOptions joint;
   joint.height = {.from_initial_height = false, .clearance = 0, .given = 0};
@@ -132,9 +131,8 @@ Pressed pressed(const Eigen::Vector3i& above, const Eigen::Vector3i& below, doub
   return {std::move(model), std::move(state), std::move(forces)};
 }
 
-/// Moves the base down until all apexes are in contact; to multipliers its weight does.
+/// Moves the base down until all apexes are in contact.
 void close(Pressed& scene) {
-  if (contact::by_multipliers(scene.model.interfaces[0])) return;
   const Index base = static_cast<Index>(mesh::node_set(scene.model.mesh, "base").size());
   scene.state.v.row(2).leftCols(base).setConstant(-1e-9);
   scene.state.x.row(2).leftCols(base).array() -= 1e-10;
@@ -150,33 +148,39 @@ Index closed_apexes(const Pressed& scene) {
   return static_cast<Index>(std::count(status.begin(), status.end(), contact::Status::closed));
 }
 
-constexpr double instant = 1e-6;  // [s] nothing moves in some hundred of these, and a gap of round-off over one is no speed
-
-/// Nanoseconds per step of a scene that stands still.
-double step_cost(Pressed& scene, int steps) {
-  dynamics::step(scene.model, instant, scene.state, scene.forces);
+/// Nanoseconds per step of a scene.
+double step_cost(Pressed& scene, double dt, int steps) {
+  dynamics::step(scene.model, dt, scene.state, scene.forces);
   const double began = seconds();
-  for (int s = 0; s < steps; ++s) dynamics::step(scene.model, instant, scene.state, scene.forces);
+  for (int s = 0; s < steps; ++s) dynamics::step(scene.model, dt, scene.state, scene.forces);
   return (seconds() - began) * 1e9 / steps;
 }
 
-/// What contact adds to the step where a tenth of the nodes lies on the interface, all apexes closed.
+/// Steps of scenes that are pressed: they begin with a blow, and all apexes are closed after some hundred of them.
+double step_of(const Pressed& scene) { return 0.5 * std::min(scene.state.votes.elements.step, scene.state.votes.contact.step); }
+constexpr int until_closed = 600;
+
+/// What contact adds to the step where a tenth of the nodes lies on the interface.
 struct Added {
   double share, per_apex;  // [-] [ns]
+  Index closed;
 };
 Added share_of_contact(int n, int steps, const material::J2Bilinear& law, const element::Hexahedron::Options& options,
                        contact::Method method) {
   const Eigen::Vector3i cells(n, n, 9);
   Pressed with = pressed(cells, cells, 0, Joined::declared, law, options, method);
   Pressed without = pressed(cells, cells, 0, Joined::no, law, options, method);
-  close(with);
-  double least_with = INFINITY, least_without = INFINITY;
-  for (int round = 0; round < 5; ++round) {
-    least_with = std::min(least_with, step_cost(with, steps / 5));
-    least_without = std::min(least_without, step_cost(without, steps / 5));
+  const double dt = step_of(with);
+  step_cost(with, dt, until_closed), step_cost(without, dt, until_closed);
+  constexpr int rounds = 21;
+  std::vector<double> added, base;
+  for (int round = 0; round < rounds; ++round) {
+    base.push_back(step_cost(without, dt, steps / rounds));
+    added.push_back(step_cost(with, dt, steps / rounds) / base.back() - 1);
   }
-  if (closed_apexes(with) != (n + 1) * (n + 1)) std::printf("%d of %d apexes are closed\n", closed_apexes(with), (n + 1) * (n + 1));
-  return {least_with / least_without - 1, (least_with - least_without) / ((n + 1) * (n + 1))};
+  for (auto* values : {&added, &base}) std::nth_element(values->begin(), values->begin() + rounds / 2, values->end());
+  const double share = added[rounds / 2];
+  return {share, share * base[rounds / 2] / ((n + 1) * (n + 1)), closed_apexes(with)};
 }
 
 int contact_costs(int n, int steps, const material::J2Bilinear& law, const element::Hexahedron::Options& options) {
@@ -187,7 +191,7 @@ int contact_costs(int n, int steps, const material::J2Bilinear& law, const eleme
   const double of_closed = contact_cost(closed.model, closed.state, closed.forces, 1e-30, steps);
   const double of_open = contact_cost(open.model, open.state, open.forces, 1e-30, steps);
   const double of_far = contact_cost(far.model, far.state, far.forces, 1e-30, steps);
-  const double element_step = step_cost(far, steps);
+  const double element_step = step_cost(far, step_of(far), steps);
   double elements = 0;
   for (const auto& block : far.model.blocks) elements += static_cast<double>(element::tiling(block).elements);
   const auto apexes = static_cast<double>(closed.model.interfaces[0].apexes.size());
@@ -197,10 +201,10 @@ int contact_costs(int n, int steps, const material::J2Bilinear& law, const eleme
   const Added penalty = share_of_contact(n, steps, law, options, contact::Method::penalty);
   const Added multiplier = share_of_contact(n, steps, law, options, contact::Method::multiplier);
   std::printf("contact apexes %.0f (%d closed)  closed %.2f  open %.2f  far %.3f ns per apex and step; elements %.2f ns; "
-              "an apex that is near takes %zu bytes, one that is far %.0f; contact of a tenth of the nodes adds %.1f %%, "
-              "by multipliers %.1f %%, %.1f ns per apex\n",
+              "an apex that is near takes %zu bytes, one that is far %.0f; contact of a tenth of the nodes adds to the step of two blocks "
+              "that are pressed %.1f %%, %.1f ns per apex (%d closed), by multipliers %.1f %%, %.1f ns (%d closed)\n",
               apexes, in_contact, of_closed, of_open, of_far, element_step / elements, sizeof(contact::Near), bytes,
-              100 * penalty.share, 100 * multiplier.share, multiplier.per_apex);
+              100 * penalty.share, penalty.per_apex, penalty.closed, 100 * multiplier.share, multiplier.per_apex, multiplier.closed);
   return 0;
 }
 
@@ -307,7 +311,7 @@ std::array<double, 2> with_and_without(Pressed& scene, double dt, int steps) {
   return {with[rounds / 2], without[rounds / 2]};
 }
 
-/// A step of two blocks that rest on each other by an automatic contact, by a declared one, and by one of two passes, over one without
+/// A step of two blocks that are pressed on each other by an automatic contact, by a declared one, and by one of two passes, over one without
 /// contact: medians. [-] [-] [-]
 /// Where the memory of a scene comes to lie counts, so scenes are made anew in every round.
 std::array<double, 3> costs_of_pressed(int n, int steps, const material::J2Bilinear& law, const element::Hexahedron::Options& options) {
@@ -320,8 +324,8 @@ std::array<double, 3> costs_of_pressed(int n, int steps, const material::J2Bilin
     for (const Joined joined : {Joined::no, Joined::automatic, Joined::declared, Joined::both_passes})
       scenes[static_cast<std::size_t>(joined)] = pressed(cells, cells, 0, joined, law, options, contact::Method::multiplier);
     for (std::size_t i = 0; i < scenes.size(); ++i) {
-      step_cost(scenes[i], steps / rounds);  // until it rests
-      cost[i] = step_cost(scenes[i], steps / rounds);
+      step_cost(scenes[i], step_of(scenes[i]), until_closed);
+      cost[i] = step_cost(scenes[i], step_of(scenes[i]), steps / rounds);
     }
     const auto at = [&](Joined joined) { return cost[static_cast<std::size_t>(joined)]; };
     std::size_t i = 0;
@@ -333,9 +337,8 @@ std::array<double, 3> costs_of_pressed(int n, int steps, const material::J2Bilin
 }
 
 int automatic_costs(int n, int steps, const material::J2Bilinear& law, const element::Hexahedron::Options& options) {
-  const material::J2Bilinear elastic{1.0, 1.0, 0.3, {1e3, 0.1}};
   for (const double strain : {1e-9, 1e-3, 1e-2, 3e-2}) {
-    Pressed scene = far_and_swinging(n, strain, elastic, options);
+    Pressed scene = far_and_swinging(n, strain, law, options);
     const auto [with, without] = with_and_without(scene, 0.5 * scene.state.votes.elements.step, steps);
     contact::Memory& memory = scene.state.interfaces[0];
     const auto searches = memory.searches;
@@ -365,8 +368,9 @@ int main(int argc, char** argv) {
                              : kind == "springs" ? Hexahedron::usual_stiffness
                                                  : Hexahedron::usual_assumed;
   const Hexahedron::Options one_point{.hourglass = coefficient, .viscosity = {}, .hourglass_kind = control};
-  if (kind == "contact") return contact_costs(n, steps, law, one_point);
-  if (kind == "automatic") return automatic_costs(n, steps, law, one_point);
+  const material::J2Bilinear elastic{1.0, 1.0, 0.3, {1e3, 0.1}};
+  if (kind == "contact") return contact_costs(n, steps, elastic, one_point);
+  if (kind == "automatic") return automatic_costs(n, steps, elastic, one_point);
   if (kind == "bonded") return bonded_costs(n, steps, law, one_point);
   const dynamics::Model model = kind == "plates" ? plates(n, law, element::Plate::Thinning::by_law)
                                 : kind == "kept" ? plates(n, law, element::Plate::Thinning::constant)

@@ -67,6 +67,54 @@ TEST(Over, RidgesThatCrossTouchAtOnePointAtAnyAngle) {
   }
 }
 
+/// A block on another, turned by any angle and tilted by a little, and what random ways of nodes against each other make of its edges: how
+/// many pairs lay flat, and how many of them are over each other after `times` the way that `stays_flat` allows.
+struct Flat {
+  int pairs = 0, over = 0;
+};
+Flat moved_flat_edges(double times) {
+  Flat found;
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> any(-1, 1);
+  for (int trial = 0; trial < 40; ++trial) {
+    const auto box = [](const char* name, int cells) {
+      mesh::Mesh one = mesh::box(name, {{-1, -1, 0}, {1, 1, 1}, {cells, cells, 1}});
+      one.surfaces.push_back({std::string(name) + ".skin", mesh::skin(one.X, one.hexahedra).facets});
+      return one;
+    };
+    mesh::Mesh block = mesh::rotated_about(box("block", 2), Vec3::UnitZ(), 3 * any(random), Vec3::Zero());
+    block = mesh::rotated_about(std::move(block), Vec3::UnitX(), 0.1 * any(random), Vec3::Zero());
+    const mesh::Mesh mesh = mesh::join(mesh::moved(std::move(block), {0.3 * any(random), 0, 1}), box("base", 3));
+    Interface interface;
+    interface.edges = edges_of(mesh, mesh::surface(mesh, "block.skin"), {});
+    interface.base_edges = edges_of(mesh, mesh::surface(mesh, "base.skin"), {});
+    for (Index edge = 0; edge < interface.edges.nodes.cols(); ++edge)
+      for (Index base = 0; base < interface.base_edges.nodes.cols(); ++base) {
+        const bool ridges = is_ridge(interface.edges, mesh.X, edge) && is_ridge(interface.base_edges, mesh.X, base);
+        const double room = ridges ? 0 : stays_flat(interface, mesh.X, edge, base);
+        if (!(room > 0)) continue;
+        ++found.pairs;
+        EXPECT_FALSE(over(interface, mesh.X, edge, base, true, 0).is);
+        Vectors x = mesh.X;
+        for (int i = 0; i < 5; ++i) {
+          for (Eigen::Index node = 0; node < x.cols(); ++node)
+            x(2, node) = mesh.X(2, node) + std::copysign(0.5 * times * room, any(random));  // what turns facets most
+          if (!over(interface, x, edge, base, true, 0).is) continue;
+          ++found.over;
+          break;
+        }
+      }
+  }
+  return found;
+}
+
+TEST(StaysFlat, NoEdgeComesOverAnotherOneWithinItsWay) {
+  const Flat within = moved_flat_edges(1), beyond = moved_flat_edges(24);
+  EXPECT_GT(within.pairs, 5000);
+  EXPECT_EQ(within.over, 0);
+  EXPECT_GT(beyond.over, 50);  // facets turn most where all nodes do their worst, and few do
+}
+
 TEST(Over, ParallelRidgesAreLeftToTheirNodes) {
   Bars bars(0, 0.01);
   Workspace workspace(bars.interface);

@@ -74,7 +74,7 @@ TEST(IsRidge, FollowsTheShapeOfToday) {
   EXPECT_FALSE(raised(-0.4));  // a valley
 }
 
-TEST(IsInFront, OfARightRidgeIsTheQuarterBetweenItsNormals) {
+TEST(Rise, OfARightRidgeIsNoneInTheQuarterBetweenItsNormals) {
   const mesh::Mesh mesh = box_with_skin({1, 1, 1});
   const Edges edges = edges_of(mesh, mesh::surface(mesh, "box.skin"), {});
   Index ridge = -1;  // along y, at x = 1 and z = 3
@@ -85,7 +85,7 @@ TEST(IsInFront, OfARightRidgeIsTheQuarterBetweenItsNormals) {
   ASSERT_GE(ridge, 0);
   const auto front = [&](double degrees, double tolerance) {
     const double a = degrees * std::acos(-1.0) / 180;
-    return is_in_front(edges, mesh.X, ridge, {std::cos(a), 0, std::sin(a)}, tolerance);
+    return rise(edges, mesh.X, ridge, {std::cos(a), 0, std::sin(a)}) <= tolerance;
   };
   EXPECT_TRUE(front(45, 0));
   EXPECT_TRUE(front(1, 0) && front(89, 0));
