@@ -51,6 +51,7 @@ void find(const Interface& interface, const Motion& m, Memory& memory, Workspace
     const double moved = automatic ? memory.way + ahead : search_where_due(interface, x, way, memory, workspace);
     parallel_for(static_cast<Index>(memory.near.size()), 64, [&](Index i) {
       Near& near = memory.near[i];
+      near.earlier = near.pressed;
       near.pressed = near.element.closed && m.dt > 0 ? near.element.apex.norm() : 0;
       if (near.rests && moved < near.clear) return;
       near.stays = stays(interface, memory, moved, near);
@@ -549,7 +550,7 @@ void find_conditions(const Interface& interface, const Motion& m, Memory& memory
         all.conditions.pop_back();
         continue;
       }
-      c.impulse = c.met = near.element.count == 1 ? near.pressed * h : 0;
+      c.impulse = c.met = near.element.count == 1 ? (memory.has_trend ? trend(near) : near.pressed) * h : 0;
       stencil.push = c.normal;
     }
     const auto last = static_cast<Index>(all.conditions.size());

@@ -202,6 +202,11 @@ inline void give(const FrictionCondition& condition, const Vec3& impulse, const 
   }
 }
 
+/// What presses an apex if that goes on as in the last two steps; what does not press in both has no trend. [N]
+inline double trend(const Near& near) {
+  return near.pressed > 0 && near.earlier > 0 ? std::max(0.0, 2 * near.pressed - near.earlier) : near.pressed;
+}
+
 /// The sum of its normal impulses. [N s]
 inline double impulse_of(const Contactor& one, const Multipliers& all) {
   double sum = 0;

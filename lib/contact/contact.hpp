@@ -182,7 +182,7 @@ struct Near {
   double area = 0;        ///< [m2] of the sides of the apex that faced the base as it came into contact; zero: all
   bool rests = false;     ///< free, and its forces are booked: nothing is to do while it is clear
   bool stays = false;     ///< pressed by multipliers, over the inside of the one facet that it slides on, and comes to no other part
-  double pressed = 0;     ///< [N] by multipliers in the step before: where the sweeps of the next one begin
+  double pressed = 0, earlier = 0;  ///< [N] by multipliers in the step before and in that before: where the sweeps of the next one begin
   Tracks tracks;
   FrictionForces friction;
   ElementForces element;  // last: most of its stencils are not in use
@@ -249,6 +249,7 @@ struct Memory {
   Vec3 force = Vec3::Zero();                ///< [N] on all apexes, with friction; on the bases it is the opposite
   Vec3 impulse = Vec3::Zero();              ///< [N s] of that force since the start
   double transferred = 0;                   ///< [J] of what multipliers have taken here, that other contacts hold
+  bool has_trend = false;                   ///< what pressed apexes in the step before had followed from the two steps before that
   double held = 0;                          ///< [J] what multipliers hold, with their work in the half step that begins
   double power_rate = 0;                    ///< [W/s] force times acceleration of multipliers: dt^2/8 of it is their work
   double created_by_reconnection = 0;       ///< [J] created in steps in which the apex changed its base

@@ -22,6 +22,7 @@ constexpr int usual_sweeps = 8, most_sweeps = 100;
 constexpr int most_for_overlaps = 1000;  // of thin elements
 constexpr double still = 1e-6;     // of what the impulses do: sweeps end as soon as one changes less
 constexpr double settled = 1e-5;   // the same: fewer sweeps than usual will do without friction, whose sticks need more beside heavy loads
+constexpr double is_trend = 0.04;  // of the squared changes of impulses: less that their trend left of them, and it is trusted once more
 constexpr double may_gain = 1e-4;  // of the energy that the impulses exchange: sweeps go on while single contactors gain more
 constexpr double may_close = 0.02;  // of the depth of an element: the same, while a gap would be more negative in the step to come
 
@@ -271,6 +272,7 @@ void take_over(const Interface& interface, const Motion& m, double h, double t, 
                const Multipliers& all) {
   const bool rubs = interface.friction.coefficient > 0, turns = all_have_moments(interface);
   Index at = first < last ? all.contactors[first].first : 0, contactor = first;
+  double from_trend = 0, from_before = 0;
   memory.deepest_now = 0;
   const Vec3 force_before = memory.force;
   memory.force.setZero();
@@ -312,9 +314,14 @@ void take_over(const Interface& interface, const Motion& m, double h, double t, 
     memory.lost += element.lost;
     if (element.moved && !near.rests) ++memory.walks, ++memory.reconnections[near.apex];
     if (element.closed) memory.force += element.apex;
+    if (element.count == 1) {
+      const double pressed = element.apex.norm(), off_trend = pressed - trend(near), off_before = pressed - near.pressed;
+      from_trend += off_trend * off_trend, from_before += off_before * off_before;
+    }
     if (element.closed && (turns || element.has_moment)) book_moments(interface, m, 0, near, memory);
     if (rubs && near.friction.acts) memory.force += near.friction.force;
   }
+  memory.has_trend = from_trend < is_trend * from_before;
   if (interface.kind == InterfaceKind::edges) take_over_crossings(interface, h, t, first, last, all, memory);
   memory.work += now.work;
   memory.impulse += 0.5 * m.dt * (force_before + memory.force);

@@ -87,8 +87,8 @@ void visit(Archive& archive, FrictionForces& friction) {
 
 template <class Archive>
 void visit(Archive& archive, Near& near) {
-  auto& [apex, first_facet, facets, clear, area, rests, stays, pressed, tracks, friction, element] = near;
-  archive(apex, first_facet, facets, clear, area, rests, stays, pressed, tracks, friction, element);
+  auto& [apex, first_facet, facets, clear, area, rests, stays, pressed, earlier, tracks, friction, element] = near;
+  archive(apex, first_facet, facets, clear, area, rests, stays, pressed, earlier, tracks, friction, element);
 }
 
 template <class Archive>
@@ -113,14 +113,14 @@ template <class Archive>
 void visit(Archive& archive, Memory& memory) {
   auto& [near, edge_pairs, crossings, near_facets, slot, feature, status, gap, stored, slip, tangential_stored, reconnections, thicker,
          work, damped, thinned, friction_dissipated, friction_to_come, friction_owed, restitution, impact, force, impulse, transferred,
-         held, power_rate, created_by_reconnection, angular_impulse, meetings, deepest, deepest_apex, deepest_time, deepest_in,
-         step_factor, deepest_now, walks, lost, recovered, searches, looks, margin, way, apart_from_itself, apart_then, awake, apexes_then,
-         base_then, mean_way] = memory;
+         has_trend, held, power_rate, created_by_reconnection, angular_impulse, meetings, deepest, deepest_apex, deepest_time,
+         deepest_in, step_factor, deepest_now, walks, lost, recovered, searches, looks, margin, way, apart_from_itself, apart_then,
+         awake, apexes_then, base_then, mean_way] = memory;
   archive(near, edge_pairs, crossings, near_facets, slot, feature, status, gap, stored, slip, tangential_stored, reconnections, thicker,
           work, damped, thinned, friction_dissipated, friction_to_come, friction_owed, restitution, impact, force, impulse, transferred,
-          held, power_rate, created_by_reconnection, angular_impulse, meetings, deepest, deepest_apex, deepest_time, deepest_in,
-          step_factor, deepest_now, walks, lost, recovered, searches, looks, margin, way, apart_from_itself, apart_then, awake, apexes_then,
-          base_then, mean_way);
+          has_trend, held, power_rate, created_by_reconnection, angular_impulse, meetings, deepest, deepest_apex, deepest_time,
+          deepest_in, step_factor, deepest_now, walks, lost, recovered, searches, looks, margin, way, apart_from_itself, apart_then,
+          awake, apexes_then, base_then, mean_way);
 }
 
 template <class Archive>
