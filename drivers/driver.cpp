@@ -303,12 +303,12 @@ Ran run_case(const std::string& name, const CommandLine& line, output::RunFolder
     print_forecast(simulation, found);
     if (line.dry_run) return {status_of_start(name, found.start), {}};
   }
-  stop_if_interrupted("there are no results");
   if (!line.quiet && !begins.checkpoint) {  // what was rehearsed is no start of a run
     simulation = {};
     simulation = build(input::CaseFile::read(line.case_path, line.overrides));
   }
 
+  const KeepResults keeps;
   if (begins.checkpoint) {
     go_back_to(*begins.checkpoint, checkpoint_of(name, file, simulation.model), simulation);
     if (!line.quiet) std::printf("the run goes on from its checkpoint at %.8g s\n", begins.checkpoint->time);
@@ -424,7 +424,7 @@ int answer_case(const std::string& name, const CommandLine& line, output::RunFol
   folder.clear();
   const auto began = std::chrono::steady_clock::now();
   Answer found = compute();
-  stop_if_interrupted("there are no results");
+  const KeepResults keeps;
   stop_if_not_finite(found);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
 
@@ -517,7 +517,7 @@ int from_command_line(int argc, char** argv, const std::string& name, bool meshe
     const int status = app.exit(error);
     return status == 0 ? done : bad_case;
   }
-  hear_signals();
+  hear_signals(name, interrupted);
   try {
     check_case_path(line);
     output::RunFolder folder(line.dry_run ? "" : line.out, line.resume);

@@ -12,6 +12,7 @@ import io
 import json
 import os
 import random
+import re
 import shutil
 import signal
 import subprocess
@@ -237,6 +238,12 @@ class Words(unittest.TestCase):
             self.assertIn(f"'{text}' is no time", done.stderr)
 
 
+def hears(pid, number):
+    """Whether a process has said what it does at a signal."""
+    caught = re.search(r"SigCgt:\s*(\w+)", Path(f"/proc/{pid}/status").read_text(encoding="utf-8"))
+    return int(caught[1], 16) >> (number - 1) & 1 == 1
+
+
 class Signals(unittest.TestCase):
     """What a run leaves that is asked to end."""
     drivers = None
@@ -264,17 +271,20 @@ class Signals(unittest.TestCase):
                 self.assertTrue((out / "checkpoint").is_file())
 
     def test_before_the_first_step(self):
-        """A case whose mesh takes a while: there is nothing to keep."""
+        """A case whose mesh takes a minute: there is nothing to keep, and nobody waits for it."""
         case = Path(__file__).resolve().parent / "cases/block.yaml"
         with tempfile.TemporaryDirectory() as folder:
             out = Path(folder) / "out"
-            process = subprocess.Popen([self.drivers / "scene", case, "--out", out, "--quiet", "--set", "refine=40"],
+            process = subprocess.Popen([self.drivers / "scene", case, "--out", out, "--quiet", "--set", "refine=100"],
                                        stderr=subprocess.PIPE, text=True)
-            time.sleep(0.2)
+            while not hears(process.pid, signal.SIGTERM):
+                time.sleep(0.001)
             process.send_signal(signal.SIGTERM)
             _, said = process.communicate(timeout=PATIENCE)
             self.assertEqual(process.returncode, INTERRUPTED, said)
-            self.assertIn("interrupted", said)
+            self.assertIn("interrupted by SIGTERM before the run began", said)
+            again = subprocess.run([self.drivers / "scene", case, "--out", out, "--quiet"], capture_output=True, text=True)
+            self.assertEqual(again.returncode, 0, again.stderr)
 
     def test_what_is_ignored_stays_so(self):
         case = Path(__file__).resolve().parent / "cases/block.yaml"
