@@ -29,7 +29,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view head = "Nereid checkpoint ";  // then the version, and the end of the line
-constexpr int version = 2;
+constexpr int version = 3;
 
 fs::path file_in(const fs::path& folder) { return folder / "checkpoint"; }
 

@@ -26,7 +26,7 @@ using material::J2Mixed;
 using material::Laws;
 using Point = Vector<double>;
 using Corners = std::array<Point, 8>;
-using Matrix24 = Eigen::Matrix<double, 24, 24>;
+using Matrix24 = Eigen::MatrixXd;
 
 constexpr int sign[8][3] = {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1},
                             {-1, -1, 1},  {1, -1, 1},  {1, 1, 1},  {-1, 1, 1}};
@@ -199,7 +199,7 @@ double difference_of_memory(OneElement<Kind, Law> turned, OneElement<Kind, Law> 
 template <class Kind, class Law>
 Matrix24 stiffness(const OneElement<Kind, Law>& e) {
   constexpr double small = 1e-6;
-  Matrix24 K;
+  Matrix24 K(24, 24);
   for (int j = 0; j < 24; ++j) {
     Corners u{};
     u[j / 3][j % 3] = small;
@@ -213,7 +213,7 @@ Matrix24 stiffness(const OneElement<Kind, Law>& e) {
 }
 
 template <class Kind, class Law>
-Eigen::Matrix<double, 24, 1> eigenvalues(const OneElement<Kind, Law>& e) {
+Eigen::VectorXd eigenvalues(const OneElement<Kind, Law>& e) {
   const Matrix24 K = stiffness(e);
   const Matrix24 symmetrised = 0.5 * (K + K.transpose());
   return Eigen::SelfAdjointEigenSolver<Matrix24>(symmetrised, Eigen::EigenvaluesOnly).eigenvalues();

@@ -21,7 +21,7 @@ using material::J2Bilinear;
 using material::J2Mixed;
 using Point = Vector<double>;
 using Corners = std::array<Point, 3>;
-using Matrix18 = Eigen::Matrix<double, 18, 18>;
+using Matrix18 = Eigen::MatrixXd;
 
 // ------------------------------------------------------------------------------------------------
 // Shapes, motions, and one element that remembers
@@ -131,7 +131,7 @@ Element<Law> answer(const Law& law, const Plate::Options& options, const Corners
 template <class Law>
 Matrix18 stiffness(const Law& law, const Plate::Options& options, const Corners& X) {
   constexpr double small = 1e-6;
-  Matrix18 K;
+  Matrix18 K(18, 18);
   for (int j = 0; j < 18; ++j) {
     Corners du{}, turn{};
     (j % 6 < 3 ? du : turn)[j / 6][j % 3] = small;
@@ -912,7 +912,7 @@ TEST(Plate, FrequencyBoundsAreNeverBelowTheExactOnes) {
     const Element<Elastic> e{metal<Elastic>(random(-0.9, 0.49)), thick(thickness, inertia),
                              any_triangle()};
     const Matrix18 K = stiffness(e.law, e.options, e.X);
-    Eigen::Matrix<double, 18, 1> per_root;
+    Eigen::VectorXd per_root(18);
     for (int i = 0; i < 18; ++i)
       per_root(i) = 1 / std::sqrt(e.constants.mass / 3 * (i % 6 < 3 ? 1.0 : e.constants.gyration));
     Matrix18 membrane = per_root.asDiagonal() * K * per_root.asDiagonal(), bending = membrane;
@@ -961,7 +961,7 @@ TEST(Plate, FrequencyBoundHoldsWithDrillingStiffness) {
     options.drilling = std::pow(10.0, random(-4.0, 0.0));
     Element<Elastic> e{metal<Elastic>(random(-0.9, 0.49)), options, any_triangle()};
     const Matrix18 K = stiffness(e.law, e.options, e.X);
-    Eigen::Matrix<double, 18, 1> per_root;
+    Eigen::VectorXd per_root(18);
     for (int i = 0; i < 18; ++i)
       per_root(i) = 1 / std::sqrt(e.constants.mass / 3 * (i % 6 < 3 ? 1.0 : e.constants.gyration));
     Matrix18 in_plane = per_root.asDiagonal() * K * per_root.asDiagonal();
