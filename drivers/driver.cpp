@@ -308,7 +308,7 @@ Ran run_case(const std::string& name, const CommandLine& line, output::RunFolder
     simulation = build(input::CaseFile::read(line.case_path, line.overrides));
   }
 
-  const KeepResults keeps;
+  keep_results(true);
   if (begins.checkpoint) {
     go_back_to(*begins.checkpoint, checkpoint_of(name, file, simulation.model), simulation);
     if (!line.quiet) std::printf("the run goes on from its checkpoint at %.8g s\n", begins.checkpoint->time);
@@ -374,7 +374,7 @@ Ran run_case(const std::string& name, const CommandLine& line, output::RunFolder
 Ran look_at_case(const CommandLine& line, const Build& build, const Results& results) {
   const input::CaseFile file = input::CaseFile::read(line.case_path, line.overrides);
   model::Simulation simulation = build(file);
-  const dynamics::Outcome outcome = model::run(simulation, {}, [](const dynamics::View&) { return heard_signal(); });
+  const dynamics::Outcome outcome = model::run(simulation, {}, {});
   return {dynamics::good(outcome.ending) ? done : stopped, results(simulation), static_cast<double>(outcome.element_updates),
           outcome.wall_seconds};
 }
@@ -387,6 +387,8 @@ int run_to_accuracy(const std::string& name, const CommandLine& line, output::Ru
   or_show_offenders(line, file, build);  // its faults come first: what is wrong with a mesh of another factor is none of the case
   check_inputs(line, file, folder);
   const RunOnce run = [&](double refine, bool first_look, const Judge& judge) {
+    std::fflush(stdout);  // what is known of coarser meshes: a signal may end the program while the next one is built
+    keep_results(false);
     CommandLine finer = line;
     finer.overrides.push_back("refine=" + shortest(refine)), finer.quiet = true;
     try {
@@ -421,10 +423,13 @@ int answer_case(const std::string& name, const CommandLine& line, output::RunFol
   check_inputs(line, file, folder);
   if (!line.quiet) print_not_used(file);
   if (line.dry_run) return done;
+  keep_results(true);
   folder.clear();
+  stop_if_interrupted("there are no results");
+  keep_results(false);
   const auto began = std::chrono::steady_clock::now();
   Answer found = compute();
-  const KeepResults keeps;
+  keep_results(true);
   stop_if_not_finite(found);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
 

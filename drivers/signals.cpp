@@ -2,61 +2,62 @@
 
 #include <unistd.h>
 
+#include <array>
+#include <atomic>
 #include <csignal>
-#include <string>
+#include <cstdio>
+#include <cstring>
 
 namespace nereid::driver {
 
 namespace {
 
-volatile std::sig_atomic_t heard = 0, keeps_results = 0;
-std::string of_program;  // set before any signal is heard
-int exit_status = 0;
+struct Signal {
+  int number;
+  const char* name;
+  std::array<char, 200> sentence;  ///< said where nothing is kept; whole before any signal is heard, since a handler may not compose it
+};
 
-const char* name_of(int signal) {
-  switch (signal) {
-    case SIGINT: return "SIGINT";
-    case SIGTERM: return "SIGTERM";
-    case SIGHUP: return "SIGHUP";
-    default: return "";
+std::array<Signal, 3> signals{{{SIGINT, "SIGINT", {}}, {SIGTERM, "SIGTERM", {}}, {SIGHUP, "SIGHUP", {}}}};
+std::atomic<int> heard = 0, exit_status = 0;
+std::atomic<bool> keeps = false;
+static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_always_lock_free, "a handler may use them");
+
+/// Remembers a signal, or ends the program. Calls only what a handler may.
+void take(int number) {
+  int none = 0;
+  if (keeps) {
+    heard.compare_exchange_strong(none, number);
+    return;
   }
-}
-
-/// A part of what is said; what does not reach its reader cannot be helped.
-void say(const char* text) {
-  std::size_t size = 0;
-  while (text[size] != 0) ++size;
-  [[maybe_unused]] const auto written = ::write(STDERR_FILENO, text, size);
-}
-
-/// Calls only what a handler may.
-void remember(int signal) {
-  if (keeps_results == 0) {
-    say(of_program.c_str()), say(": interrupted by "), say(name_of(signal)), say(" before the run began\n");
-    ::_exit(exit_status);
+  for (const Signal& one : signals) {
+    if (one.number != number) continue;
+    [[maybe_unused]] const auto written = ::write(STDERR_FILENO, one.sentence.data(), std::strlen(one.sentence.data()));
   }
-  if (heard == 0) heard = signal;
+  ::_exit(exit_status);
 }
 
 }  // namespace
 
-KeepResults::KeepResults() { keeps_results = 1; }
-KeepResults::~KeepResults() { keeps_results = 0; }
+void keep_results(bool keep) { keeps = keep; }
 
 void hear_signals(const std::string& name, int status) {
-  of_program = name;
   exit_status = status;
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+  for (Signal& one : signals) {
+    std::snprintf(one.sentence.data(), one.sentence.size(), "%s: interrupted by %s; there is nothing to go on from\n", name.c_str(),
+                  one.name);
     struct sigaction before {}, action {};
-    if (sigaction(signal, nullptr, &before) != 0 || before.sa_handler == SIG_IGN) continue;
-    action.sa_handler = remember;
+    if (sigaction(one.number, nullptr, &before) != 0 || before.sa_handler == SIG_IGN) continue;
+    action.sa_handler = take;
     action.sa_flags = SA_RESTART | static_cast<int>(SA_RESETHAND);  // files are written whole; the second time nobody hears
-    sigaction(signal, &action, nullptr);
+    sigaction(one.number, &action, nullptr);
   }
 }
 
 std::string heard_signal() {
-  return name_of(heard);
+  for (const Signal& one : signals)
+    if (one.number == heard) return one.name;
+  return "";
 }
 
 void stop_if_interrupted(const std::string& meaning) {

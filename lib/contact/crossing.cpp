@@ -23,7 +23,7 @@ constexpr double stays_steep = 0.1;  // the same while they are over each other
 constexpr double leans = 0.3;        // sine: the same while they are over each other, so that none goes through as a face leans to and fro
 constexpr double past_end = 1e-6;    // of an edge: two that follow one another have no gap
 constexpr double left_to_nodes = 0.02;  // of an edge at its ends, where it lies in a face of the other body: its node is over that
-constexpr double slow = 1e-3;        // of the depth of an element in a step: edges that lie flat in faces do so for some steps
+constexpr double slow = 1e-3;        // of the depth of an element in a step: with more, no pair stays flat for long
 constexpr double sideways = 0.1;     // of the depth of an element: so far below an edge may come in with an offset; farther is far behind
 
 Vec3 node_of(const Edges& edges, const Vectors& x, int end, Index edge) { return x.col(edges.nodes(end, edge)); }
@@ -206,18 +206,18 @@ Over over(const Interface& interface, const Vectors& x, Index edge, Index base_e
 }
 
 double stays_flat(const Interface& interface, const Vectors& x, Index edge, Index base_edge) {
-  double room = -std::numeric_limits<double>::infinity();
-  const auto see = [&](const Edges& of_face, Index in_face, const Edges& of_ridge, Index ridge) {
-    if (of_face.across(0, in_face) < 0 || of_face.across(1, in_face) < 0) return;
-    const Vec3 first = into(of_face, x, in_face, 0).normalized(), second = into(of_face, x, in_face, 1).normalized();
-    const Vec3 normal = along(of_face, x, in_face).cross(first).normalized();
-    const double bend = (first + second).norm(), stands = std::max(-rise(of_ridge, x, ridge, normal), -rise(of_ridge, x, ridge, -normal));
-    const double turn = turn_of_facets(of_ridge, x, ridge) + 3 * turn_of_facets(of_face, x, in_face);
-    room = std::max(room, 0.5 * (steep - bent - bend - stands) / turn);
+  double way = -std::numeric_limits<double>::infinity();
+  const auto see = [&](const Edges& of_face, Index flat, const Edges& of_ridge, Index ridge) {
+    if (of_face.across(0, flat) < 0 || of_face.across(1, flat) < 0) return;
+    const Vec3 first = into(of_face, x, flat, 0).normalized(), second = into(of_face, x, flat, 1).normalized();
+    const Vec3 normal = along(of_face, x, flat).cross(first).normalized();
+    const double fold = (first + second).norm(), stands = std::max(-rise(of_ridge, x, ridge, normal), -rise(of_ridge, x, ridge, -normal));
+    const double turn = turn_of_facets(of_ridge, x, ridge) + 3 * turn_of_facets(of_face, x, flat);
+    way = std::max(way, (steep - bent - fold - stands) / (2 * turn));
   };
   see(interface.edges, edge, interface.base_edges, base_edge);
   see(interface.base_edges, base_edge, interface.edges, edge);
-  return room;
+  return way;
 }
 
 void search_crossings(const Interface& interface, const Vectors& x, Memory& memory, Workspace& workspace) {

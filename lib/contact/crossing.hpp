@@ -51,15 +51,16 @@ inline Crossing crossing_of(const EdgePair& pair) {
 ///          Between rims both sides may be right, then it is the one with a positive height
 Over over(const Interface&, const Vectors& x, Index edge, Index base_edge, bool in_face, int side);
 
-/// So far nodes may move against each other while an edge of a pair in a face, that lies in it or beside it now, does not come over the
-/// other one; not positive where it may. [m]
+/// The way by which nodes may move against each other before one edge of a pair can come over the other, where one of them lies in a face
+/// and the other is a ridge; not positive where it may be over it now. [m]
 ///
-/// With facets t_1 and t_2 of the edge in the face, unit vectors, a direction that leads out of both within the sine b of `over` leads out
-/// of the normal L x t_1 by b + |t_1 + t_2| at most. Neither facet of the ridge may stand less steep along it than s, so it is
+///     way = (s - b - |t_1 + t_2| - r) / (2 T)
 ///
-///     s - b - |t_1 + t_2| - least facet of the ridge along the normal, over the turns of the facets
-///
-/// with a factor of two for turns that are not small.
+/// s, b      the sines of `over`: so steep the facets of the ridge must stand, and so far what is in front of an edge may rise
+/// t_1, t_2  unit vectors from the edge in the face into its facets; a direction that leads out of both is off the normal of the face by a
+///           sine of b + |t_1 + t_2| at most
+/// r         the sine by which both facets of the ridge stand off the face now
+/// T         [rad/m] by which this difference turns per way at the most; the factor of 2 is for turns that are not small
 double stays_flat(const Interface&, const Vectors& x, Index edge, Index base_edge);
 
 /// Lists the pairs of edges that are nearer than h_c and the margin, of which one at least is a ridge or a rim.

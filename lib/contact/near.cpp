@@ -21,8 +21,8 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 /// the next search, for which they would turn by 30 degrees and more. It leaves next to nothing of a body that does not fold.
 constexpr double looks_away = 0.5;
 
-constexpr int looks_of_a_search = 256;  // what these spare, once apexes and base have moved, is worth a search
-constexpr double noticeable = 0.001;  // of the margin: with less way apexes well inside of their facets are left alone all the same
+constexpr int looks_of_a_search = 256;  // after so many a search costs less than it spares
+constexpr double noticeable = 0.001;   // of the margin: with less way it spares nothing
 
 /// The largest squared way of nodes from where they were, less a common way; adds up the ways. [m2]
 double farthest_moved(const Subset& nodes, const Vectors& x, const Vectors& then, const Vec3& common, Vec3& sum) {

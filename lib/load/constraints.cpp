@@ -120,7 +120,7 @@ void restrain(const Constraints&, const ConstrainedNode& node, const Vec3& x, do
   const Vec3 impulse = mass * (v - wanted);
   for (int p = 0; p < node.count;) {
     const int plane = node.plane[p];
-    Vec3 share = Vec3::Zero();  // of all its rows at once: sums wait for each other
+    Vec3 share = Vec3::Zero();  // one sum for each plane: an addition to an account waits for the one before
     for (; p < node.count && node.plane[p] == plane; ++p) share += node.reaction[p].dot(impulse) * node.normal[p];
     accounts[plane].impulse += share;
     accounts[plane].angular_impulse += x.cross(share);

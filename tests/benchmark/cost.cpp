@@ -5,12 +5,13 @@
 // A block of N^3 hexahedra (one point with assumed strains, springs or dashpots, or eight points), or a sheet of about 2 N^2 plates
 // whose thickness follows their strain or is kept, plastic, on one thread. Prints the nanoseconds per element update of the element
 // kernels alone and of the whole step with its ledger.
-// Contact presses a block of 2N x 2N x N cells on one of N x N x N/2, and prints the nanoseconds of the interface per near apex and
-// step, closed and open, beside the step of the elements, the bytes that an apex takes that is near and one that is far, and what
-// contact adds to the step of two blocks that go against each other with waves in them, with a tenth of their nodes on the interface. Bonded joins two blocks of N x N x 9 and M x M x 9
-// cells in which waves go, and prints what the bond adds per bonded apex and step of the elements, and the iterations of its solver.
-// Automatic prints what an automatic contact adds to the step of a hundred bodies of N^3 cells that are far apart and swing, how often it
-// searches and how many steps a search takes; then what it adds to the step of two bodies pressed together, beside a declared contact.
+// Contact presses a block of 2N x 2N x N cells on one of N x N x N/2, and prints the nanoseconds of the interface per near apex and step,
+// closed and open, beside the step of the elements, the bytes that an apex takes that is near and one that is far, and what contact adds
+// to the step of two blocks that are pressed together, with waves in them and a tenth of their nodes on the interface. Bonded joins two
+// blocks of N x N x 9 and M x M x 9 cells in which waves go, and prints what the bond adds per bonded apex and step of the elements, and
+// the iterations of its solver. Automatic prints what an automatic contact adds to the step of a hundred bodies of N^3 cells that are far
+// apart and swing, how often it searches and how many steps a search takes; then what it adds to the step of two bodies pressed together,
+// beside a declared contact.
 
 #include <algorithm>
 #include <array>
@@ -97,7 +98,7 @@ struct Pressed {
 
 enum class Joined { no, declared, both_passes, automatic };
 
-/// A block over another, so many cells each and so far above it, whose outer faces go against each other.
+/// A block over another, so many cells each and so far above it. The lower face of the one rests, and the upper one of the other goes down.
 Pressed pressed(const Eigen::Vector3i& above, const Eigen::Vector3i& below, double gap, Joined joined, const material::J2Bilinear& law,
                 const element::Hexahedron::Options& options, contact::Method method = contact::Method::penalty) {
   dynamics::Model model;
@@ -156,9 +157,9 @@ double step_cost(Pressed& scene, double dt, int steps) {
   return (seconds() - began) * 1e9 / steps;
 }
 
-/// Steps of scenes that are pressed: they begin with a blow, and all apexes are closed after some hundred of them.
+/// The step of a scene that is pressed. [s]
 double step_of(const Pressed& scene) { return 0.5 * std::min(scene.state.votes.elements.step, scene.state.votes.contact.step); }
-constexpr int until_closed = 600;
+constexpr int until_closed = 600;  // steps; the scenes begin with a blow
 
 /// What contact adds to the step where a tenth of the nodes lies on the interface.
 struct Added {
@@ -311,7 +312,7 @@ std::array<double, 2> with_and_without(Pressed& scene, double dt, int steps) {
   return {with[rounds / 2], without[rounds / 2]};
 }
 
-/// A step of two blocks that are pressed on each other by an automatic contact, by a declared one, and by one of two passes, over one without
+/// A step of two blocks that are pressed on each other by an automatic contact, a declared one, and one of two passes, over one without
 /// contact: medians. [-] [-] [-]
 /// Where the memory of a scene comes to lie counts, so scenes are made anew in every round.
 std::array<double, 3> costs_of_pressed(int n, int steps, const material::J2Bilinear& law, const element::Hexahedron::Options& options) {

@@ -241,7 +241,7 @@ class Words(unittest.TestCase):
 def hears(pid, number):
     """Whether a process has said what it does at a signal."""
     caught = re.search(r"SigCgt:\s*(\w+)", Path(f"/proc/{pid}/status").read_text(encoding="utf-8"))
-    return int(caught[1], 16) >> (number - 1) & 1 == 1
+    return caught is not None and int(caught[1], 16) >> (number - 1) & 1 == 1
 
 
 class Signals(unittest.TestCase):
@@ -277,12 +277,12 @@ class Signals(unittest.TestCase):
             out = Path(folder) / "out"
             process = subprocess.Popen([self.drivers / "scene", case, "--out", out, "--quiet", "--set", "refine=100"],
                                        stderr=subprocess.PIPE, text=True)
-            while not hears(process.pid, signal.SIGTERM):
+            while process.poll() is None and not hears(process.pid, signal.SIGTERM):
                 time.sleep(0.001)
             process.send_signal(signal.SIGTERM)
             _, said = process.communicate(timeout=PATIENCE)
             self.assertEqual(process.returncode, INTERRUPTED, said)
-            self.assertIn("interrupted by SIGTERM before the run began", said)
+            self.assertIn("interrupted by SIGTERM; there is nothing to go on from", said)
             again = subprocess.run([self.drivers / "scene", case, "--out", out, "--quiet"], capture_output=True, text=True)
             self.assertEqual(again.returncode, 0, again.stderr)
 

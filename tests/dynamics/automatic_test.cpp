@@ -9,6 +9,7 @@
 #include "mesh/disc.hpp"
 #include "mesh/placement.hpp"
 #include "mesh/skin.hpp"
+#include "tests/dynamics/scene.hpp"
 
 namespace nereid::dynamics {
 namespace {
@@ -123,6 +124,46 @@ TEST(ConnectAutomatic, OfAPlateThatIsThickerThanItsElementsAreLongStartsApartFro
   model.blocks.push_back(element::plates(model.mesh, "strip", hard, options));
   finalize(model);
   for (const Connected& one : connect_automatic(model, "all", {{"strip", true}}, {}, {})) EXPECT_EQ(one.gaps.penetrating, 0);
+}
+
+/// What becomes of a block that falls askew on a larger one, and how many pairs of edges were left alone since they lie flat.
+struct Fallen {
+  Vectors x;
+  long flat = 0, pairs = 0;
+};
+Fallen fall(bool automatic, bool looks_at_all) {
+  Scene s;
+  const auto turned = mesh::rotated_about(box("block", {0, 0, 0}, {1, 1, 0.4}), Vec3::UnitZ(), 0.2, Vec3(0.5, 0.5, 0));
+  s.model.mesh = mesh::join(box("base", {-0.3, -0.4, -0.5}, {1.2, 1.3, 0}), turned);
+  for (const char* name : {"base", "block"}) s.model.blocks.push_back(element::hexahedra(s.model.mesh, name, soft, {}));
+  finalize(s.model);
+  const auto connected = automatic ? connect_automatic(s.model, "all", {{"base", false}, {"block", false}}, {}, {})
+                                   : connect(s.model, "joint", "block.skin", "base.skin", {});
+  for (const Connected& one : connected) s.memories.push_back(one.memory);
+  s.ready();
+  for (const Index node : mesh::node_set(s.model.mesh, "block"))
+    s.state.v.col(node) = Vec3(0.2, 0, -1) + Vec3(0.5, 0.3, 0.2).cross(Vec3(s.model.mesh.X.col(node)));
+  const double least = start(s.model, s.state, s.forces).elements.step;
+  Fallen found;
+  for (int i = 0; i < 600; ++i) {
+    for (contact::Memory& memory : s.state.interfaces)
+      for (contact::EdgePair& pair : memory.edge_pairs) {
+        ++found.pairs;
+        if (pair.flat > memory.way) ++found.flat;
+        if (looks_at_all) pair.flat = -INFINITY;
+      }
+    step(s.model, (i % 50 < 25 ? 0.5 : 0.3) * least, s.state, s.forces);
+  }
+  found.x = s.state.x;
+  return found;
+}
+
+TEST(FlatEdges, AreLeftAloneWithoutChangingABit) {
+  for (const bool automatic : {false, true}) {
+    const Fallen some = fall(automatic, false), all_of_them = fall(automatic, true);
+    EXPECT_GT(some.flat, some.pairs / 20);
+    EXPECT_TRUE((some.x.array() == all_of_them.x.array()).all());
+  }
 }
 
 }  // namespace
