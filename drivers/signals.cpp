@@ -44,8 +44,7 @@ void keep_results(bool keep) { keeps = keep; }
 void hear_signals(const std::string& name, int status) {
   exit_status = status;
   for (Signal& one : signals) {
-    std::snprintf(one.sentence.data(), one.sentence.size(), "%s: interrupted by %s; there is nothing to go on from\n", name.c_str(),
-                  one.name);
+    std::snprintf(one.sentence.data(), one.sentence.size(), "%s: interrupted by %s before it wrote results\n", name.c_str(), one.name);
     struct sigaction before {}, action {};
     if (sigaction(one.number, nullptr, &before) != 0 || before.sa_handler == SIG_IGN) continue;
     action.sa_handler = take;

@@ -1,6 +1,7 @@
 #pragma once
 // The conditions that multipliers meet, and how impulses and velocities go with them.
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 

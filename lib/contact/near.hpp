@@ -59,8 +59,8 @@ double speed_apart(const Vectors& v, std::initializer_list<std::reference_wrappe
 /// returns  whether it has searched
 bool search_bodies_where_due(const Interface&, const Vectors& x, const Vectors& v, double way, double ahead, Memory&, Workspace&);
 
-/// Searches if apexes and base have moved by half of the margin since the last search; after 256 looks also if by a thousandth, since what
-/// is known of where each apex stands holds for less way the more all have moved.
+/// Searches if apexes and base have moved by half of the margin since the last search. After many looks it does so if they have moved at
+/// all: what is known of where each apex stands holds for less way the more all have moved.
 ///
 /// v  [m/s] that they may go on with
 /// returns  how far they have moved since the last search, at most [m]

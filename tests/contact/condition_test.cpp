@@ -158,5 +158,17 @@ TEST(Condition, TheSlipRateOfTheStepBeforeCountsUnlessItStuckThen) {
   }
 }
 
+TEST(Trend, IsTheLineThroughTheLastTwoStepsWhereBothPress) {
+  const auto of = [](double pressed, double earlier) {
+    Near near;
+    near.pressed = pressed, near.earlier = earlier;
+    return trend(near);
+  };
+  EXPECT_EQ(of(3, 2), 4);
+  EXPECT_EQ(of(1, 3), 0);  // nothing pulls
+  EXPECT_EQ(of(3, 0), 3);
+  EXPECT_EQ(of(0, 3), 0);
+}
+
 }  // namespace
 }  // namespace nereid::contact

@@ -1264,6 +1264,39 @@ TEST(Multipliers, KeepMomentaAndCreateNothingBetweenUnlikeGrids) {
       }
 }
 
+TEST(Multipliers, TrustATrendWhileBodiesArePressedAndChangeNoForceByIt) {
+  const auto pressed = [](bool trusts, int& trusted) {
+    Scene s = askew(by_multipliers(1));
+    const auto of = [&](const char* nodes) { return mesh::node_set(s.model.mesh, nodes); };
+    s.model.constraints.planes = {plane("rests", PlaneKind::constrained, Vec3::UnitZ(), of("below.z_low")),
+                                  plane("presses", PlaneKind::constrained, Vec3::UnitZ(), of("above.z_high"))};
+    s.model.constraints.planes[1].velocity = [](double) { return -0.005; };
+    finalize(s.model);
+    s.ready();
+    s.state.v.setZero();
+    const double dt = 0.5 * least(start(s.model, s.state, s.forces));
+    for (int i = 0; i < 2000; ++i) {
+      if (!trusts) s.state.interfaces[0].has_trend = false;
+      trusted += s.state.interfaces[0].has_trend ? 1 : 0;
+      step(s.model, dt, s.state, s.forces);
+    }
+    std::vector<Vec3> forces;
+    for (const contact::Near& near : s.state.interfaces[0].near) forces.push_back(near.element.apex);
+    return forces;
+  };
+  int trusted = 0, none = 0;
+  const std::vector<Vec3> with = pressed(true, trusted), without = pressed(false, none);
+  EXPECT_GT(trusted, 500);
+  EXPECT_EQ(none, 0);
+  ASSERT_EQ(with.size(), without.size());
+  double largest = 0, differs = 0;
+  for (std::size_t i = 0; i < with.size(); ++i) {
+    largest = std::max(largest, without[i].norm());
+    differs = std::max(differs, (with[i] - without[i]).norm());
+  }
+  EXPECT_LT(differs, 1e-7 * largest);  // what sweeps leave of the impulses: they end when one changes less than 1e-5, and most leave less
+}
+
 TEST(Multipliers, AskForNoStepOfTheirOwn) {
   Scene s = askew(by_multipliers(1, 0.4));
   const Outcome outcome = s.run_to(0.05);

@@ -26,7 +26,7 @@ using material::J2Mixed;
 using material::Laws;
 using Point = Vector<double>;
 using Corners = std::array<Point, 8>;
-using Matrix24 = Eigen::MatrixXd;
+using Matrix24 = Eigen::MatrixXd;  // 24 x 24; of a fixed size it compiles far longer
 
 constexpr int sign[8][3] = {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1},
                             {-1, -1, 1},  {1, -1, 1},  {1, 1, 1},  {-1, 1, 1}};

@@ -21,7 +21,7 @@ using material::J2Bilinear;
 using material::J2Mixed;
 using Point = Vector<double>;
 using Corners = std::array<Point, 3>;
-using Matrix18 = Eigen::MatrixXd;
+using Matrix18 = Eigen::MatrixXd;  // 18 x 18; of a fixed size it compiles far longer
 
 // ------------------------------------------------------------------------------------------------
 // Shapes, motions, and one element that remembers
