@@ -181,7 +181,7 @@ void hold_bond(const Interface& interface, const Vectors& x, Near& near, Memory&
 namespace {
 
 /// An apex that is in contact with nothing: how far it is, whether it votes, and how long it need not be looked at.
-void look_around(const Interface& interface, const Vectors& x, const Vectors& v, double moved, Near& near, Memory& memory) {
+void look_around(const Interface& interface, const Vectors& x, const Vectors& v, Moved moved, Near& near, Memory& memory) {
   const Index a = near.apex;
   const Nearest nearest = nearest_of(interface, x, a, near_facets(memory, near));
   near.clear = infinite;  // until the next search
@@ -199,7 +199,7 @@ void look_around(const Interface& interface, const Vectors& x, const Vectors& v,
     soon = std::max(votes_within * depth, steps_ahead * speed * interface.longest_step);
   }
   const bool votes = memory.gap[a] <= soon;
-  near.clear = nearest.clear - contact_height - moved - (votes ? 0 : soon);
+  near.clear = moved.until(nearest.clear - contact_height - (votes ? 0 : soon));
   if (!votes) return;
   vote_over(interface, x, a, nearest.feature, nearest.closest.weight, level, near.element);
   if (!(speed > 0) || by_multipliers(interface)) return;
@@ -208,7 +208,7 @@ void look_around(const Interface& interface, const Vectors& x, const Vectors& v,
 }
 
 /// Finds what an apex is in contact with, and its forces.
-void update_element(const Interface& interface, const Vectors& x, const Vectors& v, double dt, double moved, Near& near, Memory& memory) {
+void update_element(const Interface& interface, const Vectors& x, const Vectors& v, double dt, Moved moved, Near& near, Memory& memory) {
   const Index a = near.apex;
   const double contact_height = contact::contact_height(interface, memory, a);
   const Mat3* allowed = allowed_of(interface, a);
@@ -232,7 +232,7 @@ void update_element(const Interface& interface, const Vectors& x, const Vectors&
     return way_out(interface.base, x, x.col(node), contact_height, allowed, moved, near.tracks, near.element.stencil, release_height, node);
   };
   WayOut out = find_way_out();
-  if (moved + out.length >= near.clear) {
+  if (moved.now + out.length >= near.clear) {
     const Index other = other_part(sweep, before, near.tracks);
     if (other >= 0) {
       const int lost = out.lost;
@@ -240,7 +240,7 @@ void update_element(const Interface& interface, const Vectors& x, const Vectors&
       out = find_way_out();
       out.lost += lost;
     }
-    near.clear = other >= 0 ? -infinite : nearest_other_part(sweep, near.tracks) - moved - out.length - contact_height;
+    near.clear = other >= 0 ? -infinite : moved.until(nearest_other_part(sweep, near.tracks) - out.length - contact_height);
   }
   ElementForces& element = near.element;
   element.lost = out.lost;
@@ -338,7 +338,7 @@ void advance_friction(const Interface& interface, const Vectors& x, const Vector
   if (turns) angular_impulse += 0.5 * dt * moment_of_friction(touch, friction.force, x, v, 0);
 }
 
-void find_contact(const Interface& interface, const Vectors& x, const Vectors& v, double dt, double moved, Near& near, Memory& memory) {
+void find_contact(const Interface& interface, const Vectors& x, const Vectors& v, double dt, Moved moved, Near& near, Memory& memory) {
   ElementForces& element = near.element;
   element.closed = element.has_moment = false;
   element.depth = element.closes_in = 0;
@@ -350,7 +350,7 @@ void find_contact(const Interface& interface, const Vectors& x, const Vectors& v
   else update_element(interface, x, v, dt, moved, near, memory);
 }
 
-void advance_element(const Interface& interface, const Vectors& x, const Vectors& v, double dt, double moved, Near& near, Memory& memory) {
+void advance_element(const Interface& interface, const Vectors& x, const Vectors& v, double dt, Moved moved, Near& near, Memory& memory) {
   const Index a = near.apex;
   ElementForces& element = near.element;
   const double power_before = power(interface, v, a, element), scale_before = element.scale;

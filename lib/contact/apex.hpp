@@ -51,12 +51,12 @@ void hold_bond(const Interface&, const Vectors& x, Near&, Memory&);
 /// Finds what one apex is in contact with at x, or near to, and what its penalty is there; nothing is booked.
 ///
 /// v   [m/s] constant over the step dt [s] that led to x
-void find_contact(const Interface&, const Vectors& x, const Vectors& v, double dt, double moved, Near&, Memory&);
+void find_contact(const Interface&, const Vectors& x, const Vectors& v, double dt, Moved moved, Near&, Memory&);
 
 /// Moves one apex and computes its force, with the work of the step that led to x.
 ///
-/// moved  [m] see Near::clear
-void advance_element(const Interface&, const Vectors& x, const Vectors& v, double dt, double moved, Near&, Memory&);
+/// moved  see Near::clear
+void advance_element(const Interface&, const Vectors& x, const Vectors& v, double dt, Moved moved, Near&, Memory&);
 
 /// Friction on one apex whose normal force is known: slip carried on, stuck or slid.
 void advance_friction(const Interface&, const Vectors& x, const Vectors& v, const Vectors& omega, double dt, Near&, Memory&);

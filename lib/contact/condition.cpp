@@ -35,11 +35,11 @@ constexpr double faces_below = 0.3;    // cosine between the normals of an apex 
 
 /// Whether an apex that is pressed stays over the inside of the one facet that it slides on, and comes to no other part: its stencil of the
 /// step before says which, and conditions need no more.
-bool stays(const Interface& interface, const Memory& memory, double moved, const Near& near) {
+bool stays(const Interface& interface, const Memory& memory, Moved moved, const Near& near) {
   const Tracks& tracks = near.tracks;
   const ElementForces& element = near.element;
   if (tracks.count != 1 || tracks.track[0].height < level(interface, memory, near.apex, tracks.track[0].facet)) return false;
-  return near.pressed > 0 && moved < tracks.owned && 2 * moved + element.depth < near.clear && element.count == 1 &&
+  return near.pressed > 0 && moved.now < tracks.owned && 2 * moved.now + element.depth < near.clear && element.count == 1 &&
          allowed_of(interface, near.apex) == nullptr;
 }
 
@@ -48,12 +48,12 @@ void find(const Interface& interface, const Motion& m, Memory& memory, Workspace
   const auto look = [&](const Vectors& x, const Vectors& way, double dt) {
     const bool automatic = interface.bodies.count() > 0;  // which has been searched for
     const double ahead = &x == &all.ahead ? all.way_apart : 0;
-    const double moved = automatic ? memory.way + ahead : search_where_due(interface, x, way, memory, workspace);
+    const Moved moved = automatic ? along_way(memory.way, ahead) : from_search(search_where_due(interface, x, way, memory, workspace));
     parallel_for(static_cast<Index>(memory.near.size()), 64, [&](Index i) {
       Near& near = memory.near[i];
       near.earlier = near.pressed;
       near.pressed = near.element.closed && m.dt > 0 ? near.element.apex.norm() : 0;
-      if (near.rests && moved < near.clear) return;
+      if (near.rests && moved.now < near.clear) return;
       near.stays = stays(interface, memory, moved, near);
       if (near.stays) {
         near.element.moved = false;

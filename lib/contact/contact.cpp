@@ -98,10 +98,10 @@ double tangential_stored(const Memory& memory) {
 void advance(const Interface& interface, const Vectors& x, const Vectors& v, const Vectors& omega, double dt, Memory& memory,
              Workspace& workspace) {
   const bool searches = interface.kind == InterfaceKind::contact;
-  const double moved = searches ? search_where_due(interface, x, v, memory, workspace) : 0;
+  const Moved moved = from_search(searches ? search_where_due(interface, x, v, memory, workspace) : 0);
   parallel_for(static_cast<Index>(memory.near.size()), 64, [&](Index i) {
     Near& near = memory.near[i];
-    if (near.rests && moved < near.clear) return;
+    if (near.rests && moved.now < near.clear) return;
     advance_element(interface, x, v, dt, moved, near, memory);
     if (!memory.slip.empty()) advance_friction(interface, x, v, omega, dt, near, memory);
   });

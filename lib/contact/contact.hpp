@@ -176,8 +176,7 @@ struct Near {
   Index apex = -1;        ///< in Interface::apexes
   Index first_facet = 0;  ///< of its near facets in Memory::near_facets
   Index facets = 0;       ///< how many
-  /// [m] As long as apexes and base have moved less since the search, a free apex cannot have come into contact, and one in contact not
-  /// to another part.
+  /// [m] As long as Moved::now is less, a free apex cannot have come into contact, and one in contact not to another part.
   double clear = 0;
   double area = 0;        ///< [m2] of the sides of the apex that faced the base as it came into contact; zero: all
   bool rests = false;     ///< free, and its forces are booked: nothing is to do while it is clear

@@ -24,13 +24,25 @@ Vec3 at(const Place&, const BaseSurface&, const Vectors& x);
 /// The same where the nodes were `earlier` [s], with velocities constant since.
 Vec3 at(const Place&, const BaseSurface&, const Vectors& x, const Vectors& v, double earlier);
 
+/// How far apexes and base can have gone against each other since the last search. What holds here, and within some room around, holds as
+/// long as `now` stays below until(room).
+struct Moved {
+  double now;   ///< [m]
+  double from;  ///< [m]
+  double until(double room) const { return from + room; }
+};
+/// Where a distance is known: two states can be apart by the sum of their distances from the search.
+inline Moved from_search(double distance) { return {distance, -distance}; }
+/// Where the way is known that steps have made, and what comes `ahead` of them: two states can be apart by the way between them.
+inline Moved along_way(double way, double ahead) { return {way + ahead, way - ahead}; }
+
 constexpr int most_tracks = 3;
 
 /// All that an apex is in contact with.
 struct Tracks {
   int count = 0;
   std::array<Track, most_tracks> track;
-  /// [m] As long as apexes and base have moved less, the apex stays over the inside of the one facet that it slides on.
+  /// [m] As long as Moved::now is less, the apex stays over the inside of the one facet that it slides on.
   double owned = -std::numeric_limits<double>::infinity();
   Place out;  ///< where the apex would be if it were pushed out; the next sweep starts there. Without a facet: where the apex is
 

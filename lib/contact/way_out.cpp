@@ -194,16 +194,16 @@ WayOut over_one_facet(const FeatureHeight& over, double level, double release_he
 
 }  // namespace
 
-WayOut way_out(const BaseSurface& base, const Vectors& x, const Vec3& p, double contact_height, const Mat3* allowed, double moved,
+WayOut way_out(const BaseSurface& base, const Vectors& x, const Vec3& p, double contact_height, const Mat3* allowed, Moved moved,
                Tracks& tracks, std::array<Stencil, most_stencils>& stencils, double release_height, Index self) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   const auto level = [&](Index facet) { return contact_height + stand_off(base, facet); };
   if (tracks.count == 1 && allowed == nullptr) {  // well inside a facet
     Track& track = tracks.track[0];
     const FeatureHeight over = height_over(base, x, {track.facet, Kind::facet, 0}, p);
-    if (moved < tracks.owned) return over_one_facet(over, level(track.facet), release_height, tracks, stencils.data());
+    if (moved.now < tracks.owned) return over_one_facet(over, level(track.facet), release_height, tracks, stencils.data());
     const Ownership owner = ownership(base, x, track.facet, over, std::max(std::abs(over.height), track.height));
-    tracks.owned = owner.room - moved;
+    tracks.owned = moved.until(owner.room);
     if (owner.whole) return over_one_facet(over, level(track.facet), release_height, tracks, stencils.data());
   }
   tracks.owned = -infinite;

@@ -30,11 +30,11 @@ struct WayOut {
 /// those that the apex has left. What pushes against another push is left on a way of its own.
 ///
 /// allowed   directions of an apex on a symmetry plane, or null
-/// moved     [m] way of apexes and base against each other since a state at which Tracks::owned was cleared; infinite: not known
+/// moved     of apexes and base against each other since a state at which Tracks::owned was cleared; infinite: not known
 /// stencils  where the pushes are written
 /// release_height  [m] above the contact height up to which an apex has not left yet
 /// self            node of the apex if it is of the same surface, or -1
-WayOut way_out(const BaseSurface&, const Vectors& x, const Vec3& apex, double contact_height, const Mat3* allowed, double moved, Tracks&,
+WayOut way_out(const BaseSurface&, const Vectors& x, const Vec3& apex, double contact_height, const Mat3* allowed, Moved moved, Tracks&,
                std::array<Stencil, most_stencils>& stencils, double release_height = 0, Index self = -1);
 
 }  // namespace nereid::contact

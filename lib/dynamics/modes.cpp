@@ -9,6 +9,7 @@
 #include <functional>
 
 #include "base/check.hpp"
+#include "base/dense.hpp"
 #include "dynamics/step.hpp"
 
 namespace nereid::dynamics {
@@ -181,10 +182,10 @@ void add_springs(const Model& model, const Rows& rows, Entries& K) {
 
 /// Unit vectors of the space onto which a projector maps.
 std::vector<Vec3> directions(const Mat3& projector) {
-  const Eigen::SelfAdjointEigenSolver<Mat3> solver(0.5 * (projector + projector.transpose()));
+  const Eigenpairs solved = eigenpairs(0.5 * (projector + projector.transpose()));
   std::vector<Vec3> all;
   for (int i = 0; i < 3; ++i)
-    if (solver.eigenvalues()(i) > 0.5) all.push_back(solver.eigenvectors().col(i));
+    if (solved.values(i) > 0.5) all.push_back(solved.vectors.col(i));
   return all;
 }
 
@@ -193,10 +194,10 @@ std::vector<Vec3> resisted(const std::vector<Vec3>& directions, const Mat3& stif
   if (directions.empty()) return {};
   Eigen::Matrix<double, 3, Eigen::Dynamic> Q(3, static_cast<Eigen::Index>(directions.size()));
   for (std::size_t i = 0; i < directions.size(); ++i) Q.col(static_cast<Eigen::Index>(i)) = directions[i];
-  const Eigen::SelfAdjointEigenSolver<Dense> solver(Dense(Q.transpose() * stiffness * Q));
+  const Eigenpairs solved = eigenpairs(Q.transpose() * stiffness * Q);
   std::vector<Vec3> all;
   for (Eigen::Index i = 0; i < Q.cols(); ++i)
-    if (solver.eigenvalues()(i) > no_stiffness * stiffness.trace()) all.push_back(Q * solver.eigenvectors().col(i));
+    if (solved.values(i) > no_stiffness * stiffness.trace()) all.push_back(Q * solved.vectors.col(i));
   return all;
 }
 
@@ -301,9 +302,9 @@ Pairs outermost(const Sparse& A, double scale, int sign, Eigen::Index wanted, Op
     }
     // the best combinations of what has been found so far
     const Dense AQ = A * all;
-    const Eigen::SelfAdjointEigenSolver<Dense> ritz(Dense(0.5 * (all.transpose() * AQ + AQ.transpose() * all)));
-    const Dense turned = all * ritz.eigenvectors();
-    pairs.values = sign > 0 ? ritz.eigenvalues() : Eigen::VectorXd(ritz.eigenvalues().reverse());
+    const Eigenpairs ritz = eigenpairs(0.5 * (all.transpose() * AQ + AQ.transpose() * all));
+    const Dense turned = all * ritz.vectors;
+    pairs.values = sign > 0 ? ritz.values : Eigen::VectorXd(ritz.values.reverse());
     pairs.vectors = sign > 0 ? turned : Dense(turned.rowwise().reverse());
     remainder.found = pairs.vectors;
     missing = std::max<Eigen::Index>(wanted - pairs.values.size(), 0);
@@ -324,9 +325,9 @@ Pairs outermost(const Sparse& A, double scale, int sign, Eigen::Index wanted, Op
 }
 
 Pairs all_of(const Sparse& A, bool descending) {
-  const Eigen::SelfAdjointEigenSolver<Dense> solver{Dense(A)};
-  if (!descending) return {.values = solver.eigenvalues(), .vectors = solver.eigenvectors()};
-  return {.values = solver.eigenvalues().reverse(), .vectors = solver.eigenvectors().rowwise().reverse()};
+  const Eigenpairs all = eigenpairs(A);
+  if (!descending) return {.values = all.values, .vectors = all.vectors};
+  return {.values = all.values.reverse(), .vectors = all.vectors.rowwise().reverse()};
 }
 
 Pairs highest_of(const Sparse& A, int wanted) {

@@ -1,10 +1,10 @@
 #include "load/constraints.hpp"
 
 #include <Eigen/Geometry>
-#include <Eigen/QR>
 #include <algorithm>
 
 #include "base/check.hpp"
+#include "base/dense.hpp"
 
 namespace nereid::load {
 
@@ -49,8 +49,7 @@ void add_plane(const Constraints& constraints, ConstrainedNode& node, int plane)
   if (node.rotation_constrained) rotation.setZero();
   node.allowed_rotation = rotation;
   // A reaction R = sum of c_p n_p has c = pseudo-inverse of the normals times R
-  const Eigen::CompleteOrthogonalDecomposition<Eigen::Matrix<double, 3, ConstrainedNode::most_rows>> decomposition(normals);
-  const Eigen::Matrix<double, ConstrainedNode::most_rows, 3> inverse = decomposition.pseudoInverse();
+  const Eigen::Matrix<double, ConstrainedNode::most_rows, 3> inverse = pseudo_inverse(normals);
   node.allowed = Mat3::Identity() - normals * inverse;
   for (int p = 0; p < node.count; ++p) node.reaction[p] = inverse.row(p).transpose();
   // along an axis the projector is exact, so that a constrained node stays on its plane to the last bit

@@ -1,9 +1,9 @@
 #include "model/rigid_bodies.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
+#include "base/dense.hpp"
 #include "base/words.hpp"
 #include "rigid/hold.hpp"
 
@@ -69,7 +69,7 @@ void set_rows(const Scene& scene, const load::Constraints& constraints, const st
   }
   Eigen::MatrixXd normals(3, static_cast<Eigen::Index>(held.rows.size()));
   for (std::size_t r = 0; r < held.rows.size(); ++r) normals.col(static_cast<Eigen::Index>(r)) = held.rows[r].normal;
-  const Eigen::MatrixXd inverse = Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>(normals).pseudoInverse();
+  const Eigen::MatrixXd inverse = pseudo_inverse(normals);
   for (std::size_t r = 0; r < held.rows.size(); ++r) held.rows[r].reaction = inverse.row(static_cast<Eigen::Index>(r)).transpose();
 }
 

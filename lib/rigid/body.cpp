@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/dense.hpp"
+
 namespace nereid::rigid {
 
 namespace {
@@ -205,8 +207,7 @@ double safe_share(const Body& body, const Scalars& mass) {
   }
   of_body.topLeftCorner<3, 3>() = body.mass.mass * Mat3::Identity();
   of_body.bottomRightCorner<3, 3>() = body.mass.inertia / (size * size);
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Mat6> ratio(of_nodes, of_body, Eigen::EigenvaluesOnly);
-  return 1 / ratio.eigenvalues().maxCoeff();
+  return 1 / eigenvalues(of_nodes, of_body).maxCoeff();
 }
 
 }  // namespace nereid::rigid

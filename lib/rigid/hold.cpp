@@ -1,7 +1,8 @@
 #include "rigid/hold.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+
+#include "base/dense.hpp"
 
 namespace nereid::rigid {
 
@@ -23,27 +24,27 @@ std::optional<Hold> hold_of(std::span<const HeldNode> held, double size) {
     all += row * row.transpose();
     normals += one.normal * one.normal.transpose();
   }
-  const Eigen::SelfAdjointEigenSolver<Mat3> shifts(normals);
+  const Eigenpairs shifts = eigenpairs(normals);
   hold.shift.setZero();
   for (int k = 0; k < 3; ++k)
-    if (shifts.eigenvalues()(k) < same * same * shifts.eigenvalues()(2))
-      hold.shift += shifts.eigenvectors().col(k) * shifts.eigenvectors().col(k).transpose();
+    if (shifts.values(k) < same * same * shifts.values(2))
+      hold.shift += shifts.vectors.col(k) * shifts.vectors.col(k).transpose();
   for (int i = 0; i < 9; ++i) {  // exact along axes
     double& entry = hold.shift.data()[i];
     if (std::abs(entry) < 1e-14) entry = 0;
     if (std::abs(entry - 1) < 1e-14) entry = 1;
   }
-  const Eigen::SelfAdjointEigenSolver<Mat6> motions(all);
+  const Eigenpairs motions = eigenpairs(all);
   Mat3 turning = Mat3::Zero();
   for (int k = 0; k < 6; ++k) {
-    if (!(motions.eigenvalues()(k) < same * same * motions.eigenvalues()(5))) continue;
-    const Vec3 turn = motions.eigenvectors().col(k).tail<3>();
+    if (!(motions.values(k) < same * same * motions.values(5))) continue;
+    const Vec3 turn = motions.vectors.col(k).tail<3>();
     turning += turn * turn.transpose();
   }
-  const Eigen::SelfAdjointEigenSolver<Mat3> turns(turning);
-  hold.turns = static_cast<int>((turns.eigenvalues().array() > same * same).count());
+  const Eigenpairs turns = eigenpairs(turning);
+  hold.turns = static_cast<int>((turns.values.array() > same * same).count());
   if (hold.turns == 0) return hold;
-  hold.axis = turns.eigenvectors().col(2);
+  hold.axis = turns.vectors.col(2);
   if (hold.axis(0) + hold.axis(1) + hold.axis(2) < 0) hold.axis = -hold.axis;
   for (int i = 0; i < 3; ++i) {
     if (std::abs(hold.axis(i)) < 1e-12) hold.axis(i) = 0;

@@ -1,10 +1,11 @@
 #include "rigid/mass.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <array>
 #include <cmath>
+
+#include "base/dense.hpp"
 
 namespace nereid::rigid {
 
@@ -66,7 +67,7 @@ MassProperties properties(const Moments& sum, const Vec3& about) {
 
 bool is_possible(const Mat3& inertia) {
   if (!inertia.allFinite()) return false;
-  const Vec3 moment = Eigen::SelfAdjointEigenSolver<Mat3>(inertia).eigenvalues();
+  const Vec3 moment = eigenvalues(inertia);
   return moment(0) > 0 && moment(2) <= (1 + 1e-9) * (moment(0) + moment(1));
 }
 

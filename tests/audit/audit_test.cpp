@@ -8,7 +8,7 @@
 #include "base/parallel.hpp"
 #include "tests/audit/bodies.hpp"
 
-namespace nereid::audit {
+namespace nereid::audit::audit_test {
 namespace {
 
 /// Two cubes of side 1 with n cells along each edge, the second above the first and `depth` in it.
@@ -442,4 +442,4 @@ TEST(Look, IsOverBeforeAnyPointWhereBodiesAreApart) {
 }
 
 }  // namespace
-}  // namespace nereid::audit
+}  // namespace nereid::audit::audit_test

@@ -4,7 +4,7 @@
 
 #include "tests/audit/bodies.hpp"
 
-namespace nereid::audit {
+namespace nereid::audit::placed_test {
 namespace {
 
 /// A box with cells and its skin where it stands.
@@ -128,4 +128,4 @@ TEST(Crossings, AreThoseOfAnEdgeThroughBothSidesOfABox) {
 }
 
 }  // namespace
-}  // namespace nereid::audit
+}  // namespace nereid::audit::placed_test

@@ -2,7 +2,7 @@
 
 #include "tests/audit/bodies.hpp"
 
-namespace nereid::audit {
+namespace nereid::audit::surfaces_test {
 namespace {
 
 TEST(Surfaces, OfABoxIsItsSkin) {
@@ -78,4 +78,4 @@ TEST(Surfaces, KnowTheFacesThatAPlaneOfSymmetryCuts) {
 }
 
 }  // namespace
-}  // namespace nereid::audit
+}  // namespace nereid::audit::surfaces_test

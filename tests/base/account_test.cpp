@@ -4,7 +4,8 @@
 
 #include <set>
 
-using namespace nereid;
+namespace nereid::account_test {
+namespace {
 
 TEST(Account, EveryChannelHasAWordOfItsOwn) {
   EXPECT_EQ(std::set(words_of_stored.begin(), words_of_stored.end()).size(), words_of_stored.size());
@@ -23,3 +24,6 @@ TEST(Account, WhatAStoreHoldsCountsFromTheStart) {
   EXPECT_EQ(account.stored[Stored::elastic], 2);
   EXPECT_EQ(account.stored[Stored::hourglass], 0);
 }
+
+}  // namespace
+}  // namespace nereid::account_test

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace nereid {
+namespace nereid::archive_test {
 namespace {
 
 enum class Kind : int { one = 1, other = 2 };
@@ -92,4 +92,4 @@ TEST(Archive, WithACountThatIsTooLargeTakesNoMemory) {
 }
 
 }  // namespace
-}  // namespace nereid
+}  // namespace nereid::archive_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace nereid {
+namespace nereid::checksum_test {
 namespace {
 
 TEST(Checksum, IsThatOfItsAuthors) {
@@ -14,4 +14,4 @@ TEST(Checksum, IsThatOfItsAuthors) {
 TEST(Checksum, GoesOnWhereAnotherEnded) { EXPECT_EQ(checksum("bar", checksum("foo")), checksum("foobar")); }
 
 }  // namespace
-}  // namespace nereid
+}  // namespace nereid::checksum_test

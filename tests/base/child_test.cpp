@@ -7,7 +7,7 @@
 #include <new>
 #include <stdexcept>
 
-namespace nereid {
+namespace nereid::child_test {
 namespace {
 
 TEST(InChild, ReturnsAllBytes) {
@@ -59,4 +59,4 @@ TEST(InChild, EndsWhatHangs) {
 }
 
 }  // namespace
-}  // namespace nereid
+}  // namespace nereid::child_test

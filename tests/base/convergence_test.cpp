@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace nereid {
+namespace nereid::convergence_test {
 namespace {
 
 std::vector<Level> power_law(const std::vector<double>& refine, double limit, double size, double order) {
@@ -65,4 +65,4 @@ TEST(Updates, FollowThoseOfTheLastTwoLevels) {
 }
 
 }  // namespace
-}  // namespace nereid
+}  // namespace nereid::convergence_test

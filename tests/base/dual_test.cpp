@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace nereid {
+namespace nereid::dual_test {
 namespace {
 
 /// A formula of two variables that uses every operation.
@@ -43,4 +43,4 @@ TEST(Dual, ComparesByValue) {
 }
 
 }  // namespace
-}  // namespace nereid
+}  // namespace nereid::dual_test

@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace nereid {
+namespace nereid::gather_test {
 namespace {
 
 TEST(Gather, EachLaneHasWhatItsIndexSays) {
@@ -18,4 +18,4 @@ TEST(Gather, EachLaneHasWhatItsIndexSays) {
 }
 
 }  // namespace
-}  // namespace nereid
+}  // namespace nereid::gather_test

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace nereid {
+namespace nereid::memory_test {
 namespace {
 
 TEST(MostResident, GrowsByWhatIsWritten) {
@@ -37,4 +37,4 @@ TEST(MemoryLeft, IsThatOfTheMachineOrWhatALimitLeaves) {
 }
 
 }  // namespace
-}  // namespace nereid
+}  // namespace nereid::memory_test

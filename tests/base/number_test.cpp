@@ -7,7 +7,7 @@
 
 #include "base/dual.hpp"
 
-namespace nereid {
+namespace nereid::number_test {
 namespace {
 
 /// One row of lanes: first, first + 1, ...
@@ -81,4 +81,4 @@ TEST(Number, LanesAreReadAndWrittenInOrder) {
 }
 
 }  // namespace
-}  // namespace nereid
+}  // namespace nereid::number_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace nereid {
+namespace nereid::parallel_test {
 namespace {
 
 TEST(Parallel, EveryIndexIsCalledOnce) {
@@ -44,4 +44,4 @@ TEST(Parallel, KnowsItsNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace nereid
+}  // namespace nereid::parallel_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace nereid {
+namespace nereid::range_test {
 namespace {
 
 TEST(Range, ContainsItsEndsWhereTheyBelongToIt) {
@@ -30,4 +30,4 @@ TEST(WordsOf, ARangeHaveTheUnitOfItsEnds) {
 }
 
 }  // namespace
-}  // namespace nereid
+}  // namespace nereid::range_test

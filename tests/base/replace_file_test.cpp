@@ -9,7 +9,7 @@
 
 #include "base/check.hpp"
 
-namespace nereid {
+namespace nereid::replace_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -112,4 +112,4 @@ TEST(AppendToFile, AFileThatHasVanishedIsTheMachinesFault) {
 }
 
 }  // namespace
-}  // namespace nereid
+}  // namespace nereid::replace_file_test

@@ -9,7 +9,7 @@
 #include "base/dual.hpp"
 #include "base/types.hpp"
 
-namespace nereid {
+namespace nereid::tensor_test {
 namespace {
 
 std::mt19937 chance(3);
@@ -119,4 +119,4 @@ TEST(Tensor, RunsOnDualNumbersAndPacks) {
 }
 
 }  // namespace
-}  // namespace nereid
+}  // namespace nereid::tensor_test

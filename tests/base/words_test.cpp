@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace nereid {
+namespace nereid::words_test {
 namespace {
 
 TEST(Nearest, IsTheWordWithTheFewestWrongLetters) {
@@ -53,4 +53,4 @@ TEST(Clipped, EndsBetweenCharacters) {
 }
 
 }  // namespace
-}  // namespace nereid
+}  // namespace nereid::words_test

@@ -14,7 +14,7 @@
 #include "mesh/cylinder.hpp"
 #include "tests/contact/surfaces.hpp"
 
-namespace nereid::contact {
+namespace nereid::contact::base_surface_test {
 namespace {
 
 using namespace surfaces;
@@ -127,4 +127,4 @@ TEST(BaseSurface, OfBodiesThatOverlapHasTheMaterialOfEach) {
 }
 
 }  // namespace
-}  // namespace nereid::contact
+}  // namespace nereid::contact::base_surface_test

@@ -6,7 +6,7 @@
 
 #include "tests/contact/surfaces.hpp"
 
-namespace nereid::contact {
+namespace nereid::contact::beside_test {
 namespace {
 
 using namespace surfaces;
@@ -60,4 +60,4 @@ TEST(FindBeside, LeavesOutNodesOfOtherSurfaces) {
 }
 
 }  // namespace
-}  // namespace nereid::contact
+}  // namespace nereid::contact::beside_test

@@ -7,7 +7,7 @@
 #include "contact/condition.hpp"
 #include "tests/contact/pressed.hpp"
 
-namespace nereid::contact {
+namespace nereid::contact::bond_test {
 namespace {
 
 using namespace pressed;
@@ -223,4 +223,4 @@ TEST(BondByMultipliers, TwoThatSayTheSameShareTheImpulse) {
 }
 
 }  // namespace
-}  // namespace nereid::contact
+}  // namespace nereid::contact::bond_test

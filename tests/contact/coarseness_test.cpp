@@ -8,7 +8,7 @@
 #include "mesh/box.hpp"
 #include "mesh/sphere.hpp"
 
-namespace nereid::contact {
+namespace nereid::contact::coarseness_test {
 namespace {
 
 using Cells = Eigen::Vector3i;
@@ -75,4 +75,4 @@ TEST(Coarseness, IsZeroWhereNothingFacesTheBase) {
 }
 
 }  // namespace
-}  // namespace nereid::contact
+}  // namespace nereid::contact::coarseness_test

@@ -4,7 +4,7 @@
 
 #include "tests/contact/pressed.hpp"
 
-namespace nereid::contact {
+namespace nereid::contact::condition_test {
 namespace {
 
 using namespace pressed;
@@ -171,4 +171,4 @@ TEST(Trend, IsTheLineThroughTheLastTwoStepsWhereBothPress) {
 }
 
 }  // namespace
-}  // namespace nereid::contact
+}  // namespace nereid::contact::condition_test

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <atomic>
@@ -13,6 +12,7 @@
 #include <new>
 #include <random>
 
+#include "base/dense.hpp"
 #include "base/parallel.hpp"
 #include "contact/impact_step.hpp"
 #include "contact/projection.hpp"
@@ -37,7 +37,7 @@ std::atomic<long> allocations{0};
 [[gnu::noinline]] void operator delete(void* at, std::size_t) noexcept { std::free(at); }
 #endif
 
-namespace nereid::contact {
+namespace nereid::contact::contact_test {
 namespace {
 
 using geometry::Kind;
@@ -695,7 +695,7 @@ double omega_squared(const Scene& scene, const Scalars& mass) {
   }
   for (Index i = 0; i < n; ++i)
     for (Index j = 0; j < n; ++j) K(i, j) /= std::sqrt(mass(i / 3) * mass(j / 3));
-  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(0.5 * (K + K.transpose())).eigenvalues().maxCoeff();
+  return eigenvalues(0.5 * (K + K.transpose())).maxCoeff();
 }
 
 /// The vote's frequency over the exact one, least and largest over random interfaces on a shape.
@@ -882,4 +882,4 @@ TEST(Impact, IsBoundedBelowTheLinearLimitAndNotAbove) {
 }
 
 }  // namespace
-}  // namespace nereid::contact
+}  // namespace nereid::contact::contact_test

@@ -12,7 +12,7 @@
 #include "mesh/placement.hpp"
 #include "mesh/skin.hpp"
 
-namespace nereid::contact {
+namespace nereid::contact::crossing_test {
 namespace {
 
 /// Two square bars, 1 x 1 x 6 m, the upper one along x and the lower one turned by `degrees` from it; both stand on their ridges, `gap`
@@ -377,4 +377,4 @@ TEST(Enforce, CreatesNothingWhereEdgesCrossAndRubWhateverTheMassesAndAngles) {
 }
 
 }  // namespace
-}  // namespace nereid::contact
+}  // namespace nereid::contact::crossing_test

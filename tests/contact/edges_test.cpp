@@ -8,7 +8,7 @@
 #include "mesh/skin.hpp"
 #include "mesh/cylinder.hpp"
 
-namespace nereid::contact {
+namespace nereid::contact::edges_test {
 namespace {
 
 mesh::Mesh box_with_skin(const Eigen::Vector3i& cells) {
@@ -95,4 +95,4 @@ TEST(Rise, OfARightRidgeIsNoneInTheQuarterBetweenItsNormals) {
 }
 
 }  // namespace
-}  // namespace nereid::contact
+}  // namespace nereid::contact::edges_test

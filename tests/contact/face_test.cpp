@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-namespace nereid::contact {
+namespace nereid::contact::face_test {
 namespace {
 
 /// A warped face around a point at the origin, over the middle of it or near an edge.
@@ -71,4 +71,4 @@ TEST(Face, AFaceThatIsWarpedTooMuchHasNoFoot) {
 }
 
 }  // namespace
-}  // namespace nereid::contact
+}  // namespace nereid::contact::face_test

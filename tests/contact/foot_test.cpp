@@ -5,7 +5,7 @@
 #include "contact/stand.hpp"
 #include "tests/contact/surfaces.hpp"
 
-namespace nereid::contact {
+namespace nereid::contact::foot_test {
 namespace {
 
 using namespace surfaces;
@@ -100,4 +100,4 @@ TEST(Foot, HeightAndNormalGoEvenlyOverCutsEdgesAndNodes) {
 }
 
 }  // namespace
-}  // namespace nereid::contact
+}  // namespace nereid::contact::foot_test

@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <random>
 
-namespace nereid::contact {
+namespace nereid::contact::friction_test {
 namespace {
 
 Vec3 random_vector() {
@@ -132,4 +132,4 @@ TEST(Carried, VectorsKeepTheirLengthAndTurnWithTheBase) {
 }
 
 }  // namespace
-}  // namespace nereid::contact
+}  // namespace nereid::contact::friction_test

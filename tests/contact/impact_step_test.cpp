@@ -9,7 +9,7 @@
 #include "contact/contact.hpp"
 #include "contact/rigid_plane.hpp"
 
-namespace nereid::contact {
+namespace nereid::contact::impact_step_test {
 namespace {
 
 TEST(Bounce, ReproducesTheTableOfRebounds) {
@@ -64,4 +64,4 @@ TEST(Bounce, RefusesABoundThatIsNone) {
 }
 
 }  // namespace
-}  // namespace nereid::contact
+}  // namespace nereid::contact::impact_step_test

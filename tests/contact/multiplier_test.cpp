@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace nereid::contact {
+namespace nereid::contact::multiplier_test {
 namespace {
 
 /// A node of unit mass over the plane z = 0, moved by leapfrog as a run does it.
@@ -146,4 +146,4 @@ TEST(Multiplier, WhatOthersLeaveOfTheSlipRateOfAStickIsNoSliding) {
 }
 
 }  // namespace
-}  // namespace nereid::contact
+}  // namespace nereid::contact::multiplier_test

@@ -6,7 +6,7 @@
 
 #include "tests/contact/surfaces.hpp"
 
-namespace nereid::contact {
+namespace nereid::contact::partners_test {
 namespace {
 
 using namespace surfaces;
@@ -102,4 +102,4 @@ TEST(Partners, OfThemselvesAreBodiesThatASearchFoundNear) {
 }
 
 }  // namespace
-}  // namespace nereid::contact
+}  // namespace nereid::contact::partners_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-namespace nereid::contact {
+namespace nereid::contact::projection_test {
 namespace {
 
 class Draw {
@@ -135,4 +135,4 @@ TEST(ShortestWayOut, PushesFullyOnBothFlanksOfARightAngle) {
 }
 
 }  // namespace
-}  // namespace nereid::contact
+}  // namespace nereid::contact::projection_test

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace nereid::contact {
+namespace nereid::contact::restitution_test {
 namespace {
 
 /// Nodes of unit mass over a plane z = 0, one condition each, that move away with unit speed and hold energy.
@@ -226,4 +226,4 @@ TEST(Unreleased, IsLostWhereNothingActsAndADebtIsNotHandedOn) {
 }
 
 }  // namespace
-}  // namespace nereid::contact
+}  // namespace nereid::contact::restitution_test

@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
+#include "base/dense.hpp"
 #include "contact/multiplier.hpp"
 
-namespace nereid::contact {
+namespace nereid::contact::rigid_nodes_test {
 namespace {
 
 /// A rigid body of eight nodes beside four that are free, in the step to come.
@@ -118,8 +118,8 @@ TEST(RigidNodes, BoundsHoldAndAreExactWhereAllPushAlike) {
     EXPECT_GE(at.all.conditions[k].bound, A.row(k).cwiseAbs().sum() * (1 - 1e-9));
     for (int l = 0; l < 4; ++l) scaled(k, l) /= std::sqrt(at.all.conditions[k].bound * at.all.conditions[l].bound);
   }
-  EXPECT_LE(Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d>(scaled).eigenvalues()(3), 1);
+  EXPECT_LE(eigenvalues(scaled)(3), 1);
 }
 
 }  // namespace
-}  // namespace nereid::contact
+}  // namespace nereid::contact::rigid_nodes_test

@@ -7,7 +7,7 @@
 
 #include "contact/impact_step.hpp"
 
-namespace nereid::contact {
+namespace nereid::contact::rigid_plane_test {
 namespace {
 
 /// Two nodes over an inclined plane, tributary areas 2 and 3 m2.
@@ -121,4 +121,4 @@ TEST(RigidPlane, WithoutNodesVotesForNothing) {
 }
 
 }  // namespace
-}  // namespace nereid::contact
+}  // namespace nereid::contact::rigid_plane_test

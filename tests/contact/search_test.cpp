@@ -12,7 +12,7 @@
 #include "mesh/cylinder.hpp"
 #include "tests/contact/surfaces.hpp"
 
-namespace nereid::contact {
+namespace nereid::contact::search_test {
 namespace {
 
 using namespace surfaces;
@@ -130,4 +130,4 @@ TEST(BroadSearch, EndsOnASurfaceThatHasShrunkToAPoint) {
 }
 
 }  // namespace
-}  // namespace nereid::contact
+}  // namespace nereid::contact::search_test

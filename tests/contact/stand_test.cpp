@@ -12,7 +12,7 @@
 #include "mesh/cylinder.hpp"
 #include "tests/contact/surfaces.hpp"
 
-namespace nereid::contact {
+namespace nereid::contact::stand_test {
 namespace {
 
 using geometry::Kind;
@@ -141,4 +141,4 @@ TEST(Stand, OverAPlainKeepsToTheFacetInUseAtItsBorder) {
 }
 
 }  // namespace
-}  // namespace nereid::contact
+}  // namespace nereid::contact::stand_test

@@ -5,7 +5,7 @@
 #include "contact/impact_step.hpp"
 #include "contact/rigid_plane.hpp"
 
-namespace nereid::contact {
+namespace nereid::contact::step_factor_test {
 namespace {
 
 TEST(StepFactor, IsLongerUntilItIsLoweredAndNeverBelowTheImpacts) {
@@ -23,4 +23,4 @@ TEST(StepFactor, TheMostOfABounceIsTheInverseOfTheImpactStepFactor) {
 }
 
 }  // namespace
-}  // namespace nereid::contact
+}  // namespace nereid::contact::step_factor_test

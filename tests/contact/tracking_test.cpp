@@ -3,7 +3,7 @@
 #include "mesh/adjacency.hpp"
 #include "tests/contact/pressed.hpp"
 
-namespace nereid::contact {
+namespace nereid::contact::tracking_test {
 namespace {
 
 using geometry::Kind;
@@ -302,4 +302,4 @@ TEST(EntryOfAnApex, EdgewaysBelongsToTheFaceThatItLooksAtOnlyFromNearby) {
 }
 
 }  // namespace
-}  // namespace nereid::contact
+}  // namespace nereid::contact::tracking_test

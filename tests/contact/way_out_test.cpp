@@ -5,7 +5,7 @@
 
 #include "tests/contact/pressed.hpp"
 
-namespace nereid::contact {
+namespace nereid::contact::way_out_test {
 namespace {
 
 using geometry::Kind;
@@ -356,4 +356,4 @@ TEST(OddSurface, PushesAnApexOnNodesAndEdgesOnce) {
 }
 
 }  // namespace
-}  // namespace nereid::contact
+}  // namespace nereid::contact::way_out_test

@@ -4,7 +4,7 @@
 #include "mesh/box.hpp"
 #include "tests/dynamics/scene.hpp"
 
-namespace nereid::dynamics {
+namespace nereid::dynamics::archive_test {
 namespace {
 
 const material::Elastic rubber{1000, 1e6, 0.3};
@@ -65,4 +65,4 @@ TEST(StateAsBytes, OfAnotherModelIsRefused) {
 }
 
 }  // namespace
-}  // namespace nereid::dynamics
+}  // namespace nereid::dynamics::archive_test

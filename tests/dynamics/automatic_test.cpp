@@ -13,7 +13,7 @@
 #include "mesh/skin.hpp"
 #include "tests/dynamics/scene.hpp"
 
-namespace nereid::dynamics {
+namespace nereid::dynamics::automatic_test {
 namespace {
 
 const material::Elastic soft{1000, 1e8, 0.3}, hard{8000, 2e11, 0.25};
@@ -181,5 +181,60 @@ TEST(FlatEdges, AreLeftAloneWithoutChangingABit) {
   }
 }
 
+/// What becomes of two blocks of which one slides over the other, while both go aside together; how many apexes were pressed in all
+/// steps, and how many of them were not looked at in full.
+struct Slid {
+  Vectors x;
+  double pressed = 0, stay = 0;
+};
+Slid slide(bool automatic, bool looks_at_all) {
+  Scene s;
+  const mesh::Mesh over = mesh::rotated_about(box("block", {0, 0, 0}, {1, 1, 0.4}), Vec3::UnitZ(), 0.2, Vec3::Zero());
+  s.model.mesh = mesh::join(box("base", {-0.5, -0.4, -0.5}, {1.6, 1.7, 0}), over);
+  for (const char* name : {"base", "block"}) s.model.blocks.push_back(element::hexahedra(s.model.mesh, name, soft, {}));
+  Subset top, bottom;
+  for (Index node = 0; node < s.model.mesh.X.cols(); ++node) {
+    if (s.model.mesh.X(2, node) > 0.39) top.push_back(node);
+    if (s.model.mesh.X(2, node) < -0.49) bottom.push_back(node);
+  }
+  load::Plane pusher = plane("pusher", load::PlaneKind::driven, Vec3::UnitZ(), top);
+  load::Plane holder = plane("holder", load::PlaneKind::driven, Vec3::UnitZ(), bottom);
+  const auto speed = [](double value) { return [=](double, double, double, double) { return value; }; };
+  pusher.field = {speed(0.1), speed(0), speed(-0.01)};
+  holder.field = {speed(-0.1), speed(0.2), speed(0)};
+  s.model.constraints.planes = {pusher, holder};
+  finalize(s.model);
+  InterfaceOptions joint;
+  joint.height = {.from_initial_height = false, .clearance = 0, .given = 0};
+  joint.method = contact::Method::multiplier;
+  const auto connected = automatic ? connect_automatic(s.model, "all", {{"base", false}, {"block", false}}, {}, joint)
+                                   : connect(s.model, "joint", "block.skin", "base.skin", joint);
+  for (const Connected& one : connected) s.memories.push_back(one.memory);
+  s.ready();
+  const double dt = 0.5 * start(s.model, s.state, s.forces).elements.step;
+  Slid found;
+  while (s.state.t < 0.6) {
+    for (contact::Memory& memory : s.state.interfaces)
+      for (contact::Near& near : memory.near) {
+        found.pressed += near.pressed > 0 ? 1 : 0;
+        found.stay += near.stays ? 1 : 0;
+        if (looks_at_all) near.clear = near.tracks.owned = -INFINITY;
+      }
+    step(s.model, dt, s.state, s.forces);
+  }
+  found.x = s.state.x;
+  return found;
+}
+
+TEST(ApexesThatStay, AreLeftAloneWithoutChangingWhatComesOut) {
+  for (const bool automatic : {false, true}) {
+    const Slid some = slide(automatic, false), all_of_them = slide(automatic, true);
+    EXPECT_GT(some.pressed, 1000);
+    EXPECT_EQ(all_of_them.stay, 0);
+    EXPECT_LT((some.x - all_of_them.x).cwiseAbs().maxCoeff(), 1e-12);
+    EXPECT_GT(some.stay, (automatic ? 0.8 : 0.7) * some.pressed);
+  }
+}
+
 }  // namespace
-}  // namespace nereid::dynamics
+}  // namespace nereid::dynamics::automatic_test

@@ -12,7 +12,7 @@
 #include "mesh/placement.hpp"
 #include "mesh/wedge.hpp"
 
-namespace nereid::dynamics {
+namespace nereid::dynamics::connect_test {
 namespace {
 
 const material::Elastic soft{1000, 1e8, 0.3}, hard{8000, 2e11, 0.25};
@@ -332,4 +332,4 @@ TEST(Connect, WithoutSymmetryPlanesEveryDirectionIsAllowed) {
 }
 
 }  // namespace
-}  // namespace nereid::dynamics
+}  // namespace nereid::dynamics::connect_test

@@ -10,7 +10,7 @@
 #include "mesh/cylinder.hpp"
 #include "tests/dynamics/scene.hpp"
 
-namespace nereid::dynamics {
+namespace nereid::dynamics::displace_test {
 namespace {
 
 Scene box(const element::AnyLaw& law) {
@@ -180,4 +180,4 @@ TEST(TurnsOf, AStretchAlongAFlatPlateAreNone) {
 }
 
 }  // namespace
-}  // namespace nereid::dynamics
+}  // namespace nereid::dynamics::displace_test

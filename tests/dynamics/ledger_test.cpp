@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace nereid::dynamics {
+namespace nereid::dynamics::ledger_test {
 namespace {
 
 Account block() {
@@ -216,4 +216,4 @@ TEST(Ledger, ImpulsesExplainTheMomenta) {
 }
 
 }  // namespace
-}  // namespace nereid::dynamics
+}  // namespace nereid::dynamics::ledger_test

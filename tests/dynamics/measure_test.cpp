@@ -10,7 +10,7 @@
 #include "dynamics/step.hpp"
 #include "mesh/box.hpp"
 
-namespace nereid::dynamics {
+namespace nereid::dynamics::measure_test {
 namespace {
 
 const material::Elastic rubber{1000, 1e6, 0.25};
@@ -152,4 +152,4 @@ TEST(MeanForce, OfGravityIsTheWeight) {
 }
 
 }  // namespace
-}  // namespace nereid::dynamics
+}  // namespace nereid::dynamics::measure_test

@@ -8,7 +8,7 @@
 #include "mesh/box.hpp"
 #include "mesh/cylinder.hpp"
 
-namespace nereid::dynamics {
+namespace nereid::dynamics::model_test {
 namespace {
 
 const material::Elastic lead{11000, 2e8, 0.4};
@@ -131,4 +131,4 @@ TEST(Model, AnInterfaceWithoutMemoryIsRefused) {
 }
 
 }  // namespace
-}  // namespace nereid::dynamics
+}  // namespace nereid::dynamics::model_test

@@ -2,15 +2,15 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 
+#include "base/dense.hpp"
 #include "mesh/box.hpp"
 #include "mesh/disc.hpp"
 #include "mesh/placement.hpp"
 #include "mesh/sphere.hpp"
 
-namespace nereid::dynamics {
+namespace nereid::dynamics::modes_test {
 namespace {
 
 using load::PlaneKind;
@@ -87,7 +87,7 @@ TEST(Modes, OfAFreeBrickHaveTheHighestInClosedForm) {
         for (int i = 0; i < 3; ++i)
           for (int j = 0; j < 3; ++j) M(i, j) = 4 * (lame.lambda + (i == j ? 2 * lame.mu : 0)) / (7850 * h(i) * h(j));
         const Modes modes = find_modes(model, 10, 1);
-        const double exact = std::sqrt(Eigen::SelfAdjointEigenSolver<Mat3>(M).eigenvalues()(2));
+        const double exact = std::sqrt(eigenvalues(M)(2));
         EXPECT_NEAR(omega(modes.highest[0]) / exact, 1, 1e-10) << h.transpose() << " " << poisson << " " << full;
         EXPECT_NEAR(modes.exact_step * exact / 2, 1, 1e-10);
         EXPECT_LE(modes.voted_step, modes.exact_step * (1 + 1e-9));
@@ -192,4 +192,4 @@ TEST(Modes, ForgetDashpotsAndViscosity) {
 }
 
 }  // namespace
-}  // namespace nereid::dynamics
+}  // namespace nereid::dynamics::modes_test

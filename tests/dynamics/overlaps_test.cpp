@@ -7,7 +7,7 @@
 #include "mesh/placement.hpp"
 #include "tests/dynamics/scene.hpp"
 
-namespace nereid::dynamics {
+namespace nereid::dynamics::overlaps_test {
 namespace {
 
 const material::Elastic rubber{1000, 1e6, 0.3};
@@ -146,4 +146,4 @@ TEST(SeeOverlaps, AcceptsOfAPlateWhatItsContactHeightAllowsAgainAndAgain) {
 }
 
 }  // namespace
-}  // namespace nereid::dynamics
+}  // namespace nereid::dynamics::overlaps_test

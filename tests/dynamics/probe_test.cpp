@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace nereid::dynamics {
+namespace nereid::dynamics::probe_test {
 namespace {
 
 /// Samples a row of values, one every dt.
@@ -48,4 +48,4 @@ TEST(Probe, PassesOverSamplesThatAreNoNumber) {
 }
 
 }  // namespace
-}  // namespace nereid::dynamics
+}  // namespace nereid::dynamics::probe_test

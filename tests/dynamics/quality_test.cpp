@@ -10,7 +10,7 @@
 #include "mesh/disc.hpp"
 #include "tests/dynamics/scene.hpp"
 
-namespace nereid::dynamics {
+namespace nereid::dynamics::quality_test {
 namespace {
 
 const material::Elastic rubber{1000, 1e6, 0.3};
@@ -219,4 +219,4 @@ TEST(Quality, OfABlockThatMovesAsOneIsThatOfTheReference) {
 }
 
 }  // namespace
-}  // namespace nereid::dynamics
+}  // namespace nereid::dynamics::quality_test

@@ -8,7 +8,7 @@
 #include "mesh/box.hpp"
 #include "tests/dynamics/scene.hpp"
 
-namespace nereid::dynamics {
+namespace nereid::dynamics::relax_test {
 namespace {
 
 using load::PlaneKind;
@@ -205,4 +205,4 @@ TEST(Relaxation, OfABodyThatFliesFreelyNeverEnds) {
 }
 
 }  // namespace
-}  // namespace nereid::dynamics
+}  // namespace nereid::dynamics::relax_test

@@ -9,7 +9,7 @@
 #include "mesh/placement.hpp"
 #include "tests/dynamics/scene.hpp"
 
-namespace nereid::dynamics {
+namespace nereid::dynamics::rigid_step_test {
 namespace {
 
 const material::Elastic steel{7850, 210e9, 0.3};
@@ -243,4 +243,4 @@ TEST(RigidStep, ADriverMovesItAsItSaysAndTakesTheWork) {
 }
 
 }  // namespace
-}  // namespace nereid::dynamics
+}  // namespace nereid::dynamics::rigid_step_test

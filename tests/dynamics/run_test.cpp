@@ -10,7 +10,7 @@
 #include "mesh/box.hpp"
 #include "tests/dynamics/scene.hpp"
 
-namespace nereid::dynamics {
+namespace nereid::dynamics::run_test {
 namespace {
 
 const material::Elastic rubber{1000, 1e6, 0.3};
@@ -578,4 +578,4 @@ TEST(Until, LeavesARunAloneThatNeverMeetsIt) {
 }
 
 }  // namespace
-}  // namespace nereid::dynamics
+}  // namespace nereid::dynamics::run_test

@@ -7,7 +7,7 @@
 #include "mesh/box.hpp"
 #include "mesh/disc.hpp"
 
-namespace nereid::dynamics {
+namespace nereid::dynamics::side_test {
 namespace {
 
 const material::Elastic steel{8000, 2e11, 0.25};
@@ -79,4 +79,4 @@ TEST(SymmetryPlanes, AreThoseOfTheConstraints) {
 }
 
 }  // namespace
-}  // namespace nereid::dynamics
+}  // namespace nereid::dynamics::side_test

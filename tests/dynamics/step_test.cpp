@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <atomic>
 #include <cmath>
@@ -12,6 +11,7 @@
 #include <new>
 #include <random>
 
+#include "base/dense.hpp"
 #include "base/parallel.hpp"
 #include "contact/bond.hpp"
 #include "contact/impact_step.hpp"
@@ -49,7 +49,7 @@ int posix_memalign(void** to, std::size_t alignment, std::size_t size) {
 }
 #endif
 
-namespace nereid::dynamics {
+namespace nereid::dynamics::step_test {
 namespace {
 
 using load::PlaneKind;
@@ -553,9 +553,7 @@ double assembled_frequency(const Scene& s) {
   }
   K = inverse_root.asDiagonal() * K * inverse_root.asDiagonal();
   EXPECT_LT((K - K.transpose()).norm(), 1e-8 * K.norm());
-  return std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(K, Eigen::EigenvaluesOnly)
-                       .eigenvalues()
-                       .maxCoeff());
+  return std::sqrt(eigenvalues(K).maxCoeff());
 }
 
 TEST(StableStep, IsThatOfTheLargestAssembledFrequency) {
@@ -2064,4 +2062,4 @@ TEST(BondByMultipliers, GivesTheSameBitsWithAnyThreadsAndWithoutABreak) {
 }  // namespace bonds
 
 }  // namespace
-}  // namespace nereid::dynamics
+}  // namespace nereid::dynamics::step_test

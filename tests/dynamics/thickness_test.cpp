@@ -7,7 +7,7 @@
 #include "mesh/placement.hpp"
 #include "tests/dynamics/scene.hpp"
 
-namespace nereid::dynamics {
+namespace nereid::dynamics::thickness_test {
 namespace {
 
 const material::J2Bilinear soft{1000, 1e9, 0.3, {1e6, 1e7}};
@@ -126,4 +126,4 @@ TEST(FollowThickness, ThinsWithASheetThatFlows) {
 }
 
 }  // namespace
-}  // namespace nereid::dynamics
+}  // namespace nereid::dynamics::thickness_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace nereid::dynamics {
+namespace nereid::dynamics::votes_test {
 namespace {
 
 const std::vector<Source> sources{{"lead", SourceKind::block, {}, {}}, {"skin", SourceKind::interface, {}, {}},
@@ -114,4 +114,4 @@ TEST(Step, NamesPlanesAndSpringsAndNothing) {
 }
 
 }  // namespace
-}  // namespace nereid::dynamics
+}  // namespace nereid::dynamics::votes_test

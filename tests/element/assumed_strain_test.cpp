@@ -7,7 +7,7 @@
 #include "material/law.hpp"
 #include "tests/element/solids.hpp"
 
-namespace nereid::element {
+namespace nereid::element::assumed_strain_test {
 namespace {
 
 TEST(AssumedStrain, MomentsAndForcesOnModesAreInverses) {
@@ -66,4 +66,4 @@ TEST(AssumedStrain, FlowTakesWhatIsAlongItAndTheEnergyFalls) {
 }
 
 }  // namespace
-}  // namespace nereid::element
+}  // namespace nereid::element::assumed_strain_test

@@ -7,7 +7,7 @@
 
 #include "mesh/box.hpp"
 
-namespace nereid::element {
+namespace nereid::element::bending_test {
 namespace {
 
 using Displacement = std::function<Vec3(const Vec3&)>;
@@ -79,4 +79,4 @@ TEST(UnevenBending, OfABeamWhoseCellsLeanTooMuchIsAll) {
 }
 
 }  // namespace
-}  // namespace nereid::element
+}  // namespace nereid::element::bending_test

@@ -10,7 +10,7 @@
 #include "base/parallel.hpp"
 #include "mesh/box.hpp"
 
-namespace nereid::element {
+namespace nereid::element::block_test {
 namespace {
 
 using material::Elastic;
@@ -469,4 +469,4 @@ TEST(Block, KnowsHowDeepItIsBehindASurface) {
 }
 
 }  // namespace
-}  // namespace nereid::element
+}  // namespace nereid::element::block_test

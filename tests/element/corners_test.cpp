@@ -9,7 +9,7 @@
 #include "mesh/disc.hpp"
 #include "mesh/wedge.hpp"
 
-namespace nereid::element {
+namespace nereid::element::corners_test {
 namespace {
 
 const material::Elastic rubber{1000, 1e6, 0.3};
@@ -61,4 +61,4 @@ TEST(SmallestCorner, OfPositionsThatAreNoNumberIsNone) {
 }
 
 }  // namespace
-}  // namespace nereid::element
+}  // namespace nereid::element::corners_test

@@ -5,7 +5,7 @@
 #include "base/check.hpp"
 #include "element/plate.hpp"
 
-namespace nereid::element {
+namespace nereid::element::layers_test {
 namespace {
 
 TEST(GaussLayers, IntegratePolynomialsOfDegreeTwiceTheirNumberLessOne) {
@@ -46,4 +46,4 @@ TEST(GaussLayers, OtherCountsAreRefused) {
 }
 
 }  // namespace
-}  // namespace nereid::element
+}  // namespace nereid::element::layers_test

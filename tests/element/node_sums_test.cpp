@@ -6,7 +6,7 @@
 
 #include "mesh/box.hpp"
 
-namespace nereid::element {
+namespace nereid::element::node_sums_test {
 namespace {
 
 TEST(NodeSums, AddEverySlotToItsNodeOnce) {
@@ -54,4 +54,4 @@ TEST(NodeSums, AddToTheColumnsThatNodesHave) {
 }
 
 }  // namespace
-}  // namespace nereid::element
+}  // namespace nereid::element::node_sums_test

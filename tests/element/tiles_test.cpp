@@ -8,7 +8,7 @@
 
 #include "mesh/box.hpp"
 
-namespace nereid::element {
+namespace nereid::element::tiles_test {
 namespace {
 
 struct Cut {
@@ -117,4 +117,4 @@ TEST(Tiles, OfPlacesThatAreNotFiniteHoldEachElementOnce) {
 }
 
 }  // namespace
-}  // namespace nereid::element
+}  // namespace nereid::element::tiles_test

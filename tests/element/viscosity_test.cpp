@@ -5,7 +5,7 @@
 #include <cmath>
 #include <complex>
 
-namespace nereid::element {
+namespace nereid::element::viscosity_test {
 namespace {
 
 TEST(Viscosity, IsNeverNegativeAndQuadraticInCompressionOnly) {
@@ -54,4 +54,4 @@ TEST(StableStep, IsTheLimitOfCentralDifferencesWithOldDamping) {
 }
 
 }  // namespace
-}  // namespace nereid::element
+}  // namespace nereid::element::viscosity_test

@@ -2,15 +2,15 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "base/dense.hpp"
 #include "mesh/box.hpp"
 #include "mesh/placement.hpp"
 #include "mesh/wedge.hpp"
 
-namespace nereid::element {
+namespace nereid::element::width_test {
 namespace {
 
 using material::Elastic;
@@ -64,7 +64,7 @@ Eigen::MatrixXd scaled_stiffness(const AnyBlock& block, const mesh::Mesh& mesh) 
 /// Stable step 2/omega of a stiffness in the space of the columns of Q. [s]
 double exact_step(const Eigen::MatrixXd& K, const Eigen::MatrixXd& Q) {
   const Eigen::MatrixXd reduced = Q.transpose() * K * Q;
-  return 2 / std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(reduced).eigenvalues().maxCoeff());
+  return 2 / std::sqrt(eigenvalues(reduced).maxCoeff());
 }
 
 /// Orthonormal columns for what the planes of a sector allow, all of them or only what is the same on both.
@@ -152,7 +152,7 @@ TEST(WedgeAtTheAxis, HasNoMotionWithoutEnergyButRigidOnesWithOnePointOrEight) {
   const mesh::Mesh mesh = mesh::wedge("a", {0.2, 0.2, 0.6, 1, 1, 1});
   for (const AnyBlock& block : {solid(mesh), usual(mesh), full(mesh)}) {
     const Eigen::MatrixXd K = scaled_stiffness(block, mesh);
-    const Eigen::VectorXd values = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(K).eigenvalues();
+    const Eigen::VectorXd values = eigenvalues(K);
     ASSERT_EQ(values.size(), 18);
     EXPECT_LT(values.head(6).cwiseAbs().maxCoeff(), 1e-6 * values.maxCoeff());  // differences of 1e-8 leave seven digits
     EXPECT_GT(values(6), 1e-4 * values.maxCoeff());
@@ -283,4 +283,4 @@ TEST(Narrowest, GainsNothingWithACube) {
 }
 
 }  // namespace
-}  // namespace nereid::element
+}  // namespace nereid::element::width_test

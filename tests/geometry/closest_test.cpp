@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-namespace nereid::geometry {
+namespace nereid::geometry::closest_test {
 namespace {
 
 using Point = Vector<double>;
@@ -137,4 +137,4 @@ TEST(ClosestOnTriangle, CountsABorderAsTheSmallerFeature) {
 }
 
 }  // namespace
-}  // namespace nereid::geometry
+}  // namespace nereid::geometry::closest_test

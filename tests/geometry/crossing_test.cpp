@@ -8,7 +8,7 @@
 
 #include "base/dual.hpp"
 
-namespace nereid::geometry {
+namespace nereid::geometry::crossing_test {
 namespace {
 
 using Point = Vector<double>;
@@ -91,4 +91,4 @@ TEST(SegmentsSquared, IsTheLeastOfAllPairsOfPoints) {
 }
 
 }  // namespace
-}  // namespace nereid::geometry
+}  // namespace nereid::geometry::crossing_test

@@ -8,7 +8,7 @@
 
 #include "base/dual.hpp"
 
-namespace nereid::geometry {
+namespace nereid::geometry::height_test {
 namespace {
 
 using Point = Vector<double>;
@@ -244,4 +244,4 @@ TEST(PaperGradient, NeedsBothCorrections) {
 }
 
 }  // namespace
-}  // namespace nereid::geometry
+}  // namespace nereid::geometry::height_test

@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-namespace nereid::geometry {
+namespace nereid::geometry::quadrilateral_test {
 namespace {
 
 Vec3 point_of(const std::array<Vec3, 4>& corner, const std::array<double, 4>& weight) {
@@ -148,4 +148,4 @@ TEST(Quadrilateral, ThereAreNoWeightsFarBesideAFaceOrAlongIt) {
 }
 
 }  // namespace
-}  // namespace nereid::geometry
+}  // namespace nereid::geometry::quadrilateral_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace nereid::grid {
+namespace nereid::grid::boundary_test {
 namespace {
 
 const std::array<Index, 8> brick{0, 1, 2, 3, 4, 5, 6, 7};
@@ -45,4 +45,4 @@ TEST(ABoundary, TakesNewNumbers) {
 }
 
 }  // namespace
-}  // namespace nereid::grid
+}  // namespace nereid::grid::boundary_test

@@ -12,7 +12,7 @@
 #include "mesh/skin.hpp"
 #include "mesh/wedge.hpp"
 
-namespace nereid::grid {
+namespace nereid::grid::file_mesh_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -387,4 +387,4 @@ TEST(WithoutVtk, AFileIsAFaultThatNamesTheSwitch) {
 }
 
 }  // namespace
-}  // namespace nereid::grid
+}  // namespace nereid::grid::file_mesh_test

@@ -13,7 +13,7 @@
 
 #include "base/check.hpp"
 
-namespace nereid::grid {
+namespace nereid::grid::grid_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -386,4 +386,4 @@ TEST_F(Fields, WriteTheExampleThatReadBackReads) {
 }
 
 }  // namespace
-}  // namespace nereid::grid
+}  // namespace nereid::grid::grid_test

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace nereid::grid {
+namespace nereid::grid::vtu_check_test {
 namespace {
 
 std::string base64(const std::string& bytes) {
@@ -134,4 +134,4 @@ TEST(CheckVtu, ShowsWhatIsNotPrintableAsQuestionMarks) {
 }
 
 }  // namespace
-}  // namespace nereid::grid
+}  // namespace nereid::grid::vtu_check_test

@@ -7,7 +7,7 @@
 
 #include "base/types.hpp"
 
-namespace nereid::input {
+namespace nereid::input::expression_test {
 namespace {
 
 double value(const std::string& text, double x = 0, double y = 0, double z = 0, double t = 0) {
@@ -130,4 +130,4 @@ TEST(ReadExpression, WantsThreeOfThem) {
 }
 
 }  // namespace
-}  // namespace nereid::input
+}  // namespace nereid::input::expression_test

@@ -6,7 +6,7 @@
 
 #include "input/scene_readers.hpp"
 
-namespace nereid::input {
+namespace nereid::input::load_readers_test {
 namespace {
 
 /// Behind a text, so that its lines keep their numbers: a box of hexahedra and a tube of plates.
@@ -237,4 +237,4 @@ TEST(ReadActions, ListKeysThatAKindDoesNotUse) {
 }
 
 }  // namespace
-}  // namespace nereid::input
+}  // namespace nereid::input::load_readers_test

@@ -10,7 +10,7 @@
 #include "mesh/skin.hpp"
 #include "model/meshes.hpp"
 
-namespace nereid::input {
+namespace nereid::input::mesh_readers_test {
 namespace {
 
 model::MeshOptions read(const std::string& text) {
@@ -278,4 +278,4 @@ TEST(ReadMesh, AHundredMillionElementsAreTheMost) {
 }
 
 }  // namespace
-}  // namespace nereid::input
+}  // namespace nereid::input::mesh_readers_test

@@ -6,7 +6,7 @@
 
 #include "input/readers.hpp"
 
-namespace nereid::input {
+namespace nereid::input::preset_test {
 namespace {
 
 /// A case with counts of cells and a time, as a reader with defaults sees it.
@@ -102,4 +102,4 @@ TEST(Preset, LeavesWhatTheCaseHasAndTellsWhatItSet) {
 }
 
 }  // namespace
-}  // namespace nereid::input
+}  // namespace nereid::input::preset_test

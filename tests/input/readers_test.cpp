@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace nereid::input {
+namespace nereid::input::readers_test {
 namespace {
 
 /// What a reader makes of a text, with all faults.
@@ -200,4 +200,4 @@ TEST(ReadRecording, TakesNoFrameWithoutARow) {
 }
 
 }  // namespace
-}  // namespace nereid::input
+}  // namespace nereid::input::readers_test

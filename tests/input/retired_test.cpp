@@ -4,7 +4,7 @@
 
 #include "input/section.hpp"
 
-namespace nereid::input {
+namespace nereid::input::retired_test {
 namespace {
 
 TEST(Renamed, NamesTheNewWordWhereTheOldOneStood) {
@@ -41,4 +41,4 @@ TEST(Renamed, IsTheHintOfTheFault) {
 }
 
 }  // namespace
-}  // namespace nereid::input
+}  // namespace nereid::input::retired_test

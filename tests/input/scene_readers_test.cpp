@@ -6,7 +6,7 @@
 
 #include "model/meshes.hpp"
 
-namespace nereid::input {
+namespace nereid::input::scene_readers_test {
 namespace {
 
 const std::string steel = "{kind: elastic, density: 7850 kg/m^3, young: 210 GPa, poisson: 0.3}";
@@ -192,4 +192,4 @@ TEST(ReadSceneAtRest, LeavesOutWhatBelongsToARun) {
 }
 
 }  // namespace
-}  // namespace nereid::input
+}  // namespace nereid::input::scene_readers_test

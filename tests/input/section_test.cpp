@@ -11,7 +11,7 @@
 
 #include "base/words.hpp"
 
-namespace nereid::input {
+namespace nereid::input::section_test {
 namespace {
 
 using Reader = std::function<void(Section)>;
@@ -992,4 +992,4 @@ TEST(FaultByPath, StandsAtTheValueOrAtTheDeepestPartThatIsThere) {
 }
 
 }  // namespace
-}  // namespace nereid::input
+}  // namespace nereid::input::section_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace nereid::input {
+namespace nereid::input::table_test {
 namespace {
 
 Table table(const std::string& text, const std::string& column = "") { return std::get<Table>(parse_table(text, column)); }
@@ -56,4 +56,4 @@ TEST(Table, FaultsNameTheLine) {
 }
 
 }  // namespace
-}  // namespace nereid::input
+}  // namespace nereid::input::table_test

@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-namespace nereid::input {
+namespace nereid::input::units_test {
 namespace {
 
 Quantity read(std::string_view text) {
@@ -229,4 +229,4 @@ TEST(Units, WhatIsWrittenReadsBackWithFactorOne) {
 }
 
 }  // namespace
-}  // namespace nereid::input
+}  // namespace nereid::input::units_test

@@ -8,7 +8,7 @@
 
 #include "base/check.hpp"
 
-namespace nereid::load {
+namespace nereid::load::constraints_test {
 namespace {
 
 /// The same vectors in every run.
@@ -329,4 +329,4 @@ TEST(InPlaceOf, KeepsAccountsAndWhatFloorsHaveStopped) {
 }
 
 }  // namespace
-}  // namespace nereid::load
+}  // namespace nereid::load::constraints_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace nereid::load {
+namespace nereid::load::floor_test {
 namespace {
 
 /// One node of 2 kg above a floor that leans.
@@ -58,4 +58,4 @@ TEST(Floor, LeavesNodesThatMoveAway) {
 }
 
 }  // namespace
-}  // namespace nereid::load
+}  // namespace nereid::load::floor_test

@@ -10,7 +10,7 @@
 #include "mesh/box.hpp"
 #include "mesh/skin.hpp"
 
-namespace nereid::load {
+namespace nereid::load::loads_test {
 namespace {
 
 OverTime constant(double value) {
@@ -246,4 +246,4 @@ TEST(StepWithSprings, IsThatOfEitherAloneAndNeverMore) {
 }
 
 }  // namespace
-}  // namespace nereid::load
+}  // namespace nereid::load::loads_test

@@ -7,7 +7,7 @@
 #include "base/dual.hpp"
 #include "tests/material/point.hpp"
 
-namespace nereid::material {
+namespace nereid::material::elastic_test {
 namespace {
 
 const Elastic steel{7800.0, 2.0e11, 0.3};
@@ -79,4 +79,4 @@ TEST(Elastic, PressureIsPositiveInCompression) {
 }
 
 }  // namespace
-}  // namespace nereid::material
+}  // namespace nereid::material::elastic_test

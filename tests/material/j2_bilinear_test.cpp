@@ -13,7 +13,7 @@
 #include "material/elastic.hpp"
 #include "tests/material/point.hpp"
 
-namespace nereid::material {
+namespace nereid::material::j2_bilinear_test {
 namespace {
 
 constexpr double kgf_per_mm2 = 9.80665e6;  // [Pa]
@@ -219,4 +219,4 @@ TEST(J2Bilinear, DissipationOfMonotonicShearIsTheAreaUnderTheYieldCurve) {
 }
 
 }  // namespace
-}  // namespace nereid::material
+}  // namespace nereid::material::j2_bilinear_test

@@ -15,7 +15,7 @@
 #include "material/elastic.hpp"
 #include "tests/material/point.hpp"
 
-namespace nereid::material {
+namespace nereid::material::j2_mixed_test {
 namespace {
 
 constexpr double kgf_per_mm2 = 9.80665e6;  // [Pa]
@@ -347,4 +347,4 @@ TEST(J2Mixed, BitsOfALaneDoNotDependOnItsNeighbours) {
 }
 
 }  // namespace
-}  // namespace nereid::material
+}  // namespace nereid::material::j2_mixed_test

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-namespace nereid::material {
+namespace nereid::material::j2_test {
 
 /// It does not harden, and counts how often it flowed.
 struct Counting {
@@ -69,4 +69,4 @@ TEST(J2, TellsItsFlowStressWhatTheOldStressDidAlongTheFlow) {
 }
 
 }  // namespace
-}  // namespace nereid::material
+}  // namespace nereid::material::j2_test

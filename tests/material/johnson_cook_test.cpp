@@ -12,7 +12,7 @@
 
 #include "tests/material/point.hpp"
 
-namespace nereid::material {
+namespace nereid::material::johnson_cook_test {
 namespace {
 
 /// Steel 4340 of the paper, Table 1.
@@ -184,4 +184,4 @@ TEST(JohnsonCook, TangentAtARateAndInHeatIsThatOfDifferences) {
 }
 
 }  // namespace
-}  // namespace nereid::material
+}  // namespace nereid::material::johnson_cook_test

@@ -12,7 +12,7 @@
 #include "base/dual.hpp"
 #include "tests/material/point.hpp"
 
-namespace nereid::material {
+namespace nereid::material::law_test {
 namespace {
 
 // -- Materials: Table II of Kulak & Fiala (NEPTUNE) ----------------------------------------------
@@ -545,4 +545,4 @@ TYPED_TEST(EveryLaw, HasTheTangentOfItsFiniteDifferences) {
 }
 
 }  // namespace
-}  // namespace nereid::material
+}  // namespace nereid::material::law_test

@@ -6,7 +6,7 @@
 #include "material/j2_bilinear.hpp"
 #include "material/j2_mixed.hpp"
 
-namespace nereid::material {
+namespace nereid::material::mixed_control_test {
 namespace {
 
 const Elastic elastic{7800.0, 2.0e11, 0.3};
@@ -110,4 +110,4 @@ TEST(MixedControl, SmallSystemsAreSolved) {
 }
 
 }  // namespace
-}  // namespace nereid::material
+}  // namespace nereid::material::mixed_control_test

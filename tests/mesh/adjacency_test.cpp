@@ -5,7 +5,7 @@
 #include "base/check.hpp"
 #include "mesh/disc.hpp"
 
-namespace nereid::mesh {
+namespace nereid::mesh::adjacency_test {
 namespace {
 
 /// Plates that meet at the edge from node 0 to node 1, along z: each leads off to its own node in a direction [degrees].
@@ -80,4 +80,4 @@ TEST(OtherSides, AreOfTheSameNodesReversed) {
 }
 
 }  // namespace
-}  // namespace nereid::mesh
+}  // namespace nereid::mesh::adjacency_test

@@ -7,7 +7,7 @@
 #include "base/check.hpp"
 #include "tests/mesh/measures.hpp"
 
-namespace nereid::mesh {
+namespace nereid::mesh::box_test {
 namespace {
 
 using namespace measures;
@@ -87,4 +87,4 @@ TEST(Box, RefusesEmptyShapes) {
 }
 
 }  // namespace
-}  // namespace nereid::mesh
+}  // namespace nereid::mesh::box_test

@@ -5,7 +5,7 @@
 #include "base/check.hpp"
 #include "tests/mesh/measures.hpp"
 
-namespace nereid::mesh {
+namespace nereid::mesh::cylinder_test {
 namespace {
 
 using namespace measures;
@@ -114,7 +114,7 @@ TEST(Cylinder, FullIsFourQuarters) {
   EXPECT_NEAR(volume(full, elements(full)), 4 * volume(quarter, elements(quarter)), 1e-14);
   const Index layers = 5, on_planes = 4 * 6 + 1, per_layer = (quarter.X.cols() / layers - 13) * 4;
   EXPECT_EQ(full.X.cols(), layers * (per_layer + on_planes));
-  const Places at = places(full);
+  const Places at = nodes_by_place(full);
   EXPECT_EQ(at.size(), static_cast<std::size_t>(full.X.cols()));
   for (Index node = 0; node < quarter.X.cols(); ++node) {
     EXPECT_TRUE(at.count({quarter.X(0, node), quarter.X(1, node), quarter.X(2, node)}));
@@ -133,7 +133,7 @@ TEST(Cylinder, FullIsMirroredBitForBitWithFirstSidesReversed) {
 
 TEST(Cylinder, QuarterIsSymmetricAboutItsDiagonalBitForBit) {
   const Mesh mesh = sample(Revolution::quarter);
-  const Places at = places(mesh);
+  const Places at = nodes_by_place(mesh);
   for (Index node = 0; node < mesh.X.cols(); ++node) {
     EXPECT_TRUE(at.count({mesh.X(1, node), mesh.X(0, node), mesh.X(2, node)}));
   }
@@ -187,4 +187,4 @@ TEST(Cylinder, RefusesEmptyShapes) {
 }
 
 }  // namespace
-}  // namespace nereid::mesh
+}  // namespace nereid::mesh::cylinder_test

@@ -5,7 +5,7 @@
 #include "base/check.hpp"
 #include "tests/mesh/measures.hpp"
 
-namespace nereid::mesh {
+namespace nereid::mesh::disc_test {
 namespace {
 
 using namespace measures;
@@ -116,4 +116,4 @@ TEST(Flat, RefusesEmptyShapes) {
 }
 
 }  // namespace
-}  // namespace nereid::mesh
+}  // namespace nereid::mesh::disc_test

@@ -10,7 +10,7 @@
 #include "mesh/box.hpp"
 #include "mesh/skin.hpp"
 
-namespace nereid::mesh {
+namespace nereid::mesh::facets_test {
 namespace {
 
 using Sorted = std::array<Index, 3>;
@@ -126,4 +126,4 @@ TEST(CutOfFace, LeavesSixFacetsAtNodesInsideAPlaneFace) {
 }
 
 }  // namespace
-}  // namespace nereid::mesh
+}  // namespace nereid::mesh::facets_test

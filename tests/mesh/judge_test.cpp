@@ -8,7 +8,7 @@
 #include "mesh/sphere.hpp"
 #include "mesh/wedge.hpp"
 
-namespace nereid::mesh {
+namespace nereid::mesh::judge_test {
 namespace {
 
 Mesh brick(int x = 2, int y = 2, int z = 2) { return box("b", {Vec3::Zero(), Vec3(x, y, z), {x, y, z}}); }
@@ -191,4 +191,4 @@ TEST(Offenders, HoldTheElementsAtFaultWithTheirNumbersAndFlaws) {
 }
 
 }  // namespace
-}  // namespace nereid::mesh
+}  // namespace nereid::mesh::judge_test

@@ -159,7 +159,7 @@ inline Table<3> together(const std::vector<Surface>& surfaces) {
 /// Nodes by their exact position.
 using Places = std::map<std::tuple<double, double, double>, Index>;
 
-inline Places places(const Mesh& mesh) {
+inline Places nodes_by_place(const Mesh& mesh) {
   Places result;
   for (Index node = 0; node < mesh.X.cols(); ++node) {
     result[{mesh.X(0, node), mesh.X(1, node), mesh.X(2, node)}] = node;
@@ -179,7 +179,7 @@ inline Index image(const Mesh& mesh, const Places& places, Index node, int axis)
 template <int rows>
 bool is_mirrored(const Mesh& mesh, const Table<rows>& nodes, const std::array<int, rows>& order,
                  int axis) {
-  const Places at = places(mesh);
+  const Places at = nodes_by_place(mesh);
   std::map<std::array<Index, rows>, int> columns;
   std::array<Index, rows> column;
   for (Index one = 0; one < nodes.cols(); ++one) {

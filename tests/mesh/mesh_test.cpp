@@ -9,7 +9,7 @@
 #include "base/check.hpp"
 #include "mesh/box.hpp"
 
-namespace nereid::mesh {
+namespace nereid::mesh::mesh_test {
 namespace {
 
 Mesh block(const std::string& name) { return box(name, {{0, 0, 0}, {1, 2, 3}, {2, 1, 3}}); }
@@ -193,4 +193,4 @@ TEST(TributaryAreaFacing, TurnsContinuouslyFromOneSideToTheOther) {
 }
 
 }  // namespace
-}  // namespace nereid::mesh
+}  // namespace nereid::mesh::mesh_test

@@ -8,7 +8,7 @@
 #include "mesh/box.hpp"
 #include "tests/mesh/measures.hpp"
 
-namespace nereid::mesh {
+namespace nereid::mesh::placement_test {
 namespace {
 
 Mesh brick() { return box("a", {Vec3(1, 2, 3), Vec3(2, 4, 6), {2, 3, 4}}); }
@@ -54,4 +54,4 @@ TEST(Placement, AnAxisWithoutDirectionIsRefused) {
 }
 
 }  // namespace
-}  // namespace nereid::mesh
+}  // namespace nereid::mesh::placement_test

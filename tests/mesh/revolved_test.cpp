@@ -9,7 +9,7 @@
 #include "mesh/wedge.hpp"
 #include "tests/mesh/measures.hpp"
 
-namespace nereid::mesh {
+namespace nereid::mesh::revolved_test {
 namespace {
 
 using namespace measures;
@@ -83,4 +83,4 @@ TEST(Revolved, HasItsPlanes) {
 }
 
 }  // namespace
-}  // namespace nereid::mesh
+}  // namespace nereid::mesh::revolved_test

@@ -7,7 +7,7 @@
 #include "mesh/wedge.hpp"
 #include "tests/mesh/measures.hpp"
 
-namespace nereid::mesh {
+namespace nereid::mesh::skin_test {
 namespace {
 
 using namespace measures;
@@ -65,4 +65,4 @@ TEST(Skin, LeavesOutWhatRegionsShareAndTellsOfCrowdedFaces) {
 }
 
 }  // namespace
-}  // namespace nereid::mesh
+}  // namespace nereid::mesh::skin_test

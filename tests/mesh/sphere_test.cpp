@@ -5,7 +5,7 @@
 #include "base/check.hpp"
 #include "tests/mesh/measures.hpp"
 
-namespace nereid::mesh {
+namespace nereid::mesh::sphere_test {
 namespace {
 
 using namespace measures;
@@ -124,4 +124,4 @@ TEST(Sphere, RefusesEmptyShapes) {
 }
 
 }  // namespace
-}  // namespace nereid::mesh
+}  // namespace nereid::mesh::sphere_test

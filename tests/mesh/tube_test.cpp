@@ -4,7 +4,7 @@
 #include "mesh/cylinder.hpp"
 #include "tests/mesh/measures.hpp"
 
-namespace nereid::mesh {
+namespace nereid::mesh::tube_test {
 namespace {
 
 using namespace measures;
@@ -29,7 +29,7 @@ TEST(Tube, HasItsNodesAtTheAnglesAndHeightsOfACylinder) {
   for (const Revolution turn : {Revolution::quarter, Revolution::full}) {
     const Mesh skin = sample(turn);
     const Mesh lead = cylinder("lead", {radius, length, turn, cells_core, 2, cells_along});
-    const Places at = places(skin);
+    const Places at = nodes_by_place(skin);
     const Subset& side = node_set(lead, "lead.side");
     EXPECT_EQ(side.size(), at.size());
     for (const Index node : side) {
@@ -55,7 +55,7 @@ TEST(Tube, FullIsFourQuartersMirroredBitForBitWithFirstSidesReversed) {
   const Mesh quarter = sample(Revolution::quarter), full = sample(Revolution::full);
   EXPECT_EQ(triangles(full, "skin").nodes.cols(), 4 * triangles(quarter, "skin").nodes.cols());
   EXPECT_EQ(full.X.cols(), 8 * cells_core * (cells_along + 1));
-  EXPECT_EQ(places(full).size(), static_cast<std::size_t>(full.X.cols()));
+  EXPECT_EQ(nodes_by_place(full).size(), static_cast<std::size_t>(full.X.cols()));
   for (const int axis : {0, 1}) {
     EXPECT_TRUE(is_mirrored<3>(full, triangles(full, "skin").nodes, {1, 0, 2}, axis));
     EXPECT_TRUE(is_mirrored<3>(full, surface(full, "skin.inside").facets, {1, 0, 2}, axis));
@@ -104,4 +104,4 @@ TEST(Tube, RefusesEmptyShapes) {
 }
 
 }  // namespace
-}  // namespace nereid::mesh
+}  // namespace nereid::mesh::tube_test

@@ -7,7 +7,7 @@
 #include "base/check.hpp"
 #include "tests/mesh/measures.hpp"
 
-namespace nereid::mesh {
+namespace nereid::mesh::wedge_test {
 namespace {
 
 using namespace measures;
@@ -146,4 +146,4 @@ TEST(WedgeTube, HasCompleteNodeSets) {
 }
 
 }  // namespace
-}  // namespace nereid::mesh
+}  // namespace nereid::mesh::wedge_test

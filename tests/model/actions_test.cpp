@@ -6,7 +6,7 @@
 
 #include "tests/model/scenes.hpp"
 
-namespace nereid::model {
+namespace nereid::model::actions_test {
 namespace {
 
 using load::PlaneKind;
@@ -105,4 +105,4 @@ TEST(SetInitial, AddsUpVelocitiesAndRefusesDisplacementsThatInvertElements) {
 }
 
 }  // namespace
-}  // namespace nereid::model
+}  // namespace nereid::model::actions_test

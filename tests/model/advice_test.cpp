@@ -6,7 +6,7 @@
 
 #include "tests/model/scenes.hpp"
 
-namespace nereid::model {
+namespace nereid::model::advice_test {
 namespace {
 
 /// As a run finds it before its first step.
@@ -107,4 +107,4 @@ TEST(StrainNotes, SayThatElementsWillBeDeformed) {
 }
 
 }  // namespace
-}  // namespace nereid::model
+}  // namespace nereid::model::advice_test

@@ -5,7 +5,7 @@
 #include "base/check.hpp"
 #include "tests/model/scenes.hpp"
 
-namespace nereid::model {
+namespace nereid::model::build_test {
 namespace {
 
 Contact touch(const std::string& apexes, const std::string& base) { return {.name = "touch", .apexes = apexes, .base = base}; }
@@ -155,4 +155,4 @@ TEST(Run, GoesOnWhereItWasLeft) {
 }
 
 }  // namespace
-}  // namespace nereid::model
+}  // namespace nereid::model::build_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace nereid::model {
+namespace nereid::model::fault_test {
 namespace {
 
 TEST(Expect, SaysWhatThereIsAndWhatIsNear) {
@@ -42,4 +42,4 @@ TEST(SceneError, NamesTheThingOfEachFault) {
 }
 
 }  // namespace
-}  // namespace nereid::model
+}  // namespace nereid::model::fault_test

@@ -7,7 +7,7 @@
 
 #include "tests/model/scenes.hpp"
 
-namespace nereid::model {
+namespace nereid::model::meshes_test {
 namespace {
 
 TEST(MakeMesh, TurnsBeforeItMoves) {
@@ -212,4 +212,4 @@ TEST(CountElements, KnowsEveryGenerator) {
 }
 
 }  // namespace
-}  // namespace nereid::model
+}  // namespace nereid::model::meshes_test

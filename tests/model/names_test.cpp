@@ -4,7 +4,7 @@
 
 #include "tests/model/scenes.hpp"
 
-namespace nereid::model {
+namespace nereid::model::names_test {
 namespace {
 
 TEST(IsName, HasLettersDigitsAndUnderscores) {
@@ -47,4 +47,4 @@ TEST(CheckColumns, RefusesNamesThatGiveTheHistoryAColumnTwice) {
 }
 
 }  // namespace
-}  // namespace nereid::model
+}  // namespace nereid::model::names_test

@@ -6,7 +6,7 @@
 
 #include "tests/model/scenes.hpp"
 
-namespace nereid::model {
+namespace nereid::model::notes_test {
 namespace {
 
 TEST(BodyTable, HasNodesElementsAndMassOfBodiesAndOfTheirRegions) {
@@ -214,4 +214,4 @@ TEST(EnergyNotes, NameTheSourceThatMadeEnergyAndWhatItIsHeldAgainst) {
 TEST(CountElements, SumsOverAllBlocks) { EXPECT_EQ(count_elements(build(with({bar(), sheet()})).model), 6); }
 
 }  // namespace
-}  // namespace nereid::model
+}  // namespace nereid::model::notes_test

@@ -8,7 +8,7 @@
 #include "dynamics/measure.hpp"
 #include "tests/model/scenes.hpp"
 
-namespace nereid::model {
+namespace nereid::model::probes_test {
 namespace {
 
 TEST(Measurables, HaveTheInternalVariablesOfAllLawsAndNoNameTwice) {
@@ -194,4 +194,4 @@ TEST(Touched, CountsWhatStopsAtTheStart) {
 }
 
 }  // namespace
-}  // namespace nereid::model
+}  // namespace nereid::model::probes_test

@@ -4,7 +4,7 @@
 
 #include "tests/model/scenes.hpp"
 
-namespace nereid::model {
+namespace nereid::model::rigid_bodies_test {
 namespace {
 
 Body rigid(Body body) {
@@ -73,4 +73,4 @@ TEST(RigidBodies, AreRefusedWhatTheyCannotDo) {
 }
 
 }  // namespace
-}  // namespace nereid::model
+}  // namespace nereid::model::rigid_bodies_test

@@ -5,7 +5,7 @@
 #include "dynamics/ledger.hpp"
 #include "tests/model/scenes.hpp"
 
-namespace nereid::model {
+namespace nereid::model::stages_test {
 namespace {
 
 using load::PlaneKind;
@@ -122,4 +122,4 @@ TEST(CheckStages, AsksRigidBodiesToBeHeldWhereTheyRelax) {
 }
 
 }  // namespace
-}  // namespace nereid::model
+}  // namespace nereid::model::stages_test

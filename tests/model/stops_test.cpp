@@ -6,7 +6,7 @@
 
 #include "tests/model/scenes.hpp"
 
-namespace nereid::model {
+namespace nereid::model::stops_test {
 namespace {
 
 /// When a condition is first met by a function of time that is shown every `row` until `end`; -1: never.
@@ -128,4 +128,4 @@ TEST(Run, RestsOrNot) {
 }
 
 }  // namespace
-}  // namespace nereid::model
+}  // namespace nereid::model::stops_test

@@ -7,7 +7,7 @@
 
 #include "tests/model/scenes.hpp"
 
-namespace nereid::model {
+namespace nereid::model::values_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
@@ -211,4 +211,4 @@ TEST(FramesBetweenRows, AreRefused) {
 }
 
 }  // namespace
-}  // namespace nereid::model
+}  // namespace nereid::model::values_test

@@ -5,7 +5,7 @@
 #include "dynamics/connect.hpp"
 #include "mesh/box.hpp"
 
-namespace nereid::output {
+namespace nereid::output::frames_test {
 namespace {
 
 /// Two cubes of two by two elements, face to face, one with a point per element and one with eight, with a floor; some steps done.
@@ -113,4 +113,4 @@ TEST(WallsGrid, ShowsEachFloorAsARectangleInItsPlane) {
 }
 
 }  // namespace
-}  // namespace nereid::output
+}  // namespace nereid::output::frames_test

@@ -13,7 +13,7 @@
 
 #include "base/check.hpp"
 
-namespace nereid::output {
+namespace nereid::output::history_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -146,4 +146,4 @@ TEST(History, AFileThatHasVanishedIsTheMachinesFault) {
 }
 
 }  // namespace
-}  // namespace nereid::output
+}  // namespace nereid::output::history_test

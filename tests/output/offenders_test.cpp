@@ -6,7 +6,7 @@
 #include "mesh/disc.hpp"
 #include "output/run_folder.hpp"
 
-namespace nereid::output {
+namespace nereid::output::offenders_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -49,4 +49,4 @@ TEST(OffendersFiles, AreResultsOfTheFolderAndOnlyWrittenIfThereAreAny) {
 }
 
 }  // namespace
-}  // namespace nereid::output
+}  // namespace nereid::output::offenders_test

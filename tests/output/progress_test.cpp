@@ -11,7 +11,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace nereid::output {
+namespace nereid::output::progress_test {
 namespace {
 
 TEST(Progress, SpansOfTimeAreSpokenAsPeopleDo) {
@@ -88,4 +88,4 @@ TEST(Progress, IsSilentWhenAskedToBe) {
 }
 
 }  // namespace
-}  // namespace nereid::output
+}  // namespace nereid::output::progress_test

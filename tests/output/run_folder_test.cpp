@@ -11,7 +11,7 @@
 
 #include "base/check.hpp"
 
-namespace nereid::output {
+namespace nereid::output::run_folder_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -192,4 +192,4 @@ TEST(RunFolder, LeavesAFileOfAnotherCalledAsItsLock) {
 }
 
 }  // namespace
-}  // namespace nereid::output
+}  // namespace nereid::output::run_folder_test

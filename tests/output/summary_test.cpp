@@ -8,7 +8,7 @@
 
 #include "base/check.hpp"
 
-namespace nereid::output {
+namespace nereid::output::summary_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -164,4 +164,4 @@ TEST(Provenance, SaysWhatWasBuiltAndWhereItRuns) {
 }
 
 }  // namespace
-}  // namespace nereid::output
+}  // namespace nereid::output::summary_test

@@ -5,10 +5,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-using namespace nereid;
-using rigid::Body;
-using rigid::State;
-
+namespace nereid::rigid::body_test {
 namespace {
 
 /// A body with four nodes that do not lie in a plane.
@@ -19,8 +16,6 @@ Body top(const Mat3& inertia = Mat3(Vec3(1, 2, 2.5).asDiagonal())) {
 }
 
 Mat3 turn_of(const Vec3& axis, double angle) { return Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix(); }
-
-}  // namespace
 
 TEST(RigidBody, AFreeAsymmetricTopKeepsItsEnergyOverAHundredTurns) {
   const Body body = top();
@@ -174,3 +169,6 @@ TEST(RigidBody, SharesOfItsMassHaveItsCentre) {
   EXPECT_NEAR(share.sum(), body.mass.mass, 1e-14);
   EXPECT_LT((body.arm * share).norm(), 1e-14);
 }
+
+}  // namespace
+}  // namespace nereid::rigid::body_test

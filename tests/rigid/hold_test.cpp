@@ -4,16 +4,12 @@
 
 #include <vector>
 
-using namespace nereid;
-using rigid::HeldNode;
-
+namespace nereid::rigid::hold_test {
 namespace {
 
 const Vec3 ex = Vec3::UnitX(), ey = Vec3::UnitY(), ez = Vec3::UnitZ();
 
 std::optional<rigid::Hold> hold(const std::vector<HeldNode>& held) { return rigid::hold_of(held, 1); }
-
-}  // namespace
 
 TEST(Hold, OfNothingLeavesAll) {
   const auto found = hold({});
@@ -56,3 +52,6 @@ TEST(Hold, OfTheCentreLeavesAllTurns) {
   EXPECT_EQ(found->turns, 3);
   EXPECT_LT((found->shift - Mat3(Vec3(0, 0, 1).asDiagonal())).norm(), 1e-12);
 }
+
+}  // namespace
+}  // namespace nereid::rigid::hold_test

@@ -6,8 +6,7 @@
 
 #include "mesh/box.hpp"
 
-using namespace nereid;
-
+namespace nereid::rigid::mass_test {
 namespace {
 
 rigid::MassProperties of_hexahedra(const mesh::Mesh& mesh, const Vec3& about) {
@@ -19,8 +18,6 @@ rigid::MassProperties of_hexahedra(const mesh::Mesh& mesh, const Vec3& about) {
 mesh::Mesh bricks(int cells) {
   return mesh::box("box", {.low = {1, 2, 3}, .high = {1.2, 2.4, 3.6}, .cells = {cells, cells, cells}});
 }
-
-}  // namespace
 
 TEST(MassProperties, OfABoxAreExactFromOneElement) {
   const auto found = of_hexahedra(bricks(1), Vec3::Zero());
@@ -81,3 +78,6 @@ TEST(MassProperties, OfPointsAreSums) {
   EXPECT_TRUE(rigid::is_possible(Mat3(Vec3(1, 2, 3).asDiagonal())));
   EXPECT_FALSE(rigid::is_possible(Mat3(Vec3(1, 1, 3).asDiagonal())));
 }
+
+}  // namespace
+}  // namespace nereid::rigid::mass_test
