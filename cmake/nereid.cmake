@@ -79,10 +79,13 @@ function(nereid_module name)
     add_library(nereid_${name} STATIC ${sources})
     target_link_libraries(nereid_${name} PUBLIC nereid_settings ${MODULE_UNPARSED_ARGUMENTS} PRIVATE ${MODULE_PRIVATE})
     set(precompiled nereid_precompiled)
-    if(name MATCHES "^(dynamics|model|input|output)$")   # most of their sources see whole models
+    if(name MATCHES "^(dynamics|model|input|output)$")  # most of their sources see whole models
       set(precompiled nereid_precompiled_models)
     endif()
     target_precompile_headers(nereid_${name} REUSE_FROM ${precompiled})
+    if(name MATCHES "^(model|input|output|audit)$")     # what no step waits for
+      set_target_properties(nereid_${name} PROPERTIES UNITY_BUILD ${NEREID_JOIN} UNITY_BUILD_BATCH_SIZE 7)
+    endif()
     if(name STREQUAL "output")   # what a summary says of the program that wrote it
       string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type)
       string(STRIP "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${build_type}}" flags)
@@ -161,7 +164,7 @@ function(nereid_tests name)
     target_link_libraries(${name}_test PRIVATE nereid::${name} ${TESTS_LINK} GTest::gtest GTest::gtest_main)
     target_precompile_headers(${name}_test REUSE_FROM nereid_precompiled_tests)
     target_compile_options(${name}_test PRIVATE ${NEREID_TEST_OPTIONS})
-    set_target_properties(${name}_test PROPERTIES UNITY_BUILD ${NEREID_JOIN_TESTS} UNITY_BUILD_BATCH_SIZE 5)
+    set_target_properties(${name}_test PROPERTIES UNITY_BUILD ${NEREID_JOIN} UNITY_BUILD_BATCH_SIZE 5)
     # clang asks for braces that the standard does not, and knows no pragma that is for GCC alone
     target_compile_options(${name}_test PRIVATE "$<$<CXX_COMPILER_ID:Clang>:-Wno-error=missing-braces;-Wno-error=unknown-pragmas>")
     target_compile_definitions(${name}_test PRIVATE NEREID_SOURCE_DIR="${PROJECT_SOURCE_DIR}")

@@ -10,17 +10,8 @@ namespace nereid::driver {
 
 namespace {
 
-std::string percent(double part) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2g %%", 100 * part);
-  return text;
-}
-
-std::string rounded(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
-}
+std::string percent(double part) { return formatted("%.2g %%", 100 * part); }
+std::string rounded(double value) { return formatted("%.6g", value); }
 
 /// The result of a name, or the first that is a number and not zero; null if there is none.
 const output::Result* find(const std::vector<output::Result>& results, const std::string& name) {

@@ -253,10 +253,9 @@ dynamics::Interrupt checkpoints(const std::string& name, const CommandLine& line
 void check_reach(const input::CaseFile& file, const model::Simulation& simulation, const dynamics::Step& first) {
   const double steps = std::ceil(simulation.time.end / first.dt);
   if (!(steps > dynamics::most_steps)) return;
-  char counted_steps[100];
-  std::snprintf(counted_steps, sizeof counted_steps, "'end' = %.8g s takes %.3g steps of %.3g s, limited by ", simulation.time.end, steps,
-                first.dt);
-  file.fault("time.end", counted_steps + dynamics::limited_by(first, dynamics::sources(simulation.model)) + ": expected at most a billion",
+  file.fault("time.end",
+             formatted("'end' = %.8g s takes %.3g steps of %.3g s, limited by ", simulation.time.end, steps, first.dt) +
+                 dynamics::limited_by(first, dynamics::sources(simulation.model)) + ": expected at most a billion",
              "");
   file.finish();
 }

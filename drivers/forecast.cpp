@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "base/memory.hpp"
+#include "base/words.hpp"
 #include "drivers/recorder.hpp"
 #include "dynamics/overlaps.hpp"
 #include "dynamics/quality.hpp"
@@ -186,10 +187,8 @@ Forecast forecast(model::Simulation& simulation, const std::function<std::size_t
 }
 
 std::string in_words(const Forecast& forecast) {
-  char text[200];
-  std::snprintf(text, sizeof text, "%.0f steps, %.3g s, %.0f rows, %.0f frames, %.5g MB of files, %.5g MB of memory", forecast.steps,
-                forecast.seconds, forecast.rows, forecast.frames, forecast.bytes / 1e6, forecast.memory / 1e6);
-  return text;
+  return formatted("%.0f steps, %.3g s, %.0f rows, %.0f frames, %.5g MB of files, %.5g MB of memory", forecast.steps, forecast.seconds,
+                   forecast.rows, forecast.frames, forecast.bytes / 1e6, forecast.memory / 1e6);
 }
 
 }  // namespace nereid::driver

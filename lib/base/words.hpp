@@ -9,6 +9,9 @@ namespace nereid {
 
 std::string quote(std::string_view);  ///< 'text'
 
+/// What std::printf would print, whole.
+[[gnu::format(printf, 1, 2)]] std::string formatted(const char* format, ...);
+
 /// "1 item", "2 items".
 std::string counted(std::size_t number, const std::string& noun);
 

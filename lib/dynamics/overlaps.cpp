@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/words.hpp"
 #include "dynamics/thickness.hpp"
 
 namespace nereid::dynamics {
@@ -126,13 +127,10 @@ std::string in_words(const audit::Surfaces& all, const audit::Overlap& overlap) 
   const bool two = who.find(' ') != std::string::npos;
   const char* what = overlap.surface[0] == overlap.surface[1] ? " overlaps itself" : two ? " overlap" : ": two parts of it overlap";
   const Vec3& at = overlap.worst.place;
-  std::array<char, 250> text{};
-  std::snprintf(text.data(), text.size(), " by %.3g m, %.3g of an element, at (%.4g, %.4g, %.4g) m at %.4g s", overlap.worst.depth,
-                audit::in_elements(overlap.worst), at.x(), at.y(), at.z(), overlap.time);
-  std::string said = who + what + text.data();
+  const std::string said = who + what + formatted(" by %.3g m, %.3g of an element, at (%.4g, %.4g, %.4g) m at %.4g s", overlap.worst.depth,
+                                                  audit::in_elements(overlap.worst), at.x(), at.y(), at.z(), overlap.time);
   if (!(overlap.deepest > 1.05 * overlap.worst.depth)) return said;
-  std::snprintf(text.data(), text.size(), " (and by %.3g m where elements are larger)", overlap.deepest);
-  return said + text.data();
+  return said + formatted(" (and by %.3g m where elements are larger)", overlap.deepest);
 }
 
 }  // namespace nereid::dynamics

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 #include "base/check.hpp"
+#include "base/words.hpp"
 #include "dynamics/overlaps.hpp"
 #include "dynamics/quality.hpp"
 #include "dynamics/relax.hpp"
@@ -16,12 +16,6 @@ namespace nereid::dynamics {
 namespace {
 
 constexpr double smallest_fraction = 1e-4;  // of the first step: something has collapsed
-
-std::string text(const char* format, double a, double b) {
-  char buffer[200];
-  std::snprintf(buffer, sizeof buffer, format, a, b);
-  return buffer;
-}
 
 std::string name(const Model& model, int source) { return sources(model)[static_cast<std::size_t>(source)].name; }
 
@@ -49,7 +43,7 @@ std::string name(const Model& model, const Suspect& one) { return one.source < 0
 
 /// "created 0.3 of the energy that passed through it", or lost.
 std::string deed(const Suspect& one) {
-  return std::string(one.part > 0 ? "created" : "lost") + text(" %.3g of the energy ", std::abs(one.part), 0) +
+  return std::string(one.part > 0 ? "created" : "lost") + formatted(" %.3g of the energy ", std::abs(one.part)) +
          (one.source < 0 ? "of the scene" : "that passed through it");
 }
 
@@ -69,7 +63,7 @@ bool stop(const Model& model, const State& now, const Step& next, const Time& ti
   if (!(votes.volume_ratio > 0)) {
     outcome.ending = std::isnan(votes.volume_ratio) ? Ending::not_finite : Ending::inverted_element;
     outcome.reason = std::isnan(votes.volume_ratio) ? "positions are not finite"
-                                            : text("its volume or area is %.3g of the reference", votes.volume_ratio, 0);
+                                            : formatted("its volume or area is %.3g of the reference", votes.volume_ratio);
     outcome.reason += made_before(model, now.ledger, time.created_limit, votes.smallest_block);
     outcome.block = name(model, votes.smallest_block);
     outcome.element = votes.smallest_element;
@@ -79,8 +73,8 @@ bool stop(const Model& model, const State& now, const Step& next, const Time& ti
   const bool fell = !(next.dt > smallest_fraction * first);
   if (fell || !(next.dt * most_steps > end)) {
     outcome.ending = Ending::step_too_small;
-    outcome.reason = fell ? text("the step fell from %.3g s to %.3g s", first, next.dt)
-                          : text("with a step of %.3g s the end at %.3g s is out of reach", next.dt, end);
+    outcome.reason = fell ? formatted("the step fell from %.3g s to %.3g s", first, next.dt)
+                          : formatted("with a step of %.3g s the end at %.3g s is out of reach", next.dt, end);
     outcome.reason += ", limited by " + limited_by(next, sources(model)) + made_before(model, now.ledger, time.created_limit);
     if (next.source >= 0) outcome.block = name(model, next.source);
     if (next.source < static_cast<int>(model.blocks.size())) outcome.element = next.at;
@@ -96,8 +90,8 @@ bool too_much_of_the_scene(const Model& model, const Ledger& ledger, double limi
     const double excess = created(ledger.accounts[a]);
     if (!std::isnan(excess) && !(scale > 0 && std::abs(excess) > limit * scale)) continue;
     outcome.ending = std::isnan(excess) ? Ending::not_finite : excess > 0 ? Ending::energy_created : Ending::energy_lost;
-    const std::string part = (excess > 0 ? "created" : "lost") + text(" %.3g of the ", std::abs(excess) / scale, 0);
-    const std::string bound = text("; the limit is %.3g", limit, 0);
+    const std::string part = (excess > 0 ? "created" : "lost") + formatted(" %.3g of the ", std::abs(excess) / scale);
+    const std::string bound = formatted("; the limit is %.3g", limit);
     const bool of_centre = ledger.initial_available < ledger.initial_kinetic;
     outcome.reason = std::isnan(excess)                  ? "its energy is not finite"
                      : scale == ledger.external_work     ? part + "external work so far" + bound
@@ -120,9 +114,9 @@ bool overlap_too_much(const Model& model, const State& now, const Forces& forces
   const bool joined = std::any_of(model.interfaces.begin(), model.interfaces.end(),
                                   [&](const contact::Interface& interface) { return joins(interface, surfaces, most); });
   const double open = audit::unsure(most.worst);
-  outcome.reason = in_words(surfaces, most) + text(most.at_start > 0 ? ", %.3g m of it at the start" : "", most.at_start, 0) +
-                   text(open > 0 ? ", %.3g m of it within what bent faces leave open" : "", open, 0) +
-                   (joined ? "" : ", without a contact between them") + text("; the limit is %.3g of an element", limit, 0);
+  outcome.reason = in_words(surfaces, most) + (most.at_start > 0 ? formatted(", %.3g m of it at the start", most.at_start) : "") +
+                   (open > 0 ? formatted(", %.3g m of it within what bent faces leave open", open) : "") +
+                   (joined ? "" : ", without a contact between them") + formatted("; the limit is %.3g of an element", limit);
   outcome.block = surfaces.names[static_cast<std::size_t>(most.worst.region[0])];
   return true;
 }
@@ -133,7 +127,7 @@ bool corner_inverted(const Model& model, const State& now, const Time& time, Out
   if (block < 0) return false;
   const Quality& seen = now.quality[static_cast<std::size_t>(block)];
   outcome.ending = Ending::inverted_element;
-  outcome.reason = text("the Jacobian of a corner is %.3g of the reference; the limit is %.3g", seen.corner, time.corner_limit) +
+  outcome.reason = formatted("the Jacobian of a corner is %.3g of the reference; the limit is %.3g", seen.corner, time.corner_limit) +
                    made_before(model, now.ledger, time.created_limit, block);
   outcome.block = name(model, block);
   outcome.element = seen.element;
@@ -146,7 +140,7 @@ bool too_much_of_what_passed(const Model& model, const Ledger& ledger, double cr
   const double limit = created_limit * times_the_limit(model, ledger, one.source);
   if (!(std::abs(one.part) > limit)) return false;
   outcome.ending = one.part > 0 ? Ending::energy_created : Ending::energy_lost;
-  outcome.reason = deed(one) + text("; the limit is %.3g", limit, 0);
+  outcome.reason = deed(one) + formatted("; the limit is %.3g", limit);
   outcome.block = name(model, one);
   return true;
 }
@@ -257,7 +251,7 @@ Outcome run(const Model& model, State& now, Forces& forces, const Time& time, do
   }
   if (model.relaxation && model.relaxes && outcome.ending == Ending::reached_end) {
     outcome.ending = Ending::not_relaxed;
-    outcome.reason = text("not relaxed: residual %.3g, the limit is %.3g", now.relaxation.residual, model.relaxation->residual);
+    outcome.reason = formatted("not relaxed: residual %.3g, the limit is %.3g", now.relaxation.residual, model.relaxation->residual);
   }
   if (!progress.ledger_is_current) {
     update_ledger(model, now);

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+
+#include "base/words.hpp"
 
 namespace nereid::dynamics {
 
@@ -44,8 +45,7 @@ std::string limited_by(const Step& step, const std::vector<Source>& sources) {
   if (step.source < 0) return "nothing";
   const Source& source = sources[static_cast<std::size_t>(step.source)];
   const std::string name = "'" + source.name + "'", at = std::to_string(step.at);
-  char part[40] = "";
-  if (step.safety != 1) std::snprintf(part, sizeof part, ", %.4g of its stable step", step.safety);
+  const std::string part = step.safety != 1 ? formatted(", %.4g of its stable step", step.safety) : "";
   switch (source.kind) {
     case SourceKind::block: if (step.at < 0) return "the motion of " + name;
       return "element " + at + " of " + name + part;

@@ -18,21 +18,13 @@ namespace {
 
 constexpr double round_off = 1e-9;  // of a mesh that was turned, over the size of the scene
 
-std::string text(const char* format, auto... values) {
-  std::array<char, 300> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), format, values...);
-  return buffer.data();
-}
-
-std::string at_place(const Vec3& X) { return text("x = %.6g, y = %.6g, z = %.6g", X.x(), X.y(), X.z()); }
+std::string at_place(const Vec3& X) { return formatted("x = %.6g, y = %.6g, z = %.6g", X.x(), X.y(), X.z()); }
 
 load::OverTime over_time(const load::OverSpace& value) {
   return [value](double t) { return value(0, 0, 0, t); };
 }
 
 /// The last word of a key: what a message calls the value.
-std::string last_of(const std::string& key) { return key.substr(key.rfind('.') + 1); }
-
 /// A value at the start, where what gives it can still be blamed.
 void refuse_infinite(Faults& faults, const Part& part, const std::string& key, double value, const std::string& where) {
   if (std::isfinite(value)) return;
@@ -56,8 +48,8 @@ void refuse_nodes_behind(Faults& faults, const Part& part, const Plane& plane, c
   }
   if (count == 0) return;
   refuse(faults, part, "point",
-         text("%zu of %zu nodes start behind '%s', by %.4g m at most: move the body, or turn 'normal' to its side", count,
-              plane.nodes.size(), plane.name.c_str(), -deepest));
+         formatted("%zu of %zu nodes start behind '%s', by %.4g m at most: move the body, or turn 'normal' to its side", count,
+                   plane.nodes.size(), plane.name.c_str(), -deepest));
 }
 
 /// Nodes of a symmetry plane lie on one.
@@ -69,7 +61,7 @@ void refuse_nodes_beside(Faults& faults, const Part& part, const load::Plane& pl
   }
   if (!(high - low > 1e-6 * diagonal(mesh))) return;
   refuse(faults, part, "nodes",
-         text("the nodes of '%s' lie on no plane: they are %.4g m apart along 'normal'", plane.name.c_str(), high - low));
+         formatted("the nodes of '%s' lie on no plane: they are %.4g m apart along 'normal'", plane.name.c_str(), high - low));
 }
 
 Part part_of(const Plane& plane) { return part("plane", plane); }

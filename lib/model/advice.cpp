@@ -1,11 +1,10 @@
 #include "model/advice.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <tuple>
 
+#include "base/words.hpp"
 #include "element/width.hpp"
 
 namespace nereid::model {
@@ -13,12 +12,6 @@ namespace nereid::model {
 namespace {
 
 constexpr double worth_saying = 1.5;  // [-] times as many steps
-
-std::string row(const char* format, auto... values) {
-  std::array<char, 300> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), format, values...);
-  return buffer.data();
-}
 
 /// The largest step of an interface by a penalty: its vote, or what that is once the lowest apexes touch. [s]
 double step_in_touch(const Simulation& simulation, std::size_t c) {
@@ -76,9 +69,10 @@ std::vector<std::string> element_advice(const Simulation& simulation, const Expe
   const double then = std::min(simulation.time.safety * all[n].step, votes.contact.step) / expected.dt;
   if (!(then > worth_saying)) return {};
   const char* body = element::name(simulation.model.blocks[all[0].block]).c_str();
-  if (n == 1) return {row("element %d of '%s' sets the step; without it the step is about %.2g times larger", all[0].element, body, then)};
-  return {row("element %d of '%s' and %zu more set the step; without these %zu of %zu elements the step is about %.2g times larger",
-              all[0].element, body, n - 1, n, all.size(), then)};
+  if (n == 1)
+    return {formatted("element %d of '%s' sets the step; without it the step is about %.2g times larger", all[0].element, body, then)};
+  return {formatted("element %d of '%s' and %zu more set the step; without these %zu of %zu elements the step is about %.2g times larger",
+                    all[0].element, body, n - 1, n, all.size(), then)};
 }
 
 /// Stress at which a block begins to flow, times its volume; zero of what is elastic. [J]
@@ -119,8 +113,9 @@ std::vector<std::string> step_advice(const Simulation& simulation, const Expecte
   std::vector<std::string> advice;
   const auto look = [&](const char* what, const std::string& name, double step) {
     if (step * worth_saying < expected.elements)
-      advice.push_back(row("%s '%s' makes this run %.3g times longer than its elements; 'method: multiplier' would not", what, name.c_str(),
-                           expected.elements / step));
+      advice.push_back(formatted("%s '%s' makes this run %.3g times longer than its elements; 'method: multiplier' would not", what,
+                                 name.c_str(),
+                                 expected.elements / step));
   };
   for (std::size_t c = 0; c < expected.interfaces.size(); ++c) {
     const contact::Interface& interface = simulation.model.interfaces[c];
@@ -139,9 +134,9 @@ std::vector<std::string> strain_notes(const Simulation& simulation) {
     if (!dynamics::is_rigid_block(simulation.model, b)) capacity += plastic_capacity(simulation.model.blocks[b]);
   const double part = simulation.state.ledger.initial_available / capacity;
   if (!(capacity > 0 && part > worth_a_note)) return {};
-  return {row("the kinetic energy at the start is %.3g of yield stress times volume: elements may be strained by as much and more, and the "
-              "forecast does not know how that changes the step",
-              part)};
+  return {formatted("the kinetic energy at the start is %.3g of yield stress times volume: elements may be strained by as much and more, "
+                    "and the forecast does not know how that changes the step",
+                    part)};
 }
 
 }  // namespace nereid::model

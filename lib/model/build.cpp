@@ -114,8 +114,6 @@ void check_names(const Scene& scene, const mesh::Mesh& mesh, Faults& faults) {
 }
 
 /// Whether a node set, surface or region is one of this body.
-bool belongs(const std::string& name, const Body& body) { return name.substr(0, name.find('.')) == body.name; }
-
 /// The elements of all bodies; a mesh from a file may have several regions.
 void add_elements(const Scene& scene, dynamics::Model& model) {
   for (const Body& body : scene.bodies) {
@@ -162,13 +160,10 @@ double stand_off(const std::vector<Body>& bodies, const mesh::Mesh& mesh, const 
 
 void refuse_penetration(const auto& contact, bool given, const contact::InitialGaps& gaps, Faults& faults) {
   if (gaps.penetrating == 0 || contact.interface.initial_penetration == contact::InitialPenetration::accept) return;
-  std::array<char, 200> text{};
-  std::snprintf(text.data(), text.size(),
-                "%d of %d %s start penetrated, by %.4g m at most: %smove the bodies apart, or say "
-                "'initial_penetration: accept'",
-                static_cast<int>(gaps.penetrating), static_cast<int>(gaps.pairs > 0 ? gaps.pairs : gaps.apexes),
-                gaps.pairs > 0 ? "pairs of edges" : "apexes", gaps.deepest, given ? "lower 'height', " : "");
-  refuse(faults, part("contact", contact), "initial_penetration", text.data());
+  refuse(faults, part("contact", contact), "initial_penetration",
+         formatted("%d of %d %s start penetrated, by %.4g m at most: %smove the bodies apart, or say 'initial_penetration: accept'",
+                   static_cast<int>(gaps.penetrating), static_cast<int>(gaps.pairs > 0 ? gaps.pairs : gaps.apexes),
+                   gaps.pairs > 0 ? "pairs of edges" : "apexes", gaps.deepest, given ? "lower 'height', " : ""));
 }
 
 void refuse_empty_bond(const Contact& contact, const contact::InitialGaps& gaps, Faults& faults) {
@@ -313,10 +308,8 @@ void check_memory(const Scene& scene) {
     if (const double count = count_elements(body.mesh); count <= most_elements) elements += count;  // others are a fault
   const double needed = least * elements, left = memory_left();
   if (needed <= left) return;
-  std::array<char, 200> said{};
-  std::snprintf(said.data(), said.size(), "memory does not suffice: %.3g elements take at least %.3g GB, and %.3g GB are left", elements,
-                needed / 1e9, left / 1e9);
-  throw MachineError(said.data());
+  throw MachineError(formatted("memory does not suffice: %.3g elements take at least %.3g GB, and %.3g GB are left", elements,
+                               needed / 1e9, left / 1e9));
 }
 
 }  // namespace

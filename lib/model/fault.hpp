@@ -44,6 +44,9 @@ Part part(const char* kind, const Named& one) {
   return {one.at, std::string(kind) + " '" + one.name + "'"};
 }
 
+/// The last word of a key: 'nodes' of 'contacts.nodes'.
+inline std::string last_of(const std::string& key) { return key.substr(key.rfind('.') + 1); }
+
 /// Adds a fault. Of several at one key of a part the first is kept.
 void refuse(Faults&, const Part&, const std::string& key, const std::string& message, const std::string& hint = "");
 

@@ -1,7 +1,6 @@
 #include "model/meshes.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -77,12 +76,6 @@ mesh::Mesh with_names(const std::string& name, mesh::Mesh mesh) {
   return mesh;
 }
 
-std::string text(const char* format, auto... values) {
-  std::array<char, 300> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), format, values...);
-  return buffer.data();
-}
-
 /// What is wrong with the volumes and areas of a mesh whose nodes stood at `built`, or nothing.
 std::string flat_or_inverted(const mesh::Mesh& mesh, const Vectors& built) {
   std::string said;
@@ -93,9 +86,9 @@ std::string flat_or_inverted(const mesh::Mesh& mesh, const Vectors& built) {
       Vec3 from = Vec3::Zero(), to = Vec3::Zero();
       for (const Index node : region.nodes.col(element)) from += built.col(node), to += mesh.X.col(node);
       from /= region.nodes.rows(), to /= region.nodes.rows();
-      said = text("leaves element %lld of '%s' no positive %s: %.4g. Its middle goes from (%.6g, %.6g, %.6g) to (%.6g, %.6g, %.6g) m",
-                  static_cast<long long>(element), region.name.c_str(), what, size(element), from.x(), from.y(), from.z(), to.x(), to.y(),
-                  to.z());
+      said = formatted("leaves element %lld of '%s' no positive %s: %.4g. Its middle goes from (%.6g, %.6g, %.6g) to (%.6g, %.6g, %.6g) m",
+                       static_cast<long long>(element), region.name.c_str(), what, size(element), from.x(), from.y(), from.z(), to.x(),
+                       to.y(), to.z());
     }
   };
   for (const mesh::Hexahedra& region : mesh.hexahedra) look_at(region, mesh::volumes(mesh, region), "volume");
@@ -111,7 +104,7 @@ void name_points(const Body& body, mesh::Mesh& mesh, Faults& faults) {
     Eigen::Index nearest = 0;
     (mesh.X.colwise() - point.near).colwise().squaredNorm().minCoeff(&nearest);
     const double away = (point.near - point.near.cwiseMax(low).cwiseMin(high)).norm();
-    if (away > 1e-3 * diagonal(mesh)) refuse(faults, here, "near", text("'near' lies %.4g m beside '%s'", away, body.name.c_str()));
+    if (away > 1e-3 * diagonal(mesh)) refuse(faults, here, "near", formatted("'near' lies %.4g m beside '%s'", away, body.name.c_str()));
     const std::string name = body.name + "." + point.name;
     for (const mesh::NodeSet& set : mesh.node_sets)
       if (set.name == name) refuse(faults, here, "name", "'name' = " + point.name + " is that of a node set of the mesh already");
@@ -174,12 +167,12 @@ mesh::Mesh placed_mesh(const Body& body, Faults& faults, MeshWarnings& warnings)
   if (!(mesh.X.cwiseAbs().maxCoeff() < farthest)) {  // also where it is no number
     const bool finite = mesh.X.allFinite();
     refuse(faults, here, "",
-           finite ? text("a node stands %.4g m from the origin: expected less than %g m", mesh.X.cwiseAbs().maxCoeff(), farthest)
+           finite ? formatted("a node stands %.4g m from the origin: expected less than %g m", mesh.X.cwiseAbs().maxCoeff(), farthest)
                   : "a node stands at no finite place");
   } else if (!(diagonal(mesh) > smallest)) {
-    refuse(faults, here, "", text("the body is %.4g m across: expected more than %g m", diagonal(mesh), smallest));
+    refuse(faults, here, "", formatted("the body is %.4g m across: expected more than %g m", diagonal(mesh), smallest));
   } else if (!(shortest_side(mesh) > smallest)) {
-    refuse(faults, here, "", text("a side of an element is %.4g m long: expected more than %g m", shortest_side(mesh), smallest));
+    refuse(faults, here, "", formatted("a side of an element is %.4g m long: expected more than %g m", shortest_side(mesh), smallest));
   }
   if (faults.size() == before) judge(body, here, mesh, faults, warnings);
   return mesh;
@@ -273,7 +266,7 @@ mesh::Mesh mapped(const Field& map, mesh::Mesh mesh, const Part& part, Faults& f
     const Vec3 from = built.col(node);
     for (int axis = 0; axis < 3; ++axis) mesh.X(axis, node) = map[axis](from.x(), from.y(), from.z(), 0);
     if (mesh.X.col(node).allFinite()) continue;
-    refuse(faults, part, "map", text("'map' is no finite number at x = %.6g, y = %.6g, z = %.6g", from.x(), from.y(), from.z()));
+    refuse(faults, part, "map", formatted("'map' is no finite number at x = %.6g, y = %.6g, z = %.6g", from.x(), from.y(), from.z()));
     mesh.X = built;
     return mesh;
   }

@@ -1,13 +1,13 @@
 #include "model/notes.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <limits>
 #include <map>
 #include <set>
 
+#include "base/words.hpp"
 #include "contact/impact_step.hpp"
 #include "dynamics/overlaps.hpp"
 #include "dynamics/quality.hpp"
@@ -16,12 +16,6 @@
 namespace nereid::model {
 
 namespace {
-
-std::string row(const char* format, auto... values) {
-  std::array<char, 300> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), format, values...);
-  return buffer.data();
-}
 
 }  // namespace
 
@@ -55,11 +49,11 @@ std::vector<std::string> pairs_found(const Simulation& simulation, std::size_t c
   for (const auto& [pair, seen] : found) {
     const std::string& one = bodies.names[static_cast<std::size_t>(pair.first)];
     const std::string other = pair.first == pair.second ? "itself" : bodies.names[static_cast<std::size_t>(pair.second)];
-    rows.push_back(row("%-14s %s and %s: %d apexes within %.4g m, least gap %.4g m", "", one.c_str(), other.c_str(), seen.apexes,
-                       interface.margin, seen.least));
+    rows.push_back(formatted("%-14s %s and %s: %d apexes within %.4g m, least gap %.4g m", "", one.c_str(), other.c_str(), seen.apexes,
+                             interface.margin, seen.least));
   }
   if (bodies.count() > 0)
-    rows.push_back(row("%-14s %zu pairs of bodies are near of %d that may touch", "", found.size(), pairs_that_touch(bodies)));
+    rows.push_back(formatted("%-14s %zu pairs of bodies are near of %d that may touch", "", found.size(), pairs_that_touch(bodies)));
   return rows;
 }
 
@@ -91,7 +85,7 @@ std::vector<std::string> body_table(const Simulation& simulation) {
       if (rigid.name == body[0].name) body[0].mass = rigid.mass.mass;  // which may be given
   std::vector<std::string> table{"bodies                     nodes   elements  mass [kg]"};
   const auto add = [&](const std::string& name, const Size& size) {
-    table.push_back(row("%-22s %9zu  %9lld  %.6g", name.c_str(), size.nodes, static_cast<long long>(size.elements), size.mass));
+    table.push_back(formatted("%-22s %9zu  %9lld  %.6g", name.c_str(), size.nodes, static_cast<long long>(size.elements), size.mass));
   };
   for (const std::vector<Size>& body : bodies) {
     add(body[0].name, body[0]);
@@ -109,18 +103,19 @@ std::vector<std::string> gap_table(const Simulation& simulation) {
     const contact::InitialGaps& g = simulation.gaps[c];
     const contact::Interface& interface = simulation.model.interfaces[c];
     if (interface.kind == contact::InterfaceKind::edges) {
-      table.push_back(row("%-14s %d and %d edges, %d pairs within %.4g m, %d of them penetrating", interface.name.c_str(),
-                          static_cast<int>(interface.edges.nodes.cols()), static_cast<int>(interface.base_edges.nodes.cols()), g.pairs,
-                          interface.margin, g.penetrating));
+      table.push_back(formatted("%-14s %d and %d edges, %d pairs within %.4g m, %d of them penetrating", interface.name.c_str(),
+                                static_cast<int>(interface.edges.nodes.cols()), static_cast<int>(interface.base_edges.nodes.cols()),
+                                g.pairs, interface.margin, g.penetrating));
       continue;
     }
-    table.push_back(row("%-14s %6d  %8d  %7d  %9d  %7d  %11d  %-11.4g  %-11.4g  %-11.4g", interface.name.c_str(), g.apexes, g.by_kind[3],
-                        g.by_kind[2], g.by_kind[1], g.without_base, g.penetrating, g.least, g.mean, g.largest));
+    table.push_back(formatted("%-14s %6d  %8d  %7d  %9d  %7d  %11d  %-11.4g  %-11.4g  %-11.4g", interface.name.c_str(), g.apexes,
+                              g.by_kind[3], g.by_kind[2], g.by_kind[1], g.without_base, g.penetrating, g.least, g.mean, g.largest));
     for (const std::string& pair : pairs_found(simulation, c)) table.push_back(pair);
     if (!contact::by_multipliers(interface) && interface.bodies.count() == 0)
-      table.push_back(row("%-14s penalty %.4g Pa/m", "", interface.penalty));
+      table.push_back(formatted("%-14s penalty %.4g Pa/m", "", interface.penalty));
     if (g.free > 0)
-      table.push_back(row("%-14s %d of %d apexes are free: they stand past the border of the base or have none", "", g.free, g.apexes));
+      table.push_back(formatted("%-14s %d of %d apexes are free: they stand past the border of the base or have none", "", g.free,
+                                g.apexes));
   }
   return table;
 }
@@ -131,10 +126,10 @@ std::vector<std::string> width_notes(const Simulation& simulation) {
   for (const auto& block : simulation.model.blocks) {
     const element::Narrowest at = element::narrowest(block, simulation.state.x);
     if (at.gain < worth_saying) continue;
-    notes.push_back(row("%s: its step is that of element %d at (%.4g, %.4g, %.4g) m, only %.3g m wide along "
-                        "(%.3g, %.3g, %.3g) and %.3g m across; that width makes its step %.3g times smaller",
-                        element::name(block).c_str(), at.element, at.centre.x(), at.centre.y(), at.centre.z(), at.width(0),
-                        at.direction.x(), at.direction.y(), at.direction.z(), at.width(1), at.gain));
+    notes.push_back(formatted("%s: its step is that of element %d at (%.4g, %.4g, %.4g) m, only %.3g m wide along "
+                              "(%.3g, %.3g, %.3g) and %.3g m across; that width makes its step %.3g times smaller",
+                              element::name(block).c_str(), at.element, at.centre.x(), at.centre.y(), at.centre.z(), at.width(0),
+                              at.direction.x(), at.direction.y(), at.direction.z(), at.width(1), at.gain));
   }
   return notes;
 }
@@ -156,9 +151,9 @@ std::vector<std::string> coarseness_notes(const Simulation& simulation) {
     const char* instead = seen.base >= worth_saying ? (bonded ? "refine the surface of the apexes" : "take 'passes: two'")
                           : bonded                  ? "exchange 'apexes' and 'base'"
                                                     : "exchange 'apexes' and 'base', or take 'passes: two'";
-    notes.push_back(row("%s: its apexes are %.3g times as far apart as the nodes of its base, so that nodes of the base between them are "
-                        "not held and the stress beside the interface is wrong by 2 to 150 %%: %s",
-                        interface.name.c_str(), seen.apexes, instead));
+    notes.push_back(formatted("%s: its apexes are %.3g times as far apart as the nodes of its base, so that nodes of the base between them "
+                              "are not held and the stress beside the interface is wrong by 2 to 150 %%: %s",
+                              interface.name.c_str(), seen.apexes, instead));
   }
   return notes;
 }
@@ -177,18 +172,18 @@ std::vector<std::string> rounding_notes(const Simulation& simulation) {
     if (here / surface.smallest > most) worst = &surface, most = here / surface.smallest, rounding = here;
   }
   if (worst == nullptr || !(most > worth_saying)) return {};
-  return {row("%s: so far from the origin positions are rounded by %.2g m, %.2g of an element, and contact magnifies that: move the scene "
-              "to the origin",
-              simulation.forces.audit.surfaces.names[static_cast<std::size_t>(worst->face_region[0])].c_str(), rounding, most)};
+  return {formatted("%s: so far from the origin positions are rounded by %.2g m, %.2g of an element, and contact magnifies that: move the "
+                    "scene to the origin",
+                    simulation.forces.audit.surfaces.names[static_cast<std::size_t>(worst->face_region[0])].c_str(), rounding, most)};
 }
 
 std::vector<std::string> depth_notes(const Simulation& simulation) {
   std::vector<std::string> notes;
   const auto look = [&notes](const auto& contact, double element, const auto& memory, Index node) {
     if (element > 0 && memory.deepest > (0.5 + 1e-6) * element)  // more than round-off beyond
-      notes.push_back(row("%s: node %d went %.3g m deep, %.3g of the depth of an element, at %.8g s: %stoo fast an approach",
-                          contact.name.c_str(), node, memory.deepest, memory.deepest / element, memory.deepest_time,
-                          contact::by_multipliers(contact) ? "" : "too soft a penalty or "));
+      notes.push_back(formatted("%s: node %d went %.3g m deep, %.3g of the depth of an element, at %.8g s: %stoo fast an approach",
+                                contact.name.c_str(), node, memory.deepest, memory.deepest / element, memory.deepest_time,
+                                contact::by_multipliers(contact) ? "" : "too soft a penalty or "));
   };
   const dynamics::Model& model = simulation.model;
   for (std::size_t c = 0; c < model.interfaces.size(); ++c) {
@@ -223,11 +218,11 @@ std::vector<std::string> overlap_notes(const Simulation& simulation) {
       continue;
     }
     std::string note = dynamics::in_words(surfaces, overlap);
-    if (overlap.at_start > 0) note += row(", and by %.3g m at the start", overlap.at_start);
+    if (overlap.at_start > 0) note += formatted(", and by %.3g m at the start", overlap.at_start);
     if (!joined) note += "; no contact between them is declared";
     notes.push_back(note);
   }
-  if (more > 0) notes.push_back(row("%zu more overlaps of bodies stand in the summary", more));
+  if (more > 0) notes.push_back(formatted("%zu more overlaps of bodies stand in the summary", more));
   return notes;
 }
 
@@ -241,23 +236,24 @@ std::vector<std::string> quality_notes(const Simulation& simulation) {
     const dynamics::Quality& seen = simulation.state.quality[b];
     const char* name = element::name(simulation.model.blocks[b]).c_str();
     if (!(seen.corner > 0) && seen.element >= 0)
-      notes.push_back(row("%s: a corner of element %d was inverted, its Jacobian %.3g of the reference at %.4g s: the mesh is too "
-                          "coarse there or the load acts on one node",
-                          name, seen.element, seen.corner, seen.time));
+      notes.push_back(formatted("%s: a corner of element %d was inverted, its Jacobian %.3g of the reference at %.4g s: the mesh is too "
+                                "coarse there or the load acts on one node",
+                                name, seen.element, seen.corner, seen.time));
     if (std::abs(std::log(seen.thinned.ratio)) > std::log(thickness_worth_saying))
-      notes.push_back(row("%s: plates keep their thickness, and the strain of element %d asks for %.3g of it at %.4g s: its forces are off "
-                          "by as much; 'thinning: follows_strain' lets the thickness change",
-                          name, seen.thinned.element, seen.thinned.ratio, seen.thinned_at));
+      notes.push_back(formatted("%s: plates keep their thickness, and the strain of element %d asks for %.3g of it at %.4g s: its forces "
+                                "are off by as much; 'thinning: follows_strain' lets the thickness change",
+                                name, seen.thinned.element, seen.thinned.ratio, seen.thinned_at));
     if (scale > 0 && seen.spin.energy > spin_worth_saying * scale)
-      notes.push_back(row("%s: nodes that spin about their normals, node %d fastest, had %.3g of the energy at %.4g s; with "
-                          "'drilling: 0' plates do not resist that: a moment should act on a body or along an edge; 'drilling: 0.1', the "
-                          "default, gives them a stiffness",
-                          name, seen.spin.node, seen.spin.energy / scale, seen.spin.time));
+      notes.push_back(formatted("%s: nodes that spin about their normals, node %d fastest, had %.3g of the energy at %.4g s; with "
+                                "'drilling: 0' plates do not resist that: a moment should act on a body or along an edge; 'drilling: 0.1', "
+                                "the default, gives them a stiffness",
+                                name, seen.spin.node, seen.spin.energy / scale, seen.spin.time));
     const double uneven = dynamics::uneven_fraction(seen, scale);
     if (uneven > worth_saying)
-      notes.push_back(row("%s: hourglass energy reached %.3g of the internal energy, and %.3g is of elements that bend unlike their "
-                          "neighbours, or whose sides lean; above %.3g the size of the elements decides the result: take a finer mesh",
-                          name, dynamics::hourglass_fraction(seen, scale), uneven, worth_saying));
+      notes.push_back(formatted("%s: hourglass energy reached %.3g of the internal energy, and %.3g is of elements that bend unlike their "
+                                "neighbours, or whose sides lean; above %.3g the size of the elements decides the result: take a finer "
+                                "mesh",
+                                name, dynamics::hourglass_fraction(seen, scale), uneven, worth_saying));
   }
   return notes;
 }
@@ -268,8 +264,8 @@ std::vector<std::string> energy_notes(const Simulation& simulation) {
   std::vector<std::string> notes;
   const auto look = [&](const std::string& name, double part, const char* of, double stops, const char* once = "") {
     if (!(std::abs(part) > worth_a_warning * limit)) return;
-    notes.push_back(row("%s: %s %.2g of the energy %s at worst; the limit that stops a run is %.2g%s", name.c_str(),
-                        part > 0 ? "created" : "lost", std::abs(part), of, stops, once));
+    notes.push_back(formatted("%s: %s %.2g of the energy %s at worst; the limit that stops a run is %.2g%s", name.c_str(),
+                              part > 0 ? "created" : "lost", std::abs(part), of, stops, once));
   };
   const dynamics::Ledger& ledger = simulation.state.ledger;
   const std::vector<Source> all = dynamics::sources(simulation.model);
@@ -283,9 +279,9 @@ std::vector<std::string> energy_notes(const Simulation& simulation) {
   look("time integration", ledger.worst_kept, "of the scene", limit);
   const double swing = dynamics::swing_part(ledger);
   if (swing > limit && !(std::abs(ledger.worst_kept) > worth_a_warning * limit))  // one of both is said; what swings comes back
-    notes.push_back(row("time integration: the kinetic energy swung by %.2g of the energy of the scene; it goes with the square of the "
-                        "step",
-                        swing));
+    notes.push_back(formatted("time integration: the kinetic energy swung by %.2g of the energy of the scene; it goes with the square of "
+                              "the step",
+                              swing));
   return notes;
 }
 
@@ -293,10 +289,10 @@ std::vector<std::string> step_notes(const Simulation& simulation) {
   std::vector<std::string> notes;
   const auto look = [&notes](const auto& contact, const contact::StepFactorMemory& memory) {
     if (memory.lowered_at < 0) return;
-    notes.push_back(row("%s: created or lost more than %.3g of the energy that passed through it, so its steps "
-                        "are %.3g times shorter from %.6g s on",
-                        contact.name.c_str(), contact::most_created_in_a_bounce(contact.impact_step_factor),
-                        contact.first_step_factor / contact.impact_step_factor, memory.lowered_at));
+    notes.push_back(formatted("%s: created or lost more than %.3g of the energy that passed through it, so its steps "
+                              "are %.3g times shorter from %.6g s on",
+                              contact.name.c_str(), contact::most_created_in_a_bounce(contact.impact_step_factor),
+                              contact.first_step_factor / contact.impact_step_factor, memory.lowered_at));
   };
   const dynamics::Model& model = simulation.model;
   for (std::size_t c = 0; c < model.interfaces.size(); ++c) look(model.interfaces[c], simulation.state.interfaces[c].step_factor);
@@ -314,10 +310,10 @@ std::string energy_line(const Simulation& simulation) {
     dissipated += dynamics::dissipated(account);
     created += dynamics::created(account) - dynamics::overdrawn(account);
   }
-  return row("energy: %.4g J at the start and %.4g J from outside are now %.4g J kinetic, %.4g J stored, %.4g J dissipated; "
-             "created %.2g J, time integration %.2g J",
-             ledger.initial_kinetic + dynamics::initial_stored(ledger), outside, ledger.kinetic, stored, dissipated, created,
-             ledger.integration);
+  return formatted("energy: %.4g J at the start and %.4g J from outside are now %.4g J kinetic, %.4g J stored, %.4g J dissipated; "
+                   "created %.2g J, time integration %.2g J",
+                   ledger.initial_kinetic + dynamics::initial_stored(ledger), outside, ledger.kinetic, stored, dissipated, created,
+                   ledger.integration);
 }
 
 std::int64_t count_elements(const dynamics::Model& model) {

@@ -80,6 +80,9 @@ struct Body {
   std::string at = {};
 };
 
+/// Whether a region or surface of the mesh of a scene is of a body.
+inline bool belongs(const std::string& name, const Body& body) { return name.substr(0, name.find('.')) == body.name; }
+
 /// One pair of surfaces.
 struct Contact {
   std::string name, apexes, base;            ///< surfaces

@@ -1,23 +1,17 @@
 #include "model/stops.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 
 #include "base/check.hpp"
+#include "base/words.hpp"
 
 namespace nereid::model {
 
 namespace {
 
 using dynamics::ConditionMemory;
-
-std::string text(const char* format, auto... values) {
-  std::array<char, 300> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), format, values...);
-  return buffer.data();
-}
 
 /// Takes a value into the memory; sign: 1 to look for the largest, -1 for the smallest.
 void see(double t, double value, double sign, ConditionMemory& memory) {
@@ -34,21 +28,21 @@ void see(double t, double value, double sign, ConditionMemory& memory) {
 std::string peaked(const Stop& stop, const char* unit, const ConditionMemory& now) {
   const double sign = stop.above ? 1 : -1, rise = sign * (now.extreme - now.first), fall = sign * (now.extreme - now.last);
   if (!(rise > 0 && fall > 0 && fall >= stop.part * rise && now.time - now.time_of_extreme >= stop.span)) return "";
-  return text("%s passed its %s value, %.6g %s, at %.6g s", stop.probe.c_str(), stop.above ? "largest" : "smallest", now.extreme, unit,
-              now.time_of_extreme);
+  return formatted("%s passed its %s value, %.6g %s, at %.6g s", stop.probe.c_str(), stop.above ? "largest" : "smallest", now.extreme, unit,
+                   now.time_of_extreme);
 }
 
 /// Closes a window that is over.
 std::string steady(const Stop& stop, const char* unit, ConditionMemory& now) {
-  constexpr double round_off = 1e-9;
+  constexpr double whole = 1 - 1e-9;
   const double span = now.time - now.since;
-  if (!(span >= (1 - round_off) * stop.span)) return "";
+  if (!(span >= whole * stop.span)) return "";
   const double before = now.mean;
   now.mean = now.integral / span;
   now.integral = 0, now.since = now.time;
   if (!(std::abs(now.mean - before) <= stop.value)) return "";  // no window before is no number
-  return text("the mean of %s over %.4g s went from %.6g to %.6g %s, by no more than %.4g %s", stop.probe.c_str(), stop.span, before,
-              now.mean, unit, stop.value, unit);
+  return formatted("the mean of %s over %.4g s went from %.6g to %.6g %s, by no more than %.4g %s", stop.probe.c_str(), stop.span, before,
+                   now.mean, unit, stop.value, unit);
 }
 
 std::string rests(const Stop& stop, double scale, ConditionMemory& now) {
@@ -59,8 +53,8 @@ std::string rests(const Stop& stop, double scale, ConditionMemory& now) {
   }
   if (now.since < 0) now.since = now.time;
   if (!(now.time - now.since >= stop.span)) return "";
-  return text("the kinetic energy is below %.4g of the %s since %.6g s", stop.part,
-              stop.of_scene ? "energy of the scene" : "largest one", now.since);
+  return formatted("the kinetic energy is below %.4g of the %s since %.6g s", stop.part,
+                   stop.of_scene ? "energy of the scene" : "largest one", now.since);
 }
 
 }  // namespace
@@ -69,8 +63,8 @@ std::string wanted_stop(const Stop& stop, double t, double value, const std::str
   if (t < stop.after && stop.kind != StopKind::rest) return "";
   if (stop.kind == StopKind::level) {
     if (!(stop.above ? value > stop.value : value < stop.value)) return "";
-    return text("%s is %.6g %s, %s %.6g %s", stop.probe.c_str(), value, unit.c_str(), stop.above ? "above" : "below", stop.value,
-                unit.c_str());
+    return formatted("%s is %.6g %s, %s %.6g %s", stop.probe.c_str(), value, unit.c_str(), stop.above ? "above" : "below", stop.value,
+                     unit.c_str());
   }
   if (!(t > memory.time) || std::isnan(value)) return "";
   see(t, value, stop.above ? 1 : -1, memory);

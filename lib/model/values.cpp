@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "base/words.hpp"
 #include "model/meshes.hpp"
@@ -19,8 +18,6 @@ struct Value {
   const char* unit = "1";
 };
 using Values = std::vector<Value>;
-
-std::string last_of(const std::string& key) { return key.substr(key.rfind('.') + 1); }
 
 /// Whether all values are in their ranges.
 bool check(Faults& faults, const Part& part, const Values& values) {
@@ -240,10 +237,8 @@ std::string too_many(const std::string& key, double every, double end) {
   const bool frames = key == "frames_every";
   const double most = frames ? most_frames : most_rows, count = end / every;
   if (!(every > 0) || count <= most) return "";
-  char asked[40];
-  std::snprintf(asked, sizeof asked, "%.3g", count);
-  return quote(key) + " = " + shortest(every) + " s asks for " + asked + (frames ? " frames" : " rows") + " by the end at " +
-         shortest(end) + " s: expected at most " + (frames ? "a million" : "ten million");
+  return quote(key) + " = " + shortest(every) + " s asks for " + formatted("%.3g", count) + (frames ? " frames" : " rows") +
+         " by the end at " + shortest(end) + " s: expected at most " + (frames ? "a million" : "ten million");
 }
 
 std::string frames_between_rows(double frames, double rows) {

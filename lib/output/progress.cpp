@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/words.hpp"
+
 namespace nereid::output {
 
 namespace {
@@ -16,23 +18,15 @@ std::string spoken(double seconds) {
   constexpr double longest = 1e9;  // [s] 30 years: nobody waits, and the numbers below stay small
   if (!(seconds >= 0 && seconds < longest)) return "?";
   const auto s = static_cast<long>(std::lround(seconds));
-  char text[64];
-  if (s < 60)
-    std::snprintf(text, sizeof text, "%ld s", s);
-  else if (s < 3600)
-    std::snprintf(text, sizeof text, "%ld min %02ld s", s / 60, s % 60);
-  else
-    std::snprintf(text, sizeof text, "%ld h %02ld min", s / 3600, s % 3600 / 60);
-  return text;
+  if (s < 60) return formatted("%ld s", s);
+  return s < 3600 ? formatted("%ld min %02ld s", s / 60, s % 60) : formatted("%ld h %02ld min", s / 3600, s % 3600 / 60);
 }
 
 std::string progress_line(double time, double begin, double end, std::int64_t step, double dt, double elapsed) {
   const double share = end > 0 ? std::clamp(time / end, 0.0, 1.0) : 0;
   const double rest = time > begin ? elapsed * std::max(0.0, end - time) / (time - begin) : NAN;
-  char text[192];
-  std::snprintf(text, sizeof text, "%5.1f %%  %.4g of %.4g s  step %lld  dt %.3g s  %s to go", 100 * share, time, end,
-                static_cast<long long>(step), dt, spoken(rest).c_str());
-  return text;
+  return formatted("%5.1f %%  %.4g of %.4g s  step %lld  dt %.3g s  %s to go", 100 * share, time, end, static_cast<long long>(step), dt,
+                   spoken(rest).c_str());
 }
 
 Progress::Progress(double begin, double end, bool quiet, std::chrono::milliseconds pause)

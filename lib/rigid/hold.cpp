@@ -27,8 +27,7 @@ std::optional<Hold> hold_of(std::span<const HeldNode> held, double size) {
   const Eigenpairs shifts = eigenpairs(normals);
   hold.shift.setZero();
   for (int k = 0; k < 3; ++k)
-    if (shifts.values(k) < same * same * shifts.values(2))
-      hold.shift += shifts.vectors.col(k) * shifts.vectors.col(k).transpose();
+    if (shifts.values(k) < same * same * shifts.values(2)) hold.shift += shifts.vectors.col(k) * shifts.vectors.col(k).transpose();
   for (int i = 0; i < 9; ++i) {  // exact along axes
     double& entry = hold.shift.data()[i];
     if (std::abs(entry) < 1e-14) entry = 0;

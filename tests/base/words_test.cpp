@@ -5,6 +5,13 @@
 namespace nereid::words_test {
 namespace {
 
+TEST(Words, AreFormattedWhole) {
+  EXPECT_EQ(formatted("%d of %s: %.3g %%", 3, "bar", 0.12345), "3 of bar: 0.123 %");
+  EXPECT_EQ(formatted("nothing"), "nothing");
+  const std::string name(1000, 'x');
+  EXPECT_EQ(formatted("'%s'", name.c_str()), "'" + name + "'");
+}
+
 TEST(Nearest, IsTheWordWithTheFewestWrongLetters) {
   EXPECT_EQ(nearest("penalyt", {"penalty_scale", "penalty", "penal"}), "did you mean 'penalty'?");
   EXPECT_EQ(nearest("Penalty", {"penalty"}), "did you mean 'penalty'?");  // capitals cost nothing
