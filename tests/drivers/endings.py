@@ -134,7 +134,7 @@ class Bounds(InAFolder):
 class Machine(InAFolder):
     """Status 5 with the system's words, and what was listed stays readable."""
 
-    long = ["--set", "time.end=1e6 s", "--set", "output.history_every=100 s", "--set", "output.frames_every=5000 s"]
+    long = ["--set", "time.end=1e6 s", "--set", "output.history_every=10 s", "--set", "output.frames_every=500 s"]
 
     def test_a_disk_that_becomes_full(self):
         done = self.run_case(CASES / "block.yaml", *self.long, limits=[(resource.RLIMIT_FSIZE, 50_000)])
