@@ -63,7 +63,7 @@ function(nereid_precompile name)
   add_library(${name} OBJECT ${PROJECT_BINARY_DIR}/generated/${name}.cpp)
   target_link_libraries(${name} PRIVATE nereid_settings)
   target_precompile_headers(${name} PRIVATE <algorithm> <array> <cmath> <cstdint> <cstdio> <functional> <limits> <map> <memory> <optional>
-    <set> <span> <string> <string_view> <utility> <variant> <vector> <Eigen/Core> <Eigen/Geometry> ${ARGN})
+    <set> <span> <string> <string_view> <utility> <variant> <vector> <Eigen/Core> <Eigen/Geometry> <base/tensor.hpp> ${ARGN})
 endfunction()
 nereid_precompile(nereid_precompiled)
 nereid_precompile(nereid_precompiled_models <contact/contact.hpp> <dynamics/measure.hpp> <dynamics/model.hpp> <dynamics/probe.hpp>)
@@ -79,13 +79,10 @@ function(nereid_module name)
     add_library(nereid_${name} STATIC ${sources})
     target_link_libraries(nereid_${name} PUBLIC nereid_settings ${MODULE_UNPARSED_ARGUMENTS} PRIVATE ${MODULE_PRIVATE})
     set(precompiled nereid_precompiled)
-    if(name MATCHES "^(dynamics|model|input|output)$")  # most of their sources see whole models
+    if(name MATCHES "^(dynamics|model|input|output)$")   # most of their sources see whole models
       set(precompiled nereid_precompiled_models)
     endif()
     target_precompile_headers(nereid_${name} REUSE_FROM ${precompiled})
-    if(name MATCHES "^(model|input|output|audit)$")     # what no step waits for
-      set_target_properties(nereid_${name} PROPERTIES UNITY_BUILD ${NEREID_JOIN} UNITY_BUILD_BATCH_SIZE 7)
-    endif()
     if(name STREQUAL "output")   # what a summary says of the program that wrote it
       string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type)
       string(STRIP "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${build_type}}" flags)

@@ -280,7 +280,7 @@ namespace {
 /// moved  [m] by which edges can have come nearer since the last search
 /// way    [m] by which they can in the step to come
 void list_crossings(const Interface& interface, double moved, double way, Memory& memory, std::vector<Crossing>& next) {
-  /// Calls visit(pair, what is known of it or null, whether it is to be listed) until it says no more.
+  // Calls visit(pair, what is known of it or null, whether it is to be listed) until it says no more.
   const auto each = [&](auto&& visit) {
     auto was = memory.crossings.begin();
     for (const EdgePair& pair : memory.edge_pairs) {
