@@ -84,7 +84,7 @@ class Collection {
   std::filesystem::path directory_;
   std::string name_;
   GridKind kind_;
-  Precision precision_;
+  [[maybe_unused]] Precision precision_;  // without VTK nothing is written
   std::string arrays_;  ///< what the first frame held; every frame must hold the same
   std::vector<double> times_;
   std::int64_t replaced_ = 0;
