@@ -63,7 +63,7 @@ function(nereid_precompile name)
   add_library(${name} OBJECT ${PROJECT_BINARY_DIR}/generated/${name}.cpp)
   target_link_libraries(${name} PRIVATE nereid_settings)
   target_precompile_headers(${name} PRIVATE <algorithm> <array> <cmath> <cstdint> <cstdio> <functional> <limits> <map> <memory> <optional>
-    <set> <span> <string> <string_view> <utility> <variant> <vector> <Eigen/Core> <Eigen/Geometry> <base/tensor.hpp> ${ARGN})
+    <set> <span> <string> <string_view> <utility> <variant> <vector> <Eigen/Core> <Eigen/Geometry> ${ARGN})
 endfunction()
 nereid_precompile(nereid_precompiled)
 nereid_precompile(nereid_precompiled_models <contact/contact.hpp> <dynamics/measure.hpp> <dynamics/model.hpp> <dynamics/probe.hpp>)
