@@ -41,7 +41,7 @@ if(NEREID_SANITIZE)
   target_compile_definitions(nereid_settings INTERFACE NEREID_SANITIZED)
 endif()
 if(NEREID_COVERAGE)
-  target_compile_options(nereid_settings INTERFACE --coverage)
+  target_compile_options(nereid_settings INTERFACE --coverage -fprofile-update=atomic)  # threads count at the same time
   target_link_options(nereid_settings INTERFACE --coverage)
 endif()
 if(NEREID_ONE_LANE)

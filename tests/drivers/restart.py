@@ -57,9 +57,11 @@ CASES = {
     "a section, a table, a pair that touched": ("../tests/drivers/cases/pushed.yaml", {}),
 }
 # of these, all kinds of elements and of contact; none so chaotic that round-off grows
-WIDTHS = ["automatic contact by a penalty", "a bond", "a floor, plates on solids, plasticity", "rigid bodies on a plane, friction",
-          "plates that thin", "strain rate and heat", "mixed hardening", "stages: a rigid ram that is let go"]
-CLOSE = 1e-6      # of what a column of the history goes through
+WIDTHS = {"automatic contact by a penalty": {}, "a bond": {},
+          "a floor, plates on solids, plasticity": {"time.end": "2 ms"},  # round-off grows on: 1e-7 then, 1e-2 at 7 ms
+          "rigid bodies on a plane, friction": {}, "plates that thin": {}, "strain rate and heat": {}, "mixed hardening": {},
+          "stages: a rigid ram that is let go": {}}
+CLOSE = 1e-6      # of what the columns of a unit go through in a history
 
 
 def written(folder):
@@ -125,13 +127,15 @@ class Restart(unittest.TestCase):
 
 
 def farthest_apart(one, other):
-    """Of two histories with the same rows: the largest difference in a column over what the column goes through."""
+    """Of two histories with the same rows: the largest difference in a column over the most that a column of its unit goes through. Some
+    columns hold round-off alone."""
     tables = [np.genfromtxt(io.BytesIO(text), delimiter=",", skip_header=1, ndmin=2) for text in (one, other)]
     if tables[0].shape != tables[1].shape:
         return np.inf
+    units = np.array([name[name.rfind("["):] for name in one.split(b"\n")[0].decode().split(",")])
     through = np.nanmax(tables[0], axis=0) - np.nanmin(tables[0], axis=0)
-    scale = np.where(through > 0, through, np.inf)
-    return np.nanmax(np.abs(tables[0] - tables[1]) / scale)
+    scale = np.array([through[units == unit].max() for unit in units])
+    return np.nanmax(np.abs(tables[0] - tables[1]) / np.where(scale > 0, scale, np.inf))
 
 
 class Width(unittest.TestCase):
@@ -143,9 +147,9 @@ class Width(unittest.TestCase):
             self.skipTest("needs the programs of another build")
 
     def test_goes_on_from_checkpoints_of_another_width(self):
-        for name in WIDTHS:
+        for name, shorter in WIDTHS.items():
             case, values = CASES[name]
-            sets = [word for key, value in values.items() for word in ("--set", f"{key}={value}")]
+            sets = [word for key, value in {**values, **shorter}.items() for word in ("--set", f"{key}={value}")]
             case = ROOT / "verification" / case
             status, said, end, seconds, whole = end_of(self.drivers / "scene", case, sets)
             for drivers in ((self.drivers, self.other), (self.other, self.drivers)):
