@@ -18,7 +18,9 @@ TEST(MostResident, GrowsByWhatIsWritten) {
   }
   const double after = most_resident();
   EXPECT_GT(after - before, 0.9 * size);
+#ifndef NEREID_SANITIZED  // sanitizers note much beside each byte
   EXPECT_LT(after - before, 1.2 * size);
+#endif
   EXPECT_GE(most_resident(), after) << "what was freed still counts";
 }
 
