@@ -149,7 +149,7 @@ endfunction()
 # What is tested keeps its optimisation; the tests themselves need little, and a third of their build goes by it.
 set(NEREID_TEST_OPTIONS $<$<CONFIG:Release>:-O1>)
 
-add_custom_target(unit_tests)
+add_custom_target(unit_tests)   # all programs of unit tests
 
 # The unit tests of one module, tests/<name>/*_test.cpp, as one program <name>_test.
 function(nereid_tests name)

@@ -18,7 +18,7 @@ Eigen::VectorXd eigenvalues(const Eigen::MatrixXd& symmetric);
 /// Of A x = lambda B x, ascending, for a symmetric A and a symmetric positive definite B.
 Eigen::VectorXd eigenvalues(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
 
-/// The Moore-Penrose inverse; singular values below round-off of the largest count as zero.
+/// The Moore-Penrose inverse; the rank counts pivots above round-off of the largest one.
 Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd&);
 
 }  // namespace nereid

@@ -58,19 +58,19 @@ int refined(int count, double factor) {
 }
 
 bool refine(Node& node, double factor, std::vector<int>& counts) {
-  bool found = false;
-  for (const auto& item : node.items) found |= refine(*item, factor, counts);
+  bool any = false;
+  for (const auto& item : node.items) any |= refine(*item, factor, counts);
   for (const auto& entry : node.entries) {
     Node& value = *entry->value;
     if (entry->key.rfind("cells", 0) == 0) {
-      found |= refine_count(value, factor, counts);
-      for (const auto& item : value.items) found |= refine_count(*item, factor, counts);
+      any |= refine_count(value, factor, counts);
+      for (const auto& item : value.items) any |= refine_count(*item, factor, counts);
       continue;
     }
-    if (Entry* level = entry->key == "mesh" ? find(value, "level") : nullptr) found |= refine_count(*level->value, factor, counts);
-    found |= refine(value, factor, counts);
+    if (Entry* level = entry->key == "mesh" ? find(value, "level") : nullptr) any |= refine_count(*level->value, factor, counts);
+    any |= refine(value, factor, counts);
   }
-  return found;
+  return any;
 }
 
 }  // namespace nereid::input

@@ -114,8 +114,7 @@ std::vector<std::string> step_advice(const Simulation& simulation, const Expecte
   const auto look = [&](const char* what, const std::string& name, double step) {
     if (step * worth_saying < expected.elements)
       advice.push_back(formatted("%s '%s' makes this run %.3g times longer than its elements; 'method: multiplier' would not", what,
-                                 name.c_str(),
-                                 expected.elements / step));
+                                 name.c_str(), expected.elements / step));
   };
   for (std::size_t c = 0; c < expected.interfaces.size(); ++c) {
     const contact::Interface& interface = simulation.model.interfaces[c];

@@ -34,9 +34,9 @@ std::string peaked(const Stop& stop, const char* unit, const ConditionMemory& no
 
 /// Closes a window that is over.
 std::string steady(const Stop& stop, const char* unit, ConditionMemory& now) {
-  constexpr double whole = 1 - 1e-9;
+  constexpr double round_off = 1e-9;
   const double span = now.time - now.since;
-  if (!(span >= whole * stop.span)) return "";
+  if (!(span >= (1 - round_off) * stop.span)) return "";
   const double before = now.mean;
   now.mean = now.integral / span;
   now.integral = 0, now.since = now.time;

@@ -128,26 +128,18 @@ TEST(ConnectAutomatic, OfAPlateThatIsThickerThanItsElementsAreLongStartsApartFro
   for (const Connected& one : connect_automatic(model, "all", {{"strip", true}}, {}, {})) EXPECT_EQ(one.gaps.penetrating, 0);
 }
 
-/// What becomes of a base on which a block lies that is turned over one of its edges until it stands on it; how many pairs of edges were
-/// looked at in all steps, and how many had a condition.
-struct Tipped {
-  Vectors x;
-  double looked_at = 0, acted = 0;
-};
-Tipped tip(bool automatic, bool looks_at_all) {
-  constexpr double askew = 0.2, spin = 1;  // [rad] [rad/s]
+constexpr double askew = 0.2;  // [rad]
+
+/// A block that lies askew on a larger one, before anything moves them.
+Scene block_on_base() {
   Scene s;
   const auto turned = mesh::rotated_about(box("block", {0, 0, 0}, {1, 1, 0.4}), Vec3::UnitZ(), askew, Vec3::Zero());
   s.model.mesh = mesh::join(box("base", {-0.5, -0.4, -0.5}, {1.6, 1.7, 0}), turned);
   for (const char* name : {"base", "block"}) s.model.blocks.push_back(element::hexahedra(s.model.mesh, name, soft, {}));
-  const Vec3 edge(-std::sin(askew), std::cos(askew), 0), end(std::cos(askew), std::sin(askew), 0);
-  load::Plane turner = plane("turner", load::PlaneKind::driven, Vec3::UnitZ(), mesh::node_set(s.model.mesh, "block"));
-  for (int axis = 0; axis < 3; ++axis)
-    turner.field[static_cast<std::size_t>(axis)] = [=](double x, double y, double z, double t) {
-      const Vec3 arm = Eigen::AngleAxisd(spin * t, edge) * (Vec3(x, y, z) - end);
-      return spin * edge.cross(arm)(axis) - (axis == 2 ? 0.001 : 0);  // and down, so that it presses
-    };
-  s.model.constraints.planes = {turner};
+  return s;
+}
+
+void connect_both(bool automatic, Scene& s) {
   finalize(s.model);
   InterfaceOptions joint;
   joint.height = {.from_initial_height = false, .clearance = 0, .given = 0};
@@ -156,6 +148,26 @@ Tipped tip(bool automatic, bool looks_at_all) {
                                    : connect(s.model, "joint", "block.skin", "base.skin", joint);
   for (const Connected& one : connected) s.memories.push_back(one.memory);
   s.ready();
+}
+
+/// What becomes of a base on which a block lies that is turned over one of its edges until it stands on it; how many pairs of edges were
+/// looked at in all steps, and how many had a condition.
+struct Tipped {
+  Vectors x;
+  double looked_at = 0, acted = 0;
+};
+Tipped tip(bool automatic, bool looks_at_all) {
+  constexpr double spin = 1;  // [rad/s]
+  Scene s = block_on_base();
+  const Vec3 edge(-std::sin(askew), std::cos(askew), 0), end(std::cos(askew), std::sin(askew), 0);
+  load::Plane turner = plane("turner", load::PlaneKind::driven, Vec3::UnitZ(), mesh::node_set(s.model.mesh, "block"));
+  for (int axis = 0; axis < 3; ++axis)
+    turner.field[static_cast<std::size_t>(axis)] = [=](double x, double y, double z, double t) {
+      const Vec3 arm = Eigen::AngleAxisd(spin * t, edge) * (Vec3(x, y, z) - end);
+      return spin * edge.cross(arm)(axis) - (axis == 2 ? 0.001 : 0);  // and down, so that it presses
+    };
+  s.model.constraints.planes = {turner};
+  connect_both(automatic, s);
   const double least = start(s.model, s.state, s.forces).elements.step;
   Tipped found;
   for (int i = 0; s.state.t < 0.6; ++i) {
@@ -188,10 +200,7 @@ struct Slid {
   double pressed = 0, stay = 0;
 };
 Slid slide(bool automatic, bool looks_at_all) {
-  Scene s;
-  const mesh::Mesh over = mesh::rotated_about(box("block", {0, 0, 0}, {1, 1, 0.4}), Vec3::UnitZ(), 0.2, Vec3::Zero());
-  s.model.mesh = mesh::join(box("base", {-0.5, -0.4, -0.5}, {1.6, 1.7, 0}), over);
-  for (const char* name : {"base", "block"}) s.model.blocks.push_back(element::hexahedra(s.model.mesh, name, soft, {}));
+  Scene s = block_on_base();
   Subset top, bottom;
   for (Index node = 0; node < s.model.mesh.X.cols(); ++node) {
     if (s.model.mesh.X(2, node) > 0.39) top.push_back(node);
@@ -203,14 +212,7 @@ Slid slide(bool automatic, bool looks_at_all) {
   pusher.field = {speed(0.1), speed(0), speed(-0.01)};
   holder.field = {speed(-0.1), speed(0.2), speed(0)};
   s.model.constraints.planes = {pusher, holder};
-  finalize(s.model);
-  InterfaceOptions joint;
-  joint.height = {.from_initial_height = false, .clearance = 0, .given = 0};
-  joint.method = contact::Method::multiplier;
-  const auto connected = automatic ? connect_automatic(s.model, "all", {{"base", false}, {"block", false}}, {}, joint)
-                                   : connect(s.model, "joint", "block.skin", "base.skin", joint);
-  for (const Connected& one : connected) s.memories.push_back(one.memory);
-  s.ready();
+  connect_both(automatic, s);
   const double dt = 0.5 * start(s.model, s.state, s.forces).elements.step;
   Slid found;
   while (s.state.t < 0.6) {

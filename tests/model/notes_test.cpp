@@ -211,6 +211,19 @@ TEST(EnergyNotes, NameTheSourceThatMadeEnergyAndWhatItIsHeldAgainst) {
   EXPECT_TRUE(energy_notes(simulation).empty());  // it comes back, and the histories tell it
 }
 
+TEST(EnergyLine, BalancesWhatWasThereWithWhereItIs) {
+  Simulation simulation = build(with({bar()}));
+  dynamics::Ledger& ledger = simulation.state.ledger;
+  Account bar, load;
+  bar.work = -6, bar.at_start[Stored::elastic] = 0.5, bar.stored[Stored::elastic] = 3, bar.dissipated[Dissipated::plastic] = 2;
+  load.work = 1, load.stored[Stored::external_work] = -1;
+  ledger.accounts = {bar, load};
+  ledger.initial_kinetic = 10, ledger.kinetic = 5.5, ledger.integration = 0.5;
+  EXPECT_EQ(energy_line(simulation),
+            "energy: 10.5 J at the start and 1 J from outside are now 5.5 J kinetic, 3.5 J stored, 2 J dissipated; created -1 J, time "
+            "integration 0.5 J");
+}
+
 TEST(CountElements, SumsOverAllBlocks) { EXPECT_EQ(count_elements(build(with({bar(), sheet()})).model), 6); }
 
 }  // namespace
