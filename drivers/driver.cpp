@@ -1,6 +1,7 @@
 #include "drivers/driver.hpp"
 
 #include <fcntl.h>
+#include <malloc.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -10,6 +11,7 @@
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
+#include <limits>
 #include <new>
 #include <system_error>
 
@@ -468,6 +470,15 @@ void expect_failing_writes() {
     if (::fcntl(one, F_GETFD) == -1) ::open("/dev/null", O_RDWR);  // takes the lowest number that is free
 }
 
+/// Memory that is freed stays with the process: to take pages back from the system costs more than what is done with most of them.
+void keep_freed_memory() {
+#ifdef __GLIBC__
+  constexpr int most_of_glibc = 32 << 20;  // [bytes] what is larger goes back all the same
+  mallopt(M_MMAP_THRESHOLD, most_of_glibc);
+  mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
+#endif
+}
+
 /// The status, or that of the machine where what was said did not reach its reader.
 int told(const std::string& name, int status) {
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
@@ -481,6 +492,7 @@ int told(const std::string& name, int status) {
 int from_command_line(int argc, char** argv, const std::string& name, bool meshes,
                       const std::function<int(const CommandLine&, output::RunFolder&)>& work) {
   expect_failing_writes();
+  keep_freed_memory();
   CommandLine line;
   CLI::App app("Nereid " + name, name);
   app.failure_message([&name](const CLI::App*, const CLI::Error& error) {

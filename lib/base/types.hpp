@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace nereid {
@@ -17,5 +18,6 @@ using Table = Eigen::Matrix<Index, rows, Eigen::Dynamic>;   ///< [rows x things]
 using Subset = std::vector<Index>;                          ///< node or element numbers, ascending
 
 constexpr double pi = 3.14159265358979323846;
+constexpr double infinite = std::numeric_limits<double>::infinity();
 
 }  // namespace nereid

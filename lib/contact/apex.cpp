@@ -13,7 +13,6 @@ namespace {
 
 using geometry::Kind;
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double votes_within = 0.25;   // of the depth of an element: open apexes that are nearer vote for the step
 constexpr double least_area = 0.2;      // of the tributary area: with less of it facing, the surface of the apex stands edge-on
 constexpr double in_plane = 1e-6;       // of a distance: a node that lies in a symmetry plane

@@ -19,10 +19,6 @@ constexpr double sharp = 0.1;           // cosine between the normals at a ridge
 constexpr double least_cosine = -0.94;  // between two facets, so that the tangent of half the angle stays finite
 
 
-Vec3 centre(const BaseSurface& base, const Vectors& x, Index facet) {
-  return (x.col(base.facets(0, facet)) + x.col(base.facets(1, facet)) + x.col(base.facets(2, facet))) / 3.0;
-}
-
 /// Which edge of a facet leads to a neighbour.
 int edge_to(const BaseSurface& base, Index from, Index to) {
   return base.neighbour(0, from) == to ? 0 : base.neighbour(1, from) == to ? 1 : 2;
@@ -217,6 +213,10 @@ bool ends_at(const BaseSurface& base, const Feature& at) {
       if (here && base.neighbour(e, base.ring[r]) == no_facet) return true;
     }
   return false;
+}
+
+Vec3 centre(const BaseSurface& base, const Vectors& x, Index facet) {
+  return (x.col(base.facets(0, facet)) + x.col(base.facets(1, facet)) + x.col(base.facets(2, facet))) / 3.0;
 }
 
 Vec3 node_normal(const Fans& base, const Vectors& x, Index node) {

@@ -63,6 +63,9 @@ struct BaseSurface : Fans {         // the normal of a facet points to the side 
 /// [-] of the size of a face: so far past a wall a facet is still the base, for half of what a border apex stands for is inside.
 constexpr double whole_past_wall = 0.05;
 
+constexpr double far_turn = 0.1;     ///< [-] cosine between sides of a ridge, as at a wall
+constexpr double faces_below = 0.3;  ///< [-] cosine between the normals of an apex and of a facet that it may touch
+
 /// Whether a facet has a node beside an apex that is of the same surface; false for -1, an apex of another one.
 inline bool is_beside(const BaseSurface& base, Index self, Index facet) {
   if (self < 0 || base.beside.begin.empty()) return false;
@@ -127,6 +130,7 @@ inline Vec3 area_vector(const Fans& base, const Vectors& x, Index facet) {
   return {a.y() * b.z() - a.z() * b.y(), a.z() * b.x() - a.x() * b.z(), a.x() * b.y() - a.y() * b.x()};
 }
 inline Vec3 facet_normal(const Fans& base, const Vectors& x, Index facet) { return area_vector(base, x, facet).normalized(); }
+Vec3 centre(const BaseSurface&, const Vectors& x, Index facet);
 
 inline Vec3 eigen(const Vector<double>& a) { return {a.x, a.y, a.z}; }
 inline Vector<double> position(const Vectors& x, Index node) {

@@ -15,10 +15,9 @@ namespace nereid::contact {
 
 namespace {
 
-constexpr double still = 1e-12;          // of the impulses of an interface: the solver ends when all that is missing would take less
-constexpr double corrected = 0.2;        // of d in a step: it is round-off of positions, and all of it at once has five times its noise
-constexpr double round_off = 1e-14;      // of the speed of a bond's nodes: slower is standing still
-constexpr double no_response = 1e-9;     // of that of free nodes: constraints hold this direction
+constexpr double solved = 1e-12;         // of the impulses of an interface: the solver ends when all that is missing would take less
+constexpr double drawn_back = 0.2;       // of d in a step: it is round-off of positions, and all of it at once has five times its noise
+constexpr double stands_still = 1e-14;   // of the speed of a bond's nodes: slower is standing still
 constexpr double contradiction = 1e-14;  // of what is missing, by energy: no impulses do more to it
 constexpr int most_iterations = 200;
 constexpr int most_turns = 8;            // of linear solutions, where facets turn under bonds with a height
@@ -67,11 +66,11 @@ void set_weights(const Bond& bond, HeldBond& b) {
   b.weight[4] = -bond.weight[3];
 }
 
-/// The rate with which d would be smaller by `corrected` at the end of the step to come, less that which the nodes have. [m/s]
+/// The rate with which d would be smaller by `drawn_back` at the end of the step to come, less that which the nodes have. [m/s]
 ///
 /// The base turns during the step: beyond the linear rate d changes by -h (n' - n - dn).
 Vec3 missing(const HeldBond& b, const Motion& m, const Vectors& v) {
-  const Vec3 linear = -corrected / m.next * b.off - rate(b, v);
+  const Vec3 linear = -drawn_back / m.next * b.off - rate(b, v);
   if (b.height == 0) return linear;
   const Slopes slope = slopes(b);
   const Tangents here = tangents(b, slope, m.x), change = tangents(b, slope, v);
@@ -177,7 +176,7 @@ bool is_held(Bonds& all, double enough = 0) {
     if (first == last) continue;
     const double missing = sum(all, first, last, [](const HeldBond& b) { return b.residual.dot(b.guess); });
     const double counts = sum(all, first, last, [](const HeldBond& b) {
-      return still * still * b.per_mass * (b.impulse + b.change).squaredNorm() + b.still * b.still / b.per_mass;
+      return solved * solved * b.per_mass * (b.impulse + b.change).squaredNorm() + b.still * b.still / b.per_mass;
     });
     left += missing;
     held = held && missing <= counts;
@@ -292,7 +291,7 @@ void find_bonds(std::span<const Interface> interfaces, const Motion& m, std::spa
       respond(m, allowed_of(interfaces[i], near[k].apex), b);
       double fastest = 0;
       for (int j = 0; j < b.nodes; ++j) fastest = std::max(fastest, velocity.col(b.node[j]).squaredNorm());
-      b.still = round_off * std::sqrt(fastest);
+      b.still = stands_still * std::sqrt(fastest);
       b.impulse = near[k].element.closed && m.dt > 0 ? Vec3(h * near[k].element.apex) : Vec3(Vec3::Zero());
     });
   }

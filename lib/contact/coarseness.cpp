@@ -12,7 +12,7 @@ namespace nereid::contact {
 namespace {
 
 using Mat2 = Eigen::Matrix2d;
-constexpr double faces = 0.5;  // cosine between the normal of a face and the direction it is looked at from: 60 degrees
+constexpr double in_view = 0.5;  // cosine between the normal of a face and the direction it is looked at from: 60 degrees
 
 /// Mean of the spacing tensors of the faces around a node that look along a direction, in the plane of two vectors across it; zero without
 /// any. [m2]
@@ -27,7 +27,7 @@ Mat2 spacing(const mesh::FacesAround& around, const Vectors& x, Index place, con
     const Vec3 g = triangle ? Vec3(corner(1) - corner(0)) : Vec3(0.5 * (corner(1) + corner(2) - corner(0) - corner(3)));
     const Vec3 h = triangle ? Vec3(corner(2) - corner(0)) : Vec3(0.5 * (corner(2) + corner(3) - corner(0) - corner(1)));
     const Vec3 normal = g.cross(h);  // its length is the area of the face, of a triangle twice that
-    if (!(normal.dot(direction) > faces * normal.norm())) continue;
+    if (!(normal.dot(direction) > in_view * normal.norm())) continue;
     const Mat2 square = normal.norm() * Mat2::Identity(), bricks = flat(g) * flat(g).transpose() + flat(h) * flat(h).transpose();
     const double share = around.shares[s].area;
     sum += share * (triangle ? square : bricks);

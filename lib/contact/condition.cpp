@@ -22,16 +22,13 @@ namespace {
 constexpr double steps_to_touch = 4;   // open apexes that can touch within so many steps have a condition too
 constexpr double corrected = 0.2;      // of a penetration in a step
 constexpr double no_direction = 1e-3;  // of the size of a face: an edge or vertex that is nearer has no normal of its own
-constexpr double along = 0.5;          // cosine between a push and the normal of a facet that takes it over
+constexpr double takes_over = 0.5;     // cosine between a push and the normal of a facet that takes it over
 constexpr double paid_back = 0.2;      // of what friction owes, in a step
 constexpr double most_yield = 1e-6;    // of the depth of an element: way by which a stick yields for that in a step
-constexpr double no_response = 1e-9;   // of that of a free apex: constraints hold all nodes
 constexpr double just_on = 1e-9;       // of a face: so near a ridge an apex stands on it
-constexpr double straight = 0.7;       // cosine between the way from a ridge to an apex on it and its push
+constexpr double straight_on = 0.7;    // cosine between the way from a ridge to an apex on it and its push
 constexpr double at_ridge = 0.05;      // weight of the third node of a facet: with less on both sides an apex is on the ridge between them
-constexpr double far_turn = 0.1;       // cosine between sides of a ridge, as at a wall
 constexpr double as_much = 0.5;        // of the larger push of both sides
-constexpr double faces_below = 0.3;    // cosine between the normals of an apex and of what it may touch
 
 /// Whether an apex that is pressed stays over the inside of the one facet that it slides on, and comes to no other part: its stencil of the
 /// step before says which, and conditions need no more.
@@ -149,7 +146,7 @@ bool make(const Interface& interface, const Motion& m, const Multipliers& all, c
   }
   if (stencil.kind != geometry::Kind::facet && std::abs(over.height) < no_direction * interface.base.size(stencil.facet)) {
     const Vec3 facet = facet_normal(interface.base, m.x, stencil.facet);
-    if (push > 0 && facet.dot(stencil.push) < along * push) {
+    if (push > 0 && facet.dot(stencil.push) < takes_over * push) {
       has_moment = true, over.normal = stencil.push / push;
     } else {
       stencil.kind = geometry::Kind::facet;
@@ -162,7 +159,7 @@ bool make(const Interface& interface, const Motion& m, const Multipliers& all, c
     // its own surface faces between both sides, and not one of them alone, as at the rim of a block on a block of the same size
     const auto faces_it = [&] {
       const Vec3 mine = interface.own.facets.cols() == 0 ? Vec3(Vec3::Zero()) : node_normal(interface.own, m.x, apex);
-      return mine.isZero(0) || mine.dot(normal) < -straight;
+      return mine.isZero(0) || mine.dot(normal) < -straight_on;
     };
     if (stands_on_ridge(interface.base, m.x, stencil.facet, over, normal) && faces_it()) {
       stencil.weight = over.weight, stencil.fourth = 0;
@@ -245,8 +242,8 @@ void join_on_ridge(const BaseSurface& base, const Vectors& x, const Vec3& p, Ele
   Vec3 arm = p, out = Vec3::Zero();
   for (int I = 0; I < 3; ++I) arm -= weight[I] * x.col(base.facets(I, one.facet));
   for (int s = 0; s < element.count; ++s) out += element.stencil[s].push;
-  if (!(out.norm() > straight * least)) return;  // of both sides of a sheet
-  if (arm.norm() > just_on * base.size(one.facet) && std::abs(arm.dot(out)) < straight * arm.norm() * out.norm()) {
+  if (!(out.norm() > straight_on * least)) return;  // of both sides of a sheet
+  if (arm.norm() > just_on * base.size(one.facet) && std::abs(arm.dot(out)) < straight_on * arm.norm() * out.norm()) {
     one.kind = geometry::Kind::facet;  // it has gone off to one side
     return;
   }

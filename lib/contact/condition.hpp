@@ -36,6 +36,8 @@ struct Motion {
   RigidNodes* rigid = nullptr;      ///< rigid bodies in the step to come; null: there are none
 };
 
+constexpr double no_response = 1e-9;  ///< [-] of that of free nodes: constraints hold them in a direction
+
 /// The share of an impulse at t that acts in the half step which begins there. [-]
 inline double share_to_come(const Motion& m) { return m.next / (m.dt + m.next); }
 

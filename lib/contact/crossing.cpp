@@ -97,7 +97,7 @@ bool can_cross(const Interface& interface, Index edge, Index base_edge) {
 }
 
 /// The order of pairs, and of crossings as of their pairs.
-constexpr auto before = [](const auto& a, const auto& b) { return std::tie(a.edge, a.base_edge) < std::tie(b.edge, b.base_edge); };
+constexpr auto in_order = [](const auto& a, const auto& b) { return std::tie(a.edge, a.base_edge) < std::tie(b.edge, b.base_edge); };
 
 /// Ends what a crossing was.
 void let_go(Crossing& crossing) {
@@ -260,11 +260,11 @@ void search_crossings(const Interface& interface, const Vectors& x, Memory& memo
     }
   }
   if (!one_pair) keep_apart_from_itself(interface, x, workspace, memory);
-  std::sort(next.begin(), next.end(), before);
+  std::sort(next.begin(), next.end(), in_order);
   std::swap(memory.edge_pairs, next);
   const auto is_gone = [&](Crossing& was) {
-    const auto at = std::lower_bound(memory.edge_pairs.begin(), memory.edge_pairs.end(), was, before);
-    const bool is_there = at != memory.edge_pairs.end() && !before(was, *at);
+    const auto at = std::lower_bound(memory.edge_pairs.begin(), memory.edge_pairs.end(), was, in_order);
+    const bool is_there = at != memory.edge_pairs.end() && !in_order(was, *at);
     if (is_there) was.in_face = at->in_face;
     else discard(was.restitution, memory.impact);
     return !is_there;
@@ -284,7 +284,7 @@ void list_crossings(const Interface& interface, double moved, double way, Memory
   const auto each = [&](auto&& visit) {
     auto was = memory.crossings.begin();
     for (const EdgePair& pair : memory.edge_pairs) {
-      const Crossing* known = was != memory.crossings.end() && !before(pair, *was) ? &*was++ : nullptr;
+      const Crossing* known = was != memory.crossings.end() && !in_order(pair, *was) ? &*was++ : nullptr;
       const Between& both = between_edges(interface, pair.edge, pair.base_edge);
       const double reach = std::max(sideways * both.depth, reach_of(both, way));
       const bool lies_flat = memory.way + way < pair.flat;
@@ -327,7 +327,7 @@ void find_crossings(const Interface& interface, const Motion& m, Memory& memory,
     if (!acts) {
       end(crossing.node, interface.restitution, crossing.restitution, memory, all);
       let_go(crossing);
-      while (before(*listed, crossing)) ++listed;
+      while (in_order(*listed, crossing)) ++listed;
       if (crossing.in_face && crossing.side == 0 && way < slow * pair.depth)
         listed->flat = memory.way + stays_flat(interface, m.x, crossing.edge, crossing.base_edge);
       continue;

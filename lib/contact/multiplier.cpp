@@ -17,7 +17,6 @@ namespace nereid::contact {
 
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr int usual_sweeps = 8, most_sweeps = 100;
 constexpr int most_for_overlaps = 1000;  // of thin elements
 constexpr double still = 1e-6;     // of what the impulses do: sweeps end as soon as one changes less

@@ -15,7 +15,6 @@ namespace nereid::contact {
 
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// Cosine between the normals of an apex and a facet of one solid: with a larger one they are taken not to come to face each other before
 /// the next search, for which they would turn by 30 degrees and more. It leaves next to nothing of a body that does not fold.

@@ -7,7 +7,6 @@ namespace nereid::contact {
 
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// Whether a body may have come near to itself since it was last searched.
 bool may_be_near_itself(const Bodies& bodies, const Vectors& x, const Memory& memory, Index body) {

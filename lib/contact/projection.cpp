@@ -8,15 +8,15 @@ namespace nereid::contact {
 
 namespace {
 
-using Multipliers = std::array<double, most_candidates>;
+using Lambda = std::array<double, most_candidates>;
 
-Vec3 way(const Contacts& contacts, const Multipliers& lambda) {
+Vec3 way(const Contacts& contacts, const Lambda& lambda) {
   Vec3 d = Vec3::Zero();
   for (int i = 0; i < contacts.count; ++i) d += lambda[i] * contacts.normal[i];
   return d;
 }
 
-/// Multipliers for which the first `size` contacts of `active` are met exactly.
+/// Lambda for which the first `size` contacts of `active` are met exactly.
 Eigen::Vector3d meet(const Contacts& contacts, const std::array<int, 3>& active, int size) {
   if (size == 1) {
     const double n = contacts.normal[active[0]].squaredNorm();
@@ -33,11 +33,11 @@ Eigen::Vector3d meet(const Contacts& contacts, const std::array<int, 3>& active,
 
 /// The shortest way among those that meet one, two or three contacts exactly and satisfy the others;
 /// leaves lambda as it is if there is none. For the few corners where more than three contacts crowd.
-void try_all(const Contacts& contacts, double tolerance, Multipliers& lambda) {
+void try_all(const Contacts& contacts, double tolerance, Lambda& lambda) {
   double least = std::numeric_limits<double>::infinity();
   const auto consider = [&](const std::array<int, 3>& active, int size) {
     const Vec3 at = meet(contacts, active, size);
-    Multipliers trial{};
+    Lambda trial{};
     for (int a = 0; a < size; ++a) {
       if (!(at[a] >= 0)) return;
       trial[active[a]] = at[a];
@@ -60,8 +60,8 @@ void try_all(const Contacts& contacts, double tolerance, Multipliers& lambda) {
 
 }  // namespace
 
-Multipliers projection_multipliers(const Contacts& contacts) {
-  Multipliers lambda{};
+Lambda projection_multipliers(const Contacts& contacts) {
+  Lambda lambda{};
   if (contacts.count == 0) return lambda;
   const auto deepest = std::max_element(contacts.depth.begin(), contacts.depth.begin() + contacts.count);
   if (!(*deepest > 0)) return lambda;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double own_share = 0.5;       // [-] of the force with which a wave leaves a node that moves with what is held
 constexpr double small_loss = 1e-3;     // of what is held: less, taken in a step, delays no release
-constexpr double round_off = 1e-14;     // of the energy with which a node goes apart: so much of what it held is no force
+constexpr double no_force = 1e-14;      // of the energy with which a node goes apart: so much of what it held is no force
 constexpr double least_held = 1e-3;     // of what is taken in a step: a contactor that holds less gives nothing back in that step
 constexpr double stands = 1e-8;         // of the square of the rate with which a node leaves: one that goes in by less does so by round-off
 constexpr double much_faster = 10;      // times the change of speed by forces in a step
@@ -97,7 +97,7 @@ bool give_back(const Motion& m, double t, bool first, Multipliers& all) {
     if (first) one.lets_go = is_blow(one, c);
     const Gain by = gain(one, c, all);
     if (by.B < 0 && by.B * by.B > stands * left * by.A) continue;  // on its way in
-    if (left * by.A < round_off * by.B * by.B) continue;           // released before
+    if (left * by.A < no_force * by.B * by.B) continue;           // released before
     const double lost = (1 - one.square) * std::max(0.0, left - memory.kept);
     one.lost += lost;
     one.memory->kept = left - lost;

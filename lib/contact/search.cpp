@@ -8,10 +8,6 @@ namespace nereid::contact {
 namespace {
 constexpr std::size_t cells_per_facet = 8;  // enough to find few facets in a cell, however the surface lies
 
-Vec3 centre(const BaseSurface& base, const Vectors& x, Index facet) {
-  return (x.col(base.facets(0, facet)) + x.col(base.facets(1, facet)) + x.col(base.facets(2, facet))) / 3.0;
-}
-
 /// Whether a place can be searched for; false for NaN, infinity and what lies beyond farthest_place.
 bool can_be_searched(const Vec3& place) { return (place.array().abs() <= farthest_place).all(); }
 

@@ -16,10 +16,10 @@ using geometry::Kind;
 constexpr int most_facets = 48;       // that one walk looks at from one facet
 constexpr int most_hops = 100;        // from facet to facet
 constexpr double closer = 1 - 1e-12;  // a walk goes on only downhill, so that it ends
-constexpr double look_around = 2;     // times the distance: what lies behind a nearer edge may be closer, in sharp valleys from farther
-constexpr double shallow = 0.3;       // of the longest edge: higher or deeper, farther facets may be closer
+constexpr double farther = 2;         // times the distance: what lies behind a nearer edge may be closer, in sharp valleys from farther
+constexpr double near_plane = 0.3;    // of the longest edge: higher or deeper, farther facets may be closer
 constexpr double middle = 0.45;       // of the thickness: from deeper no walk leaves a facet
-constexpr double round_off = 1e-9;    // of the longest edge, and of a weight: over a common edge of a plain a facet has the apex
+constexpr double on_an_edge = 1e-9;   // of the longest edge, and of a weight: over a common edge of a plain a facet has the apex
 
 Vec3 foot_of(const BaseSurface& base, const Vectors& x, Index facet, const std::array<double, 3>& weight) {
   return weight[0] * x.col(base.facets(0, facet)) + weight[1] * x.col(base.facets(1, facet)) + weight[2] * x.col(base.facets(2, facet));
@@ -32,8 +32,8 @@ bool walk_on(const BaseSurface& base, const Vectors& x, const Vector<double>& p,
   const Index from = facet;
   const Closest here = closest;
   const Vec3 foot = foot_of(base, x, from, here.weight);
-  const double times = std::max({look_around, base.sharpest, lean(base, x, from)});
-  const double reach = times * std::sqrt(here.distance_squared) + round_off * base.longest(from);
+  const double times = std::max({farther, base.sharpest, lean(base, x, from)});
+  const double reach = times * std::sqrt(here.distance_squared) + on_an_edge * base.longest(from);
   const double deepest = middle * base.thickness(from);
   if (here.kind == Kind::facet && here.distance_squared > deepest * deepest) return false;
   std::array<Index, most_facets> queue;
@@ -80,14 +80,14 @@ void turn_around_vertex(const BaseSurface& base, const Vectors& x, const Vec3& p
 
 Ownership ownership(const BaseSurface& base, const Vectors& x, Index facet, const FeatureHeight& over, double height) {
   const double longest = base.longest(facet), least = std::min({over.weight[0], over.weight[1], over.weight[2]});
-  if (!(height < shallow * longest) || least < -round_off) return {};
+  if (!(height < near_plane * longest) || least < -on_an_edge) return {};
   const double altitude = area_vector(base, x, facet).norm() / longest;
   const auto room_with = [&](double leans) { return least * altitude - height * leans; };
-  if (!(room_with(lean_at_edges(base, x, facet)) >= -round_off * altitude)) return {};
+  if (!(room_with(lean_at_edges(base, x, facet)) >= -on_an_edge * altitude)) return {};
   const double leans = lean(base, x, facet), room = room_with(leans);
-  if (!(room >= -round_off * altitude)) return {};
+  if (!(room >= -on_an_edge * altitude)) return {};
   const double rate = 2 * (1 + leans + 4 * height / altitude * (1 + leans * leans));  // twice what the first order of a small way gives
-  return {true, std::min(room / rate, shallow * longest - height)};
+  return {true, std::min(room / rate, near_plane * longest - height)};
 }
 
 Stand stand(const BaseSurface& base, const Vectors& x, const Vec3& point, Index from, Index self) {
@@ -112,7 +112,7 @@ Stand stand(const BaseSurface& base, const Vectors& x, const Vec3& point, Index 
   found.over = height_over(base, x, found.feature, point);
   const Vec3 way = point - foot_of(base, x, facet, closest.weight) - found.over.height * found.over.normal;
   found.past = way.norm();
-  if (found.past > round_off * base.longest(facet)) {
+  if (found.past > on_an_edge * base.longest(facet)) {
     found.outward = way / found.past;
     found.wall = {facet, closest.kind, closest.local};
     found.wall_weight = closest.weight;

@@ -15,8 +15,6 @@ namespace {
 using geometry::Closest;
 using geometry::Kind;
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr double faces_below = 0.3;   // cosine between the normals of apex and facet
 constexpr double edgeways = -0.3;     // above it an apex comes in through the side of its own surface
 constexpr double straight = -0.5;     // below it it looks at a facet
 constexpr double overlap = 1e-3;      // of a facet's weights: neighbours overlap by so much, so that there is no hole between them
@@ -24,7 +22,6 @@ constexpr double round_off = 1e-9;    // of the longest edge
 constexpr double of_places = 1e-15;   // of the coordinates
 constexpr double at_once = 1e-9;      // of a step: crossings that are as early as each other
 constexpr double on_ridge = 1e-3;     // of a step: sides of a ridge that are crossed as early as each other
-constexpr double far_turn = 0.1;      // cosine between sides of a ridge, as at a wall
 constexpr double material = 0.9;      // of the thickness: no contact begins from deeper
 constexpr double shallow = 0.2;       // of the longest edge: nor from deeper, but through the front
 constexpr double far_side = -0.5;     // cosine: facets that are turned so far are not round the corner
@@ -78,7 +75,7 @@ bool reaches(const BaseSurface& base, Index facet, const Corners& c, const Vecto
 }
 
 /// The first facet that a path crosses from its front.
-struct Crossing {
+struct Passage {
   Index facet = -1;
   bool faced = true;
   double at = 0;  // [-] of the step
@@ -89,9 +86,9 @@ struct Crossing {
 /// must_face  facets that the apex does not face count only if there is no other
 /// skip(facet)  true for facets that do not count
 template <class Skip>
-Crossing crossed(const Sweep& s, const Vec3& p0, const Vec3& p1, bool at_surface, bool must_face, Skip&& skip) {
+Passage crossed(const Sweep& s, const Vec3& p0, const Vec3& p1, bool at_surface, bool must_face, Skip&& skip) {
   const Vector<double> from = place(p0), to = place(p1);
-  Crossing best;
+  Passage best;
   Index not_faced = -1;
   double first = infinite, steepest = 0;
   for (const Index f : s.near) {
@@ -249,7 +246,7 @@ Vec3 at(const Place& place, const BaseSurface& base, const Vectors& x) {
 void enter(const Sweep& s, double deepest, Tracks& tracks) {
   const auto all = [](Index) { return false; };
   const Vec3 p0 = before(s), p1 = now(s);
-  Crossing through = crossed(s, p0, p1, false, true, all);
+  Passage through = crossed(s, p0, p1, false, true, all);
   double height = 0;
   if (through.facet >= 0 && through.faced) {
     // what comes in edgeways, as a node of a floor before a block that slides on it, belongs to the face that it looks at; but not from
@@ -268,7 +265,7 @@ void enter(const Sweep& s, double deepest, Tracks& tracks) {
     // just on a ridge or corner it comes through its sides at once, and all push it back
     const auto not_beside = [&](Index f) { return !is_other_side(s, tracks, f); };
     while (tracks.count < most_tracks) {
-      const Crossing other = crossed(s, p0, p1, false, true, not_beside);
+      const Passage other = crossed(s, p0, p1, false, true, not_beside);
       if (other.facet < 0 || !other.faced || !(std::abs(other.at - through.at) < on_ridge)) break;
       tracks.begin(other.facet, s.level(other.facet));
     }
@@ -277,7 +274,7 @@ void enter(const Sweep& s, double deepest, Tracks& tracks) {
   const bool has_layer = s.contact_height > 0 || s.base.stand_off.size() > 0;
   if (has_layer) {
     // between the layers of two facets, and through the surface itself
-    const Crossing surface = crossed(s, p0, p1, true, true, all);
+    const Passage surface = crossed(s, p0, p1, true, true, all);
     if (surface.facet >= 0 && surface.faced) {
       const double was = geometry::closest_on_triangle(corners_before(s, surface.facet), place(p0)).distance_squared;
       height = geometry::facet_height(corners(s.base, s.x, surface.facet), place(p1)).height;

@@ -196,7 +196,6 @@ WayOut over_one_facet(const FeatureHeight& over, double level, double release_he
 
 WayOut way_out(const BaseSurface& base, const Vectors& x, const Vec3& p, double contact_height, const Mat3* allowed, Moved moved,
                Tracks& tracks, std::array<Stencil, most_stencils>& stencils, double release_height, Index self) {
-  constexpr double infinite = std::numeric_limits<double>::infinity();
   const auto level = [&](Index facet) { return contact_height + stand_off(base, facet); };
   if (tracks.count == 1 && allowed == nullptr) {  // well inside a facet
     Track& track = tracks.track[0];

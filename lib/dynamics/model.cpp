@@ -63,6 +63,12 @@ load::Constraints constraints_of_nodes(const Model& model) {
   return left;
 }
 
+std::int64_t element_count(const Model& model) {
+  std::int64_t sum = 0;
+  for (const auto& block : model.blocks) sum += element::tiling(block).elements;
+  return sum;
+}
+
 double total_mass(const Model& model) {
   if (model.rigid_bodies.empty()) return model.mass.sum();
   double sum = 0;

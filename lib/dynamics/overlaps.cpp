@@ -44,12 +44,6 @@ bool has_base(const contact::Interface& interface, const audit::Surfaces& all, I
   return false;
 }
 
-std::int64_t elements(const Model& model) {
-  std::int64_t sum = 0;
-  for (const auto& block : model.blocks) sum += element::tiling(block).elements;
-  return sum;
-}
-
 std::int64_t edges(const audit::Surfaces& all) {
   std::int64_t sum = 0;
   for (const audit::Surface& surface : all.list) sum += surface.edges.cols();
@@ -100,7 +94,7 @@ void see_overlaps(const Model& model, bool last, double every, State& now, Force
   const bool just_looked = now.audit.looks > 0 && progress.audited == now.step && progress.audited_itself == now.step;
   if (last ? just_looked : !audit_is_due(every, now)) return;
   progress.audits = audits_due(every, now), progress.audited = now.step;
-  const std::int64_t updates = elements(model) * (now.step - progress.audited_itself);
+  const std::int64_t updates = element_count(model) * (now.step - progress.audited_itself);
   const bool folds = std::any_of(now.quality.begin(), now.quality.end(), [](const Quality& seen) { return seen.inverted; });
   const bool also_itself = last || now.audit.looks == 0 || folds || updates >= updates_per_edge * edges(forces.audit.surfaces);
   if (also_itself) progress.audited_itself = now.step;

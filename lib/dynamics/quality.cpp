@@ -10,7 +10,7 @@ namespace nereid::dynamics {
 
 namespace {
 
-constexpr double round_off = 1e-9;  // [-] of the energy scale: what is stored below it says nothing
+constexpr double nothing = 1e-9;  // [-] of the energy scale: what is stored below it says nothing
 
 /// Whether a block has nodes whose spin about the normal nothing resists.
 bool spins_freely(const element::AnyBlock& block) { return element::rotates(block) && element::drilling(block) == 0; }
@@ -98,9 +98,9 @@ void see_hourglass_energy(const Model& model, bool look, State& now) {
 }
 
 double hourglass_fraction(const Quality& seen, double scale) {
-  return seen.internal > round_off * scale ? seen.hourglass / seen.internal : 0;
+  return seen.internal > nothing * scale ? seen.hourglass / seen.internal : 0;
 }
 
-double uneven_fraction(const Quality& seen, double scale) { return seen.internal > round_off * scale ? seen.uneven / seen.internal : 0; }
+double uneven_fraction(const Quality& seen, double scale) { return seen.internal > nothing * scale ? seen.uneven / seen.internal : 0; }
 
 }  // namespace nereid::dynamics

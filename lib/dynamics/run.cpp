@@ -145,12 +145,6 @@ bool too_much_of_what_passed(const Model& model, const Ledger& ledger, double cr
   return true;
 }
 
-std::int64_t elements(const Model& model) {
-  std::int64_t sum = 0;
-  for (const auto& block : model.blocks) sum += element::tiling(block).elements;
-  return sum;
-}
-
 }  // namespace
 
 double times_the_limit(const Model& model, const Ledger& ledger, int source) {
@@ -264,7 +258,7 @@ Outcome run(const Model& model, State& now, Forces& forces, const Time& time, do
   if (good(outcome.ending)) corner_inverted(model, now, time, outcome);
   if (good(outcome.ending)) overlap_too_much(model, now, forces, time.overlap_limit, outcome);
   outcome.wall_seconds = std::chrono::duration<double>(clock() - began).count();
-  outcome.element_updates = elements(model) * (now.step + 1);
+  outcome.element_updates = element_count(model) * (now.step + 1);
   outcome.smallest_step = progress.smallest.dt, outcome.largest_step = progress.largest_step;
   outcome.limited_by = limited_by(progress.smallest, sources(model));
   return outcome;

@@ -7,12 +7,12 @@ namespace nereid::dynamics {
 
 namespace {
 
-constexpr double round_off = 1e-9;  // of the radius: nodes on the cylinder are within it
+constexpr double within = 1e-9;  // of the radius: nodes on the cylinder are within it
 
 bool is_ahead(const Cut& cut, const Vec3& place) {
   const Vec3 way = place - cut.point;
   const double along = way.dot(cut.normal);
-  return cut.radius > 0 ? (way - along * cut.normal).norm() > cut.radius * (1 + round_off) : along > 0;
+  return cut.radius > 0 ? (way - along * cut.normal).norm() > cut.radius * (1 + within) : along > 0;
 }
 
 }  // namespace

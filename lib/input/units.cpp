@@ -172,8 +172,8 @@ class Parser {
     std::string word = lower(text_.substr(start, end - start));
     if (!word.empty() && (word[0] == '+' || word[0] == '-')) word.erase(0, 1);
     if (!word.empty() && word[0] == '.') word.erase(0, 1);
-    const bool infinite = word == "nan" || word == "inf" || word == "infinity";
-    fail(start, end - start, infinite ? "a finite number is needed" : "a number is needed");
+    const bool is_infinite = word == "nan" || word == "inf" || word == "infinity";
+    fail(start, end - start, is_infinite ? "a finite number is needed" : "a number is needed");
   }
 
   Unit expression(int depth) {

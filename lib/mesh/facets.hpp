@@ -14,6 +14,9 @@ using Quadrilateral = std::array<Index, 4>;  ///< counter-clockwise seen from ou
 /// Which corners the cut joins.
 enum class Cut { first_to_third, second_to_fourth };
 
+/// The cut of a face of a cell around an axis, alternately from cell to cell.
+inline Cut cut_at_cell(int around) { return around % 2 == 0 ? Cut::first_to_third : Cut::second_to_fourth; }
+
 /// How to cut a face of a hexahedron: by its shape and place alone, whatever the numbers of its nodes.
 ///
 ///     d1, d2  the diagonals,  m  the middle of the face,  n_k  fixed directions

@@ -218,11 +218,11 @@ std::vector<char> look_at_repeated(const Elements& all, const Origin& origin, Fo
 }
 
 /// A face of a hexahedron with at least three different nodes.
-struct Face {
+struct SolidFace {
   std::array<Index, 4> key;  ///< ascending; the first is -1 if there are three
   Index element;
   int at;  ///< place in corners_of_faces
-  friend bool operator<(const Face& a, const Face& b) { return a.key != b.key ? a.key < b.key : a.element < b.element; }
+  friend bool operator<(const SolidFace& a, const SolidFace& b) { return a.key != b.key ? a.key < b.key : a.element < b.element; }
 };
 
 /// Nodes around a face, each once, counter-clockwise seen from outside; the fourth is -1 if there are three.
@@ -235,12 +235,12 @@ std::array<Index, 4> around(const Index* nodes, int at, int& count) {
   return corners;
 }
 
-std::vector<Face> faces_of_solids(const Elements& all, const std::vector<char>& left_out) {
-  std::vector<Face> faces;
+std::vector<SolidFace> faces_of_solids(const Elements& all, const std::vector<char>& left_out) {
+  std::vector<SolidFace> faces;
   for (Index e = 0; e < all.solids(); ++e)
     for (int at = 0; at < 6 && !left_out[static_cast<std::size_t>(e)]; ++at) {
       int count = 0;
-      Face face{around(all.nodes(e), at, count), e, at};
+      SolidFace face{around(all.nodes(e), at, count), e, at};
       if (count < 3) continue;
       std::sort(face.key.begin(), face.key.end());
       faces.push_back(face);
@@ -250,7 +250,7 @@ std::vector<Face> faces_of_solids(const Elements& all, const std::vector<char>& 
 }
 
 /// Whether two hexahedra go around their face in the same direction, so that both are on one side of it.
-bool on_same_side(const Elements& all, const Face& one, const Face& other) {
+bool on_same_side(const Elements& all, const SolidFace& one, const SolidFace& other) {
   int count = 0;
   const auto a = around(all.nodes(one.element), one.at, count), b = around(all.nodes(other.element), other.at, count);
   const auto first = static_cast<std::size_t>(std::find(b.begin(), b.end(), a[0]) - b.begin());
@@ -328,7 +328,7 @@ struct Side {
   friend bool operator<(const Side& a, const Side& b) { return a.key != b.key ? a.key < b.key : a.element < b.element; }
 };
 
-void join_triangles(const Elements& all, const std::vector<Face>& faces, Joints& joints) {
+void join_triangles(const Elements& all, const std::vector<SolidFace>& faces, Joints& joints) {
   std::vector<Side> sides;
   for (Index e = all.solids(); e < all.count(); ++e) {
     const Index* t = all.nodes(e);
@@ -338,7 +338,7 @@ void join_triangles(const Elements& all, const std::vector<Face>& faces, Joints&
     sides.push_back(whole);
   }
   if (sides.empty()) return;
-  for (const Face& face : faces)
+  for (const SolidFace& face : faces)
     for (int left_out = 0; left_out < 4; ++left_out) {  // of three corners the first key is -1: only without it there is a triple
       Side side{{-1, -1, -1}, face.element};
       for (int i = 0, to = 0; i < 4; ++i)
@@ -354,9 +354,9 @@ void join_triangles(const Elements& all, const std::vector<Face>& faces, Joints&
 }
 
 void look_at_joints(const Mesh& mesh, const Elements& all, const std::vector<char>& is_copy, Found& found) {
-  const std::vector<Face> faces = faces_of_solids(all, is_copy);
+  const std::vector<SolidFace> faces = faces_of_solids(all, is_copy);
   const std::vector<char> is_inverted = found.which(Flaw::inverted, all.count());
-  const auto in_order = [&](const Face& face) { return !is_inverted[static_cast<std::size_t>(face.element)]; };
+  const auto in_order = [&](const SolidFace& face) { return !is_inverted[static_cast<std::size_t>(face.element)]; };
   Joints joints(all);
   groups(faces, same_key, [&](auto begin, auto end) {
     if (end - begin > 2)

@@ -87,8 +87,6 @@ Eigen::Vector2d ray(const Revolved& one, int j) {
 }
 
 /// Alternately around, the same along z and the radius: six facets meet at each node inside a face.
-Cut cut(int around) { return around % 2 == 0 ? Cut::first_to_third : Cut::second_to_fourth; }
-
 void check_section(const Revolved& one) {
   const auto ascend = [](const std::vector<double>& lines) {
     return lines.size() > 1 && std::adjacent_find(lines.begin(), lines.end(), [](double a, double b) { return !(a < b); }) == lines.end();
@@ -160,10 +158,10 @@ Mesh revolved(const std::string& name, const Revolved& one) {
         const auto line = [](const Lines& lines, int at) {
           return static_cast<std::size_t>(std::find(lines.given.begin(), lines.given.end(), at) - lines.given.begin());
         };
-        if (!grid.has(i + 1, k)) out[line(grid.r, i + 1)].add({c[1], c[2], c[6], c[5]}, cut(j));
-        if (!grid.has(i - 1, k)) in[line(grid.r, i)].add({c[0], c[4], c[7], c[3]}, cut(j));
-        if (!grid.has(i, k + 1)) up[line(grid.z, k + 1)].add({c[4], c[5], c[6], c[7]}, cut(j));
-        if (!grid.has(i, k - 1)) down[line(grid.z, k)].add({c[0], c[3], c[2], c[1]}, cut(j));
+        if (!grid.has(i + 1, k)) out[line(grid.r, i + 1)].add({c[1], c[2], c[6], c[5]}, cut_at_cell(j));
+        if (!grid.has(i - 1, k)) in[line(grid.r, i)].add({c[0], c[4], c[7], c[3]}, cut_at_cell(j));
+        if (!grid.has(i, k + 1)) up[line(grid.z, k + 1)].add({c[4], c[5], c[6], c[7]}, cut_at_cell(j));
+        if (!grid.has(i, k - 1)) down[line(grid.z, k)].add({c[0], c[3], c[2], c[1]}, cut_at_cell(j));
       }
   mesh.hexahedra = {{name, nodes}};
   const auto add = [&](const char* word, const std::vector<Facets>& lines) {

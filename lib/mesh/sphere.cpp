@@ -13,14 +13,14 @@ namespace {
 
 // Chosen by a scan over both for cells_core = cells_ring = 1 to 6, as for the cylinder: the best scaled Jacobian, and
 // of these the longest shortest edge.
-constexpr double core_size = 0.46;   // [-] half the width of the core, of the radius
-constexpr double core_bulge = 0.45;  // [-] 0: the core is a cube, 1: a ball
+constexpr double ball_core_size = 0.46;   // [-] half the width of the core, of the radius
+constexpr double ball_core_bulge = 0.45;  // [-] 0: the core is a cube, 1: a ball
 
-using Place = std::array<int, 3>;  // in the core along x, y, z
+using CorePlace = std::array<int, 3>;  // in the core along x, y, z
 
 double core_coordinate(double x, double y, double z) {
-  const double b = core_bulge;
-  return core_size * x * std::sqrt(1 - b * (y * y + z * z) / 2 + b * b * y * y * z * z / 3);
+  const double b = ball_core_bulge;
+  return ball_core_size * x * std::sqrt(1 - b * (y * y + z * z) / 2 + b * b * y * y * z * z / 3);
 }
 
 /// The eighth in the making: nodes of the core, then those of the shells over its outer faces.
@@ -30,7 +30,7 @@ class Eighth {
     for (int k = 0; k <= core_; ++k)
       for (int j = 0; j <= core_; ++j)
         for (int i = 0; i <= core_; ++i) points_.push_back(sphere.radius * core_point({i, j, k}));
-    for (int face = 0; face < 3; ++face) each_on_face(face, [&](const Place& at) { add_ray(at); });
+    for (int face = 0; face < 3; ++face) each_on_face(face, [&](const CorePlace& at) { add_ray(at); });
   }
 
   Mesh mesh(const std::string& name) const {
@@ -45,7 +45,7 @@ class Eighth {
     for (int face = 0; face < 3; ++face) {
       for (int up = 0; up < core_; ++up) {
         for (int right = 0; right < core_; ++right) {
-          const std::array<Place, 4> corner{on_face(face, right, up), on_face(face, right + 1, up),
+          const std::array<CorePlace, 4> corner{on_face(face, right, up), on_face(face, right + 1, up),
                                             on_face(face, right + 1, up + 1), on_face(face, right, up + 1)};
           for (int shell = 0; shell < sphere_.cells_ring; ++shell) {
             std::array<Index, 8> cell;
@@ -69,8 +69,8 @@ class Eighth {
 
  private:
   /// Axes follow in cyclic order, so that right, up and outwards are right-handed on every face.
-  Place on_face(int face, int right, int up) const {
-    Place at{};
+  CorePlace on_face(int face, int right, int up) const {
+    CorePlace at{};
     at[face] = core_, at[(face + 1) % 3] = right, at[(face + 2) % 3] = up;
     return at;
   }
@@ -81,22 +81,22 @@ class Eighth {
       for (int right = 0; right <= core_; ++right) visit(on_face(face, right, up));
   }
 
-  Index core_node(const Place& at) const { return at[0] + (core_ + 1) * (at[1] + (core_ + 1) * at[2]); }
+  Index core_node(const CorePlace& at) const { return at[0] + (core_ + 1) * (at[1] + (core_ + 1) * at[2]); }
 
-  Vec3 core_point(const Place& at) const {
+  Vec3 core_point(const CorePlace& at) const {
     const double x = static_cast<double>(at[0]) / core_, y = static_cast<double>(at[1]) / core_,
                  z = static_cast<double>(at[2]) / core_;
     return {core_coordinate(x, y, z), core_coordinate(y, z, x), core_coordinate(z, x, y)};
   }
 
   /// Unit vector through a node of the core's outer faces; the same from each of the faces that meet there.
-  Vec3 direction(const Place& at) const {
+  Vec3 direction(const CorePlace& at) const {
     Vec3 towards;
     for (int i = 0; i < 3; ++i) towards(i) = at[i] == core_ ? 1 : std::tan(pi / 4 * at[i] / core_);
     return towards.normalized();
   }
 
-  void add_ray(const Place& at) {
+  void add_ray(const CorePlace& at) {
     if (!ray_.try_emplace(at, static_cast<Index>(points_.size())).second) return;  // faces share their edges
     const Vec3 inner = points_[static_cast<std::size_t>(core_node(at))], outer = sphere_.radius * direction(at);
     for (int shell = 1; shell <= sphere_.cells_ring; ++shell) {
@@ -105,12 +105,12 @@ class Eighth {
     }
   }
 
-  Index ray_node(const Place& at, int shell) const { return shell == 0 ? core_node(at) : ray_.at(at) + shell - 1; }
+  Index ray_node(const CorePlace& at, int shell) const { return shell == 0 ? core_node(at) : ray_.at(at) + shell - 1; }
 
   const Sphere& sphere_;
   int core_;
   std::vector<Vec3> points_;
-  std::map<Place, Index> ray_;  // first node of each ray beyond the core
+  std::map<CorePlace, Index> ray_;  // first node of each ray beyond the core
 };
 
 }  // namespace

@@ -23,17 +23,13 @@ Vectors positions(const Tube& tube) {
 
 /// Cuts alternate around, so that six triangles meet at each inner node and lumped masses are even. An
 /// even number of cells around the quarter lets the alternation run on across the mirror planes.
-Cut cut(int around) {
-  return around % 2 == 0 ? Cut::first_to_third : Cut::second_to_fourth;
-}
-
 Table<3> outside(const Tube& tube) {
   Facets facets;
   for (int along = 0; along < tube.cells_along; ++along) {
     for (int around = 0; around < 2 * tube.cells_core; ++around) {
       facets.add({node_at(tube, around, along), node_at(tube, around + 1, along),
                   node_at(tube, around + 1, along + 1), node_at(tube, around, along + 1)},
-                 cut(around));
+                 cut_at_cell(around));
     }
   }
   return facets.table();

@@ -22,9 +22,9 @@ Eigen::Vector2d ray(double angle, int around, int cells_around) {
 }
 
 /// Nodes of one layer: ray by ray outwards; the axis, if there is one, comes first.
-class Numbers {
+class WedgeNumbers {
  public:
-  explicit Numbers(const Wedge& wedge)
+  explicit WedgeNumbers(const Wedge& wedge)
       : around_(wedge.cells_around), radial_(wedge.cells_radial), axis_(wedge.inner_radius == 0) {}
 
   bool has_axis() const { return axis_; }
@@ -45,7 +45,7 @@ class Numbers {
   bool axis_;
 };
 
-Vectors positions(const Wedge& wedge, const Numbers& numbers) {
+Vectors positions(const Wedge& wedge, const WedgeNumbers& numbers) {
   Vectors X(3, numbers.nodes() * (wedge.cells_along + 1));
   for (int along = 0; along <= wedge.cells_along; ++along) {
     const double z = height(along, wedge.cells_along, wedge.length);
@@ -67,7 +67,7 @@ void each_cell(const Wedge& wedge, Visit&& visit) {
     for (int outwards = 0; outwards < wedge.cells_radial; ++outwards) visit(around, outwards);
 }
 
-Table<8> elements(const Wedge& wedge, const Numbers& numbers) {
+Table<8> elements(const Wedge& wedge, const WedgeNumbers& numbers) {
   Table<8> nodes(8, static_cast<Eigen::Index>(wedge.cells_around) * wedge.cells_radial * wedge.cells_along);
   Index element = 0;
   for (int along = 0; along < wedge.cells_along; ++along) {
@@ -84,10 +84,8 @@ Table<8> elements(const Wedge& wedge, const Numbers& numbers) {
 }
 
 /// Alternately around, the same along z and the radius: six facets meet at each node inside a face.
-Cut cut(int around) { return around % 2 == 0 ? Cut::first_to_third : Cut::second_to_fourth; }
-
 /// The facets of one end, normals along +z; at the axis a cell is one triangle.
-Table<3> end(const Wedge& wedge, const Numbers& numbers, int along) {
+Table<3> end(const Wedge& wedge, const WedgeNumbers& numbers, int along) {
   const Index first = along * numbers.nodes();
   Facets facets;
   each_cell(wedge, [&](int around, int outwards) {
@@ -95,7 +93,7 @@ Table<3> end(const Wedge& wedge, const Numbers& numbers, int along) {
     if (a == d)
       facets.add(first + a, first + b, first + c);
     else
-      facets.add({first + a, first + b, first + c, first + d}, cut(around));
+      facets.add({first + a, first + b, first + c, first + d}, cut_at_cell(around));
   });
   return facets.table();
 }
@@ -107,7 +105,7 @@ Table<3> around_at(int cells_around, int cells_along, Node&& node) {
   for (int along = 0; along < cells_along; ++along)
     for (int around = 0; around < cells_around; ++around)
       facets.add({node(around, along), node(around + 1, along), node(around + 1, along + 1), node(around, along + 1)},
-                 cut(around));
+                 cut_at_cell(around));
   return facets.table();
 }
 
@@ -122,7 +120,7 @@ Mesh wedge(const std::string& name, const Wedge& wedge) {
   check(wedge.inner_radius >= 0 && wedge.radius > wedge.inner_radius && wedge.length > 0,
         "a sector needs length > 0 and radius > inner_radius >= 0");
   check(wedge.cells_radial > 0 && wedge.cells_along > 0, "a sector needs at least one cell each way");
-  const Numbers numbers(wedge);
+  const WedgeNumbers numbers(wedge);
   const auto ring = [&](int outwards) {
     return around_at(wedge.cells_around, wedge.cells_along, [&](int around, int along) {
       return along * numbers.nodes() + numbers.node(around, outwards);

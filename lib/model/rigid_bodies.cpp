@@ -12,7 +12,7 @@ namespace nereid::model {
 namespace {
 
 constexpr double steps_of_rigid_scenes = 1000;  // in a run, at least
-constexpr double round_off = 1e-6;              // of velocities: expressions of place have some digits
+constexpr double same_velocity = 1e-6;          // of velocities: expressions of place have some digits
 
 double density(const element::AnyLaw& law) {
   return std::visit([](const auto& one) { return one.density; }, law);
@@ -56,7 +56,7 @@ void set_rows(const Scene& scene, const load::Constraints& constraints, const st
     const load::Plane& plane = constraints.planes[static_cast<std::size_t>(p)];
     for (const Vec3& normal : normals_of(plane)) {
       const Vec3 rest = free * normal;
-      if (rest.norm() > round_off) {
+      if (rest.norm() > same_velocity) {
         held.rows.push_back({p, normal, Vec3::Zero()});
         free -= rest.normalized() * rest.normalized().transpose();
       } else if (load::moves(plane)) {
@@ -83,7 +83,7 @@ bool is_uniform(const Field& field, const rigid::Body& body, double end) {
         most = std::max(most, std::abs(here));
         off = std::max(off, std::abs(here - at(axis, C, t)));
       }
-    if (off > round_off * most) return false;
+    if (off > same_velocity * most) return false;
   }
   return true;
 }
@@ -206,7 +206,7 @@ void refuse_no_rigid_motions(const std::vector<Initial>& all, const dynamics::Mo
       most = std::max(most, v.norm());
       off = std::max(off, (v - rigid::velocity_at(twist, body->arm.col(static_cast<Eigen::Index>(i)), 0)).norm());
     }
-    if (off > round_off * most)
+    if (off > same_velocity * most)
       refuse(faults, {initial.at, "initial motion of '" + initial.body + "'"}, "velocity",
              "the velocity is no rigid motion of " + quote(initial.body) + ": v + w x (x - c) is one");
   }

@@ -131,4 +131,4 @@ def over_poisson(run):
 
 
 FIGURES = [Figure("widening", "1/2 less Poisson's ratio [-]", "error of the widening [%]", over_poisson, log=True,
-                  caption="Error of the widening towards incompressibility, on one mesh each: it does not grow")]
+                  caption="Error of the widening towards incompressibility, on one mesh each: it does not grow", full=True)]

@@ -155,4 +155,4 @@ def over_aspect(run):
 ASPECTS = (1, 2, 3, 5, 7, 10)
 FIGURES = [Figure("aspect", "length over height of a cell", "deflection over the beam's", over_aspect,
                   exact=lambda _: [("beam", [1, 10], [1, 1])],
-                  caption="Deflection of a cantilever of one layer of ten cells over Timoshenko's.")]
+                  caption="Deflection of a cantilever of one layer of ten cells over Timoshenko's.", full=True)]

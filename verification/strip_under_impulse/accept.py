@@ -110,5 +110,5 @@ FIGURES = [
     Figure("middle", "time [ms]", "deflection at the middle [mm]", middle_over_time, ranges=the_bracket,
            caption="Deflection at the middle of the strip; the range is that of the permanent deflection by Jones's two yield squares"),
     Figure("speeds", "initial speed [m/s]", "permanent deflection [mm]", over_speed, exact=bounds_over_speed, error=False,
-           caption="Permanent deflection over the speed, between the bounds of rigid, perfectly plastic strips"),
+           caption="Permanent deflection over the speed, between the bounds of rigid, perfectly plastic strips", full=True),
 ]
