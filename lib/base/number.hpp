@@ -43,8 +43,16 @@ using Mask = typename MaskOf<T>::type;
 
 NEREID_HOT double select(bool condition, double yes, double no) { return condition ? yes : no; }
 NEREID_HOT Pack select(Pack::mask_type condition, Pack yes, Pack no) {
+#if defined(__clang__) && defined(__AVX512F__) && !defined(NEREID_ONE_LANE)
+  // where() of libstdc++ 12 assigns nothing here: it blends by `mask ? a : b` with the bits of all lanes as one condition
+  return Pack([&](auto lane) {
+    const auto i = static_cast<std::size_t>(lane);
+    return condition[i] ? yes[i] : no[i];
+  });
+#else
   stdx::where(!condition, yes) = no;
   return yes;
+#endif
 }
 
 NEREID_HOT bool any(bool condition) { return condition; }
