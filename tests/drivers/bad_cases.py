@@ -23,6 +23,7 @@ from pathlib import Path
 
 CASES = Path(__file__).resolve().parent / "bad_cases"
 SOUND = ["command_line/cask_drop.yaml", "command_line/scene.yaml", "command_line/two_blocks.yaml"]  # what .args files make bad
+WITHOUT_VTK = "this program was built without VTK"  # and refuses meshes for that, whatever else is wrong with them
 PATIENCE = 20  # [s] a case that is refused takes some milliseconds
 
 
@@ -54,6 +55,8 @@ def look_at(drivers, case, update):
         return f"writes to stdout:\n    {stdout.rstrip()}"
     if got.endswith("exit status 0\n"):
         return "is not refused"
+    if WITHOUT_VTK in got:
+        return ""
     if update:
         wanted.write_text(got, encoding="utf-8")
     if not wanted.is_file():
