@@ -472,11 +472,9 @@ void expect_failing_writes() {
 
 /// Memory that is freed stays with the process: to take pages back from the system costs more than what is done with most of them.
 void keep_freed_memory() {
-#ifdef __GLIBC__
   constexpr int most_of_glibc = 32 << 20;  // [bytes] what is larger goes back all the same
   mallopt(M_MMAP_THRESHOLD, most_of_glibc);
   mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
-#endif
 }
 
 /// The status, or that of the machine where what was said did not reach its reader.

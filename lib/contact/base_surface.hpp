@@ -130,6 +130,7 @@ inline Vec3 area_vector(const Fans& base, const Vectors& x, Index facet) {
   return {a.y() * b.z() - a.z() * b.y(), a.z() * b.x() - a.x() * b.z(), a.x() * b.y() - a.y() * b.x()};
 }
 inline Vec3 facet_normal(const Fans& base, const Vectors& x, Index facet) { return area_vector(base, x, facet).normalized(); }
+/// The mean of the nodes of a facet. [m]
 Vec3 centre(const BaseSurface&, const Vectors& x, Index facet);
 
 inline Vec3 eigen(const Vector<double>& a) { return {a.x, a.y, a.z}; }

@@ -1,7 +1,6 @@
 #include "contact/partners.hpp"
 
 #include <algorithm>
-#include <limits>
 
 namespace nereid::contact {
 

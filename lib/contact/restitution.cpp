@@ -97,7 +97,7 @@ bool give_back(const Motion& m, double t, bool first, Multipliers& all) {
     if (first) one.lets_go = is_blow(one, c);
     const Gain by = gain(one, c, all);
     if (by.B < 0 && by.B * by.B > stands * left * by.A) continue;  // on its way in
-    if (left * by.A < no_force * by.B * by.B) continue;           // released before
+    if (left * by.A < no_force * by.B * by.B) continue;            // released before
     const double lost = (1 - one.square) * std::max(0.0, left - memory.kept);
     one.lost += lost;
     one.memory->kept = left - lost;

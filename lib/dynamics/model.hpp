@@ -239,7 +239,7 @@ inline bool is_rigid_node(const Model& model, Index node) { return !model.rigid_
 /// The mass of all bodies. [kg]
 double total_mass(const Model&);
 
-/// Of all blocks.
+/// The number of elements of all blocks.
 std::int64_t element_count(const Model&);
 
 /// The planes of a model without what they hold of rigid bodies, which is in Model::held_bodies.

@@ -14,7 +14,10 @@ using Quadrilateral = std::array<Index, 4>;  ///< counter-clockwise seen from ou
 /// Which corners the cut joins.
 enum class Cut { first_to_third, second_to_fourth };
 
-/// The cut of a face of a cell around an axis, alternately from cell to cell.
+/// The cut of a face of a cell around an axis: alternately from cell to cell, the same along the axis and the radius, so that six triangles
+/// meet at each node inside a surface and lumped masses are even. With an even number of cells around it runs on across mirror planes.
+///
+/// around  number of the cell, from 0
 inline Cut cut_at_cell(int around) { return around % 2 == 0 ? Cut::first_to_third : Cut::second_to_fourth; }
 
 /// How to cut a face of a hexahedron: by its shape and place alone, whatever the numbers of its nodes.

@@ -86,7 +86,6 @@ Eigen::Vector2d ray(const Revolved& one, int j) {
   return {std::cos(at), std::sin(at)};
 }
 
-/// Alternately around, the same along z and the radius: six facets meet at each node inside a face.
 void check_section(const Revolved& one) {
   const auto ascend = [](const std::vector<double>& lines) {
     return lines.size() > 1 && std::adjacent_find(lines.begin(), lines.end(), [](double a, double b) { return !(a < b); }) == lines.end();

@@ -46,7 +46,7 @@ class Eighth {
       for (int up = 0; up < core_; ++up) {
         for (int right = 0; right < core_; ++right) {
           const std::array<CorePlace, 4> corner{on_face(face, right, up), on_face(face, right + 1, up),
-                                            on_face(face, right + 1, up + 1), on_face(face, right, up + 1)};
+                                                on_face(face, right + 1, up + 1), on_face(face, right, up + 1)};
           for (int shell = 0; shell < sphere_.cells_ring; ++shell) {
             std::array<Index, 8> cell;
             for (int a = 0; a < 4; ++a) {

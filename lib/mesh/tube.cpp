@@ -21,8 +21,6 @@ Vectors positions(const Tube& tube) {
   return X;
 }
 
-/// Cuts alternate around, so that six triangles meet at each inner node and lumped masses are even. An
-/// even number of cells around the quarter lets the alternation run on across the mirror planes.
 Table<3> outside(const Tube& tube) {
   Facets facets;
   for (int along = 0; along < tube.cells_along; ++along) {

@@ -83,7 +83,6 @@ Table<8> elements(const Wedge& wedge, const WedgeNumbers& numbers) {
   return nodes;
 }
 
-/// Alternately around, the same along z and the radius: six facets meet at each node inside a face.
 /// The facets of one end, normals along +z; at the axis a cell is one triangle.
 Table<3> end(const Wedge& wedge, const WedgeNumbers& numbers, int along) {
   const Index first = along * numbers.nodes();

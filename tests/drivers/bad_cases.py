@@ -24,6 +24,7 @@ from pathlib import Path
 CASES = Path(__file__).resolve().parent / "bad_cases"
 SOUND = ["command_line/cask_drop.yaml", "command_line/scene.yaml", "command_line/two_blocks.yaml"]  # what .args files make bad
 WITHOUT_VTK = "this program was built without VTK"  # and refuses meshes for that, whatever else is wrong with them
+SKIPPED = "is not looked at without VTK"
 PATIENCE = 20  # [s] a case that is refused takes some milliseconds
 
 
@@ -55,8 +56,8 @@ def look_at(drivers, case, update):
         return f"writes to stdout:\n    {stdout.rstrip()}"
     if got.endswith("exit status 0\n"):
         return "is not refused"
-    if WITHOUT_VTK in got:
-        return ""
+    if WITHOUT_VTK in got and got.endswith("exit status 2\n"):
+        return SKIPPED
     if update:
         wanted.write_text(got, encoding="utf-8")
     if not wanted.is_file():
@@ -76,22 +77,24 @@ def main():
                    if path.suffix in (".yaml", ".args") and path.relative_to(CASES).as_posix() not in SOUND)
     chosen = [case for case in cases
               if not options.words or any(word in case.relative_to(CASES).as_posix() for word in options.words)]
-    faults = []
+    faults, skipped = [], 0
     for sound in SOUND:  # else everything would be refused for a reason of no interest
         _, said = run(options.drivers, [Path(sound).stem, sound, "--dry-run"])
         if said != "exit status 0\n":
             faults.append((sound, f"must be sound:\n    {said}"))
     for case in chosen:
         fault = look_at(options.drivers, case, options.update)
-        if fault:
+        if fault == SKIPPED:
+            skipped += 1
+        elif fault:
             faults.append((case.relative_to(CASES), fault))
     for expected in CASES.rglob("*.expected"):
         if not any(expected.with_suffix(suffix) in cases for suffix in (".yaml", ".args")):
             faults.append((expected.relative_to(CASES), "belongs to no case"))
     for name, fault in faults:
         print(f"{name} {fault}")
-    print(f"{len(chosen)} bad cases, {len(faults)} not as expected")
-    return 1 if faults or not chosen else 0
+    print(f"{len(chosen)} bad cases, {len(faults)} not as expected" + (f", {skipped} not looked at without VTK" if skipped else ""))
+    return 1 if faults or skipped == len(chosen) else 0
 
 
 if __name__ == "__main__":

@@ -115,10 +115,10 @@ BREAKS = [
     Breaks("velocity of all cross-sections", "a soft layer: a penalty of half the stiffness of an element", SOFT),
     Breaks("velocity, over a gap of an element", "a contact where a bond is meant", OPENS),
     Breaks("velocity, 3 x 3 on 2 x 2", "a soft layer: a penalty of half the stiffness of an element", SOFT),
-    Breaks("velocity, 3 x 3 on 1 x 1", CUT, PENALTY, full=True),
+    Breaks("velocity, 3 x 3 on 1 x 1", CUT, PENALTY),
     Breaks("stress over a section, 3 x 3 on 1 x 1", CUT, PENALTY),
-    Breaks("stress over a section, 6 x 6 on 2 x 2", CUT, PENALTY, full=True),
-    Breaks("stress over a section, 3 x 3 on 1 x 1, over a gap of an element", CUT, PENALTY, full=True),
+    Breaks("stress over a section, 6 x 6 on 2 x 2", CUT, PENALTY),
+    Breaks("stress over a section, 3 x 3 on 1 x 1, over a gap of an element", CUT, PENALTY),
     Breaks("steps over those of the parts alone", "a penalty", PENALTY),
 ]
 

@@ -157,7 +157,7 @@ BREAKS = [
            {"contacts[0].method": "penalty", "contacts[0].energy_gain_limit": 0.04}),
     Breaks("oblique impact: lost at first touch", "nodes that give nothing back", {"contacts[0].restitution": 0}),
     Breaks("steel skins: steps beside those of the elements", "the usual penalty, until the skins have met",
-           {"contacts[0].method": "penalty", "time.end": "205 us"}, full=True),
+           {"contacts[0].method": "penalty", "time.end": "205 us"}),
     Breaks("steel skins: created by all contacts", "a penalty at the longest step that a case can ask for",
            {"contacts[0].method": "penalty", "contacts[0].energy_gain_limit": 0.04, "time.end": "300 us"}, full=True),
     Breaks("steel skins: lost at first touch", "nodes that give nothing back", {"contacts[0].restitution": 0}),

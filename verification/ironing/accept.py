@@ -121,7 +121,7 @@ STUDIES = [
 BREAKS = [
     Breaks("drag without friction, over the push", "friction that nobody asked for", {f"{CONTACT}.friction": 0.02}),
     Breaks("drag over push with friction", "a stick ten thousand times too soft", {f"{CONTACT}.method": "penalty",
-                                                                                   f"{CONTACT}.tangential_penalty": 1e-4}, full=True),
+                                                                                   f"{CONTACT}.tangential_penalty": 1e-4}),
 ]
 
 

@@ -115,14 +115,14 @@ CHECKS = [
 
 BREAKS = [
     Breaks("closing of the first gap", "gaps a fiftieth wider", {"head.axial_gap": "5.1 mm"}),
-    Breaks("momentum of plugs and flange", "a pressure a thousandth higher", {"struck_by.value": HIGHER}, full=True),
-    Breaks("momentum of the small plug", "a pressure a thousandth higher", {"struck_by.value": HIGHER}, full=True),
-    Breaks("quarter against sector", "a pressure a thousandth higher in one of both", {"struck_by.value": HIGHER}, full=True),
+    Breaks("momentum of plugs and flange", "a pressure a thousandth higher", {"struck_by.value": HIGHER}),
+    Breaks("momentum of the small plug", "a pressure a thousandth higher", {"struck_by.value": HIGHER}),
+    Breaks("quarter against sector", "a pressure a thousandth higher in one of both", {"struck_by.value": HIGHER}),
     Breaks("rigid plugs: first closure of each juncture", "gaps a fiftieth wider", {"head.axial_gap": "5.1 mm"}),
-    Breaks("rigid plugs: momentum through each juncture", "a shoulder a tenth wider", {"head.ledge_width": "0.11 m"}, full=True),
-    Breaks("rigid plugs: velocities at the end", "restitution 0.95", {"contact.restitution": 0.95}, full=True),
-    Breaks("with shield plates: closing of the first gap", "steel a tenth denser", {"material.density": "8635 kg/m^3"}, full=True),
-    Breaks("with shield plates: momentum of all", "a pressure a thousandth higher", {"struck_by.value": HIGHER}, full=True),
+    Breaks("rigid plugs: momentum through each juncture", "a shoulder a tenth wider", {"head.ledge_width": "0.11 m"}),
+    Breaks("rigid plugs: velocities at the end", "restitution 0.95", {"contact.restitution": 0.95}),
+    Breaks("with shield plates: closing of the first gap", "steel a tenth denser", {"material.density": "8635 kg/m^3"}),
+    Breaks("with shield plates: momentum of all", "a pressure a thousandth higher", {"struck_by.value": HIGHER}),
     Breaks("created energy", "a stiff penalty that may create what a bounce may not", SLOPPY),
 ]
 
