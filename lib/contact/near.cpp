@@ -53,9 +53,9 @@ Nearest nearest_of(const Interface& interface, const Vectors& x, Index a, std::s
   Nearest best;
   const Vector<double> p = position(x, interface.apexes[a]);
   for (const Index f : facets) {
-    const geometry::Closest there = geometry::closest_on_triangle(corners(interface.base, x, f), p);
-    const auto behind = [&] { return geometry::facet_height(corners(interface.base, x, f), p).height < 0; };
-    if (is_sheet(interface.base, f) && behind()) continue;  // its other side is as near
+    const auto corner = corners(interface.base, x, f);
+    if (is_sheet(interface.base, f) && geometry::facet_height(corner, p).height < 0) continue;  // its other side is as near
+    const geometry::Closest there = geometry::closest_on_triangle(corner, p);
     const double gap = squared_gap(interface.base, f, there.distance_squared);
     if (gap < best.least_gap) best.feature = {f, there.kind, there.local}, best.closest = there, best.least_gap = gap;
     const double reaches = whole_past_wall * interface.base.size(f) + stand_off(interface.base, f);

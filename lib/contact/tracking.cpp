@@ -78,6 +78,8 @@ struct Passage {
   Index facet = -1;
   bool faced = true;
   double at = 0;  // [-] of the step
+  // Of the near facets, whether the path may have gone through one itself, and whether it ends in front of one below h_c.
+  bool through_surface = false, in_layer = false;
 };
 
 /// The path p0 - p1 in the frame of each near facet, against its plane at h_c or, at_surface, itself.
@@ -92,12 +94,16 @@ Passage crossed(const Sweep& s, const Vec3& p0, const Vec3& p1, bool at_surface,
   double first = infinite, steepest = 0;
   for (const Index f : s.near) {
     const Corners c1 = corners(s.base, s.x, f);
-    const auto end = geometry::facet_height(c1, to);
     const double level = at_surface ? 0 : s.level(f);
+    if (geometry::is_well_above(c1, to, level)) continue;  // most of them
+    const auto end = geometry::facet_height(c1, to);
     if (!(end.height < level)) continue;
+    best.in_layer = best.in_layer || end.height >= 0;
     const Corners c0 = corners_before(s, f);
-    const auto start = geometry::facet_height(c0, from);
     const double tolerance = round_off * s.base.longest(f) + of_places * p1.lpNorm<Eigen::Infinity>();
+    if (geometry::is_well_below(c0, from, tolerance)) continue;
+    const auto start = geometry::facet_height(c0, from);
+    best.through_surface = best.through_surface || (end.height < 0 && start.height >= -tolerance);
     const double fall = start.height - end.height;
     if (start.height < level - tolerance || !(fall > 0)) continue;
     const double t = std::clamp((start.height - level) / fall, 0.0, 1.0);
@@ -114,7 +120,7 @@ Passage crossed(const Sweep& s, const Vec3& p0, const Vec3& p1, bool at_surface,
     if (t < first - at_once || fall > steepest) best.facet = f, steepest = fall, first = std::min(t, first);
   }
   best.at = first;
-  if (best.facet < 0 && not_faced >= 0) best = {not_faced, false, first};
+  if (best.facet < 0 && not_faced >= 0) best.facet = not_faced, best.faced = false;
   return best;
 }
 
@@ -151,14 +157,20 @@ Index entered_round_layer(const Sweep& s) {
   Index best = -1;
   double deepest = 0;
   for (const Index f : s.near) {
-    const Reach now = reach_of(s.base, f, corners(s.base, s.x, f), place(p1));
+    const Corners c1 = corners(s.base, s.x, f);
+    if (geometry::is_well_above(c1, place(p1), s.level(f)) || geometry::is_well_below(c1, place(p1), 0)) continue;
+    const Reach now = reach_of(s.base, f, c1, place(p1));  // which is no nearer than the plane
     if (now.kind == Kind::facet || now.height < 0 || !(s.level(f) - now.distance > deepest)) continue;
     if (now.aside < 1e-6 * s.base.longest(f)) continue;  // over an edge of a plain
     best = f, deepest = s.level(f) - now.distance;
   }
   if (best < 0) return -1;
-  for (const Index f : s.near)
-    if (reach_of(s.base, f, corners_before(s, f), place(p0)).distance < s.level(f) * (1 - 1e-9)) return -1;
+  for (const Index f : s.near) {
+    const Corners c0 = corners_before(s, f);
+    const double within = s.level(f) * (1 - 1e-9);
+    if (geometry::is_well_above(c0, place(p0), within)) continue;
+    if (reach_of(s.base, f, c0, place(p0)).distance < within) return -1;
+  }
   return best;
 }
 
@@ -273,14 +285,14 @@ void enter(const Sweep& s, double deepest, Tracks& tracks) {
   const bool has_layer = s.contact_height > 0 || s.base.stand_off.size() > 0;
   if (has_layer) {
     // between the layers of two facets, and through the surface itself
-    const Passage surface = crossed(s, p0, p1, true, true, all);
+    const Passage surface = through.through_surface ? crossed(s, p0, p1, true, true, all) : Passage{};
     if (surface.facet >= 0 && surface.faced) {
       const double was = geometry::closest_on_triangle(corners_before(s, surface.facet), place(p0)).distance_squared;
       height = geometry::facet_height(corners(s.base, s.x, surface.facet), place(p1)).height;
       const double level = s.level(surface.facet);
       return tracks.begin(surface.facet, was < level * level ? height : level);
     }
-    through = {};  // within the layer a facet that it does not face is the far side of what holds it
+    through.facet = -1;  // within the layer a facet that it does not face is the far side of what holds it
   }
   if (through.facet >= 0) {
     const Vec3 normal = facet_normal(s.base, s.x, through.facet);
@@ -289,7 +301,7 @@ void enter(const Sweep& s, double deepest, Tracks& tracks) {
     if (!is_beyond_ridge(s, through.facet, p1)) tracks.begin(through.facet, s.level(through.facet));
     return;
   }
-  if (has_layer) {
+  if (has_layer && through.in_layer) {
     const Index round = entered_round_layer(s);
     if (round >= 0) return tracks.begin(round, s.level(round));
   }

@@ -9,6 +9,7 @@
 // the weights of the foot, so one gradient serves the family: docs/theory/height.md.
 
 #include <array>
+#include <cmath>
 
 #include "base/tensor.hpp"
 
@@ -36,6 +37,29 @@ NEREID_HOT Height<T, 3> facet_height(const std::array<Vector<T>, 3>& base, const
   const Vector<T> n = per_length * N;
   const T w2 = per_length * dot(cross(p, b), n), w3 = per_length * dot(cross(a, p), n);
   return {dot(n, p), n, {T(1.0) - w2 - w3, w2, w3}};
+}
+
+/// The signed square of an apex's height over a facet, and that of `level` with room for round-off, both times the square of twice the
+/// area: without the root of facet_height(), for walks that pass most facets by.
+struct HeightSquared {
+  double height, level;
+};
+NEREID_HOT HeightSquared height_squared(const std::array<Vector<double>, 3>& base, const Vector<double>& apex, double level) {
+  constexpr double round_off = 1e-9;  // of the height
+  const Vector<double> N = cross(base[1] - base[0], base[2] - base[0]);
+  const double height = dot(N, apex - base[0]);
+  return {height * std::abs(height), (1 + round_off) * (level * level) * dot(N, N)};
+}
+
+/// Whether facet_height() is more than `level` [m], not negative, and by more than round-off; false where it is not known without a root.
+NEREID_HOT bool is_well_above(const std::array<Vector<double>, 3>& base, const Vector<double>& apex, double level) {
+  const HeightSquared squared = height_squared(base, apex, level);
+  return squared.height > squared.level;
+}
+/// Whether it is less than -level, the same.
+NEREID_HOT bool is_well_below(const std::array<Vector<double>, 3>& base, const Vector<double>& apex, double level) {
+  const HeightSquared squared = height_squared(base, apex, level);
+  return squared.height < -squared.level;
 }
 
 /// Distance of an apex from the line of an edge.

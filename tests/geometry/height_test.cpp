@@ -171,6 +171,25 @@ TEST(Height, OverAFacetTurnsWithItsNodesAndChangesSignWithTheirSense) {
   }
 }
 
+TEST(Height, WithoutARootIsOnTheSideOfALevelThatItSays) {
+  Points points;
+  int decided = 0;
+  for (int i = 0; i < configurations; ++i) {
+    const auto x = points.next<4>();
+    const std::array<Point, 3> base{x[0], x[1], x[2]};
+    const double height = facet_height(base, x[3]).height;
+    for (const double part : {0.0, 0.5, 1 - 1e-8, 1 - 1e-15, 1.0, 1 + 1e-15, 1 + 1e-8, 2.0}) {
+      const double level = part * std::abs(height);
+      const bool above = is_well_above(base, x[3], level), below = is_well_below(base, x[3], level);
+      if (above) { EXPECT_GT(height, level); }
+      if (below) { EXPECT_LT(height, -level); }
+      EXPECT_EQ(above || below, part <= 1 - 1e-8) << "at " << part << " of the height";
+      decided += above + below;
+    }
+  }
+  EXPECT_EQ(decided, 3 * configurations);
+}
+
 TEST(Height, OverAnEdgeDoesNotKnowWhichNodeComesFirst) {
   Points points;
   for (int c = 0; c < configurations; ++c) {

@@ -6,10 +6,12 @@ An apex must not come nearer than the contact height. It is pushed the shortest 
 times that way. A point goes the shortest way to a set bounded by planes if it goes to the foot on one plane, on the line of two, or to the
 point of three: all are tried, and the shortest that ends in the set is taken.
 """
+from functools import lru_cache
 from itertools import combinations
 from math import cos, radians, sin, sqrt
 
 
+@lru_cache(maxsize=None)
 def flanks(kind, slope):
     """Unit normals of the flanks of a ridge or valley along y, or of a peak or pit with four flanks, that slope by `slope` degrees.
 
@@ -24,7 +26,7 @@ def flanks(kind, slope):
 
 
 def dot(a, b):
-    return sum(i * j for i, j in zip(a, b))
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
 def solved(matrix, right):
@@ -66,6 +68,7 @@ def shortest_way(x, normals, height):
     return best
 
 
+@lru_cache(maxsize=None)
 def penetration(kind, slope, contact_height, x):
     """The shortest way from x to where no flank is nearer than the contact height: a vector of the length of the penetration.
 
