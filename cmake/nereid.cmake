@@ -31,6 +31,9 @@ target_compile_options(nereid_settings INTERFACE
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT CMAKE_DISABLE_PRECOMPILE_HEADERS)   # it takes those of the system for ours
   target_compile_options(nereid_settings INTERFACE "$<BUILD_INTERFACE:-Wno-stringop-overflow;-Wno-stringop-overread;-Wno-array-bounds>")
 endif()
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NEREID_JOIN)   # memory for time
+  target_compile_options(nereid_settings INTERFACE "$<BUILD_INTERFACE:--param=ggc-min-heapsize=1000000>")
+endif()
 if(NEREID_SANITIZE)
   set(sanitizers address,undefined)
   if(NEREID_SANITIZE STREQUAL "thread")
@@ -68,15 +71,15 @@ endfunction()
 nereid_precompile(nereid_precompiled)
 nereid_precompile(nereid_precompiled_models <contact/contact.hpp> <dynamics/measure.hpp> <dynamics/model.hpp> <dynamics/probe.hpp>)
 
-# With NEREID_JOIN, five sources of a target are compiled at once: what they instantiate alike is instantiated once. Names in unnamed
+# With NEREID_JOIN, ten sources of a target are compiled at once: what they instantiate alike is instantiated once. Names in unnamed
 # namespaces are therefore unique in a module. What one source calls a variable may be a name of another one: that shadows nothing.
 function(nereid_join target)
   if(NOT NEREID_JOIN OR (NEREID_JOIN STREQUAL "TESTS" AND NOT target MATCHES "_test$"))
     return()
   endif()
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 5)
-  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")   # memory for time; and GCC takes what Eigen does with memory for a fault of ours
-    target_compile_options(${target} PRIVATE --param=ggc-min-heapsize=1000000 -Wno-use-after-free)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 10)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")   # it takes what Eigen does with memory for a fault of ours
+    target_compile_options(${target} PRIVATE -Wno-use-after-free)
   endif()
 endfunction()
 

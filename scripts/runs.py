@@ -365,7 +365,8 @@ class Run:
         self.ending = self.summary["ending"]["word"]
         with (folder / "history.csv").open(newline="", encoding="utf-8") as stream:
             head, *rows = csv.reader(stream)
-        self.columns = {name.split(" [")[0]: [float(row[i]) for row in rows] for i, name in enumerate(head)}
+        columns = zip(*rows) if rows else [()] * len(head)
+        self.columns = {name.split(" [")[0]: list(map(float, column)) for name, column in zip(head, columns)}
 
     def again(self, overrides, threads=None):
         """The same case with these keys set as well."""
@@ -483,9 +484,9 @@ def read_fields(path):
         if kind is None or array.get("format") != "binary":
             continue
         data = unpacked(text)
-        values = [v[0] for v in struct.iter_unpack("<" + kind, data)]
+        values = struct.unpack(f"<{len(data) // struct.calcsize('<' + kind)}{kind}", data)
         width = int(array.get("NumberOfComponents", "1"))
-        fields[name] = values if width == 1 else [tuple(values[i:i + width]) for i in range(0, len(values), width)]
+        fields[name] = list(values) if width == 1 else list(zip(*[iter(values)] * width))
     return fields
 
 

@@ -87,6 +87,20 @@ class RowsTest(unittest.TestCase):
         self.assertTrue(verify.break_row(Breaks("answer", "a mistake", case="wrong.yaml"), CHECKS, MadeUp()).good)
         self.assertFalse(verify.break_row(Breaks("answer", "none", case="right.yaml"), CHECKS, MadeUp()).good)
 
+    def test_a_break_runs_only_what_its_check_looks_at(self):
+        made = []
+
+        class Counted(MadeUp):
+            def again(self, change):
+                made.append(change)
+                return super().again(change)
+
+        finer = {"finer": Check("finer", lambda run: answer(run.again({"finer": "yes"})), 0.01, "made up")}
+        self.assertTrue(verify.break_row(Breaks("finer", "a mistake", {"mistake": "made"}), finer, Counted()).good)
+        self.assertEqual(made, [{"mistake": "made", "finer": "yes"}])
+        self.assertTrue(verify.break_row(Breaks("answer", "a mistake", {"mistake": "made"}), CHECKS, Counted()).good)
+        self.assertEqual(made[1:], [{"mistake": "made"}])
+
     def test_the_worst_run_of_a_case_decides_a_gate(self):
         runs = [(GatedRun("good"), 1e-12), (GatedRun("bad"), 1e-9)]
         self.assertTrue(verify.gate_row("unexplained energy", 1e-10, runs[:1], []).good)

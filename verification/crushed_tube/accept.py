@@ -78,10 +78,11 @@ CHECKS = [
     Report("energy of drilling over the work of the ram", drilling, "what the plate's penalty on turns took: falls with h"),
 ]
 
+THICKER = "a wall a third thicker"
+THICK = {"bodies[0].element.thickness": "1.33 mm", "bodies[1].move": "[0 m, 0 m, -0.2 mm]", "bodies[2].move": "[0 m, 0 m, 0.2 mm]"}
 BREAKS = [
-    Breaks("mean force, of theory", "a third more yield stress", {"bodies[0].material.yield": "400 MPa"}),
-    Breaks("mean force, of tests", "a wall a third thicker",
-           {"bodies[0].element.thickness": "1.33 mm", "bodies[1].move": "[0 m, 0 m, -0.2 mm]", "bodies[2].move": "[0 m, 0 m, 0.2 mm]"}),
+    Breaks("mean force, of theory", THICKER, THICK),
+    Breaks("mean force, of tests", THICKER, THICK),
     Breaks("deepest overlap with itself, in elements", "no contact with itself",
            {"contacts[0].self_contact": "false", "time.overlap_limit": "1e9"}),
 ]
