@@ -71,13 +71,13 @@ endfunction()
 nereid_precompile(nereid_precompiled)
 nereid_precompile(nereid_precompiled_models <contact/contact.hpp> <dynamics/measure.hpp> <dynamics/model.hpp> <dynamics/probe.hpp>)
 
-# With NEREID_JOIN, ten sources of a target are compiled at once: what they instantiate alike is instantiated once. Names in unnamed
+# With NEREID_JOIN, fourteen sources of a target are compiled at once: what they instantiate alike is instantiated once. Names in unnamed
 # namespaces are therefore unique in a module. What one source calls a variable may be a name of another one: that shadows nothing.
 function(nereid_join target)
   if(NOT NEREID_JOIN OR (NEREID_JOIN STREQUAL "TESTS" AND NOT target MATCHES "_test$"))
     return()
   endif()
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 10)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 14)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")   # it takes what Eigen does with memory for a fault of ours
     target_compile_options(${target} PRIVATE -Wno-use-after-free)
   endif()
@@ -182,7 +182,16 @@ function(nereid_tests name)
     # clang asks for braces that the standard does not, and knows no pragma that is for GCC alone
     target_compile_options(${name}_test PRIVATE "$<$<CXX_COMPILER_ID:Clang>:-Wno-error=missing-braces;-Wno-error=unknown-pragmas>")
     target_compile_definitions(${name}_test PRIVATE NEREID_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-    gtest_discover_tests(${name}_test TEST_PREFIX ${name}. DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
-                         PROPERTIES LABELS unit TIMEOUT 300)
+    if(NOT NEREID_TEST_SHARDS)
+      gtest_discover_tests(${name}_test TEST_PREFIX ${name}. DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
+                           PROPERTIES LABELS unit TIMEOUT 300)
+      return()
+    endif()
+    foreach(shard RANGE 1 ${NEREID_TEST_SHARDS})   # to start a program often takes longer than its tests
+      math(EXPR index "${shard} - 1")
+      add_test(NAME ${name}.${shard} COMMAND ${name}_test)
+      set_tests_properties(${name}.${shard} PROPERTIES LABELS unit TIMEOUT 1200
+                           ENVIRONMENT "GTEST_TOTAL_SHARDS=${NEREID_TEST_SHARDS};GTEST_SHARD_INDEX=${index}")
+    endforeach()
   endif()
 endfunction()
