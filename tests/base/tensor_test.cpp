@@ -8,11 +8,12 @@
 
 #include "base/dual.hpp"
 #include "base/types.hpp"
+#include "tests/base/chance.hpp"
 
 namespace nereid::tensor_test {
 namespace {
 
-std::mt19937 chance(3);
+Chance chance(3);
 double random() { return std::uniform_real_distribution<double>(-1.0, 1.0)(chance); }
 Vector<double> random_vector() { return {random(), random(), random()}; }
 Symmetric<double> random_symmetric() {

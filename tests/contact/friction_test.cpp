@@ -1,4 +1,5 @@
 #include "contact/friction.hpp"
+#include "tests/base/chance.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +10,7 @@ namespace nereid::contact::friction_test {
 namespace {
 
 Vec3 random_vector() {
-  static std::mt19937 random(5);
+  static Chance random(5);
   std::uniform_real_distribution<double> unit(-1, 1);
   return {unit(random), unit(random), unit(random)};
 }

@@ -15,6 +15,7 @@
 #include "base/types.hpp"
 #include "element/full_hexahedron.hpp"
 #include "material/laws.hpp"
+#include "tests/base/chance.hpp"
 #include "tests/element/metal.hpp"
 
 namespace nereid::element {
@@ -31,7 +32,7 @@ using Matrix24 = Eigen::MatrixXd;  // 24 x 24; of a fixed size it compiles far l
 constexpr int sign[8][3] = {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1},
                             {-1, -1, 1},  {1, -1, 1},  {1, 1, 1},  {-1, 1, 1}};
 
-inline std::mt19937 chance(7);
+inline Chance chance(7);
 inline double random(double low = -1.0, double high = 1.0) {
   return std::uniform_real_distribution<double>(low, high)(chance);
 }

@@ -11,6 +11,7 @@
 #include "base/dense.hpp"
 #include "base/types.hpp"
 #include "material/mixed_control.hpp"
+#include "tests/base/chance.hpp"
 #include "tests/element/metal.hpp"
 
 namespace nereid::element::plate_test {
@@ -26,7 +27,7 @@ using Matrix18 = Eigen::MatrixXd;  // 18 x 18; of a fixed size it compiles far l
 // ------------------------------------------------------------------------------------------------
 // Shapes, motions, and one element that remembers
 
-std::mt19937 chance(11);
+Chance chance(11);
 double random(double low = -1.0, double high = 1.0) {
   return std::uniform_real_distribution<double>(low, high)(chance);
 }

@@ -11,6 +11,7 @@
 
 #include "base/dual.hpp"
 #include "material/elastic.hpp"
+#include "tests/base/chance.hpp"
 #include "tests/material/point.hpp"
 
 namespace nereid::material::j2_bilinear_test {
@@ -24,7 +25,7 @@ const J2Bilinear lead = table_ii(11340.0, 19.5, 0.42, 3.02, 1.85);
 const J2Bilinear steel = table_ii(7800.0, 1.96e4, 0.33, 31.6, 195.0);
 const J2Bilinear perfect = table_ii(7800.0, 1.96e4, 0.33, 31.6, 0.0);
 
-std::mt19937_64 random_source(7);
+Chance64 random_source(7);
 double draw(double low, double high) {
   return std::uniform_real_distribution<double>(low, high)(random_source);
 }

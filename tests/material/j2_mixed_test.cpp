@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "material/elastic.hpp"
+#include "tests/base/chance.hpp"
 #include "tests/material/point.hpp"
 
 namespace nereid::material::j2_mixed_test {
@@ -30,7 +31,7 @@ const std::vector<J2Mixed> laws{lead(0), lead(0.4), lead(1), steel(0), steel(0.4
 
 double unit(const J2Mixed& law) { return law.yield / law.young; }
 
-std::mt19937_64 random_source(13);
+Chance64 random_source(13);
 double draw(double low, double high) {
   return std::uniform_real_distribution<double>(low, high)(random_source);
 }

@@ -10,6 +10,7 @@
 #include <random>
 #include <vector>
 
+#include "tests/base/chance.hpp"
 #include "tests/material/point.hpp"
 
 namespace nereid::material::johnson_cook_test {
@@ -21,7 +22,7 @@ const J2JohnsonCook steel{7830.0, 2.0e11, 0.29,
                            .reference_rate = 1, .thermal_exponent = 1.03, .reference_temperature = 293, .melting_temperature = 1793,
                            .specific_heat = 477, .heat_share = 0.9, .temperature = 293}};
 
-std::mt19937_64 chance(5);
+Chance64 chance(5);
 double draw(double low, double high) { return std::uniform_real_distribution<double>(low, high)(chance); }
 Symmetric<double> draw_strain(double size) {
   Symmetric<double> strain{};

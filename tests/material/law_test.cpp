@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/dual.hpp"
+#include "tests/base/chance.hpp"
 #include "tests/material/point.hpp"
 
 namespace nereid::material::law_test {
@@ -143,7 +144,7 @@ double stored_besides(const J2Mixed& law, const Internal<double, J2Mixed, S>& in
 
 // -- Random strains ------------------------------------------------------------------------------
 
-std::mt19937_64 random_source(11);
+Chance64 random_source(11);
 double draw(double low, double high) {
   return std::uniform_real_distribution<double>(low, high)(random_source);
 }
