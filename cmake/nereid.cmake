@@ -166,15 +166,12 @@ endfunction()
 # What is tested keeps its optimisation; the tests themselves need little, and a third of their build goes by it.
 set(NEREID_TEST_OPTIONS $<$<CONFIG:Release>:-O1>)
 
-add_custom_target(unit_tests)   # all programs of unit tests
-
 # The unit tests of one module, tests/<name>/*_test.cpp, as one program <name>_test.
 function(nereid_tests name)
   cmake_parse_arguments(TESTS "" "" "LINK" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/${name}/*_test.cpp)
   if(sources)
     add_executable(${name}_test ${sources})
-    add_dependencies(unit_tests ${name}_test)
     target_link_libraries(${name}_test PRIVATE nereid::${name} ${TESTS_LINK} GTest::gtest GTest::gtest_main)
     target_precompile_headers(${name}_test REUSE_FROM nereid_precompiled_tests)
     target_compile_options(${name}_test PRIVATE ${NEREID_TEST_OPTIONS})

@@ -25,10 +25,10 @@ def ends_with_parent(parent):
 def run(words, **options):
     """As subprocess.run; the program does not outlive this process, unless this one is killed in the milliseconds in which it starts.
 
-    To ask for that signal in between fork and exec, fork copies the tables of all memory of this process, which takes ten times as long as
-    the start of a program; setpriv asks for it where there is one.
+    To ask for that signal in between fork and exec, fork copies the tables of all memory of this process, which takes longer than the start
+    of a program; setpriv asks for it where there is one. A program whose path begins in the folder `cwd` is started the other way.
     """
-    if SETPRIV and shutil.which(words[0]):
+    if SETPRIV and os.path.isabs(shutil.which(words[0]) or ""):
         return subprocess.run([SETPRIV, "--pdeathsig", "KILL", "--", *words], **options)
     parent = os.getpid()
     return subprocess.run(words, preexec_fn=lambda: ends_with_parent(parent), **options)

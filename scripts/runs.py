@@ -365,8 +365,8 @@ class Run:
         self.ending = self.summary["ending"]["word"]
         with (folder / "history.csv").open(newline="", encoding="utf-8") as stream:
             head, *rows = csv.reader(stream)
-        columns = zip(*rows) if rows else [()] * len(head)
-        self.columns = {name.split(" [")[0]: list(map(float, column)) for name, column in zip(head, columns)}
+        columns = zip(*rows, strict=True) if rows else [()] * len(head)
+        self.columns = {name.split(" [")[0]: list(map(float, column)) for name, column in zip(head, columns, strict=True)}
 
     def again(self, overrides, threads=None):
         """The same case with these keys set as well."""
@@ -486,7 +486,7 @@ def read_fields(path):
         data = unpacked(text)
         values = struct.unpack(f"<{len(data) // struct.calcsize('<' + kind)}{kind}", data)
         width = int(array.get("NumberOfComponents", "1"))
-        fields[name] = list(values) if width == 1 else list(zip(*[iter(values)] * width))
+        fields[name] = list(values) if width == 1 else list(zip(*[iter(values)] * width, strict=True))
     return fields
 
 

@@ -353,15 +353,15 @@ def gate_row(gate, limit, errors, waivers):
                "; ".join(said), worst, limit)
 
 
-class Stopped(CannotRun):
-    """A run with a mistake in it that ended before its end."""
+class Stopped(Exception):
+    """The run of a break ended before its end. No CannotRun: a check may count those."""
 
 
 class Broken:
     """The run of a break. It is made when something is asked that only a run tells: a check may want it with further keys alone."""
 
     def __init__(self, run, one):
-        self.one, self.base, self.run, self.driver = one, run, None, run.driver
+        self.one, self.base, self.run, self.driver, self.others = one, run, None, run.driver, []
 
     @property
     def case_file(self):
@@ -374,16 +374,25 @@ class Broken:
     def again(self, overrides, threads=None):
         change = {**self.one.change, **overrides}
         more = {"threads": threads} if threads else {}
-        return self.base.other(self.driver, self.one.case, change, **more) if self.one.case else self.base.again(change, **more)
+        made = self.base.other(self.driver, self.one.case, change, **more) if self.one.case else self.base.again(change, **more)
+        self.others.append(made)
+        return made
 
     def other(self, *asked, **more):
-        return self.base.other(*asked, **more)
+        self.others.append(self.base.other(*asked, **more))
+        return self.others[-1]
+
+    def need_end(self):
+        """Raises Stopped where this run ends before its end. It may not have been made: then only if one of those made in its place did."""
+        if self.run is None and any(one.ending not in GOOD_ENDINGS for one in self.others):
+            self.run = self.again({})
+        if self.run is not None and self.run.ending not in GOOD_ENDINGS:
+            raise Stopped(self.run.ending)
 
     def __getattr__(self, name):  # of what is not above
         if self.run is None:
             self.run = self.again({})
-        if self.run.ending not in GOOD_ENDINGS:
-            raise Stopped(self.run.ending)
+        self.need_end()
         return getattr(self.run, name)
 
 
@@ -391,8 +400,10 @@ def break_row(one, checks, run):
     """The line of a break: the run with the mistake in it, and the check that must notice."""
     check = checks[one.check]
     name = f"*must fail:* {one.mistake} → {one.check}"
+    broken = Broken(run, one)
     try:
-        pair = check.measure(Broken(run, one))
+        pair = check.measure(broken)
+        broken.need_end()
     except Stopped as ending:
         return Row("break", name, "", f"stops: {ending}", "", "", "FAIL: no number to fail by", False)
     noticed = not pair.error() <= check.within

@@ -78,7 +78,7 @@ struct Passage {
   Index facet = -1;
   bool faced = true;
   double at = 0;  // [-] of the step
-  // Of the near facets, whether the path may have gone through one itself, and whether it ends in front of one below h_c.
+  // Of the near facets, if not at_surface: whether the path may go through one itself, and whether it ends in front of one below h_c.
   bool through_surface = false, in_layer = false;
 };
 

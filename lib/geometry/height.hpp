@@ -39,11 +39,12 @@ NEREID_HOT Height<T, 3> facet_height(const std::array<Vector<T>, 3>& base, const
   return {dot(n, p), n, {T(1.0) - w2 - w3, w2, w3}};
 }
 
-/// The signed square of an apex's height over a facet, and that of `level` with room for round-off, both times the square of twice the
-/// area: without the root of facet_height(), for walks that pass most facets by.
+/// Squares of a height and of a level, both times the square of twice the area of the facet.
 struct HeightSquared {
-  double height, level;
+  double height;  ///< with the sign of the height
+  double level;   ///< with room for round-off
 };
+/// Those of an apex over a facet: without the root of facet_height(), for walks that pass most facets by.
 NEREID_HOT HeightSquared height_squared(const std::array<Vector<double>, 3>& base, const Vector<double>& apex, double level) {
   constexpr double round_off = 1e-9;  // of the height
   const Vector<double> N = cross(base[1] - base[0], base[2] - base[0]);
@@ -51,7 +52,8 @@ NEREID_HOT HeightSquared height_squared(const std::array<Vector<double>, 3>& bas
   return {height * std::abs(height), (1 + round_off) * (level * level) * dot(N, N)};
 }
 
-/// Whether facet_height() is more than `level` [m], not negative, and by more than round-off; false where it is not known without a root.
+/// Whether facet_height() is more than `level` [m], not negative: by more than round-off, but at 0, where the sign alone tells. False where
+/// it is not known without a root.
 NEREID_HOT bool is_well_above(const std::array<Vector<double>, 3>& base, const Vector<double>& apex, double level) {
   const HeightSquared squared = height_squared(base, apex, level);
   return squared.height > squared.level;

@@ -100,6 +100,7 @@ class RowsTest(unittest.TestCase):
         self.assertEqual(made, [{"mistake": "made", "finer": "yes"}])
         self.assertTrue(verify.break_row(Breaks("answer", "a mistake", {"mistake": "made"}), CHECKS, Counted()).good)
         self.assertEqual(made[1:], [{"mistake": "made"}])
+        self.assertFalse(verify.break_row(Breaks("finer", "a mistake", {"mistake": "made", "ending": "stopped"}), finer, Counted()).good)
 
     def test_the_worst_run_of_a_case_decides_a_gate(self):
         runs = [(GatedRun("good"), 1e-12), (GatedRun("bad"), 1e-9)]
