@@ -177,13 +177,20 @@ void check_inputs(const CommandLine& line, const input::CaseFile& file, output::
 
 /// What `work` makes of a case; if it is refused for elements of a mesh, these go to the folder of results first.
 template <class Work>
-auto or_show_offenders(const CommandLine& line, const input::CaseFile& file, const Work& work) {
+auto or_show_offenders(const CommandLine& line, const input::CaseFile& file, output::RunFolder& folder, const Work& work) {
   try {
     return work(file);
   } catch (const input::CaseError&) {
     const std::vector<std::string> inputs = file.files();
+    folder.restore();
     const bool overwrites_any =
         std::any_of(inputs.begin(), inputs.end(), [&](const auto& input) { return !overwrites(line, input).empty(); });
+    if (overwrites_any) {  // it may have been refused because a table that it reads was set aside
+      const input::CaseFile again = input::CaseFile::read(line.case_path, line.overrides);
+      work(again);
+      check_inputs(line, again, folder);
+    }
+    folder.set_aside();
     if (!line.dry_run && !overwrites_any) output::write_offenders(line.out, file.offenders());
     throw;
   }
@@ -275,7 +282,7 @@ Ran run_case(const std::string& name, const CommandLine& line, output::RunFolder
              const Judge& judge = {}) {
   if (line.threads > 0) use_threads(line.threads);
   const input::CaseFile file = input::CaseFile::read(line.case_path, line.overrides);
-  model::Simulation simulation = or_show_offenders(line, file, build);
+  model::Simulation simulation = or_show_offenders(line, file, folder, build);
   check_inputs(line, file, folder);
   const Beginning begins = beginning(name, line, file);
   if (begins.is_over) return {begins.status, {}};
@@ -385,7 +392,7 @@ int run_to_accuracy(const std::string& name, const CommandLine& line, output::Ru
   if (line.threads > 0) use_threads(line.threads);
   const Target target{part_of(line.accuracy), line.of, 60 * line.longest};
   const input::CaseFile file = input::CaseFile::read(line.case_path, line.overrides);
-  or_show_offenders(line, file, build);  // its faults come first: what is wrong with a mesh of another factor is none of the case
+  or_show_offenders(line, file, folder, build);  // its faults come first: what is wrong with a mesh of another factor is none of the case
   check_inputs(line, file, folder);
   const RunOnce run = [&](double refine, bool first_look, const Judge& judge) {
     std::fflush(stdout);  // what is known of coarser meshes: a signal may end the program while the next one is built
@@ -420,7 +427,7 @@ void stop_if_not_finite(Answer& found) {
 int answer_case(const std::string& name, const CommandLine& line, output::RunFolder& folder, const Plan& plan) {
   if (line.threads > 0) use_threads(line.threads);
   const input::CaseFile file = input::CaseFile::read(line.case_path, line.overrides);
-  const std::function<Answer()> compute = or_show_offenders(line, file, plan);
+  const std::function<Answer()> compute = or_show_offenders(line, file, folder, plan);
   check_inputs(line, file, folder);
   if (!line.quiet) print_not_used(file);
   if (line.dry_run) return done;
@@ -455,6 +462,7 @@ int answer_case(const std::string& name, const CommandLine& line, output::RunFol
     print(found.results);
     print(found.notes);
     std::printf("%.2f s; results in %s\n", seconds, line.out.c_str());
+    if (found.stopped.empty()) std::printf("ended: %s\n", summary.ending.word.c_str());
   }
   if (found.stopped.empty()) return done;
   std::fprintf(stderr, "%s: stopped: %s: %s\n", name.c_str(), found.stopped.c_str(), found.reason.c_str());

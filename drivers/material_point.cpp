@@ -13,8 +13,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/words.hpp"
 #include "drivers/driver.hpp"
 #include "material/mixed_control.hpp"
+#include "model/values.hpp"
 
 using namespace nereid;
 
@@ -41,7 +43,7 @@ struct Case {
   std::vector<Segment> path;
 };
 
-constexpr int most_increments = 1000000;  // a row of history each
+constexpr int most_increments = 1000000;  // of a segment; a row of history each
 
 Segment read_segment(const input::Section& section, bool plate) {
   Segment segment{.increments = section.count("increments", 1, most_increments),
@@ -66,7 +68,10 @@ Case read(const input::Section& root) {
   Case c{.plate = plate,
          .material = plate ? input::read_plate_law(root.section("material")) : input::read_law(root.section("material")),
          .path = {}};
-  for (const input::Section& section : root.list("path", 1)) c.path.push_back(read_segment(section, c.plate));
+  double rows = 0;
+  for (const input::Section& section : root.list("path", 1)) rows += c.path.emplace_back(read_segment(section, c.plate)).increments;
+  if (rows > model::most_rows)
+    root.fault("path", "'path' asks for " + formatted("%.3g", rows) + " rows of the history: expected at most ten million");
   return c;
 }
 

@@ -12,8 +12,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/words.hpp"
 #include "contact/impact_step.hpp"
 #include "drivers/driver.hpp"
+#include "dynamics/run.hpp"
+#include "model/values.hpp"
 
 using namespace nereid;
 
@@ -39,6 +42,19 @@ Case read(const input::Section& root) {
           .step = root.number("step", input::between(0, 2)),
           .phases = root.count_or("phases", 400, 1, 100000),
           .area = root.choice_or("area", "apex", {"apex", "base"}) == "base" ? contact::Area::base : contact::Area::apex};
+}
+
+/// Steps of one bounce at most: those of ten periods of a mass on a spring.
+double most_steps_of(const Case& c) { return 20 * pi / c.step + 20; }
+
+/// Refuses what would not end, or would write more rows than any run may.
+void check_work(const Case& c, const input::CaseFile& file) {
+  const double steps = most_steps_of(c), all = steps * (c.phases + 1.0);
+  const std::string said = quote("step") + " = " + shortest(c.step) + " takes up to ";
+  if (steps > model::most_rows) file.fault("step", said + formatted("%.3g rows of the history: expected at most ten million", steps), "");
+  else if (all > dynamics::most_steps)
+    file.fault("step", said + formatted("%.3g steps for %d phases: expected at most a billion", all, c.phases), "");
+  file.finish();
 }
 
 constexpr double contact_height = 0.1;  // [m] over edges and vertices only a height has a direction
@@ -144,7 +160,7 @@ Bounce bounce(const Case& c, double phase, driver::Answer* record) {
     record->rows.push_back({gap, force, state.v(2, pair.apex), base_velocity(c, state)});
   };
   look(start_gap);
-  const auto most_steps = static_cast<int>(20 * pi / c.step) + 20;
+  const auto most_steps = static_cast<int>(most_steps_of(c));
   for (int s = 0; s < most_steps; ++s) {
     dynamics::step(pair.model, dt, state, forces);
     const double gap = state.interfaces[0].gap[0];
@@ -203,6 +219,7 @@ double critical_step(const Case& c) {
 std::function<driver::Answer()> plan(const input::CaseFile& file) {
   const Case c = read(file.root());
   file.finish();
+  check_work(c, file);
   return [c] {
     driver::Answer answer{.columns = {{"gap", "m"}, {"force", "N"}, {"velocity_apex", "m/s"}, {"velocity_base", "m/s"}},
                           .time = {}, .rows = {}, .results = {}};

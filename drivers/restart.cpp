@@ -7,6 +7,7 @@
 #include "base/archive.hpp"
 #include "base/check.hpp"
 #include "base/checksum.hpp"
+#include "base/memory.hpp"
 #include "base/replace_file.hpp"
 #include "base/words.hpp"
 #include "dynamics/archive.hpp"
@@ -90,9 +91,13 @@ std::optional<Checkpoint> read_checkpoint(const fs::path& folder) {
   const auto refuse = [&](const std::string& why) { return BadCheckpoint(path.string() + ": " + why); };
   if (!fs::is_regular_file(path, error)) throw refuse("it is no file");  // to open a pipe takes as long as nobody writes to it
   std::ifstream stream(path, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+  std::string bytes(head.size(), '\0');
+  stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  if (bytes != head) throw refuse(stream.bad() ? "it cannot be read" : "it is no checkpoint");
+  if (static_cast<double>(fs::file_size(path, error)) > memory_left())
+    throw MachineError("memory does not suffice to read " + path.string());
+  bytes.append(std::istreambuf_iterator<char>(stream), {});
   if (!stream.good() && !stream.eof()) throw refuse("it cannot be read");
-  if (bytes.rfind(head, 0) != 0) throw refuse("it is no checkpoint");
   const std::string mine = std::to_string(version) + "\n";
   if (bytes.compare(head.size(), mine.size(), mine) != 0) {
     const std::size_t end = bytes.find('\n');
@@ -117,6 +122,7 @@ std::optional<Checkpoint> read_checkpoint(const fs::path& folder) {
 void remove_checkpoint(const fs::path& folder) {
   std::error_code error;  // one that stays does no harm: the end would be reached again
   fs::remove(file_in(folder), error);
+  fs::remove(draft_of(file_in(folder)), error);  // of a run that was killed as it wrote
 }
 
 void go_back_to(const Checkpoint& then, const Checkpoint& now, model::Simulation& simulation) {

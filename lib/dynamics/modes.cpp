@@ -7,9 +7,12 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 #include "base/check.hpp"
 #include "base/dense.hpp"
+#include "base/memory.hpp"
+#include "base/words.hpp"
 #include "dynamics/step.hpp"
 
 namespace nereid::dynamics {
@@ -266,11 +269,26 @@ struct Remainder {
   }
 };
 
+/// The factors of a symmetric matrix. Throws MachineError where they need more memory than there is, which the pattern tells.
+class Factors : public Eigen::SimplicialLDLT<Sparse> {
+ public:
+  explicit Factors(const Sparse& A) {
+    analyzePattern(A);
+    double entries = 0;
+    for (Eigen::Index column = 0; column < A.cols(); ++column) entries += m_nonZerosPerCol(column);
+    constexpr double entry = sizeof(double) + sizeof(Sparse::StorageIndex);
+    if (entries > std::numeric_limits<Sparse::StorageIndex>::max() || entry * entries > memory_left())
+      throw MachineError(formatted("memory does not suffice: the factors of %.3g freedoms have %.3g entries, which take %.3g GB",
+                                   static_cast<double>(A.cols()), entries, entry * entries / 1e9));
+    factorize(A);
+  }
+};
+
 /// Eigenvalues of A below a bound, by Sturm's sequence: the negative pivots of A - bound.
 Eigen::Index below(const Sparse& A, double bound) {
   Sparse shifted = A;
   for (Eigen::Index i = 0; i < A.rows(); ++i) shifted.coeffRef(i, i) -= bound;
-  const Eigen::SimplicialLDLT<Sparse> factors(shifted);
+  const Factors factors(shifted);
   return (factors.vectorD().array() < 0).count();
 }
 
@@ -342,7 +360,7 @@ Pairs lowest_of(const Sparse& A, double highest, int wanted) {
   if (A.rows() <= few) return all_of(A, false);
   Sparse shifted = A;  // rigid motions have no inverse, but a little beside them everything has
   for (Eigen::Index i = 0; i < A.rows(); ++i) shifted.coeffRef(i, i) += 1e-9 * highest;
-  const Eigen::SimplicialLDLT<Sparse> factors(shifted);
+  const Factors factors(shifted);
   check(factors.info() == Eigen::Success, "the stiffness has no factors");
   return outermost(A, highest, 1, std::min<Eigen::Index>(wanted, A.rows() - 1),
                    [&factors](const Eigen::VectorXd& x) -> Eigen::VectorXd { return factors.solve(x); });

@@ -60,6 +60,11 @@ std::string made_before(const Model& model, const Ledger& ledger, double limit, 
 bool stop(const Model& model, const State& now, const Step& next, const Time& time, Outcome& outcome) {
   const Votes& votes = now.votes;
   const double end = time.end;
+  if (std::isinf(now.ledger.initial_kinetic)) {
+    outcome.ending = Ending::not_finite;
+    outcome.reason = "the kinetic energy that it is given is no finite number";
+    return true;
+  }
   if (!(votes.volume_ratio > 0)) {
     outcome.ending = std::isnan(votes.volume_ratio) ? Ending::not_finite : Ending::inverted_element;
     outcome.reason = std::isnan(votes.volume_ratio) ? "positions are not finite"

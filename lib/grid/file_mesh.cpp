@@ -207,15 +207,20 @@ void refuse_loose_boundaries(FileMesh& result) {
       for (auto& to = hexahedra.emplace_back(); const int a : {0, 1, 2, 3, 4, 5, 6, 7}) to[static_cast<std::size_t>(a)] = at(nodes(a));
   const FacesOfSolids faces(hexahedra);
   Wrong loose;
+  mesh::Finding found{mesh::Flaw::coincident, {}};
   std::size_t element = hexahedra.size();
   for (const auto& region : mesh.triangles)
     for (const auto& t : region.nodes.colwise()) {
-      const std::int64_t cell = result.origin.numbers[element++];
+      const std::size_t here = element++;
+      const std::int64_t cell = result.origin.numbers[here];
       if (!faces.has(corners(at(t(0)), at(t(1)), at(t(2))))) continue;
+      found.elements.push_back(static_cast<Index>(here));
       if (loose.cells.empty() || loose.cells.back() != cell) loose.cells.push_back(cell);
     }
   loose.tell(" of its triangles and quadrilaterals lie on faces of hexahedra and have nodes of their own; merge the nodes, or say "
              "'boundary_cells: plates': cells ", result.faults);
+  if (!found.elements.empty() && result.offenders.numbers.empty())
+    result.offenders = mesh::offenders("", mesh, result.origin, {found});
 }
 
 /// New number of each point, or -1 for one of no cell; they keep their order.

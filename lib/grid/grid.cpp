@@ -14,6 +14,7 @@
 
 #include "base/archive.hpp"
 #include "base/check.hpp"
+#include "base/checksum.hpp"
 #include "base/child.hpp"
 #include "base/memory.hpp"
 #include "base/replace_file.hpp"
@@ -58,8 +59,8 @@ namespace nereid::grid {
 
 template <class Archive>
 void visit(Archive& archive, Contents& contents) {
-  auto& [points, kind, begin, nodes, point_fields, cell_fields] = contents;
-  archive(points, kind, begin, nodes, point_fields, cell_fields);
+  auto& [points, kind, begin, nodes, point_fields, cell_fields, checksum] = contents;
+  archive(points, kind, begin, nodes, point_fields, cell_fields, checksum);
 }
 
 namespace {
@@ -441,6 +442,12 @@ namespace {
 constexpr double most_file = 16e9;  // [bytes]
 constexpr double patience = 600;    // [s] for the largest file on a slow disk
 
+/// Whether a file begins as XML does, so that it is worth its memory.
+bool begins_like_xml(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return (stream >> std::ws).peek() == '<';
+}
+
 /// The bytes of a file; why it cannot be read is added to `fault`.
 std::string bytes_in(const std::filesystem::path& file, double size, std::string& fault) {
   std::string bytes(static_cast<std::size_t>(size), '\0');
@@ -483,12 +490,18 @@ Contents read_vtu(const std::filesystem::path& file, std::string& fault) {
     fault = error ? error.message() : "it is larger than " + shortest(most_file / 1e9) + " GB";
     return {};
   }
+  if (!begins_like_xml(file)) {
+    fault = no_vtu;
+    return {};
+  }
+  if (size > memory_left()) throw MachineError("memory does not suffice to read " + file.string());
   double unpacked = 0;
+  std::uint64_t sum = 0;
   {
     const std::string bytes = bytes_in(file, size, fault);
     if (!fault.empty()) return {};
     const VtuCheck found = check_vtu(bytes);
-    fault = found.fault, unpacked = found.unpacked;
+    fault = found.fault, unpacked = found.unpacked, sum = checksum(bytes);
   }
   if (!fault.empty()) return {};
   const auto work = [&file] {
@@ -511,6 +524,7 @@ Contents read_vtu(const std::filesystem::path& file, std::string& fault) {
   reader(fault);
   if (!fault.empty()) return {};
   visit(reader, contents);
+  contents.checksum = sum;
   return contents;
 }
 #else
@@ -568,10 +582,10 @@ Collection::Collection(std::filesystem::path directory, std::string name, GridKi
     if (!std::filesystem::is_regular_file(file, error)) throw MachineError(file.string() + " is missing, which a checkpoint counts on");
     kept.insert(file);
   }
+  write_index();  // first, so that it never lists what is gone
   for (const auto& path : frames_in(directory_ / name_, name_, error))
     if (kept.count(path) == 0) std::filesystem::remove(path, error);
   if (error) throw MachineError("cannot clear " + (directory_ / name_).string() + ": " + error.message());
-  write_index();
 }
 
 void Collection::add(const Grid& grid) {

@@ -292,7 +292,7 @@ View appended(View text, const Tag& tag) {
 
 /// Reads what the first tag says of the form of all arrays.
 Form form_of(const Tag& file) {
-  if (file["type"] != "UnstructuredGrid") throw Stop{0, "it is no .vtu file"};
+  if (file["type"] != "UnstructuredGrid") throw Stop{0, no_vtu};
   Form form;
   form.little = one_of(file, "byte_order", {"LittleEndian", "BigEndian"}) == 0;
   form.word = one_of(file, "header_type", {"UInt32", "UInt64"}) == 0 ? 4 : 8;
@@ -312,9 +312,9 @@ struct Array {
 double look_at(View text) {
   std::size_t at = 0, tags = 0;
   const std::size_t begin = text.find_first_not_of("\xEF\xBB\xBF \t\r\n");  // the first three: a byte order mark
-  if (begin == View::npos || text[begin] != '<') throw Stop{0, "it is no .vtu file"};
+  if (begin == View::npos || text[begin] != '<') throw Stop{0, no_vtu};
   std::optional<Tag> tag = next_tag(text, at);
-  if (!tag || tag->name != "VTKFile" || tag->closes || tag->is_empty) throw Stop{0, "it is no .vtu file"};
+  if (!tag || tag->name != "VTKFile" || tag->closes || tag->is_empty) throw Stop{0, no_vtu};
   Form form = form_of(*tag);
   std::vector<View> open{tag->name};
   std::vector<Array> arrays;

@@ -6,6 +6,9 @@
 
 namespace nereid::grid {
 
+/// What is said of a file that does not begin as one.
+inline constexpr const char* no_vtu = "it is no .vtu file";
+
 /// What a look at a .vtu file found.
 struct VtuCheck {
   std::string fault = {};  ///< empty, or what is wrong with the file, as part of a sentence

@@ -8,6 +8,7 @@
 #include <memory>
 #include <utility>
 
+#include "base/checksum.hpp"
 #include "base/types.hpp"
 #include "base/words.hpp"
 #include "input/table.hpp"
@@ -149,7 +150,7 @@ ReadFile files_of(const Section& section, std::string_view key) {
     const auto found = known->find(name);
     if (found != known->end()) return found->second;
     const std::optional<std::string> bytes = read_text(section.beside_case(key, name), why);
-    if (bytes) section.saw(key, name, *bytes), (*known)[name] = *bytes;
+    if (bytes) section.saw(key, name, checksum(*bytes)), (*known)[name] = *bytes;
     return bytes;
   };
 }

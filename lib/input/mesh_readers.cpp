@@ -21,6 +21,7 @@ mesh::Mesh read_file(const Section& section, const std::string& path, const std:
     section.fault("path", "'path' = " + path + ": " + fault);
     return {};
   }
+  section.saw("path", path, contents.checksum);
   grid::FileMesh read = grid::file_mesh("", contents, region_array, boundary_cells);
   std::string all;
   for (const std::string& one : read.faults) all += (all.empty() ? "" : "; ") + one;

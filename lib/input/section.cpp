@@ -600,10 +600,8 @@ std::string Section::beside_case(std::string_view key, std::string_view path) co
   return file;
 }
 
-void Section::saw(std::string_view key, const std::string& path, const std::string& bytes) const {
-  char text[17];
-  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(checksum(bytes)));
-  const Resolved::Value value = std::vector<std::string>{path, text};
+void Section::saw(std::string_view key, const std::string& path, std::uint64_t sum) const {
+  const Resolved::Value value = std::vector<std::string>{path, formatted("%016llx", static_cast<unsigned long long>(sum))};
   std::string name = std::string(key) + "_file";
   for (int number = 2;; ++number) {
     const auto at = std::find_if(document_->resolved.begin(), document_->resolved.end(),

@@ -181,9 +181,9 @@ class Section {
   /// The file that the case names at this key by `path`, for CaseFile::check_files: relative ones start at the folder of the case file.
   std::string beside_case(std::string_view key, std::string_view path) const;
 
-  /// What a file held that a value of this key names: its path and checksum become a resolved value KEY_file, so that hash() changes with
-  /// it.
-  void saw(std::string_view key, const std::string& path, const std::string& bytes) const;
+  /// What a file held that a value of this key names: its path and the checksum of its bytes become a resolved value KEY_file, so that
+  /// hash() changes with it.
+  void saw(std::string_view key, const std::string& path, std::uint64_t sum) const;
 
   /// Where the section is, as in "bodies[0].material"; empty for the root.
   const std::string& path() const { return path_; }

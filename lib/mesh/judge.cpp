@@ -515,13 +515,17 @@ std::vector<Index> places(const Mesh& mesh) { return places(mesh.X, Elements(mes
 std::vector<Overlay> overlays(const Mesh& mesh) {
   const Elements all(mesh);
   const std::vector<Index> first = places(mesh.X, all);
-  std::map<std::array<Index, 2>, std::int64_t> counts;
+  std::map<std::array<Index, 2>, std::vector<Index>> over;
   groups(keys(all, {}, &first), same_key, [&](auto begin, auto end) {
     for (auto one = begin + 1; one != end; ++one)
-      if (all.region(one->element) != all.region(begin->element)) ++counts[{all.region(begin->element), all.region(one->element)}];
+      if (all.region(one->element) != all.region(begin->element))
+        over[{all.region(begin->element), all.region(one->element)}].push_back(one->element);
   });
   std::vector<Overlay> found;
-  for (const auto& [regions, count] : counts) found.push_back({{all.name(regions[0]), all.name(regions[1])}, count});
+  for (auto& [regions, elements] : over) {
+    std::sort(elements.begin(), elements.end());
+    found.push_back({{all.name(regions[0]), all.name(regions[1])}, std::move(elements)});
+  }
   return found;
 }
 

@@ -90,7 +90,7 @@ std::vector<Index> places(const Mesh&);
 /// Two regions with elements at the same places and nodes of their own.
 struct Overlay {
   std::array<std::string, 2> regions;
-  std::int64_t elements = 0;  ///< of the second
+  std::vector<Index> elements;  ///< of the second, counted as in Origin, ascending
 };
 /// Elements of one region laid over those of another, by their places; regions in the order of the mesh.
 std::vector<Overlay> overlays(const Mesh&);

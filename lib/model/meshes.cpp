@@ -160,7 +160,7 @@ mesh::Mesh placed_mesh(const Body& body, Faults& faults, MeshWarnings& warnings)
     if (!said.empty()) refuse(faults, here, "", "the mesh " + said);
   }
   if (body.scale != 1) mesh.X *= body.scale;
-  if (body.map[0]) mesh = mapped(body.map, std::move(mesh), here, faults);
+  if (body.map[0]) mesh = mapped(body.map, std::move(mesh), here, faults, body.origin);
   if (body.place.angle != 0) mesh = mesh::rotated_about(std::move(mesh), body.place.axis, body.place.angle, body.place.about);
   if (!body.place.move.isZero(0)) mesh = mesh::moved(std::move(mesh), body.place.move);
   if (!(mesh.X.cwiseAbs().maxCoeff() < farthest)) {  // also where it is no number
@@ -177,18 +177,51 @@ mesh::Mesh placed_mesh(const Body& body, Faults& faults, MeshWarnings& warnings)
   return mesh;
 }
 
+std::string body_of(const std::string& region) { return region.substr(0, region.find('.')); }
+
+/// What the elements of a whole mesh are called in their bodies.
+mesh::Origin origin_of(const Scene& scene, const mesh::Mesh& all) {
+  std::map<std::string, std::int64_t> seen;
+  mesh::Origin origin;
+  const auto add = [&](const auto& regions) {
+    for (const auto& region : regions)
+      for (Eigen::Index e = 0; e < region.nodes.cols(); ++e) origin.numbers.push_back(seen[body_of(region.name)]++);
+  };
+  add(all.hexahedra), add(all.triangles);
+  std::size_t next = 0;
+  const auto as_in_its_file = [&](const auto& regions) {
+    for (const auto& region : regions) {
+      const auto is_its = [&](const Body& one) { return one.name == body_of(region.name); };
+      const Body& body = *std::find_if(scene.bodies.begin(), scene.bodies.end(), is_its);
+      for (Eigen::Index e = 0; e < region.nodes.cols(); ++e, ++next)
+        if (!body.origin.numbers.empty()) origin.numbers[next] = body.origin.numbers[static_cast<std::size_t>(origin.numbers[next])];
+    }
+  };
+  as_in_its_file(all.hexahedra), as_in_its_file(all.triangles);
+  return origin;
+}
+
 /// Warns of bodies that are laid over each other, element on element, before a run that would find it at its end.
-void warn_of_overlays(const mesh::Mesh& all, MeshWarnings& warnings) {
-  constexpr std::size_t most = 8;  // named
-  const auto body = [](const std::string& region) { return region.substr(0, region.find('.')); };
-  std::map<std::string, std::set<std::string>> over;
-  for (const mesh::Overlay& one : mesh::overlays(all))
-    if (body(one.regions[0]) != body(one.regions[1])) over[body(one.regions[0])].insert(body(one.regions[1]));
-  for (const auto& [under, bodies] : over) {
-    std::vector<std::string> names(bodies.begin(), bodies.end());
-    if (names.size() > most) names.resize(most), names.push_back("…");
-    warnings.texts.push_back(under + ": elements of " + joined(names) + " are at the places of its own: the same body several times?");
+void warn_of_overlays(const Scene& scene, const mesh::Mesh& all, MeshWarnings& warnings) {
+  constexpr std::size_t most = 8;  // told
+  std::map<std::array<std::string, 2>, mesh::Finding> over;
+  for (const mesh::Overlay& one : mesh::overlays(all)) {
+    if (body_of(one.regions[0]) == body_of(one.regions[1])) continue;
+    mesh::Finding& found = over.try_emplace({body_of(one.regions[0]), body_of(one.regions[1])}, mesh::Finding{mesh::Flaw::laid_over, {}})
+                               .first->second;
+    found.elements.insert(found.elements.end(), one.elements.begin(), one.elements.end());
   }
+  if (over.empty()) return;
+  const mesh::Origin origin = origin_of(scene, all);
+  std::size_t told = 0;
+  for (auto& [bodies, found] : over) {
+    std::sort(found.elements.begin(), found.elements.end());
+    warnings.offenders.push_back(mesh::offenders(bodies[1], all, origin, {found}));
+    if (told++ < most)
+      warnings.texts.push_back(bodies[1] + ": over " + bodies[0] + ", " + mesh::in_words(found, origin) + ": the same body twice? (" +
+                               mesh::where_shown + ")");
+  }
+  if (told > most) warnings.texts.push_back(counted(told - most, "more pair") + " of bodies that are laid over each other");
 }
 
 }  // namespace
@@ -259,7 +292,7 @@ mesh::Mesh make_mesh(const std::string& name, const MeshOptions& options) {
   return with_skin(name, std::visit(Make{name}, options));
 }
 
-mesh::Mesh mapped(const Field& map, mesh::Mesh mesh, const Part& part, Faults& faults) {
+mesh::Mesh mapped(const Field& map, mesh::Mesh mesh, const Part& part, Faults& faults, const mesh::Origin& origin) {
   const Vectors built = mesh.X;
   for (Eigen::Index node = 0; node < built.cols(); ++node) {
     const Vec3 from = built.col(node);
@@ -271,7 +304,9 @@ mesh::Mesh mapped(const Field& map, mesh::Mesh mesh, const Part& part, Faults& f
   }
   const std::string said = flat_or_inverted(mesh, built);
   if (said.empty()) return mesh;
-  refuse(faults, part, "map", "'map' " + said);
+  refuse(faults, part, "map", "'map' " + said, mesh::where_shown);
+  const std::string body = body_of(mesh.hexahedra.empty() ? mesh.triangles.front().name : mesh.hexahedra.front().name);
+  faults.back().offenders = {mesh::offenders(body, mesh, origin, mesh::refused(mesh::judge(mesh, origin)))};
   mesh.X = built;
   return mesh;
 }
@@ -289,7 +324,7 @@ mesh::Mesh make_mesh(const Scene& scene, Faults& faults, MeshWarnings& warnings)
       refuse(faults, part("body", body), "mesh", error.what());
     }
   }
-  if (scene.bodies.size() > 1 && faults.size() == before) warn_of_overlays(all, warnings);
+  if (scene.bodies.size() > 1 && faults.size() == before) warn_of_overlays(scene, all, warnings);
   return all;
 }
 

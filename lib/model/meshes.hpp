@@ -22,8 +22,9 @@ mesh::Mesh make_mesh(const std::string& name, const MeshOptions&);
 
 /// The mesh with its nodes moved to `map` of their places; names and elements stay, and nodes that meet stay two.
 ///
-/// Faults, with the mesh as it was: places that are no number, elements whose volume or area is not positive
-mesh::Mesh mapped(const Field& map, mesh::Mesh, const Part&, Faults&);
+/// Faults, with the mesh as it was: places that are no number; elements whose volume or area is not positive, which it shows by the names
+/// of the origin
+mesh::Mesh mapped(const Field& map, mesh::Mesh, const Part&, Faults&, const mesh::Origin& = {});
 
 /// What may be wrong with meshes and is not refused.
 struct MeshWarnings {

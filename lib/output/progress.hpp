@@ -17,8 +17,10 @@ std::string progress_line(double time, double begin, double end, std::int64_t st
 /// One line on the terminal that is written over and over; where stderr is no terminal, a line a minute.
 class Progress {
  public:
+  static constexpr std::chrono::milliseconds usual_pause = std::chrono::minutes(1);
+
   /// begin, end  [s];  quiet: never say anything;  pause: between two lines where there is no terminal
-  Progress(double begin, double end, bool quiet, std::chrono::milliseconds pause = std::chrono::minutes(1));
+  Progress(double begin, double end, bool quiet, std::chrono::milliseconds pause = usual_pause);
   ~Progress() { done(); }
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;

@@ -94,13 +94,18 @@ fs::path result_that_is(const fs::path& folder, const fs::path& file) {
   return {};
 }
 
-RunFolder::RunFolder(fs::path folder, bool goes_on) : folder_(std::move(folder)) {
+RunFolder::RunFolder(fs::path folder, bool goes_on) : folder_(std::move(folder)), goes_on_(goes_on) {
   std::error_code error;
   if (folder_.empty() || !fs::is_directory(folder_, error)) return;
   hold();
+  set_aside();
+}
+
+void RunFolder::set_aside() {
+  if (!held_ || goes_on_) return;
+  std::error_code error;
   for (const char* name : judged_by) {
     const fs::path file = folder_ / name;
-    if (goes_on) break;
     if (!fs::exists(fs::symlink_status(file, error)) || begins_like_a_mesh(file)) continue;
     fs::rename(file, stale(file), error);
     if (error) throw MachineError("cannot rename " + file.string() + ": " + error.message());
@@ -136,8 +141,9 @@ void RunFolder::clear() {
   make_folder(folder_);
   if (!held_) hold();
   renamed_.clear();
-  for (const fs::path& file : result_files(folder_))
-    if (file.filename() != lock_name) remove_file(file);
+  for (const bool is_index : {true, false})  // first, so that none lists what is gone
+    for (const fs::path& file : result_files(folder_))
+      if (file.filename() != lock_name && (file.extension() == ".pvd") == is_index) remove_file(file);
   std::error_code not_empty;
   for (const char* name : collections)
     if (fs::is_directory(folder_ / name, not_empty)) fs::remove(folder_ / name, not_empty);

@@ -20,16 +20,18 @@ std::filesystem::path result_that_is(const std::filesystem::path& folder, const 
 class RunFolder {
  public:
   /// goes_on  whether the run goes on with the results that are there: it holds the folder, and nothing becomes stale.
-  /// Holds a folder that is there, and adds `.stale` to the names of what an older run would be judged by: summary.json
-  /// and history.csv, unless one begins like a mesh, with '<', and so may be an input. A folder that is not there is left
-  /// so; "" is none at all.
+  /// Holds a folder that is there, and calls set_aside(). A folder that is not there is left so; "" is none at all.
   explicit RunFolder(std::filesystem::path folder, bool goes_on = false);
   /// Removes what is stale, and the lock.
   ~RunFolder();
   RunFolder(const RunFolder&) = delete;
   RunFolder& operator=(const RunFolder&) = delete;
 
-  /// Gives back the names of what is stale: for a run that is refused because it would overwrite its inputs.
+  /// Adds `.stale` to the names of what an older run would be judged by: summary.json and history.csv, unless one begins like a mesh, with
+  /// '<', and so may be an input.
+  void set_aside();
+
+  /// Gives back the names of what is stale: to see whether they are inputs, and for a run that is refused because it would overwrite them.
   void restore();
 
   /// Makes and holds the folder if it was not there, and removes all results of an older run. Call it once it is known
@@ -41,7 +43,7 @@ class RunFolder {
 
   std::filesystem::path folder_;
   std::vector<std::filesystem::path> renamed_;  ///< their names as they were
-  bool held_ = false;
+  bool held_ = false, goes_on_ = false;
   int lock_ = -1;  ///< the open run.lock; -1 if there is none, or it could not be locked
 };
 

@@ -9,6 +9,7 @@ import os
 import re
 import resource
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -19,6 +20,7 @@ from pathlib import Path
 
 CASES = Path(__file__).resolve().parent / "cases"
 PATIENCE = 60  # [s] each run takes less than a second
+LITTLE_MEMORY = [(resource.RLIMIT_AS, 1 << 30)]
 
 
 class InAFolder(unittest.TestCase):
@@ -65,8 +67,9 @@ class Inputs(InAFolder):
     """What is no file of ours is refused at once."""
 
     def sparse(self, name):
+        """A file of 15 GB, in a hole of which there is nothing."""
         with open(self.folder / name, "wb") as file:
-            file.truncate(1 << 30)
+            file.truncate(14 << 30)
         return name
 
     def pipe(self, name):
@@ -91,7 +94,21 @@ class Inputs(InAFolder):
         shutil.copy(CASES / "block_from_file.yaml", self.folder)
         for mesh, words in inputs.items():
             with self.subTest(mesh):
-                self.ends(self.run_case("block_from_file.yaml", "--set", f"bodies[0].mesh.path={mesh}"), 2, words)
+                self.ends(self.run_case("block_from_file.yaml", "--set", f"bodies[0].mesh.path={mesh}", limits=LITTLE_MEMORY), 2, words)
+
+    def test_tables(self):
+        inputs = {"/dev/zero": "a device or a pipe", self.pipe("pipe"): "a device or a pipe", "/dev": "a folder",
+                  self.sparse("hole"): "larger than", "none": "No such file"}
+        text = (CASES / "pushed.yaml").read_text(encoding="utf-8")
+        for table, words in inputs.items():
+            with self.subTest(table):
+                (self.folder / "case.yaml").write_text(text.replace("pushed.csv", table), encoding="utf-8")
+                self.ends(self.run_case("case.yaml", limits=LITTLE_MEMORY), 2, words)
+
+    def test_checkpoints(self):
+        self.out.mkdir()
+        self.sparse("out/checkpoint")
+        self.ends(self.run_case(CASES / "block.yaml", "--resume", limits=LITTLE_MEMORY), 2, "no checkpoint")
 
     def test_thousands_of_faults(self):
         text = (CASES / "block.yaml").read_text(encoding="utf-8")
@@ -103,6 +120,53 @@ class Inputs(InAFolder):
             with self.subTest(name):
                 (self.folder / "case.yaml").write_text(one, encoding="utf-8")
                 self.ends(self.run_case("case.yaml"), 2, r"case\.yaml:\d+:\d+: ")
+
+
+class Words(InAFolder):
+    """A run says how and why it ended, and where its energy went."""
+
+    def said(self, *words, driver="scene"):
+        done = subprocess.run([self.drivers / driver, *words], cwd=self.folder, capture_output=True, text=True, timeout=PATIENCE)
+        return done.returncode, done.stdout.splitlines(), done.stderr
+
+    def test_at_the_end(self):
+        status, said, errors = self.said(CASES / "block.yaml", "--out", self.out)
+        self.assertEqual((status, errors), (0, ""))
+        self.assertRegex(said[-2], r"^energy: .* J")
+        self.assertEqual(said[-1], "ended at 0.05 s: reached_end")
+
+    def test_where_physics_stops_it(self):
+        status, said, errors = self.said(CASES / "load_without_root.yaml", "--out", self.out)
+        self.assertEqual(status, 3)
+        self.assertRegex(said[-1], r"^energy: ")
+        self.assertRegex(errors.splitlines()[-1], r"^scene: stopped at \S+ s: not_finite.*: \S")
+
+    def test_without_steps(self):
+        status, said, errors = self.said(CASES.parents[2] / "cases/material_point/cycle.yaml", "--out", self.out, driver="material_point")
+        self.assertEqual((status, errors), (0, ""))
+        self.assertEqual(said[-1], "ended: reached_end")
+
+    def test_a_dry_run_stops_where_the_run_would(self):
+        for flags in (["--dry-run"], ["--dry-run", "--quiet"], ["--out", self.out]):
+            with self.subTest(flags):
+                status, _, errors = self.said(CASES / "block.yaml", "--set", 'initial[0].velocity=["1e200", "0", "0"]', *flags)
+                self.assertEqual(status, 3, errors)
+                self.assertRegex(errors, "not_finite: the kinetic energy that it is given is no finite number")
+
+    def test_the_second_signal(self):
+        words = [self.drivers / "scene", CASES / "block.yaml", "--out", self.out, "--quiet", "--set", "time.end=1e3 s",
+                 "--set", "bodies[0].mesh.cells=[60, 60, 60]"]  # so large that it has not ended before the second one comes
+        run = subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        self.addCleanup(lambda: (run.kill(), run.communicate()))
+        patient_until = time.monotonic() + PATIENCE
+        while not (self.out / "history.csv").is_file() and time.monotonic() < patient_until:
+            time.sleep(0.01)
+        for _ in range(2):
+            run.send_signal(signal.SIGINT)
+            time.sleep(0.02)
+        _, said = run.communicate(timeout=PATIENCE)
+        self.assertEqual(run.returncode, 6, said)
+        self.assertRegex(said, "^scene: (interrupted by a second SIGINT before it could write its last results|stopped at .*)\n$")
 
 
 class Bounds(InAFolder):
@@ -180,7 +244,7 @@ class Machine(InAFolder):
     def test_more_elements_than_memory_holds(self):
         done = self.run_case(CASES / "block.yaml", "--set", "bodies[0].mesh.cells=[400, 400, 400]",
                              limits=[(resource.RLIMIT_AS, 4 << 30)])
-        self.ends(done, 5, "^scene: memory does not suffice: 6.4e\\+07 elements take at least 64 GB, and .* GB are left\n$")
+        self.ends(done, 5, "^scene: memory does not suffice: 6.4e\\+07 elements take at least 83.2 GB, and .* GB are left\n$")
 
     def test_words_that_nobody_takes(self):
         with open("/dev/full", "w", encoding="utf-8") as full:

@@ -89,6 +89,23 @@ class Inputs(InAFolder):
         self.run_to_end(case)
         self.assertEqual(case.read_bytes(), before)
 
+    def test_a_table_among_the_old_results(self):
+        self.copy("pushed.csv")
+        case = self.copy("pushed.yaml")
+        self.run_to_end(case)
+        for name in ("history.csv", "summary.json"):
+            for where, flags in (("pushed.yaml", []), ("out/case.yaml", []), ("pushed.yaml", ["--dry-run"])):
+                with self.subTest(name, where=where, flags=flags):
+                    case = self.folder / where
+                    case.write_text((CASES / "pushed.yaml").read_text(encoding="utf-8").replace("pushed.csv", f"{self.out}/{name}"))
+                    self.assertIn(f"{self.out}/{name}", case.read_text(encoding="utf-8"))
+                    shutil.copy(self.folder / "pushed.csv", self.out / name)
+                    before = self.files()
+                    done = self.run_case(case, *flags)
+                    self.assertEqual(done.returncode, 2)
+                    self.assertIn("would overwrite or clear its own input", done.stderr)
+                    self.assertEqual(self.files(), before)
+
     def test_a_case_called_as_a_result(self):
         for name in ("summary.json", "history.csv", "body.pvd", "body/body_000000.vtu", "run.lock"):
             with self.subTest(name):
@@ -219,8 +236,8 @@ class Shared(InAFolder):
 class BeyondNumbers(InAFolder):
     """Positions that no number holds end a run by a word, with its histories, and never by a signal."""
 
-    def check_stopped(self, name, words):
-        done = self.run_case(CASES / name)
+    def check_stopped(self, name, words, *flags):
+        done = self.run_case(CASES / name, *flags)
         self.assertEqual(done.returncode, 3, done.stderr)
         ending = self.ending()
         self.assertIn(ending["word"], words)
@@ -235,6 +252,12 @@ class BeyondNumbers(InAFolder):
     def test_a_tug_beyond_numbers(self):
         # volumes of places at 1e288 m may be 0 as well as NaN
         self.check_stopped("tug_beyond_numbers.yaml", ["not_finite", "inverted_element"])
+
+    def test_a_rigid_body_that_is_pushed_by_no_number(self):
+        self.check_stopped("load_without_root.yaml", ["not_finite"], "--set", "bodies[1].rigid=true")
+
+    def test_plates_that_are_pushed_by_no_number(self):
+        self.check_stopped("plates_without_root.yaml", ["not_finite"])
 
     def test_a_box_beyond_numbers(self):
         for flags in ([], ["--dry-run"]):

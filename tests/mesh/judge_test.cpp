@@ -135,7 +135,7 @@ TEST(Judge, FindsElementsAtThePlacesOfOthers) {
   const std::vector<Overlay> found = overlays(two);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].regions, (std::array<std::string, 2>{"b", "c"}));
-  EXPECT_EQ(found[0].elements, 4);
+  EXPECT_EQ(found[0].elements, (std::vector<Index>{8, 9, 10, 11}));
   EXPECT_TRUE(overlays(brick()).empty());
 }
 

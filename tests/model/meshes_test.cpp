@@ -144,7 +144,11 @@ TEST(MakeMesh, WarnsOfABodyThatIsLaidOverAnother) {
   scene.bodies[1].name = "copy";
   const MeshWarnings warnings = build(scene).mesh_warnings;
   ASSERT_EQ(warnings.texts.size(), 1U);
-  EXPECT_EQ(warnings.texts[0], "bar: elements of copy are at the places of its own: the same body several times?");
+  EXPECT_EQ(warnings.texts[0].substr(0, 20), "copy: over bar, 2 el") << warnings.texts[0];
+  EXPECT_TRUE(says(warnings.texts[0], ": the same body twice? (a run with --out shows them in offenders.pvd)")) << warnings.texts[0];
+  ASSERT_EQ(warnings.offenders.size(), 1U);
+  EXPECT_EQ(warnings.offenders[0].of, "copy");
+  EXPECT_EQ(warnings.offenders[0].numbers, (std::vector<std::int64_t>{0, 1}));
 }
 
 TEST(MakeMesh, RefusesElementsThatCannotBeMeantAndShowsThem) {

@@ -41,6 +41,7 @@ TEST(Progress, WritesALineNowAndThenWhereThereIsNoTerminal) {
   const std::string text = testing::internal::GetCapturedStderr();
   EXPECT_EQ(text.rfind(" 50.0 %  0.5 of 1 s", 0), 0u) << text;
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1) << text;
+  EXPECT_EQ(Progress::usual_pause, std::chrono::seconds(60));
 }
 
 /// What Progress writes when stderr is a terminal, in how many seconds.
