@@ -61,7 +61,10 @@ driver::Answer answer(const dynamics::Model& model, int lowest, int highest) {
   if (modes.drilling > 0)
     found.notes.push_back(std::to_string(modes.drilling) +
                           " rotations of plate nodes about their normal, which no element resists, are left out");
-  if (!modes.complete) {
+  if (!modes.finite) {
+    found.stopped = "not_finite";
+    found.reason = "stiffness over mass is beyond the largest number";
+  } else if (!modes.complete) {
     found.stopped = "not_converged";
     found.reason = "some of the modes asked for were not found, or one was passed over";
   }

@@ -34,8 +34,6 @@ double address_space_left() {
 
 }  // namespace
 
-bool memory_is_limited() { return address_space_left() < unlimited; }
-
 double memory_left() {
   const double machine = 1024 * number_in("/proc/meminfo", "MemAvailable:");  // given in kB
   double group = number_in("/sys/fs/cgroup/memory.max");

@@ -366,9 +366,14 @@ Pairs lowest_of(const Sparse& A, double highest, int wanted) {
                    [&factors](const Eigen::VectorXd& x) -> Eigen::VectorXd { return factors.solve(x); });
 }
 
+/// What eigenvalues are measured in where squares of them may be no numbers: a power of two, which rounds nothing. [1/s2]
+double unit_of(double size) { return (size > 1e-120 && size < 1e120) || size == 0 ? 1 : std::exp2(std::ilogb(size)); }
+
 /// The first modes of some pairs.
+///
+/// highest  the largest eigenvalue, in `unit` [1/s2] as all of them
 std::vector<Mode> modes_of(const Model& model, const Rows& rows, const Sparse& A, const Sparse& B, const Pairs& pairs, int wanted,
-                           double highest) {
+                           double highest, double unit) {
   std::vector<Mode> modes;
   for (Eigen::Index i = 0; i < std::min<Eigen::Index>(wanted, pairs.values.size()); ++i) {
     const Eigen::VectorXd& q = pairs.vectors.col(i);
@@ -376,7 +381,7 @@ std::vector<Mode> modes_of(const Model& model, const Rows& rows, const Sparse& A
     Eigen::Index most = 0;
     u.head(3 * rows.nodes).cwiseAbs().maxCoeff(&most);
     if (u(most) < 0) u = -u;  // of two signs always the same
-    Mode mode{.frequency = std::sqrt(std::max(pairs.values(i), 0.0)) / (2 * pi),
+    Mode mode{.frequency = std::sqrt(unit * std::max(pairs.values(i), 0.0)) / (2 * pi),
               .residual = (A * q - pairs.values(i) * q).norm() / highest,
               .shape = Eigen::Map<const Vectors>(u.data(), 3, rows.nodes),
               .rotations = Eigen::Map<const Vectors>(u.data() + 3 * rows.nodes, 3, model.inertia.size())};
@@ -409,16 +414,20 @@ Modes find_modes(const Model& model, int lowest, int highest) {
   if (B.cols() == 0) return modes;
   Sparse A = B.transpose() * K * B;
   A.makeCompressed();
+  modes.finite = A.coeffs().isFinite().all();
+  if (!modes.finite) return modes;
+  const double unit = unit_of(A.coeffs().abs().maxCoeff());
+  A /= unit;
 
   const Pairs top = highest_of(A, highest);
   modes.complete = top.complete;
   if (top.values.size() == 0) return modes;
   const double largest = top.values(0);
-  modes.exact_step = 2 / std::sqrt(largest);
-  modes.highest = modes_of(model, rows, A, B, top, highest, largest);
+  modes.exact_step = 2 / std::sqrt(unit * largest);
+  modes.highest = modes_of(model, rows, A, B, top, highest, largest, unit);
   const Pairs bottom = lowest_of(A, largest, lowest);
   modes.complete = modes.complete && bottom.complete;
-  modes.lowest = modes_of(model, rows, A, B, bottom, lowest, largest);
+  modes.lowest = modes_of(model, rows, A, B, bottom, lowest, largest, unit);
   for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(modes.lowest.size()); ++i)
     if (bottom.values(i) <= round_off * largest) ++modes.without_stiffness;
   return modes;

@@ -367,6 +367,10 @@ std::vector<Field> fields_of(vtkDataSetAttributes& attributes) {
 /// The grid in our arrays; where its cells have points that are none, why it cannot be.
 Contents contents_of(vtkUnstructuredGrid& data, std::string& fault) {
   Contents contents;
+  if (data.GetCells() != nullptr && !data.GetCells()->IsValid()) {
+    fault = "its 'offsets' do not ascend to the end of its 'connectivity'";
+    return contents;
+  }
   vtkIdType lost = 0;  // cells with points that are none
   contents.points.resize(3, data.GetNumberOfPoints());
   for (vtkIdType point = 0; point < data.GetNumberOfPoints(); ++point) data.GetPoint(point, contents.points.col(point).data());
@@ -513,8 +517,10 @@ Contents read_vtu(const std::filesystem::path& file, std::string& fault) {
     return writer.bytes();
   };
   // [bytes] what VTK has of the arrays, what we make of them, and that in bytes
-  const OfChild read = in_child(work, {.memory = 1e9 + 4 * size + 40 * unpacked, .seconds = patience});
-  if (read.out_of_memory && memory_is_limited()) throw std::bad_alloc();
+  const double needed = 1e9 + 4 * size + 40 * unpacked;
+  const bool suffices = needed <= memory_left();
+  const OfChild read = in_child(work, {.memory = needed, .seconds = patience});
+  if (read.out_of_memory && !suffices) throw std::bad_alloc();
   if (!read.why.empty()) {
     fault = std::string(unreadable) + " (" + read.why + ")";
     return {};

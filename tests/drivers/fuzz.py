@@ -1,16 +1,23 @@
-"""Damaged cases, meshes and command lines end as they should: with a status that says whose fault it is, and with few words.
+"""Damaged cases, meshes, tables and command lines end as they should: with a status that says whose fault it is, and with few words.
 
     python3 tests/drivers/fuzz.py DRIVERS --seconds 60 --seed 1            DRIVERS: the folder with the programs
     python3 tests/drivers/fuzz.py DRIVERS --seed 1 --only 137              input 137 of that seed again, with what was said
-    python3 tests/drivers/fuzz.py DRIVERS --seconds 3600 --seed 7 --jobs 2 --kinds mesh
+    python3 tests/drivers/fuzz.py DRIVERS --seconds 3600 --seed 7 --jobs 2 --kinds mesh table
+    python3 tests/drivers/fuzz.py DRIVERS --list                           the seeds as they stand, and which of them may run
 
-Seeds are the cases of cases/ and verification/, with the meshes beside them, and small meshes in every form in which a .vtu may be written.
-An input depends on seed and number alone. Each is tried by `--dry-run`; of those that are sound some run a few steps. What is judged:
+Seeds are all cases of cases/, verification/ and tests/drivers/cases/, with the meshes and tables that they name, and small meshes in every
+form in which a .vtu may be written. An input depends on seed and number alone: no clock and no answer of a program has a say in it. Where a
+file belongs there may be a folder, a pipe or a device.
+
+Each input is tried by `--dry-run`. What is sound is run: for twenty steps, or with small counts where a program takes no steps. What is too
+large to run is judged by the number of its elements. What is judged:
 
     the status is 0, 2, 3, 5 or 6; 4 would be a fault of ours, a signal a crash
-    a minute of processor time, 4 GB and 100 kB of words suffice
+    two minutes of processor time, 4 GB and 100 kB of words suffice
     the words of status 2 name a place: file, line and column, a word of the command line, or a file that cannot be read
-    what the dry run accepts, the run accepts
+    status 5 is the machine and nothing else: that so many elements take more memory than is left, or that the system does not take a
+        file. That memory ran out on the way is no such sentence: nobody could tell whose fault that was
+    what the dry run accepts, the run accepts, and it does not stop at its start
 
 A failing input is kept below --keep, with its command line and what it said.
 """
@@ -34,13 +41,15 @@ import zlib
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-PROCESSOR = 60          # [s] of processor time, whatever else the machine does; half a million elements take a third of it
+PROCESSOR = 120         # [s] of processor time, whatever else the machine does; what fits into MEMORY takes half of it
 PATIENCE = 300          # [s] of a program that waits
 MEMORY = 4 << 30        # [bytes]
+MOST_FILE = 100 << 20   # [bytes] of a file that a run writes
 MOST_WORDS = 100_000    # [bytes] on stderr
-QUICK = 1               # [s] a seed that takes longer is left out
+MOST_ELEMENTS = 10_000  # of what is run
+STEPS = 20              # of a run
 STATUSES = {0, 2, 3, 5, 6}
-KINDS = ("case", "mesh", "line")
+KINDS = {"case": 3, "mesh": 3, "table": 1, "line": 2}   # and how often each is tried
 
 WHOLE = ["0", "1", "2", "3", "-1", "7", "2147483647", "2147483648", "4294967296", "1000000000", "9" * 20, "9" * 400, "010", "+5"]
 REAL = ["0", "-0", "-1", "1e-300", "1e-320", "1e300", "1e308", "1e309", "1e200", "1e100", "1e30", "1e-30", "1e-12", "0.1", "1000", "1e6",
@@ -53,18 +62,42 @@ EXPRESSIONS = ["1/0", "0/0", "sqrt(-1)", "t > 1e-6 ? sqrt(-1) : 0", "1e308*1e308
 BLOCKS = ["[" * 10000, "{" * 10000, "&a [*a, *a]", "*nowhere", "<<: *a", "!!float 3", "---", "...", "? a", "- " * 3000, "'", '"', "|", ">",
           "\t", "\0", "\x7f", "\ufeff", "\u2028", "%YAML 9", "#" * 5000, "k" * 20000, "a: " * 3000, "[]", "{}", "null", "~", "yes", "\\"]
 
+WITHOUT_STEPS = {"contact_elements", "material_point", "modes", "penalty_oscillator"}
+
+# What stands in a file's place: a folder, a pipe, or a link to what is named.
+ODD = ["folder", "pipe", "/dev/zero", "/dev/null", "/dev/full", "/proc/self/mem", "/proc/self/exe", "nowhere", "itself"]
+
+
+class Seed:
+    """A case of the tree, its program, and the files that it names: bytes, or a word of ODD."""
+
+    def __init__(self, name, driver, text, files):
+        self.name, self.driver, self.text, self.files = name, driver, text, files
+
+
+def program_of(case, text):
+    """The program that a case is for: it shows by its keys, by its folder, or by what accepts it."""
+    keys = set(re.findall(r"^([a-z_]+):", text, re.M))
+    if "bodies" in keys:
+        return "modes" if "modes" in keys else "scene"
+    if "path" in keys:
+        return "material_point"
+    if case.parent.parent == ROOT / "cases":
+        return case.parent.name
+    accept = (case.parent / "accept.py").read_text(encoding="utf-8")
+    return re.search(r'^DRIVER = "(\w+)"', accept, re.M).group(1)
+
 
 def seeds():
-    """(program, case) of all cases in the tree, in a fixed order."""
+    """All cases of the tree, in a fixed order."""
     found = []
-    for case in sorted((ROOT / "cases").glob("*/*.yaml")):
-        if case.parent.name != "cpp":
-            found.append((case.parent.name, case))
-    for case in sorted((ROOT / "verification").glob("*/*.yaml")):
-        accept = case.parent / "accept.py"
-        driver = re.search(r'^DRIVER = "(\w+)"', accept.read_text(encoding="utf-8"), re.M) if accept.is_file() else None
-        if driver:
-            found.append((driver.group(1), case))
+    for case in sorted(case for folder in ("cases", "verification", "tests/drivers/cases") for case in (ROOT / folder).rglob("*.yaml")):
+        text = case.read_text(encoding="utf-8")
+        beside = [path for path in sorted(case.parent.iterdir()) if path.suffix in (".vtu", ".csv") and path.name in text]
+        files = {path.name: path.read_bytes() for path in beside}
+        if "path: mesh.vtu" in text and not files:   # a test of another script makes it
+            files["mesh.vtu"] = mesh("ascii", "UInt32", False)
+        found.append(Seed(case.relative_to(ROOT).as_posix(), program_of(case, text), text, files))
     return found
 
 
@@ -147,6 +180,20 @@ CASE_OF_MESH = """bodies:
     element: {thickness: 1 mm}
 time: {end: 1 us}
 """
+
+CASE_OF_TABLES = """bodies:
+  - name: bar
+    mesh: {kind: box, low: [0 m, 0 m, 0 m], high: [100 mm, 20 mm, 20 mm], cells: [4, 2, 2]}
+    material: {kind: elastic, density: 7850 kg/m^3, young: 210 GPa, poisson: 0.3}
+initial: [{body: bar, velocity: ['table("place.csv", x)', "0", "0"], unit: m/s}]
+loads:
+  - {name: push, kind: pressure, surface: bar.x_low, value: 'table("time.csv:push", t)', unit: Pa}
+  - {name: pull, kind: force, nodes: bar.x_high, value: ["0", "0", '2 - table("time.csv:pull", 2*t)'], unit: kN}
+time: {end: 50 us}
+"""
+
+TABLES = {"place.csv": b"x [mm], speed [m/s]\n0, -1\n50, 0.5\n100, 2e0\n",
+          "time.csv": b"# of a test\ntime [us], push [MPa], pull [N]\n\n0, 0, 0\n5, 1.5e2, -20\n10, 100, 30\n40, 0, 0\n"}
 
 
 # ------------------------------------------------------------------------------------------------
@@ -292,9 +339,75 @@ def damaged_mesh(rng, data):
     return data
 
 
+def with_cell(rng, line):
+    """A row of a table with a cell changed, taken out or added."""
+    cells = line.split(b",")
+    at = rng.randrange(len(cells))
+    what = rng.randrange(4)
+    if what == 0:
+        del cells[at]
+    elif what == 1:
+        cells.insert(at, rng.choice([b"", b" 7", cells[at]]))
+    elif what == 2:
+        cells[at] = rng.choice(REAL + WHOLE + BLOCKS + EXPRESSIONS[:5]).encode("utf-8", "surrogatepass")
+    else:
+        text = cells[at].decode(errors="replace")
+        if b"[" in line:
+            cells[at] = re.sub(r"\[.*", f"[{rng.choice(UNITS)}" + rng.choice(["]", "]", "]", ""]), text).encode()
+        else:
+            cells[at] = with_number(rng, text).encode()
+    return b",".join(cells)
+
+
+def damaged_table(rng, data):
+    for _ in range(rng.choice([1, 1, 1, 2, 3])):
+        lines = data.split(b"\n")
+        one, other = rng.randrange(len(lines)), rng.randrange(len(lines))
+        what = rng.random()
+        if what < 0.4:     # a cell
+            lines[one] = with_cell(rng, lines[one])
+            data = b"\n".join(lines)
+        elif what < 0.5:   # lines
+            if rng.random() < 0.5:
+                del lines[one]
+            else:
+                lines.insert(other, lines[one])
+            data = b"\n".join(lines)
+        elif what < 0.6:   # cut
+            data = data[:rng.randrange(len(data) + 1)]
+        elif what < 0.75:  # bytes
+            data = bytearray(data)
+            for _ in range(rng.choice([1, 1, 3, 30])):
+                if data:
+                    data[rng.randrange(len(data))] = rng.choice([0, 10, 13, 35, 44, 91, 93, 255, rng.randrange(256)])
+            data = bytes(data)
+        elif what < 0.85:  # another way to write
+            text = data.decode(errors="replace")
+            data = rng.choice([text.encode("utf-16", "replace"), text.encode("utf-8-sig"), text.replace("\n", "\r\n").encode(),
+                               text.replace("\n", "\r").encode(), text.replace(",", ";").encode(), text.replace(",", "\t").encode(),
+                               text.replace(".", ",").encode(), text.upper().encode(), b"", b"\n", b"#", b"\xef\xbb\xbf", lines[0]])
+        elif what < 0.95:  # very long
+            long = rng.choice([b"," * 200_000, b"1" * 200_000, b"0." + b"0" * 200_000 + b"1", b" " * 200_000, b"#" * 200_000,
+                               b"a [m], " * 30_000, b"[" * 100_000, b"x" * 10_000_000, b"\xff" * 100_000, b'"' * 100_000])
+            lines[one] = rng.choice([lines[one] + long, long + lines[one], long])
+            data = b"\n".join(lines)
+        else:              # many lines
+            columns = max(1, lines[0].count(b",")) + 1
+            data = data.rstrip(b"\n") + b"\n" + b"".join(b"%d%s\n" % (1000 + row, b", 1" * (columns - 1)) for row in range(100_000))
+    return data
+
+
+def one_line_values(text):
+    """(path, value) of what stands in sections of one line, as in `time: {end: 1 us}`."""
+    for section in re.finditer(r"^([a-z_]+): \{(.*)\}", text, re.M):
+        for entry in re.finditer(r"(\w+): ([^,{}\[\]'\"]+)", section.group(2)):
+            yield f"{section.group(1)}.{entry.group(1)}", entry.group(2)
+
+
 def damaged_line(rng, text):
     """Words behind a case that is sound."""
     words = []
+    given = list(one_line_values(text)) or [("time.end", "1 us")]
     keys = re.findall(r"^([a-z_]+):", text, re.M) or ["time"]
     paths = [rng.choice(keys), rng.choice(keys) + "[0].name", "time.end", "time.safety", "output.frames_every", "output.history_every",
              "bodies[0].mesh.cells", "bodies[99].name", "bodies[0",
@@ -304,7 +417,10 @@ def damaged_line(rng, text):
     values.append(f"{rng.choice(REAL)} {rng.choice(UNITS)}")
     for _ in range(rng.choice([1, 1, 2, 4, 40])):
         what = rng.random()
-        if what < 0.75:
+        if what < 0.35:
+            path, value = rng.choice(given)
+            words += ["--set", f"{path}={rng.choice([value, value, with_number(rng, value), with_unit(rng, value)])}"]
+        elif what < 0.75:
             words += ["--set", rng.choice(paths) + rng.choice(["=", "=", "=", "= ", "", "=="]) + rng.choice(values)]
         elif what < 0.85:
             words += ["--threads", rng.choice(WHOLE)]
@@ -315,14 +431,34 @@ def damaged_line(rng, text):
     return [word.replace("\0", "") for word in words]
 
 
+WORDS_OF_A_RUN = [[], [], [], [], ["--threads=2"], ["--resume"], ["--checkpoint-every=1e-9 s"], ["--checkpoint-every", "1 us", "--resume"],
+                  ["--accuracy=50%", "--longest=0.001"], ["--accuracy=1e-9%", "--of=nothing", "--longest=0.001"]]
+
+
 # ------------------------------------------------------------------------------------------------
 # Trying and judging
 
 class Input:
-    """One input: its program, the files it needs and the words behind the case."""
+    """One input: its program, its case, the files beside it, the words behind the case, and more words of a run."""
 
-    def __init__(self, driver, files, words=()):
-        self.driver, self.files, self.words = driver, files, list(words)
+    def __init__(self, seed, driver, files, words=(), of_run=()):
+        self.seed, self.driver, self.files, self.words, self.of_run = seed, driver, files, list(words), list(of_run)
+
+    def case(self):
+        return self.files["case.yaml"].decode(errors="replace") if isinstance(self.files["case.yaml"], bytes) else ""
+
+
+def lay_out(folder, files):
+    for name, content in files.items():
+        path = folder / name
+        if isinstance(content, bytes):
+            path.write_bytes(content)
+        elif content == "folder":
+            path.mkdir()
+        elif content == "pipe":
+            os.mkfifo(path)
+        else:
+            path.symlink_to(name if content == "itself" else content)
 
 
 def run(drivers, folder, words, patience=PATIENCE):
@@ -332,6 +468,7 @@ def run(drivers, folder, words, patience=PATIENCE):
     def limited():
         resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
         resource.setrlimit(resource.RLIMIT_CPU, (PROCESSOR, PROCESSOR + 5))
+        resource.setrlimit(resource.RLIMIT_FSIZE, (MOST_FILE, MOST_FILE))
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 
     with tempfile.TemporaryFile() as said, tempfile.TemporaryFile() as shown:
@@ -354,7 +491,17 @@ def run(drivers, folder, words, patience=PATIENCE):
 
 PLACE = re.compile(r"(:\d+:\d+: |^--set .*:\d+: |: a byte in line \d+, column \d+ |--set .*: expected one line|cannot be read: "
                    r"|would overwrite"
-                   r"|lists what may be given|^\w+: there is no checkpoint|^\w+: .*checkpoint)")
+                   r"|lists what may be given|^\w+: there is no checkpoint|^\w+: .*checkpoint|^\w+: \S+ is not reached: )")
+MEMORY_SHORT = re.compile(r"^\w+: memory does not suffice: \S+ elements take at least (\S+) GB, and (\S+) GB are left$")
+FACTORS = re.compile(r"^modes: memory does not suffice: the factors of \S+ freedoms have \S+ entries, which take \S+ GB$")
+FILE_REFUSED = re.compile(r"^\w+: cannot (write|make the folder|remove|rename|clear) .+: (File too large|No space left on device|"
+                          r"Disk quota exceeded|Not a directory|Is a directory|File exists|File name too long|Permission denied)$")
+
+
+def is_of_machine(sentence):
+    """Whether a sentence of status 5 says what the machine lacks."""
+    short = MEMORY_SHORT.match(sentence)
+    return float(short.group(1)) >= float(short.group(2)) if short else bool(FACTORS.match(sentence) or FILE_REFUSED.match(sentence))
 
 
 def judge(status, said, size):
@@ -371,95 +518,168 @@ def judge(status, said, size):
     first = next((line for line in text.split("\n") if not line.startswith("warning: ")), "")
     if status == 2 and not PLACE.search(first):
         return "status 2 without a place"
+    if status == 5 and not is_of_machine(first):
+        return "status 5 without a sentence of the machine"
     return ""
+
+
+def counts_of_cells(text):
+    """All counts of cells in a case, multiplied: about as many as there are elements, or more."""
+    product = 1
+    for found in re.findall(r"\bcells\w*: *(\[[^\]]*\]|[^\s,}]+)", text):
+        for number in re.findall(r"\d+(?:\.\d*)?(?:[eE]\+?\d+)?", found):
+            product *= max(1, float(number))
+    return product
+
+
+def smaller(one, shown):
+    """Settings that make a run of a sound input small; None where it is too large.
+
+    shown  what its dry run told
+    """
+    text = one.case()
+    if one.driver == "contact_elements":
+        return ["elements=50"]
+    if one.driver == "material_point":
+        return [f"path[{segment}].increments=10" for segment in range(len(re.findall(r"\bincrements\b", text)))][:50]
+    if one.driver == "penalty_oscillator":
+        step = re.search(r"^step: (\d+\.?\d*)(?![\w.])", text, re.M)
+        return ["phases=5"] + ([] if step and float(step.group(1)) > 0.01 else ["step=0.1"])
+    if one.driver == "modes":   # which does not tell its elements
+        finer = re.search(r"\b(refine|cells)", " ".join(one.words)) or re.search(r"^refine", text, re.M)
+        return None if finer or counts_of_cells(text) > MOST_ELEMENTS / 5 else ["modes.lowest=3", "modes.highest=1"]
+    step, elements = re.search(rb"^first step (\S+) s", shown, re.M), re.search(rb"^\d+ nodes, (\d+) elements", shown, re.M)
+    if not step or not elements or int(elements.group(1)) > MOST_ELEMENTS:
+        return None
+    return [f"time.end={STEPS * float(step.group(1)):.3g} s"]
+
+
+class Ending:
+    """How a program ended, by which words, and what is wrong with that."""
+
+    def __init__(self, words, ending):
+        self.words = words
+        self.status, self.said, self.seconds, self.size, self.shown = ending
+        self.wrong = judge(self.status, self.said, self.size)
 
 
 class Fuzzer:
     def __init__(self, drivers, seed, kinds, keep):
         self.drivers, self.seed, self.kinds, self.keep = drivers, seed, kinds, keep
-        self.seeds = [(driver, case) for driver, case in seeds() if (drivers / driver).is_file()]
-        self.meshes = meshes()
+        self.seeds, self.meshes = seeds(), meshes()
+        self.with_tables = [one for one in self.seeds if any(name.endswith(".csv") for name in one.files)]
+        self.with_tables.append(Seed("tables", "scene", CASE_OF_TABLES, TABLES))
         self.lock = threading.Lock()
-        self.slow = {}
+        self.tried, self.large = set(), set()   # names of seeds
         self.counts = {kind: collections.Counter() for kind in (*kinds, "run")}
         self.faults = []
 
-    def files_beside(self, case):
-        return {path.name: path.read_bytes() for path in case.parent.glob("*.vtu")}
+    def missing(self):
+        return sorted({one.driver for one in self.seeds if not (self.drivers / one.driver).is_file()})
 
-    def sound(self, number):
-        """Whether a case is a seed: sound, and quick."""
-        with self.lock:
-            known = self.slow.get(number)
-        if known is None:
-            driver, case = self.seeds[number]
-            status, *_ = run(self.drivers, ROOT, [driver, case.relative_to(ROOT).as_posix(), "--dry-run"], QUICK)
-            known = status == 0
-            with self.lock:
-                self.slow[number] = known
-        return known
-
-    def choose(self, rng):
-        for _ in range(100):
-            number = rng.randrange(len(self.seeds))
-            if self.sound(number):
-                return self.seeds[number]
-        raise RuntimeError("no case of the tree is sound and quick")
+    def choose(self, rng, kind):
+        """A seed; now and then of a program that has few."""
+        if kind == "table":
+            return rng.choice(self.with_tables)
+        if rng.random() < 0.7:
+            return rng.choice(self.seeds)
+        driver = rng.choice(sorted({seed.driver for seed in self.seeds}))
+        return rng.choice([seed for seed in self.seeds if seed.driver == driver])
 
     def make(self, kind, rng):
+        odd = rng.choice(ODD) if rng.random() < 0.04 else None
         if kind == "mesh":
-            return Input("scene", {"case.yaml": CASE_OF_MESH.encode(), "mesh.vtu": damaged_mesh(rng, rng.choice(self.meshes))})
-        driver, case = self.choose(rng)
-        text = case.read_text(encoding="utf-8")
-        beside = self.files_beside(case)
+            return Input("", "scene", {"case.yaml": CASE_OF_MESH.encode(), "mesh.vtu": odd or damaged_mesh(rng, rng.choice(self.meshes))})
+        seed = self.choose(rng, kind)
+        files = {"case.yaml": seed.text.encode(), **seed.files}
+        if kind == "table":
+            name = rng.choice(sorted(name for name in files if name.endswith(".csv")))
+            return Input(seed.name, seed.driver, {**files, name: odd or damaged_table(rng, files[name])})
         if kind == "line":
-            return Input(driver, {"case.yaml": text.encode(), **beside}, damaged_line(rng, text))
-        return Input(driver, {"case.yaml": damaged_text(rng, text).encode("utf-8", "surrogatepass"), **beside})
+            return Input(seed.name, seed.driver, files, damaged_line(rng, seed.text), rng.choice(WORDS_OF_A_RUN))
+        damaged = odd or damaged_text(rng, seed.text).encode("utf-8", "surrogatepass")
+        return Input(seed.name, seed.driver, {**files, "case.yaml": damaged})
+
+    def end(self, one, folder, words, kind, talk):
+        given_once = [word for word in words if word not in ("--dry-run", "--quiet") or word not in one.words]
+        words = [one.driver, "case.yaml", *given_once, *one.words]
+        ending = Ending(words, run(self.drivers, folder, words))
+        if kind:
+            with self.lock:
+                self.counts[kind]["hangs" if ending.status is None else ending.status] += 1
+        if talk:
+            print(shlex.join(map(str, words)), f"\nstatus {ending.status} after {ending.seconds:.2f} s, {ending.size} bytes")
+            print(ending.said.decode(errors="backslashreplace"))
+        return ending
+
+    def run_outright(self, one, folder, settings, talk):
+        """The run of an input that is sound; it gets the words of a dry run that is as short, so that nothing excuses a refusal."""
+        settings = [word for setting in settings for word in ("--set", setting)]
+        ending = self.end(one, folder, ["--dry-run", "--quiet", *settings], None, talk)
+        if ending.wrong or ending.status != 0:
+            return ending
+        by_steps = one.driver not in WITHOUT_STEPS
+        given = {word.split("=")[0] for word in one.words}
+        of_run = one.of_run if by_steps and not any(word.split("=")[0] in given for word in one.of_run) else []
+        ending = self.end(one, folder, ["--out", "out", "--quiet", *settings, *of_run], "run", talk)
+        if ending.wrong or any(word.startswith("--accuracy") for word in of_run):   # a target has its own faults
+            return ending
+        if ending.status == 2:
+            ending.wrong = "the run refuses what the dry run accepts"
+        elif ending.status == 3 and b": stopped at 0 s: " in ending.said:
+            ending.wrong = "the run stops at its start, which the dry run did not tell"
+        return ending
 
     def try_one(self, number, talk=False):
         rng = random.Random(f"{self.seed} {number}")
-        kind = rng.choice(self.kinds)
+        kind = rng.choices(list(KINDS), list(KINDS.values()))[0]
+        if kind not in self.kinds:
+            return
         one = self.make(kind, rng)
         folder = Path(tempfile.mkdtemp(prefix="fuzz_"))
         try:
-            for name, data in one.files.items():
-                (folder / name).write_bytes(data)
-            words = [one.driver, "case.yaml", "--dry-run", *one.words]
-            status, said, seconds, size, shown = run(self.drivers, folder, words)
-            wrong = judge(status, said, size)
-            self.count(kind, status)
-            step = re.search(rb"^first step (\S+) s", shown, re.M)
-            if not wrong and status == 0 and step and not one.words and rng.random() < 0.5:
-                words = [one.driver, "case.yaml", "--out", "out", "--quiet", "--set", f"time.end={20 * float(step.group(1)):.3g} s"]
-                status, said, seconds, size, _ = run(self.drivers, folder, words)
-                wrong = judge(status, said, size)
-                if status == 2:
-                    text = said.decode(errors="backslashreplace")
-                    # another end has its own faults: a window that is shorter than two rows, too many rows
-                    of_end = any(words in text for words in ("time.end", "rows of the history", "by the end at"))
-                    wrong = "" if of_end else "the run refuses what the dry run accepts"
-                self.count("run", status)
-            if talk:
-                print(shlex.join(map(str, words)), f"\nstatus {status} after {seconds:.2f} s, {size} bytes")
-                print(said.decode(errors="backslashreplace"))
-            if wrong:
-                self.fault(number, kind, wrong, folder, words, said)
+            lay_out(folder, one.files)
+            ending = self.end(one, folder, ["--dry-run"], kind, talk)
+            no_run = any(re.match(r"--dry-run|--out|--help|-h|--quiet", word) for word in one.words)
+            if not ending.wrong and ending.status == 0 and not no_run:
+                settings = smaller(one, ending.shown)
+                with self.lock:
+                    self.tried.add(one.seed)
+                    if settings is None:
+                        self.large.add(one.seed)
+                if settings is not None:
+                    ending = self.run_outright(one, folder, settings, talk)
+            if ending.wrong:
+                self.fault(number, kind, one, ending)
         finally:
             shutil.rmtree(folder, ignore_errors=True)
 
-    def count(self, kind, status):
-        with self.lock:
-            self.counts[kind]["hangs" if status is None else status] += 1
-
-    def fault(self, number, kind, wrong, folder, words, said):
+    def fault(self, number, kind, one, ending):
         kept = self.keep / f"{self.seed}_{number}"
         shutil.rmtree(kept, ignore_errors=True)
-        shutil.copytree(folder, kept, ignore=shutil.ignore_patterns("out"))
-        (kept / "command.txt").write_text(shlex.join(map(str, words)) + "\n", encoding="utf-8", errors="surrogateescape")
-        (kept / "said.txt").write_bytes(said)
+        kept.mkdir(parents=True)
+        lay_out(kept, one.files)
+        limits = f"ulimit -v {MEMORY >> 10} -t {PROCESSOR} -f {MOST_FILE >> 10}"
+        (kept / "command.txt").write_text(f"{limits}\n{shlex.join(map(str, ending.words))}\n", encoding="utf-8", errors="surrogateescape")
+        (kept / "said.txt").write_bytes(ending.said)
         with self.lock:
-            self.faults.append(f"{kept}: {kind} {number} of seed {self.seed}: {wrong}")
+            self.faults.append(f"{kept}: {kind} {number} of seed {self.seed}: {ending.wrong}")
             print(self.faults[-1], flush=True)
+
+    def list_seeds(self):
+        """The seeds as they stand: how their dry run ends, and what keeps them from running."""
+        large = refused = 0
+        for seed in self.seeds:
+            one = Input(seed.name, seed.driver, {"case.yaml": seed.text.encode(), **seed.files})
+            with tempfile.TemporaryDirectory(prefix="fuzz_") as folder:
+                lay_out(Path(folder), one.files)
+                ending = self.end(one, Path(folder), ["--dry-run"], None, False)
+            sound = ending.status == 0
+            is_large = sound and smaller(one, ending.shown) is None
+            refused, large = refused + (not sound), large + is_large
+            note = f"status {ending.status}: {ending.said.decode(errors='replace').strip()[:150]}" if not sound else ""
+            print(f"{ending.seconds:6.2f} s  {seed.driver:18} {seed.name}  {'too large to run' if is_large else note}", flush=True)
+        print(f"{len(self.seeds)} seeds; {refused} end otherwise than with 0 as they stand, {large} are left out of runs")
 
 
 def main():
@@ -468,11 +688,17 @@ def main():
     parser.add_argument("--seconds", type=float, default=60)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--jobs", type=int, default=1)
-    parser.add_argument("--kinds", nargs="+", choices=KINDS, default=KINDS)
+    parser.add_argument("--kinds", nargs="+", choices=list(KINDS), default=list(KINDS))
     parser.add_argument("--only", type=int, help="number of the input that is tried")
+    parser.add_argument("--list", action="store_true", help="dry runs of the seeds as they stand")
     parser.add_argument("--keep", type=Path, default=ROOT / "out/fuzz", help="folder for inputs that fail")
     options = parser.parse_args()
     fuzzer = Fuzzer(options.drivers, options.seed, tuple(options.kinds), options.keep)
+    if fuzzer.missing():
+        sys.exit(f"in {options.drivers} there is no program " + ", ".join(fuzzer.missing()))
+    if options.list:
+        fuzzer.list_seeds()
+        return 0
     if options.only is not None:
         fuzzer.try_one(options.only, talk=True)
         return 1 if fuzzer.faults else 0
@@ -497,9 +723,12 @@ def main():
         thread.join()
     total = 0
     for kind, counts in fuzzer.counts.items():
-        total += sum(counts.values())
+        total += sum(counts.values()) if kind != "run" else 0
         print(f"{kind}: " + ", ".join(f"{count} of status {status}" for status, count in sorted(counts.items(), key=str)))
-    print(f"{total} inputs of seed {options.seed}, {len(fuzzer.faults)} that end wrongly")
+    sound, large = fuzzer.tried - {""}, sorted(fuzzer.large - {""})
+    print(f"{len(fuzzer.seeds)} seeds, {len(sound)} with sound inputs, {len(large)} too large to run" + (": " if large else "")
+          + ", ".join(large))
+    print(f"{total} inputs of seed {options.seed}, {sum(fuzzer.counts['run'].values())} runs, {len(fuzzer.faults)} that end wrongly")
     return 1 if fuzzer.faults or stopped or total == 0 else 0
 
 

@@ -95,6 +95,24 @@ TEST(Modes, OfAFreeBrickHaveTheHighestInClosedForm) {
       }
 }
 
+TEST(Modes, OfWhatIsBeyondNumbersAreToldAndOfTheLastOnesFound) {
+  const auto modes_of = [](double density, double young) {
+    Model model = box({1, 1, 1}, {3, 3, 3}, {density, young, steel.poisson});
+    finalize(model);
+    return find_modes(model, 8, 2);
+  };
+  const double soft = 1e-280, light = 1e-150;
+  const Modes usual = modes_of(steel.density, steel.young), of_soft = modes_of(steel.density, soft * steel.young);
+  const Modes of_light = modes_of(light * steel.density, steel.young), beyond = modes_of(1e-300, steel.young);
+  for (std::size_t i : {6, 7}) {
+    EXPECT_NEAR(of_soft.lowest.at(i).frequency / std::sqrt(soft) / usual.lowest.at(i).frequency, 1, 1e-9);
+    EXPECT_NEAR(of_light.lowest.at(i).frequency * std::sqrt(light) / usual.lowest.at(i).frequency, 1, 1e-9);
+  }
+  EXPECT_TRUE(usual.finite && of_soft.finite && of_light.finite);
+  EXPECT_FALSE(beyond.finite);
+  EXPECT_TRUE(beyond.lowest.empty() && beyond.highest.empty());
+}
+
 TEST(Modes, HaveASymmetricStiffness) {
   Model ball = solid(mesh::sphere("a", {.radius = 1, .part = mesh::SpherePart::full, .cells_core = 2, .cells_ring = 1}), steel);
   finalize(ball);
