@@ -182,7 +182,7 @@ auto or_show_offenders(const CommandLine& line, const input::CaseFile& file, out
     return work(file);
   } catch (const input::CaseError&) {
     const std::vector<std::string> inputs = file.files();
-    folder.restore();
+    const bool had_results = folder.restore();  // false of a finer mesh of --accuracy: what is there is that of the coarser one
     const bool overwrites_any =
         std::any_of(inputs.begin(), inputs.end(), [&](const auto& input) { return !overwrites(line, input).empty(); });
     if (overwrites_any) {  // it may have been refused because a table that it reads was set aside
@@ -190,7 +190,7 @@ auto or_show_offenders(const CommandLine& line, const input::CaseFile& file, out
       work(again);
       check_inputs(line, again, folder);
     }
-    folder.set_aside();
+    if (had_results) folder.set_aside();
     if (!line.dry_run && !overwrites_any) output::write_offenders(line.out, file.offenders());
     throw;
   }

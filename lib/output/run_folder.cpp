@@ -122,13 +122,15 @@ RunFolder::~RunFolder() {
   ::close(lock_);
 }
 
-void RunFolder::restore() {
+bool RunFolder::restore() {
+  const bool any = !renamed_.empty();
   for (const fs::path& file : renamed_) {
     std::error_code error;
     fs::rename(stale(file), file, error);
     if (error) throw MachineError("cannot rename " + stale(file).string() + ": " + error.message());
   }
   renamed_.clear();
+  return any;
 }
 
 void RunFolder::hold() {

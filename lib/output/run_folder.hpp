@@ -31,8 +31,9 @@ class RunFolder {
   /// '<', and so may be an input.
   void set_aside();
 
-  /// Gives back the names of what is stale: to see whether they are inputs, and for a run that is refused because it would overwrite them.
-  void restore();
+  /// Gives back the names of what is stale, if anything is, and says whether: to see whether they are inputs, and for a run that is refused
+  /// because it would overwrite them.
+  bool restore();
 
   /// Makes and holds the folder if it was not there, and removes all results of an older run. Call it once it is known
   /// that none of them is an input. MachineError where that fails.
