@@ -46,7 +46,7 @@ def taken(node):
         return [taken(one) for one in node]
     if "default" in node:
         return None if node["default"] else Quantity(node["value"], node["unit"])
-    kept = {key: taken(one) for key, one in node.items()}
+    kept = {key: taken(one) for key, one in node.items() if not re.search(r"_file(_\d+)?$", key)}  # these say what a file held
     kept = {key: one for key, one in kept.items() if one is not None and one != {} and one != []}
     for key in ("value", "velocity", "displacement"):  # a text, or three, with its unit beside it
         if "unit" in kept and key in kept:
