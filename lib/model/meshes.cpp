@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
 
 #include "base/check.hpp"
 #include "base/words.hpp"
@@ -203,7 +202,7 @@ mesh::Origin origin_of(const Scene& scene, const mesh::Mesh& all) {
 
 /// Warns of bodies that are laid over each other, element on element, before a run that would find it at its end.
 void warn_of_overlays(const Scene& scene, const mesh::Mesh& all, MeshWarnings& warnings) {
-  constexpr std::size_t most = 8;  // told
+  constexpr std::size_t most = 8;  // told and shown
   std::map<std::array<std::string, 2>, mesh::Finding> over;
   for (const mesh::Overlay& one : mesh::overlays(all)) {
     if (body_of(one.regions[0]) == body_of(one.regions[1])) continue;
@@ -215,11 +214,11 @@ void warn_of_overlays(const Scene& scene, const mesh::Mesh& all, MeshWarnings& w
   const mesh::Origin origin = origin_of(scene, all);
   std::size_t told = 0;
   for (auto& [bodies, found] : over) {
+    if (told++ >= most) continue;
     std::sort(found.elements.begin(), found.elements.end());
     warnings.offenders.push_back(mesh::offenders(bodies[1], all, origin, {found}));
-    if (told++ < most)
-      warnings.texts.push_back(bodies[1] + ": over " + bodies[0] + ", " + mesh::in_words(found, origin) + ": the same body twice? (" +
-                               mesh::where_shown + ")");
+    warnings.texts.push_back(bodies[1] + ": over " + bodies[0] + ", " + mesh::in_words(found, origin) + ": the same body twice? (" +
+                             mesh::where_shown + ")");
   }
   if (told > most) warnings.texts.push_back(counted(told - most, "more pair") + " of bodies that are laid over each other");
 }

@@ -313,11 +313,7 @@ def damaged_mesh(rng, data):
         elif what < 0.55:  # cut
             data = data[:rng.randrange(len(data) + 1)]
         elif what < 0.75:  # bytes
-            data = bytearray(data)
-            for _ in range(rng.choice([1, 1, 3, 30])):
-                if data:
-                    data[rng.randrange(len(data))] = rng.choice([0, 255, 60, 62, 34, 65, rng.randrange(256)])
-            data = bytes(data)
+            data = with_bytes(rng, data, [0, 255, 60, 62, 34, 65])
         elif what < 0.85:  # a number among values
             found = list(re.finditer(rb"(?<=[ \n])-?\d+(\.\d+)?(?=[ \n])", data))
             if found:
@@ -337,6 +333,15 @@ def damaged_mesh(rng, data):
                 at = rng.choice(found).start() + rng.randrange(24)
                 data = data[:at] + rng.choice([b"/", b"A", b"8", b"="]) + data[at + 1:]
     return data
+
+
+def with_bytes(rng, data, likely):
+    """Data with a few bytes changed, more often to what is likely to matter."""
+    data = bytearray(data)
+    for _ in range(rng.choice([1, 1, 3, 30])):
+        if data:
+            data[rng.randrange(len(data))] = rng.choice([*likely, rng.randrange(256)])
+    return bytes(data)
 
 
 def with_cell(rng, line):
@@ -376,11 +381,7 @@ def damaged_table(rng, data):
         elif what < 0.6:   # cut
             data = data[:rng.randrange(len(data) + 1)]
         elif what < 0.75:  # bytes
-            data = bytearray(data)
-            for _ in range(rng.choice([1, 1, 3, 30])):
-                if data:
-                    data[rng.randrange(len(data))] = rng.choice([0, 10, 13, 35, 44, 91, 93, 255, rng.randrange(256)])
-            data = bytes(data)
+            data = with_bytes(rng, data, [0, 10, 13, 35, 44, 91, 93, 255])
         elif what < 0.85:  # another way to write
             text = data.decode(errors="replace")
             data = rng.choice([text.encode("utf-16", "replace"), text.encode("utf-8-sig"), text.replace("\n", "\r\n").encode(),
