@@ -16,6 +16,7 @@
 #include <system_error>
 
 #include "base/check.hpp"
+#include "base/memory.hpp"
 #include "base/parallel.hpp"
 #include "base/words.hpp"
 #include "drivers/accuracy.hpp"
@@ -560,7 +561,8 @@ int from_command_line(int argc, char** argv, const std::string& name, bool meshe
     std::fprintf(stderr, "%s: %s\n", name.c_str(), error.what());
     return machine;
   } catch (const std::bad_alloc&) {
-    std::fprintf(stderr, "%s: memory does not suffice for a case of this size\n", name.c_str());
+    std::fprintf(stderr, "%s: memory does not suffice: up to %.3g GB were in use when more was asked for\n", name.c_str(),
+                 most_resident() / 1e9);
     return machine;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s: this is a fault of the program, not of the case: %s\n", name.c_str(), error.what());

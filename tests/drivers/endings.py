@@ -239,7 +239,7 @@ class Machine(InAFolder):
                 done = self.run_case(CASES / "block.yaml", "--set", "bodies[0].mesh.cells=[40, 40, 40]",
                                      limits=[(resource.RLIMIT_AS, most << 20)])
                 if "error while loading shared libraries" not in done.stderr:
-                    self.ends(done, 5, "^scene: memory does not suffice")
+                    self.ends(done, 5, "^scene: memory does not suffice: ")
 
     def test_more_elements_than_memory_holds(self):
         done = self.run_case(CASES / "block.yaml", "--set", "bodies[0].mesh.cells=[400, 400, 400]",
