@@ -148,6 +148,19 @@ def draw_orders(axes, sizes, errors):
                   linestyle=dashes, label=f"order {order}", zorder=1)
 
 
+def place_legend(axes):
+    """The legend within the axes where it covers no curve and no box; where there is no such place, to their right if it is narrow."""
+    legend = axes.legend(loc="best")
+    axes.figure.canvas.draw()
+    box = legend.get_window_extent().padded(1)
+    drawn = [line.get_path().transformed(line.get_transform()) for line in axes.lines]
+    drawn += [patch.get_path().transformed(patch.get_transform()) for patch in axes.patches]
+    narrow = box.width < 0.45 * axes.figure.bbox.width
+    if narrow and any(path.cleaned(remove_nans=True).intersects_bbox(box, filled=False) for path in drawn):
+        legend.remove()
+        axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+
+
 def interpolated(x, xs, ys):
     """The values at x of the straight lines through (xs, ys)."""
     return np.interp(x, xs, ys)

@@ -31,7 +31,6 @@ def case_figure(one, curves):
     if one.equal:
         upper.set_aspect("equal", adjustable="datalim")
     upper.set_ylabel(one.up)
-    upper.legend(loc="best")
     for number, across, error in errors:
         draw_result(lower, across, error, number + 1)
     if errors:
@@ -39,6 +38,7 @@ def case_figure(one, curves):
         lower.set_ylabel("error [%]")
         picture.align_ylabels()
     lower.set_xlabel(one.across)
+    drawing.place_legend(upper)
     return svg_of(picture)
 
 
@@ -80,5 +80,5 @@ def study_figure(check, along, sizes, errors):
     drawing.draw_curve(axes, sizes, errors, 1, check)
     axes.set_xlabel(f"{along}" if len(str(along)) < 40 else "size")
     axes.set_ylabel("relative error")
-    axes.legend(loc="best")
+    drawing.place_legend(axes)
     return svg_of(picture)

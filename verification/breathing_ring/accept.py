@@ -129,9 +129,9 @@ def strain_over_time(run):
 
 def exact_strain(_):
     return [(label, [1e3 * t for t, _, _ in path[::10]], [100 * e for _, e, _ in path[::10]])
-            for label, path in (("exact", history(SPEED, tangent=PERFECT, **STEEL)),
-                                ("exact", history(SPEED, tangent=PERFECT, **STEEL)), ("exact, hardening", history(SPEED, tangent=HARDENING,
-                                    **STEEL)))]
+            for label, path in (("exact, plates", history(SPEED, tangent=PERFECT, **STEEL)),
+                                ("exact, hexahedra", history(SPEED, tangent=PERFECT, **STEEL)),
+                                ("exact, hardening", history(SPEED, tangent=HARDENING, **STEEL)))]
 
 
 FIGURES = [Figure("strain", "time [ms]", "strain of the hoop [%]", strain_over_time, exact=exact_strain,

@@ -48,12 +48,12 @@ BREAKS = [
 ]
 
 
-LABELS = (("strike", "a block strikes a slab"), ("plates", "a sheet drops on a dish"), ("stack", "a hammer on a stack"))
+LABELS = (("strike", "block on slab"), ("plates", "sheet on dish"), ("stack", "hammer on stack"))
 
 
 def speeds(ours):
     """Speeds of what falls, by the base or by the twin."""
-    return lambda run: [(label if ours else "mirrored", *scenes.curve(run, scene, mirrored, "speed", ours))
+    return lambda run: [(label if ours else "mirrored: " + label, *scenes.curve(run, scene, mirrored, "speed", ours))
                         for scene, label in LABELS]
 
 

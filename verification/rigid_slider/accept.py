@@ -131,14 +131,15 @@ def by_methods(run):
 
 def speeds(run):
     soft, belt = (case_of(case, run) for case in (SOFT, BELT))
-    return [("sticks", run.column("time"), run.column("speed")), ("on an elastic table", soft.column("time"), soft.column("speed")),
+    return [("sticks", run.column("time"), run.column("speed")), ("slides on an elastic table", soft.column("time"), soft.column("speed")),
             ("on a belt", belt.column("time"), belt.column("speed"))]
 
 
 def exact_speeds(_):
     times = [i / 100 for i in range(101)]
     return [(name, times, [rate * t for t in times]) for name, rate in
-            (("sticks", 0), ("slides", acceleration(SLOPE, FRICTION, GRAVITY)), ("on a belt", on_a_belt(4, FRICTION, GRAVITY)))]
+            (("exact, sticks", 0), ("exact, slides", acceleration(SLOPE, FRICTION, GRAVITY)),
+             ("exact, on a belt", on_a_belt(4, FRICTION, GRAVITY)))]
 
 
 STUDIES = [

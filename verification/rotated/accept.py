@@ -59,12 +59,12 @@ BREAKS = [
 ]
 
 
-LABELS = (("strike", "a block strikes a slab"), ("plates", "a sheet drops on a dish"), ("stack", "a hammer on a stack"))
+LABELS = (("strike", "block on slab"), ("plates", "sheet on dish"), ("stack", "hammer on stack"))
 
 
 def plastic(ours):
     """The largest plastic strain over time, by the base or by the twin."""
-    return lambda run: [(label if ours else "turned", *scenes.curve(run, scene, turned, "plastic_strain", ours))
+    return lambda run: [(label if ours else "turned: " + label, *scenes.curve(run, scene, turned, "plastic_strain", ours))
                         for scene, label in LABELS]
 
 
