@@ -43,7 +43,7 @@ double part_of(const std::string& text) {
 std::string run_to_target(const Target& target, const std::vector<int>& known, const RunOnce& run,
                           const std::function<void(const std::string&)>& say, int& status) {
   constexpr std::size_t looks = 1;  // before the second mesh nothing can be said of an error
-  constexpr int bad_case = 2, most_folded = 2;
+  constexpr int bad_case = 2, interrupted = 6, most_folded = 2;
   if (known.empty()) return status = bad_case, "the case has no counts of cells to make finer";
   const std::vector<double> even = even_factors(known);
   std::vector<Level> levels;
@@ -62,6 +62,7 @@ std::string run_to_target(const Target& target, const std::vector<int>& known, c
       results.push_back({"element_updates_in_all", updates, "1"});
     };
     const Ran ran = run(refine, levels.size() < looks, judge);
+    if (ran.status == interrupted) return status = interrupted, "";
     if (ran.status != 0) {  // a coarse mesh may fold, or be refused, where a finer one is not
       status = ran.status;
       if (++stopped > most_folded) return "the runs stopped, the last with refine " + rounded(refine);
@@ -69,6 +70,7 @@ std::string run_to_target(const Target& target, const std::vector<int>& known, c
       continue;
     }
     const output::Result* found = find(ran.results, name);
+    if (found == nullptr && name.empty()) return "no result of the case is a number other than zero";
     if (found == nullptr) return status = bad_case, quote(name) + " is no result of this case; there are " + names_of(ran.results);
     if (!std::isfinite(found->value)) return quote(found->name) + " is no number with refine " + rounded(refine);
     name = found->name;
@@ -86,7 +88,8 @@ std::string run_to_target(const Target& target, const std::vector<int>& known, c
     const double next = next_factor(even, levels, wanted);
     const double seconds = next > 0 ? levels.back().seconds * updates_at(levels, next) / std::max(1.0, levels.back().updates) : 0;
     if (seconds > target.longest)
-      return "the next mesh, refine " + rounded(next) + ", would take about " + rounded(std::ceil(seconds / 60)) + " min";
+      return "the next mesh, refine " + rounded(next) + ", would take about " +
+             (seconds < 60 ? formatted("%.2g s", seconds) : rounded(std::ceil(seconds / 60)) + " min");
     refine = next;
   }
   return "no finer mesh keeps the proportions of the cells";

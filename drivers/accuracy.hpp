@@ -38,7 +38,7 @@ using RunOnce = std::function<Ran(double refine, bool first_look, const Judge&)>
 ///
 /// known    [-] counts of cells of the case, above one
 /// say      takes a line for each mesh
-/// status   exit status of the last run; 2 if the result or the counts are not there
+/// status   exit status of the last run; 2 if the result or the counts are not there; 6, and no text, where a signal ended it
 /// returns  an empty text, or why the target is not met: before a run that is foreseen to take too long
 std::string run_to_target(const Target&, const std::vector<int>& known, const RunOnce&, const std::function<void(const std::string&)>& say,
                           int& status);

@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <csignal>
@@ -158,8 +159,9 @@ void print_not_used(const input::CaseFile& file) {
 
 /// Why a run must not read a file: it would overwrite or clear it. Empty if it would not.
 std::string overwrites(const CommandLine& line, const std::string& file) {
-  const std::filesystem::path result = line.out.empty() ? "" : output::result_that_is(line.out, file);
+  std::filesystem::path result = line.out.empty() ? "" : output::result_that_is(line.out, file);
   if (result.empty()) return "";
+  if (result.extension() == ".stale") result.replace_extension();  // its name before this run
   return "this run would overwrite or clear its own input " + result.string() + "; move that file or choose another --out";
 }
 
@@ -255,7 +257,9 @@ dynamics::Interrupt checkpoints(const std::string& name, const CommandLine& line
     due = std::floor(view.now.t / every) + 1;
     next.time = view.now.t, next.results = recorder.mark(), next.state = dynamics::bytes_of(view.model, view.now);
     write_checkpoint(line.out, next);
-    return signal.empty() ? "" : "by " + signal + "; --resume goes on from here";
+    if (signal.empty()) return "";
+    if (line.accuracy.empty()) return "by " + signal + "; --resume goes on from here";
+    return "by " + signal + "; --resume with --set " + line.overrides.back() + " and without --accuracy goes on from here";
   };
 }
 
@@ -402,7 +406,7 @@ int run_to_accuracy(const std::string& name, const CommandLine& line, output::Ru
     finer.overrides.push_back("refine=" + shortest(refine)), finer.quiet = true;
     try {
       const Ran ran = first_look ? look_at_case(finer, build, results) : run_case(name, finer, folder, build, results, judge);
-      stop_if_interrupted(line.accuracy + " is not reached");
+      if (ran.status != interrupted) stop_if_interrupted(line.accuracy + " is not reached");
       return ran;
     } catch (const input::CaseError&) {
       return Ran{bad_case, {}};
@@ -413,7 +417,8 @@ int run_to_accuracy(const std::string& name, const CommandLine& line, output::Ru
   };
   int status = done;
   const std::string why = run_to_target(target, file.counts_of_cells(), run, say, status);
-  if (why.empty()) return done;
+  if (why.empty()) return status;
+  if (status != bad_case && folder.restore()) folder.clear();  // no run took the place of an older one
   std::fprintf(stderr, "%s: %s is not reached: %s\n", name.c_str(), line.accuracy.c_str(), why.c_str());
   return status == done ? stopped : status;
 }
@@ -518,6 +523,12 @@ int from_command_line(int argc, char** argv, const std::string& name, bool meshe
   const auto is_part = [](const std::string& text) {
     return part_of(text) > 0 ? std::string() : "'" + text + "' is no accuracy: expected as in 2%";
   };
+  const auto is_duration = [](const std::string& text) {
+    double value = 0;
+    const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
+    const bool whole = read.ec == std::errc{} && read.ptr == text.data() + text.size();
+    return whole && value > 0 && std::isfinite(value) ? std::string() : "'" + text + "' is no number of minutes above zero";
+  };
   if (meshes) {
     const auto is_time = [](const std::string& text) {
       return time_of(text) > 0 ? std::string() : "'" + text + "' is no time: expected as in '1 ms'";
@@ -528,7 +539,7 @@ int from_command_line(int argc, char** argv, const std::string& name, bool meshe
                               ->check(is_part)->excludes("--dry-run")->excludes("--checkpoint-every")->excludes(resume);
     app.add_option("--of", line.of, "the result that is meant; the first without it")->needs(accuracy);
     app.add_option("--longest", line.longest, "minutes that a run may take to get there, as foreseen")->needs(accuracy)
-        ->check(CLI::PositiveNumber)->capture_default_str();
+        ->check(is_duration)->capture_default_str();
   }
   try {
     app.parse(argc, argv);

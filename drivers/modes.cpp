@@ -63,7 +63,7 @@ driver::Answer answer(const dynamics::Model& model, int lowest, int highest) {
                           " rotations of plate nodes about their normal, which no element resists, are left out");
   if (!modes.finite) {
     found.stopped = "not_finite";
-    found.reason = "stiffness over mass is beyond the largest number";
+    found.reason = "stiffness, or stiffness over mass, is beyond what numbers hold";
   } else if (!modes.complete) {
     found.stopped = "not_converged";
     found.reason = "some of the modes asked for were not found, or one was passed over";

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <map>
 
 #include "base/archive.hpp"
 #include "base/check.hpp"
@@ -30,7 +31,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view head = "Nereid checkpoint ";  // then the version, and the end of the line
-constexpr int version = 3;
+constexpr int version = 4;
 
 fs::path file_in(const fs::path& folder) { return folder / "checkpoint"; }
 
@@ -61,11 +62,18 @@ struct Text {
   std::string operator()(const std::vector<std::string>& values) const { return "[" + joined(values) + "]"; }
 };
 
-/// Why a case is not that of a checkpoint: the first line that differs.
+/// Why a case is not that of a checkpoint: the first key of which it says something else, or nothing.
 std::string difference(const std::vector<std::string>& then, const std::vector<std::string>& now) {
-  const auto [there, here] = std::mismatch(then.begin(), then.end(), now.begin(), now.end());
-  return (there == then.end() ? "it has nothing of this" : "it says '" + *there + "'") + ", and " +
-         (here == now.end() ? "this case has nothing of it" : "this case '" + *here + "'");
+  const auto key = [](const std::string& line) { return line.substr(0, line.find(" = ")); };
+  std::map<std::string, std::string> left;
+  for (const std::string& line : now) left.emplace(key(line), line);
+  for (const std::string& line : then) {
+    const auto here = left.find(key(line));
+    if (here == left.end()) return "it says '" + line + "', and this case has nothing of it";
+    if (here->second != line) return "it says '" + line + "', and this case '" + here->second + "'";
+    left.erase(here);
+  }
+  return left.empty() ? "its values have another order" : "it has nothing of this, and this case '" + left.begin()->second + "'";
 }
 
 }  // namespace
@@ -100,9 +108,9 @@ std::optional<Checkpoint> read_checkpoint(const fs::path& folder) {
   if (!stream.good() && !stream.eof()) throw refuse("it cannot be read");
   const std::string mine = std::to_string(version) + "\n";
   if (bytes.compare(head.size(), mine.size(), mine) != 0) {
-    const std::size_t end = bytes.find('\n');
-    throw refuse("it is of version '" + bytes.substr(head.size(), std::min<std::size_t>(end - head.size(), 20)) +
-              "', and this program reads version " + std::to_string(version));
+    const std::string other = bytes.substr(head.size(), std::min<std::size_t>(bytes.find('\n') - head.size(), 20));
+    throw refuse("it is of " + (find_unprintable(other) == std::string::npos ? "version '" + other + "'" : "another version") +
+                 ", and this program reads version " + std::to_string(version));
   }
   try {
     Reader file(std::string_view(bytes).substr(head.size() + mine.size()));

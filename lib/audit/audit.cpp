@@ -273,10 +273,12 @@ bool apart(const Placed& a, const Placed& b) {
 
 /// Notes in the memory what was found of two surfaces, or that they are apart.
 void remember(std::array<Index, 2> pair, const Found& found, double allowed, double t, Memory& memory) {
-  const auto at = std::find_if(memory.overlaps.begin(), memory.overlaps.end(), [&](const Overlap& o) { return o.surface == pair; });
-  const bool overlaps = found.worst.depth > 0;
-  if (at == memory.overlaps.end() && !overlaps) return;
-  Overlap& overlap = at == memory.overlaps.end() ? memory.overlaps.emplace_back() : *at;
+  auto at = std::lower_bound(memory.overlaps.begin(), memory.overlaps.end(), pair,
+                             [](const Overlap& one, const std::array<Index, 2>& other) { return one.surface < other; });
+  const bool overlaps = found.worst.depth > 0, known = at != memory.overlaps.end() && at->surface == pair;
+  if (!known && !overlaps) return;
+  if (!known) at = memory.overlaps.insert(at, Overlap{});
+  Overlap& overlap = *at;
   overlap.surface = pair, overlap.allowed = allowed;
   if (!overlaps) overlap.accepted = 0;
   if (memory.looks == 0) overlap.at_start = overlap.accepted = found.deepest;

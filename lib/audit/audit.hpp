@@ -50,7 +50,7 @@ struct Overlap {
 
 /// What a restart needs of the audit.
 struct Memory {
-  std::vector<Overlap> overlaps;  ///< in the order in which they were found
+  std::vector<Overlap> overlaps;  ///< in the order of their surfaces
   std::int64_t looks = 0;
 };
 

@@ -3,8 +3,12 @@
 #include <algorithm>
 #include <atomic>
 #include <memory>
+#include <string>
+#include <system_error>
 #include <thread>
 #include <vector>
+
+#include "base/check.hpp"
 
 namespace nereid {
 
@@ -27,14 +31,16 @@ void wait_while(const std::atomic<Word>& word, Word old) {
 class Team {
  public:
   explicit Team(int size) : size_(size) {
-    for (int t = 1; t < size; ++t) workers_.emplace_back([this, t] { work(t); });
+    workers_.reserve(static_cast<std::size_t>(size));  // so that nothing but a thread can be missing
+    try {
+      for (int t = 1; t < size; ++t) workers_.emplace_back([this, t] { work(t); });
+    } catch (const std::system_error& error) {
+      send_away();
+      throw MachineError("cannot start " + std::to_string(size) + " threads: " + error.code().message());
+    }
   }
 
-  ~Team() {
-    range_ = nullptr;
-    call();
-    for (std::thread& worker : workers_) worker.join();
-  }
+  ~Team() { send_away(); }
 
   Team(const Team&) = delete;
   Team& operator=(const Team&) = delete;
@@ -51,6 +57,12 @@ class Team {
   }
 
  private:
+  void send_away() {
+    range_ = nullptr;
+    call();
+    for (std::thread& worker : workers_) worker.join();
+  }
+
   void call() {
     calls_.fetch_add(1, std::memory_order_release);
     calls_.notify_all();
@@ -79,22 +91,29 @@ class Team {
   std::vector<std::thread> workers_;
 };
 
-std::unique_ptr<Team>& team() {
-  static auto the_team = std::make_unique<Team>(static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
-  return the_team;
+std::unique_ptr<Team>& the_team() {
+  static std::unique_ptr<Team> team;
+  return team;
+}
+
+Team& team() {
+  if (!the_team()) the_team() = std::make_unique<Team>(static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
+  return *the_team();
 }
 
 }  // namespace
 
 void use_threads(int count) {
-  if (team()->size() != count) team() = std::make_unique<Team>(std::max(1, count));
+  if (the_team() && the_team()->size() == count) return;
+  the_team().reset();
+  the_team() = std::make_unique<Team>(std::max(1, count));
 }
 
-int threads() { return team()->size(); }
+int threads() { return team().size(); }
 
 void share_loop(Index count, void (*range)(void*, Index, Index), void* context) {
-  if (team()->size() == 1) return range(context, 0, count);
-  team()->run(count, range, context);
+  if (team().size() == 1) return range(context, 0, count);
+  team().run(count, range, context);
 }
 
 }  // namespace nereid

@@ -223,8 +223,10 @@ namespace dynamics {
 
 template <class Archive>
 void visit(Archive& archive, RelaxationMemory& memory) {
-  auto& [removed, impulse, angular_impulse, residual, most_force, most_kinetic, balanced, since, x, rotated, force, moment, omega] = memory;
-  archive(removed, impulse, angular_impulse, residual, most_force, most_kinetic, balanced, since, x, rotated, force, moment, omega);
+  auto& [removed, impulse, angular_impulse, residual, kinetic, most_force, most_kinetic, balanced, since, x, rotated, force, moment,
+         omega] = memory;
+  archive(removed, impulse, angular_impulse, residual, kinetic, most_force, most_kinetic, balanced, since, x, rotated, force, moment,
+          omega);
 }
 
 template <class Archive>

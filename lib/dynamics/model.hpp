@@ -93,6 +93,7 @@ struct RelaxationMemory {
   Vec3 impulse = Vec3::Zero();              ///< [N s] given to the nodes
   Vec3 angular_impulse = Vec3::Zero();      ///< [N m s] about the origin
   double residual = 1;                      ///< [-] unbalanced over all forces, at the last sample
+  double kinetic = 0;                       ///< [J] of displacements, at the last step
   double most_force = 0, most_kinetic = 0;  ///< largest so far: [N/kg^(1/2)], [J]
   int balanced = 0;                         ///< samples in a row
   /// The reference from which the frequency is taken: time, positions, rotations since then, forces and moments that resist.

@@ -414,7 +414,9 @@ Modes find_modes(const Model& model, int lowest, int highest) {
   if (B.cols() == 0) return modes;
   Sparse A = B.transpose() * K * B;
   A.makeCompressed();
-  modes.finite = A.coeffs().isFinite().all();
+  constexpr double least = std::numeric_limits<double>::min() / std::numeric_limits<double>::epsilon();
+  const double stiffest = K.coeffs().abs().maxCoeff();
+  modes.finite = A.coeffs().isFinite().all() && (stiffest == 0 || stiffest > least);
   if (!modes.finite) return modes;
   const double unit = unit_of(A.coeffs().abs().maxCoeff());
   A /= unit;

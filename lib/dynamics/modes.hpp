@@ -29,7 +29,7 @@ struct Modes {
   double voted_step = 0;      ///< [s] that the elements and springs ask for at the start of a run
   std::int64_t freedoms = 0;  ///< displacements and rotations that were free to move
   std::int64_t drilling = 0;  ///< rotations that no element resists, about the normal of a flat plate: left out
-  bool finite = true;         ///< else stiffness over mass is beyond the largest number, and there are no modes
+  bool finite = true;         ///< else stiffness or stiffness over mass is beyond what numbers hold, and there are no modes
   bool complete = true;       ///< as many as were asked for were found, and Sturm's count says that none was passed over
 };
 

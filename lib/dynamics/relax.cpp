@@ -124,7 +124,7 @@ double unbalanced(const Model& model, const State& now, const Forces& f) {
 
 void begin_relaxation(const Model& model, State& now, Forces& f) {
   RelaxationMemory& memory = now.relaxation;
-  memory.residual = 1, memory.most_force = memory.most_kinetic = 0, memory.balanced = 0;
+  memory.residual = 1, memory.kinetic = memory.most_force = memory.most_kinetic = 0, memory.balanced = 0;
   find_resistance(model, now, f);
   take_as_reference(now, f);
   memory.omega = now.omega;
@@ -135,7 +135,7 @@ bool relax(const Model& model, State& now, Forces& f) {
   find_resistance(model, now, f);
   memory.rotated += 0.5 * now.dt * (memory.omega + now.omega);
   const double omega = now.step > 1 ? frequency(model, now, f) : 0;  // the first step has nothing before it
-  const double kinetic = damp(model, std::exp(-2 * omega * now.dt), now);
+  const double kinetic = memory.kinetic = damp(model, std::exp(-2 * omega * now.dt), now);
   memory.omega = now.omega;
   if (omega * (now.t - memory.since) >= 1 || omega == 0) take_as_reference(now, f);  // a radian is enough to know a frequency
   memory.most_kinetic = std::max(memory.most_kinetic, kinetic);

@@ -91,6 +91,11 @@ bool stop(const Model& model, const State& now, const Step& next, const Time& ti
 /// Stops the run where a source has created or lost too much of the energy of the scene: the ledger must be current.
 bool too_much_of_the_scene(const Model& model, const Ledger& ledger, double limit, Outcome& outcome) {
   const double scale = energy_scale(ledger);
+  if (!std::isfinite(energy_residual(ledger))) {  // as squares of forces beyond 1e154 N
+    outcome.ending = Ending::not_finite;
+    outcome.reason = "the energy that time integration makes, or the kinetic energy, is no finite number";
+    return true;
+  }
   for (std::size_t a = 0; a < ledger.accounts.size(); ++a) {
     const double excess = created(ledger.accounts[a]);
     if (!std::isnan(excess) && !(scale > 0 && std::abs(excess) > limit * scale)) continue;
@@ -124,6 +129,15 @@ bool overlap_too_much(const Model& model, const State& now, const Forces& forces
                    (joined ? "" : ", without a contact between them") + formatted("; the limit is %.3g of an element", limit);
   outcome.block = surfaces.names[static_cast<std::size_t>(most.worst.region[0])];
   return true;
+}
+
+/// Why a run that relaxes has not come to its end.
+std::string unrest(const Relaxation& wanted, const RelaxationMemory& found) {
+  if (found.residual > wanted.residual) return formatted("the residual is %.3g; the limit is %.3g", found.residual, wanted.residual);
+  if (const double moving = found.kinetic / found.most_kinetic; moving > wanted.residual)
+    return formatted("the forces balance, but it moves, with %.3g of its largest kinetic energy; the limit is %.3g", moving,
+                     wanted.residual);
+  return formatted("it was balanced for %d samples in a row; %d are wanted", found.balanced, wanted.samples);
 }
 
 /// Stops the run where a corner of an element has inverted.
@@ -250,7 +264,7 @@ Outcome run(const Model& model, State& now, Forces& forces, const Time& time, do
   }
   if (model.relaxation && model.relaxes && outcome.ending == Ending::reached_end) {
     outcome.ending = Ending::not_relaxed;
-    outcome.reason = formatted("not relaxed: residual %.3g, the limit is %.3g", now.relaxation.residual, model.relaxation->residual);
+    outcome.reason = unrest(*model.relaxation, now.relaxation);
   }
   if (!progress.ledger_is_current) {
     update_ledger(model, now);

@@ -26,11 +26,14 @@ FacesOfSolids::FacesOfSolids(const std::vector<std::array<Index, 8>>& hexahedra)
   for (const auto& nodes : hexahedra)
     for (const auto& at : mesh::corners_of_faces) {
       std::array<Index, 4> face{nodes[at[0]], nodes[at[1]], nodes[at[2]], nodes[at[3]]};
+      const auto lowest = std::min_element(face.begin(), face.end());
+      const Index across = face[static_cast<std::size_t>((lowest - face.begin() + 2) % 4)];
       std::sort(face.begin(), face.end());
       const auto end = std::unique(face.begin(), face.end());  // two corners in one at the axis of a sector
       if (end - face.begin() < 3) continue;
       std::fill(end, face.end(), -1);
-      each_triple(face, [&](const Corners& one) { triples_.push_back({one, face}); });
+      const int opposite = face[3] < 0 ? 0 : static_cast<int>(std::find(face.begin(), face.end(), across) - face.begin());
+      each_triple(face, [&](const Corners& one) { triples_.push_back({one, face, opposite}); });
     }
   std::sort(triples_.begin(), triples_.end());
   triples_.erase(std::unique(triples_.begin(), triples_.end()), triples_.end());
@@ -39,6 +42,28 @@ FacesOfSolids::FacesOfSolids(const std::vector<std::array<Index, 8>>& hexahedra)
 bool FacesOfSolids::has(const Corners& one) const {
   const auto at = std::lower_bound(triples_.begin(), triples_.end(), first_of(one));
   return at != triples_.end() && at->corners == one;
+}
+
+bool FacesOfSolids::is_covered(const Corners& one, const std::set<Corners>& part) const {
+  for (auto at = std::lower_bound(triples_.begin(), triples_.end(), first_of(one)); at != triples_.end() && at->corners == one; ++at) {
+    const auto& face = at->face;
+    if (face[3] < 0) return true;
+    const auto place = [&](Index node) { return std::find(face.begin(), face.end(), node) - face.begin(); };
+    const auto left_out = 6 - place(one[0]) - place(one[1]) - place(one[2]);  // of the places 0 + 1 + 2 + 3
+    const std::array<int, 2> first{0, at->opposite};
+    std::array<int, 2> second{-1, -1};
+    for (int i = 1, to = 0; i < 4; ++i)
+      if (i != at->opposite) second[static_cast<std::size_t>(to++)] = i;
+    const auto across = [&](const std::array<int, 2>& diagonal) {
+      return diagonal[0] == left_out ? diagonal[1] : diagonal[1] == left_out ? diagonal[0] : -1;
+    };
+    const int other = std::max(across(first), across(second));
+    Corners rest{};
+    for (int i = 0, to = 0; i < 4; ++i)
+      if (i != other) rest[static_cast<std::size_t>(to++)] = face[static_cast<std::size_t>(i)];
+    if (part.count(rest) > 0) return true;
+  }
+  return false;
 }
 
 void FacesOfSolids::add_to(Boundary& boundary, const Corners& one) const {

@@ -26,6 +26,9 @@ class FacesOfSolids {
  public:
   explicit FacesOfSolids(const std::vector<std::array<Index, 8>>& hexahedra);
   bool has(const Corners&) const;
+  /// Whether a triangle and others of a part cover a face that has its corners: alone a face of three corners, with the triangle on the
+  /// other side of a diagonal a face of four.
+  bool is_covered(const Corners&, const std::set<Corners>& part) const;
   /// Adds all triples of the faces that have these corners.
   void add_to(Boundary&, const Corners&) const;
 
@@ -33,9 +36,10 @@ class FacesOfSolids {
   struct Triple {
     Corners corners;
     std::array<Index, 4> face;  ///< its nodes in ascending order, the fourth -1 of three
+    int opposite;               ///< place of the node across the diagonal from the first; 0 of three
     friend auto operator<=>(const Triple&, const Triple&) = default;
   };
-  static Triple first_of(const Corners& one) { return {one, {-1, -1, -1, -1}}; }
+  static Triple first_of(const Corners& one) { return {one, {-1, -1, -1, -1}, 0}; }
   std::vector<Triple> triples_;  // in order
 };
 

@@ -92,6 +92,11 @@ mesh::Cut cut_of(const Vectors& X, const std::array<Index, 4>& at) {
 /// Cells by region and kind; -1 stands for the one region of a file without regions.
 std::map<int, Part> parts(const Contents& file, const std::string& region_array, std::vector<std::string>& faults) {
   const Field* region = array_called(file.cell_fields, region_array);
+  if (region == nullptr && region_array != usual_region_array) {
+    std::vector<std::string> there;
+    for (const Field& field : file.cell_fields) there.push_back("'" + field.name + "'");
+    faults.push_back("it has no cell array '" + region_array + "'" + (there.empty() ? "" : "; there are " + listed(there)));
+  }
   if (region != nullptr && region->values.size() > 0 &&
       !(whole(*region) && region->values.minCoeff() >= 0 && region->values.maxCoeff() <= 1e9)) {
     faults.push_back("its cell array '" + region_array + "' does not hold one whole number, 0 or above, a cell");
@@ -143,14 +148,19 @@ std::vector<Boundary> take_boundaries(std::map<int, Part>& parts, std::vector<st
   for (const auto& [number, part] : parts) hexahedra.insert(hexahedra.end(), part.hexahedra.begin(), part.hexahedra.end());
   const FacesOfSolids faces(hexahedra);
   std::vector<Boundary> boundaries;
+  Wrong half;
   for (auto& [number, part] : parts) {
     const Table<3> triangles = part.triangles.table();
+    std::set<Corners> marked;
+    for (const auto& t : triangles.colwise()) marked.insert(corners(t(0), t(1), t(2)));
     Boundary boundary{number < 0 ? "boundary" : "boundary_" + std::to_string(number), {}};
     std::int64_t on = 0;
-    for (const auto& t : triangles.colwise()) {
-      const Corners one = corners(t(0), t(1), t(2));
+    for (Eigen::Index i = 0; i < triangles.cols(); ++i) {
+      const Corners one = corners(triangles(0, i), triangles(1, i), triangles(2, i));
       if (!faces.has(one)) continue;
       ++on;
+      const std::int64_t cell = part.cell_of_triangle[static_cast<std::size_t>(i)];
+      if (!faces.is_covered(one, marked) && (half.cells.empty() || half.cells.back() != cell)) half.cells.push_back(cell);
       faces.add_to(boundary, one);
     }
     if (on == 0) continue;
@@ -164,6 +174,8 @@ std::vector<Boundary> take_boundaries(std::map<int, Part>& parts, std::vector<st
     part.cell_of_triangle.clear();
     boundaries.push_back(std::move(boundary));
   }
+  half.tell(" of its triangles and quadrilaterals, with those of the same number, cover a part of a face of a hexahedron only: cells ",
+            faults);
   return boundaries;
 }
 

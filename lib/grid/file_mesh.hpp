@@ -21,6 +21,9 @@ struct FileMesh {
 /// What cells with three or four corners are where they lie on faces of hexahedra.
 enum class BoundaryCells { surfaces, plates };
 
+/// The cell array that may be missing: then a file has one region.
+inline constexpr const char* usual_region_array = "region";
+
 /// Makes a mesh of what a file holds: hexahedra, triangles, and quadrilaterals cut in two from first to third corner, or from second to
 /// fourth where only that cut lies inside.
 ///
@@ -37,7 +40,7 @@ enum class BoundaryCells { surfaces, plates };
 /// says, whatever their numbers. Faults are other kinds of cells, by name and number; elements that mesh::judge() refuses;
 /// points that are no numbers; regions that are no whole numbers from 0 on, hold both solids and plates or both plates and a boundary, or
 /// whose cells lie at the places of faces of hexahedra without their nodes; names that are given twice.
-FileMesh file_mesh(const std::string& name, const Contents&, const std::string& region_array = "region",
+FileMesh file_mesh(const std::string& name, const Contents&, const std::string& region_array = usual_region_array,
                    BoundaryCells = BoundaryCells::surfaces);
 
 }  // namespace nereid::grid

@@ -140,7 +140,7 @@ model::MeshOptions read_mesh_options(const Section& section, mesh::Origin* origi
     section.fault_between({"inner_radius", "radius"}, "'inner_radius' must be below 'radius'");
 
   const Section if_file = section.when(is("file"));
-  const std::string path = if_file.word("path"), region_array = if_file.word_or("region_array", "region");
+  const std::string path = if_file.word("path"), region_array = if_file.word_or("region_array", grid::usual_region_array);
   const grid::BoundaryCells boundary_cells = if_file.choice_or("boundary_cells", "surfaces", {"surfaces", "plates"}) == "plates"
                                                  ? grid::BoundaryCells::plates
                                                  : grid::BoundaryCells::surfaces;

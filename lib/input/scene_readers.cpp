@@ -239,6 +239,7 @@ model::Scene read_scene(const Section& root, bool runs) {
   }
   read_actions(root, runs, scene);
   scene.stages = read_stages(run);
+  if (has_stages && scene.stages.empty() && run.sound()) run.fault("stages", "'stages' has none: leave it out, or give one");
   for (const model::Stage& stage : scene.stages) scene.time.end += stage.duration;
   const auto check_names = [&taken](const std::vector<Section>& sections) {
     for (const Section& section : sections) check_name(section, section.word("name"), taken, sources);

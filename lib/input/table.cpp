@@ -83,6 +83,9 @@ std::optional<double> number(std::string_view text) {
 std::variant<Table, std::string> parse_table(std::string_view text, std::string_view column) {
   constexpr std::string_view mark = "\xef\xbb\xbf";  // of UTF-8, which spreadsheets write
   if (text.substr(0, mark.size()) == mark) text.remove_prefix(mark.size());
+  if (const std::size_t at = find_unprintable(text); at != std::string_view::npos)
+    return "line " + std::to_string(1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n')) +
+           ": it has a byte that is neither UTF-8 nor printable";
   Table table;
   std::vector<Column> columns;
   std::size_t of_values = 0;

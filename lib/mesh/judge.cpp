@@ -16,6 +16,7 @@ namespace {
 constexpr double flat = 1e-9;          // [-] of the edges of a corner or the side of a triangle: no volume, no area
 constexpr double digits = 1e6;         // [-] of an edge over the round-off of its coordinates
 constexpr double near = 1e-5;          // [-] of an edge: nodes that near are at one place
+constexpr double folded = 1e-6;        // [rad] between two triangles at an edge: they lie on each other
 constexpr std::size_t most_named = 8;  // enough to find elements, few enough for a line
 
 /// The nodes at the other ends of the three edges of each corner, right-handed.
@@ -353,6 +354,49 @@ void join_triangles(const Elements& all, const std::vector<SolidFace>& faces, Jo
   });
 }
 
+/// Triangles that lie on each other at an edge, and the only two at an edge that run along it in the same direction.
+void look_at_edges(const Mesh& mesh, const Elements& all, const std::vector<char>& is_copy, Found& found) {
+  struct End {
+    std::array<Index, 2> key;
+    Index element;
+    int at;  // the side from this corner to the next
+    double angle = 0;
+    bool operator<(const End& other) const { return key != other.key ? key < other.key : element < other.element; }
+  };
+  std::vector<End> sides;
+  const std::vector<char> is_flat = found.which(Flaw::no_area, all.count()), is_folded = found.which(Flaw::folded, all.count());
+  for (Index e = all.solids(); e < all.count(); ++e) {
+    const Index* t = all.nodes(e);
+    const auto here = static_cast<std::size_t>(e);
+    if (is_copy[here] || is_flat[here] || is_folded[here]) continue;  // nothing else is said of these
+    for (int i = 0; i < 3; ++i) sides.push_back({{std::min(t[i], t[(i + 1) % 3]), std::max(t[i], t[(i + 1) % 3])}, e, i});
+  }
+  std::sort(sides.begin(), sides.end());
+  std::vector<End> turning;
+  groups(sides, same_key, [&](auto begin, auto end) {
+    const auto start = [&](const End& one) { return all.nodes(one.element)[one.at]; };
+    if (end - begin == 2 && start(*begin) == start(*(begin + 1)))
+      found.add(Flaw::opposed, begin->element), found.add(Flaw::opposed, (begin + 1)->element);
+    // angles about the edge, from the first triangle on: those of triangles that lie on each other are one, also across a whole turn
+    const Vec3 from = mesh.X.col(begin->key[0]), along = (mesh.X.col(begin->key[1]) - from).normalized();
+    const auto across = [&](const End& one) {
+      const Vec3 to = mesh.X.col(all.nodes(one.element)[(one.at + 2) % 3]) - from;
+      return Vec3(to - to.dot(along) * along);
+    };
+    const Vec3 first = across(*begin), second = along.cross(first);
+    turning.assign(begin, end);
+    for (End& one : turning) one.angle = std::atan2(across(one).dot(second), across(one).dot(first));
+    std::sort(turning.begin(), turning.end(), [](const End& a, const End& b) { return a.angle < b.angle; });
+    constexpr double whole_turn = 6.283185307179586;
+    for (std::size_t one = 0; one < turning.size(); ++one) {
+      const bool is_last = one + 1 == turning.size();
+      const End& next = turning[is_last ? 0 : one + 1];
+      if (next.angle + (is_last ? whole_turn : 0) - turning[one].angle < folded)
+        found.add(Flaw::flat_fold, turning[one].element), found.add(Flaw::flat_fold, next.element);
+    }
+  });
+}
+
 void look_at_joints(const Mesh& mesh, const Elements& all, const std::vector<char>& is_copy, Found& found) {
   const std::vector<SolidFace> faces = faces_of_solids(all, is_copy);
   const std::vector<char> is_inverted = found.which(Flaw::inverted, all.count());
@@ -462,6 +506,7 @@ std::vector<Finding> judge(const Mesh& mesh, const Origin& origin) {
   look_at_shapes(mesh, all, origin, found);
   const std::vector<char> is_copy = look_at_repeated(all, origin, found);
   look_at_joints(mesh, all, is_copy, found);
+  look_at_edges(mesh, all, is_copy, found);
   look_at_places(mesh, all, origin, is_copy, found);
   return found.findings();
 }

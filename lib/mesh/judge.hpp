@@ -11,7 +11,10 @@
 namespace nereid::mesh {
 
 /// What can be wrong with elements.
-enum class Flaw { far_away, inverted, no_area, folded, repeated, crowded, same_side, coincident, laid_over, hinged, dented };
+enum class Flaw {
+  far_away, inverted, no_area, folded, repeated, crowded, same_side,  // refused
+  coincident, laid_over, hinged, dented, opposed, flat_fold           // warned of
+};
 
 /// What is said of a flaw, and what follows.
 struct FlawWords {
@@ -20,11 +23,11 @@ struct FlawWords {
   const char* phrase;  ///< behind "3 elements"
 };
 /// In the order of Flaw.
-inline constexpr std::array<FlawWords, 11> flaw_words{{
+inline constexpr std::array<FlawWords, 13> flaw_words{{
     {"far_away", true, "so far from the origin that fewer than six digits are left of their size"},
     {"inverted", true, "whose Jacobian is not positive at a Gauss point, as where two nodes are exchanged"},
     {"no_area", true, "without area"},
-    {"folded", true, "of a quadrilateral whose sides cross"},
+    {"folded", true, "of a quadrilateral whose halves face away from each other, as where its sides cross"},
     {"repeated", true, "on the same nodes as another one"},
     {"crowded", true, "at a face that more than two hexahedra have"},
     {"same_side", true, "on the same side of a face as a neighbour"},
@@ -32,6 +35,8 @@ inline constexpr std::array<FlawWords, 11> flaw_words{{
     {"laid_over", false, "at the place of another one that has nodes of its own"},
     {"hinged", false, "joined to others by an edge or a corner only, as by a hinge"},
     {"dented", false, "with a corner whose Jacobian is not positive, which a run does not watch"},
+    {"opposed", false, "whose normal is opposed to that of a neighbour, so that the top of one goes on to the bottom of the other"},
+    {"flat_fold", false, "folded flat onto a neighbour, so that one lies on the other"},
 }};
 inline const FlawWords& words(Flaw flaw) { return flaw_words[static_cast<std::size_t>(flaw)]; }
 
@@ -56,6 +61,8 @@ struct Finding {
 ///     no_area     2 A <= 1e-9 of the square of the longest side
 ///     folded      n1 . n2 < 0 of the two halves of a quadrilateral
 ///     far_away    the shortest edge <= 1e6 epsilon max |x|
+///     flat_fold   two triangles at an edge with an angle of less than 1e-6 between them
+///     opposed     the only two triangles at an edge, which both run along it in the same direction
 ///     coincident  two nodes nearer than 1e-5 of the shortest edge at either
 ///
 /// Faces join hexahedra to each other and to triangles on them, edges join triangles; all else is a hinge.

@@ -293,6 +293,11 @@ void set_initial(const Scene& scene, const dynamics::Model& model, dynamics::Sta
   const InitialField displacement = field_of(scene.initial, true, model, faults);
   const auto last = std::find_if(scene.initial.rbegin(), scene.initial.rend(), [](const Initial& one) { return one.displacement; });
   if (last == scene.initial.rend() || !faults.empty()) return;
+  if (const double most = (model.mesh.X + displacement.value).cwiseAbs().maxCoeff(); !(most < farthest)) {
+    refuse(faults, part_of_initial(*last), "displacement",
+           formatted("'displacement' puts a node %.4g m from the origin: expected less than %g m", most, farthest));
+    return;
+  }
   const element::Vote smallest = dynamics::displace(model, state, displacement.value, displacement.gradient);
   if (!(smallest.volume_ratio > 0))
     refuse(faults, part_of_initial(*last), "displacement",

@@ -14,8 +14,7 @@ namespace nereid::model {
 
 namespace {
 
-constexpr double farthest = 1e60;   // [m] of any node: volumes, and squares of these, are still numbers
-constexpr double smallest = 1e-40;  // [m] of any body, and any side of an element: the same
+constexpr double smallest = 1e-25;  // [m] of any body, and any side of an element, for the reason of `farthest`
 
 double parts(mesh::Revolution turn) { return turn == mesh::Revolution::full ? 4 : 1; }
 

@@ -38,6 +38,9 @@ struct MeshWarnings {
 /// that mesh::judge() refuses, points beside their body, points named like a node set. Bodies without a mesh are left out.
 mesh::Mesh make_mesh(const Scene&, Faults&, MeshWarnings&);
 
+/// How far from the origin any node may be: volumes, their squares and what elements make of these are still numbers. [m]
+inline constexpr double farthest = 1e30;
+
 /// Length of the diagonal of the box around all nodes. [m]
 double diagonal(const mesh::Mesh&);
 

@@ -23,6 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* lock_name = "run.lock";
+constexpr const char* checkpoint_name = "checkpoint";
 constexpr const char* judged_by[] = {"summary.json", "history.csv"};
 constexpr const char* collections[] = {"body", "contact", "walls", "offenders"};
 
@@ -79,7 +80,7 @@ std::vector<fs::path> result_files(const fs::path& folder) {
   };
   for (const char* name : judged_by) add(folder / name), add(stale(folder / name));
   add(draft_of(folder / "summary.json"));  // of a run that was killed
-  add(folder / "checkpoint"), add(folder / "checkpoint.tmp");
+  add(folder / checkpoint_name), add(draft_of(folder / checkpoint_name));
   add(folder / lock_name);
   for (const char* name : collections)
     for (const fs::path& file : grid::collection_files(folder, name)) files.push_back(file);
@@ -98,6 +99,7 @@ RunFolder::RunFolder(fs::path folder, bool goes_on) : folder_(std::move(folder))
   std::error_code error;
   if (folder_.empty() || !fs::is_directory(folder_, error)) return;
   hold();
+  if (goes_on) take_back();
   set_aside();
 }
 
@@ -113,9 +115,22 @@ void RunFolder::set_aside() {
   }
 }
 
+/// What a run that was killed before it had read its case has set aside.
+void RunFolder::take_back() {
+  std::error_code error;
+  for (const char* name : judged_by) {
+    const fs::path file = folder_ / name;
+    if (!fs::exists(fs::symlink_status(file, error)) && fs::is_regular_file(stale(file), error)) fs::rename(stale(file), file, error);
+  }
+}
+
 RunFolder::~RunFolder() {
   std::error_code error;  // a destructor must not throw
-  for (const fs::path& file : renamed_) fs::remove(stale(file), error);
+  const bool can_go_on = fs::exists(folder_ / checkpoint_name, error);
+  for (const fs::path& file : renamed_) {
+    if (can_go_on) fs::rename(stale(file), file, error);
+    else fs::remove(stale(file), error);
+  }
   if (lock_ < 0) return;
   struct stat mine {};
   if (::fstat(lock_, &mine) == 0 && mine.st_size == 0) ::unlink((folder_ / lock_name).c_str());  // while no other run can hold it
@@ -148,7 +163,7 @@ void RunFolder::clear() {
       if (file.filename() != lock_name && (file.extension() == ".pvd") == is_index) remove_file(file);
   std::error_code not_empty;
   for (const char* name : collections)
-    if (fs::is_directory(folder_ / name, not_empty)) fs::remove(folder_ / name, not_empty);
+    if (fs::is_directory(fs::symlink_status(folder_ / name, not_empty))) fs::remove(folder_ / name, not_empty);  // a link stays
 }
 
 }  // namespace nereid::output

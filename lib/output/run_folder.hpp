@@ -19,10 +19,11 @@ std::filesystem::path result_that_is(const std::filesystem::path& folder, const 
 /// touched, where another run holds the folder. A file system that cannot lock gives a warning on stderr.
 class RunFolder {
  public:
-  /// goes_on  whether the run goes on with the results that are there: it holds the folder, and nothing becomes stale.
+  /// goes_on  whether the run goes on with the results that are there: it holds the folder, nothing becomes stale, and names that a killed
+  ///          run had changed are given back.
   /// Holds a folder that is there, and calls set_aside(). A folder that is not there is left so; "" is none at all.
   explicit RunFolder(std::filesystem::path folder, bool goes_on = false);
-  /// Removes what is stale, and the lock.
+  /// Removes what is stale, and the lock. Beside a checkpoint what is stale gets its name back: a run that was refused took no place of it.
   ~RunFolder();
   RunFolder(const RunFolder&) = delete;
   RunFolder& operator=(const RunFolder&) = delete;
@@ -41,6 +42,7 @@ class RunFolder {
 
  private:
   void hold();
+  void take_back();
 
   std::filesystem::path folder_;
   std::vector<std::filesystem::path> renamed_;  ///< their names as they were

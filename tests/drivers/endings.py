@@ -241,6 +241,10 @@ class Machine(InAFolder):
                 if "error while loading shared libraries" not in done.stderr:
                     self.ends(done, 5, "^scene: memory does not suffice: ")
 
+    def test_threads_that_cannot_be_started(self):
+        done = self.run_case(CASES / "block.yaml", "--threads", "64", limits=[(resource.RLIMIT_AS, 350 << 20)])
+        self.ends(done, 5, "^scene: cannot start 64 threads: Resource temporarily unavailable\n$")
+
     def test_more_elements_than_memory_holds(self):
         done = self.run_case(CASES / "block.yaml", "--set", "bodies[0].mesh.cells=[400, 400, 400]",
                              limits=[(resource.RLIMIT_AS, 4 << 30)])

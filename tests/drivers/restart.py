@@ -433,6 +433,11 @@ class Words(unittest.TestCase):
         self.refused("the checkpoint is of another case: it says 'time.end = 1000 s', and this case 'time.end = 2 s'", "--set",
                      "time.end=2 s")
 
+    def test_a_checkpoint_of_a_case_that_says_more(self):
+        self.checkpoint()
+        self.refused("the checkpoint is of another case: it has nothing of this, and this case 'accuracy = balanced'", "--set",
+                     "time.end=1000 s", "--set", "accuracy=balanced")
+
     def test_a_checkpoint_of_another_driver(self):
         self.checkpoint()
         self.case = ROOT / "cases/two_blocks/bars.yaml"
@@ -469,8 +474,11 @@ class Words(unittest.TestCase):
         self.refused("it is cut short", *flags)
         file.write_bytes(whole[:200] + bytes([whole[200] ^ 1]) + whole[201:])
         self.refused("it is damaged", *flags)
-        file.write_bytes(whole.replace(b"checkpoint 3\n", b"checkpoint 9\n"))
-        self.refused("it is of version '9', and this program reads version 3", *flags)
+        head, rest = whole.split(b"\n", 1)
+        version = head.split()[-1].decode()
+        for other, said in ((b"0", "it is of version '0'"), (b"\xff", "it is of another version")):
+            file.write_bytes(head.removesuffix(version.encode()) + other + b"\n" + rest)
+            self.refused(f"{said}, and this program reads version {version}", *flags)
         file.write_bytes(b"something else")
         self.refused("it is no checkpoint", *flags)
         file.unlink()

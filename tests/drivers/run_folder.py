@@ -190,6 +190,30 @@ class Stale(InAFolder):
         self.assertEqual(done.returncode, 5, done.stderr)
         self.assertFalse((self.out / "summary.json").exists())
 
+    def test_a_folder_that_can_be_gone_on_from_stays_so(self):
+        (self.out / "checkpoint").write_text("of a run that was stopped")
+        before = self.files()
+        for flags, status in ((["--set", "time.end=-1 s"], 2), (["--set", "bodies[0].mesh.cells=[4000, 100, 100]"], 5)):
+            done = subprocess.run(["bash", "-c", 'ulimit -v 4000000; "$@"', "", *self.words(CASES / "block.yaml", *flags)], check=False,
+                                  cwd=self.folder, capture_output=True, text=True, timeout=PATIENCE)
+            self.assertEqual(done.returncode, status, done.stderr)
+            self.assertEqual(self.files(), before)
+
+    def test_what_a_killed_run_had_set_aside_is_taken_back_to_go_on(self):
+        before = self.files()
+        for name in ("summary.json", "history.csv"):
+            (self.out / name).rename(self.out / f"{name}.stale")
+        done = self.run_case(CASES / "block.yaml", "--resume")
+        self.assertEqual((done.returncode, "nothing is left to do" in done.stderr), (0, True), done.stderr)
+        self.assertEqual(self.files(), before)
+
+    def test_a_folder_of_frames_that_is_a_link_stays_one(self):
+        shutil.move(self.out / "body", self.folder / "elsewhere")
+        (self.out / "body").symlink_to(self.folder / "elsewhere")
+        self.run_to_end(CASES / "block.yaml")
+        self.assertTrue((self.out / "body").is_symlink())
+        self.assertTrue([*(self.folder / "elsewhere").glob("body_*.vtu")])
+
     def test_frames_of_another_driver_go_too(self):
         (self.out / "contact").mkdir(exist_ok=True)
         (self.out / "contact/contact_000099.vtp").write_text("old")
@@ -258,6 +282,10 @@ class BeyondNumbers(InAFolder):
 
     def test_plates_that_are_pushed_by_no_number(self):
         self.check_stopped("plates_without_root.yaml", ["not_finite"])
+
+    def test_an_energy_beyond_numbers(self):
+        self.check_stopped("block.yaml", ["not_finite"], "--set", "bodies[0].material.density=1e300 kg/m^3", "--set",
+                           "gravity=[0 m/s^2, 0 m/s^2, -9.81 m/s^2]")
 
     def test_a_box_beyond_numbers(self):
         for flags in ([], ["--dry-run"]):

@@ -111,6 +111,7 @@ TEST(Modes, OfWhatIsBeyondNumbersAreToldAndOfTheLastOnesFound) {
   EXPECT_TRUE(usual.finite && of_soft.finite && of_light.finite);
   EXPECT_FALSE(beyond.finite);
   EXPECT_TRUE(beyond.lowest.empty() && beyond.highest.empty());
+  EXPECT_FALSE(modes_of(steel.density, 1e-311).finite);  // of whose digits hardly any are left: iterations would not end
 }
 
 TEST(Modes, HaveASymmetricStiffness) {

@@ -16,8 +16,19 @@ TEST(FacesOfSolids, AreFoundByAnyThreeOfTheirCorners) {
   EXPECT_FALSE(faces.has(corners(0, 2, 5)));
 }
 
+TEST(FacesOfSolids, AreCoveredByBothHalvesOfEitherCut) {
+  const FacesOfSolids faces({brick});
+  const Corners half = corners(4, 5, 6), other = corners(4, 6, 7), of_other_cut = corners(4, 5, 7);
+  EXPECT_FALSE(faces.is_covered(half, {half}));
+  EXPECT_FALSE(faces.is_covered(half, {half, of_other_cut}));
+  EXPECT_TRUE(faces.is_covered(half, {half, other}));
+  EXPECT_TRUE(faces.is_covered(of_other_cut, {of_other_cut, corners(5, 6, 7)}));
+  EXPECT_FALSE(faces.is_covered(corners(0, 2, 5), {corners(0, 2, 5)}));  // on no face
+}
+
 TEST(FacesOfSolids, WithTwoCornersInOneAreTriangles) {
   const FacesOfSolids faces({{0, 1, 2, 0, 4, 5, 6, 4}});
+  EXPECT_TRUE(faces.is_covered(corners(0, 1, 2), {}));
   EXPECT_TRUE(faces.has(corners(0, 1, 2)));
   Boundary end{"end", {}};
   faces.add_to(end, corners(0, 1, 2));

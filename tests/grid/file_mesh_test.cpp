@@ -109,7 +109,8 @@ TEST(FileMesh, CutsAQuadrilateralWithAReEntrantCornerThere) {
   expected << 0, 2, 1, 3, 3, 1;
   EXPECT_EQ(mesh::triangles(read.mesh, "b").nodes, expected);
   file.points << 1, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 0;  // sides that cross
-  EXPECT_EQ(only_fault(file_mesh("b", file)), "it has 1 element of a quadrilateral whose sides cross: cells 0");
+  EXPECT_EQ(only_fault(file_mesh("b", file)),
+            "it has 1 element of a quadrilateral whose halves face away from each other, as where its sides cross: cells 0");
 }
 
 TEST(FileMesh, KeepsTheNumbersOfCellsAndCountsPointsOfNone) {
@@ -175,10 +176,11 @@ Contents bar_with_boundaries() {
   };
   add_cell(file, 9, {at(2, 0, 0), at(2, 0, 1), at(2, 1, 1), at(2, 1, 0)});                      // the end, normal inwards
   add_cell(file, 9, {at(0, 0, 0), at(1, 0, 0), at(1, 1, 0), at(0, 1, 0)});                      // half of the bottom
-  add_cell(file, 5, {at(1, 0, 0), at(2, 0, 0), at(2, 1, 0)});                                   // and of the other half a triangle
+  add_cell(file, 5, {at(1, 0, 0), at(2, 0, 0), at(2, 1, 0)});                                   // and of the other half two triangles
+  add_cell(file, 5, {at(1, 0, 0), at(1, 1, 0), at(2, 1, 0)});
   add_cell(file, 9, {at(1, 0, 0), at(1, 1, 0), at(1, 1, 1), at(1, 0, 1)});                      // between the bricks
-  Field region{"region", "", {}, Eigen::MatrixXd(1, 6), true};
-  region.values << 1, 2, 1, 5, 5, 6;
+  Field region{"region", "", {}, Eigen::MatrixXd(1, 7), true};
+  region.values << 1, 2, 1, 5, 5, 5, 6;
   file.cell_fields = {region};
   return file;
 }
@@ -215,14 +217,31 @@ TEST(FileMesh, MakesPlatesOnSolidsWhereThatIsSaid) {
   EXPECT_EQ(file_mesh("b", file, "region", BoundaryCells::plates).mesh.triangles.size(), 3U);
 }
 
+TEST(FileMesh, RefusesBoundariesThatCoverAPartOfAFace) {
+  Contents file = bar_with_boundaries();
+  const std::string refused = " cover a part of a face of a hexahedron only: cells ";
+  file.cell_fields[0].values(0, 5) = 6;  // the halves have two numbers
+  const FileMesh halves = file_mesh("b", file);
+  EXPECT_NE(only_fault(halves).find(refused + "4, 5"), std::string::npos) << only_fault(halves);
+  file = bar_with_boundaries();
+  std::swap(file.nodes[file.begin[3] + 1], file.nodes[file.begin[3] + 2]);  // a quadrilateral whose sides cross
+  const FileMesh crossed = file_mesh("b", file);
+  EXPECT_NE(only_fault(crossed).find(refused + "3"), std::string::npos) << only_fault(crossed);
+}
+
+TEST(FileMesh, RefusesARegionArrayThatIsNamedAndNotThere) {
+  EXPECT_EQ(only_fault(file_mesh("b", bar_with_boundaries(), "regoin")), "it has no cell array 'regoin'; there are 'region'");
+  EXPECT_TRUE(file_mesh("b", contents_of(brick())).faults.empty());
+}
+
 TEST(FileMesh, RefusesCellsOfOneNumberOnAndOffFacesOfSolids) {
   Contents file = bar_with_boundaries();
   file.points.conservativeResize(3, file.points.cols() + 1);
   file.points.rightCols(1) << 3, 0, 0;
   const auto last = static_cast<Index>(file.points.cols() - 1);
   add_cell(file, 5, {file.nodes[1], file.nodes[2], last});
-  file.cell_fields[0].values.conservativeResize(1, 7);
-  file.cell_fields[0].values(0, 6) = 5;
+  file.cell_fields[0].values.conservativeResize(1, 8);
+  file.cell_fields[0].values(0, 7) = 5;
   EXPECT_EQ(only_fault(file_mesh("b", file)),
             "of its region 5 the triangles and quadrilaterals lie on faces of hexahedra in part; give those another number in the region "
             "array, or say 'boundary_cells: plates'");

@@ -52,6 +52,7 @@ TEST(Table, FaultsNameTheLine) {
   EXPECT_EQ(fault("t [s], f [N]\n0, 0\n1, 2e999\n"), "line 3: '2e999' is no finite number");
   EXPECT_EQ(fault("t [s], f [kN]\n0, 0\n1, 1e307\n"), "line 3: '1e307' is no finite number") << "in N it is none";
   EXPECT_EQ(fault("t [s], f [N]\n0, 0\n1, nan\n"), "line 3: 'nan' is no finite number");
+  EXPECT_EQ(fault(std::string("t [s], f [N]\n0, 0\0\n", 20)), "line 2: it has a byte that is neither UTF-8 nor printable");
   EXPECT_EQ(fault("t [s], f [N]\n0, 0\n\n0, 1\n"), "line 4: 't' does not grow: expected more than in the line before");
 }
 
