@@ -25,15 +25,17 @@ Corners corners(Index a, Index b, Index c) {
 FacesOfSolids::FacesOfSolids(const std::vector<std::array<Index, 8>>& hexahedra) {
   for (const auto& nodes : hexahedra)
     for (const auto& at : mesh::corners_of_faces) {
-      std::array<Index, 4> face{nodes[at[0]], nodes[at[1]], nodes[at[2]], nodes[at[3]]};
-      const auto lowest = std::min_element(face.begin(), face.end());
-      const Index across = face[static_cast<std::size_t>((lowest - face.begin() + 2) % 4)];
+      const std::array<Index, 4> ring{nodes[at[0]], nodes[at[1]], nodes[at[2]], nodes[at[3]]};
+      std::array<Index, 4> face = ring;
       std::sort(face.begin(), face.end());
       const auto end = std::unique(face.begin(), face.end());  // two corners in one at the axis of a sector
       if (end - face.begin() < 3) continue;
       std::fill(end, face.end(), -1);
-      const int opposite = face[3] < 0 ? 0 : static_cast<int>(std::find(face.begin(), face.end(), across) - face.begin());
-      each_triple(face, [&](const Corners& one) { triples_.push_back({one, face, opposite}); });
+      if (face[3] < 0) triples_.push_back({{face[0], face[1], face[2]}, face, {-1, -1, -1}});
+      for (std::size_t i = 0; i < 4 && face[3] >= 0; ++i) {
+        const Index before = ring[i], here = ring[(i + 1) % 4], behind = ring[(i + 2) % 4], across = ring[(i + 3) % 4];
+        triples_.push_back({corners(before, here, behind), face, corners(before, across, behind)});
+      }
     }
   std::sort(triples_.begin(), triples_.end());
   triples_.erase(std::unique(triples_.begin(), triples_.end()), triples_.end());
@@ -45,24 +47,8 @@ bool FacesOfSolids::has(const Corners& one) const {
 }
 
 bool FacesOfSolids::is_covered(const Corners& one, const std::set<Corners>& part) const {
-  for (auto at = std::lower_bound(triples_.begin(), triples_.end(), first_of(one)); at != triples_.end() && at->corners == one; ++at) {
-    const auto& face = at->face;
-    if (face[3] < 0) return true;
-    const auto place = [&](Index node) { return std::find(face.begin(), face.end(), node) - face.begin(); };
-    const auto left_out = 6 - place(one[0]) - place(one[1]) - place(one[2]);  // of the places 0 + 1 + 2 + 3
-    const std::array<int, 2> first{0, at->opposite};
-    std::array<int, 2> second{-1, -1};
-    for (int i = 1, to = 0; i < 4; ++i)
-      if (i != at->opposite) second[static_cast<std::size_t>(to++)] = i;
-    const auto across = [&](const std::array<int, 2>& diagonal) {
-      return diagonal[0] == left_out ? diagonal[1] : diagonal[1] == left_out ? diagonal[0] : -1;
-    };
-    const int other = std::max(across(first), across(second));
-    Corners rest{};
-    for (int i = 0, to = 0; i < 4; ++i)
-      if (i != other) rest[static_cast<std::size_t>(to++)] = face[static_cast<std::size_t>(i)];
-    if (part.count(rest) > 0) return true;
-  }
+  for (auto at = std::lower_bound(triples_.begin(), triples_.end(), first_of(one)); at != triples_.end() && at->corners == one; ++at)
+    if (at->face[3] < 0 || part.count(at->other_half) > 0) return true;
   return false;
 }
 

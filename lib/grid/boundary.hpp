@@ -36,10 +36,10 @@ class FacesOfSolids {
   struct Triple {
     Corners corners;
     std::array<Index, 4> face;  ///< its nodes in ascending order, the fourth -1 of three
-    int opposite;               ///< place of the node across the diagonal from the first; 0 of three
+    Corners other_half;         ///< the triangle on the other side of its diagonal; -1 of three
     friend auto operator<=>(const Triple&, const Triple&) = default;
   };
-  static Triple first_of(const Corners& one) { return {one, {-1, -1, -1, -1}, 0}; }
+  static Triple first_of(const Corners& one) { return {one, {-1, -1, -1, -1}, {-1, -1, -1}}; }
   std::vector<Triple> triples_;  // in order
 };
 
