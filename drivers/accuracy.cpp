@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/words.hpp"
+#include "drivers/driver.hpp"
 
 namespace nereid::driver {
 
@@ -43,13 +44,13 @@ double part_of(const std::string& text) {
 std::string run_to_target(const Target& target, const std::vector<int>& known, const RunOnce& run,
                           const std::function<void(const std::string&)>& say, int& status) {
   constexpr std::size_t looks = 1;  // before the second mesh nothing can be said of an error
-  constexpr int bad_case = 2, interrupted = 6, most_folded = 2;
+  constexpr int most_folded = 2;
   if (known.empty()) return status = bad_case, "the case has no counts of cells to make finer";
   const std::vector<double> even = even_factors(known);
   std::vector<Level> levels;
   std::string name = target.of;
   double refine = first_factor(even, known);
-  for (int stopped = 0; refine > 0;) {
+  for (int folded = 0; refine > 0;) {
     double error = 0;
     const Judge judge = [&](const Ran& ran, std::vector<output::Result>& results) {
       const output::Result* found = find(ran.results, name);
@@ -63,9 +64,9 @@ std::string run_to_target(const Target& target, const std::vector<int>& known, c
     };
     const Ran ran = run(refine, levels.size() < looks, judge);
     if (ran.status == interrupted) return status = interrupted, "";
-    if (ran.status != 0) {  // a coarse mesh may fold, or be refused, where a finer one is not
+    if (ran.status != done) {  // a coarse mesh may fold, or be refused, where a finer one is not
       status = ran.status;
-      if (++stopped > most_folded) return "the runs stopped, the last with refine " + rounded(refine);
+      if (++folded > most_folded) return "the runs stopped, the last with refine " + rounded(refine);
       refine = next_factor(even, {{refine, 0, 0, 0}}, 0);
       continue;
     }
@@ -82,7 +83,7 @@ std::string run_to_target(const Target& target, const std::vector<int>& known, c
       line += ", estimated error " + (found->value != 0 ? percent(error / std::abs(found->value)) : rounded(error) + " " + found->unit);
     }
     say(line);
-    status = 0;
+    status = done;
     if (levels.size() > looks && error <= wanted) return "";
     if (levels.size() > looks && !(wanted > 0)) return name + " is zero, so no part of it can be asked for";
     const double next = next_factor(even, levels, wanted);

@@ -6,7 +6,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <csignal>
@@ -38,8 +37,6 @@ namespace nereid::driver {
 namespace {
 
 constexpr int most_threads = 1024;  // beyond it the system may refuse, in words of its own
-
-enum Status { done = 0, bad_case = 2, stopped = 3, our_fault = 4, machine = 5, interrupted = 6 };
 
 struct CommandLine {
   std::string case_path, out;
@@ -523,11 +520,11 @@ int from_command_line(int argc, char** argv, const std::string& name, bool meshe
   const auto is_part = [](const std::string& text) {
     return part_of(text) > 0 ? std::string() : "'" + text + "' is no accuracy: expected as in 2%";
   };
-  const auto is_duration = [](const std::string& text) {
-    double value = 0;
-    const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
-    const bool whole = read.ec == std::errc{} && read.ptr == text.data() + text.size();
-    return whole && value > 0 && std::isfinite(value) ? std::string() : "'" + text + "' is no number of minutes above zero";
+  const auto is_minutes = [](const std::string& text) {
+    const auto read = input::parse_quantity(text);
+    const auto* quantity = std::get_if<input::Quantity>(&read);
+    const bool fits = quantity != nullptr && !quantity->has_unit && quantity->value > 0 && std::isfinite(quantity->value);
+    return fits ? std::string() : "'" + text + "' is no number of minutes above zero";
   };
   if (meshes) {
     const auto is_time = [](const std::string& text) {
@@ -539,7 +536,7 @@ int from_command_line(int argc, char** argv, const std::string& name, bool meshe
                               ->check(is_part)->excludes("--dry-run")->excludes("--checkpoint-every")->excludes(resume);
     app.add_option("--of", line.of, "the result that is meant; the first without it")->needs(accuracy);
     app.add_option("--longest", line.longest, "minutes that a run may take to get there, as foreseen")->needs(accuracy)
-        ->check(is_duration)->capture_default_str();
+        ->check(is_minutes)->capture_default_str();
   }
   try {
     app.parse(argc, argv);

@@ -2,8 +2,6 @@
 // What all drivers share: the command line, the files, the exit status.
 //
 //     DRIVER CASE.yaml --out DIR [--set key=value]... [--threads N] [--dry-run] [--quiet] [--checkpoint-every TIME] [--resume]
-//
-// Exit status  0 done   2 the case is wrong   3 the physics stopped   4 our fault   5 the machine   6 interrupted
 
 #include <functional>
 #include <string>
@@ -17,6 +15,9 @@
 #include "output/summary.hpp"
 
 namespace nereid::driver {
+
+/// Exit status of a program: docs/running.md.
+enum Status { done = 0, bad_case = 2, stopped = 3, our_fault = 4, machine = 5, interrupted = 6 };
 
 /// Reads a case and builds its simulation: fills a model::Scene and ends with input::build.
 using Build = std::function<model::Simulation(const input::CaseFile&)>;

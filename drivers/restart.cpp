@@ -13,6 +13,7 @@
 #include "base/words.hpp"
 #include "dynamics/archive.hpp"
 #include "model/stages.hpp"
+#include "output/run_folder.hpp"
 
 namespace nereid::grid {
 
@@ -33,7 +34,7 @@ namespace fs = std::filesystem;
 constexpr std::string_view head = "Nereid checkpoint ";  // then the version, and the end of the line
 constexpr int version = 4;
 
-fs::path file_in(const fs::path& folder) { return folder / "checkpoint"; }
+fs::path file_in(const fs::path& folder) { return folder / output::checkpoint_name; }
 
 template <class Archive>
 void visit(Archive& archive, RecorderMark& mark) {
@@ -73,7 +74,7 @@ std::string difference(const std::vector<std::string>& then, const std::vector<s
     if (here->second != line) return "it says '" + line + "', and this case '" + here->second + "'";
     left.erase(here);
   }
-  return left.empty() ? "its values have another order" : "it has nothing of this, and this case '" + left.begin()->second + "'";
+  return left.empty() ? "its hash is another one" : "it has nothing of this, and this case '" + left.begin()->second + "'";
 }
 
 }  // namespace

@@ -31,16 +31,16 @@ void wait_while(const std::atomic<Word>& word, Word old) {
 class Team {
  public:
   explicit Team(int size) : size_(size) {
-    workers_.reserve(static_cast<std::size_t>(size));  // so that nothing but a thread can be missing
+    workers_.reserve(static_cast<std::size_t>(size));  // so that only the start of a thread can fail
     try {
       for (int t = 1; t < size; ++t) workers_.emplace_back([this, t] { work(t); });
     } catch (const std::system_error& error) {
-      send_away();
+      stop();
       throw MachineError("cannot start " + std::to_string(size) + " threads: " + error.code().message());
     }
   }
 
-  ~Team() { send_away(); }
+  ~Team() { stop(); }
 
   Team(const Team&) = delete;
   Team& operator=(const Team&) = delete;
@@ -57,7 +57,7 @@ class Team {
   }
 
  private:
-  void send_away() {
+  void stop() {
     range_ = nullptr;
     call();
     for (std::thread& worker : workers_) worker.join();

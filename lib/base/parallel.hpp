@@ -10,7 +10,8 @@ namespace nereid {
 
 /// Uses that many threads from now on, the caller's own among them. At first it is one for each core.
 ///
-/// Needs  that no parallel_for is running. MachineError where the system does not start so many
+/// Needs  that no parallel_for is running
+/// Throws MachineError where the system does not start so many.
 void use_threads(int count);
 int threads();
 

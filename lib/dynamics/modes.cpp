@@ -414,7 +414,7 @@ Modes find_modes(const Model& model, int lowest, int highest) {
   if (B.cols() == 0) return modes;
   Sparse A = B.transpose() * K * B;
   A.makeCompressed();
-  constexpr double least = std::numeric_limits<double>::min() / std::numeric_limits<double>::epsilon();
+  constexpr double least = std::numeric_limits<double>::min() / std::numeric_limits<double>::epsilon();  // below, digits are lost
   const double stiffest = K.coeffs().abs().maxCoeff();
   modes.finite = A.coeffs().isFinite().all() && (stiffest == 0 || stiffest > least);
   if (!modes.finite) return modes;

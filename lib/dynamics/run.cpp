@@ -131,12 +131,13 @@ bool overlap_too_much(const Model& model, const State& now, const Forces& forces
   return true;
 }
 
-/// Why a run that relaxes has not come to its end.
-std::string unrest(const Relaxation& wanted, const RelaxationMemory& found) {
+/// Why a run that relaxes has not relaxed by the time t.
+std::string unrest(const Relaxation& wanted, const RelaxationMemory& found, double t) {
   if (found.residual > wanted.residual) return formatted("the residual is %.3g; the limit is %.3g", found.residual, wanted.residual);
   if (const double moving = found.kinetic / found.most_kinetic; moving > wanted.residual)
     return formatted("the forces balance, but it moves, with %.3g of its largest kinetic energy; the limit is %.3g", moving,
                      wanted.residual);
+  if (t < wanted.after) return formatted("it ended before 'after' = %.3g s", wanted.after);
   return formatted("it was balanced for %d samples in a row; %d are wanted", found.balanced, wanted.samples);
 }
 
@@ -264,7 +265,7 @@ Outcome run(const Model& model, State& now, Forces& forces, const Time& time, do
   }
   if (model.relaxation && model.relaxes && outcome.ending == Ending::reached_end) {
     outcome.ending = Ending::not_relaxed;
-    outcome.reason = unrest(*model.relaxation, now.relaxation);
+    outcome.reason = unrest(*model.relaxation, now.relaxation, now.t);
   }
   if (!progress.ledger_is_current) {
     update_ledger(model, now);

@@ -105,8 +105,9 @@ std::optional<Tag> next_tag(View text, std::size_t& at) {
     const std::size_t end = text.find(text[at], at + 1);
     if (end == View::npos) throw cut();
     const View value = text.substr(at + 1, end - at - 1);
-    constexpr std::size_t most = 100;  // attributes: who reads the file next may look through all of them for each
-    if (value.find('<') != View::npos || tag.attributes.size() == most || !tag.attributes.emplace(key, value).second) throw cut();
+    constexpr std::size_t most = 100;  // VTK looks through all of them for each
+    if (tag.attributes.size() == most) throw Stop{tag.begin, "a tag has more than " + std::to_string(most) + " attributes"};
+    if (value.find('<') != View::npos || !tag.attributes.emplace(key, value).second) throw cut();
     at = end + 1;
   }
   tag.end = ++at;

@@ -258,7 +258,7 @@ Vec3 read_vector(const Section& section, std::string_view key, Dimension dimensi
 
 Vec3 read_direction(const Section& section, std::string_view key) {
   const Vec3 v = read_vector(section, key, dim::none);
-  const double size = v.cwiseAbs().maxCoeff();
+  const double size = v.cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
   if (size > 0) return size > 1e-100 && size < 1e100 ? v.normalized() : Vec3(v / size).normalized();  // whose square is a number
   if (size == 0) section.fault(key, quote(key) + " has no direction: its length is zero");  // NaN where it is not used
   return Vec3::UnitZ();

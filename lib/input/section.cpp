@@ -203,7 +203,7 @@ bool Section::read(Entry& entry, const Node& node, const std::string& name, int 
     const double infinity = std::numeric_limits<double>::infinity();
     const double from = low == std::numeric_limits<int>::min() ? -infinity : low;
     const double to = high == std::numeric_limits<int>::max() ? infinity : high;
-    const bool too_long = result.ec == std::errc::result_out_of_range && !(std::isfinite(to) && text[0] != '-');
+    const bool too_long = result.ec == std::errc::result_out_of_range && !std::isfinite(text[0] == '-' ? from : to);
     const std::string expected = too_long ? "a number of at most nine digits" : words_of(within(from, to), name, "1");
     wrong(entry, node.place, said + " is out of range: expected " + expected);
     return false;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <numeric>
 
 #include "base/words.hpp"
@@ -356,14 +357,14 @@ void join_triangles(const Elements& all, const std::vector<SolidFace>& faces, Jo
 
 /// Triangles that lie on each other at an edge, and the only two at an edge that run along it in the same direction.
 void look_at_edges(const Mesh& mesh, const Elements& all, const std::vector<char>& is_copy, Found& found) {
-  struct End {
-    std::array<Index, 2> key;
+  struct AtEdge {
+    std::array<Index, 2> key;  // its nodes, ascending
     Index element;
-    int at;  // the side from this corner to the next
+    int at;  // the corner from which the triangle runs along it to the next one
     double angle = 0;
-    bool operator<(const End& other) const { return key != other.key ? key < other.key : element < other.element; }
+    bool operator<(const AtEdge& other) const { return key != other.key ? key < other.key : element < other.element; }
   };
-  std::vector<End> sides;
+  std::vector<AtEdge> sides;
   const std::vector<char> is_flat = found.which(Flaw::no_area, all.count()), is_folded = found.which(Flaw::folded, all.count());
   for (Index e = all.solids(); e < all.count(); ++e) {
     const Index* t = all.nodes(e);
@@ -372,28 +373,28 @@ void look_at_edges(const Mesh& mesh, const Elements& all, const std::vector<char
     for (int i = 0; i < 3; ++i) sides.push_back({{std::min(t[i], t[(i + 1) % 3]), std::max(t[i], t[(i + 1) % 3])}, e, i});
   }
   std::sort(sides.begin(), sides.end());
-  std::vector<End> turning;
+  std::vector<AtEdge> turning;
   groups(sides, same_key, [&](auto begin, auto end) {
-    const auto start = [&](const End& one) { return all.nodes(one.element)[one.at]; };
-    if (end - begin == 2 && start(*begin) == start(*(begin + 1)))
-      found.add(Flaw::opposed, begin->element), found.add(Flaw::opposed, (begin + 1)->element);
     // angles about the edge, from the first triangle on: those of triangles that lie on each other are one, also across a whole turn
     const Vec3 from = mesh.X.col(begin->key[0]), along = (mesh.X.col(begin->key[1]) - from).normalized();
-    const auto across = [&](const End& one) {
+    const auto across = [&](const AtEdge& one) {
       const Vec3 to = mesh.X.col(all.nodes(one.element)[(one.at + 2) % 3]) - from;
       return Vec3(to - to.dot(along) * along);
     };
     const Vec3 first = across(*begin), second = along.cross(first);
     turning.assign(begin, end);
-    for (End& one : turning) one.angle = std::atan2(across(one).dot(second), across(one).dot(first));
-    std::sort(turning.begin(), turning.end(), [](const End& a, const End& b) { return a.angle < b.angle; });
-    constexpr double whole_turn = 6.283185307179586;
+    for (AtEdge& one : turning) one.angle = std::atan2(across(one).dot(second), across(one).dot(first));
+    std::sort(turning.begin(), turning.end(), [](const AtEdge& a, const AtEdge& b) { return a.angle < b.angle; });
+    bool any = false;
     for (std::size_t one = 0; one < turning.size(); ++one) {
       const bool is_last = one + 1 == turning.size();
-      const End& next = turning[is_last ? 0 : one + 1];
-      if (next.angle + (is_last ? whole_turn : 0) - turning[one].angle < folded)
-        found.add(Flaw::flat_fold, turning[one].element), found.add(Flaw::flat_fold, next.element);
+      const AtEdge& next = turning[is_last ? 0 : one + 1];
+      if (next.angle + (is_last ? 2 * std::numbers::pi : 0) - turning[one].angle >= folded) continue;
+      found.add(Flaw::flat_fold, turning[one].element), found.add(Flaw::flat_fold, next.element), any = true;
     }
+    const auto start = [&](const AtEdge& one) { return all.nodes(one.element)[one.at]; };
+    if (!any && end - begin == 2 && start(*begin) == start(*(begin + 1)))
+      found.add(Flaw::opposed, begin->element), found.add(Flaw::opposed, (begin + 1)->element);
   });
 }
 

@@ -35,7 +35,7 @@ inline constexpr std::array<FlawWords, 13> flaw_words{{
     {"laid_over", false, "at the place of another one that has nodes of its own"},
     {"hinged", false, "joined to others by an edge or a corner only, as by a hinge"},
     {"dented", false, "with a corner whose Jacobian is not positive, which a run does not watch"},
-    {"opposed", false, "whose normal is opposed to that of a neighbour, so that the top of one goes on to the bottom of the other"},
+    {"opposed", false, "whose top goes on to the bottom of a neighbour, as their nodes are in opposed orders"},
     {"flat_fold", false, "folded flat onto a neighbour, so that one lies on the other"},
 }};
 inline const FlawWords& words(Flaw flaw) { return flaw_words[static_cast<std::size_t>(flaw)]; }
@@ -62,7 +62,7 @@ struct Finding {
 ///     folded      n1 . n2 < 0 of the two halves of a quadrilateral
 ///     far_away    the shortest edge <= 1e6 epsilon max |x|
 ///     flat_fold   two triangles at an edge with an angle of less than 1e-6 between them
-///     opposed     the only two triangles at an edge, which both run along it in the same direction
+///     opposed     the only two triangles at an edge, not folded flat, which both run along it in the same direction
 ///     coincident  two nodes nearer than 1e-5 of the shortest edge at either
 ///
 /// Faces join hexahedra to each other and to triangles on them, edges join triangles; all else is a hinge.

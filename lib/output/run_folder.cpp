@@ -23,7 +23,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* lock_name = "run.lock";
-constexpr const char* checkpoint_name = "checkpoint";
 constexpr const char* judged_by[] = {"summary.json", "history.csv"};
 constexpr const char* collections[] = {"body", "contact", "walls", "offenders"};
 

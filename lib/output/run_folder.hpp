@@ -6,6 +6,9 @@
 
 namespace nereid::output {
 
+/// The file from which a run goes on.
+inline constexpr const char* checkpoint_name = "checkpoint";
+
 /// Files of a folder that a run writes or clears, of those that are there: summary.json, history.csv, these two with
 /// `.stale` behind, checkpoint, run.lock, and index and frames of the collections body, contact, walls and offenders.
 std::vector<std::filesystem::path> result_files(const std::filesystem::path& folder);
@@ -23,7 +26,7 @@ class RunFolder {
   ///          run had changed are given back.
   /// Holds a folder that is there, and calls set_aside(). A folder that is not there is left so; "" is none at all.
   explicit RunFolder(std::filesystem::path folder, bool goes_on = false);
-  /// Removes what is stale, and the lock. Beside a checkpoint what is stale gets its name back: a run that was refused took no place of it.
+  /// Removes what is stale, and the lock. Beside a checkpoint it gives stale files their names back: the older run can still go on.
   ~RunFolder();
   RunFolder(const RunFolder&) = delete;
   RunFolder& operator=(const RunFolder&) = delete;

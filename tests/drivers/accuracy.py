@@ -4,6 +4,7 @@
 """
 import json
 import re
+import shutil
 import signal
 import subprocess
 import sys
@@ -68,6 +69,20 @@ class Accuracy(unittest.TestCase):
         self.assertEqual([*self.out.glob("*")], [])
 
     def test_a_signal_leaves_a_checkpoint_that_can_be_gone_on_from(self):
+        for _ in range(10):  # between two meshes there is nothing to keep
+            said = self.stopped_by_a_signal()
+            found = re.search(r"by SIGTERM; --resume with --set (refine=\S+) and without --accuracy goes on from here\n$", said)
+            if found:
+                break
+            self.assertRegex(said, "0.01% is not reached")
+        self.assertTrue(found)
+        self.assertEqual(said.count("\n"), 1, said)
+        status, _, complaint, _ = self.ask("--resume", "--set", found.group(1))
+        self.assertEqual((status, complaint), (0, ""))
+
+    def stopped_by_a_signal(self):
+        """What a search for accuracy says that is stopped once a mesh is run with files."""
+        shutil.rmtree(self.out, ignore_errors=True)
         words = self.words("--accuracy", "0.01%", "--of", "contact_time")
         with subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as process:
             while process.poll() is None and not (self.out / "history.csv").exists():
@@ -75,13 +90,7 @@ class Accuracy(unittest.TestCase):
             process.send_signal(signal.SIGTERM)
             said = process.communicate(timeout=PATIENCE)[1]
         self.assertEqual(process.returncode, 6, said)
-        found = re.search(r"by SIGTERM; --resume with --set (refine=\S+) and without --accuracy goes on from here\n$", said)
-        if found is None:  # between two meshes there is nothing to keep
-            self.assertRegex(said, "0.01% is not reached")
-            return
-        self.assertEqual(said.count("\n"), 1, said)
-        status, _, complaint, _ = self.ask("--resume", "--set", found.group(1))
-        self.assertEqual((status, complaint), (0, ""))
+        return said
 
     def test_what_is_no_result_or_no_target_is_a_fault(self):
         status, _, complaint, _ = self.ask("--accuracy", "2%", "--of", "velocity")

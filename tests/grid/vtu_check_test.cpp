@@ -128,6 +128,12 @@ TEST(CheckVtu, RefusesTagsThatAreDamaged) {
   EXPECT_NE(fault({.behind = deep}), "");
 }
 
+TEST(CheckVtu, RefusesTagsOfManyAttributes) {
+  std::string many = "<VTKFile";
+  for (int i = 0; i < 101; ++i) many += " a" + std::to_string(i) + "='0'";
+  EXPECT_NE(check_vtu(many + ">").fault.find("a tag has more than 100 attributes"), std::string::npos) << check_vtu(many + ">").fault;
+}
+
 TEST(CheckVtu, ShowsWhatIsNotPrintableAsQuestionMarks) {
   const std::string said = fault({.piece = "NumberOfPoints=\"\1\n\xFF" + std::string(100, '7') + "\" NumberOfCells=\"1\""});
   EXPECT_NE(said.find("= '???7777"), std::string::npos);

@@ -214,6 +214,8 @@ TEST(ReadActions, RefuseUnitsOfAnotherDimensionAndValuesThatAreNoNumber) {
             "2:29: cannot read 'velocity[0]' = t: 't' is unknown: expected x, y, z, pi, or a function such as sin, min, exp\n");
   EXPECT_EQ(faults_of("planes:\n  - {name: a, kind: constrained, nodes: [box.tip], normal: [0, 0, 0]}\n"),
             "2:60: 'normal' has no direction: its length is zero\n");
+  for (const char* far : {"1e155", "1e-170", "5e-324"})
+    EXPECT_EQ(faults_of(std::string("planes:\n  - {name: a, kind: constrained, nodes: [box.tip], normal: [") + far + ", 0, 0]}\n"), "");
 }
 
 TEST(ReadActions, RefuseADisplacementThatTurnsElementsInsideOut) {

@@ -371,6 +371,7 @@ TEST(Values, WholeNumbersAreWhole) {
   EXPECT_EQ(message("x: 0\n", count_x), "'x' = 0 is out of range: expected x >= 1");
   EXPECT_EQ(message("x: 99999999999\n", count_x),
             "'x' = 99999999999 is out of range: expected a number of at most nine digits");
+  EXPECT_EQ(message("x: -99999999999\n", count_x), "'x' = -99999999999 is out of range: expected x >= 1");
   EXPECT_EQ(message("x: 5\n", [](Section root) { root.count("x", -1, 4); }),
             "'x' = 5 is out of range: expected -1 <= x <= 4");
   EXPECT_EQ(message("x: +4\n", [](Section root) { EXPECT_EQ(root.count("x"), 4); }), "");

@@ -92,16 +92,14 @@ TEST(Judge, FindsTrianglesThatLieOnEachOtherAndThoseWhoseNormalsAreOpposed) {
   Table<3> nodes(3, 2);
   nodes << 0, 0, 1, 2, 2, 3;
   EXPECT_EQ(said(judge(of_triangles(X, nodes))), Said{});  // both halves of a square
-  nodes << 0, 2, 1, 0, 2, 1;
-  nodes.col(1) << 0, 3, 2;
+  nodes << 0, 0, 1, 3, 2, 2;
   EXPECT_EQ(said(judge(of_triangles(X, nodes))), Said{"opposed 0 1"});
   nodes << 0, 0, 1, 1, 2, 3;  // halves of the square by its two cuts
-  EXPECT_EQ(said(judge(of_triangles(X, nodes))), (Said{"opposed 0 1", "flat_fold 0 1"}));
+  EXPECT_EQ(said(judge(of_triangles(X, nodes))), Said{"flat_fold 0 1"});
   Table<3> three(3, 3);
   three << 0, 1, 0, 1, 0, 1, 2, 4, 3;  // at one edge, two of them on each other: of three nobody can say whose normal is opposed
   EXPECT_EQ(said(judge(of_triangles(X, three))), Said{"flat_fold 0 2"});
-  three << 0, 1, 0, 1, 0, 1, 2, 4, 4;
-  three(2, 2) = 3, X.col(3) = Vec3(0.2, -1, 0);  // a plate with a web
+  X.col(3) = Vec3(0.2, -1, 0);  // a plate with a web
   EXPECT_EQ(said(judge(of_triangles(X, three))), Said{});
 }
 
