@@ -212,7 +212,8 @@ void update_element(const Interface& interface, const Vectors& x, const Vectors&
   const double contact_height = contact::contact_height(interface, memory, a);
   const Mat3* allowed = allowed_of(interface, a);
   const Index node = interface.apexes[a];
-  const Sweep sweep{interface.base, interface.own, x, v, dt, near_facets(memory, near), node, allowed, contact_height};
+  const Sweep sweep{interface.base, interface.own, x, v, dt, near_facets(memory, near), node, allowed, contact_height,
+                      most_behind(interface)};
   const Tracks before = near.tracks;
   if (before.count == 0 && dt > 0) enter(sweep, memory.deepest_now, near.tracks);
   if (before.count == 0 && !(dt > 0)) {  // at the start, displaced from the reference
@@ -232,14 +233,14 @@ void update_element(const Interface& interface, const Vectors& x, const Vectors&
   };
   WayOut out = find_way_out();
   if (moved.now + out.length >= near.clear) {
-    const Index other = other_part(sweep, before, near.tracks);
-    if (other >= 0) {
+    const Track other = other_part(sweep, before, near.tracks, memory.deepest_now);
+    if (other.facet >= 0) {
       const int lost = out.lost;
-      near.tracks.begin(other, sweep.level(other));
+      near.tracks.begin(other.facet, other.height);
       out = find_way_out();
       out.lost += lost;
     }
-    near.clear = other >= 0 ? -infinite : moved.until(nearest_other_part(sweep, near.tracks) - out.length - contact_height);
+    near.clear = other.facet >= 0 ? -infinite : moved.until(nearest_other_part(sweep, near.tracks) - out.length - contact_height);
   }
   ElementForces& element = near.element;
   element.lost = out.lost;

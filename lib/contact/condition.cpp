@@ -26,7 +26,7 @@ constexpr double takes_over = 0.5;     // cosine between a push and the normal o
 constexpr double paid_back = 0.2;      // of what friction owes, in a step
 constexpr double most_yield = 1e-6;    // of the depth of an element: way by which a stick yields for that in a step
 constexpr double just_on = 1e-9;       // of a face: so near a ridge an apex stands on it
-constexpr double straight_on = 0.7;    // cosine between the way from a ridge to an apex on it and its push
+constexpr double along_push = 0.7;     // cosine between the way from a ridge to an apex on it and its push
 constexpr double at_ridge = 0.05;      // weight of the third node of a facet: with less on both sides an apex is on the ridge between them
 constexpr double as_much = 0.5;        // of the larger push of both sides
 
@@ -114,8 +114,8 @@ void set(const Interface& interface, Index apex, const Stencil& stencil, const V
 /// Nodes, weights, normal and gap of an apex over the feature of a stencil where the nodes are at t; false if it is out of reach.
 ///
 /// A stencil with a push was found where the nodes would be: it counts however far the apex is now, and the push has the direction.
-bool make(const Interface& interface, const Motion& m, const Multipliers& all, const Near& near, Stencil& stencil, bool& has_moment,
-          Condition& c) {
+bool make(const Interface& interface, const Motion& m, const Memory& memory, const Multipliers& all, const Near& near, Stencil& stencil,
+          bool& has_moment, Condition& c) {
   const Index apex = interface.apexes[near.apex];
   const Vec3 p = m.x.col(apex);
   const double push = stencil.push.norm();
@@ -156,12 +156,9 @@ bool make(const Interface& interface, const Motion& m, const Multipliers& all, c
   if (stencil.kind == geometry::Kind::facet && (wall[0] || wall[1] || wall[2])) {
     over = height_over(interface.base, m.x, feature(), p);
     Vec3 normal;
-    // its own surface faces between both sides, and not one of them alone, as at the rim of a block on a block of the same size
-    const auto faces_it = [&] {
-      const Vec3 mine = interface.own.facets.cols() == 0 ? Vec3(Vec3::Zero()) : node_normal(interface.own, m.x, apex);
-      return mine.isZero(0) || mine.dot(normal) < -straight_on;
-    };
-    if (stands_on_ridge(interface.base, m.x, stencil.facet, over, normal) && faces_it()) {
+    // between both sides only where its own surface admits that, as not at the rim of a block on a block of the same size
+    if (stands_on_ridge(interface.base, m.x, stencil.facet, over, normal) &&
+        may_push(interface.own, m.x, apex, normal, behind_in_two_directions, allowed_of(interface, near.apex))) {
       stencil.weight = over.weight, stencil.fourth = 0;
       set(interface, apex, stencil, normal, over.height - stencil.level, c);
       return has_moment = true;
@@ -184,11 +181,12 @@ bool make(const Interface& interface, const Motion& m, const Multipliers& all, c
   set(interface, apex, stencil, over.normal, over.height - stencil.level, c);
   if (stencil.fourth != 0) c.nodes = 5, c.node[4] = interface.base.half[stencil.facet].fourth, c.weight[4] = -stencil.fourth;
   if (!(push > 0)) {
+    // its way may lead past the feature, whose height is then less than its distance: a free way into the base would have begun a track
+    if (near.tracks.count == 0) c.gap = std::max(c.gap, memory.gap[near.apex] - m.next * rate(c, all.velocity));
     double fastest = 0;
     for (int I = 1; I < c.nodes; ++I) fastest = std::max(fastest, (all.velocity.col(apex) - all.velocity.col(c.node[I])).squaredNorm());
     if (!can_touch(between(interface, near.apex, stencil.facet), m, c.gap, std::sqrt(fastest))) return false;
-    const bool faced = near.tracks.count > 0 || interface.own.facets.cols() == 0;
-    if (!faced && !(node_normal(interface.own, m.x, apex).dot(c.normal) < faces_below)) return false;  // sheets face everywhere: zero
+    return may_push(interface.own, m.x, apex, c.normal, most_behind(interface), allowed);
   }
   return true;
 }
@@ -242,8 +240,8 @@ void join_on_ridge(const BaseSurface& base, const Vectors& x, const Vec3& p, Ele
   Vec3 arm = p, out = Vec3::Zero();
   for (int I = 0; I < 3; ++I) arm -= weight[I] * x.col(base.facets(I, one.facet));
   for (int s = 0; s < element.count; ++s) out += element.stencil[s].push;
-  if (!(out.norm() > straight_on * least)) return;  // of both sides of a sheet
-  if (arm.norm() > just_on * base.size(one.facet) && std::abs(arm.dot(out)) < straight_on * arm.norm() * out.norm()) {
+  if (!(out.norm() > along_push * least)) return;  // of both sides of a sheet
+  if (arm.norm() > just_on * base.size(one.facet) && std::abs(arm.dot(out)) < along_push * arm.norm() * out.norm()) {
     one.kind = geometry::Kind::facet;  // it has gone off to one side
     return;
   }
@@ -428,7 +426,7 @@ bool find(const Interface& interface, const Motion& m, const Memory& memory, Nea
   Stencil& stencil = near.element.stencil[s];
   const bool made = make_ahead(interface, m.x, memory, near, ahead, c) ||
                     (!std::isnan(stencil.level) && !is_same_face(interface.base, near.element, s) &&
-                     make(interface, m, all, near, stencil, near.element.has_moment, c));
+                     make(interface, m, memory, all, near, stencil, near.element.has_moment, c));
   return made && complete(m, near.pressed, memory.restitution[near.apex].held, all, c);
 }
 

@@ -116,7 +116,8 @@ InitialGaps connect(Interface& interface, const Vectors& x, double reach, const 
     const Index a = near.apex, node = interface.apexes[a];
     double contact_height = interface.contact_height(a);
     const Mat3* allowed = allowed_of(interface, a);
-    const Sweep sweep{interface.base, interface.own, x, rest, 0, near_facets(memory, near), node, allowed, contact_height};
+    const Sweep sweep{interface.base, interface.own, x, rest, 0, near_facets(memory, near), node, allowed, contact_height,
+                      most_behind(interface)};
     const Nearest nearest = nearest_of(interface, x, a, sweep.near);
     memory.feature[a] = nearest.feature;
     if (nearest.feature.facet < 0) continue;

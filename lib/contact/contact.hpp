@@ -30,6 +30,7 @@
 #include "base/account.hpp"
 #include "base/step_limit.hpp"
 #include "contact/bodies.hpp"
+#include "contact/cone.hpp"
 #include "contact/edges.hpp"
 #include "contact/friction.hpp"
 #include "contact/method.hpp"
@@ -127,6 +128,11 @@ inline const Between& between(const Interface& interface, Index apex, Index face
 
 /// 1, or -1 of a back pass, whose apexes are on the other side of the contact. [-]
 inline double side_of(const Interface& interface) { return interface.pass == Pass::back ? -1 : 1; }
+
+/// How far the surface of an apex may reach behind a plane along whose normal its base pushes it. [-]
+inline double most_behind(const Interface& interface) {
+  return interface.pass == Pass::only && interface.bodies.names.empty() ? behind_in_one_direction : behind_in_two_directions;
+}
 
 /// How many of interfaces are passes of nodes, and not edges.
 inline std::size_t passes_of(std::span<const Interface> interfaces) {

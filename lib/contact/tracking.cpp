@@ -14,10 +14,8 @@ namespace {
 using geometry::Closest;
 using geometry::Kind;
 
-constexpr double edgeways = -0.3;     // above it an apex comes in through the side of its own surface
-constexpr double straight = -0.5;     // below it it looks at a facet
-constexpr double overlap = 1e-3;      // of a facet's weights: neighbours overlap by so much, so that there is no hole between them
-constexpr double round_off = 1e-9;    // of the longest edge
+constexpr double overlap = 1e-3;      // of a facet's weights: neighbours overlap by so much except at ridges, so that there is no hole
+constexpr double round_off = 1e-9;    // of the longest edge, and of a weight
 constexpr double of_places = 1e-15;   // of the coordinates
 constexpr double at_once = 1e-9;      // of a step: crossings that are as early as each other
 constexpr double on_ridge = 1e-3;     // of a step: sides of a ridge that are crossed as early as each other
@@ -40,14 +38,7 @@ Vec3 before(const Sweep& s) { return s.x.col(s.apex) - s.dt * s.v.col(s.apex); }
 
 double least(const std::array<double, 3>& weight) { return std::min({weight[0], weight[1], weight[2]}); }
 
-/// Cosine between the normal of the apex's own surface and one of the base: -1 where they face each other.
-double facing(const Sweep& s, const Vec3& normal) {
-  if (s.own.facets.cols() == 0) return -1;
-  Vec3 mine = node_normal(s.own, s.x, s.apex);
-  if (s.allowed) mine = (*s.allowed * mine).normalized();
-  return mine.isZero(0) ? -1 : mine.dot(normal);
-}
-bool faces(const Sweep& s, const Vec3& normal) { return facing(s, normal) < faces_below; }
+bool may_push(const Sweep& s, const Vec3& normal) { return may_push(s.own, s.x, s.apex, normal, s.most_behind, s.allowed); }
 
 /// The distance of a point from a facet that reaches past open borders as far as a force stays whole there.
 struct Reach {
@@ -65,10 +56,16 @@ Reach reach_of(const BaseSurface& base, Index facet, const Corners& c, const Vec
   return {std::sqrt(height * height + left * left), height, aside, closest.kind, open};
 }
 
-/// Whether a point over a facet belongs to it, with room for round-off between neighbours. Half of what a border apex stands for lies
-/// inside, so a facet reaches past an open border as far as a force stays whole there.
+/// Whether a point over a facet belongs to it, with room for round-off between neighbours. What passes beside a ridge is beside the body.
+/// Half of what a border apex stands for lies inside, so a facet reaches past an open border as far as a force stays whole there.
 bool reaches(const BaseSurface& base, Index facet, const Corners& c, const Vector<double>& p) {
-  if (least(geometry::facet_height(c, p).weight) >= -overlap) return true;
+  const auto weight = geometry::facet_height(c, p).weight;
+  bool is_inside = true;
+  for (int e = 0; e < 3; ++e) {
+    const bool ridge = base.wall[facet][e] && base.neighbour(e, facet) >= 0;
+    is_inside = is_inside && weight[(e + 2) % 3] >= (ridge ? -round_off : -overlap);
+  }
+  if (is_inside) return true;
   const Reach at = reach_of(base, facet, c, p);
   return at.open && at.aside <= whole_past_wall * base.size(facet);
 }
@@ -76,7 +73,7 @@ bool reaches(const BaseSurface& base, Index facet, const Corners& c, const Vecto
 /// The first facet that a path crosses from its front.
 struct Passage {
   Index facet = -1;
-  bool faced = true;
+  bool may_push = true;
   double at = 0;  // [-] of the step
   // Of the near facets, if not at_surface: whether the path may go through one itself, and whether it ends in front of one below h_c.
   bool through_surface = false, in_layer = false;
@@ -84,13 +81,14 @@ struct Passage {
 
 /// The path p0 - p1 in the frame of each near facet, against its plane at h_c or, at_surface, itself.
 ///
-/// must_face  facets that the apex does not face count only if there is no other
+/// Facets that may not push the apex count only if there is no other.
+///
 /// skip(facet)  true for facets that do not count
 template <class Skip>
-Passage crossed(const Sweep& s, const Vec3& p0, const Vec3& p1, bool at_surface, bool must_face, Skip&& skip) {
+Passage crossed(const Sweep& s, const Vec3& p0, const Vec3& p1, bool at_surface, Skip&& skip) {
   const Vector<double> from = place(p0), to = place(p1);
   Passage best;
-  Index not_faced = -1;
+  Index excluded = -1;
   double first = infinite, steepest = 0;
   for (const Index f : s.near) {
     const Corners c1 = corners(s.base, s.x, f);
@@ -111,25 +109,23 @@ Passage crossed(const Sweep& s, const Vec3& p0, const Vec3& p1, bool at_surface,
     Corners c;  // of the facet where it is then
     for (int a = 0; a < 3; ++a) c[a] = (1 - t) * c0[a] + t * c1[a];
     if (!reaches(s.base, f, c, (1 - t) * from + t * to)) continue;
-    const Vec3 normal = eigen(end.normal);
     if (skip(f)) continue;
-    if (must_face && !faces(s, normal)) {
-      not_faced = f;
+    if (!may_push(s, eigen(end.normal))) {
+      excluded = f;
       continue;
     }
     if (t < first - at_once || fall > steepest) best.facet = f, steepest = fall, first = std::min(t, first);
   }
   best.at = first;
-  if (best.facet < 0 && not_faced >= 0) best.facet = not_faced, best.faced = false;
+  if (best.facet < 0 && excluded >= 0) best.facet = excluded, best.may_push = false;
   return best;
 }
 
-/// The shallowest facet behind which a point stands, inside the facet and faced; -1 if there is none.
+/// The shallowest facet behind which a point stands, inside of it, that may push the apex; -1 if there is none.
 ///
 /// deepest(facet)  [m] below the surface
 template <class Deepest>
-Index shallowest(const Sweep& s, const Vec3& p, Deepest&& deepest, const Vec3* not_opposite, double& height,
-                 double facing_below = faces_below) {
+Index shallowest(const Sweep& s, const Vec3& p, Deepest&& deepest, const Vec3* not_opposite, double& height) {
   Index best = -1;
   height = -infinite;
   for (const Index f : s.near) {
@@ -138,7 +134,7 @@ Index shallowest(const Sweep& s, const Vec3& p, Deepest&& deepest, const Vec3* n
     if (least(over.weight) < -overlap) continue;
     const Vec3 normal = eigen(over.normal);
     if (not_opposite && normal.dot(*not_opposite) < far_side) continue;
-    if (!(facing(s, normal) < facing_below)) continue;
+    if (!may_push(s, normal)) continue;
     best = f, height = over.height;
   }
   return best;
@@ -188,7 +184,7 @@ Index entered_under_border(const Sweep& s, double deepest, double& height) {
     const auto was = geometry::facet_height(corners_before(s, f), place(p0));
     bool from_outside = false;
     for (int e = 0; e < 3; ++e) from_outside = from_outside || (s.base.neighbour(e, f) == no_facet && was.weight[(e + 2) % 3] < 0);
-    if (!from_outside || !faces(s, eigen(over.normal))) continue;
+    if (!from_outside || !may_push(s, eigen(over.normal))) continue;
     best = f, height = over.height;
   }
   return best;
@@ -214,6 +210,21 @@ bool is_beyond_ridge(const Sweep& s, Index facet, const Vec3& p) {
     }
   }
   return false;
+}
+
+/// The side of a ridge in whose plane an apex moves as it crosses the other side, as from one floor onto the next one: without a facet if
+/// there is none. Both sides may push the apex, and along this one nothing has to stop it.
+Track slides_onto(const Sweep& s, const Vec3& p0, const Vec3& p1, Index crossed, double deepest) {
+  const Vec3 normal = facet_normal(s.base, s.x, crossed);
+  for (const Index f : s.near) {
+    const auto end = geometry::facet_height(corners(s.base, s.x, f), place(p1));
+    const double turn = eigen(end.normal).dot(normal);
+    if (turn > far_turn || turn < far_side || least(end.weight) < -overlap || end.height > s.level(f)) continue;
+    const double start = geometry::facet_height(corners_before(s, f), place(p0)).height;
+    const double within = std::max(like_neighbours * deepest, round_off * s.base.longest(f));
+    if (std::abs(start - s.level(f)) <= within && may_push(s, eigen(end.normal))) return {f, std::min(start, s.level(f))};
+  }
+  return {};
 }
 
 bool share_a_node(const BaseSurface& base, Index f, Index g) {
@@ -257,27 +268,17 @@ Vec3 at(const Place& place, const BaseSurface& base, const Vectors& x) {
 void enter(const Sweep& s, double deepest, Tracks& tracks) {
   const auto all = [](Index) { return false; };
   const Vec3 p0 = before(s), p1 = now(s);
-  Passage through = crossed(s, p0, p1, false, true, all);
+  Passage through = crossed(s, p0, p1, false, all);
   double height = 0;
-  if (through.facet >= 0 && through.faced) {
-    // what comes in edgeways, as a node of a floor before a block that slides on it, belongs to the face that it looks at; but not from
-    // deeper below that than contacts are, for with such an offset it would go on into the body without a force
-    const Vec3 normal = facet_normal(s.base, s.x, through.facet);
-    if (facing(s, normal) > edgeways) {
-      const auto limit = [&](Index f) {
-        return std::min(deepest_entry(s.base, f), std::max(like_neighbours * deepest, whole_past_wall * s.base.size(f)));
-      };
-      const Index looked_at = shallowest(s, p1, limit, &normal, height, straight);
-      if (looked_at >= 0) return tracks.begin(looked_at, height);
-      const auto weight = geometry::facet_height(corners(s.base, s.x, through.facet), place(p1)).weight;
-      if (least(weight) < overlap) return;  // along the border of that side, as a node in the plane of the block's sole
-    }
+  if (through.facet >= 0 && through.may_push) {
+    const Track flush = slides_onto(s, p0, p1, through.facet, deepest);
+    if (flush.facet >= 0) return tracks.begin(flush.facet, flush.height);
     tracks.begin(through.facet, s.level(through.facet));
     // just on a ridge or corner it comes through its sides at once, and all push it back
     const auto not_beside = [&](Index f) { return !is_other_side(s, tracks, f); };
     while (tracks.count < most_tracks) {
-      const Passage other = crossed(s, p0, p1, false, true, not_beside);
-      if (other.facet < 0 || !other.faced || !(std::abs(other.at - through.at) < on_ridge)) break;
+      const Passage other = crossed(s, p0, p1, false, not_beside);
+      if (other.facet < 0 || !other.may_push || !(std::abs(other.at - through.at) < on_ridge)) break;
       tracks.begin(other.facet, s.level(other.facet));
     }
     return;
@@ -285,19 +286,19 @@ void enter(const Sweep& s, double deepest, Tracks& tracks) {
   const bool has_layer = s.contact_height > 0 || s.base.stand_off.size() > 0;
   if (has_layer) {
     // between the layers of two facets, and through the surface itself
-    const Passage surface = through.through_surface ? crossed(s, p0, p1, true, true, all) : Passage{};
-    if (surface.facet >= 0 && surface.faced) {
+    const Passage surface = through.through_surface ? crossed(s, p0, p1, true, all) : Passage{};
+    if (surface.facet >= 0 && surface.may_push) {
       const double was = geometry::closest_on_triangle(corners_before(s, surface.facet), place(p0)).distance_squared;
       height = geometry::facet_height(corners(s.base, s.x, surface.facet), place(p1)).height;
       const double level = s.level(surface.facet);
       return tracks.begin(surface.facet, was < level * level ? height : level);
     }
-    through.facet = -1;  // within the layer a facet that it does not face is the far side of what holds it
+    through.facet = -1;  // within the layer an excluded facet is the far side of what holds it
   }
   if (through.facet >= 0) {
     const Vec3 normal = facet_normal(s.base, s.x, through.facet);
-    const Index faced = shallowest(s, p1, [&](Index f) { return deepest_entry(s.base, f); }, &normal, height);
-    if (faced >= 0) return tracks.begin(faced, height);
+    const Index held_by = shallowest(s, p1, [&](Index f) { return deepest_entry(s.base, f); }, &normal, height);
+    if (held_by >= 0) return tracks.begin(held_by, height);
     if (!is_beyond_ridge(s, through.facet, p1)) tracks.begin(through.facet, s.level(through.facet));
     return;
   }
@@ -309,11 +310,13 @@ void enter(const Sweep& s, double deepest, Tracks& tracks) {
   if (sideways >= 0) tracks.begin(sideways, height);
 }
 
-Index other_part(const Sweep& s, const Tracks& before_step, const Tracks& after) {
+Track other_part(const Sweep& s, const Tracks& before_step, const Tracks& after, double deepest) {
   const Vec3 from = before_step.out.facet >= 0 ? at(before_step.out, s.base, s.x, s.v, s.dt) : before(s);
   const Vec3 to = after.count > 0 && after.out.facet >= 0 ? at(after.out, s.base, s.x) : now(s);
-  const auto skip = [&](Index f) { return around(s, after, f); };
-  return crossed(s, from, to, false, false, skip).facet;
+  const Passage through = crossed(s, from, to, false, [&](Index f) { return around(s, after, f); });
+  if (through.facet < 0) return {};
+  const Track flush = slides_onto(s, from, to, through.facet, deepest);
+  return flush.facet >= 0 ? flush : Track{through.facet, s.level(through.facet)};
 }
 
 Index behind(const Sweep& s, double deepest, double& depth) {
@@ -328,10 +331,10 @@ Index behind(const Sweep& s, double deepest, double& depth) {
   if (nearest >= 0) {  // also in the layer over ridges and borders, and below valleys
     const Stand there = stand(s.base, s.x, now(s), nearest, s.apex);
     const double over = there.over.height, height = there.past > 0 && over >= 0 ? std::sqrt(least_squared) : over;
-    const bool faced = faces(s, there.over.normal);
+    const bool is_held = may_push(s, there.over.normal);
     depth = s.level(nearest) - height;
-    if (over >= 0) return depth > 0 && faced ? there.feature.facet : -1;
-    if (there.past == 0 && over >= -limit(nearest) && faced) return there.feature.facet;
+    if (over >= 0) return depth > 0 && is_held ? there.feature.facet : -1;
+    if (there.past == 0 && over >= -limit(nearest) && is_held) return there.feature.facet;
   }
   double height = 0;
   const Index facet = shallowest(s, now(s), limit, nullptr, height);

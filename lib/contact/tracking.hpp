@@ -63,25 +63,28 @@ struct Sweep {
   Index apex;                   ///< node
   const Mat3* allowed;          ///< directions of an apex on a symmetry plane, or null
   double contact_height;        ///< [m] h_c, beside BaseSurface::stand_off
+  double most_behind;           ///< [-] of may_push()
 
   double level(Index facet) const { return contact_height + stand_off(base, facet); }
 };
 
-/// Looks whether a free apex has come into contact in a step, and begins a track if it has.
+/// Begins the contact of a free apex that its path in a step has led into the base.
 ///
-/// It has where its path crosses the plane of a near facet, at h_c or at the surface itself, from the front, inside the facet, and its own
-/// surface faces the facet. Without facing it came over a wall: the track begins at the shallowest facet that it faces, with an offset, so
-/// that nothing springs. So does what comes in edgeways close below a facet that it looks at, and what comes in under an open border, down
-/// to twice the deepest contact of the step before. Just on a ridge whose sides are walls it gets a track on both.
+/// It has where its path crosses the plane of a near facet, at h_c or at the surface itself, from the front, inside the facet, and the facet
+/// may push it. On a ridge whose sides are walls it gets a track on both. Where the facet may not push it, the apex came over a wall: the
+/// track begins at the shallowest facet that may, with an offset, so that there is no initial force. The same holds where it slides flush
+/// from one body onto the next one: it crosses the side of that at a ridge, and is no deeper below the other side of the ridge than twice
+/// the deepest contact of the step before. Under an open border an apex may enter sideways down to that depth.
 ///
 /// deepest  [m] contact of any apex in the step before
 void enter(const Sweep&, double deepest, Tracks&);
 
-/// Looks whether an apex in contact has come to another part of the surface: what the way of its pushed-out place crosses.
+/// Where an apex in contact has come to another part of the surface, which the path of its pushed-out place crosses.
 ///
 /// before, after   tracks at the start of the step and at its end
-/// returns  the facet, or -1
-Index other_part(const Sweep&, const Tracks& before, const Tracks& after);
+/// deepest  [m] contact of any apex in the step before
+/// returns  a track to begin, without a facet if there is no such part
+Track other_part(const Sweep&, const Tracks& before, const Tracks& after, double deepest);
 
 /// The facet that an apex stands behind at the start: the shallowest that faces it, no deeper than the material behind it.
 ///
