@@ -22,6 +22,7 @@ constexpr double on_ridge = 1e-3;     // of a step: sides of a ridge that are cr
 constexpr double material = 0.9;      // of the thickness: no contact begins from deeper
 constexpr double shallow = 0.2;       // of the longest edge: nor from deeper, but through the front
 constexpr double far_side = -0.5;     // cosine: facets that are turned so far are not round the corner
+constexpr double level_by = 1e-6;     // of the longest edge: meshes of single precision are flush to that
 constexpr double like_neighbours = 2;  // times the deepest contact of the step before
 
 
@@ -212,6 +213,12 @@ bool is_beyond_ridge(const Sweep& s, Index facet, const Vec3& p) {
   return false;
 }
 
+bool share_a_node(const BaseSurface& base, Index f, Index g) {
+  for (int a = 0; a < 3; ++a)
+    if ((base.facets.col(g).array() == base.facets(a, f)).any()) return true;
+  return false;
+}
+
 /// The side of a ridge in whose plane an apex moves as it crosses the other side, as from one floor onto the next one: without a facet if
 /// there is none. Both sides may push the apex, and along this one nothing has to stop it.
 Track slides_onto(const Sweep& s, const Vec3& p0, const Vec3& p1, Index crossed, double deepest) {
@@ -219,18 +226,13 @@ Track slides_onto(const Sweep& s, const Vec3& p0, const Vec3& p1, Index crossed,
   for (const Index f : s.near) {
     const auto end = geometry::facet_height(corners(s.base, s.x, f), place(p1));
     const double turn = eigen(end.normal).dot(normal);
-    if (turn > far_turn || turn < far_side || least(end.weight) < -overlap || end.height > s.level(f)) continue;
+    if (turn > far_turn || turn < far_side || !share_a_node(s.base, f, crossed)) continue;
+    if (least(end.weight) < -overlap || end.height > s.level(f)) continue;
     const double start = geometry::facet_height(corners_before(s, f), place(p0)).height;
-    const double within = std::max(like_neighbours * deepest, round_off * s.base.longest(f));
+    const double within = std::max(like_neighbours * deepest, level_by * s.base.longest(f));
     if (std::abs(start - s.level(f)) <= within && may_push(s, eigen(end.normal))) return {f, std::min(start, s.level(f))};
   }
   return {};
-}
-
-bool share_a_node(const BaseSurface& base, Index f, Index g) {
-  for (int a = 0; a < 3; ++a)
-    if ((base.facets.col(g).array() == base.facets(a, f)).any()) return true;
-  return false;
 }
 
 /// Whether a facet is looked after by a track next to it: all that share a node with it.
