@@ -57,14 +57,26 @@ Reach reach_of(const BaseSurface& base, Index facet, const Corners& c, const Vec
   return {std::sqrt(height * height + left * left), height, aside, closest.kind, open};
 }
 
+/// Whether a point is outside of a facet beyond one of its ridges, but for round-off.
+bool is_beyond_a_ridge(const BaseSurface& base, Index facet, const std::array<double, 3>& weight) {
+  for (int e = 0; e < 3; ++e)
+    if (base.wall[facet][e] && base.neighbour(e, facet) >= 0 && weight[(e + 2) % 3] < -round_off) return true;
+  return false;
+}
+
 /// Whether a point over a facet belongs to it, with room for round-off between neighbours. What passes beside a ridge is beside the body.
 /// Half of what a border apex stands for lies inside, so a facet reaches past an open border as far as a force stays whole there.
-bool reaches(const BaseSurface& base, Index facet, const Corners& c, const Vector<double>& p) {
+///
+/// corners_of(facet)  where the facet is then
+template <class CornersOf>
+bool reaches(const BaseSurface& base, Index facet, CornersOf&& corners_of, const Vector<double>& p) {
+  const Corners c = corners_of(facet);
   const auto weight = geometry::facet_height(c, p).weight;
-  bool is_inside = true;
-  for (int e = 0; e < 3; ++e) {
-    const bool ridge = base.wall[facet][e] && base.neighbour(e, facet) >= 0;
-    is_inside = is_inside && weight[(e + 2) % 3] >= (ridge ? -round_off : -overlap);
+  bool is_inside = least(weight) >= -overlap && !is_beyond_a_ridge(base, facet, weight);
+  for (int e = 0; e < 3 && is_inside; ++e) {  // a facet that has but a node at the ridge has the ridge behind a neighbour
+    const Index across = base.neighbour(e, facet);
+    if (weight[(e + 2) % 3] >= -round_off || across < 0) continue;
+    is_inside = !is_beyond_a_ridge(base, across, geometry::facet_height(corners_of(across), p).weight);
   }
   if (is_inside) return true;
   const Reach at = reach_of(base, facet, c, p);
@@ -107,9 +119,13 @@ Passage crossed(const Sweep& s, const Vec3& p0, const Vec3& p1, bool at_surface,
     if (start.height < level - tolerance || !(fall > 0)) continue;
     const double t = std::clamp((start.height - level) / fall, 0.0, 1.0);
     if (t > first + at_once) continue;
-    Corners c;  // of the facet where it is then
-    for (int a = 0; a < 3; ++a) c[a] = (1 - t) * c0[a] + t * c1[a];
-    if (!reaches(s.base, f, c, (1 - t) * from + t * to)) continue;
+    const auto then = [&](Index facet) {
+      Corners c = corners_before(s, facet);
+      const Corners later = corners(s.base, s.x, facet);
+      for (int a = 0; a < 3; ++a) c[a] = (1 - t) * c[a] + t * later[a];
+      return c;
+    };
+    if (!reaches(s.base, f, then, (1 - t) * from + t * to)) continue;
     if (skip(f)) continue;
     if (!may_push(s, eigen(end.normal))) {
       excluded = f;
