@@ -15,8 +15,9 @@ from meshes import Mesh, brick
 from scenes import DENSITY, SIZE, YOUNG, X, Y, Z, body, box, contact, drop, fixed, length, material, scene, sheet, vector
 
 GRAVITY = 50.0                  # [m/s2]: a block weighs 250 Pa, a four-thousandth of its modulus
-SPEED, PATH = 1.0, 0.012        # [m/s], [m]: from six to twenty elements
-FRAMES = 24
+SPEED, PATH = 1.0, 0.008        # [m/s], [m]: some six elements of a block of eight
+FRAMES = 16
+LOW, FAR = -0.0075, 0.0155      # [m] of a floor; with a yaw of 45 degrees a block begins at -0.0071
 HIGH = SIZE / 2                 # [m] of a block
 WITHIN = {True: 0.01, False: 0.03}  # [-] of the speed, for scenes whose bodies are all rigid and for others
 RISES = SIZE / 200              # [m] that a centre may rise: a hundredth of the height
@@ -43,7 +44,7 @@ def held(name, rigid, side="z_low"):
     return fixed(name if rigid else f"{name}.{side}")
 
 
-def flat(fine=1, how="automatic", friction=0.3, rigid="", cells=10, floor_cells=9, speed=SPEED, gap=1e-9, aside=0.0003, yaw=0.0,
+def flat(fine=1, how="automatic", friction=0.3, rigid="", cells=8, floor_cells=7, speed=SPEED, gap=1e-9, aside=0.0003, yaw=0.0,
          block_of=None, floor_of=None, high=HIGH, floor_high=HIGH, pull=0.0, push=0.0, floor_moves=False, joint=None, wall=False):
     """A block slides on a floor under gravity that is there from the start.
 
@@ -56,15 +57,15 @@ def flat(fine=1, how="automatic", friction=0.3, rigid="", cells=10, floor_cells=
     joint         [m] by which a second floor is lower, from x = 0.007 m on
     wall          the block slides along a wall as well
     """
-    half, wide = SIZE / 2, 0.9 * SIZE
+    half, wide = SIZE / 2, 0.7 * SIZE
     layers = max(1, round(cells * high / SIZE)) if high >= SIZE / cells else 2
     block = box((-half, -half, 0), (half, half, high), (cells, cells, layers), fine)
-    ends, cell = [-0.008, 0.02], SIZE / floor_cells
+    ends, cell = [LOW, FAR], SIZE / floor_cells
     if joint is not None:
         ends[1:1] = [0.007]
     names, bodies = ["floor", "next"][:len(ends) - 1], []
     for n, name in enumerate(names):
-        counts = [round((ends[n + 1] - ends[n]) / cell), round(2 * wide / cell), 2]
+        counts = [round((ends[n + 1] - ends[n]) / cell), round(2 * wide / cell), 1]
         mesh = box((ends[n], -wide, -floor_high), (ends[n + 1], wide, 0), counts, fine)
         bodies.append(made_rigid(body(name, mesh, (0, 0, -(joint or 0.0) * n), of=floor_of), "floor" in rigid))
     bodies.append(made_rigid(body("block", block, (aside, aside, gap), (Z, yaw) if yaw else None, block_of), "block" in rigid))
@@ -93,13 +94,13 @@ def flat(fine=1, how="automatic", friction=0.3, rigid="", cells=10, floor_cells=
     return made
 
 
-def dragged(fine=1, how="automatic", friction=0.3, cells=10, floor_cells=9, speed=SPEED, load=0.01, soft="both", aside=0.0003):
+def dragged(fine=1, how="automatic", friction=0.3, cells=8, floor_cells=7, speed=SPEED, load=0.01, soft="both", aside=0.0003):
     """The top of a block is pressed down and dragged over a floor: `load` is the pressure over the modulus of the softer body; `soft` is the
     body that is not a hundred times as stiff."""
-    half, wide, cell = SIZE / 2, 0.9 * SIZE, SIZE / floor_cells
+    half, wide, cell = SIZE / 2, 0.7 * SIZE, SIZE / floor_cells
     stiff = material(young=100 * YOUNG)
     block = box((-half, -half, 0), (half, half, HIGH), (cells, cells, cells // 2), fine)
-    floor = box((-0.008, -wide, -HIGH), (0.02, wide, 0), (round(0.028 / cell), round(2 * wide / cell), 2), fine)
+    floor = box((LOW, -wide, -HIGH), (FAR, wide, 0), (round((FAR - LOW) / cell), round(2 * wide / cell), 1), fine)
     end = PATH / speed
     pressure = f"{load * YOUNG!r}*min(1, t/{end / 10!r})"
     planes = [fixed("floor.z_low"), {"name": "drive", "kind": "constrained", "nodes": ["block.z_high"], "normal": [1, 0, 0],
@@ -114,17 +115,17 @@ def dragged(fine=1, how="automatic", friction=0.3, cells=10, floor_cells=9, spee
                          {"name": "load", "quantity": "impulse", "of": "load", "component": "z"}])
 
 
-def plates(fine=1, how="automatic", friction=0.3, upper="plate", lower="solid", cells=10, floor_cells=9, thickness=5e-4, speed=SPEED):
+def plates(fine=1, how="automatic", friction=0.3, upper="plate", lower="solid", cells=8, floor_cells=7, thickness=5e-4, speed=SPEED):
     """A plate slides on a solid, a solid on a plate whose nodes are all held, or a plate on such a plate."""
-    half, wide, cell = SIZE / 2, 0.9 * SIZE, SIZE / floor_cells
+    half, wide, cell = SIZE / 2, 0.7 * SIZE, SIZE / floor_cells
     element = {"thickness": length(thickness)}
-    counts = (round(0.028 / cell), round(2 * wide / cell))
+    counts = (round((FAR - LOW) / cell), round(2 * wide / cell))
     top, under, bodies = 1e-9, 0.0, []
     if lower == "plate":
-        bodies.append(body("floor", sheet((-0.008, -wide), (0.02, wide), [c * fine for c in counts]), element=element))
+        bodies.append(body("floor", sheet((LOW, -wide), (FAR, wide), [c * fine for c in counts]), element=element))
         under = thickness / 2
     else:
-        bodies.append(body("floor", box((-0.008, -wide, -HIGH), (0.02, wide, 0), (*counts, 2), fine)))
+        bodies.append(body("floor", box((LOW, -wide, -HIGH), (FAR, wide, 0), (*counts, 1), fine)))
     if upper == "plate":
         bodies.append(body("block", sheet((-half, -half), (half, half), (cells * fine, cells * fine)), (0.0003, 0.0003,
                            top + under + thickness / 2), element=element))
@@ -133,7 +134,8 @@ def plates(fine=1, how="automatic", friction=0.3, upper="plate", lower="solid", 
                            (0.0003, 0.0003, top + under)))
     sides = {"plate": ("bottom", "top"), "solid": ("z_low", "z_high")}
     high = thickness if upper == "plate" else HIGH
-    return scene(bodies, contacts_of(how, friction, sole=sides[upper][0], face=sides[lower][1]), {"block": (speed, 0, 0)}, PATH / speed, FRAMES,
+    contacts = contacts_of(how, friction, sole=sides[upper][0], face=sides[lower][1])
+    return scene(bodies, contacts, {"block": (speed, 0, 0)}, PATH / speed, FRAMES,
                  [("slides", "block", friction, WITHIN[False] * speed, 0.0), ("no_lower", "block", (0, 0, -1), -RISES)],
                  planes=[fixed("floor" if lower == "plate" else "floor.z_low")], gravity=DOWN,
                  scale=DENSITY * SIZE**2 * high * speed**2 / 2)
@@ -215,7 +217,7 @@ def plug(fine=1, how="automatic", friction=0.3, rigid="", clearance=0.02, cells=
     """
     r = SIZE / 2
     inner = r * (1 + clearance)
-    mesh, bore = rod(r, SIZE, cells * fine, cells * fine), tube(inner, 1.5 * r, -0.008, 0.028, cells * fine, 2 * cells * fine)
+    mesh, bore = rod(r, SIZE, cells * fine, cells * fine), tube(inner, 1.5 * r, -0.005, 0.022, cells * fine, 2 * cells * fine)
     both = "block" in rigid and "floor" in rigid
     answers = [("slides", "block", friction, WITHIN[both] * speed, 0.0), ("no_lower", "block", (0, 0, -1), -RISES)]
     down = facet_gap(r, inner, cells * fine) if lies else 0.0
@@ -246,7 +248,7 @@ def spun(fine=1, how="automatic", rigid="", clearance=0.02, cells=8, turns=1.0, 
     return made
 
 
-def ball(fine=1, how="automatic", rigid="", cells=8, floor_cells=9, gravity=200.0):
+def ball(fine=1, how="automatic", rigid="", cells=8, floor_cells=7, gravity=200.0):
     """A ball slides in a dish without friction: it swings as a pendulum does, and after half a period is as far on the other side."""
     r, dish, away = SIZE / 2, 3 * SIZE, SIZE / 2
     wide = 1.2 * SIZE
