@@ -23,7 +23,7 @@ endif()
 add_library(nereid_settings INTERFACE)
 target_compile_features(nereid_settings INTERFACE cxx_std_20)
 target_compile_options(nereid_settings INTERFACE
-  "$<BUILD_INTERFACE:-Wall;-Wextra;-Wpedantic;$<$<NOT:$<STREQUAL:${NEREID_JOIN},ON>>:-Wshadow>;-Werror>"
+  "$<BUILD_INTERFACE:-Wall;-Wextra;-Wpedantic;$<$<NOT:$<STREQUAL:${NEREID_JOIN},ON>>:-Wshadow>;$<$<BOOL:${NEREID_WERROR}>:-Werror>>"
   # GCC 12 reports its own AVX-512 intrinsics and strings (GCC bugs 105593, 105651)
   "$<$<CXX_COMPILER_ID:GNU>:$<BUILD_INTERFACE:-Wno-uninitialized;-Wno-maybe-uninitialized;-Wno-restrict>>"
   # instructions decide how wide tiles are, so whoever uses the libraries compiles for the same ones
@@ -67,8 +67,8 @@ target_link_libraries(nereid_settings INTERFACE Eigen3::Eigen Threads::Threads)
 set_target_properties(nereid_settings PROPERTIES EXPORT_NAME settings)
 install(TARGETS nereid_settings EXPORT nereid)
 
-# Headers that nearly every source includes, read once: a third of the time of a build. A source still includes all it uses, which builds
-# with CMAKE_DISABLE_PRECOMPILE_HEADERS hold it to.
+# Headers that nearly every source includes, read once: a third of the time of a build. A source still includes all it uses:
+# scripts/syntax compiles each source by itself and without them.
 function(nereid_precompile name)
   file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/generated/${name}.cpp CONTENT "")
   add_library(${name} OBJECT ${PROJECT_BINARY_DIR}/generated/${name}.cpp)

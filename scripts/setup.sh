@@ -133,7 +133,7 @@ configure_and_build() {
     options+=(-G Ninja)
   fi
   say "configuring $build"
-  cmake -S . -B "$build" --log-level=WARNING --no-warn-unused-cli -DCMAKE_BUILD_TYPE=Release -DNEREID_JOIN=ON \
+  cmake -S . -B "$build" --log-level=WARNING --no-warn-unused-cli -DCMAKE_BUILD_TYPE=Release -DNEREID_JOIN=ON -DNEREID_WERROR=ON \
         -DPython3_EXECUTABLE="$(command -v "$PYTHON")" "${options[@]}" >/dev/null
   say "building ${targets[*]}"
   cmake --build "$build" --parallel "$(jobs_for_build)" --target "${targets[@]}"

@@ -166,9 +166,9 @@ std::vector<std::string> rounding_notes(const Simulation& simulation) {
   for (const audit::Surface& surface : simulation.forces.audit.surfaces.list) {
     Vec3 low = Vec3::Constant(INFINITY), high = -low;
     for (const Index n : surface.nodes) low = low.cwiseMin(simulation.state.x.col(n)), high = high.cwiseMax(simulation.state.x.col(n));
-    const double farthest = low.cwiseAbs().cwiseMax(high.cwiseAbs()).maxCoeff();
-    if (!(farthest > far_away * (high - low).maxCoeff()) || !std::isfinite(farthest)) continue;  // to move it would not help
-    const double here = 0.5 * std::numeric_limits<double>::epsilon() * farthest;
+    const double from_origin = low.cwiseAbs().cwiseMax(high.cwiseAbs()).maxCoeff();
+    if (!(from_origin > far_away * (high - low).maxCoeff()) || !std::isfinite(from_origin)) continue;  // to move it would not help
+    const double here = 0.5 * std::numeric_limits<double>::epsilon() * from_origin;
     if (here / surface.smallest > most) worst = &surface, most = here / surface.smallest, rounding = here;
   }
   if (worst == nullptr || !(most > worth_saying)) return {};

@@ -4,6 +4,7 @@ import math
 from typing import Callable
 
 import scenes
+import sliding
 from scenes import DENSITY, SIZE, SOUND, YOUNG, material
 
 TWO, PENALTY = {"passes": "two"}, {"method": "penalty"}
@@ -345,10 +346,100 @@ def automatic(first=0, count=24):
     return found
 
 
+HOWS = {"": {}, "one pass": {"how": "one pass"}}
+HOWS_AND_TWO = {**HOWS, "two passes": {"how": "two passes"}}
+PAIRS = {"soft": {}, "rigid": {"rigid": "block floor"}, "rigid on soft": {"rigid": "block"}, "soft on rigid": {"rigid": "floor"}}
+
+
+def sliding_bodies():
+    """Bodies that slide, by the kind of the scene; the option names what differs from an automatic contact with a friction of 0.3."""
+    return [*flat_slides(), *extreme_slides(), *plate_slides(), *curved_slides(), *corners_that_slide()]
+
+
+def slide_of(value, option, function, clock=60.0, **keys):
+    return cell("sliding", value, function.__name__, option, function, clock, **keys)
+
+
+def flat_slides():
+    """Blocks on flat floors: friction, meshes, directions, forces."""
+    found = []
+    for mu in (0.0, 0.1, 0.3, 0.5, 0.9):
+        for name, bodies in PAIRS.items():
+            ways = HOWS_AND_TWO if name == "soft" else HOWS if name == "rigid" else {"": {}}
+            found += [slide_of(f"friction {mu:g}", ", ".join(part for part in (name, way) if part), sliding.flat, friction=mu, **bodies, **keys)
+                      for way, keys in ways.items()]
+    for cells in (8, 10, 12):
+        for name, of_floor in (("coarse", cells // 2), ("unlike", cells - 1), ("alike", cells), ("fine", cells + cells // 3)):
+            aside = 0.0 if name == "alike" else 0.0003
+            found.append(slide_of(f"{cells} cells", f"{name} floor", sliding.flat, cells=cells, floor_cells=of_floor, aside=aside))
+    for yaw in (5, 30, 45):
+        found += [slide_of(f"yaw {yaw}", name, sliding.flat, yaw=yaw, **PAIRS[name]) for name in ("soft", "rigid")]
+    for part in (1e-6, 1e-4, 1e-3):
+        found.append(slide_of(f"gap {part:g}", "", sliding.flat, gap=part * SIZE / 8))
+    for mu in (0.1, 0.9):
+        found += [slide_of("pulled", f"friction {mu:g}", sliding.flat, friction=mu, pull=1.1 * mu * sliding.GRAVITY),
+                  slide_of("pushed", f"friction {mu:g}", sliding.flat, friction=mu, push=1.1 * mu * sliding.GRAVITY)]
+    for mu in (0.0, 0.5):
+        found += [slide_of("floor moves", f"{name}, friction {mu:g}", sliding.flat, friction=mu, floor_moves=True, **PAIRS[name])
+                  for name in ("soft", "rigid")]
+        found += [slide_of(f"floor with a joint, {drop:g} lower", f"friction {mu:g}", sliding.flat, friction=mu, joint=drop)
+                  for drop in (0.0, 1e-6)]
+        found.append(slide_of("along a wall", f"friction {mu:g}", sliding.flat, friction=mu, wall=True))
+    return found
+
+
+def extreme_slides():
+    """Fast, thin, of unlike stiffness, pressed hard."""
+    found = []
+    for part in (0.03, 0.1, 0.3):
+        found += [slide_of(f"{part:g} c", f"friction {mu:g}", sliding.flat, friction=mu, speed=part * SOUND) for mu in (0.0, 0.5)]
+    for part in (0.1, 0.02):
+        for mu in (0.0, 0.5):
+            found += [slide_of(f"thin {part:g}", f"block, friction {mu:g}", sliding.flat, friction=mu, high=part * SIZE),
+                      slide_of(f"thin {part:g}", f"floor, friction {mu:g}", sliding.flat, friction=mu, floor_high=part * SIZE)]
+    for ratio in (0.01, 0.1, 10.0, 100.0):
+        of = {"block_of": material(young=ratio * YOUNG)} if ratio < 1 else {"floor_of": material(young=YOUNG / ratio)}
+        found += [slide_of(f"stiffness {ratio:g}", f"friction {mu:g}", sliding.flat, friction=mu, **of) for mu in (0.0, 0.5)]
+    for load in (0.01, 0.05):
+        for mu in (0.1, 0.5, 0.9):
+            found.append(slide_of(f"pressed {load:g}", f"friction {mu:g}", sliding.dragged, friction=mu, load=load))
+    found += [slide_of("pressed 0.01", f"soft {soft}", sliding.dragged, soft=soft) for soft in ("block", "floor")]
+    found.append(slide_of("pressed 0.01", "one pass", sliding.dragged, how="one pass"))
+    return found
+
+
+def plate_slides():
+    """Plates on solids, solids on plates, plates on plates."""
+    return [slide_of(f"{upper} on {lower}", f"friction {mu:g}", sliding.plates, friction=mu, upper=upper, lower=lower)
+            for upper, lower in (("plate", "solid"), ("solid", "plate"), ("plate", "plate")) for mu in (0.0, 0.3, 0.9)]
+
+
+def curved_slides():
+    """Grooves, bores and dishes."""
+    found = [slide_of(f"groove {2 * half}", f"friction {mu:g}", sliding.groove, friction=mu, half_angle=half)
+             for half in (30, 45, 60) for mu in (0.0, 0.3)]
+    found.append(slide_of("groove 90", "rigid", sliding.groove, rigid="block floor"))
+    found += [slide_of("bore", f"{name}, friction {mu:g}", sliding.plug, friction=mu, **PAIRS[name])
+              for name in ("soft", "rigid") for mu in (0.0, 0.3, 0.9)]
+    found += [slide_of("bore", f"clearance {part:g}", sliding.plug, clearance=part, lies=False, rigid="block floor") for part in (0.003, 0.01)]
+    found += [slide_of("spins in a bore", name, sliding.spun, **PAIRS[name]) for name in ("soft", "rigid")]
+    found += [slide_of("dish", name, sliding.ball, **PAIRS[name]) for name in ("soft", "rigid")]
+    return found
+
+
+def corners_that_slide():
+    """A cube that strikes askew with a corner ahead."""
+    found = [slide_of(f"corner, {cells} cells", f"friction {mu:g}", sliding.corner, cells=cells, friction=mu)
+             for cells in (8, 9, 10, 12) for mu in (0.2, 0.3, 0.9)]
+    found += [slide_of("corner, 9 cells", name, sliding.corner, cells=9, **keys)
+              for name, keys in (("one pass", {"how": "one pass"}), ("two passes", {"how": "two passes"}), ("penalty", {"how": "penalty"}))]
+    return found
+
+
 AXES = {"time step": time_step, "penalty": penalty, "stiffness ratio": stiffness, "density ratio": density, "mesh ratio": mesh_ratio,
         "aspect ratio": aspect, "Poisson": poisson, "speed": speed, "thickness": thickness, "friction": friction, "gap": gap,
         "ridge": ridges, "valley": valleys, "shapes": shapes, "ties": ties, "scale": scale, "distance": distance, "long": long_runs,
-        "random": at_random, "automatic": automatic}
+        "random": at_random, "automatic": automatic, "sliding": sliding_bodies}
 
 
 def cells(axis=None):

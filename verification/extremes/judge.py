@@ -275,7 +275,7 @@ def depths(seen, expected):
         for frame in seen.frames:
             if allowed is None:
                 allowed = measure.overlap(one, other, frame.x, bases)[0] if seen.accepts(pair) else 0.0
-            deep, below, part = measure.overlap(one, other, frame.x, bases, room, allowed)
+            deep, below, part = measure.overlap(one, other, frame.x, bases, room, allowed, exact=seen.accepts(pair))
             allowed = allowed if deep > 0 else 0.0  # once they have parted, what was accepted is past
             worst, most = max(worst, (deep - allowed, below - allowed)), max(most, part)
         found.append((pair, *worst, most, size, worst[0] > FULL * room))
@@ -447,8 +447,56 @@ def no_faster(seen, body, axis, speed):
     return None if most <= speed else f"{body} is at {most:.3g} m/s, expected at most {speed:.3g}"
 
 
+def normal_impulse(seen, body, frame, load=""):
+    """What a level floor has given a body until a frame, from its momentum along z, its weight and a load of the history [N s]."""
+    mass = float(seen.bodies[body].mass.sum())
+    rise = seen.velocity(body, frame)[2] - came_with(seen, body)[2]
+    return mass * (rise - seen.gravity()[2] * frame.time) - (at_time(seen, load, frame.time) if load else 0.0)
+
+
+def at_time(seen, column, time):
+    return float(np.interp(time, seen.history["time"], seen.history[column]))
+
+
+def slides(seen, body, friction, within, pull=0.0):
+    """A body that slides along x slows down by what Coulomb's law takes of the normal impulse, at every time; a force pulls it on, over its
+    mass [m/s2]."""
+    mass = float(seen.bodies[body].mass.sum())
+    known = [(frame.time, came_with(seen, body)[0] + pull * frame.time - friction * normal_impulse(seen, body, frame) / mass,
+              seen.velocity(body, frame)[0]) for frame in seen.frames]
+    time, right, found = max(known, key=lambda one: abs(one[2] - one[1]))
+    if abs(found - right) <= within:
+        return None
+    return f"{body} slides at {found:.4g} m/s at {time:.4g} s, expected {right:.4g} within {within:.2g}"
+
+
+def drags(seen, body, friction, within, drive, load):
+    """What drags a body along x is its friction, in the mean over the last two thirds of a run: both are impulses of the history. The error
+    is a part of the friction, or of a tenth of the normal force where there is less."""
+    mass = float(seen.bodies[body].mass.sum())
+    frames = [frame for frame in seen.frames if frame.time >= seen.frames[-1].time / 3]
+    first, last = frames[0], frames[-1]
+    normal = normal_impulse(seen, body, last, load) - normal_impulse(seen, body, first, load)
+    found = at_time(seen, drive, last.time) - at_time(seen, drive, first.time)
+    found -= mass * (seen.velocity(body, last) - seen.velocity(body, first))[0]
+    if normal > 0 and abs(found - friction * normal) <= within * max(friction, 0.1) * normal:
+        return None
+    return f"{body} is dragged with {found / normal:.4g} of the normal force, expected {friction:g} within {within * max(friction, 0.1):.2g}"
+
+
+def spins(seen, body, axis, least, most):
+    """The part of the angular momentum about its centre, along an axis, that a body has left."""
+    left = []
+    for frame in (seen.frames[0], seen.frames[-1]):
+        x, v = (values - mean for values, mean in ((frame.x, seen.centre(body, frame)), (frame.v, seen.velocity(body, frame))))
+        left.append(float(np.array(axis, dtype=float) @ (seen.bodies[body].mass[:, None] * np.cross(x, v)).sum(axis=0)))
+    part = left[1] / left[0]
+    return None if least <= part <= most else f"{body} has {part:.4g} of its spin left, expected {least:.4g} to {most:.4g}"
+
+
 ANSWERS = {"separates": separates, "stays": stays, "untouched": untouched, "moves": moves, "stands": stands, "keeps_shape": keeps_shape,
-           "cheap": cheap, "returns": returns, "side": side, "order": order, "no_lower": no_lower, "no_faster": no_faster}
+           "cheap": cheap, "returns": returns, "side": side, "order": order, "no_lower": no_lower, "no_faster": no_faster,
+           "slides": slides, "drags": drags, "spins": spins}
 
 
 def answer_faults(seen, expected):

@@ -18,6 +18,9 @@ TYPES = {"Float64": "<f8", "Float32": "<f4", "Int32": "<i4", "Int64": "<i8", "UI
 ALONG = np.linspace(0, 1, 9)[1:-1]  # where edges are sampled
 INSIDE = 0.5                        # [-] winding number
 MOST_AT_ONCE = 400_000              # pairs of points and triangles in one piece of work
+GROUPS, MOST_TOGETHER = 16, 64      # parts of a length, and points in a group of such as lie beside each other
+UNSEEN = 1e-4                       # [-] of an element: a point that is less deep counts as outside, where depths need not be exact
+FEW = 12                            # triangles that are tried first
 
 
 class Unreadable(Exception):
@@ -316,10 +319,12 @@ def in_pieces(function, points, triangles):
     return np.concatenate(parts) if parts else np.zeros(0)
 
 
-def which_inside(points, triangles):
-    """Places of those of the points that the triangles enclose."""
+def which_inside(points, triangles, sizes=None):
+    """Places of those of the points that the triangles enclose; with sizes [m], of those that are deeper than a ten-thousandth of theirs."""
     low, high = triangles.min(axis=(0, 1)), triangles.max(axis=(0, 1))
     near = np.flatnonzero(np.all((points > low) & (points < high), axis=1))
+    if sizes is not None:
+        near = near[closest(points[near], triangles)[:, 0] > UNSEEN * sizes[near]]
     return near[in_pieces(winding_numbers, points[near], triangles) > INSIDE] if len(near) else near
 
 
@@ -329,37 +334,58 @@ def points_inside(points, triangles):
 
 
 def closest(points, triangles):
-    """For each point the distance to the closest triangle [m], and which that is."""
-    away = all_distances(points, triangles)
-    return np.stack([away.min(axis=1), away.argmin(axis=1)], axis=1)
+    """For each point the distance to the closest triangle [m], and which that is. Points that lie together are held against those triangles
+    alone that can be closest to one of them."""
+    found = np.zeros((len(points), 2))
+    first, last = triangles.min(axis=1), triangles.max(axis=1)
+    for some in together(points):
+        low, high = points[some].min(axis=0), points[some].max(axis=0)
+        apart = np.linalg.norm(np.maximum(np.maximum(first - high, low - last), 0), axis=1)
+        likely = np.argpartition(apart, min(FEW, len(apart) - 1))[:FEW]
+        most = float(all_distances(points[some], triangles[likely]).min(axis=1).max())
+        near = np.flatnonzero(apart <= most * (1 + 1e-9))
+        away = all_distances(points[some], triangles[near])
+        found[some] = np.stack([away.min(axis=1), near[away.argmin(axis=1)]], axis=1)
+    return found
 
 
-def depth_in(body, other, x, triangles, base, room, allowed):
+def together(points):
+    """The places of points in groups of such as lie beside each other."""
+    if not len(points):
+        return []
+    size = max(float(np.ptp(points, axis=0).max()), 1e-300)
+    place = np.floor((points - points.min(axis=0)) / (size / GROUPS))
+    order = np.lexsort(place.T)
+    groups = np.split(order, np.flatnonzero(np.any(np.diff(place[order], axis=0) != 0, axis=1)) + 1)
+    return [group[i:i + MOST_TOGETHER] for group in groups for i in range(0, len(group), MOST_TOGETHER)]
+
+
+def depth_in(body, other, x, triangles, base, room, allowed, exact=True):
     """(deepest below the closest triangle [m], deepest below the base triangles [m], largest part of an element) of a body's points
     in another. The element is the flatter one of those at the point and behind the triangle, or what room there is; the part is of
     what is deeper than allowed."""
     pieces, sizes = between_crossings(body, x, triangles)
     points, sizes = np.concatenate([samples(body, x), pieces]), np.concatenate([depths_of_samples(body), sizes])
-    inside = which_inside(points, triangles)
+    inside = which_inside(points, triangles, None if exact else np.minimum(sizes, room))
     if not len(inside):
         return 0.0, 0.0, 0.0
-    found = in_pieces(closest, points[inside], triangles)
+    found = closest(points[inside], triangles)
     depth, at = found[:, 0], found[:, 1].astype(int)
     deepest = float(depth.max())
     size = np.minimum(np.minimum(sizes[inside], depths_of_triangles(other, triangles)[at]), room)
-    below = deepest if base is None or not len(base) else float(in_pieces(distances, points[inside], base).max())
+    below = deepest if base is None or not len(base) else float(closest(points[inside], base)[:, 0].max())
     return deepest, below, float(np.max((depth - allowed) / size))
 
 
-def overlap(one, other, x, bases=(None, None), room=np.inf, allowed=0.0):
+def overlap(one, other, x, bases=(None, None), room=np.inf, allowed=0.0, exact=True):
     """(deepest [m], deepest below the named surfaces [m], largest part of an element) of two bodies in each other; bases: faces of
-    each, or None; room: how deep a point can be [m]; allowed: [m] what does not count for the part."""
+    each, or None; room: how deep a point can be [m]; allowed: [m] what does not count for the part; exact: depths below UNSEEN count."""
     first, second = closed_surface(one, x), closed_surface(other, x)
     if np.any(first.max(axis=(0, 1)) < second.min(axis=(0, 1))) or np.any(second.max(axis=(0, 1)) < first.min(axis=(0, 1))):
         return 0.0, 0.0, 0.0
     named = [None if faces is None else in_four(x[faces]) if faces.shape[1] == 4 else x[faces] for faces in bases]
-    a = depth_in(one, other, x, second, named[1], room, allowed)
-    b = depth_in(other, one, x, first, named[0], room, allowed)
+    a = depth_in(one, other, x, second, named[1], room, allowed, exact)
+    b = depth_in(other, one, x, first, named[0], room, allowed, exact)
     through = max(through_plate(one, other, x), through_plate(other, one, x))
     part = (through - allowed) / min(one.depth, other.depth, room)
     return max(a[0], b[0], through), max(a[1], b[1], through), max(a[2], b[2], part, 0.0)
@@ -391,7 +417,7 @@ def through_plate(body, plate, x):
 def depth_of_rounded(plate, other, x):
     """How deep the nodes of a plate are in another body if each is a ball of the plate's thickness, as where a rim is round [m]."""
     triangles, points = closed_surface(other, x), x[plate.nodes]
-    away = in_pieces(distances, points, triangles)
+    away = closest(points, triangles)[:, 0]
     away[which_inside(points, triangles)] *= -1
     return float(np.max(plate.thickness / 2 - away))
 
@@ -401,7 +427,7 @@ def room(body, x):
     if body.is_plate:
         return body.thickness / 2
     points = np.concatenate([x[body.nodes], x[body.cells].mean(axis=1)])
-    return float(in_pieces(distances, points, in_four(x[body.faces])).max())
+    return float(closest(points, in_four(x[body.faces]))[:, 0].max())
 
 
 # ------------------------------------------------------------------------------------------------
@@ -434,7 +460,15 @@ def crossings(a, b, triangles, counts=None):
     """The same with the lines: (which line, how far its nearer end is [m], the point)."""
     low, high = np.minimum(a, b), np.maximum(a, b)
     first, last = triangles.min(axis=1), triangles.max(axis=1)
-    e, t = np.nonzero(np.all((low[:, None] < last[None]) & (high[:, None] > first[None]), axis=2))
+    lines, those = [np.zeros(0, dtype=int)], [np.zeros(0, dtype=int)]
+    for some in together((a + b) / 2):
+        near = np.flatnonzero(np.all((low[some].min(axis=0) < last) & (high[some].max(axis=0) > first), axis=1))
+        e, t = np.nonzero(np.all((low[some][:, None] < last[near][None]) & (high[some][:, None] > first[near][None]), axis=2))
+        lines.append(some[e])
+        those.append(near[t])
+    e, t = np.concatenate(lines), np.concatenate(those)
+    order = np.lexsort((t, e))
+    e, t = e[order], t[order]
     if counts is not None:
         kept = counts(e, t)
         e, t = e[kept], t[kept]
