@@ -14,7 +14,7 @@ import math
 
 # [-] largest error of the force, over the larger of mu N and N/10; largest error of the speed, over the speed at the start
 LIMITS = {"rigid": (0.01, 1e-3), "steel": (0.01, 1e-3), "soft": (0.03, 0.03)}
-LIFT = 0.05      # [-] of a cell: a block whose nodes rise by more above their start in the mean has been lifted; vibrations lift elastic ones less
+LIFT = 0.05      # [-] of a cell: a block that rises by more above its start, in the mean of its nodes, has been lifted
 OPEN = 0.1       # [-] of the mean normal force: below, the block does not rest on the floor
 RIGHT, WRONG, RATTLING, STOPPED, WARNED = "right", "wrong", "rattling", "stopped", "warned"
 VERDICTS = (RIGHT, RATTLING, WARNED, STOPPED, WRONG)

@@ -5,8 +5,8 @@ from reference import acceleration, drive, sliding_speed
 from verify import Breaks, Check, Figure, Pair, Table, share
 
 CATALOGUE = ()
-CLAIM = ("By automatic contact, bodies slide on flat faces as Coulomb's law says, a body that passes another is not touched, and a true step "
-         "stops a body.")
+CLAIM = ("By automatic contact, bodies slide on flat faces as Coulomb's law says, a body that passes another is not touched, and a true "
+         "step stops a body.")
 EVIDENCE = "exact"
 DRIVER = "scene"
 
@@ -127,7 +127,8 @@ CHECKS = [
     Check("speed of a block with friction 0.1", keeps_speed(change={"contacts[0].friction": 0.1}, friction=0.1), 1e-3, SPEED),
     Check("speed of a block as wide as its floor", keeps_speed(change=FLUSH), 1e-3, SPEED),
     Check("steel: drive", steel_drive, 0.01, "the mean over 20 periods of the block; waves of the start remain"),
-    Check("steel: the sole follows the top", steel_sole, 0.01, "the block shears and tilts on its elastic floor by a thousandth of its height"),
+    Check("steel: the sole follows the top", steel_sole, 0.01,
+          "the block shears and tilts on its elastic floor by a thousandth of its height"),
     Check("soft: drive", soft_drive, 0.03, "the mean over four periods of block and floor, which sway"),
     Check("incline: acceleration", down, 1e-3, "a constant force"),
     Check("incline: lift, in cells", lift_of(INCLINE), 1e-3, WHOLE),
@@ -194,8 +195,8 @@ STUDIES = [Table("Largest change of the velocity of a block that flies past anot
 def speeds(run):
     plate = case_of(PLATE, run)
     rough = run.again({"contacts[0].friction": 0.1})
-    return [("box, friction 0", run.column("time"), run.column("speed")), ("box, friction 0.1", rough.column("time"), rough.column("speed")),
-            ("plate, friction 0.2", plate.column("time"), plate.column("speed"))]
+    return [(name, one.column("time"), one.column("speed"))
+            for name, one in (("box, friction 0", run), ("box, friction 0.1", rough), ("plate, friction 0.2", plate))]
 
 
 def exact_speeds(_):
