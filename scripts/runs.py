@@ -236,7 +236,7 @@ class Store:
             state = path.stat()
             key = (driver, state.st_size, state.st_mtime_ns, state.st_ino)
             if key not in self.digests:  # some 10 MB: read again only when built again
-                self.digests[key] = digest(re.sub(rb"[0-9a-f]{40}(-dirty)?\0", b"", path.read_bytes()))
+                self.digests[key] = digest_of_program(path)
         except OSError as error:
             raise CannotRun(f"{path} is not built") from error
         return self.digests[key]
@@ -262,6 +262,11 @@ def run_alone(words, patience=3600):
 
 def digest(data):
     return hashlib.sha256(data).hexdigest()
+
+
+def digest_of_program(path):
+    """That of its code, without the commit that is written into it."""
+    return digest(re.sub(rb"[0-9a-f]{40}(-dirty)?\0", b"", path.read_bytes()))
 
 
 def read_case(case):
