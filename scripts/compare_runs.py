@@ -5,6 +5,7 @@ The results of the twin are carried back by the transformation that made it (Car
 import csv
 import math
 
+import runs
 import twins
 
 
@@ -136,3 +137,76 @@ def files_that_differ(one, other):
     """Names of the files that are not the same, or missing on one side; and of how many."""
     ours, theirs = written(one), written(other)
     return [name for name in sorted({*ours, *theirs}) if ours.get(name) != theirs.get(name)], len(ours)
+
+
+# ------------------------------------------------------------------------------------------------
+# Differences over time
+
+NO_NUMBERS = ("_at", "_first_touch", "_last_touch", "_walks", "_lost", "_recovered")  # times of events and counts: round-off moves them by one
+OF_THE_FRAME = ("energy_kinetic", "external", "potential", "residual")  # parts of names of columns that a moving observer has otherwise
+SAME_TIME = 1e-9  # [-] of the end: rows of both runs at one time
+SMALL = 1e-3      # [-] of the largest column of its unit: where modelling is compared, less counts as no result of its own
+
+
+def curves(twin, interpolated=False):
+    """{column: [(time, relative difference)]} of a twin, over the largest value of the column; energies over the largest energy.
+
+    Rows of the same time are compared; with `interpolated`, those of the base with what the twin has then.
+    """
+    ours, theirs = history(twin.base), history(twin.run)
+    first, *names = ours
+    times, other_times = ours[first][1], theirs[first][1]
+    end = max(size(times), size(other_times))
+    energy = max((size(column) for name, (_, column) in ours.items() if name.startswith("energy_")), default=0.0)
+    family = {}
+    for unit, column in ours.values():
+        family[unit] = max(family.get(unit, 0.0), size(column))
+    if interpolated:
+        rows = [(i, t) for i, t in enumerate(times) if t <= other_times[-1]]
+    else:
+        at = {round(t / end / SAME_TIME): j for j, t in enumerate(other_times)} if end else {}
+        rows = [(i, at[round(t / end / SAME_TIME)]) for i, t in enumerate(times) if round(t / end / SAME_TIME) in at]
+    found = {}
+    for name in names:
+        if name in twin.skipped or twin.frame_moves and any(part in name for part in OF_THE_FRAME):
+            continue
+        unit, column = ours[name]
+        parts, back = twin.probes.get(name, ([name], lambda _, v: v[0]))
+        if any(part not in theirs for part in parts):
+            continue
+        columns = [theirs[part][1] for part in parts]
+        scale = energy if name.startswith("energy_") else max(size(column), SMALL * family[unit] if interpolated else 0.0)
+        one = found[name] = []
+        for i, j in rows:
+            other = [runs.interpolate(other_times, c, j) if interpolated else c[j] for c in columns]
+            one.append((times[i], relative(apart([column[i]], [back(times[i], other)]), scale)))
+    return found
+
+
+def ends(twin):
+    """{name: relative difference} at the end: results of summary.json, fields of the last frame, and impulses."""
+    found, columns = {}, twin.base.columns
+    results, others = twin.base.summary["results"], twin.run.summary["results"]
+    for name, one in results.items():
+        carried = any(name.startswith(f"{probe}_") for probe in (*twin.probes, *twin.skipped))  # its column is compared
+        pair = [one["value"], others.get(name, {}).get("value")]
+        if not carried and not name.endswith(NO_NUMBERS) and None not in pair and not twin.frame_moves:
+            found[f"result {name}"] = relative(apart(*([x] for x in pair)), max(size(pair), size(columns.get(name.rpartition("_")[0], []))))
+    if all((one.folder / "body.pvd").is_file() for one in (twin.base, twin.run)):
+        time = twin.run.frame("body")[0]
+        change = (lambda name, v: twin.field(time, name, v)) if twin.field else (lambda name, v: v)
+        found.update((f"field {name}", d) for name, d in fields(twin.base, twin.run, twin.carry, change).items())
+    found.update(impulses(twin))
+    return found
+
+
+def impulses(twin):
+    """The difference of the impulse of each source, and of the momentum, over the largest of them."""
+    ours, theirs = (one.summary.get("ledger", {}) for one in (twin.base, twin.run))
+    pairs = {f"impulse {name}": [ledger["accounts"][name]["impulse"]["value"] for ledger in (ours, theirs)]
+             for name in ours.get("accounts", {}) if name in theirs.get("accounts", {})}
+    if "momentum" in ours and not twin.frame_moves:
+        pairs["momentum"] = [ledger["momentum"]["value"] for ledger in (ours, theirs)]
+    pairs = {name: (twin.carry.vector(a), b) for name, (a, b) in pairs.items()}
+    scale = max((size(v) for pair in pairs.values() for v in pair), default=0.0)
+    return {name: relative(apart(*pair), scale) for name, pair in pairs.items()}
