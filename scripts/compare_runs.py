@@ -142,10 +142,47 @@ def files_that_differ(one, other):
 # ------------------------------------------------------------------------------------------------
 # Differences over time
 
-NO_NUMBERS = ("_at", "_first_touch", "_last_touch", "_walks", "_lost", "_recovered")  # times of events and counts: round-off moves them by one
-OF_THE_FRAME = ("energy_kinetic", "external", "potential", "residual")  # parts of names of columns that a moving observer has otherwise
+# Ends of names of results that are times of events, and counts: round-off moves them by one.
+NO_NUMBERS = ("_at", "_first_touch", "_last_touch", "_walks", "_lost", "_recovered")
+# Parts of names of columns that a moving observer has otherwise.
+OF_THE_FRAME = ("energy_kinetic", "external", "potential", "residual", "integration")
 SAME_TIME = 1e-9  # [-] of the end: rows of both runs at one time
 SMALL = 1e-3      # [-] of the largest column of its unit: where modelling is compared, less counts as no result of its own
+
+
+def scales(run):
+    """({column or field: its largest value}, {the same: the largest value of its unit}) of a run; energies count as the largest of them.
+
+    A scene at rest has nothing but round-off in its velocities and energies. So the velocity that its gravity would make in the time of the
+    run counts too, and weight times size; of spins, velocities over the size; of lengths, a thousandth of the size, since positions are
+    rounded.
+    """
+    units, own = {}, {}
+    for name, (unit, column) in history(run).items():
+        units[name], own[name] = "energy" if name.startswith("energy_") else unit, size(column)
+    if has_bodies(run):
+        last_time, last = run.frame("body")
+        for name, unit in UNITS.items():
+            if name in last:
+                units[f"field {name}"] = unit
+                own[f"field {name}"] = max((size(v if isinstance(v, tuple) else (v,)) for v in last[name]), default=0.0)
+        extent = max(max(p[i] for p in last["points"]) - min(p[i] for p in last["points"]) for i in range(3))
+        pull = math.hypot(*run.summary["provenance"]["resolved"].get("gravity", {}).get("value", [0]))
+        weight = math.hypot(*run.summary["ledger"]["accounts"].get("gravity", {}).get("impulse", {}).get("value", [0])) / last_time
+        units["falls"], own["falls"] = "m/s", pull * last_time
+        units["spin"], own["spin"] = "rad/s", max((own[name] for name, unit in units.items() if unit == "m/s"), default=0.0) / extent
+        units["rounded"], own["rounded"] = "m", SMALL * extent
+        units["weight"], own["weight"] = "energy", weight * extent
+    family = {}
+    for name, unit in units.items():
+        family[unit] = max(family.get(unit, 0.0), own[name])
+    return {name: family[unit] if unit == "energy" else own[name] for name, unit in units.items()}, \
+        {name: family[unit] for name, unit in units.items()}
+
+
+def has_bodies(run):
+    """Whether a run has frames of bodies over time; other programs write shapes, of any sign."""
+    return "time" in run.columns and (run.folder / "body.pvd").is_file()
 
 
 def curves(twin, interpolated=False):
@@ -157,10 +194,7 @@ def curves(twin, interpolated=False):
     first, *names = ours
     times, other_times = ours[first][1], theirs[first][1]
     end = max(size(times), size(other_times))
-    energy = max((size(column) for name, (_, column) in ours.items() if name.startswith("energy_")), default=0.0)
-    family = {}
-    for unit, column in ours.values():
-        family[unit] = max(family.get(unit, 0.0), size(column))
+    own, family = scales(twin.base)
     if interpolated:
         rows = [(i, t) for i, t in enumerate(times) if t <= other_times[-1]]
     else:
@@ -170,12 +204,12 @@ def curves(twin, interpolated=False):
     for name in names:
         if name in twin.skipped or twin.frame_moves and any(part in name for part in OF_THE_FRAME):
             continue
-        unit, column = ours[name]
+        _, column = ours[name]
         parts, back = twin.probes.get(name, ([name], lambda _, v: v[0]))
         if any(part not in theirs for part in parts):
             continue
         columns = [theirs[part][1] for part in parts]
-        scale = energy if name.startswith("energy_") else max(size(column), SMALL * family[unit] if interpolated else 0.0)
+        scale = max(own[name], SMALL * family[name] if interpolated else 0.0)
         one = found[name] = []
         for i, j in rows:
             other = [runs.interpolate(other_times, c, j) if interpolated else c[j] for c in columns]
@@ -191,8 +225,9 @@ def ends(twin):
         carried = any(name.startswith(f"{probe}_") for probe in (*twin.probes, *twin.skipped))  # its column is compared
         pair = [one["value"], others.get(name, {}).get("value")]
         if not carried and not name.endswith(NO_NUMBERS) and None not in pair and not twin.frame_moves:
-            found[f"result {name}"] = relative(apart(*([x] for x in pair)), max(size(pair), size(columns.get(name.rpartition("_")[0], []))))
-    if all((one.folder / "body.pvd").is_file() for one in (twin.base, twin.run)):
+            column = columns.get(name.rpartition("_")[0], [])
+            found[f"result {name}"] = relative(apart(*([x] for x in pair)), max(size(pair), size(column)))
+    if has_bodies(twin.base) and has_bodies(twin.run):
         time = twin.run.frame("body")[0]
         change = (lambda name, v: twin.field(time, name, v)) if twin.field else (lambda name, v: v)
         found.update((f"field {name}", d) for name, d in fields(twin.base, twin.run, twin.carry, change).items())

@@ -108,6 +108,10 @@ class Scene:
             return tree.get("contacts", [])
         return [tree.setdefault(key, {}) for key in ("contact", "interface") if key in self.resolved]
 
+    def needs_steps(self):
+        if "output" not in self.resolved:
+            raise CannotChange("the program makes no time steps")
+
     def relaxes(self):
         return "relaxation" in self.tree or any("relaxation" in stage for stage in self.tree.get("stages", []))
 
@@ -120,9 +124,10 @@ class Scene:
         return max(max(map(abs, p)) for p in self.frames()[0]["points"])
 
     def speed(self):
-        """The largest of a node in the first and last frame; without any, the size over the time of the run. [m/s]"""
+        """The largest of a node in the first and last frame, or what gravity makes; without any, size over time of the run. [m/s]"""
         found = max(max(map(abs, v)) for frame in self.frames() for v in frame["velocity"])
-        return found or self.size() / self.base.column("time")[-1]
+        end = self.base.column("time")[-1]
+        return max(found, math.hypot(*self.resolved.get("gravity", {}).get("value", [0])) * end) or self.size() / end
 
     def from_files(self):
         """(tree, meshes by body) of the case with all shapes in files."""
@@ -304,6 +309,7 @@ def moving(scene):
     """Galilei: all bodies, and what holds or drives them, have a constant velocity more."""
     tree = copy.deepcopy(scene.tree)
     scene.bodies()
+    scene.needs_steps()
     if scene.relaxes():
         raise CannotChange("relaxation damps all velocities, so that it stands still")
     if any(word_of(spring, "to") == "ground" for spring in tree.get("springs", [])):
@@ -363,23 +369,30 @@ def run_or_skip(scene, label, tree):
 
 def disturbed(scene, tree, sign, label, run):
     """The case with a small velocity and displacement of each body that change from place to place: the run shows how round-off grows."""
-    tree, size = copy.deepcopy(tree), scene.size()
+    tree = copy.deepcopy(tree)
     if "bodies" not in tree:
         return run(f"{label}_{sign}", multiplied(tree, 1 + sign * DISTURBANCE))
-    speed = DISTURBANCE * scene.speed()
-    chance = random.Random(11)
-    for body in tree["bodies"]:
-        def field(amplitude, waves):
-            angles = [f"{sign * amplitude * chance.uniform(0.5, 1)!r}*sin({chance.uniform(0, 6)!r}" +
-                      "".join(f" + {waves * chance.uniform(0.5, 1) / size!r}*{x}" for x in "xyz" if waves) + ")" for _ in "xyz"]
-            return Texts(angles, "")
+    chance, size, steps = random.Random(11), scene.size(), "output" in scene.resolved
+    shift = sign * 0.1 * DISTURBANCE * size
+    speed = sign * DISTURBANCE * scene.speed() if steps else 0
 
-        rigid = word_of(body, "rigid", False)
+    def waves(amplitude):
+        return [f"{amplitude * chance.uniform(0.5, 1)!r}*sin({chance.uniform(0, 6)!r}" +
+                "".join(f" + {WAVES * chance.uniform(0.5, 1) / size!r}*{x}" for x in "xyz") + ")" for _ in "xyz"]
+
+    def rigid_motion(amplitude):
+        return [f"{amplitude * chance.uniform(0.5, 1)!r} + {amplitude / size!r}*({a} - {b})" for a, b in ("zy", "xz", "yx")]
+
+    for body in tree["bodies"]:
+        rigid, mesh = word_of(body, "rigid", False), body["mesh"]
+        if not steps:
+            mesh["map"] = Quantity([f"{text} + {wave}" for text, wave in zip(word_of(mesh, "map", "xyz"), waves(shift))])
+            continue
         added = []
         if not scene.relaxes():
-            added.append({"body": body["name"], "velocity": Texts(field(speed, 0 if rigid else WAVES), "m/s")})
+            added.append({"body": body["name"], "velocity": Texts((rigid_motion if rigid else waves)(speed), "m/s")})
         if not rigid and "stages" not in tree:
-            added.append({"body": body["name"], "displacement": Texts(field(0.1 * DISTURBANCE * size, WAVES), "m")})
+            added.append({"body": body["name"], "displacement": Texts(waves(shift), "m")})
         tree["initial"] = [*tree.get("initial", []), *added]
     return run(f"{label}_{sign}", tree)
 
@@ -506,8 +519,7 @@ def diagonals(scene):
 
 
 def half_step(scene):
-    if "safety" not in scene.resolved.get("time", {}):
-        raise CannotChange("it has no time steps")
+    scene.needs_steps()
     tree = copy.deepcopy(scene.tree)
     tree["time"]["safety"] = Quantity(scene.resolved["time"]["safety"]["value"] / 2, "1")
     for one in (*scene.contacts(tree), *(plane for plane in tree.get("planes", []) if plane["kind"].value == "rigid")):
@@ -530,15 +542,14 @@ def parts_that_differ(run, summary):
 
 
 def resolved(scene):
-    """Columns of the case and of what the program says that it has read; the last row of a run that a condition stopped came early."""
-    ours, theirs = scene.original.columns, scene.base.columns
-    rows = len(ours["time"]) - 1 if scene.stopped else None
-    return [f"column {name}" for name in ours if ours[name][:rows] != theirs.get(name, [])[:rows]]
+    """Columns of the case, and of what the program says that it has read."""
+    ours, theirs = scene.original.columns, scene.run("resolved", twins.tree_of(scene.original)).columns
+    return [f"column {name}" for name in ours if str(ours[name]) != str(theirs.get(name))]  # as text, so that nan is nan
 
 
 def rows(scene):
     """Columns at the same rows, but means since the row before; the last frames; and impulses."""
-    needs_steps(scene)
+    scene.needs_steps()
     tree = copy.deepcopy(scene.tree)
     for key in ("history_every", "frames_every"):
         tree["output"][key] = Quantity(tree["output"][key].value / 2, "s")
@@ -559,7 +570,7 @@ def rows(scene):
 
 def resumed(scene):
     """Interrupted at its first checkpoint, and gone on with on two threads."""
-    needs_steps(scene)
+    scene.needs_steps()
     case, end = scene.base.case_file, scene.base.summary["ending"]["time"]["value"]
     folder = scene.store.scratch / scene.label / "resumed"
     words = [str(scene.store.drivers / scene.driver), str(case), "--out", str(folder), "--quiet"]
@@ -577,11 +588,6 @@ def resumed(scene):
         return [f"it does not go on: {' '.join(done.stderr.split())}"]
     summary = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
     return compare_runs.files_that_differ(scene.base.folder, folder)[0] + parts_that_differ(scene.base, summary)
-
-
-def needs_steps(scene):
-    if "output" not in scene.resolved:
-        raise CannotChange("the program makes no time steps")
 
 
 CHANGES = [

@@ -45,8 +45,11 @@ def taken(node):
     for key in ("value", "velocity", "displacement"):  # a text, or three, with its unit beside it
         if "unit" in kept and key in kept:
             texts = kept[key].value if isinstance(kept[key].value, list) else [kept[key].value]
-            factor, *powers = measure(kept.pop("unit").value)
-            kept[key] = Texts([times(text, factor) for text in texts], "*".join(f"{n}^{p}" for n, p in zip(("m", "kg", "s"), powers) if p))
+            unit = kept.pop("unit").value
+            factor, *powers = measure(unit)
+            angle = ["rad"] if re.search(r"\b(rad|deg)\b", unit) else []
+            kept[key] = Texts([times(text, factor) for text in texts],
+                              "*".join([*angle, *(f"{n}^{p}" for n, p in zip(("m", "kg", "s"), powers) if p)]))
     return kept
 
 
@@ -91,7 +94,8 @@ def in_other_variables(text, of):
 
 # factor to SI, powers of length, mass and time
 NAMES = {"m": (1, 1, 0, 0), "kg": (1, 0, 1, 0), "s": (1, 0, 0, 1), "N": (1, 1, 1, -2), "Pa": (1, -1, 1, -2), "MPa": (1e6, -1, 1, -2),
-         "J": (1, 2, 1, -2), "Hz": (1, 0, 0, -1), "1": (1, 0, 0, 0), "rad": (1, 0, 0, 0), "K": (1, 0, 0, 0)}
+         "J": (1, 2, 1, -2), "Hz": (1, 0, 0, -1), "1": (1, 0, 0, 0), "rad": (1, 0, 0, 0),
+         "deg": (math.pi / 180, 0, 0, 0), "K": (1, 0, 0, 0)}
 
 
 class UnknownUnit(Exception):
@@ -138,6 +142,9 @@ class System:
         size = math.prod(one ** power for one, power in zip(self.sizes, powers))
         return f"{value / size!r} {self.name(powers)}"
 
+    def name_of(self, unit):
+        return "*".join(part for part in ("rad" if "rad" in unit else "", self.name(self.powers(unit))) if part)
+
     def name(self, powers):
         return "*".join(name + (f"^{power}" if power != 1 else "") for name, power in zip(self.names, powers) if power)
 
@@ -163,7 +170,7 @@ def written(node, system, indent=0):
             powers = system.powers(one.dimension)
             size = math.prod(a ** p for a, p in zip(system.sizes, powers))
             texts = ", ".join(quoted(times(text, 1 / size)) for text in one)
-            lines += [f"{head} [{texts}]" if len(one) > 1 else f"{head} {texts}", f"{' ' * indent}unit: {system.name(powers)}"]
+            lines += [f"{head} [{texts}]" if len(one) > 1 else f"{head} {texts}", f"{' ' * indent}unit: {system.name_of(one.dimension)}"]
         elif one:
             lines += [head, *written(one, system, indent + 2)]
         else:
