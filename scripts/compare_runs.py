@@ -169,10 +169,11 @@ def scales(run):
         extent = max(max(p[i] for p in last["points"]) - min(p[i] for p in last["points"]) for i in range(3))
         pull = math.hypot(*run.summary["provenance"]["resolved"].get("gravity", {}).get("value", [0]))
         weight = math.hypot(*run.summary["ledger"]["accounts"].get("gravity", {}).get("impulse", {}).get("value", [0])) / last_time
-        units["falls"], own["falls"] = "m/s", pull * last_time
-        units["spin"], own["spin"] = "rad/s", max((own[name] for name, unit in units.items() if unit == "m/s"), default=0.0) / extent
-        units["rounded"], own["rounded"] = "m", SMALL * extent
-        units["weight"], own["weight"] = "energy", weight * extent
+        units["of gravity"], own["of gravity"] = "m/s", pull * last_time
+        fastest = max(own[name] for name, unit in units.items() if unit == "m/s")
+        units["of spins"], own["of spins"] = "rad/s", fastest / extent
+        units["of places"], own["of places"] = "m", SMALL * extent
+        units["of weight"], own["of weight"] = "energy", weight * extent
     family = {}
     for name, unit in units.items():
         family[unit] = max(family.get(unit, 0.0), own[name])

@@ -72,10 +72,10 @@ class Change:
 class Scene:
     """A case, its run as it stands, and the same case as the program resolved it, of which twins are made."""
 
-    def __init__(self, store, driver, case, overrides):
+    def __init__(self, store, driver, case, overrides, label=""):
         self.store, self.driver, self.case = store, driver, case
         self.original = store.run(driver, case, overrides)
-        self.label = f"{case.parent.name}_{case.stem}"
+        self.label = f"{case.parent.name}_{case.stem}{label}"
         self.resolved = self.original.summary["provenance"]["resolved"]
         self.tree = twins.tree_of(self.original)
         self.stopped = self.original.ending == "stopped_by_condition"
@@ -96,6 +96,10 @@ class Scene:
         """The run of a changed tree."""
         path = twins.put_down(copy.deepcopy(tree), self.case.parent, self.store.scratch / self.label, label, system)
         return self.store.run(self.driver, path, {}, threads)
+
+    def refine(self):
+        """The factor on all counts of cells that the case has."""
+        return self.resolved.get("refine", {}).get("value", 1.0)
 
     def bodies(self):
         if "bodies" not in self.tree:
