@@ -58,10 +58,11 @@ def largest(found):
 # Results
 
 def history(run):
-    """Columns of history.csv: {name: (unit, numbers)}."""
+    """Columns of history.csv: {name: (unit, numbers)}; of frequencies the squares: a solver finds these, and roots of round-off are large."""
     with (run.folder / "history.csv").open(newline="", encoding="utf-8") as stream:
         head, *rows = csv.reader(stream)
-    return {name.split(" [")[0]: (name.split(" [")[1].rstrip("]"), [float(row[i]) for row in rows]) for i, name in enumerate(head)}
+    found = {name.split(" [")[0]: (name.split(" [")[1].rstrip("]"), [float(row[i]) for row in rows]) for i, name in enumerate(head)}
+    return {name: ("Hz^2", [x * x for x in column]) if unit == "Hz" else (unit, column) for name, (unit, column) in found.items()}
 
 
 def histories(base, twin, carry=Carry(), only=None):
@@ -225,7 +226,8 @@ def ends(twin):
     for name, one in results.items():
         carried = any(name.startswith(f"{probe}_") for probe in (*twin.probes, *twin.skipped))  # its column is compared
         pair = [one["value"], others.get(name, {}).get("value")]
-        if not carried and not name.endswith(NO_NUMBERS) and None not in pair and not twin.frame_moves:
+        in_history = one.get("unit") == "Hz"
+        if not carried and not in_history and not name.endswith(NO_NUMBERS) and None not in pair and not twin.frame_moves:
             column = columns.get(name.rpartition("_")[0], [])
             found[f"result {name}"] = relative(apart(*([x] for x in pair)), max(size(pair), size(column)))
     if has_bodies(twin.base) and has_bodies(twin.run):
