@@ -58,7 +58,7 @@ def largest(found):
 # Results
 
 def history(run):
-    """Columns of history.csv: {name: (unit, numbers)}; of frequencies the squares: a solver finds these, and roots of round-off are large."""
+    """Columns of history.csv: {name: (unit, numbers)}; of frequencies the squares: a solver finds these, and roots of zero are not."""
     with (run.folder / "history.csv").open(newline="", encoding="utf-8") as stream:
         head, *rows = csv.reader(stream)
     found = {name.split(" [")[0]: (name.split(" [")[1].rstrip("]"), [float(row[i]) for row in rows]) for i, name in enumerate(head)}
