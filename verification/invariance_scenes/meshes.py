@@ -1,62 +1,16 @@
 #!/usr/bin/env python3
-"""Meshes of the scenes in this folder: read, written, and made.
+"""Meshes of the scenes in this folder.
 
     meshes.py        writes the .vtu files of this folder anew
 """
-import dataclasses
 import itertools
 import math
-import xml.etree.ElementTree as xml
+import sys
 from pathlib import Path
 
-TRIANGLE, HEXAHEDRON = 5, 12  # VTK's numbers
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
+from mesh_files import Mesh, write  # noqa: E402  (after the path)
 
-
-@dataclasses.dataclass
-class Mesh:
-    """Points [m], cells as lists of points (eight: hexahedra, three: triangles), node sets as lists of 0 and 1."""
-    points: list
-    cells: list
-    sets: dict
-
-
-def numbers(text, kind):
-    return [kind(word) for word in text.split()]
-
-
-def read(path):
-    """A mesh of an ASCII .vtu file as `write` writes it."""
-    root = xml.parse(path).getroot()
-    arrays = {one.get("Name"): one for one in root.iter("DataArray")}
-    flat = numbers(arrays["points"].text, float)
-    connectivity, ends = numbers(arrays["connectivity"].text, int), numbers(arrays["offsets"].text, int)
-    sets = {one.get("Name"): numbers(one.text, int) for one in root.find(".//PointData")}
-    return Mesh([flat[i:i + 3] for i in range(0, len(flat), 3)],
-                [connectivity[begin:end] for begin, end in zip([0, *ends], ends)], sets)
-
-
-def write(path, mesh):
-    """An ASCII .vtu file with all digits."""
-    def array(kind, name, values, components=1):
-        wide = f' NumberOfComponents="{components}"' if components > 1 else ""
-        rows = [" ".join(str(v) for v in values[i:i + 12]) for i in range(0, len(values), 12)]
-        return [f'<DataArray type="{kind}" Name="{name}"{wide} format="ascii">', *rows, "</DataArray>"]
-
-    offsets = list(itertools.accumulate(len(cell) for cell in mesh.cells))
-    lines = ['<VTKFile type="UnstructuredGrid" version="1.0" byte_order="LittleEndian">', "<UnstructuredGrid>",
-             f'<Piece NumberOfPoints="{len(mesh.points)}" NumberOfCells="{len(mesh.cells)}">', "<PointData>"]
-    for name, flags in mesh.sets.items():
-        lines += array("Int32", name, flags)
-    lines += ["</PointData>", "<Points>", *array("Float64", "points", [x for p in mesh.points for x in p], 3), "</Points>", "<Cells>"]
-    lines += array("Int64", "connectivity", [node for cell in mesh.cells for node in cell])
-    lines += array("Int64", "offsets", offsets)
-    lines += array("UInt8", "types", [HEXAHEDRON if len(cell) == 8 else TRIANGLE for cell in mesh.cells])
-    lines += ["</Cells>", "</Piece>", "</UnstructuredGrid>", "</VTKFile>", ""]
-    path.write_text("\n".join(lines), encoding="utf-8")
-
-
-# ------------------------------------------------------------------------------------------------
-# Making
 
 def brick(size, cells, sway):
     """A box about the origin with plane faces, its nodes swayed along them so that no two cells are alike."""

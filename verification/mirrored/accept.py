@@ -2,6 +2,9 @@
 import sys
 from pathlib import Path
 
+import mesh_files
+import twins
+from compare_runs import Carry
 from reference import mirror
 from verify import Breaks, Check, Figure, Pair, Table
 
@@ -18,9 +21,9 @@ M = mirror()
 
 
 def mirrored(run, base, scene):
-    tree = scenes.moved(scenes.tree_of(base), M, (0, 0, 0))
-    path = scenes.put_down(tree, scenes.scratch_of(run), f"mirrored_{scene}", change=lambda mesh, _: scenes.mirrored(mesh))
-    return path, scenes.Carry(matrix=M)
+    tree = twins.moved(twins.tree_of(base), M, (0, 0, 0))
+    path = scenes.put_down(run, tree, f"mirrored_{scene}", change=lambda mesh, _: mesh_files.mirrored(mesh))
+    return path, Carry(matrix=M)
 
 
 def same(scene):
@@ -42,7 +45,7 @@ STUDIES = [Table("In the mirror: the largest relative differences.", scenes.COLU
 BREAKS = [
     Breaks("strike: in the mirror", "a velocity that is not mirrored", {"initial[0].velocity": '["25", "4", "-30"]'}),
     Breaks("plates: in the mirror", "a moment mirrored as if it were a force",
-           {"loads[1].value": '["{:.17g}", "{:.17g}", "0.05 * cos(4e4*t)"]'.format(*scenes.product(M, (0.1, 0.02, 0)))}),
+           {"loads[1].value": '["{:.17g}", "{:.17g}", "0.05 * cos(4e4*t)"]'.format(*twins.product(M, (0.1, 0.02, 0)))}),
     Breaks("stack: in the mirror", "the normal of a rigid plane that is not mirrored", {"planes[0].normal": "[0.02, -0.01, 1]"}),
     Breaks("press: in the mirror", "an initial field that is not mirrored", {"initial[0].velocity": '["40*x", "45*y", "0"]'}),
 ]

@@ -2,11 +2,13 @@
 import sys
 from pathlib import Path
 
+import twins
+from compare_runs import Carry
+from mesh_files import Mesh
 from reference import ANY, INCH, POUND_FORCE, STANDARD_GRAVITY, TWOS
 from verify import Breaks, Check, Figure, Pair, Table
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "invariance_scenes"))
-import meshes  # noqa: E402
 import scenes  # noqa: E402
 
 CLAIM = "A scene in other units or at another scale gives the same results in its own units."
@@ -15,22 +17,22 @@ CATALOGUE = ()
 DRIVER = "scene"
 CASE = f"{scenes.FOLDER}/ball.yaml"
 
-TECHNICAL = scenes.System(("mm", 1e-3), ("kgf", STANDARD_GRAVITY), ("s", 1))
-INCHES = scenes.System(("in", INCH), ("lbf", POUND_FORCE), ("s", 1))
+TECHNICAL = twins.System(("mm", 1e-3), ("kgf", STANDARD_GRAVITY), ("s", 1))
+INCHES = twins.System(("in", INCH), ("lbf", POUND_FORCE), ("s", 1))
 
 
 def written_in(name, system):
     def make(run, base, scene):
-        return scenes.put_down(scenes.tree_of(base), scenes.scratch_of(run), f"{name}_{scene}", system=system), scenes.Carry()
+        return scenes.put_down(run, twins.tree_of(base), f"{name}_{scene}", system=system), Carry()
     return make
 
 
 def grown(name, scale):
     def make(run, base, scene):
         def larger(mesh, _):
-            return meshes.Mesh([[scale[0] * x for x in point] for point in mesh.points], mesh.cells, mesh.sets)
-        tree = scenes.scaled(scenes.tree_of(base), scale)
-        return scenes.put_down(tree, scenes.scratch_of(run), f"{name}_{scene}", change=larger), scenes.Carry(scale=scale)
+            return Mesh([[scale[0] * x for x in point] for point in mesh.points], mesh.cells, mesh.sets)
+        tree = twins.scaled(twins.tree_of(base), scale)
+        return scenes.put_down(run, tree, f"{name}_{scene}", change=larger), Carry(scale=scale)
     return make
 
 

@@ -2,6 +2,10 @@
 import sys
 from pathlib import Path
 
+import compare_runs
+import mesh_files
+import twins
+from compare_runs import Carry
 from reference import permutation
 from verify import Breaks, Check, Falls, Figure, Pair, Table
 
@@ -21,15 +25,15 @@ def renumbered(other_corners):
 
         def change(mesh, body):
             seed = sum(map(ord, body)) + len(nodes)
-            new, of_node, of_cell = scenes.renumbered(mesh, lambda count: permutation(count, seed), other_corners)
+            new, of_node, of_cell = mesh_files.renumbered(mesh, lambda count: permutation(count, seed), other_corners)
             first_node, first_cell = len(nodes), len(cells)
             nodes.extend(first_node + i for i in of_node)
             cells.extend(first_cell + i for i in of_cell)
             return new
 
         label = f"renumbered{'_corners' if other_corners else ''}_{scene}"
-        path = scenes.put_down(scenes.tree_of(base), scenes.scratch_of(run), label, change=change)
-        return path, scenes.Carry(nodes=nodes, cells=cells)
+        path = scenes.put_down(run, twins.tree_of(base), label, change=change)
+        return path, Carry(nodes=nodes, cells=cells)
     return make
 
 
@@ -46,7 +50,7 @@ def nearly_same(run):
     base = run.other("scene", f"{scenes.FOLDER}/plates.yaml", step)
     path, carry = CORNERS(run, base, "plates")
     twin = run.other("scene", str(path), run.overrides)
-    return Pair(scenes.largest(scenes.differences(base, twin, carry)), 0, "", scale=1)
+    return Pair(compare_runs.largest(compare_runs.differences(base, twin, carry)), 0, "", scale=1)
 
 
 FROM_OTHER_CORNERS = "plates: triangles counted from another corner"

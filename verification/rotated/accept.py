@@ -2,6 +2,8 @@
 import sys
 from pathlib import Path
 
+import twins
+from compare_runs import Carry
 from reference import SHIFT, turn
 from verify import Breaks, Check, Figure, Pair, Table
 
@@ -18,8 +20,8 @@ Q = turn()
 
 
 def turned(run, base, scene):
-    tree = scenes.moved(scenes.tree_of(base), Q, SHIFT)
-    return scenes.put_down(tree, scenes.scratch_of(run), f"turned_{scene}"), scenes.Carry(matrix=Q)
+    tree = twins.moved(twins.tree_of(base), Q, SHIFT)
+    return scenes.put_down(run, tree, f"turned_{scene}"), Carry(matrix=Q)
 
 
 def same(scene):
@@ -28,11 +30,11 @@ def same(scene):
 
 def disturbed(run, base, scene):
     """The scene itself with first velocities that are larger by 1e-12."""
-    tree = scenes.tree_of(base)
+    tree = twins.tree_of(base)
     for one in tree["initial"]:
         if "velocity" in one:
-            one["velocity"] = scenes.Texts([scenes.times(text, 1 + 1e-12) for text in one["velocity"]], one["velocity"].dimension)
-    return scenes.put_down(tree, scenes.scratch_of(run), f"disturbed_{scene}"), scenes.Carry()
+            one["velocity"] = twins.Texts([twins.times(text, 1 + 1e-12) for text in one["velocity"]], one["velocity"].dimension)
+    return scenes.put_down(run, tree, f"disturbed_{scene}"), Carry()
 
 
 DEPARTURES = {
@@ -55,7 +57,7 @@ BREAKS = [
     Breaks("stack: turned and moved", "a gravity that is not turned", {"gravity": "[0 m/s^2, 0 m/s^2, -30000 m/s^2]"}),
     Breaks("press: turned and moved", "the normal of a moving plane that is not turned", {"planes[2].normal": "[0, 0, 1]"}),
     Breaks("ball: turned and moved", "a velocity turned the other way round: Q transposed",
-           {"initial[0].velocity": '["{:.17g}", "{:.17g}", "{:.17g}"]'.format(*scenes.product(scenes.transposed(Q), (5, 2, -20)))}),
+           {"initial[0].velocity": '["{:.17g}", "{:.17g}", "{:.17g}"]'.format(*twins.product(twins.transposed(Q), (5, 2, -20)))}),
 ]
 
 

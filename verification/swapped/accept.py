@@ -2,6 +2,7 @@
 import sys
 from pathlib import Path
 
+import compare_runs
 from reference import exchanged
 from verify import Breaks, Check, Figure, Pair, Table
 
@@ -33,15 +34,15 @@ def in_two_passes(scene):
         path = f"{scenes.FOLDER}/{scene}.yaml"
         swap = {"contacts[0].apexes": base_surface, "contacts[0].base": apexes}
         base, twin = run.other(DRIVER, path, TWO), run.other(DRIVER, path, {**TWO, **swap, **run.overrides})
-        ours, theirs = scenes.history(base), exchanged(scenes.history(twin))
-        energies = max(scenes.size(column) for name, (_, column) in ours.items() if name.startswith("energy_"))
+        ours, theirs = compare_runs.history(base), exchanged(compare_runs.history(twin))
+        energies = max(compare_runs.size(column) for name, (_, column) in ours.items() if name.startswith("energy_"))
         found = {}
         for name, (_, column) in ours.items():
             if name not in ONE_SIDED:
-                scale = energies if name.startswith("energy_") else scenes.size(column)
+                scale = energies if name.startswith("energy_") else compare_runs.size(column)
                 other = theirs[name][1] if name in theirs else [0.0] * len(column)  # the account of a pass that is missing
-                found[name] = scenes.relative(scenes.apart(column, other), scale)
-        return Pair(scenes.largest({**found, **scenes.fields(base, twin)}), 0, "", scale=1)
+                found[name] = compare_runs.relative(compare_runs.apart(column, other), scale)
+        return Pair(compare_runs.largest({**found, **compare_runs.fields(base, twin)}), 0, "", scale=1)
     return measure
 
 

@@ -2,6 +2,7 @@
 import sys
 from pathlib import Path
 
+from compare_runs import files_that_differ
 from verify import Breaks, Check, Figure, Pair, Table
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "invariance_scenes"))
@@ -13,16 +14,9 @@ CATALOGUE = ()
 DRIVER = "scene"
 
 
-def written(run):
-    """What a run has written, by file: its history and all frames, and not its summary, which tells the time it took."""
-    return {path.relative_to(run.folder).as_posix(): path.read_bytes() for path in sorted(run.folder.rglob("*"))
-            if path.suffix in (".csv", ".pvd", ".vtu", ".vtp")}
-
-
 def different(run, case, threads):
     """Files that differ from those of one thread, or are missing on one side."""
-    one, many = written(run.other(DRIVER, case, {}, threads=1)), written(run.other(DRIVER, case, run.overrides, threads=threads))
-    return [name for name in sorted({*one, *many}) if one.get(name) != many.get(name)], len(one)
+    return files_that_differ(run.other(DRIVER, case, {}, threads=1).folder, run.other(DRIVER, case, run.overrides, threads=threads).folder)
 
 
 def of_the_case(threads):

@@ -1,0 +1,152 @@
+"""scripts/invariance: limits from disturbed runs, what is carried back, its table, and arguments that are wrong."""
+import contextlib
+import importlib.machinery
+import importlib.util
+import io
+import json
+import math
+import sys
+import tempfile
+import types
+import unittest
+from pathlib import Path
+
+SCRIPTS = Path(__file__).resolve().parents[2] / "scripts"
+sys.path.insert(0, str(SCRIPTS))
+sys.dont_write_bytecode = True  # none beside a program without ending
+loader = importlib.machinery.SourceFileLoader("invariance", str(SCRIPTS / "invariance"))
+invariance = importlib.util.module_from_spec(importlib.util.spec_from_loader("invariance", loader))
+sys.modules["invariance"] = invariance
+loader.exec_module(invariance)
+import compare_runs  # noqa: E402  (after the path)
+import invariance_changes as changes  # noqa: E402
+import twins  # noqa: E402
+from twins import Quantity  # noqa: E402
+
+
+def run(folder, name, columns, results=None):
+    """A made-up run without frames and ledger."""
+    place = Path(folder) / name
+    place.mkdir()
+    rows = zip(*columns.values())
+    (place / "history.csv").write_text("\n".join([",".join(columns), *(",".join(repr(x) for x in row) for row in rows)]) + "\n")
+    summary = {"results": {key: {"value": value} for key, value in (results or {}).items()}, "cost": {"steps": 3}}
+    return types.SimpleNamespace(folder=place, summary=summary, columns={key.split(" [")[0]: one for key, one in columns.items()},
+                                 column=lambda key: columns[f"{key} [s]"], ending="reached_end")
+
+
+class LimitsTest(unittest.TestCase):
+    def setUp(self):
+        holder = tempfile.TemporaryDirectory()
+        self.addCleanup(holder.cleanup)
+        self.folder = holder.name
+        self.base = self.made("base", [1.0, 1.0, 1.0, 1.0])
+
+    def made(self, name, tip, results=None):
+        return run(self.folder, name, {"time [s]": [0.0, 1.0, 2.0, 3.0], "tip [m]": tip}, results)
+
+    def limits(self, *growths):
+        return invariance.Limits(self.base, [self.made(f"disturbed_{i}", [1 + d for d in growth]) for i, growth in enumerate(growths)])
+
+    def judged(self, limits, tip):
+        return invariance.judged(changes.Twin(self.base, self.made("twin", tip)), limits)[0]
+
+    def test_a_result_may_differ_by_ten_times_of_what_a_disturbance_has_grown_to(self):
+        limits = self.limits([0, 1e-6, 0, 1e-5], [0, -2e-6, 0, 0])
+        self.assertEqual(limits.of("tip", 0.0), 1e-11)
+        self.assertAlmostEqual(limits.of("tip", 1.5), 2e-5)
+        self.assertAlmostEqual(limits.of("tip", 2.0), 2e-5)  # what has grown stays
+        difference, name, limit, time = self.judged(limits, [1.0, 1.0 + 3e-5, 1.0, 1.0])
+        self.assertAlmostEqual(difference, 3e-5)
+        self.assertEqual((name, time), ("tip", 1.0))
+        self.assertGreater(difference, limit)
+
+    def test_where_a_disturbance_has_grown_large_nothing_is_judged(self):
+        limits = self.limits([0, 0, 2e-3, 1e-9])
+        self.assertIsNone(limits.of("tip", 2.5))
+        self.assertEqual(self.judged(limits, [1.0, 1.0, 7.0, 7.0])[0], 0.0)
+        self.assertGreater(self.judged_early(limits), 1e-11)
+        self.assertEqual(limits.grown()[2], {"tip": 2.0})
+
+    def judged_early(self, limits):
+        twin = run(self.folder, "early", {"time [s]": [0.0, 1.0, 2.0, 3.0], "tip [m]": [1.0, 1.1, 7.0, 7.0]})
+        return invariance.judged(changes.Twin(self.base, twin), limits)[0][0]
+
+    def test_what_is_no_number_differs(self):
+        self.assertEqual(self.judged(self.limits([0, 0, 0, 0]), [1.0, 1.0, math.nan, 1.0])[0], math.inf)
+
+    def test_rows_at_other_times_are_not_compared(self):
+        other = run(self.folder, "other", {"time [s]": [0.0, 1.5, 2.0 + 1e-12, 3.0], "tip [m]": [1.0, 9.0, 1.0, 1.0]})
+        self.assertEqual([time for time, _ in compare_runs.curves(changes.Twin(self.base, other))["tip"]], [0.0, 2.0, 3.0])
+
+    def test_counts_and_times_of_events_are_no_results(self):
+        ours = self.made("ours", [1.0] * 4, {"touch_walks": 4, "tip_largest_at": 1.0, "touch_deepest": 2.0})
+        theirs = self.made("theirs", [1.0] * 4, {"touch_walks": 5, "tip_largest_at": 2.0, "touch_deepest": 1.0})
+        self.assertEqual(compare_runs.ends(changes.Twin(ours, theirs)), {"result touch_deepest": 0.5})
+
+
+class CarriedTest(unittest.TestCase):
+    def probe(self, quantity, component="y", **more):
+        return {"name": Quantity("p"), "quantity": Quantity(quantity), "component": Quantity(component), **more}
+
+    def back(self, matrix, quantity, vector, component="y", velocity=None, time=0.0):
+        tree = {"probes": [self.probe(quantity, component)]}
+        probes, skipped = changes.with_components(tree, matrix, velocity)
+        self.assertEqual(skipped, {})
+        names, back = probes["p"]
+        self.assertEqual([one["name"].value for one in tree["probes"]], names)
+        return back(time, vector)
+
+    def test_components_come_back(self):
+        turn, mirror, v = twins.rotation((1, -2, 0.7), 2.1), twins.reflection((0.3, 0.4, 0.5)), [1.0, -2.0, 3.0]
+        self.assertAlmostEqual(self.back(turn, "velocity", twins.product(turn, v)), -2.0)
+        self.assertAlmostEqual(self.back(mirror, "force", twins.product(mirror, v)), -2.0)
+        self.assertAlmostEqual(self.back(mirror, "angular_velocity", [-x for x in twins.product(mirror, v)]), -2.0)
+        self.assertAlmostEqual(self.back(turn, "stress", twins.tensor(turn, [1, 2, 3, 4, 5, 6]), "xy"), 4)
+        self.assertAlmostEqual(self.back(twins.IDENTITY, "displacement", [1, 2, 3], "y", [10, 20, 30], 0.1), 0.0)
+        self.assertAlmostEqual(self.back(twins.IDENTITY, "velocity", [13, 24, 30], "magnitude", [10, 20, 30]), 5.0)
+
+    def test_what_cannot_be_carried_is_named(self):
+        turn = twins.rotation((1, -2, 0.7), 2.1)
+        for quantity, more, velocity in (("extent", {}, None), ("stress", {"take": Quantity("largest")}, None),
+                                         ("momentum", {}, [1, 0, 0])):
+            _, skipped = changes.with_components({"probes": [self.probe(quantity, "xx", **more)]}, turn, velocity)
+            self.assertIn("p", skipped)
+
+    def test_a_frame_moves_along_all_planes(self):
+        way = changes.across([(0, 0, 2), (0, 0, -1), (1, 0, 0)])
+        self.assertAlmostEqual(abs(way[1]), 1.0)
+        with self.assertRaises(changes.CannotChange):
+            changes.across([(0, 0, 2), (0, 1, 1), (1, 0, 0)])
+
+
+class CommandTest(unittest.TestCase):
+    def refused(self, *words):
+        said = io.StringIO()
+        with contextlib.redirect_stderr(said), self.assertRaises(SystemExit) as end:
+            invariance.main(list(words))
+        self.assertEqual(end.exception.code, 2)
+        return said.getvalue()
+
+    def test_wrong_arguments_are_told(self):
+        self.assertIn("nowhere.yaml is no file", self.refused("nowhere.yaml"))
+        self.assertIn("did you mean rotated?", self.refused(__file__, "--only", "rotate"))
+        self.assertIn("no case is given", self.refused())
+
+    def test_the_table_has_a_row_a_case_and_keeps_the_page(self):
+        with tempfile.TemporaryDirectory() as folder:
+            rows = [{"change": "rotated", "verdict": "DIFFERS", "difference": 0.5, "because": ""},
+                    {"change": "moving", "verdict": "skipped", "difference": None, "because": "it relaxes"}]
+            (Path(folder) / "bar.json").write_text(json.dumps(rows))
+            page = Path(folder) / "page.md"
+            page.write_text(f"# Page\n\n{invariance.BEGIN}\nold\n{invariance.END}\nafter\n")
+            invariance.put_table(page, invariance.table_of(Path(folder)))
+            text = page.read_text()
+            self.assertIn("| bar | **5.0e-01** |", text)
+            self.assertIn("- `moving`: it relaxes (1)", text)
+            self.assertNotIn("old", text)
+            self.assertTrue(text.startswith("# Page\n") and text.endswith("after\n"))
+
+
+if __name__ == "__main__":
+    unittest.main()
