@@ -26,6 +26,7 @@ constexpr double takes_over = 0.5;     // cosine between a push and the normal o
 constexpr double paid_back = 0.2;      // of what friction owes, in a step
 constexpr double most_yield = 1e-6;    // of the depth of an element: way by which a stick yields for that in a step
 constexpr double just_on = 1e-9;       // of a face: so near a ridge an apex stands on it
+constexpr double came_flat = 1e-3;     // sine between a way and a side along which it leads
 constexpr double along_push = 0.7;     // cosine between the way from a ridge to an apex on it and its push
 constexpr double at_ridge = 0.05;      // weight of the third node of a facet: with less on both sides an apex is on the ridge between them
 constexpr double as_much = 0.5;        // of the larger push of both sides
@@ -84,15 +85,21 @@ bool can_touch(const Between& pair, const Motion& m, double gap, double speed) {
 namespace {
 
 /// Whether a point stands on a ridge or corner of a facet but for round-off, and the normal there: the way out leads between the sides,
-/// whichever of them the point has come through by round-off.
-bool stands_on_ridge(const BaseSurface& base, const Vectors& x, Index facet, const FeatureHeight& over, Vec3& normal) {
-  if (!(std::abs(over.height) < just_on * base.size(facet))) return false;
+/// whichever of them the point has come through by round-off. Not if it came along one of them, which then pushes alone.
+///
+/// way  [m] of the point against the facet in the step before
+bool stands_on_ridge(const BaseSurface& base, const Vectors& x, Index facet, const FeatureHeight& over, const Vec3& way, Vec3& normal) {
+  const double near = just_on * base.size(facet);
+  if (!(std::abs(over.height) < near)) return false;
+  const double length = way.norm();
+  const auto came_along = [&](const Vec3& side) { return length > near && std::abs(side.dot(way)) < came_flat * length; };
   const auto on = [&](int e) {
     const bool ridge = base.wall[facet][e] && base.neighbour(e, facet) >= 0 && !is_rim_of_sheet(base, facet, e);
     return ridge && std::abs(over.weight[(e + 2) % 3]) < just_on;
   };
   for (int e = 0; e < 3; ++e) {
     if (!on(e)) continue;
+    if (came_along(over.normal) != came_along(facet_normal(base, x, base.neighbour(e, facet)))) return false;
     const int corner = std::abs(over.weight[e]) < just_on ? (e + 1) % 3 : std::abs(over.weight[(e + 1) % 3]) < just_on ? e : -1;
     normal = corner >= 0 ? node_normal(base, x, base.facets(corner, facet))
                          : Vec3((over.normal + facet_normal(base, x, base.neighbour(e, facet))).normalized());
@@ -157,7 +164,9 @@ bool make(const Interface& interface, const Motion& m, const Memory& memory, con
     over = height_over(interface.base, m.x, feature(), p);
     Vec3 normal;
     // between both sides only where its own surface admits that, as not at the rim of a block on a block of the same size
-    if (stands_on_ridge(interface.base, m.x, stencil.facet, over, normal) &&
+    Vec3 way = m.dt * m.v.col(apex);
+    for (int I = 0; I < 3; ++I) way -= m.dt * over.weight[I] * m.v.col(interface.base.facets(I, stencil.facet));
+    if (stands_on_ridge(interface.base, m.x, stencil.facet, over, way, normal) &&
         may_push(interface.own, m.x, apex, normal, behind_in_two_directions, allowed_of(interface, near.apex))) {
       stencil.weight = over.weight, stencil.fourth = 0;
       set(interface, apex, stencil, normal, over.height - stencil.level, c);

@@ -243,9 +243,9 @@ Track slides_onto(const Sweep& s, const Vec3& p0, const Vec3& p1, Index crossed,
     const auto end = geometry::facet_height(corners(s.base, s.x, f), place(p1));
     const double turn = eigen(end.normal).dot(normal);
     if (turn > far_turn || turn < far_side || !share_a_node(s.base, f, crossed)) continue;
-    if (least(end.weight) < -overlap || end.height > s.level(f)) continue;
-    const double start = geometry::facet_height(corners_before(s, f), place(p0)).height;
     const double within = std::max(like_neighbours * deepest, level_by * s.base.longest(f));
+    if (least(end.weight) < -overlap || end.height > s.level(f) + within) continue;
+    const double start = geometry::facet_height(corners_before(s, f), place(p0)).height;
     if (std::abs(start - s.level(f)) <= within && may_push(s, eigen(end.normal))) return {f, std::min(start, s.level(f))};
   }
   return {};
