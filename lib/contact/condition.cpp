@@ -189,9 +189,10 @@ bool make(const Interface& interface, const Motion& m, const Memory& memory, con
   stencil.weight = over.weight;
   set(interface, apex, stencil, over.normal, over.height - stencil.level, c);
   if (stencil.fourth != 0) c.nodes = 5, c.node[4] = interface.base.half[stencil.facet].fourth, c.weight[4] = -stencil.fourth;
+  // The normal turns as an apex passes an edge or vertex, or comes over another facet: what counts is the gap at the end of the free step.
+  const bool is_free = near.tracks.count == 0, is_round = near.element.count == 1 && stencil.kind != geometry::Kind::facet;
+  if (is_free || is_round) c.gap = std::max(c.gap, memory.gap[near.apex] - m.next * rate(c, all.velocity));
   if (!(push > 0)) {
-    // its way may lead past the feature, whose height is then less than its distance: a free way into the base would have begun a track
-    if (near.tracks.count == 0) c.gap = std::max(c.gap, memory.gap[near.apex] - m.next * rate(c, all.velocity));
     double fastest = 0;
     for (int I = 1; I < c.nodes; ++I) fastest = std::max(fastest, (all.velocity.col(apex) - all.velocity.col(c.node[I])).squaredNorm());
     if (!can_touch(between(interface, near.apex, stencil.facet), m, c.gap, std::sqrt(fastest))) return false;
