@@ -22,12 +22,7 @@ void see_depth(const Interface& interface, const Vectors& x, const Near& near, M
   double depth = near.element.depth;
   const Index on = memory.feature[near.apex].facet;
   const double of_element = on < 0 ? interface.depth : between(interface, near.apex, on).depth;
-  if (depth > depth_to_check * of_element) {
-    const Nearest nearest = nearest_of(interface, x, near.apex, near_facets(memory, near));
-    const double h_c = nearest.feature.facet < 0 ? contact_height(interface, memory, near.apex)
-                                                 : level(interface, memory, near.apex, nearest.feature.facet);
-    depth = std::min(depth, h_c + nearest.distance());
-  }
+  if (depth > depth_to_check * of_element) depth = std::min(depth, overlap_of(interface, x, near, memory));
   if (depth > memory.deepest) memory.deepest = depth, memory.deepest_apex = interface.apexes[near.apex], memory.deepest_in = of_element;
 }
 
