@@ -40,14 +40,14 @@ Error stress_error(const dynamics::View& view, double pressure) {
   return error;
 }
 
-/// Of the contact pressure of all apexes; where there are two passes the mean over both is half the pressure.
+/// Of the contact pressure of all apexes.
 Error pressure_error(const dynamics::View& view, double pressure) {
   Error error;
-  const std::size_t passes = contact::passes_of(view.model.interfaces);
-  for (std::size_t c = 0; c < passes; ++c)
+  for (std::size_t c = 0; c < contact::passes_of(view.model.interfaces); ++c) {
+    const auto forces = dynamics::forces_of_contact(view, c);
     for (Index a = 0; a < static_cast<Index>(view.model.interfaces[c].apexes.size()); ++a)
-      error.see(contact::view(view.model.interfaces[c], view.now.x, view.now.interfaces[c], a).traction,
-                pressure / static_cast<double>(passes));
+      error.see(dynamics::traction_at(view, c, a, forces).pressure, pressure);
+  }
   return error;
 }
 

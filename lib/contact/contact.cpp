@@ -22,12 +22,7 @@ void see_depth(const Interface& interface, const Vectors& x, const Near& near, M
   double depth = near.element.depth;
   const Index on = memory.feature[near.apex].facet;
   const double of_element = on < 0 ? interface.depth : between(interface, near.apex, on).depth;
-  if (depth > depth_to_check * of_element) {
-    const Nearest nearest = nearest_of(interface, x, near.apex, near_facets(memory, near));
-    const double h_c = nearest.feature.facet < 0 ? contact_height(interface, memory, near.apex)
-                                                 : level(interface, memory, near.apex, nearest.feature.facet);
-    depth = std::min(depth, h_c + nearest.distance());
-  }
+  if (depth > depth_to_check * of_element) depth = std::min(depth, overlap_of(interface, x, near, memory));
   if (depth > memory.deepest) memory.deepest = depth, memory.deepest_apex = interface.apexes[near.apex], memory.deepest_in = of_element;
 }
 
@@ -129,25 +124,45 @@ void advance(const Interface& interface, const Vectors& x, const Vectors& v, con
   sum_force(dt, memory);
 }
 
-void add_forces(const Interface& interface, const Memory& memory, Vectors& force, Vectors& moment) {
+namespace {
+
+/// Calls push(node, force) for what presses nodes, and rub(touch, force) for friction.
+template <class Push, class Rub>
+void visit_forces(const Interface& interface, const Memory& memory, Push&& push, Rub&& rub) {
   for (const Near& near : memory.near) {
     const ElementForces& element = near.element;
     if (!element.closed) continue;
-    force.col(interface.apexes[near.apex]) += element.scale * element.apex;
+    push(interface.apexes[near.apex], Vec3(element.scale * element.apex));
     for (int i = 0; i < element.count; ++i) {
-      const Vec3 push = element.scale * element.stencil[i].push;
-      for_each_node(interface, element.stencil[i], [&](Index node, double weight, double) { force.col(node) -= weight * push; });
+      const Vec3 of_stencil = element.scale * element.stencil[i].push;
+      for_each_node(interface, element.stencil[i], [&](Index node, double weight, double) { push(node, Vec3(-weight * of_stencil)); });
     }
   }
   for (const Crossing& crossing : memory.crossings) {
     if (!crossing.closed) continue;
-    for (std::size_t j = 0; j < 4; ++j) force.col(crossing.node[j]) += crossing.weight[j] * crossing.push;
-    if (crossing.friction.acts)
-      add_friction(crossing.friction.touch, crossing.friction.force, interface.rotation_of_node, force, moment);
+    for (std::size_t j = 0; j < 4; ++j) push(crossing.node[j], Vec3(crossing.weight[j] * crossing.push));
+    if (crossing.friction.acts) rub(crossing.friction.touch, crossing.friction.force);
   }
   if (!(interface.friction.coefficient > 0)) return;
   for (const Near& near : memory.near)
-    if (near.friction.acts) add_friction(near.friction.touch, near.friction.force, interface.rotation_of_node, force, moment);
+    if (near.friction.acts) rub(near.friction.touch, near.friction.force);
+}
+
+}  // namespace
+
+void add_forces(const Interface& interface, const Memory& memory, Vectors& force, Vectors& moment) {
+  visit_forces(
+      interface, memory, [&](Index node, const Vec3& push) { force.col(node) += push; },
+      [&](const Touch& touch, const Vec3& friction) { add_friction(touch, friction, interface.rotation_of_node, force, moment); });
+}
+
+void list_forces(const Interface& interface, const Memory& memory, std::vector<NodeForce>& forces) {
+  visit_forces(
+      interface, memory, [&](Index node, const Vec3& push) { forces.push_back({node, push, Vec3::Zero()}); },
+      [&](const Touch& touch, const Vec3& friction) {
+        const FrictionShares shares = share_friction(touch, friction);
+        for (int i = 0; i < shares.count; ++i) forces.push_back({shares.node[i], Vec3::Zero(), shares.force[i]});
+      });
 }
 
 Source source(const Interface& interface) {

@@ -9,6 +9,7 @@
 #include "contact/crossing.hpp"
 #include "contact/partners.hpp"
 #include "contact/restitution.hpp"
+#include "contact/stand.hpp"
 #include "geometry/height.hpp"
 
 namespace nereid::contact {
@@ -19,6 +20,8 @@ namespace {
 /// Cosine between the normals of an apex and a facet of one solid: with a larger one they are taken not to come to face each other before
 /// the next search, for which they would turn by 30 degrees and more. It leaves next to nothing of a body that does not fold.
 constexpr double looks_away = 0.5;
+
+constexpr double faces_back = -0.5;  // cosine between normals of a body: facets that are turned so far are at its far side
 
 constexpr int looks_of_a_search = 256;  // after so many a search costs less than it spares
 constexpr double noticeable = 0.001;   // of the margin: with less way it spares nothing
@@ -49,10 +52,11 @@ void unpair(Index a, Memory& memory) {
 
 }  // namespace
 
-Nearest nearest_of(const Interface& interface, const Vectors& x, Index a, std::span<const Index> facets) {
+Nearest nearest_of(const Interface& interface, const Vectors& x, Index a, std::span<const Index> facets, Index body) {
   Nearest best;
   const Vector<double> p = position(x, interface.apexes[a]);
   for (const Index f : facets) {
+    if (body >= 0 && interface.bodies.of_facet[f] != body) continue;
     const auto corner = corners(interface.base, x, f);
     if (is_sheet(interface.base, f) && geometry::facet_height(corner, p).height < 0) continue;  // its other side is as near
     const geometry::Closest there = geometry::closest_on_triangle(corner, p);
@@ -62,6 +66,49 @@ Nearest nearest_of(const Interface& interface, const Vectors& x, Index a, std::s
     best.clear = std::min(best.clear, std::sqrt(there.distance_squared) - reaches);
   }
   return best;
+}
+
+namespace {
+
+/// Whether an apex is behind the surface that presses it, of which a feature is nearest.
+bool is_behind(const Interface& interface, const Vectors& x, Index apex, const Feature& nearest, const ElementForces& element) {
+  const BaseSurface& base = interface.base;
+  const Vec3 p = x.col(apex);
+  const bool at_edge = nearest.kind == geometry::Kind::edge, at_vertex = nearest.kind == geometry::Kind::vertex;
+  const bool on_wall = (at_edge && base.wall[nearest.facet][nearest.local]) ||
+                       (at_vertex && at_wall(base, base.facets(nearest.local, nearest.facet)));
+  const auto presses = [&](auto&& counts) {
+    return std::any_of(element.stencil.begin(), element.stencil.begin() + element.count,
+                       [&](const Stencil& one) { return one.apex != 0 && counts(one.facet); });
+  };
+  if (is_sheet(base, nearest.facet)) {  // the nearest facet has the apex in front: has it come from there?
+    const Index other = base.patch[base.other_side[nearest.facet]];
+    return !on_wall && presses([&](Index facet) { return base.patch[facet] == other; });
+  }
+  if (on_wall && ends_at(base, nearest) && stand_whole(base, x, p, nearest.facet, apex).past > 0) return false;
+  if (height_over(base, x, nearest, p).height < 0) return true;
+  const Vec3 normal = facet_normal(base, x, nearest.facet);  // or it has gone out at the far side of a thin body
+  return presses([&](Index facet) {
+    return base.patch[facet] != base.patch[nearest.facet] && facet_normal(base, x, facet).dot(normal) < faces_back;
+  });
+}
+
+}  // namespace
+
+double overlap_of(const Interface& interface, const Vectors& x, const Near& near, const Memory& memory) {
+  double most = -infinite;
+  const auto body_of = [&](int s) {
+    return interface.bodies.count() > 0 ? interface.bodies.of_facet[near.element.stencil[s].facet] : -1;
+  };
+  for (int s = 0; s < near.element.count; ++s) {
+    if (near.element.stencil[s].apex == 0 || (s > 0 && body_of(s) == body_of(s - 1))) continue;
+    const Nearest nearest = nearest_of(interface, x, near.apex, near_facets(memory, near), body_of(s));
+    if (nearest.feature.facet < 0) return near.element.depth;
+    const bool behind = is_behind(interface, x, interface.apexes[near.apex], nearest.feature, near.element);
+    const double distance = nearest.distance();
+    most = std::max(most, level(interface, memory, near.apex, nearest.feature.facet) + (behind ? distance : -distance));
+  }
+  return most;
 }
 
 double moved_since_search(const Interface& interface, const Vectors& x, Memory& memory) {

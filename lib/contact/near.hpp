@@ -28,7 +28,15 @@ struct Nearest {
   double least_gap = std::numeric_limits<double>::infinity();  ///< [m2] squared_gap()
   double distance() const { return std::sqrt(closest.distance_squared); }
 };
-Nearest nearest_of(const Interface&, const Vectors& x, Index apex, std::span<const Index> facets);
+/// body  of an automatic contact, whose facets alone are taken; -1: those of all
+Nearest nearest_of(const Interface&, const Vectors& x, Index apex, std::span<const Index> facets, Index body = -1);
+
+/// By how much the layers of an apex and of a body that presses it overlap where the apex stands, of the deepest such body. [m]
+///
+///     h_c - s,   s the distance of the apex from the body: negative behind its surface, and on the other side of a sheet
+///
+/// Negative where no layers overlap. An apex without a condition has -infinity, and one whose facets are not known the depth of its element.
+double overlap_of(const Interface&, const Vectors& x, const Near&, const Memory&);
 
 /// How far apexes and base have moved against each other since the last search, at most. [m]
 ///

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/check.hpp"
+#include "contact/bond.hpp"
 
 namespace nereid::dynamics {
 
@@ -136,14 +137,76 @@ double area_across(const View& view, std::size_t c, Index apex, const Vec3& forc
   return mesh::tributary_area_facing(interface.faces, view.now.x, apex, force);
 }
 
+namespace {
+
+/// Whether an interface is of the same contact as the one before it: its second pass, or its edges.
+bool follows(const contact::Interface& interface) {
+  return interface.pass == contact::Pass::back || interface.kind == contact::InterfaceKind::edges;
+}
+
+/// What acts on the node of an apex; null if nothing does.
+const contact::NodeForce* force_on(const View& view, std::size_t c, Index apex, const std::vector<contact::NodeForce>& forces) {
+  const Index node = view.model.interfaces[c].apexes[apex];
+  const auto at = std::lower_bound(forces.begin(), forces.end(), node, [](const auto& one, Index n) { return one.node < n; });
+  return at != forces.end() && at->node == node && !at->push.isZero(0) ? &*at : nullptr;
+}
+
+/// What of a force constraints leave at an apex: on a symmetry plane the mirror images take what leads out of it.
+Vec3 allowed_of(const contact::Interface& interface, Index apex, const Vec3& force) {
+  return interface.allowed.empty() ? force : Vec3(interface.allowed[apex] * force);
+}
+
+}  // namespace
+
+std::vector<contact::NodeForce> forces_of_contact(const View& view, std::size_t c) {
+  const auto& interfaces = view.model.interfaces;
+  std::size_t first = c;
+  while (first > 0 && follows(interfaces[first])) --first;
+  std::vector<contact::NodeForce> all;
+  for (std::size_t i = first; i == first || (i < interfaces.size() && follows(interfaces[i])); ++i)
+    contact::list_forces(interfaces[i], view.now.interfaces[i], all);
+  std::stable_sort(all.begin(), all.end(), [](const auto& one, const auto& other) { return one.node < other.node; });
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (kept > 0 && all[kept - 1].node == all[i].node) all[kept - 1].push += all[i].push, all[kept - 1].friction += all[i].friction;
+    else all[kept++] = all[i];
+  }
+  all.resize(kept);
+  return all;
+}
+
+Traction traction_at(const View& view, std::size_t c, Index apex, const std::vector<contact::NodeForce>& forces) {
+  const contact::NodeForce* on = force_on(view, c, apex, forces);
+  if (on == nullptr) return {};
+  const contact::Interface& interface = view.model.interfaces[c];
+  const Vec3 push = allowed_of(interface, apex, on->push);
+  if (interface.kind == contact::InterfaceKind::bonded && interface.bonds[apex].facet >= 0) {
+    const Vec3 normal = contact::normal_of(interface, apex, view.now.x);
+    const double pressure = push.dot(normal) / interface.area(apex);
+    return {pressure, (push / interface.area(apex) - pressure * normal).norm()};
+  }
+  const double size = push.norm();
+  if (!(size > 0)) return {};
+  const Vec3 friction = allowed_of(interface, apex, on->friction), along = push / size;
+  double facing = interface.area(apex), behind = 0;
+  if (!interface.faces.begin.empty()) {
+    const auto has_across = [&](const Vec3& force) { return mesh::tributary_area_against(interface.faces, view.now.x, apex, force) > 0; };
+    if (has_across(push) || has_across(-push)) facing = area_across(view, c, apex, push), behind = area_across(view, c, apex, -push);
+  }
+  const double area = std::max(facing, behind);
+  return {facing >= behind ? size / area : -size / area, (friction - friction.dot(along) * along).norm() / area};
+}
+
 ContactState contact_state(const View& view, std::size_t c) {
   const contact::Interface& interface = view.model.interfaces[c];
   ContactState state{.largest_pressure = 0, .area = 0};
-  for (const contact::Near& near : view.now.interfaces[c].near) {
-    if (!near.element.closed) continue;
-    const double traction = contact::view(interface, view.now.x, view.now.interfaces[c], near.apex).traction;
-    state.largest_pressure = std::max(state.largest_pressure, traction);
-    state.area += area_across(view, c, near.apex, near.element.apex);
+  if (interface.kind == contact::InterfaceKind::edges) return state;
+  const std::vector<contact::NodeForce> forces = forces_of_contact(view, c);
+  for (Index a = 0; a < static_cast<Index>(interface.apexes.size()); ++a) {
+    const contact::NodeForce* on = force_on(view, c, a, forces);
+    if (on == nullptr) continue;
+    state.largest_pressure = std::max(state.largest_pressure, traction_at(view, c, a, forces).pressure);
+    state.area += area_across(view, c, a, on->push);
   }
   return state;
 }
@@ -189,8 +252,7 @@ std::vector<Touched> touched(const Model& model, const State& now) {
   std::string contact;  // whose passes and edges follow it
   for (std::size_t c = 0; c < model.interfaces.size(); ++c) {
     const contact::Interface& interface = model.interfaces[c];
-    const bool follows = interface.pass == contact::Pass::back || interface.kind == contact::InterfaceKind::edges;
-    if (!follows) contact = interface.name;
+    if (!follows(interface)) contact = interface.name;
     for (const contact::Meeting& one : now.interfaces[c].meetings) {
       const auto& names = interface.bodies.names;
       const std::array<std::string, 2> sides =

@@ -47,10 +47,29 @@ double of_body(const View&, const std::vector<std::size_t>& blocks, std::string_
 /// passes  places in Model::interfaces: of a second pass the force on its bases
 Vec3 mean_contact_force(const View&, const std::vector<std::size_t>& passes, ProbeMemory&);
 
+/// Forces of a contact on nodes: of both passes and of the edges together, each node once, ascending.
+///
+/// Where two directions act, an impulse may be shared between them in many ways. Its sum at a node is the same in all of them.
+///
+/// interface  any of the contact
+std::vector<contact::NodeForce> forces_of_contact(const View&, std::size_t interface);
+
+/// Tractions on the surface at an apex.
+struct Traction {
+  double pressure = 0;  ///< [Pa] compression positive
+  double shear = 0;     ///< [Pa] of friction, or along a bonded face; not negative
+};
+/// The force of a contact on the node of an apex over its tributary area, across the force: area_across(). Where no face of the apex is
+/// within 60 degrees of the force, as at a rim that is pressed along its plate, all of its area counts. Of a bonded apex the normal is that
+/// of the face under it, and the area all of its own.
+///
+/// forces  forces_of_contact() of the interface
+Traction traction_at(const View&, std::size_t interface, Index apex, const std::vector<contact::NodeForce>& forces);
+
 /// An interface as a whole.
 struct ContactState {
-  double largest_pressure = 0;  ///< [Pa] compression positive
-  double area = 0;              ///< [m2] tributary areas of the apexes in contact, where they face the base
+  double largest_pressure = 0;  ///< [Pa] of its apexes, compression positive: traction_at()
+  double area = 0;              ///< [m2] tributary areas of the apexes on which the contact acts, where they face the base
 };
 /// Tributary area of an apex across the force of its contact, of its own faces that face the base: what lies round an edge, on another
 /// side of the body, does not count. All of it where the model does not know the faces (an interface that connect() did not make). [m2]

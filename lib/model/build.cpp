@@ -40,7 +40,7 @@ void check_probes(const Scene& scene, const mesh::Mesh& mesh, Faults& faults) {
   Names regions = names_of(scene.bodies), quantities;
   for (const std::string& name : names_of(mesh.hexahedra, mesh.triangles))
     if (name.find('.') != std::string::npos) regions.push_back(name);
-  const Names sets = names_of(mesh.node_sets), contacts = names_of(scene.contacts);  // an automatic contact has both sides in one
+  const Names sets = names_of(mesh.node_sets), contacts = names_of(scene.contacts);
   const Names sources = names_of(scene.contacts, scene.planes, scene.rigid_planes, scene.loads, scene.springs, scene.sections);
   for (const Measurable& one : measurables()) quantities.push_back(one.name);
   for (const Probe& probe : scene.probes) {
@@ -56,6 +56,9 @@ void check_probes(const Scene& scene, const mesh::Mesh& mesh, Faults& faults) {
         break;
       case Of::body: expect(faults, here, "of", probe.of, "bodies and regions", regions); break;
       case Of::contact: expect(faults, here, "of", probe.of, "contacts", contacts); break;
+      case Of::any_contact:
+        expect(faults, here, "of", probe.of, "contacts", names_of(scene.contacts, scene.automatic_contacts));
+        break;
       case Of::source: expect(faults, here, "of", probe.of, "contacts, planes, loads, springs and sections", sources); break;
       case Of::section: expect(faults, here, "of", probe.of, "sections", names_of(scene.sections)); break;
     }

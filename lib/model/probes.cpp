@@ -48,7 +48,7 @@ std::vector<std::size_t> passes(const dynamics::Model& model, const std::string&
   return found;
 }
 
-// Gap and area of the surface with the apexes; pressures of two passes act together.
+// Gap and area of the surface with the apexes; the pressure is the largest of both surfaces where there are two passes.
 double gap(const View& view, const std::vector<std::size_t>& passes) { return dynamics::least_gap(view, passes[0]); }
 double contact_area(const View& view, const std::vector<std::size_t>& passes) { return dynamics::contact_state(view, passes[0]).area; }
 /// On the surface with the apexes: of a second pass it is what pushes back.
@@ -58,9 +58,9 @@ Vec3 current_force(const View& view, const std::vector<std::size_t>& passes) {
   return sum;
 }
 double contact_pressure(const View& view, const std::vector<std::size_t>& passes) {
-  double sum = 0;
-  for (const std::size_t pass : passes) sum += dynamics::contact_state(view, pass).largest_pressure;
-  return sum;
+  double largest = 0;
+  for (const std::size_t pass : passes) largest = std::max(largest, dynamics::contact_state(view, pass).largest_pressure);
+  return largest;
 }
 
 /// What is measured of nodes or of a contact, with the component that a probe asks for.
@@ -194,7 +194,7 @@ const std::vector<Measurable>& measurables() {
         {"section_moment", "N*m", Of::section, of_vectors},
         {"current_force", "N", Of::contact, of_vectors, false, current_force},
         {"gap", "m", Of::contact, {}, false, gap},
-        {"contact_pressure", "Pa", Of::contact, {}, false, contact_pressure},
+        {"contact_pressure", "Pa", Of::any_contact, {}, false, contact_pressure},
         {"contact_area", "m^2", Of::contact, {}, false, contact_area},
         {"stress", "Pa", Of::body, of_tensors, true},
         {"pressure", "Pa", Of::body},

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "dynamics/measure.hpp"
+
 namespace nereid::output {
 
 namespace {
@@ -126,8 +128,10 @@ Grid contact_grid(const dynamics::View& view) {
   for (std::size_t c = 0; c < model.interfaces.size(); ++c) {
     const auto& interface = model.interfaces[c];
     const bool apexes = interface.kind != contact::InterfaceKind::edges;
+    const std::vector<contact::NodeForce> forces = apexes ? dynamics::forces_of_contact(view, c) : std::vector<contact::NodeForce>{};
     for (Index a = 0; apexes && a < static_cast<Index>(interface.apexes.size()); ++a) {
       const auto element = contact::view(interface, view.now.x, view.now.interfaces[c], a);
+      const dynamics::Traction traction = dynamics::traction_at(view, c, a, forces);
       const bool lost = element.feature.facet < 0;
       std::array<std::array<Vec3, 2>, 5> points;
       points[0] = {Vec3::Zero(), Vec3::Zero()};
@@ -140,7 +144,7 @@ Grid contact_grid(const dynamics::View& view) {
       }
       add(points, {0.0, static_cast<double>(c), lost ? 0.0 : static_cast<double>(element.feature.kind),
                    static_cast<double>(element.feature.facet), static_cast<double>(element.apex), lost ? interface.margin : element.gap,
-                   element.traction, element.shear_traction, element.slides ? 1.0 : 0.0, static_cast<double>(element.status),
+                   traction.pressure, traction.shear, element.slides ? 1.0 : 0.0, static_cast<double>(element.status),
                    static_cast<double>(element.reconnections)});
     }
     for (const contact::Crossing& crossing : view.now.interfaces[c].crossings) {

@@ -1,5 +1,6 @@
 #include "contact/tracking.hpp"
 
+#include "contact/near.hpp"
 #include "mesh/adjacency.hpp"
 #include "tests/contact/pressed.hpp"
 
@@ -280,6 +281,77 @@ TEST(Penetration, OfAnApexNearAnotherFaceIsReportedNoDeeperThanThatIsFar) {
   EXPECT_NEAR(scene.element().depth, 1 - scene.x(2, scene.apex()), 1e-12) << "it is pushed back to where it came from";
   EXPECT_NEAR(scene.memory.deepest, 0.06, 1e-12);
   EXPECT_EQ(scene.memory.deepest_apex, scene.apex());
+}
+
+/// What overlap_of() says of an apex at a place that a facet presses: one of the surface whose normal there is the nearest to `side`, at the
+/// place `pressed_at`.
+double overlap(const Shape& shape, double contact_height, const Vec3& place, const Vec3& pressed_at, const Vec3& side) {
+  const Scene scene = press(shape, {place}, contact_height);
+  const BaseSurface& base = scene.interface.base;
+  Index facet = 0;
+  const auto miss = [&](Index f) {
+    const geometry::Closest there = geometry::closest_on_triangle(corners(base, scene.x, f), {pressed_at.x(), pressed_at.y(), pressed_at.z()});
+    return there.distance_squared - 1e-6 * facet_normal(base, scene.x, f).dot(side);
+  };
+  for (Index f = 1; f < base.facets.cols(); ++f)
+    if (miss(f) < miss(facet)) facet = f;
+  Near near = scene.near();
+  near.element.count = 1;
+  near.element.stencil[0].facet = facet, near.element.stencil[0].apex = 1;
+  return overlap_of(scene.interface, scene.x, near, scene.memory);
+}
+
+TEST(Penetration, AtASheetIsTheOverlapOfLayersOnTheSideThatTheApexIsOn) {
+  const Vec3 up(0, 0, 1);
+  Shape shape = sheet(4, 4, flat);
+  shape.facets = mesh::both_sides(shape.facets);
+  EXPECT_NEAR(overlap(shape, 0.5, {2.2, 2.3, 0.1}, {2.2, 2.3, 0}, up), 0.4, 1e-12);
+  EXPECT_NEAR(overlap(shape, 0.5, {2.2, 2.3, -0.1}, {2.2, 2.3, 0}, up), 0.6, 1e-12) << "it has gone through";
+  EXPECT_NEAR(overlap(shape, 0.5, {2.2, 2.3, -0.1}, {2.2, 2.3, 0}, -up), 0.4, 1e-12);
+  for (const double side : {-1.0, 1.0})  // past the rim neither side has it behind
+    for (const double height : {-0.03, 0.0, 0.03})
+      EXPECT_NEAR(overlap(shape, 0.5, {4.04, 2.3, height}, {4, 2.3, 0}, side * up), 0.5 - std::hypot(0.04, height), 1e-12);
+}
+
+TEST(Penetration, InAFoldOfASheetIsTheOverlapWithTheWallThatIsNearest) {
+  Shape shape = sheet(9, 2, flat);
+  for (auto at : shape.x.colwise()) {  // two walls, 1.2 m apart, around x = 4.5
+    const double past = at.x() - 4.5, angle = std::clamp(past / 1.5, -1.0, 1.0) * 0.5 * M_PI;
+    at = std::abs(past) < 1.5 ? Vec3(3 + std::cos(angle), at.y(), 0.6 * std::sin(angle))
+                              : Vec3(4.5 - std::abs(past), at.y(), std::copysign(0.6, past));
+  }
+  shape.facets = mesh::both_sides(shape.facets);
+  const Vec3 inside(1.2, 1.1, 0.4), lower(1.2, 1.1, -0.6), up(0, 0, 1);
+  EXPECT_NEAR(overlap(shape, 0.25, inside, lower, up), 0.05, 1e-12) << "the other wall has it in front too";
+  EXPECT_NEAR(overlap(shape, 0.25, inside, lower, -up), 0.45, 1e-12) << "it has come in through a wall";
+}
+
+TEST(Penetration, OfASolidIsHowFarTheApexIsBehindTheSurface) {
+  const Shape shape = block({0, 0, 0}, {4, 4, 0.4}, {4, 4, 1});
+  const Vec3 up(0, 0, 1), top(2.2, 2.3, 0.4);
+  EXPECT_NEAR(overlap(shape, 0, {2.2, 2.3, 0.3}, top, up), 0.1, 1e-12);
+  EXPECT_NEAR(overlap(shape, 0, {2.2, 2.3, 0.1}, top, up), 0.1, 1e-12) << "the far side is nearer";
+  EXPECT_NEAR(overlap(shape, 0, {2.2, 2.3, -0.1}, top, up), 0.1, 1e-12) << "it has gone out there";
+  EXPECT_NEAR(overlap(shape, 0, {4.05, 2.3, 0.3}, {4, 2.3, 0.4}, up), -0.05, 1e-12) << "beside the block nothing overlaps";
+  EXPECT_NEAR(overlap(shape, 0, {4.03, 2.3, 0.44}, {4, 2.3, 0.4}, up), -0.05, 1e-12) << "past its ridge";
+}
+
+TEST(Penetration, BetweenTwoBodiesIsThatInTheOneThatPresses) {
+  const Shape low = block({0, 0, 0}, {4, 4, 1}, {4, 4, 1}), high = block({0, 0, 1.1}, {4, 4, 2.1}, {4, 4, 1});
+  Scene scene = press(both(low, high), {{2.2, 2.3, 1.05}}, 0);
+  Bodies& bodies = scene.interface.bodies;
+  bodies.names = {"low", "high", "apexes"};
+  bodies.of_apex = {2};
+  bodies.of_facet.assign(static_cast<std::size_t>(low.facets.cols()), 0);
+  bodies.of_facet.resize(static_cast<std::size_t>(scene.interface.base.facets.cols()), 1);
+  scene.move({2.2, 2.3, 0.7});  // nearer to the top of the low one than to the high one, and then not
+  Near near = scene.near();
+  near.element.count = 1, near.element.stencil[0].apex = 1;
+  near.element.stencil[0].facet = 0;
+  while (facet_normal(scene.interface.base, scene.x, near.element.stencil[0].facet).z() < 0.5) ++near.element.stencil[0].facet;
+  EXPECT_NEAR(overlap_of(scene.interface, scene.x, near, scene.memory), 0.3, 1e-12);
+  for (Index n = static_cast<Index>(low.x.cols()); n < scene.apex(); ++n) scene.x(2, n) -= 0.3;
+  EXPECT_NEAR(overlap_of(scene.interface, scene.x, near, scene.memory), 0.3, 1e-12);
 }
 
 TEST(EntryOfAnApex, EdgewaysIsNeverPushedAlongItsOwnSurface) {

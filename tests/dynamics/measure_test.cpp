@@ -3,12 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 #include "base/check.hpp"
 #include "dynamics/connect.hpp"
 #include "dynamics/step.hpp"
 #include "mesh/box.hpp"
+#include "mesh/skin.hpp"
 
 namespace nereid::dynamics::measure_test {
 namespace {
@@ -111,6 +113,71 @@ TEST(ContactForce, IsPenaltyTimesAreaTimesDepthOnTheApexes) {
   EXPECT_NEAR(area_across(scene.view(), 0, 0, Vec3(0, 0, 1)), 0, 1e-15);  // along the face
   scene.model.interfaces[0].faces = {};
   EXPECT_EQ(area_across(scene.view(), 0, 0, Vec3(0, 0, 1)), scene.model.interfaces[0].area(0));
+}
+
+/// Two boxes, the left one pressed into the other, with one or two passes between surfaces of theirs.
+Scene pressed_boxes(const std::string& apexes, bool two_passes, double depth) {
+  Scene scene({{"left", 0}, {"right", 2}});
+  for (const auto* name : {"left", "right"}) {
+    const auto& blocks = scene.model.mesh.hexahedra;
+    const auto region = std::find_if(blocks.begin(), blocks.end(), [&](const auto& one) { return one.name == name; });
+    scene.model.mesh.surfaces.push_back({std::string(name) + ".skin", mesh::skin(scene.model.mesh.X, {*region}).facets});
+  }
+  InterfaceOptions options{.method = contact::Method::penalty, .edges = false, .two_passes = two_passes};
+  options.penalty = 1e6;
+  options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
+  std::vector<contact::Memory> memories;
+  for (Connected& connected : connect(scene.model, "touch", apexes, "right.x_low", options)) memories.push_back(connected.memory);
+  scene.state = initial_state(scene.model, memories);
+  scene.forces = make_forces(scene.model);
+  for (const Index node : mesh::node_set(scene.model.mesh, "left")) scene.state.x(0, node) += depth;
+  start(scene.model, scene.state, scene.forces);
+  return scene;
+}
+
+void expect_pressure(const Scene& scene, std::size_t pass, double pressure) {
+  const std::vector<contact::NodeForce> forces = forces_of_contact(scene.view(), pass);
+  const contact::Interface& interface = scene.model.interfaces[pass];
+  Vec3 sum = Vec3::Zero();
+  for (const contact::NodeForce& force : forces) sum += force.push;
+  EXPECT_LT(sum.norm(), 1e-9 * pressure);
+  EXPECT_EQ(forces.size(), 8U);
+  for (Index a = 0; a < static_cast<Index>(interface.apexes.size()); ++a) {
+    const bool touches = scene.state.interfaces[pass].status[a] == contact::Status::closed;
+    EXPECT_NEAR(traction_at(scene.view(), pass, a, forces).pressure, touches ? pressure : 0, 1e-9 * pressure);
+  }
+  EXPECT_NEAR(contact_state(scene.view(), pass).largest_pressure, pressure, 1e-9 * pressure);
+  EXPECT_NEAR(contact_state(scene.view(), pass).area, 1, 1e-12);
+}
+
+TEST(ContactPressure, IsTheForceAtANodeOverItsAreaWhicheverDirectionActs) {
+  constexpr double depth = 1e-3;
+  for (const double first : {0.5, 0.9, 0.0}) {  // of the impulse by the first pass: like grids leave that open
+    Scene scene = pressed_boxes("left.x_high", true, depth);
+    ASSERT_EQ(scene.model.interfaces.size(), 2U);
+    for (std::size_t pass : {0U, 1U})
+      for (contact::Near& near : scene.state.interfaces[pass].near) near.element.scale = 2 * (pass == 0 ? first : 1 - first);
+    for (std::size_t pass : {0U, 1U}) expect_pressure(scene, pass, 1e6 * depth);
+  }
+}
+
+TEST(ContactPressure, OfACornerIsOverTheSideThatIsPressed) {
+  expect_pressure(pressed_boxes("left.skin", false, 1e-3), 0, 1e6 * 1e-3);
+}
+
+TEST(ContactPressure, IsNegativeWhereAFaceIsPulled) {
+  Scene scene = pressed_boxes("left.x_high", false, 1e-3);
+  for (contact::Near& near : scene.state.interfaces[0].near) near.element.scale = -1;
+  const auto forces = forces_of_contact(scene.view(), 0);
+  for (Index a = 0; a < 4; ++a) EXPECT_NEAR(traction_at(scene.view(), 0, a, forces).pressure, -1e3, 1e-6);
+}
+
+TEST(ContactPressure, OfAForceAlongItsFacesIsOverAllOfThem) {
+  Scene scene = pressed_boxes("left.x_high", false, 1e-3);
+  contact::NodeForce along{scene.model.interfaces[0].apexes[0], Vec3(0, 0, 3), Vec3(0, 2, 0)};
+  const Traction traction = traction_at(scene.view(), 0, 0, {along});
+  EXPECT_NEAR(traction.pressure, 3 / 0.25, 1e-12);
+  EXPECT_NEAR(traction.shear, 2 / 0.25, 1e-12);
 }
 
 TEST(ContactForce, IsZeroWhereSurfacesAreApart) {
