@@ -191,11 +191,10 @@ TEST(Relaxation, HeatOfFrictionAndWhatContactsHoldIsTheirWorkThoughVelocitiesAre
       finalize(s.model);
       if (on_a_plane) {
         const mesh::Surface& sole = mesh::surface(s.model.mesh, "block.z_low");
-        const Subset nodes = mesh::surface_nodes(sole);
-        contact::RigidPlane ground{.name = "touch", .point = Vec3::Zero(), .normal = Vec3::UnitZ(), .nodes = nodes,
-                                   .area = mesh::tributary_areas(s.model.mesh, sole, nodes), .method = contact::Method::multiplier,
-                                   .impedance = surface_impedance(s.model, sole)};
-        ground.friction.coefficient = friction;
+        contact::RigidPlane ground;
+        ground.name = "touch", ground.method = contact::Method::multiplier, ground.point = Vec3::Zero(), ground.normal = Vec3::UnitZ();
+        ground.nodes = mesh::surface_nodes(sole), ground.area = mesh::tributary_areas(s.model.mesh, sole, ground.nodes);
+        ground.impedance = surface_impedance(s.model, sole), ground.friction.coefficient = friction;
         s.model.rigid_planes = {ground};
       } else {
         InterfaceOptions options;
