@@ -84,7 +84,7 @@ void add_common_results(const model::Simulation& simulation, const dynamics::Out
     deepest = std::max(deepest, overlap.deepest), grown = std::max(grown, overlap.grown);
   results.push_back({"audit_deepest_overlap", deepest, "m"});
   results.push_back({"audit_overlap_elements", grown, "1"});
-  const double scale = dynamics::energy_scale(simulation.state.ledger);
+  const double scale = dynamics::energy_of_scene(simulation.state.ledger);
   for (std::size_t b = 0; b < simulation.model.blocks.size(); ++b) {
     const std::string& body = element::name(simulation.model.blocks[b]);
     const dynamics::Quality& seen = simulation.state.quality[b];

@@ -14,6 +14,7 @@ length, so its moments are not judged where they vanish.
 import math
 
 UNEXPLAINED = 1e-10  # [-] sums of some 1e5 steps round off by 1e-12; a source that is missing shows as a whole number
+LEAST_AVAILABLE = 1e-6  # [-] of the initial kinetic energy, as in the ledger
 CREATED = 0.01       # [-] twice the default bound of a single bounce; without it a contact may create 5 % before it stops the run
 
 WITHOUT_FRAMES = ("penalty_oscillator",)
@@ -64,12 +65,9 @@ def created(run):
 
 
 def energy_scale(ledger):
-    """What created energy is held against, from its two forms in the summary. [J]"""
-    for account in ledger["accounts"].values():
-        made, part = value_of(account["created"]), value_of(account["created_relative"])
-        if made and part and math.isfinite(made) and math.isfinite(part):
-            return abs(made / part)
-    return max(value_of(ledger["initial_kinetic"]), value_of(ledger["external_work"]))
+    """The energy of the scene, without the floor below which a run is not stopped. [J]"""
+    return max(value_of(ledger["initial_available"]), LEAST_AVAILABLE * value_of(ledger["initial_kinetic"]),
+               value_of(ledger["initial_stored"]), value_of(ledger["external_work"]))
 
 
 # ------------------------------------------------------------------------------------------------

@@ -68,6 +68,20 @@ bool bond(const Vectors& x, Index a, const Start& start, Interface& interface, M
   return true;
 }
 
+/// Whether an overlap is slight, and adds it to those that are listed unless it is the round-off of the program itself.
+///
+/// element    [m] depth of the flattest element behind either surface
+/// round_off  [m] of the program
+bool is_slight(Index apex_body, Index base_body, double depth, double element, double round_off, std::vector<SlightOverlap>& all) {
+  if (depth > std::max(round_off, slight * element)) return false;
+  if (!(depth > round_off)) return true;
+  const auto [one, other] = std::minmax(apex_body, base_body);
+  auto at = std::find_if(all.begin(), all.end(), [&](const SlightOverlap& o) { return o.apex_body == one && o.base_body == other; });
+  if (at == all.end()) at = all.insert(at, {.apex_body = one, .base_body = other});
+  ++at->count, at->deepest = std::max(at->deepest, depth);
+  return true;
+}
+
 }  // namespace
 
 InitialGaps connect(Interface& interface, const Vectors& x, double reach, const ContactHeight& height, InitialPenetration penetration,
@@ -130,7 +144,10 @@ InitialGaps connect(Interface& interface, const Vectors& x, double reach, const 
     contact_height = sweep.level(facet);
     // positions are no more exact than their distance from the origin allows, and differences no more than the facet's size
     const double round_off = 1e-12 * (std::abs(depth) + 2 * std::abs(contact_height) + interface.base.longest(facet));
-    const bool counts = depth > round_off, accepted = !counts || penetration == InitialPenetration::accept;
+    const Index body = one_pair ? -1 : interface.bodies.of_apex[a], other = one_pair ? -1 : interface.bodies.of_facet[facet];
+    const double element = deepest > 0 ? deepest : interface.base.longest(facet);
+    const bool counts = !is_slight(body, other, depth, element, round_off, gaps.slight_overlaps);
+    const bool accepted = !counts || penetration == InitialPenetration::accept;
     near.tracks.begin(facet, accepted ? contact_height - depth : contact_height);
     memory.gap[a] = initial[a] = accepted ? 0 : -depth;
     if (!counts) continue;
@@ -161,10 +178,14 @@ InitialGaps connect_edges(const Interface& interface, const Vectors& x, Memory& 
   for (const EdgePair& pair : memory.edge_pairs) {
     const Over at = over(interface, x, pair.edge, pair.base_edge, pair.in_face, 0);
     const double depth = height_between(interface, pair.edge, pair.base_edge) - at.height;
-    if (!at.is || !(depth > 1e-12 * interface.margin)) continue;
-    if (depth > between_edges(interface, pair.edge, pair.base_edge).depth) continue;
-    ++gaps.penetrating;
-    gaps.deepest = std::max(gaps.deepest, depth);
+    const double element = between_edges(interface, pair.edge, pair.base_edge).depth, round_off = 1e-12 * interface.margin;
+    if (!at.is || !(depth > round_off) || depth > element) continue;
+    const bool many = interface.bodies.count() > 0;
+    const Index body = many ? interface.edges.body[pair.edge] : -1, other = many ? interface.base_edges.body[pair.base_edge] : -1;
+    if (!is_slight(body, other, depth, element, round_off, gaps.slight_overlaps)) {
+      ++gaps.penetrating;
+      gaps.deepest = std::max(gaps.deepest, depth);
+    }
     Crossing& crossing = memory.crossings.emplace_back(crossing_of(pair));
     crossing.side = at.side, crossing.normal = at.normal, crossing.level = at.height;  // an offset, if the caller accepts it
   }

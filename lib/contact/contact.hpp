@@ -350,6 +350,16 @@ struct Coarseness {
   double base = 0;    ///< of the base over the apexes: what it would be with the sides exchanged
 };
 
+/// Part of the flattest element behind two surfaces by which they may overlap at the start. [-] It is round-off of whoever placed them.
+constexpr double slight = 1e-6;
+
+/// Apexes or edges of two bodies that overlap by no more than this part of an element at the start: they are taken as contact.
+struct SlightOverlap {
+  Index apex_body = -1, base_body = -1;  ///< in Bodies, the lower one first; -1 of a pair of surfaces
+  Index count = 0;
+  double deepest = 0;                    ///< [m] positive
+};
+
 /// What the broad search found before the first step.
 struct InitialGaps {
   double least = 0, mean = 0, largest = 0;  ///< [m] over the apexes that have a base
@@ -359,6 +369,7 @@ struct InitialGaps {
   double deepest = 0;                       ///< [m] penetration, positive
   Index pairs = 0;                          ///< of edges within the margin, of kind `edges`; the numbers above are then of these
   std::array<Index, 4> by_kind{};           ///< apexes by Kind of feature
+  std::vector<SlightOverlap> slight_overlaps;  ///< of round-off size, beyond that of the program itself
   Coarseness coarseness;                    ///< of a single pass: see coarseness.hpp
 };
 
@@ -374,10 +385,11 @@ struct ContactHeight {
 ///
 /// reach  [m] apexes farther away have no base
 /// Penetrations are reported and, where InitialPenetration::accept is not asked for, left for the
-/// caller to refuse: nothing is pushed.
+/// caller to refuse: nothing is pushed. Slight ones are accepted in any case.
 InitialGaps connect(Interface&, const Vectors& x, double reach, const ContactHeight&, InitialPenetration, Memory&, Workspace&);
 
-/// Finds the edges that are near each other at the start. Those that stand below the level at which they touch count as penetrating.
+/// Finds the edges that are near each other at the start. Those that stand below the level at which they touch count as penetrating, but
+/// for slight overlaps.
 InitialGaps connect_edges(const Interface&, const Vectors& x, Memory&, Workspace&);
 
 /// The memory of an interface whose apexes all stand over their nearest facets, also those that are far: for damping, which goes by the

@@ -537,4 +537,35 @@ void enforce(std::span<const Interface> interfaces, std::span<const RigidPlane> 
   });
 }
 
+void change_work_to_come(std::span<const Interface> interfaces, std::span<const RigidPlane> planes, const Vectors& change,
+                         const Vectors& spin, const std::vector<Index>& rotation_of_node, double next, std::span<Memory> memories,
+                         std::span<PlaneMemory> of_planes) {
+  const Acting acting{interfaces, planes, memories, of_planes};
+  const double half = 0.5 * next;
+  acting.for_each([&](std::size_t, const auto& contact, auto& memory) {
+    double of_friction = 0;
+    const auto see = [&](const FrictionForces& friction) {
+      if (friction.acts) of_friction += half * friction.force.dot(slip_rate(friction.touch, change, spin, rotation_of_node));
+    };
+    if constexpr (std::is_same_v<std::decay_t<decltype(contact)>, Interface>) {
+      for (const Near& near : memory.near) {
+        if (near.element.closed) memory.restitution[near.apex].held -= half * power(contact, change, near.apex, near.element);
+        see(near.friction);
+      }
+      for (Crossing& crossing : memory.crossings) {
+        for (std::size_t j = 0; crossing.closed && j < 4; ++j)
+          crossing.restitution.held -= half * crossing.weight[j] * crossing.push.dot(change.col(crossing.node[j]));
+        see(crossing.friction);
+      }
+    } else {
+      for (std::size_t i = 0; i < contact.nodes.size(); ++i) {
+        memory.restitution[i].held -= half * memory.force[i] * contact.normal.dot(change.col(contact.nodes[i]));
+        if (!memory.friction.empty()) of_friction += half * memory.friction[i].dot(change.col(contact.nodes[i]));
+      }
+    }
+    memory.friction_to_come -= of_friction;
+    memory.friction_dissipated -= of_friction;
+  });
+}
+
 }  // namespace nereid::contact

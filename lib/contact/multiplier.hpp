@@ -33,4 +33,13 @@ void stop_at_start(std::span<const Interface>, std::span<const RigidPlane>, cons
 void enforce(std::span<const Interface>, std::span<const RigidPlane>, const Motion&, double t, std::span<Memory>, std::span<PlaneMemory>,
              std::span<Workspace>, Multipliers&);
 
+/// Takes into account that velocities change at t after enforce(), as relaxation changes them. The forces then do another work in the half
+/// step that begins than was booked as energy held and as heat of friction:
+///
+///     next / 2  f . change of the relative velocity
+///
+/// change, spin  [m/s] [rad/s] of all velocities, and of those of plate nodes;  next  [s] length of the step to come
+void change_work_to_come(std::span<const Interface>, std::span<const RigidPlane>, const Vectors& change, const Vectors& spin,
+                         const std::vector<Index>& rotation_of_node, double next, std::span<Memory>, std::span<PlaneMemory>);
+
 }  // namespace nereid::contact

@@ -278,9 +278,9 @@ void visit(Archive& archive, Flow& flow) {
 template <class Archive>
 void visit(Archive& archive, Ledger& ledger) {
   auto& [initial_kinetic, kinetic, initial_available, integration, external_work, initial_momentum, momentum, initial_angular_momentum,
-         angular_momentum, accounts, flows, integration_kept, worst_kept, most_integration] = ledger;
+         angular_momentum, accounts, flows, integration_kept, worst_kept, most_integration, size, largest_force, round_off] = ledger;
   archive(initial_kinetic, kinetic, initial_available, integration, external_work, initial_momentum, momentum, initial_angular_momentum,
-          angular_momentum, accounts, flows, integration_kept, worst_kept, most_integration);
+          angular_momentum, accounts, flows, integration_kept, worst_kept, most_integration, size, largest_force, round_off);
 }
 
 template <class Archive>

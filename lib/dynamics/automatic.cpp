@@ -140,7 +140,7 @@ contact::Interface common_to_both(const Model& model, const std::string& name, c
 }
 
 Connected connect_nodes(Model& model, const std::string& name, const contact::Bodies& bodies, const contact::Beside& beside,
-                        const std::vector<Skin>& skins, const mesh::Surface& surface, const InterfaceOptions& options) {
+                        const std::vector<Skin>& skins, const mesh::Surface& surface, const InterfaceOptions& options, const Vectors& x) {
   contact::Interface interface = common_to_both(model, name, bodies, surface, options);
   const auto nodes_of_mesh = static_cast<Index>(model.mesh.X.cols());
   interface.method = options.method;
@@ -178,14 +178,15 @@ Connected connect_nodes(Model& model, const std::string& name, const contact::Bo
 
   Connected connected;
   contact::Workspace workspace(interface);
-  connected.gaps = contact::connect(interface, model.mesh.X, 0, {.from_initial_height = false, .clearance = 0, .given = 0},
+  connected.gaps = contact::connect(interface, x, 0, {.from_initial_height = false, .clearance = 0, .given = 0},
                                     options.initial_penetration, connected.memory, workspace);
   model.interfaces.push_back(std::move(interface));
   return connected;
 }
 
 std::vector<Connected> connect_edges(Model& model, const std::string& name, const contact::Bodies& bodies, const contact::Beside& beside,
-                                     const std::vector<Skin>& skins, const mesh::Surface& surface, const InterfaceOptions& options) {
+                                     const std::vector<Skin>& skins, const mesh::Surface& surface, const InterfaceOptions& options,
+                                     const Vectors& x) {
   contact::Interface interface = common_to_both(model, name + "_edges", bodies, surface, options);
   const std::vector<Subset> planes = symmetry_planes(model);
   for (std::size_t b = 0; b < skins.size(); ++b)
@@ -202,7 +203,7 @@ std::vector<Connected> connect_edges(Model& model, const std::string& name, cons
   interface.apexes = interface.base_nodes = contact::nodes_of(interface.edges);
   Connected connected;
   contact::Workspace workspace(interface);
-  connected.gaps = contact::connect_edges(interface, model.mesh.X, connected.memory, workspace);
+  connected.gaps = contact::connect_edges(interface, x, connected.memory, workspace);
   model.interfaces.push_back(std::move(interface));
   std::vector<Connected> list;
   list.push_back(std::move(connected));
@@ -218,16 +219,17 @@ bool are_apart(const PairsApart& apart, const std::string& one, const std::strin
 }
 
 std::vector<Connected> connect_automatic(Model& model, const std::string& name, const std::vector<TouchingBody>& list,
-                                         const PairsApart& apart, const InterfaceOptions& options) {
+                                         const PairsApart& apart, const InterfaceOptions& options, const Vectors* start) {
   check(model.mass.size() == model.mesh.X.cols(), "finalize() a model before it gets an interface");
+  const Vectors& x = start != nullptr ? *start : model.mesh.X;
   const std::vector<Skin> skins = skins_of(model, list);
   const contact::Bodies bodies = bodies_of(model, list, skins, apart, options);
   const contact::Beside beside = beside_of(model, list, skins);
   const mesh::Surface surface = joined(name, skins);
   std::vector<Connected> connected;
-  connected.push_back(connect_nodes(model, name, bodies, beside, skins, surface, options));
+  connected.push_back(connect_nodes(model, name, bodies, beside, skins, surface, options, x));
   if (!options.edges) return connected;
-  for (Connected& edges : connect_edges(model, name, bodies, beside, skins, surface, options)) connected.push_back(std::move(edges));
+  for (Connected& edges : connect_edges(model, name, bodies, beside, skins, surface, options, x)) connected.push_back(std::move(edges));
   return connected;
 }
 

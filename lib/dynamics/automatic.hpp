@@ -24,9 +24,10 @@ bool are_apart(const PairsApart&, const std::string& one, const std::string& oth
 /// Adds an automatic contact between bodies, which finds the pairs that touch by itself.
 ///
 /// options  without passes, heights, areas and damping: each pair has two passes, at half the thickness of plates
+/// start    as in connect()
 /// returns  the interface `name`, then `name`_edges where there are ridges or rims
 /// Needs    a model after finalize(), with its symmetry planes
 std::vector<Connected> connect_automatic(Model&, const std::string& name, const std::vector<TouchingBody>&,
-                                         const PairsApart& apart, const InterfaceOptions& options);
+                                         const PairsApart& apart, const InterfaceOptions& options, const Vectors* start = nullptr);
 
 }  // namespace nereid::dynamics

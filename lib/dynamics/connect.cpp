@@ -77,7 +77,7 @@ std::vector<Behind> elements_behind(const element::AnyBlock& any, const mesh::Me
 }
 
 Connected connect_one_pass(Model& model, const std::string& name, const std::string& apex_surface, const std::string& base_surface,
-                           const InterfaceOptions& options, contact::Pass pass) {
+                           const InterfaceOptions& options, const Vectors& x, contact::Pass pass) {
   const double share = pass == contact::Pass::only ? 1 : 0.5;
   check(model.mass.size() == model.mesh.X.cols(), "finalize() a model before it gets an interface");
   const mesh::Surface& apexes = mesh::surface(model.mesh, apex_surface);
@@ -114,15 +114,15 @@ Connected connect_one_pass(Model& model, const std::string& name, const std::str
   Connected connected;
   contact::Workspace workspace(interface);
   // the whole scene: an apex may start far from its base, and no farther
-  const double reach = (model.mesh.X.rowwise().maxCoeff() - model.mesh.X.rowwise().minCoeff()).norm();
+  const double reach = (x.rowwise().maxCoeff() - x.rowwise().minCoeff()).norm();
   connected.gaps =
-      contact::connect(interface, model.mesh.X, reach, options.height, options.initial_penetration, connected.memory, workspace);
+      contact::connect(interface, x, reach, options.height, options.initial_penetration, connected.memory, workspace);
   if (pass == contact::Pass::only) {
     const mesh::FacesAround around = mesh::faces_around(model.mesh, base, interface.base_nodes);
-    connected.gaps.coarseness = contact::coarseness(interface, around, model.mesh.X, reach, workspace);
+    connected.gaps.coarseness = contact::coarseness(interface, around, x, reach, workspace);
   }
   if (options.damping_ratio > 0) {
-    const contact::Memory trial = contact::tried_out(interface, model.mesh.X, reach, workspace);
+    const contact::Memory trial = contact::tried_out(interface, x, reach, workspace);
     const double step = contact::stable_step(interface, model.mass, model.inertia, trial, workspace).step;
     interface.damping_time = 2 * options.damping_ratio * step / contact::step_factor(interface, trial.step_factor);  // 2 zeta / omega
   }
@@ -133,7 +133,7 @@ Connected connect_one_pass(Model& model, const std::string& name, const std::str
 /// Adds the edges of a contact, if both surfaces have such that can cross. What the passes have of both sides together is theirs too;
 /// needs one of these at the end of the model.
 std::optional<Connected> connect_edges(Model& model, const std::string& name, const std::string& apex_surface,
-                                       const std::string& base_surface, const InterfaceOptions& options) {
+                                       const std::string& base_surface, const InterfaceOptions& options, const Vectors& x) {
   const mesh::Surface& apexes = mesh::surface(model.mesh, apex_surface);
   const mesh::Surface& base = mesh::surface(model.mesh, base_surface);
   const std::vector<Subset> planes = symmetry_planes(model);
@@ -159,7 +159,7 @@ std::optional<Connected> connect_edges(Model& model, const std::string& name, co
                               : options.height.given;
   Connected connected;
   contact::Workspace workspace(interface);
-  connected.gaps = contact::connect_edges(interface, model.mesh.X, connected.memory, workspace);
+  connected.gaps = contact::connect_edges(interface, x, connected.memory, workspace);
   model.interfaces.push_back(std::move(interface));
   return connected;
 }
@@ -196,16 +196,17 @@ double surface_depth(const Model& model, const mesh::Surface& surface) {
 }
 
 std::vector<Connected> connect(Model& model, const std::string& name, const std::string& apex_surface, const std::string& base_surface,
-                               const InterfaceOptions& options) {
+                               const InterfaceOptions& options, const Vectors* start) {
+  const Vectors& x = start != nullptr ? *start : model.mesh.X;
   std::vector<Connected> passes;
   if (!options.two_passes) {
-    passes.push_back(connect_one_pass(model, name, apex_surface, base_surface, options, contact::Pass::only));
+    passes.push_back(connect_one_pass(model, name, apex_surface, base_surface, options, x, contact::Pass::only));
   } else {
-    passes.push_back(connect_one_pass(model, name, apex_surface, base_surface, options, contact::Pass::forth));
-    passes.push_back(connect_one_pass(model, name + "_back", base_surface, apex_surface, options, contact::Pass::back));
+    passes.push_back(connect_one_pass(model, name, apex_surface, base_surface, options, x, contact::Pass::forth));
+    passes.push_back(connect_one_pass(model, name + "_back", base_surface, apex_surface, options, x, contact::Pass::back));
   }
   if (options.kind == contact::InterfaceKind::bonded || !options.edges) return passes;
-  std::optional<Connected> edges = connect_edges(model, name, apex_surface, base_surface, options);
+  std::optional<Connected> edges = connect_edges(model, name, apex_surface, base_surface, options, x);
   if (edges) passes.push_back(std::move(*edges));
   return passes;
 }

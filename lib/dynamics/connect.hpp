@@ -61,7 +61,9 @@ double surface_depth(const Model&, const mesh::Surface&);
 ///          ridges or rims
 /// Penetrations are reported in Connected::gaps; where InitialPenetration::refuse is asked for, the
 /// caller refuses the scene.
+///
+/// start    [m] positions at the start, where they are not the reference: gaps, overlaps and heights are those there
 std::vector<Connected> connect(Model&, const std::string& name, const std::string& apex_surface,
-                               const std::string& base_surface, const InterfaceOptions&);
+                               const std::string& base_surface, const InterfaceOptions&, const Vectors* start = nullptr);
 
 }  // namespace nereid::dynamics

@@ -42,11 +42,18 @@ double work_from_loads(const Ledger& ledger) {
   return sum;
 }
 
-double energy_scale(const Ledger& ledger) {
+double energy_of_scene(const Ledger& ledger) {
   constexpr double least_available = 1e-6;  // of the kinetic energy: what a scene that only flies by is held against, well above round-off
   const double kinetic = std::max(ledger.initial_available, least_available * ledger.initial_kinetic);
   return std::max({kinetic, initial_stored(ledger), ledger.external_work});
 }
+
+double energy_floor(const Ledger& ledger) {
+  constexpr double part = 1e-3;  // of the size of a body
+  return std::max(part * ledger.size * ledger.largest_force, ledger.round_off);
+}
+
+double energy_scale(const Ledger& ledger) { return std::max(energy_of_scene(ledger), energy_floor(ledger)); }
 
 double spurious_part(const Ledger& ledger, std::size_t source) {
   const Flow& flow = ledger.flows[source];

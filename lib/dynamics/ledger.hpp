@@ -45,6 +45,9 @@ struct Ledger {
   double integration_kept = 0;
   double worst_kept = 0;   ///< [-] kept_part() where it was largest so far, with its sign
   double most_integration = 0;  ///< [J] `integration` where it was largest at any update, without its sign
+  double size = 0;              ///< [m] of the scene at the start: twice the largest distance of a node from the centre of mass
+  double largest_force = 0;     ///< [N] the largest of the weight of the scene and of what loads have applied in any step so far
+  double round_off = 0;         ///< [J] energy at which all nodes move by a hundred times the round-off of positions in the first step
 };
 
 /// What the stores of an account, or all stores together, held at the start. [J]
@@ -54,9 +57,20 @@ double initial_stored(const Ledger&);
 /// Work that gravity and all sources that take it from outside have done, those that took energy out left aside. [J]
 double work_from_loads(const Ledger&);
 
-/// What created energy is held against: the largest of the available kinetic energy at the start, of what the stores held then, and of the
-/// external work since; the same for all who see the scene move as a whole, down to 1e-6 of its kinetic energy. It never falls during a
-/// run. 0 while nothing has moved. [J]
+/// The energy of the scene: the largest of the available kinetic energy at the start, of the energy stored then, and of the external work
+/// since. It does not depend on the frame of reference, down to 1e-6 of the kinetic energy. It never falls during a run. 0 while nothing
+/// has moved. [J]
+double energy_of_scene(const Ledger&);
+
+/// The least energy that created energy is compared with: the work of the largest force over a thousandth of the size of the scene, and no
+/// less than that of round-off. [J]
+///
+///     max(largest_force size / 1000, round_off)
+///
+/// At the start of a run that begins at rest the energy of the scene is round-off, and so are the energies of its sources.
+double energy_floor(const Ledger&);
+
+/// What created energy is compared with: the energy of the scene, and no less than its floor. It never falls during a run. [J]
 double energy_scale(const Ledger&);
 
 /// Sources through which less than this part of the energy scale has passed are not judged. [-] The work of what

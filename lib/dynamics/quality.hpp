@@ -38,7 +38,7 @@ void see_hourglass_energy(const Model&, bool look, State&);
 /// The largest hourglass energy of a block over its largest internal energy so far; zero where the latter is round-off. [-]
 ///
 /// Internal energy is all that the block stores and has dissipated, hourglass energy included.
-/// scale  [J] energy_scale() of the ledger
+/// scale  [J] energy_of_scene() of the ledger
 double hourglass_fraction(const Quality&, double scale);
 /// The same of hourglass energy that is uneven; zero where hourglass energy never was a tenth. [-]
 double uneven_fraction(const Quality&, double scale);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/multiplier.hpp"
+
 namespace nereid::dynamics {
 
 namespace {
@@ -130,12 +132,16 @@ void begin_relaxation(const Model& model, State& now, Forces& f) {
   memory.omega = now.omega;
 }
 
-bool relax(const Model& model, State& now, Forces& f) {
+bool relax(const Model& model, double next, State& now, Forces& f) {
   RelaxationMemory& memory = now.relaxation;
   find_resistance(model, now, f);
   memory.rotated += 0.5 * now.dt * (memory.omega + now.omega);
   const double omega = now.step > 1 ? frequency(model, now, f) : 0;  // the first step has nothing before it
+  f.dx = now.v, f.rotation = now.omega;
   const double kinetic = memory.kinetic = damp(model, std::exp(-2 * omega * now.dt), now);
+  f.dx = now.v - f.dx, f.rotation = now.omega - f.rotation;  // the next step sets its own
+  contact::change_work_to_come(model.interfaces, model.rigid_planes, f.dx, f.rotation, model.rotation_of_node, next, now.interfaces,
+                               now.rigid_planes);
   memory.omega = now.omega;
   if (omega * (now.t - memory.since) >= 1 || omega == 0) take_as_reference(now, f);  // a radian is enough to know a frequency
   memory.most_kinetic = std::max(memory.most_kinetic, kinetic);

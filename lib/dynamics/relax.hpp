@@ -20,8 +20,9 @@ void begin_relaxation(const Model&, State&, Forces&);
 /// df leaves out loads that are functions of time. The sum of all forces is taken in the directions that planes allow; the forces by source
 /// are those of each block, of each load and of gravity, the largest sample so far.
 ///
+/// next     [s] length of the step to come
 /// returns  whether the last `samples` samples were balanced and the kinetic energy of displacements is below
 ///          residual times its largest sample
-bool relax(const Model&, State&, Forces&);
+bool relax(const Model&, double next, State&, Forces&);
 
 }  // namespace nereid::dynamics

@@ -88,6 +88,12 @@ bool stop(const Model& model, const State& now, const Step& next, const Time& ti
   return false;
 }
 
+std::string floor_in_words(const Ledger& ledger) {
+  const std::string energy = formatted("energy floor of %.3g J, ", energy_floor(ledger));
+  if (energy_floor(ledger) == ledger.round_off) return energy + "that of the round-off of positions";
+  return energy + formatted("a force of %.3g N over a thousandth of %.3g m", ledger.largest_force, ledger.size);
+}
+
 /// Stops the run where a source has created or lost too much of the energy of the scene: the ledger must be current.
 bool too_much_of_the_scene(const Model& model, const Ledger& ledger, double limit, Outcome& outcome) {
   const double scale = energy_scale(ledger);
@@ -104,6 +110,7 @@ bool too_much_of_the_scene(const Model& model, const Ledger& ledger, double limi
     const std::string bound = formatted("; the limit is %.3g", limit);
     const bool of_centre = ledger.initial_available < ledger.initial_kinetic;
     outcome.reason = std::isnan(excess)                  ? "its energy is not finite"
+                     : scale == energy_floor(ledger)     ? part + floor_in_words(ledger) + bound
                      : scale == ledger.external_work     ? part + "external work so far" + bound
                      : scale == initial_stored(ledger)   ? part + "energy stored at the start" + bound
                      : of_centre ? part + "initial kinetic energy about the common centre of mass" + bound
@@ -242,7 +249,7 @@ Outcome run(const Model& model, State& now, Forces& forces, const Time& time, do
     const bool last = dt >= time.end - now.t;
     step(model, dt, pace, now, forces);
     if (last) now.t = time.end;
-    const bool rests = model.relaxation && model.relaxes && relax(model, now, forces);
+    const bool rests = model.relaxation && model.relaxes && relax(model, next_length(now.votes, pace, now.t, now.dt), now, forces);
     progress.ledger_is_current = last || rests || now.t >= static_cast<double>(progress.updates + 1) * update_every;
     see_elements(model, progress.ledger_is_current && audit_is_due(time.audit_every, now), now);
     if (progress.ledger_is_current) {

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/parallel.hpp"
 #include "contact/impact_step.hpp"
@@ -312,6 +313,27 @@ void lower_votes(const Model& model, State& now) {
   for (std::size_t p = 0; p < model.rigid_planes.size(); ++p) look(model.rigid_planes[p], now.rigid_planes[p].step_factor);
 }
 
+/// Twice the largest distance of a node from the centre of mass: the diagonal of a box. [m]
+double size_of_scene(const Model& model, const Vectors& x) {
+  const Vec3 centre = x * model.mass / model.mass.sum();
+  return 2 * std::sqrt((x.colwise() - centre).colwise().squaredNorm().maxCoeff());
+}
+
+/// Kinetic energy of all bodies that move by a hundred times the round-off of their positions in a step: 1/2 m (100 eps |x| / dt)^2. [J]
+double energy_of_round_off(const Model& model, const Vectors& x, double dt) {
+  const double way = 100 * 0.5 * std::numeric_limits<double>::epsilon() * x.cwiseAbs().maxCoeff();
+  return 0.5 * total_mass(model) * way * way / (dt * dt);
+}
+
+/// Brings the largest force of the ledger up to what loads apply now.
+void update_largest_force(const Model& model, State& now) {
+  Ledger& ledger = now.ledger;
+  double applied = 0;
+  for (std::size_t l = 0; l < model.loads.size(); ++l)
+    if (!load::is_spring(model.loads[l])) applied += load::applied(now.loads[l], ledger.size);
+  ledger.largest_force = std::max(ledger.largest_force, applied);
+}
+
 /// What the stores hold now counts as held at the start.
 void open_ledger(const Model& model, State& now) {
   for (Account& account : now.ledger.accounts) account.at_start = {};
@@ -356,6 +378,7 @@ const Votes& step(const Model& model, double dt, const Pace& pace, State& now, F
   now.dt = dt;
   ++now.step;
   post_sources(model, now);
+  update_largest_force(model, now);
   see_debts(model, now);
   see_flows(now.ledger);
   lower_votes(model, now);
@@ -374,6 +397,10 @@ const Votes& start(const Model& model, const Pace& pace, State& now, Forces& f) 
   f.dx.setZero(), f.rotation.setZero();
   update(model, 0, now, f);
   gather(model, now, f);
+  now.ledger.size = size_of_scene(model, now.x);
+  now.ledger.largest_force = total_mass(model) * model.gravity.norm();
+  now.ledger.round_off = energy_of_round_off(model, now.x, next_length(now.votes, pace, now.t, 0));
+  update_largest_force(model, now);
   open_ledger(model, now);
   if (!f.allowed.empty()) {
     stop_at_start(model, pace, now, f);

@@ -246,6 +246,11 @@ Vec3 sum_of(const Vectors& all) { return all.cols() > 0 ? Vec3(all.rowwise().sum
 Vec3 resultant(const LoadMemory& memory) { return sum_of(memory.force); }
 Vec3 resultant_moment(const LoadMemory& memory) { return sum_of(memory.moment); }
 
+double applied(const LoadMemory& memory, double length) {
+  const auto sum = [](const Vectors& all) { return all.cols() > 0 ? all.colwise().norm().sum() : 0.0; };
+  return sum(memory.force) + sum(memory.moment) / length;
+}
+
 SpringRates spring_rates(const std::vector<AnyLoad>& loads, const Scalars& mass) {
   std::unordered_map<Index, std::array<double, 2>> at_node;  // stiffness and damping over mass
   for (const AnyLoad& any : loads) {

@@ -123,6 +123,8 @@ void add_forces(const AnyLoad&, const LoadMemory&, Vectors& force, Vectors& mome
 Vec3 resultant(const LoadMemory&);
 /// The sum of the load's moments on the nodes, without those of its forces. [N m]
 Vec3 resultant_moment(const LoadMemory&);
+/// How much is applied, whatever the directions: the sum of the magnitudes of the nodes' forces, moments over a length. [N]
+double applied(const LoadMemory&, double length);
 
 /// How hard springs pull on the masses of their nodes: bounds over all springs together.
 struct SpringRates {

@@ -35,13 +35,15 @@ void refuse_infinite_start(Faults& faults, const Part& part, const std::string& 
 }
 
 /// A floor or wall has its nodes on its side; else the start would throw them out.
+///
+/// x  [m] positions at the start
 template <class Plane>
-void refuse_nodes_behind(Faults& faults, const Part& part, const Plane& plane, const mesh::Mesh& mesh) {
-  const double behind = -round_off * diagonal(mesh);
+void refuse_nodes_behind(Faults& faults, const Part& part, const Plane& plane, const Vectors& x) {
+  const double behind = -round_off * (x.rowwise().maxCoeff() - x.rowwise().minCoeff()).norm();
   double deepest = 0;
   std::size_t count = 0;
   for (const Index node : plane.nodes) {
-    const double height = (mesh.X.col(node) - plane.point).dot(plane.normal);
+    const double height = (x.col(node) - plane.point).dot(plane.normal);
     if (height < behind) ++count;
     deepest = std::min(deepest, height);
   }
@@ -196,11 +198,11 @@ Mat3 gradient_at(const Field& field, const Vec3& X, double size) {
 
 Part part_of_initial(const Initial& initial) { return {initial.at, "initial motion of '" + initial.body + "'"}; }
 
-/// What bodies are given at the start: at nodes, and its gradient at plate nodes.
-struct InitialField {
-  Vectors value;
-  std::vector<Mat3> gradient;
-};
+/// The last displacement that a body is given, which a fault of all together is told of; null without any.
+const Initial* last_displacement(const Scene& scene) {
+  const auto last = std::find_if(scene.initial.rbegin(), scene.initial.rend(), [](const Initial& one) { return one.displacement; });
+  return last == scene.initial.rend() ? nullptr : &*last;
+}
 
 /// The sum of all velocities, or of all displacements.
 InitialField field_of(const std::vector<Initial>& all, bool displacements, const dynamics::Model& model, Faults& faults) {
@@ -235,7 +237,6 @@ void add_planes(const Scene& scene, dynamics::Model& model, Faults& faults) {
       if (plane.angular_velocity[0])
         refuse_infinite_start(faults, part_of(plane), "angular_velocity.value", plane.angular_velocity, model.mesh.X.col(node));
     }
-    if (plane.kind == load::PlaneKind::floor) refuse_nodes_behind(faults, part_of(plane), last, model.mesh);
     if (plane.kind == load::PlaneKind::symmetry) refuse_nodes_beside(faults, part_of(plane), last, model.mesh);
   }
   bool conflicts = false;
@@ -246,7 +247,7 @@ void add_planes(const Scene& scene, dynamics::Model& model, Faults& faults) {
     model.point_masses.push_back({point.name, mesh::node_set(model.mesh, point.nodes), point.mass});
 }
 
-void add_rigid_planes(const Scene& scene, dynamics::Model& model, Faults& faults) {
+void add_rigid_planes(const Scene& scene, dynamics::Model& model) {
   for (const RigidPlane& plane : scene.rigid_planes) {
     const mesh::Surface& surface = mesh::surface(model.mesh, plane.surface);
     const Subset nodes = mesh::surface_nodes(surface);
@@ -263,8 +264,15 @@ void add_rigid_planes(const Scene& scene, dynamics::Model& model, Faults& faults
                                   .first_step_factor = plane.step_factor,
                                   .friction = plane.friction,
                                   .depth = dynamics::surface_depth(model, surface)});
-    refuse_nodes_behind(faults, part("plane", plane), model.rigid_planes.back(), model.mesh);
   }
+}
+
+void check_sides_of_planes(const Scene& scene, const dynamics::Model& model, const Vectors& x, Faults& faults) {
+  const auto& planes = model.constraints.planes;  // none after a conflict
+  for (std::size_t p = 0; p < planes.size(); ++p)
+    if (planes[p].kind == load::PlaneKind::floor) refuse_nodes_behind(faults, part_of(scene.planes[p]), planes[p], x);
+  for (std::size_t p = 0; p < model.rigid_planes.size(); ++p)
+    refuse_nodes_behind(faults, part("plane", scene.rigid_planes[p]), model.rigid_planes[p], x);
 }
 
 void add_loads(const Scene& scene, dynamics::Model& model, Faults& faults) {
@@ -288,19 +296,27 @@ void add_velocities(const std::vector<Initial>& all, const dynamics::Model& mode
   spin += dynamics::angular_velocities_of(model, given.gradient);
 }
 
-void set_initial(const Scene& scene, const dynamics::Model& model, dynamics::State& state, Faults& faults) {
-  add_velocities(scene.initial, model, state.v, state.omega, faults);
-  const InitialField displacement = field_of(scene.initial, true, model, faults);
-  const auto last = std::find_if(scene.initial.rbegin(), scene.initial.rend(), [](const Initial& one) { return one.displacement; });
-  if (last == scene.initial.rend() || !faults.empty()) return;
+std::optional<InitialField> initial_displacement(const Scene& scene, const dynamics::Model& model, Faults& faults) {
+  const Initial* last = last_displacement(scene);
+  if (last == nullptr) return {};
+  const std::size_t before = faults.size();
+  InitialField displacement = field_of(scene.initial, true, model, faults);
+  if (faults.size() > before) return {};
   if (const double most = (model.mesh.X + displacement.value).cwiseAbs().maxCoeff(); !(most < farthest)) {
     refuse(faults, part_of_initial(*last), "displacement",
            formatted("'displacement' puts a node %.4g m from the origin: expected less than %g m", most, farthest));
-    return;
+    return {};
   }
-  const element::Vote smallest = dynamics::displace(model, state, displacement.value, displacement.gradient);
+  return displacement;
+}
+
+void set_initial(const Scene& scene, const dynamics::Model& model, const std::optional<InitialField>& displacement, dynamics::State& state,
+                 Faults& faults) {
+  add_velocities(scene.initial, model, state.v, state.omega, faults);
+  if (!displacement || !faults.empty()) return;
+  const element::Vote smallest = dynamics::displace(model, state, displacement->value, displacement->gradient);
   if (!(smallest.volume_ratio > 0))
-    refuse(faults, part_of_initial(*last), "displacement",
+    refuse(faults, part_of_initial(*last_displacement(scene)), "displacement",
            "'displacement' turns element " + std::to_string(smallest.volume_element) + " inside out");
 }
 

@@ -10,12 +10,17 @@ namespace nereid::model {
 
 /// Adds planes (rigid ones come with add_rigid_planes) and point masses to a model whose mesh stands, before dynamics::finalize.
 ///
-/// Faults: planes that move a node against one another, or constrain too many directions of one; nodes behind a floor; nodes of
-/// a symmetry plane that lie on none; velocities that are no number at the start. With a conflict no plane is added.
+/// Faults: planes that move a node against one another, or constrain too many directions of one; nodes of a symmetry plane that lie on
+/// none; velocities that are no number at the start. With a conflict no plane is added.
 void add_planes(const Scene&, dynamics::Model&, Faults&);
 
-/// Adds rigid planes to a model after dynamics::finalize. Faults: nodes that start behind them.
-void add_rigid_planes(const Scene&, dynamics::Model&, Faults&);
+/// Adds rigid planes to a model after dynamics::finalize.
+void add_rigid_planes(const Scene&, dynamics::Model&);
+
+/// Faults: nodes that start behind a floor or a rigid plane.
+///
+/// x  [m] positions at the start
+void check_sides_of_planes(const Scene&, const dynamics::Model&, const Vectors& x, Faults&);
 
 /// Adds gravity, loads, springs and relaxation to a model after dynamics::finalize.
 ///
@@ -28,9 +33,20 @@ void add_loads(const Scene&, dynamics::Model&, Faults&);
 /// Faults: values that are no number
 void add_velocities(const std::vector<Initial>&, const dynamics::Model&, Vectors& velocity, Vectors& spin, Faults&);
 
-/// Sets velocities and walks the bodies to their initial displacements; before dynamics::start.
+/// A field that bodies are given at the start.
+struct InitialField {
+  Vectors value;               ///< [3 x nodes]
+  std::vector<Mat3> gradient;  ///< [plate nodes]
+};
+
+/// The sum of all initial displacements, after dynamics::finalize; empty without any, or after a fault. [m]
+///
+/// Faults: values that are no number, displacements that are too large
+std::optional<InitialField> initial_displacement(const Scene&, const dynamics::Model&, Faults&);
+
+/// Sets velocities and takes the bodies to their initial displacements; before dynamics::start.
 ///
 /// Faults: values that are no number, displacements that turn elements inside out
-void set_initial(const Scene&, const dynamics::Model&, dynamics::State&, Faults&);
+void set_initial(const Scene&, const dynamics::Model&, const std::optional<InitialField>& displacement, dynamics::State&, Faults&);
 
 }  // namespace nereid::model

@@ -229,7 +229,10 @@ bool any_touch(const Scene& scene, const std::vector<dynamics::TouchingBody>& bo
 }
 
 /// Adds the automatic contacts: each pair of bodies that no contact or bond joins, nor an automatic contact before.
-void add_automatic_contacts(const Scene& scene, dynamics::Model& model, std::vector<dynamics::Connected>& connected, Faults& faults) {
+///
+/// start  as of add_contacts
+void add_automatic_contacts(const Scene& scene, const Vectors* start, dynamics::Model& model, std::vector<dynamics::Connected>& connected,
+                            Faults& faults) {
   dynamics::PairsApart apart;
   for (const Contact& contact : scene.contacts) apart.emplace_back(name_of_body(contact.apexes), name_of_body(contact.base));
   std::set<std::string> touching_itself;
@@ -249,7 +252,7 @@ void add_automatic_contacts(const Scene& scene, dynamics::Model& model, std::vec
              "nothing is left that touches: other contacts have all pairs of these bodies, and none touches itself");
       continue;
     }
-    for (dynamics::Connected& one : dynamics::connect_automatic(model, contact.name, bodies, apart, contact.interface)) {
+    for (dynamics::Connected& one : dynamics::connect_automatic(model, contact.name, bodies, apart, contact.interface, start)) {
       refuse_penetration(contact, false, one.gaps, faults);
       connected.push_back(std::move(one));
     }
@@ -259,7 +262,9 @@ void add_automatic_contacts(const Scene& scene, dynamics::Model& model, std::vec
 }
 
 /// Adds the contacts to a model that is finished.
-std::vector<dynamics::Connected> add_contacts(const Scene& scene, dynamics::Model& model, Faults& faults) {
+///
+/// start  [m] positions at the start where they are not the reference, else null
+std::vector<dynamics::Connected> add_contacts(const Scene& scene, const Vectors* start, dynamics::Model& model, Faults& faults) {
   std::vector<dynamics::Connected> connected;
   for (const Contact& contact : scene.contacts) {
     if (!can_touch(contact, model, faults)) continue;
@@ -269,14 +274,14 @@ std::vector<dynamics::Connected> add_contacts(const Scene& scene, dynamics::Mode
                         .clearance = 0,
                         .given = stand_off(scene.bodies, model.mesh, contact.apexes) + stand_off(scene.bodies, model.mesh, contact.base),
                         .from_thickness = true};
-    for (dynamics::Connected& pass : dynamics::connect(model, contact.name, contact.apexes, contact.base, options)) {
+    for (dynamics::Connected& pass : dynamics::connect(model, contact.name, contact.apexes, contact.base, options, start)) {
       const auto& height = contact.interface.height;
       refuse_penetration(contact, !contact.height_from_thickness && !height.from_initial_height && height.given > 0, pass.gaps, faults);
       refuse_empty_bond(contact, pass.gaps, faults);
       connected.push_back(std::move(pass));
     }
   }
-  add_automatic_contacts(scene, model, connected, faults);
+  add_automatic_contacts(scene, start, model, connected, faults);
   return connected;
 }
 
@@ -342,9 +347,12 @@ Simulation build(const Scene& scene) {
   simulation.stages = make_stages(scene, all_planes, model, faults);
   if (faults.size() > before) throw_if_any(faults);
   dynamics::finalize(model);
-  add_rigid_planes(scene, model, faults);
+  add_rigid_planes(scene, model);
   add_loads(scene, model, faults);
-  std::vector<dynamics::Connected> connected = add_contacts(scene, model, faults);
+  const std::optional<InitialField> displacement = initial_displacement(scene, model, faults);
+  const Vectors start = displacement ? Vectors(model.mesh.X + displacement->value) : model.mesh.X;
+  check_sides_of_planes(scene, model, start, faults);
+  std::vector<dynamics::Connected> connected = add_contacts(scene, displacement ? &start : nullptr, model, faults);
   add_sections(scene, model, faults);
   check_columns(scene, model, faults);
   throw_if_any(faults);
@@ -355,7 +363,7 @@ Simulation build(const Scene& scene) {
     memories.push_back(std::move(one.memory));
   }
   simulation.state = dynamics::initial_state(model, std::move(memories));
-  set_initial(scene, model, simulation.state, faults);
+  set_initial(scene, model, displacement, simulation.state, faults);
   set_velocities_of_stages(scene, simulation, faults);
   check_rigid_bodies(scene, model, simulation.state, faults);
   for (contact::Interface& interface : model.interfaces)

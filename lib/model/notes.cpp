@@ -57,6 +57,20 @@ std::vector<std::string> pairs_found(const Simulation& simulation, std::size_t c
   return rows;
 }
 
+/// Overlaps of round-off size with which a contact starts.
+std::vector<std::string> slight_overlaps(const Simulation& simulation, std::size_t c) {
+  const contact::Interface& interface = simulation.model.interfaces[c];
+  const bool edges = interface.kind == contact::InterfaceKind::edges;
+  std::vector<std::string> rows;
+  for (const contact::SlightOverlap& one : simulation.gaps[c].slight_overlaps) {
+    const auto name = [&](Index body) { return interface.bodies.names[static_cast<std::size_t>(body)]; };
+    const std::string pair = one.apex_body < 0 ? interface.name : name(one.apex_body) + " and " + name(one.base_body);
+    rows.push_back(formatted("%-14s %s: %d %s overlap at the start, by %.3g m at most, less than %.0e of an element: taken as contact", "",
+                             pair.c_str(), one.count, edges ? "pairs of edges" : "apexes", one.deepest, contact::slight));
+  }
+  return rows;
+}
+
 }  // namespace
 
 std::vector<std::string> body_table(const Simulation& simulation) {
@@ -106,11 +120,13 @@ std::vector<std::string> gap_table(const Simulation& simulation) {
       table.push_back(formatted("%-14s %d and %d edges, %d pairs within %.4g m, %d of them penetrating", interface.name.c_str(),
                                 static_cast<int>(interface.edges.nodes.cols()), static_cast<int>(interface.base_edges.nodes.cols()),
                                 g.pairs, interface.margin, g.penetrating));
+      for (const std::string& row : slight_overlaps(simulation, c)) table.push_back(row);
       continue;
     }
     table.push_back(formatted("%-14s %6d  %8d  %7d  %9d  %7d  %11d  %-11.4g  %-11.4g  %-11.4g", interface.name.c_str(), g.apexes,
                               g.by_kind[3], g.by_kind[2], g.by_kind[1], g.without_base, g.penetrating, g.least, g.mean, g.largest));
     for (const std::string& pair : pairs_found(simulation, c)) table.push_back(pair);
+    for (const std::string& row : slight_overlaps(simulation, c)) table.push_back(row);
     if (!contact::by_multipliers(interface) && interface.bodies.count() == 0)
       table.push_back(formatted("%-14s penalty %.4g Pa/m", "", interface.penalty));
     if (g.free > 0)
@@ -231,7 +247,7 @@ std::vector<std::string> quality_notes(const Simulation& simulation) {
   constexpr double thickness_worth_saying = 1.05;  // [-] a bar has that at a plastic strain of a tenth
   constexpr double spin_worth_saying = 0.01;       // [-] of the energy of the scene
   std::vector<std::string> notes;
-  const double scale = dynamics::energy_scale(simulation.state.ledger);
+  const double scale = dynamics::energy_of_scene(simulation.state.ledger);
   for (std::size_t b = 0; b < simulation.model.blocks.size(); ++b) {
     const dynamics::Quality& seen = simulation.state.quality[b];
     const char* name = element::name(simulation.model.blocks[b]).c_str();

@@ -85,7 +85,7 @@ std::string wanted_stop(const Simulation& simulation, const dynamics::View& view
     std::string here;
     if (stop.kind == StopKind::rest) {
       const dynamics::Ledger& ledger = view.now.ledger;
-      here = wanted_stop(stop, view.now.t, ledger.kinetic, "J", dynamics::energy_scale(ledger), memories[s]);
+      here = wanted_stop(stop, view.now.t, ledger.kinetic, "J", dynamics::energy_of_scene(ledger), memories[s]);
     } else {
       const auto named = [&](const auto& one) { return one.name == stop.probe; };
       const auto at = std::find_if(simulation.probes.begin(), simulation.probes.end(), named) - simulation.probes.begin();

@@ -89,7 +89,10 @@ Json ledger_of(const std::vector<Source>& sources, const dynamics::Ledger& ledge
     add_once(accounts, sources[s].name, account_of(sources[s], ledger.accounts[s], ledger.flows[s], energy_scale(ledger)));
   return {{"initial_kinetic", quantity(ledger.initial_kinetic, "J")},
           {"initial_available", quantity(ledger.initial_available, "J")},
+          {"initial_stored", quantity(dynamics::initial_stored(ledger), "J")},
           {"external_work", quantity(ledger.external_work, "J")},
+          {"energy_floor", quantity(dynamics::energy_floor(ledger), "J")},
+          {"energy_scale", quantity(dynamics::energy_scale(ledger), "J")},
           {"kinetic", quantity(ledger.kinetic, "J")},
           {"integration", quantity(ledger.integration, "J")},
           {"integration_kept", quantity(ledger.integration_kept, "J")},

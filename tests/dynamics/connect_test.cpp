@@ -239,8 +239,48 @@ TEST(Connect, RoundOffIsNoPenetration) {
     InterfaceOptions options{.method = contact::Method::penalty};
     options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
     const Connected joint = connect(model, "joint", "above.z_low", "below.z_high", options)[0];
-    EXPECT_EQ(joint.gaps.penetrating, depth > 1e-12 ? 16 : 0);
+    EXPECT_EQ(joint.gaps.penetrating, 0);
+    EXPECT_EQ(joint.gaps.slight_overlaps.size(), depth > 1e-12 ? 1U : 0U);
   }
+}
+
+/// The gaps are those of the geometry.
+const contact::ContactHeight geometric{.from_initial_height = false, .clearance = 0, .given = 0};
+
+/// Two boxes of elements 0.2 m deep that overlap.
+Model overlapping(double depth) {
+  Model model;
+  model.mesh = mesh::join(mesh::box("below", {{0, 0, -0.4}, {1, 1, 0}, {4, 4, 2}}),
+                          mesh::box("above", {{0, 0, -depth}, {1, 1, 0.4 - depth}, {3, 3, 2}}));
+  for (const char* name : {"below", "above"}) model.blocks.push_back(element::hexahedra(model.mesh, name, soft, {}));
+  finalize(model);
+  return model;
+}
+
+TEST(Connect, OverlapsOfAMillionthOfAnElementAreContactAndListed) {
+  for (const auto& [depth, is_slight] : {std::pair{1e-10, true}, {1.9e-7, true}, {2.1e-7, false}, {1e-3, false}}) {
+    Model model = overlapping(depth);
+    const Connected joint = connect(model, "joint", "above.z_low", "below.z_high", {.height = geometric})[0];
+    EXPECT_EQ(joint.gaps.penetrating, is_slight ? 0 : 16) << depth;
+    ASSERT_EQ(joint.gaps.slight_overlaps.size(), is_slight ? 1U : 0U) << depth;
+    if (!is_slight) continue;
+    EXPECT_EQ(joint.gaps.slight_overlaps[0].count, 16);
+    EXPECT_NEAR(joint.gaps.slight_overlaps[0].deepest, depth, 1e-15);
+    EXPECT_EQ(joint.gaps.least, 0) << "nothing is pushed";
+  }
+}
+
+TEST(Connect, GapsAndHeightsAreThoseOfTheStart) {
+  const double overlap = 0.01;
+  Model model = overlapping(overlap);
+  Vectors start = model.mesh.X;
+  for (const Index node : mesh::node_set(model.mesh, "above")) start(2, node) += 3 * overlap;
+  const InterfaceOptions options{.height = geometric};
+  EXPECT_EQ(connect(model, "reference", "above.z_low", "below.z_high", options)[0].gaps.penetrating, 16);
+  const contact::InitialGaps gaps = connect(model, "joint", "above.z_low", "below.z_high", options, &start)[0].gaps;
+  EXPECT_EQ(gaps.penetrating, 0);
+  EXPECT_NEAR(gaps.least, 2 * overlap, 1e-15);
+  EXPECT_NEAR(gaps.largest, 2 * overlap, 1e-15);
 }
 
 TEST(Connect, ApexesOnSymmetryPlanesKnowTheDirectionsTheseAllow) {

@@ -174,6 +174,46 @@ TEST(Relaxation, OnARigidPlaneEndsWhereItsPenaltyCarriesTheLoad) {
   expect_closed(s);
 }
 
+TEST(Relaxation, HeatOfFrictionAndWhatContactsHoldIsTheirWorkThoughVelocitiesAreScaled) {
+  for (const bool on_a_plane : {true, false})
+    for (const double friction : {0.0, 0.1, 0.3, 0.9}) {
+      Scene s;
+      mesh::Mesh block = mesh::box("block", {Vec3(0, 0, 0), Vec3(0.1, 0.1, 0.05), {3, 3, 2}});
+      const mesh::Mesh bed = mesh::box("bed", {Vec3(-0.05, -0.05, -0.05), Vec3(0.15, 0.15, 0), {4, 4, 2}});
+      s.model.mesh = on_a_plane ? block : mesh::join(block, bed);
+      for (const char* name : {"block", "bed"})
+        if (!on_a_plane || name == std::string("block"))
+          s.model.blocks.push_back(element::hexahedra(s.model.mesh, name, material::Elastic{1000, 1e7, 0.3}, {}));
+      if (!on_a_plane)
+        s.model.constraints.planes = {plane("ground", PlaneKind::fixed, Vec3::UnitZ(), mesh::node_set(s.model.mesh, "bed.z_low"))};
+      s.model.gravity = {0, 0, -9.81};
+      s.model.relaxation = Relaxation{.residual = 1e-4, .after = 0.02};
+      finalize(s.model);
+      if (on_a_plane) {
+        const mesh::Surface& sole = mesh::surface(s.model.mesh, "block.z_low");
+        contact::RigidPlane ground;
+        ground.name = "touch", ground.method = contact::Method::multiplier, ground.point = Vec3::Zero(), ground.normal = Vec3::UnitZ();
+        ground.nodes = mesh::surface_nodes(sole), ground.area = mesh::tributary_areas(s.model.mesh, sole, ground.nodes);
+        ground.impedance = surface_impedance(s.model, sole), ground.friction.coefficient = friction;
+        s.model.rigid_planes = {ground};
+      } else {
+        InterfaceOptions options;
+        options.friction.coefficient = friction;
+        s.joined("touch", "block.z_low", "bed.z_high", options);
+      }
+      s.ready();
+      const Outcome outcome = s.run_to(0.5, 1e-3);
+      EXPECT_EQ(outcome.ending, Ending::relaxed) << outcome.reason;
+      const Account& touch = account(s, "touch");
+      const double passed = s.state.ledger.flows[source_of(s.model, "touch")].passed;
+      EXPECT_LT(std::abs(created(touch)), 1e-6 * passed + 1e-18);
+      EXPECT_LT(std::abs(s.state.ledger.flows[source_of(s.model, "touch")].worst), 1e-6);
+      const double weight = 1000 * 0.1 * 0.1 * 0.05 * 9.81;
+      const Vec3 force = on_a_plane ? contact::force(s.model.rigid_planes[0], s.state.rigid_planes[0]) : s.state.interfaces[0].force;
+      EXPECT_NEAR(force.z() / weight, 1, 1e-3);
+    }
+}
+
 TEST(Relaxation, ThatIsNotThereAtTheEndSaysHowFarItIs) {
   Scene s = hanging(material::Elastic{1000, 1e8, 0}, 10, 20);
   const Outcome outcome = s.run_to(5e-3);

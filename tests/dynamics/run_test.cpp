@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <numeric>
 
 #include "contact/impact_step.hpp"
 #include "mesh/box.hpp"
@@ -431,6 +432,101 @@ TEST(Run, ThatStartsAtRestIsHeldAgainstTheEnergyThatGravityBroughtIn) {
   EXPECT_GT(energy_scale(ledger), 0);
   EXPECT_GE(energy_scale(ledger), work_from_loads(ledger));
   EXPECT_GT(std::abs(spurious_part(ledger, 2)), 0.05);
+}
+
+/// A hard block that stands on the ground, and its energy floor: weight times diagonal over a thousand.
+Scene standing(double& floor) {
+  Scene s;
+  s.model.mesh = mesh::box("block", {{0, 0, 0}, {0.3, 0.4, 1.2}, {1, 1, 3}});
+  s.model.blocks.push_back(element::hexahedra(s.model.mesh, "block", material::Elastic{1000, 1e12, 0.3}, {}));
+  s.model.constraints.planes = {plane("ground", load::PlaneKind::fixed, Vec3::UnitZ(), mesh::node_set(s.model.mesh, "block.z_low"))};
+  s.model.gravity = {0, 0, -10};
+  finalize(s.model);
+  s.ready();
+  floor = 1000 * 0.3 * 0.4 * 1.2 * 10 * 1.3 / 1000;
+  return s;
+}
+
+TEST(Run, ThatStandsStillStopsWhereASourceCreatesATwentiethOfTheEnergyFloor) {
+  for (const double part : {1e-6, -1e-6, 0.049, -0.049, 0.051, -0.051, 1.0, -1.0, 1e3, 1e9}) {  // of the floor, all in one step
+    double floor = 0;
+    Scene s = standing(floor);
+    const std::vector<Observer> faulty_law{[&](const View& view) {
+      if (view.now.step == 3) s.state.blocks[0].stored[Stored::elastic] += part * floor;
+    }};
+    const Outcome outcome = s.run_to(1e-3, 1e-5, faulty_law);
+    EXPECT_NEAR(energy_floor(s.state.ledger) / floor, 1, 1e-12);
+    EXPECT_LT(s.state.ledger.external_work, 1e-4 * floor);
+    const Ending expected = std::abs(part) < 0.05 ? Ending::reached_end : part > 0 ? Ending::energy_created : Ending::energy_lost;
+    EXPECT_EQ(outcome.ending, expected) << part << " " << outcome.reason;
+    if (expected == Ending::reached_end) continue;
+    EXPECT_EQ(outcome.block, "block");
+    EXPECT_NE(outcome.reason.find("of the energy floor of 1.87 J, a force of 1.44e+03 N over a thousandth of 1.3 m; the limit is 0.05"),
+              std::string::npos) << outcome.reason;
+  }
+}
+
+TEST(EnergyFloorOfARun, IsOfTheLargestForceOfLoadsSoFarWhereThatIsMoreThanTheWeight) {
+  double floor = 0;
+  Scene s = standing(floor);
+  const auto pulse = [](double t) { return t < 5e-4 ? 1e5 * t / 5e-4 : 0.0; };  // [Pa] on two faces of 0.36 m2
+  for (const char* side : {"block.y_low", "block.y_high"})
+    s.model.loads.emplace_back(load::pressure_on(side, s.model.mesh, mesh::surface(s.model.mesh, side), pulse));
+  s.ready();
+  start(s.model, s.state, s.forces);
+  EXPECT_NEAR(energy_floor(s.state.ledger) / floor, 1, 1e-12);
+  Scene again = s;
+  again.ready();
+  EXPECT_EQ(again.run_to(1e-3).ending, Ending::reached_end);
+  EXPECT_NEAR(energy_floor(again.state.ledger) / (2 * 0.36 * 1e5 * 1.3e-3), 1, 0.02) << "opposite forces do not cancel";
+}
+
+enum class Acts { gravity, body_force, driven_plane };
+
+/// Two blocks, one on the other, tied: the positions of their nodes agree to round-off.
+///
+/// power  of the time with which a body force, or the speed of a plane, grows from zero
+Scene tied(double size, contact::Method method, Acts acts, int power) {
+  Scene s;
+  s.model.mesh = mesh::join(mesh::box("low", {{0, 0, 0}, {size, size, size}, {4, 4, 4}}),
+                            mesh::box("high", {{0, 0, size}, {size, size, 2 * size}, {4, 4, 4}}));
+  for (const char* name : {"low", "high"})
+    s.model.blocks.push_back(element::hexahedra(s.model.mesh, name, material::Elastic{1000, 1e7, 0.3}, {}));
+  s.model.constraints.planes = {plane("ground", load::PlaneKind::fixed, Vec3::UnitZ(), mesh::node_set(s.model.mesh, "low.z_low"))};
+  const auto none = [](double, double, double, double) { return 0.0; };
+  const auto grows = [power](double most) { return [=](double, double, double, double t) { return -most * std::pow(t / 1e-3, power); }; };
+  if (acts == Acts::gravity) s.model.gravity = {0, 0, -9.81};
+  if (acts == Acts::driven_plane) {
+    s.model.constraints.planes.push_back(
+        plane("press", load::PlaneKind::driven, Vec3::UnitZ(), mesh::node_set(s.model.mesh, "high.z_high")));
+    s.model.constraints.planes.back().field = {none, none, grows(0.1)};
+  }
+  finalize(s.model);
+  if (acts == Acts::body_force) {
+    Subset nodes(static_cast<std::size_t>(s.model.mesh.X.cols()));
+    std::iota(nodes.begin(), nodes.end(), 0);
+    s.model.loads.emplace_back(load::BodyForce{.name = "weight", .nodes = nodes, .mass = s.model.mass,
+                                               .acceleration = {none, none, grows(9.81)}});
+  }
+  InterfaceOptions tie{.kind = contact::InterfaceKind::bonded, .method = method};
+  tie.height = {.from_initial_height = false, .clearance = 0, .given = 0};
+  s.joined("tie", "high.z_low", "low.z_high", tie);
+  s.ready();
+  return s;
+}
+
+TEST(Run, OfTiesThatAreLoadedFromRestGoesOn) {
+  for (const auto method : {contact::Method::penalty, contact::Method::multiplier})
+    for (const double size : {0.1, 0.125})
+      for (const auto acts : {Acts::gravity, Acts::body_force, Acts::driven_plane})
+        for (const int power : {1, 4, 8}) {
+          Scene s = tied(size, method, acts, power);
+          const Outcome outcome = s.run_to(1e-3, 1e-5);
+          EXPECT_EQ(outcome.ending, Ending::reached_end) << outcome.reason;
+          const Flow& flow = s.state.ledger.flows[source_of(s.model, "tie")];
+          EXPECT_LT(std::abs(flow.worst), 1e-3);
+          EXPECT_LT(std::abs(flow.worst_of_scene), 1e-3);
+        }
 }
 
 TEST(Run, OfAFreeSceneIsJudgedAlikeByWhoMovesAlongAndWhoStands) {

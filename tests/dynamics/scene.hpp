@@ -128,7 +128,8 @@ inline std::vector<std::pair<std::string, std::vector<double>>> numbers(const St
       s.relaxation.since);
   all(s.relaxation.impulse), all(s.relaxation.angular_impulse);
   part("ledger"), add(s.ledger.initial_kinetic, s.ledger.initial_available, s.ledger.kinetic, s.ledger.integration, s.ledger.external_work,
-                      s.ledger.integration_kept, s.ledger.worst_kept, s.ledger.most_integration);
+                      s.ledger.integration_kept, s.ledger.worst_kept, s.ledger.most_integration, s.ledger.size, s.ledger.largest_force,
+                      s.ledger.round_off);
   all(s.ledger.momentum), all(s.ledger.angular_momentum), all(s.ledger.initial_momentum), all(s.ledger.initial_angular_momentum);
   for (const Account& a : s.ledger.accounts) {
     part("account"), add(a.work, a.created_by_reconnection), all(a.impulse), all(a.angular_impulse);

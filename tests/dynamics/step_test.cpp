@@ -987,7 +987,7 @@ TEST(Residual, IsRoundOffWithDrivenNodesWhileRelaxing) {
   Votes votes = start(s.model, s.state, s.forces);
   for (int i = 0; i < 200; ++i) {
     votes = step(s.model, 0.9 * least(votes), s.state, s.forces);
-    relax(s.model, s.state, s.forces);
+    relax(s.model, 0.9 * least(votes), s.state, s.forces);
   }
   update_ledger(s.model, s.state);
   expect_closed(s);

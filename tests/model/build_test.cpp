@@ -83,6 +83,43 @@ TEST(Build, RefusesPenetrationUnlessAccepted) {
   EXPECT_TRUE(says(refusal(scene), "lower 'height'")) << refusal(scene);
 }
 
+/// A body that is displaced along x. [m]
+Initial moved(const std::string& body, double way) {
+  const auto constant = [](double value) { return [value](double, double, double, double) { return value; }; };
+  return {.body = body, .displacement = true, .value = {constant(way), constant(0), constant(0)}};
+}
+
+TEST(Build, LooksForOverlapsWhereInitialDisplacementsPutTheBodies) {
+  for (const bool automatic : {false, true}) {
+    Scene scene = with({bar(), wall()});
+    if (automatic) scene.automatic_contacts = {{.name = "touch"}};
+    else scene.contacts = {touch("bar.x_high", "wall.x_low")};
+    scene.bodies[1].place.move = Vec3(-0.1, 0, 0);
+    scene.initial = {moved("wall", 0.3)};
+    EXPECT_EQ(refusal(scene), "");
+    const Simulation simulation = build(scene);
+    EXPECT_NEAR(simulation.gaps[0].least, 0.2, 1e-12) << automatic;
+    scene.bodies[1].place.move = Vec3(0.1, 0, 0);
+    scene.initial = {moved("wall", -0.3)};
+    EXPECT_TRUE(says(refusal(scene), "start penetrated, by 0.2 m at most: move the bodies apart, or say 'initial_penetration: accept'"))
+        << refusal(scene);
+  }
+}
+
+TEST(Build, LooksForNodesBehindPlanesWhereInitialDisplacementsPutThem) {
+  Scene scene = with({bar()});
+  scene.rigid_planes = {{.name = "ground", .surface = "bar.x_low", .point = Vec3(0.1, 0, 0), .normal = Vec3::UnitX()}};
+  EXPECT_TRUE(says(refusal(scene), "4 of 4 nodes start behind 'ground', by 0.1 m at most")) << refusal(scene);
+  scene.initial = {moved("bar", 0.1)};
+  EXPECT_EQ(refusal(scene), "");
+  scene.rigid_planes.clear();
+  scene.planes = {{.name = "ground", .kind = load::PlaneKind::floor, .nodes = {"bar.x_low"}, .point = Vec3(0.1, 0, 0),
+                   .normal = Vec3::UnitX()}};
+  EXPECT_EQ(refusal(scene), "");
+  scene.initial = {moved("bar", -0.2)};
+  EXPECT_TRUE(says(refusal(scene), "4 of 4 nodes start behind 'ground', by 0.3 m at most")) << refusal(scene);
+}
+
 TEST(Build, RefusesABaseWhoseNormalsDoNotAgree) {
   mesh::Mesh given = mesh::box("", {Vec3(2, 0, 0), Vec3(4, 1, 1), {2, 1, 1}});
   auto& facets = std::find_if(given.surfaces.begin(), given.surfaces.end(), [](const auto& one) { return one.name == ".x_low"; })->facets;

@@ -17,7 +17,8 @@ class MadeUp:
     def __init__(self, energy=0.0, momentum=0.0, angular=0.0, momenta=True, frames=True, made=()):
         axis = 1.0 if momenta else 0.0
         self.summary = {"ledger": {
-            "initial_kinetic": number(4.0), "kinetic": number(2.0), "external_work": number(0.0), "energy_residual": number(energy),
+            "initial_kinetic": number(4.0), "initial_available": number(4.0), "initial_stored": number(0.0), "kinetic": number(2.0),
+            "external_work": number(0.0), "energy_residual": number(energy),
             "initial_momentum": number([axis, 0, 0]), "momentum": number([-axis, 0, 0]), "momentum_residual": number([0, momentum, 0]),
             "initial_angular_momentum": number([0, axis, 0]), "angular_momentum": number([0, -axis, 0]),
             "angular_momentum_residual": number([0, 0, angular]),

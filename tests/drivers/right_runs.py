@@ -1,0 +1,242 @@
+"""Runs that are right and start from rest, or from round-off, reach their end without a message, with the right value; the same runs with
+a defect stop, and a scene that is wrong is refused with the key that accepts it.
+
+    python3 tests/drivers/right_runs.py DRIVERS                     DRIVERS: the folder with the programs
+    python3 tests/drivers/right_runs.py DRIVERS Stacks
+
+A scene is a dict, written as JSON, which is YAML, but for quantities, which have no quotation marks.
+"""
+import itertools
+import json
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+PATIENCE = 120  # [s] each run takes seconds at most
+G = 9.81
+DOWN = [f"{a} m/s^2" for a in (0, 0, -G)]
+
+
+def lengths(values):
+    return [f"{value!r} m" for value in values]
+
+
+def box(name, low, high, cells, young="10 MPa", rigid=False):
+    body = {"name": name, "mesh": {"kind": "box", "low": lengths(low), "high": lengths(high), "cells": list(cells)},
+            "material": {"kind": "elastic", "density": "1000 kg/m^3", "young": young, "poisson": 0.3}}
+    return {**body, "rigid": True} if rigid else body
+
+
+class Run:
+    drivers = None  # folder of the programs, from the command line
+
+    def __init__(self, scene, *values):
+        with tempfile.TemporaryDirectory() as folder:
+            case, out = Path(folder) / "case.yaml", Path(folder) / "out"
+            case.write_text(re.sub(r'"(-?[0-9.e+-]+ [a-zA-Z][^" ]*)"', r"\1", json.dumps(scene)), encoding="utf-8")
+            words = [Run.drivers / "scene", case, "--out", out, "--quiet"]
+            for value in values:
+                words += ["--set", value]
+            done = subprocess.run(words, capture_output=True, text=True, timeout=PATIENCE)
+            self.status, self.stderr = done.returncode, done.stderr
+            summary = out / "summary.json"
+            self.summary = json.loads(summary.read_text(encoding="utf-8")) if summary.is_file() else None
+
+    def result(self, name):
+        return self.summary["results"][name]["value"]
+
+    def ledger(self, name):
+        return self.summary["ledger"][name]["value"]
+
+    def created(self):
+        """The most that any source made or lost at the end, over the energy floor."""
+        return max(abs(one["created"]["value"]) for one in self.summary["ledger"]["accounts"].values()) / self.ledger("energy_floor")
+
+
+class Case(unittest.TestCase):
+    def good(self, scene, ending="reached_end"):
+        """A run without a message, but for that on the size of elements: some beds here are coarse beside what stands on them."""
+        run = Run(scene)
+        said = [line for line in run.stderr.splitlines() if ": hourglass energy reached " not in line]
+        self.assertEqual((run.status, said), (0, []))
+        self.assertEqual(run.summary["ending"]["word"], ending)
+        return run
+
+
+# ------------------------------------------------------------------------------------------------
+
+def pressed_block(friction, on):
+    """A block of 0.5 kg on a rigid plane, or on a bed by a declared or automatic contact."""
+    scene = {"bodies": [box("b", (0, 0, 0), (0.1, 0.1, 0.05), (3, 3, 2))], "contacts": [], "planes": [], "gravity": DOWN,
+             "probes": [{"name": "carried", "quantity": "force", "of": "ground", "component": "z"}],
+             "time": {"end": "0.5 s"}, "relaxation": {"residual": 1e-4, "after": "0.02 s"}}
+    if on == "plane":
+        scene["planes"] = [{"name": "ground", "kind": "rigid", "surface": "b.z_low", "point": lengths((0, 0, 0)), "normal": [0, 0, 1],
+                            "friction": friction}]
+        return scene
+    scene["bodies"].append(box("bed", (-0.05, -0.05, -0.05), (0.15, 0.15, 0), (4, 4, 2)))
+    scene["planes"] = [{"name": "ground", "kind": "fixed", "nodes": ["bed.z_low"]}]
+    sides = {"kind": "automatic"} if on == "automatic" else {"apexes": "b.z_low", "base": "bed.z_high"}
+    scene["contacts"] = [{"name": "touch", "friction": friction, **sides}]
+    return scene
+
+
+class FrictionUnderRelaxation(Case):
+    def test_carries_the_weight_and_creates_nothing(self):
+        for on, friction in (("plane", 0.1), ("plane", 0.3), ("declared", 0.3), ("automatic", 0.3), ("plane", 0.9)):
+            with self.subTest(f"{on} {friction}"):
+                run = self.good(pressed_block(friction, on), "relaxed")
+                weight = 0.5 * G if on == "plane" else 2.5 * G
+                self.assertAlmostEqual(run.result("carried_last") / weight, 1, delta=1e-3)
+                self.assertLess(run.created(), 1e-6)  # 7e-8 by automatic contact, 1e-15 else
+
+    def test_of_a_pressure_that_acts_at_once(self):
+        for on in ("plane", "declared"):
+            scene = pressed_block(0.3, on)
+            del scene["gravity"]
+            scene["loads"] = [{"name": "push", "kind": "pressure", "surface": "b.z_high", "value": "1e4", "unit": "Pa"}]
+            run = self.good(scene, "relaxed")
+            self.assertAlmostEqual(run.result("carried_last") / 100, 1, delta=5e-3)  # the pressure follows an area that grows
+
+
+def tied(method, size, weight):
+    """A cube that is tied to the top of another one; the weight acts at once, or grows with the time."""
+    scene = {"bodies": [box("a", (0, 0, 0), (size, size, size), (4, 4, 4)), box("b", (0, 0, size), (size, size, 2 * size), (4, 4, 4))],
+             "contacts": [{"name": "tie", "kind": "bonded", "apexes": "b.z_low", "base": "a.z_high", "method": method}],
+             "planes": [{"name": "ground", "kind": "fixed", "nodes": ["a.z_low"]}],
+             "probes": [{"name": "carried", "quantity": "force", "of": "tie", "component": "z"}], "time": {"end": "0.5 s"},
+             "relaxation": {"residual": 1e-5, "after": "0.02 s"}}
+    if weight == "at once":
+        return {**scene, "gravity": DOWN}
+    value = ["0", "0", f"t < 0.01 ? -{G}*t/0.01 : -{G}"]
+    scene["loads"] = [{"name": f"weight_{body}", "kind": "body_force", "body": body, "value": value, "unit": "m/s^2"} for body in "ab"]
+    return scene
+
+
+class TiesFromRest(Case):
+    def test_carry_the_weight(self):
+        for method, size, weight in (("penalty", 0.1, "at once"), ("penalty", 0.125, "slowly"), ("multiplier", 0.1, "slowly")):
+            with self.subTest(f"{method} {size} {weight}"):
+                run = self.good(tied(method, size, weight), "relaxed")
+                self.assertAlmostEqual(run.result("carried_last") / (1000 * size**3 * G), 1, delta=1e-3)
+
+
+def press_fit():
+    """A shaft 0.02 mm too large in a hub, in plane strain: its initial displacement takes it out of the hub."""
+    steel = {"kind": "elastic", "density": "7850 kg/m^3", "young": "200 GPa", "poisson": 0.3}
+    ring = {"kind": "sector", "length": "0.005 m", "angle": "15 deg", "cells_around": 2, "cells_along": 1}
+    bodies = [{"name": "s", "mesh": {**ring, "radius": "0.02002 m", "cells_radial": 6, "inner_radius": "0.005 m"}, "material": steel},
+              {"name": "r", "mesh": {**ring, "radius": "0.04 m", "cells_radial": 8, "inner_radius": "0.02 m"}, "material": steel}]
+    planes = [{"name": name, "kind": "symmetry", "nodes": [f"s.{side}", f"r.{side}"], "normal": normal} for name, side, normal in
+              (("z0", "bottom", [0, 0, 1]), ("z1", "top", [0, 0, 1]), ("p1", "first_plane", [0, 1, 0]),
+               ("p2", "second_plane", [-0.2588190451025208, 0.9659258262890684, 0]))]
+    return {"bodies": bodies, "planes": planes, "contacts": [{"name": "c", "apexes": "s.side", "base": "r.inside"}],
+            "probes": [{"name": "pressure", "quantity": "contact_pressure", "of": "c"},
+                       {"name": "bore", "quantity": "radius", "of": "r.inside", "component": "z"}],
+            "time": {"end": "0.2 ms"}, "relaxation": {"residual": 1e-4, "after": "20 us"},
+            "initial": [{"body": "s", "displacement": ["-0.002*x", "-0.002*y", "0"], "unit": "m"}]}
+
+
+class PressFit(Case):
+    def test_has_the_pressure_of_lame(self):
+        modulus, ratio, over = 200e9 / (1 - 0.09), 0.3 / 0.7, 2e-5  # of plane strain; [m]
+        a, b, c = 0.005, 0.02, 0.04
+        hub, shaft = (c * c + b * b) / (c * c - b * b) + ratio, (b * b + a * a) / (b * b - a * a) - ratio
+        pressure = over * modulus / b / (hub + shaft)
+        run = self.good(press_fit(), "relaxed")
+        self.assertAlmostEqual(run.result("pressure_last") / pressure, 1, delta=3e-3)
+        self.assertAlmostEqual((run.result("bore_last") - b) / (pressure * b / modulus * hub), 1, delta=3e-3)
+
+    def test_is_refused_where_it_starts_in_the_hub(self):
+        scene = press_fit()
+        del scene["initial"]
+        run = Run(scene)
+        self.assertEqual(run.status, 2)
+        self.assertIn("start penetrated, by 2e-05 m at most: move the bodies apart, or say 'initial_penetration: accept'", run.stderr)
+
+
+# ------------------------------------------------------------------------------------------------
+
+def stack(count, gap, rigid, automatic, on_a_plane, end):
+    """Boxes of 32 g, one on the other, with a gap [m] below each; negative: they overlap."""
+    bodies, contacts, planes, z, side = [], [], [], 0.0, 0.02
+    if on_a_plane:
+        planes = [{"name": "ground", "kind": "rigid", "surface": "r0.z_low", "point": lengths((0, 0, 0)), "normal": [0, 0, 1],
+                   "friction": 0.5}]
+    else:
+        bodies = [box("floor", (-0.1, -0.1, -0.02), (0.1, 0.1, 0), (2, 2, 1), "100 MPa", rigid)]
+        planes = [{"name": "hold", "kind": "fixed", "nodes": ["floor" if rigid else "floor.z_low"]}]
+    for i in range(count):
+        z += gap if i > 0 or not on_a_plane else max(gap, 0)
+        bodies.append(box(f"r{i}", (-side, -side, z), (side, side, z + side), (1, 1, 1) if rigid else (2, 2, 1), "100 MPa", rigid))
+        z += side
+        if i > 0 or not on_a_plane:
+            contacts.append({"name": f"c{i}", "apexes": f"r{i}.z_low", "base": (f"r{i - 1}" if i > 0 else "floor") + ".z_high",
+                             "friction": 0.5})
+    if automatic:
+        contacts = [{"name": "all", "kind": "automatic", "friction": 0.5}] if len(bodies) > 1 or not rigid else []
+    probes = [{"name": f"top_{axis}", "quantity": "position", "of": f"r{count - 1}", "component": axis} for axis in "xyz"]
+    return {"bodies": bodies, "contacts": contacts, "planes": planes, "gravity": DOWN, "probes": probes, "time": {"end": end}}
+
+
+class Stacks(Case):
+    def rests(self, *values):
+        with self.subTest(values):
+            count, gap = values[0], values[1]
+            run = self.good(stack(*values, "20 ms"))
+            allowed = 1e-6 + 2 * count * abs(gap) + (0 if values[2] else 1e-6 * count**2)  # elastic ones give way
+            for axis in "xyz":
+                way = run.result(f"top_{axis}_largest") - run.result(f"top_{axis}_smallest")
+                self.assertLess(way, allowed if axis == "z" else 1e-6, axis)
+
+    def test_of_rigid_boxes(self):
+        for count, gap in ((1, 0), (1, 1e-12), (1, 1e-6), (2, 1e-9), (3, 0)):
+            for automatic, on_a_plane in itertools.product((False, True), (False, True)):
+                self.rests(count, gap, True, automatic, on_a_plane)
+
+    def test_of_elastic_boxes(self):
+        for count, gap in ((1, 1e-12), (2, 1e-9), (3, 1e-6), (3, 0)):
+            for automatic, on_a_plane in itertools.product((False, True), (False, True)):
+                self.rests(count, gap, False, automatic, on_a_plane)
+
+
+class Overlaps(Case):
+    def test_of_round_off_size_are_contact_and_listed(self):
+        for rigid, automatic in itertools.product((False, True), (False, True)):
+            with self.subTest(f"{rigid} {automatic}"):
+                run = self.good(stack(2, -1e-9, rigid, automatic, False, "2 ms"))
+                listed = [note for note in run.summary["notes"] if "apexes overlap at the start, by 1e-09 m at most" in note]
+                at_corners_alone = rigid and automatic  # r0 and r1, which stand on edges and vertices of each other
+                self.assertEqual(len(listed), 1 if at_corners_alone else 2, run.summary["notes"])
+                self.assertTrue(all(note.endswith("of an element: taken as contact") for note in listed), listed)
+
+    def test_that_are_larger_are_refused_with_the_key_that_accepts_them(self):
+        for automatic in (False, True):
+            run = Run(stack(2, -1e-7, False, automatic, False, "2 ms"))
+            self.assertEqual(run.status, 2)
+            self.assertIn("'initial_penetration: accept'", run.stderr)
+
+
+class Defects(Case):
+    """A step beyond the stable one makes energy out of nothing: the scenes above then stop."""
+
+    def test_stop(self):
+        scenes = {"tie": tied("multiplier", 0.125, "at once"), "block": pressed_block(0.3, "plane"),
+                  "stack": stack(3, 0, False, True, False, "0.1 s")}
+        for (name, scene), safety in itertools.product(scenes.items(), (1.5, 2, 3)):
+            with self.subTest(f"{name} {safety}"):
+                scene = {**scene, "time": {"end": "0.1 s", "safety": safety}}
+                scene.pop("relaxation", None)
+                run = Run(scene)
+                self.assertEqual(run.status, 3, run.stderr)
+                self.assertIn(run.summary["ending"]["word"], ("energy_created", "energy_lost", "inverted_element", "not_finite"))
+
+
+if __name__ == "__main__":
+    if len(sys.argv) < 2:
+        sys.exit(__doc__)
+    Run.drivers = Path(sys.argv.pop(1)).resolve()
+    unittest.main()
