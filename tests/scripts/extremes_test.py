@@ -356,6 +356,47 @@ class Faults(unittest.TestCase):
         self.assertNotIn("answer", kinds(up, expect("order", "b", "a", (0, 0, 1))))
 
 
+    def test_a_body_that_slides_is_held_against_the_normal_impulse(self):
+        def slid_by(friction, lands=0.0, right=True):
+            one, floor = cube(), cube((0.0, 0.0, -1.0))
+            case = {**TOUCH, "gravity": ["0 m/s^2", "0 m/s^2", "-2 m/s^2"],
+                    "initial": [{"body": "a", "velocity": ["3", "0", "0"], "unit": "m/s"}]}
+
+            def motion(X, time):
+                v = np.zeros_like(X)
+                v[:len(one.points)] = (3 - friction * (2 * time + lands * time) + (0 if right else 0.1 * time), 0, lands * time)
+                return X, v
+            return Folder([("a", one), ("b", floor)], motion, times=(0.0, 0.5, 1.0), case=case)
+
+        def said(folder, friction=0.25):
+            return judge.slides(judge.look(folder.finished(), None), "a", friction, 0.03)
+        self.assertIsNone(said(slid_by(0.25)))
+        self.assertIsNone(said(slid_by(0.25, lands=-0.4)))  # it is not yet carried by the floor alone
+        self.assertIn("expected", said(slid_by(0.25, right=False)))
+        self.assertIn("expected", said(slid_by(0.25), friction=0.3))
+
+    def test_what_drags_a_body_is_held_against_its_friction(self):
+        def said(drive, friction=0.5):
+            columns = {"drive": [0.0, drive / 2, drive], "load": [0.0, -10.0, -20.0]}
+            still = Folder([("a", cube())], lambda X, t: (X, np.zeros_like(X)), times=(0.0, 0.5, 1.0), columns=columns)
+            return judge.drags(judge.look(still.finished(), None), "a", friction, 0.03, "drive", "load")
+        self.assertIsNone(said(10.0))
+        self.assertIsNone(said(10.25))
+        self.assertIn("0.55 of the normal force", said(11.0))
+        self.assertIsNone(said(0.05, friction=0.0))
+        self.assertIn("is dragged", said(0.1, friction=0.0))
+
+    def test_what_is_left_of_a_spin(self):
+        mesh = cube()
+
+        def motion(X, time):
+            away = X - X.mean(axis=0)
+            return X, (1 - 0.1 * time) * np.cross((0, 0, 2.0), away)
+        spun = judge.look(Folder([("a", mesh)], motion).finished(), None)
+        self.assertIsNone(judge.spins(spun, "a", (0, 0, 1), 0.89, 0.91))
+        self.assertIn("0.9 of its spin", judge.spins(spun, "a", (0, 0, 1), 0.95, 1.05))
+
+
 # ------------------------------------------------------------------------------------------------
 # Verdicts
 
@@ -544,6 +585,17 @@ class Matrix(unittest.TestCase):
         cells = axes.cells()
         self.assertGreaterEqual(len(cells), 500)
         self.assertEqual(len({cell.name() for cell in cells}), len(cells))
+
+    def test_scenes_that_slide_are_many_and_their_meshes_have_volume(self):
+        cells = axes.cells("sliding")
+        self.assertGreaterEqual(len(cells), 100)
+        self.assertTrue(all(cell.make().expected.answers for cell in cells))
+        for cell in {cell.scene: cell for cell in cells}.values():
+            for mesh in cell.make(2).meshes.values():
+                if mesh.cells.shape[1] == 8:
+                    self.assertGreater(float(np.min(measure.least_corner(mesh.points[mesh.cells]))), 0)
+        self.assertTrue(all(len(mesh.points) > len(small.points) for cell in cells[::20]
+                            for mesh, small in zip(cell.make(2).meshes.values(), cell.make().meshes.values())))
 
     def test_a_seed_makes_one_scene(self):
         for seed in range(5):

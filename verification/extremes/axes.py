@@ -366,8 +366,9 @@ def flat_slides():
     for mu in (0.0, 0.1, 0.3, 0.5, 0.9):
         for name, bodies in PAIRS.items():
             ways = HOWS_AND_TWO if name == "soft" else HOWS if name == "rigid" else {"": {}}
-            found += [slide_of(f"friction {mu:g}", ", ".join(part for part in (name, way) if part), sliding.flat, friction=mu, **bodies, **keys)
-                      for way, keys in ways.items()]
+            for way, keys in ways.items():
+                option = ", ".join(part for part in (name, way) if part)
+                found.append(slide_of(f"friction {mu:g}", option, sliding.flat, friction=mu, **bodies, **keys))
     for cells in (8, 10, 12):
         for name, of_floor in (("coarse", cells // 2), ("unlike", cells - 1), ("alike", cells), ("fine", cells + cells // 3)):
             aside = 0.0 if name == "alike" else 0.0003
@@ -421,7 +422,8 @@ def curved_slides():
     found.append(slide_of("groove 90", "rigid", sliding.groove, rigid="block floor"))
     found += [slide_of("bore", f"{name}, friction {mu:g}", sliding.plug, friction=mu, **PAIRS[name])
               for name in ("soft", "rigid") for mu in (0.0, 0.3, 0.9)]
-    found += [slide_of("bore", f"clearance {part:g}", sliding.plug, clearance=part, lies=False, rigid="block floor") for part in (0.003, 0.01)]
+    found += [slide_of("bore", f"clearance {part:g}", sliding.plug, clearance=part, lies=False, rigid="block floor")
+              for part in (0.005, 0.006, 0.02)]  # facets take half a hundredth of it
     found += [slide_of("spins in a bore", name, sliding.spun, **PAIRS[name]) for name in ("soft", "rigid")]
     found += [slide_of("dish", name, sliding.ball, **PAIRS[name]) for name in ("soft", "rigid")]
     return found

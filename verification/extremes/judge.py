@@ -481,7 +481,8 @@ def drags(seen, body, friction, within, drive, load):
     found -= mass * (seen.velocity(body, last) - seen.velocity(body, first))[0]
     if normal > 0 and abs(found - friction * normal) <= within * max(friction, 0.1) * normal:
         return None
-    return f"{body} is dragged with {found / normal:.4g} of the normal force, expected {friction:g} within {within * max(friction, 0.1):.2g}"
+    part = found / normal if normal else math.inf
+    return f"{body} is dragged with {part:.4g} of the normal force, expected {friction:g} within {within * max(friction, 0.1):.2g}"
 
 
 def spins(seen, body, axis, least, most):

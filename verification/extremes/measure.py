@@ -18,7 +18,7 @@ TYPES = {"Float64": "<f8", "Float32": "<f4", "Int32": "<i4", "Int64": "<i8", "UI
 ALONG = np.linspace(0, 1, 9)[1:-1]  # where edges are sampled
 INSIDE = 0.5                        # [-] winding number
 MOST_AT_ONCE = 400_000              # pairs of points and triangles in one piece of work
-GROUPS, MOST_TOGETHER = 16, 64      # parts of a length, and points in a group of such as lie beside each other
+GROUPS, MOST_TOGETHER = 6, 200      # parts of a length, and points in a group of such as lie beside each other
 UNSEEN = 1e-4                       # [-] of an element: a point that is less deep counts as outside, where depths need not be exact
 FEW = 12                            # triangles that are tried first
 
@@ -304,9 +304,9 @@ def all_distances(points, triangles):
     for one, other in ((a, b), (b, c), (c, a)):
         edge = other - one
         away = p - one
-        within &= np.einsum("pti,pti->pt", np.cross(edge, away), np.broadcast_to(normal[None], away.shape)) >= 0
-        length = np.maximum(np.einsum("pti,pti->pt", edge, edge), 1e-300)
-        along = np.clip(np.einsum("pti,pti->pt", away, np.broadcast_to(edge, away.shape)) / length, 0, 1)
+        within &= np.einsum("pti,ti->pt", away, np.cross(normal, edge[0])) >= 0
+        length = np.maximum(np.einsum("ti,ti->t", edge[0], edge[0]), 1e-300)
+        along = np.clip(np.einsum("pti,ti->pt", away, edge[0]) / length, 0, 1)
         best = np.minimum(best, np.linalg.norm(away - along[..., None] * edge, axis=2))
     height = np.abs(np.einsum("pti,ti->pt", p - a, unit))
     return np.where(within, height, best)
@@ -320,7 +320,7 @@ def in_pieces(function, points, triangles):
 
 
 def which_inside(points, triangles, sizes=None):
-    """Places of those of the points that the triangles enclose; with sizes [m], of those that are deeper than a ten-thousandth of theirs."""
+    """Places of those of the points that the triangles enclose; with sizes [m], of those that are deeper than UNSEEN of theirs."""
     low, high = triangles.min(axis=(0, 1)), triangles.max(axis=(0, 1))
     near = np.flatnonzero(np.all((points > low) & (points < high), axis=1))
     if sizes is not None:
