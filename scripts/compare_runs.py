@@ -168,7 +168,7 @@ def scales(run):
                 units[f"field {name}"] = unit
                 own[f"field {name}"] = max((size(v if isinstance(v, tuple) else (v,)) for v in last[name]), default=0.0)
         extent = max(max(p[i] for p in last["points"]) - min(p[i] for p in last["points"]) for i in range(3))
-        pull = math.hypot(*run.summary["provenance"]["resolved"].get("gravity", {}).get("value", [0]))
+        pull = size(gravity_of(run))
         weight = math.hypot(*run.summary["ledger"]["accounts"].get("gravity", {}).get("impulse", {}).get("value", [0])) / last_time
         units["of gravity"], own["of gravity"] = "m/s", pull * last_time
         fastest = max(own[name] for name, unit in units.items() if unit == "m/s")
@@ -180,6 +180,12 @@ def scales(run):
         family[unit] = max(family.get(unit, 0.0), own[name])
     return {name: family[unit] if unit == "energy" else own[name] for name, unit in units.items()}, \
         {name: family[unit] for name, unit in units.items()}
+
+
+def gravity_of(run):
+    """Its components, or the one number that a program asks for; none where there is no gravity. [m/s2]"""
+    found = run.summary["provenance"]["resolved"].get("gravity", {}).get("value", [])
+    return found if isinstance(found, list) else [found]
 
 
 def has_bodies(run):

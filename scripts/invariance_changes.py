@@ -131,7 +131,7 @@ class Scene:
         """The largest of a node in the first and last frame, or what gravity makes; without any, size over time of the run. [m/s]"""
         found = max(max(map(abs, v)) for frame in self.frames() for v in frame["velocity"])
         end = self.base.column("time")[-1]
-        return max(found, math.hypot(*self.resolved.get("gravity", {}).get("value", [0])) * end) or self.size() / end
+        return max(found, compare_runs.size(compare_runs.gravity_of(self.base)) * end) or self.size() / end
 
     def from_files(self):
         """(tree, meshes by body) of the case with all shapes in files."""

@@ -38,6 +38,25 @@ resolved = {{"mesh": {{"kind": {{"value": "file"}}, "path": {{"value": named[0]}
 """
 
 
+class DriverTest(unittest.TestCase):
+    def test_a_case_says_its_program(self):
+        """By its keys, its folder, or accept.py beside it."""
+        root = made_up.folder(self, "")
+        made_up.driver(root, "two_blocks", "")
+        for folder, text, program in (("two_blocks", "blocks: {}\n", "two_blocks"), ("two_blocks", "bodies: []\ntime: {}\n", "scene"),
+                                      ("bars", "bodies: []\nstages: []\n", "scene"), ("bars", "bodies: []\n", "modes"),
+                                      ("modes", "bodies: []\ntime: {}\n", "modes"), ("bars", "blocks: {}\n", "sliding"),
+                                      ("else", "blocks: {}\n", "scene")):
+            with self.subTest(folder=folder, text=text):
+                case = root / folder / "case.yaml"
+                case.parent.mkdir(exist_ok=True)
+                case.write_text(text)
+                (root / "bars").mkdir(exist_ok=True)
+                (root / "bars/accept.py").write_text('DRIVER = "sliding"\n')
+                (root / "drivers/modes").write_text("")
+                self.assertEqual(runs.driver_of(case, root / "drivers"), program)
+
+
 class StoreTest(unittest.TestCase):
     def setUp(self):
         self.root = made_up.folder(self, "mesh: {kind: file, path: mesh.vtu}\n")
