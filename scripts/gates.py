@@ -1,10 +1,10 @@
 """What every run must keep, whatever its case asks: energy and both momenta are explained, and no source creates energy.
 
-    unexplained energy             kinetic - initial - integration - sum of works, over the largest of these and the energy scale of
-                                   the ledger: what was stored at the start may have passed and returned
+    unexplained energy             kinetic - initial - integration - sum of works, over the largest of these and the energy of the
+                                   scene: what was stored at the start may have passed and returned
     unexplained momentum           momentum - initial - sum of impulses, over the largest of these
     unexplained angular momentum   the same of moments about the origin
-    created energy                 the largest of any source at any row of history.csv, over the energy scale of the ledger
+    created energy                 the largest of any source at any row of history.csv, over the energy of the scene
 
 The first three are round-off, so their limit is one number for all runs. Where impulses and momentum vanish by symmetry they are no
 scale; there the sum of the nodes' momenta m |v| is one. It is at least 2 K / max |v|, which frames and history give; that or
