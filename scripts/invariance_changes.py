@@ -572,7 +572,9 @@ def rows(scene):
     for key in ("history_every", "frames_every"):
         tree["output"][key] = Quantity(tree["output"][key].value / 2, "s")
     other = scene.run("rows", tree)
-    means = {probe["name"].value for probe in scene.tree.get("probes", []) if probe["quantity"].value in ("force", "impulse")}
+    means = {probe["name"].value for probe in scene.tree.get("probes", []) if probe["quantity"].value == "force"}
+    if "bodies" not in scene.tree:  # the program has its probes itself
+        means = {name for name, (unit, _) in compare_runs.history(scene.base).items() if unit == "N"}
     first = next(iter(scene.base.columns))
     row_at = {at: row for row, at in enumerate(other.columns[first])}
     missing = [at for at in scene.base.columns[first] if at not in row_at]
