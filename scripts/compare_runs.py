@@ -245,12 +245,13 @@ def ends(twin):
 
 
 def impulses(twin):
-    """The difference of the impulse of each source, and of the momentum, over the largest of them."""
+    """The difference of the impulse of each source, and of the momentum, over the largest of them, that of the twin included."""
     ours, theirs = (one.summary.get("ledger", {}) for one in (twin.base, twin.run))
     pairs = {f"impulse {name}": [ledger["accounts"][name]["impulse"]["value"] for ledger in (ours, theirs)]
              for name in ours.get("accounts", {}) if name in theirs.get("accounts", {})}
     if "momentum" in ours and not twin.frame_moves:
         pairs["momentum"] = [ledger["momentum"]["value"] for ledger in (ours, theirs)]
     pairs = {name: (twin.carry.vector(a), b) for name, (a, b) in pairs.items()}
-    scale = max((size(v) for pair in pairs.values() for v in pair), default=0.0)
+    momenta = [ledger[key]["value"] for ledger in (ours, theirs) for key in ("momentum", "initial_momentum") if key in ledger]
+    scale = max((size(v) for v in (*momenta, *(v for pair in pairs.values() for v in pair))), default=0.0)
     return {name: relative(apart(*pair), scale) for name, pair in pairs.items()}

@@ -190,13 +190,20 @@ class Scene:
         return self.store.run(self.driver, path, {})
 
 
-def rename(node, names):
+def leaves(node):
+    """All values of a tree."""
+    if isinstance(node, (Quantity, Texts)):
+        yield node
+    else:
+        for one in node.values() if isinstance(node, dict) else node:
+            yield from leaves(one)
+
+
+def rename(tree, names):
     """Puts other words into a tree."""
-    for one in node.values() if isinstance(node, dict) else node if isinstance(node, list) else ():
+    for one in leaves(tree):
         if isinstance(one, Quantity) and one.unit is None:
             one.value = [names.get(word, word) for word in one.value] if isinstance(one.value, list) else names.get(one.value, one.value)
-        elif not isinstance(one, Texts):
-            rename(one, names)
 
 
 # ------------------------------------------------------------------------------------------------
@@ -397,28 +404,30 @@ def disturbed(scene, tree, sign, label, run):
             added.append({"body": body["name"], "velocity": Texts((rigid_motion if rigid else waves)(speed), "m/s")})
         if not rigid and "stages" not in tree:
             added.append({"body": body["name"], "displacement": Texts(waves(shift), "m")})
-        tree["initial"] = [*tree.get("initial", []), *added]
+        if added:
+            tree["initial"] = [*tree.get("initial", []), *added]
+    if scene.relaxes() and "stages" in tree:  # which leave no place for either
+        tree = multiplied(tree, 1 + sign * DISTURBANCE)
     return run(f"{label}_{sign}", tree)
 
 
 def multiplied(tree, factor):
-    """Velocities times a factor; without any, accelerations and stresses."""
-    for unit in ("m/s", "m/s^2", "Pa"):
-        found = []
-
-        def visit(node):
-            for one in node.values() if isinstance(node, dict) else node if isinstance(node, list) and not isinstance(node, Texts) else ():
-                if isinstance(one, Quantity) and one.unit == unit:
-                    found.append(one)
-                else:
-                    visit(one)
-
-        visit(tree)
+    """Velocities times a factor; without any, accelerations; without these, stresses."""
+    for dimension in ("m/s", "m/s^2", "Pa"):
+        found = [one for one in leaves(tree) if dimension_of(one) == twins.measure(dimension)]
         for one in found:
-            one.value = [x * factor for x in one.value] if isinstance(one.value, list) else one.value * factor
+            if isinstance(one, Texts):
+                one[:] = [twins.times(text, factor) for text in one]
+            else:
+                one.value = [x * factor for x in one.value] if isinstance(one.value, list) else one.value * factor
         if found:
             break
     return tree
+
+
+def dimension_of(leaf):
+    unit = leaf.dimension if isinstance(leaf, Texts) else leaf.unit
+    return twins.measure(unit) if unit else None
 
 
 # ------------------------------------------------------------------------------------------------
@@ -526,6 +535,11 @@ def half_step(scene):
     scene.needs_steps()
     tree = copy.deepcopy(scene.tree)
     tree["time"]["safety"] = Quantity(scene.resolved["time"]["safety"]["value"] / 2, "1")
+    largest = word_of(tree["time"], "largest_step")
+    if largest is None and "end" in tree["time"] and all(word_of(body, "rigid", False) for body in tree.get("bodies", [{}])):
+        largest = tree["time"]["end"].value / 1000  # the default where all bodies are rigid
+    if largest is not None:
+        tree["time"]["largest_step"] = Quantity(largest / 2, "s")
     for one in (*scene.contacts(tree), *(plane for plane in tree.get("planes", []) if plane["kind"].value == "rigid")):
         if word_of(one, "method") == "penalty":  # its limit of the step goes with the root of this
             one["energy_gain_limit"] = Quantity(word_of(one, "energy_gain_limit", 0.005) / 4, "1")
@@ -558,7 +572,9 @@ def rows(scene):
     for key in ("history_every", "frames_every"):
         tree["output"][key] = Quantity(tree["output"][key].value / 2, "s")
     other = scene.run("rows", tree)
-    means = {probe["name"].value for probe in scene.tree.get("probes", []) if probe["quantity"].value in ("force", "impulse")}
+    means = {probe["name"].value for probe in scene.tree.get("probes", []) if probe["quantity"].value == "force"}
+    if "bodies" not in scene.tree:  # the program has its probes itself
+        means = {name for name, (unit, _) in compare_runs.history(scene.base).items() if unit == "N"}
     first = next(iter(scene.base.columns))
     row_at = {at: row for row, at in enumerate(other.columns[first])}
     missing = [at for at in scene.base.columns[first] if at not in row_at]
