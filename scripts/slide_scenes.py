@@ -11,8 +11,9 @@ A slide is drawn from a seed and its number alone. Ranges and durations come fro
 - The load of elastic bodies is so small that nodes keep sliding forward, so that friction has one direction. A release of all friction
   sends a wave whose speed of nodes is at most a part of the speed of sliding: 0.3 up to a coefficient of 0.3 (WAVE). Beyond, constant
   friction excites vibrations of elastic blocks until they lift off, with several times the load; there the part is 0.002 (WAVE_ROUGH).
-- The window of a driven elastic block with friction is at most 30 periods long (MOST_PERIODS): these vibrations grow over hundreds of them.
-  The speed grows where it would be longer.
+- The window of a driven elastic block with friction is at most 30 periods long (MOST_PERIODS), or 10 beyond a coefficient of 0.3
+  (MOST_ROUGH): these vibrations grow with each period, the faster the more friction there is. The speed grows where it would be longer,
+  up to 0.05 of that of shear waves (FASTEST).
 - A free block keeps at least 0.6 of its speed.
 """
 import dataclasses
@@ -28,7 +29,8 @@ CONTACTS = ("automatic", "two", "one_floor", "one")
 GRAVITY = 9.81          # [m/s2]
 LEAN = 1 / 8            # [-] shift of the centre of pressure over the length of the block, at most
 PERIODS = 5             # of the longest natural period, over which the load grows
-MOST_PERIODS = 30       # in the window of a driven elastic block
+MOST_PERIODS, MOST_ROUGH = 30, 10  # in the window of a driven elastic block
+FASTEST = 0.05          # [-] speed that such a block is given for that, over the speed of shear waves
 SMOOTH = 0.3            # [-] largest coefficient of friction that excites no vibrations
 WAVE, WAVE_ROUGH = 0.3, 0.002  # [-] speed of nodes in the wave that a release of friction sends, over the speed of sliding
 KEPT = 0.6              # [-] part of its speed that a free block keeps
@@ -185,7 +187,8 @@ def timed(slide):
         if slide.drive == "free":
             fast = slide.friction * GRAVITY * (end - ramp / 2) <= (1 - KEPT) * speed
         else:
-            fast = slide.kind == "rigid" or slide.friction == 0 or window <= MOST_PERIODS * period
+            most = math.inf if slide.friction == 0 else MOST_PERIODS if slide.friction <= SMOOTH else MOST_ROUGH
+            fast = slide.kind == "rigid" or window <= most * period or speed > FASTEST * shear_speed(slide.kind)
         if fast:
             return dataclasses.replace(slide, speed=rounded(speed, 4), ramp=rounded(ramp), settled=rounded(ramp + period), end=rounded(end))
         speed *= 1.2
