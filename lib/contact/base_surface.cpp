@@ -105,27 +105,6 @@ void measure_edges(BaseSurface& base, const Vectors& X) {
   for (Index f = 0; f < count; ++f) base.sharpest = std::max(base.sharpest, lean(base, X, f));
 }
 
-/// Numbers the patches: what is connected without crossing a wall.
-void number_patches(BaseSurface& base) {
-  const auto count = static_cast<Index>(base.facets.cols());
-  base.patch.assign(count, -1);
-  std::vector<Index> open;
-  for (Index first = 0; first < count; ++first) {
-    if (base.patch[first] >= 0) continue;
-    base.patch[first] = first;
-    for (open.push_back(first); !open.empty();) {
-      const Index f = open.back();
-      open.pop_back();
-      for (int e = 0; e < 3; ++e) {
-        const Index across = base.neighbour(e, f);
-        if (across < 0 || base.wall[f][e] || base.patch[across] >= 0) continue;
-        base.patch[across] = first;
-        open.push_back(across);
-      }
-    }
-  }
-}
-
 double cosine_between(const Vec3& a, const Vec3& b) { return a.dot(b) / std::sqrt(a.squaredNorm() * b.squaredNorm()); }
 
 double lean_of(double cosine) {
@@ -182,7 +161,6 @@ BaseSurface base_surface(const mesh::Surface& surface, const Vectors& X, const S
   base.neighbour = mesh::neighbours(X, surface.facets);
   base.half.assign(base.facets.cols(), {});
   measure_edges(base, X);
-  number_patches(base);
   measure_thickness(base, X, body_of_facet);
   return base;
 }

@@ -52,7 +52,6 @@ struct BaseSurface : Fans {         // the normal of a facet points to the side 
   Table<3> neighbour;               ///< facet across the edges 0-1, 1-2, 2-0, or at the border one of the two above, below 0
   std::vector<Half> half;           ///< [facets]
   std::vector<std::array<bool, 3>> wall;  ///< [facets] of the edges 0-1, 1-2, 2-0
-  Subset patch;       ///< [facets] a number of the patch that each belongs to: its first facet
   Scalars thickness;  ///< [m] way along -n from the centre of the facet to the first facet that faces back; infinite without one
   Scalars size;       ///< [m] of the face that the facet is half of: the root of twice its area
   Scalars longest;    ///< [m] its longest edge

@@ -20,6 +20,8 @@ constexpr double parallel = 1e-3;    // sine between edges: with less, an edge 1
 constexpr double bent = 0.05;        // sine: bodies bend, and a face that lies on an edge may rise by so much above it
 constexpr double steep = 0.2;        // sine: so far a ridge stands up that is held off edges in a face; flatter ones come in by a fifth
 constexpr double stays_steep = 0.1;  // the same while they are over each other
+constexpr double slightly = 0.02;    // sine: so far facets must fall away from an edge in the mean where one edge is of a plate
+constexpr double curved = 0.9962;    // cosine of 5 degrees: edges of plates that turn by more are those of a curved sheet
 constexpr double leans = 0.3;        // sine: the same while they are over each other, so that none goes through as a face leans to and fro
 constexpr double past_end = 1e-6;    // of an edge: two that follow one another have no gap
 constexpr double left_to_nodes = 0.02;  // of an edge at its ends, where it lies in a face of the other body: its node is over that
@@ -37,6 +39,30 @@ std::array<Vector<double>, 4> ends_of(const Interface& interface, const Vectors&
     ends[static_cast<std::size_t>(i)] = {at.x(), at.y(), at.z()};
   }
   return ends;
+}
+
+bool of_plates(const Edges& edges, Index edge) { return edges.of_plates[static_cast<std::size_t>(edge)] != 0; }
+
+/// Whether an edge is one of a curved sheet. Elements that are much longer than thick leave a large part of the thickness open there.
+bool is_curved(const Edges& edges, const Vectors& x, Index edge) {
+  if (!of_plates(edges, edge) || edges.across(1, edge) < 0) return false;
+  const Vec3 first = into(edges, x, edge, 0), second = into(edges, x, edge, 1);
+  return first.dot(second) > -curved * first.norm() * second.norm();
+}
+
+/// The mean sine by which the facets at an edge fall away from a direction.
+double mean_fall(const Edges& edges, const Vectors& x, Index edge, const Vec3& direction) {
+  double sum = 0;
+  int sides = 0;
+  for (int side = 0; side < 2 && edges.across(side, edge) >= 0; ++side, ++sides)
+    sum -= into(edges, x, edge, side).normalized().dot(direction);
+  return sum / sides;
+}
+
+/// Whether both edges, of which one is of a plate, stand up off each other: the facets at both fall away by `least` in the mean.
+bool are_crests(const Interface& interface, const Vectors& x, Index edge, Index base_edge, const Vec3& normal, double least) {
+  return (of_plates(interface.edges, edge) || of_plates(interface.base_edges, base_edge)) &&
+         mean_fall(interface.edges, x, edge, -normal) >= least && mean_fall(interface.base_edges, x, base_edge, normal) >= least;
 }
 
 /// Whether a place is within an edge; where its body lies in a face of the other one, not at its ends.
@@ -197,7 +223,8 @@ Over over(const Interface& interface, const Vectors& x, Index edge, Index base_e
     const double first = rise(interface.edges, x, edge, -found.normal), second = rise(interface.base_edges, x, base_edge, found.normal);
     const double touches = side != 0 ? leans : bent, stands = -(side != 0 ? stays_steep : steep);
     if (!(first <= touches) || !(second <= touches)) continue;
-    if (in_face && !(first <= stands) && !(second <= stands)) continue;
+    const bool crests = in_face && are_crests(interface, x, edge, base_edge, found.normal, side != 0 ? 0 : slightly);
+    if (in_face && !crests && !(first <= stands) && !(second <= stands)) continue;
     if (!is_within(found.first, !(second <= -bent)) || !is_within(found.second, !(first <= -bent))) continue;  // beside the other edge
     found.is = true;
     if (!at.is || found.height > at.height) at = found;
@@ -206,7 +233,9 @@ Over over(const Interface& interface, const Vectors& x, Index edge, Index base_e
 }
 
 double stays_flat(const Interface& interface, const Vectors& x, Index edge, Index base_edge) {
-  double way = -std::numeric_limits<double>::infinity();
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const bool plates = of_plates(interface.edges, edge) || of_plates(interface.base_edges, base_edge);
+  double way = -infinity, until_crests = plates ? -infinity : infinity;
   const auto see = [&](const Edges& of_face, Index flat, const Edges& of_ridge, Index ridge) {
     if (of_face.across(0, flat) < 0 || of_face.across(1, flat) < 0) return;
     const Vec3 first = into(of_face, x, flat, 0).normalized(), second = into(of_face, x, flat, 1).normalized();
@@ -214,10 +243,11 @@ double stays_flat(const Interface& interface, const Vectors& x, Index edge, Inde
     const double fold = (first + second).norm(), stands = std::max(-rise(of_ridge, x, ridge, normal), -rise(of_ridge, x, ridge, -normal));
     const double turn = turn_of_facets(of_ridge, x, ridge) + 3 * turn_of_facets(of_face, x, flat);
     way = std::max(way, (steep - bent - fold - stands) / (2 * turn));
+    until_crests = std::max(until_crests, (slightly - 0.5 * fold) / (2 * turn_of_facets(of_face, x, flat)));
   };
   see(interface.edges, edge, interface.base_edges, base_edge);
   see(interface.base_edges, base_edge, interface.edges, edge);
-  return way;
+  return std::min(way, until_crests);
 }
 
 void search_crossings(const Interface& interface, const Vectors& x, Memory& memory, Workspace& workspace) {
@@ -241,13 +271,15 @@ void search_crossings(const Interface& interface, const Vectors& x, Memory& memo
   next.clear();
   std::vector<EdgeBox>& ridges = workspace.base_ridges;
   ridges.clear();
-  std::copy_if(base.begin(), base.end(), std::back_inserter(ridges), [](const EdgeBox& box) { return box.ridge; });
+  std::copy_if(base.begin(), base.end(), std::back_inserter(ridges),
+               [&](const EdgeBox& box) { return box.ridge || is_curved(interface.base_edges, x, box.edge); });
   for (const EdgeBox& one : edges) {
     const auto low = [](const EdgeBox& box, double value) { return box.low.x() < value; };
     const std::vector<EdgeBox>& others = one.ridge ? base : ridges;
+    const bool only_ridges = !one.ridge && !is_curved(interface.edges, x, one.edge);
     for (auto other = std::lower_bound(others.begin(), others.end(), one.low.x() - widest, low); other != others.end(); ++other) {
       if (other->low.x() > one.high.x()) break;
-      if (!meet(one, *other) || !can_cross(interface, one.edge, other->edge)) continue;
+      if ((only_ridges && !other->ridge) || !meet(one, *other) || !can_cross(interface, one.edge, other->edge)) continue;
       const auto p = ends_of(interface, x, one.edge, other->edge);
       const double squared = geometry::segments_squared(p[0], p[1], p[2], p[3]);
       if (!one_pair && interface.edges.body[one.edge] == interface.base_edges.body[other->edge]) {

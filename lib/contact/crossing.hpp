@@ -61,9 +61,12 @@ Over over(const Interface&, const Vectors& x, Index edge, Index base_edge, bool 
 ///           sine of b + |t_1 + t_2| at most
 /// r         the sine by which both facets of the ridge stand off the face now
 /// T         [rad/m] by which this difference turns per way at the most; the factor of 2 is for turns that are not small
+///
+/// Where one of both is of a plate, both may stand up off each other by the sine c, each by |t_1 + t_2| / 2 at the most. It is then no
+/// more than the larger (c - |t_1 + t_2| / 2) / (2 T) of both edges, with T of the edge alone.
 double stays_flat(const Interface&, const Vectors& x, Index edge, Index base_edge);
 
-/// Lists the pairs of edges that are nearer than h_c and the margin, of which one at least is a ridge or a rim.
+/// Lists the pairs of edges that are nearer than h_c and the margin, of which one at least is a ridge or a rim, or both turn on plates.
 void search_crossings(const Interface&, const Vectors& x, Memory&, Workspace&);
 
 /// Finds the conditions of crossings, with the impulses of the step before as a first guess. An edge that comes over another one sideways,

@@ -70,26 +70,19 @@ Nearest nearest_of(const Interface& interface, const Vectors& x, Index a, std::s
 
 namespace {
 
-/// Whether an apex is behind the surface that presses it, of which a feature is nearest.
+/// Whether an apex is behind the surface that presses it, of which a feature is nearest: of a solid, or of one side of a sheet. Of a sheet
+/// with both sides the nearest facet has the apex in front.
 bool is_behind(const Interface& interface, const Vectors& x, Index apex, const Feature& nearest, const ElementForces& element) {
   const BaseSurface& base = interface.base;
   const Vec3 p = x.col(apex);
-  const bool at_edge = nearest.kind == geometry::Kind::edge, at_vertex = nearest.kind == geometry::Kind::vertex;
-  const bool on_wall = (at_edge && base.wall[nearest.facet][nearest.local]) ||
-                       (at_vertex && at_wall(base, base.facets(nearest.local, nearest.facet)));
-  const auto presses = [&](auto&& counts) {
-    return std::any_of(element.stencil.begin(), element.stencil.begin() + element.count,
-                       [&](const Stencil& one) { return one.apex != 0 && counts(one.facet); });
-  };
-  if (is_sheet(base, nearest.facet)) {  // the nearest facet has the apex in front: has it come from there?
-    const Index other = base.patch[base.other_side[nearest.facet]];
-    return !on_wall && presses([&](Index facet) { return base.patch[facet] == other; });
-  }
-  if (on_wall && ends_at(base, nearest) && stand_whole(base, x, p, nearest.facet, apex).past > 0) return false;
+  if (is_sheet(base, nearest.facet)) return false;
+  const bool at_border = nearest.kind != geometry::Kind::facet && ends_at(base, nearest);
+  if (at_border && stand_whole(base, x, p, nearest.facet, apex).past > 0) return false;
   if (height_over(base, x, nearest, p).height < 0) return true;
   const Vec3 normal = facet_normal(base, x, nearest.facet);  // or it has gone out at the far side of a thin body
-  return presses([&](Index facet) {
-    return base.patch[facet] != base.patch[nearest.facet] && facet_normal(base, x, facet).dot(normal) < faces_back;
+  return std::any_of(element.stencil.begin(), element.stencil.begin() + element.count, [&](const Stencil& one) {
+    const FeatureHeight over = height_over(base, x, {one.facet, geometry::Kind::facet, 0}, p);
+    return one.apex != 0 && over.height < 0 && over.normal.dot(normal) < faces_back;
   });
 }
 

@@ -33,9 +33,9 @@ Nearest nearest_of(const Interface&, const Vectors& x, Index apex, std::span<con
 
 /// By how much the layers of an apex and of a body that presses it overlap where the apex stands, of the deepest such body. [m]
 ///
-///     h_c - s,   s the distance of the apex from the body: negative behind its surface, and on the other side of a sheet
+///     h_c - s,   s the distance of the apex from the body: negative behind the surface of a solid; a sheet has the apex in front
 ///
-/// Negative where no layers overlap. An apex without a condition has -infinity, and one whose facets are not known the depth of its element.
+/// Negative where no layers overlap; -infinity of an apex without a condition; the depth of its element where no facets of the body are near.
 double overlap_of(const Interface&, const Vectors& x, const Near&, const Memory&);
 
 /// How far apexes and base have moved against each other since the last search, at most. [m]

@@ -8,7 +8,9 @@
 #include <random>
 
 #include "contact/multiplier.hpp"
+#include "mesh/adjacency.hpp"
 #include "mesh/box.hpp"
+#include "mesh/disc.hpp"
 #include "mesh/placement.hpp"
 #include "mesh/skin.hpp"
 
@@ -73,12 +75,17 @@ TEST(Over, RidgesThatCrossTouchAtOnePointAtAnyAngle) {
 struct Flat {
   int pairs = 0, over = 0;
 };
-Flat moved_flat_edges(double times) {
+Flat moved_flat_edges(double times, bool plates) {
   Flat found;
   std::mt19937 random(5);
   std::uniform_real_distribution<double> any(-1, 1);
   for (int trial = 0; trial < 40; ++trial) {
-    const auto box = [](const char* name, int cells) {
+    const auto box = [plates](const char* name, int cells) {
+      if (plates) {
+        mesh::Mesh one = mesh::sheet(name, {.length = 2, .width = 2, .cells_along = cells, .cells_across = cells});
+        one.surfaces.push_back({std::string(name) + ".skin", mesh::both_sides(one.triangles[0].nodes)});
+        return mesh::moved(std::move(one), {-1, -1, std::string(name) == "base" ? 1.0 : 0.0});
+      }
       mesh::Mesh one = mesh::box(name, {{-1, -1, 0}, {1, 1, 1}, {cells, cells, 1}});
       one.surfaces.push_back({std::string(name) + ".skin", mesh::skin(one.X, one.hexahedra).facets});
       return one;
@@ -110,10 +117,56 @@ Flat moved_flat_edges(double times) {
 }
 
 TEST(StaysFlat, NoEdgeComesOverAnotherOneWithinItsWay) {
-  const Flat within = moved_flat_edges(1), beyond = moved_flat_edges(24);
+  const Flat within = moved_flat_edges(1, false), beyond = moved_flat_edges(24, false);
   EXPECT_GT(within.pairs, 5000);
   EXPECT_EQ(within.over, 0);
   EXPECT_GT(beyond.over, 50);  // facets turn most where all nodes do their worst, and few do
+}
+
+TEST(StaysFlat, NoEdgeOfPlatesComesOverAnotherOneWithinItsWay) {
+  const Flat within = moved_flat_edges(1, true), beyond = moved_flat_edges(24, true);
+  EXPECT_GT(within.pairs, 2000);
+  EXPECT_EQ(within.over, 0);
+  EXPECT_GT(beyond.over, 10);
+}
+
+/// Of two sheets that cross, each with a crease along its middle that turns by `degrees`, how many edges are over each other: the crest of
+/// the lower one is up, and that of the upper one down or up.
+int crossing_crests(double degrees, bool upper_down) {
+  const double slope = std::tan(0.5 * degrees * std::acos(-1.0) / 180), gap = 0.01;
+  const auto roof = [&](const char* name, double sign) {
+    mesh::Mesh one = mesh::sheet(name, {.length = 2, .width = 1, .cells_along = 2, .cells_across = 1});
+    for (auto at : one.X.colwise()) at.z() = -sign * slope * std::abs(at.x() - 1);
+    one.surfaces.push_back({std::string(name) + ".skin", mesh::both_sides(one.triangles[0].nodes)});
+    return one;
+  };
+  const double quarter = 0.5 * std::acos(-1.0);
+  mesh::Mesh upper = mesh::rotated_about(roof("upper", upper_down ? -1 : 1), Vec3::UnitZ(), quarter, Vec3::Zero());
+  const mesh::Mesh mesh = mesh::join(mesh::moved(std::move(upper), {1.5, -0.5, gap}), roof("lower", 1));
+  Interface interface;
+  interface.kind = InterfaceKind::edges;
+  interface.method = Method::multiplier;
+  interface.edges = edges_of(mesh, mesh::surface(mesh, "upper.skin"), {});
+  interface.base_edges = edges_of(mesh, mesh::surface(mesh, "lower.skin"), {});
+  interface.margin = 0.3, interface.depth = 0.5;
+  interface.apexes = nodes_of(interface.edges), interface.base_nodes = nodes_of(interface.base_edges);
+  Memory memory;
+  Workspace workspace(interface);
+  connect_edges(interface, mesh.X, memory, workspace);
+  int count = 0;
+  for (const EdgePair& pair : memory.edge_pairs) {
+    const Over at = over(interface, mesh.X, pair.edge, pair.base_edge, pair.in_face, 0);
+    if (!at.is || std::abs(at.first - 0.5) > 1e-9 || std::abs(at.second - 0.5) > 1e-9) continue;  // rims cross rims elsewhere
+    ++count;
+    EXPECT_NEAR(at.height, gap, 1e-12);
+  }
+  return count;
+}
+
+TEST(Over, CrestsOfCurvedSheetsCrossThoughTheyTurnByLittle) {
+  for (const double degrees : {6.0, 12.0, 19.0, 25.0}) EXPECT_EQ(crossing_crests(degrees, true), 1) << degrees;
+  EXPECT_EQ(crossing_crests(12, false), 0) << "a sheet that bends away is left to its nodes";
+  EXPECT_EQ(crossing_crests(4, true), 0) << "what it leaves open is small";
 }
 
 TEST(Over, ParallelRidgesAreLeftToTheirNodes) {
