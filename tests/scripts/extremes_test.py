@@ -155,6 +155,16 @@ class Geometry(unittest.TestCase):
         self.assertAlmostEqual(body.mass.sum(), 6 * DENSITY)
         self.assertAlmostEqual(body.depth, 0.25)
 
+    def test_the_closest_triangle_is_that_of_all_also_where_distances_are_round_off(self):
+        chance = np.random.default_rng(1)
+        triangles = 0.03 + chance.random((300, 1, 3)) + 0.1 * chance.standard_normal((300, 3, 3))
+        on = triangles[:, 0] + 0.3 * (triangles[:, 1] - triangles[:, 0]) + 0.3 * (triangles[:, 2] - triangles[:, 0])
+        flat = np.array([[(x, y, 0.03), (x + 0.1, y, 0.03), (x, y + 0.1, 0.03)] for x in (0, 0.1, 0.2) for y in (0, 0.1, 0.2)])
+        level = np.array([(0.1 * i / 7, 0.03, 0.03 + 1e-18 * i) for i in range(20)])
+        for points, those in ((chance.random((200, 3)), triangles), (on, triangles), (level, flat)):
+            found, away = measure.closest(points, those), measure.all_distances(points, those)
+            self.assertTrue(np.array_equal(found[:, 0], away.min(axis=1)))
+
     def test_overlap_of_two_cubes(self):
         for depth in (1e-9, 0.01, 0.2):
             one, other = cube(), cube((0.3, 0.2, 1.0 - depth))

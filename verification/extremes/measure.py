@@ -338,12 +338,13 @@ def closest(points, triangles):
     alone that can be closest to one of them."""
     found = np.zeros((len(points), 2))
     first, last = triangles.min(axis=1), triangles.max(axis=1)
+    rounding = 1e-12 * max(float(np.abs(triangles).max()), float(np.abs(points).max(initial=0.0)))
     for some in together(points):
         low, high = points[some].min(axis=0), points[some].max(axis=0)
         apart = np.linalg.norm(np.maximum(np.maximum(first - high, low - last), 0), axis=1)
         likely = np.argpartition(apart, min(FEW, len(apart) - 1))[:FEW]
         most = float(all_distances(points[some], triangles[likely]).min(axis=1).max())
-        near = np.flatnonzero(apart <= most * (1 + 1e-9))
+        near = np.flatnonzero(apart <= most * (1 + 1e-9) + rounding)
         away = all_distances(points[some], triangles[near])
         found[some] = np.stack([away.min(axis=1), near[away.argmin(axis=1)]], axis=1)
     return found
