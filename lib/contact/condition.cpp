@@ -186,16 +186,14 @@ bool make(const Interface& interface, const Motion& m, const Memory& memory, con
     if (blends && stencil.kind == geometry::Kind::facet && interface.base.half[stencil.facet].cut < 0)
       blend_over_facet(interface.base, m.x, p, feature(), allowed, over);
   }
-  const bool is_blended = blends && stencil.kind == geometry::Kind::facet && over.normal != facet_normal(interface.base, m.x, stencil.facet);
   stencil.weight = over.weight;
   set(interface, apex, stencil, over.normal, over.height - stencil.level, c);
   if (stencil.fourth != 0) c.nodes = 5, c.node[4] = interface.base.half[stencil.facet].fourth, c.weight[4] = -stencil.fourth;
-  // The normal turns as an apex passes an edge or vertex, or comes over another facet: what counts is the gap at the end of the free step.
-  const bool is_round = near.element.count == 1 && (stencil.kind != geometry::Kind::facet || is_blended);
-  if (near.tracks.count == 0 || is_round) {
-    const Vec3 there = all.ahead.col(apex);
-    const double end = near.stays ? height_over(interface.base, all.ahead, feature(), there).height - stencil.level : memory.gap[near.apex];
-    c.gap = std::max(c.gap, end - m.next * rate(c, all.velocity));
+  // The normal turns as an apex passes an edge or vertex, or comes over another facet: what counts is how the gap changes in the free step.
+  // Both gaps are over facets, since that over a warped face is another one.
+  if (near.tracks.count == 0 || (near.element.count == 1 && stencil.kind != geometry::Kind::facet)) {
+    const double start = stencil.kind == geometry::Kind::facet ? height_over(interface.base, m.x, feature(), p).height - stencil.level : c.gap;
+    c.gap += std::max(0.0, memory.gap[near.apex] - start - m.next * rate(c, all.velocity));
   }
   if (!(push > 0)) {
     double fastest = 0;
