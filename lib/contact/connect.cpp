@@ -147,7 +147,8 @@ InitialGaps connect(Interface& interface, const Vectors& x, double reach, const 
     const Index body = one_pair ? -1 : interface.bodies.of_apex[a], other = one_pair ? -1 : interface.bodies.of_facet[facet];
     const double element = deepest > 0 ? deepest : interface.base.longest(facet);
     const bool counts = !is_slight(body, other, depth, element, round_off, gaps.slight_overlaps);
-    const bool accepted = !counts || penetration == InitialPenetration::accept;
+    // a slight overlap is a state that a penalty can have, and multipliers not
+    const bool accepted = penetration == InitialPenetration::accept || (by_multipliers(interface) ? !counts : !(depth > round_off));
     near.tracks.begin(facet, accepted ? contact_height - depth : contact_height);
     memory.gap[a] = initial[a] = accepted ? 0 : -depth;
     if (!counts) continue;

@@ -53,7 +53,10 @@ double energy_floor(const Ledger& ledger) {
   return std::max(part * ledger.size * ledger.largest_force, ledger.round_off);
 }
 
-double energy_scale(const Ledger& ledger) { return std::max(energy_of_scene(ledger), energy_floor(ledger)); }
+double energy_scale(const Ledger& ledger) {
+  const double scene = energy_of_scene(ledger);
+  return scene > 0 || ledger.largest_force > 0 ? std::max(scene, energy_floor(ledger)) : 0;
+}
 
 double spurious_part(const Ledger& ledger, std::size_t source) {
   const Flow& flow = ledger.flows[source];

@@ -70,7 +70,8 @@ double energy_of_scene(const Ledger&);
 /// At the start of a run that begins at rest the energy of the scene is round-off, and so are the energies of its sources.
 double energy_floor(const Ledger&);
 
-/// What created energy is compared with: the energy of the scene, and no less than its floor. It never falls during a run. [J]
+/// What created energy is compared with: the energy of the scene, and no less than its floor. It never falls during a run. 0 while nothing
+/// has moved and no force acts: round-off alone is no energy to compare with. [J]
 double energy_scale(const Ledger&);
 
 /// Sources through which less than this part of the energy scale has passed are not judged. [-] The work of what
