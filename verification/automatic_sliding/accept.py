@@ -115,8 +115,6 @@ def comes_back(run):
     return Pair(max(0.0, one.column("speed")[-1]), 0, "m/s", scale=1.0)
 
 
-DEPARTURES = {"passes": "an automatic contact has two passes of each pair"}
-
 SPEED = "a thousandth of the speed: forces are constant and sole and floor are flat"
 WHOLE = "a rigid block on a flat floor neither leaves it nor turns"
 UNTOUCHED = "undeformed bodies that keep apart exert no force: round-off"
