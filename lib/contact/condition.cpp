@@ -192,7 +192,8 @@ bool make(const Interface& interface, const Motion& m, const Memory& memory, con
   // The normal turns as an apex passes an edge or vertex, or comes over another facet: what counts is how the gap changes in the free step.
   // Both gaps are over facets, since that over a warped face is another one.
   if (near.tracks.count == 0 || (near.element.count == 1 && stencil.kind != geometry::Kind::facet)) {
-    const double start = stencil.kind == geometry::Kind::facet ? height_over(interface.base, m.x, feature(), p).height - stencil.level : c.gap;
+    const bool is_facet = stencil.kind == geometry::Kind::facet;
+    const double start = is_facet ? height_over(interface.base, m.x, feature(), p).height - stencil.level : c.gap;
     c.gap += std::max(0.0, memory.gap[near.apex] - start - m.next * rate(c, all.velocity));
   }
   if (!(push > 0)) {

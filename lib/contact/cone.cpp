@@ -18,7 +18,8 @@ double reach_behind(const Fans& own, const Vectors& x, Index node, const Vec3& n
     const Index facet = own.ring[r];
     int corner = 0;
     while (own.facets(corner, facet) != node) ++corner;
-    const Vec3 first = Vec3(x.col(own.facets((corner + 1) % 3, facet))) - here, second = Vec3(x.col(own.facets((corner + 2) % 3, facet))) - here;
+    const Vec3 first = Vec3(x.col(own.facets((corner + 1) % 3, facet))) - here;
+    const Vec3 second = Vec3(x.col(own.facets((corner + 2) % 3, facet))) - here;
     const Vec3 area = first.cross(second);
     const Vec3 down = n.dot(area) / area.squaredNorm() * area - n;  // the part of -n in the plane of the facet
     const bool inside = first.cross(down).dot(area) >= 0 && down.cross(second).dot(area) >= 0;

@@ -6,8 +6,8 @@
 
 namespace nereid::contact {
 
-/// [-] The largest admissible reach_behind() where both surfaces have apexes: an excluded node is held by those of the other surface. The normals
-/// of bevels to 30 degrees are admissible, the bisectors of ridges (0.71) and corners (0.82) of a box against a flat surface are not.
+/// [-] The largest admissible reach_behind() where both surfaces have apexes: an excluded node is held by those of the other surface.
+/// Normals of bevels to 30 degrees are admissible, bisectors of ridges (0.71) and corners (0.82) of a box against a flat surface are not.
 constexpr double behind_in_two_directions = 0.5;
 
 /// [-] The same where only one surface has apexes, so that nothing else holds an excluded node: only normals along its surface, within 11
@@ -16,8 +16,8 @@ constexpr double behind_in_one_direction = 0.98;
 
 /// How far the surface around a node reaches behind the plane through the node with a normal n. [-]
 ///
-/// The largest of -n . e over all unit directions e from the node along its facets: the sine of the tilt of a flat surface against n, at most
-/// zero where the surface is in front of the plane. -1 without facets.
+/// The largest of -n . e over all unit directions e from the node along its facets: the sine of the tilt of a flat surface against n, and
+/// at most zero where the surface is in front of the plane. -1 without facets.
 ///
 /// n  unit vector from the base to the node
 double reach_behind(const Fans& own, const Vectors& x, Index node, const Vec3& n);

@@ -35,7 +35,8 @@ Nearest nearest_of(const Interface&, const Vectors& x, Index apex, std::span<con
 ///
 ///     h_c - s,   s the distance of the apex from the body: negative behind the surface of a solid; a sheet has the apex in front
 ///
-/// Negative where no layers overlap; -infinity of an apex without a condition; the depth of its element where no facets of the body are near.
+/// Negative where no layers overlap; -infinity of an apex without a condition; the depth of its element where no facets of the body are
+/// near.
 double overlap_of(const Interface&, const Vectors& x, const Near&, const Memory&);
 
 /// How far apexes and base have moved against each other since the last search, at most. [m]

@@ -45,7 +45,9 @@ OnBodies of_shares(const RigidNodes& all, const Vectors& x, const FrictionShares
 }
 
 /// q of a condition or a friction and one body. Along what planes hold it is zero but for round-off of either sign.
-double size(const RigidNodes& all, const OnBody& on) { return on.body < 0 ? 0 : std::sqrt(std::max(0.0, product(all.bodies[on.body], on, on))); }
+double size(const RigidNodes& all, const OnBody& on) {
+  return on.body < 0 ? 0 : std::sqrt(std::max(0.0, product(all.bodies[on.body], on, on)));
+}
 
 /// Friction along two directions of its plane.
 struct Along {

@@ -26,7 +26,9 @@ TEST(MakeProbe, MeasuresEveryQuantityOfAScene) {
   scene.sections = {{.name = "cut", .body = "bar", .point = Vec3(0.5, 0, 0)}};
   for (const Measurable& one : measurables())
     scene.probes.push_back({.name = "p_" + one.name, .quantity = one.name,
-                            .of = one.of == Of::contact || one.of == Of::any_contact || one.of == Of::source ? "touch" : one.of == Of::section ? "cut" : "bar",
+                            .of = one.of == Of::contact || one.of == Of::any_contact || one.of == Of::source ? "touch"
+                                  : one.of == Of::section                                                    ? "cut"
+                                                                                                             : "bar",
                             .component = one.required ? one.components.back() : ""});
   scene.time.end = 1e-5;
   Simulation simulation = build(scene);
