@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <cmath>
 
 #include "base/dense.hpp"
 #include "contact/multiplier.hpp"
@@ -119,6 +120,21 @@ TEST(RigidNodes, BoundsHoldAndAreExactWhereAllPushAlike) {
     for (int l = 0; l < 4; ++l) scaled(k, l) /= std::sqrt(at.all.conditions[k].bound * at.all.conditions[l].bound);
   }
   EXPECT_LE(eigenvalues(scaled)(3), 1);
+}
+
+TEST(RigidNodes, BoundsAreNumbersWhereABodyIsHeldAlongAnObliqueNormal) {
+  int below_zero = 0;  // by round-off
+  for (int k = 1; k <= 200; ++k) {
+    Setting at;
+    const Vec3 held = Vec3(std::sin(k), std::cos(3.0 * k), std::sin(2.0 * k + 1)).normalized();
+    at.rigid.bodies[0].shift = (Mat3::Identity() - held * held.transpose()) / 2;
+    at.rigid.bodies[0].turn.setZero();
+    at.add(0, -1, held), at.add(1, -1, held.unitOrthogonal());
+    below_zero += held.dot(at.rigid.bodies[0].shift * held) < 0;
+    add_bounds(at.rigid, at.motion(), at.all);
+    for (const Condition& c : at.all.conditions) EXPECT_TRUE(std::isfinite(c.bound)) << k;
+  }
+  EXPECT_GT(below_zero, 0);
 }
 
 }  // namespace
