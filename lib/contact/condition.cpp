@@ -7,6 +7,7 @@
 #include "base/gather.hpp"
 #include "base/parallel.hpp"
 #include "contact/apex.hpp"
+#include "contact/cone.hpp"
 #include "contact/crossing.hpp"
 #include "contact/face.hpp"
 #include "contact/foot.hpp"

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/cone.hpp"
 #include "contact/stand.hpp"
 #include "geometry/height.hpp"
 
