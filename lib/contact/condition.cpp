@@ -109,6 +109,22 @@ bool stands_on_ridge(const BaseSurface& base, const Vectors& x, Index facet, con
   return false;
 }
 
+/// Whether an apex in front of a facet is level with the other side of a ridge of it, but for level_by, and that side may push the apex: it
+/// slides onto that side, see enter(), and this one does not stop it.
+///
+/// level  [m] of contact over these facets
+bool is_flush_beside(const Interface& interface, const Vectors& x, Index apex, Index facet, double level, const Mat3* allowed) {
+  const BaseSurface& base = interface.base;
+  for (int e = 0; e < 3; ++e) {
+    const Index across = base.neighbour(e, facet);
+    if (!base.wall[facet][e] || across < 0 || is_rim_of_sheet(base, facet, e)) continue;
+    const FeatureHeight over = height_over(base, x, {across, geometry::Kind::facet, 0}, x.col(apex));
+    const bool is_level = std::abs(over.height - level) < level_by * base.longest(across);
+    if (is_level && may_push(interface.own, x, apex, over.normal, most_behind(interface), allowed)) return true;
+  }
+  return false;
+}
+
 /// Sets nodes, weights, normal and gap of an apex over a facet.
 void set(const Interface& interface, Index apex, const Stencil& stencil, const Vec3& normal, double gap, Condition& c) {
   c.gap = gap;
@@ -201,7 +217,9 @@ bool make(const Interface& interface, const Motion& m, const Memory& memory, con
     double fastest = 0;
     for (int I = 1; I < c.nodes; ++I) fastest = std::max(fastest, (all.velocity.col(apex) - all.velocity.col(c.node[I])).squaredNorm());
     if (!can_touch(between(interface, near.apex, stencil.facet), m, c.gap, std::sqrt(fastest))) return false;
-    return may_push(interface.own, m.x, apex, c.normal, most_behind(interface), allowed);
+    if (!may_push(interface.own, m.x, apex, c.normal, most_behind(interface), allowed)) return false;
+    const bool over_facet = stencil.kind == geometry::Kind::facet;
+    return !over_facet || !is_flush_beside(interface, m.x, apex, stencil.facet, stencil.level, allowed);
   }
   return true;
 }
@@ -460,11 +478,33 @@ void add(const Contactor& one, Multipliers& all) {
 
 namespace {
 
-/// The stencil of the first condition of an apex.
-const Stencil& first_of(const ElementForces& element) {
-  int s = 0;
-  while (element.stencil[s].apex == 0) ++s;
-  return element.stencil[s];
+/// Where an apex rubs that several bodies may press: on that which pressed it most in the step before, with the pushes of this one alone.
+/// Its slip against each of them is another one.
+struct Rubbing {
+  const Stencil* foot = nullptr;  ///< the first on that body
+  Index place = 0;                ///< of its condition among those of the apex
+  unsigned conditions = 0;        ///< a bit for each that is of that body
+};
+Rubbing rubbing_of(const Interface& interface, const Near& near) {
+  const Bodies& bodies = interface.bodies;
+  const auto body_of = [&](Index facet) { return bodies.names.empty() ? 0 : bodies.of_facet[static_cast<std::size_t>(facet)]; };
+  const auto all_of = [&](Index body) {
+    Rubbing found;
+    Index place = 0;
+    for (int s = 0; s < near.element.count; ++s) {
+      const Stencil& stencil = near.element.stencil[s];
+      if (stencil.apex == 0) continue;
+      if (body < 0) body = body_of(stencil.facet);
+      if (body_of(stencil.facet) == body) {
+        if (found.foot == nullptr) found.foot = &stencil, found.place = place;
+        found.conditions |= 1u << place;
+      }
+      ++place;
+    }
+    return found;
+  };
+  const Rubbing found = all_of(near.pressed_most < 0 ? -1 : body_of(near.pressed_most));
+  return found.foot != nullptr ? found : all_of(-1);
 }
 
 }  // namespace
@@ -570,16 +610,18 @@ void find_conditions(const Interface& interface, const Motion& m, Memory& memory
       continue;
     }
     const double area = interface.area(near.apex);
+    const Rubbing rubbing = rubbing_of(interface, near);
+    const Index foot = first + rubbing.place, facet = rubbing.foot->facet;
     Index friction = -1;
     if (interface.friction.coefficient > 0 && m.dt > 0) {
-      const Stencil& foot = first_of(near.element);
-      const Touch touch = touch_of(interface, m.x, near.apex, {foot.facet, geometry::Kind::facet, 0}, all.conditions[first].normal, &foot);
+      const Feature on{facet, geometry::Kind::facet, 0};
+      const Touch touch = touch_of(interface, m.x, near.apex, on, all.conditions[foot].normal, rubbing.foot);
       const Vec3 force = near.friction.acts ? near.friction.force : Vec3(Vec3::Zero());
       friction = add_friction(touch, interface.friction, force, near.friction.stuck, m, all);
     }
-    const Between& pair = between(interface, near.apex, first_of(near.element).facet);
-    add({.memory = &restitution, .first = first, .last = last, .friction = friction, .area = area, .depth = pair.depth,
-         .impedance = interface.pass_factor * pair.impedance * area, .square = interface.restitution * interface.restitution}, all);
+    const Between& pair = between(interface, near.apex, facet);
+    add({.memory = &restitution, .first = first, .last = last, .friction = friction, .foot = foot, .rubs = rubbing.conditions, .area = area,
+         .depth = pair.depth, .impedance = interface.pass_factor * pair.impedance * area, .square = interface.restitution * interface.restitution}, all);
   }
   let_yield(memory.friction_owed, interface.depth, m, first_friction, all);
 }

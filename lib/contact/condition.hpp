@@ -87,6 +87,8 @@ struct Contactor {
   Restitution* memory;
   Index first, last;     ///< its conditions
   Index friction;        ///< in Multipliers::frictions, or -1
+  Index foot = first;    ///< the condition along whose base it rubs
+  unsigned rubs = ~0u;   ///< a bit for each of its conditions, from the first on, whose bases are of that body
   double area;           ///< [m2] tributary
   double depth;          ///< [m] of the flattest element of its contact
   double impedance;      ///< [N s/m] of its area
@@ -214,6 +216,14 @@ inline double trend(const Near& near) {
 inline double impulse_of(const Contactor& one, const Multipliers& all) {
   double sum = 0;
   for (Index i = one.first; i < one.last; ++i) sum += all.conditions[i].impulse;
+  return sum;
+}
+
+/// The sum of those of the body on which it rubs. [N s]
+inline double rubbing_impulse_of(const Contactor& one, const Multipliers& all) {
+  double sum = 0;
+  for (Index i = one.first; i < one.last; ++i)
+    if ((one.rubs >> (i - one.first) & 1u) != 0) sum += all.conditions[i].impulse;
   return sum;
 }
 

@@ -14,6 +14,10 @@ constexpr double behind_in_two_directions = 0.5;
 /// degrees, are excluded.
 constexpr double behind_in_one_direction = 0.98;
 
+/// [-] of the longest edge of a facet: surfaces that are level to that are flush, and what slides from one onto the next does not catch.
+/// An elastic floor gives way by less under a load, and a mesh does not say how round a ridge is that stands out by so little.
+constexpr double level_by = 1e-3;
+
 /// How far the surface around a node reaches behind the plane through the node with a normal n. [-]
 ///
 /// The largest of -n . e over all unit directions e from the node along its facets: the sine of the tilt of a flat surface against n, and

@@ -188,6 +188,7 @@ struct Near {
   bool rests = false;     ///< free, and its forces are booked: nothing is to do while it is clear
   bool stays = false;     ///< pressed by multipliers, over the inside of the one facet that it slides on, and comes to no other part
   double pressed = 0, earlier = 0;  ///< [N] by multipliers in the step before and in that before: where the sweeps of the next one begin
+  Index pressed_most = -1;  ///< by multipliers, the facet that pushed it most in the step before: friction acts on the body of that
   Tracks tracks;
   FrictionForces friction;
   ElementForces element;  // last: most of its stencils are not in use

@@ -72,7 +72,7 @@ void find_bounds(const Motion& m, Multipliers& all) {
     }
     if (one.friction < 0) continue;
     FrictionCondition& condition = all.frictions[one.friction];
-    const Condition& c = all.conditions[one.first];
+    const Condition& c = all.conditions[one.foot];
     double alone = 0, together = 0;
     const auto see = [&](Index node, double square, double all_weights) {
       alone += square / m.mass(node);
@@ -102,7 +102,7 @@ void sweep(const Motion& m, double momentum, const Contactor& one, Multipliers& 
     c.moved = now - c.met;
     c.change = now + momentum * c.moved - c.impulse;
     c.met = now;
-    pressed += now;
+    if ((one.rubs >> (i - one.first) & 1u) != 0) pressed += now;
     sum.moved += c.moved * c.moved * A2, sum.made += now * now * A2;
     sum.turned += c.bound * (now - c.impulse) * c.moved;
   }
@@ -281,12 +281,14 @@ void take_over(const Interface& interface, const Motion& m, double h, double t, 
     element.scale = 1;
     element.apex.setZero();
     element.depth = 0;
-    double gap = infinite;
+    double gap = infinite, most = 0;
+    near.pressed_most = -1;
     for (int s = 0; s < element.count; ++s) {
       Stencil& stencil = element.stencil[s];
       if (stencil.apex == 0) continue;
       const Condition& c = all.conditions[at++];
       gap = std::min(gap, c.gap);
+      if (c.impulse > most) most = c.impulse, near.pressed_most = stencil.facet;
       element.depth = std::max(element.depth, -c.gap);
       stencil.push *= c.impulse / h;
       element.apex += stencil.push;

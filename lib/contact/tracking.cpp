@@ -23,7 +23,6 @@ constexpr double on_ridge = 1e-3;     // of a step: sides of a ridge that are cr
 constexpr double material = 0.9;      // of the thickness: no contact begins from deeper
 constexpr double shallow = 0.2;       // of the longest edge: nor from deeper, but through the front
 constexpr double far_side = -0.5;     // cosine: facets that are turned so far are not round the corner
-constexpr double level_by = 1e-6;     // of the longest edge: meshes of single precision are flush to that
 constexpr double like_neighbours = 2;  // times the deepest contact of the step before
 
 
