@@ -30,6 +30,7 @@ constexpr double just_on = 1e-9;       // of a face: so near a ridge an apex sta
 constexpr double came_flat = 1e-3;     // sine between a way and a side along which it leads
 constexpr double along_push = 0.7;     // cosine between the way from a ridge to an apex on it and its push
 constexpr double at_ridge = 0.05;      // weight of the third node of a facet: with less on both sides an apex is on the ridge between them
+constexpr double bevel = 0.01;         // sine by which sides of a ridge lean that is no unevenness of a mesh
 constexpr double as_much = 0.5;        // of the larger push of both sides
 
 /// Whether an apex that is pressed stays over the inside of the one facet that it slides on, and comes to no other part: its stencil of the
@@ -125,6 +126,14 @@ bool is_flush_beside(const Interface& interface, const Vectors& x, Index apex, I
   return false;
 }
 
+/// Whether a normal that goes over into that of the facet next to it leads into the surface of the apex, and that of its own facet less:
+/// as over the sole of a body at a bevel, where a flat surface touches the sole and never the bevel.
+bool blends_into_its_surface(const Interface& interface, const Vectors& x, Index apex, Index facet, const Vec3& normal) {
+  const Vec3 whole = facet_normal(interface.base, x, facet);
+  if (interface.own.facets.cols() == 0 || whole.dot(normal) > 1 - 0.5 * bevel * bevel) return false;
+  return reach_behind(interface.own, x, apex, normal) > std::max(bevel, reach_behind(interface.own, x, apex, whole));
+}
+
 /// Sets nodes, weights, normal and gap of an apex over a facet.
 void set(const Interface& interface, Index apex, const Stencil& stencil, const Vec3& normal, double gap, Condition& c) {
   c.gap = gap;
@@ -197,11 +206,18 @@ bool make(const Interface& interface, const Motion& m, const Memory& memory, con
   // over plates the foot would leave its node, and where several push each has its own
   const bool blends = near.element.count == 1 && stencil.level < blended * interface.base.size(stencil.facet);
   const Mat3* allowed = allowed_of(interface, near.apex);
-  if (!stand_on_face(interface.base, m.x, p, feature(), blends, allowed, over, stencil.fourth)) {
-    stencil.fourth = 0;
-    if (stencil.kind == geometry::Kind::facet) over = height_over(interface.base, m.x, feature(), p);
-    if (blends && stencil.kind == geometry::Kind::facet && interface.base.half[stencil.facet].cut < 0)
-      blend_over_facet(interface.base, m.x, p, feature(), allowed, over);
+  const FeatureHeight from = over;
+  const double fourth = stencil.fourth;
+  for (bool blend : {true, false}) {
+    blend = blend && blends;
+    over = from, stencil.fourth = fourth;
+    if (!stand_on_face(interface.base, m.x, p, feature(), blend, allowed, over, stencil.fourth)) {
+      stencil.fourth = 0;
+      if (stencil.kind == geometry::Kind::facet) over = height_over(interface.base, m.x, feature(), p);
+      if (blend && stencil.kind == geometry::Kind::facet && interface.base.half[stencil.facet].cut < 0)
+        blend_over_facet(interface.base, m.x, p, feature(), allowed, over);
+    }
+    if (!blend || !blends_into_its_surface(interface, m.x, apex, stencil.facet, over.normal)) break;
   }
   stencil.weight = over.weight;
   set(interface, apex, stencil, over.normal, over.height - stencil.level, c);

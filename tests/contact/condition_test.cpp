@@ -1,5 +1,6 @@
 #include "contact/condition.hpp"
 
+#include <numbers>
 #include <random>
 
 #include "tests/contact/pressed.hpp"
@@ -105,6 +106,33 @@ TEST(Condition, TheNormalGoesEvenlyFromFacetToFacet) {
   };
   EXPECT_LT((normal_at(1e-9) - normal_at(-1e-9)).norm(), 1e-6);  // over the top of a dome of facets
   EXPECT_GT((normal_at(0.1) - normal_at(-0.1)).norm(), 1e-2);
+}
+
+/// The normal over the sole of a body beside a ridge, behind which its surface falls away by an angle [degrees]. The apex is of a flat
+/// surface, or of none.
+Vec3 normal_beside_ridge(double angle, bool has_surface) {
+  Setting at(Vec3(1.995, 2.3, 0));
+  const double slope = std::tan(angle * std::numbers::pi / 180);
+  for (Index n = 0; n < at.scene.apex(); ++n) at.scene.x(2, n) = -slope * std::max(0.0, at.scene.x(0, n) - 2);
+  if (has_surface) {
+    const Index apex = at.scene.apex();
+    at.scene.x.conservativeResize(3, apex + 5);
+    at.scene.x.rightCols(4) = at.scene.x.col(apex).replicate(1, 4);
+    at.scene.x.rightCols(4).topRows(2) += (Eigen::Matrix<double, 2, 4>() << 1, 0, -1, 0, 0, 1, 0, -1).finished();
+    Table<3> own(3, 4);
+    for (int f = 0; f < 4; ++f) own.col(f) << apex, apex + 1 + (f + 1) % 4, apex + 1 + f;  // it looks down
+    at.scene.interface.own = fans(own, apex + 5);
+  }
+  at.v.setZero(), at.force.setZero();
+  return at.find(1e-3).normal;
+}
+
+TEST(Condition, ANormalGoesOverIntoThatOfABevelOnlyWhereTheSurfaceOfTheApexAdmitsIt) {
+  for (const double angle : {5.0, 20.0}) {
+    EXPECT_GT((normal_beside_ridge(angle, false) - Vec3::UnitZ()).norm(), 0.2 * angle * std::numbers::pi / 180) << angle;
+    EXPECT_LT((normal_beside_ridge(angle, true) - Vec3::UnitZ()).norm(), 1e-12) << angle;
+  }
+  EXPECT_GT((normal_beside_ridge(0.9, true) - Vec3::UnitZ()).norm(), 1e-4);  // as a mesh is uneven
 }
 
 TEST(Condition, BesideARimAndBelowItsLevelThereIsNone) {

@@ -252,14 +252,14 @@ TEST(EntryOfAnApex, OverARidgeByRoundOffIsNone) {
 
 TEST(EntryOfAnApex, BesideASideThatIsFlushIsOntoThatSideWithAnOffset) {
   const double longest = std::sqrt(2.0);
-  for (const double lower : {0.0, 0.9, 1.1}) {  // times the largest step of flush surfaces
+  for (const double lower : {0.1, 0.9, 1.1}) {  // times the largest step of flush surfaces
     const double z = 1 - lower * level_by * longest;
     Scene scene = press(block({0, 0, 0}, {4, 4, 1}, {4, 4, 1}), {{-0.02, 2.1, z}}, 0);
     step_to(scene, 0, {0.02, 2.1, z});
     ASSERT_EQ(scene.near().tracks.count, 1);
     const bool onto = facet_normal(scene.interface.base, scene.x, scene.near().tracks.track[0].facet).z() > 0.5;
     EXPECT_EQ(onto, lower < 1) << lower;
-    if (onto) EXPECT_LT(scene.forces().norm(), 1e-9);
+    EXPECT_EQ(scene.forces().norm() > 1e-9, !onto) << "with an offset nothing springs";
   }
 }
 
