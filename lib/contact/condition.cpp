@@ -110,8 +110,8 @@ bool stands_on_ridge(const BaseSurface& base, const Vectors& x, Index facet, con
   return false;
 }
 
-/// Whether an apex in front of a facet is level with the other side of a ridge of it, but for level_by, and that side may push the apex: it
-/// slides onto that side, see enter(), and this one does not stop it.
+/// Whether an apex in front of a facet is below the level of the other side of a ridge of it by no more than level_by, and that side may
+/// push the apex: it slides onto that side, see enter(), and this one does not stop it.
 ///
 /// level  [m] of contact over these facets
 bool is_flush_beside(const Interface& interface, const Vectors& x, Index apex, Index facet, double level, const Mat3* allowed) {
@@ -120,7 +120,8 @@ bool is_flush_beside(const Interface& interface, const Vectors& x, Index apex, I
     const Index across = base.neighbour(e, facet);
     if (!base.wall[facet][e] || across < 0 || is_rim_of_sheet(base, facet, e)) continue;
     const FeatureHeight over = height_over(base, x, {across, geometry::Kind::facet, 0}, x.col(apex));
-    const bool is_level = std::abs(over.height - level) < level_by * base.longest(across);
+    const double below = level - over.height;  // at the level itself it passes, or meets an edge
+    const bool is_level = below > just_on * base.size(across) && below < level_by * base.longest(across);
     if (is_level && may_push(interface.own, x, apex, over.normal, most_behind(interface), allowed)) return true;
   }
   return false;

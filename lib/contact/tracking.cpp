@@ -23,6 +23,7 @@ constexpr double on_ridge = 1e-3;     // of a step: sides of a ridge that are cr
 constexpr double material = 0.9;      // of the thickness: no contact begins from deeper
 constexpr double shallow = 0.2;       // of the longest edge: nor from deeper, but through the front
 constexpr double far_side = -0.5;     // cosine: facets that are turned so far are not round the corner
+constexpr double leads_along = 0.2;    // sine between a way and a side in whose plane it leads
 constexpr double like_neighbours = 2;  // times the deepest contact of the step before
 
 
@@ -239,6 +240,7 @@ bool share_a_node(const BaseSurface& base, Index f, Index g) {
 /// there is none. Both sides may push the apex, and along this one nothing has to stop it.
 Track slides_onto(const Sweep& s, const Vec3& p0, const Vec3& p1, Index crossed, double deepest) {
   const Vec3 normal = facet_normal(s.base, s.x, crossed);
+  const double way = (p1 - p0 - s.dt * Vec3(s.v.col(s.base.facets(0, crossed)))).norm();
   for (const Index f : s.near) {
     const auto end = geometry::facet_height(corners(s.base, s.x, f), place(p1));
     const double turn = eigen(end.normal).dot(normal);
@@ -246,7 +248,8 @@ Track slides_onto(const Sweep& s, const Vec3& p0, const Vec3& p1, Index crossed,
     const double within = std::max(like_neighbours * deepest, level_by * s.base.longest(f));
     if (least(end.weight) < -overlap || end.height > s.level(f) + within) continue;
     const double start = geometry::facet_height(corners_before(s, f), place(p0)).height;
-    if (std::abs(start - s.level(f)) <= within && may_push(s, eigen(end.normal))) return {f, std::min(start, s.level(f))};
+    if (!(std::abs(start - s.level(f)) <= within) || !may_push(s, eigen(end.normal))) continue;
+    if (std::abs(end.height - start) <= leads_along * way) return {f, std::min(start, s.level(f))};
   }
   return {};
 }
