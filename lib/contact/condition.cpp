@@ -127,12 +127,11 @@ bool is_flush_beside(const Interface& interface, const Vectors& x, Index apex, I
   return false;
 }
 
-/// Whether a normal that goes over into that of the facet next to it leads into the surface of the apex, and that of its own facet less:
-/// as over the sole of a body at a bevel, where a flat surface touches the sole and never the bevel.
-bool blends_into_its_surface(const Interface& interface, const Vectors& x, Index apex, Index facet, const Vec3& normal) {
-  const Vec3 whole = facet_normal(interface.base, x, facet);
-  if (interface.own.facets.cols() == 0 || whole.dot(normal) > 1 - 0.5 * bevel * bevel) return false;
-  return reach_behind(interface.own, x, apex, normal) > std::max(bevel, reach_behind(interface.own, x, apex, whole));
+/// Whether a normal leads into the surface of the apex, and another one less: as that of a bevel where a flat surface touches the sole of a
+/// body, and never its bevel.
+bool leads_farther_in(const Interface& interface, const Vectors& x, Index apex, const Vec3& normal, const Vec3& other) {
+  if (interface.own.facets.cols() == 0 || other.dot(normal) > 1 - 0.5 * bevel * bevel) return false;
+  return reach_behind(interface.own, x, apex, normal) > std::max(bevel, reach_behind(interface.own, x, apex, other));
 }
 
 /// Sets nodes, weights, normal and gap of an apex over a facet.
@@ -175,7 +174,9 @@ bool make(const Interface& interface, const Motion& m, const Memory& memory, con
   }
   if (stencil.kind != geometry::Kind::facet) {  // where the apex would be; now it may be over a facet beside
     const Stand here = stand(interface.base, m.x, p, stencil.facet, apex);
-    if (here.past == 0) stencil.facet = here.feature.facet, stencil.kind = here.feature.kind, stencil.local = here.feature.local;
+    const bool stays = push > 0 && leads_farther_in(interface, m.x, apex, here.over.normal, stencil.push / push);
+    if (stays) stencil.kind = geometry::Kind::facet;
+    else if (here.past == 0) stencil.facet = here.feature.facet, stencil.kind = here.feature.kind, stencil.local = here.feature.local;
     over = height_over(interface.base, m.x, feature(), p);
   }
   if (stencil.kind != geometry::Kind::facet && std::abs(over.height) < no_direction * interface.base.size(stencil.facet)) {
@@ -218,7 +219,7 @@ bool make(const Interface& interface, const Motion& m, const Memory& memory, con
       if (blend && stencil.kind == geometry::Kind::facet && interface.base.half[stencil.facet].cut < 0)
         blend_over_facet(interface.base, m.x, p, feature(), allowed, over);
     }
-    if (!blend || !blends_into_its_surface(interface, m.x, apex, stencil.facet, over.normal)) break;
+    if (!blend || !leads_farther_in(interface, m.x, apex, over.normal, facet_normal(interface.base, m.x, stencil.facet))) break;
   }
   stencil.weight = over.weight;
   set(interface, apex, stencil, over.normal, over.height - stencil.level, c);

@@ -23,7 +23,9 @@ constexpr double on_ridge = 1e-3;     // of a step: sides of a ridge that are cr
 constexpr double material = 0.9;      // of the thickness: no contact begins from deeper
 constexpr double shallow = 0.2;       // of the longest edge: nor from deeper, but through the front
 constexpr double far_side = -0.5;     // cosine: facets that are turned so far are not round the corner
-constexpr double leads_along = 0.2;    // sine between a way and a side in whose plane it leads
+constexpr double leads_along = 0.2;    // of the way through one side of a ridge: the way through that in whose plane it leads
+constexpr double one_plane = 0.9999;   // cosine between the sides of what is no ridge
+constexpr double as_one_level = 1e-6;  // of the longest edge: level_by of surfaces that go on round a corner, as curved ones do
 constexpr double like_neighbours = 2;  // times the deepest contact of the step before
 
 
@@ -236,20 +238,21 @@ bool share_a_node(const BaseSurface& base, Index f, Index g) {
   return false;
 }
 
-/// The side of a ridge in whose plane an apex moves as it crosses the other side, as from one floor onto the next one: without a facet if
-/// there is none. Both sides may push the apex, and along this one nothing has to stop it.
+/// The side of a ridge in whose plane an apex moves as it crosses the other side, as from one floor onto the next one, or past a bevel onto
+/// the sole behind it: without a facet if there is none. Both sides may push the apex, and along this one nothing has to stop it.
 Track slides_onto(const Sweep& s, const Vec3& p0, const Vec3& p1, Index crossed, double deepest) {
   const Vec3 normal = facet_normal(s.base, s.x, crossed);
-  const double way = (p1 - p0 - s.dt * Vec3(s.v.col(s.base.facets(0, crossed)))).norm();
+  const auto height = [](const Corners& c, const Vec3& p) { return geometry::facet_height(c, place(p)).height; };
+  const double fall = height(corners_before(s, crossed), p0) - height(corners(s.base, s.x, crossed), p1);
   for (const Index f : s.near) {
     const auto end = geometry::facet_height(corners(s.base, s.x, f), place(p1));
     const double turn = eigen(end.normal).dot(normal);
-    if (turn > far_turn || turn < far_side || !share_a_node(s.base, f, crossed)) continue;
-    const double within = std::max(like_neighbours * deepest, level_by * s.base.longest(f));
+    if (turn > one_plane || turn < far_side || !share_a_node(s.base, f, crossed)) continue;
+    const double within = std::max(like_neighbours * deepest, (turn > far_turn ? as_one_level : level_by) * s.base.longest(f));
     if (least(end.weight) < -overlap || end.height > s.level(f) + within) continue;
-    const double start = geometry::facet_height(corners_before(s, f), place(p0)).height;
+    const double start = height(corners_before(s, f), p0);
     if (!(std::abs(start - s.level(f)) <= within) || !may_push(s, eigen(end.normal))) continue;
-    if (std::abs(end.height - start) <= leads_along * way) return {f, std::min(start, s.level(f))};
+    if (std::abs(end.height - start) <= leads_along * fall) return {f, std::min(start, s.level(f))};
   }
   return {};
 }
