@@ -63,6 +63,7 @@ struct BaseSurface : Fans {         // the normal of a facet points to the side 
 /// [-] of the size of a face: so far past a wall a facet is still the base, for half of what a border apex stands for is inside.
 constexpr double whole_past_wall = 0.05;
 
+constexpr double one_plane = 0.9999;  ///< [-] cosine between normals of what is no ridge
 constexpr double far_turn = 0.1;  ///< [-] cosine between sides of a ridge, as at a wall
 
 /// Whether a facet has a node beside an apex that is of the same surface; false for -1, an apex of another one.

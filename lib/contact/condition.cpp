@@ -174,8 +174,9 @@ bool make(const Interface& interface, const Motion& m, const Memory& memory, con
   }
   if (stencil.kind != geometry::Kind::facet) {  // where the apex would be; now it may be over a facet beside
     const Stand here = stand(interface.base, m.x, p, stencil.facet, apex);
-    const bool stays = push > 0 && leads_farther_in(interface, m.x, apex, here.over.normal, stencil.push / push);
-    if (stays) stencil.kind = geometry::Kind::facet;
+    const bool pushes = push > 0 && facet_normal(interface.base, m.x, stencil.facet).dot(stencil.push) > one_plane * push;
+    const bool stays = pushes && leads_farther_in(interface, m.x, apex, here.over.normal, stencil.push / push);
+    if (here.past == 0 && stays) stencil.kind = geometry::Kind::facet;
     else if (here.past == 0) stencil.facet = here.feature.facet, stencil.kind = here.feature.kind, stencil.local = here.feature.local;
     over = height_over(interface.base, m.x, feature(), p);
   }

@@ -24,7 +24,6 @@ constexpr double material = 0.9;      // of the thickness: no contact begins fro
 constexpr double shallow = 0.2;       // of the longest edge: nor from deeper, but through the front
 constexpr double far_side = -0.5;     // cosine: facets that are turned so far are not round the corner
 constexpr double leads_along = 0.2;    // of the way through one side of a ridge: the way through that in whose plane it leads
-constexpr double one_plane = 0.9999;   // cosine between the sides of what is no ridge
 constexpr double as_one_level = 1e-6;  // of the longest edge: level_by of surfaces that go on round a corner, as curved ones do
 constexpr double like_neighbours = 2;  // times the deepest contact of the step before
 
