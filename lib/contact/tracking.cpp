@@ -43,6 +43,9 @@ double least(const std::array<double, 3>& weight) { return std::min({weight[0], 
 
 bool may_push(const Sweep& s, const Vec3& normal) { return may_push(s.own, s.x, s.apex, normal, s.most_behind, s.allowed); }
 
+/// Whether apexes of the other surface hold what this one may not be pushed by.
+bool is_held_otherwise(const Sweep& s) { return s.most_behind < behind_in_one_direction; }
+
 /// The distance of a point from a facet that reaches past open borders as far as a force stays whole there.
 struct Reach {
   double distance, height, aside;  // [m] aside of the facet, before it reaches past a border
@@ -322,6 +325,7 @@ void enter(const Sweep& s, double deepest, Tracks& tracks) {
     const Vec3 normal = facet_normal(s.base, s.x, through.facet);
     const Index held_by = shallowest(s, p1, [&](Index f) { return deepest_entry(s.base, f); }, &normal, height);
     if (held_by >= 0) return tracks.begin(held_by, height);
+    if (is_held_otherwise(s)) return;
     if (!is_beyond_ridge(s, through.facet, p1)) tracks.begin(through.facet, s.level(through.facet));
     return;
   }
@@ -337,7 +341,7 @@ Track other_part(const Sweep& s, const Tracks& before_step, const Tracks& after,
   const Vec3 from = before_step.out.facet >= 0 ? at(before_step.out, s.base, s.x, s.v, s.dt) : before(s);
   const Vec3 to = after.count > 0 && after.out.facet >= 0 ? at(after.out, s.base, s.x) : now(s);
   const Passage through = crossed(s, from, to, false, [&](Index f) { return around(s, after, f); });
-  if (through.facet < 0) return {};
+  if (through.facet < 0 || (!through.may_push && is_held_otherwise(s))) return {};
   const Track flush = slides_onto(s, from, to, through.facet, deepest);
   return flush.facet >= 0 ? flush : Track{through.facet, s.level(through.facet)};
 }
