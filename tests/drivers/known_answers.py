@@ -236,6 +236,12 @@ def coulomb(corner):
 
 
 SAGITTA = 0.02 * (1 - cos(pi / 32))  # [m] of a pipe with 32 chords
+def boxes_follow(run):
+    """The largest error of the speed of two boxes of 1 kg that 8 N push against friction of 0.2: it grows with (8 - 0.2 m g) t / m."""
+    right = (8 - 0.2 * 2 * right_runs.G) / 2 * 0.4
+    return max(abs(run.result(f"{body}_x_last") - right) for body in ("first", "second"))
+
+
 SCENES = (
     Scene("rim", rim, (
         deepest(5e-6, "a hundredth of the thickness: sheets touch at their surfaces", "touch_deepest"),
@@ -256,13 +262,12 @@ SCENES = (
     Scene("tube", tube, (
         deepest(1.5e-4, "a tenth of the thickness, from which on the audit warns of overlaps", "touch_deepest"),
         deepest(1.5e-4, "the same"))),
+    Scene("lands_larger", lambda: lands(0.012), coulomb(0.85)),
+    Scene("lands_largest", lambda: lands(0.0144), coulomb(0.88), (COARSE,)),
+    Scene("pushed", pushed, (
+        Answer("error of the speed [m/s]", boxes_follow, 0, 1e-3, "what a step of 0.4 ms adds"),
+        Answer("lift [m]", range_of("first_z", "second_z"), 0, 1e-6, "flat rigid boxes on a flat rigid floor do not leave it"))),
 )
-
-
-def boxes_follow(run):
-    """The largest error of the speed of two boxes of 1 kg that 8 N push against friction of 0.2: it grows with (8 - 0.2 m g) t / m."""
-    right = (8 - 0.2 * 2 * right_runs.G) / 2 * 0.4
-    return max(abs(run.result(f"{body}_x_last") - right) for body in ("first", "second"))
 
 
 def unlike_mirror_image(run):
@@ -276,12 +281,6 @@ def unlike_dense_rows(run):
 
 
 OPEN = (  # also open: a tetrahedron that a file has as a hexahedron with coincident corners has half its mass
-    Scene("lands_larger", lambda: lands(0.012), coulomb(0.85), wrong="the leading corner folds, and the run ends as inverted_element"),
-    Scene("lands_largest", lambda: lands(0.0144), coulomb(0.88), (COARSE,), "a corner folds to 0.14, and no message says so"),
-    Scene("pushed", pushed, (
-        Answer("error of the speed [m/s]", boxes_follow, 0, 0.01, "one step of 0.4 ms"),
-        Answer("lift [m]", range_of("first_z", "second_z"), 0, 1e-6, "flat rigid boxes on a flat rigid floor do not leave it")),
-        wrong="the first box hops at 0.38 s, as the joint of both boxes passes a line of nodes of the floor"),
     Scene("mirror", lambda: tumbles(1), (
         Answer("difference of the momenta [N s]", unlike_mirror_image, 0, 1e-9, "round-off in 350 steps of contact"),), (COARSE,),
         wrong="edges are not symmetric: 1e-5 N s of 0.05 N s"),
