@@ -640,7 +640,8 @@ void find_conditions(const Interface& interface, const Motion& m, Memory& memory
     }
     const Between& pair = between(interface, near.apex, facet);
     add({.memory = &restitution, .first = first, .last = last, .friction = friction, .foot = foot, .rubs = rubbing.conditions, .area = area,
-         .depth = pair.depth, .impedance = interface.pass_factor * pair.impedance * area, .square = interface.restitution * interface.restitution}, all);
+         .depth = pair.depth, .impedance = interface.pass_factor * pair.impedance * area,
+         .square = interface.restitution * interface.restitution}, all);
   }
   let_yield(memory.friction_owed, interface.depth, m, first_friction, all);
 }
