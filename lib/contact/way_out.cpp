@@ -29,6 +29,7 @@ struct Together {
     int track;
     bool outside = false;     // of a wall: the height is a distance
     bool nearest = false;     // without contact height the nearest point is the way out: a symmetry plane takes what leads out of it
+    bool below = false;       // of an edge or vertex without contact height: the way out ends on it, or beside it where others push along
   };
   int count = 0;
   std::array<Cut, most_candidates> cut;
@@ -89,18 +90,24 @@ void solve(const BaseSurface& base, const Vectors& x, const Vec3& p, const Mat3*
     all.lambda = projection_multipliers(contacts);
     Vec3 d = Vec3::Zero();
     for (int i = 0; i < all.count; ++i) d += all.lambda[i] * contacts.normal[i];
-    const bool converged = (d - all.d).squaredNorm() <= 1e-28 * d.squaredNorm();
+    const Vec3 farther = d - all.d;
+    const bool converged = farther.squaredNorm() <= 1e-28 * d.squaredNorm();
     all.d = d;
     all.squared = d.squaredNorm();
     if (converged) return;
     for (int i = 0; i < all.count; ++i) {
       const FeatureHeight there = height_of(base, x, all.cut[i], p + d);
-      // with h_c = 0 the vector ends on the edge or vertex itself, which has no normal: its own stays, and the foot is there
-      if (std::abs(there.height) > 1e-6 * d.norm() || all.cut[i].feature.kind == Kind::facet) {
-        all.cut[i].over = there;
+      Together::Cut& cut = all.cut[i];
+      // With h_c = 0 the vector ends on the edge or vertex itself, which has no normal: its own stays, and the foot is there. Where others
+      // push along the surface it ends beside, and the distance from there would turn aside and be none.
+      if (cut.below) {
+        cut.over.weight = there.weight;
+        cut.over.height += contacts.normal[i].dot(farther);
+      } else if (std::abs(there.height) > 1e-6 * d.norm() || cut.feature.kind == Kind::facet) {
+        cut.over = there;
       } else {
-        all.cut[i].over.weight = there.weight;
-        all.cut[i].over.height = all.cut[i].contact_height;
+        cut.over.weight = there.weight;
+        cut.over.height = cut.contact_height;
       }
     }
     if (!all.curved) return;  // for facets one look is exact
@@ -285,7 +292,8 @@ WayOut way_out(const BaseSurface& base, const Vectors& x, const Vec3& p, double 
     }
     out.depth = std::max(out.depth, depth);
     const bool nearest = track.height <= high_enough * base.longest(track.facet);
-    add(base, x, p, allowed, {at.feature, at.over, track.height, i, outside, nearest}, all);
+    const bool below = nearest && at.over.height < 0 && at.feature.kind != Kind::facet;
+    add(base, x, p, allowed, {at.feature, at.over, track.height, i, outside, nearest, below}, all);
     // is the end of the way high enough over what is there?
     for (int look = 0; look < most_looks && track.height > 0 && all.count > 0 && all.lambda[all.count - 1] > 0; ++look) {
       const Stand end = stand_whole(base, x, p + all.d, track.facet, self);

@@ -182,6 +182,26 @@ TEST(WayOut, CountsSidesInOnePlaneOnceWhicheverWayTheyLeanToAThird) {
   } while (std::next_permutation(order.begin(), order.end()));
 }
 
+TEST(WayOut, BelowAnEdgeHoldsWhereAnotherSidePushesAcrossIt) {
+  const double below = 0.01, behind = 0.02;
+  for (const double rise : {1e-7, 1e-5, 1e-3}) {  // of a valley that is almost flat, so that its edge is closest
+    for (const bool floor_first : {true, false}) {
+      Shape shape{Vectors(3, 7), Table<3>(3, 3)};
+      shape.x << -behind, -behind, -behind - 1, -behind + 1, 0, 0, 0,  //
+          0, 0, rise, rise, -1, 1, 0,                                  //
+          -1, 1, 0, 0, -1, -1, 1;
+      shape.facets.transpose() << 1, 0, 2, 0, 1, 3, 4, 5, 6;
+      const BaseSurface base = base_of(shape);
+      Tracks tracks;
+      for (const Index f : {floor_first ? 0 : 2, floor_first ? 2 : 0}) tracks.begin(f, 0);
+      std::array<Stencil, most_stencils> stencils;
+      const Moved unknown{std::numeric_limits<double>::infinity(), 0};
+      const WayOut out = way_out(base, shape.x, Vec3(-behind, -below, 0), 0, nullptr, unknown, tracks, stencils);
+      EXPECT_NEAR(out.squared, below * below + behind * behind, 2 * rise * behind * behind + 1e-12) << rise << floor_first;
+    }
+  }
+}
+
 TEST(Ridge, IsNoThinWallForAnApexAboveIt) {
   // a blade of 30 degrees: above one side the apex lies behind the other one's plane, and outside
   for (const double turn : {100.0, 120.0, 150.0}) {
