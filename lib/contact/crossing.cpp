@@ -80,8 +80,8 @@ struct Flanks {
     for (int i = 0; i < count; ++i) most = std::max(most, into[static_cast<std::size_t>(i)].dot(direction));
     return most;
   }
-  /// Whether what lies from the edge along a way is over a facet that does not fall away from a direction. Such a facet reaches a little past
-  /// the edge where this is a wall, as for nodes.
+  /// Whether what lies from the edge along a way is over a facet that does not fall away from a direction. Such a facet reaches a little
+  /// past the edge where this is a wall, as for nodes.
   bool is_under(const Vec3& way, const Vec3& direction) const {
     const bool is_wall = count < 2 || into[0].dot(into[1]) > -far_turn;
     for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
