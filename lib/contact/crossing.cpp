@@ -65,6 +65,11 @@ bool are_crests(const Interface& interface, const Vectors& x, Index edge, Index 
          mean_fall(interface.edges, x, edge, -normal) >= least && mean_fall(interface.base_edges, x, base_edge, normal) >= least;
 }
 
+/// Whether both edges are ridges or rims as they stand now, whenever the last search was.
+bool are_ridges(const Interface& interface, const Vectors& x, Index edge, Index base_edge) {
+  return is_ridge(interface.edges, x, edge) && is_ridge(interface.base_edges, x, base_edge);
+}
+
 /// Unit vectors from an edge into its facets, of which a rim has one.
 struct Flanks {
   int count = 0;
@@ -183,8 +188,8 @@ bool goes_on(const Interface& interface, const Motion& m, const Crossing& crossi
 /// Brings a crossing up to date with where its edges are, and would be after the step; false if they can not touch in it.
 bool follow(const Interface& interface, const Motion& m, const Multipliers& all, Crossing& crossing, Over& at) {
   const auto see = [&](const Vectors& x) {
-    const bool in_face = crossing.in_face && !(crossing.side != 0 && crossing.of_ridges);
-    return over(interface, x, crossing.edge, crossing.base_edge, in_face, crossing.side);
+    const bool are_held = crossing.side != 0 && crossing.of_ridges;
+    return over(interface, x, crossing.edge, crossing.base_edge, !are_held, crossing.side);
   };
   const auto find = [&] {
     at = see(m.x);
@@ -203,7 +208,7 @@ bool follow(const Interface& interface, const Motion& m, const Multipliers& all,
     crossing.level = height - offset;
     crossing.of_ridges = false;
   }
-  crossing.of_ridges = crossing.of_ridges || !crossing.in_face;
+  crossing.of_ridges = crossing.of_ridges || are_ridges(interface, m.x, crossing.edge, crossing.base_edge);
   crossing.side = at.side;
   crossing.normal = at.normal;
   crossing.level = std::max(crossing.level, std::min(at.height, height));
@@ -256,8 +261,9 @@ Over over(const Interface& interface, const Vectors& x, Index edge, Index base_e
     const double first = flanks.rise(-found.normal), second = base_flanks.rise(found.normal);
     const double touches = side != 0 ? leans : bent, stands = -(side != 0 ? stays_steep : steep);
     if (!(first <= touches) || !(second <= touches)) continue;
-    const bool crests = in_face && are_crests(interface, x, edge, base_edge, found.normal, side != 0 ? 0 : slightly);
-    if (in_face && !crests && !(first <= stands) && !(second <= stands)) continue;
+    const bool stand = !in_face || first <= stands || second <= stands || are_ridges(interface, x, edge, base_edge) ||
+                       are_crests(interface, x, edge, base_edge, found.normal, side != 0 ? 0 : slightly);
+    if (!stand) continue;
     if (is_left_to_node(found.first, along(interface.edges, x, edge), base_flanks, found.normal) ||
         is_left_to_node(found.second, along(interface.base_edges, x, base_edge), flanks, -found.normal))
       continue;
