@@ -208,6 +208,7 @@ struct Crossing {
   Index edge = -1, base_edge = -1;   ///< as of the pair
   bool in_face = false;              ///< as of the pair
   int side = 0;                      ///< sign of the normal on the product of both edges; 0: they are not over each other
+  bool of_ridges = false;            ///< both have been ridges while they were over each other: one that is flattened then is held as one
   Vec3 normal = Vec3::Zero();        ///< of that side, when last looked at
   double level = 0;                  ///< [m] h_c less the offset with which it came in sideways, as of a track
   bool acts = false;                 ///< it has a condition in the step to come

@@ -65,10 +65,44 @@ bool are_crests(const Interface& interface, const Vectors& x, Index edge, Index 
          mean_fall(interface.edges, x, edge, -normal) >= least && mean_fall(interface.base_edges, x, base_edge, normal) >= least;
 }
 
-/// Whether a place is within an edge; where its body lies in a face of the other one, not at its ends.
-bool is_within(double place, bool lies_flat) {
-  const double end = lies_flat ? left_to_nodes : -past_end;
-  return place >= end && place <= 1 - end;
+/// Whether both edges are ridges or rims as they stand now, whenever the last search was.
+bool are_ridges(const Interface& interface, const Vectors& x, Index edge, Index base_edge) {
+  return is_ridge(interface.edges, x, edge) && is_ridge(interface.base_edges, x, base_edge);
+}
+
+/// Unit vectors from an edge into its facets, of which a rim has one.
+struct Flanks {
+  int count = 0;
+  std::array<Vec3, 2> into;
+
+  Flanks(const Edges& edges, const Vectors& x, Index edge) {
+    for (int side = 0; side < 2; ++side)
+      if (edges.across(side, edge) >= 0) into[static_cast<std::size_t>(count++)] = contact::into(edges, x, edge, side).normalized();
+  }
+  /// rise() of the edge.
+  double rise(const Vec3& direction) const {
+    double most = -1;
+    for (int i = 0; i < count; ++i) most = std::max(most, into[static_cast<std::size_t>(i)].dot(direction));
+    return most;
+  }
+  /// Whether what lies from the edge along a way is over a facet that does not fall away from a direction. Such a facet reaches a little
+  /// past the edge where this is a wall, as for nodes.
+  bool is_under(const Vec3& way, const Vec3& direction) const {
+    const bool is_wall = count < 2 || into[0].dot(into[1]) > -far_turn;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
+      if ((is_wall || into[i].dot(way) > 0) && !(into[i].dot(direction) <= -bent)) return true;
+    return false;
+  }
+};
+
+bool is_within(double place) { return place >= -past_end && place <= 1 + past_end; }
+
+/// Whether a place on an edge is so near an end of it that its node is over a face of the other edge, which leaves it to the node.
+///
+/// along      from the first node of the edge to the second
+/// direction  out of the other edge
+bool is_left_to_node(double place, const Vec3& along, const Flanks& other, const Vec3& direction) {
+  return (place < left_to_nodes && other.is_under(-along, direction)) || (place > 1 - left_to_nodes && other.is_under(along, direction));
 }
 
 /// Lines of two edges where they are closest, whatever their ends and what is in front of them; false if they are parallel.
@@ -154,7 +188,8 @@ bool goes_on(const Interface& interface, const Motion& m, const Crossing& crossi
 /// Brings a crossing up to date with where its edges are, and would be after the step; false if they can not touch in it.
 bool follow(const Interface& interface, const Motion& m, const Multipliers& all, Crossing& crossing, Over& at) {
   const auto see = [&](const Vectors& x) {
-    return over(interface, x, crossing.edge, crossing.base_edge, crossing.in_face, crossing.side);
+    const bool are_held = crossing.side != 0 && crossing.of_ridges;
+    return over(interface, x, crossing.edge, crossing.base_edge, !are_held, crossing.side);
   };
   const auto find = [&] {
     at = see(m.x);
@@ -171,7 +206,9 @@ bool follow(const Interface& interface, const Motion& m, const Multipliers& all,
     const double offset = std::max(0.0, height - at.height);
     if (offset > sideways * between_edges(interface, crossing.edge, crossing.base_edge).depth) return false;
     crossing.level = height - offset;
+    crossing.of_ridges = false;
   }
+  crossing.of_ridges = crossing.of_ridges || are_ridges(interface, m.x, crossing.edge, crossing.base_edge);
   crossing.side = at.side;
   crossing.normal = at.normal;
   crossing.level = std::max(crossing.level, std::min(at.height, height));
@@ -219,13 +256,17 @@ Over over(const Interface& interface, const Vectors& x, Index edge, Index base_e
     if (side != 0 && sign != side) continue;
     Over found;
     if (!between_lines(interface, x, edge, base_edge, sign, found)) return at;
-    if (!is_within(found.first, false) || !is_within(found.second, false)) continue;
-    const double first = rise(interface.edges, x, edge, -found.normal), second = rise(interface.base_edges, x, base_edge, found.normal);
+    if (!is_within(found.first) || !is_within(found.second)) continue;
+    const Flanks flanks(interface.edges, x, edge), base_flanks(interface.base_edges, x, base_edge);
+    const double first = flanks.rise(-found.normal), second = base_flanks.rise(found.normal);
     const double touches = side != 0 ? leans : bent, stands = -(side != 0 ? stays_steep : steep);
     if (!(first <= touches) || !(second <= touches)) continue;
-    const bool crests = in_face && are_crests(interface, x, edge, base_edge, found.normal, side != 0 ? 0 : slightly);
-    if (in_face && !crests && !(first <= stands) && !(second <= stands)) continue;
-    if (!is_within(found.first, !(second <= -bent)) || !is_within(found.second, !(first <= -bent))) continue;  // beside the other edge
+    const bool stand = !in_face || first <= stands || second <= stands || are_ridges(interface, x, edge, base_edge) ||
+                       are_crests(interface, x, edge, base_edge, found.normal, side != 0 ? 0 : slightly);
+    if (!stand) continue;
+    if (is_left_to_node(found.first, along(interface.edges, x, edge), base_flanks, found.normal) ||
+        is_left_to_node(found.second, along(interface.base_edges, x, base_edge), flanks, -found.normal))
+      continue;
     found.is = true;
     if (!at.is || found.height > at.height) at = found;
   }

@@ -46,7 +46,8 @@ inline Crossing crossing_of(const EdgePair& pair) {
 
 /// How an edge stands over a base edge.
 ///
-/// in_face  one of them is no ridge: the other has to stand on it, and not to lie flat in that face, where nodes keep both apart
+/// in_face  one of them may be no ridge: where that is so now, the other has to stand on it, and not to lie flat in that face, where nodes
+///          keep both apart
 /// side     where they were over each other in the step before: faces beside them may lean farther over the other edge; 0: to be found.
 ///          Between rims both sides may be right, then it is the one with a positive height
 Over over(const Interface&, const Vectors& x, Index edge, Index base_edge, bool in_face, int side);

@@ -23,7 +23,7 @@ Ends sorted(Index a, Index b) { return {std::min(a, b), std::max(a, b)}; }
 struct Around {
   int faces = 0;
   Ends nodes{};  // as the first face has them
-  std::array<Index, 2> across{-1, -1};
+  std::array<Index, 2> across{-1, -1}, opposite{-1, -1};
 };
 using Sides = std::map<Ends, Around>;
 
@@ -33,9 +33,11 @@ Sides sides_of(const Table<4>& faces) {
     const int corners = faces(3, f) < 0 ? 3 : 4;
     for (int e = 0; e < corners; ++e) {
       const Index a = faces(e, f), b = faces((e + 1) % corners, f), across = faces((e + 2) % corners, f);
+      const Index opposite = faces((e + corners - 1) % corners, f);
       Around& around = all[sorted(a, b)];
       if (around.faces == 0) around.nodes = {a, b};
-      if (around.faces < 2) around.across[static_cast<std::size_t>(around.faces)] = across;
+      const auto side = static_cast<std::size_t>(around.faces);
+      if (around.faces < 2) around.across[side] = across, around.opposite[side] = opposite;
       ++around.faces;
     }
   }
@@ -86,8 +88,18 @@ Table<4> faces_of_bodies(const mesh::Mesh& mesh, const Subset& nodes, bool plate
 
 Vec3 along(const Edges& edges, const Vectors& x, Index edge) { return x.col(edges.nodes(1, edge)) - x.col(edges.nodes(0, edge)); }
 
+namespace {
+
+/// From the middle of an edge to the middle of what is opposite in a facet. [m]
+Vec3 way_across(const Edges& edges, const Vectors& x, Index edge, int side) {
+  const Vec3 here = x.col(edges.nodes(0, edge)) + x.col(edges.nodes(1, edge));
+  return 0.5 * (x.col(edges.across(side, edge)) + x.col(edges.opposite(side, edge)) - here);
+}
+
+}  // namespace
+
 Vec3 into(const Edges& edges, const Vectors& x, Index edge, int side) {
-  const Vec3 L = along(edges, x, edge), way = x.col(edges.across(side, edge)) - x.col(edges.nodes(0, edge));
+  const Vec3 L = along(edges, x, edge), way = way_across(edges, x, edge, side);
   return way - way.dot(L) / L.squaredNorm() * L;
 }
 
@@ -111,12 +123,13 @@ Edges edges_of(const mesh::Mesh& mesh, const mesh::Surface& surface, std::span<c
       if (at != sides.end() && at->second.faces <= 2 && !in_plane(ends)) found[ends] = &at->second;
     }
   const auto count = static_cast<Eigen::Index>(found.size());
-  edges.nodes.resize(2, count), edges.across.resize(2, count), edges.area.resize(count);
+  edges.nodes.resize(2, count), edges.across.resize(2, count), edges.opposite.resize(2, count), edges.area.resize(count);
   edges.of_plates.assign(found.size(), plates ? 1 : 0);
   Eigen::Index e = 0;
   for (const auto& [ends, around] : found) {
     edges.nodes.col(e) << around->nodes[0], around->nodes[1];
     edges.across.col(e) << around->across[0], around->across[1];
+    edges.opposite.col(e) << around->opposite[0], around->opposite[1];
     edges.area(e++) = 0.5 * (area_of(ends[0]) + area_of(ends[1]));
   }
   return edges;
@@ -124,9 +137,10 @@ Edges edges_of(const mesh::Mesh& mesh, const mesh::Surface& surface, std::span<c
 
 void add_edges(const Edges& more, double half, Index body, Edges& all) {
   const Eigen::Index before = all.nodes.cols(), count = before + more.nodes.cols();
-  all.nodes.conservativeResize(2, count), all.across.conservativeResize(2, count);
+  all.nodes.conservativeResize(2, count), all.across.conservativeResize(2, count), all.opposite.conservativeResize(2, count);
   all.area.conservativeResize(count), all.half.conservativeResize(count);
   all.nodes.rightCols(more.nodes.cols()) = more.nodes, all.across.rightCols(more.nodes.cols()) = more.across;
+  all.opposite.rightCols(more.nodes.cols()) = more.opposite;
   all.area.tail(more.area.size()) = more.area, all.half.tail(more.area.size()).setConstant(half);
   all.of_plates.insert(all.of_plates.end(), more.of_plates.begin(), more.of_plates.end());
   all.body.resize(static_cast<std::size_t>(count), body);
@@ -134,8 +148,8 @@ void add_edges(const Edges& more, double half, Index body, Edges& all) {
 
 Subset nodes_of(const Edges& edges) {
   Subset nodes(edges.nodes.data(), edges.nodes.data() + edges.nodes.size());
-  const auto across = edges.across.reshaped();
-  std::copy_if(across.begin(), across.end(), std::back_inserter(nodes), [](Index node) { return node >= 0; });
+  for (const Table<2>* some : {&edges.across, &edges.opposite})
+    std::copy_if(some->data(), some->data() + some->size(), std::back_inserter(nodes), [](Index node) { return node >= 0; });
   std::sort(nodes.begin(), nodes.end());
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   return nodes;
@@ -165,8 +179,7 @@ double turn_of_facets(const Edges& edges, const Vectors& x, Index edge) {
   double most = 0;
   for (int side = 0; side < 2; ++side) {
     if (edges.across(side, edge) < 0) continue;
-    const Vec3 way = x.col(edges.across(side, edge)) - x.col(edges.nodes(0, edge));
-    const double along_edge = std::abs(way.dot(L)) / L.squaredNorm();
+    const double along_edge = std::abs(way_across(edges, x, edge, side).dot(L)) / L.squaredNorm();
     most = std::max(most, (1 + along_edge) / into(edges, x, edge, side).norm() + 1 / L.norm());
   }
   return most;

@@ -12,6 +12,7 @@ namespace nereid::contact {
 struct Edges {
   Table<2> nodes;     ///< of each edge; the first facet has it in this order
   Table<2> across;    ///< third nodes of both facets; -1 where a plate ends
+  Table<2> opposite;  ///< the same, or of quadrilateral faces their fourth nodes
   Scalars area;       ///< [m2] of half its length: mean of the tributary areas of its nodes on the surface
   std::vector<char> of_plates;  ///< [edges] these have two sides
   // of an automatic contact, else empty
@@ -36,11 +37,14 @@ bool is_ridge(const Edges&, const Vectors& x, Index edge);
 /// The way from the first node of an edge to the second. [m]
 Vec3 along(const Edges&, const Vectors& x, Index edge);
 
-/// The way in a facet from an edge to its third node, across the edge; side 0 or 1. [m]
+/// The way in a facet from an edge to what is opposite, across the edge; side 0 or 1. [m]
+///
+/// Of a quadrilateral it leads to the middle of the opposite edge: one of both nodes alone would make a warped face lean by another angle
+/// in a mirror.
 Vec3 into(const Edges&, const Vectors& x, Index edge, int side);
 
-/// How far the facets at an edge rise above the plane across a direction, as a sine: the largest of  t . d / |t|  with t the way in a facet
-/// from the edge to its third node. What is in front of the edge along d can be touched where none rises.
+/// How far the facets at an edge rise above the plane across a direction, as a sine: the largest of  t . d / |t|  with t the way into
+/// a facet. What is in front of the edge along d can be touched where none rises.
 double rise(const Edges&, const Vectors& x, Index edge, const Vec3& direction);
 
 /// The most by which the facets at an edge turn per way of nodes against each other, as long as that is small. [rad/m]

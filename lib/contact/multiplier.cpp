@@ -413,7 +413,8 @@ void wake(const Acting& acting, const Motion& m, std::span<Workspace> workspaces
     for (std::size_t e = 0; e < interface.edges.body.size(); ++e)
       for (int end = 0; end < 2 && awake(interface.edges.body[e]); ++end) {
         const auto edge = static_cast<Eigen::Index>(e);
-        look_at(interface.edges.nodes(end, edge)), look_at(interface.edges.across(end, edge));
+        look_at(interface.edges.nodes(end, edge));
+        look_at(interface.edges.across(end, edge)), look_at(interface.edges.opposite(end, edge));
       }
   }
   all.has_looked = true;

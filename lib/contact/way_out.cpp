@@ -15,7 +15,8 @@ using geometry::Kind;
 
 constexpr int most_rounds = 60;      // in which feet over edges are found; few need more than six
 constexpr double least_fade = 0.02;   // of the size of a face: least way over which a force fades then
-constexpr double against = -1e-6;    // cosine between pushes that are left on ways of their own
+constexpr double right_angle = 1e-6;  // cosine: features across each other are left together
+constexpr double least_cosine = 1e-9;  // of opposite features, from their opposite
 constexpr int most_looks = 3;        // at what is at the end of the way
 constexpr double high_enough = 1e-9;  // of the longest edge
 
@@ -28,6 +29,7 @@ struct Together {
     int track;
     bool outside = false;     // of a wall: the height is a distance
     bool nearest = false;     // without contact height the nearest point is the way out: a symmetry plane takes what leads out of it
+    bool below = false;       // of an edge or vertex without contact height: the way out ends on it, or beside it where others push along
   };
   int count = 0;
   std::array<Cut, most_candidates> cut;
@@ -41,12 +43,23 @@ struct Together {
       if (cut[i].feature.facet == facet) return true;
     return false;
   }
-  bool opposes(const Vec3& normal) const {
-    for (int i = 0; i < count; ++i)
-      if (cut[i].over.normal.dot(normal) < against) return true;
-    return false;
+  /// Whether to leave a feature together with these is nearer to the energy of both than to leave it alone, positive if so. Of two features
+  /// of the same depth, with a cosine c between their normals, the energy of both alone is 1 + c times that of both together.
+  double suits(const Vec3& normal) const {
+    double like = 0, against = 0;
+    for (int i = 0; i < count; ++i) {
+      const double cosine = cut[i].over.normal.dot(normal);
+      like = std::max(like, cosine), against = std::max(against, -cosine - right_angle);
+    }
+    return like / (1 + like) - against / std::max(1 - against, least_cosine);
   }
 };
+
+/// The way of two on which a feature is left, with those that push as it does and not with those that push against it: the `first`, if the
+/// other one does not suit it better.
+int way_of(const std::array<Together, 2>& way, const Vec3& normal, int first) {
+  return way[1 - first].suits(normal) > way[first].suits(normal) ? 1 - first : first;
+}
 
 FeatureHeight height_of(const BaseSurface& base, const Vectors& x, const Together::Cut& cut, const Vec3& end) {
   FeatureHeight over = height_over(base, x, cut.feature, end);
@@ -77,18 +90,24 @@ void solve(const BaseSurface& base, const Vectors& x, const Vec3& p, const Mat3*
     all.lambda = projection_multipliers(contacts);
     Vec3 d = Vec3::Zero();
     for (int i = 0; i < all.count; ++i) d += all.lambda[i] * contacts.normal[i];
-    const bool converged = (d - all.d).squaredNorm() <= 1e-28 * d.squaredNorm();
+    const Vec3 farther = d - all.d;
+    const bool converged = farther.squaredNorm() <= 1e-28 * d.squaredNorm();
     all.d = d;
     all.squared = d.squaredNorm();
     if (converged) return;
     for (int i = 0; i < all.count; ++i) {
       const FeatureHeight there = height_of(base, x, all.cut[i], p + d);
-      // with h_c = 0 the vector ends on the edge or vertex itself, which has no normal: its own stays, and the foot is there
-      if (std::abs(there.height) > 1e-6 * d.norm() || all.cut[i].feature.kind == Kind::facet) {
-        all.cut[i].over = there;
+      Together::Cut& cut = all.cut[i];
+      // With h_c = 0 the vector ends on the edge or vertex itself, which has no normal: its own stays, and the foot is there. Where others
+      // push along the surface it ends beside, and the distance from there would turn aside and be none.
+      if (cut.below) {
+        cut.over.weight = there.weight;
+        cut.over.height += contacts.normal[i].dot(farther);
+      } else if (std::abs(there.height) > 1e-6 * d.norm() || cut.feature.kind == Kind::facet) {
+        cut.over = there;
       } else {
-        all.cut[i].over.weight = there.weight;
-        all.cut[i].over.height = all.cut[i].contact_height;
+        cut.over.weight = there.weight;
+        cut.over.height = cut.contact_height;
       }
     }
     if (!all.curved) return;  // for facets one look is exact
@@ -215,9 +234,9 @@ WayOut way_out(const BaseSurface& base, const Vectors& x, const Vec3& p, double 
   out.gap = infinite;
   for (int i = 0; i < tracks.count; ++i) {
     Track& track = tracks.track[i];
-    int g = 0;
     Stand at = stand_whole(base, x, p + way[0].d, track.facet, self);
-    if (way[0].opposes(at.over.normal)) g = 1, at = stand_whole(base, x, p + way[1].d, track.facet, self);
+    const int g = way_of(way, at.over.normal, 0);
+    if (g == 1) at = stand_whole(base, x, p + way[1].d, track.facet, self);
     Together& all = way[g];
     track.facet = at.feature.facet;
     for (int j = 0; j < i; ++j) ends[i] = ends[i] || (!ends[j] && tracks.track[j].facet == track.facet);  // two parts have met
@@ -273,13 +292,14 @@ WayOut way_out(const BaseSurface& base, const Vectors& x, const Vec3& p, double 
     }
     out.depth = std::max(out.depth, depth);
     const bool nearest = track.height <= high_enough * base.longest(track.facet);
-    add(base, x, p, allowed, {at.feature, at.over, track.height, i, outside, nearest}, all);
+    const bool below = nearest && at.over.height < 0 && at.feature.kind != Kind::facet;
+    add(base, x, p, allowed, {at.feature, at.over, track.height, i, outside, nearest, below}, all);
     // is the end of the way high enough over what is there?
     for (int look = 0; look < most_looks && track.height > 0 && all.count > 0 && all.lambda[all.count - 1] > 0; ++look) {
       const Stand end = stand_whole(base, x, p + all.d, track.facet, self);
       const bool high = end.over.height > track.height - high_enough * base.longest(track.facet);
       if (end.past > 0 || high) break;
-      if (all.opposes(end.over.normal)) {  // the other side of a slot or of a sharp valley
+      if (way_of(way, end.over.normal, g) != g) {  // the other side of a slot or of a sharp valley
         Together& other = way[1 - g];
         if (other.has(end.feature.facet)) break;
         const Vec3 there = p + other.d;

@@ -99,8 +99,9 @@ void visit(Archive& archive, EdgePair& pair) {
 
 template <class Archive>
 void visit(Archive& archive, Crossing& crossing) {
-  auto& [edge, base_edge, in_face, side, normal, level, acts, closed, node, weight, push, gap, pressed, restitution, friction] = crossing;
-  archive(edge, base_edge, in_face, side, normal, level, acts, closed, node, weight, push, gap, pressed, restitution, friction);
+  auto& [edge, base_edge, in_face, side, of_ridges, normal, level, acts, closed, node, weight, push, gap, pressed, restitution, friction] =
+      crossing;
+  archive(edge, base_edge, in_face, side, of_ridges, normal, level, acts, closed, node, weight, push, gap, pressed, restitution, friction);
 }
 
 template <class Archive>

@@ -188,6 +188,34 @@ TEST(Over, EndsWhereTheNextEdgeBegins) {
   }
 }
 
+/// Makes the ridge below the upper bar turn by 60 degrees, and tilts the bar about it, so that one flank rises by one degree, and the other
+/// by 59.
+void lay_flank_flat(bool towards_y, Bars& bars) {
+  const double degrees = towards_y ? -29 : 29;
+  const Mat3 turn = Eigen::AngleAxisd(degrees * std::acos(-1.0) / 180, Vec3::UnitX()).toRotationMatrix();
+  const Subset upper = mesh::node_set(bars.mesh, "upper");
+  double lowest = 1e300;
+  for (const Index node : upper) lowest = std::min(lowest, bars.mesh.X(2, node)), bars.mesh.X(1, node) *= std::sqrt(3.0);
+  const Vec3 ridge(0, 0, lowest);
+  for (const Index node : upper) bars.mesh.X.col(node) = ridge + turn * (bars.mesh.X.col(node) - ridge);
+}
+
+TEST(Over, LeavesTheEndOfAnEdgeToItsNodeOnlyWhereThatIsOverAFace) {
+  for (const bool flat : {true, false}) {
+    Bars bars(90, 0.01);
+    lay_flank_flat(flat, bars);
+    for (const Index node : mesh::node_set(bars.mesh, "upper")) bars.mesh.X(1, node) += 0.99;  // the lower bar has a node at 1 m
+    Workspace workspace(bars.interface);
+    connect_edges(bars.interface, bars.mesh.X, bars.memory, workspace);
+    int count = 0;
+    for (const EdgePair& pair : bars.memory.edge_pairs) {
+      const Over at = over(bars.interface, bars.mesh.X, pair.edge, pair.base_edge, pair.in_face, 0);
+      count += at.is && at.normal.z() > 0.99 && at.height < 0.011;  // not the other ridge of the flat flank
+    }
+    EXPECT_EQ(count, flat ? 0 : 1);
+  }
+}
+
 TEST(ConnectEdges, SeesRidgesThatStartInEachOther) {
   Bars apart(90, 0.01), in_each_other(90, -0.01), through(90, -1.3);
   const auto gaps = [](Bars& bars) {
@@ -302,6 +330,30 @@ TEST(FindCrossings, HoldsAFaceThatLeansWhereTheyAreOverEachOther) {
     if (bars.mesh.X(1, node) > 0.1) bars.mesh.X(2, node) = bars.mesh.X(2, bars.interface.edges.nodes(0, pair.edge)) - 0.1;
   EXPECT_FALSE(over(bars.interface, bars.mesh.X, pair.edge, pair.base_edge, false, 0).is);
   EXPECT_TRUE(over(bars.interface, bars.mesh.X, pair.edge, pair.base_edge, false, before.side).is);
+}
+
+TEST(FindCrossings, HoldsARidgeThatIsFlattenedWhereTheyAreOverEachOther) {
+  Bars bars(90, 0.001);
+  lay_flank_flat(true, bars);
+  const double half = std::sqrt(0.5);
+  const auto turned = [&](double degrees) {  // the upper ridge of the lower bar
+    Vectors x = bars.mesh.X;
+    for (const Index node : mesh::node_set(bars.mesh, "lower"))
+      if (std::abs(x(2, node)) < 1e-9) x(2, node) = half * (1 - std::tan(0.5 * degrees * std::acos(-1.0) / 180));
+    return x;
+  };
+  const Vectors flat = turned(10);
+  bars.mesh.X = turned(25);
+  Workspace workspace(bars.interface);
+  connect_edges(bars.interface, bars.mesh.X, bars.memory, workspace);
+  Steps steps(bars);
+  for (const Vectors& next : {bars.mesh.X, flat}) steps.find(bars, workspace, next);
+  search_crossings(bars.interface, flat, bars.memory, workspace);
+  const auto is_held_in_face = [](const Crossing& crossing) { return crossing.in_face && crossing.side != 0; };
+  EXPECT_TRUE(std::any_of(bars.memory.crossings.begin(), bars.memory.crossings.end(), is_held_in_face));
+  steps.find(bars, workspace, flat);
+  const auto is_held = [](const Condition& c) { return std::abs(c.gap - 0.001) < 1e-12 && c.normal.z() > 0.999; };
+  EXPECT_EQ(std::count_if(steps.all.conditions.begin(), steps.all.conditions.end(), is_held), 1);
 }
 
 TEST(FindCrossings, HoldsARidgeOffTheEdgesWithinAFaceWhereItStandsUp) {

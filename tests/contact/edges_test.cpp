@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include "mesh/box.hpp"
 #include "mesh/skin.hpp"
@@ -92,6 +93,25 @@ TEST(Rise, OfARightRidgeIsNoneInTheQuarterBetweenItsNormals) {
   EXPECT_FALSE(front(-1, 0) || front(91, 0) || front(225, 0));
   EXPECT_TRUE(front(-1, 0.05));
   EXPECT_FALSE(front(1, -0.05));
+}
+
+TEST(Into, AFaceIsThatOfTheMirrorInAMirror) {  // faces that are warped, which have no plane
+  mesh::Mesh mesh = box_with_skin({2, 2, 2});
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> way(-0.2, 0.2);
+  for (double& place : mesh.X.reshaped()) place += way(random);
+  mesh::Mesh mirror = mesh;
+  mirror.X.row(0) *= -1;
+  const auto& nodes = mesh.hexahedra[0].nodes;
+  mirror.hexahedra[0].nodes << nodes.bottomRows(4), nodes.topRows(4);
+  mirror.surfaces.back().facets = mesh::skin(mirror.X, mirror.hexahedra).facets;
+  const Edges one = edges_of(mesh, mesh::surface(mesh, "box.skin"), {}), other = edges_of(mirror, mesh::surface(mirror, "box.skin"), {});
+  ASSERT_EQ(one.nodes.cols(), other.nodes.cols());
+  for (Index e = 0; e < one.nodes.cols(); ++e)
+    for (int side = 0; side < 2; ++side) {
+      const Vec3 way = into(one, mesh.X, e, side), there(-way.x(), way.y(), way.z());
+      EXPECT_LT(std::min((into(other, mirror.X, e, 0) - there).norm(), (into(other, mirror.X, e, 1) - there).norm()), 1e-14) << e;
+    }
 }
 
 }  // namespace

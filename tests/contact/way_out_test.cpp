@@ -1,6 +1,8 @@
 #include "contact/way_out.hpp"
 
+#include <algorithm>
 #include <functional>
+#include <limits>
 #include <random>
 
 #include "tests/contact/pressed.hpp"
@@ -152,6 +154,52 @@ TEST(Valley, OfARightAnglePushesFullyOnBothFlanks) {
   const Vectors f = scene.forces();
   for (Index n = 0; n < scene.base_nodes; ++n) right -= f.col(n).dot(Vec3(-1, 0, 1)) / std::sqrt(2.0);
   EXPECT_NEAR(right, penalty * (0.1 - h), 1e-9);
+}
+
+TEST(WayOut, CountsSidesInOnePlaneOnceWhicheverWayTheyLeanToAThird) {
+  // below a floor, and behind sides of two bodies that are flush: each leans a little towards the floor or away from it
+  const double below = 0.01, behind = 0.02;
+  std::array<Index, 3> order{0, 1, 2};
+  do {
+    for (const double lean : {1e-3, 1e-5, 1e-7, 0.0, -1e-7, -1e-5, -1e-3}) {
+      Shape shape{Vectors(3, 9), Table<3>(3, 3)};
+      for (Index f = 0; f < 3; ++f) {
+        const double slope = f == 1 ? lean : f == 2 ? -0.7 * lean : 0;
+        for (Index corner = 0; corner < 3; ++corner) {
+          const double angle = 2 * std::acos(-1.0) * corner / 3, u = std::cos(angle), w = std::sin(angle);
+          shape.x.col(3 * f + corner) = f == 0 ? Vec3(u, 0, -w) : Vec3(-slope * u, u, w);
+          shape.facets(corner, f) = 3 * f + corner;
+        }
+      }
+      const BaseSurface base = base_of(shape);
+      Tracks tracks;
+      for (const Index f : order) tracks.begin(f, 0);
+      std::array<Stencil, most_stencils> stencils;
+      const Moved unknown{std::numeric_limits<double>::infinity(), 0};
+      const WayOut out = way_out(base, shape.x, Vec3(-behind, -below, 0), 0, nullptr, unknown, tracks, stencils);
+      EXPECT_NEAR(out.squared, below * below + behind * behind, 2 * std::abs(lean) * behind * behind + 1e-12) << lean;
+    }
+  } while (std::next_permutation(order.begin(), order.end()));
+}
+
+TEST(WayOut, BelowAnEdgeHoldsWhereAnotherSidePushesAcrossIt) {
+  const double below = 0.01, behind = 0.02;
+  for (const double rise : {1e-7, 1e-5, 1e-3}) {  // of a valley that is almost flat, so that its edge is closest
+    for (const bool floor_first : {true, false}) {
+      Shape shape{Vectors(3, 7), Table<3>(3, 3)};
+      shape.x << -behind, -behind, -behind - 1, -behind + 1, 0, 0, 0,  //
+          0, 0, rise, rise, -1, 1, 0,                                  //
+          -1, 1, 0, 0, -1, -1, 1;
+      shape.facets.transpose() << 1, 0, 2, 0, 1, 3, 4, 5, 6;
+      const BaseSurface base = base_of(shape);
+      Tracks tracks;
+      for (const Index f : {floor_first ? 0 : 2, floor_first ? 2 : 0}) tracks.begin(f, 0);
+      std::array<Stencil, most_stencils> stencils;
+      const Moved unknown{std::numeric_limits<double>::infinity(), 0};
+      const WayOut out = way_out(base, shape.x, Vec3(-behind, -below, 0), 0, nullptr, unknown, tracks, stencils);
+      EXPECT_NEAR(out.squared, below * below + behind * behind, 2 * rise * behind * behind + 1e-12) << rise << floor_first;
+    }
+  }
 }
 
 TEST(Ridge, IsNoThinWallForAnApexAboveIt) {

@@ -245,6 +245,57 @@ class Overlaps(Case):
             self.assertIn("'initial_penetration: accept'", run.stderr)
 
 
+def blocks_that_meet(method):
+    """Four aligned steel blocks of 8 mm that come together at 20 m/s and yield: where all meet, sides of two of them share a plane."""
+    steel = {"kind": "j2_bilinear", "density": "7850 kg/m^3", "young": "210 GPa", "poisson": 0.3, "yield": "300 MPa", "tangent": "1 GPa"}
+    bodies, initial = [], []
+    for i, j in itertools.product((0, 1), (0, 1)):
+        name, low = f"b{i}{j}", (8.11e-3 * i, 8.11e-3 * j, 0)
+        bodies.append({**box(name, low, [a + 8e-3 for a in low], (2, 2, 2)), "material": steel})
+        initial.append({"body": name, "velocity": [str(10 - 20 * i), str(10 - 20 * j), "0"], "unit": "m/s"})
+    return {"bodies": bodies, "initial": initial, "contacts": [{"name": "all", "kind": "automatic", "method": method}],
+            "time": {"end": "12 us", **({"safety": 0.05} if method == "multiplier" else {})}}
+
+
+def dissipated(run):
+    accounts = run.summary["ledger"]["accounts"].values()
+    return sum(part["value"] for one in accounts for part in one["dissipated"].values())
+
+
+class FlushBlocks(Case):
+    def test_create_nothing_by_a_penalty_and_meet_as_by_multipliers(self):
+        penalty, multiplier = (self.good(blocks_that_meet(method)) for method in ("penalty", "multiplier"))
+        start = 4 * 0.5 * 7850 * 8e-3**3 * (10**2 + 10**2)
+        created = penalty.summary["ledger"]["accounts"]["all"]["created"]["value"]
+        self.assertLess(abs(created), 5e-4 * start)  # 8e-5
+        for energy in (lambda run: run.ledger("kinetic"), dissipated):
+            self.assertAlmostEqual(energy(penalty) / start, energy(multiplier) / start, delta=0.03)  # 0.012, 0.009
+
+
+def thrown(sign):
+    """A block that is thrown on a floor, or at -1 its mirror image in the plane x = 0."""
+    low, spin, at = [-0.0155, -0.0193, -0.0171], (1.3, -37.4 * sign, 7.07 * sign), (-0.035 * sign, -0.035, 0.05)
+    block = box("b", low, [-a for a in low], (2, 2, 2))
+    block["rotate"] = {"axis": [-0.79, -0.604 * sign, 0.106 * sign], "angle": "150.744 deg"}
+    block["move"] = lengths(at)
+    x, y, z = (f"({axis} - ({place!r}))" for axis, place in zip("xyz", at))
+    velocity = [f"{-0.48 * sign!r} + ({spin[1]!r})*{z} - ({spin[2]!r})*{y}", f"-0.53 + ({spin[2]!r})*{x} - ({spin[0]!r})*{z}",
+                f"0.99 + ({spin[0]!r})*{y} - ({spin[1]!r})*{x}"]
+    return {"bodies": [box("floor", (-0.2, -0.2, -0.03), (0.2, 0.2, 0), (8, 8, 1)), block],
+            "gravity": ["0 m/s^2", "0 m/s^2", "-196.2 m/s^2"], "planes": [{"name": "hold", "kind": "fixed", "nodes": ["floor.z_low"]}],
+            "contacts": [{"name": "all", "kind": "automatic", "friction": 0.3}],
+            "initial": [{"body": "b", "velocity": velocity, "unit": "m/s"}], "time": {"end": "0.03 s"}}
+
+
+class Mirror(Case):
+    def test_of_a_block_with_edges_on_a_floor_whose_faces_warp(self):
+        run, image = (Run(thrown(sign)) for sign in (1, -1))
+        self.assertEqual((run.status, image.status), (0, 0))
+        for name in ("all_deepest", "b_smallest_corner"):
+            self.assertAlmostEqual(run.result(name) / image.result(name), 1, delta=1e-8)  # 1e-11
+        self.assertAlmostEqual(run.ledger("kinetic") / image.ledger("kinetic"), 1, delta=1e-9)
+
+
 class Defects(Case):
     """A step beyond the stable one makes energy out of nothing: the scenes above then stop."""
 
