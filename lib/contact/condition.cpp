@@ -440,7 +440,8 @@ double response(const Touch& touch, const Motion& m, bool constrained) {
     }
     return sum;
   };
-  const double first_rate = product(one, one), other_rate = product(other, other);  // the larger eigenvalue, whichever directions were taken
+  const double first_rate = product(one, one), other_rate = product(other, other);
+  // the larger eigenvalue, whichever directions were taken
   return 0.5 * (first_rate + other_rate) + std::hypot(0.5 * (first_rate - other_rate), product(one, other));
 }
 
