@@ -69,13 +69,18 @@ class Change:
 # ------------------------------------------------------------------------------------------------
 # A case and its bases
 
+def label_of(case):
+    """The name of a case in tables, of its folder and its file."""
+    return f"{case.parent.name}_{case.stem}"
+
+
 class Scene:
     """A case, its run as it stands, and the same case as the program resolved it, of which twins are made."""
 
     def __init__(self, store, driver, case, overrides, label=""):
         self.store, self.driver, self.case = store, driver, case
         self.original = store.run(driver, case, overrides)
-        self.label = f"{case.parent.name}_{case.stem}{label}"
+        self.label = label_of(case) + label
         self.resolved = self.original.summary["provenance"]["resolved"]
         self.tree = twins.tree_of(self.original)
         self.stopped = self.original.ending == "stopped_by_condition"

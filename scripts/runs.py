@@ -42,6 +42,10 @@ class CannotRun(Exception):
     """A program is missing or refuses its case; says which and what it said."""
 
 
+class TooLong(CannotRun):
+    """A program took longer than it was given."""
+
+
 class Refused(CannotRun):
     """A program refuses its case, `said` in one line."""
 
@@ -236,7 +240,7 @@ class Store:
         except FileNotFoundError as error:
             raise CannotRun(f"{words[0]} is not built") from error
         except subprocess.TimeoutExpired as error:
-            raise CannotRun(f"took longer than {self.patience} s: {' '.join(words)}") from error
+            raise TooLong(f"took longer than {self.patience} s: {' '.join(words)}") from error
         finally:
             shutil.rmtree(unfinished, ignore_errors=True)
 
