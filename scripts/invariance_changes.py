@@ -48,6 +48,7 @@ class Twin:
     probes   {column of the base: (columns of the twin, what makes the value of the base of time and those)}
     skipped  names of columns that are not compared
     field    what is done to a field of the twin, of (time, name, value)
+    moves    {unit: the largest value that the motion of the frame of reference makes}: results of the twin are rounded by these
     """
     base: object
     run: object
@@ -56,6 +57,7 @@ class Twin:
     skipped: dict = dataclasses.field(default_factory=dict)
     field: object = None
     frame_moves: bool = False
+    moves: dict = dataclasses.field(default_factory=dict)
 
 
 @dataclasses.dataclass
@@ -356,7 +358,9 @@ def moving(scene):
     probes, skipped = with_components(tree, velocity=velocity)
     run = run_or_skip(scene, "moving", tree)
     return Twin(scene.base, run, probes=probes, skipped=skipped, frame_moves=True,
-                field=lambda at, name, v: moved_with(name, at, v, velocity))
+                field=lambda at, name, v: moved_with(name, at, v, velocity),
+                moves={"m/s": scene.speed(), "m": scene.speed() * scene.base.column("time")[-1],
+                       "energy": compare_runs.scales(run)[1].get("energy", 0.0)})
 
 
 def across(normals):

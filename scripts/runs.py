@@ -42,10 +42,6 @@ class CannotRun(Exception):
     """A program is missing or refuses its case; says which and what it said."""
 
 
-class TooLong(CannotRun):
-    """A program took longer than it was given."""
-
-
 class Refused(CannotRun):
     """A program refuses its case, `said` in one line."""
 
@@ -128,12 +124,14 @@ def say_used(run):
 
 
 def driver_of(case, drivers):
-    """The program of a case file: `scene` if it has bodies, `modes` if it has neither time nor stages beside them; else the folder of
-    cases/ in which it lies, or what accept.py beside it says."""
+    """The program of a case file: `scene` if it has bodies, `modes` if it has neither time nor stages beside them, `material_point` if it has
+    the kind of an element and a material; else the folder of cases/ in which it lies, or what accept.py beside it says."""
     keys = set(re.findall(r"(?m)^(\w+):", case.read_text(encoding="utf-8", errors="replace")))
     folder, accept = case.parent.name, case.parent / "accept.py"
     if "bodies" in keys and folder != "modes":
         return "scene" if keys & {"time", "stages"} else "modes"
+    if {"kind", "material"} <= keys and not keys & {"bodies", "time"}:
+        return "material_point"
     said = re.search(r'(?m)^DRIVER = "(\w+)"', accept.read_text(encoding="utf-8")) if accept.is_file() else None
     return folder if (Path(drivers) / folder).is_file() else said[1] if said else "scene"
 
@@ -240,7 +238,7 @@ class Store:
         except FileNotFoundError as error:
             raise CannotRun(f"{words[0]} is not built") from error
         except subprocess.TimeoutExpired as error:
-            raise TooLong(f"took longer than {self.patience} s: {' '.join(words)}") from error
+            raise CannotRun(f"took longer than {self.patience} s: {' '.join(words)}") from error
         finally:
             shutil.rmtree(unfinished, ignore_errors=True)
 
