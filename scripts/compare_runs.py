@@ -241,7 +241,7 @@ def ends(twin):
         in_history = one.get("unit") == "Hz"
         if not carried and not in_history and not f"_{name}".endswith(NO_NUMBERS + OF_ROUND_OFF) and None not in pair and not twin.frame_moves:
             column = columns.get(name.rpartition("_")[0], [])
-            scale, largest_of_unit = max(size(pair), size(column)), family.get(one.get("unit"), 0.0)
+            scale, largest_of_unit = max(size(pair), size(column)), family.get(one.get("unit"), float(one.get("unit") == "1"))
             found[f"result {name}"] = relative(apart(*([x] for x in pair)), scale if scale > NOTHING * largest_of_unit else largest_of_unit)
     if has_bodies(twin.base) and has_bodies(twin.run):
         time = twin.run.frame("body")[0]

@@ -49,6 +49,7 @@ class Twin:
     skipped  names of columns that are not compared
     field    what is done to a field of the twin, of (time, name, value)
     moves    {unit: the largest value that the motion of the frame of reference makes}: results of the twin are rounded by these
+    farther  [-] by how much positions of the twin are larger, and their round-off with them
     """
     base: object
     run: object
@@ -58,6 +59,7 @@ class Twin:
     field: object = None
     frame_moves: bool = False
     moves: dict = dataclasses.field(default_factory=dict)
+    farther: float = 1.0
 
 
 @dataclasses.dataclass
@@ -357,9 +359,10 @@ def moving(scene):
                                                    for body in tree["bodies"])]
     probes, skipped = with_components(tree, velocity=velocity)
     run = run_or_skip(scene, "moving", tree)
-    return Twin(scene.base, run, probes=probes, skipped=skipped, frame_moves=True,
+    way = scene.speed() * scene.base.column("time")[-1]
+    return Twin(scene.base, run, probes=probes, skipped=skipped, frame_moves=True, farther=1 + way / scene.size(),
                 field=lambda at, name, v: moved_with(name, at, v, velocity),
-                moves={"m/s": scene.speed(), "m": scene.speed() * scene.base.column("time")[-1],
+                moves={"m/s": scene.speed(), "m": way,
                        "energy": compare_runs.scales(run)[1].get("energy", 0.0)})
 
 

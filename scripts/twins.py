@@ -68,14 +68,9 @@ def times(text, factor):
 
     >>> times('2*table("a.csv", max(t, 1))', 1000.0)
     '(2*(table("a.csv", max(t, 1))/(1000.0)))*(1000.0)'
-    >>> times("2*t", 1e-3)
-    '(2*t)/(1000.0)'
     """
     if factor == 1:
         return text
-    by, back = f"*({factor!r})", f"/({factor!r})"
-    if factor <= 0.5 and 1 / round(1 / factor) == factor:  # as the program does it, to the last bit: 7/1000 and not 7*0.001
-        by, back = f"/({float(round(1 / factor))!r})", f"*({float(round(1 / factor))!r})"
     at = text.find("table(")
     divided = ""
     while at >= 0:
@@ -83,10 +78,10 @@ def times(text, factor):
         while depth:
             depth += {"(": 1, ")": -1}.get(text[end], 0)
             end += 1
-        divided += f"{text[:at]}({text[at:end]}{back})"
+        divided += f"{text[:at]}({text[at:end]}/({factor!r}))"
         text = text[end:]
         at = text.find("table(")
-    return f"({divided}{text}){by}"
+    return f"({divided}{text})*({factor!r})"
 
 
 def in_other_variables(text, of):
