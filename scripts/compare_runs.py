@@ -154,8 +154,8 @@ SMALL = 1e-3      # [-] of the largest column of its unit: where modelling is co
 
 
 def scales(run):
-    """({column or field: its largest value}, {the same, and each unit: the largest value of the unit}) of a run; energies count as the largest
-    of them.
+    """({column or field: its largest value}, {the same, and each unit: the largest value of the unit}) of a run; energies count as the
+    largest of them.
 
     A scene at rest has nothing but round-off in its velocities and energies. So the velocity that its gravity would make in the time of the
     run counts too, and weight times size; of spins, velocities over the size; of lengths, a thousandth of the size, since positions are
@@ -239,7 +239,8 @@ def ends(twin):
         carried = any(name.startswith(f"{probe}_") for probe in (*twin.probes, *twin.skipped))  # its column is compared
         pair = [one["value"], others.get(name, {}).get("value")]
         in_history = one.get("unit") == "Hz"
-        if not carried and not in_history and not f"_{name}".endswith(NO_NUMBERS + OF_ROUND_OFF) and None not in pair and not twin.frame_moves:
+        counts = None not in pair and not f"_{name}".endswith(NO_NUMBERS + OF_ROUND_OFF)
+        if counts and not carried and not in_history and not twin.frame_moves:
             column = columns.get(name.rpartition("_")[0], [])
             scale, largest_of_unit = max(size(pair), size(column)), family.get(one.get("unit"), float(one.get("unit") == "1"))
             found[f"result {name}"] = relative(apart(*([x] for x in pair)), scale if scale > NOTHING * largest_of_unit else largest_of_unit)

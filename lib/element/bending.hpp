@@ -14,9 +14,9 @@ namespace nereid::element {
 ///     moment = sum over nodes of f (x) d (x) d,     d from the centre
 ///
 /// It does not depend on how nodes are numbered, and of equal cells that bend alike it is the same. Sums of products of its components do
-/// not depend on the direction of the axes. Cells of unlike size that bend alike count as uneven in part. A side leans if it stands at 20 degrees or more to where it would on a brick: cells five times as long as high
-/// that lean so deflect by 0.74 of what they should, or by 0.19 where they lean in turns. Cells that lean less differ in their moments:
-/// verification/one_layer_bends has a table.
+/// not depend on the direction of the axes. Cells of unlike size that bend alike count as uneven in part. A side leans if it stands at 20
+/// degrees or more to where it would on a brick: cells five times as long as high that lean so deflect by 0.74 of what they should, or by
+/// 0.19 where they lean in turns. Cells that lean less differ in their moments: verification/one_layer_bends has a table.
 ///
 /// x  [m];  Q  [N] over eight, of the hourglass modes
 inline Bending bending_of(const std::array<Vector<double>, 8>& x, const std::array<Vector<double>, 4>& Q) {

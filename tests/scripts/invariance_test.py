@@ -96,7 +96,7 @@ class LimitsTest(unittest.TestCase):
         self.assertEqual(of(0.0, 1e-3)["result touch_deepest"], 1.0)
 
     def test_results_that_measure_round_off_are_no_results(self):
-        ours, theirs = (self.made(name, [1.0] * 4, {"asymmetry": value, "x_residual": value}) for name, value in (("a", 1e-16), ("b", 3e-16)))
+        ours, theirs = (self.made(f"with_{value}", [1.0] * 4, {"asymmetry": value, "x_residual": value}) for value in (1e-16, 3e-16))
         self.assertEqual(compare_runs.ends(changes.Twin(ours, theirs)), {})
 
     def test_a_small_result_has_the_round_off_of_large_ones_of_its_unit(self):

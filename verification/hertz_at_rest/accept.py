@@ -6,8 +6,8 @@ from reference import hertz, pressure_at, shares
 from verify import ROOT, Breaks, Check, Figure, Pair, Table, Waiver, straight_line
 
 CATALOGUE = ("I-9",)
-CLAIM = ("A ball pressed on a rigid plane has Hertz's force and, node by node, Hertz's pressures at rest; so it has by automatic contact, on "
-         "a rigid block and on another ball.")
+CLAIM = ("A ball pressed on a rigid plane has Hertz's force and, node by node, Hertz's pressures at rest; so it has by automatic contact, "
+         "on a rigid block and on another ball.")
 EVIDENCE = "exact"
 DRIVER = "scene"
 
