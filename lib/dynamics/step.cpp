@@ -267,7 +267,8 @@ void constrain_velocities(const Model& model, double kinetic, State& now, Forces
   std::size_t main = 0;  // that acted most, since where the axes are oblique all planes act by round-off
   double most = 0;
   for (std::size_t p = 0; p < after.size(); ++p) {
-    const double acted = arm * (after[p].impulse - before[p].impulse).norm() + (after[p].angular_impulse - before[p].angular_impulse).norm();
+    const Vec3 given = after[p].impulse - before[p].impulse, angular = after[p].angular_impulse - before[p].angular_impulse;
+    const double acted = arm * given.norm() + angular.norm();
     if (acted > most * (1 + 1e-9)) most = acted, main = p;
   }
   if (most > 0) after[main].stopped += removed;
