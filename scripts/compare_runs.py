@@ -146,13 +146,16 @@ def files_that_differ(one, other):
 # Ends of names of results that are times of events, and counts: round-off moves them by one.
 NO_NUMBERS = ("_at", "_first_touch", "_last_touch", "_walks", "_lost", "_recovered")
 # Parts of names of columns that a moving observer has otherwise.
+OF_ROUND_OFF = ("_asymmetry", "_residual", "_booked_amiss")  # ends of names of results that measure round-off itself
 OF_THE_FRAME = ("energy_kinetic", "external", "potential", "residual", "integration")
 SAME_TIME = 1e-9  # [-] of the end: rows of both runs at one time
+NOTHING = 1e-9    # [-] of the largest value of its unit: less is round-off, and is compared with that
 SMALL = 1e-3      # [-] of the largest column of its unit: where modelling is compared, less counts as no result of its own
 
 
 def scales(run):
-    """({column or field: its largest value}, {the same: the largest value of its unit}) of a run; energies count as the largest of them.
+    """({column or field: its largest value}, {the same, and each unit: the largest value of the unit}) of a run; energies count as the
+    largest of them.
 
     A scene at rest has nothing but round-off in its velocities and energies. So the velocity that its gravity would make in the time of the
     run counts too, and weight times size; of spins, velocities over the size; of lengths, a thousandth of the size, since positions are
@@ -179,7 +182,7 @@ def scales(run):
     for name, unit in units.items():
         family[unit] = max(family.get(unit, 0.0), own[name])
     return {name: family[unit] if unit == "energy" else own[name] for name, unit in units.items()}, \
-        {name: family[unit] for name, unit in units.items()}
+        {**family, **{name: family[unit] for name, unit in units.items()}}
 
 
 def gravity_of(run):
@@ -217,7 +220,9 @@ def curves(twin, interpolated=False):
         if any(part not in theirs for part in parts):
             continue
         columns = [theirs[part][1] for part in parts]
-        scale = max(own[name], SMALL * family[name] if interpolated else 0.0)
+        unit = "energy" if name.startswith("energy_") else ours[name][0]
+        largest_value = own[name] if own[name] > NOTHING * family[name] else family[name]
+        scale = max(largest_value, twin.moves.get(unit, 0.0), SMALL * family[name] if interpolated else 0.0)
         one = found[name] = []
         for i, j in rows:
             other = [runs.interpolate(other_times, c, j) if interpolated else c[j] for c in columns]
@@ -229,13 +234,16 @@ def ends(twin):
     """{name: relative difference} at the end: results of summary.json, fields of the last frame, and impulses."""
     found, columns = {}, twin.base.columns
     results, others = twin.base.summary["results"], twin.run.summary["results"]
+    _, family = scales(twin.base)
     for name, one in results.items():
         carried = any(name.startswith(f"{probe}_") for probe in (*twin.probes, *twin.skipped))  # its column is compared
         pair = [one["value"], others.get(name, {}).get("value")]
         in_history = one.get("unit") == "Hz"
-        if not carried and not in_history and not name.endswith(NO_NUMBERS) and None not in pair and not twin.frame_moves:
+        counts = None not in pair and not f"_{name}".endswith(NO_NUMBERS + OF_ROUND_OFF)
+        if counts and not carried and not in_history and not twin.frame_moves:
             column = columns.get(name.rpartition("_")[0], [])
-            found[f"result {name}"] = relative(apart(*([x] for x in pair)), max(size(pair), size(column)))
+            scale, largest_of_unit = max(size(pair), size(column)), family.get(one.get("unit"), float(one.get("unit") == "1"))
+            found[f"result {name}"] = relative(apart(*([x] for x in pair)), scale if scale > NOTHING * largest_of_unit else largest_of_unit)
     if has_bodies(twin.base) and has_bodies(twin.run):
         time = twin.run.frame("body")[0]
         change = (lambda name, v: twin.field(time, name, v)) if twin.field else (lambda name, v: v)

@@ -48,6 +48,8 @@ class Twin:
     probes   {column of the base: (columns of the twin, what makes the value of the base of time and those)}
     skipped  names of columns that are not compared
     field    what is done to a field of the twin, of (time, name, value)
+    moves    {unit: the largest value that the motion of the frame of reference makes}: results of the twin are rounded by these
+    farther  [-] by how much positions of the twin are larger, and their round-off with them
     """
     base: object
     run: object
@@ -56,6 +58,8 @@ class Twin:
     skipped: dict = dataclasses.field(default_factory=dict)
     field: object = None
     frame_moves: bool = False
+    moves: dict = dataclasses.field(default_factory=dict)
+    farther: float = 1.0
 
 
 @dataclasses.dataclass
@@ -69,13 +73,18 @@ class Change:
 # ------------------------------------------------------------------------------------------------
 # A case and its bases
 
+def label_of(case):
+    """The name of a case in tables, of its folder and its file."""
+    return f"{case.parent.name}_{case.stem}"
+
+
 class Scene:
     """A case, its run as it stands, and the same case as the program resolved it, of which twins are made."""
 
     def __init__(self, store, driver, case, overrides, label=""):
         self.store, self.driver, self.case = store, driver, case
         self.original = store.run(driver, case, overrides)
-        self.label = f"{case.parent.name}_{case.stem}{label}"
+        self.label = label_of(case) + label
         self.resolved = self.original.summary["provenance"]["resolved"]
         self.tree = twins.tree_of(self.original)
         self.stopped = self.original.ending == "stopped_by_condition"
@@ -350,8 +359,11 @@ def moving(scene):
                                                    for body in tree["bodies"])]
     probes, skipped = with_components(tree, velocity=velocity)
     run = run_or_skip(scene, "moving", tree)
-    return Twin(scene.base, run, probes=probes, skipped=skipped, frame_moves=True,
-                field=lambda at, name, v: moved_with(name, at, v, velocity))
+    way = scene.speed() * scene.base.column("time")[-1]
+    return Twin(scene.base, run, probes=probes, skipped=skipped, frame_moves=True, farther=1 + way / scene.size(),
+                field=lambda at, name, v: moved_with(name, at, v, velocity),
+                moves={"m/s": scene.speed(), "m": way,
+                       "energy": compare_runs.scales(run)[1].get("energy", 0.0)})
 
 
 def across(normals):

@@ -124,12 +124,14 @@ def say_used(run):
 
 
 def driver_of(case, drivers):
-    """The program of a case file: `scene` if it has bodies, `modes` if it has neither time nor stages beside them; else the folder of
-    cases/ in which it lies, or what accept.py beside it says."""
+    """The program of a case file: `scene` if it has bodies, `modes` if it has neither time nor stages beside them, `material_point` if it
+    has the kind of an element and a material; else the folder of cases/ in which it lies, or what accept.py beside it says."""
     keys = set(re.findall(r"(?m)^(\w+):", case.read_text(encoding="utf-8", errors="replace")))
     folder, accept = case.parent.name, case.parent / "accept.py"
     if "bodies" in keys and folder != "modes":
         return "scene" if keys & {"time", "stages"} else "modes"
+    if {"kind", "material"} <= keys and not keys & {"bodies", "time"}:
+        return "material_point"
     said = re.search(r'(?m)^DRIVER = "(\w+)"', accept.read_text(encoding="utf-8")) if accept.is_file() else None
     return folder if (Path(drivers) / folder).is_file() else said[1] if said else "scene"
 

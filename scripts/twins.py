@@ -93,9 +93,15 @@ def in_other_variables(text, of):
 # Units
 
 # factor to SI, powers of length, mass and time
-NAMES = {"m": (1, 1, 0, 0), "kg": (1, 0, 1, 0), "s": (1, 0, 0, 1), "N": (1, 1, 1, -2), "Pa": (1, -1, 1, -2), "MPa": (1e6, -1, 1, -2),
-         "J": (1, 2, 1, -2), "Hz": (1, 0, 0, -1), "1": (1, 0, 0, 0), "rad": (1, 0, 0, 0),
-         "deg": (math.pi / 180, 0, 0, 0), "K": (1, 0, 0, 0)}
+INCH, POUND_FORCE = 0.0254, 4.4482216152605
+NAMES = {"m": (1, 1, 0, 0), "cm": (1e-2, 1, 0, 0), "mm": (1e-3, 1, 0, 0), "um": (1e-6, 1, 0, 0), "km": (1e3, 1, 0, 0),
+         "in": (INCH, 1, 0, 0), "ft": (12 * INCH, 1, 0, 0),
+         "s": (1, 0, 0, 1), "ms": (1e-3, 0, 0, 1), "us": (1e-6, 0, 0, 1), "min": (60, 0, 0, 1),
+         "kg": (1, 0, 1, 0), "g": (1e-3, 0, 1, 0), "t": (1e3, 0, 1, 0), "lb": (0.45359237, 0, 1, 0),
+         "N": (1, 1, 1, -2), "kN": (1e3, 1, 1, -2), "kgf": (9.80665, 1, 1, -2), "lbf": (POUND_FORCE, 1, 1, -2),
+         "Pa": (1, -1, 1, -2), "kPa": (1e3, -1, 1, -2), "MPa": (1e6, -1, 1, -2), "GPa": (1e9, -1, 1, -2),
+         "psi": (POUND_FORCE / INCH**2, -1, 1, -2), "J": (1, 2, 1, -2), "kJ": (1e3, 2, 1, -2), "Hz": (1, 0, 0, -1), "1": (1, 0, 0, 0),
+         "rad": (1, 0, 0, 0), "deg": (math.pi / 180, 0, 0, 0), "K": (1, 0, 0, 0)}
 
 
 class UnknownUnit(Exception):
@@ -109,14 +115,24 @@ def measure(unit):
     ((1.0, -3, 1, 0), (1.0, 2, 1, -2), (1000000.0, -1, 1, -2))
     """
     factor, powers = 1.0, [0, 0, 0]
-    for sign, name, power in re.findall(r"([*/ ]?)(\w+)(?:\^(-?\d+))?", unit):
+    for name, over in symbols(unit):
         if name not in NAMES:
             raise UnknownUnit(f"the unit '{unit}' is not known here")
-        over = int(power or 1) * (-1 if sign == "/" else 1)
         one, *of_one = NAMES[name]
         factor *= one ** over
         powers = [a + over * b for a, b in zip(powers, of_one)]
     return (factor, *powers)
+
+
+def symbols(unit):
+    """[(symbol, power), ...] of a unit.
+
+    >>> symbols("J/(kg*K)")
+    [('J', 1), ('kg', -1), ('K', -1)]
+    """
+    flat = re.sub(r"/\(([^()]*)\)", lambda found: "/" + found[1].translate({ord("*"): "/", ord("/"): "*"}), unit)
+    return [(name, int(power or 1) * (-1 if sign == "/" else 1))
+            for sign, name, power in re.findall(r"([*/ ]?)(\w+)(?:\^(-?\d+))?", flat)]
 
 
 class System:
@@ -136,11 +152,12 @@ class System:
     def write(self, value, unit):
         if unit in ("1", None):
             return repr(value)
-        if unit in ("rad", "K"):
+        if unit == "rad":
             return f"{value!r} {unit}"
         powers = self.powers(unit)
         size = math.prod(one ** power for one, power in zip(self.sizes, powers))
-        return f"{value / size!r} {self.name(powers)}"
+        kelvins = sum(power for name, power in symbols(unit) if name == "K")
+        return f"{value / size!r} " + "*".join(part for part in (self.name(powers), f"K^{kelvins}" if kelvins else "") if part)
 
     def name_of(self, unit):
         return "*".join(part for part in ("rad" if "rad" in unit else "", self.name(self.powers(unit))) if part)

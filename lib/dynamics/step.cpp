@@ -262,11 +262,16 @@ void constrain_velocities(const Model& model, double kinetic, State& now, Forces
   std::vector<load::PlaneAccount>& after = now.constraints.account;
   for (std::size_t p = 0; p < after.size(); ++p)  // booked already
     removed += (after[p].driven - before[p].driven) - (after[p].stopped - before[p].stopped);
+  if (removed == 0 || after.empty()) return;
+  const double arm = std::sqrt(now.x.colwise().squaredNorm().maxCoeff());
+  std::size_t main = 0;  // that acted most, since where the axes are oblique all planes act by round-off
+  double most = 0;
   for (std::size_t p = 0; p < after.size(); ++p) {
-    if (removed == 0 || (after[p].impulse == before[p].impulse && after[p].angular_impulse == before[p].angular_impulse)) continue;
-    after[p].stopped += removed;  // by the first plane that had to act
-    break;
+    const Vec3 given = after[p].impulse - before[p].impulse, angular = after[p].angular_impulse - before[p].angular_impulse;
+    const double acted = arm * given.norm() + angular.norm();
+    if (acted > most * (1 + 1e-9)) most = acted, main = p;
   }
+  if (most > 0) after[main].stopped += removed;
 }
 
 /// Posts what every source of force keeps up to date by itself, in the order of sources(model); gravity and relaxation are left out.

@@ -78,7 +78,9 @@ struct Thinned {
 
 /// How one element bends by itself.
 struct Bending {
-  std::array<double, 18> moment;  ///< [N m2] second moments of the hourglass forces about the centre, xx yy zz xy yz xz of each component
+  /// [N m2] second moments of the hourglass forces about the centre, xx yy zz xy yz xz of each component; those of two axes times the root
+  /// of two, so that the sum of products of two elements does not depend on the axes
+  std::array<double, 18> moment;
   bool leans;                     ///< whether its sides lean so much that it is far too stiff
 };
 

@@ -23,10 +23,16 @@ double at(const OverSpace& value, const Vec3& X, double t) { return value ? valu
 void add_plane(const Constraints& constraints, ConstrainedNode& node, int plane) {
   const Plane& added = constraints.planes[plane];
   check(node.count + rows_of(added) <= ConstrainedNode::most_rows, "too many planes constrain one node");
+  int place = node.count;
+  if (constrains_all(added))  // before all planes of one direction
+    for (place = 0; place < node.count && constrains_all(constraints.planes[node.plane[place]]);) ++place;
+  const int last = node.count;
   for (int row = 0; row < rows_of(added); ++row) {
     node.plane[node.count] = plane;
     node.normal[node.count++] = normal_of(added, row);
   }
+  std::rotate(node.plane.begin() + place, node.plane.begin() + last, node.plane.begin() + node.count);
+  std::rotate(node.normal.begin() + place, node.normal.begin() + last, node.normal.begin() + node.count);
   node.moves = node.moves || moves(added);
   node.rotation_constrained = node.rotation_constrained || constrains_all(added);
   if (added.kind == PlaneKind::driven) node.driver = plane;

@@ -3,7 +3,11 @@
 //
 // A plane constrains its nodes from the start (constrained components, symmetry planes) or from first touch on
 // (the paper's floor). A node on several planes moves along what all of them allow. Constraints act
-// on velocities by impulses, which are booked to the planes.
+// on velocities by impulses, which are booked to the planes:
+//
+//     R = sum over planes of c_p n_p     of a node that a fixed or driven plane holds, all of R is that plane's
+//
+// So the shares do not depend on the direction of the axes. Of planes that constrain the same direction the first one has the impulse.
 
 #include <array>
 #include <string>
@@ -50,7 +54,7 @@ void post(const PlaneAccount&, Account&);
 /// Whether the plane prescribes velocities that are not zero.
 inline bool moves(const Plane& plane) { return plane.velocity || plane.kind == PlaneKind::driven; }
 
-/// A node with the planes that constrain it now. A fixed node, and a driven one, has three rows of one plane.
+/// A node with the planes that constrain it now. A fixed node, and a driven one, has three rows of one plane; these are the first rows.
 struct ConstrainedNode {
   static constexpr int most_rows = 8;
   Index node = -1;
@@ -113,7 +117,7 @@ void set_speeds(const Constraints&, const Vectors& X, double t, Memory&);
 void drive(const Constraints&, const ConstrainedNode&, const Vec3& x, double mass, const Vec3& before, const Vec3& force,
            double quarter_step, Vec3& v, std::vector<PlaneAccount>&);
 
-/// Like restrain for the angular velocity of a plate node; the impulse goes to the node's first plane.
+/// Like restrain for the angular velocity of a plate node; the impulse goes to the plane of the node's first row.
 void restrain_rotation(const ConstrainedNode&, double inertia, Vec3& omega, std::vector<PlaneAccount>&);
 
 /// Like drive for the angular velocity of a driven plate node, with the moment [N m] of all sources; impulse and work

@@ -48,7 +48,8 @@ Part part_of(const Scene& scene, const load::Plane& plane) {
   return {"", "plane '" + plane.name + "'"};
 }
 
-/// Which directions planes hold of a body, each once, and the share of a reaction that belongs to each.
+/// Which directions planes hold of a body, each once, and the share of a reaction that belongs to each: the first plane has all of it that
+/// is along a direction it holds.
 void set_rows(const Scene& scene, const load::Constraints& constraints, const std::vector<int>& planes, dynamics::HeldBody& held,
               Faults& faults) {
   Mat3 free = Mat3::Identity();
@@ -135,6 +136,8 @@ dynamics::HeldBody hold(const Scene& scene, const load::Constraints& constraints
            "ball joint is not there yet; hold a whole face, or use springs");
   else
     body.hold = *found;
+  // fixed planes first, as of nodes: shares between three axes and one more plane would depend on the axes
+  std::stable_partition(planes.begin(), planes.end(), [&](int p) { return constraints.planes[p].kind == load::PlaneKind::fixed; });
   held.first = planes.front();
   set_rows(scene, constraints, planes, held, faults);
   return held;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+#include <array>
 #include <cmath>
 #include <functional>
 
@@ -75,6 +77,51 @@ TEST(UnevenBending, OfABeamWhoseCellsLeanTooMuchIsAll) {
       EXPECT_EQ(uneven(all_alike, beam), 1);
       EXPECT_EQ(uneven(in_turns, beam), 1);
     }
+  }
+}
+
+TEST(UnevenBending, DoesNotDependOnTheDirectionOfTheAxes) {
+  const mesh::Mesh straight = box({5, 2, 1}, {5, 2, 1});
+  const auto bent = [](const Vec3& X) -> Vec3 {
+    return {(X.z() - 0.5) * std::sin(X.x()) + 0.3 * X.y() * X.z(), 0.4 * X.x() * X.z() * X.y(), 0.2 * std::cos(2 * X.x()) * X.y()};
+  };
+  const double uneven_straight = uneven(straight, bent);
+  EXPECT_GT(uneven_straight, 0.05);
+  EXPECT_LT(uneven_straight, 0.95);
+  for (const double angle : {0.4, 1.1, 2.1}) {
+    const Eigen::AngleAxisd turn(angle, Vec3(1, -2, 0.7).normalized());
+    mesh::Mesh turned = straight;
+    turned.X = turn.toRotationMatrix() * straight.X;
+    const auto turned_bent = [&](const Vec3& x) -> Vec3 { return turn * bent(turn.inverse() * x); };
+    // hourglass forces are differences of positions: round-off is 1e-16 of these over 1e-6 of the displacements
+    EXPECT_NEAR(uneven(turned, turned_bent), uneven_straight, 1e-9) << angle;
+  }
+}
+
+TEST(Bending, HasProductsThatDoNotDependOnTheDirectionOfTheAxes) {
+  const std::array<Vector<double>, 8> corners{{{0, 0, 0}, {2, 0.1, 0}, {2.2, 1, 0.1}, {0.1, 1.1, 0}, {0, 0.2, 1}, {1.9, 0, 1.2}, {2, 1, 1},
+                                               {0.2, 0.9, 1.1}}};
+  const std::array<Vector<double>, 4> one{{{1, -2, 0.5}, {0.3, 0.8, -1.1}, {-0.7, 0.2, 2}, {0.4, -0.6, 0.9}}},
+      other{{{-0.2, 0.6, 1.5}, {1.3, -0.1, 0.7}, {0.9, 1.2, -0.4}, {2, 0.3, -0.8}}};
+  const auto turned = [](const Mat3& turn, auto vectors) {
+    for (auto& v : vectors) {
+      const Vec3 w = turn * Vec3(v.x, v.y, v.z);
+      v = {w.x(), w.y(), w.z()};
+    }
+    return vectors;
+  };
+  const auto product = [](const Bending& a, const Bending& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.moment.size(); ++i) sum += a.moment[i] * b.moment[i];
+    return sum;
+  };
+  const Bending a = bending_of(corners, one), b = bending_of(corners, other);
+  for (const double angle : {0.4, 1.1, 2.1}) {
+    const Mat3 turn = Eigen::AngleAxisd(angle, Vec3(1, -2, 0.7).normalized()).toRotationMatrix();
+    const Bending c = bending_of(turned(turn, corners), turned(turn, one)), d = bending_of(turned(turn, corners), turned(turn, other));
+    EXPECT_NEAR(product(c, c) / product(a, a), 1, 1e-12);
+    EXPECT_NEAR(product(c, d) / std::sqrt(product(a, a) * product(b, b)), product(a, b) / std::sqrt(product(a, a) * product(b, b)), 1e-12);
+    EXPECT_EQ(c.leans, a.leans);
   }
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -232,6 +233,48 @@ TEST(Constraints, AFixedNodeNeitherMovesNorTurnsAndItsReactionIsOnePlanes) {
   EXPECT_EQ(one.restrained({1, 2, 3}, Vec3::Zero(), 2), Vec3(0, 0, 0));
   EXPECT_EQ(one.restrained_turn({1, 2, 3}), Vec3(0, 0, 0));
   EXPECT_EQ(one.memory.account[0].impulse, Vec3(-2, -4, -6));
+}
+
+TEST(Constraints, OfANodeThatIsFixedTheReactionIsThatOfTheFixedPlaneWhateverTheOrder) {
+  Vectors3 random;
+  for (int i = 0; i < 20; ++i) {
+    const std::vector<Plane> sides{plane(PlaneKind::symmetry, random.unit()), plane(PlaneKind::constrained, random.unit())};
+    const Vec3 v = random.any(), omega = random.any();
+    for (std::size_t at = 0; at <= sides.size(); ++at) {  // the fixed plane stands there in the case
+      Constraints constraints{sides};
+      constraints.planes.insert(constraints.planes.begin() + static_cast<std::ptrdiff_t>(at), plane(PlaneKind::fixed, Vec3::UnitZ()));
+      Memory memory = prepare(constraints, 1, {0});
+      Vec3 stopped = v, turned = omega;
+      restrain(constraints, memory.nodes[0], Vec3::Zero(), 2, stopped, memory.account);
+      restrain_rotation(memory.nodes[0], 1, turned, memory.account);
+      EXPECT_EQ(stopped, Vec3(0, 0, 0));
+      EXPECT_EQ(turned, Vec3(0, 0, 0));
+      for (std::size_t p = 0; p < constraints.planes.size(); ++p) {
+        EXPECT_EQ(memory.account[p].impulse, p == at ? Vec3(-2 * v) : Vec3(0, 0, 0));
+        EXPECT_EQ(memory.account[p].angular_impulse, p == at ? Vec3(-omega) : Vec3(0, 0, 0));
+      }
+    }
+  }
+}
+
+TEST(Constraints, SharesOfAReactionTurnWithThePlanes) {
+  Vectors3 random;
+  for (int i = 0; i < 50; ++i) {
+    const Mat3 turn = Eigen::AngleAxisd(2.1, random.unit()).toRotationMatrix();
+    Constraints constraints{{plane(PlaneKind::symmetry, random.unit()), plane(PlaneKind::fixed, Vec3::UnitZ()),
+                             plane(PlaneKind::constrained, random.unit())}};
+    if (i % 2 != 0) constraints.planes[1] = plane(PlaneKind::constrained, random.unit());
+    Constraints turned = constraints;
+    for (Plane& one : turned.planes) one.normal = turn * one.normal;
+    Memory memory = prepare(constraints, 1, {-1}), turned_memory = prepare(turned, 1, {-1});
+    Vec3 v = random.any(), turned_v = turn * v;
+    restrain(constraints, memory.nodes[0], Vec3::Zero(), 1, v, memory.account);
+    restrain(turned, turned_memory.nodes[0], Vec3::Zero(), 1, turned_v, turned_memory.account);
+    double most = 0;
+    for (const PlaneAccount& account : memory.account) most = std::max(most, account.impulse.norm());
+    for (std::size_t p = 0; p < memory.account.size(); ++p)
+      EXPECT_NEAR((turned_memory.account[p].impulse - turn * memory.account[p].impulse).norm(), 0, 1e-11 * most);
+  }
 }
 
 TEST(Drive, GivesANodeTheSpeedsOfItsPlanesAndBooksItsKineticEnergy) {

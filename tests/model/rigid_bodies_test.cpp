@@ -41,6 +41,24 @@ TEST(RigidBodies, OfPlatesHaveNoTurnsOfTheirNodes) {
   EXPECT_NEAR(model.rigid_bodies[0].mass.mass, 32, 1e-11);
 }
 
+TEST(RigidBodies, ThatAreFixedHaveTheirReactionFromTheFixedPlaneWhateverTheOrder) {
+  Scene scene = with({rigid(bar()), wall()});
+  const Plane fixed{.name = "clamp", .kind = load::PlaneKind::fixed, .nodes = {"bar.x_low"}, .normal = Vec3::UnitZ()},
+      side{.name = "side", .kind = load::PlaneKind::symmetry, .nodes = {"bar.y_low"}, .normal = Vec3::UnitY()};
+  for (const int at : {0, 1}) {
+    scene.planes = at == 0 ? std::vector{fixed, side} : std::vector{side, fixed};
+    const dynamics::HeldBody held = build(scene).model.held_bodies[0];
+    EXPECT_EQ(held.first, at);
+    ASSERT_EQ(held.rows.size(), 3U);
+    Mat3 sum = Mat3::Zero();
+    for (const dynamics::HeldBody::Row& row : held.rows) {
+      EXPECT_EQ(row.plane, at);
+      sum += row.normal * row.reaction.transpose();
+    }
+    EXPECT_LT((sum - Mat3::Identity()).norm(), 1e-14);
+  }
+}
+
 TEST(RigidBodies, AreRefusedWhatTheyCannotDo) {
   Scene scene = with({rigid(bar()), wall()});
   scene.planes = {{.name = "hinge", .kind = load::PlaneKind::constrained, .nodes = {"bar.x_low"}, .normal = Vec3::UnitX()},

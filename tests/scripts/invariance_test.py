@@ -85,6 +85,26 @@ class LimitsTest(unittest.TestCase):
         self.assertEqual(compare_runs.ends(changes.Twin(ours, theirs)), {"result touch_deepest": 0.5})
 
 
+    def test_what_is_round_off_beside_its_unit_is_compared_with_that(self):
+        def of(ours, theirs):
+            base, twin = (self.made(f"{name}_{ours}_{theirs}", [1.0] * 4) for name in ("one", "other"))
+            base.summary["results"] = {"touch_deepest": {"value": ours, "unit": "m"}, "bar_fraction": {"value": 0.0, "unit": "1"}}
+            twin.summary["results"] = {"touch_deepest": {"value": theirs, "unit": "m"}, "bar_fraction": {"value": 1e-32, "unit": "1"}}
+            return compare_runs.ends(changes.Twin(base, twin))
+
+        self.assertEqual(of(0.0, 1e-17), {"result touch_deepest": 1e-17, "result bar_fraction": 1e-32})
+        self.assertEqual(of(0.0, 1e-3)["result touch_deepest"], 1.0)
+
+    def test_results_that_measure_round_off_are_no_results(self):
+        ours, theirs = (self.made(f"with_{value}", [1.0] * 4, {"asymmetry": value, "x_residual": value}) for value in (1e-16, 3e-16))
+        self.assertEqual(compare_runs.ends(changes.Twin(ours, theirs)), {})
+
+    def test_a_small_result_has_the_round_off_of_large_ones_of_its_unit(self):
+        self.base.summary["results"] = {"touch_deepest": {"value": 1e-6, "unit": "m"}}
+        limits = self.limits([0, 0, 0, 0])
+        self.assertAlmostEqual(limits.of("result touch_deepest") / 1e-5, 1.0)
+
+
 class CarriedTest(unittest.TestCase):
     def probe(self, quantity, component="y", **more):
         return {"name": Quantity("p"), "quantity": Quantity(quantity), "component": Quantity(component), **more}

@@ -3,10 +3,11 @@ from functools import cache
 from math import hypot, inf, pi, sqrt
 
 from reference import hertz, pressure_at, shares
-from verify import Breaks, Check, Figure, Pair, Table, Waiver, straight_line
+from verify import ROOT, Breaks, Check, Figure, Pair, Table, Waiver, straight_line
 
 CATALOGUE = ("I-9",)
-CLAIM = "A ball pressed on a rigid plane has Hertz's force and, node by node, Hertz's pressures at rest."
+CLAIM = ("A ball pressed on a rigid plane has Hertz's force and, node by node, Hertz's pressures at rest; so it has by automatic contact, "
+         "on a rigid block and on another ball.")
 EVIDENCE = "exact"
 DRIVER = "scene"
 
@@ -156,6 +157,21 @@ def what_is_left(run):
     return rows
 
 
+AUTOMATIC, BALLS = "verification/hertz_at_rest/automatic.yaml", "verification/hertz_at_rest/balls.yaml"
+ONE_PASS = {"contacts": "[{name: touch, apexes: ball.surface, base: other.surface}]"}
+
+
+def of(case, measure):
+    """The measure of another case, with the keys that are set in this one."""
+    return lambda run: measure(run if run.case_file.samefile(ROOT / case) else run.other("scene", case, run.overrides))
+
+
+def other_cases(run):
+    rows = [["rigid plane", *row_of(run)], ["rigid block, automatic contact", *row_of(run.other("scene", AUTOMATIC))],
+            ["ball of eight elements, automatic contact", *row_of(run.other("scene", BALLS))]]
+    return rows + [["ball of eight elements, one pass", *row_of(run.other("scene", BALLS, ONE_PASS))]]
+
+
 DEPARTURES = {"residual": "the default moves the force by 0.1 %, in more steps"}
 
 CHECKS = [
@@ -169,10 +185,19 @@ CHECKS = [
           "the same bound; it depends on the nodes beside the rim, where Hertz's pressure has an infinite slope"),
     Check("force on the equator over that of the plane", balance, 0.02,
           "to the residual of the relaxation, which is over all forces in the ball"),
+    Check("automatic, on a rigid block: force", of(AUTOMATIC, force), 0.04, "as on the plane"),
+    Check("automatic, on a rigid block: largest pressure", of(AUTOMATIC, largest_pressure), 0.04, "as on the plane"),
+    Check("automatic, on a rigid block: nodal pressures, rms over the contact circle, of the peak", of(AUTOMATIC, over_the_circle), 0.03,
+          "as on the plane, which the flat face of the block is"),
+    Check("automatic, two balls: force", of(BALLS, force), 0.04, "as on the plane, by symmetry"),
+    Check("automatic, two balls: largest pressure", of(BALLS, largest_pressure), 0.04, "as on the plane"),
+    Check("automatic, two balls: nodal pressures, rms over the contact circle, of the peak", of(BALLS, over_the_circle), 0.03,
+          "as on the plane: both passes together load each node by its area, though the meshes do not match"),
 ]
 
 COLUMNS = ["nodes inside", "force", "pressure", "radius", "rms over the circle", "rms at the nodes"]
 STUDIES = [
+    Table("Ten elements over the radius, against a plane and by automatic contact.", ["against", *COLUMNS], other_cases),
     Table("Force, largest pressure and contact radius over Hertz's, and rms errors of the nodal pressures over the peak.",
           ["elements over the radius", *COLUMNS], finer_and_finer, full=True),
     Table("The same of a finer mesh and of the penalty.", ["elements over the radius", "method", *COLUMNS], methods, full=True),
@@ -184,7 +209,7 @@ WAIVERS = [Waiver("unexplained energy over the largest that passed", lambda run:
                   "up to 167,000 steps, thirty times those of multipliers; it grows with steps times elements, as round-off of sums does",
                   1e-9, full=True)]
 
-CIRCLE, NODES = CHECKS[4].name, CHECKS[5].name
+CIRCLE, NODES, BLOCK, TWO_BALLS = CHECKS[4].name, CHECKS[5].name, CHECKS[9].name, CHECKS[12].name
 BREAKS = [
     Breaks("force", "Young's modulus for E*: no Poisson effect", {"bodies[0].material.poisson": 0}),
     Breaks(CIRCLE, "Young's modulus for E*: no Poisson effect", {"bodies[0].material.poisson": 0}),
@@ -196,6 +221,10 @@ BREAKS = [
     Breaks(NODES, "a third of the elements", cells(4)),
     Breaks(CIRCLE, "relaxed to a hundredth only", {"relaxation.residual": 1e-2}),
     Breaks("force on the equator over that of the plane", "relaxed to a hundredth only", {"relaxation.residual": 1e-2}),
+    Breaks(BLOCK, "half as many elements", cells(5), case=AUTOMATIC),
+    Breaks("automatic, on a rigid block: force", "Young's modulus for E*: no Poisson effect", {"bodies[0].material.poisson": 0},
+           case=AUTOMATIC, full=True),
+    Breaks(TWO_BALLS, "one pass", ONE_PASS, case=BALLS),
     Breaks("approach", "stopped early", {**cells(5), "relaxation.residual": 0.5, "relaxation.after": "5 us"}),
     Breaks("contact radius", "stopped early", {"relaxation.residual": 0.5, "relaxation.after": "5 us"}),
 ]
