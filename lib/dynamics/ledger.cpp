@@ -102,6 +102,8 @@ void see_created(Ledger& ledger) {
 }
 
 void see_flows(Ledger& ledger) {
+  // once a scene is judged, against what loads have done by now: between two rows that can be nearly all
+  if (energy_scale(ledger) > 0) ledger.external_work = std::max(ledger.external_work, work_from_loads(ledger));
   const double kept = kept_part(ledger);
   if (std::abs(kept) > std::abs(ledger.worst_kept)) ledger.worst_kept = kept;
   for (std::size_t a = 0; a < ledger.accounts.size(); ++a) {
