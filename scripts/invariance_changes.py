@@ -546,12 +546,13 @@ def diagonals(scene):
 def half_step(scene):
     scene.needs_steps()
     tree = copy.deepcopy(scene.tree)
-    tree["time"]["safety"] = Quantity(scene.resolved["time"]["safety"]["value"] / 2, "1")
-    largest = word_of(tree["time"], "largest_step")
-    if largest is None and "end" in tree["time"] and all(word_of(body, "rigid", False) for body in tree.get("bodies", [{}])):
-        largest = tree["time"]["end"].value / 1000  # the default where all bodies are rigid
+    time = tree.setdefault("time", {})  # a case with stages may have none
+    time["safety"] = Quantity(scene.resolved["time"]["safety"]["value"] / 2, "1")
+    largest = word_of(time, "largest_step")
+    if largest is None and "end" in time and all(word_of(body, "rigid", False) for body in tree.get("bodies", [{}])):
+        largest = time["end"].value / 1000  # the default where all bodies are rigid
     if largest is not None:
-        tree["time"]["largest_step"] = Quantity(largest / 2, "s")
+        time["largest_step"] = Quantity(largest / 2, "s")
     for one in (*scene.contacts(tree), *(plane for plane in tree.get("planes", []) if plane["kind"].value == "rigid")):
         if word_of(one, "method") == "penalty":  # its limit of the step goes with the root of this
             one["energy_gain_limit"] = Quantity(word_of(one, "energy_gain_limit", 0.005) / 4, "1")

@@ -30,7 +30,7 @@ constexpr double just_on = 1e-9;       // of a face: so near a ridge an apex sta
 constexpr double came_flat = 1e-3;     // sine between a way and a side along which it leads
 constexpr double along_push = 0.7;     // cosine between the way from a ridge to an apex on it and its push
 constexpr double at_ridge = 0.05;      // weight of the third node of a facet: with less on both sides an apex is on the ridge between them
-constexpr double bevel = 0.01;         // sine by which sides of a ridge lean that is no unevenness of a mesh
+constexpr double uneven = 0.01;        // sine: normals that differ by less, as on a mesh of a flat face that is not quite flat, are alike
 constexpr double as_much = 0.5;        // of the larger push of both sides
 
 /// Whether an apex that is pressed stays over the inside of the one facet that it slides on, and comes to no other part: its stencil of the
@@ -110,8 +110,8 @@ bool stands_on_ridge(const BaseSurface& base, const Vectors& x, Index facet, con
   return false;
 }
 
-/// Whether an apex in front of a facet is below the level of the other side of a ridge of it by no more than level_by, and that side may
-/// push the apex: it slides onto that side, see enter(), and this one does not stop it.
+/// Whether an apex in front of a facet is below the level of the other side of a ridge of it by no more than a flush_step(), and that side
+/// may push the apex: it slides onto that side, see enter(), and this one does not stop it.
 ///
 /// level  [m] of contact over these facets
 bool is_flush_beside(const Interface& interface, const Vectors& x, Index apex, Index facet, double level, const Mat3* allowed) {
@@ -121,7 +121,7 @@ bool is_flush_beside(const Interface& interface, const Vectors& x, Index apex, I
     if (!base.wall[facet][e] || across < 0 || is_rim_of_sheet(base, facet, e)) continue;
     const FeatureHeight over = height_over(base, x, {across, geometry::Kind::facet, 0}, x.col(apex));
     const double below = level - over.height;  // at the level itself it passes, or meets an edge
-    const bool is_level = below > just_on * base.size(across) && below < level_by * base.longest(across);
+    const bool is_level = below > just_on * base.size(across) && below < flush_step(base, x, across, facet);
     if (is_level && may_push(interface.own, x, apex, over.normal, most_behind(interface), allowed)) return true;
   }
   return false;
@@ -130,8 +130,8 @@ bool is_flush_beside(const Interface& interface, const Vectors& x, Index apex, I
 /// Whether a normal leads into the surface of the apex, and another one less: as that of a bevel where a flat surface touches the sole of a
 /// body, and never its bevel.
 bool leads_farther_in(const Interface& interface, const Vectors& x, Index apex, const Vec3& normal, const Vec3& other) {
-  if (interface.own.facets.cols() == 0 || other.dot(normal) > 1 - 0.5 * bevel * bevel) return false;
-  return reach_behind(interface.own, x, apex, normal) > std::max(bevel, reach_behind(interface.own, x, apex, other));
+  if (interface.own.facets.cols() == 0 || other.dot(normal) > 1 - 0.5 * uneven * uneven) return false;
+  return reach_behind(interface.own, x, apex, normal) > std::max(uneven, reach_behind(interface.own, x, apex, other));
 }
 
 /// Sets nodes, weights, normal and gap of an apex over a facet.
@@ -209,19 +209,16 @@ bool make(const Interface& interface, const Motion& m, const Memory& memory, con
   // over plates the foot would leave its node, and where several push each has its own
   const bool blends = near.element.count == 1 && stencil.level < blended * interface.base.size(stencil.facet);
   const Mat3* allowed = allowed_of(interface, near.apex);
-  const FeatureHeight from = over;
-  const double fourth = stencil.fourth;
-  for (bool blend : {true, false}) {
-    blend = blend && blends;
+  const auto find_foot = [&, from = over, fourth = stencil.fourth](bool blend) {
     over = from, stencil.fourth = fourth;
-    if (!stand_on_face(interface.base, m.x, p, feature(), blend, allowed, over, stencil.fourth)) {
-      stencil.fourth = 0;
-      if (stencil.kind == geometry::Kind::facet) over = height_over(interface.base, m.x, feature(), p);
-      if (blend && stencil.kind == geometry::Kind::facet && interface.base.half[stencil.facet].cut < 0)
-        blend_over_facet(interface.base, m.x, p, feature(), allowed, over);
-    }
-    if (!blend || !leads_farther_in(interface, m.x, apex, over.normal, facet_normal(interface.base, m.x, stencil.facet))) break;
-  }
+    if (stand_on_face(interface.base, m.x, p, feature(), blend, allowed, over, stencil.fourth)) return;
+    stencil.fourth = 0;
+    if (stencil.kind == geometry::Kind::facet) over = height_over(interface.base, m.x, feature(), p);
+    if (blend && stencil.kind == geometry::Kind::facet && interface.base.half[stencil.facet].cut < 0)
+      blend_over_facet(interface.base, m.x, p, feature(), allowed, over);
+  };
+  find_foot(blends);
+  if (blends && leads_farther_in(interface, m.x, apex, over.normal, facet_normal(interface.base, m.x, stencil.facet))) find_foot(false);
   stencil.weight = over.weight;
   set(interface, apex, stencil, over.normal, over.height - stencil.level, c);
   if (stencil.fourth != 0) c.nodes = 5, c.node[4] = interface.base.half[stencil.facet].fourth, c.weight[4] = -stencil.fourth;

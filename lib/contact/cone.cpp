@@ -28,6 +28,13 @@ double reach_behind(const Fans& own, const Vectors& x, Index node, const Vec3& n
   return most;
 }
 
+double flush_step(const BaseSurface& base, const Vectors& x, Index onto, Index across) {
+  const Vec3 normal = facet_normal(base, x, onto), here = x.col(base.facets(0, onto));
+  double behind = 0;
+  for (int a = 0; a < 3; ++a) behind = std::max(behind, normal.dot(here - Vec3(x.col(base.facets(a, across)))));
+  return level_by * std::min(base.longest(onto), behind);
+}
+
 bool may_push(const Fans& own, const Vectors& x, Index apex, const Vec3& n, double most, const Mat3* allowed) {
   if (own.facets.cols() == 0) return true;
   Vec3 normal = node_normal(own, x, apex), along = n;  // zero for sheets, which face everywhere

@@ -14,9 +14,14 @@ constexpr double behind_in_two_directions = 0.5;
 /// degrees, are excluded.
 constexpr double behind_in_one_direction = 0.98;
 
-/// [-] of the longest edge of a facet: surfaces that are level to that are flush, and what slides from one onto the next does not catch.
-/// An elastic floor gives way by less under a load, and a mesh does not say how round a ridge is that stands out by so little.
-constexpr double level_by = 1e-3;
+constexpr double level_by = 1e-3;  ///< [-] of flush_step()
+
+/// The largest step from one surface onto a side of a ridge that is flush, so that what slides onto this does not catch. [m]
+///
+/// level_by of the longest edge of that side, and of how far the side across the ridge reaches behind it: an elastic floor gives way by
+/// less under a load, and a mesh does not say how round a ridge is that stands out by so little. A thin sheet of long cells stands out by
+/// more.
+double flush_step(const BaseSurface&, const Vectors& x, Index onto, Index across);
 
 /// How far the surface around a node reaches behind the plane through the node with a normal n. [-]
 ///

@@ -52,11 +52,10 @@ bool is_curved(const Edges& edges, const Vectors& x, Index edge) {
 
 /// The mean sine by which the facets at an edge fall away from a direction.
 double mean_fall(const Edges& edges, const Vectors& x, Index edge, const Vec3& direction) {
+  const Flanks flanks(edges, x, edge);
   double sum = 0;
-  int sides = 0;
-  for (int side = 0; side < 2 && edges.across(side, edge) >= 0; ++side, ++sides)
-    sum -= into(edges, x, edge, side).normalized().dot(direction);
-  return sum / sides;
+  for (int i = 0; i < flanks.count; ++i) sum -= flanks.into[static_cast<std::size_t>(i)].dot(direction);
+  return sum / flanks.count;
 }
 
 /// Whether both edges, of which one is of a plate, stand up off each other: the facets at both fall away by `least` in the mean.
@@ -70,30 +69,14 @@ bool are_ridges(const Interface& interface, const Vectors& x, Index edge, Index 
   return is_ridge(interface.edges, x, edge) && is_ridge(interface.base_edges, x, base_edge);
 }
 
-/// Unit vectors from an edge into its facets, of which a rim has one.
-struct Flanks {
-  int count = 0;
-  std::array<Vec3, 2> into;
-
-  Flanks(const Edges& edges, const Vectors& x, Index edge) {
-    for (int side = 0; side < 2; ++side)
-      if (edges.across(side, edge) >= 0) into[static_cast<std::size_t>(count++)] = contact::into(edges, x, edge, side).normalized();
-  }
-  /// rise() of the edge.
-  double rise(const Vec3& direction) const {
-    double most = -1;
-    for (int i = 0; i < count; ++i) most = std::max(most, into[static_cast<std::size_t>(i)].dot(direction));
-    return most;
-  }
-  /// Whether what lies from the edge along a way is over a facet that does not fall away from a direction. Such a facet reaches a little
-  /// past the edge where this is a wall, as for nodes.
-  bool is_under(const Vec3& way, const Vec3& direction) const {
-    const bool is_wall = count < 2 || into[0].dot(into[1]) > -far_turn;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
-      if ((is_wall || into[i].dot(way) > 0) && !(into[i].dot(direction) <= -bent)) return true;
-    return false;
-  }
-};
+/// Whether what lies from an edge along a way is over a facet at it that does not fall away from a direction. Such a facet reaches a little
+/// past the edge where this is a wall, as for nodes.
+bool is_under(const Flanks& flanks, const Vec3& way, const Vec3& direction) {
+  const bool is_wall = flanks.count < 2 || flanks.into[0].dot(flanks.into[1]) > -far_turn;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(flanks.count); ++i)
+    if ((is_wall || flanks.into[i].dot(way) > 0) && !(flanks.into[i].dot(direction) <= -bent)) return true;
+  return false;
+}
 
 bool is_within(double place) { return place >= -past_end && place <= 1 + past_end; }
 
@@ -102,7 +85,7 @@ bool is_within(double place) { return place >= -past_end && place <= 1 + past_en
 /// along      from the first node of the edge to the second
 /// direction  out of the other edge
 bool is_left_to_node(double place, const Vec3& along, const Flanks& other, const Vec3& direction) {
-  return (place < left_to_nodes && other.is_under(-along, direction)) || (place > 1 - left_to_nodes && other.is_under(along, direction));
+  return (place < left_to_nodes && is_under(other, -along, direction)) || (place > 1 - left_to_nodes && is_under(other, along, direction));
 }
 
 /// Lines of two edges where they are closest, whatever their ends and what is in front of them; false if they are parallel.
@@ -258,7 +241,7 @@ Over over(const Interface& interface, const Vectors& x, Index edge, Index base_e
     if (!between_lines(interface, x, edge, base_edge, sign, found)) return at;
     if (!is_within(found.first) || !is_within(found.second)) continue;
     const Flanks flanks(interface.edges, x, edge), base_flanks(interface.base_edges, x, base_edge);
-    const double first = flanks.rise(-found.normal), second = base_flanks.rise(found.normal);
+    const double first = rise(flanks, -found.normal), second = rise(base_flanks, found.normal);
     const double touches = side != 0 ? leans : bent, stands = -(side != 0 ? stays_steep : steep);
     if (!(first <= touches) || !(second <= touches)) continue;
     const bool stand = !in_face || first <= stands || second <= stands || are_ridges(interface, x, edge, base_edge) ||
@@ -281,7 +264,9 @@ double stays_flat(const Interface& interface, const Vectors& x, Index edge, Inde
     if (of_face.across(0, flat) < 0 || of_face.across(1, flat) < 0) return;
     const Vec3 first = into(of_face, x, flat, 0).normalized(), second = into(of_face, x, flat, 1).normalized();
     const Vec3 normal = along(of_face, x, flat).cross(first).normalized();
-    const double fold = (first + second).norm(), stands = std::max(-rise(of_ridge, x, ridge, normal), -rise(of_ridge, x, ridge, -normal));
+    const double fold = (first + second).norm();
+    const Flanks flanks(of_ridge, x, ridge);
+    const double stands = std::max(-rise(flanks, normal), -rise(flanks, -normal));
     const double turn = turn_of_facets(of_ridge, x, ridge) + 3 * turn_of_facets(of_face, x, flat);
     way = std::max(way, (steep - bent - fold - stands) / (2 * turn));
     until_crests = std::max(until_crests, (slightly - 0.5 * fold) / (2 * turn_of_facets(of_face, x, flat)));

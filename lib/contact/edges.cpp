@@ -164,13 +164,14 @@ bool is_ridge(const Edges& edges, const Vectors& x, Index edge) {
   return L.cross(first).dot(second) < 0;  // the normal of the first facet leads away from the second one
 }
 
-double rise(const Edges& edges, const Vectors& x, Index edge, const Vec3& direction) {
+Flanks::Flanks(const Edges& edges, const Vectors& x, Index edge) {
+  for (int side = 0; side < 2; ++side)
+    if (edges.across(side, edge) >= 0) into[static_cast<std::size_t>(count++)] = contact::into(edges, x, edge, side).normalized();
+}
+
+double rise(const Flanks& flanks, const Vec3& direction) {
   double most = -1;
-  for (int side = 0; side < 2; ++side) {
-    if (edges.across(side, edge) < 0) continue;
-    const Vec3 t = into(edges, x, edge, side);
-    most = std::max(most, t.dot(direction) / t.norm());
-  }
+  for (int i = 0; i < flanks.count; ++i) most = std::max(most, flanks.into[static_cast<std::size_t>(i)].dot(direction));
   return most;
 }
 

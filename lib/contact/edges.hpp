@@ -1,6 +1,7 @@
 #pragma once
 // The edges of a surface that another surface's edges can cross: its ridges and rims.
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -43,9 +44,17 @@ Vec3 along(const Edges&, const Vectors& x, Index edge);
 /// in a mirror.
 Vec3 into(const Edges&, const Vectors& x, Index edge, int side);
 
-/// How far the facets at an edge rise above the plane across a direction, as a sine: the largest of  t . d / |t|  with t the way into
+/// Unit vectors from an edge into its facets, of which a rim has one.
+struct Flanks {
+  int count = 0;
+  std::array<Vec3, 2> into;
+
+  Flanks(const Edges&, const Vectors& x, Index edge);
+};
+
+/// How far the facets at an edge rise above the plane across a direction, as a sine: the largest of  t . d  with t the unit vector into
 /// a facet. What is in front of the edge along d can be touched where none rises.
-double rise(const Edges&, const Vectors& x, Index edge, const Vec3& direction);
+double rise(const Flanks&, const Vec3& direction);
 
 /// The most by which the facets at an edge turn per way of nodes against each other, as long as that is small. [rad/m]
 double turn_of_facets(const Edges&, const Vectors& x, Index edge);

@@ -24,7 +24,7 @@ constexpr double material = 0.9;      // of the thickness: no contact begins fro
 constexpr double shallow = 0.2;       // of the longest edge: nor from deeper, but through the front
 constexpr double far_side = -0.5;     // cosine: facets that are turned so far are not round the corner
 constexpr double leads_along = 0.2;    // of the way through one side of a ridge: the way through that in whose plane it leads
-constexpr double as_one_level = 1e-6;  // of the longest edge: level_by of surfaces that go on round a corner, as curved ones do
+constexpr double as_one_level = 1e-6;  // of the longest edge: what is flush where a surface goes on round a corner, as a curved one does
 constexpr double like_neighbours = 2;  // times the deepest contact of the step before
 
 
@@ -250,7 +250,8 @@ Track slides_onto(const Sweep& s, const Vec3& p0, const Vec3& p1, Index crossed,
     const auto end = geometry::facet_height(corners(s.base, s.x, f), place(p1));
     const double turn = eigen(end.normal).dot(normal);
     if (turn > one_plane || turn < far_side || !share_a_node(s.base, f, crossed)) continue;
-    const double within = std::max(like_neighbours * deepest, (turn > far_turn ? as_one_level : level_by) * s.base.longest(f));
+    const double flush = turn > far_turn ? as_one_level * s.base.longest(f) : flush_step(s.base, s.x, f, crossed);
+    const double within = std::max(like_neighbours * deepest, flush);
     if (least(end.weight) < -overlap || end.height > s.level(f) + within) continue;
     const double start = height(corners_before(s, f), p0);
     if (!(std::abs(start - s.level(f)) <= within) || !may_push(s, eigen(end.normal))) continue;

@@ -74,13 +74,14 @@ struct Sweep {
 /// facet may push it. On a ridge whose sides are walls it gets a track on both. Where the facet may not push it, the apex came over a
 /// wall: the track begins at the shallowest facet that may, with an offset, so that there is no initial force. If there is none, apexes of
 /// the other surface hold it; only where there are no such does the track begin at that facet itself. An offset also has what slides flush
-/// from one body onto the next one: it crosses the side of that at a ridge, and is no deeper below the other side than level_by and twice
-/// the deepest contact of the step before. Under an open border an apex may enter sideways down to the latter.
+/// from one body onto the next one: it crosses the side of that at a ridge, and is no deeper below the other side than a flush_step()
+/// and twice the deepest contact of the step before. Under an open border an apex may enter sideways down to the latter.
 ///
 /// deepest  [m] contact of any apex in the step before
 void enter(const Sweep&, double deepest, Tracks&);
 
-/// Where an apex in contact has come to another part of the surface, which the path of its pushed-out place crosses.
+/// Where an apex in contact has come to another part of the surface, which the path of its pushed-out place crosses. In two directions it
+/// has not where that part may not push the apex.
 ///
 /// before, after   tracks at the start of the step and at its end
 /// deepest  [m] contact of any apex in the step before

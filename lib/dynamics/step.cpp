@@ -263,12 +263,13 @@ void constrain_velocities(const Model& model, double kinetic, State& now, Forces
   for (std::size_t p = 0; p < after.size(); ++p)  // booked already
     removed += (after[p].driven - before[p].driven) - (after[p].stopped - before[p].stopped);
   if (removed == 0 || after.empty()) return;
-  const double arm = std::sqrt(now.x.colwise().squaredNorm().maxCoeff());
+  const Vec3 centre = now.x.rowwise().mean();
+  const double arm = (now.x.colwise() - centre).colwise().norm().maxCoeff();
   std::size_t main = 0;  // that acted most, since where the axes are oblique all planes act by round-off
   double most = 0;
   for (std::size_t p = 0; p < after.size(); ++p) {
-    const Vec3 given = after[p].impulse - before[p].impulse, angular = after[p].angular_impulse - before[p].angular_impulse;
-    const double acted = arm * given.norm() + angular.norm();
+    const Vec3 given = after[p].impulse - before[p].impulse, turning = after[p].angular_impulse - before[p].angular_impulse;
+    const double acted = arm * given.norm() + (turning - centre.cross(given)).norm();
     if (acted > most * (1 + 1e-9)) most = acted, main = p;
   }
   if (most > 0) after[main].stopped += removed;

@@ -135,6 +135,38 @@ TEST(Condition, ANormalGoesOverIntoThatOfABevelOnlyWhereTheSurfaceOfTheApexAdmit
   EXPECT_GT((normal_beside_ridge(0.9, true) - Vec3::UnitZ()).norm(), 1e-4);  // as a mesh is uneven
 }
 
+TEST(Condition, AnApexRubsOnTheBodyThatPressedItMostWithThePushOfThatOneAlone) {
+  Setting at(Vec3(0.4, 0.05, 0.05), 0.3, corner(true), 0.1);
+  Bodies& bodies = at.scene.interface.bodies;
+  bodies.names = {"one", "two", "three"}, bodies.of_facet = {0, 1, 2}, bodies.of_apex = {0};
+  bodies.between.assign(9, at.scene.interface), bodies.touch.assign(9, 1);
+  at.v.setZero(), at.force.setZero();
+  Near& near = at.scene.memory.near[0];
+  std::array<Index, 2> pushes{-1, -1};  // the two facets in whose layers it is
+  int count = 0;
+  for (Index f = 0; f < 3 && count < 2; ++f)
+    if (facet_normal(at.scene.interface.base, at.scene.x, f).x() < 0.5) pushes[static_cast<std::size_t>(count++)] = f;
+  ASSERT_EQ(count, 2);
+  near.tracks.count = 0;
+  for (const Index f : pushes) near.tracks.begin(f, 0.1);
+  for (const Index most : {Index{-1}, pushes[0], pushes[1]}) {
+    at.all.conditions.clear(), at.all.contactors.clear(), at.all.frictions.clear();
+    near.pressed_most = most;
+    const Motion m = at.motion(1e-3);
+    look_ahead(at.scene.interface.apexes, m, at.all), look_ahead(at.scene.interface.base_nodes, m, at.all);
+    find_conditions(at.scene.interface, m, at.scene.memory, at.scene.workspace, at.all);
+    ASSERT_EQ(at.all.conditions.size(), 2U);
+    ASSERT_EQ(at.all.frictions.size(), 1U);
+    Contactor& one = at.all.contactors[0];
+    const Vec3 expected = facet_normal(at.scene.interface.base, at.scene.x, most < 0 ? near.element.stencil[0].facet : most);
+    EXPECT_LT((at.all.conditions[static_cast<std::size_t>(one.foot)].normal - expected).norm(), 1e-9);
+    EXPECT_LT((at.all.frictions[0].touch.normal - expected).norm(), 1e-9);
+    for (Condition& c : at.all.conditions) c.impulse = (c.normal - expected).norm() < 1e-9 ? 2 : 5;
+    EXPECT_EQ(rubbing_impulse_of(one, at.all), 2);
+    EXPECT_EQ(impulse_of(one, at.all), 7);
+  }
+}
+
 TEST(Condition, BesideARimAndBelowItsLevelThereIsNone) {
   Setting at(Vec3(4.05, 2.1, -1e-6));
   at.v.setZero(), at.force.setZero();

@@ -86,7 +86,7 @@ TEST(Rise, OfARightRidgeIsNoneInTheQuarterBetweenItsNormals) {
   ASSERT_GE(ridge, 0);
   const auto front = [&](double degrees, double tolerance) {
     const double a = degrees * std::acos(-1.0) / 180;
-    return rise(edges, mesh.X, ridge, {std::cos(a), 0, std::sin(a)}) <= tolerance;
+    return rise(Flanks(edges, mesh.X, ridge), {std::cos(a), 0, std::sin(a)}) <= tolerance;
   };
   EXPECT_TRUE(front(45, 0));
   EXPECT_TRUE(front(1, 0) && front(89, 0));

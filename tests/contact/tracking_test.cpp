@@ -251,16 +251,29 @@ TEST(EntryOfAnApex, OverARidgeByRoundOffIsNone) {
 }
 
 TEST(EntryOfAnApex, BesideASideThatIsFlushIsOntoThatSideWithAnOffset) {
-  const double longest = std::sqrt(2.0);
-  for (const double lower : {0.1, 0.9, 1.1}) {  // times the largest step of flush surfaces
-    const double z = 1 - lower * level_by * longest;
-    Scene scene = press(block({0, 0, 0}, {4, 4, 1}, {4, 4, 1}), {{-0.02, 2.1, z}}, 0);
-    step_to(scene, 0, {0.02, 2.1, z});
-    ASSERT_EQ(scene.near().tracks.count, 1);
-    const bool onto = facet_normal(scene.interface.base, scene.x, scene.near().tracks.track[0].facet).z() > 0.5;
-    EXPECT_EQ(onto, lower < 1) << lower;
-    EXPECT_EQ(scene.forces().norm() > 1e-9, !onto) << "with an offset nothing springs";
+  for (const double height : {1.0, 0.01}) {        // of a block, or of a sheet of long cells, whose side is no less a step
+    for (const double lower : {0.1, 0.9, 1.1}) {  // times the largest step that is flush
+      const double z = height - lower * level_by * std::min(height, std::sqrt(2.0));
+      Scene scene = press(block({0, 0, 0}, {4, 4, height}, {4, 4, 1}), {{-0.02, 2.1, z}}, 0);
+      step_to(scene, 0, {0.02, 2.1, z});
+      ASSERT_EQ(scene.near().tracks.count, 1);
+      const bool onto = facet_normal(scene.interface.base, scene.x, scene.near().tracks.track[0].facet).z() > 0.5;
+      EXPECT_EQ(onto, lower < 1) << height << ' ' << lower;
+      EXPECT_EQ(scene.forces().norm() > 1e-9, !onto) << "with an offset nothing springs";
+    }
   }
+}
+
+TEST(EntryOfAnApex, WhatFallsOnARidgeIsOntoTheSideThatItCameThrough) {
+  // a roof of two flanks of 45 degrees: the fall of one step ends below both by less than what is flush
+  const double z = std::sqrt(0.5);
+  Shape roof = block({-0.5, 0, -0.5}, {0.5, 4, 0.5}, {1, 4, 1});
+  const Mat3 turn = Eigen::AngleAxisd(0.25 * std::acos(-1.0), Vec3::UnitY()).toRotationMatrix();
+  roof.x = (turn * roof.x).eval();
+  Scene scene = press(roof, {{1e-5, 2.1, z + 2e-4}}, 0);
+  step_to(scene, 0, {1e-5, 2.1, z - 2e-4});
+  ASSERT_GE(scene.near().tracks.count, 1);
+  EXPECT_GT(facet_normal(scene.interface.base, scene.x, scene.near().tracks.track[0].facet).x(), 0.5);
 }
 
 TEST(EntryOfAnApex, OverACornerByRoundOffIsNone) {

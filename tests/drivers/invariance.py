@@ -69,6 +69,12 @@ class Invariance(unittest.TestCase):
         self.assertEqual(verdicts["half_step"], "shown", said)
         self.assertEqual((verdicts["automatic"], rows["automatic"]["because"]), ("skipped", "it has no declared contact"))
 
+    def test_a_case_of_stages_needs_no_time_of_its_own(self):
+        self.case.write_text(CASE.replace("time: {end: 1 ms}", "stages: [{name: strike, duration: 1 ms}]"), encoding="utf-8")
+        status, said, rows = self.ask("--only", "half_step", "--only", "moving")
+        self.assertEqual(status, 0, said)
+        self.assertEqual({change: row["verdict"] for change, row in rows.items()}, {"half_step": "shown", "moving": "same"}, said)
+
     def test_a_defect_is_noticed(self):
         drivers = self.root / "drivers"
         drivers.mkdir()

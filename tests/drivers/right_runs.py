@@ -251,7 +251,7 @@ def blocks_that_meet(method):
     bodies, initial = [], []
     for i, j in itertools.product((0, 1), (0, 1)):
         name, low = f"b{i}{j}", (8.11e-3 * i, 8.11e-3 * j, 0)
-        bodies.append({**box(name, low, [a + 8e-3 for a in low], (2, 2, 2)), "material": steel})
+        bodies.append({**box(name, low, [a + 8e-3 for a in low], (3, 3, 3)), "material": steel})
         initial.append({"body": name, "velocity": [str(10 - 20 * i), str(10 - 20 * j), "0"], "unit": "m/s"})
     return {"bodies": bodies, "initial": initial, "contacts": [{"name": "all", "kind": "automatic", "method": method}],
             "time": {"end": "12 us", **({"safety": 0.05} if method == "multiplier" else {})}}
@@ -267,9 +267,9 @@ class FlushBlocks(Case):
         penalty, multiplier = (self.good(blocks_that_meet(method)) for method in ("penalty", "multiplier"))
         start = 4 * 0.5 * 7850 * 8e-3**3 * (10**2 + 10**2)
         created = penalty.summary["ledger"]["accounts"]["all"]["created"]["value"]
-        self.assertLess(abs(created), 5e-4 * start)  # 2e-4
-        for energy in (lambda run: run.ledger("kinetic"), dissipated):  # two cells: penalties of 20 to 320 alone differ by 0.02
-            self.assertAlmostEqual(energy(penalty) / start, energy(multiplier) / start, delta=0.05)  # 0.030, 0.020
+        self.assertLess(abs(created), 2e-4 * start)  # 6e-5
+        for energy in (lambda run: run.ledger("kinetic"), dissipated):  # with two cells they differ by 0.03, with four by 0.003
+            self.assertAlmostEqual(energy(penalty) / start, energy(multiplier) / start, delta=0.01)  # 0.003, 0.001
 
 
 def thrown(sign):

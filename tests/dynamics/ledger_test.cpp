@@ -93,6 +93,18 @@ TEST(Ledger, CreatedEnergyIsHeldAgainstTheLargestThatWasThere) {
   EXPECT_EQ(energy_scale(ledger), 12);
 }
 
+TEST(Ledger, ASceneIsJudgedBetweenRowsAgainstWhatLoadsHaveDoneByNow) {
+  Ledger ledger;
+  Account force;
+  force.work = 7, force.stored[Stored::external_work] = -7;
+  ledger.accounts = {force}, ledger.flows.resize(1);
+  see_flows(ledger);
+  EXPECT_EQ(energy_scale(ledger), 0);  // at rest before its first row it is not judged
+  ledger.external_work = 1e-9;
+  see_flows(ledger);
+  EXPECT_EQ(energy_scale(ledger), 7);
+}
+
 TEST(EnergyFloor, IsTheWorkOfTheLargestForceOverAThousandthOfTheSize) {
   Ledger ledger;
   ledger.size = 2, ledger.largest_force = 3;
