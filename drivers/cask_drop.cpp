@@ -29,8 +29,8 @@ std::vector<dynamics::Probe> settlements(const mesh::Mesh& mesh) {
     for (std::size_t i = 0; i < nodes.size(); ++i) sum += share(static_cast<Eigen::Index>(i)) * settlement(view, nodes[i]);
     return sum;
   };
-  return {{"settlement_mean", "m", mean, true},
-          {"settlement_centre", "m", [=](const dynamics::View& view, auto&) { return settlement(view, centre); }, true}};
+  return {{"settlement_mean", "m", mean},
+          {"settlement_centre", "m", [=](const dynamics::View& view, auto&) { return settlement(view, centre); }}};
 }
 
 /// Largest outward displacement of the outermost nodes: of the cladding or, without it, of the lead's side. [m]
@@ -42,11 +42,11 @@ double bulge(const dynamics::View& view, const Subset& outside) {
 }
 
 /// Of the floor, a mean since the last sample. [N]
-double floor_force(const dynamics::View& view, dynamics::ProbeMemory& memory) {
-  const double elapsed = view.now.t - memory.since;
+double floor_force(const dynamics::View& view, dynamics::Kept& kept) {
+  const double elapsed = view.now.t - kept.since;
   const Vec3 impulse = view.now.constraints.account[0].impulse;
-  const double force = elapsed > 0 ? (impulse.z() - memory.impulse.z()) / elapsed : 0;
-  memory.impulse = impulse, memory.since = view.now.t;
+  const double force = elapsed > 0 ? (impulse.z() - kept.integral.z()) / elapsed : 0;
+  kept.integral = impulse, kept.since = view.now.t;
   return force;
 }
 

@@ -138,8 +138,7 @@ Costs rehearse(model::Simulation& simulation, double dt, const std::function<std
     text.clear();
     dynamics::update_ledger(model, now);
     dynamics::see_hourglass_energy(model, false, now);
-    for (std::size_t p = 0; p < now.probes.size(); ++p)
-      if (!simulation.probes[p].every_step) dynamics::sample(simulation.probes[p], view(), now.probes[p]);
+    for (std::size_t p = 0; p < now.probes.size(); ++p) dynamics::sample_row(simulation.probes[p], view(), now.probes[p]);
     output::append_row(now.t, filled(row_of(view(), simulation.probes, ledger), columns_of(simulation.probes, ledger), model), text);
   };
   add_row();  // the first one takes longer than all others

@@ -12,7 +12,7 @@ std::vector<output::Column> columns_of(const std::vector<dynamics::Probe>& probe
   std::vector<output::Column> all;
   for (const auto* list : {&probes, &ledger})
     for (const dynamics::Probe& probe : *list)
-      if (!probe.name.empty()) all.push_back({probe.name, probe.unit});
+      if (!probe.name.empty()) all.push_back({probe.name, probe.unit, probe.is_mean});
   return all;
 }
 
@@ -21,7 +21,7 @@ std::vector<double> row_of(const dynamics::View& view, const std::vector<dynamic
   std::vector<double> row;
   for (std::size_t p = 0; p < probes.size(); ++p)
     if (!probes[p].name.empty()) row.push_back(view.now.probes[p].last);
-  dynamics::ProbeMemory none;
+  dynamics::Kept none;
   for (const dynamics::Probe& probe : ledger) row.push_back(probe.value(view, none));
   return row;
 }

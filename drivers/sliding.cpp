@@ -64,11 +64,12 @@ Vec3 force(const dynamics::View& view) {
 /// A number without a column, measured until half of the run and kept from there on.
 template <class Value>
 dynamics::Probe until_half(double end, Value value) {
-  return {"", "1", [=](const dynamics::View& view, dynamics::ProbeMemory& memory) {
-            if (memory.since > 0) return memory.last;
-            if (view.now.t >= end / 2) memory.since = view.now.t;
-            return value(view);
-          }, true};
+  return {"", "1", [=](const dynamics::View& view, dynamics::Kept& kept) {
+            if (kept.since > 0) return kept.value.x();
+            kept.value.x() = value(view);
+            if (view.now.t >= end / 2) kept.since = view.now.t;
+            return kept.value.x();
+          }};
 }
 
 std::vector<dynamics::Probe> probes(const dynamics::Model& model, double end) {
@@ -77,9 +78,9 @@ std::vector<dynamics::Probe> probes(const dynamics::Model& model, double end) {
   const auto speed = [block](const dynamics::View& view) { return dynamics::mean_velocity(view, block).x(); };
   return {{"way", "m", [way](const auto& view, auto&) { return way(view); }},
           {"speed", "m/s", [speed](const auto& view, auto&) { return speed(view); }},
-          {"normal_force", "N", [](const auto& view, auto&) { return force(view).z(); }, true},
+          {"normal_force", "N", [](const auto& view, auto&) { return force(view).z(); }},
           {"friction_force", "N", [](const auto& view, auto&) { return force(view).x(); }},
-          {"", "1", [speed](const auto& view, auto&) { return view.now.step > 0 && speed(view) <= 0 ? 1.0 : 0.0; }, true},
+          {"", "1", [speed](const auto& view, auto&) { return view.now.step > 0 && speed(view) <= 0 ? 1.0 : 0.0; }},
           until_half(end, way),
           until_half(end, speed)};
 }

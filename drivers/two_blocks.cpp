@@ -20,7 +20,7 @@ using namespace nereid;
 /// Mean velocity of a block along x, as a probe. [m/s]
 dynamics::Probe velocity(const std::string& block, const model::Simulation& simulation) {
   const Subset nodes = mesh::node_set(simulation.model.mesh, block);
-  return {"velocity_" + block, "m/s", [nodes](const dynamics::View& view, dynamics::ProbeMemory&) {
+  return {"velocity_" + block, "m/s", [nodes](const dynamics::View& view, dynamics::Kept&) {
             double momentum = 0, mass = 0;
             for (const Index node : nodes) momentum += view.model.mass(node) * view.now.v(0, node), mass += view.model.mass(node);
             return momentum / mass;
@@ -59,17 +59,17 @@ model::Simulation build(const input::CaseFile& file) {
   const double area = width * width;
   std::vector<std::size_t> passes(simulation.model.interfaces.size());  // of two passes each carries a part of the stress
   std::iota(passes.begin(), passes.end(), std::size_t{0});
-  const auto mean_stress = [area, passes](const dynamics::View& view, dynamics::ProbeMemory& memory) {
-    return -dynamics::mean_contact_force(view, passes, memory).x() / area;
+  const auto mean_stress = [area, passes](const dynamics::View& view, dynamics::Kept& kept) {
+    return -dynamics::mean_contact_force(view, passes, kept).x() / area;
   };
-  const auto stress = [area](const dynamics::View& view, dynamics::ProbeMemory&) {
+  const auto stress = [area](const dynamics::View& view, dynamics::Kept&) {
     double force = 0;
     for (std::size_t c = 0; c < view.now.interfaces.size(); ++c)
       force += contact::side_of(view.model.interfaces[c]) * view.now.interfaces[c].force.x();
     return -force / area;
   };
-  simulation.probes = {{"interface_stress", "Pa", mean_stress}, velocity("A", simulation), velocity("B", simulation),
-                       {"", "Pa", stress, true}};
+  simulation.probes = {{"interface_stress", "Pa", mean_stress, true}, velocity("A", simulation), velocity("B", simulation),
+                       {"", "Pa", stress}};
   return simulation;
 }
 

@@ -21,9 +21,9 @@ def read_history(folder):
         raise Unreadable(f"{path}: {error.strerror}") from error
     names, units = [], {}
     for entry in header:
-        found = re.fullmatch(r"\s*(\w+)\s*\[([^\]]*)\]\s*", entry)
+        found = re.fullmatch(r"\s*(\w+)\s*\[([^\]]*)\](?: mean)?\s*", entry)
         if not found:
-            raise Unreadable(f"{path}:1: '{entry}' is no column header; expected is 'name [unit]'")
+            raise Unreadable(f"{path}:1: '{entry}' is no column header; expected is 'name [unit]', with 'mean' behind it for a mean over time")
         names.append(found.group(1))
         units[found.group(1)] = found.group(2)
     values = np.empty((len(rows), len(names)))

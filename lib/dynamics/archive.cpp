@@ -231,11 +231,17 @@ void visit(Archive& archive, RelaxationMemory& memory) {
 }
 
 template <class Archive>
+void visit(Archive& archive, Kept& kept) {
+  auto& [integral, value, since] = kept;
+  archive(integral, value, since);
+}
+
+template <class Archive>
 void visit(Archive& archive, ProbeMemory& memory) {
-  auto& [last, largest, smallest, time_of_largest, time_of_smallest, integral, first_above_zero, last_above_zero, samples, impulse, force,
-         since] = memory;
-  archive(last, largest, smallest, time_of_largest, time_of_smallest, integral, first_above_zero, last_above_zero, samples, impulse, force,
-          since);
+  auto& [last, largest, smallest, time_of_largest, time_of_smallest, integral, first_above_zero, last_above_zero, samples, of_steps,
+         of_rows] = memory;
+  archive(last, largest, smallest, time_of_largest, time_of_smallest, integral, first_above_zero, last_above_zero, samples, of_steps,
+          of_rows);
 }
 
 template <class Archive>

@@ -220,31 +220,30 @@ double least_gap(const View& view, std::size_t c) {
 
 namespace {
 
-/// By how much an impulse has grown since the last sample, over the time since then; `first` [N s] is where it began.
-Vec3 growth(const Vec3& impulse, const Vec3& first, double t, ProbeMemory& memory) {
-  const double elapsed = t - memory.since;
-  if (memory.samples == 0) memory.impulse = first, memory.since = t;
-  else if (elapsed > 0) memory.force = (impulse - memory.impulse) / elapsed, memory.impulse = impulse, memory.since = t;
-  return memory.force;
+/// By how much an impulse has grown since the last look, over the time since then; `first` [N s] is where it began.
+Vec3 growth(const Vec3& impulse, const Vec3& first, double t, Kept& kept) {
+  if (kept.since < 0) kept = {.integral = first, .since = t};
+  else if (t > kept.since) kept = {.integral = impulse, .value = (impulse - kept.integral) / (t - kept.since), .since = t};
+  return kept.value;
 }
 
 }  // namespace
 
-Vec3 mean_contact_force(const View& view, const std::vector<std::size_t>& passes, ProbeMemory& memory) {
+Vec3 mean_contact_force(const View& view, const std::vector<std::size_t>& passes, Kept& kept) {
   Vec3 impulse = Vec3::Zero();
   for (const std::size_t pass : passes) impulse += contact::side_of(view.model.interfaces[pass]) * view.now.interfaces[pass].impulse;
-  return growth(impulse, Vec3::Zero(), view.now.t, memory);
+  return growth(impulse, Vec3::Zero(), view.now.t, kept);
 }
 
-Vec3 mean_force(const View& view, std::size_t source, ProbeMemory& memory) {
+Vec3 mean_force(const View& view, std::size_t source, Kept& kept) {
   const Vec3& impulse = view.now.ledger.accounts[source].impulse;
   const std::size_t first = view.model.blocks.size() + view.model.interfaces.size();
   const bool rigid = source >= first && source < first + view.model.rigid_planes.size();
-  return growth(impulse, rigid ? Vec3(Vec3::Zero()) : impulse, view.now.t, memory);
+  return growth(impulse, rigid ? Vec3(Vec3::Zero()) : impulse, view.now.t, kept);
 }
 
-Vec3 mean_section_force(const View& view, std::size_t section, ProbeMemory& memory) {
-  return growth(view.now.sections[section].impulse, Vec3::Zero(), view.now.t, memory);
+Vec3 mean_section_force(const View& view, std::size_t section, Kept& kept) {
+  return growth(view.now.sections[section].impulse, Vec3::Zero(), view.now.t, kept);
 }
 
 std::vector<Touched> touched(const Model& model, const State& now) {
@@ -288,7 +287,7 @@ std::vector<std::string> ledger_columns(const Source& source) {
 std::vector<Probe> ledger_probes(const Model& model) {
   std::vector<Probe> probes;
   const auto add = [&probes](const std::string& name, auto value) {
-    probes.push_back({name, "J", [value](const View& view, ProbeMemory&) { return value(view.now.ledger); }, false});
+    probes.push_back({name, "J", [value](const View& view, Kept&) { return value(view.now.ledger); }});
   };
   add("energy_kinetic", [](const Ledger& ledger) { return ledger.kinetic; });
   const std::vector<Source> all = sources(model);

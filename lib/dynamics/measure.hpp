@@ -42,10 +42,10 @@ enum class Take {
 /// Throws InternalError if the body has no such field.
 double of_body(const View&, const std::vector<std::size_t>& blocks, std::string_view field, int component, Take);
 
-/// Force of an interface on all its apexes, with friction, as a mean over the time between two samples of a probe. [N]
+/// Force of an interface on all its apexes, with friction, as a mean over the time between two looks. [N]
 ///
 /// passes  places in Model::interfaces: of a second pass the force on its bases
-Vec3 mean_contact_force(const View&, const std::vector<std::size_t>& passes, ProbeMemory&);
+Vec3 mean_contact_force(const View&, const std::vector<std::size_t>& passes, Kept&);
 
 /// Forces of a contact on nodes: of both passes and of the edges together, each node once, ascending.
 ///
@@ -79,15 +79,14 @@ ContactState contact_state(const View&, std::size_t interface);
 /// The smallest gap of an interface: negative in contact. Where no apex is near it costs a search over the whole scene. [m]
 double least_gap(const View&, std::size_t interface);
 
-/// Force of a source, as a mean over the time between two samples of a probe: what its impulse grew by. [N]
+/// Force of a source, as a mean over the time between two looks: what its impulse grew by. [N]
 ///
 /// source  in sources(model)
-/// Needs  views whose ledger is current; zero at the first sample and where no time has passed. What a rigid plane stopped at the start
-/// belongs to the first interval.
-Vec3 mean_force(const View&, std::size_t source, ProbeMemory&);
+/// Zero at the first look; where no time has passed, what it was. What a rigid plane stopped at the start belongs to the first interval.
+Vec3 mean_force(const View&, std::size_t source, Kept&);
 
-/// Force of a section on what is ahead of it, as a mean over the time between two samples of a probe. [N]
-Vec3 mean_section_force(const View&, std::size_t section, ProbeMemory&);
+/// Force of a section on what is ahead of it, as a mean over the time between two looks. [N]
+Vec3 mean_section_force(const View&, std::size_t section, Kept&);
 
 /// A contact whose sides have touched, or two bodies in an automatic one.
 struct Touched {

@@ -102,16 +102,22 @@ struct RelaxationMemory {
   Vectors omega;                            ///< [rad/s] at the step before
 };
 
-/// What a probe remembers: its value over the samples of a run, and what its own measurement needs from one to the next.
+/// What a measurement needs from one look to the next.
+struct Kept {
+  Vec3 integral = Vec3::Zero();  ///< of a mean over time: at `since`, as an impulse [N s] of a force
+  Vec3 value = Vec3::Zero();     ///< what it was at the last look, as a mean force [N]
+  double since = -1;             ///< [s] of the last look; -1: there was none
+};
+
+/// What a probe remembers: its value over the steps of a run, and what its measurement needs from one to the next.
 struct ProbeMemory {
-  double last = std::numeric_limits<double>::quiet_NaN();
-  double largest = last, smallest = last;            ///< NaN where no sample had a value
-  double time_of_largest = 0, time_of_smallest = 0;  ///< [s] first of equal ones
-  double integral = 0;                               ///< of a probe of every step: over time, each value times the step that led to it
-  double first_above_zero = -1, last_above_zero = -1;  ///< [s]; -1: at no sample
-  std::int64_t samples = 0;
-  Vec3 impulse = Vec3::Zero(), force = Vec3::Zero();  ///< of a mean force: [N s] at `since`, [N]
-  double since = 0;                                   ///< [s]
+  double last = std::numeric_limits<double>::quiet_NaN();  ///< what a row shows
+  double largest = last, smallest = last;                  ///< of all steps; NaN where no step had a value
+  double time_of_largest = 0, time_of_smallest = 0;        ///< [s] first of equal ones
+  double integral = 0;                                     ///< over time: each value times the step that led to it
+  double first_above_zero = -1, last_above_zero = -1;      ///< [s]; -1: at no step
+  std::int64_t samples = 0;                                ///< steps, and the start
+  Kept of_steps, of_rows;                                  ///< for means over a step, and since the row before
 };
 
 /// What a condition that may end a run remembers of what it has been shown so far.

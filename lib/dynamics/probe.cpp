@@ -3,8 +3,8 @@
 namespace nereid::dynamics {
 
 void sample(const Probe& probe, const View& view, ProbeMemory& memory) {
-  const double now = probe.value(view, memory), t = view.now.t;
-  memory.last = now;
+  const double now = probe.value(view, memory.of_steps), t = view.now.t;
+  if (!probe.is_mean) memory.last = now;
   ++memory.samples;
   if (now != now) return;
   if (!(now <= memory.largest)) memory.largest = now, memory.time_of_largest = t;
@@ -13,6 +13,10 @@ void sample(const Probe& probe, const View& view, ProbeMemory& memory) {
   if (!(now > 0)) return;
   if (memory.first_above_zero < 0) memory.first_above_zero = t;
   memory.last_above_zero = t;
+}
+
+void sample_row(const Probe& probe, const View& view, ProbeMemory& memory) {
+  if (probe.is_mean) memory.last = probe.value(view, memory.of_rows);
 }
 
 }  // namespace nereid::dynamics

@@ -15,14 +15,17 @@ struct View {
   bool ledger_is_current;  ///< whether the ledger is that of this very state
 };
 
-/// One number over time. A probe remembers nothing itself: all that it needs from one sample to the next is in its memory.
+/// One number over time. A probe remembers nothing itself: all that it needs from one look to the next is in its memory.
 struct Probe {
   std::string name, unit;
-  std::function<double(const View&, ProbeMemory&)> value;
-  bool every_step = false;  ///< sampled after every step; else whenever the ledger is brought up to date
+  std::function<double(const View&, Kept&)> value;
+  bool is_mean = false;  ///< over the time since the look before, as a force from its impulse; else the value at the look
 };
 
-/// Measures once: `last`, extremes with their times, the integral and the times above zero.
+/// Measures the start or a step: extremes with their times, the integral and the times above zero; `last` of what is no mean.
 void sample(const Probe&, const View&, ProbeMemory&);
+
+/// `last` of a mean: that since the row before. To be called where the ledger is current.
+void sample_row(const Probe&, const View&, ProbeMemory&);
 
 }  // namespace nereid::dynamics

@@ -208,12 +208,12 @@ Outcome run(const Model& model, State& now, Forces& forces, const Time& time, do
   const Pace pace{.end = time.end, .safety = time.safety};
   const auto clock = [] { return std::chrono::steady_clock::now(); };
   const auto began = clock();
-  // A state that was shown before its ledger was current is shown again at the end: probes of every step have seen it.
+  // A state that was shown before its ledger was current is shown again at the end: probes have seen its step.
   const auto show = [&](bool again = false) {
     const View view{model, now, forces, progress.ledger_is_current};
     for (std::size_t p = 0; p < watch.probes.size(); ++p) {
-      const bool every_step = watch.probes[p].every_step;
-      if (every_step ? !again : view.ledger_is_current) sample(watch.probes[p], view, now.probes[p]);
+      if (!again) sample(watch.probes[p], view, now.probes[p]);
+      if (view.ledger_is_current) sample_row(watch.probes[p], view, now.probes[p]);
     }
     for (const Observer& observer : watch.observers) observer(view);
   };

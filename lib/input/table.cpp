@@ -40,6 +40,8 @@ Column column_of(std::string_view head) {
   const std::size_t open = head.find('[');
   Column column{std::string(trimmed(head.substr(0, open))), dim::none, 1, ""};
   if (open == std::string_view::npos) return column;
+  constexpr std::string_view mean = " mean";  // behind the unit, as histories mark means over time
+  if (head.ends_with(mean)) head = trimmed(head.substr(0, head.size() - mean.size()));
   if (head.back() != ']') {
     column.wrong = "expected ']' at the end of " + quote(head);
     return column;

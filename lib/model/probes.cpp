@@ -9,9 +9,9 @@ namespace nereid::model {
 
 namespace {
 
-using dynamics::ProbeMemory;
+using dynamics::Kept;
 using dynamics::View;
-using Measure = std::function<double(const View&, ProbeMemory&)>;
+using Measure = std::function<double(const View&, Kept&)>;
 
 const std::vector<std::string> axes{"x", "y", "z"};
 const std::vector<std::string> of_vectors{"magnitude", "x", "y", "z"};
@@ -30,13 +30,13 @@ std::vector<material::Variable> internal_variables(const std::variant<Laws...>*)
   return all;
 }
 
-/// One component of a vector by its name; value(view, memory) is the vector.
+/// One component of a vector by its name; value(view, kept) is the vector.
 template <class Value>
 Measure component(const std::string& name, const Vec3& normal, Value&& value) {
-  if (name == "magnitude") return [value](const View& view, ProbeMemory& memory) { return value(view, memory).norm(); };
-  if (name == "normal") return [value, normal](const View& view, ProbeMemory& memory) { return value(view, memory).dot(normal); };
+  if (name == "magnitude") return [value](const View& view, Kept& kept) { return value(view, kept).norm(); };
+  if (name == "normal") return [value, normal](const View& view, Kept& kept) { return value(view, kept).dot(normal); };
   const int axis = name[0] - 'x';
-  return [value, axis](const View& view, ProbeMemory& memory) -> double { return value(view, memory)(axis); };
+  return [value, axis](const View& view, Kept& kept) -> double { return value(view, kept)(axis); };
 }
 
 /// Places of the interfaces of a contact: one, or two passes with the sides exchanged; and of its edges.
@@ -71,19 +71,19 @@ struct Measuring {
 
   Measure operator()(std::monostate) const { return {}; }
   Measure operator()(Vec3 (*value)(const View&, const Subset&)) const {
-    return component(along, Vec3::Zero(), [value, nodes = nodes](const View& view, ProbeMemory&) { return value(view, nodes); });
+    return component(along, Vec3::Zero(), [value, nodes = nodes](const View& view, Kept&) { return value(view, nodes); });
   }
   Measure operator()(double (*value)(const View&, const Subset&)) const {
-    return [value, nodes = nodes](const View& view, ProbeMemory&) { return value(view, nodes); };
+    return [value, nodes = nodes](const View& view, Kept&) { return value(view, nodes); };
   }
   Measure operator()(double (*value)(const View&, const Subset&, int)) const {
-    return [value, nodes = nodes, axis = along[0] - 'x'](const View& view, ProbeMemory&) { return value(view, nodes, axis); };
+    return [value, nodes = nodes, axis = along[0] - 'x'](const View& view, Kept&) { return value(view, nodes, axis); };
   }
   Measure operator()(Vec3 (*value)(const View&, const std::vector<std::size_t>&)) const {
-    return component(along, Vec3::Zero(), [value, passes = passes](const View& view, ProbeMemory&) { return value(view, passes); });
+    return component(along, Vec3::Zero(), [value, passes = passes](const View& view, Kept&) { return value(view, passes); });
   }
   Measure operator()(double (*value)(const View&, const std::vector<std::size_t>&)) const {
-    return [value, passes = passes](const View& view, ProbeMemory&) { return value(view, passes); };
+    return [value, passes = passes](const View& view, Kept&) { return value(view, passes); };
   }
 };
 
@@ -104,7 +104,7 @@ Measure of_body(const Probe& probe, int row, const dynamics::Model& model, const
     refuse(faults, part("probe", probe), "quantity",
            "'quantity' = " + probe.quantity + ": the material of " + probe.of + " has no such variable");
   const auto take = probe.largest ? dynamics::Take::largest : dynamics::Take::mean;
-  return [blocks, name = probe.quantity, row, take](const View& view, ProbeMemory&) {
+  return [blocks, name = probe.quantity, row, take](const View& view, Kept&) {
     return dynamics::of_body(view, blocks, name, row, take);
   };
 }
@@ -122,18 +122,18 @@ Measure of_source(const Probe& probe, const std::string& along, const dynamics::
   const bool total = probe.quantity == "impulse";
   for (std::size_t s = 0; s < model.sections.size(); ++s) {
     if (model.sections[s].name != probe.of) continue;
-    if (total) return component(along, normal, [s](const View& view, ProbeMemory&) { return view.now.sections[s].impulse; });
-    return component(along, normal, [s](const View& view, ProbeMemory& memory) { return dynamics::mean_section_force(view, s, memory); });
+    if (total) return component(along, normal, [s](const View& view, Kept&) { return view.now.sections[s].impulse; });
+    return component(along, normal, [s](const View& view, Kept& kept) { return dynamics::mean_section_force(view, s, kept); });
   }
   if (!interfaces.empty() && total)
-    return component(along, normal, [interfaces](const View& view, ProbeMemory&) {
+    return component(along, normal, [interfaces](const View& view, Kept&) {
       Vec3 sum = Vec3::Zero();
       for (const std::size_t pass : interfaces) sum += contact::side_of(view.model.interfaces[pass]) * view.now.interfaces[pass].impulse;
       return sum;
     });
   if (!interfaces.empty())
-    return component(along, normal, [interfaces](const View& view, ProbeMemory& memory) {
-      return dynamics::mean_contact_force(view, interfaces, memory);
+    return component(along, normal, [interfaces](const View& view, Kept& kept) {
+      return dynamics::mean_contact_force(view, interfaces, kept);
     });
   const auto spring = std::find_if(model.loads.begin(), model.loads.end(), [&](const auto& load) { return load::name(load) == probe.of; });
   if (total && spring != model.loads.end() && load::is_spring(*spring))
@@ -141,13 +141,13 @@ Measure of_source(const Probe& probe, const std::string& along, const dynamics::
            "'quantity' = impulse: " + probe.of + " is a spring, which gives both of its ends opposite ones; its force is that on 'from'");
   if (total) {
     const std::size_t source = dynamics::source_of(model, probe.of);
-    return component(along, normal, [source](const View& view, ProbeMemory&) { return view.now.ledger.accounts[source].impulse; });
+    return component(along, normal, [source](const View& view, Kept&) { return view.now.ledger.accounts[source].impulse; });
   }
   for (std::size_t l = 0; l < model.loads.size(); ++l)
     if (load::name(model.loads[l]) == probe.of && load::is_spring(model.loads[l]))
-      return component(along, normal, [l](const View& view, ProbeMemory&) -> Vec3 { return view.now.loads[l].force.col(0); });
+      return component(along, normal, [l](const View& view, Kept&) -> Vec3 { return view.now.loads[l].force.col(0); });
   const std::size_t source = dynamics::source_of(model, probe.of);
-  return component(along, normal, [source](const View& view, ProbeMemory& memory) { return dynamics::mean_force(view, source, memory); });
+  return component(along, normal, [source](const View& view, Kept& kept) { return dynamics::mean_force(view, source, kept); });
 }
 
 /// Place of the probe's component; faults for one that there is not.
@@ -170,9 +170,15 @@ Measure measure(const Probe& probe, const Measurable& quantity, const dynamics::
   if (quantity.of == Of::section)
     for (std::size_t s = 0; s < model.sections.size(); ++s)
       if (model.sections[s].name == probe.of)
-        return component(along, Vec3::Zero(), [s](const View& view, ProbeMemory&) { return view.now.sections[s].moment; });
+        return component(along, Vec3::Zero(), [s](const View& view, Kept&) { return view.now.sections[s].moment; });
   const Subset nodes = quantity.of == Of::nodes ? mesh::node_set(model.mesh, probe.of) : Subset{};
   return std::visit(Measuring{along, nodes, passes(model, probe.of)}, quantity.measurement);
+}
+
+/// Whether a probe is of means over time: of forces, but for those of springs, which are known at any moment.
+bool is_mean(const Probe& probe, const dynamics::Model& model) {
+  const auto is_it = [&](const load::AnyLoad& load) { return load::name(load) == probe.of && load::is_spring(load); };
+  return probe.quantity == "force" && std::none_of(model.loads.begin(), model.loads.end(), is_it);
 }
 
 }  // namespace
@@ -215,7 +221,7 @@ const Measurable* find_measurable(const std::string& quantity) {
 
 dynamics::Probe make_probe(const Probe& probe, const dynamics::Model& model, const dynamics::State& at_start, Faults& faults) {
   const Measurable* quantity = find_measurable(probe.quantity);
-  return {probe.name, quantity->unit, measure(probe, *quantity, model, at_start, faults)};
+  return {probe.name, quantity->unit, measure(probe, *quantity, model, at_start, faults), is_mean(probe, model)};
 }
 
 }  // namespace nereid::model

@@ -41,7 +41,7 @@ void check_columns(const std::vector<Column>& columns, const std::string& first)
 
 std::string head_text(const std::vector<Column>& columns, const Column& first) {
   std::string text = first.name + " [" + first.unit + "]";
-  for (const Column& column : columns) text += "," + column.name + " [" + column.unit + "]";
+  for (const Column& column : columns) text += "," + column.name + " [" + column.unit + "]" + (column.is_mean ? " mean" : "");
   return text + "\n";
 }
 

@@ -11,9 +11,10 @@ namespace nereid::output {
 struct Column {
   std::string name;  ///< letters, digits, underscore, points
   std::string unit;  ///< "Pa", "m", "1" for a pure number
+  bool is_mean = false;  ///< over the time since the row before; else the value at the row
 };
 
-/// The first line of a history, and one more of its lines.
+/// The first line of a history, with the word `mean` behind the unit of a mean; and one more of its lines.
 std::string head_text(const std::vector<Column>& columns, const Column& first = {"time", "s"});
 void append_row(double first, std::span<const double> row, std::string& text);
 

@@ -199,12 +199,12 @@ TEST(MeanForce, OfGravityIsTheWeight) {
   Scene scene({{"box", 0}});
   scene.model.gravity = Vec3(0, 0, -10);
   scene.ready();
-  const Probe weight{"weight", "N", [source = source_of(scene.model, "gravity")](const View& view, ProbeMemory& memory) {
-                       return mean_force(view, source, memory).z();
-                     }, false};
+  const Probe weight{"weight", "N", [source = source_of(scene.model, "gravity")](const View& view, Kept& kept) {
+                       return mean_force(view, source, kept).z();
+                     }, true};
   ProbeMemory memory;
   const auto sampled = [&] {
-    sample(weight, scene.view(), memory);
+    sample_row(weight, scene.view(), memory);
     return memory.last;
   };
   start(scene.model, scene.state, scene.forces);

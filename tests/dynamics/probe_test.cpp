@@ -15,7 +15,7 @@ ProbeMemory sampled(const std::vector<double>& values, double dt) {
   state.dt = dt;
   ProbeMemory memory;
   for (const double value : values) {
-    sample({"value", "1", [value](const View&, ProbeMemory&) { return value; }, true}, {model, state, forces, true}, memory);
+    sample({"value", "1", [value](const View&, Kept&) { return value; }}, {model, state, forces, true}, memory);
     state.t += dt;
   }
   return memory;
@@ -29,6 +29,27 @@ TEST(Probe, RemembersTheLastValueAndTheExtremesWithTheTimesOfTheFirstOfEqualOnes
   EXPECT_EQ(memory.smallest, -2);
   EXPECT_EQ(memory.time_of_smallest, 1);
   EXPECT_EQ(memory.samples, 6);
+}
+
+TEST(Probe, OfAMeanHasTheExtremesOfStepsAndInItsRowTheMeanSinceTheRowBefore) {
+  const Model model;
+  const Forces forces;
+  State state;
+  const Probe pull{"pull", "N", [](const View& view, Kept& kept) {
+                     const double before = kept.since < 0 ? 0 : kept.since, t = view.now.t, impulse = t * t;
+                     const double mean = t > before ? (impulse - kept.integral.x()) / (t - before) : 0;
+                     kept.integral.x() = impulse, kept.since = t;
+                     return mean;
+                   }, true};
+  ProbeMemory memory;
+  for (int step = 0; step <= 4; ++step, state.t += 1) {
+    sample(pull, {model, state, forces, step % 4 == 0}, memory);
+    if (step % 4 == 0) sample_row(pull, {model, state, forces, true}, memory);
+  }
+  EXPECT_EQ(memory.last, 4) << "16 N s in 4 s";
+  EXPECT_EQ(memory.largest, 7) << "the last step: 16 - 9";
+  EXPECT_EQ(memory.time_of_largest, 4);
+  EXPECT_EQ(memory.smallest, 0);
 }
 
 TEST(Probe, IntegratesAndKnowsWhenItWasAboveZero) {

@@ -622,7 +622,7 @@ TEST(Observers, SeeTheLedgerOfTheLastStateOfARunThatStopped) {
 TEST(Probes, OfEveryStepSeeEachStateOnceAlsoWhereARunStopsBetweenUpdatesOfItsLedger) {
   Scene s = box();
   s.state.v(0, 13) = -1e5;  // an element inverts
-  const std::vector<Probe> probes{{"one", "1", [](const View&, ProbeMemory&) { return 1.0; }, true}};
+  const std::vector<Probe> probes{{"one", "1", [](const View&, Kept&) { return 1.0; }}};
   Time time;
   time.end = 1, time.created_limit = 1e300;
   const Outcome outcome = run(s.model, s.state, s.forces, time, 1e300, {.probes = probes});

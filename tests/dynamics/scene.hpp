@@ -151,8 +151,8 @@ inline std::vector<std::pair<std::string, std::vector<double>>> numbers(const St
                         s.progress.smallest.dt, s.progress.smallest.source, s.progress.smallest.at, s.progress.largest_step);
   for (const ProbeMemory& p : s.probes) {
     part("probe"), add(p.last, p.largest, p.smallest, p.time_of_largest, p.time_of_smallest, p.integral, p.first_above_zero,
-                       p.last_above_zero, p.samples, p.since);
-    all(p.impulse), all(p.force);
+                       p.last_above_zero, p.samples);
+    for (const Kept& kept : {p.of_steps, p.of_rows}) add(kept.since), all(kept.integral), all(kept.value);
   }
   return parts;
 }

@@ -1631,8 +1631,8 @@ TEST(Resume, HasTheBitsOfARunWithoutABreakForEveryLoadAndPlaneAndProbe) {
     Scene s = loaded(driven);
     const std::size_t source = source_of(s.model, "spring");
     const std::vector<Probe> probes{
-        {"speed", "m/s", [](const View& view, ProbeMemory&) { return view.now.v(0, 0); }, true},
-        {"pull", "N", [source](const View& view, ProbeMemory& memory) { return mean_force(view, source, memory).x(); }, false}};
+        {"speed", "m/s", [](const View& view, Kept&) { return view.now.v(0, 0); }},
+        {"pull", "N", [source](const View& view, Kept& kept) { return mean_force(view, source, kept).x(); }, true}};
     expect_resumed_bits(s, 90, probes);
   }
 }

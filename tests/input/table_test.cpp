@@ -34,6 +34,13 @@ TEST(Table, StaysAtItsEndsOutside) {
   EXPECT_EQ(value_at(table("t [s], f [N]\n2, 7\n"), 0), 7) << "of one point it is constant";
 }
 
+TEST(Table, TakesAColumnThatAHistoryMarksAsAMean) {
+  const Table pull = table("time [s],tip [m],pull [kN] mean\n0,1,2\n", "pull");
+  EXPECT_EQ(pull.of_value, dim::force);
+  EXPECT_EQ(value_at(pull, 0), 2000);
+  EXPECT_NE(fault("time [s],pull [kN] means\n0,2\n"), "");
+}
+
 TEST(Table, TakesAColumnByItsName) {
   const std::string history = "\xef\xbb\xbftime [s],energy [J],tip [m]\n0,1,2\n1,3,4\n";
   EXPECT_EQ(value_at(table(history, "tip"), 0.5), 3);

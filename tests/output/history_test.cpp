@@ -61,6 +61,10 @@ TEST(History, HasLinesThatCanBeHadWithoutAFile) {
   EXPECT_EQ(text, "time [s],settlement_mean [m],interface_stress [Pa]\n0,0.10000000000000001,-203000000\n");
 }
 
+TEST(History, ItsHeaderSaysWhatIsAMeanOverTime) {
+  EXPECT_EQ(head_text({{"tip", "m"}, {"pull", "N", true}}), "time [s],tip [m],pull [N] mean\n");
+}
+
 TEST(History, NotANumberHasNoSign) {
   const fs::path file = fresh_file("nan");
   History history(file, two);
