@@ -23,7 +23,7 @@ def read_history(folder):
     for entry in header:
         found = re.fullmatch(r"\s*(\w+)\s*\[([^\]]*)\](?: mean)?\s*", entry)
         if not found:
-            raise Unreadable(f"{path}:1: '{entry}' is no column header; expected is 'name [unit]', with 'mean' behind it for a mean over time")
+            raise Unreadable(f"{path}:1: '{entry}' is no column header; expected is 'name [unit]' or 'name [unit] mean'")
         names.append(found.group(1))
         units[found.group(1)] = found.group(2)
     values = np.empty((len(rows), len(names)))

@@ -230,7 +230,8 @@ def boxes_follow(run):
 def unlike_dense_rows(run):
     """How many results of the probes differ from those of other rows; all runs have the same steps."""
     dense = Run(bounces({"history_every": "0.05 ms"}))
-    of_probes = [name for name in run.summary["results"] if name.startswith(("pressure_", "force_", "stress_", "mean_stress_", "gap_", "speed_"))]
+    probes = tuple(probe["name"] + "_" for probe in bounces({})["probes"])
+    of_probes = [name for name in run.summary["results"] if name.startswith(probes)]
     return sum(run.result(name) != dense.result(name) for name in of_probes)
 
 
