@@ -106,7 +106,7 @@ model::Simulation build(const input::CaseFile& file) {
   simulation.probes = settlements(mesh);
   simulation.probes.insert(
       simulation.probes.end(),
-      {{"floor_force", "N", floor_force},
+      {{"floor_force", "N", floor_force, true},
        {"floor_impulse", "N s", [](const dynamics::View& view, auto&) { return view.now.constraints.account[0].impulse.z(); }},
        {"bulge", "m", [outside](const dynamics::View& view, auto&) { return bulge(view, outside); }}});
   return simulation;

@@ -142,9 +142,9 @@ std::vector<output::Result> results(const model::Simulation& simulation) {
   const auto& seen = simulation.state.probes;  // in the order of probes()
   const double way = seen[0].last, speed = seen[1].last, stop = seen[4].first_above_zero;
   const double largest = std::max(0.0, seen[2].largest), smallest = seen[2].smallest, mean = (largest + smallest) / 2;
-  const bool half = seen[5].since > 0;
+  const bool half = seen[5].of_steps.since > 0;
   const double half_way = half ? seen[5].last : 0, half_speed = half ? seen[6].last : 0;
-  const double later = half ? simulation.state.t - seen[5].since : 0;  // the second half of the run
+  const double later = half ? simulation.state.t - seen[5].of_steps.since : 0;  // the second half of the run
   std::vector<output::Result> all{{"way", way, "m"},
                                   {"way_in_second_half", way - half_way, "m"},
                                   {"speed", speed, "m/s"},
