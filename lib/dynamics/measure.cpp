@@ -115,14 +115,14 @@ double radius(const View& view, const Subset& nodes, int axis) {
   return most;
 }
 
-double of_body(const View& view, const std::vector<std::size_t>& blocks, std::string_view name, int component, Take take) {
+double of_body(const View& view, const std::vector<std::size_t>& blocks, const element::Shown& shown, int component, Take take) {
   double largest = -std::numeric_limits<double>::infinity(), sum = 0, all = 0;
   for (const std::size_t b : blocks) {
     const auto& block = view.model.blocks[b];
-    const auto fields = element::fields(block, view.now.x, view.now.blocks[b]);
-    const auto field = std::find_if(fields.begin(), fields.end(), [&](const Field& one) { return one.name == name; });
-    check(field != fields.end(), "a body has no such field");
-    const auto values = field->values.row(component).transpose();
+    const auto wanted = [&](const element::Shown& one) { return one.quantity == shown.quantity && one.place == shown.place; };
+    const auto fields = element::fields(block, view.model.mesh.X, view.now.x, view.now.blocks[b], wanted);
+    check(!fields.empty(), "a body has no such field");
+    const auto values = fields[0].values.row(component).transpose();
     largest = std::max(largest, values.maxCoeff());
     if (take == Take::largest) continue;
     const Scalars mass = element::element_masses(block);

@@ -203,8 +203,8 @@ Vote advance(const AnyBlock& any, const Vectors& x, const Vectors& dx, const Vec
       any, [&](const auto& block, auto kernels) { return kernels.advance(block, x, dx, rotation, dt, memory, forces, reports); });
 }
 
-std::vector<Field> fields(const AnyBlock& any, const Vectors& x, const Memory& memory) {
-  return with_kernels(any, [&](const auto& block, auto kernels) { return kernels.fields(block, x, memory); });
+std::vector<Field> fields(const AnyBlock& any, const Vectors& X, const Vectors& x, const Memory& memory, const Wanted& wanted) {
+  return with_kernels(any, [&](const auto& block, auto kernels) { return kernels.fields(block, X, x, memory, wanted); });
 }
 
 }  // namespace nereid::element

@@ -1,6 +1,7 @@
 #pragma once
 // Blocks: elements of one kind, of one material, cut into tiles and worked pack by pack.
 
+#include <functional>
 #include <string>
 #include <tuple>
 #include <type_traits>
@@ -164,9 +165,16 @@ TileReports tile_reports(const AnyBlock&);
 Vote advance(const AnyBlock&, const Vectors& x, const Vectors& dx, const Vectors& rotation, double dt,
              Memory&, TileForces& forces, TileReports&);
 
-/// What the elements show: stress in the global frame (mean over points or through the thickness),
-/// von_mises and the law's internal scalars (largest over points or through the thickness), pressure
-/// (positive in compression).
-std::vector<Field> fields(const AnyBlock&, const Vectors& x, const Memory&);
+/// Which quantities of elements are wanted, at which places.
+using Wanted = std::function<bool(const Shown&)>;
+
+/// What the elements show of what is wanted: stress [Pa], von_mises [Pa], pressure [Pa] (positive in compression), the law's internal
+/// scalars, logarithmic strain [-], and thickness [m] of plates whose thickness follows their strain. Tensors are in the global frame.
+///
+/// Of solids with several points stress is their mean, von_mises and internal scalars are the largest of theirs; the strain is that of
+/// the mean deformation gradient. Plates have each but the thickness at each place: at_place(), strain_at_place().
+///
+/// X, x  [m] reference and current positions
+std::vector<Field> fields(const AnyBlock&, const Vectors& X, const Vectors& x, const Memory&, const Wanted& = in_usual_frames);
 
 }  // namespace nereid::element

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <optional>
 #include <tuple>
 
 #include "base/gather.hpp"
@@ -185,44 +187,61 @@ typename Kind::template Memory<double, Law> read_memory(const Block<Kind, Law>& 
 
 inline Vector<double> column(const Vectors& x, Index node) { return {x(0, node), x(1, node), x(2, node)}; }
 
-/// Stress in the global frame, largest von Mises stress and internal scalars of one element.
+/// What one element shows at one place. Tensors in the global frame.
 template <class Law>
-Symmetric<double> output_of(const Hexahedron::Memory<double, Law>& memory, const Block<Hexahedron, Law>&,
-                        const Vectors&, Index, double& mises, std::array<double, Law::internal.size()>& internal) {
-  mises = material::von_mises(memory.stress);
-  internal = memory.internal.scalar;
-  return memory.stress;
+struct Output {
+  Symmetric<double> stress;  // [Pa]
+  double mises;              // [Pa]
+  std::array<double, Law::internal.size()> internal;
+  Symmetric<double> strain;  // [-] where it is wanted
+};
+
+/// The nodes of an element. [m]
+template <class Kind, class Law>
+std::array<Vector<double>, Kind::nodes> corners_of(const Block<Kind, Law>& block, const Vectors& x, Index element) {
+  std::array<Vector<double>, Kind::nodes> corners;
+  for (int a = 0; a < Kind::nodes; ++a) corners[a] = column(x, block.nodes(a, element));
+  return corners;
 }
-template <class Law>
-Symmetric<double> output_of(const FullHexahedron::Memory<double, Law>& memory, const Block<FullHexahedron, Law>&,
-                        const Vectors&, Index, double& mises, std::array<double, Law::internal.size()>& internal) {
+
+/// Strain of the deformation gradient of a hexahedron, a mean over its reference volume.
+inline Symmetric<double> strain_of(const std::array<Vector<double>, 8>& X, const std::array<Vector<double>, 8>& x) {
+  const Matrix<double> F =
+      mean_gradient(scaled(0.125, sums_by_mode(x)), volume_gradient(scaled(0.125, sums_by_mode(X))));
+  return hencky_strain(Mat3{{F.x.x, F.x.y, F.x.z}, {F.y.x, F.y.y, F.y.z}, {F.z.x, F.z.y, F.z.z}});
+}
+
+template <class Law, class Corners>
+Output<Law> output_of(const Hexahedron::Memory<double, Law>& memory, const Block<Hexahedron, Law>&, const Corners& X, const Corners& x,
+                      Place, bool with_strain) {
+  return {memory.stress, material::von_mises(memory.stress), memory.internal.scalar,
+          with_strain ? strain_of(X, x) : Symmetric<double>{}};
+}
+template <class Law, class Corners>
+Output<Law> output_of(const FullHexahedron::Memory<double, Law>& memory, const Block<FullHexahedron, Law>&, const Corners& X,
+                      const Corners& x, Place, bool with_strain) {
   Symmetric<double> sum{0, 0, 0, 0, 0, 0};
-  mises = 0;
-  internal.fill(0);
+  Output<Law> shown{};
   for (const auto& point : memory.points) {
     sum = sum + point.stress;
-    mises = std::max(mises, material::von_mises(point.stress));
-    for (std::size_t i = 0; i < internal.size(); ++i) internal[i] = std::max(internal[i], point.internal.scalar[i]);
+    shown.mises = std::max(shown.mises, material::von_mises(point.stress));
+    for (std::size_t i = 0; i < shown.internal.size(); ++i) shown.internal[i] = std::max(shown.internal[i], point.internal.scalar[i]);
   }
-  return (1.0 / FullHexahedron::gauss_points) * sum;
+  shown.stress = (1.0 / FullHexahedron::gauss_points) * sum;
+  if (with_strain) shown.strain = strain_of(X, x);
+  return shown;
 }
-template <class Law>
-Symmetric<double> output_of(const Plate::Memory<double, Law>& memory, const Block<Plate, Law>& block, const Vectors& x,
-                        Index element, double& mises, std::array<double, Law::internal.size()>& internal) {
-  std::array<Vector<double>, 3> corners;
-  for (int a = 0; a < 3; ++a) corners[a] = column(x, block.nodes(a, element));
-  Plane<double> mean{0, 0, 0};
-  mises = 0;
-  internal.fill(0);
-  for (int l = 0; l < block.layers.count; ++l) {
-    const auto& layer = memory.layers[l];
-    mean = mean + block.layers.weight[l] * layer.stress;
-    mises = std::max(mises, material::von_mises(layer.stress));
-    for (std::size_t i = 0; i < internal.size(); ++i) internal[i] = std::max(internal[i], layer.internal.scalar[i]);
-  }
-  const auto [e1, e2, e3] = plate_shape(corners).frame;
+template <class Law, class Corners>
+Output<Law> output_of(const Plate::Memory<double, Law>& memory, const Block<Plate, Law>& block, const Corners& X, const Corners& x,
+                      Place place, bool with_strain) {
+  const PlateShape<double> now = plate_shape(x);
+  const auto& [e1, e2, e3] = now.frame;
   const Matrix<double> Q{{e1.x, e2.x, e3.x}, {e1.y, e2.y, e3.y}, {e1.z, e2.z, e3.z}};
-  return rotate(Q, Symmetric<double>{mean.xx, mean.yy, 0, mean.xy, 0, 0});
+  const AtPlace<Law> at = at_place(block.law, block.layers, memory, place);
+  Output<Law> shown{rotate(Q, Symmetric<double>{at.stress.xx, at.stress.yy, 0, at.stress.xy, 0, 0}), material::von_mises(at.stress),
+                    at.internal.scalar, {}};
+  if (with_strain) shown.strain = rotate(Q, strain_at_place(block.law, plate_shape(X), now, memory, at.stress, place));
+  return shown;
 }
 
 template <class Kind, class Law>
@@ -353,31 +372,47 @@ std::vector<Bending> Kernels<Kind, Law>::bending(const Block<Kind, Law>& block, 
 }
 
 template <class Kind, class Law>
-std::vector<Field> Kernels<Kind, Law>::fields(const Block<Kind, Law>& block, const Vectors& x, const Memory& memory) {
-  const Index count = block.tiling.elements;
+std::vector<Field> Kernels<Kind, Law>::fields(const Block<Kind, Law>& block, const Vectors& X, const Vectors& x, const Memory& memory,
+                                              const Wanted& wanted) {
+  using Row = Eigen::MatrixXd::ColXpr;
   std::vector<Field> list;
-  list.push_back({"stress", "Pa", {"XX", "YY", "ZZ", "XY", "YZ", "XZ"}, Eigen::MatrixXd(6, count)});
-  list.push_back({"von_mises", "Pa", {}, Eigen::MatrixXd(1, count)});
-  list.push_back({"pressure", "Pa", {}, Eigen::MatrixXd(1, count)});
-  for (const auto& [name, unit] : Law::internal) list.push_back({std::string(name), std::string(unit), {}, Eigen::MatrixXd(1, count)});
-  const auto thickness = static_cast<Index>(list.size());  // its place, if there is one
+  std::vector<std::function<void(const Output<Law>&, Row)>> fill;  // beside the list
+  std::vector<Place> places;                                       // beside the list
+  const auto add = [&](std::string_view quantity, std::string_view unit, bool tensor, auto&& put) {
+    const auto at = [&](Place place) {
+      if (!wanted({quantity, place})) return;
+      list.push_back({name({quantity, place}), std::string(unit), {}, Eigen::MatrixXd(tensor ? 6 : 1, block.tiling.elements)});
+      if (tensor) list.back().components = {"XX", "YY", "ZZ", "XY", "YZ", "XZ"};
+      fill.push_back(put), places.push_back(place);
+    };
+    if constexpr (Kind::layered) std::for_each(places_of_plates.begin(), places_of_plates.end(), at);
+    else at(Place::none);
+  };
+  const auto components = [](const Symmetric<double>& s, Row row) { row << s.xx, s.yy, s.zz, s.xy, s.yz, s.xz; };
+  add("stress", "Pa", true, [&](const Output<Law>& shown, Row row) { components(shown.stress, row); });
+  add("von_mises", "Pa", false, [](const Output<Law>& shown, Row row) { row(0) = shown.mises; });
+  add("pressure", "Pa", false, [](const Output<Law>& shown, Row row) { row(0) = material::pressure(shown.stress); });
+  for (std::size_t i = 0; i < Law::internal.size(); ++i)
+    add(Law::internal[i].name, Law::internal[i].unit, false, [i](const Output<Law>& shown, Row row) { row(0) = shown.internal[i]; });
+  const std::size_t before = list.size();
+  add("strain", "1", true, [&](const Output<Law>& shown, Row row) { components(shown.strain, row); });
+  const bool with_strain = list.size() > before;
   if constexpr (Kind::layered)
-    if (Kind::template thins<Law>(block.options)) list.push_back({"thickness", "m", {}, Eigen::MatrixXd(1, count)});
+    if (Kind::template thins<Law>(block.options) && wanted({"thickness", Place::none}))
+      list.push_back({"thickness", "m", {}, Eigen::MatrixXd(1, block.tiling.elements)});
+
   each_element(block, [&](std::size_t pack, int lane, [[maybe_unused]] const auto& constants) {
     const Index element = block.tiling.element[pack * lanes + lane];
-    double mises = 0;
-    std::array<double, Law::internal.size()> internal{};
+    const auto from = corners_of(block, X, element), to = corners_of(block, x, element);
     const auto here = read_memory(block, memory, pack, lane);
-    const Symmetric<double> s = output_of(here, block, x, element, mises, internal);
-    list[0].values.col(element) << s.xx, s.yy, s.zz, s.xy, s.yz, s.xz;
-    list[1].values(0, element) = mises;
-    list[2].values(0, element) = -(s.xx + s.yy + s.zz) / 3.0;
-    for (std::size_t i = 0; i < internal.size(); ++i) list[3 + i].values(0, element) = internal[i];
-    if constexpr (Kind::layered) {
-      if (thickness == static_cast<Index>(list.size())) return;
-      const std::array corners{column(x, block.nodes(0, element)), column(x, block.nodes(1, element)), column(x, block.nodes(2, element))};
-      list[thickness].values(0, element) = thickness_left(block.law, block.layers, constants, corners, here);
+    std::array<std::optional<Output<Law>>, 1 + places_of_plates.size()> shown;
+    for (std::size_t f = 0; f < fill.size(); ++f) {
+      auto& at = shown[static_cast<std::size_t>(places[f])];
+      if (!at) at = output_of(here, block, from, to, places[f], with_strain);
+      fill[f](*at, list[f].values.col(element));
     }
+    if constexpr (Kind::layered)
+      if (list.size() > fill.size()) list.back().values(0, element) = thickness_left(block.law, block.layers, constants, to, here);
   });
   return list;
 }

@@ -23,7 +23,7 @@ Scene box(const element::AnyLaw& law) {
 }
 
 double stress(const Scene& s, int component) {
-  return element::fields(s.model.blocks[0], s.state.x, s.state.blocks[0])[0].values(component, 0);
+  return element::fields(s.model.blocks[0], s.model.mesh.X, s.state.x, s.state.blocks[0])[0].values(component, 0);
 }
 
 Vectors linear(const Model& model, const Mat3& G) { return G * model.mesh.X; }
@@ -80,7 +80,7 @@ TEST(Displace, BeyondYieldLeavesPlasticStrainAndBooksNoDissipationToTheRun) {
   Mat3 G = Mat3::Zero();
   G(0, 0) = 0.01;
   displace(s.model, s.state, linear(s.model, G), {});
-  const auto fields = element::fields(s.model.blocks[0], s.state.x, s.state.blocks[0]);
+  const auto fields = element::fields(s.model.blocks[0], s.model.mesh.X, s.state.x, s.state.blocks[0]);
   EXPECT_NEAR(fields[1].values(0, 0) / yield, 1, 1e-9);
   EXPECT_GT(fields[3].values(0, 0), 0.001);
   start(s.model, s.state, s.forces);

@@ -64,6 +64,29 @@ TEST(MakeProbe, RefusesWhatCannotBeMeasured) {
   EXPECT_TRUE(says(said, "probe 'd': 'component' = xx is unknown: components of velocity are magnitude, x, y, z"));
 }
 
+TEST(MakeProbe, AsksForAPlaceOfPlatesAndOfNothingElse) {
+  Scene scene = with({bar(), sheet()});
+  scene.probes = {{.name = "a", .quantity = "stress", .of = "sheet", .component = "xx"},
+                  {.name = "b", .quantity = "von_mises", .of = "bar", .place = "top"},
+                  {.name = "c", .quantity = "strain", .of = "sheet", .component = "xy", .place = "inside"}};
+  const std::string said = refusal(scene);
+  EXPECT_TRUE(says(said, "probe 'a': 'place' is missing: the stress of plates differs through their thickness: one of top, middle, bottom, "
+                         "membrane")) << said;
+  EXPECT_TRUE(says(said, "probe 'b': 'place' = top: bar has no plates: leave 'place' out")) << said;
+  EXPECT_TRUE(says(said, "probe 'c': 'place' = inside is unknown: places of plates are top, middle, bottom, membrane")) << said;
+}
+
+TEST(MakeProbe, RefusesABodyOfSolidsAndPlatesAndTakesItsRegions) {
+  mesh::Mesh both = mesh::box("", {Vec3(0, 0, 0), Vec3(2, 1, 1), {2, 1, 1}});
+  both.hexahedra[0].name = ".core";
+  both.triangles.push_back({".skin", mesh::surface(both, ".z_high").facets});
+  Scene scene = with({{.name = "m", .mesh = both, .law = steel}});
+  scene.bodies[0].plate.thickness = 2e-3;
+  scene.probes = {{.name = "a", .quantity = "von_mises", .of = "m"}};
+  const std::string said = refusal(scene);
+  EXPECT_TRUE(says(said, "probe 'a': 'of' = m has solids and plates, whose von_mises differ: take one of its regions")) << said;
+}
+
 /// What the nodes have for which is_ahead(X). [kg m/s]
 template <class Ahead>
 Vec3 momentum_of(const Simulation& simulation, Ahead&& is_ahead) {
