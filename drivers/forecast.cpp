@@ -138,7 +138,7 @@ Costs rehearse(model::Simulation& simulation, double dt, const std::function<std
   const auto add_row = [&] {
     text.clear();
     dynamics::update_ledger(model, now);
-    dynamics::see_hourglass_energy(model, false, now);
+    dynamics::see_artificial_energy(model, false, now);
     for (std::size_t p = 0; p < now.probes.size(); ++p)
       if (!simulation.probes[p].every_step) dynamics::sample(simulation.probes[p], view(), now.probes[p]);
     output::append_row(now.t, filled(row_of(view(), simulation.probes, ledger), columns_of(simulation.probes, ledger), model), text);

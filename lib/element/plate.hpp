@@ -112,7 +112,8 @@ Layers gauss_layers(int count);
 struct Plate {
   static constexpr int nodes = 3, dimensions = 2;
   static constexpr bool rotates = true, layered = true;
-  static constexpr std::array stored_channels{Stored::elastic, Stored::transverse_shear, Stored::drilling};
+  static constexpr std::array stored_channels{Stored::elastic, Stored::transverse_shear, Stored::residual_bending,
+                                              Stored::drilling};
   static constexpr std::array dissipated_channels{Dissipated::plastic, Dissipated::viscous};
   static constexpr int most_layers = 9;
   static constexpr double shear_factor = 5.0 / 6.0;  ///< [-] of a homogeneous section
@@ -364,6 +365,8 @@ NEREID_HOT T drilling_frequency_squared(T part, double mu, double density, T gyr
 /// material spins by minus the shear strain against them, and the stress and the tensors of the law with it, so that
 /// the numbering of the nodes does not matter.
 ///
+/// Of what transverse shear stores the share of share_of_shear is that of shear, the rest that of residual bending.
+///
 /// With `drilling` each node is held to turn about the normal as the plate does in its plane: moments of a spring of that part of the shear
 /// modulus times a third of the volume, and forces that balance them (Hughes & Brezzi 1989).
 ///
@@ -449,8 +452,8 @@ NEREID_HOT Report<T, Plate> advance(const Law& law, const Plate::Options& option
     bending = bending + (weight * T(layers.z[l])) * layer.stress;
   }
 
-  const T shear_stiffness =
-      T(moduli.mu * decltype(moduli.mu)(Plate::shear_factor)) * share_of_shear(moduli, Plate::shear_factor, thickness, middle);
+  const T share = share_of_shear(moduli, Plate::shear_factor, thickness, middle);
+  const T shear_stiffness = T(moduli.mu * decltype(moduli.mu)(Plate::shear_factor)) * share;
   const InPlane<T> old{cosine * memory.shear.x - sine * memory.shear.y,
                        sine * memory.shear.x + cosine * memory.shear.y};
   const InPlane<T> now{old.x + shear_stiffness * slide.x, old.y + shear_stiffness * slide.y};
@@ -516,7 +519,8 @@ NEREID_HOT Report<T, Plate> advance(const Law& law, const Plate::Options& option
   }
   const T damping = T(1.5) * eta * squares / density;
   const T lighter = T(law.density) / density;  // a plate that keeps its thickness gains volume as it stretches, and no mass
-  return {.stored = {stored * middle_volume, shear_stored * middle_volume, drilling_stored * middle_volume},
+  return {.stored = {stored * middle_volume, share * shear_stored * middle_volume, (T(1.0) - share) * shear_stored * middle_volume,
+                     drilling_stored * middle_volume},
           .dissipated = {dissipated * middle_volume, -viscous_work},
           .step = stable_step(lighter * larger(in_plane, omega_squared.bending_and_shear), damping),
           .volume_ratio = end.area * T(law.density * options.thickness) / constants.mass};

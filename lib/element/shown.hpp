@@ -14,8 +14,8 @@ namespace nereid::element {
 /// is the mean through the thickness. Solids have no place.
 enum class Place { none, top, middle, bottom, membrane };
 
-constexpr std::array<std::string_view, 4> words_of_places{"top", "middle", "bottom", "membrane"};
-constexpr std::array places_of_plates{Place::top, Place::middle, Place::bottom, Place::membrane};
+inline constexpr std::array<std::string_view, 4> words_of_places{"top", "middle", "bottom", "membrane"};
+inline constexpr std::array places_of_plates{Place::top, Place::middle, Place::bottom, Place::membrane};
 
 /// One quantity of elements, at a place if these are plates.
 struct Shown {

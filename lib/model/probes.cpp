@@ -106,11 +106,13 @@ void check_place(const Probe& probe, const dynamics::Model& model, const std::ve
   if (plates && solids) {
     std::vector<std::string> regions;
     for (const std::size_t b : blocks) regions.push_back(element::name(model.blocks[b]));
-    refuse(faults, here, "of", "'of' = " + probe.of + " has solids and plates, whose " + probe.quantity + " differ: take one of its regions, " +
-           joined(regions));
+    refuse(faults, here, "of",
+           "'of' = " + probe.of + " has solids and plates, whose " + probe.quantity + " differ: take one of its regions, " +
+               joined(regions));
   } else if (plates && probe.place.empty()) {
-    refuse(faults, here, "place", "'place' is missing: the " + probe.quantity + " of plates differs through their thickness: one of " +
-           joined(places), "'membrane' is the mean through the thickness; scripts/update_case gives old case files their places");
+    refuse(faults, here, "place",
+           "'place' is missing: the " + probe.quantity + " of plates differs through their thickness: one of " + joined(places),
+           "'membrane' is the mean through the thickness; scripts/update_case gives old case files their places");
   } else if (plates) {
     expect(faults, here, "place", probe.place, "places of plates", places);
   } else if (!probe.place.empty()) {

@@ -34,7 +34,7 @@ std::vector<Field> element_fields(const dynamics::View& view, Eigen::Index total
   std::vector<Field> all;
   Eigen::Index first = 0;
   for (std::size_t b = 0; b < view.model.blocks.size(); ++b) {
-    const element::Wanted wanted = [which](const element::Shown& one) { return which == FrameFields::all || element::in_usual_frames(one); };
+    const auto wanted = [which](const element::Shown& one) { return which == FrameFields::all || element::in_usual_frames(one); };
     const auto fields = element::fields(view.model.blocks[b], view.model.mesh.X, view.now.x, view.now.blocks[b], wanted);
     const Eigen::Index count = fields[0].values.cols();
     for (const Field& field : fields) {

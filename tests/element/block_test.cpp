@@ -461,7 +461,7 @@ TEST(Block, KnowsItsNameAndItsStores) {
   using Out = std::vector<Dissipated>;
   EXPECT_EQ(stored_channels(solid.block), (In{Stored::elastic, Stored::hourglass}));
   EXPECT_EQ(dissipated_channels(solid.block), (Out{Dissipated::plastic, Dissipated::viscous}));
-  EXPECT_EQ(stored_channels(plate.block), (In{Stored::elastic, Stored::transverse_shear, Stored::drilling}));
+  EXPECT_EQ(stored_channels(plate.block), (In{Stored::elastic, Stored::transverse_shear, Stored::residual_bending, Stored::drilling}));
   EXPECT_EQ(dissipated_channels(plate.block), (Out{Dissipated::plastic, Dissipated::viscous}));
   EXPECT_EQ(stored_channels(solids(elastic, dashpots).block), (In{Stored::elastic}));
   EXPECT_EQ(dissipated_channels(solids(elastic, dashpots).block), (Out{Dissipated::plastic, Dissipated::viscous, Dissipated::hourglass}));

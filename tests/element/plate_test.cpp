@@ -1012,6 +1012,19 @@ TEST(Plate, LargestEigenvalueIsExact) {
   }
 }
 
+TEST(Plate, StoresTheShareOfItsShearAsShearAndTheRestAsResidualBending) {
+  for (const double thickness : {0.01, 0.1, 1.0, 10.0}) {
+    Element<Elastic> e{{1, 1, 0.3}, thick(thickness), triangle()};
+    const auto report = e.move(Corners{}, random_field(1e-4));
+    const double shear = report[Stored::transverse_shear], rest = report[Stored::residual_bending];
+    const double share = share_of_shear(material::lame(e.law), Plate::shear_factor, thickness, plate_shape(e.X));
+    EXPECT_GT(shear + rest, 0);
+    EXPECT_NEAR(shear / (shear + rest), share, 1e-12);
+  }
+  EXPECT_GT(share_of_shear(material::lame(Elastic{1, 1, 0.3}), Plate::shear_factor, 10.0, plate_shape(triangle())), 0.99)
+      << "of plates that are thick beside their elements all of it is shear";
+}
+
 // ------------------------------------------------------------------------------------------------
 // What it shows at its surfaces
 
@@ -1069,7 +1082,7 @@ TEST(AtPlace, NeverShowsMoreThanTheYieldStressAtItsPlasticStrain) {
       EXPECT_GE(a.internal.scalar[0], 0);
       EXPECT_LE(material::von_mises(a.stress), yield_stress(plain, a.internal.scalar) * (1 + 1e-12));
       const auto b = at_place(other.law, other.layers, other.memory, place);
-      const Plane<double> shifted = b.stress - surface_centre(b.internal.tensor[0]);
+      const Plane<double> shifted = b.stress - material::surface_centre(b.internal.tensor[0]);
       EXPECT_LE(material::von_mises(shifted), yield_stress(mixed, b.internal.scalar) * (1 + 1e-12));
     }
   }

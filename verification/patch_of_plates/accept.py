@@ -47,16 +47,21 @@ def stored(run, name):
     return run.account("patch")["stored"][name]["value"]
 
 
+def of_shear(run):
+    """Of the shear itself, and of the bending within elements that it makes."""
+    return stored(run, "transverse_shear") + stored(run, "residual_bending")
+
+
 def energy_of_bending(run):
     return Pair(stored(case(run, "bending.yaml"), "elastic"), bending_energy(CURVATURE), "J")
 
 
 def shear_in_bending(run):
-    return Pair(stored(case(run, "bending.yaml"), "transverse_shear"), 0, "J", scale=bending_energy(CURVATURE))
+    return Pair(of_shear(case(run, "bending.yaml")), 0, "J", scale=bending_energy(CURVATURE))
 
 
 def energy_of_shear(run):
-    return Pair(stored(case(run, "shear.yaml"), "transverse_shear"), kept() * shear_energy(SIZE), "J")
+    return Pair(of_shear(case(run, "shear.yaml")), kept() * shear_energy(SIZE), "J")
 
 
 def force_inside(run):
@@ -75,7 +80,7 @@ def thicknesses(run):
     for times in (1, 10, 100, 1000, 10000):
         there, whole = of_thickness(run, times), times * shear_energy(SIZE)
         force = max(there.column(f"force_{n}")[-1] for n in (4, 5, 6, 7)) / (times * 0.12 * norm(shear_resultant(SIZE)))
-        rows.append([f"{times * THICKNESS:g} m", f"{stored(there, 'transverse_shear') / whole:.6f}", f"{kept(times * THICKNESS):.6f}",
+        rows.append([f"{times * THICKNESS:g} m", f"{of_shear(there) / whole:.6f}", f"{kept(times * THICKNESS):.6f}",
                      f"{force:.1e}"])
     return rows
 
