@@ -89,8 +89,15 @@ void add_common_results(const model::Simulation& simulation, const dynamics::Out
     const std::string& body = element::name(simulation.model.blocks[b]);
     const dynamics::Quality& seen = simulation.state.quality[b];
     if (seen.element >= 0) results.push_back({body + "_smallest_corner", seen.corner, "1"});
-    results.push_back({body + "_hourglass_fraction", dynamics::hourglass_fraction(seen, scale), "1"});
-    results.push_back({body + "_uneven_hourglass_fraction", dynamics::uneven_fraction(seen, scale), "1"});
+    const auto add = [&](const char* what, double energy) {
+      results.push_back({body + what, dynamics::of_internal(seen, energy, scale), "1"});
+    };
+    add("_artificial_fraction", seen.artificial);
+    if (element::rotates(simulation.model.blocks[b])) {
+      add("_drilling_fraction", seen.drilling), add("_residual_bending_fraction", seen.residual_bending);
+    } else {
+      add("_hourglass_fraction", seen.hourglass), add("_uneven_hourglass_fraction", seen.uneven);
+    }
   }
   for (std::size_t p = 0; p < simulation.model.rigid_planes.size(); ++p)
     results.push_back({simulation.model.rigid_planes[p].name + "_deepest", simulation.state.rigid_planes[p].deepest, "m"});

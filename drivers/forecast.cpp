@@ -64,8 +64,9 @@ struct Costs {
   double row_bytes = 0, frame_bytes = 0, first_frame_bytes = 0, walls_bytes = 0, summary_bytes = 0;
 };
 
-double bytes_of_frame(const dynamics::View& view, output::Precision precision) {
-  std::size_t sum = grid::bytes_of(output::body_grid(view), output::GridKind::volume, precision);
+double bytes_of_frame(const dynamics::View& view, const model::Recording& recording) {
+  const output::Precision precision = output_precision(recording);
+  std::size_t sum = grid::bytes_of(output::body_grid(view, frame_fields(recording)), output::GridKind::volume, precision);
   sum += grid::bytes_of(output::contact_grid(view), output::GridKind::surface, precision);
   return static_cast<double>(sum);
 }
@@ -122,7 +123,7 @@ Costs rehearse(model::Simulation& simulation, double dt, const std::function<std
   const output::Precision precision = output_precision(simulation.recording);
   const auto view = [&] { return dynamics::View{model, now, forces, true}; };
   Costs costs;
-  costs.first_frame_bytes = bytes_of_frame(view(), precision);
+  costs.first_frame_bytes = bytes_of_frame(view(), simulation.recording);
   costs.walls_bytes = static_cast<double>(grid::bytes_of(output::walls_grid(view()), output::GridKind::surface, precision));
   costs.look = seconds_of([&] { dynamics::see_overlaps(model, true, 0, now, forces); });
   costs.step = seconds_of_a_step(simulation, least_steps * dt);
@@ -137,7 +138,7 @@ Costs rehearse(model::Simulation& simulation, double dt, const std::function<std
   const auto add_row = [&] {
     text.clear();
     dynamics::update_ledger(model, now);
-    dynamics::see_hourglass_energy(model, false, now);
+    dynamics::see_artificial_energy(model, false, now);
     for (std::size_t p = 0; p < now.probes.size(); ++p) dynamics::sample_row(simulation.probes[p], view(), now.probes[p]);
     output::append_row(now.t, filled(row_of(view(), simulation.probes, ledger), columns_of(simulation.probes, ledger), model), text);
   };
@@ -145,7 +146,7 @@ Costs rehearse(model::Simulation& simulation, double dt, const std::function<std
   costs.row = seconds_of(add_row);
   costs.row_bytes = static_cast<double>(text.size());
   costs.summary_bytes = static_cast<double>(summary());
-  costs.frame = seconds_of([&] { costs.frame_bytes = bytes_of_frame(view(), precision); });
+  costs.frame = seconds_of([&] { costs.frame_bytes = bytes_of_frame(view(), simulation.recording); });
   return costs;
 }
 

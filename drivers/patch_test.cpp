@@ -33,7 +33,7 @@ struct Error {
 Error stress_error(const dynamics::View& view, double pressure) {
   Error error;
   for (std::size_t b = 0; b < view.model.blocks.size(); ++b) {
-    const auto fields = element::fields(view.model.blocks[b], view.now.x, view.now.blocks[b]);
+    const auto fields = element::fields(view.model.blocks[b], view.model.mesh.X, view.now.x, view.now.blocks[b]);
     const auto& stress = fields.front().values;  // XX YY ZZ XY YZ XZ
     for (Eigen::Index e = 0; e < stress.cols(); ++e) error.see(stress(2, e), -pressure);
   }

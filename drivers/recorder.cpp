@@ -8,6 +8,10 @@ output::Precision output_precision(const model::Recording& recording) {
   return recording.full_precision ? output::Precision::full : output::Precision::single;
 }
 
+output::FrameFields frame_fields(const model::Recording& recording) {
+  return recording.all_fields ? output::FrameFields::all : output::FrameFields::usual;
+}
+
 std::vector<output::Column> columns_of(const std::vector<dynamics::Probe>& probes, const std::vector<dynamics::Probe>& ledger) {
   std::vector<output::Column> all;
   for (const auto* list : {&probes, &ledger})
@@ -30,6 +34,7 @@ Recorder::Recorder(const model::Simulation& simulation, const std::filesystem::p
     : probes_(simulation.probes),
       ledger_(dynamics::ledger_probes(simulation.model)),
       frames_every_(simulation.recording.frames),
+      fields_(frame_fields(simulation.recording)),
       progress_(simulation.state.t, simulation.time.end, quiet),
       history_(out / "history.csv", columns_of(probes_, ledger_)),
       body_(out, "body", output::GridKind::volume, output_precision(simulation.recording)),
@@ -40,6 +45,7 @@ Recorder::Recorder(const model::Simulation& simulation, const std::filesystem::p
     : probes_(simulation.probes),
       ledger_(dynamics::ledger_probes(simulation.model)),
       frames_every_(simulation.recording.frames),
+      fields_(frame_fields(simulation.recording)),
       progress_(simulation.state.t, simulation.time.end, quiet),
       history_(out / "history.csv", columns_of(probes_, ledger_), mark.history),
       body_(out, "body", output::GridKind::volume, output_precision(simulation.recording), mark.body),
@@ -70,7 +76,7 @@ void Recorder::finish(const dynamics::View& view) {
 }
 
 void Recorder::add_frame(const dynamics::View& view) {
-  body_.add(output::body_grid(view));
+  body_.add(output::body_grid(view, fields_));
   contact_.add(output::contact_grid(view));
   history_.flush();
 }

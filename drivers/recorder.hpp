@@ -11,6 +11,7 @@
 namespace nereid::driver {
 
 output::Precision output_precision(const model::Recording&);
+output::FrameFields frame_fields(const model::Recording&);
 
 /// Columns of the history behind the time: the probes with a name, and the ledger; and a row of them.
 std::vector<output::Column> columns_of(const std::vector<dynamics::Probe>&, const std::vector<dynamics::Probe>& ledger);
@@ -46,6 +47,7 @@ class Recorder {
   const std::vector<dynamics::Probe>& probes_;
   std::vector<dynamics::Probe> ledger_;
   double frames_every_;
+  output::FrameFields fields_;
   output::Progress progress_;
   output::History history_;
   output::Collection body_, contact_, walls_;

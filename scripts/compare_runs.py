@@ -79,8 +79,10 @@ def histories(base, twin, carry=Carry(), only=None):
     return found
 
 
-UNITS = {"displacement": "m", "velocity": "m/s", "contact_force": "N", "stress": "Pa", "von_mises": "Pa", "pressure": "Pa",
-         "plastic_strain": "1"}
+OF_ELEMENTS = {"stress": "Pa", "von_mises": "Pa", "pressure": "Pa", "plastic_strain": "1", "strain": "1"}
+PLACES = ("top", "middle", "bottom", "membrane")  # of plates
+UNITS = {"displacement": "m", "velocity": "m/s", "contact_force": "N", **OF_ELEMENTS,
+         **{f"{name}_{place}": unit for name, unit in OF_ELEMENTS.items() for place in PLACES}}
 NODAL = ("displacement", "velocity", "contact_force")
 
 

@@ -30,6 +30,7 @@ DISTURBANCE = 1e-12  # [-] of the largest speed; and of the largest coordinate a
 WAVES = 40           # [-] of the disturbance, over the size of the scene, as the angle of a sine
 POLAR = ("displacement", "velocity", "position", "momentum", "force", "impulse", "current_force")
 AXIAL = ("angular_velocity", "angular_momentum", "section_moment")  # their sense goes the other way round in a mirror
+TENSORS = ("stress", "strain")
 STRESSES = ("xx", "yy", "zz", "xy", "yz", "xz")
 TURNED_AWAY = ("extent", "radius")                      # along fixed axes: a turned body has others
 IN_A_FRAME = ("momentum", "kinetic_energy", "angular_momentum", "radius")  # of a moving observer they are others
@@ -231,9 +232,9 @@ def with_components(tree, matrix=twins.IDENTITY, velocity=None):
         to_split = vector and (component in ("x", "y", "z") or velocity is not None and component != "normal")
         if velocity is not None and quantity in IN_A_FRAME or velocity is None and quantity in TURNED_AWAY:
             skipped[name] = f"{quantity} of a probe is another one in the other frame"
-        elif velocity is None and quantity == "stress" and word_of(probe, "take", "mean") != "mean":
-            skipped[name] = "the largest component of a stress has no image"
-        elif velocity is None and quantity == "stress":
+        elif velocity is None and quantity in TENSORS and word_of(probe, "take", "mean") != "mean":
+            skipped[name] = f"the largest component of a {quantity} has no image"
+        elif velocity is None and quantity in TENSORS:
             made += [{**probe, "name": Quantity(f"{name}__{c}"), "component": Quantity(c)} for c in STRESSES]
             probes[name] = [f"{name}__{c}" for c in STRESSES], tensor_back(matrix, STRESSES.index(component))
             continue

@@ -21,7 +21,7 @@ import command_line
 
 STATUS = [("unpaired", (0.75, 0.55, 0.10)), ("open", (0.55, 0.55, 0.55)), ("closed", (0.85, 0.10, 0.10))]
 DATA_SETS = ("body", "contact", "walls")
-PREFERRED = {"body": ("von_mises", "displacement"), "contact": ("contact_status", "gap")}
+PREFERRED = {"body": ("von_mises", "von_mises_top", "displacement"), "contact": ("contact_status", "gap")}
 MOST_PIXELS = 16384  # of a picture, either way
 DARK = (0.1, 0.1, 0.1)
 
@@ -31,7 +31,7 @@ def arguments():
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     add = parser.add_argument
     add("folder", type=command_line.folder_to_read, help="where body.pvd and contact.pvd stand")
-    add("--field", help="what colours the body (default: von_mises, else displacement)")
+    add("--field", help="what colours the body (default: von_mises, of plates von_mises_top, else displacement)")
     add("--component", help="its component, such as ZZ (default: the magnitude of a vector)")
     add("--contact-field", help="what colours contact (default: contact_status, else gap)")
     add("--time", type=command_line.finite, help="[s]; the nearest frame is drawn (default: the last)")

@@ -16,16 +16,18 @@ namespace nereid {
 /// Energy that a source holds and can give back.
 ///
 /// `restitution` is kinetic energy of nodes that multipliers stopped, as long as these press; `drilling` is of plates whose nodes turn
-/// about their normals.
-enum class Stored { elastic, hourglass, transverse_shear, drilling, penalty, tangential_penalty, restitution, potential, external_work };
+/// about their normals, `residual_bending` of what their transverse shear bends within an element.
+enum class Stored {
+  elastic, hourglass, transverse_shear, residual_bending, drilling, penalty, tangential_penalty, restitution, potential, external_work
+};
 /// Energy that a source took for good.
 ///
 /// `thinning` is what a penalty loses as the plates that it presses become thinner.
 enum class Dissipated { plastic, viscous, hourglass, damping, friction, inelastic_impact, removed, thinning };
 
-constexpr std::array<std::string_view, 9> words_of_stored{"elastic", "hourglass",          "transverse_shear", "drilling",
-                                                          "penalty", "tangential_penalty", "restitution",      "potential",
-                                                          "external_work"};
+constexpr std::array<std::string_view, 10> words_of_stored{"elastic",  "hourglass", "transverse_shear",   "residual_bending",
+                                                           "drilling", "penalty",   "tangential_penalty", "restitution",
+                                                           "potential", "external_work"};
 constexpr std::array<std::string_view, 8> words_of_dissipated{"plastic",  "viscous",          "hourglass", "damping",
                                                               "friction", "inelastic_impact", "removed",   "thinning"};
 
@@ -40,9 +42,9 @@ class Channels {
   double operator[](Channel channel) const { return value_[static_cast<std::size_t>(channel)]; }
 
  private:
-  std::array<double, 9> value_{};
+  std::array<double, 10> value_{};
 };
-static_assert(words_of_stored.size() <= 9 && words_of_dissipated.size() <= 9);
+static_assert(words_of_stored.size() <= 10 && words_of_dissipated.size() <= 10);
 
 /// What makes forces.
 enum class SourceKind {

@@ -10,6 +10,7 @@ namespace nereid {
 
 using Index = std::int32_t;  ///< the variable's name says of what
 using Vec3 = Eigen::Vector3d;
+using Mat2 = Eigen::Matrix2d;
 using Mat3 = Eigen::Matrix3d;
 using Scalars = Eigen::VectorXd;                            ///< [things]
 using Vectors = Eigen::Matrix<double, 3, Eigen::Dynamic>;   ///< [3 x things]

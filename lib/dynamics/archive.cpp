@@ -272,8 +272,10 @@ void visit(Archive& archive, Spin& spin) {
 
 template <class Archive>
 void visit(Archive& archive, Quality& quality) {
-  auto& [corner, element, time, hourglass, internal, uneven, compared, compared_at, inverted, thinned, thinned_at, spin] = quality;
-  archive(corner, element, time, hourglass, internal, uneven, compared, compared_at, inverted, thinned, thinned_at, spin);
+  auto& [corner, element, time, hourglass, internal, drilling, residual_bending, artificial, uneven, compared, compared_at, inverted,
+         thinned, thinned_at, spin] = quality;
+  archive(corner, element, time, hourglass, internal, drilling, residual_bending, artificial, uneven, compared, compared_at, inverted,
+          thinned, thinned_at, spin);
 }
 
 template <class Archive>

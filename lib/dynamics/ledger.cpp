@@ -17,9 +17,10 @@ double dissipated(const Account& account) {
 }
 double overdrawn(const Account& a) {
   double sum = 0;
-  for (const Stored channel : {Stored::elastic, Stored::hourglass, Stored::transverse_shear, Stored::drilling})
-    sum += std::max(0.0, -(a.stored[channel] + a.at_start[channel]));
-  return sum;
+  const auto held = [&a](Stored channel) { return a.stored[channel] + a.at_start[channel]; };
+  for (const Stored channel : {Stored::elastic, Stored::hourglass, Stored::drilling}) sum += std::max(0.0, -held(channel));
+  // one spring stores both, and their shares change with the thickness
+  return sum + std::max(0.0, -(held(Stored::transverse_shear) + held(Stored::residual_bending)));
 }
 double created(const Account& a) { return a.work + stored(a) + dissipated(a) + overdrawn(a); }
 

@@ -115,20 +115,11 @@ double radius(const View& view, const Subset& nodes, int axis) {
   return most;
 }
 
-double of_body(const View& view, const std::vector<std::size_t>& blocks, std::string_view name, int component, Take take) {
-  double largest = -std::numeric_limits<double>::infinity(), sum = 0, all = 0;
-  for (const std::size_t b : blocks) {
-    const auto& block = view.model.blocks[b];
-    const auto fields = element::fields(block, view.now.x, view.now.blocks[b]);
-    const auto field = std::find_if(fields.begin(), fields.end(), [&](const Field& one) { return one.name == name; });
-    check(field != fields.end(), "a body has no such field");
-    const auto values = field->values.row(component).transpose();
-    largest = std::max(largest, values.maxCoeff());
-    if (take == Take::largest) continue;
-    const Scalars mass = element::element_masses(block);
-    sum += mass.dot(values), all += mass.sum();
-  }
-  return take == Take::largest ? largest : sum / all;
+double of_body(const View& view, const std::vector<std::size_t>& blocks, const element::Shown& shown, int component, Take take) {
+  element::Reduced all;
+  for (const std::size_t b : blocks)
+    add(element::reduce(view.model.blocks[b], view.model.mesh.X, view.now.x, view.now.blocks[b], shown, component), all);
+  return take == Take::largest ? all.largest : all.sum / all.mass;
 }
 
 double area_across(const View& view, std::size_t c, Index apex, const Vec3& force) {

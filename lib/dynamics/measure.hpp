@@ -34,13 +34,13 @@ enum class Take {
   largest,  ///< of all elements, with its sign
 };
 
-/// One number of a field of a body as element::fields has it.
+/// One number of what a body's elements show, as element::fields has it.
 ///
 /// blocks     places in Model::blocks, at least one
 /// component  row of the field
 /// returns    in the unit of the field
-/// Throws InternalError if the body has no such field.
-double of_body(const View&, const std::vector<std::size_t>& blocks, std::string_view field, int component, Take);
+/// Throws InternalError if the elements show no such thing.
+double of_body(const View&, const std::vector<std::size_t>& blocks, const element::Shown&, int component, Take);
 
 /// Force of an interface on all its apexes, with friction, as a mean over the time between two looks. [N]
 ///

@@ -161,6 +161,7 @@ struct Quality {
   Index element = -1;                  ///< whose it was
   double time = 0;                     ///< [s] when
   double hourglass = 0, internal = 0;  ///< [J] the largest at any update of the ledger
+  double drilling = 0, residual_bending = 0, artificial = 0;  ///< [J] the same, of plates, and of the sum with hourglass energy
   double uneven = 0;                   ///< [J] the largest hourglass energy of cells that bend unlike their neighbours, or whose sides lean
   double compared = 0;                 ///< [J] hourglass energy when neighbours were last compared
   std::int64_t compared_at = 0;        ///< the step of that

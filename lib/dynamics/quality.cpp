@@ -81,14 +81,18 @@ int inverted_block(const State& now, double limit) {
   return -1;
 }
 
-void see_hourglass_energy(const Model& model, bool look, State& now) {
+void see_artificial_energy(const Model& model, bool look, State& now) {
   constexpr double worth_comparing = 0.1, more = 1.05;  // [-] of the internal energy; of the hourglass energy compared last
   for (std::size_t b = 0; b < model.blocks.size(); ++b) {
     Quality& seen = now.quality[b];
     const Account& account = now.ledger.accounts[b];  // blocks come first
     const double held = account.stored[Stored::hourglass] + account.at_start[Stored::hourglass];
     const double hourglass = held + account.dissipated[Dissipated::hourglass];
+    const double drilling = account.stored[Stored::drilling] + account.at_start[Stored::drilling];
+    const double residual = account.stored[Stored::residual_bending] + account.at_start[Stored::residual_bending];
     seen.hourglass = std::max(seen.hourglass, hourglass);
+    seen.drilling = std::max(seen.drilling, drilling), seen.residual_bending = std::max(seen.residual_bending, residual);
+    seen.artificial = std::max(seen.artificial, hourglass + drilling + residual);
     seen.internal = std::max(seen.internal, stored(account) + initial_stored(account) + dissipated(account));
     if (!(hourglass > worth_comparing * seen.internal)) continue;
     if (!look && !(hourglass > more * seen.compared) && now.step < seen.compared_at + compared_every) continue;
@@ -97,10 +101,8 @@ void see_hourglass_energy(const Model& model, bool look, State& now) {
   }
 }
 
-double hourglass_fraction(const Quality& seen, double scale) {
-  return seen.internal > nothing * scale ? seen.hourglass / seen.internal : 0;
+double of_internal(const Quality& seen, double energy, double scale) {
+  return seen.internal > nothing * scale ? energy / seen.internal : 0;
 }
-
-double uneven_fraction(const Quality& seen, double scale) { return seen.internal > nothing * scale ? seen.uneven / seen.internal : 0; }
 
 }  // namespace nereid::dynamics

@@ -1,6 +1,6 @@
 #pragma once
-// The quality of elements during a run: inverted corners, which end it; hourglass energy, thicknesses that should have changed and nodes of
-// plates that spin about their normals, which spoil results.
+// The quality of elements during a run: inverted corners, which end it; energy of artificial modes, thicknesses that should have changed
+// and nodes of plates that spin about their normals, which spoil results.
 
 #include "dynamics/model.hpp"
 
@@ -29,18 +29,17 @@ int inverted_block(const State&, double limit);
 /// A comparison takes about as long as two steps.
 constexpr std::int64_t compared_every = 100;
 
-/// Notes how much hourglass energy each block has and, where that is more than a tenth of its internal energy, how much of it is uneven
-/// (element::uneven_bending): where it has grown, after compared_every steps, or where that is wanted. Needs a ledger that is current.
+/// Notes how much energy each block has in artificial modes: hourglassing of solids, drilling and residual bending of plates. Where
+/// hourglass energy is more than a tenth of the internal energy it notes how much of it is uneven (element::uneven_bending): where it has
+/// grown, after compared_every steps, or where that is wanted. Needs a ledger that is current.
 ///
 /// look  whether to compare in any case: as the run ends
-void see_hourglass_energy(const Model&, bool look, State&);
+void see_artificial_energy(const Model&, bool look, State&);
 
-/// The largest hourglass energy of a block over its largest internal energy so far; zero where the latter is round-off. [-]
+/// An energy of a block, such as Quality::artificial, over its largest internal energy so far; zero where the latter is round-off. [-]
 ///
-/// Internal energy is all that the block stores and has dissipated, hourglass energy included.
+/// Internal energy is all that the block stores and has dissipated, that of artificial modes included.
 /// scale  [J] energy_of_scene() of the ledger
-double hourglass_fraction(const Quality&, double scale);
-/// The same of hourglass energy that is uneven; zero where hourglass energy never was a tenth. [-]
-double uneven_fraction(const Quality&, double scale);
+double of_internal(const Quality&, double energy, double scale);
 
 }  // namespace nereid::dynamics

@@ -203,8 +203,12 @@ Vote advance(const AnyBlock& any, const Vectors& x, const Vectors& dx, const Vec
       any, [&](const auto& block, auto kernels) { return kernels.advance(block, x, dx, rotation, dt, memory, forces, reports); });
 }
 
-std::vector<Field> fields(const AnyBlock& any, const Vectors& x, const Memory& memory) {
-  return with_kernels(any, [&](const auto& block, auto kernels) { return kernels.fields(block, x, memory); });
+Reduced reduce(const AnyBlock& any, const Vectors& X, const Vectors& x, const Memory& memory, const Shown& shown, int component) {
+  return with_kernels(any, [&](const auto& block, auto kernels) { return kernels.reduce(block, X, x, memory, shown, component); });
+}
+
+std::vector<Field> fields(const AnyBlock& any, const Vectors& X, const Vectors& x, const Memory& memory, const Wanted& wanted) {
+  return with_kernels(any, [&](const auto& block, auto kernels) { return kernels.fields(block, X, x, memory, wanted); });
 }
 
 }  // namespace nereid::element

@@ -1,6 +1,9 @@
 #pragma once
 // Blocks: elements of one kind, of one material, cut into tiles and worked pack by pack.
 
+#include <algorithm>
+#include <functional>
+#include <limits>
 #include <string>
 #include <tuple>
 #include <type_traits>
@@ -164,9 +167,30 @@ TileReports tile_reports(const AnyBlock&);
 Vote advance(const AnyBlock&, const Vectors& x, const Vectors& dx, const Vectors& rotation, double dt,
              Memory&, TileForces& forces, TileReports&);
 
-/// What the elements show: stress in the global frame (mean over points or through the thickness),
-/// von_mises and the law's internal scalars (largest over points or through the thickness), pressure
-/// (positive in compression).
-std::vector<Field> fields(const AnyBlock&, const Vectors& x, const Memory&);
+/// Which quantities of elements are wanted, at which places.
+using Wanted = std::function<bool(const Shown&)>;
+
+/// A quantity over the elements of a block.
+struct Reduced {
+  double largest = -std::numeric_limits<double>::infinity();  ///< with its sign
+  double sum = 0, mass = 0;                                   ///< of the values times the masses of the elements, and of these [kg]
+};
+inline void add(const Reduced& part, Reduced& all) {
+  all.largest = std::max(all.largest, part.largest), all.sum += part.sum, all.mass += part.mass;
+}
+/// One component of what fields() has, reduced; fast enough for every step, but for strain.
+///
+/// X, x  [m] positions in the reference and now
+/// component  row of the field
+Reduced reduce(const AnyBlock&, const Vectors& X, const Vectors& x, const Memory&, const Shown&, int component);
+
+/// What the elements show of what is wanted: stress [Pa], von_mises [Pa], pressure [Pa] (positive in compression), the law's internal
+/// scalars, logarithmic strain [-], and thickness [m] of plates whose thickness follows their strain. Tensors are in the global frame.
+///
+/// Of solids with several points stress is their mean, von_mises and internal scalars are the largest of theirs; the strain is that of
+/// the mean deformation gradient. Plates have each but the thickness at each place: at_place(), strain_at_place().
+///
+/// X, x  [m] reference and current positions
+std::vector<Field> fields(const AnyBlock&, const Vectors& X, const Vectors& x, const Memory&, const Wanted& = in_usual_frames);
 
 }  // namespace nereid::element

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <optional>
 #include <tuple>
 
 #include "base/gather.hpp"
@@ -185,44 +187,61 @@ typename Kind::template Memory<double, Law> read_memory(const Block<Kind, Law>& 
 
 inline Vector<double> column(const Vectors& x, Index node) { return {x(0, node), x(1, node), x(2, node)}; }
 
-/// Stress in the global frame, largest von Mises stress and internal scalars of one element.
+/// What one element shows at one place. Tensors in the global frame.
 template <class Law>
-Symmetric<double> output_of(const Hexahedron::Memory<double, Law>& memory, const Block<Hexahedron, Law>&,
-                        const Vectors&, Index, double& mises, std::array<double, Law::internal.size()>& internal) {
-  mises = material::von_mises(memory.stress);
-  internal = memory.internal.scalar;
-  return memory.stress;
+struct Output {
+  Symmetric<double> stress;  // [Pa]
+  double mises;              // [Pa]
+  std::array<double, Law::internal.size()> internal;
+  Symmetric<double> strain;  // [-] where it is wanted
+};
+
+/// The nodes of an element. [m]
+template <class Kind, class Law>
+std::array<Vector<double>, Kind::nodes> corners_of(const Block<Kind, Law>& block, const Vectors& x, Index element) {
+  std::array<Vector<double>, Kind::nodes> corners;
+  for (int a = 0; a < Kind::nodes; ++a) corners[a] = column(x, block.nodes(a, element));
+  return corners;
 }
-template <class Law>
-Symmetric<double> output_of(const FullHexahedron::Memory<double, Law>& memory, const Block<FullHexahedron, Law>&,
-                        const Vectors&, Index, double& mises, std::array<double, Law::internal.size()>& internal) {
+
+/// Strain of the deformation gradient of a hexahedron, a mean over its reference volume.
+inline Symmetric<double> strain_of(const std::array<Vector<double>, 8>& X, const std::array<Vector<double>, 8>& x) {
+  const Matrix<double> F =
+      mean_gradient(scaled(0.125, sums_by_mode(x)), volume_gradient(scaled(0.125, sums_by_mode(X))));
+  return hencky_strain(Mat3{{F.x.x, F.x.y, F.x.z}, {F.y.x, F.y.y, F.y.z}, {F.z.x, F.z.y, F.z.z}});
+}
+
+template <class Law, class Corners>
+Output<Law> output_of(const Hexahedron::Memory<double, Law>& memory, const Block<Hexahedron, Law>&, const Corners& X, const Corners& x,
+                      Place, bool with_strain) {
+  return {memory.stress, material::von_mises(memory.stress), memory.internal.scalar,
+          with_strain ? strain_of(X, x) : Symmetric<double>{}};
+}
+template <class Law, class Corners>
+Output<Law> output_of(const FullHexahedron::Memory<double, Law>& memory, const Block<FullHexahedron, Law>&, const Corners& X,
+                      const Corners& x, Place, bool with_strain) {
   Symmetric<double> sum{0, 0, 0, 0, 0, 0};
-  mises = 0;
-  internal.fill(0);
+  Output<Law> shown{};
   for (const auto& point : memory.points) {
     sum = sum + point.stress;
-    mises = std::max(mises, material::von_mises(point.stress));
-    for (std::size_t i = 0; i < internal.size(); ++i) internal[i] = std::max(internal[i], point.internal.scalar[i]);
+    shown.mises = std::max(shown.mises, material::von_mises(point.stress));
+    for (std::size_t i = 0; i < shown.internal.size(); ++i) shown.internal[i] = std::max(shown.internal[i], point.internal.scalar[i]);
   }
-  return (1.0 / FullHexahedron::gauss_points) * sum;
+  shown.stress = (1.0 / FullHexahedron::gauss_points) * sum;
+  if (with_strain) shown.strain = strain_of(X, x);
+  return shown;
 }
-template <class Law>
-Symmetric<double> output_of(const Plate::Memory<double, Law>& memory, const Block<Plate, Law>& block, const Vectors& x,
-                        Index element, double& mises, std::array<double, Law::internal.size()>& internal) {
-  std::array<Vector<double>, 3> corners;
-  for (int a = 0; a < 3; ++a) corners[a] = column(x, block.nodes(a, element));
-  Plane<double> mean{0, 0, 0};
-  mises = 0;
-  internal.fill(0);
-  for (int l = 0; l < block.layers.count; ++l) {
-    const auto& layer = memory.layers[l];
-    mean = mean + block.layers.weight[l] * layer.stress;
-    mises = std::max(mises, material::von_mises(layer.stress));
-    for (std::size_t i = 0; i < internal.size(); ++i) internal[i] = std::max(internal[i], layer.internal.scalar[i]);
-  }
-  const auto [e1, e2, e3] = plate_shape(corners).frame;
+template <class Law, class Corners>
+Output<Law> output_of(const Plate::Memory<double, Law>& memory, const Block<Plate, Law>& block, const Corners& X, const Corners& x,
+                      Place place, bool with_strain) {
+  const PlateShape<double> now = plate_shape(x);
+  const auto& [e1, e2, e3] = now.frame;
   const Matrix<double> Q{{e1.x, e2.x, e3.x}, {e1.y, e2.y, e3.y}, {e1.z, e2.z, e3.z}};
-  return rotate(Q, Symmetric<double>{mean.xx, mean.yy, 0, mean.xy, 0, 0});
+  const AtPlace<Law> at = at_place(block.law, block.layers, memory, place);
+  Output<Law> shown{rotate(Q, Symmetric<double>{at.stress.xx, at.stress.yy, 0, at.stress.xy, 0, 0}), material::von_mises(at.stress),
+                    at.internal.scalar, {}};
+  if (with_strain) shown.strain = rotate(Q, strain_at_place(block.law, plate_shape(X), now, memory, at.stress, place));
+  return shown;
 }
 
 template <class Kind, class Law>
@@ -353,33 +372,151 @@ std::vector<Bending> Kernels<Kind, Law>::bending(const Block<Kind, Law>& block, 
 }
 
 template <class Kind, class Law>
-std::vector<Field> Kernels<Kind, Law>::fields(const Block<Kind, Law>& block, const Vectors& x, const Memory& memory) {
-  const Index count = block.tiling.elements;
+std::vector<Field> Kernels<Kind, Law>::fields(const Block<Kind, Law>& block, const Vectors& X, const Vectors& x, const Memory& memory,
+                                              const Wanted& wanted) {
+  using Row = Eigen::MatrixXd::ColXpr;
   std::vector<Field> list;
-  list.push_back({"stress", "Pa", {"XX", "YY", "ZZ", "XY", "YZ", "XZ"}, Eigen::MatrixXd(6, count)});
-  list.push_back({"von_mises", "Pa", {}, Eigen::MatrixXd(1, count)});
-  list.push_back({"pressure", "Pa", {}, Eigen::MatrixXd(1, count)});
-  for (const auto& [name, unit] : Law::internal) list.push_back({std::string(name), std::string(unit), {}, Eigen::MatrixXd(1, count)});
-  const auto thickness = static_cast<Index>(list.size());  // its place, if there is one
+  std::vector<std::function<void(const Output<Law>&, Row)>> fill;  // beside the list
+  std::vector<Place> places;                                       // beside the list
+  const auto add = [&](std::string_view quantity, std::string_view unit, bool tensor, auto&& put) {
+    const auto at = [&](Place place) {
+      if (!wanted({quantity, place})) return;
+      list.push_back({name({quantity, place}), std::string(unit), {}, Eigen::MatrixXd(tensor ? 6 : 1, block.tiling.elements)});
+      if (tensor) list.back().components = {"XX", "YY", "ZZ", "XY", "YZ", "XZ"};
+      fill.push_back(put), places.push_back(place);
+    };
+    if constexpr (Kind::layered) std::for_each(places_of_plates.begin(), places_of_plates.end(), at);
+    else at(Place::none);
+  };
+  const auto components = [](const Symmetric<double>& s, Row row) { row << s.xx, s.yy, s.zz, s.xy, s.yz, s.xz; };
+  add("stress", "Pa", true, [&](const Output<Law>& shown, Row row) { components(shown.stress, row); });
+  add("von_mises", "Pa", false, [](const Output<Law>& shown, Row row) { row(0) = shown.mises; });
+  add("pressure", "Pa", false, [](const Output<Law>& shown, Row row) { row(0) = material::pressure(shown.stress); });
+  for (std::size_t i = 0; i < Law::internal.size(); ++i)
+    add(Law::internal[i].name, Law::internal[i].unit, false, [i](const Output<Law>& shown, Row row) { row(0) = shown.internal[i]; });
+  const std::size_t before = list.size();
+  add("strain", "1", true, [&](const Output<Law>& shown, Row row) { components(shown.strain, row); });
+  const bool with_strain = list.size() > before;
   if constexpr (Kind::layered)
-    if (Kind::template thins<Law>(block.options)) list.push_back({"thickness", "m", {}, Eigen::MatrixXd(1, count)});
+    if (Kind::template thins<Law>(block.options) && wanted({"thickness", Place::none}))
+      list.push_back({"thickness", "m", {}, Eigen::MatrixXd(1, block.tiling.elements)});
+
   each_element(block, [&](std::size_t pack, int lane, [[maybe_unused]] const auto& constants) {
     const Index element = block.tiling.element[pack * lanes + lane];
-    double mises = 0;
-    std::array<double, Law::internal.size()> internal{};
+    const auto from = corners_of(block, X, element), to = corners_of(block, x, element);
     const auto here = read_memory(block, memory, pack, lane);
-    const Symmetric<double> s = output_of(here, block, x, element, mises, internal);
-    list[0].values.col(element) << s.xx, s.yy, s.zz, s.xy, s.yz, s.xz;
-    list[1].values(0, element) = mises;
-    list[2].values(0, element) = -(s.xx + s.yy + s.zz) / 3.0;
-    for (std::size_t i = 0; i < internal.size(); ++i) list[3 + i].values(0, element) = internal[i];
-    if constexpr (Kind::layered) {
-      if (thickness == static_cast<Index>(list.size())) return;
-      const std::array corners{column(x, block.nodes(0, element)), column(x, block.nodes(1, element)), column(x, block.nodes(2, element))};
-      list[thickness].values(0, element) = thickness_left(block.law, block.layers, constants, corners, here);
+    std::array<std::optional<Output<Law>>, 1 + places_of_plates.size()> shown;
+    for (std::size_t f = 0; f < fill.size(); ++f) {
+      auto& at = shown[static_cast<std::size_t>(places[f])];
+      if (!at) at = output_of(here, block, from, to, places[f], with_strain);
+      fill[f](*at, list[f].values.col(element));
     }
+    if constexpr (Kind::layered)
+      if (list.size() > fill.size()) list.back().values(0, element) = thickness_left(block.law, block.layers, constants, to, here);
   });
   return list;
+}
+
+/// Which number of an element a quantity and one of its components are.
+struct Number {
+  enum class Kind { stress, von_mises, pressure, internal, strain } kind;
+  std::size_t index = 0;  ///< of a component or an internal variable
+};
+
+template <class Law>
+Number number_of(std::string_view quantity, int component) {
+  const auto index = static_cast<std::size_t>(component);
+  if (quantity == "stress") return {Number::Kind::stress, index};
+  if (quantity == "von_mises") return {Number::Kind::von_mises};
+  if (quantity == "pressure") return {Number::Kind::pressure};
+  if (quantity == "strain") return {Number::Kind::strain, index};
+  for (std::size_t i = 0; i < Law::internal.size(); ++i)
+    if (Law::internal[i].name == quantity) return {Number::Kind::internal, i};
+  check(false, "a block has no such quantity");
+  return {};
+}
+
+template <class T>
+NEREID_HOT T component_of(const Symmetric<T>& s, std::size_t index) {
+  return index == 0 ? s.xx : index == 1 ? s.yy : index == 2 ? s.zz : index == 3 ? s.xy : index == 4 ? s.yz : s.xz;
+}
+
+/// A number of one point; zero of strain, which is none.
+template <class T, class All>
+NEREID_HOT T at_point(const Symmetric<T>& stress, const All& internal, const Number& which) {
+  if (which.kind == Number::Kind::stress) return component_of(stress, which.index);
+  if (which.kind == Number::Kind::von_mises) return material::von_mises(stress);
+  if (which.kind == Number::Kind::pressure) return material::pressure(stress);
+  if constexpr (std::tuple_size_v<All> > 0)
+    if (which.kind == Number::Kind::internal) return internal[which.index];
+  return T(0.0);
+}
+
+/// A number of a hexahedron as output_of() has it, but for strain.
+template <class T, class Law>
+NEREID_HOT T value_of(const Hexahedron::Memory<T, Law>& memory, const Number& which) {
+  return at_point(memory.stress, memory.internal.scalar, which);
+}
+template <class T, class Law>
+NEREID_HOT T value_of(const FullHexahedron::Memory<T, Law>& memory, const Number& which) {
+  T sum(0.0), largest(0.0);
+  for (const auto& point : memory.points) {
+    const T here = at_point(point.stress, point.internal.scalar, which);
+    sum = sum + here, largest = larger(largest, here);
+  }
+  const bool is_mean = which.kind == Number::Kind::stress || which.kind == Number::Kind::pressure;
+  return is_mean ? T(1.0 / FullHexahedron::gauss_points) * sum : largest;
+}
+template <class Law>
+double value_of(const Output<Law>& shown, const Number& which) {
+  return which.kind == Number::Kind::von_mises ? shown.mises
+         : which.kind == Number::Kind::strain  ? component_of(shown.strain, which.index)
+                                               : at_point(shown.stress, shown.internal, which);
+}
+
+template <class Kind, class Law>
+Reduced reduce_pack(const Block<Kind, Law>& block, const Vectors& X, const Vectors& x, const Memory& memory, Place place,
+                    const Number& which, std::size_t pack) {
+  constexpr int rows = Kind::template Constants<double>::rows;
+  Reduced all;
+  alignas(64) double values[lanes], masses[lanes];
+  typename Kind::template Constants<Pack> constants;
+  const double* from = block.constants.data() + pack * rows * lanes;
+  constants.each_row([&](Pack& row) { read_lanes(from, row), from += lanes; });
+  write_lanes(constants.mass, masses);
+  const int filled = block.tiling.filled[pack];
+  if (Kind::layered || which.kind == Number::Kind::strain) {
+    for (int lane = 0; lane < filled; ++lane) {
+      const Index element = block.tiling.element[pack * lanes + lane];
+      values[lane] = value_of(output_of(read_memory(block, memory, pack, lane), block, corners_of(block, X, element),
+                                      corners_of(block, x, element), place, which.kind == Number::Kind::strain),
+                            which);
+    }
+  } else if constexpr (!Kind::layered) {
+    typename Kind::template Memory<Pack, Law> here;
+    auto* at = const_cast<double*>(memory.rows.data()) + pack * memory_rows(block) * lanes;
+    each_row(block, here, at, [](Pack& row, const double* to) { read_lanes(to, row); });
+    write_lanes(value_of(here, which), values);
+  }
+  for (int lane = 0; lane < filled; ++lane) all.largest = std::max(all.largest, values[lane]), all.sum += masses[lane] * values[lane], all.mass += masses[lane];
+  return all;
+}
+
+template <class Kind, class Law>
+Reduced Kernels<Kind, Law>::reduce(const Block<Kind, Law>& block, const Vectors& X, const Vectors& x, const Memory& memory,
+                                   const Shown& shown, int component) {
+  const Number which = number_of<Law>(shown.quantity, component);
+  std::vector<Reduced> parts(block.tiling.tiles.size());
+  parallel_for(static_cast<Index>(parts.size()), 8, [&](Index t) {
+    const Tile& tile = block.tiling.tiles[t];
+    Reduced all;
+    for (Index pack = tile.first_pack; pack < tile.first_pack + tile.packs; ++pack)
+      add(reduce_pack(block, X, x, memory, shown.place, which, static_cast<std::size_t>(pack)), all);
+    parts[t] = all;
+  });
+  Reduced all;
+  for (const Reduced& part : parts) add(part, all);
+  return all;
 }
 
 template <class Kind, class Law>
@@ -387,7 +524,7 @@ constexpr auto kernels_of() {
   if constexpr (may_have<Kind, Law>) {
     using K = Kernels<Kind, Law>;
     return std::tuple(&K::make, &K::add_mass, &K::element_masses, &K::add_rotary_inertia, &K::initial_memory, &K::advance, &K::thinned,
-                      &K::bending, &K::fields);
+                      &K::bending, &K::reduce, &K::fields);
   } else {
     return std::tuple();
   }

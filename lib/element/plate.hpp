@@ -8,8 +8,9 @@
 
 #include "base/tensor.hpp"
 #include "element/report.hpp"
+#include "element/shown.hpp"
 #include "element/viscosity.hpp"
-#include "material/law.hpp"
+#include "material/j2_mixed.hpp"
 
 namespace nereid::element {
 
@@ -111,7 +112,8 @@ Layers gauss_layers(int count);
 struct Plate {
   static constexpr int nodes = 3, dimensions = 2;
   static constexpr bool rotates = true, layered = true;
-  static constexpr std::array stored_channels{Stored::elastic, Stored::transverse_shear, Stored::drilling};
+  static constexpr std::array stored_channels{Stored::elastic, Stored::transverse_shear, Stored::residual_bending,
+                                              Stored::drilling};
   static constexpr std::array dissipated_channels{Dissipated::plastic, Dissipated::viscous};
   static constexpr int most_layers = 9;
   static constexpr double shear_factor = 5.0 / 6.0;  ///< [-] of a homogeneous section
@@ -170,6 +172,7 @@ struct Plate {
     std::array<Layer<T, Law>, most_layers> layers;
     InPlane<T> shear;  ///< [Pa] transverse shear resultant per thickness
     T viscous;         ///< [Pa] viscous pressure in the plane, positive in compression
+    Plane<T> bent;     ///< [-] strain of the top less that of the middle surface, as curvature times half the thickness has made it
     std::array<T, 3> drilling;  ///< [Pa] moments about the normal at the nodes per third of the volume; not stored without a stiffness
     template <class F>
     void each_row(F&& f, const Options& options) {
@@ -179,6 +182,7 @@ struct Plate {
         layer.internal.each_row(f);
       }
       f(shear.x), f(shear.y), f(viscous);
+      bent.each_row(f);
       if (options.drilling > 0)
         for (T& each : drilling) f(each);
     }
@@ -187,10 +191,76 @@ struct Plate {
       for (auto& layer : layers) f(layer.internal);
     }
     static constexpr int rows(const Options& options) {
-      return options.layers * (3 + material::Internal<T, Law, Plane>::rows) + 3 + (options.drilling > 0 ? 3 : 0);
+      return options.layers * (3 + material::Internal<T, Law, Plane>::rows) + 6 + (options.drilling > 0 ? 3 : 0);
     }
   };
 };
+
+/// What a plate has at a place through its thickness.
+template <class Law>
+struct AtPlace {
+  Plane<double> stress;  ///< [Pa] in the element's own axes
+  material::Internal<double, Law, Plane> internal;
+};
+
+/// Draws a stress back to the yield surface along its line to the centre of that surface; laws without a yield stress keep it.
+template <class Law>
+void limit_by_yield(const Law& law, AtPlace<Law>& at) {
+  if constexpr (requires { yield_stress(law, at.internal.scalar); }) {
+    Plane<double> centre{0, 0, 0};
+    if constexpr (Law::tensors.size() > 0) centre = material::surface_centre(at.internal.tensor[0]);
+    const Plane<double> shifted = at.stress - centre;
+    const double yield = yield_stress(law, at.internal.scalar), mises = material::von_mises(shifted);
+    if (mises > yield) at.stress = centre + (yield / mises) * shifted;
+  }
+}
+
+/// Stress and internal variables of a plate at a place, from its layers.
+///
+/// The top and the bottom lie on the straight line through the two outermost layers, the middle on that through the two beside it; a single
+/// layer stands for all. Internal scalars are no less than those of the start, and the stress is limited by the yield stress at them.
+/// The membrane is the mean through the thickness.
+template <class Law>
+AtPlace<Law> at_place(const Law& law, const Layers& layers, const Plate::Memory<double, Law>& memory, Place place) {
+  AtPlace<Law> sum{};
+  const auto add = [&](int l, double weight) {
+    const auto& layer = memory.layers[l];
+    sum.stress = sum.stress + weight * layer.stress;
+    for (std::size_t i = 0; i < sum.internal.scalar.size(); ++i) sum.internal.scalar[i] += weight * layer.internal.scalar[i];
+    for (std::size_t i = 0; i < sum.internal.tensor.size(); ++i)
+      sum.internal.tensor[i] = sum.internal.tensor[i] + weight * layer.internal.tensor[i];
+  };
+  if (place == Place::membrane || layers.count == 1) {
+    for (int l = 0; l < layers.count; ++l) add(l, layers.weight[l]);
+    return sum;
+  }
+  const int upper = place == Place::top ? layers.count - 1 : place == Place::bottom ? 1 : layers.count / 2;
+  const double z = place == Place::top ? 0.5 : place == Place::bottom ? -0.5 : 0.0;
+  const double weight = (z - layers.z[upper - 1]) / (layers.z[upper] - layers.z[upper - 1]);
+  add(upper - 1, 1 - weight), add(upper, weight);
+  const auto start = material::fresh<double, Plane>(law).scalar;
+  for (std::size_t i = 0; i < start.size(); ++i) sum.internal.scalar[i] = std::max(sum.internal.scalar[i], start[i]);
+  limit_by_yield(law, sum);
+  return sum;
+}
+
+/// Strain of a plate at a place: that of Hencky of the middle surface, and of the top and the bottom what bending has added. Along the
+/// normal it is what the law leaves of the volume there. No transverse shear, as of the stress.
+///
+///     in the plane  1/2 ln(F F^T) + 2 z/t bent,      along the normal  theta(stress) - xx - yy
+///
+/// from, to  triangle in the reference and now
+/// stress    [Pa] at that place
+/// returns   [-] in the element's own axes, tensor components
+template <class Law>
+Symmetric<double> strain_at_place(const Law& law, const PlateShape<double>& from, const PlateShape<double>& to,
+                                  const Plate::Memory<double, Law>& memory, const Plane<double>& stress, Place place) {
+  const double stretch = to.x2 / from.x2;
+  const Mat2 F{{stretch, (to.x3 - stretch * from.x3) / from.y3}, {0.0, to.y3 / from.y3}};
+  const double side = place == Place::top ? 1 : place == Place::bottom ? -1 : 0;
+  const Plane<double> e = hencky_strain(F) + side * memory.bent;
+  return {e.xx, e.yy, material::volume_strain(law, stress) - e.xx - e.yy, e.xy, 0, 0};
+}
 
 /// The strain of volume of a plate, a mean over its layers. [-]
 template <class T, class Law>
@@ -295,6 +365,8 @@ NEREID_HOT T drilling_frequency_squared(T part, double mu, double density, T gyr
 /// material spins by minus the shear strain against them, and the stress and the tensors of the law with it, so that
 /// the numbering of the nodes does not matter.
 ///
+/// Of what transverse shear stores the share of share_of_shear is that of shear, the rest that of residual bending.
+///
 /// With `drilling` each node is held to turn about the normal as the plate does in its plane: moments of a spring of that part of the shear
 /// modulus times a third of the volume, and forces that balance them (Hughes & Brezzi 1989).
 ///
@@ -362,6 +434,7 @@ NEREID_HOT Report<T, Plate> advance(const Law& law, const Plate::Options& option
   const T volume_before = thins ? volume_left(law, layers, constants, memory) : middle.area * given;
   const T thickness = thins ? volume_before / middle.area : given;
   const T volume_ratio = volume_before * T(law.density) / constants.mass;
+  memory.bent = turned(memory.bent) + (half * thickness) * bend;
   material::ModuliOf<T, Plane, Law> moduli{};
   T stored(0.0), dissipated(0.0);
   Plane<T> membrane{zero, zero, zero}, bending = membrane;  // [Pa] resultants per thickness and per its square
@@ -379,8 +452,8 @@ NEREID_HOT Report<T, Plate> advance(const Law& law, const Plate::Options& option
     bending = bending + (weight * T(layers.z[l])) * layer.stress;
   }
 
-  const T shear_stiffness =
-      T(moduli.mu * decltype(moduli.mu)(Plate::shear_factor)) * share_of_shear(moduli, Plate::shear_factor, thickness, middle);
+  const T share = share_of_shear(moduli, Plate::shear_factor, thickness, middle);
+  const T shear_stiffness = T(moduli.mu * decltype(moduli.mu)(Plate::shear_factor)) * share;
   const InPlane<T> old{cosine * memory.shear.x - sine * memory.shear.y,
                        sine * memory.shear.x + cosine * memory.shear.y};
   const InPlane<T> now{old.x + shear_stiffness * slide.x, old.y + shear_stiffness * slide.y};
@@ -446,7 +519,8 @@ NEREID_HOT Report<T, Plate> advance(const Law& law, const Plate::Options& option
   }
   const T damping = T(1.5) * eta * squares / density;
   const T lighter = T(law.density) / density;  // a plate that keeps its thickness gains volume as it stretches, and no mass
-  return {.stored = {stored * middle_volume, shear_stored * middle_volume, drilling_stored * middle_volume},
+  return {.stored = {stored * middle_volume, share * shear_stored * middle_volume, (T(1.0) - share) * shear_stored * middle_volume,
+                     drilling_stored * middle_volume},
           .dissipated = {dissipated * middle_volume, -viscous_work},
           .step = stable_step(lighter * larger(in_plane, omega_squared.bending_and_shear), damping),
           .volume_ratio = end.area * T(law.density * options.thickness) / constants.mass};

@@ -248,6 +248,7 @@ model::Recording read_recording(const Section& section, double end) {
   const std::string between = section.sound() ? model::frames_between_rows(recording.frames, recording.history) : "";
   if (!between.empty()) section.fault("frames_every", between);
   recording.full_precision = section.choice_or("precision", "single", {"single", "double"}) == "double";
+  recording.all_fields = section.choice_or("fields", "usual", {"usual", "all"}) == "all";
   return recording;
 }
 

@@ -132,7 +132,7 @@ model::Probe read_probe(const Section& section, Names& taken) {
   for (const model::Measurable& one : model::measurables()) words.push_back(one.name);
   const std::string word = section.choice("quantity", words);
   if (!section.decided()) {  // of which quantity these are, nobody knows
-    section.has("component"), section.has("take");
+    section.has("component"), section.has("take"), section.has("place");
     return probe;
   }
   probe.quantity = word;
@@ -140,7 +140,10 @@ model::Probe read_probe(const Section& section, Names& taken) {
   if (!quantity.components.empty())
     probe.component = quantity.required ? section.choice("component", quantity.components)
                                         : section.choice_or("component", quantity.components.front(), quantity.components);
-  if (quantity.of == model::Of::body) probe.largest = section.choice_or("take", "mean", {"mean", "largest"}) == "largest";
+  if (quantity.of == model::Of::body) {
+    probe.largest = section.choice_or("take", "mean", {"mean", "largest"}) == "largest";
+    if (section.has("place")) probe.place = section.choice("place", {element::words_of_places.begin(), element::words_of_places.end()});
+  }
   return probe;
 }
 

@@ -264,12 +264,17 @@ std::vector<std::string> quality_notes(const Simulation& simulation) {
                                 "'drilling: 0' plates do not resist that: a moment should act on a body or along an edge; 'drilling: 0.1', "
                                 "the default, gives them a stiffness",
                                 name, seen.spin.node, seen.spin.energy / scale, seen.spin.time));
-    const double uneven = dynamics::uneven_fraction(seen, scale);
+    const auto of_internal = [&](double energy) { return dynamics::of_internal(seen, energy, scale); };
+    const double uneven = of_internal(seen.uneven), artificial = of_internal(seen.artificial);
     if (uneven > worth_saying)
       notes.push_back(formatted("%s: hourglass energy reached %.3g of the internal energy, and %.3g is of elements that bend unlike their "
                                 "neighbours, or whose sides lean; above %.3g the size of the elements decides the result: take a finer "
                                 "mesh",
-                                name, dynamics::hourglass_fraction(seen, scale), uneven, worth_saying));
+                                name, of_internal(seen.hourglass), uneven, worth_saying));
+    if (element::rotates(simulation.model.blocks[b]) && artificial > worth_saying)
+      notes.push_back(formatted("%s: artificial modes reached %.3g of the internal energy, drilling %.3g and bending within elements %.3g; "
+                                "above %.3g the size of the elements decides the result: take a finer mesh",
+                                name, artificial, of_internal(seen.drilling), of_internal(seen.residual_bending), worth_saying));
   }
   return notes;
 }

@@ -87,25 +87,56 @@ struct Measuring {
   }
 };
 
-Measure of_body(const Probe& probe, int row, const dynamics::Model& model, const dynamics::State& at_start, Faults& faults) {
-  std::vector<std::size_t> blocks;  // a body from a file may have several regions
-  bool measured = true;
+/// The regions of a body from a file, or the body itself: places in Model::blocks.
+std::vector<std::size_t> blocks_of(const dynamics::Model& model, const std::string& body) {
+  std::vector<std::size_t> blocks;
   for (std::size_t b = 0; b < model.blocks.size(); ++b) {
     const std::string& region = element::name(model.blocks[b]);
-    if (region != probe.of && region.rfind(probe.of + ".", 0) != 0) continue;
-    blocks.push_back(b);
+    if (region == body || region.rfind(body + ".", 0) == 0) blocks.push_back(b);
+  }
+  return blocks;
+}
+
+/// Refuses a place of solids, none or another one of plates, and bodies that have both.
+void check_place(const Probe& probe, const dynamics::Model& model, const std::vector<std::size_t>& blocks, Faults& faults) {
+  const Part here = part("probe", probe);
+  const auto is_plate = [&](std::size_t b) { return element::rotates(model.blocks[b]); };
+  const bool plates = std::any_of(blocks.begin(), blocks.end(), is_plate), solids = !std::all_of(blocks.begin(), blocks.end(), is_plate);
+  const std::vector<std::string> places(element::words_of_places.begin(), element::words_of_places.end());
+  if (plates && solids) {
+    std::vector<std::string> regions;
+    for (const std::size_t b : blocks) regions.push_back(element::name(model.blocks[b]));
+    refuse(faults, here, "of",
+           "'of' = " + probe.of + " has solids and plates, whose " + probe.quantity + " differ: take one of its regions, " +
+               joined(regions));
+  } else if (plates && probe.place.empty()) {
+    refuse(faults, here, "place",
+           "'place' is missing: the " + probe.quantity + " of plates differs through their thickness: one of " + joined(places),
+           "'membrane' is the mean through the thickness; scripts/update_case gives old case files their places");
+  } else if (plates) {
+    expect(faults, here, "place", probe.place, "places of plates", places);
+  } else if (!probe.place.empty()) {
+    refuse(faults, here, "place", "'place' = " + probe.place + ": " + probe.of + " has no plates: leave 'place' out");
+  }
+}
+
+Measure of_body(const Probe& probe, int row, const dynamics::Model& model, const dynamics::State& at_start, Faults& faults) {
+  const std::vector<std::size_t> blocks = blocks_of(model, probe.of);
+  check_place(probe, model, blocks, faults);
+  bool measured = true;
+  for (const std::size_t b : blocks) {
     if (dynamics::is_rigid_block(model, b))
       refuse(faults, part("probe", probe), "of", "'of' = " + probe.of + " is a rigid body and has no " + probe.quantity);
-    const auto fields = element::fields(model.blocks[b], at_start.x, at_start.blocks[b]);
-    measured =
-        measured && std::any_of(fields.begin(), fields.end(), [&](const nereid::Field& field) { return field.name == probe.quantity; });
+    const element::Wanted wanted = [&](const element::Shown& one) { return one.quantity == probe.quantity; };
+    measured = measured && !element::fields(model.blocks[b], model.mesh.X, at_start.x, at_start.blocks[b], wanted).empty();
   }
   if (!measured)
     refuse(faults, part("probe", probe), "quantity",
            "'quantity' = " + probe.quantity + ": the material of " + probe.of + " has no such variable");
+  if (!faults.empty()) return {};
   const auto take = probe.largest ? dynamics::Take::largest : dynamics::Take::mean;
-  return [blocks, name = probe.quantity, row, take](const View& view, Kept&) {
-    return dynamics::of_body(view, blocks, name, row, take);
+  return [blocks, quantity = probe.quantity, place = element::place_of(probe.place), row, take](const View& view, Kept&) {
+    return dynamics::of_body(view, blocks, {quantity, place}, row, take);
   };
 }
 
@@ -204,6 +235,7 @@ const std::vector<Measurable>& measurables() {
         {"contact_pressure", "Pa", Of::any_contact, {}, false, contact_pressure},
         {"contact_area", "m^2", Of::contact, {}, false, contact_area},
         {"stress", "Pa", Of::body, of_tensors, true},
+        {"strain", "1", Of::body, of_tensors, true},
         {"pressure", "Pa", Of::body},
         {"von_mises", "Pa", Of::body},
     };

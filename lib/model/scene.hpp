@@ -187,6 +187,7 @@ struct Probe {
   std::string of;                            ///< node set, body, contact or source of force
   std::string component = {};                ///< one of Measurable::components; empty: the first
   bool largest = false;                      ///< of a body: the largest of its elements, else the mean
+  std::string place = {};                    ///< of a body of plates: one of element::words_of_places
   std::string at = {};
 };
 
@@ -227,6 +228,7 @@ struct Recording {
   double history = 0;                        ///< [s] between rows of history.csv; zero: 400 rows
   double frames = 0;                         ///< [s] between ParaView frames; zero: 40 frames
   bool full_precision = false;
+  bool all_fields = false;                   ///< frames with all quantities of elements, else with the usual ones
 };
 
 struct Scene {

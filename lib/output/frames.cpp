@@ -30,11 +30,12 @@ Vectors contact_forces(const dynamics::View& view) {
 }
 
 /// Fields of all blocks under one another, zero where a block has no such field.
-std::vector<Field> element_fields(const dynamics::View& view, Eigen::Index total) {
+std::vector<Field> element_fields(const dynamics::View& view, Eigen::Index total, FrameFields which) {
   std::vector<Field> all;
   Eigen::Index first = 0;
   for (std::size_t b = 0; b < view.model.blocks.size(); ++b) {
-    const auto fields = element::fields(view.model.blocks[b], view.now.x, view.now.blocks[b]);
+    const auto wanted = [which](const element::Shown& one) { return which == FrameFields::all || element::in_usual_frames(one); };
+    const auto fields = element::fields(view.model.blocks[b], view.model.mesh.X, view.now.x, view.now.blocks[b], wanted);
     const Eigen::Index count = fields[0].values.cols();
     for (const Field& field : fields) {
       auto here = std::find_if(all.begin(), all.end(), [&](const Field& f) { return f.name == field.name; });
@@ -58,7 +59,7 @@ bool is_over(const contact::Crossing& crossing) { return crossing.side != 0 && !
 
 }  // namespace
 
-Grid body_grid(const dynamics::View& view) {
+Grid body_grid(const dynamics::View& view, FrameFields which) {
   const dynamics::Model& model = view.model;
   Grid grid;
   grid.time = view.now.t;
@@ -80,7 +81,7 @@ Grid body_grid(const dynamics::View& view) {
   Field node = scalar("node_id", "1", model.mesh.X.cols(), true);
   for (Eigen::Index n = 0; n < model.mesh.X.cols(); ++n) node.values(0, n) = static_cast<double>(n);
   grid.point_fields = {vector("velocity", "m/s", view.now.v), vector("contact_force", "N", contact_forces(view)), node};
-  grid.cell_fields = element_fields(view, total);
+  grid.cell_fields = element_fields(view, total, which);
   grid.cell_fields.push_back(part);
   grid.cell_fields.push_back(number);
   return grid;

@@ -10,8 +10,14 @@ namespace nereid::output {
 using grid::CellKind, grid::Cells, grid::Collection, grid::Grid, grid::GridKind, grid::Precision;
 using grid::vector_components;
 
+/// Which quantities of elements a frame has.
+enum class FrameFields {
+  usual,  ///< element::in_usual_frames()
+  all,    ///< with strain, and of plates with the middle and the pressure too
+};
+
 /// All elements of all blocks with displacement, velocity, contact force and the elements' fields.
-Grid body_grid(const dynamics::View&);
+Grid body_grid(const dynamics::View&, FrameFields = FrameFields::usual);
 
 /// Every potential contact element: a line from the foot to the apex (part 0), then the facet that
 /// owns its base (part 1), each with kind (3 tetrahedral, 2 triangular, 1 line element), base, apex,

@@ -86,11 +86,12 @@ TEST(OfBody, IsTheMeanOverTheVolumeOrTheLargestElement) {
   scene.state.x += scene.forces.dx;
   element::advance(scene.model.blocks[0], scene.state.x, scene.forces.dx, scene.forces.rotation, dt, scene.state.blocks[0],
                    scene.state.tiles[0], scene.forces.reports[0]);
-  const double largest = of_body(scene.view(), {0}, "stress", 0, Take::largest), mean = of_body(scene.view(), {0}, "stress", 0, Take::mean);
+  const double largest = of_body(scene.view(), {0}, {"stress"}, 0, Take::largest);
+  const double mean = of_body(scene.view(), {0}, {"stress"}, 0, Take::mean);
   EXPECT_NEAR(largest / (1.2e6 * rate * dt), 1, 1e-5);  // lambda + 2 mu; strains of the middle of a step of 1e-6
   EXPECT_NEAR(mean, largest / 2, 1e-12 * largest);      // the other cell has half of the volume and no stress
-  EXPECT_NEAR(of_body(scene.view(), {0}, "pressure", 0, Take::largest), 0, 1e-12 * largest);
-  EXPECT_THROW(of_body(scene.view(), {0}, "plastic_strain", 0, Take::mean), InternalError);
+  EXPECT_NEAR(of_body(scene.view(), {0}, {"pressure"}, 0, Take::largest), 0, 1e-12 * largest);
+  EXPECT_THROW(of_body(scene.view(), {0}, {"plastic_strain"}, 0, Take::mean), InternalError);
 }
 
 TEST(ContactForce, IsPenaltyTimesAreaTimesDepthOnTheApexes) {

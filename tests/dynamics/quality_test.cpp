@@ -55,7 +55,7 @@ TEST(Quality, OfANodePushedThroughItsElementsIsAnInvertedCornerAndHourglassEnerg
   EXPECT_LT(s.state.quality[0].corner, 0);
   EXPECT_GE(s.state.quality[0].element, 4) << "one of the upper four";
   EXPECT_GT(s.state.quality[0].time, 0.5);
-  EXPECT_GT(hourglass_fraction(s.state.quality[0], energy_scale(s.state.ledger)), 0.1);
+  EXPECT_GT(of_internal(s.state.quality[0], s.state.quality[0].hourglass, energy_scale(s.state.ledger)), 0.1);
 }
 
 TEST(Quality, OfPlatesThatKeepTheirThicknessIsHowFarItIsOff) {
@@ -175,7 +175,7 @@ TEST(Quality, CountsTheEnergyThatABlockHasAtTheStart) {
   u.row(2) = -0.1 * s.model.mesh.X.row(2);  // let go, it bulges beside the clamp, and what is stored falls
   displace(s.model, s.state, u, {});
   s.run_to(0.1, 0.001);
-  const double fraction = hourglass_fraction(s.state.quality[0], energy_scale(s.state.ledger));
+  const double fraction = of_internal(s.state.quality[0], s.state.quality[0].hourglass, energy_scale(s.state.ledger));
   EXPECT_GT(fraction, 0);
   EXPECT_LT(fraction, 0.3);
 }
@@ -195,7 +195,7 @@ TEST(Quality, SeesThatBendingBecomesUnevenWithoutMoreOfIt) {
   const auto see = [&](const Vectors& u, bool look) {
     displace(s.model, s.state, u, {});
     update_ledger(s.model, s.state);
-    see_hourglass_energy(s.model, look, s.state);
+    see_artificial_energy(s.model, look, s.state);
     return s.state.quality[0].uneven / s.state.quality[0].internal;
   };
   EXPECT_LT(see(bent, false), 0.01);
@@ -215,7 +215,7 @@ TEST(Quality, OfABlockThatMovesAsOneIsThatOfTheReference) {
   s.move("box", {3, 4, 5});
   s.run_to(0.2, 0.01);
   EXPECT_NEAR(s.state.quality[0].corner, 1, 1e-12);
-  EXPECT_EQ(hourglass_fraction(s.state.quality[0], energy_scale(s.state.ledger)), 0) << "round-off is no energy";
+  EXPECT_EQ(of_internal(s.state.quality[0], s.state.quality[0].hourglass, energy_scale(s.state.ledger)), 0) << "round-off is no energy";
 }
 
 }  // namespace

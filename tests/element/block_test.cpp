@@ -328,7 +328,7 @@ TEST(Block, FieldsShowStressAsXxYyZzXyYzXz) {
   for (Scene s : {solids(plastic), solids(plastic, eight_points)}) {
     s.v = gradient * s.x;
     s.move(1.0);
-    const std::vector<Field> shown = fields(s.block, s.x, s.memory);
+    const std::vector<Field> shown = fields(s.block, s.mesh.X, s.x, s.memory);
     ASSERT_EQ(shown.size(), 4u);
     EXPECT_EQ(shown[0].name, "stress");
     EXPECT_EQ(shown[0].components, (std::vector<std::string>{"XX", "YY", "ZZ", "XY", "YZ", "XZ"}));
@@ -355,7 +355,7 @@ TEST(Block, FieldsOfEightPointsAreMeansAndLargestValues) {
   Scene s = solids(plastic, eight_points);
   for (int step = 0; step < 3; ++step) s.move(0.1);
   const auto& block = std::get<Block<FullHexahedron, J2Bilinear>>(s.block);
-  const auto shown = fields(s.block, s.x, s.memory);
+  const auto shown = fields(s.block, s.mesh.X, s.x, s.memory);
   for (Index e = 0; e < block.nodes.cols(); e += 17) {
     FullHexahedron::Memory<double, J2Bilinear> one{};
     Vectors x = s.mesh.X;
@@ -390,7 +390,7 @@ TEST(Block, FieldsTellSixDistinctValuesApart) {
     strain(at[c][0], at[c][1]) = strain(at[c][1], at[c][0]) = 1e-5;
     s.v = strain * s.x;
     s.move(1.0);
-    const Eigen::MatrixXd stress = fields(s.block, s.x, s.memory)[0].values;
+    const Eigen::MatrixXd stress = fields(s.block, s.mesh.X, s.x, s.memory)[0].values;
     for (Index e = 0; e < stress.cols(); e += 11) {
       Eigen::Index largest_row = -1;
       stress.col(e).cwiseAbs().maxCoeff(&largest_row);
@@ -399,7 +399,7 @@ TEST(Block, FieldsTellSixDistinctValuesApart) {
   }
 }
 
-TEST(Block, FieldsOfPlatesAreMeansInTheGlobalFrame) {
+TEST(Block, FieldsOfPlatesAreInTheGlobalFrame) {
   mesh::Mesh mesh = mesh::box("box", {Vec3(0, 0, 0), Vec3(3, 2, 1), {3, 2, 1}});
   mesh.triangles.push_back({"skin", mesh::surface(mesh, "box.z_high").facets});
   const Mat3 R = Eigen::AngleAxisd(0.8, Vec3(1, -2, 0.5).normalized()).toRotationMatrix();
@@ -418,11 +418,37 @@ TEST(Block, FieldsOfPlatesAreMeansInTheGlobalFrame) {
   expected << stress(0, 0), stress(1, 1), stress(2, 2), stress(0, 1), stress(1, 2), stress(0, 2);
   std::set<double> distinct(expected.data(), expected.data() + 6);
   EXPECT_EQ(distinct.size(), 6u);
-  const auto shown = fields(s.block, s.x, s.memory);
+  const auto shown = fields(s.block, s.mesh.X, s.x, s.memory);
+  std::vector<std::string> names;
+  for (const Field& field : shown) names.push_back(field.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"stress_top", "stress_bottom", "stress_membrane", "von_mises_top", "von_mises_bottom",
+                                             "von_mises_membrane"}));
   for (Index e = 0; e < nodes(s.block).cols(); ++e) {
-    EXPECT_LT((shown[0].values.col(e) - expected).norm(), 1e-4 * expected.norm());
-    EXPECT_NEAR(shown[1].values(0, e), material::von_mises(p), 1e-4 * material::von_mises(p));
+    for (int place = 0; place < 3; ++place) {
+      EXPECT_LT((shown[place].values.col(e) - expected).norm(), 1e-4 * expected.norm());
+      EXPECT_NEAR(shown[3 + place].values(0, e), material::von_mises(p), 1e-4 * material::von_mises(p));
+    }
   }
+}
+
+TEST(Block, FieldsShowTheLogarithmicStrainOfALargeMotion) {
+  const Mat3 F = (Mat3() << 1.2, 0.3, -0.1, 0, 0.8, 0.2, 0.1, 0, 1.1).finished();
+  const Symmetric<double> hencky = hencky_strain(F);
+  Eigen::Matrix<double, 6, 1> expected;
+  expected << hencky.xx, hencky.yy, hencky.zz, hencky.xy, hencky.yz, hencky.xz;
+  const auto only = [](const Shown& one) { return one.quantity == "strain"; };
+  for (const Scene& s : {solids(elastic), solids(elastic, eight_points)}) {
+    const auto shown = fields(s.block, s.mesh.X, F * s.mesh.X, s.memory, only);
+    ASSERT_EQ(shown.size(), 1U);
+    EXPECT_EQ(shown[0].unit, "1");
+    for (Index e = 0; e < nodes(s.block).cols(); ++e) EXPECT_LT((shown[0].values.col(e) - expected).norm(), 1e-13);
+  }
+  const Scene plate = skin(elastic);  // whose in-plane strain is that of its triangles, whatever the direction of its sides
+  const Mat3 R = Eigen::AngleAxisd(0.8, Vec3(1, -2, 0.5).normalized()).toRotationMatrix();
+  const auto shown = fields(plate.block, plate.mesh.X, R * plate.mesh.X, plate.memory, only);
+  ASSERT_EQ(shown.size(), 4U);
+  EXPECT_EQ(shown[3].name, "strain_membrane");
+  for (const Field& field : shown) EXPECT_LT(field.values.norm(), 1e-12);
 }
 
 TEST(Block, KnowsItsNameAndItsStores) {
@@ -435,7 +461,7 @@ TEST(Block, KnowsItsNameAndItsStores) {
   using Out = std::vector<Dissipated>;
   EXPECT_EQ(stored_channels(solid.block), (In{Stored::elastic, Stored::hourglass}));
   EXPECT_EQ(dissipated_channels(solid.block), (Out{Dissipated::plastic, Dissipated::viscous}));
-  EXPECT_EQ(stored_channels(plate.block), (In{Stored::elastic, Stored::transverse_shear, Stored::drilling}));
+  EXPECT_EQ(stored_channels(plate.block), (In{Stored::elastic, Stored::transverse_shear, Stored::residual_bending, Stored::drilling}));
   EXPECT_EQ(dissipated_channels(plate.block), (Out{Dissipated::plastic, Dissipated::viscous}));
   EXPECT_EQ(stored_channels(solids(elastic, dashpots).block), (In{Stored::elastic}));
   EXPECT_EQ(dissipated_channels(solids(elastic, dashpots).block), (Out{Dissipated::plastic, Dissipated::viscous, Dissipated::hourglass}));

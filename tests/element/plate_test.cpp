@@ -1012,5 +1012,138 @@ TEST(Plate, LargestEigenvalueIsExact) {
   }
 }
 
+TEST(Plate, StoresTheShareOfItsShearAsShearAndTheRestAsResidualBending) {
+  for (const double thickness : {0.01, 0.1, 1.0, 10.0}) {
+    Element<Elastic> e{{1, 1, 0.3}, thick(thickness), triangle()};
+    const auto report = e.move(Corners{}, random_field(1e-4));
+    const double shear = report[Stored::transverse_shear], rest = report[Stored::residual_bending];
+    const double share = share_of_shear(material::lame(e.law), Plate::shear_factor, thickness, plate_shape(e.X));
+    EXPECT_GT(shear + rest, 0);
+    EXPECT_NEAR(shear / (shear + rest), share, 1e-12);
+  }
+  EXPECT_GT(share_of_shear(material::lame(Elastic{1, 1, 0.3}), Plate::shear_factor, 10.0, plate_shape(triangle())), 0.99)
+      << "of plates that are thick beside their elements all of it is shear";
+}
+
+// ------------------------------------------------------------------------------------------------
+// What it shows at its surfaces
+
+/// Turns the normals so that only kappa_xx is left, without a deflection.
+template <class Law>
+void bend(Element<Law>& e, double kappa) {
+  Corners turn{};
+  for (int a = 0; a < 3; ++a) turn[a].y = kappa * e.X[a].x;
+  e.move(Corners{}, turn);
+}
+
+TEST(AtPlace, OfAnElasticPlateLiesOnTheStraightLineThroughItsLayers) {
+  for (int layers = 1; layers <= 9; ++layers) {
+    Plate::Options options = thick(0.1);
+    options.layers = layers;
+    Element<Elastic> e{{1, 1, 0.3}, options, flat_triangle(1, 0.2, 0.9)};
+    bend(e, 1e-3);
+    const double edge = layers == 1 ? 0 : 1 / (1 - 0.3 * 0.3) * 1e-3 * 0.05;
+    EXPECT_NEAR(at_place(e.law, e.layers, e.memory, Place::top).stress.xx, edge, 1e-18);
+    EXPECT_NEAR(at_place(e.law, e.layers, e.memory, Place::bottom).stress.xx, -edge, 1e-18);
+    EXPECT_NEAR(at_place(e.law, e.layers, e.memory, Place::middle).stress.xx, 0, 1e-18);
+    EXPECT_NEAR(at_place(e.law, e.layers, e.memory, Place::membrane).stress.xx, 0, 1e-18);
+  }
+}
+
+TEST(AtPlace, OfAPlateThatHasYieldedIsTheYieldStressAndAfterwardsTheResidualOne) {
+  // curvature kappa of a strip with Poisson's ratio zero and without hardening: stress min(E kappa z, Y), elastic on the way back
+  constexpr double young = 1e3, yield = 1, thickness = 0.1, elastic = yield / young / (thickness / 2);
+  Plate::Options options = thick(thickness);
+  options.layers = 9;
+  Element<J2Bilinear> e{{1, young, 0, {yield, 0}}, options, flat_triangle(1, 0.2, 0.9)};
+  for (int step = 0; step < 100; ++step) bend(e, 0.05 * elastic);
+  const auto loaded = at_place(e.law, e.layers, e.memory, Place::top);
+  EXPECT_LT(material::von_mises(loaded.stress), yield * (1 + 1e-12));
+  EXPECT_NEAR(material::von_mises(loaded.stress), yield, 1e-12);
+  const double flowed = loaded.internal.scalar[0];
+  EXPECT_GT(flowed, e.memory.layers[8].internal.scalar[0]);
+  for (int step = 0; step < 10; ++step) bend(e, -0.05 * elastic);
+  const auto unloaded = at_place(e.law, e.layers, e.memory, Place::top);
+  EXPECT_NEAR(unloaded.stress.xx, loaded.stress.xx - young * 0.5 * elastic * thickness / 2, 1e-12);
+  EXPECT_NEAR(unloaded.internal.scalar[0], flowed, 1e-15);
+  EXPECT_NEAR(at_place(e.law, e.layers, e.memory, Place::bottom).stress.xx, -unloaded.stress.xx, 1e-12);
+}
+
+TEST(AtPlace, NeverShowsMoreThanTheYieldStressAtItsPlasticStrain) {
+  const J2Bilinear plain{1, 1e3, 0.3, {1, 100}};
+  const J2Mixed mixed{1, 1e3, 0.3, 1, 100, 0.3};
+  for (int i = 0; i < 200; ++i) {
+    Element<J2Bilinear> one{plain, thick(0.1), triangle()};
+    Element<J2Mixed> other{mixed, thick(0.1), triangle()};
+    one.randomise(2), other.randomise(2);
+    for (int l = 0; l < 5; ++l) one.memory.layers[l].internal.scalar[0] = other.memory.layers[l].internal.scalar[0] = random(0, 0.1);
+    for (const Place place : {Place::top, Place::middle, Place::bottom}) {
+      const auto a = at_place(one.law, one.layers, one.memory, place);
+      EXPECT_GE(a.internal.scalar[0], 0);
+      EXPECT_LE(material::von_mises(a.stress), yield_stress(plain, a.internal.scalar) * (1 + 1e-12));
+      const auto b = at_place(other.law, other.layers, other.memory, place);
+      const Plane<double> shifted = b.stress - material::surface_centre(b.internal.tensor[0]);
+      EXPECT_LE(material::von_mises(shifted), yield_stress(mixed, b.internal.scalar) * (1 + 1e-12));
+    }
+  }
+}
+
+template <class Law>
+Symmetric<double> strain(const Element<Law>& e, Place place) {
+  const auto stress = at_place(e.law, e.layers, e.memory, place).stress;
+  return strain_at_place(e.law, plate_shape(e.X), plate_shape(e.x), e.memory, stress, place);
+}
+
+TEST(StrainAtPlace, OfBendingIsCurvatureTimesHalfTheThickness) {
+  Element<Elastic> e{{1, 1, 0.25}, thick(0.1), flat_triangle(1, 0.2, 0.9)};
+  for (int step = 0; step < 4; ++step) bend(e, 1e-4);
+  const Symmetric<double> top = strain(e, Place::top), bottom = strain(e, Place::bottom);
+  EXPECT_NEAR(top.xx, 4e-4 * 0.05, 1e-18);
+  EXPECT_NEAR(top.zz, -0.25 / 0.75 * top.xx, 1e-18) << "yy is held";
+  EXPECT_NEAR(bottom.xx, -top.xx, 1e-18);
+  EXPECT_NEAR(strain(e, Place::middle).xx, 0, 1e-18);
+  EXPECT_NEAR(top.yy, 0, 1e-18);
+  EXPECT_NEAR(top.xy, 0, 1e-18);
+}
+
+TEST(StrainAtPlace, OfAStretchIsItsLogarithmAndWhatTheLawLeavesAlongTheNormal) {
+  // uniaxial stress by 1.5 in small steps: the width and the thickness follow Poisson's ratio in logarithms
+  constexpr double poisson = 0.3;
+  Element<Elastic> e{{1, 1, poisson}, thick(0.1), flat_triangle(1, 0.2, 0.9)};
+  constexpr int steps = 200;
+  for (int step = 1; step <= steps; ++step) {
+    const double along = std::log(1.5) * step / steps;
+    Corners to = e.X;
+    for (Point& p : to) p = {std::exp(along) * p.x, std::exp(-poisson * along) * p.y, 0};
+    e.step(to, sum(to, e.x, -1.0), Corners{});
+  }
+  const Symmetric<double> membrane = strain(e, Place::membrane);
+  EXPECT_NEAR(membrane.xx, std::log(1.5), 1e-12);
+  EXPECT_NEAR(membrane.yy, -poisson * std::log(1.5), 1e-12);
+  EXPECT_NEAR(membrane.zz, -poisson * std::log(1.5), 1e-5);  // by the stress, whose steps have an error of the second order
+  EXPECT_NEAR(membrane.xx + membrane.yy + membrane.zz, volume_strain(e.law, e.layers, e.memory), 1e-15);
+  EXPECT_NEAR(strain(e, Place::top).xx, membrane.xx, 1e-15);
+}
+
+TEST(StrainAtPlace, OfARigidRotationIsThatOfBefore) {
+  Element<Elastic> e{{1, 1, 0.3}, thick(0.1), triangle()};
+  const Vec3 axis(0.3, -1, 0.5);
+  const auto turned = [&](double angle) { return Mat3(Eigen::AngleAxisd(angle, axis.normalized())); };
+  e.move(random_field(0.02), random_field(0.1));
+  const Corners start = e.x;
+  const Symmetric<double> before = strain(e, Place::top);
+  constexpr int steps = 24;
+  for (int step = 1; step <= steps; ++step) {
+    const Corners to = times(turned(2 * pi * step / steps), start);
+    const Vec3 turn = 2 * std::tan(pi / steps) * axis.normalized();
+    e.step(to, sum(to, e.x, -1.0), {Point{turn.x(), turn.y(), turn.z()}, {turn.x(), turn.y(), turn.z()}, {turn.x(), turn.y(), turn.z()}});
+  }
+  const Symmetric<double> after = strain(e, Place::top);
+  EXPECT_GT(std::abs(before.xx), 1e-4);
+  EXPECT_NEAR(after.xx, before.xx, 1e-14);
+  EXPECT_NEAR(after.xy, before.xy, 1e-14);
+  EXPECT_NEAR(after.zz, before.zz, 1e-14);
+}
+
 }  // namespace
 }  // namespace nereid::element::plate_test

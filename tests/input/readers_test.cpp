@@ -185,10 +185,10 @@ TEST(ReadInterface, WantsBothOfKineticFrictionAndItsDecay) {
 }
 
 TEST(ReadRecording, GivesFourHundredRowsAndFortyFramesByDefault) {
-  const model::Recording recording = read("precision: double\n", [](const Section& s) { return read_recording(s, 8e-3); });
+  const model::Recording recording = read("precision: double\nfields: all\n", [](const Section& s) { return read_recording(s, 8e-3); });
   EXPECT_DOUBLE_EQ(recording.history, 2e-5);
   EXPECT_DOUBLE_EQ(recording.frames, 2e-4);
-  EXPECT_TRUE(recording.full_precision);
+  EXPECT_TRUE(recording.full_precision && recording.all_fields);
 }
 
 TEST(ReadRecording, TakesNoFrameWithoutARow) {

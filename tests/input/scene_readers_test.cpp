@@ -118,6 +118,13 @@ TEST(ReadProbe, HasAComponentOnlyWhereItsQuantityHas) {
   EXPECT_FALSE(scene.probes[3].largest);
 }
 
+TEST(ReadProbe, OfABodyMayNameAPlace) {
+  const std::string probe = "probes:\n  - {name: p, quantity: strain, of: skin, component: xx, place: ";
+  EXPECT_EQ(read("bodies:\n" + skin + probe + "top}\n" + time).probes[0].place, "top");
+  EXPECT_TRUE(says(refusal("bodies:\n" + skin + probe + "inside}\n" + time), "'place' = inside"));
+  EXPECT_TRUE(says(refusal("bodies:\n" + skin + "probes:\n  - {name: p, quantity: velocity, of: skin, place: top}\n" + time), "unknown key 'place'"));
+}
+
 TEST(ReadStop, IsInTheDimensionOfItsProbe) {
   const std::string probes = bar + "probes:\n  - {name: u, quantity: displacement, of: bar, component: x}\n";
   const model::Scene scene = read(probes + "stop:\n  - {probe: u, below: -2 mm, after: 1 us}\n" + time);

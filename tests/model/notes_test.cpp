@@ -4,6 +4,7 @@
 
 #include <sstream>
 
+#include "dynamics/quality.hpp"
 #include "tests/model/scenes.hpp"
 
 namespace nereid::model::notes_test {
@@ -200,6 +201,44 @@ TEST(QualityNotes, SayWhichCornerIsInvertedAndHowMuchEnergyIsInHourglasses) {
   EXPECT_TRUE(says(notes[1], "bar: hourglass energy reached 0.6 of the internal energy, and 0.4 is of elements that bend")) << notes[1];
   simulation.state.quality[0].uneven = 0.04;
   EXPECT_EQ(quality_notes(simulation).size(), 1U) << "a beam of one layer bends as it should";
+}
+
+TEST(QualityNotes, SayHowMuchEnergyOfPlatesIsInArtificialModes) {
+  Simulation simulation = build(with({sheet()}));
+  run(simulation);
+  simulation.state.ledger.initial_available = simulation.state.ledger.initial_kinetic = 1;
+  dynamics::Quality& seen = simulation.state.quality[0];
+  seen.internal = 1, seen.drilling = 0.06, seen.residual_bending = 0.03, seen.artificial = 0.09;
+  EXPECT_TRUE(quality_notes(simulation).empty());
+  seen.residual_bending = 0.06, seen.artificial = 0.12;
+  const auto notes = quality_notes(simulation);
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_TRUE(says(notes[0], "sheet: artificial modes reached 0.12 of the internal energy, drilling 0.06 and bending within elements 0.06"))
+      << notes[0];
+}
+
+/// A strip 1 m long and 10 mm thick, clamped, with a force at its other end, after a swing to one side; cells along it.
+double artificial_part_of_a_strip(int cells) {
+  Scene scene = with({{.name = "strip", .mesh = mesh::Sheet{1, 0.1, cells, 1, mesh::Cuts::crossed}, .law = steel}});
+  scene.bodies[0].plate.thickness = 10e-3;
+  scene.planes = {{.name = "clamp", .kind = load::PlaneKind::fixed, .nodes = {"strip.x_low"}}};
+  scene.loads = {{.name = "push", .kind = LoadKind::force, .on = "strip.x_high",
+                  .value = {[](double, double, double, double) { return 0.0; }, [](double, double, double, double) { return 0.0; },
+                            [](double, double, double, double) { return 100.0; }}}};
+  scene.time.end = 50e-3;
+  Simulation simulation = build(scene);
+  run(simulation);
+  const dynamics::Quality& seen = simulation.state.quality[0];
+  EXPECT_EQ(seen.hourglass, 0);
+  return dynamics::of_internal(seen, seen.artificial, 0);
+}
+
+TEST(QualityNotes, OfAStripThatBendsFindMuchInACoarseMeshAndLittleInAFineOne) {
+  // a constant shear q has the moments q x: their part within elements is about (h/L)^2/6 of all, and 2/3 of that in two triangles a cell
+  const double coarse = artificial_part_of_a_strip(1), medium = artificial_part_of_a_strip(4), fine = artificial_part_of_a_strip(16);
+  EXPECT_GT(coarse, 0.1);
+  EXPECT_LT(medium, 0.05);
+  EXPECT_LT(fine, 0.25 * medium);
 }
 
 TEST(EnergyNotes, NameTheSourceThatMadeEnergyAndWhatItIsHeldAgainst) {

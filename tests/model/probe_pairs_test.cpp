@@ -251,7 +251,7 @@ const Field* field_of(const std::vector<Field>& fields, const std::string& name)
 }
 
 /// What the definition of a quantity says, component by component; empty where another test has it.
-Value defined(const std::string& quantity, const Seen& seen) {
+Value defined(const std::string& quantity, const std::string& place, bool largest, const Seen& seen) {
   const dynamics::State& now = seen.simulation.state;
   const Vectors& X = seen.simulation.model.mesh.X;
   if (quantity == "displacement") return parts(mean(seen, now.x - X));
@@ -307,12 +307,12 @@ Value defined(const std::string& quantity, const Seen& seen) {
     for (std::size_t b = 0; b < seen.simulation.model.blocks.size(); ++b) {
       const element::AnyBlock& block = seen.simulation.model.blocks[b];
       if (element::name(block) != seen.target.name) continue;
-      const std::vector<Field> fields = element::fields(block, now.x, now.blocks[b]);
-      const Field* field = field_of(fields, quantity);
+      const std::vector<Field> fields = element::fields(block, X, now.x, now.blocks[b], [](const element::Shown&) { return true; });
+      const Field* field = field_of(fields, place.empty() ? quantity : quantity + "_" + place);
       if (field == nullptr) return {};
       const Scalars weights = element::element_masses(block);
-      const Eigen::VectorXd means = field->values * weights / weights.sum();
-      return {means.data(), means.data() + means.size()};
+      const Eigen::VectorXd values = largest ? field->values.rowwise().maxCoeff() : field->values * weights / weights.sum();
+      return {values.data(), values.data() + values.size()};
     }
   return {};  // gap, angular velocity and section moment have tests of their own
 }
@@ -344,12 +344,16 @@ TEST(ProbePairs, HaveTheValueOfTheirDefinitionOrAreRefused) {
   for (const Measurable& quantity : measurables()) {
     for (const Target& target : all.targets) {
       std::string accepted;
-      for (const std::string& word : words()) {
-        const Probe probe{.name = "p" + std::to_string(probes.size()), .quantity = quantity.name, .of = target.name, .component = word};
-        if (!is_accepted(all.scene, probe)) continue;
-        accepted += (accepted.empty() ? "" : " ") + (word.empty() ? "-" : word);
-        probes.push_back(probe), of.emplace_back(&target, &quantity);
-      }
+      for (const char* place : {"", "top", "middle", "bottom", "membrane"})
+        for (const std::string& word : words()) {
+          Probe probe{.name = "p" + std::to_string(probes.size()), .quantity = quantity.name, .of = target.name, .component = word};
+          probe.place = place;
+          if (!is_accepted(all.scene, probe)) continue;
+          accepted += (accepted.empty() ? "" : " ") + (word.empty() ? "-" : word) + (*place == 0 ? "" : "@") + place;
+          probes.push_back(probe), of.emplace_back(&target, &quantity);
+          probe.largest = true, probe.name = "p" + std::to_string(probes.size());
+          if (quantity.of == Of::body) probes.push_back(probe), of.emplace_back(&target, &quantity);
+        }
       table << quantity.name << "," << target.kind << "," << (accepted.empty() ? "refused" : accepted) << "\n";
     }
   }
@@ -367,7 +371,7 @@ TEST(ProbePairs, HaveTheValueOfTheirDefinitionOrAreRefused) {
     SCOPED_TRACE(probes[p].quantity + " of a " + target->kind + ", component '" + probes[p].component + "'");
     const double got = probe(simulation, probes[p].name).last;
     ASSERT_TRUE(std::isfinite(got));
-    const Value value = defined(quantity->name, {simulation, velocities, *target});
+    const Value value = defined(quantity->name, probes[p].place, probes[p].largest, {simulation, velocities, *target});
     if (value.empty()) {
       unchecked.insert(quantity->name);
       continue;

@@ -64,6 +64,29 @@ TEST(MakeProbe, RefusesWhatCannotBeMeasured) {
   EXPECT_TRUE(says(said, "probe 'd': 'component' = xx is unknown: components of velocity are magnitude, x, y, z"));
 }
 
+TEST(MakeProbe, AsksForAPlaceOfPlatesAndOfNothingElse) {
+  Scene scene = with({bar(), sheet()});
+  scene.probes = {{.name = "a", .quantity = "stress", .of = "sheet", .component = "xx"},
+                  {.name = "b", .quantity = "von_mises", .of = "bar", .place = "top"},
+                  {.name = "c", .quantity = "strain", .of = "sheet", .component = "xy", .place = "inside"}};
+  const std::string said = refusal(scene);
+  EXPECT_TRUE(says(said, "probe 'a': 'place' is missing: the stress of plates differs through their thickness: one of top, middle, bottom, "
+                         "membrane")) << said;
+  EXPECT_TRUE(says(said, "probe 'b': 'place' = top: bar has no plates: leave 'place' out")) << said;
+  EXPECT_TRUE(says(said, "probe 'c': 'place' = inside is unknown: places of plates are top, middle, bottom, membrane")) << said;
+}
+
+TEST(MakeProbe, RefusesABodyOfSolidsAndPlatesAndTakesItsRegions) {
+  mesh::Mesh both = mesh::box("", {Vec3(0, 0, 0), Vec3(2, 1, 1), {2, 1, 1}});
+  both.hexahedra[0].name = ".core";
+  both.triangles.push_back({".skin", mesh::surface(both, ".z_high").facets});
+  Scene scene = with({{.name = "m", .mesh = both, .law = steel}});
+  scene.bodies[0].plate.thickness = 2e-3;
+  scene.probes = {{.name = "a", .quantity = "von_mises", .of = "m"}};
+  const std::string said = refusal(scene);
+  EXPECT_TRUE(says(said, "probe 'a': 'of' = m has solids and plates, whose von_mises differ: take one of its regions")) << said;
+}
+
 /// What the nodes have for which is_ahead(X). [kg m/s]
 template <class Ahead>
 Vec3 momentum_of(const Simulation& simulation, Ahead&& is_ahead) {
@@ -146,6 +169,67 @@ TEST(Sections, AreRefusedWhereTheyCutNothing) {
   scene = swinging();
   scene.bodies[0].rigid = true, scene.initial.clear();
   EXPECT_TRUE(says(refusal(scene), "is a rigid body: no stress carries a force across it"));
+}
+
+/// What a contact presses on a body: the sum of pressure times area over its apexes there, its forces on the nodes along z, and the area.
+struct Pressed {
+  double pressure_by_area = 0, force = 0, area = 0;
+};
+Pressed pressed(const Simulation& simulation, const std::string& body) {
+  const dynamics::View view{simulation.model, simulation.state, simulation.forces, true};
+  const Subset& nodes = mesh::node_set(simulation.model.mesh, body);
+  const auto is_inside = [&](Index node) { return std::binary_search(nodes.begin(), nodes.end(), node); };
+  Pressed sum;
+  for (std::size_t c = 0; c < simulation.model.interfaces.size(); ++c) {
+    const contact::Interface& interface = simulation.model.interfaces[c];
+    if (interface.kind == contact::InterfaceKind::edges) continue;
+    const auto forces = dynamics::forces_of_contact(view, c);
+    sum.force = 0;  // of the whole contact, whatever its pass
+    for (const contact::NodeForce& one : forces)
+      if (is_inside(one.node)) sum.force += one.push.z();
+    for (Index a = 0; a < static_cast<Index>(interface.apexes.size()); ++a) {
+      if (!is_inside(interface.apexes[static_cast<std::size_t>(a)])) continue;
+      const double pressure = dynamics::traction_at(view, c, a, forces).pressure, area = dynamics::area_across(view, c, a, Vec3::UnitZ());
+      const double other = dynamics::area_across(view, c, a, -Vec3::UnitZ());
+      sum.pressure_by_area += pressure * std::max(area, other), sum.area += pressure > 0 ? std::max(area, other) : 0;
+    }
+  }
+  return sum;
+}
+
+TEST(ContactPressure, TimesAreaSumsToTheForceOfEveryKindPassAndMethod) {
+  constexpr double size = 60e-3, pressure = 1e6;
+  Body block{.name = "block", .mesh = mesh::Box{Vec3(0, 0, 0), Vec3(size, size, 20e-3), {3, 3, 1}}, .law = steel};
+  Body skin{.name = "skin", .mesh = mesh::Sheet{size, size, 4, 4, mesh::Cuts::columns}, .law = steel};
+  skin.plate.thickness = 2e-3, skin.place.move = Vec3(0, 0, 21e-3);
+  enum Kind { skin_on_block, block_on_skin, two_passes, automatic };
+  for (const Kind kind : {skin_on_block, block_on_skin, two_passes, automatic})
+    for (const auto method : {contact::Method::multiplier, contact::Method::penalty}) {
+      SCOPED_TRACE(std::to_string(kind) + (method == contact::Method::penalty ? " penalty" : " multiplier"));
+      Scene scene = with({block, skin});
+      scene.planes = {{.name = "ground", .kind = load::PlaneKind::fixed, .nodes = {"block.z_low"}}};
+      scene.loads = {{.name = "push", .kind = LoadKind::pressure, .on = "skin.top", .value = uniform(Vec3(pressure, 0, 0))}};
+      scene.time.end = 20e-6;
+      dynamics::InterfaceOptions options;
+      options.method = method, options.two_passes = kind == two_passes;
+      Contact pair{.name = "touch", .apexes = "skin.bottom", .base = "block.z_high", .interface = options};
+      if (kind == block_on_skin) std::swap(pair.apexes, pair.base);
+      if (kind == automatic) scene.automatic_contacts = {{.name = "touch", .interface = options}};
+      else scene.contacts = {pair};
+      Simulation simulation = build(scene);
+      run(simulation);
+      const Pressed below = pressed(simulation, "block"), above = pressed(simulation, "skin");
+      EXPECT_GT(above.force, 0.1 * pressure * size * size);
+      EXPECT_NEAR(below.force, -above.force, 1e-9 * above.force);
+      if (kind != skin_on_block) {
+        EXPECT_NEAR(below.pressure_by_area, above.force, 1e-6 * above.force);  // normals turn by strains
+        EXPECT_LT(below.area, size * size * (1 + 1e-4));
+      }
+      if (kind != block_on_skin) {
+        EXPECT_NEAR(above.pressure_by_area, above.force, 1e-6 * above.force);
+        EXPECT_LT(above.area, size * size * (1 + 1e-4));
+      }
+    }
 }
 
 /// A bar that flies into a wall; they touch by an automatic contact or by a declared one.

@@ -87,6 +87,24 @@ class YamlTest(unittest.TestCase):
         self.assertEqual([line for line, _ in faults], [3])
 
 
+    def test_probes_of_plates_get_the_place_that_they_had(self):
+        bodies = "bodies:\n  - {name: skin, element: &thin {thickness: 2 mm}}\n  - {name: more, element: {<<: *thin}}\n  - {name: bar}\n"
+        old = bodies + ("probes:\n  - {name: a, quantity: stress, of: skin, component: xx}   # a comment\n"
+                        "  - name: b\n    quantity: pressure\n    of: more\n  - {name: c, quantity: stress, of: bar, component: xx}\n"
+                        "  - {name: d, quantity: stress, of: skin, component: xx, place: top}\n"
+                        "  - {name: e, quantity: displacement, of: skin.rim}\n")
+        new = old.replace("xx}   # a", "xx, place: membrane}   # a").replace("- name: b\n", "- place: membrane\n    name: b\n")
+        self.assertEqual(updated("a.yaml", old), (new, []))
+        self.assertEqual(updated("a.yaml", new), (new, []))
+
+    def test_what_was_the_largest_of_the_layers_is_told(self):
+        old = ("bodies: [{name: skin, element: {thickness: 2 mm}}]\nprobes:\n"
+               "  - {name: a, quantity: von_mises, of: skin}\n  - {name: b, quantity: stress, of: skin, component: xx}\n")
+        text, faults = updated("a.yaml", old)
+        self.assertEqual(text, old.replace("xx}", "xx, place: membrane}"))
+        self.assertEqual([line for line, _ in faults], [3])
+        self.assertIn("'membrane'", faults[0][1])
+
     def test_values_and_comments_that_are_old_words_stay(self):
         for text in ('contacts: [{name: "hardness", apexes: stick, base: "created_in_a_bounce"}]\n',
                      "probes: [{name: 'created_in_a_bounce', of: \"hardness\"}]\n", "planes: [{name: held, nodes: ['held']}]\n",

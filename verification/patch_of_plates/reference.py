@@ -13,7 +13,6 @@ In motion: x = (1 + s G) X with a symmetric G and s = t/2 + 50 t^2, body force p
 from math import sqrt
 
 YOUNG, POISSON, THICKNESS, AREA = 1e6, 0.25, 1e-3, 0.24 * 0.12  # [Pa] [-] [m] [m2]
-OUTERMOST = sqrt(5 + 2 * sqrt(10 / 7)) / 3  # [-] of five points of Gauss between -1 and 1
 PLACES = ((0, 0), (0.24, 0), (0.24, 0.12), (0, 0.12), (0.04, 0.02), (0.18, 0.03), (0.16, 0.08), (0.08, 0.08))  # [m]
 QUADRILATERALS = ((0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7), (4, 5, 6, 7))  # each cut from its first corner to its third
 G = ((1, 0.5), (0.5, 0.75))  # tension in all directions

@@ -40,7 +40,8 @@ def closest(run):
 
 def drilling(run):
     """Of the energy that the tube took, what went into turns of its nodes about the normal, which stand for nothing."""
-    took = sum(run.column(f"energy_tube_{what}")[-1] for what in ("elastic", "plastic", "transverse_shear", "drilling", "viscous"))
+    took = sum(run.column(f"energy_tube_{what}")[-1]
+               for what in ("elastic", "plastic", "transverse_shear", "residual_bending", "drilling", "viscous"))
     return Pair(run.column("energy_tube_drilling")[-1] / took, 0, "", scale=1)
 
 
