@@ -72,7 +72,7 @@ Factors factors_of(const std::vector<input::CaseMesh>& meshes) {
   const std::vector<double> splits(mesh::split_factors.begin(), mesh::split_factors.end());
   const std::vector<double> even = even_factors(counts, files.empty() ? std::vector<double>{} : splits);
   if (files.empty()) return {even, first_factor(even, counts), "no finer mesh keeps the proportions of the cells"};
-  return {even, 1, "meshes from files are split by 2 and 4 only: that of " + files};
+  return {even, 1, "meshes from files are split by 2 or by 4 only, also " + files};
 }
 
 std::string run_to_target(const Target& target, const Factors& factors, const RunOnce& run,

@@ -409,16 +409,16 @@ std::string foreseen_too_long(const Target& target, const input::CaseFile& file,
   if (input::names_from_files(file.meshes()).empty()) return "";
   const bool solids = std::any_of(simulation.model.blocks.begin(), simulation.model.blocks.end(),
                                   [](const element::AnyBlock& block) { return !element::rotates(block); });
-  const double first = forecast(simulation, [] { return std::size_t{0}; }).seconds;
+  const auto times_of = [solids](int factor) { return factor * (solids ? mesh::times_hexahedra(factor) : mesh::times_triangles(factor)); };
+  const double first = forecast(simulation, [] { return std::size_t{0}; }).seconds / times_of(static_cast<int>(file.refine_factor()));
   std::string text;
-  double second = 0;
   for (const int factor : mesh::split_factors) {
-    const double times = factor * (solids ? mesh::times_hexahedra(factor) : mesh::times_triangles(factor));
-    if (factor == 2) second = first * times;
+    const double times = times_of(factor);
     text += (text.empty() ? "forecast: refine " : ", refine ") + std::to_string(factor) + " about " + duration(first * times) +
             (factor == 1 ? "" : formatted(" (%g times)", times));
   }
   say(text);
+  const double second = first * times_of(2);
   return second > target.longest ? "the second mesh, refine 2, would take about " + duration(second) : "";
 }
 

@@ -662,10 +662,9 @@ void CaseFile::refuse_factor_of_files() {
   const auto& splits = mesh::split_factors;
   if (names.empty() || std::find(splits.begin(), splits.end(), document_->refine) != splits.end()) return;
   const Section root = this->root();
-  const std::string why = ", and meshes from files are split by 2 or by 4 only: that of " + names;
-  if (find(*document_->root(), "refine") != nullptr) root.fault("refine", "'refine' = " + factor + why + "; expected 1, 2 or 4");
-  else
-    root.fault("accuracy", "'accuracy' multiplies counts of cells by " + factor + why + "; expected another, or 'refine: 1' beside it");
+  const std::string why = ": meshes from files are split by 2 or by 4 only, also " + names + ": expected ";
+  if (find(*document_->root(), "refine") != nullptr) root.fault("refine", "'refine' = " + factor + why + "1, 2 or 4");
+  else root.fault("accuracy", "'accuracy' multiplies counts of cells by " + factor + why + "another preset, or 'refine: 1' beside it");
 }
 
 double Section::refine_factor() const { return document_->refine; }

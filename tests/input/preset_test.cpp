@@ -95,7 +95,7 @@ TEST(Refine, FindsWhoseMeshesTheseAre) {
 
 TEST(Refine, OfMeshesFromFilesIsTwoOrFour) {
   for (const char* factor : {"0.5", "1.5", "3", "8"})
-    EXPECT_NE(fault_of_scene({std::string("refine=") + factor}).find("are split by 2 or by 4 only: that of 'a'; expected 1, 2 or 4"),
+    EXPECT_NE(fault_of_scene({std::string("refine=") + factor}).find("are split by 2 or by 4 only, also 'a': expected 1, 2 or 4"),
               std::string::npos) << factor;
   EXPECT_NE(fault_of_scene({"accuracy=fast"}).find("'accuracy' multiplies counts of cells by 0.5"), std::string::npos);
   for (const std::vector<std::string>& fits : std::vector<std::vector<std::string>>{
