@@ -1,9 +1,10 @@
 """Results of all scenes of cases/ and verification/, drawn by a seed, on which `--accuracy` is judged: scripts/accuracy --drawn.
 
-The results are the last, largest and smallest value of every probe of every scene. Four strata give the same number each: results of
-scenes with a mesh from a file, with a rigid body of a built-in shape, with plates, and contact forces. A draw passes over what is no
-question: a scene that is refused, stops or takes more than the patience on its own mesh, and a value that is zero there or round-off.
-Nothing else is passed over, and nothing here was chosen after a result was seen.
+The results are the last, largest and smallest value of every probe of every scene. Four strata give the same number each: results
+of scenes with a mesh from a file, with a rigid body of a built-in shape, with plates, and contact forces. A draw passes over what
+is no question: a scene that is refused, stops or takes more than the patience on its own mesh, or that has no mesh to make finer,
+as one of rigid bodies alone, and a value that is zero there or round-off. Nothing else is passed over, and nothing here was
+chosen after a result was seen.
 """
 import dataclasses
 import random
@@ -110,10 +111,14 @@ def draw(results, is_question, seed=SEED, each=EACH):
 
 
 def is_question(one, store):
-    """Whether a result has a value other than zero and round-off on the mesh of its case."""
+    """Whether a result has a value other than zero and round-off on the mesh of its case, and there is such a mesh."""
     try:
         summary = store.run("scene", one.case, {}).summary
     except CannotRun:
+        return False
+    resolved = summary["provenance"]["resolved"]
+    finest = max(cells.flat(cells.counts_of_cells(resolved).values()), default=1)
+    if cells.all_rigid(resolved) or finest == 1 and not cells.bodies_from_files(resolved):
         return False
     mine = summary["results"].get(one.result)
     if summary["ending"]["word"] not in ENDED_WELL or mine is None or not isinstance(mine["value"], (int, float)):
@@ -250,7 +255,7 @@ def row_of(stratum, one, store, scratch, told):
     """told  what `--accuracy` answered: scripts/accuracy"""
     row = Row(stratum, one.name, finest=re.search(r"refine ([\d.]+)", told.lines[-1])[1] if told.lines else "")
     if told.status != 0 or told.value is None:
-        return dataclasses.replace(row, said=told.said)
+        return dataclasses.replace(row, said=told.said.partition(" is not reached: ")[2] or told.said)
     found = truth(one, store, scratch, told)
     if found is None:
         return dataclasses.replace(row, estimate=told.error / abs(told.value), said="no finer mesh could be run")
