@@ -175,6 +175,20 @@ class Scenes(unittest.TestCase):
         self.assertTrue(any(note.startswith(geometry) for note in notes), notes)
         self.assertTrue(any(note.startswith(f"refine {factors[-1]}: the elements of 'bar' are split") for note in notes), notes)
 
+    def test_a_split_mesh_is_that_which_a_file_of_its_elements_gives(self):
+        """Results of the program's mesh and of one that is split apart from it, by a script; only the numbers of nodes differ."""
+        coarse, found = bar_of_cells(3), []
+        for mesh, factor in ((coarse, 4), (mesh_files.split(coarse), 2), (mesh_files.split(mesh_files.split(coarse)), 1)):
+            mesh_files.write(self.folder / "bar.vtu", mesh)
+            status, _, complaint, results, _ = self.ask(BAR, "--quiet", "--set", f"refine={factor}", "--set", "time.end=0.3 ms")
+            if "built without VTK" in complaint:
+                self.skipTest("built without VTK")
+            self.assertEqual(status, 0, complaint)
+            found.append(results["tip_last"]["value"])
+        self.assertGreater(found[0], 0)
+        for other in found[1:]:
+            self.assertAlmostEqual(other / found[0], 1, delta=1e-9)
+
     def test_what_a_split_mesh_cannot_reach_is_refused(self):
         status, _, complaint, *_ = self.ask_of_bar("--accuracy", "0.001%")
         if "built without VTK" not in complaint:

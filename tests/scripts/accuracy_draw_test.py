@@ -1,4 +1,4 @@
-"""scripts/accuracy_draw.py: what a scene counts as, what a seed draws, meshes split apart from the program, and how rows are counted."""
+"""scripts/accuracy_draw.py: what a scene counts as, what a seed draws, and how rows are counted."""
 import sys
 import tempfile
 import unittest
@@ -56,28 +56,6 @@ class DrawTest(unittest.TestCase):
         found = draw.universe(Path("nowhere"))
         for stratum in draw.STRATA:
             self.assertGreaterEqual(len({one.case for one in found if stratum in one.strata}), draw.EACH, stratum)
-
-
-class SplitTest(unittest.TestCase):
-    def test_a_cube_becomes_eight_whose_sets_and_arrays_follow(self):
-        fine = draw.split(draw.split(CUBE))
-        self.assertEqual((len(fine.cells), len(fine.points)), (64, 125))
-        self.assertEqual(sum(fine.sets["low"]), 25)
-        self.assertTrue(all(fine.points[n][2] == 0 for n, flag in enumerate(fine.sets["low"]) if flag))
-        self.assertEqual(fine.cell_arrays["region"], [7] * 64)
-        for cell in fine.cells:
-            low, high = fine.points[cell[0]], fine.points[cell[6]]
-            self.assertEqual([b - a for a, b in zip(low, high)], [0.25] * 3)
-
-    def test_triangles_and_quadrilaterals_keep_their_area(self):
-        flat = mesh_files.Mesh([[0, 0, 0], [2, 0, 0], [2, 1, 0], [0, 1, 0]], [[0, 1, 2, 3], [0, 1, 2]], {})
-        fine = draw.split(flat)
-        self.assertEqual(sorted(map(len, fine.cells)), [3] * 4 + [4] * 4)
-        self.assertEqual(len(fine.points), 4 + 5 + 1)  # with the diagonal, which is the side of the triangle
-
-    def test_collapsed_cells_are_none_of_its(self):
-        with self.assertRaises(mesh_files.Unreadable):
-            draw.split(mesh_files.Mesh(CUBE.points, [[0, 1, 2, 2, 4, 5, 6, 6]], {}))
 
 
 class RowsTest(unittest.TestCase):
