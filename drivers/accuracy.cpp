@@ -6,6 +6,7 @@
 
 #include "base/words.hpp"
 #include "drivers/driver.hpp"
+#include "mesh/split.hpp"
 
 namespace nereid::driver {
 
@@ -41,15 +42,46 @@ double part_of(const std::string& text) {
   return part > 0 && part < 1 ? part : 0;
 }
 
-std::string run_to_target(const Target& target, const std::vector<int>& known, const RunOnce& run,
+std::string why_not_finer(const std::vector<input::CaseMesh>& meshes, bool all_rigid) {
+  const std::string files = input::names_from_files(meshes), stay = input::names_that_stay(meshes);
+  if (files.empty() && input::counts_of_cells(meshes).empty()) return "the case has no counts of cells to make finer";
+  if (all_rigid) return "all bodies are rigid: their meshes are geometry, and no error of a mesh can be estimated";
+  if (!stay.empty()) return "the mesh of " + stay + " keeps its one cell in every direction: no estimate can be made without its error";
+  return "";
+}
+
+std::vector<std::string> left_out(const std::vector<input::CaseMesh>& meshes) {
+  std::vector<std::string> names, lines;
+  for (const input::CaseMesh& mesh : meshes)
+    if (!mesh.rigid && !mesh.from_file && std::find(mesh.counts.begin(), mesh.counts.end(), 1) != mesh.counts.end())
+      names.push_back(mesh.name.empty() ? "the case" : quote(mesh.name));
+  const std::string files = input::names_from_files(meshes);
+  if (!files.empty())
+    lines.push_back("the estimate excludes the geometry of " + files + ": a split mesh keeps the straight edges of its file");
+  if (!names.empty()) lines.push_back("the estimate excludes directions that have one cell and keep it: in " + joined(names));
+  return lines;
+}
+
+std::string duration(double seconds) {
+  return seconds < 60 ? formatted("%.2g s", seconds) : rounded(std::ceil(seconds / 60)) + " min";
+}
+
+Factors factors_of(const std::vector<input::CaseMesh>& meshes) {
+  const std::vector<int> counts = input::counts_of_cells(meshes);
+  const std::string files = input::names_from_files(meshes);
+  const std::vector<double> splits(mesh::split_factors.begin(), mesh::split_factors.end());
+  const std::vector<double> even = even_factors(counts, files.empty() ? std::vector<double>{} : splits);
+  if (files.empty()) return {even, first_factor(even, counts), "no finer mesh keeps the proportions of the cells"};
+  return {even, 1, "meshes from files are split by 2 or by 4 only, also " + files};
+}
+
+std::string run_to_target(const Target& target, const Factors& factors, const RunOnce& run,
                           const std::function<void(const std::string&)>& say, int& status) {
   constexpr std::size_t looks = 1;  // before the second mesh nothing can be said of an error
   constexpr int most_folded = 2;
-  if (known.empty()) return status = bad_case, "the case has no counts of cells to make finer";
-  const std::vector<double> even = even_factors(known);
   std::vector<Level> levels;
   std::string name = target.of;
-  double refine = first_factor(even, known);
+  double refine = factors.first;
   for (int folded = 0; refine > 0;) {
     double error = 0;
     const Judge judge = [&](const Ran& ran, std::vector<output::Result>& results) {
@@ -67,7 +99,7 @@ std::string run_to_target(const Target& target, const std::vector<int>& known, c
     if (ran.status != done) {  // a coarse mesh may fold, or be refused, where a finer one is not
       status = ran.status;
       if (++folded > most_folded) return "the runs stopped, the last with refine " + rounded(refine);
-      refine = next_factor(even, {{refine, 0, 0, 0}}, 0);
+      refine = next_factor(factors.all, {{refine, 0, 0, 0}}, 0);
       continue;
     }
     const output::Result* found = find(ran.results, name);
@@ -86,14 +118,13 @@ std::string run_to_target(const Target& target, const std::vector<int>& known, c
     status = done;
     if (levels.size() > looks && error <= wanted) return "";
     if (levels.size() > looks && !(wanted > 0)) return name + " is zero, so no part of it can be asked for";
-    const double next = next_factor(even, levels, wanted);
+    const double next = next_factor(factors.all, levels, wanted);
     const double seconds = next > 0 ? levels.back().seconds * updates_at(levels, next) / std::max(1.0, levels.back().updates) : 0;
     if (seconds > target.longest)
-      return "the next mesh, refine " + rounded(next) + ", would take about " +
-             (seconds < 60 ? formatted("%.2g s", seconds) : rounded(std::ceil(seconds / 60)) + " min");
+      return "the next mesh, refine " + rounded(next) + ", would take about " + duration(seconds);
     refine = next;
   }
-  return "no finer mesh keeps the proportions of the cells";
+  return factors.at_end;
 }
 
 }  // namespace nereid::driver

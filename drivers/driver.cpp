@@ -28,6 +28,8 @@
 #include "dynamics/measure.hpp"
 #include "dynamics/overlaps.hpp"
 #include "dynamics/quality.hpp"
+#include "input/preset.hpp"
+#include "mesh/split.hpp"
 #include "model/notes.hpp"
 #include "output/offenders.hpp"
 #include "output/run_folder.hpp"
@@ -297,6 +299,7 @@ Ran run_case(const std::string& name, const CommandLine& line, output::RunFolder
   if (begins.is_over) return {begins.status, {}};
   std::vector<std::string> notes = model::gap_table(simulation);
   for (const std::string& note : model::width_notes(simulation)) notes.push_back(note);
+  for (const std::string& note : file.refine_notes()) notes.push_back(note);
   if (!line.quiet) {
     print_not_used(file);
     print(file.preset_lines());
@@ -366,7 +369,10 @@ Ran run_case(const std::string& name, const CommandLine& line, output::RunFolder
   notes.insert(notes.end(), of_steps.begin(), of_steps.end());
   if (!line.quiet) print(of_steps);
   Ran ran{done, results(simulation), static_cast<double>(outcome.element_updates), outcome.wall_seconds};
-  if (judge) judge(ran, ran.results);
+  if (judge) {
+    judge(ran, ran.results);
+    for (const std::string& note : left_out(file.meshes())) notes.push_back(note);
+  }
   const output::Summary summary = summarise(name, line, file, simulation, outcome, ran.results, notes);
   output::write_summary(line.out, summary);
   if (outcome.ending != dynamics::Ending::interrupted) remove_checkpoint(line.out);
@@ -396,12 +402,40 @@ Ran look_at_case(const CommandLine& line, const Build& build, const Results& res
           outcome.wall_seconds};
 }
 
+bool all_rigid(const dynamics::Model& model) {
+  for (std::size_t b = 0; b < model.blocks.size(); ++b)
+    if (!dynamics::is_rigid_block(model, b)) return false;
+  return !model.blocks.empty();
+}
+
+/// Says what runs with split meshes will take, before any is made: 16 and 256 times as long as the first, plates alone 8 and 64 times.
+///
+/// returns  why the second mesh, and so any estimate, is beyond the target; empty if it is not, or if no mesh is from a file
+std::string foreseen_too_long(const Target& target, const input::CaseFile& file, model::Simulation& simulation,
+                              const std::function<void(const std::string&)>& say) {
+  if (input::names_from_files(file.meshes()).empty()) return "";
+  const bool solids = std::any_of(simulation.model.blocks.begin(), simulation.model.blocks.end(),
+                                  [](const element::AnyBlock& block) { return !element::rotates(block); });
+  const auto times_of = [solids](int factor) { return factor * (solids ? mesh::times_hexahedra(factor) : mesh::times_triangles(factor)); };
+  const double first = forecast(simulation, [] { return std::size_t{0}; }).seconds / times_of(static_cast<int>(file.refine_factor()));
+  std::string text;
+  for (const int factor : mesh::split_factors) {
+    const double times = times_of(factor);
+    text += (text.empty() ? "forecast: refine " : ", refine ") + std::to_string(factor) + " about " + duration(first * times) +
+            (factor == 1 ? "" : formatted(" (%g times)", times));
+  }
+  say(text);
+  const double second = first * times_of(2);
+  return second > target.longest ? "the second mesh, refine 2, would take about " + duration(second) : "";
+}
+
 int run_to_accuracy(const std::string& name, const CommandLine& line, output::RunFolder& folder, const Build& build,
                     const Results& results) {
   if (line.threads > 0) use_threads(line.threads);
   const Target target{part_of(line.accuracy), line.of, 60 * line.longest};
   const input::CaseFile file = input::CaseFile::read(line.case_path, line.overrides);
-  or_show_offenders(line, file, folder, build);  // its faults come first: what is wrong with a mesh of another factor is none of the case
+  // its faults come first: what is wrong with a mesh of another factor is none of the case
+  model::Simulation simulation = or_show_offenders(line, file, folder, build);
   check_inputs(line, file, folder);
   const RunOnce run = [&](double refine, bool first_look, const Judge& judge) {
     std::fflush(stdout);  // what is known of coarser meshes: a signal may end the program while the next one is built
@@ -420,8 +454,15 @@ int run_to_accuracy(const std::string& name, const CommandLine& line, output::Ru
     if (!line.quiet) std::printf("%s\n", text.c_str());
   };
   int status = done;
-  const std::string why = run_to_target(target, file.counts_of_cells(), run, say, status);
-  if (why.empty()) return status;
+  std::string why = why_not_finer(file.meshes(), all_rigid(simulation.model));
+  if (!why.empty()) status = bad_case;
+  if (why.empty()) why = foreseen_too_long(target, file, simulation, say);
+  simulation = {};
+  if (why.empty()) why = run_to_target(target, factors_of(file.meshes()), run, say, status);
+  if (why.empty()) {
+    for (const std::string& text : left_out(file.meshes())) say(text);
+    return status;
+  }
   if (status != bad_case && folder.restore()) folder.clear();  // no run took the place of an older one
   std::fprintf(stderr, "%s: %s is not reached: %s\n", name.c_str(), line.accuracy.c_str(), why.c_str());
   return status == done ? stopped : status;

@@ -153,6 +153,8 @@ class Scene:
                 if "path" in body["mesh"]:
                     try:
                         meshes[name] = mesh_files.read(self.case.parent / body["mesh"]["path"].value)
+                        for _ in range(round(math.log2(self.refine()))):  # a case with a file has no other factors than 1, 2 and 4
+                            meshes[name] = mesh_files.split(meshes[name])
                     except mesh_files.Unreadable as error:
                         raise CannotChange(str(error)) from error
                     body["mesh"]["path"] = Quantity(f"files_{name}.vtu")
@@ -188,9 +190,9 @@ class Scene:
         return mesh_files.Mesh([list(p) for p in made["points"]], cells, sets)
 
     def base_from_files(self):
-        """The run of the case with all shapes in files; the base itself where they are."""
+        """The run of the case with all shapes in files, as fine as `refine` makes them; the base itself where they are."""
         tree, _ = self.from_files()
-        shapes = any("path" not in body["mesh"] for body in self.tree["bodies"])
+        shapes = self.refine() != 1 or any("path" not in body["mesh"] for body in self.tree["bodies"])
         return self.run_files("files", tree) if shapes else self.base
 
     def run_files(self, label, tree, change=None):

@@ -1,4 +1,4 @@
-"""Meshes of .vtu files as text: read, written, mirrored, numbered otherwise; and the node sets of the program's own shapes."""
+"""Meshes of .vtu files as text: read, written, split, mirrored, numbered otherwise; and the node sets of the program's own shapes."""
 import dataclasses
 import itertools
 import math
@@ -72,6 +72,51 @@ def write(path, mesh):
     lines += array("UInt8", "types", [KIND_OF_VTK[len(cell)] for cell in mesh.cells])
     lines += ["</Cells>", "</Piece>", "</UnstructuredGrid>", "</VTKFile>", ""]
     path.write_text("\n".join(lines), encoding="utf-8")
+
+
+def split(mesh):
+    """A mesh of a file with every edge cut in two, written apart from the program's: of hexahedra, quadrilaterals and triangles."""
+    points, made = [list(p) for p in mesh.points], {}
+    sets = {name: list(flags) for name, flags in mesh.sets.items()}
+
+    def middle(*nodes):
+        key = tuple(sorted(nodes))
+        if key not in made:
+            made[key] = len(points)
+            points.append([sum(mesh.points[node][axis] for node in nodes) / len(nodes) for axis in range(3)])
+            for flags, coarse in zip(sets.values(), mesh.sets.values()):
+                flags.append(int(all(coarse[node] for node in nodes)))
+        return made[key]
+
+    def parts(cell):
+        if len(set(cell)) < len(cell):
+            raise Unreadable("a cell has coincident corners")
+        if len(cell) == 3:
+            a, b, c = cell
+            ab, bc, ca = middle(a, b), middle(b, c), middle(c, a)
+            return [[a, ab, ca], [ab, b, bc], [ca, bc, c], [bc, ca, ab]]
+        if len(cell) == 4:
+            sides, whole = [middle(cell[i], cell[(i + 1) % 4]) for i in range(4)], middle(*cell)
+            a, b, c, d = cell
+            return [[a, sides[0], whole, sides[3]], [sides[0], b, sides[1], whole], [whole, sides[1], c, sides[2]],
+                    [sides[3], whole, sides[2], d]]
+        place = [(0, 0, 0), (2, 0, 0), (2, 2, 0), (0, 2, 0), (0, 0, 2), (2, 0, 2), (2, 2, 2), (0, 2, 2)]
+        at = {place[i]: cell[i] for i in range(8)}
+        for x in range(3):
+            for y in range(3):
+                for z in range(3):
+                    around = [cell[i] for i in range(8) if all(abs(p - q) < 2 for p, q in zip(place[i], (x, y, z)))]
+                    if len(around) > 1:
+                        at[x, y, z] = middle(*around)
+        return [[at[tuple(o // 2 + p // 2 for o, p in zip(origin, one))] for one in place] for origin in place]
+
+    fine, arrays = [], {name: [] for name in mesh.cell_arrays}
+    for number, cell in enumerate(mesh.cells):
+        new = parts(cell)
+        fine += new
+        for name, values in mesh.cell_arrays.items():
+            arrays[name] += [values[number]] * len(new)
+    return Mesh(points, fine, sets, arrays)
 
 
 # ------------------------------------------------------------------------------------------------

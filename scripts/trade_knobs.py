@@ -7,7 +7,7 @@ has a knob if the case, as the program resolved it, has one of its keys. A new s
 import dataclasses
 
 import defaults
-from cells import counts_of_cells, number_of, settings_of
+from cells import bodies_from_files, counts_of_cells, number_of, refined, settings_of
 
 CONTACTS = tuple(name for name, table in defaults.NUMERICS.items() if table is defaults.CONTACT)
 MESH = "cells"  # the path of the knob that multiplies every count of cells
@@ -113,7 +113,9 @@ def factor_on(now, factor):
 
 
 def mesh_settings(resolved, factor):
-    """Every count of cells times the factor; of the cask its level too."""
+    """Every count of cells times the factor; of the cask its level too. Where a mesh is from a file, `refine`, if it can follow."""
+    if bodies_from_files(resolved):
+        return refined(resolved, factor) if factor != 1 else {}
     counts = counts_of_cells(resolved)
     texts, _ = settings_of(counts, factor)
     now, _ = settings_of(counts, 1)

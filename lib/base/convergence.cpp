@@ -54,10 +54,11 @@ MeshError mesh_error(const std::vector<Level>& levels) {
   return {of_index * std::abs(middle.value - fine.value) / (std::pow(fine.refine / middle.refine, used) - 1), order};
 }
 
-std::vector<double> even_factors(const std::vector<int>& counts) {
+std::vector<double> even_factors(const std::vector<int>& counts, std::vector<double> among) {
+  if (among.empty())
+    for (int part = 1; part <= finest * parts; ++part) among.push_back(part / parts);
   std::vector<double> even;
-  for (int part = 1; part <= finest * parts; ++part) {
-    const double factor = part / parts;
+  for (const double factor : among) {
     const auto follows = [factor](int count) {
       const double wanted = count * factor, kept = std::max(1.0, std::round(wanted));
       return std::abs(kept / wanted - 1) <= uneven;

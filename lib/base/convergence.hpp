@@ -29,10 +29,11 @@ struct MeshError {
 /// levels  by rising refine
 MeshError mesh_error(const std::vector<Level>& levels);
 
-/// Factors on counts of cells that rounding moves by no more than a fiftieth, sixths from 1/6 to 64, rising.
+/// Factors on counts of cells that rounding moves by no more than a fiftieth, rising: sixths from 1/6 to 64, or those that are given.
 ///
 /// counts  of the case, above one
-std::vector<double> even_factors(const std::vector<int>& counts);
+/// among   rising; empty: sixths
+std::vector<double> even_factors(const std::vector<int>& counts, std::vector<double> among = {});
 
 /// The first even factor that leaves a quarter of the cells in a direction, and at least two.
 double first_factor(const std::vector<double>& even, const std::vector<int>& counts);

@@ -53,7 +53,7 @@ class Document {
   const Preset* preset = nullptr;   // of `accuracy`
   Place preset_place;
   double refine = 1;                // what counts of cells were multiplied by
-  std::vector<int> counts_of_cells; // those above one, before
+  std::vector<CaseMesh> meshes;     // whose counts these are, and meshes from files
 
   std::vector<NamedFile> files;
   std::vector<Finding> findings;

@@ -6,11 +6,39 @@
 #include "base/words.hpp"
 #include "grid/file_mesh.hpp"
 #include "input/readers.hpp"
+#include "mesh/split.hpp"
 #include "model/meshes.hpp"
 
 namespace nereid::input {
 
 namespace {
+
+/// Splits a mesh from a file as `refine` says. Elements that cannot be split are told by their numbers in the file.
+void split(const Section& section, const std::string& path, grid::FileMesh& read) {
+  const auto factor = static_cast<int>(section.refine_factor());
+  const auto& splits = mesh::split_factors;
+  if (factor == 1 || std::find(splits.begin(), splits.end(), section.refine_factor()) == splits.end()) return;  // another is a fault
+  double elements = 0;
+  for (const auto& region : read.mesh.hexahedra) elements += mesh::times_hexahedra(factor) * static_cast<double>(region.nodes.cols());
+  for (const auto& region : read.mesh.triangles) elements += mesh::times_triangles(factor) * static_cast<double>(region.nodes.cols());
+  const std::string said = "'path' = " + path + ": with 'refine' = " + std::to_string(factor) + " ";
+  if (elements > model::most_elements) {
+    section.fault("path", said + "the mesh would have " + std::to_string(std::llround(elements)) +
+                              " elements: expected at most a hundred million");
+    return;
+  }
+  mesh::Split finer = mesh::split(read.mesh, factor);
+  if (!finer.refused.empty()) {
+    const mesh::Finding found{mesh::Flaw::unsplittable, finer.refused};
+    section.fault("path", said + "it has " + mesh::in_words(found, read.origin, "cells"), mesh::where_shown);
+    section.show(mesh::offenders(path, read.mesh, read.origin, {found}));
+    return;
+  }
+  std::vector<std::int64_t> numbers;
+  for (const Index parent : finer.parents) numbers.push_back(read.origin.numbers[static_cast<std::size_t>(parent)]);
+  read.origin.numbers = std::move(numbers);
+  read.mesh = std::move(finer.mesh);
+}
 
 /// A mesh without its body's name, with all its faults told at `path`.
 mesh::Mesh read_file(const Section& section, const std::string& path, const std::string& region_array, grid::BoundaryCells boundary_cells,
@@ -30,6 +58,7 @@ mesh::Mesh read_file(const Section& section, const std::string& path, const std:
     read.offenders.of = path;
     section.show(std::move(read.offenders));
   }
+  if (all.empty()) split(section, path, read);
   if (origin != nullptr) *origin = std::move(read.origin);
   return std::move(read.mesh);
 }

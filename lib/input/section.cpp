@@ -14,8 +14,10 @@
 #include "base/checksum.hpp"
 #include "base/words.hpp"
 #include "input/document.hpp"
+#include "input/preset.hpp"
 #include "input/retired.hpp"
 #include "input/text_file.hpp"
+#include "mesh/split.hpp"
 
 namespace nereid::input {
 
@@ -647,22 +649,46 @@ void CaseFile::set_accuracy() {
   const Preset* preset = has("accuracy") ? find_preset(root.choice("accuracy", names)) : nullptr;
   const double of_preset = preset == nullptr ? 1 : preset->refine;
   document_->refine = has("refine") ? root.number("refine", within(1.0 / most_refined, most_refined)) : of_preset;
-  const bool refined = refine(*document_->root(), document_->refine, document_->counts_of_cells);
-  if (!refined && has("refine")) root.fault("refine", "'refine' multiplies counts of cells, and this case has none");
+  document_->meshes = refine(*document_->root(), document_->refine);
+  if (document_->meshes.empty() && has("refine")) root.fault("refine", "'refine' multiplies counts of cells, and this case has none");
+  refuse_factor_of_files();
   if (preset == nullptr) return;
   document_->preset_place = find(*document_->root(), "accuracy")->value->place;
   document_->preset = preset;
 }
 
+void CaseFile::refuse_factor_of_files() {
+  const std::string names = names_from_files(document_->meshes), factor = shortest(document_->refine);
+  const auto& splits = mesh::split_factors;
+  if (names.empty() || std::find(splits.begin(), splits.end(), document_->refine) != splits.end()) return;
+  const Section root = this->root();
+  const std::string why = ": meshes from files are split by 2 or by 4 only, also " + names + ": expected ";
+  if (find(*document_->root(), "refine") != nullptr) root.fault("refine", "'refine' = " + factor + why + "1, 2 or 4");
+  else root.fault("accuracy", "'accuracy' multiplies counts of cells by " + factor + why + "another preset, or 'refine: 1' beside it");
+}
+
+double Section::refine_factor() const { return document_->refine; }
+
 double CaseFile::refine_factor() const { return document_->refine; }
 
-const std::vector<int>& CaseFile::counts_of_cells() const { return document_->counts_of_cells; }
+const std::vector<CaseMesh>& CaseFile::meshes() const { return document_->meshes; }
+
+std::vector<std::string> CaseFile::refine_notes() const {
+  if (document_->refine == 1) return {};
+  const std::string name = "refine " + shortest(document_->refine), files = names_from_files(document_->meshes);
+  const std::string stay = names_that_stay(document_->meshes);
+  std::vector<std::string> notes;
+  if (!files.empty())
+    notes.push_back(name + ": the elements of " + files + " are split; edges stay straight, so the geometry stays that of the file");
+  if (!stay.empty()) notes.push_back(name + ": not finer is the mesh of " + stay + ", which has one cell in every direction");
+  return notes;
+}
 
 std::vector<std::string> CaseFile::preset_lines() const {
   if (document_->preset == nullptr) return {};
   const std::string name = "accuracy " + std::string(document_->preset->name);
   std::vector<std::string> lines;
-  if (!document_->counts_of_cells.empty()) lines.push_back(name + ": counts of cells times " + shortest(document_->refine));
+  if (!counts_of_cells(document_->meshes).empty()) lines.push_back(name + ": counts of cells times " + shortest(document_->refine));
   for (const std::string& line : document_->preset_lines()) lines.push_back(name + ": " + line);
   return lines;
 }

@@ -37,6 +37,8 @@
 
 namespace nereid::input {
 
+struct CaseMesh;  // input/preset.hpp
+
 // Ranges stand in every reader: input::positive, input::within.
 using nereid::above, nereid::at_least, nereid::below, nereid::between, nereid::not_negative, nereid::positive, nereid::Range,
     nereid::up_to, nereid::within;
@@ -99,6 +101,9 @@ class Section {
   /// Whether all choices read so far are there and known; else a reader does not judge what has another meaning or
   /// shape in each kind.
   bool decided() const;
+
+  /// What counts of cells are multiplied by, as CaseFile::refine_factor(). [-]
+  double refine_factor() const;
 
   /// Whether the case has the key, with whatever value. A key only asked for by has() and never
   /// read is listed as not used.
@@ -265,8 +270,11 @@ class CaseFile {
   /// What counts of cells were multiplied by: `refine` of the case, else that of its preset `accuracy`, else 1. [-]
   double refine_factor() const;
 
-  /// Counts of cells above one, as they stand in the case.
-  const std::vector<int>& counts_of_cells() const;
+  /// The meshes of the case, with their counts of cells as they stand there.
+  const std::vector<CaseMesh>& meshes() const;
+
+  /// What `refine` does to meshes from files and does not do to others, a line each; nothing where it is 1.
+  std::vector<std::string> refine_notes() const;
 
   /// What the preset `accuracy` has set, a line each; nothing without one. Needs all reading done.
   std::vector<std::string> preset_lines() const;
@@ -283,6 +291,7 @@ class CaseFile {
  private:
   explicit CaseFile(std::shared_ptr<Document> document) : document_(std::move(document)) {}
   void set_accuracy();
+  void refuse_factor_of_files();
   std::shared_ptr<Document> document_;
 };
 

@@ -13,7 +13,8 @@ namespace nereid::mesh {
 /// What can be wrong with elements.
 enum class Flaw {
   far_away, inverted, no_area, folded, repeated, crowded, same_side,  // refused
-  coincident, laid_over, hinged, dented, opposed, flat_fold           // warned of
+  coincident, laid_over, hinged, dented, opposed, flat_fold,          // warned of
+  unsplittable                                                        // refused where meshes are split: mesh/split.hpp
 };
 
 /// What is said of a flaw, and what follows.
@@ -23,7 +24,7 @@ struct FlawWords {
   const char* phrase;  ///< behind "3 elements"
 };
 /// In the order of Flaw.
-inline constexpr std::array<FlawWords, 13> flaw_words{{
+inline constexpr std::array<FlawWords, 14> flaw_words{{
     {"far_away", true, "so far from the origin that fewer than six digits are left of their size"},
     {"inverted", true, "whose Jacobian is not positive at a Gauss point, as where two nodes are exchanged"},
     {"no_area", true, "without area"},
@@ -37,6 +38,7 @@ inline constexpr std::array<FlawWords, 13> flaw_words{{
     {"dented", false, "with a corner whose Jacobian is not positive, which a run does not watch"},
     {"opposed", false, "whose top goes on to the bottom of a neighbour, as their nodes are in opposed orders"},
     {"flat_fold", false, "folded flat onto a neighbour, so that one lies on the other"},
+    {"unsplittable", true, "that cannot be split: collapsed and no wedge, or beside one whose edge is the diagonal of their face"},
 }};
 inline const FlawWords& words(Flaw flaw) { return flaw_words[static_cast<std::size_t>(flaw)]; }
 

@@ -47,6 +47,14 @@ TEST(EvenFactors, KeepCountsWhole) {
   EXPECT_EQ(first_factor(even_factors({}), {}), 1.0);
 }
 
+TEST(EvenFactors, AmongThoseGivenOnly) {
+  const auto splits = even_factors({3, 10}, {1, 2, 4});
+  EXPECT_EQ(splits, (std::vector<double>{1, 2, 4}));
+  EXPECT_EQ(next_factor(splits, power_law({1}, 3, 0.1, 1), 1e-6), 2);
+  EXPECT_EQ(next_factor(splits, power_law({1, 2}, 3, 0.1, 1), 1e-6), 4);
+  EXPECT_EQ(next_factor(splits, power_law({1, 2, 4}, 3, 0.1, 1), 1e-6), 0);
+}
+
 TEST(NextFactor, GoesAsFarAsTheOrderAsksForAndNoFartherThanTwice) {
   const auto even = even_factors({100});
   const auto levels = power_law({0.5, 0.75, 1}, 3, 0.1, 1);  // its error is taken as 0.125

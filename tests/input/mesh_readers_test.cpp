@@ -216,6 +216,46 @@ TEST(ReadMesh, CornersInTheWrongOrderAreRefusedWithTheirPlace) {
   EXPECT_TRUE(says(said, "case.yaml:3:7: 'high' must lie beyond 'low'")) << said;
 }
 
+/// A body of one file, as `refine` finds it.
+const std::string body = "name: bar\nmesh: {kind: file, path: PATH}\n";
+
+model::MeshOptions read_body_beside(const std::filesystem::path& folder, const std::string& path, int factor, mesh::Origin& origin) {
+  std::string text = body;
+  text.replace(text.find("PATH"), 4, path);
+  std::ofstream(folder / "case.yaml") << text;
+  const CaseFile file = CaseFile::read((folder / "case.yaml").string(), {"refine=" + std::to_string(factor)});
+  file.root().word("name");
+  const model::MeshOptions options = read_mesh_options(file.root().section("mesh"), &origin);
+  file.finish();
+  return options;
+}
+
+TEST(ReadMesh, AFileIsSplitAndItsPartsKeepTheNumberOfTheirCell) {
+  if (!grid::vtk_available()) GTEST_SKIP() << "built without VTK";
+  const auto folder = folder_with_files();
+  mesh::Origin origin;
+  const mesh::Mesh bar = model::make_mesh("bar", read_body_beside(folder, "cube.vtu", 4, origin));
+  EXPECT_EQ(mesh::hexahedra(bar, "bar").nodes.cols(), 64);
+  EXPECT_EQ(bar.X.cols(), 125);
+  EXPECT_EQ(mesh::surface(bar, "bar.skin").facets.cols(), 6 * 2 * 16);
+  EXPECT_EQ(origin.numbers, std::vector<std::int64_t>(64, 0));
+}
+
+TEST(ReadMesh, ACollapsedHexahedronThatIsNoWedgeIsNotSplit) {
+  if (!grid::vtk_available()) GTEST_SKIP() << "built without VTK";
+  const auto folder = folder_with_files();
+  write_file(folder / "pyramid.vtu", "0 1 2 3 4 4 4 4", 8, 12);
+  mesh::Origin origin;
+  EXPECT_EQ(model::count_elements(read_body_beside(folder, "pyramid.vtu", 1, origin)), 1);
+  try {
+    read_body_beside(folder, "pyramid.vtu", 2, origin);
+    FAIL() << "it is split";
+  } catch (const CaseError& error) {
+    EXPECT_TRUE(says(error.what(), "with 'refine' = 2 it has 1 element that cannot be split: collapsed and no wedge")) << error.what();
+    EXPECT_TRUE(says(error.what(), ": cells 0")) << error.what();
+  }
+}
+
 mesh::Mesh mapped_mesh(const std::string& text) {
   const CaseFile file = CaseFile::parse(text, "case.yaml");
   const model::MeshOptions options = read_mesh_options(file.root());

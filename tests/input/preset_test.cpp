@@ -45,7 +45,7 @@ TEST(Refine, MultipliesAllCountsOfCellsAndKeepsWhatHasNoMesh) {
   EXPECT_EQ(finer.other, 7) << "no count of a mesh";
   const Read coarser(parse({"refine=0.1"}));
   EXPECT_EQ(coarser.cells, (std::array<int, 3>{1, 1, 1}));
-  std::vector<int> counts = parse({"refine=1.5"}).counts_of_cells();
+  std::vector<int> counts = counts_of_cells(parse({"refine=1.5"}).meshes());
   std::sort(counts.begin(), counts.end());
   EXPECT_EQ(counts, (std::vector<int>{2, 3, 4, 5})) << "as in the case";
 }
@@ -61,6 +61,46 @@ TEST(Refine, ComesFromThePresetUnlessTheCaseHasIt) {
 TEST(Refine, OfACaseWithoutCountsIsAFault) {
   EXPECT_NE(fault_of("mesh: {path: a.vtu}", {"refine=2"}).find("this case has none"), std::string::npos);
   EXPECT_EQ(fault_of("mesh: {path: a.vtu}", {"accuracy=fast"}).find("none"), std::string::npos) << "the preset has other keys";
+}
+
+const std::string scene = "bodies:\n"
+                          "  - {name: a, mesh: {kind: file, path: a.vtu}}\n"
+                          "  - {name: b, mesh: {kind: box, cells: [4, 1, 2]}}\n"
+                          "  - {name: c, mesh: {kind: box, cells: [1, 1, 1]}}\n"
+                          "  - {name: d, rigid: true, mesh: {kind: box, cells: [1, 1, 1]}}\n";
+
+/// What is said of the root alone.
+std::string fault_of_scene(const std::vector<std::string>& overrides) {
+  try {
+    CaseFile::parse(scene, "case.yaml", overrides).finish();
+  } catch (const CaseError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Refine, FindsWhoseMeshesTheseAre) {
+  const CaseFile file = CaseFile::parse(scene, "case.yaml", {"refine=2"});
+  const std::vector<CaseMesh>& meshes = file.meshes();
+  ASSERT_EQ(meshes.size(), 4U);
+  EXPECT_EQ(names_from_files(meshes), "'a'");
+  EXPECT_EQ(names_that_stay(meshes), "'c'") << "a rigid body is geometry";
+  EXPECT_EQ(counts_of_cells(meshes), (std::vector<int>{4, 2}));
+  const std::vector<std::string> notes = file.refine_notes();
+  ASSERT_EQ(notes.size(), 2U);
+  EXPECT_NE(notes[0].find("refine 2: the elements of 'a' are split"), std::string::npos) << notes[0];
+  EXPECT_NE(notes[1].find("not finer is the mesh of 'c'"), std::string::npos) << notes[1];
+  EXPECT_TRUE(CaseFile::parse(scene, "case.yaml", {}).refine_notes().empty());
+}
+
+TEST(Refine, OfMeshesFromFilesIsTwoOrFour) {
+  for (const char* factor : {"0.5", "1.5", "3", "8"})
+    EXPECT_NE(fault_of_scene({std::string("refine=") + factor}).find("are split by 2 or by 4 only, also 'a': expected 1, 2 or 4"),
+              std::string::npos) << factor;
+  EXPECT_NE(fault_of_scene({"accuracy=fast"}).find("'accuracy' multiplies counts of cells by 0.5"), std::string::npos);
+  for (const std::vector<std::string>& fits : std::vector<std::vector<std::string>>{
+           {"refine=1"}, {"refine=2"}, {"refine=4"}, {"accuracy=reference"}, {"accuracy=fast", "refine=1"}})
+    EXPECT_EQ(fault_of_scene(fits).find("meshes from files"), std::string::npos) << fits[0];
 }
 
 TEST(Refine, IsAPureNumberWithinItsRange) {

@@ -44,6 +44,7 @@ NEEDS, NOT_BUILT, NO_FOLDER = "arguments are required", "is not built", "is no f
 TABLE = [
     ("accuracy", "--only nosuch", CHOICE), ("accuracy", "--target={one}", "is no accuracy", "2 nan% 0% 1.2.3%".split()),
     ("accuracy", "--patience={one}", NUMBER, NO_NUMBERS), ("accuracy", "--patience 1e300", "is too long"),
+    ("accuracy", "--drawn --jobs={one}", COUNT, NO_COUNTS), ("accuracy", "--drawn --seed={one}", COUNT, NO_COUNTS),
     ("accuracy", "nosuch", "unrecognized"),
     ("benchmark", "--rounds={one}", COUNT, NO_COUNTS), ("benchmark", "nosuch", "unrecognized"),
     ("cask_study", "--levels={one}", COUNT, ("0,1,2",)), ("cask_study", "--levels 1,2 --default 2", "three levels"),

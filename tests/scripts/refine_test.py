@@ -38,6 +38,12 @@ class LineTest(unittest.TestCase):
     def test_what_does_not_depend_on_the_mesh_needs_no_order(self):
         self.assertEqual(refine.line_of("x", "m", [1, 2, 4], [3, 3, 3]).verdict, "does not depend on the mesh")
 
+    def test_where_a_part_is_not_refined_no_error_is_estimated(self):
+        line = refine.line_of("length", "m", [1, 2, 4], sequence([1, 2, 4], 1.5), ["b.cells"])
+        self.assertAlmostEqual(line.order, 1.5, places=9)
+        self.assertEqual((line.extrapolated, line.index), (None, None))
+        self.assertIn("no estimate, as not all is refined", line.verdict)
+
     def test_a_result_without_value_is_told(self):
         self.assertIn("no value", refine.line_of("x", "m", [1, 2, 4], [3, None, 3]).verdict)
 

@@ -46,6 +46,12 @@ class SettingsTest(unittest.TestCase):
         sector = {"model": {"cells_around": entry(1)}, "mesh": {"level": entry(3)}}
         self.assertEqual(knobs.settings(knob("mesh"), 2, sector), {"model.cells_around": "1", "mesh.level": "6"})
 
+    def test_a_mesh_from_a_file_follows_refine(self):
+        files = {"bodies": [{"mesh": {"kind": entry("file")}}, *RESOLVED["bodies"]]}
+        self.assertEqual(knobs.settings(knob("mesh"), 2, files), {"refine": "2"})
+        for value in (0.5, 1, 1.5):
+            self.assertEqual(knobs.settings(knob("mesh"), value, files), {})
+
     def test_a_quantity_is_multiplied_with_its_unit(self):
         self.assertEqual(knobs.settings(knob("history"), 4, RESOLVED), {"output.history_every": "8e-07 s"})
 
