@@ -140,7 +140,11 @@ InitialGaps connect(Interface& interface, const Vectors& x, double reach, const 
     double depth = 0;
     const double deepest = between(interface, a, nearest.feature.facet).depth;
     const Index facet = behind(sweep, deepest > 0 ? deepest : infinite, depth);
-    if (facet < 0) continue;
+    if (facet < 0) {
+      if (const double slack = contact::slight * interface.base.longest(nearest.feature.facet); initial[a] < -slack)
+        ++gaps.behind, initial[a] = std::numeric_limits<double>::quiet_NaN();
+      continue;
+    }
     contact_height = sweep.level(facet);
     // positions are no more exact than their distance from the origin allows, and differences no more than the facet's size
     const double round_off = 1e-12 * (std::abs(depth) + 2 * std::abs(contact_height) + interface.base.longest(facet));
@@ -162,7 +166,7 @@ InitialGaps connect(Interface& interface, const Vectors& x, double reach, const 
     gaps.mean += gap;
   }
   if (!one_pair) gaps.without_base = count - static_cast<Index>(memory.near.size());
-  const Index connected = gaps.apexes - gaps.without_base;
+  const Index connected = gaps.apexes - gaps.without_base - gaps.behind;
   if (connected == 0) gaps.least = gaps.largest = 0;
   else gaps.mean /= connected;
   return gaps;
