@@ -35,15 +35,37 @@ std::vector<std::string> split(const std::string& text, char at) {
   return parts;
 }
 
+std::string join(const std::vector<std::string>& names, const std::string& with) {
+  std::string text;
+  for (const std::string& name : names) text += (&name == names.data() ? "" : with) + name;
+  return text;
+}
+
+/// The names of which an array is called "a-b-c", so many, or where meshio 5.3 and later put that between the names once more, as in
+/// "aa-bb" of a and b; none if it is neither.
+std::vector<std::string> names_between(const std::string& name, char at, std::size_t count) {
+  std::vector<std::string> parts = split(name, at);
+  if (parts.size() == count) {
+    const std::vector<std::string> halves{parts.front().substr(0, parts.front().size() / 2), parts.back().substr(parts.back().size() / 2)};
+    if (count != 2 || join(halves, join(halves, {at})) != name) return parts;
+    return halves;
+  }
+  if (parts.size() != (count - 1) * (count - 1) + 1) return {};
+  const std::string last = parts.back();
+  parts.resize(count);
+  parts.front() = parts.front().substr(0, parts.front().size() / 2), parts.back() = last.substr(last.size() / 2);
+  return join(parts, join(parts, {at})) == name ? parts : std::vector<std::string>{};
+}
+
 /// The names that are joined to the name of an array, so many; none if they can be told in no way, or in two.
 std::vector<std::string> joined_names(const std::string& name, std::size_t count) {
   if (count == 1) return {name};
   std::vector<std::string> found;
   for (const char at : {'-', '_', '#', '+', '/'}) {  // of which meshio takes the first that is in no name
-    std::vector<std::string> parts = split(name, at);
-    if (parts.size() != count || std::any_of(parts.begin(), parts.end(), [](const auto& part) { return part.empty(); })) continue;
+    std::vector<std::string> names = names_between(name, at, count);
+    if (names.empty() || std::any_of(names.begin(), names.end(), [](const auto& one) { return one.empty(); })) continue;
     if (!found.empty()) return {};
-    found = std::move(parts);
+    found = std::move(names);
   }
   return found;
 }
@@ -63,7 +85,7 @@ std::vector<FileSet> point_sets(const Contents& file, std::vector<std::string>& 
     if (!may_name(field)) continue;
     const auto values = field.values.array();
     if ((values == 0 || values == 1).all()) {
-      if ((values == 1).any()) sets.push_back(points_with(field, 1, field.name));
+      if ((values == 1).any() && (field.integer || (values == 0).any())) sets.push_back(points_with(field, 1, field.name));
       continue;
     }
     const std::set<double> groups = groups_of(field);
@@ -96,7 +118,8 @@ std::vector<std::string> unused_regions(const Contents& file, const std::string&
   std::vector<std::string> warnings;
   for (const Field& field : file.cell_fields)
     if (field.name != used && may_name(field) && groups_of(field).size() > 1)
-      warnings.push_back("its cell array " + quote(field.name) + " looks like regions, and is not used: 'region_array' names the one that is");
+      warnings.push_back("its cell array " + quote(field.name) +
+                         " looks like regions, and is not used: 'region_array' names the one that is");
   return warnings;
 }
 

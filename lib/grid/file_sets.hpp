@@ -15,8 +15,8 @@ struct FileSet {
   std::vector<Index> points;  ///< ascending, each once
 };
 
-/// The sets that the point arrays of a file hold: an array of 0 and 1 is one set, whatever its type, and an array of whole numbers from -1 on
-/// several in one, as meshio writes them: n + 1 names joined to the name of the array, the number of one of them at each point, -1 for none.
+/// The sets that the point arrays of a file hold: an array of 0 and 1 is one set, whatever its type, and an array of whole numbers from -1
+/// on several in one, as meshio writes them: the name of the array joins theirs, its values are the numbers of these names, -1 is none.
 ///
 /// warnings  arrays that look like sets and are none of these, and arrays in which a point can be in one of several sets alone
 std::vector<FileSet> point_sets(const Contents&, std::vector<std::string>& warnings);

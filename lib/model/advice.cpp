@@ -19,7 +19,8 @@ double step_in_touch(const Simulation& simulation, std::size_t c) {
   const dynamics::Model& model = simulation.model;
   const contact::Interface& interface = model.interfaces[c];
   const contact::InitialGaps& gaps = simulation.gaps[c];
-  if (contact::by_multipliers(interface) || gaps.apexes == gaps.without_base + gaps.behind || interface.contact_height.size() == 0) return 1e300;
+  const bool none = gaps.apexes == gaps.without_base + gaps.behind;
+  if (contact::by_multipliers(interface) || none || interface.contact_height.size() == 0) return 1e300;
   contact::Workspace workspace(interface);
   const double vote = contact::stable_step(interface, model.mass, model.inertia, simulation.state.interfaces[c], workspace).step;
   if (vote < 1e299) return vote;
@@ -71,7 +72,8 @@ std::vector<std::string> element_advice(const Simulation& simulation, const Expe
   if (!(then > worth_saying)) return {};
   const char* body = element::name(simulation.model.blocks[all[0].block]).c_str();
   const std::string what = n == 1 ? formatted("element %d of '%s' sets the step; ", all[0].element, body)
-                                  : formatted("element %d of '%s' and %zu more of %zu set the step; ", all[0].element, body, n - 1, all.size());
+                                  : formatted("element %d of '%s' and %zu more of %zu set the step; ", all[0].element, body, n - 1,
+                                              all.size());
   return {what + said(Remedy::wider_elements) + formatted(", about %.2g times", then)};
 }
 

@@ -123,7 +123,10 @@ std::vector<std::string> gap_table(const Simulation& simulation) {
       continue;
     }
     const bool any = g.apexes > g.without_base + g.behind;
-    const std::string gaps = any ? formatted("%-11.4g  %-11.4g  %-11.4g", g.least, g.mean, g.largest) : "-            -            -";
+    const bool overlaps = g.penetrating > 0 || !g.slight_overlaps.empty() || interface.kind == contact::InterfaceKind::bonded;
+    const auto shown = [&](double gap) { return overlaps ? gap : std::max(gap, 0.0); };  // without round-off
+    const std::string gaps = any ? formatted("%-11.4g  %-11.4g  %-11.4g", shown(g.least), shown(g.mean), shown(g.largest))
+                                 : "-            -            -";
     table.push_back(formatted("%-14s %6d  %8d  %7d  %9d  %7d  %11d  ", interface.name.c_str(), g.apexes, g.by_kind[3], g.by_kind[2],
                               g.by_kind[1], g.without_base, g.penetrating) + gaps);
     if (g.behind > 0)
@@ -168,7 +171,8 @@ std::vector<std::string> coarseness_notes(const Simulation& simulation) {
   constexpr double worth_saying = 1.25 - 1e-6;  // [-] up to 1.2 exchanged sides err as much: docs/contact_methods.md
   std::vector<std::string> notes;
   const load::Memory& constraints = simulation.state.constraints;
-  const auto held = [&constraints](Index node) {
+  const auto held = [&](Index node) {
+    if (dynamics::is_rigid_node(simulation.model, node)) return true;
     const Index row = constraints.row_of_node[node];
     return row >= 0 && constraints.nodes[row].allowed.isZero(0);
   };
@@ -316,8 +320,8 @@ std::vector<std::string> quality_notes(const Simulation& simulation) {
       notes.push_back(reached + ": " + said(Remedy::assumed_strain));
       continue;
     }
-    notes.push_back(reached + formatted(", and %.3g is of elements that bend unlike their neighbours, or whose sides lean; above %.3g local "
-                                        "stresses and forces depend on the size of the elements: ", uneven, worth_saying) +
+    notes.push_back(reached + formatted(", and %.3g is of elements that bend unlike their neighbours, or whose sides lean; above %.3g "
+                                        "local stresses and forces depend on the size of the elements: ", uneven, worth_saying) +
                     said(pricked ? Remedy::spread_force : Remedy::estimate_error));
   }
   return notes;

@@ -17,12 +17,14 @@ ROOT = Path(__file__).resolve().parents[2]
 SKIPPED = 77
 PATIENCE = 60  # [s]
 
-# What gmsh writes of two cubes of 1000 in a row, in its format 2.2: a physical volume 1, and on its end a physical surface 2 called "end".
+# What gmsh writes of two cubes of 1000 in a row, in its format 2.2: a physical volume 1, on its end a physical surface 2 called "end", and
+# a physical curve 2 called "edge" at the other one.
 BAR = """$MeshFormat
 2.2 0 8
 $EndMeshFormat
 $PhysicalNames
-1
+2
+1 2 "edge"
 2 2 "end"
 $EndPhysicalNames
 $Nodes
@@ -41,10 +43,11 @@ $Nodes
 12 2000 1000 1000
 $EndNodes
 $Elements
-3
-1 3 2 2 7 1 7 10 4
-2 5 2 1 1 1 2 5 4 7 8 11 10
-3 5 2 1 1 2 3 6 5 8 9 12 11
+4
+1 1 2 2 9 3 6
+2 3 2 2 7 1 7 10 4
+3 5 2 1 1 1 2 5 4 7 8 11 10
+4 5 2 1 1 2 3 6 5 8 9 12 11
 $EndElements
 """
 
@@ -52,7 +55,7 @@ CASE = """bodies:
   - name: bar
     mesh: {kind: file, path: bar.vtu, scale: 1 mm}
     material: {kind: elastic, density: 1000 kg/m^3, young: 1 MPa, poisson: 0}
-planes: [{name: held, kind: fixed, nodes: [bar.end]}]
+planes: [{name: held, kind: fixed, nodes: [bar.end, bar.edge]}]
 gravity: [0 m/s^2, 0 m/s^2, -9.81 m/s^2]
 time: {end: 10 ms}
 """

@@ -313,8 +313,8 @@ TEST(FileMesh, NamesArraysThatLookLikeRegionsAndAreNotUsed) {
   file.cell_fields = {region};
   EXPECT_TRUE(file_mesh("b", file).origin.doubts.empty()) << "it is one region all the same";
   file.cell_fields[0].values(0, 3) = 2;
-  EXPECT_EQ(file_mesh("b", file).origin.doubts,
-            (std::vector<std::string>{"its cell array 'material' looks like regions, and is not used: 'region_array' names the one that is"}));
+  const std::string doubt = "its cell array 'material' looks like regions, and is not used: 'region_array' names the one that is";
+  EXPECT_EQ(file_mesh("b", file).origin.doubts, std::vector<std::string>{doubt});
   EXPECT_TRUE(file_mesh("b", file, "material").origin.doubts.empty());
 }
 

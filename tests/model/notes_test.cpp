@@ -122,6 +122,10 @@ TEST(CoarsenessNotes, SayThatApexesAreTooFarApartAndWhatToDo) {
   scene.contacts[0].interface.two_passes = false;
   scene.planes = {{.name = "held", .kind = load::PlaneKind::fixed, .nodes = {"wall"}}};
   EXPECT_TRUE(notes().empty()) << "a base that is held gives way nowhere";
+  scene.planes = {};
+  EXPECT_EQ(notes().size(), 1U);
+  scene.bodies[1].rigid = true;
+  EXPECT_TRUE(notes().empty()) << "nor does a rigid one";
 }
 
 TEST(RoundingNotes, SayThatASceneLiesFarFromTheOrigin) {
