@@ -209,10 +209,13 @@ void print_forecast(const model::Simulation& simulation, const Forecast& forecas
   const dynamics::Model& model = simulation.model;
   print_size(simulation);
   const dynamics::Step& first = forecast.expected.first;
-  std::printf("first step %.4g s, limited by %s (stable step of elements %.4g s", first.dt,
-              dynamics::limited_by(first, dynamics::sources(model)).c_str(), forecast.votes.elements.step);
-  if (forecast.votes.contact.step < 1e299) std::printf(", contact %.4g s", forecast.votes.contact.step);
-  std::printf(")\nforecast to the end of time: %s\n", in_words(forecast).c_str());
+  std::printf("first step %.4g s, limited by %s", first.dt, dynamics::limited_by(first, dynamics::sources(model)).c_str());
+  const double elements = forecast.votes.elements.step, end = simulation.time.end;  // a step longer than the run limits nothing
+  const dynamics::Vote& contact = forecast.votes.contact;
+  const bool touches = contact.step < end && contact.source >= static_cast<int>(model.blocks.size());  // else it is of a rigid body
+  if (elements < end)
+    std::printf(" (stable step of elements %.4g s%s)", elements, touches ? formatted(", of contact %.4g s", contact.step).c_str() : "");
+  std::printf("\nforecast to the end of time: %s\n", in_words(forecast).c_str());
   print(forecast.advice);
 }
 

@@ -39,8 +39,8 @@ body:has(section.page:target) section#overview { display: none; } section#overvi
 """
 
 
-def write(folder, level, names):
-    """Writes report.html from the newest outcomes of the level; returns its path."""
+def write(folder, level, names, asked):
+    """Writes report.html from the newest outcomes of the level; returns its path. A folder that was asked for must have one."""
     outcomes, missing = {}, []
     for name in names:
         try:
@@ -48,12 +48,12 @@ def write(folder, level, names):
         except (OSError, ValueError, TypeError):
             missing.append(name)
     path = folder / "report.html"
-    path.write_text(page(outcomes, missing, level), encoding="utf-8")
+    path.write_text(page(outcomes, missing, level, asked), encoding="utf-8")
     return path
 
 
-def page(outcomes, missing, level):
-    parts = [overview(outcomes, missing, level), *(case_page(out) for out in outcomes.values()), limitations(outcomes)]
+def page(outcomes, missing, level, asked):
+    parts = [overview(outcomes, missing, level, asked), *(case_page(out) for out in outcomes.values()), limitations(outcomes)]
     head = ("<meta charset='utf-8'><meta name='viewport' content='width=device-width'><title>Nereid: verification</title>"
             f"<style>{STYLE}</style>")
     return f"<!doctype html>\n<html lang='en'><head>{head}</head><body>\n" + "\n".join(parts) + "\n</body></html>\n"
@@ -65,7 +65,7 @@ NAVIGATION = "<nav><a href='#overview'>Overview</a> · <a href='#limitations'>Li
 # ------------------------------------------------------------------------------------------------
 # Overview
 
-def overview(outcomes, missing, level):
+def overview(outcomes, missing, level, asked):
     rows = [row for out in outcomes.values() for row in out.rows]
     count = {kind: sum(row.kind == kind for row in rows) for kind in ("check", "miss", "break", "study")}
     failed = [out.name for out in outcomes.values() if not out.good()]
@@ -82,8 +82,11 @@ def overview(outcomes, missing, level):
             "<em>invariant</em>: must hold in any configuration. <em>benchmark</em>: other codes agree in a stated range, which verifies "
             "nothing. "
             "A <em>break</em> is a plausible mistake that a check must notice. The bar is error over limit.</p>"]
-    if missing:
-        text.append(f"<p class='FAIL'>Not run: {', '.join(missing)}.</p>")
+    failed_to_run, others = [name for name in missing if name in asked], [name for name in missing if name not in asked]
+    if failed_to_run:
+        text.append(f"<p class='FAIL'>Not run: {', '.join(failed_to_run)}.</p>")
+    if others:
+        text.append(f"<p class='quiet'>Without results at this level, since no command asked for them: {', '.join(others)}.</p>")
     for letter, title in tables.SECTIONS.items():
         of_section = [out for out in outcomes.values() if tables.section_of(out.catalogue, out.evidence) == letter]
         if of_section:

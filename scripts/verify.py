@@ -729,7 +729,7 @@ def main(arguments=None):
         tables.write(ROOT, outcomes)
     if options.figures:
         import verification_report as report
-        path = report.write(options.out, "full" if options.full else "quick", names_of_all())
+        path = report.write(options.out, "full" if options.full else "quick", names_of_all(), names)
         print(f"report: {path}")
     if options.full and not options.names:
         if not runs.remove_unused(options.out / "runs", used):

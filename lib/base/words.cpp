@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstdarg>
 #include <cstdio>
 
@@ -24,6 +25,8 @@ std::string formatted(const char* format, ...) {
 std::string counted(std::size_t number, const std::string& noun) {
   return std::to_string(number) + " " + noun + (number == 1 ? "" : "s");
 }
+
+std::string percent(double share) { return std::abs(share) < 1e-5 ? formatted("%.2g", share) : formatted("%.2g %%", 100 * share); }
 
 std::string shortest(double value) {
   std::array<char, 32> buffer{};  // the shortest text that reads back has at most 24 characters

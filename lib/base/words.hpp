@@ -15,6 +15,9 @@ std::string quote(std::string_view);  ///< 'text'
 /// "1 item", "2 items".
 std::string counted(std::size_t number, const std::string& noun);
 
+/// A share in percent, as "12 %"; below a hundred-thousandth as a power of ten.
+std::string percent(double share);
+
 /// The shortest text that reads back to the same number.
 std::string shortest(double value);
 

@@ -101,6 +101,7 @@ InitialGaps connect(Interface& interface, const Vectors& x, double reach, const 
   gaps.least = infinite;
   gaps.largest = -infinite;
   std::vector<double> initial(count, std::numeric_limits<double>::quiet_NaN());
+  std::vector<char> crosses(count, 0);  // whether an apex stands behind a facet that it touches
   const bool one_pair = interface.bodies.count() == 0;
   if (one_pair) workspace.broad[0].sort(interface.base, x);
   for (Index a = 0; one_pair && a < count; ++a) {
@@ -141,6 +142,7 @@ InitialGaps connect(Interface& interface, const Vectors& x, double reach, const 
     const double deepest = between(interface, a, nearest.feature.facet).depth;
     const Index facet = behind(sweep, deepest > 0 ? deepest : infinite, depth);
     if (facet < 0) continue;
+    crosses[a] = 1;
     contact_height = sweep.level(facet);
     // positions are no more exact than their distance from the origin allows, and differences no more than the facet's size
     const double round_off = 1e-12 * (std::abs(depth) + 2 * std::abs(contact_height) + interface.base.longest(facet));
@@ -155,14 +157,19 @@ InitialGaps connect(Interface& interface, const Vectors& x, double reach, const 
     ++gaps.penetrating;
     gaps.deepest = std::max(gaps.deepest, depth);
   }
-  for (const double gap : initial) {
+  for (Index a = 0; a < count; ++a) {
+    const double gap = initial[a];
     if (std::isnan(gap)) continue;
+    if (!bonded && !crosses[a] && gap < -slight * interface.margin) {
+      ++gaps.behind;
+      continue;
+    }
     gaps.least = std::min(gaps.least, gap);
     gaps.largest = std::max(gaps.largest, gap);
     gaps.mean += gap;
   }
   if (!one_pair) gaps.without_base = count - static_cast<Index>(memory.near.size());
-  const Index connected = gaps.apexes - gaps.without_base;
+  const Index connected = gaps.apexes - gaps.without_base - gaps.behind;
   if (connected == 0) gaps.least = gaps.largest = 0;
   else gaps.mean /= connected;
   return gaps;

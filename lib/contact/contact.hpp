@@ -364,8 +364,9 @@ struct SlightOverlap {
 
 /// What the broad search found before the first step.
 struct InitialGaps {
-  double least = 0, mean = 0, largest = 0;  ///< [m] over the apexes that have a base
+  double least = 0, mean = 0, largest = 0;  ///< [m] over the apexes that have a base in front of them; 0 without any
   Index apexes = 0, without_base = 0;
+  Index behind = 0;                         ///< apexes that stand behind the base without being in contact, as under a table
   Index penetrating = 0;                    ///< apexes nearer than h_c at the start
   Index free = 0;                           ///< apexes of a bonded interface that stand past its border or have no base: nothing holds them
   double deepest = 0;                       ///< [m] penetration, positive

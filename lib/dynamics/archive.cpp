@@ -279,9 +279,15 @@ void visit(Archive& archive, Quality& quality) {
 }
 
 template <class Archive>
+void visit(Archive& archive, Created& created) {
+  auto& [part, energy, passed] = created;
+  archive(part, energy, passed);
+}
+
+template <class Archive>
 void visit(Archive& archive, Flow& flow) {
-  auto& [passed, work, recent, owed, worst, worst_of_scene] = flow;
-  archive(passed, work, recent, owed, worst, worst_of_scene);
+  auto& [passed, work, recent, owed, worst, told, worst_of_scene] = flow;
+  archive(passed, work, recent, owed, worst, told, worst_of_scene);
 }
 
 template <class Archive>

@@ -115,6 +115,9 @@ void see_flows(Ledger& ledger) {
     flow.work = ledger.accounts[a].work;
     const double part = spurious_part(ledger, a);
     if (std::abs(part) > std::abs(flow.worst)) flow.worst = part;
+    if (!(std::abs(part) > std::abs(flow.told.part))) continue;
+    const double energy = created(ledger.accounts[a]);
+    if (std::abs(energy) > least_share * energy_scale(ledger)) flow.told = {part, energy, flow.passed};
   }
 }
 

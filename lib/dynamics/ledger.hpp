@@ -16,6 +16,13 @@ double overdrawn(const Account&);
 /// Work that the source can neither take from its store nor has dissipated: nobody can explain it.
 double created(const Account&);     ///< [J] work + stored + dissipated + overdrawn
 
+/// Energy that a source created, beside what it transferred.
+struct Created {
+  double part = 0;    ///< [-] spurious_part()
+  double energy = 0;  ///< [J] created() then, with its sign
+  double passed = 0;  ///< [J] Flow::passed then
+};
+
 /// What passed through a source, summed step by step.
 struct Flow {
   double passed = 0;     ///< [J] sum over the steps of |work in the step|
@@ -23,6 +30,7 @@ struct Flow {
   double recent = 0;     ///< [J] |work in a step|: the largest so far, halved with each step since
   double owed = 0;       ///< [J] the part of created() that it knows of and takes back as soon as it takes energy: of multipliers
   double worst = 0;      ///< [-] spurious_part() where it was largest so far, with its sign
+  Created told = {};     ///< the same of times at which more than least_share of the energy scale was created: what is worth a warning
   double worst_of_scene = 0;  ///< [-] created energy over the energy scale where it was largest at any update of the ledger, with its sign
 };
 

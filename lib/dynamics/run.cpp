@@ -41,10 +41,13 @@ Suspect suspect(const Model& model, const Ledger& ledger, int except = -1) {
 
 std::string name(const Model& model, const Suspect& one) { return one.source < 0 ? "time integration" : name(model, one.source); }
 
-/// "created 0.3 of the energy that passed through it", or lost.
-std::string deed(const Suspect& one) {
-  return std::string(one.part > 0 ? "created" : "lost") + formatted(" %.3g of the energy ", std::abs(one.part)) +
-         (one.source < 0 ? "of the scene" : "that passed through it");
+/// "created 30 % of the energy that it transferred (3 J of 10 J)", or lost.
+std::string deed(const Ledger& ledger, const Suspect& one) {
+  const double share = std::abs(one.part);
+  const std::string did = (one.part > 0 ? "created " : "lost ") + percent(share) + " of the energy ";
+  if (one.source < 0) return did + formatted("of the scene (%.2g J of %.2g J)", share * energy_scale(ledger), energy_scale(ledger));
+  const auto a = static_cast<std::size_t>(one.source);
+  return did + formatted("that it transferred (%.2g J of %.2g J)", std::abs(created(ledger.accounts[a])), ledger.flows[a].passed);
 }
 
 /// What had gone wrong before an element was lost or the step collapsed: the source that made most energy, if it made too much.
@@ -53,7 +56,7 @@ std::string deed(const Suspect& one) {
 std::string made_before(const Model& model, const Ledger& ledger, double limit, int except = -1) {
   const Suspect one = suspect(model, ledger, except);
   const bool too_much = std::abs(one.part) > limit * times_the_limit(model, ledger, one.source);
-  return too_much ? "; before that " + name(model, one) + " had " + deed(one) : "";
+  return too_much ? "; before that " + name(model, one) + " had " + deed(ledger, one) : "";
 }
 
 /// Stops the run with a place if an element is lost, a number is no number or the step collapsed.
@@ -82,7 +85,7 @@ bool stop(const Model& model, const State& now, const Step& next, const Time& ti
                           : formatted("with a step of %.3g s the end at %.3g s is out of reach", next.dt, end);
     outcome.reason += ", limited by " + limited_by(next, sources(model)) + made_before(model, now.ledger, time.created_limit);
     if (next.source >= 0) outcome.block = name(model, next.source);
-    if (next.source < static_cast<int>(model.blocks.size())) outcome.element = next.at;
+    if (next.source < static_cast<int>(model.blocks.size())) outcome.element = std::max(next.at, -1);
     return true;
   }
   return false;
@@ -106,8 +109,8 @@ bool too_much_of_the_scene(const Model& model, const Ledger& ledger, double limi
     const double excess = created(ledger.accounts[a]);
     if (!std::isnan(excess) && !(scale > 0 && std::abs(excess) > limit * scale)) continue;
     outcome.ending = std::isnan(excess) ? Ending::not_finite : excess > 0 ? Ending::energy_created : Ending::energy_lost;
-    const std::string part = (excess > 0 ? "created" : "lost") + formatted(" %.3g of the ", std::abs(excess) / scale);
-    const std::string bound = formatted("; the limit is %.3g", limit);
+    const std::string part = (excess > 0 ? "created " : "lost ") + percent(std::abs(excess) / scale) + " of the ";
+    const std::string bound = formatted(" (%.2g J of %.2g J); the limit is ", std::abs(excess), scale) + percent(limit);
     const bool of_centre = ledger.initial_available < ledger.initial_kinetic;
     outcome.reason = std::isnan(excess)                  ? "its energy is not finite"
                      : scale == energy_floor(ledger)     ? part + floor_in_words(ledger) + bound
@@ -167,7 +170,7 @@ bool too_much_of_what_passed(const Model& model, const Ledger& ledger, double cr
   const double limit = created_limit * times_the_limit(model, ledger, one.source);
   if (!(std::abs(one.part) > limit)) return false;
   outcome.ending = one.part > 0 ? Ending::energy_created : Ending::energy_lost;
-  outcome.reason = deed(one) + formatted("; the limit is %.3g", limit);
+  outcome.reason = deed(ledger, one) + "; the limit is " + percent(limit);
   outcome.block = name(model, one);
   return true;
 }
@@ -175,10 +178,10 @@ bool too_much_of_what_passed(const Model& model, const Ledger& ledger, double cr
 }  // namespace
 
 double times_the_limit(const Model& model, const Ledger& ledger, int source) {
-  constexpr double of_a_block = 5, of_little = 5, little = 0.01;
+  constexpr double of_a_block = 5, little = 0.01;
   if (source < 0) return 1;
   if (source < static_cast<int>(model.blocks.size())) return of_a_block;
-  return ledger.flows[static_cast<std::size_t>(source)].passed < little * energy_scale(ledger) ? of_little : 1;
+  return ledger.flows[static_cast<std::size_t>(source)].passed < little * energy_scale(ledger) ? limit_of_little : 1;
 }
 
 std::string_view word(Ending ending) {

@@ -64,7 +64,8 @@ void update(const Model& model, double dt, State& now, Forces& f) {
   int source = 0;
   for (std::size_t b = 0; b < model.blocks.size(); ++b, ++source) {
     if (is_rigid_block(model, b)) {
-      votes.contact.see({rigid_step_limit(model, now, static_cast<std::size_t>(model.rigid_of_block[b])), -1}, source);
+      const double limit = rigid_step_limit(model, now, static_cast<std::size_t>(model.rigid_of_block[b]));
+      votes.contact.see({limit, limit < model.longest_step ? -1 : at_largest_step}, source);
       continue;
     }
     const element::Vote vote = element::advance(model.blocks[b], now.x, f.dx, f.rotation, dt, now.blocks[b], now.tiles[b], f.reports[b]);

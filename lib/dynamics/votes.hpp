@@ -11,11 +11,14 @@ namespace nereid::dynamics {
 
 struct Model;
 
+/// In the place of an element: no element but `time.largest_step` limits the step of rigid bodies.
+constexpr Index at_largest_step = -2;
+
 /// The smallest limit of several sources, and whose it is.
 struct Vote {
   double step = 1e300;  ///< [s]; 1e300: no limit
   int source = -1;      ///< in sources(model)
-  Index at = -1;        ///< element of a block; node of an apex or of a rigid plane
+  Index at = -1;        ///< element of a block, -1 the turn of a rigid body, at_largest_step; node of an apex or of a rigid plane
   void see(const StepLimit& limit, int from) {
     if (limit.step < step) step = limit.step, source = from, at = limit.at;
   }

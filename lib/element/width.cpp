@@ -75,6 +75,7 @@ Narrowest narrowest(const Block<Kind, Law>& block, const Vectors& x) {
   for (Index element = 0; element < nodes.cols(); ++element)
     if (all(element) > most) most = all(element), found.element = element;
   if (found.element < 0) return found;
+  found.frequency = std::sqrt(most / block.law.density);
 
   Eigen::SelfAdjointEigenSolver<Mat3> solver(gradient_tensor(block, x, found.element));
   const Vec3 g = solver.eigenvalues();  // ascending

@@ -11,6 +11,7 @@ struct Narrowest {
   Vec3 centre = Vec3::Zero();     ///< [m]
   Vec3 width = Vec3::Zero();      ///< [m] ascending: edges of a brick, heights of an equilateral triangle (two)
   Vec3 direction = Vec3::UnitX(); ///< unit vector along the smallest width
+  double frequency = 0;           ///< [1/s] proportional to that of the element, within a factor of two for all kinds
   double gain = 1;  ///< [-] how many times larger the step would be if the smallest width were the next one
 };
 

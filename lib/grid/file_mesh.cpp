@@ -8,6 +8,7 @@
 #include <set>
 
 #include "grid/boundary.hpp"
+#include "grid/file_sets.hpp"
 #include "mesh/facets.hpp"
 #include "mesh/skin.hpp"
 
@@ -16,12 +17,12 @@ namespace {
 
 using mesh::Facets;
 
-constexpr int triangle = 5, quadrilateral = 9, hexahedron = 12;  // VTK's numbers
+constexpr int vertex = 1, line = 3, triangle = 5, quadrilateral = 9, hexahedron = 12;  // VTK's numbers
 constexpr std::size_t most_named = 8;  // of the cells at fault: enough to find them, few enough for a line
 
 std::string kind_name(int kind) {
   static const std::map<int, std::string> names{
-      {0, "empty cells"}, {1, "vertices"}, {2, "groups of vertices"}, {3, "lines"}, {4, "polylines"}, {6, "triangle strips"},
+      {0, "empty cells"}, {2, "groups of vertices"}, {4, "polylines"}, {6, "triangle strips"},
       {7, "polygons"}, {8, "pixels"}, {10, "tetrahedra"}, {11, "voxels"}, {13, "wedges"}, {14, "pyramids"},
       {15, "pentagonal prisms"}, {16, "hexagonal prisms"}, {21, "quadratic edges"}, {22, "quadratic triangles"},
       {23, "quadratic quadrilaterals"}, {24, "quadratic tetrahedra"}, {25, "quadratic hexahedra"}, {26, "quadratic wedges"},
@@ -71,12 +72,6 @@ bool whole(const Field& field) {
   return field.values.rows() == 1 && field.values.allFinite() && (field.values.array() == field.values.array().round()).all();
 }
 
-/// Whether a point array says of each point if it belongs to a set. VTK's own arrays, as of ghosts, do not.
-bool is_set(const Field& field) {
-  return field.integer && field.values.rows() == 1 && field.name.rfind("vtk", 0) != 0 &&
-         (field.values.array() == 0 || field.values.array() == 1).all() && (field.values.array() == 1).any();
-}
-
 /// Whether the halves of a quadrilateral that is cut from its first corner to its third face away from each other.
 bool is_folded(const Vectors& X, const std::array<Index, 4>& at) {
   const Vec3 a = X.col(at[0]), cut = X.col(at[2]) - a;
@@ -89,8 +84,19 @@ mesh::Cut cut_of(const Vectors& X, const std::array<Index, 4>& at) {
   return other ? mesh::Cut::second_to_fourth : mesh::Cut::first_to_third;
 }
 
+/// What a group of cells of a dimension is called: by its name in the file, else by its number, or without one.
+std::string group_name(const Contents& file, int dimension, int number, const std::string& usual) {
+  const std::map<int, std::string> names = group_names(file, dimension);
+  const auto found = names.find(number);
+  return found != names.end() ? found->second : number < 0 ? usual : usual + "_" + std::to_string(number);
+}
+
+/// The points of lines and single points, by dimension and number.
+using PointsOfGroups = std::map<std::array<int, 2>, std::set<Index>>;
+
 /// Cells by region and kind; -1 stands for the one region of a file without regions.
-std::map<int, Part> parts(const Contents& file, const std::string& region_array, std::vector<std::string>& faults) {
+std::map<int, Part> parts(const Contents& file, const std::string& region_array, PointsOfGroups& of_groups,
+                          std::vector<std::string>& faults) {
   const Field* region = array_called(file.cell_fields, region_array);
   if (region == nullptr && region_array != usual_region_array) {
     std::vector<std::string> there;
@@ -108,7 +114,11 @@ std::map<int, Part> parts(const Contents& file, const std::string& region_array,
   for (std::size_t c = 0; c < file.kind.size(); ++c) {
     const auto cell = static_cast<std::int64_t>(c);
     const Index* nodes = file.nodes.data() + file.begin[c];
-    const int kind = file.kind[c];
+    const int kind = file.kind[c], number = region == nullptr ? -1 : static_cast<int>(region->values(0, cell));
+    if (kind == line || kind == vertex) {
+      of_groups[{kind == line ? 1 : 0, number}].insert(nodes, file.nodes.data() + file.begin[c + 1]);
+      continue;
+    }
     if (kind != triangle && kind != quadrilateral && kind != hexahedron) {
       ++others[kind];
       continue;
@@ -117,7 +127,7 @@ std::map<int, Part> parts(const Contents& file, const std::string& region_array,
       torn.cells.push_back(cell);
       continue;
     }
-    Part& part = found[region == nullptr ? -1 : static_cast<int>(region->values(0, cell))];
+    Part& part = found[number];
     if (kind == hexahedron) {
       auto& to = part.hexahedra.emplace_back();
       std::copy_n(nodes, 8, to.begin());
@@ -138,12 +148,14 @@ std::map<int, Part> parts(const Contents& file, const std::string& region_array,
     faults.push_back("it has " + listed(said) + "; expected hexahedra, triangles and quadrilaterals");
   } else if (file.kind.empty()) {
     faults.push_back("it has no cells");
+  } else if (found.empty() && torn.cells.empty()) {
+    faults.push_back("it has lines and points only; expected hexahedra, triangles and quadrilaterals");
   }
   return found;
 }
 
 /// Takes from the parts those triangles that are a boundary of solids.
-std::vector<Boundary> take_boundaries(std::map<int, Part>& parts, std::vector<std::string>& faults) {
+std::vector<Boundary> take_boundaries(const Contents& file, std::map<int, Part>& parts, std::vector<std::string>& faults) {
   std::vector<std::array<Index, 8>> hexahedra;
   for (const auto& [number, part] : parts) hexahedra.insert(hexahedra.end(), part.hexahedra.begin(), part.hexahedra.end());
   const FacesOfSolids faces(hexahedra);
@@ -153,7 +165,7 @@ std::vector<Boundary> take_boundaries(std::map<int, Part>& parts, std::vector<st
     const Table<3> triangles = part.triangles.table();
     std::set<Corners> marked;
     for (const auto& t : triangles.colwise()) marked.insert(corners(t(0), t(1), t(2)));
-    Boundary boundary{number < 0 ? "boundary" : "boundary_" + std::to_string(number), {}};
+    Boundary boundary{group_name(file, 2, number, "boundary"), {}};
     std::int64_t on = 0;
     for (Eigen::Index i = 0; i < triangles.cols(); ++i) {
       const Corners one = corners(triangles(0, i), triangles(1, i), triangles(2, i));
@@ -180,13 +192,14 @@ std::vector<Boundary> take_boundaries(std::map<int, Part>& parts, std::vector<st
 }
 
 /// Adds the regions to a mesh that has its points.
-void add_regions(const std::string& name, const std::map<int, Part>& parts, mesh::Mesh& mesh, std::vector<std::string>& faults) {
+void add_regions(const std::string& name, const Contents& file, const std::map<int, Part>& parts, mesh::Mesh& mesh,
+                 std::vector<std::string>& faults) {
   for (const auto& [number, part] : parts) {
     const Table<3> triangles = part.triangles.table();
     const bool solid = !part.hexahedra.empty(), plates = triangles.cols() > 0;
     if (solid && plates && number >= 0)
       faults.push_back("its region " + std::to_string(number) + " holds solids and plates; give them different numbers");
-    const std::string region = number < 0 ? name : name + ".region_" + std::to_string(number);
+    const std::string region = number < 0 ? name : name + "." + group_name(file, solid ? 3 : 2, number, "region");
     if (solid) mesh.hexahedra.push_back({plates ? name + ".hexahedra" : region, table(part.hexahedra)});
     if (plates) mesh.triangles.push_back({solid ? name + ".triangles" : region, triangles});
   }
@@ -270,8 +283,8 @@ void add_surface(mesh::Mesh& mesh, const std::string& name, const Table<3>& face
   if (facets.cols() > 0) mesh.surfaces.push_back({name, facets});
 }
 
-void add_names(const std::string& name, const Contents& file, const std::vector<Boundary>& boundaries, const std::vector<Index>& number,
-               mesh::Mesh& mesh, std::vector<std::string>& faults) {
+void add_names(const std::string& name, const std::vector<FileSet>& sets, const std::vector<Boundary>& boundaries,
+               const std::vector<Index>& number, mesh::Mesh& mesh, std::vector<std::string>& faults) {
   const mesh::Skin skin = mesh::skin(mesh.X, mesh.hexahedra);
   Table<3> plates(3, 0);
   for (const auto& region : mesh.triangles) {
@@ -304,19 +317,18 @@ void add_names(const std::string& name, const Contents& file, const std::vector<
     mesh.node_sets.push_back({name + "." + boundary.name, nodes_on(boundary)});
     add_surface(mesh, name + "." + boundary.name, facets_on(skin.facets, boundary));
   }
-  for (const Field& field : file.point_fields) {
-    if (!is_set(field)) continue;
+  for (const FileSet& set : sets) {
     Subset nodes;
-    for (std::size_t point = 0; point < number.size(); ++point)
-      if (number[point] >= 0 && field.values(0, static_cast<Eigen::Index>(point)) != 0) nodes.push_back(number[point]);
-    if (!nodes.empty()) add_set(name + "." + field.name, nodes);  // else only points of no cell
+    for (const Index point : set.points)
+      if (const Index node = number[static_cast<std::size_t>(point)]; node >= 0) nodes.push_back(node);
+    if (!nodes.empty()) add_set(name + "." + set.name, nodes);  // else only points of no element
   }
   const auto twice = [&](const auto& all, const char* kind) {
     std::set<std::string> names;
     for (const auto& one : all)
       if (!names.insert(one.name).second)
         faults.push_back(std::string("it makes two ") + kind + " called '" + one.name.substr(name.size()) +
-                         "'; call that point array something else");
+                         "'; call one of them something else");
   };
   twice(mesh.node_sets, "node sets");
   twice(mesh.surfaces, "surfaces");
@@ -328,11 +340,12 @@ FileMesh file_mesh(const std::string& name, const Contents& file, const std::str
   FileMesh result;
   result.mesh.X = file.points;
   if (!file.points.allFinite()) result.faults.push_back("some of its points are no numbers");
-  std::map<int, Part> found = parts(file, region_array, result.faults);
+  PointsOfGroups of_groups;
+  std::map<int, Part> found = parts(file, region_array, of_groups, result.faults);
   std::vector<Boundary> boundaries;
-  if (boundary_cells == BoundaryCells::surfaces) boundaries = take_boundaries(found, result.faults);
+  if (boundary_cells == BoundaryCells::surfaces) boundaries = take_boundaries(file, found, result.faults);
   if (file.points.allFinite()) {
-    add_regions(name, found, result.mesh, result.faults);
+    add_regions(name, file, found, result.mesh, result.faults);
     result.origin.numbers = numbers_of(found);
     judge(result);
     if (boundary_cells == BoundaryCells::surfaces && result.faults.empty()) refuse_loose_boundaries(result);
@@ -341,7 +354,11 @@ FileMesh file_mesh(const std::string& name, const Contents& file, const std::str
     const std::vector<Index> number = drop_lonely_points(result.mesh);
     result.origin.lonely = std::count(number.begin(), number.end(), -1);
     for (Boundary& boundary : boundaries) renumber(boundary, number);
-    add_names(name, file, boundaries, number, result.mesh, result.faults);
+    std::vector<FileSet> sets = point_sets(file, result.origin.doubts);
+    for (const auto& [group, points] : of_groups)
+      sets.push_back({group_name(file, group[0], group[1], group[0] == 1 ? "lines" : "points"), {points.begin(), points.end()}});
+    for (const std::string& doubt : unused_regions(file, region_array)) result.origin.doubts.push_back(doubt);
+    add_names(name, sets, boundaries, number, result.mesh, result.faults);
   }
   if (!result.faults.empty()) result.mesh = {};
   return result;

@@ -27,11 +27,13 @@ inline constexpr const char* usual_region_array = "region";
 /// Makes a mesh of what a file holds: hexahedra, triangles, and quadrilaterals cut in two from first to third corner, or from second to
 /// fourth where only that cut lies inside.
 ///
+/// Names      of groups of cells are those of arrays of the whole file that hold [number, dimension]; else as follows.
 /// Regions    by the cell array `region_array`, whole numbers n: `name.region_n`. Without that array all cells are
 ///            region `name`; where there are solids and plates these are `name.hexahedra` and `name.triangles`.
 /// Boundaries triangles and quadrilaterals of one number n that all lie on faces of hexahedra, unless they are said to be plates: no
 ///            elements, but a node set and, of outer faces, a surface `name.boundary_n`. Without numbers `name.boundary`.
-/// Node sets  `name` (all), one of each region, and `name.<array>` for each point array of whole numbers that are 0 or 1, not all 0.
+/// Node sets  `name` (all), one of each region, those of point_sets(), `name.lines_n` and `name.points_n` of lines and points of number n,
+///            without numbers `name.lines` and `name.points`.
 /// Surfaces   of solids `name.skin`, the outer faces with normals outwards and its node set, and for each node set the
 ///            part of the skin all of whose corners are in the set, if any. Of plates `name.top` (normals as
 ///            those of the triangles) and `name.bottom`, and for each node set `name.<array>_top`, `name.<array>_bottom`.

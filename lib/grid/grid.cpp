@@ -59,8 +59,8 @@ namespace nereid::grid {
 
 template <class Archive>
 void visit(Archive& archive, Contents& contents) {
-  auto& [points, kind, begin, nodes, point_fields, cell_fields, checksum] = contents;
-  archive(points, kind, begin, nodes, point_fields, cell_fields, checksum);
+  auto& [points, kind, begin, nodes, point_fields, cell_fields, fields, checksum] = contents;
+  archive(points, kind, begin, nodes, point_fields, cell_fields, fields, checksum);
 }
 
 namespace {
@@ -349,7 +349,7 @@ std::vector<Lost> write_frame(const Grid& grid, GridKind kind, Precision precisi
 constexpr const char* unreadable = "VTK cannot read it: it is damaged, or written in a form that this VTK does not know";
 
 /// Arrays of numbers, in the order of the file.
-std::vector<Field> fields_of(vtkDataSetAttributes& attributes) {
+std::vector<Field> fields_of(vtkFieldData& attributes) {
   std::vector<Field> fields;
   for (int a = 0; a < attributes.GetNumberOfArrays(); ++a) {
     vtkDataArray* array = attributes.GetArray(a);
@@ -393,6 +393,7 @@ Contents contents_of(vtkUnstructuredGrid& data, std::string& fault) {
   }
   contents.point_fields = fields_of(*data.GetPointData());
   contents.cell_fields = fields_of(*data.GetCellData());
+  contents.fields = fields_of(*data.GetFieldData());
   const auto look = [&fault](const std::vector<Field>& fields, vtkIdType things, const char* what) {
     for (const Field& field : fields)
       if (field.values.cols() != things)

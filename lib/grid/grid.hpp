@@ -104,6 +104,7 @@ struct Contents {
   std::vector<std::int64_t> begin;  ///< [cells + 1] where the points of each cell begin
   std::vector<Index> nodes;         ///< points of the cells
   std::vector<Field> point_fields, cell_fields;  ///< arrays of numbers; unit and components are left empty
+  std::vector<Field> fields;                     ///< those of the file as a whole
   std::uint64_t checksum = 0;                    ///< of all bytes of the file
 };
 

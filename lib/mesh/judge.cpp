@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <numbers>
@@ -129,6 +131,31 @@ bool has_sound_corners(const Vectors& X, const Index* nodes) {
   return true;
 }
 
+/// Whether the faces of a hexahedron with corners at one place are still those of a solid: each a polygon, or nothing, and no two with
+/// three corners in common.
+bool has_sound_faces(const Vectors& X, const Index* nodes) {
+  std::array<int, 8> place;  // of each corner: the first one there
+  for (int a = 0; a < 8; ++a)
+    for (place[a] = 0; X.col(nodes[place[a]]) != X.col(nodes[a]);) ++place[a];
+  if (std::adjacent_find(place.begin(), place.end(), std::greater_equal<>{}) == place.end()) return true;  // all differ
+  std::array<std::vector<int>, 6> polygon;
+  for (int face = 0; face < 6; ++face) {
+    for (int i = 0; i < 4; ++i) {
+      const int here = place[corners_of_faces[face][i]], next = place[corners_of_faces[face][(i + 1) % 4]];
+      if (here != next) polygon[face].push_back(here);
+    }
+    std::sort(polygon[face].begin(), polygon[face].end());
+    if (std::adjacent_find(polygon[face].begin(), polygon[face].end()) != polygon[face].end()) return false;
+    for (int before = 0; before < face; ++before) {
+      std::vector<int> common;
+      std::set_intersection(polygon[face].begin(), polygon[face].end(), polygon[before].begin(), polygon[before].end(),
+                            std::back_inserter(common));
+      if (common.size() > 2) return false;
+    }
+  }
+  return true;
+}
+
 Vec3 twice_area(const Vectors& X, const Index* t) {
   const Vec3 origin = X.col(t[0]);
   return (X.col(t[1]) - origin).cross(X.col(t[2]) - origin);
@@ -153,6 +180,8 @@ void look_at_shapes(const Mesh& mesh, const Elements& all, const Origin& origin,
     for (Index i = 0; i < volume.size(); ++i, ++e)
       if (!(volume(i) > 0) || !has_sound_gauss_points(mesh.X, all.nodes(e), volume(i)))
         found.add(Flaw::inverted, e);
+      else if (!has_sound_faces(mesh.X, all.nodes(e)))
+        found.add(Flaw::misfolded, e);
       else if (!has_sound_corners(mesh.X, all.nodes(e)))
         found.add(Flaw::dented, e);
   }

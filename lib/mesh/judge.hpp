@@ -12,9 +12,9 @@ namespace nereid::mesh {
 
 /// What can be wrong with elements.
 enum class Flaw {
-  far_away, inverted, no_area, folded, repeated, crowded, same_side,  // refused
-  coincident, laid_over, hinged, dented, opposed, flat_fold,          // warned of
-  unsplittable                                                        // refused where meshes are split: mesh/split.hpp
+  far_away, inverted, misfolded, no_area, folded, repeated, crowded, same_side,  // refused
+  coincident, laid_over, hinged, dented, opposed, flat_fold,                     // warned of
+  unsplittable                                                                   // refused where meshes are split: mesh/split.hpp
 };
 
 /// What is said of a flaw, and what follows.
@@ -27,6 +27,8 @@ struct FlawWords {
 inline constexpr std::array<FlawWords, 14> flaw_words{{
     {"far_away", true, "so far from the origin that fewer than six digits are left of their size"},
     {"inverted", true, "whose Jacobian is not positive at a Gauss point, as where two nodes are exchanged"},
+    {"misfolded", true, "whose corners coincide in an order that is no solid; right are 1 2 3 3 4 5 6 6 (wedge), 1 2 3 4 5 5 5 5 "
+                        "(pyramid) and 1 2 3 3 4 4 4 4 (tetrahedron), also turned"},
     {"no_area", true, "without area"},
     {"folded", true, "of a quadrilateral whose halves face away from each other, as where its sides cross"},
     {"repeated", true, "on the same nodes as another one"},
@@ -48,6 +50,7 @@ struct Origin {
   /// Empty: they are counted in that order.
   std::vector<std::int64_t> numbers;
   std::int64_t lonely = 0;  ///< points of no element, which were left out
+  std::vector<std::string> doubts = {};  ///< about its file, each a part of a sentence
 };
 
 /// Elements with one flaw, counted as in Origin, ascending.
@@ -59,6 +62,7 @@ struct Finding {
 /// Looks at a mesh. Of elements that have lost their digits nothing else is said, and of a face only where the corners are in order.
 ///
 ///     inverted    J <= 1e-9 V at one of the eight Gauss points of a hexahedron, whatever its integration
+///     misfolded   corners of a hexahedron coincide so that two of its faces have three in common, or one has a corner twice
 ///     dented      not so, but J <= 1e-9 |e1| |e2| |e3| at a corner; one with an edge of no length is passed over
 ///     no_area     2 A <= 1e-9 of the square of the longest side
 ///     folded      n1 . n2 < 0 of the two halves of a quadrilateral

@@ -6,6 +6,7 @@
 
 #include "base/words.hpp"
 #include "element/width.hpp"
+#include "model/remedies.hpp"
 
 namespace nereid::model {
 
@@ -18,7 +19,8 @@ double step_in_touch(const Simulation& simulation, std::size_t c) {
   const dynamics::Model& model = simulation.model;
   const contact::Interface& interface = model.interfaces[c];
   const contact::InitialGaps& gaps = simulation.gaps[c];
-  if (contact::by_multipliers(interface) || gaps.apexes == gaps.without_base || interface.contact_height.size() == 0) return 1e300;
+  const bool none = gaps.apexes == gaps.without_base + gaps.behind;
+  if (contact::by_multipliers(interface) || none || interface.contact_height.size() == 0) return 1e300;
   contact::Workspace workspace(interface);
   const double vote = contact::stable_step(interface, model.mass, model.inertia, simulation.state.interfaces[c], workspace).step;
   if (vote < 1e299) return vote;
@@ -69,10 +71,10 @@ std::vector<std::string> element_advice(const Simulation& simulation, const Expe
   const double then = std::min(simulation.time.safety * all[n].step, votes.contact.step) / expected.dt;
   if (!(then > worth_saying)) return {};
   const char* body = element::name(simulation.model.blocks[all[0].block]).c_str();
-  if (n == 1)
-    return {formatted("element %d of '%s' sets the step; without it the step is about %.2g times larger", all[0].element, body, then)};
-  return {formatted("element %d of '%s' and %zu more set the step; without these %zu of %zu elements the step is about %.2g times larger",
-                    all[0].element, body, n - 1, n, all.size(), then)};
+  const std::string what = n == 1 ? formatted("element %d of '%s' sets the step; ", all[0].element, body)
+                                  : formatted("element %d of '%s' and %zu more of %zu set the step; ", all[0].element, body, n - 1,
+                                              all.size());
+  return {what + said(Remedy::wider_elements) + formatted(", about %.2g times", then)};
 }
 
 /// Stress at which a block begins to flow, times its volume; zero of what is elastic. [J]
@@ -109,19 +111,28 @@ ExpectedSteps expected_steps(const Simulation& simulation) {
 
 double count(const ExpectedSteps& expected, double end) { return std::ceil(end / expected.dt - 1e-9); }
 
+bool may_have_multipliers(const dynamics::Model& model, const contact::Interface& interface) {
+  if (interface.kind != contact::InterfaceKind::bonded) return true;
+  const auto is_rigid = [&](const Subset& nodes) {
+    return std::any_of(nodes.begin(), nodes.end(), [&](Index node) { return dynamics::is_rigid_node(model, node); });
+  };
+  return interface.pass == contact::Pass::only && !is_rigid(interface.apexes) && !is_rigid(interface.base_nodes);
+}
+
 std::vector<std::string> step_advice(const Simulation& simulation, const ExpectedSteps& expected) {
   std::vector<std::string> advice;
-  const auto look = [&](const char* what, const std::string& name, double step) {
-    if (step * worth_saying < expected.elements)
-      advice.push_back(formatted("%s '%s' makes this run %.3g times longer than its elements; 'method: multiplier' would not", what,
-                                 name.c_str(), expected.elements / step));
+  const auto look = [&](const char* what, const std::string& name, double step, bool may) {
+    if (!(step * worth_saying < expected.elements)) return;
+    advice.push_back(formatted("%s '%s' makes this run %.3g times longer", what, name.c_str(), expected.elements / step) +
+                     (may ? "; " + said(Remedy::multiplier) : ""));
   };
   for (std::size_t c = 0; c < expected.interfaces.size(); ++c) {
     const contact::Interface& interface = simulation.model.interfaces[c];
-    if (interface.pass != contact::Pass::back) look("contact", interface.name, expected.interfaces[c]);
+    if (interface.pass == contact::Pass::back) continue;
+    look("contact", interface.name, expected.interfaces[c], may_have_multipliers(simulation.model, interface));
   }
   for (std::size_t p = 0; p < expected.rigid_planes.size(); ++p)
-    look("rigid plane", simulation.model.rigid_planes[p].name, expected.rigid_planes[p]);
+    look("rigid plane", simulation.model.rigid_planes[p].name, expected.rigid_planes[p], true);
   for (const std::string& line : element_advice(simulation, expected)) advice.push_back(line);
   return advice;
 }

@@ -26,6 +26,9 @@ ExpectedSteps expected_steps(const Simulation&);
 /// How many steps that makes. [-]
 double count(const ExpectedSteps&, double end);
 
+/// Whether an interface may have multipliers in the place of its penalty: all but ties in two passes and to rigid bodies.
+bool may_have_multipliers(const dynamics::Model&, const contact::Interface&);
+
 /// What makes the steps at least half as long again, if it were changed: each contact and rigid plane by a penalty, and the few elements
 /// (a twentieth of them at most) that are so much smaller than the rest. One a line; empty where nothing does.
 ///

@@ -126,6 +126,7 @@ void judge(const Body& body, const Part& here, const mesh::Mesh& mesh, Faults& f
   }
   for (const mesh::Finding& one : doubtful) warnings.texts.push_back(body.name + ": " + words(one) + " (" + mesh::where_shown + ")");
   if (!doubtful.empty()) warnings.offenders.push_back(mesh::offenders(body.name, mesh, body.origin, doubtful));
+  for (const std::string& doubt : body.origin.doubts) warnings.texts.push_back(body.name + ": of its file, " + doubt);
   if (body.origin.lonely > 0)
     warnings.texts.push_back(body.name + ": " + counted(static_cast<std::size_t>(body.origin.lonely), "point") +
                              " of its file without an element, left out");

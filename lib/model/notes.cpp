@@ -12,12 +12,10 @@
 #include "dynamics/overlaps.hpp"
 #include "dynamics/quality.hpp"
 #include "element/width.hpp"
+#include "model/advice.hpp"
+#include "model/remedies.hpp"
 
 namespace nereid::model {
-
-namespace {
-
-}  // namespace
 
 namespace {
 
@@ -40,10 +38,11 @@ std::vector<std::string> pairs_found(const Simulation& simulation, std::size_t c
   std::map<std::pair<Index, Index>, Pair> found;
   for (const contact::Near& near : memory.near) {
     const Index facet = memory.feature[static_cast<std::size_t>(near.apex)].facet;
-    if (bodies.count() == 0 || facet < 0) continue;
+    const double gap = memory.gap[static_cast<std::size_t>(near.apex)];
+    if (bodies.count() == 0 || facet < 0 || gap < -contact::slight * interface.margin) continue;  // those behind are in no contact
     const Index one = bodies.of_apex[static_cast<std::size_t>(near.apex)], other = bodies.of_facet[static_cast<std::size_t>(facet)];
     Pair& pair = found[{std::min(one, other), std::max(one, other)}];
-    ++pair.apexes, pair.least = std::min(pair.least, memory.gap[static_cast<std::size_t>(near.apex)]);
+    ++pair.apexes, pair.least = std::min(pair.least, gap);
   }
   std::vector<std::string> rows;
   for (const auto& [pair, seen] : found) {
@@ -123,8 +122,16 @@ std::vector<std::string> gap_table(const Simulation& simulation) {
       for (const std::string& row : slight_overlaps(simulation, c)) table.push_back(row);
       continue;
     }
-    table.push_back(formatted("%-14s %6d  %8d  %7d  %9d  %7d  %11d  %-11.4g  %-11.4g  %-11.4g", interface.name.c_str(), g.apexes,
-                              g.by_kind[3], g.by_kind[2], g.by_kind[1], g.without_base, g.penetrating, g.least, g.mean, g.largest));
+    const bool any = g.apexes > g.without_base + g.behind;
+    const bool overlaps = g.penetrating > 0 || !g.slight_overlaps.empty() || interface.kind == contact::InterfaceKind::bonded;
+    const auto shown = [&](double gap) { return overlaps ? gap : std::max(gap, 0.0); };  // without round-off
+    const std::string gaps = any ? formatted("%-11.4g  %-11.4g  %-11.4g", shown(g.least), shown(g.mean), shown(g.largest))
+                                 : "-            -            -";
+    table.push_back(formatted("%-14s %6d  %8d  %7d  %9d  %7d  %11d  ", interface.name.c_str(), g.apexes, g.by_kind[3], g.by_kind[2],
+                              g.by_kind[1], g.without_base, g.penetrating) + gaps);
+    if (g.behind > 0)
+      table.push_back(formatted("%-14s %d of %d apexes stand behind the base and are not in contact, as under a table", "", g.behind,
+                                g.apexes));
     for (const std::string& pair : pairs_found(simulation, c)) table.push_back(pair);
     for (const std::string& row : slight_overlaps(simulation, c)) table.push_back(row);
     if (!contact::by_multipliers(interface) && interface.bodies.count() == 0)
@@ -139,9 +146,19 @@ std::vector<std::string> gap_table(const Simulation& simulation) {
 std::vector<std::string> width_notes(const Simulation& simulation) {
   constexpr double worth_saying = 2;  // [-] a brick twice as long as wide and high stays unmentioned
   std::vector<std::string> notes;
-  for (const auto& block : simulation.model.blocks) {
-    const element::Narrowest at = element::narrowest(block, simulation.state.x);
-    if (at.gain < worth_saying) continue;
+  constexpr double near = 2;  // [-] bodies whose elements allow steps longer than by this limit nothing
+  const dynamics::Model& model = simulation.model;
+  std::vector<element::Narrowest> of_blocks;
+  double fastest = 0;
+  for (std::size_t b = 0; b < model.blocks.size(); ++b) {
+    const bool moves_as_one = dynamics::is_rigid_block(model, b);  // whose elements limit no step
+    of_blocks.push_back(moves_as_one ? element::Narrowest{} : element::narrowest(model.blocks[b], simulation.state.x));
+    fastest = std::max(fastest, of_blocks.back().frequency);
+  }
+  for (std::size_t b = 0; b < model.blocks.size(); ++b) {
+    const auto& block = model.blocks[b];
+    const element::Narrowest& at = of_blocks[b];
+    if (at.gain < worth_saying || near * at.frequency < fastest) continue;
     notes.push_back(formatted("%s: its step is that of element %d at (%.4g, %.4g, %.4g) m, only %.3g m wide along "
                               "(%.3g, %.3g, %.3g) and %.3g m across; that width makes its step %.3g times smaller",
                               element::name(block).c_str(), at.element, at.centre.x(), at.centre.y(), at.centre.z(), at.width(0),
@@ -154,7 +171,8 @@ std::vector<std::string> coarseness_notes(const Simulation& simulation) {
   constexpr double worth_saying = 1.25 - 1e-6;  // [-] up to 1.2 exchanged sides err as much: docs/contact_methods.md
   std::vector<std::string> notes;
   const load::Memory& constraints = simulation.state.constraints;
-  const auto held = [&constraints](Index node) {
+  const auto held = [&](Index node) {
+    if (dynamics::is_rigid_node(simulation.model, node)) return true;
     const Index row = constraints.row_of_node[node];
     return row >= 0 && constraints.nodes[row].allowed.isZero(0);
   };
@@ -164,12 +182,12 @@ std::vector<std::string> coarseness_notes(const Simulation& simulation) {
     if (!(seen.apexes >= worth_saying)) continue;
     if (std::all_of(interface.base_nodes.begin(), interface.base_nodes.end(), held)) continue;  // a base that cannot give way
     const bool bonded = interface.kind == contact::InterfaceKind::bonded;  // which has one pass
-    const char* instead = seen.base >= worth_saying ? (bonded ? "refine the surface of the apexes" : "take 'passes: two'")
-                          : bonded                  ? "exchange 'apexes' and 'base'"
-                                                    : "exchange 'apexes' and 'base', or take 'passes: two'";
+    const std::string instead = seen.base >= worth_saying ? said(bonded ? Remedy::refine_apexes : Remedy::two_passes)
+                                : bonded                  ? said(Remedy::exchange_sides)
+                                                          : said(Remedy::exchange_sides) + ", or " + said(Remedy::two_passes);
     notes.push_back(formatted("%s: its apexes are %.3g times as far apart as the nodes of its base, so that nodes of the base between them "
                               "are not held and the stress beside the interface is wrong by 2 to 150 %%: %s",
-                              interface.name.c_str(), seen.apexes, instead));
+                              interface.name.c_str(), seen.apexes, instead.c_str()));
   }
   return notes;
 }
@@ -188,27 +206,29 @@ std::vector<std::string> rounding_notes(const Simulation& simulation) {
     if (here / surface.smallest > most) worst = &surface, most = here / surface.smallest, rounding = here;
   }
   if (worst == nullptr || !(most > worth_saying)) return {};
-  return {formatted("%s: so far from the origin positions are rounded by %.2g m, %.2g of an element, and contact magnifies that: move the "
-                    "scene to the origin",
-                    simulation.forces.audit.surfaces.names[static_cast<std::size_t>(worst->face_region[0])].c_str(), rounding, most)};
+  return {formatted("%s: so far from the origin positions are rounded by %.2g m, %.2g of an element, and contact magnifies that: %s",
+                    simulation.forces.audit.surfaces.names[static_cast<std::size_t>(worst->face_region[0])].c_str(), rounding, most,
+                    words(Remedy::near_origin).words)};
 }
 
 std::vector<std::string> depth_notes(const Simulation& simulation) {
   std::vector<std::string> notes;
-  const auto look = [&notes](const auto& contact, double element, const auto& memory, Index node) {
-    if (element > 0 && memory.deepest > (0.5 + 1e-6) * element)  // more than round-off beyond
-      notes.push_back(formatted("%s: node %d went %.3g m deep, %.3g of the depth of an element, at %.8g s: %stoo fast an approach",
-                                contact.name.c_str(), node, memory.deepest, memory.deepest / element, memory.deepest_time,
-                                contact::by_multipliers(contact) ? "" : "too soft a penalty or "));
+  const auto look = [&notes](const auto& contact, double element, const auto& memory, Index node, bool may_have_multipliers) {
+    if (!(element > 0 && memory.deepest > (0.5 + 1e-6) * element)) return;  // more than round-off beyond
+    const bool soft = !contact::by_multipliers(contact);
+    notes.push_back(formatted("%s: node %d went %.3g m deep, %.3g of the depth of an element, at %.8g s: %stoo fast an approach",
+                              contact.name.c_str(), node, memory.deepest, memory.deepest / element, memory.deepest_time,
+                              soft ? "too soft a penalty or " : "") +
+                    (soft && may_have_multipliers ? "; " + said(Remedy::firmer_contact) : ""));
   };
   const dynamics::Model& model = simulation.model;
   for (std::size_t c = 0; c < model.interfaces.size(); ++c) {
     const auto& memory = simulation.state.interfaces[c];
-    look(model.interfaces[c], memory.deepest_in, memory, memory.deepest_apex);
+    look(model.interfaces[c], memory.deepest_in, memory, memory.deepest_apex, may_have_multipliers(model, model.interfaces[c]));
   }
   for (std::size_t p = 0; p < model.rigid_planes.size(); ++p) {
     const auto& memory = simulation.state.rigid_planes[p];
-    look(model.rigid_planes[p], model.rigid_planes[p].depth, memory, memory.deepest_node);
+    look(model.rigid_planes[p], model.rigid_planes[p].depth, memory, memory.deepest_node, true);
   }
   return notes;
 }
@@ -235,12 +255,40 @@ std::vector<std::string> overlap_notes(const Simulation& simulation) {
     }
     std::string note = dynamics::in_words(surfaces, overlap);
     if (overlap.at_start > 0) note += formatted(", and by %.3g m at the start", overlap.at_start);
-    if (!joined) note += "; no contact between them is declared";
+    if (!joined) note += "; " + said(Remedy::declare_contact);
     notes.push_back(note);
   }
   if (more > 0) notes.push_back(formatted("%zu more overlaps of bodies stand in the summary", more));
   return notes;
 }
+
+namespace {
+
+/// Whether a force, a spring or a point mass acts on a single node of these elements.
+bool has_force_on_a_node(const Simulation& simulation, const element::Connectivity& elements) {
+  Subset single;
+  const auto add = [&single](const Subset& nodes) {
+    if (nodes.size() == 1) single.push_back(nodes[0]);
+  };
+  for (const load::AnyLoad& any : simulation.model.loads)
+    if (const auto* force = std::get_if<load::NodalForce>(&any)) add(force->nodes);
+    else if (const auto* spring = std::get_if<load::Spring>(&any)) add({spring->from}), add({spring->to});
+  for (const load::PointMass& mass : simulation.model.point_masses) add(mass.nodes);
+  const auto all = elements.reshaped();
+  return std::any_of(all.begin(), all.end(), [&](Index node) { return std::find(single.begin(), single.end(), node) != single.end(); });
+}
+
+/// Whether its elements resist hourglassing by springs or dashpots.
+bool has_springs_or_dashpots(const element::AnyBlock& any) {
+  return std::visit(
+      []<class Kind, class Law>(const element::Block<Kind, Law>& block) {
+        if constexpr (requires { block.options.hourglass_kind; }) return block.options.hourglass_kind != Kind::Hourglass::assumed_strain;
+        return false;
+      },
+      any);
+}
+
+}  // namespace
 
 std::vector<std::string> quality_notes(const Simulation& simulation) {
   constexpr double worth_saying = 0.1;             // [-] the usual bound on hourglass energy
@@ -251,30 +299,36 @@ std::vector<std::string> quality_notes(const Simulation& simulation) {
   for (std::size_t b = 0; b < simulation.model.blocks.size(); ++b) {
     const dynamics::Quality& seen = simulation.state.quality[b];
     const char* name = element::name(simulation.model.blocks[b]).c_str();
+    const bool pricked = has_force_on_a_node(simulation, element::nodes(simulation.model.blocks[b]));
     if (!(seen.corner > 0) && seen.element >= 0)
-      notes.push_back(formatted("%s: a corner of element %d was inverted, its Jacobian %.3g of the reference at %.4g s: the mesh is too "
-                                "coarse there or the load acts on one node",
-                                name, seen.element, seen.corner, seen.time));
+      notes.push_back(formatted("%s: a corner of element %d was inverted, its Jacobian %.3g of the reference at %.4g s", name, seen.element,
+                                seen.corner, seen.time) +
+                      (pricked ? ": " + said(Remedy::spread_force) : ""));
     if (std::abs(std::log(seen.thinned.ratio)) > std::log(thickness_worth_saying))
       notes.push_back(formatted("%s: plates keep their thickness, and the strain of element %d asks for %.3g of it at %.4g s: its forces "
-                                "are off by as much; 'thinning: follows_strain' lets the thickness change",
-                                name, seen.thinned.element, seen.thinned.ratio, seen.thinned_at));
+                                "are off by as much; %s",
+                                name, seen.thinned.element, seen.thinned.ratio, seen.thinned_at, words(Remedy::follow_strain).words));
     if (scale > 0 && seen.spin.energy > spin_worth_saying * scale)
       notes.push_back(formatted("%s: nodes that spin about their normals, node %d fastest, had %.3g of the energy at %.4g s; with "
-                                "'drilling: 0' plates do not resist that: a moment should act on a body or along an edge; 'drilling: 0.1', "
-                                "the default, gives them a stiffness",
-                                name, seen.spin.node, seen.spin.energy / scale, seen.spin.time));
+                                "'drilling: 0' plates do not resist that; %s",
+                                name, seen.spin.node, seen.spin.energy / scale, seen.spin.time, words(Remedy::drilling).words));
     const auto of_internal = [&](double energy) { return dynamics::of_internal(seen, energy, scale); };
     const double uneven = of_internal(seen.uneven), artificial = of_internal(seen.artificial);
-    if (uneven > worth_saying)
-      notes.push_back(formatted("%s: hourglass energy reached %.3g of the internal energy, and %.3g is of elements that bend unlike their "
-                                "neighbours, or whose sides lean; above %.3g the size of the elements decides the result: take a finer "
-                                "mesh",
-                                name, of_internal(seen.hourglass), uneven, worth_saying));
     if (element::rotates(simulation.model.blocks[b]) && artificial > worth_saying)
       notes.push_back(formatted("%s: artificial modes reached %.3g of the internal energy, drilling %.3g and bending within elements %.3g; "
-                                "above %.3g the size of the elements decides the result: take a finer mesh",
-                                name, artificial, of_internal(seen.drilling), of_internal(seen.residual_bending), worth_saying));
+                                "above %.3g the size of the elements decides the result: ",
+                                name, artificial, of_internal(seen.drilling), of_internal(seen.residual_bending), worth_saying) +
+                      said(Remedy::estimate_error));
+    if (!(uneven > worth_saying)) continue;
+    const std::string reached = formatted("%s: hourglass energy reached %.3g of the internal energy", name,
+                                          of_internal(seen.hourglass));
+    if (has_springs_or_dashpots(simulation.model.blocks[b])) {
+      notes.push_back(reached + ": " + said(Remedy::assumed_strain));
+      continue;
+    }
+    notes.push_back(reached + formatted(", and %.3g is of elements that bend unlike their neighbours, or whose sides lean; above %.3g "
+                                        "local stresses and forces depend on the size of the elements: ", uneven, worth_saying) +
+                    said(pricked ? Remedy::spread_force : Remedy::estimate_error));
   }
   return notes;
 }
@@ -283,26 +337,29 @@ std::vector<std::string> energy_notes(const Simulation& simulation) {
   constexpr double worth_a_warning = 0.2;  // of the limit: a hundredth of the energy by default
   const double limit = simulation.time.created_limit;
   std::vector<std::string> notes;
-  const auto look = [&](const std::string& name, double part, const char* of, double stops, const char* once = "") {
-    if (!(std::abs(part) > worth_a_warning * limit)) return;
-    notes.push_back(formatted("%s: %s %.2g of the energy %s at worst; the limit that stops a run is %.2g%s", name.c_str(),
-                              part > 0 ? "created" : "lost", std::abs(part), of, stops, once));
-  };
   const dynamics::Ledger& ledger = simulation.state.ledger;
+  const double scene = dynamics::energy_scale(ledger);
+  const auto look = [&](const std::string& name, double part, const std::string& of, double stops) {
+    if (!(std::abs(part) > worth_a_warning * limit)) return;
+    notes.push_back(name + ": " + (part > 0 ? "created " : "lost ") + percent(std::abs(part)) + " of the energy " + of +
+                    ", at worst; a run stops at " + percent(stops));
+  };
+  const std::string of_scene = formatted("of the scene, %.2g J", scene);
   const std::vector<Source> all = dynamics::sources(simulation.model);
   for (std::size_t s = 0; s < all.size(); ++s) {
     const double stops = limit * dynamics::times_the_limit(simulation.model, ledger, static_cast<int>(s));
-    const double worst = ledger.flows[s].worst;
-    const bool more = s >= simulation.model.blocks.size() && std::abs(worst) > stops;
-    look(all[s].name, worst, "that passed through it", stops, more ? " once a hundredth of the energy of the scene has passed" : "");
-    look(all[s].name, ledger.flows[s].worst_of_scene, "of the scene", limit);
+    const dynamics::Created& told = ledger.flows[s].told;
+    look(all[s].name, told.part,
+         formatted("that it transferred, %.2g J of %.2g J, which is ", std::abs(told.energy), told.passed) +
+             percent(std::abs(told.energy) / scene) + " of the energy of the scene",
+         std::abs(told.part) > stops ? dynamics::limit_of_little * limit : stops);
+    look(all[s].name, ledger.flows[s].worst_of_scene, of_scene, limit);
   }
-  look("time integration", ledger.worst_kept, "of the scene", limit);
+  look("time integration", ledger.worst_kept, of_scene, limit);
   const double swing = dynamics::swing_part(ledger);
   if (swing > limit && !(std::abs(ledger.worst_kept) > worth_a_warning * limit))  // one of both is said; what swings comes back
-    notes.push_back(formatted("time integration: the kinetic energy swung by %.2g of the energy of the scene; it goes with the square of "
-                              "the step",
-                              swing));
+    notes.push_back("time integration: the kinetic energy swung by " + percent(swing) + " of the energy " + of_scene +
+                    ", and came back; " + said(Remedy::shorter_step));
   return notes;
 }
 
@@ -310,9 +367,9 @@ std::vector<std::string> step_notes(const Simulation& simulation) {
   std::vector<std::string> notes;
   const auto look = [&notes](const auto& contact, const contact::StepFactorMemory& memory) {
     if (memory.lowered_at < 0) return;
-    notes.push_back(formatted("%s: created or lost more than %.3g of the energy that passed through it, so its steps "
+    notes.push_back(formatted("%s: created or lost more than %s of the energy that it transferred, so its steps "
                               "are %.3g times shorter from %.6g s on",
-                              contact.name.c_str(), contact::most_created_in_a_bounce(contact.impact_step_factor),
+                              contact.name.c_str(), percent(contact::most_created_in_a_bounce(contact.impact_step_factor)).c_str(),
                               contact.first_step_factor / contact.impact_step_factor, memory.lowered_at));
   };
   const dynamics::Model& model = simulation.model;

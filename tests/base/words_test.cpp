@@ -41,6 +41,12 @@ TEST(Shortest, ReadsBackToTheSameNumber) {
   EXPECT_EQ(std::stod(shortest(1.0 / 3.0)), 1.0 / 3.0);
 }
 
+TEST(Words, APercentageIsReadable) {
+  EXPECT_EQ(percent(0.123), "12 %");
+  EXPECT_EQ(percent(1.2e-5), "0.0012 %");
+  EXPECT_EQ(percent(3e-7), "3e-07");
+}
+
 TEST(Characters, CountsWhatOneSees) {
   EXPECT_EQ(characters("a\xC3\xA4z"), 3);
   EXPECT_EQ(characters(""), 0);

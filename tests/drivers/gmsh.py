@@ -1,10 +1,12 @@
-"""A mesh of gmsh reaches a run by the command that docs/meshes.md names.
+"""Meshes of gmsh and Abaqus reach a run by the command that docs/meshes.md names, with their names, and by meshio alone with what it keeps.
 
     python3 tests/drivers/gmsh.py DRIVERS          DRIVERS: the folder with the programs
 
 Ends with 77, "skipped", where Python has no meshio or the programs were built without VTK.
 """
+import json
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -15,10 +17,16 @@ ROOT = Path(__file__).resolve().parents[2]
 SKIPPED = 77
 PATIENCE = 60  # [s]
 
-# What gmsh writes of two cubes of 1000 in a row, in its format 2.2: a physical volume 1, and on its end a physical surface 2.
+# What gmsh writes of two cubes of 1000 in a row, in its format 2.2: a physical volume 1, on its end a physical surface 2 called "end", and
+# a physical curve 2 called "edge" at the other one.
 BAR = """$MeshFormat
 2.2 0 8
 $EndMeshFormat
+$PhysicalNames
+2
+1 2 "edge"
+2 2 "end"
+$EndPhysicalNames
 $Nodes
 12
 1 0 0 0
@@ -35,27 +43,68 @@ $Nodes
 12 2000 1000 1000
 $EndNodes
 $Elements
-3
-1 3 2 2 7 1 7 10 4
-2 5 2 1 1 1 2 5 4 7 8 11 10
-3 5 2 1 1 2 3 6 5 8 9 12 11
+4
+1 1 2 2 9 3 6
+2 3 2 2 7 1 7 10 4
+3 5 2 1 1 1 2 5 4 7 8 11 10
+4 5 2 1 1 2 3 6 5 8 9 12 11
 $EndElements
 """
 
 CASE = """bodies:
   - name: bar
-    mesh: {kind: file, path: bar.vtu, region_array: "gmsh:physical", scale: 1 mm}
+    mesh: {kind: file, path: bar.vtu, scale: 1 mm}
     material: {kind: elastic, density: 1000 kg/m^3, young: 1 MPa, poisson: 0}
-planes: [{name: held, kind: fixed, nodes: [bar.boundary_2]}]
+planes: [{name: held, kind: fixed, nodes: [bar.end, bar.edge]}]
 gravity: [0 m/s^2, 0 m/s^2, -9.81 m/s^2]
 time: {end: 10 ms}
 """
 
 
-def command():
-    """The words of docs/meshes.md."""
+# A sheet whose short side is a physical curve with a name, and a block with a set of nodes.
+SHEET = """Point(1)={0,0,0}; Point(2)={20,0,0}; Point(3)={20,10,0}; Point(4)={0,10,0};
+Line(1)={1,2}; Line(2)={2,3}; Line(3)={3,4}; Line(4)={4,1}; Curve Loop(1)={1,2,3,4}; Plane Surface(1)={1}; Recombine Surface{1};
+Mesh.MeshSizeMax=2; Physical Surface("s",1)={1}; Physical Curve("edge",2)={4};
+"""
+BLOCK = """*HEADING
+*NODE
+1, 0,0,0
+2, 10,0,0
+3, 10,10,0
+4, 0,10,0
+5, 0,0,10
+6, 10,0,10
+7, 10,10,10
+8, 0,10,10
+*ELEMENT, TYPE=C3D8R, ELSET=BLOCK
+1, 1,2,3,4,5,6,7,8
+*NSET, NSET=FOOT
+1,2,3,4
+*NSET, NSET=SIDE
+1,4,5,8
+"""
+
+
+def case_of(name, held, plate=False, region_array=""):
+    """A body out of NAME.vtu that is held at node sets and falls."""
+    array = f', region_array: "{region_array}"' if region_array else ""
+    element = "\n    element: {thickness: 1 mm}" if plate else ""
+    return f"""bodies:
+  - name: {name}
+    mesh: {{kind: file, path: {name}.vtu, scale: 1 mm{array}}}
+    material: {{kind: elastic, density: 7850 kg/m^3, young: 210 GPa, poisson: 0.3}}{element}
+planes: [{{name: held, kind: fixed, nodes: [{held}]}}]
+gravity: [0 m/s^2, 0 m/s^2, -9.81 m/s^2]
+probes: [{{name: weight, quantity: force, of: held, component: z}}]
+time: {{end: 10 us}}
+"""
+
+
+def command(name, ending):
+    """The words of docs/meshes.md, for a file NAME.ENDING."""
     text = (ROOT / "docs/meshes.md").read_text(encoding="utf-8")
-    return re.search(r'^python3 -c "(import meshio; .*)"$', text, re.M).group(1)
+    words = re.search(r"^(scripts/convert_mesh) bar.msh bar.vtu$", text, re.M).group(1)
+    return [sys.executable, ROOT / words, f"{name}.{ending}", f"{name}.vtu"]
 
 
 class Gmsh(unittest.TestCase):
@@ -66,7 +115,7 @@ class Gmsh(unittest.TestCase):
             folder = Path(name)
             (folder / "bar.msh").write_text(BAR, encoding="utf-8")
             (folder / "case.yaml").write_text(CASE, encoding="utf-8")
-            subprocess.run([sys.executable, "-c", command()], cwd=folder, check=True, capture_output=True, timeout=PATIENCE)
+            subprocess.run(command("bar", "msh"), cwd=folder, check=True, capture_output=True, timeout=PATIENCE)
             done = subprocess.run([self.drivers / "scene", "case.yaml", "--out", "out"], cwd=folder, capture_output=True, text=True,
                                   timeout=PATIENCE)
             self.assertEqual((done.returncode, done.stderr), (0, ""))
@@ -75,6 +124,46 @@ class Gmsh(unittest.TestCase):
             back = meshio.read(folder / "out/body/body_000000.vtu")
             self.assertEqual([(block.type, len(block.data)) for block in back.cells], [("hexahedron", 2)])
             self.assertEqual(back.points.max(), 2)  # [m]
+
+    def run_case(self, folder, case):
+        """(exit status, what it said on stderr, whether the nodes that are held carry something)."""
+        (folder / "case.yaml").write_text(case, encoding="utf-8")
+        done = subprocess.run([self.drivers / "scene", "case.yaml", "--out", "out", "--quiet"], cwd=folder, capture_output=True, text=True,
+                              timeout=PATIENCE)
+        results = json.loads((folder / "out/summary.json").read_text(encoding="utf-8"))["results"] if done.returncode == 0 else {}
+        return done.returncode, done.stderr, bool(results) and results["weight_last"]["value"] != 0
+
+    @unittest.skipUnless(shutil.which("gmsh"), "there is no gmsh")
+    def test_a_curve_of_gmsh_is_a_node_set_with_its_name(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = Path(name)
+            (folder / "sheet.geo").write_text(SHEET, encoding="utf-8")
+            for version in ("msh22", "msh41"):
+                subprocess.run(["gmsh", "-2", "sheet.geo", "-format", version, "-o", "sheet.msh"], cwd=folder, check=True,
+                               capture_output=True, timeout=PATIENCE)
+                subprocess.run(command("sheet", "msh"), cwd=folder, check=True, capture_output=True, timeout=PATIENCE)
+                self.assertEqual(self.run_case(folder, case_of("sheet", "sheet.edge", True)), (0, "", True))
+            subprocess.run(["gmsh", "-2", "sheet.geo", "-format", "msh22", "-o", "sheet.msh"], cwd=folder, check=True, capture_output=True)
+            subprocess.run([sys.executable, "-c", "import meshio; meshio.read('sheet.msh').write('sheet.vtu')"], cwd=folder, check=True,
+                           capture_output=True, timeout=PATIENCE)  # which loses the names
+            alone = case_of("sheet", "sheet.lines_2", True, "gmsh:physical")
+            self.assertEqual(self.run_case(folder, alone), (0, "", True))
+
+    def test_sets_of_nodes_of_abaqus_are_node_sets(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = Path(name)
+            (folder / "block.inp").write_text(BLOCK, encoding="utf-8")
+            subprocess.run(command("block", "inp"), cwd=folder, check=True, capture_output=True, timeout=PATIENCE)
+            self.assertEqual(self.run_case(folder, case_of("block", "block.FOOT, block.SIDE, block.BLOCK")), (0, "", True))
+            subprocess.run([sys.executable, "-c", "import meshio; meshio.read('block.inp').write('block.vtu')"], cwd=folder, check=True,
+                           capture_output=True, timeout=PATIENCE)
+            status, said, held = self.run_case(folder, case_of("block", "block.FOOT, block.SIDE"))
+            self.assertEqual((status, held), (0, True), said)
+            self.assertIn("its point array 'FOOT-SIDE' holds the sets FOOT, SIDE in one", said)
+            (folder / "block.inp").write_text(BLOCK.partition("*NSET, NSET=SIDE")[0], encoding="utf-8")
+            subprocess.run([sys.executable, "-c", "import meshio; meshio.read('block.inp').write('block.vtu')"], cwd=folder, check=True,
+                           capture_output=True, timeout=PATIENCE)
+            self.assertEqual(self.run_case(folder, case_of("block", "block.FOOT")), (0, "", True))
 
 
 if __name__ == "__main__":

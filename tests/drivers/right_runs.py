@@ -31,13 +31,19 @@ def box(name, low, high, cells, young="10 MPa", rigid=False):
     return {**body, "rigid": True} if rigid else body
 
 
+def written(scene, folder):
+    """The path of a case file in a folder that has a scene."""
+    case = Path(folder) / "case.yaml"
+    case.write_text(re.sub(r'"(-?[0-9.e+-]+ [a-zA-Z][^" ]*)"', r"\1", json.dumps(scene)), encoding="utf-8")
+    return case
+
+
 class Run:
     drivers = None  # folder of the programs, from the command line
 
     def __init__(self, scene, *values):
         with tempfile.TemporaryDirectory() as folder:
-            case, out = Path(folder) / "case.yaml", Path(folder) / "out"
-            case.write_text(re.sub(r'"(-?[0-9.e+-]+ [a-zA-Z][^" ]*)"', r"\1", json.dumps(scene)), encoding="utf-8")
+            case, out = written(scene, folder), Path(folder) / "out"
             words = [Run.drivers / "scene", case, "--out", out, "--quiet"]
             for value in values:
                 words += ["--set", value]

@@ -172,7 +172,7 @@ class Stops(InATemporaryFolder):
         by_penalty = ["contact.method=penalty", "contact.penalty_scale=1"]
         ending = self.stop("two_blocks", [*BARS, *by_penalty, "closing_speed=5 km/s", "time.created_limit=1e-3"], "energy_lost")
         self.assertEqual((ending["block"], ending["element"]), ("time integration", None))
-        self.assertIn("the limit is 0.001", ending["reason"])
+        self.assertIn("the limit is 0.1 %", ending["reason"])
 
 
 class Summary(InATemporaryFolder):

@@ -183,6 +183,17 @@ TEST(SpuriousPart, LeavesOutChatterAndScenesInWhichNothingMoved) {
   EXPECT_EQ(kept_part(still), 0);
 }
 
+TEST(SpuriousPart, IsToldWithItsAmountsWhereItIsMoreThanALittleOfTheScene) {
+  const Ledger little = after({6e-5, -6e-5, 0, 0, 0, 0, 0, 0}, 1.2e-5);  // as 7 uJ of 60 uJ in a scene of 0.6 J
+  EXPECT_GT(little.flows[1].worst, 0.01);
+  EXPECT_EQ(little.flows[1].told.part, 0);
+  const Ledger much = after({5e-3, -5e-3, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, 1.2e-3);
+  EXPECT_EQ(much.flows[1].told.part, much.flows[1].worst);
+  EXPECT_NEAR(much.flows[1].told.part, 0.12, 1e-3);
+  EXPECT_DOUBLE_EQ(much.flows[1].told.energy, 1.2e-3);
+  EXPECT_DOUBLE_EQ(much.flows[1].told.passed, 0.01);
+}
+
 TEST(SpuriousPart, OfRoundOffAtAStartFromRestIsHeldAgainstTheFloor) {
   Ledger ledger = after({-1e-27, 1e-27, 0, 0, 0, 0}, 0.5e-27);
   ledger.initial_available = ledger.initial_kinetic = 0, ledger.external_work = 1e-27;

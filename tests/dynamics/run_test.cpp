@@ -296,7 +296,7 @@ TEST(Run, StopsWhenASourceCreatesEnergyAndNamesIt) {
   const Outcome outcome = s.run_to(0.05, 1e-4);
   EXPECT_TRUE(stopped_by_the_ledger(outcome)) << word(outcome.ending);
   EXPECT_EQ(outcome.block, "joint");
-  EXPECT_NE(outcome.reason.find("the limit is 0.05"), std::string::npos) << outcome.reason;
+  EXPECT_NE(outcome.reason.find("the limit is 5 %"), std::string::npos) << outcome.reason;
   EXPECT_GT(std::abs(created(s.state.ledger.accounts[2])), 0.05 * s.state.ledger.initial_kinetic);
   EXPECT_LT(std::abs(energy_residual(s.state.ledger)),
             1e-11 * s.state.ledger.initial_kinetic);  // closes all the same
@@ -319,7 +319,7 @@ TEST(Run, StopsWhenASourceCreatesMuchOfWhatPassesThroughItThoughAnotherBodyHasMo
   const Outcome outcome = s.run_to(0.05, 0.01);
   EXPECT_TRUE(stopped_by_the_ledger(outcome)) << word(outcome.ending) << " " << outcome.reason;
   EXPECT_EQ(outcome.block, "joint");
-  EXPECT_NE(outcome.reason.find("of the energy that passed through it; the limit is 0.05"), std::string::npos) << outcome.reason;
+  EXPECT_NE(outcome.reason.find("; the limit is 5 %"), std::string::npos) << outcome.reason;
   EXPECT_LT(std::abs(created(s.state.ledger.accounts[3])), 0.05 * energy_scale(s.state.ledger));
   EXPECT_NE(std::fmod(s.state.t, 0.01), 0);  // between two updates
 }
@@ -334,7 +334,7 @@ TEST(Run, StopsWhenASourceLosesEnergyAndNamesIt) {
   const Outcome outcome = s.run_to(0.05, 1e-3, observers);
   EXPECT_EQ(outcome.ending, Ending::energy_lost) << word(outcome.ending) << " " << outcome.reason;
   EXPECT_EQ(outcome.block, "below");
-  EXPECT_NE(outcome.reason.find("lost 0."), std::string::npos) << outcome.reason;
+  EXPECT_NE(outcome.reason.find("lost "), std::string::npos) << outcome.reason;
 }
 
 TEST(Run, AnInvertedElementNamesTheSourceThatMadeEnergyBefore) {
@@ -352,7 +352,8 @@ TEST(Run, AnInvertedElementNamesTheSourceThatMadeEnergyBefore) {
   EXPECT_EQ(outcome.block, "above");
   EXPECT_EQ(outcome.element, 3);
   EXPECT_EQ(outcome.reason,
-            "its volume or area is -0.5 of the reference; before that joint had created 0.5 of the energy that passed through it");
+            "its volume or area is -0.5 of the reference; before that joint had created 50 % of the energy that it transferred (9e+03 J of "
+            "1.8e+04 J)");
 }
 
 TEST(Run, AnInvertedElementBlamesNoBodyThatIsWithinItsLimit) {
@@ -419,7 +420,7 @@ TEST(Run, StopsWhenTimeIntegrationCreatesEnergy) {
   const Outcome outcome = s.run_to(2e-3, 1e-5);
   EXPECT_EQ(outcome.ending, Ending::energy_created) << word(outcome.ending) << " " << outcome.reason;
   EXPECT_EQ(outcome.block, "time integration");
-  EXPECT_NE(outcome.reason.find("of the energy of the scene; the limit is 0.05"), std::string::npos) << outcome.reason;
+  EXPECT_NE(outcome.reason.find(" J); the limit is 5 %"), std::string::npos) << outcome.reason;
 }
 
 TEST(Run, ThatStartsAtRestIsHeldAgainstTheEnergyThatGravityBroughtIn) {
@@ -462,7 +463,7 @@ TEST(Run, ThatStandsStillStopsWhereASourceCreatesATwentiethOfTheEnergyFloor) {
     EXPECT_EQ(outcome.ending, expected) << part << " " << outcome.reason;
     if (expected == Ending::reached_end) continue;
     EXPECT_EQ(outcome.block, "block");
-    EXPECT_NE(outcome.reason.find("of the energy floor of 1.87 J, a force of 1.44e+03 N over a thousandth of 1.3 m; the limit is 0.05"),
+    EXPECT_NE(outcome.reason.find("of the energy floor of 1.87 J, a force of 1.44e+03 N over a thousandth of 1.3 m ("),
               std::string::npos) << outcome.reason;
   }
 }

@@ -271,6 +271,53 @@ TEST(FileMesh, NamesNodeSetsAndTheirPartOfTheSkin) {
   EXPECT_NE(twice.faults[1].find("two surfaces called '.skin'"), std::string::npos);
 }
 
+TEST(FileMesh, MakesNodeSetsOfLinesAndPointsByNumberAndByName) {
+  Contents file;
+  file.points.resize(3, 5);
+  file.points << 0, 1, 1, 0, 9, 0, 0, 1, 1, 9, 0, 0, 0, 0, 9;
+  add_cell(file, 9, {0, 1, 2, 3}), add_cell(file, 3, {3, 0}), add_cell(file, 1, {2}), add_cell(file, 3, {1, 4});
+  const FileMesh plain = file_mesh("b", file);
+  ASSERT_TRUE(plain.faults.empty()) << plain.faults[0];
+  EXPECT_EQ(mesh::node_set(plain.mesh, "b.lines"), (Subset{0, 1, 3})) << "point 4 is of no element";
+  EXPECT_EQ(mesh::node_set(plain.mesh, "b.points"), Subset{2});
+  Field region{"region", "", {}, Eigen::MatrixXd(1, 4), true};
+  region.values << 7, 7, 7, 8;
+  file.cell_fields = {region};
+  const FileMesh numbered = file_mesh("b", file);
+  ASSERT_TRUE(numbered.faults.empty()) << numbered.faults[0];
+  EXPECT_EQ(mesh::node_set(numbered.mesh, "b.lines_7"), (Subset{0, 3}));
+  EXPECT_EQ(mesh::node_set(numbered.mesh, "b.lines_8"), Subset{1});
+  EXPECT_EQ(mesh::triangles(numbered.mesh, "b.region_7").nodes.cols(), 2);
+  const auto group = [](const char* name, double number, double dimension) {
+    return Field{name, "", {}, (Eigen::MatrixXd(1, 2) << number, dimension).finished(), true};
+  };
+  file.fields = {group("skin", 7, 2), group("edge", 7, 1), group("corner", 7, 0), group("none", 7, 3)};
+  const FileMesh named = file_mesh("b", file);
+  ASSERT_TRUE(named.faults.empty()) << named.faults[0];
+  EXPECT_EQ(mesh::node_set(named.mesh, "b.edge"), (Subset{0, 3}));
+  EXPECT_EQ(mesh::node_set(named.mesh, "b.corner"), Subset{2});
+  EXPECT_EQ(mesh::node_set(named.mesh, "b.lines_8"), Subset{1});
+  EXPECT_EQ(mesh::triangles(named.mesh, "b.skin").nodes.cols(), 2);
+}
+
+TEST(FileMesh, RefusesLinesAlone) {
+  Contents file;
+  file.points = Vectors::Random(3, 2);
+  add_cell(file, 3, {0, 1});
+  EXPECT_EQ(only_fault(file_mesh("b", file)), "it has lines and points only; expected hexahedra, triangles and quadrilaterals");
+}
+
+TEST(FileMesh, NamesArraysThatLookLikeRegionsAndAreNotUsed) {
+  Contents file = contents_of(brick());
+  Field region{"material", "", {}, Eigen::MatrixXd::Ones(1, 8), true};
+  file.cell_fields = {region};
+  EXPECT_TRUE(file_mesh("b", file).origin.doubts.empty()) << "it is one region all the same";
+  file.cell_fields[0].values(0, 3) = 2;
+  const std::string doubt = "its cell array 'material' looks like regions, and is not used: 'region_array' names the one that is";
+  EXPECT_EQ(file_mesh("b", file).origin.doubts, std::vector<std::string>{doubt});
+  EXPECT_TRUE(file_mesh("b", file, "material").origin.doubts.empty());
+}
+
 TEST(FileMesh, DropsPointsOfNoCellAndKeepsTheOrderOfTheOthers) {
   const mesh::Mesh expected = brick();
   Contents file = contents_of(expected);

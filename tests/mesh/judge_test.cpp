@@ -57,6 +57,25 @@ TEST(Judge, TellsADentFromAnInversion) {
   EXPECT_EQ(dent(0.54), Said{"inverted 0"});
 }
 
+/// A hexahedron whose corners are these of six points: those of a wedge, or of a pyramid and a point above it.
+Said of_corners(const std::array<Index, 8>& corners, bool wedge) {
+  Mesh mesh;
+  mesh.X.resize(3, 6);
+  if (wedge) mesh.X << 0, 1, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1, 0, 0, 0, 1, 1, 1;
+  else mesh.X << 0, 1, 1, 0, 0.5, 0, 0, 0, 1, 1, 0.5, 0, 0, 0, 0, 0, 1, 1;
+  mesh.hexahedra = {{"b", Eigen::Map<const Table<8>>(corners.data(), 8, 1)}};
+  return said(judge(mesh));
+}
+
+TEST(Judge, TellsWedgesPyramidsAndTetrahedraFromCornersThatCoincideOtherwise) {
+  for (const auto& corners : {std::array<Index, 8>{0, 1, 2, 2, 3, 4, 5, 5}, {0, 0, 1, 2, 3, 3, 4, 5}, {0, 3, 4, 1, 2, 5, 5, 2}})
+    EXPECT_EQ(of_corners(corners, true), Said{}) << corners[1];
+  for (const auto& corners : {std::array<Index, 8>{0, 1, 2, 3, 4, 4, 4, 4}, {0, 1, 3, 3, 4, 4, 4, 4}, {0, 1, 1, 3, 4, 4, 4, 4}})
+    EXPECT_EQ(of_corners(corners, false), Said{}) << corners[2];
+  EXPECT_EQ(of_corners({0, 1, 3, 4, 4, 4, 4, 4}, false), Said{"misfolded 0"});
+  EXPECT_NE(of_corners({0, 1, 2, 3, 4, 5, 4, 5}, false), Said{});
+}
+
 TEST(Judge, FindsElementsThatStandThereTwice) {
   Mesh twice = brick();
   twice.hexahedra.push_back({"c", twice.hexahedra[0].nodes.col(5)});
@@ -202,7 +221,7 @@ TEST(Offenders, HoldTheElementsAtFaultWithTheirNumbersAndFlaws) {
   EXPECT_EQ(shown.hexahedra.cols(), 1);
   EXPECT_EQ(shown.triangles.cols(), 1);
   EXPECT_EQ(shown.numbers, (std::vector<std::int64_t>{6, 8}));
-  EXPECT_EQ(shown.flaws, (std::vector<std::int32_t>{(1 << 1) + (1 << 9), 1 << 9}));
+  EXPECT_EQ(shown.flaws, (std::vector<std::int32_t>{(1 << 1) + (1 << 10), 1 << 10}));
   for (int a = 0; a < 8; ++a) EXPECT_EQ(shown.X.col(shown.hexahedra(a, 0)), mesh.X.col(mesh.hexahedra[0].nodes(a, 1)));
   EXPECT_EQ(shown.X.cols(), 11);
 }

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "dynamics/quality.hpp"
+#include "model/remedies.hpp"
 #include "tests/model/scenes.hpp"
 
 namespace nereid::model::notes_test {
@@ -48,6 +49,19 @@ TEST(GapTable, HasTwoLinesForEachInterface) {
   EXPECT_TRUE(says(table[2], "penalty"));
 }
 
+TEST(GapTable, LeavesOutApexesBehindTheBaseAndSaysHowMany) {
+  Scene scene = with({bar(), wall()});
+  scene.contacts = {{.name = "touch", .apexes = "bar.x_high", .base = "wall.x_high"}};  // which faces away from the bar
+  scene.contacts[0].interface.edges = false;
+  const Simulation simulation = build(scene);
+  EXPECT_EQ(simulation.gaps[0].behind, 4);
+  EXPECT_EQ(simulation.gaps[0].least, 0);
+  const auto table = gap_table(simulation);
+  ASSERT_EQ(table.size(), 3U);
+  EXPECT_TRUE(says(table[1], "  0  -            -            -")) << table[1];
+  EXPECT_TRUE(says(table[2], "4 of 4 apexes stand behind the base and are not in contact, as under a table")) << table[2];
+}
+
 TEST(GapTable, ListsTheFreeApexesOfABond) {
   Scene scene = with({bar(), wall()});
   scene.bodies[1].place.move = Vec3(0, 0.5, 0);  // half of the face has nothing to be bonded to
@@ -72,6 +86,14 @@ TEST(WidthNotes, SayWhatANarrowElementCosts) {
   EXPECT_TRUE(width_notes(build(scene)).empty());
   scene.bodies[0].mesh = mesh::Box{Vec3(0, 0, 0), Vec3(2, 1, 1), {200, 1, 1}};
   ASSERT_EQ(width_notes(build(scene)).size(), 1U);
+  scene.bodies.push_back(wall());
+  EXPECT_EQ(width_notes(build(scene)).size(), 1U);
+  scene.bodies[1].mesh = mesh::Box{Vec3(3, 0, 0), Vec3(3.01, 0.01, 0.01), {4, 4, 4}};
+  EXPECT_TRUE(width_notes(build(scene)).empty()) << "the other body sets the step";
+  scene.bodies[1].rigid = true;
+  EXPECT_EQ(width_notes(build(scene)).size(), 1U) << "whose elements limit nothing";
+  scene.bodies[0].rigid = true;
+  EXPECT_TRUE(width_notes(build(scene)).empty());
 }
 
 TEST(CoarsenessNotes, SayThatApexesAreTooFarApartAndWhatToDo) {
@@ -101,6 +123,10 @@ TEST(CoarsenessNotes, SayThatApexesAreTooFarApartAndWhatToDo) {
   scene.contacts[0].interface.two_passes = false;
   scene.planes = {{.name = "held", .kind = load::PlaneKind::fixed, .nodes = {"wall"}}};
   EXPECT_TRUE(notes().empty()) << "a base that is held gives way nowhere";
+  scene.planes = {};
+  EXPECT_EQ(notes().size(), 1U);
+  scene.bodies[1].rigid = true;
+  EXPECT_TRUE(notes().empty()) << "nor does a rigid one";
 }
 
 TEST(RoundingNotes, SayThatASceneLiesFarFromTheOrigin) {
@@ -123,6 +149,22 @@ TEST(DepthNotes, SayThatARigidPlaneWasPenetratedTooDeep) {
   const auto notes = depth_notes(simulation);
   ASSERT_EQ(notes.size(), 1U);
   EXPECT_TRUE(says(notes[0], "ground: node ")) << notes[0];
+  EXPECT_TRUE(says(notes[0], said(Remedy::firmer_contact))) << notes[0];
+}
+
+TEST(DepthNotes, NameNoMultipliersForATieThatMayHaveNone) {
+  for (const bool rigid : {false, true}) {
+    Scene scene = with({bar(), wall()});
+    scene.contacts = {{.name = "glue", .apexes = "bar.x_high", .base = "wall.x_low"}};
+    scene.contacts[0].interface.kind = contact::InterfaceKind::bonded;
+    scene.contacts[0].interface.method = contact::Method::penalty;
+    scene.bodies[1].rigid = rigid;
+    Simulation simulation = build(scene);
+    simulation.state.interfaces[0].deepest = simulation.state.interfaces[0].deepest_in = 1;
+    const auto notes = depth_notes(simulation);
+    ASSERT_EQ(notes.size(), 1U);
+    EXPECT_EQ(says(notes[0], said(Remedy::firmer_contact)), !rigid) << notes[0];
+  }
 }
 
 TEST(OverlapNotes, SayWhichBodiesOverlapAndThatNoContactIsDeclared) {
@@ -245,21 +287,22 @@ TEST(EnergyNotes, NameTheSourceThatMadeEnergyAndWhatItIsHeldAgainst) {
   Simulation simulation = build(with({bar()}));
   run(simulation);
   EXPECT_TRUE(energy_notes(simulation).empty());
-  simulation.state.ledger.flows[0].worst = -0.02;
+  simulation.state.ledger.initial_available = simulation.state.ledger.initial_kinetic = 1;
+  simulation.state.ledger.flows[0].told = {-0.02, -2e-3, 0.1};
   simulation.state.ledger.worst_kept = 0.016;
   const auto notes = energy_notes(simulation);
   ASSERT_EQ(notes.size(), 2U);
-  EXPECT_TRUE(says(notes[0], "bar: lost 0.02 of the energy that passed through it at worst; the limit that stops a run is 0.25"))
-      << notes[0];
-  EXPECT_TRUE(says(notes[1], "time integration: created 0.016 of the energy of the scene at worst")) << notes[1];
-  simulation.state.ledger.flows[0].worst = 0.004, simulation.state.ledger.worst_kept = 0;
+  EXPECT_EQ(notes[0], "bar: lost 2 % of the energy that it transferred, 0.002 J of 0.1 J, which is 0.2 % of the energy of the scene, at "
+                      "worst; a run stops at 25 %");
+  EXPECT_EQ(notes[1], "time integration: created 1.6 % of the energy of the scene, 1 J, at worst; a run stops at 5 %");
+  simulation.state.ledger.flows[0].told = {0.004, 4e-4, 0.1}, simulation.state.ledger.worst_kept = 0;
   EXPECT_TRUE(energy_notes(simulation).empty());  // below a fifth of the limit
   simulation.state.ledger.initial_available = simulation.state.ledger.initial_kinetic = 1;
   simulation.state.ledger.most_integration = 0.06;
   for (const double kept : {0.0, 0.009}) {
     simulation.state.ledger.worst_kept = kept;
     ASSERT_EQ(energy_notes(simulation).size(), 1U);
-    EXPECT_TRUE(says(energy_notes(simulation)[0], "time integration: the kinetic energy swung by 0.06 of the energy of the scene"));
+    EXPECT_TRUE(says(energy_notes(simulation)[0], "time integration: the kinetic energy swung by 6 % of the energy of the scene, 1 J"));
   }
   simulation.state.ledger.worst_kept = 0, simulation.state.ledger.most_integration = 0.04;
   EXPECT_TRUE(energy_notes(simulation).empty());  // it comes back, and the histories tell it

@@ -412,7 +412,7 @@ class Faults(unittest.TestCase):
 
 WARNING = ("warning: t: node 7 went {:.3g} m deep, 0.6 of the depth of an element, at 0.001 s: too soft a penalty or too fast an "
            "approach\n")
-STOP = "scene: stopped at 0.1 s: energy_created in t: created 0.06 of the initial kinetic energy; the limit is 0.05\n"
+STOP = "scene: stopped at 0.1 s: energy_created in t: created 6 % of the initial kinetic energy (30 J of 500 J); the limit is 5 %\n"
 REFUSAL = ("case.yaml:3:1: 3 of 9 apexes start penetrated, by 0.1 m at most: move the bodies apart, or say "
            "'initial_penetration: accept'\n")
 
@@ -450,7 +450,7 @@ class Verdicts(unittest.TestCase):
         self.assertEqual(asked, ["frames", 0.001])
 
     def test_a_swing_of_the_kinetic_energy_is_held_against_the_history_and_covers_no_more_than_it_names(self):
-        said = ("warning: time integration: the kinetic energy swung by 0.06 of the energy of the scene; "
+        said = ("warning: time integration: the kinetic energy swung by 6 % of the energy of the scene, 500 J, and came back; "
                 "it goes with the square of the step\n")
         for swing, rise, found in ((0.06, 0.065, judge.WARNED), (0.001, 0.065, judge.BROKEN), (0.06, 0.3, judge.BROKEN)):
             with self.subTest(swing=swing, rise=rise):

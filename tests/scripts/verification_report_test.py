@@ -24,11 +24,11 @@ def outcome(good=True):
                           figures=[("speed", "Speed.", figures.case_figure(one, curves))], runs=1, seconds=2.0)
 
 
-def written(*outcomes):
+def written(*outcomes, asked=("two_blocks", "taylor_bar")):
     with tempfile.TemporaryDirectory() as folder:
         for out in outcomes:
             out.save(Path(folder) / "quick")
-        return report.write(Path(folder), "quick", ["two_blocks", "taylor_bar"]).read_text(encoding="utf-8")
+        return report.write(Path(folder), "quick", ["two_blocks", "taylor_bar", "rolling"], asked).read_text(encoding="utf-8")
 
 
 class ReportTest(unittest.TestCase):
@@ -43,7 +43,12 @@ class ReportTest(unittest.TestCase):
             self.assertTrue(f"id='{name}'" in text, name)
 
     def test_a_case_that_has_not_run_is_named(self):
-        self.assertTrue("Not run: taylor_bar" in written(outcome()))
+        self.assertTrue("<p class='FAIL'>Not run: taylor_bar.</p>" in written(outcome()))
+
+    def test_cases_that_nobody_asked_for_stand_in_one_grey_line(self):
+        text = written(outcome(), asked=["two_blocks"])
+        self.assertTrue("<p class='quiet'>Without results at this level, since no command asked for them: taylor_bar, rolling.</p>" in text)
+        self.assertFalse("Not run" in text)
 
     def test_a_failure_and_a_miss_are_in_the_overview(self):
         self.assertTrue("1 MISS" in written(outcome()))

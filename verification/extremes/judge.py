@@ -575,8 +575,8 @@ OF_NODE = re.compile(r"(\w+): node \d+ went " + NUMBER + " m deep")
 OF_OVERLAP = re.compile(r"(\w+)[\w.]* and (\w+)[\w.]* overlap by " + NUMBER + " m")
 OF_DEEPER = re.compile(r"and by " + NUMBER + " m where elements are larger")
 OF_ITSELF = re.compile(r"(\w+)[\w.]* overlaps itself by " + NUMBER + " m")
-OF_ENERGY = re.compile(r"(\w[\w ]*): (?:created|lost) " + NUMBER + r" of the energy (that passed through it|of the scene)")
-OF_SWING = re.compile(r"time integration: the kinetic energy swung by " + NUMBER + " of the energy of the scene")
+OF_ENERGY = re.compile(r"(\w[\w ]*): (?:created|lost) " + NUMBER + r" % of the energy (that it transferred|of the scene)")
+OF_SWING = re.compile(r"time integration: the kinetic energy swung by " + NUMBER + " % of the energy of the scene")
 OF_COARSE_APEXES = re.compile(r"\w+: its apexes are " + NUMBER + " times as far apart as the nodes of its base")
 OF_ROUNDING = re.compile(r"(\w+): so far from the origin positions are rounded by " + NUMBER + " m")
 AT_TIME = re.compile(r" at " + NUMBER + r" s\b")
@@ -638,9 +638,9 @@ def is_true(warning, seen, expected, faults):
         claimed = math.log(float(thickness[3]))
         return abs(math.log(thickness_asked_for(seen, thickness[1])) - claimed) <= TRUE_STRAIN * abs(claimed)
     if (energy := OF_ENERGY.match(warning)) is not None:  # rows of a history are far between, so that ours is coarse
-        return energy_fraction(seen, expected, energy[1], "scene" in energy[3]) > float(energy[2]) / COARSE
+        return energy_fraction(seen, expected, energy[1], "scene" in energy[3]) > float(energy[2]) / 100 / COARSE
     if (swing := OF_SWING.match(warning)) is not None:
-        return energy_fraction(seen, expected, "time integration", True) > float(swing[1]) / COARSE
+        return energy_fraction(seen, expected, "time integration", True) > float(swing[1]) / 100 / COARSE
     if (rounding := OF_ROUNDING.match(warning)) is not None:
         ours = 2.0 ** -53 * float(np.max(np.abs(seen.X[seen.bodies[rounding[1]].nodes])))
         return ours / TRUE_SHARE <= float(rounding[2]) <= ours * TRUE_SHARE
@@ -687,7 +687,7 @@ def excuses(fault, warnings):
     contact all but momentum and numbers. A swing of the kinetic energy covers as much energy as it names."""
     if fault.kind == "likeness":
         return fault.amount <= CHATTER and any(OF_ROUNDING.match(warning) for warning in warnings)
-    swings = [float(swing[1]) for warning in warnings if (swing := OF_SWING.match(warning)) is not None]
+    swings = [float(swing[1]) / 100 for warning in warnings if (swing := OF_SWING.match(warning)) is not None]
     if fault.kind == "energy" and swings and fault.amount <= TRUE_SHARE * max(swings):
         return True
     warnings = [warning for warning in warnings if not OF_ROUNDING.match(warning) and not OF_SWING.match(warning)]
