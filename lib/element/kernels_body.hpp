@@ -498,7 +498,10 @@ Reduced reduce_pack(const Block<Kind, Law>& block, const Vectors& X, const Vecto
     each_row(block, here, at, [](Pack& row, const double* to) { read_lanes(to, row); });
     write_lanes(value_of(here, which), values);
   }
-  for (int lane = 0; lane < filled; ++lane) all.largest = std::max(all.largest, values[lane]), all.sum += masses[lane] * values[lane], all.mass += masses[lane];
+  for (int lane = 0; lane < filled; ++lane) {
+    all.largest = std::max(all.largest, values[lane]);
+    all.sum += masses[lane] * values[lane], all.mass += masses[lane];
+  }
   return all;
 }
 

@@ -147,8 +147,8 @@ Measure of_source(const Probe& probe, const std::string& along, const dynamics::
   const auto plane = std::find_if(model.constraints.planes.begin(), model.constraints.planes.end(), here);
   Vec3 normal = Vec3::Zero();
   if (rigid != model.rigid_planes.end()) normal = rigid->normal;
-  const bool has_normal = plane != model.constraints.planes.end() && plane->kind != load::PlaneKind::fixed && plane->kind != load::PlaneKind::driven;
-  if (has_normal) normal = plane->normal;
+  const auto has_normal = [](load::PlaneKind kind) { return kind != load::PlaneKind::fixed && kind != load::PlaneKind::driven; };
+  if (plane != model.constraints.planes.end() && has_normal(plane->kind)) normal = plane->normal;
   if (along == "normal" && normal.isZero(0))
     refuse(faults, part("probe", probe), "component", "'component' = normal: " + probe.of + " is no plane and has no normal");
   const bool total = probe.quantity == "impulse";

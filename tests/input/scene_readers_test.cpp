@@ -122,7 +122,8 @@ TEST(ReadProbe, OfABodyMayNameAPlace) {
   const std::string probe = "probes:\n  - {name: p, quantity: strain, of: skin, component: xx, place: ";
   EXPECT_EQ(read("bodies:\n" + skin + probe + "top}\n" + time).probes[0].place, "top");
   EXPECT_TRUE(says(refusal("bodies:\n" + skin + probe + "inside}\n" + time), "'place' = inside"));
-  EXPECT_TRUE(says(refusal("bodies:\n" + skin + "probes:\n  - {name: p, quantity: velocity, of: skin, place: top}\n" + time), "unknown key 'place'"));
+  const std::string placed = "probes:\n  - {name: p, quantity: velocity, of: skin, place: top}\n";
+  EXPECT_TRUE(says(refusal("bodies:\n" + skin + placed + time), "unknown key 'place'"));
 }
 
 TEST(ReadStop, IsInTheDimensionOfItsProbe) {

@@ -2,8 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <functional>
 #include <set>
+#include <sstream>
 
 #include "dynamics/measure.hpp"
 #include "tests/model/scenes.hpp"
@@ -277,6 +283,387 @@ TEST(Touched, CountsWhatStopsAtTheStart) {
   for (const Index node : mesh::node_set(simulation.model.mesh, "wall")) wall += simulation.model.mass(node) * simulation.state.v.col(node);
   EXPECT_LT((wall + all[0].impulse).norm(), 1e-10 * wall.norm());
   EXPECT_GT(wall.x(), 1000);
+}
+
+// --- all pairs -----------------------------------------------------------------------------------
+//
+// Every quantity of every target with every component: a word that is accepted has the value that its definition says. Which pairs are
+// accepted stands in probe_pairs.csv; NEREID_WRITE=1 writes it anew.
+
+constexpr double end = 1e-4;  // [s]
+
+/// Something that a probe may be of. A source of force acts on `body` alone, which feels nothing else.
+struct Target {
+  std::string name, kind;
+  std::string body = {};
+  Vec3 normal = Vec3::Zero();  ///< of planes that have one
+  std::function<bool(const Vec3&)> ahead = {};  ///< of sections: the part of the body that feels it
+};
+
+/// A cube of 1 m whose lower corner is at 10 i, so that each stands alone.
+Body cube(const std::string& name, int i, double below = 0) {
+  const Vec3 low(10.0 * i, 0, -below);
+  Body body{.name = name, .mesh = mesh::Box{low, low + Vec3(1, 1, 1), {2, 2, 2}}, .law = steel};
+  body.points = {{.name = "tip", .near = low + Vec3(1, 1, 1)}};
+  return body;
+}
+
+/// A scene with a target of each kind, and what these are.
+struct Everything {
+  Scene scene;
+  std::vector<Target> targets;
+};
+
+Everything everything() {
+  Everything all;
+  Scene& scene = all.scene;
+  scene.time.end = end, scene.recording.history = end;
+  int place = 0;
+  const auto thrown = [&](const std::string& body, const Vec3& velocity) {
+    scene.initial.push_back({.body = body, .displacement = false,
+                             .value = {[=](double, double y, double z, double) { return velocity.x() + y - z; },
+                                       [=](double x, double, double z, double) { return velocity.y() + 0.1 * z * x; },
+                                       [=](double, double y, double, double) { return velocity.z() + y; }}});
+  };
+  const auto source = [&](const std::string& kind, const Vec3& normal, auto&& add) {
+    const std::string body = "b" + std::to_string(place);
+    scene.bodies.push_back(cube(body, place++));
+    thrown(body, Vec3(3, -2, -20));
+    add(body);
+    all.targets.push_back({"of_" + body, kind, body, normal, {}});
+  };
+  const Vec3 oblique = Vec3(1, 2, -2) / 3;
+  const auto plane = [&](const std::string& kind, load::PlaneKind word, const Vec3& normal) {
+    source(kind, word == load::PlaneKind::fixed || word == load::PlaneKind::driven ? Vec3(0, 0, 0) : normal, [&](const std::string& body) {
+      Plane one{.name = "of_" + body, .kind = word, .nodes = {body + ".z_low"}, .point = Vec3(0, 0, 0), .normal = normal};
+      if (word == load::PlaneKind::driven) one.field = uniform(Vec3(1, 2, 3));
+      scene.planes.push_back(one);
+    });
+  };
+  plane("constrained plane", load::PlaneKind::constrained, oblique);
+  plane("symmetry plane", load::PlaneKind::symmetry, Vec3::UnitZ());
+  plane("fixed plane", load::PlaneKind::fixed, oblique);
+  plane("driven plane", load::PlaneKind::driven, oblique);
+  plane("floor", load::PlaneKind::floor, Vec3::UnitZ());
+  source("rigid plane", Vec3::UnitZ(), [&](const std::string& body) {
+    scene.rigid_planes.push_back({.name = "of_" + body, .surface = body + ".z_low", .point = Vec3(0, 0, 0), .normal = Vec3::UnitZ()});
+  });
+  for (const LoadKind kind : {LoadKind::pressure, LoadKind::force, LoadKind::body_force})
+    source(load_syntax[static_cast<std::size_t>(kind)].word, Vec3::Zero(), [&](const std::string& body) {
+      const std::string on = kind == LoadKind::pressure ? body + ".x_high" : kind == LoadKind::force ? body + ".tip" : body;
+      scene.loads.push_back({.name = "of_" + body, .kind = kind, .on = on, .value = uniform(Vec3(1e6, -2e6, 3e6))});
+    });
+  source("spring to the ground", Vec3::Zero(), [&](const std::string& body) {
+    scene.springs.push_back({.name = "of_" + body, .from = body + ".tip", .to = "ground", .stiffness = 1e9});
+  });
+  for (const double radius : {0.0, 0.6})
+    source(radius > 0 ? "round section" : "flat section", Vec3::Zero(), [&](const std::string& body) {
+      const Vec3 point(10.0 * (place - 1) + 0.4, 0.5, 0.5);
+      scene.sections.push_back({.name = "of_" + body, .body = body, .point = point, .normal = Vec3::UnitX(), .radius = radius});
+    });
+  for (Target& target : all.targets)
+    if (target.kind.find("section") != std::string::npos) {
+      const Section& section = scene.sections[target.kind == "flat section" ? 0 : 1];
+      target.ahead = [section](const Vec3& X) {
+        const Vec3 d = X - section.point;
+        return section.radius > 0 ? d.tail<2>().norm() > section.radius : d.x() > 0;
+      };
+    }
+  const auto contact = [&](const std::string& kind, dynamics::InterfaceOptions options, bool skins) {
+    source(kind, Vec3::Zero(), [&](const std::string& body) {
+      scene.bodies.push_back(cube("under_" + body, place - 1, 1));
+      scene.contacts.push_back({.name = "of_" + body, .apexes = body + (skins ? ".skin" : ".z_low"),
+                                .base = "under_" + body + (skins ? ".skin" : ".z_high"), .interface = options});
+    });
+  };
+  dynamics::InterfaceOptions options;
+  options.friction = {0.3, 1};
+  contact("contact of one pass", options, false);
+  options.passes = 2;
+  contact("contact of two passes", options, true);
+  options.passes = 1, options.method = contact::Method::penalty;
+  contact("contact by a penalty", options, false);
+  options = {}, options.kind = contact::InterfaceKind::bonded;
+  contact("bond", options, false);
+  source("automatic contact", Vec3::Zero(), [&](const std::string& body) {
+    scene.bodies.push_back(cube("under_" + body, place - 1, 1));
+    scene.automatic_contacts.push_back({.name = "of_" + body, .bodies = {body, "under_" + body}});
+  });
+
+  Body plastic = cube("plastic", place++), full = cube("full", place++), die = cube("die", place++), plates = sheet();
+  plastic.law = material::J2Bilinear{{8000, 200e9, 0.25}, 1e8, 1e9}, full.solid = element::FullHexahedron::Options{}, die.rigid = true;
+  plates.name = "plates", plates.place.move = Vec3(10.0 * place++, 0, 0);
+  for (const Body& body : {plastic, full, die, plates}) {
+    scene.bodies.push_back(body);
+    thrown(body.name, Vec3(1, 2, -20));
+  }
+  for (const char* body : {"plastic", "full", "plates"}) all.targets.push_back({body, std::string("body, ") + body, body});
+  all.targets.push_back({"die", "body, rigid", "die"});
+  all.targets.push_back({"plastic.x_high", "node set", "plastic"});
+  all.targets.push_back({"plastic.tip", "node", "plastic"});
+  return all;
+}
+
+// ------------------------------------------------------------------------------------------------ definitions
+
+using Value = std::vector<double>;  ///< of the components in their order
+
+Value parts(const Vec3& vector, const Vec3& normal = Vec3::Zero()) {
+  return {vector.norm(), vector.x(), vector.y(), vector.z(), vector.dot(normal)};
+}
+
+struct Seen {
+  const Simulation& simulation;
+  const std::vector<Vectors>& velocities;  ///< at the start and after each step
+  const Target& target;
+};
+
+const Subset& nodes(const Seen& seen) { return mesh::node_set(seen.simulation.model.mesh, seen.target.name); }
+
+Vec3 momentum_of_body(const Seen& seen, const Vectors& v) {
+  Vec3 sum = Vec3::Zero();
+  for (const Index n : mesh::node_set(seen.simulation.model.mesh, seen.target.body))
+    if (!seen.target.ahead || seen.target.ahead(seen.simulation.model.mesh.X.col(n))) sum += seen.simulation.model.mass(n) * v.col(n);
+  return sum;
+}
+
+/// The momentum that a body has gained, which is the impulse of the one source that acts on it.
+Vec3 gained(const Seen& seen) { return momentum_of_body(seen, seen.velocities.back()) - momentum_of_body(seen, seen.velocities.front()); }
+
+Vec3 mean(const Seen& seen, const Vectors& values) {
+  Vec3 sum = Vec3::Zero();
+  for (const Index n : nodes(seen)) sum += values.col(n);
+  return sum / static_cast<double>(nodes(seen).size());
+}
+
+/// Mass of a node: equal shares of its elements, in rigid bodies too. [kg]
+Scalars masses(const Seen& seen) {
+  Scalars all = Scalars::Zero(seen.simulation.model.mesh.X.cols());
+  for (const element::AnyBlock& block : seen.simulation.model.blocks) {
+    const element::Connectivity& nodes = element::nodes(block);
+    const Scalars mass = element::element_masses(block);
+    for (Eigen::Index e = 0; e < nodes.cols(); ++e)
+      for (const Index n : nodes.col(e)) all(n) += mass(e) / static_cast<double>(nodes.rows());
+  }
+  return all;
+}
+
+/// What a rigid cube of 1 m has besides its momentum: its inertia is a sixth of its mass.
+struct Turning {
+  Vec3 centre = Vec3::Zero(), momentum = Vec3::Zero(), spin = Vec3::Zero();
+  double mass = 0;
+};
+Turning turning(const Seen& seen) {
+  const dynamics::State& now = seen.simulation.state;
+  const Subset& set = nodes(seen);
+  const Scalars mass = masses(seen);
+  Turning all;
+  for (const Index n : set) all.mass += mass(n), all.centre += mass(n) * now.x.col(n), all.momentum += mass(n) * now.v.col(n);
+  all.centre /= all.mass;
+  for (int axis = 0; axis < 3; ++axis) {  // half the sum of e x (omega x e) over three edges
+    Index first = set[0], last = set[0];
+    for (const Index n : set) {
+      const Vec3 X = seen.simulation.model.mesh.X.col(n), low = seen.simulation.model.mesh.X.col(first);
+      if ((X - low).maxCoeff() > 0 && (X - low).minCoeff() >= 0 && (X - low)(axis) > 0.9 && (X - low).norm() < 1.1) last = n;
+    }
+    const Vec3 edge = now.x.col(last) - now.x.col(first), change = now.v.col(last) - now.v.col(first);
+    all.spin += 0.5 * edge.cross(change) / edge.squaredNorm();
+  }
+  return all;
+}
+
+bool is_rigid(const Seen& seen) { return seen.target.kind == "body, rigid"; }
+
+Vec3 angular_momentum(const Seen& seen) {
+  if (is_rigid(seen)) {
+    const Turning all = turning(seen);
+    return all.centre.cross(all.momentum) + all.mass / 6 * all.spin;
+  }
+  Vec3 sum = Vec3::Zero();
+  const Scalars mass = masses(seen);
+  for (const Index n : nodes(seen))
+    sum += mass(n) * Vec3(seen.simulation.state.x.col(n)).cross(Vec3(seen.simulation.state.v.col(n)));
+  const auto& model = seen.simulation.model;
+  for (const Index n : nodes(seen))
+    if (model.rotation_of_node[n] >= 0)
+      sum += model.inertia(model.rotation_of_node[n]) * seen.simulation.state.omega.col(model.rotation_of_node[n]);
+  return sum;
+}
+
+/// Contact forces on the nodes of the target's body.
+Vectors contact_forces(const Seen& seen) {
+  const dynamics::Model& model = seen.simulation.model;
+  Vectors force = Vectors::Zero(3, model.mesh.X.cols()), moment = Vectors::Zero(3, model.inertia.size());
+  for (std::size_t c = 0; c < model.interfaces.size(); ++c)
+    contact::add_forces(model.interfaces[c], seen.simulation.state.interfaces[c], force, moment);
+  return force;
+}
+
+/// Largest pressure and area in touch of the lower face of a cube, from the areas of the reference.
+std::pair<double, double> pressed(const Seen& seen) {
+  const mesh::Mesh& mesh = seen.simulation.model.mesh;
+  const Vectors force = contact_forces(seen);
+  double largest = 0, area = 0;
+  for (const std::string& face : {seen.target.body + ".z_low", "under_" + seen.target.body + ".z_high"}) {
+    const Subset& set = mesh::node_set(mesh, face);
+    const Scalars areas = mesh::tributary_areas(mesh, mesh::surface(mesh, face), set);
+    for (std::size_t i = 0; i < set.size(); ++i) {
+      const double push = force.col(set[i]).norm(), here = areas(static_cast<Eigen::Index>(i));
+      largest = std::max(largest, push / here);
+      if (push > 0 && face[0] == 'b') area += here;
+    }
+  }
+  return {largest, area};
+}
+
+const Field* field_of(const std::vector<Field>& fields, const std::string& name) {
+  const auto at = std::find_if(fields.begin(), fields.end(), [&](const Field& one) { return one.name == name; });
+  return at == fields.end() ? nullptr : &*at;
+}
+
+/// What the definition of a quantity says, component by component; empty where another test has it.
+Value defined(const std::string& quantity, const std::string& place, bool largest, const Seen& seen) {
+  const dynamics::State& now = seen.simulation.state;
+  const Vectors& X = seen.simulation.model.mesh.X;
+  if (quantity == "displacement") return parts(mean(seen, now.x - X));
+  if (quantity == "velocity") return parts(mean(seen, now.v));
+  if (quantity == "position") return {mean(seen, now.x).x(), mean(seen, now.x).y(), mean(seen, now.x).z()};
+  if (quantity == "extent" || quantity == "radius") {
+    Value all;
+    for (int axis = 0; axis < 3; ++axis) {
+      double low = 1e300, high = -1e300, far = 0;
+      for (const Index n : nodes(seen)) {
+        Vec3 across = now.x.col(n);
+        low = std::min(low, across(axis)), high = std::max(high, across(axis));
+        across(axis) = 0, far = std::max(far, across.norm());
+      }
+      all.push_back(quantity == "extent" ? high - low : far);
+    }
+    return all;
+  }
+  if (quantity == "momentum") {
+    Vec3 sum = Vec3::Zero();
+    const Scalars mass = masses(seen);
+    for (const Index n : nodes(seen)) sum += mass(n) * now.v.col(n);
+    return parts(sum);
+  }
+  if (quantity == "kinetic_energy") {
+    if (is_rigid(seen)) {
+      const Turning all = turning(seen);
+      return {0.5 * all.momentum.squaredNorm() / all.mass + all.mass / 12 * all.spin.squaredNorm()};
+    }
+    double sum = 0;
+    const auto& model = seen.simulation.model;
+    const Scalars mass = masses(seen);
+    for (const Index n : nodes(seen)) {
+      sum += 0.5 * mass(n) * now.v.col(n).squaredNorm();
+      if (model.rotation_of_node[n] >= 0)
+        sum += 0.5 * model.inertia(model.rotation_of_node[n]) * now.omega.col(model.rotation_of_node[n]).squaredNorm();
+    }
+    return {sum};
+  }
+  if (quantity == "angular_momentum") return parts(angular_momentum(seen));
+  if (quantity == "impulse") return parts(gained(seen), seen.target.normal);
+  if (quantity == "force" && seen.target.kind.find("spring") != std::string::npos) return {};  // the value at the row: tests of loads
+  if (quantity == "force") return parts(gained(seen) / end, seen.target.normal);
+  if (quantity == "current_force") {
+    Vec3 sum = Vec3::Zero();
+    const Vectors force = contact_forces(seen);
+    for (const Index n : mesh::node_set(seen.simulation.model.mesh, seen.target.body)) sum += force.col(n);
+    return parts(sum);
+  }
+  if (quantity == "contact_pressure") return {pressed(seen).first};
+  if (quantity == "contact_area") return {pressed(seen).second};
+  if (const Measurable* one = find_measurable(quantity); one->of == Of::body)
+    for (std::size_t b = 0; b < seen.simulation.model.blocks.size(); ++b) {
+      const element::AnyBlock& block = seen.simulation.model.blocks[b];
+      if (element::name(block) != seen.target.name) continue;
+      const std::vector<Field> fields = element::fields(block, X, now.x, now.blocks[b], [](const element::Shown&) { return true; });
+      const Field* field = field_of(fields, place.empty() ? quantity : quantity + "_" + place);
+      if (field == nullptr) return {};
+      const Scalars weights = element::element_masses(block);
+      const Eigen::VectorXd values = largest ? field->values.rowwise().maxCoeff() : field->values * weights / weights.sum();
+      return {values.data(), values.data() + values.size()};
+    }
+  return {};  // gap, angular velocity and section moment have tests of their own
+}
+
+// ------------------------------------------------------------------------------------------------ the table
+
+const std::vector<std::string>& words() {
+  static const std::vector<std::string> all{"", "magnitude", "x", "y", "z", "normal", "xx", "yy", "zz", "xy", "yz", "xz"};
+  return all;
+}
+
+bool is_accepted(Scene scene, const Probe& probe) {
+  scene.probes = {probe};
+  return refusal(scene).empty();
+}
+
+/// The value of an accepted word within a definition: in the order of the quantity's components, the first without a word.
+std::size_t place_of(const Measurable& quantity, const std::string& word) {
+  if (word.empty()) return 0;
+  return static_cast<std::size_t>(std::find(quantity.components.begin(), quantity.components.end(), word) - quantity.components.begin());
+}
+
+TEST(ProbePairs, HaveTheValueOfTheirDefinitionOrAreRefused) {
+  Everything all = everything();
+  std::ostringstream table;
+  table << "quantity,target,components\n";
+  std::vector<Probe> probes;
+  std::vector<std::pair<const Target*, const Measurable*>> of;
+  for (const Measurable& quantity : measurables()) {
+    for (const Target& target : all.targets) {
+      std::string accepted;
+      for (const char* place : {"", "top", "middle", "bottom", "membrane"})
+        for (const std::string& word : words()) {
+          Probe probe{.name = "p" + std::to_string(probes.size()), .quantity = quantity.name, .of = target.name, .component = word};
+          probe.place = place;
+          if (!is_accepted(all.scene, probe)) continue;
+          accepted += (accepted.empty() ? "" : " ") + (word.empty() ? "-" : word) + (*place == 0 ? "" : "@") + place;
+          probes.push_back(probe), of.emplace_back(&target, &quantity);
+          probe.largest = true, probe.name = "p" + std::to_string(probes.size());
+          if (quantity.of == Of::body) probes.push_back(probe), of.emplace_back(&target, &quantity);
+        }
+      table << quantity.name << "," << target.kind << "," << (accepted.empty() ? "refused" : accepted) << "\n";
+    }
+  }
+  all.scene.probes = probes;
+  Simulation simulation = build(all.scene);
+  std::vector<Vectors> velocities;
+  const dynamics::Observer see = [&](const dynamics::View& view) { velocities.push_back(view.now.v); };
+  // the state before the start, as contacts and planes may stop nodes in it
+  velocities.push_back(simulation.state.v);
+  ASSERT_EQ(run(simulation, {&see, 1}).ending, dynamics::Ending::reached_end);
+  int checked = 0;
+  std::set<std::string> unchecked;
+  for (std::size_t p = 0; p < probes.size(); ++p) {
+    const auto [target, quantity] = of[p];
+    SCOPED_TRACE(probes[p].quantity + " of a " + target->kind + ", component '" + probes[p].component + "'");
+    const double got = probe(simulation, probes[p].name).last;
+    ASSERT_TRUE(std::isfinite(got));
+    const Value value = defined(quantity->name, probes[p].place, probes[p].largest, {simulation, velocities, *target});
+    if (value.empty()) {
+      unchecked.insert(quantity->name);
+      continue;
+    }
+    const std::size_t at = place_of(*quantity, probes[p].component);
+    ASSERT_LT(at, value.size());
+    double scale = 0;  // round-off of a small component is that of the large ones; areas are those of the reference
+    for (const double one : value) scale = std::max(scale, std::abs(one));
+    const bool over_area = quantity->name == "contact_pressure" || quantity->name == "contact_area";
+    EXPECT_NEAR(got, value[at], (over_area ? 0.01 : 1e-9) * scale + 1e-300);
+    if (quantity->of == Of::source && target->kind != "round section") EXPECT_GT(scale, 0) << "the source acts";
+    ++checked;
+  }
+  EXPECT_GT(checked, 400);
+  EXPECT_EQ(unchecked, (std::set<std::string>{"angular_velocity", "force", "gap", "section_moment"}));
+  const std::string file = (std::filesystem::path(__FILE__).parent_path() / "probe_pairs.csv").string();
+  if (std::getenv("NEREID_WRITE") != nullptr) std::ofstream(file) << table.str();
+  std::ifstream stream(file);
+  std::stringstream kept;
+  kept << stream.rdbuf();
+  EXPECT_EQ(kept.str(), table.str()) << "NEREID_WRITE=1 writes " << file;
 }
 
 }  // namespace

@@ -98,7 +98,11 @@ def flat(fine=1, how="automatic", friction=0.3, rigid="", cells=8, floor_cells=7
 
 def dragged(fine=1, how="automatic", friction=0.3, cells=8, floor_cells=7, speed=SPEED, load=0.01, soft="both", aside=0.0003):
     """The top of a block is pressed down and dragged over a floor: `load` is the pressure over the modulus of the softer body; `soft` is
-    the body that is not a hundred times as stiff."""
+    the body that is not a hundred times as stiff.
+
+    The drag is asked for up to a load of 0.02. At 0.05 the leading edge of a soft block ploughs and folds: one pass stops, and a mesh twice
+    as fine inverts a corner there, so that nobody knows the right drag.
+    """
     half, wide, cell = SIZE / 2, 0.7 * SIZE, SIZE / floor_cells
     stiff = material(young=100 * YOUNG)
     block = box((-half, -half, 0), (half, half, HIGH), (cells, cells, cells // 2), fine)
@@ -107,10 +111,11 @@ def dragged(fine=1, how="automatic", friction=0.3, cells=8, floor_cells=7, speed
     pressure = f"{load * YOUNG!r}*min(1, t/{end / 10!r})"
     planes = [fixed("floor.z_low"), {"name": "drive", "kind": "constrained", "nodes": ["block.z_high"], "normal": [1, 0, 0],
                                      "velocity": {"value": repr(speed), "unit": "m/s"}}]
+    asked = [("drags", "block", friction, 0.03, "drive", "load")] if load <= 0.02 else []
     return scene([body("block", block, (aside, aside, 1e-9), of=None if soft in ("both", "block") else stiff),
                   body("floor", floor, of=None if soft in ("both", "floor") else stiff)],
                  contacts_of(how, friction), {"block": (speed, 0, 0)}, end, FRAMES,
-                 [("drags", "block", friction, 0.03, "drive", "load"), ("no_lower", "block", (0, 0, -1), -RISES)],
+                 [*asked, ("no_lower", "block", (0, 0, -1), -RISES)],
                  planes=planes, scale=load * YOUNG * SIZE**2 * max(friction, 0.1) * PATH,
                  loads=[{"name": "load", "kind": "pressure", "surface": "block.z_high", "value": pressure, "unit": "Pa"}],
                  probes=[{"name": "drive", "quantity": "impulse", "of": "drive", "component": "x"},
