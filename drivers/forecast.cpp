@@ -150,6 +150,42 @@ Costs rehearse(model::Simulation& simulation, double dt, const std::function<std
   return costs;
 }
 
+/// Contacts that are open at the start, and the nodes of their surfaces.
+struct Open {
+  std::vector<std::string> names;
+  double apexes = 0;
+};
+Open open_contacts(const dynamics::Model& model, const dynamics::State& now) {
+  Open open;
+  for (std::size_t c = 0; c < model.interfaces.size(); ++c) {
+    const contact::Interface& interface = model.interfaces[c];
+    const auto& near = now.interfaces[c].near;
+    const bool touches = std::any_of(near.begin(), near.end(), [](const contact::Near& one) { return one.element.closed; });
+    if (touches || interface.kind == contact::InterfaceKind::edges) continue;
+    open.apexes += static_cast<double>(interface.apexes.size());
+    if (interface.pass != contact::Pass::back) open.names.push_back(quote(interface.name));
+  }
+  return open;
+}
+
+/// What a forecast cannot count: contacts that close later, and what ends a run before its time.
+std::vector<std::string> not_counted(const model::Simulation& simulation, const Open& open, const Forecast& forecast, double step) {
+  constexpr double updates = 20;      // of an element, as long as an apex in contact takes at most: docs/cost.md
+  constexpr double worth_saying = 0.2;  // of the seconds
+  std::vector<std::string> lines;
+  const double elements = static_cast<double>(dynamics::element_count(simulation.model));
+  const double more = elements > 0 ? forecast.steps * updates * open.apexes * step / elements : 0;
+  if (more > worth_saying * forecast.seconds)
+    lines.push_back(formatted("%s open at the start and not in these seconds: up to %.2g s more while all %.0f nodes of %s surfaces touch",
+                              (listed(open.names) + (open.names.size() > 1 ? " are" : " is")).c_str(), more, open.apexes,
+                              open.names.size() > 1 ? "their" : "its"));
+  const bool relaxes = std::any_of(simulation.stages.begin(), simulation.stages.end(), [](const auto& one) { return bool(one.relaxation); });
+  if (relaxes || simulation.model.relaxation || !simulation.stops.empty())
+    lines.push_back(std::string("the forecast is of the whole time: ") +
+                    (simulation.stops.empty() ? "a relaxation ends" : "a condition may end the run") + " before");
+  return lines;
+}
+
 }  // namespace
 
 Start start_of(model::Simulation& simulation) {
@@ -175,12 +211,14 @@ Forecast forecast(model::Simulation& simulation, const std::function<std::size_t
   found.frames = std::min(found.rows, times(simulation.recording.frames));
   const double looks = std::min(found.rows, times(time.audit_every));
 
+  const Open open = open_contacts(simulation.model, simulation.state);  // a rehearsal closes some
   const Costs costs = rehearse(simulation, found.expected.first.dt, summary);
   const auto head = output::head_text(columns_of(simulation.probes, dynamics::ledger_probes(simulation.model)));
   found.seconds = found.steps * costs.step + found.rows * costs.row + found.frames * costs.frame + looks * costs.look;
   const double frames = costs.first_frame_bytes + (found.frames - 1) * costs.frame_bytes + costs.walls_bytes;
   const double indices = bytes_of_index("body", found.frames) + bytes_of_index("contact", found.frames) + bytes_of_index("walls", 1);
   found.bytes = static_cast<double>(head.size()) + found.rows * costs.row_bytes + frames + indices + costs.summary_bytes;
+  for (const std::string& line : not_counted(simulation, open, found, costs.step)) found.advice.push_back(line);
   found.memory = most_resident();
   return found;
 }

@@ -379,9 +379,9 @@ Everything everything() {
   dynamics::InterfaceOptions options;
   options.friction = {0.3, 1};
   contact("contact of one pass", options, false);
-  options.passes = 2;
+  options.two_passes = true;
   contact("contact of two passes", options, true);
-  options.passes = 1, options.method = contact::Method::penalty;
+  options.two_passes = false, options.method = contact::Method::penalty;
   contact("contact by a penalty", options, false);
   options = {}, options.kind = contact::InterfaceKind::bonded;
   contact("bond", options, false);
@@ -391,7 +391,7 @@ Everything everything() {
   });
 
   Body plastic = cube("plastic", place++), full = cube("full", place++), die = cube("die", place++), plates = sheet();
-  plastic.law = material::J2Bilinear{{8000, 200e9, 0.25}, 1e8, 1e9}, full.solid = element::FullHexahedron::Options{}, die.rigid = true;
+  plastic.law = material::J2Bilinear{8000, 200e9, 0.25, {1e8, 1e9}}, full.solid = element::FullHexahedron::Options{}, die.rigid = true;
   plates.name = "plates", plates.place.move = Vec3(10.0 * place++, 0, 0);
   for (const Body& body : {plastic, full, die, plates}) {
     scene.bodies.push_back(body);
@@ -516,8 +516,8 @@ std::pair<double, double> pressed(const Seen& seen) {
   return {largest, area};
 }
 
-const Field* field_of(const std::vector<Field>& fields, const std::string& name) {
-  const auto at = std::find_if(fields.begin(), fields.end(), [&](const Field& one) { return one.name == name; });
+const nereid::Field* field_of(const std::vector<nereid::Field>& fields, const std::string& name) {
+  const auto at = std::find_if(fields.begin(), fields.end(), [&](const nereid::Field& one) { return one.name == name; });
   return at == fields.end() ? nullptr : &*at;
 }
 
@@ -578,8 +578,8 @@ Value defined(const std::string& quantity, const std::string& place, bool larges
     for (std::size_t b = 0; b < seen.simulation.model.blocks.size(); ++b) {
       const element::AnyBlock& block = seen.simulation.model.blocks[b];
       if (element::name(block) != seen.target.name) continue;
-      const std::vector<Field> fields = element::fields(block, X, now.x, now.blocks[b], [](const element::Shown&) { return true; });
-      const Field* field = field_of(fields, place.empty() ? quantity : quantity + "_" + place);
+      const std::vector<nereid::Field> fields = element::fields(block, X, now.x, now.blocks[b], [](const element::Shown&) { return true; });
+      const nereid::Field* field = field_of(fields, place.empty() ? quantity : quantity + "_" + place);
       if (field == nullptr) return {};
       const Scalars weights = element::element_masses(block);
       const Eigen::VectorXd values = largest ? field->values.rowwise().maxCoeff() : field->values * weights / weights.sum();
@@ -653,7 +653,9 @@ TEST(ProbePairs, HaveTheValueOfTheirDefinitionOrAreRefused) {
     for (const double one : value) scale = std::max(scale, std::abs(one));
     const bool over_area = quantity->name == "contact_pressure" || quantity->name == "contact_area";
     EXPECT_NEAR(got, value[at], (over_area ? 0.01 : 1e-9) * scale + 1e-300);
-    if (quantity->of == Of::source && target->kind != "round section") EXPECT_GT(scale, 0) << "the source acts";
+    if (quantity->of == Of::source && target->kind != "round section") {
+      EXPECT_GT(scale, 0) << "the source acts";
+    }
     ++checked;
   }
   EXPECT_GT(checked, 400);
