@@ -228,11 +228,11 @@ TEST(ContactPressure, TimesAreaSumsToTheForceOfEveryKindPassAndMethod) {
       EXPECT_GT(above.force, 0.1 * pressure * size * size);
       EXPECT_NEAR(below.force, -above.force, 1e-9 * above.force);
       if (kind != skin_on_block) {
-        EXPECT_NEAR(below.pressure_by_area, above.force, 1e-6 * above.force);  // normals turn by strains
+        EXPECT_NEAR(below.pressure_by_area, above.force, 1e-4 * above.force);  // pushes at corners lean by edges
         EXPECT_LT(below.area, size * size * (1 + 1e-4));
       }
       if (kind != block_on_skin) {
-        EXPECT_NEAR(above.pressure_by_area, above.force, 1e-6 * above.force);
+        EXPECT_NEAR(above.pressure_by_area, above.force, 1e-4 * above.force);
         EXPECT_LT(above.area, size * size * (1 + 1e-4));
       }
     }

@@ -9,19 +9,40 @@ CATALOGUE = ()
 DRIVER = "scene"
 
 STRIP = {"moment": 1, "width": 20e-3, "thickness": 2e-3}
-YOUNG, YIELD = 210e9, 60e6
+YOUNG, YIELD, LENGTH = 210e9, 60e6, 0.1
 STRESS = elastic_stress(**STRIP)
 STRAIN, FLOW = surface_strain(**STRIP, yields=YIELD, young=YOUNG)
-PLASTIC = "plastic.yaml"
+PLASTIC = "verification/surfaces_of_a_plate/plastic.yaml"
 
 
 def plastic(run):
     """The run of the other case of this folder; in a break of that case the run itself."""
-    return run if str(run.case_file).endswith(PLASTIC) else run.other("scene", f"verification/surfaces_of_a_plate/{PLASTIC}")
+    return run if str(run.case_file).endswith("plastic.yaml") else run.other("scene", PLASTIC)
 
 
-def last(name, exact, unit="Pa", of=lambda run: run):
-    return lambda run: Pair(of(run).column(name)[-1], exact, unit)
+def last(name, exact, unit="Pa"):
+    return lambda run: Pair(run.column(name)[-1], exact, unit)
+
+
+def in_the_middle(run, name):
+    """A field of the last frame in the middle half of the strip, of tensors along it."""
+    fields = run.frame("body")[1]
+    ends = fields["offsets"]
+    cells = [fields["connectivity"][begin:end] for begin, end in zip([0, *ends], ends)]
+    places = [sum(fields["points"][node][0] for node in cell) / 3 / LENGTH for cell in cells]
+    values = [value[0] if isinstance(value, tuple) else value for value in fields[name]]
+    return [value for value, x in zip(values, places) if 0.25 < x < 0.75]
+
+
+def farthest(name, exact, of=lambda run: run):
+    return lambda run: Pair(max(in_the_middle(of(run), name), key=lambda value: abs(value - exact)), exact, "Pa")
+
+
+def mean(name, exact, unit, of=plastic):
+    def pair(run):
+        values = in_the_middle(of(run), name)
+        return Pair(sum(values) / len(values), exact, unit)
+    return pair
 
 
 def membrane(run):
@@ -33,45 +54,45 @@ def most_ever(run):
     return Pair(max(there.column("top_largest") + there.column("bottom_largest")), YIELD, "Pa")
 
 
-BOUND = "the bound asked for is 2 %; "
+ASKED = "2 % is the bound asked for"
 DEPARTURES = {
     "residual": "at the default the strip is not at rest to a part in a thousand",
-    "layers": "plastic.yaml: five layers have one of them beyond yield, nine have two, which gives the slope of the plastic strain"}
+    "layers": "plastic.yaml: with five layers, of which one is beyond yield, the plastic strain at the surface is 5 % too small"}
 
 CHECKS = [
-    Check("stress at the top", last("top", STRESS), 0.005, BOUND + "the mean over the strip, constant along it"),
-    Check("stress at the top, largest element", last("top_largest", STRESS), 0.02, BOUND + "triangles differ at the clamp and the load"),
-    Check("stress at the bottom", last("bottom", -STRESS), 0.005, BOUND + "as at the top"),
-    Check("von Mises stress at the bottom, largest element", last("mises", STRESS), 0.02, BOUND + "uniaxial stress"),
-    Check("strain at the top", last("strain", STRESS / YOUNG, "1"), 0.005, BOUND + "Hooke's law"),
-    Check("stress of the membrane", membrane, 0.005, "over that at the surface: a moment has no normal force"),
-    Check("beyond yield: largest stress at a surface at any time", most_ever, 1e-6, "results have seven digits"),
-    Check("beyond yield: stress at the top", last("top", YIELD, of=plastic), 0.005, BOUND + "all elements have yielded"),
-    Check("beyond yield: strain at the top", last("strain", STRAIN, "1", plastic), 0.02, "nine Gauss points over a kink"),
-    Check("beyond yield: plastic strain at the top", last("flow", FLOW, "1", plastic), 0.05,
-          "it is the small difference of a strain, known to 2 %, and that at yield"),
+    Check("stress at the top", last("top", STRESS), 0.01, ASKED + "; the mean of a strip whose moment is constant"),
+    Check("stress at the top, element that is farthest off", farthest("stress_top", STRESS), 0.02, ASKED + ", in the middle half"),
+    Check("von Mises stress at the bottom, element that is farthest off", farthest("von_mises_bottom", STRESS), 0.02, ASKED),
+    Check("stress at the bottom", last("bottom", -STRESS), 0.01, "as at the top"),
+    Check("strain at the top", last("strain", STRESS / YOUNG, "1"), 0.01, "Hooke's law"),
+    Check("stress of the membrane", membrane, 0.01, "over that at the surface: a moment has no normal force"),
+    Check("beyond yield: largest stress at a surface at any time", most_ever, 1e-6, "it is limited; round-off is left"),
+    Check("beyond yield: stress at the top", mean("stress_top", YIELD, "Pa"), 0.02, ASKED + ", in the middle half"),
+    Check("beyond yield: strain at the top", mean("strain_top", STRAIN, "1"), 0.02, "nine Gauss points over a kink"),
+    Check("beyond yield: plastic strain at the top", mean("plastic_strain_top", FLOW, "1"), 0.05,
+          "it is 0.3 of that strain, so its error is three times as large"),
 ]
 
 BREAKS = [
     Breaks("stress at the top", "a thickness off by a hundredth", {"bodies[0].element.thickness": "2.02 mm"}),
-    Breaks("stress at the top, largest element", "the outermost of five layers taken for the surface",
-           {"loads[0].value": '["0", "0.906", "0"]'}),
-    Breaks("stress at the bottom", "the other surface", {"probes[2].place": "top"}),
-    Breaks("von Mises stress at the bottom, largest element", "the mean stress", {"probes[4].place": "membrane"}),
-    Breaks("strain at the top", "the middle surface", {"probes[5].place": "middle"}),
-    Breaks("stress of the membrane", "a surface", {"probes[3].place": "bottom"}),
-    Breaks("beyond yield: largest stress at a surface at any time", "an elastic law with that stress beyond yield",
-           {"bodies[0].material.yield": "90 MPa"}, case=f"verification/surfaces_of_a_plate/{PLASTIC}"),
-    Breaks("beyond yield: stress at the top", "the membrane", {"probes[0].place": "membrane"},
-           case=f"verification/surfaces_of_a_plate/{PLASTIC}"),
-    Breaks("beyond yield: strain at the top", "an elastic strip", {"bodies[0].material.yield": "90 MPa"},
-           case=f"verification/surfaces_of_a_plate/{PLASTIC}"),
-    Breaks("beyond yield: plastic strain at the top", "the mean through the thickness", {"probes[4].place": "membrane"},
-           case=f"verification/surfaces_of_a_plate/{PLASTIC}"),
+    Breaks("stress at the top, element that is farthest off", "a thickness off by a fiftieth",
+           {"bodies[0].element.thickness": "2.04 mm"}),
+    Breaks("von Mises stress at the bottom, element that is farthest off", "a width off by a tenth", {"bodies[0].mesh.width": "22 mm"}),
+    Breaks("stress at the bottom", "the other surface", {"probes[1].place": "top"}),
+    Breaks("strain at the top", "the middle surface", {"probes[3].place": "middle"}),
+    Breaks("stress of the membrane", "a surface", {"probes[2].place": "bottom"}),
+    Breaks("beyond yield: largest stress at a surface at any time", "a yield stress a fiftieth larger",
+           {"bodies[0].material.yield": "61.2 MPa"}, case=PLASTIC),
+    Breaks("beyond yield: stress at the top", "an elastic law with that stress beyond yield", {"bodies[0].material.yield": "90 MPa"},
+           case=PLASTIC),
+    Breaks("beyond yield: strain at the top", "a moment off by a twentieth", {"loads[0].value": '["0", "0.95*min(1, t/50e-3)", "0"]'},
+           case=PLASTIC),
+    Breaks("beyond yield: plastic strain at the top", "a yield stress off by a fiftieth", {"bodies[0].material.yield": "61.2 MPa"},
+           case=PLASTIC),
 ]
 
 
-def through_the_thickness(run):
+def while_it_grows(run):
     there = plastic(run)
     return [("top", [1e3 * t for t in there.column("time")], [1e-6 * s for s in there.column("top")])]
 
@@ -81,5 +102,5 @@ def slowly(run):
     return [("beam theory", times, [min(t / 50 * STRESS, YIELD) / 1e6 for t in times])]
 
 
-FIGURES = [Figure("top", "time [ms]", "stress at the top [MPa]", through_the_thickness, exact=slowly,
+FIGURES = [Figure("top", "time [ms]", "stress at the top [MPa]", while_it_grows, exact=slowly,
                   caption="Mean stress at the top of the strip that yields, beside that of beam theory while the moment grows.")]
