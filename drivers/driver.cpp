@@ -205,6 +205,28 @@ auto or_show_offenders(const CommandLine& line, const input::CaseFile& file, out
   }
 }
 
+/// How long a run takes with meshes from files split by a factor: by 2 and 4, 16 and 256 times as long; of plates alone 8 and 64 times. [s]
+///
+/// seconds  of the run as the case is
+double seconds_split_by(int factor, const input::CaseFile& file, const dynamics::Model& model, double seconds) {
+  const bool solids =
+      std::any_of(model.blocks.begin(), model.blocks.end(), [](const element::AnyBlock& block) { return !element::rotates(block); });
+  const auto times = [solids](int by) { return by * (solids ? mesh::times_hexahedra(by) : mesh::times_triangles(by)); };
+  return seconds * times(factor) / times(static_cast<int>(file.refine_factor()));
+}
+
+/// What runs of a case with meshes from files will take, in a line.
+std::string forecast_of_splits(const input::CaseFile& file, const dynamics::Model& model, double seconds) {
+  std::string text;
+  const double first = seconds_split_by(1, file, model, seconds);
+  for (const int factor : mesh::split_factors) {
+    const double here = seconds_split_by(factor, file, model, seconds);
+    text += (text.empty() ? "forecast: refine " : ", refine ") + std::to_string(factor) + " about " + duration(here) +
+            (factor == 1 ? "" : formatted(" (%g times)", here / first));
+  }
+  return text;
+}
+
 void print_forecast(const model::Simulation& simulation, const Forecast& forecast) {
   const dynamics::Model& model = simulation.model;
   print_size(simulation);
@@ -324,6 +346,8 @@ Ran run_case(const std::string& name, const CommandLine& line, output::RunFolder
     const Forecast found = forecast(simulation, summary);
     check_reach(file, simulation, found.expected.first);
     print_forecast(simulation, found);
+    if (line.dry_run && !input::names_from_files(file.meshes()).empty())
+      std::printf("%s\n", forecast_of_splits(file, simulation.model, found.seconds).c_str());
     if (line.dry_run) return {status_of_start(name, found.start), {}};
   }
   if (!line.quiet && !begins.checkpoint) {  // what was rehearsed is no start of a run
@@ -411,24 +435,13 @@ bool all_rigid(const dynamics::Model& model) {
   return !model.blocks.empty();
 }
 
-/// Says what runs with split meshes will take, before any is made: 16 and 256 times as long as the first, plates alone 8 and 64 times.
-///
-/// returns  why the second mesh, and so any estimate, is beyond the target; empty if it is not, or if no mesh is from a file
+/// Why the second mesh, and so any estimate, takes longer than the target allows; empty if it does not, or if no mesh is from a file.
 std::string foreseen_too_long(const Target& target, const input::CaseFile& file, model::Simulation& simulation,
                               const std::function<void(const std::string&)>& say) {
   if (input::names_from_files(file.meshes()).empty()) return "";
-  const bool solids = std::any_of(simulation.model.blocks.begin(), simulation.model.blocks.end(),
-                                  [](const element::AnyBlock& block) { return !element::rotates(block); });
-  const auto times_of = [solids](int factor) { return factor * (solids ? mesh::times_hexahedra(factor) : mesh::times_triangles(factor)); };
-  const double first = forecast(simulation, [] { return std::size_t{0}; }).seconds / times_of(static_cast<int>(file.refine_factor()));
-  std::string text;
-  for (const int factor : mesh::split_factors) {
-    const double times = times_of(factor);
-    text += (text.empty() ? "forecast: refine " : ", refine ") + std::to_string(factor) + " about " + duration(first * times) +
-            (factor == 1 ? "" : formatted(" (%g times)", times));
-  }
-  say(text);
-  const double second = first * times_of(2);
+  const double seconds = forecast(simulation, [] { return std::size_t{0}; }).seconds;
+  say(forecast_of_splits(file, simulation.model, seconds));
+  const double second = seconds_split_by(2, file, simulation.model, seconds);
   return second > target.longest ? "the second mesh, refine 2, would take about " + duration(second) : "";
 }
 

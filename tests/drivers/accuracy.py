@@ -116,6 +116,7 @@ probes: [{{name: tip, quantity: displacement, of: bar.tip, component: x}}]
 time: {{end: 1.1 ms}}
 output: {{history_every: 2 us, frames_every: 1.1 ms}}
 """
+FORECAST = re.compile(r"^forecast: refine 1 about .+, refine 2 about .+ \(16 times\), refine 4 about .+ \(256 times\)$", re.MULTILINE)
 STRETCH = 2 * 1e6 * 1 / (210e9 * 0.01)  # [m] of a bar of 1 m and 0.01 m2 that is pulled suddenly: d'Alembert
 PAIR = """
 bodies: [{{name: a, mesh: {{kind: box, low: [0 m, 0 m, 0 m], high: [1 m, 1 m, 1 m], cells: {cells}}}, {more} {steel}}},
@@ -164,7 +165,7 @@ class Scenes(unittest.TestCase):
         if "built without VTK" in complaint:
             self.skipTest("built without VTK")
         self.assertEqual(status, 0, complaint)
-        self.assertRegex(said, r"^forecast: refine 1 about \S+ s, refine 2 about .+ \(16 times\), refine 4 about .+ \(256 times\)\n")
+        self.assertRegex(said, FORECAST)
         factors = re.findall(r"^refine (\d):", said, re.MULTILINE)
         self.assertEqual(factors, ["1", "2", "4"][:len(factors)])
         value, error = (results[name]["value"] for name in ("tip_largest", "tip_largest_mesh_error"))
@@ -222,6 +223,15 @@ class Scenes(unittest.TestCase):
         done = subprocess.run([Accuracy.drivers / "scene", case, *words], capture_output=True, text=True, check=False)
         self.assertEqual(done.returncode, 3)
         self.assertRegex(done.stderr, "2% is not reached: the second mesh, refine 2, would take about ")
+
+    def test_a_dry_run_forecasts_split_meshes(self):
+        mesh_files.write(self.folder / "bar.vtu", bar_of_cells(6))
+        for words in ((), ("--set", "refine=2")):
+            _, said, complaint, *_ = self.ask(BAR, "--dry-run", *words)
+            if "built without VTK" in complaint:
+                self.skipTest("built without VTK")
+            self.assertRegex(said, FORECAST)
+        self.assertIn("refine 2: the elements of 'bar' are split", said)
 
     def test_rigid_bodies_alone_give_no_estimate(self):
         status, said, complaint, results, _ = self.ask(PAIR.format(cells=[2, 2, 2], more="rigid: true,", steel=STEEL), "--accuracy", "2%")
