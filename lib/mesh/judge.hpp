@@ -24,7 +24,7 @@ struct FlawWords {
   const char* phrase;  ///< behind "3 elements"
 };
 /// In the order of Flaw.
-inline constexpr std::array<FlawWords, 14> flaw_words{{
+inline constexpr std::array<FlawWords, 15> flaw_words{{
     {"far_away", true, "so far from the origin that fewer than six digits are left of their size"},
     {"inverted", true, "whose Jacobian is not positive at a Gauss point, as where two nodes are exchanged"},
     {"misfolded", true, "whose corners coincide in an order that is no solid; right are 1 2 3 3 4 5 6 6 (wedge), 1 2 3 4 5 5 5 5 "
