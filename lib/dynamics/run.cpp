@@ -178,10 +178,10 @@ bool too_much_of_what_passed(const Model& model, const Ledger& ledger, double cr
 }  // namespace
 
 double times_the_limit(const Model& model, const Ledger& ledger, int source) {
-  constexpr double of_a_block = 5, little = 0.01;
+  constexpr double of_a_block = 5, of_little = 5, little = 0.01;
   if (source < 0) return 1;
   if (source < static_cast<int>(model.blocks.size())) return of_a_block;
-  return ledger.flows[static_cast<std::size_t>(source)].passed < little * energy_scale(ledger) ? limit_of_little : 1;
+  return ledger.flows[static_cast<std::size_t>(source)].passed < little * energy_scale(ledger) ? of_little : 1;
 }
 
 std::string_view word(Ending ending) {

@@ -81,6 +81,5 @@ Outcome run(const Model&, State&, Forces&, const Time&, double update_every, con
 ///
 /// source  in sources(model); -1: time integration
 double times_the_limit(const Model&, const Ledger&, int source);
-constexpr double limit_of_little = 5;  ///< [-] that of little
 
 }  // namespace nereid::dynamics

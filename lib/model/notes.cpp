@@ -339,23 +339,24 @@ std::vector<std::string> energy_notes(const Simulation& simulation) {
   std::vector<std::string> notes;
   const dynamics::Ledger& ledger = simulation.state.ledger;
   const double scene = dynamics::energy_scale(ledger);
-  const auto look = [&](const std::string& name, double part, const std::string& of, double stops) {
+  const auto look = [&](const std::string& name, double part, double share, const std::string& of, double stops) {
     if (!(std::abs(part) > worth_a_warning * limit)) return;
-    notes.push_back(name + ": " + (part > 0 ? "created " : "lost ") + percent(std::abs(part)) + " of the energy " + of +
-                    ", at worst; a run stops at " + percent(stops));
+    notes.push_back(name + ": " + (part > 0 ? "created " : "lost ") + percent(share) + " of the energy " + of + ", at worst" +
+                    (share < stops ? "; a run stops at " + percent(stops) : ""));  // of little, more than that stops none
   };
   const std::string of_scene = formatted("of the scene, %.2g J", scene);
   const std::vector<Source> all = dynamics::sources(simulation.model);
   for (std::size_t s = 0; s < all.size(); ++s) {
     const double stops = limit * dynamics::times_the_limit(simulation.model, ledger, static_cast<int>(s));
     const dynamics::Created& told = ledger.flows[s].told;
-    look(all[s].name, told.part,
-         formatted("that it transferred, %.2g J of %.2g J, which is ", std::abs(told.energy), told.passed) +
-             percent(std::abs(told.energy) / scene) + " of the energy of the scene",
-         std::abs(told.part) > stops ? dynamics::limit_of_little * limit : stops);
-    look(all[s].name, ledger.flows[s].worst_of_scene, of_scene, limit);
+    const double made = std::abs(told.energy), of_all = ledger.flows[s].worst_of_scene;
+    look(all[s].name, told.part, made / told.passed,
+         formatted("that it transferred, %.2g J of %.2g J, which is ", made, told.passed) + percent(made / scene) +
+             " of the energy of the scene",
+         stops);
+    look(all[s].name, of_all, std::abs(of_all), of_scene, limit);
   }
-  look("time integration", ledger.worst_kept, of_scene, limit);
+  look("time integration", ledger.worst_kept, std::abs(ledger.worst_kept), of_scene, limit);
   const double swing = dynamics::swing_part(ledger);
   if (swing > limit && !(std::abs(ledger.worst_kept) > worth_a_warning * limit))  // one of both is said; what swings comes back
     notes.push_back("time integration: the kinetic energy swung by " + percent(swing) + " of the energy " + of_scene +

@@ -15,7 +15,7 @@ std::vector<std::string> body_table(const Simulation&);
 /// The table of initial gaps, one interface a line, with its penalty; empty without contacts.
 std::vector<std::string> gap_table(const Simulation&);
 
-/// Of each block whose step a narrow element sets, what that width costs, one block a line.
+/// Of each block whose step a narrow element sets, what that width costs, one block a line; of those that may set the step of the run.
 std::vector<std::string> width_notes(const Simulation&);
 
 /// Each contact and bond in one pass whose apexes are a quarter or more farther apart than the nodes of the base below them, unless all of
@@ -37,8 +37,8 @@ std::vector<std::string> overlap_notes(const Simulation&);
 /// with more than a hundredth of the energy.
 std::vector<std::string> quality_notes(const Simulation&);
 
-/// Each source, and time integration, that created or lost more than a fifth of the created_limit, of the energy of the scene or of what
-/// passed through it, one a line. Beyond the limit the run stops.
+/// Each source, and time integration, that created or lost more than a fifth of the created_limit, of the energy of the scene or of what it
+/// transferred, and more than 1e-4 of the energy of the scene, one a line. Beyond the limit the run stops.
 std::vector<std::string> energy_notes(const Simulation&);
 
 /// Each interface and rigid plane by a penalty whose steps became shorter because of what it created, one a line.

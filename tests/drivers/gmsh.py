@@ -131,7 +131,8 @@ class Gmsh(unittest.TestCase):
         done = subprocess.run([self.drivers / "scene", "case.yaml", "--out", "out", "--quiet"], cwd=folder, capture_output=True, text=True,
                               timeout=PATIENCE)
         results = json.loads((folder / "out/summary.json").read_text(encoding="utf-8"))["results"] if done.returncode == 0 else {}
-        return done.returncode, done.stderr, bool(results) and results["weight_last"]["value"] != 0
+        said = "".join(line for line in done.stderr.splitlines(True) if "hourglass" not in line)  # of one element
+        return done.returncode, said, bool(results) and results["weight_last"]["value"] != 0
 
     @unittest.skipUnless(shutil.which("gmsh"), "there is no gmsh")
     def test_a_curve_of_gmsh_is_a_node_set_with_its_name(self):
@@ -159,7 +160,7 @@ class Gmsh(unittest.TestCase):
                            capture_output=True, timeout=PATIENCE)
             status, said, held = self.run_case(folder, case_of("block", "block.FOOT, block.SIDE"))
             self.assertEqual((status, held), (0, True), said)
-            self.assertIn("its point array 'FOOT-SIDE' holds the sets FOOT, SIDE in one", said)
+            self.assertRegex(said, "its point array 'F[A-Z-]*' holds the sets FOOT, SIDE in one")  # the name goes by the version of meshio
             (folder / "block.inp").write_text(BLOCK.partition("*NSET, NSET=SIDE")[0], encoding="utf-8")
             subprocess.run([sys.executable, "-c", "import meshio; meshio.read('block.inp').write('block.vtu')"], cwd=folder, check=True,
                            capture_output=True, timeout=PATIENCE)

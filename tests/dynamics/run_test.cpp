@@ -352,8 +352,8 @@ TEST(Run, AnInvertedElementNamesTheSourceThatMadeEnergyBefore) {
   EXPECT_EQ(outcome.block, "above");
   EXPECT_EQ(outcome.element, 3);
   EXPECT_EQ(outcome.reason,
-            "its volume or area is -0.5 of the reference; before that joint had created 50 % of the energy that it transferred (9e+03 J of "
-            "1.8e+04 J)");
+            "its volume or area is -0.5 of the reference; before that joint had created 50 % of the energy that it transferred (81 J of "
+            "1.6e+02 J)");
 }
 
 TEST(Run, AnInvertedElementBlamesNoBodyThatIsWithinItsLimit) {
