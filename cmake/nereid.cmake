@@ -17,7 +17,8 @@ find_package(nlohmann_json REQUIRED)
 
 set(NEREID_VTK "")
 if(NEREID_WITH_VTK)
-  set(NEREID_VTK ${VTK_LIBRARIES})
+  find_path(LIBDEFLATE_FOLDER libdeflate.h REQUIRED)
+  set(NEREID_VTK ${VTK_LIBRARIES} deflate)
 endif()
 
 add_library(nereid_settings INTERFACE)

@@ -31,6 +31,7 @@
 #include "input/preset.hpp"
 #include "mesh/split.hpp"
 #include "model/notes.hpp"
+#include "model/usual_frames.hpp"
 #include "output/offenders.hpp"
 #include "output/run_folder.hpp"
 
@@ -127,7 +128,7 @@ std::vector<output::Overlap> overlaps_of(const model::Simulation& simulation) {
 
 output::Summary summarise(const std::string& name, const CommandLine& line, const input::CaseFile& file,
                           const model::Simulation& simulation, const dynamics::Outcome& outcome,
-                          const std::vector<output::Result>& results, std::vector<std::string> notes) {
+                          const std::vector<output::Result>& results, std::vector<std::string> notes, int frames) {
   output::Summary summary = summary_of(name, line, file);
   summary.ending = {std::string(dynamics::word(outcome.ending)), outcome.reason, simulation.state.t, outcome.block, outcome.element};
   summary.results = results;
@@ -138,7 +139,7 @@ output::Summary summarise(const std::string& name, const CommandLine& line, cons
   summary.touched = dynamics::touched(simulation.model, simulation.state);
   const auto updates = static_cast<double>(outcome.element_updates);
   summary.cost = {model::count_elements(simulation.model), simulation.state.step, outcome.element_updates, outcome.wall_seconds,
-                  updates > 0 ? outcome.wall_seconds * 1e9 / updates : 0, threads()};
+                  updates > 0 ? outcome.wall_seconds * 1e9 / updates : 0, threads(), frames, model::frames_every(simulation)};
   notes.push_back("the smallest step was limited by " + outcome.limited_by);
   summary.notes = notes;
   return summary;
@@ -342,7 +343,7 @@ Ran run_case(const std::string& name, const CommandLine& line, output::RunFolder
     return {status_of_start(name, start.outcome), {}};
   }
   if (!line.quiet && !begins.checkpoint) {
-    const auto summary = [&] { return output::text_of(summarise(name, line, file, simulation, {}, results(simulation), notes)).size(); };
+    const auto summary = [&] { return output::text_of(summarise(name, line, file, simulation, {}, results(simulation), notes, 1)).size(); };
     const Forecast found = forecast(simulation, summary);
     check_reach(file, simulation, found.expected.first);
     print_forecast(simulation, found);
@@ -400,7 +401,7 @@ Ran run_case(const std::string& name, const CommandLine& line, output::RunFolder
     judge(ran, ran.results);
     for (const std::string& note : left_out(file.meshes())) notes.push_back(note);
   }
-  const output::Summary summary = summarise(name, line, file, simulation, outcome, ran.results, notes);
+  const output::Summary summary = summarise(name, line, file, simulation, outcome, ran.results, notes, recorder.frames());
   output::write_summary(line.out, summary);
   if (outcome.ending != dynamics::Ending::interrupted) remove_checkpoint(line.out);
   if (!line.quiet) {
@@ -545,10 +546,12 @@ void expect_failing_writes() {
     if (::fcntl(one, F_GETFD) == -1) ::open("/dev/null", O_RDWR);  // takes the lowest number that is free
 }
 
-/// Memory that is freed stays with the process: to take pages back from the system costs more than what is done with most of them.
+/// Memory that is freed stays with the process: to take pages back from the system costs more than what is done with most of them. All
+/// threads share it, so that frames are written in what others have freed.
 void keep_freed_memory() {
   constexpr int most_of_glibc = 32 << 20;  // [bytes] what is larger goes back all the same
   mallopt(M_MMAP_THRESHOLD, most_of_glibc);
+  mallopt(M_ARENA_MAX, 1);
   mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
 }
 

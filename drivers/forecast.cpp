@@ -1,6 +1,7 @@
 #include "drivers/forecast.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 
@@ -9,6 +10,7 @@
 #include "drivers/recorder.hpp"
 #include "dynamics/overlaps.hpp"
 #include "dynamics/quality.hpp"
+#include "model/usual_frames.hpp"
 
 namespace nereid::driver {
 
@@ -64,10 +66,11 @@ struct Costs {
   double row_bytes = 0, frame_bytes = 0, first_frame_bytes = 0, walls_bytes = 0, summary_bytes = 0;
 };
 
-double bytes_of_frame(const dynamics::View& view, const model::Recording& recording) {
+/// A frame as a run makes it, after one that has packed what does not change.
+double bytes_of_frame(const dynamics::View& view, const model::Recording& recording, std::array<grid::Kept, 2>& kept) {
   const output::Precision precision = output_precision(recording);
-  std::size_t sum = grid::bytes_of(output::body_grid(view, frame_fields(recording)), output::GridKind::volume, precision);
-  sum += grid::bytes_of(output::contact_grid(view), output::GridKind::surface, precision);
+  std::size_t sum = grid::bytes_of(output::body_grid(view, frame_fields(recording)), output::GridKind::volume, precision, &kept[0]);
+  sum += grid::bytes_of(output::contact_grid(view), output::GridKind::surface, precision, &kept[1]);
   return static_cast<double>(sum);
 }
 
@@ -123,7 +126,8 @@ Costs rehearse(model::Simulation& simulation, double dt, const std::function<std
   const output::Precision precision = output_precision(simulation.recording);
   const auto view = [&] { return dynamics::View{model, now, forces, true}; };
   Costs costs;
-  costs.first_frame_bytes = bytes_of_frame(view(), simulation.recording);
+  std::array<grid::Kept, 2> kept;
+  costs.first_frame_bytes = bytes_of_frame(view(), simulation.recording, kept);
   costs.walls_bytes = static_cast<double>(grid::bytes_of(output::walls_grid(view()), output::GridKind::surface, precision));
   costs.look = seconds_of([&] { dynamics::see_overlaps(model, true, 0, now, forces); });
   costs.step = seconds_of_a_step(simulation, least_steps * dt);
@@ -146,7 +150,7 @@ Costs rehearse(model::Simulation& simulation, double dt, const std::function<std
   costs.row = seconds_of(add_row);
   costs.row_bytes = static_cast<double>(text.size());
   costs.summary_bytes = static_cast<double>(summary());
-  costs.frame = seconds_of([&] { costs.frame_bytes = bytes_of_frame(view(), simulation.recording); });
+  costs.frame = seconds_of([&] { costs.frame_bytes = bytes_of_frame(view(), simulation.recording, kept); });
   return costs;
 }
 
@@ -208,7 +212,11 @@ Forecast forecast(model::Simulation& simulation, const std::function<std::size_t
   found.steps = model::count(found.expected, time.end);
   const auto times = [&](double every) { return 1 + std::min(found.steps, std::ceil(time.end / every - 1e-9)); };
   found.rows = times(simulation.recording.history);
-  found.frames = std::min(found.rows, times(simulation.recording.frames));
+  found.frames = std::min(found.rows, times(model::frames_every(simulation)));
+  if (!(simulation.recording.frames > 0) && model::frames_every(simulation) > time.end / model::most_usual_frames)
+    found.advice.push_back(formatted("%.0f frames and not %.0f, so that they take no more than a tenth of the run; "
+                                     "'output.frames_every' in the case asks for others",
+                                     found.frames, 1 + model::most_usual_frames));
   const double looks = std::min(found.rows, times(time.audit_every));
 
   const Open open = open_contacts(simulation.model, simulation.state);  // a rehearsal closes some

@@ -1,6 +1,7 @@
 #include "drivers/recorder.hpp"
 
 #include "dynamics/measure.hpp"
+#include "model/usual_frames.hpp"
 
 namespace nereid::driver {
 
@@ -31,9 +32,9 @@ std::vector<double> row_of(const dynamics::View& view, const std::vector<dynamic
 }
 
 Recorder::Recorder(const model::Simulation& simulation, const std::filesystem::path& out, bool quiet)
-    : probes_(simulation.probes),
+    : simulation_(simulation),
+      probes_(simulation.probes),
       ledger_(dynamics::ledger_probes(simulation.model)),
-      frames_every_(simulation.recording.frames),
       fields_(frame_fields(simulation.recording)),
       progress_(simulation.state.t, simulation.time.end, quiet),
       history_(out / "history.csv", columns_of(probes_, ledger_)),
@@ -42,9 +43,9 @@ Recorder::Recorder(const model::Simulation& simulation, const std::filesystem::p
       walls_(out, "walls", output::GridKind::surface, output_precision(simulation.recording)) {}
 
 Recorder::Recorder(const model::Simulation& simulation, const std::filesystem::path& out, bool quiet, const RecorderMark& mark)
-    : probes_(simulation.probes),
+    : simulation_(simulation),
+      probes_(simulation.probes),
       ledger_(dynamics::ledger_probes(simulation.model)),
-      frames_every_(simulation.recording.frames),
       fields_(frame_fields(simulation.recording)),
       progress_(simulation.state.t, simulation.time.end, quiet),
       history_(out / "history.csv", columns_of(probes_, ledger_), mark.history),
@@ -54,30 +55,36 @@ Recorder::Recorder(const model::Simulation& simulation, const std::filesystem::p
       frame_(mark.frame) {}
 
 RecorderMark Recorder::mark() {
+  writer_.wait();
   history_.flush();
   return {history_.bytes(), frame_, body_.mark(), contact_.mark(), walls_.mark()};
 }
 
 void Recorder::operator()(const dynamics::View& view) {
+  writer_.look();
   progress_.show(view.now.t, view.now.step, view.now.dt);
   if (!view.ledger_is_current) return;
   history_.add(view.now.t, row_of(view, probes_, ledger_));
-  const auto due = static_cast<std::int64_t>(view.now.t / frames_every_ + 1e-9);
+  const auto due = static_cast<std::int64_t>(view.now.t / model::frames_every(simulation_) + 1e-9);
   if (view.now.step > 0 && due <= frame_) return;
   frame_ = due;
-  add_frame(view);
-  if (view.now.step == 0) walls_.add(output::walls_grid(view));
+  add_frame(view, view.now.step == 0);
 }
 
 void Recorder::finish(const dynamics::View& view) {
   progress_.done();
   add_frame(view);
-  history_.flush();
+  writer_.wait();
 }
 
-void Recorder::add_frame(const dynamics::View& view) {
-  body_.add(output::body_grid(view, fields_));
-  contact_.add(output::contact_grid(view));
+void Recorder::add_frame(const dynamics::View& view, bool with_walls) {
+  writer_.wait();  // so that no two frames are in memory
+  writer_.begin([this, with_walls, body = output::body_grid(view, fields_), contact = output::contact_grid(view),
+                 walls = with_walls ? output::walls_grid(view) : output::Grid()] {
+    body_.add(body);
+    contact_.add(contact);
+    if (with_walls) walls_.add(walls);
+  });
   history_.flush();
 }
 

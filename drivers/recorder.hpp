@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "base/beside.hpp"
 #include "model/build.hpp"
 #include "output/frames.hpp"
 #include "output/history.hpp"
@@ -24,7 +25,8 @@ struct RecorderMark {
   grid::CollectionMark body, contact, walls;
 };
 
-/// An observer of a run: columns are the probes of the simulation that have a name, then the ledger.
+/// An observer of a run: columns are the probes of the simulation that have a name, then the ledger. Frames are written beside the run, one
+/// at a time; where the next one is due before that is done, the run waits. What goes wrong with one is thrown by a later call.
 class Recorder {
  public:
   /// The simulation must outlive the recorder.
@@ -39,19 +41,22 @@ class Recorder {
   /// Puts all on the disk and says how far it has come.
   RecorderMark mark();
 
+  /// After finish(): values of frames that are written as 0, and how many frames there are.
   std::int64_t replaced() const { return body_.replaced() + contact_.replaced(); }
+  int frames() const { return body_.frames(); }
 
  private:
-  void add_frame(const dynamics::View&);
+  void add_frame(const dynamics::View&, bool with_walls = false);
 
+  const model::Simulation& simulation_;
   const std::vector<dynamics::Probe>& probes_;
   std::vector<dynamics::Probe> ledger_;
-  double frames_every_;
   output::FrameFields fields_;
   output::Progress progress_;
   output::History history_;
   output::Collection body_, contact_, walls_;
   std::int64_t frame_ = 0;
+  Beside writer_;  // the last member, so that it ends before what it writes to
 };
 
 }  // namespace nereid::driver

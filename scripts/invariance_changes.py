@@ -95,8 +95,8 @@ class Scene:
                 self.tree["time"]["end"] = Quantity(self.original.summary["ending"]["time"]["value"], "s")
         if "output" in self.resolved:
             self.tree.setdefault("output", {})
-            for key in ("history_every", "frames_every"):  # which follow from the end of the run where the case does not say them
-                one = self.resolved["output"][key]
+            for key in ("history_every", "frames_every"):  # which follow from the run where the case does not say them
+                one = self.resolved["output"].get(key) or self.original.summary["cost"][key]
                 self.tree["output"][key] = Quantity(one["value"], one["unit"])
             self.tree["output"]["precision"] = Quantity("double")
         self.files = None

@@ -5,7 +5,7 @@
 cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit 1
 build=build/release
 
-required_packages=(g++ cmake ninja-build libeigen3-dev libvtk9-dev libyaml-cpp-dev libmuparser-dev libspectra-dev
+required_packages=(g++ cmake ninja-build libeigen3-dev libvtk9-dev libdeflate-dev libyaml-cpp-dev libmuparser-dev libspectra-dev
                    libcli11-dev libgtest-dev nlohmann-json3-dev python3-numpy python3-matplotlib python3-yaml python3-markdown)
 optional_packages=(xvfb xauth)   # a screen for the 3-D picture; all else is drawn without one
 

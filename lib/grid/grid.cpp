@@ -8,8 +8,8 @@
 #include <iostream>
 #include <limits>
 #include <new>
+#include <sstream>
 #include <system_error>
-#include <type_traits>
 #include <utility>
 
 #include "base/archive.hpp"
@@ -19,30 +19,20 @@
 #include "base/memory.hpp"
 #include "base/replace_file.hpp"
 #include "base/words.hpp"
+#include "grid/frame_text.hpp"
 #include "grid/vtu_check.hpp"
 
 #ifdef NEREID_WITH_VTK
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
-#include <vtkCellType.h>
-#include <vtkDoubleArray.h>
-#include <vtkFieldData.h>
-#include <vtkFloatArray.h>
 #include <vtkIdList.h>
-#include <vtkIdTypeArray.h>
 #include <vtkLogger.h>
 #include <vtkNew.h>
 #include <vtkOutputWindow.h>
 #include <vtkPointData.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
-#include <vtkTypeInt32Array.h>
-#include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
-#include <vtkXMLPolyDataWriter.h>
 #include <vtkXMLUnstructuredGridReader.h>
-#include <vtkXMLUnstructuredGridWriter.h>
 #endif
 
 namespace nereid {
@@ -124,6 +114,7 @@ void check_fields(const std::string& collection, const std::vector<Field>& field
     const std::string named = "field '" + field.name + "' ";
     if (!plain(field.name)) wrong(collection, named + "is not letters, digits and underscores");
     if (!names.insert(field.name).second) wrong(collection, named + "comes twice");
+    if (field.unit.find_first_of("\"<&") != std::string::npos) wrong(collection, named + "has a unit that a file cannot hold");
     if (field.values.cols() != things)
       wrong(collection, named + "has " + std::to_string(field.values.cols()) + " values for " +
                             std::to_string(things) + " things");
@@ -180,171 +171,9 @@ void remove_frames(const std::filesystem::path& folder, const std::string& name)
 
 #ifdef NEREID_WITH_VTK
 
-/// Values of one field that its array cannot hold.
-struct Lost {
-  std::string field;
-  std::int64_t no_number = 0, beyond_float = 0;
-};
-
-/// A VTK array of the numbers of one field; counts the values that it cannot hold and writes 0.
-template <class Array, class Values>
-vtkSmartPointer<Array> array_of(const std::string& name, const std::vector<std::string>& components,
-                                const Values& values, Lost& lost) {
-  using Number = typename Array::ValueType;
-  const auto rows = static_cast<Eigen::Index>(std::max<std::size_t>(components.size(), 1));
-  auto array = vtkSmartPointer<Array>::New();
-  array->SetName(name.c_str());
-  array->SetNumberOfComponents(static_cast<int>(rows));
-  for (std::size_t c = 0; c < components.size(); ++c)
-    array->SetComponentName(static_cast<vtkIdType>(c), components[c].c_str());
-  array->SetNumberOfTuples(values.cols());
-  for (Eigen::Index thing = 0; thing < values.cols(); ++thing)
-    for (Eigen::Index c = 0; c < rows; ++c) {
-      double value = values(c, thing);
-      // Also what only Float32 cannot hold: ParaView would show infinity as a hole.
-      if (!std::isfinite(value) ||
-          std::abs(value) > static_cast<double>(std::numeric_limits<Number>::max())) {
-        if (std::is_integral_v<Number> && std::isfinite(value))
-          throw InternalError("field '" + name + "': an integer beyond 32 bits");
-        ++(std::isfinite(value) ? lost.beyond_float : lost.no_number);
-        value = 0;
-      }
-      array->SetValue(thing * rows + c, static_cast<Number>(value));
-    }
-  return array;
-}
-
-vtkSmartPointer<vtkDataArray> array_of(const Field& field, Precision precision,
-                                       Lost& lost) {
-  if (field.integer)
-    return array_of<vtkTypeInt32Array>(field.name, field.components, field.values, lost);
-  if (precision == Precision::full)
-    return array_of<vtkDoubleArray>(field.name, field.components, field.values, lost);
-  return array_of<vtkFloatArray>(field.name, field.components, field.values, lost);
-}
-
-int cell_type(CellKind kind) {
-  switch (kind) {
-    case CellKind::vertex:
-      return VTK_VERTEX;
-    case CellKind::line:
-      return VTK_LINE;
-    case CellKind::triangle:
-      return VTK_TRIANGLE;
-    case CellKind::hexahedron:
-      return VTK_HEXAHEDRON;
-  }
-  throw InternalError("a kind of cell that results do not know");
-}
-
-void add_cells(const Cells& cells, vtkCellArray& array) {
-  for (Eigen::Index cell = 0; cell < cells.nodes.cols(); ++cell) {
-    array.InsertNextCell(static_cast<int>(cells.nodes.rows()));
-    for (Eigen::Index a = 0; a < cells.nodes.rows(); ++a)
-      array.InsertCellPoint(cells.nodes(a, cell));
-  }
-}
-
-vtkSmartPointer<vtkPointSet> volume_of(const Grid& grid) {
-  vtkNew<vtkCellArray> array;
-  vtkNew<vtkUnsignedCharArray> types;
-  types->SetNumberOfValues(count_cells(grid));
-  vtkIdType next = 0;
-  for (const Cells& cells : grid.cells) {
-    add_cells(cells, *array);
-    for (Eigen::Index cell = 0; cell < cells.nodes.cols(); ++cell)
-      types->SetValue(next++, static_cast<unsigned char>(cell_type(cells.kind)));
-  }
-  auto data = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  data->SetCells(types, array);
-  return data;
-}
-
-vtkSmartPointer<vtkPointSet> surface_of(const Grid& grid) {
-  vtkNew<vtkCellArray> vertices, lines, triangles;
-  for (const Cells& cells : grid.cells)
-    add_cells(cells, cells.kind == CellKind::vertex ? *vertices
-                     : cells.kind == CellKind::line ? *lines
-                                                    : *triangles);
-  auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->SetVerts(vertices);
-  data->SetLines(lines);
-  data->SetPolys(triangles);
-  return data;
-}
-
-template <class Writer>
-vtkSmartPointer<Writer> writer_of(vtkPointSet& data) {
-  auto writer = vtkSmartPointer<Writer>::New();
-  writer->SetInputData(&data);
-  // Never appended: ParaView 5.11 of Debian 12 cannot read that, in any encoding.
-  writer->SetDataModeToBinary();
-  writer->SetCompressorTypeToZLib();
-  writer->SetHeaderTypeToUInt64();
-  return writer;
-}
-
-/// The bytes of a file. VTK writes into memory, never to the disk: VTK 9.1 frees memory twice where a disk is full.
-template <class Writer>
-std::string written(vtkPointSet& data) {
-  const auto writer = writer_of<Writer>(data);
-  writer->WriteToOutputStringOn();
-  if (writer->Write() != 1 || writer->GetErrorCode() != 0) throw std::bad_alloc();  // nothing else can be short
-  return writer->GetOutputString();
-}
-
-std::string written(vtkPointSet& data, GridKind kind) {
-  return kind == GridKind::volume ? written<vtkXMLUnstructuredGridWriter>(data) : written<vtkXMLPolyDataWriter>(data);
-}
-
 /// Keeps VTK from starting threads: it needs none here, a machine may refuse them, and a child process must not wait for those of its
 /// parent.
 void use_no_threads() { ::setenv("VTK_SMP_BACKEND_IN_USE", "Sequential", 1); }  // its header of threads is no C++20
-
-/// One frame as VTK holds it; what was lost by field is added to `counts`, in the order written.
-vtkSmartPointer<vtkPointSet> frame_of(const Grid& grid, GridKind kind, Precision precision, std::vector<Lost>& counts) {
-  use_no_threads();
-  const auto data = kind == GridKind::volume ? volume_of(grid) : surface_of(grid);
-  std::vector<std::string> units;
-  const auto lost_of = [&](const std::string& name) -> Lost& { return counts.emplace_back(Lost{name}); };
-  const auto noted = [&](const std::string& name, const std::string& unit) {
-    units.push_back(name + " [" + unit + "]");
-  };
-
-  vtkNew<vtkPoints> points;
-  points->SetData(
-      array_of<vtkDoubleArray>("points", vector_components, grid.reference, lost_of("points")));
-  data->SetPoints(points);
-  data->GetPointData()->AddArray(array_of<vtkDoubleArray>(
-      "displacement", vector_components, grid.displacement, lost_of("displacement")));
-  data->GetPointData()->SetActiveVectors("displacement");  // what Warp By Vector picks
-  noted("displacement", "m");
-
-  const auto add = [&](const std::vector<Field>& fields, vtkDataSetAttributes& attributes) {
-    for (const Field& field : fields) {
-      attributes.AddArray(array_of(field, precision, lost_of(field.name)));
-      noted(field.name, field.unit);
-    }
-  };
-  add(grid.point_fields, *data->GetPointData());
-  add(grid.cell_fields, *data->GetCellData());
-
-  vtkNew<vtkDoubleArray> time;  // so that a file is useful without its .pvd
-  time->SetName("TimeValue");
-  time->InsertNextValue(grid.time);
-  data->GetFieldData()->AddArray(time);
-  // units as names of the components of one array of numbers: some readers know no arrays of texts
-  data->GetFieldData()->AddArray(array_of<vtkFloatArray>(
-      "units", units, Eigen::VectorXd::Ones(static_cast<Eigen::Index>(units.size())), lost_of("units")));
-  return data;
-}
-
-/// Writes one frame in one go; returns what was lost by field, in the order written.
-std::vector<Lost> write_frame(const Grid& grid, GridKind kind, Precision precision, const std::filesystem::path& file) {
-  std::vector<Lost> counts;
-  replace_file(file, written(*frame_of(grid, kind, precision, counts), kind));
-  return counts;
-}
 
 constexpr const char* unreadable = "VTK cannot read it: it is damaged, or written in a form that this VTK does not know";
 
@@ -541,10 +370,12 @@ Contents read_vtu(const std::filesystem::path&, std::string& fault) {
 }
 #endif
 
-std::size_t bytes_of([[maybe_unused]] const Grid& grid, [[maybe_unused]] GridKind kind, [[maybe_unused]] Precision precision) {
+std::size_t bytes_of([[maybe_unused]] const Grid& grid, [[maybe_unused]] GridKind kind, [[maybe_unused]] Precision precision,
+                     [[maybe_unused]] Kept* kept) {
 #ifdef NEREID_WITH_VTK
-  std::vector<Lost> counts;
-  return written(*frame_of(grid, kind, precision, counts), kind).size();
+  std::vector<Lost> lost;
+  Kept none;
+  return frame_text(grid, kind, precision, kept == nullptr ? none : *kept, lost).size();
 #else
   return 0;
 #endif
@@ -612,12 +443,16 @@ void Collection::add(const Grid& grid) {
 #ifdef NEREID_WITH_VTK
   const bool again = !times_.empty() && grid.time == times_.back();
   const int frame = again ? frames() - 1 : frames();
-  for (const Lost& lost : write_frame(grid, kind_, precision_, directory_ / frame_name(frame))) {
+  std::vector<Lost> all;
+  replace_file(directory_ / frame_name(frame), frame_text(grid, kind_, precision_, kept_, all));
+  for (const Lost& lost : all) {
     replaced_ += lost.no_number + lost.beyond_float;
     const auto warn = [&](std::int64_t count, const std::string& what) {
-      if (count > 0 && warned_.insert(lost.field + what).second)
-        std::cerr << "warning: results '" << name_ << "': field '" << lost.field << "' holds " << what << " in "
-                  << counted(static_cast<std::size_t>(count), "place") << " at " << grid.time << " s; written as 0\n";
+      if (count == 0 || !warned_.insert(lost.field + what).second) return;
+      std::ostringstream text;  // in one piece, since other threads may write too
+      text << "warning: results '" << name_ << "': field '" << lost.field << "' holds " << what << " in "
+           << counted(static_cast<std::size_t>(count), "place") << " at " << grid.time << " s; written as 0\n";
+      std::cerr << text.str();
     };
     warn(lost.no_number, "no number");
     warn(lost.beyond_float, "a number beyond the range of Float32");

@@ -1,8 +1,9 @@
 #pragma once
-// ParaView files, written and read: the one door to VTK. Built without VTK, a Collection checks and writes nothing.
+// ParaView files, written by our own code and read by VTK: the one door to VTK. Built without VTK, a Collection checks and writes nothing.
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -44,6 +45,15 @@ enum class GridKind {
 enum class Precision {
   single,  ///< derived fields as Float32; points and displacement are always Float64
   full     ///< everything as Float64, for verification
+};
+
+/// Arrays of a frame that are mostly those of the frame before, and what they are in a file: they need not be packed again.
+struct Kept {
+  struct Array {
+    std::string bytes, text;
+  };
+  std::map<std::string, Array> arrays;
+  std::size_t length = 0;  ///< [bytes] of its file
 };
 
 /// How far a Collection has come.
@@ -88,11 +98,14 @@ class Collection {
   std::string arrays_;  ///< what the first frame held; every frame must hold the same
   std::vector<double> times_;
   std::int64_t replaced_ = 0;
+  [[maybe_unused]] Kept kept_;
   std::set<std::string> warned_;  ///< fields whose warnings have been given, with what was wrong
 };
 
 /// How long the file of a frame would be; zero without VTK. [bytes]
-std::size_t bytes_of(const Grid&, GridKind, Precision = Precision::single);
+///
+/// kept  of the frame before, if there is one; then of this one
+std::size_t bytes_of(const Grid&, GridKind, Precision = Precision::single, Kept* kept = nullptr);
 
 /// The files of a collection that are in a directory: its .pvd and its frames, of whatever run and kind, and drafts of them.
 std::vector<std::filesystem::path> collection_files(const std::filesystem::path& directory, const std::string& name);

@@ -239,7 +239,7 @@ dynamics::Time read_time(const Section& section, bool has_end) {
 
 model::Recording read_recording(const Section& section, double end) {
   model::Recording recording;
-  recording.frames = section.quantity_or("frames_every", end / 40, dim::time, positive);
+  if (section.has("frames_every")) recording.frames = section.quantity("frames_every", dim::time, positive);
   recording.history = section.quantity_or("history_every", model::usual_rows(recording.frames, end), dim::time, positive);
   for (const auto& [key, every] : {std::pair("frames_every", recording.frames), std::pair("history_every", recording.history)}) {
     const std::string said = section.sound() ? model::too_many(key, every, end) : "";

@@ -67,7 +67,7 @@ HeightFrom read_contact_height(const Section&, HeightFrom usual, dynamics::Inter
 dynamics::Time read_time(const Section&, bool has_end = true);
 
 /// `history_every`, `frames_every`, `precision: single | double`; all optional, by default 400 rows
-/// and 40 frames over the time to `end`. A frame is written with a row, so rows are no farther apart.
+/// over the time to `end` and frames as model::usual_frames() has them. A frame is written with a row, so rows are no farther apart.
 model::Recording read_recording(const Section&, double end);
 
 /// Three quantities as a vector.

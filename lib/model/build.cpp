@@ -375,8 +375,8 @@ Simulation build(const Scene& scene) {
   simulation.time = scene.time;
   simulation.recording = scene.recording;
   if (!(simulation.recording.history > 0)) simulation.recording.history = usual_rows(scene.recording.frames, scene.time.end);
-  if (!(simulation.recording.frames > 0)) simulation.recording.frames = scene.time.end / 40;
-  if (!(simulation.time.audit_every > 0)) simulation.time.audit_every = simulation.recording.frames;
+  if (!(simulation.time.audit_every > 0))  // however many frames there are by default
+    simulation.time.audit_every = scene.recording.frames > 0 ? scene.recording.frames : scene.time.end / 40;
   simulation.stops = scene.stops;
   return simulation;
 }

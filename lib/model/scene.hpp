@@ -226,7 +226,7 @@ struct Stop {
 /// How often a run is recorded.
 struct Recording {
   double history = 0;                        ///< [s] between rows of history.csv; zero: 400 rows
-  double frames = 0;                         ///< [s] between ParaView frames; zero: 40 frames
+  double frames = 0;                         ///< [s] between ParaView frames; zero: as usual_frames() has them
   bool full_precision = false;
   bool all_fields = false;                   ///< frames with all quantities of elements, else with the usual ones
 };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "dynamics/measure.hpp"
 
@@ -15,8 +16,8 @@ Field scalar(const std::string& name, const std::string& unit, Eigen::Index coun
   return {name, unit, {}, Eigen::MatrixXd::Zero(1, count), integer};
 }
 
-Field vector(const std::string& name, const std::string& unit, const Vectors& values) {
-  return {name, unit, vector_components, values};
+Field vector(const std::string& name, const std::string& unit, Eigen::MatrixXd values) {
+  return {name, unit, vector_components, std::move(values)};
 }
 
 /// Contact forces on the nodes, of all interfaces and rigid planes. [N]
@@ -40,9 +41,7 @@ std::vector<Field> element_fields(const dynamics::View& view, Eigen::Index total
     for (const Field& field : fields) {
       auto here = std::find_if(all.begin(), all.end(), [&](const Field& f) { return f.name == field.name; });
       if (here == all.end()) {
-        Field whole = field;
-        whole.values = Eigen::MatrixXd::Zero(field.values.rows(), total);
-        all.push_back(whole);
+        all.push_back({field.name, field.unit, field.components, Eigen::MatrixXd::Zero(field.values.rows(), total), field.integer});
         here = std::prev(all.end());
       }
       here->values.middleCols(first, count) = field.values;
@@ -80,10 +79,12 @@ Grid body_grid(const dynamics::View& view, FrameFields which) {
   }
   Field node = scalar("node_id", "1", model.mesh.X.cols(), true);
   for (Eigen::Index n = 0; n < model.mesh.X.cols(); ++n) node.values(0, n) = static_cast<double>(n);
-  grid.point_fields = {vector("velocity", "m/s", view.now.v), vector("contact_force", "N", contact_forces(view)), node};
+  grid.point_fields.push_back(vector("velocity", "m/s", view.now.v));
+  grid.point_fields.push_back(vector("contact_force", "N", contact_forces(view)));
+  grid.point_fields.push_back(std::move(node));
   grid.cell_fields = element_fields(view, total, which);
-  grid.cell_fields.push_back(part);
-  grid.cell_fields.push_back(number);
+  grid.cell_fields.push_back(std::move(part));
+  grid.cell_fields.push_back(std::move(number));
   return grid;
 }
 
@@ -161,8 +162,8 @@ Grid contact_grid(const dynamics::View& view) {
                    crossing.gap, 0.0, 0.0, slides ? 1.0 : 0.0, crossing.closed ? 1.0 : 0.0, 0.0});
     }
   }
-  grid.cells = {lines, facets};
-  grid.cell_fields = cells;
+  grid.cells.push_back(std::move(lines)), grid.cells.push_back(std::move(facets));
+  grid.cell_fields = std::move(cells);
   return grid;
 }
 

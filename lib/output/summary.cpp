@@ -139,7 +139,9 @@ Json cost_of(const Cost& cost) {
           {"element_updates", cost.element_updates},
           {"wall_seconds", cost.wall_seconds},
           {"nanoseconds_per_element_update", cost.nanoseconds_per_element_update},
-          {"threads", cost.threads}};
+          {"threads", cost.threads},
+          {"frames", cost.frames},
+          {"frames_every", quantity(cost.frames_every, "s")}};
 }
 
 /// The place of a path such as "planes[0].normal" in a tree of objects and arrays.

@@ -24,6 +24,8 @@ struct Cost {
   std::int64_t elements = 0, steps = 0, element_updates = 0;
   double wall_seconds = 0, nanoseconds_per_element_update = 0;
   int threads = 1;
+  std::int64_t frames = 0;  ///< of the bodies
+  double frames_every = 0;  ///< [s] between them
 };
 
 struct Ending {

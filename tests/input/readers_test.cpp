@@ -184,10 +184,10 @@ TEST(ReadInterface, WantsBothOfKineticFrictionAndItsDecay) {
   EXPECT_THROW(read("friction: 0.4\nfriction_decay: 1 s/m\n", read_interface), CaseError);
 }
 
-TEST(ReadRecording, GivesFourHundredRowsAndFortyFramesByDefault) {
+TEST(ReadRecording, GivesFourHundredRowsByDefaultAndLeavesFramesToTheRun) {
   const model::Recording recording = read("precision: double\nfields: all\n", [](const Section& s) { return read_recording(s, 8e-3); });
   EXPECT_DOUBLE_EQ(recording.history, 2e-5);
-  EXPECT_DOUBLE_EQ(recording.frames, 2e-4);
+  EXPECT_EQ(recording.frames, 0);
   EXPECT_TRUE(recording.full_precision && recording.all_fields);
 }
 
