@@ -183,7 +183,8 @@ std::vector<std::string> not_counted(const model::Simulation& simulation, const 
     lines.push_back(formatted("%s open at the start and not in these seconds: up to %.2g s more while all %.0f nodes of %s surfaces touch",
                               (listed(open.names) + (open.names.size() > 1 ? " are" : " is")).c_str(), more, open.apexes,
                               open.names.size() > 1 ? "their" : "its"));
-  const bool relaxes = std::any_of(simulation.stages.begin(), simulation.stages.end(), [](const auto& one) { return bool(one.relaxation); });
+  const auto& stages = simulation.stages;
+  const bool relaxes = std::any_of(stages.begin(), stages.end(), [](const auto& one) { return one.relaxation.has_value(); });
   if (relaxes || simulation.model.relaxation || !simulation.stops.empty())
     lines.push_back(std::string("the forecast is of the whole time: ") +
                     (simulation.stops.empty() ? "a relaxation ends" : "a condition may end the run") + " before");

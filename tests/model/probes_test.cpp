@@ -582,7 +582,8 @@ Value defined(const std::string& quantity, const std::string& place, bool larges
       const nereid::Field* field = field_of(fields, place.empty() ? quantity : quantity + "_" + place);
       if (field == nullptr) return {};
       const Scalars weights = element::element_masses(block);
-      const Eigen::VectorXd values = largest ? field->values.rowwise().maxCoeff() : field->values * weights / weights.sum();
+      Eigen::VectorXd values = field->values * weights / weights.sum();
+      if (largest) values = field->values.rowwise().maxCoeff();
       return {values.data(), values.data() + values.size()};
     }
   return {};  // gap, angular velocity and section moment have tests of their own
