@@ -319,16 +319,18 @@ Everything everything() {
   Scene& scene = all.scene;
   scene.time.end = end, scene.recording.history = end;
   int place = 0;
-  const auto thrown = [&](const std::string& body, const Vec3& velocity) {
+  // about where the body stands; a rigid motion without shear
+  const auto thrown = [&](const std::string& body, int place, const Vec3& velocity, double shear = 5) {
+    const double low = 10.0 * place;
     scene.initial.push_back({.body = body, .displacement = false,
-                             .value = {[=](double, double y, double z, double) { return velocity.x() + y - z; },
-                                       [=](double x, double, double z, double) { return velocity.y() + 0.1 * z * x; },
-                                       [=](double, double y, double, double) { return velocity.z() + y; }}});
+                             .value = {[=](double, double y, double z, double) { return velocity.x() + 2 * y - z; },
+                                       [=](double x, double, double z, double) { return velocity.y() - 2 * (x - low) + 3 * z + shear * z * (x - low); },
+                                       [=](double x, double y, double, double) { return velocity.z() + (x - low) - 3 * y; }}});
   };
   const auto source = [&](const std::string& kind, const Vec3& normal, auto&& add) {
     const std::string body = "b" + std::to_string(place);
     scene.bodies.push_back(cube(body, place++));
-    thrown(body, Vec3(3, -2, -20));
+    thrown(body, place - 1, Vec3(3, -2, -20));
     add(body);
     all.targets.push_back({"of_" + body, kind, body, normal, {}});
   };
@@ -393,9 +395,10 @@ Everything everything() {
   Body plastic = cube("plastic", place++), full = cube("full", place++), die = cube("die", place++), plates = sheet();
   plastic.law = material::J2Bilinear{8000, 200e9, 0.25, {1e8, 1e9}}, full.solid = element::FullHexahedron::Options{}, die.rigid = true;
   plates.name = "plates", plates.place.move = Vec3(10.0 * place++, 0, 0);
+  place -= 4;
   for (const Body& body : {plastic, full, die, plates}) {
     scene.bodies.push_back(body);
-    thrown(body.name, Vec3(1, 2, -20));
+    thrown(body.name, place++, Vec3(1, 2, -20), body.rigid ? 0 : 5);
   }
   for (const char* body : {"plastic", "full", "plates"}) all.targets.push_back({body, std::string("body, ") + body, body});
   all.targets.push_back({"die", "body, rigid", "die"});
@@ -428,7 +431,15 @@ Vec3 momentum_of_body(const Seen& seen, const Vectors& v) {
 }
 
 /// The momentum that a body has gained, which is the impulse of the one source that acts on it.
-Vec3 gained(const Seen& seen) { return momentum_of_body(seen, seen.velocities.back()) - momentum_of_body(seen, seen.velocities.front()); }
+Vec3 gained(const Seen& seen, bool since_the_start = true) {
+  const Vectors& before = since_the_start ? seen.velocities[0] : seen.velocities[1];
+  return momentum_of_body(seen, seen.velocities.back()) - momentum_of_body(seen, before);
+}
+/// Whether a source takes initial velocities that go against it at once: these are in its impulse and in no force.
+bool holds_at_start(const Target& target) {
+  const std::string& kind = target.kind;
+  return kind != "rigid plane" && (kind.find("plane") != std::string::npos || kind == "floor");
+}
 
 Vec3 mean(const Seen& seen, const Vectors& values) {
   Vec3 sum = Vec3::Zero();
@@ -565,7 +576,7 @@ Value defined(const std::string& quantity, const std::string& place, bool larges
   if (quantity == "angular_momentum") return parts(angular_momentum(seen));
   if (quantity == "impulse") return parts(gained(seen), seen.target.normal);
   if (quantity == "force" && seen.target.kind.find("spring") != std::string::npos) return {};  // the value at the row: tests of loads
-  if (quantity == "force") return parts(gained(seen) / end, seen.target.normal);
+  if (quantity == "force") return parts(gained(seen, !holds_at_start(seen.target)) / end, seen.target.normal);
   if (quantity == "current_force") {
     Vec3 sum = Vec3::Zero();
     const Vectors force = contact_forces(seen);
@@ -596,9 +607,24 @@ const std::vector<std::string>& words() {
   return all;
 }
 
-bool is_accepted(Scene scene, const Probe& probe) {
-  scene.probes = {probe};
-  return refusal(scene).empty();
+/// Whether each probe of a scene is accepted: those that are refused are left out until no fault is left.
+std::vector<char> accepted(Scene scene, const std::vector<Probe>& probes) {
+  std::vector<char> is(probes.size(), 1);
+  for (bool refused = true; refused;) {
+    scene.probes.clear();
+    for (std::size_t p = 0; p < probes.size(); ++p)
+      if (is[p]) scene.probes.push_back(probes[p]);
+    refused = false;
+    try {
+      build(scene);
+    } catch (const SceneError& error) {
+      for (const Fault& fault : error.faults)
+        for (std::size_t p = 0; p < probes.size(); ++p)
+          if (fault.part == "probe '" + probes[p].name + "'") is[p] = 0, refused = true;
+      if (!refused) throw;
+    }
+  }
+  return is;
 }
 
 /// The value of an accepted word within a definition: in the order of the quantity's components, the first without a word.
@@ -611,23 +637,38 @@ TEST(ProbePairs, HaveTheValueOfTheirDefinitionOrAreRefused) {
   Everything all = everything();
   std::ostringstream table;
   table << "quantity,target,components\n";
+  struct Asked {
+    Probe probe;
+    const Target* target;
+    const Measurable* quantity;
+  };
+  std::vector<Probe> asked;
+  std::vector<Asked> candidates;
+  for (const Measurable& quantity : measurables())
+    for (const Target& target : all.targets)
+      for (const char* place : {"", "top", "middle", "bottom", "membrane"}) {
+        if (*place != 0 && quantity.of != Of::body) continue;  // a word of bodies alone: bad_cases has it elsewhere
+        for (const std::string& word : words())
+          for (const bool largest : {false, true}) {
+            if (largest && quantity.of != Of::body) continue;
+            Probe probe{.name = "p" + std::to_string(asked.size()), .quantity = quantity.name, .of = target.name, .component = word};
+            probe.place = place, probe.largest = largest;
+            asked.push_back(probe), candidates.push_back({probe, &target, &quantity});
+          }
+      }
+  const std::vector<char> is = accepted(all.scene, asked);
   std::vector<Probe> probes;
-  std::vector<std::pair<const Target*, const Measurable*>> of;
-  for (const Measurable& quantity : measurables()) {
-    for (const Target& target : all.targets) {
-      std::string accepted;
-      for (const char* place : {"", "top", "middle", "bottom", "membrane"})
-        for (const std::string& word : words()) {
-          Probe probe{.name = "p" + std::to_string(probes.size()), .quantity = quantity.name, .of = target.name, .component = word};
-          probe.place = place;
-          if (!is_accepted(all.scene, probe)) continue;
-          accepted += (accepted.empty() ? "" : " ") + (word.empty() ? "-" : word) + (*place == 0 ? "" : "@") + place;
-          probes.push_back(probe), of.emplace_back(&target, &quantity);
-          probe.largest = true, probe.name = "p" + std::to_string(probes.size());
-          if (quantity.of == Of::body) probes.push_back(probe), of.emplace_back(&target, &quantity);
-        }
-      table << quantity.name << "," << target.kind << "," << (accepted.empty() ? "refused" : accepted) << "\n";
-    }
+  std::vector<Asked> of;
+  std::string row, said;
+  for (std::size_t p = 0; p <= asked.size(); ++p) {
+    const std::string now = p < asked.size() ? candidates[p].quantity->name + "," + candidates[p].target->kind + "," : "";
+    if (now != row && !row.empty()) table << row << (said.empty() ? "refused" : said) << "\n";
+    if (now != row) row = now, said.clear();
+    if (p == asked.size() || !is[p]) continue;
+    const Probe& probe = asked[p];
+    if (!probe.largest)
+      said += (said.empty() ? "" : " ") + (probe.component.empty() ? "-" : probe.component) + (probe.place.empty() ? "" : "@" + probe.place);
+    probes.push_back(probe), of.push_back(candidates[p]);
   }
   all.scene.probes = probes;
   Simulation simulation = build(all.scene);
@@ -639,7 +680,8 @@ TEST(ProbePairs, HaveTheValueOfTheirDefinitionOrAreRefused) {
   int checked = 0;
   std::set<std::string> unchecked;
   for (std::size_t p = 0; p < probes.size(); ++p) {
-    const auto [target, quantity] = of[p];
+    const Target* target = of[p].target;
+    const Measurable* quantity = of[p].quantity;
     SCOPED_TRACE(probes[p].quantity + " of a " + target->kind + ", component '" + probes[p].component + "'");
     const double got = probe(simulation, probes[p].name).last;
     ASSERT_TRUE(std::isfinite(got));
@@ -653,7 +695,8 @@ TEST(ProbePairs, HaveTheValueOfTheirDefinitionOrAreRefused) {
     double scale = 0;  // round-off of a small component is that of the large ones; areas are those of the reference
     for (const double one : value) scale = std::max(scale, std::abs(one));
     const bool over_area = quantity->name == "contact_pressure" || quantity->name == "contact_area";
-    EXPECT_NEAR(got, value[at], (over_area ? 0.01 : 1e-9) * scale + 1e-300);
+    const double round_off = quantity->name == "contact_pressure" ? 1 : 1e-300;  // [Pa] of contacts that are open at the end
+    EXPECT_NEAR(got, value[at], (over_area ? 0.01 : 1e-9) * scale + round_off);
     if (quantity->of == Of::source && target->kind != "round section") {
       EXPECT_GT(scale, 0) << "the source acts";
     }
