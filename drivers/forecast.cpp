@@ -174,15 +174,16 @@ Open open_contacts(const dynamics::Model& model, const dynamics::State& now) {
 
 /// What a forecast cannot count: contacts that close later, and what ends a run before its time.
 std::vector<std::string> not_counted(const model::Simulation& simulation, const Open& open, const Forecast& forecast, double step) {
-  constexpr double updates = 20;      // of an element, as long as an apex in contact takes at most: docs/cost.md
-  constexpr double worth_saying = 0.2;  // of the seconds
+  constexpr double updates = 5;       // of an element, as long as an apex in contact takes by multipliers: docs/cost.md
+  constexpr double worth_saying = 1;  // of the seconds
   std::vector<std::string> lines;
   const double elements = static_cast<double>(dynamics::element_count(simulation.model));
   const double more = elements > 0 ? forecast.steps * updates * open.apexes * step / elements : 0;
   if (more > worth_saying * forecast.seconds)
-    lines.push_back(formatted("%s open at the start and not in these seconds: up to %.2g s more while all %.0f nodes of %s surfaces touch",
-                              (listed(open.names) + (open.names.size() > 1 ? " are" : " is")).c_str(), more, open.apexes,
-                              open.names.size() > 1 ? "their" : "its"));
+    lines.push_back(listed(open.names) + (open.names.size() > 1 ? " are" : " is") +
+                    formatted(" open at the start and not in these seconds: some %.2g s more if all %.0f nodes of the surfaces touched all "
+                              "the time",
+                              more, open.apexes));
   const auto& stages = simulation.stages;
   const bool relaxes = std::any_of(stages.begin(), stages.end(), [](const auto& one) { return one.relaxation.has_value(); });
   if (relaxes || simulation.model.relaxation || !simulation.stops.empty())

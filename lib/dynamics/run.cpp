@@ -258,9 +258,9 @@ Outcome run(const Model& model, State& now, Forces& forces, const Time& time, do
     if (progress.ledger_is_current) {
       progress.updates = static_cast<std::int64_t>(now.t / update_every);
       update_ledger(model, now);
+      see_artificial_energy(model, last || rests, now);
       if (now.votes.volume_ratio > 0) see_overlaps(model, last || rests, time.audit_every, now, forces);
     }
-    see_artificial_energy(model, last || rests, now);
     show();
     if (!(now.votes.volume_ratio > 0)) continue;  // stop() says so
     if (corner_inverted(model, now, time, outcome)) break;

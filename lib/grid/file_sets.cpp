@@ -27,6 +27,11 @@ std::set<double> groups_of(const Field& field) {
   return found;
 }
 
+/// Whether every point or cell has a value of its own, so that these are its number and no group.
+bool are_numbers(const Field& field, const std::set<double>& groups) {
+  return static_cast<Eigen::Index>(groups.size()) == field.values.size();
+}
+
 std::vector<std::string> split(const std::string& text, char at) {
   std::vector<std::string> parts(1);
   for (const char c : text)
@@ -89,7 +94,7 @@ std::vector<FileSet> point_sets(const Contents& file, std::vector<std::string>& 
       continue;
     }
     const std::set<double> groups = groups_of(field);
-    if (groups.size() < 2) continue;
+    if (groups.size() < 2 || are_numbers(field, groups)) continue;
     const double last = *groups.rbegin();
     const bool from_none = *groups.begin() == -1 && last >= 0 && last <= most_groups;
     const auto count = static_cast<std::size_t>(from_none ? last + 1 : 0);
@@ -117,7 +122,7 @@ std::map<int, std::string> group_names(const Contents& file, int dimension) {
 std::vector<std::string> unused_regions(const Contents& file, const std::string& used) {
   std::vector<std::string> warnings;
   for (const Field& field : file.cell_fields)
-    if (field.name != used && may_name(field) && groups_of(field).size() > 1)
+    if (const auto groups = groups_of(field); field.name != used && may_name(field) && groups.size() > 1 && !are_numbers(field, groups))
       warnings.push_back("its cell array " + quote(field.name) +
                          " looks like regions, and is not used: 'region_array' names the one that is");
   return warnings;

@@ -19,6 +19,7 @@ from typing import Callable
 import right_runs
 from right_runs import DOWN, Run, box, lengths
 
+FOLDS = ": artificial modes reached "        # plates that fold within few elements
 COARSE = ": hourglass energy reached "     # meshes here are small, and coarse beside what strikes them
 SWING = "time integration: the kinetic energy swung by "  # undamped bodies of few elements
 
@@ -246,7 +247,7 @@ SCENES = (
         Answer("created over the floor of energies", Run.created, 0, 1e-12, "round-off of a thousand steps"))),
     Scene("thin", thin, (
         deepest(4e-5, "a twentieth of the thickness: the audit looks at frames, and facets turn between them"),
-        *no_momentum("tube", "block")), (COARSE, "tube: lost ")),
+        *no_momentum("tube", "block")), (COARSE, "tube: lost ", FOLDS)),
     Scene("lands", lands, coulomb(0.84)),
     Scene("pipes", pipes, (
         deepest(SAGITTA, "a chord of one pipe is so much lower than the circle, on which the nodes of the other stand"),
@@ -254,7 +255,7 @@ SCENES = (
                "nothing else acts from outside: round-off of 1,200 steps"))),
     Scene("tube", tube, (
         deepest(1.5e-4, "a tenth of the thickness, from which on the audit warns of overlaps", "touch_deepest"),
-        deepest(1.5e-4, "the same"))),
+        deepest(1.5e-4, "the same")), (FOLDS,)),
     Scene("bounces", lambda: bounces({}), (
         Answer("results that depend on the rows", unlike_dense_rows, 0, 0, "peaks are those of all steps, and the steps are the same"),
         Answer("a largest pressure", lambda run: run.result("pressure_largest") > 1e3, True, 0, "they touched"))),

@@ -324,7 +324,9 @@ Everything everything() {
     const double low = 10.0 * place;
     scene.initial.push_back({.body = body, .displacement = false,
                              .value = {[=](double, double y, double z, double) { return velocity.x() + 2 * y - z; },
-                                       [=](double x, double, double z, double) { return velocity.y() - 2 * (x - low) + 3 * z + shear * z * (x - low); },
+                                       [=](double x, double, double z, double) {
+                                         return velocity.y() - 2 * (x - low) + 3 * z + shear * z * (x - low);
+                                       },
                                        [=](double x, double y, double, double) { return velocity.z() + (x - low) - 3 * y; }}});
   };
   const auto source = [&](const std::string& kind, const Vec3& normal, auto&& add) {
@@ -667,7 +669,8 @@ TEST(ProbePairs, HaveTheValueOfTheirDefinitionOrAreRefused) {
     if (p == asked.size() || !is[p]) continue;
     const Probe& probe = asked[p];
     if (!probe.largest)
-      said += (said.empty() ? "" : " ") + (probe.component.empty() ? "-" : probe.component) + (probe.place.empty() ? "" : "@" + probe.place);
+      said += (said.empty() ? "" : " ") + (probe.component.empty() ? std::string("-") : probe.component) +
+              (probe.place.empty() ? "" : "@" + probe.place);
     probes.push_back(probe), of.push_back(candidates[p]);
   }
   all.scene.probes = probes;
