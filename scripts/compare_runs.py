@@ -61,7 +61,7 @@ def history(run):
     """Columns of history.csv: {name: (unit, numbers)}; of frequencies the squares: a solver finds these, and roots of zero are not."""
     with (run.folder / "history.csv").open(newline="", encoding="utf-8") as stream:
         head, *rows = csv.reader(stream)
-    found = {name.split(" [")[0]: (name.split(" [")[1].rstrip("]"), [float(row[i]) for row in rows]) for i, name in enumerate(head)}
+    found = {name.split(" [")[0]: (name.split(" [")[1].split("]")[0], [float(row[i]) for row in rows]) for i, name in enumerate(head)}
     return {name: ("Hz^2", [x * x for x in column]) if unit == "Hz" else (unit, column) for name, (unit, column) in found.items()}
 
 

@@ -29,7 +29,7 @@ std::set<double> groups_of(const Field& field) {
 
 /// Whether every point or cell has a value of its own, so that these are its number and no group.
 bool are_numbers(const Field& field, const std::set<double>& groups) {
-  return static_cast<Eigen::Index>(groups.size()) == field.values.size();
+  return static_cast<Eigen::Index>(groups.size()) == field.values.size() && *groups.begin() >= 0;  // -1 stands for none
 }
 
 std::vector<std::string> split(const std::string& text, char at) {

@@ -56,6 +56,7 @@ TEST(PointSets, TellsWhatLooksLikeSetsAndIsNone) {
   std::vector<double> numbers(100);
   for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = static_cast<double>(i);
   EXPECT_EQ(said(with_array("node_id", numbers)), Said{});
+  EXPECT_EQ(said(with_array("node_id", {2, 0, 1, 3})), Said{}) << "each point has a number of its own";
 }
 
 TEST(GroupNames, AreArraysOfANumberAndADimension) {

@@ -22,7 +22,7 @@ def case(run, name):
 def thicknesses(run, number=-1):
     """Of the elements; of the start where it does not change. [m]"""
     fields = run.frame("body", number)[1]
-    return fields.get("thickness", [THICKNESS] * len(fields["von_mises"]))
+    return fields.get("thickness", [THICKNESS] * len(fields["von_mises_top"]))
 
 
 def farthest(got, exact):
