@@ -474,35 +474,26 @@ double value_of(const Output<Law>& shown, const Number& which) {
                                                : at_point(shown.stress, shown.internal, which);
 }
 
+/// A number of each element of a pack, as output_of() has it.
 template <class Kind, class Law>
-Reduced reduce_pack(const Block<Kind, Law>& block, const Vectors& X, const Vectors& x, const Memory& memory, Place place,
-                    const Number& which, std::size_t pack) {
-  constexpr int rows = Kind::template Constants<double>::rows;
-  Reduced all;
-  alignas(64) double values[lanes], masses[lanes];
-  typename Kind::template Constants<Pack> constants;
-  const double* from = block.constants.data() + pack * rows * lanes;
-  constants.each_row([&](Pack& row) { read_lanes(from, row), from += lanes; });
-  write_lanes(constants.mass, masses);
-  const int filled = block.tiling.filled[pack];
+Pack values_of(const Block<Kind, Law>& block, const Vectors& X, const Vectors& x, const Memory& memory, Place place, const Number& which,
+               std::size_t pack) {
+  Pack values(0.0);
   if (Kind::layered || which.kind == Number::Kind::strain) {
-    for (int lane = 0; lane < filled; ++lane) {
+    const bool is_strain = which.kind == Number::Kind::strain;
+    for (int lane = 0; lane < block.tiling.filled[pack]; ++lane) {
       const Index element = block.tiling.element[pack * lanes + lane];
       values[lane] = value_of(output_of(read_memory(block, memory, pack, lane), block, corners_of(block, X, element),
-                                      corners_of(block, x, element), place, which.kind == Number::Kind::strain),
-                            which);
+                                        corners_of(block, x, element), place, is_strain),
+                              which);
     }
   } else if constexpr (!Kind::layered) {
     typename Kind::template Memory<Pack, Law> here;
     auto* at = const_cast<double*>(memory.rows.data()) + pack * memory_rows(block) * lanes;
-    each_row(block, here, at, [](Pack& row, const double* to) { read_lanes(to, row); });
-    write_lanes(value_of(here, which), values);
+    each_row(block, here, at, [](Pack& row, const double* from) { read_lanes(from, row); });
+    values = value_of(here, which);
   }
-  for (int lane = 0; lane < filled; ++lane) {
-    all.largest = std::max(all.largest, values[lane]);
-    all.sum += masses[lane] * values[lane], all.mass += masses[lane];
-  }
-  return all;
+  return values;
 }
 
 template <class Kind, class Law>
@@ -512,9 +503,20 @@ Reduced Kernels<Kind, Law>::reduce(const Block<Kind, Law>& block, const Vectors&
   std::vector<Reduced> parts(block.tiling.tiles.size());
   parallel_for(static_cast<Index>(parts.size()), 8, [&](Index t) {
     const Tile& tile = block.tiling.tiles[t];
+    constexpr int rows = Kind::template Constants<double>::rows;
+    const Pack lane = lane_numbers(), nothing(0.0);
+    Pack largest(-std::numeric_limits<double>::infinity()), sum(0.0), mass(0.0);
+    for (auto pack = static_cast<std::size_t>(tile.first_pack); pack < static_cast<std::size_t>(tile.first_pack + tile.packs); ++pack) {
+      typename Kind::template Constants<Pack> constants;
+      const double* from = block.constants.data() + pack * rows * lanes;
+      constants.each_row([&](Pack& row) { read_lanes(from, row), from += lanes; });
+      const Pack values = values_of(block, X, x, memory, shown.place, which, pack);
+      const auto own = lane < Pack(static_cast<double>(block.tiling.filled[pack]));
+      largest = select(own, larger(values, largest), largest);
+      sum += select(own, constants.mass * values, nothing), mass += select(own, constants.mass, nothing);
+    }
     Reduced all;
-    for (Index pack = tile.first_pack; pack < tile.first_pack + tile.packs; ++pack)
-      add(reduce_pack(block, X, x, memory, shown.place, which, static_cast<std::size_t>(pack)), all);
+    for (int l = 0; l < lanes; ++l) add({largest[l], sum[l], mass[l]}, all);
     parts[t] = all;
   });
   Reduced all;
