@@ -202,11 +202,18 @@ def names_of(data):
             for i in range(attributes.GetNumberOfArrays())]
 
 
+def is_zero(data, name):
+    """Whether a field is zero everywhere, as that of solids is where all solids are rigid."""
+    arrays = [there for there in (data.GetPointData().GetArray(name), data.GetCellData().GetArray(name)) if there is not None]
+    return all(array.GetRange(-1) == (0.0, 0.0) for array in arrays)
+
+
 def chosen(data, asked, preferred):
-    """The field asked for, or the first of the preferred ones that is there."""
+    """The field asked for, or the first of the preferred ones that is there and not zero, or the first of them."""
     if asked and asked not in names_of(data):
         sys.exit(f"view.py: no field '{asked}'; there are: {', '.join(names_of(data))}")
-    return asked or next((name for name in preferred if name in names_of(data)), None)
+    there = [name for name in preferred if name in names_of(data)]
+    return asked or next((name for name in there if not is_zero(data, name)), there[0] if there else None)
 
 
 def black(text, size):
