@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <tuple>
 
+#include "base/check.hpp"
 #include "base/gather.hpp"
 #include "base/parallel.hpp"
 #include "element/bending.hpp"

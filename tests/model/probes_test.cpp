@@ -320,8 +320,8 @@ Everything everything() {
   scene.time.end = end, scene.recording.history = end;
   int place = 0;
   // about where the body stands; a rigid motion without shear
-  const auto thrown = [&](const std::string& body, int place, const Vec3& velocity, double shear = 5) {
-    const double low = 10.0 * place;
+  const auto thrown = [&](const std::string& body, int at, const Vec3& velocity, double shear = 5) {
+    const double low = 10.0 * at;
     scene.initial.push_back({.body = body, .displacement = false,
                              .value = {[=](double, double y, double z, double) { return velocity.x() + 2 * y - z; },
                                        [=](double x, double, double z, double) {

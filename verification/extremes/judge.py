@@ -571,6 +571,7 @@ OF_DEPTH = re.compile(r"deep|overlap|penetrat|inside|through|pass", re.IGNORECAS
 
 
 OF_HOURGLASS = re.compile(r"(\w+): hourglass energy reached " + NUMBER + " of the internal energy")
+OF_PLATES = re.compile(r"(\w+): artificial modes reached " + NUMBER + " of the internal energy")
 OF_NODE = re.compile(r"(\w+): node \d+ went " + NUMBER + " m deep")
 OF_OVERLAP = re.compile(r"(\w+)[\w.]* and (\w+)[\w.]* overlap by " + NUMBER + " m")
 OF_DEEPER = re.compile(r"and by " + NUMBER + " m where elements are larger")
@@ -609,13 +610,13 @@ def energy_fraction(seen, expected, source, scene):
     return float(np.max(np.abs(created[seen_late]) / passed[seen_late])) if seen_late.any() else 0.0
 
 
-def hourglass_fraction(seen, body):
-    """The largest hourglass energy of a body over its largest internal energy, from the history."""
+def fraction_of(seen, body, *modes):
+    """The largest energy of artificial modes of a body over its largest internal energy, from the history."""
     own = {name: values for name, values in seen.history.items()
            if name.startswith(f"energy_{body}_") and name != f"energy_created_{body}"}
     internal = float(np.max(sum(own.values())))
-    twice = own.get(f"energy_{body}_hourglass_dissipated", 0.0)  # springs store, dashpots dissipate
-    return float(np.max(own[f"energy_{body}_hourglass"] + twice)) / internal if internal > 0 else 0.0
+    names = [f"energy_{body}_{mode}{kind}" for mode in modes for kind in ("", "_dissipated")]  # springs store, dashpots dissipate
+    return float(np.max(sum(own[name] for name in names if name in own))) / internal if internal > 0 else 0.0
 
 
 def thickness_asked_for(seen, body):
@@ -630,8 +631,11 @@ def thickness_asked_for(seen, body):
 def is_true(warning, seen, expected, faults):
     """Whether the judge sees what a warning names; a depth within a factor of two."""
     if (hourglass := OF_HOURGLASS.match(warning)) is not None:
-        ours = hourglass_fraction(seen, hourglass[1])
+        ours = fraction_of(seen, hourglass[1], "hourglass")
         return ours / TRUE_SHARE <= float(hourglass[2]) <= ours * TRUE_SHARE
+    if (plates := OF_PLATES.match(warning)) is not None:
+        ours = fraction_of(seen, plates[1], "drilling", "residual_bending")
+        return ours / TRUE_SHARE <= float(plates[2]) <= ours * TRUE_SHARE
     if (corner := OF_CORNER.match(warning)) is not None:
         return min(measure.inside_out(seen.bodies[corner[1]], frame.x, seen.X) for frame in seen.frames) < NEARLY_FLAT
     if (thickness := OF_THICKNESS.match(warning)) is not None:
