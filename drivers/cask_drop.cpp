@@ -13,6 +13,7 @@
 #include <algorithm>
 
 #include "drivers/driver.hpp"
+#include "dynamics/measure.hpp"
 
 using namespace nereid;
 
@@ -39,15 +40,6 @@ double bulge(const dynamics::View& view, const Subset& outside) {
   for (const Index node : outside)
     most = std::max(most, view.now.x.col(node).head<2>().norm() - view.model.mesh.X.col(node).head<2>().norm());
   return most;
-}
-
-/// Of the floor, a mean since the last sample. [N]
-double floor_force(const dynamics::View& view, dynamics::Kept& kept) {
-  const double elapsed = view.now.t - kept.since;
-  const Vec3 impulse = view.now.constraints.account[0].impulse;
-  const double force = elapsed > 0 ? (impulse.z() - kept.integral.z()) / elapsed : 0;
-  kept.integral = impulse, kept.since = view.now.t;
-  return force;
 }
 
 model::Simulation build(const input::CaseFile& file) {
@@ -106,7 +98,11 @@ model::Simulation build(const input::CaseFile& file) {
   simulation.probes = settlements(mesh);
   simulation.probes.insert(
       simulation.probes.end(),
-      {{"floor_force", "N", floor_force, true},
+      {{"floor_force", "N",
+        [floor = dynamics::source_of(simulation.model, "floor")](const dynamics::View& view, dynamics::Kept& kept) {
+          return dynamics::mean_force(view, floor, kept).z();
+        },
+        true},
        {"floor_impulse", "N s", [](const dynamics::View& view, auto&) { return view.now.constraints.account[0].impulse.z(); }},
        {"bulge", "m", [outside](const dynamics::View& view, auto&) { return bulge(view, outside); }}});
   return simulation;

@@ -187,8 +187,8 @@ std::vector<std::string> not_counted(const model::Simulation& simulation, const 
   const auto& stages = simulation.stages;
   const bool relaxes = std::any_of(stages.begin(), stages.end(), [](const auto& one) { return one.relaxation.has_value(); });
   if (relaxes || simulation.model.relaxation || !simulation.stops.empty())
-    lines.push_back(std::string("the forecast is of the whole time: ") +
-                    (simulation.stops.empty() ? "a relaxation ends" : "a condition may end the run") + " before");
+    lines.push_back(std::string(simulation.stops.empty() ? "a relaxation" : "a condition") +
+                    " may end the run before the time that is forecast");
   return lines;
 }
 

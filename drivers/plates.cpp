@@ -46,7 +46,7 @@ void add_strike(const model::Simulation& simulation, const std::string& contact,
   const bool closed = at != touched.end();
   if (closed) all.push_back({"closes_" + label, at->first, "s"});
   all.push_back({"impulse_" + label, closed ? -whole * at->impulse.z() : 0, "N*s"});
-  all.push_back({"peak_force_" + label, whole * std::max(0.0, -model::probe(simulation, "force_" + label).smallest), "N"});
+  all.push_back({"peak_force_" + label, whole * std::max(0.0, -model::probe(simulation, "force_" + label).smallest_row), "N"});
 }
 
 }  // namespace nereid::driver

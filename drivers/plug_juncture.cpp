@@ -293,7 +293,7 @@ std::vector<output::Result> results(const model::Simulation& simulation, const A
     driver::add_strike(simulation, numbered("ledge", j), number, turns, all);
     if (!asked.rigid) {
       const double root = 2 * pi * root_radius(asked.head, j) * asked.head.height / 2;  // [m2] of the shoulder
-      const double most = std::max(0.0, model::probe(simulation, numbered("root_force", j)).largest);
+      const double most = std::max(0.0, model::probe(simulation, numbered("root_force", j)).largest_row);
       all.push_back({"root_shear_" + number, turns * most / root, "Pa"});
     }
     all.push_back({"least_overlap_" + number, model::probe(simulation, numbered("overlap", j)).smallest, "m"});

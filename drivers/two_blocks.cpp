@@ -78,7 +78,7 @@ std::vector<output::Result> results(const model::Simulation& simulation) {
   const double duration = seen[3].first_above_zero < 0 ? 0 : seen[3].last_above_zero - seen[3].first_above_zero;
   const double area = simulation.model.interfaces[0].area.sum(), stress_time = seen[3].integral;
   return {{"interface_stress_mean", duration > 0 ? stress_time / duration : 0, "Pa"},
-          {"interface_stress_peak", std::max(0.0, seen[0].largest), "Pa"},
+          {"interface_stress_peak", std::max(0.0, seen[0].largest_row), "Pa"},
           {"contact_time", duration, "s"},
           {"impulse", area * stress_time, "N s"},
           {"velocity_A", seen[1].last, "m/s"},

@@ -114,6 +114,7 @@ struct ProbeMemory {
   double last = std::numeric_limits<double>::quiet_NaN();  ///< what a row shows
   double largest = last, smallest = last;                  ///< of all steps; NaN where no step had a value
   double time_of_largest = 0, time_of_smallest = 0;        ///< [s] first of equal ones
+  double largest_row = last, smallest_row = last;          ///< of a mean: of all rows
   double integral = 0;                                     ///< over time: each value times the step that led to it
   double first_above_zero = -1, last_above_zero = -1;      ///< [s]; -1: at no step
   std::int64_t samples = 0;                                ///< steps, and the start

@@ -16,7 +16,10 @@ void sample(const Probe& probe, const View& view, ProbeMemory& memory) {
 }
 
 void sample_row(const Probe& probe, const View& view, ProbeMemory& memory) {
-  if (probe.is_mean) memory.last = probe.value(view, memory.of_rows);
+  if (!probe.is_mean) return;
+  memory.last = probe.value(view, memory.of_rows);
+  if (!(memory.last <= memory.largest_row)) memory.largest_row = memory.last;
+  if (!(memory.last >= memory.smallest_row)) memory.smallest_row = memory.last;
 }
 
 }  // namespace nereid::dynamics

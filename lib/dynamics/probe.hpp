@@ -25,7 +25,7 @@ struct Probe {
 /// Measures the start or a step: extremes with their times, the integral and the times above zero; `last` of what is no mean.
 void sample(const Probe&, const View&, ProbeMemory&);
 
-/// `last` of a mean: that since the row before. To be called where the ledger is current.
+/// `last` of a mean, that since the row before, and its extremes over the rows. To be called where the ledger is current.
 void sample_row(const Probe&, const View&, ProbeMemory&);
 
 }  // namespace nereid::dynamics

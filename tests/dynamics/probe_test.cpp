@@ -47,6 +47,8 @@ TEST(Probe, OfAMeanHasTheExtremesOfStepsAndInItsRowTheMeanSinceTheRowBefore) {
     if (step % 4 == 0) sample_row(pull, {model, state, forces, true}, memory);
   }
   EXPECT_EQ(memory.last, 4) << "16 N s in 4 s";
+  EXPECT_EQ(memory.largest_row, 4);
+  EXPECT_EQ(memory.smallest_row, 0) << "the start";
   EXPECT_EQ(memory.largest, 7) << "the last step: 16 - 9";
   EXPECT_EQ(memory.time_of_largest, 4);
   EXPECT_EQ(memory.smallest, 0);

@@ -151,7 +151,7 @@ inline std::vector<std::pair<std::string, std::vector<double>>> numbers(const St
                         s.progress.smallest.dt, s.progress.smallest.source, s.progress.smallest.at, s.progress.largest_step);
   for (const ProbeMemory& p : s.probes) {
     part("probe"), add(p.last, p.largest, p.smallest, p.time_of_largest, p.time_of_smallest, p.integral, p.first_above_zero,
-                       p.last_above_zero, p.samples);
+                       p.last_above_zero, p.samples, p.largest_row, p.smallest_row);
     for (const Kept& kept : {p.of_steps, p.of_rows}) add(kept.since), all(kept.integral), all(kept.value);
   }
   return parts;

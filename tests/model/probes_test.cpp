@@ -402,8 +402,8 @@ Everything everything() {
     scene.bodies.push_back(body);
     thrown(body.name, place++, Vec3(1, 2, -20), body.rigid ? 0 : 5);
   }
-  for (const char* body : {"plastic", "full", "plates"}) all.targets.push_back({body, std::string("body, ") + body, body});
-  all.targets.push_back({"die", "body, rigid", "die"});
+  for (const char* body : {"plastic", "full", "plates"}) all.targets.push_back({body, std::string("body that is ") + body, body});
+  all.targets.push_back({"die", "rigid body", "die"});
   all.targets.push_back({"plastic.x_high", "node set", "plastic"});
   all.targets.push_back({"plastic.tip", "node", "plastic"});
   return all;
@@ -485,7 +485,7 @@ Turning turning(const Seen& seen) {
   return all;
 }
 
-bool is_rigid(const Seen& seen) { return seen.target.kind == "body, rigid"; }
+bool is_rigid(const Seen& seen) { return seen.target.kind == "rigid body"; }
 
 Vec3 angular_momentum(const Seen& seen) {
   if (is_rigid(seen)) {
