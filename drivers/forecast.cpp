@@ -66,12 +66,12 @@ struct Costs {
   double row_bytes = 0, frame_bytes = 0, first_frame_bytes = 0, walls_bytes = 0, summary_bytes = 0;
 };
 
-/// A frame as a run makes it, after one that has packed what does not change.
+/// A frame as a run makes it, both grids at once, after one that has packed what does not change.
 double bytes_of_frame(const dynamics::View& view, const model::Recording& recording, std::array<grid::Kept, 2>& kept) {
   const output::Precision precision = output_precision(recording);
-  std::size_t sum = grid::bytes_of(output::body_grid(view, frame_fields(recording)), output::GridKind::volume, precision, &kept[0]);
-  sum += grid::bytes_of(output::contact_grid(view), output::GridKind::surface, precision, &kept[1]);
-  return static_cast<double>(sum);
+  const output::Grid body = output::body_grid(view, frame_fields(recording)), contact = output::contact_grid(view);
+  return static_cast<double>(grid::bytes_of(body, output::GridKind::volume, precision, &kept[0]) +
+                             grid::bytes_of(contact, output::GridKind::surface, precision, &kept[1]));
 }
 
 /// One line of a .pvd for each frame, and its four others.
