@@ -175,7 +175,7 @@ Open open_contacts(const dynamics::Model& model, const dynamics::State& now) {
 /// What a forecast cannot count: contacts that close later, and what ends a run before its time.
 std::vector<std::string> not_counted(const model::Simulation& simulation, const Open& open, const Forecast& forecast, double step) {
   constexpr double updates = 5;       // of an element, as long as an apex in contact takes by multipliers: docs/cost.md
-  constexpr double worth_saying = 1;  // of the seconds
+  constexpr double worth_saying = 0.5;  // of the seconds: with them twice as many are not far
   std::vector<std::string> lines;
   const double elements = static_cast<double>(dynamics::element_count(simulation.model));
   const double more = elements > 0 ? forecast.steps * updates * open.apexes * step / elements : 0;

@@ -58,26 +58,27 @@ double area_facing(const Interface& interface, const Vectors& x, Index a, Index 
 
 }  // namespace
 
-double power(const Interface& interface, const Vectors& v, Index a, const ElementForces& element) {
+double power(const Interface& interface, std::span<const Weighted> shares, const Vectors& v, Index a, const ElementForces& element) {
   if (!element.closed) return 0;
   double sum = 0;
   for (int i = 0; i < element.count; ++i) {
     const Stencil& stencil = element.stencil[i];
-    Vec3 rate = stencil.apex * v.col(interface.apexes[a]);
-    for_each_node(interface, stencil, [&](Index node, double weight, double) { rate -= weight * v.col(node); });
+    Vec3 rate = Vec3::Zero();
+    for_each_weight(interface, shares, a, stencil, [&](Index node, double weight) { rate += weight * v.col(node); });
     sum += stencil.push.dot(rate);
   }
   return sum;
 }
 
-Vec3 moment(const Interface& interface, const Vectors& x, const Vectors& v, double later, Index a, const ElementForces& element) {
+Vec3 moment(const Interface& interface, std::span<const Weighted> shares, const Vectors& x, const Vectors& v, double later, Index a,
+            const ElementForces& element) {
   Vec3 sum = Vec3::Zero();
   if (!element.closed || (interface.allowed.empty() && !element.has_moment)) return sum;
   const auto place = [&](Index node) { return Vec3(x.col(node) + later * v.col(node)); };
   for (int i = 0; i < element.count; ++i) {
     const Stencil& stencil = element.stencil[i];
-    Vec3 arm = stencil.apex * place(interface.apexes[a]);
-    for_each_node(interface, stencil, [&](Index node, double weight, double) { arm -= weight * place(node); });
+    Vec3 arm = Vec3::Zero();
+    for_each_weight(interface, shares, a, stencil, [&](Index node, double weight) { arm += weight * place(node); });
     sum += arm.cross(stencil.push);
   }
   return element.scale * sum;
@@ -353,20 +354,20 @@ void find_contact(const Interface& interface, const Vectors& x, const Vectors& v
 void advance_element(const Interface& interface, const Vectors& x, const Vectors& v, double dt, Moved moved, Near& near, Memory& memory) {
   const Index a = near.apex;
   ElementForces& element = near.element;
-  const double power_before = power(interface, v, a, element), scale_before = element.scale;
-  element.angular_impulse = 0.5 * dt * moment(interface, x, v, -dt, a, element);
+  const double power_before = power(interface, memory.shares, v, a, element), scale_before = element.scale;
+  element.angular_impulse = 0.5 * dt * moment(interface, memory.shares, x, v, -dt, a, element);
   const double stored_before = memory.stored[a];
   const Feature before = memory.feature[a];
   const bool was_closed = element.closed;
   find_contact(interface, x, v, dt, moved, near, memory);
   element.moved = (was_closed || element.closed) && !same(memory.feature[a], before);
   near.rests = !was_closed && !element.closed && near.tracks.count == 0;
-  const double power_after = power(interface, v, a, element);
+  const double power_after = power(interface, memory.shares, v, a, element);
   // the power of the elastic force is  -k |d| d|d|/dt = -2 stored d|d|/dt / |d|
   element.scale = 1;
   if (memory.stored[a] > 0 && interface.damping_time > 0)
     element.scale = std::max(0.0, 1 - 0.5 * interface.damping_time * power_after / memory.stored[a]);
-  element.angular_impulse += 0.5 * dt * moment(interface, x, v, 0, a, element);
+  element.angular_impulse += 0.5 * dt * moment(interface, memory.shares, x, v, 0, a, element);
   element.work = 0.5 * dt * (scale_before * power_before + element.scale * power_after);
   element.dissipated = 0.5 * dt * ((1 - scale_before) * power_before + (1 - element.scale) * power_after);
   element.created = element.work + element.dissipated + memory.stored[a] - stored_before;

@@ -17,6 +17,20 @@ void for_each_node(const Interface& interface, const Stencil& stencil, Visit&& v
   if (stencil.fourth != 0) visit(interface.base.half[stencil.facet].fourth, stencil.fourth, 0.0);
 }
 
+/// Visits all nodes of a stencil with what they take of the push, the side of the apex positive.
+///
+/// shares  Memory::shares
+template <class Visit>
+void for_each_weight(const Interface& interface, std::span<const Weighted> shares, Index apex, const Stencil& stencil, Visit&& visit) {
+  if (stencil.shares > 0) {
+    for (const Weighted& one : shares.subspan(static_cast<std::size_t>(stencil.first_share), static_cast<std::size_t>(stencil.shares)))
+      visit(one.node, one.weight);
+    return;
+  }
+  visit(interface.apexes[apex], stencil.apex);
+  for_each_node(interface, stencil, [&](Index node, double weight, double) { visit(node, -weight); });
+}
+
 /// Weights of the point of a facet that is closest to an apex.
 std::array<double, 3> weights_of(const Interface&, const Vectors& x, Index apex, Index facet);
 
@@ -32,10 +46,10 @@ void vote_over(const Interface&, const Vectors& x, Index apex, const Feature&, c
 Touch touch_of(const Interface&, const Vectors& x, Index apex, const Feature&, const Vec3& normal, const Stencil* foot = nullptr);
 
 /// Power of the forces of one apex and its bases, without Interface::damping_time. [W]
-double power(const Interface&, const Vectors& v, Index apex, const ElementForces&);
+double power(const Interface&, std::span<const Weighted> shares, const Vectors& v, Index apex, const ElementForces&);
 
 /// Moment about the origin of the normal forces of one apex, at the positions `later` [s] after x. It is computed where there can be one.
-Vec3 moment(const Interface&, const Vectors& x, const Vectors& v, double later, Index apex, const ElementForces&);
+Vec3 moment(const Interface&, std::span<const Weighted> shares, const Vectors& x, const Vectors& v, double later, Index apex, const ElementForces&);
 
 /// Remembers the depth of an apex that is the deepest so far. A deep one may stand beside the body that it is pushed out of, near another
 /// of its faces, past a rim or between folds: it is no deeper than its layer and that of the body overlap, overlap_of().

@@ -27,6 +27,8 @@ struct Bodies {
   Subset nodes, first_node;      ///< nodes of the facets of each body, and [bodies + 1] where they begin
   Scalars thickest;              ///< [m] [bodies] the largest BaseSurface::stand_off
   std::vector<Between> between;  ///< [bodies x bodies] by the body of the apex, then that of the base
+  /// [bodies x bodies] the same: whether the nodes of the first only guard, as the second has the apexes; empty: none does
+  std::vector<char> guards;
   std::vector<char> touch;       ///< [bodies x bodies] whether they touch; on the diagonal whether a body touches itself
 
   Index count() const { return static_cast<Index>(names.size()); }

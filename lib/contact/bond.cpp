@@ -339,8 +339,8 @@ void take_over(const Interface& interface, const Motion& m, std::span<const Held
     element.apex = force;
     memory.status[near.apex] = Status::closed;
     memory.gap[near.apex] = b.off.dot(b.normal);
-    memory.work += half * power(interface, m.v, near.apex, element);
-    memory.angular_impulse += half * moment(interface, m.x, m.v, 0, near.apex, element);
+    memory.work += half * power(interface, memory.shares, m.v, near.apex, element);
+    memory.angular_impulse += half * moment(interface, memory.shares, m.x, m.v, 0, near.apex, element);
     memory.held += share * b.impulse.dot(mean_to_come(before, after, share));
     power_rate += b.impulse.dot(after - before) / (h * h);
   }

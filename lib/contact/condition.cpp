@@ -12,6 +12,7 @@
 #include "contact/face.hpp"
 #include "contact/foot.hpp"
 #include "contact/near.hpp"
+#include "contact/points.hpp"
 #include "contact/restitution.hpp"
 #include "contact/rigid_nodes.hpp"
 #include "contact/stand.hpp"
@@ -32,6 +33,8 @@ constexpr double along_push = 0.7;     // cosine between the way from a ridge to
 constexpr double at_ridge = 0.05;      // weight of the third node of a facet: with less on both sides an apex is on the ridge between them
 constexpr double uneven = 0.01;        // sine: normals that differ by less, as on a mesh of a flat face that is not quite flat, are alike
 constexpr double as_much = 0.5;        // of the larger push of both sides
+constexpr double same_part = 0.9063;   // cosine of 25 degrees between normals of a base whose points are found together
+constexpr double no_weight = 1e-13;    // of the area of points: round-off
 
 /// Whether an apex that is pressed stays over the inside of the one facet that it slides on, and comes to no other part: its stencil of the
 /// step before says which, and conditions need no more.
@@ -134,21 +137,20 @@ bool leads_farther_in(const Interface& interface, const Vectors& x, Index apex, 
   return reach_behind(interface.own, x, apex, normal) > std::max(uneven, reach_behind(interface.own, x, apex, other));
 }
 
-/// Sets nodes, weights, normal and gap of an apex over a facet.
-void set(const Interface& interface, Index apex, const Stencil& stencil, const Vec3& normal, double gap, Condition& c) {
+/// Sets nodes, weights, normal and gap of an apex over a facet, or over the face that it is half of.
+void set(const Interface& interface, Index apex, const Stencil& stencil, const Vec3& normal, double gap, Multipliers& all, Condition& c) {
   c.gap = gap;
   c.normal = normal;
-  c.node[0] = apex;
-  c.weight[0] = 1;
-  for (int I = 0; I < 3; ++I) c.node[I + 1] = interface.base.facets(I, stencil.facet), c.weight[I + 1] = -stencil.weight[I];
-  c.nodes = 4;
+  add_member(apex, 1, all, c);
+  for (int I = 0; I < 3; ++I) add_member(interface.base.facets(I, stencil.facet), -stencil.weight[I], all, c);
+  if (stencil.fourth != 0) add_member(interface.base.half[stencil.facet].fourth, -stencil.fourth, all, c);
 }
 
 /// Nodes, weights, normal and gap of an apex over the feature of a stencil where the nodes are at t; false if it is out of reach.
 ///
 /// A stencil with a push was found where the nodes would be: it counts however far the apex is now, and the push has the direction.
-bool make(const Interface& interface, const Motion& m, const Memory& memory, const Multipliers& all, const Near& near, Stencil& stencil,
-          bool& has_moment, Condition& c) {
+bool make(const Interface& interface, const Motion& m, const Memory& memory, const Near& near, Stencil& stencil, bool& has_moment,
+          Multipliers& all, Condition& c) {
   const Index apex = interface.apexes[near.apex];
   const Vec3 p = m.x.col(apex);
   const double push = stencil.push.norm();
@@ -168,7 +170,7 @@ bool make(const Interface& interface, const Motion& m, const Memory& memory, con
     const Vec3 arm = p - foot, out = stencil.push / push;
     const double distance = std::copysign(arm.norm(), arm.dot(out));
     const bool too_near = !(std::abs(distance) > just_on * interface.base.size(stencil.facet));  // for a direction
-    set(interface, apex, stencil, too_near ? out : Vec3(arm / distance), distance - stencil.level, c);
+    set(interface, apex, stencil, too_near ? out : Vec3(arm / distance), distance - stencil.level, all, c);
     has_moment = has_moment || too_near;
     return true;
   }
@@ -198,7 +200,7 @@ bool make(const Interface& interface, const Motion& m, const Memory& memory, con
     if (stands_on_ridge(interface.base, m.x, stencil.facet, over, way, normal) &&
         may_push(interface.own, m.x, apex, normal, behind_in_two_directions, allowed_of(interface, near.apex))) {
       stencil.weight = over.weight, stencil.fourth = 0;
-      set(interface, apex, stencil, normal, over.height - stencil.level, c);
+      set(interface, apex, stencil, normal, over.height - stencil.level, all, c);
       return has_moment = true;
     }
   }
@@ -220,18 +222,18 @@ bool make(const Interface& interface, const Motion& m, const Memory& memory, con
   find_foot(blends);
   if (blends && leads_farther_in(interface, m.x, apex, over.normal, facet_normal(interface.base, m.x, stencil.facet))) find_foot(false);
   stencil.weight = over.weight;
-  set(interface, apex, stencil, over.normal, over.height - stencil.level, c);
-  if (stencil.fourth != 0) c.nodes = 5, c.node[4] = interface.base.half[stencil.facet].fourth, c.weight[4] = -stencil.fourth;
+  set(interface, apex, stencil, over.normal, over.height - stencil.level, all, c);
   // The normal turns as an apex passes an edge or vertex, or comes over another facet: what counts is how the gap changes in the free step.
   // Both gaps are over facets, since that over a warped face is another one.
   if (near.tracks.count == 0 || (near.element.count == 1 && stencil.kind != geometry::Kind::facet)) {
     const bool is_facet = stencil.kind == geometry::Kind::facet;
     const double start = is_facet ? height_over(interface.base, m.x, feature(), p).height - stencil.level : c.gap;
-    c.gap += std::max(0.0, memory.gap[near.apex] - start - m.next * rate(c, all.velocity));
+    c.gap += std::max(0.0, memory.gap[near.apex] - start - m.next * rate(c, all));
   }
   if (!(push > 0)) {
     double fastest = 0;
-    for (int I = 1; I < c.nodes; ++I) fastest = std::max(fastest, (all.velocity.col(apex) - all.velocity.col(c.node[I])).squaredNorm());
+    for (const Member& one : members_of(c, all).subspan(1))
+      fastest = std::max(fastest, (all.velocity.col(apex) - all.velocity.col(one.node)).squaredNorm());
     if (!can_touch(between(interface, near.apex, stencil.facet), m, c.gap, std::sqrt(fastest))) return false;
     if (!may_push(interface.own, m.x, apex, c.normal, most_behind(interface), allowed)) return false;
     const bool over_facet = stencil.kind == geometry::Kind::facet;
@@ -309,14 +311,11 @@ bool is_same_face(const BaseSurface& base, const ElementForces& element, int s) 
   return false;
 }
 
-/// n . P n of what constraints let through at a node; remembers P n if there are any. To be asked node after node.
-NEREID_HOT double let_through(const Motion& m, int j, Condition& c, Multipliers& all) {
-  const Mat3* allowed = m.allowed[c.node[j]];
-  if (!allowed) return 1;
-  if (c.constrained == 0) c.along = static_cast<Index>(all.along.size());
-  c.constrained |= 1U << j;
-  all.along.push_back(*allowed * c.normal);
-  return c.normal.dot(all.along.back());
+/// Whether constraints act on a node of a condition.
+bool is_constrained(const Condition& c, const Motion& m, const Multipliers& all) {
+  bool any = false;
+  each_node(c, all, [&](const Member& one) { any = any || m.allowed[one.node]; });
+  return any;
 }
 
 /// The rate a after a step in which a condition alone does the work E:  (a - free)/A (before + a)/2 = E.
@@ -328,16 +327,24 @@ double rate_for(double E, const Condition& c) {
 }  // namespace
 
 bool complete(const Motion& m, double pressed, double held, Multipliers& all, Condition& c) {
-  c.constrained = 0;
+  Member* const members = &all.members[static_cast<std::size_t>(c.first)];
+  for (int j = 0; j < c.nodes; ++j) members[j].response = members[j].weight * all.mobility(members[j].node);
+  c.along = -1;
+  if (is_constrained(c, m, all)) {
+    c.along = static_cast<Index>(all.along.size());
+    each_node(c, all, [&](const Member& one) {
+      all.along.push_back(m.allowed[one.node] ? Vec3(*m.allowed[one.node] * c.normal) : c.normal);
+    });
+  }
   double sum = 0;
-  each_node(c, [&](int j) {
-    const double response = c.weight[j] * all.mobility(c.node[j]);
-    c.response[j] = response;
-    sum += let_through(m, j, c, all) * c.weight[j] * response;
+  each_node_along(c, all, [&](const Member& one, const Vec3& along) {
+    sum += (c.along < 0 ? 1 : c.normal.dot(along)) * one.weight * one.response;
   });
-  c.per_mass = m.rigid ? per_mass(*m.rigid, m, c) : sum;
+  c.per_mass = m.rigid ? per_mass(*m.rigid, m, all, c) : sum;
   Vec3 before = Vec3::Zero(), free = Vec3::Zero();
-  each_node(c, [&](int j) { before += c.weight[j] * m.v.col(c.node[j]), free += c.weight[j] * all.velocity.col(c.node[j]); });
+  each_node(c, all, [&](const Member& one) {
+    before += one.weight * m.v.col(one.node), free += one.weight * all.velocity.col(one.node);
+  });
   c.before = c.normal.dot(before), c.free = c.normal.dot(free);
   const double closing = (c.gap > 0 ? -c.gap : -corrected * c.gap) / m.next, impulse = 0.5 * pressed * (m.dt + m.next);
   const double from_held = impulse > 0 ? std::max(0.0, held) / impulse : 0;
@@ -345,7 +352,7 @@ bool complete(const Motion& m, double pressed, double held, Multipliers& all, Co
   c.least = std::min(closing, may > 0 ? 0.5 * may : may);
   // the last force makes a small impulse where the step has fallen, and what this rate takes alone is not
   if (from_held > 0 && (c.least - c.free) * (c.least + c.before) > 2 * c.per_mass * held) c.least = std::min(c.least, rate_for(held, c));
-  return c.per_mass * m.mass(c.node[0]) > no_response;
+  return c.per_mass * m.mass(members[0].node) > no_response;
 }
 
 namespace {
@@ -404,16 +411,16 @@ void look_ahead(const Interface& interface, const Vectors& x, const Memory& memo
 }
 
 /// Makes the condition of a near apex as make() does, if it stays over a bilinear face. To be asked apex after apex.
-bool make_ahead(const Interface& interface, const Vectors& x, const Memory& memory, Near& near, Ahead& ahead, Condition& c) {
+bool make_ahead(const Interface& interface, const Vectors& x, const Memory& memory, Near& near, Ahead& ahead, Multipliers& all,
+                Condition& c) {
   if (!stays_over_face(interface, near)) return false;
   if (ahead.next == ahead.count) look_ahead(interface, x, memory, static_cast<std::size_t>(&near - memory.near.data()), ahead);
   const int lane = ahead.next++;
   if (!ahead.stands[lane]) return false;
   Stencil& stencil = near.element.stencil[0];
   const int first = interface.base.half[stencil.facet].cut, second = next_corner[first], third = next_corner[second];
-  c.nodes = 5;
-  c.node[0] = interface.apexes[near.apex], c.weight[0] = 1;
-  for (int I = 0; I < 4; ++I) c.node[I + 1] = ahead.corner[I][lane], c.weight[I + 1] = -ahead.weight[I][lane];
+  add_member(interface.apexes[near.apex], 1, all, c);
+  for (int I = 0; I < 4; ++I) add_member(ahead.corner[I][lane], -ahead.weight[I][lane], all, c);
   stencil.weight[first] = ahead.weight[0][lane], stencil.fourth = ahead.weight[1][lane];
   stencil.weight[second] = ahead.weight[2][lane], stencil.weight[third] = ahead.weight[3][lane];
   c.normal = {ahead.normal[0][lane], ahead.normal[1][lane], ahead.normal[2][lane]};
@@ -471,23 +478,86 @@ void let_yield(double owed, double depth, const Motion& m, std::size_t first, Mu
   }
 }
 
-/// Finds the condition of a stencil; false if there is none.
-bool find(const Interface& interface, const Motion& m, const Memory& memory, Near& near, int s, Ahead& ahead, Multipliers& all,
-          Condition& c) {
+/// Whether a stencil before this one is of the same part of the base, whose points both would have.
+bool has_same_points(const BaseSurface& base, const Vectors& x, const ElementForces& element, int s) {
+  const Vec3 normal = facet_normal(base, x, element.stencil[s].facet);
+  return std::any_of(element.stencil.begin(), element.stencil.begin() + s, [&](const Stencil& before) {
+    return before.shares > 0 && before.push.dot(normal) > same_part;
+  });
+}
+
+/// Finds the condition of a stencil over points of the faces around the apex, or by the apex itself where none of them lies on the base;
+/// false if there is none. Friction has the foot of the apex in any case.
+bool find_over_points(const Interface& interface, const Motion& m, const Memory& memory, Near& near, int s, PointWork& work,
+                      Multipliers& all, Condition& c) {
   Stencil& stencil = near.element.stencil[s];
-  const bool made = make_ahead(interface, m.x, memory, near, ahead, c) ||
-                    (!std::isnan(stencil.level) && !is_same_face(interface.base, near.element, s) &&
-                     make(interface, m, memory, all, near, stencil, near.element.has_moment, c));
+  if (has_same_points(interface.base, m.x, near.element, s)) return false;
+  OverPoints sum = sum_points(interface, m.x, near.apex, stencil.facet, work);
+  if (!(sum.area > 0) && sum.covered_elsewhere && !(sum.of_node > 0)) return false;
+  const double level = stencil.level - stand_off(interface.base, stencil.facet);
+  const bool pushes = !stencil.push.isZero(0), stands = make(interface, m, memory, near, stencil, near.element.has_moment, all, c);
+  if (!(sum.area > 0)) return stands;
+  double area = sum.area;
+  sum.gap -= area * level;
+  if (stands && sum.of_node > 0) {
+    for (const Member& one : members_of(c, all)) add_to(one.node, sum.of_node * one.weight, work);
+    sum.gap += sum.of_node * c.gap, sum.normal += sum.of_node * c.normal, area += sum.of_node;
+  }
+  if (!stands) stencil.weight = weights_of(interface, m.x, near.apex, stencil.facet), stencil.fourth = 0;
+  all.members.resize(static_cast<std::size_t>(c.first)), c.nodes = 0;
+  const Mat3* allowed = allowed_of(interface, near.apex);
+  c.normal = (allowed ? Vec3(*allowed * sum.normal) : sum.normal).normalized();
+  c.gap = sum.gap / area;
+  for (const Weighted& one : work.sum)
+    if (c.nodes == 0 || std::abs(one.weight) > no_weight * area) add_member(one.node, one.weight / area, all, c);
+  stencil.shares = c.nodes;
+  if (sum.least_turn < 1 - just_on) near.element.has_moment = true;
+  if (pushes) return true;
+  double fastest = 0;
+  for (const Member& one : members_of(c, all)) {
+    const Vec3 speed = all.velocity.col(interface.apexes[near.apex]) - all.velocity.col(one.node);
+    fastest = std::max(fastest, speed.squaredNorm());
+  }
+  return can_touch(between(interface, near.apex, stencil.facet), m, c.gap, std::sqrt(fastest));
+}
+
+/// Whether a guard acts: where it would be deeper than it may be, in this step or soon. Others would slow the sweeps down.
+bool guard_acts(const Interface& interface, const Motion& m, const Near& near, Index facet, const Multipliers& all, Condition& c) {
+  c.gap += allowance(interface, m.x, near.apex, facet);
+  return near.pressed > 0 || c.gap + steps_to_touch * m.next * std::min(0.0, rate(c, all)) < 0;
+}
+
+/// Finds the condition of a stencil; false if there is none.
+bool find(const Interface& interface, const Motion& m, const Memory& memory, Near& near, int s, Ahead& ahead, PointWork& work,
+          Multipliers& all, Condition& c) {
+  Stencil& stencil = near.element.stencil[s];
+  stencil.shares = 0;
+  bool made = interface.heights == Heights::nodes && make_ahead(interface, m.x, memory, near, ahead, all, c);
+  if (!made && (std::isnan(stencil.level) || is_same_face(interface.base, near.element, s))) return false;
+  if (!made && is_over_points(interface, near.apex, stencil.facet)) made = find_over_points(interface, m, memory, near, s, work, all, c);
+  else if (!made) made = make(interface, m, memory, near, stencil, near.element.has_moment, all, c);
+  if (made && is_guard(interface, near.apex, stencil.facet)) made = guard_acts(interface, m, near, stencil.facet, all, c);
   return made && complete(m, near.pressed, memory.restitution[near.apex].held, all, c);
 }
 
 }  // namespace
 
+Condition& begin_condition(Multipliers& all) {
+  Condition& c = all.conditions.emplace_back();
+  c.first = static_cast<Index>(all.members.size());
+  return c;
+}
+
+void take_back(Multipliers& all) {
+  all.members.resize(static_cast<std::size_t>(all.conditions.back().first));
+  all.conditions.pop_back();
+}
+
 void add(const Contactor& one, Multipliers& all) {
   all.contactors.push_back(one);
   for (Index i = one.first; i < one.last; ++i) {
     const Condition& c = all.conditions[i];
-    each_node(c, [&](int j) { all.shared(c.node[j]) += one.area * std::abs(c.weight[j]); });
+    for (const Member& at : members_of(c, all)) all.shared(at.node) += one.area * std::abs(at.weight);
   }
   if (one.friction < 0) return;
   const Touch& touch = all.frictions[one.friction].touch;
@@ -556,6 +626,7 @@ Multipliers make_multipliers(std::span<const Interface> interfaces, std::span<co
   for (const Index node : all.nodes)
     if (always[static_cast<std::size_t>(node)] != 0) all.always.push_back(node);
   all.conditions.reserve(most_of_an_apex * apexes);
+  all.members.reserve(5 * most_of_an_apex * apexes);
   all.along.reserve(5 * most_of_an_apex * apexes);
   all.frictions.reserve(apexes);
   all.contactors.reserve(apexes);
@@ -606,16 +677,17 @@ void find_conditions(const Interface& interface, const Motion& m, Memory& memory
   const double h = 0.5 * (m.dt + m.next);
   const std::size_t first_friction = all.frictions.size();
   find(interface, m, memory, workspace, all);
+  ++workspace.points.step;
   Ahead ahead;
   for (Near& near : memory.near) {
     const auto first = static_cast<Index>(all.conditions.size());
     join_on_ridge(interface.base, m.x, m.x.col(interface.apexes[near.apex]), near.element);
     for (int s = 0; s < near.element.count; ++s) {
       Stencil& stencil = near.element.stencil[s];
-      Condition& c = all.conditions.emplace_back();
-      if (!find(interface, m, memory, near, s, ahead, all, c)) {
-        stencil.apex = 0, stencil.weight = {}, stencil.fourth = 0, stencil.push.setZero();
-        all.conditions.pop_back();
+      Condition& c = begin_condition(all);
+      if (!find(interface, m, memory, near, s, ahead, workspace.points, all, c)) {
+        stencil.apex = 0, stencil.shares = 0, stencil.weight = {}, stencil.fourth = 0, stencil.push.setZero();
+        take_back(all);
         continue;
       }
       c.impulse = c.met = near.element.count == 1 ? (memory.has_trend ? trend(near) : near.pressed) * h : 0;
@@ -638,8 +710,10 @@ void find_conditions(const Interface& interface, const Motion& m, Memory& memory
       friction = add_friction(touch, interface.friction, force, near.friction.stuck, m, all);
     }
     const Between& pair = between(interface, near.apex, facet);
+    const bool in_one_direction = is_over_points(interface, near.apex, facet) || is_guard(interface, near.apex, facet);
+    const double part = in_one_direction ? 1 : interface.pass_factor;
     add({.memory = &restitution, .first = first, .last = last, .friction = friction, .foot = foot, .rubs = rubbing.conditions, .area = area,
-         .depth = pair.depth, .impedance = interface.pass_factor * pair.impedance * area,
+         .depth = pair.depth, .impedance = part * pair.impedance * area,
          .square = interface.restitution * interface.restitution}, all);
   }
   let_yield(memory.friction_owed, interface.depth, m, first_friction, all);
@@ -650,8 +724,9 @@ void find_conditions(const RigidPlane& plane, const Motion& m, PlaneMemory& memo
   for (std::size_t i = 0; i < plane.nodes.size(); ++i) {
     const Index node = plane.nodes[i];
     const auto first = static_cast<Index>(all.conditions.size());
-    Condition& c = all.conditions.emplace_back();
-    c.nodes = 1, c.node[0] = node, c.weight[0] = 1, c.normal = plane.normal;
+    Condition& c = begin_condition(all);
+    add_member(node, 1, all, c);
+    c.normal = plane.normal;
     c.gap = (m.x.col(node) - plane.point).dot(plane.normal);
     const double way = steps_to_touch * m.next * std::abs(plane.normal.dot(all.velocity.col(node)));
     const bool far = !(memory.force[i] > 0) && c.gap > std::max(multipliers_reach * plane.depth, way);
@@ -659,7 +734,7 @@ void find_conditions(const RigidPlane& plane, const Motion& m, PlaneMemory& memo
       end({&node, 1}, plane.restitution, memory.restitution[i], memory, all);
       memory.next_force[i] = 0;
       if (!memory.next_friction.empty()) memory.next_friction[i].setZero(), memory.stuck[i] = 0;
-      all.conditions.pop_back();
+      take_back(all);
       continue;
     }
     const double area = plane.area(static_cast<Eigen::Index>(i));
@@ -709,7 +784,7 @@ void find_work(const Motion& m, Multipliers& all) {
     one.work = 0;
     for (Index i = one.first; i < one.last; ++i) {
       Condition& c = all.conditions[i];
-      c.after = rate(c, all.velocity);
+      c.after = rate(c, all);
       one.work += work(c, c.after);
     }
   }

@@ -47,6 +47,13 @@ Value mean_to_come(const Value& before, const Value& after, double share) {
   return after - 0.5 * share * (after - before);
 }
 
+/// A node of a condition.
+struct Member {
+  Index node;
+  double weight;        ///< of the apex and its side positive, with the sum 1; of the base negative, with the sum -1
+  double response = 0;  ///< [m/s per N s] velocity along the normal per impulse, without constraints; set by complete()
+};
+
 /// One condition: an apex over a feature, or a node over a rigid plane. What sweeps read and write comes first.
 struct Condition {
   double impulse, change;          ///< [N s] so far, and what a sweep adds
@@ -54,13 +61,10 @@ struct Condition {
   double per_mass;                 ///< [1/kg] relative velocity per impulse
   double bound;                    ///< [1/kg] of what all impulses together change in it
   double least;                    ///< [m/s] relative velocity that may be afterwards
-  int nodes;                       ///< 1 over a rigid plane, 4 over a facet, 5 over a face of a hexahedron
-  unsigned constrained;            ///< a bit for each of its nodes on which constraints act
-  Index along;                     ///< of the first of these in Multipliers::along
-  std::array<Index, 5> node;       ///< the apex, then those of the base
-  std::array<double, 5> weight;    ///< 1, then minus those of the foot
+  int nodes;                       ///< 1 over a rigid plane, 4 over a facet, 5 over a face of a hexahedron, more over points of faces
+  Index first;                     ///< of its nodes in Multipliers::members, the apex before those of the base
+  Index along;                     ///< of the first of them in Multipliers::along, or -1: constraints act on none
   Vec3 normal;                     ///< unit vector, from the base to the apex
-  std::array<double, 5> response;  ///< [m/s per N s] velocity of each node along the normal per impulse, without constraints
   double before;                   ///< [m/s] relative velocity in the step before
   double free;                     ///< [m/s] relative velocity afterwards if no multiplier acted
   double after;                    ///< [m/s] relative velocity afterwards, set by find_work()
@@ -141,7 +145,8 @@ struct Multipliers {
   bool has_looked = false;  ///< whether `looked_at` is listed
   double way_apart = 0;  ///< [m] in an automatic contact, that nodes go against each other in the step to come, at most
   std::vector<Condition> conditions;
-  std::vector<Vec3> along;   ///< what constraints let through of the normals of conditions, node by node that they act on
+  std::vector<Member> members;  ///< of the conditions, one after the other
+  std::vector<Vec3> along;      ///< what constraints let through of the normals of conditions that they act on, node by node
   std::vector<FrictionCondition> frictions;
   std::vector<Contactor> contactors;
   std::vector<Unreleased> unreleased;  ///< of contactors that end in this step
@@ -155,34 +160,48 @@ struct Multipliers {
 /// Room for all conditions that can be expected, so that a step takes no memory.
 Multipliers make_multipliers(std::span<const Interface>, std::span<const RigidPlane>, Index nodes, Index plate_nodes);
 
-/// Calls visit(j) for the nodes of a condition; over a face of a hexahedron without a loop.
+/// Begins a condition that add_member() gives its nodes; take_back() ends it again.
+Condition& begin_condition(Multipliers&);
+void take_back(Multipliers&);
+inline void add_member(Index node, double weight, Multipliers& all, Condition& c) {
+  all.members.push_back({node, weight});
+  ++c.nodes;
+}
+
+/// Its nodes, the apex before those of the base.
+inline std::span<const Member> members_of(const Condition& c, const Multipliers& all) {
+  return {&all.members[static_cast<std::size_t>(c.first)], static_cast<std::size_t>(c.nodes)};
+}
+
+/// Calls visit(member) for the nodes of a condition; over a face of a hexahedron without a loop.
 template <class Visit>
-NEREID_HOT void each_node(const Condition& c, Visit&& visit) {
+NEREID_HOT void each_node(const Condition& c, const Multipliers& all, Visit&& visit) {
+  const Member* member = &all.members[static_cast<std::size_t>(c.first)];
   if (c.nodes == 5) {
-    for (int j = 0; j < 5; ++j) visit(j);
+    for (int j = 0; j < 5; ++j) visit(member[j]);
   } else {
-    for (int j = 0; j < c.nodes; ++j) visit(j);
+    for (int j = 0; j < c.nodes; ++j) visit(member[j]);
   }
 }
 
-/// Calls visit(j, P n) for the nodes of a condition, with what constraints let through of its normal.
+/// Calls visit(member, P n) for the nodes of a condition, with what constraints let through of its normal.
 template <class Visit>
 NEREID_HOT void each_node_along(const Condition& c, const Multipliers& all, Visit&& visit) {
-  if (c.constrained == 0) return each_node(c, [&](int j) { visit(j, c.normal); });
+  if (c.along < 0) return each_node(c, all, [&](const Member& one) { visit(one, c.normal); });
   const Vec3* along = &all.along[static_cast<std::size_t>(c.along)];
-  each_node(c, [&](int j) { visit(j, c.constrained >> j & 1 ? *along++ : c.normal); });
+  each_node(c, all, [&](const Member& one) { visit(one, *along++); });
 }
 
-/// The relative normal velocity. [m/s]
-inline double rate(const Condition& c, const Vectors& v) {
+/// The relative normal velocity in the step to come, with the impulses so far. [m/s]
+inline double rate(const Condition& c, const Multipliers& all) {
   Vec3 sum = Vec3::Zero();
-  each_node(c, [&](int j) { sum += c.weight[j] * v.col(c.node[j]); });
+  each_node(c, all, [&](const Member& one) { sum += one.weight * all.velocity.col(one.node); });
   return c.normal.dot(sum);
 }
 
 /// Adds to velocities what one more impulse makes of them.
 inline void give(const Condition& c, double impulse, Multipliers& all) {
-  each_node_along(c, all, [&](int j, const Vec3& along) { all.velocity.col(c.node[j]) += c.response[j] * impulse * along; });
+  each_node_along(c, all, [&](const Member& one, const Vec3& along) { all.velocity.col(one.node) += one.response * impulse * along; });
 }
 
 /// The work of its impulse, with the relative velocity afterwards: the mean of both velocities, whatever the steps. [J]

@@ -33,6 +33,7 @@ Workspace::Workspace(const Interface& interface)
       spring_sum(Scalars::Zero(std::max<Eigen::Index>(1, static_cast<Eigen::Index>(interface.base.ring_begin.size())) - 1)),
       rotation_sum(Scalars::Zero(interface.friction.coefficient > 0 && !interface.rotation_of_node.empty() ? spring_sum.size() : 0)) {
   near.reserve(interface.apexes.size());
+  if (interface.heights == Heights::points) points.of_face.resize(static_cast<std::size_t>(interface.faces.faces.cols()));
   const Bodies& bodies = interface.bodies;
   if (bodies.count() == 0) broad.emplace_back(static_cast<Index>(interface.base.facets.cols()));
   for (Index b = 0; interface.kind != InterfaceKind::edges && b < bodies.count(); ++b)
@@ -132,6 +133,12 @@ void visit_forces(const Interface& interface, const Memory& memory, Push&& push,
   for (const Near& near : memory.near) {
     const ElementForces& element = near.element;
     if (!element.closed) continue;
+    const auto stencils = std::span(element.stencil).first(static_cast<std::size_t>(element.count));
+    if (std::any_of(stencils.begin(), stencils.end(), [](const Stencil& one) { return one.shares > 0; })) {
+      for (const Stencil& one : stencils)
+        for_each_weight(interface, memory.shares, near.apex, one, [&](Index node, double weight) { push(node, Vec3(weight * one.push)); });
+      continue;
+    }
     push(interface.apexes[near.apex], Vec3(element.scale * element.apex));
     for (int i = 0; i < element.count; ++i) {
       const Vec3 of_stencil = element.scale * element.stencil[i].push;

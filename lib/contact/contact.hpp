@@ -32,6 +32,7 @@
 #include "contact/bodies.hpp"
 #include "contact/cone.hpp"
 #include "contact/edges.hpp"
+#include "contact/face_points.hpp"
 #include "contact/friction.hpp"
 #include "contact/method.hpp"
 #include "contact/search.hpp"
@@ -63,6 +64,12 @@ enum class Area {
 /// Which of two passes, in which each surface has apexes over the other; the back pass follows the forth one in the model.
 enum class Pass { only, forth, back };
 
+/// Where the height of an apex over its base is measured, by multipliers.
+enum class Heights {
+  nodes,   ///< at the node itself: the paper's elements
+  points,  ///< at points of the faces around it, of one side of each pair; nodes of the other side guard: points.hpp
+};
+
 /// Which penetrations of the initial geometry are accepted.
 enum class InitialPenetration {
   refuse,  ///< the scene is not built
@@ -84,6 +91,7 @@ struct Interface : Between {
   std::string name;
   InterfaceKind kind = InterfaceKind::contact;
   Method method = Method::penalty;
+  Heights heights = Heights::nodes;
   BaseSurface base;
   Fans own;                      ///< the surface of the apexes: an apex comes into contact with facets that this faces; may be empty
   Subset apexes;                 ///< nodes, ascending
@@ -232,6 +240,7 @@ struct Meeting {
 
 /// What an interface remembers. The forces are those at the end of the last step: the work of the next one needs them.
 struct Memory {
+  std::vector<Weighted> shares;             ///< nodes of the stencils over points: Stencil::first_share
   std::vector<Near> near;                   ///< ascending apexes; of a bonded interface all that have a bond
   std::vector<EdgePair> edge_pairs;         ///< of kind `edges`: within the margin at the last search, ascending
   std::vector<Crossing> crossings;          ///< those of them that can touch in the step to come, ascending
@@ -337,6 +346,7 @@ struct Workspace {
   std::vector<char> near_itself;             ///< [bodies] whether folds of each are nearer than was asked: Memory::apart_from_itself
   std::vector<char> apex_near_itself;        ///< [apexes] of which node this is so
   Vectors normals;                           ///< [facets] of bodies that touch themselves
+  PointWork points;                          ///< where heights are those of points
   Subset facets;           ///< [apexes] how many facets a search found near
   std::vector<Near> near;  ///< the next list of near apexes
   std::vector<EdgeBox> edges, base_edges, base_ridges;  ///< what a search looks at

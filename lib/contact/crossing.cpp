@@ -200,13 +200,11 @@ bool follow(const Interface& interface, const Motion& m, const Multipliers& all,
 }
 
 /// Sets nodes, weights, normal and gap of the condition of a crossing.
-void make(const Interface& interface, const Over& at, Crossing& crossing, Condition& c) {
+void make(const Interface& interface, const Over& at, Crossing& crossing, Multipliers& all, Condition& c) {
   crossing.node = {interface.edges.nodes(0, crossing.edge), interface.edges.nodes(1, crossing.edge),
                    interface.base_edges.nodes(0, crossing.base_edge), interface.base_edges.nodes(1, crossing.base_edge)};
   crossing.weight = {1 - at.first, at.first, at.second - 1, -at.second};
-  c.nodes = 4;
-  std::copy(crossing.node.begin(), crossing.node.end(), c.node.begin());
-  std::copy(crossing.weight.begin(), crossing.weight.end(), c.weight.begin());
+  for (std::size_t j = 0; j < 4; ++j) add_member(crossing.node[j], crossing.weight[j], all, c);
   c.normal = crossing.push = at.normal;
   c.gap = crossing.gap;
 }
@@ -376,11 +374,11 @@ void find_crossings(const Interface& interface, const Motion& m, Memory& memory,
     bool acts = follow(interface, m, all, crossing, at);
     const auto first = static_cast<Index>(all.conditions.size());
     if (acts) {
-      Condition& c = all.conditions.emplace_back();
-      make(interface, at, crossing, c);
+      Condition& c = begin_condition(all);
+      make(interface, at, crossing, all, c);
       const double speed = relative(crossing, all.velocity).norm();
       acts = can_touch(pair, m, c.gap, speed) && complete(m, crossing.pressed, crossing.restitution.held, all, c);
-      if (!acts) all.conditions.pop_back();
+      if (!acts) take_back(all);
     }
     if (!acts) {
       end(crossing.node, interface.restitution, crossing.restitution, memory, all);

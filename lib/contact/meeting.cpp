@@ -69,12 +69,12 @@ void see_meetings(const Interface& interface, double dt, double t, Memory& memor
   for (Meeting& one : memory.meetings) one.impulse += 0.5 * dt * (one.before + one.now);
 }
 
-void meet_at_start(const Interface& interface, const Condition& condition, double t, Memory& memory) {
+void meet_at_start(const Interface& interface, const Condition& condition, const Multipliers& all, double t, Memory& memory) {
   if (interface.bodies.count() == 0 || !(condition.impulse > 0)) return;
   const auto body_at = [&](auto wanted) {
-    int j = 0;
-    while (j + 1 < condition.nodes && !wanted(condition.weight[j])) ++j;
-    return interface.bodies.of_node[condition.node[j]];
+    const auto members = members_of(condition, all);
+    const auto at = std::find_if(members.begin(), members.end() - 1, [&](const Member& one) { return wanted(one.weight); });
+    return interface.bodies.of_node[at->node];
   };
   const Index a = body_at([](double weight) { return weight > 0; }), b = body_at([](double weight) { return weight < 0; });
   double side = 1;

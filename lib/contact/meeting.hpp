@@ -15,6 +15,6 @@ void make_room_for_meetings(const Interface&, Memory&);
 void see_meetings(const Interface&, double dt, double t, Memory&);
 
 /// Books the impulse of a condition that stopped at the start what two bodies of an automatic contact did.
-void meet_at_start(const Interface&, const Condition&, double t, Memory&);
+void meet_at_start(const Interface&, const Condition&, const Multipliers&, double t, Memory&);
 
 }  // namespace nereid::contact

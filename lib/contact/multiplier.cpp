@@ -32,7 +32,7 @@ bool all_have_moments(const Interface& interface) { return !interface.allowed.em
 /// later  [s] at which positions they count, after t
 void book_moments(const Interface& interface, const Motion& m, double later, const Near& near, Memory& memory) {
   const double half = 0.5 * m.dt;
-  memory.angular_impulse += half * moment(interface, m.x, m.v, later, near.apex, near.element);
+  memory.angular_impulse += half * moment(interface, memory.shares, m.x, m.v, later, near.apex, near.element);
   if (near.friction.acts && all_have_moments(interface))
     memory.angular_impulse += half * moment_of_friction(near.friction.touch, near.friction.force, m.x, m.v, later);
 }
@@ -44,7 +44,7 @@ void book_first_half(const Interface& interface, const Motion& m, Memory& memory
   book_first_half_of_crossings(m, memory);
   for (const Near& near : memory.near) {
     if (!near.element.closed) continue;
-    memory.work += half * power(interface, m.v, near.apex, near.element);
+    memory.work += half * power(interface, memory.shares, m.v, near.apex, near.element);
     if (rubs && near.friction.acts)
       memory.work += half * near.friction.force.dot(slip_rate(near.friction.touch, m.v, m.omega, m.rotation_of_node));
     if (turns || near.element.has_moment) book_moments(interface, m, -m.dt, near, memory);
@@ -65,8 +65,8 @@ void find_bounds(const Motion& m, Multipliers& all) {
     for (Index i = one.first; i < one.last; ++i) {
       Condition& c = all.conditions[i];
       double sum = 0;
-      each_node_along(c, all, [&](int j, const Vec3& along) {
-        sum += (&along == &c.normal ? 1 : along.norm()) * std::abs(c.response[j]) * all.shared(c.node[j]);
+      each_node_along(c, all, [&](const Member& at, const Vec3& along) {
+        sum += (&along == &c.normal ? 1 : along.norm()) * std::abs(at.response) * all.shared(at.node);
       });
       c.bound = per_area * sum;
     }
@@ -85,7 +85,7 @@ void find_bounds(const Motion& m, Multipliers& all) {
         see(touch.node[j], weight * weight + lift * lift, weight + lift);
       }
     } else {
-      for (int j = 0; j < c.nodes; ++j) see(c.node[j], c.weight[j] * c.weight[j], std::abs(c.weight[j]));
+      for (const Member& at : members_of(c, all)) see(at.node, at.weight * at.weight, std::abs(at.weight));
     }
     condition.bound = condition.per_mass * together / alone;
   }
@@ -98,7 +98,7 @@ void sweep(const Motion& m, double momentum, const Contactor& one, Multipliers& 
   double pressed = 0;
   for (Index i = one.first; i < one.last; ++i) {
     Condition& c = all.conditions[i];
-    const double now = std::max(0.0, c.impulse + (c.least - rate(c, all.velocity)) / c.bound), A2 = c.per_mass * c.per_mass;
+    const double now = std::max(0.0, c.impulse + (c.least - rate(c, all)) / c.bound), A2 = c.per_mass * c.per_mass;
     c.moved = now - c.met;
     c.change = now + momentum * c.moved - c.impulse;
     c.met = now;
@@ -165,7 +165,7 @@ bool gains(const Motion& m, const Multipliers& all) {
     double sum = 0;
     for (Index i = one.first; i < one.last; ++i) {
       const Condition& c = all.conditions[i];
-      sum += work(c, rate(c, all.velocity));
+      sum += work(c, rate(c, all));
       exchanged += 0.5 * c.impulse * c.impulse * c.per_mass;
     }
     gained += std::max(0.0, sum);
@@ -183,7 +183,7 @@ bool overlaps(const Motion& m, const Multipliers& all) {
   for (const Contactor& one : all.contactors)
     for (Index i = one.first; i < one.last; ++i) {
       const Condition& c = all.conditions[i];
-      if (one.depth > 0 && (c.least - rate(c, all.velocity)) * m.next > may_close * one.depth) return true;
+      if (one.depth > 0 && (c.least - rate(c, all)) * m.next > may_close * one.depth) return true;
     }
   return false;
 }
@@ -192,8 +192,8 @@ bool overlaps(const Motion& m, const Multipliers& all) {
 bool any_between_rigid_bodies(const Motion& m, const Multipliers& all) {
   if (!m.rigid) return false;
   return std::any_of(all.contactors.begin(), all.contactors.end(), [&](const Contactor& one) {
-    const Condition& c = all.conditions[one.first];
-    return std::all_of(c.node.begin(), c.node.begin() + c.nodes, [&](Index node) { return m.rigid->of_node[node] >= 0; });
+    const auto members = members_of(all.conditions[one.first], all);
+    return std::all_of(members.begin(), members.end(), [&](const Member& at) { return m.rigid->of_node[at.node] >= 0; });
   });
 }
 
@@ -272,6 +272,7 @@ void take_over(const Interface& interface, const Motion& m, double h, double t, 
   Index at = first < last ? all.contactors[first].first : 0, contactor = first;
   double from_trend = 0, from_before = 0;
   memory.deepest_now = 0;
+  memory.shares.clear();
   const Vec3 force_before = memory.force;
   memory.force.setZero();
   for (Near& near : memory.near) {
@@ -291,6 +292,10 @@ void take_over(const Interface& interface, const Motion& m, double h, double t, 
       if (c.impulse > most) most = c.impulse, near.pressed_most = stencil.facet;
       element.depth = std::max(element.depth, -c.gap);
       stencil.push *= c.impulse / h;
+      if (stencil.shares > 0) {
+        stencil.first_share = static_cast<Index>(memory.shares.size());
+        for (const Member& member : members_of(c, all)) memory.shares.push_back({member.node, member.weight});
+      }
       element.apex += stencil.push;
       element.closed = element.closed || c.impulse > 0;
     }
@@ -335,7 +340,7 @@ void take_over(const RigidPlane& plane, const Motion& m, double h, double t, Ind
   std::size_t i = 0;
   for (Index k = first; k < last; ++k) {
     const Condition& c = all.conditions[all.contactors[k].first];
-    while (plane.nodes[i] != c.node[0]) ++i;
+    while (plane.nodes[i] != members_of(c, all)[0].node) ++i;
     memory.next_force[i] = c.impulse / h;
     const Index friction = all.contactors[k].friction;
     if (friction >= 0) memory.next_friction[i] = all.frictions[friction].impulse / h;
@@ -378,8 +383,8 @@ bool any_touched(const Multipliers& all) {
   if (all.bonds.held.empty()) return false;
   for (const Contactor& one : all.contactors)
     for (Index i = one.first; i < one.last; ++i)
-      for (int j = 0; j < all.conditions[i].nodes; ++j)
-        if (all.bonds.has[all.conditions[i].node[j]]) return true;
+      for (const Member& at : members_of(all.conditions[i], all))
+        if (all.bonds.has[at.node]) return true;
   return false;
 }
 
@@ -426,6 +431,7 @@ void wake(const Acting& acting, const Motion& m, std::span<Workspace> workspaces
 /// Finds the conditions of all contacts by multipliers, their impulses, and the work of these.
 void find_impulses(const Acting& acting, const Motion& m, std::span<Workspace> workspaces, Multipliers& all) {
   all.conditions.clear();
+  all.members.clear();
   all.along.clear();
   all.contactors.clear();
   all.unreleased.clear();
@@ -459,11 +465,11 @@ void find_impulses(const Acting& acting, const Motion& m, std::span<Workspace> w
 }
 
 /// Gives the nodes the impulse of a condition, and books where they are what moment this has.
-void apply(const Condition& c, const Vectors& x, Vectors& impulse, Vec3& moment) {
-  for (int j = 0; j < c.nodes; ++j) {
-    const Vec3 part = c.impulse * c.weight[j] * c.normal;
-    impulse.col(c.node[j]) += part;
-    moment += x.col(c.node[j]).cross(part);
+void apply(const Condition& c, const Multipliers& all, const Vectors& x, Vectors& impulse, Vec3& moment) {
+  for (const Member& one : members_of(c, all)) {
+    const Vec3 part = c.impulse * one.weight * c.normal;
+    impulse.col(one.node) += part;
+    moment += x.col(one.node).cross(part);
   }
 }
 
@@ -485,9 +491,9 @@ void stop_at_start(std::span<const Interface> interfaces, std::span<const RigidP
       const Contactor& one = all.contactors[k];
       memory.work += one.work;
       for (Index i = one.first; i < one.last; ++i) {
-        apply(all.conditions[i], m.x, impulse, memory.angular_impulse);
+        apply(all.conditions[i], all, m.x, impulse, memory.angular_impulse);
         memory.impulse += all.conditions[i].impulse * all.conditions[i].normal;
-        if constexpr (std::is_same_v<std::decay_t<decltype(contact)>, Interface>) meet_at_start(contact, all.conditions[i], t, memory);
+        if constexpr (std::is_same_v<std::decay_t<decltype(contact)>, Interface>) meet_at_start(contact, all.conditions[i], all, t, memory);
       }
     }
     Pool alone{first, last, &memory.transferred, 0};
@@ -552,7 +558,7 @@ void change_work_to_come(std::span<const Interface> interfaces, std::span<const 
     };
     if constexpr (std::is_same_v<std::decay_t<decltype(contact)>, Interface>) {
       for (const Near& near : memory.near) {
-        if (near.element.closed) memory.restitution[near.apex].held -= half * power(contact, change, near.apex, near.element);
+        if (near.element.closed) memory.restitution[near.apex].held -= half * power(contact, memory.shares, change, near.apex, near.element);
         see(near.friction);
       }
       for (Crossing& crossing : memory.crossings) {

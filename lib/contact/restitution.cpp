@@ -47,7 +47,7 @@ void each_share(const Contactor& one, Condition& hardest, Multipliers& all, Visi
 Gain gain(const Contactor& one, Condition& hardest, Multipliers& all) {
   Gain sum{0, 0};
   each_share(one, hardest, all, [&](Condition& c, double share) {
-    const Gain by = gain(c, rate(c, all.velocity));
+    const Gain by = gain(c, rate(c, all));
     sum.B += share * by.B, sum.A += share * share * by.A;
   });
   return sum;
@@ -124,7 +124,7 @@ void release(const Motion& m, double t, Multipliers& all) {
     for (Contactor& one : all.contactors)
       for (Index i = one.first; i < one.last; ++i) {
         Condition& c = all.conditions[i];
-        const double after = rate(c, all.velocity);
+        const double after = rate(c, all);
         const Gain by = gain(c, after);
         const double left = std::max(0.0, one.memory->held - one.work - one.lost);
         c.change = std::max(0.0, (c.least - after) / c.bound);
@@ -209,7 +209,7 @@ void pay_for_friction(Pool& pool, Multipliers& all) {
 void spread_unreleased(Multipliers& all) {
   std::fill(all.at_node.begin(), all.at_node.end(), UnreleasedAtNode{});
   for (const Condition& c : all.conditions)
-    for (int j = 0; j < c.nodes; ++j) ++all.at_node[c.node[j]].conditions;
+    for (const Member& one : members_of(c, all)) ++all.at_node[one.node].conditions;
   for (const Unreleased& one : all.unreleased) {
     const std::span nodes(one.node.begin(), static_cast<std::size_t>(one.nodes));
     const auto acts = [&](Index node) { return all.at_node[node].conditions > 0; };
@@ -225,8 +225,8 @@ void take_unreleased(Index first, Index last, double& transferred, Multipliers& 
     const Contactor& one = all.contactors[k];
     for (Index i = one.first; i < one.last; ++i) {
       const Condition& c = all.conditions[i];
-      for (int j = 0; j < c.nodes; ++j) {
-        const UnreleasedAtNode& at = all.at_node[c.node[j]];
+      for (const Member& member : members_of(c, all)) {
+        const UnreleasedAtNode& at = all.at_node[member.node];
         const double part = at.energy / at.conditions;
         one.memory->held += part, one.memory->kept += part;
         transferred -= part;

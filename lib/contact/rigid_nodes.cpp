@@ -32,9 +32,9 @@ double product(const MovingBody& body, const OnBody& a, const OnBody& b) {
   return a.force.dot(body.shift * b.force) + a.moment.dot(body.turn * b.moment);
 }
 
-OnBodies of_condition(const RigidNodes& all, const Vectors& x, const Condition& c) {
+OnBodies of_condition(const RigidNodes& all, const Vectors& x, const Multipliers& multipliers, const Condition& c) {
   OnBodies sum;
-  for (int j = 0; j < c.nodes; ++j) sum.add(all, x, c.node[j], c.weight[j] * c.normal);
+  for (const Member& one : members_of(c, multipliers)) sum.add(all, x, one.node, one.weight * c.normal);
   return sum;
 }
 
@@ -58,15 +58,15 @@ Along along(const Touch& touch) {
   return {share_friction(touch, one), share_friction(touch, touch.normal.cross(one))};
 }
 
-bool is_rigid(const RigidNodes& all, const Condition& c) {
-  return std::any_of(c.node.begin(), c.node.begin() + c.nodes, [&](Index node) { return all.of_node[node] >= 0; });
+bool is_rigid(const RigidNodes& all, std::span<const Member> members) {
+  return std::any_of(members.begin(), members.end(), [&](const Member& one) { return all.of_node[one.node] >= 0; });
 }
 
 /// Calls visit(on, q) for each body that a contactor acts on: its conditions one by one, then its friction in all directions.
 template <class Visit>
 void for_each_body(const RigidNodes& all, const Motion& m, const Multipliers& multipliers, const Contactor& one, Visit&& visit) {
   for (Index i = one.first; i < one.last; ++i) {
-    const OnBodies on = of_condition(all, m.x, multipliers.conditions[i]);
+    const OnBodies on = of_condition(all, m.x, multipliers, multipliers.conditions[i]);
     for (const OnBody& here : on.on)
       if (here.body >= 0) visit(here.body, size(all, here), i);
   }
@@ -92,10 +92,10 @@ double bound_of_nodes(const RigidNodes& all, const Motion& m, const Multipliers&
     return sum;
   };
   double alone = 0, together = 0;
-  for (int j = 0; j < c.nodes; ++j) {
-    if (all.of_node[c.node[j]] >= 0) continue;
-    alone += c.weight[j] * c.weight[j] / m.mass(c.node[j]);
-    together += std::abs(c.weight[j]) * multipliers.shared(c.node[j]) / (one.area * m.mass(c.node[j]));
+  for (const Member& at : members_of(c, multipliers)) {
+    if (all.of_node[at.node] >= 0) continue;
+    alone += at.weight * at.weight / m.mass(at.node);
+    together += std::abs(at.weight) * multipliers.shared(at.node) / (one.area * m.mass(at.node));
   }
   if (!(alone > 0)) return 0;
   const double most = std::max(product(both.first, both.first), product(both.second, both.second));
@@ -173,13 +173,13 @@ void settle(RigidNodes& all, const Motion& m, Vectors& velocity) {
   }
 }
 
-double per_mass(const RigidNodes& all, const Motion& m, const Condition& c) {
+double per_mass(const RigidNodes& all, const Motion& m, const Multipliers& multipliers, const Condition& c) {
   double sum = 0;
-  for (int j = 0; j < c.nodes; ++j) {
-    const Index node = c.node[j];
-    if (all.of_node[node] < 0) sum += (m.allowed[node] ? c.normal.dot(*m.allowed[node] * c.normal) : 1) * c.weight[j] * c.response[j];
+  for (const Member& one : members_of(c, multipliers)) {
+    const Mat3* allowed = m.allowed[one.node];
+    if (all.of_node[one.node] < 0) sum += (allowed ? c.normal.dot(*allowed * c.normal) : 1) * one.weight * one.response;
   }
-  for (const OnBody& on : of_condition(all, m.x, c).on)
+  for (const OnBody& on : of_condition(all, m.x, multipliers, c).on)
     if (on.body >= 0) sum += product(all.bodies[on.body], on, on);
   return sum;
 }
@@ -202,7 +202,7 @@ void add_bounds(const RigidNodes& all, const Motion& m, Multipliers& multipliers
   for (const Contactor& one : multipliers.contactors)
     for_each_body(all, m, multipliers, one, [&](Index body, double q, Index) { shared[body] += one.area * q; });
   for (const Contactor& one : multipliers.contactors) {
-    if (!is_rigid(all, multipliers.conditions[one.first])) continue;
+    if (!is_rigid(all, members_of(multipliers.conditions[one.first], multipliers))) continue;
     double of_friction = one.friction < 0 ? 0 : bound_of_nodes(all, m, multipliers, one);
     for_each_body(all, m, multipliers, one, [&](Index body, double q, Index condition) {
       const double bound = q * shared[body] / one.area;

@@ -24,6 +24,8 @@ struct Stencil {
   bool on_ridge = false;           ///< by multipliers: both sides of that edge push the apex, which goes out between them
   /// [m] over the feature at which a contact closes; NaN: the stencil only goes with another one
   double level = std::numeric_limits<double>::quiet_NaN();
+  Index first_share = 0;           ///< in Memory::shares
+  int shares = 0;                  ///< of points of faces: how many nodes the push is on, by weights of their own; else 0
 };
 
 }  // namespace nereid::contact

@@ -60,9 +60,14 @@ void visit(Archive& archive, Tracks& tracks) {
 }
 
 template <class Archive>
+void visit(Archive& archive, Weighted& share) {
+  archive(share.node, share.weight);
+}
+
+template <class Archive>
 void visit(Archive& archive, Stencil& stencil) {
-  auto& [facet, apex, weight, fourth, push, share, kind, local, on_ridge, level] = stencil;
-  archive(facet, apex, weight, fourth, push, share, kind, local, on_ridge, level);
+  auto& [facet, apex, weight, fourth, push, share, kind, local, on_ridge, level, first_share, shares] = stencil;
+  archive(facet, apex, weight, fourth, push, share, kind, local, on_ridge, level, first_share, shares);
 }
 
 template <class Archive>
@@ -112,12 +117,12 @@ void visit(Archive& archive, Meeting& meeting) {
 
 template <class Archive>
 void visit(Archive& archive, Memory& memory) {
-  auto& [near, edge_pairs, crossings, near_facets, slot, feature, status, gap, stored, slip, tangential_stored, reconnections, thicker,
+  auto& [shares, near, edge_pairs, crossings, near_facets, slot, feature, status, gap, stored, slip, tangential_stored, reconnections, thicker,
          work, damped, thinned, friction_dissipated, friction_to_come, friction_owed, restitution, impact, force, impulse, transferred,
          has_trend, held, power_rate, created_by_reconnection, angular_impulse, meetings, deepest, deepest_apex, deepest_time,
          deepest_in, step_factor, deepest_now, walks, lost, recovered, searches, looks, margin, way, apart_from_itself, apart_then,
          awake, apexes_then, base_then, mean_way] = memory;
-  archive(near, edge_pairs, crossings, near_facets, slot, feature, status, gap, stored, slip, tangential_stored, reconnections, thicker,
+  archive(shares, near, edge_pairs, crossings, near_facets, slot, feature, status, gap, stored, slip, tangential_stored, reconnections, thicker,
           work, damped, thinned, friction_dissipated, friction_to_come, friction_owed, restitution, impact, force, impulse, transferred,
           has_trend, held, power_rate, created_by_reconnection, angular_impulse, meetings, deepest, deepest_apex, deepest_time,
           deepest_in, step_factor, deepest_now, walks, lost, recovered, searches, looks, margin, way, apart_from_itself, apart_then,

@@ -32,6 +32,7 @@ struct Skin {
   const mesh::Surface* surface = nullptr;
   Side side;
   double half = 0;  // [m] of its plates
+  double face_side = 0;  // [m] mean
 };
 
 std::vector<Skin> skins_of(const Model& model, const std::vector<TouchingBody>& bodies) {
@@ -42,7 +43,7 @@ std::vector<Skin> skins_of(const Model& model, const std::vector<TouchingBody>& 
     Side side = side_of(model, surface);
     const Side of_plates = plates.facets.cols() > 0 ? side_of(model, plates) : Side{};
     side.turns = of_plates.turns, side.half_thickness = of_plates.half_thickness;
-    skins.push_back({&surface, side, of_plates.half_thickness});
+    skins.push_back({&surface, side, of_plates.half_thickness, std::sqrt(2 * mesh::facet_areas(model.mesh, surface).mean())});
   }
   return skins;
 }
@@ -60,6 +61,16 @@ contact::Beside beside_of(const Model& model, const std::vector<TouchingBody>& l
   if (folding.empty()) return {};
   const Eigen::Map<const Table<3>> facets(folding.data(), 3, static_cast<Eigen::Index>(folding.size() / 3));
   return contact::find_beside(facets, model.mesh.X, reach);
+}
+
+/// Whether a body has the apexes against another one: that with the smaller faces, of like ones the softer, of like ones that which is
+/// `first`. Nodes of a finer side follow what is under them, and a softer one is nearly even.
+bool has_apexes(const Skin& one, const Skin& other, bool first) {
+  constexpr double alike = 0.05;  // of sides and of stiffnesses
+  if (std::abs(one.face_side - other.face_side) > alike * std::max(one.face_side, other.face_side)) return one.face_side < other.face_side;
+  if (one.side.is_rigid != other.side.is_rigid) return other.side.is_rigid;
+  const double a = one.side.stiffness, b = other.side.stiffness;
+  return std::abs(a - b) > alike * std::max(a, b) ? a < b : first;
 }
 
 /// Which bodies touch, and what each pair has together.
@@ -85,6 +96,7 @@ contact::Bodies bodies_of(const Model& model, const std::vector<TouchingBody>& l
   for (std::size_t a = 0; a < count; ++a)
     for (std::size_t b = 0; b < count; ++b) {
       bodies.between.push_back(between(skins[a].side, skins[b].side, options, share));
+      if (options.heights == contact::Heights::points) bodies.guards.push_back(a != b && has_apexes(skins[b], skins[a], b < a));
       const bool itself = a == b && list[a].touches_itself && !skins[a].side.is_rigid;
       bodies.touch.push_back(a != b ? !are_apart(apart, list[a].name, list[b].name) : itself);
     }
@@ -144,6 +156,7 @@ Connected connect_nodes(Model& model, const std::string& name, const contact::Bo
   contact::Interface interface = common_to_both(model, name, bodies, surface, options);
   const auto nodes_of_mesh = static_cast<Index>(model.mesh.X.cols());
   interface.method = options.method;
+  interface.heights = options.heights;
   interface.base = contact::base_surface(surface, model.mesh.X, bodies.of_facet);
   contact::mark_halves(interface.base, mesh::faces(model.mesh, surface));
   for (const Subset& plane : symmetry_planes(model)) contact::goes_on_behind(interface.base, plane);

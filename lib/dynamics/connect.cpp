@@ -78,7 +78,8 @@ std::vector<Behind> elements_behind(const element::AnyBlock& any, const mesh::Me
 
 Connected connect_one_pass(Model& model, const std::string& name, const std::string& apex_surface, const std::string& base_surface,
                            const InterfaceOptions& options, const Vectors& x, contact::Pass pass) {
-  const double share = pass == contact::Pass::only ? 1 : 0.5;
+  const bool over_points = options.heights == contact::Heights::points;
+  const double share = pass == contact::Pass::only || over_points ? 1 : 0.5;
   check(model.mass.size() == model.mesh.X.cols(), "finalize() a model before it gets an interface");
   const mesh::Surface& apexes = mesh::surface(model.mesh, apex_surface);
   const mesh::Surface& base = mesh::surface(model.mesh, base_surface);
@@ -86,6 +87,7 @@ Connected connect_one_pass(Model& model, const std::string& name, const std::str
   interface.name = name;
   interface.kind = options.kind;
   interface.method = options.method;
+  interface.heights = options.heights;
   interface.base = contact::base_surface(base, model.mesh.X);
   contact::mark_halves(interface.base, mesh::faces(model.mesh, base));
   interface.own = contact::fans(apexes.facets, static_cast<Index>(model.mesh.X.cols()));
@@ -117,7 +119,7 @@ Connected connect_one_pass(Model& model, const std::string& name, const std::str
   const double reach = (x.rowwise().maxCoeff() - x.rowwise().minCoeff()).norm();
   connected.gaps =
       contact::connect(interface, x, reach, options.height, options.initial_penetration, connected.memory, workspace);
-  if (pass == contact::Pass::only) {
+  if (pass == contact::Pass::only || (over_points && pass == contact::Pass::forth)) {
     const mesh::FacesAround around = mesh::faces_around(model.mesh, base, interface.base_nodes);
     connected.gaps.coarseness = contact::coarseness(interface, around, x, reach, workspace);
   }

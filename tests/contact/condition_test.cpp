@@ -56,14 +56,16 @@ TEST(Condition, HasTheGapTheFootAndTheRatesOfItsNodes) {
   Setting at(Vec3(1.3, 2.1, 1e-3));
   const Condition& c = at.find(1e-3);
   EXPECT_NEAR(c.gap, 1e-3, 1e-15);
-  EXPECT_NEAR(c.weight[1] + c.weight[2] + c.weight[3], -1, 1e-15);
-  Vec3 arm = at.scene.x.col(c.node[0]);
-  double before = at.v(2, c.node[0]), free = before + 1e-3 * at.force(2, c.node[0]) / at.mass(c.node[0]), per_mass = 1 / at.mass(c.node[0]);
-  for (int j = 1; j < 4; ++j) {
-    arm += c.weight[j] * at.scene.x.col(c.node[j]);
-    before += c.weight[j] * at.v(2, c.node[j]);
-    free += c.weight[j] * (at.v(2, c.node[j]) + 1e-3 * at.force(2, c.node[j]) / at.mass(c.node[j]));
-    per_mass += c.weight[j] * c.weight[j] / at.mass(c.node[j]);
+  const auto members = members_of(c, at.all);
+  ASSERT_EQ(members.size(), 4U);
+  EXPECT_NEAR(members[1].weight + members[2].weight + members[3].weight, -1, 1e-15);
+  Vec3 arm = Vec3::Zero();
+  double before = 0, free = 0, per_mass = 0;
+  for (const Member& one : members) {
+    arm += one.weight * at.scene.x.col(one.node);
+    before += one.weight * at.v(2, one.node);
+    free += one.weight * (at.v(2, one.node) + 1e-3 * at.force(2, one.node) / at.mass(one.node));
+    per_mass += one.weight * one.weight / at.mass(one.node);
   }
   EXPECT_LT((arm - 1e-3 * Vec3::UnitZ()).norm(), 1e-15);  // the push makes no moment
   EXPECT_NEAR(c.before, before, 1e-15);
@@ -76,9 +78,9 @@ TEST(Condition, AnImpulseChangesItsRateByWhatItSays) {
   const Mat3 slanted = Mat3::Identity() - Vec3(0.6, 0, 0.8) * Vec3(0.6, 0, 0.8).transpose();  // one node moves on a plane
   at.allowed[at.scene.interface.base.facets(0, at.scene.near().element.stencil[0].facet)] = &slanted;
   const Condition c = at.find(1e-3);
-  const double before = rate(c, at.all.velocity);
+  const double before = rate(c, at.all);
   give(c, 0.7, at.all);
-  EXPECT_NEAR(rate(c, at.all.velocity) - before, 0.7 * c.per_mass, 1e-14);
+  EXPECT_NEAR(rate(c, at.all) - before, 0.7 * c.per_mass, 1e-14);
 }
 
 TEST(Condition, FrictionChangesTheSlipRateByNoMoreThanItSays) {

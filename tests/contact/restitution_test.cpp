@@ -27,10 +27,11 @@ struct Setting {
     all = make_multipliers(count);
     for (Index n = 0; n < count; ++n) {
       memory[n].held = held[n];
-      Condition c{};
-      c.nodes = 1, c.node[0] = n, c.weight[0] = 1, c.response[0] = 1, c.normal = Vec3::UnitZ();
+      Condition& c = begin_condition(all);
+      add_member(n, 1, all, c);
+      all.members.back().response = 1;
+      c.along = -1, c.normal = Vec3::UnitZ();
       c.per_mass = c.bound = 1, c.before = c.free = 1, c.least = -1;
-      all.conditions.push_back(c);
       all.contactors.push_back(
           {.memory = &memory[n], .first = n, .last = n + 1, .friction = -1, .area = 1, .depth = 0, .impedance = 1,
            .square = square});
@@ -195,7 +196,7 @@ TEST(Unreleased, LosesByItsOwnCoefficientAndNotByThatOfWhatTakesIt) {
 
 TEST(Unreleased, IsSharedByAllThatActAtANode) {
   Setting at({0, 0});
-  at.all.conditions[1].node[0] = 0;  // both at one node
+  at.all.members[static_cast<std::size_t>(at.all.conditions[1].first)].node = 0;  // both at one node
   Memory from;
   const std::array<Index, 2> nodes{0, 1};
   Restitution ended{.held = 6};

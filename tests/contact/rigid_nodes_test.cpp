@@ -43,10 +43,14 @@ struct Setting {
   }
   /// A node of the body over a plane, or over a free node.
   void add(Index node, Index base, const Vec3& normal) {
-    Condition c{};
-    c.nodes = base < 0 ? 1 : 2, c.node[0] = node, c.node[1] = base, c.weight[0] = 1, c.weight[1] = -1, c.normal = normal.normalized();
-    for (int j = 0; j < c.nodes; ++j) c.response[j] = c.weight[j] / mass(c.node[j]);
-    all.conditions.push_back(c);
+    Condition& c = begin_condition(all);
+    const auto add_one = [&](Index of, double weight) {
+      add_member(of, weight, all, c);
+      all.members.back().response = weight / mass(of);
+    };
+    add_one(node, 1);
+    if (base >= 0) add_one(base, -1);
+    c.along = -1, c.normal = normal.normalized();
     const auto at = static_cast<Index>(all.conditions.size());
     all.contactors.push_back({.memory = nullptr, .first = at - 1, .last = at, .friction = -1, .area = 1, .depth = 0, .impedance = 0,
                               .square = 0});
@@ -85,11 +89,11 @@ TEST(RigidNodes, ResponsesAreDifferencesOfRates) {
   look_ahead(at.rigid, at.motion(), at.all);
   at.add(1, 9, {1, -2, 3});
   const Condition& c = at.all.conditions[0];
-  const double before = rate(c, at.all.velocity), small = 1e-5;
+  const double before = rate(c, at.all), small = 1e-5;
   give(c, small, at.all);
   settle(at.rigid, at.motion(), at.all.velocity);
-  const double found = (rate(c, at.all.velocity) - before) / small;
-  EXPECT_NEAR(per_mass(at.rigid, at.motion(), c), found, 0.01 * found);  // the turn of the step, |w| dt = 0.01, is in the rates
+  const double found = (rate(c, at.all) - before) / small;
+  EXPECT_NEAR(per_mass(at.rigid, at.motion(), at.all, c), found, 0.01 * found);  // the turn of the step, |w| dt = 0.01, is in the rates
 }
 
 TEST(RigidNodes, BoundsHoldAndAreExactWhereAllPushAlike) {
@@ -104,12 +108,12 @@ TEST(RigidNodes, BoundsHoldAndAreExactWhereAllPushAlike) {
     at.rigid.bodies[0].twist = {};
     give(at.all.conditions[k], 1e-6, at.all);
     settle(at.rigid, m, at.all.velocity);
-    for (int l = 0; l < 4; ++l) A(l, k) = rate(at.all.conditions[l], at.all.velocity) / 1e-6;
+    for (int l = 0; l < 4; ++l) A(l, k) = rate(at.all.conditions[l], at.all) / 1e-6;
   }
   EXPECT_LT((A - A.transpose()).norm(), 1e-6 * A.norm());
   for (int k = 0; k < 4; ++k) {
     Condition& c = at.all.conditions[k];
-    EXPECT_NEAR(per_mass(at.rigid, m, c), A(k, k), 1e-5 * A(k, k));
+    EXPECT_NEAR(per_mass(at.rigid, m, at.all, c), A(k, k), 1e-5 * A(k, k));
     c.bound = c.nodes > 1 ? 1 / 0.2 : 0;  // of the free node
   }
   leave_out(at.rigid, at.all);

@@ -1,0 +1,51 @@
+#pragma once
+// Points of the faces of the apexes' side, and where they stand over a base: points.hpp.
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "base/types.hpp"
+
+namespace nereid::contact {
+
+/// Where a point stands over a base.
+struct Foot {
+  Index facet = -1;                ///< -1: nowhere
+  int nodes = 3;                   ///< or 4 of the face that the facet is half of
+  std::array<Index, 4> node{};
+  std::array<double, 4> weight{};  ///< shape functions of the nodes at the foot
+  Vec3 normal = Vec3::Zero();      ///< unit vector out of the base
+  double height = 0;               ///< [m] along it
+};
+
+/// How a face lies on a base.
+enum class Lies {
+  apart,    ///< it does not face it, or none of its points has a foot
+  whole,    ///< all its points have one, over what is a plane or nearly so
+  leaning,  ///< its nodes are over the base by themselves
+  in_part,  ///< some of its points are over the base
+};
+
+/// The points of a face in a step.
+struct FacePoints {
+  std::int64_t step = -1;     ///< in which they were found
+  Lies lies = Lies::apart;
+  std::vector<Foot> foot;     ///< of the Gauss points; of a face that is covered in part of four points for each of its nodes
+  std::vector<int> taken_by;  ///< of such points: the corner of whose height they are a part
+};
+
+/// A node with its weight in a sum.
+struct Weighted {
+  Index node;
+  double weight;
+};
+
+/// What is worked with to find heights over points, and may be thrown away between steps.
+struct PointWork {
+  std::int64_t step = 0;
+  std::vector<FacePoints> of_face;  ///< beside Interface::faces
+  std::vector<Weighted> sum;        ///< of an apex
+};
+
+}  // namespace nereid::contact

@@ -1,0 +1,56 @@
+#pragma once
+// Heights over points of faces: where faces of the apexes' side lie on their base, an apex has one condition of what the points of all faces
+// around it find, with dual weights. Stiffness then is neither added, as by nodes of both sides, nor is a load of one face given to another,
+// as by nodes of one side: docs/theory/points.md.
+//
+// A point q of a face, at sum of phi_b(q) x_b, stands h_q over its foot, the point of the base with shape functions N_l(q). Weights w_aq that
+// are dual to the shape functions of the face,
+//
+//     sum over q of w_aq phi_b(q) = 1 if b is a, else 0,
+//
+// leave of the face the apex alone; for the Gauss points of a face they are constants. With the part A_f of the tributary area of the apex
+// that lies on face f
+//
+//     A g = sum of A_f w_aq h_q,     A v = n . sum of A_f w_aq (v_a - sum of N_l(q) v_l),     A = sum of A_f
+//
+// Points at the nodes make this the contact element of Kulak & Fiala. It remains where a face leans to its base, as at a ridge or corner.
+
+#include <vector>
+
+#include "contact/condition.hpp"
+
+namespace nereid::contact {
+
+/// Finds the foot of a point: from a facet on across edges that are no walls.
+///
+/// returns whether it has one; not past a border or wall
+bool find_foot(const BaseSurface&, const Vectors& x, const Vec3& point, Index from, Foot& foot);
+
+/// What points of faces give an apex.
+struct OverPoints {
+  double area = 0;                ///< [m2] of faces whose points count
+  double of_node = 0;             ///< [m2] of faces that lean: the height of the node itself counts for them
+  bool covered_elsewhere = false; ///< a face is covered in part, and nodes of it that are better covered have its points
+  double gap = 0;                 ///< [m3] height times area, without the level of contact
+  Vec3 normal = Vec3::Zero();     ///< [m2]
+  double least_turn = 1;          ///< [-] cosine between normals and their mean, the least
+};
+
+/// Whether the heights of an apex over a facet are those of points of its faces.
+bool is_over_points(const Interface&, Index apex, Index facet);
+
+/// Whether an apex over a facet only guards: its base has the apexes, and it acts where these leave it too deep.
+bool is_guard(const Interface&, Index apex, Index facet);
+
+/// [m] What a guard may be deep without acting: a hundredth of the side of the base, and what a plane face of the base leaves between it
+/// and a surface that is curved like that of the guard.
+double allowance(const Interface&, const Vectors& x, Index apex, Index facet);
+
+/// Sums the points of all faces around an apex over the part of the base that a facet belongs to, and lists in PointWork::sum how much of each node is in
+/// the sum: [m2], positive of the side of the apex; the apex comes first.
+OverPoints sum_points(const Interface&, const Vectors& x, Index apex, Index facet, PointWork&);
+
+/// Adds to what a node has in the sum. [m2]
+void add_to(Index node, double weight, PointWork&);
+
+}  // namespace nereid::contact
