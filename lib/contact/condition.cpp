@@ -482,7 +482,7 @@ void let_yield(double owed, double depth, const Motion& m, std::size_t first, Mu
 bool has_same_points(const BaseSurface& base, const Vectors& x, const ElementForces& element, int s) {
   const Vec3 normal = facet_normal(base, x, element.stencil[s].facet);
   return std::any_of(element.stencil.begin(), element.stencil.begin() + s, [&](const Stencil& before) {
-    return before.shares > 0 && before.push.dot(normal) > same_part;
+    return before.over_points && before.push.dot(normal) > same_part;
   });
 }
 
@@ -510,7 +510,7 @@ bool find_over_points(const Interface& interface, const Motion& m, const Memory&
   c.gap = sum.gap / area;
   for (const Weighted& one : work.sum)
     if (c.nodes == 0 || std::abs(one.weight) > no_weight * area) add_member(one.node, one.weight / area, all, c);
-  stencil.shares = c.nodes;
+  stencil.over_points = true;
   if (sum.least_turn < 1 - just_on) near.element.has_moment = true;
   if (pushes) return true;
   double fastest = 0;
@@ -531,7 +531,7 @@ bool guard_acts(const Interface& interface, const Motion& m, const Near& near, I
 bool find(const Interface& interface, const Motion& m, const Memory& memory, Near& near, int s, Ahead& ahead, PointWork& work,
           Multipliers& all, Condition& c) {
   Stencil& stencil = near.element.stencil[s];
-  stencil.shares = 0;
+  stencil.over_points = false, stencil.shares = 0;
   bool made = interface.heights == Heights::nodes && make_ahead(interface, m.x, memory, near, ahead, all, c);
   if (!made && (std::isnan(stencil.level) || is_same_face(interface.base, near.element, s))) return false;
   if (!made && is_over_points(interface, near.apex, stencil.facet)) made = find_over_points(interface, m, memory, near, s, work, all, c);
@@ -686,7 +686,7 @@ void find_conditions(const Interface& interface, const Motion& m, Memory& memory
       Stencil& stencil = near.element.stencil[s];
       Condition& c = begin_condition(all);
       if (!find(interface, m, memory, near, s, ahead, workspace.points, all, c)) {
-        stencil.apex = 0, stencil.shares = 0, stencil.weight = {}, stencil.fourth = 0, stencil.push.setZero();
+        stencil.apex = 0, stencil.over_points = false, stencil.weight = {}, stencil.fourth = 0, stencil.push.setZero();
         take_back(all);
         continue;
       }

@@ -292,8 +292,8 @@ void take_over(const Interface& interface, const Motion& m, double h, double t, 
       if (c.impulse > most) most = c.impulse, near.pressed_most = stencil.facet;
       element.depth = std::max(element.depth, -c.gap);
       stencil.push *= c.impulse / h;
-      if (stencil.shares > 0) {
-        stencil.first_share = static_cast<Index>(memory.shares.size());
+      if (stencil.over_points) {
+        stencil.first_share = static_cast<Index>(memory.shares.size()), stencil.shares = c.nodes;
         for (const Member& member : members_of(c, all)) memory.shares.push_back({member.node, member.weight});
       }
       element.apex += stencil.push;

@@ -24,8 +24,9 @@ struct Stencil {
   bool on_ridge = false;           ///< by multipliers: both sides of that edge push the apex, which goes out between them
   /// [m] over the feature at which a contact closes; NaN: the stencil only goes with another one
   double level = std::numeric_limits<double>::quiet_NaN();
+  bool over_points = false;        ///< by multipliers: its condition is over points of faces
   Index first_share = 0;           ///< in Memory::shares
-  int shares = 0;                  ///< of points of faces: how many nodes the push is on, by weights of their own; else 0
+  int shares = 0;                  ///< over points: how many nodes the push is on, by weights of their own; else 0
 };
 
 }  // namespace nereid::contact

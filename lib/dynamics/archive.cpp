@@ -66,8 +66,8 @@ void visit(Archive& archive, Weighted& share) {
 
 template <class Archive>
 void visit(Archive& archive, Stencil& stencil) {
-  auto& [facet, apex, weight, fourth, push, share, kind, local, on_ridge, level, first_share, shares] = stencil;
-  archive(facet, apex, weight, fourth, push, share, kind, local, on_ridge, level, first_share, shares);
+  auto& [facet, apex, weight, fourth, push, share, kind, local, on_ridge, level, over_points, first_share, shares] = stencil;
+  archive(facet, apex, weight, fourth, push, share, kind, local, on_ridge, level, over_points, first_share, shares);
 }
 
 template <class Archive>

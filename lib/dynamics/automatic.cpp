@@ -32,7 +32,7 @@ struct Skin {
   const mesh::Surface* surface = nullptr;
   Side side;
   double half = 0;  // [m] of its plates
-  double face_side = 0;  // [m] mean
+  double area = 0, face_side = 0;  // [m2] of all its facets, [m] mean
 };
 
 std::vector<Skin> skins_of(const Model& model, const std::vector<TouchingBody>& bodies) {
@@ -43,7 +43,8 @@ std::vector<Skin> skins_of(const Model& model, const std::vector<TouchingBody>& 
     Side side = side_of(model, surface);
     const Side of_plates = plates.facets.cols() > 0 ? side_of(model, plates) : Side{};
     side.turns = of_plates.turns, side.half_thickness = of_plates.half_thickness;
-    skins.push_back({&surface, side, of_plates.half_thickness, std::sqrt(2 * mesh::facet_areas(model.mesh, surface).mean())});
+    const Scalars areas = mesh::facet_areas(model.mesh, surface);
+    skins.push_back({&surface, side, of_plates.half_thickness, areas.sum(), std::sqrt(2 * areas.mean())});
   }
   return skins;
 }
@@ -63,14 +64,22 @@ contact::Beside beside_of(const Model& model, const std::vector<TouchingBody>& l
   return contact::find_beside(facets, model.mesh.X, reach);
 }
 
-/// Whether a body has the apexes against another one: that with the smaller faces, of like ones the softer, of like ones that which is
-/// `first`. Nodes of a finer side follow what is under them, and a softer one is nearly even.
+/// Whether a body has the apexes against another one: that with the smaller faces, whose nodes follow what is under them; of like ones that
+/// which is not rigid, then the softer one, then the smaller one, whose faces lie on the other as a whole; else that which is `first`. Of
+/// rigid bodies, whose stress nobody asks for, the smaller one.
 bool has_apexes(const Skin& one, const Skin& other, bool first) {
-  constexpr double alike = 0.05;  // of sides and of stiffnesses
-  if (std::abs(one.face_side - other.face_side) > alike * std::max(one.face_side, other.face_side)) return one.face_side < other.face_side;
+  constexpr double alike = 0.05;
+  const auto is_less = [](double a, double b, bool& differs) {
+    differs = std::abs(a - b) > alike * std::max(a, b);
+    return a < b;
+  };
+  bool differs = false;
+  const bool both_rigid = one.side.is_rigid && other.side.is_rigid;
+  if (const bool finer = is_less(one.face_side, other.face_side, differs); differs && !both_rigid) return finer;
   if (one.side.is_rigid != other.side.is_rigid) return other.side.is_rigid;
-  const double a = one.side.stiffness, b = other.side.stiffness;
-  return std::abs(a - b) > alike * std::max(a, b) ? a < b : first;
+  if (const bool softer = is_less(one.side.stiffness, other.side.stiffness, differs); differs && !both_rigid) return softer;
+  const bool smaller = is_less(one.area, other.area, differs);
+  return differs ? smaller : first;
 }
 
 /// Which bodies touch, and what each pair has together.

@@ -157,9 +157,9 @@ void read_penalty(const Section& section, bool multiplier, dynamics::InterfaceOp
   options.penalty_scale = by_penalty.when(!given).number_or("penalty_scale", options.penalty_scale, positive);
 }
 
-/// `heights: nodes | points`. Points have one direction, with a second pass that guards.
-void read_heights(const Section& section, dynamics::InterfaceOptions& options) {
-  const bool points = section.choice_or("heights", "nodes", {"nodes", "points"}) == "points";
+/// `heights: nodes | points` of a contact by multipliers. Points have one direction, with a second pass that guards.
+void read_heights(const Section& section, bool used, const std::string& usual, dynamics::InterfaceOptions& options) {
+  const bool points = section.when(used).choice_or("heights", usual, {"nodes", "points"}) == "points" && used;
   options.heights = points ? contact::Heights::points : contact::Heights::nodes;
   if (points && options.two_passes) section.fault("heights", "points have one direction: leave out 'passes: two'");
 }
@@ -179,7 +179,7 @@ dynamics::InterfaceOptions read_solid_interface(const Section& section, bool bon
   const Section by_penalty = section.when(!multiplier);
   read_penalty(section, multiplier, options);
   options.two_passes = section.choice_or("passes", "one", {"one", "two"}) == "two";
-  read_heights(section.when(multiplier && !bonded), options);
+  read_heights(section, multiplier && !bonded, "nodes", options);
   options.two_passes = options.two_passes || options.heights == contact::Heights::points;
   const bool base_area = by_penalty.choice_or("area", "apex", {"apex", "base"}) == "base";
   options.area = base_area ? contact::Area::base : contact::Area::apex;
@@ -225,7 +225,7 @@ dynamics::InterfaceOptions read_automatic_interface(const Section& section) {
   options.method = multiplier ? contact::Method::multiplier : contact::Method::penalty;
   options.restitution = section.when(multiplier).number_or("restitution", options.restitution, model::range::restitution);
   read_penalty(section, multiplier, options);
-  read_heights(section.when(multiplier), options);
+  read_heights(section, multiplier, "points", options);
   options.edges = section.flag_or("edges", options.edges);
   options.friction = read_friction(section, multiplier);
   const Section spring = section.when(!multiplier);
