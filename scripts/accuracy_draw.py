@@ -188,7 +188,7 @@ def truth(one, store, scratch, told):
 
 @dataclasses.dataclass
 class Row:
-    """One result that was drawn; errors over the true value. Without an estimate `said` says why."""
+    """One result that was drawn; errors over the true value. `said` tells why there is no estimate, or why the target is not reached."""
     stratum: str
     name: str
     estimate: float | None = None
@@ -205,15 +205,26 @@ class Row:
 def row_of(stratum, one, store, scratch, told):
     """told  what `--accuracy` answered: scripts/accuracy"""
     row = Row(stratum, one.name, finest=re.search(r"refine ([\d.]+)", told.lines[-1])[1] if told.lines else "")
-    if told.status != 0 or told.value is None:
-        return dataclasses.replace(row, said=told.said.partition(" is not reached: ")[2] or told.said)
+    reached = told.status == 0 and told.value is not None
+    answer = (told.value, told.error) if reached else last_estimate(told.lines)
+    if not reached:
+        row = dataclasses.replace(row, said=told.said.partition(" is not reached: ")[2] or told.said)
+    if answer is None:
+        return row
+    mine, error = answer
     found = truth(one, store, scratch, told)
     if found is None:
-        return dataclasses.replace(row, estimate=told.error / abs(told.value), said="no finer mesh could be run")
+        return dataclasses.replace(row, estimate=error / abs(mine), said=row.said or "no finer mesh could be run")
     value, uncertainty, beyond = found
-    scale = abs(value) or abs(told.value)
-    return dataclasses.replace(row, estimate=told.error / scale, true=abs(told.value - value) / scale, uncertainty=uncertainty / scale,
+    scale = abs(value) or abs(mine)
+    return dataclasses.replace(row, estimate=error / scale, true=abs(mine - value) / scale, uncertainty=uncertainty / scale,
                                beyond=tuple(beyond))
+
+
+def last_estimate(lines):
+    """(value, its estimated error) of the last mesh, as the screen shows them; None where it shows no estimate."""
+    found = re.match(r"refine \S+: \S+ = (\S+) .*estimated error (\S+) %", lines[-1]) if lines else None
+    return (float(found[1]), abs(float(found[1])) * float(found[2]) / 100) if found else None
 
 
 def percent(part):
@@ -232,6 +243,8 @@ def text_of(rows, target, seed):
     untold = [row for row in rows if row.estimate is not None and row.true is None]
     good, most = sum(row.within() for row in rows), len(rows) // 10
     counted = len(rows) - min(len(refused), most) - len(untold)
-    return "\n".join([*lines, "", f"{len(rows) - len(refused)} of {len(rows)} have an estimate, and the true error is within it in {good}. "
+    reached = sum(row.estimate is not None and not row.said for row in rows)
+    return "\n".join([*lines, "", f"{reached} of {len(rows)} reach the target; of others the estimate is that of their last mesh.",
+                      f"{len(rows) - len(refused)} of {len(rows)} have an estimate, and the true error is within it in {good}. "
                       f"{len(refused)} were refused: those beyond {most} count as missed, which makes {good} of {counted}."
                       + (f" Of {len(untold)} the true value is not known." if untold else "")])

@@ -179,7 +179,7 @@ dynamics::InterfaceOptions read_solid_interface(const Section& section, bool bon
   const Section by_penalty = section.when(!multiplier);
   read_penalty(section, multiplier, options);
   options.two_passes = section.choice_or("passes", "one", {"one", "two"}) == "two";
-  read_heights(section, multiplier && !bonded, "nodes", options);
+  read_heights(section, multiplier && !bonded, options.two_passes ? "nodes" : "points", options);
   options.two_passes = options.two_passes || options.heights == contact::Heights::points;
   const bool base_area = by_penalty.choice_or("area", "apex", {"apex", "base"}) == "base";
   options.area = base_area ? contact::Area::base : contact::Area::apex;

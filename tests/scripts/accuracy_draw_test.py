@@ -67,6 +67,12 @@ class RowsTest(unittest.TestCase):
         self.assertIn("those beyond 2 count as missed, which makes 15 of 18.", text)
         self.assertIn("which makes 20 of 20", draw.text_of([good] * 20, 0.02, 1))
 
+    def test_an_estimate_counts_where_the_target_is_not_reached(self):
+        lines = ["refine 1: force = 2 N", "refine 2: force = 1.5 N, estimated error 40 %"]
+        self.assertEqual(draw.last_estimate(lines), (1.5, 0.6))
+        self.assertIsNone(draw.last_estimate(lines[:1]))
+        self.assertIsNone(draw.last_estimate([]))
+
     def test_what_the_true_value_is_uncertain_by_counts_for_the_estimate(self):
         self.assertTrue(draw.Row("plates", "a", 0.01, 0.015, 0.006).within())
         self.assertFalse(draw.Row("plates", "a", 0.01, 0.015, 0.004).within())
