@@ -58,28 +58,22 @@ double area_facing(const Interface& interface, const Vectors& x, Index a, Index 
 
 }  // namespace
 
-double power(const Interface& interface, std::span<const Weighted> shares, const Vectors& v, Index a, const ElementForces& element) {
+double power(const Interface& interface, std::span<const Share> shares, const Vectors& v, Index a, const ElementForces& element) {
   if (!element.closed) return 0;
   double sum = 0;
   for (int i = 0; i < element.count; ++i) {
-    const Stencil& stencil = element.stencil[i];
-    Vec3 rate = Vec3::Zero();
-    for_each_weight(interface, shares, a, stencil, [&](Index node, double weight) { rate += weight * v.col(node); });
-    sum += stencil.push.dot(rate);
+    for_each_force(interface, shares, a, element.stencil[i], [&](Index node, const Vec3& force) { sum += force.dot(v.col(node)); });
   }
   return sum;
 }
 
-Vec3 moment(const Interface& interface, std::span<const Weighted> shares, const Vectors& x, const Vectors& v, double later, Index a,
+Vec3 moment(const Interface& interface, std::span<const Share> shares, const Vectors& x, const Vectors& v, double later, Index a,
             const ElementForces& element) {
   Vec3 sum = Vec3::Zero();
   if (!element.closed || (interface.allowed.empty() && !element.has_moment)) return sum;
   const auto place = [&](Index node) { return Vec3(x.col(node) + later * v.col(node)); };
   for (int i = 0; i < element.count; ++i) {
-    const Stencil& stencil = element.stencil[i];
-    Vec3 arm = Vec3::Zero();
-    for_each_weight(interface, shares, a, stencil, [&](Index node, double weight) { arm += weight * place(node); });
-    sum += arm.cross(stencil.push);
+    for_each_force(interface, shares, a, element.stencil[i], [&](Index node, const Vec3& force) { sum += place(node).cross(force); });
   }
   return element.scale * sum;
 }

@@ -17,18 +17,19 @@ void for_each_node(const Interface& interface, const Stencil& stencil, Visit&& v
   if (stencil.fourth != 0) visit(interface.base.half[stencil.facet].fourth, stencil.fourth, 0.0);
 }
 
-/// Visits all nodes of a stencil with what they take of the push, the side of the apex positive.
+/// Visits all nodes of a stencil with the force on each. [N]
 ///
 /// shares  Memory::shares
 template <class Visit>
-void for_each_weight(const Interface& interface, std::span<const Weighted> shares, Index apex, const Stencil& stencil, Visit&& visit) {
+void for_each_force(const Interface& interface, std::span<const Share> shares, Index apex, const Stencil& stencil, Visit&& visit) {
   if (stencil.shares > 0) {
-    for (const Weighted& one : shares.subspan(static_cast<std::size_t>(stencil.first_share), static_cast<std::size_t>(stencil.shares)))
-      visit(one.node, one.weight);
+    const double size = stencil.push.norm();
+    for (const Share& one : shares.subspan(static_cast<std::size_t>(stencil.first_share), static_cast<std::size_t>(stencil.shares)))
+      visit(one.node, Vec3(size * one.push));
     return;
   }
-  visit(interface.apexes[apex], stencil.apex);
-  for_each_node(interface, stencil, [&](Index node, double weight, double) { visit(node, -weight); });
+  visit(interface.apexes[apex], Vec3(stencil.apex * stencil.push));
+  for_each_node(interface, stencil, [&](Index node, double weight, double) { visit(node, Vec3(-weight * stencil.push)); });
 }
 
 /// Weights of the point of a facet that is closest to an apex.
@@ -46,10 +47,10 @@ void vote_over(const Interface&, const Vectors& x, Index apex, const Feature&, c
 Touch touch_of(const Interface&, const Vectors& x, Index apex, const Feature&, const Vec3& normal, const Stencil* foot = nullptr);
 
 /// Power of the forces of one apex and its bases, without Interface::damping_time. [W]
-double power(const Interface&, std::span<const Weighted> shares, const Vectors& v, Index apex, const ElementForces&);
+double power(const Interface&, std::span<const Share> shares, const Vectors& v, Index apex, const ElementForces&);
 
 /// Moment about the origin of the normal forces of one apex, at the positions `later` [s] after x. It is computed where there can be one.
-Vec3 moment(const Interface&, std::span<const Weighted> shares, const Vectors& x, const Vectors& v, double later, Index apex, const ElementForces&);
+Vec3 moment(const Interface&, std::span<const Share> shares, const Vectors& x, const Vectors& v, double later, Index apex, const ElementForces&);
 
 /// Remembers the depth of an apex that is the deepest so far. A deep one may stand beside the body that it is pushed out of, near another
 /// of its faces, past a rim or between folds: it is no deeper than its layer and that of the body overlap, overlap_of().

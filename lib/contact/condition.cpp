@@ -34,7 +34,7 @@ constexpr double at_ridge = 0.05;      // weight of the third node of a facet: w
 constexpr double uneven = 0.01;        // sine: normals that differ by less, as on a mesh of a flat face that is not quite flat, are alike
 constexpr double as_much = 0.5;        // of the larger push of both sides
 constexpr double same_part = 0.9063;   // cosine of 25 degrees between normals of a base whose points are found together
-constexpr double no_weight = 1e-13;    // of the area of points: round-off
+constexpr double no_weight = 1e-13;    // of the push: round-off
 
 /// Whether an apex that is pressed stays over the inside of the one facet that it slides on, and comes to no other part: its stencil of the
 /// step before says which, and conditions need no more.
@@ -330,22 +330,21 @@ bool complete(const Motion& m, double pressed, double held, Multipliers& all, Co
   Member* const members = &all.members[static_cast<std::size_t>(c.first)];
   for (int j = 0; j < c.nodes; ++j) members[j].response = members[j].weight * all.mobility(members[j].node);
   c.along = -1;
-  if (is_constrained(c, m, all)) {
+  if (c.pushes >= 0 || is_constrained(c, m, all)) {
     c.along = static_cast<Index>(all.along.size());
-    each_node(c, all, [&](const Member& one) {
-      all.along.push_back(m.allowed[one.node] ? Vec3(*m.allowed[one.node] * c.normal) : c.normal);
-    });
+    for (int j = 0; j < c.nodes; ++j) {
+      const Mat3* allowed = m.allowed[members[j].node];
+      const bool own = c.pushes >= 0 && members[j].weight != 0;
+      const Vec3 push = own ? Vec3(push_of(c, j, all) / members[j].weight) : c.normal;
+      all.along.push_back(allowed ? Vec3(*allowed * push) : push);
+    }
   }
   double sum = 0;
   each_node_along(c, all, [&](const Member& one, const Vec3& along) {
-    sum += (c.along < 0 ? 1 : c.normal.dot(along)) * one.weight * one.response;
+    sum += (c.along < 0 ? 1 : along.squaredNorm()) * one.weight * one.response;
   });
   c.per_mass = m.rigid ? per_mass(*m.rigid, m, all, c) : sum;
-  Vec3 before = Vec3::Zero(), free = Vec3::Zero();
-  each_node(c, all, [&](const Member& one) {
-    before += one.weight * m.v.col(one.node), free += one.weight * all.velocity.col(one.node);
-  });
-  c.before = c.normal.dot(before), c.free = c.normal.dot(free);
+  c.before = relative(c, all, m.v), c.free = relative(c, all, all.velocity);
   const double closing = (c.gap > 0 ? -c.gap : -corrected * c.gap) / m.next, impulse = 0.5 * pressed * (m.dt + m.next);
   const double from_held = impulse > 0 ? std::max(0.0, held) / impulse : 0;
   const double may = 2 * from_held - c.before;  // the work of this step; to stop again takes as much as to go apart
@@ -497,21 +496,27 @@ bool find_over_points(const Interface& interface, const Motion& m, const Memory&
   const double level = stencil.level - stand_off(interface.base, stencil.facet);
   const bool pushes = !stencil.push.isZero(0), stands = make(interface, m, memory, near, stencil, near.element.has_moment, all, c);
   if (!(sum.area > 0)) return stands;
-  double area = sum.area;
-  sum.gap -= area * level;
+  double area = 0;
+  sum.gap -= sum.area * level;
   if (stands && sum.of_node > 0) {
-    for (const Member& one : members_of(c, all)) add_to(one.node, sum.of_node * one.weight, work);
-    sum.gap += sum.of_node * c.gap, sum.normal += sum.of_node * c.normal, area += sum.of_node;
+    for (const Member& one : members_of(c, all)) add_to(one.node, sum.of_node * one.weight * c.normal, one.weight > 0, work);
+    sum.gap += sum.of_node * c.gap, sum.normal += sum.of_node * c.normal;
   }
   if (!stands) stencil.weight = weights_of(interface, m.x, near.apex, stencil.facet), stencil.fourth = 0;
   all.members.resize(static_cast<std::size_t>(c.first)), c.nodes = 0;
   const Mat3* allowed = allowed_of(interface, near.apex);
-  c.normal = (allowed ? Vec3(*allowed * sum.normal) : sum.normal).normalized();
-  c.gap = sum.gap / area;
-  for (const Weighted& one : work.sum)
-    if (c.nodes == 0 || std::abs(one.weight) > no_weight * area) add_member(one.node, one.weight / area, all, c);
+  const Vec3 along = allowed ? Vec3(*allowed * sum.normal) : sum.normal;
+  area = along.norm();  // so that what the apex gets is a unit vector
+  if (!(area > 0)) return false;
+  c.normal = along / area, c.gap = sum.gap / area;
+  c.pushes = static_cast<Index>(all.pushes.size());
+  for (const Share& one : work.sum) {
+    const double weight = one.push.norm() / area;
+    if (c.nodes > 0 && !(weight > no_weight)) continue;
+    add_member(one.node, one.of_apex_side ? weight : -weight, all, c);
+    all.pushes.push_back(one.push / area);
+  }
   stencil.over_points = true;
-  if (sum.least_turn < 1 - just_on) near.element.has_moment = true;
   if (pushes) return true;
   double fastest = 0;
   for (const Member& one : members_of(c, all)) {
@@ -545,6 +550,7 @@ bool find(const Interface& interface, const Motion& m, const Memory& memory, Nea
 Condition& begin_condition(Multipliers& all) {
   Condition& c = all.conditions.emplace_back();
   c.first = static_cast<Index>(all.members.size());
+  c.pushes = c.along = -1;
   return c;
 }
 
@@ -628,6 +634,7 @@ Multipliers make_multipliers(std::span<const Interface> interfaces, std::span<co
   all.conditions.reserve(most_of_an_apex * apexes);
   all.members.reserve(5 * most_of_an_apex * apexes);
   all.along.reserve(5 * most_of_an_apex * apexes);
+  all.pushes.reserve(5 * most_of_an_apex * apexes);
   all.frictions.reserve(apexes);
   all.contactors.reserve(apexes);
   all.unreleased.reserve(apexes);

@@ -50,8 +50,8 @@ Value mean_to_come(const Value& before, const Value& after, double share) {
 /// A node of a condition.
 struct Member {
   Index node;
-  double weight;        ///< of the apex and its side positive, with the sum 1; of the base negative, with the sum -1
-  double response = 0;  ///< [m/s per N s] velocity along the normal per impulse, without constraints; set by complete()
+  double weight;        ///< size of its share of the push, positive of the side of the apex, negative of the base
+  double response = 0;  ///< [m/s per N s] velocity along its push per impulse, without constraints; set by complete()
 };
 
 /// One condition: an apex over a feature, or a node over a rigid plane. What sweeps read and write comes first.
@@ -63,7 +63,8 @@ struct Condition {
   double least;                    ///< [m/s] relative velocity that may be afterwards
   int nodes;                       ///< 1 over a rigid plane, 4 over a facet, 5 over a face of a hexahedron, more over points of faces
   Index first;                     ///< of its nodes in Multipliers::members, the apex before those of the base
-  Index along;                     ///< of the first of them in Multipliers::along, or -1: constraints act on none
+  Index pushes;                    ///< of the first of them in Multipliers::pushes, or -1: all are pushed along the normal
+  Index along;                     ///< of the first of them in Multipliers::along, or -1: the same, and constraints act on none
   Vec3 normal;                     ///< unit vector, from the base to the apex
   double before;                   ///< [m/s] relative velocity in the step before
   double free;                     ///< [m/s] relative velocity afterwards if no multiplier acted
@@ -146,7 +147,8 @@ struct Multipliers {
   double way_apart = 0;  ///< [m] in an automatic contact, that nodes go against each other in the step to come, at most
   std::vector<Condition> conditions;
   std::vector<Member> members;  ///< of the conditions, one after the other
-  std::vector<Vec3> along;      ///< what constraints let through of the normals of conditions that they act on, node by node
+  std::vector<Vec3> pushes;     ///< of conditions over points, whose normals differ, node by node
+  std::vector<Vec3> along;      ///< what constraints let through of pushes, or of normals of conditions that they act on, node by node
   std::vector<FrictionCondition> frictions;
   std::vector<Contactor> contactors;
   std::vector<Unreleased> unreleased;  ///< of contactors that end in this step
@@ -184,7 +186,13 @@ NEREID_HOT void each_node(const Condition& c, const Multipliers& all, Visit&& vi
   }
 }
 
-/// Calls visit(member, P n) for the nodes of a condition, with what constraints let through of its normal.
+/// What one of its nodes gets of its impulse. [-]
+inline Vec3 push_of(const Condition& c, int j, const Multipliers& all) {
+  if (c.pushes >= 0) return all.pushes[static_cast<std::size_t>(c.pushes + j)];
+  return all.members[static_cast<std::size_t>(c.first + j)].weight * c.normal;
+}
+
+/// Calls visit(member, direction) for the nodes of a condition: what constraints let through of its normal, or of the push of each node.
 template <class Visit>
 NEREID_HOT void each_node_along(const Condition& c, const Multipliers& all, Visit&& visit) {
   if (c.along < 0) return each_node(c, all, [&](const Member& one) { visit(one, c.normal); });
@@ -192,11 +200,22 @@ NEREID_HOT void each_node_along(const Condition& c, const Multipliers& all, Visi
   each_node(c, all, [&](const Member& one) { visit(one, *along++); });
 }
 
-/// The relative normal velocity in the step to come, with the impulses so far. [m/s]
-inline double rate(const Condition& c, const Multipliers& all) {
+/// The relative normal velocity, by velocities v. [m/s]
+inline double relative(const Condition& c, const Multipliers& all, const Vectors& v) {
+  if (c.pushes >= 0) {
+    const Vec3* push = &all.pushes[static_cast<std::size_t>(c.pushes)];
+    double rate = 0;
+    each_node(c, all, [&](const Member& one) { rate += (push++)->dot(v.col(one.node)); });
+    return rate;
+  }
   Vec3 sum = Vec3::Zero();
-  each_node(c, all, [&](const Member& one) { sum += one.weight * all.velocity.col(one.node); });
+  each_node(c, all, [&](const Member& one) { sum += one.weight * v.col(one.node); });
   return c.normal.dot(sum);
+}
+
+/// The same in the step to come, with the impulses so far. [m/s]
+inline double rate(const Condition& c, const Multipliers& all) {
+  return relative(c, all, all.velocity);
 }
 
 /// Adds to velocities what one more impulse makes of them.

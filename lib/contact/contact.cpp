@@ -136,7 +136,7 @@ void visit_forces(const Interface& interface, const Memory& memory, Push&& push,
     const auto stencils = std::span(element.stencil).first(static_cast<std::size_t>(element.count));
     if (std::any_of(stencils.begin(), stencils.end(), [](const Stencil& one) { return one.shares > 0; })) {
       for (const Stencil& one : stencils)
-        for_each_weight(interface, memory.shares, near.apex, one, [&](Index node, double weight) { push(node, Vec3(weight * one.push)); });
+        for_each_force(interface, memory.shares, near.apex, one, push);
       continue;
     }
     push(interface.apexes[near.apex], Vec3(element.scale * element.apex));

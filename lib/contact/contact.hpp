@@ -240,7 +240,7 @@ struct Meeting {
 
 /// What an interface remembers. The forces are those at the end of the last step: the work of the next one needs them.
 struct Memory {
-  std::vector<Weighted> shares;             ///< nodes of the stencils over points: Stencil::first_share
+  std::vector<Share> shares;                ///< of the stencils over points: Stencil::first_share
   std::vector<Near> near;                   ///< ascending apexes; of a bonded interface all that have a bond
   std::vector<EdgePair> edge_pairs;         ///< of kind `edges`: within the margin at the last search, ascending
   std::vector<Crossing> crossings;          ///< those of them that can touch in the step to come, ascending

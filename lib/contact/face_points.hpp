@@ -35,17 +35,18 @@ struct FacePoints {
   std::vector<int> taken_by;  ///< of such points: the corner of whose height they are a part
 };
 
-/// A node with its weight in a sum.
-struct Weighted {
+/// What a node takes of a push.
+struct Share {
   Index node;
-  double weight;
+  Vec3 push;          ///< part of it, in its direction
+  bool of_apex_side;
 };
 
 /// What is worked with to find heights over points, and may be thrown away between steps.
 struct PointWork {
   std::int64_t step = 0;
   std::vector<FacePoints> of_face;  ///< beside Interface::faces
-  std::vector<Weighted> sum;        ///< of an apex
+  std::vector<Share> sum;           ///< of an apex
 };
 
 }  // namespace nereid::contact

@@ -294,7 +294,10 @@ void take_over(const Interface& interface, const Motion& m, double h, double t, 
       stencil.push *= c.impulse / h;
       if (stencil.over_points) {
         stencil.first_share = static_cast<Index>(memory.shares.size()), stencil.shares = c.nodes;
-        for (const Member& member : members_of(c, all)) memory.shares.push_back({member.node, member.weight});
+        for (int j = 0; j < c.nodes; ++j) {
+          const Member& member = members_of(c, all)[static_cast<std::size_t>(j)];
+          memory.shares.push_back({member.node, push_of(c, j, all), member.weight > 0});
+        }
       }
       element.apex += stencil.push;
       element.closed = element.closed || c.impulse > 0;
@@ -432,6 +435,7 @@ void wake(const Acting& acting, const Motion& m, std::span<Workspace> workspaces
 void find_impulses(const Acting& acting, const Motion& m, std::span<Workspace> workspaces, Multipliers& all) {
   all.conditions.clear();
   all.members.clear();
+  all.pushes.clear();
   all.along.clear();
   all.contactors.clear();
   all.unreleased.clear();
@@ -466,10 +470,11 @@ void find_impulses(const Acting& acting, const Motion& m, std::span<Workspace> w
 
 /// Gives the nodes the impulse of a condition, and books where they are what moment this has.
 void apply(const Condition& c, const Multipliers& all, const Vectors& x, Vectors& impulse, Vec3& moment) {
-  for (const Member& one : members_of(c, all)) {
-    const Vec3 part = c.impulse * one.weight * c.normal;
-    impulse.col(one.node) += part;
-    moment += x.col(one.node).cross(part);
+  for (int j = 0; j < c.nodes; ++j) {
+    const Index node = members_of(c, all)[static_cast<std::size_t>(j)].node;
+    const Vec3 part = c.impulse * push_of(c, j, all);
+    impulse.col(node) += part;
+    moment += x.col(node).cross(part);
   }
 }
 

@@ -203,19 +203,19 @@ double allowance(const Interface& interface, const Vectors& x, Index apex, Index
   return interface.base.size(facet) * (always_allowed + (turn < most_turn ? per_turn * turn : 0));
 }
 
-void add_to(Index node, double weight, PointWork& work) {
-  const auto at = std::find_if(work.sum.begin(), work.sum.end(), [node](const Weighted& one) { return one.node == node; });
-  if (at != work.sum.end()) at->weight += weight;
-  else work.sum.push_back({node, weight});
+void add_to(Index node, const Vec3& push, bool of_apex_side, PointWork& work) {
+  const auto at = std::find_if(work.sum.begin(), work.sum.end(), [node](const Share& one) { return one.node == node; });
+  if (at != work.sum.end()) at->push += push;
+  else work.sum.push_back({node, push, of_apex_side});
 }
 
 OverPoints sum_points(const Interface& interface, const Vectors& x, Index apex, Index facet, PointWork& work) {
   OverPoints sum;
   const Index node = interface.apexes[apex];
-  work.sum.assign(1, {node, 0});
-  const auto add = [&](Index of, double weight) { add_to(of, weight, work); };
-  const auto add_foot = [&](double area, const Foot& foot) {
-    for (int l = 0; l < foot.nodes; ++l) add(foot.node[l], -area * foot.weight[l]);
+  work.sum.assign(1, {node, Vec3::Zero(), true});
+  const auto add_point = [&](const Face& face, double area, const auto& phi, const Foot& foot) {
+    for (int j = 0; j < face.corners; ++j) add_to(face.node[j], area * phi(j) * foot.normal, true, work);
+    for (int l = 0; l < foot.nodes; ++l) add_to(foot.node[l], -area * foot.weight[l] * foot.normal, false, work);
     sum.gap += area * (foot.height - stand_off(interface.base, foot.facet));
     sum.normal += area * foot.normal;
   };
@@ -231,9 +231,9 @@ OverPoints sum_points(const Interface& interface, const Vectors& x, Index apex, 
     if (points.lies == Lies::leaning) sum.of_node += share.area;
     if (points.lies == Lies::whole) {
       sum.area += share.area;
-      add(node, share.area);
       for (int q = 0; q < face.corners; ++q)
-        add_foot(share.area * dual(face.corners, q, corner), points.foot[static_cast<std::size_t>(q)]);
+        add_point(face, share.area * dual(face.corners, q, corner), [&](int j) { return shape(face.corners, q, j); },
+                  points.foot[static_cast<std::size_t>(q)]);
     }
     if (points.lies != Lies::in_part) continue;
     const double area = share.area / points_of_corner;
@@ -243,17 +243,9 @@ OverPoints sum_points(const Interface& interface, const Vectors& x, Index apex, 
       takes = true;
       sum.area += area;
       const std::array<double, 4> phi = shape_of_part(face.corners, k);
-      for (int j = 0; j < face.corners; ++j) add(face.node[j], area * phi[j]);
-      add_foot(area, points.foot[k]);
+      add_point(face, area, [&](int j) { return phi[static_cast<std::size_t>(j)]; }, points.foot[k]);
     }
     sum.covered_elsewhere = sum.covered_elsewhere || !takes;
-  }
-  const double size = sum.normal.norm();
-  for (Index s = interface.faces.begin[apex]; size > 0 && s < interface.faces.begin[apex + 1]; ++s) {
-    const FacePoints& points = work.of_face[static_cast<std::size_t>(interface.faces.shares[static_cast<std::size_t>(s)].face)];
-    if (points.lies != Lies::whole && points.lies != Lies::in_part) continue;
-    for (const Foot& foot : points.foot)
-      if (foot.facet >= 0) sum.least_turn = std::min(sum.least_turn, foot.normal.dot(sum.normal) / size);
   }
   return sum;
 }

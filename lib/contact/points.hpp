@@ -8,10 +8,12 @@
 //
 //     sum over q of w_aq phi_b(q) = 1 if b is a, else 0,
 //
-// leave of the face the apex alone; for the Gauss points of a face they are constants. With the part A_f of the tributary area of the apex
+// leave of the face the apex alone where the base is plane; for the Gauss points of a face they are constants. With the part A_f of the tributary area of the apex
 // that lies on face f
 //
-//     A g = sum of A_f w_aq h_q,     A v = n . sum of A_f w_aq (v_a - sum of N_l(q) v_l),     A = sum of A_f
+//     A g = sum of A_f w_aq h_q,     A v = sum of A_f w_aq n_q . (sum of phi_b(q) v_b - sum of N_l(q) v_l),     A = sum of A_f
+//
+// with the normal n_q of the base at each foot. The forces of each point lie on one line, so they keep momentum and angular momentum.
 //
 // Points at the nodes make this the contact element of Kulak & Fiala. It remains where a face leans to its base, as at a ridge or corner.
 
@@ -33,7 +35,6 @@ struct OverPoints {
   bool covered_elsewhere = false; ///< a face is covered in part, and nodes of it that are better covered have its points
   double gap = 0;                 ///< [m3] height times area, without the level of contact
   Vec3 normal = Vec3::Zero();     ///< [m2]
-  double least_turn = 1;          ///< [-] cosine between normals and their mean, the least
 };
 
 /// Whether the heights of an apex over a facet are those of points of its faces.
@@ -46,11 +47,11 @@ bool is_guard(const Interface&, Index apex, Index facet);
 /// and a surface that is curved like that of the guard.
 double allowance(const Interface&, const Vectors& x, Index apex, Index facet);
 
-/// Sums the points of all faces around an apex over the part of the base that a facet belongs to, and lists in PointWork::sum how much of each node is in
-/// the sum: [m2], positive of the side of the apex; the apex comes first.
+/// Sums the points of all faces around an apex over the part of the base that a facet belongs to, and lists in PointWork::sum what each node gets, in m2 along
+/// the normals of the points; the apex comes first.
 OverPoints sum_points(const Interface&, const Vectors& x, Index apex, Index facet, PointWork&);
 
-/// Adds to what a node has in the sum. [m2]
-void add_to(Index node, double weight, PointWork&);
+/// Adds to what a node gets. [m2]
+void add_to(Index node, const Vec3& push, bool of_apex_side, PointWork&);
 
 }  // namespace nereid::contact

@@ -34,7 +34,8 @@ double product(const MovingBody& body, const OnBody& a, const OnBody& b) {
 
 OnBodies of_condition(const RigidNodes& all, const Vectors& x, const Multipliers& multipliers, const Condition& c) {
   OnBodies sum;
-  for (const Member& one : members_of(c, multipliers)) sum.add(all, x, one.node, one.weight * c.normal);
+  const auto members = members_of(c, multipliers);
+  for (int j = 0; j < c.nodes; ++j) sum.add(all, x, members[static_cast<std::size_t>(j)].node, push_of(c, j, multipliers));
   return sum;
 }
 
@@ -175,10 +176,9 @@ void settle(RigidNodes& all, const Motion& m, Vectors& velocity) {
 
 double per_mass(const RigidNodes& all, const Motion& m, const Multipliers& multipliers, const Condition& c) {
   double sum = 0;
-  for (const Member& one : members_of(c, multipliers)) {
-    const Mat3* allowed = m.allowed[one.node];
-    if (all.of_node[one.node] < 0) sum += (allowed ? c.normal.dot(*allowed * c.normal) : 1) * one.weight * one.response;
-  }
+  each_node_along(c, multipliers, [&](const Member& one, const Vec3& along) {
+    if (all.of_node[one.node] < 0) sum += (c.along < 0 ? 1 : along.squaredNorm()) * one.weight * one.response;
+  });
   for (const OnBody& on : of_condition(all, m.x, multipliers, c).on)
     if (on.body >= 0) sum += product(all.bodies[on.body], on, on);
   return sum;

@@ -26,7 +26,7 @@ struct Stencil {
   double level = std::numeric_limits<double>::quiet_NaN();
   bool over_points = false;        ///< by multipliers: its condition is over points of faces
   Index first_share = 0;           ///< in Memory::shares
-  int shares = 0;                  ///< over points: how many nodes the push is on, by weights of their own; else 0
+  int shares = 0;                  ///< over points: how many nodes have shares of the push; else 0
 };
 
 }  // namespace nereid::contact

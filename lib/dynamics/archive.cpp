@@ -60,8 +60,8 @@ void visit(Archive& archive, Tracks& tracks) {
 }
 
 template <class Archive>
-void visit(Archive& archive, Weighted& share) {
-  archive(share.node, share.weight);
+void visit(Archive& archive, Share& share) {
+  archive(share.node, share.push, share.of_apex_side);
 }
 
 template <class Archive>
