@@ -8,6 +8,13 @@
 
 namespace nereid::contact {
 
+/// Where the height of an apex over its base is measured, by multipliers.
+enum class Heights {
+  nodes,   ///< at the node itself: the paper's elements
+  points,  ///< at points of the faces around it: points.hpp
+  guards,  ///< at the node itself, and it acts only where points of the other side leave it too deep
+};
+
 /// What two surfaces have together.
 struct Between {
   double penalty = 0;         ///< [Pa/m] 1/delta
@@ -15,6 +22,7 @@ struct Between {
   double arm_of_apex = 0;     ///< [-] share of the apex, a plate, in the arm of friction; the base has the rest
   double depth = 0;           ///< [m] of the flattest element behind either surface: what a penetration is held against
   double release_height = 0;  ///< [m] above h_c up to which an apex stays tracked that multipliers have released
+  Heights heights = Heights::nodes;  ///< of the first over the second; of many bodies whether any pair has another one than nodes
 };
 
 /// The bodies of an automatic contact. All their skins are apexes and base at once, so each pair has two passes. Empty for a pair of
@@ -27,8 +35,6 @@ struct Bodies {
   Subset nodes, first_node;      ///< nodes of the facets of each body, and [bodies + 1] where they begin
   Scalars thickest;              ///< [m] [bodies] the largest BaseSurface::stand_off
   std::vector<Between> between;  ///< [bodies x bodies] by the body of the apex, then that of the base
-  /// [bodies x bodies] the same: whether the nodes of the first only guard, as the second has the apexes; empty: none does
-  std::vector<char> guards;
   std::vector<char> touch;       ///< [bodies x bodies] whether they touch; on the diagonal whether a body touches itself
 
   Index count() const { return static_cast<Index>(names.size()); }

@@ -537,11 +537,12 @@ bool find(const Interface& interface, const Motion& m, const Memory& memory, Nea
           Multipliers& all, Condition& c) {
   Stencil& stencil = near.element.stencil[s];
   stencil.over_points = false, stencil.shares = 0;
+  const Heights heights = between(interface, near.apex, stencil.facet).heights;
   bool made = interface.heights == Heights::nodes && make_ahead(interface, m.x, memory, near, ahead, all, c);
   if (!made && (std::isnan(stencil.level) || is_same_face(interface.base, near.element, s))) return false;
-  if (!made && is_over_points(interface, near.apex, stencil.facet)) made = find_over_points(interface, m, memory, near, s, work, all, c);
+  if (!made && heights == Heights::points) made = find_over_points(interface, m, memory, near, s, work, all, c);
   else if (!made) made = make(interface, m, memory, near, stencil, near.element.has_moment, all, c);
-  if (made && is_guard(interface, near.apex, stencil.facet)) made = guard_acts(interface, m, near, stencil.facet, all, c);
+  if (made && heights == Heights::guards) made = guard_acts(interface, m, near, stencil.facet, all, c);
   return made && complete(m, near.pressed, memory.restitution[near.apex].held, all, c);
 }
 
@@ -717,8 +718,7 @@ void find_conditions(const Interface& interface, const Motion& m, Memory& memory
       friction = add_friction(touch, interface.friction, force, near.friction.stuck, m, all);
     }
     const Between& pair = between(interface, near.apex, facet);
-    const bool in_one_direction = is_over_points(interface, near.apex, facet) || is_guard(interface, near.apex, facet);
-    const double part = in_one_direction ? 1 : interface.pass_factor;
+    const double part = pair.heights != Heights::nodes ? 1 : interface.pass_factor;
     add({.memory = &restitution, .first = first, .last = last, .friction = friction, .foot = foot, .rubs = rubbing.conditions, .area = area,
          .depth = pair.depth, .impedance = part * pair.impedance * area,
          .square = interface.restitution * interface.restitution}, all);

@@ -64,12 +64,6 @@ enum class Area {
 /// Which of two passes, in which each surface has apexes over the other; the back pass follows the forth one in the model.
 enum class Pass { only, forth, back };
 
-/// Where the height of an apex over its base is measured, by multipliers.
-enum class Heights {
-  nodes,   ///< at the node itself: the paper's elements
-  points,  ///< at points of the faces around it, of one side of each pair; nodes of the other side guard: points.hpp
-};
-
 /// Which penetrations of the initial geometry are accepted.
 enum class InitialPenetration {
   refuse,  ///< the scene is not built
@@ -91,7 +85,6 @@ struct Interface : Between {
   std::string name;
   InterfaceKind kind = InterfaceKind::contact;
   Method method = Method::penalty;
-  Heights heights = Heights::nodes;
   BaseSurface base;
   Fans own;                      ///< the surface of the apexes: an apex comes into contact with facets that this faces; may be empty
   Subset apexes;                 ///< nodes, ascending

@@ -171,20 +171,6 @@ bool find_foot(const BaseSurface& base, const Vectors& x, const Vec3& p, Index f
   return true;
 }
 
-bool is_over_points(const Interface& interface, Index apex, Index facet) {
-  if (interface.heights != Heights::points || interface.pass == Pass::back) return false;
-  const Bodies& bodies = interface.bodies;
-  if (bodies.names.empty()) return true;
-  const Index own = bodies.of_apex[apex], other = bodies.of_facet[facet];
-  return own != other && !bodies.guards[bodies.pair(own, other)];
-}
-
-bool is_guard(const Interface& interface, Index apex, Index facet) {
-  if (interface.heights != Heights::points) return false;
-  const Bodies& bodies = interface.bodies;
-  return bodies.names.empty() ? interface.pass == Pass::back : bodies.guards[bodies.pair(bodies.of_apex[apex], bodies.of_facet[facet])];
-}
-
 double allowance(const Interface& interface, const Vectors& x, Index apex, Index facet) {
   const Vec3 into = -facet_normal(interface.base, x, facet);
   std::array<Vec3, 16> normal;

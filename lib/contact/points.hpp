@@ -37,12 +37,6 @@ struct OverPoints {
   Vec3 normal = Vec3::Zero();     ///< [m2]
 };
 
-/// Whether the heights of an apex over a facet are those of points of its faces.
-bool is_over_points(const Interface&, Index apex, Index facet);
-
-/// Whether an apex over a facet only guards: its base has the apexes, and it acts where these leave it too deep.
-bool is_guard(const Interface&, Index apex, Index facet);
-
 /// [m] What a guard may be deep without acting: a hundredth of the side of the base, and what a plane face of the base leaves between it
 /// and a surface that is curved like that of the guard.
 double allowance(const Interface&, const Vectors& x, Index apex, Index facet);

@@ -65,8 +65,8 @@ contact::Beside beside_of(const Model& model, const std::vector<TouchingBody>& l
 }
 
 /// Whether a body has the apexes against another one: that with the smaller faces, whose nodes follow what is under them; of like ones that
-/// which is not rigid, then the softer one, then the smaller one, whose faces lie on the other as a whole; else that which is `first`. Of
-/// rigid bodies, whose stress nobody asks for, the smaller one.
+/// which is not rigid, then the softer one, then the smaller one, whose faces lie on the other as a whole; else that which is `first`.
+/// Between two rigid bodies, which have no stress, each has nodes over the other.
 bool has_apexes(const Skin& one, const Skin& other, bool first) {
   constexpr double alike = 0.05;
   const auto is_less = [](double a, double b, bool& differs) {
@@ -74,10 +74,9 @@ bool has_apexes(const Skin& one, const Skin& other, bool first) {
     return a < b;
   };
   bool differs = false;
-  const bool both_rigid = one.side.is_rigid && other.side.is_rigid;
-  if (const bool finer = is_less(one.face_side, other.face_side, differs); differs && !both_rigid) return finer;
+  if (const bool finer = is_less(one.face_side, other.face_side, differs); differs) return finer;
   if (one.side.is_rigid != other.side.is_rigid) return other.side.is_rigid;
-  if (const bool softer = is_less(one.side.stiffness, other.side.stiffness, differs); differs && !both_rigid) return softer;
+  if (const bool softer = is_less(one.side.stiffness, other.side.stiffness, differs); differs) return softer;
   const bool smaller = is_less(one.area, other.area, differs);
   return differs ? smaller : first;
 }
@@ -105,7 +104,8 @@ contact::Bodies bodies_of(const Model& model, const std::vector<TouchingBody>& l
   for (std::size_t a = 0; a < count; ++a)
     for (std::size_t b = 0; b < count; ++b) {
       bodies.between.push_back(between(skins[a].side, skins[b].side, options, share));
-      if (options.heights == contact::Heights::points) bodies.guards.push_back(a != b && has_apexes(skins[b], skins[a], b < a));
+      if (options.heights == contact::Heights::points && a != b && !(skins[a].side.is_rigid && skins[b].side.is_rigid))
+        bodies.between.back().heights = has_apexes(skins[a], skins[b], a < b) ? contact::Heights::points : contact::Heights::guards;
       const bool itself = a == b && list[a].touches_itself && !skins[a].side.is_rigid;
       bodies.touch.push_back(a != b ? !are_apart(apart, list[a].name, list[b].name) : itself);
     }
@@ -130,6 +130,7 @@ contact::Between of_all(const contact::Bodies& bodies) {
   contact::Between all;
   all.depth = all.release_height = std::numeric_limits<double>::infinity();
   for (const contact::Between& pair : bodies.between) {
+    if (pair.heights != contact::Heights::nodes) all.heights = contact::Heights::points;
     all.penalty = std::max(all.penalty, pair.penalty), all.impedance = std::max(all.impedance, pair.impedance);
     if (pair.depth > 0) all.depth = std::min(all.depth, pair.depth), all.release_height = std::min(all.release_height, pair.release_height);
   }
@@ -165,7 +166,6 @@ Connected connect_nodes(Model& model, const std::string& name, const contact::Bo
   contact::Interface interface = common_to_both(model, name, bodies, surface, options);
   const auto nodes_of_mesh = static_cast<Index>(model.mesh.X.cols());
   interface.method = options.method;
-  interface.heights = options.heights;
   interface.base = contact::base_surface(surface, model.mesh.X, bodies.of_facet);
   contact::mark_halves(interface.base, mesh::faces(model.mesh, surface));
   for (const Subset& plane : symmetry_planes(model)) contact::goes_on_behind(interface.base, plane);

@@ -78,8 +78,8 @@ std::vector<Behind> elements_behind(const element::AnyBlock& any, const mesh::Me
 
 Connected connect_one_pass(Model& model, const std::string& name, const std::string& apex_surface, const std::string& base_surface,
                            const InterfaceOptions& options, const Vectors& x, contact::Pass pass) {
-  const bool over_points = options.heights == contact::Heights::points;
-  const double share = pass == contact::Pass::only || over_points ? 1 : 0.5;
+  const bool in_one_direction = pass == contact::Pass::only || options.heights == contact::Heights::points;
+  const double share = in_one_direction ? 1 : 0.5;
   check(model.mass.size() == model.mesh.X.cols(), "finalize() a model before it gets an interface");
   const mesh::Surface& apexes = mesh::surface(model.mesh, apex_surface);
   const mesh::Surface& base = mesh::surface(model.mesh, base_surface);
@@ -87,7 +87,6 @@ Connected connect_one_pass(Model& model, const std::string& name, const std::str
   interface.name = name;
   interface.kind = options.kind;
   interface.method = options.method;
-  interface.heights = options.heights;
   interface.base = contact::base_surface(base, model.mesh.X);
   contact::mark_halves(interface.base, mesh::faces(model.mesh, base));
   interface.own = contact::fans(apexes.facets, static_cast<Index>(model.mesh.X.cols()));
@@ -97,6 +96,8 @@ Connected connect_one_pass(Model& model, const std::string& name, const std::str
   interface.facet_area = mesh::facet_areas(model.mesh, base);
   const Side of_apexes = side_of(model, apexes), of_base = side_of(model, base);
   static_cast<contact::Between&>(interface) = between(of_apexes, of_base, options, share);
+  if (options.heights == contact::Heights::points && pass != contact::Pass::only)
+    interface.heights = pass == contact::Pass::back ? contact::Heights::guards : contact::Heights::points;
   check(interface.penalty > 0, "an interface needs a penalty or elements on both sides");
   interface.impact_step_factor = contact::impact_step_factor_for(options.energy_gain_limit);
   interface.first_step_factor = options.step_factor;
@@ -119,7 +120,7 @@ Connected connect_one_pass(Model& model, const std::string& name, const std::str
   const double reach = (x.rowwise().maxCoeff() - x.rowwise().minCoeff()).norm();
   connected.gaps =
       contact::connect(interface, x, reach, options.height, options.initial_penetration, connected.memory, workspace);
-  if (pass == contact::Pass::only || (over_points && pass == contact::Pass::forth)) {
+  if (in_one_direction && pass != contact::Pass::back) {
     const mesh::FacesAround around = mesh::faces_around(model.mesh, base, interface.base_nodes);
     connected.gaps.coarseness = contact::coarseness(interface, around, x, reach, workspace);
   }
@@ -201,7 +202,9 @@ std::vector<Connected> connect(Model& model, const std::string& name, const std:
                                const InterfaceOptions& options, const Vectors* start) {
   const Vectors& x = start != nullptr ? *start : model.mesh.X;
   std::vector<Connected> passes;
-  if (!options.two_passes) {
+  const auto is_rigid = [&](const std::string& name) { return side_of(model, mesh::surface(model.mesh, name)).is_rigid; };
+  const bool are_rigid = options.heights == contact::Heights::points && is_rigid(apex_surface) && is_rigid(base_surface);
+  if (!options.two_passes || are_rigid) {
     passes.push_back(connect_one_pass(model, name, apex_surface, base_surface, options, x, contact::Pass::only));
   } else {
     passes.push_back(connect_one_pass(model, name, apex_surface, base_surface, options, x, contact::Pass::forth));
