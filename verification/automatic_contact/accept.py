@@ -59,9 +59,10 @@ def blocks(run, keys):
     return run.other("scene", HERE + "blocks.yaml", {**keys, **run.overrides})
 
 
-PAIR = {"contacts[0].kind": "contact", "contacts[0].apexes": "upper.skin", "contacts[0].base": "lower.skin", "contacts[0].passes": "two"}
+PAIR = {"contacts[0].kind": "contact", "contacts[0].apexes": "upper.skin", "contacts[0].base": "lower.skin"}
 ALONE = {"contacts[0].bodies": "[lower, upper]"}
 PENALTY = {"contacts[0].method": "penalty"}
+PASSES = {"contacts[0].passes": "two"}  # as an automatic penalty has
 NO_EDGES = {"contacts[0].edges": "false"}
 OVERLAP = {"bodies[1].move": "[0 mm, 0 mm, -0.11 mm]", "contacts[0].initial_penetration": "accept"}  # 0.01 mm deep, 0.4 % of a cell
 
@@ -69,7 +70,7 @@ OVERLAP = {"bodies[1].move": "[0 mm, 0 mm, -0.11 mm]", "contacts[0].initial_pene
 def as_declared(name, keys={}):
     def measure(run):
         one = blocks(run, {**ALONE, **keys})
-        other = run.other("scene", HERE + "blocks.yaml", {**PAIR, **keys})
+        other = run.other("scene", HERE + "blocks.yaml", {**PAIR, **keys, **(PASSES if keys == PENALTY else {})})
         return Pair(one.column(name)[-1], other.column(name)[-1], "kg m/s", scale=abs(other.column("upper_x")[0]))
     return measure
 
@@ -99,7 +100,7 @@ def threads(run):
     return Pair(sum(one.get(name) != many.get(name) for name in {*one, *many}), 0, "files", scale=1)
 
 
-DEPARTURES = {"passes": "an automatic contact has two passes of each pair",
+DEPARTURES = {"passes": "an automatic contact by a penalty has two passes of each pair",
               "method": "the same by a penalty"}
 
 CHECKS = [

@@ -11,7 +11,7 @@ DRIVER = "scene"
 
 ALUMINIUM, PLANE = "steel_on_aluminium.yaml", "plane_strain.yaml"
 INVISCID = {f"bodies[{i}].element.viscosity.{kind}": 0 for i in (0, 1) for kind in ("linear", "quadratic")}
-COARSE_APEXES = {"contacts[0].apexes": "right.x_low", "contacts[0].base": "left.x_high"}
+COARSE_APEXES = {"contacts[0].heights": "nodes", "contacts[0].apexes": "right.x_low", "contacts[0].base": "left.x_high"}
 PLASTIC = {"contacts[0].restitution": 0}
 TWO = {"contacts[0].passes": "two"}
 ONE_CELL = {"bodies[0].mesh.cells": "[100, 3, 3]", "bodies[1].mesh.cells": "[100, 1, 1]"}

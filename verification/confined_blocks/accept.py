@@ -3,7 +3,7 @@ from reference import DOWN, compression, force
 from verify import Breaks, Check, Figure, Miss, Pair, Table
 
 CATALOGUE = ()
-CLAIM = ("Blocks of unlike grids that are pressed together between walls stay smooth to a compression of 25 %, with friction or two passes "
+CLAIM = ("Blocks of unlike grids that are pressed together between walls stay smooth to a compression of 30 %, with friction or two passes "
          "to 50 %, and carry the exact force.")
 EVIDENCE = "exact"
 DRIVER = "scene"
@@ -15,6 +15,7 @@ TWO = {"contacts[0].passes": "two"}
 FRICTION = {"contacts[0].friction": 0.3}
 PENALTY = {"contacts[0].method": "penalty"}
 COARSE = {"contacts[0].apexes": "upper.z_low", "contacts[0].base": "lower.z_high"}
+NODES = {"contacts[0].heights": "nodes"}
 ON = {"time.overlap_limit": 1000, "time.corner_limit": -1000}  # runs that fold go on
 SPRINGS = {f"bodies[{body}].element.hourglass_kind": "stiffness" for body in range(2)}
 EIGHT = {f"bodies[{body}].element.kind": "full" for body in range(2)}
@@ -77,20 +78,20 @@ CHECKS = [
           "nodes of both sides are held; the rest is inertia"),
     Check("two passes, 50 %: hourglass energy over internal", hourglass(HALF, TWO), 1e-4, "the blocks stay even"),
     Check("two passes, 50 %: overlap over an element", overlap(HALF, TWO), 1e-3, "the same"),
-    Miss("30 %: force at every time", worst_force(0.3), 0.01, "as at 25 %",
-         "nodes of the base that lie between apexes are free; without friction they and the apexes buckle past each other, also with eight "
-         "points"),
+    Check("30 %: force at every time", worst_force(0.3), 0.01, "as at 25 %: no node of the base is free to buckle past the apexes"),
+    Miss("50 %: force at every time", worst_force(HALF), 0.01, "as with friction or two passes",
+         "without friction, cells that are pressed to half their height buckle along the interface, where both grids slide on each other"),
 ]
 
 STUDIES = [Table("The largest compression of 5, 10, 15, 20, 25, 30, 40 and 50 % that each way holds for two seconds, and the largest "
                  "error of the force on the way there.", ["element", "contact", "holds", "force"], ways, full=True)]
 
 BREAKS = [
-    Breaks("force at every time", "hourglass springs of the usual coefficient", {**SPRINGS, **ON}),
-    Breaks("force at every time", "the coarser grid has the apexes", {**COARSE, **ON}),
-    Breaks("hourglass energy over internal", "hourglass springs of the usual coefficient", {**SPRINGS, **ON}),
-    Breaks("overlap over an element", "the coarser grid has the apexes", {**COARSE, **ON}),
-    Breaks("friction, 50 %: force at every time", "hourglass springs of the usual coefficient", {**SPRINGS, **ON}),
+    Breaks("force at every time", "nodes of the coarser grid alone", {**COARSE, **NODES, **ON}),
+    Breaks("hourglass energy over internal", "nodes of the coarser grid alone", {**COARSE, **NODES, **ON}),
+    Breaks("overlap over an element", "nodes of the coarser grid alone", {**COARSE, **NODES, **ON}),
+    Breaks("30 %: force at every time", "nodes of the finer grid alone", {**NODES, **ON}),
+    Breaks("friction, 50 %: force at every time", "hourglass springs of the usual coefficient and nodes alone", {**SPRINGS, **NODES, **ON}),
 ]
 
 DEPARTURES = {

@@ -150,7 +150,7 @@ AUTOMATIC = {"contacts": "[{name: interface, kind: automatic}]", "relaxation.res
              "initial[1].displacement": '["0.3e-6*x", "0.3e-6*y", "-1e-6*z"]',  # without the overlap of a penalty
              "probes": "[{name: stress_lower, quantity: stress, of: lower, component: zz}, "
                        "{name: stress_upper, quantity: stress, of: upper, component: zz}]"}
-ONE_PASS = {"contacts": "[{name: interface, apexes: upper.z_low, base: lower.z_high}]"}
+ONE_PASS = {"contacts": "[{name: interface, heights: nodes, apexes: upper.z_low, base: lower.z_high}]"}
 
 
 def automatic(measure):
@@ -169,6 +169,12 @@ def beside(run):
         if kind == 12 and any(abs(fields["points"][n][2] - 0.5) < 1e-3 for n in fields["connectivity"][begin:end]):
             found.append(stress[2])
     return found
+
+
+def stress_beside(run):
+    """Error of the axial stress of the elements beside the interface: root of the mean square."""
+    values = beside(run)
+    return Pair(norms(values, sum(values) / len(values))[0], 0, "", scale=1)
 
 
 def spacings(run):
@@ -210,8 +216,10 @@ CHECKS = [
           "gated against growth: 0.03 % seen"),
     Check("by default, two passes: pressure of every node, 6 x 6 on 4 x 4", by_default(spread("pressure", 1), {**TWO, **UNLIKE}), 1e-3,
           "both passes together load each node by its area; the bound is that of the stress"),
-    Check("automatic: pressure of every node, 6 x 6 on 4 x 4", automatic(spread("pressure", 1)), 1e-3,
-          "as of two passes; of corners the sides that are not pressed do not count"),
+    Check("automatic: stress beside the interface, 6 x 6 on 4 x 4, root of the mean square", automatic(stress_beside), 0.02,
+          "the bound that heights over points were asked for; nodes of one side have 5 and 16 %"),
+    Report("automatic: pressure of every node, 6 x 6 on 4 x 4, root of the mean square", automatic(spread("pressure", 0)),
+           "of corners the sides that are not pressed do not count"),
     Report("resultant, 3 x 3 on 4 x 4", resultant, "nodes between apexes stand off, so the interface is more compliant than its penalty"),
     Report("stress of every element, 3 x 3 on 4 x 4", stress_error(1), "an apex pushes one facet: no contact on nodes in one pass passes"),
 ]
@@ -234,7 +242,7 @@ BREAKS = [
            {"gravity": "[0 m/s^2, 0 m/s^2, -1e-5 m/s^2]"}),
     Breaks("by default, two passes: stress of every element", "one pass", {"contacts[0].passes": "one"}),
     Breaks("by default, two passes: pressure of every node, 6 x 6 on 4 x 4", "one pass", {"contacts[0].passes": "one"}),
-    Breaks("automatic: pressure of every node, 6 x 6 on 4 x 4", "one pass", ONE_PASS),
+    Breaks("automatic: stress beside the interface, 6 x 6 on 4 x 4, root of the mean square", "nodes of one side", ONE_PASS),
     Breaks("by default: stresses and pressures on 3 x 3 on 4 x 4 beyond those by a penalty", "a penalty with the area of the base",
            {"contacts[0].method": "penalty", "contacts[0].area": "base"}),
     Breaks("overlap of every apex, matching grids", "a penalty twice as hard", {"contacts[0].penalty_scale": 8}),

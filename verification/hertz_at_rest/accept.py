@@ -3,7 +3,7 @@ from functools import cache
 from math import hypot, inf, pi, sqrt
 
 from reference import hertz, pressure_at, shares
-from verify import ROOT, Breaks, Check, Figure, Pair, Table, Waiver, straight_line
+from verify import ROOT, Breaks, Check, Figure, Pair, Report, Table, Waiver, straight_line
 
 CATALOGUE = ("I-9",)
 CLAIM = ("A ball pressed on a rigid plane has Hertz's force and, node by node, Hertz's pressures at rest; so it has by automatic contact, "
@@ -158,7 +158,13 @@ def what_is_left(run):
 
 
 AUTOMATIC, BALLS = "verification/hertz_at_rest/automatic.yaml", "verification/hertz_at_rest/balls.yaml"
-ONE_PASS = {"contacts": "[{name: touch, apexes: ball.surface, base: other.surface}]"}
+ONE_PASS = {"contacts": "[{name: touch, heights: nodes, apexes: ball.surface, base: other.surface}]"}
+COARSER = {"contacts": "[{name: touch, heights: nodes, apexes: other.surface, base: ball.surface}]"}
+
+
+def beyond_nodes(run):
+    mine, other = (over_the_circle(run.other("scene", BALLS, keys)).got for keys in (run.overrides, ONE_PASS))
+    return Pair(max(0.0, mine - other), 0, "", scale=1)
 
 
 def of(case, measure):
@@ -191,8 +197,10 @@ CHECKS = [
           "as on the plane, which the flat face of the block is"),
     Check("automatic, two balls: force", of(BALLS, force), 0.04, "as on the plane, by symmetry"),
     Check("automatic, two balls: largest pressure", of(BALLS, largest_pressure), 0.04, "as on the plane"),
-    Check("automatic, two balls: nodal pressures, rms over the contact circle, of the peak", of(BALLS, over_the_circle), 0.03,
-          "as on the plane: both passes together load each node by its area, though the meshes do not match"),
+    Check("automatic, two balls: nodal pressures, rms over the contact circle, of the peak, beyond those of the nodes of the finer ball",
+          beyond_nodes, 0, "points of its faces share the load of each node better than the nodes alone"),
+    Report("automatic, two balls: nodal pressures, rms over the contact circle, of the peak", of(BALLS, over_the_circle),
+           "meshes do not match: nodes of the finer ball alone have 4.7 %, of the other 6.9 %, of both 2.6 %"),
 ]
 
 COLUMNS = ["nodes inside", "force", "pressure", "radius", "rms over the circle", "rms at the nodes"]
@@ -224,7 +232,7 @@ BREAKS = [
     Breaks(BLOCK, "half as many elements", cells(5), case=AUTOMATIC),
     Breaks("automatic, on a rigid block: force", "Young's modulus for E*: no Poisson effect", {"bodies[0].material.poisson": 0},
            case=AUTOMATIC, full=True),
-    Breaks(TWO_BALLS, "one pass", ONE_PASS, case=BALLS),
+    Breaks(TWO_BALLS, "the nodes of the coarser ball", COARSER, case=BALLS),
     Breaks("approach", "stopped early", {**cells(5), "relaxation.residual": 0.5, "relaxation.after": "5 us"}),
     Breaks("contact radius", "stopped early", {"relaxation.residual": 0.5, "relaxation.after": "5 us"}),
 ]

@@ -2,7 +2,7 @@
 from math import sqrt
 
 from reference import FRICTION, LIMIT, MASS, PRESS, SLIPS, friction, heat, load, speed, stops, swing, way
-from verify import Breaks, Check, Figure, Miss, Pair, Report, Table, crossings
+from verify import Breaks, Check, Figure, Pair, Report, Table, crossings
 
 CATALOGUE = ()
 CLAIM = ("Friction holds a block without ringing or creep while the load is below the limit, then the block slides at the limit, stops "
@@ -89,9 +89,8 @@ CHECKS = [
            "friction falls from the limit to the load at once, and the block swings in shear, which bulk viscosity does not damp; a "
            "penalty gives 0.11"),
     Check("on ice: speed that is kept", kept({}), 1e-4, "nothing draws; faces are flat but for 1e-8 m"),
-    Miss("on ice, nodes of the larger block as apexes: speed that is kept", kept(SWAPPED), 1e-3, "as with those of the smaller one",
-         why="the border of the smaller block sinks in between the nodes of the larger one, and what pushes there has a part along: a "
-         "thrust of 4e-5 of the press, whose work it is, as the block sinks by 0.4 um on its way. A penalty gives 2.22 m/s"),
+    Check("on ice, the larger block with the apexes: speed that is kept", kept(SWAPPED), 1e-3,
+          "as with the smaller one; by its nodes alone 1.8 m/s, since the border of the smaller block sinks in between them"),
     Check("on ice, two passes: speed that is kept", kept({**SWAPPED, "contacts[0].passes": "two"}), 1e-4, "no node sinks in"),
 ]
 
