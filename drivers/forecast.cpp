@@ -88,7 +88,8 @@ std::vector<double> filled(std::vector<double> row, const std::vector<output::Co
     for (const char* what : {"_restitution", "_penalty", "_friction"}) of_contacts.push_back("energy_" + name + what);
     of_contacts.push_back("energy_created_" + name);
   };
-  for (const contact::Interface& interface : model.interfaces) add(interface.name);
+  for (const contact::Interface& interface : model.interfaces)
+    if (interface.pass != contact::Pass::back || interface.heights != contact::Heights::guards) add(interface.name);
   for (const contact::RigidPlane& plane : model.rigid_planes) add(plane.name);
   for (std::size_t c = 0; c < row.size(); ++c) {
     const std::string& name = columns[c].name;

@@ -59,6 +59,7 @@ GENERATED = {"nereid_commit.hpp"}
 # Headers without a test of their own, and why.
 NEEDS_NO_TEST = {
     "lib/contact/stencil.hpp": "data only",
+    "lib/contact/face_points.hpp": "data only, of points.hpp",
     "lib/model/remedies.hpp": "data only, each of which has two tests in tests/drivers/remedies.py",
     "lib/contact/apex.hpp": "tested through contact.hpp, whose functions it stands behind",
     "lib/contact/near.hpp": "the same",

@@ -1,13 +1,11 @@
 """Scenes in which two bodies with unlike meshes meet, and what is wrong in each. scripts/interfaces runs them by every rule of contact.
 
-A scene makes the case of two bodies, `upper` over `lower`, with so many cells each along a side. What it measures is known: a uniform stress,
-a wave that passes, a deflection over that of like meshes, a blow of two elastic cubes by two passes on a mesh that is finer.
+A scene makes the case of two bodies, `upper` over `lower`, with so many cells each along a side. What it measures is known: a uniform
+stress, a wave that passes, a deflection over that of like meshes; or it is the same by all rules that are right, as a blow.
 """
 import math
 
 STEEL = {"kind": "elastic", "density": "7850 kg/m^3", "young": "210 GPa", "poisson": 0.3}
-FINER, COARSER = ("apexes: finer", "apexes: coarser")
-
 RULES = {  # of a contact by multipliers: who has the apexes, and further keys
     "nodes of the finer side": ("finer", {}),
     "nodes of the coarser side": ("coarser", {}),
@@ -147,7 +145,8 @@ def impact(rule, upper, lower, how, friction=0.0):
     angle = math.acos(max(-1.0, min(1.0, (trace - 1) / 2)))
     axis = [columns[1][2] - columns[2][1], columns[2][0] - columns[0][2], columns[0][1] - columns[1][0]]
     case = {
-        "bodies": [box("lower", [-block[0] / 2, -block[1] / 2, -block[2]], [block[0] / 2, block[1] / 2, 0], [lower, lower, max(2, lower // 2)]),
+        "bodies": [box("lower", [-block[0] / 2, -block[1] / 2, -block[2]], [block[0] / 2, block[1] / 2, 0],
+                       [lower, lower, max(2, lower // 2)]),
                    box("upper", [-half] * 3, [half] * 3, [upper] * 3,
                        rotate={"axis": axis, "angle": f"{angle:.15g} rad"}, move=metres([0.002, 0.001, 1e-6 - lowest]))],
         "contacts": [contact_of(rule, upper, lower * size / block[0], "upper.skin", "lower.skin", friction)],

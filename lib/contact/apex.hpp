@@ -50,7 +50,8 @@ Touch touch_of(const Interface&, const Vectors& x, Index apex, const Feature&, c
 double power(const Interface&, std::span<const Share> shares, const Vectors& v, Index apex, const ElementForces&);
 
 /// Moment about the origin of the normal forces of one apex, at the positions `later` [s] after x. It is computed where there can be one.
-Vec3 moment(const Interface&, std::span<const Share> shares, const Vectors& x, const Vectors& v, double later, Index apex, const ElementForces&);
+Vec3 moment(const Interface&, std::span<const Share> shares, const Vectors& x, const Vectors& v, double later, Index apex,
+            const ElementForces&);
 
 /// Remembers the depth of an apex that is the deepest so far. A deep one may stand beside the body that it is pushed out of, near another
 /// of its faces, past a rim or between folds: it is no deeper than its layer and that of the body overlap, overlap_of().

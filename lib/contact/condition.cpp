@@ -34,7 +34,8 @@ constexpr double at_ridge = 0.05;      // weight of the third node of a facet: w
 constexpr double uneven = 0.01;        // sine: normals that differ by less, as on a mesh of a flat face that is not quite flat, are alike
 constexpr double as_much = 0.5;        // of the larger push of both sides
 constexpr double same_part = 0.9063;   // cosine of 25 degrees between normals of a base whose points are found together
-constexpr double no_weight = 1e-13;    // of the push: round-off
+constexpr double no_weight = 1e-14;    // of the push: round-off
+constexpr double farther_than_points = 0.1;  // of the side of a base: a node that is farther is no nearer by its points
 
 /// Whether an apex that is pressed stays over the inside of the one facet that it slides on, and comes to no other part: its stencil of the
 /// step before says which, and conditions need no more.
@@ -485,17 +486,33 @@ bool has_same_points(const BaseSurface& base, const Vectors& x, const ElementFor
   });
 }
 
+/// How fast an apex moves against the facet of a stencil in the step to come. [m/s]
+double speed_over(const Interface& interface, const Multipliers& all, const Near& near, const Stencil& stencil) {
+  double fastest = 0;
+  for (int I = 0; I < 3; ++I) {
+    const Index node = interface.base.facets(I, stencil.facet);
+    fastest = std::max(fastest, (all.velocity.col(interface.apexes[near.apex]) - all.velocity.col(node)).squaredNorm());
+  }
+  return std::sqrt(fastest);
+}
+
 /// Finds the condition of a stencil over points of the faces around the apex, or by the apex itself where none of them lies on the base;
 /// false if there is none. Friction has the foot of the apex in any case.
 bool find_over_points(const Interface& interface, const Motion& m, const Memory& memory, Near& near, int s, PointWork& work,
                       Multipliers& all, Condition& c) {
   Stencil& stencil = near.element.stencil[s];
   if (has_same_points(interface.base, m.x, near.element, s)) return false;
+  const bool pushes = !stencil.push.isZero(0);
+  if (!pushes && memory.gap[near.apex] > farther_than_points * interface.base.size(stencil.facet) &&
+      !can_touch(between(interface, near.apex, stencil.facet), m, 0.5 * memory.gap[near.apex], speed_over(interface, all, near, stencil)))
+    return false;
   OverPoints sum = sum_points(interface, m.x, near.apex, stencil.facet, work);
-  if (!(sum.area > 0) && sum.covered_elsewhere && !(sum.of_node > 0)) return false;
   const double level = stencil.level - stand_off(interface.base, stencil.facet);
-  const bool pushes = !stencil.push.isZero(0), stands = make(interface, m, memory, near, stencil, near.element.has_moment, all, c);
-  if (!(sum.area > 0)) return stands;
+  const bool stands = make(interface, m, memory, near, stencil, near.element.has_moment, all, c);
+  // points may leave a node no deeper than a guard, also where nodes that are better covered have its points
+  const bool has_others = sum.area > 0 || (sum.covered_elsewhere && !(sum.of_node > 0));
+  if (!has_others || (stands && c.gap < -allowance(interface, m.x, near.apex, stencil.facet))) return stands;
+  if (!(sum.area > 0)) return false;
   double area = 0;
   sum.gap -= sum.area * level;
   if (stands && sum.of_node > 0) {
@@ -511,10 +528,14 @@ bool find_over_points(const Interface& interface, const Motion& m, const Memory&
   c.normal = along / area, c.gap = sum.gap / area;
   c.pushes = static_cast<Index>(all.pushes.size());
   for (const Share& one : work.sum) {
-    const double weight = one.push.norm() / area;
-    if (c.nodes > 0 && !(weight > no_weight)) continue;
+    // on like meshes these are 0 or 1, and round-off beside that would set what lies still in motion
+    const Vec3 push = (one.push / area).unaryExpr([](double part) {
+      return std::abs(part - std::round(part)) < no_weight ? std::round(part) : part;
+    });
+    if (c.nodes > 0 && push.isZero(0)) continue;
+    const double weight = push.norm();
     add_member(one.node, one.of_apex_side ? weight : -weight, all, c);
-    all.pushes.push_back(one.push / area);
+    all.pushes.push_back(push);
   }
   stencil.over_points = true;
   if (pushes) return true;

@@ -563,7 +563,8 @@ void change_work_to_come(std::span<const Interface> interfaces, std::span<const 
     };
     if constexpr (std::is_same_v<std::decay_t<decltype(contact)>, Interface>) {
       for (const Near& near : memory.near) {
-        if (near.element.closed) memory.restitution[near.apex].held -= half * power(contact, memory.shares, change, near.apex, near.element);
+        const double by_change = power(contact, memory.shares, change, near.apex, near.element);
+        if (near.element.closed) memory.restitution[near.apex].held -= half * by_change;
         see(near.friction);
       }
       for (Crossing& crossing : memory.crossings) {

@@ -1,17 +1,17 @@
 #pragma once
-// Heights over points of faces: where faces of the apexes' side lie on their base, an apex has one condition of what the points of all faces
-// around it find, with dual weights. Stiffness then is neither added, as by nodes of both sides, nor is a load of one face given to another,
-// as by nodes of one side: docs/theory/points.md.
+// Heights over points: where faces of the apexes' side lie on their base, an apex has one condition of what the points of all faces around
+// it find, with dual weights. Stiffness is not added then, as by nodes of both sides, nor is a load of one face given to another, as by
+// nodes of one side: docs/theory/points.md.
 //
-// A point q of a face, at sum of phi_b(q) x_b, stands h_q over its foot, the point of the base with shape functions N_l(q). Weights w_aq that
-// are dual to the shape functions of the face,
+// A point q of a face, at sum of phi_b(q) x_b, stands h_q over its foot, the point of the base with shape functions N_l(q). Weights w_aq
+// that are dual to the shape functions of the face,
 //
 //     sum over q of w_aq phi_b(q) = 1 if b is a, else 0,
 //
-// leave of the face the apex alone where the base is plane; for the Gauss points of a face they are constants. With the part A_f of the tributary area of the apex
-// that lies on face f
+// leave of the face the apex alone where the base is plane; for the Gauss points of a face they are constants. With the part A_f of the
+// tributary area of the apex that lies on face f
 //
-//     A g = sum of A_f w_aq h_q,     A v = sum of A_f w_aq n_q . (sum of phi_b(q) v_b - sum of N_l(q) v_l),     A = sum of A_f
+//     A g = sum of A_f w_aq h_q,     A v = sum of A_f w_aq n_q . (sum of phi_b(q) v_b - sum of N_l(q) v_l),     A = |sum of A_f w_aq n_q|
 //
 // with the normal n_q of the base at each foot. The forces of each point lie on one line, so they keep momentum and angular momentum.
 //
@@ -41,8 +41,8 @@ struct OverPoints {
 /// and a surface that is curved like that of the guard.
 double allowance(const Interface&, const Vectors& x, Index apex, Index facet);
 
-/// Sums the points of all faces around an apex over the part of the base that a facet belongs to, and lists in PointWork::sum what each node gets, in m2 along
-/// the normals of the points; the apex comes first.
+/// Sums the points of all faces around an apex over the part of the base that a facet belongs to, and lists in PointWork::sum what each
+/// node gets, in m2 along the normals of the points; the apex comes first.
 OverPoints sum_points(const Interface&, const Vectors& x, Index apex, Index facet, PointWork&);
 
 /// Adds to what a node gets. [m2]

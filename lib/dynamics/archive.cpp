@@ -117,16 +117,16 @@ void visit(Archive& archive, Meeting& meeting) {
 
 template <class Archive>
 void visit(Archive& archive, Memory& memory) {
-  auto& [shares, near, edge_pairs, crossings, near_facets, slot, feature, status, gap, stored, slip, tangential_stored, reconnections, thicker,
-         work, damped, thinned, friction_dissipated, friction_to_come, friction_owed, restitution, impact, force, impulse, transferred,
-         has_trend, held, power_rate, created_by_reconnection, angular_impulse, meetings, deepest, deepest_apex, deepest_time,
-         deepest_in, step_factor, deepest_now, walks, lost, recovered, searches, looks, margin, way, apart_from_itself, apart_then,
-         awake, apexes_then, base_then, mean_way] = memory;
-  archive(shares, near, edge_pairs, crossings, near_facets, slot, feature, status, gap, stored, slip, tangential_stored, reconnections, thicker,
-          work, damped, thinned, friction_dissipated, friction_to_come, friction_owed, restitution, impact, force, impulse, transferred,
-          has_trend, held, power_rate, created_by_reconnection, angular_impulse, meetings, deepest, deepest_apex, deepest_time,
-          deepest_in, step_factor, deepest_now, walks, lost, recovered, searches, looks, margin, way, apart_from_itself, apart_then,
-          awake, apexes_then, base_then, mean_way);
+  auto& [shares, near, edge_pairs, crossings, near_facets, slot, feature, status, gap, stored, slip, tangential_stored, reconnections,
+         thicker, work, damped, thinned, friction_dissipated, friction_to_come, friction_owed, restitution, impact, force, impulse,
+         transferred, has_trend, held, power_rate, created_by_reconnection, angular_impulse, meetings, deepest, deepest_apex,
+         deepest_time, deepest_in, step_factor, deepest_now, walks, lost, recovered, searches, looks, margin, way, apart_from_itself,
+         apart_then, awake, apexes_then, base_then, mean_way] = memory;
+  archive(shares, near, edge_pairs, crossings, near_facets, slot, feature, status, gap, stored, slip, tangential_stored, reconnections,
+          thicker, work, damped, thinned, friction_dissipated, friction_to_come, friction_owed, restitution, impact, force, impulse,
+          transferred, has_trend, held, power_rate, created_by_reconnection, angular_impulse, meetings, deepest, deepest_apex,
+          deepest_time, deepest_in, step_factor, deepest_now, walks, lost, recovered, searches, looks, margin, way, apart_from_itself,
+          apart_then, awake, apexes_then, base_then, mean_way);
 }
 
 template <class Archive>

@@ -66,7 +66,6 @@ contact::Beside beside_of(const Model& model, const std::vector<TouchingBody>& l
 
 /// Whether a body has the apexes against another one: that with the smaller faces, whose nodes follow what is under them; of like ones that
 /// which is not rigid, then the softer one, then the smaller one, whose faces lie on the other as a whole; else that which is `first`.
-/// Between two rigid bodies, which have no stress, each has nodes over the other.
 bool has_apexes(const Skin& one, const Skin& other, bool first) {
   constexpr double alike = 0.05;
   const auto is_less = [](double a, double b, bool& differs) {
@@ -104,7 +103,7 @@ contact::Bodies bodies_of(const Model& model, const std::vector<TouchingBody>& l
   for (std::size_t a = 0; a < count; ++a)
     for (std::size_t b = 0; b < count; ++b) {
       bodies.between.push_back(between(skins[a].side, skins[b].side, options, share));
-      if (options.heights == contact::Heights::points && a != b && !(skins[a].side.is_rigid && skins[b].side.is_rigid))
+      if (options.heights == contact::Heights::points && a != b && may_have_points(skins[a].side, skins[b].side))
         bodies.between.back().heights = has_apexes(skins[a], skins[b], a < b) ? contact::Heights::points : contact::Heights::guards;
       const bool itself = a == b && list[a].touches_itself && !skins[a].side.is_rigid;
       bodies.touch.push_back(a != b ? !are_apart(apart, list[a].name, list[b].name) : itself);

@@ -17,7 +17,7 @@ struct InterfaceOptions {
   double penalty_scale = 20;  ///< [-] chosen penalty over the stiffness of the softer side
   contact::Coulomb friction = {};
   bool edges = true;         ///< of both surfaces touch each other too, by multipliers
-  /// Of points: in two passes, of which the second guards; between rigid bodies, which have no stress, nodes in one pass
+  /// Of points: in two passes, of which the second guards; with plates, and between rigid bodies, nodes in one pass
   contact::Heights heights = contact::Heights::nodes;
   bool two_passes = false;   ///< each surface has apexes over the other, with half the penalty each
   double damping_ratio = 0;  ///< [-] of an apex on its base, over the critical damping of the stiffest pair

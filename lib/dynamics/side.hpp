@@ -19,6 +19,12 @@ struct Side {
 };
 Side side_of(const Model&, const mesh::Surface&);
 
+/// Whether heights between two sides may be those of points: not of plates, whose faces bend by more than they are thick, nor of two rigid
+/// bodies, which have no stress to share.
+inline bool may_have_points(const Side& one, const Side& other) {
+  return !(one.half_thickness > 0) && !(other.half_thickness > 0) && !(one.is_rigid && other.is_rigid);
+}
+
 /// What two surfaces have together. A penalty that is not given is `penalty_scale` times the stiffness of the softer side; a rigid body
 /// gives way nowhere, and only between two of them its modulus counts.
 ///

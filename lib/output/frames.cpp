@@ -88,12 +88,23 @@ Grid body_grid(const dynamics::View& view, FrameFields which) {
   return grid;
 }
 
+namespace {
+
+/// Whether a frame has the element of an apex: not of a guard that does nothing.
+bool is_shown(const contact::Interface& interface, const contact::Memory& memory, Index apex) {
+  return interface.heights != contact::Heights::guards || memory.status[static_cast<std::size_t>(apex)] == contact::Status::closed;
+}
+
+}  // namespace
+
 Grid contact_grid(const dynamics::View& view) {
   const dynamics::Model& model = view.model;
   Eigen::Index count = 0;
   for (std::size_t c = 0; c < model.interfaces.size(); ++c) {
     const auto& crossings = view.now.interfaces[c].crossings;
-    if (model.interfaces[c].kind != contact::InterfaceKind::edges) count += static_cast<Eigen::Index>(model.interfaces[c].apexes.size());
+    const auto apexes = static_cast<Index>(model.interfaces[c].apexes.size());
+    if (model.interfaces[c].kind != contact::InterfaceKind::edges)
+      for (Index a = 0; a < apexes; ++a) count += is_shown(model.interfaces[c], view.now.interfaces[c], a);
     else count += std::count_if(crossings.begin(), crossings.end(), is_over);
   }
   // five points for each element: foot, apex and the corners of the facet; of edges that cross their points, and the base edge with one
@@ -132,6 +143,7 @@ Grid contact_grid(const dynamics::View& view) {
     const bool apexes = interface.kind != contact::InterfaceKind::edges;
     const std::vector<contact::NodeForce> forces = apexes ? dynamics::forces_of_contact(view, c) : std::vector<contact::NodeForce>{};
     for (Index a = 0; apexes && a < static_cast<Index>(interface.apexes.size()); ++a) {
+      if (!is_shown(interface, view.now.interfaces[c], a)) continue;
       const auto element = contact::view(interface, view.now.x, view.now.interfaces[c], a);
       const dynamics::Traction traction = dynamics::traction_at(view, c, a, forces);
       const bool lost = element.feature.facet < 0;

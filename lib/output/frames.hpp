@@ -22,7 +22,7 @@ Grid body_grid(const dynamics::View&, FrameFields = FrameFields::usual);
 /// Every potential contact element: a line from the foot to the apex (part 0), then the facet that
 /// owns its base (part 1), each with kind (3 tetrahedral, 2 triangular, 1 line element), base, apex,
 /// gap, tractions at the node of the apex, status and reconnections. The tractions are of the whole contact: dynamics::traction_at().
-/// Elements that lost their base are points at the apex.
+/// Elements that lost their base are points at the apex. Guards of a declared contact are there while they push.
 Grid contact_grid(const dynamics::View&);
 
 /// Rigid planes and floors as rectangles around the scene, at time zero.

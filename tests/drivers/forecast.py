@@ -15,7 +15,8 @@ from runs import run_alone  # noqa: E402
 
 LINE = re.compile(r"^forecast to the end of time: (\d+) steps, \S+ s, (\d+) rows, (\d+) frames, (\S+) MB of files, (\S+) MB of memory$",
                   re.MULTILINE)
-NEAR = 0.1  # [-] what steps, bytes and memory may be off
+NEAR = 0.1  # [-] what steps, rows and memory may be off
+OF_FRAMES = 0.2  # [-] what bytes may be off: frames of a scene that is shaken are longer than those of bars in a plane wave
 PAGES = 4e6  # [bytes] of a program and its libraries (20 MB) that its system may map after the forecast, in pieces of its own choice
 
 
@@ -45,7 +46,7 @@ class Forecast(unittest.TestCase):
         self.assertAlmostEqual(steps / summary["cost"]["steps"], 1, delta=NEAR)
         self.assertAlmostEqual(rows / (quiet["history.csv"].count(b"\n") - 1), 1, delta=NEAR)
         self.assertEqual(frames, sum(name.startswith("body/") for name in quiet))
-        self.assertAlmostEqual(1e6 * bytes_ / sum(len(data) for data in quiet.values()), 1, delta=NEAR)
+        self.assertAlmostEqual(1e6 * bytes_ / sum(len(data) for data in quiet.values()), 1, delta=OF_FRAMES)
         for most in (memory, least):
             self.assertAlmostEqual(1e6 * resident, most, delta=max(NEAR * most, PAGES))
         again = LINE.search(told)

@@ -241,7 +241,8 @@ class Overlaps(Case):
                 run = self.good(stack(2, -1e-9, rigid, automatic, False, "2 ms"))
                 listed = [note for note in run.summary["notes"] if "apexes overlap at the start, by 1e-09 m at most" in note]
                 at_corners_alone = rigid and automatic  # r0 and r1, which stand on edges and vertices of each other
-                self.assertEqual(len(listed), 1 if at_corners_alone else 2, run.summary["notes"])
+                of_guards = 0 if rigid or automatic else 2  # of each pair, where nodes of the base stand over corners
+                self.assertEqual(len(listed), 1 if at_corners_alone else 2 + of_guards, run.summary["notes"])
                 self.assertTrue(all(note.endswith("of an element: taken as contact") for note in listed), listed)
 
     def test_that_are_larger_are_refused_with_the_key_that_accepts_them(self):
@@ -257,7 +258,7 @@ def blocks_that_meet(method):
     bodies, initial = [], []
     for i, j in itertools.product((0, 1), (0, 1)):
         name, low = f"b{i}{j}", (8.11e-3 * i, 8.11e-3 * j, 0)
-        bodies.append({**box(name, low, [a + 8e-3 for a in low], (3, 3, 3)), "material": steel})
+        bodies.append({**box(name, low, [a + 8e-3 for a in low], (5, 5, 5)), "material": steel})
         initial.append({"body": name, "velocity": [str(10 - 20 * i), str(10 - 20 * j), "0"], "unit": "m/s"})
     return {"bodies": bodies, "initial": initial, "contacts": [{"name": "all", "kind": "automatic", "method": method}],
             "time": {"end": "12 us", **({"safety": 0.05} if method == "multiplier" else {})}}
@@ -274,8 +275,8 @@ class FlushBlocks(Case):
         start = 4 * 0.5 * 7850 * 8e-3**3 * (10**2 + 10**2)
         created = penalty.summary["ledger"]["accounts"]["all"]["created"]["value"]
         self.assertLess(abs(created), 2e-4 * start)  # 6e-5
-        for energy in (lambda run: run.ledger("kinetic"), dissipated):  # with two cells they differ by 0.03, with four by 0.003
-            self.assertAlmostEqual(energy(penalty) / start, energy(multiplier) / start, delta=0.01)  # 0.003, 0.001
+        for energy in (lambda run: run.ledger("kinetic"), dissipated):  # with three cells they differ by 0.03, with four by 0.02
+            self.assertAlmostEqual(energy(penalty) / start, energy(multiplier) / start, delta=0.01)  # 0.0086, 0.0083
 
 
 def thrown(sign):

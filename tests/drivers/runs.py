@@ -274,7 +274,7 @@ class Summary(InATemporaryFolder):
         summary = self.check_form(run, "two_blocks", {
             "interface_stress_mean": "Pa", "interface_stress_peak": "Pa", "contact_time": "s", "impulse": "N s",
             "velocity_A": "m/s", "velocity_B": "m/s", "smallest_step": "s"})
-        self.assertEqual([*summary["ledger"]["accounts"]], ["A", "B", "contact", "contact_edges"])
+        self.assertEqual([*summary["ledger"]["accounts"]], ["A", "B", "contact", "contact_back", "contact_edges"])
         self.check_ledger(summary["ledger"])
         for number, method in enumerate(("multiplier", "penalty")):  # two passes share one stress
             one, two = (self.run_to_end("two_blocks", [*BARS, f"contact.method={method}", f"contact.passes={passes}"],
@@ -457,7 +457,7 @@ class Head(InATemporaryFolder):
             self.assertLess(abs(account["created_relative"]["value"]), 1e-3, f"energy created by {name}")
 
     def test_what_each_gap_hands_on(self):
-        got, ledger = self.values("time.end=6 ms")
+        got, ledger = self.values("time.end=6 ms", warning="hourglass energy")  # 0.12 of the least stressed plate
         self.check_books(ledger)
         self.assertEqual([name for name in ledger["accounts"] if name.startswith("pressure")], ["pressure_plate_1"])
         # the impulse of a triangle of 10 MPa and 4 ms on a ring of 48 corners

@@ -164,9 +164,18 @@ TEST(ReadInterface, DefaultsToTheBetterForms) {
   EXPECT_EQ(options.damping_ratio, 0);
   EXPECT_EQ(options.kind, contact::InterfaceKind::contact);
   EXPECT_EQ(options.friction.coefficient, 0);
-  EXPECT_FALSE(options.two_passes);
+  EXPECT_EQ(options.heights, contact::Heights::points);
+  EXPECT_TRUE(options.two_passes);  // of which the second guards
   EXPECT_TRUE(options.height.from_initial_height);
   EXPECT_DOUBLE_EQ(options.height.clearance, 5e-4);
+}
+
+TEST(ReadInterface, HeightsAreThoseOfNodesWherePointsHaveNoMeaning) {
+  for (const char* text : {"heights: nodes\n", "passes: two\n", "kind: bonded\n", "method: penalty\n", "kind: bonded\nmethod: penalty\n"})
+    EXPECT_EQ(read(text, read_interface).heights, contact::Heights::nodes) << text;
+  EXPECT_FALSE(read("heights: nodes\n", read_interface).two_passes);
+  EXPECT_EQ(read("friction: 0.1\n", read_automatic_interface).heights, contact::Heights::points);
+  EXPECT_EQ(read("method: penalty\n", read_automatic_interface).heights, contact::Heights::nodes);
 }
 
 TEST(ReadInterface, BondsHaveAMethodToo) {

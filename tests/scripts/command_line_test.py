@@ -72,6 +72,7 @@ TABLE = [
     ("refine", "{case} --levels={one}", COUNT, NO_COUNTS), ("refine", "{case} --threads={one}", COUNT, NO_COUNTS),
     ("refine", "{case} --threads 2000", "1024 at most"), ("refine", "{case} --set nosuch", "is no KEY=VALUE"),
     ("prove", "nosuch", "there is no 'nosuch'"), ("prove", "address nosuch", "there is no 'nosuch'"),
+    ("interfaces", "--scene nosuch", "invalid choice"), ("interfaces", "--rule nosuch", "invalid choice"),
     ("invariance", "", "no case is given"), ("invariance", "nosuch.yaml", "is no file"),
     ("invariance", "{case} --only nosuch", "no change is called 'nosuch'"),
     ("slides", "nosuch", "unrecognized"), ("slides", "--contact nosuch", "no contact is called 'nosuch'"),
