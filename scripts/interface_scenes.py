@@ -7,8 +7,8 @@ import math
 
 STEEL = {"kind": "elastic", "density": "7850 kg/m^3", "young": "210 GPa", "poisson": 0.3}
 RULES = {  # of a contact by multipliers: who has the apexes, and further keys
-    "nodes of the finer side": ("finer", {}),
-    "nodes of the coarser side": ("coarser", {}),
+    "nodes of the finer side": ("finer", {"heights": "nodes"}),
+    "nodes of the coarser side": ("coarser", {"heights": "nodes"}),
     "two passes": ("finer", {"passes": "two"}),
     "automatic, nodes": ("automatic", {"heights": "nodes"}),
     "points, finer side": ("finer", {"heights": "points"}),

@@ -2,7 +2,7 @@
 from math import sqrt
 
 from reference import FRICTION, LIMIT, MASS, PRESS, SLIPS, friction, heat, load, speed, stops, swing, way
-from verify import Breaks, Check, Figure, Pair, Report, Table, crossings
+from verify import Breaks, Check, Figure, Miss, Pair, Report, Table, crossings
 
 CATALOGUE = ()
 CLAIM = ("Friction holds a block without ringing or creep while the load is below the limit, then the block slides at the limit, stops "
@@ -89,8 +89,9 @@ CHECKS = [
            "friction falls from the limit to the load at once, and the block swings in shear, which bulk viscosity does not damp; a "
            "penalty gives 0.11"),
     Check("on ice: speed that is kept", kept({}), 1e-4, "nothing draws; faces are flat but for 1e-8 m"),
-    Check("on ice, the larger block with the apexes: speed that is kept", kept(SWAPPED), 1e-3,
-          "as with the smaller one; by its nodes alone 1.8 m/s, since the border of the smaller block sinks in between them"),
+    Miss("on ice, the larger block with the apexes: speed that is kept", kept(SWAPPED), 1e-3, "as with those of the smaller one",
+         why="points under the border of the smaller block come and go as it slides. By the nodes of the larger block alone it keeps "
+         "1.8 m/s, since that border sinks in between them; a penalty gives 2.22 m/s"),
     Check("on ice, two passes: speed that is kept", kept({**SWAPPED, "contacts[0].passes": "two"}), 1e-4, "no node sinks in"),
 ]
 
