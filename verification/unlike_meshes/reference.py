@@ -2,5 +2,9 @@
 
 
 def reference(pressure):
-    """[Pa] of the stress along the load; positive pressure presses."""
+    """[Pa] of the stress along the load; a positive pressure presses.
+
+    >>> reference(21e6)
+    -21000000.0
+    """
     return -pressure
