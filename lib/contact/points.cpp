@@ -19,6 +19,7 @@ constexpr double close = 1;           // of the side of a face: one that is cove
 constexpr int points_of_corner = 4;   // of a face that is covered in part
 constexpr double most_turn = 0.35;    // [rad] of the faces at a guard: a ridge has no sag
 constexpr double always_allowed = 0.01, per_turn = 0.25;  // of the side of the base
+constexpr double most_allowed = 0.025;  // of the depth of an element, a quarter of what the audit warns of
 
 /// A face of the apexes' side.
 struct Face {
@@ -186,7 +187,9 @@ double allowance(const Interface& interface, const Vectors& x, Index apex, Index
   mean.normalize();
   for (std::size_t i = 0; i < count; ++i) least = std::min(least, normal[i].dot(mean));
   const double turn = std::acos(std::clamp(least, -1.0, 1.0));
-  return interface.base.size(facet) * (always_allowed + (turn < most_turn ? per_turn * turn : 0));
+  const double depth = between(interface, apex, facet).depth;
+  const double sag = interface.base.size(facet) * (always_allowed + (turn < most_turn ? per_turn * turn : 0));
+  return depth > 0 ? std::min(sag, most_allowed * depth) : sag;
 }
 
 void add_to(Index node, const Vec3& push, bool of_apex_side, PointWork& work) {
