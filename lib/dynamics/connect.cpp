@@ -202,7 +202,7 @@ std::vector<Connected> connect(Model& model, const std::string& name, const std:
                                const InterfaceOptions& options, const Vectors* start) {
   const Vectors& x = start != nullptr ? *start : model.mesh.X;
   std::vector<Connected> passes;
-  const auto side = [&](const std::string& name) { return side_of(model, mesh::surface(model.mesh, name)); };
+  const auto side = [&](const std::string& surface) { return side_of(model, mesh::surface(model.mesh, surface)); };
   const bool by_nodes = options.heights == contact::Heights::points && !may_have_points(side(apex_surface), side(base_surface));
   if (!options.two_passes || by_nodes) {
     passes.push_back(connect_one_pass(model, name, apex_surface, base_surface, options, x, contact::Pass::only));
