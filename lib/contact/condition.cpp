@@ -486,6 +486,46 @@ bool has_same_points(const BaseSurface& base, const Vectors& x, const ElementFor
   });
 }
 
+double distance_to(const Interface& interface, const Vectors& x, Index apex, Index facet) {
+  const std::array<double, 3> weight = weights_of(interface, x, apex, facet);
+  Vec3 arm = x.col(interface.apexes[apex]);
+  for (int I = 0; I < 3; ++I) arm -= weight[I] * x.col(interface.base.facets(I, facet));
+  return arm.norm();
+}
+
+/// Gives a stencil the facet on which friction has its foot.
+void lay_on(const Interface& interface, const Vectors& x, Index apex, Index facet, Stencil& stencil) {
+  stencil.facet = facet, stencil.kind = geometry::Kind::facet, stencil.local = 0;
+  stencil.weight = weights_of(interface, x, apex, facet), stencil.fourth = 0;
+}
+
+/// Sums the points of the faces around an apex over the side of the base that a stencil is on. If none lies there, but some lie on another
+/// side that meets this one at a node of the facet, and no other stencil is there, moves the stencil to that side: an apex on the rim of a
+/// flush face is on all sides of the rim, and which one its track names is a chance.
+OverPoints sum_where_faces_lie(const Interface& interface, const Vectors& x, Index apex, int s, PointWork& work, ElementForces& element) {
+  const BaseSurface& base = interface.base;
+  Stencil& stencil = element.stencil[s];
+  const OverPoints here = sum_points(interface, x, apex, stencil.facet, work);
+  if (here.area > 0 || here.of_node > 0 || here.covered_elsewhere) return here;
+  const auto is_taken = [&](const Vec3& side) {
+    for (int one = 0; one < element.count; ++one)
+      if (facet_normal(base, x, element.stencil[one].facet).dot(side) > same_part) return true;  // of this one too
+    return false;
+  };
+  Index best = -1;
+  double most = 0, nearest = infinite;
+  for (const Index node : base.facets.col(stencil.facet))
+    for (Index r = base.ring_begin[node]; r < base.ring_begin[node + 1]; ++r) {
+      const Index other = base.ring[static_cast<std::size_t>(r)];
+      if (is_taken(facet_normal(base, x, other))) continue;
+      const double area = sum_points(interface, x, apex, other, work).area, apart = distance_to(interface, x, apex, other);
+      const bool same_side = std::abs(area - most) < just_on * area;
+      if (same_side ? apart < nearest : area > most) best = other, most = area, nearest = apart;
+    }
+  if (best >= 0) lay_on(interface, x, apex, best, stencil);
+  return sum_points(interface, x, apex, stencil.facet, work);
+}
+
 /// How fast an apex moves against the facet of a stencil in the step to come. [m/s]
 double speed_over(const Interface& interface, const Multipliers& all, const Near& near, const Stencil& stencil) {
   double fastest = 0;
@@ -496,34 +536,44 @@ double speed_over(const Interface& interface, const Multipliers& all, const Near
   return std::sqrt(fastest);
 }
 
+/// Whether a guard acts: where it would be deeper than it may be, in this step or soon. Others would slow the sweeps down.
+bool guard_acts(const Interface& interface, const Motion& m, const Near& near, Index facet, const Multipliers& all, Condition& c) {
+  c.gap += allowance(interface, m.x, near.apex, facet);
+  return near.pressed > 0 || c.gap + steps_to_touch * m.next * std::min(0.0, rate(c, all)) < 0;
+}
+
 /// Finds the condition of a stencil over points of the faces around the apex, or by the apex itself where none of them lies on the base;
 /// false if there is none. Friction has the foot of the apex in any case.
 bool find_over_points(const Interface& interface, const Motion& m, const Memory& memory, Near& near, int s, PointWork& work,
                       Multipliers& all, Condition& c) {
   Stencil& stencil = near.element.stencil[s];
-  if (has_same_points(interface.base, m.x, near.element, s)) return false;
   const bool pushes = !stencil.push.isZero(0);
   if (!pushes && memory.gap[near.apex] > farther_than_points * interface.base.size(stencil.facet) &&
       !can_touch(between(interface, near.apex, stencil.facet), m, 0.5 * memory.gap[near.apex], speed_over(interface, all, near, stencil)))
     return false;
-  OverPoints sum = sum_points(interface, m.x, near.apex, stencil.facet, work);
-  const double level = stencil.level - stand_off(interface.base, stencil.facet);
+  OverPoints sum = sum_where_faces_lie(interface, m.x, near.apex, s, work, near.element);
+  if (has_same_points(interface.base, m.x, near.element, s)) return false;
+  const Index side = stencil.facet;
+  const double level = contact_height(interface, memory, near.apex);  // that of a track is of the apex, which comes in elsewhere
   const bool stands = make(interface, m, memory, near, stencil, near.element.has_moment, all, c);
+  if (!(sum.area > 0) && !(sum.covered_elsewhere && !(sum.of_node > 0))) return stands;
   // points may leave a node no deeper than a guard, also where nodes that are better covered have its points
-  const bool has_others = sum.area > 0 || (sum.covered_elsewhere && !(sum.of_node > 0));
-  if (!has_others || (stands && c.gap < -allowance(interface, m.x, near.apex, stencil.facet))) return stands;
-  if (!(sum.area > 0)) return false;
-  double area = 0;
+  if (!(sum.area > 0)) return stands && guard_acts(interface, m, near, stencil.facet, all, c);
+  const double own = stands ? c.gap + allowance(interface, m.x, near.apex, stencil.facet) : infinite;
   sum.gap -= sum.area * level;
-  if (stands && sum.of_node > 0) {
-    for (const Member& one : members_of(c, all)) add_to(one.node, sum.of_node * one.weight * c.normal, one.weight > 0, work);
-    sum.gap += sum.of_node * c.gap, sum.normal += sum.of_node * c.normal;
-  }
-  if (!stands) stencil.weight = weights_of(interface, m.x, near.apex, stencil.facet), stencil.fourth = 0;
-  all.members.resize(static_cast<std::size_t>(c.first)), c.nodes = 0;
+  Vec3 normal = sum.normal;
+  if (stands && sum.of_node > 0) sum.gap += sum.of_node * c.gap, normal += sum.of_node * c.normal;
   const Mat3* allowed = allowed_of(interface, near.apex);
-  const Vec3 along = allowed ? Vec3(*allowed * sum.normal) : sum.normal;
-  area = along.norm();  // so that what the apex gets is a unit vector
+  const Vec3 along = allowed ? Vec3(*allowed * normal) : normal;
+  const double area = along.norm();  // so that what the apex gets is a unit vector
+  if (own * area < sum.gap) {
+    c.gap = own;
+    return true;
+  }
+  if (stands && sum.of_node > 0)
+    for (const Member& one : members_of(c, all)) add_to(one.node, sum.of_node * one.weight * c.normal, one.weight > 0, work);
+  if (!stands || stencil.facet != side) lay_on(interface, m.x, near.apex, side, stencil);
+  all.members.resize(static_cast<std::size_t>(c.first)), c.nodes = 0;
   if (!(area > 0)) return false;
   c.normal = along / area, c.gap = sum.gap / area;
   c.pushes = static_cast<Index>(all.pushes.size());
@@ -545,12 +595,6 @@ bool find_over_points(const Interface& interface, const Motion& m, const Memory&
     fastest = std::max(fastest, speed.squaredNorm());
   }
   return can_touch(between(interface, near.apex, stencil.facet), m, c.gap, std::sqrt(fastest));
-}
-
-/// Whether a guard acts: where it would be deeper than it may be, in this step or soon. Others would slow the sweeps down.
-bool guard_acts(const Interface& interface, const Motion& m, const Near& near, Index facet, const Multipliers& all, Condition& c) {
-  c.gap += allowance(interface, m.x, near.apex, facet);
-  return near.pressed > 0 || c.gap + steps_to_touch * m.next * std::min(0.0, rate(c, all)) < 0;
 }
 
 /// Finds the condition of a stencil; false if there is none.
@@ -589,7 +633,11 @@ void add(const Contactor& one, Multipliers& all) {
   }
   if (one.friction < 0) return;
   const Touch& touch = all.frictions[one.friction].touch;
-  for (int j = 0; touch.apex < 0 && j < touch.nodes; ++j) all.shared(touch.node[j]) += one.area * touch.lift[j].norm();
+  if (touch.apex >= 0) all.rubbed(touch.apex) += one.area;
+  for (int j = 0; j < touch.nodes; ++j) {
+    all.rubbed(touch.node[j]) += one.area * std::abs(touch.weight[j]);
+    if (touch.apex < 0) all.shared(touch.node[j]) += one.area * touch.lift[j].norm();
+  }
 }
 
 namespace {
@@ -630,7 +678,7 @@ Multipliers make_multipliers(std::span<const Interface> interfaces, std::span<co
   Multipliers all;
   all.ahead = all.way = all.velocity = Vectors::Zero(3, nodes);
   all.spin = Vectors::Zero(3, plate_nodes);
-  all.shared = all.mobility = Scalars::Zero(nodes);
+  all.shared = all.rubbed = all.mobility = Scalars::Zero(nodes);
   std::size_t apexes = 0;
   std::vector<char> acts(static_cast<std::size_t>(nodes), 0), always = acts;
   const auto see = [&](const Subset& some, bool is_automatic = false) {
@@ -687,7 +735,7 @@ void see_ahead(const Subset& nodes, const Motion& m, Multipliers& all) {
 void look_ahead(const Subset& nodes, const Motion& m, Multipliers& all) {
   const double h = 0.5 * (m.dt + m.next), per_time = 1 / (m.dt + m.next);
   for (const Index node : nodes) {
-    all.shared(node) = 0;
+    all.shared(node) = all.rubbed(node) = 0;
     all.mobility(node) = 1 / m.mass(node);
     Vec3 change = h * all.mobility(node) * m.force.col(node);
     if (m.allowed[node]) change = *m.allowed[node] * change;

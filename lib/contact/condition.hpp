@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <span>
 
 #include "contact/bond.hpp"
@@ -132,13 +133,24 @@ struct Progress {
   double moved_along = 0, made_along = 0;  ///< the same of friction
 };
 
+/// What contact by multipliers has taken in this process.
+struct Spent {
+  std::int64_t steps = 0;       ///< in which any apex had a condition
+  std::int64_t apexes = 0;      ///< with conditions, of all these steps together; nodes over planes and edges that cross too
+  std::int64_t conditions = 0;  ///< of these
+  std::int64_t sweeps = 0;
+  double seconds = 0;           ///< on the wall, with search and tracking
+};
+
 /// What multipliers work with and may throw away between steps.
 struct Multipliers {
+  Spent spent;
   Vectors ahead;        ///< [m] [nodes] where the nodes would be after the step to come
   Vectors way;          ///< [m/s] [nodes] mean velocity from the start of the step that led to t up to there
   Vectors velocity;     ///< [m/s] [nodes] in the step to come, with the impulses so far
   Vectors spin;         ///< [rad/s] [plate nodes] the same of angular velocities
-  Scalars shared;       ///< [m2] [nodes] sum of the weights and lifts of all conditions times their areas; look_ahead() begins it
+  Scalars shared;       ///< [m2] [nodes] sum of the weights of all conditions, and of the lifts of friction, times the areas of their apexes
+  Scalars rubbed;       ///< [m2] [nodes] the same of the weights of friction; look_ahead() begins both
   Scalars mobility;     ///< [1/kg] [nodes] of what was looked ahead for
   Subset nodes;         ///< on which multipliers can act, ascending
   Subset always;        ///< of these what is not only of automatic contacts
@@ -283,7 +295,7 @@ bool complete(const Motion&, double pressed, double held, Multipliers&, Conditio
 /// returns  its place in Multipliers::frictions
 Index add_friction(const Touch&, const Coulomb&, const Vec3& force, bool stuck, const Motion&, Multipliers&);
 
-/// Adds a contactor, with what it adds to Multipliers::shared.
+/// Adds a contactor, with what it adds to Multipliers::shared and rubbed.
 void add(const Contactor&, Multipliers&);
 
 /// The gap up to which nodes that go such a way against each other in the step to come, in m, count in it. [m]

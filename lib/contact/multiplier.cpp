@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <type_traits>
 
@@ -51,43 +52,49 @@ void book_first_half(const Interface& interface, const Motion& m, Memory& memory
   }
 }
 
+/// How far the constraints of a node turn an impulse along a normal into the plane across it. [-]
+double slant(const Motion& m, Index node, const Vec3& normal) {
+  if (!m.allowed[node]) return 0;
+  const Vec3 let = *m.allowed[node] * normal;
+  return (let - normal.dot(let) * normal).norm();
+}
+
 /// Bounds of what all impulses together change in each rate: a sweep by them overshoots nowhere, whatever the order.
 ///
 ///     1/a  sum over the nodes of |w| S |P n| / m,   S = sum of |w| a of all conditions at the node
 ///
 /// with any a > 0 (Gershgorin's circles of the matrix with rows and columns scaled). Impulses go with the areas, so these are good, and
-/// half a body on its symmetry plane has nearly the sweeps of the whole one. Friction where edges cross acts along their normal too, by its
-/// lifts, which count as weights of both.
+/// half a body on its symmetry plane has nearly the sweeps of the whole one. Friction has the same with its own weights. Where edges cross
+/// it acts along their normal too, by its lifts, which count as weights of both. Where constraints slant to the normal, an impulse along
+/// it changes slip rates, and friction normal rates.
 void find_bounds(const Motion& m, Multipliers& all) {
   if (m.rigid) leave_out(*m.rigid, all);
+  const bool rubs = !all.frictions.empty();
   for (const Contactor& one : all.contactors) {
     const double per_area = 1 / one.area;
     for (Index i = one.first; i < one.last; ++i) {
       Condition& c = all.conditions[i];
       double sum = 0;
       each_node_along(c, all, [&](const Member& at, const Vec3& along) {
-        sum += (&along == &c.normal ? 1 : along.norm()) * std::abs(at.response) * all.shared(at.node);
+        double shared = (&along == &c.normal ? 1 : along.norm()) * all.shared(at.node);
+        if (rubs) shared += slant(m, at.node, c.normal) * all.rubbed(at.node);
+        sum += std::abs(at.response) * shared;
       });
       c.bound = per_area * sum;
     }
     if (one.friction < 0) continue;
     FrictionCondition& condition = all.frictions[one.friction];
-    const Condition& c = all.conditions[one.foot];
-    double alone = 0, together = 0;
-    const auto see = [&](Index node, double square, double all_weights) {
-      alone += square / m.mass(node);
-      together += all_weights * all.shared(node) / (one.area * m.mass(node));
-    };
     const Touch& touch = condition.touch;
-    if (touch.apex < 0) {
-      for (int j = 0; j < touch.nodes; ++j) {
-        const double weight = std::abs(touch.weight[j]), lift = touch.lift[j].norm();
-        see(touch.node[j], weight * weight + lift * lift, weight + lift);
-      }
-    } else {
-      for (const Member& at : members_of(c, all)) see(at.node, at.weight * at.weight, std::abs(at.weight));
-    }
-    condition.bound = condition.per_mass * together / alone;
+    double alone = 0, together = 0, across = 0;
+    const auto see = [&](Index node, double weight, double lift) {
+      const double mobility = 1 / m.mass(node);
+      alone += mobility * (weight * weight + lift * lift);
+      together += mobility * per_area * (weight * all.rubbed(node) + lift * all.shared(node));
+      across += mobility * per_area * slant(m, node, touch.normal) * weight * all.shared(node);
+    };
+    if (touch.apex >= 0) see(touch.apex, 1, 0);
+    for (int j = 0; j < touch.nodes; ++j) see(touch.node[j], std::abs(touch.weight[j]), touch.apex < 0 ? touch.lift[j].norm() : 0);
+    condition.bound = condition.per_mass * together / alone + across;
   }
   if (m.rigid) add_bounds(*m.rigid, m, all);
 }
@@ -198,7 +205,9 @@ bool any_between_rigid_bodies(const Motion& m, const Multipliers& all) {
 }
 
 /// Sweeps until nothing changes, or no contactor gains energy that counts nor penetrates by what counts and none is between rigid bodies.
-void solve(const Motion& m, Multipliers& all) {
+///
+/// returns how often it swept
+int solve(const Motion& m, Multipliers& all) {
   find_bounds(m, all);
   const bool to_the_end = any_between_rigid_bodies(m, all);
   for (const Contactor& one : all.contactors)
@@ -209,7 +218,8 @@ void solve(const Motion& m, Multipliers& all) {
   if (m.rigid) settle(*m.rigid, m, all.velocity);
   if (all.bonds.touched) hold(m, all.velocity, all.bonds);
   double t = 1;
-  for (int sweeps = 1; sweeps <= most_for_overlaps; ++sweeps) {
+  int sweeps = 1;
+  for (; sweeps <= most_for_overlaps; ++sweeps) {
     const double next = 0.5 * (1 + std::sqrt(1 + 4 * t * t));
     const Swept made = sweep(m, sweeps > 1 ? (t - 1) / next : 0, all);
     t = made.turned < 0 ? 1 : next;
@@ -220,6 +230,7 @@ void solve(const Motion& m, Multipliers& all) {
   }
   leave_out_momentum(all);
   apply_changes(m, all);
+  return std::min(sweeps, most_for_overlaps);
 }
 
 /// What friction takes in a step, and how much of that in the half that begins. [J]
@@ -464,7 +475,13 @@ void find_impulses(const Acting& acting, const Motion& m, std::span<Workspace> w
     });
   }
   all.bonds.touched = any_touched(all);
-  solve(m, all);
+  const int sweeps = solve(m, all);
+  if (!all.contactors.empty()) {
+    ++all.spent.steps;
+    all.spent.apexes += static_cast<std::int64_t>(all.contactors.size());
+    all.spent.conditions += static_cast<std::int64_t>(all.conditions.size());
+    all.spent.sweeps += sweeps;
+  }
   find_work(m, all);
 }
 
@@ -511,6 +528,7 @@ void stop_at_start(std::span<const Interface> interfaces, std::span<const RigidP
 
 void enforce(std::span<const Interface> interfaces, std::span<const RigidPlane> planes, const Motion& m, double t,
              std::span<Memory> memories, std::span<PlaneMemory> of_planes, std::span<Workspace> workspaces, Multipliers& all) {
+  const auto began = std::chrono::steady_clock::now();
   const double h = 0.5 * (m.dt + m.next);
   const Acting acting{interfaces, planes, memories, of_planes};
   for (std::size_t i = 0; i < interfaces.size(); ++i)
@@ -549,6 +567,7 @@ void enforce(std::span<const Interface> interfaces, std::span<const RigidPlane> 
   acting.for_each_bond(all.bonds, [&](const Interface& interface, std::span<const HeldBond> bonds, Memory& memory) {
     take_over(interface, m, bonds, all.velocity, memory);
   });
+  all.spent.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
 }
 
 void change_work_to_come(std::span<const Interface> interfaces, std::span<const RigidPlane> planes, const Vectors& change,

@@ -80,8 +80,8 @@ void for_each_body(const RigidNodes& all, const Motion& m, const Multipliers& mu
 
 /// What friction does to its slip rate through nodes that are not rigid, alone and with all that share them. [1/kg]
 double bound_of_nodes(const RigidNodes& all, const Motion& m, const Multipliers& multipliers, const Contactor& one) {
-  const Condition& c = multipliers.conditions[one.first];
-  const Along both = along(multipliers.frictions[one.friction].touch);
+  const Touch& touch = multipliers.frictions[one.friction].touch;
+  const Along both = along(touch);
   const auto product = [&](const FrictionShares& a, const FrictionShares& b) {
     double sum = 0;
     for (int i = 0; i < a.count; ++i) {
@@ -93,11 +93,13 @@ double bound_of_nodes(const RigidNodes& all, const Motion& m, const Multipliers&
     return sum;
   };
   double alone = 0, together = 0;
-  for (const Member& at : members_of(c, multipliers)) {
-    if (all.of_node[at.node] >= 0) continue;
-    alone += at.weight * at.weight / m.mass(at.node);
-    together += std::abs(at.weight) * multipliers.shared(at.node) / (one.area * m.mass(at.node));
-  }
+  const auto see = [&](Index node, double weight) {
+    if (all.of_node[node] >= 0) return;
+    alone += weight * weight / m.mass(node);
+    together += weight * multipliers.rubbed(node) / (one.area * m.mass(node));
+  };
+  if (touch.apex >= 0) see(touch.apex, 1);
+  for (int j = 0; j < touch.nodes; ++j) see(touch.node[j], std::abs(touch.weight[j]));
   if (!(alone > 0)) return 0;
   const double most = std::max(product(both.first, both.first), product(both.second, both.second));
   return (most + std::abs(product(both.first, both.second))) * together / alone;
@@ -194,7 +196,7 @@ double product_of_bodies(const RigidNodes& all, const FrictionShares& a, const F
 
 void leave_out(const RigidNodes& all, Multipliers& multipliers) {
   for (const MovingBody& body : all.bodies)
-    for (const Index node : body.nodes) multipliers.shared(node) = 0;
+    for (const Index node : body.nodes) multipliers.shared(node) = multipliers.rubbed(node) = 0;
 }
 
 void add_bounds(const RigidNodes& all, const Motion& m, Multipliers& multipliers) {

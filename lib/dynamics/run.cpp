@@ -289,6 +289,7 @@ Outcome run(const Model& model, State& now, Forces& forces, const Time& time, do
   if (good(outcome.ending)) overlap_too_much(model, now, forces, time.overlap_limit, outcome);
   outcome.wall_seconds = std::chrono::duration<double>(clock() - began).count();
   outcome.element_updates = element_count(model) * (now.step + 1);
+  outcome.contact = forces.multipliers.spent;
   outcome.smallest_step = progress.smallest.dt, outcome.largest_step = progress.largest_step;
   outcome.limited_by = limited_by(progress.smallest, sources(model));
   return outcome;

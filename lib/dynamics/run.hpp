@@ -39,6 +39,7 @@ struct Outcome {
   std::string block;             ///< where it happened, if anywhere
   Index element = -1;
   std::int64_t element_updates = 0;
+  contact::Spent contact;                      ///< by multipliers, in this process
   double wall_seconds = 0;                     ///< of the step loop with everything in it
   std::string limited_by;                      ///< the source of the smallest step, in words
   double smallest_step = 0, largest_step = 0;  ///< [s]

@@ -134,14 +134,19 @@ Json touched_of(const std::vector<dynamics::Touched>& touched) {
 }
 
 Json cost_of(const Cost& cost) {
-  return {{"elements", cost.elements},
-          {"steps", cost.steps},
-          {"element_updates", cost.element_updates},
-          {"wall_seconds", cost.wall_seconds},
-          {"nanoseconds_per_element_update", cost.nanoseconds_per_element_update},
-          {"threads", cost.threads},
-          {"frames", cost.frames},
-          {"frames_every", quantity(cost.frames_every, "s")}};
+  Json all{{"elements", cost.elements},
+           {"steps", cost.steps},
+           {"element_updates", cost.element_updates},
+           {"wall_seconds", cost.wall_seconds},
+           {"nanoseconds_per_element_update", cost.nanoseconds_per_element_update},
+           {"threads", cost.threads},
+           {"frames", cost.frames},
+           {"frames_every", quantity(cost.frames_every, "s")}};
+  const contact::Spent& contact = cost.contact;
+  if (contact.steps > 0)
+    all["contact"] = {{"steps", contact.steps}, {"apexes", contact.apexes}, {"conditions", contact.conditions},
+                      {"sweeps", contact.sweeps}, {"seconds", contact.seconds}};
+  return all;
 }
 
 /// The place of a path such as "planes[0].normal" in a tree of objects and arrays.

@@ -26,6 +26,7 @@ struct Cost {
   int threads = 1;
   std::int64_t frames = 0;  ///< of the bodies
   double frames_every = 0;  ///< [s] between them
+  contact::Spent contact;   ///< by multipliers
 };
 
 struct Ending {

@@ -32,7 +32,7 @@ struct Setting {
     bodies.push_back(rigid::make_body("body", {2, Vec3(0.1, 0, 0.05), inertia}, x, {0, 1, 2, 3, 4, 5, 6, 7}));
     rigid::set_velocities(bodies[0], Vec3(1, 2, 3), Vec3(5, -6, 7), state);
     all.velocity = all.ahead = all.way = Vectors::Zero(3, 12);
-    all.shared = Scalars::Zero(12);
+    all.shared = all.rubbed = Scalars::Zero(12);
     rigid.of_node = of_node;
     rigid.bodies.resize(1);
     rigid.bodies[0].nodes = {0, 1, 2, 3};
