@@ -139,7 +139,8 @@ output::Summary summarise(const std::string& name, const CommandLine& line, cons
   summary.touched = dynamics::touched(simulation.model, simulation.state);
   const auto updates = static_cast<double>(outcome.element_updates);
   summary.cost = {model::count_elements(simulation.model), simulation.state.step, outcome.element_updates, outcome.wall_seconds,
-                  updates > 0 ? outcome.wall_seconds * 1e9 / updates : 0, threads(), frames, model::frames_every(simulation), outcome.contact};
+                  updates > 0 ? outcome.wall_seconds * 1e9 / updates : 0, threads(), frames, model::frames_every(simulation),
+                  outcome.contact};
   notes.push_back("the smallest step was limited by " + outcome.limited_by);
   summary.notes = notes;
   return summary;

@@ -149,7 +149,7 @@ struct Multipliers {
   Vectors way;          ///< [m/s] [nodes] mean velocity from the start of the step that led to t up to there
   Vectors velocity;     ///< [m/s] [nodes] in the step to come, with the impulses so far
   Vectors spin;         ///< [rad/s] [plate nodes] the same of angular velocities
-  Scalars shared;       ///< [m2] [nodes] sum of the weights of all conditions, and of the lifts of friction, times the areas of their apexes
+  Scalars shared;       ///< [m2] [nodes] sum of the weights of all conditions, and of lifts of friction, times the areas of their apexes
   Scalars rubbed;       ///< [m2] [nodes] the same of the weights of friction; look_ahead() begins both
   Scalars mobility;     ///< [1/kg] [nodes] of what was looked ahead for
   Subset nodes;         ///< on which multipliers can act, ascending

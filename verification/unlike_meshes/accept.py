@@ -6,7 +6,8 @@ from verify import Breaks, Check, Figure, Pair
 
 CATALOGUE = ()
 CLAIM = ("Where unlike meshes meet, automatic contact neither stiffens an interface that bends nor bends it without a load; a uniform "
-         "pressure passes also where faces are covered in part or friction holds a slope, and edges and corners strike like those of any mesh.")
+         "pressure passes also where faces are covered in part or friction holds a slope, and edges and corners strike like those of any "
+         "mesh.")
 EVIDENCE = "invariant"
 DRIVER = "scene"
 
