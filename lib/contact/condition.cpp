@@ -538,8 +538,10 @@ double speed_over(const Interface& interface, const Multipliers& all, const Near
 
 /// Whether a guard acts: where it would be deeper than it may be, in this step or soon. Others would slow the sweeps down.
 bool guard_acts(const Interface& interface, const Motion& m, const Near& near, Index facet, const Multipliers& all, Condition& c) {
+  const double closing = steps_to_touch * m.next * std::min(0.0, rate(c, all));
+  if (!(near.pressed > 0) && !(c.gap + closing < 0)) return false;  // what it is allowed would only add to this
   c.gap += allowance(interface, m.x, near.apex, facet);
-  return near.pressed > 0 || c.gap + steps_to_touch * m.next * std::min(0.0, rate(c, all)) < 0;
+  return near.pressed > 0 || c.gap + closing < 0;
 }
 
 /// Finds the condition of a stencil over points of the faces around the apex, or by the apex itself where none of them lies on the base;
@@ -559,16 +561,18 @@ bool find_over_points(const Interface& interface, const Motion& m, const Memory&
   if (!(sum.area > 0) && !(sum.covered_elsewhere && !(sum.of_node > 0))) return stands;
   // points may leave a node no deeper than a guard, also where nodes that are better covered have its points
   if (!(sum.area > 0)) return stands && guard_acts(interface, m, near, stencil.facet, all, c);
-  const double own = stands ? c.gap + allowance(interface, m.x, near.apex, stencil.facet) : infinite;
   sum.gap -= sum.area * level;
   Vec3 normal = sum.normal;
   if (stands && sum.of_node > 0) sum.gap += sum.of_node * c.gap, normal += sum.of_node * c.normal;
   const Mat3* allowed = allowed_of(interface, near.apex);
   const Vec3 along = allowed ? Vec3(*allowed * normal) : normal;
   const double area = along.norm();  // so that what the apex gets is a unit vector
-  if (own * area < sum.gap) {
-    c.gap = own;
-    return true;
+  if (stands && c.gap * area < sum.gap) {
+    const double own = c.gap + allowance(interface, m.x, near.apex, stencil.facet);
+    if (own * area < sum.gap) {
+      c.gap = own;
+      return true;
+    }
   }
   if (stands && sum.of_node > 0)
     for (const Member& one : members_of(c, all)) add_to(one.node, sum.of_node * one.weight * c.normal, one.weight > 0, work);

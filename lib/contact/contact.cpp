@@ -33,7 +33,10 @@ Workspace::Workspace(const Interface& interface)
       spring_sum(Scalars::Zero(std::max<Eigen::Index>(1, static_cast<Eigen::Index>(interface.base.ring_begin.size())) - 1)),
       rotation_sum(Scalars::Zero(interface.friction.coefficient > 0 && !interface.rotation_of_node.empty() ? spring_sum.size() : 0)) {
   near.reserve(interface.apexes.size());
-  if (interface.heights != Heights::nodes) points.of_face.resize(static_cast<std::size_t>(interface.faces.faces.cols()));
+  if (interface.heights != Heights::nodes) {
+    points.of_face.resize(static_cast<std::size_t>(interface.faces.faces.cols()));
+    points.place.resize(interface.base.ring_begin.size());
+  }
   const Bodies& bodies = interface.bodies;
   if (bodies.count() == 0) broad.emplace_back(static_cast<Index>(interface.base.facets.cols()));
   for (Index b = 0; interface.kind != InterfaceKind::edges && b < bodies.count(); ++b)

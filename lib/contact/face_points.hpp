@@ -27,9 +27,19 @@ enum class Lies {
   in_part,  ///< some of its points are over the base
 };
 
+/// A face of the apexes' side.
+struct Face {
+  int corners = 0;
+  std::array<Index, 4> node{};
+  Vec3 normal = Vec3::Zero();  ///< unit vector out of it
+  double side = 0;             ///< [m]
+};
+
 /// The points of a face in a step.
 struct FacePoints {
   std::int64_t step = -1;     ///< in which they were found
+  std::int64_t measured = -1; ///< step in which the face was measured
+  Face face;
   Lies lies = Lies::apart;
   std::vector<Foot> foot;     ///< of the Gauss points; of a face that is covered in part of four points for each of its nodes
   std::vector<int> taken_by;  ///< of such points: the corner of whose height they are a part
@@ -47,6 +57,7 @@ struct PointWork {
   std::int64_t step = 0;
   std::vector<FacePoints> of_face;  ///< beside Interface::faces
   std::vector<Share> sum;           ///< of an apex
+  std::vector<std::int32_t> place;  ///< [nodes of the mesh] in `sum`; right if the share there is of that node
 };
 
 }  // namespace nereid::contact

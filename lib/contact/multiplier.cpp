@@ -23,7 +23,7 @@ constexpr double still = 1e-6;     // of what the impulses do: sweeps end as soo
 constexpr double settled = 1e-5;   // the same: fewer sweeps than usual will do without friction, whose sticks need more beside heavy loads
 constexpr double is_trend = 0.04;  // of the squared changes of impulses: less that their trend left of them, and it is trusted once more
 constexpr double may_gain = 1e-4;  // of the energy that the impulses exchange: sweeps go on while single contactors gain more
-constexpr double may_close = 0.02;  // of the depth of an element: the same, while a gap would be more negative in the step to come
+constexpr double may_close = 0.01;  // of the depth of an element: the same, while a gap would be more negative in the step to come
 
 /// Whether the forces of all apexes can have a moment, and not only of those that say so.
 bool all_have_moments(const Interface& interface) { return !interface.allowed.empty() || interface.weights == Weights::paper; }
@@ -165,7 +165,7 @@ void leave_out_momentum(Multipliers& all) {
   for (FrictionCondition& f : all.frictions) f.change = f.met - f.impulse;
 }
 
-/// Whether single contactors gain energy that counts.
+/// Whether single contactors gain energy that counts, beyond what they hold and may give back.
 bool gains(const Motion& m, const Multipliers& all) {
   double gained = 0, exchanged = 0;
   for (const Contactor& one : all.contactors) {
@@ -175,7 +175,8 @@ bool gains(const Motion& m, const Multipliers& all) {
       sum += work(c, rate(c, all));
       exchanged += 0.5 * c.impulse * c.impulse * c.per_mass;
     }
-    gained += std::max(0.0, sum);
+    // where it rubs, what sweeps leave of its push goes into friction
+    gained += std::max(0.0, sum - (one.friction < 0 ? std::max(0.0, one.memory->held) : 0));
     if (one.friction < 0) continue;
     const FrictionCondition& friction = all.frictions[one.friction];
     gained += std::max(0.0, work(friction, rate(friction, m, all)));

@@ -21,15 +21,10 @@ constexpr double most_turn = 0.35;    // [rad] of the faces at a guard: a ridge 
 constexpr double always_allowed = 0.01, per_turn = 0.25;  // of the side of the base
 constexpr double most_allowed = 0.025;  // of the depth of an element, a quarter of what the audit warns of
 
-/// A face of the apexes' side.
-struct Face {
-  int corners;
-  std::array<Index, 4> node;
-  Vec3 normal;  ///< unit vector out of it
-  double side;  ///< [m]
-};
+/// A face as it stands at x.
 Face face_at(const mesh::FacesAround& around, const Vectors& x, Index f) {
-  Face face{around.faces(3, f) < 0 ? 3 : 4, {}, Vec3::Zero(), 0};
+  Face face;
+  face.corners = around.faces(3, f) < 0 ? 3 : 4;
   for (int j = 0; j < face.corners; ++j) face.node[j] = around.faces(j, f);
   const auto at = [&](int j) { return Vec3(x.col(face.node[j])); };
   const Vec3 area = face.corners == 4 ? Vec3(0.5 * (at(2) - at(0)).cross(at(3) - at(1))) : Vec3(0.5 * (at(1) - at(0)).cross(at(2) - at(0)));
@@ -37,6 +32,13 @@ Face face_at(const mesh::FacesAround& around, const Vectors& x, Index f) {
   face.normal = size > 0 ? Vec3(area / size) : Vec3(Vec3::Zero());
   face.side = std::sqrt((face.corners == 4 ? 1 : 2) * size);
   return face;
+}
+
+/// The same, measured once in a step.
+const Face& face_of(const mesh::FacesAround& around, const Vectors& x, Index f, PointWork& work) {
+  FacePoints& points = work.of_face[static_cast<std::size_t>(f)];
+  if (points.measured != work.step) points.face = face_at(around, x, f), points.measured = work.step;
+  return points.face;
 }
 
 /// Shape functions or dual weights at the Gauss point next to a corner: by how many edges a node is away from it.
@@ -61,7 +63,7 @@ int corner_of(const Face& face, Index node) {
 
 /// Shape functions at one of the points of a face that is covered in part: each corner has two by two, between it, the middles of its edges
 /// and that of the face.
-std::array<double, 4> shape_of_part(int corners, std::size_t place) {
+std::array<double, 4> make_shape_of_part(int corners, std::size_t place) {
   const auto corner = static_cast<int>(place) / points_of_corner, point = static_cast<int>(place) % points_of_corner;
   const double s = point % 2 == 0 ? 0.25 : 0.75, t = point < 2 ? 0.25 : 0.75;
   std::array<double, 4> phi{};
@@ -72,6 +74,15 @@ std::array<double, 4> shape_of_part(int corners, std::size_t place) {
   phi[last] += 0.5 * (1 - s) * t;
   return phi;
 }
+
+using PartShapes = std::array<std::array<double, 4>, 4 * points_of_corner>;
+PartShapes make_part_shapes(int corners) {
+  PartShapes all{};
+  for (std::size_t k = 0; k < static_cast<std::size_t>(points_of_corner * corners); ++k) all[k] = make_shape_of_part(corners, k);
+  return all;
+}
+const PartShapes parts_of_3 = make_part_shapes(3), parts_of_4 = make_part_shapes(4);
+const std::array<double, 4>& shape_of_part(int corners, std::size_t place) { return (corners == 4 ? parts_of_4 : parts_of_3)[place]; }
 
 /// The foot of a point of a face; without a facet where there is none, or far away from it.
 Foot foot_of(const BaseSurface& base, const Vectors& x, const Face& face, const std::array<double, 4>& phi, Index from) {
@@ -96,7 +107,7 @@ void find_parts(const BaseSurface& base, const Vectors& x, const Face& face, Ind
   for (std::size_t k = 0; k < all; ++k) {
     auto corner = static_cast<int>(k) / points_of_corner;
     if (count[corner] < points_of_corner) {
-      const std::array<double, 4> phi = shape_of_part(face.corners, k);
+      const std::array<double, 4>& phi = shape_of_part(face.corners, k);
       corner = -1;
       for (int j = 0; j < face.corners; ++j)
         if (count[j] == most && (corner < 0 || phi[j] > phi[corner])) corner = j;
@@ -147,9 +158,9 @@ bool find_foot(const BaseSurface& base, const Vectors& x, const Vec3& p, Index f
   FeatureHeight over;
   for (int step = 0;; ++step) {
     over = height_over(base, x, {facet, geometry::Kind::facet, 0}, p);
+    if (std::min({over.weight[0], over.weight[1], over.weight[2]}) >= -inside) break;
     std::array<int, 3> order{0, 1, 2};
     std::sort(order.begin(), order.end(), [&](int a, int b) { return over.weight[a] < over.weight[b]; });
-    if (over.weight[order[0]] >= -inside) break;
     Index next = -1;
     for (const int corner : order) {
       if (over.weight[corner] >= -inside) break;
@@ -193,15 +204,21 @@ double allowance(const Interface& interface, const Vectors& x, Index apex, Index
 }
 
 void add_to(Index node, const Vec3& push, bool of_apex_side, PointWork& work) {
-  const auto at = std::find_if(work.sum.begin(), work.sum.end(), [node](const Share& one) { return one.node == node; });
-  if (at != work.sum.end()) at->push += push;
-  else work.sum.push_back({node, push, of_apex_side});
+  auto& place = work.place[static_cast<std::size_t>(node)];
+  const auto at = static_cast<std::size_t>(place);
+  if (at < work.sum.size() && work.sum[at].node == node) {
+    work.sum[at].push += push;
+    return;
+  }
+  place = static_cast<std::int32_t>(work.sum.size());
+  work.sum.push_back({node, push, of_apex_side});
 }
 
 OverPoints sum_points(const Interface& interface, const Vectors& x, Index apex, Index facet, PointWork& work) {
   OverPoints sum;
   const Index node = interface.apexes[apex];
-  work.sum.assign(1, {node, Vec3::Zero(), true});
+  work.sum.clear();
+  add_to(node, Vec3::Zero(), true, work);
   const auto add_point = [&](const Face& face, double area, const auto& phi, const Foot& foot) {
     for (int j = 0; j < face.corners; ++j) add_to(face.node[j], area * phi(j) * foot.normal, true, work);
     for (int l = 0; l < foot.nodes; ++l) add_to(foot.node[l], -area * foot.weight[l] * foot.normal, false, work);
@@ -211,7 +228,7 @@ OverPoints sum_points(const Interface& interface, const Vectors& x, Index apex, 
   for (Index s = interface.faces.begin[apex]; s < interface.faces.begin[apex + 1]; ++s) {
     const mesh::FacesAround::Share& share = interface.faces.shares[static_cast<std::size_t>(s)];
     FacePoints& points = work.of_face[static_cast<std::size_t>(share.face)];
-    const Face face = face_at(interface.faces, x, share.face);
+    const Face& face = face_of(interface.faces, x, share.face, work);
     if (points.step != work.step || !is_same_part(interface, x, points, facet)) {
       find_points(interface.base, x, face, facet, points);
       points.step = work.step;
@@ -231,7 +248,7 @@ OverPoints sum_points(const Interface& interface, const Vectors& x, Index apex, 
       if (points.taken_by[k] != corner || points.foot[k].facet < 0) continue;
       takes = true;
       sum.area += area;
-      const std::array<double, 4> phi = shape_of_part(face.corners, k);
+      const std::array<double, 4>& phi = shape_of_part(face.corners, k);
       add_point(face, area, [&](int j) { return phi[static_cast<std::size_t>(j)]; }, points.foot[k]);
     }
     sum.covered_elsewhere = sum.covered_elsewhere || !takes;
