@@ -185,7 +185,8 @@ Traction traction_at(const View& view, std::size_t c, Index apex, const std::vec
     if (has_across(push) || has_across(-push)) facing = area_across(view, c, apex, push), behind = area_across(view, c, apex, -push);
   }
   const double area = std::max(facing, behind);
-  return {facing >= behind ? size / area : -size / area, (friction - friction.dot(along) * along).norm() / area};
+  // a sheet has as much on both sides but for round-off, and is pushed
+  return {2 * facing >= behind ? size / area : -size / area, (friction - friction.dot(along) * along).norm() / area};
 }
 
 ContactState contact_state(const View& view, std::size_t c) {

@@ -209,33 +209,34 @@ TEST(ContactPressure, TimesAreaSumsToTheForceOfEveryKindPassAndMethod) {
   Body skin{.name = "skin", .mesh = mesh::Sheet{size, size, 4, 4, mesh::Cuts::columns}, .law = steel};
   skin.plate.thickness = 2e-3, skin.place.move = Vec3(0, 0, 21e-3);
   enum Kind { skin_on_block, block_on_skin, two_passes, automatic };
-  for (const Kind kind : {skin_on_block, block_on_skin, two_passes, automatic})
-    for (const auto method : {contact::Method::multiplier, contact::Method::penalty}) {
-      SCOPED_TRACE(std::to_string(kind) + (method == contact::Method::penalty ? " penalty" : " multiplier"));
-      Scene scene = with({block, skin});
-      scene.planes = {{.name = "ground", .kind = load::PlaneKind::fixed, .nodes = {"block.z_low"}}};
-      scene.loads = {{.name = "push", .kind = LoadKind::pressure, .on = "skin.top", .value = uniform(Vec3(pressure, 0, 0))}};
-      scene.time.end = 20e-6;
-      dynamics::InterfaceOptions options;
-      options.method = method, options.two_passes = kind == two_passes;
-      Contact pair{.name = "touch", .apexes = "skin.bottom", .base = "block.z_high", .interface = options};
-      if (kind == block_on_skin) std::swap(pair.apexes, pair.base);
-      if (kind == automatic) scene.automatic_contacts = {{.name = "touch", .interface = options}};
-      else scene.contacts = {pair};
-      Simulation simulation = build(scene);
-      run(simulation);
-      const Pressed below = pressed(simulation, "block"), above = pressed(simulation, "skin");
-      EXPECT_GT(above.force, 0.1 * pressure * size * size);
-      EXPECT_NEAR(below.force, -above.force, 1e-9 * above.force);
-      if (kind != skin_on_block) {
-        EXPECT_NEAR(below.pressure_by_area, above.force, 1e-4 * above.force);  // pushes at corners lean by edges
-        EXPECT_LT(below.area, size * size * (1 + 1e-4));
+  for (const double end : {14e-6, 18e-6, 20e-6})  // round-off differs: a sheet has the same area on both sides but for that
+    for (const Kind kind : {skin_on_block, block_on_skin, two_passes, automatic})
+      for (const auto method : {contact::Method::multiplier, contact::Method::penalty}) {
+        SCOPED_TRACE(std::to_string(kind) + (method == contact::Method::penalty ? " penalty" : " multiplier"));
+        Scene scene = with({block, skin});
+        scene.planes = {{.name = "ground", .kind = load::PlaneKind::fixed, .nodes = {"block.z_low"}}};
+        scene.loads = {{.name = "push", .kind = LoadKind::pressure, .on = "skin.top", .value = uniform(Vec3(pressure, 0, 0))}};
+        scene.time.end = end;
+        dynamics::InterfaceOptions options;
+        options.method = method, options.two_passes = kind == two_passes;
+        Contact pair{.name = "touch", .apexes = "skin.bottom", .base = "block.z_high", .interface = options};
+        if (kind == block_on_skin) std::swap(pair.apexes, pair.base);
+        if (kind == automatic) scene.automatic_contacts = {{.name = "touch", .interface = options}};
+        else scene.contacts = {pair};
+        Simulation simulation = build(scene);
+        run(simulation);
+        const Pressed below = pressed(simulation, "block"), above = pressed(simulation, "skin");
+        EXPECT_GT(above.force, 0.1 * pressure * size * size);
+        EXPECT_NEAR(below.force, -above.force, 1e-9 * above.force);
+        if (kind != skin_on_block) {
+          EXPECT_NEAR(below.pressure_by_area, above.force, 1e-4 * above.force);  // pushes at corners lean by edges
+          EXPECT_LT(below.area, size * size * (1 + 1e-4));
+        }
+        if (kind != block_on_skin) {
+          EXPECT_NEAR(above.pressure_by_area, above.force, 1e-4 * above.force);
+          EXPECT_LT(above.area, size * size * (1 + 1e-4));
+        }
       }
-      if (kind != block_on_skin) {
-        EXPECT_NEAR(above.pressure_by_area, above.force, 1e-4 * above.force);
-        EXPECT_LT(above.area, size * size * (1 + 1e-4));
-      }
-    }
 }
 
 /// A bar that flies into a wall; they touch by an automatic contact or by a declared one.
