@@ -544,6 +544,13 @@ bool guard_acts(const Interface& interface, const Motion& m, const Near& near, I
   return near.pressed > 0 || c.gap + closing < 0;
 }
 
+/// The height over points at which a contact closes: that of the track where the apex came in deep, as an overlap that is accepted; else that
+/// of the contact, since an apex that comes in beside a rim or onto a flush surface does so alone. [m]
+double level_of_points(const Interface& interface, const Memory& memory, Index apex, const Stencil& stencil) {
+  const double height = contact_height(interface, memory, apex), of_track = stencil.level - stand_off(interface.base, stencil.facet);
+  return height - of_track > level_by * interface.base.longest(stencil.facet) ? of_track : height;
+}
+
 /// Finds the condition of a stencil over points of the faces around the apex, or by the apex itself where none of them lies on the base;
 /// false if there is none. Friction has the foot of the apex in any case.
 bool find_over_points(const Interface& interface, const Motion& m, const Memory& memory, Near& near, int s, PointWork& work,
@@ -556,7 +563,7 @@ bool find_over_points(const Interface& interface, const Motion& m, const Memory&
   OverPoints sum = sum_where_faces_lie(interface, m.x, near.apex, s, work, near.element);
   if (has_same_points(interface.base, m.x, near.element, s)) return false;
   const Index side = stencil.facet;
-  const double level = contact_height(interface, memory, near.apex);  // that of a track is of the apex, which comes in elsewhere
+  const double level = level_of_points(interface, memory, near.apex, stencil);
   const bool stands = make(interface, m, memory, near, stencil, near.element.has_moment, all, c);
   if (!(sum.area > 0) && !(sum.covered_elsewhere && !(sum.of_node > 0))) return stands;
   // points may leave a node no deeper than a guard, also where nodes that are better covered have its points

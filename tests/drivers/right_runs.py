@@ -228,6 +228,14 @@ class Stacks(Case):
             for automatic, on_a_plane in itertools.product((False, True), (False, True)):
                 self.rests(count, gap, True, automatic, on_a_plane)
 
+    def test_of_boxes_whose_overlap_is_accepted(self):
+        for gap in (-2e-3, -1e-4):  # a tenth of a cell; within a thousandth of a face's edge an offset counts no more
+            scene = stack(2, gap, False, True, True, "20 ms")
+            scene["contacts"][0]["initial_penetration"] = "accept"
+            run = self.good(scene)
+            way = run.result("top_z_largest") - run.result("top_z_smallest")
+            self.assertLess(way, 1e-5)
+
     def test_of_elastic_boxes(self):
         for count, gap in ((1, 1e-12), (2, 1e-9), (3, 1e-6), (3, 0)):
             for automatic, on_a_plane in itertools.product((False, True), (False, True)):
