@@ -544,8 +544,8 @@ bool guard_acts(const Interface& interface, const Motion& m, const Near& near, I
   return near.pressed > 0 || c.gap + closing < 0;
 }
 
-/// The height over points at which a contact closes: that of the track where the apex came in deep, as an overlap that is accepted; else that
-/// of the contact, since an apex that comes in beside a rim or onto a flush surface does so alone. [m]
+/// The height over points at which a contact closes: that of the track where the apex came in deep, as an overlap that is accepted; else
+/// that of the contact, since an apex that comes in beside a rim or onto a flush surface does so alone. [m]
 double level_of_points(const Interface& interface, const Memory& memory, Index apex, const Stencil& stencil) {
   const double height = contact_height(interface, memory, apex), of_track = stencil.level - stand_off(interface.base, stencil.facet);
   return height - of_track > level_by * interface.base.longest(stencil.facet) ? of_track : height;
