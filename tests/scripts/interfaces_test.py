@@ -1,4 +1,4 @@
-"""Tests of scripts/interfaces and of scripts/benchmark contact: the examples in their texts, and that each scene can be made by each rule."""
+"""Tests of scripts/interfaces: the examples in its texts, and that each scene can be made by each rule."""
 import doctest
 import importlib.machinery
 import importlib.util
@@ -9,24 +9,16 @@ from pathlib import Path
 SCRIPTS = Path(__file__).resolve().parents[2] / "scripts"
 sys.path.insert(0, str(SCRIPTS))
 sys.dont_write_bytecode = True  # none beside a program without ending
-
-
-def program(name):
-    loader = importlib.machinery.SourceFileLoader(name, str(SCRIPTS / name))
-    module = importlib.util.module_from_spec(importlib.util.spec_from_loader(name, loader))
-    sys.modules[name] = module
-    loader.exec_module(module)
-    return module
-
-
-interfaces, benchmark = program("interfaces"), program("benchmark")
-import benchmark_scenes  # noqa: E402  (after the path)
-import interface_scenes  # noqa: E402
+loader = importlib.machinery.SourceFileLoader("interfaces", str(SCRIPTS / "interfaces"))
+interfaces = importlib.util.module_from_spec(importlib.util.spec_from_loader("interfaces", loader))
+sys.modules["interfaces"] = interfaces
+loader.exec_module(interfaces)
+import interface_scenes  # noqa: E402  (after the path)
 
 
 class Texts(unittest.TestCase):
     def test_examples(self):
-        for module in (interfaces, interface_scenes, benchmark, benchmark_scenes):
+        for module in (interfaces, interface_scenes):
             failed, tried = doctest.testmod(module)
             self.assertEqual(failed, 0, module.__name__)
             self.assertGreater(tried, 0, module.__name__)
