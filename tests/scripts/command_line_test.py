@@ -47,7 +47,7 @@ TABLE = [
     ("accuracy", "--drawn --jobs={one}", COUNT, NO_COUNTS), ("accuracy", "--drawn --seed={one}", COUNT, NO_COUNTS),
     ("accuracy", "nosuch", "unrecognized"),
     ("convert_mesh", "nosuch.msh nosuch.txt", "is no .vtu file"),
-    ("benchmark", "--rounds={one}", COUNT, NO_COUNTS), ("benchmark", "nosuch", "unrecognized"),
+    ("benchmark", "--rounds={one}", COUNT, NO_COUNTS), ("benchmark", "nosuch", "invalid choice"),
     ("cask_study", "--levels={one}", COUNT, ("0,1,2",)), ("cask_study", "--levels 1,2 --default 2", "three levels"),
     ("cask_study", "--default={one}", COUNT, NO_COUNTS), ("cask_study", "--threads={one}", COUNT, NO_COUNTS),
     ("extremes", "--axis nosuch", CHOICE),
