@@ -486,6 +486,7 @@ bool has_same_points(const BaseSurface& base, const Vectors& x, const ElementFor
   });
 }
 
+/// Of an apex from the closest point of a facet. [m]
 double distance_to(const Interface& interface, const Vectors& x, Index apex, Index facet) {
   const std::array<double, 3> weight = weights_of(interface, x, apex, facet);
   Vec3 arm = x.col(interface.apexes[apex]);

@@ -125,7 +125,7 @@ TEST(Multiplier, FrictionAndPushSettleWhereConstraintsSlantToTheNormal) {
       Vectors sum = at.force;
       add_forces(at.plane, at.memory, sum);
       at.v += at.dt * along_z * sum, at.x += at.dt * at.v;
-      EXPECT_NEAR(at.v(2, 0), 0, 2e-5) << slope << " in step " << i;  // still, 1e-6, of what an impulse does
+      EXPECT_NEAR(at.v(2, 0), 0, 2e-7) << slope << " in step " << i;  // of 0.02 that an impulse does, sweeps leave 1e-6 at a time
     }
     EXPECT_LT(at.all.spent.sweeps, 20 * at.all.spent.steps) << slope;
   }

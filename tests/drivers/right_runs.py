@@ -229,7 +229,7 @@ class Stacks(Case):
                 self.rests(count, gap, True, automatic, on_a_plane)
 
     def test_of_boxes_whose_overlap_is_accepted(self):
-        for gap in (-2e-3, -1e-4):  # a tenth of a cell; within a thousandth of a face's edge an offset counts no more
+        for gap in (-2e-3, -2e-5):  # more and less than a thousandth of an edge, from which on points keep an offset
             scene = stack(2, gap, False, True, True, "20 ms")
             scene["contacts"][0]["initial_penetration"] = "accept"
             run = self.good(scene)
