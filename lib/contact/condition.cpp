@@ -761,11 +761,12 @@ void look_ahead(const Subset& nodes, const Motion& m, Multipliers& all) {
   }
 }
 
-void find_conditions(const Interface& interface, const Motion& m, Memory& memory, Workspace& workspace, Multipliers& all) {
-  if (interface.kind == InterfaceKind::edges) return find_crossings(interface, m, memory, workspace, all);
+void find_conditions(const Interface& interface, const Motion& m, Memory& memory, Workspace& workspace, Laps& laps, Multipliers& all) {
+  if (interface.kind == InterfaceKind::edges) return find_crossings(interface, m, memory, workspace, all), laps.end(Stage::edges);
   const double h = 0.5 * (m.dt + m.next);
   const std::size_t first_friction = all.frictions.size();
   find(interface, m, memory, workspace, all);
+  laps.end(Stage::track);
   ++workspace.points.step;
   Ahead ahead;
   for (Near& near : memory.near) {
@@ -805,6 +806,7 @@ void find_conditions(const Interface& interface, const Motion& m, Memory& memory
          .square = interface.restitution * interface.restitution}, all);
   }
   let_yield(memory.friction_owed, interface.depth, m, first_friction, all);
+  laps.end(Stage::conditions);
 }
 
 void find_conditions(const RigidPlane& plane, const Motion& m, PlaneMemory& memory, Multipliers& all) {

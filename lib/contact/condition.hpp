@@ -2,6 +2,8 @@
 // The conditions that multipliers meet, and how impulses and velocities go with them.
 
 #include <algorithm>
+#include <array>
+#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <span>
@@ -133,6 +135,20 @@ struct Progress {
   double moved_along = 0, made_along = 0;  ///< the same of friction
 };
 
+/// Stages of contact by multipliers in a step, in the order in which they act.
+enum class Stage : std::size_t {
+  search,      ///< contact detection of automatic contacts
+  predict,     ///< free velocities and positions after the step, ties
+  track,       ///< which parts of a base an apex is in contact with; contact detection of declared contacts
+  conditions,  ///< feet, weights, normals and gaps of apexes
+  edges,       ///< the same where edges cross
+  solve,       ///< impulses, by iteration
+  release,     ///< of energy held by restitution
+  book,        ///< forces into the memories, energies and momenta
+};
+constexpr std::size_t stages = 8;
+constexpr std::array<const char*, stages> stage_names{"search", "predict", "track", "conditions", "edges", "solve", "release", "book"};
+
 /// What contact by multipliers has taken in this process.
 struct Spent {
   std::int64_t steps = 0;       ///< in which any apex had a condition
@@ -140,6 +156,25 @@ struct Spent {
   std::int64_t conditions = 0;  ///< of these
   std::int64_t sweeps = 0;
   double seconds = 0;           ///< on the wall, with search and tracking
+  std::array<double, stages> of_stage{};  ///< [s] of these
+
+  double& of(Stage stage) { return of_stage[static_cast<std::size_t>(stage)]; }
+};
+
+/// Measures stages one after the other.
+class Laps {
+ public:
+  explicit Laps(Spent& spent) : spent_(spent) {}
+  void end(Stage stage) {
+    const auto now = std::chrono::steady_clock::now();
+    const double seconds = std::chrono::duration<double>(now - last_).count();
+    spent_.of(stage) += seconds, spent_.seconds += seconds;
+    last_ = now;
+  }
+
+ private:
+  Spent& spent_;
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
 /// What multipliers work with and may throw away between steps.
@@ -280,7 +315,7 @@ inline double rubbing_impulse_of(const Contactor& one, const Multipliers& all) {
 /// Finds the conditions of an interface or of a rigid plane, with the impulses of the step before as a first guess.
 ///
 /// Needs  look_ahead() for its nodes
-void find_conditions(const Interface&, const Motion&, Memory&, Workspace&, Multipliers&);
+void find_conditions(const Interface&, const Motion&, Memory&, Workspace&, Laps&, Multipliers&);
 void find_conditions(const RigidPlane&, const Motion&, PlaneMemory&, Multipliers&);
 
 /// Sets what follows from nodes, weights, normal and gap of a condition; false where constraints hold all its nodes.
