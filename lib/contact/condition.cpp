@@ -35,6 +35,7 @@ constexpr double uneven = 0.01;        // sine: normals that differ by less, as 
 constexpr double as_much = 0.5;        // of the larger push of both sides
 constexpr double same_part = 0.9063;   // cosine of 25 degrees between normals of a base whose points are found together
 constexpr double no_weight = 1e-14;    // of the push: round-off
+constexpr double turned_height = 0.2;  // of a height: by so much more it is over a normal that has gone evenly over an edge
 constexpr double farther_than_points = 0.1;  // of the side of a base: a node that is farther is no nearer by its points
 
 /// Whether an apex that is pressed stays over the inside of the one facet that it slides on, and comes to no other part: its stencil of the
@@ -537,6 +538,41 @@ double speed_over(const Interface& interface, const Multipliers& all, const Near
   return std::sqrt(fastest);
 }
 
+/// How an apex stands over the plane of the facet of a stencil, where the nodes are.
+struct OverPlane {
+  FeatureHeight over;
+  double least_gap;  ///< [m] no more than the gap over the bilinear face that the facet is half of
+};
+OverPlane over_plane(const Interface& interface, const Vectors& x, const Near& near, const Stencil& stencil) {
+  const BaseSurface& base = interface.base;
+  OverPlane plane;
+  plane.over = height_over(base, x, {stencil.facet, geometry::Kind::facet, 0}, x.col(interface.apexes[near.apex]));
+  const Index fourth = base.half[stencil.facet].fourth;
+  const double height = plane.over.height;
+  const double warp = fourth < 0 ? 0 : plane.over.normal.dot(x.col(fourth) - x.col(base.facets(0, stencil.facet)));
+  plane.least_gap = height - turned_height * std::abs(height) - std::abs(warp) - stencil.level;
+  return plane;
+}
+
+/// No more than allowance(). [m]
+double least_allowance(const Interface& interface, Index apex, Index facet) {
+  const double depth = between(interface, apex, facet).depth, sag = always_allowed * interface.base.size(facet);
+  return depth > 0 ? std::min(sag, most_allowed * depth) : sag;
+}
+
+/// Whether a guard that did not act in the step before is so far from where it would that its gap need not be known: most of them, in a
+/// contact that is closed.
+bool stays_unneeded(const Interface& interface, const Motion& m, const Near& near, const Stencil& stencil, const Multipliers& all) {
+  constexpr double times = 2;  // the rate over the bilinear face is another one
+  if (near.pressed > 0 || near.element.count != 1 || stencil.kind != geometry::Kind::facet || std::isnan(stencil.level)) return false;
+  const auto& facet = interface.base.facets.col(stencil.facet);
+  const OverPlane plane = over_plane(interface, m.x, near, stencil);
+  Vec3 speed = all.velocity.col(interface.apexes[near.apex]);
+  for (int I = 0; I < 3; ++I) speed -= plane.over.weight[I] * all.velocity.col(facet(I));
+  const double closing = times * steps_to_touch * m.next * std::min(0.0, plane.over.normal.dot(speed));
+  return plane.least_gap + closing + least_allowance(interface, near.apex, stencil.facet) > 0;
+}
+
 /// Whether a guard acts: where it would be deeper than it may be, in this step or soon. Others would slow the sweeps down.
 bool guard_acts(const Interface& interface, const Motion& m, const Near& near, Index facet, const Multipliers& all, Condition& c) {
   const double closing = steps_to_touch * m.next * std::min(0.0, rate(c, all));
@@ -552,6 +588,22 @@ double level_of_points(const Interface& interface, const Memory& memory, Index a
   return height - of_track > level_by * interface.base.longest(stencil.facet) ? of_track : height;
 }
 
+/// Whether the gap of an apex is known from points without its own: all faces that press it lie on the base, and no guard would be deeper.
+/// Its stencil then has its foot.
+bool is_by_points_alone(const Interface& interface, const Vectors& x, const Near& near, const OverPoints& sum, double level,
+                        Stencil& stencil) {
+  if (!(sum.area > 0) || sum.of_node > 0 || near.element.count != 1 || stencil.kind != geometry::Kind::facet || stencil.on_ridge) return false;
+  OverPlane plane = over_plane(interface, x, near, stencil);
+  const double by_points = (sum.gap - sum.area * level) / sum.normal.norm();
+  if (!(plane.least_gap + least_allowance(interface, near.apex, stencil.facet) >= by_points)) return false;
+  double fourth = 0;
+  if (interface.friction.coefficient > 0)
+    stand_on_face(interface.base, x, x.col(interface.apexes[near.apex]), {stencil.facet, geometry::Kind::facet, 0}, false, nullptr, plane.over,
+                  fourth);
+  stencil.weight = plane.over.weight, stencil.fourth = fourth;
+  return true;
+}
+
 /// Finds the condition of a stencil over points of the faces around the apex, or by the apex itself where none of them lies on the base;
 /// false if there is none. Friction has the foot of the apex in any case.
 bool find_over_points(const Interface& interface, const Motion& m, const Memory& memory, Near& near, int s, PointWork& work,
@@ -565,7 +617,8 @@ bool find_over_points(const Interface& interface, const Motion& m, const Memory&
   if (has_same_points(interface.base, m.x, near.element, s)) return false;
   const Index side = stencil.facet;
   const double level = level_of_points(interface, memory, near.apex, stencil);
-  const bool stands = make(interface, m, memory, near, stencil, near.element.has_moment, all, c);
+  const bool by_points_alone = is_by_points_alone(interface, m.x, near, sum, level, stencil);
+  const bool stands = !by_points_alone && make(interface, m, memory, near, stencil, near.element.has_moment, all, c);
   if (!(sum.area > 0) && !(sum.covered_elsewhere && !(sum.of_node > 0))) return stands;
   // points may leave a node no deeper than a guard, also where nodes that are better covered have its points
   if (!(sum.area > 0)) return stands && guard_acts(interface, m, near, stencil.facet, all, c);
@@ -584,7 +637,7 @@ bool find_over_points(const Interface& interface, const Motion& m, const Memory&
   }
   if (stands && sum.of_node > 0)
     for (const Member& one : members_of(c, all)) add_to(one.node, sum.of_node * one.weight * c.normal, one.weight > 0, work);
-  if (!stands || stencil.facet != side) lay_on(interface, m.x, near.apex, side, stencil);
+  if (!by_points_alone && (!stands || stencil.facet != side)) lay_on(interface, m.x, near.apex, side, stencil);
   all.members.resize(static_cast<std::size_t>(c.first)), c.nodes = 0;
   if (!(area > 0)) return false;
   c.normal = along / area, c.gap = sum.gap / area;
@@ -615,6 +668,7 @@ bool find(const Interface& interface, const Motion& m, const Memory& memory, Nea
   Stencil& stencil = near.element.stencil[s];
   stencil.over_points = false, stencil.shares = 0;
   const Heights heights = between(interface, near.apex, stencil.facet).heights;
+  if (heights == Heights::guards && stays_unneeded(interface, m, near, stencil, all)) return false;
   bool made = interface.heights == Heights::nodes && make_ahead(interface, m.x, memory, near, ahead, all, c);
   if (!made && (std::isnan(stencil.level) || is_same_face(interface.base, near.element, s))) return false;
   if (!made && heights == Heights::points) made = find_over_points(interface, m, memory, near, s, work, all, c);
@@ -761,12 +815,12 @@ void look_ahead(const Subset& nodes, const Motion& m, Multipliers& all) {
   }
 }
 
-void find_conditions(const Interface& interface, const Motion& m, Memory& memory, Workspace& workspace, Laps& laps, Multipliers& all) {
-  if (interface.kind == InterfaceKind::edges) return find_crossings(interface, m, memory, workspace, all), laps.end(Stage::edges);
+void find_conditions(const Interface& interface, const Motion& m, Memory& memory, Workspace& workspace, Multipliers& all) {
+  if (interface.kind == InterfaceKind::edges) return find_crossings(interface, m, memory, workspace, all), all.spent.end(Stage::edges);
   const double h = 0.5 * (m.dt + m.next);
   const std::size_t first_friction = all.frictions.size();
   find(interface, m, memory, workspace, all);
-  laps.end(Stage::track);
+  all.spent.end(Stage::track);
   ++workspace.points.step;
   Ahead ahead;
   for (Near& near : memory.near) {
@@ -806,7 +860,7 @@ void find_conditions(const Interface& interface, const Motion& m, Memory& memory
          .square = interface.restitution * interface.restitution}, all);
   }
   let_yield(memory.friction_owed, interface.depth, m, first_friction, all);
-  laps.end(Stage::conditions);
+  all.spent.end(Stage::conditions);
 }
 
 void find_conditions(const RigidPlane& plane, const Motion& m, PlaneMemory& memory, Multipliers& all) {

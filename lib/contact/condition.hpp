@@ -156,25 +156,17 @@ struct Spent {
   std::int64_t conditions = 0;  ///< of these
   std::int64_t sweeps = 0;
   double seconds = 0;           ///< on the wall, with search and tracking
-  std::array<double, stages> of_stage{};  ///< [s] of these
+  std::array<double, stages> of_stage{};            ///< [s] of these
+  std::chrono::steady_clock::time_point last;       ///< when the stage before ended
 
-  double& of(Stage stage) { return of_stage[static_cast<std::size_t>(stage)]; }
-};
-
-/// Measures stages one after the other.
-class Laps {
- public:
-  explicit Laps(Spent& spent) : spent_(spent) {}
+  void begin() { last = std::chrono::steady_clock::now(); }
+  /// Adds the time since the stage before ended.
   void end(Stage stage) {
-    const auto now = std::chrono::steady_clock::now();
-    const double seconds = std::chrono::duration<double>(now - last_).count();
-    spent_.of(stage) += seconds, spent_.seconds += seconds;
-    last_ = now;
+    const auto before = last;
+    begin();
+    const double took = std::chrono::duration<double>(last - before).count();
+    of_stage[static_cast<std::size_t>(stage)] += took, seconds += took;
   }
-
- private:
-  Spent& spent_;
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
 /// What multipliers work with and may throw away between steps.
@@ -315,7 +307,7 @@ inline double rubbing_impulse_of(const Contactor& one, const Multipliers& all) {
 /// Finds the conditions of an interface or of a rigid plane, with the impulses of the step before as a first guess.
 ///
 /// Needs  look_ahead() for its nodes
-void find_conditions(const Interface&, const Motion&, Memory&, Workspace&, Laps&, Multipliers&);
+void find_conditions(const Interface&, const Motion&, Memory&, Workspace&, Multipliers&);
 void find_conditions(const RigidPlane&, const Motion&, PlaneMemory&, Multipliers&);
 
 /// Sets what follows from nodes, weights, normal and gap of a condition; false where constraints hold all its nodes.

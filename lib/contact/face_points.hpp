@@ -35,14 +35,25 @@ struct Face {
   double side = 0;             ///< [m]
 };
 
+/// What the points of a face give one of its corners, per area of the corner on this face.
+struct CornerSum {
+  double part = 0;             ///< [-] of that area: points that count
+  double gap = 0;              ///< [m] height times part, without the level of contact
+  Vec3 normal = Vec3::Zero();  ///< [-]
+};
+
 /// The points of a face in a step.
 struct FacePoints {
   std::int64_t step = -1;     ///< in which they were found
   std::int64_t measured = -1; ///< step in which the face was measured
   Face face;
+  Index from = -1;            ///< facet from which they were looked for
   Lies lies = Lies::apart;
   std::vector<Foot> foot;     ///< of the Gauss points; of a face that is covered in part of four points for each of its nodes
   std::vector<int> taken_by;  ///< of such points: the corner of whose height they are a part
+  std::vector<Index> base;    ///< nodes of all feet, each once
+  std::array<CornerSum, 4> corner;
+  std::vector<Vec3> push;     ///< [corners x (corners + base nodes)] what nodes of the face and of the base get per area of each corner
 };
 
 /// What a node takes of a push.

@@ -443,7 +443,7 @@ void wake(const Acting& acting, const Motion& m, std::span<Workspace> workspaces
 }
 
 /// Finds the conditions of all contacts by multipliers, their impulses, and the work of these.
-void find_impulses(const Acting& acting, const Motion& m, std::span<Workspace> workspaces, Laps& laps, Multipliers& all) {
+void find_impulses(const Acting& acting, const Motion& m, std::span<Workspace> workspaces, Multipliers& all) {
   all.conditions.clear();
   all.members.clear();
   all.pushes.clear();
@@ -453,17 +453,17 @@ void find_impulses(const Acting& acting, const Motion& m, std::span<Workspace> w
   all.frictions.clear();
   all.first.assign(acting.interfaces.size() + acting.planes.size() + 1, 0);
   wake(acting, m, workspaces, all);
-  laps.end(Stage::search);
+  all.spent.end(Stage::search);
   look_ahead(all.looked_at, m, all);
   if (m.rigid) look_ahead(*m.rigid, m, all);
   find_bonds(acting.interfaces, m, acting.memories, all.velocity, all.bonds);
   see_ahead(all.bonds.nodes, m, all);
   all.way_apart = any_automatic(acting) ? m.next * speed_apart(all.velocity, {all.looked_at}) : 0;
-  laps.end(Stage::predict);
+  all.spent.end(Stage::predict);
   for (std::size_t i = 0; i < acting.interfaces.size(); ++i) {
     const Interface& interface = acting.interfaces[i];
     if (by_multipliers(interface) && !bonded_by_multipliers(interface))
-      find_conditions(interface, m, acting.memories[i], workspaces[i], laps, all);
+      find_conditions(interface, m, acting.memories[i], workspaces[i], all);
     all.first[i + 1] = static_cast<Index>(all.contactors.size());
   }
   for (std::size_t p = 0; p < acting.planes.size(); ++p) {
@@ -477,7 +477,7 @@ void find_impulses(const Acting& acting, const Motion& m, std::span<Workspace> w
     });
   }
   all.bonds.touched = any_touched(all);
-  laps.end(Stage::conditions);
+  all.spent.end(Stage::conditions);
   const int sweeps = solve(m, all);
   if (!all.contactors.empty()) {
     ++all.spent.steps;
@@ -486,7 +486,7 @@ void find_impulses(const Acting& acting, const Motion& m, std::span<Workspace> w
     all.spent.sweeps += sweeps;
   }
   find_work(m, all);
-  laps.end(Stage::solve);
+  all.spent.end(Stage::solve);
 }
 
 /// Gives the nodes the impulse of a condition, and books where they are what moment this has.
@@ -510,8 +510,8 @@ void stop_at_start(std::span<const Interface> interfaces, std::span<const RigidP
                    std::span<Memory> memories, std::span<PlaneMemory> of_planes, std::span<Workspace> workspaces, Multipliers& all,
                    Vectors& impulse) {
   const Acting acting{interfaces, planes, memories, of_planes};
-  Laps laps(all.spent);
-  find_impulses(acting, m, workspaces, laps, all);
+  all.spent.begin();
+  find_impulses(acting, m, workspaces, all);
   acting.for_each([&](std::size_t at, const auto& contact, auto& memory) {
     const Index first = all.first[at], last = all.first[at + 1];
     for (Index k = first; k < last; ++k) {
@@ -533,15 +533,15 @@ void stop_at_start(std::span<const Interface> interfaces, std::span<const RigidP
 
 void enforce(std::span<const Interface> interfaces, std::span<const RigidPlane> planes, const Motion& m, double t,
              std::span<Memory> memories, std::span<PlaneMemory> of_planes, std::span<Workspace> workspaces, Multipliers& all) {
-  Laps laps(all.spent);
+  all.spent.begin();
   const double h = 0.5 * (m.dt + m.next);
   const Acting acting{interfaces, planes, memories, of_planes};
   for (std::size_t i = 0; i < interfaces.size(); ++i)
     if (by_multipliers(interfaces[i])) book_first_half(interfaces[i], m, memories[i]);
-  laps.end(Stage::book);
-  find_impulses(acting, m, workspaces, laps, all);
+  all.spent.end(Stage::book);
+  find_impulses(acting, m, workspaces, all);
   if (m.dt > 0) release(m, t, all);
-  laps.end(Stage::release);
+  all.spent.end(Stage::release);
   std::vector<Pool>& pools = all.pools;
   pools.clear();
   acting.for_each([&](std::size_t at, const auto& contact, auto& memory) {
@@ -574,7 +574,7 @@ void enforce(std::span<const Interface> interfaces, std::span<const RigidPlane> 
   acting.for_each_bond(all.bonds, [&](const Interface& interface, std::span<const HeldBond> bonds, Memory& memory) {
     take_over(interface, m, bonds, all.velocity, memory);
   });
-  laps.end(Stage::book);
+  all.spent.end(Stage::book);
 }
 
 void change_work_to_come(std::span<const Interface> interfaces, std::span<const RigidPlane> planes, const Vectors& change,

@@ -3,8 +3,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <span>
 
-#include "contact/foot.hpp"
+#include "base/gather.hpp"
+#include "contact/face.hpp"
 
 namespace nereid::contact {
 
@@ -18,8 +20,7 @@ constexpr double deepest = 0.5, farthest = 2;  // of the side of a face: points 
 constexpr double close = 1;           // of the side of a face: one that is covered in part counts if one of its points is nearer
 constexpr int points_of_corner = 4;   // of a face that is covered in part
 constexpr double most_turn = 0.35;    // [rad] of the faces at a guard: a ridge has no sag
-constexpr double always_allowed = 0.01, per_turn = 0.25;  // of the side of the base
-constexpr double most_allowed = 0.025;  // of the depth of an element, a quarter of what the audit warns of
+constexpr double per_turn = 0.25;     // of the side of the base
 
 /// A face as it stands at x.
 Face face_at(const mesh::FacesAround& around, const Vectors& x, Index f) {
@@ -54,7 +55,17 @@ const ByDistance shape_4{(1 + third) * (1 + third) / 4, (1 - third * third) / 4,
 const ByDistance dual_4{1 + 0.5 * std::sqrt(3.0), -0.5, 1 - 0.5 * std::sqrt(3.0)};
 const ByDistance shape_3{2.0 / 3, 1.0 / 6, 0}, dual_3{5.0 / 3, -1.0 / 3, 0};
 
-double shape(int corners, int point, int corner) { return (corners == 4 ? shape_4 : shape_3)(corners, point, corner); }
+using PointShapes = std::array<std::array<double, 4>, 4>;
+PointShapes make_point_shapes(int corners, const ByDistance& shape) {
+  PointShapes all{};
+  for (int q = 0; q < corners; ++q)
+    for (int j = 0; j < corners; ++j) all[static_cast<std::size_t>(q)][static_cast<std::size_t>(j)] = shape(corners, q, j);
+  return all;
+}
+const PointShapes points_of_3 = make_point_shapes(3, shape_3), points_of_4 = make_point_shapes(4, shape_4);
+
+/// Shape functions of a face at its Gauss points.
+const std::array<double, 4>& shape_at_points(int corners, std::size_t point) { return (corners == 4 ? points_of_4 : points_of_3)[point]; }
 double dual(int corners, int point, int corner) { return (corners == 4 ? dual_4 : dual_3)(corners, point, corner); }
 
 int corner_of(const Face& face, Index node) {
@@ -84,13 +95,111 @@ PartShapes make_part_shapes(int corners) {
 const PartShapes parts_of_3 = make_part_shapes(3), parts_of_4 = make_part_shapes(4);
 const std::array<double, 4>& shape_of_part(int corners, std::size_t place) { return (corners == 4 ? parts_of_4 : parts_of_3)[place]; }
 
-/// The foot of a point of a face; without a facet where there is none, or far away from it.
-Foot foot_of(const BaseSurface& base, const Vectors& x, const Face& face, const std::array<double, 4>& phi, Index from) {
-  Vec3 p = Vec3::Zero();
-  for (int j = 0; j < face.corners; ++j) p += phi[j] * x.col(face.node[j]);
-  Foot foot;
-  if (!find_foot(base, x, p, from, foot) || foot.height < -deepest * face.side || foot.height > farthest * face.side) foot.facet = -1;
-  return foot;
+/// A point of a face, and the facet over whose plane it stands.
+struct Point {
+  Vec3 place;
+  Index facet = -1;
+  FeatureHeight over;
+};
+
+/// Finds the facet over whose plane a point stands: from a facet on across edges that are no walls. -1 past a border or wall.
+Index facet_below(const BaseSurface& base, const Vectors& x, const Vec3& p, Index from, FeatureHeight& over) {
+  Index before = -1, facet = from;
+  for (int step = 0;; ++step) {
+    over = height_over(base, x, {facet, geometry::Kind::facet, 0}, p);
+    const auto& w = over.weight;
+    if (std::min({w[0], w[1], w[2]}) >= -inside) return facet;
+    std::array<int, 3> order{0, 1, 2};
+    if (w[1] < w[0]) std::swap(order[0], order[1]);
+    if (w[2] < w[static_cast<std::size_t>(order[1])]) std::swap(order[1], order[2]);
+    if (w[static_cast<std::size_t>(order[1])] < w[static_cast<std::size_t>(order[0])]) std::swap(order[0], order[1]);
+    Index next = -1;
+    for (const int corner : order) {
+      if (w[static_cast<std::size_t>(corner)] >= -inside) break;
+      const int edge = (corner + 1) % 3;
+      if (base.wall[facet][edge] || base.neighbour(edge, facet) < 0) continue;
+      next = base.neighbour(edge, facet);
+      break;
+    }
+    if (next < 0 || step == most_steps) return -1;
+    if (next == before) return facet;  // over the edge between both
+    before = facet, facet = next;
+  }
+}
+
+/// Sets the feet of points over the bilinear faces that their facets are halves of, or over the facets; a pack of points at a time.
+void find_feet(const BaseSurface& base, const Vectors& x, std::span<const Point> points, std::span<Foot> feet) {
+  for (std::size_t first = 0; first < points.size(); first += lanes) {
+    const std::size_t count = std::min<std::size_t>(lanes, points.size() - first);
+    alignas(64) std::array<double, lanes> a{}, b{}, px{}, py{}, pz{};
+    std::array<std::array<Index, lanes>, 4> node;
+    bool any = false;
+    std::size_t filler = 0;
+    for (std::size_t lane = 0; lane < count; ++lane) {
+      const Point& one = points[first + lane];
+      if (one.facet < 0 || base.half[one.facet].cut < 0) continue;
+      const Half& half = base.half[one.facet];
+      const int c0 = half.cut, c1 = (c0 + 1) % 3, c2 = (c0 + 2) % 3;
+      node[0][lane] = base.facets(c0, one.facet), node[1][lane] = half.fourth;
+      node[2][lane] = base.facets(c1, one.facet), node[3][lane] = base.facets(c2, one.facet);
+      a[lane] = one.over.weight[c1], b[lane] = one.over.weight[c1] + one.over.weight[c2];
+      px[lane] = one.place.x(), py[lane] = one.place.y(), pz[lane] = one.place.z();
+      any = true, filler = lane;
+    }
+    OverFace<Pack> on;
+    Mask<Pack> stands(false);
+    alignas(64) std::array<std::array<double, lanes>, 4> weight;
+    alignas(64) std::array<std::array<double, lanes>, 3> normal;
+    alignas(64) std::array<double, lanes> height;
+    if (any) {
+      for (std::size_t lane = 0; lane < lanes; ++lane) {
+        const bool used = lane < count && points[first + lane].facet >= 0 && base.half[points[first + lane].facet].cut >= 0;
+        if (used) continue;
+        for (auto& row : node) row[lane] = row[filler];
+        a[lane] = a[filler], b[lane] = b[filler], px[lane] = px[filler], py[lane] = py[filler], pz[lane] = pz[filler];
+      }
+      Vector<Pack> place;
+      read_lanes(px.data(), place.x), read_lanes(py.data(), place.y), read_lanes(pz.data(), place.z);
+      std::array<Vector<Pack>, 4> corner;
+      for (std::size_t I = 0; I < 4; ++I) corner[I] = gather(x.data(), node[I].data()) - place;
+      read_lanes(a.data(), on.at.a), read_lanes(b.data(), on.at.b);
+      stands = stand_over(corner, on);
+      for (std::size_t I = 0; I < 4; ++I) write_lanes(on.weight[I], weight[I].data());
+      for (int axis = 0; axis < 3; ++axis) write_lanes(on.normal[axis], normal[static_cast<std::size_t>(axis)].data());
+      write_lanes(on.height, height.data());
+    }
+    for (std::size_t lane = 0; lane < count; ++lane) {
+      const Point& one = points[first + lane];
+      Foot& foot = feet[first + lane];
+      foot.facet = one.facet;
+      if (one.facet < 0) continue;
+      const Half& half = base.half[one.facet];
+      for (int I = 0; I < 3; ++I) foot.node[I] = base.facets(I, one.facet), foot.weight[I] = one.over.weight[I];
+      foot.nodes = 3, foot.normal = one.over.normal, foot.height = one.over.height;
+      if (half.cut < 0 || !stands[static_cast<int>(lane)]) continue;
+      foot.weight[half.cut] = weight[0][lane], foot.weight[(half.cut + 1) % 3] = weight[2][lane];
+      foot.weight[(half.cut + 2) % 3] = weight[3][lane];
+      if (weight[1][lane] != 0) foot.nodes = 4, foot.node[3] = half.fourth, foot.weight[3] = weight[1][lane];
+      foot.normal = {normal[0][lane], normal[1][lane], normal[2][lane]}, foot.height = height[lane];
+    }
+  }
+}
+
+/// Finds the feet of points of a face; without a facet where there is none, or far away from it.
+///
+/// shape(k)  shape functions of the face at point k
+template <class Shape>
+void find_feet_of(const BaseSurface& base, const Vectors& x, const Face& face, Index from, Shape&& shape, std::span<Foot> feet) {
+  std::array<Point, static_cast<std::size_t>(4 * points_of_corner)> points;
+  for (std::size_t k = 0; k < feet.size(); ++k) {
+    const std::array<double, 4>& phi = shape(k);
+    points[k].place.setZero();
+    for (int j = 0; j < face.corners; ++j) points[k].place += phi[static_cast<std::size_t>(j)] * x.col(face.node[j]);
+    points[k].facet = facet_below(base, x, points[k].place, from, points[k].over);
+  }
+  find_feet(base, x, std::span(points).first(feet.size()), feet);
+  for (Foot& foot : feet)
+    if (foot.facet >= 0 && (foot.height < -deepest * face.side || foot.height > farthest * face.side)) foot.facet = -1;
 }
 
 /// Finds the feet of the points of a face that is covered in part, and who takes them: those of a corner that has not all of them are taken
@@ -99,10 +208,9 @@ void find_parts(const BaseSurface& base, const Vectors& x, const Face& face, Ind
   const auto all = static_cast<std::size_t>(points_of_corner * face.corners);
   points.foot.resize(all), points.taken_by.resize(all);
   std::array<int, 4> count{};
-  for (std::size_t k = 0; k < all; ++k) {
-    points.foot[k] = foot_of(base, x, face, shape_of_part(face.corners, k), from);
+  find_feet_of(base, x, face, from, [&](std::size_t k) { return shape_of_part(face.corners, k); }, points.foot);
+  for (std::size_t k = 0; k < all; ++k)
     if (points.foot[k].facet >= 0) ++count[k / points_of_corner];
-  }
   const int most = *std::max_element(count.begin(), count.end());
   for (std::size_t k = 0; k < all; ++k) {
     auto corner = static_cast<int>(k) / points_of_corner;
@@ -116,23 +224,26 @@ void find_parts(const BaseSurface& base, const Vectors& x, const Face& face, Ind
   }
 }
 
+/// Whether a face turns to the side of the base that a facet is on.
+bool faces(const BaseSurface& base, const Vectors& x, const Face& face, Index facet) {
+  return -face.normal.dot(facet_normal(base, x, facet)) >= facing;
+}
+
 /// Finds how a face lies on the part of a base that a facet belongs to, and where its points are.
 void find_points(const BaseSurface& base, const Vectors& x, const Face& face, Index from, FacePoints& points) {
   points.foot.assign(static_cast<std::size_t>(face.corners), {});
   points.lies = Lies::apart;
-  if (-face.normal.dot(facet_normal(base, x, from)) < facing) return;
+  find_feet_of(base, x, face, from, [&](std::size_t q) { return shape_at_points(face.corners, q); }, points.foot);
   int found = 0;
   bool is_near = false, leans = false;
-  for (int q = 0; q < face.corners; ++q) {
-    std::array<double, 4> phi{};
-    for (int j = 0; j < face.corners; ++j) phi[j] = shape(face.corners, q, j);
-    const Foot& foot = points.foot[static_cast<std::size_t>(q)] = foot_of(base, x, face, phi, from);
+  for (std::size_t q = 0; q < points.foot.size(); ++q) {
+    const Foot& foot = points.foot[q];
     if (foot.facet < 0) continue;
     ++found;
     is_near = is_near || foot.height < close * face.side;
     leans = leans || -foot.normal.dot(face.normal) < plain;
-    for (int before = 0; before < q; ++before) {
-      const Foot& other = points.foot[static_cast<std::size_t>(before)];
+    for (std::size_t before = 0; before < q; ++before) {
+      const Foot& other = points.foot[before];
       leans = leans || (other.facet >= 0 && foot.normal.dot(other.normal) < plain);
     }
   }
@@ -141,8 +252,47 @@ void find_points(const BaseSurface& base, const Vectors& x, const Face& face, In
   else if (found > 0 && is_near) find_parts(base, x, face, from, points), points.lies = Lies::in_part;
 }
 
+/// Sums what points give each corner of a face, and what the nodes of the face and of its base get of it.
+void sum_by_corner(const BaseSurface& base, FacePoints& points) {
+  const Face& face = points.face;
+  points.corner = {};
+  points.base.clear();
+  if (points.lies != Lies::whole && points.lies != Lies::in_part) return;
+  const bool whole = points.lies == Lies::whole;
+  const auto corners = static_cast<std::size_t>(face.corners);
+  std::array<std::array<std::size_t, 4>, static_cast<std::size_t>(4 * points_of_corner)> place;  // of the nodes of feet in points.base
+  for (std::size_t q = 0; q < points.foot.size(); ++q) {
+    const Foot& foot = points.foot[q];
+    for (std::size_t l = 0; foot.facet >= 0 && l < static_cast<std::size_t>(foot.nodes); ++l) {
+      const auto at = std::find(points.base.begin(), points.base.end(), foot.node[l]);
+      place[q][l] = static_cast<std::size_t>(at - points.base.begin());
+      if (at == points.base.end()) points.base.push_back(foot.node[l]);
+    }
+  }
+  const std::size_t row = corners + points.base.size();
+  points.push.assign(corners * row, Vec3::Zero());
+  for (std::size_t q = 0; q < points.foot.size(); ++q) {
+    const Foot& foot = points.foot[q];
+    if (foot.facet < 0) continue;
+    const std::array<double, 4>& phi = whole ? shape_at_points(face.corners, q) : shape_of_part(face.corners, q);
+    const double gap = foot.height - stand_off(base, foot.facet);
+    for (std::size_t a = 0; a < corners; ++a) {
+      if (!whole && points.taken_by[q] != static_cast<int>(a)) continue;
+      const double weight = whole ? dual(face.corners, static_cast<int>(q), static_cast<int>(a)) : 1.0 / points_of_corner;
+      CornerSum& sum = points.corner[a];
+      sum.part += weight, sum.gap += weight * gap, sum.normal += weight * foot.normal;
+      Vec3* const push = &points.push[a * row];
+      for (std::size_t j = 0; j < corners; ++j) push[j] += weight * phi[j] * foot.normal;
+      for (std::size_t l = 0; l < static_cast<std::size_t>(foot.nodes); ++l) push[corners + place[q][l]] -= weight * foot.weight[l] * foot.normal;
+    }
+  }
+  if (!whole) return;
+  for (CornerSum& sum : points.corner) sum.part = 1;
+}
+
 /// Whether the feet that were found for another apex are over the same part of the base.
 bool is_same_part(const Interface& interface, const Vectors& x, const FacePoints& points, Index from) {
+  if (points.from == from) return true;
   const Vec3 normal = facet_normal(interface.base, x, from);
   const auto& of_facet = interface.bodies.of_facet;
   return std::any_of(points.foot.begin(), points.foot.end(), [&](const Foot& foot) {
@@ -154,32 +304,10 @@ bool is_same_part(const Interface& interface, const Vectors& x, const FacePoints
 }  // namespace
 
 bool find_foot(const BaseSurface& base, const Vectors& x, const Vec3& p, Index from, Foot& foot) {
-  Index before = -1, facet = from;
-  FeatureHeight over;
-  for (int step = 0;; ++step) {
-    over = height_over(base, x, {facet, geometry::Kind::facet, 0}, p);
-    if (std::min({over.weight[0], over.weight[1], over.weight[2]}) >= -inside) break;
-    std::array<int, 3> order{0, 1, 2};
-    std::sort(order.begin(), order.end(), [&](int a, int b) { return over.weight[a] < over.weight[b]; });
-    Index next = -1;
-    for (const int corner : order) {
-      if (over.weight[corner] >= -inside) break;
-      const int edge = (corner + 1) % 3;
-      if (base.wall[facet][edge] || base.neighbour(edge, facet) < 0) continue;
-      next = base.neighbour(edge, facet);
-      break;
-    }
-    if (next < 0 || step == most_steps) return false;
-    if (next == before) break;  // over the edge between both
-    before = facet, facet = next;
-  }
-  double fourth = 0;
-  stand_on_face(base, x, p, {facet, geometry::Kind::facet, 0}, false, nullptr, over, fourth);
-  foot.facet = facet;
-  foot.nodes = fourth != 0 ? 4 : 3;
-  for (int I = 0; I < 3; ++I) foot.node[I] = base.facets(I, facet), foot.weight[I] = over.weight[I];
-  if (fourth != 0) foot.node[3] = base.half[facet].fourth, foot.weight[3] = fourth;
-  foot.normal = over.normal, foot.height = over.height;
+  Point point{p, -1, {}};
+  point.facet = facet_below(base, x, p, from, point.over);
+  if (point.facet < 0) return false;
+  find_feet(base, x, {&point, 1}, {&foot, 1});
   return true;
 }
 
@@ -219,39 +347,27 @@ OverPoints sum_points(const Interface& interface, const Vectors& x, Index apex, 
   const Index node = interface.apexes[apex];
   work.sum.clear();
   add_to(node, Vec3::Zero(), true, work);
-  const auto add_point = [&](const Face& face, double area, const auto& phi, const Foot& foot) {
-    for (int j = 0; j < face.corners; ++j) add_to(face.node[j], area * phi(j) * foot.normal, true, work);
-    for (int l = 0; l < foot.nodes; ++l) add_to(foot.node[l], -area * foot.weight[l] * foot.normal, false, work);
-    sum.gap += area * (foot.height - stand_off(interface.base, foot.facet));
-    sum.normal += area * foot.normal;
-  };
   for (Index s = interface.faces.begin[apex]; s < interface.faces.begin[apex + 1]; ++s) {
     const mesh::FacesAround::Share& share = interface.faces.shares[static_cast<std::size_t>(s)];
     FacePoints& points = work.of_face[static_cast<std::size_t>(share.face)];
     const Face& face = face_of(interface.faces, x, share.face, work);
+    if (!faces(interface.base, x, face, facet)) continue;
     if (points.step != work.step || !is_same_part(interface, x, points, facet)) {
       find_points(interface.base, x, face, facet, points);
-      points.step = work.step;
+      sum_by_corner(interface.base, points);
+      points.step = work.step, points.from = facet;
     }
-    const int corner = corner_of(face, node);
     if (points.lies == Lies::leaning) sum.of_node += share.area;
-    if (points.lies == Lies::whole) {
-      sum.area += share.area;
-      for (int q = 0; q < face.corners; ++q)
-        add_point(face, share.area * dual(face.corners, q, corner), [&](int j) { return shape(face.corners, q, j); },
-                  points.foot[static_cast<std::size_t>(q)]);
-    }
-    if (points.lies != Lies::in_part) continue;
-    const double area = share.area / points_of_corner;
-    bool takes = false;
-    for (std::size_t k = 0; k < points.foot.size(); ++k) {
-      if (points.taken_by[k] != corner || points.foot[k].facet < 0) continue;
-      takes = true;
-      sum.area += area;
-      const std::array<double, 4>& phi = shape_of_part(face.corners, k);
-      add_point(face, area, [&](int j) { return phi[static_cast<std::size_t>(j)]; }, points.foot[k]);
-    }
-    sum.covered_elsewhere = sum.covered_elsewhere || !takes;
+    if (points.lies != Lies::whole && points.lies != Lies::in_part) continue;
+    const auto corners = static_cast<std::size_t>(face.corners), row = corners + points.base.size();
+    const auto a = static_cast<std::size_t>(corner_of(face, node));
+    const CornerSum& of_corner = points.corner[a];
+    sum.covered_elsewhere = sum.covered_elsewhere || !(of_corner.part > 0);
+    if (!(of_corner.part > 0)) continue;
+    sum.area += share.area * of_corner.part, sum.gap += share.area * of_corner.gap, sum.normal += share.area * of_corner.normal;
+    const Vec3* push = &points.push[a * row];
+    for (std::size_t j = 0; j < corners; ++j) add_to(face.node[j], share.area * *push++, true, work);
+    for (const Index of_base : points.base) add_to(of_base, share.area * *push++, false, work);
   }
   return sum;
 }

@@ -23,6 +23,10 @@
 
 namespace nereid::contact {
 
+/// Parts of the side of a base and of the depth of an element that a guard may be deep in any case: the latter is a quarter of what the
+/// audit warns of.
+constexpr double always_allowed = 0.01, most_allowed = 0.025;
+
 /// Finds the foot of a point: from a facet on across edges that are no walls.
 ///
 /// returns whether it has one; not past a border or wall
