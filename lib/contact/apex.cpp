@@ -190,7 +190,10 @@ void look_around(const Interface& interface, const Vectors& x, const Vectors& v,
   const double depth = between(interface, a, facet).depth;
   if (depth > 0) {
     speed = speed_over(interface, v, a, facet);
-    soon = std::max(votes_within * depth, steps_ahead * speed * interface.longest_step);
+    // faces of an apex may lie on the base that it stands beside
+    const bool alone = by_multipliers(interface) && between(interface, a, facet).heights != Heights::points;
+    soon = alone ? std::max(multipliers_reach * depth, steps_to_touch * speed * interface.longest_step)
+                 : std::max(votes_within * depth, steps_ahead * speed * interface.longest_step);
   }
   const bool votes = memory.gap[a] <= soon;
   near.clear = moved.until(nearest.clear - contact_height - (votes ? 0 : soon));

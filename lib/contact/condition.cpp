@@ -21,7 +21,6 @@ namespace nereid::contact {
 
 namespace {
 
-constexpr double steps_to_touch = 4;   // open apexes that can touch within so many steps have a condition too
 constexpr double corrected = 0.2;      // of a penetration in a step
 constexpr double no_direction = 1e-3;  // of the size of a face: an edge or vertex that is nearer has no normal of its own
 constexpr double takes_over = 0.5;     // cosine between a push and the normal of a facet that takes it over
@@ -38,14 +37,75 @@ constexpr double no_weight = 1e-14;    // of the push: round-off
 constexpr double turned_height = 0.2;  // of a height: by so much more it is over a normal that has gone evenly over an edge
 constexpr double farther_than_points = 0.1;  // of the side of a base: a node that is farther is no nearer by its points
 
-/// Whether an apex that is pressed stays over the inside of the one facet that it slides on, and comes to no other part: its stencil of the
-/// step before says which, and conditions need no more.
-bool stays(const Interface& interface, const Memory& memory, Moved moved, const Near& near) {
+/// How an apex stands over the plane of a facet.
+struct OverPlane {
+  Index facet;
+  FeatureHeight over;
+  double least_gap;  ///< [m] no more than the gap over the bilinear face that the facet is half of
+};
+OverPlane over_plane(const Interface& interface, const Vectors& x, Index apex, Index facet, double level) {
+  const BaseSurface& base = interface.base;
+  OverPlane plane{facet, height_over(base, x, {facet, geometry::Kind::facet, 0}, x.col(interface.apexes[apex])), 0};
+  const Index fourth = base.half[facet].fourth;
+  const double height = plane.over.height;
+  const double warp = fourth < 0 ? 0 : plane.over.normal.dot(x.col(fourth) - x.col(base.facets(0, facet)));
+  plane.least_gap = height - turned_height * std::abs(height) - std::abs(warp) - level;
+  return plane;
+}
+
+/// No more than allowance(). [m]
+double least_allowance(const Interface& interface, Index apex, Index facet) {
+  const double depth = between(interface, apex, facet).depth, sag = always_allowed * interface.base.size(facet);
+  return depth > 0 ? std::min(sag, most_allowed * depth) : sag;
+}
+
+/// Moves the one track and stencil of an apex to the facet that it is over now.
+void move_to(const OverPlane& plane, Near& near) {
+  Stencil& stencil = near.element.stencil[0];
+  Tracks& tracks = near.tracks;
+  if (plane.facet != stencil.facet) tracks.owned = -infinite;
+  stencil.facet = tracks.track[0].facet = plane.facet;
+  stencil.weight = plane.over.weight, stencil.fourth = 0;
+  tracks.out = {plane.facet, plane.over.weight, std::max(plane.over.height, tracks.track[0].height)};
+}
+
+/// Whether a guard that did not act in the step before is so far from where it would that its gap need not be known: most of them, in a
+/// contact that is closed. It goes on from facet to facet.
+///
+/// x, velocity  where the nodes would be after the step to come, and as fast
+bool is_idle_guard(const Interface& interface, const Motion& m, const Vectors& x, const Vectors& velocity, const Memory& memory, Moved moved,
+                   Near& near) {
+  constexpr double times = 2;  // the rate over the bilinear face is another one
+  const Stencil& stencil = near.element.stencil[0];
+  if (near.friction.acts || memory.restitution[near.apex].held != 0 || stencil.kind != geometry::Kind::facet) return false;
+  const Between& pair = between(interface, near.apex, stencil.facet);
+  if (pair.heights != Heights::guards || std::isnan(stencil.level)) return false;
+  FeatureHeight over;
+  const Index facet = facet_below(interface.base, x, x.col(interface.apexes[near.apex]), stencil.facet, over);
+  if (facet < 0) return false;
+  const OverPlane plane = over_plane(interface, x, near.apex, facet, stencil.level);
+  Vec3 speed = velocity.col(interface.apexes[near.apex]);
+  for (int I = 0; I < 3; ++I) speed -= plane.over.weight[I] * velocity.col(interface.base.facets(I, facet));
+  const double gap = plane.over.height - stencil.level, closing = times * steps_to_touch * m.next * std::abs(plane.over.normal.dot(speed));
+  const bool is_idle = gap < pair.release_height && 2 * moved.now - gap < near.clear &&
+                       plane.least_gap - closing + least_allowance(interface, near.apex, facet) > 0;
+  if (!is_idle) return false;
+  move_to(plane, near);
+  near.element.stencil[0].apex = 0, near.element.stencil[0].push.setZero();  // without a condition
+  return true;
+}
+
+/// What of an apex that is in contact with one part of its base goes on from the step before.
+Kept kept_of(const Interface& interface, const Motion& m, const Vectors& x, const Vectors& velocity, const Memory& memory, Moved moved,
+             Near& near) {
   const Tracks& tracks = near.tracks;
   const ElementForces& element = near.element;
-  if (tracks.count != 1 || tracks.track[0].height < level(interface, memory, near.apex, tracks.track[0].facet)) return false;
-  return near.pressed > 0 && moved.now < tracks.owned && 2 * moved.now + element.depth < near.clear && element.count == 1 &&
-         allowed_of(interface, near.apex) == nullptr;
+  if (tracks.count != 1 || element.count != 1 || allowed_of(interface, near.apex) != nullptr) return Kept::nothing;
+  if (tracks.track[0].height < level(interface, memory, near.apex, tracks.track[0].facet)) return Kept::nothing;
+  if (!(near.pressed > 0)) return is_idle_guard(interface, m, x, velocity, memory, moved, near) ? Kept::guard : Kept::nothing;
+  if (!(2 * moved.now + element.depth < near.clear)) return Kept::nothing;
+  if (near.by_points) return Kept::points;
+  return moved.now < tracks.owned ? Kept::stencil : Kept::nothing;
 }
 
 /// Finds which apexes are in contact, or near to it, where the nodes would be.
@@ -59,8 +119,8 @@ void find(const Interface& interface, const Motion& m, Memory& memory, Workspace
       near.earlier = near.pressed;
       near.pressed = near.element.closed && m.dt > 0 ? near.element.apex.norm() : 0;
       if (near.rests && moved.now < near.clear) return;
-      near.stays = stays(interface, memory, moved, near);
-      if (near.stays) {
+      near.kept = kept_of(interface, m, x, all.velocity, memory, moved, near);
+      if (near.kept != Kept::nothing) {
         near.element.moved = false;
         near.element.lost = 0;
         return;
@@ -372,7 +432,7 @@ constexpr std::array<int, 3> next_corner{1, 2, 0};
 
 bool stays_over_face(const Interface& interface, const Near& near) {
   const Stencil& stencil = near.element.stencil[0];
-  return near.stays && stencil.kind == geometry::Kind::facet && interface.base.half[stencil.facet].cut >= 0;
+  return near.kept == Kept::stencil && stencil.kind == geometry::Kind::facet && interface.base.half[stencil.facet].cut >= 0;
 }
 
 /// Finds where the apexes stand that come next, from a place in the list of near ones on.
@@ -538,41 +598,6 @@ double speed_over(const Interface& interface, const Multipliers& all, const Near
   return std::sqrt(fastest);
 }
 
-/// How an apex stands over the plane of the facet of a stencil, where the nodes are.
-struct OverPlane {
-  FeatureHeight over;
-  double least_gap;  ///< [m] no more than the gap over the bilinear face that the facet is half of
-};
-OverPlane over_plane(const Interface& interface, const Vectors& x, const Near& near, const Stencil& stencil) {
-  const BaseSurface& base = interface.base;
-  OverPlane plane;
-  plane.over = height_over(base, x, {stencil.facet, geometry::Kind::facet, 0}, x.col(interface.apexes[near.apex]));
-  const Index fourth = base.half[stencil.facet].fourth;
-  const double height = plane.over.height;
-  const double warp = fourth < 0 ? 0 : plane.over.normal.dot(x.col(fourth) - x.col(base.facets(0, stencil.facet)));
-  plane.least_gap = height - turned_height * std::abs(height) - std::abs(warp) - stencil.level;
-  return plane;
-}
-
-/// No more than allowance(). [m]
-double least_allowance(const Interface& interface, Index apex, Index facet) {
-  const double depth = between(interface, apex, facet).depth, sag = always_allowed * interface.base.size(facet);
-  return depth > 0 ? std::min(sag, most_allowed * depth) : sag;
-}
-
-/// Whether a guard that did not act in the step before is so far from where it would that its gap need not be known: most of them, in a
-/// contact that is closed.
-bool stays_unneeded(const Interface& interface, const Motion& m, const Near& near, const Stencil& stencil, const Multipliers& all) {
-  constexpr double times = 2;  // the rate over the bilinear face is another one
-  if (near.pressed > 0 || near.element.count != 1 || stencil.kind != geometry::Kind::facet || std::isnan(stencil.level)) return false;
-  const auto& facet = interface.base.facets.col(stencil.facet);
-  const OverPlane plane = over_plane(interface, m.x, near, stencil);
-  Vec3 speed = all.velocity.col(interface.apexes[near.apex]);
-  for (int I = 0; I < 3; ++I) speed -= plane.over.weight[I] * all.velocity.col(facet(I));
-  const double closing = times * steps_to_touch * m.next * std::min(0.0, plane.over.normal.dot(speed));
-  return plane.least_gap + closing + least_allowance(interface, near.apex, stencil.facet) > 0;
-}
-
 /// Whether a guard acts: where it would be deeper than it may be, in this step or soon. Others would slow the sweeps down.
 bool guard_acts(const Interface& interface, const Motion& m, const Near& near, Index facet, const Multipliers& all, Condition& c) {
   const double closing = steps_to_touch * m.next * std::min(0.0, rate(c, all));
@@ -588,12 +613,23 @@ double level_of_points(const Interface& interface, const Memory& memory, Index a
   return height - of_track > level_by * interface.base.longest(stencil.facet) ? of_track : height;
 }
 
+/// Moves an apex whose points are known alone to the facet that it is over now.
+void follow_facet(const Interface& interface, const Vectors& x, Memory& memory, Near& near) {
+  const Index before = near.element.stencil[0].facet;
+  FeatureHeight over;
+  const Index facet = facet_below(interface.base, x, x.col(interface.apexes[near.apex]), before, over);
+  if (facet < 0) return;
+  move_to(over_plane(interface, x, near.apex, facet, near.element.stencil[0].level), near);
+  memory.feature[near.apex] = {facet, geometry::Kind::facet, 0};
+  near.element.moved = facet != before;
+}
+
 /// Whether the gap of an apex is known from points without its own: all faces that press it lie on the base, and no guard would be deeper.
 /// Its stencil then has its foot.
 bool is_by_points_alone(const Interface& interface, const Vectors& x, const Near& near, const OverPoints& sum, double level,
                         Stencil& stencil) {
   if (!(sum.area > 0) || sum.of_node > 0 || near.element.count != 1 || stencil.kind != geometry::Kind::facet || stencil.on_ridge) return false;
-  OverPlane plane = over_plane(interface, x, near, stencil);
+  OverPlane plane = over_plane(interface, x, near.apex, stencil.facet, stencil.level);
   const double by_points = (sum.gap - sum.area * level) / sum.normal.norm();
   if (!(plane.least_gap + least_allowance(interface, near.apex, stencil.facet) >= by_points)) return false;
   double fourth = 0;
@@ -618,6 +654,7 @@ bool find_over_points(const Interface& interface, const Motion& m, const Memory&
   const Index side = stencil.facet;
   const double level = level_of_points(interface, memory, near.apex, stencil);
   const bool by_points_alone = is_by_points_alone(interface, m.x, near, sum, level, stencil);
+  near.by_points = by_points_alone && s == 0;
   const bool stands = !by_points_alone && make(interface, m, memory, near, stencil, near.element.has_moment, all, c);
   if (!(sum.area > 0) && !(sum.covered_elsewhere && !(sum.of_node > 0))) return stands;
   // points may leave a node no deeper than a guard, also where nodes that are better covered have its points
@@ -668,7 +705,6 @@ bool find(const Interface& interface, const Motion& m, const Memory& memory, Nea
   Stencil& stencil = near.element.stencil[s];
   stencil.over_points = false, stencil.shares = 0;
   const Heights heights = between(interface, near.apex, stencil.facet).heights;
-  if (heights == Heights::guards && stays_unneeded(interface, m, near, stencil, all)) return false;
   bool made = interface.heights == Heights::nodes && make_ahead(interface, m.x, memory, near, ahead, all, c);
   if (!made && (std::isnan(stencil.level) || is_same_face(interface.base, near.element, s))) return false;
   if (!made && heights == Heights::points) made = find_over_points(interface, m, memory, near, s, work, all, c);
@@ -824,7 +860,10 @@ void find_conditions(const Interface& interface, const Motion& m, Memory& memory
   ++workspace.points.step;
   Ahead ahead;
   for (Near& near : memory.near) {
+    if (near.kept == Kept::guard) continue;
     const auto first = static_cast<Index>(all.conditions.size());
+    if (near.kept == Kept::points) follow_facet(interface, m.x, memory, near);
+    near.by_points = false;
     join_on_ridge(interface.base, m.x, m.x.col(interface.apexes[near.apex]), near.element);
     for (int s = 0; s < near.element.count; ++s) {
       Stencil& stencil = near.element.stencil[s];

@@ -14,9 +14,6 @@
 
 namespace nereid::contact {
 
-/// [-] of the depth of an element: apexes that are nearer to their base have a condition.
-constexpr double multipliers_reach = 0.02;
-
 /// A sweep sums what it has done over so many contactors at a time, whatever the number of threads.
 constexpr Index contactors_of_a_range = 256;
 

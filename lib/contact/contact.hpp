@@ -141,6 +141,10 @@ inline std::size_t passes_of(std::span<const Interface> interfaces) {
       std::count_if(interfaces.begin(), interfaces.end(), [](const Interface& one) { return one.kind != InterfaceKind::edges; }));
 }
 
+/// [-] of the depth of an element: apexes that are nearer to their base have a condition by multipliers.
+constexpr double multipliers_reach = 0.02;
+constexpr double steps_to_touch = 4;  ///< open apexes that can touch within so many steps have one too
+
 enum class Status : int {
   unpaired = -1,  ///< farther from its base than the margin
   open = 0,       ///< near, no contact
@@ -178,6 +182,14 @@ struct FrictionForces {
   double work = 0, dissipated = 0, created = 0;  ///< [J] in the last step
 };
 
+/// What of an apex goes on from the step before, so that it is not looked for among the facets near it.
+enum class Kept : std::uint8_t {
+  nothing,
+  stencil,  ///< pressed, over the inside of the one facet that it slides on
+  points,   ///< pressed, by what points of the faces around it find alone
+  guard,    ///< a guard that does not act
+};
+
 /// All about an apex near its base.
 struct Near {
   Index apex = -1;        ///< in Interface::apexes
@@ -187,7 +199,8 @@ struct Near {
   double clear = 0;
   double area = 0;        ///< [m2] of the sides of the apex that faced the base as it came into contact; zero: all
   bool rests = false;     ///< free, and its forces are booked: nothing is to do while it is clear
-  bool stays = false;     ///< pressed by multipliers, over the inside of the one facet that it slides on, and comes to no other part
+  Kept kept = Kept::nothing;  ///< by multipliers
+  bool by_points = false;     ///< its gap was that of points alone in the step before
   double pressed = 0, earlier = 0;  ///< [N] by multipliers in the step before and in that before: where the sweeps of the next one begin
   Index pressed_most = -1;  ///< by multipliers, the facet that pushed it most in the step before: friction acts on the body of that
   Tracks tracks;

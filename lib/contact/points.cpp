@@ -102,31 +102,6 @@ struct Point {
   FeatureHeight over;
 };
 
-/// Finds the facet over whose plane a point stands: from a facet on across edges that are no walls. -1 past a border or wall.
-Index facet_below(const BaseSurface& base, const Vectors& x, const Vec3& p, Index from, FeatureHeight& over) {
-  Index before = -1, facet = from;
-  for (int step = 0;; ++step) {
-    over = height_over(base, x, {facet, geometry::Kind::facet, 0}, p);
-    const auto& w = over.weight;
-    if (std::min({w[0], w[1], w[2]}) >= -inside) return facet;
-    std::array<int, 3> order{0, 1, 2};
-    if (w[1] < w[0]) std::swap(order[0], order[1]);
-    if (w[2] < w[static_cast<std::size_t>(order[1])]) std::swap(order[1], order[2]);
-    if (w[static_cast<std::size_t>(order[1])] < w[static_cast<std::size_t>(order[0])]) std::swap(order[0], order[1]);
-    Index next = -1;
-    for (const int corner : order) {
-      if (w[static_cast<std::size_t>(corner)] >= -inside) break;
-      const int edge = (corner + 1) % 3;
-      if (base.wall[facet][edge] || base.neighbour(edge, facet) < 0) continue;
-      next = base.neighbour(edge, facet);
-      break;
-    }
-    if (next < 0 || step == most_steps) return -1;
-    if (next == before) return facet;  // over the edge between both
-    before = facet, facet = next;
-  }
-}
-
 /// Sets the feet of points over the bilinear faces that their facets are halves of, or over the facets; a pack of points at a time.
 void find_feet(const BaseSurface& base, const Vectors& x, std::span<const Point> points, std::span<Foot> feet) {
   for (std::size_t first = 0; first < points.size(); first += lanes) {
@@ -302,6 +277,30 @@ bool is_same_part(const Interface& interface, const Vectors& x, const FacePoints
 }
 
 }  // namespace
+
+Index facet_below(const BaseSurface& base, const Vectors& x, const Vec3& p, Index from, FeatureHeight& over) {
+  Index before = -1, facet = from;
+  for (int step = 0;; ++step) {
+    over = height_over(base, x, {facet, geometry::Kind::facet, 0}, p);
+    const auto& w = over.weight;
+    if (std::min({w[0], w[1], w[2]}) >= -inside) return facet;
+    std::array<int, 3> order{0, 1, 2};
+    if (w[1] < w[0]) std::swap(order[0], order[1]);
+    if (w[2] < w[static_cast<std::size_t>(order[1])]) std::swap(order[1], order[2]);
+    if (w[static_cast<std::size_t>(order[1])] < w[static_cast<std::size_t>(order[0])]) std::swap(order[0], order[1]);
+    Index next = -1;
+    for (const int corner : order) {
+      if (w[static_cast<std::size_t>(corner)] >= -inside) break;
+      const int edge = (corner + 1) % 3;
+      if (base.wall[facet][edge] || base.neighbour(edge, facet) < 0) continue;
+      next = base.neighbour(edge, facet);
+      break;
+    }
+    if (next < 0 || step == most_steps) return -1;
+    if (next == before) return facet;  // over the edge between both
+    before = facet, facet = next;
+  }
+}
 
 bool find_foot(const BaseSurface& base, const Vectors& x, const Vec3& p, Index from, Foot& foot) {
   Point point{p, -1, {}};

@@ -27,6 +27,11 @@ namespace nereid::contact {
 /// audit warns of.
 constexpr double always_allowed = 0.01, most_allowed = 0.025;
 
+/// Finds the facet over whose plane a point stands: from a facet on across edges that are no walls.
+///
+/// returns  the facet, or -1 past a border or wall
+Index facet_below(const BaseSurface&, const Vectors& x, const Vec3& point, Index from, FeatureHeight& over);
+
 /// Finds the foot of a point: from a facet on across edges that are no walls.
 ///
 /// returns whether it has one; not past a border or wall
