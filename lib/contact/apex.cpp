@@ -15,6 +15,7 @@ using geometry::Kind;
 
 constexpr double votes_within = 0.25;   // of the depth of an element: open apexes that are nearer vote for the step
 constexpr double least_area = 0.2;      // of the tributary area: with less of it facing, the surface of the apex stands edge-on
+constexpr double most_sag = 0.055;      // of the size of a face: what a base that turns by 25 degrees from face to face leaves over its middle
 constexpr double in_plane = 1e-6;       // of a distance: a node that lies in a symmetry plane
 
 /// Shares out the stiffness of an apex over its base nodes. A node of several stencils counts once, by its largest weight: they push as
@@ -174,6 +175,19 @@ void hold_bond(const Interface& interface, const Vectors& x, Near& near, Memory&
 
 namespace {
 
+/// The gap up to which an apex in contact with nothing is looked at in each step. [m]
+///
+/// A penalty has to know how fast it closes. Faces of an apex may lie on a base that the apex itself stands beside; where it is over a
+/// facet, they are no nearer than what bends between them.
+double soon_of(const Interface& interface, Index a, const Feature& feature, double speed) {
+  const Between& pair = between(interface, a, feature.facet);
+  const double way = speed * interface.longest_step;
+  if (!by_multipliers(interface)) return std::max(votes_within * pair.depth, steps_ahead * way);
+  if (pair.heights != Heights::points) return std::max(multipliers_reach * pair.depth, steps_to_touch * way);
+  const double bends = most_sag * interface.base.size(feature.facet) + multipliers_reach * pair.depth;
+  return std::max(feature.kind == Kind::facet ? bends : votes_within * pair.depth, steps_to_touch * way);
+}
+
 /// An apex that is in contact with nothing: how far it is, whether it votes, and how long it need not be looked at.
 void look_around(const Interface& interface, const Vectors& x, const Vectors& v, Moved moved, Near& near, Memory& memory) {
   const Index a = near.apex;
@@ -190,10 +204,7 @@ void look_around(const Interface& interface, const Vectors& x, const Vectors& v,
   const double depth = between(interface, a, facet).depth;
   if (depth > 0) {
     speed = speed_over(interface, v, a, facet);
-    // faces of an apex may lie on the base that it stands beside
-    const bool alone = by_multipliers(interface) && between(interface, a, facet).heights != Heights::points;
-    soon = alone ? std::max(multipliers_reach * depth, steps_to_touch * speed * interface.longest_step)
-                 : std::max(votes_within * depth, steps_ahead * speed * interface.longest_step);
+    soon = soon_of(interface, a, nearest.feature, speed);
   }
   const bool votes = memory.gap[a] <= soon;
   near.clear = moved.until(nearest.clear - contact_height - (votes ? 0 : soon));

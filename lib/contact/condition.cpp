@@ -34,7 +34,7 @@ constexpr double uneven = 0.01;        // sine: normals that differ by less, as 
 constexpr double as_much = 0.5;        // of the larger push of both sides
 constexpr double same_part = 0.9063;   // cosine of 25 degrees between normals of a base whose points are found together
 constexpr double no_weight = 1e-14;    // of the push: round-off
-constexpr double turned_height = 0.2;  // of a height: by so much more it is over a normal that has gone evenly over an edge
+constexpr double turned_height = 0.2;  // of a depth: by so much it is deeper along a normal that has gone evenly over an edge
 constexpr double farther_than_points = 0.1;  // of the side of a base: a node that is farther is no nearer by its points
 
 /// How an apex stands over the plane of a facet.
@@ -49,7 +49,7 @@ OverPlane over_plane(const Interface& interface, const Vectors& x, Index apex, I
   const Index fourth = base.half[facet].fourth;
   const double height = plane.over.height;
   const double warp = fourth < 0 ? 0 : plane.over.normal.dot(x.col(fourth) - x.col(base.facets(0, facet)));
-  plane.least_gap = height - turned_height * std::abs(height) - std::abs(warp) - level;
+  plane.least_gap = (height < 0 ? 1 + turned_height : 1) * height - std::abs(warp) - level;
   return plane;
 }
 
@@ -102,7 +102,9 @@ Kept kept_of(const Interface& interface, const Motion& m, const Vectors& x, cons
   const ElementForces& element = near.element;
   if (tracks.count != 1 || element.count != 1 || allowed_of(interface, near.apex) != nullptr) return Kept::nothing;
   if (tracks.track[0].height < level(interface, memory, near.apex, tracks.track[0].facet)) return Kept::nothing;
-  if (!(near.pressed > 0)) return is_idle_guard(interface, m, x, velocity, memory, moved, near) ? Kept::guard : Kept::nothing;
+  const bool is_pressed = near.pressed > 0;
+  if (!is_pressed && !near.by_points) return is_idle_guard(interface, m, x, velocity, memory, moved, near) ? Kept::guard : Kept::nothing;
+  if (!is_pressed && !(memory.gap[near.apex] < between(interface, near.apex, tracks.track[0].facet).release_height)) return Kept::nothing;
   if (!(2 * moved.now + element.depth < near.clear)) return Kept::nothing;
   if (near.by_points) return Kept::points;
   return moved.now < tracks.owned ? Kept::stencil : Kept::nothing;
@@ -616,6 +618,7 @@ double level_of_points(const Interface& interface, const Memory& memory, Index a
 /// Moves an apex whose points are known alone to the facet that it is over now.
 void follow_facet(const Interface& interface, const Vectors& x, Memory& memory, Near& near) {
   const Index before = near.element.stencil[0].facet;
+  near.element.stencil[0].apex = 1;
   FeatureHeight over;
   const Index facet = facet_below(interface.base, x, x.col(interface.apexes[near.apex]), before, over);
   if (facet < 0) return;

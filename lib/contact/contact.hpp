@@ -186,7 +186,7 @@ struct FrictionForces {
 enum class Kept : std::uint8_t {
   nothing,
   stencil,  ///< pressed, over the inside of the one facet that it slides on
-  points,   ///< pressed, by what points of the faces around it find alone
+  points,   ///< over what points of the faces around it find alone
   guard,    ///< a guard that does not act
 };
 
