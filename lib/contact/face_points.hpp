@@ -51,9 +51,11 @@ struct FacePoints {
   Lies lies = Lies::apart;
   std::vector<Foot> foot;     ///< of the Gauss points; of a face that is covered in part of four points for each of its nodes
   std::vector<int> taken_by;  ///< of such points: the corner of whose height they are a part
+  std::array<Index, 4> last{-1, -1, -1, -1};  ///< facets of the feet of the Gauss points when they were found before
   std::vector<Index> base;    ///< nodes of all feet, each once
   std::array<CornerSum, 4> corner;
-  std::vector<Vec3> push;     ///< [corners x (corners + base nodes)] what nodes of the face and of the base get per area of each corner
+  /// [4 corners x 3 axes x (nodes of the face, then those of the base)] what a node gets per area of a corner
+  std::vector<double> push;
 };
 
 /// What a node takes of a push.

@@ -66,7 +66,10 @@ const PointShapes points_of_3 = make_point_shapes(3, shape_3), points_of_4 = mak
 
 /// Shape functions of a face at its Gauss points.
 const std::array<double, 4>& shape_at_points(int corners, std::size_t point) { return (corners == 4 ? points_of_4 : points_of_3)[point]; }
-double dual(int corners, int point, int corner) { return (corners == 4 ? dual_4 : dual_3)(corners, point, corner); }
+const PointShapes duals_of_3 = make_point_shapes(3, dual_3), duals_of_4 = make_point_shapes(4, dual_4);
+
+/// Dual weights of the corners at a Gauss point.
+const std::array<double, 4>& duals_at(int corners, std::size_t point) { return (corners == 4 ? duals_of_4 : duals_of_3)[point]; }
 
 int corner_of(const Face& face, Index node) {
   return static_cast<int>(std::find(face.node.begin(), face.node.begin() + face.corners, node) - face.node.begin());
@@ -102,59 +105,71 @@ struct Point {
   FeatureHeight over;
 };
 
-/// Sets the feet of points over the bilinear faces that their facets are halves of, or over the facets; a pack of points at a time.
-void find_feet(const BaseSurface& base, const Vectors& x, std::span<const Point> points, std::span<Foot> feet) {
+/// The half of a bilinear face by which it is named, whichever of them a point is over; a facet that is a face of its own.
+Index named_half(const BaseSurface& base, Index facet) {
+  const int cut = base.half[facet].cut;
+  return cut < 0 ? facet : std::min(facet, base.neighbour(cut, facet));
+}
+
+/// Sets the feet of points over the bilinear faces that their facets are halves of, or over the facets; a pack of points at a time. The
+/// iteration begins in the middle of a face, so that no foot depends on where it was before.
+///
+/// points  a facet of -1 has no foot
+/// all_inside  if not null, whether every point is over the inside of its face
+void find_feet(const BaseSurface& base, const Vectors& x, std::span<const Point> points, std::span<Foot> feet, bool* all_inside = nullptr) {
+  constexpr double edge = 1e-6;  // of a face: points that are nearer to its edge are looked for
   for (std::size_t first = 0; first < points.size(); first += lanes) {
     const std::size_t count = std::min<std::size_t>(lanes, points.size() - first);
-    alignas(64) std::array<double, lanes> a{}, b{}, px{}, py{}, pz{};
+    alignas(64) std::array<double, lanes> px, py, pz;
     std::array<std::array<Index, lanes>, 4> node;
-    bool any = false;
-    std::size_t filler = 0;
+    std::array<bool, lanes> on_face;
+    std::size_t filler = lanes;
     for (std::size_t lane = 0; lane < count; ++lane) {
       const Point& one = points[first + lane];
-      if (one.facet < 0 || base.half[one.facet].cut < 0) continue;
+      on_face[lane] = one.facet >= 0 && base.half[one.facet].cut >= 0;
+      if (!on_face[lane]) continue;
       const Half& half = base.half[one.facet];
-      const int c0 = half.cut, c1 = (c0 + 1) % 3, c2 = (c0 + 2) % 3;
-      node[0][lane] = base.facets(c0, one.facet), node[1][lane] = half.fourth;
-      node[2][lane] = base.facets(c1, one.facet), node[3][lane] = base.facets(c2, one.facet);
-      a[lane] = one.over.weight[c1], b[lane] = one.over.weight[c1] + one.over.weight[c2];
+      const auto corner = [&](int local) { return base.facets(local % 3, one.facet); };
+      node[0][lane] = corner(half.cut), node[1][lane] = half.fourth, node[2][lane] = corner(half.cut + 1), node[3][lane] = corner(half.cut + 2);
       px[lane] = one.place.x(), py[lane] = one.place.y(), pz[lane] = one.place.z();
-      any = true, filler = lane;
+      filler = lane;
     }
-    OverFace<Pack> on;
-    Mask<Pack> stands(false);
     alignas(64) std::array<std::array<double, lanes>, 4> weight;
     alignas(64) std::array<std::array<double, lanes>, 3> normal;
     alignas(64) std::array<double, lanes> height;
-    if (any) {
+    Mask<Pack> stands(false), well_inside(false);
+    if (filler < lanes) {
       for (std::size_t lane = 0; lane < lanes; ++lane) {
-        const bool used = lane < count && points[first + lane].facet >= 0 && base.half[points[first + lane].facet].cut >= 0;
-        if (used) continue;
+        if (lane < count && on_face[lane]) continue;
         for (auto& row : node) row[lane] = row[filler];
-        a[lane] = a[filler], b[lane] = b[filler], px[lane] = px[filler], py[lane] = py[filler], pz[lane] = pz[filler];
+        px[lane] = px[filler], py[lane] = py[filler], pz[lane] = pz[filler];
       }
       Vector<Pack> place;
       read_lanes(px.data(), place.x), read_lanes(py.data(), place.y), read_lanes(pz.data(), place.z);
       std::array<Vector<Pack>, 4> corner;
       for (std::size_t I = 0; I < 4; ++I) corner[I] = gather(x.data(), node[I].data()) - place;
-      read_lanes(a.data(), on.at.a), read_lanes(b.data(), on.at.b);
-      stands = stand_over(corner, on);
-      for (std::size_t I = 0; I < 4; ++I) write_lanes(on.weight[I], weight[I].data());
-      for (int axis = 0; axis < 3; ++axis) write_lanes(on.normal[axis], normal[static_cast<std::size_t>(axis)].data());
-      write_lanes(on.height, height.data());
+      OverFace<Pack> over;
+      over.at.a = over.at.b = Pack(0.5);
+      stands = stand_over(corner, over);
+      well_inside = over.at.a > Pack(edge) && over.at.a < Pack(1 - edge) && over.at.b > Pack(edge) && over.at.b < Pack(1 - edge);
+      for (std::size_t I = 0; I < 4; ++I) write_lanes(over.weight[I], weight[I].data());
+      write_lanes(over.normal.x, normal[0].data()), write_lanes(over.normal.y, normal[1].data()), write_lanes(over.normal.z, normal[2].data());
+      write_lanes(over.height, height.data());
     }
     for (std::size_t lane = 0; lane < count; ++lane) {
       const Point& one = points[first + lane];
       Foot& foot = feet[first + lane];
       foot.facet = one.facet;
+      const bool has_foot = one.facet >= 0 && on_face[lane] && stands[static_cast<int>(lane)];
+      if (all_inside) *all_inside = *all_inside && has_foot && well_inside[static_cast<int>(lane)];
       if (one.facet < 0) continue;
       const Half& half = base.half[one.facet];
       for (int I = 0; I < 3; ++I) foot.node[I] = base.facets(I, one.facet), foot.weight[I] = one.over.weight[I];
       foot.nodes = 3, foot.normal = one.over.normal, foot.height = one.over.height;
-      if (half.cut < 0 || !stands[static_cast<int>(lane)]) continue;
+      if (!has_foot) continue;
       foot.weight[half.cut] = weight[0][lane], foot.weight[(half.cut + 1) % 3] = weight[2][lane];
       foot.weight[(half.cut + 2) % 3] = weight[3][lane];
-      if (weight[1][lane] != 0) foot.nodes = 4, foot.node[3] = half.fourth, foot.weight[3] = weight[1][lane];
+      foot.nodes = 4, foot.node[3] = half.fourth, foot.weight[3] = weight[1][lane];
       foot.normal = {normal[0][lane], normal[1][lane], normal[2][lane]}, foot.height = height[lane];
     }
   }
@@ -163,16 +178,30 @@ void find_feet(const BaseSurface& base, const Vectors& x, std::span<const Point>
 /// Finds the feet of points of a face; without a facet where there is none, or far away from it.
 ///
 /// shape(k)  shape functions of the face at point k
-template <class Shape>
-void find_feet_of(const BaseSurface& base, const Vectors& x, const Face& face, Index from, Shape&& shape, std::span<Foot> feet) {
-  std::array<Point, static_cast<std::size_t>(4 * points_of_corner)> points;
+/// last      facets where the points may still be; empty: not known
+/// is_same_part(foot)  whether a foot there would be of the part of the base that `from` is of
+template <class Shape, class SamePart>
+void find_feet_of(const BaseSurface& base, const Vectors& x, const Face& face, Index from, Shape&& shape, std::span<const Index> last,
+                  SamePart&& is_same_part, std::span<Foot> feet) {
+  std::array<Point, static_cast<std::size_t>(4 * points_of_corner)> all;
+  const std::span points = std::span(all).first(feet.size());
+  bool known = !last.empty();
   for (std::size_t k = 0; k < feet.size(); ++k) {
     const std::array<double, 4>& phi = shape(k);
     points[k].place.setZero();
     for (int j = 0; j < face.corners; ++j) points[k].place += phi[static_cast<std::size_t>(j)] * x.col(face.node[j]);
-    points[k].facet = facet_below(base, x, points[k].place, from, points[k].over);
+    if (!last.empty()) points[k].facet = last[k], known = known && last[k] >= 0;
   }
-  find_feet(base, x, std::span(points).first(feet.size()), feet);
+  if (known) find_feet(base, x, points, feet, &known);
+  known = known && std::all_of(feet.begin(), feet.end(), is_same_part);
+  if (!known) {
+    for (Point& one : points) {
+      const Index facet = facet_below(base, x, one.place, from, one.over);
+      one.facet = facet < 0 ? -1 : named_half(base, facet);
+      if (one.facet != facet) one.over = height_over(base, x, {one.facet, geometry::Kind::facet, 0}, one.place);
+    }
+    find_feet(base, x, points, feet);
+  }
   for (Foot& foot : feet)
     if (foot.facet >= 0 && (foot.height < -deepest * face.side || foot.height > farthest * face.side)) foot.facet = -1;
 }
@@ -183,7 +212,8 @@ void find_parts(const BaseSurface& base, const Vectors& x, const Face& face, Ind
   const auto all = static_cast<std::size_t>(points_of_corner * face.corners);
   points.foot.resize(all), points.taken_by.resize(all);
   std::array<int, 4> count{};
-  find_feet_of(base, x, face, from, [&](std::size_t k) { return shape_of_part(face.corners, k); }, points.foot);
+  find_feet_of(base, x, face, from, [&](std::size_t k) -> const auto& { return shape_of_part(face.corners, k); }, {},
+               [](const Foot&) { return true; }, points.foot);
   for (std::size_t k = 0; k < all; ++k)
     if (points.foot[k].facet >= 0) ++count[k / points_of_corner];
   const int most = *std::max_element(count.begin(), count.end());
@@ -199,16 +229,42 @@ void find_parts(const BaseSurface& base, const Vectors& x, const Face& face, Ind
   }
 }
 
+/// The part of a base that a facet belongs to: of its body, and turned like it.
+struct PartOfBase {
+  const Subset& of_facet;
+  Index facet;
+  Vec3 normal;
+
+  PartOfBase(const Interface& interface, const Vectors& x, Index one)
+      : of_facet(interface.bodies.of_facet), facet(one), normal(facet_normal(interface.base, x, one)) {}
+  bool has(const Foot& foot) const {
+    return foot.facet >= 0 && foot.normal.dot(normal) > plain &&
+           (of_facet.empty() || of_facet[static_cast<std::size_t>(foot.facet)] == of_facet[static_cast<std::size_t>(facet)]);
+  }
+};
+
+/// Whether the feet that were found for another apex are over the same part of the base.
+bool is_same_part(const Interface& interface, const Vectors& x, const FacePoints& points, Index from) {
+  if (points.from == from) return true;
+  const PartOfBase part(interface, x, from);
+  return std::any_of(points.foot.begin(), points.foot.end(), [&](const Foot& foot) { return part.has(foot); });
+}
+
 /// Whether a face turns to the side of the base that a facet is on.
 bool faces(const BaseSurface& base, const Vectors& x, const Face& face, Index facet) {
   return -face.normal.dot(facet_normal(base, x, facet)) >= facing;
 }
 
 /// Finds how a face lies on the part of a base that a facet belongs to, and where its points are.
-void find_points(const BaseSurface& base, const Vectors& x, const Face& face, Index from, FacePoints& points) {
+void find_points(const Interface& interface, const Vectors& x, const Face& face, Index from, FacePoints& points) {
+  const BaseSurface& base = interface.base;
   points.foot.assign(static_cast<std::size_t>(face.corners), {});
   points.lies = Lies::apart;
-  find_feet_of(base, x, face, from, [&](std::size_t q) { return shape_at_points(face.corners, q); }, points.foot);
+  const PartOfBase part(interface, x, from);
+  const auto corners = static_cast<std::size_t>(face.corners);
+  find_feet_of(base, x, face, from, [&](std::size_t q) -> const auto& { return shape_at_points(face.corners, q); },
+               std::span(points.last).first(corners), [&](const Foot& foot) { return part.has(foot); }, points.foot);
+  for (std::size_t q = 0; q < corners; ++q) points.last[q] = points.foot[q].facet;
   int found = 0;
   bool is_near = false, leans = false;
   for (std::size_t q = 0; q < points.foot.size(); ++q) {
@@ -244,36 +300,27 @@ void sum_by_corner(const BaseSurface& base, FacePoints& points) {
       if (at == points.base.end()) points.base.push_back(foot.node[l]);
     }
   }
-  const std::size_t row = corners + points.base.size();
-  points.push.assign(corners * row, Vec3::Zero());
+  using Four = Eigen::Array4d;  // of the corners
+  points.push.assign(12 * (corners + points.base.size()), 0.0);
+  const auto add = [&](std::size_t node, const Vec3& part, const Four& weight) {
+    double* at = &points.push[12 * node];
+    for (int axis = 0; axis < 3; ++axis) Eigen::Map<Four>(at + 4 * axis) += part(axis) * weight;
+  };
+  Four gap = Four::Zero(), part = gap, nx = gap, ny = gap, nz = gap;
   for (std::size_t q = 0; q < points.foot.size(); ++q) {
     const Foot& foot = points.foot[q];
     if (foot.facet < 0) continue;
     const std::array<double, 4>& phi = whole ? shape_at_points(face.corners, q) : shape_of_part(face.corners, q);
-    const double gap = foot.height - stand_off(base, foot.facet);
-    for (std::size_t a = 0; a < corners; ++a) {
-      if (!whole && points.taken_by[q] != static_cast<int>(a)) continue;
-      const double weight = whole ? dual(face.corners, static_cast<int>(q), static_cast<int>(a)) : 1.0 / points_of_corner;
-      CornerSum& sum = points.corner[a];
-      sum.part += weight, sum.gap += weight * gap, sum.normal += weight * foot.normal;
-      Vec3* const push = &points.push[a * row];
-      for (std::size_t j = 0; j < corners; ++j) push[j] += weight * phi[j] * foot.normal;
-      for (std::size_t l = 0; l < static_cast<std::size_t>(foot.nodes); ++l) push[corners + place[q][l]] -= weight * foot.weight[l] * foot.normal;
-    }
+    Four weight = Four::Zero();
+    if (whole) weight = Eigen::Map<const Four>(duals_at(face.corners, q).data());
+    else weight(points.taken_by[q]) = 1.0 / points_of_corner;
+    gap += (foot.height - stand_off(base, foot.facet)) * weight, part += weight;
+    nx += foot.normal.x() * weight, ny += foot.normal.y() * weight, nz += foot.normal.z() * weight;
+    for (std::size_t j = 0; j < corners; ++j) add(j, phi[j] * foot.normal, weight);
+    for (std::size_t l = 0; l < static_cast<std::size_t>(foot.nodes); ++l) add(corners + place[q][l], -foot.weight[l] * foot.normal, weight);
   }
-  if (!whole) return;
-  for (CornerSum& sum : points.corner) sum.part = 1;
-}
-
-/// Whether the feet that were found for another apex are over the same part of the base.
-bool is_same_part(const Interface& interface, const Vectors& x, const FacePoints& points, Index from) {
-  if (points.from == from) return true;
-  const Vec3 normal = facet_normal(interface.base, x, from);
-  const auto& of_facet = interface.bodies.of_facet;
-  return std::any_of(points.foot.begin(), points.foot.end(), [&](const Foot& foot) {
-    return foot.facet >= 0 && foot.normal.dot(normal) > plain &&
-           (of_facet.empty() || of_facet[static_cast<std::size_t>(foot.facet)] == of_facet[static_cast<std::size_t>(from)]);
-  });
+  for (int a = 0; a < face.corners; ++a)
+    points.corner[static_cast<std::size_t>(a)] = {whole ? 1 : part(a), gap(a), Vec3(nx(a), ny(a), nz(a))};
 }
 
 }  // namespace
@@ -352,21 +399,24 @@ OverPoints sum_points(const Interface& interface, const Vectors& x, Index apex, 
     const Face& face = face_of(interface.faces, x, share.face, work);
     if (!faces(interface.base, x, face, facet)) continue;
     if (points.step != work.step || !is_same_part(interface, x, points, facet)) {
-      find_points(interface.base, x, face, facet, points);
+      find_points(interface, x, face, facet, points);
       sum_by_corner(interface.base, points);
       points.step = work.step, points.from = facet;
     }
     if (points.lies == Lies::leaning) sum.of_node += share.area;
     if (points.lies != Lies::whole && points.lies != Lies::in_part) continue;
-    const auto corners = static_cast<std::size_t>(face.corners), row = corners + points.base.size();
     const auto a = static_cast<std::size_t>(corner_of(face, node));
     const CornerSum& of_corner = points.corner[a];
     sum.covered_elsewhere = sum.covered_elsewhere || !(of_corner.part > 0);
     if (!(of_corner.part > 0)) continue;
     sum.area += share.area * of_corner.part, sum.gap += share.area * of_corner.gap, sum.normal += share.area * of_corner.normal;
-    const Vec3* push = &points.push[a * row];
-    for (std::size_t j = 0; j < corners; ++j) add_to(face.node[j], share.area * *push++, true, work);
-    for (const Index of_base : points.base) add_to(of_base, share.area * *push++, false, work);
+    const double* push = &points.push[a];
+    const auto add = [&](Index one, bool of_apex_side) {
+      add_to(one, Vec3(share.area * push[0], share.area * push[4], share.area * push[8]), of_apex_side, work);
+      push += 12;
+    };
+    for (int j = 0; j < face.corners; ++j) add(face.node[j], true);
+    for (const Index of_base : points.base) add(of_base, false);
   }
   return sum;
 }
