@@ -111,11 +111,13 @@ Kept kept_of(const Interface& interface, const Motion& m, const Vectors& x, cons
 }
 
 /// Finds which apexes are in contact, or near to it, where the nodes would be.
-void find(const Interface& interface, const Motion& m, Memory& memory, Workspace& workspace, Multipliers& all) {
-  const auto look = [&](const Vectors& x, const Vectors& way, double dt) {
-    const bool automatic = interface.bodies.count() > 0;  // which has been searched for
-    const double ahead = &x == &all.ahead ? all.way_apart : 0;
-    const Moved moved = automatic ? along_way(memory.way, ahead) : from_search(search_where_due(interface, x, way, memory, workspace));
+///
+/// returns  how far they can have gone against each other by the end of the step
+Moved find(const Interface& interface, const Motion& m, Memory& memory, Workspace& workspace, Multipliers& all) {
+  const bool automatic = interface.bodies.count() > 0;  // which has been searched for
+  const auto look = [&](const Vectors& x, const Vectors& way, double dt, double ahead) {
+    if (!automatic) search_where_due(interface, x, way, memory, workspace);
+    const Moved moved = along_way(memory.way, ahead);
     parallel_for(static_cast<Index>(memory.near.size()), 64, [&](Index i) {
       Near& near = memory.near[i];
       near.earlier = near.pressed;
@@ -132,9 +134,12 @@ void find(const Interface& interface, const Motion& m, Memory& memory, Workspace
       near.element.moved = near.pressed > 0 && !same(memory.feature[near.apex], before);
       near.rests = near.tracks.count == 0 && near.element.count == 0;
     });
+    return moved;
   };
-  if (!(m.dt > 0)) look(m.x, m.v, 0);  // at the start apexes may stand behind the surface
-  look(all.ahead, all.way, m.dt + m.next);
+  const auto apart = [&](const Vectors& v) { return speed_apart(v, {interface.apexes, interface.base_nodes}); };
+  if (!automatic) memory.way += m.dt * apart(m.v);
+  if (!(m.dt > 0)) look(m.x, m.v, 0, 0);  // at the start apexes may stand behind the surface
+  return look(all.ahead, all.way, m.dt + m.next, automatic ? all.way_apart : m.next * apart(all.velocity));
 }
 
 /// Whether the foot of a point on the plane of a facet is outside of that facet.
@@ -645,7 +650,7 @@ bool is_by_points_alone(const Interface& interface, const Vectors& x, const Near
 
 /// Finds the condition of a stencil over points of the faces around the apex, or by the apex itself where none of them lies on the base;
 /// false if there is none. Friction has the foot of the apex in any case.
-bool find_over_points(const Interface& interface, const Motion& m, const Memory& memory, Near& near, int s, PointWork& work,
+bool find_over_points(const Interface& interface, const Motion& m, const Memory& memory, Near& near, int s, Moved moved, PointWork& work,
                       Multipliers& all, Condition& c) {
   Stencil& stencil = near.element.stencil[s];
   const bool pushes = !stencil.push.isZero(0);
@@ -699,18 +704,27 @@ bool find_over_points(const Interface& interface, const Motion& m, const Memory&
     const Vec3 speed = all.velocity.col(interface.apexes[near.apex]) - all.velocity.col(one.node);
     fastest = std::max(fastest, speed.squaredNorm());
   }
-  return can_touch(between(interface, near.apex, stencil.facet), m, c.gap, std::sqrt(fastest));
+  if (can_touch(between(interface, near.apex, stencil.facet), m, c.gap, std::sqrt(fastest))) return true;
+  if (near.element.count == 1) near.no_condition_until = moved.until(c.gap);
+  return false;
+}
+
+/// Whether an apex cannot have come so near since it was last looked at that it has a condition.
+bool has_no_condition(const Interface& interface, Moved moved, const Near& near) {
+  if (near.pressed > 0 || near.element.count != 1 || !(near.no_condition_until > moved.now)) return false;
+  const double reach = reach_of(between(interface, near.apex, near.element.stencil[0].facet), 0.5 * (moved.now - moved.from));
+  return moved.now + reach < near.no_condition_until;
 }
 
 /// Finds the condition of a stencil; false if there is none.
-bool find(const Interface& interface, const Motion& m, const Memory& memory, Near& near, int s, Ahead& ahead, PointWork& work,
-          Multipliers& all, Condition& c) {
+bool find(const Interface& interface, const Motion& m, const Memory& memory, Near& near, int s, Moved moved, Ahead& ahead,
+          PointWork& work, Multipliers& all, Condition& c) {
   Stencil& stencil = near.element.stencil[s];
   stencil.over_points = false, stencil.shares = 0;
   const Heights heights = between(interface, near.apex, stencil.facet).heights;
   bool made = interface.heights == Heights::nodes && make_ahead(interface, m.x, memory, near, ahead, all, c);
   if (!made && (std::isnan(stencil.level) || is_same_face(interface.base, near.element, s))) return false;
-  if (!made && heights == Heights::points) made = find_over_points(interface, m, memory, near, s, work, all, c);
+  if (!made && heights == Heights::points) made = find_over_points(interface, m, memory, near, s, moved, work, all, c);
   else if (!made) made = make(interface, m, memory, near, stencil, near.element.has_moment, all, c);
   if (made && heights == Heights::guards) made = guard_acts(interface, m, near, stencil.facet, all, c);
   return made && complete(m, near.pressed, memory.restitution[near.apex].held, all, c);
@@ -858,7 +872,7 @@ void find_conditions(const Interface& interface, const Motion& m, Memory& memory
   if (interface.kind == InterfaceKind::edges) return find_crossings(interface, m, memory, workspace, all), all.spent.end(Stage::edges);
   const double h = 0.5 * (m.dt + m.next);
   const std::size_t first_friction = all.frictions.size();
-  find(interface, m, memory, workspace, all);
+  const Moved moved = find(interface, m, memory, workspace, all);
   all.spent.end(Stage::track);
   ++workspace.points.step;
   Ahead ahead;
@@ -867,11 +881,13 @@ void find_conditions(const Interface& interface, const Motion& m, Memory& memory
     const auto first = static_cast<Index>(all.conditions.size());
     if (near.kept == Kept::points) follow_facet(interface, m.x, memory, near);
     near.by_points = false;
+    const bool has_none = has_no_condition(interface, moved, near);
+    if (!has_none) near.no_condition_until = -infinite;
     join_on_ridge(interface.base, m.x, m.x.col(interface.apexes[near.apex]), near.element);
     for (int s = 0; s < near.element.count; ++s) {
       Stencil& stencil = near.element.stencil[s];
       Condition& c = begin_condition(all);
-      if (!find(interface, m, memory, near, s, ahead, workspace.points, all, c)) {
+      if (has_none || !find(interface, m, memory, near, s, moved, ahead, workspace.points, all, c)) {
         stencil.apex = 0, stencil.over_points = false, stencil.weight = {}, stencil.fourth = 0, stencil.push.setZero();
         take_back(all);
         continue;

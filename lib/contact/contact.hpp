@@ -201,6 +201,8 @@ struct Near {
   bool rests = false;     ///< free, and its forces are booked: nothing is to do while it is clear
   Kept kept = Kept::nothing;  ///< by multipliers
   bool by_points = false;     ///< its gap was that of points alone in the step before
+  /// [m] By multipliers: as long as Moved::now and the reach of a condition are less together, it has none.
+  double no_condition_until = -std::numeric_limits<double>::infinity();
   double pressed = 0, earlier = 0;  ///< [N] by multipliers in the step before and in that before: where the sweeps of the next one begin
   Index pressed_most = -1;  ///< by multipliers, the facet that pushed it most in the step before: friction acts on the body of that
   Tracks tracks;
@@ -291,7 +293,7 @@ struct Memory {
   std::int64_t searches = 0;
   int looks = 0;               ///< at how far apexes and base have moved, since the last search
   double margin = 0;               ///< [m] of the last search
-  /// [m] By which nodes have gone against each other at the most: of edges, and of an automatic contact since the last search.
+  /// [m] By which nodes have gone against each other at the most, by multipliers; of an automatic contact since the last search.
   double way = 0;
   std::vector<double> apart_from_itself;  ///< [m] [bodies] beyond h_c, by which folds of each were apart when it was last searched, or zero
   Vectors apart_then;                     ///< [m] positions then, beside Bodies::nodes

@@ -229,7 +229,7 @@ void search(const Interface& interface, const Vectors& x, Memory& memory, Worksp
     Near& now = workspace.near.back();
     now.first_facet = facets;
     now.facets = workspace.facets[a];
-    now.clear = now.tracks.owned = -infinite;
+    now.clear = now.no_condition_until = now.tracks.owned = -infinite;
     now.rests = false;
     facets += now.facets;
     memory.slot[a] = static_cast<Index>(workspace.near.size()) - 1;
