@@ -59,8 +59,10 @@ void follow_thickness(const Interface& interface, const Scalars& half_growth, Me
     if (!(std::abs(change) > worth_following * interface.contact_height(a))) continue;
     memory.thicker[a] += change;
     if (!near) continue;
+    near->no_condition_until -= std::max(0.0, change);
+    near->clear -= std::max(0.0, change);
+    if (near->rests) continue;
     near->clear = -std::numeric_limits<double>::infinity();
-    near->rests = false;
     const double height = contact_height(interface, memory, a);
     for (int t = 0; t < near->tracks.count; ++t) {
       double& level = near->tracks.track[t].height;

@@ -62,7 +62,8 @@ Nearest nearest_of(const Interface& interface, const Vectors& x, Index a, std::s
     const geometry::Closest there = geometry::closest_on_triangle(corner, p);
     const double gap = squared_gap(interface.base, f, there.distance_squared);
     if (gap < best.least_gap) best.feature = {f, there.kind, there.local}, best.closest = there, best.least_gap = gap;
-    const double reaches = whole_past_wall * interface.base.size(f) + stand_off(interface.base, f);
+    const double past_border = there.kind == geometry::Kind::facet ? 0 : whole_past_wall * interface.base.size(f);
+    const double reaches = past_border + stand_off(interface.base, f);
     best.clear = std::min(best.clear, std::sqrt(there.distance_squared) - reaches);
   }
   return best;
