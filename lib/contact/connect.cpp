@@ -17,7 +17,6 @@ using geometry::Closest;
 using geometry::Kind;
 
 constexpr double bond_past_border = 0.05;  // of a facet's size: half of what a border apex stands for lies inside
-constexpr Index facets_at_first = 32;   // near an apex, for which memory is taken at the start
 
 /// How an apex stands over its nearest facet at the start.
 struct Start {

@@ -33,6 +33,8 @@ Workspace::Workspace(const Interface& interface)
       spring_sum(Scalars::Zero(std::max<Eigen::Index>(1, static_cast<Eigen::Index>(interface.base.ring_begin.size())) - 1)),
       rotation_sum(Scalars::Zero(interface.friction.coefficient > 0 && !interface.rotation_of_node.empty() ? spring_sum.size() : 0)) {
   near.reserve(interface.apexes.size());
+  found.resize((interface.apexes.size() + apexes_of_a_range - 1) / apexes_of_a_range);
+  for (Subset& one : found) one.reserve(static_cast<std::size_t>(facets_at_first * apexes_of_a_range));
   if (interface.heights != Heights::nodes) {
     points.of_face.resize(static_cast<std::size_t>(interface.faces.faces.cols()));
     points.place.resize(interface.base.ring_begin.size());

@@ -345,6 +345,9 @@ struct EdgeBox {
   Vec3 low, high;  ///< [m]
 };
 
+constexpr Index apexes_of_a_range = 64;  ///< that are searched for one after the other, whatever the number of threads
+constexpr Index facets_at_first = 32;    ///< of an apex, for which there is room before any search
+
 /// What an interface works with and may throw away between steps.
 struct Workspace {
   explicit Workspace(const Interface&);
@@ -356,6 +359,7 @@ struct Workspace {
   Vectors normals;                           ///< [facets] of bodies that touch themselves
   PointWork points;                          ///< where heights are those of points
   Subset facets;           ///< [apexes] how many facets a search found near
+  std::vector<Subset> found;  ///< these facets, by ranges of apexes
   std::vector<Near> near;  ///< the next list of near apexes
   std::vector<EdgeBox> edges, base_edges, base_ridges;  ///< what a search looks at
   std::vector<EdgePair> edge_pairs;        ///< the next list of pairs

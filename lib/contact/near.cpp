@@ -207,16 +207,24 @@ void search(const Interface& interface, const Vectors& x, Memory& memory, Worksp
   if (!sort(interface, x, memory, workspace)) return;
   keep_search(interface, x, memory);
   const auto count = static_cast<Index>(interface.apexes.size());
-  parallel_for(count, 64, [&](Index a) {
-    Index found = 0;
-    workspace.apex_near_itself[a] = visit_near(interface, x, memory, workspace, a, [&](Index) { ++found; });
-    workspace.facets[a] = found;
+  const Index ranges = (count + apexes_of_a_range - 1) / apexes_of_a_range;
+  parallel_for(ranges, 1, [&](Index r) {
+    Subset& found = workspace.found[static_cast<std::size_t>(r)];
+    found.clear();
+    for (Index a = r * apexes_of_a_range; a < std::min(count, (r + 1) * apexes_of_a_range); ++a) {
+      const std::size_t before = found.size();
+      workspace.apex_near_itself[a] = visit_near(interface, x, memory, workspace, a, [&](Index facet) { found.push_back(facet); });
+      std::sort(found.begin() + static_cast<std::ptrdiff_t>(before), found.end());
+      workspace.facets[a] = static_cast<Index>(found.size() - before);
+    }
   });
   std::fill(workspace.near_itself.begin(), workspace.near_itself.end(), char{0});
   for (std::size_t a = 0; a < interface.bodies.of_apex.size(); ++a)
     if (workspace.apex_near_itself[a] != 0) workspace.near_itself[static_cast<std::size_t>(interface.bodies.of_apex[a])] = 1;
   keep_apart_from_itself(interface, x, workspace, memory);
   workspace.near.clear();
+  memory.near_facets.clear();
+  for (const Subset& found : workspace.found) memory.near_facets.insert(memory.near_facets.end(), found.begin(), found.end());
   Index facets = 0;
   for (Index a = 0; a < count; ++a) {
     const Near* was = near(memory, a);
@@ -236,13 +244,6 @@ void search(const Interface& interface, const Vectors& x, Memory& memory, Worksp
     memory.slot[a] = static_cast<Index>(workspace.near.size()) - 1;
   }
   std::swap(memory.near, workspace.near);
-  memory.near_facets.resize(facets);
-  parallel_for(static_cast<Index>(memory.near.size()), 64, [&](Index i) {
-    const Near& one = memory.near[i];
-    Index at = one.first_facet;
-    visit_near(interface, x, memory, workspace, one.apex, [&](Index facet) { memory.near_facets[at++] = facet; });
-    std::sort(memory.near_facets.begin() + one.first_facet, memory.near_facets.begin() + at);
-  });
 }
 
 double speed_apart(const Vectors& v) {

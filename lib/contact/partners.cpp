@@ -1,23 +1,40 @@
 #include "contact/partners.hpp"
 
+#include <Eigen/SVD>
 #include <algorithm>
+#include <cmath>
 
 namespace nereid::contact {
 
 namespace {
 
 
+/// By how much two nodes of a body can have come nearer since it was last searched: the diagonal of the box around the displacements of all
+/// from where a rigid motion of the body would have them, of that motion which fits all nodes best (Kabsch 1976). [m]
+double change_of_shape(const Bodies& bodies, const Vectors& x, const Memory& memory, Index body) {
+  const Index first = bodies.first_node[body], last = bodies.first_node[body + 1];
+  Vec3 now = Vec3::Zero(), then = Vec3::Zero();
+  for (Index i = first; i < last; ++i) now += x.col(bodies.nodes[i]), then += memory.apart_then.col(i);
+  now /= last - first, then /= last - first;
+  Mat3 together = Mat3::Zero();
+  for (Index i = first; i < last; ++i) together += (x.col(bodies.nodes[i]) - now) * (memory.apart_then.col(i) - then).transpose();
+  if (!together.allFinite()) return infinite;
+  const Eigen::JacobiSVD<Mat3> parts(together, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  Vec3 hand = Vec3::Ones();
+  hand.z() = (parts.matrixU() * parts.matrixV().transpose()).determinant() < 0 ? -1 : 1;
+  const Mat3 turn = parts.matrixU() * hand.asDiagonal() * parts.matrixV().transpose();
+  Vec3 least = Vec3::Constant(infinite), most = -least;
+  for (Index i = first; i < last; ++i) {
+    const Vec3 rest = x.col(bodies.nodes[i]) - now - turn * (memory.apart_then.col(i) - then);
+    least = least.cwiseMin(rest), most = most.cwiseMax(rest);
+  }
+  return (most - least).norm();
+}
+
 /// Whether a body may have come near to itself since it was last searched.
 bool may_be_near_itself(const Bodies& bodies, const Vectors& x, const Memory& memory, Index body) {
   const double apart = memory.apart_from_itself[static_cast<std::size_t>(body)];
-  if (!(apart > 0)) return true;
-  Vec3 least = Vec3::Constant(infinite), most = -least;
-  for (Index i = bodies.first_node[body]; i < bodies.first_node[body + 1]; ++i) {
-    const Vec3 way = x.col(bodies.nodes[i]) - memory.apart_then.col(i);
-    least = least.cwiseMin(way), most = most.cwiseMax(way);
-  }
-  const double change = (most - least).norm();
-  return !(change <= apart - memory.margin);
+  return !(apart > 0) || !(change_of_shape(bodies, x, memory, body) <= apart - memory.margin);
 }
 
 }  // namespace

@@ -9,8 +9,8 @@ constexpr double farther_from_itself = 0.25;  ///< of the margin: so much farthe
 
 /// Finds which bodies are so near to each other that they may touch before the next search.
 ///
-/// A body is a partner of itself unless a search has found its folds apart and its shape has changed by less since: two nodes have then
-/// come nearer by no more than the diagonal of the box around the displacements of all.
+/// A body is a partner of itself unless a search has found its folds apart and its shape has changed by less since, whatever its rigid
+/// motion.
 void find_partners(const Interface&, const Vectors& x, const Memory&, Workspace&);
 
 /// Whether a body is a partner of itself, or of any.

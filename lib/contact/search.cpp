@@ -52,7 +52,12 @@ bool BroadSearch::sort(const BaseSurface& base, const Vectors& x) {
   std::fill_n(begin_.begin(), last + 1, 0);
   for (Index f = first_; f < last_facet; ++f) ++begin_[cell_of(centre(base, x, f))];
   for (Index c = 0; c < last; ++c) begin_[c + 1] += begin_[c];
-  for (Index f = last_facet - 1; f >= first_; --f) facets_[--begin_[cell_of(centre(base, x, f))]] = f;
+  centres_.resize(3, facets);
+  for (Index f = last_facet - 1; f >= first_; --f) {
+    const Vec3 c = centre(base, x, f);
+    const Index at = --begin_[cell_of(c)];
+    facets_[at] = f, centres_.col(at) = c;
+  }
   sorted_ = true;
   return true;
 }

@@ -30,6 +30,7 @@ class BroadSearch {
   }
 
  private:
+  static constexpr double round_off = 1e-9;
   struct Box {
     Eigen::Vector3i first, last;
   };
@@ -38,6 +39,7 @@ class BroadSearch {
   Eigen::Vector3i count_ = Eigen::Vector3i::Ones();
   std::vector<Index> begin_;  // of each cell in facets_
   Subset facets_;
+  Vectors centres_;  // [m] of facets_
   Index first_;
   bool sorted_ = false;
   Index cell_of(int i, int j, int k) const { return (k * count_.y() + j) * count_.x() + i; }
@@ -51,11 +53,13 @@ void BroadSearch::within(const BaseSurface& base, const Vectors& x, const Vector
                          Wanted&& wanted) const {
   if (!can_find(point)) return;
   const Box box = cells_around(point, reach);
+  const double farther = (1 + round_off) * (reach + radius_);
   for (int k = box.first.z(); k <= box.last.z(); ++k)
     for (int j = box.first.y(); j <= box.last.y(); ++j)
       for (int i = box.first.x(); i <= box.last.x(); ++i)
         for (Index at = begin_[cell_of(i, j, k)]; at < begin_[cell_of(i, j, k) + 1]; ++at) {
-          if (!wanted(facets_[at])) continue;
+          const Vec3 apart = centres_.col(at) - Vec3(point.x, point.y, point.z);
+          if (!(apart.squaredNorm() <= farther * farther) || !wanted(facets_[at])) continue;
           const double squared = geometry::closest_on_triangle(corners(base, x, facets_[at]), point).distance_squared;
           if (squared < reach * reach) visit(facets_[at], squared);
         }

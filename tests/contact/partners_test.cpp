@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
 #include <memory>
 
 #include "tests/contact/surfaces.hpp"
@@ -74,14 +76,15 @@ TEST(Partners, AreNotBodiesOfThemselvesThatWereApartUntilTheirShapeChanges) {
   keep_apart_from_itself(scene.interface, scene.x, *scene.workspace, scene.memory);
   EXPECT_FALSE(is_own_partner(scene, 0));
   EXPECT_FALSE(has_partners(*scene.workspace, 1));
+  scene.x = (Eigen::AngleAxisd(2.5, Vec3(1, 2, 3).normalized()).toRotationMatrix() * scene.x).eval();
   scene.x.colwise() += Vec3(7, -8, 9);  // as a whole
   EXPECT_FALSE(is_own_partner(scene, 0));
-  scene.x(1, 2) += 0.024;
+  scene.x(1, 2) += 0.02;
   EXPECT_FALSE(is_own_partner(scene, 0));
-  scene.x(1, 2) += 0.002;  // more than it was looked for beyond the margin
+  scene.x(1, 2) += 0.01;  // more than it was looked for beyond the margin
   EXPECT_TRUE(is_own_partner(scene, 0));
   EXPECT_FALSE(is_own_partner(scene, 1));
-  scene.x(1, 2) -= 0.026;
+  scene.x(1, 2) -= 0.03;
   scene.memory.margin = 0.16;  // more than it was found apart by
   EXPECT_TRUE(is_own_partner(scene, 0));
 }
