@@ -297,7 +297,7 @@ bool make(const Interface& interface, const Motion& m, const Memory& memory, con
   if (near.tracks.count == 0 || (near.element.count == 1 && stencil.kind != geometry::Kind::facet)) {
     const bool is_facet = stencil.kind == geometry::Kind::facet;
     const double start = is_facet ? height_over(interface.base, m.x, feature(), p).height - stencil.level : c.gap;
-    c.gap += std::max(0.0, memory.gap[near.apex] - start - m.next * rate(c, all));
+    c.gap += std::max(0.0, memory.gap[near.apex] - start - m.next * relative(c, all, all.velocity));
   }
   if (!(push > 0)) {
     double fastest = 0;
@@ -380,13 +380,6 @@ bool is_same_face(const BaseSurface& base, const ElementForces& element, int s) 
   return false;
 }
 
-/// Whether constraints act on a node of a condition.
-bool is_constrained(const Condition& c, const Motion& m, const Multipliers& all) {
-  bool any = false;
-  each_node(c, all, [&](const Member& one) { any = any || m.allowed[one.node]; });
-  return any;
-}
-
 /// The rate a after a step in which a condition alone does the work E:  (a - free)/A (before + a)/2 = E.
 double rate_for(double E, const Condition& c) {
   const double difference = c.before - c.free;
@@ -395,23 +388,14 @@ double rate_for(double E, const Condition& c) {
 
 }  // namespace
 
+Vec3 let_through(const Motion& m, const Member& one) {
+  const Mat3* allowed = m.allowed[one.node];
+  return allowed ? Vec3(*allowed * one.push) : one.push;
+}
+
 bool complete(const Motion& m, double pressed, double held, Multipliers& all, Condition& c) {
-  Member* const members = &all.members[static_cast<std::size_t>(c.first)];
-  for (int j = 0; j < c.nodes; ++j) members[j].response = members[j].weight * all.mobility(members[j].node);
-  c.along = -1;
-  if (c.pushes >= 0 || is_constrained(c, m, all)) {
-    c.along = static_cast<Index>(all.along.size());
-    for (int j = 0; j < c.nodes; ++j) {
-      const Mat3* allowed = m.allowed[members[j].node];
-      const bool own = c.pushes >= 0 && members[j].weight != 0;
-      const Vec3 push = own ? Vec3(push_of(c, j, all) / members[j].weight) : c.normal;
-      all.along.push_back(allowed ? Vec3(*allowed * push) : push);
-    }
-  }
   double sum = 0;
-  each_node_along(c, all, [&](const Member& one, const Vec3& along) {
-    sum += (c.along < 0 ? 1 : along.squaredNorm()) * one.weight * one.response;
-  });
+  for (const Member& one : members_of(c, all)) sum += all.mobility(one.node) * let_through(m, one).squaredNorm();
   c.per_mass = m.rigid ? per_mass(*m.rigid, m, all, c) : sum;
   c.before = relative(c, all, m.v), c.free = relative(c, all, all.velocity);
   const double closing = (c.gap > 0 ? -c.gap : -corrected * c.gap) / m.next, impulse = 0.5 * pressed * (m.dt + m.next);
@@ -420,7 +404,7 @@ bool complete(const Motion& m, double pressed, double held, Multipliers& all, Co
   c.least = std::min(closing, may > 0 ? 0.5 * may : may);
   // the last force makes a small impulse where the step has fallen, and what this rate takes alone is not
   if (from_held > 0 && (c.least - c.free) * (c.least + c.before) > 2 * c.per_mass * held) c.least = std::min(c.least, rate_for(held, c));
-  return c.per_mass * m.mass(members[0].node) > no_response;
+  return c.per_mass * m.mass(members_of(c, all)[0].node) > no_response;
 }
 
 namespace {
@@ -487,11 +471,11 @@ bool make_ahead(const Interface& interface, const Vectors& x, const Memory& memo
   if (!ahead.stands[lane]) return false;
   Stencil& stencil = near.element.stencil[0];
   const int first = interface.base.half[stencil.facet].cut, second = next_corner[first], third = next_corner[second];
+  c.normal = {ahead.normal[0][lane], ahead.normal[1][lane], ahead.normal[2][lane]};
   add_member(interface.apexes[near.apex], 1, all, c);
   for (int I = 0; I < 4; ++I) add_member(ahead.corner[I][lane], -ahead.weight[I][lane], all, c);
   stencil.weight[first] = ahead.weight[0][lane], stencil.fourth = ahead.weight[1][lane];
   stencil.weight[second] = ahead.weight[2][lane], stencil.weight[third] = ahead.weight[3][lane];
-  c.normal = {ahead.normal[0][lane], ahead.normal[1][lane], ahead.normal[2][lane]};
   c.gap = ahead.height[lane] - stencil.level;
   return true;
 }
@@ -524,9 +508,10 @@ Index add_friction(const Touch& touch, const Coulomb& law, const Vec3& force, bo
   if (!(per_mass > no_response / m.mass(touch.apex >= 0 ? touch.apex : touch.node[0]))) per_mass = response(touch, m, false);
   const Vec3 impulse = 0.5 * (m.dt + m.next) * (force - touch.normal.dot(force) * touch.normal);
   const Vec3 before = slip_rate(touch, m.v, m.omega, m.rotation_of_node);
+  const Vec3 along = touch.normal.unitOrthogonal();
   all.frictions.push_back({.touch = touch, .coefficient = coefficient_at(law, stuck ? 0 : before.norm()), .per_mass = per_mass,
                            .bound = 0, .before = before, .stuck = Vec3::Zero(), .impulse = impulse, .change = Vec3::Zero(),
-                           .met = impulse, .moved = Vec3::Zero(), .after = before});
+                           .met = impulse, .moved = Vec3::Zero(), .after = before, .along = {along, touch.normal.cross(along)}, .row = {}});
   return static_cast<Index>(all.frictions.size()) - 1;
 }
 
@@ -607,7 +592,7 @@ double speed_over(const Interface& interface, const Multipliers& all, const Near
 
 /// Whether a guard acts: where it would be deeper than it may be, in this step or soon. Others would slow the sweeps down.
 bool guard_acts(const Interface& interface, const Motion& m, const Near& near, Index facet, const Multipliers& all, Condition& c) {
-  const double closing = steps_to_touch * m.next * std::min(0.0, rate(c, all));
+  const double closing = steps_to_touch * m.next * std::min(0.0, relative(c, all, all.velocity));
   if (!(near.pressed > 0) && !(c.gap + closing < 0)) return false;  // what it is allowed would only add to this
   c.gap += allowance(interface, m.x, near.apex, facet);
   return near.pressed > 0 || c.gap + closing < 0;
@@ -686,7 +671,6 @@ bool find_over_points(const Interface& interface, const Motion& m, const Memory&
   all.members.resize(static_cast<std::size_t>(c.first)), c.nodes = 0;
   if (!(area > 0)) return false;
   c.normal = along / area, c.gap = sum.gap / area;
-  c.pushes = static_cast<Index>(all.pushes.size());
   for (const Share& one : work.sum) {
     // on like meshes these are 0 or 1, and round-off beside that would set what lies still in motion
     const Vec3 push = (one.push / area).unaryExpr([](double part) {
@@ -694,8 +678,7 @@ bool find_over_points(const Interface& interface, const Motion& m, const Memory&
     });
     if (c.nodes > 0 && push.isZero(0)) continue;
     const double weight = push.norm();
-    add_member(one.node, one.of_apex_side ? weight : -weight, all, c);
-    all.pushes.push_back(push);
+    add_member(one.node, one.of_apex_side ? weight : -weight, push, all, c);
   }
   stencil.over_points = true;
   if (pushes) return true;
@@ -735,7 +718,6 @@ bool find(const Interface& interface, const Motion& m, const Memory& memory, Nea
 Condition& begin_condition(Multipliers& all) {
   Condition& c = all.conditions.emplace_back();
   c.first = static_cast<Index>(all.members.size());
-  c.pushes = c.along = -1;
   return c;
 }
 
@@ -822,8 +804,10 @@ Multipliers make_multipliers(std::span<const Interface> interfaces, std::span<co
     if (always[static_cast<std::size_t>(node)] != 0) all.always.push_back(node);
   all.conditions.reserve(most_of_an_apex * apexes);
   all.members.reserve(5 * most_of_an_apex * apexes);
-  all.along.reserve(5 * most_of_an_apex * apexes);
-  all.pushes.reserve(5 * most_of_an_apex * apexes);
+  for (auto* list : {&all.rows.velocity, &all.rows.given, &all.rows.push}) list->reserve(5 * most_of_an_apex * apexes);
+  for (auto* list : {&all.rows.slot, &all.rows.mover_of_slot, &all.rows.copies, &all.rows.slot_of_mover})
+    list->reserve(5 * most_of_an_apex * apexes);
+  all.rows.movers.reserve(all.nodes.size());
   all.frictions.reserve(apexes);
   all.contactors.reserve(apexes);
   all.unreleased.reserve(apexes);
@@ -927,8 +911,8 @@ void find_conditions(const RigidPlane& plane, const Motion& m, PlaneMemory& memo
     const Index node = plane.nodes[i];
     const auto first = static_cast<Index>(all.conditions.size());
     Condition& c = begin_condition(all);
-    add_member(node, 1, all, c);
     c.normal = plane.normal;
+    add_member(node, 1, all, c);
     c.gap = (m.x.col(node) - plane.point).dot(plane.normal);
     const double way = steps_to_touch * m.next * std::abs(plane.normal.dot(all.velocity.col(node)));
     const bool far = !(memory.force[i] > 0) && c.gap > std::max(multipliers_reach * plane.depth, way);
@@ -953,15 +937,25 @@ void find_conditions(const RigidPlane& plane, const Motion& m, PlaneMemory& memo
   let_yield(memory.friction_owed, plane.depth, m, first_friction, all);
 }
 
-void find_change(double pressed, const Motion& m, const Multipliers& all, FrictionCondition& friction) {
+void find_change(double pressed, const Vec3& rate, FrictionCondition& friction) {
   const double limit = friction.coefficient * pressed;
   friction.change.setZero();
   if (!(limit > 0) && friction.impulse.isZero(0)) return;
-  Vec3 now = friction.impulse - (rate(friction, m, all) - friction.stuck) / friction.bound;
+  Vec3 now = friction.impulse - (rate - friction.stuck) / friction.bound;
   const double size = now.norm();
   friction.slides = size > limit;
   if (friction.slides) now *= limit / size;
   friction.change = now - friction.impulse;
+}
+
+void move_all(const Motion& m, Multipliers& all) {
+  move(all.rows);
+  if (!all.bonds.touched) return;
+  for (const Mover& mover : all.rows.movers)
+    if (mover.kind == MoverKind::node) all.velocity.col(mover.of) = mover.velocity;
+  hold(m, all.velocity, all.bonds);
+  for (Mover& mover : all.rows.movers)
+    if (mover.kind == MoverKind::node && all.bonds.has[mover.of]) place(mover, all.velocity.col(mover.of), all.rows);
 }
 
 void apply_changes(const Motion& m, Multipliers& all) {
@@ -970,18 +964,18 @@ void apply_changes(const Motion& m, Multipliers& all) {
       Condition& c = all.conditions[i];
       if (c.change == 0) continue;
       c.impulse += c.change;
-      give(c, c.change, all);
+      give(c.row, c.change, all.rows);
     }
     if (one.friction < 0 || all.frictions[one.friction].change.isZero(0)) continue;
     FrictionCondition& condition = all.frictions[one.friction];
     condition.impulse += condition.change;
-    give(condition, condition.change, m, all);
+    give(condition, condition.change, all.rows);
   }
-  if (m.rigid) settle(*m.rigid, m, all.velocity);
-  if (all.bonds.touched) hold(m, all.velocity, all.bonds);
+  move_all(m, all);
 }
 
 void find_work(const Motion& m, Multipliers& all) {
+  find_velocities(m, all);
   for (Contactor& one : all.contactors) {
     one.work = 0;
     for (Index i = one.first; i < one.last; ++i) {
@@ -991,7 +985,7 @@ void find_work(const Motion& m, Multipliers& all) {
     }
   }
   for (FrictionCondition& condition : all.frictions) {
-    condition.after = rate(condition, m, all);
+    condition.after = rate(condition, all);
     condition.work = work(condition, condition.after);
   }
 }

@@ -11,11 +11,9 @@
 #include "contact/bond.hpp"
 #include "contact/contact.hpp"
 #include "contact/rigid_plane.hpp"
+#include "contact/rows.hpp"
 
 namespace nereid::contact {
-
-/// A sweep sums what it has done over so many contactors at a time, whatever the number of threads.
-constexpr Index contactors_of_a_range = 256;
 
 struct RigidNodes;
 
@@ -50,8 +48,8 @@ Value mean_to_come(const Value& before, const Value& after, double share) {
 /// A node of a condition.
 struct Member {
   Index node;
-  double weight;        ///< size of its share of the push, positive of the side of the apex, negative of the base
-  double response = 0;  ///< [m/s per N s] velocity along its push per impulse, without constraints; set by complete()
+  double weight;  ///< size of its share of the push, positive of the side of the apex, negative of the base
+  Vec3 push;      ///< what it gets of an impulse of the condition
 };
 
 /// One condition: an apex over a feature, or a node over a rigid plane. What sweeps read and write comes first.
@@ -63,8 +61,7 @@ struct Condition {
   double least;                    ///< [m/s] relative velocity that may be afterwards
   int nodes;                       ///< 1 over a rigid plane, 4 over a facet, 5 over a face of a hexahedron, more over points of faces
   Index first;                     ///< of its nodes in Multipliers::members, the apex before those of the base
-  Index pushes;                    ///< of the first of them in Multipliers::pushes, or -1: all are pushed along the normal
-  Index along;                     ///< of the first of them in Multipliers::along, or -1: the same, and constraints act on none
+  Row row;                         ///< set by make_rows()
   Vec3 normal;                     ///< unit vector, from the base to the apex
   double before;                   ///< [m/s] relative velocity in the step before
   double free;                     ///< [m/s] relative velocity afterwards if no multiplier acted
@@ -83,6 +80,8 @@ struct FrictionCondition {
   Vec3 impulse, change;  ///< [N s]
   Vec3 met, moved;       ///< [N s] as of a condition
   Vec3 after;            ///< [m/s] slip rate afterwards, set by find_work()
+  std::array<Vec3, 2> along;  ///< unit vectors in the plane
+  std::array<Row, 2> row;     ///< along these, set by make_rows()
   bool slides = false;   ///< at its limit, set by find_change()
   double work = 0;       ///< [J] in this step
 };
@@ -183,8 +182,7 @@ struct Multipliers {
   double way_apart = 0;  ///< [m] in an automatic contact, that nodes go against each other in the step to come, at most
   std::vector<Condition> conditions;
   std::vector<Member> members;  ///< of the conditions, one after the other
-  std::vector<Vec3> pushes;     ///< of conditions over points, whose normals differ, node by node
-  std::vector<Vec3> along;      ///< what constraints let through of pushes, or of normals of conditions that they act on, node by node
+  Rows rows;
   std::vector<FrictionCondition> frictions;
   std::vector<Contactor> contactors;
   std::vector<Unreleased> unreleased;  ///< of contactors that end in this step
@@ -201,84 +199,42 @@ Multipliers make_multipliers(std::span<const Interface>, std::span<const RigidPl
 /// Begins a condition that add_member() gives its nodes; take_back() ends it again.
 Condition& begin_condition(Multipliers&);
 void take_back(Multipliers&);
-inline void add_member(Index node, double weight, Multipliers& all, Condition& c) {
-  all.members.push_back({node, weight});
+inline void add_member(Index node, double weight, const Vec3& push, Multipliers& all, Condition& c) {
+  all.members.push_back({node, weight, push});
   ++c.nodes;
 }
+/// The same of a node that is pushed along the normal.
+inline void add_member(Index node, double weight, Multipliers& all, Condition& c) { add_member(node, weight, weight * c.normal, all, c); }
 
 /// Its nodes, the apex before those of the base.
 inline std::span<const Member> members_of(const Condition& c, const Multipliers& all) {
   return {&all.members[static_cast<std::size_t>(c.first)], static_cast<std::size_t>(c.nodes)};
 }
 
-/// Calls visit(member) for the nodes of a condition; over a face of a hexahedron without a loop.
-template <class Visit>
-NEREID_HOT void each_node(const Condition& c, const Multipliers& all, Visit&& visit) {
-  const Member* member = &all.members[static_cast<std::size_t>(c.first)];
-  if (c.nodes == 5) {
-    for (int j = 0; j < 5; ++j) visit(member[j]);
-  } else {
-    for (int j = 0; j < c.nodes; ++j) visit(member[j]);
-  }
-}
-
-/// What one of its nodes gets of its impulse. [-]
-inline Vec3 push_of(const Condition& c, int j, const Multipliers& all) {
-  if (c.pushes >= 0) return all.pushes[static_cast<std::size_t>(c.pushes + j)];
-  return all.members[static_cast<std::size_t>(c.first + j)].weight * c.normal;
-}
-
-/// Calls visit(member, direction) for the nodes of a condition: what constraints let through of its normal, or of the push of each node.
-template <class Visit>
-NEREID_HOT void each_node_along(const Condition& c, const Multipliers& all, Visit&& visit) {
-  if (c.along < 0) return each_node(c, all, [&](const Member& one) { visit(one, c.normal); });
-  const Vec3* along = &all.along[static_cast<std::size_t>(c.along)];
-  each_node(c, all, [&](const Member& one) { visit(one, *along++); });
-}
-
-/// The relative normal velocity, by velocities v. [m/s]
+/// The relative normal velocity, by velocities v of all nodes. [m/s]
 inline double relative(const Condition& c, const Multipliers& all, const Vectors& v) {
-  if (c.pushes >= 0) {
-    const Vec3* push = &all.pushes[static_cast<std::size_t>(c.pushes)];
-    double rate = 0;
-    each_node(c, all, [&](const Member& one) { rate += (push++)->dot(v.col(one.node)); });
-    return rate;
-  }
-  Vec3 sum = Vec3::Zero();
-  each_node(c, all, [&](const Member& one) { sum += one.weight * v.col(one.node); });
-  return c.normal.dot(sum);
+  double sum = 0;
+  for (const Member& one : members_of(c, all)) sum += one.push.dot(v.col(one.node));
+  return sum;
 }
 
-/// The same in the step to come, with the impulses so far. [m/s]
-inline double rate(const Condition& c, const Multipliers& all) {
-  return relative(c, all, all.velocity);
-}
-
-/// Adds to velocities what one more impulse makes of them.
-inline void give(const Condition& c, double impulse, Multipliers& all) {
-  each_node_along(c, all, [&](const Member& one, const Vec3& along) { all.velocity.col(one.node) += one.response * impulse * along; });
-}
+/// The same in the step to come, with the impulses so far; after make_rows(). [m/s]
+inline double rate(const Condition& c, const Multipliers& all) { return rate(c.row, all.rows); }
 
 /// The work of its impulse, with the relative velocity afterwards: the mean of both velocities, whatever the steps. [J]
 inline double work(const Condition& c, double after) { return 0.5 * c.impulse * (c.before + after); }
 
-/// The same of friction.
-inline Vec3 rate(const FrictionCondition& condition, const Motion& m, const Multipliers& all) {
-  return slip_rate(condition.touch, all.velocity, all.spin, m.rotation_of_node);
+/// The slip rate of friction, the same. [m/s]
+inline Vec3 rate(const FrictionCondition& f, const Multipliers& all) {
+  return rate(f.row[0], all.rows) * f.along[0] + rate(f.row[1], all.rows) * f.along[1];
 }
 
 inline double work(const FrictionCondition& condition, const Vec3& after) {
   return 0.5 * condition.impulse.dot(condition.before + after);
 }
 
-inline void give(const FrictionCondition& condition, const Vec3& impulse, const Motion& m, Multipliers& all) {
-  const auto let = [](const Mat3* allowed, const Vec3& change) { return allowed ? Vec3(*allowed * change) : change; };
-  const FrictionShares shares = share_friction(condition.touch, impulse);
-  for (int i = 0; i < shares.count; ++i) {
-    const Index node = shares.node[i], turned = m.rotation_of_node[node];
-    all.velocity.col(node) += let(m.allowed[node], shares.force[i] / m.mass(node));
-    if (shares.turns[i]) all.spin.col(turned) += let(m.allowed_rotation[turned], shares.moment[i] / m.inertia(turned));
-  }
+inline void give(const FrictionCondition& f, const Vec3& impulse, Rows& rows) {
+  for (std::size_t k = 0; k < 2; ++k) give(f.row[k], f.along[k].dot(impulse), rows);
 }
 
 /// What presses an apex if that goes on as in the last two steps; what does not press in both has no trend. [N]
@@ -306,6 +262,9 @@ inline double rubbing_impulse_of(const Contactor& one, const Multipliers& all) {
 /// Needs  look_ahead() for its nodes
 void find_conditions(const Interface&, const Motion&, Memory&, Workspace&, Multipliers&);
 void find_conditions(const RigidPlane&, const Motion&, PlaneMemory&, Multipliers&);
+
+/// What constraints let through of the push of a node.
+Vec3 let_through(const Motion&, const Member&);
 
 /// Sets what follows from nodes, weights, normal and gap of a condition; false where constraints hold all its nodes.
 ///
@@ -336,11 +295,23 @@ void look_ahead(const Subset& nodes, const Motion&, Multipliers&);
 /// Sets where nodes will be with these velocities.
 void see_ahead(const Subset& nodes, const Motion&, Multipliers&);
 
-/// Adds the changes to all impulses, and what they do to the velocities, in the order of the contactors. Bonds that they act on follow.
+/// Makes the rows of all conditions and frictions, in the order of the contactors.
+void make_rows(const Motion&, Multipliers&);
+
+/// Moves what was given impulses. Ties that they act on follow.
+void move_all(const Motion&, Multipliers&);
+
+/// Adds the changes to all impulses, and moves what they act on.
 void apply_changes(const Motion&, Multipliers&);
 
-/// Sets the change with which a friction sticks, or slides where it would take more than its coefficient times the normal impulse [N s].
-void find_change(double pressed, const Motion&, const Multipliers&, FrictionCondition&);
+/// Sets the change with which a friction of some slip rate sticks, or slides where it would take more than its coefficient times the normal
+/// impulse [N s].
+void find_change(double pressed, const Vec3& rate, FrictionCondition&);
+
+/// Sets the velocities of all nodes that the impulses lead to. Rigid bodies turn by an angle that is not small: rates go on from there.
+///
+/// returns  by how much any rate differs from that by movers, at most [m/s]
+double find_velocities(const Motion&, Multipliers&);
 
 /// Sets the velocities that all impulses lead to as they stand, and their works. [J]
 void find_work(const Motion&, Multipliers&);

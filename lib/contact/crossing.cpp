@@ -204,8 +204,8 @@ void make(const Interface& interface, const Over& at, Crossing& crossing, Multip
   crossing.node = {interface.edges.nodes(0, crossing.edge), interface.edges.nodes(1, crossing.edge),
                    interface.base_edges.nodes(0, crossing.base_edge), interface.base_edges.nodes(1, crossing.base_edge)};
   crossing.weight = {1 - at.first, at.first, at.second - 1, -at.second};
-  for (std::size_t j = 0; j < 4; ++j) add_member(crossing.node[j], crossing.weight[j], all, c);
   c.normal = crossing.push = at.normal;
+  for (std::size_t j = 0; j < 4; ++j) add_member(crossing.node[j], crossing.weight[j], all, c);
   c.gap = crossing.gap;
 }
 

@@ -18,6 +18,8 @@ namespace {
 
 constexpr int usual_sweeps = 8, most_sweeps = 100;
 constexpr int most_for_overlaps = 1000;  // of thin elements
+constexpr int rounds_of_turns = 4;       // of rigid bodies
+constexpr double turned = 1e-5;          // of what an impulse does: rates of bodies that turn may differ by so much
 constexpr double still = 1e-6;     // of what the impulses do: sweeps end as soon as one changes less
 constexpr double settled = 1e-5;   // the same: fewer sweeps than usual will do without friction, whose sticks need more beside heavy loads
 constexpr double is_trend = 0.04;  // of the squared changes of impulses: less that their trend left of them, and it is trusted once more
@@ -74,11 +76,12 @@ void find_bounds(const Motion& m, Multipliers& all) {
     for (Index i = one.first; i < one.last; ++i) {
       Condition& c = all.conditions[i];
       double sum = 0;
-      each_node_along(c, all, [&](const Member& at, const Vec3& along) {
-        double shared = (&along == &c.normal ? 1 : along.norm()) * all.shared(at.node);
-        if (rubs) shared += slant(m, at.node, c.normal) * all.rubbed(at.node);
-        sum += std::abs(at.response) * shared;
-      });
+      for (const Member& at : members_of(c, all)) {
+        const double size = std::abs(at.weight), let = m.allowed[at.node] ? let_through(m, at).norm() : size;
+        double shared = let * all.shared(at.node);
+        if (rubs) shared += size * slant(m, at.node, c.normal) * all.rubbed(at.node);
+        sum += all.mobility(at.node) * shared;
+      }
       c.bound = per_area * sum;
     }
     if (one.friction < 0) continue;
@@ -98,30 +101,34 @@ void find_bounds(const Motion& m, Multipliers& all) {
   if (m.rigid) add_bounds(*m.rigid, m, all);
 }
 
-/// Lets one contactor sweep: its impulses are to change by the rates that all impulses have made so far, and to go on by some of what they
-/// moved (Nesterov's momentum).
-void sweep(const Motion& m, double momentum, const Contactor& one, Multipliers& all, Progress& sum) {
+/// Lets one contactor sweep: its impulses change by the rates that all impulses have made so far, and go on by some of what they moved
+/// (Nesterov's momentum).
+NEREID_HOT void sweep(double momentum, const Contactor& one, Multipliers& all, Progress& sum) {
   double pressed = 0;
   for (Index i = one.first; i < one.last; ++i) {
     Condition& c = all.conditions[i];
     const double now = std::max(0.0, c.impulse + (c.least - rate(c, all)) / c.bound), A2 = c.per_mass * c.per_mass;
     c.moved = now - c.met;
-    c.change = now + momentum * c.moved - c.impulse;
     c.met = now;
     if ((one.rubs >> (i - one.first) & 1u) != 0) pressed += now;
     sum.moved += c.moved * c.moved * A2, sum.made += now * now * A2;
     sum.turned += c.bound * (now - c.impulse) * c.moved;
+    const double change = now + momentum * c.moved - c.impulse;
+    c.impulse += change;
+    if (change != 0) give(c.row, change, all.rows);
   }
   if (one.friction < 0) return;
   FrictionCondition& friction = all.frictions[one.friction];
-  find_change(pressed, m, all, friction);
+  find_change(pressed, rate(friction, all), friction);
   const Vec3 now = friction.impulse + friction.change;
   const double A2 = friction.per_mass * friction.per_mass;
   friction.moved = now - friction.met;
-  friction.change += momentum * friction.moved;
   friction.met = now;
   sum.moved_along += friction.moved.squaredNorm() * A2, sum.made_along += now.squaredNorm() * A2;
   sum.turned += friction.bound * (now - friction.impulse).dot(friction.moved);
+  friction.change += momentum * friction.moved;
+  friction.impulse += friction.change;
+  if (!friction.change.isZero(0)) give(friction, friction.change, all.rows);
 }
 
 /// What a sweep has done to all contacts.
@@ -131,21 +138,25 @@ struct Swept {
                       ///< velocities, so that light bodies count beside heavy ones
 };
 
-/// One sweep of all contactors, in any order: none sees what another changes.
-Swept sweep(const Motion& m, double momentum, Multipliers& all) {
+/// One sweep of all contactors, in any order: no rate changes before move_all().
+Swept sweep(double momentum, Multipliers& all) {
+  const auto count = static_cast<Index>(all.contactors.size());
+  const Index ranges = (count + contactors_of_a_range - 1) / contactors_of_a_range;
+  const auto contacts = all.first.size() - 1;
+  all.progress.assign(static_cast<std::size_t>(ranges) * contacts, {});
+  parallel_for(ranges, 1, [&](Index r) {
+    const Index begin = r * contactors_of_a_range, end = std::min(count, begin + contactors_of_a_range);
+    std::size_t contact = 0;
+    for (Index k = begin; k < end; ++k) {
+      while (k >= all.first[contact + 1]) ++contact;
+      sweep(momentum, all.contactors[k], all, all.progress[static_cast<std::size_t>(r) * contacts + contact]);
+    }
+  });
   Swept swept;
-  for (std::size_t contact = 0; contact + 1 < all.first.size(); ++contact) {
-    const Index first = all.first[contact], last = all.first[contact + 1];
-    const Index ranges = (last - first + contactors_of_a_range - 1) / contactors_of_a_range;
-    all.progress.assign(static_cast<std::size_t>(ranges), {});
-    parallel_for(ranges, 1, [&](Index r) {
-      Progress sum;
-      const Index begin = first + r * contactors_of_a_range, end = std::min(last, begin + contactors_of_a_range);
-      for (Index k = begin; k < end; ++k) sweep(m, momentum, all.contactors[k], all, sum);
-      all.progress[r] = sum;
-    });
+  for (std::size_t contact = 0; contact < contacts; ++contact) {
     Progress sum;
-    for (const Progress& part : all.progress) {
+    for (Index r = 0; r < ranges; ++r) {
+      const Progress& part = all.progress[static_cast<std::size_t>(r) * contacts + contact];
       sum.turned += part.turned;
       sum.moved += part.moved, sum.made += part.made;
       sum.moved_along += part.moved_along, sum.made_along += part.made_along;
@@ -165,7 +176,7 @@ void leave_out_momentum(Multipliers& all) {
 }
 
 /// Whether single contactors gain energy that counts, beyond what they hold and may give back.
-bool gains(const Motion& m, const Multipliers& all) {
+bool gains(const Multipliers& all) {
   double gained = 0, exchanged = 0;
   for (const Contactor& one : all.contactors) {
     double sum = 0;
@@ -178,7 +189,7 @@ bool gains(const Motion& m, const Multipliers& all) {
     gained += std::max(0.0, sum - (one.friction < 0 ? std::max(0.0, one.memory->held) : 0));
     if (one.friction < 0) continue;
     const FrictionCondition& friction = all.frictions[one.friction];
-    gained += std::max(0.0, work(friction, rate(friction, m, all)));
+    gained += std::max(0.0, work(friction, rate(friction, all)));
     exchanged += 0.5 * friction.impulse.squaredNorm() * friction.per_mass;
   }
   return gained > may_gain * exchanged;
@@ -207,30 +218,45 @@ bool any_between_rigid_bodies(const Motion& m, const Multipliers& all) {
 /// Sweeps until nothing changes, or no contactor gains energy that counts nor penetrates by what counts and none is between rigid bodies.
 ///
 /// returns how often it swept
-int solve(const Motion& m, Multipliers& all) {
-  find_bounds(m, all);
-  const bool to_the_end = any_between_rigid_bodies(m, all);
-  for (const Contactor& one : all.contactors)
-    for (Index i = one.first; i < one.last; ++i)
-      if (all.conditions[i].impulse > 0) give(all.conditions[i], all.conditions[i].impulse, all);
-  for (const FrictionCondition& condition : all.frictions)
-    if (!condition.impulse.isZero(0)) give(condition, condition.impulse, m, all);
-  if (m.rigid) settle(*m.rigid, m, all.velocity);
-  if (all.bonds.touched) hold(m, all.velocity, all.bonds);
+int iterate(const Motion& m, bool to_the_end, Multipliers& all) {
   double t = 1;
   int sweeps = 1;
   for (; sweeps <= most_for_overlaps; ++sweeps) {
     const double next = 0.5 * (1 + std::sqrt(1 + 4 * t * t));
-    const Swept made = sweep(m, sweeps > 1 ? (t - 1) / next : 0, all);
+    const Swept made = sweep(sweeps > 1 ? (t - 1) / next : 0, all);
     t = made.turned < 0 ? 1 : next;
+    move_all(m, all);
     if (!(made.change > still)) break;
-    apply_changes(m, all);
     if (sweeps % 2 > 0 || (sweeps < usual_sweeps && !(made.change < settled && all.frictions.empty()))) continue;
-    if (!(sweeps < most_sweeps && (to_the_end || gains(m, all))) && !overlaps(m, all)) break;
+    if (!(sweeps < most_sweeps && (to_the_end || gains(all))) && !overlaps(m, all)) break;
   }
   leave_out_momentum(all);
   apply_changes(m, all);
   return std::min(sweeps, most_for_overlaps);
+}
+
+/// The largest velocity that an impulse of a condition makes by itself. [m/s]
+double largest_effect(const Multipliers& all) {
+  double most = 0;
+  for (const Condition& c : all.conditions) most = std::max(most, c.per_mass * c.impulse);
+  return most;
+}
+
+/// Finds the impulses; returns how often it swept.
+int solve(const Motion& m, Multipliers& all) {
+  make_rows(m, all);
+  find_bounds(m, all);
+  const bool to_the_end = any_between_rigid_bodies(m, all);
+  for (const Condition& c : all.conditions)
+    if (c.impulse > 0) give(c.row, c.impulse, all.rows);
+  for (const FrictionCondition& f : all.frictions)
+    if (!f.impulse.isZero(0)) give(f, f.impulse, all.rows);
+  move_all(m, all);
+  int sweeps = iterate(m, to_the_end, all);
+  // rigid bodies turn by angles that are not small: until their rates are those of the step
+  for (int round = 1; round < rounds_of_turns && find_velocities(m, all) > turned * largest_effect(all); ++round)
+    sweeps += iterate(m, to_the_end, all);
+  return sweeps;
 }
 
 /// What friction takes in a step, and how much of that in the half that begins. [J]
@@ -307,7 +333,7 @@ void take_over(const Interface& interface, const Motion& m, double h, double t, 
         stencil.first_share = static_cast<Index>(memory.shares.size()), stencil.shares = c.nodes;
         for (int j = 0; j < c.nodes; ++j) {
           const Member& member = members_of(c, all)[static_cast<std::size_t>(j)];
-          memory.shares.push_back({member.node, push_of(c, j, all), member.weight > 0});
+          memory.shares.push_back({member.node, member.push, member.weight > 0});
         }
       }
       element.apex += stencil.push;
@@ -446,8 +472,6 @@ void wake(const Acting& acting, const Motion& m, std::span<Workspace> workspaces
 void find_impulses(const Acting& acting, const Motion& m, std::span<Workspace> workspaces, Multipliers& all) {
   all.conditions.clear();
   all.members.clear();
-  all.pushes.clear();
-  all.along.clear();
   all.contactors.clear();
   all.unreleased.clear();
   all.frictions.clear();
@@ -492,10 +516,10 @@ void find_impulses(const Acting& acting, const Motion& m, std::span<Workspace> w
 /// Gives the nodes the impulse of a condition, and books where they are what moment this has.
 void apply(const Condition& c, const Multipliers& all, const Vectors& x, Vectors& impulse, Vec3& moment) {
   for (int j = 0; j < c.nodes; ++j) {
-    const Index node = members_of(c, all)[static_cast<std::size_t>(j)].node;
-    const Vec3 part = c.impulse * push_of(c, j, all);
-    impulse.col(node) += part;
-    moment += x.col(node).cross(part);
+    const Member& one = members_of(c, all)[static_cast<std::size_t>(j)];
+    const Vec3 part = c.impulse * one.push;
+    impulse.col(one.node) += part;
+    moment += x.col(one.node).cross(part);
   }
 }
 

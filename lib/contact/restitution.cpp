@@ -136,7 +136,7 @@ void release(const Motion& m, double t, Multipliers& all) {
   for (Condition& c : all.conditions) c.change = 0;
   for (int pass = 0; pass < passes && !all.frictions.empty(); ++pass) {  // what is given back presses, too, and friction follows
     for (const Contactor& one : all.contactors)
-      if (one.friction >= 0) find_change(rubbing_impulse_of(one, all), m, all, all.frictions[one.friction]);
+      if (one.friction >= 0) find_change(rubbing_impulse_of(one, all), rate(all.frictions[one.friction], all), all.frictions[one.friction]);
     apply_changes(m, all);
   }
   find_work(m, all);

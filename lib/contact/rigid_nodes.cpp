@@ -35,7 +35,7 @@ double product(const MovingBody& body, const OnBody& a, const OnBody& b) {
 OnBodies of_condition(const RigidNodes& all, const Vectors& x, const Multipliers& multipliers, const Condition& c) {
   OnBodies sum;
   const auto members = members_of(c, multipliers);
-  for (int j = 0; j < c.nodes; ++j) sum.add(all, x, members[static_cast<std::size_t>(j)].node, push_of(c, j, multipliers));
+  for (int j = 0; j < c.nodes; ++j) sum.add(all, x, members[static_cast<std::size_t>(j)].node, members[static_cast<std::size_t>(j)].push);
   return sum;
 }
 
@@ -43,11 +43,6 @@ OnBodies of_shares(const RigidNodes& all, const Vectors& x, const FrictionShares
   OnBodies sum;
   for (int i = 0; i < shares.count; ++i) sum.add(all, x, shares.node[i], shares.force[i]);
   return sum;
-}
-
-/// q of a condition or a friction and one body. Along what planes hold it is zero but for round-off of either sign.
-double size(const RigidNodes& all, const OnBody& on) {
-  return on.body < 0 ? 0 : std::sqrt(std::max(0.0, product(all.bodies[on.body], on, on)));
 }
 
 /// Friction along two directions of its plane.
@@ -59,23 +54,24 @@ Along along(const Touch& touch) {
   return {share_friction(touch, one), share_friction(touch, touch.normal.cross(one))};
 }
 
-bool is_rigid(const RigidNodes& all, std::span<const Member> members) {
-  return std::any_of(members.begin(), members.end(), [&](const Member& one) { return all.of_node[one.node] >= 0; });
-}
-
-/// Calls visit(on, q) for each body that a contactor acts on: its conditions one by one, then its friction in all directions.
+/// Calls visit(body, q, condition) for each body that a contactor acts on: its conditions one by one, then, with -1, its friction in all
+/// directions.
 template <class Visit>
-void for_each_body(const RigidNodes& all, const Motion& m, const Multipliers& multipliers, const Contactor& one, Visit&& visit) {
+void for_each_body(const Multipliers& multipliers, const Contactor& one, Visit&& visit) {
   for (Index i = one.first; i < one.last; ++i) {
-    const OnBodies on = of_condition(all, m.x, multipliers, multipliers.conditions[i]);
-    for (const OnBody& here : on.on)
-      if (here.body >= 0) visit(here.body, size(all, here), i);
+    const Row& row = multipliers.conditions[i].row;
+    for (Index k = 0; k < row.bodies; ++k) visit(body_of(row, k, multipliers.rows), size_on_body(row, k, multipliers.rows), i);
   }
   if (one.friction < 0) return;
-  const Along both = along(multipliers.frictions[one.friction].touch);
-  const OnBodies first = of_shares(all, m.x, both.first), second = of_shares(all, m.x, both.second);
-  for (int k = 0; k < 2; ++k)
-    if (first.on[k].body >= 0) visit(first.on[k].body, std::hypot(size(all, first.on[k]), size(all, second.on[k])), Index{-1});
+  const std::array<Row, 2>& rows = multipliers.frictions[one.friction].row;
+  for (Index k = 0; k < rows[0].bodies; ++k)
+    visit(body_of(rows[0], k, multipliers.rows),
+          std::hypot(size_on_body(rows[0], k, multipliers.rows), size_on_body(rows[1], k, multipliers.rows)), Index{-1});
+}
+
+bool acts_on_bodies(const Multipliers& multipliers, const Contactor& one) {
+  return std::any_of(multipliers.conditions.begin() + one.first, multipliers.conditions.begin() + one.last,
+                     [](const Condition& c) { return c.row.bodies > 0; });
 }
 
 /// What friction does to its slip rate through nodes that are not rigid, alone and with all that share them. [1/kg]
@@ -156,31 +152,17 @@ void look_ahead(RigidNodes& all, const Motion& m, Multipliers& multipliers) {
   }
 }
 
-void settle(RigidNodes& all, const Motion& m, Vectors& velocity) {
-  for (MovingBody& body : all.bodies) {
-    Vec3 impulse = Vec3::Zero(), angular = Vec3::Zero();
-    bool moved = false;
-    for (const Index node : body.nodes) {
-      const Vec3 r = m.x.col(node) - body.centre, change = velocity.col(node) - rigid::velocity_at(body.twist, r, body.next);
-      if (change.isZero(0)) continue;
-      const Vec3 one = m.mass(node) * change;
-      impulse += one, angular += r.cross(one);
-      moved = true;
-    }
-    if (!moved) continue;
-    if (!body.driven) {
-      rigid::kick(*body.body, impulse, angular, body.state);
-      body.twist = rigid::twist_of(*body.body, body.state, body.next);
-    }
-    for (const Index node : body.nodes) velocity.col(node) = rigid::velocity_at(body.twist, m.x.col(node) - body.centre, body.next);
-  }
+void push(MovingBody& body, const Vec3& impulse, const Vec3& angular, const Motion& m, Vectors& velocity) {
+  if (body.driven) return;
+  rigid::kick(*body.body, impulse, angular, body.state);
+  body.twist = rigid::twist_of(*body.body, body.state, body.next);
+  for (const Index node : body.nodes) velocity.col(node) = rigid::velocity_at(body.twist, m.x.col(node) - body.centre, body.next);
 }
 
 double per_mass(const RigidNodes& all, const Motion& m, const Multipliers& multipliers, const Condition& c) {
   double sum = 0;
-  each_node_along(c, multipliers, [&](const Member& one, const Vec3& along) {
-    if (all.of_node[one.node] < 0) sum += (c.along < 0 ? 1 : along.squaredNorm()) * one.weight * one.response;
-  });
+  for (const Member& one : members_of(c, multipliers))
+    if (all.of_node[one.node] < 0) sum += let_through(m, one).squaredNorm() / m.mass(one.node);
   for (const OnBody& on : of_condition(all, m.x, multipliers, c).on)
     if (on.body >= 0) sum += product(all.bodies[on.body], on, on);
   return sum;
@@ -202,11 +184,11 @@ void leave_out(const RigidNodes& all, Multipliers& multipliers) {
 void add_bounds(const RigidNodes& all, const Motion& m, Multipliers& multipliers) {
   std::vector<double> shared(all.bodies.size(), 0);
   for (const Contactor& one : multipliers.contactors)
-    for_each_body(all, m, multipliers, one, [&](Index body, double q, Index) { shared[body] += one.area * q; });
+    for_each_body(multipliers, one, [&](Index body, double q, Index) { shared[body] += one.area * q; });
   for (const Contactor& one : multipliers.contactors) {
-    if (!is_rigid(all, members_of(multipliers.conditions[one.first], multipliers))) continue;
+    if (!acts_on_bodies(multipliers, one)) continue;
     double of_friction = one.friction < 0 ? 0 : bound_of_nodes(all, m, multipliers, one);
-    for_each_body(all, m, multipliers, one, [&](Index body, double q, Index condition) {
+    for_each_body(multipliers, one, [&](Index body, double q, Index condition) {
       const double bound = q * shared[body] / one.area;
       if (condition >= 0) multipliers.conditions[condition].bound += bound;
       else of_friction += bound;

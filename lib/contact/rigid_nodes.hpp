@@ -1,12 +1,9 @@
 #pragma once
 // Nodes of rigid bodies in the sweeps of multipliers.
 //
-// Sweeps give impulses to nodes as if these were free, with masses of their own. Afterwards each rigid body gathers what its nodes got,
-//
-//     J_i = m_i (v_i - v_i of the body),      P += sum of J_i,      L += sum of r_i x J_i,
-//
-// and its nodes get the velocities of the body, exactly those of the step to come. Responses and bounds of the sweeps are those of the
-// bodies: with g = (sum of w n, sum of w r x n) of a condition and a body, C what impulses do to the body, and q^2 = g . C g,
+// In the iteration a body is two movers (rows.hpp): its motion and its turn, whose velocities change by C times the impulses that its nodes
+// get and their moments. Afterwards push() gives it these impulses, and its nodes exactly the velocities of the step to come. Responses and
+// bounds are those of bodies: with g = (sum of w n, sum of w r x n) of a row and a body, and q^2 = g . C g,
 //
 //     A = sum over bodies of q^2,      |A_kl| <= q_k q_l:   a bound as of a node that all conditions share, docs/theory/multipliers.md
 
@@ -45,8 +42,8 @@ void begin_driven(const rigid::Body&, const rigid::State&, const rigid::Twist&, 
 /// Sets the velocities of the nodes in the step to come, and where they will be.
 void look_ahead(RigidNodes&, const Motion&, Multipliers&);
 
-/// Gathers what the nodes of each body got, and gives them its velocities.
-void settle(RigidNodes&, const Motion&, Vectors& velocity);
+/// Gives a body an impulse [N s] and a moment of impulses about its centre [N m s], and its nodes the velocities that follow.
+void push(MovingBody&, const Vec3& impulse, const Vec3& angular, const Motion&, Vectors& velocity);
 
 /// What a condition's impulse does to its own rate. [1/kg]
 double per_mass(const RigidNodes&, const Motion&, const Multipliers&, const Condition&);
@@ -56,7 +53,7 @@ double product_of_bodies(const RigidNodes&, const FrictionShares& a, const Frict
 
 /// Takes the nodes of rigid bodies out of Multipliers::shared.
 void leave_out(const RigidNodes&, Multipliers&);
-/// Adds to the bounds of the sweeps what rigid bodies add. Those of friction are made anew.
+/// Adds to the bounds of the iteration what rigid bodies add. Those of friction are made anew. After make_rows().
 void add_bounds(const RigidNodes&, const Motion&, Multipliers&);
 
 }  // namespace nereid::contact

@@ -77,9 +77,12 @@ TEST(Condition, AnImpulseChangesItsRateByWhatItSays) {
   Setting at(Vec3(1.3, 2.1, 1e-3));
   const Mat3 slanted = Mat3::Identity() - Vec3(0.6, 0, 0.8) * Vec3(0.6, 0, 0.8).transpose();  // one node moves on a plane
   at.allowed[at.scene.interface.base.facets(0, at.scene.near().element.stencil[0].facet)] = &slanted;
-  const Condition c = at.find(1e-3);
+  at.find(1e-3);
+  make_rows(at.motion(1e-3), at.all);
+  const Condition& c = at.all.conditions[0];
   const double before = rate(c, at.all);
-  give(c, 0.7, at.all);
+  give(c.row, 0.7, at.all.rows);
+  move(at.all.rows);
   EXPECT_NEAR(rate(c, at.all) - before, 0.7 * c.per_mass, 1e-14);
 }
 
@@ -87,12 +90,13 @@ TEST(Condition, FrictionChangesTheSlipRateByNoMoreThanItSays) {
   Setting at(Vec3(1.3, 2.1, 1e-3), 0.3);
   at.find(1e-3);
   ASSERT_EQ(at.all.frictions.size(), 1U);
-  const FrictionCondition f = at.all.frictions[0];
-  const Motion m = at.motion(1e-3);
+  make_rows(at.motion(1e-3), at.all);
+  const FrictionCondition& f = at.all.frictions[0];
   for (const Vec3& push : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0.6, -0.8, 0)}) {
-    const Vec3 before = rate(f, m, at.all);
-    give(f, push, m, at.all);
-    const Vec3 change = rate(f, m, at.all) - before;
+    const Vec3 before = rate(f, at.all);
+    give(f, push, at.all.rows);
+    move(at.all.rows);
+    const Vec3 change = rate(f, at.all) - before;
     EXPECT_LE(change.norm(), f.per_mass * (1 + 1e-12));
     EXPECT_GT(change.dot(push), 0.9 * f.per_mass);
   }
@@ -202,9 +206,10 @@ TEST(Condition, FrictionOfNodesThatAreHeldAlongThePlaneIsThatOfTheirSlip) {
     at.all.conditions.clear(), at.all.contactors.clear(), at.all.frictions.clear();
     at.find(1e-3);
     ASSERT_EQ(at.all.frictions.size(), 1U);
+    make_rows(at.motion(1e-3), at.all);
     FrictionCondition& friction = at.all.frictions[0];
     friction.bound = friction.per_mass;
-    find_change(1e-3, at.motion(1e-3), at.all, friction);
+    find_change(1e-3, rate(friction, at.all), friction);
     EXPECT_LT((friction.change - Vec3(speed > 0 ? -0.3e-3 : 0, 0, 0)).norm(), 1e-18);
   }
 }

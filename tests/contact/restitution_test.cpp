@@ -28,24 +28,27 @@ struct Setting {
     for (Index n = 0; n < count; ++n) {
       memory[n].held = held[n];
       Condition& c = begin_condition(all);
+      c.normal = Vec3::UnitZ();
       add_member(n, 1, all, c);
-      all.members.back().response = 1;
-      c.along = -1, c.normal = Vec3::UnitZ();
       c.per_mass = c.bound = 1, c.before = c.free = 1, c.least = -1;
       all.contactors.push_back(
           {.memory = &memory[n], .first = n, .last = n + 1, .friction = -1, .area = 1, .depth = 0, .impedance = 1,
            .square = square});
     }
-    all.velocity = v;
+    all.velocity = v, all.mobility = mass;
   }
   Multipliers make_multipliers(Index nodes) const { return contact::make_multipliers({}, {}, nodes, 0); }
+  void release() {
+    make_rows(motion(), all);
+    contact::release(motion(), 1, all);
+  }
   Motion motion() const { return {x, v, none, none, none, mass, no_inertia, turns, allowed, no_rotations, 1e-3, 1e-3}; }
 };
 
 TEST(Restitution, IsGivenBackToTheLastBitOfEnergyAtRelease) {
   for (const double coefficient : {1.0, 0.5, 0.0}) {
     Setting at({0.375}, coefficient * coefficient);
-    release(at.motion(), 1, at.all);
+    at.release();
     const double given = coefficient * coefficient * 0.375, speed = at.all.velocity(2, 0);
     EXPECT_NEAR(0.5 * at.all.conditions[0].impulse * (1 + speed), given, 1e-15);  // the work of the impulse
     double transferred = 0;
@@ -61,7 +64,7 @@ TEST(Restitution, StaysWithANodeThatIsPressedOrOnItsWayIn) {
   entering.all.conditions[0].before = -1, entering.all.conditions[0].free = -1, entering.all.velocity(2, 0) = -1;
   for (Setting* at : {&pressed, &entering}) {
     const Vectors before = at->all.velocity;
-    release(at->motion(), 1, at->all);
+    at->release();
     EXPECT_EQ((at->all.velocity - before).norm(), 0);
   }
 }
@@ -69,14 +72,14 @@ TEST(Restitution, StaysWithANodeThatIsPressedOrOnItsWayIn) {
 TEST(Restitution, IsGivenBackByANodeThatSweepsLeftGoingInByRoundOff) {
   Setting at({0.375});
   at.all.conditions[0].before = at.all.conditions[0].free = 0, at.all.velocity(2, 0) = -1e-6;
-  release(at.motion(), 1, at.all);
+  at.release();
   EXPECT_NEAR(at.all.velocity(2, 0), std::sqrt(2 * 0.375), 1e-5);
 }
 
 TEST(Restitution, OfABlowBeforeStaysWhereAnotherBegins) {
   Setting at({1e-9});
   at.all.contactors[0].work = -1;  // what round-off has left would let this one node give back in the step of the blow
-  release(at.motion(), 1, at.all);
+  at.release();
   EXPECT_EQ(at.all.conditions[0].impulse, 0);
 }
 
@@ -87,10 +90,16 @@ TEST(Restitution, OfANodeOnARidgeGoesAlongNeitherSide) {
     Condition other = at.all.conditions[0];
     for (Condition* c : {&at.all.conditions[0], &other}) c->before = c->free = s, c->bound = 2;
     at.all.conditions[0].normal = Vec3(0, -s, s), other.normal = Vec3(0, s, s);
+    other.first = 1;
+    for (Index k = 0; k < 2; ++k) {
+      const Vec3 normal = k == 0 ? at.all.conditions[0].normal : other.normal;
+      if (k == 0) at.all.members[0].push = normal;
+      else at.all.members.push_back({0, 1, normal});
+    }
     at.all.conditions[0].impulse = 1e-9 * left_of_both, other.impulse = 1e-9 * (1 - left_of_both);
     at.all.conditions.push_back(other);
     at.all.contactors[0].last = 2, at.all.contactors[0].impedance = std::numeric_limits<double>::infinity();
-    release(at.motion(), 1, at.all);
+    at.release();
     const Vec3 given = at.all.velocity.col(0) - Vec3::UnitZ();
     EXPECT_GT(given.z(), 0.1);
     EXPECT_NEAR(given.y() / given.z(), 1 - 2 * left_of_both, 1e-9) << "as it is pressed";
@@ -100,7 +109,7 @@ TEST(Restitution, OfANodeOnARidgeGoesAlongNeitherSide) {
 
 TEST(Restitution, OfRoundOffMakesNoForceAfterARelease) {
   Setting at({1e-18});
-  release(at.motion(), 1, at.all);
+  at.release();
   EXPECT_EQ(at.all.conditions[0].impulse, 0);
   EXPECT_EQ(at.memory[0].held, 1e-18);  // it is taken for good where the node is no longer near
 }
@@ -109,7 +118,7 @@ TEST(Restitution, IsGivenBackWithoutAForceWhateverTheImpedance) {
   for (const double impedance : {0.0, 1.0, std::numeric_limits<double>::infinity()}) {
     Setting at({0.375});
     at.all.contactors[0].impedance = impedance;
-    release(at.motion(), 1, at.all);
+    at.release();
     EXPECT_NEAR(at.all.contactors[0].work, 0.375, 1e-15);
   }
 }
@@ -188,7 +197,7 @@ TEST(Unreleased, LosesByItsOwnCoefficientAndNotByThatOfWhatTakesIt) {
     double to = 0;
     take_unreleased(0, 1, to, at.all);
     EXPECT_EQ(at.memory[0].held, 8 - lost);
-    release(at.motion(), 1, at.all);
+    at.release();
     EXPECT_EQ(at.all.contactors[0].lost, 0);
     EXPECT_NEAR(at.all.contactors[0].work, 8 - lost, 1e-14);
   }

@@ -32,7 +32,8 @@ struct Setting {
     bodies.push_back(rigid::make_body("body", {2, Vec3(0.1, 0, 0.05), inertia}, x, {0, 1, 2, 3, 4, 5, 6, 7}));
     rigid::set_velocities(bodies[0], Vec3(1, 2, 3), Vec3(5, -6, 7), state);
     all.velocity = all.ahead = all.way = Vectors::Zero(3, 12);
-    all.shared = all.rubbed = Scalars::Zero(12);
+    all.spin = Vectors(3, 0);
+    all.shared = all.rubbed = Scalars::Zero(12), all.mobility = mass.cwiseInverse();
     rigid.of_node = of_node;
     rigid.bodies.resize(1);
     rigid.bodies[0].nodes = {0, 1, 2, 3};
@@ -44,13 +45,9 @@ struct Setting {
   /// A node of the body over a plane, or over a free node.
   void add(Index node, Index base, const Vec3& normal) {
     Condition& c = begin_condition(all);
-    const auto add_one = [&](Index of, double weight) {
-      add_member(of, weight, all, c);
-      all.members.back().response = weight / mass(of);
-    };
-    add_one(node, 1);
-    if (base >= 0) add_one(base, -1);
-    c.along = -1, c.normal = normal.normalized();
+    c.normal = normal.normalized();
+    add_member(node, 1, all, c);
+    if (base >= 0) add_member(base, -1, all, c);
     const auto at = static_cast<Index>(all.conditions.size());
     all.contactors.push_back({.memory = nullptr, .first = at - 1, .last = at, .friction = -1, .area = 1, .depth = 0, .impedance = 0,
                               .square = 0});
@@ -71,9 +68,20 @@ TEST(RigidNodes, ImpulsesAtNodesMoveTheWholeBodyExactly) {
   Setting at;
   look_ahead(at.rigid, at.motion(), at.all);
   at.add(0, -1, {1, 2, 3}), at.add(3, 8, {0, 0, 1});
-  give(at.all.conditions[0], 0.3, at.all);
-  give(at.all.conditions[1], 0.7, at.all);
-  settle(at.rigid, at.motion(), at.all.velocity);
+  make_rows(at.motion(), at.all);
+  give(at.all.conditions[0].row, 0.3, at.all.rows);
+  give(at.all.conditions[1].row, 0.7, at.all.rows);
+  move(at.all.rows);
+  const std::array<double, 2> by_movers{rate(at.all.conditions[0], at.all), rate(at.all.conditions[1], at.all)};
+  const double differs = find_velocities(at.motion(), at.all);
+  EXPECT_GT(differs, 1e-4) << "it turns by 0.01 in a step";
+  double most = 0;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const Condition& c = at.all.conditions[k];
+    EXPECT_NEAR(rate(c, at.all), relative(c, at.all, at.all.velocity), 1e-14);
+    most = std::max(most, std::abs(rate(c, at.all) - by_movers[k]));
+  }
+  EXPECT_NEAR(differs, most, 1e-14);
   const Vec3 first = 0.3 * Vec3(1, 2, 3).normalized(), second(0, 0, 0.7), centre(0.1, 0, 0.05);
   rigid::State end = at.state;
   const Vec3 turning = (at.x.col(0) - centre).cross(first) + (at.x.col(3) - centre).cross(second);
@@ -88,10 +96,13 @@ TEST(RigidNodes, ResponsesAreDifferencesOfRates) {
   Setting at;
   look_ahead(at.rigid, at.motion(), at.all);
   at.add(1, 9, {1, -2, 3});
+  make_rows(at.motion(), at.all);
   const Condition& c = at.all.conditions[0];
   const double before = rate(c, at.all), small = 1e-5;
-  give(c, small, at.all);
-  settle(at.rigid, at.motion(), at.all.velocity);
+  give(c.row, small, at.all.rows);
+  move(at.all.rows);
+  EXPECT_NEAR(per_mass(at.rigid, at.motion(), at.all, c), (rate(c, at.all) - before) / small, 1e-9) << "by movers";
+  find_velocities(at.motion(), at.all);
   const double found = (rate(c, at.all) - before) / small;
   EXPECT_NEAR(per_mass(at.rigid, at.motion(), at.all, c), found, 0.01 * found);  // the turn of the step, |w| dt = 0.01, is in the rates
 }
@@ -106,8 +117,10 @@ TEST(RigidNodes, BoundsHoldAndAreExactWhereAllPushAlike) {
     at.all.velocity.setZero();
     at.rigid.bodies[0].state = {};
     at.rigid.bodies[0].twist = {};
-    give(at.all.conditions[k], 1e-6, at.all);
-    settle(at.rigid, m, at.all.velocity);
+    make_rows(m, at.all);
+    give(at.all.conditions[k].row, 1e-6, at.all.rows);
+    move(at.all.rows);
+    find_velocities(m, at.all);
     for (int l = 0; l < 4; ++l) A(l, k) = rate(at.all.conditions[l], at.all) / 1e-6;
   }
   EXPECT_LT((A - A.transpose()).norm(), 1e-6 * A.norm());
@@ -135,6 +148,7 @@ TEST(RigidNodes, BoundsAreNumbersWhereABodyIsHeldAlongAnObliqueNormal) {
     at.rigid.bodies[0].turn.setZero();
     at.add(0, -1, held), at.add(1, -1, held.unitOrthogonal());
     below_zero += held.dot(at.rigid.bodies[0].shift * held) < 0;
+    make_rows(at.motion(), at.all);
     add_bounds(at.rigid, at.motion(), at.all);
     for (const Condition& c : at.all.conditions) EXPECT_TRUE(std::isfinite(c.bound)) << k;
   }

@@ -1,0 +1,230 @@
+#include "contact/rows.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "base/parallel.hpp"
+#include "contact/condition.hpp"
+#include "contact/rigid_nodes.hpp"
+
+namespace nereid::contact {
+
+namespace {
+
+constexpr Index movers_of_a_thread = 512;  // fewer than twice as many are moved by one
+
+/// Makes the rows of one step.
+class Maker {
+ public:
+  Maker(const Motion& m, Multipliers& all) : m_(m), all_(all), rows_(all.rows) {
+    rows_.slot.clear(), rows_.push.clear(), rows_.velocity.clear(), rows_.mover_of_slot.clear(), rows_.movers.clear();
+    rows_.slot_of_mover.clear();
+    rows_.mover_of_node.resize(static_cast<std::size_t>(all.velocity.cols()), 0);
+    rows_.mover_of_rotation.resize(static_cast<std::size_t>(all.spin.cols()), 0);
+    rows_.bodies = m.rigid ? static_cast<Index>(m.rigid->bodies.size()) : 0;
+    for (Index b = 0; b < rows_.bodies; ++b) {
+      const MovingBody& body = m.rigid->bodies[static_cast<std::size_t>(b)];
+      rows_.movers.push_back({.kind = MoverKind::motion, .of = b, .mobility = 1, .through = &body.shift, .velocity = Vec3::Zero()});
+      rows_.movers.push_back({.kind = MoverKind::turn, .of = b, .mobility = 1, .through = &body.turn, .velocity = Vec3::Zero()});
+      rows_.slot_of_mover.insert(rows_.slot_of_mover.end(), 2, -1);
+    }
+  }
+
+  void begin_range() { range_ = static_cast<Index>(rows_.velocity.size()); }
+
+  /// A row of pushes on nodes: push(place) with node(place), for so many places.
+  template <class Node, class Push>
+  Row row(Index places, Node&& node, Push&& push) {
+    begin();
+    for (Index j = 0; j < places; ++j) add(node(j), push(j));
+    return end();
+  }
+
+  /// Both rows of a friction, along directions in its plane.
+  void rows(FrictionCondition& friction) {
+    for (std::size_t k = 0; k < 2; ++k) {
+      const FrictionShares shares = share_friction(friction.touch, friction.along[k]);
+      begin();
+      for (int i = 0; i < shares.count; ++i) {
+        add(shares.node[i], shares.force[i]);
+        if (shares.turns[i]) add_entry(mover_of_rotation(m_.rotation_of_node[shares.node[i]]), shares.moment[i]);
+      }
+      friction.row[k] = end();
+    }
+  }
+
+  /// Lists the copies of all movers.
+  void finish() {
+    for (const Index mover : rows_.mover_of_slot) ++rows_.movers[static_cast<std::size_t>(mover)].count;
+    Index first = 0;
+    for (Mover& one : rows_.movers) one.first = first, first += one.count, one.count = 0;
+    rows_.copies.resize(static_cast<std::size_t>(first));
+    for (std::size_t slot = 0; slot < rows_.mover_of_slot.size(); ++slot) {
+      Mover& mover = rows_.movers[static_cast<std::size_t>(rows_.mover_of_slot[slot])];
+      rows_.copies[static_cast<std::size_t>(mover.first + mover.count++)] = static_cast<Index>(slot);
+    }
+    rows_.given.assign(rows_.velocity.size(), Vec4::Zero());
+  }
+
+ private:
+  struct OnBody {
+    Index body;
+    Vec3 force, moment;
+  };
+
+  const Motion& m_;
+  Multipliers& all_;
+  Rows& rows_;
+  Index range_ = 0;  // first slot of it
+  Row row_;
+  std::array<OnBody, 2> on_;
+  Index bodies_ = 0;
+
+  void begin() {
+    row_ = {.first = static_cast<Index>(rows_.slot.size())};
+    bodies_ = 0;
+  }
+
+  Row end() {
+    for (Index k = 0; k < bodies_; ++k) {
+      const OnBody& one = on_[static_cast<std::size_t>(k)];
+      add_entry(2 * one.body, one.force), add_entry(2 * one.body + 1, one.moment);
+    }
+    row_.bodies = bodies_;
+    row_.count = static_cast<Index>(rows_.slot.size()) - row_.first;
+    return row_;
+  }
+
+  void add(Index node, const Vec3& push) {
+    const Index body = m_.rigid ? m_.rigid->of_node[static_cast<std::size_t>(node)] : -1;
+    if (body < 0) return add_entry(mover_of_node(node), push);
+    row_.offset += push.dot(all_.velocity.col(node));
+    Index k = 0;
+    while (k < bodies_ && on_[static_cast<std::size_t>(k)].body != body) ++k;
+    OnBody& on = on_[static_cast<std::size_t>(k)];  // contact has two sides, so no more than two of them
+    if (k == bodies_) on = {body, Vec3::Zero(), Vec3::Zero()}, ++bodies_;
+    on.force += push;
+    on.moment += (m_.x.col(node) - m_.rigid->bodies[static_cast<std::size_t>(body)].centre).cross(push);
+  }
+
+  void add_entry(Index mover, const Vec3& push) {
+    Index& slot = rows_.slot_of_mover[static_cast<std::size_t>(mover)];
+    if (slot < range_) {
+      slot = static_cast<Index>(rows_.velocity.size());
+      rows_.velocity.push_back(padded(rows_.movers[static_cast<std::size_t>(mover)].velocity));
+      rows_.mover_of_slot.push_back(mover);
+    }
+    rows_.slot.push_back(slot), rows_.push.push_back(padded(push));
+  }
+
+  Index mover_of_node(Index node) {
+    return mover(MoverKind::node, node, rows_.mover_of_node, all_.mobility(node), m_.allowed[static_cast<std::size_t>(node)], all_.velocity);
+  }
+  Index mover_of_rotation(Index column) {
+    const Mat3* through = m_.allowed_rotation[static_cast<std::size_t>(column)];
+    return mover(MoverKind::rotation, column, rows_.mover_of_rotation, 1 / m_.inertia(column), through, all_.spin);
+  }
+  Index mover(MoverKind kind, Index of, std::vector<Index>& list, double mobility, const Mat3* through, const Vectors& velocity) {
+    Index& at = list[static_cast<std::size_t>(of)];
+    const auto here = static_cast<std::size_t>(at);
+    if (here < rows_.movers.size() && rows_.movers[here].kind == kind && rows_.movers[here].of == of) return at;
+    at = static_cast<Index>(rows_.movers.size());
+    rows_.movers.push_back({.kind = kind, .of = of, .mobility = mobility, .through = through, .velocity = velocity.col(of)});
+    rows_.slot_of_mover.push_back(-1);
+    return at;
+  }
+};
+
+bool is_of_body(const Mover& mover) { return mover.kind == MoverKind::motion || mover.kind == MoverKind::turn; }
+
+}  // namespace
+
+void move(Rows& rows) {
+  parallel_for(static_cast<Index>(rows.movers.size()), movers_of_a_thread, [&](Index i) {
+    Mover& mover = rows.movers[static_cast<std::size_t>(i)];
+    Vec4 sum = Vec4::Zero();
+    for (Index k = mover.first; k < mover.first + mover.count; ++k) {
+      Vec4& given = rows.given[static_cast<std::size_t>(rows.copies[static_cast<std::size_t>(k)])];
+      sum += given;
+      given.setZero();
+    }
+    if (sum.isZero(0)) return;
+    const Vec3 impulse = sum.head<3>();
+    if (is_of_body(mover)) mover.given += impulse;
+    place(mover, mover.velocity + mover.mobility * (mover.through ? Vec3(*mover.through * impulse) : impulse), rows);
+  });
+}
+
+void place(Mover& mover, const Vec3& velocity, Rows& rows) {
+  mover.velocity = velocity;
+  for (Index k = mover.first; k < mover.first + mover.count; ++k)
+    rows.velocity[static_cast<std::size_t>(rows.copies[static_cast<std::size_t>(k)])] = padded(velocity);
+}
+
+double size_on_body(const Row& row, Index k, const Rows& rows) {
+  double squared = 0;
+  for (Index entry = row.first + row.count - 2 * (row.bodies - k), end = entry + 2; entry < end; ++entry) {
+    const auto at = static_cast<std::size_t>(entry);
+    const Mover& mover = rows.movers[static_cast<std::size_t>(rows.mover_of_slot[static_cast<std::size_t>(rows.slot[at])])];
+    const Vec3 push = rows.push[at].head<3>();
+    squared += push.dot(*mover.through * push);
+  }
+  return std::sqrt(std::max(0.0, squared));
+}
+
+Index body_of(const Row& row, Index k, const Rows& rows) {
+  const auto entry = static_cast<std::size_t>(row.first + row.count - 2 * (row.bodies - k));
+  return rows.movers[static_cast<std::size_t>(rows.mover_of_slot[static_cast<std::size_t>(rows.slot[entry])])].of;
+}
+
+void make_rows(const Motion& m, Multipliers& all) {
+  Maker maker(m, all);
+  for (std::size_t k = 0; k < all.contactors.size(); ++k) {
+    if (k % contactors_of_a_range == 0) maker.begin_range();
+    const Contactor& one = all.contactors[k];
+    for (Index i = one.first; i < one.last; ++i) {
+      Condition& c = all.conditions[static_cast<std::size_t>(i)];
+      const std::span<const Member> members = members_of(c, all);
+      c.row = maker.row(
+          c.nodes, [&](Index j) { return members[static_cast<std::size_t>(j)].node; },
+          [&](Index j) -> const Vec3& { return members[static_cast<std::size_t>(j)].push; });
+    }
+    if (one.friction >= 0) maker.rows(all.frictions[static_cast<std::size_t>(one.friction)]);
+  }
+  maker.finish();
+}
+
+double find_velocities(const Motion& m, Multipliers& all) {
+  Rows& rows = all.rows;
+  for (const Mover& mover : rows.movers) {
+    if (mover.kind == MoverKind::node) all.velocity.col(mover.of) = mover.velocity;
+    if (mover.kind == MoverKind::rotation) all.spin.col(mover.of) = mover.velocity;
+  }
+  if (!m.rigid) return 0;
+  const auto each_on_bodies = [&](auto&& visit) {  // visit(row, its rate by the velocities of all nodes)
+    for (Condition& c : all.conditions)
+      if (c.row.bodies > 0) visit(c.row, [&] { return relative(c, all, all.velocity); });
+    for (FrictionCondition& f : all.frictions)
+      for (std::size_t k = 0; k < 2; ++k)
+        if (f.row[k].bodies > 0)
+          visit(f.row[k], [&] { return f.along[k].dot(slip_rate(f.touch, all.velocity, all.spin, m.rotation_of_node)); });
+  };
+  each_on_bodies([&](Row& row, auto&&) { row.offset = rate(row, rows); });
+  for (Index b = 0; b < rows.bodies; ++b) {
+    Mover &motion = rows.movers[static_cast<std::size_t>(2 * b)], &turn = rows.movers[static_cast<std::size_t>(2 * b + 1)];
+    if (motion.given.isZero(0) && turn.given.isZero(0)) continue;
+    push(m.rigid->bodies[static_cast<std::size_t>(b)], motion.given, turn.given, m, all.velocity);
+    for (Mover* one : {&motion, &turn}) one->given.setZero(), place(*one, Vec3::Zero(), rows);
+  }
+  double most = 0;
+  each_on_bodies([&](Row& row, auto&& found) {
+    const double by_movers = row.offset, is = found();
+    row.offset = 0;
+    row.offset = is - rate(row, rows);
+    most = std::max(most, std::abs(is - by_movers));
+  });
+  return most;
+}
+
+}  // namespace nereid::contact
