@@ -805,8 +805,7 @@ Multipliers make_multipliers(std::span<const Interface> interfaces, std::span<co
   all.conditions.reserve(most_of_an_apex * apexes);
   all.members.reserve(5 * most_of_an_apex * apexes);
   for (auto* list : {&all.rows.velocity, &all.rows.given, &all.rows.push}) list->reserve(5 * most_of_an_apex * apexes);
-  for (auto* list : {&all.rows.slot, &all.rows.mover_of_slot, &all.rows.copies, &all.rows.slot_of_mover})
-    list->reserve(5 * most_of_an_apex * apexes);
+  for (auto* list : {&all.rows.slot, &all.rows.mover_of_slot, &all.rows.copies}) list->reserve(5 * most_of_an_apex * apexes);
   all.rows.movers.reserve(all.nodes.size());
   all.frictions.reserve(apexes);
   all.contactors.reserve(apexes);

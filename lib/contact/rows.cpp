@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/parallel.hpp"
 #include "contact/condition.hpp"
@@ -18,20 +19,29 @@ constexpr Index movers_of_a_thread = 512;  // fewer than twice as many are moved
 class Maker {
  public:
   Maker(const Motion& m, Multipliers& all) : m_(m), all_(all), rows_(all.rows) {
-    rows_.slot.clear(), rows_.push.clear(), rows_.velocity.clear(), rows_.mover_of_slot.clear(), rows_.movers.clear();
-    rows_.slot_of_mover.clear();
-    rows_.mover_of_node.resize(static_cast<std::size_t>(all.velocity.cols()), 0);
-    rows_.mover_of_rotation.resize(static_cast<std::size_t>(all.spin.cols()), 0);
+    constexpr std::size_t most_of_bodies = 4;                     // entries: motion and turn of two
+    constexpr std::size_t entries_of_friction = 2 * (2 * 5 + 4);  // both rows: nodes with rotations, rigid bodies
+    const std::size_t most = all.members.size() + most_of_bodies * all.conditions.size() + entries_of_friction * all.frictions.size();
+    if (rows_.slot.size() < most) rows_.slot.resize(most), rows_.push.resize(most);
+    rows_.velocity.clear(), rows_.mover_of_slot.clear(), rows_.movers.clear();
     rows_.bodies = m.rigid ? static_cast<Index>(m.rigid->bodies.size()) : 0;
+    rows_.of_node.resize(static_cast<std::size_t>(all.velocity.cols()));
+    rows_.of_rotation.resize(static_cast<std::size_t>(all.spin.cols()));
+    rows_.of_body.resize(static_cast<std::size_t>(2 * rows_.bodies));
+    if (rows_.stamp > std::numeric_limits<std::int32_t>::max() / 2)
+      for (auto* list : {&rows_.of_node, &rows_.of_rotation, &rows_.of_body}) std::fill(list->begin(), list->end(), Rows::Place{}), rows_.stamp = 0;
+    rows_.first_stamp = rows_.stamp + 1;
     for (Index b = 0; b < rows_.bodies; ++b) {
       const MovingBody& body = m.rigid->bodies[static_cast<std::size_t>(b)];
       rows_.movers.push_back({.kind = MoverKind::motion, .of = b, .mobility = 1, .through = &body.shift, .velocity = Vec3::Zero()});
       rows_.movers.push_back({.kind = MoverKind::turn, .of = b, .mobility = 1, .through = &body.turn, .velocity = Vec3::Zero()});
-      rows_.slot_of_mover.insert(rows_.slot_of_mover.end(), 2, -1);
+      for (std::size_t k = 0; k < 2; ++k)
+        rows_.of_body[2 * static_cast<std::size_t>(b) + k] = {rows_.first_stamp, -1, 2 * b + static_cast<Index>(k)};
     }
+    ++rows_.stamp;  // of no range, so that bodies have no slots
   }
 
-  void begin_range() { range_ = static_cast<Index>(rows_.velocity.size()); }
+  void begin_range() { ++rows_.stamp; }
 
   /// A row of pushes on nodes: push(place) with node(place), for so many places.
   template <class Node, class Push>
@@ -48,7 +58,7 @@ class Maker {
       begin();
       for (int i = 0; i < shares.count; ++i) {
         add(shares.node[i], shares.force[i]);
-        if (shares.turns[i]) add_entry(mover_of_rotation(m_.rotation_of_node[shares.node[i]]), shares.moment[i]);
+        if (shares.turns[i]) add_entry(slot_of_rotation(m_.rotation_of_node[shares.node[i]]), shares.moment[i]);
       }
       friction.row[k] = end();
     }
@@ -76,29 +86,29 @@ class Maker {
   const Motion& m_;
   Multipliers& all_;
   Rows& rows_;
-  Index range_ = 0;  // first slot of it
+  Index entries_ = 0;
   Row row_;
   std::array<OnBody, 2> on_;
   Index bodies_ = 0;
 
   void begin() {
-    row_ = {.first = static_cast<Index>(rows_.slot.size())};
+    row_ = {.first = entries_};
     bodies_ = 0;
   }
 
   Row end() {
     for (Index k = 0; k < bodies_; ++k) {
       const OnBody& one = on_[static_cast<std::size_t>(k)];
-      add_entry(2 * one.body, one.force), add_entry(2 * one.body + 1, one.moment);
+      add_entry(slot_of_body(2 * one.body), one.force), add_entry(slot_of_body(2 * one.body + 1), one.moment);
     }
     row_.bodies = bodies_;
-    row_.count = static_cast<Index>(rows_.slot.size()) - row_.first;
+    row_.count = entries_ - row_.first;
     return row_;
   }
 
   void add(Index node, const Vec3& push) {
     const Index body = m_.rigid ? m_.rigid->of_node[static_cast<std::size_t>(node)] : -1;
-    if (body < 0) return add_entry(mover_of_node(node), push);
+    if (body < 0) return add_entry(slot_of_node(node), push);
     row_.offset += push.dot(all_.velocity.col(node));
     Index k = 0;
     while (k < bodies_ && on_[static_cast<std::size_t>(k)].body != body) ++k;
@@ -108,31 +118,39 @@ class Maker {
     on.moment += (m_.x.col(node) - m_.rigid->bodies[static_cast<std::size_t>(body)].centre).cross(push);
   }
 
-  void add_entry(Index mover, const Vec3& push) {
-    Index& slot = rows_.slot_of_mover[static_cast<std::size_t>(mover)];
-    if (slot < range_) {
-      slot = static_cast<Index>(rows_.velocity.size());
-      rows_.velocity.push_back(padded(rows_.movers[static_cast<std::size_t>(mover)].velocity));
-      rows_.mover_of_slot.push_back(mover);
-    }
-    rows_.slot.push_back(slot), rows_.push.push_back(padded(push));
+  void add_entry(Index slot, const Vec3& push) {
+    const auto at = static_cast<std::size_t>(entries_++);
+    rows_.slot[at] = slot, rows_.push[at] = padded(push);
   }
 
-  Index mover_of_node(Index node) {
-    return mover(MoverKind::node, node, rows_.mover_of_node, all_.mobility(node), m_.allowed[static_cast<std::size_t>(node)], all_.velocity);
+  Index slot_of_node(Index node) {
+    Rows::Place& place = rows_.of_node[static_cast<std::size_t>(node)];
+    if (place.stamp == rows_.stamp) return place.slot;
+    if (place.stamp < rows_.first_stamp)
+      place.mover = new_mover(MoverKind::node, node, all_.mobility(node), m_.allowed[static_cast<std::size_t>(node)], all_.velocity);
+    return new_slot(place);
   }
-  Index mover_of_rotation(Index column) {
+  Index slot_of_rotation(Index column) {
+    Rows::Place& place = rows_.of_rotation[static_cast<std::size_t>(column)];
+    if (place.stamp == rows_.stamp) return place.slot;
     const Mat3* through = m_.allowed_rotation[static_cast<std::size_t>(column)];
-    return mover(MoverKind::rotation, column, rows_.mover_of_rotation, 1 / m_.inertia(column), through, all_.spin);
+    if (place.stamp < rows_.first_stamp)
+      place.mover = new_mover(MoverKind::rotation, column, 1 / m_.inertia(column), through, all_.spin);
+    return new_slot(place);
   }
-  Index mover(MoverKind kind, Index of, std::vector<Index>& list, double mobility, const Mat3* through, const Vectors& velocity) {
-    Index& at = list[static_cast<std::size_t>(of)];
-    const auto here = static_cast<std::size_t>(at);
-    if (here < rows_.movers.size() && rows_.movers[here].kind == kind && rows_.movers[here].of == of) return at;
-    at = static_cast<Index>(rows_.movers.size());
+  Index slot_of_body(Index mover) {
+    Rows::Place& place = rows_.of_body[static_cast<std::size_t>(mover)];
+    return place.stamp == rows_.stamp ? place.slot : new_slot(place);
+  }
+  Index new_mover(MoverKind kind, Index of, double mobility, const Mat3* through, const Vectors& velocity) {
     rows_.movers.push_back({.kind = kind, .of = of, .mobility = mobility, .through = through, .velocity = velocity.col(of)});
-    rows_.slot_of_mover.push_back(-1);
-    return at;
+    return static_cast<Index>(rows_.movers.size()) - 1;
+  }
+  Index new_slot(Rows::Place& place) {
+    place.stamp = rows_.stamp, place.slot = static_cast<Index>(rows_.velocity.size());
+    rows_.velocity.push_back(padded(rows_.movers[static_cast<std::size_t>(place.mover)].velocity));
+    rows_.mover_of_slot.push_back(place.mover);
+    return place.slot;
   }
 };
 

@@ -52,8 +52,13 @@ struct Rows {
   std::vector<Mover> movers;
   std::vector<Index> copies;          ///< slots of each mover
   Index bodies = 0;                   ///< movers of rigid bodies come first: two of each
-  std::vector<Index> mover_of_node, mover_of_rotation;  ///< right if the mover there is of that
-  std::vector<Index> slot_of_mover;                     ///< right if it is of the range at hand
+  /// Where something has its slot: right if the stamp is that of the range at hand, as the mover is if the stamp is of this step.
+  struct Place {
+    std::int32_t stamp = 0;
+    Index slot = 0, mover = 0;
+  };
+  std::vector<Place> of_node, of_rotation, of_body;
+  std::int32_t stamp = 0, first_stamp = 0;  ///< of the last range, and of the first one of the step
 };
 
 /// Rate of a row. [m/s]
