@@ -215,7 +215,7 @@ struct EdgePair {
   Index edge = -1, base_edge = -1;  ///< in Interface::edges and base_edges
   bool in_face = false;             ///< one of them is no ridge, but between elements of a face or in a valley
   double apart = 0;                 ///< [m] less h_c
-  /// [m] As long as Memory::way is less, one edge lies flat in a face of the other and none comes over it.
+  /// [m] As long as Memory::way is less, one edge is beside the other, or lies flat in a face of it, and none comes over the other.
   double flat = -std::numeric_limits<double>::infinity();
 };
 
@@ -238,6 +238,15 @@ struct Crossing {
   FrictionForces friction;
 };
 
+/// Two edges where one is over the other.
+struct Over {
+  bool is = false;                 ///< within both edges, and in front of both
+  int side = 0;                    ///< sign of the normal on the product of both edges
+  Vec3 normal = Vec3::UnitZ();     ///< unit vector from the base edge to the other one
+  double height = 0;               ///< [m]
+  double first = 0, second = 0;    ///< [-] places along the edge and the base edge
+};
+
 /// Two bodies of an automatic contact that have touched, or both sides of a declared one.
 struct Meeting {
   Index one = -1, other = -1;      ///< bodies, the first not behind the other; -1: the side of the apexes and that of the base
@@ -251,7 +260,7 @@ struct Memory {
   std::vector<Share> shares;                ///< of the stencils over points: Stencil::first_share
   std::vector<Near> near;                   ///< ascending apexes; of a bonded interface all that have a bond
   std::vector<EdgePair> edge_pairs;         ///< of kind `edges`: within the margin at the last search, ascending
-  std::vector<Crossing> crossings;          ///< those of them that can touch in the step to come, ascending
+  std::vector<Crossing> crossings;          ///< those of them whose edges are over each other, ascending
   Subset near_facets;                       ///< facets within the margin of each near apex, ascending
   Subset slot;                              ///< [apexes] place in `near`, or -1
   std::vector<Feature> feature;             ///< [apexes] the element in use
@@ -363,7 +372,8 @@ struct Workspace {
   std::vector<Near> near;  ///< the next list of near apexes
   std::vector<EdgeBox> edges, base_edges, base_ridges;  ///< what a search looks at
   std::vector<EdgePair> edge_pairs;        ///< the next list of pairs
-  std::vector<Crossing> crossings;         ///< the next list of them
+  std::vector<Crossing> crossings;         ///< the next list of crossings
+  std::vector<Over> over;                  ///< how these stand
   Scalars spring_sum;      ///< [N/m] [nodes of the mesh] stiffness of all springs at a base node
   Scalars rotation_sum;    ///< [N] [nodes of the mesh] the same for the moments of friction
 };

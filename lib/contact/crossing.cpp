@@ -232,12 +232,12 @@ Touch touch_of(const Vectors& x, const Crossing& crossing) {
 }  // namespace
 
 Over over(const Interface& interface, const Vectors& x, Index edge, Index base_edge, bool in_face, int side) {
-  Over at;
+  Over at, lines;
+  if (!between_lines(interface, x, edge, base_edge, 1, lines) || !is_within(lines.first) || !is_within(lines.second)) return at;
   for (const int sign : {1, -1}) {
     if (side != 0 && sign != side) continue;
-    Over found;
-    if (!between_lines(interface, x, edge, base_edge, sign, found)) return at;
-    if (!is_within(found.first) || !is_within(found.second)) continue;
+    Over found = lines;
+    found.side = sign, found.normal = sign * lines.normal, found.height = sign * lines.height;
     const Flanks flanks(interface.edges, x, edge), base_flanks(interface.base_edges, x, base_edge);
     const double first = rise(flanks, -found.normal), second = rise(base_flanks, found.normal);
     const double touches = side != 0 ? leans : bent, stands = -(side != 0 ? stays_steep : steep);
@@ -252,6 +252,20 @@ Over over(const Interface& interface, const Vectors& x, Index edge, Index base_e
     if (!at.is || found.height > at.height) at = found;
   }
   return at;
+}
+
+double stays_beside(const Interface& interface, const Vectors& x, Index edge, Index base_edge) {
+  constexpr double small = 0.1;  // of the width of an edge across the other one: with more the lines are others
+  Over lines;
+  if (!between_lines(interface, x, edge, base_edge, 1, lines)) return 0;
+  const Vec3 L1 = along(interface.edges, x, edge), L2 = along(interface.base_edges, x, base_edge);
+  const double sine = L1.cross(L2).norm() / (L1.norm() * L2.norm()), height = std::abs(lines.height);
+  const auto way = [&](double place, double width, double other) {
+    const double beside = std::max(-place, place - 1) - past_end;
+    const double moves = 1 + std::abs(other) + std::abs(1 - other) + 4 * height / width;
+    return std::min(beside * width / (2 * moves), small * width);
+  };
+  return std::max(way(lines.first, L1.norm() * sine, lines.second), way(lines.second, L2.norm() * sine, lines.first));
 }
 
 double stays_flat(const Interface& interface, const Vectors& x, Index edge, Index base_edge) {
@@ -358,35 +372,42 @@ void search_crossings(const Interface& interface, const Vectors& x, Memory& memo
     else discard(was.restitution, memory.impact);
     return !is_there;
   };
-  memory.crossings.reserve(memory.edge_pairs.size()), workspace.crossings.reserve(memory.edge_pairs.size());  // a step takes no memory
+  const std::size_t many = std::min<std::size_t>(memory.edge_pairs.size(), 256);  // so that a step takes no memory
+  memory.crossings.reserve(many), workspace.crossings.reserve(many), workspace.over.reserve(many);
   memory.crossings.erase(std::remove_if(memory.crossings.begin(), memory.crossings.end(), is_gone), memory.crossings.end());
 }
 
 namespace {
 
-/// Lists the pairs that can touch in the step to come, or come over each other sideways, with what is known of them.
+/// Brings the crossings up to date, pair after pair: those that were over each other, and what can come over the other in the step to come.
 ///
 /// moved  [m] by which edges can have come nearer since the last search
 /// way    [m] by which they can in the step to come
-void list_crossings(const Interface& interface, double moved, double way, Memory& memory, std::vector<Crossing>& next) {
-  // Calls visit(pair, what is known of it or null, whether it is to be listed) until it says no more.
-  const auto each = [&](auto&& visit) {
-    auto was = memory.crossings.begin();
-    for (const EdgePair& pair : memory.edge_pairs) {
-      const Crossing* known = was != memory.crossings.end() && !in_order(pair, *was) ? &*was++ : nullptr;
+/// over   how the edges of each stand; `is` false where they do not act
+void follow_all(const Interface& interface, const Motion& m, double moved, double way, Memory& memory, std::vector<Crossing>& next,
+                std::vector<Over>& over, Multipliers& all) {
+  next.clear(), over.clear();
+  auto was = memory.crossings.begin();
+  for (EdgePair& pair : memory.edge_pairs) {
+    const bool is_known = was != memory.crossings.end() && !in_order(pair, *was);
+    if (!is_known) {
+      if (memory.way + way < pair.flat) continue;
       const Between& both = between_edges(interface, pair.edge, pair.base_edge);
-      const double reach = std::max(sideways * both.depth, reach_of(both, way));
-      const bool lies_flat = memory.way + way < pair.flat;
-      if (!visit(pair, known, (known && known->side != 0) || (!lies_flat && pair.apart - moved <= reach))) return false;
+      if (!(pair.apart - moved <= std::max(sideways * both.depth, reach_of(both, way)))) continue;
     }
-    return true;
-  };
-  if (each([](const EdgePair&, const Crossing* known, bool listed) { return listed == (known != nullptr); })) return;  // as they are
-  next.clear();
-  each([&](const EdgePair& pair, const Crossing* known, bool listed) {
-    if (listed) next.push_back(known ? *known : crossing_of(pair));
-    return true;
-  });
+    Crossing crossing = is_known ? *was++ : crossing_of(pair);
+    Over at;
+    at.is = follow(interface, m, all, crossing, at);
+    if (crossing.side != 0) {
+      next.push_back(crossing), over.push_back(at);
+      continue;
+    }
+    end(crossing.node, interface.restitution, crossing.restitution, memory, all);
+    double apart_until = stays_beside(interface, m.x, pair.edge, pair.base_edge);
+    if (pair.in_face && way < slow * between_edges(interface, pair.edge, pair.base_edge).depth)
+      apart_until = std::max(apart_until, stays_flat(interface, m.x, pair.edge, pair.base_edge));
+    pair.flat = memory.way + apart_until;
+  }
   std::swap(memory.crossings, next);
 }
 
@@ -399,16 +420,15 @@ void find_crossings(const Interface& interface, const Motion& m, Memory& memory,
   const auto apart = [&](const Vectors& v) { return speed_apart(v, {interface.apexes, interface.base_nodes}); };
   const double way = one_pair ? m.next * apart(all.velocity) : all.way_apart;
   if (one_pair) memory.way += m.dt * apart(m.v);
-  list_crossings(interface, moved, way, memory, workspace.crossings);
-  auto listed = memory.edge_pairs.begin();
-  for (Crossing& crossing : memory.crossings) {
+  follow_all(interface, m, moved, way, memory, workspace.crossings, workspace.over, all);
+  for (std::size_t i = 0; i < memory.crossings.size(); ++i) {
+    Crossing& crossing = memory.crossings[i];
     const Between& pair = between_edges(interface, crossing.edge, crossing.base_edge);
-    Over at;
-    bool acts = follow(interface, m, all, crossing, at);
+    bool acts = workspace.over[i].is;
     const auto first = static_cast<Index>(all.conditions.size());
     if (acts) {
       Condition& c = begin_condition(all);
-      make(interface, at, crossing, all, c);
+      make(interface, workspace.over[i], crossing, all, c);
       const double speed = relative(crossing, all.velocity).norm();
       acts = can_touch(pair, m, c.gap, speed) && complete(m, crossing.pressed, crossing.restitution.held, all, c);
       if (!acts) take_back(all);
@@ -416,9 +436,6 @@ void find_crossings(const Interface& interface, const Motion& m, Memory& memory,
     if (!acts) {
       end(crossing.node, interface.restitution, crossing.restitution, memory, all);
       let_go(crossing);
-      while (in_order(*listed, crossing)) ++listed;
-      if (crossing.in_face && crossing.side == 0 && way < slow * pair.depth)
-        listed->flat = memory.way + stays_flat(interface, m.x, crossing.edge, crossing.base_edge);
       continue;
     }
     crossing.acts = true;

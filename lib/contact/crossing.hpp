@@ -15,15 +15,6 @@
 
 namespace nereid::contact {
 
-/// Two edges where one is over the other.
-struct Over {
-  bool is = false;                 ///< within both edges, and in front of both
-  int side = 0;                    ///< sign of the normal on the product of both edges
-  Vec3 normal = Vec3::UnitZ();     ///< unit vector from the base edge to the other one
-  double height = 0;               ///< [m]
-  double first = 0, second = 0;    ///< [-] places along the edge and the base edge
-};
-
 /// h_c between two edges. [m]
 inline double height_between(const Interface& interface, Index edge, Index base_edge) {
   const Scalars &one = interface.edges.half, &other = interface.base_edges.half;
@@ -51,6 +42,17 @@ inline Crossing crossing_of(const EdgePair& pair) {
 /// side     where they were over each other in the step before: faces beside them may lean farther over the other edge; 0: to be found.
 ///          Between rims both sides may be right, then it is the one with a positive height
 Over over(const Interface&, const Vectors& x, Index edge, Index base_edge, bool in_face, int side);
+
+/// The way by which nodes may move against each other before the lines of two edges can be closest within both; not positive where they are,
+/// or are parallel. [m]
+///
+///     way = d / (2 (1 + |t| + |1 - t| + 4 h / w))
+///
+/// w      width of one edge across the other one, |L1 x L2| / |L2|
+/// d      by which it ends beside the plane of the other edge and of the normal of both
+/// t, h   place on the other edge, height; the point there goes with the ends of that edge by |t| + |1 - t|, and the normal turns
+/// The larger of both edges counts. The factor of 2 is for turns that are not small.
+double stays_beside(const Interface&, const Vectors& x, Index edge, Index base_edge);
 
 /// The way by which nodes may move against each other before one edge of a pair can come over the other, where one of them lies in a face
 /// and the other is a ridge; not positive where it may be over it now. [m]
