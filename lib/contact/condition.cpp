@@ -33,7 +33,6 @@ constexpr double at_ridge = 0.05;      // weight of the third node of a facet: w
 constexpr double uneven = 0.01;        // sine: normals that differ by less, as on a mesh of a flat face that is not quite flat, are alike
 constexpr double as_much = 0.5;        // of the larger push of both sides
 constexpr double same_part = 0.9063;   // cosine of 25 degrees between normals of a base whose points are found together
-constexpr double no_weight = 1e-14;    // of the push: round-off
 constexpr double turned_height = 0.2;  // of a depth: by so much it is deeper along a normal that has gone evenly over an edge
 constexpr double farther_than_points = 0.1;  // of the side of a base: a node that is farther is no nearer by its points
 
@@ -674,7 +673,8 @@ bool find_over_points(const Interface& interface, const Motion& m, const Memory&
   for (const Share& one : work.sum) {
     // on like meshes these are 0 or 1, and round-off beside that would set what lies still in motion
     const Vec3 push = (one.push / area).unaryExpr([](double part) {
-      return std::abs(part - std::round(part)) < no_weight ? std::round(part) : part;
+      const double whole = std::nearbyint(part);
+      return std::abs(part - whole) < no_weight ? whole : part;
     });
     if (c.nodes > 0 && push.isZero(0)) continue;
     const double weight = push.norm();

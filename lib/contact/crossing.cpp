@@ -229,6 +229,20 @@ Touch touch_of(const Vectors& x, const Crossing& crossing) {
   return touch;
 }
 
+/// stays_beside() of edges whose lines are known.
+double stays_beside(const Interface& interface, const Vectors& x, Index edge, Index base_edge, const Over& lines) {
+  constexpr double small = 0.1;  // of the width of an edge across the other one: with more the lines are others
+  if (is_within(lines.first) && is_within(lines.second)) return 0;
+  const Vec3 L1 = along(interface.edges, x, edge), L2 = along(interface.base_edges, x, base_edge);
+  const double area = L1.cross(L2).norm(), height = std::abs(lines.height);
+  const auto way = [&](double place, double width, double other) {
+    const double beside = std::max(-place, place - 1) - past_end;
+    const double moves = 1 + std::abs(other) + std::abs(1 - other) + 4 * height / width;
+    return std::min(beside * width / (2 * moves), small * width);
+  };
+  return std::max(way(lines.first, area / L2.norm(), lines.second), way(lines.second, area / L1.norm(), lines.first));
+}
+
 }  // namespace
 
 Over over(const Interface& interface, const Vectors& x, Index edge, Index base_edge, bool in_face, int side) {
@@ -255,17 +269,8 @@ Over over(const Interface& interface, const Vectors& x, Index edge, Index base_e
 }
 
 double stays_beside(const Interface& interface, const Vectors& x, Index edge, Index base_edge) {
-  constexpr double small = 0.1;  // of the width of an edge across the other one: with more the lines are others
   Over lines;
-  if (!between_lines(interface, x, edge, base_edge, 1, lines)) return 0;
-  const Vec3 L1 = along(interface.edges, x, edge), L2 = along(interface.base_edges, x, base_edge);
-  const double sine = L1.cross(L2).norm() / (L1.norm() * L2.norm()), height = std::abs(lines.height);
-  const auto way = [&](double place, double width, double other) {
-    const double beside = std::max(-place, place - 1) - past_end;
-    const double moves = 1 + std::abs(other) + std::abs(1 - other) + 4 * height / width;
-    return std::min(beside * width / (2 * moves), small * width);
-  };
-  return std::max(way(lines.first, L1.norm() * sine, lines.second), way(lines.second, L2.norm() * sine, lines.first));
+  return between_lines(interface, x, edge, base_edge, 1, lines) ? stays_beside(interface, x, edge, base_edge, lines) : 0;
 }
 
 double stays_flat(const Interface& interface, const Vectors& x, Index edge, Index base_edge) {
@@ -379,6 +384,19 @@ void search_crossings(const Interface& interface, const Vectors& x, Memory& memo
 
 namespace {
 
+/// The way by which nodes may move against each other before the edges of a pair can touch, as far as their lines tell. [m]
+///
+/// reach  [m] gap up to which they can touch
+double way_until_touch(const Interface& interface, const Vectors& x, const EdgePair& pair, double reach, double enough) {
+  Over lines;
+  const bool known = between_lines(interface, x, pair.edge, pair.base_edge, 1, lines);
+  const double beside = known ? stays_beside(interface, x, pair.edge, pair.base_edge, lines) : 0;
+  if (beside > enough) return beside;
+  const auto p = ends_of(interface, x, pair.edge, pair.base_edge);
+  const double apart = std::sqrt(geometry::segments_squared(p[0], p[1], p[2], p[3]));
+  return std::max(beside, apart - height_between(interface, pair.edge, pair.base_edge) - reach);
+}
+
 /// Brings the crossings up to date, pair after pair: those that were over each other, and what can come over the other in the step to come.
 ///
 /// moved  [m] by which edges can have come nearer since the last search
@@ -386,6 +404,7 @@ namespace {
 /// over   how the edges of each stand; `is` false where they do not act
 void follow_all(const Interface& interface, const Motion& m, double moved, double way, Memory& memory, std::vector<Crossing>& next,
                 std::vector<Over>& over, Multipliers& all) {
+  constexpr double enough = 4;  // steps: a bound of more is not made sharper
   next.clear(), over.clear();
   auto was = memory.crossings.begin();
   for (EdgePair& pair : memory.edge_pairs) {
@@ -393,7 +412,11 @@ void follow_all(const Interface& interface, const Motion& m, double moved, doubl
     if (!is_known) {
       if (memory.way + way < pair.flat) continue;
       const Between& both = between_edges(interface, pair.edge, pair.base_edge);
-      if (!(pair.apart - moved <= std::max(sideways * both.depth, reach_of(both, way)))) continue;
+      const double reach = std::max(sideways * both.depth, reach_of(both, way));
+      if (!(pair.apart - moved <= reach)) continue;
+      const double until = way_until_touch(interface, m.x, pair, reach, enough * way);
+      pair.flat = memory.way + until;
+      if (until > way) continue;
     }
     Crossing crossing = is_known ? *was++ : crossing_of(pair);
     Over at;
@@ -403,10 +426,8 @@ void follow_all(const Interface& interface, const Motion& m, double moved, doubl
       continue;
     }
     end(crossing.node, interface.restitution, crossing.restitution, memory, all);
-    double apart_until = stays_beside(interface, m.x, pair.edge, pair.base_edge);
     if (pair.in_face && way < slow * between_edges(interface, pair.edge, pair.base_edge).depth)
-      apart_until = std::max(apart_until, stays_flat(interface, m.x, pair.edge, pair.base_edge));
-    pair.flat = memory.way + apart_until;
+      pair.flat = std::max(pair.flat, memory.way + stays_flat(interface, m.x, pair.edge, pair.base_edge));
   }
   std::swap(memory.crossings, next);
 }

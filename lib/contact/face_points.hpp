@@ -54,8 +54,8 @@ struct FacePoints {
   std::array<Index, 4> last{-1, -1, -1, -1};  ///< facets of the feet of the Gauss points when they were found before
   std::vector<Index> base;    ///< nodes of all feet, each once
   std::array<CornerSum, 4> corner;
-  /// [4 corners x 3 axes x (nodes of the face, then those of the base)] what a node gets per area of a corner
-  std::vector<double> push;
+  /// [corners x (nodes of the face, then those of the base)] what a node gets per area of each corner
+  std::vector<Vec3> push;
 };
 
 /// What a node takes of a push.
@@ -70,6 +70,7 @@ struct PointWork {
   std::int64_t step = 0;
   std::vector<FacePoints> of_face;  ///< beside Interface::faces
   std::vector<Share> sum;           ///< of an apex
+  std::vector<double> by_node;      ///< [4 corners x 3 axes x nodes] of the face at hand
   std::vector<std::int32_t> place;  ///< [nodes of the mesh] in `sum`; right if the share there is of that node
 };
 

@@ -284,7 +284,7 @@ void find_points(const Interface& interface, const Vectors& x, const Face& face,
 }
 
 /// Sums what points give each corner of a face, and what the nodes of the face and of its base get of it.
-void sum_by_corner(const BaseSurface& base, FacePoints& points) {
+void sum_by_corner(const BaseSurface& base, std::vector<double>& by_node, FacePoints& points) {
   const Face& face = points.face;
   points.corner = {};
   points.base.clear();
@@ -301,9 +301,10 @@ void sum_by_corner(const BaseSurface& base, FacePoints& points) {
     }
   }
   using Four = Eigen::Array4d;  // of the corners
-  points.push.assign(12 * (corners + points.base.size()), 0.0);
+  const std::size_t nodes = corners + points.base.size();
+  by_node.assign(12 * nodes, 0.0);
   const auto add = [&](std::size_t node, const Vec3& part, const Four& weight) {
-    double* at = &points.push[12 * node];
+    double* at = &by_node[12 * node];
     for (int axis = 0; axis < 3; ++axis) Eigen::Map<Four>(at + 4 * axis) += part(axis) * weight;
   };
   Four gap = Four::Zero(), part = gap, nx = gap, ny = gap, nz = gap;
@@ -319,8 +320,16 @@ void sum_by_corner(const BaseSurface& base, FacePoints& points) {
     for (std::size_t j = 0; j < corners; ++j) add(j, phi[j] * foot.normal, weight);
     for (std::size_t l = 0; l < static_cast<std::size_t>(foot.nodes); ++l) add(corners + place[q][l], -foot.weight[l] * foot.normal, weight);
   }
-  for (int a = 0; a < face.corners; ++a)
-    points.corner[static_cast<std::size_t>(a)] = {whole ? 1 : part(a), gap(a), Vec3(nx(a), ny(a), nz(a))};
+  points.push.resize(corners * nodes);
+  const auto size = [](double value) { return std::abs(value) < no_weight ? 0 : value; };  // dual weights leave round-off
+  for (std::size_t a = 0; a < corners; ++a) {
+    const auto i = static_cast<Eigen::Index>(a);
+    points.corner[a] = {whole ? 1 : part(i), gap(i), Vec3(nx(i), ny(i), nz(i))};
+    for (std::size_t node = 0; node < nodes; ++node) {
+      const double* at = &by_node[12 * node + a];
+      points.push[a * nodes + node] = {size(at[0]), size(at[4]), size(at[8])};
+    }
+  }
 }
 
 }  // namespace
@@ -400,7 +409,7 @@ OverPoints sum_points(const Interface& interface, const Vectors& x, Index apex, 
     if (!faces(interface.base, x, face, facet)) continue;
     if (points.step != work.step || !is_same_part(interface, x, points, facet)) {
       find_points(interface, x, face, facet, points);
-      sum_by_corner(interface.base, points);
+      sum_by_corner(interface.base, work.by_node, points);
       points.step = work.step, points.from = facet;
     }
     if (points.lies == Lies::leaning) sum.of_node += share.area;
@@ -410,10 +419,10 @@ OverPoints sum_points(const Interface& interface, const Vectors& x, Index apex, 
     sum.covered_elsewhere = sum.covered_elsewhere || !(of_corner.part > 0);
     if (!(of_corner.part > 0)) continue;
     sum.area += share.area * of_corner.part, sum.gap += share.area * of_corner.gap, sum.normal += share.area * of_corner.normal;
-    const double* push = &points.push[a];
+    const Vec3* push = &points.push[a * (static_cast<std::size_t>(face.corners) + points.base.size())];
     const auto add = [&](Index one, bool of_apex_side) {
-      add_to(one, Vec3(share.area * push[0], share.area * push[4], share.area * push[8]), of_apex_side, work);
-      push += 12;
+      if (!push->isZero(0)) add_to(one, share.area * *push, of_apex_side, work);
+      ++push;
     };
     for (int j = 0; j < face.corners; ++j) add(face.node[j], true);
     for (const Index of_base : points.base) add(of_base, false);

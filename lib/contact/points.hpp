@@ -27,6 +27,8 @@ namespace nereid::contact {
 /// audit warns of.
 constexpr double always_allowed = 0.01, most_allowed = 0.025;
 
+constexpr double no_weight = 1e-14;  ///< of a push: round-off
+
 /// Finds the facet over whose plane a point stands: from a facet on across edges that are no walls.
 ///
 /// returns  the facet, or -1 past a border or wall

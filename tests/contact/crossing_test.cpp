@@ -411,8 +411,10 @@ Tipped tip(bool looks_at_all) {
   for (int i = 1; i <= 8000; ++i) {
     for (EdgePair& pair : bars.memory.edge_pairs)
       if (looks_at_all) pair.flat = -INFINITY;
+    const auto is_active = [&](const EdgePair& pair) { return pair.flat <= bars.memory.way; };
+    found.looked_at += static_cast<std::size_t>(std::count_if(bars.memory.edge_pairs.begin(), bars.memory.edge_pairs.end(), is_active));
     steps.find(bars, workspace, tipped(0.005 * i));
-    found.looked_at += bars.memory.crossings.size(), found.conditions += steps.all.conditions.size();
+    found.conditions += steps.all.conditions.size();
   }
   return found;
 }

@@ -172,10 +172,11 @@ Tipped tip(bool automatic, bool looks_at_all) {
   Tipped found;
   for (int i = 0; s.state.t < 0.6; ++i) {
     for (contact::Memory& memory : s.state.interfaces) {
-      found.looked_at += static_cast<double>(memory.crossings.size());
       for (const contact::Crossing& crossing : memory.crossings) found.acted += crossing.acts ? 1 : 0;
       for (contact::EdgePair& pair : memory.edge_pairs)
         if (looks_at_all) pair.flat = -INFINITY;
+      const auto is_active = [&](const contact::EdgePair& pair) { return pair.flat <= memory.way; };
+      found.looked_at += static_cast<double>(std::count_if(memory.edge_pairs.begin(), memory.edge_pairs.end(), is_active));
     }
     step(s.model, (i % 50 < 25 ? 0.5 : 0.3) * least, s.state, s.forces);
   }
@@ -219,7 +220,7 @@ Slid slide(bool automatic, bool looks_at_all) {
     for (contact::Memory& memory : s.state.interfaces)
       for (contact::Near& near : memory.near) {
         found.pressed += near.pressed > 0 ? 1 : 0;
-        found.stay += near.stays ? 1 : 0;
+        found.stay += near.kept != contact::Kept::nothing ? 1 : 0;
         if (looks_at_all) near.clear = near.tracks.owned = -INFINITY;
       }
     step(s.model, dt, s.state, s.forces);
