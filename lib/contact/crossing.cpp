@@ -397,6 +397,16 @@ double way_until_touch(const Interface& interface, const Vectors& x, const EdgeP
   return std::max(beside, apart - height_between(interface, pair.edge, pair.base_edge) - reach);
 }
 
+/// By how much the nodes of both edges go against each other in the step to come. [m]
+double way_of(const Interface& interface, const Vectors& x, const Vectors& ahead, const EdgePair& pair) {
+  const auto way = [&](const Edges& edges, int end, Index edge) { return Vec3(node_of(edges, ahead, end, edge) - node_of(edges, x, end, edge)); };
+  const Vec3 first = way(interface.edges, 0, pair.edge);
+  const double squared = std::max({(way(interface.edges, 1, pair.edge) - first).squaredNorm(),
+                                   (way(interface.base_edges, 0, pair.base_edge) - first).squaredNorm(),
+                                   (way(interface.base_edges, 1, pair.base_edge) - first).squaredNorm()});
+  return 2 * std::sqrt(squared);  // between any two
+}
+
 /// Brings the crossings up to date, pair after pair: those that were over each other, and what can come over the other in the step to come.
 ///
 /// moved  [m] by which edges can have come nearer since the last search
@@ -416,7 +426,7 @@ void follow_all(const Interface& interface, const Motion& m, double moved, doubl
       if (!(pair.apart - moved <= reach)) continue;
       const double until = way_until_touch(interface, m.x, pair, reach, enough * way);
       pair.flat = memory.way + until;
-      if (until > way) continue;
+      if (until > way || until > way_of(interface, m.x, all.ahead, pair)) continue;
     }
     Crossing crossing = is_known ? *was++ : crossing_of(pair);
     Over at;
