@@ -58,6 +58,9 @@ double least_allowance(const Interface& interface, Index apex, Index facet) {
   return depth > 0 ? std::min(sag, most_allowed * depth) : sag;
 }
 
+/// By how much nodes go against each other from the start of a step to its end and back: a depth is no larger than it was by that. [m]
+double in_a_step(const Moved& moved) { return moved.now - moved.from; }
+
 /// Moves the one track and stencil of an apex to the facet that it is over now.
 void move_to(const OverPlane& plane, Near& near) {
   Stencil& stencil = near.element.stencil[0];
@@ -86,7 +89,7 @@ bool is_idle_guard(const Interface& interface, const Motion& m, const Vectors& x
   Vec3 speed = velocity.col(interface.apexes[near.apex]);
   for (int I = 0; I < 3; ++I) speed -= plane.over.weight[I] * velocity.col(interface.base.facets(I, facet));
   const double gap = plane.over.height - stencil.level, closing = times * steps_to_touch * m.next * std::abs(plane.over.normal.dot(speed));
-  const bool is_idle = gap < pair.release_height && 2 * moved.now - gap < near.clear &&
+  const bool is_idle = gap < pair.release_height && moved.now + in_a_step(moved) - gap < near.clear &&
                        plane.least_gap - closing + least_allowance(interface, near.apex, facet) > 0;
   if (!is_idle) return false;
   move_to(plane, near);
@@ -104,7 +107,7 @@ Kept kept_of(const Interface& interface, const Motion& m, const Vectors& x, cons
   const bool is_pressed = near.pressed > 0;
   if (!is_pressed && !near.by_points) return is_idle_guard(interface, m, x, velocity, memory, moved, near) ? Kept::guard : Kept::nothing;
   if (!is_pressed && !(memory.gap[near.apex] < between(interface, near.apex, tracks.track[0].facet).release_height)) return Kept::nothing;
-  if (!(2 * moved.now + element.depth < near.clear)) return Kept::nothing;
+  if (!(moved.now + in_a_step(moved) + element.depth < near.clear)) return Kept::nothing;
   if (near.by_points) return Kept::points;
   return moved.now < tracks.owned ? Kept::stencil : Kept::nothing;
 }
@@ -951,10 +954,10 @@ void move_all(const Motion& m, Multipliers& all) {
   move(all.rows);
   if (!all.bonds.touched) return;
   for (const Mover& mover : all.rows.movers)
-    if (mover.kind == MoverKind::node) all.velocity.col(mover.of) = mover.velocity;
+    if (mover.kind == MoverKind::node) all.velocity.col(mover.of) = velocity_of(mover, all.rows);
   hold(m, all.velocity, all.bonds);
-  for (Mover& mover : all.rows.movers)
-    if (mover.kind == MoverKind::node && all.bonds.has[mover.of]) place(mover, all.velocity.col(mover.of), all.rows);
+  for (const Mover& mover : all.rows.movers)
+    if (mover.kind == MoverKind::node && all.bonds.has[mover.of]) place(mover, padded(all.velocity.col(mover.of)), all.rows);
 }
 
 void apply_changes(const Motion& m, Multipliers& all) {

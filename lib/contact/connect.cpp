@@ -63,7 +63,7 @@ bool bond(const Vectors& x, Index a, const Start& start, Interface& interface, M
   memory.feature[a] = {facet, Kind::facet, 0};
   memory.status[a] = Status::open;
   memory.slot[a] = static_cast<Index>(memory.near.size());
-  memory.near.push_back({.apex = a, .tracks = {}, .friction = {}, .element = {}});
+  memory.near.push_back({.apex = a, .tracks = {}, .element = {}, .friction = {}});
   return true;
 }
 
@@ -209,7 +209,7 @@ Memory tried_out(const Interface& interface, const Vectors& x, double reach, Wor
     const bool bonded = interface.kind == InterfaceKind::bonded;
     if (start.facet < 0 || (bonded && interface.bonds[a].facet < 0)) continue;
     trial.slot[a] = static_cast<Index>(trial.near.size());
-    trial.near.push_back({.apex = a, .tracks = {}, .friction = {}, .element = {}});
+    trial.near.push_back({.apex = a, .tracks = {}, .element = {}, .friction = {}});
     Near& near = trial.near.back();
     trial.feature[a] = start.stand.feature;
     if (bonded) hold_bond(interface, x, near, trial);

@@ -206,8 +206,8 @@ struct Near {
   double pressed = 0, earlier = 0;  ///< [N] by multipliers in the step before and in that before: where the sweeps of the next one begin
   Index pressed_most = -1;  ///< by multipliers, the facet that pushed it most in the step before: friction acts on the body of that
   Tracks tracks;
-  FrictionForces friction;
-  ElementForces element;  // last: most of its stencils are not in use
+  ElementForces element;
+  FrictionForces friction;  // behind stencils of which most are not in use: most contact has no friction
 };
 
 /// Two edges near each other at the last search.

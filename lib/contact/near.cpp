@@ -233,7 +233,7 @@ void search(const Interface& interface, const Vectors& x, Memory& memory, Worksp
       continue;
     }
     if (was) workspace.near.push_back(*was);
-    else workspace.near.push_back({.apex = a, .tracks = {}, .friction = {}, .element = {}});
+    else workspace.near.push_back({.apex = a, .tracks = {}, .element = {}, .friction = {}});
     if (memory.status[a] == Status::unpaired) memory.status[a] = Status::open, ++memory.recovered;
     Near& now = workspace.near.back();
     now.first_facet = facets;

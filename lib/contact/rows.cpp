@@ -33,8 +33,8 @@ class Maker {
     rows_.first_stamp = rows_.stamp + 1;
     for (Index b = 0; b < rows_.bodies; ++b) {
       const MovingBody& body = m.rigid->bodies[static_cast<std::size_t>(b)];
-      rows_.movers.push_back({.kind = MoverKind::motion, .of = b, .mobility = 1, .through = &body.shift, .velocity = Vec3::Zero()});
-      rows_.movers.push_back({.kind = MoverKind::turn, .of = b, .mobility = 1, .through = &body.turn, .velocity = Vec3::Zero()});
+      rows_.movers.push_back({.kind = MoverKind::motion, .of = b, .mobility = 1, .through = &body.shift});
+      rows_.movers.push_back({.kind = MoverKind::turn, .of = b, .mobility = 1, .through = &body.turn});
       for (std::size_t k = 0; k < 2; ++k)
         rows_.of_body[2 * static_cast<std::size_t>(b) + k] = {rows_.first_stamp, -1, 2 * b + static_cast<Index>(k)};
     }
@@ -64,15 +64,22 @@ class Maker {
     }
   }
 
-  /// Lists the copies of all movers.
+  /// Lists the copies of all movers that have several.
   void finish() {
-    for (const Index mover : rows_.mover_of_slot) ++rows_.movers[static_cast<std::size_t>(mover)].count;
-    Index first = 0;
-    for (Mover& one : rows_.movers) one.first = first, first += one.count, one.count = 0;
-    rows_.copies.resize(static_cast<std::size_t>(first));
     for (std::size_t slot = 0; slot < rows_.mover_of_slot.size(); ++slot) {
       Mover& mover = rows_.movers[static_cast<std::size_t>(rows_.mover_of_slot[slot])];
-      rows_.copies[static_cast<std::size_t>(mover.first + mover.count++)] = static_cast<Index>(slot);
+      if (mover.count++ == 0) mover.slot = static_cast<Index>(slot);
+    }
+    Index first = 0;
+    for (Mover& one : rows_.movers)
+      if (one.count > 1) one.first = first, first += one.count;
+    rows_.copies.assign(static_cast<std::size_t>(first), -1);
+    for (std::size_t slot = rows_.mover_of_slot.size(); first > 0 && slot-- > 0;) {
+      const Mover& mover = rows_.movers[static_cast<std::size_t>(rows_.mover_of_slot[slot])];
+      if (mover.count < 2) continue;
+      auto at = static_cast<std::size_t>(mover.first + mover.count - 1);
+      while (rows_.copies[at] >= 0) --at;
+      rows_.copies[at] = static_cast<Index>(slot);
     }
     rows_.given.assign(rows_.velocity.size(), Vec4::Zero());
   }
@@ -127,28 +134,27 @@ class Maker {
     Rows::Place& place = rows_.of_node[static_cast<std::size_t>(node)];
     if (place.stamp == rows_.stamp) return place.slot;
     if (place.stamp < rows_.first_stamp)
-      place.mover = new_mover(MoverKind::node, node, all_.mobility(node), m_.allowed[static_cast<std::size_t>(node)], all_.velocity);
-    return new_slot(place);
+      place.mover = new_mover(MoverKind::node, node, all_.mobility(node), m_.allowed[static_cast<std::size_t>(node)]);
+    return new_slot(place, all_.velocity.col(node));
   }
   Index slot_of_rotation(Index column) {
     Rows::Place& place = rows_.of_rotation[static_cast<std::size_t>(column)];
     if (place.stamp == rows_.stamp) return place.slot;
     const Mat3* through = m_.allowed_rotation[static_cast<std::size_t>(column)];
-    if (place.stamp < rows_.first_stamp)
-      place.mover = new_mover(MoverKind::rotation, column, 1 / m_.inertia(column), through, all_.spin);
-    return new_slot(place);
+    if (place.stamp < rows_.first_stamp) place.mover = new_mover(MoverKind::rotation, column, 1 / m_.inertia(column), through);
+    return new_slot(place, all_.spin.col(column));
   }
   Index slot_of_body(Index mover) {
     Rows::Place& place = rows_.of_body[static_cast<std::size_t>(mover)];
-    return place.stamp == rows_.stamp ? place.slot : new_slot(place);
+    return place.stamp == rows_.stamp ? place.slot : new_slot(place, Vec3::Zero());
   }
-  Index new_mover(MoverKind kind, Index of, double mobility, const Mat3* through, const Vectors& velocity) {
-    rows_.movers.push_back({.kind = kind, .of = of, .mobility = mobility, .through = through, .velocity = velocity.col(of)});
+  Index new_mover(MoverKind kind, Index of, double mobility, const Mat3* through) {
+    rows_.movers.push_back({.kind = kind, .of = of, .mobility = mobility, .through = through});
     return static_cast<Index>(rows_.movers.size()) - 1;
   }
-  Index new_slot(Rows::Place& place) {
+  Index new_slot(Rows::Place& place, const Vec3& velocity) {
     place.stamp = rows_.stamp, place.slot = static_cast<Index>(rows_.velocity.size());
-    rows_.velocity.push_back(padded(rows_.movers[static_cast<std::size_t>(place.mover)].velocity));
+    rows_.velocity.push_back(padded(velocity));
     rows_.mover_of_slot.push_back(place.mover);
     return place.slot;
   }
@@ -158,26 +164,33 @@ bool is_of_body(const Mover& mover) { return mover.kind == MoverKind::motion || 
 
 }  // namespace
 
+Vec3 velocity_of(const Mover& mover, const Rows& rows) {
+  return mover.slot < 0 ? Vec3::Zero() : Vec3(rows.velocity[static_cast<std::size_t>(mover.slot)].head<3>());
+}
+
+void place(const Mover& mover, const Vec4& velocity, Rows& rows) {
+  if (mover.count == 1) rows.velocity[static_cast<std::size_t>(mover.slot)] = velocity;
+  for (Index k = mover.first; mover.count > 1 && k < mover.first + mover.count; ++k)
+    rows.velocity[static_cast<std::size_t>(rows.copies[static_cast<std::size_t>(k)])] = velocity;
+}
+
 void move(Rows& rows) {
   parallel_for(static_cast<Index>(rows.movers.size()), movers_of_a_thread, [&](Index i) {
     Mover& mover = rows.movers[static_cast<std::size_t>(i)];
-    Vec4 sum = Vec4::Zero();
-    for (Index k = mover.first; k < mover.first + mover.count; ++k) {
-      Vec4& given = rows.given[static_cast<std::size_t>(rows.copies[static_cast<std::size_t>(k)])];
-      sum += given;
-      given.setZero();
+    if (mover.slot < 0) return;
+    Vec4& given = rows.given[static_cast<std::size_t>(mover.slot)];
+    Vec4 sum = given;
+    given.setZero();
+    for (Index k = mover.first + 1; k < mover.first + mover.count; ++k) {
+      Vec4& other = rows.given[static_cast<std::size_t>(rows.copies[static_cast<std::size_t>(k)])];
+      sum += other;
+      other.setZero();
     }
     if (sum.isZero(0)) return;
-    const Vec3 impulse = sum.head<3>();
-    if (is_of_body(mover)) mover.given += impulse;
-    place(mover, mover.velocity + mover.mobility * (mover.through ? Vec3(*mover.through * impulse) : impulse), rows);
+    if (is_of_body(mover)) mover.given += sum.head<3>();
+    const Vec4 let = mover.through ? padded(*mover.through * sum.head<3>()) : sum;
+    place(mover, rows.velocity[static_cast<std::size_t>(mover.slot)] + mover.mobility * let, rows);
   });
-}
-
-void place(Mover& mover, const Vec3& velocity, Rows& rows) {
-  mover.velocity = velocity;
-  for (Index k = mover.first; k < mover.first + mover.count; ++k)
-    rows.velocity[static_cast<std::size_t>(rows.copies[static_cast<std::size_t>(k)])] = padded(velocity);
 }
 
 double size_on_body(const Row& row, Index k, const Rows& rows) {
@@ -216,8 +229,8 @@ void make_rows(const Motion& m, Multipliers& all) {
 double find_velocities(const Motion& m, Multipliers& all) {
   Rows& rows = all.rows;
   for (const Mover& mover : rows.movers) {
-    if (mover.kind == MoverKind::node) all.velocity.col(mover.of) = mover.velocity;
-    if (mover.kind == MoverKind::rotation) all.spin.col(mover.of) = mover.velocity;
+    if (mover.kind == MoverKind::node) all.velocity.col(mover.of) = velocity_of(mover, rows);
+    if (mover.kind == MoverKind::rotation) all.spin.col(mover.of) = velocity_of(mover, rows);
   }
   if (!m.rigid) return 0;
   const auto each_on_bodies = [&](auto&& visit) {  // visit(row, its rate by the velocities of all nodes)
@@ -233,7 +246,7 @@ double find_velocities(const Motion& m, Multipliers& all) {
     Mover &motion = rows.movers[static_cast<std::size_t>(2 * b)], &turn = rows.movers[static_cast<std::size_t>(2 * b + 1)];
     if (motion.given.isZero(0) && turn.given.isZero(0)) continue;
     push(m.rigid->bodies[static_cast<std::size_t>(b)], motion.given, turn.given, m, all.velocity);
-    for (Mover* one : {&motion, &turn}) one->given.setZero(), place(*one, Vec3::Zero(), rows);
+    for (Mover* one : {&motion, &turn}) one->given.setZero(), place(*one, Vec4::Zero(), rows);
   }
   double most = 0;
   each_on_bodies([&](Row& row, auto&& found) {

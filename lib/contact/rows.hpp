@@ -33,14 +33,15 @@ struct Row {
 
 enum class MoverKind : std::uint8_t { node, rotation, motion, turn };
 
-/// What has a velocity of its own.
+/// What has a velocity of its own: that of its slots, [m/s] or [rad/s], with the impulses so far; of rigid bodies the change since
+/// Row::offset was set.
 struct Mover {
   MoverKind kind;
   Index of;                    ///< node, column of the angular velocity, or rigid body
-  Index first = 0, count = 0;  ///< of its copies in Rows::copies
+  Index slot = -1;             ///< its first copy; -1: none
+  Index first = 0, count = 0;  ///< of all of them in Rows::copies, where it has several
   double mobility;             ///< [1/kg] or [1/(kg m2)]; 1 of rigid bodies
   const Mat3* through;         ///< projector of constraints, or what impulses do to a rigid body; null: nothing
-  Vec3 velocity;               ///< [m/s] or [rad/s] with the impulses so far; of rigid bodies the change since Row::offset was set
   Vec3 given = Vec3::Zero();   ///< [N s] or [N m s] of rigid bodies, since then
 };
 
@@ -50,7 +51,7 @@ struct Rows {
   std::vector<Vec4> velocity, given;  ///< [slots] of the mover; impulses since it last moved
   std::vector<Index> mover_of_slot;
   std::vector<Mover> movers;
-  std::vector<Index> copies;          ///< slots of each mover
+  std::vector<Index> copies;          ///< slots of movers that have several, in order
   Index bodies = 0;                   ///< movers of rigid bodies come first: two of each
   /// Where something has its slot: right if the stamp is that of the range at hand, as the mover is if the stamp is of this step.
   struct Place {
@@ -80,8 +81,10 @@ NEREID_HOT void give(const Row& row, double impulse, Rows& rows) {
 /// Moves all movers by what they were given.
 void move(Rows&);
 
-/// Gives a mover a velocity. [m/s] or [rad/s]
-void place(Mover&, const Vec3& velocity, Rows&);
+/// The velocity of a mover; zero if no row acts on it. [m/s] or [rad/s]
+Vec3 velocity_of(const Mover&, const Rows&);
+/// Gives it one.
+void place(const Mover&, const Vec4& velocity, Rows&);
 
 /// q of a row and its rigid body number k:  q^2 = p . M p  of its motion and its turn. [1/sqrt(kg)] It is zero along what planes hold, but
 /// for round-off of either sign.
