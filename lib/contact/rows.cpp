@@ -186,10 +186,13 @@ void move(Rows& rows) {
       sum += other;
       other.setZero();
     }
-    if (sum.isZero(0)) return;
-    if (is_of_body(mover)) mover.given += sum.head<3>();
-    const Vec4 let = mover.through ? padded(*mover.through * sum.head<3>()) : sum;
-    place(mover, rows.velocity[static_cast<std::size_t>(mover.slot)] + mover.mobility * let, rows);
+    Vec4& velocity = rows.velocity[static_cast<std::size_t>(mover.slot)];
+    if (mover.through) {
+      if (is_of_body(mover)) mover.given += sum.head<3>();
+      sum = padded(*mover.through * sum.head<3>());
+    }
+    velocity += mover.mobility * sum;
+    if (mover.count > 1) place(mover, velocity, rows);
   });
 }
 
