@@ -14,6 +14,8 @@ namespace {
 constexpr double approaches = 0.1;    // of the rate at which they will separate: bodies that approach faster are still being stopped
 constexpr double small_loss = 1e-3;   // of what is held: less, taken in a step, delays no release
 constexpr double no_energy = 1e-14;   // of the energy of the relative motion: so little is round-off of an earlier release
+constexpr double small_part = 1e-3;   // of the energy of all blows: pairs that approach with less pass a blow on as if they were stopped
+constexpr double much_faster = 10;    // times the change of speed by forces in a step: impulses that make more are of a blow
 constexpr double small_rest = 1e-9;   // of the energy of a blow: less is left for the next step
 constexpr int rounds = 30;            // friction changes what the normal impulses give, and bodies turn within the step
 
@@ -74,24 +76,61 @@ void list_pairs(const RigidNodes& rigid, Multipliers& all) {
   });
 }
 
-/// Whether the bodies of a pair have been stopped, and hold energy that separates them.
-bool is_over(std::span<const OfPair> pair, Multipliers& all) {
-  double left = 0, held = 0, taken = 0, closing = 0, moving = 0, impulse = 0;
+Index a_free_body_of(const RigidNodes& rigid, const OfPair& pair) {
+  for (const Index body : {pair.first, pair.second})
+    if (body >= 0 && !rigid.bodies[body].driven) return body;
+  return -1;
+}
+
+/// What the contactors of a pair of bodies hold and do.
+struct PairSum {
+  double left = 0, held = 0, taken = 0;          ///< [J] held after this step and before it, and taken in it
+  double closing = 0, moving = 0;                ///< [J] impulses of the blow times the rates that are left, of those that approach and of all
+  double impulse = 0;                            ///< [N s] of the blow
+  double by_impulses = 0, by_forces = 0;         ///< [m/s] changes of rates in this step
+
+  bool has_energy() const { return left > no_energy * moving; }
+};
+PairSum sum_of(std::span<const OfPair> pair, const Multipliers& all) {
+  PairSum sum;
   for (const OfPair& at : pair) {
     const Contactor& one = all.contactors[at.contactor];
-    left += left_of(one), held += std::max(0.0, one.memory->held), taken += std::max(0.0, -one.work);
+    sum.left += left_of(one), sum.held += std::max(0.0, one.memory->held), sum.taken += std::max(0.0, -one.work);
     for (Index i = one.first; i < one.last; ++i) {
-      const double power = all.blow_impulse[i] * all.conditions[i].after;
-      closing += std::max(0.0, -power), moving += std::abs(power), impulse += all.blow_impulse[i];
+      const Condition& c = all.conditions[i];
+      const double power = all.blow_impulse[i] * c.after;
+      sum.closing += std::max(0.0, -power), sum.moving += std::abs(power), sum.impulse += all.blow_impulse[i];
+      sum.by_impulses += c.impulse * c.per_mass, sum.by_forces += std::abs(c.free - c.before);
     }
   }
-  if (!(left > no_energy * moving)) return false;
-  if (impulse == 0)  // energy that ended contactors have left
-    for (const OfPair& at : pair) {
-      const Contactor& one = all.contactors[at.contactor];
-      set_impulses(one, std::sqrt(2 * std::max(0.0, left_of(one)) / all.conditions[one.first].per_mass), all);
-    }
-  return closing < approaches * 2 * left || taken < small_loss * held;
+  return sum;
+}
+
+/// Whether a pair gives back now: its bodies have been stopped, or they only pass on what others hold.
+///
+/// held_by_all  [J] by all pairs
+bool is_over(const PairSum& pair, double held_by_all) {
+  if (pair.has_energy() && (pair.closing < approaches * 2 * pair.left || pair.taken < small_loss * pair.held)) return true;
+  return pair.by_impulses > much_faster * pair.by_forces && pair.closing <= small_part * 2 * held_by_all;
+}
+
+/// Of a pair that has no impulses, but energy that ended contactors have left: as if each gave it back alone.
+void set_impulses_by_energy(std::span<const OfPair> pair, Multipliers& all) {
+  for (const OfPair& at : pair) {
+    const Contactor& one = all.contactors[at.contactor];
+    set_impulses(one, std::sqrt(2 * std::max(0.0, left_of(one)) / all.conditions[one.first].per_mass), all);
+  }
+}
+
+/// Calls visit(contactors of a pair, what they hold and do) for each pair of bodies that can move.
+template <class Visit>
+void each_pair(const RigidNodes& rigid, Multipliers& all, Visit&& visit) {
+  for (std::size_t begin = 0, end = 0; begin < all.of_pairs.size(); begin = end) {
+    const OfPair first = all.of_pairs[begin];
+    while (end < all.of_pairs.size() && all.of_pairs[end].first == first.first && all.of_pairs[end].second == first.second) ++end;
+    const std::span<const OfPair> pair{&all.of_pairs[begin], end - begin};
+    if (a_free_body_of(rigid, first) >= 0) visit(pair, sum_of(pair, all));
+  }
 }
 
 Index root_of(Index body, Subset& next) {
@@ -113,12 +152,6 @@ void join(const RigidNodes& rigid, const Contactor& one, Multipliers& all) {
   }
 }
 
-Index a_free_body_of(const RigidNodes& rigid, const OfPair& pair) {
-  for (const Index body : {pair.first, pair.second})
-    if (body >= 0 && !rigid.bodies[body].driven) return body;
-  return -1;
-}
-
 /// Takes what is lost of what the contactors of each blow hold, as much as if each of them held its share of the sum.
 void lose(Multipliers& all) {
   std::vector<double> positive(all.blows.size(), 0);
@@ -128,7 +161,7 @@ void lose(Multipliers& all) {
   }
   for (Contactor& one : all.contactors) {
     if (one.blow < 0 || !(left_of(one) > 0)) continue;
-    const double left = all.blows[one.blow].energy / positive[one.blow] * left_of(one);
+    const double left = std::max(0.0, all.blows[one.blow].energy / positive[one.blow]) * left_of(one);
     const double lost = (1 - one.square) * std::max(0.0, left - one.memory->kept);
     one.lost += lost;
     one.memory->kept = left - lost;
@@ -201,23 +234,27 @@ bool find_blows(const Motion& m, Multipliers& all) {
   list_pairs(*m.rigid, all);
   all.blow_of_body.resize(m.rigid->bodies.size());
   std::iota(all.blow_of_body.begin(), all.blow_of_body.end(), Index{0});
-  std::size_t kept = 0;
-  for (std::size_t begin = 0, end = 0; begin < all.of_pairs.size(); begin = end) {
-    const OfPair first = all.of_pairs[begin];
-    while (end < all.of_pairs.size() && all.of_pairs[end].first == first.first && all.of_pairs[end].second == first.second) ++end;
-    if (a_free_body_of(*m.rigid, first) < 0 || !is_over({&all.of_pairs[begin], end - begin}, all)) continue;
-    for (std::size_t at = begin; at < end; ++at) {
-      join(*m.rigid, all.contactors[all.of_pairs[at].contactor], all);
-      all.of_pairs[kept++] = all.of_pairs[at];
-    }
-  }
-  all.of_pairs.resize(kept);
+  double held_by_all = 0;
+  each_pair(*m.rigid, all, [&](std::span<const OfPair>, const PairSum& sum) { held_by_all += std::max(0.0, sum.left); });
+  const auto visit_those_that_are_over = [&](auto&& visit) {
+    each_pair(*m.rigid, all, [&](std::span<const OfPair> pair, const PairSum& sum) {
+      if (is_over(sum, held_by_all)) visit(pair, sum);
+    });
+  };
+  visit_those_that_are_over([&](std::span<const OfPair> pair, const PairSum&) {
+    for (const OfPair& at : pair) join(*m.rigid, all.contactors[at.contactor], all);
+  });
+  const auto root = [&](std::span<const OfPair> pair) { return root_of(a_free_body_of(*m.rigid, pair[0]), all.blow_of_body); };
   Subset blow_of_root(all.blow_of_body.size(), -1);
-  for (const OfPair& at : all.of_pairs) {
-    Index& blow = blow_of_root[root_of(a_free_body_of(*m.rigid, at), all.blow_of_body)];
-    if (blow < 0) blow = static_cast<Index>(all.blows.size()), all.blows.emplace_back();
-    all.contactors[at.contactor].blow = blow;
-  }
+  visit_those_that_are_over([&](std::span<const OfPair> pair, const PairSum& sum) {
+    Index& blow = blow_of_root[root(pair)];
+    if (blow < 0 && sum.has_energy()) blow = static_cast<Index>(all.blows.size()), all.blows.emplace_back();
+  });
+  visit_those_that_are_over([&](std::span<const OfPair> pair, const PairSum& sum) {
+    const Index blow = blow_of_root[root(pair)];
+    if (sum.impulse == 0) set_impulses_by_energy(pair, all);
+    for (const OfPair& at : pair) all.contactors[at.contactor].blow = blow;
+  });
   lose(all);
   return !all.blows.empty();
 }
