@@ -168,10 +168,16 @@ void lose(Multipliers& all) {
   }
 }
 
+/// Friction that gives energy in a step, as one that stops a slip which the release turns round, takes it from what contactors hold.
 void find_what_is_left(Multipliers& all) {
+  std::vector<double> by_friction(all.blows.size(), 0);
   for (Blow& blow : all.blows) blow.left = 0;
-  for (const Contactor& one : all.contactors)
-    if (one.blow >= 0) all.blows[one.blow].left += left_of(one);
+  for (const Contactor& one : all.contactors) {
+    if (one.blow < 0) continue;
+    all.blows[one.blow].left += left_of(one);
+    if (one.friction >= 0) by_friction[one.blow] += all.frictions[one.friction].work;
+  }
+  for (std::size_t b = 0; b < all.blows.size(); ++b) all.blows[b].left -= std::max(0.0, by_friction[b]);
 }
 
 /// Calls visit(condition, its place, its blow).
