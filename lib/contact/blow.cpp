@@ -11,8 +11,9 @@ namespace nereid::contact {
 
 namespace {
 
-constexpr double approaches = 0.1;    // of the rate at which they will separate: bodies that approach faster are still being stopped
+constexpr double approaches = 0.01;   // of the rate at which they will separate: bodies that approach faster are still being stopped
 constexpr double small_loss = 1e-3;   // of what is held: less, taken in a step, delays no release
+constexpr double least_held = 1e-3;   // of what is taken in a step: a pair that held less has only just met, and may meet in more places
 constexpr double no_energy = 1e-14;   // of the energy of the relative motion: so little is round-off of an earlier release
 constexpr double small_part = 1e-3;   // of the energy of all blows: pairs that approach with less pass a blow on as if they were stopped
 constexpr double much_faster = 10;    // times the change of speed by forces in a step: impulses that make more are of a blow
@@ -85,7 +86,7 @@ Index a_free_body_of(const RigidNodes& rigid, const OfPair& pair) {
 /// What the contactors of a pair of bodies hold and do.
 struct PairSum {
   double left = 0, held = 0, taken = 0;          ///< [J] held after this step and before it, and taken in it
-  double closing = 0, moving = 0;                ///< [J] impulses of the blow times the rates that are left, of those that approach and of all
+  double closing = 0, moving = 0;                ///< [J] impulses of the blow times rates that are left, of those that approach, of all
   double impulse = 0;                            ///< [N s] of the blow
   double by_impulses = 0, by_forces = 0;         ///< [m/s] changes of rates in this step
 
@@ -100,18 +101,24 @@ PairSum sum_of(std::span<const OfPair> pair, const Multipliers& all) {
       const Condition& c = all.conditions[i];
       const double power = all.blow_impulse[i] * c.after;
       sum.closing += std::max(0.0, -power), sum.moving += std::abs(power), sum.impulse += all.blow_impulse[i];
-      sum.by_impulses += c.impulse * c.per_mass, sum.by_forces += std::abs(c.free - c.before);
+      sum.by_impulses += all.blow_impulse[i] * c.per_mass, sum.by_forces += std::abs(c.free - c.before);
     }
   }
   return sum;
 }
 
-/// Whether a pair gives back now: its bodies have been stopped, or they only pass on what others hold.
+/// Whether the bodies of a pair have been stopped, and hold energy that separates them.
+bool gives_back(const PairSum& pair) {
+  const bool has_only_met = pair.held < least_held * pair.taken;
+  return pair.has_energy() && !has_only_met && (pair.closing < approaches * 2 * pair.left || pair.taken < small_loss * pair.held);
+}
+
+/// Whether a pair holds next to nothing of a blow, but its impulses are of one.
 ///
 /// held_by_all  [J] by all pairs
-bool is_over(const PairSum& pair, double held_by_all) {
-  if (pair.has_energy() && (pair.closing < approaches * 2 * pair.left || pair.taken < small_loss * pair.held)) return true;
-  return pair.by_impulses > much_faster * pair.by_forces && pair.closing <= small_part * 2 * held_by_all;
+bool passes_on(const PairSum& pair, double held_by_all) {
+  return pair.left <= small_part * held_by_all && pair.closing <= small_part * 2 * held_by_all &&
+         pair.by_impulses > much_faster * pair.by_forces;
 }
 
 /// Of a pair that has no impulses, but energy that ended contactors have left: as if each gave it back alone.
@@ -242,21 +249,21 @@ bool find_blows(const Motion& m, Multipliers& all) {
   std::iota(all.blow_of_body.begin(), all.blow_of_body.end(), Index{0});
   double held_by_all = 0;
   each_pair(*m.rigid, all, [&](std::span<const OfPair>, const PairSum& sum) { held_by_all += std::max(0.0, sum.left); });
-  const auto visit_those_that_are_over = [&](auto&& visit) {
+  const auto visit_those_that_act = [&](auto&& visit) {
     each_pair(*m.rigid, all, [&](std::span<const OfPair> pair, const PairSum& sum) {
-      if (is_over(sum, held_by_all)) visit(pair, sum);
+      if (gives_back(sum) || passes_on(sum, held_by_all)) visit(pair, sum);
     });
   };
-  visit_those_that_are_over([&](std::span<const OfPair> pair, const PairSum&) {
+  visit_those_that_act([&](std::span<const OfPair> pair, const PairSum&) {
     for (const OfPair& at : pair) join(*m.rigid, all.contactors[at.contactor], all);
   });
   const auto root = [&](std::span<const OfPair> pair) { return root_of(a_free_body_of(*m.rigid, pair[0]), all.blow_of_body); };
   Subset blow_of_root(all.blow_of_body.size(), -1);
-  visit_those_that_are_over([&](std::span<const OfPair> pair, const PairSum& sum) {
+  visit_those_that_act([&](std::span<const OfPair> pair, const PairSum& sum) {
     Index& blow = blow_of_root[root(pair)];
-    if (blow < 0 && sum.has_energy()) blow = static_cast<Index>(all.blows.size()), all.blows.emplace_back();
+    if (blow < 0 && gives_back(sum)) blow = static_cast<Index>(all.blows.size()), all.blows.emplace_back();
   });
-  visit_those_that_are_over([&](std::span<const OfPair> pair, const PairSum& sum) {
+  visit_those_that_act([&](std::span<const OfPair> pair, const PairSum& sum) {
     const Index blow = blow_of_root[root(pair)];
     if (sum.impulse == 0) set_impulses_by_energy(pair, all);
     for (const OfPair& at : pair) all.contactors[at.contactor].blow = blow;
@@ -303,7 +310,10 @@ void share_out_blows(std::span<Pool> pools, Multipliers& all) {
 void update_blow(const Contactor& one, const Multipliers& all) {
   if (!one.is_rigid) return;
   Restitution& memory = *one.memory;
-  memory.blow = one.blow >= 0 || !(memory.held > 0) ? 0 : memory.blow + impulse_of(one, all);
+  const auto is_of_a_blow = [](const Condition& c) { return c.impulse * c.per_mass > much_faster * std::abs(c.free - c.before); };
+  const bool is_struck = std::any_of(&all.conditions[one.first], &all.conditions[one.first] + (one.last - one.first), is_of_a_blow);
+  const bool goes_on = one.blow < 0 && (memory.held > 0 || is_struck);
+  memory.blow = goes_on ? memory.blow + impulse_of(one, all) : 0;
 }
 
 }  // namespace nereid::contact

@@ -1,10 +1,10 @@
 #pragma once
 // Blows between rigid bodies: the energy that contact takes while bodies are stopped, and the impulses that give it back.
 //
-// Contactors of all connected pairs of bodies share a blow. Impulses J stopped them, and took the energy E in all. When the bodies approach
-// each other no more, impulses s J act at once, with the s >= 0 for which their work is the sum of e^2 of what each contactor took:
+// Contactors of all connected pairs of bodies share a blow. Impulses J stopped them, and took the energy E in all. When the bodies do not
+// approach each other any more, impulses s J act at once, with the s >= 0 for which they give back e^2 of what each contactor took:
 //
-//     sum of 1/2 J_k (v_b + v_a)_k  over this step  = - sum of e_k^2 E_k
+//     sum of 1/2 J_k (v_b + v_a)_k  over all steps of the blow  =  - sum of (1 - e_k^2) E_k
 //
 // This is Poisson's hypothesis for the direction of the release and Stronge's for its size. Where the blow is simultaneous and frictionless,
 // each contactor that was pressed leaves with e times the rate of its approach, s = e, and for e = 1 the kinetic energy is that before:
