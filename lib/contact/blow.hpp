@@ -6,9 +6,9 @@
 //
 //     sum of 1/2 J_k (v_b + v_a)_k  over all steps of the blow  =  - sum of (1 - e_k^2) E_k
 //
-// This is Poisson's hypothesis for the direction of the release and Stronge's for its size. Where the blow is simultaneous and frictionless,
-// each contactor that was pressed leaves with e times the rate of its approach, s = e, and for e = 1 the kinetic energy is that before:
-// docs/theory/multipliers.md.
+// This is Poisson's hypothesis for the direction of the release and Stronge's for its size. If the blow is simultaneous and frictionless,
+// then s = e: each contactor that was pressed leaves with e times the rate of its approach, and for e = 1 the kinetic energy is that
+// before. docs/theory/multipliers.md.
 
 #include <span>
 
