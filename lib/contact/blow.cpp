@@ -77,9 +77,12 @@ void list_pairs(const RigidNodes& rigid, Multipliers& all) {
   });
 }
 
+/// Whether impulses move a body: not if it is driven, or if planes hold it.
+bool can_move(const MovingBody& body) { return !body.driven && !(body.shift.isZero(0) && body.turn.isZero(0)); }
+
 Index a_free_body_of(const RigidNodes& rigid, const OfPair& pair) {
   for (const Index body : {pair.first, pair.second})
-    if (body >= 0 && !rigid.bodies[body].driven) return body;
+    if (body >= 0 && can_move(rigid.bodies[body])) return body;
   return -1;
 }
 
@@ -145,16 +148,18 @@ Index root_of(Index body, Subset& next) {
   return body;
 }
 
-/// Joins bodies that a contactor moves together. What is driven, as a rigid plane, passes nothing on.
+/// Joins bodies that a contactor moves together. What does not answer impulses, as a rigid plane, passes nothing on.
 void join(const RigidNodes& rigid, const Contactor& one, Multipliers& all) {
   Index root = -1;
   for (Index i = one.first; i < one.last; ++i) {
     const OfPair pair = pair_of(rigid, all.conditions[i], all);
     for (const Index body : {pair.first, pair.second}) {
-      if (body < 0 || rigid.bodies[body].driven) continue;
+      if (body < 0 || !can_move(rigid.bodies[body])) continue;
       const Index other = root_of(body, all.blow_of_body);
       if (root < 0) root = other;
-      all.blow_of_body[std::max(root, other)] = root = std::min(root, other);
+      const Index low = std::min(root, other);
+      all.blow_of_body[std::max(root, other)] = low;
+      root = low;
     }
   }
 }

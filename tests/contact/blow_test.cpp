@@ -219,6 +219,16 @@ TEST(Blow, OnADrivenBodyIsNotSharedWithOthersThatStrikeIt) {
   }
 }
 
+TEST(Blow, IsThatOfAllBodiesOfAChainInWhateverOrderTheyAreNumbered) {
+  Setting at({2, 5, 3});
+  at.set_velocity(2, Vec3(1, -2, 0));
+  at.touch(2 * Setting::corners, 0, -Vec3::UnitX()), at.touch(2 * Setting::corners, Setting::corners, Vec3::UnitY());
+  at.strike();
+  EXPECT_EQ(at.all.blows.size(), 1U);
+  EXPECT_NEAR(at.energy(), at.before, 1e-8 * at.before);
+  EXPECT_NEAR(at.held(), 0, 1e-8 * at.before);
+}
+
 TEST(Blow, OnARigidPlaneGivesBackAll) {
   Setting at({2});
   at.set_velocity(0, Vec3(1, 0.3, 0), Vec3(0.2, 0.4, -0.1));
