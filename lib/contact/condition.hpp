@@ -100,6 +100,21 @@ struct Contactor {
   double work = 0;       ///< [J] of its impulses in this step
   double lost = 0;       ///< [J] of what it held, as it was released
   bool lets_go = false;  ///< it gives back in this step what it holds of a blow
+  bool is_rigid = false; ///< between rigid bodies, or one and a plane; set by find_blows()
+  Index blow = -1;       ///< in Multipliers::blows, or -1
+};
+
+/// Contactors between rigid bodies that give back in this step, all together, what they hold: those of connected pairs of bodies.
+struct Blow {
+  double energy = 0;  ///< [J] that it gives back
+  double scale = 0;   ///< [-] impulses of the release over those of the blow
+  double left = 0;    ///< [J] still to be given back; negative: too much was given
+};
+
+/// A contactor between rigid bodies, by the pair that touches.
+struct OfPair {
+  Index first, second;  ///< bodies, the lower one first; -1: a rigid plane
+  Index contactor;
 };
 
 /// Contactors that share what they hold, and how much of it others of the pool have received. [J]
@@ -190,6 +205,11 @@ struct Multipliers {
   std::vector<Index> first;  ///< [interfaces, then planes, then one] of their contactors
   std::vector<Progress> progress;  ///< of a sweep by ranges of contactors
   std::vector<Pool> pools;
+  std::vector<Blow> blows;           ///< that end in this step
+  std::vector<OfPair> of_pairs;      ///< contactors between rigid bodies, pair after pair
+  Subset blow_of_body;               ///< [rigid bodies] where sets of connected bodies are looked up, then their blows
+  std::vector<double> blow_impulse;  ///< [N s] [conditions] of their blow
+  std::vector<double> blow_rate;     ///< [m/s] [conditions] what these impulses change in the rate
   Bonds bonds;
 };
 

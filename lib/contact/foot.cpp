@@ -56,14 +56,43 @@ Vec3 normal_behind(const BaseSurface& base, const Vectors& x, Index facet, Index
   return facet_normal(base, x, facet);
 }
 
-/// The mean normal of the facets around a node that belong to the patch of a face with this normal.
+/// The area that the edges of a face span at a node, along the normal there. Both halves of a quadrilateral have the same. [m2]
+Vec3 area_at(const BaseSurface& base, const Vectors& x, Index facet, Index node) {
+  const Face face = face_of(base, facet);
+  int at = 0;
+  while (face.node[at] != node) ++at;
+  const auto to = [&](int steps) { return Vec3(x.col(face.node[(at + steps) % face.corners]) - x.col(node)); };
+  return to(1).cross(to(face.corners - 1));
+}
+
+/// Whether the other half of a face has this node too, and counts for both.
+bool counts_in_other_half(const BaseSurface& base, Index facet, Index node) {
+  const int cut = base.half[facet].cut;
+  if (cut < 0) return false;
+  const Index other = base.neighbour(cut, facet);
+  const auto nodes = base.facets.col(other);
+  return other < facet && std::find(nodes.begin(), nodes.end(), node) != nodes.end();
+}
+
+/// The mean normal of the faces around a node: of all of them if these belong to one patch, so that it does not depend on the face that is
+/// asked; else of those that belong to the patch of a face with this normal.
 Vec3 patch_normal(const BaseSurface& base, const Vectors& x, Index node, const Vec3& normal) {
-  Vec3 sum = Vec3::Zero();
-  for (Index r = base.ring_begin[node]; r < base.ring_begin[node + 1]; ++r) {
-    const Vec3 area = area_vector(base, x, base.ring[r]);
-    if (area.dot(normal) > one_patch * area.norm()) sum += area;
-  }
-  return sum.normalized();
+  const auto mean_of_those_along = [&](const Vec3& along) {
+    Vec3 sum = Vec3::Zero();
+    bool are_all = true;
+    for (Index r = base.ring_begin[node]; r < base.ring_begin[node + 1]; ++r) {
+      if (counts_in_other_half(base, base.ring[r], node)) continue;
+      const Vec3 area = area_at(base, x, base.ring[r], node);
+      if (area.dot(along) > one_patch * area.norm()) sum += area;
+      else are_all = false;
+    }
+    return std::pair(Vec3(sum.normalized()), are_all);
+  };
+  Vec3 all = Vec3::Zero();
+  for (Index r = base.ring_begin[node]; r < base.ring_begin[node + 1]; ++r)
+    if (!counts_in_other_half(base, base.ring[r], node)) all += area_at(base, x, base.ring[r], node);
+  if (const auto [mean, are_all] = mean_of_those_along(all.normalized()); are_all) return mean;
+  return mean_of_those_along(normal.normalized()).first;
 }
 
 /// Lets a normal go evenly over into those of the neighbours in a band along the edges of a face.

@@ -7,6 +7,7 @@
 
 #include "base/parallel.hpp"
 #include "contact/apex.hpp"
+#include "contact/blow.hpp"
 #include "contact/crossing.hpp"
 #include "contact/meeting.hpp"
 #include "contact/restitution.hpp"
@@ -568,16 +569,21 @@ void enforce(std::span<const Interface> interfaces, std::span<const RigidPlane> 
   all.spent.end(Stage::release);
   std::vector<Pool>& pools = all.pools;
   pools.clear();
-  acting.for_each([&](std::size_t at, const auto& contact, auto& memory) {
+  acting.for_each([&](std::size_t at, const auto&, auto& memory) {
     const Index first = all.first[at], last = all.first[at + 1];
     const FrictionLoss friction = friction_loss(m, first, last, all);
     memory.friction_to_come = friction.to_come;
     pools.push_back({first, last, &memory.transferred, friction.all - memory.friction_owed});
     memory.impact += update_restitution(m, t, pools.back(), all);
-    balance({&pools.back(), 1}, all);
+  });
+  share_out_blows(pools, all);
+  std::size_t of_contact = 0;
+  acting.for_each([&](std::size_t, const auto& contact, auto&) {
+    Pool* pool = &pools[of_contact++];
+    balance({pool, 1}, all);
     if (!is_back_pass(contact)) return;
-    balance({&pools.back() - 1, 2}, all);
-    balance_friction({&pools.back() - 1, 2});
+    balance({pool - 1, 2}, all);
+    balance_friction({pool - 1, 2});
   });
   balance(pools, all);
   balance_friction(pools);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/blow.hpp"
+
 namespace nereid::contact {
 
 namespace {
@@ -89,6 +91,7 @@ bool give_back(const Motion& m, double t, bool first, Multipliers& all) {
   for (Contactor& one : all.contactors) {
     for (Index i = one.first; i < one.last; ++i) all.conditions[i].change = 0;
     const Restitution& memory = *one.memory;
+    if (one.is_rigid) continue;  // gives back by find_blows()
     const double left = part * left_of(one);
     if (!(memory.held > 0) || !(left > 0)) continue;
     Condition& c = hardest(one, all);
@@ -114,19 +117,21 @@ bool give_back(const Motion& m, double t, bool first, Multipliers& all) {
 
 void release(const Motion& m, double t, Multipliers& all) {
   for (FrictionCondition& condition : all.frictions) condition.change.setZero();
-  if (!give_back(m, t, true, all)) return;
+  const bool strikes = find_blows(m, all), gives = give_back(m, t, true, all);
+  if (!strikes && !gives) return;
   // rigid bodies leave in one step, and what several contactors hold of one blow is to be gone by then
-  for (int round = 1; m.rigid && round < rounds_of_rigid; ++round) {
+  for (int round = 1; m.rigid && gives && round < rounds_of_rigid; ++round) {
     find_work(m, all);
     if (!give_back(m, t, false, all)) break;
   }
+  if (strikes) give_back_blows(m, all);
   for (int pass = 0; pass < passes; ++pass) {  // gaps that this has made negative, with what each holds itself
     for (Contactor& one : all.contactors)
       for (Index i = one.first; i < one.last; ++i) {
         Condition& c = all.conditions[i];
         const double after = rate(c, all);
         const Gain by = gain(c, after);
-        const double left = std::max(0.0, one.memory->held - one.work - one.lost);
+        const double left = one.blow >= 0 ? 0 : std::max(0.0, one.memory->held - one.work - one.lost);
         c.change = std::max(0.0, (c.least - after) / c.bound);
         if (c.change > 0 && by.of(c.change) > left) c.change = by.impulse_for(left);
         one.work += by.of(c.change);
@@ -139,6 +144,7 @@ void release(const Motion& m, double t, Multipliers& all) {
       if (one.friction >= 0) find_change(rubbing_impulse_of(one, all), rate(all.frictions[one.friction], all), all.frictions[one.friction]);
     apply_changes(m, all);
   }
+  if (strikes) give_back_blows(m, all);  // gaps that closed and friction have changed what was given
   find_work(m, all);
 }
 
@@ -151,6 +157,7 @@ double update_restitution(const Motion& m, double t, Pool& pool, Multipliers& al
     if (-one.work > small_loss * memory.held) memory.last_loss = t;
     memory.held -= one.work + one.lost;
     memory.kept = std::clamp(memory.held, 0.0, memory.kept);
+    update_blow(one, all);
     (memory.held < 0 ? pool.owed : pool.held) += std::abs(memory.held);
     lost += one.lost;
     const double pressed = impulse_of(one, all) / h;

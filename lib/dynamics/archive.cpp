@@ -31,8 +31,8 @@ void visit(Archive& archive, Feature& feature) {
 
 template <class Archive>
 void visit(Archive& archive, Restitution& one) {
-  auto& [held, kept, mean_force, last_loss] = one;
-  archive(held, kept, mean_force, last_loss);
+  auto& [held, kept, mean_force, last_loss, blow] = one;
+  archive(held, kept, mean_force, last_loss, blow);
 }
 
 template <class Archive>

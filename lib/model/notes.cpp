@@ -337,6 +337,79 @@ std::vector<std::string> quality_notes(const Simulation& simulation) {
   return notes;
 }
 
+namespace {
+
+/// What a contact holds of the energy that it took, and between bodies that do not touch at the end. [J]
+struct Held {
+  std::string contact;
+  double open = 0, passed = 0;
+};
+
+/// The name of a contact, whatever pass or edges of it an interface is.
+std::string contact_of(const contact::Interface& interface) {
+  std::string name = interface.name;
+  for (const std::string part : {"_edges", "_back"})
+    if (name.ends_with(part)) name.resize(name.size() - part.size());
+  return name;
+}
+
+/// Adds up, pair by pair of bodies, what the apexes and edges of an interface hold; infinity where one of them touches.
+///
+/// held  [J] by the bodies of a pair, -1 for both sides of a declared contact
+void add_held(const contact::Interface& interface, const contact::Memory& memory, std::map<std::pair<Index, Index>, double>& held) {
+  const contact::Bodies& bodies = interface.bodies;
+  const auto add = [&](Index one, Index other, bool touches, double energy) {
+    held[std::minmax(one, other)] += touches ? INFINITY : std::max(0.0, energy);
+  };
+  for (const contact::Near& near : memory.near) {
+    const auto apex = static_cast<std::size_t>(near.apex);
+    const Index facet = memory.feature[apex].facet;
+    const bool has_pair = bodies.count() > 0 && facet >= 0;
+    add(has_pair ? bodies.of_apex[apex] : -1, has_pair ? bodies.of_facet[static_cast<std::size_t>(facet)] : -1, near.element.closed,
+        memory.restitution[apex].held);
+  }
+  for (const contact::Crossing& crossing : memory.crossings) {
+    const bool has_pair = bodies.count() > 0;
+    const auto body = [&](std::size_t node) { return has_pair ? bodies.of_node[static_cast<std::size_t>(crossing.node[node])] : -1; };
+    add(body(0), body(2), crossing.closed, crossing.restitution.held);
+  }
+}
+
+/// What contacts by multipliers hold between bodies that do not touch.
+std::vector<Held> held_by_open_contacts(const Simulation& simulation) {
+  const dynamics::Model& model = simulation.model;
+  const std::vector<Source> all = dynamics::sources(model);
+  const auto passed = [&](const std::string& name) {
+    for (std::size_t s = 0; s < all.size(); ++s)
+      if (all[s].name == name) return simulation.state.ledger.flows[s].passed;
+    return 0.0;
+  };
+  std::map<std::string, std::map<std::pair<Index, Index>, double>> of_contacts;
+  std::map<std::string, double> passed_through;
+  for (std::size_t c = 0; c < model.interfaces.size(); ++c) {
+    const contact::Interface& interface = model.interfaces[c];
+    if (!contact::by_multipliers(interface) || interface.kind == contact::InterfaceKind::bonded) continue;
+    add_held(interface, simulation.state.interfaces[c], of_contacts[contact_of(interface)]);
+    passed_through[contact_of(interface)] += passed(interface.name);
+  }
+  std::vector<Held> found;
+  for (const auto& [contact, pairs] : of_contacts) {
+    Held& one = found.emplace_back(contact, 0, passed_through[contact]);
+    for (const auto& [pair, energy] : pairs)
+      if (energy < INFINITY) one.open += energy;
+  }
+  for (std::size_t p = 0; p < model.rigid_planes.size(); ++p) {
+    const contact::PlaneMemory& memory = simulation.state.rigid_planes[p];
+    if (!contact::by_multipliers(model.rigid_planes[p])) continue;
+    if (std::any_of(memory.force.begin(), memory.force.end(), [](double force) { return force > 0; })) continue;
+    Held& one = found.emplace_back(model.rigid_planes[p].name, 0, passed(model.rigid_planes[p].name));
+    for (const contact::Restitution& node : memory.restitution) one.open += std::max(0.0, node.held);
+  }
+  return found;
+}
+
+}  // namespace
+
 std::vector<std::string> energy_notes(const Simulation& simulation) {
   constexpr double worth_a_warning = 0.2;  // of the limit: a hundredth of the energy by default
   const double limit = simulation.time.created_limit;
@@ -365,6 +438,11 @@ std::vector<std::string> energy_notes(const Simulation& simulation) {
   if (swing > limit && !(std::abs(ledger.worst_kept) > worth_a_warning * limit))  // one of both is said; what swings comes back
     notes.push_back("time integration: the kinetic energy swung by " + percent(swing) + " of the energy " + of_scene +
                     ", and came back; " + said(Remedy::shorter_step));
+  for (const Held& held : held_by_open_contacts(simulation))
+    if (held.open > worth_a_warning * limit * held.passed && held.open > dynamics::least_share * scene)
+      notes.push_back(formatted("%s: its bodies do not touch at the end, and it has not given back %.2g J of %.2g J that it transferred, ",
+                                held.contact.c_str(), held.open, held.passed) +
+                      percent(held.open / held.passed) + ": they separate too slowly");
   return notes;
 }
 

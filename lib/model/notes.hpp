@@ -38,7 +38,8 @@ std::vector<std::string> overlap_notes(const Simulation&);
 std::vector<std::string> quality_notes(const Simulation&);
 
 /// Each source, and time integration, that created or lost more than a fifth of the created_limit, of the energy of the scene or of what it
-/// transferred, and more than 1e-4 of the energy of the scene, one a line. Beyond the limit the run stops.
+/// transferred, and more than 1e-4 of the energy of the scene, one a line. Beyond the limit the run stops. Each contact and rigid plane by
+/// multipliers that holds more than this of what it transferred, between bodies that do not touch at the end.
 std::vector<std::string> energy_notes(const Simulation&);
 
 /// Each interface and rigid plane by a penalty whose steps became shorter because of what it created, one a line.

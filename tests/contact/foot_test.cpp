@@ -99,5 +99,23 @@ TEST(Foot, HeightAndNormalGoEvenlyOverCutsEdgesAndNodes) {
   }
 }
 
+TEST(Foot, OfANodeHasTheNormalOfAllFacesAroundItWhicheverIsAsked) {
+  Shape shape = sheet(2, 2, [](double x, double y) { return -0.2 * (std::abs(x - 1) + std::abs(y - 1)); });  // opposite faces: 31 degrees
+  BaseSurface base = base_of(shape);
+  mark_halves(base, faces_of_sheet(2, 2));
+  const Vec3 p(1, 1, 1e-9);  // the foot along the normal of a face is as far from the node, of a band of 0.02
+  for (Index facet = 0; facet < base.facets.cols(); ++facet) {
+    int local = 0;
+    while (local < 3 && (Vec3(shape.x.col(base.facets(local, facet))) - Vec3(1, 1, 0)).norm() > 0.1) ++local;
+    if (local == 3) continue;
+    const Feature feature{facet, geometry::Kind::facet, 0};
+    FeatureHeight over = height_over(base, shape.x, feature, p);
+    double fourth = 0;
+    ASSERT_TRUE(stand_on_face(base, shape.x, p, feature, true, nullptr, over, fourth));
+    EXPECT_LT((over.normal - Vec3::UnitZ()).norm(), 1e-7) << facet;
+    EXPECT_NEAR(over.height, 1e-9, 1e-15);
+  }
+}
+
 }  // namespace
 }  // namespace nereid::contact::foot_test

@@ -307,6 +307,29 @@ TEST(EnergyNotes, NameTheSourceThatMadeEnergyAndWhatItIsHeldAgainst) {
   EXPECT_TRUE(energy_notes(simulation).empty());  // it comes back, and the histories tell it
 }
 
+TEST(EnergyNotes, SayThatBodiesWhichDoNotTouchHaveNotGotBackWhatContactTook) {
+  Scene scene = with({bar(), wall()});
+  scene.contacts = {{.name = "touch", .apexes = "bar.x_high", .base = "wall.x_low"}};
+  Simulation simulation = build(scene);
+  dynamics::State& state = simulation.state;
+  state.ledger.initial_available = state.ledger.initial_kinetic = 1;
+  const std::vector<Source> all = dynamics::sources(simulation.model);
+  for (std::size_t s = 0; s < all.size(); ++s)
+    if (all[s].name == "touch") state.ledger.flows[s].passed = 0.5;
+  ASSERT_FALSE(state.interfaces[0].near.empty());
+  contact::Near& near = state.interfaces[0].near[0];
+  double& held = state.interfaces[0].restitution[static_cast<std::size_t>(near.apex)].held;
+  held = 0.1;
+  const auto notes = energy_notes(simulation);
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_EQ(notes[0], "touch: its bodies do not touch at the end, and it has not given back 0.1 J of 0.5 J that it transferred, 20 %: "
+                      "they separate too slowly");
+  near.element.closed = true;  // it may still do so
+  EXPECT_TRUE(energy_notes(simulation).empty());
+  near.element.closed = false, held = 0.004;  // below a hundredth
+  EXPECT_TRUE(energy_notes(simulation).empty());
+}
+
 TEST(EnergyLine, BalancesWhatWasThereWithWhereItIs) {
   Simulation simulation = build(with({bar()}));
   dynamics::Ledger& ledger = simulation.state.ledger;
