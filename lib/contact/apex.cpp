@@ -15,7 +15,7 @@ using geometry::Kind;
 
 constexpr double votes_within = 0.25;   // of the depth of an element: open apexes that are nearer vote for the step
 constexpr double least_area = 0.2;      // of the tributary area: with less of it facing, the surface of the apex stands edge-on
-constexpr double most_sag = 0.055;      // of the size of a face: what a base that turns by 25 degrees from face to face leaves over its middle
+constexpr double most_sag = 0.055;      // of the size of a face: the sag of a base that turns by 25 degrees from face to face
 constexpr double in_plane = 1e-6;       // of a distance: a node that lies in a symmetry plane
 
 /// Shares out the stiffness of an apex over its base nodes. A node of several stencils counts once, by its largest weight: they push as

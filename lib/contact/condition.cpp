@@ -75,8 +75,8 @@ void move_to(const OverPlane& plane, Near& near) {
 /// contact that is closed. It goes on from facet to facet.
 ///
 /// x, velocity  where the nodes would be after the step to come, and as fast
-bool is_idle_guard(const Interface& interface, const Motion& m, const Vectors& x, const Vectors& velocity, const Memory& memory, Moved moved,
-                   Near& near) {
+bool is_idle_guard(const Interface& interface, const Motion& m, const Vectors& x, const Vectors& velocity, const Memory& memory,
+                   Moved moved, Near& near) {
   constexpr double times = 2;  // the rate over the bilinear face is another one
   const Stencil& stencil = near.element.stencil[0];
   if (near.friction.acts || memory.restitution[near.apex].held != 0 || stencil.kind != geometry::Kind::facet) return false;
@@ -623,14 +623,15 @@ void follow_facet(const Interface& interface, const Vectors& x, Memory& memory, 
 /// Its stencil then has its foot.
 bool is_by_points_alone(const Interface& interface, const Vectors& x, const Near& near, const OverPoints& sum, double level,
                         Stencil& stencil) {
-  if (!(sum.area > 0) || sum.of_node > 0 || near.element.count != 1 || stencil.kind != geometry::Kind::facet || stencil.on_ridge) return false;
+  if (!(sum.area > 0) || sum.of_node > 0 || near.element.count != 1) return false;
+  if (stencil.kind != geometry::Kind::facet || stencil.on_ridge) return false;
   OverPlane plane = over_plane(interface, x, near.apex, stencil.facet, stencil.level);
   const double by_points = (sum.gap - sum.area * level) / sum.normal.norm();
   if (!(plane.least_gap + least_allowance(interface, near.apex, stencil.facet) >= by_points)) return false;
   double fourth = 0;
   if (interface.friction.coefficient > 0)
-    stand_on_face(interface.base, x, x.col(interface.apexes[near.apex]), {stencil.facet, geometry::Kind::facet, 0}, false, nullptr, plane.over,
-                  fourth);
+    stand_on_face(interface.base, x, x.col(interface.apexes[near.apex]), {stencil.facet, geometry::Kind::facet, 0}, false, nullptr,
+                  plane.over, fourth);
   stencil.weight = plane.over.weight, stencil.fourth = fourth;
   return true;
 }
@@ -860,7 +861,7 @@ void find_conditions(const Interface& interface, const Motion& m, Memory& memory
   const std::size_t first_friction = all.frictions.size();
   const Moved moved = find(interface, m, memory, workspace, all);
   all.spent.end(Stage::track);
-  ++workspace.points.step;
+  if (interface.heights != Heights::nodes) begin_points(interface, m.x, workspace.points);
   Ahead ahead;
   for (Near& near : memory.near) {
     if (near.kept == Kept::guard) continue;

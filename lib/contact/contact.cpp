@@ -36,7 +36,8 @@ Workspace::Workspace(const Interface& interface)
   found.resize((interface.apexes.size() + apexes_of_a_range - 1) / apexes_of_a_range);
   for (Subset& one : found) one.reserve(static_cast<std::size_t>(facets_at_first * apexes_of_a_range));
   if (interface.heights != Heights::nodes) {
-    points.of_face.resize(static_cast<std::size_t>(interface.faces.faces.cols()));
+    const auto faces = static_cast<std::size_t>(interface.faces.faces.cols());
+    points.of_face.resize(faces), points.used.reserve(faces), points.used_before.reserve(faces);
     points.place.resize(interface.base.ring_begin.size());
   }
   const Bodies& bodies = interface.bodies;

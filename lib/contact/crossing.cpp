@@ -362,7 +362,8 @@ void search_crossings(const Interface& interface, const Vectors& x, Memory& memo
         const Index b = workspace.partners[i];
         if (b < a) continue;
         const double asked = a == b ? reach + farther_from_itself * memory.margin : reach;
-        const bool is_near = list_pairs(interface, x, edges_of(interface.edges, a), edges_of(interface.base_edges, b), reach, asked, workspace);
+        const EdgeRange one = edges_of(interface.edges, a), other = edges_of(interface.base_edges, b);
+        const bool is_near = list_pairs(interface, x, one, other, reach, asked, workspace);
         if (a == b) workspace.near_itself[static_cast<std::size_t>(a)] = is_near;
       }
   }
@@ -384,27 +385,38 @@ void search_crossings(const Interface& interface, const Vectors& x, Memory& memo
 
 namespace {
 
-/// The way by which nodes may move against each other before the edges of a pair can touch, as far as their lines tell. [m]
-///
-/// reach  [m] gap up to which they can touch
-double way_until_touch(const Interface& interface, const Vectors& x, const EdgePair& pair, double reach, double enough) {
-  Over lines;
-  const bool known = between_lines(interface, x, pair.edge, pair.base_edge, 1, lines);
-  const double beside = known ? stays_beside(interface, x, pair.edge, pair.base_edge, lines) : 0;
-  if (beside > enough) return beside;
-  const auto p = ends_of(interface, x, pair.edge, pair.base_edge);
-  const double apart = std::sqrt(geometry::segments_squared(p[0], p[1], p[2], p[3]));
-  return std::max(beside, apart - height_between(interface, pair.edge, pair.base_edge) - reach);
-}
-
 /// By how much the nodes of both edges go against each other in the step to come. [m]
 double way_of(const Interface& interface, const Vectors& x, const Vectors& ahead, const EdgePair& pair) {
-  const auto way = [&](const Edges& edges, int end, Index edge) { return Vec3(node_of(edges, ahead, end, edge) - node_of(edges, x, end, edge)); };
+  const auto way = [&](const Edges& edges, int end, Index edge) {
+    return Vec3(node_of(edges, ahead, end, edge) - node_of(edges, x, end, edge));
+  };
   const Vec3 first = way(interface.edges, 0, pair.edge);
   const double squared = std::max({(way(interface.edges, 1, pair.edge) - first).squaredNorm(),
                                    (way(interface.base_edges, 0, pair.base_edge) - first).squaredNorm(),
                                    (way(interface.base_edges, 1, pair.base_edge) - first).squaredNorm()});
   return 2 * std::sqrt(squared);  // between any two
+}
+
+/// Whether one edge of a pair can come over the other in the step to come, as far as distance and lines tell. Where it cannot, and will not
+/// before nodes have gone some way, the pair is left alone until then.
+///
+/// moved, way  [m] since the last search, and in the step to come;  passed  [m] Memory::way
+bool can_come_over(const Interface& interface, const Vectors& x, const Vectors& ahead, double moved, double passed, double way,
+                   EdgePair& pair) {
+  if (passed + way < pair.flat) return false;
+  const Between& both = between_edges(interface, pair.edge, pair.base_edge);
+  const double reach = std::max(sideways * both.depth, reach_of(both, way));
+  if (!(pair.apart - moved <= reach)) return false;
+  Over lines;
+  const bool have_normal = between_lines(interface, x, pair.edge, pair.base_edge, 1, lines);
+  if (have_normal && is_within(lines.first) && is_within(lines.second)) return true;
+  const auto p = ends_of(interface, x, pair.edge, pair.base_edge);
+  const double distance = std::sqrt(geometry::segments_squared(p[0], p[1], p[2], p[3]));
+  const double beside = have_normal ? stays_beside(interface, x, pair.edge, pair.base_edge, lines) : 0;
+  const double until = std::max(beside, distance - height_between(interface, pair.edge, pair.base_edge) - reach);
+  pair.flat = passed + until;
+  if (until > way || until > way_of(interface, x, ahead, pair)) return false;
+  return between_lines(interface, ahead, pair.edge, pair.base_edge, 1, lines) && is_within(lines.first) && is_within(lines.second);
 }
 
 /// Brings the crossings up to date, pair after pair: those that were over each other, and what can come over the other in the step to come.
@@ -414,30 +426,22 @@ double way_of(const Interface& interface, const Vectors& x, const Vectors& ahead
 /// over   how the edges of each stand; `is` false where they do not act
 void follow_all(const Interface& interface, const Motion& m, double moved, double way, Memory& memory, std::vector<Crossing>& next,
                 std::vector<Over>& over, Multipliers& all) {
-  constexpr double enough = 4;  // steps: a bound of more is not made sharper
   next.clear(), over.clear();
   auto was = memory.crossings.begin();
   for (EdgePair& pair : memory.edge_pairs) {
     const bool is_known = was != memory.crossings.end() && !in_order(pair, *was);
-    if (!is_known) {
-      if (memory.way + way < pair.flat) continue;
-      const Between& both = between_edges(interface, pair.edge, pair.base_edge);
-      const double reach = std::max(sideways * both.depth, reach_of(both, way));
-      if (!(pair.apart - moved <= reach)) continue;
-      const double until = way_until_touch(interface, m.x, pair, reach, enough * way);
-      pair.flat = memory.way + until;
-      if (until > way || until > way_of(interface, m.x, all.ahead, pair)) continue;
+    if (is_known || can_come_over(interface, m.x, all.ahead, moved, memory.way, way, pair)) {
+      Crossing crossing = is_known ? *was++ : crossing_of(pair);
+      Over at;
+      at.is = follow(interface, m, all, crossing, at);
+      if (crossing.side != 0) {
+        next.push_back(crossing), over.push_back(at);
+        continue;
+      }
+      end(crossing.node, interface.restitution, crossing.restitution, memory, all);
+      const bool is_slow = way < slow * between_edges(interface, pair.edge, pair.base_edge).depth;
+      if (pair.in_face && is_slow) pair.flat = memory.way + stays_flat(interface, m.x, pair.edge, pair.base_edge);
     }
-    Crossing crossing = is_known ? *was++ : crossing_of(pair);
-    Over at;
-    at.is = follow(interface, m, all, crossing, at);
-    if (crossing.side != 0) {
-      next.push_back(crossing), over.push_back(at);
-      continue;
-    }
-    end(crossing.node, interface.restitution, crossing.restitution, memory, all);
-    if (pair.in_face && way < slow * between_edges(interface, pair.edge, pair.base_edge).depth)
-      pair.flat = std::max(pair.flat, memory.way + stays_flat(interface, m.x, pair.edge, pair.base_edge));
   }
   std::swap(memory.crossings, next);
 }

@@ -43,8 +43,8 @@ inline Crossing crossing_of(const EdgePair& pair) {
 ///          Between rims both sides may be right, then it is the one with a positive height
 Over over(const Interface&, const Vectors& x, Index edge, Index base_edge, bool in_face, int side);
 
-/// The way by which nodes may move against each other before the lines of two edges can be closest within both; not positive where they are,
-/// or are parallel. [m]
+/// The way by which nodes may move against each other before the lines of two edges can be closest within both; not positive where they
+/// are, or are parallel. [m]
 ///
 ///     way = d / (2 (1 + |t| + |1 - t| + 4 h / w))
 ///

@@ -46,6 +46,7 @@ struct CornerSum {
 struct FacePoints {
   std::int64_t step = -1;     ///< in which they were found
   std::int64_t measured = -1; ///< step in which the face was measured
+  std::int64_t used = -1;     ///< step in which an apex last asked for them
   Face face;
   Index from = -1;            ///< facet from which they were looked for
   Lies lies = Lies::apart;
@@ -70,7 +71,7 @@ struct PointWork {
   std::int64_t step = 0;
   std::vector<FacePoints> of_face;  ///< beside Interface::faces
   std::vector<Share> sum;           ///< of an apex
-  std::vector<double> by_node;      ///< [4 corners x 3 axes x nodes] of the face at hand
+  Subset used, used_before;         ///< faces whose points apexes asked for in this step, and in that before
   std::vector<std::int32_t> place;  ///< [nodes of the mesh] in `sum`; right if the share there is of that node
 };
 

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "base/gather.hpp"
+#include "base/parallel.hpp"
 #include "contact/face.hpp"
 
 namespace nereid::contact {
@@ -130,7 +131,8 @@ void find_feet(const BaseSurface& base, const Vectors& x, std::span<const Point>
       if (!on_face[lane]) continue;
       const Half& half = base.half[one.facet];
       const auto corner = [&](int local) { return base.facets(local % 3, one.facet); };
-      node[0][lane] = corner(half.cut), node[1][lane] = half.fourth, node[2][lane] = corner(half.cut + 1), node[3][lane] = corner(half.cut + 2);
+      node[0][lane] = corner(half.cut), node[1][lane] = half.fourth;
+      node[2][lane] = corner(half.cut + 1), node[3][lane] = corner(half.cut + 2);
       px[lane] = one.place.x(), py[lane] = one.place.y(), pz[lane] = one.place.z();
       filler = lane;
     }
@@ -153,7 +155,7 @@ void find_feet(const BaseSurface& base, const Vectors& x, std::span<const Point>
       stands = stand_over(corner, over);
       well_inside = over.at.a > Pack(edge) && over.at.a < Pack(1 - edge) && over.at.b > Pack(edge) && over.at.b < Pack(1 - edge);
       for (std::size_t I = 0; I < 4; ++I) write_lanes(over.weight[I], weight[I].data());
-      write_lanes(over.normal.x, normal[0].data()), write_lanes(over.normal.y, normal[1].data()), write_lanes(over.normal.z, normal[2].data());
+      for (int axis = 0; axis < 3; ++axis) write_lanes(over.normal[axis], normal[static_cast<std::size_t>(axis)].data());
       write_lanes(over.height, height.data());
     }
     for (std::size_t lane = 0; lane < count; ++lane) {
@@ -284,7 +286,7 @@ void find_points(const Interface& interface, const Vectors& x, const Face& face,
 }
 
 /// Sums what points give each corner of a face, and what the nodes of the face and of its base get of it.
-void sum_by_corner(const BaseSurface& base, std::vector<double>& by_node, FacePoints& points) {
+void sum_by_corner(const BaseSurface& base, FacePoints& points) {
   const Face& face = points.face;
   points.corner = {};
   points.base.clear();
@@ -302,7 +304,9 @@ void sum_by_corner(const BaseSurface& base, std::vector<double>& by_node, FacePo
   }
   using Four = Eigen::Array4d;  // of the corners
   const std::size_t nodes = corners + points.base.size();
-  by_node.assign(12 * nodes, 0.0);
+  constexpr std::size_t most_nodes = 4 + 4 * 4 * points_of_corner;
+  std::array<double, 12 * most_nodes> by_node;  // [4 corners x 3 axes x nodes]
+  std::fill_n(by_node.begin(), 12 * nodes, 0.0);
   const auto add = [&](std::size_t node, const Vec3& part, const Four& weight) {
     double* at = &by_node[12 * node];
     for (int axis = 0; axis < 3; ++axis) Eigen::Map<Four>(at + 4 * axis) += part(axis) * weight;
@@ -318,7 +322,8 @@ void sum_by_corner(const BaseSurface& base, std::vector<double>& by_node, FacePo
     gap += (foot.height - stand_off(base, foot.facet)) * weight, part += weight;
     nx += foot.normal.x() * weight, ny += foot.normal.y() * weight, nz += foot.normal.z() * weight;
     for (std::size_t j = 0; j < corners; ++j) add(j, phi[j] * foot.normal, weight);
-    for (std::size_t l = 0; l < static_cast<std::size_t>(foot.nodes); ++l) add(corners + place[q][l], -foot.weight[l] * foot.normal, weight);
+    for (std::size_t l = 0; l < static_cast<std::size_t>(foot.nodes); ++l)
+      add(corners + place[q][l], -foot.weight[l] * foot.normal, weight);
   }
   points.push.resize(corners * nodes);
   const auto size = [](double value) { return std::abs(value) < no_weight ? 0 : value; };  // dual weights leave round-off
@@ -332,7 +337,27 @@ void sum_by_corner(const BaseSurface& base, std::vector<double>& by_node, FacePo
   }
 }
 
+/// Finds the points of a face from a facet on, and sums them by corner.
+void measure(const Interface& interface, const Vectors& x, const Face& face, Index from, std::int64_t step, FacePoints& points) {
+  find_points(interface, x, face, from, points);
+  sum_by_corner(interface.base, points);
+  points.step = step, points.from = from;
+}
+
 }  // namespace
+
+void begin_points(const Interface& interface, const Vectors& x, PointWork& work) {
+  constexpr Index faces_of_a_thread = 16;
+  ++work.step;
+  std::swap(work.used, work.used_before);
+  work.used.clear();
+  parallel_for(static_cast<Index>(work.used_before.size()), faces_of_a_thread, [&](Index i) {
+    const Index f = work.used_before[static_cast<std::size_t>(i)];
+    FacePoints& points = work.of_face[static_cast<std::size_t>(f)];
+    const Face& face = face_of(interface.faces, x, f, work);
+    if (faces(interface.base, x, face, points.from)) measure(interface, x, face, points.from, work.step, points);
+  });
+}
 
 Index facet_below(const BaseSurface& base, const Vectors& x, const Vec3& p, Index from, FeatureHeight& over) {
   Index before = -1, facet = from;
@@ -408,10 +433,9 @@ OverPoints sum_points(const Interface& interface, const Vectors& x, Index apex, 
     const Face& face = face_of(interface.faces, x, share.face, work);
     if (!faces(interface.base, x, face, facet)) continue;
     if (points.step != work.step || !is_same_part(interface, x, points, facet)) {
-      find_points(interface, x, face, facet, points);
-      sum_by_corner(interface.base, work.by_node, points);
-      points.step = work.step, points.from = facet;
+      measure(interface, x, face, facet, work.step, points);
     }
+    if (points.used != work.step) points.used = work.step, work.used.push_back(share.face);
     if (points.lies == Lies::leaning) sum.of_node += share.area;
     if (points.lies != Lies::whole && points.lies != Lies::in_part) continue;
     const auto a = static_cast<std::size_t>(corner_of(face, node));

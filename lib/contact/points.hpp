@@ -52,6 +52,9 @@ struct OverPoints {
 /// and a surface that is curved like that of the guard.
 double allowance(const Interface&, const Vectors& x, Index apex, Index facet);
 
+/// Begins a step: measures the faces that apexes asked for in the step before, all at once.
+void begin_points(const Interface&, const Vectors& x, PointWork&);
+
 /// Sums the points of all faces around an apex over the part of the base that a facet belongs to, and lists in PointWork::sum what each
 /// node gets, in m2 along the normals of the points; the apex comes first.
 OverPoints sum_points(const Interface&, const Vectors& x, Index apex, Index facet, PointWork&);

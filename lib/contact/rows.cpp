@@ -29,7 +29,8 @@ class Maker {
     rows_.of_rotation.resize(static_cast<std::size_t>(all.spin.cols()));
     rows_.of_body.resize(static_cast<std::size_t>(2 * rows_.bodies));
     if (rows_.stamp > std::numeric_limits<std::int32_t>::max() / 2)
-      for (auto* list : {&rows_.of_node, &rows_.of_rotation, &rows_.of_body}) std::fill(list->begin(), list->end(), Rows::Place{}), rows_.stamp = 0;
+      for (auto* list : {&rows_.of_node, &rows_.of_rotation, &rows_.of_body})
+        std::fill(list->begin(), list->end(), Rows::Place{}), rows_.stamp = 0;
     rows_.first_stamp = rows_.stamp + 1;
     for (Index b = 0; b < rows_.bodies; ++b) {
       const MovingBody& body = m.rigid->bodies[static_cast<std::size_t>(b)];

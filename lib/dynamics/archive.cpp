@@ -92,8 +92,10 @@ void visit(Archive& archive, FrictionForces& friction) {
 
 template <class Archive>
 void visit(Archive& archive, Near& near) {
-  auto& [apex, first_facet, facets, clear, area, rests, kept, by_points, no_condition_until, pressed, earlier, pressed_most, tracks, element, friction] = near;
-  archive(apex, first_facet, facets, clear, area, rests, kept, by_points, no_condition_until, pressed, earlier, pressed_most, tracks, element, friction);
+  auto& [apex, first_facet, facets, clear, area, rests, kept, by_points, no_condition_until, pressed, earlier, pressed_most, tracks,
+         element, friction] = near;
+  archive(apex, first_facet, facets, clear, area, rests, kept, by_points, no_condition_until, pressed, earlier, pressed_most, tracks,
+          element, friction);
 }
 
 template <class Archive>

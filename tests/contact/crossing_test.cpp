@@ -384,8 +384,36 @@ TEST(FindCrossings, HoldsARidgeOffTheEdgesWithinAFaceWhereItStandsUp) {
   }
 }
 
-/// How many pairs were left alone, and how many conditions there were, while a bar that lies flat on the elements of another one tips over an
-/// edge until it stands on its ridge.
+TEST(StaysBeside, HoldsForNodesThatGoByNoMoreInAnyDirection) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> one(-1, 1);
+  Interface interface;
+  interface.kind = InterfaceKind::edges, interface.method = Method::multiplier;
+  for (Edges* edges : {&interface.edges, &interface.base_edges}) {
+    edges->nodes.resize(2, 1), edges->across.setConstant(2, 1, -1), edges->area.setOnes(1);
+    edges->of_plates.assign(1, 1);
+  }
+  interface.edges.nodes << 0, 1;
+  interface.base_edges.nodes << 2, 3;
+  int beside = 0;
+  double largest = 0;
+  for (int trial = 0; trial < 20000; ++trial) {
+    const Vectors x = Vectors::NullaryExpr(3, 4, [&] { return one(random); });
+    const double way = stays_beside(interface, x, 0, 0);
+    if (!(way > 0)) continue;
+    ++beside, largest = std::max(largest, way);
+    for (int k = 0; k < 20; ++k) {
+      Vectors moved = x;
+      for (auto node : moved.colwise()) node += 0.5 * way * Vec3(one(random), one(random), one(random)).normalized();  // apart by `way`
+      EXPECT_FALSE(over(interface, moved, 0, 0, false, 0).is) << trial;
+    }
+  }
+  EXPECT_GT(beside, 5000);
+  EXPECT_GT(largest, 0.1);
+}
+
+/// How many pairs were left alone, and how many conditions there were, while a bar that lies flat on the elements of another one tips over
+/// an edge until it stands on its ridge.
 struct Tipped {
   std::size_t left_alone = 0, conditions = 0;
 };
