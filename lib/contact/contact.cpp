@@ -38,7 +38,6 @@ Workspace::Workspace(const Interface& interface)
   if (interface.heights != Heights::nodes) {
     const auto faces = static_cast<std::size_t>(interface.faces.faces.cols());
     points.of_face.resize(faces), points.used.reserve(faces), points.used_before.reserve(faces);
-    points.place.resize(interface.base.ring_begin.size());
   }
   const Bodies& bodies = interface.bodies;
   if (bodies.count() == 0) broad.emplace_back(static_cast<Index>(interface.base.facets.cols()));

@@ -412,13 +412,16 @@ double allowance(const Interface& interface, const Vectors& x, Index apex, Index
 }
 
 void add_to(Index node, const Vec3& push, bool of_apex_side, PointWork& work) {
-  auto& place = work.place[static_cast<std::size_t>(node)];
-  const auto at = static_cast<std::size_t>(place);
-  if (at < work.sum.size() && work.sum[at].node == node) {
-    work.sum[at].push += push;
+  std::size_t at = (static_cast<std::uint32_t>(node) * 2654435761U) >> 23;  // 9 bits (Knuth's multiplicative hash)
+  for (;; at = (at + 1) % work.place.size()) {
+    const std::int16_t place = work.place[at];
+    if (place < 0) break;
+    Share& share = work.sum[static_cast<std::size_t>(place)];
+    if (share.node != node) continue;
+    share.push += push;
     return;
   }
-  place = static_cast<std::int32_t>(work.sum.size());
+  work.place[at] = static_cast<std::int16_t>(work.sum.size());
   work.sum.push_back({node, push, of_apex_side});
 }
 
@@ -426,6 +429,7 @@ OverPoints sum_points(const Interface& interface, const Vectors& x, Index apex, 
   OverPoints sum;
   const Index node = interface.apexes[apex];
   work.sum.clear();
+  work.place.fill(-1);
   add_to(node, Vec3::Zero(), true, work);
   for (Index s = interface.faces.begin[apex]; s < interface.faces.begin[apex + 1]; ++s) {
     const mesh::FacesAround::Share& share = interface.faces.shares[static_cast<std::size_t>(s)];

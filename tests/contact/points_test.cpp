@@ -47,7 +47,6 @@ struct Setting {
       around.begin.push_back(static_cast<Index>(around.shares.size()));
     }
     work.of_face.resize(static_cast<std::size_t>(around.faces.cols()));
-    work.place.resize(static_cast<std::size_t>(x.cols()));
   }
   OverPoints sum(Index apex, Index facet = 0) {
     ++work.step;
