@@ -693,6 +693,7 @@ bool find_over_points(const Interface& interface, const Motion& m, const Memory&
   }
   if (can_touch(between(interface, near.apex, stencil.facet), m, c.gap, std::sqrt(fastest))) return true;
   if (near.element.count == 1) near.no_condition_until = moved.until(c.gap);
+  near.by_points = false;  // it may leave its base
   return false;
 }
 
@@ -885,6 +886,7 @@ void find_conditions(const Interface& interface, const Motion& m, Memory& memory
     const auto last = static_cast<Index>(all.conditions.size());
     Restitution& restitution = memory.restitution[near.apex];
     if (last == first) {
+      if (near.kept == Kept::points) memory.status[near.apex] = Status::open;
       end({&interface.apexes[near.apex], 1}, interface.restitution, restitution, memory, all);
       continue;
     }
