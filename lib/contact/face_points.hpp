@@ -72,7 +72,7 @@ struct PointWork {
   std::vector<FacePoints> of_face;  ///< beside Interface::faces
   std::vector<Share> sum;           ///< of an apex
   Subset used, used_before;         ///< faces whose points apexes asked for in this step, and in that before
-  std::array<std::int16_t, 512> place;  ///< in `sum`, by a hash of the node; -1: none. An apex has no more than 272 nodes
+  std::vector<std::int32_t> place;  ///< in `sum`, by a hash of the node, -1: none; a power of two, more than twice as long as `sum`
 };
 
 }  // namespace nereid::contact

@@ -65,8 +65,6 @@ void find_partners(const Interface& interface, const Vectors& x, const Memory& m
   }
 }
 
-bool has_partners(const Workspace& workspace, Index body) { return workspace.first_partner[body + 1] > workspace.first_partner[body]; }
-
 bool searches_itself(const Workspace& workspace, Index body) {
   const auto partners = workspace.partners.begin();
   return std::binary_search(partners + workspace.first_partner[body], partners + workspace.first_partner[body + 1], body);

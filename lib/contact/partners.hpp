@@ -13,9 +13,8 @@ constexpr double farther_from_itself = 0.25;  ///< of the margin: so much farthe
 /// motion.
 void find_partners(const Interface&, const Vectors& x, const Memory&, Workspace&);
 
-/// Whether a body is a partner of itself, or of any.
+/// Whether a body is a partner of itself.
 bool searches_itself(const Workspace&, Index body);
-bool has_partners(const Workspace&, Index body);
 
 /// Notes which of the bodies that were searched are far from themselves: none of Workspace::near_itself.
 void keep_apart_from_itself(const Interface&, const Vectors& x, const Workspace&, Memory&);

@@ -411,25 +411,37 @@ double allowance(const Interface& interface, const Vectors& x, Index apex, Index
   return depth > 0 ? std::min(sag, most_allowed * depth) : sag;
 }
 
+namespace {
+
+/// Where a node is in PointWork::place, or the free place where it belongs.
+std::size_t place_of(Index node, const PointWork& work) {
+  const std::size_t last = work.place.size() - 1;
+  std::size_t at = (static_cast<std::uint32_t>(node) * 2654435761U >> 16) & last;  // Knuth's multiplicative hash
+  while (work.place[at] >= 0 && work.sum[static_cast<std::size_t>(work.place[at])].node != node) at = (at + 1) & last;
+  return at;
+}
+
+}  // namespace
+
 void add_to(Index node, const Vec3& push, bool of_apex_side, PointWork& work) {
-  std::size_t at = (static_cast<std::uint32_t>(node) * 2654435761U) >> 23;  // 9 bits (Knuth's multiplicative hash)
-  for (;; at = (at + 1) % work.place.size()) {
-    const std::int16_t place = work.place[at];
-    if (place < 0) break;
-    Share& share = work.sum[static_cast<std::size_t>(place)];
-    if (share.node != node) continue;
-    share.push += push;
+  const std::size_t at = place_of(node, work);
+  if (work.place[at] >= 0) {
+    work.sum[static_cast<std::size_t>(work.place[at])].push += push;
     return;
   }
-  work.place[at] = static_cast<std::int16_t>(work.sum.size());
+  work.place[at] = static_cast<std::int32_t>(work.sum.size());
   work.sum.push_back({node, push, of_apex_side});
+  if (2 * work.sum.size() < work.place.size()) return;
+  work.place.assign(2 * work.place.size(), -1);  // many faces around an apex, each over many of the base
+  for (std::size_t i = 0; i < work.sum.size(); ++i) work.place[place_of(work.sum[i].node, work)] = static_cast<std::int32_t>(i);
 }
 
 OverPoints sum_points(const Interface& interface, const Vectors& x, Index apex, Index facet, PointWork& work) {
   OverPoints sum;
   const Index node = interface.apexes[apex];
   work.sum.clear();
-  work.place.fill(-1);
+  constexpr std::size_t usual_places = 512;
+  work.place.assign(std::max(usual_places, work.place.size()), -1);
   add_to(node, Vec3::Zero(), true, work);
   for (Index s = interface.faces.begin[apex]; s < interface.faces.begin[apex + 1]; ++s) {
     const mesh::FacesAround::Share& share = interface.faces.shares[static_cast<std::size_t>(s)];

@@ -136,6 +136,15 @@ TEST(Points, RatesAreThoseOfGaps) {
   }
 }
 
+TEST(Points, AddUpNodeByNodeHoweverManyThereAre) {
+  PointWork work;
+  work.place.assign(4, -1);
+  for (int turn = 1; turn <= 2; ++turn)
+    for (Index node = 0; node < 3000; ++node) add_to(7 * node, Vec3(node, 1, 0), true, work);
+  ASSERT_EQ(work.sum.size(), 3000U);
+  for (Index node = 0; node < 3000; ++node) EXPECT_EQ(work.sum[static_cast<std::size_t>(node)].push, Vec3(2 * node, 2, 0));
+}
+
 TEST(Points, OfAFaceThatIsCoveredInPartGoToItsBestCoveredNodes) {
   // the base ends at 4: of the outer faces, from 3 to 5, the inner half is covered
   Setting at(sheet(4, 4, flat), 2, Vec3(1, 1, 0), 2, false, plane);
