@@ -189,7 +189,7 @@ def same_line(old, new, closest):
     if len(before) != len(after) or before[:3] != after[:3] or before[6:] != after[6:]:
         return False
     if before[3] != after[3] or before[5] != after[5]:  # rounding decides which of several is closest
-        return number(after[4]) < ROUNDING
+        return min(number(before[4]), number(after[4])) < ROUNDING
     return same_error(before[4], after[4], closest.within if closest else None)
 
 
