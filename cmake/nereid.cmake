@@ -92,10 +92,12 @@ function(nereid_join target)
   endif()
 endfunction()
 
-# One module: every source in lib/<name>, resting on other modules.
-function(nereid_module name)
+# One module: every source in the folder lib/<path>, resting on other modules. lib/contact/search is nereid::contact_search.
+function(nereid_module path)
   cmake_parse_arguments(MODULE "" "" "PRIVATE" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/lib/${name}/*.cpp)
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/lib/${path}/*.cpp)
+  string(REPLACE "/" "_" name ${path})
+  list(TRANSFORM MODULE_UNPARSED_ARGUMENTS REPLACE "/" "_")
   list(TRANSFORM MODULE_UNPARSED_ARGUMENTS PREPEND nereid::)
   # headers that only our own sources see are no business of those who use the libraries
   list(TRANSFORM MODULE_PRIVATE REPLACE "^(spectra|nlohmann_json::nlohmann_json)$" "$<BUILD_INTERFACE:\\1>")
@@ -177,10 +179,10 @@ endfunction()
 set(NEREID_TEST_OPTIONS $<$<CONFIG:Release>:-O1>)
 set(NEREID_TEST_OPTIONS_QUICK ${NEREID_TEST_OPTIONS} $<$<AND:$<CONFIG:Check>,$<CXX_COMPILER_ID:Clang>>:-O0>)
 
-# The unit tests of one module, tests/<name>/*_test.cpp, as one program <name>_test.
+# The unit tests of one module and of those in its folders, tests/<name>/**/*_test.cpp, as one program <name>_test.
 function(nereid_tests name)
   cmake_parse_arguments(TESTS "" "" "LINK" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/${name}/*_test.cpp)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/${name}/*_test.cpp)
   if(sources)
     add_executable(${name}_test ${sources})
     target_link_libraries(${name}_test PRIVATE nereid::${name} ${TESTS_LINK} GTest::gtest GTest::gtest_main)

@@ -13,7 +13,7 @@
 #include <cmath>
 
 #include "base/words.hpp"
-#include "contact/impact_step.hpp"
+#include "contact/penalty/impact_step.hpp"
 #include "drivers/driver.hpp"
 #include "dynamics/run.hpp"
 #include "model/values.hpp"

@@ -1,13 +1,18 @@
+#include "contact/connect.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "contact/apex.hpp"
-#include "contact/bond.hpp"
-#include "contact/crossing.hpp"
-#include "contact/meeting.hpp"
-#include "contact/near.hpp"
-#include "contact/stand.hpp"
+#include "contact/data/meeting.hpp"
+#include "contact/multiplier/bond.hpp"
+#include "contact/multiplier/crossing.hpp"
+#include "contact/search/edge_pairs.hpp"
+#include "contact/search/near.hpp"
+#include "contact/surface/stand.hpp"
+#include "contact/tracking/edge_over_edge.hpp"
+#include "contact/tracking/element.hpp"
+#include "contact/tracking/tracking.hpp"
 
 namespace nereid::contact {
 

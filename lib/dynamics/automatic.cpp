@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "base/check.hpp"
-#include "contact/impact_step.hpp"
+#include "contact/penalty/impact_step.hpp"
 #include "dynamics/side.hpp"
 #include "mesh/adjacency.hpp"
 

@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "base/check.hpp"
-#include "contact/coarseness.hpp"
-#include "contact/impact_step.hpp"
+#include "contact/penalty/impact_step.hpp"
+#include "contact/report/coarseness.hpp"
 #include "dynamics/side.hpp"
 
 namespace nereid::dynamics {

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "base/check.hpp"
-#include "contact/bond.hpp"
+#include "contact/multiplier/bond.hpp"
 
 namespace nereid::dynamics {
 

@@ -8,9 +8,9 @@
 
 #include "audit/audit.hpp"
 #include "contact/contact.hpp"
-#include "contact/multiplier.hpp"
-#include "contact/rigid_nodes.hpp"
-#include "contact/rigid_plane.hpp"
+#include "contact/multiplier/enforce.hpp"
+#include "contact/multiplier/rigid_nodes.hpp"
+#include "contact/penalty/rigid_plane.hpp"
 #include "dynamics/ledger.hpp"
 #include "dynamics/votes.hpp"
 #include "element/block.hpp"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/multiplier.hpp"
+#include "contact/multiplier/enforce.hpp"
 
 namespace nereid::dynamics {
 

@@ -6,9 +6,9 @@
 #include <limits>
 
 #include "base/parallel.hpp"
-#include "contact/impact_step.hpp"
-#include "contact/meeting.hpp"
-#include "contact/restitution.hpp"
+#include "contact/data/meeting.hpp"
+#include "contact/multiplier/restitution.hpp"
+#include "contact/penalty/impact_step.hpp"
 #include "dynamics/relax.hpp"
 #include "dynamics/rigid_step.hpp"
 #include "dynamics/section.hpp"

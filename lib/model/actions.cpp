@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/words.hpp"
-#include "contact/impact_step.hpp"
+#include "contact/penalty/impact_step.hpp"
 #include "dynamics/displace.hpp"
 #include "mesh/adjacency.hpp"
 #include "model/meshes.hpp"

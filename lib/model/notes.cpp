@@ -8,7 +8,7 @@
 #include <set>
 
 #include "base/words.hpp"
-#include "contact/impact_step.hpp"
+#include "contact/penalty/impact_step.hpp"
 #include "dynamics/overlaps.hpp"
 #include "dynamics/quality.hpp"
 #include "element/width.hpp"

@@ -23,7 +23,7 @@
 #include <tuple>
 
 #include "base/parallel.hpp"
-#include "contact/near.hpp"
+#include "contact/search/near.hpp"
 #include "dynamics/automatic.hpp"
 #include "dynamics/step.hpp"
 #include "element/corners.hpp"

@@ -14,8 +14,8 @@
 
 #include "base/dense.hpp"
 #include "base/parallel.hpp"
-#include "contact/impact_step.hpp"
-#include "contact/projection.hpp"
+#include "contact/penalty/impact_step.hpp"
+#include "contact/surface/projection.hpp"
 #include "mesh/cylinder.hpp"
 #include "tests/contact/pressed.hpp"
 

@@ -6,7 +6,7 @@
 #include <map>
 #include <string>
 
-#include "contact/base_surface.hpp"
+#include "contact/surface/base_surface.hpp"
 #include "geometry/closest.hpp"
 #include "mesh/box.hpp"
 

@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "base/check.hpp"
-#include "contact/impact_step.hpp"
+#include "contact/penalty/impact_step.hpp"
 #include "dynamics/step.hpp"
 #include "mesh/box.hpp"
 #include "mesh/cylinder.hpp"

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numeric>
 
-#include "contact/impact_step.hpp"
+#include "contact/penalty/impact_step.hpp"
 #include "mesh/box.hpp"
 #include "tests/dynamics/scene.hpp"
 

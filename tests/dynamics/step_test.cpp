@@ -13,14 +13,14 @@
 
 #include "base/dense.hpp"
 #include "base/parallel.hpp"
-#include "contact/bond.hpp"
-#include "contact/impact_step.hpp"
+#include "contact/multiplier/bond.hpp"
+#include "contact/penalty/impact_step.hpp"
 #include "dynamics/relax.hpp"
 #include "mesh/box.hpp"
-#include "mesh/skin.hpp"
 #include "mesh/cylinder.hpp"
-#include "mesh/placement.hpp"
 #include "mesh/disc.hpp"
+#include "mesh/placement.hpp"
+#include "mesh/skin.hpp"
 #include "mesh/wedge.hpp"
 #include "tests/dynamics/scene.hpp"
 #include "tests/element/metal.hpp"
@@ -1811,7 +1811,7 @@ TEST(StepFactor, WithNoFirstFactorEveryBounceKeepsTheLimit) {
   for (const contact::PlaneMemory& memory : s.state.rigid_planes) EXPECT_LT(memory.step_factor.lowered_at, 0);
 }
 
-// --- bonds by multipliers: tests/contact/bond_test.cpp has one step of them --------------------------
+// --- bonds by multipliers: tests/contact/multiplier/bond_test.cpp has one step of them --------------------------
 
 namespace bonds {
 

@@ -25,7 +25,7 @@ SOUND = {
     "lib/mesh/box.hpp": '#include <vector>\n#include "base/types.hpp"\n',
     "lib/mesh/box.cpp": '#include "mesh/box.hpp"\n#include <Eigen/Eigenvalues>\n',
     "lib/element/hex8.hpp": '#include "base/number.hpp"\n#include "mesh/box.hpp"\n',
-    "lib/contact/apex.hpp": '#include "mesh/box.hpp"\n',
+    "lib/contact/tracking/element.hpp": '#include "mesh/box.hpp"\n',
     "lib/input/yaml.cpp": "#include <yaml-cpp/yaml.h>\n",
     "lib/grid/grid.cpp": "#include <vtkPoints.h>\n",
     "lib/output/summary.cpp": "#include <nlohmann/json.hpp>\n",
@@ -37,7 +37,7 @@ SOUND = {
     "tests/base/number_test.cpp": "",
     "tests/base/parallel_test.cpp": "",
     "tests/element/hex8_test.cpp": "",
-    "tests/contact/apex_test.cpp": "",
+    "tests/contact/tracking/element_test.cpp": "",
     "tests/scripts/figure_test.py": "",
 }
 NEEDS_NO_TEST = {"lib/base/types.hpp": "names only"}
@@ -81,8 +81,8 @@ class Floors(HouseTest):
                     "lib/mesh/box.hpp:2: 'mesh' includes \"element/hex8.hpp\" but does not rest on 'element'")
 
     def test_sideways_include(self):
-        self.expect("floors", {"lib/element/hex8.hpp": '#include "contact/apex.hpp"\n'},
-                    "lib/element/hex8.hpp:1: 'element' includes \"contact/apex.hpp\"")
+        self.expect("floors", {"lib/element/hex8.hpp": '#include "contact/tracking/element.hpp"\n'},
+                    "lib/element/hex8.hpp:1: 'element' includes \"contact/tracking/element.hpp\"")
 
     def test_upward_include_in_angle_brackets(self):
         self.expect("floors", {"lib/mesh/box.hpp": "#  include <element/hex8.hpp>\n"}, "lib/mesh/box.hpp:1:")
@@ -155,8 +155,8 @@ class Words(HouseTest):
     def test_words_for_the_sides_of_a_contact(self):
         for word in ("mas" + "ter", "Sla" + "ve", "is_sla" + "ve_node"):
             with self.subTest(word=word):
-                self.expect("words", {"lib/contact/apex.hpp": f"// one\n// the {word} side\n"},
-                            "lib/contact/apex.hpp:2: '")
+                self.expect("words", {"lib/contact/tracking/element.hpp": f"// one\n// the {word} side\n"},
+                            "lib/contact/tracking/element.hpp:2: '")
 
     def test_path_of_one_machine(self):
         for folder in ("work", "home", "root", "Users"):

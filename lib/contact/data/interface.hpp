@@ -1,0 +1,143 @@
+#pragma once
+// What a contact is between: two surfaces, or many bodies, and how they act on each other. Constant in time.
+
+#include <algorithm>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "contact/data/friction.hpp"
+#include "contact/data/method.hpp"
+#include "contact/surface/bodies.hpp"
+#include "contact/surface/cone.hpp"
+#include "contact/surface/edges.hpp"
+
+namespace nereid::contact {
+
+/// Whether an apex may leave its base.
+enum class InterfaceKind {
+  contact,  ///< unilateral: pushes only, and the apex slides from base to base
+  bonded,   ///< the apex stays over the point of its base where it began, pulled as well as pushed
+  edges,    ///< of a contact: edges of the surface of its apexes over edges of its base, always by multipliers
+};
+
+/// How friction on an apex is shared out over its base, and against what its sliding is measured.
+enum class Weights {
+  consistent,  ///< by the foot of the apex, with the moments of Touch: keeps angular momentum
+  paper,       ///< equally over the nodes of the base, Kulak & Fiala Eqs. 9 and 10: loses angular momentum
+};
+
+/// What a traction is multiplied by to become the force on an apex.
+enum class Area {
+  apex,  ///< the tributary area of the apex, of the sides that face the base within 60 degrees as it comes into contact
+  base,  ///< the mean area of the facets of the base, as in the paper's Eqs. 6 and 12
+};
+
+/// Which of two passes, in which each surface has apexes over the other; the back pass follows the forth one in the model.
+enum class Pass { only, forth, back };
+
+/// Which penetrations of the initial geometry are accepted.
+enum class InitialPenetration {
+  refuse,  ///< the scene is not built
+  accept,  ///< the penetration becomes an offset of the apex: no force at the start, see Track::height
+};
+
+/// Where a bonded apex belongs: over fixed weights of the nodes of a facet, or of the face that it is half of, at a fixed height.
+struct Bond {
+  Index facet = -1;                ///< -1: the apex found no base and is free
+  bool on_face = false;            ///< of a hexahedron, by bilinear weights
+  std::array<double, 4> weight{};  ///< of the nodes of the facet, then of Half::fourth
+  double height = 0;               ///< [m] along the normal of the facet, or of the face at that point
+};
+
+/// Apexes over a base surface. Constant in time.
+///
+/// What it is between is that of its two surfaces; of many bodies the least depth and the largest penalty of all pairs.
+struct Interface : Between {
+  std::string name;
+  InterfaceKind kind = InterfaceKind::contact;
+  Method method = Method::penalty;
+  BaseSurface base;
+  Fans own;                      ///< the surface of the apexes: an apex comes into contact with facets that this faces; may be empty
+  Subset apexes;                 ///< nodes, ascending
+  Scalars area;                  ///< [m2] tributary area, [apexes]
+  mesh::FacesAround faces;       ///< [apexes] what the tributary area lies on; may be empty
+  Scalars facet_area;            ///< [m2] of the reference, [facets]
+  Scalars contact_height;        ///< [m] h_c, [apexes], with plates as thick as at the start
+  bool follows_thickness = false;  ///< whether h_c changes as plates do: see Memory::thicker
+  double restitution = 1;        ///< [-] speed of a node released by a multiplier over that with which it was stopped
+  Coulomb friction;
+  /// [nodes] column of a plate node's angular velocity, or -1; empty where no node of the interface turns
+  std::vector<Index> rotation_of_node;
+  std::vector<Bond> bonds;             ///< [apexes] of a bonded interface; set by connect()
+  double impact_step_factor = 0.1410;  ///< [-] dt sqrt(k/m) of the vote: impact_step_factor_for(0.005)
+  double first_step_factor = 0;        ///< [-] the same until the contact has created too much, where it is larger: step_factor.hpp
+  Pass pass = Pass::only;
+  double pass_factor = 1;              ///< [-] part of the stiffness between its nodes: 1/2 in each of two passes
+  /// [s] a closed element pushes with k (|d| + damping_time d|d|/dt), never pulls. It takes
+  /// the chatter out of an interface; what it dissipates is booked.
+  double damping_time = 0;
+  Weights weights = Weights::consistent;
+  Area area_kind = Area::apex;
+  /// An apex on a symmetry plane meets the mirror images of its bases too: [apexes] projector onto
+  /// the directions the plane allows; empty where there are no planes.
+  std::vector<Mat3> allowed;
+  /// [m] Only apexes nearer to their base than h_c and this are looked at, or than they can move in some steps. A search is due when
+  /// apexes and base have moved by half of it since the last one, so that no apex comes into contact unseen.
+  double margin = 0;
+  double longest_step = 0;  ///< [s] stable step of the elements at the start: no step is much longer
+  Subset base_nodes;  ///< ascending; set by connect()
+  /// Of kind `edges`: those of both sides. Then `apexes` and `base_nodes` are their nodes_of(), and there is no base.
+  Edges edges, base_edges;
+  double edge_height = 0;  ///< [m] h_c between them, beside Edges::half
+  Bodies bodies;           ///< of an automatic contact
+};
+
+/// Whether this is a bond by multipliers.
+inline bool bonded_by_multipliers(const Interface& interface) {
+  return interface.kind == InterfaceKind::bonded && by_multipliers(interface);
+}
+
+/// What an apex has together with a facet.
+inline const Between& between(const Interface& interface, Index apex, Index facet) {
+  const Bodies& bodies = interface.bodies;
+  return bodies.names.empty() ? interface : bodies.between[bodies.pair(bodies.of_apex[apex], bodies.of_facet[facet])];
+}
+
+/// 1, or -1 of a back pass, whose apexes are on the other side of the contact. [-]
+inline double side_of(const Interface& interface) { return interface.pass == Pass::back ? -1 : 1; }
+
+/// How far the surface of an apex may reach behind a plane along whose normal its base pushes it. [-]
+inline double most_behind(const Interface& interface) {
+  return interface.pass == Pass::only && interface.bodies.names.empty() ? behind_in_one_direction : behind_in_two_directions;
+}
+
+/// How many of interfaces are passes of nodes, and not edges.
+inline std::size_t passes_of(std::span<const Interface> interfaces) {
+  return static_cast<std::size_t>(
+      std::count_if(interfaces.begin(), interfaces.end(), [](const Interface& one) { return one.kind != InterfaceKind::edges; }));
+}
+
+/// [-] of the depth of an element: apexes that are nearer to their base have a condition by multipliers.
+constexpr double multipliers_reach = 0.02;
+constexpr double steps_to_touch = 4;  ///< open apexes that can touch within so many steps have one too
+
+/// h_c between two edges. [m]
+inline double height_between(const Interface& interface, Index edge, Index base_edge) {
+  const Scalars &one = interface.edges.half, &other = interface.base_edges.half;
+  return interface.edge_height + (one.size() > 0 ? one(edge) + other(base_edge) : 0);
+}
+
+/// What two edges have together.
+inline const Between& between_edges(const Interface& interface, Index edge, Index base_edge) {
+  const Bodies& bodies = interface.bodies;
+  if (bodies.count() == 0) return interface;
+  return bodies.between[bodies.pair(interface.edges.body[edge], interface.base_edges.body[base_edge])];
+}
+
+/// Directions that an apex on a symmetry plane may go; null for the others.
+inline const Mat3* allowed_of(const Interface& interface, Index a) {
+  return interface.allowed.empty() || interface.allowed[a].isIdentity(0) ? nullptr : &interface.allowed[a];
+}
+
+}  // namespace nereid::contact

@@ -1,0 +1,128 @@
+#include "contact/multiplier/condition.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/multiplier/rigid_nodes.hpp"
+#include "contact/multiplier/solve.hpp"
+
+namespace nereid::contact {
+
+namespace {
+
+constexpr double corrected = 0.2;      // of a penetration in a step
+
+/// The rate a after a step in which a condition alone does the work E:  (a - free)/A (before + a)/2 = E.
+double rate_for(double E, const Condition& c) {
+  const double difference = c.before - c.free;
+  return 0.5 * (std::sqrt(std::max(0.0, difference * difference + 4 * (c.before * c.free + 2 * c.per_mass * E))) - difference);
+}
+
+}  // namespace
+
+Vec3 let_through(const Motion& m, const Member& one) {
+  const Mat3* allowed = m.allowed[one.node];
+  return allowed ? Vec3(*allowed * one.push) : one.push;
+}
+
+bool complete(const Motion& m, double pressed, double held, Multipliers& all, Condition& c) {
+  double sum = 0;
+  for (const Member& one : members_of(c, all)) sum += all.mobility(one.node) * let_through(m, one).squaredNorm();
+  c.per_mass = m.rigid ? per_mass(*m.rigid, m, all, c) : sum;
+  c.before = relative(c, all, m.v), c.free = relative(c, all, all.velocity);
+  const double closing = (c.gap > 0 ? -c.gap : -corrected * c.gap) / m.next, impulse = 0.5 * pressed * (m.dt + m.next);
+  const double from_held = impulse > 0 ? std::max(0.0, held) / impulse : 0;
+  const double may = 2 * from_held - c.before;  // the work of this step; to stop again takes as much as to go apart
+  c.least = std::min(closing, may > 0 ? 0.5 * may : may);
+  // the last force makes a small impulse where the step has fallen, and what this rate takes alone is not
+  if (from_held > 0 && (c.least - c.free) * (c.least + c.before) > 2 * c.per_mass * held) c.least = std::min(c.least, rate_for(held, c));
+  return c.per_mass * m.mass(members_of(c, all)[0].node) > no_response;
+}
+
+Condition& begin_condition(Multipliers& all) {
+  Condition& c = all.conditions.emplace_back();
+  c.first = static_cast<Index>(all.members.size());
+  return c;
+}
+
+void take_back(Multipliers& all) {
+  all.members.resize(static_cast<std::size_t>(all.conditions.back().first));
+  all.conditions.pop_back();
+}
+
+void add(const Contactor& one, Multipliers& all) {
+  all.contactors.push_back(one);
+  for (Index i = one.first; i < one.last; ++i) {
+    const Condition& c = all.conditions[i];
+    for (const Member& at : members_of(c, all)) all.shared(at.node) += one.area * std::abs(at.weight);
+  }
+  if (one.friction < 0) return;
+  const Touch& touch = all.frictions[one.friction].touch;
+  if (touch.apex >= 0) all.rubbed(touch.apex) += one.area;
+  for (int j = 0; j < touch.nodes; ++j) {
+    all.rubbed(touch.node[j]) += one.area * std::abs(touch.weight[j]);
+    if (touch.apex < 0) all.shared(touch.node[j]) += one.area * touch.lift[j].norm();
+  }
+}
+
+Multipliers make_multipliers(std::span<const Interface> interfaces, std::span<const RigidPlane> planes, Index nodes, Index plate_nodes) {
+  constexpr std::size_t most_of_an_apex = 3;  // conditions; some may have more, but not many
+  Multipliers all;
+  all.ahead = all.way = all.velocity = Vectors::Zero(3, nodes);
+  all.spin = Vectors::Zero(3, plate_nodes);
+  all.shared = all.rubbed = all.mobility = Scalars::Zero(nodes);
+  std::size_t apexes = 0;
+  std::vector<char> acts(static_cast<std::size_t>(nodes), 0), always = acts;
+  const auto see = [&](const Subset& some, bool is_automatic = false) {
+    for (const Index node : some) acts[static_cast<std::size_t>(node)] = 1;
+    for (const Index node : some)
+      if (!is_automatic) always[static_cast<std::size_t>(node)] = 1;
+  };
+  for (const Interface& interface : interfaces) {
+    if (!by_multipliers(interface)) continue;
+    const bool is_automatic = interface.bodies.count() > 0;
+    see(interface.apexes, is_automatic), see(interface.base_nodes, is_automatic);
+    if (!bonded_by_multipliers(interface)) apexes += interface.apexes.size();
+  }
+  for (const RigidPlane& plane : planes) {
+    if (!by_multipliers(plane)) continue;
+    see(plane.nodes);
+    apexes += plane.nodes.size();
+  }
+  for (Index node = 0; node < nodes; ++node)
+    if (acts[static_cast<std::size_t>(node)] != 0) all.nodes.push_back(node);
+  for (const Index node : all.nodes)
+    if (always[static_cast<std::size_t>(node)] != 0) all.always.push_back(node);
+  all.conditions.reserve(most_of_an_apex * apexes);
+  all.members.reserve(5 * most_of_an_apex * apexes);
+  for (auto* list : {&all.rows.velocity, &all.rows.given, &all.rows.push}) list->reserve(5 * most_of_an_apex * apexes);
+  for (auto* list : {&all.rows.slot, &all.rows.mover_of_slot, &all.rows.copies}) list->reserve(5 * most_of_an_apex * apexes);
+  all.rows.movers.reserve(all.nodes.size());
+  all.frictions.reserve(apexes);
+  all.contactors.reserve(apexes);
+  all.unreleased.reserve(apexes);
+  all.at_node.resize(static_cast<std::size_t>(nodes));
+  all.first.reserve(interfaces.size() + planes.size() + 1);
+  all.progress.reserve(apexes / contactors_of_a_range + 1);
+  all.pools.reserve(interfaces.size() + planes.size());
+  all.bonds = make_bonds(interfaces, nodes);
+  return all;
+}
+
+void find_work(const Motion& m, Multipliers& all) {
+  find_velocities(m, all);
+  for (Contactor& one : all.contactors) {
+    one.work = 0;
+    for (Index i = one.first; i < one.last; ++i) {
+      Condition& c = all.conditions[i];
+      c.after = rate(c, all);
+      one.work += work(c, c.after);
+    }
+  }
+  for (FrictionCondition& condition : all.frictions) {
+    condition.after = rate(condition, all);
+    condition.work = work(condition, condition.after);
+  }
+}
+
+}  // namespace nereid::contact

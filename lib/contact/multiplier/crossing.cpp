@@ -1,0 +1,259 @@
+#include "contact/multiplier/crossing.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "base/check.hpp"
+#include "contact/multiplier/assemble.hpp"
+#include "contact/multiplier/over_facet.hpp"
+#include "contact/multiplier/restitution.hpp"
+#include "contact/multiplier/stick.hpp"
+#include "contact/search/edge_pairs.hpp"
+#include "contact/search/near.hpp"
+#include "contact/tracking/edge_over_edge.hpp"
+#include "geometry/crossing.hpp"
+
+namespace nereid::contact {
+
+namespace {
+
+constexpr double slow = 1e-3;        // of the depth of an element in a step: with more, no pair stays flat for long
+constexpr double sideways = 0.1;     // of the depth of an element: so far below an edge may come in with an offset; farther is far behind
+
+/// Ends what a crossing was.
+void let_go(Crossing& crossing) {
+  crossing.acts = false;
+  crossing.pressed = 0;
+  crossing.friction.acts = crossing.friction.stuck = false;
+}
+
+/// Whether edges have turned past each other as parallel ones, where the product of both changes its sign: what was above then seems below.
+bool has_turned(const Vec3& normal, const Vec3& earlier) { return normal.dot(earlier) <= 0; }
+
+/// The velocity of the point of the edge against that of the base edge, as they were last over each other.
+Vec3 relative(const Crossing& crossing, const Vectors& v) {
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t j = 0; j < 4; ++j) sum += crossing.weight[j] * v.col(crossing.node[j]);
+  return sum;
+}
+
+/// Whether edges are over each other as they were in the step before, with a height that follows from how their points have moved. Where
+/// their lines are across sweeps along nearly parallel edges, and takes the height with it.
+bool goes_on(const Interface& interface, const Motion& m, const Crossing& crossing, const Over& at) {
+  if (crossing.side == 0 || has_turned(at.normal, crossing.normal)) return false;
+  const double moved = m.dt * crossing.normal.dot(relative(crossing, m.v));
+  const double may_differ = sideways * between_edges(interface, crossing.edge, crossing.base_edge).depth;
+  return at.height >= crossing.level + crossing.gap + moved - may_differ;
+}
+
+/// Brings a crossing up to date with where its edges are, and would be after the step; false if they can not touch in it.
+bool follow(const Interface& interface, const Motion& m, const Multipliers& all, Crossing& crossing, Over& at) {
+  const auto see = [&](const Vectors& x) {
+    const bool are_held = crossing.side != 0 && crossing.of_ridges;
+    return over(interface, x, crossing.edge, crossing.base_edge, !are_held, crossing.side);
+  };
+  const auto find = [&] {
+    at = see(m.x);
+    if (at.is) return true;
+    const Over ahead = see(all.ahead);
+    return ahead.is && between_lines(interface, m.x, crossing.edge, crossing.base_edge, ahead.side, at) &&
+           !has_turned(at.normal, ahead.normal);
+  };
+  bool is = find();
+  if (crossing.side != 0 && !(is && goes_on(interface, m, crossing, at))) crossing.side = 0, is = find();
+  if (!is) return false;
+  const double height = height_between(interface, crossing.edge, crossing.base_edge);
+  if (crossing.side == 0) {
+    const double offset = std::max(0.0, height - at.height);
+    if (offset > sideways * between_edges(interface, crossing.edge, crossing.base_edge).depth) return false;
+    crossing.level = height - offset;
+    crossing.of_ridges = false;
+  }
+  crossing.of_ridges = crossing.of_ridges || are_ridges(interface, m.x, crossing.edge, crossing.base_edge);
+  crossing.side = at.side;
+  crossing.normal = at.normal;
+  crossing.level = std::max(crossing.level, std::min(at.height, height));
+  crossing.gap = at.height - crossing.level;
+  return true;
+}
+
+/// Sets nodes, weights, normal and gap of the condition of a crossing.
+void make(const Interface& interface, const Over& at, Crossing& crossing, Multipliers& all, Condition& c) {
+  crossing.node = {interface.edges.nodes(0, crossing.edge), interface.edges.nodes(1, crossing.edge),
+                   interface.base_edges.nodes(0, crossing.base_edge), interface.base_edges.nodes(1, crossing.base_edge)};
+  crossing.weight = {1 - at.first, at.first, at.second - 1, -at.second};
+  c.normal = crossing.push = at.normal;
+  for (std::size_t j = 0; j < 4; ++j) add_member(crossing.node[j], crossing.weight[j], all, c);
+  c.gap = crossing.gap;
+}
+
+/// Where friction acts: on both edges, by the weights of the points that touch. With these a height h apart along n they would be turned by
+/// h n x f; forces b_1 n and b_2 n at the ends of both edges, up at one and down at the other, take that back:
+///
+///     h f = b_1 L1 + b_2 L2,   b_1 = h (L2 x n) . f / n . (L1 x L2),   b_2 = h (n x L1) . f / n . (L1 x L2)
+Touch touch_of(const Vectors& x, const Crossing& crossing) {
+  Touch touch;
+  touch.normal = crossing.push;
+  touch.nodes = 4;
+  touch.node = {crossing.node[2], crossing.node[3], crossing.node[0], crossing.node[1]};
+  touch.weight = {-crossing.weight[2], -crossing.weight[3], -crossing.weight[0], -crossing.weight[1]};
+  const auto at = [&](std::size_t j) { return Vec3(x.col(crossing.node[j])); };
+  const Vec3 L1 = at(1) - at(0), L2 = at(3) - at(2), n = touch.normal;
+  double height = 0;
+  for (std::size_t j = 0; j < 4; ++j) height += crossing.weight[j] * n.dot(at(j) - at(0));
+  const double scale = height / n.dot(L1.cross(L2));
+  const Vec3 first = scale * L2.cross(n), second = scale * n.cross(L1);
+  touch.lift = {-second, second, -first, first};
+  return touch;
+}
+
+/// By how much the nodes of both edges go against each other in the step to come. [m]
+double way_of(const Interface& interface, const Vectors& x, const Vectors& ahead, const EdgePair& pair) {
+  const auto way = [&](const Edges& edges, int end, Index edge) {
+    return Vec3(node_of(edges, ahead, end, edge) - node_of(edges, x, end, edge));
+  };
+  const Vec3 first = way(interface.edges, 0, pair.edge);
+  const double squared = std::max({(way(interface.edges, 1, pair.edge) - first).squaredNorm(),
+                                   (way(interface.base_edges, 0, pair.base_edge) - first).squaredNorm(),
+                                   (way(interface.base_edges, 1, pair.base_edge) - first).squaredNorm()});
+  return 2 * std::sqrt(squared);  // between any two
+}
+
+/// Whether one edge of a pair can come over the other in the step to come, as far as distance and lines tell. Where it cannot, and will not
+/// before nodes have gone some way, the pair is left alone until then.
+///
+/// moved, way  [m] since the last search, and in the step to come;  passed  [m] Memory::way
+bool can_come_over(const Interface& interface, const Vectors& x, const Vectors& ahead, double moved, double passed, double way,
+                   EdgePair& pair) {
+  if (passed + way < pair.flat) return false;
+  const Between& both = between_edges(interface, pair.edge, pair.base_edge);
+  const double reach = std::max(sideways * both.depth, reach_of(both, way));
+  if (!(pair.apart - moved <= reach)) return false;
+  Over lines;
+  const bool have_normal = between_lines(interface, x, pair.edge, pair.base_edge, 1, lines);
+  if (have_normal && is_within(lines.first) && is_within(lines.second)) return true;
+  const auto p = ends_of(interface, x, pair.edge, pair.base_edge);
+  const double distance = std::sqrt(geometry::segments_squared(p[0], p[1], p[2], p[3]));
+  const double beside = have_normal ? stays_beside(interface, x, pair.edge, pair.base_edge, lines) : 0;
+  const double until = std::max(beside, distance - height_between(interface, pair.edge, pair.base_edge) - reach);
+  pair.flat = passed + until;
+  if (until > way || until > way_of(interface, x, ahead, pair)) return false;
+  return between_lines(interface, ahead, pair.edge, pair.base_edge, 1, lines) && is_within(lines.first) && is_within(lines.second);
+}
+
+/// Brings the crossings up to date, pair after pair: those that were over each other, and what can come over the other in the step to come.
+///
+/// moved  [m] by which edges can have come nearer since the last search
+/// way    [m] by which they can in the step to come
+/// over   how the edges of each stand; `is` false where they do not act
+void follow_all(const Interface& interface, const Motion& m, double moved, double way, Memory& memory, std::vector<Crossing>& next,
+                std::vector<Over>& over, Multipliers& all) {
+  next.clear(), over.clear();
+  auto was = memory.crossings.begin();
+  for (EdgePair& pair : memory.edge_pairs) {
+    const bool is_known = was != memory.crossings.end() && !in_order(pair, *was);
+    if (is_known || can_come_over(interface, m.x, all.ahead, moved, memory.way, way, pair)) {
+      Crossing crossing = is_known ? *was++ : crossing_of(pair);
+      Over at;
+      at.is = follow(interface, m, all, crossing, at);
+      if (crossing.side != 0) {
+        next.push_back(crossing), over.push_back(at);
+        continue;
+      }
+      end(crossing.node, interface.restitution, crossing.restitution, memory, all);
+      const bool is_slow = way < slow * between_edges(interface, pair.edge, pair.base_edge).depth;
+      if (pair.in_face && is_slow) pair.flat = memory.way + stays_flat(interface, m.x, pair.edge, pair.base_edge);
+    }
+  }
+  std::swap(memory.crossings, next);
+}
+
+}  // namespace
+
+void find_crossings(const Interface& interface, const Motion& m, Memory& memory, Workspace& workspace, Multipliers& all) {
+  const double h = 0.5 * (m.dt + m.next);
+  const bool one_pair = interface.bodies.count() == 0;
+  const double moved = one_pair ? search_where_due(interface, m.x, all.way, memory, workspace) : memory.way;
+  const auto apart = [&](const Vectors& v) { return speed_apart(v, {interface.apexes, interface.base_nodes}); };
+  const double way = one_pair ? m.next * apart(all.velocity) : all.way_apart;
+  if (one_pair) memory.way += m.dt * apart(m.v);
+  follow_all(interface, m, moved, way, memory, workspace.crossings, workspace.over, all);
+  for (std::size_t i = 0; i < memory.crossings.size(); ++i) {
+    Crossing& crossing = memory.crossings[i];
+    const Between& pair = between_edges(interface, crossing.edge, crossing.base_edge);
+    bool acts = workspace.over[i].is;
+    const auto first = static_cast<Index>(all.conditions.size());
+    if (acts) {
+      Condition& c = begin_condition(all);
+      make(interface, workspace.over[i], crossing, all, c);
+      const double speed = relative(crossing, all.velocity).norm();
+      acts = can_touch(pair, m, c.gap, speed) && complete(m, crossing.pressed, crossing.restitution.held, all, c);
+      if (!acts) take_back(all);
+    }
+    if (!acts) {
+      end(crossing.node, interface.restitution, crossing.restitution, memory, all);
+      let_go(crossing);
+      continue;
+    }
+    crossing.acts = true;
+    Condition& c = all.conditions[first];
+    c.impulse = c.met = crossing.pressed * h;
+    Index friction = -1;
+    if (interface.friction.coefficient > 0 && m.dt > 0) {
+      const Vec3 force = crossing.friction.acts ? crossing.friction.force : Vec3(Vec3::Zero());
+      friction = add_friction(touch_of(m.x, crossing), interface.friction, force, crossing.friction.stuck, m, all);
+    }
+    const double area = std::min(interface.edges.area(crossing.edge), interface.base_edges.area(crossing.base_edge));
+    add({.memory = &crossing.restitution, .first = first, .last = first + 1, .friction = friction, .area = area, .depth = pair.depth,
+         .impedance = pair.impedance * area, .square = interface.restitution * interface.restitution}, all);
+  }
+}
+
+void book_first_half_of_crossings(const Motion& m, Memory& memory) {
+  const double half = 0.5 * m.dt;
+  for (const Crossing& crossing : memory.crossings) {
+    if (!crossing.closed) continue;
+    memory.work += half * crossing.push.dot(relative(crossing, m.v));
+    if (!crossing.friction.acts) continue;
+    memory.work += half * crossing.friction.force.dot(slip_rate(crossing.friction.touch, m.v, m.omega, m.rotation_of_node));
+  }
+}
+
+void take_over_crossings(const Interface& interface, double h, double t, Index first, Index last, const Multipliers& all,
+                         Memory& memory) {
+  Index contactor = first;
+  memory.deepest_now = 0;
+  for (Crossing& crossing : memory.crossings) {
+    crossing.closed = crossing.friction.acts = crossing.friction.stuck = false;
+    crossing.friction.force.setZero();
+    crossing.pressed = 0;
+    if (!crossing.acts) {
+      crossing.push.setZero();
+      continue;
+    }
+    const Contactor& one = all.contactors[contactor++];
+    const Condition& c = all.conditions[one.first];
+    crossing.closed = c.impulse > 0;
+    crossing.pressed = c.impulse / h;
+    crossing.push = crossing.pressed * c.normal;
+    memory.force += crossing.push;
+    crossing.friction.stuck = crossing.closed && (one.friction < 0 || !all.frictions[one.friction].slides);
+    if (one.friction >= 0 && crossing.closed) {
+      const FrictionCondition& friction = all.frictions[one.friction];
+      crossing.friction.acts = true;
+      crossing.friction.touch = friction.touch;
+      crossing.friction.coefficient = friction.coefficient;
+      crossing.friction.force = friction.impulse / h;
+      memory.force += crossing.friction.force;
+    }
+    const double depth = height_between(interface, crossing.edge, crossing.base_edge) - crossing.level - c.gap;
+    memory.deepest_now = std::max(memory.deepest_now, depth);
+    if (!(depth > memory.deepest)) continue;
+    memory.deepest = depth, memory.deepest_apex = crossing.node[0], memory.deepest_time = t;
+    memory.deepest_in = between_edges(interface, crossing.edge, crossing.base_edge).depth;
+  }
+  check(contactor == last, "every contactor of an interface of edges is a crossing");
+}
+
+}  // namespace nereid::contact

@@ -1,0 +1,43 @@
+#include "contact/report/account.hpp"
+
+namespace nereid::contact {
+
+double stored(const Memory& memory) {
+  double sum = 0;
+  for (const double energy : memory.stored) sum += energy;
+  return sum;
+}
+
+double tangential_stored(const Memory& memory) {
+  double sum = 0;
+  for (const double energy : memory.tangential_stored) sum += energy;
+  return sum;
+}
+
+Source source(const Interface& interface) {
+  const bool has_friction = interface.friction.coefficient > 0;
+  if (bonded_by_multipliers(interface)) return {interface.name, SourceKind::interface, {}, {Dissipated::inelastic_impact}};
+  if (by_multipliers(interface))
+    return {interface.name, SourceKind::interface, {Stored::restitution},
+            has_friction ? std::vector{Dissipated::friction, Dissipated::inelastic_impact} : std::vector{Dissipated::inelastic_impact}};
+  std::vector<Dissipated> takes{Dissipated::damping};
+  if (interface.follows_thickness) takes.push_back(Dissipated::thinning);
+  if (has_friction) takes.push_back(Dissipated::friction);
+  return {interface.name, SourceKind::interface,
+          has_friction ? std::vector{Stored::penalty, Stored::tangential_penalty} : std::vector{Stored::penalty}, takes};
+}
+
+void post(const Interface& interface, const Memory& memory, Account& account) {
+  account.work = memory.work;
+  account.hold(Stored::penalty, by_multipliers(interface) ? 0 : stored(memory));
+  if (!bonded_by_multipliers(interface)) account.hold(Stored::restitution, memory.held);
+  account.hold(Stored::tangential_penalty, tangential_stored(memory));
+  account.dissipated[Dissipated::damping] = memory.damped;
+  account.dissipated[Dissipated::thinning] = memory.thinned;
+  account.dissipated[Dissipated::friction] = memory.friction_dissipated - memory.friction_to_come;
+  account.dissipated[Dissipated::inelastic_impact] = memory.impact;
+  account.created_by_reconnection = memory.created_by_reconnection;
+  account.angular_impulse = memory.angular_impulse;
+}
+
+}  // namespace nereid::contact

@@ -1,0 +1,57 @@
+#include "contact/report/forces.hpp"
+
+#include <algorithm>
+#include <span>
+
+#include "contact/tracking/element.hpp"
+
+namespace nereid::contact {
+
+namespace {
+
+/// Calls push(node, force) for what presses nodes, and rub(touch, force) for friction.
+template <class Push, class Rub>
+void visit_forces(const Interface& interface, const Memory& memory, Push&& push, Rub&& rub) {
+  for (const Near& near : memory.near) {
+    const ElementForces& element = near.element;
+    if (!element.closed) continue;
+    const auto stencils = std::span(element.stencil).first(static_cast<std::size_t>(element.count));
+    if (std::any_of(stencils.begin(), stencils.end(), [](const Stencil& one) { return one.shares > 0; })) {
+      for (const Stencil& one : stencils)
+        for_each_force(interface, memory.shares, near.apex, one, push);
+      continue;
+    }
+    push(interface.apexes[near.apex], Vec3(element.scale * element.apex));
+    for (int i = 0; i < element.count; ++i) {
+      const Vec3 of_stencil = element.scale * element.stencil[i].push;
+      for_each_node(interface, element.stencil[i], [&](Index node, double weight, double) { push(node, Vec3(-weight * of_stencil)); });
+    }
+  }
+  for (const Crossing& crossing : memory.crossings) {
+    if (!crossing.closed) continue;
+    for (std::size_t j = 0; j < 4; ++j) push(crossing.node[j], Vec3(crossing.weight[j] * crossing.push));
+    if (crossing.friction.acts) rub(crossing.friction.touch, crossing.friction.force);
+  }
+  if (!(interface.friction.coefficient > 0)) return;
+  for (const Near& near : memory.near)
+    if (near.friction.acts) rub(near.friction.touch, near.friction.force);
+}
+
+}  // namespace
+
+void add_forces(const Interface& interface, const Memory& memory, Vectors& force, Vectors& moment) {
+  visit_forces(
+      interface, memory, [&](Index node, const Vec3& push) { force.col(node) += push; },
+      [&](const Touch& touch, const Vec3& friction) { add_friction(touch, friction, interface.rotation_of_node, force, moment); });
+}
+
+void list_forces(const Interface& interface, const Memory& memory, std::vector<NodeForce>& forces) {
+  visit_forces(
+      interface, memory, [&](Index node, const Vec3& push) { forces.push_back({node, push, Vec3::Zero()}); },
+      [&](const Touch& touch, const Vec3& friction) {
+        const FrictionShares shares = share_friction(touch, friction);
+        for (int i = 0; i < shares.count; ++i) forces.push_back({shares.node[i], Vec3::Zero(), shares.force[i]});
+      });
+}
+
+}  // namespace nereid::contact

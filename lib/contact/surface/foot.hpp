@@ -1,0 +1,26 @@
+#pragma once
+// Where an apex stands over its base for multipliers: bilinear faces of hexahedra, and normals of contacts that go evenly over edges.
+
+#include "contact/surface/base_surface.hpp"
+
+namespace nereid::contact {
+
+/// [-] of the size of a face: band along edges in which normals go over into each other.
+constexpr double blended = 0.02;
+
+/// Sets weights, normal and height of an apex over the bilinear face that a facet is half of, so that the cut of the face does not count.
+/// The foot is the closest point, so a push makes no moment, and its rate is that of the height.
+///
+/// blends   whether the normal goes evenly from face to face in a band along edges, so that an apex over an edge can come to rest
+/// allowed  null, or of an apex on a symmetry plane: images of faces take from a normal what leads out of it
+/// over     its weights are where the search begins
+/// fourth   the weight of Half::fourth, the same
+/// returns  whether the feature is on such a face, or its cut, and the apex has a foot there: not where the face is warped too much, or the
+///          apex stands too high over a warped one; else nothing is changed
+bool stand_on_face(const BaseSurface&, const Vectors& x, const Vec3& point, const Feature&, bool blends, const Mat3* allowed,
+                   FeatureHeight& over, double& fourth);
+
+/// Lets the normal over a facet that is a face of its own go evenly from face to face, with height and weights.
+void blend_over_facet(const BaseSurface&, const Vectors& x, const Vec3& point, const Feature&, const Mat3* allowed, FeatureHeight& over);
+
+}  // namespace nereid::contact
