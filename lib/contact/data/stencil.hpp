@@ -4,6 +4,7 @@
 #include <array>
 #include <limits>
 
+#include "base/types.hpp"
 #include "geometry/closest.hpp"
 
 namespace nereid::contact {

@@ -5,8 +5,10 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "contact/multiplier/predict.hpp"
 #include "contact/multiplier/restitution.hpp"
 #include "contact/multiplier/rigid_nodes.hpp"
+#include "contact/multiplier/solve.hpp"
 
 namespace nereid::contact::blow_test {
 namespace {

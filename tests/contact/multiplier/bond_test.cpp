@@ -5,6 +5,8 @@
 
 #include "base/parallel.hpp"
 #include "contact/multiplier/condition.hpp"
+#include "contact/multiplier/predict.hpp"
+#include "contact/multiplier/solve.hpp"
 #include "tests/contact/pressed.hpp"
 
 namespace nereid::contact::bond_test {

@@ -3,6 +3,10 @@
 #include <numbers>
 #include <random>
 
+#include "contact/multiplier/assemble.hpp"
+#include "contact/multiplier/predict.hpp"
+#include "contact/multiplier/solve.hpp"
+#include "contact/multiplier/stick.hpp"
 #include "tests/contact/pressed.hpp"
 
 namespace nereid::contact::condition_test {

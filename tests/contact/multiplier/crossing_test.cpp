@@ -7,7 +7,12 @@
 #include <cmath>
 #include <random>
 
+#include "contact/connect.hpp"
+#include "contact/data/workspace.hpp"
 #include "contact/multiplier/enforce.hpp"
+#include "contact/multiplier/predict.hpp"
+#include "contact/search/edge_pairs.hpp"
+#include "contact/tracking/edge_over_edge.hpp"
 #include "mesh/adjacency.hpp"
 #include "mesh/box.hpp"
 #include "mesh/disc.hpp"

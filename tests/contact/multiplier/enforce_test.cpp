@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "contact/report/forces.hpp"
+
 namespace nereid::contact::multiplier_test {
 namespace {
 

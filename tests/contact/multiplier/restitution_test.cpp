@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "contact/multiplier/solve.hpp"
+
 namespace nereid::contact::restitution_test {
 namespace {
 

@@ -7,6 +7,8 @@
 
 #include "base/dense.hpp"
 #include "contact/multiplier/enforce.hpp"
+#include "contact/multiplier/predict.hpp"
+#include "contact/multiplier/solve.hpp"
 
 namespace nereid::contact::rigid_nodes_test {
 namespace {

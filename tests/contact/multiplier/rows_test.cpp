@@ -6,6 +6,7 @@
 
 #include "base/parallel.hpp"
 #include "contact/multiplier/condition.hpp"
+#include "contact/multiplier/solve.hpp"
 
 namespace nereid::contact::rows_test {
 namespace {

@@ -5,7 +5,10 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "contact/penalty/advance.hpp"
 #include "contact/penalty/impact_step.hpp"
+#include "contact/report/account.hpp"
+#include "contact/report/forces.hpp"
 
 namespace nereid::contact::rigid_plane_test {
 namespace {

@@ -5,6 +5,8 @@
 #include <Eigen/Geometry>
 #include <numbers>
 
+#include "contact/connect.hpp"
+#include "contact/data/workspace.hpp"
 #include "mesh/box.hpp"
 #include "mesh/sphere.hpp"
 

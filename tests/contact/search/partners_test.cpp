@@ -6,6 +6,7 @@
 
 #include <memory>
 
+#include "contact/data/workspace.hpp"
 #include "tests/contact/surfaces.hpp"
 
 namespace nereid::contact::partners_test {

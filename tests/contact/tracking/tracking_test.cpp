@@ -1,5 +1,6 @@
 #include "contact/tracking/tracking.hpp"
 
+#include "contact/tracking/depth.hpp"
 #include "contact/search/near.hpp"
 #include "contact/surface/cone.hpp"
 #include "mesh/adjacency.hpp"
