@@ -8,6 +8,7 @@
 #include "base/memory.hpp"
 #include "base/words.hpp"
 #include "drivers/recorder.hpp"
+#include "dynamics/balance.hpp"
 #include "dynamics/overlaps.hpp"
 #include "dynamics/quality.hpp"
 #include "model/usual_frames.hpp"

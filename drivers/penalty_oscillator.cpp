@@ -15,6 +15,7 @@
 #include "base/words.hpp"
 #include "contact/penalty/impact_step.hpp"
 #include "drivers/driver.hpp"
+#include "dynamics/balance.hpp"
 #include "dynamics/run.hpp"
 #include "model/values.hpp"
 

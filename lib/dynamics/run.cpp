@@ -7,6 +7,7 @@
 
 #include "base/check.hpp"
 #include "base/words.hpp"
+#include "dynamics/balance.hpp"
 #include "dynamics/overlaps.hpp"
 #include "dynamics/quality.hpp"
 #include "dynamics/relax.hpp"

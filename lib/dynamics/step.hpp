@@ -32,8 +32,4 @@ const Votes& step(const Model&, double dt, const Pace&, State&, Forces&);
 /// The same where all steps are as long.
 inline const Votes& step(const Model& model, double dt, State& now, Forces& forces) { return step(model, dt, {.fixed = dt}, now, forces); }
 
-/// Brings the ledger up to date: kinetic energy, momenta, and what each source posts. A step itself keeps only the
-/// sums that cannot be had afterwards.
-void update_ledger(const Model&, State&);
-
 }  // namespace nereid::dynamics

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/check.hpp"
+#include "dynamics/balance.hpp"
 #include "dynamics/connect.hpp"
 #include "dynamics/step.hpp"
 #include "mesh/box.hpp"

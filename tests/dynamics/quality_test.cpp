@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 
+#include "dynamics/balance.hpp"
 #include "dynamics/displace.hpp"
 #include "dynamics/overlaps.hpp"
 #include "mesh/box.hpp"

@@ -15,6 +15,7 @@
 #include "base/parallel.hpp"
 #include "contact/multiplier/bond.hpp"
 #include "contact/penalty/impact_step.hpp"
+#include "dynamics/balance.hpp"
 #include "dynamics/relax.hpp"
 #include "mesh/box.hpp"
 #include "mesh/cylinder.hpp"

@@ -1,0 +1,90 @@
+#include "dynamics/forces.hpp"
+
+#include <cmath>
+
+#include "contact/contact.hpp"
+#include "dynamics/ledger.hpp"
+#include "dynamics/rigid_step.hpp"
+#include "dynamics/thickness.hpp"
+
+namespace nereid::dynamics {
+
+namespace {
+
+/// The stable step of elements and springs together, named after the springs where they govern.
+Vote with_springs(const load::SpringRates& springs, int first_load, const Vote& elements) {
+  if (springs.stiffest < 0) return elements;
+  const double step = load::step_with_springs(elements.step, springs);
+  if (step < 0.5 * elements.step) return {step, first_load + springs.stiffest, -1};
+  return {step, elements.source, elements.at};
+}
+
+}  // namespace
+
+void update(const Model& model, double dt, const Pace& pace, State& now, Forces& f) {
+  const Votes before = now.votes;
+  Votes votes;
+  int source = 0;
+  for (std::size_t b = 0; b < model.blocks.size(); ++b, ++source) {
+    if (is_rigid_block(model, b)) {
+      const double limit = rigid_step_limit(model, now, static_cast<std::size_t>(model.rigid_of_block[b]));
+      votes.contact.see({limit, limit < model.longest_step ? -1 : at_largest_step}, source);
+      continue;
+    }
+    const element::Vote vote = element::advance(model.blocks[b], now.x, f.dx, f.rotation, dt, now.blocks[b], now.tiles[b], f.reports[b]);
+    votes.elements.see({vote.step, vote.step_element}, source);
+    if (vote.volume_ratio < votes.volume_ratio || std::isnan(vote.volume_ratio)) {  // once found, a NaN stays
+      votes.volume_ratio = vote.volume_ratio, votes.smallest_block = source, votes.smallest_element = vote.volume_element;
+    }
+  }
+  see_thickness(model, now, f);
+  for (std::size_t c = 0; c < model.interfaces.size(); ++c, ++source) {
+    if (f.half_growth.size() > 0) contact::follow_thickness(model.interfaces[c], f.half_growth, now.interfaces[c]);
+    if (contact::by_multipliers(model.interfaces[c])) continue;
+    contact::Memory& memory = now.interfaces[c];
+    const double deepest = memory.deepest;
+    contact::advance(model.interfaces[c], now.x, now.v, now.omega, dt, memory, f.interfaces[c]);
+    if (memory.deepest > deepest) memory.deepest_time = now.t;
+    votes.contact.see(contact::stable_step(model.interfaces[c], model.mass, model.inertia, now.interfaces[c], f.interfaces[c], dt), source);
+  }
+  for (std::size_t p = 0; p < model.rigid_planes.size(); ++p, ++source) {
+    if (contact::by_multipliers(model.rigid_planes[p])) continue;
+    contact::PlaneMemory& memory = now.rigid_planes[p];
+    const double deepest = memory.deepest;
+    contact::advance(model.rigid_planes[p], now.x, now.v, dt, memory);
+    if (memory.deepest > deepest) memory.deepest_time = now.t;
+    votes.contact.see(contact::stable_step(model.rigid_planes[p], model.mass, memory.step_factor), source);
+  }
+  for (std::size_t l = 0; l < model.loads.size(); ++l)
+    load::advance(model.loads[l], model.mesh.X, now.x, now.v, now.omega, now.t, dt, now.loads[l]);
+  source += static_cast<int>(model.constraints.planes.size());
+  votes.elements = with_springs(f.springs, source, votes.elements);
+  now.votes = votes;
+  const double scale = steady_scale(now.ledger);
+  if (dt > 0) see_growth(before, pace, dt, scale > 0 ? now.ledger.integration_kept / scale : 0, now.votes);
+}
+
+void add_contact_forces(const Model& model, const State& now, bool by_multipliers, Forces& f) {
+  for (std::size_t c = 0; c < model.interfaces.size(); ++c)
+    if (contact::by_multipliers(model.interfaces[c]) == by_multipliers)
+      contact::add_forces(model.interfaces[c], now.interfaces[c], f.force, f.moment);
+  for (std::size_t p = 0; p < model.rigid_planes.size(); ++p)
+    if (contact::by_multipliers(model.rigid_planes[p]) == by_multipliers)
+      contact::add_forces(model.rigid_planes[p], now.rigid_planes[p], f.force);
+}
+
+void gather(const Model& model, const State& now, Forces& f) {
+  for (Eigen::Index node = 0; node < f.force.cols(); ++node) f.force.col(node) = model.mass(node) * model.gravity;
+  f.moment.setZero();
+  begin_rigid_forces(model, f);
+  for (std::size_t b = 0; b < model.blocks.size(); ++b) {
+    if (is_rigid_block(model, b)) continue;
+    element::add_by_node(model.node_sums[b], now.tiles[b].force, f.force);
+    if (now.tiles[b].moment.cols() > 0) element::add_by_node(model.node_sums[b], now.tiles[b].moment, model.rotation_of_node, f.moment);
+  }
+  add_contact_forces(model, now, false, f);
+  for (std::size_t l = 0; l < model.loads.size(); ++l) load::add_forces(model.loads[l], now.loads[l], f.force, f.moment);
+  gather_rigid_forces(model, f);
+}
+
+}  // namespace nereid::dynamics
