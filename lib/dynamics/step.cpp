@@ -7,6 +7,7 @@
 #include "dynamics/relax.hpp"
 #include "dynamics/rigid_step.hpp"
 #include "dynamics/touch.hpp"
+#include "load/floor.hpp"
 
 namespace nereid::dynamics {
 
