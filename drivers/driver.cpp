@@ -65,16 +65,16 @@ output::Summary summary_of(const std::string& name, const CommandLine& line, con
 
 /// What every run answers with beside the results of its driver.
 void add_common_results(const model::Simulation& simulation, const dynamics::Outcome& outcome, std::vector<output::Result>& results) {
-  for (std::size_t c = 0; c < simulation.model.interfaces.size(); ++c) {
-    const auto& interface = simulation.model.interfaces[c];
-    const auto& memory = simulation.state.interfaces[c];
-    if (!contact::by_multipliers(interface) && interface.bodies.count() == 0)
-      results.push_back({interface.name + "_penalty", interface.penalty, "Pa/m"});
-    results.push_back({interface.name + "_deepest", memory.deepest, "m"});
-    if (interface.kind == contact::InterfaceKind::edges) continue;  // which walk nowhere
-    results.push_back({interface.name + "_walks", static_cast<double>(memory.walks), "1"});
-    results.push_back({interface.name + "_lost", static_cast<double>(memory.lost), "1"});
-    results.push_back({interface.name + "_recovered", static_cast<double>(memory.recovered), "1"});
+  for (std::size_t c = 0; c < simulation.model.contacts.size(); ++c) {
+    const contact::AnyContact& any = simulation.model.contacts[c];
+    const contact::Sides& both = contact::sides(any);
+    if (!contact::by_multipliers(any) && both.bodies.count() == 0) results.push_back({both.name + "_penalty", both.penalty, "Pa/m"});
+    results.push_back({both.name + "_deepest", contact::sides(simulation.state.contacts[c]).deepest, "m"});
+    const auto* memory = std::get_if<contact::Memory>(&simulation.state.contacts[c]);
+    if (memory == nullptr) continue;  // edges have no base to change
+    results.push_back({both.name + "_walks", static_cast<double>(memory->walks), "1"});
+    results.push_back({both.name + "_lost", static_cast<double>(memory->lost), "1"});
+    results.push_back({both.name + "_recovered", static_cast<double>(memory->recovered), "1"});
   }
   for (const dynamics::Touched& one : dynamics::touched(simulation.model, simulation.state)) {
     if (one.sides[0] != "apexes") continue;  // of bodies in an automatic contact the summary has a list
@@ -117,8 +117,8 @@ std::vector<output::Overlap> overlaps_of(const model::Simulation& simulation) {
   for (const audit::Overlap& overlap : simulation.state.audit.overlaps) {
     output::Overlap one;
     for (std::size_t i = 0; i < 2; ++i) one.bodies[i] = surfaces.names[static_cast<std::size_t>(overlap.worst.region[i])];
-    for (const contact::Interface& interface : simulation.model.interfaces)
-      if (dynamics::joins(interface, surfaces, overlap)) one.contacts.push_back(interface.name);
+    for (const contact::AnyContact& any : simulation.model.contacts)
+      if (dynamics::joins(any, surfaces, overlap)) one.contacts.push_back(contact::sides(any).name);
     one.deepest = overlap.deepest, one.elements = overlap.grown, one.at_start = overlap.at_start;
     one.place = overlap.worst.place, one.time = overlap.time;
     all.push_back(one);

@@ -89,8 +89,8 @@ std::vector<double> filled(std::vector<double> row, const std::vector<output::Co
     for (const char* what : {"_restitution", "_penalty", "_friction"}) of_contacts.push_back("energy_" + name + what);
     of_contacts.push_back("energy_created_" + name);
   };
-  for (const contact::Interface& interface : model.interfaces)
-    if (interface.pass != contact::Pass::back || interface.heights != contact::Heights::guards) add(interface.name);
+  for (const contact::AnyContact& any : model.contacts)
+    if (contact::side_of(any) > 0 || contact::sides(any).heights != contact::Heights::guards) add(contact::sides(any).name);
   for (const contact::RigidPlane& plane : model.rigid_planes) add(plane.name);
   for (std::size_t c = 0; c < row.size(); ++c) {
     const std::string& name = columns[c].name;
@@ -163,13 +163,13 @@ struct Open {
 };
 Open open_contacts(const dynamics::Model& model, const dynamics::State& now) {
   Open open;
-  for (std::size_t c = 0; c < model.interfaces.size(); ++c) {
-    const contact::Interface& interface = model.interfaces[c];
-    const auto& near = now.interfaces[c].near;
-    const bool touches = std::any_of(near.begin(), near.end(), [](const contact::Near& one) { return one.element.closed; });
-    if (touches || interface.kind == contact::InterfaceKind::edges) continue;
-    open.apexes += static_cast<double>(interface.apexes.size());
-    if (interface.pass != contact::Pass::back) open.names.push_back(quote(interface.name));
+  for (std::size_t c = 0; c < model.contacts.size(); ++c) {
+    const contact::Interface* interface = contact::interface_of(model.contacts[c]);
+    if (interface == nullptr) continue;
+    const auto& near = std::get<contact::Memory>(now.contacts[c]).near;
+    if (std::any_of(near.begin(), near.end(), [](const contact::Near& one) { return one.element.closed; })) continue;
+    open.apexes += static_cast<double>(interface->apexes.size());
+    if (interface->pass != contact::Pass::back) open.names.push_back(quote(interface->name));
   }
   return open;
 }

@@ -43,9 +43,9 @@ Error stress_error(const dynamics::View& view, double pressure) {
 /// Of the contact pressure of all apexes.
 Error pressure_error(const dynamics::View& view, double pressure) {
   Error error;
-  for (std::size_t c = 0; c < contact::passes_of(view.model.interfaces); ++c) {
+  for (std::size_t c = 0; c < contact::passes_of(view.model.contacts); ++c) {
     const auto forces = dynamics::forces_of_contact(view, c);
-    for (Index a = 0; a < static_cast<Index>(view.model.interfaces[c].apexes.size()); ++a)
+    for (Index a = 0; a < static_cast<Index>(contact::sides(view.model.contacts[c]).apexes.size()); ++a)
       error.see(dynamics::traction_at(view, c, a, forces).pressure, pressure);
   }
   return error;

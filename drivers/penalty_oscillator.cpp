@@ -119,7 +119,7 @@ Pair pair_of(const Case& c, double height) {
   contact::Workspace workspace(interface);
   contact::connect(interface, pair.model.mesh.X, 10, {.from_initial_height = false, .clearance = 0, .given = contact_height},
                    contact::InitialPenetration::refuse, pair.memory, workspace);
-  pair.model.interfaces.push_back(std::move(interface));
+  pair.model.contacts.push_back(std::move(interface));
   return pair;
 }
 
@@ -164,7 +164,7 @@ Bounce bounce(const Case& c, double phase, driver::Answer* record) {
   const auto most_steps = static_cast<int>(most_steps_of(c));
   for (int s = 0; s < most_steps; ++s) {
     dynamics::step(pair.model, dt, state, forces);
-    const double gap = state.interfaces[0].gap[0];
+    const double gap = std::get<contact::Memory>(state.contacts[0]).gap[0];
     look(gap);
     const double crossing = state.t - dt * gap / (gap - last_gap);
     if (last_gap >= 0 && gap < 0) touch = crossing;
@@ -202,7 +202,7 @@ bool stays_bounded(const Case& c, double step) {
   constexpr int steps = 2000;
   for (int s = 0; s < steps; ++s) {
     dynamics::step(pair.model, dt, state, forces);
-    if (!(std::abs(state.interfaces[0].gap[0] + depth) < 0.1 * depth)) return false;
+    if (!(std::abs(std::get<contact::Memory>(state.contacts[0]).gap[0] + depth) < 0.1 * depth)) return false;
   }
   return true;
 }

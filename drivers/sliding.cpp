@@ -34,8 +34,8 @@ load::OverSpace eased(double pull, double ease) {
 
 /// By how much the sole stands in the base under a pressure [Pa]. [m]
 double overlap(const dynamics::Model& model, double pressure) {
-  if (contact::any_by_multipliers(model.interfaces, model.rigid_planes)) return 0;
-  return pressure / (model.rigid_planes.empty() ? model.interfaces[0].penalty * static_cast<double>(contact::passes_of(model.interfaces))
+  if (contact::any_by_multipliers(model.contacts, model.rigid_planes)) return 0;
+  return pressure / (model.rigid_planes.empty() ? contact::sides(model.contacts[0]).penalty * static_cast<double>(contact::passes_of(model.contacts))
                                                 : model.rigid_planes[0].penalty);
 }
 
@@ -56,8 +56,8 @@ void press(double weight, double height, double young, model::Simulation& simula
 Vec3 force(const dynamics::View& view) {
   if (!view.model.rigid_planes.empty()) return contact::force(view.model.rigid_planes[0], view.now.rigid_planes[0]);
   Vec3 sum = Vec3::Zero();
-  for (std::size_t c = 0; c < view.model.interfaces.size(); ++c)
-    sum += contact::side_of(view.model.interfaces[c]) * view.now.interfaces[c].force;
+  for (std::size_t c = 0; c < view.model.contacts.size(); ++c)
+    sum += contact::side_of(view.model.contacts[c]) * contact::sides(view.now.contacts[c]).force;
   return sum;
 }
 

@@ -57,15 +57,15 @@ model::Simulation build(const input::CaseFile& file) {
   model::Simulation simulation = input::build(file, scene);
   simulation.stops = stops;
   const double area = width * width;
-  std::vector<std::size_t> passes(simulation.model.interfaces.size());  // of two passes each carries a part of the stress
+  std::vector<std::size_t> passes(simulation.model.contacts.size());  // of two passes each carries a part of the stress
   std::iota(passes.begin(), passes.end(), std::size_t{0});
   const auto mean_stress = [area, passes](const dynamics::View& view, dynamics::Kept& kept) {
     return -dynamics::mean_contact_force(view, passes, kept).x() / area;
   };
   const auto stress = [area](const dynamics::View& view, dynamics::Kept&) {
     double force = 0;
-    for (std::size_t c = 0; c < view.now.interfaces.size(); ++c)
-      force += contact::side_of(view.model.interfaces[c]) * view.now.interfaces[c].force.x();
+    for (std::size_t c = 0; c < view.now.contacts.size(); ++c)
+      force += contact::side_of(view.model.contacts[c]) * contact::sides(view.now.contacts[c]).force.x();
     return -force / area;
   };
   simulation.probes = {{"interface_stress", "Pa", mean_stress, true}, velocity("A", simulation), velocity("B", simulation),
@@ -76,7 +76,7 @@ model::Simulation build(const input::CaseFile& file) {
 std::vector<output::Result> results(const model::Simulation& simulation) {
   const auto& seen = simulation.state.probes;  // in the order in which build() added them
   const double duration = seen[3].first_above_zero < 0 ? 0 : seen[3].last_above_zero - seen[3].first_above_zero;
-  const double area = simulation.model.interfaces[0].area.sum(), stress_time = seen[3].integral;
+  const double area = std::get<contact::Interface>(simulation.model.contacts[0]).area.sum(), stress_time = seen[3].integral;
   return {{"interface_stress_mean", duration > 0 ? stress_time / duration : 0, "Pa"},
           {"interface_stress_peak", std::max(0.0, seen[0].largest_row), "Pa"},
           {"contact_time", duration, "s"},

@@ -6,7 +6,6 @@
 
 #include "contact/data/meeting.hpp"
 #include "contact/multiplier/bond.hpp"
-#include "contact/multiplier/crossing.hpp"
 #include "contact/search/edge_pairs.hpp"
 #include "contact/search/near.hpp"
 #include "contact/surface/stand.hpp"
@@ -36,9 +35,19 @@ Start start_of(const Interface& interface, const Vectors& x, Index a, double rea
   return {facet, stand(interface.base, x, x.col(node), facet), std::sqrt(closest.distance_squared)};
 }
 
-void prepare(const Interface& interface, Memory& memory) {
+/// What every contact remembers at the start.
+void prepare(const Sides& sides, SidesMemory& memory) {
+  memory.apexes_then = Vectors::Zero(3, static_cast<Eigen::Index>(sides.apexes.size()));
+  memory.base_then = Vectors::Zero(3, static_cast<Eigen::Index>(sides.base_nodes.size()));
+  make_room_for_meetings(sides, memory);
+  memory.apart_from_itself.assign(static_cast<std::size_t>(sides.bodies.count()), 0);
+  memory.apart_then = Vectors::Zero(3, static_cast<Eigen::Index>(sides.bodies.nodes.size()));
+}
+
+Memory memory_at_start(const Interface& interface) {
   const auto count = static_cast<Index>(interface.apexes.size());
-  memory = {};
+  Memory memory;
+  prepare(interface, memory);
   memory.near.reserve(count);
   memory.near_facets.reserve(static_cast<std::size_t>(facets_at_first) * count);
   memory.slot.assign(count, -1);
@@ -46,17 +55,13 @@ void prepare(const Interface& interface, Memory& memory) {
   memory.status.assign(count, Status::unpaired);
   memory.gap.assign(count, std::numeric_limits<double>::quiet_NaN());
   memory.stored.assign(count, 0.0);
-  memory.apexes_then = Vectors::Zero(3, count);
-  memory.base_then = Vectors::Zero(3, static_cast<Eigen::Index>(interface.base_nodes.size()));
   if (interface.friction.coefficient > 0 && !by_multipliers(interface)) {
     memory.slip.assign(count, Vec3::Zero());
     memory.tangential_stored.assign(count, 0.0);
   }
   if (by_multipliers(interface) && interface.kind != InterfaceKind::bonded) memory.restitution.resize(count);
   memory.reconnections.assign(count, 0);
-  make_room_for_meetings(interface, memory);
-  memory.apart_from_itself.assign(static_cast<std::size_t>(interface.bodies.count()), 0);
-  memory.apart_then = Vectors::Zero(3, static_cast<Eigen::Index>(interface.bodies.nodes.size()));
+  return memory;
 }
 
 /// Puts a bonded apex over its point of the base, unless it stands past the border.
@@ -95,7 +100,7 @@ InitialGaps connect(Interface& interface, const Vectors& x, double reach, const 
   interface.base_nodes.assign(interface.base.facets.data(), interface.base.facets.data() + interface.base.facets.size());
   std::sort(interface.base_nodes.begin(), interface.base_nodes.end());
   interface.base_nodes.erase(std::unique(interface.base_nodes.begin(), interface.base_nodes.end()), interface.base_nodes.end());
-  prepare(interface, memory);
+  memory = memory_at_start(interface);
   interface.bonds.assign(bonded ? count : 0, Bond{});
   if (interface.contact_height.size() == 0) interface.contact_height = Scalars::Constant(count, height.given);
   memory.margin = interface.margin;
@@ -179,21 +184,22 @@ InitialGaps connect(Interface& interface, const Vectors& x, double reach, const 
   return gaps;
 }
 
-InitialGaps connect_edges(const Interface& interface, const Vectors& x, Memory& memory, Workspace& workspace) {
-  prepare(interface, memory);
-  memory.margin = interface.margin;
-  search_crossings(interface, x, memory, workspace);
+InitialGaps connect(const EdgeContact& contact, const Vectors& x, EdgeMemory& memory, EdgeWorkspace& workspace) {
+  memory = {};
+  prepare(contact, memory);
+  memory.margin = contact.margin;
+  search(contact, x, memory, workspace);
   memory.searches = 0;
   InitialGaps gaps;
   gaps.pairs = static_cast<Index>(memory.edge_pairs.size());
   memory.crossings.clear();
   for (const EdgePair& pair : memory.edge_pairs) {
-    const Over at = over(interface, x, pair.edge, pair.base_edge, pair.in_face, 0);
-    const double depth = height_between(interface, pair.edge, pair.base_edge) - at.height;
-    const double element = between_edges(interface, pair.edge, pair.base_edge).depth, round_off = 1e-12 * interface.margin;
+    const Over at = over(contact, x, pair.edge, pair.base_edge, pair.in_face, 0);
+    const double depth = height_between(contact, pair.edge, pair.base_edge) - at.height;
+    const double element = between_edges(contact, pair.edge, pair.base_edge).depth, round_off = 1e-12 * contact.margin;
     if (!at.is || !(depth > round_off) || depth > element) continue;
-    const bool many = interface.bodies.count() > 0;
-    const Index body = many ? interface.edges.body[pair.edge] : -1, other = many ? interface.base_edges.body[pair.base_edge] : -1;
+    const bool many = contact.bodies.count() > 0;
+    const Index body = many ? contact.edges.body[pair.edge] : -1, other = many ? contact.base_edges.body[pair.base_edge] : -1;
     if (!is_slight(body, other, depth, element, round_off, gaps.slight_overlaps)) {
       ++gaps.penetrating;
       gaps.deepest = std::max(gaps.deepest, depth);
@@ -205,8 +211,7 @@ InitialGaps connect_edges(const Interface& interface, const Vectors& x, Memory& 
 }
 
 Memory tried_out(const Interface& interface, const Vectors& x, double reach, Workspace& workspace) {
-  Memory trial;
-  prepare(interface, trial);
+  Memory trial = memory_at_start(interface);
   if (!workspace.broad[0].sort(interface.base, x)) return trial;
   const auto count = static_cast<Index>(interface.apexes.size());
   for (Index a = 0; a < count; ++a) {

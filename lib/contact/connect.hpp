@@ -27,7 +27,7 @@ struct InitialGaps {
   Index penetrating = 0;                    ///< apexes nearer than h_c at the start
   Index free = 0;                           ///< apexes of a bonded interface that stand past its border or have no base: nothing holds them
   double deepest = 0;                       ///< [m] penetration, positive
-  Index pairs = 0;                          ///< of edges within the margin, of kind `edges`; the numbers above are then of these
+  Index pairs = 0;                          ///< of edges within the margin, of edges over edges; the numbers above are then of these
   std::array<Index, 4> by_kind{};           ///< apexes by Kind of feature
   std::vector<SlightOverlap> slight_overlaps;  ///< of round-off size, beyond that of the program itself
   Coarseness coarseness;                    ///< of a single pass: see coarseness.hpp
@@ -50,7 +50,7 @@ InitialGaps connect(Interface&, const Vectors& x, double reach, const ContactHei
 
 /// Finds the edges that are near each other at the start. Those that stand below the level at which they touch count as penetrating, but
 /// for slight overlaps.
-InitialGaps connect_edges(const Interface&, const Vectors& x, Memory&, Workspace&);
+InitialGaps connect(const EdgeContact&, const Vectors& x, EdgeMemory&, EdgeWorkspace&);
 
 /// The memory of an interface whose apexes all stand over their nearest facets, also those that are far: for damping, which goes by the
 /// stiffest pair of all.

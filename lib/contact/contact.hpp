@@ -49,8 +49,8 @@
 //     see_meetings()   which bodies have touched                                                       data/meeting.hpp
 
 #include "contact/connect.hpp"
+#include "contact/data/any.hpp"
 #include "contact/data/meeting.hpp"
-#include "contact/data/workspace.hpp"
 #include "contact/multiplier/enforce.hpp"
 #include "contact/penalty/advance.hpp"
 #include "contact/report/account.hpp"

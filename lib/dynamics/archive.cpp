@@ -118,17 +118,27 @@ void visit(Archive& archive, Meeting& meeting) {
 }
 
 template <class Archive>
+void visit(Archive& archive, SidesMemory& memory) {
+  auto& [work, friction_dissipated, friction_to_come, friction_owed, impact, force, impulse, transferred, held, power_rate,
+         angular_impulse, meetings, deepest, deepest_apex, deepest_time, deepest_in, deepest_now, searches, looks, margin, way,
+         apart_from_itself, apart_then, awake, apexes_then, base_then, mean_way] = memory;
+  archive(work, friction_dissipated, friction_to_come, friction_owed, impact, force, impulse, transferred, held, power_rate,
+          angular_impulse, meetings, deepest, deepest_apex, deepest_time, deepest_in, deepest_now, searches, looks, margin, way,
+          apart_from_itself, apart_then, awake, apexes_then, base_then, mean_way);
+}
+
+/// Each kind adds what it has to what all have.
+template <class Archive>
 void visit(Archive& archive, Memory& memory) {
-  auto& [shares, near, edge_pairs, crossings, near_facets, slot, feature, status, gap, stored, slip, tangential_stored, reconnections,
-         thicker, work, damped, thinned, friction_dissipated, friction_to_come, friction_owed, restitution, impact, force, impulse,
-         transferred, has_trend, held, power_rate, created_by_reconnection, angular_impulse, meetings, deepest, deepest_apex,
-         deepest_time, deepest_in, step_factor, deepest_now, walks, lost, recovered, searches, looks, margin, way, apart_from_itself,
-         apart_then, awake, apexes_then, base_then, mean_way] = memory;
-  archive(shares, near, edge_pairs, crossings, near_facets, slot, feature, status, gap, stored, slip, tangential_stored, reconnections,
-          thicker, work, damped, thinned, friction_dissipated, friction_to_come, friction_owed, restitution, impact, force, impulse,
-          transferred, has_trend, held, power_rate, created_by_reconnection, angular_impulse, meetings, deepest, deepest_apex,
-          deepest_time, deepest_in, step_factor, deepest_now, walks, lost, recovered, searches, looks, margin, way, apart_from_itself,
-          apart_then, awake, apexes_then, base_then, mean_way);
+  archive(static_cast<SidesMemory&>(memory));
+  archive(memory.shares, memory.near, memory.near_facets, memory.slot, memory.feature, memory.status, memory.gap, memory.stored,
+          memory.slip, memory.tangential_stored, memory.reconnections, memory.thicker, memory.damped, memory.thinned, memory.restitution,
+          memory.has_trend, memory.created_by_reconnection, memory.step_factor, memory.walks, memory.lost, memory.recovered);
+}
+
+template <class Archive>
+void visit(Archive& archive, EdgeMemory& memory) {
+  archive(static_cast<SidesMemory&>(memory), memory.edge_pairs, memory.crossings);
 }
 
 template <class Archive>
@@ -326,9 +336,9 @@ void visit(Archive& archive, SectionMemory& memory) {
 /// All of a state but what blocks remember.
 template <class Archive>
 void visit_rest(Archive& archive, State& state) {
-  auto& [t, step, dt, x, v, omega, blocks, tiles, interfaces, rigid_planes, rigid_bodies, constraints, loads, sections, relaxation, ledger,
+  auto& [t, step, dt, x, v, omega, blocks, tiles, contacts, rigid_planes, rigid_bodies, constraints, loads, sections, relaxation, ledger,
          votes, progress, quality, audit, probes, conditions] = state;
-  archive(t, step, dt, x, v, omega, tiles, interfaces, rigid_planes, rigid_bodies, constraints, loads, sections, relaxation, ledger, votes,
+  archive(t, step, dt, x, v, omega, tiles, contacts, rigid_planes, rigid_bodies, constraints, loads, sections, relaxation, ledger, votes,
           progress, quality, audit, probes, conditions);
 }
 
@@ -399,7 +409,10 @@ std::uint64_t fingerprint(const Model& model) {
   writer(rounded(low, farthest), rounded(model.mesh.X.colwise() - low, (high - low).maxCoeff()));
   for (const element::AnyBlock& block : model.blocks)
     writer(element::name(block), element::nodes(block), element::tiling(block).node, element::tiling(block).elements);
-  for (const contact::Interface& interface : model.interfaces) writer(interface.name, interface.apexes, interface.base.facets);
+  for (const contact::AnyContact& any : model.contacts) {
+    const contact::Interface* interface = contact::interface_of(any);
+    writer(contact::sides(any).name, contact::sides(any).apexes, interface != nullptr ? interface->base.facets : Table<3>());
+  }
   for (const contact::RigidPlane& plane : model.rigid_planes) writer(plane.name, plane.nodes);
   return checksum(writer.bytes());
 }

@@ -145,24 +145,25 @@ double usual_side(const mesh::Mesh& mesh, const mesh::Surface& surface) {
   return std::sqrt(2 * *middle);
 }
 
-/// What both interfaces of an automatic contact have.
-contact::Interface common_to_both(const Model& model, const std::string& name, const contact::Bodies& bodies, const mesh::Surface& surface,
-                                  const InterfaceOptions& options) {
-  contact::Interface interface;
-  static_cast<contact::Between&>(interface) = of_all(bodies);
-  interface.name = name;
-  interface.bodies = bodies;
-  interface.restitution = options.restitution;
-  interface.friction = options.friction;
-  interface.margin = usual_side(model.mesh, surface);
-  interface.longest_step = element_step(model);
-  if (model.inertia.size() > 0) interface.rotation_of_node = model.rotation_of_node;
-  return interface;
+/// What apexes and edges of an automatic contact both have.
+contact::Sides common_to_both(const Model& model, const std::string& name, const contact::Bodies& bodies, const mesh::Surface& surface,
+                              const InterfaceOptions& options) {
+  contact::Sides sides;
+  static_cast<contact::Between&>(sides) = of_all(bodies);
+  sides.name = name;
+  sides.bodies = bodies;
+  sides.restitution = options.restitution;
+  sides.friction = options.friction;
+  sides.margin = usual_side(model.mesh, surface);
+  sides.longest_step = element_step(model);
+  if (model.inertia.size() > 0) sides.rotation_of_node = model.rotation_of_node;
+  return sides;
 }
 
 Connected connect_nodes(Model& model, const std::string& name, const contact::Bodies& bodies, const contact::Beside& beside,
                         const std::vector<Skin>& skins, const mesh::Surface& surface, const InterfaceOptions& options, const Vectors& x) {
-  contact::Interface interface = common_to_both(model, name, bodies, surface, options);
+  contact::Interface interface;
+  static_cast<contact::Sides&>(interface) = common_to_both(model, name, bodies, surface, options);
   const auto nodes_of_mesh = static_cast<Index>(model.mesh.X.cols());
   interface.method = options.method;
   interface.base = contact::base_surface(surface, model.mesh.X, bodies.of_facet);
@@ -198,34 +199,37 @@ Connected connect_nodes(Model& model, const std::string& name, const contact::Bo
   }
 
   Connected connected;
+  contact::Memory memory;
   contact::Workspace workspace(interface);
   connected.gaps = contact::connect(interface, x, 0, {.from_initial_height = false, .clearance = 0, .given = 0},
-                                    options.initial_penetration, connected.memory, workspace);
-  model.interfaces.push_back(std::move(interface));
+                                    options.initial_penetration, memory, workspace);
+  connected.memory = std::move(memory);
+  model.contacts.push_back(std::move(interface));
   return connected;
 }
 
 std::vector<Connected> connect_edges(Model& model, const std::string& name, const contact::Bodies& bodies, const contact::Beside& beside,
                                      const std::vector<Skin>& skins, const mesh::Surface& surface, const InterfaceOptions& options,
                                      const Vectors& x) {
-  contact::Interface interface = common_to_both(model, name + "_edges", bodies, surface, options);
+  contact::EdgeContact all;
+  static_cast<contact::Sides&>(all) = common_to_both(model, name + "_edges", bodies, surface, options);
   const std::vector<Subset> planes = symmetry_planes(model);
   for (std::size_t b = 0; b < skins.size(); ++b)
     for (const bool plates : {false, true}) {
       const mesh::Surface part = part_of(*skins[b].surface, plates);
       if (part.facets.cols() == 0) continue;
-      contact::add_edges(contact::edges_of(model.mesh, part, planes), plates ? skins[b].half : 0, static_cast<Index>(b), interface.edges);
+      contact::add_edges(contact::edges_of(model.mesh, part, planes), plates ? skins[b].half : 0, static_cast<Index>(b), all.edges);
     }
-  if (!has_ridges(interface.edges, model.mesh.X)) return {};
-  interface.kind = contact::InterfaceKind::edges;
-  interface.base.beside = beside;
-  interface.method = contact::Method::multiplier;
-  interface.base_edges = interface.edges;
-  interface.apexes = interface.base_nodes = contact::nodes_of(interface.edges);
+  if (!has_ridges(all.edges, model.mesh.X)) return {};
+  all.beside = beside;
+  all.base_edges = all.edges;
+  all.apexes = all.base_nodes = contact::nodes_of(all.edges);
   Connected connected;
-  contact::Workspace workspace(interface);
-  connected.gaps = contact::connect_edges(interface, x, connected.memory, workspace);
-  model.interfaces.push_back(std::move(interface));
+  contact::EdgeMemory memory;
+  contact::EdgeWorkspace workspace(all);
+  connected.gaps = contact::connect(all, x, memory, workspace);
+  connected.memory = std::move(memory);
+  model.contacts.push_back(std::move(all));
   std::vector<Connected> list;
   list.push_back(std::move(connected));
   return list;

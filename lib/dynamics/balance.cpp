@@ -43,7 +43,9 @@ bool is_free(const Model& model) {
 std::vector<Account>::iterator post_sources(const Model& model, State& now) {
   auto account = now.ledger.accounts.begin();
   for (std::size_t b = 0; b < model.blocks.size(); ++b) element::post(model.blocks[b], now.blocks[b], *account++);
-  for (std::size_t c = 0; c < model.interfaces.size(); ++c) contact::post(model.interfaces[c], now.interfaces[c], *account++);
+  for (std::size_t c = 0; c < model.contacts.size(); ++c)
+    contact::with_memory(model.contacts[c], now.contacts[c],
+                         [&](const auto& one, const auto& memory) { contact::post(one, memory, *account++); });
   for (std::size_t p = 0; p < model.rigid_planes.size(); ++p) contact::post(model.rigid_planes[p], now.rigid_planes[p], *account++);
   for (const load::PlaneAccount& plane : now.constraints.account) load::post(plane, *account++);
   for (std::size_t l = 0; l < model.loads.size(); ++l) load::post(model.loads[l], now.loads[l], *account++);
@@ -58,7 +60,7 @@ void see_debts(const Model& model, State& now) {
     flow.owed = contact::by_multipliers(contact) && created(now.ledger.accounts[source]) > 0 ? contact::owed(memory) : 0;
     ++source;
   };
-  for (std::size_t c = 0; c < model.interfaces.size(); ++c) look(model.interfaces[c], now.interfaces[c]);
+  for (std::size_t c = 0; c < model.contacts.size(); ++c) contact::with_memory(model.contacts[c], now.contacts[c], look);
   for (std::size_t p = 0; p < model.rigid_planes.size(); ++p) look(model.rigid_planes[p], now.rigid_planes[p]);
 }
 
@@ -78,7 +80,11 @@ void lower_votes(const Model& model, State& now) {
     }
     if (part_of_flow(now.ledger, at, spurious, scale) > limit) memory.lowered_at = now.t;
   };
-  for (std::size_t c = 0; c < model.interfaces.size(); ++c) look(model.interfaces[c], now.interfaces[c].step_factor);
+  for (std::size_t c = 0; c < model.contacts.size(); ++c) {
+    if (const contact::Interface* interface = contact::interface_of(model.contacts[c]))
+      look(*interface, std::get<contact::Memory>(now.contacts[c]).step_factor);
+    else ++source;
+  }
   for (std::size_t p = 0; p < model.rigid_planes.size(); ++p) look(model.rigid_planes[p], now.rigid_planes[p].step_factor);
 }
 
@@ -151,7 +157,9 @@ void open_ledger(const Model& model, const Pace& pace, State& now) {
 }
 
 void update_reports(const Model& model, double dt, State& now) {
-  for (std::size_t c = 0; c < model.interfaces.size(); ++c) contact::see_meetings(model.interfaces[c], dt, now.t, now.interfaces[c]);
+  for (std::size_t c = 0; c < model.contacts.size(); ++c)
+    contact::with_memory(model.contacts[c], now.contacts[c],
+                         [&](const auto& one, auto& memory) { contact::see_meetings(one, dt, now.t, memory); });
   see_sections(model, dt, now);
 }
 

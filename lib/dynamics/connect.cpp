@@ -115,11 +115,13 @@ Connected connect_one_pass(Model& model, const std::string& name, const std::str
   interface.follows_thickness = options.height.from_thickness && options.kind == contact::InterfaceKind::contact &&
                                 (of_apexes.thins || of_base.thins);
   Connected connected;
+  contact::Memory memory;
   contact::Workspace workspace(interface);
   // the whole scene: an apex may start far from its base, and no farther
   const double reach = (x.rowwise().maxCoeff() - x.rowwise().minCoeff()).norm();
   connected.gaps =
-      contact::connect(interface, x, reach, options.height, options.initial_penetration, connected.memory, workspace);
+      contact::connect(interface, x, reach, options.height, options.initial_penetration, memory, workspace);
+  connected.memory = std::move(memory);
   if (in_one_direction && pass != contact::Pass::back) {
     const mesh::FacesAround around = mesh::faces_around(model.mesh, base, interface.base_nodes);
     connected.gaps.coarseness = contact::coarseness(interface, around, x, reach, workspace);
@@ -129,7 +131,7 @@ Connected connect_one_pass(Model& model, const std::string& name, const std::str
     const double step = contact::stable_step(interface, model.mass, model.inertia, trial, workspace).step;
     interface.damping_time = 2 * options.damping_ratio * step / contact::step_factor(interface, trial.step_factor);  // 2 zeta / omega
   }
-  model.interfaces.push_back(std::move(interface));
+  model.contacts.push_back(std::move(interface));
   return connected;
 }
 
@@ -140,30 +142,23 @@ std::optional<Connected> connect_edges(Model& model, const std::string& name, co
   const mesh::Surface& apexes = mesh::surface(model.mesh, apex_surface);
   const mesh::Surface& base = mesh::surface(model.mesh, base_surface);
   const std::vector<Subset> planes = symmetry_planes(model);
-  const contact::Interface& pass = model.interfaces.back();
-  contact::Interface interface;
-  interface.edges = contact::edges_of(model.mesh, apexes, planes);
-  interface.base_edges = contact::edges_of(model.mesh, base, planes);
-  if (!has_ridges(interface.edges, model.mesh.X) || !has_ridges(interface.base_edges, model.mesh.X)) return std::nullopt;
-  interface.name = name + "_edges";
-  interface.kind = contact::InterfaceKind::edges;
-  interface.method = contact::Method::multiplier;
-  interface.apexes = contact::nodes_of(interface.edges);
-  interface.base_nodes = contact::nodes_of(interface.base_edges);
-  interface.restitution = pass.restitution;
-  interface.impedance = pass.impedance;
-  interface.depth = pass.depth;
-  interface.margin = pass.margin;
-  interface.longest_step = pass.longest_step;
-  interface.friction = pass.friction;
-  interface.rotation_of_node = pass.rotation_of_node;
-  interface.edge_height = options.height.from_initial_height
-                              ? side_of(model, apexes).half_thickness + side_of(model, base).half_thickness
-                              : options.height.given;
+  const contact::Sides& pass = contact::sides(model.contacts.back());
+  contact::EdgeContact edges;
+  static_cast<contact::Sides&>(edges) = pass;
+  edges.edges = contact::edges_of(model.mesh, apexes, planes);
+  edges.base_edges = contact::edges_of(model.mesh, base, planes);
+  if (!has_ridges(edges.edges, model.mesh.X) || !has_ridges(edges.base_edges, model.mesh.X)) return std::nullopt;
+  edges.name = name + "_edges";
+  edges.apexes = contact::nodes_of(edges.edges);
+  edges.base_nodes = contact::nodes_of(edges.base_edges);
+  edges.height = options.height.from_initial_height ? side_of(model, apexes).half_thickness + side_of(model, base).half_thickness
+                                                    : options.height.given;
   Connected connected;
-  contact::Workspace workspace(interface);
-  connected.gaps = contact::connect_edges(interface, x, connected.memory, workspace);
-  model.interfaces.push_back(std::move(interface));
+  contact::EdgeMemory memory;
+  contact::EdgeWorkspace workspace(edges);
+  connected.gaps = contact::connect(edges, x, memory, workspace);
+  connected.memory = std::move(memory);
+  model.contacts.push_back(std::move(edges));
   return connected;
 }
 

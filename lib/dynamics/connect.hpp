@@ -30,10 +30,10 @@ struct InterfaceOptions {
   double step_factor = 0;  ///< [-] dt omega until then; 0: from the start no bounce creates more than the limit
 };
 
-/// An interface joined to a model, with the memory that its state needs.
+/// A contact joined to a model, with the memory that its state needs.
 struct Connected {
   contact::InitialGaps gaps;
-  contact::Memory memory;
+  contact::AnyMemory memory;
 };
 
 /// Stiffness per area with which a body resists pressure on a surface, at its stiffest element.

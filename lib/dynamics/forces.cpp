@@ -38,14 +38,17 @@ void update(const Model& model, double dt, const Pace& pace, State& now, Forces&
     }
   }
   see_thickness(model, now, f);
-  for (std::size_t c = 0; c < model.interfaces.size(); ++c, ++source) {
-    if (f.half_growth.size() > 0) contact::follow_thickness(model.interfaces[c], f.half_growth, now.interfaces[c]);
-    if (contact::by_multipliers(model.interfaces[c])) continue;
-    contact::Memory& memory = now.interfaces[c];
+  for (std::size_t c = 0; c < model.contacts.size(); ++c, ++source) {
+    const contact::Interface* interface = contact::interface_of(model.contacts[c]);
+    if (interface == nullptr) continue;
+    auto& memory = std::get<contact::Memory>(now.contacts[c]);
+    if (f.half_growth.size() > 0) contact::follow_thickness(*interface, f.half_growth, memory);
+    if (contact::by_multipliers(*interface)) continue;
+    auto& workspace = std::get<contact::Workspace>(f.contacts[c]);
     const double deepest = memory.deepest;
-    contact::advance(model.interfaces[c], now.x, now.v, now.omega, dt, memory, f.interfaces[c]);
+    contact::advance(*interface, now.x, now.v, now.omega, dt, memory, workspace);
     if (memory.deepest > deepest) memory.deepest_time = now.t;
-    votes.contact.see(contact::stable_step(model.interfaces[c], model.mass, model.inertia, now.interfaces[c], f.interfaces[c], dt), source);
+    votes.contact.see(contact::stable_step(*interface, model.mass, model.inertia, memory, workspace, dt), source);
   }
   for (std::size_t p = 0; p < model.rigid_planes.size(); ++p, ++source) {
     if (contact::by_multipliers(model.rigid_planes[p])) continue;
@@ -65,9 +68,10 @@ void update(const Model& model, double dt, const Pace& pace, State& now, Forces&
 }
 
 void add_contact_forces(const Model& model, const State& now, bool by_multipliers, Forces& f) {
-  for (std::size_t c = 0; c < model.interfaces.size(); ++c)
-    if (contact::by_multipliers(model.interfaces[c]) == by_multipliers)
-      contact::add_forces(model.interfaces[c], now.interfaces[c], f.force, f.moment);
+  for (std::size_t c = 0; c < model.contacts.size(); ++c)
+    if (contact::by_multipliers(model.contacts[c]) == by_multipliers)
+      contact::with_memory(model.contacts[c], now.contacts[c],
+                           [&](const auto& one, const auto& memory) { contact::add_forces(one, memory, f.force, f.moment); });
   for (std::size_t p = 0; p < model.rigid_planes.size(); ++p)
     if (contact::by_multipliers(model.rigid_planes[p]) == by_multipliers)
       contact::add_forces(model.rigid_planes[p], now.rigid_planes[p], f.force);

@@ -47,7 +47,7 @@ double kick(const Model& model, double dt, double t, Half half, State& now, Forc
 /// What f.f/m has of contacts by multipliers, which book it as their own work. [W/s]
 double power_rate_of_multipliers(const State& now) {
   double sum = 0;
-  for (const contact::Memory& memory : now.interfaces) sum += memory.power_rate;
+  for (const contact::AnyMemory& memory : now.contacts) sum += contact::sides(memory).power_rate;
   for (const contact::PlaneMemory& memory : now.rigid_planes) sum += memory.power_rate;
   return sum;
 }

@@ -123,21 +123,16 @@ double of_body(const View& view, const std::vector<std::size_t>& blocks, const e
 }
 
 double area_across(const View& view, std::size_t c, Index apex, const Vec3& force) {
-  const contact::Interface& interface = view.model.interfaces[c];
+  const auto& interface = std::get<contact::Interface>(view.model.contacts[c]);
   if (interface.faces.begin.empty()) return interface.area(apex);
   return mesh::tributary_area_facing(interface.faces, view.now.x, apex, force);
 }
 
 namespace {
 
-/// Whether an interface is of the same contact as the one before it: its second pass, or its edges.
-bool follows(const contact::Interface& interface) {
-  return interface.pass == contact::Pass::back || interface.kind == contact::InterfaceKind::edges;
-}
-
 /// What acts on the node of an apex; null if nothing does.
 const contact::NodeForce* force_on(const View& view, std::size_t c, Index apex, const std::vector<contact::NodeForce>& forces) {
-  const Index node = view.model.interfaces[c].apexes[apex];
+  const Index node = contact::sides(view.model.contacts[c]).apexes[static_cast<std::size_t>(apex)];
   const auto at = std::lower_bound(forces.begin(), forces.end(), node, [](const auto& one, Index n) { return one.node < n; });
   return at != forces.end() && at->node == node && !at->push.isZero(0) ? &*at : nullptr;
 }
@@ -150,12 +145,13 @@ Vec3 allowed_of(const contact::Interface& interface, Index apex, const Vec3& for
 }  // namespace
 
 std::vector<contact::NodeForce> forces_of_contact(const View& view, std::size_t c) {
-  const auto& interfaces = view.model.interfaces;
+  const auto& contacts = view.model.contacts;
   std::size_t first = c;
-  while (first > 0 && follows(interfaces[first])) --first;
+  while (first > 0 && contact::follows(contacts[first])) --first;
   std::vector<contact::NodeForce> all;
-  for (std::size_t i = first; i == first || (i < interfaces.size() && follows(interfaces[i])); ++i)
-    contact::list_forces(interfaces[i], view.now.interfaces[i], all);
+  for (std::size_t i = first; i == first || (i < contacts.size() && contact::follows(contacts[i])); ++i)
+    contact::with_memory(contacts[i], view.now.contacts[i],
+                         [&](const auto& one, const auto& memory) { contact::list_forces(one, memory, all); });
   std::stable_sort(all.begin(), all.end(), [](const auto& one, const auto& other) { return one.node < other.node; });
   std::size_t kept = 0;
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -169,7 +165,7 @@ std::vector<contact::NodeForce> forces_of_contact(const View& view, std::size_t 
 Traction traction_at(const View& view, std::size_t c, Index apex, const std::vector<contact::NodeForce>& forces) {
   const contact::NodeForce* on = force_on(view, c, apex, forces);
   if (on == nullptr) return {};
-  const contact::Interface& interface = view.model.interfaces[c];
+  const auto& interface = std::get<contact::Interface>(view.model.contacts[c]);
   const Vec3 push = allowed_of(interface, apex, on->push);
   if (interface.kind == contact::InterfaceKind::bonded && interface.bonds[apex].facet >= 0) {
     const Vec3 normal = contact::normal_of(interface, apex, view.now.x);
@@ -190,9 +186,9 @@ Traction traction_at(const View& view, std::size_t c, Index apex, const std::vec
 }
 
 ContactState contact_state(const View& view, std::size_t c) {
-  const contact::Interface& interface = view.model.interfaces[c];
   ContactState state{.largest_pressure = 0, .area = 0};
-  if (interface.kind == contact::InterfaceKind::edges) return state;
+  if (contact::interface_of(view.model.contacts[c]) == nullptr) return state;
+  const contact::Interface& interface = *contact::interface_of(view.model.contacts[c]);
   const std::vector<contact::NodeForce> forces = forces_of_contact(view, c);
   for (Index a = 0; a < static_cast<Index>(interface.apexes.size()); ++a) {
     const contact::NodeForce* on = force_on(view, c, a, forces);
@@ -204,10 +200,11 @@ ContactState contact_state(const View& view, std::size_t c) {
 }
 
 double least_gap(const View& view, std::size_t c) {
-  const contact::Interface& interface = view.model.interfaces[c];
-  const contact::Memory& memory = view.now.interfaces[c];
+  const contact::Interface* interface = contact::interface_of(view.model.contacts[c]);
+  if (interface == nullptr) return std::numeric_limits<double>::quiet_NaN();  // of edges that cross nothing is known before
+  const auto& memory = std::get<contact::Memory>(view.now.contacts[c]);
   const Vec3 extent = view.now.x.rowwise().maxCoeff() - view.now.x.rowwise().minCoeff();
-  return contact::least_gap(interface, view.now.x, memory, extent.norm());
+  return contact::least_gap(*interface, view.now.x, memory, extent.norm());
 }
 
 namespace {
@@ -223,13 +220,13 @@ Vec3 growth(const Vec3& impulse, const Vec3& first, double t, Kept& kept) {
 
 Vec3 mean_contact_force(const View& view, const std::vector<std::size_t>& passes, Kept& kept) {
   Vec3 impulse = Vec3::Zero();
-  for (const std::size_t pass : passes) impulse += contact::side_of(view.model.interfaces[pass]) * view.now.interfaces[pass].impulse;
+  for (const std::size_t pass : passes) impulse += contact::side_of(view.model.contacts[pass]) * contact::sides(view.now.contacts[pass]).impulse;
   return growth(impulse, Vec3::Zero(), view.now.t, kept);
 }
 
 Vec3 mean_force(const View& view, std::size_t source, Kept& kept) {
   const Vec3& impulse = view.now.ledger.accounts[source].impulse;
-  const std::size_t first = view.model.blocks.size() + view.model.interfaces.size();
+  const std::size_t first = view.model.blocks.size() + view.model.contacts.size();
   const bool rigid = source >= first && source < first + view.model.rigid_planes.size();
   return growth(impulse, rigid ? Vec3(Vec3::Zero()) : impulse, view.now.t, kept);
 }
@@ -241,18 +238,18 @@ Vec3 mean_section_force(const View& view, std::size_t section, Kept& kept) {
 std::vector<Touched> touched(const Model& model, const State& now) {
   std::vector<Touched> all;
   std::string contact;  // whose passes and edges follow it
-  for (std::size_t c = 0; c < model.interfaces.size(); ++c) {
-    const contact::Interface& interface = model.interfaces[c];
-    if (!follows(interface)) contact = interface.name;
-    for (const contact::Meeting& one : now.interfaces[c].meetings) {
-      const auto& names = interface.bodies.names;
+  for (std::size_t c = 0; c < model.contacts.size(); ++c) {
+    const contact::Sides& both = contact::sides(model.contacts[c]);
+    if (!contact::follows(model.contacts[c])) contact = both.name;
+    for (const contact::Meeting& one : contact::sides(now.contacts[c]).meetings) {
+      const auto& names = both.bodies.names;
       const std::array<std::string, 2> sides =
           names.empty() ? std::array<std::string, 2>{"apexes", "base"}
                         : std::array<std::string, 2>{names[static_cast<std::size_t>(one.one)], names[static_cast<std::size_t>(one.other)]};
       auto at = std::find_if(all.begin(), all.end(), [&](const Touched& t) { return t.contact == contact && t.sides == sides; });
       if (at == all.end()) at = all.insert(all.end(), {contact, sides, one.first, one.last, Vec3::Zero()});
       at->first = std::min(at->first, one.first), at->last = std::max(at->last, one.last);
-      at->impulse += contact::side_of(interface) * one.impulse;
+      at->impulse += contact::side_of(model.contacts[c]) * one.impulse;
     }
   }
   return all;

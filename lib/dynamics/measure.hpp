@@ -44,7 +44,7 @@ double of_body(const View&, const std::vector<std::size_t>& blocks, const elemen
 
 /// Force of an interface on all its apexes, with friction, as a mean over the time between two looks. [N]
 ///
-/// passes  places in Model::interfaces: of a second pass the force on its bases
+/// passes  places in Model::contacts: of a second pass the force on its bases
 Vec3 mean_contact_force(const View&, const std::vector<std::size_t>& passes, Kept&);
 
 /// Forces of a contact on nodes: of both passes and of the edges together, each node once, ascending.

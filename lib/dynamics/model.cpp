@@ -114,7 +114,7 @@ std::vector<Source> sources(const Model& model) {
     list.push_back(element::source(model.blocks[b]));
     if (is_rigid_block(model, b)) list.back().stored.clear(), list.back().dissipated.clear();
   }
-  for (const auto& interface : model.interfaces) list.push_back(contact::source(interface));
+  for (const auto& any : model.contacts) list.push_back(std::visit([](const auto& one) { return contact::source(one); }, any));
   for (const auto& plane : model.rigid_planes) list.push_back(contact::source(plane));
   for (const auto& plane : model.constraints.planes) list.push_back(load::source(plane));
   for (const auto& any : model.loads) list.push_back(load::source(any));
@@ -123,8 +123,8 @@ std::vector<Source> sources(const Model& model) {
   return list;
 }
 
-State initial_state(const Model& model, std::vector<contact::Memory> interfaces) {
-  check(interfaces.size() == model.interfaces.size(), "every interface must be connected before the start");
+State initial_state(const Model& model, std::vector<contact::AnyMemory> contacts) {
+  check(contacts.size() == model.contacts.size(), "every contact must be connected before the start");
   State state;
   state.x = model.mesh.X;
   state.v = Vectors::Zero(3, model.mesh.X.cols());
@@ -133,7 +133,7 @@ State initial_state(const Model& model, std::vector<contact::Memory> interfaces)
     state.blocks.push_back(element::initial_memory(block));
     state.tiles.push_back(element::tile_forces(block));
   }
-  state.interfaces = std::move(interfaces);
+  state.contacts = std::move(contacts);
   state.sections.resize(model.sections.size());
   for (const auto& plane : model.rigid_planes) state.rigid_planes.push_back(contact::initial_memory(plane));
   state.rigid_bodies.resize(model.rigid_bodies.size());
@@ -154,7 +154,7 @@ State initial_state(const Model& model, std::vector<contact::Memory> interfaces)
 Forces make_forces(const Model& model) {
   Forces forces;
   for (const auto& block : model.blocks) forces.reports.push_back(element::tile_reports(block));
-  for (const auto& interface : model.interfaces) forces.interfaces.emplace_back(interface);
+  for (const auto& any : model.contacts) forces.contacts.push_back(contact::make_workspace(any));
   forces.dx = Vectors::Zero(3, model.mesh.X.cols());
   forces.rotation = Vectors::Zero(3, model.inertia.size());
   forces.force = Vectors::Zero(3, model.mesh.X.cols());
@@ -170,19 +170,19 @@ Forces make_forces(const Model& model) {
   }
   forces.audit = audit::make_workspace(audited_surfaces(model));
   forces.audit.allowed = allowed_overlaps(model, forces.audit.surfaces);
-  if (contact::any_by_multipliers(model.interfaces, model.rigid_planes)) {
-    forces.multipliers = contact::make_multipliers(model.interfaces, model.rigid_planes, static_cast<Index>(model.mesh.X.cols()),
+  if (contact::any_by_multipliers(model.contacts, model.rigid_planes)) {
+    forces.multipliers = contact::make_multipliers(model.contacts, model.rigid_planes, static_cast<Index>(model.mesh.X.cols()),
                                                    static_cast<Index>(model.inertia.size()));
     forces.allowed_rotation.assign(static_cast<std::size_t>(model.inertia.size()), nullptr);
     forces.allowed.assign(static_cast<std::size_t>(model.mesh.X.cols()), nullptr);
     const auto& planes = model.constraints.planes;
     const bool any_moves = std::any_of(planes.begin(), planes.end(), [](const load::Plane& plane) { return load::moves(plane); });
-    if (any_moves && std::any_of(model.interfaces.begin(), model.interfaces.end(), contact::bonded_by_multipliers))
+    if (any_moves && std::any_of(model.contacts.begin(), model.contacts.end(), [](const auto& any) { return contact::bonded_by_multipliers(any); }))
       forces.driven = Vectors::Zero(3, model.mesh.X.cols());
   }
   forces.rigid_bodies.resize(model.rigid_bodies.size());
   if (!model.rigid_bodies.empty())
-    forces.rigid_nodes = contact::make_rigid_nodes(model.interfaces, model.rigid_planes, model.rigid_bodies, model.rigid_of_node);
+    forces.rigid_nodes = contact::make_rigid_nodes(model.contacts, model.rigid_planes, model.rigid_bodies, model.rigid_of_node);
   if (model.relaxation) forces.source_force = forces.force, forces.source_moment = forces.moment;
   return forces;
 }

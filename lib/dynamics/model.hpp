@@ -56,7 +56,7 @@ struct Section {
 struct Model {
   mesh::Mesh mesh;
   std::vector<element::AnyBlock> blocks;
-  std::vector<contact::Interface> interfaces;
+  std::vector<contact::AnyContact> contacts;
   std::vector<contact::RigidPlane> rigid_planes;
   load::Constraints constraints;
   std::vector<load::AnyLoad> loads;
@@ -189,7 +189,7 @@ struct State {
   Vectors omega;                                   ///< [rad/s] angular velocity at t, plate nodes only
   std::vector<element::Memory> blocks;             ///< beside Model::blocks
   std::vector<element::TileForces> tiles;          ///< beside Model::blocks: at t, for the work of the next step
-  std::vector<contact::Memory> interfaces;         ///< beside Model::interfaces
+  std::vector<contact::AnyMemory> contacts;        ///< beside Model::contacts
   std::vector<contact::PlaneMemory> rigid_planes;  ///< beside Model::rigid_planes
   std::vector<rigid::State> rigid_bodies;          ///< beside Model::rigid_bodies
   load::Memory constraints;
@@ -222,7 +222,7 @@ struct Forces {
   Vectors dx;                                 ///< [m] increment of the positions over the step
   Vectors rotation;                           ///< [rad] increment of the rotations of the plate nodes
   std::vector<element::TileReports> reports;  ///< beside Model::blocks
-  std::vector<contact::Workspace> interfaces;
+  std::vector<contact::AnyWorkspace> contacts;     ///< beside Model::contacts
   Vectors force;                                   ///< [N] on the nodes
   Vectors moment;                                  ///< [N m] on the plate nodes
   std::vector<double> partial;                     ///< sums of node ranges, in order
@@ -254,13 +254,13 @@ std::int64_t element_count(const Model&);
 /// The planes of a model without what they hold of rigid bodies, which is in Model::held_bodies.
 load::Constraints constraints_of_nodes(const Model&);
 
-/// The state at rest in the reference positions. Interfaces must have been connected: their
+/// The state at rest in the reference positions. Contacts must have been connected: their
 /// memories are taken over as they are.
-State initial_state(const Model&, std::vector<contact::Memory> interfaces);
+State initial_state(const Model&, std::vector<contact::AnyMemory> contacts);
 
 Forces make_forces(const Model&);
 
-/// The schema of the ledger: one source for every account, in the order of Model: blocks, interfaces, rigid planes,
+/// The schema of the ledger: one source for every account, in the order of Model: blocks, contacts, rigid planes,
 /// planes of the constraints, loads, relaxation, gravity.
 std::vector<Source> sources(const Model&);
 

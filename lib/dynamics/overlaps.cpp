@@ -66,7 +66,9 @@ audit::Surfaces audited_surfaces(const Model& model) {
 std::map<std::array<Index, 2>, double> allowed_overlaps(const Model& model, const audit::Surfaces& all) {
   std::map<std::array<Index, 2>, double> allowed;
   const auto count = static_cast<Index>(all.list.size());
-  for (const contact::Interface& interface : model.interfaces) {
+  for (const contact::AnyContact& any : model.contacts) {
+    if (contact::interface_of(any) == nullptr) continue;
+    const contact::Interface& interface = *contact::interface_of(any);
     if (interface.kind != contact::InterfaceKind::contact) continue;  // bonds stay where they were at the start, which is accepted
     if (interface.bodies.count() > 0) continue;  // they touch at all of their thickness
     for (Index one = 0; one < count; ++one) {
@@ -103,7 +105,9 @@ void see_overlaps(const Model& model, bool last, double every, State& now, Force
   audit::look(now.x, now.t, also_itself, forces.audit, now.audit);
 }
 
-bool joins(const contact::Interface& interface, const audit::Surfaces& all, const audit::Overlap& overlap) {
+bool joins(const contact::AnyContact& any, const audit::Surfaces& all, const audit::Overlap& overlap) {
+  if (contact::interface_of(any) == nullptr) return false;
+  const contact::Interface& interface = *contact::interface_of(any);
   const Index one = all.list[overlap.surface[0]].piece, other = all.list[overlap.surface[1]].piece;
   return (has_apexes(interface, all, one) && has_base(interface, all, other)) ||
          (has_apexes(interface, all, other) && has_base(interface, all, one));

@@ -23,8 +23,8 @@ bool audit_is_due(double every, const State&);
 /// every  [s] between two looks; zero: at each update of the ledger
 void see_overlaps(const Model&, bool last, double every, State&, Forces&);
 
-/// Whether an interface joins two surfaces of the audit, either way round.
-bool joins(const contact::Interface&, const audit::Surfaces&, const audit::Overlap&);
+/// Whether a contact joins two surfaces of the audit, either way round; edges over edges go with other contacts.
+bool joins(const contact::AnyContact&, const audit::Surfaces&, const audit::Overlap&);
 
 /// Which two bodies overlap, as in "a and b"; of a body and itself, or two parts of one, its name alone.
 std::string bodies(const audit::Surfaces&, const audit::Overlap&);

@@ -140,7 +140,7 @@ bool relax(const Model& model, double next, State& now, Forces& f) {
   f.dx = now.v, f.rotation = now.omega;
   const double kinetic = memory.kinetic = damp(model, std::exp(-2 * omega * now.dt), now);
   f.dx = now.v - f.dx, f.rotation = now.omega - f.rotation;  // the next step sets its own
-  contact::change_work_to_come(model.interfaces, model.rigid_planes, f.dx, f.rotation, model.rotation_of_node, next, now.interfaces,
+  contact::change_work_to_come(model.contacts, model.rigid_planes, f.dx, f.rotation, model.rotation_of_node, next, now.contacts,
                                now.rigid_planes);
   memory.omega = now.omega;
   if (omega * (now.t - memory.since) >= 1 || omega == 0) take_as_reference(now, f);  // a radian is enough to know a frequency

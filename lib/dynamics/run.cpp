@@ -132,8 +132,8 @@ bool overlap_too_much(const Model& model, const State& now, const Forces& forces
   most.worst = most.surest, most.time = most.sure_time;
   outcome.ending = Ending::bodies_overlap;
   const audit::Surfaces& surfaces = forces.audit.surfaces;
-  const bool joined = std::any_of(model.interfaces.begin(), model.interfaces.end(),
-                                  [&](const contact::Interface& interface) { return joins(interface, surfaces, most); });
+  const bool joined = std::any_of(model.contacts.begin(), model.contacts.end(),
+                                  [&](const contact::AnyContact& one) { return joins(one, surfaces, most); });
   const double open = audit::unsure(most.worst);
   outcome.reason = in_words(surfaces, most) + (most.at_start > 0 ? formatted(", %.3g m of it at the start", most.at_start) : "") +
                    (open > 0 ? formatted(", %.3g m of it within what bent faces leave open", open) : "") +

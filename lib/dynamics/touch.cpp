@@ -48,7 +48,7 @@ void stop_at_start(const Model& model, const Pace& pace, State& now, Forces& f) 
   f.dx.setZero();
   Vectors impulse = Vectors::Zero(3, now.v.cols());
   const contact::Motion motion = motion_of(model, f.dx, 0, next_length(now.votes, pace, now.t, 0), 0, now, f);
-  contact::stop_at_start(model.interfaces, model.rigid_planes, motion, now.t, now.interfaces, now.rigid_planes, f.interfaces,
+  contact::stop_at_start(model.contacts, model.rigid_planes, motion, now.t, now.contacts, now.rigid_planes, f.contacts,
                          f.multipliers, impulse);
   for (Eigen::Index node = 0; node < now.v.cols(); ++node) now.v.col(node) += impulse.col(node) / model.mass(node);
   push_rigid_bodies(model, impulse, now);
@@ -65,7 +65,7 @@ void enforce(const Model& model, double dt, const Pace& pace, State& now, Forces
     see_speeds(model, now.t + 0.5 * motion.next, now, f);
     motion.driven = &f.driven;
   }
-  contact::enforce(model.interfaces, model.rigid_planes, motion, now.t, now.interfaces, now.rigid_planes, f.interfaces, f.multipliers);
+  contact::enforce(model.contacts, model.rigid_planes, motion, now.t, now.contacts, now.rigid_planes, f.contacts, f.multipliers);
   add_contact_forces(model, now, true, f);
   gather_rigid_forces(model, f);
 }

@@ -17,12 +17,14 @@ constexpr double worth_saying = 1.5;  // [-] times as many steps
 /// The largest step of an interface by a penalty: its vote, or what that is once the lowest apexes touch. [s]
 double step_in_touch(const Simulation& simulation, std::size_t c) {
   const dynamics::Model& model = simulation.model;
-  const contact::Interface& interface = model.interfaces[c];
+  const contact::Interface* given = contact::interface_of(model.contacts[c]);
+  if (given == nullptr) return 1e300;
+  const contact::Interface& interface = *given;
   const contact::InitialGaps& gaps = simulation.gaps[c];
   const bool none = gaps.apexes == gaps.without_base + gaps.behind;
   if (contact::by_multipliers(interface) || none || interface.contact_height.size() == 0) return 1e300;
   contact::Workspace workspace(interface);
-  const double vote = contact::stable_step(interface, model.mass, model.inertia, simulation.state.interfaces[c], workspace).step;
+  const double vote = contact::stable_step(interface, model.mass, model.inertia, std::get<contact::Memory>(simulation.state.contacts[c]), workspace).step;
   if (vote < 1e299) return vote;
   const double reach = std::max(gaps.least, 0.0) + interface.contact_height.maxCoeff() + interface.depth;
   const contact::Memory touching = contact::tried_out(interface, simulation.state.x, reach, workspace);
@@ -99,13 +101,13 @@ ExpectedSteps expected_steps(const Simulation& simulation) {
   expected.elements = simulation.time.safety * now.votes.elements.step;
   if (!model.rigid_bodies.empty()) expected.elements = std::min(expected.elements, model.longest_step);
   expected.dt = expected.first.dt;
-  for (std::size_t c = 0; c < model.interfaces.size(); ++c) expected.interfaces.push_back(step_in_touch(simulation, c));
+  for (std::size_t c = 0; c < model.contacts.size(); ++c) expected.contacts.push_back(step_in_touch(simulation, c));
   for (std::size_t p = 0; p < model.rigid_planes.size(); ++p) {
     const contact::RigidPlane& plane = model.rigid_planes[p];
     const bool none = contact::by_multipliers(plane);
     expected.rigid_planes.push_back(none ? 1e300 : contact::stable_step(plane, model.mass, now.rigid_planes[p].step_factor).step);
   }
-  for (const double step : expected.interfaces) expected.dt = std::min(expected.dt, step);
+  for (const double step : expected.contacts) expected.dt = std::min(expected.dt, step);
   return expected;
 }
 
@@ -126,10 +128,10 @@ std::vector<std::string> step_advice(const Simulation& simulation, const Expecte
     advice.push_back(formatted("%s '%s' makes this run %.3g times longer", what, name.c_str(), expected.elements / step) +
                      (may ? "; " + said(Remedy::multiplier) : ""));
   };
-  for (std::size_t c = 0; c < expected.interfaces.size(); ++c) {
-    const contact::Interface& interface = simulation.model.interfaces[c];
-    if (interface.pass == contact::Pass::back) continue;
-    look("contact", interface.name, expected.interfaces[c], may_have_multipliers(simulation.model, interface));
+  for (std::size_t c = 0; c < expected.contacts.size(); ++c) {
+    const contact::Interface* interface = contact::interface_of(simulation.model.contacts[c]);
+    if (interface == nullptr || interface->pass == contact::Pass::back) continue;
+    look("contact", interface->name, expected.contacts[c], may_have_multipliers(simulation.model, *interface));
   }
   for (std::size_t p = 0; p < expected.rigid_planes.size(); ++p)
     look("rigid plane", simulation.model.rigid_planes[p].name, expected.rigid_planes[p], true);

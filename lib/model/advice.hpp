@@ -16,7 +16,7 @@ struct ExpectedSteps {
   dynamics::Step first;            ///< the first one
   double dt = 0;                   ///< [s] length of the others
   double elements = 0;             ///< [s] what it would be without contacts and rigid planes by a penalty
-  std::vector<double> interfaces;  ///< [s] largest step of each interface; 1e300 of those that set none
+  std::vector<double> contacts;  ///< [s] largest step of each contact; 1e300 of those that set none
   std::vector<double> rigid_planes;
 };
 

@@ -357,7 +357,7 @@ Simulation build(const Scene& scene) {
   check_columns(scene, model, faults);
   throw_if_any(faults);
 
-  std::vector<contact::Memory> memories;
+  std::vector<contact::AnyMemory> memories;
   for (dynamics::Connected& one : connected) {
     simulation.gaps.push_back(one.gaps);
     memories.push_back(std::move(one.memory));
@@ -366,8 +366,8 @@ Simulation build(const Scene& scene) {
   set_initial(scene, model, displacement, simulation.state, faults);
   set_velocities_of_stages(scene, simulation, faults);
   check_rigid_bodies(scene, model, simulation.state, faults);
-  for (contact::Interface& interface : model.interfaces)
-    if (contact::bonded_by_multipliers(interface)) contact::bond_here(simulation.state.x, interface);
+  for (contact::AnyContact& any : model.contacts)
+    if (contact::bonded_by_multipliers(any)) contact::bond_here(simulation.state.x, std::get<contact::Interface>(any));
   simulation.forces = dynamics::make_forces(model);
   for (const Probe& probe : scene.probes) simulation.probes.push_back(make_probe(probe, model, simulation.state, faults));
   throw_if_any(faults);

@@ -26,7 +26,7 @@ struct Simulation {
   dynamics::Model model;
   dynamics::State state;
   dynamics::Forces forces;
-  std::vector<contact::InitialGaps> gaps;  ///< beside Model::interfaces
+  std::vector<contact::InitialGaps> gaps;  ///< beside Model::contacts
   dynamics::Time time;
   Recording recording;
   /// Those of the scene, and what a driver adds before the run. A probe without a name is no column of the history.

@@ -28,8 +28,8 @@ int pairs_that_touch(const contact::Bodies& bodies) {
 
 /// The pairs of bodies of an automatic contact that are near each other at the start. Each apex counts for the body of its nearest facet.
 std::vector<std::string> pairs_found(const Simulation& simulation, std::size_t c) {
-  const contact::Interface& interface = simulation.model.interfaces[c];
-  const contact::Memory& memory = simulation.state.interfaces[c];
+  const auto& interface = std::get<contact::Interface>(simulation.model.contacts[c]);
+  const auto& memory = std::get<contact::Memory>(simulation.state.contacts[c]);
   const contact::Bodies& bodies = interface.bodies;
   struct Pair {
     int apexes = 0;
@@ -58,12 +58,12 @@ std::vector<std::string> pairs_found(const Simulation& simulation, std::size_t c
 
 /// Overlaps of round-off size with which a contact starts.
 std::vector<std::string> slight_overlaps(const Simulation& simulation, std::size_t c) {
-  const contact::Interface& interface = simulation.model.interfaces[c];
-  const bool edges = interface.kind == contact::InterfaceKind::edges;
+  const contact::Sides& both = contact::sides(simulation.model.contacts[c]);
+  const bool edges = contact::interface_of(simulation.model.contacts[c]) == nullptr;
   std::vector<std::string> rows;
   for (const contact::SlightOverlap& one : simulation.gaps[c].slight_overlaps) {
-    const auto name = [&](Index body) { return interface.bodies.names[static_cast<std::size_t>(body)]; };
-    const std::string pair = one.apex_body < 0 ? interface.name : name(one.apex_body) + " and " + name(one.base_body);
+    const auto name = [&](Index body) { return both.bodies.names[static_cast<std::size_t>(body)]; };
+    const std::string pair = one.apex_body < 0 ? both.name : name(one.apex_body) + " and " + name(one.base_body);
     rows.push_back(formatted("%-14s %s: %d %s overlap at the start, by %.3g m at most, less than %.0e of an element: taken as contact", "",
                              pair.c_str(), one.count, edges ? "pairs of edges" : "apexes", one.deepest, contact::slight));
   }
@@ -114,14 +114,14 @@ std::vector<std::string> gap_table(const Simulation& simulation) {
   table.push_back("initial gaps   apexes  on facet  on edge  on vertex  no base  penetrating  least [m]    mean [m]     largest [m]");
   for (std::size_t c = 0; c < simulation.gaps.size(); ++c) {
     const contact::InitialGaps& g = simulation.gaps[c];
-    const contact::Interface& interface = simulation.model.interfaces[c];
-    if (interface.kind == contact::InterfaceKind::edges) {
-      table.push_back(formatted("%-14s %d and %d edges, %d pairs within %.4g m, %d of them penetrating", interface.name.c_str(),
-                                static_cast<int>(interface.edges.nodes.cols()), static_cast<int>(interface.base_edges.nodes.cols()),
-                                g.pairs, interface.margin, g.penetrating));
+    if (const auto* edges = std::get_if<contact::EdgeContact>(&simulation.model.contacts[c])) {
+      table.push_back(formatted("%-14s %d and %d edges, %d pairs within %.4g m, %d of them penetrating", edges->name.c_str(),
+                                static_cast<int>(edges->edges.nodes.cols()), static_cast<int>(edges->base_edges.nodes.cols()),
+                                g.pairs, edges->margin, g.penetrating));
       for (const std::string& row : slight_overlaps(simulation, c)) table.push_back(row);
       continue;
     }
+    const auto& interface = std::get<contact::Interface>(simulation.model.contacts[c]);
     const bool any = g.apexes > g.without_base + g.behind;
     const bool overlaps = g.penetrating > 0 || !g.slight_overlaps.empty() || interface.kind == contact::InterfaceKind::bonded;
     const auto shown = [&](double gap) { return overlaps ? gap : std::max(gap, 0.0); };  // without round-off
@@ -178,8 +178,8 @@ std::vector<std::string> coarseness_notes(const Simulation& simulation) {
   };
   for (std::size_t c = 0; c < simulation.gaps.size(); ++c) {
     const contact::Coarseness& seen = simulation.gaps[c].coarseness;
-    const contact::Interface& interface = simulation.model.interfaces[c];
     if (!(seen.apexes >= worth_saying)) continue;
+    const auto& interface = std::get<contact::Interface>(simulation.model.contacts[c]);
     if (std::all_of(interface.base_nodes.begin(), interface.base_nodes.end(), held)) continue;  // a base that cannot give way
     const bool bonded = interface.kind == contact::InterfaceKind::bonded;  // which has one pass
     const std::string instead = seen.base >= worth_saying ? said(bonded ? Remedy::refine_apexes : Remedy::two_passes)
@@ -226,9 +226,11 @@ std::vector<std::string> depth_notes(const Simulation& simulation) {
                     (soft && may_have_multipliers ? "; " + said(Remedy::firmer_contact) : ""));
   };
   const dynamics::Model& model = simulation.model;
-  for (std::size_t c = 0; c < model.interfaces.size(); ++c) {
-    const auto& memory = simulation.state.interfaces[c];
-    look(model.interfaces[c], memory.deepest_in, memory, memory.deepest_apex, may_have_multipliers(model, model.interfaces[c]));
+  for (std::size_t c = 0; c < model.contacts.size(); ++c) {
+    const contact::SidesMemory& memory = contact::sides(simulation.state.contacts[c]);
+    const contact::Interface* interface = contact::interface_of(model.contacts[c]);
+    const bool may_have_multipliers = interface == nullptr || model::may_have_multipliers(model, *interface);
+    std::visit([&](const auto& one) { look(one, memory.deepest_in, memory, memory.deepest_apex, may_have_multipliers); }, model.contacts[c]);
   }
   for (std::size_t p = 0; p < model.rigid_planes.size(); ++p) {
     const auto& memory = simulation.state.rigid_planes[p];
@@ -243,13 +245,13 @@ std::vector<std::string> overlap_notes(const Simulation& simulation) {
   std::vector<std::string> notes;
   std::size_t more = 0;
   const audit::Surfaces& surfaces = simulation.forces.audit.surfaces;
-  const auto& interfaces = simulation.model.interfaces;
+  const auto& contacts = simulation.model.contacts;
   for (const audit::Overlap& overlap : simulation.state.audit.overlaps) {
     bool joined = false, expected = false;
-    for (std::size_t c = 0; c < interfaces.size(); ++c) {
-      if (!dynamics::joins(interfaces[c], surfaces, overlap)) continue;
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+      if (!dynamics::joins(contacts[c], surfaces, overlap)) continue;
       joined = true;
-      expected = expected || interfaces[c].kind == contact::InterfaceKind::bonded || simulation.gaps[c].penetrating > 0;
+      expected = expected || contact::interface_of(contacts[c])->kind == contact::InterfaceKind::bonded || simulation.gaps[c].penetrating > 0;
     }
     const bool from_start = overlap.at_start - overlap.allowed > worth_saying * overlap.worst.size && !expected;
     if (!(overlap.grown > worth_saying) && !from_start) continue;
@@ -345,33 +347,39 @@ struct Held {
   double open = 0, passed = 0;
 };
 
-/// The name of a contact, whatever pass or edges of it an interface is.
-std::string contact_of(const contact::Interface& interface) {
-  std::string name = interface.name;
+/// The name of a contact, whatever pass or edges of it this is.
+std::string contact_of(const contact::AnyContact& contact) {
+  std::string name = contact::sides(contact).name;
   for (const std::string part : {"_edges", "_back"})
     if (name.ends_with(part)) name.resize(name.size() - part.size());
   return name;
 }
 
-/// Adds up, pair by pair of bodies, what the apexes and edges of an interface hold; infinity where one of them touches.
-///
-/// held  [J] by the bodies of a pair, -1 for both sides of a declared contact
-void add_held(const contact::Interface& interface, const contact::Memory& memory, std::map<std::pair<Index, Index>, double>& held) {
+/// [J] held by the bodies of a pair, -1 for both sides of a declared contact; infinity where an apex or edge of them touches.
+using HeldByPairs = std::map<std::pair<Index, Index>, double>;
+void add_pair(Index one, Index other, bool touches, double energy, HeldByPairs& held) {
+  held[std::minmax(one, other)] += touches ? INFINITY : std::max(0.0, energy);
+}
+
+/// Adds up what apexes hold.
+void add_held(const contact::Interface& interface, const contact::Memory& memory, HeldByPairs& held) {
   const contact::Bodies& bodies = interface.bodies;
-  const auto add = [&](Index one, Index other, bool touches, double energy) {
-    held[std::minmax(one, other)] += touches ? INFINITY : std::max(0.0, energy);
-  };
   for (const contact::Near& near : memory.near) {
     const auto apex = static_cast<std::size_t>(near.apex);
     const Index facet = memory.feature[apex].facet;
     const bool has_pair = bodies.count() > 0 && facet >= 0;
-    add(has_pair ? bodies.of_apex[apex] : -1, has_pair ? bodies.of_facet[static_cast<std::size_t>(facet)] : -1, near.element.closed,
-        memory.restitution[apex].held);
+    add_pair(has_pair ? bodies.of_apex[apex] : -1, has_pair ? bodies.of_facet[static_cast<std::size_t>(facet)] : -1, near.element.closed,
+             memory.restitution[apex].held, held);
   }
+}
+
+/// The same of edges.
+void add_held(const contact::EdgeContact& contact, const contact::EdgeMemory& memory, HeldByPairs& held) {
+  const contact::Bodies& bodies = contact.bodies;
   for (const contact::Crossing& crossing : memory.crossings) {
     const bool has_pair = bodies.count() > 0;
     const auto body = [&](std::size_t node) { return has_pair ? bodies.of_node[static_cast<std::size_t>(crossing.node[node])] : -1; };
-    add(body(0), body(2), crossing.closed, crossing.restitution.held);
+    add_pair(body(0), body(2), crossing.closed, crossing.restitution.held, held);
   }
 }
 
@@ -384,13 +392,14 @@ std::vector<Held> held_by_open_contacts(const Simulation& simulation) {
       if (all[s].name == name) return simulation.state.ledger.flows[s].passed;
     return 0.0;
   };
-  std::map<std::string, std::map<std::pair<Index, Index>, double>> of_contacts;
+  std::map<std::string, HeldByPairs> of_contacts;
   std::map<std::string, double> passed_through;
-  for (std::size_t c = 0; c < model.interfaces.size(); ++c) {
-    const contact::Interface& interface = model.interfaces[c];
-    if (!contact::by_multipliers(interface) || interface.kind == contact::InterfaceKind::bonded) continue;
-    add_held(interface, simulation.state.interfaces[c], of_contacts[contact_of(interface)]);
-    passed_through[contact_of(interface)] += passed(interface.name);
+  for (std::size_t c = 0; c < model.contacts.size(); ++c) {
+    const contact::AnyContact& any = model.contacts[c];
+    if (!contact::by_multipliers(any) || contact::bonded_by_multipliers(any)) continue;
+    contact::with_memory(any, simulation.state.contacts[c],
+                         [&](const auto& one, const auto& memory) { add_held(one, memory, of_contacts[contact_of(any)]); });
+    passed_through[contact_of(any)] += passed(contact::sides(any).name);
   }
   std::vector<Held> found;
   for (const auto& [contact, pairs] : of_contacts) {
@@ -456,7 +465,9 @@ std::vector<std::string> step_notes(const Simulation& simulation) {
                               contact.first_step_factor / contact.impact_step_factor, memory.lowered_at));
   };
   const dynamics::Model& model = simulation.model;
-  for (std::size_t c = 0; c < model.interfaces.size(); ++c) look(model.interfaces[c], simulation.state.interfaces[c].step_factor);
+  for (std::size_t c = 0; c < model.contacts.size(); ++c)
+    if (const contact::Interface* interface = contact::interface_of(model.contacts[c]))
+      look(*interface, std::get<contact::Memory>(simulation.state.contacts[c]).step_factor);
   for (std::size_t p = 0; p < model.rigid_planes.size(); ++p) look(model.rigid_planes[p], simulation.state.rigid_planes[p].step_factor);
   return notes;
 }

@@ -39,12 +39,12 @@ Measure component(const std::string& name, const Vec3& normal, Value&& value) {
   return [value, axis](const View& view, Kept& kept) -> double { return value(view, kept)(axis); };
 }
 
-/// Places of the interfaces of a contact: one, or two passes with the sides exchanged; and of its edges.
-std::vector<std::size_t> passes(const dynamics::Model& model, const std::string& contact) {
+/// Places in Model::contacts of a contact of the scene: one, or two passes with the sides exchanged; and of its edges.
+std::vector<std::size_t> passes(const dynamics::Model& model, const std::string& name) {
   std::vector<std::size_t> found;
-  for (std::size_t c = 0; c < model.interfaces.size(); ++c)
+  for (std::size_t c = 0; c < model.contacts.size(); ++c)
     for (const char* part : {"", "_back", "_edges"})
-      if (model.interfaces[c].name == contact + part) found.push_back(c);
+      if (contact::sides(model.contacts[c]).name == name + part) found.push_back(c);
   return found;
 }
 
@@ -54,7 +54,7 @@ double contact_area(const View& view, const std::vector<std::size_t>& passes) { 
 /// On the surface with the apexes: of a second pass it is what pushes back.
 Vec3 current_force(const View& view, const std::vector<std::size_t>& passes) {
   Vec3 sum = Vec3::Zero();
-  for (const std::size_t pass : passes) sum += contact::side_of(view.model.interfaces[pass]) * view.now.interfaces[pass].force;
+  for (const std::size_t pass : passes) sum += contact::side_of(view.model.contacts[pass]) * contact::sides(view.now.contacts[pass]).force;
   return sum;
 }
 double contact_pressure(const View& view, const std::vector<std::size_t>& passes) {
@@ -142,7 +142,7 @@ Measure of_body(const Probe& probe, int row, const dynamics::Model& model, const
 
 Measure of_source(const Probe& probe, const std::string& along, const dynamics::Model& model, Faults& faults) {
   const auto here = [&](const auto& one) { return one.name == probe.of; };
-  const auto interfaces = passes(model, probe.of);
+  const auto contacts = passes(model, probe.of);
   const auto rigid = std::find_if(model.rigid_planes.begin(), model.rigid_planes.end(), here);
   const auto plane = std::find_if(model.constraints.planes.begin(), model.constraints.planes.end(), here);
   Vec3 normal = Vec3::Zero();
@@ -157,15 +157,16 @@ Measure of_source(const Probe& probe, const std::string& along, const dynamics::
     if (total) return component(along, normal, [s](const View& view, Kept&) { return view.now.sections[s].impulse; });
     return component(along, normal, [s](const View& view, Kept& kept) { return dynamics::mean_section_force(view, s, kept); });
   }
-  if (!interfaces.empty() && total)
-    return component(along, normal, [interfaces](const View& view, Kept&) {
+  if (!contacts.empty() && total)
+    return component(along, normal, [contacts](const View& view, Kept&) {
       Vec3 sum = Vec3::Zero();
-      for (const std::size_t pass : interfaces) sum += contact::side_of(view.model.interfaces[pass]) * view.now.interfaces[pass].impulse;
+      for (const std::size_t pass : contacts)
+        sum += contact::side_of(view.model.contacts[pass]) * contact::sides(view.now.contacts[pass]).impulse;
       return sum;
     });
-  if (!interfaces.empty())
-    return component(along, normal, [interfaces](const View& view, Kept& kept) {
-      return dynamics::mean_contact_force(view, interfaces, kept);
+  if (!contacts.empty())
+    return component(along, normal, [contacts](const View& view, Kept& kept) {
+      return dynamics::mean_contact_force(view, contacts, kept);
     });
   const auto spring = std::find_if(model.loads.begin(), model.loads.end(), [&](const auto& load) { return load::name(load) == probe.of; });
   if (total && spring != model.loads.end() && load::is_spring(*spring))

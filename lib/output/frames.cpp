@@ -20,11 +20,12 @@ Field vector(const std::string& name, const std::string& unit, Eigen::MatrixXd v
   return {name, unit, vector_components, std::move(values)};
 }
 
-/// Contact forces on the nodes, of all interfaces and rigid planes. [N]
+/// Contact forces on the nodes, of contacts between bodies and rigid planes. [N]
 Vectors contact_forces(const dynamics::View& view) {
   Vectors force = Vectors::Zero(3, view.now.x.cols()), moment = Vectors::Zero(3, view.now.omega.cols());
-  for (std::size_t c = 0; c < view.model.interfaces.size(); ++c)
-    contact::add_forces(view.model.interfaces[c], view.now.interfaces[c], force, moment);
+  for (std::size_t c = 0; c < view.model.contacts.size(); ++c)
+    contact::with_memory(view.model.contacts[c], view.now.contacts[c],
+                         [&](const auto& one, const auto& memory) { contact::add_forces(one, memory, force, moment); });
   for (std::size_t p = 0; p < view.model.rigid_planes.size(); ++p)
     contact::add_forces(view.model.rigid_planes[p], view.now.rigid_planes[p], force);
   return force;
@@ -95,18 +96,23 @@ bool is_shown(const contact::Interface& interface, const contact::Memory& memory
   return interface.heights != contact::Heights::guards || memory.status[static_cast<std::size_t>(apex)] == contact::Status::closed;
 }
 
+Eigen::Index elements_shown(const contact::Interface& interface, const contact::Memory& memory) {
+  Eigen::Index count = 0;
+  for (Index a = 0; a < static_cast<Index>(interface.apexes.size()); ++a) count += is_shown(interface, memory, a);
+  return count;
+}
+Eigen::Index elements_shown(const contact::EdgeContact&, const contact::EdgeMemory& memory) {
+  return std::count_if(memory.crossings.begin(), memory.crossings.end(), is_over);
+}
+
 }  // namespace
 
 Grid contact_grid(const dynamics::View& view) {
   const dynamics::Model& model = view.model;
   Eigen::Index count = 0;
-  for (std::size_t c = 0; c < model.interfaces.size(); ++c) {
-    const auto& crossings = view.now.interfaces[c].crossings;
-    const auto apexes = static_cast<Index>(model.interfaces[c].apexes.size());
-    if (model.interfaces[c].kind != contact::InterfaceKind::edges)
-      for (Index a = 0; a < apexes; ++a) count += is_shown(model.interfaces[c], view.now.interfaces[c], a);
-    else count += std::count_if(crossings.begin(), crossings.end(), is_over);
-  }
+  for (std::size_t c = 0; c < model.contacts.size(); ++c)
+    contact::with_memory(model.contacts[c], view.now.contacts[c],
+                         [&](const auto& one, const auto& memory) { count += elements_shown(one, memory); });
   // five points for each element: foot, apex and the corners of the facet; of edges that cross their points, and the base edge with one
   Grid grid;
   grid.time = view.now.t;
@@ -138,13 +144,11 @@ Grid contact_grid(const dynamics::View& view) {
     ++e;
   };
   const auto at = [&](Index node) { return std::array<Vec3, 2>{model.mesh.X.col(node), view.now.x.col(node)}; };
-  for (std::size_t c = 0; c < model.interfaces.size(); ++c) {
-    const auto& interface = model.interfaces[c];
-    const bool apexes = interface.kind != contact::InterfaceKind::edges;
-    const std::vector<contact::NodeForce> forces = apexes ? dynamics::forces_of_contact(view, c) : std::vector<contact::NodeForce>{};
-    for (Index a = 0; apexes && a < static_cast<Index>(interface.apexes.size()); ++a) {
-      if (!is_shown(interface, view.now.interfaces[c], a)) continue;
-      const auto element = contact::view(interface, view.now.x, view.now.interfaces[c], a);
+  const auto add_apexes = [&](std::size_t c, const contact::Interface& interface, const contact::Memory& memory) {
+    const std::vector<contact::NodeForce> forces = dynamics::forces_of_contact(view, c);
+    for (Index a = 0; a < static_cast<Index>(interface.apexes.size()); ++a) {
+      if (!is_shown(interface, memory, a)) continue;
+      const auto element = contact::view(interface, view.now.x, memory, a);
       const dynamics::Traction traction = dynamics::traction_at(view, c, a, forces);
       const bool lost = element.feature.facet < 0;
       std::array<std::array<Vec3, 2>, 5> points;
@@ -161,7 +165,9 @@ Grid contact_grid(const dynamics::View& view) {
                    traction.pressure, traction.shear, element.slides ? 1.0 : 0.0, static_cast<double>(element.status),
                    static_cast<double>(element.reconnections)});
     }
-    for (const contact::Crossing& crossing : view.now.interfaces[c].crossings) {
+  };
+  const auto add_edges = [&](std::size_t c, const contact::EdgeMemory& memory) {
+    for (const contact::Crossing& crossing : memory.crossings) {
       if (!is_over(crossing)) continue;
       std::array<std::array<Vec3, 2>, 5> points;
       for (std::size_t when = 0; when < 2; ++when) {
@@ -173,6 +179,11 @@ Grid contact_grid(const dynamics::View& view) {
       add(points, {0.0, static_cast<double>(c), of_edges, static_cast<double>(crossing.base_edge), static_cast<double>(crossing.node[0]),
                    crossing.gap, 0.0, 0.0, slides ? 1.0 : 0.0, crossing.closed ? 1.0 : 0.0, 0.0});
     }
+  };
+  for (std::size_t c = 0; c < model.contacts.size(); ++c) {
+    if (const contact::Interface* interface = contact::interface_of(model.contacts[c]))
+      add_apexes(c, *interface, std::get<contact::Memory>(view.now.contacts[c]));
+    else add_edges(c, std::get<contact::EdgeMemory>(view.now.contacts[c]));
   }
   grid.cells.push_back(std::move(lines)), grid.cells.push_back(std::move(facets));
   grid.cell_fields = std::move(cells);

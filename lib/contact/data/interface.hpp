@@ -1,8 +1,6 @@
 #pragma once
 // What a contact is between: two surfaces, or many bodies, and how they act on each other. Constant in time.
 
-#include <algorithm>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -18,7 +16,6 @@ namespace nereid::contact {
 enum class InterfaceKind {
   contact,  ///< unilateral: pushes only, and the apex slides from base to base
   bonded,   ///< the apex stays over the point of its base where it began, pulled as well as pushed
-  edges,    ///< of a contact: edges of the surface of its apexes over edges of its base, always by multipliers
 };
 
 /// How friction on an apex is shared out over its base, and against what its sliding is measured.
@@ -50,25 +47,35 @@ struct Bond {
   double height = 0;               ///< [m] along the normal of the facet, or of the face at that point
 };
 
-/// Apexes over a base surface. Constant in time.
+/// Both sides of a contact, and what they have together. Constant in time.
 ///
 /// What it is between is that of its two surfaces; of many bodies the least depth and the largest penalty of all pairs.
-struct Interface : Between {
+struct Sides : Between {
   std::string name;
+  Subset apexes;            ///< nodes of the first side, ascending: apexes, or ends of edges and what is across from these
+  Subset base_nodes;        ///< the same of the other side
+  double restitution = 1;   ///< [-] speed of a node released by a multiplier over that with which it was stopped
+  Coulomb friction;
+  /// [nodes] column of a plate node's angular velocity, or -1; empty where no node of the contact turns
+  std::vector<Index> rotation_of_node;
+  /// [m] Only what is nearer than h_c and this is looked at, or than it can move in some steps. A search is due when both sides have moved by
+  /// half of it since the last one, so that nothing comes into contact unseen.
+  double margin = 0;
+  double longest_step = 0;  ///< [s] stable step of the elements at the start: no step is much longer
+  Bodies bodies;            ///< of an automatic contact
+};
+
+/// Apexes over a base surface.
+struct Interface : Sides {
   InterfaceKind kind = InterfaceKind::contact;
   Method method = Method::penalty;
   BaseSurface base;
   Fans own;                      ///< the surface of the apexes: an apex comes into contact with facets that this faces; may be empty
-  Subset apexes;                 ///< nodes, ascending
   Scalars area;                  ///< [m2] tributary area, [apexes]
   mesh::FacesAround faces;       ///< [apexes] what the tributary area lies on; may be empty
   Scalars facet_area;            ///< [m2] of the reference, [facets]
   Scalars contact_height;        ///< [m] h_c, [apexes], with plates as thick as at the start
   bool follows_thickness = false;  ///< whether h_c changes as plates do: see Memory::thicker
-  double restitution = 1;        ///< [-] speed of a node released by a multiplier over that with which it was stopped
-  Coulomb friction;
-  /// [nodes] column of a plate node's angular velocity, or -1; empty where no node of the interface turns
-  std::vector<Index> rotation_of_node;
   std::vector<Bond> bonds;             ///< [apexes] of a bonded interface; set by connect()
   double impact_step_factor = 0.1410;  ///< [-] dt sqrt(k/m) of the vote: impact_step_factor_for(0.005)
   double first_step_factor = 0;        ///< [-] the same until the contact has created too much, where it is larger: step_factor.hpp
@@ -82,15 +89,13 @@ struct Interface : Between {
   /// An apex on a symmetry plane meets the mirror images of its bases too: [apexes] projector onto
   /// the directions the plane allows; empty where there are no planes.
   std::vector<Mat3> allowed;
-  /// [m] Only apexes nearer to their base than h_c and this are looked at, or than they can move in some steps. A search is due when
-  /// apexes and base have moved by half of it since the last one, so that no apex comes into contact unseen.
-  double margin = 0;
-  double longest_step = 0;  ///< [s] stable step of the elements at the start: no step is much longer
-  Subset base_nodes;  ///< ascending; set by connect()
-  /// Of kind `edges`: those of both sides. Then `apexes` and `base_nodes` are their nodes_of(), and there is no base.
+};
+
+/// Edges over edges, by multipliers.
+struct EdgeContact : Sides {
   Edges edges, base_edges;
-  double edge_height = 0;  ///< [m] h_c between them, beside Edges::half
-  Bodies bodies;           ///< of an automatic contact
+  double height = 0;  ///< [m] h_c between them, beside Edges::half
+  Beside beside;      ///< of bodies that touch themselves
 };
 
 /// Whether this is a bond by multipliers.
@@ -106,16 +111,15 @@ inline const Between& between(const Interface& interface, Index apex, Index face
 
 /// 1, or -1 of a back pass, whose apexes are on the other side of the contact. [-]
 inline double side_of(const Interface& interface) { return interface.pass == Pass::back ? -1 : 1; }
+inline double side_of(const EdgeContact&) { return 1; }
+
+/// Whether a contact is a part of the one before it in the model: its second pass, or its edges.
+inline bool follows(const Interface& interface) { return interface.pass == Pass::back; }
+inline bool follows(const EdgeContact&) { return true; }
 
 /// How far the surface of an apex may reach behind a plane along whose normal its base pushes it. [-]
 inline double most_behind(const Interface& interface) {
   return interface.pass == Pass::only && interface.bodies.names.empty() ? behind_in_one_direction : behind_in_two_directions;
-}
-
-/// How many of interfaces are passes of nodes, and not edges.
-inline std::size_t passes_of(std::span<const Interface> interfaces) {
-  return static_cast<std::size_t>(
-      std::count_if(interfaces.begin(), interfaces.end(), [](const Interface& one) { return one.kind != InterfaceKind::edges; }));
 }
 
 /// [-] of the depth of an element: apexes that are nearer to their base have a condition by multipliers.
@@ -123,16 +127,16 @@ constexpr double multipliers_reach = 0.02;
 constexpr double steps_to_touch = 4;  ///< open apexes that can touch within so many steps have one too
 
 /// h_c between two edges. [m]
-inline double height_between(const Interface& interface, Index edge, Index base_edge) {
-  const Scalars &one = interface.edges.half, &other = interface.base_edges.half;
-  return interface.edge_height + (one.size() > 0 ? one(edge) + other(base_edge) : 0);
+inline double height_between(const EdgeContact& contact, Index edge, Index base_edge) {
+  const Scalars &one = contact.edges.half, &other = contact.base_edges.half;
+  return contact.height + (one.size() > 0 ? one(edge) + other(base_edge) : 0);
 }
 
 /// What two edges have together.
-inline const Between& between_edges(const Interface& interface, Index edge, Index base_edge) {
-  const Bodies& bodies = interface.bodies;
-  if (bodies.count() == 0) return interface;
-  return bodies.between[bodies.pair(interface.edges.body[edge], interface.base_edges.body[base_edge])];
+inline const Between& between_edges(const EdgeContact& contact, Index edge, Index base_edge) {
+  const Bodies& bodies = contact.bodies;
+  if (bodies.count() == 0) return contact;
+  return bodies.between[bodies.pair(contact.edges.body[edge], contact.base_edges.body[base_edge])];
 }
 
 /// Directions that an apex on a symmetry plane may go; null for the others.

@@ -8,7 +8,7 @@ namespace nereid::contact {
 namespace {
 
 /// The meeting of two bodies, which is made if they have not met before; `side` is -1 where the first of them is the other one.
-Meeting& meeting(Index a, Index b, double t, Memory& memory, double& side) {
+Meeting& meeting(Index a, Index b, double t, SidesMemory& memory, double& side) {
   side = a <= b ? 1 : -1;
   const Index one = std::min(a, b), other = std::max(a, b);
   const auto before = [](const Meeting& m, const std::pair<Index, Index>& pair) { return std::pair(m.one, m.other) < pair; };
@@ -18,38 +18,44 @@ Meeting& meeting(Index a, Index b, double t, Memory& memory, double& side) {
 }
 
 /// Adds a force on body a, from body b.
-void add(Index a, Index b, const Vec3& force, double t, Memory& memory) {
+void add(Index a, Index b, const Vec3& force, double t, SidesMemory& memory) {
   double side = 1;
   Meeting& of_pair = meeting(a, b, t, memory, side);
   of_pair.last = t;
   if (a != b) of_pair.now += side * force;
 }
 
-bool is_closed(const Memory& memory) {
-  return std::any_of(memory.near.begin(), memory.near.end(), [](const Near& near) { return near.element.closed; }) ||
-         std::any_of(memory.crossings.begin(), memory.crossings.end(), [](const Crossing& crossing) { return crossing.closed; });
+/// Sees whether both sides of a contact of two surfaces touch.
+void see_two_sides(bool is_closed, double t, SidesMemory& memory) {
+  const bool stopped_at_start = memory.meetings.empty() && !memory.impulse.isZero(0);
+  if (is_closed || stopped_at_start) {
+    if (memory.meetings.empty()) memory.meetings.push_back({.first = t});
+    memory.meetings[0].last = t;
+  }
+  if (!memory.meetings.empty()) memory.meetings[0].impulse = memory.impulse;
+}
+
+/// Begins and ends the sums of forces between bodies.
+void begin_forces(SidesMemory& memory) {
+  for (Meeting& one : memory.meetings) one.before = one.now, one.now.setZero();
+}
+void end_forces(double dt, SidesMemory& memory) {
+  for (Meeting& one : memory.meetings) one.impulse += 0.5 * dt * (one.before + one.now);
 }
 
 }  // namespace
 
-void make_room_for_meetings(const Interface& interface, Memory& memory) {
-  const auto bodies = static_cast<std::size_t>(interface.bodies.count());
+void make_room_for_meetings(const Sides& sides, SidesMemory& memory) {
+  const auto bodies = static_cast<std::size_t>(sides.bodies.count());
   memory.meetings.reserve(std::min(bodies * (bodies + 1) / 2, 8 * bodies) + 1);
 }
 
 void see_meetings(const Interface& interface, double dt, double t, Memory& memory) {
   if (interface.kind == InterfaceKind::bonded) return;
+  const auto is_closed = [](const Near& near) { return near.element.closed; };
   const Bodies& bodies = interface.bodies;
-  if (bodies.count() == 0) {
-    const bool stopped_at_start = memory.meetings.empty() && !memory.impulse.isZero(0);
-    if (is_closed(memory) || stopped_at_start) {
-      if (memory.meetings.empty()) memory.meetings.push_back({.first = t});
-      memory.meetings[0].last = t;
-    }
-    if (!memory.meetings.empty()) memory.meetings[0].impulse = memory.impulse;
-    return;
-  }
-  for (Meeting& one : memory.meetings) one.before = one.now, one.now.setZero();
+  if (bodies.count() == 0) return see_two_sides(std::any_of(memory.near.begin(), memory.near.end(), is_closed), t, memory);
+  begin_forces(memory);
   for (const Near& near : memory.near) {
     const ElementForces& element = near.element;
     if (!element.closed) continue;
@@ -61,17 +67,24 @@ void see_meetings(const Interface& interface, double dt, double t, Memory& memor
     }
     if (near.friction.acts) add(own, bodies.of_node[near.friction.touch.node[0]], near.friction.force, t, memory);
   }
-  for (const Crossing& crossing : memory.crossings) {
-    if (!crossing.closed) continue;
-    const Index own = interface.edges.body[crossing.edge], other = interface.base_edges.body[crossing.base_edge];
-    add(own, other, crossing.friction.acts ? Vec3(crossing.push + crossing.friction.force) : crossing.push, t, memory);
-  }
-  for (Meeting& one : memory.meetings) one.impulse += 0.5 * dt * (one.before + one.now);
+  end_forces(dt, memory);
 }
 
-void meet_at_start(const Interface& interface, Index node, Index other_node, const Vec3& impulse, double t, Memory& memory) {
-  if (interface.bodies.count() == 0) return;
-  const Index a = interface.bodies.of_node[node], b = interface.bodies.of_node[other_node];
+void see_meetings(const EdgeContact& contact, double dt, double t, EdgeMemory& memory) {
+  const auto is_closed = [](const Crossing& crossing) { return crossing.closed; };
+  if (contact.bodies.count() == 0) return see_two_sides(std::any_of(memory.crossings.begin(), memory.crossings.end(), is_closed), t, memory);
+  begin_forces(memory);
+  for (const Crossing& crossing : memory.crossings) {
+    if (!crossing.closed) continue;
+    const Index own = contact.edges.body[crossing.edge], other = contact.base_edges.body[crossing.base_edge];
+    add(own, other, crossing.friction.acts ? Vec3(crossing.push + crossing.friction.force) : crossing.push, t, memory);
+  }
+  end_forces(dt, memory);
+}
+
+void meet_at_start(const Sides& sides, Index node, Index other_node, const Vec3& impulse, double t, SidesMemory& memory) {
+  if (sides.bodies.count() == 0) return;
+  const Index a = sides.bodies.of_node[node], b = sides.bodies.of_node[other_node];
   double side = 1;
   Meeting& of_pair = meeting(a, b, t, memory, side);
   if (a != b) of_pair.impulse += side * impulse;

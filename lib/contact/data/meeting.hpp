@@ -6,14 +6,15 @@
 namespace nereid::contact {
 
 /// Room for the meetings of an interface, so that a step takes no memory before many pairs have met.
-void make_room_for_meetings(const Interface&, Memory&);
+void make_room_for_meetings(const Sides&, SidesMemory&);
 
 /// Sees who touches at time t [s], and adds up the impulses of the step of length dt [s] that led there, by the trapezoid rule.
 ///
 /// Of a bond nothing is seen: its sides never part.
 void see_meetings(const Interface&, double dt, double t, Memory&);
+void see_meetings(const EdgeContact&, double dt, double t, EdgeMemory&);
 
 /// Books an impulse [N s] on the first of two nodes that stopped at the start what two bodies of an automatic contact did.
-void meet_at_start(const Interface&, Index node, Index other_node, const Vec3& impulse, double t, Memory&);
+void meet_at_start(const Sides&, Index node, Index other_node, const Vec3& impulse, double t, SidesMemory&);
 
 }  // namespace nereid::contact

@@ -86,7 +86,7 @@ struct Near {
 
 /// Two edges near each other at the last search.
 struct EdgePair {
-  Index edge = -1, base_edge = -1;  ///< in Interface::edges and base_edges
+  Index edge = -1, base_edge = -1;  ///< in EdgeContact::edges and base_edges
   bool in_face = false;             ///< one of them is no ridge, but between elements of a face or in a valley
   double apart = 0;                 ///< [m] less h_c
   /// [m] As long as Memory::way is less, one edge is beside the other, or lies flat in a face of it, and none comes over the other.
@@ -120,37 +120,18 @@ struct Meeting {
   Vec3 now = Vec3::Zero(), before = Vec3::Zero();  ///< [N] of an automatic contact: at the last step, and the one before
 };
 
-/// What an interface remembers. The forces are those at the end of the last step: the work of the next one needs them.
-struct Memory {
-  std::vector<Share> shares;                ///< of the stencils over points: Stencil::first_share
-  std::vector<Near> near;                   ///< ascending apexes; of a bonded interface all that have a bond
-  std::vector<EdgePair> edge_pairs;         ///< of kind `edges`: within the margin at the last search, ascending
-  std::vector<Crossing> crossings;          ///< those of them whose edges are over each other, ascending
-  Subset near_facets;                       ///< facets within the margin of each near apex, ascending
-  Subset slot;                              ///< [apexes] place in `near`, or -1
-  std::vector<Feature> feature;             ///< [apexes] the element in use
-  std::vector<Status> status;               ///< [apexes]
-  std::vector<double> gap;                  ///< [m] [apexes], open for positive; when last looked at; NaN where unpaired
-  std::vector<double> stored;               ///< [J] by the penalty, [apexes]
-  std::vector<Vec3> slip;                   ///< [m] elastic part of the slip, [apexes]; empty without friction
-  std::vector<double> tangential_stored;    ///< [J] by the elastic stick, [apexes]; empty without friction
-  std::vector<std::int64_t> reconnections;  ///< [apexes] walks to another feature
-  std::vector<double> thicker;              ///< [m] [apexes] by which h_c has grown since the start; empty where it does not change
+/// What every contact remembers. The force is that at the end of the last step: the work of the next one needs it.
+struct SidesMemory {
   double work = 0;                          ///< [J] done on the nodes
-  double damped = 0;                        ///< [J] dissipated by contact damping
-  double thinned = 0;                       ///< [J] by the penalty, as plates thinned under it
   double friction_dissipated = 0;           ///< [J] dissipated by friction
   double friction_to_come = 0;              ///< [J] part of it that multipliers will only take in the half step that begins
   double friction_owed = 0;                 ///< [J] that friction gave, as a stick sways, and has not taken back: created until then
-  std::vector<Restitution> restitution;     ///< [apexes] of multipliers; else empty
   double impact = 0;                        ///< [J] kinetic energy lost as multipliers stopped nodes
   Vec3 force = Vec3::Zero();                ///< [N] on all apexes, with friction; on the bases it is the opposite
   Vec3 impulse = Vec3::Zero();              ///< [N s] of that force since the start
   double transferred = 0;                   ///< [J] of what multipliers have taken here, that other contacts hold
-  bool has_trend = false;                   ///< what pressed apexes in the step before had followed from the two steps before that
   double held = 0;                          ///< [J] what multipliers hold, with their work in the half step that begins
   double power_rate = 0;                    ///< [W/s] force times acceleration of multipliers: dt^2/8 of it is their work
-  double created_by_reconnection = 0;       ///< [J] created in steps in which the apex changed its base
   /// [N m s] about the origin: what weights of the paper lose, what the mirror images of bases at a symmetry plane give, and what
   /// pushes leave that are found by iteration; else zero.
   Vec3 angular_impulse = Vec3::Zero();
@@ -159,11 +140,7 @@ struct Memory {
   Index deepest_apex = -1;   ///< node of that apex, -1 before any contact
   double deepest_time = 0;   ///< [s] when; set by the caller of advance()
   double deepest_in = 0;     ///< [m] Between::depth of the pair of bodies that it was in
-  StepFactorMemory step_factor;
   double deepest_now = 0;    ///< [m] of apexes in contact at the last update
-  std::int64_t walks = 0;      ///< to another feature, since the start
-  std::int64_t lost = 0;       ///< parts of the surface left over a wall in contact
-  std::int64_t recovered = 0;  ///< apexes that a search found near
   std::int64_t searches = 0;
   int looks = 0;               ///< at how far apexes and base have moved, since the last search
   double margin = 0;               ///< [m] of the last search
@@ -174,6 +151,37 @@ struct Memory {
   std::vector<char> awake;         ///< [bodies] whether a body was near another one, or folds of it near each other, at the last search
   Vectors apexes_then, base_then;  ///< [m] positions at the last search, beside Interface::apexes and base_nodes
   Vec3 mean_way = Vec3::Zero();    ///< [m] of the base nodes since then, beyond that of the first of them, at the step before
+};
+
+/// What an interface remembers. The forces are those at the end of the last step: the work of the next one needs them.
+struct Memory : SidesMemory {
+  std::vector<Share> shares;                ///< of the stencils over points: Stencil::first_share
+  std::vector<Near> near;                   ///< ascending apexes; of a bonded interface all that have a bond
+  Subset near_facets;                       ///< facets within the margin of each near apex, ascending
+  Subset slot;                              ///< [apexes] place in `near`, or -1
+  std::vector<Feature> feature;             ///< [apexes] the element in use
+  std::vector<Status> status;               ///< [apexes]
+  std::vector<double> gap;                  ///< [m] [apexes], open for positive; when last looked at; NaN where unpaired
+  std::vector<double> stored;               ///< [J] by the penalty, [apexes]
+  std::vector<Vec3> slip;                   ///< [m] elastic part of the slip, [apexes]; empty without friction
+  std::vector<double> tangential_stored;    ///< [J] by the elastic stick, [apexes]; empty without friction
+  std::vector<std::int64_t> reconnections;  ///< [apexes] walks to another feature
+  std::vector<double> thicker;              ///< [m] [apexes] by which h_c has grown since the start; empty where it does not change
+  double damped = 0;                        ///< [J] dissipated by contact damping
+  double thinned = 0;                       ///< [J] by the penalty, as plates thinned under it
+  std::vector<Restitution> restitution;     ///< [apexes] of multipliers; else empty
+  bool has_trend = false;                   ///< what pressed apexes in the step before had followed from the two steps before that
+  double created_by_reconnection = 0;       ///< [J] created in steps in which the apex changed its base
+  StepFactorMemory step_factor;
+  std::int64_t walks = 0;      ///< to another feature, since the start
+  std::int64_t lost = 0;       ///< parts of the surface left over a wall in contact
+  std::int64_t recovered = 0;  ///< apexes that a search found near
+};
+
+/// What edges over edges remember.
+struct EdgeMemory : SidesMemory {
+  std::vector<EdgePair> edge_pairs;  ///< within the margin at the last search, ascending
+  std::vector<Crossing> crossings;   ///< those of them whose edges are over each other, ascending
 };
 inline const Near* near(const Memory& memory, Index apex) {
   return memory.slot[apex] < 0 ? nullptr : &memory.near[memory.slot[apex]];

@@ -32,25 +32,34 @@ struct EdgeBox {
 constexpr Index apexes_of_a_range = 64;  ///< that are searched for one after the other, whatever the number of threads
 constexpr Index facets_at_first = 32;    ///< of an apex, for which there is room before any search
 
-/// What an interface works with and may throw away between steps.
-struct Workspace {
-  explicit Workspace(const Interface&);
-  std::vector<BroadSearch> broad;            ///< of the base, or [bodies]
+/// What a search for pairs of bodies works with.
+struct SearchWork {
   std::vector<BodyBox> boxes;                ///< [bodies] around the facets
   Subset first_partner, partners;            ///< [bodies + 1] bodies whose boxes are near that of each
-  std::vector<char> near_itself;             ///< [bodies] whether folds of each are nearer than was asked: Memory::apart_from_itself
+  std::vector<char> near_itself;             ///< [bodies] whether folds of each are nearer than was asked: SidesMemory::apart_from_itself
+};
+
+/// What an interface works with and may throw away between steps.
+struct Workspace : SearchWork {
+  explicit Workspace(const Interface&);
+  std::vector<BroadSearch> broad;            ///< of the base, or [bodies]
   std::vector<char> apex_near_itself;        ///< [apexes] of which node this is so
   Vectors normals;                           ///< [facets] of bodies that touch themselves
   PointWork points;                          ///< where heights are those of points
   Subset facets;           ///< [apexes] how many facets a search found near
   std::vector<Subset> found;  ///< these facets, by ranges of apexes
   std::vector<Near> near;  ///< the next list of near apexes
+  Scalars spring_sum;      ///< [N/m] [nodes of the mesh] stiffness of all springs at a base node
+  Scalars rotation_sum;    ///< [N] [nodes of the mesh] the same for the moments of friction
+};
+
+/// What edges over edges work with and may throw away between steps.
+struct EdgeWorkspace : SearchWork {
+  explicit EdgeWorkspace(const EdgeContact&);
   std::vector<EdgeBox> edges, base_edges, base_ridges;  ///< what a search looks at
   std::vector<EdgePair> edge_pairs;        ///< the next list of pairs
   std::vector<Crossing> crossings;         ///< the next list of crossings
   std::vector<Over> over;                  ///< how these stand
-  Scalars spring_sum;      ///< [N/m] [nodes of the mesh] stiffness of all springs at a base node
-  Scalars rotation_sum;    ///< [N] [nodes of the mesh] the same for the moments of friction
 };
 
 }  // namespace nereid::contact

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "base/parallel.hpp"
-#include "contact/multiplier/crossing.hpp"
 #include "contact/multiplier/over_facet.hpp"
 #include "contact/multiplier/over_points.hpp"
 #include "contact/multiplier/restitution.hpp"
@@ -145,7 +144,6 @@ Rubbing rubbing_of(const Interface& interface, const Near& near) {
 }  // namespace
 
 void find_conditions(const Interface& interface, const Motion& m, Memory& memory, Workspace& workspace, Multipliers& all) {
-  if (interface.kind == InterfaceKind::edges) return find_crossings(interface, m, memory, workspace, all), all.spent.end(Stage::edges);
   const double h = 0.5 * (m.dt + m.next);
   const std::size_t first_friction = all.frictions.size();
   const Moved moved = find(interface, m, memory, workspace, all);

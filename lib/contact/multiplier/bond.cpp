@@ -248,13 +248,15 @@ Vec3 part(const HeldBond& b, int place, const Vec3& impulse) {
   return one;
 }
 
-Bonds make_bonds(std::span<const Interface> interfaces, Index nodes) {
+Bonds make_bonds(std::span<const AnyContact> contacts, Index nodes) {
   Bonds all;
   all.first.assign(1, 0);
-  for (const Interface& interface : interfaces) {
-    if (bonded_by_multipliers(interface))
+  for (const AnyContact& contact : contacts) {
+    if (bonded_by_multipliers(contact)) {
+      const Interface& interface = std::get<Interface>(contact);
       for (std::size_t a = 0; a < interface.bonds.size(); ++a)
         if (interface.bonds[a].facet >= 0) all.held.push_back(held_bond(interface, static_cast<Index>(a)));
+    }
     all.first.push_back(static_cast<Index>(all.held.size()));
   }
   if (all.held.empty()) return all;
@@ -275,20 +277,21 @@ Bonds make_bonds(std::span<const Interface> interfaces, Index nodes) {
   return all;
 }
 
-void find_bonds(std::span<const Interface> interfaces, const Motion& m, std::span<const Memory> memories, Vectors& velocity, Bonds& all) {
+void find_bonds(std::span<const AnyContact> contacts, const Motion& m, std::span<const AnyMemory> memories, Vectors& velocity, Bonds& all) {
   if (all.held.empty()) return;
   const double h = 0.5 * (m.dt + m.next);
   if (m.driven)
     for (const Index node : all.nodes) velocity.col(node) += m.driven->col(node);
   all.any_height = false;
-  for (std::size_t i = 0; i < interfaces.size(); ++i) {
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
     if (all.first[i] == all.first[i + 1]) continue;
-    for (const Bond& bond : interfaces[i].bonds) all.any_height = all.any_height || bond.height != 0;
-    const std::vector<Near>& near = memories[i].near;
+    const Interface& interface = std::get<Interface>(contacts[i]);
+    for (const Bond& bond : interface.bonds) all.any_height = all.any_height || bond.height != 0;
+    const std::vector<Near>& near = std::get<Memory>(memories[i]).near;
     parallel_for(static_cast<Index>(near.size()), grain, [&](Index k) {
       HeldBond& b = all.held[all.first[i] + k];
-      place(interfaces[i], near[k].apex, m.x, b);
-      respond(m, allowed_of(interfaces[i], near[k].apex), b);
+      place(interface, near[k].apex, m.x, b);
+      respond(m, allowed_of(interface, near[k].apex), b);
       double fastest = 0;
       for (int j = 0; j < b.nodes; ++j) fastest = std::max(fastest, velocity.col(b.node[j]).squaredNorm());
       b.still = stands_still * std::sqrt(fastest);

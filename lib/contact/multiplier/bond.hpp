@@ -16,7 +16,7 @@
 
 #include <span>
 
-#include "contact/data/memory.hpp"
+#include "contact/data/any.hpp"
 #include "contact/multiplier/motion.hpp"
 
 namespace nereid::contact {
@@ -66,12 +66,12 @@ inline std::span<const HeldBond> bonds_of(const Bonds& all, std::size_t interfac
 
 /// nodes  of the mesh
 /// Needs  bond_here() where that is called
-Bonds make_bonds(std::span<const Interface>, Index nodes);
+Bonds make_bonds(std::span<const AnyContact>, Index nodes);
 
 /// Starts a step: bonds as they stand at t, with the impulses of the step before as a first guess, and solves them.
 ///
 /// velocity  [m/s] of the step to come without bonds; then with them
-void find_bonds(std::span<const Interface>, const Motion&, std::span<const Memory>, Vectors& velocity, Bonds&);
+void find_bonds(std::span<const AnyContact>, const Motion&, std::span<const AnyMemory>, Vectors& velocity, Bonds&);
 
 /// Changes impulses and velocities until the bonds hold at the end of the step to come.
 void hold(const Motion&, Vectors& velocity, Bonds&);

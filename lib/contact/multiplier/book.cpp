@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "contact/multiplier/assemble.hpp"
-#include "contact/multiplier/crossing.hpp"
 #include "contact/multiplier/restitution.hpp"
 #include "contact/tracking/depth.hpp"
 #include "contact/tracking/element.hpp"
@@ -32,7 +31,6 @@ void book_moments(const Interface& interface, const Motion& m, double later, con
 void book_first_half(const Interface& interface, const Motion& m, Memory& memory) {
   const double half = 0.5 * m.dt;
   const bool rubs = interface.friction.coefficient > 0, turns = all_have_moments(interface);
-  book_first_half_of_crossings(m, memory);
   for (const Near& near : memory.near) {
     if (!near.element.closed) continue;
     memory.work += half * power(interface, memory.shares, m.v, near.apex, near.element);
@@ -139,7 +137,11 @@ void take_over(const Interface& interface, const Motion& m, double h, double t, 
     if (rubs && near.friction.acts) memory.force += near.friction.force;
   }
   memory.has_trend = from_trend < is_trend * from_before;
-  if (interface.kind == InterfaceKind::edges) take_over_crossings(interface, h, t, first, last, all, memory);
+  take_over(m, force_before, first, last, now, memory, all);
+}
+
+void take_over(const Motion& m, const Vec3& force_before, Index first, Index last, const Doing& now, SidesMemory& memory,
+               const Multipliers& all) {
   memory.work += now.work;
   memory.impulse += 0.5 * m.dt * (force_before + memory.force);
   memory.held = now.to_come + held(first, last, all) + memory.transferred;

@@ -26,6 +26,9 @@ Doing doing(const Motion&, Index first, Index last, const Multipliers&);
 void take_over(const Interface&, const Motion&, double h, double t, Index first, Index last, const Doing&, Memory&,
                const Multipliers&);
 
+/// The part of it that all kinds have: work, momentum, and what is held.
+void take_over(const Motion&, const Vec3& force_before, Index first, Index last, const Doing&, SidesMemory&, const Multipliers&);
+
 /// The same for a rigid plane.
 void take_over(const RigidPlane&, const Motion&, double h, double t, Index first, Index last, const Doing&, PlaneMemory&,
                const Multipliers&);

@@ -65,7 +65,7 @@ void add(const Contactor& one, Multipliers& all) {
   }
 }
 
-Multipliers make_multipliers(std::span<const Interface> interfaces, std::span<const RigidPlane> planes, Index nodes, Index plate_nodes) {
+Multipliers make_multipliers(std::span<const AnyContact> contacts, std::span<const RigidPlane> planes, Index nodes, Index plate_nodes) {
   constexpr std::size_t most_of_an_apex = 3;  // conditions; some may have more, but not many
   Multipliers all;
   all.ahead = all.way = all.velocity = Vectors::Zero(3, nodes);
@@ -78,11 +78,12 @@ Multipliers make_multipliers(std::span<const Interface> interfaces, std::span<co
     for (const Index node : some)
       if (!is_automatic) always[static_cast<std::size_t>(node)] = 1;
   };
-  for (const Interface& interface : interfaces) {
-    if (!by_multipliers(interface)) continue;
-    const bool is_automatic = interface.bodies.count() > 0;
-    see(interface.apexes, is_automatic), see(interface.base_nodes, is_automatic);
-    if (!bonded_by_multipliers(interface)) apexes += interface.apexes.size();
+  for (const AnyContact& one : contacts) {
+    if (!by_multipliers(one)) continue;
+    const Sides& both = sides(one);
+    const bool is_automatic = both.bodies.count() > 0;
+    see(both.apexes, is_automatic), see(both.base_nodes, is_automatic);
+    if (!bonded_by_multipliers(one)) apexes += both.apexes.size();
   }
   for (const RigidPlane& plane : planes) {
     if (!by_multipliers(plane)) continue;
@@ -102,10 +103,10 @@ Multipliers make_multipliers(std::span<const Interface> interfaces, std::span<co
   all.contactors.reserve(apexes);
   all.unreleased.reserve(apexes);
   all.at_node.resize(static_cast<std::size_t>(nodes));
-  all.first.reserve(interfaces.size() + planes.size() + 1);
+  all.first.reserve(contacts.size() + planes.size() + 1);
   all.progress.reserve(apexes / contactors_of_a_range + 1);
-  all.pools.reserve(interfaces.size() + planes.size());
-  all.bonds = make_bonds(interfaces, nodes);
+  all.pools.reserve(contacts.size() + planes.size());
+  all.bonds = make_bonds(contacts, nodes);
   return all;
 }
 

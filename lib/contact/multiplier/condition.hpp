@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "contact/data/memory.hpp"
+#include "contact/data/any.hpp"
 #include "contact/multiplier/bond.hpp"
 #include "contact/multiplier/motion.hpp"
 #include "contact/multiplier/rows.hpp"
@@ -153,7 +153,7 @@ struct Multipliers {
 };
 
 /// Room for all conditions that can be expected, so that a step takes no memory.
-Multipliers make_multipliers(std::span<const Interface>, std::span<const RigidPlane>, Index nodes, Index plate_nodes);
+Multipliers make_multipliers(std::span<const AnyContact>, std::span<const RigidPlane>, Index nodes, Index plate_nodes);
 
 /// Begins a condition that add_member() gives its nodes; take_back() ends it again.
 Condition& begin_condition(Multipliers&);

@@ -40,37 +40,37 @@ Vec3 relative(const Crossing& crossing, const Vectors& v) {
 
 /// Whether edges are over each other as they were in the step before, with a height that follows from how their points have moved. Where
 /// their lines are across sweeps along nearly parallel edges, and takes the height with it.
-bool goes_on(const Interface& interface, const Motion& m, const Crossing& crossing, const Over& at) {
+bool goes_on(const EdgeContact& contact, const Motion& m, const Crossing& crossing, const Over& at) {
   if (crossing.side == 0 || has_turned(at.normal, crossing.normal)) return false;
   const double moved = m.dt * crossing.normal.dot(relative(crossing, m.v));
-  const double may_differ = sideways * between_edges(interface, crossing.edge, crossing.base_edge).depth;
+  const double may_differ = sideways * between_edges(contact, crossing.edge, crossing.base_edge).depth;
   return at.height >= crossing.level + crossing.gap + moved - may_differ;
 }
 
 /// Brings a crossing up to date with where its edges are, and would be after the step; false if they can not touch in it.
-bool follow(const Interface& interface, const Motion& m, const Multipliers& all, Crossing& crossing, Over& at) {
+bool follow(const EdgeContact& contact, const Motion& m, const Multipliers& all, Crossing& crossing, Over& at) {
   const auto see = [&](const Vectors& x) {
     const bool are_held = crossing.side != 0 && crossing.of_ridges;
-    return over(interface, x, crossing.edge, crossing.base_edge, !are_held, crossing.side);
+    return over(contact, x, crossing.edge, crossing.base_edge, !are_held, crossing.side);
   };
   const auto find = [&] {
     at = see(m.x);
     if (at.is) return true;
     const Over ahead = see(all.ahead);
-    return ahead.is && between_lines(interface, m.x, crossing.edge, crossing.base_edge, ahead.side, at) &&
+    return ahead.is && between_lines(contact, m.x, crossing.edge, crossing.base_edge, ahead.side, at) &&
            !has_turned(at.normal, ahead.normal);
   };
   bool is = find();
-  if (crossing.side != 0 && !(is && goes_on(interface, m, crossing, at))) crossing.side = 0, is = find();
+  if (crossing.side != 0 && !(is && goes_on(contact, m, crossing, at))) crossing.side = 0, is = find();
   if (!is) return false;
-  const double height = height_between(interface, crossing.edge, crossing.base_edge);
+  const double height = height_between(contact, crossing.edge, crossing.base_edge);
   if (crossing.side == 0) {
     const double offset = std::max(0.0, height - at.height);
-    if (offset > sideways * between_edges(interface, crossing.edge, crossing.base_edge).depth) return false;
+    if (offset > sideways * between_edges(contact, crossing.edge, crossing.base_edge).depth) return false;
     crossing.level = height - offset;
     crossing.of_ridges = false;
   }
-  crossing.of_ridges = crossing.of_ridges || are_ridges(interface, m.x, crossing.edge, crossing.base_edge);
+  crossing.of_ridges = crossing.of_ridges || are_ridges(contact, m.x, crossing.edge, crossing.base_edge);
   crossing.side = at.side;
   crossing.normal = at.normal;
   crossing.level = std::max(crossing.level, std::min(at.height, height));
@@ -79,9 +79,9 @@ bool follow(const Interface& interface, const Motion& m, const Multipliers& all,
 }
 
 /// Sets nodes, weights, normal and gap of the condition of a crossing.
-void make(const Interface& interface, const Over& at, Crossing& crossing, Multipliers& all, Condition& c) {
-  crossing.node = {interface.edges.nodes(0, crossing.edge), interface.edges.nodes(1, crossing.edge),
-                   interface.base_edges.nodes(0, crossing.base_edge), interface.base_edges.nodes(1, crossing.base_edge)};
+void make(const EdgeContact& contact, const Over& at, Crossing& crossing, Multipliers& all, Condition& c) {
+  crossing.node = {contact.edges.nodes(0, crossing.edge), contact.edges.nodes(1, crossing.edge),
+                   contact.base_edges.nodes(0, crossing.base_edge), contact.base_edges.nodes(1, crossing.base_edge)};
   crossing.weight = {1 - at.first, at.first, at.second - 1, -at.second};
   c.normal = crossing.push = at.normal;
   for (std::size_t j = 0; j < 4; ++j) add_member(crossing.node[j], crossing.weight[j], all, c);
@@ -109,14 +109,14 @@ Touch touch_of(const Vectors& x, const Crossing& crossing) {
 }
 
 /// By how much the nodes of both edges go against each other in the step to come. [m]
-double way_of(const Interface& interface, const Vectors& x, const Vectors& ahead, const EdgePair& pair) {
+double way_of(const EdgeContact& contact, const Vectors& x, const Vectors& ahead, const EdgePair& pair) {
   const auto way = [&](const Edges& edges, int end, Index edge) {
     return Vec3(node_of(edges, ahead, end, edge) - node_of(edges, x, end, edge));
   };
-  const Vec3 first = way(interface.edges, 0, pair.edge);
-  const double squared = std::max({(way(interface.edges, 1, pair.edge) - first).squaredNorm(),
-                                   (way(interface.base_edges, 0, pair.base_edge) - first).squaredNorm(),
-                                   (way(interface.base_edges, 1, pair.base_edge) - first).squaredNorm()});
+  const Vec3 first = way(contact.edges, 0, pair.edge);
+  const double squared = std::max({(way(contact.edges, 1, pair.edge) - first).squaredNorm(),
+                                   (way(contact.base_edges, 0, pair.base_edge) - first).squaredNorm(),
+                                   (way(contact.base_edges, 1, pair.base_edge) - first).squaredNorm()});
   return 2 * std::sqrt(squared);  // between any two
 }
 
@@ -124,22 +124,22 @@ double way_of(const Interface& interface, const Vectors& x, const Vectors& ahead
 /// before nodes have gone some way, the pair is left alone until then.
 ///
 /// moved, way  [m] since the last search, and in the step to come;  passed  [m] Memory::way
-bool can_come_over(const Interface& interface, const Vectors& x, const Vectors& ahead, double moved, double passed, double way,
+bool can_come_over(const EdgeContact& contact, const Vectors& x, const Vectors& ahead, double moved, double passed, double way,
                    EdgePair& pair) {
   if (passed + way < pair.flat) return false;
-  const Between& both = between_edges(interface, pair.edge, pair.base_edge);
+  const Between& both = between_edges(contact, pair.edge, pair.base_edge);
   const double reach = std::max(sideways * both.depth, reach_of(both, way));
   if (!(pair.apart - moved <= reach)) return false;
   Over lines;
-  const bool have_normal = between_lines(interface, x, pair.edge, pair.base_edge, 1, lines);
+  const bool have_normal = between_lines(contact, x, pair.edge, pair.base_edge, 1, lines);
   if (have_normal && is_within(lines.first) && is_within(lines.second)) return true;
-  const auto p = ends_of(interface, x, pair.edge, pair.base_edge);
+  const auto p = ends_of(contact, x, pair.edge, pair.base_edge);
   const double distance = std::sqrt(geometry::segments_squared(p[0], p[1], p[2], p[3]));
-  const double beside = have_normal ? stays_beside(interface, x, pair.edge, pair.base_edge, lines) : 0;
-  const double until = std::max(beside, distance - height_between(interface, pair.edge, pair.base_edge) - reach);
+  const double beside = have_normal ? stays_beside(contact, x, pair.edge, pair.base_edge, lines) : 0;
+  const double until = std::max(beside, distance - height_between(contact, pair.edge, pair.base_edge) - reach);
   pair.flat = passed + until;
-  if (until > way || until > way_of(interface, x, ahead, pair)) return false;
-  return between_lines(interface, ahead, pair.edge, pair.base_edge, 1, lines) && is_within(lines.first) && is_within(lines.second);
+  if (until > way || until > way_of(contact, x, ahead, pair)) return false;
+  return between_lines(contact, ahead, pair.edge, pair.base_edge, 1, lines) && is_within(lines.first) && is_within(lines.second);
 }
 
 /// Brings the crossings up to date, pair after pair: those that were over each other, and what can come over the other in the step to come.
@@ -147,23 +147,23 @@ bool can_come_over(const Interface& interface, const Vectors& x, const Vectors& 
 /// moved  [m] by which edges can have come nearer since the last search
 /// way    [m] by which they can in the step to come
 /// over   how the edges of each stand; `is` false where they do not act
-void follow_all(const Interface& interface, const Motion& m, double moved, double way, Memory& memory, std::vector<Crossing>& next,
+void follow_all(const EdgeContact& contact, const Motion& m, double moved, double way, EdgeMemory& memory, std::vector<Crossing>& next,
                 std::vector<Over>& over, Multipliers& all) {
   next.clear(), over.clear();
   auto was = memory.crossings.begin();
   for (EdgePair& pair : memory.edge_pairs) {
     const bool is_known = was != memory.crossings.end() && !in_order(pair, *was);
-    if (is_known || can_come_over(interface, m.x, all.ahead, moved, memory.way, way, pair)) {
+    if (is_known || can_come_over(contact, m.x, all.ahead, moved, memory.way, way, pair)) {
       Crossing crossing = is_known ? *was++ : crossing_of(pair);
       Over at;
-      at.is = follow(interface, m, all, crossing, at);
+      at.is = follow(contact, m, all, crossing, at);
       if (crossing.side != 0) {
         next.push_back(crossing), over.push_back(at);
         continue;
       }
-      end(crossing.node, interface.restitution, crossing.restitution, memory, all);
-      const bool is_slow = way < slow * between_edges(interface, pair.edge, pair.base_edge).depth;
-      if (pair.in_face && is_slow) pair.flat = memory.way + stays_flat(interface, m.x, pair.edge, pair.base_edge);
+      end(crossing.node, contact.restitution, crossing.restitution, memory, all);
+      const bool is_slow = way < slow * between_edges(contact, pair.edge, pair.base_edge).depth;
+      if (pair.in_face && is_slow) pair.flat = memory.way + stays_flat(contact, m.x, pair.edge, pair.base_edge);
     }
   }
   std::swap(memory.crossings, next);
@@ -171,28 +171,28 @@ void follow_all(const Interface& interface, const Motion& m, double moved, doubl
 
 }  // namespace
 
-void find_crossings(const Interface& interface, const Motion& m, Memory& memory, Workspace& workspace, Multipliers& all) {
+void find_conditions(const EdgeContact& contact, const Motion& m, EdgeMemory& memory, EdgeWorkspace& workspace, Multipliers& all) {
   const double h = 0.5 * (m.dt + m.next);
-  const bool one_pair = interface.bodies.count() == 0;
-  const double moved = one_pair ? search_where_due(interface, m.x, all.way, memory, workspace) : memory.way;
-  const auto apart = [&](const Vectors& v) { return speed_apart(v, {interface.apexes, interface.base_nodes}); };
+  const bool one_pair = contact.bodies.count() == 0;
+  const double moved = one_pair ? search_where_due(contact, m.x, all.way, memory, workspace) : memory.way;
+  const auto apart = [&](const Vectors& v) { return speed_apart(v, {contact.apexes, contact.base_nodes}); };
   const double way = one_pair ? m.next * apart(all.velocity) : all.way_apart;
   if (one_pair) memory.way += m.dt * apart(m.v);
-  follow_all(interface, m, moved, way, memory, workspace.crossings, workspace.over, all);
+  follow_all(contact, m, moved, way, memory, workspace.crossings, workspace.over, all);
   for (std::size_t i = 0; i < memory.crossings.size(); ++i) {
     Crossing& crossing = memory.crossings[i];
-    const Between& pair = between_edges(interface, crossing.edge, crossing.base_edge);
+    const Between& pair = between_edges(contact, crossing.edge, crossing.base_edge);
     bool acts = workspace.over[i].is;
     const auto first = static_cast<Index>(all.conditions.size());
     if (acts) {
       Condition& c = begin_condition(all);
-      make(interface, workspace.over[i], crossing, all, c);
+      make(contact, workspace.over[i], crossing, all, c);
       const double speed = relative(crossing, all.velocity).norm();
       acts = can_touch(pair, m, c.gap, speed) && complete(m, crossing.pressed, crossing.restitution.held, all, c);
       if (!acts) take_back(all);
     }
     if (!acts) {
-      end(crossing.node, interface.restitution, crossing.restitution, memory, all);
+      end(crossing.node, contact.restitution, crossing.restitution, memory, all);
       let_go(crossing);
       continue;
     }
@@ -200,17 +200,18 @@ void find_crossings(const Interface& interface, const Motion& m, Memory& memory,
     Condition& c = all.conditions[first];
     c.impulse = c.met = crossing.pressed * h;
     Index friction = -1;
-    if (interface.friction.coefficient > 0 && m.dt > 0) {
+    if (contact.friction.coefficient > 0 && m.dt > 0) {
       const Vec3 force = crossing.friction.acts ? crossing.friction.force : Vec3(Vec3::Zero());
-      friction = add_friction(touch_of(m.x, crossing), interface.friction, force, crossing.friction.stuck, m, all);
+      friction = add_friction(touch_of(m.x, crossing), contact.friction, force, crossing.friction.stuck, m, all);
     }
-    const double area = std::min(interface.edges.area(crossing.edge), interface.base_edges.area(crossing.base_edge));
+    const double area = std::min(contact.edges.area(crossing.edge), contact.base_edges.area(crossing.base_edge));
     add({.memory = &crossing.restitution, .first = first, .last = first + 1, .friction = friction, .area = area, .depth = pair.depth,
-         .impedance = pair.impedance * area, .square = interface.restitution * interface.restitution}, all);
+         .impedance = pair.impedance * area, .square = contact.restitution * contact.restitution}, all);
   }
+  all.spent.end(Stage::edges);
 }
 
-void book_first_half_of_crossings(const Motion& m, Memory& memory) {
+void book_first_half(const EdgeContact&, const Motion& m, EdgeMemory& memory) {
   const double half = 0.5 * m.dt;
   for (const Crossing& crossing : memory.crossings) {
     if (!crossing.closed) continue;
@@ -220,10 +221,12 @@ void book_first_half_of_crossings(const Motion& m, Memory& memory) {
   }
 }
 
-void take_over_crossings(const Interface& interface, double h, double t, Index first, Index last, const Multipliers& all,
-                         Memory& memory) {
+void take_over(const EdgeContact& contact, const Motion& m, double h, double t, Index first, Index last, const Doing& now,
+               EdgeMemory& memory, const Multipliers& all) {
   Index contactor = first;
   memory.deepest_now = 0;
+  const Vec3 force_before = memory.force;
+  memory.force.setZero();
   for (Crossing& crossing : memory.crossings) {
     crossing.closed = crossing.friction.acts = crossing.friction.stuck = false;
     crossing.friction.force.setZero();
@@ -247,13 +250,14 @@ void take_over_crossings(const Interface& interface, double h, double t, Index f
       crossing.friction.force = friction.impulse / h;
       memory.force += crossing.friction.force;
     }
-    const double depth = height_between(interface, crossing.edge, crossing.base_edge) - crossing.level - c.gap;
+    const double depth = height_between(contact, crossing.edge, crossing.base_edge) - crossing.level - c.gap;
     memory.deepest_now = std::max(memory.deepest_now, depth);
     if (!(depth > memory.deepest)) continue;
     memory.deepest = depth, memory.deepest_apex = crossing.node[0], memory.deepest_time = t;
-    memory.deepest_in = between_edges(interface, crossing.edge, crossing.base_edge).depth;
+    memory.deepest_in = between_edges(contact, crossing.edge, crossing.base_edge).depth;
   }
-  check(contactor == last, "every contactor of an interface of edges is a crossing");
+  take_over(m, force_before, first, last, now, memory, all);
+  check(contactor == last, "every contactor of edges over edges is a crossing");
 }
 
 }  // namespace nereid::contact

@@ -11,6 +11,7 @@
 // Nearly parallel edges have no crossing: their nodes are over the other edge, and apexes see that. docs/theory/contact.md, "Edges".
 
 #include "contact/data/workspace.hpp"
+#include "contact/multiplier/book.hpp"
 #include "contact/multiplier/condition.hpp"
 
 namespace nereid::contact {
@@ -19,12 +20,13 @@ namespace nereid::contact {
 /// below it, starts with an offset.
 ///
 /// Needs  look_ahead() for its nodes
-void find_crossings(const Interface&, const Motion&, Memory&, Workspace&, Multipliers&);
+void find_conditions(const EdgeContact&, const Motion&, EdgeMemory&, EdgeWorkspace&, Multipliers&);
 
 /// Books the first half of the step that led to t, in which the forces of the memory have acted.
-void book_first_half_of_crossings(const Motion&, Memory&);
+void book_first_half(const EdgeContact&, const Motion&, EdgeMemory&);
 
 /// Writes the impulses of contactors `first` to `last` into the memory as forces over the time h [s]; t [s] now.
-void take_over_crossings(const Interface&, double h, double t, Index first, Index last, const Multipliers&, Memory&);
+void take_over(const EdgeContact&, const Motion&, double h, double t, Index first, Index last, const Doing&, EdgeMemory&,
+               const Multipliers&);
 
 }  // namespace nereid::contact

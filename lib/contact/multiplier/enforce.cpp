@@ -7,10 +7,12 @@
 #include "contact/multiplier/assemble.hpp"
 #include "contact/multiplier/blow.hpp"
 #include "contact/multiplier/book.hpp"
+#include "contact/multiplier/crossing.hpp"
 #include "contact/multiplier/predict.hpp"
 #include "contact/multiplier/restitution.hpp"
 #include "contact/multiplier/rigid_nodes.hpp"
 #include "contact/multiplier/solve.hpp"
+#include "contact/search/edge_pairs.hpp"
 #include "contact/search/near.hpp"
 #include "contact/tracking/element.hpp"
 
@@ -20,29 +22,31 @@ namespace {
 
 /// What acts by multipliers, and where its contactors begin in Multipliers::first.
 struct Acting {
-  std::span<const Interface> interfaces;
+  std::span<const AnyContact> contacts;
   std::span<const RigidPlane> planes;
-  std::span<Memory> memories;
+  std::span<AnyMemory> memories;
   std::span<PlaneMemory> of_planes;
 
-  /// Calls visit(place, contact, memory) for each that may part, interfaces first.
+  /// Calls visit(place, contact, memory) for each that may part, contacts between bodies first.
   template <class Visit>
   void for_each(Visit&& visit) const {
-    for (std::size_t i = 0; i < interfaces.size(); ++i)
-      if (by_multipliers(interfaces[i]) && !bonded_by_multipliers(interfaces[i])) visit(i, interfaces[i], memories[i]);
+    for (std::size_t i = 0; i < contacts.size(); ++i)
+      if (by_multipliers(contacts[i]) && !bonded_by_multipliers(contacts[i]))
+        with_memory(contacts[i], memories[i], [&](const auto& contact, auto& memory) { visit(i, contact, memory); });
     for (std::size_t p = 0; p < planes.size(); ++p)
-      if (by_multipliers(planes[p])) visit(interfaces.size() + p, planes[p], of_planes[p]);
+      if (by_multipliers(planes[p])) visit(contacts.size() + p, planes[p], of_planes[p]);
   }
 
   /// The same of bonds: visit(interface, bonds, memory).
   template <class Visit>
   void for_each_bond(const Bonds& all, Visit&& visit) const {
-    for (std::size_t i = 0; i < interfaces.size(); ++i)
-      if (bonded_by_multipliers(interfaces[i])) visit(interfaces[i], bonds_of(all, i), memories[i]);
+    for (std::size_t i = 0; i < contacts.size(); ++i)
+      if (bonded_by_multipliers(contacts[i])) visit(std::get<Interface>(contacts[i]), bonds_of(all, i), std::get<Memory>(memories[i]));
   }
 };
 
 bool is_back_pass(const Interface& interface) { return interface.pass == Pass::back; }
+bool is_back_pass(const EdgeContact&) { return false; }
 bool is_back_pass(const RigidPlane&) { return false; }
 
 /// Whether a contact acts on a node of a bond.
@@ -55,40 +59,48 @@ bool any_touched(const Multipliers& all) {
   return false;
 }
 
-bool is_automatic(const Interface& interface) { return interface.bodies.count() > 0 && by_multipliers(interface); }
-bool any_automatic(const Acting& acting) { return std::any_of(acting.interfaces.begin(), acting.interfaces.end(), is_automatic); }
+bool is_automatic(const AnyContact& contact) { return sides(contact).bodies.count() > 0 && by_multipliers(contact); }
+bool any_automatic(const Acting& acting) { return std::any_of(acting.contacts.begin(), acting.contacts.end(), is_automatic); }
+
+/// Calls look_at(node) for the nodes of bodies that are awake.
+template <class LookAt>
+void visit_awake(const Interface& interface, const Memory& memory, LookAt&& look_at) {
+  for (std::size_t a = 0; a < interface.bodies.of_apex.size(); ++a)
+    if (memory.awake[static_cast<std::size_t>(interface.bodies.of_apex[a])] != 0) look_at(interface.apexes[a]);
+}
+template <class LookAt>
+void visit_awake(const EdgeContact& contact, const EdgeMemory& memory, LookAt&& look_at) {
+  const Edges& edges = contact.edges;
+  for (std::size_t e = 0; e < edges.body.size(); ++e) {
+    const auto edge = static_cast<Eigen::Index>(e);
+    for (int end = 0; end < 2 && memory.awake[static_cast<std::size_t>(edges.body[e])] != 0; ++end)
+      look_at(edges.nodes(end, edge)), look_at(edges.across(end, edge)), look_at(edges.opposite(end, edge));
+  }
+}
 
 /// Searches for automatic contacts, and lists the nodes that are to be looked at.
-void wake(const Acting& acting, const Motion& m, std::span<Workspace> workspaces, Multipliers& all) {
+void wake(const Acting& acting, const Motion& m, std::span<AnyWorkspace> workspaces, Multipliers& all) {
   if (!any_automatic(acting)) {
     if (!all.has_looked) all.looked_at = all.nodes, all.has_looked = true;
     return;
   }
   const double apart = speed_apart(m.v);
   bool searched = !all.has_looked;
-  for (std::size_t i = 0; i < acting.interfaces.size(); ++i)
-    if (is_automatic(acting.interfaces[i]))
-      searched = search_bodies_where_due(acting.interfaces[i], m.x, m.v, m.dt * apart, m.next * apart, acting.memories[i], workspaces[i]) ||
-                 searched;
+  for (std::size_t i = 0; i < acting.contacts.size(); ++i)
+    if (is_automatic(acting.contacts[i]))
+      with_all(acting.contacts[i], acting.memories[i], workspaces[i], [&](const auto& contact, auto& memory, auto& workspace) {
+        searched = search_bodies_where_due(contact, m.x, m.v, m.dt * apart, m.next * apart, memory, workspace) || searched;
+      });
   if (!searched) return;
   std::vector<char> looked_at(static_cast<std::size_t>(m.x.cols()), 0);
   const auto look_at = [&](Index node) {
     if (node >= 0) looked_at[static_cast<std::size_t>(node)] = 1;
   };
   for (const Index node : all.always) look_at(node);
-  for (std::size_t i = 0; i < acting.interfaces.size(); ++i) {
-    if (!is_automatic(acting.interfaces[i])) continue;
-    const Interface& interface = acting.interfaces[i];
-    const auto awake = [&](Index body) { return acting.memories[i].awake[static_cast<std::size_t>(body)] != 0; };
-    for (std::size_t a = 0; a < interface.bodies.of_apex.size(); ++a)
-      if (awake(interface.bodies.of_apex[a])) look_at(interface.apexes[a]);
-    for (std::size_t e = 0; e < interface.edges.body.size(); ++e)
-      for (int end = 0; end < 2 && awake(interface.edges.body[e]); ++end) {
-        const auto edge = static_cast<Eigen::Index>(e);
-        look_at(interface.edges.nodes(end, edge));
-        look_at(interface.edges.across(end, edge)), look_at(interface.edges.opposite(end, edge));
-      }
-  }
+  for (std::size_t i = 0; i < acting.contacts.size(); ++i)
+    if (is_automatic(acting.contacts[i]))
+      with_memory(acting.contacts[i], acting.memories[i],
+                  [&](const auto& contact, const auto& memory) { visit_awake(contact, memory, look_at); });
   all.has_looked = true;
   all.looked_at.clear();
   for (std::size_t node = 0; node < looked_at.size(); ++node)
@@ -96,30 +108,30 @@ void wake(const Acting& acting, const Motion& m, std::span<Workspace> workspaces
 }
 
 /// Finds the conditions of all contacts by multipliers, their impulses, and the work of these.
-void find_impulses(const Acting& acting, const Motion& m, std::span<Workspace> workspaces, Multipliers& all) {
+void find_impulses(const Acting& acting, const Motion& m, std::span<AnyWorkspace> workspaces, Multipliers& all) {
   all.conditions.clear();
   all.members.clear();
   all.contactors.clear();
   all.unreleased.clear();
   all.frictions.clear();
-  all.first.assign(acting.interfaces.size() + acting.planes.size() + 1, 0);
+  all.first.assign(acting.contacts.size() + acting.planes.size() + 1, 0);
   wake(acting, m, workspaces, all);
   all.spent.end(Stage::search);
   look_ahead(all.looked_at, m, all);
   if (m.rigid) look_ahead(*m.rigid, m, all);
-  find_bonds(acting.interfaces, m, acting.memories, all.velocity, all.bonds);
+  find_bonds(acting.contacts, m, acting.memories, all.velocity, all.bonds);
   see_ahead(all.bonds.nodes, m, all);
   all.way_apart = any_automatic(acting) ? m.next * speed_apart(all.velocity, {all.looked_at}) : 0;
   all.spent.end(Stage::predict);
-  for (std::size_t i = 0; i < acting.interfaces.size(); ++i) {
-    const Interface& interface = acting.interfaces[i];
-    if (by_multipliers(interface) && !bonded_by_multipliers(interface))
-      find_conditions(interface, m, acting.memories[i], workspaces[i], all);
+  for (std::size_t i = 0; i < acting.contacts.size(); ++i) {
+    if (by_multipliers(acting.contacts[i]) && !bonded_by_multipliers(acting.contacts[i]))
+      with_all(acting.contacts[i], acting.memories[i], workspaces[i],
+               [&](const auto& contact, auto& memory, auto& workspace) { find_conditions(contact, m, memory, workspace, all); });
     all.first[i + 1] = static_cast<Index>(all.contactors.size());
   }
   for (std::size_t p = 0; p < acting.planes.size(); ++p) {
     if (by_multipliers(acting.planes[p])) find_conditions(acting.planes[p], m, acting.of_planes[p], all);
-    all.first[acting.interfaces.size() + p + 1] = static_cast<Index>(all.contactors.size());
+    all.first[acting.contacts.size() + p + 1] = static_cast<Index>(all.contactors.size());
   }
   if (!all.unreleased.empty()) {
     spread_unreleased(all);
@@ -141,13 +153,13 @@ void find_impulses(const Acting& acting, const Motion& m, std::span<Workspace> w
 }
 
 /// Books the impulse of a condition that stopped at the start what two bodies of an automatic contact did.
-void meet_at_start(const Interface& interface, const Condition& c, const Multipliers& all, double t, Memory& memory) {
+void meet_at_start(const Sides& sides, const Condition& c, const Multipliers& all, double t, SidesMemory& memory) {
   if (!(c.impulse > 0)) return;
   const auto members = members_of(c, all);
   const auto node_of = [&](auto wanted) {
     return std::find_if(members.begin(), members.end() - 1, [&](const Member& one) { return wanted(one.weight); })->node;
   };
-  meet_at_start(interface, node_of([](double weight) { return weight > 0; }), node_of([](double weight) { return weight < 0; }),
+  meet_at_start(sides, node_of([](double weight) { return weight > 0; }), node_of([](double weight) { return weight < 0; }),
                 c.impulse * c.normal, t, memory);
 }
 
@@ -161,17 +173,54 @@ void apply(const Condition& c, const Multipliers& all, const Vectors& x, Vectors
   }
 }
 
+/// Work of a friction force over `half` a step with a change of velocities. [J]
+double work_of(const FrictionForces& friction, const Vectors& change, const Vectors& spin, const std::vector<Index>& rotation_of_node,
+               double half) {
+  return friction.acts ? half * friction.force.dot(slip_rate(friction.touch, change, spin, rotation_of_node)) : 0;
+}
+
+/// Takes from what is held the work of normal forces over `half` a step with a change of velocities; returns that of friction. [J]
+double change_held(const Interface& interface, const Vectors& change, const Vectors& spin, const std::vector<Index>& rotation_of_node,
+                   double half, Memory& memory) {
+  double of_friction = 0;
+  for (const Near& near : memory.near) {
+    if (near.element.closed)
+      memory.restitution[near.apex].held -= half * power(interface, memory.shares, change, near.apex, near.element);
+    of_friction += work_of(near.friction, change, spin, rotation_of_node, half);
+  }
+  return of_friction;
+}
+double change_held(const EdgeContact&, const Vectors& change, const Vectors& spin, const std::vector<Index>& rotation_of_node, double half,
+                   EdgeMemory& memory) {
+  double of_friction = 0;
+  for (Crossing& crossing : memory.crossings) {
+    for (std::size_t j = 0; crossing.closed && j < 4; ++j)
+      crossing.restitution.held -= half * crossing.weight[j] * crossing.push.dot(change.col(crossing.node[j]));
+    of_friction += work_of(crossing.friction, change, spin, rotation_of_node, half);
+  }
+  return of_friction;
+}
+double change_held(const RigidPlane& plane, const Vectors& change, const Vectors& /*spin*/, const std::vector<Index>& /*rotation_of_node*/,
+                   double half, PlaneMemory& memory) {
+  double of_friction = 0;
+  for (std::size_t i = 0; i < plane.nodes.size(); ++i) {
+    memory.restitution[i].held -= half * memory.force[i] * plane.normal.dot(change.col(plane.nodes[i]));
+    if (!memory.friction.empty()) of_friction += half * memory.friction[i].dot(change.col(plane.nodes[i]));
+  }
+  return of_friction;
+}
+
 }  // namespace
 
-bool any_by_multipliers(std::span<const Interface> interfaces, std::span<const RigidPlane> planes) {
-  return std::any_of(interfaces.begin(), interfaces.end(), [](const Interface& i) { return by_multipliers(i); }) ||
+bool any_by_multipliers(std::span<const AnyContact> contacts, std::span<const RigidPlane> planes) {
+  return std::any_of(contacts.begin(), contacts.end(), [](const AnyContact& one) { return by_multipliers(one); }) ||
          std::any_of(planes.begin(), planes.end(), [](const RigidPlane& p) { return by_multipliers(p); });
 }
 
-void stop_at_start(std::span<const Interface> interfaces, std::span<const RigidPlane> planes, const Motion& m, double t,
-                   std::span<Memory> memories, std::span<PlaneMemory> of_planes, std::span<Workspace> workspaces, Multipliers& all,
+void stop_at_start(std::span<const AnyContact> contacts, std::span<const RigidPlane> planes, const Motion& m, double t,
+                   std::span<AnyMemory> memories, std::span<PlaneMemory> of_planes, std::span<AnyWorkspace> workspaces, Multipliers& all,
                    Vectors& impulse) {
-  const Acting acting{interfaces, planes, memories, of_planes};
+  const Acting acting{contacts, planes, memories, of_planes};
   all.spent.begin();
   find_impulses(acting, m, workspaces, all);
   acting.for_each([&](std::size_t at, const auto& contact, auto& memory) {
@@ -182,7 +231,7 @@ void stop_at_start(std::span<const Interface> interfaces, std::span<const RigidP
       for (Index i = one.first; i < one.last; ++i) {
         apply(all.conditions[i], all, m.x, impulse, memory.angular_impulse);
         memory.impulse += all.conditions[i].impulse * all.conditions[i].normal;
-        if constexpr (std::is_same_v<std::decay_t<decltype(contact)>, Interface>) meet_at_start(contact, all.conditions[i], all, t, memory);
+        if constexpr (!std::is_same_v<std::decay_t<decltype(contact)>, RigidPlane>) meet_at_start(contact, all.conditions[i], all, t, memory);
       }
     }
     Pool alone{first, last, &memory.transferred, 0};
@@ -193,13 +242,14 @@ void stop_at_start(std::span<const Interface> interfaces, std::span<const RigidP
   });
 }
 
-void enforce(std::span<const Interface> interfaces, std::span<const RigidPlane> planes, const Motion& m, double t,
-             std::span<Memory> memories, std::span<PlaneMemory> of_planes, std::span<Workspace> workspaces, Multipliers& all) {
+void enforce(std::span<const AnyContact> contacts, std::span<const RigidPlane> planes, const Motion& m, double t,
+             std::span<AnyMemory> memories, std::span<PlaneMemory> of_planes, std::span<AnyWorkspace> workspaces, Multipliers& all) {
   all.spent.begin();
   const double h = 0.5 * (m.dt + m.next);
-  const Acting acting{interfaces, planes, memories, of_planes};
-  for (std::size_t i = 0; i < interfaces.size(); ++i)
-    if (by_multipliers(interfaces[i])) book_first_half(interfaces[i], m, memories[i]);
+  const Acting acting{contacts, planes, memories, of_planes};
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    if (by_multipliers(contacts[i]))
+      with_memory(contacts[i], memories[i], [&](const auto& contact, auto& memory) { book_first_half(contact, m, memory); });
   all.spent.end(Stage::book);
   find_impulses(acting, m, workspaces, all);
   if (m.dt > 0) release(m, t, all);
@@ -244,33 +294,12 @@ void enforce(std::span<const Interface> interfaces, std::span<const RigidPlane> 
   all.spent.end(Stage::book);
 }
 
-void change_work_to_come(std::span<const Interface> interfaces, std::span<const RigidPlane> planes, const Vectors& change,
-                         const Vectors& spin, const std::vector<Index>& rotation_of_node, double next, std::span<Memory> memories,
+void change_work_to_come(std::span<const AnyContact> contacts, std::span<const RigidPlane> planes, const Vectors& change,
+                         const Vectors& spin, const std::vector<Index>& rotation_of_node, double next, std::span<AnyMemory> memories,
                          std::span<PlaneMemory> of_planes) {
-  const Acting acting{interfaces, planes, memories, of_planes};
-  const double half = 0.5 * next;
+  const Acting acting{contacts, planes, memories, of_planes};
   acting.for_each([&](std::size_t, const auto& contact, auto& memory) {
-    double of_friction = 0;
-    const auto see = [&](const FrictionForces& friction) {
-      if (friction.acts) of_friction += half * friction.force.dot(slip_rate(friction.touch, change, spin, rotation_of_node));
-    };
-    if constexpr (std::is_same_v<std::decay_t<decltype(contact)>, Interface>) {
-      for (const Near& near : memory.near) {
-        const double by_change = power(contact, memory.shares, change, near.apex, near.element);
-        if (near.element.closed) memory.restitution[near.apex].held -= half * by_change;
-        see(near.friction);
-      }
-      for (Crossing& crossing : memory.crossings) {
-        for (std::size_t j = 0; crossing.closed && j < 4; ++j)
-          crossing.restitution.held -= half * crossing.weight[j] * crossing.push.dot(change.col(crossing.node[j]));
-        see(crossing.friction);
-      }
-    } else {
-      for (std::size_t i = 0; i < contact.nodes.size(); ++i) {
-        memory.restitution[i].held -= half * memory.force[i] * contact.normal.dot(change.col(contact.nodes[i]));
-        if (!memory.friction.empty()) of_friction += half * memory.friction[i].dot(change.col(contact.nodes[i]));
-      }
-    }
+    const double of_friction = change_held(contact, change, spin, rotation_of_node, 0.5 * next, memory);
     memory.friction_to_come -= of_friction;
     memory.friction_dissipated -= of_friction;
   });

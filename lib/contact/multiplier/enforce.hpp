@@ -12,27 +12,27 @@
 
 #include <span>
 
-#include "contact/data/workspace.hpp"
+#include "contact/data/any.hpp"
 #include "contact/multiplier/condition.hpp"
 
 namespace nereid::contact {
 
 /// Whether any contact is by multipliers.
-bool any_by_multipliers(std::span<const Interface>, std::span<const RigidPlane>);
+bool any_by_multipliers(std::span<const AnyContact>, std::span<const RigidPlane>);
 
 /// Finds the impulses that stop, at the start, what would close gaps in the first step, and books them.
 ///
 /// m        without forces, its `dt` zero
 /// impulse  [N s] on the nodes, added to
-void stop_at_start(std::span<const Interface>, std::span<const RigidPlane>, const Motion& m, double t, std::span<Memory>,
-                   std::span<PlaneMemory>, std::span<Workspace>, Multipliers&, Vectors& impulse);
+void stop_at_start(std::span<const AnyContact>, std::span<const RigidPlane>, const Motion& m, double t, std::span<AnyMemory>,
+                   std::span<PlaneMemory>, std::span<AnyWorkspace>, Multipliers&, Vectors& impulse);
 
 /// Finds the impulses of all contacts by multipliers for the step to come, and books the work of the step that led to t.
 ///
 /// Writes the forces into the memories, from where add_forces() takes them.
 /// t  [s] now, for where the deepest penetrations were
-void enforce(std::span<const Interface>, std::span<const RigidPlane>, const Motion&, double t, std::span<Memory>, std::span<PlaneMemory>,
-             std::span<Workspace>, Multipliers&);
+void enforce(std::span<const AnyContact>, std::span<const RigidPlane>, const Motion&, double t, std::span<AnyMemory>, std::span<PlaneMemory>,
+             std::span<AnyWorkspace>, Multipliers&);
 
 /// Takes into account that velocities change at t after enforce(), as relaxation changes them. The forces then do another work in the half
 /// step that begins than was booked as energy held and as heat of friction:
@@ -40,7 +40,7 @@ void enforce(std::span<const Interface>, std::span<const RigidPlane>, const Moti
 ///     next / 2  f . change of the relative velocity
 ///
 /// change, spin  [m/s] [rad/s] of all velocities, and of those of plate nodes;  next  [s] length of the step to come
-void change_work_to_come(std::span<const Interface>, std::span<const RigidPlane>, const Vectors& change, const Vectors& spin,
-                         const std::vector<Index>& rotation_of_node, double next, std::span<Memory>, std::span<PlaneMemory>);
+void change_work_to_come(std::span<const AnyContact>, std::span<const RigidPlane>, const Vectors& change, const Vectors& spin,
+                         const std::vector<Index>& rotation_of_node, double next, std::span<AnyMemory>, std::span<PlaneMemory>);
 
 }  // namespace nereid::contact

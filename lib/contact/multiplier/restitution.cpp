@@ -244,4 +244,25 @@ void take_unreleased(Index first, Index last, double& transferred, Multipliers& 
   }
 }
 
+namespace {
+
+double deficit(const Restitution& one) { return std::max(0.0, -one.held); }
+
+template <class Remembered>
+double deficits_of_nodes(const Remembered& memory) {
+  double sum = memory.friction_owed;
+  for (const Restitution& one : memory.restitution) sum += deficit(one);
+  return sum;
+}
+
+}  // namespace
+
+double owed(const Memory& memory) { return deficits_of_nodes(memory); }
+double owed(const PlaneMemory& memory) { return deficits_of_nodes(memory); }
+double owed(const EdgeMemory& memory) {
+  double sum = memory.friction_owed;
+  for (const Crossing& one : memory.crossings) sum += deficit(one.restitution);
+  return sum;
+}
+
 }  // namespace nereid::contact

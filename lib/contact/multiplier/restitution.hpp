@@ -29,14 +29,11 @@ void pay_for_friction(Pool&, Multipliers&);
 /// What contactors hold, without deficits. [J]
 double held(Index first, Index last, const Multipliers&);
 
-/// What a contact or rigid plane by multipliers has given without having held it, and has not taken back yet: the deficits of its nodes and
-/// of its friction. It is created until then. [J]
-template <class Memory>
-double owed(const Memory& memory) {
-  double sum = memory.friction_owed;
-  for (const Restitution& one : memory.restitution) sum += one.held < 0 ? -one.held : 0;
-  return sum;
-}
+/// What a contact or rigid plane by multipliers has given without having held it, and has not taken back yet: the deficits of its nodes or
+/// edges and of its friction. It is created until then. [J]
+double owed(const Memory&);
+double owed(const EdgeMemory&);
+double owed(const PlaneMemory&);
 
 /// Ends a contactor: what its coefficient gives back of what it holds goes to Multipliers::unreleased, the rest is lost. A deficit stays
 /// created.

@@ -105,7 +105,7 @@ double bound_of_nodes(const RigidNodes& all, const Motion& m, const Multipliers&
 
 }  // namespace
 
-RigidNodes make_rigid_nodes(std::span<const Interface> interfaces, std::span<const RigidPlane> planes, std::span<const rigid::Body> bodies,
+RigidNodes make_rigid_nodes(std::span<const AnyContact> contacts, std::span<const RigidPlane> planes, std::span<const rigid::Body> bodies,
                             const std::vector<Index>& of_node) {
   RigidNodes all;
   all.of_node = of_node;
@@ -114,8 +114,8 @@ RigidNodes make_rigid_nodes(std::span<const Interface> interfaces, std::span<con
     for (const Index node : nodes)
       if (of_node[node] >= 0) all.bodies[of_node[node]].nodes.push_back(node);
   };
-  for (const Interface& interface : interfaces)
-    if (by_multipliers(interface)) add(interface.apexes), add(interface.base_nodes);
+  for (const AnyContact& one : contacts)
+    if (by_multipliers(one)) add(sides(one).apexes), add(sides(one).base_nodes);
   for (const RigidPlane& plane : planes)
     if (by_multipliers(plane)) add(plane.nodes);
   for (MovingBody& body : all.bodies) {

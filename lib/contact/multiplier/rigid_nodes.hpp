@@ -29,7 +29,7 @@ struct RigidNodes {
   std::vector<Index> of_node;      ///< [nodes of the mesh] the body, or -1
 };
 
-RigidNodes make_rigid_nodes(std::span<const Interface>, std::span<const RigidPlane>, std::span<const rigid::Body>,
+RigidNodes make_rigid_nodes(std::span<const AnyContact>, std::span<const RigidPlane>, std::span<const rigid::Body>,
                             const std::vector<Index>& of_node);
 
 /// Begins a body in the step to come: what impulses do to it, and its twist.

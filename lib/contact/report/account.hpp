@@ -11,6 +11,8 @@ double tangential_stored(const Memory&);  ///< [J] by the elastic stick of frict
 
 /// The schema of an interface in the ledger, and its values now.
 Source source(const Interface&);
+Source source(const EdgeContact&);
 void post(const Interface&, const Memory&, Account&);
+void post(const EdgeContact&, const EdgeMemory&, Account&);
 
 }  // namespace nereid::contact

@@ -27,31 +27,47 @@ void visit_forces(const Interface& interface, const Memory& memory, Push&& push,
       for_each_node(interface, element.stencil[i], [&](Index node, double weight, double) { push(node, Vec3(-weight * of_stencil)); });
     }
   }
-  for (const Crossing& crossing : memory.crossings) {
-    if (!crossing.closed) continue;
-    for (std::size_t j = 0; j < 4; ++j) push(crossing.node[j], Vec3(crossing.weight[j] * crossing.push));
-    if (crossing.friction.acts) rub(crossing.friction.touch, crossing.friction.force);
-  }
   if (!(interface.friction.coefficient > 0)) return;
   for (const Near& near : memory.near)
     if (near.friction.acts) rub(near.friction.touch, near.friction.force);
 }
 
-}  // namespace
-
-void add_forces(const Interface& interface, const Memory& memory, Vectors& force, Vectors& moment) {
-  visit_forces(
-      interface, memory, [&](Index node, const Vec3& push) { force.col(node) += push; },
-      [&](const Touch& touch, const Vec3& friction) { add_friction(touch, friction, interface.rotation_of_node, force, moment); });
+template <class Push, class Rub>
+void visit_forces(const EdgeContact&, const EdgeMemory& memory, Push&& push, Rub&& rub) {
+  for (const Crossing& crossing : memory.crossings) {
+    if (!crossing.closed) continue;
+    for (std::size_t j = 0; j < 4; ++j) push(crossing.node[j], Vec3(crossing.weight[j] * crossing.push));
+    if (crossing.friction.acts) rub(crossing.friction.touch, crossing.friction.force);
+  }
 }
 
-void list_forces(const Interface& interface, const Memory& memory, std::vector<NodeForce>& forces) {
+template <class Contact, class Remembered>
+void add_all(const Contact& contact, const Remembered& memory, Vectors& force, Vectors& moment) {
   visit_forces(
-      interface, memory, [&](Index node, const Vec3& push) { forces.push_back({node, push, Vec3::Zero()}); },
+      contact, memory, [&](Index node, const Vec3& push) { force.col(node) += push; },
+      [&](const Touch& touch, const Vec3& friction) { add_friction(touch, friction, contact.rotation_of_node, force, moment); });
+}
+
+template <class Contact, class Remembered>
+void list_all(const Contact& contact, const Remembered& memory, std::vector<NodeForce>& forces) {
+  visit_forces(
+      contact, memory, [&](Index node, const Vec3& push) { forces.push_back({node, push, Vec3::Zero()}); },
       [&](const Touch& touch, const Vec3& friction) {
         const FrictionShares shares = share_friction(touch, friction);
         for (int i = 0; i < shares.count; ++i) forces.push_back({shares.node[i], Vec3::Zero(), shares.force[i]});
       });
 }
+
+}  // namespace
+
+void add_forces(const Interface& interface, const Memory& memory, Vectors& force, Vectors& moment) {
+  add_all(interface, memory, force, moment);
+}
+void add_forces(const EdgeContact& contact, const EdgeMemory& memory, Vectors& force, Vectors& moment) {
+  add_all(contact, memory, force, moment);
+}
+
+void list_forces(const Interface& interface, const Memory& memory, std::vector<NodeForce>& forces) { list_all(interface, memory, forces); }
+void list_forces(const EdgeContact& contact, const EdgeMemory& memory, std::vector<NodeForce>& forces) { list_all(contact, memory, forces); }
 
 }  // namespace nereid::contact

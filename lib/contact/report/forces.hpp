@@ -9,6 +9,7 @@ namespace nereid::contact {
 
 /// Adds the forces of all elements to the nodes [N], and their moments to plate nodes [N m], apex by apex.
 void add_forces(const Interface&, const Memory&, Vectors& force, Vectors& moment);
+void add_forces(const EdgeContact&, const EdgeMemory&, Vectors& force, Vectors& moment);
 
 /// What contact does to a node. [N]
 struct NodeForce {
@@ -18,5 +19,6 @@ struct NodeForce {
 
 /// Adds the forces on nodes to a list, element after element: a node is there as often as elements act on it. Moments are left out.
 void list_forces(const Interface&, const Memory&, std::vector<NodeForce>&);
+void list_forces(const EdgeContact&, const EdgeMemory&, std::vector<NodeForce>&);
 
 }  // namespace nereid::contact

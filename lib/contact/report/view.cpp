@@ -13,7 +13,6 @@ namespace nereid::contact {
 
 double least_gap(const Interface& interface, const Vectors& x, const Memory& memory, double reach) {
   double least = std::numeric_limits<double>::quiet_NaN();
-  if (interface.kind == InterfaceKind::edges) return least;  // of edges that cross nothing is known before
   const auto see = [&least](double gap) {
     if (!(gap >= least)) least = gap;
   };

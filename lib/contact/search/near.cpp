@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "base/parallel.hpp"
-#include "contact/search/edge_pairs.hpp"
 #include "contact/search/partners.hpp"
 #include "contact/surface/stand.hpp"
 #include "geometry/height.hpp"
@@ -65,30 +64,30 @@ Nearest nearest_of(const Interface& interface, const Vectors& x, Index a, std::s
   return best;
 }
 
-double moved_since_search(const Interface& interface, const Vectors& x, Memory& memory) {
-  if (interface.base_nodes.empty()) return 0;
-  const Vec3 first = x.col(interface.base_nodes[0]) - memory.base_then.col(0), common = first + memory.mean_way;
+double moved_since_search(const Sides& sides, const Vectors& x, SidesMemory& memory) {
+  if (sides.base_nodes.empty()) return 0;
+  const Vec3 first = x.col(sides.base_nodes[0]) - memory.base_then.col(0), common = first + memory.mean_way;
   Vec3 of_apexes = Vec3::Zero(), of_base = Vec3::Zero();
-  const double base = farthest_moved(interface.base_nodes, x, memory.base_then, common, of_base);
-  const bool same = interface.bodies.count() > 0;  // all are apexes and base
-  const double apexes = same ? base : farthest_moved(interface.apexes, x, memory.apexes_then, common, of_apexes);
-  memory.mean_way = of_base / static_cast<double>(interface.base_nodes.size()) - first;
+  const double base = farthest_moved(sides.base_nodes, x, memory.base_then, common, of_base);
+  const bool same = sides.bodies.count() > 0;  // all are apexes and base
+  const double apexes = same ? base : farthest_moved(sides.apexes, x, memory.apexes_then, common, of_apexes);
+  memory.mean_way = of_base / static_cast<double>(sides.base_nodes.size()) - first;
   return std::sqrt(apexes) + std::sqrt(base);
 }
 
-double margin_of(const Interface& interface, const Vectors& v) {
+double margin_of(const Sides& sides, const Vectors& v) {
   Vec3 common = Vec3::Zero();
-  for (const Index node : interface.base_nodes) common += v.col(node) / static_cast<double>(interface.base_nodes.size());
+  for (const Index node : sides.base_nodes) common += v.col(node) / static_cast<double>(sides.base_nodes.size());
   double apexes = 0, base = 0;
-  for (const Index node : interface.apexes) apexes = std::max(apexes, (v.col(node) - common).squaredNorm());
-  for (const Index node : interface.base_nodes) base = std::max(base, (v.col(node) - common).squaredNorm());
-  const double way = 4 * steps_ahead * interface.longest_step * (std::sqrt(apexes) + std::sqrt(base));
-  return std::max(interface.margin, std::isfinite(way) ? way : 0.0);
+  for (const Index node : sides.apexes) apexes = std::max(apexes, (v.col(node) - common).squaredNorm());
+  for (const Index node : sides.base_nodes) base = std::max(base, (v.col(node) - common).squaredNorm());
+  const double way = 4 * steps_ahead * sides.longest_step * (std::sqrt(apexes) + std::sqrt(base));
+  return std::max(sides.margin, std::isfinite(way) ? way : 0.0);
 }
 
-void keep_search(const Interface& interface, const Vectors& x, Memory& memory) {
-  keep_positions(interface.apexes, x, memory.apexes_then);
-  keep_positions(interface.base_nodes, x, memory.base_then);
+void keep_search(const Sides& sides, const Vectors& x, SidesMemory& memory) {
+  keep_positions(sides.apexes, x, memory.apexes_then);
+  keep_positions(sides.base_nodes, x, memory.base_then);
   memory.looks = 0;
   memory.mean_way.setZero();
   ++memory.searches;
@@ -181,7 +180,7 @@ void search(const Interface& interface, const Vectors& x, Memory& memory, Worksp
   std::fill(workspace.near_itself.begin(), workspace.near_itself.end(), char{0});
   for (std::size_t a = 0; a < interface.bodies.of_apex.size(); ++a)
     if (workspace.apex_near_itself[a] != 0) workspace.near_itself[static_cast<std::size_t>(interface.bodies.of_apex[a])] = 1;
-  keep_apart_from_itself(interface, x, workspace, memory);
+  keep_apart_from_itself(interface, x, interface.follows_thickness, workspace, memory);
   workspace.near.clear();
   memory.near_facets.clear();
   for (const Subset& found : workspace.found) memory.near_facets.insert(memory.near_facets.end(), found.begin(), found.end());
@@ -234,35 +233,18 @@ double speed_apart(const Vectors& v, std::initializer_list<std::reference_wrappe
   return (most.array() < least.array()).any() ? 0 : (most - least).norm();
 }
 
-bool search_bodies_where_due(const Interface& interface, const Vectors& x, const Vectors& v, double way, double ahead, Memory& memory,
-                             Workspace& workspace) {
-  memory.way += way;
-  if (memory.searches > 0 && memory.way + ahead <= 0.5 * memory.margin) return false;
-  memory.margin = margin_of(interface, v);
-  memory.way = 0;
-  if (interface.kind == InterfaceKind::edges) search_crossings(interface, x, memory, workspace);
-  else search(interface, x, memory, workspace);
+void keep_awake(const Interface& interface, Memory& memory) {
   memory.awake.assign(static_cast<std::size_t>(interface.bodies.count()), 0);
   for (const Near& near : memory.near) {
     memory.awake[static_cast<std::size_t>(interface.bodies.of_apex[near.apex])] = 1;
     for (const Index facet : near_facets(memory, near)) memory.awake[static_cast<std::size_t>(interface.bodies.of_facet[facet])] = 1;
   }
-  for (const EdgePair& pair : memory.edge_pairs) {
-    memory.awake[static_cast<std::size_t>(interface.edges.body[pair.edge])] = 1;
-    memory.awake[static_cast<std::size_t>(interface.base_edges.body[pair.base_edge])] = 1;
-  }
-  return true;
 }
 
-double search_where_due(const Interface& interface, const Vectors& x, const Vectors& v, Memory& memory, Workspace& workspace) {
-  const double moved = memory.searches == 0 ? infinite : moved_since_search(interface, x, memory);
-  const bool has_near = !memory.near.empty() || !memory.edge_pairs.empty();
+bool is_due(const Sides& sides, const Vectors& x, bool has_near, SidesMemory& memory, double& moved) {
+  moved = memory.searches == 0 ? infinite : moved_since_search(sides, x, memory);
   const bool worth_it = ++memory.looks > looks_of_a_search && moved > noticeable * memory.margin && has_near;
-  if (!(moved > 0.5 * memory.margin) && !worth_it) return moved;
-  memory.margin = margin_of(interface, v);
-  if (interface.kind == InterfaceKind::edges) search_crossings(interface, x, memory, workspace);
-  else search(interface, x, memory, workspace);
-  return 0;
+  return moved > 0.5 * memory.margin || worth_it;
 }
 
 }  // namespace nereid::contact

@@ -8,10 +8,9 @@ namespace nereid::contact {
 
 namespace {
 
-
 /// By how much two nodes of a body can have come nearer since it was last searched: the diagonal of the box around the displacements of all
 /// from where a rigid motion of the body would have them, of that motion which fits all nodes best (Kabsch 1976). [m]
-double change_of_shape(const Bodies& bodies, const Vectors& x, const Memory& memory, Index body) {
+double change_of_shape(const Bodies& bodies, const Vectors& x, const SidesMemory& memory, Index body) {
   const Index first = bodies.first_node[body], last = bodies.first_node[body + 1];
   Vec3 now = Vec3::Zero(), then = Vec3::Zero();
   for (Index i = first; i < last; ++i) now += x.col(bodies.nodes[i]), then += memory.apart_then.col(i);
@@ -32,15 +31,15 @@ double change_of_shape(const Bodies& bodies, const Vectors& x, const Memory& mem
 }
 
 /// Whether a body may have come near to itself since it was last searched.
-bool may_be_near_itself(const Bodies& bodies, const Vectors& x, const Memory& memory, Index body) {
+bool may_be_near_itself(const Bodies& bodies, const Vectors& x, const SidesMemory& memory, Index body) {
   const double apart = memory.apart_from_itself[static_cast<std::size_t>(body)];
   return !(apart > 0) || !(change_of_shape(bodies, x, memory, body) <= apart - memory.margin);
 }
 
 }  // namespace
 
-void find_partners(const Interface& interface, const Vectors& x, const Memory& memory, Workspace& workspace) {
-  const Bodies& bodies = interface.bodies;
+void find_partners(const Sides& sides, const Vectors& x, const SidesMemory& memory, SearchWork& workspace) {
+  const Bodies& bodies = sides.bodies;
   const Index count = bodies.count();
   workspace.boxes.resize(static_cast<std::size_t>(count));
   for (Index b = 0; b < count; ++b) {
@@ -65,16 +64,16 @@ void find_partners(const Interface& interface, const Vectors& x, const Memory& m
   }
 }
 
-bool searches_itself(const Workspace& workspace, Index body) {
+bool searches_itself(const SearchWork& workspace, Index body) {
   const auto partners = workspace.partners.begin();
   return std::binary_search(partners + workspace.first_partner[body], partners + workspace.first_partner[body + 1], body);
 }
 
-void keep_apart_from_itself(const Interface& interface, const Vectors& x, const Workspace& workspace, Memory& memory) {
-  const Bodies& bodies = interface.bodies;
+void keep_apart_from_itself(const Sides& sides, const Vectors& x, bool may_thicken, const SearchWork& workspace, SidesMemory& memory) {
+  const Bodies& bodies = sides.bodies;
   for (Index b = 0; b < bodies.count(); ++b) {
     if (!searches_itself(workspace, b)) continue;
-    const bool near = interface.follows_thickness || workspace.near_itself[static_cast<std::size_t>(b)] != 0;
+    const bool near = may_thicken || workspace.near_itself[static_cast<std::size_t>(b)] != 0;
     memory.apart_from_itself[static_cast<std::size_t>(b)] = near ? 0 : (1 + farther_from_itself) * memory.margin;
     for (Index i = bodies.first_node[b]; i < bodies.first_node[b + 1]; ++i) memory.apart_then.col(i) = x.col(bodies.nodes[i]);
   }

@@ -11,12 +11,13 @@ constexpr double farther_from_itself = 0.25;  ///< of the margin: so much farthe
 ///
 /// A body is a partner of itself unless a search has found its folds apart and its shape has changed by less since, whatever its rigid
 /// motion.
-void find_partners(const Interface&, const Vectors& x, const Memory&, Workspace&);
+void find_partners(const Sides&, const Vectors& x, const SidesMemory&, SearchWork&);
 
 /// Whether a body is a partner of itself.
-bool searches_itself(const Workspace&, Index body);
+bool searches_itself(const SearchWork&, Index body);
 
-/// Notes which of the bodies that were searched are far from themselves: none of Workspace::near_itself.
-void keep_apart_from_itself(const Interface&, const Vectors& x, const Workspace&, Memory&);
+/// Notes which of the bodies that were searched are far from themselves: none of SearchWork::near_itself, and none if plates may grow
+/// thicker.
+void keep_apart_from_itself(const Sides&, const Vectors& x, bool may_thicken, const SearchWork&, SidesMemory&);
 
 }  // namespace nereid::contact

@@ -30,9 +30,9 @@ double mean_fall(const Edges& edges, const Vectors& x, Index edge, const Vec3& d
 }
 
 /// Whether both edges, of which one is of a plate, stand up off each other: the facets at both fall away by `least` in the mean.
-bool are_crests(const Interface& interface, const Vectors& x, Index edge, Index base_edge, const Vec3& normal, double least) {
-  return (of_plates(interface.edges, edge) || of_plates(interface.base_edges, base_edge)) &&
-         mean_fall(interface.edges, x, edge, -normal) >= least && mean_fall(interface.base_edges, x, base_edge, normal) >= least;
+bool are_crests(const EdgeContact& contact, const Vectors& x, Index edge, Index base_edge, const Vec3& normal, double least) {
+  return (of_plates(contact.edges, edge) || of_plates(contact.base_edges, base_edge)) &&
+         mean_fall(contact.edges, x, edge, -normal) >= least && mean_fall(contact.base_edges, x, base_edge, normal) >= least;
 }
 
 /// Whether what lies from an edge along a way is over a facet at it that does not fall away from a direction. Such a facet reaches a little
@@ -54,14 +54,14 @@ bool is_left_to_node(double place, const Vec3& along, const Flanks& other, const
 
 }  // namespace
 
-bool are_ridges(const Interface& interface, const Vectors& x, Index edge, Index base_edge) {
-  return is_ridge(interface.edges, x, edge) && is_ridge(interface.base_edges, x, base_edge);
+bool are_ridges(const EdgeContact& contact, const Vectors& x, Index edge, Index base_edge) {
+  return is_ridge(contact.edges, x, edge) && is_ridge(contact.base_edges, x, base_edge);
 }
 
 bool is_within(double place) { return place >= -past_end && place <= 1 + past_end; }
 
-bool between_lines(const Interface& interface, const Vectors& x, Index edge, Index base_edge, int side, Over& at) {
-  const auto p = ends_of(interface, x, edge, base_edge);
+bool between_lines(const EdgeContact& contact, const Vectors& x, Index edge, Index base_edge, int side, Over& at) {
+  const auto p = ends_of(contact, x, edge, base_edge);
   const Vector<double> L1 = p[1] - p[0], L2 = p[3] - p[2];
   if (!(norm(cross(L1, L2)) > parallel * norm(L1) * norm(L2))) return false;
   const geometry::Crossing<double> lines = geometry::crossing(p[0], p[1], p[2], p[3]);
@@ -70,10 +70,10 @@ bool between_lines(const Interface& interface, const Vectors& x, Index edge, Ind
   return true;
 }
 
-double stays_beside(const Interface& interface, const Vectors& x, Index edge, Index base_edge, const Over& lines) {
+double stays_beside(const EdgeContact& contact, const Vectors& x, Index edge, Index base_edge, const Over& lines) {
   constexpr double small = 0.1;  // of the width of an edge across the other one: with more the lines are others
   if (is_within(lines.first) && is_within(lines.second)) return 0;
-  const Vec3 L1 = along(interface.edges, x, edge), L2 = along(interface.base_edges, x, base_edge);
+  const Vec3 L1 = along(contact.edges, x, edge), L2 = along(contact.base_edges, x, base_edge);
   const double area = L1.cross(L2).norm(), height = std::abs(lines.height);
   const auto way = [&](double place, double width, double other) {
     const double beside = std::max(-place, place - 1) - past_end;
@@ -83,22 +83,22 @@ double stays_beside(const Interface& interface, const Vectors& x, Index edge, In
   return std::max(way(lines.first, area / L2.norm(), lines.second), way(lines.second, area / L1.norm(), lines.first));
 }
 
-Over over(const Interface& interface, const Vectors& x, Index edge, Index base_edge, bool in_face, int side) {
+Over over(const EdgeContact& contact, const Vectors& x, Index edge, Index base_edge, bool in_face, int side) {
   Over at, lines;
-  if (!between_lines(interface, x, edge, base_edge, 1, lines) || !is_within(lines.first) || !is_within(lines.second)) return at;
+  if (!between_lines(contact, x, edge, base_edge, 1, lines) || !is_within(lines.first) || !is_within(lines.second)) return at;
   for (const int sign : {1, -1}) {
     if (side != 0 && sign != side) continue;
     Over found = lines;
     found.side = sign, found.normal = sign * lines.normal, found.height = sign * lines.height;
-    const Flanks flanks(interface.edges, x, edge), base_flanks(interface.base_edges, x, base_edge);
+    const Flanks flanks(contact.edges, x, edge), base_flanks(contact.base_edges, x, base_edge);
     const double first = rise(flanks, -found.normal), second = rise(base_flanks, found.normal);
     const double touches = side != 0 ? leans : bent, stands = -(side != 0 ? stays_steep : steep);
     if (!(first <= touches) || !(second <= touches)) continue;
-    const bool stand = !in_face || first <= stands || second <= stands || are_ridges(interface, x, edge, base_edge) ||
-                       are_crests(interface, x, edge, base_edge, found.normal, side != 0 ? 0 : slightly);
+    const bool stand = !in_face || first <= stands || second <= stands || are_ridges(contact, x, edge, base_edge) ||
+                       are_crests(contact, x, edge, base_edge, found.normal, side != 0 ? 0 : slightly);
     if (!stand) continue;
-    if (is_left_to_node(found.first, along(interface.edges, x, edge), base_flanks, found.normal) ||
-        is_left_to_node(found.second, along(interface.base_edges, x, base_edge), flanks, -found.normal))
+    if (is_left_to_node(found.first, along(contact.edges, x, edge), base_flanks, found.normal) ||
+        is_left_to_node(found.second, along(contact.base_edges, x, base_edge), flanks, -found.normal))
       continue;
     found.is = true;
     if (!at.is || found.height > at.height) at = found;
@@ -106,14 +106,14 @@ Over over(const Interface& interface, const Vectors& x, Index edge, Index base_e
   return at;
 }
 
-double stays_beside(const Interface& interface, const Vectors& x, Index edge, Index base_edge) {
+double stays_beside(const EdgeContact& contact, const Vectors& x, Index edge, Index base_edge) {
   Over lines;
-  return between_lines(interface, x, edge, base_edge, 1, lines) ? stays_beside(interface, x, edge, base_edge, lines) : 0;
+  return between_lines(contact, x, edge, base_edge, 1, lines) ? stays_beside(contact, x, edge, base_edge, lines) : 0;
 }
 
-double stays_flat(const Interface& interface, const Vectors& x, Index edge, Index base_edge) {
+double stays_flat(const EdgeContact& contact, const Vectors& x, Index edge, Index base_edge) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  const bool plates = of_plates(interface.edges, edge) || of_plates(interface.base_edges, base_edge);
+  const bool plates = of_plates(contact.edges, edge) || of_plates(contact.base_edges, base_edge);
   double way = -infinity, until_crests = plates ? -infinity : infinity;
   const auto see = [&](const Edges& of_face, Index flat, const Edges& of_ridge, Index ridge) {
     if (of_face.across(0, flat) < 0 || of_face.across(1, flat) < 0) return;
@@ -126,8 +126,8 @@ double stays_flat(const Interface& interface, const Vectors& x, Index edge, Inde
     way = std::max(way, (steep - bent - fold - stands) / (2 * turn));
     until_crests = std::max(until_crests, (slightly - 0.5 * fold) / (2 * turn_of_facets(of_face, x, flat)));
   };
-  see(interface.edges, edge, interface.base_edges, base_edge);
-  see(interface.base_edges, base_edge, interface.edges, edge);
+  see(contact.edges, edge, contact.base_edges, base_edge);
+  see(contact.base_edges, base_edge, contact.edges, edge);
   return std::min(way, until_crests);
 }
 

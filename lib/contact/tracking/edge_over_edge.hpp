@@ -11,7 +11,7 @@ namespace nereid::contact {
 ///          keep both apart
 /// side     where they were over each other in the step before: faces beside them may lean farther over the other edge; 0: to be found.
 ///          Between rims both sides may be right, then it is the one with a positive height
-Over over(const Interface&, const Vectors& x, Index edge, Index base_edge, bool in_face, int side);
+Over over(const EdgeContact&, const Vectors& x, Index edge, Index base_edge, bool in_face, int side);
 
 /// The way by which nodes may move against each other before the lines of two edges can be closest within both; not positive where they
 /// are, or are parallel. [m]
@@ -22,7 +22,7 @@ Over over(const Interface&, const Vectors& x, Index edge, Index base_edge, bool 
 /// d      by which it ends beside the plane of the other edge and of the normal of both
 /// t, h   place on the other edge, height; the point there goes with the ends of that edge by |t| + |1 - t|, and the normal turns
 /// The larger of both edges counts. The factor of 2 is for turns that are not small.
-double stays_beside(const Interface&, const Vectors& x, Index edge, Index base_edge);
+double stays_beside(const EdgeContact&, const Vectors& x, Index edge, Index base_edge);
 
 /// The way by which nodes may move against each other before one edge of a pair can come over the other, where one of them lies in a face
 /// and the other is a ridge; not positive where it may be over it now. [m]
@@ -37,18 +37,18 @@ double stays_beside(const Interface&, const Vectors& x, Index edge, Index base_e
 ///
 /// Where one of both is of a plate, both may stand up off each other by the sine c, each by |t_1 + t_2| / 2 at the most. It is then no
 /// more than the larger (c - |t_1 + t_2| / 2) / (2 T) of both edges, with T of the edge alone.
-double stays_flat(const Interface&, const Vectors& x, Index edge, Index base_edge);
+double stays_flat(const EdgeContact&, const Vectors& x, Index edge, Index base_edge);
 
 /// Whether both edges are ridges or rims as they stand now, whenever the last search was.
-bool are_ridges(const Interface&, const Vectors& x, Index edge, Index base_edge);
+bool are_ridges(const EdgeContact&, const Vectors& x, Index edge, Index base_edge);
 
 /// Whether a place on an edge is within it.
 bool is_within(double place);
 
 /// Lines of two edges where they are closest, whatever their ends and what is in front of them; false if they are parallel.
-bool between_lines(const Interface&, const Vectors& x, Index edge, Index base_edge, int side, Over& at);
+bool between_lines(const EdgeContact&, const Vectors& x, Index edge, Index base_edge, int side, Over& at);
 
 /// stays_beside() of edges whose lines are known.
-double stays_beside(const Interface&, const Vectors& x, Index edge, Index base_edge, const Over& lines);
+double stays_beside(const EdgeContact&, const Vectors& x, Index edge, Index base_edge, const Over& lines);
 
 }  // namespace nereid::contact
