@@ -35,8 +35,8 @@ load::OverSpace eased(double pull, double ease) {
 /// By how much the sole stands in the base under a pressure [Pa]. [m]
 double overlap(const dynamics::Model& model, double pressure) {
   if (contact::any_by_multipliers(model.contacts, model.rigid_planes)) return 0;
-  return pressure / (model.rigid_planes.empty() ? contact::sides(model.contacts[0]).penalty * static_cast<double>(contact::passes_of(model.contacts))
-                                                : model.rigid_planes[0].penalty);
+  const auto passes = static_cast<double>(contact::passes_of(model.contacts));
+  return pressure / (model.rigid_planes.empty() ? contact::sides(model.contacts[0]).penalty * passes : model.rigid_planes[0].penalty);
 }
 
 /// The block starts where its weight has pressed it: its sole in the base by weight over penalty, and itself

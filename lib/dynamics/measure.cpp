@@ -220,7 +220,8 @@ Vec3 growth(const Vec3& impulse, const Vec3& first, double t, Kept& kept) {
 
 Vec3 mean_contact_force(const View& view, const std::vector<std::size_t>& passes, Kept& kept) {
   Vec3 impulse = Vec3::Zero();
-  for (const std::size_t pass : passes) impulse += contact::side_of(view.model.contacts[pass]) * contact::sides(view.now.contacts[pass]).impulse;
+  for (const std::size_t pass : passes)
+    impulse += contact::side_of(view.model.contacts[pass]) * contact::sides(view.now.contacts[pass]).impulse;
   return growth(impulse, Vec3::Zero(), view.now.t, kept);
 }
 

@@ -24,7 +24,8 @@ double step_in_touch(const Simulation& simulation, std::size_t c) {
   const bool none = gaps.apexes == gaps.without_base + gaps.behind;
   if (contact::by_multipliers(interface) || none || interface.contact_height.size() == 0) return 1e300;
   contact::Workspace workspace(interface);
-  const double vote = contact::stable_step(interface, model.mass, model.inertia, std::get<contact::Memory>(simulation.state.contacts[c]), workspace).step;
+  const auto& memory = std::get<contact::Memory>(simulation.state.contacts[c]);
+  const double vote = contact::stable_step(interface, model.mass, model.inertia, memory, workspace).step;
   if (vote < 1e299) return vote;
   const double reach = std::max(gaps.least, 0.0) + interface.contact_height.maxCoeff() + interface.depth;
   const contact::Memory touching = contact::tried_out(interface, simulation.state.x, reach, workspace);

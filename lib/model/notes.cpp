@@ -230,7 +230,8 @@ std::vector<std::string> depth_notes(const Simulation& simulation) {
     const contact::SidesMemory& memory = contact::sides(simulation.state.contacts[c]);
     const contact::Interface* interface = contact::interface_of(model.contacts[c]);
     const bool may_have_multipliers = interface == nullptr || model::may_have_multipliers(model, *interface);
-    std::visit([&](const auto& one) { look(one, memory.deepest_in, memory, memory.deepest_apex, may_have_multipliers); }, model.contacts[c]);
+    const auto look_at = [&](const auto& one) { look(one, memory.deepest_in, memory, memory.deepest_apex, may_have_multipliers); };
+    std::visit(look_at, model.contacts[c]);
   }
   for (std::size_t p = 0; p < model.rigid_planes.size(); ++p) {
     const auto& memory = simulation.state.rigid_planes[p];
@@ -251,7 +252,8 @@ std::vector<std::string> overlap_notes(const Simulation& simulation) {
     for (std::size_t c = 0; c < contacts.size(); ++c) {
       if (!dynamics::joins(contacts[c], surfaces, overlap)) continue;
       joined = true;
-      expected = expected || contact::interface_of(contacts[c])->kind == contact::InterfaceKind::bonded || simulation.gaps[c].penetrating > 0;
+      const bool bonded = contact::interface_of(contacts[c])->kind == contact::InterfaceKind::bonded;
+      expected = expected || bonded || simulation.gaps[c].penetrating > 0;
     }
     const bool from_start = overlap.at_start - overlap.allowed > worth_saying * overlap.worst.size && !expected;
     if (!(overlap.grown > worth_saying) && !from_start) continue;

@@ -71,14 +71,14 @@ dynamics::Model plates(int n, const material::J2Bilinear& law, element::Plate::T
 
 /// Nanoseconds per apex and step of an interface: finding, forces, and its vote on the time step.
 double contact_cost(const dynamics::Model& model, dynamics::State& state, dynamics::Forces& forces, double dt, int steps) {
-  contact::Memory& memory = state.interfaces[0];
-  const contact::Interface& interface = model.interfaces[0];
+  contact::Memory& memory = std::get<contact::Memory>(state.contacts[0]);
+  const contact::Interface& interface = std::get<contact::Interface>(model.contacts[0]);
   double sum = 0;
   const double began = seconds();
   for (int s = 0; s < steps; ++s) {
-    contact::advance(interface, state.x, state.v, state.omega, dt, memory, forces.interfaces[0]);
+    contact::advance(interface, state.x, state.v, state.omega, dt, memory, std::get<contact::Workspace>(forces.contacts[0]));
     contact::add_forces(interface, memory, forces.force, forces.moment);
-    sum += contact::stable_step(interface, model.mass, model.inertia, memory, forces.interfaces[0]).step;
+    sum += contact::stable_step(interface, model.mass, model.inertia, memory, std::get<contact::Workspace>(forces.contacts[0])).step;
   }
   const double spent = seconds() - began;
   if (!(sum > 0)) std::printf("no vote\n");
@@ -119,7 +119,7 @@ Pressed pressed(const Eigen::Vector3i& above, const Eigen::Vector3i& below, doub
   joint.height = {.from_initial_height = false, .clearance = 0, .given = 0};
   joint.method = method;
   joint.restitution = 0;  // nothing bounces
-  std::vector<contact::Memory> memories;
+  std::vector<contact::AnyMemory> memories;
   std::vector<dynamics::Connected> connected;
   joint.two_passes = joined == Joined::both_passes;
   if (joined == Joined::declared || joined == Joined::both_passes)
@@ -139,13 +139,14 @@ void close(Pressed& scene) {
   scene.state.x.row(2).leftCols(base).array() -= 1e-10;
   for (int s = 0; s < 2; ++s) {
     scene.state.x += 1e-9 * scene.state.v;
-    contact::advance(scene.model.interfaces[0], scene.state.x, scene.state.v, scene.state.omega, 1, scene.state.interfaces[0],
-                     scene.forces.interfaces[0]);
+    contact::advance(std::get<contact::Interface>(scene.model.contacts[0]), scene.state.x, scene.state.v, scene.state.omega, 1,
+                     std::get<contact::Memory>(scene.state.contacts[0]),
+                     std::get<contact::Workspace>(scene.forces.contacts[0]));
   }
 }
 
 Index closed_apexes(const Pressed& scene) {
-  const auto& status = scene.state.interfaces[0].status;
+  const auto& status = std::get<contact::Memory>(scene.state.contacts[0]).status;
   return static_cast<Index>(std::count(status.begin(), status.end(), contact::Status::closed));
 }
 
@@ -195,8 +196,8 @@ int contact_costs(int n, int steps, const material::J2Bilinear& law, const eleme
   const double element_step = step_cost(far, step_of(far), steps);
   double elements = 0;
   for (const auto& block : far.model.blocks) elements += static_cast<double>(element::tiling(block).elements);
-  const auto apexes = static_cast<double>(closed.model.interfaces[0].apexes.size());
-  const contact::Memory& memory = far.state.interfaces[0];
+  const auto apexes = static_cast<double>(std::get<contact::Interface>(closed.model.contacts[0]).apexes.size());
+  const contact::Memory& memory = std::get<contact::Memory>(far.state.contacts[0]);
   const double bytes = static_cast<double>(memory.near.size() * sizeof(contact::Near)) / apexes + sizeof(Index) + sizeof(contact::Feature) +
                        sizeof(contact::Status) + 2 * sizeof(double) + sizeof(std::int64_t) + 3 * sizeof(double);
   const Added penalty = share_of_contact(n, steps, law, options, contact::Method::penalty);
@@ -223,7 +224,7 @@ Pressed far_and_swinging(int n, double strain, const material::J2Bilinear& law, 
   }
   for (const auto& body : bodies) model.blocks.push_back(element::solids(model.mesh, body.name, law, options));
   dynamics::finalize(model);
-  std::vector<contact::Memory> memories;
+  std::vector<contact::AnyMemory> memories;
   for (auto& one : dynamics::connect_automatic(model, "all", bodies, {}, {})) memories.push_back(std::move(one.memory));
   dynamics::State state = dynamics::initial_state(model, std::move(memories));
   dynamics::Forces forces = dynamics::make_forces(model);
@@ -242,7 +243,7 @@ Pressed in_waves(int above, int below, double gap, bool joined, contact::Method 
   dynamics::finalize(model);
   dynamics::InterfaceOptions joint;
   joint.kind = contact::InterfaceKind::bonded, joint.method = method;
-  std::vector<contact::Memory> memories;
+  std::vector<contact::AnyMemory> memories;
   if (joined)
     for (auto& pass : dynamics::connect(model, "joint", "block.z_high", "base.z_low", joint)) memories.push_back(std::move(pass.memory));
   dynamics::State state = dynamics::initial_state(model, std::move(memories));
@@ -287,9 +288,9 @@ int bonded_costs(int n, int steps, const material::J2Bilinear& law, const elemen
 
 /// Takes the contacts out of a scene, or puts them back.
 void swap_contacts(Pressed& scene, Pressed& kept) {
-  std::swap(scene.model.interfaces, kept.model.interfaces);
-  std::swap(scene.state.interfaces, kept.state.interfaces);
-  std::swap(scene.forces.interfaces, kept.forces.interfaces);
+  std::swap(scene.model.contacts, kept.model.contacts);
+  std::swap(scene.state.contacts, kept.state.contacts);
+  std::swap(scene.forces.contacts, kept.forces.contacts);
 }
 
 /// The median step of a scene with its contacts and of the same without, which take turns on the same memory. [ns] [ns]
@@ -341,10 +342,11 @@ int automatic_costs(int n, int steps, const material::J2Bilinear& law, const ele
   for (const double strain : {1e-9, 1e-3, 1e-2, 3e-2}) {
     Pressed scene = far_and_swinging(n, strain, law, options);
     const auto [with, without] = with_and_without(scene, 0.5 * scene.state.votes.elements.step, steps);
-    contact::Memory& memory = scene.state.interfaces[0];
+    contact::Memory& memory = std::get<contact::Memory>(scene.state.contacts[0]);
     const auto searches = memory.searches;
     const double began = seconds();
-    contact::search(scene.model.interfaces[0], scene.state.x, memory, scene.forces.interfaces[0]);
+    contact::search(std::get<contact::Interface>(scene.model.contacts[0]), scene.state.x, memory,
+                    std::get<contact::Workspace>(scene.forces.contacts[0]));
     std::printf("automatic, 100 bodies that swing by %g: adds %.1f %% to a step, %lld searches in %d steps, one takes %.1f steps\n", strain,
                 100 * (with / without - 1), static_cast<long long>(searches), steps, (seconds() - began) * 1e9 / without);
   }

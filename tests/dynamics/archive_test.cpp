@@ -45,7 +45,7 @@ TEST(StateAsBytes, ThatIsReadAgainGoesOnWithTheSameBits) {
       ASSERT_EQ(one[i].second.size(), other[i].second.size()) << one[i].first;
       EXPECT_EQ(std::memcmp(one[i].second.data(), other[i].second.data(), one[i].second.size() * sizeof(double)), 0) << one[i].first;
     }
-    EXPECT_NE(whole.state.interfaces[0].work, 0);
+    EXPECT_NE(std::get<contact::Memory>(whole.state.contacts[0]).work, 0);
   }
 }
 

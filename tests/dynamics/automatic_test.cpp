@@ -49,9 +49,9 @@ TEST(ConnectAutomatic, HasOfEachPairWhatTheirSkinsHaveTogether) {
   Model model = pile();
   const std::vector<Connected> connected = connect_automatic(model, "all", all, {}, {});
   ASSERT_EQ(connected.size(), 2U);
-  const contact::Interface& nodes = model.interfaces[0];
+  const contact::Interface& nodes = std::get<contact::Interface>(model.contacts[0]);
   EXPECT_EQ(nodes.name, "all");
-  EXPECT_EQ(model.interfaces[1].name, "all_edges");
+  EXPECT_EQ(contact::sides(model.contacts[1]).name, "all_edges");
   const auto side = [&](const char* name) { return side_of(model, mesh::surface(model.mesh, std::string(name) + ".skin")); };
   for (std::size_t a = 0; a < nodes.apexes.size(); a += 7)
     for (Index f = 0; f < static_cast<Index>(nodes.base.facets.cols()); f += 11) {
@@ -69,7 +69,7 @@ TEST(ConnectAutomatic, HasOfEachPairWhatTheirSkinsHaveTogether) {
 TEST(ConnectAutomatic, StandsOffByHalfOfThePlatesOfBothSides) {
   Model model = pile();
   const std::vector<Connected> connected = connect_automatic(model, "all", all, {}, {});
-  const contact::Interface& nodes = model.interfaces[0];
+  const contact::Interface& nodes = std::get<contact::Interface>(model.contacts[0]);
   EXPECT_EQ(connected[0].gaps.penetrating, 0);
   EXPECT_NEAR(connected[0].gaps.least, 0.04, 1e-15);  // of boxes over the plate, and of the plate over boxes
   for (std::size_t a = 0; a < nodes.apexes.size(); ++a)
@@ -81,7 +81,7 @@ TEST(ConnectAutomatic, StandsOffByHalfOfThePlatesOfBothSides) {
 TEST(ConnectAutomatic, LeavesPairsToOthers) {
   Model model = pile();
   const std::vector<Connected> connected = connect_automatic(model, "all", all, {{"plate", "below"}}, {});
-  const contact::Interface& nodes = model.interfaces[0];
+  const contact::Interface& nodes = std::get<contact::Interface>(model.contacts[0]);
   for (const contact::Near& near : connected[0].memory.near)
     for (Index i = 0; i < near.facets; ++i) {
       const Index facet = connected[0].memory.near_facets[static_cast<std::size_t>(near.first_facet + i)];
@@ -104,7 +104,7 @@ TEST(ConnectAutomatic, OfABodyWithItselfLooksOnlyAtWhatIsNotBesideInTheMesh) {
   model.blocks.push_back(element::plates(model.mesh, "strip", hard, options));
   finalize(model);
   const std::vector<Connected> connected = connect_automatic(model, "all", {{"strip", true}}, {}, {});
-  const contact::Interface& nodes = model.interfaces[0];
+  const contact::Interface& nodes = std::get<contact::Interface>(model.contacts[0]);
   const contact::Memory& memory = connected[0].memory;
   int seen = 0;
   for (const contact::Near& near : memory.near)
@@ -171,7 +171,9 @@ Tipped tip(bool automatic, bool looks_at_all) {
   const double least = start(s.model, s.state, s.forces).elements.step;
   Tipped found;
   for (int i = 0; s.state.t < 0.6; ++i) {
-    for (contact::Memory& memory : s.state.interfaces) {
+    for (contact::AnyMemory& any : s.state.contacts) {
+      if (!std::holds_alternative<contact::EdgeMemory>(any)) continue;
+      contact::EdgeMemory& memory = std::get<contact::EdgeMemory>(any);
       for (const contact::Crossing& crossing : memory.crossings) found.acted += crossing.acts ? 1 : 0;
       for (contact::EdgePair& pair : memory.edge_pairs)
         if (looks_at_all) pair.flat = -INFINITY;
@@ -218,12 +220,14 @@ Slid slide(bool automatic, bool looks_at_all) {
   const double dt = 0.5 * start(s.model, s.state, s.forces).elements.step;
   Slid found;
   while (s.state.t < 0.6) {
-    for (contact::Memory& memory : s.state.interfaces)
-      for (contact::Near& near : memory.near) {
+    for (contact::AnyMemory& any : s.state.contacts) {
+      if (!std::holds_alternative<contact::Memory>(any)) continue;
+      for (contact::Near& near : std::get<contact::Memory>(any).near) {
         found.pressed += near.pressed > 0 ? 1 : 0;
         found.stay += near.kept != contact::Kept::nothing ? 1 : 0;
         if (looks_at_all) near.clear = near.tracks.owned = -INFINITY;
       }
+    }
     step(s.model, dt, s.state, s.forces);
   }
   found.x = s.state.x;

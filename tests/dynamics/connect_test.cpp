@@ -82,7 +82,7 @@ TEST(SurfaceDepth, IsThatOfTheFlattestElement) {
   EXPECT_NEAR(surface_depth(model, mesh::surface(model.mesh, "below.z_high")), 0.1, 1e-12);
   EXPECT_NEAR(surface_depth(model, mesh::surface(model.mesh, "below.x_low")), 0.25, 1e-12);
   connect(model, "joint", "above.z_low", "below.z_high", {});
-  EXPECT_NEAR(model.interfaces[0].depth, 0.1, 1e-12);  // the other side has 0.3
+  EXPECT_NEAR(std::get<contact::Interface>(model.contacts[0]).depth, 0.1, 1e-12);  // the other side has 0.3
   model.blocks.pop_back();
   EXPECT_EQ(surface_depth(model, mesh::surface(model.mesh, "above.z_low")), 0);
 }
@@ -123,7 +123,7 @@ TEST(Connect, ThePenaltyOfARigidBodyIsThatOfTheOtherSide) {
     finalize(model);
     connect(model, "joint", "above.z_low", "below.z_high", {});
     const double soft_side = modulus(soft) / 0.1, hard_side = modulus(hard) / 0.3;
-    EXPECT_NEAR(model.interfaces[0].penalty / (20 * (rigid == 0 ? hard_side : soft_side)), 1, 1e-12) << rigid;
+    EXPECT_NEAR(std::get<contact::Interface>(model.contacts[0]).penalty / (20 * (rigid == 0 ? hard_side : soft_side)), 1, 1e-12) << rigid;
   }
 }
 
@@ -134,8 +134,8 @@ TEST(Connect, ThePenaltyChosenIsHardnessTimesTheSofterSide) {
     options.penalty_scale = 7;
     const char* names[] = {"above.z_low", "below.z_high"};
     connect(model, "joint", names[swapped], names[!swapped], options);
-    EXPECT_NEAR(model.interfaces[0].penalty / (7 * modulus(soft) / 0.1), 1, 1e-12);
-    EXPECT_EQ(model.interfaces[0].name, "joint");
+    EXPECT_NEAR(std::get<contact::Interface>(model.contacts[0]).penalty / (7 * modulus(soft) / 0.1), 1, 1e-12);
+    EXPECT_EQ(std::get<contact::Interface>(model.contacts[0]).name, "joint");
   }
 }
 
@@ -172,8 +172,8 @@ TEST(Connect, AGivenPenaltyIsTaken) {
   options.penalty = 3e9;
   options.energy_gain_limit = 1e-3;
   connect(model, "joint", "above.z_low", "below.z_high", options);
-  EXPECT_EQ(model.interfaces[0].penalty, 3e9);
-  EXPECT_EQ(model.interfaces[0].impact_step_factor, contact::impact_step_factor_for(1e-3));
+  EXPECT_EQ(std::get<contact::Interface>(model.contacts[0]).penalty, 3e9);
+  EXPECT_EQ(std::get<contact::Interface>(model.contacts[0]).impact_step_factor, contact::impact_step_factor_for(1e-3));
 }
 
 TEST(Connect, WithoutElementsOnOneSideAPenaltyIsNeeded) {
@@ -185,7 +185,7 @@ TEST(Connect, WithoutElementsOnOneSideAPenaltyIsNeeded) {
 TEST(Connect, ApexesCarryTheAreaOfTheirSurface) {
   Model model = two_boxes(0.01);
   connect(model, "joint", "above.z_low", "below.z_high", {});
-  const contact::Interface& joint = model.interfaces[0];
+  const contact::Interface& joint = std::get<contact::Interface>(model.contacts[0]);
   EXPECT_EQ(joint.apexes, mesh::node_set(model.mesh, "above.z_low"));
   EXPECT_NEAR(joint.area.sum(), 0.64, 1e-14);
   EXPECT_NEAR(joint.facet_area.sum(), 1, 1e-14);
@@ -308,7 +308,7 @@ TEST(Connect, ApexesOnSymmetryPlanesKnowTheDirectionsTheseAllow) {
   model.constraints.planes.push_back(clamp);
   finalize(model);
   const Connected joint = connect(model, "joint", "core.side", "skin.inside", {}).front();
-  const contact::Interface& interface = model.interfaces[0];
+  const contact::Interface& interface = std::get<contact::Interface>(model.contacts[0]);
   ASSERT_EQ(interface.allowed.size(), interface.apexes.size());
   int on_planes = 0;
   for (std::size_t a = 0; a < interface.apexes.size(); ++a) {
@@ -328,12 +328,12 @@ TEST(Connect, TwoPassesAreTwoInterfacesOfHalfThePenalty) {
   options.two_passes = true;
   const std::vector<Connected> passes = connect(model, "joint", "above.z_low", "below.z_high", options);
   ASSERT_EQ(passes.size(), 3U);
-  EXPECT_EQ(model.interfaces[1].name, "joint_back");
-  EXPECT_EQ(model.interfaces[1].apexes, mesh::node_set(model.mesh, "below.z_high"));
-  EXPECT_EQ(model.interfaces[2].name, "joint_edges");
-  EXPECT_EQ(model.interfaces[2].method, contact::Method::multiplier);  // a crossing has no area for a penalty
-  model.interfaces.pop_back();
-  for (const auto& pass : model.interfaces) EXPECT_NEAR(pass.penalty / (0.5 * 20 * modulus(soft) / 0.1), 1, 1e-12);
+  EXPECT_EQ(std::get<contact::Interface>(model.contacts[1]).name, "joint_back");
+  EXPECT_EQ(std::get<contact::Interface>(model.contacts[1]).apexes, mesh::node_set(model.mesh, "below.z_high"));
+  EXPECT_EQ(contact::sides(model.contacts[2]).name, "joint_edges");
+  EXPECT_TRUE(contact::by_multipliers(model.contacts[2]));  // a crossing has no area for a penalty
+  model.contacts.pop_back();
+  for (const auto& pass : model.contacts) EXPECT_NEAR(contact::sides(pass).penalty / (0.5 * 20 * modulus(soft) / 0.1), 1, 1e-12);
 }
 
 Votes votes_of_matching_boxes(InterfaceOptions options, bool two_passes) {
@@ -345,7 +345,7 @@ Votes votes_of_matching_boxes(InterfaceOptions options, bool two_passes) {
   finalize(model);
   options.two_passes = two_passes;
   options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
-  std::vector<contact::Memory> memories;
+  std::vector<contact::AnyMemory> memories;
   for (const Connected& pass : connect(model, "joint", "above.z_low", "below.z_high", options)) memories.push_back(pass.memory);
   State state = initial_state(model, memories);
   Forces forces = make_forces(model);
@@ -368,7 +368,7 @@ TEST(Connect, WithoutSymmetryPlanesEveryDirectionIsAllowed) {
   clamp.nodes = mesh::node_set(model.mesh, "above.z_low");
   model.constraints.planes.push_back(clamp);
   connect(model, "joint", "above.z_low", "below.z_high", {});
-  EXPECT_TRUE(model.interfaces[0].allowed.empty());
+  EXPECT_TRUE(std::get<contact::Interface>(model.contacts[0]).allowed.empty());
 }
 
 }  // namespace

@@ -106,15 +106,16 @@ TEST(ContactForce, IsPenaltyTimesAreaTimesDepthOnTheApexes) {
   constexpr double depth = 1e-3;
   for (const Index node : mesh::node_set(scene.model.mesh, "left")) scene.state.x(0, node) += depth;
   start(scene.model, scene.state, scene.forces);
-  EXPECT_LT((scene.state.interfaces[0].force - Vec3(-1e6 * depth, 0, 0)).norm(), 1e-9);  // round-off of coordinates of 2 m
+  const Vec3 force = contact::sides(scene.state.contacts[0]).force;
+  EXPECT_LT((force - Vec3(-1e6 * depth, 0, 0)).norm(), 1e-9);  // round-off of coordinates of 2 m
   const ContactState all_of_it = contact_state(scene.view(), 0);
   EXPECT_NEAR(least_gap(scene.view(), 0), -depth, 1e-15);
   EXPECT_NEAR(all_of_it.largest_pressure, 1e6 * depth, 1e-9);
   EXPECT_NEAR(all_of_it.area, 1, 1e-15);
-  EXPECT_NEAR(area_across(scene.view(), 0, 0, Vec3(-2, 0, 0)), scene.model.interfaces[0].area(0), 1e-15);
+  EXPECT_NEAR(area_across(scene.view(), 0, 0, Vec3(-2, 0, 0)), std::get<contact::Interface>(scene.model.contacts[0]).area(0), 1e-15);
   EXPECT_NEAR(area_across(scene.view(), 0, 0, Vec3(0, 0, 1)), 0, 1e-15);  // along the face
-  scene.model.interfaces[0].faces = {};
-  EXPECT_EQ(area_across(scene.view(), 0, 0, Vec3(0, 0, 1)), scene.model.interfaces[0].area(0));
+  std::get<contact::Interface>(scene.model.contacts[0]).faces = {};
+  EXPECT_EQ(area_across(scene.view(), 0, 0, Vec3(0, 0, 1)), std::get<contact::Interface>(scene.model.contacts[0]).area(0));
 }
 
 /// Two boxes, the left one pressed into the other, with one or two passes between surfaces of theirs.
@@ -128,7 +129,7 @@ Scene pressed_boxes(const std::string& apexes, bool two_passes, double depth) {
   InterfaceOptions options{.method = contact::Method::penalty, .edges = false, .two_passes = two_passes};
   options.penalty = 1e6;
   options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
-  std::vector<contact::Memory> memories;
+  std::vector<contact::AnyMemory> memories;
   for (Connected& connected : connect(scene.model, "touch", apexes, "right.x_low", options)) memories.push_back(connected.memory);
   scene.state = initial_state(scene.model, memories);
   scene.forces = make_forces(scene.model);
@@ -139,13 +140,13 @@ Scene pressed_boxes(const std::string& apexes, bool two_passes, double depth) {
 
 void expect_pressure(const Scene& scene, std::size_t pass, double pressure) {
   const std::vector<contact::NodeForce> forces = forces_of_contact(scene.view(), pass);
-  const contact::Interface& interface = scene.model.interfaces[pass];
+  const contact::Interface& interface = std::get<contact::Interface>(scene.model.contacts[pass]);
   Vec3 sum = Vec3::Zero();
   for (const contact::NodeForce& force : forces) sum += force.push;
   EXPECT_LT(sum.norm(), 1e-9 * pressure);
   EXPECT_EQ(forces.size(), 8U);
   for (Index a = 0; a < static_cast<Index>(interface.apexes.size()); ++a) {
-    const bool touches = scene.state.interfaces[pass].status[a] == contact::Status::closed;
+    const bool touches = std::get<contact::Memory>(scene.state.contacts[pass]).status[a] == contact::Status::closed;
     EXPECT_NEAR(traction_at(scene.view(), pass, a, forces).pressure, touches ? pressure : 0, 1e-9 * pressure);
   }
   EXPECT_NEAR(contact_state(scene.view(), pass).largest_pressure, pressure, 1e-9 * pressure);
@@ -156,9 +157,10 @@ TEST(ContactPressure, IsTheForceAtANodeOverItsAreaWhicheverDirectionActs) {
   constexpr double depth = 1e-3;
   for (const double first : {0.5, 0.9, 0.0}) {  // of the impulse by the first pass: like grids leave that open
     Scene scene = pressed_boxes("left.x_high", true, depth);
-    ASSERT_EQ(scene.model.interfaces.size(), 2U);
+    ASSERT_EQ(scene.model.contacts.size(), 2U);
     for (std::size_t pass : {0U, 1U})
-      for (contact::Near& near : scene.state.interfaces[pass].near) near.element.scale = 2 * (pass == 0 ? first : 1 - first);
+      for (contact::Near& near : std::get<contact::Memory>(scene.state.contacts[pass]).near)
+        near.element.scale = 2 * (pass == 0 ? first : 1 - first);
     for (std::size_t pass : {0U, 1U}) expect_pressure(scene, pass, 1e6 * depth);
   }
 }
@@ -169,14 +171,14 @@ TEST(ContactPressure, OfACornerIsOverTheSideThatIsPressed) {
 
 TEST(ContactPressure, IsNegativeWhereAFaceIsPulled) {
   Scene scene = pressed_boxes("left.x_high", false, 1e-3);
-  for (contact::Near& near : scene.state.interfaces[0].near) near.element.scale = -1;
+  for (contact::Near& near : std::get<contact::Memory>(scene.state.contacts[0]).near) near.element.scale = -1;
   const auto forces = forces_of_contact(scene.view(), 0);
   for (Index a = 0; a < 4; ++a) EXPECT_NEAR(traction_at(scene.view(), 0, a, forces).pressure, -1e3, 1e-6);
 }
 
 TEST(ContactPressure, OfAForceAlongItsFacesIsOverAllOfThem) {
   Scene scene = pressed_boxes("left.x_high", false, 1e-3);
-  contact::NodeForce along{scene.model.interfaces[0].apexes[0], Vec3(0, 0, 3), Vec3(0, 2, 0)};
+  contact::NodeForce along{std::get<contact::Interface>(scene.model.contacts[0]).apexes[0], Vec3(0, 0, 3), Vec3(0, 2, 0)};
   const Traction traction = traction_at(scene.view(), 0, 0, {along});
   EXPECT_NEAR(traction.pressure, 3 / 0.25, 1e-12);
   EXPECT_NEAR(traction.shear, 2 / 0.25, 1e-12);
@@ -191,7 +193,7 @@ TEST(ContactForce, IsZeroWhereSurfacesAreApart) {
   scene.state = initial_state(scene.model, {connected.memory});
   scene.forces = make_forces(scene.model);
   start(scene.model, scene.state, scene.forces);
-  EXPECT_EQ(scene.state.interfaces[0].force, Vec3::Zero());
+  EXPECT_EQ(std::get<contact::Memory>(scene.state.contacts[0]).force, Vec3::Zero());
   EXPECT_DOUBLE_EQ(least_gap(scene.view(), 0), 0.5);
   EXPECT_EQ(contact_state(scene.view(), 0).area, 0);
   EXPECT_EQ(contact_state(scene.view(), 0).largest_pressure, 0);

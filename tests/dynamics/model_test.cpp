@@ -126,7 +126,7 @@ TEST(Model, TheInitialStateIsAtRestWithOneAccountForEverySource) {
 TEST(Model, AnInterfaceWithoutMemoryIsRefused) {
   Model model = box_and_tube();
   finalize(model);
-  model.interfaces.emplace_back();
+  model.contacts.emplace_back(contact::Interface());
   EXPECT_THROW(initial_state(model, {}), InternalError);
 }
 

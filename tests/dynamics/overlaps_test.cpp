@@ -70,10 +70,10 @@ TEST(SeeOverlaps, KnowsWhichContactJoinsTheBodies) {
   const audit::Overlap* worst = audit::worst(s.state.audit);
   ASSERT_NE(worst, nullptr);
   EXPECT_GT(worst->deepest, 0.01);
-  EXPECT_TRUE(joins(s.model.interfaces[0], s.forces.audit.surfaces, *worst));
+  EXPECT_TRUE(joins(std::get<contact::Interface>(s.model.contacts[0]), s.forces.audit.surfaces, *worst));
   audit::Overlap itself = *worst;
   itself.surface = {0, 0};
-  EXPECT_FALSE(joins(s.model.interfaces[0], s.forces.audit.surfaces, itself));
+  EXPECT_FALSE(joins(std::get<contact::Interface>(s.model.contacts[0]), s.forces.audit.surfaces, itself));
 }
 
 TEST(SeeOverlaps, LooksOnlyWhereALookIsDue) {

@@ -209,7 +209,8 @@ TEST(Relaxation, HeatOfFrictionAndWhatContactsHoldIsTheirWorkThoughVelocitiesAre
       EXPECT_LT(std::abs(created(touch)), 1e-5 * s.state.ledger.external_work) << on_a_plane << " " << friction;
       EXPECT_LT(std::abs(s.state.ledger.flows[source_of(s.model, "touch")].worst), 1e-6);
       const double weight = 1000 * 0.1 * 0.1 * 0.05 * 9.81;
-      const Vec3 force = on_a_plane ? contact::force(s.model.rigid_planes[0], s.state.rigid_planes[0]) : s.state.interfaces[0].force;
+      const Vec3 force = on_a_plane ? contact::force(s.model.rigid_planes[0], s.state.rigid_planes[0])
+                                    : contact::sides(s.state.contacts[0]).force;
       EXPECT_NEAR(force.z() / weight, 1, 1e-3);
     }
 }

@@ -109,7 +109,7 @@ TEST(RigidStep, ARunGoesOnWithTheSameBits) {
     parts.forces = make_forces(parts.model);
     resume(parts.model, parts.state, parts.forces);
   }
-  EXPECT_GT(whole.state.interfaces[0].impulse.norm(), 1);
+  EXPECT_GT(std::get<contact::Memory>(whole.state.contacts[0]).impulse.norm(), 1);
   for (int b = 0; b < 2; ++b) {
     const rigid::State &one = whole.state.rigid_bodies[b], &other = parts.state.rigid_bodies[b];
     EXPECT_EQ(one.momentum, other.momentum);
@@ -164,7 +164,7 @@ TEST(RigidStep, WhatItsTurnStopsAtTheStartIsAccountedFor) {
     s.ready();
     spin(s, "a", {10, 0, 0}, {0, 50, 300}, {0.05, 0.1, 0.025});
     s.run_to(1e-4);
-    EXPECT_GT(s.state.interfaces[0].impulse.norm(), 1);
+    EXPECT_GT(std::get<contact::Memory>(s.state.contacts[0]).impulse.norm(), 1);
     expect_balance(s, 100 * s.state.ledger.initial_kinetic, 100 * s.state.ledger.initial_momentum.norm());
   }
 }

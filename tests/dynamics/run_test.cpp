@@ -75,7 +75,7 @@ Collision collide(bool swapped, const element::Hexahedron::Options& element, dou
       {{-1, 0}, {-1, 0}}};  // time and momentum of B at 20 % and 80 %
   const Observer look = [&](const View& view) {
     bool closed = false;
-    for (const auto status : view.now.interfaces[0].status)
+    for (const auto status : std::get<contact::Memory>(view.now.contacts[0]).status)
       closed = closed || status == contact::Status::closed;
     if (closed) last = view.now.t;
     if (closed && first < 0) first = view.now.t;
@@ -264,7 +264,7 @@ void join_carelessly(Scene& s) {
   options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
   options.penalty_scale = 30;
   s.joined("joint", "above.z_low", "below.z_high", options);
-  s.model.interfaces[0].impact_step_factor = 1.9;  // the linear bound, nearly
+  std::get<contact::Interface>(s.model.contacts[0]).impact_step_factor = 1.9;  // the linear bound, nearly
   s.ready();
 }
 
@@ -327,7 +327,7 @@ TEST(Run, StopsWhenASourceCreatesMuchOfWhatPassesThroughItThoughAnotherBodyHasMo
 /// Two boxes of which one loses stored energy in every step, as a faulty law would.
 TEST(Run, StopsWhenASourceLosesEnergyAndNamesIt) {
   Scene s = careless();
-  s.model.interfaces[0].impact_step_factor = contact::impact_step_factor_for(0.005);
+  std::get<contact::Interface>(s.model.contacts[0]).impact_step_factor = contact::impact_step_factor_for(0.005);
   s.ready();
   s.move("above", {0, 0, -3});
   const std::vector<Observer> observers{[&s](const View&) { s.state.blocks[0].stored[Stored::elastic] *= 0.98; }};
@@ -549,7 +549,7 @@ TEST(Run, OfAFreeSceneIsJudgedAlikeByWhoMovesAlongAndWhoStands) {
 
 TEST(TimesTheLimit, IsFiveForBodiesAndWhereLessThanAHundredthOfTheEnergyOfTheSceneHasPassed) {
   Model model;
-  model.interfaces.emplace_back();
+  model.contacts.emplace_back(contact::Interface());
   Ledger ledger;
   ledger.initial_kinetic = ledger.initial_available = 10;
   ledger.flows.resize(1);

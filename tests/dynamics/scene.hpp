@@ -17,7 +17,7 @@ namespace nereid::dynamics {
 
 struct Scene {
   Model model;
-  std::vector<contact::Memory> memories;
+  std::vector<contact::AnyMemory> memories;
   State state;
   Forces forces;
 
@@ -69,7 +69,17 @@ inline std::vector<std::pair<std::string, std::vector<double>>> numbers(const St
     for (std::size_t c = 0; c < words_of_stored.size(); ++c) add(block.stored[Stored(c)], block.dissipated[Dissipated(c)]);
   }
   for (const auto& tiles : s.tiles) part("forces of a block"), all(tiles.force), all(tiles.moment);
-  for (const contact::Memory& c : s.interfaces) {
+  for (const contact::AnyMemory& any : s.contacts) {
+    if (const auto* edges = std::get_if<contact::EdgeMemory>(&any)) {
+      part("edges"), all(edges->force), all(edges->impulse);
+      add(edges->work, edges->impact, edges->held, edges->friction_dissipated, edges->searches, edges->way, edges->edge_pairs.size());
+      for (const contact::Crossing& one : edges->crossings) {
+        all(one.push), all(one.normal), all(one.friction.force);
+        add(one.edge, one.base_edge, one.side, one.level, one.gap, one.pressed, one.restitution.held, one.friction.acts);
+      }
+      continue;
+    }
+    const contact::Memory& c = std::get<contact::Memory>(any);
     part("interface");
     for (const auto& feature : c.feature) add(feature.facet, static_cast<int>(feature.kind), feature.local);
     for (const auto status : c.status) add(static_cast<int>(status));

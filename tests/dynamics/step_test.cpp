@@ -1232,7 +1232,7 @@ TEST(Multipliers, SweepUntilThinPlatesArePassedByNoStep) {
   s.move("block", {0, 0, -0.37});
   s.run_to(0.0008);
   EXPECT_NE(account(s, "touch").work, 0);
-  EXPECT_LT(s.state.interfaces[0].deepest, 0.25 * thin) << "half of what stops a run";
+  EXPECT_LT(std::get<contact::Memory>(s.state.contacts[0]).deepest, 0.25 * thin) << "half of what stops a run";
 }
 
 TEST(Multipliers, KeepMomentaAndCreateNothingBetweenUnlikeGrids) {
@@ -1247,9 +1247,9 @@ TEST(Multipliers, KeepMomentaAndCreateNothingBetweenUnlikeGrids) {
         const Ledger& l = s.state.ledger;
         EXPECT_LT((l.momentum - l.initial_momentum).norm(), 1e-12 * l.initial_momentum.norm());
         EXPECT_LT((l.angular_momentum - l.initial_angular_momentum).norm(), 1e-12 * l.initial_momentum.norm());
-        Vec3 gained = Vec3::Zero(), given = s.state.interfaces[0].impulse;
+        Vec3 gained = Vec3::Zero(), given = std::get<contact::Memory>(s.state.contacts[0]).impulse;
         for (const Index node : mesh::node_set(s.model.mesh, "above")) gained += s.model.mass(node) * s.state.v.col(node);
-        if (two_passes) given -= s.state.interfaces[1].impulse;
+        if (two_passes) given -= std::get<contact::Memory>(s.state.contacts[1]).impulse;
         EXPECT_LT((gained - l.initial_momentum - given).norm(), 1e-12 * l.initial_momentum.norm());
         double lost = 0;
         for (const char* name : {"joint", "joint_back"}) {
@@ -1262,7 +1262,7 @@ TEST(Multipliers, KeepMomentaAndCreateNothingBetweenUnlikeGrids) {
           lost += a.dissipated[Dissipated::inelastic_impact];
         }
         EXPECT_EQ(lost > 0.01 * l.initial_kinetic, restitution < 1);
-        EXPECT_LT(s.state.interfaces[0].deepest, 0.01 * 0.1);  // at a thirtieth of the speed of waves
+        EXPECT_LT(std::get<contact::Memory>(s.state.contacts[0]).deepest, 0.01 * 0.1);  // at a thirtieth of the speed of waves
       }
 }
 
@@ -1278,12 +1278,12 @@ TEST(Multipliers, TrustATrendWhileBodiesArePressedAndChangeNoForceByIt) {
     s.state.v.setZero();
     const double dt = 0.5 * least(start(s.model, s.state, s.forces));
     for (int i = 0; i < 2000; ++i) {
-      if (!trusts) s.state.interfaces[0].has_trend = false;
-      trusted += s.state.interfaces[0].has_trend ? 1 : 0;
+      if (!trusts) std::get<contact::Memory>(s.state.contacts[0]).has_trend = false;
+      trusted += std::get<contact::Memory>(s.state.contacts[0]).has_trend ? 1 : 0;
       step(s.model, dt, s.state, s.forces);
     }
     std::vector<Vec3> forces;
-    for (const contact::Near& near : s.state.interfaces[0].near) forces.push_back(near.element.apex);
+    for (const contact::Near& near : std::get<contact::Memory>(s.state.contacts[0]).near) forces.push_back(near.element.apex);
     return forces;
   };
   int trusted = 0, none = 0;
@@ -1416,8 +1416,8 @@ TEST(Multipliers, GiveTheSameBitsWithAnyThreadsAndWithoutABreak) {
     for (std::size_t i = 0; i < one.size(); ++i)
       EXPECT_EQ(std::memcmp(one[i].second.data(), other[i].second.data(), one[i].second.size() * sizeof(double)), 0) << one[i].first;
   }
-  EXPECT_GT(states[0].interfaces[0].near.size(), 256U);  // more than a thread takes at once
-  EXPECT_NE(states[0].interfaces[0].work, 0);
+  EXPECT_GT(std::get<contact::Memory>(states[0].contacts[0]).near.size(), 256U);  // more than a thread takes at once
+  EXPECT_NE(std::get<contact::Memory>(states[0].contacts[0]).work, 0);
 }
 
 // --- the same bits, no allocation -------------------------------------------------------
@@ -1437,7 +1437,7 @@ TEST(Threads, OneTwoAndFourGiveTheSameBits) {
     use_threads(1);
     expect_same_bits(states[0], states[1]);
     expect_same_bits(states[0], states[2]);
-    EXPECT_NE(states[0].interfaces[0].work, 0);
+    EXPECT_NE(std::get<contact::Memory>(states[0].contacts[0]).work, 0);
   }
 }
 
@@ -1453,9 +1453,10 @@ TEST(Step, AllocatesNothing) {
     lid.area = Scalars::Constant(static_cast<Eigen::Index>(lid.nodes.size()), 1e-3);
     lid.penalty = 1e9;
     s.model.rigid_planes.push_back(lid);
-    s.model.interfaces[0].margin = 1e-6;  // many searches
-    s.model.interfaces[0].method = method;
-    if (contact::by_multipliers(s.model.interfaces[0])) s.memories[0].restitution.resize(s.model.interfaces[0].apexes.size());
+    std::get<contact::Interface>(s.model.contacts[0]).margin = 1e-6;  // many searches
+    std::get<contact::Interface>(s.model.contacts[0]).method = method;
+    if (contact::by_multipliers(s.model.contacts[0]))
+      std::get<contact::Memory>(s.memories[0]).restitution.resize(contact::sides(s.model.contacts[0]).apexes.size());
     s.ready();
     s.state.v.row(2).setConstant(-13.33);
     Votes votes = start(s.model, s.state, s.forces);
@@ -1468,8 +1469,8 @@ TEST(Step, AllocatesNothing) {
     const long after = allocations;
     use_threads(1);
     EXPECT_EQ(after - before, 0);
-    EXPECT_GT(s.state.interfaces[0].searches, 1);
-    EXPECT_NE(s.state.interfaces[0].work, 0);
+    EXPECT_GT(std::get<contact::Memory>(s.state.contacts[0]).searches, 1);
+    EXPECT_NE(std::get<contact::Memory>(s.state.contacts[0]).work, 0);
     Vectors grown(3, 1000);  // the counter counts
     EXPECT_GT(allocations, after);
   }
@@ -1486,7 +1487,7 @@ TEST(Step, AllocatesNothingForBondsByMultipliersEither) {
   const long before = allocations;
   for (int i = 0; i < 50; ++i) step(s.model, first.dt, s.state, s.forces);
   EXPECT_EQ(allocations - before, 0);
-  EXPECT_GT(s.state.interfaces[0].force.norm(), 0);
+  EXPECT_GT(std::get<contact::Memory>(s.state.contacts[0]).force.norm(), 0);
 }
 #endif
 
@@ -1953,7 +1954,7 @@ TEST(BondByMultipliers, DoesNotKnowAlongWhichDiagonalAFaceIsCut) {
     return s;
   };
   const Scene one = cut(false), other = cut(true);
-  EXPECT_NE(one.model.interfaces[0].base.facets, other.model.interfaces[0].base.facets);
+  EXPECT_NE(contact::interface_of(one.model.contacts[0])->base.facets, contact::interface_of(other.model.contacts[0])->base.facets);
   EXPECT_LT(apart(one, other), 1e-10);
 }
 
@@ -1964,12 +1965,12 @@ TEST(BondByMultipliers, SectionsOfABarStayPlaneWhereABaseHasCoarserFaces) {
     s.joined("glue", "left.x_high", "right.x_low", bonded());
     s.ready(), move(s, [](const Vec3& X) { return Vec3(std::sin(9 * X.x()), 0, 0); });
     s.run_to(0.05);
-    const contact::Interface& glue = s.model.interfaces[0];
+    const contact::Interface& glue = std::get<contact::Interface>(s.model.contacts[0]);
     double least = 1e300, most = -1e300;
     for (const Subset* side : {&glue.apexes, &glue.base_nodes})
       for (const Index n : *side) least = std::min(least, s.state.v(0, n)), most = std::max(most, s.state.v(0, n));
     EXPECT_LT(most - least, 1e-11);
-    EXPECT_GT(s.state.interfaces[0].force.norm(), 1);
+    EXPECT_GT(std::get<contact::Memory>(s.state.contacts[0]).force.norm(), 1);
     expect_closed(s);
   }
 }
@@ -2019,12 +2020,12 @@ TEST(BondByMultipliers, HeldNodesCollectNothing) {
   s.joined("glue", "left.x_high", "right.x_low", bonded());
   s.ready(), move(s, wave), s.run_to(0.05);
   expect_closed(s);
-  const contact::Interface& glue = s.model.interfaces[0];
-  for (const contact::Near& near : s.state.interfaces[0].near)
+  const contact::Interface& glue = std::get<contact::Interface>(s.model.contacts[0]);
+  for (const contact::Near& near : std::get<contact::Memory>(s.state.contacts[0]).near)
     if (s.model.mesh.X(2, glue.apexes[near.apex]) < 1e-12) {
       EXPECT_EQ(near.element.apex.norm(), 0);
     }
-  EXPECT_GT(s.state.interfaces[0].force.norm(), 0);
+  EXPECT_GT(std::get<contact::Memory>(s.state.contacts[0]).force.norm(), 0);
 }
 
 TEST(BondByMultipliers, FollowsANodeThatIsDriven) {
@@ -2066,7 +2067,7 @@ TEST(BondByMultipliers, GivesTheSameBitsWithAnyThreadsAndWithoutABreak) {
   use_threads(1);
   expect_same_bits(states[0], states[1]);
   expect_same_bits(states[0], states[2]);
-  EXPECT_GT(states[0].interfaces[0].near.size(), 4096U);  // so many are shared out
+  EXPECT_GT(std::get<contact::Memory>(states[0].contacts[0]).near.size(), 4096U);  // so many are shared out
   EXPECT_GT(states[0].step, 10);
 }
 

@@ -58,21 +58,21 @@ TEST(SeeThickness, IsForNothingWhereAllPlatesAreElastic) {
 
 TEST(FollowThickness, GivesAFreeApexTheHeightOfBothSides) {
   Scene s = sheets(0.05);
-  const contact::Interface& touch = s.model.interfaces[0];
+  const contact::Interface& touch = std::get<contact::Interface>(s.model.contacts[0]);
   ASSERT_TRUE(touch.follows_thickness);
   Scalars growth = Scalars::Zero(s.model.mesh.X.cols());
   for (const Index n : mesh::node_set(s.model.mesh, "low")) growth(n) = -0.01;
   for (const Index n : mesh::node_set(s.model.mesh, "high")) growth(n) = -0.002;
-  contact::follow_thickness(touch, growth, s.state.interfaces[0]);
+  contact::follow_thickness(touch, growth, std::get<contact::Memory>(s.state.contacts[0]));
   for (std::size_t a = 0; a < touch.apexes.size(); ++a)
-    EXPECT_NEAR(contact::contact_height(touch, s.state.interfaces[0], static_cast<Index>(a)), 0.088, 1e-15);
+    EXPECT_NEAR(contact::contact_height(touch, std::get<contact::Memory>(s.state.contacts[0]), static_cast<Index>(a)), 0.088, 1e-15);
 }
 
 TEST(FollowThickness, NeverRaisesAHeightByMoreThanHalfTheGap) {
   Scene s = sheets(0.002);
-  const contact::Interface& touch = s.model.interfaces[0];
+  const contact::Interface& touch = std::get<contact::Interface>(s.model.contacts[0]);
   const Scalars growth = Scalars::Constant(s.model.mesh.X.cols(), 0.01);
-  contact::Memory& memory = s.state.interfaces[0];
+  contact::Memory& memory = std::get<contact::Memory>(s.state.contacts[0]);
   ASSERT_FALSE(memory.near.empty());
   contact::follow_thickness(touch, growth, memory);
   for (const contact::Near& near : memory.near)
@@ -83,8 +83,8 @@ TEST(FollowThickness, BooksWhatAPenaltyLosesAsPlatesThinUnderIt) {
   Scene s = sheets(0.001);
   s.move("high", {0, 0, -1});
   s.run_to(0.0012);
-  const contact::Interface& touch = s.model.interfaces[0];
-  contact::Memory& memory = s.state.interfaces[0];
+  const contact::Interface& touch = std::get<contact::Interface>(s.model.contacts[0]);
+  contact::Memory& memory = std::get<contact::Memory>(s.state.contacts[0]);
   ASSERT_GT(contact::stored(memory), 0);
   const double down = 1e-3 * 0.1;
   Scalars growth = Scalars::Zero(s.model.mesh.X.cols());
@@ -119,7 +119,8 @@ TEST(FollowThickness, ThinsWithASheetThatFlows) {
     mass = element::element_masses(s.model.blocks[0]).sum();
     EXPECT_NEAR(volume, mass / soft.density, 2e-3 * volume) << "all that is elastic";
     EXPECT_LT(std::abs(created(account(s, "low"))), 1e-3 * energy_scale(s.state.ledger));
-    const auto height = contact::contact_height(s.model.interfaces[0], s.state.interfaces[0], 0);
+    const auto& memory = std::get<contact::Memory>(s.state.contacts[0]);
+    const auto height = contact::contact_height(std::get<contact::Interface>(s.model.contacts[0]), memory, 0);
     EXPECT_LT(height, 0.1);
     EXPECT_GT(height, 0.08);
   }

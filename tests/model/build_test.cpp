@@ -24,7 +24,7 @@ TEST(Build, AContactStandsOffHalfTheThicknessOfPlates) {
   const Simulation built = build(scene);
   ASSERT_EQ(built.gaps.size(), 2U);  // of the apexes, and of the edges
   EXPECT_NEAR(built.gaps[0].least, 0.5 - 1e-3, 1e-15);
-  EXPECT_EQ(built.model.interfaces[0].contact_height(0), 1e-3);
+  EXPECT_EQ(std::get<contact::Interface>(built.model.contacts[0]).contact_height(0), 1e-3);
 }
 
 TEST(Build, SolidsTouchWhereTheyMeet) {
@@ -40,12 +40,12 @@ TEST(Build, AContactMayHaveTwoPasses) {
   scene.contacts = {touch("bar.x_high", "wall.x_low")};
   scene.contacts[0].interface.two_passes = true;
   const Simulation built = build(scene);
-  ASSERT_EQ(built.model.interfaces.size(), 3U);
+  ASSERT_EQ(built.model.contacts.size(), 3U);
   EXPECT_EQ(built.gaps.size(), 3U);
-  EXPECT_EQ(built.model.interfaces[1].name, "touch_back");
-  EXPECT_EQ(built.model.interfaces[2].name, "touch_edges");
+  EXPECT_EQ(contact::sides(built.model.contacts[1]).name, "touch_back");
+  EXPECT_EQ(contact::sides(built.model.contacts[2]).name, "touch_edges");
   scene.contacts[0].interface.edges = false;
-  EXPECT_EQ(build(scene).model.interfaces.size(), 2U);
+  EXPECT_EQ(build(scene).model.contacts.size(), 2U);
 }
 
 TEST(Build, RefusesASurfaceThatTouchesItself) {

@@ -160,7 +160,8 @@ TEST(DepthNotes, NameNoMultipliersForATieThatMayHaveNone) {
     scene.contacts[0].interface.method = contact::Method::penalty;
     scene.bodies[1].rigid = rigid;
     Simulation simulation = build(scene);
-    simulation.state.interfaces[0].deepest = simulation.state.interfaces[0].deepest_in = 1;
+    auto& memory = std::get<contact::Memory>(simulation.state.contacts[0]);
+    memory.deepest = memory.deepest_in = 1;
     const auto notes = depth_notes(simulation);
     ASSERT_EQ(notes.size(), 1U);
     EXPECT_EQ(says(notes[0], said(Remedy::firmer_contact)), !rigid) << notes[0];
@@ -316,9 +317,9 @@ TEST(EnergyNotes, SayThatBodiesWhichDoNotTouchHaveNotGotBackWhatContactTook) {
   const std::vector<Source> all = dynamics::sources(simulation.model);
   for (std::size_t s = 0; s < all.size(); ++s)
     if (all[s].name == "touch") state.ledger.flows[s].passed = 0.5;
-  ASSERT_FALSE(state.interfaces[0].near.empty());
-  contact::Near& near = state.interfaces[0].near[0];
-  double& held = state.interfaces[0].restitution[static_cast<std::size_t>(near.apex)].held;
+  ASSERT_FALSE(std::get<contact::Memory>(state.contacts[0]).near.empty());
+  contact::Near& near = std::get<contact::Memory>(state.contacts[0]).near[0];
+  double& held = std::get<contact::Memory>(state.contacts[0]).restitution[static_cast<std::size_t>(near.apex)].held;
   held = 0.1;
   const auto notes = energy_notes(simulation);
   ASSERT_EQ(notes.size(), 1U);

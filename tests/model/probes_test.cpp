@@ -186,9 +186,9 @@ Pressed pressed(const Simulation& simulation, const std::string& body) {
   const Subset& nodes = mesh::node_set(simulation.model.mesh, body);
   const auto is_inside = [&](Index node) { return std::binary_search(nodes.begin(), nodes.end(), node); };
   Pressed sum;
-  for (std::size_t c = 0; c < simulation.model.interfaces.size(); ++c) {
-    const contact::Interface& interface = simulation.model.interfaces[c];
-    if (interface.kind == contact::InterfaceKind::edges) continue;
+  for (std::size_t c = 0; c < simulation.model.contacts.size(); ++c) {
+    if (contact::interface_of(simulation.model.contacts[c]) == nullptr) continue;
+    const contact::Interface& interface = *contact::interface_of(simulation.model.contacts[c]);
     const auto forces = dynamics::forces_of_contact(view, c);
     sum.force = 0;  // of the whole contact, whatever its pass
     for (const contact::NodeForce& one : forces)
@@ -508,8 +508,9 @@ Vec3 angular_momentum(const Seen& seen) {
 Vectors contact_forces(const Seen& seen) {
   const dynamics::Model& model = seen.simulation.model;
   Vectors force = Vectors::Zero(3, model.mesh.X.cols()), moment = Vectors::Zero(3, model.inertia.size());
-  for (std::size_t c = 0; c < model.interfaces.size(); ++c)
-    contact::add_forces(model.interfaces[c], seen.simulation.state.interfaces[c], force, moment);
+  for (std::size_t c = 0; c < model.contacts.size(); ++c)
+    contact::with_memory(model.contacts[c], seen.simulation.state.contacts[c],
+                         [&](const auto& one, const auto& memory) { contact::add_forces(one, memory, force, moment); });
   return force;
 }
 

@@ -23,7 +23,7 @@ struct Scene {
     model.constraints.planes.push_back({"floor", load::PlaneKind::floor, Vec3::Zero(), Vec3::UnitZ(), mesh::node_set(model.mesh, "A")});
     dynamics::finalize(model);
     const auto connected = dynamics::connect(model, "contact", "A.x_high", "B.x_low", {.edges = false}).front();
-    std::vector<contact::Memory> memories{connected.memory};
+    std::vector<contact::AnyMemory> memories{connected.memory};
     state = dynamics::initial_state(model, memories);
     forces = dynamics::make_forces(model);
     for (const Index node : mesh::node_set(model.mesh, "A")) state.v(0, node) = 0.1;
@@ -59,7 +59,7 @@ TEST(BodyGrid, ShowsContactForcesThatCancel) {
 TEST(ContactGrid, ShowsEveryPotentialElementOnceAsLineAndOnceAsFacet) {
   const Scene scene;
   const Grid grid = contact_grid(scene.view());
-  const auto apexes = static_cast<Eigen::Index>(scene.model.interfaces[0].apexes.size());
+  const auto apexes = static_cast<Eigen::Index>(std::get<contact::Interface>(scene.model.contacts[0]).apexes.size());
   EXPECT_EQ(grid.cells[0].nodes.cols(), apexes);
   EXPECT_EQ(grid.cells[1].nodes.cols(), apexes);
   const Eigen::MatrixXd gap = field(grid.cell_fields, "gap").values, status = field(grid.cell_fields, "contact_status").values;
@@ -70,13 +70,13 @@ TEST(ContactGrid, ShowsEveryPotentialElementOnceAsLineAndOnceAsFacet) {
 TEST(ContactGrid, PutsTheFootOnTheBaseAndTheApexWhereItIs) {
   const Scene scene;
   const Grid grid = contact_grid(scene.view());
-  const auto& interface = scene.model.interfaces[0];
+  const auto& interface = std::get<contact::Interface>(scene.model.contacts[0]);
   for (std::size_t a = 0; a < interface.apexes.size(); ++a) {
     const auto first = static_cast<Eigen::Index>(5 * a);
     const Vec3 apex = grid.reference.col(first + 1) + grid.displacement.col(first + 1);
     EXPECT_LT((apex - scene.state.x.col(interface.apexes[a])).norm(), 1e-15);
     const Vec3 foot = grid.reference.col(first) + grid.displacement.col(first);
-    EXPECT_NEAR((apex - foot).norm(), std::abs(scene.state.interfaces[0].gap[a]),
+    EXPECT_NEAR((apex - foot).norm(), std::abs(std::get<contact::Memory>(scene.state.contacts[0]).gap[a]),
                 1e-4 * (apex - foot).norm() + 1e-12);  // the foot stays on its facet
   }
 }
@@ -87,15 +87,13 @@ TEST(ContactGrid, ShowsEdgesWhereTheyCross) {
   dynamics::State state = scene.state;
   dynamics::Model& model = scene.model;
   const Eigen::Index before = contact_grid(scene.view()).cells[0].nodes.cols();
-  contact::Interface edges;
-  edges.kind = contact::InterfaceKind::edges;
-  model.interfaces.push_back(edges);
-  contact::Memory memory;
+  model.contacts.push_back(contact::EdgeContact());
+  contact::EdgeMemory memory;
   Crossing crossing;
   crossing.side = 1;
   crossing.node = {0, 1, 2, 3}, crossing.weight = {0.5, 0.5, -0.25, -0.75};
   memory.crossings = {crossing, Crossing{}};  // the second is not over its base edge
-  state.interfaces.push_back(memory);
+  state.contacts.push_back(memory);
   const Grid grid = contact_grid({model, state, scene.forces, true});
   ASSERT_EQ(grid.cells[0].nodes.cols(), before + 1);
   const Eigen::Index last = 5 * before;

@@ -58,8 +58,8 @@ struct Sides : Between {
   Coulomb friction;
   /// [nodes] column of a plate node's angular velocity, or -1; empty where no node of the contact turns
   std::vector<Index> rotation_of_node;
-  /// [m] Only what is nearer than h_c and this is looked at, or than it can move in some steps. A search is due when both sides have moved by
-  /// half of it since the last one, so that nothing comes into contact unseen.
+  /// [m] Only what is nearer than h_c and this is looked at, or than it can move in some steps. A search is due when both sides have moved
+  /// by half of it since the last one, so that nothing comes into contact unseen.
   double margin = 0;
   double longest_step = 0;  ///< [s] stable step of the elements at the start: no step is much longer
   Bodies bodies;            ///< of an automatic contact

@@ -71,8 +71,9 @@ void see_meetings(const Interface& interface, double dt, double t, Memory& memor
 }
 
 void see_meetings(const EdgeContact& contact, double dt, double t, EdgeMemory& memory) {
+  const auto& all = memory.crossings;
   const auto is_closed = [](const Crossing& crossing) { return crossing.closed; };
-  if (contact.bodies.count() == 0) return see_two_sides(std::any_of(memory.crossings.begin(), memory.crossings.end(), is_closed), t, memory);
+  if (contact.bodies.count() == 0) return see_two_sides(std::any_of(all.begin(), all.end(), is_closed), t, memory);
   begin_forces(memory);
   for (const Crossing& crossing : memory.crossings) {
     if (!crossing.closed) continue;

@@ -231,7 +231,8 @@ void stop_at_start(std::span<const AnyContact> contacts, std::span<const RigidPl
       for (Index i = one.first; i < one.last; ++i) {
         apply(all.conditions[i], all, m.x, impulse, memory.angular_impulse);
         memory.impulse += all.conditions[i].impulse * all.conditions[i].normal;
-        if constexpr (!std::is_same_v<std::decay_t<decltype(contact)>, RigidPlane>) meet_at_start(contact, all.conditions[i], all, t, memory);
+        if constexpr (!std::is_same_v<std::decay_t<decltype(contact)>, RigidPlane>)
+          meet_at_start(contact, all.conditions[i], all, t, memory);
       }
     }
     Pool alone{first, last, &memory.transferred, 0};

@@ -31,8 +31,8 @@ void stop_at_start(std::span<const AnyContact>, std::span<const RigidPlane>, con
 ///
 /// Writes the forces into the memories, from where add_forces() takes them.
 /// t  [s] now, for where the deepest penetrations were
-void enforce(std::span<const AnyContact>, std::span<const RigidPlane>, const Motion&, double t, std::span<AnyMemory>, std::span<PlaneMemory>,
-             std::span<AnyWorkspace>, Multipliers&);
+void enforce(std::span<const AnyContact>, std::span<const RigidPlane>, const Motion&, double t, std::span<AnyMemory>,
+             std::span<PlaneMemory>, std::span<AnyWorkspace>, Multipliers&);
 
 /// Takes into account that velocities change at t after enforce(), as relaxation changes them. The forces then do another work in the half
 /// step that begins than was booked as energy held and as heat of friction:

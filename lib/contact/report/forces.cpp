@@ -67,7 +67,11 @@ void add_forces(const EdgeContact& contact, const EdgeMemory& memory, Vectors& f
   add_all(contact, memory, force, moment);
 }
 
-void list_forces(const Interface& interface, const Memory& memory, std::vector<NodeForce>& forces) { list_all(interface, memory, forces); }
-void list_forces(const EdgeContact& contact, const EdgeMemory& memory, std::vector<NodeForce>& forces) { list_all(contact, memory, forces); }
+void list_forces(const Interface& interface, const Memory& memory, std::vector<NodeForce>& forces) {
+  list_all(interface, memory, forces);
+}
+void list_forces(const EdgeContact& contact, const EdgeMemory& memory, std::vector<NodeForce>& forces) {
+  list_all(contact, memory, forces);
+}
 
 }  // namespace nereid::contact

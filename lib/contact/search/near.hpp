@@ -70,8 +70,8 @@ bool search_bodies_where_due(const Contact& contact, const Vectors& x, const Vec
   return true;
 }
 
-/// Whether a search is due: apexes and base have moved by half of the margin since the last one, or after many looks at all. What is known of
-/// where each apex stands holds for less way the more all have moved.
+/// Whether a search is due: apexes and base have moved by half of the margin since the last one, or after many looks at all. What is known
+/// of where each apex stands holds for less way the more all have moved.
 ///
 /// has_near  whether anything is near
 /// moved     [m] how far they have moved since the last search, at most

@@ -48,14 +48,14 @@ struct Bonded {
     }
     turns.assign(nodes, -1);
     allowed.assign(nodes, nullptr);
-    all = make_multipliers({&scene.interface, 1}, {}, nodes, 0);
+    all = make_multipliers(std::vector<AnyContact>{scene.interface}, {}, nodes, 0);
   }
   Motion motion() const { return {scene.x, v, none, force, none, mass, no_inertia, turns, allowed, no_rotations, dt, dt}; }
   void find() {
     const Motion m = motion();
     look_ahead(scene.interface.apexes, m, all);
     look_ahead(scene.interface.base_nodes, m, all);
-    find_bonds({&scene.interface, 1}, m, {&scene.memory, 1}, all.velocity, all.bonds);
+    find_bonds(std::vector<AnyContact>{scene.interface}, m, std::vector<AnyMemory>{scene.memory}, all.velocity, all.bonds);
   }
   void step() {
     find();
@@ -202,7 +202,7 @@ TEST(BondByMultipliers, FaceThatIsWarpedTooMuchStaysCut) {
   x.col(b.node[4]) += Vec3(0, 0, 4);
   bond_here(x, glue);
   EXPECT_FALSE(glue.bonds[0].on_face);
-  EXPECT_EQ(make_bonds({&glue, 1}, static_cast<Index>(x.cols())).held[0].nodes, 4);
+  EXPECT_EQ(make_bonds(std::vector<AnyContact>{glue}, static_cast<Index>(x.cols())).held[0].nodes, 4);
   bond_here(at.scene.x, glue);
   EXPECT_TRUE(glue.bonds[0].on_face);
   EXPECT_EQ(glue.bonds[0].weight, at.scene.interface.bonds[0].weight);
@@ -212,8 +212,8 @@ TEST(BondByMultipliers, TwoThatSayTheSameShareTheImpulse) {
   const Vec3 apex(1.3, 1.6, 0.4);
   Bonded one({apex}), two({apex});
   Interface again = two.scene.interface;
-  const std::vector<Interface> both{two.scene.interface, again};
-  const std::vector<Memory> memories{two.scene.memory, two.scene.memory};
+  const std::vector<AnyContact> both{two.scene.interface, again};
+  const std::vector<AnyMemory> memories{two.scene.memory, two.scene.memory};
   two.all = make_multipliers(both, {}, static_cast<Index>(two.scene.x.cols()), 0);
   one.find();
   const Motion m = two.motion();

@@ -41,7 +41,7 @@ struct Setting {
     }
     rotation_of_node.assign(nodes, -1);
     allowed.assign(nodes, nullptr);
-    all = make_multipliers({&scene.interface, 1}, {}, nodes, 0);
+    all = make_multipliers(std::vector<AnyContact>{scene.interface}, {}, nodes, 0);
   }
   Motion motion(double dt) const {
     return {scene.x, v, no_spins, force, no_spins, mass, none_turns, rotation_of_node, allowed, allowed_rotation, dt, dt};

@@ -26,8 +26,8 @@ namespace {
 /// apart.
 struct Bars {
   mesh::Mesh mesh;
-  Interface interface;
-  Memory memory;
+  EdgeContact contact;
+  EdgeMemory memory;
 
   Bars(double degrees, double gap, int cells = 3) {
     const double turn = std::acos(-1.0) / 180;
@@ -38,24 +38,22 @@ struct Bars {
     };
     mesh::Mesh lower = mesh::rotated_about(bar("lower"), Vec3::UnitZ(), degrees * turn, Vec3::Zero());
     mesh = mesh::join(mesh::moved(bar("upper"), {0, 0, std::sqrt(2.0) + gap}), lower);
-    interface.kind = InterfaceKind::edges;
-    interface.method = Method::multiplier;
-    interface.edges = edges_of(mesh, mesh::surface(mesh, "upper.skin"), {});
-    interface.base_edges = edges_of(mesh, mesh::surface(mesh, "lower.skin"), {});
-    interface.margin = 0.3;
-    interface.depth = 0.5;
-    interface.apexes = nodes_of(interface.edges), interface.base_nodes = nodes_of(interface.base_edges);
+    contact.edges = edges_of(mesh, mesh::surface(mesh, "upper.skin"), {});
+    contact.base_edges = edges_of(mesh, mesh::surface(mesh, "lower.skin"), {});
+    contact.margin = 0.3;
+    contact.depth = 0.5;
+    contact.apexes = nodes_of(contact.edges), contact.base_nodes = nodes_of(contact.base_edges);
   }
 
   /// The pair of edges that are over each other, of all that a search lists.
   Over only() {
-    Workspace workspace(interface);
-    const InitialGaps gaps = connect_edges(interface, mesh.X, memory, workspace);
+    EdgeWorkspace workspace(contact);
+    const InitialGaps gaps = connect(contact, mesh.X, memory, workspace);
     EXPECT_GT(gaps.pairs, 0);
     Over found;
     int count = 0;
     for (const EdgePair& pair : memory.edge_pairs) {
-      const Over at = over(interface, mesh.X, pair.edge, pair.base_edge, pair.in_face, 0);
+      const Over at = over(contact, mesh.X, pair.edge, pair.base_edge, pair.in_face, 0);
       if (at.is && at.normal.z() > 0.99) found = at, ++count;  // and not at the ends of the bars
     }
     EXPECT_EQ(count, 1);
@@ -98,21 +96,21 @@ Flat moved_flat_edges(double times, bool plates) {
     mesh::Mesh block = mesh::rotated_about(box("block", 2), Vec3::UnitZ(), 3 * any(random), Vec3::Zero());
     block = mesh::rotated_about(std::move(block), Vec3::UnitX(), 0.1 * any(random), Vec3::Zero());
     const mesh::Mesh mesh = mesh::join(mesh::moved(std::move(block), {0.3 * any(random), 0, 1}), box("base", 3));
-    Interface interface;
-    interface.edges = edges_of(mesh, mesh::surface(mesh, "block.skin"), {});
-    interface.base_edges = edges_of(mesh, mesh::surface(mesh, "base.skin"), {});
-    for (Index edge = 0; edge < interface.edges.nodes.cols(); ++edge)
-      for (Index base = 0; base < interface.base_edges.nodes.cols(); ++base) {
-        const bool ridges = is_ridge(interface.edges, mesh.X, edge) && is_ridge(interface.base_edges, mesh.X, base);
-        const double room = ridges ? 0 : stays_flat(interface, mesh.X, edge, base);
+    EdgeContact contact;
+    contact.edges = edges_of(mesh, mesh::surface(mesh, "block.skin"), {});
+    contact.base_edges = edges_of(mesh, mesh::surface(mesh, "base.skin"), {});
+    for (Index edge = 0; edge < contact.edges.nodes.cols(); ++edge)
+      for (Index base = 0; base < contact.base_edges.nodes.cols(); ++base) {
+        const bool ridges = is_ridge(contact.edges, mesh.X, edge) && is_ridge(contact.base_edges, mesh.X, base);
+        const double room = ridges ? 0 : stays_flat(contact, mesh.X, edge, base);
         if (!(room > 0)) continue;
         ++found.pairs;
-        EXPECT_FALSE(over(interface, mesh.X, edge, base, true, 0).is);
+        EXPECT_FALSE(over(contact, mesh.X, edge, base, true, 0).is);
         Vectors x = mesh.X;
         for (int i = 0; i < 5; ++i) {
           for (Eigen::Index node = 0; node < x.cols(); ++node)
             x(2, node) = mesh.X(2, node) + std::copysign(0.5 * times * room, any(random));  // what turns facets most
-          if (!over(interface, x, edge, base, true, 0).is) continue;
+          if (!over(contact, x, edge, base, true, 0).is) continue;
           ++found.over;
           break;
         }
@@ -148,19 +146,17 @@ int crossing_crests(double degrees, bool upper_down) {
   const double quarter = 0.5 * std::acos(-1.0);
   mesh::Mesh upper = mesh::rotated_about(roof("upper", upper_down ? -1 : 1), Vec3::UnitZ(), quarter, Vec3::Zero());
   const mesh::Mesh mesh = mesh::join(mesh::moved(std::move(upper), {1.5, -0.5, gap}), roof("lower", 1));
-  Interface interface;
-  interface.kind = InterfaceKind::edges;
-  interface.method = Method::multiplier;
-  interface.edges = edges_of(mesh, mesh::surface(mesh, "upper.skin"), {});
-  interface.base_edges = edges_of(mesh, mesh::surface(mesh, "lower.skin"), {});
-  interface.margin = 0.3, interface.depth = 0.5;
-  interface.apexes = nodes_of(interface.edges), interface.base_nodes = nodes_of(interface.base_edges);
-  Memory memory;
-  Workspace workspace(interface);
-  connect_edges(interface, mesh.X, memory, workspace);
+  EdgeContact contact;
+  contact.edges = edges_of(mesh, mesh::surface(mesh, "upper.skin"), {});
+  contact.base_edges = edges_of(mesh, mesh::surface(mesh, "lower.skin"), {});
+  contact.margin = 0.3, contact.depth = 0.5;
+  contact.apexes = nodes_of(contact.edges), contact.base_nodes = nodes_of(contact.base_edges);
+  EdgeMemory memory;
+  EdgeWorkspace workspace(contact);
+  connect(contact, mesh.X, memory, workspace);
   int count = 0;
   for (const EdgePair& pair : memory.edge_pairs) {
-    const Over at = over(interface, mesh.X, pair.edge, pair.base_edge, pair.in_face, 0);
+    const Over at = over(contact, mesh.X, pair.edge, pair.base_edge, pair.in_face, 0);
     if (!at.is || std::abs(at.first - 0.5) > 1e-9 || std::abs(at.second - 0.5) > 1e-9) continue;  // rims cross rims elsewhere
     ++count;
     EXPECT_NEAR(at.height, gap, 1e-12);
@@ -176,11 +172,11 @@ TEST(Over, CrestsOfCurvedSheetsCrossThoughTheyTurnByLittle) {
 
 TEST(Over, ParallelRidgesAreLeftToTheirNodes) {
   Bars bars(0, 0.01);
-  Workspace workspace(bars.interface);
-  connect_edges(bars.interface, bars.mesh.X, bars.memory, workspace);
+  EdgeWorkspace workspace(bars.contact);
+  connect(bars.contact, bars.mesh.X, bars.memory, workspace);
   EXPECT_FALSE(bars.memory.edge_pairs.empty());
   for (const EdgePair& pair : bars.memory.edge_pairs)
-    EXPECT_FALSE(over(bars.interface, bars.mesh.X, pair.edge, pair.base_edge, pair.in_face, 0).is);
+    EXPECT_FALSE(over(bars.contact, bars.mesh.X, pair.edge, pair.base_edge, pair.in_face, 0).is);
 }
 
 TEST(Over, EndsWhereTheNextEdgeBegins) {
@@ -210,11 +206,11 @@ TEST(Over, LeavesTheEndOfAnEdgeToItsNodeOnlyWhereThatIsOverAFace) {
     Bars bars(90, 0.01);
     lay_flank_flat(flat, bars);
     for (const Index node : mesh::node_set(bars.mesh, "upper")) bars.mesh.X(1, node) += 0.99;  // the lower bar has a node at 1 m
-    Workspace workspace(bars.interface);
-    connect_edges(bars.interface, bars.mesh.X, bars.memory, workspace);
+    EdgeWorkspace workspace(bars.contact);
+    connect(bars.contact, bars.mesh.X, bars.memory, workspace);
     int count = 0;
     for (const EdgePair& pair : bars.memory.edge_pairs) {
-      const Over at = over(bars.interface, bars.mesh.X, pair.edge, pair.base_edge, pair.in_face, 0);
+      const Over at = over(bars.contact, bars.mesh.X, pair.edge, pair.base_edge, pair.in_face, 0);
       count += at.is && at.normal.z() > 0.99 && at.height < 0.011;  // not the other ridge of the flat flank
     }
     EXPECT_EQ(count, flat ? 0 : 1);
@@ -224,8 +220,8 @@ TEST(Over, LeavesTheEndOfAnEdgeToItsNodeOnlyWhereThatIsOverAFace) {
 TEST(ConnectEdges, SeesRidgesThatStartInEachOther) {
   Bars apart(90, 0.01), in_each_other(90, -0.01), through(90, -1.3);
   const auto gaps = [](Bars& bars) {
-    Workspace workspace(bars.interface);
-    return connect_edges(bars.interface, bars.mesh.X, bars.memory, workspace);
+    EdgeWorkspace workspace(bars.contact);
+    return connect(bars.contact, bars.mesh.X, bars.memory, workspace);
   };
   EXPECT_EQ(gaps(apart).penetrating, 0);
   EXPECT_EQ(gaps(in_each_other).penetrating, 1);
@@ -239,28 +235,28 @@ TEST(ConnectEdges, SeesRidgesThatStartInEachOther) {
 
 TEST(SearchCrossings, LeavesOutEdgesThatAreNowhere) {
   Bars bars(90, 0.01);
-  Workspace workspace(bars.interface);
-  connect_edges(bars.interface, bars.mesh.X, bars.memory, workspace);
+  EdgeWorkspace workspace(bars.contact);
+  connect(bars.contact, bars.mesh.X, bars.memory, workspace);
   EXPECT_FALSE(bars.memory.edge_pairs.empty());
   for (const double nowhere : {std::nan(""), HUGE_VAL, 1e200}) {
     for (const Index node : mesh::node_set(bars.mesh, "upper")) bars.mesh.X(node % 3, node) = nowhere;
-    search_crossings(bars.interface, bars.mesh.X, bars.memory, workspace);
+    search(bars.contact, bars.mesh.X, bars.memory, workspace);
     EXPECT_TRUE(bars.memory.edge_pairs.empty());
   }
 }
 
 TEST(SearchCrossings, KeepsWhatPairsRemember) {
   Bars bars(90, 0.01);
-  Workspace workspace(bars.interface);
-  connect_edges(bars.interface, bars.mesh.X, bars.memory, workspace);
+  EdgeWorkspace workspace(bars.contact);
+  connect(bars.contact, bars.mesh.X, bars.memory, workspace);
   ASSERT_FALSE(bars.memory.edge_pairs.empty());
   bars.memory.crossings = {crossing_of(bars.memory.edge_pairs[0])};
   bars.memory.crossings[0].restitution.held = 3;
-  search_crossings(bars.interface, bars.mesh.X, bars.memory, workspace);
+  search(bars.contact, bars.mesh.X, bars.memory, workspace);
   ASSERT_EQ(bars.memory.crossings.size(), 1);
   EXPECT_EQ(bars.memory.crossings[0].restitution.held, 3);
   for (const Index node : mesh::node_set(bars.mesh, "upper")) bars.mesh.X(2, node) += 5;
-  search_crossings(bars.interface, bars.mesh.X, bars.memory, workspace);
+  search(bars.contact, bars.mesh.X, bars.memory, workspace);
   EXPECT_TRUE(bars.memory.edge_pairs.empty());
   EXPECT_TRUE(bars.memory.crossings.empty());
   EXPECT_EQ(bars.memory.impact, 3);  // what is let go is lost
@@ -275,18 +271,19 @@ struct Steps {
   Vectors x;
   Multipliers all;
 
-  explicit Steps(const Bars& bars) : x(bars.mesh.X), all(make_multipliers({&bars.interface, 1}, {}, static_cast<Index>(x.cols()), 0)) {}
+  explicit Steps(const Bars& bars)
+      : x(bars.mesh.X), all(make_multipliers(std::vector<AnyContact>{bars.contact}, {}, static_cast<Index>(x.cols()), 0)) {}
 
   /// With all nodes on their way to `next` within a step.
-  void find(Bars& bars, Workspace& workspace, const Vectors& next) {
+  void find(Bars& bars, EdgeWorkspace& workspace, const Vectors& next) {
     const Vectors v = (next - x) / h, force = Vectors::Zero(3, x.cols());
     const Scalars mass = Scalars::Ones(x.cols());
     const std::vector<Index> turns(static_cast<std::size_t>(x.cols()), -1);
     const std::vector<const Mat3*> allowed(static_cast<std::size_t>(x.cols()), nullptr);
     const Motion m{x, v, none, force, none, mass, no_inertia, turns, allowed, no_rotations, h, h};
     all.conditions.clear(), all.contactors.clear();
-    look_ahead(bars.interface.apexes, m, all), look_ahead(bars.interface.base_nodes, m, all);
-    find_crossings(bars.interface, m, bars.memory, workspace, all);
+    look_ahead(bars.contact.apexes, m, all), look_ahead(bars.contact.base_nodes, m, all);
+    find_conditions(bars.contact, m, bars.memory, workspace, all);
     x = next;
   }
 };
@@ -300,9 +297,9 @@ TEST(FindCrossings, DoesNotTakeRidgesThatTurnPastEachOtherForOnesThatMeet) {
     return bars;
   };
   Bars bars = turned(-1, 3.2);
-  bars.interface.margin = 4;  // so that a search lists them
-  Workspace workspace(bars.interface);
-  connect_edges(bars.interface, bars.mesh.X, bars.memory, workspace);
+  bars.contact.margin = 4;  // so that a search lists them
+  EdgeWorkspace workspace(bars.contact);
+  connect(bars.contact, bars.mesh.X, bars.memory, workspace);
   Steps steps(bars);
   for (const double degrees : {1.0, 2.0}) {
     steps.find(bars, workspace, turned(degrees, 2.5).mesh.X);
@@ -313,8 +310,8 @@ TEST(FindCrossings, DoesNotTakeRidgesThatTurnPastEachOtherForOnesThatMeet) {
 TEST(FindCrossings, GoesOnWithAnOverlapThatWasAccepted) {
   for (const double overlap : {0.002, 0.02, 0.2}) {  // 0.5 m is the depth of an element
     Bars bars(90, -overlap);
-    Workspace workspace(bars.interface);
-    connect_edges(bars.interface, bars.mesh.X, bars.memory, workspace);
+    EdgeWorkspace workspace(bars.contact);
+    connect(bars.contact, bars.mesh.X, bars.memory, workspace);
     Steps steps(bars);
     for (int step = 0; step < 2; ++step) {
       steps.find(bars, workspace, steps.x);
@@ -326,15 +323,15 @@ TEST(FindCrossings, GoesOnWithAnOverlapThatWasAccepted) {
 
 TEST(FindCrossings, HoldsAFaceThatLeansWhereTheyAreOverEachOther) {
   Bars bars(90, 0.001, 1);
-  Workspace workspace(bars.interface);
-  connect_edges(bars.interface, bars.mesh.X, bars.memory, workspace);
+  EdgeWorkspace workspace(bars.contact);
+  connect(bars.contact, bars.mesh.X, bars.memory, workspace);
   const EdgePair pair = bars.memory.edge_pairs.front();
-  const Over before = over(bars.interface, bars.mesh.X, pair.edge, pair.base_edge, false, 0);
+  const Over before = over(bars.contact, bars.mesh.X, pair.edge, pair.base_edge, false, 0);
   ASSERT_TRUE(before.is);
   for (const Index node : mesh::node_set(bars.mesh, "upper"))  // one flank of the upper bar comes down to 0.1 below its ridge
-    if (bars.mesh.X(1, node) > 0.1) bars.mesh.X(2, node) = bars.mesh.X(2, bars.interface.edges.nodes(0, pair.edge)) - 0.1;
-  EXPECT_FALSE(over(bars.interface, bars.mesh.X, pair.edge, pair.base_edge, false, 0).is);
-  EXPECT_TRUE(over(bars.interface, bars.mesh.X, pair.edge, pair.base_edge, false, before.side).is);
+    if (bars.mesh.X(1, node) > 0.1) bars.mesh.X(2, node) = bars.mesh.X(2, bars.contact.edges.nodes(0, pair.edge)) - 0.1;
+  EXPECT_FALSE(over(bars.contact, bars.mesh.X, pair.edge, pair.base_edge, false, 0).is);
+  EXPECT_TRUE(over(bars.contact, bars.mesh.X, pair.edge, pair.base_edge, false, before.side).is);
 }
 
 TEST(FindCrossings, HoldsARidgeThatIsFlattenedWhereTheyAreOverEachOther) {
@@ -349,11 +346,11 @@ TEST(FindCrossings, HoldsARidgeThatIsFlattenedWhereTheyAreOverEachOther) {
   };
   const Vectors flat = turned(10);
   bars.mesh.X = turned(25);
-  Workspace workspace(bars.interface);
-  connect_edges(bars.interface, bars.mesh.X, bars.memory, workspace);
+  EdgeWorkspace workspace(bars.contact);
+  connect(bars.contact, bars.mesh.X, bars.memory, workspace);
   Steps steps(bars);
   for (const Vectors& next : {bars.mesh.X, flat}) steps.find(bars, workspace, next);
-  search_crossings(bars.interface, flat, bars.memory, workspace);
+  search(bars.contact, flat, bars.memory, workspace);
   const auto is_held_in_face = [](const Crossing& crossing) { return crossing.in_face && crossing.side != 0; };
   EXPECT_TRUE(std::any_of(bars.memory.crossings.begin(), bars.memory.crossings.end(), is_held_in_face));
   steps.find(bars, workspace, flat);
@@ -374,13 +371,13 @@ TEST(FindCrossings, HoldsARidgeOffTheEdgesWithinAFaceWhereItStandsUp) {
       if (stands) bars.mesh.X(2, node) = z + std::sqrt(0.5);
       else bars.mesh.X(1, node) = (y + z) / std::sqrt(2.0), bars.mesh.X(2, node) = (z - y) / std::sqrt(2.0) + 0.5;
     }
-    Workspace workspace(bars.interface);
-    connect_edges(bars.interface, bars.mesh.X, bars.memory, workspace);
+    EdgeWorkspace workspace(bars.contact);
+    connect(bars.contact, bars.mesh.X, bars.memory, workspace);
     int count = 0, listed = 0;
     for (const EdgePair& pair : bars.memory.edge_pairs) {
       if (!pair.in_face) continue;
       ++listed;
-      const Over at = over(bars.interface, bars.mesh.X, pair.edge, pair.base_edge, true, 0);
+      const Over at = over(bars.contact, bars.mesh.X, pair.edge, pair.base_edge, true, 0);
       if (at.is && std::abs(at.height) < 1e-9) ++count;
     }
     EXPECT_GT(listed, 0);
@@ -392,25 +389,24 @@ TEST(FindCrossings, HoldsARidgeOffTheEdgesWithinAFaceWhereItStandsUp) {
 TEST(StaysBeside, HoldsForNodesThatGoByNoMoreInAnyDirection) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> one(-1, 1);
-  Interface interface;
-  interface.kind = InterfaceKind::edges, interface.method = Method::multiplier;
-  for (Edges* edges : {&interface.edges, &interface.base_edges}) {
+  EdgeContact contact;
+  for (Edges* edges : {&contact.edges, &contact.base_edges}) {
     edges->nodes.resize(2, 1), edges->across.setConstant(2, 1, -1), edges->area.setOnes(1);
     edges->of_plates.assign(1, 1);
   }
-  interface.edges.nodes << 0, 1;
-  interface.base_edges.nodes << 2, 3;
+  contact.edges.nodes << 0, 1;
+  contact.base_edges.nodes << 2, 3;
   int beside = 0;
   double largest = 0;
   for (int trial = 0; trial < 20000; ++trial) {
     const Vectors x = Vectors::NullaryExpr(3, 4, [&] { return one(random); });
-    const double way = stays_beside(interface, x, 0, 0);
+    const double way = stays_beside(contact, x, 0, 0);
     if (!(way > 0)) continue;
     ++beside, largest = std::max(largest, way);
     for (int k = 0; k < 20; ++k) {
       Vectors moved = x;
       for (auto node : moved.colwise()) node += 0.5 * way * Vec3(one(random), one(random), one(random)).normalized();  // apart by `way`
-      EXPECT_FALSE(over(interface, moved, 0, 0, false, 0).is) << trial;
+      EXPECT_FALSE(over(contact, moved, 0, 0, false, 0).is) << trial;
     }
   }
   EXPECT_GT(beside, 5000);
@@ -437,8 +433,8 @@ Tipped tip(bool looks_at_all) {
     return x;
   };
   bars.mesh.X = tipped(0);
-  Workspace workspace(bars.interface);
-  connect_edges(bars.interface, bars.mesh.X, bars.memory, workspace);
+  EdgeWorkspace workspace(bars.contact);
+  connect(bars.contact, bars.mesh.X, bars.memory, workspace);
   Steps steps(bars);
   Tipped found;
   for (int i = 1; i <= 8000; ++i) {
@@ -462,8 +458,8 @@ TEST(FindCrossings, LeavesEdgesThatLieFlatAloneUntilTheyStandUp) {
 
 /// Two fans of rims of plates that cross and rub, from random places with random masses and speeds; nodes are shared within a fan.
 struct Fans {
-  Interface interface;
-  Memory memory;
+  EdgeContact contact;
+  EdgeMemory memory;
   Vectors x, v;
   Scalars mass;
 
@@ -485,10 +481,9 @@ struct Fans {
       all.of_plates.assign(static_cast<std::size_t>(edges), 1);
       return all;
     };
-    interface.kind = InterfaceKind::edges, interface.method = Method::multiplier;
-    interface.edges = fan(0), interface.base_edges = fan(static_cast<Index>(edges) + 1);
-    interface.margin = 3, interface.depth = 1, interface.friction.coefficient = 1;
-    interface.apexes = nodes_of(interface.edges), interface.base_nodes = nodes_of(interface.base_edges);
+      contact.edges = fan(0), contact.base_edges = fan(static_cast<Index>(edges) + 1);
+    contact.margin = 3, contact.depth = 1, contact.friction.coefficient = 1;
+    contact.apexes = nodes_of(contact.edges), contact.base_nodes = nodes_of(contact.base_edges);
   }
 };
 
@@ -500,18 +495,21 @@ TEST(Enforce, CreatesNothingWhereEdgesCrossAndRubWhateverTheMassesAndAngles) {
   int touching = 0;
   for (int trial = 0; trial < 2000; ++trial) {
     Fans fans(random, 3, 0.3);
-    Workspace workspace(fans.interface);
-    connect_edges(fans.interface, fans.x, fans.memory, workspace);
+    EdgeWorkspace workspace(fans.contact);
+    connect(fans.contact, fans.x, fans.memory, workspace);
     fans.memory.crossings.clear();
     const auto nodes = static_cast<Index>(fans.x.cols());
     const Vectors force = Vectors::Zero(3, nodes);
     const std::vector<Index> turns(static_cast<std::size_t>(nodes), -1);
     const std::vector<const Mat3*> allowed(static_cast<std::size_t>(nodes), nullptr);
     const Motion m{fans.x, fans.v, none, force, none, fans.mass, no_inertia, turns, allowed, no_rotations, 0.01, 0.01};
-    Multipliers all = make_multipliers({&fans.interface, 1}, {}, nodes, 0);
-    enforce({&fans.interface, 1}, {}, m, 1, {&fans.memory, 1}, {}, {&workspace, 1}, all);
+    const std::vector<AnyContact> contacts{fans.contact};
+    std::vector<AnyMemory> memories{fans.memory};
+    std::vector<AnyWorkspace> workspaces{workspace};
+    Multipliers all = make_multipliers(contacts, {}, nodes, 0);
+    enforce(contacts, {}, m, 1, memories, {}, workspaces, all);
     const auto energy = [&](const Vectors& v) { return 0.5 * (v.colwise().squaredNorm().transpose().array() * fans.mass.array()).sum(); };
-    touching += fans.memory.force.isZero(0) ? 0 : 1;
+    touching += sides(memories[0]).force.isZero(0) ? 0 : 1;
     EXPECT_LT(energy(all.velocity), 1.01 * energy(fans.v)) << trial;  // sweeps end before every rate is zero
   }
   EXPECT_GT(touching, 500);

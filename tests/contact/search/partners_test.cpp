@@ -74,7 +74,7 @@ TEST(Partners, AreBodiesWhoseBoxesAreNear) {
 TEST(Partners, AreNotBodiesOfThemselvesThatWereApartUntilTheirShapeChanges) {
   Scene scene = bar_and_cube();
   EXPECT_TRUE(is_own_partner(scene, 0));
-  keep_apart_from_itself(scene.interface, scene.x, *scene.workspace, scene.memory);
+  keep_apart_from_itself(scene.interface, scene.x, false, *scene.workspace, scene.memory);
   EXPECT_FALSE(is_own_partner(scene, 0));
   EXPECT_EQ(scene.workspace->first_partner[1], scene.workspace->first_partner[2]) << "the cube has no partner";
   scene.x = (Eigen::AngleAxisd(2.5, Vec3(1, 2, 3).normalized()).toRotationMatrix() * scene.x).eval();
@@ -94,14 +94,14 @@ TEST(Partners, OfThemselvesAreBodiesThatASearchFoundNear) {
   Scene scene = bar_and_cube();
   find_partners(scene.interface, scene.x, scene.memory, *scene.workspace);
   scene.workspace->near_itself[0] = 1;
-  keep_apart_from_itself(scene.interface, scene.x, *scene.workspace, scene.memory);
+  keep_apart_from_itself(scene.interface, scene.x, false, *scene.workspace, scene.memory);
   EXPECT_TRUE(is_own_partner(scene, 0));
   EXPECT_FALSE(is_own_partner(scene, 1));
   scene.memory.apart_from_itself.assign(2, 0);
   EXPECT_TRUE(is_own_partner(scene, 1));
   scene.workspace->near_itself[0] = 0;
   scene.interface.follows_thickness = true;  // plates may become thicker
-  keep_apart_from_itself(scene.interface, scene.x, *scene.workspace, scene.memory);
+  keep_apart_from_itself(scene.interface, scene.x, false, *scene.workspace, scene.memory);
   EXPECT_TRUE(is_own_partner(scene, 1));
 }
 
