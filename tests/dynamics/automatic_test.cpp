@@ -82,15 +82,16 @@ TEST(ConnectAutomatic, LeavesPairsToOthers) {
   Model model = pile();
   const std::vector<Connected> connected = connect_automatic(model, "all", all, {{"plate", "below"}}, {});
   const contact::Interface& nodes = std::get<contact::Interface>(model.contacts[0]);
-  for (const contact::Near& near : connected[0].memory.near)
+  const auto& memory = std::get<contact::Memory>(connected[0].memory);
+  for (const contact::Near& near : memory.near)
     for (Index i = 0; i < near.facets; ++i) {
-      const Index facet = connected[0].memory.near_facets[static_cast<std::size_t>(near.first_facet + i)];
+      const Index facet = memory.near_facets[static_cast<std::size_t>(near.first_facet + i)];
       const Index one = nodes.bodies.of_apex[static_cast<std::size_t>(near.apex)];
       const Index other = nodes.bodies.of_facet[static_cast<std::size_t>(facet)];
       EXPECT_FALSE(one + other == 1) << "below and plate";
       EXPECT_FALSE(one == other && one != 1) << "a box touches itself";
     }
-  EXPECT_GT(connected[0].memory.near.size(), 0U);
+  EXPECT_GT(memory.near.size(), 0U);
 }
 
 TEST(ConnectAutomatic, OfABodyWithItselfLooksOnlyAtWhatIsNotBesideInTheMesh) {
@@ -105,7 +106,7 @@ TEST(ConnectAutomatic, OfABodyWithItselfLooksOnlyAtWhatIsNotBesideInTheMesh) {
   finalize(model);
   const std::vector<Connected> connected = connect_automatic(model, "all", {{"strip", true}}, {}, {});
   const contact::Interface& nodes = std::get<contact::Interface>(model.contacts[0]);
-  const contact::Memory& memory = connected[0].memory;
+  const auto& memory = std::get<contact::Memory>(connected[0].memory);
   int seen = 0;
   for (const contact::Near& near : memory.near)
     for (Index i = 0; i < near.facets; ++i, ++seen) {

@@ -100,8 +100,7 @@ TEST(Partners, OfThemselvesAreBodiesThatASearchFoundNear) {
   scene.memory.apart_from_itself.assign(2, 0);
   EXPECT_TRUE(is_own_partner(scene, 1));
   scene.workspace->near_itself[0] = 0;
-  scene.interface.follows_thickness = true;  // plates may become thicker
-  keep_apart_from_itself(scene.interface, scene.x, false, *scene.workspace, scene.memory);
+  keep_apart_from_itself(scene.interface, scene.x, true, *scene.workspace, scene.memory);  // plates may become thicker
   EXPECT_TRUE(is_own_partner(scene, 1));
 }
 
