@@ -17,6 +17,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <variant>
 #include <vector>
 
 #include "base/types.hpp"
@@ -56,6 +57,11 @@ class Writer {
   template <class Value, std::size_t count>
   void add(const std::array<Value, count>& values) {
     for (const Value& value : values) add(value);
+  }
+  template <class... Kinds>
+  void add(const std::variant<Kinds...>& any) {
+    add(static_cast<std::uint64_t>(any.index()));
+    std::visit([this](const auto& one) { add(one); }, any);
   }
   void add(const std::string& text) {
     add(static_cast<std::uint64_t>(text.size()));
@@ -101,6 +107,14 @@ class Reader {
   template <class Value, std::size_t count>
   void take(std::array<Value, count>& values) {
     for (Value& value : values) take(value);
+  }
+  template <class... Kinds>
+  void take(std::variant<Kinds...>& any) {
+    std::uint64_t kind = 0, place = 0;
+    take(kind);
+    if (kind >= sizeof...(Kinds)) damaged();
+    ((place++ == kind ? static_cast<void>(any.template emplace<Kinds>()) : static_cast<void>(0)), ...);
+    std::visit([this](auto& one) { take(one); }, any);
   }
   void take(std::string& text) {
     text.resize(count_of(1));

@@ -70,6 +70,25 @@ TEST(Archive, ReadsBackWhatWasWritten) {
   EXPECT_EQ(after.matrix, before.matrix);
 }
 
+TEST(Archive, ReadsBackEachKindOfAVariant) {
+  using Any = std::variant<Part, Whole>;
+  const std::vector<Any> before{Part{.number = 3}, example(), Part{.number = 4}};
+  Writer writer;
+  writer(before);
+  std::vector<Any> after;
+  Reader reader(writer.bytes());
+  reader(after);
+  EXPECT_TRUE(reader.is_at_end());
+  ASSERT_EQ(after.size(), 3U);
+  EXPECT_EQ(std::get<Part>(after[0]).number, 3);
+  EXPECT_EQ(std::get<Whole>(after[1]).text, "two words");
+  EXPECT_EQ(std::get<Part>(after[2]).number, 4);
+  std::string bytes = writer.bytes();
+  bytes[sizeof(std::uint64_t)] = 2;  // the kind of the first, of two kinds
+  Reader damaged(bytes);
+  EXPECT_THROW(damaged(after), DamagedArchive);
+}
+
 TEST(Archive, ThatIsCutShortIsDamagedWhereverItEnds) {
   Writer writer;
   writer(example());
