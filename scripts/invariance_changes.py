@@ -180,6 +180,8 @@ class Scene:
             sets = mesh_files.sets_of_shape({key: one.value for key, one in shape.items()}, made["points"])
         except mesh_files.Unreadable as error:
             raise CannotChange(str(error)) from error
+        if (exact := exact_shape(body)) is not None:
+            body["shape"] = exact
         ends = made["offsets"]
         cells = [list(made["connectivity"][begin:end]) for begin, end in zip([0, *ends], ends)]
         body["mesh"] = {"kind": Quantity("file"), "path": Quantity(f"files_{body['name'].value}.vtu"),
@@ -200,6 +202,28 @@ class Scene:
         folder = self.store.scratch / self.label
         path = twins.put_down(tree, folder, folder, label, change=change)
         return self.store.run(self.driver, path, {})
+
+
+def exact_shape(body):
+    """The section `shape` with which a rigid body touches as with the mesh that it has; None if it touches with its facets.
+
+    >>> ball = {"kind": Quantity("sphere"), "radius": Quantity(0.1, "m"), "turn": Quantity("full")}
+    >>> exact_shape({"rigid": Quantity(True), "mesh": ball})["radius"].value
+    0.1
+    >>> exact_shape({"mesh": ball}) is None
+    True
+    """
+    mesh = body["mesh"]
+    if not word_of(body, "rigid", False) or word_of(body, "surface", "exact") == "facets" or "map" in mesh or "shape" in body:
+        return None
+    kind, scale = mesh["kind"].value, mesh["scale"].value if "scale" in mesh else 1.0
+    if kind not in ("sphere", "cylinder", "tube") or mesh["turn"].value != "full":
+        return None
+    shape = {"kind": Quantity(kind), "radius": Quantity(scale * mesh["radius"].value, "m")}
+    if kind != "sphere":
+        length = scale * mesh["length"].value
+        shape.update(length=Quantity(length, "m"), centre=Quantity([0.0, 0.0, length / 2], "m"), axis=Quantity([0.0, 0.0, 1.0]))
+    return shape
 
 
 def leaves(node):

@@ -11,6 +11,7 @@ namespace {
 constexpr double touching = 1e-6;  // [-] of an element: what is less deep touches
 constexpr Index length = 256;      // points, faces or edges in a range, fixed so that no number of threads changes a bit
 constexpr int most_crossings = 16;  // of one edge with one surface; what lies beyond them is not looked at
+constexpr int looks_along = 8;     // of an edge at a shape
 constexpr double along[] = {0.5, 0.25, 0.75};  // [-] where the inside part of an edge is looked at
 
 /// Takes over what another look found.
@@ -68,6 +69,10 @@ struct Own {
 /// Notes the depth of a point that is inside a skin.
 void note_inside(const Side& skin, const Vec3& p, const Own& own, Found& found) {
   const double size = own.size;
+  if (skin.surface.round) {
+    const double depth = -geometry::over_round(skin.surface.round->shape, skin.placed.round, p).distance;
+    return note(found, {depth, std::min(size, skin.surface.smallest), own.open, p, {own.region, skin.surface.face_region[0]}});
+  }
   const auto counts = [&](Index t) { return skin.surface.cut[skin.surface.face_of[t]] == 0; };
   const Nearest at = nearest(skin.surface, skin.placed, p, enough(found, size, skin.surface), counts);
   if (at.triangle < 0) return;
@@ -76,7 +81,15 @@ void note_inside(const Side& skin, const Vec3& p, const Own& own, Found& found) 
                {own.region, skin.surface.face_region[face]}});
 }
 
+/// A point, moved onto the exact shape of its body where there is one.
+Vec3 on_shape(const Side& side, const Vec3& p) {
+  if (!side.surface.round) return p;
+  const geometry::OverRound over = geometry::over_round(side.surface.round->shape, side.placed.round, p);
+  return p - over.distance * over.normal;
+}
+
 bool is_inside(const Side& skin, const Vec3& p) {
+  if (skin.surface.round) return geometry::over_round(skin.surface.round->shape, skin.placed.round, p).distance < 0;
   return holds(skin.placed.boxes[0], p) && winding(skin.surface, skin.placed, p) > 0;
 }
 
@@ -135,6 +148,12 @@ void look_inside(const Side& one, const Side& skin, std::vector<char>& inside, s
     const Index first = surface.edges(0, e), last = surface.edges(1, e);
     const Vec3 a = off_planes(one, first), b = off_planes(one, last);
     if (!meet(box_of(a, b), box)) return;
+    if (skin.surface.round || surface.round) {
+      const Own own{std::min(surface.size(first), surface.size(last)), open_along(one, e), surface.region[first]};
+      for (int i = 1; i < looks_along; ++i)
+        if (const Vec3 p = on_shape(one, a + (b - a) * i / looks_along); is_inside(skin, p)) note_inside(skin, p, own, here);
+      return;
+    }
     const Cuts at = cuts(skin, a, b);
     if (at.count == 2 && !inside[first]) return;
     const Own own{std::min(surface.size(first), surface.size(last)), open_along(one, e), surface.region[first]};
@@ -329,8 +348,9 @@ Found overlap(Workspace& work, Index first, Index second) {
   if (apart(one.placed, other.placed)) return found;
   if (other.surface.closed) look_inside(one, other, work.inside, work.parts, found);
   if (one.surface.closed) look_inside(other, one, work.inside, work.parts, found);
-  if (!mid_other.surface.closed) look_through(one, mid_other, work.inside, work.group, work.reach, work.parts, found);
-  if (!mid_one.surface.closed) look_through(other, mid_one, work.inside, work.group, work.reach, work.parts, found);
+  const auto is_sheet = [](const Side& side) { return !side.surface.closed && !side.surface.round; };
+  if (is_sheet(mid_other)) look_through(one, mid_other, work.inside, work.group, work.reach, work.parts, found);
+  if (is_sheet(mid_one)) look_through(other, mid_one, work.inside, work.group, work.reach, work.parts, found);
   return found;
 }
 

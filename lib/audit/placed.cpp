@@ -73,6 +73,15 @@ void stand_off(const Surface& surface, Placed& placed) {
   }
 }
 
+/// Moves the points and the centres of a closed surface onto the exact shape of its body.
+void move_onto_shape(const Surface& surface, const Vectors& x, Placed& placed) {
+  placed.round = mesh::placed(*surface.round, x);
+  for (Eigen::Index p = 0; surface.closed && p < placed.at.cols(); ++p) {
+    const geometry::OverRound over = geometry::over_round(surface.round->shape, placed.round, placed.at.col(p));
+    placed.at.col(p) -= over.distance * over.normal;
+  }
+}
+
 }  // namespace
 
 Placed make_placed(const Surface& surface) {
@@ -99,10 +108,11 @@ void place(const Surface& surface, const Vectors& x, Placed& placed, const Scala
     const Vec3 three = placed.at.col(at(0)) + placed.at.col(at(1)) + placed.at.col(at(2));
     placed.at.col(points + f) = at(3) < 0 ? Vec3(three / 3) : Vec3((three + placed.at.col(at(3))) / 4);
   }
+  if (surface.round && placed.finite) move_onto_shape(surface, x, placed);
   if (surface.closed) add_normals(surface, static_cast<Index>(surface.faces.cols()), placed);
   placed.open_at.setZero();
   for (Index f = 0; f < surface.faces.cols(); ++f) {
-    placed.open(f) = left_open(surface, placed, f);
+    placed.open(f) = surface.round ? 0 : left_open(surface, placed, f);
     for (int i = 0; i < 4; ++i)
       if (surface.faces(i, f) >= 0) placed.open_at(surface.faces(i, f)) = std::max(placed.open_at(surface.faces(i, f)), placed.open(f));
   }
@@ -115,6 +125,10 @@ void place(const Surface& surface, const Vectors& x, Placed& placed, const Scala
     }
     placed.boxes[n] = around(placed.boxes[n + 1], placed.boxes[node.second]);
     placed.looks[n] = around(placed.looks[n + 1], placed.looks[node.second]);
+  }
+  if (surface.round && !placed.boxes.empty()) {  // the shape bulges out between its points
+    const Vec3 reach = Vec3::Constant(geometry::reach(surface.round->shape));
+    placed.boxes[0] = {placed.round.centre - reach, placed.round.centre + reach};
   }
 }
 

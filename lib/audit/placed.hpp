@@ -32,6 +32,7 @@ struct Placed {
   Scalars open, open_at;   ///< [m] [faces] what a face leaves open, see left_open(); [points] the most of the faces around
   std::vector<Box> looks;  ///< [-] beside Surface::tree: around the unit normals of its triangles
   std::vector<Box> boxes;  ///< beside Surface::tree; a little larger than what they hold
+  geometry::PlacedRound round;  ///< where Surface::round stands
   bool finite = false;     ///< whether all positions are numbers; if not, nothing may be asked
 };
 

@@ -4,10 +4,12 @@
 // It knows nothing of contact: not which surfaces a case names, nor what a contact found on them.
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "mesh/mesh.hpp"
+#include "mesh/round_body.hpp"
 
 namespace nereid::audit {
 
@@ -56,6 +58,7 @@ struct Surface {
   std::vector<char> on_rim;       ///< [points] sheets only
   Table<2> rim_edges;             ///< points; sheets only
   double smallest = 0;            ///< [m] of face_size
+  std::optional<mesh::RoundBody> round;  ///< exact shape of a rigid body; depths are measured from it, and not from the faces
   Tree tree;
 };
 

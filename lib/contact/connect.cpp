@@ -8,6 +8,8 @@
 #include "contact/multiplier/bond.hpp"
 #include "contact/search/edge_pairs.hpp"
 #include "contact/search/near.hpp"
+#include "contact/search/shapes.hpp"
+#include "contact/multiplier/shape_points.hpp"
 #include "contact/surface/stand.hpp"
 #include "contact/tracking/edge_over_edge.hpp"
 #include "contact/tracking/element.hpp"
@@ -109,6 +111,12 @@ InitialGaps connect(Interface& interface, const Vectors& x, double reach, const 
   gaps.apexes = count;
   gaps.least = infinite;
   gaps.largest = -infinite;
+  if (by_shapes_alone(interface)) {
+    gaps.apexes = gaps.without_base = 0, gaps.least = gaps.largest = 0;
+    search_shapes(interface, x, memory);
+    add_gaps_of_shapes(interface, x, penetration == InitialPenetration::accept, memory, gaps);
+    return gaps;
+  }
   std::vector<double> initial(count, std::numeric_limits<double>::quiet_NaN());
   std::vector<char> crosses(count, 0);  // whether an apex stands behind a facet that it touches
   const bool one_pair = interface.bodies.count() == 0;
@@ -181,6 +189,7 @@ InitialGaps connect(Interface& interface, const Vectors& x, double reach, const 
   const Index connected = gaps.apexes - gaps.without_base - gaps.behind;
   if (connected == 0) gaps.least = gaps.largest = 0;
   else gaps.mean /= connected;
+  add_gaps_of_shapes(interface, x, penetration == InitialPenetration::accept, memory, gaps);
   return gaps;
 }
 

@@ -112,6 +112,20 @@ void visit(Archive& archive, Crossing& crossing) {
 }
 
 template <class Archive>
+void visit(Archive& archive, NearFeature& near) {
+  auto& [pair, kind, id] = near;
+  archive(pair, kind, id);
+}
+
+template <class Archive>
+void visit(Archive& archive, ShapePoint& point) {
+  auto& [pair, kind, id, part, nodes, node, weight, rub_weight, normal, place, gap, curved, area, acts, closed, rubs, stuck, pressed,
+         coefficient, friction, restitution] = point;
+  archive(pair, kind, id, part, nodes, node, weight, rub_weight, normal, place, gap, curved, area, acts, closed, rubs, stuck, pressed,
+          coefficient, friction, restitution);
+}
+
+template <class Archive>
 void visit(Archive& archive, Meeting& meeting) {
   auto& [one, other, first, last, impulse, now, before] = meeting;
   archive(one, other, first, last, impulse, now, before);
@@ -131,8 +145,9 @@ void visit(Archive& archive, SidesMemory& memory) {
 template <class Archive>
 void visit(Archive& archive, Memory& memory) {
   archive(static_cast<SidesMemory&>(memory));
-  archive(memory.shares, memory.near, memory.near_facets, memory.slot, memory.feature, memory.status, memory.gap, memory.stored,
-          memory.slip, memory.tangential_stored, memory.reconnections, memory.thicker, memory.damped, memory.thinned, memory.restitution,
+  archive(memory.near_shapes, memory.shape_points, memory.shape_overlap, memory.shares, memory.near, memory.near_facets, memory.slot,
+          memory.feature, memory.status, memory.gap, memory.stored, memory.slip,
+          memory.tangential_stored, memory.reconnections, memory.thicker, memory.damped, memory.thinned, memory.restitution,
           memory.has_trend, memory.created_by_reconnection, memory.step_factor, memory.walks, memory.lost, memory.recovered);
 }
 
@@ -143,12 +158,12 @@ void visit(Archive& archive, EdgeMemory& memory) {
 
 template <class Archive>
 void visit(Archive& archive, PlaneMemory& memory) {
-  auto& [force, restitution, next_force, friction, next_friction, stuck, slip, sliding, work, stored, friction_to_come, friction_owed,
-         tangential_stored, friction_dissipated, transferred, impact, power_rate, step_factor, deepest, deepest_node, deepest_time, impulse,
-         angular_impulse] = memory;
-  archive(force, restitution, next_force, friction, next_friction, stuck, slip, sliding, work, stored, friction_to_come, friction_owed,
-          tangential_stored, friction_dissipated, transferred, impact, power_rate, step_factor, deepest, deepest_node, deepest_time,
-          impulse, angular_impulse);
+  auto& [shape_points, force, restitution, next_force, friction, next_friction, stuck, slip, sliding, work, stored, friction_to_come,
+         friction_owed, tangential_stored, friction_dissipated, transferred, impact, power_rate, step_factor, deepest, deepest_node,
+         deepest_time, impulse, angular_impulse] = memory;
+  archive(shape_points, force, restitution, next_force, friction, next_friction, stuck, slip, sliding, work, stored, friction_to_come,
+          friction_owed, tangential_stored, friction_dissipated, transferred, impact, power_rate, step_factor, deepest, deepest_node,
+          deepest_time, impulse, angular_impulse);
 }
 
 }  // namespace contact

@@ -6,6 +6,7 @@
 
 #include "base/check.hpp"
 #include "contact/penalty/impact_step.hpp"
+#include "dynamics/shapes.hpp"
 #include "dynamics/side.hpp"
 #include "mesh/adjacency.hpp"
 
@@ -160,12 +161,14 @@ contact::Sides common_to_both(const Model& model, const std::string& name, const
   return sides;
 }
 
-Connected connect_nodes(Model& model, const std::string& name, const contact::Bodies& bodies, const contact::Beside& beside,
-                        const std::vector<Skin>& skins, const mesh::Surface& surface, const InterfaceOptions& options, const Vectors& x) {
+Connected connect_nodes(Model& model, const std::string& name, const contact::Bodies& bodies, const contact::Shapes& shapes,
+                        const contact::Beside& beside, const std::vector<Skin>& skins, const mesh::Surface& surface,
+                        const InterfaceOptions& options, const Vectors& x) {
   contact::Interface interface;
   static_cast<contact::Sides&>(interface) = common_to_both(model, name, bodies, surface, options);
   const auto nodes_of_mesh = static_cast<Index>(model.mesh.X.cols());
   interface.method = options.method;
+  interface.shapes = shapes;
   interface.base = contact::base_surface(surface, model.mesh.X, bodies.of_facet);
   contact::mark_halves(interface.base, mesh::faces(model.mesh, surface));
   for (const Subset& plane : symmetry_planes(model)) contact::goes_on_behind(interface.base, plane);
@@ -248,11 +251,14 @@ std::vector<Connected> connect_automatic(Model& model, const std::string& name, 
   check(model.mass.size() == model.mesh.X.cols(), "finalize() a model before it gets an interface");
   const Vectors& x = start != nullptr ? *start : model.mesh.X;
   const std::vector<Skin> skins = skins_of(model, list);
-  const contact::Bodies bodies = bodies_of(model, list, skins, apart, options);
+  contact::Bodies bodies = bodies_of(model, list, skins, apart, options);
   const contact::Beside beside = beside_of(model, list, skins);
   const mesh::Surface surface = joined(name, skins);
+  std::vector<const mesh::Surface*> surfaces;
+  for (const Skin& skin : skins) surfaces.push_back(skin.surface);
+  const contact::Shapes shapes = shapes_of_bodies(model, surfaces, mesh::surface_nodes(surface), options, bodies);
   std::vector<Connected> connected;
-  connected.push_back(connect_nodes(model, name, bodies, beside, skins, surface, options, x));
+  connected.push_back(connect_nodes(model, name, bodies, shapes, beside, skins, surface, options, x));
   if (!options.edges) return connected;
   for (Connected& edges : connect_edges(model, name, bodies, beside, skins, surface, options, x)) connected.push_back(std::move(edges));
   return connected;

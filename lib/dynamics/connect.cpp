@@ -9,6 +9,7 @@
 #include "base/check.hpp"
 #include "contact/penalty/impact_step.hpp"
 #include "contact/report/coarseness.hpp"
+#include "dynamics/shapes.hpp"
 #include "dynamics/side.hpp"
 
 namespace nereid::dynamics {
@@ -96,6 +97,7 @@ Connected connect_one_pass(Model& model, const std::string& name, const std::str
   interface.facet_area = mesh::facet_areas(model.mesh, base);
   const Side of_apexes = side_of(model, apexes), of_base = side_of(model, base);
   static_cast<contact::Between&>(interface) = between(of_apexes, of_base, options, share);
+  if (auto shapes = shapes_of_pair(model, apexes, base, options, interface)) interface.shapes = std::move(*shapes);
   if (options.heights == contact::Heights::points && pass != contact::Pass::only)
     interface.heights = pass == contact::Pass::back ? contact::Heights::guards : contact::Heights::points;
   check(interface.penalty > 0, "an interface needs a penalty or elements on both sides");
@@ -122,7 +124,7 @@ Connected connect_one_pass(Model& model, const std::string& name, const std::str
   connected.gaps =
       contact::connect(interface, x, reach, options.height, options.initial_penetration, memory, workspace);
   connected.memory = std::move(memory);
-  if (in_one_direction && pass != contact::Pass::back) {
+  if (in_one_direction && pass != contact::Pass::back && !contact::by_shapes_alone(interface)) {
     const mesh::FacesAround around = mesh::faces_around(model.mesh, base, interface.base_nodes);
     connected.gaps.coarseness = contact::coarseness(interface, around, x, reach, workspace);
   }
@@ -197,6 +199,11 @@ std::vector<Connected> connect(Model& model, const std::string& name, const std:
                                const InterfaceOptions& options, const Vectors* start) {
   const Vectors& x = start != nullptr ? *start : model.mesh.X;
   std::vector<Connected> passes;
+  const mesh::Surface &apexes = mesh::surface(model.mesh, apex_surface), &base = mesh::surface(model.mesh, base_surface);
+  if (shapes_of_pair(model, apexes, base, options, {})) {
+    passes.push_back(connect_one_pass(model, name, apex_surface, base_surface, options, x, contact::Pass::only));
+    return passes;
+  }
   const auto side = [&](const std::string& surface) { return side_of(model, mesh::surface(model.mesh, surface)); };
   const bool by_nodes = options.heights == contact::Heights::points && !may_have_points(side(apex_surface), side(base_surface));
   if (!options.two_passes || by_nodes) {

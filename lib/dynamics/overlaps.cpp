@@ -60,7 +60,15 @@ audit::Surfaces audited_surfaces(const Model& model) {
   std::vector<audit::Symmetry> planes;
   for (const load::Plane& plane : model.constraints.planes)
     if (plane.kind == load::PlaneKind::symmetry) planes.push_back({plane.normal, plane.nodes});
-  return audit::surfaces(model.mesh, thicknesses, planes);
+  audit::Surfaces all = audit::surfaces(model.mesh, thicknesses, planes);
+  const auto set_round = [&](audit::Surface& surface) {
+    if (surface.nodes.empty() || model.rigid_of_node.empty()) return;
+    const Index body = model.rigid_of_node[static_cast<std::size_t>(surface.nodes[0])];
+    if (body >= 0) surface.round = model.rigid_bodies[static_cast<std::size_t>(body)].round;
+  };
+  for (audit::Surface& surface : all.list) set_round(surface);
+  for (audit::Surface& surface : all.shells) set_round(surface);
+  return all;
 }
 
 std::map<std::array<Index, 2>, double> allowed_overlaps(const Model& model, const audit::Surfaces& all) {

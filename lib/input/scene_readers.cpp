@@ -68,6 +68,26 @@ model::GivenMass read_given_mass(const Section& section) {
   return given;
 }
 
+/// A round shape: `centre` [m], and of all but spheres `axis` and `length`.
+model::GivenShape read_given_shape(const Section& section) {
+  const std::string kind = section.choice("kind", {"sphere", "cylinder", "ring", "tube"});
+  const bool is_sphere = kind == "sphere";
+  model::GivenShape given;
+  given.shape.kind = is_sphere            ? geometry::RoundKind::sphere
+                     : kind == "cylinder" ? geometry::RoundKind::cylinder
+                     : kind == "ring"     ? geometry::RoundKind::ring
+                                          : geometry::RoundKind::tube;
+  given.shape.radius = section.quantity("radius", dim::length, positive);
+  const double inner = section.when(kind == "ring").quantity("inner_radius", dim::length, positive);
+  const double length = section.when(!is_sphere).quantity("length", dim::length, positive);
+  if (kind == "ring") given.shape.inner = inner;
+  if (!is_sphere) given.shape.half_length = length / 2;
+  const auto centre = section.vector_or("centre", std::array<double, 3>{0, 0, 0}, dim::length);
+  given.centre = Vec3(centre.data());
+  if (!is_sphere) given.axis = read_direction(section, "axis");
+  return given;
+}
+
 model::Body read_body(const Section& section, Names& taken) {
   const Section mesh = section.section("mesh");
   mesh::Origin origin;
@@ -81,6 +101,8 @@ model::Body read_body(const Section& section, Names& taken) {
                    .solid = {},
                    .plate = {},
                    .rigid = section.flag_or("rigid", false),
+                   .surface = {},
+                   .shape = {},
                    .given = {},
                    .origin = {},
                    .at = section.path()};
@@ -88,6 +110,14 @@ model::Body read_body(const Section& section, Names& taken) {
   if (section.has("mass_properties")) {
     const model::GivenMass given = read_given_mass(section.when(body.rigid).section("mass_properties"));
     if (body.rigid) body.given = given;
+  }
+  if (section.has("surface")) {
+    const std::string word = section.when(body.rigid).choice("surface", {"exact", "facets"});
+    body.surface = word == "exact" ? model::TouchesAs::exact : model::TouchesAs::facets;
+  }
+  if (section.has("shape")) {
+    const model::GivenShape given = read_given_shape(section.when(body.rigid).section("shape"));
+    if (body.rigid) body.shape = given;
   }
   const Section material = section.section("material");
   body.law = model::has_plates(body.mesh) ? read_plate_law(material) : read_law(material);

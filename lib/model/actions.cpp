@@ -6,7 +6,9 @@
 
 #include "base/words.hpp"
 #include "contact/penalty/impact_step.hpp"
+#include "contact/multiplier/shape_points.hpp"
 #include "dynamics/displace.hpp"
+#include "dynamics/shapes.hpp"
 #include "mesh/adjacency.hpp"
 #include "model/meshes.hpp"
 #include "model/stages.hpp"
@@ -51,6 +53,21 @@ void refuse_nodes_behind(Faults& faults, const Part& part, const Plane& plane, c
   refuse(faults, part, "point",
          formatted("%zu of %zu nodes start behind '%s', by %.4g m at most: move the body, or turn 'normal' to its side", count,
                    plane.nodes.size(), plane.name.c_str(), -deepest));
+}
+
+/// The same of a body that touches as a shape.
+void refuse_shapes_behind(Faults& faults, const Part& part, const contact::RigidPlane& plane, const Vectors& x) {
+  const double behind = -round_off * (x.rowwise().maxCoeff() - x.rowwise().minCoeff()).norm();
+  for (const mesh::RoundBody& round : plane.rounds) {
+    std::vector<contact::Spot> spots;
+    contact::spots_on_plane(round.shape, mesh::placed(round, x), plane.point, plane.normal, spots);
+    double least = 0;
+    for (const contact::Spot& spot : spots) least = std::min(least, spot.gap);
+    if (least < behind)
+      refuse(faults, part, "point",
+             formatted("the shape of a body starts behind '%s', by %.4g m: move it, turn 'normal' to its side, or say 'surface: facets'",
+                       plane.name.c_str(), -least));
+  }
 }
 
 /// Nodes of a symmetry plane lie on one.
@@ -250,12 +267,15 @@ void add_planes(const Scene& scene, dynamics::Model& model, Faults& faults) {
 void add_rigid_planes(const Scene& scene, dynamics::Model& model) {
   for (const RigidPlane& plane : scene.rigid_planes) {
     const mesh::Surface& surface = mesh::surface(model.mesh, plane.surface);
-    const Subset nodes = mesh::surface_nodes(surface);
+    const rigid::Body* round = plane.method == contact::Method::multiplier ? dynamics::round_body_of(model, surface) : nullptr;
+    const Subset nodes = round != nullptr ? Subset() : mesh::surface_nodes(surface);
     model.rigid_planes.push_back({.name = plane.name,
                                   .point = plane.point,
                                   .normal = plane.normal,
                                   .nodes = nodes,
                                   .area = mesh::tributary_areas(model.mesh, surface, nodes),
+                                  .rounds = round != nullptr ? std::vector{*round->round} : std::vector<mesh::RoundBody>(),
+                                  .round_area = mesh::facet_areas(model.mesh, surface).mean(),
                                   .method = plane.method,
                                   .restitution = plane.restitution,
                                   .impedance = dynamics::surface_impedance(model, surface),
@@ -271,8 +291,10 @@ void check_sides_of_planes(const Scene& scene, const dynamics::Model& model, con
   const auto& planes = model.constraints.planes;  // none after a conflict
   for (std::size_t p = 0; p < planes.size(); ++p)
     if (planes[p].kind == load::PlaneKind::floor) refuse_nodes_behind(faults, part_of(scene.planes[p]), planes[p], x);
-  for (std::size_t p = 0; p < model.rigid_planes.size(); ++p)
+  for (std::size_t p = 0; p < model.rigid_planes.size(); ++p) {
     refuse_nodes_behind(faults, part("plane", scene.rigid_planes[p]), model.rigid_planes[p], x);
+    refuse_shapes_behind(faults, part("plane", scene.rigid_planes[p]), model.rigid_planes[p], x);
+  }
 }
 
 void add_loads(const Scene& scene, dynamics::Model& model, Faults& faults) {

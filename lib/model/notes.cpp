@@ -19,8 +19,9 @@ namespace nereid::model {
 
 namespace {
 
-int pairs_that_touch(const contact::Bodies& bodies) {
-  int count = 0;
+int pairs_that_touch(const contact::Interface& interface) {
+  const contact::Bodies& bodies = interface.bodies;
+  int count = static_cast<int>(interface.shapes.pairs.size());
   for (Index a = 0; a < bodies.count(); ++a)
     for (Index b = a; b < bodies.count(); ++b) count += bodies.touch[bodies.pair(a, b)] != 0;
   return count;
@@ -51,8 +52,20 @@ std::vector<std::string> pairs_found(const Simulation& simulation, std::size_t c
     rows.push_back(formatted("%-14s %s and %s: %d apexes within %.4g m, least gap %.4g m", "", one.c_str(), other.c_str(), seen.apexes,
                              interface.margin, seen.least));
   }
+  std::set<Index> by_shapes;
+  for (const contact::NearFeature& near : memory.near_shapes) by_shapes.insert(near.pair);
+  for (const Index p : by_shapes) {
+    const contact::ShapePair& pair = interface.shapes.pairs[static_cast<std::size_t>(p)];
+    const auto name = [&](Index body) { return bodies.count() > 0 ? bodies.names[static_cast<std::size_t>(body)] : std::string(); };
+    if (bodies.count() > 0)
+      rows.push_back(formatted("%-14s %s and %s: by the exact shape of %s", "", name(pair.body).c_str(), name(pair.other_body).c_str(),
+                               pair.other >= 0 ? "both" : name(pair.body).c_str()));
+    else
+      rows.push_back(formatted("%-14s by the exact shape of the rigid body%s", "", pair.other >= 0 ? " on each side" : ""));
+  }
   if (bodies.count() > 0)
-    rows.push_back(formatted("%-14s %zu pairs of bodies are near of %d that may touch", "", found.size(), pairs_that_touch(bodies)));
+    rows.push_back(formatted("%-14s %zu pairs of bodies are near of %d that may touch", "", found.size() + by_shapes.size(),
+                             pairs_that_touch(interface)));
   return rows;
 }
 

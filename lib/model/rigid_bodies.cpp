@@ -5,6 +5,7 @@
 
 #include "base/dense.hpp"
 #include "base/words.hpp"
+#include "mesh/placement.hpp"
 #include "rigid/hold.hpp"
 
 namespace nereid::model {
@@ -34,6 +35,67 @@ rigid::MassProperties mass_of(const Body& body, const dynamics::Model& model, co
   if (body.given.centre) mass.centre = *body.given.centre;
   if (body.given.inertia) mass.inertia = *body.given.inertia;
   return mass;
+}
+
+/// The shape that a mesh was made of.
+std::optional<geometry::Round> round_of(const Body& body) {
+  if (body.shape) {
+    geometry::Round given = body.shape->shape;
+    if (given.kind == geometry::RoundKind::tube) given.half_thickness = body.plate.thickness / 2;
+    return given;
+  }
+  if (body.map[0]) return std::nullopt;
+  std::optional<geometry::Round> round;
+  if (const auto* sphere = std::get_if<mesh::Sphere>(&body.mesh)) round = mesh::round_of(*sphere);
+  if (const auto* cylinder = std::get_if<mesh::Cylinder>(&body.mesh)) round = mesh::round_of(*cylinder);
+  if (const auto* ring = std::get_if<mesh::Revolved>(&body.mesh)) round = mesh::round_of(*ring);
+  if (const auto* tube = std::get_if<mesh::Tube>(&body.mesh)) round = mesh::round_of(*tube, body.plate.thickness / body.scale);
+  if (!round) return std::nullopt;
+  for (double* length : {&round->radius, &round->inner, &round->half_length, &round->half_thickness}) *length *= body.scale;
+  return round;
+}
+
+/// Where that shape stands.
+geometry::PlacedRound placed_round(const Body& body) {
+  mesh::Mesh frame, axes;
+  const Vec3 centre = body.scale * std::visit(
+      [](const auto& one) {
+        if constexpr (requires { mesh::centre_of(one); }) return mesh::centre_of(one);
+        else return Vec3(Vec3::Zero());
+      },
+      body.mesh);
+  frame.X = body.shape ? body.shape->centre : centre;
+  if (body.place.angle != 0) frame = mesh::rotated_about(std::move(frame), body.place.axis, body.place.angle, body.place.about);
+  const Vec3 axis = body.shape ? body.shape->axis : Vec3(Vec3::UnitZ());
+  axes.X.resize(3, 2);
+  axes.X << axis, (body.shape ? axis.unitOrthogonal() : Vec3(Vec3::UnitX()));
+  if (body.place.angle != 0) axes = mesh::rotated_about(std::move(axes), body.place.axis, body.place.angle, Vec3::Zero());
+  return {.centre = frame.X.col(0) + body.place.move, .axis = axes.X.col(0), .across = axes.X.col(1)};
+}
+
+/// The nodes of the skin lie on a shape that is given, or on the mid-surface of a tube.
+void refuse_nodes_off(const Body& body, const geometry::Round& round, const mesh::Mesh& mesh, Faults& faults) {
+  constexpr double on_shape = 1e-6;  // of its size: files have some digits
+  const geometry::PlacedRound at = placed_round(body);
+  double most = 0;
+  for (const Index node : mesh::node_set(mesh, body.name + ".skin"))
+    most = std::max(most, std::abs(geometry::over_round(round, at, mesh.X.col(node)).distance + round.half_thickness));
+  if (most > on_shape * geometry::reach(round))
+    refuse(faults, part("body", body), "shape",
+           formatted("nodes of the skin of '%s' lie beside the 'shape', by %.4g m at most", body.name.c_str(), most));
+}
+
+/// Lets a rigid body touch as the shape that it is.
+void set_round(const Body& body, const mesh::Mesh& mesh, rigid::Body& rigid, Faults& faults) {
+  const Vectors& X = mesh.X;
+  if (body.surface == TouchesAs::facets) return;
+  const std::optional<geometry::Round> round = round_of(body);
+  if (body.shape) refuse_nodes_off(body, *round, mesh, faults);
+  if (round) rigid.round = mesh::tied(*round, placed_round(body), X, rigid.nodes);
+  else if (body.surface == TouchesAs::exact)
+    refuse(faults, part("body", body), "surface",
+           quote(body.name) + " has no exact surface: whole meshes of the kinds 'sphere', 'cylinder' and 'tube', and 'revolved' of one "
+                              "rectangle have one, without 'map'");
 }
 
 /// Directions in which a plane holds its nodes.
@@ -160,6 +222,7 @@ void add_rigid_bodies(const Scene& scene, dynamics::Model& model, Faults& faults
     for (std::size_t b = 0; b < model.blocks.size(); ++b)
       if (belongs(element::name(model.blocks[b]), body)) model.rigid_of_block[b] = static_cast<Index>(model.rigid_bodies.size());
     model.rigid_bodies.push_back(rigid::make_body(body.name, mass, model.mesh.X, nodes));
+    set_round(body, model.mesh, model.rigid_bodies.back(), faults);
   }
   hold_rigid_bodies(scene, model.constraints, model, faults);
   const bool all = std::none_of(model.rigid_of_block.begin(), model.rigid_of_block.end(), [](Index body) { return body < 0; });

@@ -63,6 +63,19 @@ struct GivenMass {
   std::optional<Mat3> inertia = {};    ///< [kg m2] about the centre, in the axes of the scene
 };
 
+/// As what a rigid body touches.
+enum class TouchesAs {
+  usual,   ///< the shape that its mesh was made of, where that is a whole sphere, cylinder, ring or tube; else its facets
+  exact,   ///< that shape
+  facets,  ///< the facets of its mesh
+};
+
+/// A round shape on which the outer nodes of a mesh lie.
+struct GivenShape {
+  geometry::Round shape;
+  Vec3 centre = Vec3::Zero(), axis = Vec3::UnitZ();  ///< [m] before the body is placed; unit vector
+};
+
 /// One body: its mesh, where it stands, and what it is made of.
 struct Body {
   std::string name;
@@ -75,6 +88,8 @@ struct Body {
   element::AnyHexahedronOptions solid = {};   ///< of the solids in the mesh
   element::Plate::Options plate = {};         ///< of the plates in the mesh
   bool rigid = false;                         ///< it moves as one, and its elements compute nothing
+  TouchesAs surface = TouchesAs::usual;       ///< of a rigid body
+  std::optional<GivenShape> shape = {};       ///< of a rigid body, in place of the shape that its mesh was made of
   GivenMass given = {};                       ///< of a rigid body
   mesh::Origin origin = {};                   ///< of a given mesh, which has its names from a file
   std::string at = {};

@@ -20,14 +20,36 @@ Field vector(const std::string& name, const std::string& unit, Eigen::MatrixXd v
   return {name, unit, vector_components, std::move(values)};
 }
 
+/// Moves what acts on the four nodes of round shapes to the node of the body that is nearest to the point of contact.
+void show_at_nearest(const dynamics::View& view, const std::vector<contact::ShapePoint>& points, Vectors& force) {
+  for (const contact::ShapePoint& point : points) {
+    const Vec3 push = point.pressed * point.normal, whole = push + point.friction;
+    for (int first = point.nodes % 4; first < point.nodes; first += 4) {  // the last nodes are those of one shape or of two
+      double sign = 0;
+      for (int j = first; j < first + 4; ++j) {
+        const auto at = static_cast<std::size_t>(j);
+        force.col(point.node[at]) -= point.weight[at] * push + point.rub_weight[at] * point.friction, sign += point.weight[at];
+      }
+      Index nearest = point.node[static_cast<std::size_t>(first)];
+      const auto body = static_cast<std::size_t>(view.model.rigid_of_node[static_cast<std::size_t>(nearest)]);
+      for (const Index node : view.model.rigid_bodies[body].nodes)
+        if ((view.now.x.col(node) - point.place).squaredNorm() < (view.now.x.col(nearest) - point.place).squaredNorm()) nearest = node;
+      force.col(nearest) += sign * whole;
+    }
+  }
+}
+
 /// Contact forces on the nodes, of contacts between bodies and rigid planes. [N]
 Vectors contact_forces(const dynamics::View& view) {
   Vectors force = Vectors::Zero(3, view.now.x.cols()), moment = Vectors::Zero(3, view.now.omega.cols());
   for (std::size_t c = 0; c < view.model.contacts.size(); ++c)
     contact::with_memory(view.model.contacts[c], view.now.contacts[c],
                          [&](const auto& one, const auto& memory) { contact::add_forces(one, memory, force, moment); });
+  for (const contact::AnyMemory& any : view.now.contacts)
+    if (const auto* memory = std::get_if<contact::Memory>(&any)) show_at_nearest(view, memory->shape_points, force);
   for (std::size_t p = 0; p < view.model.rigid_planes.size(); ++p)
     contact::add_forces(view.model.rigid_planes[p], view.now.rigid_planes[p], force);
+  for (const contact::PlaneMemory& memory : view.now.rigid_planes) show_at_nearest(view, memory.shape_points, force);
   return force;
 }
 

@@ -14,9 +14,11 @@
 // three such parts, forth, back and forth, whose lengths make it of fourth order (Yoshida, Phys. Lett. A 150 (1990) 262).
 // docs/theory/rigid.md
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "mesh/round_body.hpp"
 #include "rigid/mass.hpp"
 
 namespace nereid::rigid {
@@ -36,6 +38,7 @@ struct Body {
   Subset nodes;         ///< ascending
   Vectors arm;          ///< [m] [nodes] from the centre in the reference
   Hold hold;
+  std::optional<mesh::RoundBody> round = std::nullopt;  ///< the shape as which it touches; nothing: with its facets
 };
 Body make_body(const std::string& name, const MassProperties&, const Vectors& X, const Subset& nodes);
 

@@ -56,6 +56,24 @@ TEST(Overlap, OfBodiesInTheSamePlaceIsFoundHalfAnElementBehindTheirFaces) {
   EXPECT_NEAR(found(stacked(1, 4, 4, 0)).deepest, 0.125, 1e-12);
 }
 
+TEST(Overlap, OfABodyWithAnExactShapeIsMeasuredFromThatShape) {
+  const mesh::Cylinder bar{.radius = 1, .length = 4, .turn = mesh::Revolution::full, .cells_core = 2, .cells_ring = 2, .cells_along = 4};
+  const Vec3 beside = 1.47 * Vec3(std::cos(pi / 8), std::sin(pi / 8), 0) + Vec3(0, 0, 2);
+  const mesh::Mesh all = mesh::join(mesh::cylinder("bar", bar), mesh::moved(block("cube", Vec3::Ones(), {4, 4, 4}), beside));
+  Surfaces surfaces = audit::surfaces(all, {});
+  for (Surface& surface : surfaces.list) {
+    if (surface.nodes[0] != 0) continue;
+    Subset nodes = surface.nodes;
+    surface.round = mesh::tied(*mesh::round_of(bar), {.centre = mesh::centre_of(bar)}, all.X, nodes);
+  }
+  Workspace work = make_workspace(std::move(surfaces));
+  place(all.X, work);
+  double least = 1;  // of the corners of the cube from the axis
+  for (const double x : {-0.5, 0.5})
+    for (const double y : {-0.5, 0.5}) least = std::min(least, std::hypot(1.47 * std::cos(pi / 8) + x, 1.47 * std::sin(pi / 8) + y));
+  EXPECT_NEAR(overlap(work, 0, 1).deepest, 1 - least, 1e-12);
+}
+
 TEST(Overlap, OfACubeWithinACubeIsHowFarItsDeepestPointIsFromTheSkin) {
   const mesh::Mesh cubes = mesh::join(block("shell", Vec3::Constant(4), {4, 4, 4}), block("core", Vec3::Ones(), {2, 2, 2}));
   EXPECT_NEAR(found(cubes).deepest, 1.75, 1e-12);  // half an element behind the middle of a face

@@ -23,6 +23,34 @@ TEST(RigidBodies, HaveTheMassOfTheirMesh) {
   EXPECT_EQ(model.longest_step, 1e300);
 }
 
+TEST(RigidBodies, OfRoundMeshesTouchAsTheirShapeWhereverTheyStand) {
+  Body ball = rigid(bar());
+  ball.mesh =
+      mesh::Cylinder{.radius = 0.2, .length = 1, .turn = mesh::Revolution::full, .cells_core = 2, .cells_ring = 1, .cells_along = 2};
+  ball.scale = 2;
+  ball.place = {.axis = Vec3::UnitX(), .angle = pi / 2, .about = Vec3(0, 0, 1), .move = Vec3(5, 0, 0)};
+  const dynamics::Model model = build(with({ball})).model;
+  ASSERT_TRUE(model.rigid_bodies[0].round);
+  const geometry::Round& shape = model.rigid_bodies[0].round->shape;
+  EXPECT_EQ(shape.radius, 0.4);
+  EXPECT_EQ(shape.half_length, 1);
+  const geometry::PlacedRound at = mesh::placed(*model.rigid_bodies[0].round, model.mesh.X);
+  for (const Index node : mesh::surface_nodes(mesh::surface(model.mesh, "bar.skin")))
+    EXPECT_NEAR(geometry::over_round(shape, at, model.mesh.X.col(node)).distance, 0, 1e-14);
+  ball.surface = TouchesAs::facets;
+  EXPECT_FALSE(build(with({ball})).model.rigid_bodies[0].round);
+}
+
+TEST(RigidBodies, WithoutARoundMeshHaveNoExactSurface) {
+  Body box = rigid(bar());
+  EXPECT_FALSE(build(with({box})).model.rigid_bodies[0].round);
+  box.surface = TouchesAs::exact;
+  EXPECT_TRUE(says(refusal(with({box})), "'bar' has no exact surface"));
+  box.surface = TouchesAs::usual;
+  box.shape = GivenShape{.shape = {.kind = geometry::RoundKind::sphere, .radius = 1}};
+  EXPECT_TRUE(says(refusal(with({box})), "lie beside the 'shape'"));
+}
+
 TEST(RigidBodies, TakeMassPropertiesThatAreGiven) {
   Body body = rigid(bar());
   body.given = {.mass = 5, .centre = Vec3(1, 0.5, 0.4), .inertia = Mat3(Vec3(3, 4, 5).asDiagonal())};

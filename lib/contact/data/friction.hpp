@@ -54,9 +54,9 @@ struct Touch {
   Vec3 arm = Vec3::Zero();         ///< [m] from the foot to the apex
   Index apex = -1;                 ///< node; -1 where edges cross
   int nodes = 3;
-  std::array<Index, 4> node{};     ///< those of the facet first
-  std::array<double, 4> weight{};  ///< of the foot; they sum to one, with those of an edge instead of an apex to zero
-  std::array<Vec3, 4> lift{};      ///< [-] where edges cross; read where there is no apex
+  std::array<Index, 8> node{};     ///< those of the facet first; of a shape (shape.hpp) its four
+  std::array<double, 8> weight{};  ///< of the foot; they sum to one, with those of an edge instead of an apex to zero
+  std::array<Vec3, 8> lift{};      ///< [-] where edges cross; read where there is no apex
   Vec3 base_arm = Vec3::Zero();    ///< [m] part of the arm whose moment the base takes
   Vec3 apex_arm = Vec3::Zero();    ///< [m] part whose moment the apex takes, a plate
   bool base_rotates = false;       ///< the base is a plate, whose nodes have angular velocities
@@ -83,10 +83,10 @@ Vec3 slip_rate(const Touch&, const Vectors& v, const Vectors& omega, const std::
 /// What a friction on the apex and what balances it are at the nodes: the apex, then those of the base.
 struct FrictionShares {
   int count;
-  std::array<Index, 5> node;
-  std::array<Vec3, 5> force;   ///< [N]
-  std::array<bool, 5> turns;   ///< whether there is a moment too
-  std::array<Vec3, 5> moment;  ///< [N m] of plate nodes
+  std::array<Index, 9> node;
+  std::array<Vec3, 9> force;   ///< [N]
+  std::array<bool, 9> turns;   ///< whether there is a moment too
+  std::array<Vec3, 9> moment;  ///< [N m] of plate nodes
 };
 FrictionShares share_friction(const Touch&, const Vec3& friction);
 

@@ -6,6 +6,7 @@
 
 #include "contact/data/friction.hpp"
 #include "contact/data/method.hpp"
+#include "contact/data/shape.hpp"
 #include "contact/surface/bodies.hpp"
 #include "contact/surface/cone.hpp"
 #include "contact/surface/edges.hpp"
@@ -89,7 +90,11 @@ struct Interface : Sides {
   /// An apex on a symmetry plane meets the mirror images of its bases too: [apexes] projector onto
   /// the directions the plane allows; empty where there are no planes.
   std::vector<Mat3> allowed;
+  Shapes shapes;  ///< of rigid bodies that touch as they are: of a pair of surfaces, nothing else acts; of bodies, beside others
 };
+
+/// Whether nothing acts in a contact but the shapes of rigid bodies.
+inline bool by_shapes_alone(const Interface& interface) { return interface.bodies.count() == 0 && !interface.shapes.pairs.empty(); }
 
 /// Edges over edges, by multipliers.
 struct EdgeContact : Sides {

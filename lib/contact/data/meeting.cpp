@@ -54,7 +54,10 @@ void see_meetings(const Interface& interface, double dt, double t, Memory& memor
   if (interface.kind == InterfaceKind::bonded) return;
   const auto is_closed = [](const Near& near) { return near.element.closed; };
   const Bodies& bodies = interface.bodies;
-  if (bodies.count() == 0) return see_two_sides(std::any_of(memory.near.begin(), memory.near.end(), is_closed), t, memory);
+  const auto touches = [](const ShapePoint& point) { return point.closed; };
+  if (bodies.count() == 0)
+    return see_two_sides(std::any_of(memory.near.begin(), memory.near.end(), is_closed) ||
+                             std::any_of(memory.shape_points.begin(), memory.shape_points.end(), touches), t, memory);
   begin_forces(memory);
   for (const Near& near : memory.near) {
     const ElementForces& element = near.element;
@@ -66,6 +69,12 @@ void see_meetings(const Interface& interface, double dt, double t, Memory& memor
       add(own, other, element.scale * stencil.apex * stencil.push, t, memory);
     }
     if (near.friction.acts) add(own, bodies.of_node[near.friction.touch.node[0]], near.friction.force, t, memory);
+  }
+  for (const ShapePoint& point : memory.shape_points) {
+    if (!point.closed) continue;
+    const ShapePair& pair = interface.shapes.pairs[static_cast<std::size_t>(point.pair)];
+    const Vec3 force = point.pressed * point.normal + point.friction;
+    add(pair.side > 0 ? pair.body : pair.other_body, pair.side > 0 ? pair.other_body : pair.body, force, t, memory);
   }
   end_forces(dt, memory);
 }

@@ -155,6 +155,9 @@ struct SidesMemory {
 
 /// What an interface remembers. The forces are those at the end of the last step: the work of the next one needs them.
 struct Memory : SidesMemory {
+  std::vector<NearFeature> near_shapes;     ///< features that shapes were near to at the last search
+  std::vector<ShapePoint> shape_points;     ///< pair after pair
+  std::vector<double> shape_overlap;        ///< [m] [Shapes::pairs] accepted at the start, zero or less
   std::vector<Share> shares;                ///< of the stencils over points: Stencil::first_share
   std::vector<Near> near;                   ///< ascending apexes; of a bonded interface all that have a bond
   Subset near_facets;                       ///< facets within the margin of each near apex, ascending

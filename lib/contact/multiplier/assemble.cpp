@@ -7,6 +7,7 @@
 #include "contact/multiplier/over_facet.hpp"
 #include "contact/multiplier/over_points.hpp"
 #include "contact/multiplier/restitution.hpp"
+#include "contact/multiplier/shape_points.hpp"
 #include "contact/multiplier/stick.hpp"
 #include "contact/search/near.hpp"
 #include "contact/tracking/element.hpp"
@@ -146,6 +147,12 @@ Rubbing rubbing_of(const Interface& interface, const Near& near) {
 void find_conditions(const Interface& interface, const Motion& m, Memory& memory, Workspace& workspace, Multipliers& all) {
   const double h = 0.5 * (m.dt + m.next);
   const std::size_t first_friction = all.frictions.size();
+  if (by_shapes_alone(interface)) {
+    search_where_due(interface, m.x, all.way, memory, workspace);
+    find_shape_conditions(interface, m, memory, all);
+    let_yield(memory.friction_owed, interface.depth, m, first_friction, all);
+    return all.spent.end(Stage::conditions);
+  }
   const Moved moved = find(interface, m, memory, workspace, all);
   all.spent.end(Stage::track);
   if (interface.heights != Heights::nodes) begin_points(interface, m.x, workspace.points);
@@ -192,6 +199,7 @@ void find_conditions(const Interface& interface, const Motion& m, Memory& memory
          .depth = pair.depth, .impedance = part * pair.impedance * area,
          .square = interface.restitution * interface.restitution}, all);
   }
+  find_shape_conditions(interface, m, memory, all);
   let_yield(memory.friction_owed, interface.depth, m, first_friction, all);
   all.spent.end(Stage::conditions);
 }
@@ -225,6 +233,7 @@ void find_conditions(const RigidPlane& plane, const Motion& m, PlaneMemory& memo
     add({.memory = &memory.restitution[i], .first = first, .last = first + 1, .friction = friction, .area = area, .depth = plane.depth,
          .impedance = plane.impedance * area, .square = plane.restitution * plane.restitution}, all);
   }
+  find_shape_conditions(plane, m, memory, all);
   let_yield(memory.friction_owed, plane.depth, m, first_friction, all);
 }
 

@@ -4,6 +4,7 @@
 
 #include "contact/multiplier/assemble.hpp"
 #include "contact/multiplier/restitution.hpp"
+#include "contact/multiplier/shape_points.hpp"
 #include "contact/tracking/depth.hpp"
 #include "contact/tracking/element.hpp"
 
@@ -31,6 +32,7 @@ void book_moments(const Interface& interface, const Motion& m, double later, con
 void book_first_half(const Interface& interface, const Motion& m, Memory& memory) {
   const double half = 0.5 * m.dt;
   const bool rubs = interface.friction.coefficient > 0, turns = all_have_moments(interface);
+  book_first_half_of_shapes(m, memory);
   for (const Near& near : memory.near) {
     if (!near.element.closed) continue;
     memory.work += half * power(interface, memory.shares, m.v, near.apex, near.element);
@@ -137,6 +139,7 @@ void take_over(const Interface& interface, const Motion& m, double h, double t, 
     if (rubs && near.friction.acts) memory.force += near.friction.force;
   }
   memory.has_trend = from_trend < is_trend * from_before;
+  take_over_shapes(interface, h, t, last, all, memory);
   take_over(m, force_before, first, last, now, memory, all);
 }
 
@@ -151,7 +154,7 @@ void take_over(const RigidPlane& plane, const Motion& m, double h, double t, Ind
                const Multipliers& all) {
   const double deepest = memory.deepest;
   std::size_t i = 0;
-  for (Index k = first; k < last; ++k) {
+  for (Index k = first; k < last - count_acting(memory.shape_points); ++k) {
     const Condition& c = all.conditions[all.contactors[k].first];
     while (plane.nodes[i] != members_of(c, all)[0].node) ++i;
     memory.next_force[i] = c.impulse / h;
@@ -160,6 +163,7 @@ void take_over(const RigidPlane& plane, const Motion& m, double h, double t, Ind
     if (!memory.stuck.empty()) memory.stuck[i] = c.impulse > 0 && (friction < 0 || !all.frictions[friction].slides);
   }
   advance(plane, m.x, m.v, m.dt, memory);
+  take_over_shapes(plane, m, h, t, last, all, memory);
   if (memory.deepest > deepest) memory.deepest_time = t;
   memory.stored = now.to_come + held(first, last, all) + memory.transferred;
 }

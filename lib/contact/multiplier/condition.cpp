@@ -10,8 +10,6 @@ namespace nereid::contact {
 
 namespace {
 
-constexpr double corrected = 0.2;      // of a penetration in a step
-
 /// The rate a after a step in which a condition alone does the work E:  (a - free)/A (before + a)/2 = E.
 double rate_for(double E, const Condition& c) {
   const double difference = c.before - c.free;
@@ -88,6 +86,7 @@ Multipliers make_multipliers(std::span<const AnyContact> contacts, std::span<con
   for (const RigidPlane& plane : planes) {
     if (!by_multipliers(plane)) continue;
     see(plane.nodes);
+    for (const mesh::RoundBody& round : plane.rounds) see({round.anchor.begin(), round.anchor.end()});
     apexes += plane.nodes.size();
   }
   for (Index node = 0; node < nodes; ++node)

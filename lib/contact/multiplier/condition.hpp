@@ -16,6 +16,7 @@
 
 namespace nereid::contact {
 
+constexpr double corrected = 0.2;     ///< [-] of a penetration, that is taken back in a step
 constexpr double no_response = 1e-9;  ///< [-] of that of free nodes: constraints hold them in a direction
 
 /// A node of a condition.

@@ -11,6 +11,7 @@
 #include "contact/multiplier/predict.hpp"
 #include "contact/multiplier/restitution.hpp"
 #include "contact/multiplier/rigid_nodes.hpp"
+#include "contact/multiplier/shape_points.hpp"
 #include "contact/multiplier/solve.hpp"
 #include "contact/search/edge_pairs.hpp"
 #include "contact/search/near.hpp"
@@ -179,6 +180,17 @@ double work_of(const FrictionForces& friction, const Vectors& change, const Vect
   return friction.acts ? half * friction.force.dot(slip_rate(friction.touch, change, spin, rotation_of_node)) : 0;
 }
 
+/// The same of points of shapes: what is held, and the work of friction that is returned. [J]
+double change_held_of_shapes(std::vector<ShapePoint>& points, const Vectors& change, const Vectors& spin,
+                             const std::vector<Index>& rotation_of_node, double half) {
+  double of_friction = 0;
+  for (ShapePoint& point : points) {
+    if (point.closed) point.restitution.held -= half * point.pressed * point.normal.dot(relative(point, change));
+    if (point.rubs) of_friction += half * point.friction.dot(slip_rate(touch_of(point), change, spin, rotation_of_node));
+  }
+  return of_friction;
+}
+
 /// Takes from what is held the work of normal forces over `half` a step with a change of velocities; returns that of friction. [J]
 double change_held(const Interface& interface, const Vectors& change, const Vectors& spin, const std::vector<Index>& rotation_of_node,
                    double half, Memory& memory) {
@@ -188,7 +200,7 @@ double change_held(const Interface& interface, const Vectors& change, const Vect
       memory.restitution[near.apex].held -= half * power(interface, memory.shares, change, near.apex, near.element);
     of_friction += work_of(near.friction, change, spin, rotation_of_node, half);
   }
-  return of_friction;
+  return of_friction + change_held_of_shapes(memory.shape_points, change, spin, rotation_of_node, half);
 }
 double change_held(const EdgeContact&, const Vectors& change, const Vectors& spin, const std::vector<Index>& rotation_of_node, double half,
                    EdgeMemory& memory) {
@@ -200,14 +212,14 @@ double change_held(const EdgeContact&, const Vectors& change, const Vectors& spi
   }
   return of_friction;
 }
-double change_held(const RigidPlane& plane, const Vectors& change, const Vectors& /*spin*/, const std::vector<Index>& /*rotation_of_node*/,
+double change_held(const RigidPlane& plane, const Vectors& change, const Vectors& spin, const std::vector<Index>& rotation_of_node,
                    double half, PlaneMemory& memory) {
   double of_friction = 0;
   for (std::size_t i = 0; i < plane.nodes.size(); ++i) {
     memory.restitution[i].held -= half * memory.force[i] * plane.normal.dot(change.col(plane.nodes[i]));
     if (!memory.friction.empty()) of_friction += half * memory.friction[i].dot(change.col(plane.nodes[i]));
   }
-  return of_friction;
+  return of_friction + change_held_of_shapes(memory.shape_points, change, spin, rotation_of_node, half);
 }
 
 }  // namespace
@@ -251,6 +263,7 @@ void enforce(std::span<const AnyContact> contacts, std::span<const RigidPlane> p
   for (std::size_t i = 0; i < contacts.size(); ++i)
     if (by_multipliers(contacts[i]))
       with_memory(contacts[i], memories[i], [&](const auto& contact, auto& memory) { book_first_half(contact, m, memory); });
+  for (PlaneMemory& memory : of_planes) book_first_half_of_shapes(m, memory);
   all.spent.end(Stage::book);
   find_impulses(acting, m, workspaces, all);
   if (m.dt > 0) release(m, t, all);

@@ -117,7 +117,10 @@ RigidNodes make_rigid_nodes(std::span<const AnyContact> contacts, std::span<cons
   for (const AnyContact& one : contacts)
     if (by_multipliers(one)) add(sides(one).apexes), add(sides(one).base_nodes);
   for (const RigidPlane& plane : planes)
-    if (by_multipliers(plane)) add(plane.nodes);
+    if (by_multipliers(plane)) {
+      add(plane.nodes);
+      for (const mesh::RoundBody& round : plane.rounds) add({round.anchor.begin(), round.anchor.end()});
+    }
   for (MovingBody& body : all.bodies) {
     std::sort(body.nodes.begin(), body.nodes.end());
     body.nodes.erase(std::unique(body.nodes.begin(), body.nodes.end()), body.nodes.end());

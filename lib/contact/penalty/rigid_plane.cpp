@@ -88,11 +88,17 @@ Vec3 force_on(const RigidPlane& plane, const PlaneMemory& memory, std::size_t i)
 }  // namespace
 
 void add_forces(const RigidPlane& plane, const PlaneMemory& memory, Vectors& force) {
+  const auto push = [&](Index node, const Vec3& part) { force.col(node) += part; };
+  visit_forces(memory.shape_points, push, [&](const Touch& touch, const Vec3& friction) {
+    const FrictionShares shares = share_friction(touch, friction);
+    for (int i = 0; i < shares.count; ++i) push(shares.node[static_cast<std::size_t>(i)], shares.force[static_cast<std::size_t>(i)]);
+  });
   for (std::size_t i = 0; i < plane.nodes.size(); ++i) force.col(plane.nodes[i]) += force_on(plane, memory, i);
 }
 
 Vec3 force(const RigidPlane& plane, const PlaneMemory& memory) {
   Vec3 sum = Vec3::Zero();
+  for (const ShapePoint& point : memory.shape_points) sum += point.pressed * point.normal + point.friction;
   for (std::size_t i = 0; i < plane.nodes.size(); ++i) sum += force_on(plane, memory, i);
   return sum;
 }

@@ -8,6 +8,7 @@
 #include "base/step_limit.hpp"
 #include "contact/data/friction.hpp"
 #include "contact/data/method.hpp"
+#include "contact/data/shape.hpp"
 #include "contact/data/step_factor.hpp"
 #include "mesh/mesh.hpp"
 
@@ -16,8 +17,10 @@ namespace nereid::contact {
 struct RigidPlane {
   std::string name;
   Vec3 point, normal;  ///< [m] on the plane, unit vector to the side of the nodes
-  Subset nodes;
+  Subset nodes;                        ///< none of bodies that touch it as shapes
   Scalars area;                        ///< [m2] tributary area, [nodes]
+  std::vector<mesh::RoundBody> rounds; ///< of these, by multipliers
+  double round_area = 0;               ///< [m2] that a point of one stands for, against others
   Method method = Method::penalty;
   double restitution = 1;              ///< [-] speed of a node released by a multiplier over that with which it was stopped
   double impedance = 0;                ///< [Pa s/m] rho c of what is behind the nodes
@@ -29,6 +32,7 @@ struct RigidPlane {
 };
 
 struct PlaneMemory {
+  std::vector<ShapePoint> shape_points; ///< of RigidPlane::rounds, one after the other
   std::vector<double> force;            ///< [N] along the normal, [nodes]
   std::vector<Restitution> restitution; ///< [nodes] of multipliers; else empty
   std::vector<double> next_force;       ///< [N] by multipliers, [nodes]: what advance() takes; empty of a penalty

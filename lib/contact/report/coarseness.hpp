@@ -1,15 +1,10 @@
 #pragma once
 // How coarse the surface of the apexes is beside its base: nodes of a finer base are not held between the apexes.
 
+#include "contact/data/initial_gaps.hpp"
 #include "contact/data/workspace.hpp"
 
 namespace nereid::contact {
-
-/// Spacing of the nodes of one surface over that of the other, in the direction of the surface where it is largest. [-]
-struct Coarseness {
-  double apexes = 0;  ///< of the apexes over the base; zero where none was looked for, or no apex faces the base
-  double base = 0;    ///< of the base over the apexes: what it would be with the sides exchanged
-};
 
 /// The median over the apexes, by area, that face the base and come into touch first: no more than the side of a face higher above it than
 /// the nearest.

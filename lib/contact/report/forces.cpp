@@ -62,6 +62,9 @@ void list_all(const Contact& contact, const Remembered& memory, std::vector<Node
 
 void add_forces(const Interface& interface, const Memory& memory, Vectors& force, Vectors& moment) {
   add_all(interface, memory, force, moment);
+  visit_forces(
+      memory.shape_points, [&](Index node, const Vec3& push) { force.col(node) += push; },
+      [&](const Touch& touch, const Vec3& friction) { add_friction(touch, friction, interface.rotation_of_node, force, moment); });
 }
 void add_forces(const EdgeContact& contact, const EdgeMemory& memory, Vectors& force, Vectors& moment) {
   add_all(contact, memory, force, moment);
@@ -69,6 +72,9 @@ void add_forces(const EdgeContact& contact, const EdgeMemory& memory, Vectors& f
 
 void list_forces(const Interface& interface, const Memory& memory, std::vector<NodeForce>& forces) {
   list_all(interface, memory, forces);
+  for (const ShapePoint& point : memory.shape_points)
+    for (std::size_t j = 0; point.closed && point.kind != NearKind::shape && j + 4 < static_cast<std::size_t>(point.nodes); ++j)
+      forces.push_back({point.node[j], point.weight[j] * point.pressed * point.normal, point.weight[j] * point.friction});
 }
 void list_forces(const EdgeContact& contact, const EdgeMemory& memory, std::vector<NodeForce>& forces) {
   list_all(contact, memory, forces);

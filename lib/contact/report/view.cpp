@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "contact/multiplier/bond.hpp"
+#include "contact/multiplier/shape_points.hpp"
 #include "contact/search/near.hpp"
 #include "contact/surface/broad_search.hpp"
 #include "contact/tracking/element.hpp"
@@ -23,7 +24,8 @@ double least_gap(const Interface& interface, const Vectors& x, const Memory& mem
       see(nearest.distance() - level(interface, memory, near.apex, nearest.feature.facet));
     }
   }
-  if (!memory.near.empty() || interface.bodies.count() > 0) return least;  // who is not near is farther away
+  if (const double of_shapes = least_gap_of_shapes(interface, x, memory); !std::isnan(of_shapes)) see(of_shapes);
+  if (!memory.near.empty() || interface.bodies.count() > 0 || by_shapes_alone(interface)) return least;  // who is not near is farther away
   BroadSearch broad(static_cast<Index>(interface.base.facets.cols()));
   if (!broad.sort(interface.base, x)) return least;
   for (std::size_t a = 0; a < interface.apexes.size(); ++a) {

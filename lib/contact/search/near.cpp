@@ -7,6 +7,7 @@
 
 #include "base/parallel.hpp"
 #include "contact/search/partners.hpp"
+#include "contact/search/shapes.hpp"
 #include "contact/surface/stand.hpp"
 #include "geometry/height.hpp"
 
@@ -163,6 +164,8 @@ bool visit_near(const Interface& interface, const Vectors& x, const Memory& memo
 }  // namespace
 
 void search(const Interface& interface, const Vectors& x, Memory& memory, Workspace& workspace) {
+  search_shapes(interface, x, memory);
+  if (by_shapes_alone(interface)) return keep_search(interface, x, memory);
   if (!sort(interface, x, memory, workspace)) return;
   keep_search(interface, x, memory);
   const auto count = static_cast<Index>(interface.apexes.size());
@@ -238,6 +241,10 @@ void keep_awake(const Interface& interface, Memory& memory) {
   for (const Near& near : memory.near) {
     memory.awake[static_cast<std::size_t>(interface.bodies.of_apex[near.apex])] = 1;
     for (const Index facet : near_facets(memory, near)) memory.awake[static_cast<std::size_t>(interface.bodies.of_facet[facet])] = 1;
+  }
+  for (const NearFeature& near : memory.near_shapes) {
+    const ShapePair& pair = interface.shapes.pairs[static_cast<std::size_t>(near.pair)];
+    memory.awake[static_cast<std::size_t>(pair.body)] = memory.awake[static_cast<std::size_t>(pair.other_body)] = 1;
   }
 }
 
