@@ -135,10 +135,10 @@ template <class Archive>
 void visit(Archive& archive, SidesMemory& memory) {
   auto& [work, friction_dissipated, friction_to_come, friction_owed, impact, force, impulse, transferred, held, power_rate,
          angular_impulse, meetings, deepest, deepest_apex, deepest_time, deepest_in, deepest_now, searches, looks, margin, way,
-         apart_from_itself, apart_then, awake, apexes_then, base_then, mean_way] = memory;
+         way_of_body, apart_from_itself, apart_then, awake, apexes_then, base_then, mean_way] = memory;
   archive(work, friction_dissipated, friction_to_come, friction_owed, impact, force, impulse, transferred, held, power_rate,
           angular_impulse, meetings, deepest, deepest_apex, deepest_time, deepest_in, deepest_now, searches, looks, margin, way,
-          apart_from_itself, apart_then, awake, apexes_then, base_then, mean_way);
+          way_of_body, apart_from_itself, apart_then, awake, apexes_then, base_then, mean_way);
 }
 
 /// Each kind adds what it has to what all have.

@@ -178,7 +178,8 @@ Tipped tip(bool automatic, bool looks_at_all) {
       for (const contact::Crossing& crossing : memory.crossings) found.acted += crossing.acts ? 1 : 0;
       for (contact::EdgePair& pair : memory.edge_pairs)
         if (looks_at_all) pair.flat = -INFINITY;
-      const auto is_left = [&](const contact::EdgePair& pair) { return pair.flat > memory.way; };
+      const double way = automatic ? *std::max_element(memory.way_of_body.begin(), memory.way_of_body.end()) : memory.way;
+      const auto is_left = [&](const contact::EdgePair& pair) { return pair.flat > way; };
       found.left_alone += static_cast<double>(std::count_if(memory.edge_pairs.begin(), memory.edge_pairs.end(), is_left));
     }
     step(s.model, (i % 50 < 25 ? 0.5 : 0.3) * least, s.state, s.forces);

@@ -70,9 +70,22 @@ struct Share {
 struct PointWork {
   std::int64_t step = 0;
   std::vector<FacePoints> of_face;  ///< beside Interface::faces
-  std::vector<Share> sum;           ///< of an apex
   Subset used, used_before;         ///< faces whose points apexes asked for in this step, and in that before
+};
+
+/// The points of a face as they were found for the apexes of one range alone.
+struct PointsAside {
+  Index of_face = -1;
+  FacePoints points;
+};
+
+/// What is worked with to sum the points around the apexes of one range.
+struct PointSum {
+  std::vector<Share> sum;           ///< of an apex
   std::vector<std::int32_t> place;  ///< in `sum`, by a hash of the node, -1: none; a power of two, more than twice as long as `sum`
+  Subset used;                      ///< faces of PointWork whose points the apexes asked for
+  std::vector<PointsAside> aside;   ///< of faces that were not measured before, or over another part of the base
+  std::size_t set_aside = 0;        ///< how many of these are of this step
 };
 
 }  // namespace nereid::contact

@@ -146,6 +146,7 @@ struct SidesMemory {
   double margin = 0;               ///< [m] of the last search
   /// [m] By which nodes have gone against each other at the most, by multipliers; of an automatic contact since the last search.
   double way = 0;
+  std::vector<double> way_of_body;         ///< [m] [bodies] the same of each body and those near it alone
   std::vector<double> apart_from_itself;  ///< [m] [bodies] beyond h_c, by which folds of each were apart when it was last searched, or zero
   Vectors apart_then;                     ///< [m] positions then, beside Bodies::nodes
   std::vector<char> awake;         ///< [bodies] whether a body was near another one, or folds of it near each other, at the last search

@@ -1,6 +1,7 @@
 #pragma once
 // What a contact works with and may throw away between steps.
 
+#include <array>
 #include <vector>
 
 #include "contact/data/memory.hpp"
@@ -15,6 +16,13 @@ struct Over {
   Vec3 normal = Vec3::UnitZ();     ///< unit vector from the base edge to the other one
   double height = 0;               ///< [m]
   double first = 0, second = 0;    ///< [-] places along the edge and the base edge
+};
+
+/// Crossings of a range of pairs of edges, found beside those of other ranges.
+struct CrossingRange {
+  std::vector<Crossing> crossings;
+  std::vector<Over> over;       ///< how these stand
+  std::vector<Crossing> ended;  ///< those that hold energy
 };
 
 /// A box around the facets of a body.
@@ -37,6 +45,12 @@ struct SearchWork {
   std::vector<BodyBox> boxes;                ///< [bodies] around the facets
   Subset first_partner, partners;            ///< [bodies + 1] bodies whose boxes are near that of each
   std::vector<char> near_itself;             ///< [bodies] whether folds of each are nearer than was asked: SidesMemory::apart_from_itself
+  std::vector<char> are_near;                ///< [bodies x bodies] whether two were near each other at the last search
+  std::vector<std::array<Index, 2>> near_bodies;  ///< these pairs
+  std::vector<char> has_near;                ///< [bodies] whether any was near
+  bool knows_near_bodies = false;            ///< whether these are listed
+  std::vector<BodyBox> speeds;               ///< [m/s] [bodies] around the velocities
+  std::vector<double> apart;                 ///< [m/s] [bodies] how fast each and those near it go against each other
 };
 
 /// What an interface works with and may throw away between steps.
@@ -60,6 +74,7 @@ struct EdgeWorkspace : SearchWork {
   std::vector<EdgePair> edge_pairs;        ///< the next list of pairs
   std::vector<Crossing> crossings;         ///< the next list of crossings
   std::vector<Over> over;                  ///< how these stand
+  std::vector<CrossingRange> crossing_ranges;  ///< the same by ranges of pairs
 };
 
 }  // namespace nereid::contact

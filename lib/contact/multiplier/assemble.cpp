@@ -9,6 +9,7 @@
 #include "contact/multiplier/restitution.hpp"
 #include "contact/multiplier/shape_points.hpp"
 #include "contact/multiplier/stick.hpp"
+#include "contact/search/body_ways.hpp"
 #include "contact/search/near.hpp"
 #include "contact/tracking/element.hpp"
 
@@ -65,11 +66,13 @@ Kept kept_of(const Interface& interface, const Motion& m, const Vectors& x, cons
 /// returns  how far they can have gone against each other by the end of the step
 Moved find(const Interface& interface, const Motion& m, Memory& memory, Workspace& workspace, Multipliers& all) {
   const bool automatic = interface.bodies.count() > 0;  // which has been searched for
+  // ahead  [m] way of the step to come; of an automatic contact, whose bodies each have their own, its length [s]
   const auto look = [&](const Vectors& x, const Vectors& way, double dt, double ahead) {
     if (!automatic) search_where_due(interface, x, way, memory, workspace);
-    const Moved moved = along_way(memory.way, ahead);
+    const Moved of_all = along_way(memory.way, ahead);
     parallel_for(static_cast<Index>(memory.near.size()), 64, [&](Index i) {
       Near& near = memory.near[i];
+      const Moved moved = automatic ? moved_of_body(memory, workspace, interface.bodies.of_apex[near.apex], ahead) : of_all;
       near.earlier = near.pressed;
       near.pressed = near.element.closed && m.dt > 0 ? near.element.apex.norm() : 0;
       if (near.rests && moved.now < near.clear) return;
@@ -84,12 +87,13 @@ Moved find(const Interface& interface, const Motion& m, Memory& memory, Workspac
       near.element.moved = near.pressed > 0 && !same(memory.feature[near.apex], before);
       near.rests = near.tracks.count == 0 && near.element.count == 0;
     });
-    return moved;
+    return of_all;
   };
   const auto apart = [&](const Vectors& v) { return speed_apart(v, {interface.apexes, interface.base_nodes}); };
-  if (!automatic) memory.way += m.dt * apart(m.v);
+  if (automatic) find_speeds_apart(interface, all.velocity, workspace);
+  else memory.way += m.dt * apart(m.v);
   if (!(m.dt > 0)) look(m.x, m.v, 0, 0);  // at the start apexes may stand behind the surface
-  return look(all.ahead, all.way, m.dt + m.next, automatic ? all.way_apart : m.next * apart(all.velocity));
+  return look(all.ahead, all.way, m.dt + m.next, automatic ? m.next : m.next * apart(all.velocity));
 }
 
 /// Whether an apex cannot have come so near since it was last looked at that it has a condition.
@@ -99,18 +103,24 @@ bool has_no_condition(const Interface& interface, Moved moved, const Near& near)
   return moved.now + reach < near.no_condition_until;
 }
 
+/// A range of near apexes, whose conditions are found one after the other.
+struct Range {
+  Index first, last;
+  Ahead ahead;
+};
+
 /// Finds the condition of a stencil; false if there is none.
-bool find(const Interface& interface, const Motion& m, const Memory& memory, Near& near, int s, Moved moved, Ahead& ahead,
-          PointWork& work, Multipliers& all, Condition& c) {
+bool find(const Interface& interface, const Motion& m, const Memory& memory, Near& near, int s, Moved moved, Range& range,
+          const PointWork& work, const Multipliers& all, FoundInRange& found, Condition& c) {
   Stencil& stencil = near.element.stencil[s];
   stencil.over_points = false, stencil.shares = 0;
   const Heights heights = between(interface, near.apex, stencil.facet).heights;
-  bool made = interface.heights == Heights::nodes && make_ahead(interface, m.x, memory, near, ahead, all, c);
+  bool made = interface.heights == Heights::nodes && make_ahead(interface, m.x, memory, near, range.last, range.ahead, found.list, c);
   if (!made && (std::isnan(stencil.level) || is_same_face(interface.base, near.element, s))) return false;
-  if (!made && heights == Heights::points) made = find_over_points(interface, m, memory, near, s, moved, work, all, c);
-  else if (!made) made = make(interface, m, memory, near, stencil, near.element.has_moment, all, c);
-  if (made && heights == Heights::guards) made = guard_acts(interface, m, near, stencil.facet, all, c);
-  return made && complete(m, near.pressed, memory.restitution[near.apex].held, all, c);
+  if (!made && heights == Heights::points) made = find_over_points(interface, m, memory, near, s, moved, work, found, all, c);
+  else if (!made) made = make(interface, m, memory, near, stencil, near.element.has_moment, all, found.list, c);
+  if (made && heights == Heights::guards) made = guard_acts(interface, m, near, stencil.facet, all, found.list, c);
+  return made && complete(m, near.pressed, memory.restitution[near.apex].held, all, found.list, c);
 }
 
 /// Where an apex rubs that several bodies may press: on that which pressed it most in the step before, with the pushes of this one alone.
@@ -142,24 +152,18 @@ Rubbing rubbing_of(const Interface& interface, const Near& near) {
   return found.foot != nullptr ? found : all_of(-1);
 }
 
-}  // namespace
-
-void find_conditions(const Interface& interface, const Motion& m, Memory& memory, Workspace& workspace, Multipliers& all) {
+/// Finds the conditions of a range of near apexes; m, memory and all are read, but for what is of these apexes alone.
+template <class MovedOf>
+void find_in_range(const Interface& interface, const Motion& m, MovedOf&& moved_of, const PointWork& work, const Multipliers& all,
+                   Range& range, Memory& memory, FoundInRange& found) {
   const double h = 0.5 * (m.dt + m.next);
-  const std::size_t first_friction = all.frictions.size();
-  if (by_shapes_alone(interface)) {
-    search_where_due(interface, m.x, all.way, memory, workspace);
-    find_shape_conditions(interface, m, memory, all);
-    let_yield(memory.friction_owed, interface.depth, m, first_friction, all);
-    return all.spent.end(Stage::conditions);
-  }
-  const Moved moved = find(interface, m, memory, workspace, all);
-  all.spent.end(Stage::track);
-  if (interface.heights != Heights::nodes) begin_points(interface, m.x, workspace.points);
-  Ahead ahead;
-  for (Near& near : memory.near) {
+  found.list.conditions.clear(), found.list.members.clear(), found.frictions.clear(), found.contactors.clear(), found.ended.clear();
+  begin_range(found.points);
+  for (Index i = range.first; i < range.last; ++i) {
+    Near& near = memory.near[static_cast<std::size_t>(i)];
     if (near.kept == Kept::guard) continue;
-    const auto first = static_cast<Index>(all.conditions.size());
+    const Moved moved = moved_of(near);
+    const auto first = static_cast<Index>(found.list.conditions.size());
     if (near.kept == Kept::points) follow_facet(interface, m.x, memory, near);
     near.by_points = false;
     const bool has_none = has_no_condition(interface, moved, near);
@@ -167,20 +171,21 @@ void find_conditions(const Interface& interface, const Motion& m, Memory& memory
     join_on_ridge(interface.base, m.x, m.x.col(interface.apexes[near.apex]), near.element);
     for (int s = 0; s < near.element.count; ++s) {
       Stencil& stencil = near.element.stencil[s];
-      Condition& c = begin_condition(all);
-      if (has_none || !find(interface, m, memory, near, s, moved, ahead, workspace.points, all, c)) {
+      Condition& c = begin_condition(found.list);
+      if (has_none || !find(interface, m, memory, near, s, moved, range, work, all, found, c)) {
         stencil.apex = 0, stencil.over_points = false, stencil.weight = {}, stencil.fourth = 0, stencil.push.setZero();
-        take_back(all);
+        take_back(found.list);
         continue;
       }
       c.impulse = c.met = near.element.count == 1 ? (memory.has_trend ? trend(near) : near.pressed) * h : 0;
       stencil.push = c.normal;
     }
-    const auto last = static_cast<Index>(all.conditions.size());
+    const auto last = static_cast<Index>(found.list.conditions.size());
     Restitution& restitution = memory.restitution[near.apex];
     if (last == first) {
       if (near.kept == Kept::points) memory.status[near.apex] = Status::open;
-      end({&interface.apexes[near.apex], 1}, interface.restitution, restitution, memory, all);
+      if (restitution.held > 0) found.ended.push_back(i);
+      else restitution = {};
       continue;
     }
     const double area = interface.area(near.apex);
@@ -189,15 +194,66 @@ void find_conditions(const Interface& interface, const Motion& m, Memory& memory
     Index friction = -1;
     if (interface.friction.coefficient > 0 && m.dt > 0) {
       const Feature on{facet, geometry::Kind::facet, 0};
-      const Touch touch = touch_of(interface, m.x, near.apex, on, all.conditions[foot].normal, rubbing.foot);
+      const Vec3& normal = found.list.conditions[static_cast<std::size_t>(foot)].normal;
+      const Touch touch = touch_of(interface, m.x, near.apex, on, normal, rubbing.foot);
       const Vec3 force = near.friction.acts ? near.friction.force : Vec3(Vec3::Zero());
-      friction = add_friction(touch, interface.friction, force, near.friction.stuck, m, all);
+      friction = add_friction(touch, interface.friction, force, near.friction.stuck, m, found.frictions);
     }
     const Between& pair = between(interface, near.apex, facet);
     const double part = pair.heights != Heights::nodes ? 1 : interface.pass_factor;
-    add({.memory = &restitution, .first = first, .last = last, .friction = friction, .foot = foot, .rubs = rubbing.conditions, .area = area,
-         .depth = pair.depth, .impedance = part * pair.impedance * area,
-         .square = interface.restitution * interface.restitution}, all);
+    found.contactors.push_back({.memory = &restitution, .first = first, .last = last, .friction = friction, .foot = foot,
+                                .rubs = rubbing.conditions, .area = area, .depth = pair.depth, .impedance = part * pair.impedance * area,
+                                .square = interface.restitution * interface.restitution});
+  }
+}
+
+/// Appends the conditions of a range.
+void append(const FoundInRange& found, Multipliers& all) {
+  const auto first = static_cast<Index>(all.conditions.size()), first_friction = static_cast<Index>(all.frictions.size());
+  const auto first_member = static_cast<Index>(all.members.size());
+  all.conditions.insert(all.conditions.end(), found.list.conditions.begin(), found.list.conditions.end());
+  all.members.insert(all.members.end(), found.list.members.begin(), found.list.members.end());
+  all.frictions.insert(all.frictions.end(), found.frictions.begin(), found.frictions.end());
+  for (auto c = all.conditions.begin() + first; c != all.conditions.end(); ++c) c->first += first_member;
+  for (Contactor one : found.contactors) {
+    one.first += first, one.last += first, one.foot += first;
+    if (one.friction >= 0) one.friction += first_friction;
+    add(one, all);
+  }
+}
+
+}  // namespace
+
+void find_conditions(const Interface& interface, const Motion& m, Memory& memory, Workspace& workspace, Multipliers& all) {
+  const std::size_t first_friction = all.frictions.size();
+  if (by_shapes_alone(interface)) {
+    search_where_due(interface, m.x, all.way, memory, workspace);
+    find_shape_conditions(interface, m, memory, all);
+    let_yield(memory.friction_owed, interface.depth, m, first_friction, all);
+    return all.spent.end(Stage::conditions);
+  }
+  const bool automatic = interface.bodies.count() > 0;
+  const Moved moved = find(interface, m, memory, workspace, all);
+  const auto moved_of = [&](const Near& near) {
+    return automatic ? moved_of_body(memory, workspace, interface.bodies.of_apex[static_cast<std::size_t>(near.apex)], m.next) : moved;
+  };
+  all.spent.end(Stage::track);
+  if (interface.heights != Heights::nodes) begin_points(interface, m.x, workspace.points);
+  const auto count = static_cast<Index>(memory.near.size()), ranges = (count + apexes_of_conditions - 1) / apexes_of_conditions;
+  if (all.found.size() < static_cast<std::size_t>(ranges)) all.found.resize(static_cast<std::size_t>(ranges));
+  parallel_for(ranges, 1, [&](Index r) {
+    Range range{r * apexes_of_conditions, std::min(count, (r + 1) * apexes_of_conditions), {}};
+    find_in_range(interface, m, moved_of, workspace.points, all, range, memory, all.found[static_cast<std::size_t>(r)]);
+  });
+  for (Index r = 0; r < ranges; ++r) {
+    FoundInRange& found = all.found[static_cast<std::size_t>(r)];
+    append(found, all);
+    end_range(found.points, workspace.points);
+    for (const Index i : found.ended) {
+      const Index apex = memory.near[static_cast<std::size_t>(i)].apex;
+      end({&interface.apexes[static_cast<std::size_t>(apex)], 1}, interface.restitution, memory.restitution[static_cast<std::size_t>(apex)],
+          memory, all);
+    }
   }
   find_shape_conditions(interface, m, memory, all);
   let_yield(memory.friction_owed, interface.depth, m, first_friction, all);
@@ -215,7 +271,7 @@ void find_conditions(const RigidPlane& plane, const Motion& m, PlaneMemory& memo
     c.gap = (m.x.col(node) - plane.point).dot(plane.normal);
     const double way = steps_to_touch * m.next * std::abs(plane.normal.dot(all.velocity.col(node)));
     const bool far = !(memory.force[i] > 0) && c.gap > std::max(multipliers_reach * plane.depth, way);
-    if (far || !complete(m, m.dt > 0 ? memory.force[i] : 0, memory.restitution[i].held, all, c)) {
+    if (far || !complete(m, m.dt > 0 ? memory.force[i] : 0, memory.restitution[i].held, all, all, c)) {
       end({&node, 1}, plane.restitution, memory.restitution[i], memory, all);
       memory.next_force[i] = 0;
       if (!memory.next_friction.empty()) memory.next_friction[i].setZero(), memory.stuck[i] = 0;
@@ -228,7 +284,7 @@ void find_conditions(const RigidPlane& plane, const Motion& m, PlaneMemory& memo
     if (plane.friction.coefficient > 0 && m.dt > 0) {
       Touch touch;
       touch.normal = plane.normal, touch.apex = node, touch.nodes = 0;
-      friction = add_friction(touch, plane.friction, memory.friction[i], memory.stuck[i] != 0, m, all);
+      friction = add_friction(touch, plane.friction, memory.friction[i], memory.stuck[i] != 0, m, all.frictions);
     }
     add({.memory = &memory.restitution[i], .first = first, .last = first + 1, .friction = friction, .area = area, .depth = plane.depth,
          .impedance = plane.impedance * area, .square = plane.restitution * plane.restitution}, all);

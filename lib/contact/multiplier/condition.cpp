@@ -23,29 +23,29 @@ Vec3 let_through(const Motion& m, const Member& one) {
   return allowed ? Vec3(*allowed * one.push) : one.push;
 }
 
-bool complete(const Motion& m, double pressed, double held, Multipliers& all, Condition& c) {
+bool complete(const Motion& m, double pressed, double held, const Multipliers& all, const ConditionList& list, Condition& c) {
   double sum = 0;
-  for (const Member& one : members_of(c, all)) sum += all.mobility(one.node) * let_through(m, one).squaredNorm();
-  c.per_mass = m.rigid ? per_mass(*m.rigid, m, all, c) : sum;
-  c.before = relative(c, all, m.v), c.free = relative(c, all, all.velocity);
+  for (const Member& one : members_of(c, list)) sum += all.mobility(one.node) * let_through(m, one).squaredNorm();
+  c.per_mass = m.rigid ? per_mass(*m.rigid, m, list, c) : sum;
+  c.before = relative(c, list, m.v), c.free = relative(c, list, all.velocity);
   const double closing = (c.gap > 0 ? -c.gap : -corrected * c.gap) / m.next, impulse = 0.5 * pressed * (m.dt + m.next);
   const double from_held = impulse > 0 ? std::max(0.0, held) / impulse : 0;
   const double may = 2 * from_held - c.before;  // the work of this step; to stop again takes as much as to go apart
   c.least = std::min(closing, may > 0 ? 0.5 * may : may);
   // the last force makes a small impulse where the step has fallen, and what this rate takes alone is not
   if (from_held > 0 && (c.least - c.free) * (c.least + c.before) > 2 * c.per_mass * held) c.least = std::min(c.least, rate_for(held, c));
-  return c.per_mass * m.mass(members_of(c, all)[0].node) > no_response;
+  return c.per_mass * m.mass(members_of(c, list)[0].node) > no_response;
 }
 
-Condition& begin_condition(Multipliers& all) {
-  Condition& c = all.conditions.emplace_back();
-  c.first = static_cast<Index>(all.members.size());
+Condition& begin_condition(ConditionList& list) {
+  Condition& c = list.conditions.emplace_back();
+  c.first = static_cast<Index>(list.members.size());
   return c;
 }
 
-void take_back(Multipliers& all) {
-  all.members.resize(static_cast<std::size_t>(all.conditions.back().first));
-  all.conditions.pop_back();
+void take_back(ConditionList& list) {
+  list.members.resize(static_cast<std::size_t>(list.conditions.back().first));
+  list.conditions.pop_back();
 }
 
 void add(const Contactor& one, Multipliers& all) {
@@ -69,7 +69,7 @@ Multipliers make_multipliers(std::span<const AnyContact> contacts, std::span<con
   all.ahead = all.way = all.velocity = Vectors::Zero(3, nodes);
   all.spin = Vectors::Zero(3, plate_nodes);
   all.shared = all.rubbed = all.mobility = Scalars::Zero(nodes);
-  std::size_t apexes = 0;
+  std::size_t apexes = 0, most_near = 0;
   std::vector<char> acts(static_cast<std::size_t>(nodes), 0), always = acts;
   const auto see = [&](const Subset& some, bool is_automatic = false) {
     for (const Index node : some) acts[static_cast<std::size_t>(node)] = 1;
@@ -81,7 +81,9 @@ Multipliers make_multipliers(std::span<const AnyContact> contacts, std::span<con
     const Sides& both = sides(one);
     const bool is_automatic = both.bodies.count() > 0;
     see(both.apexes, is_automatic), see(both.base_nodes, is_automatic);
-    if (!bonded_by_multipliers(one)) apexes += both.apexes.size();
+    if (bonded_by_multipliers(one)) continue;
+    apexes += both.apexes.size();
+    most_near = std::max(most_near, both.apexes.size());
   }
   for (const RigidPlane& plane : planes) {
     if (!by_multipliers(plane)) continue;
@@ -97,7 +99,8 @@ Multipliers make_multipliers(std::span<const AnyContact> contacts, std::span<con
   all.members.reserve(5 * most_of_an_apex * apexes);
   for (auto* list : {&all.rows.velocity, &all.rows.given, &all.rows.push}) list->reserve(5 * most_of_an_apex * apexes);
   for (auto* list : {&all.rows.slot, &all.rows.mover_of_slot, &all.rows.copies}) list->reserve(5 * most_of_an_apex * apexes);
-  all.rows.movers.reserve(all.nodes.size());
+  all.rows.mobility.reserve(5 * most_of_an_apex * apexes);
+  all.rows.movers.reserve(all.nodes.size()), all.rows.others.reserve(all.nodes.size());
   all.frictions.reserve(apexes);
   all.contactors.reserve(apexes);
   all.unreleased.reserve(apexes);
@@ -105,6 +108,11 @@ Multipliers make_multipliers(std::span<const AnyContact> contacts, std::span<con
   all.first.reserve(contacts.size() + planes.size() + 1);
   all.progress.reserve(apexes / contactors_of_a_range + 1);
   all.pools.reserve(contacts.size() + planes.size());
+  all.found.resize((most_near + apexes_of_conditions - 1) / apexes_of_conditions);
+  for (FoundInRange& one : all.found) {
+    one.list.conditions.reserve(2 * apexes_of_conditions), one.list.members.reserve(10 * apexes_of_conditions);
+    one.contactors.reserve(apexes_of_conditions), one.ended.reserve(apexes_of_conditions);
+  }
   all.bonds = make_bonds(contacts, nodes);
   return all;
 }

@@ -120,8 +120,25 @@ struct Progress {
   double moved_along = 0, made_along = 0;  ///< the same of friction
 };
 
+/// Conditions, with their nodes one after the other.
+struct ConditionList {
+  std::vector<Condition> conditions;
+  std::vector<Member> members;
+};
+
+constexpr Index apexes_of_conditions = 64;  ///< whose conditions are found one after the other, whatever the number of threads
+
+/// The conditions of a range of apexes, found beside those of other ranges.
+struct FoundInRange {
+  ConditionList list;
+  std::vector<FrictionCondition> frictions;
+  std::vector<Contactor> contactors;  ///< whose conditions and frictions are those of this range
+  Subset ended;                       ///< places in Memory::near of apexes without a condition that hold energy
+  PointSum points;
+};
+
 /// What multipliers work with and may throw away between steps.
-struct Multipliers {
+struct Multipliers : ConditionList {
   Spent spent;
   Vectors ahead;        ///< [m] [nodes] where the nodes would be after the step to come
   Vectors way;          ///< [m/s] [nodes] mean velocity from the start of the step that led to t up to there
@@ -134,9 +151,7 @@ struct Multipliers {
   Subset always;        ///< of these what is not only of automatic contacts
   Subset looked_at;     ///< that and the skins of bodies that are awake, ascending
   bool has_looked = false;  ///< whether `looked_at` is listed
-  double way_apart = 0;  ///< [m] in an automatic contact, that nodes go against each other in the step to come, at most
-  std::vector<Condition> conditions;
-  std::vector<Member> members;  ///< of the conditions, one after the other
+  std::vector<FoundInRange> found;  ///< by ranges of near apexes
   Rows rows;
   std::vector<FrictionCondition> frictions;
   std::vector<Contactor> contactors;
@@ -157,24 +172,26 @@ struct Multipliers {
 Multipliers make_multipliers(std::span<const AnyContact>, std::span<const RigidPlane>, Index nodes, Index plate_nodes);
 
 /// Begins a condition that add_member() gives its nodes; take_back() ends it again.
-Condition& begin_condition(Multipliers&);
-void take_back(Multipliers&);
-inline void add_member(Index node, double weight, const Vec3& push, Multipliers& all, Condition& c) {
-  all.members.push_back({node, weight, push});
+Condition& begin_condition(ConditionList&);
+void take_back(ConditionList&);
+inline void add_member(Index node, double weight, const Vec3& push, ConditionList& list, Condition& c) {
+  list.members.push_back({node, weight, push});
   ++c.nodes;
 }
 /// The same of a node that is pushed along the normal.
-inline void add_member(Index node, double weight, Multipliers& all, Condition& c) { add_member(node, weight, weight * c.normal, all, c); }
+inline void add_member(Index node, double weight, ConditionList& list, Condition& c) {
+  add_member(node, weight, weight * c.normal, list, c);
+}
 
 /// Its nodes, the apex before those of the base.
-inline std::span<const Member> members_of(const Condition& c, const Multipliers& all) {
-  return {&all.members[static_cast<std::size_t>(c.first)], static_cast<std::size_t>(c.nodes)};
+inline std::span<const Member> members_of(const Condition& c, const ConditionList& list) {
+  return {&list.members[static_cast<std::size_t>(c.first)], static_cast<std::size_t>(c.nodes)};
 }
 
 /// The relative normal velocity, by velocities v of all nodes. [m/s]
-inline double relative(const Condition& c, const Multipliers& all, const Vectors& v) {
+inline double relative(const Condition& c, const ConditionList& list, const Vectors& v) {
   double sum = 0;
-  for (const Member& one : members_of(c, all)) sum += one.push.dot(v.col(one.node));
+  for (const Member& one : members_of(c, list)) sum += one.push.dot(v.col(one.node));
   return sum;
 }
 
@@ -218,7 +235,7 @@ Vec3 let_through(const Motion&, const Member&);
 /// Sets what follows from nodes, weights, normal and gap of a condition; false where constraints hold all its nodes.
 ///
 /// pressed  [N] by all conditions of the contactor in the step before;  held  [J] by it
-bool complete(const Motion&, double pressed, double held, Multipliers&, Condition&);
+bool complete(const Motion&, double pressed, double held, const Multipliers&, const ConditionList&, Condition&);
 
 /// Adds a contactor, with what it adds to Multipliers::shared and rubbed.
 void add(const Contactor&, Multipliers&);

@@ -3,12 +3,16 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "base/check.hpp"
+#include "base/parallel.hpp"
 #include "contact/multiplier/assemble.hpp"
 #include "contact/multiplier/over_facet.hpp"
 #include "contact/multiplier/restitution.hpp"
 #include "contact/multiplier/stick.hpp"
+#include "contact/search/body_ways.hpp"
+#include "contact/search/body_ways.hpp"
 #include "contact/search/edge_pairs.hpp"
 #include "contact/search/near.hpp"
 #include "contact/tracking/edge_over_edge.hpp"
@@ -142,29 +146,55 @@ bool can_come_over(const EdgeContact& contact, const Vectors& x, const Vectors& 
   return between_lines(contact, ahead, pair.edge, pair.base_edge, 1, lines) && is_within(lines.first) && is_within(lines.second);
 }
 
-/// Brings the crossings up to date, pair after pair: those that were over each other, and what can come over the other in the step to come.
-///
-/// moved  [m] by which edges can have come nearer since the last search
-/// way    [m] by which they can in the step to come
-/// over   how the edges of each stand; `is` false where they do not act
-void follow_all(const EdgeContact& contact, const Motion& m, double moved, double way, EdgeMemory& memory, std::vector<Crossing>& next,
-                std::vector<Over>& over, Multipliers& all) {
-  next.clear(), over.clear();
-  auto was = memory.crossings.begin();
-  for (EdgePair& pair : memory.edge_pairs) {
-    const bool is_known = was != memory.crossings.end() && !in_order(pair, *was);
-    if (is_known || can_come_over(contact, m.x, all.ahead, moved, memory.way, way, pair)) {
-      Crossing crossing = is_known ? *was++ : crossing_of(pair);
-      Over at;
-      at.is = follow(contact, m, all, crossing, at);
-      if (crossing.side != 0) {
-        next.push_back(crossing), over.push_back(at);
-        continue;
-      }
-      end(crossing.node, contact.restitution, crossing.restitution, memory, all);
-      const bool is_slow = way < slow * between_edges(contact, pair.edge, pair.base_edge).depth;
-      if (pair.in_face && is_slow) pair.flat = memory.way + stays_flat(contact, m.x, pair.edge, pair.base_edge);
+/// How far the edges of a pair have come nearer since the last search, the way since then that EdgePair::flat is held against, and the way
+/// of the step to come. [m]
+struct EdgeWays {
+  double moved, passed, ahead;
+};
+
+/// Brings the crossings of a range of pairs up to date: those that were over each other, and what can come over the other in the step to
+/// come. Reads the memory and writes EdgePair::flat of these pairs alone.
+template <class WaysOf>
+void follow_range(const EdgeContact& contact, const Motion& m, WaysOf&& ways_of, std::span<EdgePair> pairs,
+                  const std::vector<Crossing>& before, const Multipliers& all, CrossingRange& range) {
+  range.crossings.clear(), range.over.clear(), range.ended.clear();
+  auto was = std::lower_bound(before.begin(), before.end(), pairs.front(), in_order);
+  for (EdgePair& pair : pairs) {
+    const bool is_known = was != before.end() && !in_order(pair, *was);
+    const EdgeWays ways = ways_of(pair);
+    if (!is_known && !can_come_over(contact, m.x, all.ahead, ways.moved, ways.passed, ways.ahead, pair)) continue;
+    Crossing crossing = is_known ? *was++ : crossing_of(pair);
+    Over at;
+    at.is = follow(contact, m, all, crossing, at);
+    if (crossing.side != 0) {
+      range.crossings.push_back(crossing), range.over.push_back(at);
+      continue;
     }
+    if (crossing.restitution.held > 0) range.ended.push_back(crossing);
+    const bool is_slow = ways.ahead < slow * between_edges(contact, pair.edge, pair.base_edge).depth;
+    if (pair.in_face && is_slow) pair.flat = ways.passed + stays_flat(contact, m.x, pair.edge, pair.base_edge);
+  }
+}
+
+/// Brings the crossings up to date, range after range of pairs; `is` of EdgeWorkspace::over is false where they do not act.
+template <class WaysOf>
+void follow_all(const EdgeContact& contact, const Motion& m, WaysOf&& ways_of, EdgeMemory& memory, EdgeWorkspace& workspace, Multipliers& all) {
+  constexpr Index pairs_of_a_range = 128;  // whatever the number of threads
+  const auto count = static_cast<Index>(memory.edge_pairs.size()), ranges = (count + pairs_of_a_range - 1) / pairs_of_a_range;
+  std::vector<CrossingRange>& found = workspace.crossing_ranges;
+  if (found.size() < static_cast<std::size_t>(ranges)) found.resize(static_cast<std::size_t>(ranges));
+  parallel_for(ranges, 1, [&](Index r) {
+    const Index first = r * pairs_of_a_range, last = std::min(count, first + pairs_of_a_range);
+    const std::span<EdgePair> pairs(&memory.edge_pairs[static_cast<std::size_t>(first)], static_cast<std::size_t>(last - first));
+    follow_range(contact, m, ways_of, pairs, memory.crossings, all, found[static_cast<std::size_t>(r)]);
+  });
+  std::vector<Crossing>& next = workspace.crossings;
+  next.clear(), workspace.over.clear();
+  for (Index r = 0; r < ranges; ++r) {
+    CrossingRange& range = found[static_cast<std::size_t>(r)];
+    next.insert(next.end(), range.crossings.begin(), range.crossings.end());
+    workspace.over.insert(workspace.over.end(), range.over.begin(), range.over.end());
+    for (Crossing& one : range.ended) end(one.node, contact.restitution, one.restitution, memory, all);
   }
   std::swap(memory.crossings, next);
 }
@@ -173,12 +203,19 @@ void follow_all(const EdgeContact& contact, const Motion& m, double moved, doubl
 
 void find_conditions(const EdgeContact& contact, const Motion& m, EdgeMemory& memory, EdgeWorkspace& workspace, Multipliers& all) {
   const double h = 0.5 * (m.dt + m.next);
-  const bool one_pair = contact.bodies.count() == 0;
-  const double moved = one_pair ? search_where_due(contact, m.x, all.way, memory, workspace) : memory.way;
-  const auto apart = [&](const Vectors& v) { return speed_apart(v, {contact.apexes, contact.base_nodes}); };
-  const double way = one_pair ? m.next * apart(all.velocity) : all.way_apart;
-  if (one_pair) memory.way += m.dt * apart(m.v);
-  follow_all(contact, m, moved, way, memory, workspace.crossings, workspace.over, all);
+  if (contact.bodies.count() == 0) {
+    const auto apart = [&](const Vectors& v) { return speed_apart(v, {contact.apexes, contact.base_nodes}); };
+    const double moved = search_where_due(contact, m.x, all.way, memory, workspace), ahead = m.next * apart(all.velocity);
+    memory.way += m.dt * apart(m.v);
+    follow_all(contact, m, [&](const EdgePair&) { return EdgeWays{moved, memory.way, ahead}; }, memory, workspace, all);
+  } else {
+    find_speeds_apart(contact, all.velocity, workspace);
+    const auto ways_of = [&](const EdgePair& pair) {
+      const auto body = static_cast<std::size_t>(contact.edges.body[static_cast<std::size_t>(pair.edge)]);
+      return EdgeWays{memory.way_of_body[body], memory.way_of_body[body], m.next * workspace.apart[body]};
+    };
+    follow_all(contact, m, ways_of, memory, workspace, all);
+  }
   for (std::size_t i = 0; i < memory.crossings.size(); ++i) {
     Crossing& crossing = memory.crossings[i];
     const Between& pair = between_edges(contact, crossing.edge, crossing.base_edge);
@@ -188,7 +225,7 @@ void find_conditions(const EdgeContact& contact, const Motion& m, EdgeMemory& me
       Condition& c = begin_condition(all);
       make(contact, workspace.over[i], crossing, all, c);
       const double speed = relative(crossing, all.velocity).norm();
-      acts = can_touch(pair, m, c.gap, speed) && complete(m, crossing.pressed, crossing.restitution.held, all, c);
+      acts = can_touch(pair, m, c.gap, speed) && complete(m, crossing.pressed, crossing.restitution.held, all, all, c);
       if (!acts) take_back(all);
     }
     if (!acts) {
@@ -202,7 +239,7 @@ void find_conditions(const EdgeContact& contact, const Motion& m, EdgeMemory& me
     Index friction = -1;
     if (contact.friction.coefficient > 0 && m.dt > 0) {
       const Vec3 force = crossing.friction.acts ? crossing.friction.force : Vec3(Vec3::Zero());
-      friction = add_friction(touch_of(m.x, crossing), contact.friction, force, crossing.friction.stuck, m, all);
+      friction = add_friction(touch_of(m.x, crossing), contact.friction, force, crossing.friction.stuck, m, all.frictions);
     }
     const double area = std::min(contact.edges.area(crossing.edge), contact.base_edges.area(crossing.base_edge));
     add({.memory = &crossing.restitution, .first = first, .last = first + 1, .friction = friction, .area = area, .depth = pair.depth,

@@ -13,6 +13,7 @@
 #include "contact/multiplier/rigid_nodes.hpp"
 #include "contact/multiplier/shape_points.hpp"
 #include "contact/multiplier/solve.hpp"
+#include "contact/search/body_ways.hpp"
 #include "contact/search/edge_pairs.hpp"
 #include "contact/search/near.hpp"
 #include "contact/tracking/element.hpp"
@@ -90,6 +91,8 @@ void wake(const Acting& acting, const Motion& m, std::span<AnyWorkspace> workspa
   for (std::size_t i = 0; i < acting.contacts.size(); ++i)
     if (is_automatic(acting.contacts[i]))
       with_all(acting.contacts[i], acting.memories[i], workspaces[i], [&](const auto& contact, auto& memory, auto& workspace) {
+        if (!workspace.knows_near_bodies && memory.searches > 0) find_near_bodies(contact, memory, workspace);  // as after a restart
+        add_ways(contact, m.v, m.dt, memory, workspace);
         searched = search_bodies_where_due(contact, m.x, m.v, m.dt * apart, m.next * apart, memory, workspace) || searched;
       });
   if (!searched) return;
@@ -122,7 +125,6 @@ void find_impulses(const Acting& acting, const Motion& m, std::span<AnyWorkspace
   if (m.rigid) look_ahead(*m.rigid, m, all);
   find_bonds(acting.contacts, m, acting.memories, all.velocity, all.bonds);
   see_ahead(all.bonds.nodes, m, all);
-  all.way_apart = any_automatic(acting) ? m.next * speed_apart(all.velocity, {all.looked_at}) : 0;
   all.spent.end(Stage::predict);
   for (std::size_t i = 0; i < acting.contacts.size(); ++i) {
     if (by_multipliers(acting.contacts[i]) && !bonded_by_multipliers(acting.contacts[i]))

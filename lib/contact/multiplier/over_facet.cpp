@@ -72,12 +72,13 @@ bool is_flush_beside(const Interface& interface, const Vectors& x, Index apex, I
 }
 
 /// Sets nodes, weights, normal and gap of an apex over a facet, or over the face that it is half of.
-void set(const Interface& interface, Index apex, const Stencil& stencil, const Vec3& normal, double gap, Multipliers& all, Condition& c) {
+void set(const Interface& interface, Index apex, const Stencil& stencil, const Vec3& normal, double gap, ConditionList& list,
+         Condition& c) {
   c.gap = gap;
   c.normal = normal;
-  add_member(apex, 1, all, c);
-  for (int I = 0; I < 3; ++I) add_member(interface.base.facets(I, stencil.facet), -stencil.weight[I], all, c);
-  if (stencil.fourth != 0) add_member(interface.base.half[stencil.facet].fourth, -stencil.fourth, all, c);
+  add_member(apex, 1, list, c);
+  for (int I = 0; I < 3; ++I) add_member(interface.base.facets(I, stencil.facet), -stencil.weight[I], list, c);
+  if (stencil.fourth != 0) add_member(interface.base.half[stencil.facet].fourth, -stencil.fourth, list, c);
 }
 
 /// Whether another facet turns far away from that of a stencil, outward, and shares the nodes with it that its foot is at.
@@ -108,7 +109,7 @@ bool leads_farther_in(const Interface& interface, const Vectors& x, Index apex, 
 }
 
 bool make(const Interface& interface, const Motion& m, const Memory& memory, const Near& near, Stencil& stencil, bool& has_moment,
-          Multipliers& all, Condition& c) {
+          const Multipliers& all, ConditionList& list, Condition& c) {
   const Index apex = interface.apexes[near.apex];
   const Vec3 p = m.x.col(apex);
   const double push = stencil.push.norm();
@@ -128,7 +129,7 @@ bool make(const Interface& interface, const Motion& m, const Memory& memory, con
     const Vec3 arm = p - foot, out = stencil.push / push;
     const double distance = std::copysign(arm.norm(), arm.dot(out));
     const bool too_near = !(std::abs(distance) > just_on * interface.base.size(stencil.facet));  // for a direction
-    set(interface, apex, stencil, too_near ? out : Vec3(arm / distance), distance - stencil.level, all, c);
+    set(interface, apex, stencil, too_near ? out : Vec3(arm / distance), distance - stencil.level, list, c);
     has_moment = has_moment || too_near;
     return true;
   }
@@ -158,7 +159,7 @@ bool make(const Interface& interface, const Motion& m, const Memory& memory, con
     if (stands_on_ridge(interface.base, m.x, stencil.facet, over, way, normal) &&
         may_push(interface.own, m.x, apex, normal, behind_in_two_directions, allowed_of(interface, near.apex))) {
       stencil.weight = over.weight, stencil.fourth = 0;
-      set(interface, apex, stencil, normal, over.height - stencil.level, all, c);
+      set(interface, apex, stencil, normal, over.height - stencil.level, list, c);
       return has_moment = true;
     }
   }
@@ -180,17 +181,17 @@ bool make(const Interface& interface, const Motion& m, const Memory& memory, con
   find_foot(blends);
   if (blends && leads_farther_in(interface, m.x, apex, over.normal, facet_normal(interface.base, m.x, stencil.facet))) find_foot(false);
   stencil.weight = over.weight;
-  set(interface, apex, stencil, over.normal, over.height - stencil.level, all, c);
+  set(interface, apex, stencil, over.normal, over.height - stencil.level, list, c);
   // The normal turns as an apex passes an edge or vertex, or comes over another facet: what counts is how the gap changes in the free step.
   // Both gaps are over facets, since that over a warped face is another one.
   if (near.tracks.count == 0 || (near.element.count == 1 && stencil.kind != geometry::Kind::facet)) {
     const bool is_facet = stencil.kind == geometry::Kind::facet;
     const double start = is_facet ? height_over(interface.base, m.x, feature(), p).height - stencil.level : c.gap;
-    c.gap += std::max(0.0, memory.gap[near.apex] - start - m.next * relative(c, all, all.velocity));
+    c.gap += std::max(0.0, memory.gap[near.apex] - start - m.next * relative(c, list, all.velocity));
   }
   if (!(push > 0)) {
     double fastest = 0;
-    for (const Member& one : members_of(c, all).subspan(1))
+    for (const Member& one : members_of(c, list).subspan(1))
       fastest = std::max(fastest, (all.velocity.col(apex) - all.velocity.col(one.node)).squaredNorm());
     if (!can_touch(between(interface, near.apex, stencil.facet), m, c.gap, std::sqrt(fastest))) return false;
     if (!may_push(interface.own, m.x, apex, c.normal, most_behind(interface), allowed)) return false;
@@ -261,12 +262,12 @@ bool stays_over_face(const Interface& interface, const Near& near) {
   return near.kept == Kept::stencil && stencil.kind == geometry::Kind::facet && interface.base.half[stencil.facet].cut >= 0;
 }
 
-/// Finds where the apexes stand that come next, from a place in the list of near ones on.
-void look_ahead(const Interface& interface, const Vectors& x, const Memory& memory, std::size_t from, Ahead& ahead) {
+/// Finds where the apexes stand that come next, from a place in the list of near ones up to another.
+void look_ahead(const Interface& interface, const Vectors& x, const Memory& memory, std::size_t from, std::size_t last, Ahead& ahead) {
   std::array<Index, lanes> apex;
   alignas(64) std::array<double, lanes> a, b, band;
   ahead.count = ahead.next = 0;
-  for (std::size_t i = from; i < memory.near.size() && ahead.count < lanes; ++i) {
+  for (std::size_t i = from; i < last && ahead.count < lanes; ++i) {
     const Near& near = memory.near[i];
     if (!stays_over_face(interface, near)) continue;
     const Stencil& stencil = near.element.stencil[0];
@@ -299,17 +300,18 @@ void look_ahead(const Interface& interface, const Vectors& x, const Memory& memo
 
 }  // namespace
 
-bool make_ahead(const Interface& interface, const Vectors& x, const Memory& memory, Near& near, Ahead& ahead, Multipliers& all,
-                Condition& c) {
+bool make_ahead(const Interface& interface, const Vectors& x, const Memory& memory, Near& near, Index last, Ahead& ahead,
+                ConditionList& list, Condition& c) {
   if (!stays_over_face(interface, near)) return false;
-  if (ahead.next == ahead.count) look_ahead(interface, x, memory, static_cast<std::size_t>(&near - memory.near.data()), ahead);
+  const auto place = static_cast<std::size_t>(&near - memory.near.data());
+  if (ahead.next == ahead.count) look_ahead(interface, x, memory, place, static_cast<std::size_t>(last), ahead);
   const int lane = ahead.next++;
   if (!ahead.stands[lane]) return false;
   Stencil& stencil = near.element.stencil[0];
   const int first = interface.base.half[stencil.facet].cut, second = next_corner[first], third = next_corner[second];
   c.normal = {ahead.normal[0][lane], ahead.normal[1][lane], ahead.normal[2][lane]};
-  add_member(interface.apexes[near.apex], 1, all, c);
-  for (int I = 0; I < 4; ++I) add_member(ahead.corner[I][lane], -ahead.weight[I][lane], all, c);
+  add_member(interface.apexes[near.apex], 1, list, c);
+  for (int I = 0; I < 4; ++I) add_member(ahead.corner[I][lane], -ahead.weight[I][lane], list, c);
   stencil.weight[first] = ahead.weight[0][lane], stencil.fourth = ahead.weight[1][lane];
   stencil.weight[second] = ahead.weight[2][lane], stencil.weight[third] = ahead.weight[3][lane];
   c.gap = ahead.height[lane] - stencil.level;

@@ -22,7 +22,8 @@ bool leads_farther_in(const Interface&, const Vectors& x, Index apex, const Vec3
 /// Nodes, weights, normal and gap of an apex over the feature of a stencil where the nodes are at t; false if it is out of reach.
 ///
 /// A stencil with a push was found where the nodes would be: it counts however far the apex is now, and the push has the direction.
-bool make(const Interface&, const Motion&, const Memory&, const Near&, Stencil&, bool& has_moment, Multipliers&, Condition&);
+bool make(const Interface&, const Motion&, const Memory&, const Near&, Stencil&, bool& has_moment, const Multipliers&, ConditionList&,
+          Condition&);
 
 /// Where an apex is just on a ridge or a corner and its sides push it alike, makes one stencil of theirs: to press on one side, and on
 /// another, would turn a blow aside, and what was held could not be given back along the way it was taken.
@@ -42,6 +43,8 @@ struct Ahead {
 };
 
 /// Makes the condition of a near apex as make() does, if it stays over a bilinear face. To be asked apex after apex.
-bool make_ahead(const Interface&, const Vectors& x, const Memory&, Near&, Ahead&, Multipliers&, Condition&);
+///
+/// last  place in Memory::near at which the range of apexes ends
+bool make_ahead(const Interface&, const Vectors& x, const Memory&, Near&, Index last, Ahead&, ConditionList&, Condition&);
 
 }  // namespace nereid::contact

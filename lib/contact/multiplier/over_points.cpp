@@ -42,10 +42,11 @@ void lay_on(const Interface& interface, const Vectors& x, Index apex, Index face
 /// Sums the points of the faces around an apex over the side of the base that a stencil is on. If none lies there, but some lie on another
 /// side that meets this one at a node of the facet, and no other stencil is there, moves the stencil to that side: an apex on the rim of a
 /// flush face is on all sides of the rim, and which one its track names is a chance.
-OverPoints sum_where_faces_lie(const Interface& interface, const Vectors& x, Index apex, int s, PointWork& work, ElementForces& element) {
+OverPoints sum_where_faces_lie(const Interface& interface, const Vectors& x, Index apex, int s, const PointWork& work, PointSum& range,
+                               ElementForces& element) {
   const BaseSurface& base = interface.base;
   Stencil& stencil = element.stencil[s];
-  const OverPoints here = sum_points(interface, x, apex, stencil.facet, work);
+  const OverPoints here = sum_points(interface, x, apex, stencil.facet, work, range);
   if (here.area > 0 || here.of_node > 0 || here.covered_elsewhere) return here;
   const auto is_taken = [&](const Vec3& side) {
     for (int one = 0; one < element.count; ++one)
@@ -58,12 +59,12 @@ OverPoints sum_where_faces_lie(const Interface& interface, const Vectors& x, Ind
     for (Index r = base.ring_begin[node]; r < base.ring_begin[node + 1]; ++r) {
       const Index other = base.ring[static_cast<std::size_t>(r)];
       if (is_taken(facet_normal(base, x, other))) continue;
-      const double area = sum_points(interface, x, apex, other, work).area, apart = distance_to(interface, x, apex, other);
+      const double area = sum_points(interface, x, apex, other, work, range).area, apart = distance_to(interface, x, apex, other);
       const bool same_side = std::abs(area - most) < just_on * area;
       if (same_side ? apart < nearest : area > most) best = other, most = area, nearest = apart;
     }
   if (best >= 0) lay_on(interface, x, apex, best, stencil);
-  return sum_points(interface, x, apex, stencil.facet, work);
+  return sum_points(interface, x, apex, stencil.facet, work, range);
 }
 
 /// How fast an apex moves against the facet of a stencil in the step to come. [m/s]
@@ -126,8 +127,9 @@ void move_to(const OverPlane& plane, Near& near) {
   tracks.out = {plane.facet, plane.over.weight, std::max(plane.over.height, tracks.track[0].height)};
 }
 
-bool guard_acts(const Interface& interface, const Motion& m, const Near& near, Index facet, const Multipliers& all, Condition& c) {
-  const double closing = steps_to_touch * m.next * std::min(0.0, relative(c, all, all.velocity));
+bool guard_acts(const Interface& interface, const Motion& m, const Near& near, Index facet, const Multipliers& all,
+                const ConditionList& list, Condition& c) {
+  const double closing = steps_to_touch * m.next * std::min(0.0, relative(c, list, all.velocity));
   if (!(near.pressed > 0) && !(c.gap + closing < 0)) return false;  // what it is allowed would only add to this
   c.gap += allowance(interface, m.x, near.apex, facet);
   return near.pressed > 0 || c.gap + closing < 0;
@@ -144,23 +146,23 @@ void follow_facet(const Interface& interface, const Vectors& x, Memory& memory, 
   near.element.moved = facet != before;
 }
 
-bool find_over_points(const Interface& interface, const Motion& m, const Memory& memory, Near& near, int s, Moved moved, PointWork& work,
-                      Multipliers& all, Condition& c) {
+bool find_over_points(const Interface& interface, const Motion& m, const Memory& memory, Near& near, int s, Moved moved,
+                      const PointWork& work, FoundInRange& range, const Multipliers& all, Condition& c) {
   Stencil& stencil = near.element.stencil[s];
   const bool pushes = !stencil.push.isZero(0);
   if (!pushes && memory.gap[near.apex] > farther_than_points * interface.base.size(stencil.facet) &&
       !can_touch(between(interface, near.apex, stencil.facet), m, 0.5 * memory.gap[near.apex], speed_over(interface, all, near, stencil)))
     return false;
-  OverPoints sum = sum_where_faces_lie(interface, m.x, near.apex, s, work, near.element);
+  OverPoints sum = sum_where_faces_lie(interface, m.x, near.apex, s, work, range.points, near.element);
   if (has_same_points(interface.base, m.x, near.element, s)) return false;
   const Index side = stencil.facet;
   const double level = level_of_points(interface, memory, near.apex, stencil);
   const bool by_points_alone = is_by_points_alone(interface, m.x, near, sum, level, stencil);
   near.by_points = by_points_alone && s == 0;
-  const bool stands = !by_points_alone && make(interface, m, memory, near, stencil, near.element.has_moment, all, c);
+  const bool stands = !by_points_alone && make(interface, m, memory, near, stencil, near.element.has_moment, all, range.list, c);
   if (!(sum.area > 0) && !(sum.covered_elsewhere && !(sum.of_node > 0))) return stands;
   // points may leave a node no deeper than a guard, also where nodes that are better covered have its points
-  if (!(sum.area > 0)) return stands && guard_acts(interface, m, near, stencil.facet, all, c);
+  if (!(sum.area > 0)) return stands && guard_acts(interface, m, near, stencil.facet, all, range.list, c);
   sum.gap -= sum.area * level;
   Vec3 normal = sum.normal;
   if (stands && sum.of_node > 0) sum.gap += sum.of_node * c.gap, normal += sum.of_node * c.normal;
@@ -175,12 +177,13 @@ bool find_over_points(const Interface& interface, const Motion& m, const Memory&
     }
   }
   if (stands && sum.of_node > 0)
-    for (const Member& one : members_of(c, all)) add_to(one.node, sum.of_node * one.weight * c.normal, one.weight > 0, work);
+    for (const Member& one : members_of(c, range.list))
+      add_to(one.node, sum.of_node * one.weight * c.normal, one.weight > 0, range.points);
   if (!by_points_alone && (!stands || stencil.facet != side)) lay_on(interface, m.x, near.apex, side, stencil);
-  all.members.resize(static_cast<std::size_t>(c.first)), c.nodes = 0;
+  range.list.members.resize(static_cast<std::size_t>(c.first)), c.nodes = 0;
   if (!(area > 0)) return false;
   c.normal = along / area, c.gap = sum.gap / area;
-  for (const Share& one : work.sum) {
+  for (const Share& one : range.points.sum) {
     // on like meshes these are 0 or 1, and round-off beside that would set what lies still in motion
     const Vec3 push = (one.push / area).unaryExpr([](double part) {
       const double whole = std::nearbyint(part);
@@ -188,12 +191,12 @@ bool find_over_points(const Interface& interface, const Motion& m, const Memory&
     });
     if (c.nodes > 0 && push.isZero(0)) continue;
     const double weight = push.norm();
-    add_member(one.node, one.of_apex_side ? weight : -weight, push, all, c);
+    add_member(one.node, one.of_apex_side ? weight : -weight, push, range.list, c);
   }
   stencil.over_points = true;
   if (pushes) return true;
   double fastest = 0;
-  for (const Member& one : members_of(c, all)) {
+  for (const Member& one : members_of(c, range.list)) {
     const Vec3 speed = all.velocity.col(interface.apexes[near.apex]) - all.velocity.col(one.node);
     fastest = std::max(fastest, speed.squaredNorm());
   }

@@ -21,13 +21,14 @@ double least_allowance(const Interface&, Index apex, Index facet);
 void move_to(const OverPlane&, Near&);
 
 /// Whether a guard acts: where it would be deeper than it may be, in this step or soon. Others would slow the sweeps down.
-bool guard_acts(const Interface&, const Motion&, const Near&, Index facet, const Multipliers&, Condition&);
+bool guard_acts(const Interface&, const Motion&, const Near&, Index facet, const Multipliers&, const ConditionList&, Condition&);
 
 /// Moves an apex whose points are known alone to the facet that it is over now.
 void follow_facet(const Interface&, const Vectors& x, Memory&, Near&);
 
 /// Finds the condition of a stencil over points of the faces around the apex, or by the apex itself where none of them lies on the base;
 /// false if there is none. Friction has the foot of the apex in any case.
-bool find_over_points(const Interface&, const Motion&, const Memory&, Near&, int s, Moved, PointWork&, Multipliers&, Condition&);
+bool find_over_points(const Interface&, const Motion&, const Memory&, Near&, int s, Moved, const PointWork&, FoundInRange&,
+                      const Multipliers&, Condition&);
 
 }  // namespace nereid::contact

@@ -127,7 +127,10 @@ void release(const Motion& m, double t, Multipliers& all) {
     if (!give_back(m, t, false, all)) break;
   }
   if (strikes) give_back_blows(m, all);
-  for (int pass = 0; pass < passes; ++pass) {  // gaps that this has made negative, with what each holds itself
+  bool any = true;
+  // gaps that this has made negative, with what each holds itself
+  for (int pass = 0; pass < passes && (any || all.bonds.touched); ++pass) {
+    any = false;
     for (Contactor& one : all.contactors)
       for (Index i = one.first; i < one.last; ++i) {
         Condition& c = all.conditions[i];
@@ -137,8 +140,9 @@ void release(const Motion& m, double t, Multipliers& all) {
         c.change = std::max(0.0, (c.least - after) / c.bound);
         if (c.change > 0 && by.of(c.change) > left) c.change = by.impulse_for(left);
         one.work += by.of(c.change);
+        any = any || c.change != 0;
       }
-    apply_changes(m, all);
+    if (any || all.bonds.touched) apply_changes(m, all);
   }
   for (Condition& c : all.conditions) c.change = 0;
   for (int pass = 0; pass < passes && !all.frictions.empty(); ++pass) {  // what is given back presses, too, and friction follows

@@ -34,9 +34,9 @@ double product(const MovingBody& body, const OnBody& a, const OnBody& b) {
   return a.force.dot(body.shift * b.force) + a.moment.dot(body.turn * b.moment);
 }
 
-OnBodies of_condition(const RigidNodes& all, const Vectors& x, const Multipliers& multipliers, const Condition& c) {
+OnBodies of_condition(const RigidNodes& all, const Vectors& x, const ConditionList& list, const Condition& c) {
   OnBodies sum;
-  const auto members = members_of(c, multipliers);
+  const auto members = members_of(c, list);
   for (int j = 0; j < c.nodes; ++j) sum.add(all, x, members[static_cast<std::size_t>(j)].node, members[static_cast<std::size_t>(j)].push);
   return sum;
 }
@@ -164,11 +164,11 @@ void push(MovingBody& body, const Vec3& impulse, const Vec3& angular, const Moti
   for (const Index node : body.nodes) velocity.col(node) = rigid::velocity_at(body.twist, m.x.col(node) - body.centre, body.next);
 }
 
-double per_mass(const RigidNodes& all, const Motion& m, const Multipliers& multipliers, const Condition& c) {
+double per_mass(const RigidNodes& all, const Motion& m, const ConditionList& list, const Condition& c) {
   double sum = 0;
-  for (const Member& one : members_of(c, multipliers))
+  for (const Member& one : members_of(c, list))
     if (all.of_node[one.node] < 0) sum += let_through(m, one).squaredNorm() / m.mass(one.node);
-  for (const OnBody& on : of_condition(all, m.x, multipliers, c).on)
+  for (const OnBody& on : of_condition(all, m.x, list, c).on)
     if (on.body >= 0) sum += product(all.bodies[on.body], on, on);
   return sum;
 }

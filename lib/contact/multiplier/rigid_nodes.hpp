@@ -46,7 +46,7 @@ void look_ahead(RigidNodes&, const Motion&, Multipliers&);
 void push(MovingBody&, const Vec3& impulse, const Vec3& angular, const Motion&, Vectors& velocity);
 
 /// What a condition's impulse does to its own rate. [1/kg]
-double per_mass(const RigidNodes&, const Motion&, const Multipliers&, const Condition&);
+double per_mass(const RigidNodes&, const Motion&, const ConditionList&, const Condition&);
 
 /// The part of rigid bodies in what the friction b does to the slip rate along a. [m/s]
 double product_of_bodies(const RigidNodes&, const FrictionShares& a, const FrictionShares& b, const Vectors& x);

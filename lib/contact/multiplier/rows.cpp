@@ -13,7 +13,7 @@ namespace nereid::contact {
 
 namespace {
 
-constexpr Index movers_of_a_thread = 512;  // fewer than twice as many are moved by one
+constexpr Index movers_of_a_thread = 512, slots_of_a_thread = 2048;  // fewer than twice as many are moved by one
 
 /// Makes the rows of one step.
 class Maker {
@@ -83,6 +83,12 @@ class Maker {
       rows_.copies[at] = static_cast<Index>(slot);
     }
     rows_.given.assign(rows_.velocity.size(), Vec4::Zero());
+    rows_.mobility.assign(rows_.velocity.size(), 0), rows_.others.clear();
+    for (std::size_t i = 0; i < rows_.movers.size(); ++i) {
+      const Mover& mover = rows_.movers[i];
+      if (mover.count == 1 && mover.through == nullptr) rows_.mobility[static_cast<std::size_t>(mover.slot)] = mover.mobility;
+      else if (mover.slot >= 0) rows_.others.push_back(static_cast<Index>(i));
+    }
   }
 
  private:
@@ -176,9 +182,8 @@ void place(const Mover& mover, const Vec4& velocity, Rows& rows) {
 }
 
 void move(Rows& rows) {
-  parallel_for(static_cast<Index>(rows.movers.size()), movers_of_a_thread, [&](Index i) {
-    Mover& mover = rows.movers[static_cast<std::size_t>(i)];
-    if (mover.slot < 0) return;
+  parallel_for(static_cast<Index>(rows.others.size()), movers_of_a_thread, [&](Index i) {
+    Mover& mover = rows.movers[static_cast<std::size_t>(rows.others[static_cast<std::size_t>(i)])];
     Vec4& given = rows.given[static_cast<std::size_t>(mover.slot)];
     Vec4 sum = given;
     given.setZero();
@@ -194,6 +199,11 @@ void move(Rows& rows) {
     }
     velocity += mover.mobility * sum;
     if (mover.count > 1) place(mover, velocity, rows);
+  });
+  parallel_for(static_cast<Index>(rows.velocity.size()), slots_of_a_thread, [&](Index i) {
+    const auto slot = static_cast<std::size_t>(i);
+    rows.velocity[slot] += rows.mobility[slot] * rows.given[slot];
+    rows.given[slot].setZero();
   });
 }
 

@@ -52,6 +52,8 @@ struct Rows {
   std::vector<Index> mover_of_slot;
   std::vector<Mover> movers;
   std::vector<Index> copies;          ///< slots of movers that have several, in order
+  std::vector<double> mobility;       ///< [1/kg] [slots] of movers with one slot that go wherever they are pushed; zero of all others
+  std::vector<Index> others;          ///< movers with several slots, or that something holds or carries
   Index bodies = 0;                   ///< movers of rigid bodies come first: two of each
   /// Where something has its slot: right if the stamp is that of the range at hand, as the mover is if the stamp is of this step.
   struct Place {

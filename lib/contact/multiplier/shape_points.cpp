@@ -213,7 +213,7 @@ bool add_condition(const Contact& contact, const Between& pair, const Motion& m,
     const double size = std::abs(point.weight[at]);
     add_member(point.node[at], is_apex ? size : -size, point.weight[at] * c.normal, all, c);
   }
-  if (!complete(m, m.dt > 0 ? point.pressed : 0, point.restitution.held, all, c)) {
+  if (!complete(m, m.dt > 0 ? point.pressed : 0, point.restitution.held, all, all, c)) {
     take_back(all);
     return false;
   }
@@ -222,7 +222,7 @@ bool add_condition(const Contact& contact, const Between& pair, const Motion& m,
   c.impulse = c.met = m.dt > 0 ? point.pressed * h : 0;
   Index friction = -1;
   if (contact.friction.coefficient > 0 && m.dt > 0)
-    friction = add_friction(touch_of(point), contact.friction, point.friction, point.stuck, m, all);
+    friction = add_friction(touch_of(point), contact.friction, point.friction, point.stuck, m, all.frictions);
   add({.memory = &point.restitution, .first = first, .last = first + 1, .friction = friction, .area = point.area, .depth = pair.depth,
        .impedance = pair.impedance * point.area, .square = contact.restitution * contact.restitution}, all);
   return true;

@@ -35,16 +35,17 @@ double response(const Touch& touch, const Motion& m, bool constrained) {
 
 }  // namespace
 
-Index add_friction(const Touch& touch, const Coulomb& law, const Vec3& force, bool stuck, const Motion& m, Multipliers& all) {
+Index add_friction(const Touch& touch, const Coulomb& law, const Vec3& force, bool stuck, const Motion& m,
+                   std::vector<FrictionCondition>& frictions) {
   double per_mass = response(touch, m, true);
   if (!(per_mass > no_response / m.mass(touch.apex >= 0 ? touch.apex : touch.node[0]))) per_mass = response(touch, m, false);
   const Vec3 impulse = 0.5 * (m.dt + m.next) * (force - touch.normal.dot(force) * touch.normal);
   const Vec3 before = slip_rate(touch, m.v, m.omega, m.rotation_of_node);
   const Vec3 along = touch.normal.unitOrthogonal();
-  all.frictions.push_back({.touch = touch, .coefficient = coefficient_at(law, stuck ? 0 : before.norm()), .per_mass = per_mass,
-                           .bound = 0, .before = before, .stuck = Vec3::Zero(), .impulse = impulse, .change = Vec3::Zero(),
-                           .met = impulse, .moved = Vec3::Zero(), .after = before, .along = {along, touch.normal.cross(along)}, .row = {}});
-  return static_cast<Index>(all.frictions.size()) - 1;
+  frictions.push_back({.touch = touch, .coefficient = coefficient_at(law, stuck ? 0 : before.norm()), .per_mass = per_mass,
+                       .bound = 0, .before = before, .stuck = Vec3::Zero(), .impulse = impulse, .change = Vec3::Zero(),
+                       .met = impulse, .moved = Vec3::Zero(), .after = before, .along = {along, touch.normal.cross(along)}, .row = {}});
+  return static_cast<Index>(frictions.size()) - 1;
 }
 
 void let_yield(double owed, double depth, const Motion& m, std::size_t first, Multipliers& all) {

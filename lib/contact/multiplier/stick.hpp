@@ -9,8 +9,8 @@ namespace nereid::contact {
 /// the plane, no impulse changes the slip rate; it grows to what the normal impulse allows, and they take it.
 ///
 /// stuck    in the step before: what sweeps have left of its slip rate is no sliding
-/// returns  its place in Multipliers::frictions
-Index add_friction(const Touch&, const Coulomb&, const Vec3& force, bool stuck, const Motion&, Multipliers&);
+/// returns  its place in the list
+Index add_friction(const Touch&, const Coulomb&, const Vec3& force, bool stuck, const Motion&, std::vector<FrictionCondition>&);
 
 /// Lets sticks yield against their forces, so that friction takes back what it owes [J].
 void let_yield(double owed, double depth, const Motion&, std::size_t first, Multipliers&);

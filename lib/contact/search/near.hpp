@@ -8,6 +8,7 @@
 #include <span>
 
 #include "contact/data/workspace.hpp"
+#include "contact/search/body_ways.hpp"
 #include "geometry/closest.hpp"
 
 namespace nereid::contact {
@@ -65,8 +66,10 @@ bool search_bodies_where_due(const Contact& contact, const Vectors& x, const Vec
   if (memory.searches > 0 && memory.way + ahead <= 0.5 * memory.margin) return false;
   memory.margin = margin_of(contact, v);
   memory.way = 0;
+  memory.way_of_body.assign(static_cast<std::size_t>(contact.bodies.count()), 0);
   search(contact, x, memory, workspace);
   keep_awake(contact, memory);
+  find_near_bodies(contact, memory, workspace);
   return true;
 }
 

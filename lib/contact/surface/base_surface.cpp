@@ -115,21 +115,28 @@ double lean_of(double cosine) {
 }  // namespace
 
 double lean(const BaseSurface& base, const Vectors& x, Index facet) {
-  double cosine = 1;
+  // of the pair with the least cosine; compared by the squares with their signs, without a root or a division
+  Vec3 least_one = Vec3::UnitZ(), least_other = least_one;
+  double signed_square = 1, of_sizes = 1;
   for (int a = 0; a < 3; ++a) {
     const Index node = base.facets(a, facet);
     for (Index r = base.ring_begin[node]; r < base.ring_begin[node + 1]; ++r) {
       const Index one = base.ring[r];
       const Vec3 n = area_vector(base, x, one);
+      const double size = n.squaredNorm();
       for (int e = 0; e < 3; ++e) {
         const Index other = base.neighbour(e, one);
         const bool at_node = base.facets(e, one) == node || base.facets((e + 1) % 3, one) == node;
         if (other < one || !at_node || base.wall[one][e]) continue;  // the other is seen from its own side
-        cosine = std::min(cosine, cosine_between(n, area_vector(base, x, other)));
+        const Vec3 normal = area_vector(base, x, other);
+        const double product = n.dot(normal), sizes = size * normal.squaredNorm();
+        if (!(product * std::abs(product) * of_sizes < signed_square * sizes)) continue;
+        signed_square = product * std::abs(product), of_sizes = sizes;
+        least_one = n, least_other = normal;
       }
     }
   }
-  return lean_of(cosine);
+  return lean_of(std::min(1.0, cosine_between(least_one, least_other)));
 }
 
 double lean_at_edges(const BaseSurface& base, const Vectors& x, Index facet) {

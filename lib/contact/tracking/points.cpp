@@ -414,16 +414,72 @@ double allowance(const Interface& interface, const Vectors& x, Index apex, Index
 namespace {
 
 /// Where a node is in PointWork::place, or the free place where it belongs.
-std::size_t place_of(Index node, const PointWork& work) {
+std::size_t place_of(Index node, const PointSum& work) {
   const std::size_t last = work.place.size() - 1;
   std::size_t at = (static_cast<std::uint32_t>(node) * 2654435761U >> 16) & last;  // Knuth's multiplicative hash
   while (work.place[at] >= 0 && work.sum[static_cast<std::size_t>(work.place[at])].node != node) at = (at + 1) & last;
   return at;
 }
 
+/// Begins the sum of an apex.
+void begin_sum(Index node, PointSum& work) {
+  constexpr std::size_t usual_places = 128;
+  work.sum.clear();
+  work.place.assign(std::max(usual_places, work.place.size()), -1);
+  add_to(node, Vec3::Zero(), true, work);
+}
+
+/// The points of a face over the part of the base that a facet belongs to, measured in this step; null if the face does not turn to it.
+const FacePoints* points_over(const Interface& interface, const Vectors& x, Index f, Index facet, const PointWork& work, PointSum& range) {
+  const FacePoints& known = work.of_face[static_cast<std::size_t>(f)];
+  if (known.measured == work.step) {
+    if (!faces(interface.base, x, known.face, facet)) return nullptr;
+    if (known.step == work.step && is_same_part(interface, x, known, facet)) {
+      if (range.used.empty() || range.used.back() != f) range.used.push_back(f);
+      return &known;
+    }
+  }
+  const auto end = range.aside.begin() + static_cast<std::ptrdiff_t>(range.set_aside);
+  auto at = std::find_if(range.aside.begin(), end, [&](const PointsAside& one) { return one.of_face == f; });
+  if (at == end) {
+    const Face face = known.measured == work.step ? known.face : face_at(interface.faces, x, f);
+    if (!faces(interface.base, x, face, facet)) return nullptr;
+    if (range.set_aside == range.aside.size()) range.aside.emplace_back();
+    at = range.aside.begin() + static_cast<std::ptrdiff_t>(range.set_aside++);
+    at->of_face = f;
+    at->points.face = face, at->points.last = known.last;
+    at->points.measured = work.step, at->points.step = -1;
+  }
+  FacePoints& points = at->points;
+  if (!faces(interface.base, x, points.face, facet)) return nullptr;
+  if (points.step != work.step || !is_same_part(interface, x, points, facet)) measure(interface, x, points.face, facet, work.step, points);
+  return &points;
+}
+
 }  // namespace
 
-void add_to(Index node, const Vec3& push, bool of_apex_side, PointWork& work) {
+void begin_range(PointSum& range) {
+  range.used.clear();
+  range.set_aside = 0;
+}
+
+void end_range(PointSum& range, PointWork& work) {
+  const auto use = [&](Index f) {
+    FacePoints& points = work.of_face[static_cast<std::size_t>(f)];
+    if (points.used != work.step) points.used = work.step, work.used.push_back(f);
+  };
+  for (const Index f : range.used) use(f);
+  for (std::size_t i = 0; i < range.set_aside; ++i) {
+    PointsAside& one = range.aside[i];
+    FacePoints& known = work.of_face[static_cast<std::size_t>(one.of_face)];
+    if (one.points.step != work.step || known.used == work.step) continue;
+    one.points.used = known.used;
+    std::swap(known, one.points);
+    use(one.of_face);
+  }
+}
+
+void add_to(Index node, const Vec3& push, bool of_apex_side, PointSum& work) {
   const std::size_t at = place_of(node, work);
   if (work.place[at] >= 0) {
     work.sum[static_cast<std::size_t>(work.place[at])].push += push;
@@ -436,22 +492,16 @@ void add_to(Index node, const Vec3& push, bool of_apex_side, PointWork& work) {
   for (std::size_t i = 0; i < work.sum.size(); ++i) work.place[place_of(work.sum[i].node, work)] = static_cast<std::int32_t>(i);
 }
 
-OverPoints sum_points(const Interface& interface, const Vectors& x, Index apex, Index facet, PointWork& work) {
+OverPoints sum_points(const Interface& interface, const Vectors& x, Index apex, Index facet, const PointWork& work, PointSum& range) {
   OverPoints sum;
   const Index node = interface.apexes[apex];
-  work.sum.clear();
-  constexpr std::size_t usual_places = 512;
-  work.place.assign(std::max(usual_places, work.place.size()), -1);
-  add_to(node, Vec3::Zero(), true, work);
+  begin_sum(node, range);
   for (Index s = interface.faces.begin[apex]; s < interface.faces.begin[apex + 1]; ++s) {
     const mesh::FacesAround::Share& share = interface.faces.shares[static_cast<std::size_t>(s)];
-    FacePoints& points = work.of_face[static_cast<std::size_t>(share.face)];
-    const Face& face = face_of(interface.faces, x, share.face, work);
-    if (!faces(interface.base, x, face, facet)) continue;
-    if (points.step != work.step || !is_same_part(interface, x, points, facet)) {
-      measure(interface, x, face, facet, work.step, points);
-    }
-    if (points.used != work.step) points.used = work.step, work.used.push_back(share.face);
+    const FacePoints* found = points_over(interface, x, share.face, facet, work, range);
+    if (found == nullptr) continue;
+    const FacePoints& points = *found;
+    const Face& face = points.face;
     if (points.lies == Lies::leaning) sum.of_node += share.area;
     if (points.lies != Lies::whole && points.lies != Lies::in_part) continue;
     const auto a = static_cast<std::size_t>(corner_of(face, node));
@@ -461,7 +511,7 @@ OverPoints sum_points(const Interface& interface, const Vectors& x, Index apex, 
     sum.area += share.area * of_corner.part, sum.gap += share.area * of_corner.gap, sum.normal += share.area * of_corner.normal;
     const Vec3* push = &points.push[a * (static_cast<std::size_t>(face.corners) + points.base.size())];
     const auto add = [&](Index one, bool of_apex_side) {
-      if (!push->isZero(0)) add_to(one, share.area * *push, of_apex_side, work);
+      if (!push->isZero(0)) add_to(one, share.area * *push, of_apex_side, range);
       ++push;
     };
     for (int j = 0; j < face.corners; ++j) add(face.node[j], true);

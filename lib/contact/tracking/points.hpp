@@ -55,11 +55,18 @@ double allowance(const Interface&, const Vectors& x, Index apex, Index facet);
 /// Begins a step: measures the faces that apexes asked for in the step before, all at once.
 void begin_points(const Interface&, const Vectors& x, PointWork&);
 
-/// Sums the points of all faces around an apex over the part of the base that a facet belongs to, and lists in PointWork::sum what each
+/// Begins a range of apexes.
+void begin_range(PointSum&);
+
+/// Sums the points of all faces around an apex over the part of the base that a facet belongs to, and lists in PointSum::sum what each
 /// node gets, in m2 along the normals of the points; the apex comes first.
-OverPoints sum_points(const Interface&, const Vectors& x, Index apex, Index facet, PointWork&);
+OverPoints sum_points(const Interface&, const Vectors& x, Index apex, Index facet, const PointWork&, PointSum&);
 
 /// Adds to what a node gets. [m2]
-void add_to(Index node, const Vec3& push, bool of_apex_side, PointWork&);
+void add_to(Index node, const Vec3& push, bool of_apex_side, PointSum&);
+
+/// Notes which faces the apexes of a range asked for. What was found aside goes where the next step begins from, unless an apex asked for
+/// what is there. Range after range, so that nothing depends on the number of threads.
+void end_range(PointSum&, PointWork&);
 
 }  // namespace nereid::contact

@@ -16,6 +16,7 @@ struct Setting {
   Vectors x;
   Interface interface;
   PointWork work;
+  PointSum range;
   Index side;  // nodes of the upper side along an edge
 
   /// low, cell  [m] corner and size of the faces;  rise  of the upper side over x and y
@@ -50,12 +51,13 @@ struct Setting {
   }
   OverPoints sum(Index apex, Index facet = 0) {
     ++work.step;
-    return sum_points(interface, x, apex, facet, work);
+    begin_range(range);
+    return sum_points(interface, x, apex, facet, work, range);
   }
   /// Sum of the pushes, and of their moments about the origin.
   std::pair<Vec3, Vec3> resultant() const {
     Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
-    for (const Share& one : work.sum) force += one.push, moment += x.col(one.node).cross(one.push);
+    for (const Share& one : range.sum) force += one.push, moment += x.col(one.node).cross(one.push);
     return {force, moment};
   }
 };
@@ -72,7 +74,7 @@ TEST(Points, LeaveTheApexAloneOfItsSideOverAPlane) {
       EXPECT_FALSE(sum.covered_elsewhere);
       EXPECT_NEAR(sum.gap, 1e-3 * sum.area, 1e-15);
       Vec3 under = Vec3::Zero();
-      for (const Share& one : at.work.sum) {
+      for (const Share& one : at.range.sum) {
         const bool is_apex = one.node == at.interface.apexes[apex];
         if (one.of_apex_side) {
           EXPECT_NEAR(one.push.z(), is_apex ? sum.area : 0, 1e-13);
@@ -91,7 +93,7 @@ TEST(Points, ShareAUniformLoadAsUnlikeFacesWould) {
   std::vector<double> load(static_cast<std::size_t>(at.x.cols()), 0);
   for (Index apex = 0; apex < at.side * at.side; ++apex) {
     at.sum(apex);
-    for (const Share& one : at.work.sum)
+    for (const Share& one : at.range.sum)
       if (!one.of_apex_side) load[static_cast<std::size_t>(one.node)] -= one.push.z();
   }
   std::vector<double> even(load.size(), 0);  // of a uniform pressure on the facets of the base
@@ -128,7 +130,7 @@ TEST(Points, RatesAreThoseOfGaps) {
     at.x = x;
     at.sum(apex);
     double rate = 0;
-    for (const Share& one : at.work.sum) rate += one.push.dot(v.col(one.node));
+    for (const Share& one : at.range.sum) rate += one.push.dot(v.col(one.node));
     at.x = x + step * v;
     const double ahead = at.sum(apex).gap;
     at.x = x - step * v;
@@ -137,7 +139,7 @@ TEST(Points, RatesAreThoseOfGaps) {
 }
 
 TEST(Points, AddUpNodeByNodeHoweverManyThereAre) {
-  PointWork work;
+  PointSum work;
   work.place.assign(4, -1);
   for (int turn = 1; turn <= 2; ++turn)
     for (Index node = 0; node < 3000; ++node) add_to(7 * node, Vec3(node, 1, 0), true, work);
@@ -172,9 +174,10 @@ TEST(Points, DoNotDependOnWhichWayTheNodesOfAFaceAreCounted) {
   for (Index apex = 0; apex < 9; ++apex) {
     const OverPoints one = at.sum(apex), other = turned.sum(apex);
     EXPECT_NEAR(one.area, other.area, 1e-14) << apex;
-    for (const Share& share : at.work.sum) {
-      const auto same = std::find_if(turned.work.sum.begin(), turned.work.sum.end(), [&](const Share& s) { return s.node == share.node; });
-      ASSERT_NE(same, turned.work.sum.end());
+    for (const Share& share : at.range.sum) {
+      const std::vector<Share>& sum = turned.range.sum;
+      const auto same = std::find_if(sum.begin(), sum.end(), [&](const Share& s) { return s.node == share.node; });
+      ASSERT_NE(same, sum.end());
       EXPECT_LT((same->push - share.push).norm(), 1e-14);
     }
   }
