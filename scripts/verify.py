@@ -74,12 +74,16 @@ class Pair:
 
 @dataclasses.dataclass
 class Check:
-    """A number that must be right: measure(run) gives a Pair whose error stays within the limit."""
+    """A number that must be right: measure(run) gives a Pair whose error stays within the limit.
+
+    chaotic   another processor or build gives another error within the limit: `because` says how far they spread
+    """
     name: str
     measure: object
     within: float
     because: str
     full: bool = False
+    chaotic: bool = False
 
 
 @dataclasses.dataclass
@@ -234,6 +238,7 @@ class Row:
     within: float | None = None  # its limit
     full: bool = False           # not in the quick suite
     departs: list = dataclasses.field(default_factory=list)  # [word, value] of numerics that are not the defaults
+    chaotic: bool = False        # its error is one of many within the limit
 
 
 @dataclasses.dataclass
@@ -268,8 +273,9 @@ class Outcome:
         return [row for row in self.rows if row.kind in ("check", "miss")]
 
     def closest(self):
-        """The check whose error is the largest part of its limit."""
+        """The check whose error is the largest part of its limit, of those that are not chaotic if there are such."""
         gates = [row for row in self.rows if row.kind == "check" and row.size is not None]
+        gates = [row for row in gates if not row.chaotic] or gates
         return max(gates, key=lambda row: row.size / row.within if row.within else row.size, default=None)
 
     def save(self, folder):
@@ -526,7 +532,7 @@ class Case:
                 name = getattr(one, "title", None) or getattr(one, "mistake", None) or getattr(one, "name", None) or one.check
                 out.rows.append(fault_row(name, error))
             for row in out.rows[seen:]:
-                row.full = one.full
+                row.full, row.chaotic = one.full, getattr(one, "chaotic", False)
                 if row.kind in ("check", "miss"):
                     used = run.runner.given[asked:] or [run]
                     row.departs = sorted({(word, value) for each in used for _, word, value, _ in defaults.departures(each)}, key=str)

@@ -56,6 +56,19 @@ class TablesTest(unittest.TestCase):
         self.assertEqual(self.stale(outcome(error=0.0051)), [])
         self.assertEqual(len(self.stale(outcome(error=0.006))), 2)  # in the README of the case and on the page of all
 
+    def test_of_a_chaotic_check_only_limit_and_verdict_count(self):
+        other = outcome(error=0.008)
+        other.rows[0].chaotic = True
+        self.assertFalse([fault for fault in self.stale(other) if "README.md: is stale" in fault])
+        other.rows[0].word = "FAIL"
+        self.assertTrue([fault for fault in self.stale(other) if "README.md: is stale" in fault])
+
+    def test_which_of_several_checks_is_closest_may_be_rounding(self):
+        head = "| [bar](../verification/bar/README.md) | it moves | exact |"
+        one, other = f"{head} one | 1.4e-16 | 1.0e-12 | yes | pass |", f"{head} other | 6.3e-08 | 0.1 % | yes | pass |"
+        self.assertTrue(tables.same_line(one, other, None))
+        self.assertFalse(tables.same_line(one.replace("1.4e-16", "0.5 %"), other, None))
+
     def test_another_limit_is_stale(self):
         self.assertEqual(len(self.stale(outcome(limit=0.02))), 2)
 

@@ -32,7 +32,7 @@ def held(case, change):
     """What contact holds at the end over the kinetic energy."""
     def measure(run):
         run = of(case, change, run)
-        stored = run.column("energy_touch_restitution")[-1] + run.column("energy_touch_edges_restitution")[-1]
+        stored = run.column("energy_touch_restitution")[-1]
         return Pair(stored / run.ledger("kinetic"), 0, "", scale=1)
     return measure
 

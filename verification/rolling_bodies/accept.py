@@ -55,7 +55,8 @@ CHECKS = [
     Check("speed of the surface of a cylinder that rolls over its speed", rolls, 0.001, "what users are promised; it is exact but for "
           "round-off and half a step"),
     Check("acceleration of a cylinder that rolls", runs_down, 0.001, "a constant force; friction begins half a step late"),
-    Check("a cylinder that rolls stays on its height", hop, 1e-6, "nothing lifts it: a facet of its mesh would by 5 thousandths"),
+    Check("a cylinder that rolls stays on its height", hop, 1e-4,
+          "gravity moves it by g dt^2 = 9 um in a step of 1 ms; nothing lifts it, a facet of its mesh would by 5 thousandths"),
     Check("speed of its surface over its speed on a rigid plane", lambda run: rolls(case_of(PLANE, run)), 0.001, "as on the table"),
     Check("speed of a ball once it rolls", lambda run: Pair(case_of(BALL_CASE, run).at("speed", 0.9), after_sliding(THROWN, BALL), "m/s"),
           0.001, "angular momentum about the table"),

@@ -178,7 +178,8 @@ void follow_range(const EdgeContact& contact, const Motion& m, WaysOf&& ways_of,
 
 /// Brings the crossings up to date, range after range of pairs; `is` of EdgeWorkspace::over is false where they do not act.
 template <class WaysOf>
-void follow_all(const EdgeContact& contact, const Motion& m, WaysOf&& ways_of, EdgeMemory& memory, EdgeWorkspace& workspace, Multipliers& all) {
+void follow_all(const EdgeContact& contact, const Motion& m, WaysOf&& ways_of, EdgeMemory& memory, EdgeWorkspace& workspace,
+                Multipliers& all) {
   constexpr Index pairs_of_a_range = 128;  // whatever the number of threads
   const auto count = static_cast<Index>(memory.edge_pairs.size()), ranges = (count + pairs_of_a_range - 1) / pairs_of_a_range;
   std::vector<CrossingRange>& found = workspace.crossing_ranges;

@@ -150,6 +150,7 @@ TEST(Condition, AnApexRubsOnTheBodyThatPressedItMostWithThePushOfThatOneAlone) {
   Bodies& bodies = at.scene.interface.bodies;
   bodies.names = {"one", "two", "three"}, bodies.of_facet = {0, 1, 2}, bodies.of_apex = {0};
   bodies.between.assign(9, at.scene.interface), bodies.touch.assign(9, 1);
+  at.scene.memory.way_of_body.assign(3, 0);
   at.v.setZero(), at.force.setZero();
   Near& near = at.scene.memory.near[0];
   std::array<Index, 2> pushes{-1, -1};  // the two facets in whose layers it is

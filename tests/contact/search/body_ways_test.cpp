@@ -14,7 +14,7 @@ struct Scene {
   Scene() {
     Bodies& bodies = interface.bodies;
     bodies.names = {"one", "other", "far"};
-    bodies.of_apex = {0, 0, 1, 1, 2, 2}, bodies.of_facet = {0, 1, 2};
+    bodies.of_apex = {0, 0, 1, 1, 2, 2}, bodies.of_facet = {0, 1, 2}, bodies.first_facet = {0, 1, 2, 3};
     bodies.nodes = interface.apexes = {0, 1, 2, 3, 4, 5}, bodies.first_node = {0, 2, 4, 6};
     memory.searches = 1;
     memory.near_facets = {0};
@@ -27,6 +27,7 @@ TEST(BodyWays, AreThoseOfBodiesNearEachOther) {
   Scene scene;
   Workspace workspace(scene.interface);
   scene.v.col(0) = Vec3(3, 0, 0), scene.v.col(3) = Vec3(0, -4, 0);
+  find_near_bodies(scene.interface, scene.memory, workspace);
   add_ways(scene.interface, scene.v, 0.5, scene.memory, workspace);
   add_ways(scene.interface, scene.v, 0.25, scene.memory, workspace);
   EXPECT_EQ(scene.memory.way_of_body, (std::vector<double>{3.75, 3.75, 0})) << "the diagonal of the box around the velocities of both";
@@ -56,10 +57,12 @@ TEST(BodyWays, CountBodiesThatATrackOrEdgesLinkToo) {
   Workspace workspace(scene.interface);
   find_near_bodies(scene.interface, scene.memory, workspace);
   EXPECT_EQ(workspace.near_bodies, (std::vector<std::array<Index, 2>>{{0, 1}, {0, 2}}));
-  scene.interface.edges.body = scene.interface.base_edges.body = {0, 2, 1};
-  scene.memory.near.clear();
-  scene.memory.edge_pairs = {{.edge = 1, .base_edge = 2}};
-  find_near_bodies(scene.interface, scene.memory, workspace);
+  EdgeContact contact;
+  contact.bodies = scene.interface.bodies;
+  contact.edges.body = contact.base_edges.body = {0, 2, 1};
+  EdgeMemory memory;
+  memory.edge_pairs = {{.edge = 1, .base_edge = 2}};
+  find_near_bodies(contact, memory, workspace);
   EXPECT_EQ(workspace.near_bodies, (std::vector<std::array<Index, 2>>{{1, 2}}));
 }
 
