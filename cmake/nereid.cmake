@@ -109,7 +109,9 @@ function(nereid_module path)
       set(precompiled nereid_precompiled_models)
     endif()
     target_precompile_headers(nereid_${name} REUSE_FROM ${precompiled})
-    nereid_join(nereid_${name})
+    if(NOT path MATCHES "^contact/")   # whose sources name constants of judgement alike
+      nereid_join(nereid_${name})
+    endif()
     if(name STREQUAL "output")   # what a summary says of the program that wrote it
       string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type)
       string(STRIP "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${build_type}}" flags)
