@@ -65,7 +65,7 @@ void refuse_shapes_behind(Faults& faults, const Part& part, const contact::Rigid
     for (const contact::Spot& spot : spots) least = std::min(least, spot.gap);
     if (least < behind)
       refuse(faults, part, "point",
-             formatted("the shape of a body starts behind '%s', by %.4g m: move it, turn 'normal' to its side, or say 'surface: facets'",
+             formatted("the shape of a body starts behind '%s', by %.4g m: move the body, or turn 'normal' to its side",
                        plane.name.c_str(), -least));
   }
 }
