@@ -29,6 +29,12 @@ target_compile_options(nereid_settings INTERFACE
   "$<$<CXX_COMPILER_ID:GNU>:$<BUILD_INTERFACE:-Wno-uninitialized;-Wno-maybe-uninitialized;-Wno-restrict>>"
   # instructions decide how wide tiles are, so whoever uses the libraries compiles for the same ones
   $<$<BOOL:${NEREID_NATIVE}>:-march=native>)
+# GCC 12 copies packs of doubles in halves on AMD processors; the whole pack that is read next then waits for its store
+include(CheckCXXCompilerFlag)
+check_cxx_compiler_flag(-mmove-max=256 NEREID_WHOLE_PACKS)
+if(NEREID_NATIVE AND NEREID_WHOLE_PACKS)
+  target_compile_options(nereid_settings INTERFACE -mmove-max=256 -mstore-max=256)
+endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT CMAKE_DISABLE_PRECOMPILE_HEADERS)   # it takes those of the system for ours
   target_compile_options(nereid_settings INTERFACE "$<BUILD_INTERFACE:-Wno-stringop-overflow;-Wno-stringop-overread;-Wno-array-bounds>")
 endif()

@@ -234,8 +234,8 @@ void print_forecast(const model::Simulation& simulation, const Forecast& forecas
   print_size(simulation);
   const dynamics::Step& first = forecast.expected.first;
   std::printf("first step %.4g s, limited by %s", first.dt, dynamics::limited_by(first, dynamics::sources(model)).c_str());
-  const double elements = forecast.votes.elements.step, end = simulation.time.end;  // a step longer than the run limits nothing
-  const dynamics::Vote& contact = forecast.votes.contact;
+  const double elements = forecast.step_limits.elements.step, end = simulation.time.end;  // a step longer than the run limits nothing
+  const dynamics::SourceLimit& contact = forecast.step_limits.contact;
   const bool touches = contact.step < end && contact.source >= static_cast<int>(model.blocks.size());  // else it is of a rigid body
   if (elements < end)
     std::printf(" (stable step of elements %.4g s%s)", elements, touches ? formatted(", of contact %.4g s", contact.step).c_str() : "");
@@ -370,7 +370,7 @@ Ran run_case(const std::string& name, const CommandLine& line, output::RunFolder
   else results_of_run.emplace(simulation, line.out, line.quiet);
   Recorder& recorder = *results_of_run;
   const std::vector<dynamics::Observer> observers{[&](const dynamics::View& view) {
-    if (view.now.step == 0) check_reach(file, simulation, dynamics::choose_step(view.now.votes, simulation.time.safety));
+    if (view.now.step == 0) check_reach(file, simulation, dynamics::choose_step(view.now.step_limits, simulation.time.safety));
     recorder(view);
   }};
   const auto run = [&] {

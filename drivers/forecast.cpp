@@ -131,20 +131,20 @@ Costs rehearse(model::Simulation& simulation, double dt, const std::function<std
   std::array<grid::Kept, 2> kept;
   costs.first_frame_bytes = bytes_of_frame(view(), simulation.recording, kept);
   costs.walls_bytes = static_cast<double>(grid::bytes_of(output::walls_grid(view()), output::GridKind::surface, precision));
-  costs.look = seconds_of([&] { dynamics::see_overlaps(model, true, 0, now, forces); });
+  costs.look = seconds_of([&] { dynamics::update_overlaps(model, true, 0, now, forces); });
   costs.step = seconds_of_a_step(simulation, least_steps * dt);
   if (costs.step * least_steps < long_enough) costs.step = seconds_of_a_step(simulation, most_steps * dt);
   const dynamics::Pace pace{.safety = simulation.time.safety};
-  shake(model, least_steps * dynamics::choose_step(now.votes, pace.safety).dt, now);
-  for (int s = 0; s < least_steps && now.votes.volume_ratio > 0; ++s)
-    dynamics::step(model, dynamics::next_length(now.votes, pace, now.t, now.dt), pace, now, forces);
+  shake(model, least_steps * dynamics::choose_step(now.step_limits, pace.safety).dt, now);
+  for (int s = 0; s < least_steps && now.step_limits.volume_ratio > 0; ++s)
+    dynamics::step(model, dynamics::next_length(now.step_limits, pace, now.t, now.dt), pace, now, forces);
 
   const std::vector<dynamics::Probe> ledger = dynamics::ledger_probes(model);
   std::string text;
   const auto add_row = [&] {
     text.clear();
     dynamics::update_ledger(model, now);
-    dynamics::see_artificial_energy(model, false, now);
+    dynamics::check_artificial_energy(model, false, now);
     for (std::size_t p = 0; p < now.probes.size(); ++p) dynamics::sample_row(simulation.probes[p], view(), now.probes[p]);
     output::append_row(now.t, filled(row_of(view(), simulation.probes, ledger), columns_of(simulation.probes, ledger), model), text);
   };
@@ -202,14 +202,14 @@ Start start_of(model::Simulation& simulation) {
   dynamics::Outcome outcome = dynamics::run(simulation.model, simulation.state, simulation.forces, none, simulation.time.end,
                                             {.probes = simulation.probes, .observers = {}, .until = {}});
   if (outcome.ending == dynamics::Ending::not_relaxed) outcome = {};  // it has not had the time
-  return {outcome, dynamics::choose_step(simulation.state.votes, simulation.time.safety)};
+  return {outcome, dynamics::choose_step(simulation.state.step_limits, simulation.time.safety)};
 }
 
 Forecast forecast(model::Simulation& simulation, const std::function<std::size_t()>& summary) {
   const dynamics::Time& time = simulation.time;
   Forecast found;
   found.start = start_of(simulation).outcome;
-  found.votes = simulation.state.votes;
+  found.step_limits = simulation.state.step_limits;
   found.expected = model::expected_steps(simulation);
   found.advice = model::step_advice(simulation, found.expected);
   for (const std::string& note : model::strain_notes(simulation)) found.advice.push_back(note);

@@ -21,7 +21,7 @@ namespace nereid::driver {
 struct Forecast {
   dynamics::Outcome start;          ///< how the run would end at its start; good() if it would not
   model::ExpectedSteps expected;
-  dynamics::Votes votes;            ///< of the start
+  dynamics::StepLimits step_limits;            ///< of the start
   double steps = 0, rows = 0, frames = 0;
   double seconds = 0;               ///< [s] of this machine as busy as it is
   double bytes = 0;                 ///< of all files

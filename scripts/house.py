@@ -92,7 +92,7 @@ NEEDS_NO_TEST = {
     "lib/contact/surface/bodies.hpp": "data only, made by dynamics/automatic.hpp",
     "lib/base/types.hpp": "names only",
     "lib/base/one_lane.hpp": "tested by scripts/prove, whose builds compile all tests with it",
-    "lib/contact/data/meeting.hpp": "tested by tests/model/probes_test.cpp, on whole bodies",
+    "lib/contact/data/pair_records.hpp": "tested by tests/model/probes_test.cpp, on whole bodies",
     "lib/dynamics/section.hpp": "the same",
     "lib/dynamics/balance.hpp": "tested by tests/dynamics/step_test.cpp: a part of the step",
     "lib/dynamics/forces.hpp": "the same",

@@ -40,6 +40,7 @@ RENAMED = (
             refuse=r"\bcreated_in_a_bounce\b"),
     Renamed("turn", "rotate", ("bodies[]",), "rotation of a body before the start: axis, angle and centre"),
     Renamed("turning", "angular_velocity", PLANES, "angular velocity of driven nodes of plates"),
+    Renamed("bonded", "tied", CONTACTS, "bodies whose surfaces are joined", key="kind"),
     Renamed("held", "constrained", PLANES, "nodes constrained along a normal", key="kind"),
 )
 

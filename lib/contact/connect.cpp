@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "contact/data/meeting.hpp"
-#include "contact/multiplier/bond.hpp"
+#include "contact/data/pair_records.hpp"
+#include "contact/multiplier/tie.hpp"
 #include "contact/search/edge_pairs.hpp"
 #include "contact/search/near.hpp"
 #include "contact/search/shapes.hpp"
@@ -22,7 +22,7 @@ namespace {
 using geometry::Closest;
 using geometry::Kind;
 
-constexpr double bond_past_border = 0.05;  // of a facet's size: half of what a border apex stands for lies inside
+constexpr double tie_past_border = 0.05;  // of a facet's size: half of what a border apex stands for lies inside
 
 /// How an apex stands over its nearest facet at the start.
 struct Start {
@@ -41,7 +41,7 @@ Start start_of(const Interface& interface, const Vectors& x, Index a, double rea
 void prepare(const Sides& sides, SidesMemory& memory) {
   memory.apexes_then = Vectors::Zero(3, static_cast<Eigen::Index>(sides.apexes.size()));
   memory.base_then = Vectors::Zero(3, static_cast<Eigen::Index>(sides.base_nodes.size()));
-  make_room_for_meetings(sides, memory);
+  make_room_for_pair_records(sides, memory);
   memory.apart_from_itself.assign(static_cast<std::size_t>(sides.bodies.count()), 0);
   memory.apart_then = Vectors::Zero(3, static_cast<Eigen::Index>(sides.bodies.nodes.size()));
 }
@@ -61,17 +61,17 @@ Memory memory_at_start(const Interface& interface) {
     memory.slip.assign(count, Vec3::Zero());
     memory.tangential_stored.assign(count, 0.0);
   }
-  if (by_multipliers(interface) && interface.kind != InterfaceKind::bonded) memory.restitution.resize(count);
+  if (by_multipliers(interface) && interface.kind != InterfaceKind::tied) memory.restitution.resize(count);
   memory.reconnections.assign(count, 0);
   return memory;
 }
 
-/// Puts a bonded apex over its point of the base, unless it stands past the border.
-bool bond(const Vectors& x, Index a, const Start& start, Interface& interface, Memory& memory) {
+/// Puts a tied apex over its point of the base, unless it stands past the border.
+bool tie(const Vectors& x, Index a, const Start& start, Interface& interface, Memory& memory) {
   if (start.facet < 0) return false;
   const Index facet = start.stand.feature.facet;
-  if (start.stand.past > bond_past_border * std::sqrt(area_vector(interface.base, x, facet).norm())) return false;
-  interface.bonds[a] = bond_over(interface, x, a, facet);
+  if (start.stand.past > tie_past_border * std::sqrt(area_vector(interface.base, x, facet).norm())) return false;
+  interface.ties[a] = tie_over(interface, x, a, facet);
   memory.feature[a] = {facet, Kind::facet, 0};
   memory.status[a] = Status::open;
   memory.slot[a] = static_cast<Index>(memory.near.size());
@@ -98,12 +98,12 @@ bool is_slight(Index apex_body, Index base_body, double depth, double element, d
 InitialGaps connect(Interface& interface, const Vectors& x, double reach, const ContactHeight& height, InitialPenetration penetration,
                     Memory& memory, Workspace& workspace) {
   const auto count = static_cast<Index>(interface.apexes.size());
-  const bool bonded = interface.kind == InterfaceKind::bonded;
+  const bool tied = interface.kind == InterfaceKind::tied;
   interface.base_nodes.assign(interface.base.facets.data(), interface.base.facets.data() + interface.base.facets.size());
   std::sort(interface.base_nodes.begin(), interface.base_nodes.end());
   interface.base_nodes.erase(std::unique(interface.base_nodes.begin(), interface.base_nodes.end()), interface.base_nodes.end());
   memory = memory_at_start(interface);
-  interface.bonds.assign(bonded ? count : 0, Bond{});
+  interface.ties.assign(tied ? count : 0, Tie{});
   if (interface.contact_height.size() == 0) interface.contact_height = Scalars::Constant(count, height.given);
   memory.margin = interface.margin;
 
@@ -123,7 +123,7 @@ InitialGaps connect(Interface& interface, const Vectors& x, double reach, const 
   if (one_pair) workspace.broad[0].sort(interface.base, x);
   for (Index a = 0; one_pair && a < count; ++a) {
     const Start start = start_of(interface, x, a, reach, workspace.broad[0]);
-    if (bonded && !bond(x, a, start, interface, memory)) ++gaps.free;
+    if (tied && !tie(x, a, start, interface, memory)) ++gaps.free;
     if (start.facet < 0) {
       ++gaps.without_base;
       continue;
@@ -135,32 +135,32 @@ InitialGaps connect(Interface& interface, const Vectors& x, double reach, const 
     const double least_height = 1e-9 * interface.base.longest(start.stand.feature.facet);
     if (std::abs(interface.contact_height(a)) < least_height) interface.contact_height(a) = 0;
     initial[a] = h - interface.contact_height(a);
-    if (bonded) memory.gap[a] = initial[a];
+    if (tied) memory.gap[a] = initial[a];
     ++gaps.by_kind[static_cast<int>(start.stand.feature.kind)];
   }
-  if (!bonded) {
+  if (!tied) {
     search(interface, x, memory, workspace);
     memory.recovered = memory.searches = 0;
   }
   const Vectors rest = Vectors::Zero(3, x.cols());
   for (Near& near : memory.near) {
-    if (bonded) break;
+    if (tied) break;
     const Index a = near.apex, node = interface.apexes[a];
     double contact_height = interface.contact_height(a);
     const Mat3* allowed = allowed_of(interface, a);
-    const Sweep sweep{interface.base, interface.own, x, rest, 0, near_facets(memory, near), node, allowed, contact_height,
+    const ApexPath path{interface.base, interface.own, x, rest, 0, near_facets(memory, near), node, allowed, contact_height,
                       most_behind(interface)};
-    const Nearest nearest = nearest_of(interface, x, a, sweep.near);
+    const Nearest nearest = nearest_of(interface, x, a, path.near);
     memory.feature[a] = nearest.feature;
     if (nearest.feature.facet < 0) continue;
-    memory.gap[a] = nearest.distance() - sweep.level(nearest.feature.facet);
+    memory.gap[a] = nearest.distance() - path.level(nearest.feature.facet);
     if (!one_pair) initial[a] = memory.gap[a], ++gaps.by_kind[static_cast<int>(nearest.feature.kind)];
     double depth = 0;
     const double deepest = between(interface, a, nearest.feature.facet).depth;
-    const Index facet = behind(sweep, deepest > 0 ? deepest : infinite, depth);
+    const Index facet = behind(path, deepest > 0 ? deepest : infinite, depth);
     if (facet < 0) continue;
     crosses[a] = 1;
-    contact_height = sweep.level(facet);
+    contact_height = path.level(facet);
     // positions are no more exact than their distance from the origin allows, and differences no more than the facet's size
     const double round_off = 1e-12 * (std::abs(depth) + 2 * std::abs(contact_height) + interface.base.longest(facet));
     const Index body = one_pair ? -1 : interface.bodies.of_apex[a], other = one_pair ? -1 : interface.bodies.of_facet[facet];
@@ -177,7 +177,7 @@ InitialGaps connect(Interface& interface, const Vectors& x, double reach, const 
   for (Index a = 0; a < count; ++a) {
     const double gap = initial[a];
     if (std::isnan(gap)) continue;
-    if (!bonded && !crosses[a] && gap < -slight * interface.margin) {
+    if (!tied && !crosses[a] && gap < -slight * interface.margin) {
       ++gaps.behind;
       continue;
     }
@@ -225,13 +225,13 @@ Memory tried_out(const Interface& interface, const Vectors& x, double reach, Wor
   const auto count = static_cast<Index>(interface.apexes.size());
   for (Index a = 0; a < count; ++a) {
     const Start start = start_of(interface, x, a, reach, workspace.broad[0]);
-    const bool bonded = interface.kind == InterfaceKind::bonded;
-    if (start.facet < 0 || (bonded && interface.bonds[a].facet < 0)) continue;
+    const bool tied = interface.kind == InterfaceKind::tied;
+    if (start.facet < 0 || (tied && interface.ties[a].facet < 0)) continue;
     trial.slot[a] = static_cast<Index>(trial.near.size());
     trial.near.push_back({.apex = a, .tracks = {}, .element = {}, .friction = {}});
     Near& near = trial.near.back();
     trial.feature[a] = start.stand.feature;
-    if (bonded) hold_bond(interface, x, near, trial);
+    if (tied) hold_tie(interface, x, near, trial);
     else vote_over(interface, x, a, start.stand.feature,
                    weights_of(interface, x, a, start.stand.feature.facet), interface.contact_height(a), near.element);
   }

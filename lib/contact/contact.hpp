@@ -31,8 +31,8 @@
 //
 // Other kinds of contact:
 //
-//     a penalty      a spring of 1/delta per area, shortest exit d, energy 1/2 k |d|^2: tracking/way_out.hpp, penalty/advance.hpp
-//     a tie          an apex stays over its point of the base: multiplier/bond.hpp, or by a penalty
+//     a penalty      a spring of 1/delta per area, shortest exit d, energy 1/2 k |d|^2: tracking/shortest_exit.hpp, penalty/advance.hpp
+//     a tie          an apex stays over its point of the base: multiplier/tie.hpp, or by a penalty
 //     a rigid plane  nodes over a plane that stands still: penalty/rigid_plane.hpp
 //     edges          an edge over an edge, where no node is inside: tracking/edge_over_edge.hpp
 //
@@ -46,11 +46,11 @@
 //     enforce()        all contacts by multipliers together                                            multiplier/enforce.hpp
 //     add_forces()     forces at the nodes                                                             report/forces.hpp
 //     post()           work and stored energy into the ledger                                          report/account.hpp
-//     see_meetings()   which bodies have touched                                                       data/meeting.hpp
+//     update_pair_records()   which bodies have touched                                                       data/pair_records.hpp
 
 #include "contact/connect.hpp"
 #include "contact/data/any.hpp"
-#include "contact/data/meeting.hpp"
+#include "contact/data/pair_records.hpp"
 #include "contact/multiplier/enforce.hpp"
 #include "contact/penalty/advance.hpp"
 #include "contact/report/account.hpp"

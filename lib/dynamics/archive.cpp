@@ -92,10 +92,10 @@ void visit(Archive& archive, FrictionForces& friction) {
 
 template <class Archive>
 void visit(Archive& archive, Near& near) {
-  auto& [apex, first_facet, facets, clear, area, rests, kept, by_points, no_condition_until, pressed, earlier, pressed_most, tracks,
-         element, friction] = near;
-  archive(apex, first_facet, facets, clear, area, rests, kept, by_points, no_condition_until, pressed, earlier, pressed_most, tracks,
-          element, friction);
+  auto& [apex, first_facet, facets, safe_distance, area, is_idle, kept, by_points, no_condition_until, pressed, earlier, pressed_most,
+         tracks, element, friction] = near;
+  archive(apex, first_facet, facets, safe_distance, area, is_idle, kept, by_points, no_condition_until, pressed, earlier, pressed_most,
+          tracks, element, friction);
 }
 
 template <class Archive>
@@ -126,19 +126,19 @@ void visit(Archive& archive, ShapePoint& point) {
 }
 
 template <class Archive>
-void visit(Archive& archive, Meeting& meeting) {
-  auto& [one, other, first, last, impulse, now, before] = meeting;
+void visit(Archive& archive, PairRecord& record) {
+  auto& [one, other, first, last, impulse, now, before] = record;
   archive(one, other, first, last, impulse, now, before);
 }
 
 template <class Archive>
 void visit(Archive& archive, SidesMemory& memory) {
-  auto& [work, friction_dissipated, friction_to_come, friction_owed, impact, force, impulse, transferred, held, power_rate,
-         angular_impulse, meetings, deepest, deepest_apex, deepest_time, deepest_in, deepest_now, searches, looks, margin, way,
-         way_of_body, apart_from_itself, apart_then, awake, apexes_then, base_then, mean_way] = memory;
-  archive(work, friction_dissipated, friction_to_come, friction_owed, impact, force, impulse, transferred, held, power_rate,
-          angular_impulse, meetings, deepest, deepest_apex, deepest_time, deepest_in, deepest_now, searches, looks, margin, way,
-          way_of_body, apart_from_itself, apart_then, awake, apexes_then, base_then, mean_way);
+  auto& [work, friction_dissipated, friction_to_come, friction_deficit, impact, force, impulse, transferred, held, power_rate,
+         angular_impulse, pair_records, deepest, deepest_apex, deepest_time, deepest_in, deepest_now, searches, looks, margin, way,
+         way_of_body, apart_from_itself, apart_then, active, apexes_then, base_then, mean_way] = memory;
+  archive(work, friction_dissipated, friction_to_come, friction_deficit, impact, force, impulse, transferred, held, power_rate,
+          angular_impulse, pair_records, deepest, deepest_apex, deepest_time, deepest_in, deepest_now, searches, looks, margin, way,
+          way_of_body, apart_from_itself, apart_then, active, apexes_then, base_then, mean_way);
 }
 
 /// Each kind adds what it has to what all have.
@@ -159,10 +159,10 @@ void visit(Archive& archive, EdgeMemory& memory) {
 template <class Archive>
 void visit(Archive& archive, PlaneMemory& memory) {
   auto& [shape_points, force, restitution, next_force, friction, next_friction, stuck, slip, sliding, work, stored, friction_to_come,
-         friction_owed, tangential_stored, friction_dissipated, transferred, impact, power_rate, step_factor, deepest, deepest_node,
+         friction_deficit, tangential_stored, friction_dissipated, transferred, impact, power_rate, step_factor, deepest, deepest_node,
          deepest_time, impulse, angular_impulse] = memory;
   archive(shape_points, force, restitution, next_force, friction, next_friction, stuck, slip, sliding, work, stored, friction_to_come,
-          friction_owed, tangential_stored, friction_dissipated, transferred, impact, power_rate, step_factor, deepest, deepest_node,
+          friction_deficit, tangential_stored, friction_dissipated, transferred, impact, power_rate, step_factor, deepest, deepest_node,
           deepest_time, impulse, angular_impulse);
 }
 
@@ -318,8 +318,8 @@ void visit(Archive& archive, Created& created) {
 
 template <class Archive>
 void visit(Archive& archive, Flow& flow) {
-  auto& [passed, work, recent, owed, worst, told, worst_of_scene] = flow;
-  archive(passed, work, recent, owed, worst, told, worst_of_scene);
+  auto& [passed, work, recent, deficit, worst, told, worst_of_scene] = flow;
+  archive(passed, work, recent, deficit, worst, told, worst_of_scene);
 }
 
 template <class Archive>
@@ -331,14 +331,14 @@ void visit(Archive& archive, Ledger& ledger) {
 }
 
 template <class Archive>
-void visit(Archive& archive, Vote& vote) {
-  auto& [step, source, at] = vote;
+void visit(Archive& archive, SourceLimit& limit) {
+  auto& [step, source, at] = limit;
   archive(step, source, at);
 }
 
 template <class Archive>
-void visit(Archive& archive, Votes& votes) {
-  auto& [elements, contact, volume_ratio, smallest_block, smallest_element, may_grow, costly, trend] = votes;
+void visit(Archive& archive, StepLimits& limits) {
+  auto& [elements, contact, volume_ratio, smallest_block, smallest_element, may_grow, costly, trend] = limits;
   archive(elements, contact, volume_ratio, smallest_block, smallest_element, may_grow, costly, trend);
 }
 
@@ -352,8 +352,8 @@ void visit(Archive& archive, SectionMemory& memory) {
 template <class Archive>
 void visit_rest(Archive& archive, State& state) {
   auto& [t, step, dt, x, v, omega, blocks, tiles, contacts, rigid_planes, rigid_bodies, constraints, loads, sections, relaxation, ledger,
-         votes, progress, quality, audit, probes, conditions] = state;
-  archive(t, step, dt, x, v, omega, tiles, contacts, rigid_planes, rigid_bodies, constraints, loads, sections, relaxation, ledger, votes,
+         limits, progress, quality, audit, probes, conditions] = state;
+  archive(t, step, dt, x, v, omega, tiles, contacts, rigid_planes, rigid_bodies, constraints, loads, sections, relaxation, ledger, limits,
           progress, quality, audit, probes, conditions);
 }
 

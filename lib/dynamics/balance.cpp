@@ -53,19 +53,19 @@ std::vector<Account>::iterator post_sources(const Model& model, State& now) {
 }
 
 /// Sees what contacts by multipliers have given and not taken back yet.
-void see_debts(const Model& model, State& now) {
+void update_deficits(const Model& model, State& now) {
   std::size_t source = model.blocks.size();
   const auto look = [&](const auto& contact, const auto& memory) {
     Flow& flow = now.ledger.flows[source];
-    flow.owed = contact::by_multipliers(contact) && created(now.ledger.accounts[source]) > 0 ? contact::owed(memory) : 0;
+    flow.deficit = contact::by_multipliers(contact) && created(now.ledger.accounts[source]) > 0 ? contact::deficit(memory) : 0;
     ++source;
   };
   for (std::size_t c = 0; c < model.contacts.size(); ++c) contact::with_memory(model.contacts[c], now.contacts[c], look);
   for (std::size_t p = 0; p < model.rigid_planes.size(); ++p) look(model.rigid_planes[p], now.rigid_planes[p]);
 }
 
-/// Lowers the votes of penalties that have created or lost too much, for good. The works of this step must have been seen.
-void lower_votes(const Model& model, State& now) {
+/// Lowers the step limits of penalties that have created or lost too much, for good. The works of this step must have been seen.
+void lower_step_limits(const Model& model, State& now) {
   std::size_t source = model.blocks.size();
   const double scale = steady_scale(now.ledger);
   const auto look = [&](const auto& contact, contact::StepFactorMemory& memory) {
@@ -143,7 +143,7 @@ void begin_ledger(const Model& model, State& now) {
 void open_ledger(const Model& model, const Pace& pace, State& now) {
   now.ledger.size = size_of_scene(model, now.x);
   now.ledger.largest_force = total_mass(model) * model.gravity.norm();
-  now.ledger.round_off = energy_of_round_off(model, now.x, next_length(now.votes, pace, now.t, 0));
+  now.ledger.round_off = energy_of_round_off(model, now.x, next_length(now.step_limits, pace, now.t, 0));
   update_largest_force(model, now);
   for (Account& account : now.ledger.accounts) account.at_start = {};
   update_ledger(model, now);
@@ -159,8 +159,8 @@ void open_ledger(const Model& model, const Pace& pace, State& now) {
 void update_reports(const Model& model, double dt, State& now) {
   for (std::size_t c = 0; c < model.contacts.size(); ++c)
     contact::with_memory(model.contacts[c], now.contacts[c],
-                         [&](const auto& one, auto& memory) { contact::see_meetings(one, dt, now.t, memory); });
-  see_sections(model, dt, now);
+                         [&](const auto& one, auto& memory) { contact::update_pair_records(one, dt, now.t, memory); });
+  update_sections(model, dt, now);
 }
 
 void book(const Model& model, double dt, double first, const Ended& ended, State& now) {
@@ -172,9 +172,9 @@ void book(const Model& model, double dt, double first, const Ended& ended, State
   ++now.step;
   post_sources(model, now);
   update_largest_force(model, now);
-  see_debts(model, now);
-  see_flows(now.ledger);
-  lower_votes(model, now);
+  update_deficits(model, now);
+  update_flows(now.ledger);
+  lower_step_limits(model, now);
 }
 
 void update_ledger(const Model& model, State& now) {
@@ -185,7 +185,7 @@ void update_ledger(const Model& model, State& now) {
   if (model.relaxation) post_relaxation(now.relaxation, *account++);
   if (!model.gravity.isZero(0)) post_gravity(model, now, *account);
   ledger.external_work = std::max(ledger.external_work, work_from_loads(ledger));
-  see_created(ledger);
+  update_created(ledger);
 }
 
 }  // namespace nereid::dynamics

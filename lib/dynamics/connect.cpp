@@ -212,7 +212,7 @@ std::vector<Connected> connect(Model& model, const std::string& name, const std:
     passes.push_back(connect_one_pass(model, name, apex_surface, base_surface, options, x, contact::Pass::forth));
     passes.push_back(connect_one_pass(model, name + "_back", base_surface, apex_surface, options, x, contact::Pass::back));
   }
-  if (options.kind == contact::InterfaceKind::bonded || !options.edges) return passes;
+  if (options.kind == contact::InterfaceKind::tied || !options.edges) return passes;
   std::optional<Connected> edges = connect_edges(model, name, apex_surface, base_surface, options, x);
   if (edges) passes.push_back(std::move(*edges));
   return passes;

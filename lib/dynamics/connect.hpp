@@ -11,7 +11,7 @@ namespace nereid::dynamics {
 /// How an interface is wanted.
 struct InterfaceOptions {
   contact::InterfaceKind kind = contact::InterfaceKind::contact;
-  contact::Method method = contact::Method::multiplier;  ///< of bonds too, which then have one pass
+  contact::Method method = contact::Method::multiplier;  ///< of ties too, which then have one pass
   double restitution = 1;     ///< [-] of nodes that multipliers stop
   std::optional<double> penalty = {};  ///< [Pa/m] without it `penalty_scale` counts
   double penalty_scale = 20;  ///< [-] chosen penalty over the stiffness of the softer side

@@ -34,12 +34,12 @@ Vectors normals(const Model& model) {
 
 }  // namespace
 
-element::Vote displace(const Model& model, State& now, const Vectors& u, const std::vector<Mat3>& gradient, int steps) {
+element::BlockLimit displace(const Model& model, State& now, const Vectors& u, const std::vector<Mat3>& gradient, int steps) {
   check(u.cols() == now.x.cols() && static_cast<Eigen::Index>(gradient.size()) == now.omega.cols() && steps > 0,
         "a displacement for every node and a gradient for every plate node");
   const Vectors du = u / steps, normal = normals(model);
   Vectors rotations = Vectors::Zero(3, now.omega.cols());
-  element::Vote smallest;
+  element::BlockLimit smallest;
   const auto deformation = [&](Index rotation, double step) { return Mat3(Mat3::Identity() + step / steps * gradient[rotation]); };
   const auto material_normal = [&](Index rotation, double step) {
     return Vec3((deformation(rotation, step).inverse().transpose() * normal.col(rotation)).normalized());
@@ -61,9 +61,9 @@ element::Vote displace(const Model& model, State& now, const Vectors& u, const s
     now.x = model.mesh.X + (static_cast<double>(s + 1) / steps) * u;
     for (std::size_t b = 0; b < model.blocks.size(); ++b) {
       if (is_rigid_block(model, b)) continue;
-      const element::Vote vote =
+      const element::BlockLimit limit =
           element::advance(model.blocks[b], now.x, du, rotations, duration / steps, now.blocks[b], now.tiles[b], reports[b]);
-      if (vote.volume_ratio < smallest.volume_ratio || std::isnan(vote.volume_ratio)) smallest = vote;
+      if (limit.volume_ratio < smallest.volume_ratio || std::isnan(limit.volume_ratio)) smallest = limit;
     }
   }
   for (element::Memory& block : now.blocks) block.work = 0, block.dissipated = {};

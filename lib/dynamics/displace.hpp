@@ -15,7 +15,7 @@ namespace nereid::dynamics {
 /// gradient  [-] du/dX at the plate nodes, [plate nodes]
 /// Needs     a state as initial_state leaves it
 /// returns   where elements became smallest; a volume ratio that is not positive: one is inverted
-element::Vote displace(const Model&, State&, const Vectors& u, const std::vector<Mat3>& gradient, int steps = 100);
+element::BlockLimit displace(const Model&, State&, const Vectors& u, const std::vector<Mat3>& gradient, int steps = 100);
 
 /// Angular velocities with which the normals of plates follow a velocity field, [3 x plate nodes] [rad/s].
 ///

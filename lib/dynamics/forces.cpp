@@ -12,7 +12,7 @@ namespace nereid::dynamics {
 namespace {
 
 /// The stable step of elements and springs together, named after the springs where they govern.
-Vote with_springs(const load::SpringRates& springs, int first_load, const Vote& elements) {
+SourceLimit with_springs(const load::SpringRates& springs, int first_load, const SourceLimit& elements) {
   if (springs.stiffest < 0) return elements;
   const double step = load::step_with_springs(elements.step, springs);
   if (step < 0.5 * elements.step) return {step, first_load + springs.stiffest, -1};
@@ -22,22 +22,23 @@ Vote with_springs(const load::SpringRates& springs, int first_load, const Vote& 
 }  // namespace
 
 void update(const Model& model, double dt, const Pace& pace, State& now, Forces& f) {
-  const Votes before = now.votes;
-  Votes votes;
+  const StepLimits before = now.step_limits;
+  StepLimits limits;
   int source = 0;
   for (std::size_t b = 0; b < model.blocks.size(); ++b, ++source) {
     if (is_rigid_block(model, b)) {
       const double limit = rigid_step_limit(model, now, static_cast<std::size_t>(model.rigid_of_block[b]));
-      votes.contact.see({limit, limit < model.longest_step ? -1 : at_largest_step}, source);
+      limits.contact.lower_to({limit, limit < model.longest_step ? -1 : at_largest_step}, source);
       continue;
     }
-    const element::Vote vote = element::advance(model.blocks[b], now.x, f.dx, f.rotation, dt, now.blocks[b], now.tiles[b], f.reports[b]);
-    votes.elements.see({vote.step, vote.step_element}, source);
-    if (vote.volume_ratio < votes.volume_ratio || std::isnan(vote.volume_ratio)) {  // once found, a NaN stays
-      votes.volume_ratio = vote.volume_ratio, votes.smallest_block = source, votes.smallest_element = vote.volume_element;
+    const element::BlockLimit limit =
+        element::advance(model.blocks[b], now.x, f.dx, f.rotation, dt, now.blocks[b], now.tiles[b], f.reports[b]);
+    limits.elements.lower_to({limit.step, limit.step_element}, source);
+    if (limit.volume_ratio < limits.volume_ratio || std::isnan(limit.volume_ratio)) {  // once found, a NaN stays
+      limits.volume_ratio = limit.volume_ratio, limits.smallest_block = source, limits.smallest_element = limit.volume_element;
     }
   }
-  see_thickness(model, now, f);
+  update_thickness(model, now, f);
   for (std::size_t c = 0; c < model.contacts.size(); ++c, ++source) {
     const contact::Interface* interface = contact::interface_of(model.contacts[c]);
     if (interface == nullptr) continue;
@@ -48,7 +49,7 @@ void update(const Model& model, double dt, const Pace& pace, State& now, Forces&
     const double deepest = memory.deepest;
     contact::advance(*interface, now.x, now.v, now.omega, dt, memory, workspace);
     if (memory.deepest > deepest) memory.deepest_time = now.t;
-    votes.contact.see(contact::stable_step(*interface, model.mass, model.inertia, memory, workspace, dt), source);
+    limits.contact.lower_to(contact::stable_step(*interface, model.mass, model.inertia, memory, workspace, dt), source);
   }
   for (std::size_t p = 0; p < model.rigid_planes.size(); ++p, ++source) {
     if (contact::by_multipliers(model.rigid_planes[p])) continue;
@@ -56,15 +57,15 @@ void update(const Model& model, double dt, const Pace& pace, State& now, Forces&
     const double deepest = memory.deepest;
     contact::advance(model.rigid_planes[p], now.x, now.v, dt, memory);
     if (memory.deepest > deepest) memory.deepest_time = now.t;
-    votes.contact.see(contact::stable_step(model.rigid_planes[p], model.mass, memory.step_factor), source);
+    limits.contact.lower_to(contact::stable_step(model.rigid_planes[p], model.mass, memory.step_factor), source);
   }
   for (std::size_t l = 0; l < model.loads.size(); ++l)
     load::advance(model.loads[l], model.mesh.X, now.x, now.v, now.omega, now.t, dt, now.loads[l]);
   source += static_cast<int>(model.constraints.planes.size());
-  votes.elements = with_springs(f.springs, source, votes.elements);
-  now.votes = votes;
+  limits.elements = with_springs(f.springs, source, limits.elements);
+  now.step_limits = limits;
   const double scale = steady_scale(now.ledger);
-  if (dt > 0) see_growth(before, pace, dt, scale > 0 ? now.ledger.integration_kept / scale : 0, now.votes);
+  if (dt > 0) update_growth(before, pace, dt, scale > 0 ? now.ledger.integration_kept / scale : 0, now.step_limits);
 }
 
 void add_contact_forces(const Model& model, const State& now, bool by_multipliers, Forces& f) {

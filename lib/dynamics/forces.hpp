@@ -5,7 +5,7 @@
 
 namespace nereid::dynamics {
 
-/// Brings every source of force to the new positions: memory, forces by source, votes for the next step.
+/// Brings every source of force to the new positions: memory, forces by source, limits of the next step.
 ///
 /// pace  how long the step after this one will be
 void update(const Model&, double dt, const Pace&, State&, Forces&);

@@ -63,7 +63,7 @@ double spurious_part(const Ledger& ledger, std::size_t source) {
   const Flow& flow = ledger.flows[source];
   const double scale = energy_scale(ledger);
   if (!(scale > 0 && flow.passed > least_share * scale)) return 0;
-  const double excess = created(ledger.accounts[source]), waits = excess > 0 ? std::min(flow.owed, least_share * scale) : 0;
+  const double excess = created(ledger.accounts[source]), waits = excess > 0 ? std::min(flow.deficit, least_share * scale) : 0;
   return std::copysign(std::max(0.0, std::abs(excess) - flow.recent - waits), excess) / std::max(flow.passed, least_flow * scale);
 }
 
@@ -91,7 +91,7 @@ double swing_part(const Ledger& ledger) {
   return scale > 0 ? ledger.most_integration / scale : 0;
 }
 
-void see_created(Ledger& ledger) {
+void update_created(Ledger& ledger) {
   ledger.most_integration = std::max(ledger.most_integration, std::abs(ledger.integration));
   const double scale = energy_scale(ledger);
   if (!(scale > 0)) return;
@@ -102,7 +102,7 @@ void see_created(Ledger& ledger) {
   }
 }
 
-void see_flows(Ledger& ledger) {
+void update_flows(Ledger& ledger) {
   // once a scene is judged, against what loads have done by now: between two rows that can be nearly all
   if (energy_scale(ledger) > 0) ledger.external_work = std::max(ledger.external_work, work_from_loads(ledger));
   const double kept = kept_part(ledger);

@@ -28,7 +28,7 @@ struct Flow {
   double passed = 0;     ///< [J] sum over the steps of |work in the step|
   double work = 0;       ///< [J] done up to now, as the account has it
   double recent = 0;     ///< [J] |work in a step|: the largest so far, halved with each step since
-  double owed = 0;       ///< [J] the part of created() that it knows of and takes back as soon as it takes energy: of multipliers
+  double deficit = 0;       ///< [J] the part of created() that it knows of and takes back as soon as it takes energy: of multipliers
   double worst = 0;      ///< [-] spurious_part() where it was largest so far, with its sign
   Created told = {};     ///< the same of times at which more than least_share of the energy scale was created: what is worth a warning
   double worst_of_scene = 0;  ///< [-] created energy over the energy scale where it was largest at any update of the ledger, with its sign
@@ -92,7 +92,7 @@ constexpr double least_flow = 1e-3;
 /// Created energy of a source over what passed through it: positive where energy appears, negative where it vanishes. [-]
 ///
 ///     sign(c) max(0, |c| - w - o) / max(passed, 1e-3 scale),   c = created(account),  w = Flow::recent,
-///                                                              o = min(Flow::owed, 1e-4 scale) if c > 0
+///                                                              o = min(Flow::deficit, 1e-4 scale) if c > 0
 ///
 /// Work and store of one step differ by up to the work of that step while a contact closes or opens, which the next steps make good: with
 /// the longest steps an impact is over after two or three. What a contact owes it pays from what it takes next; of that least_share of the
@@ -121,10 +121,10 @@ double kept_part(const Ledger&);
 double swing_part(const Ledger&);
 
 /// Notes what each source has created of the energy of the scene, and `integration`, at an update of the ledger.
-void see_created(Ledger&);
+void update_created(Ledger&);
 
 /// Brings the flows up to the works that stand in the accounts, at the end of a step.
-void see_flows(Ledger&);
+void update_flows(Ledger&);
 
 /// Energy that stands in no account: kinetic - initial - integration - sum of work; round-off. [J]
 double energy_residual(const Ledger&);

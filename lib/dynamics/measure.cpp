@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "base/check.hpp"
-#include "contact/multiplier/bond.hpp"
+#include "contact/multiplier/tie.hpp"
 
 namespace nereid::dynamics {
 
@@ -167,7 +167,7 @@ Traction traction_at(const View& view, std::size_t c, Index apex, const std::vec
   if (on == nullptr) return {};
   const auto& interface = std::get<contact::Interface>(view.model.contacts[c]);
   const Vec3 push = allowed_of(interface, apex, on->push);
-  if (interface.kind == contact::InterfaceKind::bonded && interface.bonds[apex].facet >= 0) {
+  if (interface.kind == contact::InterfaceKind::tied && interface.ties[apex].facet >= 0) {
     const Vec3 normal = contact::normal_of(interface, apex, view.now.x);
     const double pressure = push.dot(normal) / interface.area(apex);
     return {pressure, (push / interface.area(apex) - pressure * normal).norm()};
@@ -242,7 +242,7 @@ std::vector<Touched> touched(const Model& model, const State& now) {
   for (std::size_t c = 0; c < model.contacts.size(); ++c) {
     const contact::Sides& both = contact::sides(model.contacts[c]);
     if (!contact::follows(model.contacts[c])) contact = both.name;
-    for (const contact::Meeting& one : contact::sides(now.contacts[c]).meetings) {
+    for (const contact::PairRecord& one : contact::sides(now.contacts[c]).pair_records) {
       const auto& names = both.bodies.names;
       const std::array<std::string, 2> sides =
           names.empty() ? std::array<std::string, 2>{"apexes", "base"}

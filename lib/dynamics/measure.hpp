@@ -57,10 +57,10 @@ std::vector<contact::NodeForce> forces_of_contact(const View&, std::size_t inter
 /// Tractions on the surface at an apex.
 struct Traction {
   double pressure = 0;  ///< [Pa] compression positive
-  double shear = 0;     ///< [Pa] of friction, or along a bonded face; not negative
+  double shear = 0;     ///< [Pa] of friction, or along a tied face; not negative
 };
 /// The force of a contact on the node of an apex over its tributary area, across the force: area_across(). Where no face of the apex is
-/// within 60 degrees of the force, as at a rim that is pressed along its plate, all of its area counts. Of a bonded apex the normal is that
+/// within 60 degrees of the force, as at a rim that is pressed along its plate, all of its area counts. Of a tied apex the normal is that
 /// of the face under it, and the area all of its own.
 ///
 /// forces  forces_of_contact() of the interface

@@ -177,8 +177,8 @@ Forces make_forces(const Model& model) {
     forces.allowed.assign(static_cast<std::size_t>(model.mesh.X.cols()), nullptr);
     const auto& planes = model.constraints.planes;
     const bool any_moves = std::any_of(planes.begin(), planes.end(), [](const load::Plane& plane) { return load::moves(plane); });
-    const auto is_bonded = [](const contact::AnyContact& any) { return contact::bonded_by_multipliers(any); };
-    if (any_moves && std::any_of(model.contacts.begin(), model.contacts.end(), is_bonded))
+    const auto is_tied = [](const contact::AnyContact& any) { return contact::tied_by_multipliers(any); };
+    if (any_moves && std::any_of(model.contacts.begin(), model.contacts.end(), is_tied))
       forces.driven = Vectors::Zero(3, model.mesh.X.cols());
   }
   forces.rigid_bodies.resize(model.rigid_bodies.size());

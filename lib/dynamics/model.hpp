@@ -12,7 +12,7 @@
 #include "contact/multiplier/rigid_nodes.hpp"
 #include "contact/penalty/rigid_plane.hpp"
 #include "dynamics/ledger.hpp"
-#include "dynamics/votes.hpp"
+#include "dynamics/step_limits.hpp"
 #include "element/block.hpp"
 #include "element/node_sums.hpp"
 #include "load/constraints.hpp"
@@ -197,7 +197,7 @@ struct State {
   std::vector<SectionMemory> sections;             ///< beside Model::sections
   RelaxationMemory relaxation;
   Ledger ledger;
-  Votes votes;                                     ///< for the next step
+  StepLimits step_limits;                                     ///< for the next step
   Progress progress;
   std::vector<Quality> quality;                    ///< beside Model::blocks
   audit::Memory audit;                             ///< what overlaps
@@ -226,14 +226,14 @@ struct Forces {
   Vectors force;                                   ///< [N] on the nodes
   Vectors moment;                                  ///< [N m] on the plate nodes
   std::vector<double> partial;                     ///< sums of node ranges, in order
-  load::SpringRates springs;                       ///< of the model: for the vote
+  load::SpringRates springs;                       ///< of the model: for the step limit
   audit::Workspace audit;                          ///< the surfaces of the model
   Scalars half_growth;  ///< [m] [nodes] by which half the thickness of plates has grown since the start; empty where none changes
   Scalars plate_mass;   ///< [kg] [nodes] of the plates there; empty likewise
   std::vector<Scalars> element_mass;  ///< [kg] [elements] beside Model::blocks, of plates whose thickness changes; empty likewise
   contact::Multipliers multipliers;
   std::vector<const Mat3*> allowed, allowed_rotation;  ///< [nodes] [plate nodes] for multipliers: null or a projector in the state
-  Vectors driven;                                  ///< [m/s] for bonds: what planes that move change in velocities; else empty
+  Vectors driven;                                  ///< [m/s] for ties: what planes that move change in velocities; else empty
   std::vector<RigidForces> rigid_bodies;           ///< beside Model::rigid_bodies
   contact::RigidNodes rigid_nodes;                 ///< for multipliers
   Vectors source_force, source_moment;             ///< only while a model relaxes: of one source, or all that resist

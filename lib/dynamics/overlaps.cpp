@@ -77,7 +77,7 @@ std::map<std::array<Index, 2>, double> allowed_overlaps(const Model& model, cons
   for (const contact::AnyContact& any : model.contacts) {
     if (contact::interface_of(any) == nullptr) continue;
     const contact::Interface& interface = *contact::interface_of(any);
-    if (interface.kind != contact::InterfaceKind::contact) continue;  // bonds stay where they were at the start, which is accepted
+    if (interface.kind != contact::InterfaceKind::contact) continue;  // ties stay where they were at the start, which is accepted
     if (interface.bodies.count() > 0) continue;  // they touch at all of their thickness
     for (Index one = 0; one < count; ++one) {
       const double height = std::max(0.0, least_height(interface, all.list[one]));
@@ -99,7 +99,7 @@ double audits_due(double every, const State& now) {  // as frames are
 
 bool audit_is_due(double every, const State& now) { return now.audit.looks == 0 || audits_due(every, now) > now.progress.audits; }
 
-void see_overlaps(const Model& model, bool last, double every, State& now, Forces& forces) {
+void update_overlaps(const Model& model, bool last, double every, State& now, Forces& forces) {
   Progress& progress = now.progress;
   const bool just_looked = now.audit.looks > 0 && progress.audited == now.step && progress.audited_itself == now.step;
   if (last ? just_looked : !audit_is_due(every, now)) return;
@@ -108,7 +108,7 @@ void see_overlaps(const Model& model, bool last, double every, State& now, Force
   const bool folds = std::any_of(now.quality.begin(), now.quality.end(), [](const Quality& seen) { return seen.inverted; });
   const bool also_itself = last || now.audit.looks == 0 || folds || updates >= updates_per_edge * edges(forces.audit.surfaces);
   if (also_itself) progress.audited_itself = now.step;
-  see_thickness(model, now, forces);
+  update_thickness(model, now, forces);
   forces.audit.half_growth = forces.half_growth;
   audit::look(now.x, now.t, also_itself, forces.audit, now.audit);
 }

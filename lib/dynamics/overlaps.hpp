@@ -21,7 +21,7 @@ bool audit_is_due(double every, const State&);
 /// Looks at the overlaps of all bodies where a look is due, or in any case if the run ends here. Needs a state whose ledger is current.
 ///
 /// every  [s] between two looks; zero: at each update of the ledger
-void see_overlaps(const Model&, bool last, double every, State&, Forces&);
+void update_overlaps(const Model&, bool last, double every, State&, Forces&);
 
 /// Whether a contact joins two surfaces of the audit, either way round; edges over edges go with other contacts.
 bool joins(const contact::AnyContact&, const audit::Surfaces&, const audit::Overlap&);

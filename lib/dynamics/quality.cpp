@@ -48,7 +48,7 @@ Spin free_spin(const Model& model, std::size_t block, const State& now) {
   return spin;
 }
 
-void see_elements(const Model& model, bool look, State& now) {
+void check_elements(const Model& model, bool look, State& now) {
   Progress& progress = now.progress;
   if (!look && now.step < progress.corners_next) return;
   double smallest = 1;
@@ -81,7 +81,7 @@ int inverted_block(const State& now, double limit) {
   return -1;
 }
 
-void see_artificial_energy(const Model& model, bool look, State& now) {
+void check_artificial_energy(const Model& model, bool look, State& now) {
   constexpr double worth_comparing = 0.1, more = 1.05;  // [-] of the internal energy; of the hourglass energy compared last
   for (std::size_t b = 0; b < model.blocks.size(); ++b) {
     Quality& seen = now.quality[b];

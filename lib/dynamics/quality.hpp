@@ -19,7 +19,7 @@ constexpr std::int64_t corners_every = 500, corners_least = 50;
 /// Looks at the shapes of all elements if it is time: at half of the steps after which the smallest corner would invert at its pace.
 ///
 /// look  whether to look in any case: as a look for overlaps is due, or the run ends
-void see_elements(const Model&, bool look, State&);
+void check_elements(const Model&, bool look, State&);
 
 /// The block whose smallest corner so far is at or below a limit, or -1.
 int inverted_block(const State&, double limit);
@@ -34,7 +34,7 @@ constexpr std::int64_t compared_every = 100;
 /// grown, after compared_every steps, or where that is wanted. Needs a ledger that is current.
 ///
 /// look  whether to compare in any case: as the run ends
-void see_artificial_energy(const Model&, bool look, State&);
+void check_artificial_energy(const Model&, bool look, State&);
 
 /// An energy of a block, such as Quality::artificial, over its largest internal energy so far; zero where the latter is round-off. [-]
 ///

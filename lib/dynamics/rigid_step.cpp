@@ -188,7 +188,7 @@ double finish_rigid_step(const Model& model, double dt, State& now, Forces& f) {
   return sum;
 }
 
-contact::RigidNodes* see_rigid_bodies(const Model& model, double h, double next, const State& now, Forces& f) {
+contact::RigidNodes* predict_rigid_bodies(const Model& model, double h, double next, const State& now, Forces& f) {
   if (model.rigid_bodies.empty()) return nullptr;
   for (std::size_t b = 0; b < model.rigid_bodies.size(); ++b) {
     const rigid::Body& body = model.rigid_bodies[b];

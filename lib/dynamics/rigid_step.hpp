@@ -37,7 +37,7 @@ double finish_rigid_step(const Model&, double dt, State&, Forces&);
 ///
 /// h     [s] for which the forces act from the middle of the step that led here; 0 at the start, where velocities are those of t
 /// next  [s] of the step to come
-contact::RigidNodes* see_rigid_bodies(const Model&, double h, double next, const State&, Forces&);
+contact::RigidNodes* predict_rigid_bodies(const Model&, double h, double next, const State&, Forces&);
 
 /// Gives bodies impulses at their nodes. [N s]
 void push_rigid_bodies(const Model&, const Vectors& impulse, State&);

@@ -62,20 +62,20 @@ std::string made_before(const Model& model, const Ledger& ledger, double limit, 
 
 /// Stops the run with a place if an element is lost, a number is no number or the step collapsed.
 bool stop(const Model& model, const State& now, const Step& next, const Time& time, Outcome& outcome) {
-  const Votes& votes = now.votes;
+  const StepLimits& limits = now.step_limits;
   const double end = time.end;
   if (std::isinf(now.ledger.initial_kinetic)) {
     outcome.ending = Ending::not_finite;
     outcome.reason = "the kinetic energy that it is given is no finite number";
     return true;
   }
-  if (!(votes.volume_ratio > 0)) {
-    outcome.ending = std::isnan(votes.volume_ratio) ? Ending::not_finite : Ending::inverted_element;
-    outcome.reason = std::isnan(votes.volume_ratio) ? "positions are not finite"
-                                            : formatted("its volume or area is %.3g of the reference", votes.volume_ratio);
-    outcome.reason += made_before(model, now.ledger, time.created_limit, votes.smallest_block);
-    outcome.block = name(model, votes.smallest_block);
-    outcome.element = votes.smallest_element;
+  if (!(limits.volume_ratio > 0)) {
+    outcome.ending = std::isnan(limits.volume_ratio) ? Ending::not_finite : Ending::inverted_element;
+    outcome.reason = std::isnan(limits.volume_ratio) ? "positions are not finite"
+                                            : formatted("its volume or area is %.3g of the reference", limits.volume_ratio);
+    outcome.reason += made_before(model, now.ledger, time.created_limit, limits.smallest_block);
+    outcome.block = name(model, limits.smallest_block);
+    outcome.element = limits.smallest_element;
     return true;
   }
   const double first = now.progress.first_step;
@@ -232,16 +232,16 @@ Outcome run(const Model& model, State& now, Forces& forces, const Time& time, do
   } else {
     start(model, pace, now, forces);
     progress.started = progress.ledger_is_current = true;
-    progress.first_step = choose_step(now.votes, time.safety).dt;
+    progress.first_step = choose_step(now.step_limits, time.safety).dt;
     progress.smallest.dt = std::numeric_limits<double>::infinity();
     now.probes.assign(watch.probes.size(), {});
-    see_overlaps(model, false, time.audit_every, now, forces);
+    update_overlaps(model, false, time.audit_every, now, forces);
     show();
   }
   bool wanted = enough();
-  for (Step next = choose_step(now.votes, time.safety);
+  for (Step next = choose_step(now.step_limits, time.safety);
        !stop(model, now, next, time, outcome) && !wanted && now.t < time.end;  // also the last step is looked at
-       next = choose_step(now.votes, time.safety)) {
+       next = choose_step(now.step_limits, time.safety)) {
     if (watch.interrupt && now.step > 0) outcome.reason = watch.interrupt({model, now, forces, progress.ledger_is_current});
     if (!outcome.reason.empty()) {
       outcome.ending = Ending::interrupted;
@@ -249,26 +249,26 @@ Outcome run(const Model& model, State& now, Forces& forces, const Time& time, do
     }
     if (next.dt < progress.smallest.dt) progress.smallest = next;
     progress.largest_step = std::max(progress.largest_step, next.dt);
-    const double dt = next_length(now.votes, pace, now.t, now.dt);
+    const double dt = next_length(now.step_limits, pace, now.t, now.dt);
     const bool last = dt >= time.end - now.t;
     step(model, dt, pace, now, forces);
     if (last) now.t = time.end;
-    const bool rests = model.relaxation && model.relaxes && relax(model, next_length(now.votes, pace, now.t, now.dt), now, forces);
-    progress.ledger_is_current = last || rests || now.t >= static_cast<double>(progress.updates + 1) * update_every;
-    see_elements(model, progress.ledger_is_current && audit_is_due(time.audit_every, now), now);
+    const bool at_rest = model.relaxation && model.relaxes && relax(model, next_length(now.step_limits, pace, now.t, now.dt), now, forces);
+    progress.ledger_is_current = last || at_rest || now.t >= static_cast<double>(progress.updates + 1) * update_every;
+    check_elements(model, progress.ledger_is_current && audit_is_due(time.audit_every, now), now);
     if (progress.ledger_is_current) {
       progress.updates = static_cast<std::int64_t>(now.t / update_every);
       update_ledger(model, now);
-      see_artificial_energy(model, last || rests, now);
-      if (now.votes.volume_ratio > 0) see_overlaps(model, last || rests, time.audit_every, now, forces);
+      check_artificial_energy(model, last || at_rest, now);
+      if (now.step_limits.volume_ratio > 0) update_overlaps(model, last || at_rest, time.audit_every, now, forces);
     }
     show();
-    if (!(now.votes.volume_ratio > 0)) continue;  // stop() says so
+    if (!(now.step_limits.volume_ratio > 0)) continue;  // stop() says so
     if (corner_inverted(model, now, time, outcome)) break;
     if (progress.ledger_is_current && too_much_of_the_scene(model, now.ledger, time.created_limit, outcome)) break;
     if (too_much_of_what_passed(model, now.ledger, time.created_limit, outcome)) break;
     if (progress.ledger_is_current && overlap_too_much(model, now, forces, time.overlap_limit, outcome)) break;
-    if (rests) {
+    if (at_rest) {
       outcome.ending = Ending::relaxed;
       break;
     }
@@ -283,9 +283,9 @@ Outcome run(const Model& model, State& now, Forces& forces, const Time& time, do
     progress.ledger_is_current = true;
     show(true);
   }
-  see_artificial_energy(model, true, now);
-  see_elements(model, true, now);
-  if (now.votes.volume_ratio > 0) see_overlaps(model, true, time.audit_every, now, forces);
+  check_artificial_energy(model, true, now);
+  check_elements(model, true, now);
+  if (now.step_limits.volume_ratio > 0) update_overlaps(model, true, time.audit_every, now, forces);
   if (good(outcome.ending)) corner_inverted(model, now, time, outcome);
   if (good(outcome.ending)) overlap_too_much(model, now, forces, time.overlap_limit, outcome);
   outcome.wall_seconds = std::chrono::duration<double>(clock() - began).count();

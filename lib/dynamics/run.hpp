@@ -13,7 +13,7 @@ namespace nereid::dynamics {
 /// When a run ends, how long its steps are and how much energy it may create.
 struct Time {
   double end = 0;              ///< [s]
-  double safety = 0.9;         ///< [-] fraction of the elements' stable step; contact votes by its own bound
+  double safety = 0.9;         ///< [-] fraction of the elements' stable step; contact has a bound of its own
   double created_limit = 0.05; ///< [-] created or lost energy of any source over energy_scale(), and over what passed: times_the_limit()
   double overlap_limit = 0.5;  ///< [-] elements by which bodies may go into each other or themselves, beyond what they did at the start
   double corner_limit = 0;     ///< [-] Jacobian of a corner of an element over that of the reference, below one: there a run ends

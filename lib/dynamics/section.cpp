@@ -36,7 +36,7 @@ Section make_section(const Model& model, const std::string& name, const std::vec
   return section;
 }
 
-void see_sections(const Model& model, double dt, State& now) {
+void update_sections(const Model& model, double dt, State& now) {
   for (std::size_t s = 0; s < model.sections.size(); ++s) {
     const Section& section = model.sections[s];
     SectionMemory& memory = now.sections[s];

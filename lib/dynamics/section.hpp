@@ -27,6 +27,6 @@ Section make_section(const Model&, const std::string& name, const std::vector<st
 
 /// Takes the forces of the sections from those of the elements, after a step of length dt [s], and adds up their impulses by the
 /// trapezoid rule.
-void see_sections(const Model&, double dt, State&);
+void update_sections(const Model&, double dt, State&);
 
 }  // namespace nereid::dynamics

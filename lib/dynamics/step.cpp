@@ -11,7 +11,7 @@
 
 namespace nereid::dynamics {
 
-const Votes& step(const Model& model, double dt, const Pace& pace, State& now, Forces& f) {
+const StepLimits& step(const Model& model, double dt, const Pace& pace, State& now, Forces& f) {
   const double first = kick_to_the_middle(model, dt, now, f);  // v at t + dt/2, by the forces at t
   drift(model, dt, now, f);                                    // x at t + dt
   update(model, dt, pace, now, f);                             // stress of elements, springs of penalties, limits of the next step
@@ -19,10 +19,10 @@ const Votes& step(const Model& model, double dt, const Pace& pace, State& now, F
   enforce(model, dt, pace, now, f);                            // that contact: the smallest impulses that keep surfaces apart
   const Ended ended = kick_to_the_end(model, dt, now, f);      // v at t + dt
   book(model, dt, first, ended, now);                          // energies and momenta
-  return now.votes;
+  return now.step_limits;
 }
 
-const Votes& start(const Model& model, const Pace& pace, State& now, Forces& f) {
+const StepLimits& start(const Model& model, const Pace& pace, State& now, Forces& f) {
   start_rigid_bodies(model, now);
   begin_ledger(model, now);
   constrain_velocities(model, now.ledger.initial_kinetic, now, f);
@@ -38,7 +38,7 @@ const Votes& start(const Model& model, const Pace& pace, State& now, Forces& f) 
     update_ledger(model, now);
   }
   update_reports(model, 0, now);
-  return now.votes;
+  return now.step_limits;
 }
 
 void resume(const Model& model, const State& now, Forces& f) {

@@ -6,10 +6,10 @@
 namespace nereid::dynamics {
 
 /// Starts a run: removes what the constraints do not allow, computes the first forces and opens the
-/// ledger. Velocities must be set before. Returns the votes for the first step.
-const Votes& start(const Model&, const Pace&, State&, Forces&);
+/// ledger. Velocities must be set before. Returns the limits of the first step.
+const StepLimits& start(const Model&, const Pace&, State&, Forces&);
 
-inline const Votes& start(const Model& model, State& now, Forces& forces) { return start(model, {}, now, forces); }
+inline const StepLimits& start(const Model& model, State& now, Forces& forces) { return start(model, {}, now, forces); }
 
 /// Goes on from a state that a run has left: sums the forces that the state remembers. The steps that follow
 /// have the bits of a run that was never interrupted.
@@ -26,10 +26,12 @@ void change(const Model&, const Vectors& velocity, const Vectors& spin, State&, 
 ///
 /// pace  how long the step after this one will be: contact by multipliers looks ahead
 /// Needs  `forces` as the step, the start or resume() before left them
-/// returns  votes for the next step, which the state keeps
-const Votes& step(const Model&, double dt, const Pace&, State&, Forces&);
+/// returns  limits of the next step, which the state keeps
+const StepLimits& step(const Model&, double dt, const Pace&, State&, Forces&);
 
 /// The same where all steps are as long.
-inline const Votes& step(const Model& model, double dt, State& now, Forces& forces) { return step(model, dt, {.fixed = dt}, now, forces); }
+inline const StepLimits& step(const Model& model, double dt, State& now, Forces& forces) {
+  return step(model, dt, {.fixed = dt}, now, forces);
+}
 
 }  // namespace nereid::dynamics

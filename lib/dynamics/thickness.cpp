@@ -2,7 +2,7 @@
 
 namespace nereid::dynamics {
 
-void see_thickness(const Model& model, const State& now, Forces& f) {
+void update_thickness(const Model& model, const State& now, Forces& f) {
   if (f.half_growth.size() == 0) return;
   f.half_growth.setZero();
   for (std::size_t b = 0; b < model.blocks.size(); ++b) {

@@ -6,6 +6,6 @@
 namespace nereid::dynamics {
 
 /// By how much half the thickness of the plates at each node has grown since the start, a mean by mass; left empty where none changes.
-void see_thickness(const Model&, const State&, Forces&);
+void update_thickness(const Model&, const State&, Forces&);
 
 }  // namespace nereid::dynamics

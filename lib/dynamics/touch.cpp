@@ -9,7 +9,7 @@ namespace nereid::dynamics {
 namespace {
 
 /// Shows multipliers the constraints of the nodes that they can act on.
-void see_constraints(const State& now, Forces& f) {
+void find_constraints(const State& now, Forces& f) {
   const load::Memory& constraints = now.constraints;
   for (const Index at : f.multipliers.nodes) {
     const Index row = constraints.row_of_node[at];
@@ -25,11 +25,11 @@ void see_constraints(const State& now, Forces& f) {
 /// force  [N] on the nodes;  dt  [s] of the step that led here;  acts  [s] for which the forces act on rigid bodies
 contact::Motion motion_of(const Model& model, const Vectors& force, double dt, double next, double acts, const State& now, Forces& f) {
   return {now.x, now.v, now.omega, force, f.moment, model.mass, model.inertia, model.rotation_of_node, f.allowed, f.allowed_rotation, dt,
-          next, nullptr, see_rigid_bodies(model, acts, next, now, f)};
+          next, nullptr, predict_rigid_bodies(model, acts, next, now, f)};
 }
 
 /// What planes that move change in the velocities of their nodes by the time t [s].
-void see_speeds(const Model& model, double t, State& now, Forces& f) {
+void find_driven_speeds(const Model& model, double t, State& now, Forces& f) {
   load::set_speeds(model.constraints, model.mesh.X, t, now.constraints);  // the next kick sets its own
   for (const Index row : now.constraints.active) {
     const load::ConstrainedNode& node = now.constraints.nodes[row];
@@ -44,10 +44,10 @@ void see_speeds(const Model& model, double t, State& now, Forces& f) {
 }  // namespace
 
 void stop_at_start(const Model& model, const Pace& pace, State& now, Forces& f) {
-  see_constraints(now, f);
+  find_constraints(now, f);
   f.dx.setZero();
   Vectors impulse = Vectors::Zero(3, now.v.cols());
-  const contact::Motion motion = motion_of(model, f.dx, 0, next_length(now.votes, pace, now.t, 0), 0, now, f);
+  const contact::Motion motion = motion_of(model, f.dx, 0, next_length(now.step_limits, pace, now.t, 0), 0, now, f);
   contact::stop_at_start(model.contacts, model.rigid_planes, motion, now.t, now.contacts, now.rigid_planes, f.contacts,
                          f.multipliers, impulse);
   for (Eigen::Index node = 0; node < now.v.cols(); ++node) now.v.col(node) += impulse.col(node) / model.mass(node);
@@ -58,11 +58,11 @@ void stop_at_start(const Model& model, const Pace& pace, State& now, Forces& f) 
 
 void enforce(const Model& model, double dt, const Pace& pace, State& now, Forces& f) {
   if (f.allowed.empty()) return;
-  see_constraints(now, f);
-  const double next = next_length(now.votes, pace, now.t, dt);
+  find_constraints(now, f);
+  const double next = next_length(now.step_limits, pace, now.t, dt);
   contact::Motion motion = motion_of(model, f.force, dt, next, 0.5 * (dt + next), now, f);
   if (f.driven.cols() > 0) {
-    see_speeds(model, now.t + 0.5 * motion.next, now, f);
+    find_driven_speeds(model, now.t + 0.5 * motion.next, now, f);
     motion.driven = &f.driven;
   }
   contact::enforce(model.contacts, model.rigid_planes, motion, now.t, now.contacts, now.rigid_planes, f.contacts, f.multipliers);

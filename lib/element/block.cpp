@@ -197,7 +197,7 @@ TileForces tile_forces(const AnyBlock& any) {
 
 TileReports tile_reports(const AnyBlock& any) { return TileReports(tiling(any).tiles.size()); }
 
-Vote advance(const AnyBlock& any, const Vectors& x, const Vectors& dx, const Vectors& rotation, double dt, Memory& memory,
+BlockLimit advance(const AnyBlock& any, const Vectors& x, const Vectors& dx, const Vectors& rotation, double dt, Memory& memory,
              TileForces& forces, TileReports& reports) {
   return with_kernels(
       any, [&](const auto& block, auto kernels) { return kernels.advance(block, x, dx, rotation, dt, memory, forces, reports); });

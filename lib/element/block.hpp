@@ -87,7 +87,7 @@ struct Bending {
   bool leans;                     ///< whether its sides lean so much that it is far too stiff
 };
 
-/// What one tile reports of a step: energies in the order of Memory, the step vote and the smallest volume ratio.
+/// What one tile reports of a step: energies in the order of Memory, the step limit and the smallest volume ratio.
 struct TileReport {
   double work;
   Channels<Stored> stored;
@@ -98,7 +98,7 @@ struct TileReport {
 using TileReports = std::vector<TileReport>;  ///< [tiles] scratch of a step
 
 /// What a block asks of the run.
-struct Vote {
+struct BlockLimit {
   double step = 1e300;       ///< [s] largest stable step
   Index step_element = -1;
   double volume_ratio = 1e300;       ///< [-] smallest volume or area over that of the reference; NaN if one is
@@ -164,7 +164,7 @@ TileReports tile_reports(const AnyBlock&);
 /// rotation  [rad] increment of the rotation of the plate nodes, [3 x plate nodes]
 /// dt  [s]; zero at the start, where increments must be zero too: rates, dx / dt, are then zero
 /// Work is posted by the trapezoid rule: half with the forces found in `forces`, half with the new.
-Vote advance(const AnyBlock&, const Vectors& x, const Vectors& dx, const Vectors& rotation, double dt,
+BlockLimit advance(const AnyBlock&, const Vectors& x, const Vectors& dx, const Vectors& rotation, double dt,
              Memory&, TileForces& forces, TileReports&);
 
 /// Which quantities of elements are wanted, at which places.

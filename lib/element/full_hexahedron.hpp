@@ -153,8 +153,8 @@ NEREID_HOT PointField<T> assumed_strains(const CentreFrame<T>& f, const Symmetri
   const T most = root(larger(squares - T(1e-26), T(0.0)));  // a rotation leaves 1e-16
   for (int k = 0; k < 3; ++k) {
     const Vector<T> n = plane_basis(f, k).normal;
-    const T owed = T(0.125) * stiff * left[k];
-    across[k] = -(stiff * lambda * trace(field.linear[k]) + larger(-most, smaller(most, owed)));
+    const T deficit = T(0.125) * stiff * left[k];
+    across[k] = -(stiff * lambda * trace(field.linear[k]) + larger(-most, smaller(most, deficit)));
     field.linear[k] = field.linear[k] + across[k] * outer(n, n);
   }
   return field;

@@ -15,7 +15,7 @@ struct Kernels {
   static Scalars element_masses(const Block<Kind, Law>&);
   static void add_rotary_inertia(const Block<Kind, Law>&, Scalars& inertia);
   static Memory initial_memory(const Block<Kind, Law>&);
-  static Vote advance(const Block<Kind, Law>&, const Vectors& x, const Vectors& dx, const Vectors& rotation, double dt, Memory&,
+  static BlockLimit advance(const Block<Kind, Law>&, const Vectors& x, const Vectors& dx, const Vectors& rotation, double dt, Memory&,
                       TileForces&, TileReports&);
   static Thinned thinned(const Block<Kind, Law>&, const Vectors& x, const Memory&);
   static std::vector<Bending> bending(const Block<Kind, Law>&, const Vectors& x, const Memory&);

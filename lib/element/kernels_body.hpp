@@ -247,23 +247,23 @@ Output<Law> output_of(const Plate::Memory<double, Law>& memory, const Block<Plat
 }
 
 template <class Kind, class Law>
-Vote Kernels<Kind, Law>::advance(const Block<Kind, Law>& block, const Vectors& x, const Vectors& dx, const Vectors& rotation,
+BlockLimit Kernels<Kind, Law>::advance(const Block<Kind, Law>& block, const Vectors& x, const Vectors& dx, const Vectors& rotation,
                                  double dt, Memory& memory, TileForces& forces, TileReports& reports) {
   const double time = dt > 0 ? dt : 1;  // where none passes, nothing moves, and all rates are zero
   parallel_for(static_cast<Index>(block.tiling.tiles.size()), 2, [&](Index t) {
     advance_tile(block, block.tiling.tiles[t], x, dx, rotation, time, memory.rows.data(), forces, reports[t]);
   });
-  Vote vote;
+  BlockLimit limit;
   for (const TileReport& report : reports) {
     memory.work += report.work;
     for (const Stored channel : Kind::stored_channels) memory.stored[channel] += report.stored[channel];
     for (const Dissipated channel : Kind::dissipated_channels) memory.dissipated[channel] += report.dissipated[channel];
-    if (report.step < vote.step) vote.step = report.step, vote.step_element = report.step_element;
-    if (report.volume_ratio < vote.volume_ratio || std::isnan(report.volume_ratio)) {
-      vote.volume_ratio = report.volume_ratio, vote.volume_element = report.volume_element;
+    if (report.step < limit.step) limit.step = report.step, limit.step_element = report.step_element;
+    if (report.volume_ratio < limit.volume_ratio || std::isnan(report.volume_ratio)) {
+      limit.volume_ratio = report.volume_ratio, limit.volume_element = report.volume_element;
     }
   }
-  return vote;
+  return limit;
 }
 
 template <class Kind, class Law>

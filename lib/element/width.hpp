@@ -24,7 +24,7 @@ Narrowest narrowest(const AnyBlock&, const Vectors& x);
 
 /// The stable step of each element of a block over the smallest of them, by omega(g) of the same bound. [-] [elements]
 ///
-/// Votes of elements that bend stiffly also have their bending in them: of bricks up to seven times as long as wide they differ by 7 %.
+/// Step limits of elements that bend stiffly include their bending: those of bricks up to seven times as long as wide differ by 7 %.
 Scalars relative_steps(const AnyBlock&, const Vectors& x);
 
 }  // namespace nereid::element

@@ -167,31 +167,31 @@ void read_heights(const Section& section, bool used, const std::string& usual, d
 }  // namespace
 
 dynamics::InterfaceOptions read_solid_interface(const Section& section) {
-  return read_solid_interface(section, section.choice_or("kind", "contact", {"contact", "bonded"}) == "bonded");
+  return read_solid_interface(section, section.choice_or("kind", "contact", {"contact", "tied"}) == "tied");
 }
 
-dynamics::InterfaceOptions read_solid_interface(const Section& section, bool bonded) {
+dynamics::InterfaceOptions read_solid_interface(const Section& section, bool tied) {
   dynamics::InterfaceOptions options;
-  options.kind = bonded ? contact::InterfaceKind::bonded : contact::InterfaceKind::contact;
+  options.kind = tied ? contact::InterfaceKind::tied : contact::InterfaceKind::contact;
   const bool multiplier = read_method(section);
   options.method = multiplier ? contact::Method::multiplier : contact::Method::penalty;
-  options.restitution = section.when(multiplier && !bonded).number_or("restitution", options.restitution, model::range::restitution);
+  options.restitution = section.when(multiplier && !tied).number_or("restitution", options.restitution, model::range::restitution);
   const Section by_penalty = section.when(!multiplier);
   read_penalty(section, multiplier, options);
   options.two_passes = section.choice_or("passes", "one", {"one", "two"}) == "two";
-  read_heights(section, multiplier && !bonded, options.two_passes ? "nodes" : "points", options);
+  read_heights(section, multiplier && !tied, options.two_passes ? "nodes" : "points", options);
   options.two_passes = options.two_passes || options.heights == contact::Heights::points;
   const bool base_area = by_penalty.choice_or("area", "apex", {"apex", "base"}) == "base";
   options.area = base_area ? contact::Area::base : contact::Area::apex;
-  const Section unilateral = section.when(!bonded);
+  const Section unilateral = section.when(!tied);
   options.edges = unilateral.flag_or("edges", options.edges);
   options.friction = read_friction(unilateral, multiplier);
-  if (bonded) options.friction = {};
+  if (tied) options.friction = {};
   const Section rubbing = unilateral.when(options.friction.coefficient > 0);
   if (rubbing.choice_or("weights", "consistent", {"consistent", "paper"}) == "paper") options.weights = contact::Weights::paper;
   const Section spring = unilateral.when(!multiplier);
   options.damping_ratio = spring.number_or("damping_ratio", options.damping_ratio, model::range::damping_ratio);
-  if (bonded) options.damping_ratio = 0;
+  if (tied) options.damping_ratio = 0;
   options.energy_gain_limit = spring.number_or("energy_gain_limit", options.energy_gain_limit, model::range::energy_gain_limit);
   options.step_factor = spring.number_or("step_factor", options.step_factor, model::range::step_factor);
   options.height = {.from_initial_height = false, .clearance = 0, .given = 0};

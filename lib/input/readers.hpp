@@ -32,12 +32,12 @@ element::AnyHexahedronOptions read_hexahedron_options(const Section&, std::strin
 /// follows_strain`, `drilling`, and the viscosity.
 element::Plate::Options read_plate_options(const Section&);
 
-/// `kind: contact | bonded`, `method: multiplier | penalty`, `passes: one | two`; of a contact also `friction`, and by multipliers
+/// `kind: contact | tied`, `method: multiplier | penalty`, `passes: one | two`; of a contact also `friction`, and by multipliers
 /// `restitution`. By a penalty `penalty` or `penalty_scale`, `area: apex | base`; and of a contact `tangential_penalty`,
 /// `weights: consistent | paper`, `damping_ratio`, `energy_gain_limit`. All optional. For solid bodies, which touch at h = 0.
 dynamics::InterfaceOptions read_solid_interface(const Section&);
-/// The same without `kind`, which says whether it is bonded.
-dynamics::InterfaceOptions read_solid_interface(const Section&, bool bonded);
+/// The same without `kind`, which says whether it is tied.
+dynamics::InterfaceOptions read_solid_interface(const Section&, bool tied);
 
 /// Of an automatic contact: `method`, `restitution`, `penalty`, `penalty_scale`, `edges`, `friction` with its keys, `energy_gain_limit`,
 /// `step_factor` and `initial_penetration`, all optional.

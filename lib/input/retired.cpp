@@ -14,13 +14,14 @@ struct Renamed {
 };
 
 // The table is that of scripts/words.py; tests/scripts/words_test.py compares the two.
-constexpr std::array<Renamed, 7> all{{
+constexpr std::array<Renamed, 8> all{{
     {"hardness", "penalty_scale", "", "contacts[] contact interface base planes[]"},
     {"stick", "tangential_penalty", "", "contacts[] contact interface base planes[]"},
     {"damping", "damping_ratio", "", "contacts[] contact interface base"},
     {"created_in_a_bounce", "energy_gain_limit", "", "contacts[] contact interface base planes[]"},
     {"turn", "rotate", "", "bodies[]"},
     {"turning", "angular_velocity", "", "planes[]"},
+    {"bonded", "tied", "kind", "contacts[] contact interface base"},
     {"held", "constrained", "kind", "planes[]"},
 }};
 

@@ -141,12 +141,12 @@ model::AutomaticContact read_automatic_contact(const Section& section, Names& ta
   return contact;
 }
 
-model::Contact read_contact(const Section& section, bool bonded, Names& taken) {
+model::Contact read_contact(const Section& section, bool tied, Names& taken) {
   model::Contact contact{.name = read_name(section, taken, sources),
                          .apexes = section.word("apexes"),
                          .base = section.word("base"),
                          .height_from_thickness = false,
-                         .interface = read_solid_interface(section, bonded),
+                         .interface = read_solid_interface(section, tied),
                          .at = section.path()};
   contact.height_from_thickness = read_contact_height(section, HeightFrom::thickness, contact.interface) == HeightFrom::thickness;
   if (contact.interface.two_passes) taken.push_back(contact.name + "_back");
@@ -262,13 +262,13 @@ model::Scene read_scene(const Section& root, bool runs) {
   Names taken{"gravity", "relaxation"}, probes;
   for (const Section& body : root.list("bodies", 1)) scene.bodies.push_back(read_body(body, taken));
   for (const Section& contact : root.list("contacts")) {
-    const std::string kind = contact.choice_or("kind", "contact", {"contact", "bonded", "automatic"});
+    const std::string kind = contact.choice_or("kind", "contact", {"contact", "tied", "automatic"});
     if (!contact.decided()) {  // which keys it has, nobody knows
       for (const std::string& key : contact.keys()) contact.has(key);
       continue;
     }
     if (kind == "automatic") scene.automatic_contacts.push_back(read_automatic_contact(contact, taken));
-    else scene.contacts.push_back(read_contact(contact, kind == "bonded", taken));
+    else scene.contacts.push_back(read_contact(contact, kind == "tied", taken));
   }
   read_actions(root, runs, scene);
   scene.stages = read_stages(run);

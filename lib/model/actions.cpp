@@ -336,7 +336,7 @@ void set_initial(const Scene& scene, const dynamics::Model& model, const std::op
                  Faults& faults) {
   add_velocities(scene.initial, model, state.v, state.omega, faults);
   if (!displacement || !faults.empty()) return;
-  const element::Vote smallest = dynamics::displace(model, state, displacement->value, displacement->gradient);
+  const element::BlockLimit smallest = dynamics::displace(model, state, displacement->value, displacement->gradient);
   if (!(smallest.volume_ratio > 0))
     refuse(faults, part_of_initial(*last_displacement(scene)), "displacement",
            "'displacement' turns element " + std::to_string(smallest.volume_element) + " inside out");

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double worth_saying = 1.5;  // [-] times as many steps
 
-/// The largest step of an interface by a penalty: its vote, or what that is once the lowest apexes touch. [s]
+/// The largest step of an interface by a penalty: its step limit, or what that is once the lowest apexes touch. [s]
 double step_in_touch(const Simulation& simulation, std::size_t c) {
   const dynamics::Model& model = simulation.model;
   const contact::Interface* given = contact::interface_of(model.contacts[c]);
@@ -25,8 +25,8 @@ double step_in_touch(const Simulation& simulation, std::size_t c) {
   if (contact::by_multipliers(interface) || none || interface.contact_height.size() == 0) return 1e300;
   contact::Workspace workspace(interface);
   const auto& memory = std::get<contact::Memory>(simulation.state.contacts[c]);
-  const double vote = contact::stable_step(interface, model.mass, model.inertia, memory, workspace).step;
-  if (vote < 1e299) return vote;
+  const double limit = contact::stable_step(interface, model.mass, model.inertia, memory, workspace).step;
+  if (limit < 1e299) return limit;
   const double reach = std::max(gaps.least, 0.0) + interface.contact_height.maxCoeff() + interface.depth;
   const contact::Memory touching = contact::tried_out(interface, simulation.state.x, reach, workspace);
   return contact::stable_step(interface, model.mass, model.inertia, touching, workspace).step;
@@ -66,12 +66,12 @@ std::size_t few(const std::vector<Sized>& all) {
 }
 
 std::vector<std::string> element_advice(const Simulation& simulation, const ExpectedSteps& expected) {
-  const dynamics::Votes& votes = simulation.state.votes;
-  if (expected.dt < expected.elements || votes.elements.source >= static_cast<int>(simulation.model.blocks.size())) return {};
+  const dynamics::StepLimits& limits = simulation.state.step_limits;
+  if (expected.dt < expected.elements || limits.elements.source >= static_cast<int>(simulation.model.blocks.size())) return {};
   const std::vector<Sized> all = by_step(simulation);
   const std::size_t n = few(all);
   if (n == 0) return {};
-  const double then = std::min(simulation.time.safety * all[n].step, votes.contact.step) / expected.dt;
+  const double then = std::min(simulation.time.safety * all[n].step, limits.contact.step) / expected.dt;
   if (!(then > worth_saying)) return {};
   const char* body = element::name(simulation.model.blocks[all[0].block]).c_str();
   const std::string what = n == 1 ? formatted("element %d of '%s' sets the step; ", all[0].element, body)
@@ -98,8 +98,8 @@ ExpectedSteps expected_steps(const Simulation& simulation) {
   const dynamics::Model& model = simulation.model;
   const dynamics::State& now = simulation.state;
   ExpectedSteps expected;
-  expected.first = dynamics::choose_step(now.votes, simulation.time.safety);
-  expected.elements = simulation.time.safety * now.votes.elements.step;
+  expected.first = dynamics::choose_step(now.step_limits, simulation.time.safety);
+  expected.elements = simulation.time.safety * now.step_limits.elements.step;
   if (!model.rigid_bodies.empty()) expected.elements = std::min(expected.elements, model.longest_step);
   expected.dt = expected.first.dt;
   for (std::size_t c = 0; c < model.contacts.size(); ++c) expected.contacts.push_back(step_in_touch(simulation, c));
@@ -115,7 +115,7 @@ ExpectedSteps expected_steps(const Simulation& simulation) {
 double count(const ExpectedSteps& expected, double end) { return std::ceil(end / expected.dt - 1e-9); }
 
 bool may_have_multipliers(const dynamics::Model& model, const contact::Interface& interface) {
-  if (interface.kind != contact::InterfaceKind::bonded) return true;
+  if (interface.kind != contact::InterfaceKind::tied) return true;
   const auto is_rigid = [&](const Subset& nodes) {
     return std::any_of(nodes.begin(), nodes.end(), [&](Index node) { return dynamics::is_rigid_node(model, node); });
   };

@@ -10,8 +10,8 @@ namespace nereid::model {
 
 /// The steps that a run is expected to have.
 ///
-/// Elements are taken as they are at the start. A contact by a penalty that is still open, and does not vote yet, counts as if what comes
-/// into contact first were in contact: its apexes no higher than the lowest one and the depth of an element.
+/// Elements are taken as they are at the start. A contact by a penalty that is still open, and does not limit the step yet, counts as if
+/// what comes into contact first were in contact: its apexes no higher than the lowest one and the depth of an element.
 struct ExpectedSteps {
   dynamics::Step first;            ///< the first one
   double dt = 0;                   ///< [s] length of the others

@@ -168,11 +168,11 @@ void refuse_penetration(const auto& contact, bool given, const contact::InitialG
                    gaps.pairs > 0 ? "pairs of edges" : "apexes", gaps.deepest, given ? "lower 'height', " : ""));
 }
 
-void refuse_empty_bond(const Contact& contact, const contact::InitialGaps& gaps, Faults& faults) {
-  if (contact.interface.kind != contact::InterfaceKind::bonded || gaps.free < gaps.apexes) return;
+void refuse_empty_tie(const Contact& contact, const contact::InitialGaps& gaps, Faults& faults) {
+  if (contact.interface.kind != contact::InterfaceKind::tied || gaps.free < gaps.apexes) return;
   refuse(faults, part("contact", contact), "apexes",
          "none of the " + std::to_string(gaps.apexes) + " apexes of '" + contact.apexes + "' stands over '" + contact.base +
-             "': expected at least one to be bonded");
+             "': expected at least one to be tied");
 }
 
 /// Whether the surfaces of a contact can be one.
@@ -228,7 +228,7 @@ bool any_touch(const Scene& scene, const std::vector<dynamics::TouchingBody>& bo
   return false;
 }
 
-/// Adds the automatic contacts: each pair of bodies that no contact or bond joins, nor an automatic contact before.
+/// Adds the automatic contacts: each pair of bodies that no contact or tie joins, nor an automatic contact before.
 ///
 /// start  as of add_contacts
 void add_automatic_contacts(const Scene& scene, const Vectors* start, dynamics::Model& model, std::vector<dynamics::Connected>& connected,
@@ -277,7 +277,7 @@ std::vector<dynamics::Connected> add_contacts(const Scene& scene, const Vectors*
     for (dynamics::Connected& pass : dynamics::connect(model, contact.name, contact.apexes, contact.base, options, start)) {
       const auto& height = contact.interface.height;
       refuse_penetration(contact, !contact.height_from_thickness && !height.from_initial_height && height.given > 0, pass.gaps, faults);
-      refuse_empty_bond(contact, pass.gaps, faults);
+      refuse_empty_tie(contact, pass.gaps, faults);
       connected.push_back(std::move(pass));
     }
   }
@@ -367,7 +367,7 @@ Simulation build(const Scene& scene) {
   set_velocities_of_stages(scene, simulation, faults);
   check_rigid_bodies(scene, model, simulation.state, faults);
   for (contact::AnyContact& any : model.contacts)
-    if (contact::bonded_by_multipliers(any)) contact::bond_here(simulation.state.x, std::get<contact::Interface>(any));
+    if (contact::tied_by_multipliers(any)) contact::tie_here(simulation.state.x, std::get<contact::Interface>(any));
   simulation.forces = dynamics::make_forces(model);
   for (const Probe& probe : scene.probes) simulation.probes.push_back(make_probe(probe, model, simulation.state, faults));
   throw_if_any(faults);

@@ -136,7 +136,7 @@ std::vector<std::string> gap_table(const Simulation& simulation) {
     }
     const auto& interface = std::get<contact::Interface>(simulation.model.contacts[c]);
     const bool any = g.apexes > g.without_base + g.behind;
-    const bool overlaps = g.penetrating > 0 || !g.slight_overlaps.empty() || interface.kind == contact::InterfaceKind::bonded;
+    const bool overlaps = g.penetrating > 0 || !g.slight_overlaps.empty() || interface.kind == contact::InterfaceKind::tied;
     const auto shown = [&](double gap) { return overlaps ? gap : std::max(gap, 0.0); };  // without round-off
     const std::string gaps = any ? formatted("%-11.4g  %-11.4g  %-11.4g", shown(g.least), shown(g.mean), shown(g.largest))
                                  : "-            -            -";
@@ -194,9 +194,9 @@ std::vector<std::string> coarseness_notes(const Simulation& simulation) {
     if (!(seen.apexes >= worth_saying)) continue;
     const auto& interface = std::get<contact::Interface>(simulation.model.contacts[c]);
     if (std::all_of(interface.base_nodes.begin(), interface.base_nodes.end(), held)) continue;  // a base that cannot give way
-    const bool bonded = interface.kind == contact::InterfaceKind::bonded;  // which has one pass
-    const std::string instead = seen.base >= worth_saying ? said(bonded ? Remedy::refine_apexes : Remedy::two_passes)
-                                : bonded                  ? said(Remedy::exchange_sides)
+    const bool tied = interface.kind == contact::InterfaceKind::tied;  // which has one pass
+    const std::string instead = seen.base >= worth_saying ? said(tied ? Remedy::refine_apexes : Remedy::two_passes)
+                                : tied                  ? said(Remedy::exchange_sides)
                                                           : said(Remedy::exchange_sides) + ", or " + said(Remedy::two_passes);
     const bool over_points = interface.heights == contact::Heights::points;
     notes.push_back(formatted("%s: its apexes are %.3g times as far apart as the nodes of its base, so that %s: %s", interface.name.c_str(),
@@ -265,8 +265,8 @@ std::vector<std::string> overlap_notes(const Simulation& simulation) {
     for (std::size_t c = 0; c < contacts.size(); ++c) {
       if (!dynamics::joins(contacts[c], surfaces, overlap)) continue;
       joined = true;
-      const bool bonded = contact::interface_of(contacts[c])->kind == contact::InterfaceKind::bonded;
-      expected = expected || bonded || simulation.gaps[c].penetrating > 0;
+      const bool tied = contact::interface_of(contacts[c])->kind == contact::InterfaceKind::tied;
+      expected = expected || tied || simulation.gaps[c].penetrating > 0;
     }
     const bool from_start = overlap.at_start - overlap.allowed > worth_saying * overlap.worst.size && !expected;
     if (!(overlap.grown > worth_saying) && !from_start) continue;
@@ -411,7 +411,7 @@ std::vector<Held> held_by_open_contacts(const Simulation& simulation) {
   std::map<std::string, double> passed_through;
   for (std::size_t c = 0; c < model.contacts.size(); ++c) {
     const contact::AnyContact& any = model.contacts[c];
-    if (!contact::by_multipliers(any) || contact::bonded_by_multipliers(any)) continue;
+    if (!contact::by_multipliers(any) || contact::tied_by_multipliers(any)) continue;
     contact::with_memory(any, simulation.state.contacts[c],
                          [&](const auto& one, const auto& memory) { add_held(one, memory, of_contacts[contact_of(any)]); });
     passed_through[contact_of(any)] += passed(contact::sides(any).name);

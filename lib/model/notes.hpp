@@ -18,7 +18,7 @@ std::vector<std::string> gap_table(const Simulation&);
 /// Of each block whose step a narrow element sets, what that width costs, one block a line; of those that may set the step of the run.
 std::vector<std::string> width_notes(const Simulation&);
 
-/// Each contact and bond in one pass whose apexes are a quarter or more farther apart than the nodes of the base below them, unless all of
+/// Each contact and tie in one pass whose apexes are a quarter or more farther apart than the nodes of the base below them, unless all of
 /// these are held.
 std::vector<std::string> coarseness_notes(const Simulation&);
 

@@ -288,9 +288,9 @@ void check_rigid_bodies(const Scene& scene, const dynamics::Model& model, const 
   };
   if (scene.relaxation) refuse_to_relax_free_bodies({"", "the scene"}, model, faults);
   for (const Contact& contact : scene.contacts) {
-    const bool bonded = contact.interface.kind == contact::InterfaceKind::bonded;
-    if (bonded && contact.interface.method == contact::Method::multiplier && (is_of_rigid(contact.apexes) || is_of_rigid(contact.base)))
-      refuse(faults, part("contact", contact), "kind", "a bond to a rigid body is not there yet by multipliers: say 'method: penalty'");
+    const bool tied = contact.interface.kind == contact::InterfaceKind::tied;
+    if (tied && contact.interface.method == contact::Method::multiplier && (is_of_rigid(contact.apexes) || is_of_rigid(contact.base)))
+      refuse(faults, part("contact", contact), "kind", "a tie to a rigid body is not there yet by multipliers: say 'method: penalty'");
   }
   for (const Initial& initial : scene.initial)
     if (initial.displacement && find(initial.body) != model.rigid_bodies.end())

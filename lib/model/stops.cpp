@@ -45,7 +45,7 @@ std::string steady(const Stop& stop, const char* unit, ConditionMemory& now) {
                    now.mean, unit, stop.value, unit);
 }
 
-std::string rests(const Stop& stop, double scale, ConditionMemory& now) {
+std::string at_rest(const Stop& stop, double scale, ConditionMemory& now) {
   const double most = stop.of_scene ? scale : now.extreme;
   if (!(now.time >= stop.after && most > 0 && now.last <= stop.part * most)) {
     now.since = -1;
@@ -71,7 +71,7 @@ std::string wanted_stop(const Stop& stop, double t, double value, const std::str
   switch (stop.kind) {
     case StopKind::peak: return peaked(stop, unit.c_str(), memory);
     case StopKind::steady: return steady(stop, unit.c_str(), memory);
-    case StopKind::rest: return rests(stop, scale, memory);
+    case StopKind::rest: return at_rest(stop, scale, memory);
     case StopKind::level: break;  // above
   }
   return "";

@@ -136,12 +136,12 @@ void check_contact(const Contact& contact, Faults& faults) {
   const Part here = part("contact", contact);
   const dynamics::InterfaceOptions& o = contact.interface;
   check(faults, here, of_friction(o.friction, o.energy_gain_limit, o.step_factor));
-  check(faults, here, {kind("kind", o.kind, contact::InterfaceKind::bonded), kind("method", o.method, contact::Method::multiplier),
+  check(faults, here, {kind("kind", o.kind, contact::InterfaceKind::tied), kind("method", o.method, contact::Method::multiplier),
                        {"penalty", o.penalty.value_or(1), positive, "Pa/m"}, {"penalty_scale", o.penalty_scale, positive},
                        {"restitution", o.restitution, range::restitution}, {"damping_ratio", o.damping_ratio, range::damping_ratio},
                        {"clearance", o.height.clearance, not_negative, "m"}, {"height", o.height.given, not_negative, "m"}});
-  if (o.kind == contact::InterfaceKind::bonded && o.method == contact::Method::multiplier && o.two_passes)
-    refuse(faults, here, "passes", "a bond by multipliers has one pass, since two would stiffen the bodies; or say 'method: penalty'");
+  if (o.kind == contact::InterfaceKind::tied && o.method == contact::Method::multiplier && o.two_passes)
+    refuse(faults, here, "passes", "a tie by multipliers has one pass, since two would stiffen the bodies; or say 'method: penalty'");
 }
 
 void check_contact(const AutomaticContact& contact, Faults& faults) {

@@ -145,7 +145,7 @@ Json cost_of(const Cost& cost) {
   const contact::Spent& contact = cost.contact;
   if (contact.steps > 0)
     all["contact"] = {{"steps", contact.steps}, {"apexes", contact.apexes}, {"conditions", contact.conditions},
-                      {"sweeps", contact.sweeps}, {"seconds", contact.seconds}};
+                      {"iterations", contact.iterations}, {"seconds", contact.seconds}};
   for (std::size_t i = 0; contact.steps > 0 && i < contact::stages; ++i)
     all["contact"]["stages"][contact::stage_names[i]] = contact.of_stage[i];
   return all;

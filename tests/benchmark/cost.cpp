@@ -1,14 +1,14 @@
 // What one update of an element costs in Nereid, to be put beside tests/benchmark/floor.cpp.
 //
-//     cost hexahedra|springs|viscous|full|plates|kept|contact|automatic|bonded N STEPS
+//     cost hexahedra|springs|viscous|full|plates|kept|contact|automatic|tied N STEPS
 //
 // A block of N^3 hexahedra (one point with assumed strains, springs or dashpots, or eight points), or a sheet of about 2 N^2 plates
 // whose thickness follows their strain or is kept, plastic, on one thread. Prints the nanoseconds per element update of the element
 // kernels alone and of the whole step with its ledger.
 // Contact presses a block of 2N x 2N x N cells on one of N x N x N/2, and prints the nanoseconds of the interface per near apex and step,
 // closed and open, beside the step of the elements, the bytes that an apex takes that is near and one that is far, and what contact adds
-// to the step of two blocks that are pressed together, with waves in them and a tenth of their nodes on the interface. Bonded joins two
-// blocks of N x N x 9 and M x M x 9 cells in which waves go, and prints what the bond adds per bonded apex and step of the elements, and
+// to the step of two blocks that are pressed together, with waves in them and a tenth of their nodes on the interface. Tied joins two
+// blocks of N x N x 9 and M x M x 9 cells in which waves go, and prints what the tie adds per tied apex and step of the elements, and
 // the iterations of its solver. Automatic prints what an automatic contact adds to the step of a hundred bodies of N^3 cells that are far
 // apart and swing, how often it searches and how many steps a search takes; then what it adds to the step of two bodies pressed together,
 // beside a declared contact.
@@ -69,7 +69,7 @@ dynamics::Model plates(int n, const material::J2Bilinear& law, element::Plate::T
   return model;
 }
 
-/// Nanoseconds per apex and step of an interface: finding, forces, and its vote on the time step.
+/// Nanoseconds per apex and step of an interface: finding, forces, and its step limit on the time step.
 double contact_cost(const dynamics::Model& model, dynamics::State& state, dynamics::Forces& forces, double dt, int steps) {
   contact::Memory& memory = std::get<contact::Memory>(state.contacts[0]);
   const contact::Interface& interface = std::get<contact::Interface>(model.contacts[0]);
@@ -159,7 +159,7 @@ double step_cost(Pressed& scene, double dt, int steps) {
 }
 
 /// The step of a scene that is pressed. [s]
-double step_of(const Pressed& scene) { return 0.5 * std::min(scene.state.votes.elements.step, scene.state.votes.contact.step); }
+double step_of(const Pressed& scene) { return 0.5 * std::min(scene.state.step_limits.elements.step, scene.state.step_limits.contact.step); }
 constexpr int until_closed = 600;  // steps; the scenes begin with a blow
 
 /// What contact adds to the step where a tenth of the nodes lies on the interface.
@@ -233,7 +233,7 @@ Pressed far_and_swinging(int n, double strain, const material::J2Bilinear& law, 
   return {std::move(model), std::move(state), std::move(forces)};
 }
 
-/// Two blocks with a bond between them or none, in which waves go.
+/// Two blocks with a tie between them or none, in which waves go.
 Pressed in_waves(int above, int below, double gap, bool joined, contact::Method method, const material::J2Bilinear& law,
                  const element::Hexahedron::Options& options) {
   dynamics::Model model;
@@ -242,7 +242,7 @@ Pressed in_waves(int above, int below, double gap, bool joined, contact::Method 
   for (const char* name : {"base", "block"}) model.blocks.push_back(element::solids(model.mesh, name, law, options));
   dynamics::finalize(model);
   dynamics::InterfaceOptions joint;
-  joint.kind = contact::InterfaceKind::bonded, joint.method = method;
+  joint.kind = contact::InterfaceKind::tied, joint.method = method;
   std::vector<contact::AnyMemory> memories;
   if (joined)
     for (auto& pass : dynamics::connect(model, "joint", "block.z_high", "base.z_low", joint)) memories.push_back(std::move(pass.memory));
@@ -262,8 +262,8 @@ int bonded_costs(int n, int steps, const material::J2Bilinear& law, const elemen
     for (const auto method : {contact::Method::multiplier, contact::Method::penalty}) {
       Pressed with = in_waves(above, below, gap, true, method, law, options);
       Pressed without = in_waves(above, below, gap, false, method, law, options);
-      const double dt = 0.5 * with.state.votes.elements.step;
-      const double smaller = std::max(1.0, 0.9 * with.state.votes.elements.step / with.state.votes.contact.step);
+      const double dt = 0.5 * with.state.step_limits.elements.step;
+      const double smaller = std::max(1.0, 0.9 * with.state.step_limits.elements.step / with.state.step_limits.contact.step);
       const auto cost = [&](Pressed& scene) {
         const double began = seconds();
         for (int s = 0; s < steps; ++s)
@@ -273,14 +273,14 @@ int bonded_costs(int n, int steps, const material::J2Bilinear& law, const elemen
       double least_with = INFINITY, least_without = INFINITY;
       for (int round = 0; round < 3; ++round)
         least_with = std::min(least_with, cost(with)), least_without = std::min(least_without, cost(without));
-      const double bonds = (above + 1.0) * (above + 1.0);
-      std::printf("bonded %d x %d on %d x %d, gap %g, %s: %.0f ns per bond and step, step %.1f %% dearer, %.1f times the steps of the "
+      const double ties = (above + 1.0) * (above + 1.0);
+      std::printf("tied %d x %d on %d x %d, gap %g, %s: %.0f ns per tie and step, step %.1f %% dearer, %.1f times the steps of the "
                   "elements",
                   above, above, below, below, gap, method == contact::Method::penalty ? "penalty" : "multiplier",
-                  (least_with - least_without) / bonds, 100 * (least_with / least_without - 1),
+                  (least_with - least_without) / ties, 100 * (least_with / least_without - 1),
                   method == contact::Method::penalty ? smaller : 1.0);
       if (method == contact::Method::multiplier)
-        std::printf(", %.1f iterations", static_cast<double>(with.forces.multipliers.bonds.iterations) / (3.0 * steps));
+        std::printf(", %.1f iterations", static_cast<double>(with.forces.multipliers.ties.iterations) / (3.0 * steps));
       std::printf("\n");
     }
   return 0;
@@ -341,7 +341,7 @@ std::array<double, 3> costs_of_pressed(int n, int steps, const material::J2Bilin
 int automatic_costs(int n, int steps, const material::J2Bilinear& law, const element::Hexahedron::Options& options) {
   for (const double strain : {1e-9, 1e-3, 1e-2, 3e-2}) {
     Pressed scene = far_and_swinging(n, strain, law, options);
-    const auto [with, without] = with_and_without(scene, 0.5 * scene.state.votes.elements.step, steps);
+    const auto [with, without] = with_and_without(scene, 0.5 * scene.state.step_limits.elements.step, steps);
     contact::Memory& memory = std::get<contact::Memory>(scene.state.contacts[0]);
     const auto searches = memory.searches;
     const double began = seconds();
@@ -374,7 +374,7 @@ int main(int argc, char** argv) {
   const material::J2Bilinear elastic{1.0, 1.0, 0.3, {1e3, 0.1}};
   if (kind == "contact") return contact_costs(n, steps, elastic, one_point);
   if (kind == "automatic") return automatic_costs(n, steps, elastic, one_point);
-  if (kind == "bonded") return bonded_costs(n, steps, law, one_point);
+  if (kind == "tied") return bonded_costs(n, steps, law, one_point);
   const dynamics::Model model = kind == "plates" ? plates(n, law, element::Plate::Thinning::by_law)
                                 : kind == "kept" ? plates(n, law, element::Plate::Thinning::constant)
                                 : kind == "full" ? hexahedra(n, law, element::FullHexahedron::Options{})

@@ -194,22 +194,22 @@ TEST(Friction, LetsGoOfItsSlipWhereTheApexLeaves) {
   EXPECT_TRUE(r.friction().force.isZero(0));
 }
 
-// ------------------------------------------------------------------ bonds
+// ------------------------------------------------------------------ ties
 
-Scene bond(const std::vector<Vec3>& apexes) {
+Scene tie(const std::vector<Vec3>& apexes) {
   const Shape shape = sheet(4, 4, [](double x, double y) { return 0.1 * x + 0.05 * y * y; }, 0.2);
   Vectors x(3, shape.x.cols() + static_cast<Index>(apexes.size()));
   x.leftCols(shape.x.cols()) = shape.x;
   for (std::size_t a = 0; a < apexes.size(); ++a) x.col(shape.x.cols() + static_cast<Index>(a)) = apexes[a];
   Interface in = interface_over(shape, static_cast<Index>(apexes.size()));
-  in.kind = InterfaceKind::bonded;
+  in.kind = InterfaceKind::tied;
   Scene scene = scene_of(std::move(x), std::move(in), {true, 0, 0});
   scene.update();
   return scene;
 }
 
-TEST(Bond, HoldsNothingAtTheStartAndThenPullsAndPushesAlongTheGradientOfItsEnergy) {
-  Scene scene = bond({{1.3, 1.6, 0.4}});
+TEST(Tie, HoldsNothingAtTheStartAndThenPullsAndPushesAlongTheGradientOfItsEnergy) {
+  Scene scene = tie({{1.3, 1.6, 0.4}});
   EXPECT_LT(scene.forces().norm(), 1e-12 * penalty);
   scene.move(Vec3(scene.x.col(scene.apex())) + Vec3(0.02, -0.03, 0.05));
   scene.x.col(6) += Vec3(0.01, 0.02, -0.03);
@@ -219,8 +219,8 @@ TEST(Bond, HoldsNothingAtTheStartAndThenPullsAndPushesAlongTheGradientOfItsEnerg
   has_a_potential(scene, by_differences);
 }
 
-TEST(Bond, StoresNothingInARigidMotion) {
-  Scene scene = bond({{1.3, 1.6, 0.4}, {2.2, 2.9, 0.7}});
+TEST(Tie, StoresNothingInARigidMotion) {
+  Scene scene = tie({{1.3, 1.6, 0.4}, {2.2, 2.9, 0.7}});
   scene.x = Eigen::AngleAxisd(1.1, Vec3(1, -2, 0.5).normalized()).toRotationMatrix() * scene.x;
   scene.x.colwise() += Vec3(3, 2, 1);
   scene.update();
@@ -228,8 +228,8 @@ TEST(Bond, StoresNothingInARigidMotion) {
   EXPECT_EQ(scene.memory.walks, 0);
 }
 
-TEST(Bond, AsksForNoSmallStepsBecauseItNeverOpens) {
-  Scene scene = bond({{1.3, 1.6, 0.4}});
+TEST(Tie, AsksForNoSmallStepsBecauseItNeverOpens) {
+  Scene scene = tie({{1.3, 1.6, 0.4}});
   const Scalars mass = Scalars::Ones(scene.x.cols());
   const double step = stable_step(scene.interface, mass, no_inertia, scene.memory, scene.workspace).step;
   EXPECT_LT(step, linear_step / std::sqrt(penalty * 1.2));
@@ -622,7 +622,7 @@ TEST(Cask, TurnedInsideOutFeelsTheMirrorImagesOfARidge) {
   EXPECT_LT((scene.element(3).apex - penalty * (0.1 - off_the_end.norm()) * off_the_end.normalized()).norm(), 1);
 }
 
-// ------------------------------------------------------------------ the vote on the time step
+// ------------------------------------------------------------------ the step limit on the time step
 
 TEST(StableStep, OfAnApexOverAVertexIsThatOfTwoMassesOnASpring) {
   const Scene built = press(corner(false), {Vec3(-0.03, -0.04, -0.05)}, 0.1);
@@ -643,7 +643,7 @@ TEST(StableStep, AddsUpSpringsThatShareANode) {
 
 TEST(StableStep, FallsBitByBitAsAnApexComes) {
   Scene scene = press(corner(false), {Vec3(-0.03, -0.04, -0.3)}, 0.1);
-  scene.interface.depth = 4;  // it votes within 1
+  scene.interface.depth = 4;  // it limits the step within 1
   Vectors v = Vectors::Zero(3, scene.x.cols());
   v(2, scene.apex()) = 2;
   const Vec3 away(-0.03, -0.04, -0.95);
@@ -654,24 +654,24 @@ TEST(StableStep, FallsBitByBitAsAnApexComes) {
   Scalars mass = Scalars::Constant(5, 1e9);
   mass(0) = 3, mass(4) = 2;
   const double pressed = scene.interface.impact_step_factor / std::sqrt(penalty * (1.0 / 2 + 1.0 / 3));
-  const auto vote = [&](double last) {
+  const auto limit = [&](double last) {
     return stable_step(scene.interface, mass, no_inertia, scene.memory, scene.workspace, last).step;
   };
   go(away, 1e-9);
   ASSERT_FALSE(scene.element().closed);
-  EXPECT_NEAR(vote(0.03), 0.8 * 0.03, 1e-12);
-  EXPECT_NEAR(vote(1), 0.5 * (away.norm() - 0.1) / 2, 1e-9) << "it closes within two steps of this length";
-  EXPECT_NEAR(vote(pressed), pressed, 1e-12);
-  EXPECT_NEAR(vote(0), pressed, 1e-12);
+  EXPECT_NEAR(limit(0.03), 0.8 * 0.03, 1e-12);
+  EXPECT_NEAR(limit(1), 0.5 * (away.norm() - 0.1) / 2, 1e-9) << "it closes within two steps of this length";
+  EXPECT_NEAR(limit(pressed), pressed, 1e-12);
+  EXPECT_NEAR(limit(0), pressed, 1e-12);
   const Vec3 nearer(-0.03, -0.04, -0.9);
   go(nearer, 0.025);
-  EXPECT_NEAR(vote(1), 0.5 * (nearer.norm() - 0.1) / 2, 1e-9) << "it is looked at in every step, wherever it can close next";
+  EXPECT_NEAR(limit(1), 0.5 * (nearer.norm() - 0.1) / 2, 1e-9) << "it is looked at in every step, wherever it can close next";
   v(2, scene.apex()) = 8;
   go(nearer, 1e-9);
-  EXPECT_NEAR(vote(1), 0.5 * (nearer.norm() - 0.1) / 8, 1e-9) << "also where its speed alone has changed";
+  EXPECT_NEAR(limit(1), 0.5 * (nearer.norm() - 0.1) / 8, 1e-9) << "also where its speed alone has changed";
   go(Vec3(-0.03, -0.04, -0.05), 0.5);
   ASSERT_TRUE(scene.element().closed);
-  EXPECT_NEAR(vote(1), pressed, 1e-12);
+  EXPECT_NEAR(limit(1), pressed, 1e-12);
 }
 
 TEST(StableStep, WithoutBasesVotesForNothing) {
@@ -698,7 +698,7 @@ double omega_squared(const Scene& scene, const Scalars& mass) {
   return eigenvalues(0.5 * (K + K.transpose())).maxCoeff();
 }
 
-/// The vote's frequency over the exact one, least and largest over random interfaces on a shape.
+/// The frequency of the step limit over the exact one, least and largest over random interfaces on a shape.
 std::array<double, 2> vote_over_exact(const std::function<double(double, double)>& ground, double depth, bool even) {
   std::mt19937 random(23);
   std::uniform_real_distribution<double> unit(0, 1);
@@ -712,9 +712,9 @@ std::array<double, 2> vote_over_exact(const std::function<double(double, double)
     Scene scene = press(sheet(4, 4, ground, 0), apexes, 0.1);
     Scalars mass(scene.x.cols());
     for (Index i = 0; i < mass.size(); ++i) mass(i) = even ? 1 : std::pow(10.0, 2 * unit(random));
-    const double vote =
+    const double limit =
         scene.interface.impact_step_factor / stable_step(scene.interface, mass, no_inertia, scene.memory, scene.workspace).step;
-    const double ratio = vote / std::sqrt(omega_squared(scene, mass));
+    const double ratio = limit / std::sqrt(omega_squared(scene, mass));
     least = std::min(least, ratio), most = std::max(most, ratio);
   }
   return {least, most};

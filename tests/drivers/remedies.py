@@ -24,8 +24,8 @@ HEADER, PAGE = ROOT / "lib/model/remedies.hpp", ROOT / "docs/remedies.md"
 # Sources of what runs say, and what looks like a remedy in their texts. All other sources say it of faults of input: each of those stands
 # in tests/drivers/bad_cases or in another test, word for word, and the page lists them too.
 SPEAKERS = ["lib/model/advice.cpp", "lib/model/notes.cpp", "lib/model/stops.cpp", "lib/dynamics/run.cpp", "lib/dynamics/overlaps.cpp",
-            "lib/dynamics/votes.cpp", "lib/dynamics/relax.cpp", "lib/dynamics/quality.cpp", "drivers/driver.cpp", "drivers/forecast.cpp",
-            "drivers/accuracy.cpp"]
+            "lib/dynamics/step_limits.cpp", "lib/dynamics/relax.cpp", "lib/dynamics/quality.cpp", "drivers/driver.cpp",
+            "drivers/forecast.cpp", "drivers/accuracy.cpp"]
 LIKE_A_REMEDY = re.compile(r"(^|[:;,] |\bor )(take|try|use|give|lower|raise|refine the|exchange|move|choose|say)\b"
                            r"|\b(should|finer|instead|lets)\b|'[a-z_.]+: [^']+'|'--")
 OTHER_WORDS = {  # texts that look like one, and are none of a run
@@ -177,10 +177,10 @@ class MultiplierTest(Remedy):
         """Ties to a rigid body and in two passes have no multipliers: the one remedy would be refused with the other."""
         for more in ({"rigid": True}, {"passes": "two"}):
             with self.subTest(more):
-                said = dry(on_each_other("penalty", "bonded", penalty="1e13 Pa/m", **more))
+                said = dry(on_each_other("penalty", "tied", penalty="1e13 Pa/m", **more))
                 self.assertRegex(said, "contact 'j' makes this run [0-9.e+]+ times longer\n")
                 self.assertFalse(self.named(said))
-                self.assertIn("say 'method: penalty'", dry(on_each_other("multiplier", "bonded", **more)))
+                self.assertIn("say 'method: penalty'", dry(on_each_other("multiplier", "tied", **more)))
 
 
 def sliver(**more):
@@ -305,7 +305,7 @@ class TwoPassesTest(Remedy):
         self.assertLess(error_of_stress(right), error_of_stress(wrong) / 2)
 
     def test_it_is_not_named_where_it_would_not(self):
-        said = dry(stacked((2, 4), (4, 2), "bonded"))  # which would be refused
+        said = dry(stacked((2, 4), (4, 2), "tied"))  # which would be refused
         self.assertIn("its apexes are 2 times as far apart", said)
         self.assertFalse(self.named(said))
 
@@ -314,13 +314,13 @@ class RefineApexesTest(Remedy):
     remedy = "refine_apexes"
 
     def test_it_helps(self):
-        wrong, right = self.run_to_end(stacked((2, 4), (4, 2), "bonded")), self.run_to_end(stacked((4, 4), (4, 2), "bonded"))
+        wrong, right = self.run_to_end(stacked((2, 4), (4, 2), "tied")), self.run_to_end(stacked((4, 4), (4, 2), "tied"))
         self.assertTrue(self.named(wrong), wrong.stderr)
         self.assertNotIn("its apexes are", right.stderr)
         self.assertLess(error_of_stress(right), error_of_stress(wrong) / 2)
 
     def test_it_is_not_named_where_it_would_not(self):
-        said = dry(stacked((2, 2), (5, 5), "bonded"))  # to exchange the sides costs nothing
+        said = dry(stacked((2, 2), (5, 5), "tied"))  # to exchange the sides costs nothing
         self.assertIn("its apexes are 2.5 times as far apart", said)
         self.assertFalse(self.named(said))
 

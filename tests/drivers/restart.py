@@ -48,8 +48,8 @@ CASES = {
         "self_contact/strip.yaml", {"bodies[0].mesh.cells_along": 16, "bodies[0].mesh.cells_across": 1, "time.end": "6 ms"}),
     "edges that cross": ("crossing_bars/case.yaml", {}),
     "rigid bodies on a plane, friction": ("rigid_slider/on_a_plane.yaml", {}),
-    "a bond": ("bonded_bar/case.yaml", {}),
-    "penalties of a bond and a plane, all hourglass control, springs": ("invariance_scenes/stack.yaml", {"contacts[1].method": "penalty"}),
+    "a tie": ("tied_bar/case.yaml", {}),
+    "penalties of a tie and a plane, all hourglass control, springs": ("invariance_scenes/stack.yaml", {"contacts[1].method": "penalty"}),
     "plates in two passes of a penalty, moment, pressure": ("invariance_scenes/plates.yaml", {}),
     "a floor, plates on solids, plasticity": ("cask_drop/scene.yaml", {}),
     "friction that decays": ("kinetic_friction/pulled.yaml", {}),
@@ -78,7 +78,7 @@ KINDS = [
     "contacts kind=contact method=multiplier friction=0.4", "contacts kind=contact method=multiplier passes=two",
     "contacts kind=contact method=penalty passes=two friction=0.25 damping_ratio=0.1",
     "contacts kind=contact method=penalty weights=paper area=base", "contacts method=penalty step_factor=0.4",
-    "contacts kind=bonded method=multiplier", "contacts kind=bonded method=penalty", "contacts contact_height=initial",
+    "contacts kind=tied method=multiplier", "contacts kind=tied method=penalty", "contacts contact_height=initial",
     "contacts kinetic_friction=0.2", "contacts kind=automatic method=multiplier friction=0.3", "contacts kind=automatic method=penalty",
     "planes kind=symmetry", "planes kind=constrained", "planes kind=fixed", "planes kind=driven", "planes kind=floor",
     "planes kind=rigid method=multiplier restitution=0.5", "planes kind=rigid method=multiplier friction=0.2",
@@ -88,7 +88,7 @@ KINDS = [
     "stop dipped", "stop steady", "stop rest", "touched sides=['strip', 'strip']", "ending word=stopped_by_condition",
 ]
 # of the cases, all kinds of elements and of contact; none so chaotic that round-off grows, none with a file that needs VTK
-WIDTHS = {"automatic contact by a penalty": {}, "a bond": {},
+WIDTHS = {"automatic contact by a penalty": {}, "a tie": {},
           "a floor, plates on solids, plasticity": {"time.end": "0.4 ms"},  # round-off grows: 1e-8 of a force then, 4e-6 at 0.6 ms
           "rigid bodies on a plane, friction": {}, "plates that thin": {}, "strain rate and heat": {}, "kinematic hardening": {},
           "stages: a rigid ram that is let go": {}}

@@ -112,7 +112,7 @@ class FrictionUnderRelaxation(Case):
 def tied(method, size, weight):
     """A cube that is tied to the top of another one; the weight acts at once, or grows with the time."""
     scene = {"bodies": [box("a", (0, 0, 0), (size, size, size), (4, 4, 4)), box("b", (0, 0, size), (size, size, 2 * size), (4, 4, 4))],
-             "contacts": [{"name": "tie", "kind": "bonded", "apexes": "b.z_low", "base": "a.z_high", "method": method}],
+             "contacts": [{"name": "tie", "kind": "tied", "apexes": "b.z_low", "base": "a.z_high", "method": method}],
              "planes": [{"name": "ground", "kind": "fixed", "nodes": ["a.z_low"]}],
              "probes": [{"name": "carried", "quantity": "force", "of": "tie", "component": "z"}], "time": {"end": "0.5 s"},
              "relaxation": {"residual": 1e-5, "after": "0.02 s"}}

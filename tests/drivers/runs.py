@@ -228,7 +228,7 @@ class Summary(InATemporaryFolder):
             "settlement_mean": "m", "time_of_settlement_mean": "s", "settlement_centre": "m", "bulge": "m",
             "smallest_step": "s", "largest_step": "s"})
         bodies = ["lead"] if "cladding.kind=none" in values else ["lead", "cladding", "interface"]
-        if len(bodies) > 1 and "interface.kind=bonded" not in values:
+        if len(bodies) > 1 and "interface.kind=tied" not in values:
             bodies.append("interface_edges")
         self.assertEqual([*summary["ledger"]["accounts"]], [*bodies, *planes])
         self.check_ledger(summary["ledger"])
@@ -248,7 +248,7 @@ class Summary(InATemporaryFolder):
         self.check_cask(QUARTER, ["floor", "x_plane", "y_plane"])
 
     def test_every_variant_of_the_cask(self):
-        for change in ("cladding.kind=none", "interface.kind=bonded", "interface.friction=0.3", "element.lead=full",
+        for change in ("cladding.kind=none", "interface.kind=tied", "interface.friction=0.3", "element.lead=full",
                        "interface.passes=two", "interface.method=penalty", "steel.hardening=kinematic"):
             with self.subTest(change):
                 values = [*QUARTER, change]

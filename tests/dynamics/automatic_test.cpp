@@ -227,7 +227,7 @@ Slid slide(bool automatic, bool looks_at_all) {
       for (contact::Near& near : std::get<contact::Memory>(any).near) {
         found.pressed += near.pressed > 0 ? 1 : 0;
         found.stay += near.kept != contact::Kept::nothing ? 1 : 0;
-        if (looks_at_all) near.clear = near.tracks.owned = -INFINITY;
+        if (looks_at_all) near.safe_distance = near.tracks.owned = -INFINITY;
       }
     }
     step(s.model, dt, s.state, s.forces);

@@ -336,7 +336,7 @@ TEST(Connect, TwoPassesAreTwoInterfacesOfHalfThePenalty) {
   for (const auto& pass : model.contacts) EXPECT_NEAR(contact::sides(pass).penalty / (0.5 * 20 * modulus(soft) / 0.1), 1, 1e-12);
 }
 
-Votes votes_of_matching_boxes(InterfaceOptions options, bool two_passes) {
+StepLimits votes_of_matching_boxes(InterfaceOptions options, bool two_passes) {
   Model model;
   model.mesh = mesh::join(mesh::box("below", {{0, 0, 0}, {1, 1, 0.4}, {3, 3, 2}}),
                           mesh::box("above", {{0, 0, 0.4}, {1, 1, 0.8}, {3, 3, 2}}));
@@ -354,7 +354,7 @@ Votes votes_of_matching_boxes(InterfaceOptions options, bool two_passes) {
 
 TEST(Connect, TwoPassesOverTheSameNodesKeepTheBoundTogether) {
   // Where the grids match, two passes are one: half the springs from either side between the same pairs of nodes.
-  for (const auto kind : {contact::InterfaceKind::contact, contact::InterfaceKind::bonded}) {
+  for (const auto kind : {contact::InterfaceKind::contact, contact::InterfaceKind::tied}) {
     InterfaceOptions options{.method = contact::Method::penalty};
     options.kind = kind;
     const double one = votes_of_matching_boxes(options, false).contact.step, two = votes_of_matching_boxes(options, true).contact.step;

@@ -36,7 +36,7 @@ TEST(Displace, AStretchedBarStartsWithItsElasticStressAndEnergy) {
   Scene s = box(material::Elastic{1000, young, poisson});
   Mat3 G = Mat3::Zero();
   G.diagonal() = strain * Vec3(1, -poisson, -poisson);  // uniaxial stress
-  const element::Vote smallest = displace(s.model, s.state, linear(s.model, G), {});
+  const element::BlockLimit smallest = displace(s.model, s.state, linear(s.model, G), {});
   EXPECT_NEAR(smallest.volume_ratio, 1, 1e-4);
   EXPECT_NEAR(stress(s, 0) / (young * strain), 1, 1e-3);  // second order in the strain
   EXPECT_NEAR(stress(s, 1) / (young * strain), 0, 1e-3);
@@ -63,8 +63,8 @@ TEST(Displace, LetsGoABarWhoseLedgerClosesAndWhoseEnergyIsThatOfTheStart) {
   displace(s.model, s.state, linear(s.model, G), {});
   s.model.gravity = {1, 2, 3};
   s.state.ledger = initial_state(s.model, {}).ledger;  // with an account of gravity
-  Votes votes = start(s.model, s.state, s.forces);
-  for (int i = 0; i < 300; ++i) votes = step(s.model, 0.5 * least(votes), s.state, s.forces);
+  StepLimits limits = start(s.model, s.state, s.forces);
+  for (int i = 0; i < 300; ++i) limits = step(s.model, 0.5 * least(limits), s.state, s.forces);
   update_ledger(s.model, s.state);
   const double held = initial_stored(s.state.ledger);
   EXPECT_GT(held, 0);

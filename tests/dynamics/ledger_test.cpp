@@ -50,12 +50,12 @@ TEST(Ledger, WhatAStoreGaveAndNeverHeldIsCreated) {
 TEST(Ledger, RemembersTheMostThatASourceHasCreatedOfTheScene) {
   Ledger ledger;
   ledger.accounts.resize(2), ledger.flows.resize(2);
-  see_created(ledger);  // no scale yet
+  update_created(ledger);  // no scale yet
   EXPECT_EQ(ledger.flows[0].worst_of_scene, 0);
   ledger.initial_available = ledger.initial_kinetic = 100;
   const auto look = [&](double first, double second) {
     ledger.accounts[0].work = first, ledger.accounts[1].work = second;
-    see_created(ledger);
+    update_created(ledger);
   };
   look(3, -4), look(0, 1), look(-2, -3);
   EXPECT_EQ(ledger.flows[0].worst_of_scene, 0.03);
@@ -98,10 +98,10 @@ TEST(Ledger, ASceneIsJudgedBetweenRowsAgainstWhatLoadsHaveDoneByNow) {
   Account force;
   force.work = 7, force.stored[Stored::external_work] = -7;
   ledger.accounts = {force}, ledger.flows.resize(1);
-  see_flows(ledger);
+  update_flows(ledger);
   EXPECT_EQ(energy_scale(ledger), 0);  // at rest before its first row it is not judged
   ledger.external_work = 1e-9;
-  see_flows(ledger);
+  update_flows(ledger);
   EXPECT_EQ(energy_scale(ledger), 7);
 }
 
@@ -126,7 +126,7 @@ Ledger after(std::initializer_list<double> works, double created) {
   for (const double work : works) {
     ledger.accounts[1].work += work;
     ledger.accounts[1].stored[Stored::penalty] = created - ledger.accounts[1].work;
-    see_flows(ledger);
+    update_flows(ledger);
   }
   return ledger;
 }
@@ -165,9 +165,9 @@ TEST(SpuriousPart, DoesNotCountWhatAContactStillOwesUpToWhatMayBeCreatedUnseen) 
   Ledger ledger = after({-0.01, 0.01}, 0.002);  // of 0.02 that passed
   ledger.flows[1].recent = 0;
   EXPECT_NEAR(spurious_part(ledger, 1), 0.1, 1e-6);
-  ledger.flows[1].owed = 0.5 * least_share;
+  ledger.flows[1].deficit = 0.5 * least_share;
   EXPECT_NEAR(spurious_part(ledger, 1), 0.1 - 0.5 * least_share / 0.02, 1e-6);
-  ledger.flows[1].owed = 0.002;
+  ledger.flows[1].deficit = 0.002;
   EXPECT_NEAR(spurious_part(ledger, 1), 0.1 - least_share / 0.02, 1e-6);
   ledger.accounts[1].stored[Stored::penalty] -= 0.004;  // lost
   EXPECT_NEAR(spurious_part(ledger, 1), -0.1, 1e-6) << "what is lost is no debt";
@@ -200,7 +200,7 @@ TEST(SpuriousPart, OfRoundOffAtAStartFromRestIsHeldAgainstTheFloor) {
   EXPECT_GT(spurious_part(ledger, 1), 0.2) << "without a floor";
   ledger.size = 0.1, ledger.largest_force = 1e-6;
   EXPECT_EQ(spurious_part(ledger, 1), 0);
-  ledger.accounts[1].work += 1e-10, see_flows(ledger);  // more than passes unseen: 2.5e-3 of the floor
+  ledger.accounts[1].work += 1e-10, update_flows(ledger);  // more than passes unseen: 2.5e-3 of the floor
   ledger.flows[1].recent = 0;
   EXPECT_GT(spurious_part(ledger, 1), 0.2);
 }
@@ -208,10 +208,10 @@ TEST(SpuriousPart, OfRoundOffAtAStartFromRestIsHeldAgainstTheFloor) {
 TEST(KeptPart, IsThatOfTheIntegrationOverTheScaleWithBothSigns) {
   Ledger ledger = after({}, 0);
   ledger.initial_available = ledger.initial_kinetic = 4, ledger.integration_kept = ledger.integration = -1;
-  see_flows(ledger);
+  update_flows(ledger);
   EXPECT_EQ(kept_part(ledger), -0.25);
   ledger.integration_kept = ledger.integration = 0.5;
-  see_flows(ledger);
+  update_flows(ledger);
   EXPECT_EQ(ledger.worst_kept, -0.25);
 }
 
@@ -227,10 +227,10 @@ TEST(KeptPart, LeavesOutWhatTheForcesNowMakeUpFor) {
 TEST(SwingPart, IsWhatComesBackOverTheScaleAtUpdatesOfTheLedger) {
   Ledger ledger = after({}, 0);
   ledger.initial_available = 4, ledger.integration = 2;
-  see_created(ledger);
+  update_created(ledger);
   EXPECT_EQ(swing_part(ledger), 0.5);
   ledger.integration = 0;
-  see_created(ledger);
+  update_created(ledger);
   EXPECT_EQ(swing_part(ledger), 0.5);
   ledger.external_work = 8;
   EXPECT_EQ(swing_part(ledger), 0.25);

@@ -127,7 +127,7 @@ TEST(AllowedOverlaps, AreWhatTheContactHeightIsLessThanHalfTheThickness) {
   EXPECT_EQ(allowed({true, 0, 0}), 0) << "it starts farther away";
   EXPECT_NEAR(allowed({true, 0, 0}, 0.04), 0.01, 1e-12);
   EXPECT_NEAR(allowed({true, 0, 0}, -0.01), 0.05, 1e-12) << "of the solid nothing";
-  EXPECT_EQ(allowed({true, 0, 0}, 0.04, contact::InterfaceKind::bonded), 0) << "at the start is accepted, and it stays";
+  EXPECT_EQ(allowed({true, 0, 0}, 0.04, contact::InterfaceKind::tied), 0) << "at the start is accepted, and it stays";
 }
 
 TEST(SeeOverlaps, AcceptsOfAPlateWhatItsContactHeightAllowsAgainAndAgain) {
@@ -136,7 +136,7 @@ TEST(SeeOverlaps, AcceptsOfAPlateWhatItsContactHeightAllowsAgainAndAgain) {
   const auto at = [&](double height) {
     for (const Index n : mesh::node_set(s.model.mesh, "block")) s.state.x(2, n) = s.model.mesh.X(2, n) - 0.03 + height;
     ++s.state.step;
-    see_overlaps(s.model, true, 0, s.state, s.forces);
+    update_overlaps(s.model, true, 0, s.state, s.forces);
     return audit::worst(s.state.audit)->grown;
   };
   EXPECT_EQ(at(0.03), 0);

@@ -196,7 +196,7 @@ TEST(Quality, SeesThatBendingBecomesUnevenWithoutMoreOfIt) {
   const auto see = [&](const Vectors& u, bool look) {
     displace(s.model, s.state, u, {});
     update_ledger(s.model, s.state);
-    see_artificial_energy(s.model, look, s.state);
+    check_artificial_energy(s.model, look, s.state);
     return s.state.quality[0].uneven / s.state.quality[0].internal;
   };
   EXPECT_LT(see(bent, false), 0.01);

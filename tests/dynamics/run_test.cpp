@@ -157,16 +157,16 @@ TEST(Run, EndsAtTheEndWithoutAVanishingStep) {
 TEST(Run, StaysBelowTheVotesBySafety) {
   Scene s = box();
   s.state.v(0, 0) = 0.1;
-  double vote = 0;
+  double limit = 0;
   const Observer look = [&](const View& view) {
     if (view.now.step > 0) {
-      EXPECT_LE(view.now.dt, 0.9 * vote * (1 + 1e-12));
+      EXPECT_LE(view.now.dt, 0.9 * limit * (1 + 1e-12));
     }
-    vote = view.now.votes.elements.step;
+    limit = view.now.step_limits.elements.step;
   };
   const Outcome outcome = s.run_to(0.01, 1e300, {&look, 1});
   EXPECT_LE(outcome.smallest_step, outcome.largest_step);
-  EXPECT_NEAR(outcome.largest_step / (0.9 * vote), 1, 0.01);
+  EXPECT_NEAR(outcome.largest_step / (0.9 * limit), 1, 0.01);
 }
 
 TEST(Run, StopsAtAnInvertedElementWithItsPlace) {
@@ -343,10 +343,10 @@ TEST(Run, AnInvertedElementNamesTheSourceThatMadeEnergyBefore) {
   s.move("above", {0, 0, -3});
   start(s.model, s.state, s.forces);
   s.state.progress.started = s.state.progress.ledger_is_current = true;
-  s.state.progress.first_step = s.state.votes.elements.step;
+  s.state.progress.first_step = s.state.step_limits.elements.step;
   s.state.ledger.accounts[2].work = s.state.ledger.initial_kinetic;  // of the contact, and nothing that it comes from
   s.state.ledger.flows[2].passed = 2 * s.state.ledger.initial_kinetic;
-  s.state.votes.volume_ratio = -0.5, s.state.votes.smallest_block = 1, s.state.votes.smallest_element = 3;
+  s.state.step_limits.volume_ratio = -0.5, s.state.step_limits.smallest_block = 1, s.state.step_limits.smallest_element = 3;
   const Outcome outcome = s.run_to(0.05);
   EXPECT_EQ(outcome.ending, Ending::inverted_element);
   EXPECT_EQ(outcome.block, "above");
@@ -363,10 +363,10 @@ TEST(Run, AnInvertedElementBlamesNoBodyThatIsWithinItsLimit) {
     s.move("above", {0, 0, -3});
     start(s.model, s.state, s.forces);
     s.state.progress.started = s.state.progress.ledger_is_current = true;
-    s.state.progress.first_step = s.state.votes.elements.step;
+    s.state.progress.first_step = s.state.step_limits.elements.step;
     s.state.ledger.accounts[0].work = part * s.state.ledger.initial_available;
     s.state.ledger.flows[0].passed = s.state.ledger.initial_available;
-    s.state.votes.volume_ratio = -0.5, s.state.votes.smallest_block = 1, s.state.votes.smallest_element = 3;
+    s.state.step_limits.volume_ratio = -0.5, s.state.step_limits.smallest_block = 1, s.state.step_limits.smallest_element = 3;
     const Outcome outcome = s.run_to(0.05);
     EXPECT_EQ(outcome.reason.find("before that below") != std::string::npos, part > 0.25) << outcome.reason;
   }
@@ -395,7 +395,7 @@ TEST(Run, WhatAContactCreatesWhereMassesDifferIsADebtThatItPays) {
     const Ledger& ledger = view.now.ledger;
     const Flow& flow = ledger.flows[2];
     const double made = created(ledger.accounts[2]);
-    if (made > 0) differs = std::max(differs, std::abs(made - flow.owed));
+    if (made > 0) differs = std::max(differs, std::abs(made - flow.deficit));
     const double scale = energy_scale(ledger), passed = std::max(flow.passed, least_flow * scale);
     if (flow.passed > least_share * scale) as_creation = std::max(as_creation, (made - flow.recent) / passed);
     most = std::max(most, made);
@@ -510,7 +510,7 @@ Scene tied(double size, contact::Method method, Acts acts, int power) {
     s.model.loads.emplace_back(load::BodyForce{.name = "weight", .nodes = nodes, .mass = s.model.mass,
                                                .acceleration = {none, none, grows(9.81)}});
   }
-  InterfaceOptions tie{.kind = contact::InterfaceKind::bonded, .method = method};
+  InterfaceOptions tie{.kind = contact::InterfaceKind::tied, .method = method};
   tie.height = {.from_initial_height = false, .clearance = 0, .given = 0};
   s.joined("tie", "high.z_low", "low.z_high", tie);
   s.ready();

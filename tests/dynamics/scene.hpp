@@ -40,7 +40,7 @@ struct Scene {
 };
 
 /// The smallest of all limits on the next step, without any safety. [s]
-inline double least(const Votes& votes) { return std::min(votes.elements.step, votes.contact.step); }
+inline double least(const StepLimits& limits) { return std::min(limits.elements.step, limits.contact.step); }
 
 /// The account of a source by its name.
 inline const Account& account(const Scene& s, const std::string& name) {
@@ -87,7 +87,8 @@ inline std::vector<std::pair<std::string, std::vector<double>>> numbers(const St
     for (const Vec3& slip : c.slip) all(slip);
     all(c.slot), all(c.near_facets);
     for (const contact::Near& near : c.near) {
-      add(near.pressed, near.apex, near.first_facet, near.facets, near.clear, near.rests, near.area, near.tracks.count, near.tracks.owned);
+      add(near.pressed, near.apex, near.first_facet, near.facets, near.safe_distance, near.is_idle, near.area, near.tracks.count,
+          near.tracks.owned);
       for (int i = 0; i < near.tracks.count; ++i) add(near.tracks.track[i].facet, near.tracks.track[i].height);
       add(near.tracks.out.facet, near.tracks.out.height);
       if (near.tracks.out.facet >= 0) all(near.tracks.out.weight);
@@ -145,7 +146,7 @@ inline std::vector<std::pair<std::string, std::vector<double>>> numbers(const St
     part("account"), add(a.work, a.created_by_reconnection), all(a.impulse), all(a.angular_impulse);
     for (std::size_t c = 0; c < words_of_stored.size(); ++c) add(a.stored[Stored(c)], a.at_start[Stored(c)], a.dissipated[Dissipated(c)]);
   }
-  for (const Flow& f : s.ledger.flows) part("flow"), add(f.passed, f.work, f.recent, f.owed, f.worst, f.worst_of_scene);
+  for (const Flow& f : s.ledger.flows) part("flow"), add(f.passed, f.work, f.recent, f.deficit, f.worst, f.worst_of_scene);
   part("quality"), add(s.progress.corners_seen), add(s.progress.corners_next), add(s.progress.corner);
   for (const Quality& seen : s.quality) add(seen.corner, seen.element, seen.time, seen.hourglass, seen.internal, seen.inverted);
   part("audit"), add(s.audit.looks, s.progress.audits, s.progress.audited, s.progress.audited_itself);
@@ -154,9 +155,10 @@ inline std::vector<std::pair<std::string, std::vector<double>>> numbers(const St
         o.worst.region[0], o.worst.region[1], o.worst.open, o.sure, o.sure_time, o.surest.depth, o.surest.size, o.surest.open);
     all(o.worst.place), all(o.surest.place);
   }
-  part("votes"), add(s.votes.elements.step, s.votes.elements.source, s.votes.elements.at, s.votes.contact.step, s.votes.contact.source,
-                     s.votes.contact.at, s.votes.volume_ratio, s.votes.smallest_block, s.votes.smallest_element, s.votes.may_grow,
-                     s.votes.costly, s.votes.trend);
+  const StepLimits& limits = s.step_limits;
+  part("step limits"), add(limits.elements.step, limits.elements.source, limits.elements.at, limits.contact.step, limits.contact.source,
+                           limits.contact.at, limits.volume_ratio, limits.smallest_block, limits.smallest_element, limits.may_grow,
+                           limits.costly, limits.trend);
   part("progress"), add(s.progress.started, s.progress.first_step, s.progress.updates, s.progress.ledger_is_current,
                         s.progress.smallest.dt, s.progress.smallest.source, s.progress.smallest.at, s.progress.largest_step);
   for (const ProbeMemory& p : s.probes) {

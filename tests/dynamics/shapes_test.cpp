@@ -65,7 +65,7 @@ TEST(Shapes, PenaltiesTiesAndGivenHeightsHaveFacets) {
   const mesh::Surface &side = mesh::surface(model.mesh, "roller.side"), &top = mesh::surface(model.mesh, "block.z_high");
   InterfaceOptions penalty = usual(), tie = usual(), height = usual();
   penalty.method = contact::Method::penalty;
-  tie.kind = contact::InterfaceKind::bonded;
+  tie.kind = contact::InterfaceKind::tied;
   height.height = {.from_initial_height = false, .clearance = 0, .given = 0.1};
   for (const InterfaceOptions& options : {penalty, tie, height}) EXPECT_FALSE(shapes_of_pair(model, top, side, options, {}));
 }

@@ -13,7 +13,7 @@
 
 #include "base/dense.hpp"
 #include "base/parallel.hpp"
-#include "contact/multiplier/bond.hpp"
+#include "contact/multiplier/tie.hpp"
 #include "contact/penalty/impact_step.hpp"
 #include "dynamics/balance.hpp"
 #include "dynamics/relax.hpp"
@@ -124,15 +124,15 @@ const material::Elastic rubber{1000, 1e6, 0.3};
 const material::Elastic dust{1000, 1e-60, 0.3};
 
 /// Steps with lengths that change from step to step, at most `safety` of what is voted.
-Votes go(Scene& s, int steps, double safety = 0.9, bool begin = true) {
+StepLimits go(Scene& s, int steps, double safety = 0.9, bool begin = true) {
   std::mt19937 engine(5);
   std::uniform_real_distribution<double> part(0.3, 1);
   if (begin) start(s.model, s.state, s.forces);
-  Votes votes = s.state.votes;
+  StepLimits limits = s.state.step_limits;
   for (int i = 0; i < steps; ++i)
-    votes = step(s.model, part(engine) * safety * least(votes), s.state, s.forces);
+    limits = step(s.model, part(engine) * safety * least(limits), s.state, s.forces);
   update_ledger(s.model, s.state);
-  return votes;
+  return limits;
 }
 
 void add_random_velocities(Vectors& v, double amplitude) {
@@ -299,9 +299,9 @@ TEST(Friction, BetweenBodiesKeepsMomentaAndDissipates) {
   }
 }
 
-TEST(Bonded, BodiesMoveAsOneAndTheBondCreatesNothing) {
+TEST(Tied, BodiesMoveAsOneAndTheBondCreatesNothing) {
   InterfaceOptions options = solid_contact(0);
-  options.kind = contact::InterfaceKind::bonded;
+  options.kind = contact::InterfaceKind::tied;
   Scene s = askew(options);
   go(s, 400);
   expect_closed(s);
@@ -422,12 +422,12 @@ TEST(Residual, ClosesOnAnAbsurdResultWhichTheIntegrationAndCreatedEnergyGiveAway
   finalize(s.model);
   s.ready();
   add_random_velocities(s.state.v, 0.1);
-  Votes votes = start(s.model, s.state, s.forces);
-  const double dt = 1.3 * least(votes), before = kinetic(s);
+  StepLimits limits = start(s.model, s.state, s.forces);
+  const double dt = 1.3 * least(limits), before = kinetic(s);
   double largest = 0;
   int steps = 0;
-  while (largest < 1e3 * before && steps < 100 && votes.volume_ratio > 0.1) {
-    votes = step(s.model, dt, s.state, s.forces);
+  while (largest < 1e3 * before && steps < 100 && limits.volume_ratio > 0.1) {
+    limits = step(s.model, dt, s.state, s.forces);
     largest = std::max(largest, kinetic(s));
     ++steps;
   }
@@ -569,9 +569,9 @@ TEST(StableStep, IsThatOfTheLargestAssembledFrequency) {
         s.ready();
         const double limit = 2 / assembled_frequency(s);
         add_random_velocities(s.state.v, 1e-10);
-        const Votes votes = start(s.model, s.state, s.forces);
-        EXPECT_LE(least(votes), limit * (1 + 1e-12));  // the elements' vote is safe
-        EXPECT_GT(least(votes), 0.5 * limit);
+        const StepLimits limits = start(s.model, s.state, s.forces);
+        EXPECT_LE(least(limits), limit * (1 + 1e-12));  // the limit of elements is safe
+        EXPECT_GT(least(limits), 0.5 * limit);
         double largest = 0;
         const double blown_up = 1e8 * kinetic(s);  // and still linear
         for (int i = 0; i < (part < 1 ? 20000 : 60) && largest < blown_up; ++i) {
@@ -599,8 +599,8 @@ TEST(StableStep, IsExactForAFreeCube) {
     Scene s = box({1, 1, 1}, rubber, kind);
     finalize(s.model);
     s.ready();
-    const Votes votes = start(s.model, s.state, s.forces);
-    EXPECT_NEAR(least(votes) * assembled_frequency(s) / 2, 1, 1e-9);
+    const StepLimits limits = start(s.model, s.state, s.forces);
+    EXPECT_NEAR(least(limits) * assembled_frequency(s) / 2, 1, 1e-9);
   }
 }
 
@@ -615,10 +615,10 @@ TEST(Spin, OfAVibratingBlockKeepsEnergyAndAngularMomentumOverTenTurns) {
       const Vec3 r = s.model.mesh.X.col(n) - centre;
       s.state.v.col(n) = rate * axis.cross(r) + 2 * (r.x() * Vec3::UnitX() - r.y() * Vec3::UnitY());
     }
-    Votes votes = start(s.model, s.state, s.forces);
+    StepLimits limits = start(s.model, s.state, s.forces);
     double most = 0, lowest = 1e300, created_most = 0;
     while (s.state.t < 20 * pi / rate) {
-      votes = step(s.model, 0.5 * least(votes), s.state, s.forces);
+      limits = step(s.model, 0.5 * least(limits), s.state, s.forces);
       update_ledger(s.model, s.state);
       const double total = s.state.ledger.kinetic + stored(s.state.ledger.accounts[0]);
       most = std::max(most, total), lowest = std::min(lowest, total);
@@ -648,11 +648,11 @@ TEST(Floor, NodesLandExactlyOnItAndStay) {
   s.ready();
   s.state.v.row(2).setConstant(-8);
   s.state.v.row(0).setConstant(1);
-  Votes votes = start(s.model, s.state, s.forces);
+  StepLimits limits = start(s.model, s.state, s.forces);
   std::vector<char> stopped(s.model.mesh.X.cols(), 0);
   int count = 0;
   for (int i = 0; i < 300; ++i) {
-    votes = step(s.model, 0.9 * least(votes), s.state, s.forces);
+    limits = step(s.model, 0.9 * least(limits), s.state, s.forces);
     for (Index n = 0; n < s.state.x.cols(); ++n) {
       EXPECT_GE(s.state.x(2, n), -0.1 / 3);
       if (s.state.constraints.stopped[0][n]) count += !stopped[n], stopped[n] = 1;
@@ -781,10 +781,10 @@ TEST(RigidPlane, ThrowsABlockBackAndBooksItsEnergy) {
   finalize(s.model);
   s.ready();
   s.state.v.row(2).setConstant(-0.5);
-  Votes votes = start(s.model, s.state, s.forces);
+  StepLimits limits = start(s.model, s.state, s.forces);
   double held = 0;
   while (s.state.t < 0.06) {
-    votes = step(s.model, 0.9 * least(votes), s.state, s.forces);
+    limits = step(s.model, 0.9 * least(limits), s.state, s.forces);
     held = std::max(held, s.state.rigid_planes[0].stored);
   }
   update_ledger(s.model, s.state);
@@ -842,13 +842,13 @@ TEST(MovingPlane, NodesGoWhereTheMidpointRuleTakesItsVelocity) {
   s.model.constraints.planes = {driver};
   finalize(s.model);
   s.ready();
-  Votes votes = start(s.model, s.state, s.forces);
+  StepLimits limits = start(s.model, s.state, s.forces);
   EXPECT_NEAR(account(s, "driver").work, 0.5 * s.model.mass.sum() * 4, 1e-12);  // a start from rest in no time
   double way = 0;
   for (int i = 0; i < 200; ++i) {
-    const double dt = 0.9 * least(votes), t = s.state.t;
+    const double dt = 0.9 * least(limits), t = s.state.t;
     way += dt * speed(t + dt / 2);
-    votes = step(s.model, dt, s.state, s.forces);
+    limits = step(s.model, dt, s.state, s.forces);
   }
   update_ledger(s.model, s.state);
   const double end = s.state.t, exact = (1 - std::cos(300 * end)) / 300 + 2 * end, v = speed(end);
@@ -873,8 +873,8 @@ TEST(MovingPlane, DoesTheWorkThatABarStores) {
                                 plane("constrained", PlaneKind::constrained, Vec3::UnitX(), mesh::node_set(s.model.mesh, "box.x_low"))};
   finalize(s.model);
   s.ready();
-  const Votes votes = start(s.model, s.state, s.forces);
-  const int steps = static_cast<int>(std::ceil(end / (0.5 * least(votes))));
+  const StepLimits limits = start(s.model, s.state, s.forces);
+  const int steps = static_cast<int>(std::ceil(end / (0.5 * least(limits))));
   for (int i = 0; i < steps; ++i) step(s.model, end / steps, s.state, s.forces);
   update_ledger(s.model, s.state);
   EXPECT_NEAR((s.state.x(0, 1) - s.model.mesh.X(0, 1)) / u, 1, 1e-6);      // the midpoint rule
@@ -899,12 +899,12 @@ TEST(DrivenNodes, GoWhereTheMidpointRuleTakesTheirField) {
   finalize(s.model);
   s.ready();
   add_random_velocities(s.state.v, 1);  // taken away at the start, and booked
-  Votes votes = start(s.model, s.state, s.forces);
+  StepLimits limits = start(s.model, s.state, s.forces);
   double x = 0, y = 0;
   for (int i = 0; i < 100; ++i) {
-    const double dt = 0.5 * least(votes), middle = s.state.t + dt / 2;
+    const double dt = 0.5 * least(limits), middle = s.state.t + dt / 2;
     x += dt * speed(middle), y += dt * middle;
-    votes = step(s.model, dt, s.state, s.forces);
+    limits = step(s.model, dt, s.state, s.forces);
   }
   update_ledger(s.model, s.state);
   for (Index n = 0; n < s.state.x.cols(); ++n) {
@@ -988,10 +988,10 @@ TEST(Residual, IsRoundOffWithDrivenNodesWhileRelaxing) {
   s.model.relaxation = Relaxation{};
   s.ready();
   add_random_velocities(s.state.v, 1);
-  Votes votes = start(s.model, s.state, s.forces);
+  StepLimits limits = start(s.model, s.state, s.forces);
   for (int i = 0; i < 200; ++i) {
-    votes = step(s.model, 0.9 * least(votes), s.state, s.forces);
-    relax(s.model, 0.9 * least(votes), s.state, s.forces);
+    limits = step(s.model, 0.9 * least(limits), s.state, s.forces);
+    relax(s.model, 0.9 * least(limits), s.state, s.forces);
   }
   update_ledger(s.model, s.state);
   expect_closed(s);
@@ -1028,8 +1028,8 @@ TEST(Load, AConstantForceMovesABodyByHalfOfForceOverMassTimesTimeSquared) {
   s.model.loads.emplace_back(
       load::NodalForce{"force", mesh::node_set(s.model.mesh, "box.x_high"), {constant(9), constant(0), constant(-18)}});
   s.ready();
-  Votes votes = start(s.model, s.state, s.forces);
-  for (int i = 0; i < 100; ++i) votes = step(s.model, 1e-3 * (1 + i % 3), s.state, s.forces);
+  StepLimits limits = start(s.model, s.state, s.forces);
+  for (int i = 0; i < 100; ++i) limits = step(s.model, 1e-3 * (1 + i % 3), s.state, s.forces);
   update_ledger(s.model, s.state);
   const double t = s.state.t;
   for (const Index n : mesh::node_set(s.model.mesh, "box.x_high")) {
@@ -1104,9 +1104,9 @@ TEST(Spring, OfTwoMassesSwingsWithTheFrequencyOfItsDifferenceEquation) {
   s.ready();
   const double v = 0.3;
   s.state.v(0, left) = v, s.state.v(0, right) = -v * m1 / m2;
-  const Votes votes = start(s.model, s.state, s.forces);
-  EXPECT_NEAR(least(votes) * omega / 2, 1, 1e-12);
-  EXPECT_EQ(sources(s.model)[static_cast<std::size_t>(votes.elements.source)].name, "spring");
+  const StepLimits limits = start(s.model, s.state, s.forces);
+  EXPECT_NEAR(least(limits) * omega / 2, 1, 1e-12);
+  EXPECT_EQ(sources(s.model)[static_cast<std::size_t>(limits.elements.source)].name, "spring");
   const double dt = 0.3 / omega, phase = std::acos(1 - 0.5 * 0.09);
   const double amplitude = v * dt / std::sin(phase);  // x_1 = dt v at the first step
   double worst = 0;
@@ -1128,10 +1128,10 @@ TEST(Spring, WithADashpotDissipatesWhatItTakesAndIsStableAtItsVote) {
   s.model.loads.emplace_back(load::spring_to_point("spring", s.model.mesh.X, node, s.model.mesh.X.col(node), k, c));
   s.ready();
   s.state.v.col(node) = Vec3(1, -2, 0.5);
-  Votes votes = start(s.model, s.state, s.forces);
+  StepLimits limits = start(s.model, s.state, s.forces);
   const double omega = std::sqrt(k / m);
-  EXPECT_NEAR(least(votes), 2 / (omega * (0.5 + std::sqrt(1.25))), 1e-12);
-  for (int i = 0; i < 2000; ++i) votes = step(s.model, 0.01 * least(votes), s.state, s.forces);
+  EXPECT_NEAR(least(limits), 2 / (omega * (0.5 + std::sqrt(1.25))), 1e-12);
+  for (int i = 0; i < 2000; ++i) limits = step(s.model, 0.01 * least(limits), s.state, s.forces);
   update_ledger(s.model, s.state);
   const double t = s.state.t, decay = 0.5 * omega, swing = std::sqrt(0.75) * omega;
   const Vec3 exact = std::exp(-decay * t) * std::sin(swing * t) / swing * Vec3(1, -2, 0.5);
@@ -1151,11 +1151,11 @@ TEST(Spring, OnAnElementVotesSoThatBothTogetherAreStable) {
       s.model.loads.emplace_back(load::spring_to_point("spring", s.model.mesh.X, node, s.model.mesh.X.col(node), 1e5, 0));
     s.ready();
     add_random_velocities(s.state.v, 1e-9);
-    const Votes votes = start(s.model, s.state, s.forces);
+    const StepLimits limits = start(s.model, s.state, s.forces);
     double largest = 0;
     const double blown_up = 1e6 * kinetic(s);
     for (int i = 0; i < 5000 && largest < blown_up; ++i) {
-      step(s.model, part * least(votes), s.state, s.forces);
+      step(s.model, part * least(limits), s.state, s.forces);
       largest = std::max(largest, kinetic(s));
     }
     EXPECT_EQ(largest < blown_up, part < 1) << part;
@@ -1256,7 +1256,7 @@ TEST(Multipliers, KeepMomentaAndCreateNothingBetweenUnlikeGrids) {
           if (name == std::string("joint_back") && !two_passes) continue;
           const Account& a = account(s, name);
           EXPECT_NE(a.work, 0);
-          // a little where sweeps end before friction, or two passes on the same nodes, have settled
+          // a little where iterations end before friction, or two passes on the same nodes, have settled
           EXPECT_LT(std::abs(created(a)), (two_passes || friction > 0 ? 3e-4 : 1e-12) * l.initial_kinetic);
           EXPECT_EQ(a.dissipated[Dissipated::friction] > 1e-3 * l.initial_kinetic, friction > 0);
           lost += a.dissipated[Dissipated::inelastic_impact];
@@ -1296,14 +1296,14 @@ TEST(Multipliers, TrustATrendWhileBodiesArePressedAndChangeNoForceByIt) {
     largest = std::max(largest, without[i].norm());
     differs = std::max(differs, (with[i] - without[i]).norm());
   }
-  EXPECT_LT(differs, 1e-7 * largest);  // what sweeps leave of the impulses: they end when one changes less than 1e-5, and most leave less
+  EXPECT_LT(differs, 1e-7 * largest);  // what iterations leave of the impulses: they end when one changes less than 1e-5
 }
 
 TEST(Multipliers, AskForNoStepOfTheirOwn) {
   Scene s = askew(by_multipliers(1, 0.4));
   const Outcome outcome = s.run_to(0.05);
   EXPECT_EQ(outcome.ending, Ending::reached_end) << outcome.reason;
-  EXPECT_EQ(s.state.votes.contact.source, -1);
+  EXPECT_EQ(s.state.step_limits.contact.source, -1);
 }
 
 TEST(Multipliers, GiveBackWhatTheyTookFromABarThatBouncesOffAWall) {
@@ -1459,12 +1459,12 @@ TEST(Step, AllocatesNothing) {
       std::get<contact::Memory>(s.memories[0]).restitution.resize(contact::sides(s.model.contacts[0]).apexes.size());
     s.ready();
     s.state.v.row(2).setConstant(-13.33);
-    Votes votes = start(s.model, s.state, s.forces);
+    StepLimits limits = start(s.model, s.state, s.forces);
     for (int i = 0; i < 10; ++i)
-      votes = step(s.model, 0.9 * least(votes), s.state, s.forces);  // threads are there
+      limits = step(s.model, 0.9 * least(limits), s.state, s.forces);  // threads are there
     const long before = allocations;
     for (int i = 0; i < 100; ++i)
-      votes = step(s.model, 0.9 * least(votes), s.state, s.forces);  // with one broad search
+      limits = step(s.model, 0.9 * least(limits), s.state, s.forces);  // with one broad search
     update_ledger(s.model, s.state);
     const long after = allocations;
     use_threads(1);
@@ -1480,7 +1480,7 @@ TEST(Step, AllocatesNothing) {
 #ifdef NEREID_COUNTS_ALLOCATIONS
 TEST(Step, AllocatesNothingForBondsByMultipliersEither) {
   InterfaceOptions options = solid_contact(0);
-  options.kind = contact::InterfaceKind::bonded, options.method = contact::Method::multiplier;
+  options.kind = contact::InterfaceKind::tied, options.method = contact::Method::multiplier;
   Scene s = askew(options);
   const Step first = choose_step(start(s.model, s.state, s.forces), 0.5);
   for (int i = 0; i < 10; ++i) step(s.model, first.dt, s.state, s.forces);
@@ -1494,9 +1494,9 @@ TEST(Step, AllocatesNothingForBondsByMultipliersEither) {
 #ifdef NEREID_COUNTS_ALLOCATIONS
 TEST(Step, AllocatesNothingForLoadsEither) {
   Scene s = loaded();
-  Votes votes = start(s.model, s.state, s.forces);
+  StepLimits limits = start(s.model, s.state, s.forces);
   const long before = allocations;
-  for (int i = 0; i < 20; ++i) votes = step(s.model, 0.9 * least(votes), s.state, s.forces);
+  for (int i = 0; i < 20; ++i) limits = step(s.model, 0.9 * least(limits), s.state, s.forces);
   update_ledger(s.model, s.state);
   EXPECT_EQ(allocations - before, 0);
 }
@@ -1509,7 +1509,7 @@ void expect_resumed_bits(Scene s, int steps, const std::vector<Probe>& probes = 
   State trial = s.state, kept;
   start(s.model, trial, s.forces);
   Time time;
-  time.end = steps * choose_step(trial.votes, time.safety).dt;
+  time.end = steps * choose_step(trial.step_limits, time.safety).dt;
   time.created_limit = time.overlap_limit = 1e300, time.corner_limit = -1e300;
   const Observer keep = [&](const View& view) {
     if (view.now.step == steps / 3) kept = view.now;
@@ -1572,16 +1572,16 @@ TEST(Resume, HasTheBitsOfARunWithoutABreakForEveryContact) {
     return options;
   };
   InterfaceOptions plain{.method = contact::Method::penalty}, two_passes = rubbing(contact::Weights::consistent), damped = plain;
-  InterfaceOptions bonded = plain, by_base = plain, accepted = plain;
-  InterfaceOptions multiplier = rubbing(contact::Weights::consistent), bonded_by_multipliers = plain;
-  multiplier.method = bonded_by_multipliers.method = contact::Method::multiplier;
-  bonded_by_multipliers.kind = contact::InterfaceKind::bonded;
+  InterfaceOptions tied = plain, by_base = plain, accepted = plain;
+  InterfaceOptions multiplier = rubbing(contact::Weights::consistent), tied_by_multipliers = plain;
+  multiplier.method = tied_by_multipliers.method = contact::Method::multiplier;
+  tied_by_multipliers.kind = contact::InterfaceKind::tied;
   by_base.area = contact::Area::base;
   accepted.initial_penetration = contact::InitialPenetration::accept;
   two_passes.two_passes = true;
   damped.damping_ratio = 0.3;
-  bonded.kind = contact::InterfaceKind::bonded;
-  for (InterfaceOptions options : {plain, two_passes, damped, bonded, by_base, accepted, multiplier, bonded_by_multipliers,
+  tied.kind = contact::InterfaceKind::tied;
+  for (InterfaceOptions options : {plain, two_passes, damped, tied, by_base, accepted, multiplier, tied_by_multipliers,
                                    rubbing(contact::Weights::consistent), rubbing(contact::Weights::paper)}) {
     options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
     Scene s;
@@ -1603,7 +1603,7 @@ TEST(Resume, HasTheBitsOfARunWithoutABreakForEveryContact) {
 }
 
 TEST(Resume, HasTheBitsOfARunWithoutABreakForPlatesThatRubAndArePulledAlong) {
-  for (const auto& [bonded, method] : {std::pair(false, contact::Method::penalty), std::pair(true, contact::Method::penalty),
+  for (const auto& [tied, method] : {std::pair(false, contact::Method::penalty), std::pair(true, contact::Method::penalty),
                                        std::pair(true, contact::Method::multiplier)}) {
     Scene s;
     s.model.mesh = mesh::join(mesh::box("below", {{0, 0, 0}, {0.4, 0.4, 0.2}, {4, 4, 2}}),
@@ -1620,7 +1620,7 @@ TEST(Resume, HasTheBitsOfARunWithoutABreakForPlatesThatRubAndArePulledAlong) {
                                   plane("mirror", PlaneKind::symmetry, Vec3::UnitY(), mesh::node_set(s.model.mesh, "below.y_low"))};
     InterfaceOptions options{.method = method};
     options.friction = {0.3, 1};
-    if (bonded) options.friction = {}, options.kind = contact::InterfaceKind::bonded;
+    if (tied) options.friction = {}, options.kind = contact::InterfaceKind::tied;
     s.joined("joint", "below.z_high", "sheet.bottom", options);
     s.ready();
     s.move("sheet", {1, 0.5, -3});
@@ -1704,14 +1704,14 @@ double quarter_off(contact::Method method) {
   std::array<double, 2> settlement{};
   for (const auto rotation : {mesh::Revolution::full, mesh::Revolution::quarter}) {
     Scene s = cask(rotation, 2, {}, method);
-    Votes votes = start(s.model, s.state, s.forces);
+    StepLimits limits = start(s.model, s.state, s.forces);
 #ifdef NEREID_SANITIZED
     const double end = 4e-4;  // ten times slower there: past the first wave
 #else
     const double end = 2e-3;
 #endif
-    const int steps = 100 * static_cast<int>(std::ceil(end / (30 * least(votes))));  // the same for both, whatever they vote later
-    for (int n = 0; n < steps; ++n) votes = step(s.model, end / steps, s.state, s.forces);
+    const int steps = 100 * static_cast<int>(std::ceil(end / (30 * least(limits))));  // the same for both, whatever limits they have later
+    for (int n = 0; n < steps; ++n) limits = step(s.model, end / steps, s.state, s.forces);
     update_ledger(s.model, s.state);
     expect_closed(s);
     settlement[rotation == mesh::Revolution::quarter] = mean_settlement(s, 0.914);
@@ -1785,16 +1785,16 @@ TEST(StepFactor, CreatedEnergyThatGrowsIsContained) {
 
 TEST(StepFactor, TheVoteFallsOnceAndStaysLow) {
   Scene s = rattling(0.5);
-  std::vector<double> votes;
-  const std::vector<Observer> observers{[&votes](const View& view) { votes.push_back(view.now.votes.contact.step); }};
+  std::vector<double> limits;
+  const std::vector<Observer> observers{[&limits](const View& view) { limits.push_back(view.now.step_limits.contact.step); }};
   s.run_to(0.2, 1e300, observers, 10);
   int falls = 0;
-  for (std::size_t i = 1; i < votes.size(); ++i) {
-    EXPECT_LE(votes[i], votes[i - 1]);
-    falls += votes[i] < votes[i - 1];
+  for (std::size_t i = 1; i < limits.size(); ++i) {
+    EXPECT_LE(limits[i], limits[i - 1]);
+    falls += limits[i] < limits[i - 1];
   }
-  EXPECT_EQ(falls, 1);  // both planes are as stiff: the first that is lowered sets the vote
-  EXPECT_NEAR(votes.front() / votes.back(), 0.5 / contact::impact_step_factor_for(0.005), 1e-12);
+  EXPECT_EQ(falls, 1);  // both planes are as stiff: the first that is lowered sets the step limit
+  EXPECT_NEAR(limits.front() / limits.back(), 0.5 / contact::impact_step_factor_for(0.005), 1e-12);
 }
 
 TEST(StepFactor, LoweringIsTheSameForAnyRowsOfTheHistory) {
@@ -1813,12 +1813,12 @@ TEST(StepFactor, WithNoFirstFactorEveryBounceKeepsTheLimit) {
   for (const contact::PlaneMemory& memory : s.state.rigid_planes) EXPECT_LT(memory.step_factor.lowered_at, 0);
 }
 
-// --- bonds by multipliers: tests/contact/multiplier/bond_test.cpp has one step of them --------------------------
+// --- ties by multipliers: tests/contact/multiplier/tie_test.cpp has one step of them --------------------------
 
-namespace bonds {
+namespace ties {
 
-InterfaceOptions bonded(contact::Method method = contact::Method::multiplier) {
-  return {.kind = contact::InterfaceKind::bonded, .method = method};
+InterfaceOptions tied(contact::Method method = contact::Method::multiplier) {
+  return {.kind = contact::InterfaceKind::tied, .method = method};
 }
 
 /// Boxes that share faces along x.
@@ -1862,21 +1862,21 @@ void expect_closed(const Scene& s, double tolerance = 1e-12) {
   EXPECT_LT(angular_momentum_residual(l).norm(), tolerance * momentum);
 }
 
-TEST(BondByMultipliers, TwoPartsAreAsOneBody) {
+TEST(TieByMultipliers, TwoPartsAreAsOneBody) {
   Scene one = boxes({{"all", {{0, 0, 0}, {0.8, 0.3, 0.3}, {8, 3, 3}}}});
   Scene two = boxes({{"left", {{0, 0, 0}, {0.4, 0.3, 0.3}, {4, 3, 3}}}, {"right", {{0.4, 0, 0}, {0.8, 0.3, 0.3}, {4, 3, 3}}}});
-  two.joined("glue", "left.x_high", "right.x_low", bonded());
+  two.joined("glue", "left.x_high", "right.x_low", tied());
   for (Scene* s : {&one, &two}) s->ready(), move(*s, wave), s->run_to(0.1);
-  EXPECT_EQ(one.state.step, two.state.step) << "it votes for no step";
+  EXPECT_EQ(one.state.step, two.state.step) << "it limits no step";
   EXPECT_LT(apart(one, two), 1e-10);
   const double scale = two.state.ledger.initial_kinetic;
   EXPECT_LT(std::abs(created(account(two, "glue"))), 1e-12 * scale);
-  EXPECT_LT(account(two, "glue").dissipated[Dissipated::inelastic_impact], 1e-12 * scale) << "nothing moved against the bond";
+  EXPECT_LT(account(two, "glue").dissipated[Dissipated::inelastic_impact], 1e-12 * scale) << "nothing moved against the tie";
   expect_closed(two);
 }
 
-TEST(BondByMultipliers, TwoPartsStrikeAWallAsOneBody) {
-  const auto walled = [](Scene& s) {  // nodes of the bond touch it
+TEST(TieByMultipliers, TwoPartsStrikeAWallAsOneBody) {
+  const auto walled = [](Scene& s) {  // nodes of the tie touch it
     contact::RigidPlane wall;
     wall.name = "wall", wall.point = Vec3(0, 0, -1e-4), wall.normal = Vec3::UnitZ(), wall.method = contact::Method::multiplier;
     for (Index n = 0; n < s.model.mesh.X.cols(); ++n)
@@ -1887,15 +1887,15 @@ TEST(BondByMultipliers, TwoPartsStrikeAWallAsOneBody) {
   };
   Scene one = boxes({{"all", {{0, 0, 0}, {0.8, 0.3, 0.3}, {8, 3, 3}}}});
   Scene two = boxes({{"left", {{0, 0, 0}, {0.4, 0.3, 0.3}, {4, 3, 3}}}, {"right", {{0.4, 0, 0}, {0.8, 0.3, 0.3}, {4, 3, 3}}}});
-  two.joined("glue", "left.x_high", "right.x_low", bonded());
+  two.joined("glue", "left.x_high", "right.x_low", tied());
   for (Scene* s : {&one, &two}) {
     walled(*s), s->ready(), move(*s, [](const Vec3& X) { return Vec3(wave(X) - 3 * Vec3::UnitZ()); });
     s->run_to(0.02);
   }
   EXPECT_GT(one.state.rigid_planes[0].impulse.z(), 0);
   EXPECT_NEAR(two.state.rigid_planes[0].impulse.z() / one.state.rigid_planes[0].impulse.z(), 1, 1e-4);
-  EXPECT_LT(apart(one, two), 1e-3);  // sweeps end at 1e-6 of impulses, and first touches go by their last digits
-  EXPECT_TRUE(two.forces.multipliers.bonds.touched);
+  EXPECT_LT(apart(one, two), 1e-3);  // iterations end at 1e-6 of impulses, and first touches go by their last digits
+  EXPECT_TRUE(two.forces.multipliers.ties.touched);
   EXPECT_LT(std::abs(created(account(two, "glue"))), 1e-10 * two.state.ledger.initial_kinetic);
   expect_closed(two);
 }
@@ -1910,10 +1910,10 @@ Scene unlike(const InterfaceOptions& options, bool symmetric = false) {
   return s;
 }
 
-TEST(BondByMultipliers, KeepsMomentaAndAlmostAllEnergyOverAGap) {
+TEST(TieByMultipliers, KeepsMomentaAndAlmostAllEnergyOverAGap) {
   double before = 0;
   for (const double safety : {0.8, 0.4}) {
-    Scene s = unlike(bonded());
+    Scene s = unlike(tied());
     Time time;
     time.end = 0.1, time.safety = safety;
     run(s.model, s.state, s.forces, time, 1e300, {});
@@ -1924,12 +1924,12 @@ TEST(BondByMultipliers, KeepsMomentaAndAlmostAllEnergyOverAGap) {
       EXPECT_LT(made, std::max(0.5 * before, 1e-7));
     }
     before = made;
-    for (const contact::HeldBond& b : s.forces.multipliers.bonds.held) EXPECT_LT(b.off.norm(), 1e-12);
-    EXPECT_TRUE(std::isinf(s.state.votes.contact.step) || s.state.votes.contact.step > 1e100);
+    for (const contact::HeldTie& b : s.forces.multipliers.ties.held) EXPECT_LT(b.off.norm(), 1e-12);
+    EXPECT_TRUE(std::isinf(s.state.step_limits.contact.step) || s.state.step_limits.contact.step > 1e100);
   }
 }
 
-TEST(BondByMultipliers, DoesNotKnowAlongWhichDiagonalAFaceIsCut) {
+TEST(TieByMultipliers, DoesNotKnowAlongWhichDiagonalAFaceIsCut) {
   const auto cut = [](bool otherwise) {
     Scene s = boxes({{"left", {{0, 0, 0}, {0.4, 0.3, 0.3}, {4, 4, 4}}}, {"right", {{0.42, 0, 0}, {0.8, 0.3, 0.3}, {4, 3, 3}}}});
     for (mesh::Surface& surface : s.model.mesh.surfaces) {
@@ -1947,7 +1947,7 @@ TEST(BondByMultipliers, DoesNotKnowAlongWhichDiagonalAFaceIsCut) {
         other << a, c, d;
       }
     }
-    s.joined("glue", "left.x_high", "right.x_low", bonded());
+    s.joined("glue", "left.x_high", "right.x_low", tied());
     s.ready();
     move(s, [](const Vec3& X) { return Vec3(0.2 * wave(X) + Vec3(0, 4, 5).cross(X)); });
     s.run_to(0.05);
@@ -1958,11 +1958,11 @@ TEST(BondByMultipliers, DoesNotKnowAlongWhichDiagonalAFaceIsCut) {
   EXPECT_LT(apart(one, other), 1e-10);
 }
 
-TEST(BondByMultipliers, SectionsOfABarStayPlaneWhereABaseHasCoarserFaces) {
+TEST(TieByMultipliers, SectionsOfABarStayPlaneWhereABaseHasCoarserFaces) {
   for (const double gap : {0.0, 0.02}) {
     Scene s = boxes({{"left", {{0, 0, 0}, {0.8, 0.3, 0.3}, {8, 3, 3}}}, {"right", {{0.8 + gap, 0, 0}, {1.6, 0.3, 0.3}, {8, 1, 1}}}}, false,
                     {1000, 1e6, 0});
-    s.joined("glue", "left.x_high", "right.x_low", bonded());
+    s.joined("glue", "left.x_high", "right.x_low", tied());
     s.ready(), move(s, [](const Vec3& X) { return Vec3(std::sin(9 * X.x()), 0, 0); });
     s.run_to(0.05);
     const contact::Interface& glue = std::get<contact::Interface>(s.model.contacts[0]);
@@ -1975,8 +1975,8 @@ TEST(BondByMultipliers, SectionsOfABarStayPlaneWhereABaseHasCoarserFaces) {
   }
 }
 
-TEST(BondByMultipliers, StopsAtTheStartWhatMovesAgainstIt) {
-  Scene s = unlike(bonded());
+TEST(TieByMultipliers, StopsAtTheStartWhatMovesAgainstIt) {
+  Scene s = unlike(tied());
   s.move("left", {1, 0.5, 2});
   s.move("right", {-1, 0, 0});
   s.run_to(1e-3);
@@ -1986,14 +1986,14 @@ TEST(BondByMultipliers, StopsAtTheStartWhatMovesAgainstIt) {
   expect_closed(s);
 }
 
-TEST(BondByMultipliers, HalfABodyOnItsSymmetryPlaneMovesLikeTheWhole) {
+TEST(TieByMultipliers, HalfABodyOnItsSymmetryPlaneMovesLikeTheWhole) {
   const auto velocity = [](const Vec3& X) {
     return Vec3(std::sin(9 * X.x()) * std::cos(5 * X.y()), 0.5 * std::sin(8 * X.y()), std::sin(7 * X.x() + 2 * X.z()));
   };
   Scene half = boxes({{"left", {{0, 0, 0}, {0.4, 0.3, 0.3}, {4, 4, 4}}}, {"right", {{0.4, 0, 0}, {0.8, 0.3, 0.3}, {4, 4, 4}}}}, true);
   Scene whole = boxes({{"left", {{0, -0.3, 0}, {0.4, 0.3, 0.3}, {4, 8, 4}}}, {"right", {{0.4, -0.3, 0}, {0.8, 0.3, 0.3}, {4, 8, 4}}}});
   for (Scene* s : {&half, &whole}) {
-    s->joined("glue", "left.x_high", "right.x_low", bonded());
+    s->joined("glue", "left.x_high", "right.x_low", tied());
     s->ready(), move(*s, velocity), s->run_to(0.02);
     expect_closed(*s);
   }
@@ -2003,21 +2003,21 @@ TEST(BondByMultipliers, HalfABodyOnItsSymmetryPlaneMovesLikeTheWhole) {
   EXPECT_LT(most, 1e-14);
   EXPECT_LT(apart(half, whole), 1e-10);
   EXPECT_LT(std::abs(created(account(half, "glue"))), 1e-11 * half.state.ledger.initial_kinetic);
-  Scene other = unlike(bonded(), true);  // facets beside the plane turn: their images take what would leave it
+  Scene other = unlike(tied(), true);  // facets beside the plane turn: their images take what would leave it
   other.run_to(0.05);
   expect_closed(other);
   EXPECT_GT(account(other, "glue").angular_impulse.norm(), 0);
   EXPECT_LT(std::abs(created(account(other, "glue"))), 1e-4 * other.state.ledger.initial_kinetic);
 }
 
-TEST(BondByMultipliers, HeldNodesCollectNothing) {
+TEST(TieByMultipliers, HeldNodesCollectNothing) {
   Scene s = boxes({{"left", {{0, 0, 0}, {0.4, 0.3, 0.3}, {4, 4, 4}}}, {"right", {{0.4, 0, 0}, {0.8, 0.3, 0.3}, {4, 3, 3}}}});
   Subset low;
   for (Index n = 0; n < s.model.mesh.X.cols(); ++n)
     if (s.model.mesh.X(2, n) < 1e-12) low.push_back(n);
-  s.model.constraints.planes = {plane("held", load::PlaneKind::fixed, Vec3::UnitZ(), low)};  // both sides of the bond
+  s.model.constraints.planes = {plane("held", load::PlaneKind::fixed, Vec3::UnitZ(), low)};  // both sides of the tie
   finalize(s.model);
-  s.joined("glue", "left.x_high", "right.x_low", bonded());
+  s.joined("glue", "left.x_high", "right.x_low", tied());
   s.ready(), move(s, wave), s.run_to(0.05);
   expect_closed(s);
   const contact::Interface& glue = std::get<contact::Interface>(s.model.contacts[0]);
@@ -2028,26 +2028,26 @@ TEST(BondByMultipliers, HeldNodesCollectNothing) {
   EXPECT_GT(std::get<contact::Memory>(s.state.contacts[0]).force.norm(), 0);
 }
 
-TEST(BondByMultipliers, FollowsANodeThatIsDriven) {
+TEST(TieByMultipliers, FollowsANodeThatIsDriven) {
   Scene s = boxes({{"left", {{0, 0, 0}, {0.4, 0.3, 0.3}, {4, 4, 4}}}, {"right", {{0.4, 0, 0}, {0.8, 0.3, 0.3}, {4, 3, 3}}}});
   load::Plane shaken = plane("shaken", load::PlaneKind::constrained, Vec3::UnitX(), mesh::node_set(s.model.mesh, "right.y_low"));
   shaken.velocity = [](double t) { return 2 * std::sin(100 * t); };
   s.model.constraints.planes = {shaken};
   finalize(s.model);
-  s.joined("glue", "left.x_high", "right.x_low", bonded());
+  s.joined("glue", "left.x_high", "right.x_low", tied());
   s.ready(), s.run_to(0.05);
   const Ledger& l = s.state.ledger;
   EXPECT_LT(std::abs(energy_residual(l)), 1e-12 * l.kinetic);
   EXPECT_LT(std::abs(created(account(s, "glue"))), 0.01 * l.kinetic);
 }
 
-TEST(BondByMultipliers, GivesTheSameBitsWithAnyThreadsAndWithoutABreak) {
+TEST(TieByMultipliers, GivesTheSameBitsWithAnyThreadsAndWithoutABreak) {
   std::vector<State> states;
   for (const int threads : {1, 2, 4}) {
     use_threads(threads);
     Scene s = boxes({{"left", {{0, 0, 0}, {0.01, 0.3, 0.3}, {1, 66, 66}}},
                      {"right", {{0.012, 0, 0}, {0.02, 0.3, 0.3}, {1, 48, 48}}}}, true);
-    s.joined("glue", "left.x_high", "right.x_low", bonded());
+    s.joined("glue", "left.x_high", "right.x_low", tied());
     s.ready(), move(s, wave);
     Time time;
     time.end = 0.0015;
@@ -2071,7 +2071,7 @@ TEST(BondByMultipliers, GivesTheSameBitsWithAnyThreadsAndWithoutABreak) {
   EXPECT_GT(states[0].step, 10);
 }
 
-}  // namespace bonds
+}  // namespace ties
 
 }  // namespace
 }  // namespace nereid::dynamics::step_test

@@ -35,7 +35,7 @@ TEST(SeeThickness, GivesANodeTheMeanGrowthOfHalfItsPlatesByMass) {
   ASSERT_EQ(thickness.size(), 8);
   EXPECT_EQ(s.state.tiles[1].thickness.size(), 0) << "rubber is elastic";
   for (Index e = 0; e < 8; ++e) thickness(e) = 0.1 - 0.001 * e;
-  see_thickness(s.model, s.state, s.forces);
+  update_thickness(s.model, s.state, s.forces);
   const auto& nodes = element::nodes(s.model.blocks[0]);
   for (Index n = 0; n < s.forces.half_growth.size(); ++n) {
     double sum = 0;
@@ -109,7 +109,7 @@ TEST(FollowThickness, ThinsWithASheetThatFlows) {
     s.run_to(0.01);
     const double mean = s.state.tiles[0].thickness.mean();
     EXPECT_LT(mean, 0.09);
-    see_thickness(s.model, s.state, s.forces);
+    update_thickness(s.model, s.state, s.forces);
     double volume = 0, mass = 0;
     const auto& nodes = element::nodes(s.model.blocks[0]);
     for (Index e = 0; e < 8; ++e) {

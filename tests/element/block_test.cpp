@@ -32,7 +32,7 @@ struct Scene {
   TileForces forces;
   TileReports reports;
 
-  Vote move(double dt) {
+  BlockLimit move(double dt) {
     x += dt * v;
     return advance(block, x, dt * v, dt * w, dt, memory, forces, reports);
   }
@@ -104,7 +104,7 @@ void solids_are_the_sum_of_their_elements(const Law& law, const typename Kind::O
   ASSERT_GT(block.tiling.tiles.size(), 1u);
   std::vector<typename Kind::template Memory<double, Law>> one(block.nodes.cols());
   for (int step = 0; step < 3; ++step) {
-    const Vote vote = s.move(0.1);
+    const BlockLimit limit = s.move(0.1);
     Vectors force = Vectors::Zero(3, s.x.cols());
     double least_step = 1e300, least_size = 1e300, stored = 0, dissipated = 0;
     Index step_at = -1, size_at = -1;
@@ -123,10 +123,10 @@ void solids_are_the_sum_of_their_elements(const Law& law, const typename Kind::O
       dissipated += total(report.dissipated);
     }
     EXPECT_LT((by_node(s, s.forces.force) - force).norm(), 1e-12 * force.norm());
-    EXPECT_NEAR(vote.step, least_step, 1e-12 * least_step);
-    EXPECT_NEAR(vote.volume_ratio, least_size, 1e-12);
-    EXPECT_EQ(vote.step_element, step_at);
-    EXPECT_EQ(vote.volume_element, size_at);
+    EXPECT_NEAR(limit.step, least_step, 1e-12 * least_step);
+    EXPECT_NEAR(limit.volume_ratio, least_size, 1e-12);
+    EXPECT_EQ(limit.step_element, step_at);
+    EXPECT_EQ(limit.volume_element, size_at);
     double reported = 0, lost = 0;
     for (const auto& report : s.reports) {
       reported += total(report.stored);
@@ -153,7 +153,7 @@ void plates_are_the_sum_of_their_elements(const Law& law) {
   const auto& block = std::get<Block<Plate, Law>>(s.block);
   std::vector<Plate::Memory<double, Law>> one(block.nodes.cols());
   for (int step = 0; step < 3; ++step) {
-    const Vote vote = s.move(0.1);
+    const BlockLimit limit = s.move(0.1);
     Vectors force = Vectors::Zero(3, s.x.cols()), moment = force;
     double least_step = 1e300, least_size = 1e300;
     for (Index e = 0; e < block.nodes.cols(); ++e) {
@@ -174,8 +174,8 @@ void plates_are_the_sum_of_their_elements(const Law& law) {
     }
     EXPECT_LT((by_node(s, s.forces.force) - force).norm(), 1e-12 * force.norm());
     EXPECT_LT((by_node(s, s.forces.moment) - moment).norm(), 1e-12 * moment.norm());
-    EXPECT_NEAR(vote.step, least_step, 1e-12 * least_step);
-    EXPECT_NEAR(vote.volume_ratio, least_size, 1e-12);
+    EXPECT_NEAR(limit.step, least_step, 1e-12 * least_step);
+    EXPECT_NEAR(limit.volume_ratio, least_size, 1e-12);
   }
 }
 
@@ -251,9 +251,9 @@ TEST(Block, NamesAnInvertedElement) {
       x.col(corners(a, element)) = s.x.col(corners(a + 4, element));
       x.col(corners(a + 4, element)) = s.x.col(corners(a, element));
     }
-    const Vote vote = advance(s.block, x, Vectors::Zero(3, x.cols()), s.w, 0.0, s.memory, s.forces, s.reports);
-    EXPECT_LT(vote.volume_ratio, 0);
-    EXPECT_EQ(vote.volume_element, element);
+    const BlockLimit limit = advance(s.block, x, Vectors::Zero(3, x.cols()), s.w, 0.0, s.memory, s.forces, s.reports);
+    EXPECT_LT(limit.volume_ratio, 0);
+    EXPECT_EQ(limit.volume_element, element);
   }
 }
 
@@ -263,12 +263,12 @@ TEST(Block, ReportsPositionsThatAreNoNumbersWhereverTheyAre) {
     for (Index element = 0; element < corners.cols(); element += 7) {
       Scene s = start;
       s.x(1, corners(0, element)) = std::numeric_limits<double>::quiet_NaN();
-      const Vote vote = s.move(0.0);
-      EXPECT_TRUE(std::isnan(vote.volume_ratio)) << "element " << element;
-      ASSERT_GE(vote.volume_element, 0);
+      const BlockLimit limit = s.move(0.0);
+      EXPECT_TRUE(std::isnan(limit.volume_ratio)) << "element " << element;
+      ASSERT_GE(limit.volume_element, 0);
       bool touches = false;
       for (Index a = 0; a < corners.rows(); ++a)
-        touches |= corners(a, vote.volume_element) == corners(0, element);
+        touches |= corners(a, limit.volume_element) == corners(0, element);
       EXPECT_TRUE(touches);
     }
   }

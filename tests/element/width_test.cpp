@@ -34,13 +34,13 @@ Scalars masses(const AnyBlock& block, const mesh::Mesh& mesh) {
 }
 
 /// Forces on the nodes after a displacement u from rest, small enough for its square not to show.
-Vectors forces(const AnyBlock& block, const mesh::Mesh& mesh, const Vectors& u, Vote* vote = nullptr) {
+Vectors forces(const AnyBlock& block, const mesh::Mesh& mesh, const Vectors& u, BlockLimit* limit = nullptr) {
   Memory memory = initial_memory(block);
   TileForces here = tile_forces(block);
   TileReports reports = tile_reports(block);
   const Vectors x = mesh.X + u;
-  const Vote said = advance(block, x, u, Vectors::Zero(3, u.cols()), 1.0, memory, here, reports);
-  if (vote != nullptr) *vote = said;
+  const BlockLimit said = advance(block, x, u, Vectors::Zero(3, u.cols()), 1.0, memory, here, reports);
+  if (limit != nullptr) *limit = said;
   Vectors force = Vectors::Zero(3, u.cols());
   for (std::size_t p = 0; p < tiling(block).node.size(); ++p) force.col(tiling(block).node[p]) += here.force.col(p);
   return force;
@@ -169,9 +169,9 @@ TEST(RelativeSteps, AreTheVotesOfEachElementByItself) {
       mesh::Mesh alone;
       alone.X = mesh.X(Eigen::all, Eigen::VectorXi(nodes(whole).col(e)));
       alone.hexahedra = {{"a", Eigen::Matrix<Index, 8, 1>::LinSpaced(8, 0, 7)}};
-      Vote vote;
-      forces(make(alone), alone, Vectors::Zero(3, 8), &vote);
-      own(e) = vote.step;
+      BlockLimit limit;
+      forces(make(alone), alone, Vectors::Zero(3, 8), &limit);
+      own(e) = limit.step;
     }
     for (Index e = 0; e < static_cast<Index>(own.size()); ++e)
       EXPECT_NEAR(relative(e), own(e) / own.minCoeff(), 0.07 * relative(e)) << e;  // bending is left out: 6 % of these
@@ -185,7 +185,7 @@ TEST(RelativeSteps, AreTheVotesOfEachElementByItself) {
 // What the width of a sector costs
 
 struct Steps {
-  double vote, free, on_planes, even;  // [s] the block's vote, and exact ones: without planes, with, mirrored too
+  double limit, free, on_planes, even;  // [s] the block's vote, and exact ones: without planes, with, mirrored too
 };
 
 mesh::Mesh rings(double angle) { return mesh::wedge("a", {1.0, 0.25, angle, 1, 4, 1}); }
@@ -193,10 +193,10 @@ mesh::Mesh rings(double angle) { return mesh::wedge("a", {1.0, 0.25, angle, 1, 4
 Steps steps(double angle, const AnyBlock& block) {
   const mesh::Mesh mesh = rings(angle);
   const Eigen::MatrixXd K = scaled_stiffness(block, mesh);
-  Vote vote;
-  forces(block, mesh, Vectors::Zero(3, mesh.X.cols()), &vote);
+  BlockLimit limit;
+  forces(block, mesh, Vectors::Zero(3, mesh.X.cols()), &limit);
   const Eigen::MatrixXd all = Eigen::MatrixXd::Identity(K.rows(), K.cols());
-  return {vote.step, exact_step(K, all), exact_step(K, allowed(mesh, angle, false)), exact_step(K, allowed(mesh, angle, true))};
+  return {limit.step, exact_step(K, all), exact_step(K, allowed(mesh, angle, false)), exact_step(K, allowed(mesh, angle, true))};
 }
 
 constexpr double angles[] = {0.02, 0.05, 0.1, 0.2, 0.5, 1.0};
@@ -211,9 +211,9 @@ Steps steps(double angle, double hourglass) { return steps(angle, solid(rings(an
 TEST(SectorWidth, VoteIsBelowEveryExactStep) {
   for (const double angle : angles) {
     const Steps s = steps(angle, 0.1);
-    for (const auto& [name, step] : {std::pair("vote", s.vote), {"free", s.free}, {"planes", s.on_planes}, {"even", s.even}})
+    for (const auto& [name, step] : {std::pair("vote", s.limit), {"free", s.free}, {"planes", s.on_planes}, {"even", s.even}})
       record(name, angle, step / cell);
-    EXPECT_LE(s.vote, s.free * 1.002);  // hourglass stiffness is not in the vote: 0.2 % at most
+    EXPECT_LE(s.limit, s.free * 1.002);  // hourglass stiffness is not in the step limit: 0.2 % at most
     EXPECT_LE(s.free, s.on_planes * (1 + 1e-6));  // differences of 1e-8 leave seven digits
     EXPECT_LE(s.on_planes, s.even * (1 + 1e-6));
   }
@@ -223,9 +223,9 @@ TEST(SectorWidth, VoteOfEightPointsIsBelowEveryExactStepToo) {
   for (const double angle : angles) {
     const Steps s = steps(angle, full(rings(angle)));
     for (const auto& [name, step] :
-         {std::pair("full_vote", s.vote), {"full_free", s.free}, {"full_planes", s.on_planes}, {"full_even", s.even}})
+         {std::pair("full_vote", s.limit), {"full_free", s.free}, {"full_planes", s.on_planes}, {"full_even", s.even}})
       record(name, angle, step / cell);
-    EXPECT_LE(s.vote, s.free * (1 + 1e-6));  // differences of 1e-8 leave seven digits
+    EXPECT_LE(s.limit, s.free * (1 + 1e-6));  // differences of 1e-8 leave seven digits
   }
 }
 
@@ -233,9 +233,9 @@ TEST(SectorWidth, VoteOfAssumedStrainsIsBelowEveryExactStepTooAndTheSectionIsNot
   for (const double angle : angles) {
     const Steps s = steps(angle, usual(rings(angle)));
     for (const auto& [name, step] :
-         {std::pair("usual_vote", s.vote), {"usual_free", s.free}, {"usual_planes", s.on_planes}, {"usual_even", s.even}})
+         {std::pair("usual_vote", s.limit), {"usual_free", s.free}, {"usual_planes", s.on_planes}, {"usual_even", s.even}})
       record(name, angle, step / cell);
-    EXPECT_LE(s.vote, s.free * (1 + 1e-6));
+    EXPECT_LE(s.limit, s.free * (1 + 1e-6));
     EXPECT_GT(s.even / cell, 0.85);
   }
 }

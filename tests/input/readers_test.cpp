@@ -171,7 +171,7 @@ TEST(ReadInterface, DefaultsToTheBetterForms) {
 }
 
 TEST(ReadInterface, HeightsAreThoseOfNodesWherePointsHaveNoMeaning) {
-  for (const char* text : {"heights: nodes\n", "passes: two\n", "kind: bonded\n", "method: penalty\n", "kind: bonded\nmethod: penalty\n"})
+  for (const char* text : {"heights: nodes\n", "passes: two\n", "kind: tied\n", "method: penalty\n", "kind: tied\nmethod: penalty\n"})
     EXPECT_EQ(read(text, read_interface).heights, contact::Heights::nodes) << text;
   EXPECT_FALSE(read("heights: nodes\n", read_interface).two_passes);
   EXPECT_EQ(read("friction: 0.1\n", read_automatic_interface).heights, contact::Heights::points);
@@ -179,9 +179,9 @@ TEST(ReadInterface, HeightsAreThoseOfNodesWherePointsHaveNoMeaning) {
 }
 
 TEST(ReadInterface, BondsHaveAMethodToo) {
-  EXPECT_EQ(read("kind: bonded\n", read_interface).method, contact::Method::multiplier);
-  EXPECT_EQ(read("kind: bonded\nmethod: penalty\npenalty_scale: 5\n", read_interface).penalty_scale, 5);
-  EXPECT_EQ(read("kind: bonded\nmethod: penalty\npenalty_scale: 5\n", read_interface).method, contact::Method::penalty);
+  EXPECT_EQ(read("kind: tied\n", read_interface).method, contact::Method::multiplier);
+  EXPECT_EQ(read("kind: tied\nmethod: penalty\npenalty_scale: 5\n", read_interface).penalty_scale, 5);
+  EXPECT_EQ(read("kind: tied\nmethod: penalty\npenalty_scale: 5\n", read_interface).method, contact::Method::penalty);
 }
 
 TEST(ReadInterface, WantsBothOfKineticFrictionAndItsDecay) {

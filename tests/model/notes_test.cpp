@@ -64,9 +64,9 @@ TEST(GapTable, LeavesOutApexesBehindTheBaseAndSaysHowMany) {
 
 TEST(GapTable, ListsTheFreeApexesOfABond) {
   Scene scene = with({bar(), wall()});
-  scene.bodies[1].place.move = Vec3(0, 0.5, 0);  // half of the face has nothing to be bonded to
+  scene.bodies[1].place.move = Vec3(0, 0.5, 0);  // half of the face has nothing to be tied to
   scene.contacts = {{.name = "glue", .apexes = "bar.x_high", .base = "wall.x_low"}};
-  scene.contacts[0].interface.kind = contact::InterfaceKind::bonded;
+  scene.contacts[0].interface.kind = contact::InterfaceKind::tied;
   const auto table = gap_table(build(scene));
   ASSERT_EQ(table.size(), 3U);
   EXPECT_TRUE(says(table[2], "2 of 4 apexes are free")) << table[2];
@@ -75,7 +75,7 @@ TEST(GapTable, ListsTheFreeApexesOfABond) {
   scene.contacts[0].interface.two_passes = true;
   EXPECT_EQ(gap_table(build(scene)).size(), 7U);
   scene.contacts[0].interface.method = contact::Method::multiplier;
-  EXPECT_TRUE(says(refusal(scene), "contact 'glue': a bond by multipliers has one pass")) << refusal(scene);
+  EXPECT_TRUE(says(refusal(scene), "contact 'glue': a tie by multipliers has one pass")) << refusal(scene);
   scene.contacts[0].interface.two_passes = false;
   scene.bodies[1].place.move = Vec3(0, 1.5, 0);
   EXPECT_TRUE(says(refusal(scene), "contact 'glue': none of the 4 apexes of 'bar.x_high' stands over 'wall.x_low'")) << refusal(scene);
@@ -111,8 +111,8 @@ TEST(CoarsenessNotes, SayThatApexesAreTooFarApartAndWhatToDo) {
   ASSERT_EQ(notes().size(), 1U);
   EXPECT_TRUE(says(notes()[0], "touch: its apexes are 1.5 times as far apart as the nodes of its base")) << notes()[0];
   EXPECT_TRUE(says(notes()[0], "exchange 'apexes' and 'base', or take 'passes: two'")) << notes()[0];
-  scene.contacts[0].interface.kind = contact::InterfaceKind::bonded;
-  EXPECT_EQ(notes().size(), 1U) << "nodes between the apexes of a bond are free as well";
+  scene.contacts[0].interface.kind = contact::InterfaceKind::tied;
+  EXPECT_EQ(notes().size(), 1U) << "nodes between the apexes of a tie are free as well";
   cells(1, 6, 2);  // coarser the other way
   ASSERT_EQ(notes().size(), 1U);
   EXPECT_TRUE(says(notes()[0], "refine the surface of the apexes")) << notes()[0];
@@ -156,7 +156,7 @@ TEST(DepthNotes, NameNoMultipliersForATieThatMayHaveNone) {
   for (const bool rigid : {false, true}) {
     Scene scene = with({bar(), wall()});
     scene.contacts = {{.name = "glue", .apexes = "bar.x_high", .base = "wall.x_low"}};
-    scene.contacts[0].interface.kind = contact::InterfaceKind::bonded;
+    scene.contacts[0].interface.kind = contact::InterfaceKind::tied;
     scene.contacts[0].interface.method = contact::Method::penalty;
     scene.bodies[1].rigid = rigid;
     Simulation simulation = build(scene);

@@ -388,8 +388,8 @@ Everything everything() {
   contact("contact of two passes", options, true);
   options.two_passes = false, options.method = contact::Method::penalty;
   contact("contact by a penalty", options, false);
-  options = {}, options.kind = contact::InterfaceKind::bonded;
-  contact("bond", options, false);
+  options = {}, options.kind = contact::InterfaceKind::tied;
+  contact("tie", options, false);
   source("automatic contact", Vec3::Zero(), [&](const std::string& body) {
     scene.bodies.push_back(cube("under_" + body, place - 1, 1));
     scene.automatic_contacts.push_back({.name = "of_" + body, .bodies = {body, "under_" + body}});

@@ -114,8 +114,8 @@ TEST(RigidBodies, AreRefusedWhatTheyCannotDo) {
   EXPECT_TRUE(says(refusal(scene), "relaxation does not damp the rigid body"));
   scene.relaxation.reset();
   scene.contacts = {{.name = "glue", .apexes = "bar.x_high", .base = "wall.x_low"}};
-  scene.contacts[0].interface.kind = contact::InterfaceKind::bonded;
-  EXPECT_TRUE(says(refusal(scene), "contact 'glue': a bond to a rigid body is not there yet by multipliers"));
+  scene.contacts[0].interface.kind = contact::InterfaceKind::tied;
+  EXPECT_TRUE(says(refusal(scene), "contact 'glue': a tie to a rigid body is not there yet by multipliers"));
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ struct Scene {
     forces = dynamics::make_forces(model);
     for (const Index node : mesh::node_set(model.mesh, "A")) state.v(0, node) = 0.1;
     dynamics::start(model, state, forces);
-    for (int i = 0; i < 3; ++i) dynamics::step(model, 0.9 * state.votes.elements.step, state, forces);
+    for (int i = 0; i < 3; ++i) dynamics::step(model, 0.9 * state.step_limits.elements.step, state, forces);
   }
   dynamics::View view() const { return {model, state, forces, true}; }
 };

@@ -17,7 +17,7 @@ WHY = "many nodes share a blow, and some of what they hold is not given back tog
 
 
 AS_DECLARED = 1e-4
-HELD = "the sweeps of the impulses begin with other rows and stop at 1e-6 of them, in each of a few hundred steps"
+HELD = "the iterations of the impulses begin with other rows and stop at 1e-6 of them, in each of a few hundred steps"
 
 
 EXPECTED = struck_twice(PLATE, ABOVE, BELOW, V)

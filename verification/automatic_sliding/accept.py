@@ -17,8 +17,8 @@ PLATE, BOX, MISS, PLUG, FLOORS = (HERE + name + ".yaml" for name in ("plate_on_a
 GRAVITY, CELL, BLOCK = 9.81, 0.05, 0.1      # [m/s2]; [m] of the rigid blocks
 FRICTIONLESS = {"contacts[0].friction": 0}
 FLUSH = {"bodies[0].mesh.low": "[0 m, 0.05 m, -0.05 m]", "bodies[0].mesh.high": "[1 m, 0.15 m, 0 m]", "bodies[0].mesh.cells": "[20, 2, 1]"}
-BONDED = {"contacts": "[{name: touch, kind: automatic, friction: 0.2}, "
-                      "{name: joint, kind: bonded, apexes: next.x_low, base: floor.x_high}]"}
+TIED = {"contacts": "[{name: touch, kind: automatic, friction: 0.2}, "
+                      "{name: joint, kind: tied, apexes: next.x_low, base: floor.x_high}]"}
 STEP = {"bodies[1].mesh.high": "[1 m, 0.2 m, 2 mm]"}
 
 
@@ -158,7 +158,7 @@ CHECKS = [
     Check("flush floors: speed over the joint", keeps_speed(FLOORS), 1e-3, SPEED),
     Check("flush steel floors: drive over the joint", drive_over_the_joint(), 0.01,
           "the floors give way by 5 µm, 0.02 % of an edge, and the block sways as it leaves the one that is pressed down"),
-    Check("bonded steel floors: drive over the joint", drive_over_the_joint(BONDED), 0.01, "the same; nothing sinks beside the joint"),
+    Check("tied steel floors: drive over the joint", drive_over_the_joint(TIED), 0.01, "the same; nothing sinks beside the joint"),
     Miss("shaft in a bore: spin after a second", spin_of_the_shaft, 0.01, "nothing turns a round shaft without friction",
          "its edges strike the facets of the bore, which push along their own normals; with half as many facets it keeps 0.3 of its spin",
          full=True),
@@ -201,8 +201,8 @@ BREAKS = [
     Breaks("speed ahead after the step", "no step", {"bodies[1].mesh.high": "[1 m, 0.2 m, 0 mm]"}, FLOORS),
     Breaks("flush floors: speed over the joint", "a step of 2 mm", STEP, FLOORS),
     Breaks("flush steel floors: drive over the joint", "a coefficient of 0.21", {"contacts[0].friction": 0.21}, JOINT),
-    Breaks("bonded steel floors: drive over the joint", "a coefficient of 0.21",
-           {"contacts": BONDED["contacts"].replace("0.2}", "0.21}")}, JOINT),
+    Breaks("tied steel floors: drive over the joint", "a coefficient of 0.21",
+           {"contacts": TIED["contacts"].replace("0.2}", "0.21}")}, JOINT),
     Breaks("flush floors: lift, in cells", "a gap in which the block tips", {"bodies[1].mesh.low": "[0.56 m, 0 m, -0.05 m]",
                                                                              "bodies[1].mesh.high": "[1 m, 0.2 m, -0.01 m]"}, FLOORS),
 ]

@@ -234,7 +234,7 @@ STUDIES = [
 ]
 
 BOTH_POISSON = {f"bodies[{i}].material.poisson": 0.25 for i in (0, 1)}
-BONDED = {"contacts[0].kind": "bonded"}
+TIED = {"contacts[0].kind": "tied"}
 HERE = "verification/bars_unlike/"
 
 BREAKS = [
@@ -243,19 +243,19 @@ BREAKS = [
            {**ONE_CELL, "bodies[0].mesh.cells": "[100, 3, 1]", **COARSE_APEXES}),
     Breaks("grids 3 x 3 on 1 x 1: stress of the plateau, from 10 %", "apexes on the coarse grid", {**ONE_CELL, **COARSE_APEXES}),
     Breaks("grids 6 x 6 on 2 x 2: velocity without viscosity, worst of V/c = 1e-3, 1e-4, 1e-5",
-           "ends that do not let go: bonded", BONDED),
+           "ends that do not let go: tied", TIED),
     Breaks("steel on aluminium: stress of the first step", "a penalty", {"contacts[0].method": "penalty"}, case=HERE + ALUMINIUM),
     Breaks("steel on aluminium: stress of the second step, from 10 %", "lateral strain: Poisson's ratio 0.3",
            {f"bodies[{i}].material.poisson": 0.3 for i in (0, 1)}, case=HERE + ALUMINIUM),
     Breaks("steel on aluminium: stress of the third step, from 10 %", "viscosity that swallows the wave",
            {"bodies[0].element.viscosity.linear": 1, "bodies[1].element.viscosity.linear": 1}, case=HERE + ALUMINIUM),
-    Breaks("steel on aluminium: the bars part after", "ends that do not let go: bonded", BONDED, case=HERE + ALUMINIUM),
-    Breaks("steel on aluminium: velocity of the steel over V", "ends that do not let go: bonded", BONDED, case=HERE + ALUMINIUM),
-    Breaks("steel on aluminium: velocity of the aluminium over V", "ends that do not let go: bonded", BONDED, case=HERE + ALUMINIUM),
-    Breaks("steel on aluminium of equal length, without viscosity: velocity of the steel over V", "ends that do not let go: bonded", BONDED,
+    Breaks("steel on aluminium: the bars part after", "ends that do not let go: tied", TIED, case=HERE + ALUMINIUM),
+    Breaks("steel on aluminium: velocity of the steel over V", "ends that do not let go: tied", TIED, case=HERE + ALUMINIUM),
+    Breaks("steel on aluminium: velocity of the aluminium over V", "ends that do not let go: tied", TIED, case=HERE + ALUMINIUM),
+    Breaks("steel on aluminium of equal length, without viscosity: velocity of the steel over V", "ends that do not let go: tied", TIED,
            case=HERE + ALUMINIUM),
-    Breaks("steel on aluminium of equal length, without viscosity: velocity of the aluminium over V", "ends that do not let go: bonded",
-           BONDED, case=HERE + ALUMINIUM),
+    Breaks("steel on aluminium of equal length, without viscosity: velocity of the aluminium over V", "ends that do not let go: tied",
+           TIED, case=HERE + ALUMINIUM),
     Breaks("plane strain: force over the time of contact", "Poisson's ratio 0.25", BOTH_POISSON, case=HERE + PLANE),
     Breaks("plane strain: last push after the first touch", "no lateral strain: Poisson's ratio 0",
            {f"bodies[{i}].material.poisson": 0 for i in (0, 1)}, case=HERE + PLANE),

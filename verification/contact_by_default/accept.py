@@ -103,7 +103,7 @@ CHECKS = [
       for name in ALL if name != "steel skins"),
     Check("steel skins: steps beside those of the elements", steps_of_skins, 0.1, "the step grows by a twentieth or more, and ends evenly"),
     Check("steel skins: created by all contacts", made_by_skins, CREATED,
-          "a thousandth is the goal; three contacts act on the nodes of two skins, and sweeps end at 1e-4 of what they exchange"),
+          "a thousandth is the goal; three contacts act on the nodes of two skins, and iterations end at 1e-4 of what they exchange"),
     Check("steel skins: lost at first touch", lost_by_skins, LOST, "as of the other scenes"),
     Report("cask, level 2: settlement beside that of a penalty scale of 2000",
            lambda run: Pair(scene(run, "cask, level 2")[0].result("settlement_mean"), HARD_PENALTY, "m"),

@@ -16,7 +16,7 @@ EXACT = reference(PRESSURE, 1e6, 0.5, PENALTY)
 CYLINDERS = "verification/contact_patch/cylinders.yaml"
 MATCHING = {"bodies[1].mesh.cells": "[4, 4, 2]"}
 EXCHANGED = {"contacts[0].apexes": "lower.z_high", "contacts[0].base": "upper.z_low"}
-NESTED = {"bodies[0].mesh.cells": "[2, 2, 2]", "bodies[1].mesh.cells": "[6, 6, 2]", "contacts[0].kind": "bonded"}
+NESTED = {"bodies[0].mesh.cells": "[2, 2, 2]", "bodies[1].mesh.cells": "[6, 6, 2]", "contacts[0].kind": "tied"}
 EXCHANGED_CYLINDERS = {"contacts[0].apexes": "lower.top", "contacts[0].base": "upper.bottom"}
 
 
@@ -69,8 +69,8 @@ def matching(measure):
 
 FORMULATIONS = [
     ("as it is: consistent weights, area of the apex", {}), ("sides exchanged", EXCHANGED), ("two passes", {"contacts[0].passes": "two"}),
-    ("two passes, sides exchanged", {"contacts[0].passes": "two", **EXCHANGED}), ("two passes, bonded", {"contacts[0].passes": "two",
-        "contacts[0].kind": "bonded"}),
+    ("two passes, sides exchanged", {"contacts[0].passes": "two", **EXCHANGED}), ("two passes, tied", {"contacts[0].passes": "two",
+        "contacts[0].kind": "tied"}),
     ("area of the base", {"contacts[0].area": "base"}), ("area of the base, two passes", {"contacts[0].area": "base",
         "contacts[0].passes": "two"}),
     ("weights of the paper, friction 0.3", {"contacts[0].weights": "paper", "contacts[0].friction": 0.3}),
@@ -78,8 +78,8 @@ FORMULATIONS = [
                                                      "contacts[0].friction": 0.3}),
     ("friction 0.3", {"contacts[0].friction": 0.3}),
     ("friction 0.3, tangential penalty 0.1", {"contacts[0].friction": 0.3, "contacts[0].tangential_penalty": 0.1}),
-    ("friction 0.3, two passes", {"contacts[0].friction": 0.3, "contacts[0].passes": "two"}), ("bonded", {"contacts[0].kind": "bonded"}),
-    ("bonded by multipliers", {"contacts[0].kind": "bonded", "contacts[0].method": "multiplier"}),
+    ("friction 0.3, two passes", {"contacts[0].friction": 0.3, "contacts[0].passes": "two"}), ("tied", {"contacts[0].kind": "tied"}),
+    ("tied by multipliers", {"contacts[0].kind": "tied", "contacts[0].method": "multiplier"}),
     ("damping 0.1", {"contacts[0].damping_ratio": 0.1}),
     ("penalty scale 40", {"contacts[0].penalty_scale": 40}), ("penalty scale 0.4", {"contacts[0].penalty_scale": 0.4}),
     ("a penalty given, 2e7 Pa/m", {"contacts[0].penalty": "2e7 Pa/m"}),
@@ -107,7 +107,7 @@ def grids(run):
     rows.append(row("6 x 6 on 8 x 8", run.again({"bodies[0].mesh.cells": "[8, 8, 4]", "bodies[1].mesh.cells": "[6, 6, 4]"})))
     cylinders = run.other("scene", CYLINDERS)
     rows.append(row("4 x 4 on 4 x 4, matching, two passes", run.again({**MATCHING, "contacts[0].passes": "two"})))
-    rows.append(row("4 x 4 on 4 x 4, matching, bonded", run.again({**MATCHING, "contacts[0].kind": "bonded"})))
+    rows.append(row("4 x 4 on 4 x 4, matching, tied", run.again({**MATCHING, "contacts[0].kind": "tied"})))
     rows.append(row("6 x 6 on 8 x 8, two passes", run.again({"bodies[0].mesh.cells": "[8, 8, 4]", "bodies[1].mesh.cells": "[6, 6, 4]",
                                                              "contacts[0].passes": "two"})))
     rows.append(row("cylinders, matching", cylinders.again({"bodies[1].rotate.angle": "0 deg"})))
@@ -185,8 +185,8 @@ def spacings(run):
         values = beside(one)
         return f"{100 * norms(values, sum(values) / len(values))[0]:.2g} %" + ("" if one.ending == "relaxed" else f" ({one.ending})")
 
-    grids, bonded = ((8, 8), (10, 12), (8, 10), (6, 8), (4, 6), (4, 8), (3, 9)), {"contacts[0].kind": "bonded"}
-    return [[f"{b / a:.3g}", f"{a} on {b}", *(error(a, b, change) for change in ({}, bonded, EXCHANGED, {**EXCHANGED, **bonded},
+    grids, tied = ((8, 8), (10, 12), (8, 10), (6, 8), (4, 6), (4, 8), (3, 9)), {"contacts[0].kind": "tied"}
+    return [[f"{b / a:.3g}", f"{a} on {b}", *(error(a, b, change) for change in ({}, tied, EXCHANGED, {**EXCHANGED, **tied},
             {"contacts[0].passes": "two"}))] for a, b in grids]
 
 
@@ -206,7 +206,7 @@ CHECKS = [
     Check("by default: resultant, matching grids", by_default(resultant, MATCHING), 1e-5, "equilibrium, to the residual of the relaxation"),
     Check("by default: stress of every element, matching grids", by_default(stress_error(1), MATCHING), 1e-5,
           "uniform, to the residual of the relaxation"),
-    Check("by default: stress of every element, bonded, 6 x 6 on 2 x 2", by_default(unevenness, NESTED), 1e-5,
+    Check("by default: stress of every element, tied, 6 x 6 on 2 x 2", by_default(unevenness, NESTED), 1e-5,
           "uniform, to the residual of the relaxation: each face carries the bilinear shares of a uniform pressure"),
     Check("by default: force through blocks over interface, 3 x 3 on 4 x 4", by_default(balance), 1e-5,
           "equilibrium, to the residual of the relaxation"),
@@ -228,7 +228,7 @@ STUDIES = [
     Table("Errors of axial stress and contact pressure over their mean, by grid.", ["grid", *COLUMNS[1:]], grids, full=True),
     Table("By default and by the usual penalty.", [*COLUMNS, "ends", "steps"], rows_by_default, full=True),
     Table("Errors beside the interface by the spacing of the apexes over that of the base.",
-          ["spacing", "cells", "contact", "bonded", "sides exchanged", "bonded, sides exchanged", "two passes"], spacings, full=True),
+          ["spacing", "cells", "contact", "tied", "sides exchanged", "tied, sides exchanged", "two passes"], spacings, full=True),
     Table("The same as the first on 3 x 3 on 4 x 4, by formulation.", ["formulation", *COLUMNS[1:]], formulations, full=True),
 ]
 
@@ -236,7 +236,7 @@ HALF = {"bodies[1].material.young": "0.5 MPa"}
 BREAKS = [
     Breaks("by default: resultant, matching grids", "one block half as stiff as the state at the start has it", HALF),
     Breaks("by default: stress of every element, matching grids", "one block half as stiff as the state at the start has it", HALF),
-    Breaks("by default: stress of every element, bonded, 6 x 6 on 2 x 2", "a penalty, with the weights of the halves of a face",
+    Breaks("by default: stress of every element, tied, 6 x 6 on 2 x 2", "a penalty, with the weights of the halves of a face",
            {"contacts[0].method": "penalty"}),
     Breaks("by default: force through blocks over interface, 3 x 3 on 4 x 4", "gravity of 1e-5 m/s2 besides",
            {"gravity": "[0 m/s^2, 0 m/s^2, -1e-5 m/s^2]"}),

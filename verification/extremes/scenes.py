@@ -306,11 +306,11 @@ def accepted(fine=1, depth=0.003, **keys):
                  planes=[fixed("b")], gravity=vector((0, 0, -50), "m/s^2"))
 
 
-def bond(fine=1, offset=0.0, **keys):
-    """A cube is bonded to a block, over its rim or past it, and pulled off by its speed: it holds, or somebody must be told."""
+def tie(fine=1, offset=0.0, **keys):
+    """A cube is tied to a block, over its rim or past it, and pulled off by its speed: it holds, or somebody must be told."""
     cube = box((-0.005, -0.005, 0), (0.005, 0.005, 0.01), (2, 2, 2), fine)
     block = box((-0.01, -0.01, -0.01), (0.01, 0.01, 0), (2, 2, 1), fine)
-    return scene([body("a", cube, (offset, 0.0002, 0)), body("b", block)], [contact("a.z_low", "b.z_high", kind="bonded", **keys)],
+    return scene([body("a", cube, (offset, 0.0002, 0)), body("b", block)], [contact("a.z_low", "b.z_high", kind="tied", **keys)],
                  {"a": (0, 0, 0.2)}, 0.01, 60, [("stands", "a", Z, 0.0, 0.001)], pairs=[], planes=[fixed("b.z_low")])
 
 

@@ -95,7 +95,7 @@ CHECKS = [
     Check("by a penalty: way", lambda run: way(run.again(PENALTY)), 2e-3, "the same law; a stick yields by micrometres"),
     Check("by a penalty, pulled: speed at the end", lambda run: last_speed(run, {"contacts[0].method": "penalty"}), 3e-3,
           "as by multipliers; nodes let go one after another, as their sticks yield"),
-    Check("a sudden decay: largest friction", sudden_hold, 5e-3, "statics; what sweeps leave of a stick's slip rate is no sliding"),
+    Check("a sudden decay: largest friction", sudden_hold, 5e-3, "statics; what iterations leave of a stick's slip rate is no sliding"),
     Check("a sudden decay: speed at the end", sudden_speed, 5e-3, "as the largest friction"),
 ]
 

@@ -73,7 +73,7 @@ CHECKS = [
     Check("change of momentum", momentum, 1e-12, "the catalogue's bound: contact gives what it takes"),
     Check("change of angular momentum", angular_momentum, 1e-12, "the catalogue's bound, with consistent weights"),
     Check("energy in no account", residual, 1e-11, "round-off of some thousand steps"),
-    Check("created energy", created, 0.005, "multipliers create nothing but where sweeps end too early"),
+    Check("created energy", created, 0.005, "multipliers create nothing but where iterations end too early"),
     Check("force at the end", parted, 0, "an impact that is over"),
     Report("heat of friction", heat, "it must be there for the audit to mean something"),
 ]

@@ -70,7 +70,7 @@ BREAKS = [
     Breaks("gap of every apex", "a contact height nobody asked for", {"contacts[0].contact_height": "given", "contacts[0].height": "1 mm"}),
     Breaks("pressure of every apex", "half the penalty", {"contacts[0].penalty": "5e-7 Pa/m"}),
     Breaks("resultant", "the area of the base in place of the apex's own", {"contacts[0].area": "base"}),
-    Breaks("pull", "a bond where contact is meant", {"contacts[0].kind": "bonded"}),
+    Breaks("pull", "a tie where contact is meant", {"contacts[0].kind": "tied"}),
     Breaks("gap of every apex", "a push that is not weak", {"contacts[0].penalty": "1e4 Pa/m"}),
     Breaks("force while open", "a contact height of half the gap", {"contacts[0].contact_height": "given", "contacts[0].height": "50 mm"}),
 ]

@@ -190,7 +190,7 @@ CHECKS = [
     Check("block: force once it is pulled", held_back, 1e-4, "nothing may hold it; a tenth of the inertia above"),
     Check("block: momentum at the end", momentum, 1e-3, "the impulse of the pull, and the little motion in which it began"),
     Check("block: gap at the end", lifted, 1e-3, "the same"),
-    Check("block: created by the contact", made_by(pulled_off), 1e-9, "sweeps end at 1e-4 of what is exchanged, and nothing bounces"),
+    Check("block: created by the contact", made_by(pulled_off), 1e-9, "iterations end at 1e-4 of what is exchanged, and nothing bounces"),
 ]
 
 
@@ -230,7 +230,7 @@ STUDIES = [Table("Unlike meshes for 100 ms: how they end, when [ms], after how m
 NO_START = {f"initial[{i}].displacement": '["0", "0", "0"]' for i in range(3)}
 LIGHTER = {"gravity": "[0 m/s^2, 0 m/s^2, -9.8 m/s^2]"}
 HALF = {"bodies[0].material.density": "3925 kg/m^3"}
-HELD = {"contacts[0].kind": "bonded"}
+HELD = {"contacts[0].kind": "tied"}
 BREAKS = [
     Breaks("stack of like meshes: largest velocity over the speed of sound", "a start without the compression by the weights", NO_START),
     Breaks("stack of like meshes: forces over the weights above, worst row", "gravity of 9.8 m/s2", LIGHTER),

@@ -135,7 +135,7 @@ CHECKS = [
     Check("restitution 0.5: times of all nine closures", times("case.yaml", 0.5, HALF), 0.02, STEP),
     Check("restitution 0.5: energy that blows take", lost(0.5, HALF), 1e-6, "as the velocities"),
     Check("restitution 0: velocities, each over its own", velocities("case.yaml", 0, NONE), 1e-3,
-          "plates that go on together touch in each of a thousand steps, and sweeps end at a millionth of an impulse"),
+          "plates that go on together touch in each of a thousand steps, and iterations end at a millionth of an impulse"),
     Check("restitution 0: momentum through each juncture", handed_on("case.yaml", 0, NONE), 1e-3, "as the velocities"),
     Check("restitution 0: first closure of each juncture", closures("case.yaml", 0, NONE), 0.02, STEP),
     Check("restitution 0: energy that blows take", lost(0, NONE), 1e-3, "as the velocities"),

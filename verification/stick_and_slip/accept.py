@@ -84,7 +84,7 @@ CHECKS = [
     Check("heat beside that of a rigid block", lambda run: Pair(heated(run), heat(), "J"), 0.01, "as the way"),
     Check("heat beside the limit times the way", lambda run: Pair(heated(run), LIMIT * slipped(run), "J"), 1e-3,
           "its base gives way by some 1e-8 m, and so does the border before all slides: 1e-4 of the way"),
-    Check("created by the contact over the heat", made, 1e-9, "sweeps end at 1e-4 of what they exchange, and nothing bounces"),
+    Check("created by the contact over the heat", made, 1e-9, "iterations end at 1e-4 of what they exchange, and nothing bounces"),
     Report("friction beside the load after the stop", lambda run: Pair(ringing(run, (stops() + 1e-4, 11e-3)), 0, "", scale=1),
            "friction falls from the limit to the load at once, and the block swings in shear, which bulk viscosity does not damp; a "
            "penalty gives 0.11"),

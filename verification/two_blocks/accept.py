@@ -42,7 +42,7 @@ CHECKS = [
     Check("velocity of B", velocity_of("B"), 0.01, "as A, by symmetry"),
     Report("velocity of A with the usual bulk viscosity", lambda run: velocity_of("A")(run.again(USUAL)),
            "the viscosity takes the ringing and 4 % of the energy, whatever the contact is"),
-    Check("created energy", created, 0.005, "multipliers create nothing but where sweeps end too early; far above what is seen"),
+    Check("created energy", created, 0.005, "multipliers create nothing but where iterations end too early; far above what is seen"),
     Check("momentum", momentum, 1e-12, "contact gives what it takes: round-off"),
 ]
 

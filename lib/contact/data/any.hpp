@@ -66,14 +66,14 @@ inline double side_of(const AnyContact& contact) {
   return std::visit([](const auto& one) { return side_of(one); }, contact);
 }
 
-/// Whether a contact acts by multipliers, and whether it is a bond that does.
+/// Whether a contact acts by multipliers, and whether it is a tie that does.
 inline bool by_multipliers(const EdgeContact&) { return true; }
-inline bool bonded_by_multipliers(const EdgeContact&) { return false; }
+inline bool tied_by_multipliers(const EdgeContact&) { return false; }
 inline bool by_multipliers(const AnyContact& contact) {
   return std::visit([](const auto& one) { return by_multipliers(one); }, contact);
 }
-inline bool bonded_by_multipliers(const AnyContact& contact) {
-  return std::visit([](const auto& one) { return bonded_by_multipliers(one); }, contact);
+inline bool tied_by_multipliers(const AnyContact& contact) {
+  return std::visit([](const auto& one) { return tied_by_multipliers(one); }, contact);
 }
 
 /// How many are passes of apexes, and not edges.

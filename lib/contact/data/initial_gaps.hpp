@@ -30,7 +30,7 @@ struct InitialGaps {
   Index apexes = 0, without_base = 0;
   Index behind = 0;                         ///< apexes that stand behind the base without being in contact, as under a table
   Index penetrating = 0;                    ///< apexes nearer than h_c at the start
-  Index free = 0;                           ///< apexes of a bonded interface that stand past its border or have no base: nothing holds them
+  Index free = 0;                           ///< apexes of a tied interface that stand past its border or have no base: nothing holds them
   double deepest = 0;                       ///< [m] penetration, positive
   Index pairs = 0;                          ///< of edges within the margin, of edges over edges; the numbers above are then of these
   std::array<Index, 4> by_kind{};           ///< apexes by Kind of feature

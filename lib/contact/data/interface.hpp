@@ -16,7 +16,7 @@ namespace nereid::contact {
 /// Whether an apex may leave its base.
 enum class InterfaceKind {
   contact,  ///< unilateral: pushes only, and the apex slides from base to base
-  bonded,   ///< the apex stays over the point of its base where it began, pulled as well as pushed
+  tied,   ///< the apex stays over the point of its base where it began, pulled as well as pushed
 };
 
 /// How friction on an apex is shared out over its base, and against what its sliding is measured.
@@ -40,8 +40,8 @@ enum class InitialPenetration {
   accept,  ///< the penetration becomes an offset of the apex: no force at the start, see Track::height
 };
 
-/// Where a bonded apex belongs: over fixed weights of the nodes of a facet, or of the face that it is half of, at a fixed height.
-struct Bond {
+/// Where a tied apex belongs: over fixed weights of the nodes of a facet, or of the face that it is half of, at a fixed height.
+struct Tie {
   Index facet = -1;                ///< -1: the apex found no base and is free
   bool on_face = false;            ///< of a hexahedron, by bilinear weights
   std::array<double, 4> weight{};  ///< of the nodes of the facet, then of Half::fourth
@@ -77,8 +77,8 @@ struct Interface : Sides {
   Scalars facet_area;            ///< [m2] of the reference, [facets]
   Scalars contact_height;        ///< [m] h_c, [apexes], with plates as thick as at the start
   bool follows_thickness = false;  ///< whether h_c changes as plates do: see Memory::thicker
-  std::vector<Bond> bonds;             ///< [apexes] of a bonded interface; set by connect()
-  double impact_step_factor = 0.1410;  ///< [-] dt sqrt(k/m) of the vote: impact_step_factor_for(0.005)
+  std::vector<Tie> ties;             ///< [apexes] of a tied interface; set by connect()
+  double impact_step_factor = 0.1410;  ///< [-] dt sqrt(k/m) of the step limit: impact_step_factor_for(0.005)
   double first_step_factor = 0;        ///< [-] the same until the contact has created too much, where it is larger: step_factor.hpp
   Pass pass = Pass::only;
   double pass_factor = 1;              ///< [-] part of the stiffness between its nodes: 1/2 in each of two passes
@@ -103,9 +103,9 @@ struct EdgeContact : Sides {
   Beside beside;      ///< of bodies that touch themselves
 };
 
-/// Whether this is a bond by multipliers.
-inline bool bonded_by_multipliers(const Interface& interface) {
-  return interface.kind == InterfaceKind::bonded && by_multipliers(interface);
+/// Whether this is a tie by multipliers.
+inline bool tied_by_multipliers(const Interface& interface) {
+  return interface.kind == InterfaceKind::tied && by_multipliers(interface);
 }
 
 /// What an apex has together with a facet.

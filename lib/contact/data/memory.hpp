@@ -28,15 +28,15 @@ enum class Status : int {
 /// Forces of one apex and its bases, and what its last step did.
 struct ElementForces {
   bool closed = false;
-  bool has_moment = false;               ///< the forces may leave a small moment, see WayOut
+  bool has_moment = false;               ///< the forces may leave a small moment, see Exit
   bool moved = false;                    ///< to another feature in the last step
   int lost = 0;                          ///< parts of the surface that the apex left over a wall in the last step
-  int count = 0;                         ///< of stencils; of an open apex that votes for the time step one without a push
+  int count = 0;                         ///< of stencils; of an open apex that limits the time step one without a push
   double penalty = 0;                    ///< [N/m] of the apex
   double stiffness = 0;                  ///< [N/m] of the spring between the apex and its bases: past a wall more than the penalty
   double scale = 1;                      ///< of all these forces: 1 + damping_time d|d|/dt / |d|, not negative
   double depth = 0;                      ///< [m] penetration without the offset
-  double closes_in = 0;                  ///< [s] at the least, at the speeds of now, of an open apex that votes by a penalty; 0: not known
+  double closes_in = 0;                  ///< [s] at least, at the present speeds, of an open apex that limits the step; 0: unknown
   double work = 0, created = 0;          ///< [J] in the last step
   double dissipated = 0;                 ///< [J] in the last step
   Vec3 apex = Vec3::Zero();              ///< [N]
@@ -70,14 +70,14 @@ struct Near {
   Index first_facet = 0;  ///< of its near facets in Memory::near_facets
   Index facets = 0;       ///< how many
   /// [m] As long as Moved::now is less, a free apex cannot have come into contact, and one in contact not to another part.
-  double clear = 0;
+  double safe_distance = 0;
   double area = 0;        ///< [m2] of the sides of the apex that faced the base as it came into contact; zero: all
-  bool rests = false;     ///< free, and its forces are booked: nothing is to do while it is clear
+  bool is_idle = false;     ///< free, and its forces are booked: nothing is to do within its safe distance
   Kept kept = Kept::nothing;  ///< by multipliers
   bool by_points = false;     ///< its gap was that of points alone in the step before
   /// [m] By multipliers: as long as Moved::now and the reach of a condition are less together, it has none.
   double no_condition_until = -std::numeric_limits<double>::infinity();
-  double pressed = 0, earlier = 0;  ///< [N] by multipliers in the step before and in that before: where the sweeps of the next one begin
+  double pressed = 0, earlier = 0;  ///< [N] by multipliers in the last two steps: the first iteration starts from them
   Index pressed_most = -1;  ///< by multipliers, the facet that pushed it most in the step before: friction acts on the body of that
   Tracks tracks;
   ElementForces element;
@@ -113,7 +113,7 @@ struct Crossing {
 };
 
 /// Two bodies of an automatic contact that have touched, or both sides of a declared one.
-struct Meeting {
+struct PairRecord {
   Index one = -1, other = -1;      ///< bodies, the first not behind the other; -1: the side of the apexes and that of the base
   double first = 0, last = 0;      ///< [s] steps at which they touched
   Vec3 impulse = Vec3::Zero();     ///< [N s] on `one` since the start, with friction; zero of a body and itself
@@ -125,7 +125,7 @@ struct SidesMemory {
   double work = 0;                          ///< [J] done on the nodes
   double friction_dissipated = 0;           ///< [J] dissipated by friction
   double friction_to_come = 0;              ///< [J] part of it that multipliers will only take in the half step that begins
-  double friction_owed = 0;                 ///< [J] that friction gave, as a stick sways, and has not taken back: created until then
+  double friction_deficit = 0;                 ///< [J] that friction gave, as a stick sways, and has not taken back: created until then
   double impact = 0;                        ///< [J] kinetic energy lost as multipliers stopped nodes
   Vec3 force = Vec3::Zero();                ///< [N] on all apexes, with friction; on the bases it is the opposite
   Vec3 impulse = Vec3::Zero();              ///< [N s] of that force since the start
@@ -135,7 +135,7 @@ struct SidesMemory {
   /// [N m s] about the origin: what weights of the paper lose, what the mirror images of bases at a symmetry plane give, and what
   /// pushes leave that are found by iteration; else zero.
   Vec3 angular_impulse = Vec3::Zero();
-  std::vector<Meeting> meetings;            ///< ascending bodies: see meeting.hpp
+  std::vector<PairRecord> pair_records;            ///< ascending bodies: see pair_records.hpp
   double deepest = 0;        ///< [m] penetration of any apex since the start, not negative
   Index deepest_apex = -1;   ///< node of that apex, -1 before any contact
   double deepest_time = 0;   ///< [s] when; set by the caller of advance()
@@ -149,7 +149,7 @@ struct SidesMemory {
   std::vector<double> way_of_body;         ///< [m] [bodies] the same of each body and those near it alone
   std::vector<double> apart_from_itself;  ///< [m] [bodies] beyond h_c, by which folds of each were apart when it was last searched, or zero
   Vectors apart_then;                     ///< [m] positions then, beside Bodies::nodes
-  std::vector<char> awake;         ///< [bodies] whether a body was near another one, or folds of it near each other, at the last search
+  std::vector<char> active;         ///< [bodies] whether a body was near another one, or folds of it near each other, at the last search
   Vectors apexes_then, base_then;  ///< [m] positions at the last search, beside Interface::apexes and base_nodes
   Vec3 mean_way = Vec3::Zero();    ///< [m] of the base nodes since then, beyond that of the first of them, at the step before
 };
@@ -160,7 +160,7 @@ struct Memory : SidesMemory {
   std::vector<ShapePoint> shape_points;     ///< pair after pair
   std::vector<double> shape_overlap;        ///< [m] [Shapes::pairs] accepted at the start, zero or less
   std::vector<Share> shares;                ///< of the stencils over points: Stencil::first_share
-  std::vector<Near> near;                   ///< ascending apexes; of a bonded interface all that have a bond
+  std::vector<Near> near;                   ///< ascending apexes; of a tied interface all that have a tie
   Subset near_facets;                       ///< facets within the margin of each near apex, ascending
   Subset slot;                              ///< [apexes] place in `near`, or -1
   std::vector<Feature> feature;             ///< [apexes] the element in use

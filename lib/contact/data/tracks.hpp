@@ -41,7 +41,7 @@ struct Tracks {
   std::array<Track, most_tracks> track;
   /// [m] As long as Moved::now is less, the apex stays over the inside of the one facet that it slides on.
   double owned = -std::numeric_limits<double>::infinity();
-  Place out;  ///< where the apex would be if it were pushed out; the next sweep starts there. Without a facet: where the apex is
+  Place out;  ///< where the apex would be if it were pushed out; its next path starts there. Without a facet: where the apex is
 
   void begin(Index facet, double height) {
     if (count < most_tracks) track[count++] = {facet, height};

@@ -38,7 +38,7 @@ bool is_idle_guard(const Interface& interface, const Motion& m, const Vectors& x
   Vec3 speed = velocity.col(interface.apexes[near.apex]);
   for (int I = 0; I < 3; ++I) speed -= plane.over.weight[I] * velocity.col(interface.base.facets(I, facet));
   const double gap = plane.over.height - stencil.level, closing = times * steps_to_touch * m.next * std::abs(plane.over.normal.dot(speed));
-  const bool is_idle = gap < pair.release_height && moved.now + in_a_step(moved) - gap < near.clear &&
+  const bool is_idle = gap < pair.release_height && moved.now + in_a_step(moved) - gap < near.safe_distance &&
                        plane.least_gap - closing + least_allowance(interface, near.apex, facet) > 0;
   if (!is_idle) return false;
   move_to(plane, near);
@@ -56,7 +56,7 @@ Kept kept_of(const Interface& interface, const Motion& m, const Vectors& x, cons
   const bool is_pressed = near.pressed > 0;
   if (!is_pressed && !near.by_points) return is_idle_guard(interface, m, x, velocity, memory, moved, near) ? Kept::guard : Kept::nothing;
   if (!is_pressed && !(memory.gap[near.apex] < between(interface, near.apex, tracks.track[0].facet).release_height)) return Kept::nothing;
-  if (!(moved.now + in_a_step(moved) + element.depth < near.clear)) return Kept::nothing;
+  if (!(moved.now + in_a_step(moved) + element.depth < near.safe_distance)) return Kept::nothing;
   if (near.by_points) return Kept::points;
   return moved.now < tracks.owned ? Kept::stencil : Kept::nothing;
 }
@@ -75,7 +75,7 @@ Moved find(const Interface& interface, const Motion& m, Memory& memory, Workspac
       const Moved moved = automatic ? moved_of_body(memory, workspace, interface.bodies.of_apex[near.apex], ahead) : of_all;
       near.earlier = near.pressed;
       near.pressed = near.element.closed && m.dt > 0 ? near.element.apex.norm() : 0;
-      if (near.rests && moved.now < near.clear) return;
+      if (near.is_idle && moved.now < near.safe_distance) return;
       near.kept = kept_of(interface, m, x, all.velocity, memory, moved, near);
       if (near.kept != Kept::nothing) {
         near.element.moved = false;
@@ -85,7 +85,7 @@ Moved find(const Interface& interface, const Motion& m, Memory& memory, Workspac
       const Feature before = memory.feature[near.apex];
       find_contact(interface, x, way, dt, moved, near, memory);
       near.element.moved = near.pressed > 0 && !same(memory.feature[near.apex], before);
-      near.rests = near.tracks.count == 0 && near.element.count == 0;
+      near.is_idle = near.tracks.count == 0 && near.element.count == 0;
     });
     return of_all;
   };
@@ -229,7 +229,7 @@ void find_conditions(const Interface& interface, const Motion& m, Memory& memory
   if (by_shapes_alone(interface)) {
     search_where_due(interface, m.x, all.way, memory, workspace);
     find_shape_conditions(interface, m, memory, all);
-    let_yield(memory.friction_owed, interface.depth, m, first_friction, all);
+    let_yield(memory.friction_deficit, interface.depth, m, first_friction, all);
     return all.spent.end(Stage::conditions);
   }
   const bool automatic = interface.bodies.count() > 0;
@@ -256,7 +256,7 @@ void find_conditions(const Interface& interface, const Motion& m, Memory& memory
     }
   }
   find_shape_conditions(interface, m, memory, all);
-  let_yield(memory.friction_owed, interface.depth, m, first_friction, all);
+  let_yield(memory.friction_deficit, interface.depth, m, first_friction, all);
   all.spent.end(Stage::conditions);
 }
 
@@ -290,7 +290,7 @@ void find_conditions(const RigidPlane& plane, const Motion& m, PlaneMemory& memo
          .impedance = plane.impedance * area, .square = plane.restitution * plane.restitution}, all);
   }
   find_shape_conditions(plane, m, memory, all);
-  let_yield(memory.friction_owed, plane.depth, m, first_friction, all);
+  let_yield(memory.friction_deficit, plane.depth, m, first_friction, all);
 }
 
 }  // namespace nereid::contact

@@ -300,7 +300,7 @@ void share_out_blows(std::span<Pool> pools, Multipliers& all) {
   for (const Contactor& one : all.contactors)
     if (one.blow >= 0) all.blows[one.blow].left += one.memory->held, impulse[one.blow] += impulse_in(one);
   for (Pool& pool : pools) {
-    pool.held = pool.owed = 0;
+    pool.held = pool.deficit = 0;
     for (Index k = pool.first; k < pool.last; ++k) {
       const Contactor& one = all.contactors[k];
       double& held = one.memory->held;
@@ -309,7 +309,7 @@ void share_out_blows(std::span<Pool> pools, Multipliers& all) {
         *pool.transferred += held - share;
         held = share;
       }
-      (held < 0 ? pool.owed : pool.held) += std::abs(held);
+      (held < 0 ? pool.deficit : pool.held) += std::abs(held);
     }
   }
 }

@@ -127,9 +127,9 @@ void take_over(const Interface& interface, const Motion& m, double h, double t, 
     }
     if (gap < infinite) memory.gap[near.apex] = gap, memory.status[near.apex] = element.closed ? Status::closed : Status::open;
     memory.deepest_now = std::max(memory.deepest_now, element.depth);
-    if (element.depth > memory.deepest) see_depth(interface, m.x, near, memory), memory.deepest_time = t;
+    if (element.depth > memory.deepest) update_deepest(interface, m.x, near, memory), memory.deepest_time = t;
     memory.lost += element.lost;
-    if (element.moved && !near.rests) ++memory.walks, ++memory.reconnections[near.apex];
+    if (element.moved && !near.is_idle) ++memory.walks, ++memory.reconnections[near.apex];
     if (element.closed) memory.force += element.apex;
     if (element.count == 1) {
       const double pressed = element.apex.norm(), off_trend = pressed - trend(near), off_before = pressed - near.pressed;

@@ -81,7 +81,7 @@ Multipliers make_multipliers(std::span<const AnyContact> contacts, std::span<con
     const Sides& both = sides(one);
     const bool is_automatic = both.bodies.count() > 0;
     see(both.apexes, is_automatic), see(both.base_nodes, is_automatic);
-    if (bonded_by_multipliers(one)) continue;
+    if (tied_by_multipliers(one)) continue;
     apexes += both.apexes.size();
     most_near = std::max(most_near, both.apexes.size());
   }
@@ -113,7 +113,7 @@ Multipliers make_multipliers(std::span<const AnyContact> contacts, std::span<con
     one.list.conditions.reserve(2 * apexes_of_conditions), one.list.members.reserve(10 * apexes_of_conditions);
     one.contactors.reserve(apexes_of_conditions), one.ended.reserve(apexes_of_conditions);
   }
-  all.bonds = make_bonds(contacts, nodes);
+  all.ties = make_ties(contacts, nodes);
   return all;
 }
 

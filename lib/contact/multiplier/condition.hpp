@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "contact/data/any.hpp"
-#include "contact/multiplier/bond.hpp"
+#include "contact/multiplier/tie.hpp"
 #include "contact/multiplier/motion.hpp"
 #include "contact/multiplier/rows.hpp"
 #include "contact/multiplier/stages.hpp"
@@ -26,10 +26,10 @@ struct Member {
   Vec3 push;      ///< what it gets of an impulse of the condition
 };
 
-/// One condition: an apex over a feature, or a node over a rigid plane. What sweeps read and write comes first.
+/// One condition: an apex over a feature, or a node over a rigid plane. What iterations read and write comes first.
 struct Condition {
-  double impulse, change;          ///< [N s] so far, and what a sweep adds
-  double met, moved;               ///< [N s] what the last sweep found before it went on by its momentum, and by how much that moved
+  double impulse, change;          ///< [N s] so far, and what a iteration adds
+  double met, moved;               ///< [N s] what the last iteration found before it went on by its momentum, and by how much that moved
   double per_mass;                 ///< [1/kg] relative velocity per impulse
   double bound;                    ///< [1/kg] of what all impulses together change in it
   double least;                    ///< [m/s] relative velocity that may be afterwards
@@ -50,7 +50,7 @@ struct FrictionCondition {
   double per_mass;       ///< [1/kg] slip rate per impulse, at most
   double bound;          ///< [1/kg] the same of all impulses together
   Vec3 before;           ///< [m/s] slip rate in the step before
-  Vec3 stuck;            ///< [m/s] slip rate of a stick: zero, but where energy is owed it yields slowly against its force
+  Vec3 stuck;            ///< [m/s] slip rate of a stick: zero, but where friction has an energy deficit it yields slowly against its force
   Vec3 impulse, change;  ///< [N s]
   Vec3 met, moved;       ///< [N s] as of a condition
   Vec3 after;            ///< [m/s] slip rate afterwards, set by find_work()
@@ -73,7 +73,7 @@ struct Contactor {
   double square;         ///< [-] of the coefficient of restitution
   double work = 0;       ///< [J] of its impulses in this step
   double lost = 0;       ///< [J] of what it held, as it was released
-  bool lets_go = false;  ///< it gives back in this step what it holds of a blow
+  bool releases = false;  ///< it gives back in this step what it holds of a blow
   bool is_rigid = false; ///< between rigid bodies, or one and a plane; set by find_blows()
   Index blow = -1;       ///< in Multipliers::blows, or -1
 };
@@ -95,8 +95,8 @@ struct OfPair {
 struct Pool {
   Index first, last;
   double* transferred;
-  double rubbed;             ///< what friction has taken in this step, less what it owes
-  double held = 0, owed = 0; ///< what some of them hold, and what others have given beyond what they held
+  double rubbed;             ///< what friction has taken in this step, less its deficit
+  double held = 0, deficit = 0; ///< what some of them hold, and what others have given beyond what they held
 };
 
 /// What a contactor held that ended without a release, as its apex slid off its facet or its edges do not cross any more.
@@ -113,10 +113,10 @@ struct UnreleasedAtNode {
   int conditions = 0;
 };
 
-/// What a sweep, or a part of it, has done to the impulses of a contact.
+/// What a iteration, or a part of it, has done to the impulses of a contact.
 struct Progress {
   double turned = 0;       ///< [J] work of what moved against where it moved to
-  double moved = 0, made = 0;              ///< [m2/s2] sums of (A J)^2: of what the sweep moved, and of all
+  double moved = 0, made = 0;              ///< [m2/s2] sums of (A J)^2: of what the iteration moved, and of all
   double moved_along = 0, made_along = 0;  ///< the same of friction
 };
 
@@ -149,7 +149,7 @@ struct Multipliers : ConditionList {
   Scalars mobility;     ///< [1/kg] [nodes] of what was looked ahead for
   Subset nodes;         ///< on which multipliers can act, ascending
   Subset always;        ///< of these what is not only of automatic contacts
-  Subset looked_at;     ///< that and the skins of bodies that are awake, ascending
+  Subset looked_at;     ///< that and the skins of bodies that are active, ascending
   bool has_looked = false;  ///< whether `looked_at` is listed
   std::vector<FoundInRange> found;  ///< by ranges of near apexes
   Rows rows;
@@ -158,14 +158,14 @@ struct Multipliers : ConditionList {
   std::vector<Unreleased> unreleased;  ///< of contactors that end in this step
   std::vector<UnreleasedAtNode> at_node;  ///< [nodes] of these; set where there are any
   std::vector<Index> first;  ///< [interfaces, then planes, then one] of their contactors
-  std::vector<Progress> progress;  ///< of a sweep by ranges of contactors
+  std::vector<Progress> progress;  ///< of a iteration by ranges of contactors
   std::vector<Pool> pools;
   std::vector<Blow> blows;           ///< that end in this step
   std::vector<OfPair> of_pairs;      ///< contactors between rigid bodies, pair after pair
   Subset blow_of_body;               ///< [rigid bodies] where sets of connected bodies are looked up, then their blows
   std::vector<double> blow_impulse;  ///< [N s] [conditions] of their blow
   std::vector<double> blow_rate;     ///< [m/s] [conditions] what these impulses change in the rate
-  Bonds bonds;
+  Ties ties;
 };
 
 /// Room for all conditions that can be expected, so that a step takes no memory.

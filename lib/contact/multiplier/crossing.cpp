@@ -43,7 +43,7 @@ Vec3 relative(const Crossing& crossing, const Vectors& v) {
 }
 
 /// Whether edges are over each other as they were in the step before, with a height that follows from how their points have moved. Where
-/// their lines are across sweeps along nearly parallel edges, and takes the height with it.
+/// their lines are across iterations along nearly parallel edges, and takes the height with it.
 bool goes_on(const EdgeContact& contact, const Motion& m, const Crossing& crossing, const Over& at) {
   if (crossing.side == 0 || has_turned(at.normal, crossing.normal)) return false;
   const double moved = m.dt * crossing.normal.dot(relative(crossing, m.v));

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <type_traits>
 
-#include "contact/data/meeting.hpp"
+#include "contact/data/pair_records.hpp"
 #include "contact/multiplier/assemble.hpp"
 #include "contact/multiplier/blow.hpp"
 #include "contact/multiplier/book.hpp"
@@ -33,17 +33,17 @@ struct Acting {
   template <class Visit>
   void for_each(Visit&& visit) const {
     for (std::size_t i = 0; i < contacts.size(); ++i)
-      if (by_multipliers(contacts[i]) && !bonded_by_multipliers(contacts[i]))
+      if (by_multipliers(contacts[i]) && !tied_by_multipliers(contacts[i]))
         with_memory(contacts[i], memories[i], [&](const auto& contact, auto& memory) { visit(i, contact, memory); });
     for (std::size_t p = 0; p < planes.size(); ++p)
       if (by_multipliers(planes[p])) visit(contacts.size() + p, planes[p], of_planes[p]);
   }
 
-  /// The same of bonds: visit(interface, bonds, memory).
+  /// The same of ties: visit(interface, ties, memory).
   template <class Visit>
-  void for_each_bond(const Bonds& all, Visit&& visit) const {
+  void for_each_tie(const Ties& all, Visit&& visit) const {
     for (std::size_t i = 0; i < contacts.size(); ++i)
-      if (bonded_by_multipliers(contacts[i])) visit(std::get<Interface>(contacts[i]), bonds_of(all, i), std::get<Memory>(memories[i]));
+      if (tied_by_multipliers(contacts[i])) visit(std::get<Interface>(contacts[i]), ties_of(all, i), std::get<Memory>(memories[i]));
   }
 };
 
@@ -51,31 +51,31 @@ bool is_back_pass(const Interface& interface) { return interface.pass == Pass::b
 bool is_back_pass(const EdgeContact&) { return false; }
 bool is_back_pass(const RigidPlane&) { return false; }
 
-/// Whether a contact acts on a node of a bond.
+/// Whether a contact acts on a node of a tie.
 bool any_touched(const Multipliers& all) {
-  if (all.bonds.held.empty()) return false;
+  if (all.ties.held.empty()) return false;
   for (const Contactor& one : all.contactors)
     for (Index i = one.first; i < one.last; ++i)
       for (const Member& at : members_of(all.conditions[i], all))
-        if (all.bonds.has[at.node]) return true;
+        if (all.ties.has[at.node]) return true;
   return false;
 }
 
 bool is_automatic(const AnyContact& contact) { return sides(contact).bodies.count() > 0 && by_multipliers(contact); }
 bool any_automatic(const Acting& acting) { return std::any_of(acting.contacts.begin(), acting.contacts.end(), is_automatic); }
 
-/// Calls look_at(node) for the nodes of bodies that are awake.
+/// Calls look_at(node) for the nodes of bodies that are active.
 template <class LookAt>
-void visit_awake(const Interface& interface, const Memory& memory, LookAt&& look_at) {
+void visit_active(const Interface& interface, const Memory& memory, LookAt&& look_at) {
   for (std::size_t a = 0; a < interface.bodies.of_apex.size(); ++a)
-    if (memory.awake[static_cast<std::size_t>(interface.bodies.of_apex[a])] != 0) look_at(interface.apexes[a]);
+    if (memory.active[static_cast<std::size_t>(interface.bodies.of_apex[a])] != 0) look_at(interface.apexes[a]);
 }
 template <class LookAt>
-void visit_awake(const EdgeContact& contact, const EdgeMemory& memory, LookAt&& look_at) {
+void visit_active(const EdgeContact& contact, const EdgeMemory& memory, LookAt&& look_at) {
   const Edges& edges = contact.edges;
   for (std::size_t e = 0; e < edges.body.size(); ++e) {
     const auto edge = static_cast<Eigen::Index>(e);
-    for (int end = 0; end < 2 && memory.awake[static_cast<std::size_t>(edges.body[e])] != 0; ++end)
+    for (int end = 0; end < 2 && memory.active[static_cast<std::size_t>(edges.body[e])] != 0; ++end)
       look_at(edges.nodes(end, edge)), look_at(edges.across(end, edge)), look_at(edges.opposite(end, edge));
   }
 }
@@ -104,7 +104,7 @@ void wake(const Acting& acting, const Motion& m, std::span<AnyWorkspace> workspa
   for (std::size_t i = 0; i < acting.contacts.size(); ++i)
     if (is_automatic(acting.contacts[i]))
       with_memory(acting.contacts[i], acting.memories[i],
-                  [&](const auto& contact, const auto& memory) { visit_awake(contact, memory, look_at); });
+                  [&](const auto& contact, const auto& memory) { visit_active(contact, memory, look_at); });
   all.has_looked = true;
   all.looked_at.clear();
   for (std::size_t node = 0; node < looked_at.size(); ++node)
@@ -123,11 +123,11 @@ void find_impulses(const Acting& acting, const Motion& m, std::span<AnyWorkspace
   all.spent.end(Stage::search);
   look_ahead(all.looked_at, m, all);
   if (m.rigid) look_ahead(*m.rigid, m, all);
-  find_bonds(acting.contacts, m, acting.memories, all.velocity, all.bonds);
-  see_ahead(all.bonds.nodes, m, all);
+  find_ties(acting.contacts, m, acting.memories, all.velocity, all.ties);
+  predict_positions(all.ties.nodes, m, all);
   all.spent.end(Stage::predict);
   for (std::size_t i = 0; i < acting.contacts.size(); ++i) {
-    if (by_multipliers(acting.contacts[i]) && !bonded_by_multipliers(acting.contacts[i]))
+    if (by_multipliers(acting.contacts[i]) && !tied_by_multipliers(acting.contacts[i]))
       with_all(acting.contacts[i], acting.memories[i], workspaces[i],
                [&](const auto& contact, auto& memory, auto& workspace) { find_conditions(contact, m, memory, workspace, all); });
     all.first[i + 1] = static_cast<Index>(all.contactors.size());
@@ -142,27 +142,27 @@ void find_impulses(const Acting& acting, const Motion& m, std::span<AnyWorkspace
       take_unreleased(all.first[at], all.first[at + 1], memory.transferred, all);
     });
   }
-  all.bonds.touched = any_touched(all);
+  all.ties.touched = any_touched(all);
   all.spent.end(Stage::conditions);
-  const int sweeps = solve(m, all);
+  const int iterations = solve(m, all);
   if (!all.contactors.empty()) {
     ++all.spent.steps;
     all.spent.apexes += static_cast<std::int64_t>(all.contactors.size());
     all.spent.conditions += static_cast<std::int64_t>(all.conditions.size());
-    all.spent.sweeps += sweeps;
+    all.spent.iterations += iterations;
   }
   find_work(m, all);
   all.spent.end(Stage::solve);
 }
 
 /// Books the impulse of a condition that stopped at the start what two bodies of an automatic contact did.
-void meet_at_start(const Sides& sides, const Condition& c, const Multipliers& all, double t, SidesMemory& memory) {
+void record_at_start(const Sides& sides, const Condition& c, const Multipliers& all, double t, SidesMemory& memory) {
   if (!(c.impulse > 0)) return;
   const auto members = members_of(c, all);
   const auto node_of = [&](auto wanted) {
     return std::find_if(members.begin(), members.end() - 1, [&](const Member& one) { return wanted(one.weight); })->node;
   };
-  meet_at_start(sides, node_of([](double weight) { return weight > 0; }), node_of([](double weight) { return weight < 0; }),
+  record_at_start(sides, node_of([](double weight) { return weight > 0; }), node_of([](double weight) { return weight < 0; }),
                 c.impulse * c.normal, t, memory);
 }
 
@@ -246,14 +246,14 @@ void stop_at_start(std::span<const AnyContact> contacts, std::span<const RigidPl
         apply(all.conditions[i], all, m.x, impulse, memory.angular_impulse);
         memory.impulse += all.conditions[i].impulse * all.conditions[i].normal;
         if constexpr (!std::is_same_v<std::decay_t<decltype(contact)>, RigidPlane>)
-          meet_at_start(contact, all.conditions[i], all, t, memory);
+          record_at_start(contact, all.conditions[i], all, t, memory);
       }
     }
     Pool alone{first, last, &memory.transferred, 0};
     memory.impact += update_restitution(m, t, alone, all);
   });
-  acting.for_each_bond(all.bonds, [&](const Interface&, std::span<const HeldBond> bonds, Memory& memory) {
-    book_start(m, bonds, all.velocity, memory, impulse);
+  acting.for_each_tie(all.ties, [&](const Interface&, std::span<const HeldTie> ties, Memory& memory) {
+    book_start(m, ties, all.velocity, memory, impulse);
   });
 }
 
@@ -276,7 +276,7 @@ void enforce(std::span<const AnyContact> contacts, std::span<const RigidPlane> p
     const Index first = all.first[at], last = all.first[at + 1];
     const FrictionLoss friction = friction_loss(m, first, last, all);
     memory.friction_to_come = friction.to_come;
-    pools.push_back({first, last, &memory.transferred, friction.all - memory.friction_owed});
+    pools.push_back({first, last, &memory.transferred, friction.all - memory.friction_deficit});
     memory.impact += update_restitution(m, t, pools.back(), all);
   });
   share_out_blows(pools, all);
@@ -295,7 +295,7 @@ void enforce(std::span<const AnyContact> contacts, std::span<const RigidPlane> p
     pay_for_friction(pools[pool], all);
     const double rubbed = pools[pool++].rubbed;
     memory.friction_dissipated += std::max(0.0, rubbed);
-    memory.friction_owed = std::max(0.0, -rubbed);
+    memory.friction_deficit = std::max(0.0, -rubbed);
   });
   acting.for_each([&](std::size_t at, const auto& contact, auto& memory) {
     const Index first = all.first[at], last = all.first[at + 1];
@@ -304,8 +304,8 @@ void enforce(std::span<const AnyContact> contacts, std::span<const RigidPlane> p
     memory.work += m.dt * m.dt / 8 * (now.power_rate - memory.power_rate);
     memory.power_rate = now.power_rate;
   });
-  acting.for_each_bond(all.bonds, [&](const Interface& interface, std::span<const HeldBond> bonds, Memory& memory) {
-    take_over(interface, m, bonds, all.velocity, memory);
+  acting.for_each_tie(all.ties, [&](const Interface& interface, std::span<const HeldTie> ties, Memory& memory) {
+    take_over(interface, m, ties, all.velocity, memory);
   });
   all.spent.end(Stage::book);
 }

@@ -7,8 +7,8 @@
 //     v >= min(-g / dt', -v_b),   J >= 0,   one of both an equality
 //
 // so it never goes faster apart than it came, but for what energy it holds; of a penetration a fifth is corrected in a step. The impulses
-// J n on the apex and -w_I J n on the base act at t, as forces J / h over the half steps around it, h = (dt + dt') / 2. Sweeps find them
-// that do not depend on any order: docs/theory/multipliers.md.
+// J n on the apex and -w_I J n on the base act at t, as forces J / h over the half steps around it, h = (dt + dt') / 2. They are
+// found by iterations that do not depend on any order: docs/theory/multipliers.md.
 
 #include <span>
 

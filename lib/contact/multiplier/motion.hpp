@@ -22,7 +22,7 @@ struct Motion {
   const std::vector<const Mat3*>& allowed;            ///< [nodes] projector onto the velocities that constraints allow; null: all
   const std::vector<const Mat3*>& allowed_rotation;   ///< [plate nodes] the same of angular velocities
   double dt, next;         ///< [s] of the step that led to t, of that which begins there
-  const Vectors* driven = nullptr;  ///< [m/s] for bonds: what planes that move add to velocities by the step to come; else null
+  const Vectors* driven = nullptr;  ///< [m/s] for ties: what planes that move add to velocities by the step to come; else null
   RigidNodes* rigid = nullptr;      ///< rigid bodies in the step to come; null: there are none
 };
 

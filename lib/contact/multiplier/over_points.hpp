@@ -20,7 +20,7 @@ double least_allowance(const Interface&, Index apex, Index facet);
 /// Moves the one track and stencil of an apex to the facet that it is over now.
 void move_to(const OverPlane&, Near&);
 
-/// Whether a guard acts: where it would be deeper than it may be, in this step or soon. Others would slow the sweeps down.
+/// Whether a guard acts: where it would be deeper than it may be, in this step or soon. Others would slow the iterations down.
 bool guard_acts(const Interface&, const Motion&, const Near&, Index facet, const Multipliers&, const ConditionList&, Condition&);
 
 /// Moves an apex whose points are known alone to the facet that it is over now.

@@ -5,7 +5,7 @@ namespace nereid::contact {
 namespace {
 
 /// per_time  [1/s] of this step and the next one together
-NEREID_HOT void see_ahead(Index node, double per_time, const Motion& m, Multipliers& all) {
+NEREID_HOT void predict_positions(Index node, double per_time, const Motion& m, Multipliers& all) {
   const Vec3 way = m.next * all.velocity.col(node);
   all.ahead.col(node) = m.x.col(node) + way;
   all.way.col(node) = per_time * (m.dt * m.v.col(node) + way);
@@ -13,9 +13,9 @@ NEREID_HOT void see_ahead(Index node, double per_time, const Motion& m, Multipli
 
 }  // namespace
 
-void see_ahead(const Subset& nodes, const Motion& m, Multipliers& all) {
+void predict_positions(const Subset& nodes, const Motion& m, Multipliers& all) {
   const double per_time = 1 / (m.dt + m.next);
-  for (const Index node : nodes) see_ahead(node, per_time, m, all);
+  for (const Index node : nodes) predict_positions(node, per_time, m, all);
 }
 
 void look_ahead(const Subset& nodes, const Motion& m, Multipliers& all) {
@@ -26,7 +26,7 @@ void look_ahead(const Subset& nodes, const Motion& m, Multipliers& all) {
     Vec3 change = h * all.mobility(node) * m.force.col(node);
     if (m.allowed[node]) change = *m.allowed[node] * change;
     all.velocity.col(node) = m.v.col(node) + change;
-    see_ahead(node, per_time, m, all);
+    predict_positions(node, per_time, m, all);
     const Index turns = m.rotation_of_node[node];
     if (turns < 0) continue;
     Vec3 turn = h / m.inertia(turns) * m.moment.col(turns);

@@ -9,6 +9,6 @@ namespace nereid::contact {
 void look_ahead(const Subset& nodes, const Motion&, Multipliers&);
 
 /// Sets where nodes will be with these velocities.
-void see_ahead(const Subset& nodes, const Motion&, Multipliers&);
+void predict_positions(const Subset& nodes, const Motion&, Multipliers&);
 
 }  // namespace nereid::contact

@@ -58,7 +58,7 @@ Gain gain(const Contactor& one, Condition& hardest, Multipliers& all) {
 }
 
 /// Whether a contactor is without a force, or has one that only what it holds could make.
-bool lets_go(const Contactor& one, const Condition& c, double pressed, double h, double t) {
+bool releases(const Contactor& one, const Condition& c, double pressed, double h, double t) {
   const Restitution& memory = *one.memory;
   if (memory.held < least_held * -one.work) return false;  // what is left of a blow before, as another begins
   const double own = own_share * one.impedance * std::sqrt(2 * memory.held * c.per_mass);
@@ -85,7 +85,7 @@ bool give_back(const Motion& m, double t, bool first, Multipliers& all) {
   bool any = false;
   double sum = 0, positive = 0, held = 0;
   for (const Contactor& one : all.contactors) {
-    if (first || !one.lets_go) continue;
+    if (first || !one.releases) continue;
     sum += left_of(one), positive += std::max(0.0, left_of(one)), held += one.memory->held;
   }
   const double part = first ? 1 : sum / positive;
@@ -97,9 +97,9 @@ bool give_back(const Motion& m, double t, bool first, Multipliers& all) {
     const double left = part * left_of(one);
     if (!(memory.held > 0) || !(left > 0)) continue;
     Condition& c = hardest(one, all);
-    const bool goes = first ? lets_go(one, c, impulse_of(one, all) / h, h, t) : one.lets_go;
+    const bool goes = first ? releases(one, c, impulse_of(one, all) / h, h, t) : one.releases;
     if (!goes) continue;
-    if (first) one.lets_go = is_blow(one, c);
+    if (first) one.releases = is_blow(one, c);
     const Gain by = gain(one, c, all);
     if (by.B < 0 && by.B * by.B > stands * left * by.A) continue;  // on its way in
     if (left * by.A < no_force * by.B * by.B) continue;            // released before
@@ -129,7 +129,7 @@ void release(const Motion& m, double t, Multipliers& all) {
   if (strikes) give_back_blows(m, all);
   bool any = true;
   // gaps that this has made negative, with what each holds itself
-  for (int pass = 0; pass < passes && (any || all.bonds.touched); ++pass) {
+  for (int pass = 0; pass < passes && (any || all.ties.touched); ++pass) {
     any = false;
     for (Contactor& one : all.contactors)
       for (Index i = one.first; i < one.last; ++i) {
@@ -142,7 +142,7 @@ void release(const Motion& m, double t, Multipliers& all) {
         one.work += by.of(c.change);
         any = any || c.change != 0;
       }
-    if (any || all.bonds.touched) apply_changes(m, all);
+    if (any || all.ties.touched) apply_changes(m, all);
   }
   for (Condition& c : all.conditions) c.change = 0;
   for (int pass = 0; pass < passes && !all.frictions.empty(); ++pass) {  // what is given back presses, too, and friction follows
@@ -164,7 +164,7 @@ double update_restitution(const Motion& m, double t, Pool& pool, Multipliers& al
     memory.held -= one.work + one.lost;
     memory.kept = std::clamp(memory.held, 0.0, memory.kept);
     update_blow(one, all);
-    (memory.held < 0 ? pool.owed : pool.held) += std::abs(memory.held);
+    (memory.held < 0 ? pool.deficit : pool.held) += std::abs(memory.held);
     lost += one.lost;
     const double pressed = impulse_of(one, all) / h;
     const double time = 2 / (hardest(one, all).per_mass * one.impedance);
@@ -180,12 +180,12 @@ double held(Index first, Index last, const Multipliers& all) {
 }
 
 void balance(std::span<Pool> pools, Multipliers& all) {
-  double held_by_all = 0, owed = 0;
-  for (const Pool& pool : pools) held_by_all += pool.held, owed += pool.owed;
-  if (!(owed > 0)) return;
-  const double covered = std::min(1.0, held_by_all / owed), left = owed < held_by_all ? 1 - owed / held_by_all : 0;
+  double held_by_all = 0, deficit = 0;
+  for (const Pool& pool : pools) held_by_all += pool.held, deficit += pool.deficit;
+  if (!(deficit > 0)) return;
+  const double covered = std::min(1.0, held_by_all / deficit), left = deficit < held_by_all ? 1 - deficit / held_by_all : 0;
   for (Pool& pool : pools) {
-    pool.held *= left, pool.owed *= 1 - covered;
+    pool.held *= left, pool.deficit *= 1 - covered;
     for (Index k = pool.first; k < pool.last; ++k) {
       double& one = all.contactors[k].memory->held;
       const double before = one;
@@ -254,17 +254,17 @@ double deficit(const Restitution& one) { return std::max(0.0, -one.held); }
 
 template <class Remembered>
 double deficits_of_nodes(const Remembered& memory) {
-  double sum = memory.friction_owed;
+  double sum = memory.friction_deficit;
   for (const Restitution& one : memory.restitution) sum += deficit(one);
   return sum;
 }
 
 }  // namespace
 
-double owed(const Memory& memory) { return deficits_of_nodes(memory); }
-double owed(const PlaneMemory& memory) { return deficits_of_nodes(memory); }
-double owed(const EdgeMemory& memory) {
-  double sum = memory.friction_owed;
+double deficit(const Memory& memory) { return deficits_of_nodes(memory); }
+double deficit(const PlaneMemory& memory) { return deficits_of_nodes(memory); }
+double deficit(const EdgeMemory& memory) {
+  double sum = memory.friction_deficit;
   for (const Crossing& one : memory.crossings) sum += deficit(one.restitution);
   return sum;
 }

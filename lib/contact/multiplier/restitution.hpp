@@ -31,9 +31,9 @@ double held(Index first, Index last, const Multipliers&);
 
 /// What a contact or rigid plane by multipliers has given without having held it, and has not taken back yet: the deficits of its nodes or
 /// edges and of its friction. It is created until then. [J]
-double owed(const Memory&);
-double owed(const EdgeMemory&);
-double owed(const PlaneMemory&);
+double deficit(const Memory&);
+double deficit(const EdgeMemory&);
+double deficit(const PlaneMemory&);
 
 /// Ends a contactor: what its coefficient gives back of what it holds goes to Multipliers::unreleased, the rest is lost. A deficit stays
 /// created.

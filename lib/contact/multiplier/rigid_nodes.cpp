@@ -153,7 +153,7 @@ void look_ahead(RigidNodes& all, const Motion& m, Multipliers& multipliers) {
   for (MovingBody& body : all.bodies) {
     for (const Index node : body.nodes)
       multipliers.velocity.col(node) = rigid::velocity_at(body.twist, m.x.col(node) - body.centre, body.next);
-    see_ahead(body.nodes, m, multipliers);
+    predict_positions(body.nodes, m, multipliers);
   }
 }
 

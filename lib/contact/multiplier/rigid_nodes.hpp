@@ -1,5 +1,5 @@
 #pragma once
-// Nodes of rigid bodies in the sweeps of multipliers.
+// Nodes of rigid bodies in the iterations of multipliers.
 //
 // In the iteration a body is two movers (rows.hpp): its motion and its turn, whose velocities change by C times the impulses that its nodes
 // get and their moments. Afterwards push() gives it these impulses, and its nodes exactly the velocities of the step to come. Responses and

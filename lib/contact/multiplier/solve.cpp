@@ -11,13 +11,13 @@ namespace nereid::contact {
 
 namespace {
 
-constexpr int usual_sweeps = 8, most_sweeps = 100;
+constexpr int usual_iterations = 8, most_iterations = 100;
 constexpr int most_for_overlaps = 1000;  // of thin elements
 constexpr int rounds_of_turns = 4;       // of rigid bodies
 constexpr double turned = 1e-5;          // of what an impulse does: rates of bodies that turn may differ by so much
-constexpr double still = 1e-6;     // of what the impulses do: sweeps end as soon as one changes less
-constexpr double settled = 1e-5;   // the same: fewer sweeps than usual will do without friction, whose sticks need more beside heavy loads
-constexpr double may_gain = 1e-4;  // of the energy that the impulses exchange: sweeps go on while single contactors gain more
+constexpr double still = 1e-6;     // of what the impulses do: iterations end as soon as one changes less
+constexpr double settled = 1e-5;   // the same: enough without friction, whose sticks need more iterations beside heavy loads
+constexpr double may_gain = 1e-4;  // of the energy that the impulses exchange: iterations go on while single contactors gain more
 constexpr double may_close = 0.01;  // of the depth of an element: the same, while a gap would be more negative in the step to come
 
 /// How far the constraints of a node turn an impulse along a normal into the plane across it. [-]
@@ -27,14 +27,14 @@ double slant(const Motion& m, Index node, const Vec3& normal) {
   return (let - normal.dot(let) * normal).norm();
 }
 
-/// Bounds of what all impulses together change in each rate: a sweep by them overshoots nowhere, whatever the order.
+/// Bounds of what all impulses together change in each rate: a iteration by them overshoots nowhere, whatever the order.
 ///
 ///     1/a  sum over the nodes of |w| S |P n| / m,   S = sum of |w| a of all conditions at the node
 ///
 /// with any a > 0 (Gershgorin's circles of the matrix with rows and columns scaled). Impulses go with the areas, so these are good, and
-/// half a body on its symmetry plane has nearly the sweeps of the whole one. Friction has the same with its own weights. Where edges cross
-/// it acts along their normal too, by its lifts, which count as weights of both. Where constraints slant to the normal, an impulse along
-/// it changes slip rates, and friction normal rates.
+/// half a body on its symmetry plane has nearly the iterations of the whole one. Friction has the same with its own weights. Where edges
+/// cross it acts along their normal too, by its lifts, which count as weights of both. Where constraints slant to the normal, an impulse
+/// along it changes slip rates, and friction normal rates.
 void find_bounds(const Motion& m, Multipliers& all) {
   if (m.rigid) leave_out(*m.rigid, all);
   const bool rubs = !all.frictions.empty();
@@ -68,9 +68,9 @@ void find_bounds(const Motion& m, Multipliers& all) {
   if (m.rigid) add_bounds(*m.rigid, m, all);
 }
 
-/// Lets one contactor sweep: its impulses change by the rates that all impulses have made so far, and go on by some of what they moved
+/// Lets one contactor iteration: its impulses change by the rates that all impulses have made so far, and go on by some of what they moved
 /// (Nesterov's momentum).
-NEREID_HOT void sweep(double momentum, const Contactor& one, Multipliers& all, Progress& sum) {
+NEREID_HOT void iteration(double momentum, const Contactor& one, Multipliers& all, Progress& sum) {
   double pressed = 0;
   for (Index i = one.first; i < one.last; ++i) {
     Condition& c = all.conditions[i];
@@ -98,15 +98,15 @@ NEREID_HOT void sweep(double momentum, const Contactor& one, Multipliers& all, P
   if (!friction.change.isZero(0)) give(friction, friction.change, all.rows);
 }
 
-/// What a sweep has done to all contacts.
-struct Swept {
+/// What a iteration has done to all contacts.
+struct Improved {
   double turned = 0;  ///< [J] below zero, and the momentum is to begin anew (O'Donoghue & Candes 2015)
   double change = 0;  ///< [-] of the impulses over all that they do, of the contact where that is most, friction for itself; by
                       ///< velocities, so that light bodies count beside heavy ones
 };
 
-/// One sweep of all contactors, in any order: no rate changes before move_all().
-Swept sweep(double momentum, Multipliers& all) {
+/// One iteration of all contactors, in any order: no rate changes before move_all().
+Improved iteration(double momentum, Multipliers& all) {
   const auto count = static_cast<Index>(all.contactors.size());
   const Index ranges = (count + contactors_of_a_range - 1) / contactors_of_a_range;
   const auto contacts = all.first.size() - 1;
@@ -116,10 +116,10 @@ Swept sweep(double momentum, Multipliers& all) {
     std::size_t contact = 0;
     for (Index k = begin; k < end; ++k) {
       while (k >= all.first[contact + 1]) ++contact;
-      sweep(momentum, all.contactors[k], all, all.progress[static_cast<std::size_t>(r) * contacts + contact]);
+      iteration(momentum, all.contactors[k], all, all.progress[static_cast<std::size_t>(r) * contacts + contact]);
     }
   });
-  Swept swept;
+  Improved improved;
   for (std::size_t contact = 0; contact < contacts; ++contact) {
     Progress sum;
     for (Index r = 0; r < ranges; ++r) {
@@ -128,15 +128,15 @@ Swept sweep(double momentum, Multipliers& all) {
       sum.moved += part.moved, sum.made += part.made;
       sum.moved_along += part.moved_along, sum.made_along += part.made_along;
     }
-    swept.turned += sum.turned;
-    if (sum.moved > 0) swept.change = std::max(swept.change, sum.moved / sum.made);
-    if (sum.moved_along > 0) swept.change = std::max(swept.change, sum.moved_along / sum.made_along);
+    improved.turned += sum.turned;
+    if (sum.moved > 0) improved.change = std::max(improved.change, sum.moved / sum.made);
+    if (sum.moved_along > 0) improved.change = std::max(improved.change, sum.moved_along / sum.made_along);
   }
-  swept.change = std::sqrt(swept.change);
-  return swept;
+  improved.change = std::sqrt(improved.change);
+  return improved;
 }
 
-/// Leaves out the momentum of the last sweep, so that no impulse pulls.
+/// Leaves out the momentum of the last iteration, so that no impulse pulls.
 void leave_out_momentum(Multipliers& all) {
   for (Condition& c : all.conditions) c.change = c.met - c.impulse;
   for (FrictionCondition& f : all.frictions) f.change = f.met - f.impulse;
@@ -152,7 +152,7 @@ bool gains(const Multipliers& all) {
       sum += work(c, rate(c, all));
       exchanged += 0.5 * c.impulse * c.impulse * c.per_mass;
     }
-    // where it rubs, what sweeps leave of its push goes into friction
+    // where it rubs, what iterations leave of its push goes into friction
     gained += std::max(0.0, sum - (one.friction < 0 ? std::max(0.0, one.memory->held) : 0));
     if (one.friction < 0) continue;
     const FrictionCondition& friction = all.frictions[one.friction];
@@ -162,8 +162,8 @@ bool gains(const Multipliers& all) {
   return gained > may_gain * exchanged;
 }
 
-/// Whether what sweeps have left of a rate would penetrate by what counts of an element: thin ones are less deep than the way of a step, of
-/// which a part is soon too much, and light ones beside heavy ones take many sweeps.
+/// Whether the rate that iterations have left would penetrate by what counts of an element: thin elements are less deep than a node
+/// moves in a step, and light ones beside heavy ones take many iterations.
 bool overlaps(const Motion& m, const Multipliers& all) {
   for (const Contactor& one : all.contactors)
     for (Index i = one.first; i < one.last; ++i) {
@@ -173,7 +173,7 @@ bool overlaps(const Motion& m, const Multipliers& all) {
   return false;
 }
 
-/// Whether any contactor is between rigid bodies alone: nothing follows their blow that would even out what sweeps leave.
+/// Whether any contactor is between rigid bodies alone: nothing follows their blow that would even out what iterations leave.
 bool any_between_rigid_bodies(const Motion& m, const Multipliers& all) {
   if (!m.rigid) return false;
   return std::any_of(all.contactors.begin(), all.contactors.end(), [&](const Contactor& one) {
@@ -182,24 +182,24 @@ bool any_between_rigid_bodies(const Motion& m, const Multipliers& all) {
   });
 }
 
-/// Sweeps until nothing changes, or no contactor gains energy that counts nor penetrates by what counts and none is between rigid bodies.
+/// Iterations until nothing changes; or until no contactor gains energy or penetrates by what counts, and none is between rigid bodies.
 ///
-/// returns how often it swept
+/// returns how often it improved
 int iterate(const Motion& m, bool to_the_end, Multipliers& all) {
   double t = 1;
-  int sweeps = 1;
-  for (; sweeps <= most_for_overlaps; ++sweeps) {
+  int iterations = 1;
+  for (; iterations <= most_for_overlaps; ++iterations) {
     const double next = 0.5 * (1 + std::sqrt(1 + 4 * t * t));
-    const Swept made = sweep(sweeps > 1 ? (t - 1) / next : 0, all);
+    const Improved made = iteration(iterations > 1 ? (t - 1) / next : 0, all);
     t = made.turned < 0 ? 1 : next;
     move_all(m, all);
     if (!(made.change > still)) break;
-    if (sweeps % 2 > 0 || (sweeps < usual_sweeps && !(made.change < settled && all.frictions.empty()))) continue;
-    if (!(sweeps < most_sweeps && (to_the_end || gains(all))) && !overlaps(m, all)) break;
+    if (iterations % 2 > 0 || (iterations < usual_iterations && !(made.change < settled && all.frictions.empty()))) continue;
+    if (!(iterations < most_iterations && (to_the_end || gains(all))) && !overlaps(m, all)) break;
   }
   leave_out_momentum(all);
   apply_changes(m, all);
-  return std::min(sweeps, most_for_overlaps);
+  return std::min(iterations, most_for_overlaps);
 }
 
 /// The largest velocity that an impulse of a condition makes by itself. [m/s]
@@ -213,12 +213,12 @@ double largest_effect(const Multipliers& all) {
 
 void move_all(const Motion& m, Multipliers& all) {
   move(all.rows);
-  if (!all.bonds.touched) return;
+  if (!all.ties.touched) return;
   for (const Mover& mover : all.rows.movers)
     if (mover.kind == MoverKind::node) all.velocity.col(mover.of) = velocity_of(mover, all.rows);
-  hold(m, all.velocity, all.bonds);
+  hold(m, all.velocity, all.ties);
   for (const Mover& mover : all.rows.movers)
-    if (mover.kind == MoverKind::node && all.bonds.has[mover.of]) place(mover, padded(all.velocity.col(mover.of)), all.rows);
+    if (mover.kind == MoverKind::node && all.ties.has[mover.of]) place(mover, padded(all.velocity.col(mover.of)), all.rows);
 }
 
 void apply_changes(const Motion& m, Multipliers& all) {
@@ -246,11 +246,11 @@ int solve(const Motion& m, Multipliers& all) {
   for (const FrictionCondition& f : all.frictions)
     if (!f.impulse.isZero(0)) give(f, f.impulse, all.rows);
   move_all(m, all);
-  int sweeps = iterate(m, to_the_end, all);
+  int iterations = iterate(m, to_the_end, all);
   // rigid bodies turn by angles that are not small: until their rates are those of the step
   for (int round = 1; round < rounds_of_turns && find_velocities(m, all) > turned * largest_effect(all); ++round)
-    sweeps += iterate(m, to_the_end, all);
-  return sweeps;
+    iterations += iterate(m, to_the_end, all);
+  return iterations;
 }
 
 }  // namespace nereid::contact

@@ -27,7 +27,7 @@ struct Spent {
   std::int64_t steps = 0;       ///< in which any apex had a condition
   std::int64_t apexes = 0;      ///< with conditions, of all these steps together; nodes over planes and edges that cross too
   std::int64_t conditions = 0;  ///< of these
-  std::int64_t sweeps = 0;
+  std::int64_t iterations = 0;
   double seconds = 0;           ///< on the wall, with search and tracking
   std::array<double, stages> of_stage{};            ///< [s] of these
   std::chrono::steady_clock::time_point last;       ///< when the stage before ended

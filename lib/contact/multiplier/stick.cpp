@@ -9,7 +9,7 @@ namespace nereid::contact {
 
 namespace {
 
-constexpr double paid_back = 0.2;      // of what friction owes, in a step
+constexpr double repaid_share = 0.2;      // of what friction owes, in a step
 constexpr double most_yield = 1e-6;    // of the depth of an element: way by which a stick yields for that in a step
 
 /// How much slip rate an impulse makes, at most: with the constraints, or as if all nodes were free. [1/kg]
@@ -48,12 +48,12 @@ Index add_friction(const Touch& touch, const Coulomb& law, const Vec3& force, bo
   return static_cast<Index>(frictions.size()) - 1;
 }
 
-void let_yield(double owed, double depth, const Motion& m, std::size_t first, Multipliers& all) {
-  if (!(owed > 0)) return;
+void let_yield(double deficit, double depth, const Motion& m, std::size_t first, Multipliers& all) {
+  if (!(deficit > 0)) return;
   double sum = 0;
   for (std::size_t k = first; k < all.frictions.size(); ++k) sum += all.frictions[k].impulse.norm();
   if (!(sum > 0)) return;
-  const double speed = std::min(paid_back * owed / sum, most_yield * depth / m.next);
+  const double speed = std::min(repaid_share * deficit / sum, most_yield * depth / m.next);
   for (std::size_t k = first; k < all.frictions.size(); ++k) {
     FrictionCondition& friction = all.frictions[k];
     const double size = friction.impulse.norm();

@@ -8,12 +8,12 @@ namespace nereid::contact {
 /// Adds the friction of a contactor, with the force of the step before as a first guess. Where constraints hold or drive all nodes along
 /// the plane, no impulse changes the slip rate; it grows to what the normal impulse allows, and they take it.
 ///
-/// stuck    in the step before: what sweeps have left of its slip rate is no sliding
+/// stuck    in the step before: what iterations have left of its slip rate is no sliding
 /// returns  its place in the list
 Index add_friction(const Touch&, const Coulomb&, const Vec3& force, bool stuck, const Motion&, std::vector<FrictionCondition>&);
 
-/// Lets sticks yield against their forces, so that friction takes back what it owes [J].
-void let_yield(double owed, double depth, const Motion&, std::size_t first, Multipliers&);
+/// Lets sticks yield against their forces, so that friction takes back its deficit [J].
+void let_yield(double deficit, double depth, const Motion&, std::size_t first, Multipliers&);
 
 /// Sets the change with which a friction of some slip rate sticks, or slides where it would take more than its coefficient times the normal
 /// impulse [N s].

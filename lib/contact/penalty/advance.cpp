@@ -79,7 +79,7 @@ void advance_friction(const Interface& interface, const Vectors& x, const Vector
 
 /// Moves one apex and computes its force, with the work of the step that led to x.
 ///
-/// moved  see Near::clear
+/// moved  see Near::safe_distance
 void advance_element(const Interface& interface, const Vectors& x, const Vectors& v, double dt, Moved moved, Near& near, Memory& memory) {
   const Index a = near.apex;
   ElementForces& element = near.element;
@@ -90,7 +90,7 @@ void advance_element(const Interface& interface, const Vectors& x, const Vectors
   const bool was_closed = element.closed;
   find_contact(interface, x, v, dt, moved, near, memory);
   element.moved = (was_closed || element.closed) && !same(memory.feature[a], before);
-  near.rests = !was_closed && !element.closed && near.tracks.count == 0;
+  near.is_idle = !was_closed && !element.closed && near.tracks.count == 0;
   const double power_after = power(interface, memory.shares, v, a, element);
   // the power of the elastic force is  -k |d| d|d|/dt = -2 stored d|d|/dt / |d|
   element.scale = 1;
@@ -110,16 +110,16 @@ void advance(const Interface& interface, const Vectors& x, const Vectors& v, con
   const Moved moved = from_search(searches ? search_where_due(interface, x, v, memory, workspace) : 0);
   parallel_for(static_cast<Index>(memory.near.size()), 64, [&](Index i) {
     Near& near = memory.near[i];
-    if (near.rests && moved.now < near.clear) return;
+    if (near.is_idle && moved.now < near.safe_distance) return;
     advance_element(interface, x, v, dt, moved, near, memory);
     if (!memory.slip.empty()) advance_friction(interface, x, v, omega, dt, near, memory);
   });
   memory.deepest_now = 0;
   for (const Near& near : memory.near) {
-    if (near.rests) continue;
+    if (near.is_idle) continue;
     const ElementForces& element = near.element;
     memory.deepest_now = std::max(memory.deepest_now, element.depth);
-    if (element.depth > memory.deepest) see_depth(interface, x, near, memory);
+    if (element.depth > memory.deepest) update_deepest(interface, x, near, memory);
     memory.work += element.work;
     memory.damped += element.dissipated;
     memory.angular_impulse += element.angular_impulse;

@@ -17,17 +17,17 @@ void advance(const Interface&, const Vectors& x, const Vectors& v, const Vectors
 ///
 /// An apex and its base are a spring,  omega^2 = k (1/m_apex + sum of w_I S_I / (k m_I)),  where S_I
 /// sums the stiffness of all springs at base node I: springs that share nodes add up. What never opens
-/// (a bond, a stick) creates nothing at any stable step: dt = `linear_step` / omega, with the moments of
+/// (a tie, a stick) creates nothing at any stable step: dt = `linear_step` / omega, with the moments of
 /// friction on plate nodes in omega.
 ///
-/// Each of two passes has its `pass_factor` s of the stiffness between the same nodes and votes as if for all of it: omega^2 is divided
-/// by it. With omega_1^2 <= s omega^2 and omega_2^2 <= (1 - s) omega^2 both together are within omega^2.
+/// Each of two passes has its `pass_factor` s of the stiffness between the same nodes and limits the step as if for all of it: omega^2 is
+/// divided by it. With omega_1^2 <= s omega^2 and omega_2^2 <= (1 - s) omega^2 both together are within omega^2.
 ///
-/// Closed elements vote, and those that may close in the next steps: nearer than a quarter of Interface::depth, or than twice the way of
-/// the longest step. Where the spring of an open apex allows less than the last step, the step falls to 0.8 of that at a time as long as
-/// the apex cannot close within two steps: a step that falls at once makes energy of what rings (docs/theory/contact_energy.md).
+/// Closed elements limit the step, and those that may close in the next steps: nearer than a quarter of Interface::depth, or than twice
+/// the path of the longest step. Where the spring of an open apex allows less than the last step, the step falls to 0.8 of that at a time
+/// as long as the apex cannot close within two steps: a step that falls at once makes energy of what rings (docs/theory/contact_energy.md).
 ///
-/// mass [kg] of the nodes;  inertia [kg m2] of the columns of omega;  last [s] step; 0: none, and open apexes vote as closed ones
+/// mass [kg] of the nodes;  inertia [kg m2] of the columns of omega;  last [s] step; 0: none, and open apexes limit it as closed ones
 StepLimit stable_step(const Interface&, const Scalars& mass, const Scalars& inertia, const Memory&, Workspace&, double last = 0);
 
 /// [-] dt omega of a spring that never opens. The linear bound is 2; a quarter of it lowers the bound of

@@ -22,7 +22,7 @@ double most_created_in_a_bounce(double step);
 /// [-] dt sqrt(k/m)
 ///
 /// What a bounce creates swings with the step, between nothing and  step^2 / (4 - step^2);  this
-/// inverts the upper end, so that a step cut short by another vote is safe too.
+/// inverts the upper end, so that a step cut short by another limit is safe too.
 ///
 /// Needs  0 < bound < 1; the step is capped at 0.5, where a bounce creates 4.5 %
 double impact_step_factor_for(double bound);

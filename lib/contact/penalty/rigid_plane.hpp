@@ -25,7 +25,7 @@ struct RigidPlane {
   double restitution = 1;              ///< [-] speed of a node released by a multiplier over that with which it was stopped
   double impedance = 0;                ///< [Pa s/m] rho c of what is behind the nodes
   double penalty = 0;                  ///< [Pa/m]
-  double impact_step_factor = 0.1410;  ///< [-] dt sqrt(k/m) of the vote, see contact/penalty/impact_step.hpp
+  double impact_step_factor = 0.1410;  ///< [-] dt sqrt(k/m) of the step limit, see contact/penalty/impact_step.hpp
   double first_step_factor = 0;        ///< [-] the same until the plane has created too much, where it is larger
   Coulomb friction;
   double depth = 0;    ///< [m] of the flattest element behind the nodes: what a penetration is held against
@@ -42,7 +42,7 @@ struct PlaneMemory {
   std::vector<double> sliding;          ///< [m/s] how fast they slid in the last step, the same
   double work = 0, stored = 0;          ///< [J] stored by the penalty, or held by multipliers with their work still to come
   double friction_to_come = 0;          ///< [J] part of what friction takes by multipliers, in the half step that begins
-  double friction_owed = 0;             ///< [J] that friction gave, as a stick sways, and has not taken back: created until then
+  double friction_deficit = 0;             ///< [J] that friction gave, as a stick sways, and has not taken back: created until then
   double tangential_stored = 0, friction_dissipated = 0;  ///< [J] stored by the elastic stick, dissipated by friction
   double transferred = 0;               ///< [J] of what multipliers have taken here, that other contacts hold
   double impact = 0;                    ///< [J] kinetic energy lost as multipliers stopped nodes

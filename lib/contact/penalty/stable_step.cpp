@@ -43,7 +43,7 @@ Fastest moments_of_friction(const Interface& interface, const Scalars& inertia, 
 
 /// Largest squared frequency of the normal springs between apexes and bases; of an open apex no more than lets the step fall bit by bit.
 ///
-/// factor  [-] dt omega of the vote
+/// factor  [-] dt omega of the step limit
 Fastest normal_springs(const Interface& interface, const Scalars& mass, const Memory& memory, double factor, double last,
                        Workspace& workspace) {
   Scalars& sum = workspace.spring_sum;
@@ -81,7 +81,7 @@ StepLimit stable_step(const Interface& interface, const Scalars& mass, const Sca
   if (normal.apex < 0) return {};
   const double omega_squared = normal.omega_squared / interface.pass_factor;
   const Index apex = interface.apexes[normal.apex];
-  if (interface.kind == InterfaceKind::bonded) return {linear_step / std::sqrt(omega_squared), apex};
+  if (interface.kind == InterfaceKind::tied) return {linear_step / std::sqrt(omega_squared), apex};
   const StepLimit bounce{factor / std::sqrt(omega_squared), apex};
   if (memory.slip.empty()) return bounce;
   // sticks are parallel to the normal springs, and their moments turn plate nodes besides

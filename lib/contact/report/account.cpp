@@ -37,7 +37,7 @@ void post_sides(const SidesMemory& memory, Account& account) {
 
 Source source(const Interface& interface) {
   const bool has_friction = interface.friction.coefficient > 0;
-  if (bonded_by_multipliers(interface)) return {interface.name, SourceKind::interface, {}, {Dissipated::inelastic_impact}};
+  if (tied_by_multipliers(interface)) return {interface.name, SourceKind::interface, {}, {Dissipated::inelastic_impact}};
   if (by_multipliers(interface)) return source_of_multipliers(interface);
   std::vector<Dissipated> takes{Dissipated::damping};
   if (interface.follows_thickness) takes.push_back(Dissipated::thinning);
@@ -51,7 +51,7 @@ Source source(const EdgeContact& contact) { return source_of_multipliers(contact
 void post(const Interface& interface, const Memory& memory, Account& account) {
   post_sides(memory, account);
   account.hold(Stored::penalty, by_multipliers(interface) ? 0 : stored(memory));
-  if (!bonded_by_multipliers(interface)) account.hold(Stored::restitution, memory.held);
+  if (!tied_by_multipliers(interface)) account.hold(Stored::restitution, memory.held);
   account.hold(Stored::tangential_penalty, tangential_stored(memory));
   account.dissipated[Dissipated::damping] = memory.damped;
   account.dissipated[Dissipated::thinning] = memory.thinned;

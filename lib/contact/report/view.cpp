@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "contact/multiplier/bond.hpp"
+#include "contact/multiplier/tie.hpp"
 #include "contact/multiplier/shape_points.hpp"
 #include "contact/search/near.hpp"
 #include "contact/surface/broad_search.hpp"
@@ -53,7 +53,7 @@ ElementView view(const Interface& interface, const Vectors& x, const Memory& mem
     v.weight = geometry::closest_on_triangle(c, position(x, v.apex)).weight;
   }
   if (v.status != Status::closed) return v;
-  if (bonded_by_multipliers(interface)) {
+  if (tied_by_multipliers(interface)) {
     const Vec3 force = near->element.apex, normal = normal_of(interface, apex, x);
     v.traction = force.dot(normal) / interface.area(apex);
     v.shear_traction = (force - force.dot(normal) * normal).norm() / interface.area(apex);
@@ -67,7 +67,7 @@ ElementView view(const Interface& interface, const Vectors& x, const Memory& mem
   }
   const double per_area = between(interface, apex, v.feature.facet).penalty;
   v.traction = -per_area * v.gap;
-  if (interface.kind == InterfaceKind::bonded) {
+  if (interface.kind == InterfaceKind::tied) {
     const double k = stiffness(interface, apex, v.feature, interface.area(apex)), along = k * v.gap;
     const double all = 2 * k * memory.stored[apex];  // |k d|^2
     v.shear_traction = per_area / k * std::sqrt(std::max(0.0, all - along * along));

@@ -151,11 +151,11 @@ void search(const EdgeContact& contact, const Vectors& x, EdgeMemory& memory, Ed
   memory.crossings.erase(std::remove_if(memory.crossings.begin(), memory.crossings.end(), is_gone), memory.crossings.end());
 }
 
-void keep_awake(const EdgeContact& contact, EdgeMemory& memory) {
-  memory.awake.assign(static_cast<std::size_t>(contact.bodies.count()), 0);
+void keep_active(const EdgeContact& contact, EdgeMemory& memory) {
+  memory.active.assign(static_cast<std::size_t>(contact.bodies.count()), 0);
   for (const EdgePair& pair : memory.edge_pairs) {
-    memory.awake[static_cast<std::size_t>(contact.edges.body[pair.edge])] = 1;
-    memory.awake[static_cast<std::size_t>(contact.base_edges.body[pair.base_edge])] = 1;
+    memory.active[static_cast<std::size_t>(contact.edges.body[pair.edge])] = 1;
+    memory.active[static_cast<std::size_t>(contact.base_edges.body[pair.base_edge])] = 1;
   }
 }
 

@@ -26,7 +26,7 @@ inline bool of_plates(const Edges& edges, Index edge) { return edges.of_plates[s
 void search(const EdgeContact&, const Vectors& x, EdgeMemory&, EdgeWorkspace&);
 
 /// Notes which bodies of an automatic contact have edges near those of another one, or near others of their own.
-void keep_awake(const EdgeContact&, EdgeMemory&);
+void keep_active(const EdgeContact&, EdgeMemory&);
 
 inline bool has_near(const EdgeMemory& memory) { return !memory.edge_pairs.empty(); }
 

@@ -60,7 +60,7 @@ Nearest nearest_of(const Interface& interface, const Vectors& x, Index a, std::s
     if (gap < best.least_gap) best.feature = {f, there.kind, there.local}, best.closest = there, best.least_gap = gap;
     const double past_border = there.kind == geometry::Kind::facet ? 0 : whole_past_wall * interface.base.size(f);
     const double reaches = past_border + stand_off(interface.base, f);
-    best.clear = std::min(best.clear, std::sqrt(there.distance_squared) - reaches);
+    best.safe_distance = std::min(best.safe_distance, std::sqrt(there.distance_squared) - reaches);
   }
   return best;
 }
@@ -200,8 +200,8 @@ void search(const Interface& interface, const Vectors& x, Memory& memory, Worksp
     Near& now = workspace.near.back();
     now.first_facet = facets;
     now.facets = workspace.facets[a];
-    now.clear = now.no_condition_until = now.tracks.owned = -infinite;
-    now.rests = false;
+    now.safe_distance = now.no_condition_until = now.tracks.owned = -infinite;
+    now.is_idle = false;
     facets += now.facets;
     memory.slot[a] = static_cast<Index>(workspace.near.size()) - 1;
   }
@@ -236,15 +236,15 @@ double speed_apart(const Vectors& v, std::initializer_list<std::reference_wrappe
   return (most.array() < least.array()).any() ? 0 : (most - least).norm();
 }
 
-void keep_awake(const Interface& interface, Memory& memory) {
-  memory.awake.assign(static_cast<std::size_t>(interface.bodies.count()), 0);
+void keep_active(const Interface& interface, Memory& memory) {
+  memory.active.assign(static_cast<std::size_t>(interface.bodies.count()), 0);
   for (const Near& near : memory.near) {
-    memory.awake[static_cast<std::size_t>(interface.bodies.of_apex[near.apex])] = 1;
-    for (const Index facet : near_facets(memory, near)) memory.awake[static_cast<std::size_t>(interface.bodies.of_facet[facet])] = 1;
+    memory.active[static_cast<std::size_t>(interface.bodies.of_apex[near.apex])] = 1;
+    for (const Index facet : near_facets(memory, near)) memory.active[static_cast<std::size_t>(interface.bodies.of_facet[facet])] = 1;
   }
   for (const NearFeature& near : memory.near_shapes) {
     const ShapePair& pair = interface.shapes.pairs[static_cast<std::size_t>(near.pair)];
-    memory.awake[static_cast<std::size_t>(pair.body)] = memory.awake[static_cast<std::size_t>(pair.other_body)] = 1;
+    memory.active[static_cast<std::size_t>(pair.body)] = memory.active[static_cast<std::size_t>(pair.other_body)] = 1;
   }
 }
 

@@ -13,14 +13,14 @@
 
 namespace nereid::contact {
 
-constexpr double steps_ahead = 2;  ///< apexes that may be in contact after so many of the longest steps vote for the step
+constexpr double steps_ahead = 2;  ///< apexes that may be in contact after so many of the longest steps limit the step
 
 /// The closest of the facets near an apex.
 struct Nearest {
   Feature feature;  ///< facet -1: none is near
   geometry::Closest closest{geometry::Kind::facet, 0, {}, std::numeric_limits<double>::infinity()};
   /// [m] way to where the first of the facets can be entered, but for h_c of the apex; it may reach past a border
-  double clear = std::numeric_limits<double>::infinity();
+  double safe_distance = std::numeric_limits<double>::infinity();
   double least_gap = std::numeric_limits<double>::infinity();  ///< [m2] squared_gap()
   double distance() const { return std::sqrt(closest.distance_squared); }
 };
@@ -52,9 +52,9 @@ double speed_apart(const Vectors& v);
 double speed_apart(const Vectors& v, std::initializer_list<std::reference_wrapper<const Subset>> nodes);
 
 /// Notes which bodies of an automatic contact are near another one, or folds of them near each other.
-void keep_awake(const Interface&, Memory&);
+void keep_active(const Interface&, Memory&);
 
-/// Searches for an automatic contact if its bodies may have gone by half of the margin since the last search, and looks which are awake.
+/// Searches for an automatic contact if its bodies may have gone by half of the margin since the last search, and looks which are active.
 ///
 /// way    [m] that nodes have gone against each other at most in the step that led to x
 /// ahead  [m] the same of the step to come
@@ -68,7 +68,7 @@ bool search_bodies_where_due(const Contact& contact, const Vectors& x, const Vec
   memory.way = 0;
   memory.way_of_body.assign(static_cast<std::size_t>(contact.bodies.count()), 0);
   search(contact, x, memory, workspace);
-  keep_awake(contact, memory);
+  keep_active(contact, memory);
   find_near_bodies(contact, memory, workspace);
   return true;
 }

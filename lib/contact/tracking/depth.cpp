@@ -47,7 +47,7 @@ double overlap_of(const Interface& interface, const Vectors& x, const Near& near
   return most;
 }
 
-void see_depth(const Interface& interface, const Vectors& x, const Near& near, Memory& memory) {
+void update_deepest(const Interface& interface, const Vectors& x, const Near& near, Memory& memory) {
   double depth = near.element.depth;
   const Index on = memory.feature[near.apex].facet;
   const double of_element = on < 0 ? interface.depth : between(interface, near.apex, on).depth;

@@ -15,6 +15,6 @@ double overlap_of(const Interface&, const Vectors& x, const Near&, const Memory&
 
 /// Remembers the depth of an apex that is the deepest so far. A deep one may stand beside the body that it is pushed out of, near another
 /// of its faces, past a rim or between folds: it is no deeper than its layer and that of the body overlap, overlap_of().
-void see_depth(const Interface&, const Vectors& x, const Near&, Memory&);
+void update_deepest(const Interface&, const Vectors& x, const Near&, Memory&);
 
 }  // namespace nereid::contact

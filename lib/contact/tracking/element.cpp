@@ -7,7 +7,7 @@
 
 #include "contact/search/near.hpp"
 #include "contact/tracking/tracking.hpp"
-#include "contact/tracking/way_out.hpp"
+#include "contact/tracking/shortest_exit.hpp"
 
 namespace nereid::contact {
 
@@ -15,7 +15,7 @@ namespace {
 
 using geometry::Kind;
 
-constexpr double votes_within = 0.25;   // of the depth of an element: open apexes that are nearer vote for the step
+constexpr double limits_within = 0.25;   // of the depth of an element: open apexes that are nearer limit the step
 constexpr double least_area = 0.2;      // of the tributary area: with less of it facing, the surface of the apex stands edge-on
 constexpr double most_sag = 0.055;      // of the size of a face: the sag of a base that turns by 25 degrees from face to face
 constexpr double in_plane = 1e-6;       // of a distance: a node that lies in a symmetry plane
@@ -139,37 +139,37 @@ void vote_over(const Interface& interface, const Vectors& x, Index a, const Feat
   element.count = 1;
   element.stencil[0] = {.facet = feature.facet, .apex = 1, .weight = weight, .push = Vec3::Zero(),
                         .kind = feature.kind, .local = feature.local, .level = level};
-  if (by_multipliers(interface)) return;  // they vote for no step
+  if (by_multipliers(interface)) return;  // they limit no step
   element.stiffness = stiffness(interface, a, feature, interface.area(a));
   share_stiffness(interface, x, a, element);
 }
 
-void hold_bond(const Interface& interface, const Vectors& x, Near& near, Memory& memory) {
+void hold_tie(const Interface& interface, const Vectors& x, Near& near, Memory& memory) {
   const Index a = near.apex;
   ElementForces& element = near.element;
-  const Bond& bond = interface.bonds[a];
-  const Vec3 corner[3] = {x.col(interface.base.facets(0, bond.facet)), x.col(interface.base.facets(1, bond.facet)),
-                          x.col(interface.base.facets(2, bond.facet))};
-  const Vec3 area = area_vector(interface.base, x, bond.facet);
+  const Tie& tie = interface.ties[a];
+  const Vec3 corner[3] = {x.col(interface.base.facets(0, tie.facet)), x.col(interface.base.facets(1, tie.facet)),
+                          x.col(interface.base.facets(2, tie.facet))};
+  const Vec3 area = area_vector(interface.base, x, tie.facet);
   const double twice_area = area.norm();
   const Vec3 n = area / twice_area;
-  Vec3 d = x.col(interface.apexes[a]) - bond.height * n;
-  for (int I = 0; I < 3; ++I) d -= bond.weight[I] * corner[I];
+  Vec3 d = x.col(interface.apexes[a]) - tie.height * n;
+  for (int I = 0; I < 3; ++I) d -= tie.weight[I] * corner[I];
   const double k = stiffness(interface, a, memory.feature[a], interface.area(a));
-  Stencil hold{.facet = bond.facet, .apex = 1, .push = -k * d}, couple{.facet = bond.facet, .apex = 0};
-  couple.push = k * bond.height * n;
+  Stencil hold{.facet = tie.facet, .apex = 1, .push = -k * d}, couple{.facet = tie.facet, .apex = 0};
+  couple.push = k * tie.height * n;
   for (int I = 0; I < 3; ++I) {
     const Vec3 gradient = n.cross(corner[(I + 2) % 3] - corner[(I + 1) % 3]) / twice_area;
     couple.weight[I] = d.dot(gradient);
-    hold.weight[I] = bond.weight[I];
-    hold.share[I] = std::abs(bond.weight[I]) + std::abs(bond.height) * gradient.norm();
+    hold.weight[I] = tie.weight[I];
+    hold.share[I] = std::abs(tie.weight[I]) + std::abs(tie.height) * gradient.norm();
   }
   element.closed = true;
   element.penalty = element.stiffness = k;
   element.apex = hold.push;
   element.stencil[0] = hold;
   element.stencil[1] = couple;
-  element.count = bond.height != 0 ? 2 : 1;
+  element.count = tie.height != 0 ? 2 : 1;
   memory.status[a] = Status::closed;
   memory.gap[a] = d.dot(n);
   memory.stored[a] = 0.5 * k * d.squaredNorm();
@@ -184,17 +184,17 @@ namespace {
 double soon_of(const Interface& interface, Index a, const Feature& feature, double speed) {
   const Between& pair = between(interface, a, feature.facet);
   const double way = speed * interface.longest_step;
-  if (!by_multipliers(interface)) return std::max(votes_within * pair.depth, steps_ahead * way);
+  if (!by_multipliers(interface)) return std::max(limits_within * pair.depth, steps_ahead * way);
   if (pair.heights != Heights::points) return std::max(multipliers_reach * pair.depth, steps_to_touch * way);
   const double bends = most_sag * interface.base.size(feature.facet) + multipliers_reach * pair.depth;
-  return std::max(feature.kind == Kind::facet ? bends : votes_within * pair.depth, steps_to_touch * way);
+  return std::max(feature.kind == Kind::facet ? bends : limits_within * pair.depth, steps_to_touch * way);
 }
 
-/// An apex that is in contact with nothing: how far it is, whether it votes, and how long it need not be looked at.
+/// An apex that is in contact with nothing: how far it is, whether it limits the step, and how long it need not be looked at.
 void look_around(const Interface& interface, const Vectors& x, const Vectors& v, Moved moved, Near& near, Memory& memory) {
   const Index a = near.apex;
   const Nearest nearest = nearest_of(interface, x, a, near_facets(memory, near));
-  near.clear = infinite;  // until the next search
+  near.safe_distance = infinite;  // until the next search
   memory.feature[a] = nearest.feature;
   memory.status[a] = nearest.feature.facet < 0 ? Status::unpaired : Status::open;
   memory.gap[a] = std::numeric_limits<double>::quiet_NaN();
@@ -208,13 +208,13 @@ void look_around(const Interface& interface, const Vectors& x, const Vectors& v,
     speed = speed_over(interface, v, a, facet);
     soon = soon_of(interface, a, nearest.feature, speed);
   }
-  const bool votes = memory.gap[a] <= soon;
-  near.clear = moved.until(nearest.clear - contact_height - (votes ? 0 : soon));
-  if (!votes) return;
+  const bool limits = memory.gap[a] <= soon;
+  near.safe_distance = moved.until(nearest.safe_distance - contact_height - (limits ? 0 : soon));
+  if (!limits) return;
   vote_over(interface, x, a, nearest.feature, nearest.closest.weight, level, near.element);
   if (!(speed > 0) || by_multipliers(interface)) return;
   near.element.closes_in = std::max(0.0, memory.gap[a]) / speed;
-  near.clear = -infinite;  // speeds change, and this one lets the step be long
+  near.safe_distance = -infinite;  // speeds change, and this one lets the step be long
 }
 
 /// Finds what an apex is in contact with, and its forces.
@@ -223,46 +223,47 @@ void update_element(const Interface& interface, const Vectors& x, const Vectors&
   const double contact_height = contact::contact_height(interface, memory, a);
   const Mat3* allowed = allowed_of(interface, a);
   const Index node = interface.apexes[a];
-  const Sweep sweep{interface.base, interface.own, x, v, dt, near_facets(memory, near), node, allowed, contact_height,
+  const ApexPath path{interface.base, interface.own, x, v, dt, near_facets(memory, near), node, allowed, contact_height,
                       most_behind(interface)};
   const Tracks before = near.tracks;
-  if (before.count == 0 && dt > 0) enter(sweep, memory.deepest_now, near.tracks);
+  if (before.count == 0 && dt > 0) enter(path, memory.deepest_now, near.tracks);
   if (before.count == 0 && !(dt > 0)) {  // at the start, displaced from the reference
     double depth = 0;
-    const Index facet = behind(sweep, interface.depth > 0 ? interface.depth : infinite, depth);
-    if (facet >= 0) near.tracks.begin(facet, sweep.level(facet));
+    const Index facet = behind(path, interface.depth > 0 ? interface.depth : infinite, depth);
+    if (facet >= 0) near.tracks.begin(facet, path.level(facet));
   }
   if (near.tracks.count == 0) return look_around(interface, x, v, moved, near, memory);
-  if (before.count == 0) near.clear = -infinite;
+  if (before.count == 0) near.safe_distance = -infinite;
   if (before.count == 0 || !(near.area > 0)) {  // it keeps it while it is in contact: a stiffness that changes makes energy
     near.area = area_facing(interface, x, a, near.tracks.track[0].facet);
   }
 
   const double release_height = between(interface, a, near.tracks.track[0].facet).release_height;
-  const auto find_way_out = [&] {
-    return way_out(interface.base, x, x.col(node), contact_height, allowed, moved, near.tracks, near.element.stencil, release_height, node);
+  const auto find_exit = [&] {
+    return shortest_exit(interface.base, x, x.col(node), contact_height, allowed, moved, near.tracks, near.element.stencil, release_height,
+                         node);
   };
-  WayOut out = find_way_out();
-  if (moved.now + out.length >= near.clear) {
-    const Track other = other_part(sweep, before, near.tracks, memory.deepest_now);
+  Exit out = find_exit();
+  if (moved.now + out.length >= near.safe_distance) {
+    const Track other = other_part(path, before, near.tracks, memory.deepest_now);
     if (other.facet >= 0) {
       const int lost = out.lost;
       near.tracks.begin(other.facet, other.height);
-      out = find_way_out();
+      out = find_exit();
       out.lost += lost;
     }
-    near.clear = other.facet >= 0 ? -infinite : moved.until(nearest_other_part(sweep, near.tracks) - out.length - contact_height);
+    near.safe_distance = other.facet >= 0 ? -infinite : moved.until(nearest_other_part(path, near.tracks) - out.length - contact_height);
   }
   ElementForces& element = near.element;
   element.lost = out.lost;
-  if (near.tracks.count == 0) near.clear = -infinite;
+  if (near.tracks.count == 0) near.safe_distance = -infinite;
   if (out.count == 0) {
     if (near.tracks.count == 0) return look_around(interface, x, v, moved, near, memory);
     memory.status[a] = Status::open;
     memory.feature[a] = out.strongest;
     memory.gap[a] = std::max(0.0, out.gap);
-    const bool votes = !by_multipliers(interface);
-    const auto weight = votes ? weights_of(interface, x, a, out.strongest.facet) : std::array<double, 3>{};
+    const bool limits = !by_multipliers(interface);
+    const auto weight = limits ? weights_of(interface, x, a, out.strongest.facet) : std::array<double, 3>{};
     return vote_over(interface, x, a, out.strongest, weight, out.level, element);
   }
   const double k = stiffness(interface, a, out.strongest, near.area > 0 ? near.area : interface.area(a));
@@ -294,7 +295,7 @@ void find_contact(const Interface& interface, const Vectors& x, const Vectors& v
   element.apex.setZero();
   element.count = 0;
   memory.stored[near.apex] = 0;
-  if (interface.kind == InterfaceKind::bonded) hold_bond(interface, x, near, memory);
+  if (interface.kind == InterfaceKind::tied) hold_tie(interface, x, near, memory);
   else update_element(interface, x, v, dt, moved, near, memory);
 }
 

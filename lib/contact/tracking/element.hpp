@@ -32,7 +32,7 @@ void for_each_force(const Interface& interface, std::span<const Share> shares, I
 /// Weights of the point of a facet that is closest to an apex.
 std::array<double, 3> weights_of(const Interface&, const Vectors& x, Index apex, Index facet);
 
-/// A stencil without a push, so that the apex votes for the time step, or is looked at by multipliers.
+/// A stencil without a push, so that the apex limits the time step, or is looked at by multipliers.
 ///
 /// level  [m] over the feature at which the contact closes
 void vote_over(const Interface&, const Vectors& x, Index apex, const Feature&, const std::array<double, 3>& weight, double level,
@@ -58,12 +58,12 @@ void sum_force(double dt, Memory&);
 /// area  [m2] tributary, of the sides that are in contact
 double stiffness(const Interface&, Index apex, const Feature&, double area);
 
-/// Pulls or pushes a bonded apex back over its point of the base.
+/// Pulls or pushes a tied apex back over its point of the base.
 ///
 /// With d = x_apex - sum of w_I x_I - h n the potential is 1/2 k d.d, and with G_I the gradients of the
 /// facet's shape functions  dn = - sum of (n . dx_I) G_I,  so the forces are exactly its gradient:
 ///     apex  -k d,     base nodes  k (w_I d - h (d . G_I) n), the second part a couple
-void hold_bond(const Interface&, const Vectors& x, Near&, Memory&);
+void hold_tie(const Interface&, const Vectors& x, Near&, Memory&);
 
 /// Finds what one apex is in contact with at x, or near to, and what its penalty is there; nothing is booked.
 ///

@@ -23,9 +23,9 @@ void follow_thickness(const Interface& interface, const Scalars& half_growth, Me
     memory.thicker[a] += change;
     if (!near) continue;
     near->no_condition_until -= std::max(0.0, change);
-    near->clear -= std::max(0.0, change);
-    if (near->rests) continue;
-    near->clear = -std::numeric_limits<double>::infinity();
+    near->safe_distance -= std::max(0.0, change);
+    if (near->is_idle) continue;
+    near->safe_distance = -std::numeric_limits<double>::infinity();
     const double height = contact_height(interface, memory, a);
     for (int t = 0; t < near->tracks.count; ++t) {
       double& level = near->tracks.track[t].height;

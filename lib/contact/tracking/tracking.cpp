@@ -30,21 +30,21 @@ constexpr double like_neighbours = 2;  // times the deepest contact of the step 
 
 using Corners = std::array<Vector<double>, 3>;
 
-Corners corners_before(const Sweep& s, Index facet) {
+Corners corners_before(const ApexPath& s, Index facet) {
   Corners c = corners(s.base, s.x, facet);
   for (int a = 0; a < 3; ++a) c[a] = c[a] - s.dt * position(s.v, s.base.facets(a, facet));
   return c;
 }
 Vector<double> place(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
-Vec3 now(const Sweep& s) { return s.x.col(s.apex); }
-Vec3 before(const Sweep& s) { return s.x.col(s.apex) - s.dt * s.v.col(s.apex); }
+Vec3 now(const ApexPath& s) { return s.x.col(s.apex); }
+Vec3 before(const ApexPath& s) { return s.x.col(s.apex) - s.dt * s.v.col(s.apex); }
 
 double least(const std::array<double, 3>& weight) { return std::min({weight[0], weight[1], weight[2]}); }
 
-bool may_push(const Sweep& s, const Vec3& normal) { return may_push(s.own, s.x, s.apex, normal, s.most_behind, s.allowed); }
+bool may_push(const ApexPath& s, const Vec3& normal) { return may_push(s.own, s.x, s.apex, normal, s.most_behind, s.allowed); }
 
 /// Whether apexes of the other surface hold what this one may not be pushed by.
-bool is_held_otherwise(const Sweep& s) { return s.most_behind < behind_in_one_direction; }
+bool is_held_otherwise(const ApexPath& s) { return s.most_behind < behind_in_one_direction; }
 
 /// The distance of a point from a facet that reaches past open borders as far as a force stays whole there.
 struct Reach {
@@ -103,7 +103,7 @@ struct Passage {
 ///
 /// skip(facet)  true for facets that do not count
 template <class Skip>
-Passage crossed(const Sweep& s, const Vec3& p0, const Vec3& p1, bool at_surface, Skip&& skip) {
+Passage crossed(const ApexPath& s, const Vec3& p0, const Vec3& p1, bool at_surface, Skip&& skip) {
   const Vector<double> from = place(p0), to = place(p1);
   Passage best;
   Index excluded = -1;
@@ -147,7 +147,7 @@ Passage crossed(const Sweep& s, const Vec3& p0, const Vec3& p1, bool at_surface,
 ///
 /// deepest(facet)  [m] below the surface
 template <class Deepest>
-Index shallowest(const Sweep& s, const Vec3& p, Deepest&& deepest, const Vec3* not_opposite, double& height) {
+Index shallowest(const ApexPath& s, const Vec3& p, Deepest&& deepest, const Vec3* not_opposite, double& height) {
   Index best = -1;
   height = -infinite;
   for (const Index f : s.near) {
@@ -170,7 +170,7 @@ double deepest_entry(const BaseSurface& base, Index facet) {
 }
 
 /// The edge or vertex nearer than h_c that a free apex has come in front of, where it was nowhere within h_c before; -1 if there is none.
-Index entered_round_layer(const Sweep& s) {
+Index entered_round_layer(const ApexPath& s) {
   const Vec3 p0 = before(s), p1 = now(s);
   Index best = -1;
   double deepest = 0;
@@ -193,7 +193,7 @@ Index entered_round_layer(const Sweep& s) {
 }
 
 /// The shallowest facet that a free apex has come under over an open border, no deeper than its neighbours are; -1 if there is none.
-Index entered_under_border(const Sweep& s, double deepest, double& height) {
+Index entered_under_border(const ApexPath& s, double deepest, double& height) {
   const Vec3 p0 = before(s), p1 = now(s);
   Index best = -1;
   height = -infinite;
@@ -213,7 +213,7 @@ Index entered_under_border(const Sweep& s, double deepest, double& height) {
 }
 
 /// Whether a point at a wall of a facet, or at a corner of it, is in front of a facet that turns away there, outside of the body.
-bool is_beyond_ridge(const Sweep& s, Index facet, const Vec3& p) {
+bool is_beyond_ridge(const ApexPath& s, Index facet, const Vec3& p) {
   const auto in_front = [&](Index other) {
     return geometry::facet_height(corners(s.base, s.x, other), place(p)).height > -round_off * s.base.longest(other);
   };
@@ -242,7 +242,7 @@ bool share_a_node(const BaseSurface& base, Index f, Index g) {
 
 /// The side of a ridge in whose plane an apex moves as it crosses the other side, as from one floor onto the next one, or past a bevel onto
 /// the sole behind it: without a facet if there is none. Both sides may push the apex, and along this one nothing has to stop it.
-Track slides_onto(const Sweep& s, const Vec3& p0, const Vec3& p1, Index crossed, double deepest) {
+Track slides_onto(const ApexPath& s, const Vec3& p0, const Vec3& p1, Index crossed, double deepest) {
   const Vec3 normal = facet_normal(s.base, s.x, crossed);
   const auto height = [](const Corners& c, const Vec3& p) { return geometry::facet_height(c, place(p)).height; };
   const double fall = height(corners_before(s, crossed), p0) - height(corners(s.base, s.x, crossed), p1);
@@ -261,14 +261,14 @@ Track slides_onto(const Sweep& s, const Vec3& p0, const Vec3& p1, Index crossed,
 }
 
 /// Whether a facet is looked after by a track next to it: all that share a node with it.
-bool around(const Sweep& s, const Tracks& tracks, Index facet) {
+bool around(const ApexPath& s, const Tracks& tracks, Index facet) {
   for (int k = 0; k < tracks.count; ++k)
     if (share_a_node(s.base, tracks.track[k].facet, facet)) return true;
   return false;
 }
 
 /// Whether a facet is the other side of a ridge, or another side of a corner, of all tracks.
-bool is_other_side(const Sweep& s, const Tracks& tracks, Index facet) {
+bool is_other_side(const ApexPath& s, const Tracks& tracks, Index facet) {
   const Vec3 normal = facet_normal(s.base, s.x, facet);
   for (int k = 0; k < tracks.count; ++k) {
     const Index tracked = tracks.track[k].facet;
@@ -292,7 +292,7 @@ Vec3 at(const Place& place, const BaseSurface& base, const Vectors& x) {
   return sum;
 }
 
-void enter(const Sweep& s, double deepest, Tracks& tracks) {
+void enter(const ApexPath& s, double deepest, Tracks& tracks) {
   const auto all = [](Index) { return false; };
   const Vec3 p0 = before(s), p1 = now(s);
   Passage through = crossed(s, p0, p1, false, all);
@@ -338,7 +338,7 @@ void enter(const Sweep& s, double deepest, Tracks& tracks) {
   if (sideways >= 0) tracks.begin(sideways, height);
 }
 
-Track other_part(const Sweep& s, const Tracks& before_step, const Tracks& after, double deepest) {
+Track other_part(const ApexPath& s, const Tracks& before_step, const Tracks& after, double deepest) {
   const Vec3 from = before_step.out.facet >= 0 ? at(before_step.out, s.base, s.x, s.v, s.dt) : before(s);
   const Vec3 to = after.count > 0 && after.out.facet >= 0 ? at(after.out, s.base, s.x) : now(s);
   const Passage through = crossed(s, from, to, false, [&](Index f) { return around(s, after, f); });
@@ -347,7 +347,7 @@ Track other_part(const Sweep& s, const Tracks& before_step, const Tracks& after,
   return flush.facet >= 0 ? flush : Track{through.facet, s.level(through.facet)};
 }
 
-Index behind(const Sweep& s, double deepest, double& depth) {
+Index behind(const ApexPath& s, double deepest, double& depth) {
   const auto limit = [&](Index f) { return std::min(depth_of_body(s.base, f), deepest); };
   Index nearest = -1;
   double least_squared = infinite, least_gap = infinite;
@@ -370,7 +370,7 @@ Index behind(const Sweep& s, double deepest, double& depth) {
   return facet;
 }
 
-double nearest_other_part(const Sweep& s, const Tracks& tracks) {
+double nearest_other_part(const ApexPath& s, const Tracks& tracks) {
   const Vector<double> p = place(now(s));
   double nearest = infinite;
   for (const Index f : s.near) {

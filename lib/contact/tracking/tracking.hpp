@@ -13,7 +13,7 @@ Vec3 at(const Place&, const BaseSurface&, const Vectors& x);
 Vec3 at(const Place&, const BaseSurface&, const Vectors& x, const Vectors& v, double earlier);
 
 /// One apex, and what it may have come through in a step.
-struct Sweep {
+struct ApexPath {
   const BaseSurface& base;
   const Fans& own;              ///< the surface of the apexes; without facets every base faces the apex
   const Vectors& x;             ///< [m] at the end of the step
@@ -38,7 +38,7 @@ struct Sweep {
 /// and twice the deepest contact of the step before. Under an open border an apex may enter sideways down to the latter.
 ///
 /// deepest  [m] contact of any apex in the step before
-void enter(const Sweep&, double deepest, Tracks&);
+void enter(const ApexPath&, double deepest, Tracks&);
 
 /// Where an apex in contact has come to another part of the surface, which the path of its pushed-out place crosses. In two directions it
 /// has not where that part may not push the apex.
@@ -46,15 +46,15 @@ void enter(const Sweep&, double deepest, Tracks&);
 /// before, after   tracks at the start of the step and at its end
 /// deepest  [m] contact of any apex in the step before
 /// returns  a track to begin, without a facet if there is no such part
-Track other_part(const Sweep&, const Tracks& before, const Tracks& after, double deepest);
+Track other_part(const ApexPath&, const Tracks& before, const Tracks& after, double deepest);
 
 /// The facet that an apex stands behind at the start: the shallowest that faces it, no deeper than the material behind it.
 ///
 /// deepest   [m] no facet is looked for from deeper
 /// returns  the facet, or -1;  depth: [m] below h_c
-Index behind(const Sweep&, double deepest, double& depth);
+Index behind(const ApexPath&, double deepest, double& depth);
 
 /// [m] The distance of the nearest facet that can be another part for an apex in contact: of those that do not touch its tracks.
-double nearest_other_part(const Sweep&, const Tracks&);
+double nearest_other_part(const ApexPath&, const Tracks&);
 
 }  // namespace nereid::contact

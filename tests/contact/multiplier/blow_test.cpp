@@ -66,7 +66,7 @@ struct Setting {
     all.contactors.push_back({.memory = &memory.back(), .first = at - 1, .last = at, .friction = -1, .area = 1, .depth = 0,
                               .impedance = std::numeric_limits<double>::infinity(), .square = coefficient * coefficient});
   }
-  /// Begins the step, and stops what approaches, by as many sweeps as it takes; `part` of the rate is left.
+  /// Begins the step, and stops what approaches, by as many iterations as it takes; `part` of the rate is left.
   void stop(double part = 0) {
     for (std::size_t b = 0; b < bodies.size(); ++b) begin(bodies[b], states[b], next, rigid.bodies[b]);
     const Motion m = motion();
@@ -80,7 +80,7 @@ struct Setting {
     all.mobility = mass.cwiseInverse();
     make_rows(m, all);
     add_bounds(rigid, m, all);
-    for (int sweep = 0; sweep < 20000; ++sweep) {
+    for (int iteration = 0; iteration < 20000; ++iteration) {
       for (Condition& c : all.conditions) c.change = std::max(0.0, c.impulse + (c.least - rate(c, all)) / c.bound) - c.impulse;
       apply_changes(m, all);
     }

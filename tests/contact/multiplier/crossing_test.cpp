@@ -510,7 +510,7 @@ TEST(Enforce, CreatesNothingWhereEdgesCrossAndRubWhateverTheMassesAndAngles) {
     enforce(contacts, {}, m, 1, memories, {}, workspaces, all);
     const auto energy = [&](const Vectors& v) { return 0.5 * (v.colwise().squaredNorm().transpose().array() * fans.mass.array()).sum(); };
     touching += sides(memories[0]).force.isZero(0) ? 0 : 1;
-    EXPECT_LT(energy(all.velocity), 1.01 * energy(fans.v)) << trial;  // sweeps end before every rate is zero
+    EXPECT_LT(energy(all.velocity), 1.01 * energy(fans.v)) << trial;  // iterations end before every rate is zero
   }
   EXPECT_GT(touching, 500);
 }

@@ -127,9 +127,9 @@ TEST(Multiplier, FrictionAndPushSettleWhereConstraintsSlantToTheNormal) {
       Vectors sum = at.force;
       add_forces(at.plane, at.memory, sum);
       at.v += at.dt * along_z * sum, at.x += at.dt * at.v;
-      EXPECT_NEAR(at.v(2, 0), 0, 2e-7) << slope << " in step " << i;  // of 0.02 that an impulse does, sweeps leave 1e-6 at a time
+      EXPECT_NEAR(at.v(2, 0), 0, 2e-7) << slope << " in step " << i;  // of 0.02 that an impulse does, iterations leave 1e-6 at a time
     }
-    EXPECT_LT(at.all.spent.sweeps, 20 * at.all.spent.steps) << slope;
+    EXPECT_LT(at.all.spent.iterations, 20 * at.all.spent.steps) << slope;
   }
 }
 
@@ -156,7 +156,7 @@ TEST(Multiplier, WhatOthersLeaveOfTheSlipRateOfAStickIsNoSliding) {
   for (int i = 0; i < 100; ++i) {
     sticks.step();
     EXPECT_NEAR(sticks.memory.friction[0].x(), -4, 1e-5);
-    sticks.v(0, 0) += 1e-9;  // as unfinished sweeps do
+    sticks.v(0, 0) += 1e-9;  // as unfinished iterations do
   }
   sticks.force(0, 0) = 6;
   for (int i = 0; i < 3; ++i) sticks.step();

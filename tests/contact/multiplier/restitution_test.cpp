@@ -142,7 +142,7 @@ TEST(Restitution, LeavesADeficitThatNothingCovers) {
   double transferred = 0;
   Pool pool{0, 2, &transferred, 0, 1, 3};
   balance({&pool, 1}, at.all);
-  EXPECT_NEAR(pool.owed, 2, 1e-15);
+  EXPECT_NEAR(pool.deficit, 2, 1e-15);
   EXPECT_EQ(at.memory[0].held, 0);
   EXPECT_NEAR(at.memory[1].held, -2, 1e-15);
   EXPECT_EQ(held(0, 2, at.all), 0);

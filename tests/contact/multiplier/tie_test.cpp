@@ -1,4 +1,4 @@
-#include "contact/multiplier/bond.hpp"
+#include "contact/multiplier/tie.hpp"
 
 #include <Eigen/Dense>
 #include <random>
@@ -9,15 +9,15 @@
 #include "contact/multiplier/solve.hpp"
 #include "tests/contact/pressed.hpp"
 
-namespace nereid::contact::bond_test {
+namespace nereid::contact::tie_test {
 namespace {
 
 using namespace pressed;
 
 enum class Base { facets, faces };
 
-/// Apexes bonded to a warped sheet of facets or of faces of hexahedra, with masses, velocities and forces at random.
-struct Bonded {
+/// Apexes tied to a warped sheet of facets or of faces of hexahedra, with masses, velocities and forces at random.
+struct Tied {
   pressed::Scene scene;
   Vectors v, force, none{3, 0};
   Scalars mass, no_inertia;
@@ -32,11 +32,11 @@ struct Bonded {
     x.leftCols(shape.x.cols()) = shape.x;
     for (std::size_t a = 0; a < apexes.size(); ++a) x.col(shape.x.cols() + static_cast<Index>(a)) = apexes[a];
     Interface in = interface_over(shape, static_cast<Index>(apexes.size()));
-    in.kind = InterfaceKind::bonded, in.method = Method::multiplier;
+    in.kind = InterfaceKind::tied, in.method = Method::multiplier;
     if (base == Base::faces) mark_halves(in.base, faces_of_sheet(4, 4));
     return scene_of(std::move(x), std::move(in), {true, 0, 0});
   }
-  explicit Bonded(const std::vector<Vec3>& apexes, Base base = Base::faces) : scene(made(apexes, base)) {
+  explicit Tied(const std::vector<Vec3>& apexes, Base base = Base::faces) : scene(made(apexes, base)) {
     const Index nodes = static_cast<Index>(scene.x.cols());
     std::mt19937 engine(4);
     std::uniform_real_distribution<double> number(-1, 1);
@@ -55,20 +55,20 @@ struct Bonded {
     const Motion m = motion();
     look_ahead(scene.interface.apexes, m, all);
     look_ahead(scene.interface.base_nodes, m, all);
-    find_bonds(std::vector<AnyContact>{scene.interface}, m, std::vector<AnyMemory>{scene.memory}, all.velocity, all.bonds);
+    find_ties(std::vector<AnyContact>{scene.interface}, m, std::vector<AnyMemory>{scene.memory}, all.velocity, all.ties);
   }
   void step() {
     find();
-    take_over(scene.interface, motion(), all.bonds.held, all.velocity, scene.memory);
+    take_over(scene.interface, motion(), all.ties.held, all.velocity, scene.memory);
     const Vectors before = v;
     for (Index n = 0; n < v.cols(); ++n) v.col(n) += dt / mass(n) * force.col(n);
-    for (const Index n : all.bonds.nodes) v.col(n) = all.velocity.col(n);
+    for (const Index n : all.ties.nodes) v.col(n) = all.velocity.col(n);
     scene.x += dt * v;
   }
   std::vector<Vec3> off() {
     find();
     std::vector<Vec3> d;
-    for (const HeldBond& b : all.bonds.held) d.push_back(b.off);
+    for (const HeldTie& b : all.ties.held) d.push_back(b.off);
     return d;
   }
 };
@@ -80,9 +80,9 @@ INSTANTIATE_TEST_SUITE_P(AllBases, BondByMultipliersOver, testing::Values(Base::
                          [](const auto& base) { return base.param == Base::facets ? "Facets" : "Faces"; });
 
 TEST_P(BondByMultipliersOver, ItsRateIsTheDerivativeOfWhatItHoldsAndItsImpulsesAreTheTranspose) {
-  Bonded at(above, GetParam());
+  Tied at(above, GetParam());
   for (const Vec3& d : at.off()) EXPECT_LT(d.norm(), 1e-14);
-  for (const HeldBond& b : at.all.bonds.held) {
+  for (const HeldTie& b : at.all.ties.held) {
     EXPECT_EQ(b.nodes, GetParam() == Base::faces ? 5 : 4);
     EXPECT_GT(std::abs(b.height), 0.01);
   }
@@ -91,7 +91,7 @@ TEST_P(BondByMultipliersOver, ItsRateIsTheDerivativeOfWhatItHoldsAndItsImpulsesA
   for (Index n = 0; n < at.scene.x.cols(); ++n)  // away from where it holds
     for (int i = 0; i < 3; ++i) at.scene.x(i, n) += 0.1 * number(engine);
   at.find();
-  const std::vector<HeldBond> here = at.all.bonds.held;
+  const std::vector<HeldTie> here = at.all.ties.held;
   const Vectors x = at.scene.x;
   constexpr double small = 1e-5;
   at.scene.x = x + small * at.v;
@@ -115,7 +115,7 @@ TEST_P(BondByMultipliersOver, ItsRateIsTheDerivativeOfWhatItHoldsAndItsImpulsesA
 }
 
 TEST_P(BondByMultipliersOver, HoldsAtTheEndOfEveryStepAndKeepsMomenta) {
-  Bonded at(above, GetParam());
+  Tied at(above, GetParam());
   const auto momenta = [&] {
     Eigen::Matrix<double, 6, 1> sum = Eigen::Matrix<double, 6, 1>::Zero();
     for (Index n = 0; n < at.v.cols(); ++n) {
@@ -129,9 +129,9 @@ TEST_P(BondByMultipliersOver, HoldsAtTheEndOfEveryStepAndKeepsMomenta) {
   const auto before = momenta();
   for (int s = 0; s < 50; ++s) {
     at.step();
-    for (const HeldBond& b : at.all.bonds.held) {
+    for (const HeldTie& b : at.all.ties.held) {
       const Interface& glue = at.scene.interface;
-      const Vec3 n = normal_of(glue, static_cast<Index>(&b - at.all.bonds.held.data()), at.scene.x);
+      const Vec3 n = normal_of(glue, static_cast<Index>(&b - at.all.ties.held.data()), at.scene.x);
       Vec3 d = at.scene.x.col(b.node[0]) - b.height * n;
       for (int j = 1; j < b.nodes; ++j) d += b.weight[j] * at.scene.x.col(b.node[j]);
       EXPECT_LT(d.norm(), 1e-13) << s;
@@ -140,77 +140,77 @@ TEST_P(BondByMultipliersOver, HoldsAtTheEndOfEveryStepAndKeepsMomenta) {
   EXPECT_LT((momenta() - before).norm(), 1e-12 * before.norm());
 }
 
-TEST(BondByMultipliers, FindsTheImpulsesOfADenseSolution) {
-  Bonded at({{1.3, 1.6, 0.18}, {1.4, 1.5, 0.2}, {1.35, 1.7, 0.2}, {2.2, 2.9, 0.5}, {1.1, 1.2, 0.17}});
-  for (Bond& bond : at.scene.interface.bonds) bond.height = 0;  // linear
+TEST(TieByMultipliers, FindsTheImpulsesOfADenseSolution) {
+  Tied at({{1.3, 1.6, 0.18}, {1.4, 1.5, 0.2}, {1.35, 1.7, 0.2}, {2.2, 2.9, 0.5}, {1.1, 1.2, 0.17}});
+  for (Tie& tie : at.scene.interface.ties) tie.height = 0;  // linear
   at.find();
-  const auto count = static_cast<Index>(at.all.bonds.held.size()), nodes = static_cast<Index>(at.v.cols());
+  const auto count = static_cast<Index>(at.all.ties.held.size()), nodes = static_cast<Index>(at.v.cols());
   Eigen::MatrixXd G = Eigen::MatrixXd::Zero(3 * count, 3 * nodes), inverse_mass = Eigen::MatrixXd::Zero(3 * nodes, 3 * nodes);
   Eigen::VectorXd missing(3 * count);
   const Motion m = at.motion();
   look_ahead(at.scene.interface.apexes, m, at.all), look_ahead(at.scene.interface.base_nodes, m, at.all);
   for (Index n = 0; n < nodes; ++n) inverse_mass.block<3, 3>(3 * n, 3 * n) = Mat3::Identity() / at.mass(n);
   for (Index k = 0; k < count; ++k) {
-    const HeldBond& b = at.all.bonds.held[k];
+    const HeldTie& b = at.all.ties.held[k];
     for (int j = 0; j < b.nodes; ++j) G.block<3, 3>(3 * k, 3 * b.node[j]) += b.weight[j] * Mat3::Identity();
     missing.segment<3>(3 * k) = -0.2 * b.off / at.dt - rate(b, at.all.velocity);
   }
   const Eigen::VectorXd exact = (G * inverse_mass * G.transpose()).ldlt().solve(missing);
   for (Index k = 0; k < count; ++k)
-    EXPECT_LT((at.all.bonds.held[k].impulse - exact.segment<3>(3 * k)).norm(), 1e-11 * exact.norm()) << k;
+    EXPECT_LT((at.all.ties.held[k].impulse - exact.segment<3>(3 * k)).norm(), 1e-11 * exact.norm()) << k;
 }
 
-TEST(BondByMultipliers, CollectsNothingInDirectionsInWhichNothingCanMove) {
-  Bonded at(above);
+TEST(TieByMultipliers, CollectsNothingInDirectionsInWhichNothingCanMove) {
+  Tied at(above);
   const Mat3 flat = Vec3(1, 1, 0).asDiagonal();
   for (const Mat3*& one : at.allowed) one = &flat;
   at.v.row(2).setZero();
-  for (Bond& bond : at.scene.interface.bonds) bond.height = 0;
+  for (Tie& tie : at.scene.interface.ties) tie.height = 0;
   at.find();
-  for (const HeldBond& b : at.all.bonds.held) {
+  for (const HeldTie& b : at.all.ties.held) {
     EXPECT_EQ(b.impulse.z(), 0);
     EXPECT_GT(b.impulse.norm(), 0);
     EXPECT_GT(b.off.norm(), 0.01) << "there is something to correct";
   }
 }
 
-TEST(BondByMultipliers, NormalOverAFaceIsThatOfItsBilinearSurface) {
-  const Bonded at(above);
+TEST(TieByMultipliers, NormalOverAFaceIsThatOfItsBilinearSurface) {
+  const Tied at(above);
   const Interface& glue = at.scene.interface;
   for (std::size_t k = 0; k < above.size(); ++k) {
-    const HeldBond& b = at.all.bonds.held[k];
-    const auto corner = [&](int I) { return Vec3(at.scene.x.col(b.node[I])); };  // first, second, third, fourth: see HeldBond
-    const Bond& bond = glue.bonds[k];
-    const double second = bond.weight[(b.first + 1) % 3], third = bond.weight[(b.first + 2) % 3];
-    const double across = second + bond.weight[3], up = second + third;
+    const HeldTie& b = at.all.ties.held[k];
+    const auto corner = [&](int I) { return Vec3(at.scene.x.col(b.node[I])); };  // first, second, third, fourth: see HeldTie
+    const Tie& tie = glue.ties[k];
+    const double second = tie.weight[(b.first + 1) % 3], third = tie.weight[(b.first + 2) % 3];
+    const double across = second + tie.weight[3], up = second + third;
     const auto point = [&](double u, double w) {
       return Vec3((1 - u) * (1 - w) * corner(1) + u * w * corner(2) + (1 - u) * w * corner(3) + u * (1 - w) * corner(4));
     };
     constexpr double small = 1e-5;
     const Vec3 n = (point(across + small, up) - point(across - small, up)).cross(point(across, up + small) - point(across, up - small));
     EXPECT_LT((normal_of(glue, static_cast<Index>(k), at.scene.x) - n.normalized()).norm(), 1e-10);
-    EXPECT_LT((point(across, up) + bond.height * n.normalized() - above[k]).norm(), 1e-10);
-    EXPECT_GT((facet_normal(glue.base, at.scene.x, bond.facet) - n.normalized()).norm(), 1e-3) << "the face is warped";
+    EXPECT_LT((point(across, up) + tie.height * n.normalized() - above[k]).norm(), 1e-10);
+    EXPECT_GT((facet_normal(glue.base, at.scene.x, tie.facet) - n.normalized()).norm(), 1e-3) << "the face is warped";
   }
 }
 
-TEST(BondByMultipliers, FaceThatIsWarpedTooMuchStaysCut) {
-  Bonded at(above);
+TEST(TieByMultipliers, FaceThatIsWarpedTooMuchStaysCut) {
+  Tied at(above);
   Interface glue = at.scene.interface;
   Vectors x = at.scene.x;
-  const HeldBond& b = at.all.bonds.held[0];
+  const HeldTie& b = at.all.ties.held[0];
   x.col(b.node[4]) += Vec3(0, 0, 4);
-  bond_here(x, glue);
-  EXPECT_FALSE(glue.bonds[0].on_face);
-  EXPECT_EQ(make_bonds(std::vector<AnyContact>{glue}, static_cast<Index>(x.cols())).held[0].nodes, 4);
-  bond_here(at.scene.x, glue);
-  EXPECT_TRUE(glue.bonds[0].on_face);
-  EXPECT_EQ(glue.bonds[0].weight, at.scene.interface.bonds[0].weight);
+  tie_here(x, glue);
+  EXPECT_FALSE(glue.ties[0].on_face);
+  EXPECT_EQ(make_ties(std::vector<AnyContact>{glue}, static_cast<Index>(x.cols())).held[0].nodes, 4);
+  tie_here(at.scene.x, glue);
+  EXPECT_TRUE(glue.ties[0].on_face);
+  EXPECT_EQ(glue.ties[0].weight, at.scene.interface.ties[0].weight);
 }
 
-TEST(BondByMultipliers, TwoThatSayTheSameShareTheImpulse) {
+TEST(TieByMultipliers, TwoThatSayTheSameShareTheImpulse) {
   const Vec3 apex(1.3, 1.6, 0.4);
-  Bonded one({apex}), two({apex});
+  Tied one({apex}), two({apex});
   Interface again = two.scene.interface;
   const std::vector<AnyContact> both{two.scene.interface, again};
   const std::vector<AnyMemory> memories{two.scene.memory, two.scene.memory};
@@ -218,11 +218,11 @@ TEST(BondByMultipliers, TwoThatSayTheSameShareTheImpulse) {
   one.find();
   const Motion m = two.motion();
   look_ahead(two.scene.interface.apexes, m, two.all), look_ahead(two.scene.interface.base_nodes, m, two.all);
-  find_bonds(both, m, memories, two.all.velocity, two.all.bonds);
-  const Vec3 whole = one.all.bonds.held[0].impulse;
+  find_ties(both, m, memories, two.all.velocity, two.all.ties);
+  const Vec3 whole = one.all.ties.held[0].impulse;
   EXPECT_GT(whole.norm(), 0);
-  for (const HeldBond& b : two.all.bonds.held) EXPECT_LT((b.impulse - 0.5 * whole).norm(), 1e-11 * whole.norm());
+  for (const HeldTie& b : two.all.ties.held) EXPECT_LT((b.impulse - 0.5 * whole).norm(), 1e-11 * whole.norm());
 }
 
 }  // namespace
-}  // namespace nereid::contact::bond_test
+}  // namespace nereid::contact::tie_test

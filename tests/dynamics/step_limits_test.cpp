@@ -1,4 +1,4 @@
-#include "dynamics/votes.hpp"
+#include "dynamics/step_limits.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,34 +8,34 @@ namespace {
 const std::vector<Source> sources{{"lead", SourceKind::block, {}, {}}, {"skin", SourceKind::interface, {}, {}},
                                   {"wall", SourceKind::rigid_plane, {}, {}}, {"strut", SourceKind::spring, {}, {}}};
 
-Votes votes(double elements, double contact) {
-  Votes all;
-  all.elements.see({elements, 17}, 0);
-  all.contact.see({contact, 204}, 1);
+StepLimits limits(double elements, double contact) {
+  StepLimits all;
+  all.elements.lower_to({elements, 17}, 0);
+  all.contact.lower_to({contact, 204}, 1);
   return all;
 }
 
-TEST(Vote, IsTheSmallestLimitAndKeepsTheFirstOfEqualOnes) {
-  Vote vote;
-  vote.see({2, 5}, 0);
-  vote.see({1, 6}, 1);
-  vote.see({1, 7}, 2);
-  vote.see({}, 3);
-  EXPECT_EQ(vote.step, 1);
-  EXPECT_EQ(vote.source, 1);
-  EXPECT_EQ(vote.at, 6);
+TEST(SourceLimit, IsTheSmallestLimitAndKeepsTheFirstOfEqualOnes) {
+  SourceLimit limit;
+  limit.lower_to({2, 5}, 0);
+  limit.lower_to({1, 6}, 1);
+  limit.lower_to({1, 7}, 2);
+  limit.lower_to({}, 3);
+  EXPECT_EQ(limit.step, 1);
+  EXPECT_EQ(limit.source, 1);
+  EXPECT_EQ(limit.at, 6);
 }
 
 TEST(Step, NamesTheElementThatLimitsItThoughContactAllowsLessThanTheElementsStableStep) {
   // contact between 0.9 and 1 of the elements' limit: the elements with their safety are still the smaller
-  const Step step = choose_step(votes(1, 0.95), 0.9);
+  const Step step = choose_step(limits(1, 0.95), 0.9);
   EXPECT_EQ(step.dt, 0.9);
   EXPECT_EQ(step.safety, 0.9);
   EXPECT_EQ(limited_by(step, sources), "element 17 of 'lead', 0.9 of its stable step");
 }
 
 TEST(Step, NamesTheApexOfTheContactThatLimitsIt) {
-  const Step step = choose_step(votes(1, 0.5), 0.9);
+  const Step step = choose_step(limits(1, 0.5), 0.9);
   EXPECT_EQ(step.dt, 0.5);
   EXPECT_EQ(step.safety, 1);
   EXPECT_EQ(limited_by(step, sources), "contact 'skin', apex at node 204");
@@ -43,21 +43,21 @@ TEST(Step, NamesTheApexOfTheContactThatLimitsIt) {
 
 TEST(Step, FallsAtOnceAndGrowsByATwentiethOrMore) {
   const Pace pace{.end = 100, .safety = 0.9};
-  EXPECT_EQ(next_length(votes(1, 5), pace, 0, 0), 0.9);
-  EXPECT_EQ(next_length(votes(1, 5), pace, 0, 1), 0.9);
-  EXPECT_EQ(next_length(votes(1, 5), pace, 0, 0.88), 0.88);
-  EXPECT_EQ(next_length(votes(1, 5), pace, 0, 0.5), 0.9);
+  EXPECT_EQ(next_length(limits(1, 5), pace, 0, 0), 0.9);
+  EXPECT_EQ(next_length(limits(1, 5), pace, 0, 1), 0.9);
+  EXPECT_EQ(next_length(limits(1, 5), pace, 0, 0.88), 0.88);
+  EXPECT_EQ(next_length(limits(1, 5), pace, 0, 0.5), 0.9);
 }
 
 TEST(Step, ThatHasCostEnergyByItsChangesGrowsOnlyWhereTwentyInARowWouldHaveLetIt) {
   const Pace pace{.end = 1e6, .safety = 1};
-  Votes now = votes(1, 5);
+  StepLimits now = limits(1, 5);
   double dt = 1;
   int changes = 0;
   for (int step = 0; step < 200; ++step) {  // rings: pressed and free in turn
-    const Votes before = now;
-    now = votes(step % 4 < 2 ? 1 : 0.9, 5);
-    see_growth(before, pace, dt, 0.02, now);
+    const StepLimits before = now;
+    now = limits(step % 4 < 2 ? 1 : 0.9, 5);
+    update_growth(before, pace, dt, 0.02, now);
     const double next = next_length(now, pace, 0, dt);
     changes += next != dt ? 1 : 0;
     dt = next;
@@ -66,23 +66,23 @@ TEST(Step, ThatHasCostEnergyByItsChangesGrowsOnlyWhereTwentyInARowWouldHaveLetIt
   EXPECT_EQ(changes, 1);
   int steps = 0;
   for (; dt < 1 && steps < 100; ++steps) {
-    const Votes before = now;
-    now = votes(1, 5);
-    see_growth(before, pace, dt, 0, now);  // it goes on to be costly
+    const StepLimits before = now;
+    now = limits(1, 5);
+    update_growth(before, pace, dt, 0, now);  // it goes on to be costly
     dt = next_length(now, pace, 0, dt);
   }
   EXPECT_GE(steps, 18);
   EXPECT_LE(steps, 20);
-  Votes cheap = votes(1, 5);
-  see_growth(votes(0.9, 5), pace, 0.9, 0.005, cheap);
+  StepLimits cheap = limits(1, 5);
+  update_growth(limits(0.9, 5), pace, 0.9, 0.005, cheap);
   EXPECT_EQ(next_length(cheap, pace, 0, 0.9), 1);
 }
 
 TEST(Step, CountsOnTheLimitOfTheElementsToFallAsItFell) {
   const Pace pace{.end = 1e6, .safety = 0.9};
   const auto next = [&](double before, double now) {
-    Votes then = votes(now, 5);
-    see_growth(votes(before, 5), pace, 0.9 * before, 0, then);
+    StepLimits then = limits(now, 5);
+    update_growth(limits(before, 5), pace, 0.9 * before, 0, then);
     return choose_step(then, pace.safety);
   };
   EXPECT_NEAR(next(1, 0.9).dt, 0.925 * 0.9 * 0.9, 1e-15);
@@ -97,10 +97,10 @@ TEST(Step, CountsOnTheLimitOfTheElementsToFallAsItFell) {
 
 TEST(Step, SharesWhatIsLeftEvenly) {
   const Pace pace{.end = 100, .safety = 1};
-  EXPECT_EQ(next_length(votes(1, 5), pace, 50, 1), 1);
+  EXPECT_EQ(next_length(limits(1, 5), pace, 50, 1), 1);
   int steps = 0;
   for (double t = 90.5, last = 1; t < 100; ++steps) {
-    const double next = next_length(votes(1, 5), pace, t, last);
+    const double next = next_length(limits(1, 5), pace, t, last);
     EXPECT_NEAR(next, 0.95, 1e-12);
     t += last = next;
   }

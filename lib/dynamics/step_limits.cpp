@@ -1,4 +1,4 @@
-#include "dynamics/votes.hpp"
+#include "dynamics/step_limits.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,24 +17,24 @@ constexpr double worth_a_warning = 0.01;   // of the energy of the scene: a fift
 
 }  // namespace
 
-Step choose_step(const Votes& votes, double safety) {
+Step choose_step(const StepLimits& limits, double safety) {
   const double most = safety + of_margin * std::max(0.0, 1 - safety);  // of the limit to come
-  const double part = std::min(safety, most * votes.trend), elements = part * votes.elements.step;
-  if (votes.contact.step < elements) return {votes.contact.step, votes.contact.source, votes.contact.at, 1};
-  return {elements, votes.elements.source, votes.elements.at, part};
+  const double part = std::min(safety, most * limits.trend), elements = part * limits.elements.step;
+  if (limits.contact.step < elements) return {limits.contact.step, limits.contact.source, limits.contact.at, 1};
+  return {elements, limits.elements.source, limits.elements.at, part};
 }
 
-double next_length(const Votes& votes, const Pace& pace, double t, double last) {
+double next_length(const StepLimits& limits, const Pace& pace, double t, double last) {
   constexpr double shared = 20;
   if (pace.fixed > 0) return pace.fixed;
-  const double most = choose_step(votes, pace.safety).dt, left = pace.end - t;
-  const bool waits = votes.costly && votes.may_grow < patience;
+  const double most = choose_step(limits, pace.safety).dt, left = pace.end - t;
+  const bool waits = limits.costly && limits.may_grow < patience;
   const double chosen = most < grows_by * last || waits ? std::min(most, last > 0 ? last : most) : most;
   if (left >= shared * chosen || !(left > 1e-12 * pace.end)) return chosen;  // at the end as if the run went on
   return left / std::max(1.0, std::ceil(left / chosen - 1e-9));
 }
 
-void see_growth(const Votes& before, const Pace& pace, double dt, double created, Votes& now) {
+void update_growth(const StepLimits& before, const Pace& pace, double dt, double created, StepLimits& now) {
   const double ratio = now.elements.step / before.elements.step;
   now.trend = ratio < 1 ? std::max(ratio, steepest) : 1;
   now.may_grow = choose_step(now, pace.safety).dt < grows_by * dt ? 0 : before.may_grow + 1;

@@ -1,6 +1,6 @@
 """A bar of two parts is one bar: d'Alembert's solution, u = (a/2)(g(x - ct) + g(x + ct)), as long as no pulse is at an end.
 
-A rigid layer without mass between the parts, as thick as the gap over which they are bonded, only moves what is behind it by its thickness.
+A rigid layer without mass between the parts, as thick as the gap over which they are tied, only moves what is behind it by its thickness.
 """
 from math import exp, sqrt
 

@@ -1,4 +1,4 @@
-#include "contact/multiplier/bond.hpp"
+#include "contact/multiplier/tie.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
@@ -17,20 +17,20 @@ namespace {
 
 constexpr double solved = 1e-12;         // of the impulses of an interface: the solver ends when all that is missing would take less
 constexpr double drawn_back = 0.2;       // of d in a step: it is round-off of positions, and all of it at once has five times its noise
-constexpr double stands_still = 1e-14;   // of the speed of a bond's nodes: slower is standing still
+constexpr double stands_still = 1e-14;   // of the speed of a tie's nodes: slower is standing still
 constexpr double contradiction = 1e-14;  // of what is missing, by energy: no impulses do more to it
 constexpr int most_iterations = 200;
-constexpr int most_turns = 8;            // of linear solutions, where facets turn under bonds with a height
+constexpr int most_turns = 8;            // of linear solutions, where facets turn under ties with a height
 constexpr double of_a_turn = 1e-9;       // of what is missing, by energy: one of them need not be better, since facets turn by more
 constexpr Index grain = 2048;            // a thread takes longer to wake than to do less
 
-/// Derivatives of the shape functions of a facet or face at the point of a bond. [-]
+/// Derivatives of the shape functions of a facet or face at the point of a tie. [-]
 struct Slopes {
   std::array<double, 4> by_a, by_b;
 };
-Slopes slopes(const HeldBond& bond) {
-  if (bond.nodes == 4) return {{-1, 1, 0, 0}, {-1, 0, 1, 0}};
-  const double a = -bond.weight[2] - bond.weight[4], b = -bond.weight[2] - bond.weight[3];
+Slopes slopes(const HeldTie& tie) {
+  if (tie.nodes == 4) return {{-1, 1, 0, 0}, {-1, 0, 1, 0}};
+  const double a = -tie.weight[2] - tie.weight[4], b = -tie.weight[2] - tie.weight[3];
   return {{b - 1, b, -b, 1 - b}, {a - 1, a, 1 - a, -a}};
 }
 
@@ -39,7 +39,7 @@ struct Tangents {
   Vec3 by_a, by_b;
   Vec3 area() const { return by_a.cross(by_b); }
 };
-Tangents tangents(const HeldBond& b, const Slopes& slope, const Vectors& x) {
+Tangents tangents(const HeldTie& b, const Slopes& slope, const Vectors& x) {
   Tangents sum{Vec3::Zero(), Vec3::Zero()};
   for (int I = 1; I < b.nodes - 1; ++I) {  // differences, so that they keep their digits far from the origin
     const Vec3 side = x.col(b.node[I + 1]) - x.col(b.node[1]);
@@ -48,28 +48,28 @@ Tangents tangents(const HeldBond& b, const Slopes& slope, const Vectors& x) {
   return sum;
 }
 
-/// A bond with its nodes.
-HeldBond held_bond(const Interface& interface, Index a) {
-  const Bond& bond = interface.bonds[a];
-  const Half& half = interface.base.half[bond.facet];
-  HeldBond b;
-  b.nodes = bond.on_face ? 5 : 4;
-  b.first = bond.on_face ? half.cut : 0;
+/// A tie with its nodes.
+HeldTie held_tie(const Interface& interface, Index a) {
+  const Tie& tie = interface.ties[a];
+  const Half& half = interface.base.half[tie.facet];
+  HeldTie b;
+  b.nodes = tie.on_face ? 5 : 4;
+  b.first = tie.on_face ? half.cut : 0;
   b.node[0] = interface.apexes[a], b.weight[0] = 1;
-  for (int I = 0; I < 3; ++I) b.node[I + 1] = interface.base.facets((b.first + I) % 3, bond.facet);
+  for (int I = 0; I < 3; ++I) b.node[I + 1] = interface.base.facets((b.first + I) % 3, tie.facet);
   b.node[4] = half.fourth;
   return b;
 }
-void set_weights(const Bond& bond, HeldBond& b) {
-  b.height = bond.height;
-  for (int I = 0; I < 3; ++I) b.weight[I + 1] = -bond.weight[(b.first + I) % 3];
-  b.weight[4] = -bond.weight[3];
+void set_weights(const Tie& tie, HeldTie& b) {
+  b.height = tie.height;
+  for (int I = 0; I < 3; ++I) b.weight[I + 1] = -tie.weight[(b.first + I) % 3];
+  b.weight[4] = -tie.weight[3];
 }
 
 /// The rate with which d would be smaller by `drawn_back` at the end of the step to come, less that which the nodes have. [m/s]
 ///
 /// The base turns during the step: beyond the linear rate d changes by -h (n' - n - dn).
-Vec3 missing(const HeldBond& b, const Motion& m, const Vectors& v) {
+Vec3 missing(const HeldTie& b, const Motion& m, const Vectors& v) {
   const Vec3 linear = -drawn_back / m.next * b.off - rate(b, v);
   if (b.height == 0) return linear;
   const Slopes slope = slopes(b);
@@ -80,9 +80,9 @@ Vec3 missing(const HeldBond& b, const Motion& m, const Vectors& v) {
   return linear + b.height * turn;
 }
 
-/// Geometry of a bond at t.
-void place(const Interface& interface, Index a, const Vectors& x, HeldBond& b) {
-  set_weights(interface.bonds[a], b);
+/// Geometry of a tie at t.
+void place(const Interface& interface, Index a, const Vectors& x, HeldTie& b) {
+  set_weights(interface.ties[a], b);
   const Slopes slope = slopes(b);
   const Tangents along = tangents(b, slope, x);
   const Vec3 area = along.area();
@@ -95,11 +95,11 @@ void place(const Interface& interface, Index a, const Vectors& x, HeldBond& b) {
   for (int I = 0; I < b.nodes - 1; ++I) b.gradient[I] = slope.by_a[I] * of_a + slope.by_b[I] * of_b;
 }
 
-/// What an impulse on a bond does to its own rate, and the inverse of that where nodes can move. A direction in which they are held and
+/// What an impulse on a tie does to its own rate, and the inverse of that where nodes can move. A direction in which they are held and
 /// only the facet can turn counts as held.
 ///
 /// allowed  null, or of an apex on a symmetry plane: what leads out of it the images of facets take
-void respond(const Motion& m, const Mat3* allowed, HeldBond& b) {
+void respond(const Motion& m, const Mat3* allowed, HeldTie& b) {
   bool constrained = allowed != nullptr;
   double most = 0;
   for (int j = 0; j < b.nodes; ++j) {
@@ -136,14 +136,14 @@ void respond(const Motion& m, const Mat3* allowed, HeldBond& b) {
   b.inverse = let * (let * all * let + most * (Mat3::Identity() - let)).inverse() * let;
 }
 
-/// Velocities that impulses give to the nodes, `of` telling that of a bond, into Bonds::change.
+/// Velocities that impulses give to the nodes, `of` telling that of a tie, into Ties::change.
 template <class Of>
-void set_change(const Motion& m, Bonds& all, Of&& of) {
+void set_change(const Motion& m, Ties& all, Of&& of) {
   parallel_for(static_cast<Index>(all.nodes.size()), grain, [&](Index i) {
     const Index node = all.nodes[i];
     Vec3 sum = Vec3::Zero();
     for (Index u = all.begin[i]; u < all.begin[i + 1]; ++u) {
-      const HeldBond& b = all.held[all.uses[u].bond];
+      const HeldTie& b = all.held[all.uses[u].tie];
       sum += part(b, all.uses[u].place, of(b));
     }
     sum /= m.mass(node);
@@ -151,31 +151,31 @@ void set_change(const Motion& m, Bonds& all, Of&& of) {
   });
 }
 
-/// Adds Bonds::change to the velocities.
-void give(Bonds& all, Vectors& velocity) {
+/// Adds Ties::change to the velocities.
+void give(Ties& all, Vectors& velocity) {
   for (const Index node : all.nodes) velocity.col(node) += all.change.col(node);
 }
 
 template <class Term>
-double sum(Bonds& all, Index first, Index last, Term&& term) {
+double sum(Ties& all, Index first, Index last, Term&& term) {
   return ordered_sum(last - first, all.partial, [&](Index i) { return term(all.held[first + i]); });
 }
 template <class Term>
-double sum(Bonds& all, Term&& term) {
+double sum(Ties& all, Term&& term) {
   return sum(all, 0, static_cast<Index>(all.held.size()), term);
 }
 
 /// Whether what is missing is small against the impulses, interface by interface, by energy.
 ///
 /// enough  [J] of all of it
-bool is_held(Bonds& all, double enough = 0) {
+bool is_held(Ties& all, double enough = 0) {
   double left = 0;
   bool held = true;
   for (std::size_t i = 0; i + 1 < all.first.size(); ++i) {
     const Index first = all.first[i], last = all.first[i + 1];
     if (first == last) continue;
-    const double missing = sum(all, first, last, [](const HeldBond& b) { return b.residual.dot(b.guess); });
-    const double counts = sum(all, first, last, [](const HeldBond& b) {
+    const double missing = sum(all, first, last, [](const HeldTie& b) { return b.residual.dot(b.guess); });
+    const double counts = sum(all, first, last, [](const HeldTie& b) {
       return solved * solved * b.per_mass * (b.impulse + b.change).squaredNorm() + b.still * b.still / b.per_mass;
     });
     left += missing;
@@ -185,9 +185,9 @@ bool is_held(Bonds& all, double enough = 0) {
 }
 
 /// Sets what is missing with these velocities.
-bool look(const Motion& m, const Vectors& velocity, Bonds& all) {
+bool look(const Motion& m, const Vectors& velocity, Ties& all) {
   parallel_for(static_cast<Index>(all.held.size()), grain, [&](Index i) {
-    HeldBond& b = all.held[i];
+    HeldTie& b = all.held[i];
     b.change.setZero();
     b.residual = missing(b, m, velocity);
     b.guess = b.inverse * b.residual;
@@ -195,24 +195,24 @@ bool look(const Motion& m, const Vectors& velocity, Bonds& all) {
   return is_held(all);
 }
 
-/// Adds to the impulses those that take what is missing at linear rates: conjugate residuals, preconditioned by each bond's own response.
-void solve(const Motion& m, Bonds& all) {
+/// Adds to the impulses those that take what is missing at linear rates: conjugate residuals, preconditioned by each tie's own response.
+void solve(const Motion& m, Ties& all) {
   const auto count = static_cast<Index>(all.held.size());
   const auto answer = [&] {
-    set_change(m, all, [](const HeldBond& b) { return b.guess; });
+    set_change(m, all, [](const HeldTie& b) { return b.guess; });
     parallel_for(count, grain, [&](Index i) { all.held[i].answer = rate(all.held[i], all.change); });
-    return sum(all, [](const HeldBond& b) { return b.guess.dot(b.answer); });
+    return sum(all, [](const HeldTie& b) { return b.guess.dot(b.answer); });
   };
   double power = answer();
-  const double enough = all.any_height ? of_a_turn * sum(all, [](const HeldBond& b) { return b.residual.dot(b.guess); }) : 0;
-  for (HeldBond& b : all.held) b.way = b.guess, b.way_answer = b.answer;
+  const double enough = all.any_height ? of_a_turn * sum(all, [](const HeldTie& b) { return b.residual.dot(b.guess); }) : 0;
+  for (HeldTie& b : all.held) b.way = b.guess, b.way_answer = b.answer;
   for (int k = 0; k < most_iterations; ++k) {
     ++all.iterations;
-    const double size = sum(all, [](const HeldBond& b) { return b.way_answer.dot(b.inverse * b.way_answer); });
+    const double size = sum(all, [](const HeldTie& b) { return b.way_answer.dot(b.inverse * b.way_answer); });
     if (!(size > 0)) return;
     const double step = power / size;
     parallel_for(count, grain, [&](Index i) {
-      HeldBond& b = all.held[i];
+      HeldTie& b = all.held[i];
       b.change += step * b.way;
       b.residual -= step * b.way_answer;
       b.guess -= step * (b.inverse * b.way_answer);
@@ -220,20 +220,20 @@ void solve(const Motion& m, Bonds& all) {
     if (is_held(all, enough)) return;
     const double before = power;
     power = answer();
-    if (!(power > contradiction * sum(all, [](const HeldBond& b) { return b.guess.dot(b.residual); }))) return;
+    if (!(power > contradiction * sum(all, [](const HeldTie& b) { return b.guess.dot(b.residual); }))) return;
     parallel_for(count, grain, [&](Index i) {
-      HeldBond& b = all.held[i];
+      HeldTie& b = all.held[i];
       b.way = b.guess + power / before * b.way;
       b.way_answer = b.answer + power / before * b.way_answer;
     });
   }
 }
 
-Vec3 rate_before(const HeldBond& b, const Motion& m) { return rate(b, m.v); }
+Vec3 rate_before(const HeldTie& b, const Motion& m) { return rate(b, m.v); }
 
 }  // namespace
 
-Vec3 rate(const HeldBond& b, const Vectors& v) {
+Vec3 rate(const HeldTie& b, const Vectors& v) {
   Vec3 sum = v.col(b.node[0]);
   for (int I = 1; I < b.nodes; ++I) sum += b.weight[I] * v.col(b.node[I]);
   if (b.height == 0) return sum;
@@ -241,26 +241,26 @@ Vec3 rate(const HeldBond& b, const Vectors& v) {
   return sum;
 }
 
-Vec3 part(const HeldBond& b, int place, const Vec3& impulse) {
+Vec3 part(const HeldTie& b, int place, const Vec3& impulse) {
   if (place == 0) return impulse;
   Vec3 one = b.weight[place] * impulse;
   if (b.height != 0) one += b.height * b.gradient[place - 1].dot(impulse) * b.normal;
   return one;
 }
 
-Bonds make_bonds(std::span<const AnyContact> contacts, Index nodes) {
-  Bonds all;
+Ties make_ties(std::span<const AnyContact> contacts, Index nodes) {
+  Ties all;
   all.first.assign(1, 0);
   for (const AnyContact& contact : contacts) {
-    if (bonded_by_multipliers(contact)) {
+    if (tied_by_multipliers(contact)) {
       const Interface& interface = std::get<Interface>(contact);
-      for (std::size_t a = 0; a < interface.bonds.size(); ++a)
-        if (interface.bonds[a].facet >= 0) all.held.push_back(held_bond(interface, static_cast<Index>(a)));
+      for (std::size_t a = 0; a < interface.ties.size(); ++a)
+        if (interface.ties[a].facet >= 0) all.held.push_back(held_tie(interface, static_cast<Index>(a)));
     }
     all.first.push_back(static_cast<Index>(all.held.size()));
   }
   if (all.held.empty()) return all;
-  std::vector<std::vector<Bonds::Use>> of_node(static_cast<std::size_t>(nodes));
+  std::vector<std::vector<Ties::Use>> of_node(static_cast<std::size_t>(nodes));
   for (std::size_t b = 0; b < all.held.size(); ++b)
     for (int j = 0; j < all.held[b].nodes; ++j) of_node[all.held[b].node[j]].push_back({static_cast<Index>(b), j});
   all.has.assign(static_cast<std::size_t>(nodes), false);
@@ -277,7 +277,7 @@ Bonds make_bonds(std::span<const AnyContact> contacts, Index nodes) {
   return all;
 }
 
-void find_bonds(std::span<const AnyContact> contacts, const Motion& m, std::span<const AnyMemory> memories, Vectors& velocity, Bonds& all) {
+void find_ties(std::span<const AnyContact> contacts, const Motion& m, std::span<const AnyMemory> memories, Vectors& velocity, Ties& all) {
   if (all.held.empty()) return;
   const double h = 0.5 * (m.dt + m.next);
   if (m.driven)
@@ -286,10 +286,10 @@ void find_bonds(std::span<const AnyContact> contacts, const Motion& m, std::span
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     if (all.first[i] == all.first[i + 1]) continue;
     const Interface& interface = std::get<Interface>(contacts[i]);
-    for (const Bond& bond : interface.bonds) all.any_height = all.any_height || bond.height != 0;
+    for (const Tie& tie : interface.ties) all.any_height = all.any_height || tie.height != 0;
     const std::vector<Near>& near = std::get<Memory>(memories[i]).near;
     parallel_for(static_cast<Index>(near.size()), grain, [&](Index k) {
-      HeldBond& b = all.held[all.first[i] + k];
+      HeldTie& b = all.held[all.first[i] + k];
       place(interface, near[k].apex, m.x, b);
       respond(m, allowed_of(interface, near[k].apex), b);
       double fastest = 0;
@@ -298,44 +298,44 @@ void find_bonds(std::span<const AnyContact> contacts, const Motion& m, std::span
       b.impulse = near[k].element.closed && m.dt > 0 ? Vec3(h * near[k].element.apex) : Vec3(Vec3::Zero());
     });
   }
-  set_change(m, all, [](const HeldBond& b) { return b.impulse; });
+  set_change(m, all, [](const HeldTie& b) { return b.impulse; });
   give(all, velocity);
   hold(m, velocity, all);
 }
 
-void hold(const Motion& m, Vectors& velocity, Bonds& all) {
+void hold(const Motion& m, Vectors& velocity, Ties& all) {
   if (all.held.empty()) return;
   for (int turn = 0; turn < most_turns; ++turn) {
     if (look(m, velocity, all)) return;
     solve(m, all);
-    set_change(m, all, [](const HeldBond& b) { return b.change; });
+    set_change(m, all, [](const HeldTie& b) { return b.change; });
     give(all, velocity);
-    for (HeldBond& b : all.held) b.impulse += b.change;
+    for (HeldTie& b : all.held) b.impulse += b.change;
     if (!all.any_height) return;
   }
 }
 
-void take_over(const Interface& interface, const Motion& m, std::span<const HeldBond> bonds, const Vectors& velocity, Memory& memory) {
+void take_over(const Interface& interface, const Motion& m, std::span<const HeldTie> ties, const Vectors& velocity, Memory& memory) {
   const double h = 0.5 * (m.dt + m.next), share = share_to_come(m), half = 0.5 * m.dt;
   double power_rate = 0;
   memory.held = 0;
-  for (std::size_t k = 0; k < bonds.size(); ++k) {
-    const HeldBond& b = bonds[k];
+  for (std::size_t k = 0; k < ties.size(); ++k) {
+    const HeldTie& b = ties[k];
     Near& near = memory.near[k];
     ElementForces& element = near.element;
     const Vec3 force = b.impulse / h, before = rate_before(b, m), after = rate(b, velocity);
     Stencil& hold = element.stencil[0] = {};
     Stencil& couple = element.stencil[1] = {};
-    const Bond& bond = interface.bonds[near.apex];
-    hold.facet = couple.facet = bond.facet;
+    const Tie& tie = interface.ties[near.apex];
+    hold.facet = couple.facet = tie.facet;
     hold.push = force, couple.apex = 0, couple.push = -b.height * b.normal;
-    for (int I = 0; I < 3; ++I) hold.weight[I] = bond.weight[I];
-    if (bond.on_face) hold.fourth = bond.weight[3];
+    for (int I = 0; I < 3; ++I) hold.weight[I] = tie.weight[I];
+    if (tie.on_face) hold.fourth = tie.weight[3];
     element.count = 1;
     if (b.height != 0) {
       element.count = 2;
       for (int I = 0; I < 3; ++I) couple.weight[(b.first + I) % 3] = force.dot(b.gradient[I]);
-      if (bond.on_face) couple.fourth = force.dot(b.gradient[3]);
+      if (tie.on_face) couple.fourth = force.dot(b.gradient[3]);
     }
     element.closed = true;
     element.scale = 1;
@@ -352,9 +352,9 @@ void take_over(const Interface& interface, const Motion& m, std::span<const Held
   memory.power_rate = power_rate;
 }
 
-void book_start(const Motion& m, std::span<const HeldBond> bonds, const Vectors& velocity, Memory& memory, Vectors& impulse) {
+void book_start(const Motion& m, std::span<const HeldTie> ties, const Vectors& velocity, Memory& memory, Vectors& impulse) {
   double work = 0;
-  for (const HeldBond& b : bonds) {
+  for (const HeldTie& b : ties) {
     work += 0.5 * b.impulse.dot(rate_before(b, m) + rate(b, velocity));
     for (int j = 0; j < b.nodes; ++j) {
       const Vec3 one = part(b, j, b.impulse);
@@ -367,28 +367,28 @@ void book_start(const Motion& m, std::span<const HeldBond> bonds, const Vectors&
   memory.impact += std::max(0.0, -work);
 }
 
-Bond bond_over(const Interface& interface, const Vectors& x, Index apex, Index facet) {
+Tie tie_over(const Interface& interface, const Vectors& x, Index apex, Index facet) {
   const Vec3 p = x.col(interface.apexes[apex]);
   const Feature feature{facet, geometry::Kind::facet, 0};
   FeatureHeight over = height_over(interface.base, x, feature, p);
-  Bond bond{.facet = facet};
-  bond.on_face = by_multipliers(interface) && stand_on_face(interface.base, x, p, feature, false, nullptr, over, bond.weight[3]);
-  std::copy(over.weight.begin(), over.weight.end(), bond.weight.begin());
-  // a height of round-off is none: a bond without one is simpler
-  bond.height = std::abs(over.height) < 1e-9 * interface.base.longest(facet) ? 0 : over.height;
-  return bond;
+  Tie tie{.facet = facet};
+  tie.on_face = by_multipliers(interface) && stand_on_face(interface.base, x, p, feature, false, nullptr, over, tie.weight[3]);
+  std::copy(over.weight.begin(), over.weight.end(), tie.weight.begin());
+  // a height of round-off is none: a tie without one is simpler
+  tie.height = std::abs(over.height) < 1e-9 * interface.base.longest(facet) ? 0 : over.height;
+  return tie;
 }
 
-void bond_here(const Vectors& x, Interface& interface) {
-  for (std::size_t a = 0; a < interface.bonds.size(); ++a) {
-    Bond& bond = interface.bonds[a];
-    if (bond.facet >= 0) bond = bond_over(interface, x, static_cast<Index>(a), bond.facet);
+void tie_here(const Vectors& x, Interface& interface) {
+  for (std::size_t a = 0; a < interface.ties.size(); ++a) {
+    Tie& tie = interface.ties[a];
+    if (tie.facet >= 0) tie = tie_over(interface, x, static_cast<Index>(a), tie.facet);
   }
 }
 
 Vec3 normal_of(const Interface& interface, Index apex, const Vectors& x) {
-  HeldBond b = held_bond(interface, apex);
-  set_weights(interface.bonds[apex], b);
+  HeldTie b = held_tie(interface, apex);
+  set_weights(interface.ties[apex], b);
   return tangents(b, slopes(b), x).area().normalized();
 }
 

@@ -1,4 +1,4 @@
-#include "contact/tracking/way_out.hpp"
+#include "contact/tracking/shortest_exit.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -121,7 +121,7 @@ void add(const BaseSurface& base, const Vectors& x, const Vec3& p, const Mat3* a
   solve(base, x, p, allowed, all);
 }
 
-void add(const Stencil& stencil, WayOut& out) {
+void add(const Stencil& stencil, Exit& out) {
   if (out.count < most_stencils) out.stencil[out.count++] = stencil;
 }
 
@@ -136,7 +136,7 @@ struct Faded {
 };
 
 /// way  where the point stands that is past the wall, from the apex: other parts may have pushed it there
-void push(const Stand& at, const Faded& faded, double level, const Vec3& way, WayOut& out) {
+void push(const Stand& at, const Faded& faded, double level, const Vec3& way, Exit& out) {
   const Index facet = at.feature.facet;
   const Vec3 normal = faded.depth * at.over.normal;
   add({.facet = facet, .apex = 1, .weight = at.over.weight, .push = faded.by_normal * normal, .level = level}, out);
@@ -192,8 +192,8 @@ Index face_across(const BaseSurface& base, const Vectors& x, const Vec3& point, 
 }
 
 /// The way out over the inside of one facet.
-WayOut over_one_facet(const FeatureHeight& over, double level, double release_height, Tracks& tracks, Stencil* stencils) {
-  WayOut out;
+Exit over_one_facet(const FeatureHeight& over, double level, double release_height, Tracks& tracks, Stencil* stencils) {
+  Exit out;
   out.stencil = stencils;
   Track& track = tracks.track[0];
   const double depth = track.height - over.height;
@@ -213,7 +213,7 @@ WayOut over_one_facet(const FeatureHeight& over, double level, double release_he
 
 }  // namespace
 
-WayOut way_out(const BaseSurface& base, const Vectors& x, const Vec3& p, double contact_height, const Mat3* allowed, Moved moved,
+Exit shortest_exit(const BaseSurface& base, const Vectors& x, const Vec3& p, double contact_height, const Mat3* allowed, Moved moved,
                Tracks& tracks, std::array<Stencil, most_stencils>& stencils, double release_height, Index self) {
   const auto level = [&](Index facet) { return contact_height + stand_off(base, facet); };
   if (tracks.count == 1 && allowed == nullptr) {  // well inside a facet
@@ -225,7 +225,7 @@ WayOut way_out(const BaseSurface& base, const Vectors& x, const Vec3& p, double 
     if (owner.whole) return over_one_facet(over, level(track.facet), release_height, tracks, stencils.data());
   }
   tracks.owned = -infinite;
-  WayOut out;
+  Exit out;
   out.stencil = stencils.data();
   std::array<Together, 2> way;
   std::array<bool, most_tracks> ends{}, acts{};

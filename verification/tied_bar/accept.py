@@ -3,7 +3,7 @@ from reference import BOND, INPUTS, TIME, largest_stress, largest_velocity, puls
 from verify import Breaks, Check, Figure, Pair, Report, Table
 
 CATALOGUE = ()
-CLAIM = "A bar of two bonded parts carries a pulse as one bar does, in the steps of its elements."
+CLAIM = "A bar of two tied parts carries a pulse as one bar does, in the steps of its elements."
 EVIDENCE = "exact"
 DRIVER = "scene"
 
@@ -16,7 +16,7 @@ ONE_FACE = {"bodies[0].mesh.cells": "[400, 3, 3]", "bodies[1].mesh.cells": "[200
 FINER = {"bodies[0].mesh.cells": "[400, 6, 6]"}
 PENALTY = {"contacts[0].method": "penalty"}
 CUT = "a penalty, with the weights of the halves of a face"
-ON_ITS_WAY = {"time.end": "120 us", "output.frames_every": "120 us"}  # the pulse's largest stress is at the bond
+ON_ITS_WAY = {"time.end": "120 us", "output.frames_every": "120 us"}  # the pulse's largest stress is at the tie
 
 
 def line(run):
@@ -44,7 +44,7 @@ def of(change, measure):
 
 
 def steps(run):
-    """Against those of the same bar without a bond, which fall apart."""
+    """Against those of the same bar without a tie, which fall apart."""
     apart = run.again({**run.overrides, "contacts": "[]"})
     return Pair(run.summary["cost"]["steps"], apart.summary["cost"]["steps"])
 
@@ -62,7 +62,7 @@ def uneven(run):
 
 
 def created(run):
-    """Of the bond, over the energy of the pulse."""
+    """Of the tie, over the energy of the pulse."""
     ledger = run.summary["ledger"]
     elastic = max(run.column("energy_kinetic"))
     return Pair(ledger["accounts"]["glue"]["created"]["value"], 0, "J", scale=elastic)
@@ -85,10 +85,10 @@ CHECKS = [
     Check("stress over a section, 3 x 3 on 1 x 1", of(ONE_FACE, uneven), 1e-5, PLANE),
     Check("stress over a section, 6 x 6 on 2 x 2", of(FINER, uneven), 1e-5, PLANE),
     Check("stress over a section, 3 x 3 on 1 x 1, over a gap of an element", of({**ONE_FACE, **APART}, uneven), 1e-5, PLANE),
-    Check("steps over those of the parts alone", steps, 1e-9, "a bond by multipliers has no step of its own"),
+    Check("steps over those of the parts alone", steps, 1e-9, "a tie by multipliers has no step of its own"),
     Report("stress over a section, 3 x 3 on 2 x 2", of(UNLIKE, uneven), "apexes do not load the nodes of a base that is not nested evenly"),
     Report("velocity, 2 x 2 on 3 x 3", of(COARSE, field(1)), "nodes of a base between its apexes lag: take the finer grid for the apexes"),
-    Report("energy created by the bond", created, "round-off"),
+    Report("energy created by the tie", created, "round-off"),
 ]
 
 
@@ -105,16 +105,16 @@ def methods(run):
 
 
 STUDIES = [Table("Largest error of velocity over that of a pulse; largest difference of stress over a cross-section as the pulse is at the "
-                 "bond, over that of the pulse; steps; and energy created by the bond over that of the pulse.",
+                 "tie, over that of the pulse; steps; and energy created by the tie over that of the pulse.",
                  ["grids", "method", "velocity", "stress over a section", "steps", "created"], methods, full=True)]
 
 OPENS = {"contacts[0].kind": "contact"}
 SOFT = {**PENALTY, "contacts[0].penalty": "5e11 Pa/m"}
 AT_THE_BOND = {**PENALTY, "time.end": "80 us", "output.frames_every": "80 us"}  # the front of the pulse is there, which shows as much
 BREAKS = [
-    Breaks("displacement of all cross-sections", "a contact where a bond is meant", OPENS),
+    Breaks("displacement of all cross-sections", "a contact where a tie is meant", OPENS),
     Breaks("velocity of all cross-sections", "a soft layer: a penalty of half the stiffness of an element", SOFT),
-    Breaks("velocity, over a gap of an element", "a contact where a bond is meant", OPENS),
+    Breaks("velocity, over a gap of an element", "a contact where a tie is meant", OPENS),
     Breaks("velocity, 3 x 3 on 2 x 2", "a soft layer: a penalty of half the stiffness of an element", SOFT),
     Breaks("velocity, 3 x 3 on 1 x 1", CUT, PENALTY),
     Breaks("stress over a section, 3 x 3 on 1 x 1", CUT, AT_THE_BOND),
@@ -135,4 +135,4 @@ def exact(run):
 
 
 FIGURES = [Figure("velocity", "position [mm]", "velocity [um/s]", curves, exact=exact,
-                  caption="Velocity after 200 us, every third node; the bond is at 100 mm, and one pulse has crossed it.")]
+                  caption="Velocity after 200 us, every third node; the tie is at 100 mm, and one pulse has crossed it.")]

@@ -1,4 +1,4 @@
-#include "contact/tracking/way_out.hpp"
+#include "contact/tracking/shortest_exit.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -7,7 +7,7 @@
 
 #include "tests/contact/pressed.hpp"
 
-namespace nereid::contact::way_out_test {
+namespace nereid::contact::shortest_exit_test {
 namespace {
 
 using geometry::Kind;
@@ -156,7 +156,7 @@ TEST(Valley, OfARightAnglePushesFullyOnBothFlanks) {
   EXPECT_NEAR(right, penalty * (0.1 - h), 1e-9);
 }
 
-TEST(WayOut, CountsSidesInOnePlaneOnceWhicheverWayTheyLeanToAThird) {
+TEST(Exit, CountsSidesInOnePlaneOnceWhicheverWayTheyLeanToAThird) {
   // below a floor, and behind sides of two bodies that are flush: each leans a little towards the floor or away from it
   const double below = 0.01, behind = 0.02;
   std::array<Index, 3> order{0, 1, 2};
@@ -176,13 +176,13 @@ TEST(WayOut, CountsSidesInOnePlaneOnceWhicheverWayTheyLeanToAThird) {
       for (const Index f : order) tracks.begin(f, 0);
       std::array<Stencil, most_stencils> stencils;
       const Moved unknown{std::numeric_limits<double>::infinity(), 0};
-      const WayOut out = way_out(base, shape.x, Vec3(-behind, -below, 0), 0, nullptr, unknown, tracks, stencils);
+      const Exit out = shortest_exit(base, shape.x, Vec3(-behind, -below, 0), 0, nullptr, unknown, tracks, stencils);
       EXPECT_NEAR(out.squared, below * below + behind * behind, 2 * std::abs(lean) * behind * behind + 1e-12) << lean;
     }
   } while (std::next_permutation(order.begin(), order.end()));
 }
 
-TEST(WayOut, BelowAnEdgeHoldsWhereAnotherSidePushesAcrossIt) {
+TEST(Exit, BelowAnEdgeHoldsWhereAnotherSidePushesAcrossIt) {
   const double below = 0.01, behind = 0.02;
   for (const double rise : {1e-7, 1e-5, 1e-3}) {  // of a valley that is almost flat, so that its edge is closest
     for (const bool floor_first : {true, false}) {
@@ -196,7 +196,7 @@ TEST(WayOut, BelowAnEdgeHoldsWhereAnotherSidePushesAcrossIt) {
       for (const Index f : {floor_first ? 0 : 2, floor_first ? 2 : 0}) tracks.begin(f, 0);
       std::array<Stencil, most_stencils> stencils;
       const Moved unknown{std::numeric_limits<double>::infinity(), 0};
-      const WayOut out = way_out(base, shape.x, Vec3(-behind, -below, 0), 0, nullptr, unknown, tracks, stencils);
+      const Exit out = shortest_exit(base, shape.x, Vec3(-behind, -below, 0), 0, nullptr, unknown, tracks, stencils);
       EXPECT_NEAR(out.squared, below * below + behind * behind, 2 * rise * behind * behind + 1e-12) << rise << floor_first;
     }
   }
@@ -404,4 +404,4 @@ TEST(OddSurface, PushesAnApexOnNodesAndEdgesOnce) {
 }
 
 }  // namespace
-}  // namespace nereid::contact::way_out_test
+}  // namespace nereid::contact::shortest_exit_test

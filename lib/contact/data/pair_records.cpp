@@ -1,4 +1,4 @@
-#include "contact/data/meeting.hpp"
+#include "contact/data/pair_records.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -7,56 +7,56 @@ namespace nereid::contact {
 
 namespace {
 
-/// The meeting of two bodies, which is made if they have not met before; `side` is -1 where the first of them is the other one.
-Meeting& meeting(Index a, Index b, double t, SidesMemory& memory, double& side) {
+/// The record of two bodies, which is made if they have not met before; `side` is -1 where the first of them is the other one.
+PairRecord& pair_record(Index a, Index b, double t, SidesMemory& memory, double& side) {
   side = a <= b ? 1 : -1;
   const Index one = std::min(a, b), other = std::max(a, b);
-  const auto before = [](const Meeting& m, const std::pair<Index, Index>& pair) { return std::pair(m.one, m.other) < pair; };
-  const auto at = std::lower_bound(memory.meetings.begin(), memory.meetings.end(), std::pair(one, other), before);
-  if (at != memory.meetings.end() && at->one == one && at->other == other) return *at;
-  return *memory.meetings.insert(at, {.one = one, .other = other, .first = t, .last = t});
+  const auto before = [](const PairRecord& m, const std::pair<Index, Index>& pair) { return std::pair(m.one, m.other) < pair; };
+  const auto at = std::lower_bound(memory.pair_records.begin(), memory.pair_records.end(), std::pair(one, other), before);
+  if (at != memory.pair_records.end() && at->one == one && at->other == other) return *at;
+  return *memory.pair_records.insert(at, {.one = one, .other = other, .first = t, .last = t});
 }
 
 /// Adds a force on body a, from body b.
 void add(Index a, Index b, const Vec3& force, double t, SidesMemory& memory) {
   double side = 1;
-  Meeting& of_pair = meeting(a, b, t, memory, side);
+  PairRecord& of_pair = pair_record(a, b, t, memory, side);
   of_pair.last = t;
   if (a != b) of_pair.now += side * force;
 }
 
 /// Sees whether both sides of a contact of two surfaces touch.
-void see_two_sides(bool is_closed, double t, SidesMemory& memory) {
-  const bool stopped_at_start = memory.meetings.empty() && !memory.impulse.isZero(0);
+void update_two_sides(bool is_closed, double t, SidesMemory& memory) {
+  const bool stopped_at_start = memory.pair_records.empty() && !memory.impulse.isZero(0);
   if (is_closed || stopped_at_start) {
-    if (memory.meetings.empty()) memory.meetings.push_back({.first = t});
-    memory.meetings[0].last = t;
+    if (memory.pair_records.empty()) memory.pair_records.push_back({.first = t});
+    memory.pair_records[0].last = t;
   }
-  if (!memory.meetings.empty()) memory.meetings[0].impulse = memory.impulse;
+  if (!memory.pair_records.empty()) memory.pair_records[0].impulse = memory.impulse;
 }
 
 /// Begins and ends the sums of forces between bodies.
 void begin_forces(SidesMemory& memory) {
-  for (Meeting& one : memory.meetings) one.before = one.now, one.now.setZero();
+  for (PairRecord& one : memory.pair_records) one.before = one.now, one.now.setZero();
 }
 void end_forces(double dt, SidesMemory& memory) {
-  for (Meeting& one : memory.meetings) one.impulse += 0.5 * dt * (one.before + one.now);
+  for (PairRecord& one : memory.pair_records) one.impulse += 0.5 * dt * (one.before + one.now);
 }
 
 }  // namespace
 
-void make_room_for_meetings(const Sides& sides, SidesMemory& memory) {
+void make_room_for_pair_records(const Sides& sides, SidesMemory& memory) {
   const auto bodies = static_cast<std::size_t>(sides.bodies.count());
-  memory.meetings.reserve(std::min(bodies * (bodies + 1) / 2, 8 * bodies) + 1);
+  memory.pair_records.reserve(std::min(bodies * (bodies + 1) / 2, 8 * bodies) + 1);
 }
 
-void see_meetings(const Interface& interface, double dt, double t, Memory& memory) {
-  if (interface.kind == InterfaceKind::bonded) return;
+void update_pair_records(const Interface& interface, double dt, double t, Memory& memory) {
+  if (interface.kind == InterfaceKind::tied) return;
   const auto is_closed = [](const Near& near) { return near.element.closed; };
   const Bodies& bodies = interface.bodies;
   const auto touches = [](const ShapePoint& point) { return point.closed; };
   if (bodies.count() == 0)
-    return see_two_sides(std::any_of(memory.near.begin(), memory.near.end(), is_closed) ||
+    return update_two_sides(std::any_of(memory.near.begin(), memory.near.end(), is_closed) ||
                              std::any_of(memory.shape_points.begin(), memory.shape_points.end(), touches), t, memory);
   begin_forces(memory);
   for (const Near& near : memory.near) {
@@ -79,10 +79,10 @@ void see_meetings(const Interface& interface, double dt, double t, Memory& memor
   end_forces(dt, memory);
 }
 
-void see_meetings(const EdgeContact& contact, double dt, double t, EdgeMemory& memory) {
+void update_pair_records(const EdgeContact& contact, double dt, double t, EdgeMemory& memory) {
   const auto& all = memory.crossings;
   const auto is_closed = [](const Crossing& crossing) { return crossing.closed; };
-  if (contact.bodies.count() == 0) return see_two_sides(std::any_of(all.begin(), all.end(), is_closed), t, memory);
+  if (contact.bodies.count() == 0) return update_two_sides(std::any_of(all.begin(), all.end(), is_closed), t, memory);
   begin_forces(memory);
   for (const Crossing& crossing : memory.crossings) {
     if (!crossing.closed) continue;
@@ -92,11 +92,11 @@ void see_meetings(const EdgeContact& contact, double dt, double t, EdgeMemory& m
   end_forces(dt, memory);
 }
 
-void meet_at_start(const Sides& sides, Index node, Index other_node, const Vec3& impulse, double t, SidesMemory& memory) {
+void record_at_start(const Sides& sides, Index node, Index other_node, const Vec3& impulse, double t, SidesMemory& memory) {
   if (sides.bodies.count() == 0) return;
   const Index a = sides.bodies.of_node[node], b = sides.bodies.of_node[other_node];
   double side = 1;
-  Meeting& of_pair = meeting(a, b, t, memory, side);
+  PairRecord& of_pair = pair_record(a, b, t, memory, side);
   if (a != b) of_pair.impulse += side * impulse;
 }
 
