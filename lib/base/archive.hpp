@@ -20,6 +20,7 @@
 #include <variant>
 #include <vector>
 
+#include "base/seldom.hpp"
 #include "base/types.hpp"
 
 namespace nereid {
@@ -62,6 +63,11 @@ class Writer {
   void add(const std::variant<Kinds...>& any) {
     add(static_cast<std::uint64_t>(any.index()));
     std::visit([this](const auto& one) { add(one); }, any);
+  }
+  template <class Value>
+  void add(const Seldom<Value>& seldom) {
+    add(seldom.exists());
+    if (seldom.exists()) add(*seldom);
   }
   void add(const std::string& text) {
     add(static_cast<std::uint64_t>(text.size()));
@@ -115,6 +121,13 @@ class Reader {
     if (kind >= sizeof...(Kinds)) damaged();
     ((place++ == kind ? static_cast<void>(any.template emplace<Kinds>()) : static_cast<void>(0)), ...);
     std::visit([this](auto& one) { take(one); }, any);
+  }
+  template <class Value>
+  void take(Seldom<Value>& seldom) {
+    bool exists = false;
+    take(exists);
+    seldom = {};
+    if (exists) take(seldom.make());
   }
   void take(std::string& text) {
     text.resize(count_of(1));

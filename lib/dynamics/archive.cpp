@@ -71,11 +71,17 @@ void visit(Archive& archive, Stencil& stencil) {
 }
 
 template <class Archive>
+void visit(Archive& archive, Stencils& stencils, int& count) {
+  archive(count);
+  for (int s = 0; s < std::min(count, most_stencils); ++s) archive(stencils[s]);
+}
+
+template <class Archive>
 void visit(Archive& archive, ElementForces& element) {
   auto& [closed, has_moment, moved, lost, count, penalty, stiffness, scale, depth, closes_in, work, created, dissipated, apex,
          angular_impulse, stencil] = element;
-  archive(closed, has_moment, moved, lost, count, penalty, stiffness, scale, depth, closes_in, work, created, dissipated, apex,
-          angular_impulse, stencil);
+  archive(closed, has_moment, moved, lost, penalty, stiffness, scale, depth, closes_in, work, created, dissipated, apex, angular_impulse);
+  visit(archive, stencil, count);
 }
 
 template <class Archive>

@@ -197,7 +197,7 @@ Grid contact_grid(const dynamics::View& view) {
         points[1][when] = crossing.weight[0] * at(crossing.node[0])[when] + crossing.weight[1] * at(crossing.node[1])[when];
       }
       points[2] = at(crossing.node[2]), points[3] = at(crossing.node[3]), points[4] = points[1];
-      const bool slides = crossing.friction.acts && !crossing.friction.stuck;
+      const bool slides = crossing.friction->acts && !crossing.friction->stuck;
       add(points, {0.0, static_cast<double>(c), of_edges, static_cast<double>(crossing.base_edge), static_cast<double>(crossing.node[0]),
                    crossing.gap, 0.0, 0.0, slides ? 1.0 : 0.0, crossing.closed ? 1.0 : 0.0, 0.0});
     }

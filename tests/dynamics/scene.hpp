@@ -74,8 +74,8 @@ inline std::vector<std::pair<std::string, std::vector<double>>> numbers(const St
       part("edges"), all(edges->force), all(edges->impulse);
       add(edges->work, edges->impact, edges->held, edges->friction_dissipated, edges->searches, edges->way, edges->edge_pairs.size());
       for (const contact::Crossing& one : edges->crossings) {
-        all(one.push), all(one.normal), all(one.friction.force);
-        add(one.edge, one.base_edge, one.side, one.level, one.gap, one.pressed, one.restitution.held, one.friction.acts);
+        all(one.push), all(one.normal), all(one.friction->force);
+        add(one.edge, one.base_edge, one.side, one.level, one.gap, one.pressed, one.restitution.held, one.friction->acts);
       }
       continue;
     }
@@ -98,7 +98,7 @@ inline std::vector<std::pair<std::string, std::vector<double>>> numbers(const St
       for (int i = 0; i < e.count; ++i)
         add(e.stencil[i].facet, e.stencil[i].apex, static_cast<int>(e.stencil[i].kind), e.stencil[i].local, e.stencil[i].level),
             all(e.stencil[i].weight), all(e.stencil[i].push), all(e.stencil[i].share);
-      const contact::FrictionForces& f = near.friction;
+      const contact::FrictionForces& f = *near.friction;
       all(f.force), add(f.acts, f.stuck, f.sliding, f.stiffness, f.work, f.dissipated, f.created);
       if (!f.acts) continue;
       all(f.touch.normal), all(f.touch.arm), all(f.touch.node), all(f.touch.weight), all(f.touch.base_arm), all(f.touch.apex_arm);

@@ -1,5 +1,5 @@
 """How close is close enough, why, and what must break."""
-from reference import BOND, INPUTS, TIME, largest_stress, largest_velocity, pulse
+from reference import TIE, INPUTS, TIME, largest_stress, largest_velocity, pulse
 from verify import Breaks, Check, Figure, Pair, Report, Table
 
 CATALOGUE = ()
@@ -34,7 +34,7 @@ def line(run):
 def field(which, gap=0.0):
     """The largest error over all cross-sections, over the height of a pulse or its largest velocity."""
     def measure(run):
-        worst = max(abs(got[which] - pulse(x - (gap if x > BOND + gap / 2 else 0), TIME, **INPUTS)[which]) for x, got in line(run).items())
+        worst = max(abs(got[which] - pulse(x - (gap if x > TIE + gap / 2 else 0), TIME, **INPUTS)[which]) for x, got in line(run).items())
         return Pair(worst, 0, ("m", "m/s")[which], scale=SCALE[which])
     return measure
 

@@ -5,7 +5,7 @@ A rigid layer without mass between the parts, as thick as the gap over which the
 from math import exp, sqrt
 
 INPUTS = {"young": 1e9, "density": 1000.0, "height": 1e-8, "width": 0.02}  # SI
-TIME, BOND = 2e-4, 0.1  # [s] [m]
+TIME, TIE = 2e-4, 0.1  # [s] [m]
 
 
 def pulse(x, t, young, density, height, width):

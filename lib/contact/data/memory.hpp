@@ -41,7 +41,7 @@ struct ElementForces {
   double dissipated = 0;                 ///< [J] in the last step
   Vec3 apex = Vec3::Zero();              ///< [N]
   Vec3 angular_impulse = Vec3::Zero();   ///< [N m s] about the origin in the last step, see Memory
-  std::array<Stencil, most_stencils> stencil;  // last: most have one, and what is read in every step lies together
+  Stencils stencil;
 };
 
 /// Friction on one apex, and what its last step did.
@@ -81,7 +81,7 @@ struct Near {
   Index pressed_most = -1;  ///< by multipliers, the facet that pushed it most in the step before: friction acts on the body of that
   Tracks tracks;
   ElementForces element;
-  FrictionForces friction;  // behind stencils of which most are not in use: most contact has no friction
+  Seldom<FrictionForces> friction;
 };
 
 /// Two edges near each other at the last search.
@@ -109,7 +109,7 @@ struct Crossing {
   double gap = 0;                    ///< [m]
   double pressed = 0;                ///< [N] in the step before
   Restitution restitution;
-  FrictionForces friction;
+  Seldom<FrictionForces> friction;
 };
 
 /// Two bodies of an automatic contact that have touched, or both sides of a declared one.

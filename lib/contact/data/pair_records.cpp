@@ -68,7 +68,7 @@ void update_pair_records(const Interface& interface, double dt, double t, Memory
       const Index other = bodies.of_facet[stencil.facet];
       add(own, other, element.scale * stencil.apex * stencil.push, t, memory);
     }
-    if (near.friction.acts) add(own, bodies.of_node[near.friction.touch.node[0]], near.friction.force, t, memory);
+    if (near.friction->acts) add(own, bodies.of_node[near.friction->touch.node[0]], near.friction->force, t, memory);
   }
   for (const ShapePoint& point : memory.shape_points) {
     if (!point.closed) continue;
@@ -87,7 +87,7 @@ void update_pair_records(const EdgeContact& contact, double dt, double t, EdgeMe
   for (const Crossing& crossing : memory.crossings) {
     if (!crossing.closed) continue;
     const Index own = contact.edges.body[crossing.edge], other = contact.base_edges.body[crossing.base_edge];
-    add(own, other, crossing.friction.acts ? Vec3(crossing.push + crossing.friction.force) : crossing.push, t, memory);
+    add(own, other, crossing.friction->acts ? Vec3(crossing.push + crossing.friction->force) : crossing.push, t, memory);
   }
   end_forces(dt, memory);
 }

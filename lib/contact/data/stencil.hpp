@@ -4,6 +4,7 @@
 #include <array>
 #include <limits>
 
+#include "base/seldom.hpp"
 #include "base/types.hpp"
 #include "geometry/closest.hpp"
 
@@ -31,5 +32,25 @@ struct Stencil {
 };
 
 constexpr int most_stencils = 9;  ///< of an apex
+
+/// The stencils of an apex. Most apexes have one.
+class Stencils {
+ public:
+  Stencil& operator[](int s) { return s == 0 ? first_ : others_.make()[static_cast<std::size_t>(s - 1)]; }
+  const Stencil& operator[](int s) const { return s == 0 ? first_ : (*others_)[static_cast<std::size_t>(s - 1)]; }
+  bool has_others() const { return others_.exists(); }
+
+ private:
+  Stencil first_;
+  Seldom<std::array<Stencil, most_stencils - 1>> others_;
+};
+
+/// Whether any of the first `count` stencils has a property.
+template <class Has>
+bool any_of(const Stencils& stencils, int count, Has&& has) {
+  for (int s = 0; s < count; ++s)
+    if (has(stencils[s])) return true;
+  return false;
+}
 
 }  // namespace nereid::contact

@@ -28,7 +28,7 @@ bool is_idle_guard(const Interface& interface, const Motion& m, const Vectors& x
                    Moved moved, Near& near) {
   constexpr double times = 2;  // the rate over the bilinear face is another one
   const Stencil& stencil = near.element.stencil[0];
-  if (near.friction.acts || memory.restitution[near.apex].held != 0 || stencil.kind != geometry::Kind::facet) return false;
+  if (near.friction->acts || memory.restitution[near.apex].held != 0 || stencil.kind != geometry::Kind::facet) return false;
   const Between& pair = between(interface, near.apex, stencil.facet);
   if (pair.heights != Heights::guards || std::isnan(stencil.level)) return false;
   FeatureHeight over;
@@ -196,8 +196,8 @@ void find_in_range(const Interface& interface, const Motion& m, MovedOf&& moved_
       const Feature on{facet, geometry::Kind::facet, 0};
       const Vec3& normal = found.list.conditions[static_cast<std::size_t>(foot)].normal;
       const Touch touch = touch_of(interface, m.x, near.apex, on, normal, rubbing.foot);
-      const Vec3 force = near.friction.acts ? near.friction.force : Vec3(Vec3::Zero());
-      friction = add_friction(touch, interface.friction, force, near.friction.stuck, m, found.frictions);
+      const Vec3 force = near.friction->acts ? near.friction->force : Vec3(Vec3::Zero());
+      friction = add_friction(touch, interface.friction, force, near.friction->stuck, m, found.frictions);
     }
     const Between& pair = between(interface, near.apex, facet);
     const double part = pair.heights != Heights::nodes ? 1 : interface.pass_factor;

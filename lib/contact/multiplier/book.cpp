@@ -5,6 +5,7 @@
 #include "contact/multiplier/assemble.hpp"
 #include "contact/multiplier/restitution.hpp"
 #include "contact/multiplier/shape_points.hpp"
+#include "contact/multiplier/stick.hpp"
 #include "contact/tracking/depth.hpp"
 #include "contact/tracking/element.hpp"
 
@@ -23,8 +24,8 @@ bool all_have_moments(const Interface& interface) { return !interface.allowed.em
 void book_moments(const Interface& interface, const Motion& m, double later, const Near& near, Memory& memory) {
   const double half = 0.5 * m.dt;
   memory.angular_impulse += half * moment(interface, memory.shares, m.x, m.v, later, near.apex, near.element);
-  if (near.friction.acts && all_have_moments(interface))
-    memory.angular_impulse += half * moment_of_friction(near.friction.touch, near.friction.force, m.x, m.v, later);
+  if (near.friction->acts && all_have_moments(interface))
+    memory.angular_impulse += half * moment_of_friction(near.friction->touch, near.friction->force, m.x, m.v, later);
 }
 
 }  // namespace
@@ -36,8 +37,8 @@ void book_first_half(const Interface& interface, const Motion& m, Memory& memory
   for (const Near& near : memory.near) {
     if (!near.element.closed) continue;
     memory.work += half * power(interface, memory.shares, m.v, near.apex, near.element);
-    if (rubs && near.friction.acts)
-      memory.work += half * near.friction.force.dot(slip_rate(near.friction.touch, m.v, m.omega, m.rotation_of_node));
+    if (rubs && near.friction->acts)
+      memory.work += half * near.friction->force.dot(slip_rate(near.friction->touch, m.v, m.omega, m.rotation_of_node));
     if (turns || near.element.has_moment) book_moments(interface, m, -m.dt, near, memory);
   }
 }
@@ -111,20 +112,8 @@ void take_over(const Interface& interface, const Motion& m, double h, double t, 
       element.apex += stencil.push;
       element.closed = element.closed || c.impulse > 0;
     }
-    if (rubs) {
-      near.friction.acts = near.friction.stuck = false;
-      near.friction.force.setZero();
-    }
-    if (rubs && gap < infinite) {
-      const Contactor& one = all.contactors[contactor++];
-      near.friction.stuck = element.closed && (one.friction < 0 || !all.frictions[one.friction].slides);
-      if (one.friction >= 0 && element.closed) {
-        near.friction.touch = all.frictions[one.friction].touch;
-        near.friction.coefficient = all.frictions[one.friction].coefficient;
-        near.friction.force = all.frictions[one.friction].impulse / h;
-        near.friction.acts = true;
-      }
-    }
+    if (rubs) end_friction(near.friction);
+    if (rubs && gap < infinite) book_friction(all.contactors[contactor++], element.closed, h, all, near.friction);
     if (gap < infinite) memory.gap[near.apex] = gap, memory.status[near.apex] = element.closed ? Status::closed : Status::open;
     memory.deepest_now = std::max(memory.deepest_now, element.depth);
     if (element.depth > memory.deepest) update_deepest(interface, m.x, near, memory), memory.deepest_time = t;
@@ -136,7 +125,7 @@ void take_over(const Interface& interface, const Motion& m, double h, double t, 
       from_trend += off_trend * off_trend, from_before += off_before * off_before;
     }
     if (element.closed && (turns || element.has_moment)) book_moments(interface, m, 0, near, memory);
-    if (rubs && near.friction.acts) memory.force += near.friction.force;
+    if (rubs && near.friction->acts) memory.force += near.friction->force;
   }
   memory.has_trend = from_trend < is_trend * from_before;
   take_over_shapes(interface, h, t, last, all, memory);

@@ -12,7 +12,6 @@
 #include "contact/multiplier/restitution.hpp"
 #include "contact/multiplier/stick.hpp"
 #include "contact/search/body_ways.hpp"
-#include "contact/search/body_ways.hpp"
 #include "contact/search/edge_pairs.hpp"
 #include "contact/search/near.hpp"
 #include "contact/tracking/edge_over_edge.hpp"
@@ -26,10 +25,10 @@ constexpr double slow = 1e-3;        // of the depth of an element in a step: wi
 constexpr double sideways = 0.1;     // of the depth of an element: so far below an edge may come in with an offset; farther is far behind
 
 /// Ends what a crossing was.
-void let_go(Crossing& crossing) {
+void end_crossing(Crossing& crossing) {
   crossing.acts = false;
   crossing.pressed = 0;
-  crossing.friction.acts = crossing.friction.stuck = false;
+  end_friction(crossing.friction);
 }
 
 /// Whether edges have turned past each other as parallel ones, where the product of both changes its sign: what was above then seems below.
@@ -231,7 +230,7 @@ void find_conditions(const EdgeContact& contact, const Motion& m, EdgeMemory& me
     }
     if (!acts) {
       end(crossing.node, contact.restitution, crossing.restitution, memory, all);
-      let_go(crossing);
+      end_crossing(crossing);
       continue;
     }
     crossing.acts = true;
@@ -239,8 +238,8 @@ void find_conditions(const EdgeContact& contact, const Motion& m, EdgeMemory& me
     c.impulse = c.met = crossing.pressed * h;
     Index friction = -1;
     if (contact.friction.coefficient > 0 && m.dt > 0) {
-      const Vec3 force = crossing.friction.acts ? crossing.friction.force : Vec3(Vec3::Zero());
-      friction = add_friction(touch_of(m.x, crossing), contact.friction, force, crossing.friction.stuck, m, all.frictions);
+      const Vec3 force = crossing.friction->acts ? crossing.friction->force : Vec3(Vec3::Zero());
+      friction = add_friction(touch_of(m.x, crossing), contact.friction, force, crossing.friction->stuck, m, all.frictions);
     }
     const double area = std::min(contact.edges.area(crossing.edge), contact.base_edges.area(crossing.base_edge));
     add({.memory = &crossing.restitution, .first = first, .last = first + 1, .friction = friction, .area = area, .depth = pair.depth,
@@ -254,8 +253,8 @@ void book_first_half(const EdgeContact&, const Motion& m, EdgeMemory& memory) {
   for (const Crossing& crossing : memory.crossings) {
     if (!crossing.closed) continue;
     memory.work += half * crossing.push.dot(relative(crossing, m.v));
-    if (!crossing.friction.acts) continue;
-    memory.work += half * crossing.friction.force.dot(slip_rate(crossing.friction.touch, m.v, m.omega, m.rotation_of_node));
+    if (!crossing.friction->acts) continue;
+    memory.work += half * crossing.friction->force.dot(slip_rate(crossing.friction->touch, m.v, m.omega, m.rotation_of_node));
   }
 }
 
@@ -266,8 +265,8 @@ void take_over(const EdgeContact& contact, const Motion& m, double h, double t, 
   const Vec3 force_before = memory.force;
   memory.force.setZero();
   for (Crossing& crossing : memory.crossings) {
-    crossing.closed = crossing.friction.acts = crossing.friction.stuck = false;
-    crossing.friction.force.setZero();
+    crossing.closed = false;
+    end_friction(crossing.friction);
     crossing.pressed = 0;
     if (!crossing.acts) {
       crossing.push.setZero();
@@ -279,15 +278,8 @@ void take_over(const EdgeContact& contact, const Motion& m, double h, double t, 
     crossing.pressed = c.impulse / h;
     crossing.push = crossing.pressed * c.normal;
     memory.force += crossing.push;
-    crossing.friction.stuck = crossing.closed && (one.friction < 0 || !all.frictions[one.friction].slides);
-    if (one.friction >= 0 && crossing.closed) {
-      const FrictionCondition& friction = all.frictions[one.friction];
-      crossing.friction.acts = true;
-      crossing.friction.touch = friction.touch;
-      crossing.friction.coefficient = friction.coefficient;
-      crossing.friction.force = friction.impulse / h;
-      memory.force += crossing.friction.force;
-    }
+    book_friction(one, crossing.closed, h, all, crossing.friction);
+    memory.force += crossing.friction->force;
     const double depth = height_between(contact, crossing.edge, crossing.base_edge) - crossing.level - c.gap;
     memory.deepest_now = std::max(memory.deepest_now, depth);
     if (!(depth > memory.deepest)) continue;

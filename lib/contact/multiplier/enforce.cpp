@@ -200,7 +200,7 @@ double change_held(const Interface& interface, const Vectors& change, const Vect
   for (const Near& near : memory.near) {
     if (near.element.closed)
       memory.restitution[near.apex].held -= half * power(interface, memory.shares, change, near.apex, near.element);
-    of_friction += work_of(near.friction, change, spin, rotation_of_node, half);
+    of_friction += work_of(*near.friction, change, spin, rotation_of_node, half);
   }
   return of_friction + change_held_of_shapes(memory.shape_points, change, spin, rotation_of_node, half);
 }
@@ -210,7 +210,7 @@ double change_held(const EdgeContact&, const Vectors& change, const Vectors& spi
   for (Crossing& crossing : memory.crossings) {
     for (std::size_t j = 0; crossing.closed && j < 4; ++j)
       crossing.restitution.held -= half * crossing.weight[j] * crossing.push.dot(change.col(crossing.node[j]));
-    of_friction += work_of(crossing.friction, change, spin, rotation_of_node, half);
+    of_friction += work_of(*crossing.friction, change, spin, rotation_of_node, half);
   }
   return of_friction;
 }

@@ -20,7 +20,7 @@ constexpr double farther_than_points = 0.1;  // of the side of a base: a node th
 /// Whether a stencil before this one is of the same part of the base, whose points both would have.
 bool has_same_points(const BaseSurface& base, const Vectors& x, const ElementForces& element, int s) {
   const Vec3 normal = facet_normal(base, x, element.stencil[s].facet);
-  return std::any_of(element.stencil.begin(), element.stencil.begin() + s, [&](const Stencil& before) {
+  return any_of(element.stencil, s, [&](const Stencil& before) {
     return before.over_points && before.push.dot(normal) > same_part;
   });
 }

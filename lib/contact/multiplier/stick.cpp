@@ -72,4 +72,21 @@ void find_change(double pressed, const Vec3& rate, FrictionCondition& friction) 
   friction.change = now - friction.impulse;
 }
 
+void end_friction(Seldom<FrictionForces>& one) {
+  if (!one.exists()) return;
+  FrictionForces& friction = one.make();
+  friction.acts = friction.stuck = false;
+  friction.force.setZero();
+}
+
+void book_friction(const Contactor& contactor, bool closed, double h, const Multipliers& all, Seldom<FrictionForces>& one) {
+  if (!closed) return;
+  FrictionForces& friction = one.make();
+  friction.stuck = contactor.friction < 0 || !all.frictions[static_cast<std::size_t>(contactor.friction)].slides;
+  if (contactor.friction < 0) return;
+  const FrictionCondition& found = all.frictions[static_cast<std::size_t>(contactor.friction)];
+  friction.touch = found.touch, friction.coefficient = found.coefficient, friction.force = found.impulse / h;
+  friction.acts = true;
+}
+
 }  // namespace nereid::contact

@@ -19,4 +19,10 @@ void let_yield(double deficit, double depth, const Motion&, std::size_t first, M
 /// impulse [N s].
 void find_change(double pressed, const Vec3& rate, FrictionCondition&);
 
+/// Ends the friction of an apex or of a crossing of edges.
+void end_friction(Seldom<FrictionForces>&);
+
+/// Friction of an apex or of a crossing of edges over the step h [s], from what the iterations have found for its contactor.
+void book_friction(const Contactor&, bool closed, double h, const Multipliers&, Seldom<FrictionForces>&);
+
 }  // namespace nereid::contact

@@ -28,7 +28,8 @@ void advance_friction(const Interface& interface, const Vectors& x, const Vector
                       Memory& memory) {
   const Index a = near.apex;
   const ElementForces& element = near.element;
-  FrictionForces& friction = near.friction;
+  if (!element.closed && !near.friction.exists()) return;
+  FrictionForces& friction = near.friction.make();
   Vec3& angular_impulse = near.element.angular_impulse;
   const bool turns = interface.weights == Weights::paper || !interface.allowed.empty();
   const double stored_before = memory.tangential_stored[a];
@@ -126,9 +127,9 @@ void advance(const Interface& interface, const Vectors& x, const Vectors& v, con
     memory.lost += element.lost;
     double created = element.created;
     if (!memory.slip.empty()) {
-      memory.work += near.friction.work;
-      memory.friction_dissipated += near.friction.dissipated;
-      created += near.friction.created;
+      memory.work += near.friction->work;
+      memory.friction_dissipated += near.friction->dissipated;
+      created += near.friction->created;
     }
     if (!element.moved) continue;
     memory.created_by_reconnection += created;

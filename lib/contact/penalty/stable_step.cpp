@@ -31,11 +31,12 @@ Fastest moments_of_friction(const Interface& interface, const Scalars& inertia, 
     if (!touch.apex_arm.isZero(0)) visit(touch.apex, touch.apex_arm.norm());
     for (int I = 0; touch.base_rotates && I < 3; ++I) visit(touch.node[I], touch.weight[I] * touch.base_arm.norm());
   };
-  for (const Near& near : memory.near) arms(near.friction, [&](Index node, double) { sum(node) = 0; });
-  for (const Near& near : memory.near) arms(near.friction, [&](Index node, double share) { sum(node) += near.friction.stiffness * share; });
+  for (const Near& near : memory.near) arms(*near.friction, [&](Index node, double) { sum(node) = 0; });
+  for (const Near& near : memory.near)
+    arms(*near.friction, [&](Index node, double share) { sum(node) += near.friction->stiffness * share; });
   for (const Near& near : memory.near) {
     double omega_squared = 0;
-    arms(near.friction, [&](Index node, double share) { omega_squared += share * sum(node) / inertia(interface.rotation_of_node[node]); });
+    arms(*near.friction, [&](Index node, double share) { omega_squared += share * sum(node) / inertia(interface.rotation_of_node[node]); });
     fastest.see(omega_squared, near.apex);
   }
   return fastest;

@@ -15,10 +15,8 @@ void visit_forces(const Interface& interface, const Memory& memory, Push&& push,
   for (const Near& near : memory.near) {
     const ElementForces& element = near.element;
     if (!element.closed) continue;
-    const auto stencils = std::span(element.stencil).first(static_cast<std::size_t>(element.count));
-    if (std::any_of(stencils.begin(), stencils.end(), [](const Stencil& one) { return one.shares > 0; })) {
-      for (const Stencil& one : stencils)
-        for_each_force(interface, memory.shares, near.apex, one, push);
+    if (any_of(element.stencil, element.count, [](const Stencil& one) { return one.shares > 0; })) {
+      for (int i = 0; i < element.count; ++i) for_each_force(interface, memory.shares, near.apex, element.stencil[i], push);
       continue;
     }
     push(interface.apexes[near.apex], Vec3(element.scale * element.apex));
@@ -29,7 +27,7 @@ void visit_forces(const Interface& interface, const Memory& memory, Push&& push,
   }
   if (!(interface.friction.coefficient > 0)) return;
   for (const Near& near : memory.near)
-    if (near.friction.acts) rub(near.friction.touch, near.friction.force);
+    if (near.friction->acts) rub(near.friction->touch, near.friction->force);
 }
 
 template <class Push, class Rub>
@@ -37,7 +35,7 @@ void visit_forces(const EdgeContact&, const EdgeMemory& memory, Push&& push, Rub
   for (const Crossing& crossing : memory.crossings) {
     if (!crossing.closed) continue;
     for (std::size_t j = 0; j < 4; ++j) push(crossing.node[j], Vec3(crossing.weight[j] * crossing.push));
-    if (crossing.friction.acts) rub(crossing.friction.touch, crossing.friction.force);
+    if (crossing.friction->acts) rub(crossing.friction->touch, crossing.friction->force);
   }
 }
 

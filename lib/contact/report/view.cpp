@@ -61,8 +61,8 @@ ElementView view(const Interface& interface, const Vectors& x, const Memory& mem
   }
   if (by_multipliers(interface)) {
     v.traction = near->element.apex.norm() / interface.area(apex);
-    v.shear_traction = near->friction.acts ? near->friction.force.norm() / interface.area(apex) : 0;
-    v.slides = v.shear_traction >= (1 - 1e-9) * near->friction.coefficient * v.traction;
+    v.shear_traction = near->friction->acts ? near->friction->force.norm() / interface.area(apex) : 0;
+    v.slides = v.shear_traction >= (1 - 1e-9) * near->friction->coefficient * v.traction;
     return v;
   }
   const double per_area = between(interface, apex, v.feature.facet).penalty;
@@ -73,7 +73,7 @@ ElementView view(const Interface& interface, const Vectors& x, const Memory& mem
     v.shear_traction = per_area / k * std::sqrt(std::max(0.0, all - along * along));
   } else if (!memory.slip.empty()) {
     v.shear_traction = interface.friction.tangential_penalty * per_area * memory.slip[apex].norm();
-    v.slides = v.shear_traction >= (1 - 1e-9) * near->friction.coefficient * v.traction;  // round-off
+    v.slides = v.shear_traction >= (1 - 1e-9) * near->friction->coefficient * v.traction;  // round-off
   }
   return v;
 }

@@ -194,7 +194,7 @@ void search(const Interface& interface, const Vectors& x, Memory& memory, Worksp
       if (was) unpair(a, memory);
       continue;
     }
-    if (was) workspace.near.push_back(*was);
+    if (was) workspace.near.push_back(std::move(memory.near[static_cast<std::size_t>(memory.slot[a])]));
     else workspace.near.push_back({.apex = a, .tracks = {}, .element = {}, .friction = {}});
     if (memory.status[a] == Status::unpaired) memory.status[a] = Status::open, ++memory.recovered;
     Near& now = workspace.near.back();

@@ -23,7 +23,7 @@ bool is_behind(const Interface& interface, const Vectors& x, Index apex, const F
   if (at_border && stand_whole(base, x, p, nearest.facet, apex).past > 0) return false;
   if (height_over(base, x, nearest, p).height < 0) return true;
   const Vec3 normal = facet_normal(base, x, nearest.facet);  // or it has gone out at the far side of a thin body
-  return std::any_of(element.stencil.begin(), element.stencil.begin() + element.count, [&](const Stencil& one) {
+  return any_of(element.stencil, element.count, [&](const Stencil& one) {
     const FeatureHeight over = height_over(base, x, {one.facet, geometry::Kind::facet, 0}, p);
     return one.apex != 0 && over.height < 0 && over.normal.dot(normal) < faces_back;
   });

@@ -304,7 +304,7 @@ void sum_force(double dt, Memory& memory) {
   memory.force.setZero();
   for (const Near& near : memory.near) {
     if (near.element.closed) memory.force += near.element.scale * near.element.apex;
-    if (near.friction.acts) memory.force += near.friction.force;
+    if (near.friction->acts) memory.force += near.friction->force;
   }
   memory.impulse += 0.5 * dt * (before + memory.force);
 }

@@ -122,7 +122,7 @@ void add(const BaseSurface& base, const Vectors& x, const Vec3& p, const Mat3* a
 }
 
 void add(const Stencil& stencil, Exit& out) {
-  if (out.count < most_stencils) out.stencil[out.count++] = stencil;
+  if (out.count < most_stencils) (*out.stencils)[out.count++] = stencil;
 }
 
 /// Past a wall: a depth that falls along the normal and outward, and its push.
@@ -192,9 +192,9 @@ Index face_across(const BaseSurface& base, const Vectors& x, const Vec3& point, 
 }
 
 /// The way out over the inside of one facet.
-Exit over_one_facet(const FeatureHeight& over, double level, double release_height, Tracks& tracks, Stencil* stencils) {
+Exit over_one_facet(const FeatureHeight& over, double level, double release_height, Tracks& tracks, Stencils& stencils) {
   Exit out;
-  out.stencil = stencils;
+  out.stencils = &stencils;
   Track& track = tracks.track[0];
   const double depth = track.height - over.height;
   out.strongest = {track.facet, Kind::facet, 0};
@@ -214,19 +214,19 @@ Exit over_one_facet(const FeatureHeight& over, double level, double release_heig
 }  // namespace
 
 Exit shortest_exit(const BaseSurface& base, const Vectors& x, const Vec3& p, double contact_height, const Mat3* allowed, Moved moved,
-               Tracks& tracks, std::array<Stencil, most_stencils>& stencils, double release_height, Index self) {
+               Tracks& tracks, Stencils& stencils, double release_height, Index self) {
   const auto level = [&](Index facet) { return contact_height + stand_off(base, facet); };
   if (tracks.count == 1 && allowed == nullptr) {  // well inside a facet
     Track& track = tracks.track[0];
     const FeatureHeight over = height_over(base, x, {track.facet, Kind::facet, 0}, p);
-    if (moved.now < tracks.owned) return over_one_facet(over, level(track.facet), release_height, tracks, stencils.data());
+    if (moved.now < tracks.owned) return over_one_facet(over, level(track.facet), release_height, tracks, stencils);
     const Ownership owner = ownership(base, x, track.facet, over, std::max(std::abs(over.height), track.height));
     tracks.owned = moved.until(owner.room);
-    if (owner.whole) return over_one_facet(over, level(track.facet), release_height, tracks, stencils.data());
+    if (owner.whole) return over_one_facet(over, level(track.facet), release_height, tracks, stencils);
   }
   tracks.owned = -infinite;
   Exit out;
-  out.stencil = stencils.data();
+  out.stencils = &stencils;
   std::array<Together, 2> way;
   std::array<bool, most_tracks> ends{}, acts{};
   std::array<double, most_tracks> height;  // at the end of the way

@@ -10,7 +10,7 @@ namespace nereid::contact {
 /// How an apex is pushed out, for a spring of 1 N/m: the energy is half of `squared`.
 struct Exit {
   int count = 0;
-  Stencil* stencil = nullptr;  ///< [count] what pushes
+  Stencils* stencils = nullptr;  ///< [count] what pushes
   Feature strongest;       ///< the feature that pushes hardest; without a push that of the first track
   double length = 0;       ///< [m] of the longest penetration vector
   double squared = 0;      ///< [m2] twice the energy
@@ -33,6 +33,6 @@ struct Exit {
 /// release_height  [m] above the contact height up to which an apex has not left yet
 /// self            node of the apex if it is of the same surface, or -1
 Exit shortest_exit(const BaseSurface&, const Vectors& x, const Vec3& apex, double contact_height, const Mat3* allowed, Moved moved, Tracks&,
-               std::array<Stencil, most_stencils>& stencils, double release_height = 0, Index self = -1);
+               Stencils& stencils, double release_height = 0, Index self = -1);
 
 }  // namespace nereid::contact

@@ -223,7 +223,7 @@ TEST(Condition, TheSlipRateOfTheStepBeforeCountsUnlessItStuckThen) {
   for (const bool stuck : {false, true}) {
     Setting at(Vec3(1.3, 2.1, 1e-3), 0.3);
     at.scene.interface.friction.kinetic = 0.1, at.scene.interface.friction.decay = 1e9;
-    at.scene.memory.near[0].friction.stuck = stuck;
+    at.scene.memory.near[0].friction.make().stuck = stuck;
     at.find(1e-3);
     ASSERT_EQ(at.all.frictions.size(), 1U);
     EXPECT_EQ(at.all.frictions[0].coefficient, stuck ? 0.3 : 0.1);

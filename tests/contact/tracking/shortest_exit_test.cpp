@@ -174,7 +174,7 @@ TEST(Exit, CountsSidesInOnePlaneOnceWhicheverWayTheyLeanToAThird) {
       const BaseSurface base = base_of(shape);
       Tracks tracks;
       for (const Index f : order) tracks.begin(f, 0);
-      std::array<Stencil, most_stencils> stencils;
+      Stencils stencils;
       const Moved unknown{std::numeric_limits<double>::infinity(), 0};
       const Exit out = shortest_exit(base, shape.x, Vec3(-behind, -below, 0), 0, nullptr, unknown, tracks, stencils);
       EXPECT_NEAR(out.squared, below * below + behind * behind, 2 * std::abs(lean) * behind * behind + 1e-12) << lean;
@@ -194,7 +194,7 @@ TEST(Exit, BelowAnEdgeHoldsWhereAnotherSidePushesAcrossIt) {
       const BaseSurface base = base_of(shape);
       Tracks tracks;
       for (const Index f : {floor_first ? 0 : 2, floor_first ? 2 : 0}) tracks.begin(f, 0);
-      std::array<Stencil, most_stencils> stencils;
+      Stencils stencils;
       const Moved unknown{std::numeric_limits<double>::infinity(), 0};
       const Exit out = shortest_exit(base, shape.x, Vec3(-behind, -below, 0), 0, nullptr, unknown, tracks, stencils);
       EXPECT_NEAR(out.squared, below * below + behind * behind, 2 * rise * behind * behind + 1e-12) << rise << floor_first;
