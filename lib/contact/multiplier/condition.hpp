@@ -28,7 +28,7 @@ struct Member {
 
 /// One condition: an apex over a feature, or a node over a rigid plane. What iterations read and write comes first.
 struct Condition {
-  double impulse, change;          ///< [N s] so far, and what a iteration adds
+  double impulse, change;          ///< [N s] so far, and what an iteration adds
   double met, moved;               ///< [N s] what the last iteration found before it went on by its momentum, and by how much that moved
   double per_mass;                 ///< [1/kg] relative velocity per impulse
   double bound;                    ///< [1/kg] of what all impulses together change in it
@@ -113,7 +113,7 @@ struct UnreleasedAtNode {
   int conditions = 0;
 };
 
-/// What a iteration, or a part of it, has done to the impulses of a contact.
+/// What an iteration, or a part of it, has done to the impulses of a contact.
 struct Progress {
   double turned = 0;       ///< [J] work of what moved against where it moved to
   double moved = 0, made = 0;              ///< [m2/s2] sums of (A J)^2: of what the iteration moved, and of all
@@ -158,7 +158,7 @@ struct Multipliers : ConditionList {
   std::vector<Unreleased> unreleased;  ///< of contactors that end in this step
   std::vector<UnreleasedAtNode> at_node;  ///< [nodes] of these; set where there are any
   std::vector<Index> first;  ///< [interfaces, then planes, then one] of their contactors
-  std::vector<Progress> progress;  ///< of a iteration by ranges of contactors
+  std::vector<Progress> progress;  ///< of an iteration by ranges of contactors
   std::vector<Pool> pools;
   std::vector<Blow> blows;           ///< that end in this step
   std::vector<OfPair> of_pairs;      ///< contactors between rigid bodies, pair after pair

@@ -27,7 +27,7 @@ double slant(const Motion& m, Index node, const Vec3& normal) {
   return (let - normal.dot(let) * normal).norm();
 }
 
-/// Bounds of what all impulses together change in each rate: a iteration by them overshoots nowhere, whatever the order.
+/// Bounds of what all impulses together change in each rate: an iteration by them overshoots nowhere, whatever the order.
 ///
 ///     1/a  sum over the nodes of |w| S |P n| / m,   S = sum of |w| a of all conditions at the node
 ///
@@ -98,7 +98,7 @@ NEREID_HOT void iteration(double momentum, const Contactor& one, Multipliers& al
   if (!friction.change.isZero(0)) give(friction, friction.change, all.rows);
 }
 
-/// What a iteration has done to all contacts.
+/// What an iteration has done to all contacts.
 struct Improved {
   double turned = 0;  ///< [J] below zero, and the momentum is to begin anew (O'Donoghue & Candes 2015)
   double change = 0;  ///< [-] of the impulses over all that they do, of the contact where that is most, friction for itself; by

@@ -242,5 +242,75 @@ TEST(Trend, IsTheLineThroughTheLastTwoStepsWhereBothPress) {
   EXPECT_EQ(of(0, 3), 0);
 }
 
+// --- the example of docs/adding.md: a kind of contact that the program does not have ------------------
+
+// A rope joins two nodes, which may come nearer to each other, but not farther apart than its length. Solver, restitution and balances take
+// its conditions as those of any contact.
+
+/// What is constant.
+struct Rope {
+  Index one, other;  ///< nodes
+  double length;     ///< [m]
+};
+
+/// What it remembers.
+struct RopeMemory {
+  double pressed = 0;  ///< [N] in the last step
+  Restitution restitution;
+};
+
+/// The condition of a rope: its normal points from the first node to the other, so the rate of its gap is what the nodes approach by.
+void find_conditions(const Rope& rope, const Motion& m, RopeMemory& memory, Multipliers& all) {
+  const Vec3 along = m.x.col(rope.other) - m.x.col(rope.one);
+  Condition& c = begin_condition(all);
+  c.normal = along.normalized(), c.gap = rope.length - along.norm();
+  add_member(rope.one, 1, all, c);
+  add_member(rope.other, -1, all, c);
+  if (!complete(m, memory.pressed, memory.restitution.held, all, all, c)) return take_back(all);
+  const auto last = static_cast<Index>(all.conditions.size());
+  add({.memory = &memory.restitution, .first = last - 1, .last = last, .friction = -1, .area = 1, .depth = rope.length, .impedance = 0,
+       .square = 0}, all);
+}
+
+/// Impulses become forces over the mean h [s] of both steps.
+void take_over(double h, const Multipliers& all, RopeMemory& memory) { memory.pressed = all.conditions[0].impulse / h; }
+
+/// Two nodes of 1 and 3 kg on a rope of 1 m.
+struct OnARope {
+  Vectors x = Vectors::Zero(3, 2), v = Vectors::Zero(3, 2), none{3, 0};
+  Scalars mass{{1.0, 3.0}}, no_inertia;
+  std::vector<Index> turns{-1, -1};
+  std::vector<const Mat3*> allowed{nullptr, nullptr}, no_rotations;
+  Multipliers all = make_multipliers({}, {}, 2, 0);
+  RopeMemory memory;
+
+  void solve_at(double distance, double apart) {
+    x(0, 1) = distance, v(0, 0) = -0.75 * apart, v(0, 1) = 0.25 * apart;
+    const Vectors force = Vectors::Zero(3, 2);
+    const Motion m{x, v, none, force, none, mass, no_inertia, turns, allowed, no_rotations, 1e-3, 1e-3};
+    look_ahead(Subset{0, 1}, m, all);
+    find_conditions(Rope{0, 1, 1.0}, m, memory, all);
+    all.first = {0, 1};  // its contactors among those of all contacts
+    solve(m, all);
+    find_velocities(m, all);
+    take_over(1e-3, all, memory);
+  }
+};
+
+TEST(NewKind, HoldsWhatWouldGoTooFarAndKeepsMomentum) {
+  OnARope at;
+  at.solve_at(1.0, 2.0);
+  EXPECT_NEAR(at.all.velocity(0, 1) - at.all.velocity(0, 0), 0, 1e-12);
+  EXPECT_NEAR(at.all.velocity.row(0).dot(at.mass), 0, 1e-12);
+  EXPECT_NEAR(at.memory.pressed, 0.75 * 2.0 / 1e-3, 1e-6) << "reduced mass times speed over the step";
+}
+
+TEST(NewKind, DoesNothingWhereTheRopeIsSlack) {
+  OnARope at;
+  at.solve_at(0.5, 2.0);
+  EXPECT_EQ(at.memory.pressed, 0);
+  EXPECT_NEAR(at.all.velocity(0, 1) - at.all.velocity(0, 0), 2.0, 1e-15);
+}
+
 }  // namespace
 }  // namespace nereid::contact::condition_test
