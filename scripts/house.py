@@ -6,6 +6,7 @@
     scripts/house.py words    words, paths and open ends that must not stand in the tree
     scripts/house.py mirror   tests mirror lib/ file for file
     scripts/house.py width    lines have at most 140 characters
+    scripts/house.py links    pages link to files that exist
     scripts/house.py retired  words that have a new name (scripts/words.py), once they are retired there
     scripts/house.py all      all of them
 
@@ -14,6 +15,7 @@ there is one. `--root FOLDER` looks at another tree.
 """
 import argparse
 import fnmatch
+import os
 import re
 import sys
 from pathlib import Path
@@ -290,6 +292,18 @@ def words(tree):
                     tree.fault(path, number, message.format(found.group(0)))
 
 
+def links(tree):
+    """Links of pages to files of the tree that do not exist."""
+    for page in [path for path in [*tree.top(), *tree.files(WORDS_IN)] if path.endswith(".md")]:
+        fenced = False
+        for number, text in tree.lines(page):
+            fenced = fenced != text.startswith("```")
+            for link in [] if fenced else re.findall(r"\]\(([^)#\s]+)(?:#[^)]*)?\)", re.sub(r"`[^`]*`", "", text)):
+                target = os.path.normpath(os.path.join(os.path.dirname(page), link))
+                if not re.match(r"[a-z]+:", link) and not (tree.root / target).exists():
+                    tree.fault(page, number, f"links to {link}, which does not exist; expected is a file or folder of the tree")
+
+
 def tested_file(test):
     """What a test stands for: (folder, stem, endings it may have)."""
     folder, stem = str(Path(test).parent)[len("tests/"):], re.sub(r"_test\.(cpp|py)$", "", Path(test).name)
@@ -358,7 +372,7 @@ def retired(tree):
                     tree.fault(path, number, f"'{one.old}' has a new name, '{one.new}'; scripts/update_case renames it in case files")
 
 
-CHECKS = {"floors": floors, "doors": doors, "words": words, "mirror": mirror, "width": width, "retired": retired}
+CHECKS = {"floors": floors, "doors": doors, "words": words, "mirror": mirror, "width": width, "links": links, "retired": retired}
 
 
 def main(arguments=None):

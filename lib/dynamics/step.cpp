@@ -12,11 +12,11 @@
 namespace nereid::dynamics {
 
 const StepLimits& step(const Model& model, double dt, const Pace& pace, State& now, Forces& f) {
-  const double first = kick_to_the_middle(model, dt, now, f);  // v at t + dt/2, by the forces at t
+  const double first = kick_to_the_middle(model, dt, now, f);  // v at t + dt/2, by the forces at t, with those of contact
   drift(model, dt, now, f);                                    // x at t + dt
   update(model, dt, pace, now, f);                             // stress of elements, springs of penalties, limits of the next step
   gather(model, now, f);                                       // forces at t + dt, without contact by multipliers
-  enforce(model, dt, pace, now, f);                            // that contact: the smallest impulses that keep surfaces apart
+  enforce(model, dt, pace, now, f);                            // adds that contact: no gap is negative at the end of the next step
   const Ended ended = kick_to_the_end(model, dt, now, f);      // v at t + dt
   book(model, dt, first, ended, now);                          // energies and momenta
   return now.step_limits;

@@ -24,7 +24,7 @@ void change(const Model&, const Vectors& velocity, const Vectors& spin, State&, 
 
 /// Advances the state by dt.
 ///
-/// pace  how long the step after this one will be: contact by multipliers looks ahead
+/// pace  how long the step after this one will be: contact by multipliers keeps gaps from closing past zero in that step
 /// Needs  `forces` as the step, the start or resume() before left them
 /// returns  limits of the next step, which the state keeps
 const StepLimits& step(const Model&, double dt, const Pace&, State&, Forces&);

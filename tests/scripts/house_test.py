@@ -206,6 +206,14 @@ class Width(HouseTest):
         self.assertEqual(self.look("width", {"tests/mesh/box_test.cpp": "a" * 141}), (0, ""))
 
 
+class Links(HouseTest):
+    def test_a_link_leads_to_a_file_or_folder(self):
+        there = {"docs/page.md": "[a](other.md#part) [b](../lib) [c](https://example.org/x) `[](gone.md)`\n```\n[](gone.md)\n```\n", "docs/other.md": "text\n",
+                 "lib/a.hpp": "// text\n"}
+        self.assertEqual(self.look("links", there), (0, ""))
+        self.expect("links", {"docs/page.md": "text\n[a](gone.md)\n"}, "docs/page.md:2: links to gone.md")
+
+
 class Retired(HouseTest):
     on = True
 

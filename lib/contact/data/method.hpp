@@ -6,7 +6,7 @@ namespace nereid::contact {
 /// What keeps two surfaces apart.
 enum class Method {
   penalty,     ///< a spring that is pressed
-  multiplier,  ///< the smallest impulses after which no gap is negative, see multiplier.hpp
+  multiplier,  ///< the smallest impulses after which no gap is negative, see multiplier/enforce.hpp
 };
 
 /// What a multiplier has taken from a node that it stopped, and gives back at its release: docs/theory/multipliers.md.

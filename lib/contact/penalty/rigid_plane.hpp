@@ -1,5 +1,5 @@
 #pragma once
-// A rigid plane that pushes nodes back by a unilateral penalty and lets them leave again.
+// A rigid plane that nodes cannot pass and may leave again: by multipliers (the default) or by a unilateral penalty.
 
 #include <string>
 #include <vector>

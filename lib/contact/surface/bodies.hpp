@@ -25,8 +25,8 @@ struct Between {
   Heights heights = Heights::nodes;  ///< of the first over the second; of many bodies whether any pair has another one than nodes
 };
 
-/// The bodies of an automatic contact. All their skins are apexes and base at once, so each pair has two passes. Empty for a pair of
-/// surfaces.
+/// The bodies of an automatic contact. All nodes of their skins are apexes and all facets are base; what an apex does in a pair of bodies
+/// is Between::heights. Empty for a pair of surfaces.
 struct Bodies {
   std::vector<std::string> names;
   Subset of_apex, of_facet;      ///< [apexes] [facets] body
