@@ -208,8 +208,8 @@ class Width(HouseTest):
 
 class Links(HouseTest):
     def test_a_link_leads_to_a_file_or_folder(self):
-        there = {"docs/page.md": "[a](other.md#part) [b](../lib) [c](https://example.org/x) `[](gone.md)`\n```\n[](gone.md)\n```\n", "docs/other.md": "text\n",
-                 "lib/a.hpp": "// text\n"}
+        page = "[a](other.md#part) [b](../lib) [c](https://example.org/x) `[](gone.md)`\n```\n[](gone.md)\n```\n"
+        there = {"docs/page.md": page, "docs/other.md": "text\n", "lib/a.hpp": "// text\n"}
         self.assertEqual(self.look("links", there), (0, ""))
         self.expect("links", {"docs/page.md": "text\n[a](gone.md)\n"}, "docs/page.md:2: links to gone.md")
 
