@@ -8,23 +8,24 @@
 //       o---------a---------o     apex a, and the faces around it with Gauss points q. A point has the height h over its foot on the
 //          q   q     q   q        base, along the normal n there. The gap g of the apex is a weighted sum of these heights, and its
 //          |   |     |   |  h     rate v is a sum over the nodes of both sides:  v = sum of p_j . v_j  (pushes p_j).
-//       1----f-----2----f---3
+//       1----f-----2----f---3     g is that sum less the contact height h_c: half the thickness of plates on each side, 0 between solids.
 //
 // A step of the default, contact by multipliers. dynamics::step() calls it at its end: t is the time there, dt the step that led to t, and
 // dt' the step that begins at t. All other forces at t are known.
 //
 //     search      only after nodes may have moved by half of the search margin: lists which apexes and facets, and which edges, are
-//                 near each other. A declared contact does this in `track` and `edges`                  search/
-//     predict     velocities and positions at t + dt' if nothing touched; then the impulses of ties    multiplier/predict.hpp, tie.hpp
+//                 near each other. A declared contact asks in `track` and `edges` whether a search is due       search/
+//     predict     velocities in dt' and positions at its end if nothing touched; then impulses of ties multiplier/predict.hpp, tie.hpp
 //     track       the facets that each near apex touches at its predicted position; an apex slides from facet to facet   tracking/
 //     conditions  for each apex that may touch: gap g, points q and pushes p_j, with positions at t    multiplier/assemble.hpp
 //     edges       the same where an edge is over an edge                                               multiplier/crossing.hpp
-//     solve       one impulse J >= 0 for each condition: the smallest after which v >= min(-g/dt', -(v before)). So the gap closes at
-//                 most (of a penetration a fifth), and no apex leaves faster than it came, but for energy held. Friction adds one J_t
-//                 for each apex, |J_t| <= mu J. The first guess is the impulses of the step before. All impulses change at once
-//                 in each iteration, so their order does not matter                                    multiplier/solve.hpp
-//     release     the memory keeps for each apex the energy that its impulses took (Restitution::held). As the apex separates, one more
-//                 impulse returns e^2 of that; e is `restitution`, 1 by default                        multiplier/restitution.hpp
+//     solve       one impulse J >= 0 for each condition: the smallest after which v (in dt') >= min(-g/dt', -(v in dt)), with g/5 for
+//                 g < 0. So a gap just closes, and no apex leaves faster than it came, but for energy held. Friction adds one J_t
+//                 for each apex, |J_t| <= mu J. The first guess is the impulses of the step before, or their trend. All impulses
+//                 change at once in each iteration, so their order does not matter                     multiplier/solve.hpp
+//     release     the memory keeps for each apex the energy that its impulses took (Restitution::held). When the apex is no longer
+//                 pressed, or only as hard as that energy presses, one more impulse returns e^2 of it; e is `restitution`, 1 by
+//                 default. Rigid bodies give back all apexes of a blow together, blow.hpp              multiplier/restitution.hpp
 //     book        J / h, h = (dt + dt')/2, is the force at t: it acts in the last half of dt and the first half of dt'. Works and
 //                 momenta                                                                              multiplier/book.hpp
 //
@@ -42,15 +43,16 @@
 //     a penalty      a spring of 1/delta per area, shortest exit d, energy 1/2 k |d|^2: tracking/shortest_exit.hpp, penalty/advance.hpp.
 //                    Nothing is predicted or solved; friction has an elastic stick; the spring may shorten the time step
 //     a tie          an apex stays over its point of the base, pulled as well as pushed: multiplier/tie.hpp, or by a penalty. By
-//                    multipliers a solver of its own finds the three components of each tie, before contact and after each iteration
+//                    multipliers a solver of its own finds the three components of each tie: before contact, and again after each
+//                    iteration if contact acts on nodes of ties
 //     a rigid plane  nodes over a plane that stands still, by multipliers (default, multiplier/assemble.hpp) or by a penalty
 //                    (penalty/rigid_plane.hpp). Floors and symmetry planes are constraints and no contact: load/constraints.hpp
 //     a shape        a round rigid body that touches as a shape, not by its facets: data/shape.hpp, multiplier/shape_points.hpp
 //     edges          an edge over an edge, where no node is inside; by multipliers beside a penalty too: tracking/edge_over_edge.hpp
 //
 // Each has constant data (data/interface.hpp), a memory, which checkpoints save (data/memory.hpp), and a workspace, which they do not
-// (data/workspace.hpp, multiplier/condition.hpp). Of a near apex the memory has its facets with contact heights, the normal and friction
-// force of the last step, whether it stuck, and the energy held; of a contact also the positions at the last search.
+// (data/workspace.hpp, multiplier/condition.hpp). Of a near apex the memory has its facets, each with h_c less the overlap at entry, the
+// normal and friction force of the last step, whether it stuck, and the energy held; of a contact also the positions at the last search.
 //
 // lib/dynamics calls:
 //

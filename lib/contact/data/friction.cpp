@@ -12,19 +12,24 @@ Vec3 couple(const Touch& touch, const Vec3& moment, int I) { return (touch.per_i
 
 }  // namespace
 
-void measure_base(const std::array<Vec3, 3>& corner, Touch& touch) {
-  const Vec3 centre = (corner[0] + corner[1] + corner[2]) / 3;
+void measure_base(std::span<const Vec3> place, std::span<const double> share, Touch& touch) {
+  Vec3 centre = Vec3::Zero();
+  double sum = 0;
+  for (std::size_t I = 0; I < place.size(); ++I) centre += share[I] * place[I], sum += share[I];
+  centre /= sum;
   Mat3 inertia = Mat3::Zero();
-  for (int I = 0; I < 3; ++I) {
-    const Vec3& r = touch.offset[I] = corner[I] - centre;
-    inertia += r.squaredNorm() * Mat3::Identity() - r * r.transpose();
+  touch.offset.fill(Vec3::Zero());
+  for (std::size_t I = 0; I < place.size(); ++I) {
+    const Vec3 r = place[I] - centre;
+    touch.offset[I] = share[I] * r;
+    inertia += share[I] * (r.squaredNorm() * Mat3::Identity() - r * r.transpose());
   }
   touch.per_inertia = inertia.inverse();
 }
 
 Vec3 spin_of_base(const Touch& touch, const Vectors& v) {
   Vec3 sum = Vec3::Zero();
-  for (int I = 0; I < 3; ++I) sum += touch.offset[I].cross(v.col(touch.node[I]));
+  for (int I = 0; I < touch.nodes; ++I) sum += touch.offset[I].cross(v.col(touch.node[I]));
   return touch.per_inertia * sum;
 }
 
@@ -55,7 +60,7 @@ FrictionShares share_friction(const Touch& touch, const Vec3& friction) {
     const int at = I + first;
     shares.node[at] = touch.node[I];
     shares.force[at] = -touch.weight[I] * friction;
-    if (turns_facet && I < 3) shares.force[at] += couple(touch, on_base, I);
+    if (turns_facet) shares.force[at] += couple(touch, on_base, I);
     if (touch.apex < 0) shares.force[at] += touch.lift[I].dot(friction) * touch.normal;
     if (touch.base_rotates && touch.weight[I] != 0) shares.turns[at] = true, shares.moment[at] = touch.weight[I] * on_base;
   }
@@ -77,7 +82,7 @@ Vec3 moment_of_friction(const Touch& touch, const Vec3& friction, const Vectors&
   const bool turns_facet = !touch.base_rotates && !touch.base_arm.isZero(0);
   for (int I = 0; I < touch.nodes; ++I) {
     sum -= touch.weight[I] * at(touch.node[I]).cross(friction);
-    if (turns_facet && I < 3) sum += at(touch.node[I]).cross(couple(touch, on_base, I));
+    if (turns_facet) sum += at(touch.node[I]).cross(couple(touch, on_base, I));
   }
   return touch.base_rotates ? Vec3(sum + on_base) : sum;
 }

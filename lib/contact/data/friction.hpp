@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "base/types.hpp"
 
@@ -47,27 +48,27 @@ inline Slip stick_or_slide(const Vec3& trial, double stiffness, double limit) {
 ///
 /// Friction f acts on the apex and -f on the base at one point between them. Forces at nodes alone would
 /// turn the pair by arm x f, so each side gets the moment of its part of the arm: plates as moments on
-/// their nodes, solids as forces q x r_I on the facet that make that moment and no net force, and edges that cross as
+/// their nodes, solids as forces q x s_I r_I on the nodes around the foot that make that moment and no net force, and edges that cross as
 /// forces (lift_I . f) n.
 struct Touch {
   Vec3 normal = Vec3::UnitZ();     ///< unit vector from the base to the side of the apex
   Vec3 arm = Vec3::Zero();         ///< [m] from the foot to the apex
   Index apex = -1;                 ///< node; -1 where edges cross
   int nodes = 3;
-  std::array<Index, 8> node{};     ///< those of the facet first; of a shape (shape.hpp) its four
-  std::array<double, 8> weight{};  ///< of the foot; they sum to one, with those of an edge instead of an apex to zero
+  std::array<Index, 12> node{};     ///< those of the facet first; of a shape (shape.hpp) its four
+  std::array<double, 12> weight{};  ///< of the foot; they sum to one, with those of an edge instead of an apex to zero
   std::array<Vec3, 8> lift{};      ///< [-] where edges cross; read where there is no apex
   Vec3 base_arm = Vec3::Zero();    ///< [m] part of the arm whose moment the base takes
   Vec3 apex_arm = Vec3::Zero();    ///< [m] part whose moment the apex takes, a plate
   bool base_rotates = false;       ///< the base is a plate, whose nodes have angular velocities
-  std::array<Vec3, 3> offset;      ///< [m] of the facet's nodes from their mean
-  Mat3 per_inertia = Mat3::Zero(); ///< [1/m2] inverse of the sum of |offset|^2 1 - offset offset^T
+  std::array<Vec3, 12> offset{};   ///< [m] s_I r_I: r_I of a node from the mean, s_I its share of the moment that the base takes
+  Mat3 per_inertia = Mat3::Zero(); ///< [1/m2] inverse of the sum of s_I (|r_I|^2 1 - r_I r_I^T)
 };
 
-/// Sets Touch::offset and per_inertia from the positions of the facet's nodes.
-void measure_base(const std::array<Vec3, 3>& corner, Touch&);
+/// Sets Touch::offset and per_inertia from the positions of the first nodes of the base and the shares that they have of its moment.
+void measure_base(std::span<const Vec3> place, std::span<const double> share, Touch&);
 
-/// The angular velocity that fits the velocities of the facet's nodes best. [rad/s]
+/// The angular velocity that fits the velocities of the base best. [rad/s]
 ///
 ///     per_inertia . sum of offset_I x v_I;  exact for a rigid motion
 Vec3 spin_of_base(const Touch&, const Vectors& v);
@@ -83,10 +84,10 @@ Vec3 slip_rate(const Touch&, const Vectors& v, const Vectors& omega, const std::
 /// What a friction on the apex and what balances it are at the nodes: the apex, then those of the base.
 struct FrictionShares {
   int count;
-  std::array<Index, 9> node;
-  std::array<Vec3, 9> force;   ///< [N]
-  std::array<bool, 9> turns;   ///< whether there is a moment too
-  std::array<Vec3, 9> moment;  ///< [N m] of plate nodes
+  std::array<Index, 13> node;
+  std::array<Vec3, 13> force;  ///< [N]
+  std::array<bool, 13> turns;  ///< whether there is a moment too
+  std::array<Vec3, 13> moment; ///< [N m] of plate nodes
 };
 FrictionShares share_friction(const Touch&, const Vec3& friction);
 

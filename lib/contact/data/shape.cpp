@@ -1,5 +1,7 @@
 #include "contact/data/shape.hpp"
 
+#include <algorithm>
+
 namespace nereid::contact {
 
 using geometry::PlacedRound;
@@ -14,8 +16,9 @@ Index count_acting(const std::vector<ShapePoint>& points) { return static_cast<I
 
 Touch touch_of(const ShapePoint& point) {
   Touch touch;
-  touch.normal = point.normal, touch.nodes = point.nodes, touch.node = point.node;
-  for (std::size_t j = 0; j < touch.weight.size(); ++j) touch.weight[j] = -point.rub_weight[j], touch.lift[j].setZero();
+  touch.normal = point.normal, touch.nodes = point.nodes;
+  std::copy(point.node.begin(), point.node.end(), touch.node.begin());
+  for (std::size_t j = 0; j < point.rub_weight.size(); ++j) touch.weight[j] = -point.rub_weight[j], touch.lift[j].setZero();
   return touch;
 }
 

@@ -17,9 +17,10 @@ namespace {
 /// rotation is met exactly. [rad]
 Vec3 rotation_of_base(const Touch& touch, const Vectors& x, const Vectors& v, double dt) {
   Touch middle = touch;
+  constexpr std::array<double, 3> alike{1, 1, 1};
   std::array<Vec3, 3> corner;
   for (int I = 0; I < 3; ++I) corner[I] = x.col(touch.node[I]) - 0.5 * dt * v.col(touch.node[I]);
-  measure_base(corner, middle);
+  measure_base(corner, alike, middle);
   return dt * spin_of_base(middle, v);
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "contact/surface/face.hpp"
+#include "geometry/closest.hpp"
 
 namespace nereid::contact {
 
@@ -119,6 +120,36 @@ void blend(const BaseSurface& base, const Vectors& x, const Face& face, const Ve
   n.normalize();
 }
 
+/// Half of a face beside another one, and how far it is from a place.
+struct FaceAround {
+  Index facet;
+  double weight;
+};
+
+Index other_half(const BaseSurface& base, Index facet) {
+  return base.half[facet].cut < 0 ? facet : base.neighbour(base.half[facet].cut, facet);
+}
+
+double squared_distance_of_face(const BaseSurface& base, const Vectors& x, const Vector<double>& place, Index facet) {
+  const auto of = [&](Index half) { return geometry::closest_on_triangle(corners(base, x, half), place).distance_squared; };
+  const Index other = other_half(base, facet);
+  return other == facet ? of(facet) : std::min(of(facet), of(other));
+}
+
+/// Adds a weight to all nodes of a face; returns whether there was room.
+bool add_nodes_of_face(const BaseSurface& base, const FaceAround& face, NodesAround& nodes) {
+  const auto add = [&](Index node) {
+    const auto end = nodes.node.begin() + nodes.count, at = std::find(nodes.node.begin(), end, node);
+    if (at == nodes.node.end()) return false;
+    if (at == end) *at = node, nodes.weight[static_cast<std::size_t>(nodes.count++)] = 0;
+    nodes.weight[static_cast<std::size_t>(at - nodes.node.begin())] += face.weight;
+    return true;
+  };
+  for (int I = 0; I < 3; ++I)
+    if (!add(base.facets(I, face.facet))) return false;
+  return base.half[face.facet].fourth < 0 || add(base.half[face.facet].fourth);
+}
+
 }  // namespace
 
 bool stand_on_face(const BaseSurface& base, const Vectors& x, const Vec3& p, const Feature& feature, bool blends, const Mat3* allowed,
@@ -151,6 +182,36 @@ bool stand_on_face(const BaseSurface& base, const Vectors& x, const Vec3& p, con
   over.weight[first] = weight[0], over.weight[second] = weight[2], over.weight[third] = weight[3];
   fourth = weight[1];
   return true;
+}
+
+NodesAround nodes_around(const BaseSurface& base, const Vectors& x, const Vec3& place, Index facet) {
+  constexpr std::size_t most_faces = 8;
+  const double band = blended * base.size(facet);
+  const Vector<double> p{place.x(), place.y(), place.z()};
+  std::array<FaceAround, most_faces> faces;
+  std::size_t count = 0;
+  bool has_room = true;
+  const auto add_face = [&](Index other, double weight) {
+    const auto is_same = [&](const FaceAround& one) { return one.facet == other || other_half(base, one.facet) == other; };
+    if (std::any_of(faces.begin(), faces.begin() + static_cast<std::ptrdiff_t>(count), is_same)) return;
+    has_room = has_room && count < most_faces;
+    if (has_room) faces[count++] = {other, weight};
+  };
+  add_face(facet, 1);
+  for (std::size_t next = 0; next < count && has_room; ++next)
+    for (const Index half : {faces[next].facet, other_half(base, faces[next].facet)})
+      for (int e = 0; e < 3; ++e) {
+        const Index across = base.neighbour(e, half);
+        if (across < 0 || base.wall[half][static_cast<std::size_t>(e)] || e == base.half[half].cut) continue;
+        const double distance = std::sqrt(squared_distance_of_face(base, x, p, across));
+        if (distance < band) add_face(across, 1 - distance / band);
+      }
+  NodesAround nodes;
+  for (std::size_t k = 0; k < count && has_room; ++k) has_room = add_nodes_of_face(base, faces[k], nodes);
+  if (has_room) return nodes;
+  nodes = {};
+  add_nodes_of_face(base, faces[0], nodes);
+  return nodes;
 }
 
 void blend_over_facet(const BaseSurface& base, const Vectors& x, const Vec3& p, const Feature& feature, const Mat3* allowed,

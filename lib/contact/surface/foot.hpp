@@ -20,6 +20,21 @@ constexpr double blended = 0.02;
 bool stand_on_face(const BaseSurface&, const Vectors& x, const Vec3& point, const Feature&, bool blends, const Mat3* allowed,
                    FeatureHeight& over, double& fourth);
 
+/// Nodes around a place on a surface, with weights that have no jump where the place goes from face to face.
+struct NodesAround {
+  static constexpr int most = 12;
+  int count = 0;
+  std::array<Index, most> node{};  ///< those of the facet first, then Half::fourth
+  std::array<double, most> weight{};
+};
+
+/// The nodes of the face that a facet is half of, and of the faces of its patch that are nearer to a place on it than a band. A face counts
+/// fully where the place is on it or on its border, and less the farther off it is. Where there are more than `most` nodes, those of the
+/// face alone.
+///
+/// place  [m] on the face
+NodesAround nodes_around(const BaseSurface&, const Vectors& x, const Vec3& place, Index facet);
+
 /// Lets the normal over a facet that is a face of its own go evenly from face to face, with height and weights.
 void blend_over_facet(const BaseSurface&, const Vectors& x, const Vec3& point, const Feature&, const Mat3* allowed, FeatureHeight& over);
 

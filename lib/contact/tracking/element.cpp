@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "contact/search/near.hpp"
+#include "contact/surface/foot.hpp"
 #include "contact/tracking/tracking.hpp"
 #include "contact/tracking/shortest_exit.hpp"
 
@@ -59,6 +61,17 @@ double area_facing(const Interface& interface, const Vectors& x, Index a, Index 
   return facing > least_area * interface.area(a) ? facing : interface.area(a);
 }
 
+/// Lets the nodes around the foot take the moment of the base. Which face has a foot on its border is a matter of round-off, or of numbers,
+/// so faces that meet there share the moment.
+void turn_nodes_around(const BaseSurface& base, const Vectors& x, Index facet, Touch& touch) {
+  const NodesAround around = nodes_around(base, x, x.col(touch.apex) - touch.arm, facet);
+  static_assert(NodesAround::most <= std::tuple_size_v<decltype(Touch::node)>);
+  std::array<Vec3, NodesAround::most> place;
+  for (int I = 0; I < around.count; ++I) place[I] = x.col(around.node[I]);
+  touch.nodes = around.count, touch.node = around.node;
+  measure_base({place.data(), static_cast<std::size_t>(around.count)}, around.weight, touch);
+}
+
 }  // namespace
 
 double power(const Interface& interface, std::span<const Share> shares, const Vectors& v, Index a, const ElementForces& element) {
@@ -87,12 +100,7 @@ Touch touch_of(const Interface& interface, const Vectors& x, Index a, const Feat
   touch.apex = interface.apexes[a];
   const auto c = corners(interface.base, x, feature.facet);
   const Vec3 at = x.col(touch.apex);
-  std::array<Vec3, 3> corner;
-  for (int I = 0; I < 3; ++I) {
-    touch.node[I] = interface.base.facets(I, feature.facet);
-    corner[I] = {c[I].x, c[I].y, c[I].z};
-  }
-  measure_base(corner, touch);
+  for (int I = 0; I < 3; ++I) touch.node[I] = interface.base.facets(I, feature.facet);
   if (interface.weights == Weights::paper) {
     const FeatureNodes base = nodes_of(interface.base, feature);
     for (int I = 0; I < 3; ++I)
@@ -108,6 +116,7 @@ Touch touch_of(const Interface& interface, const Vectors& x, Index a, const Feat
   touch.apex_arm = between(interface, a, feature.facet).arm_of_apex * touch.arm;
   touch.base_arm = touch.arm - touch.apex_arm;
   touch.base_rotates = !interface.rotation_of_node.empty() && interface.rotation_of_node[touch.node[0]] >= 0;
+  if (!touch.base_rotates && !touch.base_arm.isZero(0)) turn_nodes_around(interface.base, x, feature.facet, touch);
   return touch;
 }
 

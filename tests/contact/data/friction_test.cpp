@@ -37,7 +37,9 @@ struct Pair {
     touch.apex_arm = share * touch.arm;
     touch.base_arm = touch.arm - touch.apex_arm;
     touch.base_rotates = base == Side::plate;
-    measure_base({x.col(0), x.col(1), x.col(2)}, touch);
+    const std::array<Vec3, 3> place{x.col(0), x.col(1), x.col(2)};
+    const std::array<double, 3> of_moment{1, 0.7, 0.4};
+    measure_base(place, of_moment, touch);
   }
 };
 

@@ -99,6 +99,38 @@ TEST(Foot, HeightAndNormalGoEvenlyOverCutsEdgesAndNodes) {
   }
 }
 
+/// The weight of each node of a sheet around a place.
+Scalars around(const Sheet& sheet, const Vec3& place, Index facet) {
+  const NodesAround nodes = nodes_around(sheet.base, sheet.shape.x, place, facet);
+  Scalars weight = Scalars::Zero(sheet.shape.x.cols());
+  for (int I = 0; I < nodes.count; ++I) weight(nodes.node[I]) = nodes.weight[I];
+  return weight;
+}
+
+TEST(NodesAround, AreThoseOfAllFacesAtTheFootWhicheverIsAskedAndHoweverFacesAreCut) {
+  const Sheet sheet(false), turned(true);
+  constexpr Index middle = 12;  // of 25 nodes, where four faces meet
+  const Vec3 place = sheet.shape.x.col(middle);
+  Scalars due = Scalars::Zero(25);
+  due(6) = due(8) = due(16) = due(18) = 1, due(7) = due(11) = due(13) = due(17) = 2, due(middle) = 4;
+  for (const Sheet* one : {&sheet, &turned})
+    for (Index r = one->base.ring_begin[middle]; r < one->base.ring_begin[middle + 1]; ++r)
+      EXPECT_LT((around(*one, place, one->base.ring[r]) - due).cwiseAbs().maxCoeff(), 1e-12) << "asked of facet " << one->base.ring[r];
+  const auto over = sheet.over(Vec3(1.5, 1.4, 0));
+  EXPECT_EQ((around(sheet, over.foot, over.feature.facet).array() > 0).count(), 4) << "inside a face its own nodes alone";
+}
+
+TEST(NodesAround, GoOverEvenlyFromFaceToFace) {
+  const Sheet sheet(false);
+  Scalars before = Scalars::Zero(25);
+  for (double u = 0.5; u < 2.5; u += 1e-4) {
+    const auto over = sheet.over(Vec3(u, 1 + 0.1 * (u - 1), 0));
+    const Scalars now = around(sheet, over.foot, over.feature.facet);
+    if (u > 0.5) ASSERT_LT((now - before).cwiseAbs().maxCoeff(), 0.1) << "at " << u;
+    before = now;
+  }
+}
+
 TEST(Foot, OfANodeHasTheNormalOfAllFacesAroundItWhicheverIsAsked) {
   Shape shape = sheet(2, 2, [](double x, double y) { return -0.2 * (std::abs(x - 1) + std::abs(y - 1)); });  // opposite faces: 31 degrees
   BaseSurface base = base_of(shape);
