@@ -125,7 +125,7 @@ struct SidesMemory {
   double work = 0;                          ///< [J] done on the nodes
   double friction_dissipated = 0;           ///< [J] dissipated by friction
   double friction_to_come = 0;              ///< [J] part of it that multipliers will only take in the half step that begins
-  double friction_deficit = 0;                 ///< [J] that friction gave, as a stick sways, and has not taken back: created until then
+  double friction_deficit = 0;             ///< [J] that friction gave, as a stick sways, and has not taken back: created until then
   double impact = 0;                        ///< [J] kinetic energy lost as multipliers stopped nodes
   Vec3 force = Vec3::Zero();                ///< [N] on all apexes, with friction; on the bases it is the opposite
   Vec3 impulse = Vec3::Zero();              ///< [N s] of that force since the start

@@ -99,14 +99,14 @@ NEREID_HOT void iteration(double momentum, const Contactor& one, Multipliers& al
 }
 
 /// What an iteration has done to all contacts.
-struct Improved {
+struct IterationResult {
   double turned = 0;  ///< [J] below zero, and the momentum is to begin anew (O'Donoghue & Candes 2015)
   double change = 0;  ///< [-] of the impulses over all that they do, of the contact where that is most, friction for itself; by
                       ///< velocities, so that light bodies count beside heavy ones
 };
 
 /// One iteration of all contactors, in any order: no rate changes before move_all().
-Improved iteration(double momentum, Multipliers& all) {
+IterationResult iteration(double momentum, Multipliers& all) {
   const auto count = static_cast<Index>(all.contactors.size());
   const Index ranges = (count + contactors_of_a_range - 1) / contactors_of_a_range;
   const auto contacts = all.first.size() - 1;
@@ -119,7 +119,7 @@ Improved iteration(double momentum, Multipliers& all) {
       iteration(momentum, all.contactors[k], all, all.progress[static_cast<std::size_t>(r) * contacts + contact]);
     }
   });
-  Improved improved;
+  IterationResult result;
   for (std::size_t contact = 0; contact < contacts; ++contact) {
     Progress sum;
     for (Index r = 0; r < ranges; ++r) {
@@ -128,12 +128,12 @@ Improved iteration(double momentum, Multipliers& all) {
       sum.moved += part.moved, sum.made += part.made;
       sum.moved_along += part.moved_along, sum.made_along += part.made_along;
     }
-    improved.turned += sum.turned;
-    if (sum.moved > 0) improved.change = std::max(improved.change, sum.moved / sum.made);
-    if (sum.moved_along > 0) improved.change = std::max(improved.change, sum.moved_along / sum.made_along);
+    result.turned += sum.turned;
+    if (sum.moved > 0) result.change = std::max(result.change, sum.moved / sum.made);
+    if (sum.moved_along > 0) result.change = std::max(result.change, sum.moved_along / sum.made_along);
   }
-  improved.change = std::sqrt(improved.change);
-  return improved;
+  result.change = std::sqrt(result.change);
+  return result;
 }
 
 /// Leaves out the momentum of the last iteration, so that no impulse pulls.
@@ -184,13 +184,13 @@ bool any_between_rigid_bodies(const Motion& m, const Multipliers& all) {
 
 /// Iterations until nothing changes; or until no contactor gains energy or penetrates by what counts, and none is between rigid bodies.
 ///
-/// returns how often it improved
+/// returns the number of iterations
 int iterate(const Motion& m, bool to_the_end, Multipliers& all) {
   double t = 1;
   int iterations = 1;
   for (; iterations <= most_for_overlaps; ++iterations) {
     const double next = 0.5 * (1 + std::sqrt(1 + 4 * t * t));
-    const Improved made = iteration(iterations > 1 ? (t - 1) / next : 0, all);
+    const IterationResult made = iteration(iterations > 1 ? (t - 1) / next : 0, all);
     t = made.turned < 0 ? 1 : next;
     move_all(m, all);
     if (!(made.change > still)) break;

@@ -19,7 +19,7 @@ void apply_changes(const Motion&, Multipliers&);
 /// returns  by how much any rate differs from that by movers, at most [m/s]
 double find_velocities(const Motion&, Multipliers&);
 
-/// Finds the impulses; returns how often it improved.
+/// Finds the impulses; returns the number of iterations.
 int solve(const Motion&, Multipliers&);
 
 }  // namespace nereid::contact

@@ -9,7 +9,7 @@ namespace nereid::contact {
 
 namespace {
 
-constexpr double repaid_share = 0.2;      // of what friction owes, in a step
+constexpr double repaid_share = 0.2;   // of the energy deficit of friction, in a step
 constexpr double most_yield = 1e-6;    // of the depth of an element: way by which a stick yields for that in a step
 
 /// How much slip rate an impulse makes, at most: with the constraints, or as if all nodes were free. [1/kg]

@@ -120,7 +120,7 @@ void blend(const BaseSurface& base, const Vectors& x, const Face& face, const Ve
   n.normalize();
 }
 
-/// Half of a face beside another one, and how far it is from a place.
+/// A face beside a place, by one of its halves, and how much it counts.
 struct FaceAround {
   Index facet;
   double weight;

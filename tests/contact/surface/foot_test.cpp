@@ -126,7 +126,8 @@ TEST(NodesAround, GoOverEvenlyFromFaceToFace) {
   for (double u = 0.5; u < 2.5; u += 1e-4) {
     const auto over = sheet.over(Vec3(u, 1 + 0.1 * (u - 1), 0));
     const Scalars now = around(sheet, over.foot, over.feature.facet);
-    if (u > 0.5) ASSERT_LT((now - before).cwiseAbs().maxCoeff(), 0.1) << "at " << u;
+    // a step is 0.005 of the band, and at most three faces beside a place share a node
+    if (u > 0.5) ASSERT_LT((now - before).cwiseAbs().maxCoeff(), 0.02) << "at " << u;
     before = now;
   }
 }
