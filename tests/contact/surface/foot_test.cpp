@@ -127,7 +127,9 @@ TEST(NodesAround, GoOverEvenlyFromFaceToFace) {
     const auto over = sheet.over(Vec3(u, 1 + 0.1 * (u - 1), 0));
     const Scalars now = around(sheet, over.foot, over.feature.facet);
     // a step is 0.005 of the band, and at most three faces beside a place share a node
-    if (u > 0.5) ASSERT_LT((now - before).cwiseAbs().maxCoeff(), 0.02) << "at " << u;
+    if (u > 0.5) {
+      ASSERT_LT((now - before).cwiseAbs().maxCoeff(), 0.02) << "at " << u;
+    }
     before = now;
   }
 }
