@@ -51,7 +51,7 @@ struct FacePoints {
   Index from = -1;            ///< facet from which they were looked for
   Lies lies = Lies::apart;
   std::vector<Foot> foot;     ///< of the Gauss points; of a face that is covered in part of four points for each of its nodes
-  std::vector<int> taken_by;  ///< of such points: the corner of whose height they are a part
+  std::vector<std::array<double, 4>> taken_by;  ///< of such points: parts of them that count for each corner; their sum is one
   std::array<Index, 4> last{-1, -1, -1, -1};  ///< facets of the feet of the Gauss points when they were found before
   std::vector<Index> base;    ///< nodes of all feet, each once
   std::array<CornerSum, 4> corner;

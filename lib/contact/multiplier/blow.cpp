@@ -204,9 +204,7 @@ void each_of_blows(Multipliers& all, Visit&& visit) {
 /// Lets friction follow the normal impulses.
 void follow(const Motion& m, Multipliers& all) {
   if (all.frictions.empty()) return;
-  for (Condition& c : all.conditions) c.change = 0;
-  for (const Contactor& one : all.contactors)
-    if (one.friction >= 0) find_change(rubbing_impulse_of(one, all), rate(all.frictions[one.friction], all), all.frictions[one.friction]);
+  follow_release(all);
   apply_changes(m, all);
   for (FrictionCondition& friction : all.frictions) friction.change.setZero();
 }

@@ -33,6 +33,7 @@ struct Condition {
   double per_mass;                 ///< [1/kg] relative velocity per impulse
   double bound;                    ///< [1/kg] of what all impulses together change in it
   double least;                    ///< [m/s] relative velocity that may be afterwards
+  double rest;                     ///< [N s] by which iterations have left its impulse too small, set by release()
   int nodes;                       ///< 1 over a rigid plane, 4 over a facet, 5 over a face of a hexahedron, more over points of faces
   Index first;                     ///< of its nodes in Multipliers::members, the apex before those of the base
   Row row;                         ///< set by make_rows()
@@ -53,6 +54,7 @@ struct FrictionCondition {
   Vec3 stuck;            ///< [m/s] slip rate of a stick: zero, but where friction has an energy deficit it yields slowly against its force
   Vec3 impulse, change;  ///< [N s]
   Vec3 met, moved;       ///< [N s] as of a condition
+  Vec3 rest = Vec3::Zero();  ///< [N s] change that iterations have left, set by release()
   Vec3 after;            ///< [m/s] slip rate afterwards, set by find_work()
   std::array<Vec3, 2> along;  ///< unit vectors in the plane
   std::array<Row, 2> row;     ///< along these, set by make_rows()

@@ -95,6 +95,23 @@ bool is_other_side(const BaseSurface& base, const Vectors& x, const Stencil& one
   return shares;
 }
 
+/// The height of a point over a feature; over the bilinear face that a facet is half of, so that the cut of a warped face does not count.
+/// [m]
+double height_over_face(const BaseSurface& base, const Vectors& x, const Feature& feature, const Vec3& point) {
+  FeatureHeight over = height_over(base, x, feature, point);
+  double fourth = 0;
+  stand_on_face(base, x, point, feature, 0, nullptr, over, fourth);
+  return over.height;
+}
+
+/// The gap of an apex over what it is nearest to, where the nodes would be after the step to come. [m]
+double gap_ahead(const Interface& interface, const Vectors& ahead, const Memory& memory, const Near& near) {
+  const Feature& nearest = memory.feature[near.apex];
+  if (near.tracks.count > 0 || nearest.facet < 0) return memory.gap[near.apex];
+  const double height = height_over_face(interface.base, ahead, nearest, ahead.col(interface.apexes[near.apex]));
+  return std::abs(height) - level(interface, memory, near.apex, nearest.facet);
+}
+
 }  // namespace
 
 double reach_of(const Between& pair, double way) { return std::max(multipliers_reach * pair.depth, steps_to_touch * way); }
@@ -168,26 +185,26 @@ bool make(const Interface& interface, const Motion& m, const Memory& memory, con
   if (stencil.kind == geometry::Kind::facet) over.weight = stencil.weight;
   else if (push > 0 && over.normal.dot(stencil.push) < 0) over.normal = -over.normal, over.height = -over.height;
   // over plates the foot would leave its node, and where several push each has its own
-  const bool blends = near.element.count == 1 && stencil.level < blended * interface.base.size(stencil.facet);
+  const double band = near.element.count == 1 ? blend_band(interface.base, stencil.facet, stencil.level) : 0;
   const Mat3* allowed = allowed_of(interface, near.apex);
-  const auto find_foot = [&, from = over, fourth = stencil.fourth](bool blend) {
+  const auto find_foot = [&, from = over, fourth = stencil.fourth](double within) {
     over = from, stencil.fourth = fourth;
-    if (stand_on_face(interface.base, m.x, p, feature(), blend, allowed, over, stencil.fourth)) return;
+    if (stand_on_face(interface.base, m.x, p, feature(), within, allowed, over, stencil.fourth)) return;
     stencil.fourth = 0;
     if (stencil.kind == geometry::Kind::facet) over = height_over(interface.base, m.x, feature(), p);
-    if (blend && stencil.kind == geometry::Kind::facet && interface.base.half[stencil.facet].cut < 0)
-      blend_over_facet(interface.base, m.x, p, feature(), allowed, over);
+    if (within > 0 && stencil.kind == geometry::Kind::facet && interface.base.half[stencil.facet].cut < 0)
+      blend_over_facet(interface.base, m.x, p, feature(), within, allowed, over);
   };
-  find_foot(blends);
-  if (blends && leads_farther_in(interface, m.x, apex, over.normal, facet_normal(interface.base, m.x, stencil.facet))) find_foot(false);
+  find_foot(band);
+  if (band > 0 && leads_farther_in(interface, m.x, apex, over.normal, facet_normal(interface.base, m.x, stencil.facet))) find_foot(0);
   stencil.weight = over.weight;
   set(interface, apex, stencil, over.normal, over.height - stencil.level, list, c);
   // The normal turns as an apex passes an edge or vertex, or comes over another facet: what counts is how the gap changes in the free step.
-  // Both gaps are over facets, since that over a warped face is another one.
+  // Neither gap is along a normal that has gone evenly over an edge.
   if (near.tracks.count == 0 || (near.element.count == 1 && stencil.kind != geometry::Kind::facet)) {
     const bool is_facet = stencil.kind == geometry::Kind::facet;
-    const double start = is_facet ? height_over(interface.base, m.x, feature(), p).height - stencil.level : c.gap;
-    c.gap += std::max(0.0, memory.gap[near.apex] - start - m.next * relative(c, list, all.velocity));
+    const double start = is_facet ? height_over_face(interface.base, m.x, feature(), p) - stencil.level : c.gap;
+    c.gap += std::max(0.0, gap_ahead(interface, all.ahead, memory, near) - start - m.next * relative(c, list, all.velocity));
   }
   if (!(push > 0)) {
     double fastest = 0;
@@ -278,8 +295,7 @@ void look_ahead(const Interface& interface, const Vectors& x, const Memory& memo
     ahead.corner[0][lane] = corner(first), ahead.corner[1][lane] = half.fourth;
     ahead.corner[2][lane] = corner(second), ahead.corner[3][lane] = corner(third);
     a[lane] = stencil.weight[second] + stencil.fourth, b[lane] = stencil.weight[second] + stencil.weight[third];
-    const double width = blended * interface.base.size(stencil.facet);
-    band[lane] = stencil.level < width ? width : 0;
+    band[lane] = blend_band(interface.base, stencil.facet, stencil.level);
   }
   for (int lane = ahead.count; lane < lanes; ++lane) {  // fillers
     apex[lane] = apex[0], a[lane] = a[0], b[lane] = b[0], band[lane] = band[0];

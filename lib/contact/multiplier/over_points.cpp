@@ -41,20 +41,22 @@ void lay_on(const Interface& interface, const Vectors& x, Index apex, Index face
 
 /// Sums the points of the faces around an apex over the side of the base that a stencil is on. If none lies there, but some lie on another
 /// side that meets this one at a node of the facet, and no other stencil is there, moves the stencil to that side: an apex on the rim of a
-/// flush face is on all sides of the rim, and which one its track names is a chance.
+/// flush face is on all sides of the rim, and which one its track names is a chance. The same is true of an apex that is beside the base,
+/// nearest to an edge or a vertex: it belongs to the side on which most of its faces lies.
 OverPoints sum_where_faces_lie(const Interface& interface, const Vectors& x, Index apex, int s, const PointWork& work, PointSum& range,
                                ElementForces& element) {
   const BaseSurface& base = interface.base;
   Stencil& stencil = element.stencil[s];
   const OverPoints here = sum_points(interface, x, apex, stencil.facet, work, range);
-  if (here.area > 0 || here.of_node > 0 || here.covered_elsewhere) return here;
+  const bool is_beside = stencil.kind != geometry::Kind::facet && stencil.push.isZero(0);
+  if (!is_beside && (here.area > 0 || here.of_node > 0 || here.covered_elsewhere)) return here;
   const auto is_taken = [&](const Vec3& side) {
     for (int one = 0; one < element.count; ++one)
       if (facet_normal(base, x, element.stencil[one].facet).dot(side) > same_part) return true;  // of this one too
     return false;
   };
   Index best = -1;
-  double most = 0, nearest = infinite;
+  double most = here.area, nearest = here.area > 0 ? distance_to(interface, x, apex, stencil.facet) : infinite;
   for (const Index node : base.facets.col(stencil.facet))
     for (Index r = base.ring_begin[node]; r < base.ring_begin[node + 1]; ++r) {
       const Index other = base.ring[static_cast<std::size_t>(r)];
@@ -65,16 +67,6 @@ OverPoints sum_where_faces_lie(const Interface& interface, const Vectors& x, Ind
     }
   if (best >= 0) lay_on(interface, x, apex, best, stencil);
   return sum_points(interface, x, apex, stencil.facet, work, range);
-}
-
-/// How fast an apex moves against the facet of a stencil in the step to come. [m/s]
-double speed_over(const Interface& interface, const Multipliers& all, const Near& near, const Stencil& stencil) {
-  double fastest = 0;
-  for (int I = 0; I < 3; ++I) {
-    const Index node = interface.base.facets(I, stencil.facet);
-    fastest = std::max(fastest, (all.velocity.col(interface.apexes[near.apex]) - all.velocity.col(node)).squaredNorm());
-  }
-  return std::sqrt(fastest);
 }
 
 /// The height over points at which a contact closes: that of the track where the apex came in deep, as an overlap that is accepted; else
@@ -95,7 +87,7 @@ bool is_by_points_alone(const Interface& interface, const Vectors& x, const Near
   if (!(plane.least_gap + least_allowance(interface, near.apex, stencil.facet) >= by_points)) return false;
   double fourth = 0;
   if (interface.friction.coefficient > 0)
-    stand_on_face(interface.base, x, x.col(interface.apexes[near.apex]), {stencil.facet, geometry::Kind::facet, 0}, false, nullptr,
+    stand_on_face(interface.base, x, x.col(interface.apexes[near.apex]), {stencil.facet, geometry::Kind::facet, 0}, 0, nullptr,
                   plane.over, fourth);
   stencil.weight = plane.over.weight, stencil.fourth = fourth;
   return true;
@@ -150,9 +142,10 @@ bool find_over_points(const Interface& interface, const Motion& m, const Memory&
                       const PointWork& work, FoundInRange& range, const Multipliers& all, Condition& c) {
   Stencil& stencil = near.element.stencil[s];
   const bool pushes = !stencil.push.isZero(0);
-  if (!pushes && memory.gap[near.apex] > farther_than_points * interface.base.size(stencil.facet) &&
-      !can_touch(between(interface, near.apex, stencil.facet), m, 0.5 * memory.gap[near.apex], speed_over(interface, all, near, stencil)))
-    return false;
+  if (!pushes && memory.gap[near.apex] > farther_than_points * interface.base.size(stencil.facet)) {
+    const double speed = speed_over(interface, all.velocity, near.apex, {stencil.facet, stencil.kind, stencil.local});
+    if (!can_touch(between(interface, near.apex, stencil.facet), m, 0.5 * memory.gap[near.apex], speed)) return false;
+  }
   OverPoints sum = sum_where_faces_lie(interface, m.x, near.apex, s, work, range.points, near.element);
   if (has_same_points(interface.base, m.x, near.element, s)) return false;
   const Index side = stencil.facet;

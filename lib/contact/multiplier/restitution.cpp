@@ -75,7 +75,23 @@ bool is_blow(const Contactor& one, const Condition& c) {
 
 double left_of(const Contactor& one) { return one.memory->held - one.work - one.lost; }
 
-/// Gives back what contactors hold, as far as the bounds of what they change in each other let them.
+/// Sets what the iterations have left of each impulse. A release closes gaps again and lets friction follow, but takes no part of this:
+/// else the slightest of them would change all impulses by it, and round-off decides whether there is one.
+void find_rests(Multipliers& all) {
+  for (const Contactor& one : all.contactors) {
+    for (Index i = one.first; i < one.last; ++i) {
+      Condition& c = all.conditions[i];
+      c.rest = std::max(0.0, (c.least - rate(c, all)) / c.bound);
+    }
+    if (one.friction < 0) continue;
+    FrictionCondition& friction = all.frictions[one.friction];
+    find_change(rubbing_impulse_of(one, all), rate(friction, all), friction);
+    friction.rest = friction.change;
+  }
+  for (FrictionCondition& friction : all.frictions) friction.change.setZero();
+}
+
+/// Sets the changes by which contactors give back what they hold, as far as the bounds of what they change in each other let them.
 ///
 /// first     whether they are to be asked if they let go; else those that have after a blow go on together: what one has given too much, by
 ///           what others gave, they have less
@@ -111,7 +127,6 @@ bool give_back(const Motion& m, double t, bool first, Multipliers& all) {
     one.work += left - lost;
     any = any || impulse > 0;
   }
-  if (any) apply_changes(m, all);
   return any;
 }
 
@@ -121,10 +136,13 @@ void release(const Motion& m, double t, Multipliers& all) {
   for (FrictionCondition& condition : all.frictions) condition.change.setZero();
   const bool strikes = find_blows(m, all), gives = give_back(m, t, true, all);
   if (!strikes && !gives) return;
+  find_rests(all);
+  if (gives) apply_changes(m, all);
   // rigid bodies leave in one step, and what several contactors hold of one blow is to be gone by then
   for (int round = 1; m.rigid && gives && round < rounds_of_rigid; ++round) {
     find_work(m, all);
     if (!give_back(m, t, false, all)) break;
+    apply_changes(m, all);
   }
   if (strikes) give_back_blows(m, all);
   bool any = true;
@@ -137,17 +155,15 @@ void release(const Motion& m, double t, Multipliers& all) {
         const double after = rate(c, all);
         const Gain by = gain(c, after);
         const double left = one.blow >= 0 ? 0 : std::max(0.0, one.memory->held - one.work - one.lost);
-        c.change = std::max(0.0, (c.least - after) / c.bound);
+        c.change = std::max(0.0, (c.least - after) / c.bound - c.rest);
         if (c.change > 0 && by.of(c.change) > left) c.change = by.impulse_for(left);
         one.work += by.of(c.change);
         any = any || c.change != 0;
       }
     if (any || all.ties.touched) apply_changes(m, all);
   }
-  for (Condition& c : all.conditions) c.change = 0;
-  for (int pass = 0; pass < passes && !all.frictions.empty(); ++pass) {  // what is given back presses, too, and friction follows
-    for (const Contactor& one : all.contactors)
-      if (one.friction >= 0) find_change(rubbing_impulse_of(one, all), rate(all.frictions[one.friction], all), all.frictions[one.friction]);
+  for (int pass = 0; pass < passes && !all.frictions.empty(); ++pass) {  // what is given back presses, too
+    follow_release(all);
     apply_changes(m, all);
   }
   if (strikes) give_back_blows(m, all);  // gaps that closed and friction have changed what was given

@@ -72,6 +72,16 @@ void find_change(double pressed, const Vec3& rate, FrictionCondition& friction) 
   friction.change = now - friction.impulse;
 }
 
+void follow_release(Multipliers& all) {
+  for (Condition& c : all.conditions) c.change = 0;
+  for (const Contactor& one : all.contactors) {
+    if (one.friction < 0) continue;
+    FrictionCondition& friction = all.frictions[one.friction];
+    find_change(rubbing_impulse_of(one, all), rate(friction, all), friction);
+    friction.change -= friction.rest;
+  }
+}
+
 void end_friction(Seldom<FrictionForces>& one) {
   if (!one.exists()) return;
   FrictionForces& friction = one.make();

@@ -19,6 +19,10 @@ void let_yield(double deficit, double depth, const Motion&, std::size_t first, M
 /// impulse [N s].
 void find_change(double pressed, const Vec3& rate, FrictionCondition&);
 
+/// Sets the change of each friction, and zero for all conditions, as a release has changed what presses: what the iterations before it have
+/// left is left again, so that a release of nothing changes nothing.
+void follow_release(Multipliers&);
+
 /// Ends the friction of an apex or of a crossing of edges.
 void end_friction(Seldom<FrictionForces>&);
 

@@ -372,7 +372,7 @@ Tie tie_over(const Interface& interface, const Vectors& x, Index apex, Index fac
   const Feature feature{facet, geometry::Kind::facet, 0};
   FeatureHeight over = height_over(interface.base, x, feature, p);
   Tie tie{.facet = facet};
-  tie.on_face = by_multipliers(interface) && stand_on_face(interface.base, x, p, feature, false, nullptr, over, tie.weight[3]);
+  tie.on_face = by_multipliers(interface) && stand_on_face(interface.base, x, p, feature, 0, nullptr, over, tie.weight[3]);
   std::copy(over.weight.begin(), over.weight.end(), tie.weight.begin());
   // a height of round-off is none: a tie without one is simpler
   tie.height = std::abs(over.height) < 1e-9 * interface.base.longest(facet) ? 0 : over.height;

@@ -8,6 +8,7 @@
 #include "base/parallel.hpp"
 #include "contact/search/partners.hpp"
 #include "contact/search/shapes.hpp"
+#include "contact/surface/nearer.hpp"
 #include "contact/surface/stand.hpp"
 #include "geometry/height.hpp"
 
@@ -56,11 +57,12 @@ Nearest nearest_of(const Interface& interface, const Vectors& x, Index a, std::s
     const auto corner = corners(interface.base, x, f);
     if (is_sheet(interface.base, f) && geometry::facet_height(corner, p).height < 0) continue;  // its other side is as near
     const geometry::Closest there = geometry::closest_on_triangle(corner, p);
-    const double gap = squared_gap(interface.base, f, there.distance_squared);
-    if (gap < best.least_gap) best.feature = {f, there.kind, there.local}, best.closest = there, best.least_gap = gap;
+    const double distance = std::sqrt(there.distance_squared), gap = distance - stand_off(interface.base, f);
+    if (is_nearer(interface.base, x, p, f, gap, best.feature.facet, best.gap))
+      best.feature = {f, there.kind, there.local}, best.closest = there, best.gap = gap;
     const double past_border = there.kind == geometry::Kind::facet ? 0 : whole_past_wall * interface.base.size(f);
     const double reaches = past_border + stand_off(interface.base, f);
-    best.safe_distance = std::min(best.safe_distance, std::sqrt(there.distance_squared) - reaches);
+    best.safe_distance = std::min(best.safe_distance, distance - reaches);
   }
   return best;
 }

@@ -15,13 +15,13 @@ namespace nereid::contact {
 
 constexpr double steps_ahead = 2;  ///< apexes that may be in contact after so many of the longest steps limit the step
 
-/// The closest of the facets near an apex.
+/// The closest of the facets near an apex; of those that are as near, that which faces it most: surface/nearer.hpp.
 struct Nearest {
   Feature feature;  ///< facet -1: none is near
   geometry::Closest closest{geometry::Kind::facet, 0, {}, std::numeric_limits<double>::infinity()};
   /// [m] way to where the first of the facets can be entered, but for h_c of the apex; it may reach past a border
   double safe_distance = std::numeric_limits<double>::infinity();
-  double least_gap = std::numeric_limits<double>::infinity();  ///< [m2] squared_gap()
+  double gap = std::numeric_limits<double>::infinity();  ///< [m] its distance less what it stands off
   double distance() const { return std::sqrt(closest.distance_squared); }
 };
 /// body  of an automatic contact, whose facets alone are taken; -1: those of all

@@ -99,13 +99,6 @@ inline bool is_rim_of_sheet(const BaseSurface& base, Index facet, int edge) {
 /// What a facet adds to h_c of an apex. [m]
 inline double stand_off(const BaseSurface& base, Index facet) { return base.stand_off.size() > 0 ? base.stand_off(facet) : 0; }
 
-/// The squared distance of a point from a facet less what this stands off, negative within: by it one of several facets is nearest. [m2]
-inline double squared_gap(const BaseSurface& base, Index facet, double distance_squared) {
-  if (base.stand_off.size() == 0) return distance_squared;
-  const double gap = std::sqrt(distance_squared) - base.stand_off(facet);
-  return gap * std::abs(gap);
-}
-
 /// Whether a wall ends in a node.
 bool at_wall(const BaseSurface&, Index node);
 

@@ -152,7 +152,7 @@ bool add_nodes_of_face(const BaseSurface& base, const FaceAround& face, NodesAro
 
 }  // namespace
 
-bool stand_on_face(const BaseSurface& base, const Vectors& x, const Vec3& p, const Feature& feature, bool blends, const Mat3* allowed,
+bool stand_on_face(const BaseSurface& base, const Vectors& x, const Vec3& p, const Feature& feature, double band, const Mat3* allowed,
                    FeatureHeight& over, double& fourth) {
   const Half& half = base.half[feature.facet];
   const bool on_cut = feature.kind == geometry::Kind::edge && feature.local == half.cut;
@@ -167,8 +167,7 @@ bool stand_on_face(const BaseSurface& base, const Vectors& x, const Vec3& p, con
   Vec3 n = eigen(on.normal);
   double height = on.height;
   std::array<double, 4> weight = on.weight;
-  const double band = blended * base.size(feature.facet);
-  if (blends && is_within(band, on)) {
+  if (band > 0 && is_within(band, on)) {
     const Vec3 of_face = n;
     blend(base, x, face_of(base, feature.facet), p - eigen(on.at.way), band, allowed, n);
     if (n != of_face) {
@@ -186,7 +185,6 @@ bool stand_on_face(const BaseSurface& base, const Vectors& x, const Vec3& p, con
 
 NodesAround nodes_around(const BaseSurface& base, const Vectors& x, const Vec3& place, Index facet) {
   constexpr std::size_t most_faces = 8;
-  const double band = blended * base.size(facet);
   const Vector<double> p{place.x(), place.y(), place.z()};
   std::array<FaceAround, most_faces> faces;
   std::size_t count = 0;
@@ -203,7 +201,7 @@ NodesAround nodes_around(const BaseSurface& base, const Vectors& x, const Vec3& 
       for (int e = 0; e < 3; ++e) {
         const Index across = base.neighbour(e, half);
         if (across < 0 || base.wall[half][static_cast<std::size_t>(e)] || e == base.half[half].cut) continue;
-        const double distance = std::sqrt(squared_distance_of_face(base, x, p, across));
+        const double distance = std::sqrt(squared_distance_of_face(base, x, p, across)), band = blended * base.size(across);
         if (distance < band) add_face(across, 1 - distance / band);
       }
   NodesAround nodes;
@@ -214,10 +212,10 @@ NodesAround nodes_around(const BaseSurface& base, const Vectors& x, const Vec3& 
   return nodes;
 }
 
-void blend_over_facet(const BaseSurface& base, const Vectors& x, const Vec3& p, const Feature& feature, const Mat3* allowed,
+void blend_over_facet(const BaseSurface& base, const Vectors& x, const Vec3& p, const Feature& feature, double band, const Mat3* allowed,
                       FeatureHeight& over) {
   const Vec3 facet = over.normal;
-  blend(base, x, face_of(base, feature.facet), p - over.height * facet, blended * base.size(feature.facet), allowed, over.normal);
+  blend(base, x, face_of(base, feature.facet), p - over.height * facet, band, allowed, over.normal);
   over.weight = height_over(base, x, feature, p - over.height / over.normal.dot(facet) * over.normal).weight;
 }
 

@@ -46,14 +46,6 @@ void share_stiffness(const Interface& interface, const Vectors& x, Index a, Elem
   }
 }
 
-/// How fast an apex moves against a facet: no slower than against the foot. [m/s]
-double speed_over(const Interface& interface, const Vectors& v, Index a, Index facet) {
-  double fastest = 0;
-  for (int I = 0; I < 3; ++I)
-    fastest = std::max(fastest, (v.col(interface.apexes[a]) - v.col(interface.base.facets(I, facet))).squaredNorm());
-  return std::sqrt(fastest);
-}
-
 /// The tributary area of the sides of an apex that face a facet; all of it where next to none does, as of a sole on a steep flank. [m2]
 double area_facing(const Interface& interface, const Vectors& x, Index a, Index facet) {
   if (interface.faces.begin.empty()) return interface.area(a);
@@ -118,6 +110,13 @@ Touch touch_of(const Interface& interface, const Vectors& x, Index a, const Feat
   touch.base_rotates = !interface.rotation_of_node.empty() && interface.rotation_of_node[touch.node[0]] >= 0;
   if (!touch.base_rotates && !touch.base_arm.isZero(0)) turn_nodes_around(interface.base, x, feature.facet, touch);
   return touch;
+}
+
+double speed_over(const Interface& interface, const Vectors& v, Index a, const Feature& feature) {
+  const FeatureNodes base = nodes_of(interface.base, feature);
+  double fastest = 0;
+  for (int b = 0; b < base.count; ++b) fastest = std::max(fastest, (v.col(interface.apexes[a]) - v.col(base.node[b])).squaredNorm());
+  return std::sqrt(fastest);
 }
 
 std::array<double, 3> weights_of(const Interface& interface, const Vectors& x, Index a, Index facet) {
@@ -214,7 +213,7 @@ void look_around(const Interface& interface, const Vectors& x, const Vectors& v,
   double soon = infinite, speed = 0;
   const double depth = between(interface, a, facet).depth;
   if (depth > 0) {
-    speed = speed_over(interface, v, a, facet);
+    speed = speed_over(interface, v, a, nearest.feature);
     soon = soon_of(interface, a, nearest.feature, speed);
   }
   const bool limits = memory.gap[a] <= soon;

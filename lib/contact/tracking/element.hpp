@@ -29,6 +29,9 @@ void for_each_force(const Interface& interface, std::span<const Share> shares, I
   for_each_node(interface, stencil, [&](Index node, double weight, double) { visit(node, Vec3(-weight * stencil.push)); });
 }
 
+/// How fast an apex moves against the nodes of a feature: no slower than against a foot on it. [m/s]
+double speed_over(const Interface&, const Vectors& v, Index apex, const Feature&);
+
 /// Weights of the point of a facet that is closest to an apex.
 std::array<double, 3> weights_of(const Interface&, const Vectors& x, Index apex, Index facet);
 

@@ -208,6 +208,21 @@ void find_feet_of(const BaseSurface& base, const Vectors& x, const Face& face, I
     if (foot.facet >= 0 && (foot.height < -deepest * face.side || foot.height > farthest * face.side)) foot.facet = -1;
 }
 
+/// Shares a point out over the corners of a face that have most points of their own: the nearest of them, or several that are as near.
+std::array<double, 4> share_out(const std::array<double, 4>& phi, int corners, const std::array<int, 4>& count, int most) {
+  constexpr double as_near = 1e-9;  // of a shape function: these are the same numbers but for round-off
+  double largest = 0;
+  int sharing = 0;
+  std::array<double, 4> part{};
+  const auto has_most = [&](std::size_t j) { return count[j] == most; };
+  for (std::size_t j = 0; j < static_cast<std::size_t>(corners); ++j)
+    if (has_most(j)) largest = std::max(largest, phi[j]);
+  for (std::size_t j = 0; j < static_cast<std::size_t>(corners); ++j)
+    if (has_most(j) && phi[j] > largest - as_near) part[j] = 1, ++sharing;
+  for (double& one : part) one /= sharing;
+  return part;
+}
+
 /// Finds the feet of the points of a face that is covered in part, and who takes them: those of a corner that has not all of them are taken
 /// by the nearest of the corners that have most, so that no two conditions are nearly the same.
 void find_parts(const BaseSurface& base, const Vectors& x, const Face& face, Index from, FacePoints& points) {
@@ -220,14 +235,10 @@ void find_parts(const BaseSurface& base, const Vectors& x, const Face& face, Ind
     if (points.foot[k].facet >= 0) ++count[k / points_of_corner];
   const int most = *std::max_element(count.begin(), count.end());
   for (std::size_t k = 0; k < all; ++k) {
-    auto corner = static_cast<int>(k) / points_of_corner;
-    if (count[corner] < points_of_corner) {
-      const std::array<double, 4>& phi = shape_of_part(face.corners, k);
-      corner = -1;
-      for (int j = 0; j < face.corners; ++j)
-        if (count[j] == most && (corner < 0 || phi[j] > phi[corner])) corner = j;
-    }
-    points.taken_by[k] = corner;
+    const std::size_t corner = k / points_of_corner;
+    points.taken_by[k] = {};
+    if (count[corner] == points_of_corner) points.taken_by[k][corner] = 1;
+    else points.taken_by[k] = share_out(shape_of_part(face.corners, k), face.corners, count, most);
   }
 }
 
@@ -318,7 +329,7 @@ void sum_by_corner(const BaseSurface& base, FacePoints& points) {
     const std::array<double, 4>& phi = whole ? shape_at_points(face.corners, q) : shape_of_part(face.corners, q);
     Four weight = Four::Zero();
     if (whole) weight = Eigen::Map<const Four>(duals_at(face.corners, q).data());
-    else weight(points.taken_by[q]) = 1.0 / points_of_corner;
+    else weight = Eigen::Map<const Four>(points.taken_by[q].data()) / points_of_corner;
     gap += (foot.height - stand_off(base, foot.facet)) * weight, part += weight;
     nx += foot.normal.x() * weight, ny += foot.normal.y() * weight, nz += foot.normal.z() * weight;
     for (std::size_t j = 0; j < corners; ++j) add(j, phi[j] * foot.normal, weight);

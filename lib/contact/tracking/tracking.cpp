@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "contact/surface/cone.hpp"
+#include "contact/surface/nearer.hpp"
 #include "contact/surface/stand.hpp"
 #include "geometry/height.hpp"
 
@@ -18,6 +19,7 @@ using geometry::Kind;
 constexpr double overlap = 1e-3;      // of a facet's weights: neighbours overlap by so much except at ridges, so that there is no hole
 constexpr double round_off = 1e-9;    // of the longest edge, and of a weight
 constexpr double of_places = 1e-15;   // of the coordinates
+constexpr double held_open = 1e-12;   // of the longest edge: by so much an offset is more than it is
 constexpr double at_once = 1e-9;      // of a step: crossings that are as early as each other
 constexpr double on_ridge = 1e-3;     // of a step: sides of a ridge that are crossed as early as each other
 constexpr double material = 0.9;      // of the thickness: no contact begins from deeper
@@ -260,6 +262,11 @@ Track slides_onto(const ApexPath& s, const Vec3& p0, const Vec3& p1, Index cross
   return {};
 }
 
+/// Begins a track where an apex is as high over a facet now: by this offset it is not in contact yet, which no round-off decides.
+void begin_here(const ApexPath& s, Index facet, double height, Tracks& tracks) {
+  tracks.begin(facet, height - held_open * s.base.longest(facet));
+}
+
 /// Whether a facet is looked after by a track next to it: all that share a node with it.
 bool around(const ApexPath& s, const Tracks& tracks, Index facet) {
   for (int k = 0; k < tracks.count; ++k)
@@ -318,14 +325,14 @@ void enter(const ApexPath& s, double deepest, Tracks& tracks) {
       const double was = geometry::closest_on_triangle(corners_before(s, surface.facet), place(p0)).distance_squared;
       height = geometry::facet_height(corners(s.base, s.x, surface.facet), place(p1)).height;
       const double level = s.level(surface.facet);
-      return tracks.begin(surface.facet, was < level * level ? height : level);
+      return was < level * level ? begin_here(s, surface.facet, height, tracks) : tracks.begin(surface.facet, level);
     }
     through.facet = -1;  // within the layer an excluded facet is the far side of what holds it
   }
   if (through.facet >= 0) {
     const Vec3 normal = facet_normal(s.base, s.x, through.facet);
     const Index held_by = shallowest(s, p1, [&](Index f) { return deepest_entry(s.base, f); }, &normal, height);
-    if (held_by >= 0) return tracks.begin(held_by, height);
+    if (held_by >= 0) return begin_here(s, held_by, height, tracks);
     if (is_held_otherwise(s)) return;
     if (!is_beyond_ridge(s, through.facet, p1)) tracks.begin(through.facet, s.level(through.facet));
     return;
@@ -335,7 +342,7 @@ void enter(const ApexPath& s, double deepest, Tracks& tracks) {
     if (round >= 0) return tracks.begin(round, s.level(round));
   }
   const Index sideways = entered_under_border(s, deepest, height);
-  if (sideways >= 0) tracks.begin(sideways, height);
+  if (sideways >= 0) begin_here(s, sideways, height, tracks);
 }
 
 Track other_part(const ApexPath& s, const Tracks& before_step, const Tracks& after, double deepest) {
@@ -350,15 +357,15 @@ Track other_part(const ApexPath& s, const Tracks& before_step, const Tracks& aft
 Index behind(const ApexPath& s, double deepest, double& depth) {
   const auto limit = [&](Index f) { return std::min(depth_of_body(s.base, f), deepest); };
   Index nearest = -1;
-  double least_squared = infinite, least_gap = infinite;
+  double least_distance = infinite, least_gap = infinite;
   for (const Index f : s.near) {
-    const double squared = geometry::closest_on_triangle(corners(s.base, s.x, f), place(now(s))).distance_squared;
-    const double gap = squared_gap(s.base, f, squared);
-    if (gap < least_gap) nearest = f, least_gap = gap, least_squared = squared;
+    const double distance = std::sqrt(geometry::closest_on_triangle(corners(s.base, s.x, f), place(now(s))).distance_squared);
+    const double gap = distance - stand_off(s.base, f);
+    if (is_nearer(s.base, s.x, place(now(s)), f, gap, nearest, least_gap)) nearest = f, least_gap = gap, least_distance = distance;
   }
   if (nearest >= 0) {  // also in the layer over ridges and borders, and below valleys
     const Stand there = stand(s.base, s.x, now(s), nearest, s.apex);
-    const double over = there.over.height, height = there.past > 0 && over >= 0 ? std::sqrt(least_squared) : over;
+    const double over = there.over.height, height = there.past > 0 && over >= 0 ? least_distance : over;
     const bool is_held = may_push(s, there.over.normal);
     depth = s.level(nearest) - height;
     if (over >= 0) return depth > 0 && is_held ? there.feature.facet : -1;

@@ -98,8 +98,8 @@ TEST(Rise, OfARightRidgeIsNoneInTheQuarterBetweenItsNormals) {
 TEST(Into, AFaceIsThatOfTheMirrorInAMirror) {  // faces that are warped, which have no plane
   mesh::Mesh mesh = box_with_skin({2, 2, 2});
   std::mt19937 random(3);
-  std::uniform_real_distribution<double> way(-0.2, 0.2);
-  for (double& place : mesh.X.reshaped()) place += way(random);
+  std::uniform_real_distribution<double> aside(-0.2, 0.2);
+  for (double& place : mesh.X.reshaped()) place += aside(random);
   mesh::Mesh mirror = mesh;
   mirror.X.row(0) *= -1;
   const auto& nodes = mesh.hexahedra[0].nodes;

@@ -44,8 +44,9 @@ struct Sheet {
     }
     const Stand at = stand(base, shape.x, p, nearest);
     Found found{at.feature, at.over, 0, Vec3::Zero()};
-    if (!stand_on_face(base, shape.x, p, found.feature, blends, nullptr, found.over, found.fourth) && blends && base.half[nearest].cut < 0)
-      blend_over_facet(base, shape.x, p, found.feature, nullptr, found.over);
+    const double band = blends ? blend_band(base, nearest, 0) : 0;
+    if (!stand_on_face(base, shape.x, p, found.feature, band, nullptr, found.over, found.fourth) && blends && base.half[nearest].cut < 0)
+      blend_over_facet(base, shape.x, p, found.feature, band, nullptr, found.over);
     for (int I = 0; I < 3; ++I) found.foot += found.over.weight[I] * shape.x.col(base.facets(I, found.feature.facet));
     if (found.fourth != 0) found.foot += found.fourth * shape.x.col(base.half[found.feature.facet].fourth);
     return found;
@@ -134,6 +135,15 @@ TEST(NodesAround, GoOverEvenlyFromFaceToFace) {
   }
 }
 
+TEST(Foot, OfAPlateHasANarrowerBandByTheHeightAtWhichItTouches) {
+  const Sheet sheet(false);
+  const double whole = blend_band(sheet.base, 0, 0), size = sheet.base.size(0);
+  EXPECT_DOUBLE_EQ(whole, 0.02 * size);
+  EXPECT_NEAR(blend_band(sheet.base, 0, 0.015 * size), 0.005 * size, 1e-15);
+  EXPECT_NEAR(blend_band(sheet.base, 0, 0.02 * size * (1 - 1e-12)), 0, 1e-13);  // nothing is decided where both are as large
+  EXPECT_EQ(blend_band(sheet.base, 0, 0.021 * size), 0);
+}
+
 TEST(Foot, OfANodeHasTheNormalOfAllFacesAroundItWhicheverIsAsked) {
   Shape shape = sheet(2, 2, [](double x, double y) { return -0.2 * (std::abs(x - 1) + std::abs(y - 1)); });  // opposite faces: 31 degrees
   BaseSurface base = base_of(shape);
@@ -146,7 +156,7 @@ TEST(Foot, OfANodeHasTheNormalOfAllFacesAroundItWhicheverIsAsked) {
     const Feature feature{facet, geometry::Kind::facet, 0};
     FeatureHeight over = height_over(base, shape.x, feature, p);
     double fourth = 0;
-    ASSERT_TRUE(stand_on_face(base, shape.x, p, feature, true, nullptr, over, fourth));
+    ASSERT_TRUE(stand_on_face(base, shape.x, p, feature, blend_band(base, facet, 0), nullptr, over, fourth));
     EXPECT_LT((over.normal - Vec3::UnitZ()).norm(), 1e-7) << facet;
     EXPECT_NEAR(over.height, 1e-9, 1e-15);
   }

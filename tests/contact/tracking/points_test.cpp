@@ -183,6 +183,29 @@ TEST(Points, DoNotDependOnWhichWayTheNodesOfAFaceAreCounted) {
   }
 }
 
+TEST(Points, OfACornerThatIsNotCoveredAreSharedByItsNeighboursInAMirror) {
+  // a face from 0.8 to 2.4 over a base with a hole from 2 to 3: its corner at (2.4, 2.4) has three of four points, of which that at
+  // (1.8, 1.8) is as near to the corners beside the diagonal
+  Shape base = sheet(4, 4, flat);
+  const Index hole = 2 * (2 * 4 + 2);
+  base.facets.middleCols(hole, base.facets.cols() - hole - 2) = Table<3>(base.facets.rightCols(base.facets.cols() - hole - 2));
+  base.facets = Table<3>(base.facets.leftCols(base.facets.cols() - 2));
+  const auto sums = [&](int first) {
+    Setting at(base, 1, Vec3(0.8, 0.8, 0), 1.6, false, plane);
+    const Eigen::Vector4i nodes = at.interface.faces.faces.col(0);
+    for (int j = 0; j < 4; ++j) at.interface.faces.faces(j, 0) = nodes((j + first) % 4);
+    std::array<double, 4> gap{};
+    at.x.col(at.interface.apexes[1]).z() = 0.1, at.x.col(at.interface.apexes[2]).z() = 0.1;  // as in the mirror x = y
+    for (Index apex = 0; apex < 4; ++apex) gap[static_cast<std::size_t>(apex)] = at.sum(apex).gap;
+    return gap;
+  };
+  const auto one = sums(0);
+  EXPECT_GT(one[1], 0);
+  EXPECT_NEAR(one[1], one[2], 1e-15);  // both beside the diagonal
+  for (int first = 1; first < 4; ++first)
+    for (std::size_t apex = 0; apex < 4; ++apex) EXPECT_NEAR(sums(first)[apex], one[apex], 1e-15) << first << " " << apex;
+}
+
 TEST(Points, FacesThatLeanAreLeftToTheirNodes) {
   const double slope = std::tan(0.5);  // 29 degrees
   Setting at(sheet(4, 4, flat), 2, Vec3(1, 1, 0), 0.8, false, [slope](double a, double) { return slope * (a - 1); });
