@@ -9,7 +9,7 @@ from reference import NUDGE, Chance
 KINDS = ("box on a floor", "boxes", "ball on a floor", "edge on an edge", "corner on a floor", "slide", "plate on a floor",
          "box on a plate", "plates", "stack")
 SEEDS = range(1, 31)
-END, FRAMES = 0.012, 60    # [s], [-]
+END, FRAMES = 0.006, 30    # [s], [-]
 THICK = 0.002              # [m]
 
 
