@@ -77,4 +77,4 @@ def envelope(run):
     return [("amplitude", [0, end], [degrees(AMPLITUDE)] * 2)]
 
 
-FIGURES = [Figure("angle", "time [s]", "angle [degrees]", swing, envelope, caption="A ball that swings in a tube.")]
+FIGURES = [Figure("angle", "time [s]", "angle [degrees]", swing, envelope, error=False, caption="A ball that swings in a tube.")]

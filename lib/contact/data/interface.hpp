@@ -16,7 +16,7 @@ namespace nereid::contact {
 /// Whether an apex may leave its base.
 enum class InterfaceKind {
   contact,  ///< unilateral: pushes only, and the apex slides from base to base
-  tied,   ///< the apex stays over the point of its base where it began, pulled as well as pushed
+  tied,     ///< the apex stays over the point of its base where it began, pulled as well as pushed
 };
 
 /// How friction on an apex is shared out over its base, and against what its sliding is measured.
@@ -66,8 +66,17 @@ struct Sides : Between {
   Bodies bodies;            ///< of an automatic contact
 };
 
-/// Apexes over a base surface.
-struct Interface : Sides {
+/// What a penalty has besides.
+struct Springs {
+  double impact_step_factor = 0.1410;  ///< [-] dt sqrt(k/m) of the step limit: impact_step_factor_for(0.005)
+  double first_step_factor = 0;        ///< [-] the same until the contact has created too much, where it is larger: step_factor.hpp
+  /// [s] a closed element pushes with k (|d| + damping_time d|d|/dt), never pulls. It takes the chatter out of an interface; what it
+  /// dissipates is booked.
+  double damping_time = 0;
+};
+
+/// Apexes over a base surface. Tracking is the same for all methods, so they share a record: docs/decisions.md.
+struct Interface : Sides, Springs {
   InterfaceKind kind = InterfaceKind::contact;
   Method method = Method::penalty;
   BaseSurface base;
@@ -78,13 +87,8 @@ struct Interface : Sides {
   Scalars contact_height;        ///< [m] h_c, [apexes], with plates as thick as at the start
   bool follows_thickness = false;  ///< whether h_c changes as plates do: see Memory::thicker
   std::vector<Tie> ties;             ///< [apexes] of a tied interface; set by connect()
-  double impact_step_factor = 0.1410;  ///< [-] dt sqrt(k/m) of the step limit: impact_step_factor_for(0.005)
-  double first_step_factor = 0;        ///< [-] the same until the contact has created too much, where it is larger: step_factor.hpp
   Pass pass = Pass::only;
-  double pass_factor = 1;              ///< [-] part of the stiffness between its nodes: 1/2 in each of two passes
-  /// [s] a closed element pushes with k (|d| + damping_time d|d|/dt), never pulls. It takes
-  /// the chatter out of an interface; what it dissipates is booked.
-  double damping_time = 0;
+  double pass_factor = 1;              ///< [-] part of the stiffness, or impedance, between its nodes: 1/2 in each of two passes
   Weights weights = Weights::consistent;
   Area area_kind = Area::apex;
   /// An apex on a symmetry plane meets the mirror images of its bases too: [apexes] projector onto

@@ -154,29 +154,37 @@ struct SidesMemory {
   Vec3 mean_way = Vec3::Zero();    ///< [m] of the base nodes since then, beyond that of the first of them, at the step before
 };
 
-/// What an interface remembers. The forces are those at the end of the last step: the work of the next one needs them.
-struct Memory : SidesMemory {
+/// What multipliers remember besides; empty of a penalty.
+struct MultiplierMemory {
+  std::vector<Restitution> restitution;     ///< [apexes]; none of a tie
+  std::vector<Share> shares;                ///< of the stencils over points: Stencil::first_share
+  bool has_trend = false;                   ///< what pressed apexes in the step before had followed from the two steps before that
   std::vector<NearFeature> near_shapes;     ///< features that shapes were near to at the last search
   std::vector<ShapePoint> shape_points;     ///< pair after pair
   std::vector<double> shape_overlap;        ///< [m] [Shapes::pairs] accepted at the start, zero or less
-  std::vector<Share> shares;                ///< of the stencils over points: Stencil::first_share
+};
+
+/// What a penalty remembers besides; zero or empty of multipliers.
+struct SpringMemory {
+  std::vector<Vec3> slip;                   ///< [m] elastic part of the slip, [apexes]; empty without friction
+  std::vector<double> tangential_stored;    ///< [J] by the elastic stick, [apexes]; empty without friction
+  double damped = 0;                        ///< [J] dissipated by contact damping
+  double thinned = 0;                       ///< [J] by the penalty, as plates thinned under it
+  double created_by_reconnection = 0;       ///< [J] created in steps in which the apex changed its base
+  StepFactorMemory step_factor;
+};
+
+/// What an interface remembers. The forces are those at the end of the last step: the work of the next one needs them.
+struct Memory : SidesMemory, MultiplierMemory, SpringMemory {
   std::vector<Near> near;                   ///< ascending apexes; of a tied interface all that have a tie
   Subset near_facets;                       ///< facets within the margin of each near apex, ascending
   Subset slot;                              ///< [apexes] place in `near`, or -1
   std::vector<Feature> feature;             ///< [apexes] the element in use
   std::vector<Status> status;               ///< [apexes]
   std::vector<double> gap;                  ///< [m] [apexes], open for positive; when last looked at; NaN where unpaired
-  std::vector<double> stored;               ///< [J] by the penalty, [apexes]
-  std::vector<Vec3> slip;                   ///< [m] elastic part of the slip, [apexes]; empty without friction
-  std::vector<double> tangential_stored;    ///< [J] by the elastic stick, [apexes]; empty without friction
+  std::vector<double> stored;               ///< [J] by the penalty, [apexes]; of multipliers what one would store, which means nothing
   std::vector<std::int64_t> reconnections;  ///< [apexes] walks to another feature
   std::vector<double> thicker;              ///< [m] [apexes] by which h_c has grown since the start; empty where it does not change
-  double damped = 0;                        ///< [J] dissipated by contact damping
-  double thinned = 0;                       ///< [J] by the penalty, as plates thinned under it
-  std::vector<Restitution> restitution;     ///< [apexes] of multipliers; else empty
-  bool has_trend = false;                   ///< what pressed apexes in the step before had followed from the two steps before that
-  double created_by_reconnection = 0;       ///< [J] created in steps in which the apex changed its base
-  StepFactorMemory step_factor;
   std::int64_t walks = 0;      ///< to another feature, since the start
   std::int64_t lost = 0;       ///< parts of the surface left over a wall in contact
   std::int64_t recovered = 0;  ///< apexes that a search found near
