@@ -65,8 +65,8 @@ def own_shape(run):
     places = [start_of(one) for one in (base, twin)]
     number = {tuple(round(1e9 * x) for x in p): node for node, p in enumerate(places[1])}
     numbers = [number[tuple(round(1e9 * x) for x in (-p[0], *p[1:]))] for p in places[0]]
-    return Pair(max(difference(numbers, (-1, 1, 1), ours, theirs) for (_, ours), (_, theirs) in zip(velocities_of(base), velocities_of(twin))),
-                0, "m/s", scale=1)
+    frames = zip(velocities_of(base), velocities_of(twin))
+    return Pair(max(difference(numbers, (-1, 1, 1), ours, theirs) for (_, ours), (_, theirs) in frames), 0, "m/s", scale=1)
 
 
 def start_of(one):

@@ -77,6 +77,20 @@ TEST(EntryOfAnApex, FromTheSideAsDeepAsItsNeighbourMakesNoForceThatSpringsAndThe
   EXPECT_LT(std::abs(scene.memory.created_by_reconnection), 1e-12);
 }
 
+TEST(EntryOfAnApex, FromTheSideIsOpenWhateverRoundOffSays) {
+  for (int k = 1; k < 30; ++k) {  // of planes that are not along an axis, whose heights have round-off of either sign
+    const double slope = 0.01 * k, depth = 0.04 + 1e-4 * k;
+    const auto below = [&](double x, double by) { return Vec3(x, 2.3, slope * x - by); };
+    Scene scene = press(sheet(4, 4, [slope](double x, double) { return slope * x; }), {below(2.2, -0.1), below(4.5, depth)}, 0);
+    step_to(scene, 0, below(2.2, 0.03));
+    for (double x = 4.4; x > 3.5 && scene.near(1).tracks.count == 0; x -= 0.02) step_to(scene, 1, below(x, depth));
+    ASSERT_EQ(scene.near(1).tracks.count, 1);
+    EXPECT_EQ(scene.memory.status[1], Status::open) << slope;
+    EXPECT_GT(scene.memory.gap[1], 0) << slope;
+    EXPECT_LT(scene.memory.gap[1], 1e-11) << slope;
+  }
+}
+
 Shape both(const Shape& one, const Shape& other) {
   Shape two{Vectors(3, one.x.cols() + other.x.cols()), Table<3>(3, one.facets.cols() + other.facets.cols())};
   two.x << one.x, other.x;
