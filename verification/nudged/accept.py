@@ -2,7 +2,7 @@
 import math
 from pathlib import Path
 
-import scenes
+import throws
 from reference import LIMIT
 from verify import Breaks, Check, Figure, Pair, Table, Waiver
 
@@ -15,12 +15,12 @@ CASE = "verification/nudged/case.yaml"
 
 # what differs by decisions that are not mended, by twin and seed: README.md, "Misses"
 MISSED = {"mirrored, other numbers": (2, 9, 11, 21, 22), "bodies in another order": (19,)}
-TWINS = {"nudged": scenes.nudged, "mirrored, other numbers": scenes.mirrored, "bodies in another order": scenes.in_another_order}
+TWINS = {"nudged": throws.nudged, "mirrored, other numbers": throws.mirrored, "bodies in another order": throws.in_another_order}
 OWN = "a shape of the program's own in a mirror"
 
 
 def run_of(run, label, scene, more):
-    path = scenes.put_down(run.runner.scratch / "nudged", label, scene)
+    path = throws.put_down(run.runner.scratch / "nudged", label, scene)
     return run.other(DRIVER, str(path), more)
 
 
@@ -40,7 +40,7 @@ def difference(numbers, signs, ours, theirs):
 
 def curve(run, seed, name):
     """(times [s], the largest difference of a velocity of any node [m/s]) of a scene and its twin; a break is set in the twin alone."""
-    scene = scenes.throw(seed)
+    scene = throws.throw(seed)
     twin, numbers, signs = TWINS[name](scene, seed)
     base = run_of(run, f"{seed}_base", scene, {})
     other = run_of(run, f"{seed}_{name.split(',')[0].replace(' ', '_')}", twin, run.overrides)
@@ -55,7 +55,7 @@ def curve(run, seed, name):
 
 def largest(name):
     """Over all scenes; a break shows in the first of them."""
-    seeds = [seed for seed in scenes.SEEDS if seed not in MISSED.get(name, ())]
+    seeds = [seed for seed in throws.SEEDS if seed not in MISSED.get(name, ())]
     return lambda run: Pair(max(max(curve(run, seed, name)[1]) for seed in (seeds[:3] if run.overrides else seeds)), 0, "m/s", scale=1)
 
 
@@ -75,7 +75,7 @@ def start_of(one):
 
 
 def row(run, seed):
-    scene = scenes.throw(seed)
+    scene = throws.throw(seed)
     found = (f"{max(curve(run, seed, name)[1]):.1e}" + (" (missed)" if seed in MISSED.get(name, ()) else "") for name in TWINS)
     return [seed, scene.kind, "declared" if scene.declared else "automatic", scene.friction, *found]
 
@@ -89,7 +89,7 @@ WAIVERS = [Waiver("created energy of any source at any time", lambda run: Path(r
                   "by the elements of a plate of twelve triangles that strikes with an edge, and not by contact", 0.015)]
 
 STUDIES = [Table("The largest difference of a velocity in each scene [m/s].", ["seed", "scene", "contact", "friction", *TWINS],
-                 lambda run: [row(run, seed) for seed in scenes.SEEDS], full=True)]
+                 lambda run: [row(run, seed) for seed in throws.SEEDS], full=True)]
 
 BREAKS = [Breaks(name, "another friction in the twin", {"contacts[0].friction": "0.301"}) for name in (*TWINS, OWN)]
 
@@ -101,11 +101,11 @@ def growths(name):
         for seed in (1, 2, 9, 18):
             times, differences = curve(run, seed, name)
             so_far = [max(differences[:n + 1]) for n in range(len(differences))]
-            found.append((f"{seed}: {scenes.throw(seed).kind}", [1e3 * t for t in times], so_far))
+            found.append((f"{seed}: {throws.throw(seed).kind}", [1e3 * t for t in times], so_far))
         return found
     return curves
 
 
 FIGURES = [Figure("growth", "time [ms]", "largest difference of a velocity so far [m/s]", growths("nudged"), log=True,
-                  exact=lambda run: [("limit", [0.1, 1e3 * scenes.END], [LIMIT, LIMIT])],
+                  exact=lambda run: [("limit", [0.1, 1e3 * throws.END], [LIMIT, LIMIT])],
                   caption="Differences of velocities after a displacement of 1e-12 m, in four of the scenes, with the limit.")]
