@@ -82,7 +82,7 @@ def row(run, seed):
 
 CHECKS = [Check(name, largest(name), LIMIT,
                 "a gap that is larger by 1e-12 m is closed by 1e-7 m/s more in a step of 1e-5 s; a decision by round-off moves a velocity "
-                "by 1e-4 m/s and more") for name in TWINS] + [
+                "by 1e-4 m/s and more. Six other nudges of each scene moved 1e-9 to 8e-8 m/s", chaotic=True) for name in TWINS] + [
     Check(OWN, own_shape, 1e-9, "round-off of places, 1e-17 m, is five decades less than the displacement; seen: 2e-13")]
 
 WAIVERS = [Waiver("created energy of any source at any time", lambda run: Path(run.case_file).name.startswith("16_"),
