@@ -4,10 +4,10 @@ from pathlib import Path
 
 import throws
 from reference import LIMIT
-from verify import Breaks, Check, Figure, Pair, Table, Waiver
+from verify import Breaks, Check, Figure, Miss, Pair, Table, Waiver
 
 CLAIM = ("A displacement of 1e-12 m changes no velocity by more than 1e-6 m/s, and neither do a mirror, other numbers or another order of "
-         "bodies.")
+         "bodies, but for six known misses of sixty.")
 EVIDENCE = "invariant"
 CATALOGUE = ()
 DRIVER = "scene"
@@ -59,6 +59,11 @@ def largest(name):
     return lambda run: Pair(max(max(curve(run, seed, name)[1]) for seed in (seeds[:3] if run.overrides else seeds)), 0, "m/s", scale=1)
 
 
+def count(name):
+    """How many of all scenes differ from their twins by more than the limit."""
+    return lambda run: Pair(sum(max(curve(run, seed, name)[1]) > LIMIT for seed in throws.SEEDS), 0, "scenes", scale=1)
+
+
 def own_shape(run):
     """Of case.yaml and mirrored.yaml, whose nodes stand at mirrored places: the largest difference of a velocity."""
     base, twin = run.other(DRIVER, CASE), run.other(DRIVER, "verification/nudged/mirrored.yaml", run.overrides)
@@ -83,7 +88,11 @@ def row(run, seed):
 CHECKS = [Check(name, largest(name), LIMIT,
                 "a gap that is larger by 1e-12 m is closed by 1e-7 m/s more in a step of 1e-5 s; a decision by round-off moves a velocity "
                 "by 1e-4 m/s and more. Six other nudges of each scene moved 1e-9 to 8e-8 m/s", chaotic=True) for name in TWINS] + [
-    Check(OWN, own_shape, 1e-9, "round-off of places, 1e-17 m, is five decades less than the displacement; seen: 2e-13")]
+    Check(OWN, own_shape, 1e-9, "round-off of places, 1e-17 m, is five decades less than the displacement; seen: 2e-13"),
+    Miss("mirrored, other numbers: scenes that differ by more", count("mirrored, other numbers"), 0.5, "none may",
+         "in the mirror faces are cut along their other diagonal, which decides over what a free apex is beside a warped face"),
+    Miss("bodies in another order: scenes that differ by more", count("bodies in another order"), 0.5, "none may",
+         "of two boxes that are alike the one that is listed first has the apexes")]
 
 WAIVERS = [Waiver("created energy of any source at any time", lambda run: Path(run.case_file).name.startswith("16_"),
                   "by the elements of a plate of twelve triangles that strikes with an edge, and not by contact", 0.015)]

@@ -224,7 +224,7 @@ std::array<double, 4> share_out(const std::array<double, 4>& phi, int corners, c
 }
 
 /// Finds the feet of the points of a face that is covered in part, and who takes them: those of a corner that has not all of them are taken
-/// by the nearest of the corners that have most, so that no two conditions are nearly the same.
+/// by the nearest corners that have most, so that no two conditions are nearly the same.
 void find_parts(const BaseSurface& base, const Vectors& x, const Face& face, Index from, FacePoints& points) {
   const auto all = static_cast<std::size_t>(points_of_corner * face.corners);
   points.foot.resize(all), points.taken_by.resize(all);
