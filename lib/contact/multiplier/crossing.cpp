@@ -91,6 +91,19 @@ void make(const EdgeContact& contact, const Over& at, Crossing& crossing, Multip
   c.gap = crossing.gap;
 }
 
+/// The gap with which the condition of a crossing lets edges pass that leave each other sideways in the step, before their lines meet:
+/// along the normal at t they would meet. As of an apex that passes an edge, the distance after the free step counts. [m]
+///
+/// rate  [m/s] at which the gap grows in the free step
+double gap_of_step(const EdgeContact& contact, const Motion& m, const Crossing& crossing, double rate, const Multipliers& all) {
+  const double closes = -m.next * rate;
+  if (!(crossing.gap > 0 && closes > crossing.gap)) return crossing.gap;
+  if (!meet_beside(contact, m.x, all.ahead, crossing.edge, crossing.base_edge, crossing.gap / closes)) return crossing.gap;
+  const auto end = ends_of(contact, all.ahead, crossing.edge, crossing.base_edge);
+  const double distance = std::sqrt(geometry::segments_squared(end[0], end[1], end[2], end[3]));
+  return std::max(crossing.gap, distance - crossing.level + closes);
+}
+
 /// Where friction acts: on both edges, by the weights of the points that touch. With these a height h apart along n they would be turned by
 /// h n x f; forces b_1 n and b_2 n at the ends of both edges, up at one and down at the other, take that back:
 ///
@@ -225,7 +238,9 @@ void find_conditions(const EdgeContact& contact, const Motion& m, EdgeMemory& me
       Condition& c = begin_condition(all);
       make(contact, workspace.over[i], crossing, all, c);
       const double speed = relative(crossing, all.velocity).norm();
-      acts = can_touch(pair, m, c.gap, speed) && complete(m, crossing.pressed, crossing.restitution.held, all, all, c);
+      const bool is_near = can_touch(pair, m, c.gap, speed);
+      c.gap = gap_of_step(contact, m, crossing, relative(c, all, all.velocity), all);
+      acts = is_near && complete(m, crossing.pressed, crossing.restitution.held, all, all, c);
       if (!acts) take_back(all);
     }
     if (!acts) {

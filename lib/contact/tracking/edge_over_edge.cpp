@@ -70,6 +70,16 @@ bool between_lines(const EdgeContact& contact, const Vectors& x, Index edge, Ind
   return true;
 }
 
+bool meet_beside(const EdgeContact& contact, const Vectors& x, const Vectors& ahead, Index edge, Index base_edge, double part) {
+  const auto now = ends_of(contact, x, edge, base_edge), later = ends_of(contact, ahead, edge, base_edge);
+  const auto are_beside = [&](double t) {
+    const auto end = [&](std::size_t i) { return (1 - t) * now[i] + t * later[i]; };
+    const geometry::Crossing<double> lines = geometry::crossing(end(0), end(1), end(2), end(3));
+    return lines.first < 0 || lines.first > 1 || lines.second < 0 || lines.second > 1;
+  };
+  return !are_beside(0) && are_beside(part);
+}
+
 double stays_beside(const EdgeContact& contact, const Vectors& x, Index edge, Index base_edge, const Over& lines) {
   constexpr double small = 0.1;  // of the width of an edge across the other one: with more the lines are others
   if (is_within(lines.first) && is_within(lines.second)) return 0;

@@ -48,6 +48,12 @@ bool is_within(double place);
 /// Lines of two edges where they are closest, whatever their ends and what is in front of them; false if they are parallel.
 bool between_lines(const EdgeContact&, const Vectors& x, Index edge, Index base_edge, int side, Over& at);
 
+/// Whether edges that are over each other have left each other sideways when their lines meet, so that neither touches the other: the
+/// lines are then closest outside of an edge.
+///
+/// ahead  [m] where the nodes will be at the end of a step;  part  [-] of the step after which the lines meet
+bool meet_beside(const EdgeContact&, const Vectors& x, const Vectors& ahead, Index edge, Index base_edge, double part);
+
 /// stays_beside() of edges whose lines are known.
 double stays_beside(const EdgeContact&, const Vectors& x, Index edge, Index base_edge, const Over& lines);
 

@@ -307,6 +307,28 @@ TEST(FindCrossings, DoesNotTakeRidgesThatTurnPastEachOtherForOnesThatMeet) {
   }
 }
 
+/// How many conditions hold the ridges of two bars apart in a step in which the upper one goes `along` and falls by twice the gap. An edge
+/// of it ends 0.2 m past the lower ridge at the start; with more than one cell the next edge of its ridge follows there.
+std::ptrdiff_t held_as_they_pass(int cells, double along) {
+  const double gap = 0.1, past = 0.2, length = 6.0 / cells;
+  Bars bars(90, gap, cells);
+  for (const Index node : mesh::node_set(bars.mesh, "upper")) bars.mesh.X(0, node) += 0.5 * length - past;
+  EdgeWorkspace workspace(bars.contact);
+  connect(bars.contact, bars.mesh.X, bars.memory, workspace);
+  Vectors next = bars.mesh.X;
+  for (const Index node : mesh::node_set(bars.mesh, "upper")) next.col(node) += Vec3(along, 0, -2 * gap);
+  Steps steps(bars);
+  steps.find(bars, workspace, next);
+  const auto holds = [&](const Condition& c) { return c.normal.z() > 0.99 && std::abs(c.gap - gap) < 1e-12 && c.least > c.free; };
+  return std::count_if(steps.all.conditions.begin(), steps.all.conditions.end(), holds);
+}
+
+TEST(FindCrossings, LetsEdgesPassThatLeaveEachOtherSidewaysBeforeTheirLinesMeet) {
+  EXPECT_EQ(held_as_they_pass(1, 0.39), 1);  // half of it until the lines meet
+  EXPECT_EQ(held_as_they_pass(1, 0.41), 0);
+  EXPECT_EQ(held_as_they_pass(3, 0.5), 1);  // by the next edge
+}
+
 TEST(FindCrossings, GoesOnWithAnOverlapThatWasAccepted) {
   for (const double overlap : {0.002, 0.02, 0.2}) {  // 0.5 m is the depth of an element
     Bars bars(90, -overlap);
