@@ -91,10 +91,10 @@ void make(const EdgeContact& contact, const Over& at, Crossing& crossing, Multip
   c.gap = crossing.gap;
 }
 
-/// The gap with which the condition of a crossing lets edges pass that leave each other sideways in the step, before their lines meet:
-/// along the normal at t they would meet. As of an apex that passes an edge, the distance after the free step counts. [m]
+/// Gap g of the condition of a crossing. Where edges have left each other sideways when their lines would meet, it is that of an apex that
+/// passes an edge: max(g, g_e - dt' v_f), with the distance g_e after the free step, so that the free step closes nothing. [m]
 ///
-/// rate  [m/s] at which the gap grows in the free step
+/// rate  [m/s] v_f, at which the gap grows in the free step
 double gap_of_step(const EdgeContact& contact, const Motion& m, const Crossing& crossing, double rate, const Multipliers& all) {
   const double closes = -m.next * rate;
   if (!(crossing.gap > 0 && closes > crossing.gap)) return crossing.gap;
