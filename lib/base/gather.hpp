@@ -17,4 +17,9 @@ NEREID_HOT Vector<Pack> gather(const double* vector, const Index* column) {
   return {component(0), component(1), component(2)};
 }
 
+/// One number for each lane, from the places of a table.
+NEREID_HOT Pack gather_numbers(const double* table, const Index* place) {
+  return Pack([&](auto lane) { return table[place[static_cast<int>(lane)]]; });
+}
+
 }  // namespace nereid

@@ -397,8 +397,9 @@ void by_lane(const element::Tiling& tiling, const std::vector<double>& values, s
 std::string bytes_of(const Model& model, const State& state) {
   Writer writer;
   for (std::size_t b = 0; b < model.blocks.size(); ++b) {
-    const auto& [rows, work, stored, dissipated] = state.blocks[b];
-    writer(by_element(element::tiling(model.blocks[b]), rows), work, stored, dissipated);
+    const auto& [rows, along, work, stored, dissipated] = state.blocks[b];
+    const element::Tiling& tiling = element::tiling(model.blocks[b]);
+    writer(by_element(tiling, rows), by_element(tiling, along), work, stored, dissipated);
   }
   visit_rest(writer, const_cast<State&>(state));  // which names members and changes none
   return writer.bytes();
@@ -409,9 +410,10 @@ State state_of(const Model& model, std::string_view bytes) {
   State state;
   for (const element::AnyBlock& block : model.blocks) {
     element::Memory memory = element::initial_memory(block);
-    std::vector<double> values;
-    reader(values, memory.work, memory.stored, memory.dissipated);
+    std::vector<double> values, along;
+    reader(values, along, memory.work, memory.stored, memory.dissipated);
     by_lane(element::tiling(block), values, memory.rows);
+    by_lane(element::tiling(block), along, memory.along);
     state.blocks.push_back(std::move(memory));
   }
   visit_rest(reader, state);

@@ -14,6 +14,7 @@
 #include "base/field.hpp"
 #include "element/full_hexahedron.hpp"
 #include "element/hexahedron.hpp"
+#include "element/limiter.hpp"
 #include "element/plate.hpp"
 #include "element/tiles.hpp"
 #include "material/laws.hpp"
@@ -33,6 +34,7 @@ struct Block {
   Tiling tiling;
   std::vector<double> constants;  ///< [packs x rows x lanes]
   Layers layers;                  ///< through the thickness; none in a solid
+  std::vector<Index> beside;      ///< places_beside(); empty without viscosity
   std::vector<Index> rotation_column;  ///< [slots] column of each slot's angular velocity; plates only
 };
 
@@ -61,6 +63,7 @@ bool plates_may_have(const AnyLaw&);
 /// What the elements of one block remember; one type for all blocks. Rows lie pack by pack.
 struct Memory {
   std::vector<double> rows;         ///< [packs x rows x lanes]
+  std::vector<double> along;        ///< [-] [packs x axes x lanes] strains of the last step along the axes; empty without viscosity
   double work = 0;                  ///< [J] done on the nodes
   Channels<Stored> stored;          ///< [J]
   Channels<Dissipated> dissipated;  ///< [J]
@@ -95,7 +98,12 @@ struct TileReport {
   double step, volume_ratio;
   Index step_element, volume_element;
 };
-using TileReports = std::vector<TileReport>;  ///< [tiles] scratch of a step
+
+/// Scratch of a step of a block.
+struct TileReports {
+  std::vector<TileReport> tile;  ///< [tiles]
+  Departures departures;
+};
 
 /// What a block asks of the run.
 struct BlockLimit {

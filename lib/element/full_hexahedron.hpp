@@ -52,7 +52,7 @@ constexpr double gauss = 0.57735026918962576451;  // 1/sqrt(3), where the points
 
 /// The fully integrated hexahedron as a kind of element.
 struct FullHexahedron {
-  static constexpr int nodes = 8, dimensions = 3;
+  static constexpr int nodes = 8, dimensions = 3, axes = 3, sides = 6;
   static constexpr int gauss_points = 8;
   static constexpr bool rotates = false, layered = false;
   static constexpr std::array stored_channels{Stored::elastic};
@@ -88,18 +88,18 @@ struct FullHexahedron {
   struct Memory {
     std::array<Point<T, Law>, gauss_points> points;  ///< numbered like the nodes
     std::array<T, 3> across;                         ///< [Pa] sums over the points of +- the stress across each plane of the centre
-    T viscous;                                       ///< [Pa] viscous pressure, positive in compression
+    Symmetric<T> viscous;                            ///< [Pa]
     template <class F>
     void each_row(F&& f) {
       for (auto& point : points) point.stress.each_row(f), point.internal.each_row(f);
       for (T& left : across) f(left);
-      f(viscous);
+      viscous.each_row(f);
     }
     template <class F>
     void each_internal(F&& f) {
       for (auto& point : points) f(point.internal);
     }
-    static constexpr int rows = FullHexahedron::gauss_points * (6 + material::Internal<T, Law, Symmetric>::rows) + 4;
+    static constexpr int rows = FullHexahedron::gauss_points * (6 + material::Internal<T, Law, Symmetric>::rows) + 9;
   };
 };
 
@@ -188,11 +188,12 @@ NEREID_HOT HourglassMoments<T> moments_of(const CentreFrame<T>& f, const PointFi
 /// gradient and no others. What the strain across the planes does, half the sum of `across` before and after times it, is no work of
 /// nodes; it is of second order in the step, and goes off the dissipation, or the energy of a law that has none.
 ///
+/// share  [-] of the viscosity
 /// x  [m] at the end of the step;  dx  [m] increment of x over the step;  dt  [s] above zero; rates are dx / dt
 /// force  [N] by which the element pulls its nodes
 template <class T, class Law>
 NEREID_HOT Report<T, FullHexahedron> advance(const Law& law, const FullHexahedron::Options& options,
-                  const FullHexahedron::Constants<T>& constants, const std::array<Vector<T>, 8>& x,
+                  const FullHexahedron::Constants<T>& constants, const Shares<T, 3>& share, const std::array<Vector<T>, 8>& x,
                   const std::array<Vector<T>, 8>& dx, T dt, FullHexahedron::Memory<T, Law>& memory,
                   std::array<Vector<T>, 8>& force) {
   const T eighth(0.125), half(0.5), zero(0.0);
@@ -211,9 +212,11 @@ NEREID_HOT Report<T, FullHexahedron> advance(const Law& law, const FullHexahedro
   material::ModuliOf<T, Symmetric, Law> moduli{};
   T stored = zero, dissipated = zero;
   std::array<Symmetric<T>, 8> stresses;
+  Symmetric<T> before{zero, zero, zero, zero, zero, zero};  // sum over the points, turned
   for (int p = 0; p < FullHexahedron::gauss_points; ++p) {
     auto& point = memory.points[p];
     point.stress = rotate(Q, point.stress);
+    before = before + point.stress;
     for (Symmetric<T>& tensor : point.internal.tensor) tensor = rotate(Q, tensor);
     const auto [work, here] = update_stress(law, material::Increment<T, Symmetric>{strains[p], dt, volume}, point.stress, point.internal);
     moduli = p == 0 ? here : stiffer(moduli, here);
@@ -236,19 +239,16 @@ NEREID_HOT Report<T, FullHexahedron> advance(const Law& law, const FullHexahedro
 
   const Symmetric<T> G = gradient_products(at_end);
   const T omega_squared = largest_frequency_squared(G, at_end.per_volume, constants.per_mass, moduli) * coupling_of_hourglass(G, at_end, X);
-  const auto bulk = viscous_pressure(options.viscosity, material::wave_speed(moduli, law.density), growth / dt, omega_squared, trace(G),
-                                     constants.mass, constants.per_mass, at_end.per_volume);
-  const T viscous_work = half * (memory.viscous + bulk.pressure) * growth * at_middle.volume;
-  memory.viscous = bulk.pressure;
+  const Viscous<T> bulk = advance_viscous(options.viscosity, {{X.xi, X.eta, X.zeta}, strain, eighth * (sums.mean - before), growth, dt}, Q,
+                                          moduli, law.density, omega_squared, share, memory.viscous);
 
-  const Symmetric<T> s = eighth * sums.mean;
-  const Matrix<T> S{{s.xx - bulk.pressure, s.xy, s.xz}, {s.xy, s.yy - bulk.pressure, s.yz}, {s.xz, s.yz, s.zz - bulk.pressure}};
-  force = forces_of_stress(S, Qs, X, at_end);
+  force = forces_of_stress(matrix(eighth * sums.mean + memory.viscous), Qs, X, at_end);
 
   return {.stored = {stored},
-          .dissipated = {dissipated, -viscous_work},
+          .dissipated = {dissipated, bulk.work * at_middle.volume},
           .step = stable_step(omega_squared, bulk.damping),
-          .volume_ratio = at_end.volume * T(law.density) * constants.per_mass};
+          .volume_ratio = at_end.volume * T(law.density) * constants.per_mass,
+          .along = bulk.along};
 }
 
 /// Constants of a fully integrated hexahedron in its reference positions.

@@ -183,26 +183,9 @@ NEREID_HOT T coupling_of_hourglass(const Symmetric<T>& G, const Gradient<T>& g, 
   return T(2.0 / 3.0) + root(T(1.0 / 9.0) + T(1.0 / 3.0) * c2);
 }
 
-/// A pressure against the rate of volume change of a hexahedron, and what it asks of the step.
-template <class T>
-struct ViscousPressure {
-  T pressure;  // [Pa] positive in compression
-  T damping;   // [1/s] half the rate at which it damps, s of stable_step
-};
-
-/// omega_squared  [1/s2] bound on the squared frequencies, for the element's length 2 c/omega
-/// products       [m4] tr G, G = V^2 B B^T;  rate  [1/s] of volume change
-template <class T, class N>
-NEREID_HOT ViscousPressure<T> viscous_pressure(const Viscosity& viscosity, N speed, T rate, T omega_squared, T products,
-                                               T mass, T per_mass, T per_volume) {
-  const T length = T(N(2.0) * speed) / root(omega_squared);
-  const T eta = bulk_viscosity(viscosity, mass * per_volume, length, speed, rate);
-  return {.pressure = -eta * rate, .damping = T(4.0) * eta * products * per_mass * per_volume};
-}
-
 /// The hexahedron as a kind of element: what it is made of and what it remembers.
 struct Hexahedron {
-  static constexpr int nodes = 8, dimensions = 3;
+  static constexpr int nodes = 8, dimensions = 3, axes = 3, sides = 6;
   static constexpr bool rotates = false, layered = false;
   static constexpr std::array stored_channels{Stored::elastic, Stored::hourglass};
   static constexpr std::array dissipated_channels{Dissipated::plastic, Dissipated::viscous, Dissipated::hourglass};
@@ -250,18 +233,19 @@ struct Hexahedron {
     Symmetric<T> stress;                            ///< [Pa] Cauchy
     material::Internal<T, Law, Symmetric> internal;  ///< of the law
     std::array<Vector<T>, 4> hourglass;             ///< [N]
-    T viscous;                                      ///< [Pa] viscous pressure, positive in compression
+    Symmetric<T> viscous;                           ///< [Pa]
     T bent;                                         ///< [J] that assumed strains store
     template <class F>
     void each_row(F&& f) {
       stress.each_row(f);
       internal.each_row(f);
       for (auto& q : hourglass) f(q.x), f(q.y), f(q.z);
-      f(viscous), f(bent);
+      viscous.each_row(f);
+      f(bent);
     }
     template <class F>
     void each_internal(F&& f) { f(internal); }
-    static constexpr int rows = 6 + material::Internal<T, Law, Symmetric>::rows + 12 + 2;
+    static constexpr int rows = 6 + material::Internal<T, Law, Symmetric>::rows + 12 + 7;
   };
 };
 
@@ -413,6 +397,33 @@ NEREID_HOT std::array<Vector<T>, 8> forces_of_stress(Matrix<T> S, const std::arr
   return nodal_values(scaled(T(-1.0), F));
 }
 
+template <class T>
+NEREID_HOT Matrix<T> matrix(const Symmetric<T>& s) { return {{s.xx, s.xy, s.xz}, {s.xy, s.yy, s.yz}, {s.xz, s.yz, s.zz}}; }
+
+/// What the viscosity of a hexahedron did in a step.
+template <class T>
+struct Viscous {
+  T work;                  ///< [J/m3] that it took
+  T damping;               ///< [1/s] s of stable_step
+  std::array<T, 3> along;  ///< [-] strain of the step along each axis
+};
+
+/// Brings the viscous stress over a step; a block without viscosity pays nothing for it.
+///
+/// Q       rotation of the step;  omega_squared  [1/s2] bound on the squared frequencies
+/// stress  [Pa] of the step before, then of this one
+template <class T, class N>
+NEREID_HOT Viscous<T> advance_viscous(const Viscosity& viscosity, const Motion<T>& motion, const Matrix<T>& Q, const material::Moduli<N>& moduli,
+                                      double density, T omega_squared, const Shares<T, 3>& share, Symmetric<T>& stress) {
+  const T zero(0.0);
+  if (!acts(viscosity)) return {zero, zero, {zero, zero, zero}};
+  const Symmetric<T> old = rotate(Q, stress);
+  const auto now = viscous_stress(viscosity, motion, moduli.lambda + N(2.0) * moduli.mu, material::wave_speed(moduli, density),
+                                  omega_squared, share);
+  stress = now.stress;
+  return {T(0.5) * contract(old + stress, motion.strain), now.damping, now.along};
+}
+
 /// Brings one hexahedron from the old to the new positions and gives its nodal forces.
 ///
 /// Strain and spin come from the gradient in the middle of the step, where a rigid rotation gives
@@ -420,11 +431,12 @@ NEREID_HOT std::array<Vector<T>, 8> forces_of_stress(Matrix<T> S, const std::arr
 /// are taken with the gradient at the end. The strain of the middle turns on by half the rotation to
 /// meet the stress of the end; without that, large shear and the energy are off in the first order.
 ///
+/// share  [-] of the viscosity
 /// x  [m] at the end of the step;  dx  [m] increment of x over the step;  dt  [s] above zero; rates are dx / dt
 /// force  [N] by which the element pulls its nodes
 template <class T, class Law>
 NEREID_HOT Report<T, Hexahedron> advance(const Law& law, const Hexahedron::Options& options,
-                  const Hexahedron::Constants<T>& constants, const std::array<Vector<T>, 8>& x,
+                  const Hexahedron::Constants<T>& constants, const Shares<T, 3>& share, const std::array<Vector<T>, 8>& x,
                   const std::array<Vector<T>, 8>& dx, T dt, Hexahedron::Memory<T, Law>& memory,
                   std::array<Vector<T>, 8>& force) {
   const T eighth(0.125), eight(8.0), half(0.5), per_dt = T(1.0) / dt;
@@ -465,27 +477,23 @@ NEREID_HOT Report<T, Hexahedron> advance(const Law& law, const Hexahedron::Optio
     }
   }
 
-  // at the end of the step: stable step, viscous pressure, forces
+  // at the end of the step: stable step, viscous stress, forces
   const Gradient<T> at_end = volume_gradient(X);
   const Symmetric<T> G = gradient_products(at_end);
   T omega_squared = largest_frequency_squared(G, at_end.per_volume, constants.per_mass, moduli);
   if (kind == Kind::assumed_strain) omega_squared = omega_squared * coupling_of_hourglass(G, at_end, X);
-  const auto bulk = viscous_pressure(options.viscosity, material::wave_speed(moduli, law.density), growth * per_dt, omega_squared, trace(G),
-                                     constants.mass, constants.per_mass, at_end.per_volume);
-  const T viscous = bulk.pressure;
-  const T viscous_work = half * (memory.viscous + viscous) * growth * at_middle.volume;
-  memory.viscous = viscous;
+  const Viscous<T> bulk = advance_viscous(options.viscosity, {{X.xi, X.eta, X.zeta}, strain, memory.stress - before, growth, dt}, Q, moduli,
+                                          law.density, omega_squared, share, memory.viscous);
 
-  const Symmetric<T>& s = memory.stress;
-  force = forces_of_stress({{s.xx - viscous, s.xy, s.xz}, {s.xy, s.yy - viscous, s.yz}, {s.xz, s.yz, s.zz - viscous}}, memory.hourglass,
-                           X, at_end);
+  force = forces_of_stress(matrix(memory.stress + memory.viscous), memory.hourglass, X, at_end);
 
   const bool dashpots = kind == Kind::viscous;
   const T damping = dashpots ? bulk.damping + T(32.0) * constants.hourglass * constants.per_mass : bulk.damping;
   return {.stored = {work.stored * at_middle.volume, dashpots ? zero : hourglass.stored},
-          .dissipated = {work.dissipated * at_middle.volume + hourglass.dissipated, -viscous_work, dashpots ? hourglass.stored : zero},
+          .dissipated = {work.dissipated * at_middle.volume + hourglass.dissipated, bulk.work * at_middle.volume, dashpots ? hourglass.stored : zero},
           .step = stable_step(omega_squared, damping),
-          .volume_ratio = at_end.volume * T(law.density) * constants.per_mass};
+          .volume_ratio = at_end.volume * T(law.density) * constants.per_mass,
+          .along = bulk.along};
 }
 
 /// Constants of a hexahedron in its reference positions.

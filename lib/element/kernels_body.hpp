@@ -73,8 +73,10 @@ inline Pack lane_numbers() {
 
 template <class Kind, class Law>
 void advance_tile(const Block<Kind, Law>& block, const Tile& tile, const Vectors& x, const Vectors& dx,
-                  const Vectors& rotation, double dt, double* rows, TileForces& forces,
+                  const Vectors& rotation, double dt, const Departures& departures, Memory& memory, TileForces& forces,
                   TileReport& report) {
+  double* rows = memory.rows.data();
+  const bool is_viscous = acts(block.options.viscosity);
   constexpr int corners = Kind::nodes;
   alignas(64) double x_here[3 * most_slots], dx_here[3 * most_slots];
   alignas(64) double rotation_here[Kind::rotates ? 3 * most_slots : 1];
@@ -113,28 +115,36 @@ void advance_tile(const Block<Kind, Law>& block, const Tile& tile, const Vectors
     typename Kind::template Constants<Pack> constants;
     const double* constant = block.constants.data() + static_cast<std::size_t>(pack) * constants_size;
     constants.each_row([&](Pack& row) { read_lanes(constant, row), constant += lanes; });
-    typename Kind::template Memory<Pack, Law> memory;
+    typename Kind::template Memory<Pack, Law> own_memory;
     double* at = rows + static_cast<std::size_t>(pack) * memory_size;
-    each_row(block, memory, at, [](Pack& row, const double* from) { read_lanes(from, row); });
+    each_row(block, own_memory, at, [](Pack& row, const double* from) { read_lanes(from, row); });
+    Shares<Pack, Kind::axes> share{};
+    if (is_viscous)
+      share = shares_of<Kind::axes, Kind::sides>(departures.spread.data(), static_cast<std::size_t>(pack),
+                                                 block.beside.data() + static_cast<std::size_t>(pack) * Kind::sides * lanes);
 
     Report<Pack, Kind> here;
     const int filled = block.tiling.filled[pack];
     if constexpr (Kind::rotates) {
       std::array<Vector<Pack>, corners> rotations, ms;
       for (int a = 0; a < corners; ++a) rotations[a] = gather(rotation_here, slot + a * lanes);
-      here = advance(block.law, block.options, block.layers, constants, xs, dxs, rotations, Pack(dt), memory, fs, ms);
+      here = advance(block.law, block.options, block.layers, constants, share, xs, dxs, rotations, Pack(dt), own_memory, fs, ms);
       for (int a = 0; a < corners; ++a) scatter(ms[a], slot + a * lanes, filled, moment_here);
     } else {
-      here = advance(block.law, block.options, constants, xs, dxs, Pack(dt), memory, fs);
+      here = advance(block.law, block.options, constants, share, xs, dxs, Pack(dt), own_memory, fs);
     }
     for (int a = 0; a < corners; ++a) scatter(fs[a], slot + a * lanes, filled, force_here);
     if constexpr (Kind::layered) {
       if (Kind::template thins<Law>(block.options)) {
-        const Pack thickness = thickness_left(block.law, block.layers, constants, xs, memory);
+        const Pack thickness = thickness_left(block.law, block.layers, constants, xs, own_memory);
         for (int l = 0; l < filled; ++l) forces.thickness(block.tiling.element[pack * lanes + l]) = thickness[l];
       }
     }
-    each_row(block, memory, at, [](const Pack& row, double* to) { write_lanes(row, to); });
+    each_row(block, own_memory, at, [](const Pack& row, double* to) { write_lanes(row, to); });
+    if (is_viscous) {
+      double* along = memory.along.data() + static_cast<std::size_t>(pack) * Kind::axes * lanes;
+      for (const Pack& strain : here.along) write_lanes(strain, along), along += lanes;
+    }
 
     const auto own = lane < Pack(static_cast<double>(filled));
     const Pack zero(0.0), number = Pack(static_cast<double>(pack) * lanes) + lane;
@@ -250,11 +260,12 @@ template <class Kind, class Law>
 BlockLimit Kernels<Kind, Law>::advance(const Block<Kind, Law>& block, const Vectors& x, const Vectors& dx, const Vectors& rotation,
                                  double dt, Memory& memory, TileForces& forces, TileReports& reports) {
   const double time = dt > 0 ? dt : 1;  // where none passes, nothing moves, and all rates are zero
+  if (acts(block.options.viscosity)) find_departures(block.tiling, block.beside, memory.along, reports.departures);
   parallel_for(static_cast<Index>(block.tiling.tiles.size()), 2, [&](Index t) {
-    advance_tile(block, block.tiling.tiles[t], x, dx, rotation, time, memory.rows.data(), forces, reports[t]);
+    advance_tile(block, block.tiling.tiles[t], x, dx, rotation, time, reports.departures, memory, forces, reports.tile[t]);
   });
   BlockLimit limit;
-  for (const TileReport& report : reports) {
+  for (const TileReport& report : reports.tile) {
     memory.work += report.work;
     for (const Stored channel : Kind::stored_channels) memory.stored[channel] += report.stored[channel];
     for (const Dissipated channel : Kind::dissipated_channels) memory.dissipated[channel] += report.dissipated[channel];
@@ -270,7 +281,8 @@ template <class Kind, class Law>
 Block<Kind, Law> Kernels<Kind, Law>::make(const mesh::Mesh& mesh, const std::string& name, const Connectivity& nodes,
                                           const Law& law, const typename Kind::Options& options) {
   Block<Kind, Law> block{.name = name, .law = law, .options = options, .nodes = nodes,
-                         .tiling = cut_into_tiles(nodes, mesh.X), .constants = {}, .layers = {}, .rotation_column = {}};
+                         .tiling = cut_into_tiles(nodes, mesh.X), .constants = {}, .layers = {}, .beside = {}, .rotation_column = {}};
+  if (acts(options.viscosity)) block.beside = places_beside(block.tiling, nodes);
   if constexpr (Kind::layered) block.layers = gauss_layers(options.layers);
   const std::size_t packs = block.tiling.filled.size();
   constexpr int rows = Kind::template Constants<double>::rows;
@@ -296,6 +308,7 @@ Memory Kernels<Kind, Law>::initial_memory(const Block<Kind, Law>& block) {
   Memory memory;
   const std::size_t packs = block.tiling.filled.size();
   memory.rows.resize(packs * memory_rows(block) * lanes);
+  if (acts(block.options.viscosity)) memory.along.assign(packs * Kind::axes * lanes, 0.0);
   typename Kind::template Memory<double, Law> at_rest{};
   at_rest.each_internal([&](auto& internal) { internal = material::fresh_like(internal, block.law); });
   for (std::size_t pack = 0; pack < packs; ++pack)

@@ -110,7 +110,7 @@ Layers gauss_layers(int count);
 
 /// The plate as a kind of element: what it is made of and what it remembers.
 struct Plate {
-  static constexpr int nodes = 3, dimensions = 2;
+  static constexpr int nodes = 3, dimensions = 2, axes = 1, sides = 3;
   static constexpr bool rotates = true, layered = true;
   static constexpr std::array stored_channels{Stored::elastic, Stored::transverse_shear, Stored::residual_bending,
                                               Stored::drilling};
@@ -171,7 +171,7 @@ struct Plate {
   struct Memory {
     std::array<Layer<T, Law>, most_layers> layers;
     InPlane<T> shear;  ///< [Pa] transverse shear resultant per thickness
-    T viscous;         ///< [Pa] viscous pressure in the plane, positive in compression
+    Plane<T> viscous;  ///< [Pa] in the plane
     Plane<T> bent;     ///< [-] strain of the top less that of the middle surface, as curvature times half the thickness has made it
     std::array<T, 3> drilling;  ///< [Pa] moments about the normal at the nodes per third of the volume; not stored without a stiffness
     template <class F>
@@ -181,7 +181,8 @@ struct Plate {
         layer.stress.each_row(f);
         layer.internal.each_row(f);
       }
-      f(shear.x), f(shear.y), f(viscous);
+      f(shear.x), f(shear.y);
+      viscous.each_row(f);
       bent.each_row(f);
       if (options.drilling > 0)
         for (T& each : drilling) f(each);
@@ -191,7 +192,7 @@ struct Plate {
       for (auto& layer : layers) f(layer.internal);
     }
     static constexpr int rows(const Options& options) {
-      return options.layers * (3 + material::Internal<T, Law, Plane>::rows) + 6 + (options.drilling > 0 ? 3 : 0);
+      return options.layers * (3 + material::Internal<T, Law, Plane>::rows) + 8 + (options.drilling > 0 ? 3 : 0);
     }
   };
 };
@@ -373,12 +374,13 @@ NEREID_HOT T drilling_frequency_squared(T part, double mu, double density, T gyr
 /// A plate that follows its strain has the thickness that the law leaves: in the middle of the step with the stress of its beginning, at
 /// the end with that of the end.
 ///
+/// viscous_share  [-] of the viscosity
 /// x  [m] at the end of the step;  dx [m] and rotation [rad] increments of position and rotation over the step;
 /// dt  [s] above zero; rates are increments / dt
 /// force [N] and moment [N m] that the element exerts on its nodes
 template <class T, class Law>
 NEREID_HOT Report<T, Plate> advance(const Law& law, const Plate::Options& options, const Layers& layers,
-                  const Plate::Constants<T>& constants, const std::array<Vector<T>, 3>& x,
+                  const Plate::Constants<T>& constants, const Shares<T, 1>& viscous_share, const std::array<Vector<T>, 3>& x,
                   const std::array<Vector<T>, 3>& dx, const std::array<Vector<T>, 3>& rotation, T dt,
                   Plate::Memory<T, Law>& memory, std::array<Vector<T>, 3>& force,
                   std::array<Vector<T>, 3>& moment) {
@@ -437,12 +439,13 @@ NEREID_HOT Report<T, Plate> advance(const Law& law, const Plate::Options& option
   memory.bent = turned(memory.bent) + (half * thickness) * bend;
   material::ModuliOf<T, Plane, Law> moduli{};
   T stored(0.0), dissipated(0.0);
-  Plane<T> membrane{zero, zero, zero}, bending = membrane;  // [Pa] resultants per thickness and per its square
+  Plane<T> membrane{zero, zero, zero}, bending = membrane, turned_membrane = membrane;  // [Pa] resultants per thickness and per its square
   for (int l = 0; l < layers.count; ++l) {
     auto& layer = memory.layers[l];
     layer.stress = turned(layer.stress);
     for (Plane<T>& tensor : layer.internal.tensor) tensor = turned(tensor);
     const T z = T(layers.z[l]) * thickness, weight(layers.weight[l]);
+    turned_membrane = turned_membrane + weight * layer.stress;
     const auto [work, here] =
         update_stress(law, material::Increment<T, Plane>{stretch + z * bend, dt, volume_ratio}, layer.stress, layer.internal);
     moduli = l == 0 ? here : stiffer(moduli, here);
@@ -473,22 +476,28 @@ NEREID_HOT Report<T, Plate> advance(const Law& law, const Plate::Options& option
     }
   }
 
-  // at the end of the step: stable step, viscous pressure, forces and moments
+  // at the end of the step: stable step, viscous stress, forces and moments
   const PlateShape<T> end = plate_shape(x);
   const T volume = thins ? volume_left(law, layers, constants, memory) : end.area * given;
   const T middle_volume = thins ? half * (volume_before + volume) : volume_before;
   const T thickness_now = thins ? volume / end.area : given;
   const T density = constants.mass / volume;
   const auto omega_squared = largest_frequencies_squared(moduli, law.density, thickness_now, constants.gyration, end);
-  const auto speed = material::plate_wave_speed(moduli, law.density);
-  const T length = T(decltype(moduli.mu)(2.0) * speed) / root(omega_squared.membrane);
-  const T growth = strain.xx + strain.yy, rate = growth / dt;
-  const T eta = bulk_viscosity(options.viscosity, density, length, speed, rate);
-  const T viscous = -eta * rate;
-  const T viscous_work = half * (memory.viscous + viscous) * growth * middle_volume;
-  memory.viscous = viscous;
+  const T lighter = T(law.density) / density;  // a plate that keeps its thickness gains volume as it stretches, and no mass
+  const T growth = strain.xx + strain.yy;
+  T viscous_work(0.0), damping(0.0);
+  if (acts(options.viscosity)) {
+    const Plane<T> viscous_before = turned(memory.viscous);
+    const auto modulus = material::plane_lambda(moduli) + decltype(moduli.mu)(2.0) * moduli.mu;
+    const auto bulk = viscous_stress(options.viscosity, PlaneMotion<T>{stretch, membrane - turned_membrane, growth, dt}, modulus,
+                                     lighter * omega_squared.membrane, viscous_share);
+    memory.viscous = bulk.stress;
+    viscous_work = half * contract(viscous_before + bulk.stress, stretch) * middle_volume;
+    damping = bulk.damping;
+  }
 
-  const T nx = volume * (membrane.xx - viscous), ny = volume * (membrane.yy - viscous), nxy = volume * membrane.xy;
+  const T nx = volume * (membrane.xx + memory.viscous.xx), ny = volume * (membrane.yy + memory.viscous.yy);
+  const T nxy = volume * (membrane.xy + memory.viscous.xy);
   const T arm = volume * thickness_now;
   const T mx = arm * bending.xx, my = arm * bending.yy, mxy = arm * bending.xy;
   const auto by_edge = shear_by_edge(end);
@@ -517,13 +526,12 @@ NEREID_HOT Report<T, Plate> advance(const Law& law, const Plate::Options& option
       force[a] = force[a] + all * gradient_of_spin(end, a);
     }
   }
-  const T damping = T(1.5) * eta * squares / density;
-  const T lighter = T(law.density) / density;  // a plate that keeps its thickness gains volume as it stretches, and no mass
   return {.stored = {stored * middle_volume, share * shear_stored * middle_volume, (T(1.0) - share) * shear_stored * middle_volume,
                      drilling_stored * middle_volume},
-          .dissipated = {dissipated * middle_volume, -viscous_work},
+          .dissipated = {dissipated * middle_volume, viscous_work},
           .step = stable_step(lighter * larger(in_plane, omega_squared.bending_and_shear), damping),
-          .volume_ratio = end.area * T(law.density * options.thickness) / constants.mass};
+          .volume_ratio = end.area * T(law.density * options.thickness) / constants.mass,
+          .along = {growth}};
 }
 
 /// Constants of a plate in its reference positions.

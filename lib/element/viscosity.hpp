@@ -1,30 +1,122 @@
 #pragma once
-// Bulk viscosity: a pressure against the rate of volume change, which spreads a shock over a few
-// elements and damps the ringing behind it.
+// Viscosity of shocks: a stress after the rate of the material's own stress, which spreads a shock over a few elements and damps the
+// ringing behind it. The limiter (limiter.hpp) leaves smooth motion almost none of it. docs/theory/viscosity.md.
+
+#include <array>
 
 #include "base/number.hpp"
+#include "base/tensor.hpp"
 
 namespace nereid::element {
 
-/// Coefficients of bulk viscosity [-]; zero switches a term off.
+/// Coefficients of viscosity [-]; zero switches a term off.
 struct Viscosity {
   double linear = 0.06;
-  double quadratic = 1.2;
+  double quadratic = 1.0;
 };
 
-/// Dynamic bulk viscosity of an element, so that the viscous pressure is -eta * rate:
+/// Whether there is any.
+constexpr bool acts(const Viscosity& b) { return b.linear > 0 || b.quadratic > 0; }
+
+/// The part of the viscosity that the motion along each axis of an element gets. [-] from 0 to 1
+template <class T, int axes>
+using Shares = std::array<T, axes>;
+
+/// The viscous time over the time in which a wave crosses what viscosity acts on. [-]
 ///
-///     eta = rho l (b1 c + b2^2 l max(0, -rate))
+///     b1 + b2^2 2/omega max(0, -rate)
 ///
 /// The quadratic term acts in compression only (von Neumann & Richtmyer 1950; Landshoff 1955).
 ///
-/// density  [kg/m3] now;  length  [m] of the element;  speed  [m/s] of dilatational waves
-/// rate     [1/s] of volume change, positive in expansion
-/// returns  eta [Pa s], not negative
+/// crossing  [s] 2/omega, the time in which a wave crosses the element;  rate  [1/s] of volume change, positive in expansion
+template <class T>
+NEREID_HOT T viscous_part(const Viscosity& b, T crossing, T rate) {
+  return T(b.linear) + T(b.quadratic * b.quadratic) * crossing * larger(T(0.0), -rate);
+}
+
+/// The motion of a hexahedron in a step as its viscosity sees it.
+template <class T>
+struct Motion {
+  std::array<Vector<T>, 3> half;  ///< [m] from the centre to a face of each axis
+  Symmetric<T> strain;            ///< [-] of the step
+  Symmetric<T> change;            ///< [Pa] of the stress by it, both turned to the end of the step
+  T growth, dt;                   ///< [-] of the volume, [s]
+};
+
+/// What viscosity does in a hexahedron, and what it asks of the step.
+template <class T>
+struct ViscousStress {
+  Symmetric<T> stress;     ///< [Pa] positive in tension
+  T damping;               ///< [1/s] half the rate at which all of it damps, s of stable_step
+  std::array<T, 3> along;  ///< [-] strain of the step along each axis
+};
+
+constexpr double most_crossings = 1.4142135623730951;  ///< [-] the way on which viscosity acts, over 2 c/omega
+
+/// Viscous stress of a hexahedron after the rate of its stress:
+///
+///     s_v = tau ds/dt,     tau = l/c (b1 + b2^2 2/omega max(0, -rate))
+///     l   = sum |a_k e_k| share_k l_k / max(sum |a_k e_k|, ds:de / M),     l_k = min(2 |h_k|, sqrt(2) 2 c/omega)
+///
+/// with e_k = n_k . de n_k and a_k = n_k . ds n_k / M along the axes n_k = h_k/|h_k|. So each axis counts by the work of its motion, and
+/// what shears has none. The step is that of all shares one: with those of a step before it differences of round-off would grow.
+///
+/// modulus  M = lambda + 2 mu [Pa];  speed  c [m/s] of its waves;  omega_squared  [1/s2] bound on the squared frequencies
 template <class T, class N>
-NEREID_HOT T bulk_viscosity(const Viscosity& b, T density, T length, N speed, T rate) {
-  const T compression = larger(T(0.0), -rate);
-  return density * length * (T(b.linear) * T(speed) + T(b.quadratic * b.quadratic) * length * compression);
+NEREID_HOT ViscousStress<T> viscous_stress(const Viscosity& viscosity, const Motion<T>& m, N modulus, N speed, T omega_squared,
+                                           const Shares<T, 3>& share) {
+  const T zero(0.0), half(0.5), two(2.0), per_modulus = T(N(1.0) / modulus), per_speed = T(N(1.0) / speed);
+  const T crossing = two / root(omega_squared), most = T(N(most_crossings) * speed) * crossing;
+  T sum = zero, limited = zero, longest = zero;
+  ViscousStress<T> v;
+  for (int k = 0; k < 3; ++k) {
+    const Vector<T>& h = m.half[static_cast<std::size_t>(k)];
+    const T square = dot(h, h), per_square = T(1.0) / square;
+    const T e = per_square * dot(h, m.strain * h), a = per_square * dot(h, m.change * h);
+    const T length = smaller(two * root(square), most), product = a * e, weight = per_modulus * larger(product, -product);
+    sum = sum + weight;
+    limited = limited + weight * share[static_cast<std::size_t>(k)] * length;
+    longest = larger(longest, length);
+    v.along[static_cast<std::size_t>(k)] = e;
+  }
+  const T work = per_modulus * contract(m.change, m.strain), part = per_speed * viscous_part(viscosity, crossing, m.growth / m.dt);
+  v.stress = (part * limited / ((larger(sum, work) + T(1e-300)) * m.dt)) * m.change;
+  v.damping = half * part * longest * omega_squared;
+  return v;
+}
+
+/// The motion of a plate in its plane in a step as its viscosity sees it.
+template <class T>
+struct PlaneMotion {
+  Plane<T> strain;  ///< [-] of the step
+  Plane<T> change;  ///< [Pa] of the membrane's stress by it, both turned to the end of the step
+  T growth, dt;     ///< [-] of the area, [s]
+};
+
+/// What viscosity does in a plate, and what it asks of the step.
+template <class T>
+struct ViscousMembrane {
+  Plane<T> stress;  ///< [Pa] positive in tension
+  T damping;        ///< [1/s] s of stable_step
+};
+
+constexpr double more_of_triangles = 2.5;  ///< [-] linear viscosity of a triangle over that of a hexahedron: fronts cross its sides askew
+
+/// Viscous stress of a plate in its plane after the rate of the membrane's stress:
+///
+///     s_v = tau ds/dt,     tau = share min(1, M g^2 / ds:de) 2/omega (2.5 b1 + b2^2 2/omega max(0, -rate))
+///
+/// with the growth g of the area in the step, so that shear in the plane has none.
+///
+/// modulus  M = lambda' + 2 mu [Pa] of plane stress;  omega_squared  [1/s2] bound on the squared frequencies of the membrane
+template <class T, class N>
+NEREID_HOT ViscousMembrane<T> viscous_stress(const Viscosity& viscosity, const PlaneMotion<T>& m, N modulus, T omega_squared,
+                                             const Shares<T, 1>& share) {
+  const T crossing = T(2.0) / root(omega_squared);
+  const T part = viscous_part(Viscosity{more_of_triangles * viscosity.linear, viscosity.quadratic}, crossing, m.growth / m.dt);
+  const T of_growth = T(modulus) * m.growth * m.growth, work = contract(m.change, m.strain);
+  const T seen = of_growth / (larger(of_growth, work) + T(1e-300));
+  return {(share[0] * seen * part * crossing / m.dt) * m.change, T(0.5) * part * crossing * omega_squared};
 }
 
 /// Largest stable step of central differences with the damping force half a step old:

@@ -45,7 +45,7 @@ std::vector<Sized> by_step(const Simulation& simulation) {
   for (std::size_t b = 0; b < simulation.model.blocks.size(); ++b) {
     if (dynamics::is_rigid_block(simulation.model, b)) continue;
     double smallest = 1e300;
-    for (const element::TileReport& tile : simulation.forces.reports[b]) smallest = std::min(smallest, tile.step);
+    for (const element::TileReport& tile : simulation.forces.reports[b].tile) smallest = std::min(smallest, tile.step);
     const Scalars relative = element::relative_steps(simulation.model.blocks[b], simulation.state.x);
     for (Index e = 0; e < static_cast<Index>(relative.size()); ++e) all.push_back({smallest * relative(e), b, e});
   }

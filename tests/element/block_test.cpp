@@ -95,6 +95,19 @@ double total(const Channels<Channel>& channels) {
   return sum;
 }
 
+/// The part of the viscosity that an element got in the last step.
+template <class Kind, class Law>
+Shares<double, Kind::axes> shares(const Block<Kind, Law>& block, const TileReports& reports, Index element) {
+  const auto& all = block.tiling.element;
+  const auto lane = static_cast<std::size_t>(std::find(all.begin(), all.end(), element) - all.begin());  // the first is no filler
+  const std::size_t pack = lane / lanes;
+  const auto of_pack = shares_of<Kind::axes, Kind::sides>(reports.departures.spread.data(), pack,
+                                                          block.beside.data() + pack * Kind::sides * lanes);
+  Shares<double, Kind::axes> share;
+  for (std::size_t k = 0; k < share.size(); ++k) share[k] = of_pack[k][lane % lanes];
+  return share;
+}
+
 Point column(const Vectors& x, Index n) { return {x(0, n), x(1, n), x(2, n)}; }
 
 template <class Kind, class Law>
@@ -114,8 +127,7 @@ void solids_are_the_sum_of_their_elements(const Law& law, const typename Kind::O
         const Index n = block.nodes(a, e);
         X[a] = column(s.mesh.X, n), x[a] = column(s.x, n), v[a] = 0.1 * column(s.v, n);
       }
-      const auto report = advance(law, block.options, constants(law, block.options, X), x, v, 0.1,
-                                  one[e], f);
+      const auto report = advance(law, block.options, constants(law, block.options, X), shares(block, s.reports, e), x, v, 0.1, one[e], f);
       for (int a = 0; a < 8; ++a) force.col(block.nodes(a, e)) += Vec3(f[a].x, f[a].y, f[a].z);
       if (report.step < least_step) least_step = report.step, step_at = e;
       if (report.volume_ratio < least_size) least_size = report.volume_ratio, size_at = e;
@@ -128,7 +140,7 @@ void solids_are_the_sum_of_their_elements(const Law& law, const typename Kind::O
     EXPECT_EQ(limit.step_element, step_at);
     EXPECT_EQ(limit.volume_element, size_at);
     double reported = 0, lost = 0;
-    for (const auto& report : s.reports) {
+    for (const auto& report : s.reports.tile) {
       reported += total(report.stored);
       lost += total(report.dissipated);
     }
@@ -164,7 +176,7 @@ void plates_are_the_sum_of_their_elements(const Law& law) {
         w[a] = 0.1 * column(s.w, n);
       }
       const auto report = advance(law, block.options, block.layers,
-                                  constants(law, block.options, X), x, v, w, 0.1, one[e], f, m);
+                                  constants(law, block.options, X), shares(block, s.reports, e), x, v, w, 0.1, one[e], f, m);
       for (int a = 0; a < 3; ++a) {
         force.col(block.nodes(a, e)) += Vec3(f[a].x, f[a].y, f[a].z);
         moment.col(block.nodes(a, e)) += Vec3(m[a].x, m[a].y, m[a].z);
@@ -366,7 +378,7 @@ TEST(Block, FieldsOfEightPointsAreMeansAndLargestValues) {
         const Index n = block.nodes(a, e);
         X[a] = column(s.mesh.X, n), at[a] = column(x, n), v[a] = 0.1 * column(s.v, n);
       }
-      advance(plastic, block.options, constants(plastic, block.options, X), at, v, 0.1, one, f);
+      advance(plastic, block.options, constants(plastic, block.options, X), {1, 1, 1}, at, v, 0.1, one, f);
     }
     double xy = 0, mises = 0, strain = 0;
     for (const auto& point : one.points) {

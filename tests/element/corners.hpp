@@ -155,10 +155,11 @@ struct OneElement {
   typename Kind::template Constants<double> constants = element::constants(law, options, X);
   typename Kind::template Memory<double, Law> memory{};
   Corners x = X, force{};
+  Shares<double, 3> share{1, 1, 1};  // of the viscosity
 
   auto step(const Corners& to, const Corners& du, double dt) {
     x = to;
-    return advance(law, options, constants, to, du, dt, memory, force);
+    return advance(law, options, constants, share, to, du, dt, memory, force);
   }
   auto move(const Corners& to, double dt = 1.0) { return step(to, sum(to, x, -1.0), dt); }
   /// forces of the present state

@@ -350,7 +350,7 @@ TEST(FullHexahedron, IsStableBelowItsExactLimitAndBlowsUpBeyond) {
 // ------------------------------------------------------------------------------------------------
 // Viscosity and size
 
-TEST(FullHexahedron, BulkViscosityIsThatOfTheOnePointElement) {
+TEST(FullHexahedron, ViscosityIsThatOfTheOnePointElement) {
   const Corners v = random_field(0.1);
   const Viscosity viscosity{.linear = 0.2, .quadratic = 1.2};
   Element<Elastic> e{metal<Elastic>(), {.viscosity = viscosity}, brick(1, 1, 1)};
@@ -360,7 +360,7 @@ TEST(FullHexahedron, BulkViscosityIsThatOfTheOnePointElement) {
     const auto same = one.step(e.X, v, 1.0);
     EXPECT_NEAR(report[Dissipated::viscous], same[Dissipated::viscous], 1e-14);
     EXPECT_NEAR(report.step, same.step, 1e-13);
-    EXPECT_NEAR(e.memory.viscous, one.memory.viscous, 1e-13);
+    EXPECT_LT((full(e.memory.viscous) - full(one.memory.viscous)).norm(), 1e-13);
   }
 }
 

@@ -89,7 +89,7 @@ struct Element {
   /// displacements du and rotations turn in one step that ends at `to`
   auto step(const Corners& to, const Corners& du, const Corners& turn, double dt = 1.0) {
     x = to;
-    return advance(law, options, layers, constants, to, du, turn, dt, memory, force, moment);
+    return advance(law, options, layers, constants, {1.0}, to, du, turn, dt, memory, force, moment);
   }
   auto move(const Corners& du, const Corners& turn) { return step(sum(x, du), du, turn); }
   void rest() { step(x, Corners{}, Corners{}, 1.0); }
@@ -397,11 +397,11 @@ TYPED_TEST(PlateOf, PacksAndDoublesAgree) {
     memory.each_row([&](Pack& row) { row[l] = rows[r++]; }, options);
     EXPECT_EQ(static_cast<int>(r), (Plate::Memory<double, TypeParam>::rows(options)));
   }
-  const auto all = advance(one[0].law, one[0].options, one[0].layers, constants, xs, dxs, turns,
+  const auto all = advance(one[0].law, one[0].options, one[0].layers, constants, {Pack(1.0)}, xs, dxs, turns,
                                    Pack(0.1), memory, fs, ms);
   for (int l = 0; l < lanes; ++l) {
     Element<TypeParam>& e = one[l];
-    const auto report = advance(e.law, e.options, e.layers, e.constants, to[l], dx[l],
+    const auto report = advance(e.law, e.options, e.layers, e.constants, {1.0}, to[l], dx[l],
                                           turn[l], 0.1, e.memory, e.force, e.moment);
     for (int i = 0; i < 9; ++i) {
       EXPECT_NEAR((&fs[i / 3].x)[i % 3][l], e.force[i / 3][i % 3], 1e-13 * largest(e.force));

@@ -185,7 +185,7 @@ TYPED_TEST_P(EverySolid, PacksAndDoublesAgree) {
     EXPECT_EQ(c, (K::template Constants<double>::rows));
     EXPECT_EQ(r, (K::template Memory<double, L>::rows));
   }
-  const auto all = advance(one[0].law, one[0].options, constants, xs, dxs, Pack(0.1), memory, fs);
+  const auto all = advance(one[0].law, one[0].options, constants, {Pack(1.0), Pack(1.0), Pack(1.0)}, xs, dxs, Pack(0.1), memory, fs);
   for (int l = 0; l < lanes; ++l) {
     auto& e = one[l];
     const auto report = e.step(to[l], dx[l], 0.1);
