@@ -11,7 +11,7 @@ CONTACT = {"method": "multiplier", "restitution": 1, "passes": "one", "weights":
            "tangential_penalty": 1, "damping_ratio": 0, "area": "apex", "energy_gain_limit": 0.005}
 
 # {section: {key: default}}; None where the default is no value of the key
-NUMERICS = {"element": ELEMENT, "viscosity": {"linear": 0.06, "quadratic": 1.2},
+NUMERICS = {"element": ELEMENT, "viscosity": {"linear": 0.06, "quadratic": 1.0},
             "contacts": CONTACT, "planes": CONTACT, "contact": CONTACT, "interface": CONTACT, "base": CONTACT,
             "time": {"safety": 0.9, "created_limit": 0.05, "overlap_limit": 0.5, "corner_limit": 0},
             "relaxation": {"residual": 1e-6, "samples": 5}}

@@ -41,7 +41,7 @@ KNOBS = (
     Knob("hourglass", "element.hourglass_kind", ("assumed_strain", "stiffness", "viscous")),
     Knob("hourglass_coefficient", "element.hourglass", (0.1, 0.5, 1)),
     Knob("linear_viscosity", "viscosity.linear", (0, 0.06, 0.2)),
-    Knob("quadratic_viscosity", "viscosity.quadratic", (0, 1.2, 2.4)),
+    Knob("quadratic_viscosity", "viscosity.quadratic", (0, 1, 2)),
     Knob("layers", "element.layers cladding.layers", (2, 3, 5, 7, 9)),
     Knob("rotary_inertia", "element.rotary_inertia cladding.rotary_inertia", ("scaled", "physical")),
     Knob("step", "time.safety", (1, 0.9, 0.7, 0.45, 0.2)),

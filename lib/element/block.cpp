@@ -195,7 +195,9 @@ TileForces tile_forces(const AnyBlock& any) {
           .thickness = Scalars::Constant(thins(any) ? t.elements : 0, thickness(any))};
 }
 
-TileReports tile_reports(const AnyBlock& any) { return {.tile = std::vector<TileReport>(tiling(any).tiles.size()), .departures = {}}; }
+TileReports tile_reports(const AnyBlock& any) {
+  return {.tile = std::vector<TileReport>(tiling(any).tiles.size()), .departures = departures_for(tiling(any))};
+}
 
 BlockLimit advance(const AnyBlock& any, const Vectors& x, const Vectors& dx, const Vectors& rotation, double dt, Memory& memory,
              TileForces& forces, TileReports& reports) {

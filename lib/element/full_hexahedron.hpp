@@ -88,18 +88,20 @@ struct FullHexahedron {
   struct Memory {
     std::array<Point<T, Law>, gauss_points> points;  ///< numbered like the nodes
     std::array<T, 3> across;                         ///< [Pa] sums over the points of +- the stress across each plane of the centre
-    Symmetric<T> viscous;                            ///< [Pa]
+    Symmetric<T> viscous;                            ///< [Pa] not stored without viscosity
     template <class F>
-    void each_row(F&& f) {
+    void each_row(F&& f, const Options& options) {
       for (auto& point : points) point.stress.each_row(f), point.internal.each_row(f);
       for (T& left : across) f(left);
-      viscous.each_row(f);
+      if (acts(options.viscosity)) viscous.each_row(f);
     }
     template <class F>
     void each_internal(F&& f) {
       for (auto& point : points) f(point.internal);
     }
-    static constexpr int rows = FullHexahedron::gauss_points * (6 + material::Internal<T, Law, Symmetric>::rows) + 9;
+    static constexpr int rows(const Options& options) {
+      return FullHexahedron::gauss_points * (6 + material::Internal<T, Law, Symmetric>::rows) + 3 + (acts(options.viscosity) ? 6 : 0);
+    }
   };
 };
 
@@ -239,16 +241,16 @@ NEREID_HOT Report<T, FullHexahedron> advance(const Law& law, const FullHexahedro
 
   const Symmetric<T> G = gradient_products(at_end);
   const T omega_squared = largest_frequency_squared(G, at_end.per_volume, constants.per_mass, moduli) * coupling_of_hourglass(G, at_end, X);
-  const Viscous<T> bulk = advance_viscous(options.viscosity, {{X.xi, X.eta, X.zeta}, strain, eighth * (sums.mean - before), growth, dt}, Q,
-                                          moduli, law.density, omega_squared, share, memory.viscous);
+  const Motion<T> motion{{X.xi, X.eta, X.zeta}, {D.xi, D.eta, D.zeta}, strain, eighth * (sums.mean - before), growth, dt};
+  const Viscous<T> viscous = advance_viscous(options.viscosity, motion, at_start(L, half_spin), moduli, law.density, omega_squared, share, memory.viscous);
 
   force = forces_of_stress(matrix(eighth * sums.mean + memory.viscous), Qs, X, at_end);
 
   return {.stored = {stored},
-          .dissipated = {dissipated, bulk.work * at_middle.volume},
-          .step = stable_step(omega_squared, bulk.damping),
+          .dissipated = {dissipated, viscous.work * at_middle.volume},
+          .step = stable_step(omega_squared, viscous.damping),
           .volume_ratio = at_end.volume * T(law.density) * constants.per_mass,
-          .along = bulk.along};
+          .along = viscous.along};
 }
 
 /// Constants of a fully integrated hexahedron in its reference positions.

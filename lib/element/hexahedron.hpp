@@ -233,19 +233,21 @@ struct Hexahedron {
     Symmetric<T> stress;                            ///< [Pa] Cauchy
     material::Internal<T, Law, Symmetric> internal;  ///< of the law
     std::array<Vector<T>, 4> hourglass;             ///< [N]
-    Symmetric<T> viscous;                           ///< [Pa]
     T bent;                                         ///< [J] that assumed strains store
+    Symmetric<T> viscous;                           ///< [Pa] not stored without viscosity
     template <class F>
-    void each_row(F&& f) {
+    void each_row(F&& f, const Options& options) {
       stress.each_row(f);
       internal.each_row(f);
       for (auto& q : hourglass) f(q.x), f(q.y), f(q.z);
-      viscous.each_row(f);
       f(bent);
+      if (acts(options.viscosity)) viscous.each_row(f);
     }
     template <class F>
     void each_internal(F&& f) { f(internal); }
-    static constexpr int rows = 6 + material::Internal<T, Law, Symmetric>::rows + 12 + 7;
+    static constexpr int rows(const Options& options) {
+      return 6 + material::Internal<T, Law, Symmetric>::rows + 12 + 1 + (acts(options.viscosity) ? 6 : 0);
+    }
   };
 };
 
@@ -291,6 +293,13 @@ NEREID_HOT MeanMotion<T> mean_motion(const Modes<T>& X, const Modes<T>& D) {
                                                   half * (L.x.z + L.z.x)});
   m.growth = L.x.x + L.y.y + L.z.z;
   return m;
+}
+
+/// The strain of mean_motion() turned back by half the rotation instead, to meet the stress of the beginning.
+template <class T>
+NEREID_HOT Symmetric<T> at_start(const Matrix<T>& L, const Vector<T>& half_spin) {
+  const T half(0.5);
+  return rotated_by(-half_spin, Symmetric<T>{L.x.x, L.y.y, L.z.z, half * (L.x.y + L.y.x), half * (L.y.z + L.z.y), half * (L.x.z + L.z.x)});
 }
 
 /// Where the work against hourglass control went. [J]
@@ -408,20 +417,22 @@ struct Viscous {
   std::array<T, 3> along;  ///< [-] strain of the step along each axis
 };
 
-/// Brings the viscous stress over a step; a block without viscosity pays nothing for it.
+/// Brings the viscous stress over a step; without viscosity it is none.
 ///
-/// Q       rotation of the step;  omega_squared  [1/s2] bound on the squared frequencies
+/// before  [-] the strain of the step turned back to its beginning;  omega_squared  [1/s2] bound on the squared frequencies
 /// stress  [Pa] of the step before, then of this one
 template <class T, class N>
-NEREID_HOT Viscous<T> advance_viscous(const Viscosity& viscosity, const Motion<T>& motion, const Matrix<T>& Q, const material::Moduli<N>& moduli,
-                                      double density, T omega_squared, const Shares<T, 3>& share, Symmetric<T>& stress) {
+NEREID_HOT Viscous<T> advance_viscous(const Viscosity& viscosity, const Motion<T>& motion, const Symmetric<T>& before,
+                                      const material::Moduli<N>& moduli, double density, T omega_squared, const Shares<T, 3>& share, Symmetric<T>& stress) {
   const T zero(0.0);
-  if (!acts(viscosity)) return {zero, zero, {zero, zero, zero}};
-  const Symmetric<T> old = rotate(Q, stress);
-  const auto now = viscous_stress(viscosity, motion, moduli.lambda + N(2.0) * moduli.mu, material::wave_speed(moduli, density),
-                                  omega_squared, share);
+  if (!acts(viscosity)) {
+    stress = {zero, zero, zero, zero, zero, zero};
+    return {zero, zero, {zero, zero, zero}};
+  }
+  const T old_work = contract(stress, before);
+  const auto now = viscous_stress(viscosity, motion, material::wave_speed(moduli, density), omega_squared, share);
   stress = now.stress;
-  return {T(0.5) * contract(old + stress, motion.strain), now.damping, now.along};
+  return {T(0.5) * (old_work + contract(stress, motion.strain)), now.damping, now.along};
 }
 
 /// Brings one hexahedron from the old to the new positions and gives its nodal forces.
@@ -482,18 +493,18 @@ NEREID_HOT Report<T, Hexahedron> advance(const Law& law, const Hexahedron::Optio
   const Symmetric<T> G = gradient_products(at_end);
   T omega_squared = largest_frequency_squared(G, at_end.per_volume, constants.per_mass, moduli);
   if (kind == Kind::assumed_strain) omega_squared = omega_squared * coupling_of_hourglass(G, at_end, X);
-  const Viscous<T> bulk = advance_viscous(options.viscosity, {{X.xi, X.eta, X.zeta}, strain, memory.stress - before, growth, dt}, Q, moduli,
-                                          law.density, omega_squared, share, memory.viscous);
+  const Motion<T> motion{{X.xi, X.eta, X.zeta}, {D.xi, D.eta, D.zeta}, strain, memory.stress - before, growth, dt};
+  const Viscous<T> viscous = advance_viscous(options.viscosity, motion, at_start(L, half_spin), moduli, law.density, omega_squared, share, memory.viscous);
 
   force = forces_of_stress(matrix(memory.stress + memory.viscous), memory.hourglass, X, at_end);
 
   const bool dashpots = kind == Kind::viscous;
-  const T damping = dashpots ? bulk.damping + T(32.0) * constants.hourglass * constants.per_mass : bulk.damping;
+  const T damping = dashpots ? viscous.damping + T(32.0) * constants.hourglass * constants.per_mass : viscous.damping;
   return {.stored = {work.stored * at_middle.volume, dashpots ? zero : hourglass.stored},
-          .dissipated = {work.dissipated * at_middle.volume + hourglass.dissipated, bulk.work * at_middle.volume, dashpots ? hourglass.stored : zero},
+          .dissipated = {work.dissipated * at_middle.volume + hourglass.dissipated, viscous.work * at_middle.volume, dashpots ? hourglass.stored : zero},
           .step = stable_step(omega_squared, damping),
           .volume_ratio = at_end.volume * T(law.density) * constants.per_mass,
-          .along = bulk.along};
+          .along = viscous.along};
 }
 
 /// Constants of a hexahedron in its reference positions.

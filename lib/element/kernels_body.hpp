@@ -21,11 +21,7 @@ constexpr Index most_slots = 128 * 8;  // of a tile: 128 elements that share no 
 /// Rows that one element of a block remembers.
 template <class Kind, class Law>
 int memory_rows(const Block<Kind, Law>& block) {
-  if constexpr (Kind::layered) {
-    return Kind::template Memory<double, Law>::rows(block.options);
-  } else {
-    return Kind::template Memory<double, Law>::rows;
-  }
+  return Kind::template Memory<double, Law>::rows(block.options);
 }
 
 /// Calls visit(row, address) for the rows of a pack's memory, in order.
@@ -35,11 +31,7 @@ void each_row(const Block<Kind, Law>& block, Memory& memory, double* at, Visit&&
     visit(row, at);
     at += lanes;
   };
-  if constexpr (Kind::layered) {
-    memory.each_row(next, block.options);
-  } else {
-    memory.each_row(next);
-  }
+  memory.each_row(next, block.options);
 }
 
 inline void scatter(const Vector<Pack>& v, const Index* slot, int filled, double* local) {

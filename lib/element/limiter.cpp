@@ -88,17 +88,20 @@ std::vector<Index> places_beside(const Tiling& tiling, const Eigen::Matrix<Index
   return beside;
 }
 
+Departures departures_for(const Tiling& tiling) {
+  const bool is_solid = tiling.nodes_per_element == 8;
+  const std::size_t count = tiling.filled.size() * (is_solid ? 3 : 1) * lanes;
+  return {.own = std::vector<double>(is_solid ? 0 : count), .spread = std::vector<double>(count)};
+}
+
 void find_departures(const Tiling& tiling, const std::vector<Index>& beside, const std::vector<double>& along, Departures& found) {
   const auto each_tile = [&](auto&& visit) {
     parallel_for(static_cast<Index>(tiling.tiles.size()), 8, [&](Index t) { visit(tiling.tiles[static_cast<std::size_t>(t)]); });
   };
-  found.own.resize(along.size());
   if (tiling.nodes_per_element == 8) {
-    each_tile([&](const Tile& tile) { departures_of<3, 6>(tile, beside, along, found.own); });
-    found.spread.swap(found.own);
+    each_tile([&](const Tile& tile) { departures_of<3, 6>(tile, beside, along, found.spread); });
     return;
   }
-  found.spread.resize(along.size());
   each_tile([&](const Tile& tile) { departures_of<1, 3>(tile, beside, along, found.own); });
   each_tile([&](const Tile& tile) {
     for (auto pack = static_cast<std::size_t>(tile.first_pack); pack < static_cast<std::size_t>(tile.first_pack + tile.packs); ++pack) {

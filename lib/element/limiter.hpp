@@ -34,10 +34,12 @@ NEREID_HOT T departure(T size, T mean, T least) {
 /// returns  [packs x sides x lanes] places in a table [packs x axes x lanes]; a triangle has one axis
 std::vector<Index> places_beside(const Tiling&, const Eigen::Matrix<Index, Eigen::Dynamic, Eigen::Dynamic>& nodes);
 
-/// Departures of all elements, and what they become as neighbours share them. [-] [packs x axes x lanes] scratch of a step
+/// Departures of all elements. [-] [packs x axes x lanes] scratch of a step
 struct Departures {
-  std::vector<double> own, spread;
+  std::vector<double> own;     ///< of triangles only
+  std::vector<double> spread;  ///< what elements share
 };
+Departures departures_for(const Tiling&);
 
 /// Departures from the strains along the axes, spread once over the sides of triangles, whose fronts cross cells in any direction.
 ///

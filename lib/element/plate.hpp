@@ -171,7 +171,7 @@ struct Plate {
   struct Memory {
     std::array<Layer<T, Law>, most_layers> layers;
     InPlane<T> shear;  ///< [Pa] transverse shear resultant per thickness
-    Plane<T> viscous;  ///< [Pa] in the plane
+    Plane<T> viscous;  ///< [Pa] in the plane; not stored without viscosity
     Plane<T> bent;     ///< [-] strain of the top less that of the middle surface, as curvature times half the thickness has made it
     std::array<T, 3> drilling;  ///< [Pa] moments about the normal at the nodes per third of the volume; not stored without a stiffness
     template <class F>
@@ -182,8 +182,8 @@ struct Plate {
         layer.internal.each_row(f);
       }
       f(shear.x), f(shear.y);
-      viscous.each_row(f);
       bent.each_row(f);
+      if (acts(options.viscosity)) viscous.each_row(f);
       if (options.drilling > 0)
         for (T& each : drilling) f(each);
     }
@@ -192,7 +192,8 @@ struct Plate {
       for (auto& layer : layers) f(layer.internal);
     }
     static constexpr int rows(const Options& options) {
-      return options.layers * (3 + material::Internal<T, Law, Plane>::rows) + 8 + (options.drilling > 0 ? 3 : 0);
+      return options.layers * (3 + material::Internal<T, Law, Plane>::rows) + 5 + (acts(options.viscosity) ? 3 : 0) +
+             (options.drilling > 0 ? 3 : 0);
     }
   };
 };
@@ -486,14 +487,15 @@ NEREID_HOT Report<T, Plate> advance(const Law& law, const Plate::Options& option
   const T lighter = T(law.density) / density;  // a plate that keeps its thickness gains volume as it stretches, and no mass
   const T growth = strain.xx + strain.yy;
   T viscous_work(0.0), damping(0.0);
-  if (acts(options.viscosity)) {
+  if (!acts(options.viscosity)) memory.viscous = {zero, zero, zero};
+  else {
     const Plane<T> viscous_before = turned(memory.viscous);
     const auto modulus = material::plane_lambda(moduli) + decltype(moduli.mu)(2.0) * moduli.mu;
-    const auto bulk = viscous_stress(options.viscosity, PlaneMotion<T>{stretch, membrane - turned_membrane, growth, dt}, modulus,
+    const auto now_viscous = viscous_stress(options.viscosity, PlaneMotion<T>{stretch, membrane - turned_membrane, growth, dt}, modulus,
                                      lighter * omega_squared.membrane, viscous_share);
-    memory.viscous = bulk.stress;
-    viscous_work = half * contract(viscous_before + bulk.stress, stretch) * middle_volume;
-    damping = bulk.damping;
+    memory.viscous = now_viscous.stress;
+    viscous_work = half * contract(viscous_before + now_viscous.stress, stretch) * middle_volume;
+    damping = now_viscous.damping;
   }
 
   const T nx = volume * (membrane.xx + memory.viscous.xx), ny = volume * (membrane.yy + memory.viscous.yy);

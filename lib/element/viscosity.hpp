@@ -34,16 +34,17 @@ NEREID_HOT T viscous_part(const Viscosity& b, T crossing, T rate) {
   return T(b.linear) + T(b.quadratic * b.quadratic) * crossing * larger(T(0.0), -rate);
 }
 
-/// The motion of a hexahedron in a step as its viscosity sees it.
+/// What the viscosity of a hexahedron needs to know of a step.
 template <class T>
 struct Motion {
-  std::array<Vector<T>, 3> half;  ///< [m] from the centre to a face of each axis
-  Symmetric<T> strain;            ///< [-] of the step
-  Symmetric<T> change;            ///< [Pa] of the stress by it, both turned to the end of the step
-  T growth, dt;                   ///< [-] of the volume, [s]
+  std::array<Vector<T>, 3> half;   ///< [m] from the centre to a face of each axis, at the end of the step
+  std::array<Vector<T>, 3> moved;  ///< [m] how much they changed in it
+  Symmetric<T> strain;             ///< [-] of the step
+  Symmetric<T> change;             ///< [Pa] of the stress by it, both turned to the end of the step
+  T growth, dt;                    ///< [-] of the volume, [s]
 };
 
-/// What viscosity does in a hexahedron, and what it asks of the step.
+/// The viscous stress of a hexahedron, and how much all of the viscosity may damp.
 template <class T>
 struct ViscousStress {
   Symmetric<T> stress;     ///< [Pa] positive in tension
@@ -51,41 +52,42 @@ struct ViscousStress {
   std::array<T, 3> along;  ///< [-] strain of the step along each axis
 };
 
-constexpr double most_crossings = 1.4142135623730951;  ///< [-] the way on which viscosity acts, over 2 c/omega
+constexpr double most_crossings = 1.4142135623730951;  ///< [-] longest length on which viscosity acts, over 2 c/omega
 
 /// Viscous stress of a hexahedron after the rate of its stress:
 ///
 ///     s_v = tau ds/dt,     tau = l/c (b1 + b2^2 2/omega max(0, -rate))
-///     l   = sum |a_k e_k| share_k l_k / max(sum |a_k e_k|, ds:de / M),     l_k = min(2 |h_k|, sqrt(2) 2 c/omega)
+///     l   = sum |a_k e_k| share_k l_k / max(sum |a_k e_k|, ds:de),     l_k = min(2 |h_k|, sqrt(2) 2 c/omega)
 ///
-/// with e_k = n_k . de n_k and a_k = n_k . ds n_k / M along the axes n_k = h_k/|h_k|. So each axis counts by the work of its motion, and
-/// what shears has none. The step is that of all shares one: with those of a step before it differences of round-off would grow.
+/// with e_k = (h_k - dh_k/2) . dh_k / h_k^2, which no rotation changes, and a_k = n_k . ds n_k along the axes n_k = h_k/|h_k|. So each axis
+/// counts by the work of its motion, and shear, which strains none, has no viscosity. Where a law softens, ds:de < 0, there is none. The
+/// damping is that of all shares one: with those of the step before differences of round-off would grow.
 ///
-/// modulus  M = lambda + 2 mu [Pa];  speed  c [m/s] of its waves;  omega_squared  [1/s2] bound on the squared frequencies
+/// speed  c [m/s] of dilatational waves;  omega_squared  [1/s2] bound on the squared frequencies
 template <class T, class N>
-NEREID_HOT ViscousStress<T> viscous_stress(const Viscosity& viscosity, const Motion<T>& m, N modulus, N speed, T omega_squared,
+NEREID_HOT ViscousStress<T> viscous_stress(const Viscosity& viscosity, const Motion<T>& m, N speed, T omega_squared,
                                            const Shares<T, 3>& share) {
-  const T zero(0.0), half(0.5), two(2.0), per_modulus = T(N(1.0) / modulus), per_speed = T(N(1.0) / speed);
+  const T zero(0.0), half(0.5), one(1.0), two(2.0), none(1e-300), per_speed = T(N(1.0) / speed);
   const T crossing = two / root(omega_squared), most = T(N(most_crossings) * speed) * crossing;
+  const T work = contract(m.change, m.strain), part = per_speed * viscous_part(viscosity, crossing, m.growth / m.dt);
   T sum = zero, limited = zero, longest = zero;
   ViscousStress<T> v;
-  for (int k = 0; k < 3; ++k) {
-    const Vector<T>& h = m.half[static_cast<std::size_t>(k)];
-    const T square = dot(h, h), per_square = T(1.0) / square;
-    const T e = per_square * dot(h, m.strain * h), a = per_square * dot(h, m.change * h);
-    const T length = smaller(two * root(square), most), product = a * e, weight = per_modulus * larger(product, -product);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vector<T>& h = m.half[k];
+    const T square = dot(h, h), per_square = one / square, length = smaller(two * root(square), most);
+    v.along[k] = per_square * dot(h - half * m.moved[k], m.moved[k]);
+    const T of_axis = per_square * v.along[k] * dot(h, m.change * h), weight = larger(of_axis, -of_axis);
     sum = sum + weight;
-    limited = limited + weight * share[static_cast<std::size_t>(k)] * length;
+    limited = limited + weight * (share[k] * length);
     longest = larger(longest, length);
-    v.along[static_cast<std::size_t>(k)] = e;
   }
-  const T work = per_modulus * contract(m.change, m.strain), part = per_speed * viscous_part(viscosity, crossing, m.growth / m.dt);
-  v.stress = (part * limited / ((larger(sum, work) + T(1e-300)) * m.dt)) * m.change;
+  const T length = select(work > zero, limited / (larger(sum, work) + none), zero);
+  v.stress = (part * length / m.dt) * m.change;
   v.damping = half * part * longest * omega_squared;
   return v;
 }
 
-/// The motion of a plate in its plane in a step as its viscosity sees it.
+/// What the viscosity of a plate needs to know of a step.
 template <class T>
 struct PlaneMotion {
   Plane<T> strain;  ///< [-] of the step
@@ -93,7 +95,7 @@ struct PlaneMotion {
   T growth, dt;     ///< [-] of the area, [s]
 };
 
-/// What viscosity does in a plate, and what it asks of the step.
+/// The viscous stress of a plate, and how much all of the viscosity may damp.
 template <class T>
 struct ViscousMembrane {
   Plane<T> stress;  ///< [Pa] positive in tension
@@ -115,8 +117,8 @@ NEREID_HOT ViscousMembrane<T> viscous_stress(const Viscosity& viscosity, const P
   const T crossing = T(2.0) / root(omega_squared);
   const T part = viscous_part(Viscosity{more_of_triangles * viscosity.linear, viscosity.quadratic}, crossing, m.growth / m.dt);
   const T of_growth = T(modulus) * m.growth * m.growth, work = contract(m.change, m.strain);
-  const T seen = of_growth / (larger(of_growth, work) + T(1e-300));
-  return {(share[0] * seen * part * crossing / m.dt) * m.change, T(0.5) * part * crossing * omega_squared};
+  const T volumetric = select(work > T(0.0), of_growth / (larger(of_growth, work) + T(1e-300)), T(0.0));
+  return {(share[0] * volumetric * part * crossing / m.dt) * m.change, T(0.5) * part * crossing * omega_squared};
 }
 
 /// Largest stable step of central differences with the damping force half a step old:

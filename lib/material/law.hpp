@@ -42,7 +42,7 @@ struct Moduli {
 };
 using Lame = Moduli<double>;
 
-/// What a law answers besides the stress. Stable steps and bulk viscosity follow from the moduli.
+/// What a law answers besides the stress. Stable steps and viscosity follow from the moduli.
 template <class T, class N = double>
 struct Response {
   Work<T> work;

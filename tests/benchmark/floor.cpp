@@ -7,7 +7,7 @@
 // prints nanoseconds per element and step, and a checksum that shows that the work was done. The
 // project quotes its own element speed as a ratio to this figure, taken in the same minute on the
 // same machine. It is a reference to measure with: nothing of it goes into the product, and it shares
-// no code with it. It omits what a product needs: checks, bulk viscosity, an account of energy, an
+// no code with it. It omits what a product needs: checks, viscosity, an account of energy, an
 // estimate of the stable step, threads, any mesh but a cube.
 //
 // Physics: hexahedra with one point, stiffness control of hourglass modes (Flanagan & Belytschko

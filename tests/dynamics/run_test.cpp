@@ -127,8 +127,8 @@ TEST(TwoBars, DoSoWithApexesAndBasesSwapped) {
   EXPECT_NEAR(one.velocity_b, other.velocity_b, 1e-6);
 }
 
-TEST(TwoBars, LoseSomeOfTheirVelocityToBulkViscosity) {
-  expect_exchange(collide(false, {}, 10), 0.03, "bars with what the code chooses");
+TEST(TwoBars, LoseLittleOfTheirVelocityByDefault) {
+  expect_exchange(collide(false, {}, 10), 0.02, "bars with what the code chooses");
 }
 
 // --- how a run ends ------------------------------------------------------------------------------
@@ -417,7 +417,9 @@ TEST(Run, StopsWhenTimeIntegrationCreatesEnergy) {
   finalize(s.model);
   s.ready();
   s.move("cube", {0, 0, -4000});
-  const Outcome outcome = s.run_to(2e-3, 1e-5);
+  Time time{.end = 2e-3, .safety = 1.65};  // beyond the stable step
+  time.created_limit = 0.05;
+  const Outcome outcome = run(s.model, s.state, s.forces, time, 1e-5, {});
   EXPECT_EQ(outcome.ending, Ending::energy_created) << word(outcome.ending) << " " << outcome.reason;
   EXPECT_EQ(outcome.block, "time integration");
   EXPECT_NE(outcome.reason.find(" J); the limit is 5 %"), std::string::npos) << outcome.reason;

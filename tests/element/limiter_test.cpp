@@ -118,8 +118,8 @@ TEST(FindDepartures, OfALinearFieldAreNoneAndAFrontIsSpreadByOneElement) {
   const Tiling tiling = cut_into_tiles(nodes, mesh.X, 8);
   const auto beside = places_beside(tiling, nodes);
   std::vector<std::vector<double>> ramp, front;
-  for (int e = 0; e < 20; ++e) ramp.push_back({1e-6 * e, 0, 0}), front.push_back({e < 10 ? 1e-6 : 0, 0, 0});
-  Departures found;
+  for (int e = 0; e < 20; ++e) ramp.push_back({1e-6 * (e + 2), 0, 0}), front.push_back({e < 10 ? 1e-6 : 0, 0, 0});
+  Departures found = departures_for(tiling);
   find_departures(tiling, beside, table(tiling, 3, ramp), found);
   for (Index e = 1; e < 19; ++e) EXPECT_NEAR(value(tiling, 3, found.spread, e, 0), 0, 1e-20);
   find_departures(tiling, beside, table(tiling, 3, front), found);
@@ -136,7 +136,7 @@ TEST(FindDepartures, OfTrianglesAreSpreadOnceBeforeTheyAreShared) {
   const auto beside = places_beside(tiling, nodes);
   std::vector<std::vector<double>> one(static_cast<std::size_t>(nodes.cols()), {0.0});
   one[30] = {1e-6};
-  Departures found;
+  Departures found = departures_for(tiling);
   find_departures(tiling, beside, table(tiling, 1, one), found);
   int own = 0, spread = 0;
   for (Index e = 0; e < nodes.cols(); ++e) own += value(tiling, 1, found.own, e, 0) > 0.5, spread += value(tiling, 1, found.spread, e, 0) > 0.5;

@@ -85,6 +85,12 @@ def slow(run):
     return max((own_velocity(run.again({**INVISCID, **at_speed(part)})) for part in (1e-3, 1e-4, 1e-5)), key=Pair.error)
 
 
+def second_step(run):
+    """From 5 % on, with the default time step and with half of it: the push of the held energy comes in other steps."""
+    run = scene(run, ALUMINIUM)
+    return max((plateau(one, 2) for one in (run, run.again({"time.safety": 0.45}))), key=Pair.error)
+
+
 def parting(run):
     """When the force falls through half of the last step."""
     run, steps = scene(run, ALUMINIUM), exact(scene(run, ALUMINIUM))
@@ -139,7 +145,8 @@ def rebound_in_plane_strain(run):
 
 # ------------------------------------------------------------------------------------------------
 
-DEPARTURES = {"viscosity": "the velocities after the impact are also compared without it: it takes a part of the energy from the waves"}
+DEPARTURES = {"viscosity": "the velocities after the impact are also compared without it: it takes a part of the energy from the fronts",
+              "safety": "held energy is given back in a few time steps, so one error is the worse of two sizes of them"}
 
 CHECKS = [
     Check("grids 6 x 6 on 2 x 2: stress of the plateau", plateau, 0.03, "the bound asked for, from 5 % of the time of contact on"),
@@ -154,13 +161,13 @@ CHECKS = [
     Report("grids 6 x 6 on 2 x 2, coarse apexes, two passes: stress of the plateau, from 10 %",
            lambda run: plateau(run.again({**COARSE_APEXES, **TWO}), first=0.1), "with two passes no node is free"),
     Miss("grids 6 x 6 on 2 x 2: velocity", own_velocity, 0.01, "some energy stays behind as ringing",
-         why="the usual bulk viscosity takes 4 % of the energy from the waves, as with like grids"),
+         why="the fronts are some cells wide, and viscosity takes 2 % of the energy there, as with like grids; 400 cells leave 0.5 %"),
     Check("grids 6 x 6 on 2 x 2: velocity without viscosity, worst of V/c = 1e-3, 1e-4, 1e-5", slow, 0.01,
           "the bound asked for; some energy stays behind as ringing"),
     Check("steel on aluminium: stress of the first step", lambda run: plateau(scene(run, ALUMINIUM)), 0.03, "the bound asked for"),
-    Miss("steel on aluminium: stress of the second step", lambda run: plateau(scene(run, ALUMINIUM), 2), 0.03, "as of the first step",
+    Miss("steel on aluminium: stress of the second step, worse of two time steps", second_step, 0.03, "as of the first step",
          why="nodes give back what they hold since first touch when the force falls below half of that of first touch, and here it is "
-             "0.49 of it: a push of 1 us, though the ends stay pressed; with restitution 0 the error is 0.4 %"),
+             "0.49 of it: a push of 1 us, though the ends stay pressed; with restitution 0 the error is 0.5 %"),
     Check("steel on aluminium: stress of the second step, from 10 %", lambda run: plateau(scene(run, ALUMINIUM), 2, 0.1), 0.03,
           "as of the first step, behind the front and the push of the held energy"),
     Check("steel on aluminium: stress of the third step, from 10 %", lambda run: plateau(scene(run, ALUMINIUM), 3, 0.1), 0.03,
@@ -170,8 +177,11 @@ CHECKS = [
     Check("steel on aluminium: velocity of the steel over V", lambda run: velocity(scene(run, ALUMINIUM), 0), 0.01, "the bound asked for"),
     Check("steel on aluminium: velocity of the aluminium over V", lambda run: velocity(scene(run, ALUMINIUM), 1), 0.01,
           "the bound asked for"),
-    Report("steel on aluminium of equal length: velocity of the aluminium over V",
-           lambda run: velocity(scene(run, ALUMINIUM).again(SHORT_ALUMINIUM), 1), "the usual bulk viscosity takes a part of the energy"),
+    Check("steel on aluminium of equal length: velocity of the steel over V",
+          lambda run: velocity(scene(run, ALUMINIUM).again(SHORT_ALUMINIUM), 0), 0.01, "the bound asked for"),
+    Check("steel on aluminium of equal length: velocity of the aluminium over V",
+          lambda run: velocity(scene(run, ALUMINIUM).again(SHORT_ALUMINIUM), 1), 0.01,
+          "the bound asked for; viscosity takes a part of the energy from the fronts"),
     Check("steel on aluminium of equal length, without viscosity: velocity of the steel over V",
           lambda run: velocity(scene(run, ALUMINIUM).again({**SHORT_ALUMINIUM, **INVISCID}), 0), 0.01, "the bound asked for"),
     Check("steel on aluminium of equal length, without viscosity: velocity of the aluminium over V",
@@ -226,11 +236,12 @@ STUDIES = [
                         "coarse apexes, two passes: 5 %", "10 %"], of_grids, full=True),
     Table("Steel on aluminium: largest error of each step of the stress, over that step, from 5 % and from 10 % of its time to 90 %. The "
           "fourth step ends at 90 % on the front of the release.",
-          ["step", "exact [MPa]", "lasts [us]", "as usual: 5 %", "10 %", "restitution 0: 5 %", "10 %", "without viscosity: 5 %", "10 %",
+          ["step", "exact [MPa]", "lasts [us]", "by default: 5 %", "10 %", "restitution 0: 5 %", "10 %", "without viscosity: 5 %", "10 %",
            "neither: 5 %", "10 %"], of_steps, full=True),
     Table("Plane strain, cells along and across each bar: error of the force over the time of contact, last push [us], speed after over "
           "before. The reference has 37.4 and 0.9600.",
-          ["cells", "as usual: force", "last push", "speed", "without viscosity: force", "last push", "speed"], of_plane_grids, full=True),
+          ["cells", "by default: force", "last push", "speed", "without viscosity: force", "last push", "speed"], of_plane_grids,
+          full=True),
 ]
 
 BOTH_POISSON = {f"bodies[{i}].material.poisson": 0.25 for i in (0, 1)}
@@ -252,6 +263,8 @@ BREAKS = [
     Breaks("steel on aluminium: the bars part after", "ends that do not let go: tied", TIED, case=HERE + ALUMINIUM),
     Breaks("steel on aluminium: velocity of the steel over V", "ends that do not let go: tied", TIED, case=HERE + ALUMINIUM),
     Breaks("steel on aluminium: velocity of the aluminium over V", "ends that do not let go: tied", TIED, case=HERE + ALUMINIUM),
+    *(Breaks(f"steel on aluminium of equal length: velocity of the {bar} over V", "ends that do not let go: tied", TIED,
+             case=HERE + ALUMINIUM) for bar in ("steel", "aluminium")),
     Breaks("steel on aluminium of equal length, without viscosity: velocity of the steel over V", "ends that do not let go: tied", TIED,
            case=HERE + ALUMINIUM),
     Breaks("steel on aluminium of equal length, without viscosity: velocity of the aluminium over V", "ends that do not let go: tied",
@@ -291,7 +304,7 @@ def exact_of_equal_bars(run):
 def of_aluminium(run):
     run = scene(run, ALUMINIUM)
     level = exact(run)[1][1]
-    return [("as usual", *against(run, level, 160e-6)), ("restitution 0", *against(run.again(PLASTIC), level, 160e-6))]
+    return [("by default", *against(run, level, 160e-6)), ("restitution 0", *against(run.again(PLASTIC), level, 160e-6))]
 
 
 def exact_of_aluminium(run):

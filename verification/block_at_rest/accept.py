@@ -31,7 +31,7 @@ def on_ground(run):
 
 CHECKS = [
     Check("largest velocity over the speed of sound, last fifty thousand steps", speed, 1e-9,
-          "bulk viscosity takes what gravity began; contact must not begin it anew"),
+          "viscosity takes what gravity began; contact must not begin it anew"),
     Check("force between the blocks", carried, 1e-6, "weight, as a mean over fifty rows"),
     Check("force of the ground", on_ground, 1e-6, "the same"),
     Check("steps", lambda run: Pair(run.summary["cost"]["steps"], 1e5), 0.01, "as many as the claim says"),
@@ -60,7 +60,7 @@ def by_method(run):
 
 
 def limit(run):
-    return [("limit", [50, 100], [1e-9, 1e-9])]
+    return [("limit", [50, 101.5], [1e-9, 1e-9])]
 
 
 FIGURES = [Figure("speed", "time [ms]", "velocity over the speed of sound [-]", by_method, exact=limit, error=False,

@@ -56,7 +56,6 @@ def exact_line(_run):
 
 DEPARTURES = {
     "layers": "the plate is elastic: two layers integrate its bending exactly",
-    "viscosity": "the exact plate has none",
     "rotary_inertia": "modes are those of the physical inertia; the scaled one is for larger steps only",
     "residual": "the default moves the deflection by 0.4 % in ten times the steps"}
 

@@ -37,6 +37,11 @@ def worst_force(last=USUAL, more=None):
     return measure
 
 
+def worse_of_two_steps(run):
+    """At 50 %, with the default step and with 0.8 of the stable one."""
+    return max((worst_force(HALF, change)(run) for change in ({}, {"time.safety": 0.8})), key=Pair.error)
+
+
 def hourglass(last=USUAL, more=None):
     """The larger hourglass energy over the internal one of a block, at any time."""
     def measure(run):
@@ -79,8 +84,9 @@ CHECKS = [
     Check("two passes, 50 %: hourglass energy over internal", hourglass(HALF, TWO), 1e-4, "the blocks stay even"),
     Check("two passes, 50 %: overlap over an element", overlap(HALF, TWO), 1e-3, "the same"),
     Check("30 %: force at every time", worst_force(0.3), 0.01, "as at 25 %: no node of the base is free to buckle past the apexes"),
-    Miss("50 %: force at every time", worst_force(HALF), 0.01, "as with friction or two passes",
-         "without friction, cells that are pressed to half their height buckle along the interface, where both grids slide on each other"),
+    Miss("50 %: force at every time, worse of two steps", worse_of_two_steps, 0.01, "as with friction or two passes",
+         "without friction, cells that are pressed to half their height buckle along the interface, where both grids slide on each other; "
+         "how far they do depends on round-off: steps of 0.9, 0.85, 0.8 and 0.7 of the stable one give 0.9, 1.7, 2.3 and 1.9 %"),
 ]
 
 STUDIES = [Table("The largest compression of 5, 10, 15, 20, 25, 30, 40 and 50 % that each way holds for two seconds, and the largest "
@@ -97,6 +103,7 @@ BREAKS = [
 DEPARTURES = {
     "integration": "both kinds of hexahedra do it",
     "passes": "two passes hold the nodes of both sides",
+    "safety": "buckling grows from round-off, so one error is the worse of two steps",
 }
 
 

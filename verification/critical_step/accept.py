@@ -2,6 +2,7 @@
 import math
 from math import pi, sqrt
 
+from defaults import NUMERICS
 from reference import flanagan_belytschko, growth, highest_frequency, lame
 from verify import Breaks, Check, Figure, Pair, Report, Table, Waiver
 
@@ -15,6 +16,8 @@ STEEL = {"young": 210e9, "density": 7850}
 SHAPES = [(0.1, 0.1, 0.1), (0.1, 0.1, 0.4), (0.1, 0.3, 0.3), (0.05, 0.1, 0.3)]  # [m]
 POISSON = (0.3, 0.42, 0.49)
 BALL, BALL_MODES = "verification/critical_step/ball.yaml", "verification/critical_step/ball_modes.yaml"
+INVISCID = {"bodies[0].element.viscosity.linear": 0, "bodies[0].element.viscosity.quadratic": 0}
+WITH_VISCOSITY = {f"bodies[0].element.viscosity.{key}": value for key, value in NUMERICS["viscosity"].items()}
 GROWING = 80  # steps beyond the limit: amplitudes grow 1e14 times
 
 
@@ -41,10 +44,15 @@ def vote(run):
     return Pair(run.result("voted_step"), 2 / (2 * pi * exact(SHAPES[0], run.case("bodies[0].material.poisson"))), "s")
 
 
+def vote_without_viscosity(run):
+    return vote(run.again({**INVISCID, **run.overrides}))
+
+
 def votes(run):
-    """The largest vote over its exact step: above 1 a run may be unstable."""
+    """The largest vote over its exact step, both without viscosity: above 1 a run may be unstable."""
     ratios = [there.result("voted_step") / there.result("exact_step")
-              for there in (run.again(brick(shape, nu, kind)) for shape in SHAPES for nu in POISSON for kind in ("one_point", "full"))]
+              for there in (run.again({**INVISCID, **brick(shape, nu, kind)})
+                            for shape in SHAPES for nu in POISSON for kind in ("one_point", "full"))]
     return Pair(max(ratios), 1)
 
 
@@ -108,7 +116,7 @@ def histories(run):
 
 
 DEPARTURES = {
-    "viscosity": "the exact step does not include it, and the vote would be shorter",
+    "viscosity": "the exact step and the growth do not include it; frequencies of bricks do not depend on it",
     "integration": "the claim is of both kinds of hexahedra",
     "safety": "the step is the subject: 0.99 and 1.02 of the exact one",
     "created_limit": "a run beyond its stable step would be stopped before its growth can be measured"}
@@ -117,7 +125,9 @@ CHECKS = [
     Check("highest frequency of bricks of one point: worst of 12", worst_brick("one_point"), 1e-10,
           "the catalogue's bound; stiffness by differences leaves 1e-13"),
     Check("highest frequency of bricks of eight points: worst of 12", worst_brick("full"), 1e-10, "the catalogue's bound"),
-    Check("step that a cube votes for", vote, 1e-10, "its bound is exact for a cube"),
+    Check("step that a cube votes for", vote_without_viscosity, 1e-10, "its bound is exact for a cube"),
+    Report("step that a cube votes for, with the default viscosity", vote,
+           "the vote is that of all of the viscosity, also where the limiter leaves little of it: 0.92 of the elastic step"),
     Check("rigid motions of a brick", rigid, 0, "three shifts and three turns"),
     Check("kinetic energy at 0.99, largest of 4000 steps over the first", stays, 1e-6,
           "no mode may have more than it started with, and it starts without strain"),
@@ -137,7 +147,7 @@ WAIVERS = [
 BREAKS = [
     Breaks("highest frequency of bricks of one point: worst of 12", "half of the mass on the nodes",
            {"bodies[0].material.density": "3925 kg/m^3"}),
-    Breaks("step that a cube votes for", "a viscous vote taken for the elastic one", {"bodies[0].element.viscosity.linear": 0.06}),
+    Breaks("step that a cube votes for", "a viscous vote taken for the elastic one", WITH_VISCOSITY),
     Breaks("kinetic energy at 0.99, largest of 4000 steps over the first", "steps 3 % too long", {"time.safety": 1.03}),
     Breaks("growth per step at 1.02", "steps 1 % too long", {"time.safety": 1.01}),
 ]

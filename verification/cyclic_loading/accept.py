@@ -18,7 +18,7 @@ HARDENING = MATERIAL + "hardening"
 FULL = {"bodies[0].element.kind": "full"}
 WORDS = {"isotropic": {"hardening": "isotropic"}, "kinematic": {"hardening": "kinematic"}, "mixed": {"hardening": "mixed",
     "isotropic_share": 0.5}}
-TOP, DEPTH, LAST = 0.5914, 0.5914 - 0.963, 180.0  # [m] [m] [s] of the case
+TOP, DEPTH, LAST = 0.5914, 0.5914 - 0.963, 720.0  # [m] [m] [s] of the case
 TURNS = [log1p(TOP), log1p(DEPTH), log1p(TOP)]
 IN_STEEL = {"density": "8.0e-10 kgf*s^2/mm^4", "young": "1.96e4 kgf/mm^2", "poisson": 0.33, "yield": "31.6 kgf/mm^2",
             "tangent": "195 kgf/mm^2"}
@@ -157,7 +157,7 @@ BREAKS = [
     Breaks("law, lead, kinematic: dissipated work", "isotropic for kinematic hardening", {HARDENING: "isotropic"}),
     Breaks("hexahedron of one point, kinematic: turning points", "isotropic for kinematic hardening", {HARDENING: "isotropic"}),
     Breaks("hexahedron of one point, kinematic: turning points", "turned without a rest",
-           {"planes[3].velocity.value": '"(t < 60 ? 0.5914 : t < 120 ? -0.963 : 0.963)/60"'}),
+           {"planes[3].velocity.value": '"(t < 240 ? 0.5914 : t < 480 ? -0.963 : 0.963)/240"'}),
     Breaks("plate, isotropic: turning points", "kinematic for isotropic hardening", {HARDENING: "kinematic"}),
     Breaks("hexahedron of one point, kinematic: plastic strain", "the tangent taken for the plastic modulus", TANGENT),
     Breaks("hexahedron of one point, kinematic: the cycle on the way", "a hundred times the mass",

@@ -62,7 +62,7 @@ def of(change, name):
 WHY = "the catalogue has no number: half of the range over the mean push, over two cells"
 
 CHECKS = [
-    Check("drag without friction, over the push", drag, 0.01, "nothing dissipates but bulk viscosity and the waves that the speed makes"),
+    Check("drag without friction, over the push", drag, 0.01, "nothing dissipates but viscosity and the waves that the speed makes"),
     Check("drag over push with friction", ratio, 0.03, "all of the sole slides; the pressures on its two slopes differ a little"),
     Report("push of two passes over that of one", two_over_one,
            "both are as stiff; with one pass nodes of the slab between apexes are free"),
@@ -100,7 +100,7 @@ def growth(run):
     found = []
     for name, change in (("one pass", {}), ("friction 0.1", {f"{CONTACT}.friction": 0.1}), ("friction 0.3", RUBS),
                          ("friction 0.3, damping 0.1", {**RUBS, **DAMPED}),
-                         ("friction 0.3, bulk viscosity of the slab 0.3", {**RUBS, "bodies[0].element.viscosity.linear": 0.3})):
+                         ("friction 0.3, linear viscosity of the slab 0.3", {**RUBS, "bodies[0].element.viscosity.linear": 0.3})):
         one = run.again({**change, "time.end": "3.1 ms"})
         cells = [[f for way, f in zip(one.column("way"), one.column("down")) if low <= way < low + 2e-3] for low in (1e-3, 3e-3, 5e-3)]
         found.append([name, *(f"{100 * (max(cell) - min(cell)) / 2 / abs(mean(cell)):.1f} %" for cell in cells)])

@@ -69,7 +69,6 @@ WITHIN = 0.05  # [-] an order of 1.9
 BECAUSE = "the catalogue's bound of 1.9"
 SUPER = "at the middle of elements; 1 is asked of it elsewhere"
 DEPARTURES = {
-    "viscosity": "it is of first order in the mesh and would hide the second",
     "integration": "the claim is of both kinds of hexahedra"}
 
 CHECKS = [

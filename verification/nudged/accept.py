@@ -1,10 +1,9 @@
 """How close is close enough, why, and what must break."""
 import math
-from pathlib import Path
 
 import throws
 from reference import LIMIT
-from verify import Breaks, Check, Figure, Miss, Pair, Table, Waiver
+from verify import Breaks, Check, Figure, Miss, Pair, Table
 
 CLAIM = ("A displacement of 1e-12 m changes no velocity by more than 1e-6 m/s, and neither do a mirror, other numbers or another order of "
          "bodies, but for six known misses of sixty.")
@@ -14,7 +13,7 @@ DRIVER = "scene"
 CASE = "verification/nudged/case.yaml"
 
 # what differs by decisions that are not mended, by twin and seed: README.md, "Misses"
-MISSED = {"mirrored, other numbers": (2, 9, 11, 21, 22), "bodies in another order": (19,)}
+MISSED = {"mirrored, other numbers": (2, 11, 16, 21, 22), "bodies in another order": (19,)}
 TWINS = {"nudged": throws.nudged, "mirrored, other numbers": throws.mirrored, "bodies in another order": throws.in_another_order}
 OWN = "a shape of the program's own in a mirror"
 
@@ -93,9 +92,6 @@ CHECKS = [Check(name, largest(name), LIMIT,
          "in the mirror faces are cut along their other diagonal, which decides over what a free apex is beside a warped face"),
     Miss("bodies in another order: scenes that differ by more", count("bodies in another order"), 0.5, "none may",
          "of two boxes that are alike the one that is listed first has the apexes")]
-
-WAIVERS = [Waiver("created energy of any source at any time", lambda run: Path(run.case_file).name.startswith("16_"),
-                  "by the elements of a plate of twelve triangles that strikes with an edge, and not by contact", 0.015)]
 
 STUDIES = [Table("The largest difference of a velocity in each scene [m/s].", ["seed", "scene", "contact", "friction", *TWINS],
                  lambda run: [row(run, seed) for seed in throws.SEEDS], full=True)]

@@ -14,7 +14,8 @@ DRIVER = "plug_juncture"
 CASE = "cases/plug_juncture/slug.yaml"
 CELLS = 48   # around the whole turn, at level 2
 HIGHER = '1.001*table("slug.csv", t)'
-SLOPPY = {"mesh.level": 1, "contact.method": "penalty", "contact.energy_gain_limit": 0.04}
+SLOPPY = {"mesh.level": 1, "contact.method": "penalty", "contact.penalty_scale": 0.5, "contact.step_factor": 0.5,
+          "contact.energy_gain_limit": 0.04}
 PLUGS = ("small", "intermediate", "large")
 END = 0.02   # [s]
 
@@ -123,7 +124,7 @@ BREAKS = [
     Breaks("rigid plugs: velocities at the end", "restitution 0.95", {"contact.restitution": 0.95}),
     Breaks("with shield plates: closing of the first gap", "steel a tenth denser", {"material.density": "8635 kg/m^3"}),
     Breaks("with shield plates: momentum of all", "a pressure a thousandth higher", {"struck_by.value": HIGHER}),
-    Breaks("created energy", "a stiff penalty that may create what a bounce may not", SLOPPY),
+    Breaks("created energy", "a soft penalty that samples coarsely", SLOPPY),
 ]
 
 

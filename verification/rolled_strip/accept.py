@@ -59,7 +59,6 @@ def circle(_run):
 
 DEPARTURES = {
     "layers": "the strip is elastic: two layers integrate its bending exactly",
-    "viscosity": "the exact strip is at rest",
     "residual": "the default moves the height by 0.1 % in a tenth more steps"}
 
 CHECKS = [

@@ -193,9 +193,10 @@ def by_inertia(run):
 
 BOUND = "the catalogue's bound for impacts"
 STEP = "a blow is seen at the end of a step, which is 1.6 % of the time of the first closure"
-RINGS = ("a bar is struck again after some 30 transit times, the phase of its ringing determines the blow, and the bulk viscosity damps "
+RINGS = ("a bar is struck again after some 30 transit times, the phase of its ringing determines the blow, and the viscosity damps "
          "the ringing; the exact part of the last plate is 0.56 with gaps 2 % wider and 0.98 with gaps 2 % narrower")
-FRONTS = "the bulk viscosity damps every front, and the mesh rounds it; the error falls with the mesh (table); without viscosity see below"
+FRONTS = ("the viscosity takes the ringing behind every front, and the mesh rounds it; the error falls with the mesh (table); without "
+          "viscosity see below")
 ELEMENT = "a front is no shorter than an element, {} of the transit time of the thinnest plate, which has {} of them"
 
 DEPARTURES = {"viscosity": "one comparison without it, as in the exact solution, tells what it takes; all other checks are by default"}

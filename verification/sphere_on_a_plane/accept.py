@@ -103,8 +103,6 @@ def meshes(run):
     return rows
 
 
-DEPARTURES = {"viscosity": "Hertz's impact is elastic: all of the loss is then that of waves"}
-
 CHECKS = [
     Check("mass of the ball", full_mass, 0.03,
           "facets of the far pole are coarse and lie inside the ball: 2.6 % is missing; Hertz's law is taken with what is there"),

@@ -37,8 +37,6 @@ def curve(run):
     return rows
 
 
-DEPARTURES = {"viscosity": "stress is that of the law alone"}
-
 CHECKS = [
     Check("shear at the end", shear, 1e-9, "held nodes move as they are told; sums of some thousand steps"),
     Check("shear stress", worst("stress_xz", 1, 0), 1e-4, "the catalogue's bound at increments of the shear of 0.001"),

@@ -86,7 +86,7 @@ CHECKS = [
           "its base gives way by some 1e-8 m, and so does the border before all slides: 1e-4 of the way"),
     Check("created by the contact over the heat", made, 1e-9, "iterations end at 1e-4 of what they exchange, and nothing bounces"),
     Report("friction beside the load after the stop", lambda run: Pair(ringing(run, (stops() + 1e-4, 11e-3)), 0, "", scale=1),
-           "friction falls from the limit to the load at once, and the block swings in shear, which bulk viscosity does not damp; a "
+           "friction falls from the limit to the load at once, and the block swings in shear, which viscosity does not damp; a "
            "penalty gives 0.11"),
     Check("on ice: speed that is kept", kept({}), 1e-4, "nothing draws; faces are flat but for 1e-8 m"),
     Miss("on ice, the larger block with the apexes: speed that is kept", kept(SWAPPED), 1e-3, "as with those of the smaller one",

@@ -1,6 +1,7 @@
 """How close is close enough, why, and what must break."""
+from defaults import NUMERICS
 from reference import tip, turning_time
-from verify import Breaks, Check, Falls, Figure, Pair
+from verify import Breaks, Check, Falls, Figure, Pair, Report
 
 CLAIM = "A bar that is pulled suddenly stretches to twice its static elongation in the time $2L/c$."
 EVIDENCE = "exact"
@@ -9,6 +10,7 @@ DRIVER = "scene"
 
 BAR = {"force": 1e6, "length": 1, "area": 0.01, "density": 7850, "young": 210e9}
 TURN = turning_time(1, 7850, 210e9)
+USUAL = {f"bodies[0].element.viscosity.{term}": value for term, value in NUMERICS["viscosity"].items()}
 
 
 def largest(run):
@@ -22,11 +24,13 @@ def time_of_largest(run):
     return Pair(TURN + 0.5 * (down - up) / speed, TURN, "s")
 
 
-DEPARTURES = {"viscosity": "d'Alembert's waves have none"}
+DEPARTURES = {"viscosity": "d'Alembert's waves have none; the default rounds the peak a little more (report)"}
 
 CHECKS = [
     Check("largest displacement", largest, 0.01, "the mesh rounds the peak: 0.6 % with 50 cells, see the study"),
     Check("time of the largest displacement", time_of_largest, 0.01, "the flanks ring about the straight lines"),
+    Report("largest displacement with the default viscosity", lambda run: largest(run.again(USUAL)),
+           "the viscosity takes the ringing behind the front, which falls with the mesh"),
 ]
 
 STUDIES = [

@@ -10,6 +10,7 @@ EVIDENCE = "benchmark"
 DRIVER = "scene"
 
 OUTERMOST = 0.5 + 0.5 / sqrt(3)  # of the way from the axis to the corner: the last point of Gauss of two elements across
+BARE = {f"bodies[0].element.viscosity.{term}": 0 for term in ("linear", "quadratic")}
 LATEST = 0.7e-3                  # [s] no relief yet in the middle
 
 
@@ -57,6 +58,11 @@ def drift(run):
     return Pair(max(abs(e - sums[0]) for e in sums), 0, "J", scale=sums[0])
 
 
+def bare(measure):
+    """Without viscosity, unless a break sets it."""
+    return lambda run: measure(run.again({**BARE, **run.overrides}))
+
+
 def meshes(run):
     rows = []
     for kind in ("full", "one_point"):
@@ -68,13 +74,13 @@ def meshes(run):
             rows.append([kind.replace("full", "eight points").replace("one_point", "one point"), cells.strip("[]").replace(", ", " x "),
                          f"{1e-6 * one.at('von_mises', TIME):.1f}", f"{1e-6 * max(one.column('von_mises')):.1f}",
                          f"{1e3 * largest_twist(one).got:.3f}", f"{1e3 * largest_twist_at(**BAR, across=across):.3f}",
-                         f"{100 * hourglass:.1f} %", f"{drift(one).error():.1e}"])
+                         f"{100 * hourglass:.1f} %", f"{bare(drift)(one).error():.1e}"])
     return rows
 
 
 DEPARTURES = {
     "integration": "the other code's elements have eight points, and so has the stress that is compared",
-    "viscosity": "the claim is that the energy stays constant"}
+    "viscosity": "the energy stays constant without it; all else is by default"}
 
 CHECKS = [
     Check("largest von Mises stress at 0.79 ms", peak, 0.03, "the catalogue's bound; the law is hypoelastic and not neo-Hookean"),
@@ -85,7 +91,10 @@ CHECKS = [
     Check("time of the largest strain energy", largest_twist, 0.03,
           "exact for small twist; the bar twists by half a turn, and a step is 1.6 % of it"),
     Check("kinetic energy at the start", start, 1e-12, "lumped masses: round-off"),
-    Check("drift of the energy in 2 ms", drift, 1e-3, "central differences swing by the square of the step over the period: see the study"),
+    Check("drift of the energy in 2 ms", bare(drift), 1e-3,
+          "central differences swing by the square of the step over the period: see the study"),
+    Report("drift of the energy in 2 ms with the default viscosity", drift,
+           "what the viscosity takes as waves come back from the free ends"),
 ]
 
 STUDIES = [
@@ -103,7 +112,7 @@ BREAKS = [
     Breaks("time of the largest strain energy", "Poisson's ratio forgotten in the shear modulus", {"bodies[0].material.poisson": 0}),
     Breaks("kinetic energy at the start", "z measured from an end and not from the middle",
            {"initial[0].velocity": '["-8000*y*(z+0.5)", "8000*x*(z+0.5)", "0"]', "time.created_limit": 1e300}),
-    Breaks("drift of the energy in 2 ms", "bulk viscosity of ten times the usual", {"bodies[0].element.viscosity.linear": 0.6}),
+    Breaks("drift of the energy in 2 ms", "viscosity of ten times the default", {"bodies[0].element.viscosity.linear": 0.6}),
 ]
 
 
