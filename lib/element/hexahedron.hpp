@@ -406,6 +406,7 @@ NEREID_HOT std::array<Vector<T>, 8> forces_of_stress(Matrix<T> S, const std::arr
   return nodal_values(scaled(T(-1.0), F));
 }
 
+/// A symmetric tensor as a matrix.
 template <class T>
 NEREID_HOT Matrix<T> matrix(const Symmetric<T>& s) { return {{s.xx, s.xy, s.xz}, {s.xy, s.yy, s.yz}, {s.xz, s.yz, s.zz}}; }
 
@@ -419,18 +420,19 @@ struct Viscous {
 
 /// Brings the viscous stress over a step; without viscosity it is none.
 ///
-/// before  [-] the strain of the step turned back to its beginning;  omega_squared  [1/s2] bound on the squared frequencies
+/// before  [-] the strain of the step turned back to its beginning;  speed  [m/s] of dilatational waves
+/// omega_squared  [1/s2] bound on the squared frequencies
 /// stress  [Pa] of the step before, then of this one
 template <class T, class N>
-NEREID_HOT Viscous<T> advance_viscous(const Viscosity& viscosity, const Motion<T>& motion, const Symmetric<T>& before,
-                                      const material::Moduli<N>& moduli, double density, T omega_squared, const Shares<T, 3>& share, Symmetric<T>& stress) {
+NEREID_HOT Viscous<T> advance_viscous(const Viscosity& viscosity, const Motion<T>& motion, const Symmetric<T>& before, N speed,
+                                      T omega_squared, const Shares<T, 3>& share, Symmetric<T>& stress) {
   const T zero(0.0);
   if (!acts(viscosity)) {
     stress = {zero, zero, zero, zero, zero, zero};
     return {zero, zero, {zero, zero, zero}};
   }
   const T old_work = contract(stress, before);
-  const auto now = viscous_stress(viscosity, motion, material::wave_speed(moduli, density), omega_squared, share);
+  const auto now = viscous_stress(viscosity, motion, speed, omega_squared, share);
   stress = now.stress;
   return {T(0.5) * (old_work + contract(stress, motion.strain)), now.damping, now.along};
 }
@@ -493,15 +495,17 @@ NEREID_HOT Report<T, Hexahedron> advance(const Law& law, const Hexahedron::Optio
   const Symmetric<T> G = gradient_products(at_end);
   T omega_squared = largest_frequency_squared(G, at_end.per_volume, constants.per_mass, moduli);
   if (kind == Kind::assumed_strain) omega_squared = omega_squared * coupling_of_hourglass(G, at_end, X);
-  const Motion<T> motion{{X.xi, X.eta, X.zeta}, {D.xi, D.eta, D.zeta}, strain, memory.stress - before, growth, dt};
-  const Viscous<T> viscous = advance_viscous(options.viscosity, motion, at_start(L, half_spin), moduli, law.density, omega_squared, share, memory.viscous);
+  const Motion<T> motion{X.xi, X.eta, X.zeta, D.xi, D.eta, D.zeta, strain, memory.stress - before, growth, dt};
+  const Viscous<T> viscous = advance_viscous(options.viscosity, motion, at_start(L, half_spin), material::wave_speed(moduli, law.density),
+                                             omega_squared, share, memory.viscous);
 
   force = forces_of_stress(matrix(memory.stress + memory.viscous), memory.hourglass, X, at_end);
 
   const bool dashpots = kind == Kind::viscous;
   const T damping = dashpots ? viscous.damping + T(32.0) * constants.hourglass * constants.per_mass : viscous.damping;
   return {.stored = {work.stored * at_middle.volume, dashpots ? zero : hourglass.stored},
-          .dissipated = {work.dissipated * at_middle.volume + hourglass.dissipated, viscous.work * at_middle.volume, dashpots ? hourglass.stored : zero},
+          .dissipated = {work.dissipated * at_middle.volume + hourglass.dissipated, viscous.work * at_middle.volume,
+                         dashpots ? hourglass.stored : zero},
           .step = stable_step(omega_squared, damping),
           .volume_ratio = at_end.volume * T(law.density) * constants.per_mass,
           .along = viscous.along};

@@ -37,11 +37,11 @@ NEREID_HOT T viscous_part(const Viscosity& b, T crossing, T rate) {
 /// What the viscosity of a hexahedron needs to know of a step.
 template <class T>
 struct Motion {
-  std::array<Vector<T>, 3> half;   ///< [m] from the centre to a face of each axis, at the end of the step
-  std::array<Vector<T>, 3> moved;  ///< [m] how much they changed in it
-  Symmetric<T> strain;             ///< [-] of the step
-  Symmetric<T> change;             ///< [Pa] of the stress by it, both turned to the end of the step
-  T growth, dt;                    ///< [-] of the volume, [s]
+  Vector<T> xi, eta, zeta;                    ///< [m] from the centre to a face of each axis, at the end of the step
+  Vector<T> moved_xi, moved_eta, moved_zeta;  ///< [m] how much they changed in it
+  Symmetric<T> strain;                        ///< [-] of the step
+  Symmetric<T> change;                        ///< [Pa] of the stress by it, both turned to the end of the step
+  T growth, dt;                               ///< [-] of the volume, [s]
 };
 
 /// The viscous stress of a hexahedron, and how much all of the viscosity may damp.
@@ -51,6 +51,22 @@ struct ViscousStress {
   T damping;               ///< [1/s] half the rate at which all of it damps, s of stable_step
   std::array<T, 3> along;  ///< [-] strain of the step along each axis
 };
+
+/// The part of one axis in the viscous stress of a hexahedron.
+template <class T>
+struct OfAxis {
+  T strain;  ///< [-] of the step
+  T work;    ///< [Pa] of its motion, not negative
+  T length;  ///< [m] on which viscosity acts
+};
+
+/// half, moved  [m] from the centre to a face, and how much it changed in the step;  change  [Pa] of the stress;  most  [m]
+template <class T>
+NEREID_HOT OfAxis<T> of_axis(const Vector<T>& half, const Vector<T>& moved, const Symmetric<T>& change, T most) {
+  const T square = dot(half, half), per_square = T(1.0) / square, strain = per_square * dot(half - T(0.5) * moved, moved);
+  const T work = per_square * strain * dot(half, change * half);
+  return {strain, larger(work, -work), smaller(T(2.0) * root(square), most)};
+}
 
 constexpr double most_crossings = 1.4142135623730951;  ///< [-] longest length on which viscosity acts, over 2 c/omega
 
@@ -67,24 +83,16 @@ constexpr double most_crossings = 1.4142135623730951;  ///< [-] longest length o
 template <class T, class N>
 NEREID_HOT ViscousStress<T> viscous_stress(const Viscosity& viscosity, const Motion<T>& m, N speed, T omega_squared,
                                            const Shares<T, 3>& share) {
-  const T zero(0.0), half(0.5), one(1.0), two(2.0), none(1e-300), per_speed = T(N(1.0) / speed);
-  const T crossing = two / root(omega_squared), most = T(N(most_crossings) * speed) * crossing;
+  const T zero(0.0), per_speed = T(N(1.0) / speed);
+  const T crossing = T(2.0) / root(omega_squared), most = T(N(most_crossings) * speed) * crossing;
   const T work = contract(m.change, m.strain), part = per_speed * viscous_part(viscosity, crossing, m.growth / m.dt);
-  T sum = zero, limited = zero, longest = zero;
-  ViscousStress<T> v;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Vector<T>& h = m.half[k];
-    const T square = dot(h, h), per_square = one / square, length = smaller(two * root(square), most);
-    v.along[k] = per_square * dot(h - half * m.moved[k], m.moved[k]);
-    const T of_axis = per_square * v.along[k] * dot(h, m.change * h), weight = larger(of_axis, -of_axis);
-    sum = sum + weight;
-    limited = limited + weight * (share[k] * length);
-    longest = larger(longest, length);
-  }
-  const T length = select(work > zero, limited / (larger(sum, work) + none), zero);
-  v.stress = (part * length / m.dt) * m.change;
-  v.damping = half * part * longest * omega_squared;
-  return v;
+  // one by one and not in a loop, which would keep the axes in memory
+  const OfAxis<T> xi = of_axis(m.xi, m.moved_xi, m.change, most), eta = of_axis(m.eta, m.moved_eta, m.change, most),
+                  zeta = of_axis(m.zeta, m.moved_zeta, m.change, most);
+  const T sum = xi.work + eta.work + zeta.work, longest = larger(larger(xi.length, eta.length), zeta.length);
+  const T limited = xi.work * share[0] * xi.length + eta.work * share[1] * eta.length + zeta.work * share[2] * zeta.length;
+  const T length = select(work > zero, limited / (larger(sum, work) + T(1e-300)), zero);
+  return {(part * length / m.dt) * m.change, T(0.5) * part * longest * omega_squared, {xi.strain, eta.strain, zeta.strain}};
 }
 
 /// What the viscosity of a plate needs to know of a step.

@@ -139,7 +139,10 @@ TEST(FindDepartures, OfTrianglesAreSpreadOnceBeforeTheyAreShared) {
   Departures found = departures_for(tiling);
   find_departures(tiling, beside, table(tiling, 1, one), found);
   int own = 0, spread = 0;
-  for (Index e = 0; e < nodes.cols(); ++e) own += value(tiling, 1, found.own, e, 0) > 0.5, spread += value(tiling, 1, found.spread, e, 0) > 0.5;
+  for (Index e = 0; e < nodes.cols(); ++e) {
+    own += value(tiling, 1, found.own, e, 0) > 0.5;
+    spread += value(tiling, 1, found.spread, e, 0) > 0.5;
+  }
   EXPECT_EQ(own, 1);
   EXPECT_EQ(spread, 4) << "itself and its three neighbours";
 }

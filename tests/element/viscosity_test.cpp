@@ -31,10 +31,8 @@ Motion<double> motion(const Symmetric<double>& strain, double h = 0.5) {
   const double volume = trace(strain);
   const Symmetric<double> change{volume + 2 * strain.xx, volume + 2 * strain.yy, volume + 2 * strain.zz, 2 * strain.xy, 2 * strain.yz,
                                  2 * strain.xz};
-  const std::array<Vector<double>, 3> half{Vector<double>{h, 0, 0}, {0, h, 0}, {0, 0, h}};
-  Motion<double> m{half, {}, strain, change, volume, duration};
-  for (std::size_t k = 0; k < 3; ++k) m.moved[k] = strain * half[k];
-  return m;
+  const Vector<double> xi{h, 0, 0}, eta{0, h, 0}, zeta{0, 0, h};
+  return {xi, eta, zeta, strain * xi, strain * eta, strain * zeta, strain, change, volume, duration};
 }
 const Viscosity linear{.linear = 0.06, .quadratic = 0};
 
@@ -72,8 +70,7 @@ TEST(ViscousStress, TurnsWithTheElement) {
   const Mat3 Q = Eigen::AngleAxisd(0.7, Vec3(0.3, -0.5, 0.8).normalized()).toRotationMatrix();
   const Matrix<double> R{{Q(0, 0), Q(0, 1), Q(0, 2)}, {Q(1, 0), Q(1, 1), Q(1, 2)}, {Q(2, 0), Q(2, 1), Q(2, 2)}};
   Motion<double> m = motion({1e-3, -4e-4, 2e-4, 3e-4, -1e-4, 5e-4}), turned = m;
-  for (auto& half : turned.half) half = R * half;
-  for (auto& moved : turned.moved) moved = R * moved;
+  for (auto* v : {&turned.xi, &turned.eta, &turned.zeta, &turned.moved_xi, &turned.moved_eta, &turned.moved_zeta}) *v = R * *v;
   turned.strain = rotate(R, m.strain), turned.change = rotate(R, m.change);
   const auto v = viscous_stress(Viscosity{}, m, speed, 90.0, {1, 0.3, 0.5});
   const auto w = viscous_stress(Viscosity{}, turned, speed, 90.0, {1, 0.3, 0.5});
@@ -88,13 +85,13 @@ TEST(ViscousStress, IsNoneWhereTheLawSoftensAndWhereTheElementTurns) {
   m.change = -1.0 * m.change;
   EXPECT_EQ(viscous_stress(linear, m, speed, omega2, {1, 1, 1}).stress.xx, 0);
   const double angle = 0.3, c = std::cos(angle), s = std::sin(angle);
-  m.half[0] = {0.5 * c, 0.5 * s, 0}, m.moved[0] = m.half[0] - Vector<double>{0.5, 0, 0};
+  m.xi = {0.5 * c, 0.5 * s, 0}, m.moved_xi = m.xi - Vector<double>{0.5, 0, 0};
   EXPECT_NEAR(viscous_stress(linear, m, speed, omega2, {1, 1, 1}).along[0], 0, 1e-16);
 }
 
 TEST(ViscousStress, OfAFlatCellAsksForTheStepOfItsLongestWay) {
   Motion<double> m = motion({1e-3, 0, 0, 0, 0, 0});
-  m.half[2] = {0, 0, 0.01}, m.moved[2] = {0, 0, 0};
+  m.zeta = {0, 0, 0.01}, m.moved_zeta = {0, 0, 0};
   const double omega2 = 4 * speed * speed;
   EXPECT_DOUBLE_EQ(viscous_stress(linear, m, speed, omega2, {0, 0, 0}).damping, 0.5 * 0.06 / speed * omega2);
 }
