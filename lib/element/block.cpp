@@ -196,7 +196,8 @@ TileForces tile_forces(const AnyBlock& any) {
 }
 
 TileReports tile_reports(const AnyBlock& any) {
-  return {.tile = std::vector<TileReport>(tiling(any).tiles.size()), .departures = departures_for(tiling(any))};
+  const bool is_viscous = std::visit([](const auto& block) { return acts(block.options.viscosity); }, any);
+  return {.tile = std::vector<TileReport>(tiling(any).tiles.size()), .departures = departures_for(tiling(any), is_viscous)};
 }
 
 BlockLimit advance(const AnyBlock& any, const Vectors& x, const Vectors& dx, const Vectors& rotation, double dt, Memory& memory,

@@ -63,7 +63,7 @@ bool plates_may_have(const AnyLaw&);
 /// What the elements of one block remember; one type for all blocks. Rows lie pack by pack.
 struct Memory {
   std::vector<double> rows;         ///< [packs x rows x lanes]
-  std::vector<double> along;        ///< [-] [packs x axes x lanes] strains of the last step along the axes; empty without viscosity
+  std::vector<double> along;        ///< [-] [packs x axes x lanes] Report::along of the last step; empty without viscosity
   double work = 0;                  ///< [J] done on the nodes
   Channels<Stored> stored;          ///< [J]
   Channels<Dissipated> dissipated;  ///< [J]

@@ -242,8 +242,8 @@ NEREID_HOT Report<T, FullHexahedron> advance(const Law& law, const FullHexahedro
   const Symmetric<T> G = gradient_products(at_end);
   const T omega_squared = largest_frequency_squared(G, at_end.per_volume, constants.per_mass, moduli) * coupling_of_hourglass(G, at_end, X);
   const Motion<T> motion{X.xi, X.eta, X.zeta, D.xi, D.eta, D.zeta, strain, eighth * (sums.mean - before), growth, dt};
-  const Viscous<T> viscous = advance_viscous(options.viscosity, motion, at_start(L, half_spin), material::wave_speed(moduli, law.density),
-                                             omega_squared, share, memory.viscous);
+  const ViscousStep<T> viscous = advance_viscous(options.viscosity, motion, strain_at_start(L, half_spin),
+                                                 material::wave_speed(moduli, law.density), omega_squared, share, memory.viscous);
 
   force = forces_of_stress(matrix(eighth * sums.mean + memory.viscous), Qs, X, at_end);
 

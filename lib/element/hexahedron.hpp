@@ -297,7 +297,7 @@ NEREID_HOT MeanMotion<T> mean_motion(const Modes<T>& X, const Modes<T>& D) {
 
 /// The strain of mean_motion() turned back by half the rotation instead, to meet the stress of the beginning.
 template <class T>
-NEREID_HOT Symmetric<T> at_start(const Matrix<T>& L, const Vector<T>& half_spin) {
+NEREID_HOT Symmetric<T> strain_at_start(const Matrix<T>& L, const Vector<T>& half_spin) {
   const T half(0.5);
   return rotated_by(-half_spin, Symmetric<T>{L.x.x, L.y.y, L.z.z, half * (L.x.y + L.y.x), half * (L.y.z + L.z.y), half * (L.x.z + L.z.x)});
 }
@@ -412,26 +412,26 @@ NEREID_HOT Matrix<T> matrix(const Symmetric<T>& s) { return {{s.xx, s.xy, s.xz},
 
 /// What the viscosity of a hexahedron did in a step.
 template <class T>
-struct Viscous {
+struct ViscousStep {
   T work;                  ///< [J/m3] that it took
   T damping;               ///< [1/s] s of stable_step
   std::array<T, 3> along;  ///< [-] strain of the step along each axis
 };
 
-/// Brings the viscous stress over a step; without viscosity it is none.
+/// Updates the viscous stress by a step; zero without viscosity.
 ///
-/// before  [-] the strain of the step turned back to its beginning;  speed  [m/s] of dilatational waves
+/// strain_at_start  [-] the strain of the step turned back to its beginning;  speed  [m/s] of dilatational waves
 /// omega_squared  [1/s2] bound on the squared frequencies
 /// stress  [Pa] of the step before, then of this one
 template <class T, class N>
-NEREID_HOT Viscous<T> advance_viscous(const Viscosity& viscosity, const Motion<T>& motion, const Symmetric<T>& before, N speed,
-                                      T omega_squared, const Shares<T, 3>& share, Symmetric<T>& stress) {
+NEREID_HOT ViscousStep<T> advance_viscous(const Viscosity& viscosity, const Motion<T>& motion, const Symmetric<T>& strain_at_start, N speed,
+                                          T omega_squared, const Shares<T, 3>& share, Symmetric<T>& stress) {
   const T zero(0.0);
   if (!acts(viscosity)) {
     stress = {zero, zero, zero, zero, zero, zero};
     return {zero, zero, {zero, zero, zero}};
   }
-  const T old_work = contract(stress, before);
+  const T old_work = contract(stress, strain_at_start);
   const auto now = viscous_stress(viscosity, motion, speed, omega_squared, share);
   stress = now.stress;
   return {T(0.5) * (old_work + contract(stress, motion.strain)), now.damping, now.along};
@@ -496,8 +496,8 @@ NEREID_HOT Report<T, Hexahedron> advance(const Law& law, const Hexahedron::Optio
   T omega_squared = largest_frequency_squared(G, at_end.per_volume, constants.per_mass, moduli);
   if (kind == Kind::assumed_strain) omega_squared = omega_squared * coupling_of_hourglass(G, at_end, X);
   const Motion<T> motion{X.xi, X.eta, X.zeta, D.xi, D.eta, D.zeta, strain, memory.stress - before, growth, dt};
-  const Viscous<T> viscous = advance_viscous(options.viscosity, motion, at_start(L, half_spin), material::wave_speed(moduli, law.density),
-                                             omega_squared, share, memory.viscous);
+  const ViscousStep<T> viscous = advance_viscous(options.viscosity, motion, strain_at_start(L, half_spin),
+                                                 material::wave_speed(moduli, law.density), omega_squared, share, memory.viscous);
 
   force = forces_of_stress(matrix(memory.stress + memory.viscous), memory.hourglass, X, at_end);
 

@@ -88,7 +88,8 @@ std::vector<Index> places_beside(const Tiling& tiling, const Eigen::Matrix<Index
   return beside;
 }
 
-Departures departures_for(const Tiling& tiling) {
+Departures departures_for(const Tiling& tiling, bool is_viscous) {
+  if (!is_viscous) return {};
   const bool is_solid = tiling.nodes_per_element == 8;
   const std::size_t count = tiling.filled.size() * (is_solid ? 3 : 1) * lanes;
   return {.own = std::vector<double>(is_solid ? 0 : count), .spread = std::vector<double>(count)};

@@ -1,6 +1,7 @@
 #pragma once
-// The limiter of viscosity: which part of it the motion along an axis of an element gets, from the strains of the step before there and
-// beside it. Linear strains get none, a front all, and what turns from element to element too: docs/theory/viscosity.md.
+// The limiter of viscosity: which share of it the motion along an axis of an element gets, from the strains of the step before there and
+// beside it. The share is zero where the strain varies linearly. It is one at a front, and where the sign alternates from element to
+// element: docs/theory/viscosity.md.
 
 #include <vector>
 
@@ -11,12 +12,13 @@
 
 namespace nereid::element {
 
-/// How far a strain is from what the two beside it let expect, after the limiter of Christensen:
+/// How far a strain is from a smooth continuation of its neighbours' strains, after the limiter of Christensen:
 ///
 ///     min(1, 2 (|e| - phi) / (|e| + 1e-12))^2,     phi = max(0, min(mean, 2 least, |e|))
 ///
 /// size, mean, least  [-] |e|, and of the strains beside it with the sign of e as plus
-/// returns            [-] zero where strains are linear, or far below 1e-12 in a step; one where none beside it is half its size
+/// returns            [-] zero where strains are linear and the smaller neighbour has at least half of |e|, and where they are far below
+///                    1e-12 in a step; one where the mean of the neighbours is at most half of |e|, or the least at most a quarter
 template <class T>
 NEREID_HOT T departure(T size, T mean, T least) {
   const T phi = larger(T(0.0), smaller(size, smaller(mean, T(2.0) * least)));
@@ -37,16 +39,17 @@ std::vector<Index> places_beside(const Tiling&, const Eigen::Matrix<Index, Eigen
 /// Departures of all elements. [-] [packs x axes x lanes] scratch of a step
 struct Departures {
   std::vector<double> own;     ///< of triangles only
-  std::vector<double> spread;  ///< what elements share
+  std::vector<double> spread;  ///< what shares_of() takes: of hexahedra their own, of triangles the largest of each and its neighbours
 };
-Departures departures_for(const Tiling&);
+/// Room for them; none without viscosity.
+Departures departures_for(const Tiling&, bool is_viscous);
 
 /// Departures from the strains along the axes, spread once over the sides of triangles, whose fronts cross cells in any direction.
 ///
 /// along  [-] [packs x axes x lanes] of the step before
 void find_departures(const Tiling&, const std::vector<Index>& beside, const std::vector<double>& along, Departures&);
 
-/// The largest departure of an element and of those beside it, by axis.
+/// The largest departure of an element and of those beside it, by axis. Fillers of a pack have their own alone.
 ///
 /// departures  [-] [packs x axes x lanes];  beside  of the pack
 template <int axes, int sides>

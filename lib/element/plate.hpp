@@ -487,15 +487,15 @@ NEREID_HOT Report<T, Plate> advance(const Law& law, const Plate::Options& option
   const T lighter = T(law.density) / density;  // a plate that keeps its thickness gains volume as it stretches, and no mass
   const T growth = strain.xx + strain.yy;
   T viscous_work(0.0), damping(0.0);
-  if (!acts(options.viscosity)) memory.viscous = {zero, zero, zero};
-  else {
-    const Plane<T> viscous_before = turned(memory.viscous);
+  if (acts(options.viscosity)) {
     const auto modulus = material::plane_lambda(moduli) + decltype(moduli.mu)(2.0) * moduli.mu;
-    const auto now_viscous = viscous_stress(options.viscosity, PlaneMotion<T>{stretch, membrane - turned_membrane, growth, dt}, modulus,
-                                     lighter * omega_squared.membrane, viscous_share);
-    memory.viscous = now_viscous.stress;
-    viscous_work = half * contract(viscous_before + now_viscous.stress, stretch) * middle_volume;
-    damping = now_viscous.damping;
+    const PlaneMotion<T> motion{stretch, membrane - turned_membrane, growth, dt};
+    const auto viscous = viscous_stress(options.viscosity, motion, modulus, lighter * omega_squared.membrane, viscous_share);
+    viscous_work = half * contract(turned(memory.viscous) + viscous.stress, stretch) * middle_volume;
+    memory.viscous = viscous.stress;
+    damping = viscous.damping;
+  } else {
+    memory.viscous = {zero, zero, zero};
   }
 
   const T nx = volume * (membrane.xx + memory.viscous.xx), ny = volume * (membrane.yy + memory.viscous.yy);

@@ -15,7 +15,7 @@ struct Report {
   std::array<T, Kind::dissipated_channels.size()> dissipated;  ///< [J] in this step
   T step;                                                      ///< [s] largest stable step of this element as it is now
   T volume_ratio;                                              ///< [-] volume (plates: area) over that of the reference; <= 0: inverted
-  std::array<T, Kind::axes> along;                             ///< [-] strains of the step along its axes, for the limiter of the next
+  std::array<T, Kind::axes> along;                             ///< [-] of the step: strain of each axis, of plates growth of the area
 
   /// One channel; zero if the kind does not have it. [J]
   T operator[](Stored channel) const { return of(channel, Kind::stored_channels, stored); }

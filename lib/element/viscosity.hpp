@@ -1,6 +1,6 @@
 #pragma once
-// Viscosity of shocks: a stress after the rate of the material's own stress, which spreads a shock over a few elements and damps the
-// ringing behind it. The limiter (limiter.hpp) leaves smooth motion almost none of it. docs/theory/viscosity.md.
+// Viscosity of shocks: a stress proportional to the rate of the material's own stress, which spreads a shock over a few elements and damps
+// the ringing behind it. In smooth motion the limiter (limiter.hpp) reduces it to almost zero. docs/theory/viscosity.md.
 
 #include <array>
 
@@ -18,11 +18,11 @@ struct Viscosity {
 /// Whether there is any.
 constexpr bool acts(const Viscosity& b) { return b.linear > 0 || b.quadratic > 0; }
 
-/// The part of the viscosity that the motion along each axis of an element gets. [-] from 0 to 1
+/// The share of the viscosity that the motion along each axis of an element gets. [-] from 0 to 1
 template <class T, int axes>
 using Shares = std::array<T, axes>;
 
-/// The viscous time over the time in which a wave crosses what viscosity acts on. [-]
+/// The viscous time over l/c, the time in which a wave travels the length l on which viscosity acts. [-]
 ///
 ///     b1 + b2^2 2/omega max(0, -rate)
 ///
@@ -44,11 +44,11 @@ struct Motion {
   T growth, dt;                               ///< [-] of the volume, [s]
 };
 
-/// The viscous stress of a hexahedron, and how much all of the viscosity may damp.
+/// The viscous stress of a hexahedron, and the damping rate with all shares at one.
 template <class T>
 struct ViscousStress {
   Symmetric<T> stress;     ///< [Pa] positive in tension
-  T damping;               ///< [1/s] half the rate at which all of it damps, s of stable_step
+  T damping;               ///< [1/s] s of stable_step
   std::array<T, 3> along;  ///< [-] strain of the step along each axis
 };
 
@@ -70,14 +70,14 @@ NEREID_HOT OfAxis<T> of_axis(const Vector<T>& half, const Vector<T>& moved, cons
 
 constexpr double most_crossings = 1.4142135623730951;  ///< [-] longest length on which viscosity acts, over 2 c/omega
 
-/// Viscous stress of a hexahedron after the rate of its stress:
+/// Viscous stress of a hexahedron, proportional to the rate of its stress:
 ///
 ///     s_v = tau ds/dt,     tau = l/c (b1 + b2^2 2/omega max(0, -rate))
 ///     l   = sum |a_k e_k| share_k l_k / max(sum |a_k e_k|, ds:de),     l_k = min(2 |h_k|, sqrt(2) 2 c/omega)
 ///
 /// with e_k = (h_k - dh_k/2) . dh_k / h_k^2, which no rotation changes, and a_k = n_k . ds n_k along the axes n_k = h_k/|h_k|. So each axis
-/// counts by the work of its motion, and shear, which strains none, has no viscosity. Where a law softens, ds:de < 0, there is none. The
-/// damping is that of all shares one: with those of the step before differences of round-off would grow.
+/// counts by the work of its motion. Shear along the axes strains none of them and has no viscous stress. Where a law softens, ds:de < 0,
+/// the viscous stress is zero. The damping has shares of one: a step that depends on the shares amplifies round-off.
 ///
 /// speed  c [m/s] of dilatational waves;  omega_squared  [1/s2] bound on the squared frequencies
 template <class T, class N>
@@ -103,7 +103,7 @@ struct PlaneMotion {
   T growth, dt;     ///< [-] of the area, [s]
 };
 
-/// The viscous stress of a plate, and how much all of the viscosity may damp.
+/// The viscous stress of a plate, and the damping rate with a share of one.
 template <class T>
 struct ViscousMembrane {
   Plane<T> stress;  ///< [Pa] positive in tension
@@ -112,11 +112,11 @@ struct ViscousMembrane {
 
 constexpr double more_of_triangles = 2.5;  ///< [-] linear viscosity of a triangle over that of a hexahedron: fronts cross its sides askew
 
-/// Viscous stress of a plate in its plane after the rate of the membrane's stress:
+/// Viscous stress of a plate in its plane, proportional to the rate of the membrane's stress:
 ///
 ///     s_v = tau ds/dt,     tau = share min(1, M g^2 / ds:de) 2/omega (2.5 b1 + b2^2 2/omega max(0, -rate))
 ///
-/// with the growth g of the area in the step, so that shear in the plane has none.
+/// with the growth g of the area in the step, so that shear in the plane has none; zero where ds:de is not positive.
 ///
 /// modulus  M = lambda' + 2 mu [Pa] of plane stress;  omega_squared  [1/s2] bound on the squared frequencies of the membrane
 template <class T, class N>

@@ -65,7 +65,7 @@ inline std::vector<std::pair<std::string, std::vector<double>>> numbers(const St
   part("time"), add(s.t, s.dt, s.step);
   part("positions and velocities"), all(s.x), all(s.v), all(s.omega);
   for (const auto& block : s.blocks) {
-    part("block"), all(block.rows), add(block.work);
+    part("block"), all(block.rows), all(block.along), add(block.work);
     for (std::size_t c = 0; c < words_of_stored.size(); ++c) add(block.stored[Stored(c)], block.dissipated[Dissipated(c)]);
   }
   for (const auto& tiles : s.tiles) part("forces of a block"), all(tiles.force), all(tiles.moment);

@@ -242,9 +242,11 @@ TEST(Block, GivesTheSameBitsForAnyNumberOfThreads) {
       for (int step = 0; step < 3; ++step) s.move(0.1);
       if (count == 1) {
         rows = s.memory.rows, force = s.forces.force;
+        rows.insert(rows.end(), s.memory.along.begin(), s.memory.along.end());
         rows.push_back(s.memory.work);
         continue;
       }
+      s.memory.rows.insert(s.memory.rows.end(), s.memory.along.begin(), s.memory.along.end());
       s.memory.rows.push_back(s.memory.work);
       EXPECT_EQ(rows, s.memory.rows);
       EXPECT_TRUE(force == s.forces.force);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "base/parallel.hpp"
 #include "element/block.hpp"
 #include "mesh/box.hpp"
 #include "mesh/mesh.hpp"
@@ -34,7 +35,7 @@ TEST(Departure, OfAlmostNoStrainIsNone) {
   EXPECT_LT(departure_of(1e-16, 0, 0), 1e-7) << "round-off";
 }
 
-TEST(Departure, DoesNotKnowTheSign) {
+TEST(Departure, DoesNotDependOnTheSign) {
   for (const double left : {-1e-6, 2e-7, 3e-6})
     for (const double right : {-2e-6, 5e-7, 1e-6}) {
       EXPECT_EQ(departure_of(1e-6, left, right), departure_of(-1e-6, -left, -right));
@@ -96,7 +97,7 @@ TEST(PlacesBeside, TakeTheAxisOfTheNeighbourThroughTheFaceThatBothShare) {
   const auto beside = places_beside(tiling, nodes);
   const auto all = table(tiling, 3, {{0.0, 0.1, 0.2}, {1.0, 1.1, 1.2}});
   const auto first = static_cast<std::size_t>(std::find(tiling.element.begin(), tiling.element.end(), 0) - tiling.element.begin());
-  EXPECT_NEAR(all[static_cast<std::size_t>(beside[1 * lanes + first])], 1.2, 1e-12);
+  EXPECT_NEAR(all[static_cast<std::size_t>(beside[(first / lanes * 6 + 1) * lanes + first % lanes])], 1.2, 1e-12);
 }
 
 TEST(PlacesBeside, OfCollapsedFacesAndOfThoseOfThreeElementsAreTheElementsOwn) {
@@ -107,9 +108,10 @@ TEST(PlacesBeside, OfCollapsedFacesAndOfThoseOfThreeElementsAreTheElementsOwn) {
   const Vectors X = Vectors::Random(3, 16);
   const Tiling tiling = cut_into_tiles(nodes, X);
   const auto beside = places_beside(tiling, nodes);
-  for (std::size_t at = 0; at < 3; ++at)
+  for (std::size_t at = 0; at < tiling.element.size(); ++at)
     for (std::size_t side = 0; side < 6; ++side)
-      EXPECT_EQ(beside[side * lanes + at], static_cast<Index>(side / 2 * lanes + at)) << side;
+      EXPECT_EQ(beside[(at / lanes * 6 + side) * lanes + at % lanes],
+                static_cast<Index>((at / lanes * 3 + side / 2) * lanes + at % lanes)) << side;
 }
 
 TEST(FindDepartures, OfALinearFieldAreNoneAndAFrontIsSpreadByOneElement) {
@@ -119,7 +121,7 @@ TEST(FindDepartures, OfALinearFieldAreNoneAndAFrontIsSpreadByOneElement) {
   const auto beside = places_beside(tiling, nodes);
   std::vector<std::vector<double>> ramp, front;
   for (int e = 0; e < 20; ++e) ramp.push_back({1e-6 * (e + 2), 0, 0}), front.push_back({e < 10 ? 1e-6 : 0, 0, 0});
-  Departures found = departures_for(tiling);
+  Departures found = departures_for(tiling, true);
   find_departures(tiling, beside, table(tiling, 3, ramp), found);
   for (Index e = 1; e < 19; ++e) EXPECT_NEAR(value(tiling, 3, found.spread, e, 0), 0, 1e-20);
   find_departures(tiling, beside, table(tiling, 3, front), found);
@@ -136,7 +138,7 @@ TEST(FindDepartures, OfTrianglesAreSpreadOnceBeforeTheyAreShared) {
   const auto beside = places_beside(tiling, nodes);
   std::vector<std::vector<double>> one(static_cast<std::size_t>(nodes.cols()), {0.0});
   one[30] = {1e-6};
-  Departures found = departures_for(tiling);
+  Departures found = departures_for(tiling, true);
   find_departures(tiling, beside, table(tiling, 1, one), found);
   int own = 0, spread = 0;
   for (Index e = 0; e < nodes.cols(); ++e) {
@@ -145,6 +147,30 @@ TEST(FindDepartures, OfTrianglesAreSpreadOnceBeforeTheyAreShared) {
   }
   EXPECT_EQ(own, 1);
   EXPECT_EQ(spread, 4) << "itself and its three neighbours";
+}
+
+TEST(FindDepartures, AreTheSameBitsForAnyNumberOfThreads) {
+  const mesh::Mesh mesh = mesh::box("box", {Vec3(0, 0, 0), Vec3(12, 12, 5), {12, 12, 5}});
+  const Connectivity both[] = {mesh.hexahedra[0].nodes, mesh::surface(mesh, "box.z_high").facets};
+  for (const Connectivity& nodes : both) {
+    const std::size_t axes = nodes.rows() == 8 ? 3 : 1;
+    const Tiling tiling = cut_into_tiles(nodes, mesh.X, 8);
+    ASSERT_GT(tiling.tiles.size(), 32u) << "enough to be shared out";
+    const auto beside = places_beside(tiling, nodes);
+    std::vector<std::vector<double>> strains;
+    for (Index e = 0; e < nodes.cols(); ++e) strains.push_back({1e-6 * std::sin(3.0 * e), 1e-6 * std::cos(5.0 * e), 1e-6 * std::sin(e)});
+    const auto along = table(tiling, axes, strains);
+    std::vector<double> first;
+    for (const int count : {1, 2, 4}) {
+      use_threads(count);
+      Departures found = departures_for(tiling, true);
+      find_departures(tiling, beside, along, found);
+      if (count == 1) first = found.spread;
+      EXPECT_EQ(found.spread, first);
+    }
+    use_threads(1);
+    EXPECT_GT(*std::max_element(first.begin(), first.end()), 0.5);
+  }
 }
 
 }  // namespace

@@ -60,7 +60,7 @@ TEST(ViscousStress, CountsEachAxisByItsWorkAndShearNotAtAll) {
   EXPECT_EQ(still.damping, sheared.damping) << "the step is that of all of it, whatever moves";
 }
 
-TEST(ViscousStress, ActsOnAWayThatIsNeverMuchLongerThanThatOfAWave) {
+TEST(ViscousStress, ActsOnALengthThatIsNeverMuchLongerThanThatOfAWave) {
   const double omega2 = 4 * speed * speed * 100;  // a slender cell: the wave crosses a tenth of the side
   const auto v = viscous_stress(linear, motion({1e-9, 0, 0, 0, 0, 0}), speed, omega2, {1, 1, 1});
   EXPECT_NEAR(v.stress.xx, 0.06 * std::sqrt(2.0) * 0.1 / speed * 3e-9 / duration, 1e-17);
@@ -89,7 +89,7 @@ TEST(ViscousStress, IsNoneWhereTheLawSoftensAndWhereTheElementTurns) {
   EXPECT_NEAR(viscous_stress(linear, m, speed, omega2, {1, 1, 1}).along[0], 0, 1e-16);
 }
 
-TEST(ViscousStress, OfAFlatCellAsksForTheStepOfItsLongestWay) {
+TEST(ViscousStress, OfAFlatCellHasTheDampingOfItsLongestLength) {
   Motion<double> m = motion({1e-3, 0, 0, 0, 0, 0});
   m.zeta = {0, 0, 0.01}, m.moved_zeta = {0, 0, 0};
   const double omega2 = 4 * speed * speed;
