@@ -206,6 +206,9 @@ WAIVERS = [
            "weights move the blocks by some nanometres, and positions are rounded to 1e-17 m in each step", up_to=2e-6),  # 1.2e-6
     Waiver("created energy of any source at any time", lambda run: stack(run, True),
            "nothing moves, so no energy is a scale; what is created is held against what the weights store", up_to=float("inf")),
+    Waiver("created energy of any source at any time", lambda run: stack(run, False),
+           "the blocks sway by nanometres; what is created then is held against what the weights store",
+           up_to=0.02),  # 1.2 % of what gravity did, finer meshes
 ]
 
 

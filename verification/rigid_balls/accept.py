@@ -39,7 +39,7 @@ def held(case, change):
 
 POLES = "ten times what six blows leave; one blow leaves 3e-9 m/s"
 
-DEPARTURES = {"restitution": "one check is of a blow that takes energy", "time.largest_step": "nothing else limits a step of rigid bodies"}
+DEPARTURES = {"restitution": "one check is of a blow that takes energy"}
 
 CHECKS = [
     Check("two equal balls: velocities", velocities("case.yaml", PAIR, {}), 1e-6, "round-off of positions over the size of a face"),
