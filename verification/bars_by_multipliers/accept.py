@@ -37,7 +37,7 @@ def velocity(run):
 def steps(run):
     """Step of the run over that which the elements ask for with the default safety; cells are much wider than long."""
     size = run.case("blocks.length") / run.case("blocks.cells_along")
-    viscous = NUMERICS["viscosity"]["linear"] * sqrt(2)   # the way on which it acts is at most sqrt(2) crossings
+    viscous = NUMERICS["viscosity"]["linear"] * sqrt(2)   # the length on which it acts is at most sqrt(2) times 2 c/omega
     return Pair(run.result("smallest_step") / (0.9 * size / exact(run)["c"] * ((1 + viscous**2)**0.5 - viscous)), 1)
 
 

@@ -66,7 +66,7 @@ DEPARTURES = {"viscosity": "two checks are of the bars without it, as in the exa
 
 CHECKS = [
     Check("plateau force", plateau, 0.01, "the catalogue's bound; ringing averages out over the middle 80 % of the contact"),
-    Check("largest error of the force, from 5 to 90 % of the contact", largest_error, 0.03, "the front is some cells wide and rings"),
+    Check("largest error of the force, from 5 to 90 % of the contact", largest_error, 0.03, "the front is some cells wide"),
     Check("duration at half height", duration, 0.01,
           "the catalogue's bound; rise and fall are some elements wide, and their middles count"),
     Report("first to last touch", touching, "the tail of the fall pushes on with less than a tenth of the force"),

@@ -4,7 +4,8 @@ from reference import GRAVITY, ONE, bounce, energy_of_stack
 from verify import Breaks, Check, Figure, Pair, Report, Table
 
 CATALOGUE = ("I-8",)
-CLAIM = "Blocks that bounce on a plane and on each other keep their energy, and a stiff block returns to its initial height twenty times."
+CLAIM = ("Without viscosity, blocks that bounce on a plane and on each other keep their energy, and a stiff block returns to its initial "
+         "height twenty times.")
 EVIDENCE = "invariant"
 DRIVER = "scene"
 

@@ -126,7 +126,7 @@ CHECKS = [
     Check("hexahedron of one point, kinematic: plastic strain", plastic_strain_of_element, 1e-8,
           "as the stress; what the ringing of the sides adds is of second order"),
     Check("hexahedron of one point, kinematic: the cycle on the way", cycle_of_element, 3e-5,
-          "sides have mass and ring where flow begins; uniaxial_stress has how that goes with the mass"),
+          "sides have mass and swing where flow begins; uniaxial_stress has how that goes with the mass"),
 ]
 
 
