@@ -262,7 +262,7 @@ def shapes():
     for n in (2, 3, 4):
         found += with_options("shapes", f"rests {n}", "closed skins", scenes.rests, ALL, cells=(n,) * 3)
     found += with_options("shapes", "accepted", "leaves and returns", scenes.accepted, PASSES)
-    found += [cell("shapes", f"tie {v:g}", "over a rim", "", scenes.tie, offset=v) for v in (0.0, 0.008, 0.015, 0.025)]
+    found += [cell("shapes", f"tie {v:g}", "over a rim", "", scenes.tied, offset=v) for v in (0.0, 0.008, 0.015, 0.025)]
     found += [cell("shapes", "folds", "strip", "solid", scenes.strip),
               cell("shapes", "folds", "strip", "plates", scenes.strip, plates=True),
               cell("shapes", "folds half", "strip", "solid", scenes.strip, squeeze=0.3)]

@@ -306,7 +306,7 @@ def accepted(fine=1, depth=0.003, **keys):
                  planes=[fixed("b")], gravity=vector((0, 0, -50), "m/s^2"))
 
 
-def tie(fine=1, offset=0.0, **keys):
+def tied(fine=1, offset=0.0, **keys):
     """A cube is tied to a block, over its rim or past it, and pulled off by its speed: it holds, or somebody must be told."""
     cube = box((-0.005, -0.005, 0), (0.005, 0.005, 0.01), (2, 2, 2), fine)
     block = box((-0.01, -0.01, -0.01), (0.01, 0.01, 0), (2, 2, 1), fine)
