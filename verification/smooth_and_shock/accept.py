@@ -1,7 +1,7 @@
 """How close is close enough, why, and what must break."""
 from math import floor, sqrt
 
-from reference import SHELL, STEEL, breathing, energy, expansion, peaks, plastic_front, standing, transmitted
+from reference import SHELL, STEEL, breathing, energy, expansion, peaks, plastic_front, shock, standing, transmitted
 from verify import Breaks, Check, Falls, Figure, Miss, Pair, Report, Table, share
 
 CATALOGUE = ()
@@ -14,6 +14,7 @@ STEP, UNIAXIAL, SKEWED, SHEET = f"{HERE}/step.yaml", f"{HERE}/uniaxial.yaml", f"
 DIAGONAL, MATERIALS, COLUMN = f"{HERE}/diagonal.yaml", f"{HERE}/materials.yaml", f"{HERE}/wedges.yaml"
 PLASTIC, CUSP, RING, ELEMENT = f"{HERE}/plastic_front.yaml", f"{HERE}/cusp.yaml", f"{HERE}/slit_ring.yaml", f"{HERE}/element.yaml"
 SHELL_CASE, CYLINDER, WEDGES = f"{HERE}/shell.yaml", f"{HERE}/cylinder.yaml", f"{HERE}/wedge_breathing.yaml"
+STRONG = f"{HERE}/strong.yaml"
 SHEAR, TORSION, TURNED = f"{HERE}/shear.yaml", f"{HERE}/torsion.yaml", f"{HERE}/turned.yaml"
 THREE, UNEQUAL = "verification/three_bars/case.yaml", "verification/bars_of_unequal_length/case.yaml"
 PLASTIC_BAR, TAYLOR = "verification/plastic_bar_on_a_wall/case.yaml", "verification/taylor_bar/case.yaml"
@@ -25,6 +26,7 @@ NONE = {"bodies[0].element.viscosity.linear": 0, "bodies[0].element.viscosity.qu
 
 FRONT, CELL, RISE = 0.4, 0.01, 3   # [m] where fronts are at the end, [m], cells from the middle of a front to what counts as its plateau
 STRESS = 1e5                       # [Pa] of the pressure, and rho c V of what flies
+HARD = 3e8                         # [Pa] of the pressure of a shock
 HELD, STRUCK = peaks(0.5)
 UNIT = 1000 * 1000 * 0.1 * 25e-6   # [N] rho c V A of the ram
 EXPANDS = expansion(2.6e-4, **SHELL)
@@ -155,6 +157,21 @@ def noise_of(case):
     return lambda run: rms(sections(along(case)(run)), STRESS, FRONT - RISE * CELL)
 
 
+def peak_of_shock(run):
+    return overshoot(along(STRONG)(run), HARD)
+
+
+def noise_of_shock(run):
+    return rms(along(STRONG)(run), HARD, FRONT - RISE * CELL)
+
+
+def pushed(run):
+    """Of the end, mean of the second half."""
+    one = of(run, STRONG)
+    end = one.column("time")[-1]
+    return Pair(one.mean("end", end / 2, end), shock(HARD, 1e9, 1000)[2], "m/s")
+
+
 def peak_of_sections(case):
     return lambda run: overshoot(sections(along(case)(run)), STRESS)
 
@@ -233,8 +250,8 @@ def taken(run):
 # ------------------------------------------------------------------------------------------------
 # All of them
 
-EVERY = [SHELL_CASE, CYLINDER, WEDGES, SHEAR, TORSION, RING, TURNED, ELEMENT, STEP, UNIAXIAL, SKEWED, SHEET, DIAGONAL, MATERIALS, COLUMN,
-         PLASTIC, CUSP, THREE, UNEQUAL, PLASTIC_BAR, TAYLOR, SHIELD]
+EVERY = [SHELL_CASE, CYLINDER, WEDGES, SHEAR, TORSION, RING, TURNED, ELEMENT, STEP, STRONG, UNIAXIAL, SKEWED, SHEET, DIAGONAL, MATERIALS,
+         COLUMN, PLASTIC, CUSP, THREE, UNEQUAL, PLASTIC_BAR, TAYLOR, SHIELD]
 
 
 def lowest(run):
@@ -289,6 +306,9 @@ CHECKS = [
 
     Check("a pressure step: overshoot", peak_of(STEP), 0.014, PRESSURE),
     Check("a pressure step: rms of the plateau", noise_of(STEP), 0.005, "the plateau ends three cells before the middle of the front"),
+    Check("a shock of three tenths of the modulus: overshoot", peak_of_shock, 0.014, "as of the pressure step, which is weak"),
+    Check("a shock of three tenths of the modulus: rms of the plateau", noise_of_shock, 0.005, "as of the pressure step"),
+    Check("a shock of three tenths of the modulus: velocity of the end", pushed, 1e-3, "what rings after the first instants, in the mean"),
     Check("uniaxial strain: overshoot", peak_of(UNIAXIAL), 0.05, "two thirds of the 7.8 % of a viscous pressure"),
     Miss("uniaxial strain: rms of the plateau", noise_of(UNIAXIAL), 0.005, "as of a pressure step", why=CREST),
     Check("a front through a seam of two materials: overshoot", seam, 0.014,
@@ -393,6 +413,10 @@ BREAKS = [
     Breaks("a pressure step: overshoot", OFF, NONE, case=STEP),
     Breaks("a pressure step: overshoot", "the quadratic term alone", {"bodies[0].element.viscosity.linear": 0}, case=STEP),
     Breaks("a pressure step: rms of the plateau", OFF, NONE, case=STEP),
+    *(Breaks(f"a shock of three tenths of the modulus: {what}", "the linear term alone", {"bodies[0].element.viscosity.quadratic": 0},
+             case=STRONG) for what in ("overshoot", "rms of the plateau")),
+    Breaks("a shock of three tenths of the modulus: velocity of the end", "a hundredth more density",
+           {"bodies[0].material.density": "1010 kg/m^3"}, case=STRONG),
     Breaks("uniaxial strain: overshoot", "the quadratic term alone", {"bodies[0].element.viscosity.linear": 0}, case=UNIAXIAL),
     Breaks("a front through a seam of two materials: overshoot", "no viscosity in the second bar",
            {"bodies[1].element.viscosity.linear": 0, "bodies[1].element.viscosity.quadratic": 0}, case=MATERIALS),

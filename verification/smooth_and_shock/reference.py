@@ -83,6 +83,23 @@ def plastic_front(density, young, poisson, yield_stress, tangent, speed):
     return {"yield_stress": first, "stress": first + density * slow * (speed - first / (density * fast)), "slow": slow, "fast": fast}
 
 
+def shock(pressure, young, density):
+    """Stretch behind a shock that a pressure [Pa] sends into a bar of Poisson's ratio zero, the shock's speed, that of the end [m/s].
+
+    The stress is E ln(stretch), of a section that keeps its area; momentum and mass are conserved (Rankine & Hugoniot):
+        p = rho U v,     v = U (1 - stretch)
+
+    >>> [round(value, 4) for value in shock(3e8, 1e9, 1000)]
+    [0.7408, 1075.8665, 278.845]
+    >>> weak = shock(1e3, 1e9, 1000)
+    >>> round(weak[1], 2), round(weak[2], 6)
+    (1000.0, 0.001)
+    """
+    stretch = exp(-pressure / young)
+    speed = sqrt(pressure / (density * (1 - stretch)))
+    return stretch, speed, speed * (1 - stretch)
+
+
 def breathing(poisson):
     """k a of the first radial mode of a long cylinder, k a J0(k a) = (1 - 2 nu)/(1 - nu) J1(k a); its circular frequency is k c.
 
