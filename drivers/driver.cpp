@@ -100,6 +100,7 @@ void add_common_results(const model::Simulation& simulation, const dynamics::Out
       add("_drilling_fraction", seen.drilling), add("_residual_bending_fraction", seen.residual_bending);
     } else {
       add("_hourglass_fraction", seen.hourglass), add("_uneven_hourglass_fraction", seen.uneven);
+      add("_distortion_fraction", seen.distortion);
     }
   }
   for (std::size_t p = 0; p < simulation.model.rigid_planes.size(); ++p)

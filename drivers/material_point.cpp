@@ -83,7 +83,7 @@ std::vector<output::Column> columns_of(const std::array<const char*, rows>& name
   for (const char* name : names) columns.push_back({std::string("stress_") + name, "Pa"});
   for (const auto& [name, unit] : Law::internal) columns.push_back({std::string(name), std::string(unit)});
   for (const std::string_view tensor : Law::tensors)
-    for (const char* name : names) columns.push_back({std::string(tensor) + "_" + name, "Pa"});
+    for (const char* name : names) columns.push_back({std::string(tensor) + "_" + name, tensor == "back_stress" ? "Pa" : "1"});
   columns.push_back({"work_stored", "J/m^3"});
   columns.push_back({"work_dissipated", "J/m^3"});
   return columns;

@@ -6,7 +6,7 @@ contact heights and intervals of output are none. A departure is a numeric that 
 from runs import CannotRun, Run
 
 ELEMENT = {"kind": "one_point", "hourglass_kind": "assumed_strain", "hourglass": 1, "layers": 5, "rotary_inertia": "scaled",
-           "thinning": "by_law", "drilling": 0.1, "lead": "one_point"}  # the last is `kind` in cask_drop
+           "thinning": "by_law", "drilling": 0.1, "distortion": 0.1, "lead": "one_point"}  # the last is `kind` in cask_drop
 CONTACT = {"method": "multiplier", "restitution": 1, "passes": "one", "weights": "consistent", "penalty": None, "penalty_scale": 20,
            "tangential_penalty": 1, "damping_ratio": 0, "area": "apex", "energy_gain_limit": 0.005}
 

@@ -16,18 +16,20 @@ namespace nereid {
 /// Energy that a source holds and can give back.
 ///
 /// `restitution` is kinetic energy of nodes that multipliers stopped, as long as these press; `drilling` is of plates whose nodes turn
-/// about their normals, `residual_bending` of what their transverse shear bends within an element.
+/// about their normals, `residual_bending` of what their transverse shear bends within an element; `distortion` is that of corners of
+/// hexahedra that are kept from closing.
 enum class Stored {
-  elastic, hourglass, transverse_shear, residual_bending, drilling, penalty, tangential_penalty, restitution, potential, external_work
+  elastic, hourglass, distortion, transverse_shear, residual_bending, drilling, penalty, tangential_penalty, restitution, potential,
+  external_work
 };
 /// Energy that a source took for good.
 ///
 /// `thinning` is what a penalty loses as the plates that it presses become thinner.
 enum class Dissipated { plastic, viscous, hourglass, damping, friction, inelastic_impact, removed, thinning };
 
-constexpr std::array<std::string_view, 10> words_of_stored{"elastic",  "hourglass", "transverse_shear",   "residual_bending",
-                                                           "drilling", "penalty",   "tangential_penalty", "restitution",
-                                                           "potential", "external_work"};
+constexpr std::array<std::string_view, 11> words_of_stored{"elastic",  "hourglass", "distortion", "transverse_shear",
+                                                           "residual_bending", "drilling", "penalty", "tangential_penalty",
+                                                           "restitution", "potential", "external_work"};
 constexpr std::array<std::string_view, 8> words_of_dissipated{"plastic",  "viscous",          "hourglass", "damping",
                                                               "friction", "inelastic_impact", "removed",   "thinning"};
 
@@ -42,9 +44,9 @@ class Channels {
   double operator[](Channel channel) const { return value_[static_cast<std::size_t>(channel)]; }
 
  private:
-  std::array<double, 10> value_{};
+  std::array<double, words_of_stored.size()> value_{};
 };
-static_assert(words_of_stored.size() <= 10 && words_of_dissipated.size() <= 10);
+static_assert(words_of_dissipated.size() <= words_of_stored.size());
 
 /// What makes forces.
 enum class SourceKind {

@@ -255,6 +255,11 @@ void visit(Archive& archive, Thinned& thinned) {
   auto& [ratio, element] = thinned;
   archive(ratio, element);
 }
+template <class Archive>
+void visit(Archive& archive, Pressed& pressed) {
+  auto& [ratio, element] = pressed;
+  archive(ratio, element);
+}
 
 }  // namespace element
 
@@ -310,10 +315,10 @@ void visit(Archive& archive, Spin& spin) {
 
 template <class Archive>
 void visit(Archive& archive, Quality& quality) {
-  auto& [corner, element, time, hourglass, internal, drilling, residual_bending, artificial, uneven, compared, compared_at, inverted,
-         thinned, thinned_at, spin] = quality;
-  archive(corner, element, time, hourglass, internal, drilling, residual_bending, artificial, uneven, compared, compared_at, inverted,
-          thinned, thinned_at, spin);
+  auto& [corner, element, time, hourglass, internal, distortion, drilling, residual_bending, artificial, uneven, compared, compared_at,
+         inverted, thinned, thinned_at, pressed, pressed_at, spin] = quality;
+  archive(corner, element, time, hourglass, internal, distortion, drilling, residual_bending, artificial, uneven, compared, compared_at,
+          inverted, thinned, thinned_at, pressed, pressed_at, spin);
 }
 
 template <class Archive>

@@ -162,13 +162,16 @@ struct Quality {
   Index element = -1;                  ///< whose it was
   double time = 0;                     ///< [s] when
   double hourglass = 0, internal = 0;  ///< [J] the largest at any update of the ledger
-  double drilling = 0, residual_bending = 0, artificial = 0;  ///< [J] the same, of plates, and of the sum with hourglass energy
+  double distortion = 0;               ///< [J] the same, of distortion control
+  double drilling = 0, residual_bending = 0, artificial = 0;  ///< [J] the same, of plates, and of the sum of all these
   double uneven = 0;                   ///< [J] the largest hourglass energy of cells that bend unlike their neighbours, or whose sides lean
   double compared = 0;                 ///< [J] hourglass energy when neighbours were last compared
   std::int64_t compared_at = 0;        ///< the step of that
   bool inverted = false;               ///< whether a corner was at the last look
   element::Thinned thinned;            ///< of plates that keep their thickness: how far it is off at most, at any look
   double thinned_at = 0;               ///< [s] when
+  element::Pressed pressed;            ///< of solids whose law is one in rates without flow: the most at any look
+  double pressed_at = 0;               ///< [s] when
   Spin spin;                           ///< of plates without drilling stiffness: the largest at any look
 };
 

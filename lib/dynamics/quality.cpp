@@ -59,6 +59,8 @@ void check_elements(const Model& model, bool look, State& now) {
       const element::Thinned thinned = element::thinned(model.blocks[b], now.x, now.blocks[b]);
       if (std::abs(std::log(thinned.ratio)) > std::abs(std::log(seen.thinned.ratio))) seen.thinned = thinned, seen.thinned_at = now.t;
     }
+    const element::Pressed pressed = element::pressed(model.blocks[b], now.blocks[b]);
+    if (pressed.ratio > seen.pressed.ratio) seen.pressed = pressed, seen.pressed_at = now.t;
     if (spins_freely(model.blocks[b])) {
       const Spin spin = free_spin(model, b, now);
       if (spin.energy > seen.spin.energy) seen.spin = spin;
@@ -90,9 +92,11 @@ void check_artificial_energy(const Model& model, bool look, State& now) {
     const double hourglass = held + account.dissipated[Dissipated::hourglass];
     const double drilling = account.stored[Stored::drilling] + account.at_start[Stored::drilling];
     const double residual = account.stored[Stored::residual_bending] + account.at_start[Stored::residual_bending];
+    const double distortion = account.stored[Stored::distortion] + account.at_start[Stored::distortion];
     seen.hourglass = std::max(seen.hourglass, hourglass);
+    seen.distortion = std::max(seen.distortion, distortion);
     seen.drilling = std::max(seen.drilling, drilling), seen.residual_bending = std::max(seen.residual_bending, residual);
-    seen.artificial = std::max(seen.artificial, hourglass + drilling + residual);
+    seen.artificial = std::max(seen.artificial, hourglass + distortion + drilling + residual);
     seen.internal = std::max(seen.internal, stored(account) + initial_stored(account) + dissipated(account));
     if (!(hourglass > worth_comparing * seen.internal)) continue;
     if (!look && !(hourglass > more * seen.compared) && now.step < seen.compared_at + compared_every) continue;

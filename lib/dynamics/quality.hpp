@@ -1,6 +1,6 @@
 #pragma once
-// The quality of elements during a run: inverted corners, which end it; energy of artificial modes, thicknesses that should have changed
-// and nodes of plates that spin about their normals, which spoil results.
+// The quality of elements during a run: inverted corners, which end it; energy of artificial modes, elastic solids that are pressed too
+// far, thicknesses that should have changed and nodes of plates that spin about their normals, which spoil results.
 
 #include "dynamics/model.hpp"
 
@@ -29,7 +29,8 @@ int inverted_block(const State&, double limit);
 /// A comparison takes about as long as two steps.
 constexpr std::int64_t compared_every = 100;
 
-/// Notes how much energy each block has in artificial modes: hourglassing of solids, drilling and residual bending of plates. Where
+/// Notes how much energy each block has in artificial modes: hourglassing and distortion control of solids, drilling and residual bending
+/// of plates. Where
 /// hourglass energy is more than a tenth of the internal energy it notes how much of it is uneven (element::uneven_bending): where it has
 /// grown, after compared_every steps, or where that is wanted. Needs a ledger that is current.
 ///

@@ -133,6 +133,10 @@ Thinned thinned(const AnyBlock& any, const Vectors& x, const Memory& memory) {
   return with_kernels(any, [&](const auto& block, auto kernels) { return kernels.thinned(block, x, memory); });
 }
 
+Pressed pressed(const AnyBlock& any, const Memory& memory) {
+  return with_kernels(any, [&](const auto& block, auto kernels) { return kernels.pressed(block, memory); });
+}
+
 double uneven_bending(const AnyBlock& any, const Vectors& x, const Memory& memory) {
   const std::vector<Bending> all = with_kernels(any, [&](const auto& block, auto kernels) { return kernels.bending(block, x, memory); });
   const Connectivity& corners = nodes(any);

@@ -82,6 +82,12 @@ struct Thinned {
   Index element = -1;  ///< -1: none is off
 };
 
+/// The largest compression in elements whose law is one in rates without flow.
+struct Pressed {
+  double ratio = 0;    ///< [-] of a principal stress over Young's modulus
+  Index element = -1;  ///< -1: none is pressed, or the law is another one
+};
+
 /// How one element bends by itself.
 struct Bending {
   /// [N m2] second moments of the hourglass forces about the centre, xx yy zz xy yz xz of each component; those of two axes times the root
@@ -139,6 +145,9 @@ double drilling(const AnyBlock&);
 bool thins(const AnyBlock&);
 /// Which of its plates has thinned most, or would have if its thickness followed its strain.
 Thinned thinned(const AnyBlock&, const Vectors& x, const Memory&);
+
+/// Which of its elements is pressed most, of solids whose law is `Elastic`: beyond about 0.61 its surfaces fold.
+Pressed pressed(const AnyBlock&, const Memory&);
 
 /// How much of the bending within the cells of a block is uneven: of cells that bend unlike their neighbours, or whose sides lean. [-]
 ///

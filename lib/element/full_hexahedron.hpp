@@ -55,13 +55,14 @@ struct FullHexahedron {
   static constexpr int nodes = 8, dimensions = 3, axes = 3, sides = 6;
   static constexpr int gauss_points = 8;
   static constexpr bool rotates = false, layered = false;
-  static constexpr std::array stored_channels{Stored::elastic};
+  static constexpr std::array stored_channels{Stored::elastic, Stored::distortion};
   static constexpr std::array dissipated_channels{Dissipated::plastic, Dissipated::viscous};
 
   struct Options {
     Viscosity viscosity;
+    Distortion distortion{};
   };
-  static bool has(const Options&, Stored) { return true; }
+  static bool has(const Options& options, Stored channel) { return channel != Stored::distortion || acts(options.distortion); }
   static bool has(const Options&, Dissipated) { return true; }
   /// How deep the element is behind a face of it, from its volume and the area of the face. [m]
   static double depth(const Options&, double volume, double area) { return volume / area; }
@@ -72,9 +73,10 @@ struct FullHexahedron {
   template <class T>
   struct Constants {
     T mass, per_mass;  ///< [kg] and its inverse
+    T start;           ///< [m3] Jacobian of a corner below which distortion control acts
     template <class F>
-    void each_row(F&& f) { f(mass), f(per_mass); }
-    static constexpr int rows = 2;
+    void each_row(F&& f) { f(mass), f(per_mass), f(start); }
+    static constexpr int rows = 3;
   };
 
   template <class T, class Law>
@@ -88,11 +90,13 @@ struct FullHexahedron {
   struct Memory {
     std::array<Point<T, Law>, gauss_points> points;  ///< numbered like the nodes
     std::array<T, 3> across;                         ///< [Pa] sums over the points of +- the stress across each plane of the centre
+    T distortion;                                    ///< [J] that distortion control stores; no row without it
     Symmetric<T> viscous;                            ///< [Pa] not stored without viscosity
     template <class F>
     void each_row(F&& f, const Options& options) {
       for (auto& point : points) point.stress.each_row(f), point.internal.each_row(f);
       for (T& left : across) f(left);
+      if (acts(options.distortion)) f(distortion);
       if (acts(options.viscosity)) viscous.each_row(f);
     }
     template <class F>
@@ -100,7 +104,8 @@ struct FullHexahedron {
       for (auto& point : points) f(point.internal);
     }
     static constexpr int rows(const Options& options) {
-      return FullHexahedron::gauss_points * (6 + material::Internal<T, Law, Symmetric>::rows) + 3 + (acts(options.viscosity) ? 6 : 0);
+      return FullHexahedron::gauss_points * (6 + material::Internal<T, Law, Symmetric>::rows) + 3 + (acts(options.distortion) ? 1 : 0) +
+             (acts(options.viscosity) ? 6 : 0);
     }
   };
 };
@@ -246,10 +251,14 @@ NEREID_HOT Report<T, FullHexahedron> advance(const Law& law, const FullHexahedro
                                                  material::wave_speed(moduli, law.density), omega_squared, share, memory.viscous);
 
   force = forces_of_stress(matrix(eighth * sums.mean + memory.viscous), Qs, X, at_end);
+  Controlled<T> controlled{zero, zero};
+  if (acts(options.distortion))
+    controlled = control_distortion(T(options.distortion.stiffness * law.young), constants.start, T(law.density) * constants.per_mass,
+                                    constants.per_mass, x, memory.distortion, force);
 
-  return {.stored = {stored},
+  return {.stored = {stored, controlled.stored},
           .dissipated = {dissipated, viscous.work * at_middle.volume},
-          .step = stable_step(omega_squared, viscous.damping),
+          .step = stable_step(omega_squared + controlled.omega_squared, viscous.damping),
           .volume_ratio = at_end.volume * T(law.density) * constants.per_mass,
           .along = viscous.along};
 }
@@ -259,7 +268,7 @@ template <class T, class Law>
 NEREID_HOT FullHexahedron::Constants<T> constants(const Law& law, const FullHexahedron::Options&,
                                                   const std::array<Vector<T>, 8>& X) {
   const T mass = T(law.density) * volume_gradient(scaled(T(0.125), sums_by_mode(X))).volume;
-  return {.mass = mass, .per_mass = T(1.0) / mass};
+  return {.mass = mass, .per_mass = T(1.0) / mass, .start = start_of_control(X)};
 }
 
 }  // namespace nereid::element

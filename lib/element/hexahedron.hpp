@@ -11,6 +11,7 @@
 
 #include "base/tensor.hpp"
 #include "element/assumed_strain.hpp"
+#include "element/distortion.hpp"
 #include "element/report.hpp"
 #include "element/viscosity.hpp"
 #include "material/law.hpp"
@@ -187,7 +188,7 @@ NEREID_HOT T coupling_of_hourglass(const Symmetric<T>& G, const Gradient<T>& g, 
 struct Hexahedron {
   static constexpr int nodes = 8, dimensions = 3, axes = 3, sides = 6;
   static constexpr bool rotates = false, layered = false;
-  static constexpr std::array stored_channels{Stored::elastic, Stored::hourglass};
+  static constexpr std::array stored_channels{Stored::elastic, Stored::hourglass, Stored::distortion};
   static constexpr std::array dissipated_channels{Dissipated::plastic, Dissipated::viscous, Dissipated::hourglass};
 
   enum class Hourglass {
@@ -200,6 +201,7 @@ struct Hexahedron {
     double hourglass = usual_assumed;  ///< [-] part of the stiffness of assumed strains; coefficient of springs, or of dashpots
     Viscosity viscosity;
     Hourglass hourglass_kind = Hourglass::assumed_strain;
+    Distortion distortion{};
   };
   static constexpr double usual_stiffness = 0.1;  ///< 1 would give a cube with poisson = 0 its full bending stiffness
   static constexpr double usual_viscous = 0.05;   ///< fraction of critical at the bound of the frequencies
@@ -207,6 +209,7 @@ struct Hexahedron {
 
   /// Whether an element with these options uses a channel: springs store, dashpots dissipate.
   static bool has(const Options& options, Stored channel) {
+    if (channel == Stored::distortion) return acts(options.distortion);
     return channel != Stored::hourglass || options.hourglass_kind != Hourglass::viscous;
   }
   static bool has(const Options& options, Dissipated channel) {
@@ -222,9 +225,10 @@ struct Hexahedron {
   struct Constants {
     T mass, per_mass;  ///< [kg] and its inverse
     T hourglass;       ///< [N/m] against gamma . dx; viscous: [N s/m] against the hourglass rate gamma . dx / dt; assumed strains: [-]
+    T start;           ///< [m3] Jacobian of a corner below which distortion control acts
     template <class F>
-    void each_row(F&& f) { f(mass), f(per_mass), f(hourglass); }
-    static constexpr int rows = 3;
+    void each_row(F&& f) { f(mass), f(per_mass), f(hourglass), f(start); }
+    static constexpr int rows = 4;
   };
 
   /// What one element remembers from step to step; in the global frame, turned with the element.
@@ -234,6 +238,7 @@ struct Hexahedron {
     material::Internal<T, Law, Symmetric> internal;  ///< of the law
     std::array<Vector<T>, 4> hourglass;             ///< [N]
     T bent;                                         ///< [J] that assumed strains store
+    T distortion;                                   ///< [J] that distortion control stores; no row without it
     Symmetric<T> viscous;                           ///< [Pa] not stored without viscosity
     template <class F>
     void each_row(F&& f, const Options& options) {
@@ -241,12 +246,14 @@ struct Hexahedron {
       internal.each_row(f);
       for (auto& q : hourglass) f(q.x), f(q.y), f(q.z);
       f(bent);
+      if (acts(options.distortion)) f(distortion);
       if (acts(options.viscosity)) viscous.each_row(f);
     }
     template <class F>
     void each_internal(F&& f) { f(internal); }
     static constexpr int rows(const Options& options) {
-      return 6 + material::Internal<T, Law, Symmetric>::rows + 12 + 1 + (acts(options.viscosity) ? 6 : 0);
+      return 6 + material::Internal<T, Law, Symmetric>::rows + 12 + 1 + (acts(options.distortion) ? 1 : 0) +
+             (acts(options.viscosity) ? 6 : 0);
     }
   };
 };
@@ -500,13 +507,17 @@ NEREID_HOT Report<T, Hexahedron> advance(const Law& law, const Hexahedron::Optio
                                                  material::wave_speed(moduli, law.density), omega_squared, share, memory.viscous);
 
   force = forces_of_stress(matrix(memory.stress + memory.viscous), memory.hourglass, X, at_end);
+  Controlled<T> controlled{zero, zero};
+  if (acts(options.distortion))
+    controlled = control_distortion(T(options.distortion.stiffness * law.young), constants.start, T(law.density) * constants.per_mass,
+                                    constants.per_mass, x, memory.distortion, force);
 
   const bool dashpots = kind == Kind::viscous;
   const T damping = dashpots ? viscous.damping + T(32.0) * constants.hourglass * constants.per_mass : viscous.damping;
-  return {.stored = {work.stored * at_middle.volume, dashpots ? zero : hourglass.stored},
+  return {.stored = {work.stored * at_middle.volume, dashpots ? zero : hourglass.stored, controlled.stored},
           .dissipated = {work.dissipated * at_middle.volume + hourglass.dissipated, viscous.work * at_middle.volume,
                          dashpots ? hourglass.stored : zero},
-          .step = stable_step(omega_squared, damping),
+          .step = stable_step(omega_squared + controlled.omega_squared, damping),
           .volume_ratio = at_end.volume * T(law.density) * constants.per_mass,
           .along = viscous.along};
 }
@@ -530,7 +541,8 @@ NEREID_HOT Hexahedron::Constants<T> constants(const Law& law, const Hexahedron::
           .hourglass = kind == Kind::assumed_strain ? T(options.hourglass)
                        : kind == Kind::stiffness
                            ? T(options.hourglass * 2.0 * mu / 72.0) * products
-                           : T(options.hourglass / 32.0) * root(T(8.0 / 3.0 * (lambda + 2.0 * mu)) * products * mass)};
+                           : T(options.hourglass / 32.0) * root(T(8.0 / 3.0 * (lambda + 2.0 * mu)) * products * mass),
+          .start = start_of_control(X)};
 }
 
 }  // namespace nereid::element

@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "base/check.hpp"
+#include "base/dense.hpp"
 #include "base/gather.hpp"
 #include "base/parallel.hpp"
 #include "element/bending.hpp"
@@ -362,6 +363,28 @@ Thinned Kernels<Kind, Law>::thinned([[maybe_unused]] const Block<Kind, Law>& blo
 }
 
 template <class Kind, class Law>
+Pressed Kernels<Kind, Law>::pressed([[maybe_unused]] const Block<Kind, Law>& block, [[maybe_unused]] const Memory& memory) {
+  Pressed most;
+  if constexpr (std::is_same_v<Law, material::Elastic> && !Kind::layered) {
+    const auto look = [&](const Symmetric<double>& stress, Index element) {
+      // no principal stress is below -pressure - 2/3 of von Mises's
+      if (!(material::pressure(stress) + material::von_mises(stress) / 1.5 > most.ratio * block.law.young)) return;
+      Mat3 s;
+      s << stress.xx, stress.xy, stress.xz, stress.xy, stress.yy, stress.yz, stress.xz, stress.yz, stress.zz;
+      const double pressed = -eigenvalues(s)(0) / block.law.young;
+      if (pressed > most.ratio) most = {pressed, element};
+    };
+    each_element(block, [&](std::size_t pack, int lane, const auto&) {
+      const auto here = read_memory(block, memory, pack, lane);
+      const Index element = block.tiling.element[pack * lanes + lane];
+      if constexpr (std::is_same_v<Kind, Hexahedron>) look(here.stress, element);
+      else for (const auto& point : here.points) look(point.stress, element);
+    });
+  }
+  return most;
+}
+
+template <class Kind, class Law>
 std::vector<Bending> Kernels<Kind, Law>::bending(const Block<Kind, Law>& block, [[maybe_unused]] const Vectors& x,
                                                  [[maybe_unused]] const Memory& memory) {
   std::vector<Bending> all;
@@ -536,7 +559,7 @@ constexpr auto kernels_of() {
   if constexpr (may_have<Kind, Law>) {
     using K = Kernels<Kind, Law>;
     return std::tuple(&K::make, &K::add_mass, &K::element_masses, &K::add_rotary_inertia, &K::initial_memory, &K::advance, &K::thinned,
-                      &K::bending, &K::reduce, &K::fields);
+                      &K::pressed, &K::bending, &K::reduce, &K::fields);
   } else {
     return std::tuple();
   }

@@ -31,9 +31,10 @@ material::JohnsonCook read_johnson_cook(const Section& section) {
 }
 
 element::AnyLaw read_law(const Section& section, bool of_plates) {
-  const std::string kind = section.choice("kind", {"elastic", "j2_bilinear", "johnson_cook"});
-  const bool bilinear = kind == "j2_bilinear", refused = of_plates && kind == "johnson_cook", hot = kind == "johnson_cook" && !refused;
-  static_assert(!material::PlateLaw<material::J2JohnsonCook>);
+  const std::string kind = section.choice("kind", {"elastic", "neo_hookean", "j2_bilinear", "johnson_cook"});
+  const bool bilinear = kind == "j2_bilinear", in_space = kind == "johnson_cook" || kind == "neo_hookean";
+  const bool refused = of_plates && in_space, hot = kind == "johnson_cook" && !refused;
+  static_assert(!material::PlateLaw<material::J2JohnsonCook> && !material::PlateLaw<material::NeoHookean>);
   if (refused)  // its constants are not missed
     section.fault("kind", model::plates_may_have_other_laws);
   const auto [density, young, poisson] = read_elasticity(section);
@@ -50,6 +51,7 @@ element::AnyLaw read_law(const Section& section, bool of_plates) {
                             "'melting_temperature' must be above 'reference_temperature'");
     return material::J2JohnsonCook{density, young, poisson, flow};
   }
+  if (kind == "neo_hookean") return material::NeoHookean{density, young, poisson};
   if (!bilinear) return material::Elastic{density, young, poisson};
   if (section.sound() && !(tangent < young))
     section.fault_between({"tangent", "young"}, "'tangent' must be below 'young': it is the slope of the stress-strain curve beyond yield");
@@ -70,6 +72,10 @@ element::Viscosity read_viscosity(const Section& section) {
           .quadratic = viscosity.number_or("quadratic", usual.quadratic, model::range::quadratic_viscosity)};
 }
 
+element::Distortion read_distortion(const Section& section) {
+  return {.stiffness = section.number_or("distortion", element::Distortion{}.stiffness, model::range::distortion)};
+}
+
 element::Hexahedron::Options read_one_point_options(const Section& section) {
   using element::Hexahedron;
   using Kind = Hexahedron::Hourglass;
@@ -80,14 +86,15 @@ element::Hexahedron::Options read_one_point_options(const Section& section) {
                                                     : Hexahedron::usual_viscous;
   return {.hourglass = section.number_or("hourglass", usual, model::range::hourglass),
           .viscosity = read_viscosity(section),
-          .hourglass_kind = kind};
+          .hourglass_kind = kind,
+          .distortion = read_distortion(section)};
 }
 
 element::AnyHexahedronOptions read_hexahedron_options(const Section& section, std::string_view kind_key) {
   const bool full = section.choice_or(kind_key, "one_point", {"one_point", "full"}) == "full";
   const element::Hexahedron::Options one_point = read_one_point_options(section.when(!full));
   if (!full) return one_point;
-  return element::FullHexahedron::Options{.viscosity = read_viscosity(section)};
+  return element::FullHexahedron::Options{.viscosity = read_viscosity(section), .distortion = read_distortion(section)};
 }
 
 element::Plate::Options read_plate_options(const Section& section) {

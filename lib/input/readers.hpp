@@ -8,7 +8,7 @@
 
 namespace nereid::input {
 
-/// `kind: elastic | j2_bilinear | johnson_cook`, `density`, `young`, `poisson`, and the constants of the kind.
+/// `kind: elastic | neo_hookean | j2_bilinear | johnson_cook`, `density`, `young`, `poisson`, and the constants of the kind.
 ///
 /// j2_bilinear   `yield` and `tangent`, the slope of the uniaxial stress-strain curve beyond the yield stress, below young; optionally
 ///               `hardening: isotropic | kinematic | mixed`, where `mixed` needs `isotropic_share`, 0 (kinematic) to 1 (isotropic)
@@ -20,10 +20,13 @@ element::AnyLaw read_plate_law(const Section&);
 /// Optional `viscosity: {linear, quadratic}` of a body.
 element::Viscosity read_viscosity(const Section&);
 
-/// Optional `hourglass_kind: assumed_strain | stiffness | viscous`, its coefficient `hourglass` in (0, 1], and the viscosity.
+/// Optional `distortion` of hexahedra, in [0, 10].
+element::Distortion read_distortion(const Section&);
+
+/// Optional `hourglass_kind: assumed_strain | stiffness | viscous`, its coefficient `hourglass` in (0, 1], `distortion` and the viscosity.
 element::Hexahedron::Options read_one_point_options(const Section&);
 
-/// Optional `kind: one_point | full`; options of the former as above, of the latter the viscosity alone.
+/// Optional `kind: one_point | full`; options of the former as above, of the latter `distortion` and the viscosity.
 ///
 /// kind_key  a driver may call the kind by the name of the body
 element::AnyHexahedronOptions read_hexahedron_options(const Section&, std::string_view kind_key = "kind");

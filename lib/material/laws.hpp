@@ -7,10 +7,11 @@
 #include "material/j2_bilinear.hpp"
 #include "material/j2_mixed.hpp"
 #include "material/johnson_cook.hpp"
+#include "material/neo_hookean.hpp"
 
 namespace nereid::material {
 
 /// Every law.
-using AnyLaw = std::variant<Elastic, J2Bilinear, J2Mixed, J2JohnsonCook>;
+using AnyLaw = std::variant<Elastic, J2Bilinear, J2Mixed, J2JohnsonCook, NeoHookean>;
 
 }  // namespace nereid::material

@@ -314,6 +314,8 @@ bool has_springs_or_dashpots(const element::AnyBlock& any) {
 std::vector<std::string> quality_notes(const Simulation& simulation) {
   constexpr double worth_saying = 0.1;             // [-] the usual bound on hourglass energy
   constexpr double thickness_worth_saying = 1.05;  // [-] a bar has that at a plastic strain of a tenth
+  constexpr double control_worth_saying = 0.01;    // [-] of the internal energy, in distortion control
+  constexpr double pressed_worth_saying = 0.5;     // [-] of Young's modulus: vibrations grow from there on, surfaces fold at 0.61
   constexpr double spin_worth_saying = 0.01;       // [-] of the energy of the scene
   std::vector<std::string> notes;
   const double scale = dynamics::energy_of_scene(simulation.state.ledger);
@@ -334,6 +336,13 @@ std::vector<std::string> quality_notes(const Simulation& simulation) {
                                 "'drilling: 0' plates do not resist that; %s",
                                 name, seen.spin.node, seen.spin.energy / scale, seen.spin.time, words(Remedy::drilling).words));
     const auto of_internal = [&](double energy) { return dynamics::of_internal(seen, energy, scale); };
+    if (of_internal(seen.distortion) > control_worth_saying)
+      notes.push_back(formatted("%s: the energy of distortion control reached %.3g of the internal energy (limit %.3g): the shape of "
+                                "elements whose corners close depends on it", name, of_internal(seen.distortion), control_worth_saying));
+    if (seen.pressed.ratio > pressed_worth_saying)
+      notes.push_back(formatted("%s: element %d was pressed by %.3g of Young's modulus at %.4g s; beyond %.3g a law in rates is unstable: ",
+                                name, seen.pressed.element, seen.pressed.ratio, seen.pressed_at, pressed_worth_saying) +
+                      said(Remedy::neo_hookean));
     const double uneven = of_internal(seen.uneven), artificial = of_internal(seen.artificial);
     if (element::rotates(simulation.model.blocks[b]) && artificial > worth_saying)
       notes.push_back(formatted("%s: artificial modes reached %.3g of the internal energy, drilling %.3g and bending within elements %.3g; "

@@ -32,7 +32,8 @@ std::vector<std::string> depth_notes(const Simulation&);
 /// overlapped at the start only what no contact says.
 std::vector<std::string> overlap_notes(const Simulation&);
 
-/// Each body whose elements spoil its results: corners that are inverted, hourglass energy above a tenth of its internal energy, plates
+/// Each body whose elements spoil its results: corners that are inverted, distortion control above a hundredth and hourglass energy above a
+/// tenth of its internal energy, solids of the law `elastic` that are pressed by more than half of Young's modulus, plates
 /// that keep a thickness which their strain would have changed by more than a twentieth, or plates whose nodes spin about their normals
 /// with more than a hundredth of the energy.
 std::vector<std::string> quality_notes(const Simulation&);

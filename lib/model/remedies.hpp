@@ -8,7 +8,7 @@ namespace nereid::model {
 
 enum class Remedy {
   multiplier, firmer_contact, exchange_sides, two_passes, refine_apexes, near_origin, declare_contact,
-  follow_strain, drilling, assumed_strain, spread_force, estimate_error, shorter_step, wider_elements
+  follow_strain, drilling, neo_hookean, assumed_strain, spread_force, estimate_error, shorter_step, wider_elements
 };
 
 struct RemedyWords {
@@ -19,7 +19,7 @@ struct RemedyWords {
 };
 
 /// In the order of Remedy. docs/remedies.md is generated from it.
-inline constexpr std::array<RemedyWords, 14> remedy_words{{
+inline constexpr std::array<RemedyWords, 15> remedy_words{{
     {"multiplier", "a penalty whose stiffness shortens the steps of the run", "contacts, rigid planes and ties that may have multipliers",
      "'method: multiplier' would not"},
     {"firmer_contact", "a penalty that is penetrated by more than half an element",
@@ -37,6 +37,8 @@ inline constexpr std::array<RemedyWords, 14> remedy_words{{
      "'thinning: follows_strain' lets the thickness change"},
     {"drilling", "nodes of plates that spin about their normals", "plates with 'drilling: 0'",
      "'drilling: 0.1', the default, gives them a stiffness"},
+    {"neo_hookean", "an elastic law in rates, pressed until its surfaces are unstable", "solids of the law 'elastic'",
+     "'kind: neo_hookean' has a potential"},
     {"assumed_strain", "springs or dashpots that are weaker than the bending of an element", "solids with either",
      "'hourglass_kind: assumed_strain', the default, gives elements their own bending stiffness"},
     {"spread_force", "a force on a single node, which no mesh resolves", "bodies with a force, a spring or a point mass on one node",

@@ -53,6 +53,7 @@ void check_functions(Faults& faults, const Part& part, const char* key, const Fi
 // Constants that Hooke's law does not have, by law.
 
 Values strength(const material::Elastic&) { return {}; }
+Values strength(const material::NeoHookean&) { return {}; }
 Values strength(const material::J2Bilinear& law) {
   return {{"yield", law.flow.yield, positive, "Pa"}, {"tangent", law.flow.tangent, not_negative.below(law.young), "Pa"}};
 }
@@ -97,8 +98,13 @@ Values of_viscosity(const element::Viscosity& viscosity) {
   return {{"element.viscosity.linear", viscosity.linear, range::linear_viscosity},
           {"element.viscosity.quadratic", viscosity.quadratic, range::quadratic_viscosity}};
 }
-Values own(const element::Hexahedron::Options& options) { return {{"element.hourglass", options.hourglass, range::hourglass}}; }
-Values own(const element::FullHexahedron::Options&) { return {}; }
+Values own(const element::Hexahedron::Options& options) {
+  return {{"element.hourglass", options.hourglass, range::hourglass},
+          {"element.distortion", options.distortion.stiffness, range::distortion}};
+}
+Values own(const element::FullHexahedron::Options& options) {
+  return {{"element.distortion", options.distortion.stiffness, range::distortion}};
+}
 Values own(const element::Plate::Options& options) {
   return {{"element.thickness", options.thickness, positive, "m"},
           {"element.layers", static_cast<double>(options.layers), within(1, element::Plate::most_layers)},

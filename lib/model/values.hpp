@@ -11,6 +11,7 @@ namespace nereid::model {
 namespace range {
 inline constexpr Range poisson = between(-1, 0.5), share = within(0, 1), hardening_exponent = above(0).up_to(1),
                        thermal_exponent = above(0).up_to(10), hourglass = above(0).up_to(1), drilling = within(0, 1),
+                       distortion = within(0, 10),
                        linear_viscosity = within(0, 1),
                        quadratic_viscosity = within(0, 10), friction = within(0, 10), tangential_penalty = above(0).up_to(1),
                        damping_ratio = within(0, 1), energy_gain_limit = within(1e-5, 0.04), step_factor = within(0, 0.5),

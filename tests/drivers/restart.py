@@ -60,6 +60,8 @@ CASES = {
     "plates that thin": ("stretched_plate/under_a_block.yaml", {}),
     "plates that are given a velocity": ("explosively_loaded_beam/case.yaml", {}),
     "strain rate and heat": ("johnson_cook_impact/case.yaml", {}),
+    "distortion control": ("fast_bar/case.yaml", {"initial[0].velocity": ["0", "0", "-478"]}),
+    "a law with a potential": ("pressed_block/case.yaml", {"bodies[0].material.kind": "neo_hookean", "time.end": "1 ms"}),
     "kinematic hardening": ("cyclic_loading/plate.yaml", {}),
     "relaxation under pressure": ("nearly_incompressible/cylinder.yaml", {}),
     "stages: a load that goes off": ("stages/case.yaml", {}),
@@ -71,7 +73,8 @@ CASES = {
 }
 # what some case must hold, as its summary has it: a section, and values of one item in it
 KINDS = [
-    "bodies material.kind=elastic", "bodies material.kind=johnson_cook", "bodies material.hardening=isotropic",
+    "bodies material.kind=elastic", "bodies material.kind=neo_hookean", "bodies material.kind=johnson_cook",
+    "bodies material.hardening=isotropic",
     "bodies material.hardening=kinematic", "bodies material.hardening=mixed", "bodies rigid=True", "bodies mesh.kind=file",
     "bodies element.kind=full", "bodies element.hourglass_kind=assumed_strain", "bodies element.hourglass_kind=stiffness",
     "bodies element.hourglass_kind=viscous", "bodies element.rotary_inertia=scaled", "bodies element.rotary_inertia=physical",

@@ -16,13 +16,13 @@ namespace {
 
 const material::Elastic rubber{1000, 1e6, 0.3};
 
-/// A block clamped below, whose middle of the top is pushed down, as a scene of one-point elements.
+/// A block clamped below, whose middle of the top is pushed down, as a scene of one-point elements whose corners nothing keeps open.
 ///
 /// back  [s] from when on it is pulled up again
 Scene pushed(double speed, double back = 1e300) {
   Scene s;
   s.model.mesh = mesh::box("box", {Vec3(-1, -1, 0), Vec3(1, 1, 1), {2, 2, 2}});
-  s.model.blocks.push_back(element::hexahedra(s.model.mesh, "box", rubber, {}));
+  s.model.blocks.push_back(element::hexahedra(s.model.mesh, "box", rubber, {.viscosity = {}, .distortion = {0}}));
   Index middle = 0;
   for (Index n = 0; n < s.model.mesh.X.cols(); ++n)
     if ((s.model.mesh.X.col(n) - Vec3::UnitZ()).norm() < 1e-9) middle = n;

@@ -412,7 +412,8 @@ TEST(Run, WhatAContactCreatesWhereMassesDifferIsADebtThatItPays) {
 TEST(Run, StopsWhenTimeIntegrationCreatesEnergy) {
   Scene s;
   s.model.mesh = mesh::box("cube", {{0, 0, 0}, {1, 1, 1}, {4, 4, 4}});
-  s.model.blocks.push_back(element::hexahedra(s.model.mesh, "cube", material::J2Bilinear{7850, 2.1e11, 0.3, 3e8, 1e9}, {}));
+  s.model.blocks.push_back(element::hexahedra(s.model.mesh, "cube", material::J2Bilinear{7850, 2.1e11, 0.3, 3e8, 1e9},
+                                                {.viscosity = {}, .distortion = {0}}));
   s.model.constraints.planes = {plane("mirror", load::PlaneKind::symmetry, -Vec3::UnitZ(), mesh::node_set(s.model.mesh, "cube.z_low"))};
   finalize(s.model);
   s.ready();

@@ -473,13 +473,13 @@ TEST(Block, KnowsItsNameAndItsStores) {
   EXPECT_TRUE(rotates(plate.block));
   using In = std::vector<Stored>;
   using Out = std::vector<Dissipated>;
-  EXPECT_EQ(stored_channels(solid.block), (In{Stored::elastic, Stored::hourglass}));
+  EXPECT_EQ(stored_channels(solid.block), (In{Stored::elastic, Stored::hourglass, Stored::distortion}));
   EXPECT_EQ(dissipated_channels(solid.block), (Out{Dissipated::plastic, Dissipated::viscous}));
   EXPECT_EQ(stored_channels(plate.block), (In{Stored::elastic, Stored::transverse_shear, Stored::residual_bending, Stored::drilling}));
   EXPECT_EQ(dissipated_channels(plate.block), (Out{Dissipated::plastic, Dissipated::viscous}));
-  EXPECT_EQ(stored_channels(solids(elastic, dashpots).block), (In{Stored::elastic}));
+  EXPECT_EQ(stored_channels(solids(elastic, dashpots).block), (In{Stored::elastic, Stored::distortion}));
   EXPECT_EQ(dissipated_channels(solids(elastic, dashpots).block), (Out{Dissipated::plastic, Dissipated::viscous, Dissipated::hourglass}));
-  EXPECT_EQ(stored_channels(solids(elastic, eight_points).block), (In{Stored::elastic}));
+  EXPECT_EQ(stored_channels(solids(elastic, eight_points).block), (In{Stored::elastic, Stored::distortion}));
   EXPECT_EQ(dissipated_channels(solids(elastic, eight_points).block), (Out{Dissipated::plastic, Dissipated::viscous}));
 }
 

@@ -89,6 +89,9 @@ inline double largest(const Corners& a) {
   return s;
 }
 
+/// Logarithmic strain xy of simple shear by an angle whose tangent this is; that of xx is half the tangent times it. [-]
+inline double logarithmic_shear(double tangent) { return 2 * std::asinh(0.5 * tangent) / std::sqrt(4 + tangent * tangent); }
+
 const Viscosity no_viscosity{.linear = 0, .quadratic = 0};
 
 inline Modes<double> amplitudes(const Corners& x) {

@@ -209,8 +209,8 @@ TEST(Hexahedron, PatchOfSevenDistortedElementsHasConstantStress) {
   }
 }
 
-TEST(Hexahedron, LargeSimpleShearFollowsTheRateOfJaumann) {
-  Element<Elastic> e{metal<Elastic>(), {}, brick(1, 1, 1)};
+TEST(Hexahedron, LargeSimpleShearFollowsTheRateOfJaumannWhereALawMayFlow) {
+  Element<J2Bilinear> e{{2.0, 3.0, 0.3, {1e9, 0}}, {}, brick(1, 1, 1)};
   const double mu = material::shear_modulus(e.law), increment = 1e-3;
   for (int step = 1; step <= 4000; ++step) {
     Mat3 F = Mat3::Identity();
@@ -220,6 +220,19 @@ TEST(Hexahedron, LargeSimpleShearFollowsTheRateOfJaumann) {
       EXPECT_NEAR(e.memory.stress.xy / mu, std::sin(gamma), 1e-4);
       EXPECT_NEAR(e.memory.stress.xx / mu, 1 - std::cos(gamma), 1e-4);
     }
+  }
+}
+
+TEST(Hexahedron, LargeSimpleShearFollowsTheLogarithmicStrain) {
+  Element<Elastic> e{metal<Elastic>(), {}, brick(1, 1, 1)};
+  const double mu = material::shear_modulus(e.law), increment = 1e-3;
+  for (int step = 1; step <= 1800; ++step) {
+    Mat3 F = Mat3::Identity();
+    const double gamma = F(0, 1) = increment * step;
+    e.move(times(F, e.X));
+    const double h = logarithmic_shear(gamma);
+    EXPECT_NEAR(e.memory.stress.xy / mu, 2 * h, 1e-3);
+    EXPECT_NEAR(e.memory.stress.xx / mu, h * gamma, 1e-3);
   }
 }
 

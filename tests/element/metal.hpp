@@ -6,6 +6,7 @@
 namespace nereid::element {
 
 inline void make_metal(double poisson, material::Elastic& law) { law = {2.0, 3.0, poisson}; }
+inline void make_metal(double poisson, material::NeoHookean& law) { law = {2.0, 3.0, poisson}; }
 inline void make_metal(double poisson, material::J2Bilinear& law) { law = {2.0, 3.0, poisson, {0.03, 0.3}}; }
 inline void make_metal(double poisson, material::J2Mixed& law) { law = {2.0, 3.0, poisson, 0.03, 0.3, 0.25}; }
 inline void make_metal(double poisson, material::J2JohnsonCook& law) {

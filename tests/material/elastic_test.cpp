@@ -2,10 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 
 #include "base/dual.hpp"
-#include "tests/material/point.hpp"
+#include "tests/material/carried.hpp"
 
 namespace nereid::material::elastic_test {
 namespace {
@@ -76,6 +77,36 @@ TEST(Elastic, VonMisesStressIsUniaxialStressAndRootThreeTimesShear) {
 
 TEST(Elastic, PressureIsPositiveInCompression) {
   EXPECT_DOUBLE_EQ(pressure(Symmetric<double>{-1, -2, -6, 4, 5, 6}), 3.0);
+}
+
+TEST(Elastic, ShearsByTheLogarithmicRate) {
+  // tau = 2 mu h_xy with the logarithmic strain of simple shear; Jaumann's rate has mu sin(angle)
+  for (const double angle : {0.3, 1.0, 1.5}) {
+    Carried<Elastic> point{steel};
+    Mat3 to = Mat3::Identity();
+    to(0, 1) = angle;
+    carry(point, to, 1000);
+    const double h = 2 * std::asinh(0.5 * angle) / std::sqrt(4 + angle * angle), mu = shear_modulus(steel);
+    EXPECT_NEAR(point.stress.xy, 2 * mu * h, 2e-3 * mu);
+    EXPECT_NEAR(point.stress.xx, mu * h * angle, 2e-3 * mu);
+  }
+}
+
+TEST(Elastic, HasNoStressAfterACycleOfLargeStrainsThatCloses) {
+  Mat3 pressed = Mat3::Identity(), sheared = pressed, turned = Eigen::AngleAxisd(1, Vec3(1, 2, 3).normalized()).toRotationMatrix();
+  pressed(2, 2) = 0.6, pressed(0, 0) = pressed(1, 1) = 1.15, sheared = pressed, sheared(0, 2) = 0.6;
+  Carried<Elastic> point{steel};
+  for (const Mat3& to : {pressed, sheared, Mat3(turned * sheared), turned, Mat3(Mat3::Identity())}) carry(point, to, 1000);
+  EXPECT_LT(largest(point.stress), 2e-3 * steel.young);
+}
+
+TEST(Elastic, LogarithmicRateDoesNoWorkBesidesThatOfTheStrain) {
+  const Symmetric<double> h{0.2, -0.3, 0.1, 0.15, -0.2, 0.05}, d{1e-3, -2e-3, 3e-3, 2e-3, 1e-3, -1e-3};
+  EXPECT_NEAR(contract(h, added_by_logarithmic_rate(h, d)), 0, 1e-19);
+  const Symmetric<double> along{0.2, -0.3, 0.1, 0, 0, 0}, shear{0, 0, 0, 1e-3, 0, 0};
+  EXPECT_NEAR(added_by_logarithmic_rate(along, shear).xy, 1e-3 * (0.5 / std::tanh(0.5) - 1), 2e-7);
+  EXPECT_NEAR(added_by_logarithmic_rate(Plane<double>{0.2, -0.3, 0}, Plane<double>{0, 0, 1e-3}).xy, 1e-3 * (0.5 / std::tanh(0.5) - 1),
+              2e-7);
 }
 
 }  // namespace

@@ -30,7 +30,13 @@ template <class... Laws>
 auto those_of_plates(const std::variant<Laws...>*) {
   return std::tuple_cat(std::conditional_t<PlateLaw<Laws>, std::tuple<Laws>, std::tuple<>>{}...);
 }
+template <class... Laws>
+auto those_in_rates(const std::variant<Laws...>*) {
+  return std::tuple_cat(std::conditional_t<std::is_same_v<Laws, NeoHookean>, std::tuple<>, std::tuple<Laws>>{}...);
+}
 using Laws = TypesOf<AnyLaw>::type;
+/// Those whose stress is that of Hooke's law less what flows; neo_hookean_test.cpp has the other.
+using LawsInRates = TypesOf<decltype(those_in_rates(static_cast<AnyLaw*>(nullptr)))>::type;
 using PlateLaws = TypesOf<decltype(those_of_plates(static_cast<AnyLaw*>(nullptr)))>::type;
 
 /// Strains a point, so slowly that no rate counts unless a time is told.

@@ -231,13 +231,28 @@ TEST(QualityNotes, SayWhichPlatesHaveNodesThatSpin) {
   EXPECT_TRUE(says(notes[0], "sheet: nodes that spin about their normals, node 5 fastest, had 0.1 of the energy at 0.001 s")) << notes[0];
 }
 
+TEST(QualityNotes, SayWhereDistortionControlHoldsTooMuchAndWhereALawInRatesIsPressedTooFar) {
+  Simulation simulation = build(with({bar()}));
+  run(simulation);
+  simulation.state.ledger.initial_available = simulation.state.ledger.initial_kinetic = 1;
+  dynamics::Quality& seen = simulation.state.quality[0];
+  seen.internal = 0.5, seen.distortion = 0.004, seen.pressed = {0.49, 1};
+  EXPECT_TRUE(quality_notes(simulation).empty());
+  seen.distortion = 0.01, seen.pressed = {0.6, 1}, seen.pressed_at = 2e-3;
+  const auto notes = quality_notes(simulation);
+  ASSERT_EQ(notes.size(), 2U);
+  EXPECT_TRUE(says(notes[0], "bar: the energy of distortion control reached 0.02 of the internal energy (limit 0.01)")) << notes[0];
+  EXPECT_TRUE(says(notes[1], "bar: element 1 was pressed by 0.6 of Young's modulus at 0.002 s")) << notes[1];
+}
+
 TEST(QualityNotes, SayWhichCornerIsInvertedAndHowMuchEnergyIsInHourglasses) {
   Simulation simulation = build(with({bar()}));
   run(simulation);
   EXPECT_TRUE(quality_notes(simulation).empty());
   simulation.state.ledger.initial_available = simulation.state.ledger.initial_kinetic = 1;
   simulation.state.quality[0] = {.corner = -0.25, .element = 3, .time = 1e-3, .hourglass = 0.3, .internal = 0.5,
-                                 .uneven = 0.2, .compared = 0.3, .compared_at = 0, .thinned = {}, .thinned_at = 0, .spin = {}};
+                                 .uneven = 0.2, .compared = 0.3, .compared_at = 0, .thinned = {}, .thinned_at = 0, .pressed = {},
+                                 .pressed_at = 0, .spin = {}};
   const auto notes = quality_notes(simulation);
   ASSERT_EQ(notes.size(), 2U);
   EXPECT_TRUE(says(notes[0], "bar: a corner of element 3 was inverted, its Jacobian -0.25 of the reference at 0.001 s")) << notes[0];

@@ -1,6 +1,6 @@
 """How close is close enough, why, and what must break."""
 from reference import DOWN, compression, force
-from verify import Breaks, Check, Figure, Miss, Pair, Table
+from verify import Breaks, Check, Figure, Miss, Pair, Table, Waiver
 
 CATALOGUE = ()
 CLAIM = ("Blocks of unlike grids that are pressed together between walls stay smooth to a compression of 30 %, with friction or two passes "
@@ -91,6 +91,9 @@ CHECKS = [
 
 STUDIES = [Table("The largest compression of 5, 10, 15, 20, 25, 30, 40 and 50 % that each way holds for two seconds, and the largest "
                  "error of the force on the way there.", ["element", "contact", "holds", "force"], ways, full=True)]
+
+WAIVERS = [Waiver("created energy of any source at any time", lambda run: run.summary["ending"]["word"] == "bodies_overlap",
+                  "springs with sides exchanged let the blocks fold: the run warns of all of it, and stops", 0.05, full=True)]
 
 BREAKS = [
     Breaks("force at every time", "nodes of the coarser grid alone", {**COARSE, **NODES, **ON}),

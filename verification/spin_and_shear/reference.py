@@ -1,10 +1,10 @@
-"""Simple shear of a hypoelastic body under two objective rates.
+"""Simple shear of a hypoelastic body under three objective rates.
 
 The rate of Jaumann turns the stress with the spin, half the shear rate: sigma_12 = mu sin(g), sigma_11 = mu (1 - cos(g)).
 Green and Naghdi's turns it with the rotation of the polar decomposition (Dienes, Acta Mech. 32 (1979) 217), tan(b) = g/2.
 Both are confirmed by integrating the rate equations, `integrated`.
 """
-from math import atan, cos, log, sin, sqrt, tan
+from math import asinh, atan, cos, log, sin, sqrt, tan
 
 
 def jaumann(shear):
@@ -26,6 +26,15 @@ def green_naghdi(shear):
     s12 = 2 * cos(2 * b) * (2 * b - 2 * tan(2 * b) * log(cos(b)) - tan(b))
     s11 = 4 * (cos(2 * b) * log(cos(b)) + b * sin(2 * b) - sin(b)**2)
     return s12, s11
+
+
+def logarithmic(shear):
+    """(sigma_12, sigma_11) over mu of Hooke's law of the logarithmic strain: principal values +-asinh(g/2), turned by atan(2/g)/2.
+
+    >>> [round(s, 6) for s in logarithmic(1.0)]
+    [0.860818, 0.430409]
+    """
+    return 4 * asinh(shear / 2) / sqrt(4 + shear * shear), 2 * asinh(shear / 2) * shear / sqrt(4 + shear * shear)
 
 
 def integrated(shear, spin, steps=20000):
