@@ -82,8 +82,8 @@ std::vector<output::Column> columns_of(const std::array<const char*, rows>& name
   for (const char* name : names) columns.push_back({std::string("strain_") + name, "1"});
   for (const char* name : names) columns.push_back({std::string("stress_") + name, "Pa"});
   for (const auto& [name, unit] : Law::internal) columns.push_back({std::string(name), std::string(unit)});
-  for (const std::string_view tensor : Law::tensors)
-    for (const char* name : names) columns.push_back({std::string(tensor) + "_" + name, tensor == "back_stress" ? "Pa" : "1"});
+  for (const auto& [tensor, unit] : Law::tensors)
+    for (const char* name : names) columns.push_back({std::string(tensor) + "_" + name, std::string(unit)});
   columns.push_back({"work_stored", "J/m^3"});
   columns.push_back({"work_dissipated", "J/m^3"});
   return columns;

@@ -170,7 +170,7 @@ struct Quality {
   bool inverted = false;               ///< whether a corner was at the last look
   element::Thinned thinned;            ///< of plates that keep their thickness: how far it is off at most, at any look
   double thinned_at = 0;               ///< [s] when
-  element::Pressed pressed;            ///< of solids whose law is one in rates without flow: the most at any look
+  element::Pressed pressed;            ///< of solids of the law `elastic`: the most at any look
   double pressed_at = 0;               ///< [s] when
   Spin spin;                           ///< of plates without drilling stiffness: the largest at any look
 };

@@ -30,9 +30,8 @@ int inverted_block(const State&, double limit);
 constexpr std::int64_t compared_every = 100;
 
 /// Notes how much energy each block has in artificial modes: hourglassing and distortion control of solids, drilling and residual bending
-/// of plates. Where
-/// hourglass energy is more than a tenth of the internal energy it notes how much of it is uneven (element::uneven_bending): where it has
-/// grown, after compared_every steps, or where that is wanted. Needs a ledger that is current.
+/// of plates. Where hourglass energy is more than a tenth of the internal energy it notes how much of it is uneven
+/// (element::uneven_bending): where it has grown, after compared_every steps, or where that is wanted. Needs a ledger that is current.
 ///
 /// look  whether to compare in any case: as the run ends
 void check_artificial_energy(const Model&, bool look, State&);

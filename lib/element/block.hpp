@@ -82,7 +82,7 @@ struct Thinned {
   Index element = -1;  ///< -1: none is off
 };
 
-/// The largest compression in elements whose law is one in rates without flow.
+/// The largest compression in elements of the law `Elastic`.
 struct Pressed {
   double ratio = 0;    ///< [-] of a principal stress over Young's modulus
   Index element = -1;  ///< -1: none is pressed, or the law is another one

@@ -1,22 +1,20 @@
 #include "element/corners.hpp"
 
-#include <Eigen/Geometry>
 #include <cmath>
 
-#include "element/distortion.hpp"
+#include "element/corner_edges.hpp"
 
 namespace nereid::element {
 
 namespace {
 
-constexpr double flat = 1e-9;  // [-] of the product of its edges: a corner of the reference that has no volume
-
-double jacobian(const Connectivity& nodes, const Vectors& x, Index element, int corner, double& edges) {
-  const Vec3 at = x.col(nodes(corner, element));
-  std::array<Vec3, 3> edge;
-  for (int e = 0; e < 3; ++e) edge[e] = x.col(nodes(corner_ends[corner][e], element)) - at;
-  edges = edge[0].norm() * edge[1].norm() * edge[2].norm();
-  return edge[0].cross(edge[1]).dot(edge[2]);
+std::array<Vector<double>, 8> corners_of(const Connectivity& nodes, const Vectors& x, Index element) {
+  std::array<Vector<double>, 8> corners;
+  for (int a = 0; a < 8; ++a) {
+    const auto at = x.col(nodes(a, element));
+    corners[static_cast<std::size_t>(a)] = {at.x(), at.y(), at.z()};
+  }
+  return corners;
 }
 
 }  // namespace
@@ -26,11 +24,11 @@ Corner smallest_corner(const AnyBlock& any, const Vectors& X, const Vectors& x) 
   const Connectivity& all = nodes(any);
   if (all.rows() != 8) return smallest;
   for (Index element = 0; element < all.cols(); ++element) {
+    const auto reference = corners_of(all, X, element), now = corners_of(all, x, element);
     for (int corner = 0; corner < 8; ++corner) {
-      double edges = 0, edges_now = 0;
-      const double before = jacobian(all, X, element, corner, edges);
-      if (!(before > flat * edges)) continue;
-      const double ratio = jacobian(all, x, element, corner, edges_now) / before;
+      const double before = volume_of_corner(corner_edges(reference, corner));
+      if (!(before > 0)) continue;
+      const double ratio = corner_edges(now, corner).jacobian / before;
       if (std::isnan(ratio)) return {ratio, element};
       if (smallest.element < 0 || ratio < smallest.ratio) smallest = {ratio, element};
     }

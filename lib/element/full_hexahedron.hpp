@@ -251,10 +251,8 @@ NEREID_HOT Report<T, FullHexahedron> advance(const Law& law, const FullHexahedro
                                                  material::wave_speed(moduli, law.density), omega_squared, share, memory.viscous);
 
   force = forces_of_stress(matrix(eighth * sums.mean + memory.viscous), Qs, X, at_end);
-  Controlled<T> controlled{zero, zero};
-  if (acts(options.distortion))
-    controlled = control_distortion(T(options.distortion.stiffness * law.young), constants.start, T(law.density) * constants.per_mass,
-                                    constants.per_mass, x, memory.distortion, force);
+  const Controlled<T> controlled =
+      control_distortion(options.distortion, law.young, law.density, constants.start, constants.per_mass, x, memory.distortion, force);
 
   return {.stored = {stored, controlled.stored},
           .dissipated = {dissipated, viscous.work * at_middle.volume},

@@ -507,10 +507,8 @@ NEREID_HOT Report<T, Hexahedron> advance(const Law& law, const Hexahedron::Optio
                                                  material::wave_speed(moduli, law.density), omega_squared, share, memory.viscous);
 
   force = forces_of_stress(matrix(memory.stress + memory.viscous), memory.hourglass, X, at_end);
-  Controlled<T> controlled{zero, zero};
-  if (acts(options.distortion))
-    controlled = control_distortion(T(options.distortion.stiffness * law.young), constants.start, T(law.density) * constants.per_mass,
-                                    constants.per_mass, x, memory.distortion, force);
+  const Controlled<T> controlled =
+      control_distortion(options.distortion, law.young, law.density, constants.start, constants.per_mass, x, memory.distortion, force);
 
   const bool dashpots = kind == Kind::viscous;
   const T damping = dashpots ? viscous.damping + T(32.0) * constants.hourglass * constants.per_mass : viscous.damping;

@@ -1,5 +1,5 @@
 #pragma once
-// Hooke's law in rate form: of the logarithmic strain.
+// Hooke's law of the logarithmic strain, in rate form.
 
 #include "material/law.hpp"
 
@@ -8,7 +8,7 @@ namespace nereid::material {
 /// Isotropic elasticity: the increment of stress is Hooke's of the increment of strain.
 struct Elastic {
   static constexpr std::array<Variable, 0> internal{};
-  static constexpr std::array<std::string_view, 0> tensors{};
+  static constexpr std::array<Variable, 0> tensors{};
   double density, young, poisson;  // [kg/m3] [Pa] [-]
 };
 
@@ -74,11 +74,12 @@ NEREID_HOT void add_logarithmic_rate(const Elastic& law, const S<T>& old, const 
 /// Adds to the stress what Hooke's law makes of a strain increment:  s += lambda (tr e) 1 + 2 mu (e + e'),  with what the logarithmic rate
 /// adds where the strain is not small.
 ///
-/// All work 1/2 (old + new) : e is stored. At small strains that is the change of the energy 1/2 s : C^-1 : s exactly; what the rate adds
-/// does no work against the old stress. The moduli are those of small strains: shear between principal axes is stiffer by x coth x, up to
-/// twice at x = 2, which the bound on the step does not know.
-/// That is an energy per *current* volume. As the volume changes with the strain, the law has no potential at large strain, and what an
-/// element stores is an integral over its path.
+/// All work 1/2 (old + new) : e is stored, per *current* volume. At small strains that is the change of the energy 1/2 s : C^-1 : s
+/// exactly; what the rate adds does no work against the old stress. As the volume changes with the strain, the law has no potential at
+/// large strain (it is hypoelastic), and what an element stores is an integral over its path.
+///
+/// The moduli are those of small strains. Shear between principal axes is stiffer by x coth x, up to twice at x = 2, which the bound on the
+/// step does not count.
 ///
 /// increment  its strain, tensor components, in a frame that does not turn [-]
 /// stress     Cauchy [Pa], old on entry and new on return

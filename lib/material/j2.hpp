@@ -13,7 +13,7 @@ namespace nereid::material {
 template <class Flow>
 struct J2 {
   static constexpr auto internal = Flow::internal;  ///< plastic_strain, then what else the flow stress remembers
-  static constexpr std::array<std::string_view, 0> tensors{};
+  static constexpr std::array<Variable, 0> tensors{};
   double density, young, poisson;  // [kg/m3] [Pa] [-]
   Flow flow;
 };

@@ -12,7 +12,7 @@ namespace nereid::material {
 /// (Prager): 0 is kinematic hardening, 1 is J2Bilinear. Under a load that only grows all shares give one curve.
 struct J2Mixed {
   static constexpr std::array<Variable, 1> internal{{{"plastic_strain", "1"}}};
-  static constexpr std::array<std::string_view, 1> tensors{"back_stress"};
+  static constexpr std::array<Variable, 1> tensors{{{"back_stress", "Pa"}}};
   double density, young, poisson, yield, tangent;  // [kg/m3] [Pa] [-] [Pa] [Pa]
   double isotropic;                                // [-] 0 to 1
 };

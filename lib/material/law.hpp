@@ -49,7 +49,7 @@ struct Response {
   Moduli<N> moduli;
 };
 
-/// A scalar that a point remembers: its name and its SI unit.
+/// A scalar or a tensor that a point remembers: its name and its SI unit.
 struct Variable {
   std::string_view name, unit;
 };
@@ -99,13 +99,13 @@ Internal<T, L, S> fresh_like(const Internal<T, L, S>&, const L& law) {
 /// A law: isotropic data, its internal scalars and the names of its tensors, and the update of stress.
 ///
 /// The updates are templates on the number type; the concept asks for `double`, and
-/// tests/material/law_test.cpp runs every law on packs and dual numbers too.
+/// tests/material/law_test.cpp and neo_hookean_test.cpp run every law on packs and dual numbers too.
 template <class L>
 concept Law = Isotropic<L> &&
     requires(const L& law, Internal<double, L, Symmetric>& internal, const Increment<double, Symmetric>& increment,
              Symmetric<double>& stress) {
   { L::internal[0] } -> std::convertible_to<Variable>;
-  { L::tensors[0] } -> std::convertible_to<std::string_view>;
+  { L::tensors[0] } -> std::convertible_to<Variable>;
   { update_stress(law, increment, stress, internal).work } -> std::convertible_to<Work<double>>;
   { update_stress(law, increment, stress, internal).moduli } -> std::convertible_to<Lame>;
 };

@@ -1,5 +1,5 @@
 #pragma once
-// The neo-Hookean law: elasticity with a potential, for strains at which one in rates is none.
+// The neo-Hookean law: elasticity with a potential, for strains at which a hypoelastic law is unstable.
 
 #include "material/law.hpp"
 
@@ -12,7 +12,7 @@ namespace nereid::material {
 /// (Simo & Pister 1984). A point remembers b - 1. Hooke's law in the limit of small strains.
 struct NeoHookean {
   static constexpr std::array<Variable, 0> internal{};
-  static constexpr std::array<std::string_view, 1> tensors{"left_cauchy_green_less_one"};
+  static constexpr std::array<Variable, 1> tensors{{{"left_cauchy_green_less_one", "1"}}};
   double density, young, poisson;  // [kg/m3] [Pa] [-]
 };
 
@@ -51,7 +51,8 @@ template <class T>
 NEREID_HOT Response<T, T> update_stress(const NeoHookean& law, const Increment<T, Symmetric>& increment, Symmetric<T>& stress,
                                         Internal<T, NeoHookean, Symmetric>& internal) {
   const T half(0.5), one(1.0), zero(0.0);
-  const Symmetric<T>&e = increment.strain, old = stress;
+  const Symmetric<T>& e = increment.strain;
+  const Symmetric<T> old = stress;
   const Symmetric<T> square = coaxial_product(e, e), u = e + half * (square + half * coaxial_product(square, e));  // U - 1
   Symmetric<T>& c = internal.tensor[0];
   const Matrix<T> U{{one + u.xx, u.xy, u.xz}, {u.xy, one + u.yy, u.yz}, {u.xz, u.yz, one + u.zz}};

@@ -338,10 +338,11 @@ std::vector<std::string> quality_notes(const Simulation& simulation) {
     const auto of_internal = [&](double energy) { return dynamics::of_internal(seen, energy, scale); };
     if (of_internal(seen.distortion) > control_worth_saying)
       notes.push_back(formatted("%s: the energy of distortion control reached %.3g of the internal energy (limit %.3g): the shape of "
-                                "elements whose corners close depends on it", name, of_internal(seen.distortion), control_worth_saying));
+                                "elements whose corners close depends on it", name, of_internal(seen.distortion), control_worth_saying) +
+                      (pricked ? ": " + said(Remedy::spread_force) : ""));
     if (seen.pressed.ratio > pressed_worth_saying)
-      notes.push_back(formatted("%s: element %d was pressed by %.3g of Young's modulus at %.4g s; beyond %.3g a law in rates is unstable: ",
-                                name, seen.pressed.element, seen.pressed.ratio, seen.pressed_at, pressed_worth_saying) +
+      notes.push_back(formatted("%s: element %d was pressed by %.3g of Young's modulus at %.4g s; beyond %.3g a hypoelastic law is "
+                                "unstable: ", name, seen.pressed.element, seen.pressed.ratio, seen.pressed_at, pressed_worth_saying) +
                       said(Remedy::neo_hookean));
     const double uneven = of_internal(seen.uneven), artificial = of_internal(seen.artificial);
     if (element::rotates(simulation.model.blocks[b]) && artificial > worth_saying)

@@ -33,9 +33,9 @@ std::vector<std::string> depth_notes(const Simulation&);
 std::vector<std::string> overlap_notes(const Simulation&);
 
 /// Each body whose elements spoil its results: corners that are inverted, distortion control above a hundredth and hourglass energy above a
-/// tenth of its internal energy, solids of the law `elastic` that are pressed by more than half of Young's modulus, plates
-/// that keep a thickness which their strain would have changed by more than a twentieth, or plates whose nodes spin about their normals
-/// with more than a hundredth of the energy.
+/// tenth of its internal energy, solids of the law `elastic` that are pressed by more than half of Young's modulus, plates that keep a
+/// thickness which their strain would have changed by more than a twentieth, or plates whose nodes spin about their normals with more than
+/// a hundredth of the energy.
 std::vector<std::string> quality_notes(const Simulation&);
 
 /// Each source, and time integration, that created or lost more than a fifth of the created_limit, of the energy of the scene or of what it

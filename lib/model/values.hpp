@@ -20,7 +20,7 @@ inline constexpr Range poisson = between(-1, 0.5), share = within(0, 1), hardeni
 }  // namespace range
 
 inline constexpr const char* plates_may_have_other_laws =
-    "plates may have the laws elastic and j2_bilinear: this one has no return in plane stress";
+    "plates may have the laws elastic and j2_bilinear: this one has no update in plane stress";
 
 // Bounds on what one run writes and computes.
 inline constexpr double most_rows = 1e7, most_frames = 1e6;

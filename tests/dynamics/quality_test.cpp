@@ -16,13 +16,15 @@ namespace {
 
 const material::Elastic rubber{1000, 1e6, 0.3};
 
-/// A block clamped below, whose middle of the top is pushed down, as a scene of one-point elements whose corners nothing keeps open.
+const element::Hexahedron::Options bare{.viscosity = {}, .distortion = {0}};
+
+/// A block clamped below, whose middle of the top is pushed down; by default one-point elements whose corners nothing keeps open.
 ///
 /// back  [s] from when on it is pulled up again
-Scene pushed(double speed, double back = 1e300) {
+Scene pushed(double speed, double back = 1e300, const element::AnyHexahedronOptions& options = bare) {
   Scene s;
   s.model.mesh = mesh::box("box", {Vec3(-1, -1, 0), Vec3(1, 1, 1), {2, 2, 2}});
-  s.model.blocks.push_back(element::hexahedra(s.model.mesh, "box", rubber, {.viscosity = {}, .distortion = {0}}));
+  s.model.blocks.push_back(element::solids(s.model.mesh, "box", rubber, options));
   Index middle = 0;
   for (Index n = 0; n < s.model.mesh.X.cols(); ++n)
     if ((s.model.mesh.X.col(n) - Vec3::UnitZ()).norm() < 1e-9) middle = n;
@@ -57,6 +59,26 @@ TEST(Quality, OfANodePushedThroughItsElementsIsAnInvertedCornerAndHourglassEnerg
   EXPECT_GE(s.state.quality[0].element, 4) << "one of the upper four";
   EXPECT_GT(s.state.quality[0].time, 0.5);
   EXPECT_GT(of_internal(s.state.quality[0], s.state.quality[0].hourglass, energy_scale(s.state.ledger)), 0.1);
+}
+
+TEST(Quality, OfCornersThatAreKeptOpenIsAnAccountOfTheLedgerAndSoIsHowFarTheLawIsPressed) {
+  for (const element::AnyHexahedronOptions& options :
+       {element::AnyHexahedronOptions(element::Hexahedron::Options{}), element::AnyHexahedronOptions(element::FullHexahedron::Options{})}) {
+    Scene s = pushed(1, 1e300, options);
+    Time time;
+    time.end = 0.9, time.created_limit = time.overlap_limit = 1e300;
+    EXPECT_TRUE(good(run(s.model, s.state, s.forces, time, 0.01).ending));
+    const Quality& seen = s.state.quality[0];
+    EXPECT_GT(seen.corner, 0);
+    EXPECT_LT(seen.corner, 0.3) << "the control acts";
+    const Account& account = s.state.ledger.accounts[0];
+    EXPECT_GT(account.stored[Stored::distortion], 0);
+    EXPECT_EQ(seen.distortion, account.stored[Stored::distortion]) << "it is pushed on to the end";
+    EXPECT_LT(std::abs(created(account)), 0.02 * std::abs(account.work)) << "what is stored is the work of the nodes";
+    EXPECT_GT(seen.pressed.ratio, 0.1);
+    EXPECT_GE(seen.pressed.element, 0);
+    EXPECT_GT(seen.pressed_at, 0.5);
+  }
 }
 
 TEST(Quality, OfPlatesThatKeepTheirThicknessIsHowFarItIsOff) {

@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cmath>
+#include <random>
 
 #include "base/dual.hpp"
+#include "tests/base/chance.hpp"
 #include "tests/material/carried.hpp"
 
 namespace nereid::material::elastic_test {
@@ -107,6 +110,72 @@ TEST(Elastic, LogarithmicRateDoesNoWorkBesidesThatOfTheStrain) {
   EXPECT_NEAR(added_by_logarithmic_rate(along, shear).xy, 1e-3 * (0.5 / std::tanh(0.5) - 1), 2e-7);
   EXPECT_NEAR(added_by_logarithmic_rate(Plane<double>{0.2, -0.3, 0}, Plane<double>{0, 0, 1e-3}).xy, 1e-3 * (0.5 / std::tanh(0.5) - 1),
               2e-7);
+}
+
+/// A stress of large elastic strains, and an increment.
+struct Large {
+  Symmetric<double> stress, strain;
+};
+Large draw_large(Chance& chance) {
+  Large one{};
+  std::uniform_real_distribution<double> stress(-0.6, 0.6), strain(-0.02, 0.02);
+  for (double* c : components(one.stress)) *c = steel.young * stress(chance);
+  for (double* c : components(one.strain)) *c = strain(chance);
+  return one;
+}
+
+TEST(Elastic, AtLargeStrainsTurnsWithItsFrameAndHasTheTangentOfDifferences) {
+  using D = Dual<6>;
+  Chance chance(3);
+  for (int i = 0; i < 30; ++i) {
+    const Large one = draw_large(chance);
+    Symmetric<double> straight = one.stress;
+    const Work<double> work = strain_by(steel, one.strain, straight, nothing);
+    EXPECT_NEAR(work.stored, 0.5 * contract(one.stress + straight, one.strain), 1e-12 * std::abs(work.stored));
+    EXPECT_EQ(work.dissipated, 0);
+
+    const Mat3 Q = Eigen::AngleAxisd(1 + i, Vec3(1, 2, -1).normalized()).toRotationMatrix();
+    const auto turned = [&](const Symmetric<double>& s) { return symmetric(Q * full(s) * Q.transpose()); };
+    Symmetric<double> other = turned(one.stress);
+    strain_by(steel, turned(one.strain), other, nothing);
+    EXPECT_LT(largest(other - turned(straight)), 1e-13 * largest(straight));
+
+    Symmetric<D> stress{one.stress.xx, one.stress.yy, one.stress.zz, one.stress.xy, one.stress.yz, one.stress.xz};
+    Symmetric<D> strain{one.strain.xx, one.strain.yy, one.strain.zz, one.strain.xy, one.strain.yz, one.strain.xz};
+    for (int k = 0; k < 6; ++k) components(strain)[static_cast<std::size_t>(k)]->by[static_cast<std::size_t>(k)] = 1;
+    Internal<D, Elastic, Symmetric> none;
+    strain_by(steel, strain, stress, none);
+    for (std::size_t k = 0; k < 6; ++k) {
+      Large more = one, less = one;
+      *components(more.strain)[k] += 1e-5, *components(less.strain)[k] -= 1e-5;
+      strain_by(steel, more.strain, more.stress, nothing), strain_by(steel, less.strain, less.stress, nothing);
+      Symmetric<double> slope = 0.5e5 * (more.stress - less.stress);
+      for (std::size_t c = 0; c < 6; ++c)
+        EXPECT_NEAR(components(stress)[c]->by[k], *components(slope)[c], 1e-7 * steel.young);
+    }
+  }
+}
+
+TEST(Elastic, BitsOfALaneDoNotDependOnWhetherItsNeighboursStrainsAreSmall) {
+  Chance chance(4);
+  Symmetric<Pack> stress, strain;
+  std::array<Large, lanes> all;
+  for (int lane = 0; lane < lanes; ++lane) {
+    Large& one = all[static_cast<std::size_t>(lane)] = draw_large(chance);
+    if (lane % 2 == 1) one.stress = 1e-6 * one.stress;
+    for (std::size_t c = 0; c < 6; ++c) {
+      (*std::array{&stress.xx, &stress.yy, &stress.zz, &stress.xy, &stress.yz, &stress.xz}[c])[lane] = *components(one.stress)[c];
+      (*std::array{&strain.xx, &strain.yy, &strain.zz, &strain.xy, &strain.yz, &strain.xz}[c])[lane] = *components(one.strain)[c];
+    }
+  }
+  Internal<Pack, Elastic, Symmetric> none;
+  update_stress(steel, Increment<Pack, Symmetric>{strain, Pack(1.0), Pack(1.0)}, stress, none);
+  for (int lane = 0; lane < lanes; ++lane) {
+    Large one = all[static_cast<std::size_t>(lane)];
+    strain_by(steel, one.strain, one.stress, nothing);
+    EXPECT_NEAR(stress.xy[lane], one.stress.xy, 1e-14 * largest(one.stress));
+    EXPECT_NEAR(stress.xx[lane], one.stress.xx, 1e-14 * largest(one.stress));
+  }
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 #include <random>
+#include <vector>
 
 #include "base/dual.hpp"
 #include "base/types.hpp"
@@ -144,6 +145,34 @@ TEST(NeoHookean, ModuliBoundItsTangent) {
     nearest = std::max(nearest, second / bound);
   }
   EXPECT_GT(nearest, 0.7);
+}
+
+TEST(NeoHookean, OfAPackIsThatOfEachOfItsLanes) {
+  Symmetric<Pack> stress{}, strain{};
+  Internal<Pack, NeoHookean, Symmetric> memory{};
+  std::vector<Carried<NeoHookean>> points;
+  std::vector<Symmetric<double>> strains;
+  const auto put = [](const Symmetric<double>& from, int lane, Symmetric<Pack>& to) {
+    to.xx[lane] = from.xx, to.yy[lane] = from.yy, to.zz[lane] = from.zz;
+    to.xy[lane] = from.xy, to.yz[lane] = from.yz, to.xz[lane] = from.xz;
+  };
+  for (int lane = 0; lane < lanes; ++lane) {
+    points.push_back({rubber});
+    carry(points.back(), random_gradient(0.3), 20);
+    strains.push_back({random(-0.01, 0.01), random(-0.01, 0.01), random(-0.01, 0.01), random(-0.01, 0.01), 0, 0});
+    put(points.back().stress, lane, stress), put(points.back().internal.tensor[0], lane, memory.tensor[0]);
+    put(strains.back(), lane, strain);
+  }
+  const auto all = update_stress(rubber, Increment<Pack, Symmetric>{strain, Pack(1.0), Pack(1.0)}, stress, memory);
+  for (int lane = 0; lane < lanes; ++lane) {
+    auto& point = points[static_cast<std::size_t>(lane)];
+    const auto one = update_stress(rubber, Increment<double, Symmetric>{strains[static_cast<std::size_t>(lane)], 1, 1}, point.stress,
+                                   point.internal);
+    EXPECT_NEAR(stress.xx[lane], point.stress.xx, 1e-13 * largest(point.stress));
+    EXPECT_NEAR(stress.xy[lane], point.stress.xy, 1e-13 * largest(point.stress));
+    EXPECT_NEAR(all.work.stored[lane], one.work.stored, 1e-13 * std::abs(one.work.stored));
+    EXPECT_NEAR(all.moduli.mu[lane], one.moduli.mu, 1e-13 * one.moduli.mu);
+  }
 }
 
 TEST(NeoHookean, TurnsWithItsFrame) {

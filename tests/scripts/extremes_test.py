@@ -549,6 +549,24 @@ class Verdicts(unittest.TestCase):
             with self.subTest(claimed=claimed):
                 self.assertEqual(verdict(grown, said=said.format(claimed))[0], found)
 
+    def test_a_warning_of_distortion_control_is_held_against_its_energy(self):
+        said = "warning: a: the energy of distortion control reached {:.3g} of the internal energy (limit 0.01): the shape depends on it\n"
+        one = Folder([("a", cube())], still, columns={"energy_a_elastic": [0, 0.9], "energy_a_distortion": [0, 0.1],
+                                                      "energy_integration": [0, 0]})
+        for claimed, found in ((0.1, judge.WARNED), (0.2, judge.BROKEN), (0.03, judge.BROKEN)):
+            with self.subTest(claimed=claimed):
+                self.assertEqual(verdict(one, said=said.format(claimed))[0], found)
+
+    def test_a_warning_of_a_hypoelastic_body_is_held_against_its_strains(self):
+        said = "warning: a: element 3 was pressed by {:.3g} of Young's modulus at 1 s; beyond 0.5 a hypoelastic law is unstable\n"
+        for height, claimed, found in ((0.5, 0.69, judge.WARNED), (0.9, 0.69, judge.BROKEN), (0.5, 0.4, judge.BROKEN)):
+            side = height**-0.3  # free sides
+            pressed = Folder([("a", cube())], lambda X, t: (X * (1 + t * (np.array([side, side, height]) - 1)), 0 * X),
+                             columns={"energy_kinetic": [0, 0]})
+            pressed.case["bodies"][0]["material"].update(kind="elastic", poisson=0.3)
+            with self.subTest(height=height, claimed=claimed):
+                self.assertEqual(verdict(pressed, said=said.format(claimed))[0], found)
+
     def test_a_stop_where_nothing_touches(self):
         expected = judge.Expected(answers=[("untouched", "a")])
         self.assertEqual(verdict(pair(0.5), expected, status=3, said=STOP, again=lambda change: pair(-0.3).finished())[0], judge.BROKEN)

@@ -589,6 +589,7 @@ OF_INVERSION = re.compile(r"inverted_element in (\w+)")
 AS_GOOD_AS_INVERTED = 0.1  # [-] a corner with less of its reference is at the bound, wherever chance leaves it
 COARSE = 4.0        # [-] between an energy that was lost or made between two rows and what the rows show
 CHATTER = 0.02      # [-] of the speeds: twice what round-off has come to in a scene whose contact chatters
+PRESSED = 0.5       # [-] of Young's modulus: from here on the program warns of a hypoelastic law
 TRUE_SHARE = 1.5    # [-] between a share of energies that is claimed and ours
 TRUE_STRAIN = 0.2   # [-] of a strain through the thickness that is claimed: frames lie between the looks of the program
 NEARLY_FLAT = 0.25  # [-] a corner that was inverted between two frames stands at no more in one of them
@@ -630,6 +631,14 @@ def thickness_asked_for(seen, body):
     return math.exp(max((float(one[np.argmax(np.abs(one))]) for one in logs), key=abs))
 
 
+def pressed_by(seen, body):
+    """The largest compression of a body over Young's modulus, Hooke's of its logarithmic strains."""
+    poisson = float(next(entry for entry in seen.case["bodies"] if entry["name"] == body)["material"]["poisson"])
+    strains = [measure.logarithmic_strains(seen.bodies[body], frame.x, seen.X) for frame in seen.frames]
+    lame, twice_mu = poisson / ((1 + poisson) * (1 - 2 * poisson)), 1 / (1 + poisson)
+    return max(float(np.max(-(lame * one.sum(axis=1) + twice_mu * one[:, 0]))) for one in strains)
+
+
 def is_true(warning, seen, expected, faults):
     """Whether the judge sees what a warning names; a depth within a factor of two."""
     if (hourglass := OF_HOURGLASS.match(warning)) is not None:
@@ -638,8 +647,8 @@ def is_true(warning, seen, expected, faults):
     if (control := OF_CONTROL.match(warning)) is not None:
         ours = fraction_of(seen, control[1], "distortion")
         return ours / TRUE_SHARE <= float(control[2]) <= ours * TRUE_SHARE
-    if (pressed := OF_PRESSED.match(warning)) is not None:  # frames have no stress here: that it is an elastic body, at least
-        return next(one for one in seen.case["bodies"] if one["name"] == pressed[1])["material"]["kind"] == "elastic"
+    if (pressed := OF_PRESSED.match(warning)) is not None:  # frames lie between the looks of the program
+        return float(pressed[2]) > PRESSED and pressed_by(seen, pressed[1]) > PRESSED / TRUE_SHARE
     if (plates := OF_PLATES.match(warning)) is not None:
         ours = fraction_of(seen, plates[1], "drilling", "residual_bending")
         return ours / TRUE_SHARE <= float(plates[2]) <= ours * TRUE_SHARE

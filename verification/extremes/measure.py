@@ -152,6 +152,17 @@ def jacobians(corners, at):
     return np.linalg.det(np.einsum("dk,eki->edi", shape, corners))
 
 
+def gradients(corners):
+    """Of the trilinear maps of hexahedra [cells x 8 x 3] in their middle."""
+    return np.einsum("kd,eki->eid", CORNERS / 8, corners)
+
+
+def logarithmic_strains(body, x, X):
+    """Principal ones in the middle of a body's hexahedra, ascending [cells x 3]."""
+    gradient = gradients(x[body.cells]) @ np.linalg.inv(gradients(X[body.cells]))
+    return np.sort(np.log(np.linalg.svd(gradient, compute_uv=False)), axis=1)
+
+
 def volumes(corners):
     """Of hexahedra [m3], by eight points of Gauss: exact for trilinear shapes."""
     points = CORNERS / np.sqrt(3)

@@ -1,6 +1,6 @@
 """How close is close enough, why, and what must break."""
 from reference import HEIGHT, in_rates, neo_hookean
-from verify import Breaks, Check, Figure, Miss, Pair, Table
+from verify import Breaks, Check, Figure, Miss, Pair, Table, Waiver
 
 CATALOGUE = ()
 CLAIM = "An elastic block that is pressed to 0.55 of its height has the force of its law; to 0.5, with a law that has a potential."
@@ -42,7 +42,7 @@ CHECKS = [
     Check("the same on a finer mesh, to 0.56", lambda run: curve(run.again(FINER), in_rates, 0.56), 0.02, "the wave of the start"),
     Miss("force of the elastic law at 0.55 of the height, finer mesh", lambda run: force(run.again(FINER), in_rates), 0.01,
          "no free surface folds before 0.54",
-         "a law in rates of Cauchy's stress has no potential: as the ram slows down, vibrations gain energy from a pressure of half of "
+         "a hypoelastic law of Cauchy's stress has no potential: as the ram slows down, vibrations gain energy from a pressure of half of "
          "Young's modulus on, the faster the finer the mesh. The program warns, and names the law that has one"),
     Check("force of the neo-Hookean law at half the height", lambda run: force(of(run, 0.5, POTENTIAL), neo_hookean), 0.01,
           "inertia and viscosity at a hundredth of the wave speed"),
@@ -60,6 +60,16 @@ BREAKS = [
     Breaks("the same on a finer mesh of the neo-Hookean law", "another Poisson's ratio", {"bodies[0].material.poisson": 0.25}),
     Breaks("force of the neo-Hookean law while it is pressed", "another Poisson's ratio", {"bodies[0].material.poisson": 0.25}),
 ]
+
+
+def folds(run):
+    """Whether it is of the elastic law and ends where its surfaces have folded on the finer mesh."""
+    return run.overrides.get("bodies[0].material.kind") == "elastic" and 1 + run.column("ram")[-1] / HEIGHT < 0.54
+
+
+WAIVERS = [Waiver("created energy of any source at any time", folds,
+                  "vibrations of a block that folds have no largest amplitude; beyond 0.54 of the height the study only says that it "
+                  "folds", 0.05, full=True)]
 
 
 def heights(run):
