@@ -99,10 +99,23 @@ void add_common_results(const model::Simulation& simulation, const dynamics::Out
     if (element::rotates(simulation.model.blocks[b])) {
       add("_drilling_fraction", seen.drilling), add("_residual_bending_fraction", seen.residual_bending);
     } else {
-      add("_hourglass_fraction", seen.hourglass), add("_uneven_hourglass_fraction", seen.uneven);
-      add("_distortion_fraction", seen.distortion);
+      add("_hourglass_fraction", seen.hourglass), add("_distortion_fraction", seen.distortion);
     }
   }
+  const element::Contrast contrast = dynamics::contrast(simulation.model, simulation.state);
+  results.push_back({"hourglass_above_neighbours", contrast.bending, "1"});
+  results.push_back({"strain_energy_concentration", contrast.density, "1"});
+  const dynamics::Ledger& ledger = simulation.state.ledger;
+  results.push_back({"viscous_share", dynamics::dissipated_share(ledger, Dissipated::viscous), "1"});
+  results.push_back({"plastic_share", dynamics::dissipated_share(ledger, Dissipated::plastic), "1"});
+  const auto add_footing = [&](const std::string& contact, std::size_t place) {
+    if (place < simulation.state.footings.size() && simulation.state.footings[place].nodes > 0)
+      results.push_back({contact + "_effective_nodes", simulation.state.footings[place].nodes, "1"});
+  };
+  for (std::size_t c = 0; c < simulation.model.contacts.size(); ++c)
+    add_footing(contact::sides(simulation.model.contacts[c]).name, c);
+  for (std::size_t p = 0; p < simulation.model.rigid_planes.size(); ++p)
+    add_footing(simulation.model.rigid_planes[p].name, simulation.model.contacts.size() + p);
   for (std::size_t p = 0; p < simulation.model.rigid_planes.size(); ++p)
     results.push_back({simulation.model.rigid_planes[p].name + "_deepest", simulation.state.rigid_planes[p].deepest, "m"});
   for (std::size_t k = 1; k < simulation.state.progress.stages.size(); ++k)
@@ -395,6 +408,10 @@ Ran run_case(const std::string& name, const CommandLine& line, output::RunFolder
       std::fprintf(stderr, "warning: %s\n", note.c_str());
     }
   }
+  std::vector<std::string> of_mesh = model::mesh_notes(simulation);
+  for (std::string& note : of_mesh) note = "note: " + note;  // by which summary.json tells them from others
+  notes.insert(notes.end(), of_mesh.begin(), of_mesh.end());
+  if (!line.quiet) print(of_mesh);
   const std::vector<std::string> of_steps = model::step_notes(simulation);
   notes.insert(notes.end(), of_steps.begin(), of_steps.end());
   if (!line.quiet) print(of_steps);

@@ -9,6 +9,7 @@
 #include "base/words.hpp"
 #include "drivers/recorder.hpp"
 #include "dynamics/balance.hpp"
+#include "dynamics/footing.hpp"
 #include "dynamics/overlaps.hpp"
 #include "dynamics/quality.hpp"
 #include "model/usual_frames.hpp"
@@ -144,7 +145,8 @@ Costs rehearse(model::Simulation& simulation, double dt, const std::function<std
   const auto add_row = [&] {
     text.clear();
     dynamics::update_ledger(model, now);
-    dynamics::check_artificial_energy(model, false, now);
+    dynamics::check_artificial_energy(model, now);
+    dynamics::look_at_footings(model, now);
     for (std::size_t p = 0; p < now.probes.size(); ++p) dynamics::sample_row(simulation.probes[p], view(), now.probes[p]);
     output::append_row(now.t, filled(row_of(view(), simulation.probes, ledger), columns_of(simulation.probes, ledger), model), text);
   };

@@ -44,7 +44,7 @@ Error stress_error(const dynamics::View& view, double pressure) {
 Error pressure_error(const dynamics::View& view, double pressure) {
   Error error;
   for (std::size_t c = 0; c < contact::passes_of(view.model.contacts); ++c) {
-    const auto forces = dynamics::forces_of_contact(view, c);
+    const auto forces = dynamics::forces_of_contact(view.model, view.now, c);
     for (Index a = 0; a < static_cast<Index>(contact::sides(view.model.contacts[c]).apexes.size()); ++a)
       error.see(dynamics::traction_at(view, c, a, forces).pressure, pressure);
   }

@@ -256,6 +256,11 @@ void visit(Archive& archive, Thinned& thinned) {
   archive(ratio, element);
 }
 template <class Archive>
+void visit(Archive& archive, Contrast& contrast) {
+  auto& [strain, bending, density] = contrast;
+  archive(strain, bending, density);
+}
+template <class Archive>
 void visit(Archive& archive, Pressed& pressed) {
   auto& [ratio, element] = pressed;
   archive(ratio, element);
@@ -301,10 +306,10 @@ void visit(Archive& archive, Step& step) {
 
 template <class Archive>
 void visit(Archive& archive, Progress& progress) {
-  auto& [started, stages, first_step, updates, ledger_is_current, corners_seen, corners_next, corner, audits, audited, audited_itself,
-         smallest, largest_step] = progress;
-  archive(started, stages, first_step, updates, ledger_is_current, corners_seen, corners_next, corner, audits, audited, audited_itself,
-          smallest, largest_step);
+  auto& [started, stages, first_step, updates, ledger_is_current, corners_seen, corners_next, corner, contrast_seen, contrast_step,
+         contrast_looks, audits, audited, audited_itself, smallest, largest_step] = progress;
+  archive(started, stages, first_step, updates, ledger_is_current, corners_seen, corners_next, corner, contrast_seen, contrast_step,
+          contrast_looks, audits, audited, audited_itself, smallest, largest_step);
 }
 
 template <class Archive>
@@ -315,10 +320,16 @@ void visit(Archive& archive, Spin& spin) {
 
 template <class Archive>
 void visit(Archive& archive, Quality& quality) {
-  auto& [corner, element, time, hourglass, internal, distortion, drilling, residual_bending, artificial, uneven, compared, compared_at,
-         inverted, thinned, thinned_at, pressed, pressed_at, spin] = quality;
-  archive(corner, element, time, hourglass, internal, distortion, drilling, residual_bending, artificial, uneven, compared, compared_at,
-          inverted, thinned, thinned_at, pressed, pressed_at, spin);
+  auto& [corner, element, time, hourglass, internal, distortion, drilling, residual_bending, artificial, contrast, inverted,
+         thinned, thinned_at, pressed, pressed_at, spin] = quality;
+  archive(corner, element, time, hourglass, internal, distortion, drilling, residual_bending, artificial, contrast, inverted,
+          thinned, thinned_at, pressed, pressed_at, spin);
+}
+
+template <class Archive>
+void visit(Archive& archive, Footing& footing) {
+  auto& [force, nodes] = footing;
+  archive(force, nodes);
 }
 
 template <class Archive>
@@ -363,9 +374,9 @@ void visit(Archive& archive, SectionMemory& memory) {
 template <class Archive>
 void visit_rest(Archive& archive, State& state) {
   auto& [t, step, dt, x, v, omega, blocks, tiles, contacts, rigid_planes, rigid_bodies, constraints, loads, sections, relaxation, ledger,
-         limits, progress, quality, audit, probes, conditions] = state;
+         limits, progress, quality, footings, audit, probes, conditions] = state;
   archive(t, step, dt, x, v, omega, tiles, contacts, rigid_planes, rigid_bodies, constraints, loads, sections, relaxation, ledger, limits,
-          progress, quality, audit, probes, conditions);
+          progress, quality, footings, audit, probes, conditions);
 }
 
 namespace {

@@ -144,13 +144,13 @@ Vec3 allowed_of(const contact::Interface& interface, Index apex, const Vec3& for
 
 }  // namespace
 
-std::vector<contact::NodeForce> forces_of_contact(const View& view, std::size_t c) {
-  const auto& contacts = view.model.contacts;
+std::vector<contact::NodeForce> forces_of_contact(const Model& model, const State& now, std::size_t c) {
+  const auto& contacts = model.contacts;
   std::size_t first = c;
   while (first > 0 && contact::follows(contacts[first])) --first;
   std::vector<contact::NodeForce> all;
   for (std::size_t i = first; i == first || (i < contacts.size() && contact::follows(contacts[i])); ++i)
-    contact::with_memory(contacts[i], view.now.contacts[i],
+    contact::with_memory(contacts[i], now.contacts[i],
                          [&](const auto& one, const auto& memory) { contact::list_forces(one, memory, all); });
   std::stable_sort(all.begin(), all.end(), [](const auto& one, const auto& other) { return one.node < other.node; });
   std::size_t kept = 0;
@@ -189,7 +189,7 @@ ContactState contact_state(const View& view, std::size_t c) {
   ContactState state{.largest_pressure = 0, .area = 0};
   if (contact::interface_of(view.model.contacts[c]) == nullptr) return state;
   const contact::Interface& interface = *contact::interface_of(view.model.contacts[c]);
-  const std::vector<contact::NodeForce> forces = forces_of_contact(view, c);
+  const std::vector<contact::NodeForce> forces = forces_of_contact(view.model, view.now, c);
   for (Index a = 0; a < static_cast<Index>(interface.apexes.size()); ++a) {
     const contact::NodeForce* on = force_on(view, c, a, forces);
     if (on == nullptr) continue;

@@ -52,7 +52,7 @@ Vec3 mean_contact_force(const View&, const std::vector<std::size_t>& passes, Kep
 /// Where two directions act, an impulse may be shared between them in many ways. Its sum at a node is the same in all of them.
 ///
 /// interface  any of the contact
-std::vector<contact::NodeForce> forces_of_contact(const View&, std::size_t interface);
+std::vector<contact::NodeForce> forces_of_contact(const Model&, const State&, std::size_t interface);
 
 /// Tractions on the surface at an apex.
 struct Traction {

@@ -142,6 +142,9 @@ struct Progress {
   std::int64_t corners_seen = 0;  ///< step of the last look at the corners of elements
   std::int64_t corners_next = 0;  ///< step of the next one, at the latest
   double corner = 1;              ///< [-] the smallest one at the last look
+  double contrast_seen = 0;     ///< [s] time of the last look at how elements differ from their neighbours
+  std::int64_t contrast_step = 0;   ///< step of that
+  std::int64_t contrast_looks = 0;
   double audits = 0;            ///< looks for overlaps: multiples of the interval between two that have passed
   std::int64_t audited = 0;     ///< step of the last look for overlaps
   std::int64_t audited_itself = 0;  ///< step of the last look for overlaps of bodies with themselves
@@ -164,15 +167,19 @@ struct Quality {
   double hourglass = 0, internal = 0;  ///< [J] the largest at any update of the ledger
   double distortion = 0;               ///< [J] the same, of distortion control
   double drilling = 0, residual_bending = 0, artificial = 0;  ///< [J] the same, of plates, and of the sum of all these
-  double uneven = 0;                   ///< [J] the largest hourglass energy of cells that bend unlike their neighbours, or whose sides lean
-  double compared = 0;                 ///< [J] hourglass energy when neighbours were last compared
-  std::int64_t compared_at = 0;        ///< the step of that
+  element::Contrast contrast;          ///< [J] of solids: sums over the looks
   bool inverted = false;               ///< whether a corner was at the last look
   element::Thinned thinned;            ///< of plates that keep their thickness: how far it is off at most, at any look
   double thinned_at = 0;               ///< [s] when
   element::Pressed pressed;            ///< of solids of the law `elastic`: the most at any look
   double pressed_at = 0;               ///< [s] when
   Spin spin;                           ///< of plates without drilling stiffness: the largest at any look
+};
+
+/// On how many nodes a contact or a rigid plane acted while its force was largest.
+struct Footing {
+  double force = 0;  ///< [N] the sum of the sizes of the forces on all nodes
+  double nodes = 0;  ///< [-] effective_nodes()
 };
 
 /// What the material behind a section exerts on that ahead of it.
@@ -203,6 +210,7 @@ struct State {
   StepLimits step_limits;                                     ///< for the next step
   Progress progress;
   std::vector<Quality> quality;                    ///< beside Model::blocks
+  std::vector<Footing> footings;                   ///< beside Model::contacts, then Model::rigid_planes; those that follow have none
   audit::Memory audit;                             ///< what overlaps
   std::vector<ProbeMemory> probes;                 ///< beside the probes of the run
   std::vector<ConditionMemory> conditions;         ///< of conditions that may end the run

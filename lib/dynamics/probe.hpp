@@ -20,6 +20,8 @@ struct Probe {
   std::string name, unit;
   std::function<double(const View&, Kept&)> value;
   bool is_mean = false;  ///< over the time since the look before, as a force from its impulse; else the value at the look
+  bool follows_mesh = false;  ///< whether its largest value grows with each finer mesh, as that of a plastic strain at an edge
+  int footing = -1;      ///< in State::footings: of the contact or rigid plane whose force it is; -1: it is none
 };
 
 /// Measures the start or a step: extremes with their times, the integral and the times above zero; `last` of what is no mean.

@@ -83,25 +83,46 @@ int inverted_block(const State& now, double limit) {
   return -1;
 }
 
-void check_artificial_energy(const Model& model, bool look, State& now) {
-  constexpr double worth_comparing = 0.1, more = 1.05;  // [-] of the internal energy; of the hourglass energy compared last
+void compare_elements(const Model& model, double end, bool look, State& now) {
+  Progress& progress = now.progress;
+  const bool is_time = now.t >= progress.contrast_seen + end / contrast_looks || now.step >= progress.contrast_step + contrast_every;
+  if (!look && !is_time) return;
+  if (now.step == progress.contrast_step) return;  // it has looked
+  for (std::size_t b = 0; b < model.blocks.size(); ++b)
+    if (!is_rigid_block(model, b)) add(element::contrast(model.blocks[b], now.x, now.blocks[b]), now.quality[b].contrast);
+  progress.contrast_seen = now.t, progress.contrast_step = now.step, ++progress.contrast_looks;
+}
+
+element::Contrast contrast(const Model& model, const State& now, int block) {
+  constexpr double worth_comparing = 1e-4;  // [-] of the energy of the scene
+  element::Contrast sum;
+  for (std::size_t b = 0; b < model.blocks.size(); ++b)
+    if (block < 0 || static_cast<std::size_t>(block) == b) add(now.quality[b].contrast, sum);
+  const double looks = std::max(1.0, static_cast<double>(now.progress.contrast_looks));
+  const double mean = sum.strain / looks, scene = energy_of_scene(now.ledger);
+  if (!(mean > worth_comparing * scene)) return {};
+  return {.strain = mean / scene, .bending = sum.bending / sum.strain, .density = sum.density / sum.strain};
+}
+
+double dissipated_share(const Ledger& ledger, Dissipated channel) {
+  double sum = 0;
+  for (const Account& account : ledger.accounts) sum += account.dissipated[channel];
+  const double scene = energy_of_scene(ledger);
+  return scene > 0 ? sum / scene : 0;
+}
+
+void check_artificial_energy(const Model& model, State& now) {
   for (std::size_t b = 0; b < model.blocks.size(); ++b) {
     Quality& seen = now.quality[b];
     const Account& account = now.ledger.accounts[b];  // blocks come first
-    const double held = account.stored[Stored::hourglass] + account.at_start[Stored::hourglass];
-    const double hourglass = held + account.dissipated[Dissipated::hourglass];
-    const double drilling = account.stored[Stored::drilling] + account.at_start[Stored::drilling];
-    const double residual = account.stored[Stored::residual_bending] + account.at_start[Stored::residual_bending];
-    const double distortion = account.stored[Stored::distortion] + account.at_start[Stored::distortion];
+    const auto held = [&](Stored channel) { return account.stored[channel] + account.at_start[channel]; };
+    const double hourglass = held(Stored::hourglass) + account.dissipated[Dissipated::hourglass];
+    const double drilling = held(Stored::drilling), residual = held(Stored::residual_bending), distortion = held(Stored::distortion);
     seen.hourglass = std::max(seen.hourglass, hourglass);
     seen.distortion = std::max(seen.distortion, distortion);
     seen.drilling = std::max(seen.drilling, drilling), seen.residual_bending = std::max(seen.residual_bending, residual);
     seen.artificial = std::max(seen.artificial, hourglass + distortion + drilling + residual);
     seen.internal = std::max(seen.internal, stored(account) + initial_stored(account) + dissipated(account));
-    if (!(hourglass > worth_comparing * seen.internal)) continue;
-    if (!look && !(hourglass > more * seen.compared) && now.step < seen.compared_at + compared_every) continue;
-    seen.compared = hourglass, seen.compared_at = now.step;
-    seen.uneven = std::max(seen.uneven, hourglass * element::uneven_bending(model.blocks[b], now.x, now.blocks[b]));
   }
 }
 

@@ -24,17 +24,30 @@ void check_elements(const Model&, bool look, State&);
 /// The block whose smallest corner so far is at or below a limit, or -1.
 int inverted_block(const State&, double limit);
 
-/// Steps between two comparisons of how neighbouring elements bend, at most, where hourglass energy is more than a tenth of the internal.
+/// Looks of a run at how solid elements differ from their neighbours, at least, and steps between two of them, at most.
 ///
-/// A comparison takes about as long as two steps.
-constexpr std::int64_t compared_every = 100;
+/// A look takes about as long as two steps.
+constexpr int contrast_looks = 20;
+constexpr std::int64_t contrast_every = 500;
+
+/// Adds up how solid elements differ from their neighbours (element::contrast), if it is time.
+///
+/// end   [s] of the run
+/// look  whether to look in any case: as the run ends
+void compare_elements(const Model&, double end, bool look, State&);
+
+/// What deformable solids hold by their strain, a mean over the looks of a run, and how much of it by elements unlike their neighbours.
+///
+/// block  a place in Model::blocks, or -1 for all
+/// returns  [-] bending and density over the strain, and the strain over the energy of the scene; zeros where that is less than 1e-4
+element::Contrast contrast(const Model&, const State&, int block = -1);
+
+/// What all sources have dissipated by a channel over the energy of the scene; zero while nothing has moved. [-]
+double dissipated_share(const Ledger&, Dissipated channel);
 
 /// Notes how much energy each block has in artificial modes: hourglassing and distortion control of solids, drilling and residual bending
-/// of plates. Where hourglass energy is more than a tenth of the internal energy it notes how much of it is uneven
-/// (element::uneven_bending): where it has grown, after compared_every steps, or where that is wanted. Needs a ledger that is current.
-///
-/// look  whether to compare in any case: as the run ends
-void check_artificial_energy(const Model&, bool look, State&);
+/// of plates. Needs a ledger that is current.
+void check_artificial_energy(const Model&, State&);
 
 /// An energy of a block, such as Quality::artificial, over its largest internal energy so far; zero where the latter is round-off. [-]
 ///

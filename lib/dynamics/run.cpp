@@ -8,6 +8,7 @@
 #include "base/check.hpp"
 #include "base/words.hpp"
 #include "dynamics/balance.hpp"
+#include "dynamics/footing.hpp"
 #include "dynamics/overlaps.hpp"
 #include "dynamics/quality.hpp"
 #include "dynamics/relax.hpp"
@@ -256,10 +257,12 @@ Outcome run(const Model& model, State& now, Forces& forces, const Time& time, do
     const bool at_rest = model.relaxation && model.relaxes && relax(model, next_length(now.step_limits, pace, now.t, now.dt), now, forces);
     progress.ledger_is_current = last || at_rest || now.t >= static_cast<double>(progress.updates + 1) * update_every;
     check_elements(model, progress.ledger_is_current && audit_is_due(time.audit_every, now), now);
+    compare_elements(model, time.end, last || at_rest, now);
     if (progress.ledger_is_current) {
       progress.updates = static_cast<std::int64_t>(now.t / update_every);
       update_ledger(model, now);
-      check_artificial_energy(model, last || at_rest, now);
+      check_artificial_energy(model, now);
+      look_at_footings(model, now);
       if (now.step_limits.volume_ratio > 0) update_overlaps(model, last || at_rest, time.audit_every, now, forces);
     }
     show();
@@ -283,8 +286,9 @@ Outcome run(const Model& model, State& now, Forces& forces, const Time& time, do
     progress.ledger_is_current = true;
     show(true);
   }
-  check_artificial_energy(model, true, now);
+  check_artificial_energy(model, now);
   check_elements(model, true, now);
+  compare_elements(model, time.end, true, now);
   if (now.step_limits.volume_ratio > 0) update_overlaps(model, true, time.audit_every, now, forces);
   if (good(outcome.ending)) corner_inverted(model, now, time, outcome);
   if (good(outcome.ending)) overlap_too_much(model, now, forces, time.overlap_limit, outcome);

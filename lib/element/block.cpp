@@ -137,27 +137,37 @@ Pressed pressed(const AnyBlock& any, const Memory& memory) {
   return with_kernels(any, [&](const auto& block, auto kernels) { return kernels.pressed(block, memory); });
 }
 
-double uneven_bending(const AnyBlock& any, const Vectors& x, const Memory& memory) {
-  const std::vector<Bending> all = with_kernels(any, [&](const auto& block, auto kernels) { return kernels.bending(block, x, memory); });
+Contrast contrast(const AnyBlock& any, const Vectors& x, const Memory& memory) {
+  const std::vector<Held> all = with_kernels(any, [&](const auto& block, auto kernels) { return kernels.held(block, x, memory); });
+  Contrast found;
+  if (all.empty()) return found;
+  struct AtNode {
+    double count = 0, bending = 0, strain = 0, volume = 0;
+  };
   const Connectivity& corners = nodes(any);
-  Eigen::Matrix<double, 18, Eigen::Dynamic> sum = Eigen::Matrix<double, 18, Eigen::Dynamic>::Zero(18, x.cols());
-  Scalars counted = Scalars::Zero(x.cols()), squares = counted, own = counted;  // own: of those that do not lean
-  for (std::size_t e = 0; e < all.size(); ++e) {
-    const Eigen::Map<const Eigen::Matrix<double, 18, 1>> moment(all[e].moment.data());
-    const double square = moment.squaredNorm();
+  const Index first = corners.minCoeff();
+  std::vector<AtNode> at(static_cast<std::size_t>(corners.maxCoeff() - first + 1));
+  const auto of = [&](Index a, std::size_t e) -> AtNode& {
+    return at[static_cast<std::size_t>(corners(a, static_cast<Index>(e)) - first)];
+  };
+  for (std::size_t e = 0; e < all.size(); ++e)
     for (Index a = 0; a < corners.rows(); ++a) {
-      const Index node = corners(a, static_cast<Index>(e));
-      counted(node) += 1, squares(node) += square;
-      if (!all[e].leans) sum.col(node) += moment, own(node) += square;
+      AtNode& node = of(a, e);
+      node.count += 1, node.bending += all[e].bending, node.strain += all[e].strain, node.volume += all[e].volume;
     }
+  const double part = 1.0 / static_cast<double>(corners.rows());
+  for (std::size_t e = 0; e < all.size(); ++e) {
+    double bending = 0, density = 0, most = 1;
+    for (Index a = 0; a < corners.rows(); ++a) {
+      const AtNode& node = of(a, e);
+      bending += part * node.bending / node.count, density += part * node.strain / node.volume, most = std::max(most, node.count);
+    }
+    const Held& own = all[e];
+    found.strain += own.strain;
+    found.bending += own.stiff || most == 1 ? own.bending : std::max(0.0, own.bending - bending);
+    found.density += std::max(0.0, own.strain - own.volume * density);
   }
-  double alike = 0, most = 0;
-  for (Index n = 0; n < x.cols(); ++n) {
-    if (counted(n) < 2) continue;
-    alike += sum.col(n).squaredNorm() - own(n);
-    most += (counted(n) - 1) * squares(n);
-  }
-  return most > 0 ? 1 - std::clamp(alike / most, 0.0, 1.0) : 1;
+  return found;
 }
 
 Source source(const AnyBlock& any) { return {name(any), SourceKind::block, stored_channels(any), dissipated_channels(any)}; }

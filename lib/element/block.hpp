@@ -88,13 +88,23 @@ struct Pressed {
   Index element = -1;  ///< -1: none is pressed, or the law is another one
 };
 
-/// How one element bends by itself.
-struct Bending {
-  /// [N m2] second moments of the hourglass forces about the centre, xx yy zz xy yz xz of each component; those of two axes times the root
-  /// of two, so that the sum of products of two elements does not depend on the axes
-  std::array<double, 18> moment;
-  bool leans;                     ///< whether its sides lean so much that it is far too stiff
+/// What one solid element holds by its strain.
+struct Held {
+  double bending = 0;   ///< [J] by bending within it: its hourglass energy
+  double strain = 0;    ///< [J] in all, bending included
+  double volume = 0;    ///< [m3] now
+  bool stiff = false;   ///< whether it bends by springs or dashpots, or its sides lean so much that it is far too stiff
 };
+
+/// How unlike its neighbours the solid elements of a block are. [J]
+struct Contrast {
+  double strain = 0;   ///< what all elements hold by their strain, bending included
+  double bending = 0;  ///< what elements hold by bending above the mean of their neighbours
+  double density = 0;  ///< what elements hold by their strain above the mean density of their neighbours
+};
+inline void add(const Contrast& part, Contrast& all) {
+  all.strain += part.strain, all.bending += part.bending, all.density += part.density;
+}
 
 /// What one tile reports of a step: energies in the order of Memory, the step limit and the smallest volume ratio.
 struct TileReport {
@@ -149,13 +159,14 @@ Thinned thinned(const AnyBlock&, const Vectors& x, const Memory&);
 /// Which of its elements is pressed most, of solids whose law is `Elastic`: beyond about 0.61 its surfaces fold.
 Pressed pressed(const AnyBlock&, const Memory&);
 
-/// How much of the bending within the cells of a block is uneven: of cells that bend unlike their neighbours, or whose sides lean. [-]
+/// Compares each solid element of a block with its neighbours; zero of plates. With h bending, w strain and V volume of Held:
 ///
-///     1 - sum over nodes of sum over pairs of their cells of 2 M_a . M_b  /  sum over nodes of (cells - 1) sum of |M|^2,    from 0 to 1
+///     bending = sum of max(0, h - mean over its nodes of the mean h there),     density = sum of V max(0, w/V - mean over its nodes of
+///     sum w / sum V there)
 ///
-/// M is Bending::moment; of a cell whose sides lean too much it is left out above and not below. A beam that bends has almost none, cells
-/// that bend in turns all of it; so have cells without neighbours, springs and dashpots.
-double uneven_bending(const AnyBlock&, const Vectors& x, const Memory&);
+/// All of h counts of an element without neighbours, of one whose sides lean and of springs. A beam that bends has little of either.
+/// It takes about as long as two steps.
+Contrast contrast(const AnyBlock&, const Vectors& x, const Memory&);
 
 /// The schema of a block in the ledger, and its values now.
 Source source(const AnyBlock&);

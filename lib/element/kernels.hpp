@@ -19,7 +19,7 @@ struct Kernels {
                       TileForces&, TileReports&);
   static Thinned thinned(const Block<Kind, Law>&, const Vectors& x, const Memory&);
   static Pressed pressed(const Block<Kind, Law>&, const Memory&);
-  static std::vector<Bending> bending(const Block<Kind, Law>&, const Vectors& x, const Memory&);
+  static std::vector<Held> held(const Block<Kind, Law>&, const Vectors& x, const Memory&);
   static Reduced reduce(const Block<Kind, Law>&, const Vectors& X, const Vectors& x, const Memory&, const Shown&, int component);
   static std::vector<Field> fields(const Block<Kind, Law>&, const Vectors& X, const Vectors& x, const Memory&, const Wanted&);
 };

@@ -12,7 +12,7 @@
 #include "base/dense.hpp"
 #include "base/gather.hpp"
 #include "base/parallel.hpp"
-#include "element/bending.hpp"
+#include "element/held.hpp"
 #include "element/kernels.hpp"
 
 namespace nereid::element {
@@ -385,17 +385,15 @@ Pressed Kernels<Kind, Law>::pressed([[maybe_unused]] const Block<Kind, Law>& blo
 }
 
 template <class Kind, class Law>
-std::vector<Bending> Kernels<Kind, Law>::bending(const Block<Kind, Law>& block, [[maybe_unused]] const Vectors& x,
-                                                 [[maybe_unused]] const Memory& memory) {
-  std::vector<Bending> all;
-  if constexpr (std::is_same_v<Kind, Hexahedron>) {
-    if (block.options.hourglass_kind != Hexahedron::Hourglass::assumed_strain) return all;
+std::vector<Held> Kernels<Kind, Law>::held([[maybe_unused]] const Block<Kind, Law>& block, [[maybe_unused]] const Vectors& x,
+                                           [[maybe_unused]] const Memory& memory) {
+  std::vector<Held> all;
+  if constexpr (!Kind::layered) {
     all.resize(static_cast<std::size_t>(block.tiling.elements));
-    each_element(block, [&](std::size_t pack, int lane, const auto&) {
+    each_element(block, [&](std::size_t pack, int lane, const auto& constants) {
       const Index element = block.tiling.element[pack * lanes + lane];
-      std::array<Vector<double>, 8> corners;
-      for (int a = 0; a < 8; ++a) corners[a] = column(x, block.nodes(a, element));
-      all[static_cast<std::size_t>(element)] = bending_of(corners, read_memory(block, memory, pack, lane).hourglass);
+      all[static_cast<std::size_t>(element)] =
+          held_by(block, constants, read_memory(block, memory, pack, lane), corners_of(block, x, element));
     });
   }
   return all;
@@ -559,7 +557,7 @@ constexpr auto kernels_of() {
   if constexpr (may_have<Kind, Law>) {
     using K = Kernels<Kind, Law>;
     return std::tuple(&K::make, &K::add_mass, &K::element_masses, &K::add_rotary_inertia, &K::initial_memory, &K::advance, &K::thinned,
-                      &K::pressed, &K::bending, &K::reduce, &K::fields);
+                      &K::pressed, &K::held, &K::reduce, &K::fields);
   } else {
     return std::tuple();
   }

@@ -309,10 +309,61 @@ bool has_springs_or_dashpots(const element::AnyBlock& any) {
       any);
 }
 
+// Limits by scripts/coarse: docs/coarse_meshes.md.
+constexpr double bending_worth_a_note = 0.018;          // [-]
+constexpr double concentration_worth_a_warning = 0.15;  // [-] where bodies flow
+constexpr double flow = 0.01;                           // [-] of the energy of the scene, dissipated by plasticity
+constexpr double nodes_worth_no_note = 4;               // [-]
+constexpr double plates_worth_a_note = 0.01;            // [-] of the energy of the scene
+constexpr double of_noted = 45, of_warned = 75;         // [%] that change by more than 5 % on a mesh twice as fine
+
+/// The block that has most of a part of the contrast, as a place in Model::blocks.
+template <class Part>
+std::size_t most_unlike(const Simulation& simulation, Part&& part) {
+  const auto& seen = simulation.state.quality;
+  const auto less = [&](const auto& one, const auto& other) { return part(one.contrast) < part(other.contrast); };
+  return static_cast<std::size_t>(std::max_element(seen.begin(), seen.end(), less) - seen.begin());
+}
+
+/// What the strain energy of a scene is concentrated in.
+struct Concentrated {
+  double part = 0;        ///< [-] of it; zero where that is no error: what elastic bodies concentrate they give back
+  std::size_t block = 0;  ///< that has most of it
+  bool pricked = false;   ///< by a force on a single node, which has no limit on finer meshes
+};
+Concentrated concentrated(const Simulation& simulation) {
+  Concentrated found;
+  found.block = most_unlike(simulation, [](const element::Contrast& one) { return one.density; });
+  if (found.block >= simulation.model.blocks.size()) return found;
+  found.pricked = has_force_on_a_node(simulation, element::nodes(simulation.model.blocks[found.block]));
+  const bool flows = dynamics::dissipated_share(simulation.state.ledger, Dissipated::plastic) > flow;
+  if (flows || found.pricked) found.part = dynamics::contrast(simulation.model, simulation.state).density;
+  return found;
+}
+
+/// Contacts and rigid planes with restitution, by multipliers, that held something in a scene whose bodies flowed.
+std::vector<std::string> contacts_that_give_back(const Simulation& simulation) {
+  constexpr double flows = 0.2;  // [-] of the energy of the scene, dissipated by plasticity
+  const dynamics::Model& model = simulation.model;
+  const dynamics::Ledger& ledger = simulation.state.ledger;
+  std::vector<std::string> names;
+  if (!(dynamics::dissipated_share(ledger, Dissipated::plastic) > flows)) return names;
+  const std::vector<dynamics::Footing>& footings = simulation.state.footings;
+  const auto look = [&](const auto& one, std::size_t place) {
+    if (contact::by_multipliers(one) && one.restitution > 0 && place < footings.size() && footings[place].force > 0)
+      names.push_back(one.name);
+  };
+  for (std::size_t c = 0; c < model.contacts.size(); ++c)
+    if (const contact::Interface* interface = contact::interface_of(model.contacts[c]))
+      if (interface->kind != contact::InterfaceKind::tied) look(*interface, c);  // a pass that follows has no footing
+  for (std::size_t p = 0; p < model.rigid_planes.size(); ++p) look(model.rigid_planes[p], model.contacts.size() + p);
+  return names;
+}
+
 }  // namespace
 
 std::vector<std::string> quality_notes(const Simulation& simulation) {
-  constexpr double worth_saying = 0.1;             // [-] the usual bound on hourglass energy
+  constexpr double worth_saying = 0.1;             // [-] the usual bound on hourglass energy: of springs and dashpots
   constexpr double thickness_worth_saying = 1.05;  // [-] a bar has that at a plastic strain of a tenth
   constexpr double control_worth_saying = 0.01;    // [-] of the internal energy, in distortion control
   constexpr double pressed_worth_saying = 0.5;     // [-] of Young's modulus: vibrations grow from there on, surfaces fold at 0.61
@@ -344,23 +395,59 @@ std::vector<std::string> quality_notes(const Simulation& simulation) {
       notes.push_back(formatted("%s: element %d was pressed by %.3g of Young's modulus at %.4g s; beyond %.3g a hypoelastic law is "
                                 "unstable: ", name, seen.pressed.element, seen.pressed.ratio, seen.pressed_at, pressed_worth_saying) +
                       said(Remedy::neo_hookean));
-    const double uneven = of_internal(seen.uneven), artificial = of_internal(seen.artificial);
-    if (element::rotates(simulation.model.blocks[b]) && artificial > worth_saying)
-      notes.push_back(formatted("%s: artificial modes reached %.3g of the internal energy, drilling %.3g and bending within elements %.3g; "
-                                "above %.3g the size of the elements decides the result: ",
-                                name, artificial, of_internal(seen.drilling), of_internal(seen.residual_bending), worth_saying) +
-                      said(Remedy::estimate_error));
-    if (!(uneven > worth_saying)) continue;
-    const std::string reached = formatted("%s: hourglass energy reached %.3g of the internal energy", name,
-                                          of_internal(seen.hourglass));
-    if (has_springs_or_dashpots(simulation.model.blocks[b])) {
-      notes.push_back(reached + ": " + said(Remedy::assumed_strain));
-      continue;
-    }
-    notes.push_back(reached + formatted(", and %.3g is of elements that bend unlike their neighbours, or whose sides lean; above %.3g "
-                                        "local stresses and forces depend on the size of the elements: ", uneven, worth_saying) +
-                    said(pricked ? Remedy::spread_force : Remedy::estimate_error));
+    if (has_springs_or_dashpots(simulation.model.blocks[b]) && of_internal(seen.hourglass) > worth_saying)
+      notes.push_back(formatted("%s: hourglass energy reached %.3g of the internal energy: ", name, of_internal(seen.hourglass)) +
+                      said(Remedy::assumed_strain));
   }
+  if (const Concentrated seen = concentrated(simulation); seen.part > concentration_worth_a_warning) {
+    const std::string single = formatted("%.3g of the strain energy of all solids is concentrated in single elements, most of it there "
+                                         "(limit %.3g)", seen.part, concentration_worth_a_warning);
+    const std::string rate = formatted("; of such runs %.2g %% change by more than 5 %% on a mesh twice as fine: ", of_warned);
+    notes.push_back(element::name(simulation.model.blocks[seen.block]) + ": " +
+                    (seen.pricked ? single + ": " + said(Remedy::spread_force)
+                                  : "bodies flow, and " + single + rate + said(Remedy::finer_mesh)));
+  }
+  return notes;
+}
+
+std::vector<std::string> mesh_notes(const Simulation& simulation) {
+  std::vector<std::string> notes;
+  const dynamics::Model& model = simulation.model;
+  const dynamics::State& now = simulation.state;
+  const element::Contrast all = dynamics::contrast(model, now);
+  bool warned = concentrated(simulation).part > concentration_worth_a_warning;  // which says more
+  for (const element::AnyBlock& block : model.blocks) warned = warned || has_springs_or_dashpots(block);
+  const std::string then = formatted(": the run cannot tell the error of its mesh; of such runs %.2g %% change by more than 5 %% on a mesh "
+                                     "twice as fine: ", of_noted) + said(Remedy::estimate_error);
+  if (!warned && all.bending > bending_worth_a_note) {
+    const std::size_t b = most_unlike(simulation, [](const element::Contrast& one) { return one.bending; });
+    notes.push_back(formatted("%s: hourglass energy above that of the neighbours is %.3g of the strain energy of all solids, most of it "
+                              "there (limit %.3g)", element::name(model.blocks[b]).c_str(), all.bending, bending_worth_a_note) + then);
+  }
+  const double scale = dynamics::energy_of_scene(now.ledger);
+  std::vector<std::string> plates, plastic;
+  for (std::size_t b = 0; b < model.blocks.size(); ++b) {
+    const dynamics::Quality& seen = now.quality[b];
+    const bool deforms = element::rotates(model.blocks[b]) && !dynamics::is_rigid_block(model, b);
+    if (!deforms || !(seen.internal > plates_worth_a_note * scale)) continue;
+    plates.push_back(element::name(model.blocks[b]) + formatted(" (artificial modes %.2g of its internal energy)",
+                                                                dynamics::of_internal(seen, seen.artificial, scale)));
+  }
+  if (!plates.empty())
+    notes.push_back(joined(plates) + ": no measure of one run tells the error of a mesh of plates: " + said(Remedy::estimate_error));
+  for (const dynamics::Probe& probe : simulation.probes) {
+    if (probe.follows_mesh) plastic.push_back(probe.name);
+    if (probe.footing < 0 || static_cast<std::size_t>(probe.footing) >= now.footings.size()) continue;
+    const double nodes = now.footings[static_cast<std::size_t>(probe.footing)].nodes;
+    if (nodes > 0 && nodes < nodes_worth_no_note)
+      notes.push_back(formatted("%s: the largest force of this contact was carried by %.2g nodes (fewer than %g), and such a peak follows "
+                                "the mesh: ", probe.name.c_str(), nodes, nodes_worth_no_note) + said(Remedy::estimate_error));
+  }
+  if (!plastic.empty())
+    notes.push_back(joined(plastic) + ": a largest plastic strain follows the mesh: " + said(Remedy::eight_points));
+  if (const std::vector<std::string> give_back = contacts_that_give_back(simulation); !give_back.empty())
+    notes.push_back(joined(give_back) + ": bodies flow there, and 'restitution' gives back what a layer of elements loses at its first "
+                                        "touch, more than metal can: docs/scene.md");
   return notes;
 }
 

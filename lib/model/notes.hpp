@@ -32,11 +32,15 @@ std::vector<std::string> depth_notes(const Simulation&);
 /// overlapped at the start only what no contact says.
 std::vector<std::string> overlap_notes(const Simulation&);
 
-/// Each body whose elements spoil its results: corners that are inverted, distortion control above a hundredth and hourglass energy above a
-/// tenth of its internal energy, solids of the law `elastic` that are pressed by more than half of Young's modulus, plates that keep a
-/// thickness which their strain would have changed by more than a twentieth, or plates whose nodes spin about their normals with more than
-/// a hundredth of the energy.
+/// Each body whose elements spoil its results: corners that are inverted, distortion control above a hundredth of its internal energy,
+/// hourglass springs and dashpots above a tenth, solids of the law `elastic` that are pressed by more than half of Young's modulus, plates
+/// that keep a thickness which their strain would have changed by more than a twentieth, or whose nodes spin about their normals with more
+/// than a hundredth of the energy. And strain energy that is concentrated in single elements.
 std::vector<std::string> quality_notes(const Simulation&);
+
+/// What the run cannot tell of the error of its mesh, and no fault: elements that bend unlike their neighbours, plates, peaks of the force
+/// of a few nodes, the largest plastic strain, restitution where bodies flow. What quality_notes() warns of is left out.
+std::vector<std::string> mesh_notes(const Simulation&);
 
 /// Each source, and time integration, that created or lost more than a fifth of the created_limit, of the energy of the scene or of what it
 /// transferred, and more than 1e-4 of the energy of the scene, one a line. Beyond the limit the run stops. Each contact and rigid plane by

@@ -214,6 +214,16 @@ bool is_mean(const Probe& probe, const dynamics::Model& model) {
   return probe.quantity == "force" && std::none_of(model.loads.begin(), model.loads.end(), is_it);
 }
 
+/// The contact or rigid plane whose force a probe measures, as a place in State::footings; -1: it measures something else.
+int footing_of(const Probe& probe, const dynamics::Model& model) {
+  const bool is_force = probe.quantity == "force" || probe.quantity == "current_force" || probe.quantity == "contact_pressure";
+  if (!is_force) return -1;
+  if (const auto contacts = passes(model, probe.of); !contacts.empty()) return static_cast<int>(contacts[0]);
+  for (std::size_t p = 0; p < model.rigid_planes.size(); ++p)
+    if (model.rigid_planes[p].name == probe.of) return static_cast<int>(model.contacts.size() + p);
+  return -1;
+}
+
 }  // namespace
 
 const std::vector<Measurable>& measurables() {
@@ -255,7 +265,9 @@ const Measurable* find_measurable(const std::string& quantity) {
 
 dynamics::Probe make_probe(const Probe& probe, const dynamics::Model& model, const dynamics::State& at_start, Faults& faults) {
   const Measurable* quantity = find_measurable(probe.quantity);
-  return {probe.name, quantity->unit, measure(probe, *quantity, model, at_start, faults), is_mean(probe, model)};
+  const bool follows_mesh = probe.quantity == "plastic_strain" && probe.largest;
+  return {probe.name, quantity->unit, measure(probe, *quantity, model, at_start, faults), is_mean(probe, model), follows_mesh,
+          footing_of(probe, model)};
 }
 
 }  // namespace nereid::model

@@ -8,7 +8,8 @@ namespace nereid::model {
 
 enum class Remedy {
   multiplier, firmer_contact, exchange_sides, two_passes, refine_apexes, near_origin, declare_contact,
-  follow_strain, drilling, neo_hookean, assumed_strain, spread_force, estimate_error, shorter_step, wider_elements
+  follow_strain, drilling, neo_hookean, assumed_strain, spread_force, finer_mesh, eight_points, estimate_error,
+  shorter_step, wider_elements
 };
 
 struct RemedyWords {
@@ -19,7 +20,7 @@ struct RemedyWords {
 };
 
 /// In the order of Remedy. docs/remedies.md is generated from it.
-inline constexpr std::array<RemedyWords, 15> remedy_words{{
+inline constexpr std::array<RemedyWords, 17> remedy_words{{
     {"multiplier", "a penalty whose stiffness shortens the steps of the run", "contacts, rigid planes and ties that may have multipliers",
      "'method: multiplier' would not"},
     {"firmer_contact", "a penalty that is penetrated by more than half an element",
@@ -43,7 +44,11 @@ inline constexpr std::array<RemedyWords, 15> remedy_words{{
      "'hourglass_kind: assumed_strain', the default, gives elements their own bending stiffness"},
     {"spread_force", "a force on a single node, which no mesh resolves", "bodies with a force, a spring or a point mass on one node",
      "a force on a single node should act on a surface"},
-    {"estimate_error", "results of which nobody knows how much they depend on the mesh", "solids without the two causes above",
+    {"finer_mesh", "strain energy that is concentrated in single elements", "solids without a force on a single node",
+     "run again with '--set refine=1.5' (2 for meshes from files), about 6 times the element updates"},
+    {"eight_points", "the largest plastic strain of a coarse mesh", "probes of it",
+     "'kind: full' comes nearer to that of a finer mesh"},
+    {"estimate_error", "results of which nobody knows how much they depend on the mesh", "notes on meshes",
      "'--accuracy' with '--of' estimates by how much a result does"},
     {"shorter_step", "kinetic energy that time integration adds and takes back", "all scenes",
      "a smaller 'time.safety' lowers it with the square of the step"},

@@ -167,7 +167,7 @@ Grid contact_grid(const dynamics::View& view) {
   };
   const auto at = [&](Index node) { return std::array<Vec3, 2>{model.mesh.X.col(node), view.now.x.col(node)}; };
   const auto add_apexes = [&](std::size_t c, const contact::Interface& interface, const contact::Memory& memory) {
-    const std::vector<contact::NodeForce> forces = dynamics::forces_of_contact(view, c);
+    const std::vector<contact::NodeForce> forces = dynamics::forces_of_contact(view.model, view.now, c);
     for (Index a = 0; a < static_cast<Index>(interface.apexes.size()); ++a) {
       if (!is_shown(interface, memory, a)) continue;
       const auto element = contact::view(interface, view.now.x, memory, a);

@@ -400,12 +400,12 @@ int main(int argc, char** argv) {
   for (int look = 0; look < looks; ++look) seen += element::smallest_corner(model.blocks[0], model.mesh.X, state.x).ratio;
   const double corner_seconds = (seconds() - began) / looks;
   began = seconds();
-  for (int look = 0; look < looks; ++look) seen += element::uneven_bending(model.blocks[0], state.x, state.blocks[0]);
-  const double bending_seconds = (seconds() - began) / looks, one_step = step_seconds / steps;
+  for (int look = 0; look < looks; ++look) seen += element::contrast(model.blocks[0], state.x, state.blocks[0]).strain;
+  const double contrast_seconds = (seconds() - began) / looks, one_step = step_seconds / steps;
 
   const double updates = static_cast<double>(element::tiling(model.blocks[0]).elements) * steps;
-  std::printf("%s lanes %d elements %d  kernel %.2f  step %.2f ns per element update; looks at corners %.1f and at bending %.1f steps  "
+  std::printf("%s lanes %d elements %d  kernel %.2f  step %.2f ns per element update; looks at corners %.1f and at neighbours %.1f steps  "
               "(work %.6g, seen %.6g)\n",
               kind.c_str(), lanes, element::tiling(model.blocks[0]).elements, kernel_seconds * 1e9 / updates, step_seconds * 1e9 / updates,
-              corner_seconds / one_step, bending_seconds / one_step, state.blocks[0].work, seen);
+              corner_seconds / one_step, contrast_seconds / one_step, state.blocks[0].work, seen);
 }

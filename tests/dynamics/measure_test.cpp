@@ -139,7 +139,7 @@ Scene pressed_boxes(const std::string& apexes, bool two_passes, double depth) {
 }
 
 void expect_pressure(const Scene& scene, std::size_t pass, double pressure) {
-  const std::vector<contact::NodeForce> forces = forces_of_contact(scene.view(), pass);
+  const std::vector<contact::NodeForce> forces = forces_of_contact(scene.model, scene.state, pass);
   const contact::Interface& interface = std::get<contact::Interface>(scene.model.contacts[pass]);
   Vec3 sum = Vec3::Zero();
   for (const contact::NodeForce& force : forces) sum += force.push;
@@ -172,7 +172,7 @@ TEST(ContactPressure, OfACornerIsOverTheSideThatIsPressed) {
 TEST(ContactPressure, IsNegativeWhereAFaceIsPulled) {
   Scene scene = pressed_boxes("left.x_high", false, 1e-3);
   for (contact::Near& near : std::get<contact::Memory>(scene.state.contacts[0]).near) near.element.scale = -1;
-  const auto forces = forces_of_contact(scene.view(), 0);
+  const auto forces = forces_of_contact(scene.model, scene.state, 0);
   for (Index a = 0; a < 4; ++a) EXPECT_NEAR(traction_at(scene.view(), 0, a, forces).pressure, -1e3, 1e-6);
 }
 

@@ -203,30 +203,65 @@ TEST(Quality, CountsTheEnergyThatABlockHasAtTheStart) {
   EXPECT_LT(fraction, 0.3);
 }
 
-TEST(Quality, SeesThatBendingBecomesUnevenWithoutMoreOfIt) {
+/// A bar of ten cells of which one in the middle is bent by its nodes alone, or that bends as a beam.
+Scene bent(bool alone) {
   Scene s;
   s.model.mesh = mesh::box("box", {Vec3::Zero(), Vec3(10, 1, 1), {10, 1, 1}});
   s.model.blocks.push_back(element::hexahedra(s.model.mesh, "box", rubber, {}));
   finalize(s.model);
   s.ready();
   const Vectors& X = s.model.mesh.X;
-  Vectors bent = Vectors::Zero(3, X.cols()), in_turns = bent;
+  Vectors u = Vectors::Zero(3, X.cols());
   for (Eigen::Index n = 0; n < X.cols(); ++n) {
-    bent(0, n) = 1e-3 * (X(2, n) - 0.5) * X(0, n), bent(2, n) = -0.5e-3 * X(0, n) * X(0, n);
-    in_turns(0, n) = 0.5e-3 * (X(2, n) - 0.5) * std::cos(pi * X(0, n));
+    if (!alone) u(0, n) = 1e-3 * (X(2, n) - 0.5) * X(0, n), u(2, n) = -0.5e-3 * X(0, n) * X(0, n);
+    else if (std::abs(X(0, n) - 5) < 0.1) u(0, n) = 1e-3 * (X(2, n) - 0.5);
   }
-  const auto see = [&](const Vectors& u, bool look) {
-    displace(s.model, s.state, u, {});
-    update_ledger(s.model, s.state);
-    check_artificial_energy(s.model, look, s.state);
-    return s.state.quality[0].uneven / s.state.quality[0].internal;
-  };
-  EXPECT_LT(see(bent, false), 0.01);
-  const Vectors less = in_turns - bent;
-  EXPECT_LT(see(less, false), 0.01) << "no more energy than before, and few steps since";
-  EXPECT_GT(see(Vectors::Zero(3, X.cols()), true), 0.5);
-  s.state.quality[0].uneven = 0, s.state.step += compared_every;
-  EXPECT_GT(see(Vectors::Zero(3, X.cols()), false), 0.5);
+  displace(s.model, s.state, u, {});
+  update_ledger(s.model, s.state);
+  check_artificial_energy(s.model, s.state);
+  return s;
+}
+
+TEST(Quality, AddsUpHowElementsDifferFromTheirNeighboursOverTheLooks) {
+  Scene beam = bent(false), alone = bent(true);
+  for (Scene* s : {&beam, &alone}) {
+    compare_elements(s->model, 1, false, s->state);
+    EXPECT_EQ(s->state.progress.contrast_looks, 0) << "it is not time";
+    s->state.step = contrast_every;
+    compare_elements(s->model, 1, false, s->state);
+    compare_elements(s->model, 1, true, s->state);
+    EXPECT_EQ(s->state.progress.contrast_looks, 1) << "one look a step";
+    s->state.step += 1, s->state.t = 1.0 / contrast_looks;
+    compare_elements(s->model, 1, false, s->state);
+    EXPECT_EQ(s->state.progress.contrast_looks, 2);
+    s->state.ledger.initial_available = s->state.ledger.initial_kinetic = stored(s->state.ledger.accounts[0]);
+  }
+  EXPECT_LT(contrast(beam.model, beam.state).bending, 0.03);
+  EXPECT_GT(contrast(alone.model, alone.state).bending, 0.1) << "both cells at the plane, whose energy is in strain too";
+  EXPECT_EQ(contrast(alone.model, alone.state).bending, contrast(alone.model, alone.state, 0).bending);
+  EXPECT_NEAR(contrast(beam.model, beam.state).strain, 1, 1e-3) << "of the energy of the scene: two looks, and their mean";
+  beam.state.ledger.initial_available = beam.state.ledger.initial_kinetic = 1e5 * beam.state.ledger.initial_kinetic;
+  EXPECT_EQ(contrast(beam.model, beam.state).bending, 0) << "so little strain says nothing";
+}
+
+TEST(Quality, OfARunIsComparedTwentyTimesOrMore) {
+  Scene s = bent(true);
+  Time time;
+  time.end = 0.1;
+  EXPECT_TRUE(good(run(s.model, s.state, s.forces, time, 0.01).ending));
+  EXPECT_GE(s.state.progress.contrast_looks, std::min<std::int64_t>(contrast_looks, s.state.step));
+  EXPECT_LE(s.state.progress.contrast_looks, contrast_looks + 1 + s.state.step / contrast_every);
+}
+
+TEST(DissipatedShare, IsWhatAChannelTookOverTheEnergyOfTheScene) {
+  Ledger ledger;
+  EXPECT_EQ(dissipated_share(ledger, Dissipated::viscous), 0);
+  ledger.initial_available = ledger.initial_kinetic = 8;
+  ledger.accounts.resize(2);
+  ledger.accounts[0].dissipated[Dissipated::viscous] = 1, ledger.accounts[1].dissipated[Dissipated::viscous] = 3;
+  ledger.accounts[1].dissipated[Dissipated::plastic] = 3;
+  EXPECT_EQ(dissipated_share(ledger, Dissipated::viscous), 0.5);
+  EXPECT_EQ(dissipated_share(ledger, Dissipated::plastic), 0.375);
 }
 
 TEST(Quality, OfABlockThatMovesAsOneIsThatOfTheReference) {

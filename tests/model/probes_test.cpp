@@ -189,7 +189,7 @@ Pressed pressed(const Simulation& simulation, const std::string& body) {
   for (std::size_t c = 0; c < simulation.model.contacts.size(); ++c) {
     if (contact::interface_of(simulation.model.contacts[c]) == nullptr) continue;
     const contact::Interface& interface = *contact::interface_of(simulation.model.contacts[c]);
-    const auto forces = dynamics::forces_of_contact(view, c);
+    const auto forces = dynamics::forces_of_contact(view.model, view.now, c);
     sum.force = 0;  // of the whole contact, whatever its pass
     for (const contact::NodeForce& one : forces)
       if (is_inside(one.node)) sum.force += one.push.z();

@@ -46,6 +46,7 @@ TABLE = [
     ("accuracy", "--patience={one}", NUMBER, NO_NUMBERS), ("accuracy", "--patience 1e300", "is too long"),
     ("accuracy", "--drawn --jobs={one}", COUNT, NO_COUNTS), ("accuracy", "--drawn --seed={one}", COUNT, NO_COUNTS),
     ("accuracy", "nosuch", "unrecognized"),
+    ("coarse", "--scenes={one}", COUNT, NO_COUNTS), ("coarse", "--seed={one}", SEED, NO_SEEDS), ("coarse", "nosuch", "unrecognized"),
     ("convert_mesh", "nosuch.msh nosuch.txt", "is no .vtu file"),
     ("benchmark", "--rounds={one}", COUNT, NO_COUNTS), ("benchmark", "nosuch", "invalid choice"),
     ("cask_study", "--levels={one}", COUNT, ("0,1,2",)), ("cask_study", "--levels 1,2 --default 2", "three levels"),
@@ -120,8 +121,8 @@ TABLE = [
     ("view.py", "{run} --frames {file}", "expected is a folder"), ("view.py", "{run} --frames /proc/nosuch", "cannot be written"),
     ("view.py", "{run} --out {file}/a.png", "expected is a folder"), ("view.py", "{run} --out /proc/nosuch/a.png", "cannot be written"),
 ]
-CASE_OF = {"accuracy": "", "extremes": "", "refine": "{case}", "stops": "", "trade": "two_blocks", "verify.py": "", "forecast": "",
-           "figure_contact.py": ""}
+CASE_OF = {"accuracy": "", "coarse": "", "extremes": "", "refine": "{case}", "stops": "", "trade": "two_blocks", "verify.py": "",
+           "forecast": "", "figure_contact.py": ""}
 FOR_PROGRAMS = [one for script, case in CASE_OF.items() for one in (
     (script, f"{case} --drivers nosuch", "expected is the folder of the programs"),
     (script, f"{case} --drivers {{file}}", "expected is the folder"),

@@ -2,6 +2,7 @@
 import base64
 import importlib.machinery
 import importlib.util
+import json
 import struct
 import sys
 import tempfile
@@ -18,6 +19,7 @@ except ImportError:
 ROOT = Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "verification/extremes"), str(ROOT / "scripts")]
 import axes  # noqa: E402  (after the path)
+import finer  # noqa: E402
 import judge  # noqa: E402
 import measure  # noqa: E402
 import meshes  # noqa: E402
@@ -259,6 +261,30 @@ class Geometry(unittest.TestCase):
         folded = np.stack([radius * np.sin(angle), folded[:, 1] + 0.2 * folded[:, 0] / 8, radius * np.cos(angle)], axis=1)
         self.assertGreater(measure.self_overlap(body, folded), 0.1)
 
+    def test_strain_energy_is_that_of_a_bar_a_bend_and_a_twist(self):
+        young, poisson, s = 1e6, 0.3, 1e-3
+        mesh = cube(cells=(1, 1, 1))
+        turn = judge.rotation((1, 2, 3), 0.7)
+
+        def energy(move):
+            x = np.array([point + s * np.array(move(*(point - 0.5))) for point in mesh.points])
+            body = measure.Body(mesh.cells, mesh.points, 1.0)
+            return float(measure.strain_energies(body, x @ turn.T, mesh.points, young, poisson)[0])
+
+        shear = young / 2 / (1 + poisson)
+        for move, known in ((lambda x, y, z: (x, -poisson * y, -poisson * z), young / 2),  # a bar
+                            (lambda x, y, z: (y, 0, 0), shear / 2),
+                            (lambda x, y, z: (x * y, 0, 0), young / 24),                   # bent
+                            (lambda x, y, z: (0, -x * z, x * y), 2 * shear / 24),          # twisted: two shear strains of a half
+                            (lambda x, y, z: (0, 0, 0), 0.0)):
+            self.assertAlmostEqual(energy(move) / s**2 / young, known / young, delta=2e-3)
+
+    def test_energy_above_that_of_the_neighbours(self):
+        mesh = meshes.brick((0, 0, 0), (3, 1, 1), (3, 1, 1))
+        body = measure.Body(mesh.cells, mesh.points, 1.0)
+        self.assertAlmostEqual(measure.above_neighbours(body, np.array([2.0, 2.0, 2.0])), 0)
+        self.assertAlmostEqual(measure.above_neighbours(body, np.array([0.0, 1.0, 0.0])), 0.5)
+
     def test_an_element_inside_out(self):
         mesh = cube()
         body = measure.Body(mesh.cells, mesh.points, 1.0)
@@ -427,7 +453,7 @@ class Verdicts(unittest.TestCase):
 
     def test_a_false_warning(self):
         for depth in (0.1, 0.7):
-            found, reason, _ = verdict(pair(-0.3), said=WARNING.format(depth))
+            found, reason, *_ = verdict(pair(-0.3), said=WARNING.format(depth))
             self.assertEqual(found, judge.BROKEN)
             self.assertIn("false warning", reason)
         self.assertEqual(verdict(pair(0.5), said=WARNING.format(0.3))[0], judge.BROKEN)
@@ -490,7 +516,7 @@ class Verdicts(unittest.TestCase):
             v[len(one.points):, 2] = -0.3 * (1 - 1e-8 * t)
             return X + v * t, v
         folder = Folder([("a", one), ("b", other)], slows, case=TOUCH)
-        found, reason, _ = verdict(folder, said=WARNING.format(0.3))
+        found, reason, *_ = verdict(folder, said=WARNING.format(0.3))
         self.assertEqual(found, judge.BROKEN)
         self.assertIn("momentum", reason)
 
@@ -505,7 +531,7 @@ class Verdicts(unittest.TestCase):
         self.assertEqual(verdict(folder, status=3, said=STOP, again=lambda change: wrong.finished())[0], judge.REFUSED)
         for passes, expected in ((("half", "quarter"), judge.BROKEN), (("mesh",), judge.BROKEN), (("half",), judge.REFUSED),
                                  (("quarter",), judge.REFUSED)):
-            found, reason, _ = verdict(folder, status=3, said=STOP, again=lambda asked: (folder if asked in passes else wrong).finished())
+            found, reason, *_ = verdict(folder, status=3, said=STOP, again=lambda asked: (folder if asked in passes else wrong).finished())
             self.assertEqual(found, expected, passes)
             self.assertEqual("without cause" in reason, expected == judge.BROKEN)
         self.assertEqual(verdict(folder, status=3, said="scene: stopped\n", again=lambda change: wrong.finished())[0], judge.BROKEN)
@@ -556,6 +582,50 @@ class Verdicts(unittest.TestCase):
         for claimed, found in ((0.1, judge.WARNED), (0.2, judge.BROKEN), (0.03, judge.BROKEN)):
             with self.subTest(claimed=claimed):
                 self.assertEqual(verdict(one, said=said.format(claimed))[0], found)
+
+    def test_a_warning_of_concentrated_energy_is_held_against_the_strains(self):
+        said = "warning: {}: {:.3g} of the strain energy is concentrated in single elements (limit 0.39). A finer mesh may differ\n"
+        one, other = cube(cells=(5, 5, 5)), cube((3, 0, 0))
+
+        def dented(X, t):  # the elements at one corner of `a` have nearly all of the strain energy
+            x = X.copy()
+            x[0] += 0.02 * t
+            return x, 0 * X
+        folder = Folder([("a", one), ("b", other)], dented, columns={"energy_kinetic": [0, 0]})
+        for body in folder.case["bodies"]:
+            body["material"].update(kind="elastic", young="1e6 Pa", poisson=0.3)
+        ours = judge.concentrated_in(judge.look(folder.finished(), None), "a")
+        self.assertGreater(ours, 0.39)
+        of_all = said.replace("energy is", "energy of all solids is").replace("elements (", "elements, most of it there (")
+        for words, name, claimed, found in (
+                (said, "a", ours, judge.WARNED), (said, "the scene", ours, judge.WARNED), (said, "a", 1.6 * ours, judge.BROKEN),
+                (said, "a", ours / 1.6, judge.BROKEN), (said, "b", ours, judge.BROKEN), (of_all, "a", ours, judge.WARNED),
+                (of_all, "b", ours, judge.BROKEN), (of_all, "a", 1.6 * ours, judge.BROKEN)):
+            with self.subTest(words=words, name=name, claimed=claimed):
+                self.assertEqual(verdict(folder, said=words.format(name, claimed))[0], found)
+
+    def test_a_note_changes_no_verdict_and_is_counted(self):
+        note = ("note: a: the mesh may be too coarse: hourglass energy above that of the neighbours is 0.09 of the strain energy "
+                "(limit 0.028); a warning: of nothing\n")
+        rests = Folder([("a", cube())], still)
+        self.assertEqual(verdict(rests, said=note)[0], judge.GOOD)
+        kinds = judge.kinds_of_notes(rests.finished(said=note + note.replace("a:", "b:") + "note: b: other words\n"))
+        self.assertEqual(kinds, "2 hourglass, 1 other")
+        self.assertEqual(judge.kinds_of_notes(rests.finished(said="warning: a: b\nscene: note: c\n")), "")
+        noted = {"cost": {"steps": 7}, "notes": [note.strip(), "a: a warning", "note: bulk viscosity took 0.1 of the energy"]}
+        (rests.path / "summary.json").write_text(json.dumps(noted), encoding="utf-8")
+        self.assertEqual(judge.kinds_of_notes(rests.finished(said=note)), "1 hourglass, 1 viscosity")
+        self.assertEqual(verdict(pair(-0.3), said=note)[0], judge.BROKEN)  # it excuses nothing
+
+    def test_warnings_have_kinds_and_are_true_or_not(self):
+        found = verdict(pair(-0.3), said=WARNING.format(0.3) + WARNING.format(0.1))
+        self.assertEqual(found.word, judge.BROKEN)
+        self.assertEqual([(judge.kind_of(warning), true) for warning, true in found.warnings],
+                         [("depth of a node", True), ("depth of a node", False)])
+        self.assertEqual(judge.kind_of("a: hourglass energy reached 0.4 of the internal energy, and"), "hourglass")
+        self.assertEqual(judge.kind_of("the scene: 0.43 of the strain energy is concentrated in single elements (limit 0.39)"),
+                         "concentrated strain energy")
+        self.assertEqual(judge.kind_of("something else"), "other")
 
     def test_a_warning_of_a_hypoelastic_body_is_held_against_its_strains(self):
         said = "warning: a: element 3 was pressed by {:.3g} of Young's modulus at 1 s; beyond 0.5 a hypoelastic law is unstable\n"
@@ -638,18 +708,146 @@ class Matrix(unittest.TestCase):
             self.assertGreater(float(np.min(measure.least_corner(mesh.points[mesh.cells]))), 0)
 
     def test_half_the_step_is_half_for_contact_too(self):
-        loader = importlib.machinery.SourceFileLoader("extremes", str(ROOT / "scripts/extremes"))
-        command = importlib.util.module_from_spec(importlib.util.spec_from_loader("extremes", loader))
-        loader.exec_module(command)
         for change, safety, gain in (("half", 0.45, 0.00125), ("quarter", 0.225, 0.0003125)):
-            made = command.changed(scenes.drop().case, change)
+            made = command().changed(scenes.drop().case, change)
             self.assertEqual(made["time"]["safety"], safety)
             self.assertEqual(made["contacts"][0]["energy_gain_limit"], gain)
         moved = [[[judge.number(part) for part in body["move"]] for body in case["bodies"]]
-                 for case in (scenes.drop().case, *(command.changed(scenes.drop().case, change, 1e-3) for change in judge.NUDGED))]
+                 for case in (scenes.drop().case, *(command().changed(scenes.drop().case, change, 1e-3) for change in judge.NUDGED))]
         self.assertEqual(len({tuple(map(tuple, places)) for places in moved}), 4)
         self.assertTrue(np.allclose(moved[1:], moved[:1], atol=1e-3))
         self.assertTrue(all(place[2] == start[2] for places in moved for place, start in zip(places, moved[0])))
+
+
+COMMAND = None
+
+
+def command():
+    """scripts/extremes as a module."""
+    global COMMAND
+    if COMMAND is None:
+        loader = importlib.machinery.SourceFileLoader("extremes", str(ROOT / "scripts/extremes"))
+        COMMAND = importlib.util.module_from_spec(importlib.util.spec_from_loader("extremes", loader))
+        loader.exec_module(COMMAND)
+    return COMMAND
+
+
+def row(axis, verdict, reason="", note="", warnings=""):
+    return {"axis": axis, "verdict": verdict, "reason": reason, "note": note, "warnings": warnings}
+
+
+ROWS = [row("speed", "good"), row("speed", "good", note="1 hourglass"), row("speed", "warned", warnings="hourglass 2/2; overlap 1/1"),
+        row("gap", "refused", "a: 'move' overlaps by 1 m"), row("gap", "refused", "scene: stopped at 0.1 s: bodies_overlap in a: b"),
+        row("sliding", "broken", warnings="overlap 0/1"), row("sliding", "good")]
+
+
+class Tables(unittest.TestCase):
+    def test_good_cells_with_a_note_and_runs_that_stopped_are_classes_of_their_own(self):
+        self.assertEqual([command().class_of(one) for one in ROWS],
+                         ["good", "good with a note", "warned", "refused", "stopped", "broken", "good"])
+        self.assertEqual(command().class_of({"axis": "gap", "verdict": "good"}), "good")  # of an older table
+
+    def test_the_table_has_axes_and_both_matrices(self):
+        lines = command().table_of(ROWS)
+        self.assertEqual(lines[0], "| axis | cells | good | good with a note | warned | refused | stopped | broken |")
+        self.assertEqual(lines[2], "| speed | 3 | 1 | 1 | 1 |  |  |  |")
+        self.assertEqual(lines[-2], "| **all but sliding** | 5 | 1 (20.0 %) | 1 (20.0 %) | 1 (20.0 %) | 1 (20.0 %) | 1 (20.0 %) |  |")
+        self.assertEqual(lines[-1], "| **sliding** | 2 | 1 (50.0 %) |  |  |  |  | 1 (50.0 %) |")
+        self.assertIn("good 42.9 % (2 without and 1 with a note), warned 14.3 % (1)", command().shares_of(ROWS))
+
+    def test_true_warnings_are_counted_by_kind(self):
+        self.assertEqual(command().warnings_of(ROWS), ["4 warnings, 3 of them true", "    hourglass: 2, true 2", "    overlap: 2, true 1"])
+        told = judge.Verdict("broken", "so", [], (("a and b overlap by 1 m", True), ("a and b overlap by 2 m", False)))
+        made = command().row_of(axes.cells("shift")[0], told, "1 other")
+        self.assertEqual((made["warnings"], made["note"], made["axis"]), ("overlap 1/2", "1 other", "shift"))
+
+    def test_a_page_keeps_what_is_outside_of_the_marks(self):
+        self.assertEqual(command().replaced("a\n<b>\nold\n<e>\nc\n", "<b>", "<e>", ["new"]), "a\n<b>\n\nnew\n\n<e>\nc\n")
+        self.assertEqual(command().replaced("no marks\n", "<b>", "<e>", ["new"]), "no marks\n")
+        page = (ROOT / "verification/extremes/README.md").read_text(encoding="utf-8")
+        for mark in (command().BEGIN, command().END, command().BEGIN_FINER, command().END_FINER):
+            self.assertEqual(page.count(mark), 1, mark)
+
+    def test_random_scenes_by_automatic_contact_have_defaults(self):
+        for cell in axes.at_random(0, 12, (), axes.BY_AUTOMATIC):
+            case = cell.make().case
+            self.assertEqual([set(contact) - {"friction"} for contact in case["contacts"]], [{"name", "kind"}])
+            self.assertEqual(set(case["time"]), {"end"})
+            self.assertTrue(all(set(body.get("element", {})) <= {"thickness"} for body in case["bodies"]))
+            self.assertEqual(command().of_name(json.dumps(command().key_of(cell))).name(), cell.name())
+
+
+class FinerMeshes(unittest.TestCase):
+    def test_a_seed_draws_the_same_cells_of_each_matrix(self):
+        cells = axes.cells()
+        drawn = finer.drawn(cells, 60, finer.SEED)
+        self.assertEqual([cell.name() for cell in drawn], [cell.name() for cell in finer.drawn(cells, 60, finer.SEED)])
+        self.assertEqual(sum(cell.axis == "sliding" for cell in drawn), 60)
+        self.assertEqual(len(drawn), 120)
+        self.assertNotEqual({cell.name() for cell in drawn}, {cell.name() for cell in finer.drawn(cells, 60, 1)})
+        fewer = finer.drawn([cell for cell in cells if cell.axis != "gap"], 60, finer.SEED)
+        self.assertTrue({cell.name() for cell in drawn if cell.axis != "gap"} <= {cell.name() for cell in fewer})
+        self.assertEqual(len(finer.drawn(axes.cells("distance"), 60, 1)), len(axes.cells("distance")))
+
+    def test_every_body_has_all_of_its_elements_split(self):
+        others = [cell for cell in axes.cells() if cell.axis != "sliding"]  # whose curved meshes take seconds each
+        for cell in {(cell.axis, cell.scene): cell for cell in others}.values():
+            coarse, fine = cell.make(), finer.finer_scene(cell)
+            before, after = finer.elements(coarse), finer.elements(fine)
+            if "refine" in fine.case:
+                self.assertTrue(all(entry["mesh"]["kind"] == "file" for entry in fine.case["bodies"]), cell.name())
+                self.assertEqual(before, after, cell.name())  # the program splits them
+                continue
+            for name, mesh in ((entry["name"], entry["mesh"]) for entry in coarse.case["bodies"] if entry["name"] != "ship"):
+                plate = mesh["kind"] == "file" and coarse.meshes[mesh["path"]].cells.shape[1] == 3
+                self.assertGreaterEqual(after[name], (4 if plate else 8) * before[name], cell.name())
+            self.assertEqual(coarse.case["time"], fine.case["time"], cell.name())
+
+    def test_velocities_and_places_of_answers_are_compared(self):
+        def of(way, *answers):
+            folder = slid(way)
+            return finer.results_of(judge.look(folder.finished(), None), judge.Expected(answers=list(answers)))
+
+        known = of(0.5, ("moves", "b", (1, 0, 0), 0.5, 0.1), ("side", "a", "b"), ("cheap", 7))
+        self.assertEqual(list(known), ["velocity of b"])
+        self.assertTrue(np.allclose(known["velocity of b"][0], (0.5, 0, 0)))
+        self.assertAlmostEqual(known["velocity of b"][1], 0.5)
+        self.assertEqual(list(of(0.5, ("side", "a", "b"))), ["velocity of a", "velocity of b"])
+        self.assertAlmostEqual(of(0.5, ("stands", "b", (1, 0, 0), 0.0, 0.1))["place of b"][1], 0.5)
+        apart = of(0.5, ("separates", "a", "b", (1, 0, 0), 0.0, 1.0))
+        self.assertTrue(np.allclose(apart["velocity of b from a"][0], (0.5, 0, 0)))
+        moves = ("moves", "b", (1, 0, 0), 0.5, 0.1)
+        name, off = finer.change(of(0.4, moves), of(0.5, moves))
+        self.assertEqual(name, "velocity of b")
+        self.assertAlmostEqual(off, 0.2)
+
+    def test_the_result_that_changes_most_is_the_change(self):
+        coarse = {"a": (np.array([1.0, 0.0]), 9.0), "b": (np.array([0.0, 1.0]), 9.0)}
+        fine = {"a": (np.array([1.0, 0.1]), 1.0), "b": (np.array([0.0, 1.5]), 2.0)}
+        self.assertEqual(finer.change(coarse, fine), ("b", 0.25))
+        self.assertEqual(finer.change({"r": (np.zeros(3), 0.0)}, {"r": (np.zeros(3), 0.0)}), ("r", 0.0))
+
+    def test_a_spin_and_a_drag_are_compared(self):
+        def spun(X, time):
+            return X, (1 - 0.1 * time) * np.cross((0, 0, 2.0), X - X.mean(axis=0))
+        folder = Folder([("a", cube())], spun, columns={"energy_kinetic": [0, 0], "drive": [0.0, 10.0], "load": [0.0, -20.0]})
+        found = finer.results_of(judge.look(folder.finished(), None), judge.Expected(answers=[("spins", "a", (0, 0, 1), 0.85, 1.0)]))
+        self.assertAlmostEqual(found["spin of a"][0][0], 0.9)
+        still_folder = Folder([("a", cube())], still, (0.0, 0.5, 1.0), {"drive": [0.0, 5.0, 10.0], "load": [0.0, -10.0, -20.0]})
+        drags = judge.Expected(answers=[("drags", "a", 0.5, 0.03, "drive", "load")])
+        value, of = finer.results_of(judge.look(still_folder.finished(), None), drags)["drag of a"]
+        self.assertAlmostEqual(value[0], 0.5)
+        self.assertAlmostEqual(of, 0.5)
+
+    def test_a_table_of_changes(self):
+        def of(matrix, verdict, change, note="", reason=""):
+            return {"matrix": matrix, "verdict": verdict, "reason": reason, "note": note, "change": change}
+        rows = [of("sliding", "good", "0.01"), of("sliding", "good", "0.07"), of("sliding", "good", "", reason=""),
+                of("sliding", "good", "0.2", note="1 hourglass"), of("all but sliding", "refused", "", reason="scene: stopped at 1 s: a")]
+        lines = finer.table_of(rows)
+        self.assertEqual(lines[2:], ["| all but sliding | stopped | 1 |  |  |  |  |",
+                                     "| sliding | good | 3 | 2 | 1 (50 %) | 2 (100 %) | 4 % |",
+                                     "| sliding | good with a note | 1 | 1 | 0 (0 %) | 0 (0 %) | 20 % |"])
 
 
 def tearDownModule():

@@ -284,11 +284,17 @@ def ties():
 
 
 def scale():
-    """Sizes in metres, and origins that are many lengths away."""
+    """Sizes in metres."""
     found = []
     for v in (1e-9, 1e-6, 1e-3, 1.0, 1e3):
         found += with_options("scale", v, "drop", scenes.scaled, PENALTIES, factor=v / SIZE)
         found += [cell("scale", v, "bars", "", scenes.scaled, factor=v / SIZE, kind="bars")]
+    return found
+
+
+def shift():
+    """How many lengths away the origin is."""
+    found = []
     for v in (1.0, 1e2, 1e4, 1e6):
         found += with_options("shift", v, "drop", scenes.shifted, PASSES, lengths=v)
         found += [cell("shift", v, kind, "", scenes.shifted, lengths=v, kind=kind) for kind in ("bars", "plate")]
@@ -325,9 +331,13 @@ OF_RANDOM = (20400039, 31000028, 31000068, 31000193, 31000399, 33000125, 3300022
 OF_AUTOMATIC = (1000, 1041, 1086, 1090, 1121)
 
 
-def at_random(first=0, count=29, also=OF_RANDOM):
+BY_AUTOMATIC = "automatic, defaults"  # the option of random scenes by automatic contact in which no key of the numerics is set
+
+
+def at_random(first=0, count=29, also=OF_RANDOM, option=""):
     """Bodies of random shape, thrown at one another, by their seed."""
-    return [cell("random", str(seed), "thrown", "", scenes.thrown, seed=seed) for seed in (*range(first, first + count), *also)]
+    keys = {"automatic": True, "defaults": True} if option == BY_AUTOMATIC else {}
+    return [cell("random", str(seed), "thrown", option, scenes.thrown, seed=seed, **keys) for seed in (*range(first, first + count), *also)]
 
 
 def automatic(first=0, count=24):
@@ -440,8 +450,8 @@ def corners_that_slide():
 
 AXES = {"time step": time_step, "penalty": penalty, "stiffness ratio": stiffness, "density ratio": density, "mesh ratio": mesh_ratio,
         "aspect ratio": aspect, "Poisson": poisson, "speed": speed, "thickness": thickness, "friction": friction, "gap": gap,
-        "ridge": ridges, "valley": valleys, "shapes": shapes, "ties": ties, "scale": scale, "distance": distance, "long": long_runs,
-        "random": at_random, "automatic": automatic, "sliding": sliding_bodies}
+        "ridge": ridges, "valley": valleys, "shapes": shapes, "ties": ties, "scale": scale, "shift": shift, "distance": distance,
+        "long": long_runs, "random": at_random, "automatic": automatic, "sliding": sliding_bodies}
 
 
 def cells(axis=None):

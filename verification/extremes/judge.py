@@ -5,14 +5,18 @@
     warned    something may be wrong, and the warning says so truly
     broken    all else: wrong in silence, a false warning, a stop without cause, a message without a reason, a crash
 
+Lines that begin with `note:` say what the run cannot tell. They do not change the verdict.
+
 A fault is what the judge finds wrong: energy from nowhere, momentum that changes by itself, a known answer that is missed, bodies in each
 other, a body in itself, elements inside out, numbers that are not finite.
 """
 import dataclasses
 import functools
+import json
 import math
 import re
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 
@@ -30,8 +34,10 @@ SEEN = 0.01          # [-] of the flattest element: what is less deep is not see
 NUDGED = ("nudged 1", "nudged 2", "nudged 3")
 LOOKS = 12           # frames in which a body is held against itself
 GOOD, REFUSED, WARNED, BROKEN = "good", "refused", "warned", "broken"
+NOTED, STOPPED = "good with a note", "stopped"  # classes of good and of refused cells
+CLASSES = (GOOD, NOTED, WARNED, REFUSED, STOPPED, BROKEN)
 
-DONE, BAD_CASE, STOPPED = 0, 2, 3
+DONE, BAD_CASE, ENDED_EARLY = 0, 2, 3
 
 
 @dataclasses.dataclass
@@ -65,6 +71,14 @@ class Fault:
     kind: str
     amount: float
     text: str
+
+
+class Verdict(NamedTuple):
+    """What a run is, why, what is wrong with it, and its warnings with whether each is true: of runs that came to their end."""
+    word: str
+    reason: str
+    faults: list
+    warnings: tuple = ()
 
 
 # ------------------------------------------------------------------------------------------------
@@ -470,28 +484,39 @@ def slides(seen, body, friction, within, pull=0.0):
     return f"{body} slides at {found:.4g} m/s at {time:.4g} s, expected {right:.4g} within {within:.2g}"
 
 
-def drags(seen, body, friction, within, drive, load):
-    """What drags a body along x is its friction, in the mean over the last two thirds of a run: both are impulses of the history. The error
-    is a part of the friction, or of a tenth of the normal force where there is less."""
+def dragged_by(seen, body, drive, load):
+    """The force that drags a body along x over the normal force, in the mean over the last two thirds of a run; infinite where there is no
+    normal force. Both are impulses of the history."""
     mass = float(seen.bodies[body].mass.sum())
     frames = [frame for frame in seen.frames if frame.time >= seen.frames[-1].time / 3]
     first, last = frames[0], frames[-1]
     normal = normal_impulse(seen, body, last, load) - normal_impulse(seen, body, first, load)
     found = at_time(seen, drive, last.time) - at_time(seen, drive, first.time)
     found -= mass * (seen.velocity(body, last) - seen.velocity(body, first))[0]
-    if normal > 0 and abs(found - friction * normal) <= within * max(friction, 0.1) * normal:
+    return found / normal if normal > 0 else math.inf
+
+
+def drags(seen, body, friction, within, drive, load):
+    """What drags a body along x is its friction. The error is a part of the friction, or of a tenth of the normal force where there is
+    less."""
+    part = dragged_by(seen, body, drive, load)
+    if abs(part - friction) <= within * max(friction, 0.1):
         return None
-    part = found / normal if normal else math.inf
     return f"{body} is dragged with {part:.4g} of the normal force, expected {friction:g} within {within * max(friction, 0.1):.2g}"
 
 
-def spins(seen, body, axis, least, most):
+def spin_left(seen, body, axis):
     """The part of the angular momentum about its centre, along an axis, that a body has left."""
     left = []
     for frame in (seen.frames[0], seen.frames[-1]):
         x, v = (values - mean for values, mean in ((frame.x, seen.centre(body, frame)), (frame.v, seen.velocity(body, frame))))
         left.append(float(np.array(axis, dtype=float) @ (seen.bodies[body].mass[:, None] * np.cross(x, v)).sum(axis=0)))
-    part = left[1] / left[0]
+    return left[1] / left[0]
+
+
+def spins(seen, body, axis, least, most):
+    """A body has `least` to `most` of its spin left."""
+    part = spin_left(seen, body, axis)
     return None if least <= part <= most else f"{body} has {part:.4g} of its spin left, expected {least:.4g} to {most:.4g}"
 
 
@@ -560,10 +585,31 @@ def faults_of(seen, expected):
                 *shape_faults(seen)]
 
 
+def is_note(line):
+    return line.lstrip().startswith("note:")
+
+
 def warnings_of(said):
     """Warnings of the run; that of coarse apexes is of the mesh alone, so it excuses nothing and is not judged."""
-    found = [line.partition("warning:")[2].strip() for line in said.splitlines() if "warning:" in line]
+    found = [line.partition("warning:")[2].strip() for line in said.splitlines() if "warning:" in line and not is_note(line)]
     return [warning for warning in found if not OF_COARSE_APEXES.match(warning)]
+
+
+def notes_of(run):
+    """Notes of a run, each once: what it says that it cannot tell, as the error of its mesh, on the error stream or in the notes of its
+    summary. They excuse nothing and are not judged."""
+    try:
+        summary = json.loads((Path(run.folder) / "summary.json").read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        summary = {}
+    lines = [line for line in (*run.said.splitlines(), *summary.get("notes", [])) if is_note(line)]
+    return list(dict.fromkeys(line.partition("note:")[2].strip() for line in lines))
+
+
+def kinds_of_notes(run):
+    """The notes of a run by kind, as '2 hourglass, 1 other'; nothing where there is none."""
+    kinds = [next((kind for kind, words in KINDS_OF_NOTES.items() if words in note), "other") for note in notes_of(run)]
+    return ", ".join(f"{kinds.count(kind)} {kind}" for kind in dict.fromkeys(kinds))
 
 
 NUMBER = r"([-+]?\d+(?:\.\d*)?(?:[eE][-+]?\d+)?)"
@@ -571,6 +617,7 @@ OF_DEPTH = re.compile(r"deep|overlap|penetrat|inside|through|pass", re.IGNORECAS
 
 
 OF_HOURGLASS = re.compile(r"(\w+): hourglass energy reached " + NUMBER + " of the internal energy")
+OF_CONCENTRATED = re.compile(r"(the scene|\w+): " + NUMBER + " of the strain energy (of all solids )?is concentrated in single elements")
 OF_CONTROL = re.compile(r"(\w+): the energy of distortion control reached " + NUMBER + " of the internal energy")
 OF_PRESSED = re.compile(r"(\w+): element \d+ was pressed by " + NUMBER + " of Young's modulus")
 OF_PLATES = re.compile(r"(\w+): artificial modes reached " + NUMBER + " of the internal energy")
@@ -585,6 +632,7 @@ OF_ROUNDING = re.compile(r"(\w+): so far from the origin positions are rounded b
 AT_TIME = re.compile(r" at " + NUMBER + r" s\b")
 OF_THICKNESS = re.compile(r"(\w+): plates keep their thickness, and the strain of element (\d+) asks for " + NUMBER)
 OF_CORNER = re.compile(r"(\w+): a corner of element \d+ was inverted")
+OF_STOP = re.compile(r"\w+: stopped at " + NUMBER + " s")
 OF_INVERSION = re.compile(r"inverted_element in (\w+)")
 AS_GOOD_AS_INVERTED = 0.1  # [-] a corner with less of its reference is at the bound, wherever chance leaves it
 COARSE = 4.0        # [-] between an energy that was lost or made between two rows and what the rows show
@@ -595,9 +643,25 @@ TRUE_STRAIN = 0.2   # [-] of a strain through the thickness that is claimed: fra
 NEARLY_FLAT = 0.25  # [-] a corner that was inverted between two frames stands at no more in one of them
 
 
+KINDS = {"hourglass": OF_HOURGLASS, "concentrated strain energy": OF_CONCENTRATED, "distortion control": OF_CONTROL,
+         "pressed elements": OF_PRESSED, "artificial modes of plates": OF_PLATES, "thickness of plates": OF_THICKNESS,
+         "inverted corner": OF_CORNER, "depth of a node": OF_NODE, "overlap": OF_OVERLAP, "overlap with itself": OF_ITSELF,
+         "energy created": OF_ENERGY, "swing of the kinetic energy": OF_SWING, "rounding": OF_ROUNDING}
+
+
+KINDS_OF_NOTES = {"hourglass": "hourglass energy above that of the neighbours", "viscosity": "bulk viscosity took",
+                  "plates": "of a mesh of plates", "contact nodes": "the largest force of this contact was carried by",
+                  "plastic strain": "largest plastic strain", "restitution": "'restitution'"}
+
+
+def kind_of(warning):
+    return next((kind for kind, words in KINDS.items() if words.match(warning)), "other")
+
+
 def of_elements(warning):
     """Whether a warning is about the shape of elements and not about contact."""
-    return any(one.match(warning) is not None for one in (OF_HOURGLASS, OF_CONTROL, OF_PRESSED, OF_CORNER, OF_THICKNESS))
+    return any(one.match(warning) is not None
+               for one in (OF_HOURGLASS, OF_CONCENTRATED, OF_CONTROL, OF_PRESSED, OF_CORNER, OF_THICKNESS))
 
 
 def energy_fraction(seen, expected, source, scene):
@@ -622,6 +686,33 @@ def fraction_of(seen, body, *modes):
     return float(np.max(sum(own[name] for name in names if name in own))) / internal if internal > 0 else 0.0
 
 
+def concentrations(seen):
+    """{solid body: (strain energy above the density of the nodes around, strain energy)}, summed over the frames [J]. Strains are elastic,
+    and of each element its bending counts: see `measure.strain_energies`."""
+    found = {}
+    for entry in seen.case["bodies"]:
+        body = seen.bodies[entry["name"]]
+        if body.is_plate or entry.get("rigid"):
+            continue
+        young, poisson = number(entry["material"]["young"]), float(entry["material"]["poisson"])
+        energies = [measure.strain_energies(body, frame.x, seen.X, young, poisson) for frame in seen.frames]
+        found[entry["name"]] = (sum(measure.above_neighbours(body, one) for one in energies), sum(float(one.sum()) for one in energies))
+    return found
+
+
+def concentrated_in(seen, name, of_all=False):
+    """How much of the strain energy is above the density of the nodes around: of a body, or of all solids if the name is 'the scene'. Of
+    all solids too with `of_all`, but nothing if another body has much more of it than the one that is named."""
+    found = concentrations(seen)
+    if name == "the scene" or of_all:
+        above, whole = (sum(one[part] for one in found.values()) for part in (0, 1))
+        if name != "the scene" and found.get(name, (0.0, 0.0))[0] * TRUE_SHARE < max((one[0] for one in found.values()), default=0.0):
+            return 0.0
+    else:
+        above, whole = found.get(name, (0.0, 0.0))
+    return above / whole if whole > 0 else 0.0
+
+
 def thickness_asked_for(seen, body):
     """The part of its thickness that an elastic plate would have by its strain, (A0/A)^(nu/(1 - nu)), where that is farthest from one."""
     poisson = float(next(entry for entry in seen.case["bodies"] if entry["name"] == body)["material"]["poisson"])
@@ -644,6 +735,9 @@ def is_true(warning, seen, expected, faults):
     if (hourglass := OF_HOURGLASS.match(warning)) is not None:
         ours = fraction_of(seen, hourglass[1], "hourglass")
         return ours / TRUE_SHARE <= float(hourglass[2]) <= ours * TRUE_SHARE
+    if (concentrated := OF_CONCENTRATED.match(warning)) is not None:
+        ours = concentrated_in(seen, concentrated[1], concentrated[3] is not None)
+        return ours / TRUE_SHARE <= float(concentrated[2]) <= ours * TRUE_SHARE
     if (control := OF_CONTROL.match(warning)) is not None:
         ours = fraction_of(seen, control[1], "distortion")
         return ours / TRUE_SHARE <= float(control[2]) <= ours * TRUE_SHARE
@@ -761,7 +855,7 @@ def steps_of(run):
 
 
 def verdict_of(run, expected, again=None, initial=None, twin=None):
-    """(verdict, reason, faults) of a run.
+    """The Verdict of a run.
 
     again     runs the same scene with half the step ("half") or a quarter ("quarter"), on a finer mesh ("mesh"), with more frames
               ("frames"), from places aside by a nudge (NUDGED), or up to a time [s]: a Finished
@@ -769,17 +863,17 @@ def verdict_of(run, expected, again=None, initial=None, twin=None):
     twin      the same scene elsewhere: (its Finished, factor of speeds, how like they are)
     """
     if run.status is None:
-        return BROKEN, f"cut after {run.seconds:.0f} s", []
+        return Verdict(BROKEN, f"cut after {run.seconds:.0f} s", [])
     if run.status == BAD_CASE:
         if not gives_reason(run):
-            return BROKEN, "refused without a reason: " + first_line(run.said), []
+            return Verdict(BROKEN, "refused without a reason: " + first_line(run.said), [])
         if not refusal_is_true(run, initial):
-            return BROKEN, f"refused without cause: our depth is {initial:.3g} m: " + first_line(run.said), []
-        return REFUSED, first_line(run.said), []
-    if run.status == STOPPED:
+            return Verdict(BROKEN, f"refused without cause: our depth is {initial:.3g} m: " + first_line(run.said), [])
+        return Verdict(REFUSED, first_line(run.said), [])
+    if run.status == ENDED_EARLY:
         return verdict_of_stop(run, expected, again)
     if run.status != DONE:
-        return BROKEN, f"ended with status {run.status}: " + first_line(run.said), []
+        return Verdict(BROKEN, f"ended with status {run.status}: " + first_line(run.said), [])
     seen = look(run, expected)
     expected, faults = decided(seen, expected, again)
     faults += faults_of(seen, expected)
@@ -816,7 +910,7 @@ def is_of_the_mesh(run, expected, again):
     if stop is None or not least_corner(run, expected, stop[1]) < 0:
         return False
     others = [again(change) if again else None for change in ("half", "quarter")]
-    return all(other is not None and other.status in (DONE, STOPPED) and
+    return all(other is not None and other.status in (DONE, ENDED_EARLY) and
                (OF_INVERSION.search(last_line(other.said)) or least_corner(other, expected, stop[1]) < AS_GOOD_AS_INVERTED)
                for other in others)
 
@@ -827,31 +921,31 @@ def verdict_of_stop(run, expected, again):
     with one of them by chance is not better for it."""
     said = last_line(run.said)
     if not gives_reason(run):
-        return BROKEN, "stopped without a reason: " + said, []
+        return Verdict(BROKEN, "stopped without a reason: " + said, [])
     if not last_state_kept(run):
-        return BROKEN, "stopped, and the last state is lost: " + said, []
+        return Verdict(BROKEN, "stopped, and the last state is lost: " + said, [])
     if any(word == "untouched" for word, *_ in expected.answers):
-        return BROKEN, "stopped without cause, nothing touches: " + said, []
+        return Verdict(BROKEN, "stopped without cause, nothing touches: " + said, [])
     again = functools.cache(again) if again else None
     if names_what_is_seen(run, expected) or is_of_the_mesh(run, expected, again):
-        return REFUSED, said, []
+        return Verdict(REFUSED, said, [])
 
     def passes(change):
         other = again(change) if again else None
         return other is not None and other.status == DONE and not faults_of(look(other, expected), expected)
 
     if passes("half") and passes("quarter"):
-        return BROKEN, f"stopped without cause, passes at half the step and at a quarter: {said}", []
+        return Verdict(BROKEN, f"stopped without cause, passes at half the step and at a quarter: {said}", [])
     if passes("mesh"):
-        return BROKEN, f"stopped without cause, passes on a finer mesh: {said}", []
-    return REFUSED, said, []
+        return Verdict(BROKEN, f"stopped without cause, passes on a finer mesh: {said}", [])
+    return Verdict(REFUSED, said, [])
 
 
 def verdict_of_end(run, seen, expected, faults, again):
     """A run that came to its end is judged by its faults and its warnings."""
     warnings = warnings_of(run.said)
     if not warnings:
-        return (BROKEN, "in silence: " + worst(faults), faults) if faults else (GOOD, "", faults)
+        return Verdict(BROKEN, "in silence: " + worst(faults), faults) if faults else Verdict(GOOD, "", faults)
     true = [warning for warning in warnings if is_true(warning, seen, expected, faults)]
     if len(true) < len(warnings) and again is not None:  # the deepest may lie between two frames
         closer = again("frames")
@@ -861,19 +955,28 @@ def verdict_of_end(run, seen, expected, faults, again):
             true = [warning for warning in warnings if is_true(warning, seen, expected, faults)]
     for warning in [one for one in warnings if one not in true and AT_TIME.search(one)] if again is not None else []:
         until = again(float(AT_TIME.search(warning)[1]))
-        if until is None or until.status not in (DONE, STOPPED):
+        if until is None or until.status not in (DONE, ENDED_EARLY):
             continue
         then = look(until, expected)
         if is_true(warning, then, expected, faults_of(then, expected)):
             true.append(warning)
     left = [fault for fault in faults if not excuses(fault, true)]
+    told = tuple((warning, warning in true) for warning in warnings)
     if len(true) < len(warnings):
         false = next(warning for warning in warnings if warning not in true)
         ours = max((max(deep, below) for _, deep, below, *_ in depths(seen, expected)), default=0.0)
-        return BROKEN, f"false warning (our depth is {ours:.3g} m): {false}" + (f"; {worst(faults)}" if faults else ""), faults
+        said = f"false warning (our depth is {ours:.3g} m): {false}" + (f"; {worst(faults)}" if faults else "")
+        return Verdict(BROKEN, said, faults, told)
     if left:
-        return BROKEN, "warned of something else: " + worst(left), faults
-    return WARNED, true[0], faults
+        return Verdict(BROKEN, "warned of something else: " + worst(left), faults, told)
+    return Verdict(WARNED, true[0], faults, told)
+
+
+def class_of(verdict, reason, note):
+    """The class of a cell: good cells with a note are one, and so are refusals during the run."""
+    if verdict == GOOD and note:
+        return NOTED
+    return STOPPED if verdict == REFUSED and OF_STOP.match(reason) else verdict
 
 
 def first_line(said):

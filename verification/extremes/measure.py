@@ -146,21 +146,59 @@ def read_history(folder):
 
 def jacobians(corners, at):
     """Determinants of the trilinear maps of hexahedra [cells x 8 x 3] at one place in [-1, 1]^3."""
+    return np.linalg.det(gradients(corners, at))
+
+
+def gradients(corners, at=(0.0, 0.0, 0.0)):
+    """Of the trilinear maps of hexahedra [cells x 8 x 3] at one place in [-1, 1]^3, by default in their middle [cells x 3 x 3]."""
     r, s, t = at
     a, b, c = 1 + CORNERS[:, 0] * r, 1 + CORNERS[:, 1] * s, 1 + CORNERS[:, 2] * t
     shape = np.stack([CORNERS[:, 0] * b * c, a * CORNERS[:, 1] * c, a * b * CORNERS[:, 2]]) / 8
-    return np.linalg.det(np.einsum("dk,eki->edi", shape, corners))
-
-
-def gradients(corners):
-    """Of the trilinear maps of hexahedra [cells x 8 x 3] in their middle."""
-    return np.einsum("kd,eki->eid", CORNERS / 8, corners)
+    return np.einsum("dk,eki->eid", shape, corners)
 
 
 def logarithmic_strains(body, x, X):
     """Principal ones in the middle of a body's hexahedra, ascending [cells x 3]."""
     gradient = gradients(x[body.cells]) @ np.linalg.inv(gradients(X[body.cells]))
     return np.sort(np.log(np.linalg.svd(gradient, compute_uv=False)), axis=1)
+
+
+def strain_energies(body, x, X, young, poisson):
+    """Of a body's hexahedra, by Hooke's law [J]: of the logarithmic strains in their middle, and of what bends and twists them.
+
+    Bending is how much more the lines of an element along its edges are stretched at eight points than in its middle. Each direction counts
+    on its own with Young's modulus, as of a beam whose sides are free. A twist is how the angle between two directions changes along the
+    third one. How this angle changes along the two directions themselves is an error of the trilinear map and does not count.
+    """
+    mu, lame = young / 2 / (1 + poisson), young * poisson / (1 + poisson) / (1 - 2 * poisson)
+    principal = logarithmic_strains(body, x, X)
+    density = mu * (principal**2).sum(axis=1) + lame / 2 * principal.sum(axis=1) ** 2
+
+    def lines(at):
+        """(logarithms of the stretches along the three edges, cosines between edges i and i + 1 less those at first) [cells x 3]."""
+        logs, cosines = [], []
+        for along in (gradients(x[body.cells], at), gradients(X[body.cells], at)):
+            lengths = np.linalg.norm(along, axis=1)
+            logs.append(np.log(lengths))
+            cosines.append(np.einsum("eid,eid->ed", along, np.roll(along, -1, axis=2)) / lengths / np.roll(lengths, -1, axis=1))
+        return logs[0] - logs[1], cosines[0] - cosines[1]
+
+    points, middle = CORNERS / np.sqrt(3), lines((0.0, 0.0, 0.0))[0]
+    found = [lines(at) for at in points]
+    bent = np.mean([(logs - middle) ** 2 for logs, _ in found], axis=0)
+    twist = 3 * np.mean([np.roll(at, -2) * cosines for at, (_, cosines) in zip(points, found)], axis=0)  # over the third direction
+    density += young / 2 * bent.sum(axis=1) + mu / 2 * (twist**2).sum(axis=1) / 3
+    return density * body.volumes
+
+
+def above_neighbours(body, energies):
+    """[J] of the energies of a body's elements: what exceeds the density of the nodes around, each with all of its elements."""
+    def at_nodes(values):
+        return np.bincount(body.cells.ravel(), np.repeat(values, body.cells.shape[1]), minlength=int(body.cells.max()) + 1)
+
+    volume = at_nodes(body.volumes)
+    around = at_nodes(energies) / np.where(volume > 0, volume, 1)
+    return float(np.sum(np.maximum(0.0, energies - body.volumes * around[body.cells].mean(axis=1))))
 
 
 def volumes(corners):

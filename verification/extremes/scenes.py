@@ -576,13 +576,14 @@ def shape(rng, fine, plates):
     return brick([-s / 2 for s in sides], [s / 2 for s in sides], [rng.randint(1, 3) * fine for _ in range(3)]), 0.0
 
 
-def thrown(fine=1, seed=0, bodies=None, plates=True, automatic=False):
+def thrown(fine=1, seed=0, bodies=None, plates=True, automatic=False, defaults=False):
     """Bodies of random shape, turned and thrown at one another, with contact between all of them; the first may be a plate, of apexes.
-    By an automatic contact any may be a plate, and they touch from both sides."""
+    By an automatic contact any may be a plate, and they touch from both sides. With `defaults` no scene has a penalty of its own."""
     rng = random.Random(seed)
     many = bodies or rng.choice([2, 2, 2, 3, 4])
     passes, friction = rng.choice(["one", "two"]), rng.choice([0.0, 0.0, 0.2, 0.5, 1.0])
     penalty = rng.choice([{}, {}, {"method": "penalty"}, {"method": "penalty", "penalty_scale": rng.choice([2.0, 100.0])}])
+    penalty = {} if defaults else penalty
     speed = SOUND * 10 ** rng.uniform(-1.5, -0.7)
     found, contacts, velocities = [], [], {}
     radius = 0.0
