@@ -164,12 +164,12 @@ void visit(Archive& archive, EdgeMemory& memory) {
 
 template <class Archive>
 void visit(Archive& archive, PlaneMemory& memory) {
-  auto& [shape_points, force, restitution, next_force, friction, next_friction, stuck, slip, sliding, work, stored, friction_to_come,
-         friction_deficit, tangential_stored, friction_dissipated, transferred, impact, power_rate, step_factor, deepest, deepest_node,
-         deepest_time, impulse, angular_impulse] = memory;
-  archive(shape_points, force, restitution, next_force, friction, next_friction, stuck, slip, sliding, work, stored, friction_to_come,
-          friction_deficit, tangential_stored, friction_dissipated, transferred, impact, power_rate, step_factor, deepest, deepest_node,
-          deepest_time, impulse, angular_impulse);
+  auto& [shape_points, force, restitution, next_force, area, friction, next_friction, stuck, slip, sliding, work, stored,
+         friction_to_come, friction_deficit, tangential_stored, friction_dissipated, transferred, impact, power_rate, step_factor, deepest,
+         deepest_node, deepest_time, impulse, angular_impulse] = memory;
+  archive(shape_points, force, restitution, next_force, area, friction, next_friction, stuck, slip, sliding, work, stored,
+          friction_to_come, friction_deficit, tangential_stored, friction_dissipated, transferred, impact, power_rate, step_factor, deepest,
+          deepest_node, deepest_time, impulse, angular_impulse);
 }
 
 }  // namespace contact

@@ -34,6 +34,7 @@ contact::Faceted faceted_of(const Model& model, const mesh::Surface& surface) {
   contact::Faceted faceted;
   faceted.nodes = mesh::surface_nodes(surface);
   faceted.area = mesh::tributary_areas(model.mesh, surface, faceted.nodes);
+  faceted.faces = mesh::faces_around(model.mesh, surface, faceted.nodes);
   const std::vector<Index> others = mesh::other_sides(surface.facets);
   const auto place = [&](Index node) {
     return std::lower_bound(faceted.nodes.begin(), faceted.nodes.end(), node) - faceted.nodes.begin();

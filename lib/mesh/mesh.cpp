@@ -245,4 +245,10 @@ double tributary_area_against(const FacesAround& around, const Vectors& x, Index
   return sum;
 }
 
+double tributary_area_loaded(const FacesAround& around, const Vectors& x, Index place, const Vec3& direction, double whole) {
+  if (around.begin.empty()) return whole;
+  const double facing = tributary_area_against(around, x, place, direction);
+  return facing > 0 ? facing : whole;
+}
+
 }  // namespace nereid::mesh

@@ -274,6 +274,7 @@ void add_rigid_planes(const Scene& scene, dynamics::Model& model) {
                                   .normal = plane.normal,
                                   .nodes = nodes,
                                   .area = mesh::tributary_areas(model.mesh, surface, nodes),
+                                  .faces = mesh::faces_around(model.mesh, surface, nodes),
                                   .rounds = round != nullptr ? std::vector{*round->round} : std::vector<mesh::RoundBody>(),
                                   .round_area = mesh::facet_areas(model.mesh, surface).mean(),
                                   .method = plane.method,

@@ -1326,6 +1326,62 @@ TEST(Multipliers, GiveBackWhatTheyTookFromABarThatBouncesOffAWall) {
   EXPECT_GT(rebound(8, 0), 0.85);
 }
 
+/// A bar of one layer that falls flat on a block of the same layer height or, without one, on a plane.
+///
+/// apexes, base  surfaces of the bar and of the block that touch
+struct FallsFlat {
+  const char *apexes, *base;
+  bool block = false;
+};
+Scene falls_flat(const FallsFlat& how, const InterfaceOptions& options = {}) {
+  Scene s;
+  const double gap = 1e-4;
+  mesh::Mesh bar = mesh::box("bar", {{-0.02, -0.005, gap}, {0.02, 0.005, 0.01 + gap}, {4, 1, 1}});
+  s.model.mesh = how.block ? mesh::join(bar, mesh::box("block", {{-0.02, -0.005, -0.01}, {0.02, 0.005, 0}, {4, 1, 1}})) : bar;
+  for (const mesh::Hexahedra& body : s.model.mesh.hexahedra) {
+    const Table<3> skin = mesh::skin(s.model.mesh.X, {body}).facets;
+    s.model.mesh.surfaces.push_back({body.name + ".skin", skin});
+    s.model.blocks.push_back(element::hexahedra(s.model.mesh, body.name, material::Elastic{1000, 1e6, 0.3}, {}));
+  }
+  finalize(s.model);
+  if (how.block) {
+    s.joined("joint", how.apexes, how.base, options);
+  } else {
+    const mesh::Surface& surface = mesh::surface(s.model.mesh, how.apexes);
+    contact::RigidPlane plane;
+    plane.name = "wall", plane.point = Vec3::Zero(), plane.normal = Vec3::UnitZ(), plane.method = contact::Method::multiplier;
+    plane.nodes = mesh::surface_nodes(surface);
+    plane.area = mesh::tributary_areas(s.model.mesh, surface, plane.nodes);
+    plane.faces = mesh::faces_around(s.model.mesh, surface, plane.nodes);
+    plane.impedance = surface_impedance(s.model, surface), plane.depth = surface_depth(s.model, surface);
+    s.model.rigid_planes.push_back(plane);
+  }
+  s.ready();
+  s.move("bar", {0, 0, -0.7});
+  return s;
+}
+
+TEST(Multipliers, ReleaseABarThatFallsFlatAsItsFaceAndNotAsItsSkin) {
+  InterfaceOptions options = by_multipliers(1);
+  options.edges = false;
+  const auto rebound = [&](const FallsFlat& how) {
+    Scene s = falls_flat(how, options);
+    s.run_to(2e-3, 1e300, {}, 0.9);
+    double momentum = 0, mass = 0;
+    for (const Index node : mesh::node_set(s.model.mesh, "bar"))
+      momentum += s.model.mass(node) * s.state.v(2, node), mass += s.model.mass(node);
+    return momentum / mass / 0.7;
+  };
+  const double on_plane = rebound({"bar.z_low", ""});
+  EXPECT_GT(on_plane, 0.7);
+  EXPECT_NEAR(rebound({"bar.skin", ""}), on_plane, 1e-9);
+  const double on_block = rebound({"bar.z_low", "block.z_high", true});
+  EXPECT_NEAR(rebound({"bar.skin", "block.z_high", true}), on_block, 1e-9);
+  options.two_passes = true;
+  const double of_both = rebound({"bar.z_low", "block.z_high", true});
+  EXPECT_NEAR(rebound({"bar.skin", "block.skin", true}), of_both, 1e-6);  // what iterations leave of two passes
+}
+
 TEST(Multipliers, StopWhatBeginsInContact) {
   Scene s = bar(4, 0, 0);
   start(s.model, s.state, s.forces);

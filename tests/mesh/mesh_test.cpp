@@ -182,6 +182,19 @@ TEST(TributaryAreaFacing, OfASkinIsThatOfTheSideThatIsPressedAlsoAfterATurn) {
   EXPECT_NEAR(of_skin(0) / of_side(0), 3, 1e-12);  // the corner has three sides
 }
 
+TEST(TributaryAreaLoaded, OfASkinIsThatOfTheSideThatIsPressedOrAllOfItWhereNoneIs) {
+  const Mesh mesh = cube_with_skin();
+  const Surface &skin = surface(mesh, "A.skin"), &side = surface(mesh, "A.z_low");
+  const Subset nodes = surface_nodes(side);
+  const FacesAround around = faces_around(mesh, skin, nodes);
+  const Scalars of_side = tributary_areas(mesh, side, nodes), of_skin = tributary_areas(mesh, skin, nodes);
+  for (Index i = 0; i < static_cast<Index>(nodes.size()); ++i) {
+    EXPECT_NEAR(tributary_area_loaded(around, mesh.X, i, {0.1, 0.2, 7}, of_skin(i)), of_side(i), 1e-15);
+    EXPECT_EQ(tributary_area_loaded(around, mesh.X, i, {0, 0, -1}, of_skin(i)), of_skin(i));  // no face looks that way
+    EXPECT_EQ(tributary_area_loaded({}, mesh.X, i, {0, 0, 1}, of_skin(i)), of_skin(i));
+  }
+}
+
 TEST(TributaryAreaFacing, TurnsContinuouslyFromOneSideToTheOther) {
   const Mesh mesh = cube_with_skin();
   const Surface& skin = surface(mesh, "A.skin");

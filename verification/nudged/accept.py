@@ -13,7 +13,7 @@ DRIVER = "scene"
 CASE = "verification/nudged/case.yaml"
 
 # what differs by decisions that are not mended, by twin and seed: README.md, "Misses"
-MISSED = {"mirrored, other numbers": (2, 11, 16, 21, 22), "bodies in another order": (19,)}
+MISSED = {"mirrored, other numbers": (2, 11, 21, 22, 29), "bodies in another order": (19,)}
 TWINS = {"nudged": throws.nudged, "mirrored, other numbers": throws.mirrored, "bodies in another order": throws.in_another_order}
 OWN = "a shape of the program's own in a mirror"
 

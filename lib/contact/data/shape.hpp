@@ -20,6 +20,7 @@ namespace nereid::contact {
 struct Faceted {
   Subset nodes;
   Scalars area;       ///< [m2] [nodes] tributary
+  mesh::FacesAround faces;  ///< [nodes] what that lies on
   Scalars half;       ///< [m] [nodes] half the thickness of plates there
   Subset apex;        ///< [nodes] in Interface::apexes, whose growth of thickness counts too; empty where none grows
   Table<2> edges;     ///< each once

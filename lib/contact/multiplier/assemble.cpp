@@ -188,13 +188,16 @@ void find_in_range(const Interface& interface, const Motion& m, MovedOf&& moved_
       else restitution = {};
       continue;
     }
-    const double area = interface.area(near.apex);
     const Rubbing rubbing = rubbing_of(interface, near);
     const Index foot = first + rubbing.place, facet = rubbing.foot->facet;
+    const Vec3 normal = found.list.conditions[static_cast<std::size_t>(foot)].normal;
+    const bool has_just_touched = near.pressed > 0 && near.earlier == 0;
+    if (!(near.area > 0) || has_just_touched)  // it keeps it while it is pressed
+      near.area = mesh::tributary_area_loaded(interface.faces, m.x, near.apex, normal, interface.area(near.apex));
+    const double area = near.area;
     Index friction = -1;
     if (interface.friction.coefficient > 0 && m.dt > 0) {
       const Feature on{facet, geometry::Kind::facet, 0};
-      const Vec3& normal = found.list.conditions[static_cast<std::size_t>(foot)].normal;
       const Touch touch = touch_of(interface, m.x, near.apex, on, normal, rubbing.foot);
       const Vec3 force = near.friction->acts ? near.friction->force : Vec3(Vec3::Zero());
       friction = add_friction(touch, interface.friction, force, near.friction->stuck, m, found.frictions);
@@ -273,12 +276,16 @@ void find_conditions(const RigidPlane& plane, const Motion& m, PlaneMemory& memo
     const bool far = !(memory.force[i] > 0) && c.gap > std::max(multipliers_reach * plane.depth, way);
     if (far || !complete(m, m.dt > 0 ? memory.force[i] : 0, memory.restitution[i].held, all, all, c)) {
       end({&node, 1}, plane.restitution, memory.restitution[i], memory, all);
-      memory.next_force[i] = 0;
+      memory.next_force[i] = memory.area[i] = 0;
       if (!memory.next_friction.empty()) memory.next_friction[i].setZero(), memory.stuck[i] = 0;
       take_back(all);
       continue;
     }
-    const double area = plane.area(static_cast<Eigen::Index>(i));
+    double& area = memory.area[i];
+    if (!(area > 0) || !(memory.force[i] > 0)) {  // it keeps it while it is pressed
+      const auto place = static_cast<Index>(i);
+      area = mesh::tributary_area_loaded(plane.faces, m.x, place, plane.normal, plane.area(place));
+    }
     c.impulse = c.met = memory.force[i] * 0.5 * (m.dt + m.next);
     Index friction = -1;
     if (plane.friction.coefficient > 0 && m.dt > 0) {

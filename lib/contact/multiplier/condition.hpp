@@ -69,7 +69,7 @@ struct Contactor {
   Index friction;        ///< in Multipliers::frictions, or -1
   Index foot = first;    ///< the condition along whose base it rubs
   unsigned rubs = ~0u;   ///< a bit for each of its conditions, from the first on, whose bases are of that body
-  double area;           ///< [m2] tributary
+  double area;           ///< [m2] tributary, of the sides that the contact loads
   double depth;          ///< [m] of the flattest element of its contact
   double impedance;      ///< [N s/m] of its area
   double square;         ///< [-] of the coefficient of restitution

@@ -130,9 +130,9 @@ void add_anchors(const mesh::RoundBody& round, const PlacedRound& at, double sig
   }
 }
 
-/// Sets nodes, weights, normal and place of a point.
+/// Sets nodes, weights, normal and place of a point at positions x.
 void set_point(const Interface& interface, const std::vector<PlacedRound>& placed, const NearFeature& near, const Spot& spot,
-               ShapePoint& point) {
+               const Vectors& x, ShapePoint& point) {
   const ShapePair& pair = interface.shapes.pairs[static_cast<std::size_t>(near.pair)];
   point.pair = near.pair, point.kind = near.kind, point.id = near.id, point.part = spot.part;
   point.normal = -pair.side * spot.normal, point.place = spot.place;
@@ -148,7 +148,8 @@ void set_point(const Interface& interface, const std::vector<PlacedRound>& place
       const auto at = static_cast<std::size_t>(j), place = static_cast<std::size_t>(point.nodes++);
       point.node[place] = on.node[at], point.weight[place] = point.rub_weight[place] = -pair.side * spot.weight[at];
     }
-    if (near.kind == NearKind::node) point.area = faceted.area(near.id);
+    if (near.kind == NearKind::node)  // the shape pushes the node along the normal of the spot
+      point.area = mesh::tributary_area_loaded(faceted.faces, x, near.id, spot.normal, faceted.area(near.id));
   }
   const auto round = static_cast<std::size_t>(pair.round);
   add_anchors(interface.shapes.rounds[round], placed[round], pair.side, point);
@@ -320,7 +321,7 @@ void find_shape_conditions(const Interface& interface, const Motion& m, Memory& 
     bool looked = false;
     for (const Spot& spot : spots) {
       ShapePoint point;
-      set_point(interface, now, near, spot, point);
+      set_point(interface, now, near, spot, m.x, point);
       least[static_cast<std::size_t>(near.pair)] = std::min(least[static_cast<std::size_t>(near.pair)], point.gap);
       point.gap -= overlap;
       if (is_far(pair.between, m, point, all) && !pressed_before(memory.shape_points, point)) continue;

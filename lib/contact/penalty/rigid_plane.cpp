@@ -11,6 +11,7 @@ PlaneMemory initial_memory(const RigidPlane& plane) {
   memory.force.assign(plane.nodes.size(), 0.0);
   if (by_multipliers(plane)) {
     memory.next_force.assign(plane.nodes.size(), 0.0);
+    memory.area.assign(plane.nodes.size(), 0.0);
     memory.restitution.resize(plane.nodes.size());
     if (plane.friction.coefficient > 0) memory.friction.assign(plane.nodes.size(), Vec3::Zero());
     memory.next_friction = memory.friction;

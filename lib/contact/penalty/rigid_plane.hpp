@@ -19,6 +19,7 @@ struct RigidPlane {
   Vec3 point, normal;  ///< [m] on the plane, unit vector to the side of the nodes
   Subset nodes;                        ///< none of bodies that touch it as shapes
   Scalars area;                        ///< [m2] tributary area, [nodes]
+  mesh::FacesAround faces;             ///< [nodes] what the tributary area lies on; may be empty
   std::vector<mesh::RoundBody> rounds; ///< of these, by multipliers
   double round_area = 0;               ///< [m2] that a point of one stands for, against others
   Method method = Method::penalty;
@@ -36,6 +37,8 @@ struct PlaneMemory {
   std::vector<double> force;            ///< [N] along the normal, [nodes]
   std::vector<Restitution> restitution; ///< [nodes] of multipliers; else empty
   std::vector<double> next_force;       ///< [N] by multipliers, [nodes]: what advance() takes; empty of a penalty
+  /// [m2] [nodes] by multipliers, of the sides of a node that faced the plane as it came into contact; zero: the node has no condition
+  std::vector<double> area;
   std::vector<Vec3> friction, next_friction;      ///< [N] friction by multipliers, the same
   std::vector<char> stuck;              ///< whether it held them in the last step, the same
   std::vector<Vec3> slip;               ///< [m] elastic part of the slip, [nodes]; empty without friction

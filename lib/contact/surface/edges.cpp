@@ -44,6 +44,15 @@ Sides sides_of(const Table<4>& faces) {
   return all;
 }
 
+/// Whether a face at an edge of a body is one of a surface too.
+bool is_side(const Sides& surface, const Ends& ends, const Around& of_body, std::size_t side) {
+  const auto at = surface.find(ends);
+  if (at == surface.end()) return false;
+  const Around& own = at->second;
+  const Ends wanted = sorted(of_body.across[side], of_body.opposite[side]);
+  return sorted(own.across[0], own.opposite[0]) == wanted || sorted(own.across[1], own.opposite[1]) == wanted;
+}
+
 /// Whether a surface is one of plates: its facets are elements.
 bool has_plates(const mesh::Mesh& mesh, const mesh::Surface& surface) {
   const auto key = [](const auto& nodes) {
@@ -115,6 +124,7 @@ Edges edges_of(const mesh::Mesh& mesh, const mesh::Surface& surface, std::span<c
       return std::binary_search(plane.begin(), plane.end(), ends[0]) && std::binary_search(plane.begin(), plane.end(), ends[1]);
     });
   };
+  const Sides on_surface = sides_of(mesh::faces(mesh, surface));
   std::map<Ends, const Around*> found;  // each once, in an order that is of the mesh alone
   for (Index f = 0; f < surface.facets.cols(); ++f)
     for (int e = 0; e < 3; ++e) {
@@ -124,12 +134,14 @@ Edges edges_of(const mesh::Mesh& mesh, const mesh::Surface& surface, std::span<c
     }
   const auto count = static_cast<Eigen::Index>(found.size());
   edges.nodes.resize(2, count), edges.across.resize(2, count), edges.opposite.resize(2, count), edges.area.resize(count);
+  edges.counts.resize(2, count);
   edges.of_plates.assign(found.size(), plates ? 1 : 0);
   Eigen::Index e = 0;
   for (const auto& [ends, around] : found) {
     edges.nodes.col(e) << around->nodes[0], around->nodes[1];
     edges.across.col(e) << around->across[0], around->across[1];
     edges.opposite.col(e) << around->opposite[0], around->opposite[1];
+    for (std::size_t side = 0; side < 2; ++side) edges.counts(static_cast<Index>(side), e) = is_side(on_surface, ends, *around, side);
     edges.area(e++) = 0.5 * (area_of(ends[0]) + area_of(ends[1]));
   }
   return edges;
@@ -138,6 +150,7 @@ Edges edges_of(const mesh::Mesh& mesh, const mesh::Surface& surface, std::span<c
 void add_edges(const Edges& more, double half, Index body, Edges& all) {
   const Eigen::Index before = all.nodes.cols(), count = before + more.nodes.cols();
   all.nodes.conservativeResize(2, count), all.across.conservativeResize(2, count), all.opposite.conservativeResize(2, count);
+  all.counts.conservativeResize(2, count), all.counts.rightCols(more.counts.cols()) = more.counts;
   all.area.conservativeResize(count), all.half.conservativeResize(count);
   all.nodes.rightCols(more.nodes.cols()) = more.nodes, all.across.rightCols(more.nodes.cols()) = more.across;
   all.opposite.rightCols(more.nodes.cols()) = more.opposite;
@@ -167,6 +180,19 @@ bool is_ridge(const Edges& edges, const Vectors& x, Index edge) {
 Flanks::Flanks(const Edges& edges, const Vectors& x, Index edge) {
   for (int side = 0; side < 2; ++side)
     if (edges.across(side, edge) >= 0) into[static_cast<std::size_t>(count++)] = contact::into(edges, x, edge, side).normalized();
+}
+
+double area_loaded(const Edges& edges, const Vectors& x, Index edge, const Vec3& direction) {
+  if (edges.of_plates[static_cast<std::size_t>(edge)] != 0) return edges.area(edge);
+  const Vec3 L = along(edges, x, edge);
+  double facing = 0, all = 0;
+  for (int side = 0; side < 2; ++side) {
+    if (edges.across(side, edge) < 0 || edges.counts(side, edge) == 0) continue;
+    const Vec3 area = (side == 0 ? 1.0 : -1.0) * L.cross(into(edges, x, edge, side));  // along the normal of the facet
+    all += area.norm();
+    if (area.dot(direction) < -0.5 * area.norm()) facing += area.norm();
+  }
+  return facing > 0 ? facing / all * edges.area(edge) : edges.area(edge);
 }
 
 double rise(const Flanks& flanks, const Vec3& direction) {

@@ -15,6 +15,7 @@ struct Edges {
   Table<2> across;    ///< third nodes of both facets; -1 where a plate ends
   Table<2> opposite;  ///< the same, or of quadrilateral faces their fourth nodes
   Scalars area;       ///< [m2] of half its length: mean of the tributary areas of its nodes on the surface
+  Table<2> counts;    ///< 1 of facets of the surface, whose area that is, 0 of facets that only the body has
   std::vector<char> of_plates;  ///< [edges] these have two sides
   // of an automatic contact, else empty
   Scalars half;  ///< [m] [edges] half the thickness of plates
@@ -51,6 +52,12 @@ struct Flanks {
 
   Flanks(const Edges&, const Vectors& x, Index edge);
 };
+
+/// The part of Edges::area that a contact along a direction loads: on those facets of the surface at an edge whose normals are within 60
+/// degrees of the opposite of the direction. It is all of the area where no facet faces the direction, and of plates. [m2]
+///
+/// direction  unit vector: along it the other side pushes the edge
+double area_loaded(const Edges&, const Vectors& x, Index edge, const Vec3& direction);
 
 /// How far the facets at an edge rise above the plane across a direction, as a sine: the largest of  t . d  with t the unit vector into
 /// a facet. What is in front of the edge along d can be touched where none rises.

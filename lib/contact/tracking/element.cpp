@@ -243,7 +243,8 @@ void update_element(const Interface& interface, const Vectors& x, const Vectors&
   if (near.tracks.count == 0) return look_around(interface, x, v, moved, near, memory);
   if (before.count == 0) near.safe_distance = -infinite;
   if (before.count == 0 || !(near.area > 0)) {  // it keeps it while it is in contact: a stiffness that changes makes energy
-    near.area = area_facing(interface, x, a, near.tracks.track[0].facet);
+    // multipliers set their own
+    near.area = interface.method == Method::multiplier ? 0 : area_facing(interface, x, a, near.tracks.track[0].facet);
   }
 
   const double release_height = between(interface, a, near.tracks.track[0].facet).release_height;

@@ -2,11 +2,13 @@
 
 #include <numbers>
 #include <random>
+#include <utility>
 
 #include "contact/multiplier/assemble.hpp"
 #include "contact/multiplier/predict.hpp"
 #include "contact/multiplier/solve.hpp"
 #include "contact/multiplier/stick.hpp"
+#include "mesh/skin.hpp"
 #include "tests/contact/pressed.hpp"
 
 namespace nereid::contact::condition_test {
@@ -228,6 +230,64 @@ TEST(Condition, TheSlipRateOfTheStepBeforeCountsUnlessItStuckThen) {
     ASSERT_EQ(at.all.frictions.size(), 1U);
     EXPECT_EQ(at.all.frictions[0].coefficient, stuck ? 0.3 : 0.1);
   }
+}
+
+/// A brick of one element whose eight nodes, after those of a sheet, are apexes; it stands over the sheet, close to it.
+struct Brick {
+  static constexpr double width = 0.5, height = 2;  // m
+  pressed::Scene scene;
+  mesh::Mesh mesh;
+  Vectors v, none{3, 0}, force;
+  Scalars mass, no_inertia;
+  std::vector<Index> turns;
+  std::vector<const Mat3*> allowed, no_rotations;
+
+  Brick() : scene(press(sheet(4, 4, flat), corners(), 0)) {
+    mesh.X = scene.x;
+    mesh.hexahedra.push_back({"brick", Table<8>(8, 1)});
+    for (int i = 0; i < 8; ++i) mesh.hexahedra[0].nodes(i, 0) = scene.apex(i);
+    mesh.surfaces.push_back({"skin", mesh::skin(mesh.X, mesh.hexahedra).facets});
+    Interface& interface = scene.interface;
+    interface.method = Method::multiplier;
+    interface.depth = 1, interface.impedance = 3;
+    interface.area = mesh::tributary_areas(mesh, mesh.surfaces[0], interface.apexes);
+    interface.faces = mesh::faces_around(mesh, mesh.surfaces[0], interface.apexes);
+    scene.memory.restitution.resize(8);
+    const Eigen::Index nodes = mesh.X.cols();
+    v = force = Vectors::Zero(3, nodes);
+    v.row(2).tail(8).setConstant(-1);
+    mass = Scalars::Ones(nodes);
+    turns.assign(static_cast<std::size_t>(nodes), -1), allowed.assign(static_cast<std::size_t>(nodes), nullptr);
+  }
+  static std::vector<Vec3> corners() {
+    std::vector<Vec3> all;
+    for (const double z : {1e-3, height})
+      for (const auto& [x, y] : {std::pair(0.0, 0.0), {width, 0.0}, {width, width}, {0.0, width}}) all.emplace_back(1 + x, 1 + y, z);
+    return all;
+  }
+  Motion motion() const { return {scene.x, v, none, force, none, mass, no_inertia, turns, allowed, no_rotations, 1e-3, 1e-3}; }
+};
+
+TEST(Contactor, OfACornerHasTheImpedanceOfTheFaceThatTouchesOverFacetsAndPlanes) {
+  Brick at;
+  const double face = 0.25 * Brick::width * Brick::width;  // of a node; of its three faces it has 9 times as much
+  Interface& interface = at.scene.interface;
+  const auto nodes = static_cast<Index>(at.mesh.X.cols());
+  Multipliers all = make_multipliers(std::vector<AnyContact>{interface}, {}, nodes, 0);
+  look_ahead(interface.apexes, at.motion(), all), look_ahead(interface.base_nodes, at.motion(), all);
+  find_conditions(interface, at.motion(), at.scene.memory, at.scene.workspace, all);
+  ASSERT_EQ(all.contactors.size(), 4U);
+  for (const Contactor& one : all.contactors) EXPECT_NEAR(one.impedance, 3 * face, 1e-15);
+  RigidPlane plane;
+  plane.point = Vec3::Zero(), plane.normal = Vec3::UnitZ(), plane.method = Method::multiplier;
+  plane.nodes = interface.apexes, plane.area = interface.area, plane.faces = interface.faces;
+  plane.depth = 1, plane.impedance = 5;
+  PlaneMemory memory = initial_memory(plane);
+  all = make_multipliers({}, {&plane, 1}, nodes, 0);
+  look_ahead(plane.nodes, at.motion(), all);
+  find_conditions(plane, at.motion(), memory, all);
+  ASSERT_EQ(all.contactors.size(), 4U);
+  for (const Contactor& one : all.contactors) EXPECT_NEAR(one.impedance, 5 * face, 1e-15);
 }
 
 TEST(Trend, IsTheLineThroughTheLastTwoStepsWhereBothPress) {

@@ -47,6 +47,28 @@ TEST(EdgesOf, ASurfaceLeaveOutThoseInASymmetryPlane) {
   EXPECT_EQ(ridges(edges, mesh.X), 4 * (2 + 3 + 4) - 2 * (3 + 4));
 }
 
+TEST(AreaLoaded, OfARidgeIsThatOfTheFaceThatIsPressedWhateverTheSurface) {
+  const mesh::Mesh mesh = box_with_skin({2, 4, 3});  // cells of 0.5 x 0.5 m at the top
+  const auto middle_of_ridge = [&](const Edges& edges) {  // along y on top at x = 0, with no end at a corner
+    for (Index e = 0; e < edges.nodes.cols(); ++e) {
+      const Vec3 at = 0.5 * (mesh.X.col(edges.nodes(0, e)) + mesh.X.col(edges.nodes(1, e)));
+      if (at.x() == 0 && at.z() == 3 && std::abs(at.y() - 0.75) < 1e-9) return e;
+    }
+    return Index{-1};
+  };
+  for (const char* surface : {"box.skin", "box.z_high"}) {
+    const Edges edges = edges_of(mesh, mesh::surface(mesh, surface), {});
+    const Index e = middle_of_ridge(edges);
+    ASSERT_GE(e, 0);
+    EXPECT_NEAR(area_loaded(edges, mesh.X, e, -Vec3::UnitZ()), 0.125, 1e-15 + (surface[4] == 's' ? 0.07 : 0)) << surface;
+    EXPECT_EQ(area_loaded(edges, mesh.X, e, Vec3::UnitY()), edges.area(e)) << "no face looks that way";
+    EXPECT_EQ(area_loaded(edges, mesh.X, e, Vec3(1, 0, -1).normalized()), edges.area(e)) << "both do, or the only one";
+  }
+  const Edges skin = edges_of(mesh, mesh::surface(mesh, "box.skin"), {});
+  const Index e = middle_of_ridge(skin);
+  EXPECT_NEAR(area_loaded(skin, mesh.X, e, -Vec3::UnitZ()) + area_loaded(skin, mesh.X, e, Vec3::UnitX()), skin.area(e), 1e-15);
+}
+
 TEST(EdgesOf, PlatesHaveRims) {
   const mesh::Mesh mesh = mesh::tube("tube", {1, 1, mesh::Revolution::full, 8, 5});
   const Edges edges = edges_of(mesh, mesh.surfaces[0], {});
