@@ -125,10 +125,10 @@ void visit(Archive& archive, NearFeature& near) {
 
 template <class Archive>
 void visit(Archive& archive, ShapePoint& point) {
-  auto& [pair, kind, id, part, nodes, node, weight, rub_weight, normal, place, gap, curved, area, acts, closed, rubs, stuck, pressed,
-         coefficient, friction, restitution] = point;
-  archive(pair, kind, id, part, nodes, node, weight, rub_weight, normal, place, gap, curved, area, acts, closed, rubs, stuck, pressed,
-          coefficient, friction, restitution);
+  auto& [pair, kind, id, part, nodes, node, weight, rub_weight, normal, place, gap, curved, area, loaded, acts, closed, rubs, stuck,
+         pressed, coefficient, friction, restitution] = point;
+  archive(pair, kind, id, part, nodes, node, weight, rub_weight, normal, place, gap, curved, area, loaded, acts, closed, rubs, stuck,
+          pressed, coefficient, friction, restitution);
 }
 
 template <class Archive>

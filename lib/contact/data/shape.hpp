@@ -73,7 +73,7 @@ struct ShapePoint {
   Vec3 place = Vec3::Zero();       ///< [m]
   double gap = 0;                  ///< [m] now
   double curved = 0;               ///< [m] what the gap at the end of the step to come has beyond what the rate tells
-  double area = 0;                 ///< [m2]
+  double area = 0, loaded = 0;     ///< [m2] and of the faces that the contact loads
   bool acts = false, closed = false, rubs = false, stuck = false;
   double pressed = 0;              ///< [N] in the step before
   double coefficient = 0;          ///< [-] of friction

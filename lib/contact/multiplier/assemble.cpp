@@ -194,7 +194,6 @@ void find_in_range(const Interface& interface, const Motion& m, MovedOf&& moved_
     const bool has_just_touched = near.pressed > 0 && near.earlier == 0;
     if (!(near.area > 0) || has_just_touched)  // it keeps it while it is pressed
       near.area = mesh::tributary_area_loaded(interface.faces, m.x, near.apex, normal, interface.area(near.apex));
-    const double area = near.area;
     Index friction = -1;
     if (interface.friction.coefficient > 0 && m.dt > 0) {
       const Feature on{facet, geometry::Kind::facet, 0};
@@ -205,7 +204,8 @@ void find_in_range(const Interface& interface, const Motion& m, MovedOf&& moved_
     const Between& pair = between(interface, near.apex, facet);
     const double part = pair.heights != Heights::nodes ? 1 : interface.pass_factor;
     found.contactors.push_back({.memory = &restitution, .first = first, .last = last, .friction = friction, .foot = foot,
-                                .rubs = rubbing.conditions, .area = area, .depth = pair.depth, .impedance = part * pair.impedance * area,
+                                .rubs = rubbing.conditions, .area = interface.area(near.apex), .depth = pair.depth,
+                                .impedance = part * pair.impedance * near.area,
                                 .square = interface.restitution * interface.restitution});
   }
 }
@@ -281,11 +281,10 @@ void find_conditions(const RigidPlane& plane, const Motion& m, PlaneMemory& memo
       take_back(all);
       continue;
     }
-    double& area = memory.area[i];
-    if (!(area > 0) || !(memory.force[i] > 0)) {  // it keeps it while it is pressed
-      const auto place = static_cast<Index>(i);
-      area = mesh::tributary_area_loaded(plane.faces, m.x, place, plane.normal, plane.area(place));
-    }
+    const double whole = plane.area(static_cast<Eigen::Index>(i));
+    double& loaded = memory.area[i];
+    if (!(loaded > 0) || !(memory.force[i] > 0))  // it keeps it while it is pressed
+      loaded = mesh::tributary_area_loaded(plane.faces, m.x, static_cast<Index>(i), plane.normal, whole);
     c.impulse = c.met = memory.force[i] * 0.5 * (m.dt + m.next);
     Index friction = -1;
     if (plane.friction.coefficient > 0 && m.dt > 0) {
@@ -293,8 +292,8 @@ void find_conditions(const RigidPlane& plane, const Motion& m, PlaneMemory& memo
       touch.normal = plane.normal, touch.apex = node, touch.nodes = 0;
       friction = add_friction(touch, plane.friction, memory.friction[i], memory.stuck[i] != 0, m, all.frictions);
     }
-    add({.memory = &memory.restitution[i], .first = first, .last = first + 1, .friction = friction, .area = area, .depth = plane.depth,
-         .impedance = plane.impedance * area, .square = plane.restitution * plane.restitution}, all);
+    add({.memory = &memory.restitution[i], .first = first, .last = first + 1, .friction = friction, .area = whole, .depth = plane.depth,
+         .impedance = plane.impedance * loaded, .square = plane.restitution * plane.restitution}, all);
   }
   find_shape_conditions(plane, m, memory, all);
   let_yield(memory.friction_deficit, plane.depth, m, first_friction, all);

@@ -69,9 +69,9 @@ struct Contactor {
   Index friction;        ///< in Multipliers::frictions, or -1
   Index foot = first;    ///< the condition along whose base it rubs
   unsigned rubs = ~0u;   ///< a bit for each of its conditions, from the first on, whose bases are of that body
-  double area;           ///< [m2] tributary, of the sides that the contact loads
+  double area;           ///< [m2] tributary: its weight among the conditions of a node
   double depth;          ///< [m] of the flattest element of its contact
-  double impedance;      ///< [N s/m] of its area
+  double impedance;      ///< [N s/m] of the part of its area that the contact loads
   double square;         ///< [-] of the coefficient of restitution
   double work = 0;       ///< [J] of its impulses in this step
   double lost = 0;       ///< [J] of what it held, as it was released

@@ -256,10 +256,11 @@ void find_conditions(const EdgeContact& contact, const Motion& m, EdgeMemory& me
       const Vec3 force = crossing.friction->acts ? crossing.friction->force : Vec3(Vec3::Zero());
       friction = add_friction(touch_of(m.x, crossing), contact.friction, force, crossing.friction->stuck, m, all.frictions);
     }
-    const double area = std::min(area_loaded(contact.edges, m.x, crossing.edge, c.normal),
-                                 area_loaded(contact.base_edges, m.x, crossing.base_edge, -c.normal));
+    const double area = std::min(contact.edges.area(crossing.edge), contact.base_edges.area(crossing.base_edge));
+    const double loaded = std::min(area_loaded(contact.edges, m.x, crossing.edge, c.normal),
+                                   area_loaded(contact.base_edges, m.x, crossing.base_edge, -c.normal));
     add({.memory = &crossing.restitution, .first = first, .last = first + 1, .friction = friction, .area = area, .depth = pair.depth,
-         .impedance = pair.impedance * area, .square = contact.restitution * contact.restitution}, all);
+         .impedance = pair.impedance * loaded, .square = contact.restitution * contact.restitution}, all);
   }
   all.spent.end(Stage::edges);
 }

@@ -137,7 +137,7 @@ void set_point(const Interface& interface, const std::vector<PlacedRound>& place
   point.pair = near.pair, point.kind = near.kind, point.id = near.id, point.part = spot.part;
   point.normal = -pair.side * spot.normal, point.place = spot.place;
   point.gap = spot.gap;
-  point.area = pair.area;
+  point.area = point.loaded = pair.area;
   if (near.kind == NearKind::shape) {
     const auto other = static_cast<std::size_t>(pair.other);
     add_anchors(interface.shapes.rounds[other], placed[other], -pair.side, point);
@@ -149,7 +149,7 @@ void set_point(const Interface& interface, const std::vector<PlacedRound>& place
       point.node[place] = on.node[at], point.weight[place] = point.rub_weight[place] = -pair.side * spot.weight[at];
     }
     if (near.kind == NearKind::node)  // the shape pushes the node along the normal of the spot
-      point.area = mesh::tributary_area_loaded(faceted.faces, x, near.id, spot.normal, faceted.area(near.id));
+      point.area = faceted.area(near.id), point.loaded = mesh::tributary_area_loaded(faceted.faces, x, near.id, spot.normal, point.area);
   }
   const auto round = static_cast<std::size_t>(pair.round);
   add_anchors(interface.shapes.rounds[round], placed[round], pair.side, point);
@@ -225,7 +225,7 @@ bool add_condition(const Contact& contact, const Between& pair, const Motion& m,
   if (contact.friction.coefficient > 0 && m.dt > 0)
     friction = add_friction(touch_of(point), contact.friction, point.friction, point.stuck, m, all.frictions);
   add({.memory = &point.restitution, .first = first, .last = first + 1, .friction = friction, .area = point.area, .depth = pair.depth,
-       .impedance = pair.impedance * point.area, .square = contact.restitution * contact.restitution}, all);
+       .impedance = pair.impedance * point.loaded, .square = contact.restitution * contact.restitution}, all);
   return true;
 }
 
@@ -356,7 +356,7 @@ void find_shape_conditions(const RigidPlane& plane, const Motion& m, PlaneMemory
       point.pair = static_cast<Index>(r), point.kind = NearKind::shape, point.part = spot.part;
       point.normal = plane.normal, point.place = spot.place;
       point.gap = spot.gap;
-      point.area = plane.round_area;
+      point.area = point.loaded = plane.round_area;
       add_anchors(plane.rounds[r], now[r], 1, point);
       if (is_far(between, m, point, all) && !pressed_before(memory.shape_points, point)) continue;
       const Spot* then = m.dt > 0 ? same_spot(spot, false, at_end) : nullptr;
