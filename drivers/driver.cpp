@@ -102,9 +102,11 @@ void add_common_results(const model::Simulation& simulation, const dynamics::Out
       add("_hourglass_fraction", seen.hourglass), add("_distortion_fraction", seen.distortion);
     }
   }
-  const element::Contrast contrast = dynamics::contrast(simulation.model, simulation.state);
-  results.push_back({"hourglass_above_neighbours", contrast.bending, "1"});
-  results.push_back({"strain_energy_concentration", contrast.density, "1"});
+  const element::Contrast contrast = dynamics::contrast(simulation.state);
+  if (contrast.strain > 0) {
+    results.push_back({"hourglass_above_neighbours", contrast.bending, "1"});
+    results.push_back({"strain_energy_concentration", contrast.density, "1"});
+  }
   const dynamics::Ledger& ledger = simulation.state.ledger;
   results.push_back({"viscous_share", dynamics::dissipated_share(ledger, Dissipated::viscous), "1"});
   results.push_back({"plastic_share", dynamics::dissipated_share(ledger, Dissipated::plastic), "1"});
@@ -401,14 +403,17 @@ Ran run_case(const std::string& name, const CommandLine& line, output::RunFolder
   if (recorder.replaced() > 0)
     notes.push_back(counted(static_cast<std::size_t>(recorder.replaced()), "value") +
                     " beyond the range of the ParaView files, or no number, written there as 0");
+  const auto of_right_run = [&](std::vector<std::string> (*said)(const model::Simulation&)) {  // else the ending says more
+    return dynamics::good(outcome.ending) ? said(simulation) : std::vector<std::string>();
+  };
   for (const auto& warnings : {model::rounding_notes(simulation), model::depth_notes(simulation), model::overlap_notes(simulation),
-                               model::quality_notes(simulation), model::energy_notes(simulation)}) {
+                               model::quality_notes(simulation), of_right_run(model::mesh_warnings), model::energy_notes(simulation)}) {
     for (const std::string& note : warnings) {
       notes.push_back(note);
       std::fprintf(stderr, "warning: %s\n", note.c_str());
     }
   }
-  std::vector<std::string> of_mesh = model::mesh_notes(simulation);
+  std::vector<std::string> of_mesh = of_right_run(model::mesh_notes);
   for (std::string& note : of_mesh) note = "note: " + note;  // by which summary.json tells them from others
   notes.insert(notes.end(), of_mesh.begin(), of_mesh.end());
   if (!line.quiet) print(of_mesh);

@@ -343,6 +343,16 @@ def bar_end(rng, lean=(0, 0)):
     return Scene("", case, "speed", speed, speed, length, length / stuff.wave())
 
 
+def sagging(rng, bodies, planes, stuff, other, speed, end):
+    """The case of a body `a` that strikes a beam or plate `b`, whose point `under` sags."""
+    flows = [name for name, one in (("a", other), ("b", stuff)) if one.yields]
+    return {"bodies": bodies, "contacts": contact(friction(rng)), **({"planes": planes} if planes else {}),
+            "initial": initial(a=(0, 0, -speed)),
+            "probes": [*probes_of_striker(), *probes_of_flow(*flows),
+                       {"name": "deflection", "quantity": "displacement", "of": "b.under", "component": "z"}],
+            "time": {"end": seconds(end)}}
+
+
 def beam_hit(rng, lean=(0, 0)):
     """A cube strikes a beam that is clamped at one end, at both, or free. The time is half a period of the cube on the beam."""
     stuff, height, support = any_stuff(rng), 0.01, rng.choice(["one end", "both ends", "free"])
@@ -373,12 +383,7 @@ def beam_hit(rng, lean=(0, 0)):
         planes.append({"name": "clamp", "kind": "fixed", "nodes": ["b.x_low", "b.x_high"]})
     beam["points"] = [{"name": "under", "near": metres((length / 2 if support == "one end" else 0, 0, -height))}]
     bodies = [block("a", (side,) * 3, (rng.randint(2, 3),) * 3, other, (at, 0, side / 2 + gap)), beam]
-    flows = [name for name, one in (("a", other), ("b", stuff)) if one.yields]
-    case = {"bodies": bodies, "contacts": contact(friction(rng)), **({"planes": planes} if planes else {}),
-            "initial": initial(a=(0, 0, -speed)),
-            "probes": [*probes_of_striker(), *probes_of_flow(*flows),
-                       {"name": "deflection", "quantity": "displacement", "of": "b.under", "component": "z"}],
-            "time": {"end": seconds(gap / speed + 1.2 * half)}}
+    case = sagging(rng, bodies, planes, stuff, other, speed, gap / speed + 1.2 * half)
     return Scene("", case, "speed", speed, speed, side, side / other.wave())
 
 
@@ -465,13 +470,9 @@ def plate_of_solids(rng):
     plate = block("b", (span, span, height), cells, stuff, (0, 0, -height / 2))
     plate["points"] = [{"name": "under", "near": metres((0, 0, -height))}]
     at = (rng.uniform(-0.1, 0.1) * span, rng.uniform(-0.1, 0.1) * span, reach((side,) * 3, turned, (0, 0, -1)) + gap)
-    flows = [name for name, one in (("a", other), ("b", stuff)) if one.yields]
-    case = {"bodies": [block("a", (side,) * 3, (rng.randint(2, 3),) * 3, other, at, turned), plate], "contacts": contact(friction(rng)),
-            "planes": [{"name": "rim", "kind": "fixed", "nodes": [f"b.{c}_{way}" for c in "xy" for way in ("low", "high")]}],
-            "initial": initial(a=(0, 0, -speed)),
-            "probes": [*probes_of_striker(), *probes_of_flow(*flows),
-                       {"name": "deflection", "quantity": "displacement", "of": "b.under", "component": "z"}],
-            "time": {"end": seconds(gap / speed + 1.2 * half)}}
+    bodies = [block("a", (side,) * 3, (rng.randint(2, 3),) * 3, other, at, turned), plate]
+    planes = [{"name": "rim", "kind": "fixed", "nodes": [f"b.{c}_{way}" for c in "xy" for way in ("low", "high")]}]
+    case = sagging(rng, bodies, planes, stuff, other, speed, gap / speed + 1.2 * half)
     return Scene("", case, "deflection", speed, speed, side, side / other.wave())
 
 

@@ -71,6 +71,12 @@ template <class T>
 NEREID_HOT T contract(const Symmetric<T>& a, const Symmetric<T>& b) {
   return a.xx * b.xx + a.yy * b.yy + a.zz * b.zz + T(2.0) * (a.xy * b.xy + a.yz * b.yz + a.xz * b.xz);
 }
+/// The adjugate of a tensor: a adj a = det a 1.
+template <class T>
+NEREID_HOT Symmetric<T> adjugate(const Symmetric<T>& a) {
+  return {a.yy * a.zz - a.yz * a.yz, a.xx * a.zz - a.xz * a.xz, a.xx * a.yy - a.xy * a.xy,
+          a.xz * a.yz - a.xy * a.zz, a.xy * a.xz - a.yz * a.xx, a.xy * a.yz - a.xz * a.yy};
+}
 template <class T>
 NEREID_HOT Vector<T> operator*(const Symmetric<T>& a, const Vector<T>& v) {
   return {a.xx * v.x + a.xy * v.y + a.xz * v.z, a.xy * v.x + a.yy * v.y + a.yz * v.z,

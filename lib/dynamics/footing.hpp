@@ -8,10 +8,10 @@ namespace nereid::dynamics {
 /// The effective number of nodes of forces f:  (sum of |f|)^2 / sum of |f|^2;  zero of none. [-]
 double effective_nodes(const std::vector<double>& sizes);
 
-/// Notes on how many nodes contacts and rigid planes act where their force is larger than at any look before; where the ledger is current.
+/// Keeps in State::footings on how many nodes contacts and rigid planes act while their force is larger than at any look before.
 ///
-/// Of two bodies that press each other those with fewer nodes count, of several the ones with at least half the largest force; rigid ones
-/// do not.
+/// Of two bodies that press each other the one with fewer nodes counts, of several those with at least half the largest force. Nodes of
+/// rigid bodies do not count.
 void look_at_footings(const Model&, State&);
 
 }  // namespace nereid::dynamics

@@ -15,12 +15,15 @@ struct View {
   bool ledger_is_current;  ///< whether the ledger is that of this very state
 };
 
+/// Whether the largest value of a probe follows the mesh, as that of a plastic strain, which grows at an edge with each finer one.
+enum class FollowsMesh { no, yes, less_with_eight_points };
+
 /// One number over time. A probe remembers nothing itself: all that it needs from one look to the next is in its memory.
 struct Probe {
   std::string name, unit;
   std::function<double(const View&, Kept&)> value;
   bool is_mean = false;  ///< over the time since the look before, as a force from its impulse; else the value at the look
-  bool follows_mesh = false;  ///< whether its largest value grows with each finer mesh, as that of a plastic strain at an edge
+  FollowsMesh follows_mesh = FollowsMesh::no;
   int footing = -1;      ///< in State::footings: of the contact or rigid plane whose force it is; -1: it is none
 };
 

@@ -85,7 +85,9 @@ int inverted_block(const State& now, double limit) {
 
 void compare_elements(const Model& model, double end, bool look, State& now) {
   Progress& progress = now.progress;
-  const bool is_time = now.t >= progress.contrast_seen + end / contrast_looks || now.step >= progress.contrast_step + contrast_every;
+  const double begin = progress.stages.empty() ? 0 : progress.stages.back();
+  const bool is_time = now.t >= progress.contrast_seen + (end - begin) / least_contrast_looks ||
+                       now.step >= progress.contrast_step + contrast_every;
   if (!look && !is_time) return;
   if (now.step == progress.contrast_step) return;  // it has looked
   for (std::size_t b = 0; b < model.blocks.size(); ++b)
@@ -93,11 +95,10 @@ void compare_elements(const Model& model, double end, bool look, State& now) {
   progress.contrast_seen = now.t, progress.contrast_step = now.step, ++progress.contrast_looks;
 }
 
-element::Contrast contrast(const Model& model, const State& now, int block) {
+element::Contrast contrast(const State& now) {
   constexpr double worth_comparing = 1e-4;  // [-] of the energy of the scene
   element::Contrast sum;
-  for (std::size_t b = 0; b < model.blocks.size(); ++b)
-    if (block < 0 || static_cast<std::size_t>(block) == b) add(now.quality[b].contrast, sum);
+  for (const Quality& seen : now.quality) add(seen.contrast, sum);
   const double looks = std::max(1.0, static_cast<double>(now.progress.contrast_looks));
   const double mean = sum.strain / looks, scene = energy_of_scene(now.ledger);
   if (!(mean > worth_comparing * scene)) return {};

@@ -24,23 +24,23 @@ void check_elements(const Model&, bool look, State&);
 /// The block whose smallest corner so far is at or below a limit, or -1.
 int inverted_block(const State&, double limit);
 
-/// Looks of a run at how solid elements differ from their neighbours, at least, and steps between two of them, at most.
+/// Looks of a run, or of one of its stages, at how solid elements differ from their neighbours, at least, and steps between two, at most.
 ///
 /// A look takes about as long as two steps.
-constexpr int contrast_looks = 20;
+constexpr int least_contrast_looks = 20;
 constexpr std::int64_t contrast_every = 500;
 
 /// Adds up how solid elements differ from their neighbours (element::contrast), if it is time.
 ///
-/// end   [s] of the run
-/// look  whether to look in any case: as the run ends
+/// end   [s] of the run or stage
+/// look  whether to look in any case: as it ends
 void compare_elements(const Model&, double end, bool look, State&);
 
 /// What deformable solids hold by their strain, a mean over the looks of a run, and how much of it by elements unlike their neighbours.
 ///
-/// block  a place in Model::blocks, or -1 for all
-/// returns  [-] bending and density over the strain, and the strain over the energy of the scene; zeros where that is less than 1e-4
-element::Contrast contrast(const Model&, const State&, int block = -1);
+/// returns  [-] bending and density over the strain, and the strain over the energy of the scene; strain zero where that is less than 1e-4,
+///          which says nothing
+element::Contrast contrast(const State&);
 
 /// What all sources have dissipated by a channel over the energy of the scene; zero while nothing has moved. [-]
 double dissipated_share(const Ledger&, Dissipated channel);

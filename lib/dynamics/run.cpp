@@ -257,7 +257,7 @@ Outcome run(const Model& model, State& now, Forces& forces, const Time& time, do
     const bool at_rest = model.relaxation && model.relaxes && relax(model, next_length(now.step_limits, pace, now.t, now.dt), now, forces);
     progress.ledger_is_current = last || at_rest || now.t >= static_cast<double>(progress.updates + 1) * update_every;
     check_elements(model, progress.ledger_is_current && audit_is_due(time.audit_every, now), now);
-    compare_elements(model, time.end, last || at_rest, now);
+    if (now.step_limits.volume_ratio > 0) compare_elements(model, time.end, last || at_rest, now);
     if (progress.ledger_is_current) {
       progress.updates = static_cast<std::int64_t>(now.t / update_every);
       update_ledger(model, now);
@@ -288,8 +288,11 @@ Outcome run(const Model& model, State& now, Forces& forces, const Time& time, do
   }
   check_artificial_energy(model, now);
   check_elements(model, true, now);
-  compare_elements(model, time.end, true, now);
-  if (now.step_limits.volume_ratio > 0) update_overlaps(model, true, time.audit_every, now, forces);
+  look_at_footings(model, now);
+  if (now.step_limits.volume_ratio > 0) {
+    compare_elements(model, time.end, true, now);
+    update_overlaps(model, true, time.audit_every, now, forces);
+  }
   if (good(outcome.ending)) corner_inverted(model, now, time, outcome);
   if (good(outcome.ending)) overlap_too_much(model, now, forces, time.overlap_limit, outcome);
   outcome.wall_seconds = std::chrono::duration<double>(clock() - began).count();

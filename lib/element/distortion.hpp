@@ -76,10 +76,9 @@ NEREID_HOT Controlled<T> control_distortion(const Distortion& control, double yo
   T now = zero;
   std::array<T, 8> at_node{zero, zero, zero, zero, zero, zero, zero, zero};  // [N/m] sums of k_i
   for (int c = 0; c < 8; ++c) {
-    const auto is_near = J[c] < near && larger(J[c], -J[c]) > zero;
-    if (!any(is_near)) continue;
-    const auto is_closed = is_near && J[c] < start;
+    if (!any(J[c] < near)) continue;
     const CornerEdges<T> corner = corner_edges(x, c);
+    const auto is_near = J[c] < near && square_of_lengths(corner) > zero, is_closed = is_near && J[c] < start;
     const T above = larger(J[c], lowest), below = above - J[c], gap = start - above, ratio = start / above;
     const T second = stiffness * (ratio * ratio * ratio), push = half * stiffness * start * (ratio * ratio - one);  // W'', -W' at `above`
     const T pressure = select(is_closed, push + second * below, zero);

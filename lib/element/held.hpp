@@ -11,13 +11,6 @@
 
 namespace nereid::element {
 
-/// Energy of a stress by Hooke's law, per volume:  ((1 + nu) s : s - nu (tr s)^2) / 2 E. [J/m3]
-template <class Law>
-double hooke_energy(const Law& law, const Symmetric<double>& s) {
-  const double trace_of_s = trace(s);
-  return 0.5 * ((1.0 + law.poisson) * contract(s, s) - law.poisson * trace_of_s * trace_of_s) / law.young;
-}
-
 /// Whether a side stands at 20 degrees or more to where it would on a brick: cells five times as long as high that lean so deflect by 0.74
 /// of what they should, or by 0.19 where they lean in turns (verification/one_layer_bends has a table).
 ///
@@ -51,7 +44,7 @@ Held held_by(const Block<Hexahedron, Law>& block, const Hexahedron::Constants<do
     for (const Vector<double>& force : memory.hourglass) bending += 0.5 * dot(force, force) / constants.hourglass;
   }
   const bool by_assumed_strain = block.options.hourglass_kind == Kind::assumed_strain;
-  return {bending, volume * hooke_energy(block.law, memory.stress) + bending, volume, !by_assumed_strain || leans(x)};
+  return {bending, volume * material::hooke_energy(block.law, memory.stress) + bending, volume, !by_assumed_strain || leans(x)};
 }
 
 /// The same with eight points: bending is what the energy of the points is beyond that of their mean stress.
@@ -63,9 +56,9 @@ Held held_by(const Block<FullHexahedron, Law>& block, const FullHexahedron::Cons
   double strain = 0;
   for (const auto& point : memory.points) {
     mean = mean + part * point.stress;
-    strain += part * hooke_energy(block.law, point.stress);
+    strain += part * material::hooke_energy(block.law, point.stress);
   }
-  return {volume * std::max(strain - hooke_energy(block.law, mean), 0.0), volume * strain, volume, leans(x)};
+  return {volume * std::max(strain - material::hooke_energy(block.law, mean), 0.0), volume * strain, volume, leans(x)};
 }
 
 }  // namespace nereid::element

@@ -171,8 +171,7 @@ NEREID_HOT T largest_frequency_squared(const Symmetric<T>& G, T per_volume, T pe
 /// parallelepiped, for which the third is exact; for others it was compared with exact frequencies.
 template <class T>
 NEREID_HOT T coupling_of_hourglass(const Symmetric<T>& G, const Gradient<T>& g, const Modes<T>& X) {
-  const Symmetric<T> a{G.yy * G.zz - G.yz * G.yz, G.xx * G.zz - G.xz * G.xz, G.xx * G.yy - G.xy * G.xy,
-                       G.xz * G.yz - G.xy * G.zz, G.xy * G.xz - G.yz * G.xx, G.xy * G.yz - G.xz * G.yy};  // adjugate
+  const Symmetric<T> a = adjugate(G);
   const T determinant = G.xx * a.xx + G.xy * a.xy + G.xz * a.xz;
   T sum(0.0);
   for (int m = 0; m < 4; ++m) {

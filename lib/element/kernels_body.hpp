@@ -371,7 +371,8 @@ Pressed Kernels<Kind, Law>::pressed([[maybe_unused]] const Block<Kind, Law>& blo
       if (!(material::pressure(stress) + material::von_mises(stress) / 1.5 > most.ratio * block.law.young)) return;
       Mat3 s;
       s << stress.xx, stress.xy, stress.xz, stress.xy, stress.yy, stress.yz, stress.xz, stress.yz, stress.zz;
-      const double pressed = -eigenvalues(s)(0) / block.law.young;
+      const Vec3 principal = eigenvalues(s);  // an even pressure folds nothing
+      const double pressed = std::min(-principal(0), principal(2) - principal(0)) / block.law.young;
       if (pressed > most.ratio) most = {pressed, element};
     };
     each_element(block, [&](std::size_t pack, int lane, const auto&) {

@@ -269,6 +269,13 @@ NEREID_HOT Symmetric<T> hooke(const L& law, const Symmetric<T>& strain) {
           twice_mu * strain.xz};
 }
 
+/// Energy of a stress by Hooke's law, per volume:  ((1 + nu) s : s - nu (tr s)^2) / 2 E. [J/m3]
+template <class T, Isotropic L>
+NEREID_HOT T hooke_energy(const L& law, const Symmetric<T>& s) {
+  const T tr = trace(s);
+  return T(0.5 / law.young) * (T(1.0 + law.poisson) * contract(s, s) - T(law.poisson) * tr * tr);
+}
+
 /// Stress of an elastic strain in a plate, free to thin so that zz = 0:
 /// E / (1 - nu^2) (xx + nu yy) along x, and so along y;  2 mu xy in shear.
 ///

@@ -33,10 +33,10 @@ NEREID_HOT T determinant_of_one_and(const Symmetric<T>& c) {
 
 /// Carries the left Cauchy-Green tensor over a step, and takes the stress from it:
 ///
-///     b <- U b U,     U = (1 - e/2)^-1 (1 + e/2) = 1 + e + e^2/2 + e^3/4,    taken so far
+///     b <- U b U,     U = (1 - e/2)^-1 (1 + e/2) = 1 + (1 - e/2)^-1 e
 ///
-/// the stretch of a step whose strain e is of the middle. The potential is that of the end, so a cycle that closes gives everything
-/// back, but for what the trapezoid rule makes of the work of its steps.
+/// the stretch of a step whose strain e is of the middle; |e| stays below 2, where a length has gone to nothing. The potential is that of
+/// the end, so a cycle that closes gives everything back, but for what the trapezoid rule makes of the work of its steps.
 ///
 /// increment  its strain, tensor components, in a frame that does not turn [-]
 /// stress     Cauchy [Pa], old on entry and new on return
@@ -53,7 +53,9 @@ NEREID_HOT Response<T, T> update_stress(const NeoHookean& law, const Increment<T
   const T half(0.5), one(1.0), zero(0.0);
   const Symmetric<T>& e = increment.strain;
   const Symmetric<T> old = stress;
-  const Symmetric<T> square = coaxial_product(e, e), u = e + half * (square + half * coaxial_product(square, e));  // U - 1
+  const Symmetric<T> A{one - half * e.xx, one - half * e.yy, one - half * e.zz, -half * e.xy, -half * e.yz, -half * e.xz};
+  const Symmetric<T> over = adjugate(A);
+  const Symmetric<T> u = (one / (A.xx * over.xx + A.xy * over.xy + A.xz * over.xz)) * coaxial_product(over, e);  // U - 1
   Symmetric<T>& c = internal.tensor[0];
   const Matrix<T> U{{one + u.xx, u.xy, u.xz}, {u.xy, one + u.yy, u.yz}, {u.xz, u.yz, one + u.zz}};
   c = rotate(U, c) + (T(2.0) * u + coaxial_product(u, u));

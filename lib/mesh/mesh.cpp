@@ -245,10 +245,11 @@ double tributary_area_against(const FacesAround& around, const Vectors& x, Index
   return sum;
 }
 
-double tributary_area_loaded(const FacesAround& around, const Vectors& x, Index place, const Vec3& direction, double whole) {
+double tributary_area_loaded(const FacesAround& around, const Vectors& x, Index place, const Vec3& direction, double whole,
+                             double least) {
   if (around.begin.empty()) return whole;
   const double facing = tributary_area_against(around, x, place, direction);
-  return facing > 0 ? facing : whole;
+  return facing > least * whole ? facing : whole;
 }
 
 }  // namespace nereid::mesh

@@ -90,13 +90,14 @@ FacesAround faces_around(const Mesh&, const Surface&, const Subset& nodes);
 /// place      of the node among the nodes of faces_around()
 double tributary_area_against(const FacesAround&, const Vectors& x, Index place, const Vec3& direction);
 
-/// Tributary area of the sides of a node that a contact along a direction loads: tributary_area_against(), or the whole area where no face
-/// is against the direction, as of a sole on a steep flank, or where the faces are not known. [m2]
+/// Tributary area of the sides of a node that a contact along a direction loads: tributary_area_against(), or the whole area where next to
+/// no face is against the direction, as of a sole on a steep flank, or where the faces are not known. [m2]
 ///
 /// place      of the node among the nodes of faces_around()
 /// direction  d: along it the other side pushes the node, any length
 /// whole      [m2] of all faces at the node
-double tributary_area_loaded(const FacesAround&, const Vectors& x, Index place, const Vec3& direction, double whole);
+/// least      [-] of it that must be against the direction
+double tributary_area_loaded(const FacesAround&, const Vectors& x, Index place, const Vec3& direction, double whole, double least = 0);
 
 /// Tributary area of a node across a direction, of those faces at it that face against it. [m2]
 ///

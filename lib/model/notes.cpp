@@ -309,6 +309,15 @@ bool has_springs_or_dashpots(const element::AnyBlock& any) {
       any);
 }
 
+constexpr double springs_worth_a_warning = 0.1;  // [-] the usual bound on hourglass energy
+
+/// Hourglass energy of springs or dashpots over the internal energy of a block; zero of other blocks. [-]
+double by_springs(const Simulation& simulation, std::size_t b) {
+  if (!has_springs_or_dashpots(simulation.model.blocks[b])) return 0;
+  const dynamics::Quality& seen = simulation.state.quality[b];
+  return dynamics::of_internal(seen, seen.hourglass, dynamics::energy_of_scene(simulation.state.ledger));
+}
+
 // Limits by scripts/coarse: docs/coarse_meshes.md.
 constexpr double bending_worth_a_note = 0.018;          // [-]
 constexpr double concentration_worth_a_warning = 0.15;  // [-] where bodies flow
@@ -337,33 +346,36 @@ Concentrated concentrated(const Simulation& simulation) {
   if (found.block >= simulation.model.blocks.size()) return found;
   found.pricked = has_force_on_a_node(simulation, element::nodes(simulation.model.blocks[found.block]));
   const bool flows = dynamics::dissipated_share(simulation.state.ledger, Dissipated::plastic) > flow;
-  if (flows || found.pricked) found.part = dynamics::contrast(simulation.model, simulation.state).density;
+  if (flows || found.pricked) found.part = dynamics::contrast(simulation.state).density;
   return found;
 }
 
-/// Contacts and rigid planes with restitution, by multipliers, that held something in a scene whose bodies flowed.
+/// Contacts and rigid planes with restitution, by multipliers, that passed energy on in a scene whose bodies flowed.
 std::vector<std::string> contacts_that_give_back(const Simulation& simulation) {
   constexpr double flows = 0.2;  // [-] of the energy of the scene, dissipated by plasticity
   const dynamics::Model& model = simulation.model;
   const dynamics::Ledger& ledger = simulation.state.ledger;
   std::vector<std::string> names;
   if (!(dynamics::dissipated_share(ledger, Dissipated::plastic) > flows)) return names;
-  const std::vector<dynamics::Footing>& footings = simulation.state.footings;
-  const auto look = [&](const auto& one, std::size_t place) {
-    if (contact::by_multipliers(one) && one.restitution > 0 && place < footings.size() && footings[place].force > 0)
-      names.push_back(one.name);
+  const std::vector<Source> all = dynamics::sources(model);
+  const auto has_passed = [&](const std::string& name) {
+    for (std::size_t s = 0; s < all.size(); ++s)
+      if (all[s].name == name && ledger.flows[s].passed > 0) return true;
+    return false;
   };
-  for (std::size_t c = 0; c < model.contacts.size(); ++c)
-    if (const contact::Interface* interface = contact::interface_of(model.contacts[c]))
-      if (interface->kind != contact::InterfaceKind::tied) look(*interface, c);  // a pass that follows has no footing
-  for (std::size_t p = 0; p < model.rigid_planes.size(); ++p) look(model.rigid_planes[p], model.contacts.size() + p);
+  const auto look = [&](const auto& one) {
+    if (contact::by_multipliers(one) && one.restitution > 0 && has_passed(one.name)) names.push_back(one.name);
+  };
+  for (const contact::AnyContact& any : model.contacts)
+    if (const contact::Interface* interface = contact::interface_of(any); interface != nullptr && !contact::follows(any))
+      if (interface->kind != contact::InterfaceKind::tied) look(*interface);
+  for (const auto& plane : model.rigid_planes) look(plane);
   return names;
 }
 
 }  // namespace
 
 std::vector<std::string> quality_notes(const Simulation& simulation) {
-  constexpr double worth_saying = 0.1;             // [-] the usual bound on hourglass energy: of springs and dashpots
   constexpr double thickness_worth_saying = 1.05;  // [-] a bar has that at a plastic strain of a tenth
   constexpr double control_worth_saying = 0.01;    // [-] of the internal energy, in distortion control
   constexpr double pressed_worth_saying = 0.5;     // [-] of Young's modulus: vibrations grow from there on, surfaces fold at 0.61
@@ -395,17 +407,22 @@ std::vector<std::string> quality_notes(const Simulation& simulation) {
       notes.push_back(formatted("%s: element %d was pressed by %.3g of Young's modulus at %.4g s; beyond %.3g a hypoelastic law is "
                                 "unstable: ", name, seen.pressed.element, seen.pressed.ratio, seen.pressed_at, pressed_worth_saying) +
                       said(Remedy::neo_hookean));
-    if (has_springs_or_dashpots(simulation.model.blocks[b]) && of_internal(seen.hourglass) > worth_saying)
-      notes.push_back(formatted("%s: hourglass energy reached %.3g of the internal energy: ", name, of_internal(seen.hourglass)) +
-                      said(Remedy::assumed_strain));
+    if (const double part = by_springs(simulation, b); part > springs_worth_a_warning)
+      notes.push_back(formatted("%s: hourglass energy reached %.3g of the internal energy: ", name, part) + said(Remedy::assumed_strain));
   }
+  return notes;
+}
+
+std::vector<std::string> mesh_warnings(const Simulation& simulation) {
+  std::vector<std::string> notes;
   if (const Concentrated seen = concentrated(simulation); seen.part > concentration_worth_a_warning) {
     const std::string single = formatted("%.3g of the strain energy of all solids is concentrated in single elements, most of it there "
                                          "(limit %.3g)", seen.part, concentration_worth_a_warning);
-    const std::string rate = formatted("; of such runs %.2g %% change by more than 5 %% on a mesh twice as fine: ", of_warned);
+    const std::string rate = formatted("; of such runs, of 2 to 4 elements a side, %.2g %% change by more than 5 %% on a mesh twice as "
+                                       "fine: ", of_warned);
     notes.push_back(element::name(simulation.model.blocks[seen.block]) + ": " +
                     (seen.pricked ? single + ": " + said(Remedy::spread_force)
-                                  : "bodies flow, and " + single + rate + said(Remedy::finer_mesh)));
+                                  : "bodies of the scene flow, and " + single + rate + said(Remedy::finer_mesh)));
   }
   return notes;
 }
@@ -414,18 +431,18 @@ std::vector<std::string> mesh_notes(const Simulation& simulation) {
   std::vector<std::string> notes;
   const dynamics::Model& model = simulation.model;
   const dynamics::State& now = simulation.state;
-  const element::Contrast all = dynamics::contrast(model, now);
+  const element::Contrast all = dynamics::contrast(now);
   bool warned = concentrated(simulation).part > concentration_worth_a_warning;  // which says more
-  for (const element::AnyBlock& block : model.blocks) warned = warned || has_springs_or_dashpots(block);
-  const std::string then = formatted(": the run cannot tell the error of its mesh; of such runs %.2g %% change by more than 5 %% on a mesh "
-                                     "twice as fine: ", of_noted) + said(Remedy::estimate_error);
+  for (std::size_t b = 0; b < model.blocks.size(); ++b) warned = warned || by_springs(simulation, b) > springs_worth_a_warning;
+  const std::string then = formatted(": the run cannot tell the error of its mesh; of such runs, of 2 to 4 elements a side, %.2g %% change "
+                                     "by more than 5 %% on a mesh twice as fine: ", of_noted) + said(Remedy::estimate_error);
   if (!warned && all.bending > bending_worth_a_note) {
     const std::size_t b = most_unlike(simulation, [](const element::Contrast& one) { return one.bending; });
     notes.push_back(formatted("%s: hourglass energy above that of the neighbours is %.3g of the strain energy of all solids, most of it "
                               "there (limit %.3g)", element::name(model.blocks[b]).c_str(), all.bending, bending_worth_a_note) + then);
   }
   const double scale = dynamics::energy_of_scene(now.ledger);
-  std::vector<std::string> plates, plastic;
+  std::vector<std::string> plates, plastic, of_one_point;  // names
   for (std::size_t b = 0; b < model.blocks.size(); ++b) {
     const dynamics::Quality& seen = now.quality[b];
     const bool deforms = element::rotates(model.blocks[b]) && !dynamics::is_rigid_block(model, b);
@@ -435,19 +452,22 @@ std::vector<std::string> mesh_notes(const Simulation& simulation) {
   }
   if (!plates.empty())
     notes.push_back(joined(plates) + ": no measure of one run tells the error of a mesh of plates: " + said(Remedy::estimate_error));
-  for (const dynamics::Probe& probe : simulation.probes) {
-    if (probe.follows_mesh) plastic.push_back(probe.name);
+  for (std::size_t p = 0; p < simulation.probes.size() && p < now.probes.size(); ++p) {
+    const dynamics::Probe& probe = simulation.probes[p];
+    if (probe.follows_mesh != dynamics::FollowsMesh::no && now.probes[p].largest > 0)
+      (probe.follows_mesh == dynamics::FollowsMesh::yes ? plastic : of_one_point).push_back(probe.name);
     if (probe.footing < 0 || static_cast<std::size_t>(probe.footing) >= now.footings.size()) continue;
     const double nodes = now.footings[static_cast<std::size_t>(probe.footing)].nodes;
     if (nodes > 0 && nodes < nodes_worth_no_note)
       notes.push_back(formatted("%s: the largest force of this contact was carried by %.2g nodes (fewer than %g), and such a peak follows "
                                 "the mesh: ", probe.name.c_str(), nodes, nodes_worth_no_note) + said(Remedy::estimate_error));
   }
-  if (!plastic.empty())
-    notes.push_back(joined(plastic) + ": a largest plastic strain follows the mesh: " + said(Remedy::eight_points));
+  const char* follows = ": a largest plastic strain follows the mesh: ";
+  if (!of_one_point.empty()) notes.push_back(joined(of_one_point) + follows + said(Remedy::eight_points));
+  if (!plastic.empty()) notes.push_back(joined(plastic) + follows + said(Remedy::estimate_error));
   if (const std::vector<std::string> give_back = contacts_that_give_back(simulation); !give_back.empty())
-    notes.push_back(joined(give_back) + ": bodies flow there, and 'restitution' gives back what a layer of elements loses at its first "
-                                        "touch, more than metal can: docs/scene.md");
+    notes.push_back(joined(give_back) + ": bodies of the scene flow, and 'restitution' gives back what a layer of elements loses at its "
+                                        "first touch, more than metal can: docs/scene.md");
   return notes;
 }
 

@@ -35,11 +35,14 @@ std::vector<std::string> overlap_notes(const Simulation&);
 /// Each body whose elements spoil its results: corners that are inverted, distortion control above a hundredth of its internal energy,
 /// hourglass springs and dashpots above a tenth, solids of the law `elastic` that are pressed by more than half of Young's modulus, plates
 /// that keep a thickness which their strain would have changed by more than a twentieth, or whose nodes spin about their normals with more
-/// than a hundredth of the energy. And strain energy that is concentrated in single elements.
+/// than a hundredth of the energy.
 std::vector<std::string> quality_notes(const Simulation&);
 
-/// What the run cannot tell of the error of its mesh, and no fault: elements that bend unlike their neighbours, plates, peaks of the force
-/// of a few nodes, the largest plastic strain, restitution where bodies flow. What quality_notes() warns of is left out.
+/// Strain energy that is concentrated in single elements, of a run that ended well: docs/coarse_meshes.md.
+std::vector<std::string> mesh_warnings(const Simulation&);
+
+/// What a run that ended well cannot tell of the error of its mesh, and no fault: elements that bend unlike their neighbours, plates, peaks
+/// of the force of a few nodes, the largest plastic strain, restitution where bodies flow. What warnings say more of is left out.
 std::vector<std::string> mesh_notes(const Simulation&);
 
 /// Each source, and time integration, that created or lost more than a fifth of the created_limit, of the energy of the scene or of what it

@@ -214,6 +214,17 @@ bool is_mean(const Probe& probe, const dynamics::Model& model) {
   return probe.quantity == "force" && std::none_of(model.loads.begin(), model.loads.end(), is_it);
 }
 
+dynamics::FollowsMesh follows_mesh(const Probe& probe, const dynamics::Model& model) {
+  if (probe.quantity != "plastic_strain" || !probe.largest) return dynamics::FollowsMesh::no;
+  const auto has_one_point = [&](std::size_t b) {
+    return std::visit([]<class Kind, class Law>(const element::Block<Kind, Law>&) { return std::is_same_v<Kind, element::Hexahedron>; },
+                      model.blocks[b]);
+  };
+  const std::vector<std::size_t> blocks = blocks_of(model, probe.of);
+  return std::any_of(blocks.begin(), blocks.end(), has_one_point) ? dynamics::FollowsMesh::less_with_eight_points
+                                                                  : dynamics::FollowsMesh::yes;
+}
+
 /// The contact or rigid plane whose force a probe measures, as a place in State::footings; -1: it measures something else.
 int footing_of(const Probe& probe, const dynamics::Model& model) {
   const bool is_force = probe.quantity == "force" || probe.quantity == "current_force" || probe.quantity == "contact_pressure";
@@ -265,9 +276,8 @@ const Measurable* find_measurable(const std::string& quantity) {
 
 dynamics::Probe make_probe(const Probe& probe, const dynamics::Model& model, const dynamics::State& at_start, Faults& faults) {
   const Measurable* quantity = find_measurable(probe.quantity);
-  const bool follows_mesh = probe.quantity == "plastic_strain" && probe.largest;
-  return {probe.name, quantity->unit, measure(probe, *quantity, model, at_start, faults), is_mean(probe, model), follows_mesh,
-          footing_of(probe, model)};
+  return {probe.name, quantity->unit, measure(probe, *quantity, model, at_start, faults), is_mean(probe, model),
+          follows_mesh(probe, model), footing_of(probe, model)};
 }
 
 }  // namespace nereid::model

@@ -65,9 +65,27 @@ TEST(Footings, OfRigidBodiesDoNotCount) {
   EXPECT_EQ(rigid.state.footings[0].nodes, 0);
 }
 
+TEST(Footings, OfRegionsOfOneBodyAreOne) {
+  Pressed scene(1e-3, 2);
+  look_at_footings(scene.model, scene.state);
+  const Footing whole = scene.state.footings[0];
+  EXPECT_LT(whole.nodes, 4.01);
+  const material::Elastic rubber{1000, 1e6, 0.25};
+  Pressed parts(1e-3, 2);
+  const auto nodes = parts.model.mesh.hexahedra[1].nodes;
+  parts.model.mesh.hexahedra.push_back({"right.one", nodes.leftCols(2)});
+  parts.model.mesh.hexahedra.push_back({"right.two", nodes.rightCols(2)});
+  parts.model.blocks[1] = element::hexahedra(parts.model.mesh, "right.one", rubber, {.viscosity = {0, 0}});
+  parts.model.blocks.push_back(element::hexahedra(parts.model.mesh, "right.two", rubber, {.viscosity = {0, 0}}));
+  look_at_footings(parts.model, parts.state);
+  EXPECT_EQ(parts.state.footings[0].force, whole.force);
+  EXPECT_EQ(parts.state.footings[0].nodes, whole.nodes) << "half a body has fewer nodes";
+}
+
 TEST(Footings, OfARigidPlaneAreItsNodes) {
   Model model;
   model.rigid_planes.resize(1);
+  model.rigid_planes[0].nodes = {0, 1, 2, 3};
   State state;
   state.rigid_planes.resize(1);
   state.rigid_planes[0].force = {0, 2, 0, 2};
@@ -75,6 +93,14 @@ TEST(Footings, OfARigidPlaneAreItsNodes) {
   ASSERT_EQ(state.footings.size(), 1U);
   EXPECT_EQ(state.footings[0].force, 4);
   EXPECT_NEAR(state.footings[0].nodes, 2, 1e-12);
+  state.rigid_planes[0].force = {3, 3, 0, 0}, state.rigid_planes[0].friction.assign(4, Vec3::Zero());
+  state.rigid_planes[0].friction[1] = Vec3(0, 4, 0);
+  look_at_footings(model, state);
+  EXPECT_EQ(state.footings[0].force, 8) << "with its friction";
+  state.rigid_planes[0].force = {0, 0, 30, 0};
+  model.rigid_of_node = {-1, -1, 0, -1};
+  look_at_footings(model, state);
+  EXPECT_EQ(state.footings[0].force, 8) << "not of a rigid body";
 }
 
 }  // namespace

@@ -117,7 +117,7 @@ inline std::vector<std::pair<std::string, std::vector<double>>> numbers(const St
     for (const Vec3& slip : p.slip) all(slip);
     for (const Vec3& force : p.friction) all(force);
     for (const char stuck : p.stuck) add(stuck);
-    all(p.sliding);
+    all(p.sliding), all(p.area);
     add(p.impact, p.transferred, p.power_rate, p.friction_to_come);
     for (const contact::Restitution& r : p.restitution) add(r.held, r.kept, r.mean_force, r.last_loss);
   }

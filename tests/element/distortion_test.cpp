@@ -158,6 +158,20 @@ TEST(DistortionControl, PushesBackTheHarderTheMoreACornerClosesAndAlsoWhereItInv
   }
 }
 
+TEST(DistortionControl, IsContinuousWhereACornerIsExactlyFlat) {
+  const Corners X = brick(1, 1, 1);
+  const OneElement control(X);
+  const auto at = [&](double height) {
+    Corners x = X;
+    x[4].z = X[0].z + height;
+    return x;
+  };
+  for (const double height : {1e-12, -1e-12}) {
+    EXPECT_NEAR(control.energy(at(0)) / control.energy(at(height)), 1, 1e-9);
+    EXPECT_NEAR(control.force(at(0))[4].z / control.force(at(height))[4].z, 1, 1e-9);
+  }
+}
+
 TEST(DistortionControl, StoresWhatItsEnergyGrowsBy) {
   const Corners X = distorted(0.1);
   const OneElement control(X);

@@ -64,6 +64,17 @@ TEST(NeoHookean, HasTheClosedFormsOfShearAndStretch) {
   EXPECT_NEAR(pressed.stress.xx, lambda * std::log(0.4) / 0.4, 1e-5 * mu);
 }
 
+TEST(NeoHookean, HasTheStretchOfAStepHoweverLongItIs) {
+  for (const double e : {-1.6, -0.5, 0.5, 1.2}) {
+    Symmetric<double> stress{};
+    auto internal = fresh<NeoHookean>(stress);
+    update_stress(rubber, Increment<double, Symmetric>{{0, 0, e, 0, 0, 0}, 1, 1}, stress, internal);
+    const double stretch = (1 + 0.5 * e) / (1 - 0.5 * e);
+    const Mat3 exact = stress_of(Vec3(1, 1, stretch).asDiagonal());
+    EXPECT_LT((full(stress) - exact).norm(), 1e-12 * exact.norm()) << e;
+  }
+}
+
 TEST(NeoHookean, GivesBackAllWorkOfACycleThatCloses) {
   for (int i = 0; i < 10; ++i) {
     const Mat3 one = random_gradient(0.3), other = random_gradient(0.3);

@@ -269,6 +269,11 @@ TEST(QualityNotes, SayHowMuchEnergySpringsHold) {
   const auto notes = quality_notes(simulation);
   ASSERT_EQ(notes.size(), 1U);
   EXPECT_TRUE(says(notes[0], "bar: hourglass energy reached 0.6 of the internal energy: 'hourglass_kind: assumed_strain'")) << notes[0];
+  simulation.state.quality[0].contrast = {2, 0.6, 0.2}, simulation.state.progress.contrast_looks = 2;
+  EXPECT_TRUE(mesh_notes(simulation).empty()) << "the warning says more";
+  simulation.state.quality[0].hourglass = 0.04;
+  EXPECT_TRUE(quality_notes(simulation).empty());
+  EXPECT_EQ(mesh_notes(simulation).size(), 1U);
 }
 
 /// A bar after a run, as if it had been seen so. contrast  [J] sums of two looks
@@ -293,19 +298,20 @@ TEST(MeshNotes, SayWhatTheRunCannotTell) {
 TEST(MeshNotes, AreNoneWhereAWarningSaysMore) {
   const Simulation simulation = seen_so({2, 0.6, 1.5}, 0.1);
   EXPECT_TRUE(mesh_notes(simulation).empty());
-  const auto warnings = quality_notes(simulation);
+  const auto warnings = mesh_warnings(simulation);
   ASSERT_EQ(warnings.size(), 1U);
-  EXPECT_TRUE(says(warnings[0], "bar: bodies flow, and 0.75 of the strain energy of all solids is concentrated")) << warnings[0];
+  EXPECT_TRUE(says(warnings[0], "bar: bodies of the scene flow, and 0.75 of the strain energy of all solids")) << warnings[0];
   EXPECT_TRUE(says(warnings[0], said(Remedy::finer_mesh))) << warnings[0];
-  EXPECT_TRUE(quality_notes(seen_so({2, 0.6, 0.2}, 0.1)).empty()) << "a note is no warning";
-  EXPECT_TRUE(quality_notes(seen_so({2, 0.6, 1.5})).empty()) << "what elastic bodies concentrate they give back";
+  EXPECT_TRUE(quality_notes(simulation).empty());
+  EXPECT_TRUE(mesh_warnings(seen_so({2, 0.6, 0.2}, 0.1)).empty()) << "a note is no warning";
+  EXPECT_TRUE(mesh_warnings(seen_so({2, 0.6, 1.5})).empty()) << "what elastic bodies concentrate they give back";
 }
 
 TEST(MeshNotes, OfAForceOnANodeNameThat) {
   Simulation simulation = seen_so({2, 0.6, 1.5});  // no need to flow
   simulation.model.loads.push_back(load::NodalForce{.name = "prick", .nodes = {0}, .force = {}});
-  ASSERT_EQ(quality_notes(simulation).size(), 1U);
-  EXPECT_TRUE(says(quality_notes(simulation)[0], said(Remedy::spread_force)));
+  ASSERT_EQ(mesh_warnings(simulation).size(), 1U);
+  EXPECT_TRUE(says(mesh_warnings(simulation)[0], said(Remedy::spread_force)));
 }
 
 TEST(MeshNotes, SayWhereRestitutionGivesBackWhatFlowTakes) {
@@ -317,15 +323,16 @@ TEST(MeshNotes, SayWhereRestitutionGivesBackWhatFlowTakes) {
     run(simulation);
     simulation.state.ledger.initial_available = simulation.state.ledger.initial_kinetic = 1;
     simulation.state.quality[0] = {}, simulation.state.quality[1] = {};
-    simulation.state.footings = {{.force = 1, .nodes = 9}};
+    std::vector<dynamics::Flow>& flows = simulation.state.ledger.flows;
+    for (std::size_t s = 0; s < flows.size(); ++s) flows[s].passed = dynamics::sources(simulation.model)[s].name == "touch" ? 1 : 0;
     EXPECT_TRUE(mesh_notes(simulation).empty()) << "nothing flows";
     simulation.state.ledger.accounts[0].dissipated[Dissipated::plastic] = 0.3;
     const auto notes = mesh_notes(simulation);
     ASSERT_EQ(notes.size(), restitution > 0 ? 1U : 0U);
     if (restitution > 0) {
-      EXPECT_TRUE(says(notes[0], "touch: bodies flow there, and 'restitution' gives back what")) << notes[0];
+      EXPECT_TRUE(says(notes[0], "touch: bodies of the scene flow, and 'restitution' gives back what")) << notes[0];
     }
-    simulation.state.footings = {{}};
+    for (dynamics::Flow& flow : flows) flow.passed = 0;
     EXPECT_TRUE(mesh_notes(simulation).empty()) << "it was never touched";
   }
 }
@@ -350,19 +357,28 @@ TEST(MeshNotes, SayWhichProbesFollowTheMesh) {
   scene.probes = {{.name = "push", .quantity = "force", .of = "touch"},
                   {.name = "most", .quantity = "plastic_strain", .of = "bar", .largest = true},
                   {.name = "mean", .quantity = "plastic_strain", .of = "bar"}};
+  Scene of_eight = scene;
+  of_eight.bodies[0].solid = element::FullHexahedron::Options{};
+  EXPECT_EQ(build(of_eight).probes[1].follows_mesh, dynamics::FollowsMesh::yes) << "'full' has been taken";
   Simulation simulation = build(scene);
   EXPECT_EQ(simulation.probes[0].footing, 0);
-  EXPECT_TRUE(simulation.probes[1].follows_mesh);
-  EXPECT_FALSE(simulation.probes[2].follows_mesh);
+  EXPECT_EQ(simulation.probes[1].follows_mesh, dynamics::FollowsMesh::less_with_eight_points);
+  EXPECT_EQ(simulation.probes[2].follows_mesh, dynamics::FollowsMesh::no);
   run(simulation);
+  simulation.state.probes.resize(3), simulation.state.probes[1].largest = 0.01;
   simulation.state.quality[0] = {}, simulation.state.quality[1] = {};
   simulation.state.footings = {{.force = 1, .nodes = 2.5}};
   auto notes = mesh_notes(simulation);
   ASSERT_EQ(notes.size(), 2U);
   EXPECT_TRUE(says(notes[0], "push: the largest force of this contact was carried by 2.5 nodes (fewer than 4)")) << notes[0];
   EXPECT_TRUE(says(notes[1], "most: a largest plastic strain follows the mesh")) << notes[1];
+  EXPECT_TRUE(says(notes[1], said(Remedy::eight_points))) << notes[1];
   simulation.state.footings[0].nodes = 4;
   EXPECT_EQ(mesh_notes(simulation).size(), 1U);
+  simulation.probes[1].follows_mesh = dynamics::FollowsMesh::yes;
+  EXPECT_TRUE(says(mesh_notes(simulation)[0], said(Remedy::estimate_error)));
+  simulation.state.probes[1].largest = 0;
+  EXPECT_TRUE(mesh_notes(simulation).empty()) << "nothing has flowed";
 }
 
 /// A strip 1 m long and 10 mm thick, clamped, with a force at its other end, after a swing to one side; cells along it.

@@ -1,18 +1,14 @@
 """Tests of scripts/benchmark: the examples in the texts of the program and of its scenes."""
 import doctest
-import importlib.machinery
-import importlib.util
 import sys
 import unittest
 from pathlib import Path
 
+import made_up
+
 SCRIPTS = Path(__file__).resolve().parents[2] / "scripts"
 sys.path.insert(0, str(SCRIPTS))
-sys.dont_write_bytecode = True  # none beside a program without ending
-loader = importlib.machinery.SourceFileLoader("benchmark", str(SCRIPTS / "benchmark"))
-benchmark = importlib.util.module_from_spec(importlib.util.spec_from_loader("benchmark", loader))
-sys.modules["benchmark"] = benchmark
-loader.exec_module(benchmark)
+benchmark = made_up.script("benchmark")
 import benchmark_scenes  # noqa: E402  (after the path)
 
 

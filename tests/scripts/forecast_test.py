@@ -1,16 +1,13 @@
 """Tests of scripts/forecast: what counts as a miss, and what the table says."""
-import importlib.machinery
-import importlib.util
 import sys
 import unittest
 from pathlib import Path
 
+import made_up
+
 SCRIPTS = Path(__file__).resolve().parents[2] / "scripts"
 sys.path.insert(0, str(SCRIPTS))
-sys.dont_write_bytecode = True  # none beside a program without ending
-loader = importlib.machinery.SourceFileLoader("forecast", str(SCRIPTS / "forecast"))
-forecast = importlib.util.module_from_spec(importlib.util.spec_from_loader("forecast", loader))
-loader.exec_module(forecast)
+forecast = made_up.script("forecast")
 
 
 def one(steps=1.0, size=1.0, memory=1.0, seconds=1.0, long=1.0):

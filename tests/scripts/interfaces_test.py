@@ -1,18 +1,14 @@
 """Tests of scripts/interfaces: the examples in its texts, and that each scene can be made by each rule."""
 import doctest
-import importlib.machinery
-import importlib.util
 import sys
 import unittest
 from pathlib import Path
 
+import made_up
+
 SCRIPTS = Path(__file__).resolve().parents[2] / "scripts"
 sys.path.insert(0, str(SCRIPTS))
-sys.dont_write_bytecode = True  # none beside a program without ending
-loader = importlib.machinery.SourceFileLoader("interfaces", str(SCRIPTS / "interfaces"))
-interfaces = importlib.util.module_from_spec(importlib.util.spec_from_loader("interfaces", loader))
-sys.modules["interfaces"] = interfaces
-loader.exec_module(interfaces)
+interfaces = made_up.script("interfaces")
 import interface_scenes  # noqa: E402  (after the path)
 
 

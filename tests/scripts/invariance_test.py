@@ -1,7 +1,5 @@
 """scripts/invariance: limits from disturbed runs, what is carried back, its table, and arguments that are wrong."""
 import contextlib
-import importlib.machinery
-import importlib.util
 import io
 import json
 import math
@@ -11,13 +9,11 @@ import types
 import unittest
 from pathlib import Path
 
+import made_up
+
 SCRIPTS = Path(__file__).resolve().parents[2] / "scripts"
 sys.path.insert(0, str(SCRIPTS))
-sys.dont_write_bytecode = True  # none beside a program without ending
-loader = importlib.machinery.SourceFileLoader("invariance", str(SCRIPTS / "invariance"))
-invariance = importlib.util.module_from_spec(importlib.util.spec_from_loader("invariance", loader))
-sys.modules["invariance"] = invariance
-loader.exec_module(invariance)
+invariance = made_up.script("invariance")
 import compare_runs  # noqa: E402  (after the path)
 import invariance_changes as changes  # noqa: E402
 import twins  # noqa: E402

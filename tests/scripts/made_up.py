@@ -1,8 +1,24 @@
-"""A folder with a made-up driver and its case, for tests of scripts that run drivers."""
+"""For tests of scripts: a script as a module, and a folder with a made-up driver and its case."""
+import importlib.machinery
+import importlib.util
 import stat
 import sys
 import tempfile
 from pathlib import Path
+
+SCRIPTS = Path(__file__).resolve().parents[2] / "scripts"
+
+
+def script(name):
+    """A program of the folder scripts that has no ending, as a module."""
+    sys.dont_write_bytecode = True  # none beside it
+    if str(SCRIPTS) not in sys.path:
+        sys.path.insert(0, str(SCRIPTS))
+    loader = importlib.machinery.SourceFileLoader(name, str(SCRIPTS / name))
+    module = importlib.util.module_from_spec(importlib.util.spec_from_loader(name, loader))
+    sys.modules[name] = module  # dataclasses look for it
+    loader.exec_module(module)
+    return module
 
 
 def folder(test, case):

@@ -1,17 +1,13 @@
 """scripts/refine on sequences whose limit and order are known, and on a case as a driver resolves it."""
-import importlib.machinery
-import importlib.util
 import sys
 import unittest
 from pathlib import Path
 
+import made_up
+
 SCRIPTS = Path(__file__).resolve().parents[2] / "scripts"
 sys.path.insert(0, str(SCRIPTS))
-sys.dont_write_bytecode = True  # none beside a program without ending
-loader = importlib.machinery.SourceFileLoader("refine", str(SCRIPTS / "refine"))
-refine = importlib.util.module_from_spec(importlib.util.spec_from_loader("refine", loader))
-sys.modules["refine"] = refine
-loader.exec_module(refine)
+refine = made_up.script("refine")
 
 
 def sequence(factors, order, limit=7.0, second=0.0):

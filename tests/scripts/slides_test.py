@@ -3,22 +3,17 @@ made-up driver."""
 import contextlib
 import dataclasses
 import doctest
-import importlib.machinery
-import importlib.util
 import io
 import math
 import sys
 import unittest
 from pathlib import Path
 
+import made_up
+
 SCRIPTS = Path(__file__).resolve().parents[2] / "scripts"
 sys.path.insert(0, str(SCRIPTS))
-sys.dont_write_bytecode = True  # none beside a program without ending
-loader = importlib.machinery.SourceFileLoader("slides", str(SCRIPTS / "slides"))
-slides = importlib.util.module_from_spec(importlib.util.spec_from_loader("slides", loader))
-sys.modules["slides"] = slides
-loader.exec_module(slides)
-import made_up  # noqa: E402  (after the path)
+slides = made_up.script("slides")
 import slide_judge as judge  # noqa: E402
 import slide_scenes as scenes  # noqa: E402
 

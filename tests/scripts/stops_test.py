@@ -1,17 +1,13 @@
 """Tests of scripts/stops: what it makes of a case."""
-import importlib.machinery
-import importlib.util
 import sys
 import unittest
 from pathlib import Path
 
+import made_up
+
 SCRIPTS = Path(__file__).resolve().parents[2] / "scripts"
 sys.path.insert(0, str(SCRIPTS))
-sys.dont_write_bytecode = True  # none beside a program without ending
-loader = importlib.machinery.SourceFileLoader("stops", str(SCRIPTS / "stops"))
-stops = importlib.util.module_from_spec(importlib.util.spec_from_loader("stops", loader))
-sys.modules["stops"] = stops
-loader.exec_module(stops)
+stops = made_up.script("stops")
 
 CASE = "bodies: []\n\nstop:\n  - {probe: a, above: 1 m}  # why\n\ntime: {end: 1 s}\n"
 

@@ -1,7 +1,5 @@
 """Tests of scripts/syntax: joined sources are taken apart, precompiled headers are left out, a seed chooses, and faults are told."""
 import contextlib
-import importlib.machinery
-import importlib.util
 import io
 import json
 import shutil
@@ -11,12 +9,11 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
+import made_up
+
 SCRIPTS = Path(__file__).resolve().parents[2] / "scripts"
 sys.path.insert(0, str(SCRIPTS))
-sys.dont_write_bytecode = True  # none beside a program without ending
-loader = importlib.machinery.SourceFileLoader("syntax", str(SCRIPTS / "syntax"))
-syntax = importlib.util.module_from_spec(importlib.util.spec_from_loader("syntax", loader))
-loader.exec_module(syntax)
+syntax = made_up.script("syntax")
 
 BY_GCC = "c++ -Ilib -O3 -std=c++20 -Winvalid-pch -include build/pch.hxx -o a.o -c {}"
 BY_CLANG = ("clang++ -Ilib -std=c++20 -Winvalid-pch -Xclang -include-pch -Xclang b/pch.hxx.pch -Xclang -include -Xclang b/pch.hxx "

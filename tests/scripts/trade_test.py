@@ -1,7 +1,5 @@
 """scripts/trade with a driver that is made up here: its depth is 1 + 0.4/cells^2, exact at a step of 0.5, and some settings fail."""
 import contextlib
-import importlib.machinery
-import importlib.util
 import io
 import sys
 import unittest
@@ -11,11 +9,7 @@ import made_up
 
 SCRIPTS = Path(__file__).resolve().parents[2] / "scripts"
 sys.path.insert(0, str(SCRIPTS))
-sys.dont_write_bytecode = True  # none beside a program without ending
-loader = importlib.machinery.SourceFileLoader("trade", str(SCRIPTS / "trade"))
-trade = importlib.util.module_from_spec(importlib.util.spec_from_loader("trade", loader))
-sys.modules["trade"] = trade
-loader.exec_module(trade)
+trade = made_up.script("trade")
 
 DRIVER = """#!{python}
 import json

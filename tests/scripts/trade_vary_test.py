@@ -1,6 +1,5 @@
 """scripts/trade --vary with a driver that is made up here: its depth is load / stiffness + gap + 0.4/cells^2, and `spare` is not used."""
 import contextlib
-import importlib.machinery
 import importlib.util
 import io
 import sys
@@ -11,17 +10,13 @@ import made_up
 
 SCRIPTS = Path(__file__).resolve().parents[2] / "scripts"
 sys.path.insert(0, str(SCRIPTS))
-sys.dont_write_bytecode = True  # none beside a program without ending
 try:
     import sensitivity  # noqa: F401  (needs numpy)
     import yaml  # noqa: F401
 except ImportError as missing:
     print(f"skipped: {missing}")
     sys.exit(77)
-loader = importlib.machinery.SourceFileLoader("trade", str(SCRIPTS / "trade"))
-trade = importlib.util.module_from_spec(importlib.util.spec_from_loader("trade", loader))
-sys.modules["trade"] = trade
-loader.exec_module(trade)
+trade = made_up.script("trade")
 import trade_vary as vary  # noqa: E402
 
 HAS_SCIPY = importlib.util.find_spec("scipy") is not None

@@ -1,19 +1,16 @@
 """scripts/update_case renames words where they stand, and touches nothing else."""
 import contextlib
-import importlib.machinery
-import importlib.util
 import io
 import sys
 import tempfile
 import unittest
 from pathlib import Path
 
+import made_up
+
 SCRIPTS = Path(__file__).resolve().parents[2] / "scripts"
 sys.path.insert(0, str(SCRIPTS))
-sys.dont_write_bytecode = True  # none beside a program without ending
-loader = importlib.machinery.SourceFileLoader("update_case", str(SCRIPTS / "update_case"))
-update_case = importlib.util.module_from_spec(importlib.util.spec_from_loader("update_case", loader))
-loader.exec_module(update_case)
+update_case = made_up.script("update_case")
 
 OLD = """# a scene; hardness in a comment stays
 bodies:

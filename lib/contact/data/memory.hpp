@@ -71,7 +71,7 @@ struct Near {
   Index facets = 0;       ///< how many
   /// [m] As long as Moved::now is less, a free apex cannot have come into contact, and one in contact not to another part.
   double safe_distance = 0;
-  double area = 0;        ///< [m2] of the sides of the apex that faced the base as it came into contact; zero: all
+  double area = 0;        ///< [m2] of the sides of the apex that the base loaded as it came into contact; zero: not known, all
   bool is_idle = false;     ///< free, and its forces are booked: nothing is to do within its safe distance
   Kept kept = Kept::nothing;  ///< by multipliers
   bool by_points = false;     ///< its gap was that of points alone in the step before

@@ -46,11 +46,9 @@ void share_stiffness(const Interface& interface, const Vectors& x, Index a, Elem
   }
 }
 
-/// The tributary area of the sides of an apex that face a facet; all of it where next to none does, as of a sole on a steep flank. [m2]
+/// The tributary area of the sides of an apex that a facet loads. [m2]
 double area_facing(const Interface& interface, const Vectors& x, Index a, Index facet) {
-  if (interface.faces.begin.empty()) return interface.area(a);
-  const double facing = mesh::tributary_area_against(interface.faces, x, a, facet_normal(interface.base, x, facet));
-  return facing > least_area * interface.area(a) ? facing : interface.area(a);
+  return mesh::tributary_area_loaded(interface.faces, x, a, facet_normal(interface.base, x, facet), interface.area(a), least_area);
 }
 
 /// Lets the nodes around the foot take the moment of the base. Which face has a foot on its border is a matter of round-off, or of numbers,
