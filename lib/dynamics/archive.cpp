@@ -31,8 +31,8 @@ void visit(Archive& archive, Feature& feature) {
 
 template <class Archive>
 void visit(Archive& archive, Restitution& one) {
-  auto& [held, kept, mean_force, last_loss, blow] = one;
-  archive(held, kept, mean_force, last_loss, blow);
+  auto& [held, kept, mean_force, most_force, last_loss, blow] = one;
+  archive(held, kept, mean_force, most_force, last_loss, blow);
 }
 
 template <class Archive>
@@ -360,8 +360,8 @@ void visit(Archive& archive, SourceLimit& limit) {
 
 template <class Archive>
 void visit(Archive& archive, StepLimits& limits) {
-  auto& [elements, contact, volume_ratio, smallest_block, smallest_element, may_grow, costly, trend] = limits;
-  archive(elements, contact, volume_ratio, smallest_block, smallest_element, may_grow, costly, trend);
+  auto& [elements, contact, blows, ringing, energy, volume_ratio, smallest_block, smallest_element, may_grow, costly, trend] = limits;
+  archive(elements, contact, blows, ringing, energy, volume_ratio, smallest_block, smallest_element, may_grow, costly, trend);
 }
 
 template <class Archive>

@@ -170,6 +170,8 @@ void book(const Model& model, double dt, double first, const Ended& ended, State
   if (now.step > 0) now.ledger.integration_kept -= (dt * dt - now.dt * now.dt) / 8 * first;
   now.dt = dt;
   ++now.step;
+  constexpr double of_twenty_steps = 0.95;
+  now.step_limits.ringing = std::max(ended.square, of_twenty_steps * now.step_limits.ringing);
   post_sources(model, now);
   update_largest_force(model, now);
   update_deficits(model, now);

@@ -63,6 +63,7 @@ void update(const Model& model, double dt, const Pace& pace, State& now, Forces&
     load::advance(model.loads[l], model.mesh.X, now.x, now.v, now.omega, now.t, dt, now.loads[l]);
   source += static_cast<int>(model.constraints.planes.size());
   limits.elements = with_springs(f.springs, source, limits.elements);
+  update_ringing(before, pace.safety * limits.elements.step, std::max(steady_scale(now.ledger), before.energy), limits);
   now.step_limits = limits;
   const double scale = steady_scale(now.ledger);
   if (dt > 0) update_growth(before, pace, dt, scale > 0 ? now.ledger.integration_kept / scale : 0, now.step_limits);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/words.hpp"
+#include "contact/multiplier/restitution.hpp"
 
 namespace nereid::dynamics {
 
@@ -32,6 +33,19 @@ double next_length(const StepLimits& limits, const Pace& pace, double t, double 
   const double chosen = most < grows_by * last || waits ? std::min(most, last > 0 ? last : most) : most;
   if (left >= shared * chosen || !(left > 1e-12 * pace.end)) return chosen;  // at the end as if the run went on
   return left / std::max(1.0, std::ceil(left / chosen - 1e-9));
+}
+
+double step_for_blows(double usual, double step) {
+  const double quarters = std::ceil(4 * std::log2(usual / step));
+  return usual * std::exp2(-0.25 * std::max(1.0, quarters));
+}
+
+void update_ringing(const StepLimits& before, double usual, double energy, StepLimits& now) {
+  now.blows = before.blows, now.ringing = before.ringing, now.energy = before.energy;
+  if (before.blows.source < 0) return;
+  const double left = 0.5 * contact::most_ringing * energy, step = std::min(before.blows.step, std::sqrt(8 * left / before.ringing));
+  if (step < usual) now.contact.lower_to({step_for_blows(usual, step), before.blows.at}, before.blows.source);
+  else now.blows.source = -1;
 }
 
 void update_growth(const StepLimits& before, const Pace& pace, double dt, double created, StepLimits& now) {

@@ -28,6 +28,9 @@ struct SourceLimit {
 struct StepLimits {
   SourceLimit elements;           ///< the linear bound of elements and springs; a run stays below it by its safety
   SourceLimit contact;            ///< of interfaces and rigid planes: their own bound, which has its margin in it
+  SourceLimit blows;              ///< what multipliers ask for; it has a source from the step on that was shorter for it: update_ringing()
+  double ringing = 0;             ///< [W/s] the sum of f.f/m, the largest of some twenty steps
+  double energy = 0;              ///< [J] of the scene, as it was found where blows asked for a shorter step
   double volume_ratio = 1e300;  ///< [-] smallest volume or area ratio; not positive or NaN: inverted
   int smallest_block = -1; ///< in sources(model)
   Index smallest_element = -1;
@@ -67,6 +70,16 @@ Step choose_step(const StepLimits&, double safety);
 ///
 /// last  [s] the step that led to t; 0: none
 double next_length(const StepLimits&, const Pace&, double t, double last);
+
+/// The longest of  usual 2^-k/4,  k = 1, 2 ...,  that is no longer than a step, so that round-off in what blows ask for changes no step. [s]
+double step_for_blows(double usual, double step);
+
+/// Keeps a step that was made shorter for blows until neither these nor what they left ask for it:
+///
+///     dt^2/8 sum of f.f/m <= 0.01 E,    half of what blows may ask for: a step that grows while bodies ring takes energy
+///
+/// usual  [s] the step without it;  energy  [J] E
+void update_ringing(const StepLimits& before, double usual, double energy, StepLimits& now);
 
 /// Brings up to date what choose_step() and next_length() ask of the steps before.
 ///

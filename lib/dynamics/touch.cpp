@@ -1,6 +1,11 @@
 #include "dynamics/touch.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include "contact/contact.hpp"
+#include "dynamics/balance.hpp"
 #include "dynamics/forces.hpp"
 #include "dynamics/rigid_step.hpp"
 
@@ -59,13 +64,26 @@ void stop_at_start(const Model& model, const Pace& pace, State& now, Forces& f) 
 void enforce(const Model& model, double dt, const Pace& pace, State& now, Forces& f) {
   if (f.allowed.empty()) return;
   find_constraints(now, f);
-  const double next = next_length(now.step_limits, pace, now.t, dt);
-  contact::Motion motion = motion_of(model, f.force, dt, next, 0.5 * (dt + next), now, f);
-  if (f.driven.cols() > 0) {
-    find_driven_speeds(model, now.t + 0.5 * motion.next, now, f);
-    motion.driven = &f.driven;
+  StepLimits& limits = now.step_limits;
+  for (const bool again : {false, true}) {
+    const double energy = pace.fixed > 0 ? std::numeric_limits<double>::infinity() : std::max(steady_scale(now.ledger), limits.energy);
+    const double next = next_length(now.step_limits, pace, now.t, dt);
+    contact::Motion motion = motion_of(model, f.force, dt, next, 0.5 * (dt + next), now, f);
+    motion.again = again;
+    if (f.driven.cols() > 0) {
+      find_driven_speeds(model, now.t + 0.5 * motion.next, now, f);
+      motion.driven = &f.driven;
+    }
+    contact::BlowLimit limit = contact::enforce(model.contacts, model.rigid_planes, motion, now.t, now.contacts, now.rigid_planes,
+                                                f.contacts, energy, f.multipliers);
+    limits.blows.step = limit.step;
+    if (again || !(limit.step < next)) break;
+    limits.energy = std::max(limit.energy, kinetic_energy(model, now));  // what gravity has done is known at rows alone
+    limit.step *= std::sqrt(limits.energy / limit.energy);
+    if (!(limit.step < next)) continue;
+    limits.blows.source = static_cast<int>(model.blocks.size() + limit.of), limits.blows.at = limit.node;
+    limits.contact.lower_to({step_for_blows(pace.safety * limits.elements.step, limit.step), limit.node}, limits.blows.source);
   }
-  contact::enforce(model.contacts, model.rigid_planes, motion, now.t, now.contacts, now.rigid_planes, f.contacts, f.multipliers);
   add_contact_forces(model, now, true, f);
   gather_rigid_forces(model, f);
 }

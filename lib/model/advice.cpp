@@ -98,7 +98,9 @@ ExpectedSteps expected_steps(const Simulation& simulation) {
   const dynamics::Model& model = simulation.model;
   const dynamics::State& now = simulation.state;
   ExpectedSteps expected;
-  expected.first = dynamics::choose_step(now.step_limits, simulation.time.safety);
+  dynamics::StepLimits limits = now.step_limits;
+  if (limits.blows.source >= 0) limits.contact = {};  // what touches at the start asks for shorter steps for a while
+  expected.first = dynamics::choose_step(limits, simulation.time.safety);
   expected.elements = simulation.time.safety * now.step_limits.elements.step;
   if (!model.rigid_bodies.empty()) expected.elements = std::min(expected.elements, model.longest_step);
   expected.dt = expected.first.dt;

@@ -107,7 +107,7 @@ inline std::vector<std::pair<std::string, std::vector<double>>> numbers(const St
     add(c.work, c.damped, c.friction_dissipated, c.created_by_reconnection, c.deepest, c.deepest_apex, c.deepest_time, c.walks);
     add(c.lost, c.recovered, c.impact, c.transferred, c.held, c.power_rate, c.friction_to_come);
     add(c.step_factor.lowered_at, c.step_factor.least_created, c.step_factor.most_created);
-    for (const contact::Restitution& r : c.restitution) add(r.held, r.kept, r.mean_force, r.last_loss);
+    for (const contact::Restitution& r : c.restitution) add(r.held, r.kept, r.mean_force, r.most_force, r.last_loss);
     all(c.force), all(c.impulse), add(c.searches, c.deepest_now, c.margin), all(c.apexes_then), all(c.base_then), all(c.mean_way);
   }
   for (const contact::PlaneMemory& p : s.rigid_planes) {
@@ -119,7 +119,7 @@ inline std::vector<std::pair<std::string, std::vector<double>>> numbers(const St
     for (const char stuck : p.stuck) add(stuck);
     all(p.sliding), all(p.area);
     add(p.impact, p.transferred, p.power_rate, p.friction_to_come);
-    for (const contact::Restitution& r : p.restitution) add(r.held, r.kept, r.mean_force, r.last_loss);
+    for (const contact::Restitution& r : p.restitution) add(r.held, r.kept, r.mean_force, r.most_force, r.last_loss);
   }
   part("constraints");
   for (const auto& plane : s.constraints.account) all(plane.impulse), all(plane.angular_impulse), add(plane.stopped, plane.driven);

@@ -1290,7 +1290,7 @@ TEST(Multipliers, TrustATrendWhileBodiesArePressedAndChangeNoForceByIt) {
   };
   int trusted = 0, none = 0;
   const std::vector<Vec3> with = pressed(true, trusted), without = pressed(false, none);
-  EXPECT_GT(trusted, 500);
+  EXPECT_GT(trusted, 250) << "else there is nothing to compare";
   EXPECT_EQ(none, 0);
   ASSERT_EQ(with.size(), without.size());
   double largest = 0, differs = 0;
@@ -1299,13 +1299,6 @@ TEST(Multipliers, TrustATrendWhileBodiesArePressedAndChangeNoForceByIt) {
     differs = std::max(differs, (with[i] - without[i]).norm());
   }
   EXPECT_LT(differs, 1e-7 * largest);  // what iterations leave of the impulses: they end when one changes less than 1e-5
-}
-
-TEST(Multipliers, AskForNoStepOfTheirOwn) {
-  Scene s = askew(by_multipliers(1, 0.4));
-  const Outcome outcome = s.run_to(0.05);
-  EXPECT_EQ(outcome.ending, Ending::reached_end) << outcome.reason;
-  EXPECT_EQ(s.state.step_limits.contact.source, -1);
 }
 
 TEST(Multipliers, GiveBackWhatTheyTookFromABarThatBouncesOffAWall) {
@@ -1361,6 +1354,27 @@ Scene falls_flat(const FallsFlat& how, const InterfaceOptions& options = {}) {
   return s;
 }
 
+TEST(Multipliers, LetABarThatFallsFlatRingNoMoreThanAPartOfItsEnergy) {
+  InterfaceOptions options = by_multipliers(1);
+  options.edges = false;
+  for (const FallsFlat& how : {FallsFlat{"bar.z_low", ""}, FallsFlat{"bar.z_low", "block.z_high", true}}) {
+    Scene s = falls_flat(how, options);
+    const Outcome outcome = s.run_to(2e-3, 1e-6, {}, 0.9);
+    EXPECT_LT(outcome.smallest_step, 0.9 * outcome.largest_step);
+    EXPECT_NE(outcome.limited_by.find(how.block ? "contact 'joint'" : "rigid plane 'wall'"), std::string::npos) << outcome.limited_by;
+    EXPECT_LT(s.state.ledger.most_integration, 2 * contact::most_ringing * s.state.ledger.initial_available);
+    expect_closed(s);
+  }
+}
+
+TEST(Multipliers, AskForNoStepOfTheirOwnWhereManyLayersAreStruck) {
+  Scene s = bar(40, 1, 1e-3);
+  const Outcome outcome = s.run_to(0.03);
+  EXPECT_EQ(outcome.ending, Ending::reached_end) << outcome.reason;
+  EXPECT_GT(account(s, "wall").impulse.norm(), 0);
+  EXPECT_GT(outcome.smallest_step, 0.98 * outcome.largest_step);
+}
+
 TEST(Multipliers, ReleaseABarThatFallsFlatAsItsFaceAndNotAsItsSkin) {
   InterfaceOptions options = by_multipliers(1);
   options.edges = false;
@@ -1376,7 +1390,7 @@ TEST(Multipliers, ReleaseABarThatFallsFlatAsItsFaceAndNotAsItsSkin) {
   EXPECT_GT(on_plane, 0.7);
   EXPECT_NEAR(rebound({"bar.skin", ""}), on_plane, 1e-9);
   const double on_block = rebound({"bar.z_low", "block.z_high", true});
-  EXPECT_NEAR(rebound({"bar.skin", "block.z_high", true}), on_block, 1e-9);
+  EXPECT_NEAR(rebound({"bar.skin", "block.z_high", true}), on_block, 1e-7);  // what round-off of other sides does to the length of steps
   options.two_passes = true;
   const double of_both = rebound({"bar.z_low", "block.z_high", true});
   EXPECT_NEAR(rebound({"bar.skin", "block.skin", true}), of_both, 1e-6);  // what iterations leave of two passes
@@ -1956,7 +1970,9 @@ TEST(TieByMultipliers, TwoPartsStrikeAWallAsOneBody) {
     wall.name = "wall", wall.point = Vec3(0, 0, -1e-4), wall.normal = Vec3::UnitZ(), wall.method = contact::Method::multiplier;
     for (Index n = 0; n < s.model.mesh.X.cols(); ++n)
       if (s.model.mesh.X(2, n) < 1e-9) wall.nodes.push_back(n);
-    wall.area = Scalars::Constant(static_cast<Eigen::Index>(wall.nodes.size()), 1e-2);
+    wall.area.resize(static_cast<Eigen::Index>(wall.nodes.size()));
+    for (std::size_t i = 0; i < wall.nodes.size(); ++i)  // half of it on either side of the tie
+      wall.area(static_cast<Eigen::Index>(i)) = 1e-2 * s.model.mass(wall.nodes[i]) / s.model.mass.maxCoeff();
     wall.impedance = 3e4, wall.depth = 0.1, wall.restitution = 0;
     s.model.rigid_planes.push_back(wall);
   };

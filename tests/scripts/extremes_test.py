@@ -636,7 +636,8 @@ class Verdicts(unittest.TestCase):
     def test_a_warning_of_a_hypoelastic_body_is_held_against_its_strains(self):
         said = "warning: a: element 3 was pressed by {:.3g} of Young's modulus at 1 s; beyond 0.5 a hypoelastic law is unstable\n"
         for height, even, claimed, found in ((0.5, False, 0.69, judge.WARNED), (0.9, False, 0.69, judge.BROKEN),
-                                             (0.5, False, 0.4, judge.BROKEN), (0.5, False, 2, judge.BROKEN), (0.6, True, 0.69, judge.BROKEN)):
+                                             (0.5, False, 0.4, judge.BROKEN), (0.5, False, 2, judge.BROKEN),
+                                             (0.6, True, 0.69, judge.BROKEN)):
             side = height if even else height**-0.3  # free sides
             pressed = Folder([("a", cube())], lambda X, t: (X * (1 + t * (np.array([side, side, height]) - 1)), 0 * X),
                              columns={"energy_kinetic": [0, 0]})

@@ -80,7 +80,8 @@ def all_shots(run):
     rows = []
     for shot in shots():
         runs = [shoot(run, shot, level) for level in (0, 1, 2)]
-        rows.append([f"{shot['source']}, {shot['material']}", f"{float(shot['length']):.1f}", shot["speed"], f"{3 - sum(map(did_not_end, runs))} of 3",
+        rows.append([f"{shot['source']}, {shot['material']}", f"{float(shot['length']):.1f}", shot["speed"],
+                     f"{3 - sum(map(did_not_end, runs))} of 3",
                      *(f"{1e3 * last(one, 'length') / float(shot['length']):.4f}" for one in runs),
                      f"{last(runs[2], 'plastic_strain'):.2f}", f"{min(one.result('bar_smallest_corner') for one in runs):.2f}",
                      f"{100 * max(share(one, 'distortion') for one in runs):.3f} %",

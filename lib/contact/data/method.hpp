@@ -14,6 +14,7 @@ struct Restitution {
   double held = 0;        ///< [J]; negative: a deficit, more than it held was given
   double kept = 0;        ///< [J] part of it that is given back whole: its loss was taken at an earlier release
   double mean_force = 0;  ///< [N] over twice the time that a wave takes through the node's own mass
+  double most_force = 0;  ///< [N] largest of that since it last took energy
   double last_loss = 0;   ///< [s] when it last took energy
   double blow = 0;        ///< [N s] between rigid bodies: normal impulse since first touch, along which `held` is given back; 0: no blow
 };

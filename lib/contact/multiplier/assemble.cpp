@@ -73,8 +73,7 @@ Moved find(const Interface& interface, const Motion& m, Memory& memory, Workspac
     parallel_for(static_cast<Index>(memory.near.size()), 64, [&](Index i) {
       Near& near = memory.near[i];
       const Moved moved = automatic ? moved_of_body(memory, workspace, interface.bodies.of_apex[near.apex], ahead) : of_all;
-      near.earlier = near.pressed;
-      near.pressed = near.element.closed && m.dt > 0 ? near.element.apex.norm() : 0;
+      if (!m.again) near.earlier = near.pressed, near.pressed = near.element.closed && m.dt > 0 ? near.element.apex.norm() : 0;
       if (near.is_idle && moved.now < near.safe_distance) return;
       near.kept = kept_of(interface, m, x, all.velocity, memory, moved, near);
       if (near.kept != Kept::nothing) {
@@ -91,7 +90,7 @@ Moved find(const Interface& interface, const Motion& m, Memory& memory, Workspac
   };
   const auto apart = [&](const Vectors& v) { return speed_apart(v, {interface.apexes, interface.base_nodes}); };
   if (automatic) find_speeds_apart(interface, all.velocity, workspace);
-  else memory.way += m.dt * apart(m.v);
+  else if (!m.again) memory.way += m.dt * apart(m.v);
   if (!(m.dt > 0)) look(m.x, m.v, 0, 0);  // at the start apexes may stand behind the surface
   return look(all.ahead, all.way, m.dt + m.next, automatic ? m.next : m.next * apart(all.velocity));
 }

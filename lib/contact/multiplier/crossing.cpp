@@ -219,7 +219,7 @@ void find_conditions(const EdgeContact& contact, const Motion& m, EdgeMemory& me
   if (contact.bodies.count() == 0) {
     const auto apart = [&](const Vectors& v) { return speed_apart(v, {contact.apexes, contact.base_nodes}); };
     const double moved = search_where_due(contact, m.x, all.way, memory, workspace), ahead = m.next * apart(all.velocity);
-    memory.way += m.dt * apart(m.v);
+    if (!m.again) memory.way += m.dt * apart(m.v);
     follow_all(contact, m, [&](const EdgePair&) { return EdgeWays{moved, memory.way, ahead}; }, memory, workspace, all);
   } else {
     find_speeds_apart(contact, all.velocity, workspace);

@@ -86,14 +86,14 @@ void wake(const Acting& acting, const Motion& m, std::span<AnyWorkspace> workspa
     if (!all.has_looked) all.looked_at = all.nodes, all.has_looked = true;
     return;
   }
-  const double apart = speed_apart(m.v);
+  const double apart = speed_apart(m.v), passed = m.again ? 0 : m.dt;
   bool searched = !all.has_looked;
   for (std::size_t i = 0; i < acting.contacts.size(); ++i)
     if (is_automatic(acting.contacts[i]))
       with_all(acting.contacts[i], acting.memories[i], workspaces[i], [&](const auto& contact, auto& memory, auto& workspace) {
         if (!workspace.knows_near_bodies && memory.searches > 0) find_near_bodies(contact, memory, workspace);  // as after a restart
-        add_ways(contact, m.v, m.dt, memory, workspace);
-        searched = search_bodies_where_due(contact, m.x, m.v, m.dt * apart, m.next * apart, memory, workspace) || searched;
+        add_ways(contact, m.v, passed, memory, workspace);
+        searched = search_bodies_where_due(contact, m.x, m.v, passed * apart, m.next * apart, memory, workspace) || searched;
       });
   if (!searched) return;
   std::vector<char> looked_at(static_cast<std::size_t>(m.x.cols()), 0);
@@ -257,17 +257,22 @@ void stop_at_start(std::span<const AnyContact> contacts, std::span<const RigidPl
   });
 }
 
-void enforce(std::span<const AnyContact> contacts, std::span<const RigidPlane> planes, const Motion& m, double t,
-             std::span<AnyMemory> memories, std::span<PlaneMemory> of_planes, std::span<AnyWorkspace> workspaces, Multipliers& all) {
+BlowLimit enforce(std::span<const AnyContact> contacts, std::span<const RigidPlane> planes, const Motion& m, double t,
+                  std::span<AnyMemory> memories, std::span<PlaneMemory> of_planes, std::span<AnyWorkspace> workspaces, double energy,
+                  Multipliers& all) {
   all.spent.begin();
   const double h = 0.5 * (m.dt + m.next);
   const Acting acting{contacts, planes, memories, of_planes};
-  for (std::size_t i = 0; i < contacts.size(); ++i)
-    if (by_multipliers(contacts[i]))
-      with_memory(contacts[i], memories[i], [&](const auto& contact, auto& memory) { book_first_half(contact, m, memory); });
-  for (PlaneMemory& memory : of_planes) book_first_half_of_shapes(m, memory);
+  if (!m.again) {
+    for (std::size_t i = 0; i < contacts.size(); ++i)
+      if (by_multipliers(contacts[i]))
+        with_memory(contacts[i], memories[i], [&](const auto& contact, auto& memory) { book_first_half(contact, m, memory); });
+    for (PlaneMemory& memory : of_planes) book_first_half_of_shapes(m, memory);
+  }
   all.spent.end(Stage::book);
   find_impulses(acting, m, workspaces, all);
+  const BlowLimit limit = limit_of_blows(energy, all);
+  if (limit.step < m.next && !m.again) return limit;
   if (m.dt > 0) release(m, t, all);
   all.spent.end(Stage::release);
   std::vector<Pool>& pools = all.pools;
@@ -308,6 +313,7 @@ void enforce(std::span<const AnyContact> contacts, std::span<const RigidPlane> p
     take_over(interface, m, ties, all.velocity, memory);
   });
   all.spent.end(Stage::book);
+  return limit;
 }
 
 void change_work_to_come(std::span<const AnyContact> contacts, std::span<const RigidPlane> planes, const Vectors& change,

@@ -14,6 +14,7 @@
 
 #include "contact/data/any.hpp"
 #include "contact/multiplier/condition.hpp"
+#include "contact/multiplier/restitution.hpp"
 
 namespace nereid::contact {
 
@@ -30,9 +31,13 @@ void stop_at_start(std::span<const AnyContact>, std::span<const RigidPlane>, con
 /// Finds the impulses of all contacts by multipliers for the step to come, and books the work of the step that led to t.
 ///
 /// Writes the forces into the memories, from where add_forces() takes them.
-/// t  [s] now, for where the deepest penetrations were
-void enforce(std::span<const AnyContact>, std::span<const RigidPlane>, const Motion&, double t, std::span<AnyMemory>,
-             std::span<PlaneMemory>, std::span<AnyWorkspace>, Multipliers&);
+///
+/// t        [s] now, for where the deepest penetrations were
+/// energy   [J] of the scene, as limit_of_blows() takes it; infinite: blows ask for nothing
+/// returns  what blows ask of the step to come. If that is shorter, and m not `again`, the step is to be made as short, and this to be
+///          called again: nothing is booked and no force is written yet
+BlowLimit enforce(std::span<const AnyContact>, std::span<const RigidPlane>, const Motion&, double t, std::span<AnyMemory>,
+                  std::span<PlaneMemory>, std::span<AnyWorkspace>, double energy, Multipliers&);
 
 /// Takes into account that velocities change at t after enforce(), as relaxation changes them. The forces then do another work in the half
 /// step that begins than was booked as energy held and as heat of friction:

@@ -24,6 +24,7 @@ struct Motion {
   double dt, next;         ///< [s] of the step that led to t, of that which begins there
   const Vectors* driven = nullptr;  ///< [m/s] for ties: what planes that move add to velocities by the step to come; else null
   RigidNodes* rigid = nullptr;      ///< rigid bodies in the step to come; null: there are none
+  bool again = false;               ///< whether impulses have been found at t before, for a longer step to come
 };
 
 /// The share of an impulse at t that acts in the half step which begins there. [-]

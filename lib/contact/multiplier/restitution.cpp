@@ -11,7 +11,9 @@ namespace nereid::contact {
 
 namespace {
 
-constexpr double own_share = 0.5;       // [-] of the force with which a wave leaves a node that moves with what is held
+constexpr double own_share = 0.5;       // of the force with which a wave leaves a node that moves with what is held
+constexpr double fallen = 0.5;          // of the largest force: the middle of the front that ends a contact
+constexpr double settled = 8;           // times a wave takes through the node's mass: a layer of elements turns round in six
 constexpr double small_loss = 1e-3;     // of what is held: less, taken in a step, delays no release
 constexpr double no_force = 1e-14;      // of the energy with which a node goes apart: so much of what it held is no force
 constexpr double least_held = 1e-3;     // of what is taken in a step: a contactor that holds less gives nothing back in that step
@@ -57,14 +59,16 @@ Gain gain(const Contactor& one, Condition& hardest, Multipliers& all) {
   return sum;
 }
 
-/// Whether a contactor is without a force, or has one that only what it holds could make.
+/// Whether a contactor is without a force, or has one that only what it holds could make: which has fallen to that, as where a body has
+/// turned round, or has long been so, as of a body that flows.
 bool releases(const Contactor& one, const Condition& c, double pressed, double h, double t) {
   const Restitution& memory = *one.memory;
   if (memory.held < least_held * -one.work) return false;  // what is left of a blow before, as another begins
-  const double own = own_share * one.impedance * std::sqrt(2 * memory.held * c.per_mass);
-  if (pressed > 0 && pressed >= own) return false;
-  const double time = 1 / (c.per_mass * one.impedance);
-  return !(pressed > 0) || (t - memory.last_loss >= time - 0.5 * h && memory.mean_force < own);
+  if (!(pressed > 0)) return true;
+  const double own = own_share * one.impedance * std::sqrt(2 * memory.held * c.per_mass), little = fallen * memory.most_force;
+  const double larger = std::max(pressed, memory.mean_force), time = 1 / (c.per_mass * one.impedance);
+  const double since = t - memory.last_loss + 0.5 * h;
+  return larger < own && since >= (larger < little ? time : settled * time);
 }
 
 /// Whether what a contactor holds is of a blow, and not of forces that press it in every step: it leaves much faster than these move it.
@@ -170,13 +174,34 @@ void release(const Motion& m, double t, Multipliers& all) {
   find_work(m, all);
 }
 
+BlowLimit limit_of_blows(double energy, const Multipliers& all) {
+  BlowLimit limit{.energy = energy};
+  double sum = 0, taken = 0, most = 0;
+  std::size_t at = 0;
+  for (std::size_t k = 0; k < all.contactors.size(); ++k) {
+    const Contactor& one = all.contactors[k];
+    if (!std::isfinite(one.impedance)) continue;  // rigid bodies do not ring, and plates not through their thickness
+    const double rate = all.conditions[static_cast<std::size_t>(one.first)].per_mass * one.impedance;  // 1/tau
+    const double b = std::max(0.0, one.memory->held - std::min(0.0, one.work)), part = b * rate * rate;
+    sum += part, taken += b;
+    if (part > most) most = part, at = k;
+  }
+  if (!(sum > 0)) return limit;
+  limit.energy = std::max(energy, taken);
+  limit.step = 2 * std::sqrt(most_ringing * limit.energy / sum);
+  const Condition& c = all.conditions[static_cast<std::size_t>(all.contactors[at].first)];
+  limit.node = members_of(c, all)[0].node;
+  limit.of = static_cast<std::size_t>(std::upper_bound(all.first.begin(), all.first.end(), static_cast<Index>(at)) - all.first.begin()) - 1;
+  return limit;
+}
+
 double update_restitution(const Motion& m, double t, Pool& pool, Multipliers& all) {
   const double h = 0.5 * (m.dt + m.next);
   double lost = 0;
   for (Index k = pool.first; k < pool.last; ++k) {
     const Contactor& one = all.contactors[k];
     Restitution& memory = *one.memory;
-    if (-one.work > small_loss * memory.held) memory.last_loss = t;
+    if (-one.work > small_loss * memory.held) memory.last_loss = t, memory.most_force = 0;
     memory.held -= one.work + one.lost;
     memory.kept = std::clamp(memory.held, 0.0, memory.kept);
     update_blow(one, all);
@@ -185,6 +210,7 @@ double update_restitution(const Motion& m, double t, Pool& pool, Multipliers& al
     const double pressed = impulse_of(one, all) / h;
     const double time = 2 / (hardest(one, all).per_mass * one.impedance);
     memory.mean_force += (pressed - memory.mean_force) * (time > m.next ? m.next / time : 1);
+    memory.most_force = std::max(memory.most_force, memory.mean_force);
   }
   return lost;
 }

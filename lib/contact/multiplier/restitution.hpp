@@ -8,6 +8,27 @@
 
 namespace nereid::contact {
 
+/// What steps may let bodies ring, by central differences, over the energy of the scene. [-]
+constexpr double most_ringing = 0.02;
+
+/// How long a step may be in which nodes are stopped, and those after it while contacts hold what was taken from them:
+///
+///     sum of b dt^2 / 4 tau^2 <= 0.02 E,    tau = m / Z
+///
+/// with b what is held, m the mass and Z the impedance of a node. A layer of elements whose node is stopped rings with a force F up to Z v,
+/// and central differences let that have dt^2/8 F^2/m too much energy (docs/theory/central_differences.md).
+struct BlowLimit {
+  double step = 1e300;  ///< [s]
+  double energy = 0;    ///< [J] E
+  std::size_t of = 0;   ///< the contact, or the plane after all contacts, that asks most
+  Index node = -1;
+};
+
+/// The limit by the works of this step, before release().
+///
+/// energy  [J] E, or less where it is not known: it is no less than the sum of b
+BlowLimit limit_of_blows(double energy, const Multipliers&);
+
 /// Gives back what released contactors hold: those without a force, or with one that only what they hold could make.
 void release(const Motion&, double t, Multipliers&);
 

@@ -64,10 +64,28 @@ Reach reach_of(const BaseSurface& base, Index facet, const Corners& c, const Vec
   return {std::sqrt(height * height + left * left), height, aside, closest.kind, open};
 }
 
-/// Whether a point is outside of a facet beyond one of its ridges, but for round-off.
-bool is_beyond_a_ridge(const BaseSurface& base, Index facet, const std::array<double, 3>& weight) {
-  for (int e = 0; e < 3; ++e)
-    if (base.wall[facet][e] && base.neighbour(e, facet) >= 0 && weight[(e + 2) % 3] < -round_off) return true;
+/// Whether the surface of the apex itself faces a facet and lies over an edge of it: what is just beside that edge is no way past the body.
+bool lies_over(const ApexPath& s, const Corners& c, int edge) {
+  if (s.own.ring_begin.empty()) return false;
+  const Vec3 normal = eigen(geometry::facet_height(c, c[0]).normal);
+  for (Index r = s.own.ring_begin[s.apex]; r < s.own.ring_begin[s.apex + 1]; ++r) {
+    const Index mine = s.own.ring[r];
+    if (!(facet_normal(s.own, s.x, mine).dot(normal) < far_side)) continue;
+    Vec3 middle = Vec3::Zero();
+    for (int a = 0; a < 3; ++a) middle += s.x.col(s.own.facets(a, mine)) / 3;
+    if (geometry::facet_height(c, place(middle)).weight[(edge + 2) % 3] > 0) return true;
+  }
+  return false;
+}
+
+/// Whether a point is outside of a facet beyond one of its ridges, but for round-off, or as far as neighbours overlap if the apex's own
+/// surface lies over the ridge: two ridges that meet head on must not both miss the other's facet.
+bool is_beyond_a_ridge(const ApexPath& s, Index facet, const Corners& c, const std::array<double, 3>& weight) {
+  for (int e = 0; e < 3; ++e) {
+    const double inside = weight[(e + 2) % 3];
+    if (!s.base.wall[facet][e] || s.base.neighbour(e, facet) < 0 || inside >= -round_off) continue;
+    if (inside < -overlap || !lies_over(s, c, e)) return true;
+  }
   return false;
 }
 
@@ -76,18 +94,19 @@ bool is_beyond_a_ridge(const BaseSurface& base, Index facet, const std::array<do
 ///
 /// corners_of(facet)  where the facet is then
 template <class CornersOf>
-bool reaches(const BaseSurface& base, Index facet, CornersOf&& corners_of, const Vector<double>& p) {
+bool reaches(const ApexPath& s, Index facet, CornersOf&& corners_of, const Vector<double>& p) {
   const Corners c = corners_of(facet);
   const auto weight = geometry::facet_height(c, p).weight;
-  bool is_inside = least(weight) >= -overlap && !is_beyond_a_ridge(base, facet, weight);
+  bool is_inside = least(weight) >= -overlap && !is_beyond_a_ridge(s, facet, c, weight);
   for (int e = 0; e < 3 && is_inside; ++e) {  // a facet that has but a node at the ridge has the ridge behind a neighbour
-    const Index across = base.neighbour(e, facet);
+    const Index across = s.base.neighbour(e, facet);
     if (weight[(e + 2) % 3] >= -round_off || across < 0) continue;
-    is_inside = !is_beyond_a_ridge(base, across, geometry::facet_height(corners_of(across), p).weight);
+    const Corners beside = corners_of(across);
+    is_inside = !is_beyond_a_ridge(s, across, beside, geometry::facet_height(beside, p).weight);
   }
   if (is_inside) return true;
-  const Reach at = reach_of(base, facet, c, p);
-  return at.open && at.aside <= whole_past_wall * base.size(facet);
+  const Reach at = reach_of(s.base, facet, c, p);
+  return at.open && at.aside <= whole_past_wall * s.base.size(facet);
 }
 
 /// The first facet that a path crosses from its front.
@@ -132,7 +151,7 @@ Passage crossed(const ApexPath& s, const Vec3& p0, const Vec3& p1, bool at_surfa
       for (int a = 0; a < 3; ++a) c[a] = (1 - t) * c[a] + t * later[a];
       return c;
     };
-    if (!reaches(s.base, f, then, (1 - t) * from + t * to)) continue;
+    if (!reaches(s, f, then, (1 - t) * from + t * to)) continue;
     if (skip(f)) continue;
     if (!may_push(s, eigen(end.normal))) {
       excluded = f;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "contact/report/forces.hpp"
 
 namespace nereid::contact::multiplier_test {
@@ -30,7 +32,7 @@ struct Setting {
   }
   Motion motion() const { return {x, v, none, force, none, mass, no_inertia, turns, allowed, no_rotations, dt, next}; }
   void step() {  // v is that of the step that led to x
-    enforce({}, {&plane, 1}, motion(), t, {}, {&memory, 1}, {}, all);
+    enforce({}, {&plane, 1}, motion(), t, {}, {&memory, 1}, {}, INFINITY, all);
     Vectors sum = force;
     add_forces(plane, memory, sum);
     v += 0.5 * (dt + next) * sum;
@@ -57,6 +59,35 @@ TEST(Multiplier, GivesBackAllButNotMoreAndTheLossStandsWhereItBelongs) {
     EXPECT_NEAR(at.memory.impact, 0.5 * (1 - restitution * restitution), 1e-12);
     EXPECT_NEAR(at.memory.work, 0.5 * (restitution * restitution - 1), 1e-12);
   }
+}
+
+TEST(Multiplier, AsksForAShorterStepBeforeItStopsANode) {
+  Setting at(0.5e-3, {0, 0, -1});
+  at.plane.impedance = 1e3;  // the node's mass takes a wave 1 ms
+  const double energy = 0.5, taken = 0.5 * 0.5 * 1.5;
+  const auto act = [&](double of_scene, bool again) {
+    Motion m = at.motion();
+    m.again = again;
+    return enforce({}, {&at.plane, 1}, m, at.t, {}, {&at.memory, 1}, {}, of_scene, at.all);
+  };
+  const BlowLimit asks = act(energy, false);
+  EXPECT_NEAR(asks.step / (2e-3 * std::sqrt(most_ringing * energy / taken)), 1, 1e-12);
+  EXPECT_EQ(asks.of, 0U);
+  EXPECT_EQ(asks.node, 0);
+  EXPECT_NEAR(act(0, false).energy, taken, 1e-12) << "no less than what is taken";
+  EXPECT_EQ(at.memory.force[0], 0) << "nothing is done yet";
+  EXPECT_EQ(at.memory.restitution[0].held, 0);
+  at.next = asks.step;
+  EXPECT_EQ(act(energy, true).step, 1e300) << "in so short a step it does not get there";
+  EXPECT_EQ(at.memory.force[0], 0);
+  at.next = 1e-3;
+  EXPECT_LT(act(energy, true).step, at.next);
+  EXPECT_GT(at.memory.force[0], 0) << "once more it does not ask";
+  EXPECT_NEAR(at.memory.restitution[0].held, taken, 1e-12);
+  Setting none(0.5e-3, {0, 0, -1});
+  none.plane.impedance = 1e3;
+  none.step();
+  EXPECT_GT(none.memory.force[0], 0) << "of an infinite energy nothing is too much";
 }
 
 TEST(Multiplier, CarriesAWeightWithoutAChatter) {
@@ -123,7 +154,7 @@ TEST(Multiplier, FrictionAndPushSettleWhereConstraintsSlantToTheNormal) {
     at.plane.normal = Vec3(0, slope, 1).normalized();
     for (int i = 0; i < 200; ++i) {
       at.force(2, 0) = -0.1 * i;
-      enforce({}, {&at.plane, 1}, at.motion(), at.t, {}, {&at.memory, 1}, {}, at.all);
+      enforce({}, {&at.plane, 1}, at.motion(), at.t, {}, {&at.memory, 1}, {}, INFINITY, at.all);
       Vectors sum = at.force;
       add_forces(at.plane, at.memory, sum);
       at.v += at.dt * along_z * sum, at.x += at.dt * at.v;
