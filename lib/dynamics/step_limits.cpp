@@ -36,8 +36,8 @@ double next_length(const StepLimits& limits, const Pace& pace, double t, double 
 }
 
 double step_for_blows(double usual, double step) {
-  const double quarters = std::ceil(4 * std::log2(usual / step));
-  return usual * std::exp2(-0.25 * std::max(1.0, quarters));
+  constexpr double most = 12;  // an eighth: a layer whose energy is all of the scene asks for a sixth
+  return usual * std::exp2(-0.25 * std::clamp(std::ceil(4 * std::log2(usual / step)), 1.0, most));
 }
 
 void update_ringing(const StepLimits& before, double usual, double energy, StepLimits& now) {

@@ -71,7 +71,7 @@ Step choose_step(const StepLimits&, double safety);
 /// last  [s] the step that led to t; 0: none
 double next_length(const StepLimits&, const Pace&, double t, double last);
 
-/// The longest of  usual 2^-k/4,  k = 1, 2 ...,  that is no longer than a step, so that round-off in what blows ask for changes no step. [s]
+/// The longest of  usual 2^-k/4,  k = 1 to 12,  that is no longer than a step: round-off in what blows ask for then changes no step. [s]
 double step_for_blows(double usual, double step);
 
 /// Keeps a step that was made shorter for blows until neither these nor what they left ask for it:

@@ -46,6 +46,12 @@ void find_driven_speeds(const Model& model, double t, State& now, Forces& f) {
   }
 }
 
+/// Whether it would make too much energy, with what earlier changes have made, to shorten the step to come while bodies ring.
+bool costs_too_much(double step, double next, const State& now) {
+  const double made = (next * next - step * step) / 8 * now.step_limits.ringing;
+  return made + now.ledger.integration_kept > 0.25 * contact::most_ringing * now.step_limits.energy;
+}
+
 }  // namespace
 
 void stop_at_start(const Model& model, const Pace& pace, State& now, Forces& f) {
@@ -75,12 +81,12 @@ void enforce(const Model& model, double dt, const Pace& pace, State& now, Forces
       motion.driven = &f.driven;
     }
     contact::BlowLimit limit = contact::enforce(model.contacts, model.rigid_planes, motion, now.t, now.contacts, now.rigid_planes,
-                                                f.contacts, energy, f.multipliers);
+                                                f.contacts, energy, limits.blows.source >= 0, f.multipliers);
     limits.blows.step = limit.step;
     if (again || !(limit.step < next)) break;
     limits.energy = std::max(limit.energy, kinetic_energy(model, now));  // what gravity has done is known at rows alone
     limit.step *= std::sqrt(limits.energy / limit.energy);
-    if (!(limit.step < next)) continue;
+    if (!(limit.step < next) || costs_too_much(limit.step, next, now)) continue;
     limits.blows.source = static_cast<int>(model.blocks.size() + limit.of), limits.blows.at = limit.node;
     limits.contact.lower_to({step_for_blows(pace.safety * limits.elements.step, limit.step), limit.node}, limits.blows.source);
   }

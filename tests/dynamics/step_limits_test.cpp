@@ -54,31 +54,32 @@ TEST(Step, FallsAtOnceAndGrowsByATwentiethOrMore) {
 }
 
 TEST(Ringing, AsksForStepsThatRoundOffDoesNotChange) {
-  for (const double step : {0.89, 0.6, 0.1, 1e-3}) {
+  for (const double step : {0.89, 0.6, 0.2, 0.113}) {
     const double found = step_for_blows(0.9, step);
     EXPECT_LE(found, step * (1 + 1e-12));
     EXPECT_GT(found, 0.84 * step);
     EXPECT_NEAR(std::remainder(4 * std::log2(0.9 / found), 1), 0, 1e-9);
     EXPECT_EQ(step_for_blows(0.9, step * (1 + 1e-13)), found);
   }
+  EXPECT_NEAR(step_for_blows(0.9, 1e-9), 0.9 / 8, 1e-15) << "and for no shorter one";
 }
 
 TEST(Ringing, KeepsAStepThatABlowHasMadeShorterUntilNothingAsksForItAnyMore) {
   const double energy = 2, usual = 0.9;
   StepLimits before;
-  before.ringing = 4 * contact::most_ringing * energy / 0.01;  // asks for a step of 0.1
+  before.ringing = 4 * contact::most_ringing * energy / 0.04;  // asks for a step of 0.2
   const auto after = [&](const StepLimits& last) {
     StepLimits now = limits(1, 5);
     update_ringing(last, usual, energy, now);
     return now;
   };
   EXPECT_EQ(after(before).contact.step, 5) << "no blow has asked";
-  before.blows = {.step = 0.05, .source = 2, .at = 7};
-  EXPECT_EQ(after(before).contact.step, step_for_blows(usual, 0.05));
+  before.blows = {.step = 0.15, .source = 2, .at = 7};
+  EXPECT_EQ(after(before).contact.step, step_for_blows(usual, 0.15));
   EXPECT_EQ(after(before).contact.source, 2);
   EXPECT_EQ(after(before).contact.at, 7);
   before.blows.step = 1e300;  // nothing is held any more
-  EXPECT_EQ(after(before).contact.step, step_for_blows(usual, 0.1));
+  EXPECT_EQ(after(before).contact.step, step_for_blows(usual, 0.2));
   EXPECT_EQ(after(before).blows.source, 2);
   before.ringing *= 0.01;
   EXPECT_EQ(after(before).contact.step, 5);

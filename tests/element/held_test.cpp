@@ -83,6 +83,14 @@ TEST(Contrast, OfABeamOfOneLayerIsSmall) {
   }
 }
 
+TEST(Contrast, OfCellsThatBendInTurnsIsNone) {
+  const mesh::Mesh mesh = box({10, 1, 1}, {10, 1, 1});
+  const Displacement in_turns = [](const Vec3& X) -> Vec3 { return {(X.z() - 0.5) * std::cos(pi * X.x()), 0, 0}; };
+  const Displaced turns = displaced(mesh, in_turns);
+  EXPECT_GT(turns.hourglass, 0.5 * turns.contrast.strain);
+  EXPECT_LT(turns.contrast.bending, 1e-9 * turns.contrast.strain) << "a known blind spot";
+}
+
 TEST(Contrast, OfUniformStrainIsNoneWhateverTheSizes) {
   mesh::Mesh mesh = box({3, 2, 2}, {3, 2, 2});
   for (Eigen::Index n = 0; n < mesh.X.cols(); ++n)

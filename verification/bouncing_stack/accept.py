@@ -23,7 +23,8 @@ def total(run):
     """Kinetic energy and all stores at each row of the history, less those at the start and what the kinetic energy of an instant has too
     much, `energy_integration`. [J]"""
     stores = [values for name, values in run.columns.items() if name == "energy_kinetic" or
-              name.startswith("energy_") and name.split("_")[-1] in ("elastic", "hourglass", "penalty", "restitution", "potential")]
+              name.startswith("energy_") and name.split("_")[-1] in ("elastic", "hourglass", "distortion", "penalty", "restitution",
+                                                                                    "potential")]
     sums = [sum(row) - swing for row, swing in zip(zip(*stores), run.column("energy_integration"))]
     return [value - sums[0] for value in sums]
 

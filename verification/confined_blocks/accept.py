@@ -1,6 +1,6 @@
 """How close is close enough, why, and what must break."""
 from reference import DOWN, compression, force
-from verify import Breaks, Check, Figure, Miss, Pair, Table, Waiver
+from verify import Breaks, Check, Figure, Miss, Pair, Table
 
 CATALOGUE = ()
 CLAIM = ("Blocks of unlike grids that are pressed together between walls stay smooth to a compression of 30 %, with friction or two passes "
@@ -92,15 +92,6 @@ CHECKS = [
 STUDIES = [Table("The largest compression of 5, 10, 15, 20, 25, 30, 40 and 50 % that each way holds for two seconds, and the largest "
                  "error of the force on the way there.", ["element", "contact", "holds", "force"], ways, full=True)]
 
-
-def springs_fold(run):
-    """Whether blocks with springs folded."""
-    kind = run.overrides.get("bodies[0].element.hourglass_kind")
-    return kind == "stiffness" and run.summary["ending"]["word"] == "bodies_overlap"
-
-
-WAIVERS = [Waiver("created energy of any source at any time", springs_fold,
-                  "springs with sides exchanged let the blocks fold: the run warns of all of it, and stops", 0.05, full=True)]
 
 BREAKS = [
     Breaks("force at every time", "nodes of the coarser grid alone", {**COARSE, **NODES, **ON}),

@@ -259,7 +259,7 @@ void stop_at_start(std::span<const AnyContact> contacts, std::span<const RigidPl
 
 BlowLimit enforce(std::span<const AnyContact> contacts, std::span<const RigidPlane> planes, const Motion& m, double t,
                   std::span<AnyMemory> memories, std::span<PlaneMemory> of_planes, std::span<AnyWorkspace> workspaces, double energy,
-                  Multipliers& all) {
+                  bool goes_on, Multipliers& all) {
   all.spent.begin();
   const double h = 0.5 * (m.dt + m.next);
   const Acting acting{contacts, planes, memories, of_planes};
@@ -271,7 +271,7 @@ BlowLimit enforce(std::span<const AnyContact> contacts, std::span<const RigidPla
   }
   all.spent.end(Stage::book);
   find_impulses(acting, m, workspaces, all);
-  const BlowLimit limit = limit_of_blows(energy, all);
+  const BlowLimit limit = limit_of_blows(energy, goes_on, all);
   if (limit.step < m.next && !m.again) return limit;
   if (m.dt > 0) release(m, t, all);
   all.spent.end(Stage::release);

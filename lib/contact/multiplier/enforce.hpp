@@ -33,11 +33,11 @@ void stop_at_start(std::span<const AnyContact>, std::span<const RigidPlane>, con
 /// Writes the forces into the memories, from where add_forces() takes them.
 ///
 /// t        [s] now, for where the deepest penetrations were
-/// energy   [J] of the scene, as limit_of_blows() takes it; infinite: blows ask for nothing
+/// energy, goes_on  as of limit_of_blows(); of an infinite energy blows ask for nothing
 /// returns  what blows ask of the step to come. If that is shorter, and m not `again`, the step is to be made as short, and this to be
 ///          called again: nothing is booked and no force is written yet
 BlowLimit enforce(std::span<const AnyContact>, std::span<const RigidPlane>, const Motion&, double t, std::span<AnyMemory>,
-                  std::span<PlaneMemory>, std::span<AnyWorkspace>, double energy, Multipliers&);
+                  std::span<PlaneMemory>, std::span<AnyWorkspace>, double energy, bool goes_on, Multipliers&);
 
 /// Takes into account that velocities change at t after enforce(), as relaxation changes them. The forces then do another work in the half
 /// step that begins than was booked as energy held and as heat of friction:

@@ -71,10 +71,11 @@ bool releases(const Contactor& one, const Condition& c, double pressed, double h
   return larger < own && since >= (larger < little ? time : settled * time);
 }
 
-/// Whether what a contactor holds is of a blow, and not of forces that press it in every step: it leaves much faster than these move it.
-bool is_blow(const Contactor& one, const Condition& c) {
+/// Whether an energy that a contactor holds is of a blow, and not of forces that press it in every step: it leaves much faster than these
+/// move it.
+bool is_blow(double held, const Condition& c) {
   const double in_a_step = much_faster * (c.free - c.before);
-  return 2 * one.memory->held * c.per_mass > in_a_step * in_a_step;
+  return 2 * held * c.per_mass > in_a_step * in_a_step;
 }
 
 double left_of(const Contactor& one) { return one.memory->held - one.work - one.lost; }
@@ -119,7 +120,7 @@ bool give_back(const Motion& m, double t, bool first, Multipliers& all) {
     Condition& c = hardest(one, all);
     const bool goes = first ? releases(one, c, impulse_of(one, all) / h, h, t) : one.releases;
     if (!goes) continue;
-    if (first) one.releases = is_blow(one, c);
+    if (first) one.releases = is_blow(memory.held, c);
     const Gain by = gain(one, c, all);
     if (by.B < 0 && by.B * by.B > stands * left * by.A) continue;  // on its way in
     if (left * by.A < no_force * by.B * by.B) continue;            // released before
@@ -174,15 +175,17 @@ void release(const Motion& m, double t, Multipliers& all) {
   find_work(m, all);
 }
 
-BlowLimit limit_of_blows(double energy, const Multipliers& all) {
+BlowLimit limit_of_blows(double energy, bool goes_on, const Multipliers& all) {
   BlowLimit limit{.energy = energy};
   double sum = 0, taken = 0, most = 0;
   std::size_t at = 0;
   for (std::size_t k = 0; k < all.contactors.size(); ++k) {
     const Contactor& one = all.contactors[k];
     if (!std::isfinite(one.impedance)) continue;  // rigid bodies do not ring, and plates not through their thickness
-    const double rate = all.conditions[static_cast<std::size_t>(one.first)].per_mass * one.impedance;  // 1/tau
-    const double b = std::max(0.0, one.memory->held - std::min(0.0, one.work)), part = b * rate * rate;
+    const Condition& c = all.conditions[static_cast<std::size_t>(one.first)];
+    const double b = std::max(0.0, one.memory->held - std::min(0.0, one.work));
+    if (!goes_on && !is_blow(b, c)) continue;
+    const double rate = c.per_mass * one.impedance, part = b * rate * rate;  // rate is 1/tau
     sum += part, taken += b;
     if (part > most) most = part, at = k;
   }

@@ -26,8 +26,9 @@ struct BlowLimit {
 
 /// The limit by the works of this step, before release().
 ///
-/// energy  [J] E, or less where it is not known: it is no less than the sum of b
-BlowLimit limit_of_blows(double energy, const Multipliers&);
+/// energy    [J] E, or less where it is not known: it is no less than the sum of b
+/// goes_on   whether steps are shorter for a blow: else only nodes count that come in much faster than forces move them in a step
+BlowLimit limit_of_blows(double energy, bool goes_on, const Multipliers&);
 
 /// Gives back what released contactors hold: those without a force, or with one that only what they hold could make.
 void release(const Motion&, double t, Multipliers&);

@@ -530,7 +530,7 @@ TEST(Enforce, CreatesNothingWhereEdgesCrossAndRubWhateverTheMassesAndAngles) {
     std::vector<AnyMemory> memories{fans.memory};
     std::vector<AnyWorkspace> workspaces{workspace};
     Multipliers all = make_multipliers(contacts, {}, nodes, 0);
-    enforce(contacts, {}, m, 1, memories, {}, workspaces, std::numeric_limits<double>::infinity(), all);
+    enforce(contacts, {}, m, 1, memories, {}, workspaces, std::numeric_limits<double>::infinity(), false, all);
     const auto energy = [&](const Vectors& v) { return 0.5 * (v.colwise().squaredNorm().transpose().array() * fans.mass.array()).sum(); };
     touching += sides(memories[0]).force.isZero(0) ? 0 : 1;
     EXPECT_LT(energy(all.velocity), 1.01 * energy(fans.v)) << trial;  // iterations end before every rate is zero

@@ -32,7 +32,7 @@ struct Setting {
   }
   Motion motion() const { return {x, v, none, force, none, mass, no_inertia, turns, allowed, no_rotations, dt, next}; }
   void step() {  // v is that of the step that led to x
-    enforce({}, {&plane, 1}, motion(), t, {}, {&memory, 1}, {}, INFINITY, all);
+    enforce({}, {&plane, 1}, motion(), t, {}, {&memory, 1}, {}, INFINITY, false, all);
     Vectors sum = force;
     add_forces(plane, memory, sum);
     v += 0.5 * (dt + next) * sum;
@@ -68,7 +68,7 @@ TEST(Multiplier, AsksForAShorterStepBeforeItStopsANode) {
   const auto act = [&](double of_scene, bool again) {
     Motion m = at.motion();
     m.again = again;
-    return enforce({}, {&at.plane, 1}, m, at.t, {}, {&at.memory, 1}, {}, of_scene, at.all);
+    return enforce({}, {&at.plane, 1}, m, at.t, {}, {&at.memory, 1}, {}, of_scene, false, at.all);
   };
   const BlowLimit asks = act(energy, false);
   EXPECT_NEAR(asks.step / (2e-3 * std::sqrt(most_ringing * energy / taken)), 1, 1e-12);
@@ -154,7 +154,7 @@ TEST(Multiplier, FrictionAndPushSettleWhereConstraintsSlantToTheNormal) {
     at.plane.normal = Vec3(0, slope, 1).normalized();
     for (int i = 0; i < 200; ++i) {
       at.force(2, 0) = -0.1 * i;
-      enforce({}, {&at.plane, 1}, at.motion(), at.t, {}, {&at.memory, 1}, {}, INFINITY, at.all);
+      enforce({}, {&at.plane, 1}, at.motion(), at.t, {}, {&at.memory, 1}, {}, INFINITY, false, at.all);
       Vectors sum = at.force;
       add_forces(at.plane, at.memory, sum);
       at.v += at.dt * along_z * sum, at.x += at.dt * at.v;

@@ -128,6 +128,29 @@ TEST(EntryOfAnApex, OnARidgeOrACornerIsThroughAllItsSides) {
   EXPECT_EQ(tracks({1.01, 1.01, 0.31}, {0.99, 0.99, 0.29}), 3);
 }
 
+TEST(EntryOfAnApex, HeadOnIsSeenJustBesideARidgeThatItsOwnSurfaceLiesOver) {
+  const Shape block = skin();  // 1 x 1 x 0.3 m
+  const auto tracks = [&](double past, double toward) {  // how far beside the ridge it comes down, and where its surface goes on from there
+    const auto first = static_cast<Index>(block.x.cols());
+    Vectors x(3, first + 3);
+    x << block.x, Vec3(1 + past, 0.4, 0.31), Vec3(1 + past + toward, 0.3, 0.31), Vec3(1 + past + toward, 0.5, 0.31);
+    Interface in = interface_over(block, 1);
+    Table<3> own(3, 1);
+    own.col(0) << first, first + 1, first + 2;
+    if (facet_normal(fans(own, first + 3), x, 0).z() > 0) std::swap(own(1, 0), own(2, 0));  // it faces down
+    in.own = fans(own, first + 3);
+    Scene scene = scene_of(x, in, {false, 0, 0});
+    scene.update();
+    step_to(scene, 0, {1 + past, 0.4, 0.29});
+    return scene.near().tracks.count;
+  };
+  for (const double past : {1e-8, 1e-5}) {
+    EXPECT_EQ(tracks(past, -0.2), 1) << "its face is over that of the block";
+    EXPECT_EQ(tracks(past, 0.2), 0) << "its body passes beside the block";
+  }
+  EXPECT_EQ(tracks(0.1, -0.2), 0) << "farther than neighbours overlap";
+}
+
 TEST(EntryOfAnApex, PastAnOpenBorderIsSeenHoweverSlowlyItComesDown) {
   // as far past the border as a force stays whole, the facet is nearer below than beside
   Scene scene = press(sheet(4, 4, flat), {{4.04, 2.3, 0.2}}, 0);
