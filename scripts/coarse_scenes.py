@@ -31,7 +31,7 @@ ELASTIC = {  # density [kg/m3], Young's modulus [Pa], Poisson's ratio [-]
 PLASTIC = {  # and the yield stress and the tangent modulus [Pa]
     "steel": (7850, 210e9, 0.3, 300e6, 1e9), "aluminium": (2700, 70e9, 0.33, 280e6, 0.7e9), "copper": (8930, 117e9, 0.35, 400e6, 100e6),
     "lead": (11340, 16e9, 0.42, 20e6, 80e6), "hardening steel": (7850, 210e9, 0.3, 250e6, 8e9)}
-GAP = 1e-3              # [-] between bodies at the start, over the size of the striker
+GAP = 0.03              # [-] between bodies at the start, over the size of the striker: a step is shorter, so the first row is before it
 SMALL_SPIN = 0.05       # [-] a spin below is compared with this
 NEGLIGIBLE = {"impulse": 0, "peak force": 0, "deflection": 0, "shortening": 0, "plastic strain": 1e-4, "plastic energy": 0}
 

@@ -320,11 +320,11 @@ double by_springs(const Simulation& simulation, std::size_t b) {
 
 // Limits by scripts/coarse: docs/coarse_meshes.md.
 constexpr double bending_worth_a_note = 0.018;          // [-]
-constexpr double concentration_worth_a_warning = 0.15;  // [-] where bodies flow
+constexpr double concentration_worth_a_warning = 0.17;  // [-] where bodies flow
 constexpr double flow = 0.01;                           // [-] of the energy of the scene, dissipated by plasticity
 constexpr double nodes_worth_no_note = 4;               // [-]
 constexpr double plates_worth_a_note = 0.01;            // [-] of the energy of the scene
-constexpr double of_noted = 45, of_warned = 75;         // [%] that change by more than 5 % on a mesh twice as fine
+constexpr double of_noted = 45, of_warned = 80;         // [%] that change by more than 5 % on a mesh twice as fine
 
 /// The block that has most of a part of the contrast, as a place in Model::blocks.
 template <class Part>
