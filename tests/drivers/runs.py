@@ -122,7 +122,7 @@ class SameBits(InATemporaryFolder):
 
 
     def test_scene_with_a_wall(self):
-        self.compare("scene.taylor_bar", TAYLOR, warning="concentrated in single elements")
+        self.compare("scene.taylor_bar", TAYLOR)
 
     def test_scene_with_a_contact(self):
         self.compare("scene.oblique", [])
@@ -457,7 +457,7 @@ class Head(InATemporaryFolder):
             self.assertLess(abs(account["created_relative"]["value"]), 1e-3, f"energy created by {name}")
 
     def test_what_each_gap_hands_on(self):
-        got, ledger = self.values("time.end=6 ms", warning="concentrated in single elements")
+        got, ledger = self.values("time.end=6 ms")
         self.check_books(ledger)
         self.assertEqual([name for name in ledger["accounts"] if name.startswith("pressure")], ["pressure_plate_1"])
         # the impulse of a triangle of 10 MPa and 4 ms on a ring of 48 corners
