@@ -23,9 +23,10 @@
 //                 g < 0. So a gap just closes, and no apex leaves faster than it came, but for energy held. Friction adds one J_t
 //                 for each apex, |J_t| <= mu J. The first guess is the impulses of the step before, or their trend. All impulses
 //                 change at once in each iteration, so their order does not matter                     multiplier/solve.hpp
+//                 Where these impulses stop a layer of elements that would ring too much, dt' is made shorter and all is found again
 //     release     the memory keeps for each apex the energy that its impulses took (Restitution::held). When the apex is no longer
-//                 pressed, or only as hard as that energy presses, one more impulse returns e^2 of it; e is `restitution`, 1 by
-//                 default. Rigid bodies give back all apexes of a blow together, blow.hpp              multiplier/restitution.hpp
+//                 pressed, or its force has fallen by half to less than that energy presses, one more impulse returns e^2 of it; e is
+//                 `restitution`, 1 by default. Rigid bodies give back all apexes of a blow together, blow.hpp  multiplier/restitution.hpp
 //     book        J / h, h = (dt + dt')/2, is the force at t: it acts in the last half of dt and the first half of dt'. Works and
 //                 momenta                                                                              multiplier/book.hpp
 //

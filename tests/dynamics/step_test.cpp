@@ -1362,7 +1362,7 @@ TEST(Multipliers, LetABarThatFallsFlatRingNoMoreThanAPartOfItsEnergy) {
     const Outcome outcome = s.run_to(2e-3, 1e-6, {}, 0.9);
     EXPECT_LT(outcome.smallest_step, 0.9 * outcome.largest_step);
     EXPECT_NE(outcome.limited_by.find(how.block ? "contact 'joint'" : "rigid plane 'wall'"), std::string::npos) << outcome.limited_by;
-    EXPECT_LT(s.state.ledger.most_integration, 2 * contact::most_ringing * s.state.ledger.initial_available);
+    EXPECT_LT(s.state.ledger.most_integration, 1.25 * contact::most_ringing * s.state.ledger.initial_available);
     expect_closed(s);
   }
 }
@@ -1390,7 +1390,7 @@ TEST(Multipliers, ReleaseABarThatFallsFlatAsItsFaceAndNotAsItsSkin) {
   EXPECT_GT(on_plane, 0.7);
   EXPECT_NEAR(rebound({"bar.skin", ""}), on_plane, 1e-9);
   const double on_block = rebound({"bar.z_low", "block.z_high", true});
-  EXPECT_NEAR(rebound({"bar.skin", "block.z_high", true}), on_block, 1e-7);  // what round-off of other sides does to the length of steps
+  EXPECT_NEAR(rebound({"bar.skin", "block.z_high", true}), on_block, 1e-8);  // sides that are not pressed end iterations
   options.two_passes = true;
   const double of_both = rebound({"bar.z_low", "block.z_high", true});
   EXPECT_NEAR(rebound({"bar.skin", "block.skin", true}), of_both, 1e-6);  // what iterations leave of two passes

@@ -1,11 +1,11 @@
 """How close is close enough, why, and what must break."""
 from defaults import NUMERICS
 from reference import GAP, SIDE, SPEED, end
-from verify import Breaks, Check, Figure, Pair, Report, Table, Waiver
+from verify import Breaks, Check, Figure, Miss, Pair, Report, Table, Waiver
 
 CATALOGUE = ()
-CLAIM = ("Undamped bars of one layer of elements and more fall flat on a plane and on each other, and keep their energy at the default "
-         "step; a bar of many layers takes no more steps than one that falls freely.")
+CLAIM = ("Undamped bars of one layer of elements and more fall flat on a plane and on each other, and keep their energy within 1 % at the "
+         "default step; a bar of many layers takes as many steps, within 1 %, as one that falls freely.")
 EVIDENCE = "invariant"
 DRIVER = "scene"
 
@@ -42,9 +42,16 @@ def energy(run, row):
                if name.startswith("energy_") and not name.startswith("energy_created") and name not in not_there)
 
 
+def change_at_the_end(one):
+    """Of the energy over that at the start, a mean over the last quarter: at an instant the ring adds to it or takes from it."""
+    rows = len(one.column("time"))
+    last = range(rows - rows // 4, rows)
+    return sum(energy(one, row) for row in last) / len(last) / energy(one, 0) - 1
+
+
 def at_the_end(run, change=None):
-    """The largest change of the energy from the start to the end, over that at the start."""
-    return Pair(max(abs(energy(one, -1) / energy(one, 0) - 1) for one in all_of(run, change)), 0, "", scale=1)
+    """The largest of all bars."""
+    return Pair(max((change_at_the_end(one) for one in all_of(run, change)), key=abs), 0, "", scale=1)
 
 
 def staggering(run, change=None):
@@ -73,7 +80,7 @@ def bars(run):
                 free = end(layers) / usual.result("largest_step")
                 rows.append([{"case": "plane", "pair": "like bar"}[target], f"{layers}", f"{poisson}",
                              *(f"{value:.4f}" for one in (usual, viscous) for value in
-                               (one.column("speed")[-1] / SPEED, energy(one, -1) / energy(one, 0) - 1,
+                               (one.column("speed")[-1] / SPEED, change_at_the_end(one),
                                 max(one.column("energy_integration")) / energy(one, 0))),
                              f"{usual.summary['cost']['steps'] / free:.2f}"])
     return rows
@@ -83,12 +90,15 @@ CHECKS = [
     Check("energy at the end, worst of sixteen bars", at_the_end, 0.01,
           "the step may let a bar ring by 0.02 of its energy, and grows where it rings by half of that; at a constant step one layer ends "
           "with 0.45"),
-    Check("staggering error of the kinetic energy, worst of sixteen bars", staggering, 0.025, "the limit of the step of a blow"),
+    Check("staggering error of the kinetic energy, worst of sixteen bars", staggering, 0.02, "the bound of the step of a blow"),
     Check("rebound of a cube of one element beside that of one of 8 x 8 x 8",
           lambda run: Pair(cube(run, 1), cube(run, 8), "", scale=1), 0.1, "one element has no shape for what waves leave behind in a cube"),
     Check("steps of a bar of 32 layers beside those of one that falls freely", lambda run: Pair(*more_steps(run)), 0.01,
           "a thirty-second of its energy is in the layer that is stopped"),
-    Report("energy at the end with the default viscosity", lambda run: at_the_end(run, VISCOUS), "as without, and the ring dies away"),
+    Miss("energy at the end with the default viscosity, worst of sixteen bars", lambda run: at_the_end(run, VISCOUS), 0.01,
+         "as without, and the ring should die away",
+         "in a bar of one layer nothing is beside it that a limiter could hold it against, so viscosity leaves its ring, and steps "
+         "change while it rings; bars of two layers and more are within 0.8 %"),
     Report("steps of a bar of one layer beside those of one that falls freely", lambda run: Pair(*more_steps(run, 1)),
            "the step is as short as the ring asks for, to the end: nothing damps it"),
 ]
@@ -101,9 +111,12 @@ STUDIES = [Table("Bars by what they fall on, layers and Poisson's ratio: velocit
 PENALTY = {"planes[0].method": "penalty"}
 WAIVERS = [Waiver("created energy of any source at any time",
                   lambda run: "penalty" in (run.overrides.get(f"{one}.method") for one in ("planes[0]", "contacts[0]")),
-                  "the penalty of the breaks opens and closes within few steps, and what it makes of a light layer adds up", 0.03)]
+                  "the penalty of the breaks opens and closes within few steps, and what it makes of a light layer adds up", 0.03),
+           Waiver("created energy of any source at any time", lambda run: "initial[0].velocity" in run.overrides,
+                  "the fast bar of a break, whose law has no potential", 0.02)]
 BREAKS = [
-    Breaks("energy at the end, worst of sixteen bars", "a penalty, which knows no blow", PENALTY),
+    Breaks("energy at the end, worst of sixteen bars", "an eighth of the wave's speed: a law in rates keeps no energy then",
+           {"initial[0].velocity": '["0", "0", "-4"]'}),
     Breaks("staggering error of the kinetic energy, worst of sixteen bars", "a penalty, which knows no blow", PENALTY),
     Breaks("rebound of a cube of one element beside that of one of 8 x 8 x 8", "a plane that gives nothing back",
            {"planes[0].restitution": 0}),

@@ -30,7 +30,7 @@ struct BlowLimit {
 /// goes_on   whether steps are shorter for a blow: else only nodes count that come in much faster than forces move them in a step
 BlowLimit limit_of_blows(double energy, bool goes_on, const Multipliers&);
 
-/// Gives back what released contactors hold: those without a force, or with one that only what they hold could make.
+/// Gives back what released contactors hold: those without a force, or with one that has fallen to what only what they hold could make.
 void release(const Motion&, double t, Multipliers&);
 
 /// Brings what is held up to date with the works of the step.
