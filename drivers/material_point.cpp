@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/check.hpp"
 #include "base/words.hpp"
 #include "drivers/driver.hpp"
 #include "material/mixed_control.hpp"
@@ -153,12 +154,13 @@ std::function<driver::Answer()> plan(const input::CaseFile& file) {
   file.finish();
   return [c] {
     return std::visit(
-        [&c](const auto& law) {
+        [&c](const auto& law) -> driver::Answer {
           using Law = std::decay_t<decltype(law)>;
           if constexpr (material::PlateLaw<Law>) {
             if (c.plate) return walk<Law, Plane>(law, c.path, names_in_plane);
           }
-          return walk<Law, Symmetric>(law, c.path, names_in_space);
+          if constexpr (material::Law<Law>) return walk<Law, Symmetric>(law, c.path, names_in_space);
+          throw InternalError("the reader has no fluids here");
         },
         c.material);
   };

@@ -133,7 +133,7 @@ model::Simulation build(const input::CaseFile& file) {
   model::Simulation simulation = input::build(file, scene);
   simulation.stops = stops;
   const double density = std::visit([](const auto& one) { return one.density; }, law);
-  press(density * gravity * std::cos(slope), size[2], std::visit([](const auto& one) { return one.young; }, law), simulation);
+  press(density * gravity * std::cos(slope), size[2], material::stiffness(law), simulation);
   simulation.probes = probes(simulation.model, scene.time.end);
   return simulation;
 }

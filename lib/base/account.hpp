@@ -17,21 +17,22 @@ namespace nereid {
 ///
 /// `restitution` is kinetic energy of nodes that multipliers stopped, as long as these press; `drilling` is of plates whose nodes turn
 /// about their normals, `residual_bending` of what their transverse shear bends within an element; `distortion` is that of corners of
-/// hexahedra that are kept from closing.
+/// hexahedra that are kept from closing. Of a fluid, `compression` is what its pressure took, `cavitation` what its bubbles took, and
+/// `weight` what its weight at centroids differs from that of its nodes.
 enum class Stored {
-  elastic, hourglass, distortion, transverse_shear, residual_bending, drilling, penalty, tangential_penalty, restitution, potential,
-  external_work
+  elastic, compression, cavitation, weight, hourglass, distortion, transverse_shear, residual_bending, drilling, penalty,
+  tangential_penalty, restitution, potential, external_work
 };
 /// Energy that a source took for good.
 ///
-/// `thinning` is what a penalty loses as the plates that it presses become thinner.
-enum class Dissipated { plastic, viscous, hourglass, damping, friction, inelastic_impact, removed, thinning };
+/// `thinning` is what a penalty loses as the plates that it presses become thinner; `radiated` is what left through a surface.
+enum class Dissipated { plastic, viscous, hourglass, damping, friction, inelastic_impact, removed, thinning, radiated };
 
-constexpr std::array<std::string_view, 11> words_of_stored{"elastic",  "hourglass", "distortion", "transverse_shear",
-                                                           "residual_bending", "drilling", "penalty", "tangential_penalty",
-                                                           "restitution", "potential", "external_work"};
-constexpr std::array<std::string_view, 8> words_of_dissipated{"plastic",  "viscous",          "hourglass", "damping",
-                                                              "friction", "inelastic_impact", "removed",   "thinning"};
+constexpr std::array<std::string_view, 14> words_of_stored{
+    "elastic", "compression", "cavitation", "weight", "hourglass", "distortion", "transverse_shear", "residual_bending", "drilling",
+    "penalty", "tangential_penalty", "restitution", "potential", "external_work"};
+constexpr std::array<std::string_view, 9> words_of_dissipated{
+    "plastic", "viscous", "hourglass", "damping", "friction", "inelastic_impact", "removed", "thinning", "radiated"};
 
 constexpr std::string_view word(Stored channel) { return words_of_stored[static_cast<std::size_t>(channel)]; }
 constexpr std::string_view word(Dissipated channel) { return words_of_dissipated[static_cast<std::size_t>(channel)]; }
@@ -52,13 +53,13 @@ static_assert(words_of_dissipated.size() <= words_of_stored.size());
 enum class SourceKind {
   block, interface, rigid_plane,
   constrained, fixed, symmetry, floor, driven,          // planes
-  body_force, pressure, force, moment, spring,   // loads
+  body_force, pressure, force, moment, spring, radiation,   // loads
   relaxation, gravity
 };
 
-constexpr std::array<std::string_view, 15> words_of_source_kinds{
+constexpr std::array<std::string_view, 16> words_of_source_kinds{
     "block", "interface", "rigid_plane", "constrained", "fixed", "symmetry", "floor", "driven",
-    "body_force", "pressure", "force", "moment", "spring", "relaxation", "gravity"};
+    "body_force", "pressure", "force", "moment", "spring", "radiation", "relaxation", "gravity"};
 
 constexpr std::string_view word(SourceKind kind) { return words_of_source_kinds[static_cast<std::size_t>(kind)]; }
 

@@ -11,11 +11,11 @@ namespace nereid::dynamics {
 
 namespace {
 
-/// The stable step of elements and springs together, named after the springs where they govern.
+/// The stable step of elements, springs and dashpots together, named after the springs where they govern.
 SourceLimit with_springs(const load::SpringRates& springs, int first_load, const SourceLimit& elements) {
-  if (springs.stiffest < 0) return elements;
+  if (springs.stiffest < 0 && springs.damping == 0) return elements;
   const double step = load::step_with_springs(elements.step, springs);
-  if (step < 0.5 * elements.step) return {step, first_load + springs.stiffest, -1};
+  if (springs.stiffest >= 0 && step < 0.5 * elements.step) return {step, first_load + springs.stiffest, -1};
   return {step, elements.source, elements.at};
 }
 

@@ -160,7 +160,7 @@ Forces make_forces(const Model& model) {
   forces.force = Vectors::Zero(3, model.mesh.X.cols());
   forces.moment = Vectors::Zero(3, model.inertia.size());
   forces.partial.reserve(static_cast<std::size_t>(model.mesh.X.cols()));
-  forces.springs = load::spring_rates(model.loads, model.rigid_bodies.empty() ? model.mass : masses_of_springs(model));
+  forces.springs = load::spring_rates(model.loads, model.mesh.X, model.rigid_bodies.empty() ? model.mass : masses_of_springs(model));
   if (std::any_of(model.blocks.begin(), model.blocks.end(), element::thins)) {
     forces.half_growth = forces.plate_mass = Scalars::Zero(model.mesh.X.cols());
     for (const auto& block : model.blocks)

@@ -15,7 +15,7 @@ AnyBlock make(const mesh::Mesh& mesh, const std::string& region, const Connectiv
   return std::visit(
       [&]<class Law>(const Law& law) -> AnyBlock {
         if constexpr (may_have<Kind, Law>) return Kernels<Kind, Law>::make(mesh, region, nodes, law, options);
-        throw InternalError("plates have no such law");
+        throw InternalError("elements of this kind have no such law");
       },
       any);
 }
@@ -41,7 +41,8 @@ AnyBlock solids(const mesh::Mesh& mesh, const std::string& region, const AnyLaw&
   const Connectivity nodes = mesh::hexahedra(mesh, region).nodes;
   return std::visit(
       [&]<class Options>(const Options& options) {
-        using Kind = std::conditional_t<std::is_same_v<Options, Hexahedron::Options>, Hexahedron, FullHexahedron>;
+        using Solid = std::conditional_t<std::is_same_v<Options, Hexahedron::Options>, Hexahedron, FullHexahedron>;
+        using Kind = std::conditional_t<std::is_same_v<Options, Fluid::Options>, Fluid, Solid>;
         return make<Kind>(mesh, region, nodes, law, options);
       },
       any);

@@ -12,6 +12,7 @@
 
 #include "base/account.hpp"
 #include "base/field.hpp"
+#include "element/fluid.hpp"
 #include "element/full_hexahedron.hpp"
 #include "element/hexahedron.hpp"
 #include "element/limiter.hpp"
@@ -25,7 +26,7 @@ namespace nereid::element {
 using Connectivity = Eigen::Matrix<Index, Eigen::Dynamic, Eigen::Dynamic>;
 
 /// Elements of one kind, of one material. Constant in time.
-template <class Kind, material::Law Law>
+template <class Kind, class Law>
 struct Block {
   std::string name;
   Law law;
@@ -40,9 +41,11 @@ struct Block {
 
 using material::AnyLaw;
 
-/// Whether elements of a kind may have a law: plates only those with an update in plane stress.
+/// Whether elements of a kind may have a law: fluids those of fluids, plates those with an update in plane stress.
 template <class Kind, class Law>
-constexpr bool may_have = Kind::dimensions == 3 || material::PlateLaw<Law>;
+constexpr bool may_have = std::is_same_v<Kind, Fluid> ? material::FluidLaw<Law>
+                          : Kind::dimensions == 3     ? material::Law<Law>
+                                                      : material::PlateLaw<Law>;
 
 /// Blocks of one kind with each law that it may have, as a list.
 template <class Kind, class... Laws>
@@ -55,7 +58,7 @@ std::variant<Blocks...> variant_of(const std::tuple<Blocks...>*);
 /// Every kind of element with every law that it may have.
 using AnyBlock = decltype(variant_of(static_cast<decltype(std::tuple_cat(
     blocks_of<Hexahedron>(static_cast<AnyLaw*>(nullptr)), blocks_of<FullHexahedron>(static_cast<AnyLaw*>(nullptr)),
-    blocks_of<Plate>(static_cast<AnyLaw*>(nullptr))))*>(nullptr)));
+    blocks_of<Fluid>(static_cast<AnyLaw*>(nullptr)), blocks_of<Plate>(static_cast<AnyLaw*>(nullptr))))*>(nullptr)));
 
 /// Whether plates may have a law.
 bool plates_may_have(const AnyLaw&);
@@ -129,9 +132,10 @@ struct BlockLimit {
   Index volume_element = -1;
 };
 
-/// Options of hexahedra, and by their type which hexahedron is meant: one point or eight.
-using AnyHexahedronOptions = std::variant<Hexahedron::Options, FullHexahedron::Options>;
+/// Options of hexahedra, and by their type which hexahedron is meant: one point, eight, or fluid.
+using AnyHexahedronOptions = std::variant<Hexahedron::Options, FullHexahedron::Options, Fluid::Options>;
 
+/// Throws InternalError for a fluid's law with options of solids, and the reverse: readers refuse it.
 AnyBlock solids(const mesh::Mesh&, const std::string& region, const AnyLaw&, const AnyHexahedronOptions&);
 AnyBlock hexahedra(const mesh::Mesh&, const std::string& region, const AnyLaw&, const Hexahedron::Options&);
 /// Throws InternalError for a law that plates may not have: readers refuse it.

@@ -167,18 +167,26 @@ void advance_tile(const Block<Kind, Law>& block, const Tile& tile, const Vectors
   }
 }
 
-/// Calls visit(element, constants) for each element of a block, in the order of its lanes.
+/// Calls visit(pack, lane, constants) for each lane of a block, fillers included.
 template <class Kind, class Law, class Visit>
-void each_element(const Block<Kind, Law>& block, Visit&& visit) {
+void each_lane(const Block<Kind, Law>& block, Visit&& visit) {
   constexpr int rows = Kind::template Constants<double>::rows;
   for (std::size_t pack = 0; pack < block.tiling.filled.size(); ++pack) {
-    for (int lane = 0; lane < block.tiling.filled[pack]; ++lane) {
+    for (int lane = 0; lane < lanes; ++lane) {
       typename Kind::template Constants<double> constants;
       const double* from = block.constants.data() + pack * rows * lanes + lane;
       constants.each_row([&](double& row) { row = *from, from += lanes; });
       visit(pack, lane, constants);
     }
   }
+}
+
+/// The same for each element.
+template <class Kind, class Law, class Visit>
+void each_element(const Block<Kind, Law>& block, Visit&& visit) {
+  each_lane(block, [&](std::size_t pack, int lane, const auto& constants) {
+    if (lane < block.tiling.filled[pack]) visit(pack, lane, constants);
+  });
 }
 
 template <class Kind, class Law>
@@ -235,6 +243,15 @@ Output<Law> output_of(const FullHexahedron::Memory<double, Law>& memory, const B
   shown.stress = (1.0 / FullHexahedron::gauss_points) * sum;
   if (with_strain) shown.strain = strain_of(X, x);
   return shown;
+}
+template <class Law, class Corners>
+Output<Law> output_of(const Fluid::Memory<double, Law>& memory, const Block<Fluid, Law>& block, const Corners& X, const Corners& x, Place,
+                      bool with_strain) {
+  const auto volume = [](const Corners& at) { return volume_gradient(scaled(0.125, sums_by_mode(at))).volume; };
+  const double before = volume(X), now = volume(x), p = memory.state.pressure;
+  const double mass = block.law.density * before, reference = now / memory.state.ratio;
+  return {{-p, -p, -p, 0, 0, 0}, 0, {mass / now, memory.state.energy * reference / mass, material::void_part(block.law, memory.state)},
+          with_strain ? strain_of(X, x) : Symmetric<double>{}};
 }
 template <class Law, class Corners>
 Output<Law> output_of(const Plate::Memory<double, Law>& memory, const Block<Plate, Law>& block, const Corners& X, const Corners& x,
@@ -302,11 +319,20 @@ Memory Kernels<Kind, Law>::initial_memory(const Block<Kind, Law>& block) {
   const std::size_t packs = block.tiling.filled.size();
   memory.rows.resize(packs * memory_rows(block) * lanes);
   if (acts(block.options.viscosity)) memory.along.assign(packs * Kind::axes * lanes, 0.0);
-  typename Kind::template Memory<double, Law> at_rest{};
-  at_rest.each_internal([&](auto& internal) { internal = material::fresh_like(internal, block.law); });
-  for (std::size_t pack = 0; pack < packs; ++pack)
-    each_row(block, at_rest, memory.rows.data() + pack * memory_rows(block) * lanes,
-             [](double row, double* to) { std::fill_n(to, lanes, row); });
+  if constexpr (std::is_same_v<Kind, Fluid>) {
+    // fillers keep zeros where the energy is summed, and have a volume, so that nothing divides by zero
+    each_lane(block, [&](std::size_t pack, int lane, const auto& constants) {
+      auto here = at_start(block.law, constants);
+      each_row(block, here, memory.rows.data() + pack * memory_rows(block) * lanes + lane, [](double row, double* to) { *to = row; });
+      if (lane < block.tiling.filled[pack]) memory.stored[Stored::compression] += here.state.energy / constants.per_reference;
+    });
+  } else {
+    typename Kind::template Memory<double, Law> at_rest{};
+    at_rest.each_internal([&](auto& internal) { internal = material::fresh_like(internal, block.law); });
+    for (std::size_t pack = 0; pack < packs; ++pack)
+      each_row(block, at_rest, memory.rows.data() + pack * memory_rows(block) * lanes,
+               [](double row, double* to) { std::fill_n(to, lanes, row); });
+  }
   return memory;
 }
 
@@ -389,7 +415,7 @@ template <class Kind, class Law>
 std::vector<Held> Kernels<Kind, Law>::held([[maybe_unused]] const Block<Kind, Law>& block, [[maybe_unused]] const Vectors& x,
                                            [[maybe_unused]] const Memory& memory) {
   std::vector<Held> all;
-  if constexpr (!Kind::layered) {
+  if constexpr (!Kind::layered && !std::is_same_v<Kind, Fluid>) {
     all.resize(static_cast<std::size_t>(block.tiling.elements));
     each_element(block, [&](std::size_t pack, int lane, const auto& constants) {
       const Index element = block.tiling.element[pack * lanes + lane];
@@ -496,6 +522,12 @@ NEREID_HOT T value_of(const FullHexahedron::Memory<T, Law>& memory, const Number
   const bool is_mean = which.kind == Number::Kind::stress || which.kind == Number::Kind::pressure;
   return is_mean ? T(1.0 / FullHexahedron::gauss_points) * sum : largest;
 }
+template <class T, class Law>
+NEREID_HOT T value_of(const Fluid::Memory<T, Law>& memory, const Number& which) {
+  const T p = memory.state.pressure, zero(0.0);
+  if (which.kind == Number::Kind::stress) return which.index < 3 ? -p : zero;
+  return which.kind == Number::Kind::pressure ? p : zero;
+}
 template <class Law>
 double value_of(const Output<Law>& shown, const Number& which) {
   return which.kind == Number::Kind::von_mises ? shown.mises
@@ -508,7 +540,8 @@ template <class Kind, class Law>
 Pack values_of(const Block<Kind, Law>& block, const Vectors& X, const Vectors& x, const Memory& memory, Place place, const Number& which,
                std::size_t pack) {
   Pack values(0.0);
-  if (Kind::layered || which.kind == Number::Kind::strain) {
+  const bool of_fluid = std::is_same_v<Kind, Fluid> && which.kind == Number::Kind::internal;  // they need volumes
+  if (Kind::layered || of_fluid || which.kind == Number::Kind::strain) {
     const bool is_strain = which.kind == Number::Kind::strain;
     for (int lane = 0; lane < block.tiling.filled[pack]; ++lane) {
       const Index element = block.tiling.element[pack * lanes + lane];

@@ -32,6 +32,12 @@ model::Load read_load(const Section& section) {
   const Variables variables = syntax.over_place ? of_both : of_time;
   load.value = syntax.is_vector ? read_expressions(section, "value", variables, unit)
                                 : model::Field{read_expression(section, "value", variables, unit), model::constant(0), model::constant(0)};
+  const bool radiates = load.kind == model::LoadKind::radiation;
+  if (section.has("incident")) {
+    const Expression incident = read_expression(section.when(radiates), "incident", of_time, unit);
+    if (radiates) load.incident = {incident, model::constant(0), model::constant(0)};
+  }
+  if (section.has("impedance")) load.impedance = section.when(radiates).quantity("impedance", dim::density * dim::speed, positive);
   return load;
 }
 

@@ -1,5 +1,7 @@
 #include "input/readers.hpp"
 
+#include <algorithm>
+
 #include "base/words.hpp"
 #include "model/values.hpp"
 
@@ -30,8 +32,36 @@ material::JohnsonCook read_johnson_cook(const Section& section) {
   return flow;
 }
 
-element::AnyLaw read_law(const Section& section, bool of_plates) {
-  const std::string kind = section.choice("kind", {"elastic", "neo_hookean", "j2_bilinear", "johnson_cook"});
+/// Which bodies a law is read for.
+enum class For { solids, plates, solids_or_fluids };
+
+const std::vector<std::string> solid_laws{"elastic", "neo_hookean", "j2_bilinear", "johnson_cook"};
+const std::vector<std::string> fluid_laws{"linear_fluid", "mie_gruneisen", "ideal_gas"};
+
+/// The lowest pressure of a liquid. [Pa]
+double read_cutoff(const Section& section) { return section.quantity_or("cutoff", 0, dim::stress); }
+
+element::AnyLaw read_fluid_law(const Section& section, const std::string& kind) {
+  const double density = section.quantity("density", dim::density, positive);
+  if (kind == "ideal_gas")
+    return material::IdealGas{.density = density, .gamma = section.number("gamma", model::range::adiabatic), .pressure = 0};
+  const bool by_shocks = kind == "mie_gruneisen";
+  const bool by_speed = by_shocks || section.has("sound_speed");
+  const double speed = section.when(by_speed).quantity("sound_speed", dim::speed, positive);
+  const double modulus = section.when(!by_speed).quantity("bulk_modulus", dim::stress, positive);
+  const double slope = section.when(by_shocks).number("slope", model::range::shock_slope);
+  const double gamma = section.when(by_shocks).number("gamma", not_negative);
+  const double cutoff = read_cutoff(section);
+  if (by_shocks) return material::MieGruneisen{density, speed, slope, gamma, cutoff};
+  return material::LinearFluid{density, by_speed ? density * speed * speed : modulus, cutoff};
+}
+
+element::AnyLaw read_law(const Section& section, For bodies) {
+  std::vector<std::string> kinds = solid_laws;
+  if (bodies == For::solids_or_fluids) kinds.insert(kinds.end(), fluid_laws.begin(), fluid_laws.end());
+  const std::string kind = section.choice("kind", kinds);
+  if (std::find(fluid_laws.begin(), fluid_laws.end(), kind) != fluid_laws.end()) return read_fluid_law(section, kind);
+  const bool of_plates = bodies == For::plates;
   const bool bilinear = kind == "j2_bilinear", in_space = kind == "johnson_cook" || kind == "neo_hookean";
   const bool refused = of_plates && in_space, hot = kind == "johnson_cook" && !refused;
   static_assert(!material::PlateLaw<material::J2JohnsonCook> && !material::PlateLaw<material::NeoHookean>);
@@ -61,9 +91,11 @@ element::AnyLaw read_law(const Section& section, bool of_plates) {
 
 }  // namespace
 
-element::AnyLaw read_law(const Section& section) { return read_law(section, false); }
+element::AnyLaw read_law(const Section& section) { return read_law(section, For::solids); }
 
-element::AnyLaw read_plate_law(const Section& section) { return read_law(section, true); }
+element::AnyLaw read_plate_law(const Section& section) { return read_law(section, For::plates); }
+
+element::AnyLaw read_solid_or_fluid_law(const Section& section) { return read_law(section, For::solids_or_fluids); }
 
 element::Viscosity read_viscosity(const Section& section) {
   const Section viscosity = section.section_or_empty("viscosity");
@@ -95,6 +127,13 @@ element::AnyHexahedronOptions read_hexahedron_options(const Section& section, st
   const element::Hexahedron::Options one_point = read_one_point_options(section.when(!full));
   if (!full) return one_point;
   return element::FullHexahedron::Options{.viscosity = read_viscosity(section), .distortion = read_distortion(section)};
+}
+
+element::Fluid::Options read_fluid_options(const Section& section) {
+  element::Fluid::Options options;
+  options.hourglass = section.number_or("hourglass", options.hourglass, model::range::hourglass_of_fluids);
+  options.viscosity = read_viscosity(section);
+  return options;
 }
 
 element::Plate::Options read_plate_options(const Section& section) {

@@ -16,6 +16,12 @@ namespace nereid::input {
 element::AnyLaw read_law(const Section&);
 /// The same for plates: a law that they may not have is a fault that names those they may.
 element::AnyLaw read_plate_law(const Section&);
+/// The same for a body that may be a fluid: `kind` may also be
+///
+/// linear_fluid   `density`, `bulk_modulus` or `sound_speed`, optional `cutoff`, the lowest pressure
+/// mie_gruneisen  `density`, `sound_speed`, `slope`, `gamma`, optional `cutoff`
+/// ideal_gas      `density`, `gamma`; its pressure is that of the body at the start
+element::AnyLaw read_solid_or_fluid_law(const Section&);
 
 /// Optional `viscosity: {linear, quadratic}` of a body.
 element::Viscosity read_viscosity(const Section&);
@@ -30,6 +36,9 @@ element::Hexahedron::Options read_one_point_options(const Section&);
 ///
 /// kind_key  a driver may call the kind by the name of the body
 element::AnyHexahedronOptions read_hexahedron_options(const Section&, std::string_view kind_key = "kind");
+
+/// Optional `hourglass` of fluids, not negative, and the viscosity.
+element::Fluid::Options read_fluid_options(const Section&);
 
 /// `thickness`, optional `layers` (1 to 9), `rotary_inertia: scaled | physical`, `thinning: by_law | constant |
 /// follows_strain`, `drilling`, and the viscosity.

@@ -88,6 +88,15 @@ model::GivenShape read_given_shape(const Section& section) {
   return given;
 }
 
+/// `start: {pressure, hydrostatic}` of a fluid; the pressure is optional but for a gas.
+void read_fluid_start(const Section& body, model::Body& fluid) {
+  auto* gas = std::get_if<material::IdealGas>(&fluid.law);
+  const Section start = gas != nullptr ? body.section("start") : body.section_or_empty("start");
+  fluid.start.pressure = gas != nullptr ? start.quantity("pressure", dim::stress, positive) : start.quantity_or("pressure", 0, dim::stress);
+  fluid.start.hydrostatic = start.flag_or("hydrostatic", false);
+  if (gas != nullptr) gas->pressure = fluid.start.pressure;
+}
+
 model::Body read_body(const Section& section, Names& taken) {
   const Section mesh = section.section("mesh");
   mesh::Origin origin;
@@ -104,6 +113,7 @@ model::Body read_body(const Section& section, Names& taken) {
                    .surface = {},
                    .shape = {},
                    .given = {},
+                   .start = {},
                    .origin = {},
                    .at = section.path()};
   body.origin = std::move(origin);
@@ -120,9 +130,12 @@ model::Body read_body(const Section& section, Names& taken) {
     if (body.rigid) body.shape = given;
   }
   const Section material = section.section("material");
-  body.law = model::has_plates(body.mesh) ? read_plate_law(material) : read_law(material);
+  body.law = model::has_plates(body.mesh) ? read_plate_law(material) : read_solid_or_fluid_law(material);
   const Section element = section.section_or_empty("element");
-  body.solid = read_hexahedron_options(element.when(model::has_solids(body.mesh)));
+  const bool is_fluid = material::is_fluid(body.law);
+  if (is_fluid) body.solid = read_fluid_options(element);
+  else body.solid = read_hexahedron_options(element.when(model::has_solids(body.mesh)));
+  if (is_fluid || section.has("start")) read_fluid_start(section.when(is_fluid), body);
   body.plate = read_plate_options(element.when(model::has_plates(body.mesh)));
   Names points;
   for (const Section& point : section.list("points"))

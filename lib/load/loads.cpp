@@ -41,23 +41,40 @@ void set_forces(const BodyForce& load, const Vectors& X, const Vectors&, const V
   }
 }
 
+/// Calls visit(place, area) for the corners of the faces of a surface: areas along their outward normals, of a hexahedron's face
+/// (A n + T n)/6 with T of the triangle at the corner, so that they are the gradient of the enclosed volume. [m2]
+template <class Visit>
+void each_corner_area(const Table<4>& corners, const Subset& nodes, const Vectors& x, Visit&& visit) {
+  for (Eigen::Index face = 0; face < corners.cols(); ++face) {
+    const auto corner = corners.col(face);
+    const int count = corner(3) < 0 ? 3 : 4;
+    std::array<Vec3, 4> twice;  // areas of the triangles at the corners, along their normals
+    Vec3 sum = Vec3::Zero();
+    for (int a = 0; a < count; ++a) {
+      const Vec3 here = x.col(nodes[corner(a)]);
+      const Vec3 to_next = x.col(nodes[corner((a + 1) % count)]) - here;
+      const Vec3 to_last = x.col(nodes[corner((a + count - 1) % count)]) - here;
+      sum += twice[a] = to_next.cross(to_last);
+    }
+    for (int a = 0; a < count; ++a) visit(corner(a), count == 3 ? Vec3(sum / 18) : Vec3((sum / 2 + twice[a]) / 12));
+  }
+}
+
 void set_forces(const Pressure& load, const Vectors&, const Vectors& x, const Vectors&, double t, double, LoadMemory& memory) {
   const double pressure = load.pressure(t);
   memory.force.setZero();
-  for (Eigen::Index face = 0; face < load.corners.cols(); ++face) {
-    const auto corner = load.corners.col(face);
-    const int corners = corner(3) < 0 ? 3 : 4;
-    std::array<Vec3, 4> twice;  // areas of the triangles at the corners, along their normals
-    Vec3 sum = Vec3::Zero();
-    for (int a = 0; a < corners; ++a) {
-      const Vec3 here = x.col(load.nodes[corner(a)]);
-      const Vec3 to_next = x.col(load.nodes[corner((a + 1) % corners)]) - here;
-      const Vec3 to_last = x.col(load.nodes[corner((a + corners - 1) % corners)]) - here;
-      sum += twice[a] = to_next.cross(to_last);
-    }
-    for (int a = 0; a < corners; ++a)
-      memory.force.col(corner(a)) -= corners == 3 ? Vec3(pressure / 18 * sum) : Vec3(pressure / 12 * (sum / 2 + twice[a]));
-  }
+  each_corner_area(load.corners, load.nodes, x, [&](Index place, const Vec3& area) { memory.force.col(place) -= pressure * area; });
+}
+
+void set_forces(const Radiation& load, const Vectors&, const Vectors& x, const Vectors& v, double t, double, LoadMemory& memory) {
+  const double pressure = load.pressure(t) + 2 * load.incident(t);
+  memory.force.setZero(), memory.drag.setZero();
+  each_corner_area(load.corners, load.nodes, x, [&](Index place, const Vec3& area) {
+    memory.force.col(place) -= pressure * area;
+    const double size = area.norm();
+    if (size > 0) memory.drag.col(place) -= load.impedance / size * area.dot(v.col(load.nodes[place])) * area;
+  });
+  memory.force += memory.drag;
 }
 
 void set_forces(const NodalForce& load, const Vectors&, const Vectors&, const Vectors&, double t, double, LoadMemory& memory) {
@@ -120,6 +137,7 @@ void post(const Load& load, const Vectors& x, const Vectors& v, const Vectors& o
       power += here.dot(speed);
       force += here;
       moment += place.cross(here);
+      if constexpr (std::is_same_v<Load, Radiation>) memory.dissipated -= half * memory.drag.col(i).dot(speed);
     }
   }
   memory.work += half * power;
@@ -150,6 +168,13 @@ Pressure pressure_on(const std::string& name, const mesh::Mesh& mesh, const mesh
   return load;
 }
 
+Radiation radiation_from(const std::string& name, const mesh::Mesh& mesh, const mesh::Surface& surface, OverTime pressure,
+                         OverTime incident, double impedance) {
+  Pressure same = pressure_on(name, mesh, surface, std::move(pressure));
+  return {.name = name, .nodes = std::move(same.nodes), .corners = std::move(same.corners), .pressure = std::move(same.pressure),
+          .incident = std::move(incident), .impedance = impedance};
+}
+
 Spring spring_between(const std::string& name, const Vectors& X, Index from, Index to, double stiffness, double damping,
                       const double* length) {
   check(to >= 0, "a spring joins two nodes of the mesh");
@@ -167,6 +192,7 @@ AnyLoad in_stage(const AnyLoad& any, bool is_on, double start) {
   const auto set_all = [&](auto& values) { for (auto& value : values) set(value); };
   if (auto* force = std::get_if<BodyForce>(&changed)) set_all(force->acceleration);
   if (auto* pressure = std::get_if<Pressure>(&changed)) set(pressure->pressure);
+  if (auto* radiation = std::get_if<Radiation>(&changed)) set(radiation->pressure), set(radiation->incident);
   if (auto* force = std::get_if<NodalForce>(&changed)) set_all(force->force);
   if (auto* moment = std::get_if<NodalMoment>(&changed)) set_all(moment->moment);
   if (auto* couple = std::get_if<Couple>(&changed)) set_all(couple->moment);
@@ -179,9 +205,11 @@ const std::string& name(const AnyLoad& any) {
 
 Source source(const AnyLoad& any) {
   constexpr std::array kinds{SourceKind::body_force, SourceKind::pressure, SourceKind::force,  SourceKind::moment,
-                             SourceKind::moment,     SourceKind::spring};
+                             SourceKind::moment,     SourceKind::spring,   SourceKind::radiation};
   static_assert(std::variant_size_v<AnyLoad> == kinds.size());
   if (is_spring(any)) return {name(any), SourceKind::spring, {Stored::elastic}, {Dissipated::damping}};
+  if (std::holds_alternative<Radiation>(any))
+    return {name(any), SourceKind::radiation, {Stored::external_work}, {Dissipated::radiated}};
   return {name(any), kinds[any.index()], {Stored::external_work}, {}};
 }
 
@@ -191,7 +219,8 @@ void post(const AnyLoad& any, const LoadMemory& memory, Account& account) {
     account.hold(Stored::elastic, memory.stored);
     account.dissipated[Dissipated::damping] = memory.dissipated;
   } else {
-    account.stored[Stored::external_work] = -memory.work;
+    account.stored[Stored::external_work] = -memory.work - memory.dissipated;
+    account.dissipated[Dissipated::radiated] = memory.dissipated;
   }
   account.impulse = memory.impulse;
   account.angular_impulse = memory.angular_impulse;
@@ -206,6 +235,7 @@ LoadMemory initial_memory(const AnyLoad& any) {
         const Index count = nodes_of(load).size();
         constexpr bool rotations = std::is_same_v<std::decay_t<decltype(load)>, NodalMoment>;
         memory.force = Vectors::Zero(3, rotations ? 0 : count);
+        if constexpr (std::is_same_v<std::decay_t<decltype(load)>, Radiation>) memory.drag = memory.force;
         memory.moment = Vectors::Zero(3, rotations ? count : 0);
         return memory;
       },
@@ -251,7 +281,7 @@ double applied(const LoadMemory& memory, double length) {
   return sum(memory.force) + sum(memory.moment) / length;
 }
 
-SpringRates spring_rates(const std::vector<AnyLoad>& loads, const Scalars& mass) {
+SpringRates spring_rates(const std::vector<AnyLoad>& loads, const Vectors& X, const Scalars& mass) {
   std::unordered_map<Index, std::array<double, 2>> at_node;  // stiffness and damping over mass
   for (const AnyLoad& any : loads) {
     if (!is_spring(any)) continue;
@@ -263,6 +293,14 @@ SpringRates spring_rates(const std::vector<AnyLoad>& loads, const Scalars& mass)
     }
   }
   SpringRates rates;
+  for (const AnyLoad& any : loads)
+    if (const auto* radiation = std::get_if<Radiation>(&any)) {
+      each_corner_area(radiation->corners, radiation->nodes, X, [&](Index place, const Vec3& area) {
+        const Index node = radiation->nodes[place];
+        at_node[node][1] += radiation->impedance * area.norm() / mass(node);
+      });
+      for (const Index node : radiation->nodes) rates.damping = std::max(rates.damping, 0.5 * at_node[node][1]);
+    }
   for (std::size_t i = 0; i < loads.size(); ++i) {
     if (!is_spring(loads[i])) continue;
     const auto& spring = std::get<Spring>(loads[i]);

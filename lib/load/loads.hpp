@@ -36,6 +36,20 @@ struct Pressure {
   OverTime pressure; ///< [Pa]
 };
 
+/// A surface beyond which a fluid or solid goes on: waves leave through it, and one may come in.
+///
+/// The pressure on it is  p + 2 p_in + Z v_n,  v_n the velocity along the outward normal and Z = density c. A plane wave along the normal
+/// leaves without a reflection; one at an angle a reflects the part  (1 - cos a)/(1 + cos a). The dashpots take what leaves; p and 2 p_in
+/// are loads.
+struct Radiation {
+  std::string name;
+  Subset nodes;       ///< of the surface, ascending
+  Table<4> corners;   ///< as of a Pressure
+  OverTime pressure;  ///< [Pa] at rest
+  OverTime incident;  ///< [Pa] of the wave that comes in, p_in
+  double impedance;   ///< [kg/(m2 s)] Z
+};
+
 /// A force shared equally among nodes.
 struct NodalForce {
   std::string name;
@@ -74,7 +88,7 @@ struct Spring {
 };
 
 /// Every load that exists.
-using AnyLoad = std::variant<BodyForce, Pressure, NodalForce, NodalMoment, Couple, Spring>;
+using AnyLoad = std::variant<BodyForce, Pressure, NodalForce, NodalMoment, Couple, Spring, Radiation>;
 
 /// Mass that belongs to no element, shared equally among nodes.
 struct PointMass {
@@ -88,13 +102,16 @@ struct LoadMemory {
   Vectors force;                        ///< [N] now, [3 x nodes of the load]; of a spring at its two ends
   Vectors moment;                       ///< [N m] now, [3 x nodes of the load]; of a NodalMoment only
   double work = 0;                      ///< [J] done on the nodes
-  double stored = 0, dissipated = 0;    ///< [J] of a spring: 1/2 k (l - l0)^2 now; by its dashpot so far
+  Vectors drag;                         ///< [N] the part of `force` that dashpots exert; of Radiation only
+  double stored = 0, dissipated = 0;    ///< [J] of a spring: 1/2 k (l - l0)^2 now; by its dashpot so far. Of Radiation: what left
   Vec3 impulse = Vec3::Zero();          ///< [N s] given to the nodes
   Vec3 angular_impulse = Vec3::Zero();  ///< [N m s] about the origin
 };
 
 /// Builders; the nodes of a pressure are those of its surface.
 Pressure pressure_on(const std::string& name, const mesh::Mesh&, const mesh::Surface&, OverTime);
+Radiation radiation_from(const std::string& name, const mesh::Mesh&, const mesh::Surface&, OverTime pressure, OverTime incident,
+                         double impedance);
 /// Without a length the spring starts without force. Throws InternalError for a node that is not in X.
 Spring spring_between(const std::string& name, const Vectors& X, Index from, Index to, double stiffness, double damping,
                       const double* length = nullptr);
@@ -126,7 +143,7 @@ Vec3 resultant_moment(const LoadMemory&);
 /// How much is applied, whatever the directions: the sum of the magnitudes of the nodes' forces, moments over a length. [N]
 double applied(const LoadMemory&, double length);
 
-/// How hard springs pull on the masses of their nodes: bounds over all springs together.
+/// How hard springs and dashpots pull on the masses of their nodes: bounds over all of them together.
 struct SpringRates {
   double omega_squared = 0;  ///< [1/s2] of K relative to M: largest of K1/m1 + K2/m2
   double damping = 0;        ///< [1/s] of C relative to 2 M: largest of (C1/m1 + C2/m2)/2
@@ -134,7 +151,9 @@ struct SpringRates {
 };
 
 /// K1, K2 (C1, C2) are sums over all springs (dashpots) at the two nodes of a spring.
-SpringRates spring_rates(const std::vector<AnyLoad>&, const Scalars& mass);
+///
+/// X  [m] for the areas of surfaces that radiate
+SpringRates spring_rates(const std::vector<AnyLoad>&, const Vectors& X, const Scalars& mass);
 
 /// The step y at which elements with the bound `step` and springs are stable together,
 ///

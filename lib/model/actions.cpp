@@ -197,6 +197,18 @@ void add_load(const Load& load, dynamics::Model& model, Faults& faults) {
       if (is_rigid_body(model, load.on)) model.loads.emplace_back(load::Couple{load.name, mesh::node_set(model.mesh, load.on), values});
       else model.loads.emplace_back(moment_on(load, model, values, faults));
       break;
+    case LoadKind::radiation: {
+      const mesh::Surface& surface = mesh::surface(model.mesh, load.on);
+      if (mesh::has_both_sides(surface.facets))
+        refuse(faults, part("load", load), "surface", quote(load.on) + " has plates from both sides: waves leave through one of them");
+      const double impedance = load.impedance.value_or(dynamics::surface_impedance(model, surface));
+      if (!std::isfinite(impedance) || !(impedance > 0))
+        refuse(faults, part("load", load), "impedance", quote(load.on) + " is of plates or of a rigid body: say 'impedance'");
+      const load::OverTime none = [](double) { return 0.0; };
+      model.loads.emplace_back(load::radiation_from(load.name, model.mesh, surface, values[0],
+                                                    load.incident[0] ? over_time(load.incident[0]) : none, impedance));
+      break;
+    }
     case LoadKind::body_force: break;  // above
   }
 }

@@ -84,9 +84,10 @@ std::vector<std::string> element_advice(const Simulation& simulation, const Expe
 double plastic_capacity(const element::AnyBlock& any) {
   return std::visit(
       [&any]<class Kind, class Law>(const element::Block<Kind, Law>& block) {
-        const auto fresh = material::fresh<double, Symmetric>(block.law);
-        if constexpr (requires { yield_stress(block.law, fresh.scalar); })
+        if constexpr (material::flows<Law>) {
+          const auto fresh = material::fresh<double, Symmetric>(block.law);
           return yield_stress(block.law, fresh.scalar) * element::element_masses(any).sum() / block.law.density;
+        }
         return 0.0;
       },
       any);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include "base/check.hpp"
@@ -115,12 +116,25 @@ void check_names(const Scene& scene, const mesh::Mesh& mesh, Faults& faults) {
   check_probes(scene, mesh, faults);
 }
 
-/// Whether a node set, surface or region is one of this body.
+/// Options of the solids of a body; those of a fluid know gravity and the pressure of the start.
+element::AnyHexahedronOptions options_of(const Body& body, const Vec3& gravity, const mesh::Mesh& mesh) {
+  element::AnyHexahedronOptions options = body.solid;
+  auto* fluid = std::get_if<element::Fluid::Options>(&options);
+  if (fluid == nullptr) return options;
+  const std::array<double, 3> g{gravity.x(), gravity.y(), gravity.z()};
+  fluid->gravity = g, fluid->pressure = body.start.pressure;
+  if (!body.start.hydrostatic) return options;
+  fluid->start_gravity = g, fluid->level = std::numeric_limits<double>::infinity();
+  for (const Index node : mesh::node_set(mesh, body.name)) fluid->level = std::min(fluid->level, gravity.dot(mesh.X.col(node)));
+  return options;
+}
+
 /// The elements of all bodies; a mesh from a file may have several regions.
 void add_elements(const Scene& scene, dynamics::Model& model) {
   for (const Body& body : scene.bodies) {
+    const element::AnyHexahedronOptions options = options_of(body, scene.gravity, model.mesh);
     for (const mesh::Hexahedra& region : model.mesh.hexahedra)
-      if (belongs(region.name, body)) model.blocks.push_back(element::solids(model.mesh, region.name, body.law, body.solid));
+      if (belongs(region.name, body)) model.blocks.push_back(element::solids(model.mesh, region.name, body.law, options));
     for (const mesh::Triangles& region : model.mesh.triangles)
       if (belongs(region.name, body)) model.blocks.push_back(element::plates(model.mesh, region.name, body.law, body.plate));
   }

@@ -76,6 +76,12 @@ struct GivenShape {
   Vec3 centre = Vec3::Zero(), axis = Vec3::UnitZ();  ///< [m] before the body is placed; unit vector
 };
 
+/// What a fluid starts with.
+struct FluidStart {
+  double pressure = 0;       ///< [Pa] everywhere, or at its highest point
+  bool hydrostatic = false;  ///< it grows downward by density times gravity, so that nothing moves
+};
+
 /// One body: its mesh, where it stands, and what it is made of.
 struct Body {
   std::string name;
@@ -85,12 +91,13 @@ struct Body {
   Placement place = {};
   std::vector<Point> points = {};
   element::AnyLaw law = {};
-  element::AnyHexahedronOptions solid = {};   ///< of the solids in the mesh
+  element::AnyHexahedronOptions solid = {};   ///< of the solids in the mesh; those of fluids for a fluid
   element::Plate::Options plate = {};         ///< of the plates in the mesh
   bool rigid = false;                         ///< it moves as one, and its elements compute nothing
   TouchesAs surface = TouchesAs::usual;       ///< of a rigid body
   std::optional<GivenShape> shape = {};       ///< of a rigid body, in place of the shape that its mesh was made of
   GivenMass given = {};                       ///< of a rigid body
+  FluidStart start = {};                      ///< of a fluid
   mesh::Origin origin = {};                   ///< of a given mesh, which has its names from a file
   std::string at = {};
 };
@@ -141,25 +148,28 @@ struct RigidPlane {
   std::string at = {};
 };
 
-enum class LoadKind { pressure, force, moment, body_force };
+enum class LoadKind { pressure, force, moment, body_force, radiation };
 
 /// What is said of a load in a case: the word of its kind, the key of what it acts on, and its value.
 struct LoadSyntax {
   const char *word, *key, *unit;
   bool is_vector, over_place;                ///< three values or one; functions of place and time, or of time
 };
-constexpr std::array<LoadSyntax, 4> load_syntax{{  // in the order of LoadKind
+constexpr std::array<LoadSyntax, 5> load_syntax{{  // in the order of LoadKind
     {"pressure", "surface", "Pa", false, false},
     {"force", "nodes", "N", true, false},
     {"moment", "nodes", "N m", true, false},
     {"body_force", "body", "m/s^2", true, true},
+    {"radiation", "surface", "Pa", false, false},
 }};
 
 struct Load {
   std::string name;
   LoadKind kind = LoadKind::pressure;
   std::string on;                            ///< surface, node set or body
-  Field value = {};                          ///< in the unit of load_syntax; of a pressure the first
+  Field value = {};                          ///< in the unit of load_syntax; of a pressure the first, of radiation that at rest
+  Field incident = {};                       ///< [Pa] of radiation: the first is the wave that comes in; may be empty
+  std::optional<double> impedance = {};      ///< [kg/(m2 s)] of radiation; without it that of the material at the surface
   std::string at = {};
 };
 

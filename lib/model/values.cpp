@@ -54,6 +54,14 @@ void check_functions(Faults& faults, const Part& part, const char* key, const Fi
 
 Values strength(const material::Elastic&) { return {}; }
 Values strength(const material::NeoHookean&) { return {}; }
+Values strength(const material::LinearFluid& law) {
+  return {{"bulk_modulus", law.bulk_modulus, positive, "Pa"}, {"cutoff", law.cutoff, below(law.bulk_modulus), "Pa"}};
+}
+Values strength(const material::MieGruneisen& law) {
+  return {{"sound_speed", law.sound_speed, positive, "m/s"}, {"slope", law.slope, range::shock_slope}, {"gamma", law.gamma, not_negative},
+          {"cutoff", law.cutoff, below(material::bulk_modulus_at_start(law)), "Pa"}};
+}
+Values strength(const material::IdealGas& law) { return {{"gamma", law.gamma, range::adiabatic}}; }
 Values strength(const material::J2Bilinear& law) {
   return {{"yield", law.flow.yield, positive, "Pa"}, {"tangent", law.flow.tangent, not_negative.below(law.young), "Pa"}};
 }
@@ -81,13 +89,21 @@ Values strength(const material::J2JohnsonCook& law) {
 void check_law(const Body& body, Faults& faults) {
   Part here = part("body", body);
   if (!here.at.empty()) here.at += ".material";
-  const auto constants = [&](const auto& law) {
-    const bool sound = check(faults, here, {{"density", law.density, positive, "kg/m^3"}, {"young", law.young, positive, "Pa"},
-                                            {"poisson", law.poisson, range::poisson}});
+  const auto constants = [&]<class Law>(const Law& law) {
+    bool sound = check(faults, here, {{"density", law.density, positive, "kg/m^3"}});
+    if constexpr (!material::FluidLaw<Law>)
+      sound = check(faults, here, {{"young", law.young, positive, "Pa"}, {"poisson", law.poisson, range::poisson}}) && sound;
     if (sound) check(faults, here, strength(law));  // some of these ranges end at one of those
   };
-  if (has_plates(body.mesh) && !element::plates_may_have(body.law))
+  const bool is_fluid = material::is_fluid(body.law);
+  if (has_plates(body.mesh) && is_fluid)
+    refuse(faults, here, "kind", fluids_are_solid_meshes);
+  else if (is_fluid && body.rigid)
+    refuse(faults, here, "kind", "a rigid body is no fluid: say 'kind: elastic'");
+  else if (has_plates(body.mesh) && !element::plates_may_have(body.law))
     refuse(faults, here, "kind", plates_may_have_other_laws);
+  else if (is_fluid != std::holds_alternative<element::Fluid::Options>(body.solid))
+    refuse(faults, here, "kind", is_fluid ? "a fluid needs the options of fluids" : "a solid has the options of fluids");
   else
     std::visit(constants, body.law);
 }
@@ -105,14 +121,28 @@ Values own(const element::Hexahedron::Options& options) {
 Values own(const element::FullHexahedron::Options& options) {
   return {{"element.distortion", options.distortion.stiffness, range::distortion}};
 }
+Values own(const element::Fluid::Options& options) {
+  return {{"element.hourglass", options.hourglass, range::hourglass_of_fluids}};
+}
 Values own(const element::Plate::Options& options) {
   return {{"element.thickness", options.thickness, positive, "m"},
           {"element.layers", static_cast<double>(options.layers), within(1, element::Plate::most_layers)},
           {"element.drilling", options.drilling, range::drilling}};
 }
 
+/// The pressure that a fluid starts with is one that its law can have.
+void check_start(const Body& body, Faults& faults) {
+  const Part here = part("body", body);
+  const double pressure = body.start.pressure;
+  Range allowed = positive;  // of a gas
+  if (const auto* law = std::get_if<material::LinearFluid>(&body.law)) allowed = at_least(law->cutoff).below(law->bulk_modulus);
+  if (const auto* law = std::get_if<material::MieGruneisen>(&body.law)) allowed = at_least(law->cutoff);
+  if (material::is_fluid(body.law)) check(faults, here, {{"start.pressure", pressure, allowed, "Pa"}});
+}
+
 void check_body(const Body& body, Faults& faults) {
   const Part here = part("body", body);
+  check_start(body, faults);
   const auto look = [&](const auto& options) { check(faults, here, own(options)), check(faults, here, of_viscosity(options.viscosity)); };
   check_law(body, faults);
   check_functions(faults, here, "map", body.map, true);
@@ -179,8 +209,9 @@ void check_wall(const RigidPlane& plane, Faults& faults) {
 
 void check_load(const Load& load, Faults& faults) {
   const Part here = part("load", load);
-  if (!check(faults, here, {kind("kind", load.kind, LoadKind::body_force)})) return;
-  if (load.kind != LoadKind::pressure) check_functions(faults, here, "value", load.value, false);
+  if (!check(faults, here, {kind("kind", load.kind, LoadKind::radiation)})) return;
+  check(faults, here, {{"impedance", load.impedance.value_or(1), positive, "kg/(m^2*s)"}});
+  if (load.kind != LoadKind::pressure && load.kind != LoadKind::radiation) check_functions(faults, here, "value", load.value, false);
   else if (!load.value[0]) refuse(faults, here, "value", "'value' needs a function");
 }
 

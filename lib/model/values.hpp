@@ -11,13 +11,16 @@ namespace nereid::model {
 namespace range {
 inline constexpr Range poisson = between(-1, 0.5), share = within(0, 1), hardening_exponent = above(0).up_to(1),
                        thermal_exponent = above(0).up_to(10), hourglass = above(0).up_to(1), drilling = within(0, 1),
-                       distortion = within(0, 10),
+                       distortion = within(0, 10), hourglass_of_fluids = within(0, 100), adiabatic = above(1).up_to(10),
+                       shock_slope = within(0, 10),
                        linear_viscosity = within(0, 1),
                        quadratic_viscosity = within(0, 10), friction = within(0, 10), tangential_penalty = above(0).up_to(1),
                        damping_ratio = within(0, 1), energy_gain_limit = within(1e-5, 0.04), step_factor = within(0, 0.5),
                        safety = above(0).up_to(10), residual = between(0, 1), restitution = within(0, 1), fallen = above(0).up_to(1),
                        rest_part = between(0, 1);
 }  // namespace range
+
+inline constexpr const char* fluids_are_solid_meshes = "a fluid has solid elements: this body has plates";
 
 inline constexpr const char* plates_may_have_other_laws =
     "plates may have the laws elastic and j2_bilinear: this one has no update in plane stress";

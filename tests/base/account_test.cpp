@@ -13,7 +13,7 @@ TEST(Account, EveryChannelHasAWordOfItsOwn) {
   EXPECT_EQ(word(Stored::elastic), "elastic");
   EXPECT_EQ(word(Stored::drilling), "drilling");
   EXPECT_EQ(word(Stored::external_work), words_of_stored.back());
-  EXPECT_EQ(word(Dissipated::thinning), words_of_dissipated.back());
+  EXPECT_EQ(word(Dissipated::radiated), words_of_dissipated.back());
   EXPECT_EQ(word(SourceKind::gravity), words_of_source_kinds.back());
 }
 

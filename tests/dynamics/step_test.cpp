@@ -10,6 +10,7 @@
 #include <functional>
 #include <new>
 #include <random>
+#include <set>
 
 #include "base/dense.hpp"
 #include "base/parallel.hpp"
@@ -1613,7 +1614,7 @@ void expect_resumed_bits(Scene s, int steps, const std::vector<Probe>& probes = 
   expect_same_bits(s.state, kept);
 }
 
-/// One metal of every law that there is.
+/// One metal or fluid of every law that there is.
 template <class... Laws>
 std::vector<element::AnyLaw> every_law(const std::variant<Laws...>*) {
   return {element::metal<Laws>()...};
@@ -1625,10 +1626,21 @@ TEST(Resume, HasTheBitsOfARunWithoutABreakForEveryElementAndLaw) {
                                                  element::Hexahedron::Options{.hourglass = 0.05, .viscosity = viscosity,
                                                                               .hourglass_kind = element::Hexahedron::Hourglass::viscous},
                                                  element::FullHexahedron::Options{.viscosity = viscosity}};
+  element::Fluid::Options of_fluid{.viscosity = viscosity};
+  of_fluid.pressure = 0.3, of_fluid.gravity = {0, 0, -0.1};
+  const std::vector<element::AnyHexahedronOptions> of_solids(std::begin(kinds), std::end(kinds)), of_fluids{of_fluid};
   for (const element::AnyLaw& law : every_law(static_cast<element::AnyLaw*>(nullptr))) {
-    for (const auto& kind : kinds) {
+    for (const auto& kind : material::is_fluid(law) ? of_fluids : of_solids) {
       SCOPED_TRACE("law " + std::to_string(law.index()) + ", element " + std::to_string(kind.index()));
       Scene s = box({3, 2, 2}, law, kind, 0.01);
+      if (material::is_fluid(law)) {
+        std::set<Index> outer;
+        for (const char* side : {"x_low", "x_high", "y_low", "y_high", "z_low", "z_high"}) {
+          const Subset nodes = mesh::node_set(s.model.mesh, std::string("box.") + side);
+          outer.insert(nodes.begin(), nodes.end());
+        }
+        s.model.constraints.planes = {plane("vessel", PlaneKind::fixed, Vec3::UnitZ(), Subset(outer.begin(), outer.end()))};
+      }
       finalize(s.model);
       s.ready();
       add_random_velocities(s.state.v, 0.04);  // a thirtieth of the speed of sound: metals yield

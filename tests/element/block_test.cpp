@@ -91,7 +91,7 @@ double total(const std::array<double, count>& channels) {
 template <class Channel>
 double total(const Channels<Channel>& channels) {
   double sum = 0;
-  for (int c = 0; c < 7; ++c) sum += channels[static_cast<Channel>(c)];
+  for (std::size_t c = 0; c < words_of_stored.size(); ++c) sum += channels[static_cast<Channel>(c)];
   return sum;
 }
 

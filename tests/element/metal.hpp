@@ -16,6 +16,11 @@ inline void make_metal(double poisson, material::J2JohnsonCook& law) {
           .heat_share = 0.9, .temperature = 300}};
 }
 
+// And one fluid for each of its laws, about as stiff.
+inline void make_metal(double /*poisson*/, material::LinearFluid& law) { law = {2.0, 3.0}; }
+inline void make_metal(double /*poisson*/, material::MieGruneisen& law) { law = {2.0, 1.2, 1.75, 0.28}; }
+inline void make_metal(double /*poisson*/, material::IdealGas& law) { law = {2.0, 1.4, 0.3}; }
+
 template <class Law>
 Law metal(double poisson = 0.3) {
   Law law;

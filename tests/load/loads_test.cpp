@@ -219,8 +219,8 @@ TEST(SpringRates, OfOneSpringAreItsOwnAndOfManyBoundTheExactFrequency) {
   const Vectors X = random_vectors(4, 1, 17);
   const Scalars mass = (Scalars(4) << 1, 2, 3, 4).finished();
   const std::vector<AnyLoad> one{spring_between("s", X, 0, 1, 6, 2)};
-  EXPECT_DOUBLE_EQ(spring_rates(one, mass).omega_squared, 6 * (1 / 1.0 + 1 / 2.0));
-  EXPECT_DOUBLE_EQ(spring_rates(one, mass).damping, 0.5 * 2 * (1 / 1.0 + 1 / 2.0));
+  EXPECT_DOUBLE_EQ(spring_rates(one, X, mass).omega_squared, 6 * (1 / 1.0 + 1 / 2.0));
+  EXPECT_DOUBLE_EQ(spring_rates(one, X, mass).damping, 0.5 * 2 * (1 / 1.0 + 1 / 2.0));
   // a chain 0-1-2-3 along a line: the exact frequencies are those of a tridiagonal matrix
   const double k[] = {6, 3, 9};
   std::vector<AnyLoad> chain;
@@ -233,7 +233,7 @@ TEST(SpringRates, OfOneSpringAreItsOwnAndOfManyBoundTheExactFrequency) {
   // the largest eigenvalue by powers
   Eigen::Vector4d mode(1, -1, 1, -1);
   for (int i = 0; i < 1000; ++i) mode = (K * mode).normalized();
-  const double exact = mode.dot(K * mode), bound = spring_rates(chain, mass).omega_squared;
+  const double exact = mode.dot(K * mode), bound = spring_rates(chain, X, mass).omega_squared;
   EXPECT_GE(bound, exact);
   EXPECT_LT(bound, 2 * exact);
 }

@@ -15,7 +15,7 @@
 
 namespace nereid::material {
 
-/// Every law, and those of them that plates may have.
+/// Every law of solids, and those of them that plates may have.
 template <class List>
 struct TypesOf;
 template <class... Laws>
@@ -31,10 +31,14 @@ auto those_of_plates(const std::variant<Laws...>*) {
   return std::tuple_cat(std::conditional_t<PlateLaw<Laws>, std::tuple<Laws>, std::tuple<>>{}...);
 }
 template <class... Laws>
-auto those_in_rates(const std::variant<Laws...>*) {
-  return std::tuple_cat(std::conditional_t<std::is_same_v<Laws, NeoHookean>, std::tuple<>, std::tuple<Laws>>{}...);
+auto those_of_solids(const std::variant<Laws...>*) {
+  return std::tuple_cat(std::conditional_t<Law<Laws>, std::tuple<Laws>, std::tuple<>>{}...);
 }
-using Laws = TypesOf<AnyLaw>::type;
+template <class... Laws>
+auto those_in_rates(const std::variant<Laws...>*) {
+  return std::tuple_cat(std::conditional_t<!Law<Laws> || std::is_same_v<Laws, NeoHookean>, std::tuple<>, std::tuple<Laws>>{}...);
+}
+using Laws = TypesOf<decltype(those_of_solids(static_cast<AnyLaw*>(nullptr)))>::type;
 /// Those whose stress is that of Hooke's law less what flows; neo_hookean_test.cpp has the other.
 using LawsInRates = TypesOf<decltype(those_in_rates(static_cast<AnyLaw*>(nullptr)))>::type;
 using PlateLaws = TypesOf<decltype(those_of_plates(static_cast<AnyLaw*>(nullptr)))>::type;

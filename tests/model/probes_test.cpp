@@ -25,7 +25,13 @@ TEST(Measurables, HaveTheInternalVariablesOfAllLawsAndNoNameTwice) {
 }
 
 TEST(MakeProbe, MeasuresEveryQuantityOfAScene) {
-  Scene scene = with({bar(), wall()});
+  Scene scene = with({bar(), wall(), bar()});
+  Body& water = scene.bodies[2];
+  water.name = "water", water.place.move = Vec3(0, 10, 0);
+  water.law = material::LinearFluid{1000, 2e9}, water.solid = element::Fluid::Options{};
+  const auto is_of_fluid = [](const std::string& quantity) {
+    return quantity == "density" || quantity == "internal_energy" || quantity == "void_fraction";
+  };
   scene.bodies[0].law = material::J2JohnsonCook{  // of all laws it has most internal variables
       8000, 200e9, 0.25, {1e8, 1e9, 0.3, 0.01, 1, 1, 293, 1793, 477, 0.9, 293}};
   scene.contacts = {{.name = "touch", .apexes = "bar.x_high", .base = "wall.x_low"}};
@@ -34,6 +40,7 @@ TEST(MakeProbe, MeasuresEveryQuantityOfAScene) {
     scene.probes.push_back({.name = "p_" + one.name, .quantity = one.name,
                             .of = one.of == Of::contact || one.of == Of::any_contact || one.of == Of::source ? "touch"
                                   : one.of == Of::section                                                    ? "cut"
+                                  : is_of_fluid(one.name)                                                    ? "water"
                                                                                                              : "bar",
                             .component = one.required ? one.components.back() : ""});
   scene.time.end = 1e-5;
@@ -353,9 +360,10 @@ Everything everything() {
   source("rigid plane", Vec3::UnitZ(), [&](const std::string& body) {
     scene.rigid_planes.push_back({.name = "of_" + body, .surface = body + ".z_low", .point = Vec3(0, 0, 0), .normal = Vec3::UnitZ()});
   });
-  for (const LoadKind kind : {LoadKind::pressure, LoadKind::force, LoadKind::body_force})
+  for (const LoadKind kind : {LoadKind::pressure, LoadKind::radiation, LoadKind::force, LoadKind::body_force})
     source(load_syntax[static_cast<std::size_t>(kind)].word, Vec3::Zero(), [&](const std::string& body) {
-      const std::string on = kind == LoadKind::pressure ? body + ".x_high" : kind == LoadKind::force ? body + ".tip" : body;
+      const bool on_surface = kind == LoadKind::pressure || kind == LoadKind::radiation;
+      const std::string on = on_surface ? body + ".x_high" : kind == LoadKind::force ? body + ".tip" : body;
       scene.loads.push_back({.name = "of_" + body, .kind = kind, .on = on, .value = uniform(Vec3(1e6, -2e6, 3e6))});
     });
   source("spring to the ground", Vec3::Zero(), [&](const std::string& body) {
@@ -395,15 +403,17 @@ Everything everything() {
     scene.automatic_contacts.push_back({.name = "of_" + body, .bodies = {body, "under_" + body}});
   });
 
-  Body plastic = cube("plastic", place++), full = cube("full", place++), die = cube("die", place++), plates = sheet();
+  Body plastic = cube("plastic", place++), full = cube("full", place++), die = cube("die", place++), water = cube("water", place++);
+  Body plates = sheet();
   plastic.law = material::J2Bilinear{8000, 200e9, 0.25, {1e8, 1e9}}, full.solid = element::FullHexahedron::Options{}, die.rigid = true;
+  water.law = material::LinearFluid{1000, 2e9}, water.solid = element::Fluid::Options{}, water.start.pressure = 1e6;
   plates.name = "plates", plates.place.move = Vec3(10.0 * place++, 0, 0);
-  place -= 4;
-  for (const Body& body : {plastic, full, die, plates}) {
+  place -= 5;
+  for (const Body& body : {plastic, full, die, water, plates}) {
     scene.bodies.push_back(body);
     thrown(body.name, place++, Vec3(1, 2, -20), body.rigid ? 0 : 5);
   }
-  for (const char* body : {"plastic", "full", "plates"}) all.targets.push_back({body, std::string("body that is ") + body, body});
+  for (const char* body : {"plastic", "full", "water", "plates"}) all.targets.push_back({body, std::string("body that is ") + body, body});
   all.targets.push_back({"die", "rigid body", "die"});
   all.targets.push_back({"plastic.x_high", "node set", "plastic"});
   all.targets.push_back({"plastic.tip", "node", "plastic"});

@@ -1,0 +1,246 @@
+#pragma once
+// The 8-node hexahedron of fluid: one pressure, no stiffness against a change of shape. docs/theory/fluid.md.
+
+#include <array>
+#include <cmath>
+
+#include "element/hexahedron.hpp"
+#include "element/report.hpp"
+#include "element/viscosity.hpp"
+#include "element/weight.hpp"
+#include "material/fluid.hpp"
+
+namespace nereid::element {
+
+/// The hexahedron of fluid as a kind of element: what it is made of and what it remembers.
+struct Fluid {
+  static constexpr int nodes = 8, dimensions = 3, axes = 3, sides = 6;
+  static constexpr bool rotates = false, layered = false;
+  static constexpr std::array stored_channels{Stored::compression, Stored::cavitation, Stored::weight};
+  static constexpr std::array dissipated_channels{Dissipated::viscous, Dissipated::hourglass};
+
+  struct Options {
+    double hourglass = usual_hourglass;  ///< [-] of dashpots that grow with the speed of hourglass motion
+    Viscosity viscosity;
+    double pressure = 0;                 ///< [Pa] at the start, at the height of `level`
+    std::array<double, 3> start_gravity{0, 0, 0};  ///< [m/s2] by which the pressure grows at the start: zero where it is even
+    double level = 0;                    ///< [m2/s2] start_gravity . x where the pressure is `pressure`
+    std::array<double, 3> gravity{0, 0, 0};        ///< [m/s2] of the scene
+  };
+  static constexpr double usual_hourglass = 1;
+
+  static bool has_weight(const Options& o) { return o.gravity[0] != 0 || o.gravity[1] != 0 || o.gravity[2] != 0; }
+  static bool has(const Options& o, Stored channel) { return channel != Stored::weight || has_weight(o); }
+  static bool has(const Options& o, Dissipated channel) { return channel != Dissipated::hourglass || o.hourglass > 0; }
+  /// How deep the element is behind a face of it, from its volume and the area of the face. [m]
+  static double depth(const Options&, double volume, double area) { return volume / area; }
+  /// Distance between the two faces of a plate; zero of a solid. [m]
+  static double thickness(const Options&) { return 0; }
+
+  /// Constants of one element.
+  template <class T>
+  struct Constants {
+    T mass, per_mass;     ///< [kg] and its inverse
+    T per_reference;      ///< [1/m3] of the volume at which the law has no pressure
+    T pressure;           ///< [Pa] at the start
+    T per_length;         ///< [1/m] of the cube of its volume at the start
+    template <class F>
+    void each_row(F&& f) { f(mass), f(per_mass), f(per_reference), f(pressure), f(per_length); }
+    static constexpr int rows = 5;
+  };
+
+  /// What one element remembers from step to step.
+  template <class T, class Law>
+  struct Memory {
+    material::FluidState<T> state;
+    T viscous;                           ///< [Pa] mean stress, positive in tension; not stored without viscosity
+    std::array<Vector<T>, 4> hourglass;  ///< [N] on the amplitudes, over eight; not stored without dashpots
+    T weight;                            ///< [J] of add_weight(); not stored without gravity
+    template <class F>
+    void each_row(F&& f, const Options& options) {
+      f(state.ratio), f(state.pressure), f(state.energy);
+      if (acts(options.viscosity)) f(viscous);
+      if (options.hourglass > 0)
+        for (auto& q : hourglass) f(q.x), f(q.y), f(q.z);
+      if (has_weight(options)) f(weight);
+    }
+    static constexpr int rows(const Options& options) {
+      return 3 + (acts(options.viscosity) ? 1 : 0) + (options.hourglass > 0 ? 12 : 0) + (has_weight(options) ? 1 : 0);
+    }
+  };
+};
+
+template <class T>
+NEREID_HOT Vector<T> gravity_of(const Fluid::Options& options) {
+  return {T(options.gravity[0]), T(options.gravity[1]), T(options.gravity[2])};
+}
+
+/// Upper bound on the squared frequencies of one element:  8/(m V) K tr G,  G = V^2 B B^T; exact where it stands alone. [1/s2]
+template <class T>
+NEREID_HOT T largest_frequency_squared_of_fluid(const Gradient<T>& g, T per_mass, T modulus) {
+  const auto& h = g.hourglass;
+  const T sum = dot(g.xi, g.xi) + dot(g.eta, g.eta) + dot(g.zeta, g.zeta) + dot(h[0], h[0]) + dot(h[1], h[1]) + dot(h[2], h[2]);
+  return T(64.0) * per_mass * g.per_volume * modulus * sum;
+}
+
+/// What the viscosity of a fluid needs to know of a step.
+template <class T>
+struct FluidMotion {
+  Vector<T> xi, eta, zeta;                    ///< [m] from the centre to a face of each axis, at the end of the step
+  Vector<T> moved_xi, moved_eta, moved_zeta;  ///< [m] how much they changed in it
+  T change;                                   ///< [Pa] of the pressure
+  T growth, dt;                               ///< [-] of the volume, [s]
+};
+
+/// The viscous stress of viscous_stress() where all stress is pressure; its mean, positive in tension.
+template <class T>
+struct ViscousPressure {
+  T stress;                ///< [Pa]
+  T damping;               ///< [1/s] s of stable_step
+  std::array<T, 3> along;  ///< [-] strain of the step along each axis
+};
+
+/// Strain of a step along an axis, and the length on which viscosity acts there.
+template <class T>
+struct AlongAxis {
+  T strain;  ///< [-]
+  T size;    ///< [-] without its sign
+  T length;  ///< [m]
+};
+template <class T>
+NEREID_HOT AlongAxis<T> along_axis(const Vector<T>& half, const Vector<T>& moved, T most) {
+  const T square = dot(half, half), strain = dot(half - T(0.5) * moved, moved) / square;
+  return {strain, larger(strain, -strain), smaller(T(2.0) * root(square), most)};
+}
+
+/// speed  c [m/s] of sound now;  omega_squared  [1/s2] bound on the squared frequencies
+template <class T>
+NEREID_HOT ViscousPressure<T> viscous_pressure(const Viscosity& viscosity, const FluidMotion<T>& m, T speed, T omega_squared,
+                                               const Shares<T, 3>& share) {
+  const T zero(0.0), crossing = T(2.0) / root(omega_squared), most = T(most_crossings) * speed * crossing;
+  const T part = viscous_part(viscosity, crossing, m.growth / m.dt) / speed;
+  const AlongAxis<T> xi = along_axis(m.xi, m.moved_xi, most), eta = along_axis(m.eta, m.moved_eta, most),
+                     zeta = along_axis(m.zeta, m.moved_zeta, most);
+  const T sum = larger(xi.size + eta.size + zeta.size, larger(m.growth, -m.growth));
+  const T limited = xi.size * share[0] * xi.length + eta.size * share[1] * eta.length + zeta.size * share[2] * zeta.length;
+  const T length = select(m.change * m.growth < zero, limited / (sum + T(1e-300)), zero);
+  const T longest = larger(larger(xi.length, eta.length), zeta.length);
+  return {-(part * length / m.dt) * m.change, T(0.5) * part * longest * omega_squared, {xi.strain, eta.strain, zeta.strain}};
+}
+
+/// What the dashpots against hourglass motion did in a step.
+template <class T>
+struct HourglassDrag {
+  T work;     ///< [J] that they took
+  T damping;  ///< [1/s] s of stable_step
+};
+
+/// Dashpots against hourglass motion, which grow with its speed and know no speed of sound:
+///
+///     Q_a = m/8 kappa w/l w_a,     w_a = q_a/dt,  w^2 = sum of w_a^2
+///
+/// A motion that begins with w has gone by  l/kappa ln(1 + kappa w t/l)  after the time t: it hardly ever closes an element, however fast.
+/// In slow smooth motion the force is of the third order in the amplitude, so that waves on a free surface go on.
+///
+/// q  [m] hourglass increments of the step without what the linear field makes of them;  force  [N] over eight, before and then now
+template <class T>
+NEREID_HOT HourglassDrag<T> drag_hourglass(T kappa, T mass, T per_length, const std::array<Vector<T>, 4>& q, T dt,
+                                           std::array<Vector<T>, 4>& force) {
+  T square(0.0);
+  for (int a = 0; a < 4; ++a) square = square + dot(q[a], q[a]);
+  const T rate = kappa * per_length * root(square) / dt, part = T(0.125) * mass * rate / dt;
+  T work(0.0);
+  for (int a = 0; a < 4; ++a) {
+    const Vector<T> now = part * q[a];
+    work = work + T(4.0) * dot(force[a] + now, q[a]);
+    force[a] = now;
+  }
+  return {work, rate};
+}
+
+/// Brings one hexahedron of fluid from the old to the new positions and gives its nodal forces.
+///
+/// The pressure follows from the volume, which is exact, and from the energy at the end of the step before; what viscosity and dashpots
+/// take in a step heats the fluid from the next one on.
+///
+/// share  [-] of the viscosity
+/// x  [m] at the end of the step;  dx  [m] increment of x over the step;  dt  [s] above zero
+/// force  [N] by which the element pulls its nodes
+template <class T, class Law>
+NEREID_HOT Report<T, Fluid> advance(const Law& law, const Fluid::Options& options, const Fluid::Constants<T>& constants,
+                                    const Shares<T, 3>& share, const std::array<Vector<T>, 8>& x, const std::array<Vector<T>, 8>& dx, T dt,
+                                    Fluid::Memory<T, Law>& memory, std::array<Vector<T>, 8>& force) {
+  const T eighth(0.125), zero(0.0), half(0.5), one(1.0);
+  const Modes<T> X = scaled(eighth, sums_by_mode(x)), D = scaled(eighth, sums_by_mode(dx));
+  const Gradient<T> at_end = volume_gradient(X);
+  const T ratio = at_end.volume * constants.per_reference, reference = one / constants.per_reference;
+  const T before = memory.state.ratio, pressure = memory.state.pressure;
+  const material::FluidResponse<T> response = update_pressure(law, ratio, memory.state);
+  const T omega_squared = largest_frequency_squared_of_fluid(at_end, constants.per_mass, response.modulus);
+
+  ViscousPressure<T> viscous{zero, zero, {zero, zero, zero}};
+  T viscous_work(zero);
+  if (acts(options.viscosity)) {
+    const T growth = (ratio - before) / (half * (ratio + before));
+    const FluidMotion<T> motion{X.xi, X.eta, X.zeta, D.xi, D.eta, D.zeta, memory.state.pressure - pressure, growth, dt};
+    const T speed = material::sound_speed(response.modulus, one / (constants.per_mass * at_end.volume));
+    viscous = viscous_pressure(options.viscosity, motion, speed, omega_squared, share);
+    viscous_work = half * (memory.viscous + viscous.stress) * (ratio - before);  // per volume of the reference
+    memory.viscous = viscous.stress;
+  }
+
+  const T mean = viscous.stress - memory.state.pressure;
+  Matrix<T> S{{mean, zero, zero}, {zero, mean, zero}, {zero, zero, mean}};
+  HourglassDrag<T> drag{zero, zero};
+  if (options.hourglass > 0) {
+    const Modes<T> middle = subtracted(X, half, D);
+    const Matrix<T> L = mean_gradient(D, volume_gradient(middle));
+    std::array<Vector<T>, 4> q;
+    for (int a = 0; a < 4; ++a) q[a] = D.hourglass[a] - L * middle.hourglass[a];
+    drag = drag_hourglass(T(options.hourglass), constants.mass, constants.per_length, q, dt, memory.hourglass);
+    force = forces_of_stress(S, memory.hourglass, X, at_end);
+  } else {
+    Modes<T> F{mean * at_end.xi, mean * at_end.eta, mean * at_end.zeta, {}};
+    for (int a = 0; a < 3; ++a) F.hourglass[a] = mean * at_end.hourglass[a];
+    F.hourglass[3] = {zero, zero, zero};
+    force = nodal_values(scaled(T(-1.0), F));
+  }
+  memory.state.energy = memory.state.energy + viscous_work + drag.work * constants.per_reference;
+
+  T lifted(zero);
+  if (Fluid::has_weight(options)) {
+    const T now = add_weight(X, at_end, constants.mass, gravity_of<T>(options), force);
+    lifted = now - memory.weight;
+    memory.weight = now;
+  }
+  return {.stored = {response.compression * reference, response.cavitation * reference, lifted},
+          .dissipated = {viscous_work * reference, drag.work},
+          .step = stable_step(omega_squared, viscous.damping + drag.damping),
+          .volume_ratio = at_end.volume * constants.per_length * constants.per_length * constants.per_length,
+          .along = viscous.along};
+}
+
+/// Constants of a hexahedron of fluid in its reference positions, in which it is at the start: its density is that of the law there, and
+/// its pressure grows with its depth.
+template <class Law>
+Fluid::Constants<double> constants(const Law& law, const Fluid::Options& options, const std::array<Vector<double>, 8>& X) {
+  const Modes<double> modes = scaled(0.125, sums_by_mode(X));
+  const double volume = volume_gradient(modes).volume, mass = law.density * volume;
+  const Vector<double> g{options.start_gravity[0], options.start_gravity[1], options.start_gravity[2]};
+  Vector<double> mean{0, 0, 0};
+  for (const Vector<double>& corner : X) mean = mean + 0.125 * corner;
+  const double depth = dot(g, mean) + first_moment(modes, g).value / volume - options.level;
+  const double pressure = options.pressure + law.density * depth;
+  return {.mass = mass, .per_mass = 1 / mass, .per_reference = start_at(law, pressure).ratio / volume, .pressure = pressure,
+          .per_length = 1 / std::cbrt(volume)};
+}
+
+/// What an element remembers at the start.
+template <class Law>
+Fluid::Memory<double, Law> at_start(const Law& law, const Fluid::Constants<double>& constants) {
+  Fluid::Memory<double, Law> memory{};
+  memory.state = start_at(law, constants.pressure);
+  return memory;
+}
+
+}  // namespace nereid::element

@@ -1,0 +1,72 @@
+#pragma once
+// The weight of a hexahedron of fluid: that of its mass at the centroid of its volume, and not at the mean of its nodes.
+//
+// With pressures that rise by density g from centroid to centroid, a fluid below a level surface is at rest on any mesh: the sum of the
+// forces is the gradient of the integral of the hydrostatic pressure over the volume of the body, which no node inside it changes. For the
+// same reason no motion that keeps all volumes sets gravity free. Masses at the nodes have neither: docs/theory/fluid.md.
+
+#include <array>
+
+#include "element/hexahedron.hpp"
+
+namespace nereid::element {
+
+/// The integral of g . (x - mean of the nodes) over the volume, and its gradient by the modal amplitudes.
+template <class T>
+struct FirstMoment {
+  T value;        ///< [m5/s2]
+  Modes<T> by;    ///< [m4/s2]
+};
+
+/// By two Gauss points each way, which is exact.
+///
+/// X  [m] amplitudes;  g  [m/s2]
+template <class T>
+NEREID_HOT FirstMoment<T> first_moment(const Modes<T>& X, const Vector<T>& g) {
+  constexpr double at = 0.57735026918962576;
+  const auto& [h0, h1, h2, h3] = X.hourglass;
+  const Vector<T> none{T(0.0), T(0.0), T(0.0)};
+  FirstMoment<T> m{T(0.0), {none, none, none, {none, none, none, none}}};
+  for (int point = 0; point < 8; ++point) {
+    const T xi((point & 1) != 0 ? at : -at), eta((point & 2) != 0 ? at : -at), zeta((point & 4) != 0 ? at : -at);
+    const T ez = eta * zeta, zx = zeta * xi, xe = xi * eta, xez = xe * zeta;
+    const Vector<T> a = X.xi + zeta * h1 + eta * h2 + ez * h3, b = X.eta + zeta * h0 + xi * h2 + zx * h3,
+                    c = X.zeta + eta * h0 + xi * h1 + xe * h3;
+    const Vector<T> A = cross(b, c), B = cross(c, a), C = cross(a, b);
+    const T volume = dot(a, A);
+    const Vector<T> r = xi * X.xi + eta * X.eta + zeta * X.zeta + ez * h0 + zx * h1 + xe * h2 + xez * h3;
+    const T lift = dot(g, r);
+    m.value = m.value + lift * volume;
+    const Vector<T> by_place = volume * g, by_a = lift * A, by_b = lift * B, by_c = lift * C;
+    m.by.xi = m.by.xi + xi * by_place + by_a;
+    m.by.eta = m.by.eta + eta * by_place + by_b;
+    m.by.zeta = m.by.zeta + zeta * by_place + by_c;
+    m.by.hourglass[0] = m.by.hourglass[0] + ez * by_place + zeta * by_b + eta * by_c;
+    m.by.hourglass[1] = m.by.hourglass[1] + zx * by_place + zeta * by_a + xi * by_c;
+    m.by.hourglass[2] = m.by.hourglass[2] + xe * by_place + eta * by_a + xi * by_b;
+    m.by.hourglass[3] = m.by.hourglass[3] + xez * by_place + ez * by_a + zx * by_b + xe * by_c;
+  }
+  return m;
+}
+
+/// Adds to the nodal forces what the weight at the centroid differs from weights at the nodes:
+///
+///     U = -mass g . (centroid - mean of the nodes),     f = -dU/dx;  they have no resultant
+///
+/// returns  U [J]
+template <class T>
+NEREID_HOT T add_weight(const Modes<T>& X, const Gradient<T>& gradient, T mass, const Vector<T>& g, std::array<Vector<T>, 8>& force) {
+  const FirstMoment<T> m = first_moment(X, g);
+  const T way = m.value * gradient.per_volume, eight(8.0), part = T(0.125) * mass * gradient.per_volume;
+  Modes<T> F = m.by;
+  F.xi = part * (F.xi - eight * way * gradient.xi);
+  F.eta = part * (F.eta - eight * way * gradient.eta);
+  F.zeta = part * (F.zeta - eight * way * gradient.zeta);
+  for (int a = 0; a < 3; ++a) F.hourglass[a] = part * (F.hourglass[a] - eight * way * gradient.hourglass[a]);
+  F.hourglass[3] = part * F.hourglass[3];
+  const std::array<Vector<T>, 8> more = nodal_values(F);
+  for (int node = 0; node < 8; ++node) force[node] = force[node] + more[node];
+  return -(mass * way);
+}
+
+}  // namespace nereid::element
